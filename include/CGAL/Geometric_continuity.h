@@ -1,0 +1,40 @@
+// Copyright (c) 2026 The Geometric_continuity developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_GEOMETRIC_CONTINUITY_H
+#define CGAL_GEOMETRIC_CONTINUITY_H
+
+/// \file Geometric_continuity.h
+/// Everything but input and output.
+
+#include <CGAL/Geometric_continuity/Error.h>
+#include <CGAL/Geometric_continuity/Traits_2.h>
+#include <CGAL/Geometric_continuity/Traits_3.h>
+#include <CGAL/Geometric_continuity/Traits_d.h>
+
+#include <CGAL/Geometric_continuity/algebra/Bell_polynomials.h>
+#include <CGAL/Geometric_continuity/algebra/Bernstein_polynomial.h>
+#include <CGAL/Geometric_continuity/algebra/Coordinate_vector.h>
+#include <CGAL/Geometric_continuity/algebra/bernstein.h>
+#include <CGAL/Geometric_continuity/algebra/determinant.h>
+#include <CGAL/Geometric_continuity/algebra/sign_pattern.h>
+
+#include <CGAL/Geometric_continuity/local/Coordinate_jet.h>
+#include <CGAL/Geometric_continuity/local/Curve_jet.h>
+#include <CGAL/Geometric_continuity/local/Frenet_frame.h>
+#include <CGAL/Geometric_continuity/local/curvatures.h>
+
+#include <CGAL/Geometric_continuity/curves/Bezier_curve.h>
+#include <CGAL/Geometric_continuity/curves/end_control_points.h>
+#include <CGAL/Geometric_continuity/curves/polygon_invariants.h>
+
+#include <CGAL/Geometric_continuity/continuity/join_continuity.h>
+
+#include <CGAL/Geometric_continuity/construction/Quintic_ends.h>
+#include <CGAL/Geometric_continuity/construction/Septic_ends.h>
+#include <CGAL/Geometric_continuity/construction/blend.h>
+#include <CGAL/Geometric_continuity/construction/quintic_strategies.h>
+#include <CGAL/Geometric_continuity/construction/septic_strategies.h>
+
+#endif // CGAL_GEOMETRIC_CONTINUITY_H

@@ -1,0 +1,67 @@
+// Copyright (c) 2026 The Geometric_continuity developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_GEOMETRIC_CONTINUITY_ERROR_H
+#define CGAL_GEOMETRIC_CONTINUITY_ERROR_H
+
+#include <stdexcept>
+#include <string>
+
+namespace CGAL {
+namespace Geometric_continuity {
+
+/// \ingroup PkgGeometricContinuityErrors
+/// The reasons for which input is refused.
+enum class Error_code {
+  zero_tangent,             ///< the first derivative at an end is zero
+  nonpositive_beta,         ///< a shape parameter \f$ \beta_1 \f$ (or \f$ \eta \f$) is not positive
+  singular_frame,           ///< the vectors that must span a frame are linearly dependent
+  knot_multiplicity,        ///< a knot is repeated too often
+  parameter_outside_domain, ///< a parameter lies outside the domain
+  empty_domain,             ///< a parameter interval has no positive length
+  wrong_number_of_points,   ///< too few or too many control points
+  dimension_mismatch,       ///< points, vectors or curves of different dimensions meet
+  jet_order_too_low,        ///< a jet has fewer derivatives than the construction reads
+  not_finite,               ///< a floating-point coordinate is infinite or not a number
+  malformed_input           ///< a file or a number cannot be read
+};
+
+/// \ingroup PkgGeometricContinuityErrors
+/// The name of a reason, as spelled in the enumeration.
+inline std::string to_string(Error_code code) {
+  switch (code) {
+  case Error_code::zero_tangent: return "zero_tangent";
+  case Error_code::nonpositive_beta: return "nonpositive_beta";
+  case Error_code::singular_frame: return "singular_frame";
+  case Error_code::knot_multiplicity: return "knot_multiplicity";
+  case Error_code::parameter_outside_domain: return "parameter_outside_domain";
+  case Error_code::empty_domain: return "empty_domain";
+  case Error_code::wrong_number_of_points: return "wrong_number_of_points";
+  case Error_code::dimension_mismatch: return "dimension_mismatch";
+  case Error_code::jet_order_too_low: return "jet_order_too_low";
+  case Error_code::not_finite: return "not_finite";
+  case Error_code::malformed_input: return "malformed_input";
+  }
+  return "unknown";
+}
+
+/// \ingroup PkgGeometricContinuityErrors
+/// The exception with which all functions of the package refuse bad input. It is thrown before
+/// anything has been changed, in release builds as well.
+class Error : public std::runtime_error {
+public:
+  /// `place` says where the input is wrong, e.g. "blend: end of the first curve".
+  Error(Error_code code, const std::string& place) : std::runtime_error(to_string(code) + ": " + place), code_(code) {}
+
+  /// The reason, for programs.
+  Error_code code() const { return code_; }
+
+private:
+  Error_code code_;
+};
+
+} // namespace Geometric_continuity
+} // namespace CGAL
+
+#endif // CGAL_GEOMETRIC_CONTINUITY_ERROR_H

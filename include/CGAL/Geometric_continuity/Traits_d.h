@@ -1,0 +1,73 @@
+// Copyright (c) 2026 The Geometric_continuity developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_GEOMETRIC_CONTINUITY_TRAITS_D_H
+#define CGAL_GEOMETRIC_CONTINUITY_TRAITS_D_H
+
+#include <CGAL/Dimension.h>
+#include <CGAL/Exact_rational.h>
+
+#include <type_traits>
+
+namespace CGAL {
+
+template <class Dimension> struct Epick_d; // known here by name only, so that Eigen is not needed
+
+namespace Geometric_continuity {
+
+namespace internal {
+template <class K> struct Is_filtered_d : std::false_type {};
+template <class Dimension> struct Is_filtered_d<Epick_d<Dimension>> : std::true_type {};
+} // namespace internal
+
+/// \ingroup PkgGeometricContinuityTraits
+/// The traits class for curves whose dimension is known at run time, over a dD kernel such as
+/// `Cartesian_d<FT>`, `Epick_d<Dynamic_dimension_tag>` or `Epeck_d<Dynamic_dimension_tag>` (the last two
+/// need Eigen).
+///
+/// With `Epick_d` predicates are decided in `Exact_rational` on the coordinates as given; with every
+/// other kernel they are decided in the field of the kernel.
+///
+/// \tparam K a model of the CGAL concept `Kernel_d`
+/// \models GeometricContinuityTraits
+template <class K> class Traits_d {
+public:
+  typedef K Kernel;
+  typedef typename K::FT FT;
+  typedef typename K::Point_d Point;
+  typedef typename K::Vector_d Vector;
+  typedef Dynamic_dimension_tag Dimension;
+  typedef std::conditional_t<internal::Is_filtered_d<K>::value, Exact_rational, FT> Predicate_FT;
+
+  struct Compute_dimension {
+    int operator()(const Point& p) const { return static_cast<int>(p.dimension()); }
+    int operator()(const Vector& v) const { return static_cast<int>(v.dimension()); }
+  };
+  struct Compute_coordinate {
+    FT operator()(const Point& p, int i) const { return p[i]; }
+    FT operator()(const Vector& v, int i) const { return v[i]; }
+  };
+  struct Construct_point {
+    template <class RandomAccessIterator>
+    Point operator()(int d, RandomAccessIterator first, RandomAccessIterator last) const {
+      return Point(d, first, last);
+    }
+  };
+  struct Construct_vector {
+    template <class RandomAccessIterator>
+    Vector operator()(int d, RandomAccessIterator first, RandomAccessIterator last) const {
+      return Vector(d, first, last);
+    }
+  };
+
+  Compute_dimension compute_dimension_object() const { return Compute_dimension(); }
+  Compute_coordinate compute_coordinate_object() const { return Compute_coordinate(); }
+  Construct_point construct_point_object() const { return Construct_point(); }
+  Construct_vector construct_vector_object() const { return Construct_vector(); }
+};
+
+} // namespace Geometric_continuity
+} // namespace CGAL
+
+#endif // CGAL_GEOMETRIC_CONTINUITY_TRAITS_D_H

@@ -1,0 +1,106 @@
+// Copyright (c) 2026 The Geometric_continuity developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_GEOMETRIC_CONTINUITY_ALGEBRA_COORDINATE_VECTOR_H
+#define CGAL_GEOMETRIC_CONTINUITY_ALGEBRA_COORDINATE_VECTOR_H
+
+#include <CGAL/Geometric_continuity/Error.h>
+
+#include <algorithm>
+#include <array>
+#include <type_traits>
+#include <vector>
+
+namespace CGAL {
+namespace Geometric_continuity {
+
+/// \ingroup PkgGeometricContinuityAlgebra
+/// A column of `N` field elements with the operations of a vector space and the dot product. All
+/// formulas of the package are written on this type, so that one text serves every kernel and
+/// every dimension.
+///
+/// \tparam FT a field number type
+/// \tparam N the dimension, or 0 when it is known at run time only
+template <class FT, int N> class Coordinate_vector {
+  std::conditional_t<N == 0, std::vector<FT>, std::array<FT, N>> c_;
+
+public:
+  /// An empty (`N == 0`) vector, or one with unspecified coordinates.
+  Coordinate_vector() = default;
+
+  /// The zero vector of dimension `d`. \pre `d == N` unless `N == 0`
+  explicit Coordinate_vector(int d) {
+    if constexpr (N == 0)
+      c_.assign(d, FT(0));
+    else {
+      if (d != N)
+        throw Error(Error_code::dimension_mismatch,
+                    "vector of dimension " + std::to_string(d) + " where " + std::to_string(N) + " is expected");
+      c_.fill(FT(0));
+    }
+  }
+
+  int dimension() const { return static_cast<int>(c_.size()); }
+  FT& operator[](int i) { return c_[i]; }
+  const FT& operator[](int i) const { return c_[i]; }
+  auto begin() const { return c_.begin(); }
+  auto end() const { return c_.end(); }
+
+  Coordinate_vector& operator+=(const Coordinate_vector& v) {
+    for (int i = 0; i < dimension(); ++i) c_[i] += v[i];
+    return *this;
+  }
+  Coordinate_vector& operator-=(const Coordinate_vector& v) {
+    for (int i = 0; i < dimension(); ++i) c_[i] -= v[i];
+    return *this;
+  }
+  Coordinate_vector& operator*=(const FT& s) {
+    for (int i = 0; i < dimension(); ++i) c_[i] *= s;
+    return *this;
+  }
+  Coordinate_vector& operator/=(const FT& s) {
+    for (int i = 0; i < dimension(); ++i) c_[i] /= s;
+    return *this;
+  }
+
+  friend Coordinate_vector operator+(Coordinate_vector v, const Coordinate_vector& w) { return v += w; }
+  friend Coordinate_vector operator-(Coordinate_vector v, const Coordinate_vector& w) { return v -= w; }
+  friend Coordinate_vector operator*(const FT& s, Coordinate_vector v) { return v *= s; }
+  friend Coordinate_vector operator/(Coordinate_vector v, const FT& s) { return v /= s; }
+  friend bool operator==(const Coordinate_vector& v, const Coordinate_vector& w) {
+    return std::equal(v.begin(), v.end(), w.begin(), w.end(), [](const FT& x, const FT& y) { return bool(x == y); });
+  }
+  friend bool operator!=(const Coordinate_vector& v, const Coordinate_vector& w) { return !(v == w); }
+
+  friend FT dot(const Coordinate_vector& v, const Coordinate_vector& w) {
+    FT sum(0);
+    for (int i = 0; i < v.dimension(); ++i) sum += v[i] * w[i];
+    return sum;
+  }
+  friend bool is_zero(const Coordinate_vector& v) {
+    return std::all_of(v.begin(), v.end(), [](const FT& x) { return bool(x == FT(0)); });
+  }
+};
+
+/// \ingroup PkgGeometricContinuityAlgebra
+/// The component of `v` orthogonal to `d`, \f$ v - \frac{v \cdot d}{d \cdot d}\, d \f$. \pre `d` is not zero
+template <class FT, int N>
+Coordinate_vector<FT, N> orthogonal_component(const Coordinate_vector<FT, N>& v, const Coordinate_vector<FT, N>& d) {
+  return v - FT(dot(v, d) / dot(d, d)) * d;
+}
+
+/// \ingroup PkgGeometricContinuityAlgebra
+/// The component of `v` orthogonal to all `q`, which are orthogonal to each other (one step of
+/// Gram-Schmidt). \pre no `q` is zero
+template <class FT, int N>
+Coordinate_vector<FT, N> orthogonal_component(Coordinate_vector<FT, N> v,
+                                              const std::vector<Coordinate_vector<FT, N>>& q) {
+  for (const Coordinate_vector<FT, N>& d : q) v = orthogonal_component(v, d);
+  return v;
+}
+
+} // namespace Geometric_continuity
+} // namespace CGAL
+
+#endif // CGAL_GEOMETRIC_CONTINUITY_ALGEBRA_COORDINATE_VECTOR_H

@@ -1,0 +1,58 @@
+// Copyright (c) 2026 The Geometric_continuity developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_GEOMETRIC_CONTINUITY_ALGEBRA_DETERMINANT_H
+#define CGAL_GEOMETRIC_CONTINUITY_ALGEBRA_DETERMINANT_H
+
+#include <CGAL/Geometric_continuity/algebra/Coordinate_vector.h>
+
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Geometric_continuity {
+
+/// \ingroup PkgGeometricContinuityAlgebra
+/// The determinant of the `n` x `n` matrix with entries `entry(row, column)`, without divisions, by
+/// Laplace expansion over the subsets of columns: \f$ n\,2^{n-1} \f$ products.
+template <class FT, class Entry> FT determinant(int n, Entry entry) {
+  if (n == 1) return entry(0, 0);
+  if (n == 2) return FT(entry(0, 0) * entry(1, 1) - entry(0, 1) * entry(1, 0));
+  // minors[columns]: determinant of the first |columns| rows restricted to these columns
+  std::vector<FT> minors(std::size_t(1) << n, FT(0));
+  minors[0] = FT(1);
+  for (std::size_t columns = 1; columns < minors.size(); ++columns) {
+    int row = -1;
+    for (std::size_t rest = columns; rest != 0; rest &= rest - 1) ++row;
+    int sign = 1;
+    for (int j = n - 1; j >= 0; --j) {
+      const std::size_t column = std::size_t(1) << j;
+      if (!(columns & column)) continue;
+      const FT term = entry(row, j) * minors[columns ^ column];
+      if (sign > 0)
+        minors[columns] += term;
+      else
+        minors[columns] -= term;
+      sign = -sign;
+    }
+  }
+  return minors.back();
+}
+
+/// \ingroup PkgGeometricContinuityAlgebra
+/// The Gram determinant \f$ \det (v_a \cdot v_b) \f$ of the vectors: the squared volume they span,
+/// zero if and only if they are linearly dependent.
+template <class FT, int N> FT gram_determinant(const std::vector<Coordinate_vector<FT, N>>& v) {
+  const int n = static_cast<int>(v.size());
+  if (n == 0) return FT(1);
+  std::vector<FT> products(n * n);
+  for (int a = 0; a < n; ++a)
+    for (int b = 0; b <= a; ++b) products[a * n + b] = products[b * n + a] = dot(v[a], v[b]);
+  return determinant<FT>(n, [&](int a, int b) -> const FT& { return products[a * n + b]; });
+}
+
+} // namespace Geometric_continuity
+} // namespace CGAL
+
+#endif // CGAL_GEOMETRIC_CONTINUITY_ALGEBRA_DETERMINANT_H

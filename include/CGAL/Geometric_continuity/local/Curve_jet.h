@@ -1,0 +1,91 @@
+// Copyright (c) 2026 The Geometric_continuity developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_GEOMETRIC_CONTINUITY_LOCAL_CURVE_JET_H
+#define CGAL_GEOMETRIC_CONTINUITY_LOCAL_CURVE_JET_H
+
+#include <CGAL/Geometric_continuity/internal/traits_access.h>
+#include <CGAL/Geometric_continuity/local/Coordinate_jet.h>
+
+#include <initializer_list>
+#include <iterator>
+#include <ostream>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Geometric_continuity {
+
+/// \ingroup PkgGeometricContinuityLocal
+/// A jet of order `k`: the point \f$ x \f$ and the derivatives \f$ x', \dots, x^{(k)} \f$ of a curve at one
+/// parameter. Blends and continuity tests read nothing else of a curve.
+///
+/// \tparam Traits a model of `GeometricContinuityTraits`
+template <class Traits_> class Curve_jet : public Coordinate_jet<typename Traits_::FT, internal::dimension_v<Traits_>> {
+  typedef Coordinate_jet<typename Traits_::FT, internal::dimension_v<Traits_>> Base;
+
+public:
+  typedef Traits_ Traits;
+  typedef typename Traits::FT FT;
+  typedef typename Traits::Point Point;
+  typedef typename Traits::Vector Vector;
+
+  Curve_jet() = default;
+  explicit Curve_jet(Base jet) : Base(std::move(jet)) {}
+
+  /// From the point and the derivatives, lowest order first.
+  /// \throws Error `dimension_mismatch` when they do not have one dimension
+  /// \throws Error `not_finite` for an infinite or undefined floating-point coordinate
+  template <class ForwardRange>
+  Curve_jet(const Point& point, const ForwardRange& derivatives)
+      : Base(Traits().compute_dimension_object()(point),
+             static_cast<int>(std::distance(std::begin(derivatives), std::end(derivatives)))) {
+    set(0, internal::coordinates<Traits>(point));
+    int j = 0;
+    for (const Vector& v : derivatives) set(++j, internal::coordinates<Traits>(v));
+  }
+  Curve_jet(const Point& point, std::initializer_list<Vector> derivatives)
+      : Curve_jet(point, std::vector<Vector>(derivatives)) {}
+
+  /// The point.
+  Point point() const { return internal::to_point<Traits>((*this)[0]); }
+
+  /// The `j`-th derivative, `1 <= j <= order()`.
+  Vector derivative(int j) const { return internal::to_vector<Traits>((*this)[j]); }
+
+  /// Writes the point and the derivatives, one to a line.
+  friend std::ostream& operator<<(std::ostream& os, const Curve_jet& jet) {
+    for (int j = 0; j <= jet.order(); ++j) {
+      for (int i = 0; i < jet.dimension(); ++i) os << (i == 0 ? "" : " ") << jet[j][i];
+      os << '\n';
+    }
+    return os;
+  }
+
+private:
+  void set(int j, const internal::Coordinates<Traits>& c) {
+    if (c.dimension() != this->dimension())
+      throw Error(Error_code::dimension_mismatch, "jet: derivative " + std::to_string(j));
+    for (const FT& x : c) internal::check_finite(x, "jet");
+    (*this)[j] = c;
+  }
+};
+
+namespace internal {
+
+// The jet with its coordinates taken over to another field.
+template <class Field, class FT, int N> Coordinate_jet<Field, N> convert_jet(const Coordinate_jet<FT, N>& jet) {
+  Coordinate_jet<Field, N> r(jet.dimension(), jet.order());
+  for (int j = 0; j <= jet.order(); ++j)
+    for (int i = 0; i < jet.dimension(); ++i) r[j][i] = to_field<Field>(jet[j][i]);
+  return r;
+}
+
+} // namespace internal
+
+} // namespace Geometric_continuity
+} // namespace CGAL
+
+#endif // CGAL_GEOMETRIC_CONTINUITY_LOCAL_CURVE_JET_H
