@@ -26,6 +26,7 @@
 #include <CGAL/Geometric_continuity/local/curvatures.h>
 
 #include <CGAL/Geometric_continuity/curves/Bezier_curve.h>
+#include <CGAL/Geometric_continuity/curves/control_polygon.h>
 #include <CGAL/Geometric_continuity/curves/end_control_points.h>
 #include <CGAL/Geometric_continuity/curves/polygon_invariants.h>
 

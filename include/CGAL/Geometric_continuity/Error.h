@@ -24,7 +24,9 @@ enum class Error_code {
   dimension_mismatch,       ///< points, vectors or curves of different dimensions meet
   jet_order_too_low,        ///< a jet has fewer derivatives than the construction reads
   not_finite,               ///< a floating-point coordinate is infinite or not a number
-  malformed_input           ///< a file or a number cannot be read
+  malformed_input,          ///< the text of a file or of a number is not what it should be
+  cannot_read_file,         ///< a file cannot be opened or read, for a reason of the system
+  cannot_write_file         ///< a file, or a number in it, cannot be written
 };
 
 /// \ingroup PkgGeometricContinuityErrors
@@ -42,6 +44,8 @@ inline std::string to_string(Error_code code) {
   case Error_code::jet_order_too_low: return "jet_order_too_low";
   case Error_code::not_finite: return "not_finite";
   case Error_code::malformed_input: return "malformed_input";
+  case Error_code::cannot_read_file: return "cannot_read_file";
+  case Error_code::cannot_write_file: return "cannot_write_file";
   }
   return "unknown";
 }

@@ -1,0 +1,75 @@
+// Copyright (c) 2026 The Geometric_continuity developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_GEOMETRIC_CONTINUITY_CURVES_CONTROL_POLYGON_H
+#define CGAL_GEOMETRIC_CONTINUITY_CURVES_CONTROL_POLYGON_H
+
+#include <CGAL/Geometric_continuity/curves/Bezier_curve.h>
+
+#include <string>
+#include <vector>
+
+namespace CGAL {
+namespace Geometric_continuity {
+
+/// \ingroup PkgGeometricContinuityCurves
+/// The curve whose control polygon has `times` more copies of the `i`-th control point: it is pulled towards this point,
+/// whose weight at `t` grows from \f$ B_i^m(t) \f$ to \f$ B_i^{m+1}(t) + B_{i+1}^{m+1}(t) \f$ when doubled. The degree rises
+/// by `times`. Lecture slides, "Bézier curve tricks I".
+/// \throws Error `wrong_number_of_points` unless `0 <= i <= m` and `times >= 0`
+template <class Traits, int Degree>
+Bezier_curve<Traits> repeat_control_point(const Bezier_curve<Traits, Degree>& curve, int i, int times = 1) {
+  if (i < 0 || i > curve.degree() || times < 0)
+    throw Error(Error_code::wrong_number_of_points, "repeat_control_point: point " + std::to_string(i) + ", " +
+                                                        std::to_string(times) + " times, in a curve of degree " +
+                                                        std::to_string(curve.degree()));
+  std::vector<typename Traits::Point> points(curve.begin(), curve.end());
+  points.insert(points.begin() + i, times, curve.control_point(i));
+  return Bezier_curve<Traits>(points.begin(), points.end(), curve.domain().first, curve.domain().second);
+}
+
+/// \ingroup PkgGeometricContinuityCurves
+/// How a single Bézier curve closes up.
+enum class Closing {
+  open,    ///< the end points differ
+  smooth,  ///< the tangents at the closing point have one direction
+  cusp,    ///< they are opposite
+  corner,  ///< they are not parallel
+  singular ///< the first or the last leg of the polygon is zero, so that it does not give the tangent
+};
+
+/// \ingroup PkgGeometricContinuityCurves
+inline std::string to_string(Closing closing) {
+  switch (closing) {
+  case Closing::open: return "open";
+  case Closing::smooth: return "smooth";
+  case Closing::cusp: return "cusp";
+  case Closing::corner: return "corner";
+  case Closing::singular: return "singular";
+  }
+  return "unknown";
+}
+
+/// \ingroup PkgGeometricContinuityCurves
+/// Decides how a curve closes, exactly with exact kernels and with `Exact_predicates_inexact_constructions_kernel`: smooth if
+/// and only if \f$ b_1 - b_0 \f$ and \f$ b_m - b_{m-1} \f$ are nonzero \em positive multiples. Lecture slides, "Bézier curve
+/// tricks II", corrected: collinear is not enough.
+template <class Traits, int Degree> Closing closing(const Bezier_curve<Traits, Degree>& curve) {
+  typedef internal::Predicate_FT<Traits> Field;
+  typedef Coordinate_vector<Field, internal::dimension_v<Traits>> Coordinates;
+  const int m = curve.degree();
+  const auto point = [&](int i) { return internal::coordinates<Traits, Field>(curve.control_point(i)); };
+  if (point(0) != point(m)) return Closing::open;
+  if (m == 0) return Closing::singular;
+  const Coordinates first = point(1) - point(0), last = point(m) - point(m - 1);
+  if (is_zero(first) || is_zero(last)) return Closing::singular;
+  const Field a = dot(first, last);
+  if (dot(first, first) * last != a * first) return Closing::corner;
+  return Field(0) < a ? Closing::smooth : Closing::cusp;
+}
+
+} // namespace Geometric_continuity
+} // namespace CGAL
+
+#endif // CGAL_GEOMETRIC_CONTINUITY_CURVES_CONTROL_POLYGON_H

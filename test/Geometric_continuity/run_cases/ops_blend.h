@@ -1,0 +1,110 @@
+// Copyright (c) 2026 The Geometric_continuity developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef GEOMETRIC_CONTINUITY_TEST_OPS_BLEND_H
+#define GEOMETRIC_CONTINUITY_TEST_OPS_BLEND_H
+
+#include "Kernels.h"
+#include "Report.h"
+#include "ops_local.h"
+
+#include <stdexcept>
+
+template <class Left, class Right>
+void report_blend_join(Report& report, const std::string& path, const Left& left, const Right& right, int order) {
+  const auto join = [&] { return GC::continuity(left, right, order); };
+  report.consequence(path + ".c_order", [&] { return join().c_order; });
+  report.consequence(path + ".g_order", [&] { return join().g_order; });
+  report.consequence(path + ".f_order", [&] { return join().f_order; });
+  report.consequence(path + ".betas", [&] { return join().betas; });
+  report.consequence(path + ".torsion_equal", [&] { return join().torsion_equal; });
+}
+
+template <class Traits, class Strategy>
+void run_quintic(const Input<Traits>& in, Report& report, const Strategy& strategy) {
+  typedef typename Traits::FT FT;
+  const GC::Bezier_curve<Traits> phi = in.curve("phi"), psi = in.curve("psi");
+  const GC::Quintic_blend<Traits> gamma = blend(phi, psi, strategy, {in.number("beta"), in.number("eta")});
+  report.construction("points", [&] { return coordinate_rows<Traits>(gamma); });
+  report.construction("s", [&] { return std::vector<FT>{gamma.parameters.s1, gamma.parameters.s2}; });
+  report.consequence("fallback", [&] {
+    return std::vector<bool>{gamma.parameters.fallback_start, gamma.parameters.fallback_end};
+  });
+  report.construction("energy2", [&] { return gamma.energy(2); });
+  report.construction("energy3", [&] { return gamma.energy(3); });
+  report_blend_join(report, "join_start", phi, gamma, 2);
+  report_blend_join(report, "join_end", gamma, psi, 2);
+  report.construction("kappa_sq_start", [&] { return start_invariants(gamma).curvature_squared; });
+  report.construction("kappa_sq_end", [&] { return end_invariants(gamma).curvature_squared; });
+}
+
+template <class FT>
+void report_end_parameters(Report& report, const std::string& path, const GC::Septic_end_parameters<FT>& p) {
+  report.construction(path + ".beta2", [&] { return p.beta2; });
+  report.construction(path + ".mu", [&] { return p.mu; });
+  report.construction(path + ".beta3", [&] { return p.beta3; });
+}
+
+template <class Traits, class Strategy>
+void run_septic(const Input<Traits>& in, Report& report, const Strategy& strategy) {
+  const GC::Bezier_curve<Traits> phi = in.curve("phi"), psi = in.curve("psi");
+  const GC::Septic_blend<Traits> gamma = blend(phi, psi, strategy, {in.number("beta"), in.number("eta")});
+  report.construction("points", [&] { return coordinate_rows<Traits>(gamma); });
+  report_end_parameters(report, "start", gamma.parameters.start);
+  report_end_parameters(report, "end", gamma.parameters.end);
+  report.construction("energy3", [&] { return gamma.energy(3); });
+  report.construction("energy4", [&] { return gamma.energy(4); });
+  report_blend_join(report, "join_start", phi, gamma, 3);
+  report_blend_join(report, "join_end", gamma, psi, 3);
+  report.construction("tau_start", [&] { return torsion_if_defined(gamma.start_jet(3)); });
+  report.construction("tau_end", [&] { return torsion_if_defined(gamma.end_jet(3)); });
+}
+
+// Topics quintic and septic.
+template <class Traits> bool run_blends(const Case& c, Report& report) {
+  typedef typename Traits::FT FT;
+  const Input<Traits> in{c};
+  const std::string& strategy = c.text("strategy");
+  if (c.op == "quintic_blend") {
+    if (strategy == "c2")
+      run_quintic(in, report, GC::Matching_second_derivative());
+    else if (strategy == "normal")
+      run_quintic(in, report, GC::Normal_offset());
+    else if (strategy == "min_second")
+      run_quintic(in, report, GC::Minimal_second_derivative());
+    else if (strategy == "near_line")
+      run_quintic(in, report, GC::Near_line());
+    else if (strategy == "energy2")
+      run_quintic(in, report, GC::Minimal_energy<2>());
+    else if (strategy == "energy3")
+      run_quintic(in, report, GC::Minimal_energy<3>());
+    else if (strategy == "free") {
+      const std::vector<FT> s = in.numbers("s");
+      run_quintic(in, report, GC::Given_parameters<FT>{s.at(0), s.at(1)});
+    } else
+      throw std::runtime_error("unknown strategy " + strategy);
+  } else if (c.op == "septic_blend") {
+    if (strategy == "c3")
+      run_septic(in, report, GC::Matching_third_derivative());
+    else if (strategy == "seq_g3")
+      run_septic(in, report, GC::Sequential_g3());
+    else if (strategy == "seq_f3")
+      run_septic(in, report, GC::Sequential_f3());
+    else if (strategy == "joint_g3")
+      run_septic(in, report, GC::Joint_g3());
+    else if (strategy == "energy3_g3")
+      run_septic(in, report, GC::Minimal_energy_g3<3>());
+    else if (strategy == "energy4_g3")
+      run_septic(in, report, GC::Minimal_energy_g3<4>());
+    else if (strategy == "free") {
+      const std::vector<FT> s = in.numbers("start"), e = in.numbers("end");
+      run_septic(in, report, GC::Given_end_parameters<FT>{{s.at(0), s.at(1), s.at(2)}, {e.at(0), e.at(1), e.at(2)}});
+    } else
+      throw std::runtime_error("unknown strategy " + strategy);
+  } else
+    return false;
+  return true;
+}
+
+#endif // GEOMETRIC_CONTINUITY_TEST_OPS_BLEND_H

@@ -1,0 +1,72 @@
+// Copyright (c) 2026 The Geometric_continuity developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef GEOMETRIC_CONTINUITY_TEST_OPS_ERRATA_H
+#define GEOMETRIC_CONTINUITY_TEST_OPS_ERRATA_H
+
+#include "Kernels.h"
+#include "Report.h"
+
+#include <algorithm>
+
+template <class Join> void report_errata_join(Report& report, const std::string& prefix, const Join& join) {
+  report.predicate(prefix + "c_order", [&] { return join.c_order; });
+  report.predicate(prefix + "g_order", [&] { return join.g_order; });
+  report.predicate(prefix + "f_order", [&] { return join.f_order; });
+  report.predicate(prefix + "curvature_equal", [&] { return join.curvature_equal; });
+  report.predicate(prefix + "curvature_vector_equal", [&] { return join.curvature_vector_equal; });
+  report.predicate(prefix + "torsion_equal", [&] { return join.torsion_equal; });
+}
+
+// Topic errata: the printed formulas and the corrected ones.
+template <class Traits> bool run_errata(const Case& c, Report& report) {
+  typedef typename Traits::FT FT;
+  typedef GC::internal::Coordinates<Traits> Coordinates;
+  typedef GC::Bezier_curve<Traits> Curve;
+  const Input<Traits> in{c};
+
+  if (c.op == "hagen_3_2_3") {
+    const Curve left = in.curve("left");
+    const int m = left.degree();
+    const std::vector<FT> C = in.numbers("C");
+    const Coordinates b0 = left.coordinates(m), b_1 = left.coordinates(m - 1), b_2 = left.coordinates(m - 2),
+                      b_3 = left.coordinates(m - 3), p = b0 - b_1, r = b_2 - b_1;
+    const Coordinates b1 = b0 + p, b2 = b_2 + C.at(0) * p, printed = C.at(1) * p + C.at(2) * r,
+                      correct = b0 + b_2 - b_3 + printed;
+    const auto right = [&](const Coordinates& b3) {
+      std::vector<typename Traits::Point> points;
+      for (const Coordinates& b : {b0, b1, b2, b3}) points.push_back(GC::internal::to_point<Traits>(b));
+      points.resize(m + 1, points.back()); // a jet of order 3 reads four points only
+      return Curve(points.begin(), points.end());
+    };
+    report.construction("printed_b3", [&] { return std::vector<FT>(printed.begin(), printed.end()); });
+    report.construction("correct_b3", [&] { return std::vector<FT>(correct.begin(), correct.end()); });
+    report_errata_join(report, "printed.", GC::continuity(left, right(printed)));
+    report_errata_join(report, "correct.", GC::continuity(left, right(correct)));
+  } else if (c.op == "convex_hull_outside_interval")
+    report.construction("point", [&] { return coordinates<Traits>(in.curve("P")(in.number("t"))); });
+  else if (c.op == "double_point_distance") {
+    const Curve curve = in.curve("P");
+    const int i = c.integer("index");
+    const FT t = in.number("t");
+    const auto squared_distance = [&](const Curve& moved) {
+      const Coordinates d = moved.jet(t, 0)[0] - curve.coordinates(i);
+      return dot(d, d);
+    };
+    report.construction("before", [&] { return squared_distance(curve); });
+    report.construction("after", [&] { return squared_distance(GC::repeat_control_point(curve, i)); });
+  } else if (c.has("left#") && c.has("right#")) {
+    const Curve left = in.curve("left"), right = in.curve("right");
+    const int order = std::min({3, left.degree(), right.degree()}); // the jets of the document end there
+    report_errata_join(report, "", GC::continuity(left.end_jet(order), right.start_jet(order)));
+  } else if (c.has("phi_jet#") && c.has("points#"))
+    report_errata_join(report, "", GC::continuity(in.jet("phi_jet"), in.curve("points").start_jet(2)));
+  else if (c.has("psi_jet#") && c.has("points#"))
+    report_errata_join(report, "", GC::continuity(in.curve("points").end_jet(2), in.jet("psi_jet")));
+  else
+    return false;
+  return true;
+}
+
+#endif // GEOMETRIC_CONTINUITY_TEST_OPS_ERRATA_H

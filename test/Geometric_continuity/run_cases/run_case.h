@@ -1,0 +1,47 @@
+// Copyright (c) 2026 The Geometric_continuity developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef GEOMETRIC_CONTINUITY_TEST_RUN_CASE_H
+#define GEOMETRIC_CONTINUITY_TEST_RUN_CASE_H
+
+#include "ops_bezier.h"
+#include "ops_blend.h"
+#include "ops_errata.h"
+#include "ops_local.h"
+
+#include <stdexcept>
+#include <string>
+
+// The dimension of a case: the length of the first point of its input, 0 when it has no points.
+inline int dimension_of(const Case& c) {
+  for (const auto& [path, value] : c.in)
+    if (path.size() > 3 && path.compare(path.size() - 3, 3, ".0#") == 0) return std::stoi(value);
+  return 0;
+}
+
+template <class Traits> bool run_operation(const Case& c, Report& report) {
+  return run_bezier<Traits>(c, report) || run_invariants<Traits>(c, report) || run_joins<Traits>(c, report) ||
+         run_errata<Traits>(c, report) || (c.has("strategy") && run_blends<Traits>(c, report));
+}
+
+// Computes the output of a case in one kernel family. It never looks at the expected output.
+template <class Kernels> Report run_case(const Case& c) {
+  Report report;
+  try {
+    const int d = dimension_of(c);
+    const bool known = d == 0   ? run_bernstein<typename Kernels::FT>(c, report)
+                       : d == 2 ? run_operation<typename Kernels::Traits2>(c, report)
+                       : d == 3 ? run_operation<typename Kernels::Traits3>(c, report)
+                                : run_operation<typename Kernels::Traitsd>(c, report);
+    if (!known) throw std::runtime_error("unknown operation '" + c.op + "'");
+  } catch (const GC::Error& e) {
+    report = Report();
+    report.predicate("error", [&] { return to_string(e.code()); });
+  } catch (const CGAL::Uncertain_conversion_exception&) {
+    // interval arithmetic cannot take a decision that the operation needs: the leaves so far stand
+  }
+  return report;
+}
+
+#endif // GEOMETRIC_CONTINUITY_TEST_RUN_CASE_H
