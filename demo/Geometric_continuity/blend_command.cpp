@@ -1,0 +1,232 @@
+// Copyright (c) 2026 The Geometric_continuity developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#include "command_line.h"
+#include "join_report.h"
+
+#include <CGAL/Geometric_continuity/IO/atomic_file.h>
+#include <CGAL/Geometric_continuity/IO/svg.h>
+
+#include <cstdio>
+#include <sstream>
+
+namespace {
+
+const char* const usage =
+    "usage: geometric_continuity blend A.g2 B.g2 [OPTIONS]\n"
+    "       geometric_continuity blend CHAIN.g2 --replace I [OPTIONS]\n"
+    "\n"
+    "Blends the end of the last curve of A into the start of the first curve of B, or replaces the curve number I of a "
+    "chain\n"
+    "(counted from 0, cyclically) by a blend of its neighbours. Both joins are decided exactly on the result. The "
+    "output is\n"
+    "the blends, or the chain with its curve replaced when one strategy is asked for.\n"
+    "\n"
+    "strategies of order 2 (degree 5, G2): c2, normal, min_second, near_line, energy2, energy3 (default), free (--s1 "
+    "--s2)\n"
+    "strategies of order 3 (degree 7, G3 or F3): c3, seq_g3, seq_f3, joint_g3, energy3_g3, energy4_g3 (default),\n"
+    "                                            free (--start --end)\n"
+    "Numbers R are decimals or fractions p/q.\n";
+
+const Arguments quintic_names = {"c2", "normal", "min_second", "near_line", "energy2", "energy3"};
+const Arguments septic_names = {"c3", "seq_g3", "seq_f3", "joint_g3", "energy3_g3", "energy4_g3"};
+
+// A blend by one strategy.
+template <class FT> struct Result {
+  std::string strategy;
+  Program_curve<FT> curve;
+  std::string parameters, fallback;
+};
+
+std::string rounded(double x) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.6g", x);
+  return text;
+}
+
+std::string fallback_text(bool start, bool end) {
+  return !start && !end ? ""
+                        : std::string(" fallback at ") + (start && end ? "both ends"
+                                                          : start      ? "the start"
+                                                                       : "the end");
+}
+
+template <class FT> std::string text(const GC::Quintic_parameters<FT>& p) {
+  return "s = (" + rounded(CGAL::to_double(p.s1)) + ", " + rounded(CGAL::to_double(p.s2)) + ')';
+}
+
+template <class FT> std::string text(const GC::Septic_end_parameters<FT>& p) {
+  return '(' + rounded(CGAL::to_double(p.beta2)) + ", " + rounded(CGAL::to_double(p.mu)) + ", " +
+         rounded(CGAL::to_double(p.beta3)) + ')';
+}
+
+template <class FT> std::string text(const GC::Septic_parameters<FT>& p) {
+  return "(beta2, mu, beta3) = " + text(p.start) + ", " + text(p.end);
+}
+
+// The three numbers of --start or --end.
+template <class FT> GC::Septic_end_parameters<FT> end_parameters(const Command_line& line, const std::string& option) {
+  std::istringstream words(line.has(option) ? line.text(option) : "");
+  std::vector<FT> x;
+  for (std::string word; std::getline(words, word, ',');) x.push_back(GC::parse_number<FT>(word));
+  if (x.size() != 3) throw std::invalid_argument("--" + option + ": three numbers beta2,mu,beta3 are needed");
+  return {x[0], x[1], x[2]};
+}
+
+// Blends two curves by a strategy with this name.
+template <class FT> class Blender {
+  typedef Program_traits<FT> Traits;
+  const Command_line& line_;
+  const Program_curve<FT>&phi_, &psi_;
+  const GC::Shape_parameters<FT> shape_;
+
+  template <class Strategy> Result<FT> blend(const std::string& name, const Strategy& strategy) const {
+    const auto gamma = GC::blend(phi_, psi_, strategy, shape_);
+    return {name, gamma, text(gamma.parameters),
+            fallback_text(gamma.parameters.fallback_start, gamma.parameters.fallback_end)};
+  }
+
+public:
+  Blender(const Command_line& line, const Program_curve<FT>& phi, const Program_curve<FT>& psi)
+      : line_(line), phi_(phi), psi_(psi), shape_{line.number("beta", FT(1)), line.number("eta", FT(1))} {}
+
+  Result<FT> quintic(const std::string& name) const {
+    if (name == "c2") return blend(name, GC::Matching_second_derivative());
+    if (name == "normal") return blend(name, GC::Normal_offset());
+    if (name == "min_second") return blend(name, GC::Minimal_second_derivative());
+    if (name == "near_line") return blend(name, GC::Near_line());
+    if (name == "energy2") return blend(name, GC::Minimal_energy<2>());
+    if (name == "energy3") return blend(name, GC::Minimal_energy<3>());
+    if (!line_.has("s1") || !line_.has("s2")) throw std::invalid_argument("--strategy free needs --s1 and --s2");
+    return blend(name, GC::Given_parameters<FT>{line_.number("s1", FT(0)), line_.number("s2", FT(0))});
+  }
+
+  Result<FT> septic(const std::string& name) const {
+    if (name == "c3") return blend(name, GC::Matching_third_derivative());
+    if (name == "seq_g3") return blend(name, GC::Sequential_g3());
+    if (name == "seq_f3") return blend(name, GC::Sequential_f3());
+    if (name == "joint_g3") return blend(name, GC::Joint_g3());
+    if (name == "energy3_g3") return blend(name, GC::Minimal_energy_g3<3>());
+    if (name == "energy4_g3") return blend(name, GC::Minimal_energy_g3<4>());
+    return blend(name,
+                 GC::Given_end_parameters<FT>{end_parameters<FT>(line_, "start"), end_parameters<FT>(line_, "end")});
+  }
+};
+
+// The given curves around the blend: all of A, or the curves after the replaced one; then those after the blend.
+template <class FT> struct Scene { std::vector<Program_curve<FT>> before, after; };
+
+template <class FT> Scene<FT> read_scene(const Command_line& line) {
+  const Arguments files = line.files();
+  if (!line.has("replace")) {
+    if (files.size() != 2) throw std::invalid_argument("blend: two files are needed; see --help");
+    Scene<FT> scene{read_curves<FT>({files[0]}), read_curves<FT>({files[1]})};
+    if (scene.before.front().dimension() != scene.after.front().dimension())
+      throw GC::Error(GC::Error_code::dimension_mismatch, "blend: " + files[0] + " and " + files[1]);
+    return scene;
+  }
+  if (files.size() != 1) throw std::invalid_argument("blend --replace: one file is needed; see --help");
+  const std::vector<Program_curve<FT>> chain = read_curves<FT>(files);
+  const int n = static_cast<int>(chain.size()), i = line.integer("replace");
+  if (i < 0 || i >= n || n < 3)
+    throw std::invalid_argument("--replace " + std::to_string(i) + ": " + files[0] + " has " + std::to_string(n) +
+                                (n == 1 ? " curve" : " curves") + "; at least 3 are needed");
+  return {{chain.begin(), chain.begin() + i}, {chain.begin() + i + 1, chain.end()}};
+}
+
+template <class FT> std::string plot_join(const Program_curve<FT>& left, const Program_curve<FT>& right) {
+  const Join join = GC::continuity(exact(left), exact(right));
+  return join.c_order < 0
+             ? "gap"
+             : (join.f_order > join.g_order ? 'F' + std::to_string(join.f_order) : 'G' + std::to_string(join.g_order));
+}
+
+// One panel for each result.
+template <class FT>
+void plot(const std::string& file, const std::string& title, const Scene<FT>& scene,
+          const std::vector<Result<FT>>& results, const Program_curve<FT>& phi, const Program_curve<FT>& psi) {
+  const bool chain = scene.before.size() + scene.after.size() > 2;
+  GC::Svg_figure figure(title, 3);
+  for (const Result<FT>& r : results) {
+    GC::Svg_panel panel(r.strategy + r.fallback);
+    const GC::Svg_style given{GC::Svg_role::given, false, !chain}, neighbour{GC::Svg_role::given, false, true},
+        blend{GC::Svg_role::blend, true, true};
+    // the neighbours of the blend are drawn with it, the rest of a chain without details
+    for (const std::vector<Program_curve<FT>>* part : {&scene.before, &scene.after})
+      for (const Program_curve<FT>& c : *part)
+        if (&c != &phi && &c != &psi) panel.add(c, given);
+    panel.add(phi, neighbour).join(plot_join(phi, r.curve));
+    panel.add(r.curve, blend).join(plot_join(r.curve, psi));
+    panel.add(psi, neighbour);
+    figure.add(panel);
+  }
+  GC::write_file_atomically(file, [&](std::ostream& os) { figure.write(os); });
+}
+
+template <class FT> int blend(const Command_line& line) {
+  const int order = line.integer("order");
+  if (order != 2 && order != 3) throw std::invalid_argument("--order: 2 or 3, not " + std::to_string(order));
+  const Arguments& names = order == 2 ? quintic_names : septic_names;
+  Arguments choices = names;
+  choices.insert(choices.end(), {"free", "all"});
+  const std::string chosen = line.has("strategy") ? line.choice("strategy", choices) : names.back();
+
+  const Scene<FT> scene = read_scene<FT>(line);
+  const Program_curve<FT>& phi = scene.before.empty() ? scene.after.back() : scene.before.back();
+  const Program_curve<FT>& psi = scene.after.empty() ? scene.before.front() : scene.after.front();
+  const Blender<FT> blender(line, phi, psi);
+  std::vector<Result<FT>> results;
+  for (const std::string& name : chosen == "all" ? names : Arguments{chosen})
+    results.push_back(order == 2 ? blender.quintic(name) : blender.septic(name));
+
+  std::printf("%-11s %-12s %-12s %12s %12s  %s\n", "strategy", "start join", "end join",
+              order == 2 ? "int |x''|^2" : "int |x'''|^2", order == 2 ? "int |x'''|^2" : "int |x''''|^2", "parameters");
+  bool proved = true;
+  for (const Result<FT>& r : results) {
+    const Exact_curve gamma = exact(r.curve);
+    const Join start = GC::continuity(exact(phi), gamma), end = GC::continuity(gamma, exact(psi));
+    for (const Join& join : {start, end})
+      proved = proved && (order == 2 || phi.dimension() < 3 ? join.g_order >= 2 : join.f_order >= 3);
+    std::printf("%-11s %-12s %-12s %12s %12s  %s%s\n", r.strategy.c_str(), orders(start).c_str(), orders(end).c_str(),
+                rounded(CGAL::to_double(gamma.energy(order))).c_str(),
+                rounded(CGAL::to_double(gamma.energy(order + 1))).c_str(), r.parameters.c_str(), r.fallback.c_str());
+  }
+  std::printf(proved ? "both joins of every blend are proved in exact arithmetic\n"
+                     : "decided in exact arithmetic: rounding has broken a join\n");
+
+  if (line.has("output"))
+    GC::write_file_atomically(line.text("output"), [&](std::ostream& os) {
+      const bool chain = line.has("replace") && results.size() == 1;
+      if (chain)
+        for (const Program_curve<FT>& c : scene.before) GC::write_g2(os, c);
+      for (const Result<FT>& r : results) GC::write_g2(os, r.curve);
+      if (chain)
+        for (const Program_curve<FT>& c : scene.after) GC::write_g2(os, c);
+    });
+  if (line.has("plot"))
+    plot(line.text("plot"), line.has("title") ? line.text("title") : std::string(), scene, results, phi, psi);
+  return requirement_met;
+}
+
+} // namespace
+
+int blend_command(const Arguments& arguments) {
+  const Command_line line(usage, arguments, [](po::options_description_easy_init add) {
+    add("strategy", po::value<std::string>(), "one strategy, or all but free");
+    add("order", po::value<int>()->default_value(2), "2: quintic, 3: septic");
+    add("beta", po::value<std::string>(), "R > 0, the blend starts with beta times the end tangent of A; 1");
+    add("eta", po::value<std::string>(), "R > 0, the blend ends with eta times the start tangent of B; 1");
+    add("s1", po::value<std::string>(), "R, free scalar at the start (free, order 2)");
+    add("s2", po::value<std::string>(), "R, free scalar at the end (free, order 2)");
+    add("start", po::value<std::string>(), "R,R,R = beta2,mu,beta3 at the start (free, order 3)");
+    add("end", po::value<std::string>(), "R,R,R = beta2,mu,beta3 at the end (free, order 3)");
+    add("replace", po::value<int>(), "replace this curve of a chain");
+    add("kernel", po::value<std::string>()->default_value("exact"), "construct in exact numbers, or in double");
+    add("output,o", po::value<std::string>(), "write the result, .g2");
+    add("plot", po::value<std::string>(), "draw the result, .svg");
+    add("title", po::value<std::string>(), "title of the picture");
+  });
+  if (line.help()) return requirement_met;
+  return line.choice("kernel", {"exact", "double"}) == "exact" ? blend<Exact>(line) : blend<double>(line);
+}

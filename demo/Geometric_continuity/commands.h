@@ -1,0 +1,21 @@
+// Copyright (c) 2026 The Geometric_continuity developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef GEOMETRIC_CONTINUITY_DEMO_COMMANDS_H
+#define GEOMETRIC_CONTINUITY_DEMO_COMMANDS_H
+
+#include <string>
+#include <vector>
+
+// Exit codes of the program.
+enum Exit_code { requirement_met = 0, requirement_not_met = 1, bad_input = 2 };
+
+typedef std::vector<std::string> Arguments;
+
+// Each command reads its own arguments; errors are exceptions.
+int blend_command(const Arguments& arguments);
+int plot_command(const Arguments& arguments);
+int verify_command(const Arguments& arguments);
+
+#endif // GEOMETRIC_CONTINUITY_DEMO_COMMANDS_H

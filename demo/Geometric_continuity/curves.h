@@ -1,0 +1,78 @@
+// Copyright (c) 2026 The Geometric_continuity developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef GEOMETRIC_CONTINUITY_DEMO_CURVES_H
+#define GEOMETRIC_CONTINUITY_DEMO_CURVES_H
+
+#include <CGAL/Cartesian_d.h>
+#include <CGAL/Exact_rational.h>
+#include <CGAL/Geometric_continuity.h>
+#include <CGAL/Geometric_continuity/IO/g2.h>
+
+#include <fstream>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace GC = CGAL::Geometric_continuity;
+
+// The program serves all dimensions by one instantiation per number type.
+template <class FT> using Program_traits = GC::Traits_d<CGAL::Cartesian_d<FT>>;
+template <class FT> using Program_curve = GC::Bezier_curve<Program_traits<FT>>;
+typedef CGAL::Exact_rational Exact;
+typedef Program_curve<Exact> Exact_curve;
+
+// The curve with exactly the same control points in the exact field.
+template <class FT, int Degree> Exact_curve exact(const GC::Bezier_curve<Program_traits<FT>, Degree>& curve) {
+  std::vector<Exact_curve::Point> points;
+  for (int j = 0; j <= curve.degree(); ++j) {
+    const GC::Coordinate_vector<FT, 0> x = curve.coordinates(j);
+    const std::vector<Exact> c(x.begin(), x.end());
+    points.push_back(Exact_curve::Point(x.dimension(), c.begin(), c.end()));
+  }
+  return Exact_curve(points.begin(), points.end(), Exact(curve.domain().first), Exact(curve.domain().second));
+}
+
+// The curves of several files, one after the other; only one is kept in memory.
+template <class FT> class Curve_stream {
+  std::vector<std::string> files_;
+  std::size_t next_file_ = 0;
+  std::ifstream stream_;
+  std::optional<GC::G2_curve_reader<Program_traits<FT>>> reader_;
+  int dimension_ = 0;
+
+public:
+  explicit Curve_stream(const std::vector<std::string>& files) : files_(files) {}
+
+  std::optional<Program_curve<FT>> next() {
+    for (;;) {
+      if (reader_)
+        if (std::optional<Program_curve<FT>> curve = reader_->next()) {
+          if (dimension_ != 0 && curve->dimension() != dimension_)
+            throw GC::Error(GC::Error_code::dimension_mismatch,
+                            files_[next_file_ - 1] + ": dimension " + std::to_string(curve->dimension()) +
+                                " after a curve of dimension " + std::to_string(dimension_));
+          dimension_ = curve->dimension();
+          return curve;
+        }
+      if (next_file_ == files_.size()) return std::nullopt;
+      const std::string& name = files_[next_file_++];
+      stream_.close();
+      stream_.clear();
+      stream_.open(name);
+      if (!stream_) throw GC::Error(GC::Error_code::cannot_read_file, name);
+      reader_.emplace(stream_, name);
+    }
+  }
+};
+
+template <class FT> std::vector<Program_curve<FT>> read_curves(const std::vector<std::string>& files) {
+  Curve_stream<FT> stream(files);
+  std::vector<Program_curve<FT>> curves;
+  while (std::optional<Program_curve<FT>> curve = stream.next()) curves.push_back(*curve);
+  return curves;
+}
+
+#endif // GEOMETRIC_CONTINUITY_DEMO_CURVES_H

@@ -1,0 +1,50 @@
+// Copyright (c) 2026 The Geometric_continuity developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#include "commands.h"
+
+#include <exception>
+#include <iostream>
+#include <new>
+
+namespace {
+
+const char* const usage = "usage: geometric_continuity COMMAND [ARGUMENTS]\n"
+                          "\n"
+                          "  blend   A.g2 B.g2     blend the end of A into the start of B, and prove both joins\n"
+                          "  verify  FILE.g2...    decide the continuity of every join of a chain, exactly\n"
+                          "  plot    FILE.g2...    draw curves, control polygons and curvature combs\n"
+                          "\n"
+                          "geometric_continuity COMMAND --help explains a command.\n"
+                          "Exit code: 0 met, 1 not met, 2 bad input.\n";
+
+int run(const std::string& command, const Arguments& arguments) {
+  if (command == "blend") return blend_command(arguments);
+  if (command == "verify") return verify_command(arguments);
+  if (command == "plot") return plot_command(arguments);
+  std::cerr << "geometric_continuity: unknown command '" << command << "'\n" << usage;
+  return bad_input;
+}
+
+} // namespace
+
+int main(int argc, char* argv[]) {
+  const Arguments arguments(argv + (argc > 0 ? 1 : 0), argv + argc);
+  if (arguments.empty()) {
+    std::cerr << usage;
+    return bad_input;
+  }
+  if (arguments[0] == "--help" || arguments[0] == "-h" || arguments[0] == "help") {
+    std::cout << usage;
+    return requirement_met;
+  }
+  try {
+    return run(arguments[0], Arguments(arguments.begin() + 1, arguments.end()));
+  } catch (const std::bad_alloc&) {
+    std::cerr << "geometric_continuity: out of memory\n";
+  } catch (const std::exception& e) {
+    std::cerr << "geometric_continuity: " << e.what() << '\n';
+  }
+  return bad_input;
+}

@@ -1,0 +1,115 @@
+// Copyright (c) 2026 The Geometric_continuity developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#include "join_report.h"
+
+#include <CGAL/number_utils.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <stdexcept>
+
+namespace {
+
+typedef GC::Curve_jet<Program_traits<Exact>> Jet;
+
+std::string rounded(double x) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.4g", x);
+  return text;
+}
+
+// a square root for reports only
+double root(const Exact& square) { return std::sqrt(CGAL::to_double(square)); }
+
+std::string curvature(const Jet& jet) {
+  if (jet.dimension() != 2) return rounded(root(*GC::curvature_squared(jet)));
+  const GC::Signed_square<Exact> k = *GC::signed_curvature(jet);
+  return rounded(k.sign * root(k.square));
+}
+
+// "from x to y", or the size of the jump where it does not show in the rounded numbers
+std::string jump(const std::string& from, const std::string& to, double size) {
+  return from != to ? "from " + from + " to " + to : "by " + rounded(size) + " at " + from;
+}
+
+// The angle between the tangents in degrees. The sine comes from an exact square, so that the tiny kinks that designers
+// hunt keep their digits.
+double kink(const Jet& left, const Jet& right) {
+  const Exact xx = dot(left[1], left[1]), yy = dot(right[1], right[1]), xy = dot(left[1], right[1]);
+  const Exact sine_squared = (xx * yy - xy * xy) / (xx * yy), cosine_squared = xy * xy / (xx * yy);
+  const double degrees = 180 / std::acos(-1.0);
+  const double angle = std::atan2(root(sine_squared), root(cosine_squared)) * degrees;
+  return xy < 0 ? 180 - angle : angle;
+}
+
+} // namespace
+
+Requirement::Requirement(const std::string& text) : kind_(text.empty() ? ' ' : text[0]), order_(-1) {
+  const std::string digits = text.substr(std::min<std::size_t>(1, text.size()));
+  if ((kind_ == 'C' || kind_ == 'G' || kind_ == 'F') && !digits.empty() && digits.size() <= 2 &&
+      digits.find_first_not_of("0123456789") == std::string::npos)
+    order_ = std::stoi(digits);
+  if (order_ < 0 || order_ > 32)
+    throw std::invalid_argument("--require: '" + text + "' is not C, G or F with an order from 0 to 32, such as G2");
+}
+
+void Requirement::check_dimension(int dimension) const {
+  if (kind_ == 'F' && order_ > dimension)
+    throw std::invalid_argument("--require " + text() + ": the F order is at most the dimension, which is " +
+                                std::to_string(dimension));
+}
+
+bool Requirement::met(const Join& join) const {
+  return (kind_ == 'C' ? join.c_order : kind_ == 'G' ? join.g_order : join.f_order) >= order_;
+}
+
+std::string orders(const Join& join) {
+  if (join.c_order < 0) return "gap";
+  return 'C' + std::to_string(join.c_order) + " G" + std::to_string(join.g_order) + " F" + std::to_string(join.f_order);
+}
+
+std::string remark(const Join& join, const Exact_curve& left, const Exact_curve& right) {
+  const Jet x = left.end_jet(3), y = right.start_jet(3);
+  if (join.c_order < 0) {
+    const GC::Coordinate_vector<Exact, 0> d = y[0] - x[0];
+    return "the ends are " + rounded(root(dot(d, d))) + " apart";
+  }
+  if (!join.regular) {
+    const bool left_zero = is_zero(x[1]), right_zero = is_zero(y[1]);
+    return std::string("zero tangent ") + (left_zero && right_zero ? "on both sides"
+                                           : left_zero             ? "at the end of the left curve"
+                                                                   : "at the start of the right curve");
+  }
+  if (!*join.tangent_equal) {
+    const double angle = kink(x, y);
+    return angle == 180 ? "cusp: the curve turns back" : "kink of " + rounded(angle) + " degrees";
+  }
+  if (!*join.curvature_vector_equal) {
+    if (*join.curvature_equal) return "equal curvature " + curvature(x) + ", but the curve bends another way";
+    const Exact_curve::Vector d = *GC::curvature_vector(x) - *GC::curvature_vector(y);
+    return "curvature jumps " + jump(curvature(x), curvature(y), root(d.squared_length()));
+  }
+  if (join.torsion_equal && !*join.torsion_equal) {
+    const double tx = CGAL::to_double(*GC::torsion(x)), ty = CGAL::to_double(*GC::torsion(y));
+    return "torsion jumps " + jump(rounded(tx), rounded(ty), std::abs(tx - ty));
+  }
+  return "smooth";
+}
+
+std::string table_head() { return "join         orders      point                     remark\n"; }
+
+std::string table_row(const Join& join, int left, int right, const Exact_curve& left_curve,
+                      const Exact_curve& right_curve) {
+  std::string point = "(";
+  const GC::Coordinate_vector<Exact, 0> x = left_curve.coordinates(left_curve.degree());
+  for (int i = 0; i < x.dimension(); ++i) point += (i == 0 ? "" : ", ") + rounded(CGAL::to_double(x[i]));
+  const std::string columns[] = {std::to_string(left) + " -> " + std::to_string(right), orders(join), point + ')'};
+  const std::size_t widths[] = {12, 11, 25};
+  std::string row;
+  for (int i = 0; i < 3; ++i)
+    row += columns[i] + std::string(columns[i].size() < widths[i] ? widths[i] - columns[i].size() + 1 : 1, ' ');
+  return row + remark(join, left_curve, right_curve) + '\n';
+}

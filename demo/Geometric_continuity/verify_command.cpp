@@ -1,0 +1,143 @@
+// Copyright (c) 2026 The Geometric_continuity developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#include "command_line.h"
+#include "join_report.h"
+
+#include <CGAL/Geometric_continuity/IO/json.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <map>
+#include <memory>
+#include <sstream>
+
+namespace {
+
+const char* const usage = "usage: geometric_continuity verify FILE.g2... [OPTIONS]\n"
+                          "\n"
+                          "Decides the continuity of every join of the chain that all curves form in the given order. "
+                          "The decision is exact for\n"
+                          "the numbers of the files. C: equal derivatives; G: equal arc-length derivatives; F: equal "
+                          "Frenet frame and curvatures.\n"
+                          "Exit code: 0 when every join meets the requirement, 1 when one does not, 2 on bad input.\n";
+
+// Output that appears only when all input has been read and found good; it may be longer than the memory.
+class Deferred_output {
+  std::unique_ptr<std::FILE, int (*)(std::FILE*)> file_;
+
+public:
+  Deferred_output() : file_(std::tmpfile(), std::fclose) {
+    if (!file_) throw GC::Error(GC::Error_code::cannot_write_file, "temporary file");
+  }
+  void write(const std::string& text) {
+    if (std::fwrite(text.data(), 1, text.size(), file_.get()) != text.size())
+      throw GC::Error(GC::Error_code::cannot_write_file, "temporary file");
+  }
+  void copy_to(std::ostream& os) {
+    std::rewind(file_.get());
+    std::array<char, 1 << 16> block;
+    while (const std::size_t n = std::fread(block.data(), 1, block.size(), file_.get())) os.write(block.data(), n);
+  }
+};
+
+// Decides one join after the other and collects what is reported of all.
+class Chain_report {
+  const int max_order_;
+  const bool json_;
+  const std::optional<Requirement> requirement_;
+  Deferred_output out_;
+  long joins_ = 0, failing_ = 0;
+  std::map<int, long> by_g_order_;
+
+public:
+  Chain_report(int max_order, bool json, const std::optional<Requirement>& requirement)
+      : max_order_(max_order), json_(json), requirement_(requirement) {
+    out_.write(json_ ? "{\"joins\":[" : table_head());
+  }
+
+  void add(int left, int right, const Exact_curve& left_curve, const Exact_curve& right_curve) {
+    const Join join = GC::continuity(left_curve, right_curve, max_order_);
+    if (requirement_ && !requirement_->met(join)) ++failing_;
+    ++by_g_order_[join.g_order];
+    if (json_) {
+      std::ostringstream s;
+      s << (joins_ == 0 ? "\n " : ",\n ");
+      GC::write_json(s, join, left, right);
+      out_.write(s.str());
+    } else
+      out_.write(table_row(join, left, right, left_curve, right_curve));
+    ++joins_;
+  }
+
+  // Prints all and returns whether the requirement is met.
+  bool print(std::ostream& os) {
+    out_.copy_to(os);
+    if (json_) {
+      os << "],\n \"summary\":{\"joins\":" << joins_;
+      for (const auto& [order, count] : by_g_order_)
+        os << ",\"" << (order < 0 ? "gap" : 'G' + std::to_string(order)) << "\":" << count;
+      os << '}';
+      if (requirement_)
+        os << ",\n \"required\":\"" << requirement_->text() << "\",\"met\":" << (failing_ == 0 ? "true" : "false");
+      os << "}\n";
+    } else {
+      os << joins_ << (joins_ == 1 ? " join" : " joins");
+      for (const auto& [order, count] : by_g_order_)
+        os << (order == by_g_order_.begin()->first ? ": " : ", ") << count << ' '
+           << (order < 0 ? "gap" : 'G' + std::to_string(order) + (order == max_order_ ? " or more" : ""));
+      os << '\n';
+      if (requirement_ && failing_ == 0) os << "every join is " << requirement_->text() << ", proved exactly\n";
+      if (requirement_ && failing_ > 0) os << failing_ << " of them not " << requirement_->text() << '\n';
+    }
+    return failing_ == 0;
+  }
+};
+
+template <class FT>
+int verify(const Arguments& files, bool closed, int max_order, bool json, const std::optional<Requirement>& required) {
+  Chain_report report(max_order, json, required);
+  Curve_stream<FT> stream(files);
+  std::optional<Exact_curve> first, last;
+  int n = 0;
+  for (; std::optional<Program_curve<FT>> curve = stream.next(); ++n) {
+    const Exact_curve c = exact(*curve);
+    if (last)
+      report.add(n - 1, n, *last, c);
+    else {
+      first = c;
+      if (required) required->check_dimension(c.dimension());
+    }
+    last = c;
+  }
+  if (n == 1 && !closed)
+    throw std::invalid_argument("a single curve has no join; --closed asks for the join of its end and its start");
+  if (closed) report.add(n - 1, 0, *last, *first);
+  return report.print(std::cout) ? requirement_met : requirement_not_met;
+}
+
+} // namespace
+
+int verify_command(const Arguments& arguments) {
+  const Command_line line(usage, arguments, [](po::options_description_easy_init add) {
+    add("closed", "the last curve leads back to the first");
+    add("max-order", po::value<int>()->default_value(3), "the highest order to decide, from 0 to 32");
+    add("require", po::value<std::string>(), "the order that every join must have: C1, G2, F3, ...");
+    add("json", "print JSON");
+    add("kernel", po::value<std::string>()->default_value("exact"),
+        "exact: the numbers as written; double: each number is first rounded to a double, then all is exact");
+  });
+  if (line.help()) return requirement_met;
+  if (line.files().empty()) throw std::invalid_argument("verify: no file is given; see --help");
+  std::optional<Requirement> required;
+  if (line.has("require")) required = Requirement(line.text("require"));
+  int max_order = line.integer("max-order");
+  if (max_order < 0 || max_order > 32) throw std::invalid_argument("--max-order: not from 0 to 32");
+  if (required) max_order = std::max(max_order, required->order());
+  const bool closed = line.has("closed"), json = line.has("json");
+  return line.choice("kernel", {"exact", "double"}) == "exact"
+             ? verify<Exact>(line.files(), closed, max_order, json, required)
+             : verify<double>(line.files(), closed, max_order, json, required);
+}
