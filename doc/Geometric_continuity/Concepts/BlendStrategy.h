@@ -1,0 +1,69 @@
+// Copyright (c) 2026 The Geometric_continuity developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+/*!
+\ingroup PkgGeometricContinuityConcepts
+The concept `BlendStrategy` describes a function object that chooses the scalars of a blend.
+
+\cgalConcept
+
+Geometric continuity determines a blend up to a few scalars. There are two kinds of strategies, and a model has the
+operator of its kind only:
+
+- a <em>quintic strategy</em> is called with `CGAL::Geometric_continuity::Quintic_ends` and chooses the two scalars
+  \f$ s_1, s_2 \f$ of a blend of degree 5. The joins are \f$ G^2 \f$ whatever it chooses;
+- a <em>septic strategy</em> is called with `CGAL::Geometric_continuity::Septic_ends` and chooses the three scalars
+  \f$ \beta_2, \mu, \beta_3 \f$ at each end of a blend of degree 7. The joins are \f$ F^3 \f$ whatever it chooses
+  (\f$ F^2 \f$ in the plane, where there is no more), and \f$ G^3 \f$ if it takes \f$ \mu = 3\beta\beta_2 \f$ (with \f$ \eta \f$
+  in the place of \f$ \beta \f$ at the end).
+
+The kind is found by asking whether the operator can be called; if both can, the strategy is taken as quintic. An
+operator whose parameter is an unconstrained template parameter can be called with everything, so name the type
+`Quintic_ends` or `Septic_ends` in the signature.
+
+A strategy is called after the input has been checked: both end tangents are nonzero, \f$ \beta \f$ and \f$ \eta \f$ are
+positive. It should use field operations only, so that it works with every number type, and should report in
+`fallback_start` and `fallback_end` where its rule is undefined and another value was used. What it chooses is returned
+to the caller in the member `parameters` of the blend.
+
+\cgalHasModelsBegin
+\cgalHasModel{CGAL::Geometric_continuity::Matching_second_derivative} (quintic)
+\cgalHasModel{CGAL::Geometric_continuity::Normal_offset} (quintic)
+\cgalHasModel{CGAL::Geometric_continuity::Minimal_second_derivative} (quintic)
+\cgalHasModel{CGAL::Geometric_continuity::Near_line} (quintic)
+\cgalHasModel{CGAL::Geometric_continuity::Minimal_energy} (quintic)
+\cgalHasModel{CGAL::Geometric_continuity::Given_parameters} (quintic)
+\cgalHasModel{CGAL::Geometric_continuity::Matching_third_derivative} (septic)
+\cgalHasModel{CGAL::Geometric_continuity::Sequential_g3} (septic)
+\cgalHasModel{CGAL::Geometric_continuity::Sequential_f3} (septic)
+\cgalHasModel{CGAL::Geometric_continuity::Joint_g3} (septic)
+\cgalHasModel{CGAL::Geometric_continuity::Minimal_energy_g3} (septic)
+\cgalHasModel{CGAL::Geometric_continuity::Given_end_parameters} (septic)
+\cgalHasModelsEnd
+
+\sa `CGAL::Geometric_continuity::blend()`
+*/
+class BlendStrategy {
+public:
+  /// \name Operations
+  /// One of these two. `FT` is the number type of the traits class, `N` its dimension, or 0 if the dimension is known
+  /// at run time only.
+  /// @{
+
+  /*!
+  Chooses \f$ s_1 \f$ and \f$ s_2 \f$ for the quintic blend with the ends `e`.
+  */
+  template <class FT, int N>
+  CGAL::Geometric_continuity::Quintic_parameters<FT>
+  operator()(const CGAL::Geometric_continuity::Quintic_ends<FT, N>& e) const;
+
+  /*!
+  Chooses \f$ \beta_2, \mu, \beta_3 \f$ at both ends for the septic blend with the ends `e`.
+  */
+  template <class FT, int N>
+  CGAL::Geometric_continuity::Septic_parameters<FT>
+  operator()(const CGAL::Geometric_continuity::Septic_ends<FT, N>& e) const;
+
+  /// @}
+};
