@@ -1,0 +1,49 @@
+// Copyright (c) 2026 The Geometric_continuity developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_GEOMETRIC_CONTINUITY_IO_JSON_H
+#define CGAL_GEOMETRIC_CONTINUITY_IO_JSON_H
+
+#include <CGAL/Geometric_continuity/IO/number.h>
+#include <CGAL/Geometric_continuity/continuity/join_continuity.h>
+
+#include <optional>
+#include <ostream>
+
+namespace CGAL {
+namespace Geometric_continuity {
+
+namespace internal {
+
+inline void write_json(std::ostream& os, const char* key, const std::optional<bool>& flag) {
+  os << ",\"" << key << "\":" << (!flag ? "null" : *flag ? "true" : "false");
+}
+
+} // namespace internal
+
+/// \ingroup PkgGeometricContinuityIO
+/// Writes what was decided about the join of the curves number `left` and `right` as a JSON object
+/// `{"left":…,"right":…,"c_order":…,"g_order":…,"f_order":…,"betas":["p/q",…],"regular":…,"tangent_equal":…,
+/// "curvature_equal":…,"curvature_vector_equal":…,"torsion_equal":…}`. Exact numbers are strings; a gap between the end
+/// points is `c_order` -1; what is undefined is null.
+template <class FT> void write_json(std::ostream& os, const Join_continuity<FT>& join, int left, int right) {
+  os << "{\"left\":" << left << ",\"right\":" << right << ",\"c_order\":" << join.c_order
+     << ",\"g_order\":" << join.g_order << ",\"f_order\":" << join.f_order << ",\"betas\":[";
+  for (std::size_t i = 0; i < join.betas.size(); ++i) {
+    os << (i == 0 ? "\"" : ",\"");
+    write_number(os, join.betas[i]);
+    os << '"';
+  }
+  os << "],\"regular\":" << (join.regular ? "true" : "false");
+  internal::write_json(os, "tangent_equal", join.tangent_equal);
+  internal::write_json(os, "curvature_equal", join.curvature_equal);
+  internal::write_json(os, "curvature_vector_equal", join.curvature_vector_equal);
+  internal::write_json(os, "torsion_equal", join.torsion_equal);
+  os << '}';
+}
+
+} // namespace Geometric_continuity
+} // namespace CGAL
+
+#endif // CGAL_GEOMETRIC_CONTINUITY_IO_JSON_H

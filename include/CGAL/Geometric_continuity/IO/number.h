@@ -1,0 +1,303 @@
+// Copyright (c) 2026 The Geometric_continuity developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_GEOMETRIC_CONTINUITY_IO_NUMBER_H
+#define CGAL_GEOMETRIC_CONTINUITY_IO_NUMBER_H
+
+#include <CGAL/Exact_rational.h>
+#include <CGAL/Geometric_continuity/Error.h>
+#include <CGAL/Geometric_continuity/internal/exact_field.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <limits>
+#include <locale>
+#include <ostream>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <system_error>
+#include <type_traits>
+#include <utility>
+
+namespace CGAL {
+namespace Geometric_continuity {
+
+/// \ingroup PkgGeometricContinuityIO
+/// The longest text, in characters, that is read as a number.
+constexpr std::size_t max_number_length = 4096;
+
+/// \ingroup PkgGeometricContinuityIO
+/// The largest absolute value of the exponent of a decimal, so that a few characters cannot fill the memory.
+constexpr int max_decimal_exponent = 4096;
+
+namespace internal {
+
+// Why a text is not read as a number; the text itself is added by those who know where it stands.
+class Number_error : public std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+// A text for messages: in quotes, shortened, with bytes that cannot be printed as \xHH.
+inline std::string quoted_token(std::string_view text) {
+  constexpr std::size_t longest = 40;
+  constexpr char hex[] = "0123456789ABCDEF";
+  std::string result = "'";
+  for (char c : text.substr(0, longest)) {
+    const unsigned char byte = static_cast<unsigned char>(c);
+    if (byte >= 0x20 && byte < 0x7F)
+      result += c;
+    else
+      result += {'\\', 'x', hex[byte / 16], hex[byte % 16]};
+  }
+  return result + (text.size() > longest ? "...'" : "'");
+}
+
+// The parts of the text of a number: a decimal, or a fraction when there is a denominator.
+struct Number_parts {
+  bool negative = false;
+  std::string_view integer, fraction, denominator; // digits
+  int exponent = 0;
+};
+
+inline bool take(std::string_view& text, char c) {
+  const bool found = !text.empty() && text.front() == c;
+  if (found) text.remove_prefix(1);
+  return found;
+}
+
+// Takes an optional sign and tells whether it is a minus.
+inline bool take_minus(std::string_view& text) {
+  if (take(text, '+')) return false;
+  return take(text, '-');
+}
+
+inline std::string_view take_digits(std::string_view& text) {
+  const std::string_view digits = text.substr(0, text.find_first_not_of("0123456789"));
+  text.remove_prefix(digits.size());
+  return digits;
+}
+
+inline bool all_zero(std::string_view digits) { return digits.find_first_not_of('0') == std::string_view::npos; }
+
+inline int decimal_exponent(std::string_view text) {
+  const bool negative = take_minus(text);
+  const std::string_view digits = take_digits(text);
+  if (digits.empty() || !text.empty()) throw Number_error("not a number");
+  int exponent = 0;
+  for (char c : digits) {
+    exponent = 10 * exponent + (c - '0');
+    if (exponent > max_decimal_exponent)
+      throw Number_error("decimal exponent beyond " + std::to_string(max_decimal_exponent));
+  }
+  return negative ? -exponent : exponent;
+}
+
+inline Number_parts number_parts(std::string_view text) {
+  if (text.empty()) throw Number_error("empty number");
+  Number_parts parts;
+  parts.negative = take_minus(text);
+  parts.integer = take_digits(text);
+  if (!parts.integer.empty() && take(text, '/')) {
+    parts.denominator = take_digits(text);
+    if (parts.denominator.empty() || !text.empty()) throw Number_error("not a number");
+    if (all_zero(parts.denominator)) throw Number_error("zero denominator");
+    return parts;
+  }
+  if (take(text, '.')) parts.fraction = take_digits(text);
+  if (parts.integer.empty() && parts.fraction.empty()) throw Number_error("not a number");
+  if (take(text, 'e') || take(text, 'E'))
+    parts.exponent = decimal_exponent(text);
+  else if (!text.empty())
+    throw Number_error("not a number");
+  return parts;
+}
+
+inline void check_number_length(std::string_view text) {
+  if (text.size() > max_number_length)
+    throw Number_error("number longer than " + std::to_string(max_number_length) + " characters");
+}
+
+// Numbers that are evaluated on demand, such as those of Lazy_exact_nt, are read and written in the type of
+// their exact values.
+template <class FT, class = void> struct Evaluated { typedef FT type; };
+template <class FT> struct Evaluated<FT, std::void_t<decltype(std::declval<const FT&>().exact())>> {
+  typedef std::decay_t<decltype(std::declval<const FT&>().exact())> type;
+};
+
+// Appends decimal digits to a natural number, by Horner's rule on pieces that fit in an int.
+template <class FT> FT append_digits(FT value, std::string_view digits) {
+  constexpr std::size_t piece_length = 9;
+  while (!digits.empty()) {
+    int piece = 0, scale = 1;
+    for (char c : digits.substr(0, piece_length)) {
+      piece = 10 * piece + (c - '0');
+      scale *= 10;
+    }
+    value = FT(FT(value * FT(scale)) + FT(piece));
+    digits.remove_prefix(std::min(piece_length, digits.size()));
+  }
+  return value;
+}
+
+template <class FT> FT power_of_ten(int exponent) {
+  FT power(1), square(10);
+  for (; exponent > 0; exponent /= 2) {
+    if (exponent % 2 == 1) power = FT(power * square);
+    if (exponent > 1) square = FT(square * square);
+  }
+  return power;
+}
+
+template <class FT> FT exact_value(const Number_parts& parts) {
+  FT value = append_digits(append_digits(FT(0), parts.integer), parts.fraction);
+  const int exponent = parts.exponent - static_cast<int>(parts.fraction.size());
+  if (!parts.denominator.empty())
+    value = FT(value / append_digits(FT(0), parts.denominator));
+  else if (exponent < 0)
+    value = FT(value / power_of_ten<FT>(-exponent));
+  else if (exponent > 0)
+    value = FT(value * power_of_ten<FT>(exponent));
+  return parts.negative ? FT(FT(0) - value) : value;
+}
+
+// The floating-point number nearest to `x >= 0`, in a tie the even one. It is found by bisection, with exact
+// comparisons: floating-point numbers that are not negative are ordered as their bit patterns.
+template <class FT> FT nearest_floating_point(const Exact_rational& x) {
+  typedef std::conditional_t<sizeof(FT) == sizeof(std::uint32_t), std::uint32_t, std::uint64_t> Bits;
+  static_assert(sizeof(FT) == sizeof(Bits) && std::numeric_limits<FT>::is_iec559, "float or double is expected");
+  const auto number = [](Bits bits) {
+    FT result;
+    std::memcpy(&result, &bits, sizeof bits);
+    return result;
+  };
+  const FT largest = std::numeric_limits<FT>::max();
+  if (Exact_rational(largest) < x) throw Number_error("outside the range of floating-point numbers");
+  Bits low = 0, high; // number(low) <= x <= number(high)
+  std::memcpy(&high, &largest, sizeof high);
+  while (high - low > 1) {
+    const Bits middle = low + (high - low) / 2;
+    (x < Exact_rational(number(middle)) ? high : low) = middle;
+  }
+  const Exact_rational sum = Exact_rational(number(low)) + Exact_rational(number(high)), twice_x = x + x;
+  if (twice_x == sum) return number(low % 2 == 0 ? low : high);
+  return number(twice_x < sum ? low : high);
+}
+
+template <class FT> FT floating_point_value(std::string_view text, const Number_parts& parts) {
+  FT value(0);
+  if (!parts.denominator.empty()) {
+    Number_parts absolute = parts;
+    absolute.negative = false;
+    value = nearest_floating_point<FT>(exact_value<Exact_rational>(absolute));
+    if (parts.negative) value = -value;
+  } else {
+    take(text, '+'); // which from_chars() does not know
+    const std::from_chars_result result = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (result.ec != std::errc() || !std::isfinite(value))
+      throw Number_error("outside the range of floating-point numbers");
+  }
+  if (value == FT(0) && !(all_zero(parts.integer) && all_zero(parts.fraction)))
+    throw Number_error("outside the range of floating-point numbers");
+  return value;
+}
+
+// \throws Number_error
+template <class FT> FT number_value(std::string_view text) {
+  check_number_length(text);
+  const Number_parts parts = number_parts(text);
+  if constexpr (std::is_floating_point_v<FT>)
+    return floating_point_value<FT>(text, parts);
+  else
+    return FT(exact_value<typename Evaluated<FT>::type>(parts));
+}
+
+template <class FT> std::string floating_point_text(FT x) {
+  check_finite(x, "write_number");
+  char text[64];
+  return std::string(text, std::to_chars(text, text + sizeof text, x).ptr);
+}
+
+// What the number type itself prints, with the sign in front and without a denominator 1. It is read back, because
+// some number types print approximations only.
+template <class FT> std::string exact_text(const FT& x) {
+  std::ostringstream os;
+  os.imbue(std::locale::classic());
+  os << x;
+  std::string text = os.str();
+  const std::size_t slash = text.find('/');
+  if (slash != std::string::npos) {
+    std::string numerator = text.substr(0, slash), denominator = text.substr(slash + 1);
+    if (denominator[0] == '-') {
+      denominator.erase(0, 1);
+      numerator = numerator[0] == '-' ? numerator.substr(1) : '-' + numerator;
+    }
+    text = denominator == "1" ? numerator : numerator + '/' + denominator;
+  }
+  bool exact = false;
+  try {
+    exact = exact_value<FT>(number_parts(text)) == x;
+  } catch (const Number_error&) {
+  }
+  if (!exact)
+    throw Error(Error_code::cannot_write_file, "the number type does not print exact numbers: " + quoted_token(text));
+  return text;
+}
+
+} // namespace internal
+
+/// \ingroup PkgGeometricContinuityIO
+/// The number written in a text. This is an optional sign, then a decimal (`12`, `-.5`, `3.`, `1e-3`, `1.5E+4`) or a
+/// fraction `p/q` of two integers of which the second is positive and has no sign.
+///
+/// In a field other than the floating-point types the number is exactly what is written: `0.1` is 1/10. In `float` and
+/// `double` decimals and fractions are rounded to the nearest number, to the even one in a tie; a number that would
+/// become infinite, a fraction beyond the largest finite number, and a number that is not zero and would become zero
+/// are refused. A number that becomes subnormal is read.
+///
+/// \tparam FT a field number type: `float`, `double`, or a type constructible from `int` with `+`, `-`, `*` and `/`.
+///            When it has a member function `exact()`, it must be constructible from the result.
+/// \throws Error `malformed_input`, with the text (shortened) and the reason, for everything else: an empty text,
+///         `nan`, `inf`, hexadecimal numbers, trailing characters, more than `max_number_length` characters, an
+///         exponent beyond `max_decimal_exponent`
+///
+/// Linear many operations of the field in the number of characters.
+template <class FT> FT parse_number(std::string_view token) {
+  try {
+    return internal::number_value<FT>(token);
+  } catch (const internal::Number_error& error) {
+    throw Error(Error_code::malformed_input, std::string(error.what()) + ": " + internal::quoted_token(token));
+  }
+}
+
+/// \ingroup PkgGeometricContinuityIO
+/// Writes a number without loss: `parse_number()` of the text gives the number back, provided that the text is not
+/// longer than `max_number_length`. Floating-point numbers are written as their shortest decimal, numbers of other
+/// fields as `p` or `p/q`. Locale, precision, width and flags of the stream are ignored.
+///
+/// \tparam FT `float`, `double`, or a field number type as for `parse_number()` with `==` and an `operator<<` that
+///            prints `p` or `p/q`; when it has a member function `exact()`, that is asked of the result
+/// \throws Error `not_finite` for an infinite or undefined floating-point number
+/// \throws Error `cannot_write_file` when the number type prints something else than the number, as does
+///         `Quotient<MP_Float>`
+template <class FT> void write_number(std::ostream& os, const FT& x) {
+  std::string text;
+  if constexpr (std::is_floating_point_v<FT>)
+    text = internal::floating_point_text(x);
+  else if constexpr (std::is_same_v<typename internal::Evaluated<FT>::type, FT>)
+    text = internal::exact_text(x);
+  else
+    text = internal::exact_text(x.exact());
+  os.write(text.data(), static_cast<std::streamsize>(text.size()));
+}
+
+} // namespace Geometric_continuity
+} // namespace CGAL
+
+#endif // CGAL_GEOMETRIC_CONTINUITY_IO_NUMBER_H
