@@ -47,24 +47,25 @@ double kink(const Jet& left, const Jet& right) {
 
 } // namespace
 
-Requirement::Requirement(const std::string& text) : kind_(text.empty() ? ' ' : text[0]), order_(-1) {
+Requirement::Requirement(const std::string& text) : order_(-1) {
+  const std::size_t kind = std::string("CGF").find(text.substr(0, 1));
   const std::string digits = text.substr(std::min<std::size_t>(1, text.size()));
-  if ((kind_ == 'C' || kind_ == 'G' || kind_ == 'F') && !digits.empty() && digits.size() <= 2 &&
-      digits.find_first_not_of("0123456789") == std::string::npos)
+  if (!text.empty() && kind != std::string::npos && !digits.empty() && digits.size() <= 2 &&
+      digits.find_first_not_of("0123456789") == std::string::npos) {
+    kind_ = static_cast<GC::Continuity_kind>(kind);
     order_ = std::stoi(digits);
+  }
   if (order_ < 0 || order_ > 32)
     throw std::invalid_argument("--require: '" + text + "' is not C, G or F with an order from 0 to 32, such as G2");
 }
 
 void Requirement::check_dimension(int dimension) const {
-  if (kind_ == 'F' && order_ > dimension)
+  if (kind_ == GC::Continuity_kind::F && order_ > dimension)
     throw std::invalid_argument("--require " + text() + ": the F order is at most the dimension, which is " +
                                 std::to_string(dimension));
 }
 
-bool Requirement::met(const Join& join) const {
-  return (kind_ == 'C' ? join.c_order : kind_ == 'G' ? join.g_order : join.f_order) >= order_;
-}
+std::string Requirement::text() const { return "CGF"[static_cast<int>(kind_)] + std::to_string(order_); }
 
 std::string orders(const Join& join) {
   if (join.c_order < 0) return "gap";

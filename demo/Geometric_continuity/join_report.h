@@ -7,22 +7,24 @@
 
 #include "curves.h"
 
+#include <CGAL/Geometric_continuity/continuity/chain_continuity.h>
+
 #include <string>
 
 typedef GC::Join_continuity<Exact> Join;
 
 // An order of continuity that is asked for, e.g. "G2".
 class Requirement {
-  char kind_;
+  GC::Continuity_kind kind_;
   int order_;
 
 public:
   // Throws when the text is not C, G or F and a number, or can't be met in this dimension.
   explicit Requirement(const std::string& text);
   int order() const { return order_; }
-  bool met(const Join& join) const;
+  bool met(const Join& join) const { return GC::order_of(join, kind_) >= order_; }
   void check_dimension(int dimension) const; // F3 can't be met in the plane
-  std::string text() const { return kind_ + std::to_string(order_); }
+  std::string text() const;
 };
 
 // "C1 G2 F2"

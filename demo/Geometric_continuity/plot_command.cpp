@@ -7,6 +7,8 @@
 
 #include <CGAL/Geometric_continuity/IO/atomic_file.h>
 #include <CGAL/Geometric_continuity/IO/svg.h>
+#include <CGAL/Geometric_continuity/construction/alternatives.h>
+#include <CGAL/Geometric_continuity/construction/midpoint_construction.h>
 
 namespace {
 
@@ -27,11 +29,41 @@ GC::Svg_panel picture(const std::string& file, const GC::Svg_style& style, bool 
   return panel;
 }
 
+// Hagen's figure 2 for the end of the last curve.
+GC::Svg_panel alternatives(const std::string& file, const GC::Svg_style& style) {
+  const std::vector<Exact_curve> curves = read_curves<Exact>({file});
+  const Exact_curve& last = curves.back();
+  const int m = last.degree();
+  const GC::Midpoint_construction<Program_traits<Exact>> points = GC::midpoint_construction(last);
+  const GC::Curvature_alternatives<Program_traits<Exact>> line = GC::curvature_alternatives(last);
+  GC::Svg_panel panel(file.substr(file.find_last_of('/') + 1) + ": the line of alternatives for b\u2082, C\u2080 from 0 to 6");
+  const GC::Svg_style construction{GC::Svg_role::construction, false, false}, found{GC::Svg_role::blend, false, false};
+  for (const Exact_curve& c : curves) panel.add(c, style);
+  const auto leg = [&](const Exact_curve::Point& a, const Exact_curve::Point& b) {
+    panel.add(Exact_curve{a, b}, construction);
+  };
+  leg(last.control_point(m - 1), points.b1);
+  leg(last.control_point(m - 2), points.d0);
+  leg(points.d0, points.b2_tilde);
+  leg(points.d0, points.b2_bar);
+  panel.add(Exact_curve{line.point_at(0), line.point_at(6)}, found);
+  const auto mark = [&](const Exact_curve::Point& p, const char* label) { panel.add(Exact_curve{p}).join(label); };
+  mark(last.control_point(m), "b\u2080");
+  mark(last.control_point(m - 1), "b\u208b\u2081");
+  mark(last.control_point(m - 2), "b\u208b\u2082");
+  mark(points.b1, "b\u2081");
+  mark(points.d0, "d\u2080");
+  mark(points.b2_tilde, "b\u0303\u2082");
+  mark(points.b2_bar, "b\u0304\u2082");
+  return panel;
+}
+
 } // namespace
 
 int plot_command(const Arguments& arguments) {
   const Command_line line(usage, arguments, [](po::options_description_easy_init add) {
     add("output,o", po::value<std::string>(), "the picture, .svg");
+    add("alternatives", "Hagen's midpoint construction and his line of alternatives");
     add("closed", "the last curve of a file leads back to its first");
     add("no-polygon", "without control polygons");
     add("no-comb", "without curvature combs");
@@ -43,7 +75,8 @@ int plot_command(const Arguments& arguments) {
   if (!line.has("output")) throw std::invalid_argument("plot: -o OUT.svg is needed");
   const GC::Svg_style style{GC::Svg_role::given, !line.has("no-polygon"), !line.has("no-comb")};
   GC::Svg_figure figure(line.has("title") ? line.text("title") : std::string(), line.integer("columns"));
-  for (const std::string& file : line.files()) figure.add(picture(file, style, line.has("closed")));
+  for (const std::string& file : line.files())
+    figure.add(line.has("alternatives") ? alternatives(file, style) : picture(file, style, line.has("closed")));
   GC::write_file_atomically(line.text("output"), [&](std::ostream& os) { figure.write(os); });
   return requirement_met;
 }

@@ -9,10 +9,13 @@
 
 #include <algorithm>
 #include <array>
+#include <chrono>
 #include <cstdio>
 #include <map>
 #include <memory>
 #include <sstream>
+
+#include <unistd.h>
 
 namespace {
 
@@ -43,50 +46,73 @@ public:
   }
 };
 
-// Decides one join after the other and collects what is reported of all.
-class Chain_report {
-  const int max_order_;
-  const bool json_;
-  const std::optional<Requirement> requirement_;
-  Deferred_output out_;
-  long joins_ = 0, failing_ = 0;
-  std::map<int, long> by_g_order_;
+// Tells on a terminal how far a long chain has come, once a second.
+class Progress {
+  typedef std::chrono::steady_clock Clock;
+  const bool shown_ = isatty(STDERR_FILENO);
+  Clock::time_point next_ = Clock::now() + std::chrono::seconds(1);
+  bool written_ = false;
 
 public:
-  Chain_report(int max_order, bool json, const std::optional<Requirement>& requirement)
-      : max_order_(max_order), json_(json), requirement_(requirement) {
+  void step(std::size_t joins) {
+    if (!shown_ || joins % 256 != 0 || Clock::now() < next_) return;
+    std::cerr << '\r' << joins << " joins" << std::flush;
+    next_ = Clock::now() + std::chrono::seconds(1);
+    written_ = true;
+  }
+  ~Progress() {
+    if (written_) std::cerr << "\r\033[K";
+  }
+};
+
+// Collects what is reported of each join.
+class Chain_report {
+  const bool json_;
+  const int max_order_;
+  const std::optional<Requirement> requirement_;
+  Deferred_output out_;
+  Progress progress_;
+  std::size_t joins_ = 0, failing_ = 0;
+
+public:
+  Chain_report(bool json, int max_order, const std::optional<Requirement>& requirement)
+      : json_(json), max_order_(max_order), requirement_(requirement) {
     out_.write(json_ ? "{\"joins\":[" : table_head());
   }
 
-  void add(int left, int right, const Exact_curve& left_curve, const Exact_curve& right_curve) {
-    const Join join = GC::continuity(left_curve, right_curve, max_order_);
-    if (requirement_ && !requirement_->met(join)) ++failing_;
-    ++by_g_order_[join.g_order];
+  void operator()(const GC::Chain_join<Exact_curve>& join) {
+    const int left = static_cast<int>(join.left), right = static_cast<int>(join.right);
+    if (requirement_ && !requirement_->met(join.continuity)) ++failing_;
     if (json_) {
       std::ostringstream s;
       s << (joins_ == 0 ? "\n " : ",\n ");
-      GC::write_json(s, join, left, right);
+      GC::write_json(s, join.continuity, left, right);
       out_.write(s.str());
     } else
-      out_.write(table_row(join, left, right, left_curve, right_curve));
-    ++joins_;
+      out_.write(table_row(join.continuity, left, right, join.left_curve, join.right_curve));
+    progress_.step(++joins_);
   }
 
   // Prints all and returns whether the requirement is met.
-  bool print(std::ostream& os) {
+  bool print(std::ostream& os, const GC::Chain_summary& summary) {
+    const std::map<int, std::size_t>& counts = summary.counts(GC::Continuity_kind::G);
     out_.copy_to(os);
     if (json_) {
       os << "],\n \"summary\":{\"joins\":" << joins_;
-      for (const auto& [order, count] : by_g_order_)
+      for (const auto& [order, count] : counts)
         os << ",\"" << (order < 0 ? "gap" : 'G' + std::to_string(order)) << "\":" << count;
+      if (joins_ > 0)
+        os << ",\"c_order\":" << *summary.least_order(GC::Continuity_kind::C)
+           << ",\"g_order\":" << *summary.least_order(GC::Continuity_kind::G)
+           << ",\"f_order\":" << *summary.least_order(GC::Continuity_kind::F);
       os << '}';
       if (requirement_)
         os << ",\n \"required\":\"" << requirement_->text() << "\",\"met\":" << (failing_ == 0 ? "true" : "false");
       os << "}\n";
     } else {
       os << joins_ << (joins_ == 1 ? " join" : " joins");
-      for (const auto& [order, count] : by_g_order_)
-        os << (order == by_g_order_.begin()->first ? ": " : ", ") << count << ' '
+      for (const auto& [order, count] : counts)
+        os << (order == counts.begin()->first ? ": " : ", ") << count << ' '
            << (order < 0 ? "gap" : 'G' + std::to_string(order) + (order == max_order_ ? " or more" : ""));
       os << '\n';
       if (requirement_ && failing_ == 0) os << "every join is " << requirement_->text() << ", proved exactly\n";
@@ -98,24 +124,17 @@ public:
 
 template <class FT>
 int verify(const Arguments& files, bool closed, int max_order, bool json, const std::optional<Requirement>& required) {
-  Chain_report report(max_order, json, required);
+  Chain_report report(json, max_order, required);
+  GC::Chain_analysis<Exact_curve> chain(max_order);
   Curve_stream<FT> stream(files);
-  std::optional<Exact_curve> first, last;
-  int n = 0;
-  for (; std::optional<Program_curve<FT>> curve = stream.next(); ++n) {
-    const Exact_curve c = exact(*curve);
-    if (last)
-      report.add(n - 1, n, *last, c);
-    else {
-      first = c;
-      if (required) required->check_dimension(c.dimension());
-    }
-    last = c;
+  while (const std::optional<Program_curve<FT>> curve = stream.next()) {
+    if (required && chain.size() == 0) required->check_dimension(curve->dimension());
+    chain.add(exact(*curve), report);
   }
-  if (n == 1 && !closed)
+  if (chain.size() == 1 && !closed)
     throw std::invalid_argument("a single curve has no join; --closed asks for the join of its end and its start");
-  if (closed) report.add(n - 1, 0, *last, *first);
-  return report.print(std::cout) ? requirement_met : requirement_not_met;
+  if (closed) chain.close(report);
+  return report.print(std::cout, chain.summary()) ? requirement_met : requirement_not_met;
 }
 
 } // namespace

@@ -6,7 +6,7 @@
 #define CGAL_GEOMETRIC_CONTINUITY_H
 
 /// \file Geometric_continuity.h
-/// Everything but input and output.
+/// Everything but input and output and what needs Boost.Odeint (construction/curve_from_curvatures.h).
 
 #include <CGAL/Geometric_continuity/Error.h>
 #include <CGAL/Geometric_continuity/Traits_2.h>
@@ -23,18 +23,26 @@
 #include <CGAL/Geometric_continuity/local/Coordinate_jet.h>
 #include <CGAL/Geometric_continuity/local/Curve_jet.h>
 #include <CGAL/Geometric_continuity/local/Frenet_frame.h>
+#include <CGAL/Geometric_continuity/local/congruence.h>
 #include <CGAL/Geometric_continuity/local/curvatures.h>
+#include <CGAL/Geometric_continuity/local/frenet_equations.h>
 
 #include <CGAL/Geometric_continuity/curves/Bezier_curve.h>
+#include <CGAL/Geometric_continuity/curves/Composite_bezier_curve.h>
 #include <CGAL/Geometric_continuity/curves/control_polygon.h>
 #include <CGAL/Geometric_continuity/curves/end_control_points.h>
 #include <CGAL/Geometric_continuity/curves/polygon_invariants.h>
 
+#include <CGAL/Geometric_continuity/continuity/chain_continuity.h>
 #include <CGAL/Geometric_continuity/continuity/join_continuity.h>
+#include <CGAL/Geometric_continuity/continuity/polygon_tests.h>
 
 #include <CGAL/Geometric_continuity/construction/Quintic_ends.h>
 #include <CGAL/Geometric_continuity/construction/Septic_ends.h>
+#include <CGAL/Geometric_continuity/construction/alternatives.h>
 #include <CGAL/Geometric_continuity/construction/blend.h>
+#include <CGAL/Geometric_continuity/construction/extend.h>
+#include <CGAL/Geometric_continuity/construction/midpoint_construction.h>
 #include <CGAL/Geometric_continuity/construction/quintic_strategies.h>
 #include <CGAL/Geometric_continuity/construction/septic_strategies.h>
 

@@ -24,6 +24,9 @@ enum class Error_code {
   dimension_mismatch,       ///< points, vectors or curves of different dimensions meet
   jet_order_too_low,        ///< a jet has fewer derivatives than the construction reads
   not_finite,               ///< a floating-point coordinate is infinite or not a number
+  curves_do_not_meet,       ///< a curve does not start where the one before it ends
+  nonpositive_curvature,    ///< a curvature that must be positive is not
+  unreachable_tolerance,    ///< a tolerance is not positive, or cannot be kept in floating-point arithmetic
   malformed_input,          ///< the text of a file or of a number is not what it should be
   cannot_read_file,         ///< a file cannot be opened or read, for a reason of the system
   cannot_write_file         ///< a file, or a number in it, cannot be written
@@ -43,6 +46,9 @@ inline std::string to_string(Error_code code) {
   case Error_code::dimension_mismatch: return "dimension_mismatch";
   case Error_code::jet_order_too_low: return "jet_order_too_low";
   case Error_code::not_finite: return "not_finite";
+  case Error_code::curves_do_not_meet: return "curves_do_not_meet";
+  case Error_code::nonpositive_curvature: return "nonpositive_curvature";
+  case Error_code::unreachable_tolerance: return "unreachable_tolerance";
   case Error_code::malformed_input: return "malformed_input";
   case Error_code::cannot_read_file: return "cannot_read_file";
   case Error_code::cannot_write_file: return "cannot_write_file";

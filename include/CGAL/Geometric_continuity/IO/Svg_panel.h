@@ -19,8 +19,9 @@ namespace Geometric_continuity {
 /// \ingroup PkgGeometricContinuityIO
 /// What a curve is in a picture.
 enum class Svg_role {
-  given, ///< a curve that was there before, drawn dark
-  blend  ///< a curve that was constructed, highlighted
+  given,       ///< a curve that was there before, drawn dark
+  blend,       ///< a curve that was constructed, highlighted
+  construction ///< a line of a geometric construction, drawn dashed
 };
 
 /// \ingroup PkgGeometricContinuityIO

@@ -108,7 +108,9 @@ private:
   std::vector<Svg_panel> panels_;
 
   static const internal::Svg_line& curve_line(Svg_role role) {
-    return role == Svg_role::given ? internal::svg_given : internal::svg_blend;
+    return role == Svg_role::given   ? internal::svg_given
+           : role == Svg_role::blend ? internal::svg_blend
+                                     : internal::svg_construction;
   }
 
   // One panel with its upper left corner at (x, y), from the background to the foreground.
@@ -121,7 +123,7 @@ private:
       if (c.style.curvature_comb) s += comb(c, view);
     for (const Svg_curve& c : panel.curves_)
       if (c.style.control_polygon) s += svg_stroke(svg_polygon, svg_polyline(view(c.points)));
-    for (Svg_role role : {Svg_role::given, Svg_role::blend})
+    for (Svg_role role : {Svg_role::construction, Svg_role::given, Svg_role::blend})
       for (const Svg_curve& c : panel.curves_)
         if (c.style.role == role) s += svg_stroke(curve_line(role), svg_curve_path(view(c.points)));
     for (const Svg_curve& c : panel.curves_)
@@ -218,11 +220,11 @@ private:
   static std::string legend(const std::vector<Svg_panel>& panels, const internal::Svg_view& view, double width,
                             double& y) {
     using namespace internal;
-    bool given = false, blend = false, polygon = false, comb = false, join = false;
+    bool given = false, blend = false, construction = false, polygon = false, comb = false, join = false;
     for (const Svg_panel& panel : panels) {
-      join = join || !panel.joins_.empty();
+      for (const Svg_join& j : panel.joins_) join = join || panel.curves_[j.curve].points.size() > 1; // no single point
       for (const Svg_curve& c : panel.curves_) {
-        (c.style.role == Svg_role::given ? given : blend) = true;
+        (c.style.role == Svg_role::given ? given : c.style.role == Svg_role::blend ? blend : construction) = true;
         polygon = polygon || c.style.control_polygon;
         comb = comb || c.style.curvature_comb;
       }
@@ -231,6 +233,7 @@ private:
     const std::string line = "M0 0L26 0";
     if (given) items.add("given curve", svg_stroke(svg_given, line));
     if (blend) items.add("blend", svg_stroke(svg_blend, line));
+    if (construction) items.add("construction", svg_stroke(svg_construction, line));
     if (polygon)
       items.add("control polygon", svg_stroke(svg_polygon, line) + svg_disk(svg_vector({0.0, 0.0}), 2, svg_polygon) +
                                        svg_disk(svg_vector({26.0, 0.0}), 2, svg_polygon));

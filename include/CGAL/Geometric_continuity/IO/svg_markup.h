@@ -95,7 +95,7 @@ struct Svg_line {
 constexpr Svg_line svg_given{"#2f4058", 2, ""}, svg_blend{"#d55e00", 2.6, ""}, svg_polygon{"#8c8c8c", 0.9, ""},
     svg_teeth{"#a6cbe6", 0.7, ""}, svg_cut_teeth{"#d3e5f2", 0.7, ""}, svg_envelope{"#3787c0", 1.1, ""},
     svg_ring{"#222222", 1.4, ""}, svg_grid{"#e3e3e3", 0.8, ""}, svg_shadow{"#cdcdcd", 2.4, ""},
-    svg_plumb{"#b4b4b4", 0.8, "2 3"}, svg_axes{"#8c8c8c", 1, ""};
+    svg_plumb{"#b4b4b4", 0.8, "2 3"}, svg_axes{"#8c8c8c", 1, ""}, svg_construction{"#008060", 1.1, "5 4"};
 
 inline std::string svg_stroke(const Svg_line& line, const std::string& path) {
   if (path.empty()) return path;

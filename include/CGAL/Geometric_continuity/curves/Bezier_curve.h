@@ -110,7 +110,7 @@ public:
 
   /// The jet of order `k >= 0` at `u`; derivatives beyond the degree are zero. \f$ O(m^2 + k^3) \f$
   Curve_jet<Traits> jet(const FT& u, int k) const {
-    Curve_jet<Traits> jet(Coordinate_jet<FT, N>(dimension(), k));
+    Curve_jet<Traits> jet(dimension(), k);
     const FT t = local_parameter<FT>(u), h = FT(b_ - a_);
     for (int i = 0; i < dimension(); ++i) {
       Per_point<FT> c = coefficients<FT>(i);
@@ -235,7 +235,10 @@ public:
 
   /// Equality of control points and domain.
   friend bool operator==(const Bezier_curve& c, const Bezier_curve& d) {
-    return c.a_ == d.a_ && c.b_ == d.b_ && c.points_ == d.points_;
+    if (c.a_ != d.a_ || c.b_ != d.b_ || c.degree() != d.degree()) return false;
+    for (int j = 0; j <= c.degree(); ++j)
+      if (c.coordinates(j) != d.coordinates(j)) return false;
+    return true;
   }
   friend bool operator!=(const Bezier_curve& c, const Bezier_curve& d) { return !(c == d); }
 
@@ -262,6 +265,8 @@ private:
   void check() const {
     if (points_.empty()) refuse_number_of_points();
     if (!(a_ < b_)) throw Error(Error_code::empty_domain, "Bezier_curve");
+    internal::check_finite(a_, "Bezier_curve: domain");
+    internal::check_finite(b_, "Bezier_curve: domain");
     for (int j = 0; j <= degree(); ++j) {
       const Coordinates p = coordinates(j);
       if (p.dimension() != dimension())

@@ -35,6 +35,9 @@ public:
   Curve_jet() = default;
   explicit Curve_jet(Base jet) : Base(std::move(jet)) {}
 
+  /// The zero jet of order `k` in dimension `d`.
+  Curve_jet(int d, int k) : Base(d, k) {}
+
   /// From the point and the derivatives, lowest order first.
   /// \throws Error `dimension_mismatch` when they do not have one dimension
   /// \throws Error `not_finite` for an infinite or undefined floating-point coordinate

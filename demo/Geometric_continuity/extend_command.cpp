@@ -1,0 +1,102 @@
+// Copyright (c) 2026 The Geometric_continuity developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#include "command_line.h"
+#include "join_report.h"
+
+#include <CGAL/Geometric_continuity/IO/atomic_file.h>
+#include <CGAL/Geometric_continuity/IO/svg.h>
+#include <CGAL/Geometric_continuity/construction/extend.h>
+
+#include <sstream>
+
+namespace {
+
+const char* const usage =
+    "usage: geometric_continuity extend A.g2 --order tangent|curvature|torsion [OPTIONS] -o OUT.g2\n"
+    "\n"
+    "Appends a segment of the same degree behind the last curve of A. Its first points are members of Hagen's "
+    "families:\n"
+    "  b1 = b0 + beta p, b2 = b0 + beta^2 (b-2 - b0) + C0 p, b3 = b0 + beta^3 (b-2 - b-3) + C1 p + C2 r\n"
+    "with p = b0 - b-1, r = b-2 - b-1. What is not given continues the curve as smoothly as possible; with --toward "
+    "the\n"
+    "segment ends at the point, or as near as it can, with the least energy. The join is decided exactly on the "
+    "result.\n";
+
+// The coordinates of --toward.
+template <class FT> typename Program_curve<FT>::Point point(const std::string& text, int dimension) {
+  std::istringstream words(text);
+  std::vector<FT> x;
+  for (std::string word; std::getline(words, word, ',');) x.push_back(GC::parse_number<FT>(word));
+  if (static_cast<int>(x.size()) != dimension)
+    throw std::invalid_argument("--toward: " + std::to_string(dimension) + " coordinates are needed, such as 1,2,3/2");
+  return {dimension, x.begin(), x.end()};
+}
+
+template <class FT> std::optional<FT> optional_number(const Command_line& line, const std::string& option) {
+  if (!line.has(option)) return std::nullopt;
+  return line.number(option, FT(0));
+}
+
+template <class FT>
+Program_curve<FT> next_segment(const Command_line& line, const Program_curve<FT>& last, GC::Continuity_order order) {
+  const FT beta = line.number("beta", FT(1));
+  if (!line.has("toward"))
+    return GC::extend(
+        last, order,
+        {beta, optional_number<FT>(line, "c0"), optional_number<FT>(line, "c1"), optional_number<FT>(line, "c2")});
+  for (const char* option : {"c0", "c1", "c2"})
+    if (line.has(option)) throw std::invalid_argument(std::string("--toward chooses --") + option + " itself");
+  return GC::extend_toward(last, order, point<FT>(line.text("toward"), last.dimension()), beta);
+}
+
+template <class FT> int extend(const Command_line& line) {
+  typedef GC::Continuity_order Order;
+  const std::string name = line.choice("order", {"tangent", "curvature", "torsion"});
+  const Order order = name == "tangent" ? Order::tangent : name == "curvature" ? Order::curvature : Order::torsion;
+  for (const auto& [option, needed] :
+       {std::pair("c0", Order::curvature), {"c1", Order::torsion}, {"c2", Order::torsion}})
+    if (line.has(option) && order < needed)
+      throw std::invalid_argument(std::string("--") + option + " has no meaning for --order " + name);
+  const std::vector<Program_curve<FT>> curves = read_curves<FT>(line.files());
+  const Program_curve<FT>& last = curves.back();
+  const Program_curve<FT> next = next_segment(line, last, order);
+  const Join join = GC::continuity(exact(last), exact(next));
+  std::cout << next << '\n' << join << '\n';
+
+  GC::write_file_atomically(line.text("output"), [&](std::ostream& os) {
+    for (const Program_curve<FT>& c : curves) GC::write_g2(os, c);
+    GC::write_g2(os, next);
+  });
+  if (line.has("plot")) {
+    const GC::Svg_style given{GC::Svg_role::given, false, true}, neighbour{GC::Svg_role::given, true, true},
+        added{GC::Svg_role::blend, true, true};
+    GC::Svg_panel panel;
+    for (const Program_curve<FT>& c : curves) panel.add(c, &c == &last ? neighbour : given);
+    panel.join(orders(join)).add(next, added);
+    GC::write_file_atomically(line.text("plot"), [&](std::ostream& os) { os << GC::Svg_figure().add(panel); });
+  }
+  return requirement_met;
+}
+
+} // namespace
+
+int extend_command(const Arguments& arguments) {
+  const Command_line line(usage, arguments, [](po::options_description_easy_init add) {
+    add("order", po::value<std::string>(), "tangent, curvature or torsion: what is continuous");
+    add("beta", po::value<std::string>(), "R > 0, the length of the next parameter interval relative to the last; 1");
+    add("c0", po::value<std::string>(), "R, chooses b2 on its line");
+    add("c1", po::value<std::string>(), "R, chooses b3 in its plane");
+    add("c2", po::value<std::string>(), "R, chooses b3 in its plane");
+    add("toward", po::value<std::string>(), "x,y[,z], the wished end point");
+    add("kernel", po::value<std::string>()->default_value("exact"), "construct in exact numbers, or in double");
+    add("output,o", po::value<std::string>(), "write all curves of A and the new one, .g2");
+    add("plot", po::value<std::string>(), "draw the result, .svg");
+  });
+  if (line.help()) return requirement_met;
+  if (line.files().size() != 1) throw std::invalid_argument("extend: one file is needed; see --help");
+  if (!line.has("order")) throw std::invalid_argument("extend: --order is needed; see --help");
+  if (!line.has("output")) throw std::invalid_argument("extend: -o OUT.g2 is needed");
+  return line.choice("kernel", {"exact", "double"}) == "exact" ? extend<Exact>(line) : extend<double>(line);
+}

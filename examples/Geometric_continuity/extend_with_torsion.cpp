@@ -1,0 +1,38 @@
+// Copyright (c) 2026 The Geometric_continuity developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+// Extends a space curve again and again so that the Frenet frame, the curvature and the torsion are continuous, while the
+// next segments head for wished points. The plane of alternatives leaves room for that, C3 would not.
+
+#include <CGAL/Exact_rational.h>
+#include <CGAL/Geometric_continuity.h>
+#include <CGAL/Simple_cartesian.h>
+
+#include <iostream>
+#include <vector>
+
+namespace GC = CGAL::Geometric_continuity;
+typedef GC::Traits_3<CGAL::Simple_cartesian<CGAL::Exact_rational>> Traits;
+typedef Traits::Point Point;
+typedef GC::Bezier_curve<Traits> Curve;
+
+int main() {
+  // degree 5: three points for the torsion, and the last one is free
+  std::vector<Curve> chain{
+      Curve{Point(0, 0, 0), Point(1, 0, 0), Point(2, 1, 0), Point(3, 2, 1), Point(3, 3, 2), Point(2, 4, 4)}};
+  for (const Point& wished : {Point(-3, 4, 5), Point(-4, -2, 7), Point(3, -3, 9)})
+    chain.push_back(GC::extend_toward(chain.back(), GC::Continuity_order::torsion, wished));
+
+  bool proved = true;
+  GC::Chain_analysis<Curve> analysis;
+  for (const Curve& segment : chain)
+    analysis.add(segment, [&](const GC::Chain_join<Curve>& join) {
+      const auto tau = GC::torsion(join.right_curve.start_jet(3));
+      std::cout << "join " << join.left << ": F" << join.continuity.f_order << ", torsion " << CGAL::to_double(*tau)
+                << " on both sides, next end (" << join.right_curve.control_point(5) << ")\n";
+      proved = proved && *join.continuity.torsion_equal;
+    });
+  std::cout << analysis.summary() << '\n';
+  return proved && *analysis.summary().least_order(GC::Continuity_kind::F) == 3 ? 0 : 1;
+}
