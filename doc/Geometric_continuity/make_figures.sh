@@ -1,0 +1,9 @@
+#!/usr/bin/env bash
+# Draws the figures of the manual and the README anew. Usage: make_figures.sh PROGRAM (the path of geometric_continuity)
+set -eu
+program=$1
+here=$(cd "$(dirname "$0")" && pwd)
+data=$here/../../demo/Geometric_continuity/data
+"$program" blend "$data/lmroman10-regular_S_0.g2" --replace 1 --strategy all --plot "$here/fig/letter.svg" >/dev/null
+"$program" blend "$data/space_left.g2" "$data/space_right.g2" --strategy all --plot "$here/fig/space_blends.svg" >/dev/null
+"$program" plot "$data/planar.g2" --alternatives --no-comb -o "$here/fig/alternatives.svg"
