@@ -8,6 +8,8 @@
 #include "Kernels.h"
 #include "Report.h"
 
+#include <CGAL/Geometric_continuity/construction/alternatives.h>
+
 #include <algorithm>
 
 template <class Join> void report_errata_join(Report& report, const std::string& prefix, const Join& join) {
@@ -30,18 +32,17 @@ template <class Traits> bool run_errata(const Case& c, Report& report) {
     const Curve left = in.curve("left");
     const int m = left.degree();
     const std::vector<FT> C = in.numbers("C");
-    const Coordinates b0 = left.coordinates(m), b_1 = left.coordinates(m - 1), b_2 = left.coordinates(m - 2),
-                      b_3 = left.coordinates(m - 3), p = b0 - b_1, r = b_2 - b_1;
-    const Coordinates b1 = b0 + p, b2 = b_2 + C.at(0) * p, printed = C.at(1) * p + C.at(2) * r,
-                      correct = b0 + b_2 - b_3 + printed;
-    const auto right = [&](const Coordinates& b3) {
-      std::vector<typename Traits::Point> points;
-      for (const Coordinates& b : {b0, b1, b2, b3}) points.push_back(GC::internal::to_point<Traits>(b));
+    const Coordinates b_1 = left.coordinates(m - 1), p = left.coordinates(m) - b_1, r = left.coordinates(m - 2) - b_1;
+    const typename Traits::Point printed = GC::internal::to_point<Traits>(C.at(1) * p + C.at(2) * r),
+                                 correct = GC::torsion_alternatives(left, C.at(0)).point_at({C.at(1), C.at(2)});
+    const auto right = [&](const typename Traits::Point& b3) {
+      std::vector<typename Traits::Point> points{left.control_point(m), GC::tangent_alternative(left).point(),
+                                                 GC::curvature_alternatives(left).point_at(C.at(0)), b3};
       points.resize(m + 1, points.back()); // a jet of order 3 reads four points only
       return Curve(points.begin(), points.end());
     };
-    report.construction("printed_b3", [&] { return std::vector<FT>(printed.begin(), printed.end()); });
-    report.construction("correct_b3", [&] { return std::vector<FT>(correct.begin(), correct.end()); });
+    report.construction("printed_b3", [&] { return coordinates<Traits>(printed); });
+    report.construction("correct_b3", [&] { return coordinates<Traits>(correct); });
     report_errata_join(report, "printed.", GC::continuity(left, right(printed)));
     report_errata_join(report, "correct.", GC::continuity(left, right(correct)));
   } else if (c.op == "convex_hull_outside_interval")

@@ -7,7 +7,10 @@
 
 #include "ops_bezier.h"
 #include "ops_blend.h"
+#include "ops_bspline.h"
+#include "ops_edges.h"
 #include "ops_errata.h"
+#include "ops_hagen.h"
 #include "ops_local.h"
 
 #include <stdexcept>
@@ -15,14 +18,23 @@
 
 // The dimension of a case: the length of the first point of its input, 0 when it has no points.
 inline int dimension_of(const Case& c) {
+  if (c.has("b0#")) return c.length("b0");
   for (const auto& [path, value] : c.in)
-    if (path.size() > 3 && path.compare(path.size() - 3, 3, ".0#") == 0) return std::stoi(value);
+    if (path.size() > 3 && path.compare(path.size() - 3, 3, ".0#") == 0) {
+      const auto in_net = c.in.find(path.substr(0, path.size() - 1) + ".0#"); // nets are nested one level deeper
+      return std::stoi(in_net == c.in.end() ? value : in_net->second);
+    }
   return 0;
 }
 
+template <class FT> bool run_scalars(const Case& c, Report& report) {
+  return run_bernstein<FT>(c, report) || run_connection_scalars<FT>(c, report);
+}
+
 template <class Traits> bool run_operation(const Case& c, Report& report) {
-  return run_bezier<Traits>(c, report) || run_invariants<Traits>(c, report) || run_joins<Traits>(c, report) ||
-         run_errata<Traits>(c, report) || (c.has("strategy") && run_blends<Traits>(c, report));
+  return run_bspline<Traits>(c, report) || run_bezier<Traits>(c, report) || run_invariants<Traits>(c, report) ||
+         run_joins<Traits>(c, report) || run_errata<Traits>(c, report) || run_hagen<Traits>(c, report) ||
+         run_edges<Traits>(c, report) || (c.has("strategy") && run_blends<Traits>(c, report));
 }
 
 // Computes the output of a case in one kernel family. It never looks at the expected output.
@@ -30,7 +42,7 @@ template <class Kernels> Report run_case(const Case& c) {
   Report report;
   try {
     const int d = dimension_of(c);
-    const bool known = d == 0   ? run_bernstein<typename Kernels::FT>(c, report)
+    const bool known = d == 0   ? run_scalars<typename Kernels::FT>(c, report)
                        : d == 2 ? run_operation<typename Kernels::Traits2>(c, report)
                        : d == 3 ? run_operation<typename Kernels::Traits3>(c, report)
                                 : run_operation<typename Kernels::Traitsd>(c, report);

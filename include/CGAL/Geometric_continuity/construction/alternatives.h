@@ -30,6 +30,7 @@ template <class Traits> class Tangent_alternative : public internal::Polygon_end
 public:
   typedef typename Base::FT FT;
   typedef typename Base::Point Point;
+  /// The number type of the kernel, or the exact one in which predicates are decided.
   typedef typename Base::Field Field;
 
   /// From the last points \f$ b_{-1}, b_0 \f$ of a polygon of degree `m`.
@@ -38,8 +39,11 @@ public:
   Tangent_alternative(const std::array<Point, 2>& last_points, int m, const FT& beta = FT(1))
       : Base(last_points, m, beta, "tangent_alternative") {}
 
+  using Base::beta;   ///< The ratio \f$ \beta \f$.
+  using Base::degree; ///< The degree `m` of both polygons.
+
   /// \f$ b_1 \f$. \throws Error `not_finite` when it overflows the number type
-  Point point() const { return this->to_point(this->b(0) + this->beta() * this->p()); }
+  Point point() const { return this->to_point(this->b(0) + beta() * this->p()); }
 
   /// The ratio \f$ \beta > 0 \f$ of the tangent alternative of this polygon (of whatever ratio) that is `b1`; empty if none is.
   /// Decided exactly where predicates are exact. \throws Error `dimension_mismatch`
@@ -60,6 +64,7 @@ public:
   typedef typename Base::FT FT;
   typedef typename Base::Point Point;
   typedef typename Base::Vector Vector;
+  /// The number type of the kernel, or the exact one in which predicates are decided.
   typedef typename Base::Field Field;
 
   /// From the last points \f$ b_{-2}, b_{-1}, b_0 \f$ of a polygon of degree `m`.
@@ -67,6 +72,9 @@ public:
   ///   `zero_tangent` when \f$ p = 0 \f$
   Curvature_alternatives(const std::array<Point, 3>& last_points, int m, const FT& beta = FT(1))
       : Base(last_points, m, beta, "curvature_alternatives") {}
+
+  using Base::beta;   ///< The ratio \f$ \beta \f$.
+  using Base::degree; ///< The degree `m` of both polygons.
 
   /// The member with \f$ C_0 = 0 \f$ and the direction \f$ p \f$ of the line.
   Point base_point() const { return this->to_point(base()); }
@@ -85,16 +93,16 @@ public:
   FT nearest_parameter(const Point& wished) const { return nearest(this->coordinates(wished)); }
 
   /// \f$ C_0 = 2\beta^2 + 2\beta \f$, the \f$ C^2 \f$ member when \f$ \beta \f$ is the ratio of the parameter intervals.
-  FT ck_parameter() const { return ck_parameters<FT>(this->beta()).c0; }
+  FT ck_parameter() const { return ck_parameters<FT>(beta()).c0; }
 
   /// \f$ \beta_2 \f$ of the join in unit intervals: \f$ Y'' = \beta^2 X'' + \beta_2 X' \f$.
-  FT beta2(const FT& c0) const { return connection_beta2<FT>(this->degree(), this->beta(), c0); }
+  FT beta2(const FT& c0) const { return connection_beta2<FT>(degree(), beta(), c0); }
 
   /// The \f$ C_0 \f$ for which the next segment with the given points \f$ b_3, \dots, b_m \f$ has the least energy
   /// \f$ \int |\gamma''|^2 \f$, on whatever interval. \f$ O(m^3) \f$
   /// \throws Error `wrong_number_of_points` unless `m - 2` points are given, `dimension_mismatch`
   template <class InputIterator> FT least_energy_parameter(InputIterator first, InputIterator last) const {
-    return nearest(this->least_energy_point({this->b(0), this->b(0) + this->beta() * this->p()}, first, last));
+    return nearest(this->least_energy_point({this->b(0), this->b(0) + beta() * this->p()}, first, last));
   }
 
 private:
@@ -132,6 +140,7 @@ public:
   typedef typename Base::FT FT;
   typedef typename Base::Point Point;
   typedef typename Base::Vector Vector;
+  /// The number type of the kernel, or the exact one in which predicates are decided.
   typedef typename Base::Field Field;
 
   /// From the last points \f$ b_{-3}, \dots, b_0 \f$ of a polygon of degree `m`, and the \f$ C_0 \f$ of \f$ b_2 \f$.
@@ -140,6 +149,8 @@ public:
   Torsion_alternatives(const std::array<Point, 4>& last_points, int m, const FT& c0, const FT& beta = FT(1))
       : Base(last_points, m, beta, "torsion_alternatives"), c0_(c0) {}
 
+  using Base::beta;   ///< The ratio \f$ \beta \f$.
+  using Base::degree; ///< The degree `m` of both polygons.
   const FT& c0() const { return c0_; }
 
   /// The member with \f$ C_1 = C_2 = 0 \f$ and the directions \f$ p, r \f$ of the plane.
@@ -184,19 +195,19 @@ public:
   /// \f$ C_1 = \beta^3 + 3\beta^2 + 3\beta \f$ and \f$ C_2 = 2\beta^3 + 3\beta^2 \f$: with the \f$ C^2 \f$ choice of
   /// \f$ C_0 \f$, the \f$ C^3 \f$ member when \f$ \beta \f$ is the ratio of the parameter intervals.
   Torsion_parameters<FT> ck_parameters() const {
-    const Alternative_parameters<FT> c = Geometric_continuity::ck_parameters<FT>(this->beta());
+    const Alternative_parameters<FT> c = Geometric_continuity::ck_parameters<FT>(beta());
     return {c.c1, c.c2};
   }
 
   /// The \f$ G^3 \f$ member with this \f$ \beta_3 \f$ (in unit intervals). There is one for each.
   Torsion_parameters<FT> g3_parameters(const FT& beta3 = FT(0)) const {
-    const FT c2 = g3_c2<FT>(this->degree(), this->beta(), c0_);
-    return {connection_c1<FT>(this->degree(), this->beta(), c0_, c2, beta3), c2};
+    const FT c2 = g3_c2<FT>(degree(), beta(), c0_);
+    return {connection_c1<FT>(degree(), beta(), c0_, c2, beta3), c2};
   }
 
   /// \f$ \beta, \beta_2, \mu, \delta \f$ of the join with this member, in unit intervals.
   Connection_coefficients<FT> connection(const Torsion_parameters<FT>& x) const {
-    return connection_coefficients<FT>(this->degree(), this->beta(), {c0_, x.c1, x.c2});
+    return connection_coefficients<FT>(degree(), beta(), {c0_, x.c1, x.c2});
   }
 
   /// The scalars for which the next segment with the given points \f$ b_4, \dots, b_m \f$ has the least energy

@@ -115,12 +115,12 @@ constexpr bool is_septic_strategy =
 template <class Traits, class Strategy>
 auto blend(const Curve_jet<Traits>& phi, const Curve_jet<Traits>& psi, const Strategy& strategy,
            const Shape_parameters<typename Traits::FT>& shape = {}) {
-  static_assert(internal::is_quintic_strategy<Traits, Strategy> || internal::is_septic_strategy<Traits, Strategy>,
-                "the strategy models BlendStrategy");
   if constexpr (internal::is_quintic_strategy<Traits, Strategy>)
     return internal::quintic_blend(phi, psi, strategy, shape);
-  else
+  else { // asked only now, so that a quintic strategy may be a generic lambda
+    static_assert(internal::is_septic_strategy<Traits, Strategy>, "the strategy models BlendStrategy");
     return internal::septic_blend(phi, psi, strategy, shape);
+  }
 }
 
 /// \ingroup PkgGeometricContinuityConstruction

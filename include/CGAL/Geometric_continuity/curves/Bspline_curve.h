@@ -1,0 +1,280 @@
+// Copyright (c) 2026 The Geometric_continuity developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_GEOMETRIC_CONTINUITY_CURVES_BSPLINE_CURVE_H
+#define CGAL_GEOMETRIC_CONTINUITY_CURVES_BSPLINE_CURVE_H
+
+#include <CGAL/Geometric_continuity/algebra/Bspline_function.h>
+#include <CGAL/Geometric_continuity/curves/Bezier_curve.h>
+
+#include <algorithm>
+#include <optional>
+#include <ostream>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Geometric_continuity {
+
+/// \ingroup PkgGeometricContinuityCurves
+/// A B-spline curve \f$ \sum_{i=0}^{n-1} b_i N_i^p(u) \f$ with control points \f$ b_0, \dots, b_{n-1} \f$ over a
+/// `Knot_vector` on the domain \f$ [u_p, u_n] \f$. The knots may have any multiplicity up to `p + 1`, and need not be clamped.
+///
+/// The curve is a value: operations return new curves. With an exact kernel they are exact. With rounded numbers,
+/// insertion, refinement and Bézier pieces take convex combinations only.
+///
+/// \tparam Traits a model of `GeometricContinuityTraits`
+/// \models ParametricCurve
+template <class Traits_> class Bspline_curve {
+public:
+  typedef Traits_ Traits;
+  typedef typename Traits::FT FT;
+  typedef typename Traits::Point Point;
+  typedef typename Traits::Vector Vector;
+  static constexpr int N = internal::dimension_v<Traits>;
+
+private:
+  typedef internal::Coordinates<Traits> Coordinates;
+
+  Knot_vector<FT> knots_;
+  std::vector<Point> points_;
+
+public:
+  typedef typename std::vector<Point>::const_iterator const_iterator;
+  /// The coordinates of the curve as a function of the parameter.
+  typedef Bspline_function<FT, Coordinates> Function;
+
+  /// From a range of control points and the knots.
+  /// \throws Error `wrong_number_of_points` unless there are `n` points
+  /// \throws Error `dimension_mismatch` when the points differ in dimension
+  /// \throws Error `not_finite` for an infinite or undefined floating-point coordinate
+  template <class InputIterator>
+  Bspline_curve(InputIterator first, InputIterator last, Knot_vector<FT> knots)
+      : knots_(std::move(knots)), points_(first, last) {
+    internal::check_number_of_coefficients(knots_, points_, "Bspline_curve");
+    for (int i = 0; i < number_of_points(); ++i) {
+      const Coordinates x = coordinates(i);
+      if (x.dimension() != dimension())
+        throw Error(Error_code::dimension_mismatch, "Bspline_curve: control point " + std::to_string(i));
+      for (const FT& xi : x) internal::check_finite(xi, "Bspline_curve: control points");
+    }
+  }
+
+  /// From the coordinates as a function. \throws Error as above
+  explicit Bspline_curve(const Function& f) : knots_(f.knots()) {
+    for (const Coordinates& x : f.coefficients()) points_.push_back(internal::to_point<Traits>(x));
+  }
+
+  /// The same curve, without inner knots.
+  template <int Degree>
+  explicit Bspline_curve(const Bezier_curve<Traits, Degree>& c)
+      : knots_(c.degree(), c.domain().first, c.domain().second), points_(c.begin(), c.end()) {}
+
+  /// From a range of Bézier curves, each of which starts exactly where the one before it ends. The degree `p` is the highest
+  /// of theirs; the others are elevated. The inner knots have multiplicity `p`; `remove_superfluous_knots()` leaves those
+  /// that are needed. The pieces keep the lengths of their domains: \f$ u_p \f$ is the start of the first domain, and domains
+  /// that continue each other are taken over as they are.
+  /// \throws Error `wrong_number_of_points` for an empty range
+  /// \throws Error `curves_do_not_meet`, `dimension_mismatch` when two neighbours do not fit
+  /// \throws Error `empty_domain`, `not_finite` when knots become equal or overflow by rounding
+  template <class ForwardIterator>
+  Bspline_curve(ForwardIterator first, ForwardIterator last) : Bspline_curve(joined(first, last)) {}
+
+  int degree() const { return knots_.degree(); }
+  int dimension() const { return Traits().compute_dimension_object()(points_[0]); }
+
+  /// \name Control Points and Knots
+  /// @{
+
+  int number_of_points() const { return static_cast<int>(points_.size()); }
+  const std::vector<Point>& control_points() const { return points_; }
+  const Point& control_point(int i) const { return points_[i]; }
+  const_iterator begin() const { return points_.begin(); }
+  const_iterator end() const { return points_.end(); }
+  /// The coordinates of the `i`-th control point.
+  Coordinates coordinates(int i) const { return internal::coordinates<Traits>(points_[i]); }
+
+  const Knot_vector<FT>& knots() const { return knots_; }
+  /// The domain \f$ [u_p, u_n] \f$.
+  std::pair<FT, FT> domain() const { return knots_.domain(); }
+
+  /// The coordinates of the curve as a function of the parameter.
+  Function function() const {
+    std::vector<Coordinates> rows;
+    for (int i = 0; i < number_of_points(); ++i) rows.push_back(coordinates(i));
+    return Function(knots_, std::move(rows));
+  }
+
+  /// @}
+  /// \name Evaluation
+  /// All these functions throw `Error` with `parameter_outside_domain` outside the domain, whose right end is included.
+  /// @{
+
+  /// The point at `u`, from the right where the curve jumps. \f$ O(\log n + p^2) \f$
+  Point operator()(const FT& u) const { return internal::to_point<Traits>(jet_over<FT>(u, knots_.span(u), 0)[0]); }
+
+  /// The jet of order `k >= 0` at `u`, from the right at a knot; derivatives beyond the degree are zero.
+  /// \f$ O(\log n + p^2 + p k^2) \f$
+  Curve_jet<Traits> jet(const FT& u, int k) const { return right_jet(u, k); }
+
+  /// The jets from one side. At an end of the domain both are the jet of the only side that there is.
+  Curve_jet<Traits> left_jet(const FT& u, int k) const { return Curve_jet<Traits>(left_jet_over<FT>(u, k)); }
+  Curve_jet<Traits> right_jet(const FT& u, int k) const { return Curve_jet<Traits>(right_jet_over<FT>(u, k)); }
+
+  /// The jets at the ends of the domain.
+  Curve_jet<Traits> start_jet(int k) const { return right_jet(domain().first, k); }
+  Curve_jet<Traits> end_jet(int k) const { return left_jet(domain().second, k); }
+
+  /// The same in another field, to which control points, knots and parameter are converted first: this is how an
+  /// exact predicate reads a curve with `double` coordinates.
+  template <class Field> Coordinate_jet<Field, N> left_jet_over(const FT& u, int k) const {
+    return jet_over<Field>(u, knots_.left_span(u), k);
+  }
+  template <class Field> Coordinate_jet<Field, N> right_jet_over(const FT& u, int k) const {
+    return jet_over<Field>(u, knots_.span(u), k);
+  }
+  template <class Field> Coordinate_jet<Field, N> start_jet_over(int k) const {
+    return right_jet_over<Field>(domain().first, k);
+  }
+  template <class Field> Coordinate_jet<Field, N> end_jet_over(int k) const {
+    return left_jet_over<Field>(domain().second, k);
+  }
+
+  /// @}
+  /// \name Other Curves
+  /// @{
+
+  /// The derivative (hodograph): the curve of degree `p - 1` (0 for degree 0) whose point at `u` has the coordinates of the
+  /// first derivative. Jumps are not differentiated. \f$ O(n) \f$
+  Bspline_curve derivative() const { return Bspline_curve(function().derivative()); }
+
+  /// The same curve with `times >= 0` more copies of the knot `u`. \f$ O(n + p^3) \f$
+  /// \throws Error `parameter_outside_domain`, and `knot_multiplicity` when it would be repeated more than `p + 1` times
+  Bspline_curve insert(const FT& u, int times = 1) const { return Bspline_curve(function().insert(u, times)); }
+
+  /// The same curve over finer knots, see `bspline_refine()`. \f$ O(n p^2) \f$
+  /// \throws Error `wrong_number_of_points` when the degrees differ, `parameter_outside_domain` when the domains differ,
+  ///   `knot_multiplicity` when a knot is missing
+  Bspline_curve refine(const Knot_vector<FT>& finer) const { return Bspline_curve(function().refine(finer)); }
+
+  /// The same curve without the knots outside the domain, and with control points at its ends. \f$ O(n p^2) \f$
+  Bspline_curve clamp() const { return Bspline_curve(function().clamp()); }
+
+  /// The same curve with `times >= 0` copies of the inner knot `u` less, or nothing when the curve needs them. Decided
+  /// exactly, see `bspline_smoothness()`. \f$ O(n + p^3) \f$
+  /// \throws Error `parameter_outside_domain` also at the ends of the domain
+  std::optional<Bspline_curve> remove(const FT& u, int times = 1) const {
+    const std::optional<Function> f = function().remove(u, times);
+    if (!f) return std::nullopt;
+    return Bspline_curve(*f);
+  }
+
+  /// The same curve without the inner knots that it does not need, decided exactly. \f$ O(n p^3) \f$
+  Bspline_curve remove_superfluous_knots() const { return Bspline_curve(function().remove_superfluous_knots()); }
+
+  /// The same curve with the degree raised by `times >= 0`, clamped. The multiplicities of the inner knots rise as much.
+  /// \f$ O(d^3) \f$ for each span, in the new degree `d`
+  Bspline_curve elevate(int times = 1) const { return Bspline_curve(function().elevate(times)); }
+
+  /// The curve run through backwards, on the same domain, see `Knot_vector::reverse()`.
+  Bspline_curve reverse() const { return Bspline_curve(points_.rbegin(), points_.rend(), knots_.reverse()); }
+
+  /// The image under an affine map of points, e.g. a `CGAL::Aff_transformation_3`.
+  template <class Transformation> Bspline_curve transform(const Transformation& map) const {
+    Bspline_curve r = *this;
+    for (Point& p : r.points_) p = map(p);
+    return r;
+  }
+
+  /// The Bézier curves on the spans, each with its span as domain. \f$ O(n p^3) \f$
+  std::vector<Bezier_curve<Traits>> bezier_pieces() const {
+    const std::vector<Coordinates> rows = bspline_bezier<FT>(knots_, function().coefficients());
+    std::vector<Point> points;
+    for (const Coordinates& x : rows) points.push_back(internal::to_point<Traits>(x));
+    std::vector<Bezier_curve<Traits>> pieces;
+    auto first = points.begin();
+    for (int k : knots_.spans()) {
+      pieces.emplace_back(first, first + degree() + 1, knots_[k], knots_[k + 1]);
+      first += degree() + 1;
+    }
+    return pieces;
+  }
+
+  /// @}
+
+  /// Equality of knots and control points.
+  friend bool operator==(const Bspline_curve& c, const Bspline_curve& d) {
+    if (c.knots_ != d.knots_) return false;
+    for (int j = 0; j < c.number_of_points(); ++j)
+      if (c.coordinates(j) != d.coordinates(j)) return false;
+    return true;
+  }
+  friend bool operator!=(const Bspline_curve& c, const Bspline_curve& d) { return !(c == d); }
+
+  /// Writes the knots and the control points.
+  friend std::ostream& operator<<(std::ostream& os, const Bspline_curve& c) {
+    os << "B-spline curve of degree " << c.degree() << " over " << c.knots_ << ':';
+    for (int j = 0; j < c.number_of_points(); ++j) {
+      const Coordinates p = c.coordinates(j);
+      os << " (";
+      for (int i = 0; i < p.dimension(); ++i) os << (i == 0 ? "" : ", ") << p[i];
+      os << ')';
+    }
+    return os;
+  }
+
+private:
+  template <class Field> Coordinate_jet<Field, N> jet_over(const FT& u, int span, int k) const {
+    Coordinate_jet<Field, N> jet(dimension(), k);
+    internal::derivatives_over<Field>(
+        knots_, span, u, k, [&](int i) { return internal::coordinates<Traits, Field>(points_[i]); },
+        [&](int j, const Coordinate_vector<Field, N>& x) { jet[j] = x; });
+    return jet;
+  }
+
+  template <class ForwardIterator> static Bspline_curve joined(ForwardIterator first, ForwardIterator last) {
+    typedef typename Knot_vector<FT>::Knot Knot;
+    if (first == last) throw Error(Error_code::wrong_number_of_points, "Bspline_curve: no Bezier curve");
+    const FT start = first->domain().first;
+    int degree = 0;
+    for (ForwardIterator i = first; i != last; ++i) degree = std::max(degree, i->degree());
+    std::vector<Point> points;
+    std::vector<Knot> knots; // the ends of the pieces
+    for (ForwardIterator i = first; i != last; ++i) {
+      const Bezier_curve<Traits> piece = i->elevate(degree - i->degree());
+      const std::pair<FT, FT> domain = piece.domain();
+      if (i != first) {
+        const std::string place = "Bspline_curve: Bezier curve " + std::to_string(knots.size());
+        if (piece.dimension() != Traits().compute_dimension_object()(points.back()))
+          throw Error(Error_code::dimension_mismatch, place);
+        if (piece.coordinates(0) != internal::coordinates<Traits>(points.back()))
+          throw Error(Error_code::curves_do_not_meet, place);
+      }
+      const FT& end = knots.empty() ? start : knots.back().value;
+      const FT next = end == domain.first ? domain.second : FT(end + (domain.second - domain.first));
+      if (!(end < next))
+        throw Error(Error_code::empty_domain, "Bspline_curve: Bezier curve " + std::to_string(knots.size()));
+      points.insert(points.end(), piece.begin() + (points.empty() ? 0 : 1), piece.end());
+      knots.push_back({next, degree});
+    }
+    const FT finish = knots.back().value;
+    knots.pop_back();
+    return Bspline_curve(points.begin(), points.end(), Knot_vector<FT>(degree, start, finish, knots));
+  }
+};
+
+/// \ingroup PkgGeometricContinuityCurves
+/// The curve with the coordinates of `c` multiplied by the spline function `f`, see `bspline_product()`.
+/// \f$ O((p+q)^3) \f$ field operations for each span, without a linear system.
+/// \throws Error `parameter_outside_domain` when the domains differ
+template <class Traits>
+Bspline_curve<Traits> product(const Bspline_function<typename Traits::FT>& f, const Bspline_curve<Traits>& c) {
+  return Bspline_curve<Traits>(f * c.function());
+}
+
+} // namespace Geometric_continuity
+} // namespace CGAL
+
+#endif // CGAL_GEOMETRIC_CONTINUITY_CURVES_BSPLINE_CURVE_H

@@ -1,0 +1,120 @@
+// Copyright (c) 2026 The Geometric_continuity developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_GEOMETRIC_CONTINUITY_SURFACES_PATCH_CONTINUITY_H
+#define CGAL_GEOMETRIC_CONTINUITY_SURFACES_PATCH_CONTINUITY_H
+
+#include <CGAL/Geometric_continuity/continuity/edge_continuity.h>
+#include <CGAL/Geometric_continuity/surfaces/Bezier_patch.h>
+
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Geometric_continuity {
+
+/// \ingroup PkgGeometricContinuitySurfaces
+/// The field in which the continuity of surfaces is decided: that of the predicates of the traits class, or
+/// `Exact_rational` if those are floating-point numbers. The decision is exact with every kernel.
+template <class Traits>
+using Edge_field = typename internal::Exact_field<internal::Predicate_FT<Traits>>::type;
+
+namespace internal {
+
+template <class Traits> void require_space(const Bezier_patch<Traits>& patch, const char* function) {
+  static_assert(dimension_v<Traits> == 0 || dimension_v<Traits> == 3, "surfaces are compared in dimension 3");
+  if (patch.dimension() != 3)
+    throw Error(Error_code::dimension_mismatch, std::string(function) + ": surfaces are compared in dimension 3");
+}
+
+} // namespace internal
+
+/// \ingroup PkgGeometricContinuitySurfaces
+/// The rows of a patch along one of its edges, with the patch taken on the unit square and turned so that the edge is at
+/// `v = 0`. Continuity does not depend on the lengths of the domain. The control points are converted to `Field` before
+/// anything is computed.
+/// \throws Error `dimension_mismatch` unless in dimension 3
+template <class Field, class Traits> Edge_rows<Field> edge_rows_over(const Bezier_patch<Traits>& patch, Patch_edge edge) {
+  internal::require_space(patch, "edge_rows");
+  typedef typename Edge_rows<Field>::Row Row;
+  std::vector<Row> result;
+  for (const auto& row : patch.template rows<Field>(edge, 2)) {
+    result.emplace_back();
+    for (const auto& x : row) {
+      result.back().emplace_back(3);
+      for (int i = 0; i < 3; ++i) result.back().back()[i] = x[i];
+    }
+  }
+  return {std::move(result[0]), std::move(result[1]), std::move(result[2])};
+}
+
+/// \ingroup PkgGeometricContinuitySurfaces
+/// The rows in the field in which continuity is decided.
+/// \throws Error `dimension_mismatch` unless in dimension 3
+template <class Traits>
+Edge_rows<Edge_field<Traits>> edge_rows(const Bezier_patch<Traits>& patch, Patch_edge edge) {
+  return edge_rows_over<Edge_field<Traits>>(patch, edge);
+}
+
+/// \ingroup PkgGeometricContinuitySurfaces
+/// Decides the continuity of two patches along an edge of each, exactly, on the whole closed edge and with every kernel:
+/// the control points are taken as they are given. The edge of `b` may run backwards, and the degrees may differ. See the
+/// function for `Edge_rows`.
+///
+/// All parameters in the result are those of the domain of the edge of `a`, without rounding. For two edges of one patch
+/// that closes up, `a` and `b` are the same patch.
+///
+/// A number of operations with integers that is quadratic in the degree, plus the search for the largest angle where the
+/// patches are not \f$ G^1 \f$. \throws Error `dimension_mismatch` unless in dimension 3
+template <class Traits>
+Edge_continuity<Edge_field<Traits>> edge_continuity(const Bezier_patch<Traits>& a, Patch_edge edge_a,
+                                                    const Bezier_patch<Traits>& b, Patch_edge edge_b) {
+  typedef Edge_field<Traits> Field;
+  Edge_continuity<Field> result = edge_continuity(edge_rows(a, edge_a), edge_rows(b, edge_b));
+  const Field begin = internal::to_field<Field>(a.domain(edge_a).first),
+              length = internal::to_field<Field>(a.domain(edge_a).second) - begin;
+  const auto to_domain = [&](Field& t) { t = Field(begin + t * length); };
+  if (result.vanishing) {
+    to_domain(result.vanishing->first);
+    to_domain(result.vanishing->second);
+  }
+  if (result.deviation) {
+    to_domain(result.deviation->begin);
+    to_domain(result.deviation->end);
+  }
+  return result;
+}
+
+/// \ingroup PkgGeometricContinuitySurfaces
+/// An edge of one patch and an edge of another that are the same curve.
+struct Common_edge {
+  Patch_edge edge_a, edge_b;
+  bool reversed; ///< they run in opposite directions
+};
+
+/// \ingroup PkgGeometricContinuitySurfaces
+/// All pairs of edges of `a` and `b` that are the same curve, and not a single point. The points of the edges and their
+/// parametrisations, after exact elevation to one degree, are compared exactly; 16 pairs are tried. Two edges of the same
+/// patch `a = b` are listed once; an edge is not paired with itself.
+/// \throws Error `dimension_mismatch` unless in dimension 3
+template <class Traits>
+std::vector<Common_edge> common_edges(const Bezier_patch<Traits>& a, const Bezier_patch<Traits>& b) {
+  typedef Edge_field<Traits> Field;
+  std::vector<Common_edge> result;
+  for (Patch_edge edge_a : patch_edges)
+    for (Patch_edge edge_b : patch_edges) {
+      if (&a == &b && !(edge_a < edge_b)) continue;
+      internal::Edge_sides<Field> sides(edge_rows(a, edge_a), edge_rows(b, edge_b));
+      if (sides.collapsed()) continue;
+      const bool forward = sides.same_edge();
+      if (!forward) sides.reverse_second();
+      if (forward || sides.same_edge()) result.push_back({edge_a, edge_b, !forward});
+    }
+  return result;
+}
+
+} // namespace Geometric_continuity
+} // namespace CGAL
+
+#endif // CGAL_GEOMETRIC_CONTINUITY_SURFACES_PATCH_CONTINUITY_H

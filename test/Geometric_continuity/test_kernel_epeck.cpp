@@ -1,0 +1,29 @@
+// Copyright (c) 2026 The Geometric_continuity developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#define BOOST_TEST_DYN_LINK
+#define BOOST_TEST_MODULE Exact_predicates_exact_constructions_kernel
+
+#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
+#include <CGAL/Geometric_continuity.h>
+
+typedef CGAL::Exact_predicates_exact_constructions_kernel Kernel;
+typedef CGAL::Geometric_continuity::Traits_2<Kernel> Traits2;
+typedef CGAL::Geometric_continuity::Traits_3<Kernel> Traits3;
+constexpr bool exact = true, exact_predicates = true;
+constexpr bool cancels = true;
+constexpr int rounds = 4;
+
+template <class Test> void in_every_space(Test test) {
+  test(Traits2(), 2);
+  test(Traits3(), 3);
+}
+
+#include "typed/algebra.h"
+#include "typed/alternatives.h"
+#include "typed/bezier_curve.h"
+#include "typed/blend_quintic.h"
+#include "typed/blend_septic.h"
+#include "typed/continuity.h"
+#include "typed/jets.h"

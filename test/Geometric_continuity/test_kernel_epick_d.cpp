@@ -1,0 +1,30 @@
+// Copyright (c) 2026 The Geometric_continuity developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#define BOOST_TEST_DYN_LINK
+#define BOOST_TEST_MODULE Epick_d
+
+#include <CGAL/Epick_d.h>
+#include <CGAL/Geometric_continuity.h>
+
+// Every test runs on the one traits class, with dimensions known at run time only.
+typedef CGAL::Geometric_continuity::Traits_d<CGAL::Epick_d<CGAL::Dynamic_dimension_tag>> Traits_n;
+typedef Traits_n Traits2, Traits3;
+constexpr bool exact = false, exact_predicates = true;
+constexpr bool cancels = true;
+constexpr int rounds = 20;
+
+template <class Test> void in_every_space(Test test) {
+  test(Traits_n(), 2);
+  test(Traits_n(), 3);
+  test(Traits_n(), 4);
+  test(Traits_n(), 5);
+}
+
+#include "typed/algebra.h"
+#include "typed/bezier_curve.h"
+#include "typed/blend_quintic.h"
+#include "typed/blend_septic.h"
+#include "typed/continuity.h"
+#include "typed/jets.h"
