@@ -5,6 +5,7 @@
 #ifndef GEOMETRIC_CONTINUITY_DEMO_COMMANDS_H
 #define GEOMETRIC_CONTINUITY_DEMO_COMMANDS_H
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -18,5 +19,8 @@ int blend_command(const Arguments& arguments);
 int extend_command(const Arguments& arguments);
 int plot_command(const Arguments& arguments);
 int verify_command(const Arguments& arguments);
+
+// The part of verify for models of surfaces.
+int verify_surfaces(const Arguments& files, bool json, const std::optional<int>& required);
 
 #endif // GEOMETRIC_CONTINUITY_DEMO_COMMANDS_H

@@ -21,6 +21,7 @@ class Requirement {
 public:
   // Throws when the text is not C, G or F and a number, or can't be met in this dimension.
   explicit Requirement(const std::string& text);
+  GC::Continuity_kind kind() const { return kind_; }
   int order() const { return order_; }
   bool met(const Join& join) const { return GC::order_of(join, kind_) >= order_; }
   void check_dimension(int dimension) const; // F3 can't be met in the plane

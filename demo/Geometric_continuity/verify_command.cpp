@@ -25,6 +25,8 @@ const char* const usage = "usage: geometric_continuity verify FILE.g2... [OPTION
                           "The decision is exact for\n"
                           "the numbers of the files. C: equal derivatives; G: equal arc-length derivatives; F: equal "
                           "Frenet frame and curvatures.\n"
+                          "With --surfaces finds all edges that the Bezier patches of the files share and decides G1 "
+                          "and G2 along each whole edge.\n"
                           "Exit code: 0 when every join meets the requirement, 1 when one does not, 2 on bad input.\n";
 
 // Output that appears only when all input has been read and found good; it may be longer than the memory.
@@ -141,6 +143,7 @@ int verify(const Arguments& files, bool closed, int max_order, bool json, const 
 
 int verify_command(const Arguments& arguments) {
   const Command_line line(usage, arguments, [](po::options_description_easy_init add) {
+    add("surfaces", "the files hold the patches of a model");
     add("closed", "the last curve leads back to the first");
     add("max-order", po::value<int>()->default_value(3), "the highest order to decide, from 0 to 32");
     add("require", po::value<std::string>(), "the order that every join must have: C1, G2, F3, ...");
@@ -152,6 +155,12 @@ int verify_command(const Arguments& arguments) {
   if (line.files().empty()) throw std::invalid_argument("verify: no file is given; see --help");
   std::optional<Requirement> required;
   if (line.has("require")) required = Requirement(line.text("require"));
+  if (line.has("surfaces")) {
+    if (required && (required->kind() != GC::Continuity_kind::G || required->order() > 2))
+      throw std::invalid_argument("--require " + required->text() + ": along an edge G0, G1 and G2 are decided");
+    return verify_surfaces(line.files(), line.has("json"),
+                           required ? std::optional<int>(required->order()) : std::nullopt);
+  }
   int max_order = line.integer("max-order");
   if (max_order < 0 || max_order > 32) throw std::invalid_argument("--max-order: not from 0 to 32");
   if (required) max_order = std::max(max_order, required->order());

@@ -15,7 +15,9 @@
 
 #include <CGAL/Geometric_continuity/algebra/Bell_polynomials.h>
 #include <CGAL/Geometric_continuity/algebra/Bernstein_polynomial.h>
+#include <CGAL/Geometric_continuity/algebra/Bspline_function.h>
 #include <CGAL/Geometric_continuity/algebra/Coordinate_vector.h>
+#include <CGAL/Geometric_continuity/algebra/Knot_vector.h>
 #include <CGAL/Geometric_continuity/algebra/bernstein.h>
 #include <CGAL/Geometric_continuity/algebra/determinant.h>
 #include <CGAL/Geometric_continuity/algebra/sign_pattern.h>
@@ -28,13 +30,16 @@
 #include <CGAL/Geometric_continuity/local/frenet_equations.h>
 
 #include <CGAL/Geometric_continuity/curves/Bezier_curve.h>
+#include <CGAL/Geometric_continuity/curves/Bspline_curve.h>
 #include <CGAL/Geometric_continuity/curves/Composite_bezier_curve.h>
 #include <CGAL/Geometric_continuity/curves/control_polygon.h>
 #include <CGAL/Geometric_continuity/curves/end_control_points.h>
 #include <CGAL/Geometric_continuity/curves/polygon_invariants.h>
 
 #include <CGAL/Geometric_continuity/continuity/chain_continuity.h>
+#include <CGAL/Geometric_continuity/continuity/edge_continuity.h>
 #include <CGAL/Geometric_continuity/continuity/join_continuity.h>
+#include <CGAL/Geometric_continuity/continuity/knot_continuity.h>
 #include <CGAL/Geometric_continuity/continuity/polygon_tests.h>
 
 #include <CGAL/Geometric_continuity/construction/Quintic_ends.h>
@@ -45,5 +50,9 @@
 #include <CGAL/Geometric_continuity/construction/midpoint_construction.h>
 #include <CGAL/Geometric_continuity/construction/quintic_strategies.h>
 #include <CGAL/Geometric_continuity/construction/septic_strategies.h>
+
+#include <CGAL/Geometric_continuity/surfaces/Bezier_patch.h>
+#include <CGAL/Geometric_continuity/surfaces/model_continuity.h>
+#include <CGAL/Geometric_continuity/surfaces/patch_continuity.h>
 
 #endif // CGAL_GEOMETRIC_CONTINUITY_H

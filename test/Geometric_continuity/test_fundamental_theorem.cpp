@@ -215,6 +215,11 @@ BOOST_AUTO_TEST_CASE(other_jets_are_not_congruent) {
           BOOST_CHECK(!GC::congruence(x, z));
           if (j >= d) BOOST_CHECK(GC::congruence(x, truncated<Traits>(z, j - 1)));
         }
+      for (int j = d; j <= k; ++j) { // with the same determinants, but other dot products
+        Jet<Traits> z = y;
+        z[j] += y[1];
+        BOOST_CHECK(!GC::congruence(x, z));
+      }
       // equal invariants with another speed
       Jet<Traits> fast = y;
       Q factor(1);
@@ -223,6 +228,12 @@ BOOST_AUTO_TEST_CASE(other_jets_are_not_congruent) {
         factor *= Q(2);
       }
       BOOST_CHECK(!GC::congruence(x, fast));
+    }
+    if (d > 2) { // derivatives of equal lengths at other angles
+      const Jet<Traits> x = random.template jet<Traits>(d, d - 1);
+      Jet<Traits> y = x;
+      y[2] = random.template isometry<Traits>(d)(x)[2];
+      BOOST_CHECK(!GC::congruence(x, y));
     }
     // a mirrored curve in a hyperplane is congruent: its last curvature is 0
     Jet<Traits> flat = random.template jet<Traits>(d, d - 1);

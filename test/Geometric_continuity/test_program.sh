@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # What scripts rely on: output, exit codes and errors of the program.
-# Usage: test_program.sh PROGRAM DATA_FOLDER WORK_FOLDER
+# Usage: test_program.sh PROGRAM DATA_FOLDER WORK_FOLDER TEAPOT.g2
 set -u
-program=$1 data=$2 work=$3
+program=$1 data=$2 work=$3 teapot=$4
 rm -rf "$work" && mkdir -p "$work" && cd "$work" || exit 1
 failures=0 checks=0
 
@@ -41,8 +41,8 @@ holds() {
 S=$data/lmroman10-regular_S_0.g2 L=$data/space_left.g2 R=$data/space_right.g2
 
 # help and usage
-run 0 --help && says out "blend" "verify" "plot"
-for command in blend verify plot; do run 0 $command --help && says out "usage: geometric_continuity $command"; done
+run 0 --help && says out "blend" "extend" "verify" "plot"
+for command in blend extend verify plot; do run 0 $command --help && says out "usage: geometric_continuity $command"; done
 run 2 && run 2 nonsense && says err "unknown command"
 run 2 verify && run 2 verify --nonsense "$S" && run 2 blend "$L" && run 2 plot "$L"
 
@@ -94,7 +94,29 @@ if command -v python3 >/dev/null; then
   holds python3 -c "import json; d = json.load(open('out')); assert len(d['joins']) == 28 and d['joins'][27]['right'] == 0"
 fi
 
+# extend: the members that are asked for, and what does not exist
+run 0 extend "$L" --order curvature --c0 3 -o two.g2 && says out "C1 G2"
+run 0 verify two.g2 --require G2
+run 0 extend two.g2 --order torsion --beta 1/2 --c0 1 --c1 2 --c2 -1 -o three.g2 --plot three.svg
+run 0 verify three.g2 --require F2 && says out "2 joins"
+run 0 extend "$L" --order torsion --toward 6,1,2 -o two.g2 && run 0 verify two.g2 --require F3
+run 0 extend "$L" --order tangent --toward 6,1,2 -o two.g2 && says two.g2 "6 1 2"
+run 0 extend "$L" --order curvature --kernel double -o two.g2
+run 2 extend "$L" --order shape -o no.g2 && run 2 extend "$L" -o no.g2 && run 2 extend "$L" --order tangent
+run 2 extend "$L" --order tangent --c0 1 -o no.g2 && run 2 extend "$L" --order torsion --toward 1,2 -o no.g2
+run 2 extend "$L" --order torsion --toward 1,2,3 --c0 1 -o no.g2 && run 2 extend "$L" --order tangent --beta 0 -o no.g2
+printf '100 1 0 0\n2 0\n2 2\n0 0 1 1\n0 0\n1 0\n' >line.g2
+run 2 extend line.g2 --order curvature -o no.g2 && says err "wrong_number_of_points"
+run 0 extend line.g2 --order tangent -o two.g2 && run 2 plot line.g2 --alternatives -o no.svg
+
+# surfaces
+run 0 verify "$teapot" --surfaces --json && says out '"summary":{"G2":24,"G1":20,"G0":8,"boundary":16,"collapsed":8'
+run 1 verify "$teapot" --surfaces --require G1 && says out "8 of them not G1"
+run 2 verify "$L" --surfaces && says err "space_left.g2:1"
+run 2 verify "$teapot" --surfaces --require F1
+
 # pictures
+run 0 plot "$data/planar.g2" --alternatives -o alternatives.svg && says alternatives.svg "construction"
 run 0 plot "$S" "$L" -o both.svg --title 'A < B & "C"' && says both.svg "A &lt; B &amp;"
 run 0 plot "$S" --closed --no-comb --no-polygon --columns 1 -o S.svg
 holds [ ! -e no.g2 ]

@@ -12,6 +12,7 @@
 #include "ops_errata.h"
 #include "ops_hagen.h"
 #include "ops_local.h"
+#include "ops_ribbon.h"
 
 #include <stdexcept>
 #include <string>
@@ -34,7 +35,8 @@ template <class FT> bool run_scalars(const Case& c, Report& report) {
 template <class Traits> bool run_operation(const Case& c, Report& report) {
   return run_bspline<Traits>(c, report) || run_bezier<Traits>(c, report) || run_invariants<Traits>(c, report) ||
          run_joins<Traits>(c, report) || run_errata<Traits>(c, report) || run_hagen<Traits>(c, report) ||
-         run_edges<Traits>(c, report) || (c.has("strategy") && run_blends<Traits>(c, report));
+         run_edges<Traits>(c, report) || run_ribbon<Traits>(c, report) ||
+         (c.has("strategy") && run_blends<Traits>(c, report));
 }
 
 // Computes the output of a case in one kernel family. It never looks at the expected output.

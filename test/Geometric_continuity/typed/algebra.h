@@ -144,7 +144,9 @@ BOOST_AUTO_TEST_CASE(arithmetic_and_elevation) {
       BOOST_CHECK(p.elevated() != p);
     }
   });
-  if constexpr (exact) { BOOST_CHECK(whole({1, 2}) * whole({3, 4}) == (Polynomial{FT(3), FT(5), FT(8)})); }
+  if constexpr (exact) {
+    BOOST_CHECK(whole({1, 2}) * whole({3, 4}) == (Polynomial{FT(3), FT(5), FT(8)}));
+  }
 }
 
 BOOST_AUTO_TEST_CASE(subdivision) {
@@ -188,19 +190,19 @@ BOOST_AUTO_TEST_CASE(signs_of_whole_coefficients) {
       {whole({0, 1, 1}), Sign::nonnegative},
       {whole({-1, 1}), Sign::mixed},
       {whole({1, 1, -1}), Sign::mixed},
-      {whole({1, -1, 1}), Sign::nonnegative},                // (2t-1)^2
-      {whole({2, -1, 1}), Sign::positive},                   // 5t^2-6t+2
-      {whole({1, -2, 1}), Sign::mixed},                      // two roots
-      {whole({0, -1, 1}), Sign::mixed},                      // a root at 0 and one inside
-      {whole({0, 1, -1, 1, 0}), Sign::nonnegative},          // 2t(1-t)(7t^2-7t+2)
-      {whole({0, 1, -1, 0}), Sign::mixed},                   // 3t(1-t)(1-2t)
-      {whole({0, 1, -1, 1, 0, 0}), Sign::nonnegative},       // 5t(1-t)^2(5t^2-4t+1)
-      {whole({1, -1, 1, -1}), Sign::mixed},                  // (1-2t)^3
-      {whole({1, -1, 1, -1, 1}), Sign::nonnegative},         // (1-2t)^4
-      {whole({1, -1, 1, -1, 1, -1, 1}), Sign::nonnegative},  // (1-2t)^6
-      {whole({1, -1, 1, -1, 1, -1, 1, -1}), Sign::mixed},    // (1-2t)^7
-      {whole({3, 3, 1, -3, 3}), Sign::nonnegative},          // 12 (t^2-1/2)^2
-      {whole({1, -1, 1, 1}), Sign::positive},                // at least 1/9
+      {whole({1, -1, 1}), Sign::nonnegative},                 // (2t-1)^2
+      {whole({2, -1, 1}), Sign::positive},                    // 5t^2-6t+2
+      {whole({1, -2, 1}), Sign::mixed},                       // two roots
+      {whole({0, -1, 1}), Sign::mixed},                       // a root at 0 and one inside
+      {whole({0, 1, -1, 1, 0}), Sign::nonnegative},           // 2t(1-t)(7t^2-7t+2)
+      {whole({0, 1, -1, 0}), Sign::mixed},                    // 3t(1-t)(1-2t)
+      {whole({0, 1, -1, 1, 0, 0}), Sign::nonnegative},        // 5t(1-t)^2(5t^2-4t+1)
+      {whole({1, -1, 1, -1}), Sign::mixed},                   // (1-2t)^3
+      {whole({1, -1, 1, -1, 1}), Sign::nonnegative},          // (1-2t)^4
+      {whole({1, -1, 1, -1, 1, -1, 1}), Sign::nonnegative},   // (1-2t)^6
+      {whole({1, -1, 1, -1, 1, -1, 1, -1}), Sign::mixed},     // (1-2t)^7
+      {whole({3, 3, 1, -3, 3}), Sign::nonnegative},           // 12 (t^2-1/2)^2
+      {whole({1, -1, 1, 1}), Sign::positive},                 // at least 1/9
       {whole({1000000, -1, 1000000, -1, 1}), Sign::positive}, // near 1: 6 10^6 s^2 - 4s + 1
   };
   for (const std::pair<Polynomial, Sign>& c : cases) {
@@ -219,7 +221,8 @@ BOOST_AUTO_TEST_CASE(signs_of_whole_coefficients) {
 // One part in 2^40 decides, in floating point as well.
 BOOST_AUTO_TEST_CASE(signs_of_near_misses, *boost::unit_test::enable_if<cancels>()) {
   const FT tiny = FT(1) / power(FT(2), 40);
-  const Polynomial touching[] = {whole({1, -1, 1}), whole({1, -1, 1, -1, 1}), whole({3, 3, 1, -3, 3}), whole({0, 0, 1})};
+  const Polynomial touching[] = {whole({1, -1, 1}), whole({1, -1, 1, -1, 1}), whole({3, 3, 1, -3, 3}),
+                                 whole({0, 0, 1})};
   for (const Polynomial& p : touching) {
     BOOST_CHECK_EQUAL(GC::sign_pattern(p), Sign::nonnegative);
     BOOST_CHECK_EQUAL(GC::sign_pattern(p + Polynomial(std::vector<FT>(p.degree() + 1, tiny))), Sign::positive);
@@ -248,7 +251,8 @@ BOOST_AUTO_TEST_CASE(signs_on_intervals) {
 BOOST_AUTO_TEST_CASE(signs_of_high_multiplicities, *boost::unit_test::enable_if<exact && cancels>()) {
   const FT third = ratio(1, 3), tiny = power(ratio(1, 10), 30);
   const Polynomial t = root(FT(0)), s = constant(FT(0)) - root(FT(1)), r = root(third), e = constant(tiny);
-  const Polynomial irrational = t * t - constant(ratio(1, 2)), shifted = (t + constant(ratio(-1, 2))) * s; // no double root
+  const Polynomial irrational = t * t - constant(ratio(1, 2)),
+                   shifted = (t + constant(ratio(-1, 2))) * s; // no double root
   const std::pair<Polynomial, Sign> cases[] = {
       {repeated(r, 8), Sign::nonnegative},
       {repeated(r, 7), Sign::mixed},
@@ -273,8 +277,7 @@ BOOST_AUTO_TEST_CASE(signs_of_high_multiplicities, *boost::unit_test::enable_if<
       {repeated(t + e, 2) * repeated(s + e, 2), Sign::positive},
       {shifted, Sign::mixed},
   };
-  for (const std::pair<Polynomial, Sign>& c : cases)
-    BOOST_TEST_CONTEXT("polynomial " << &c - cases) {
+  for (const std::pair<Polynomial, Sign>& c : cases) BOOST_TEST_CONTEXT("polynomial " << &c - cases) {
       BOOST_CHECK_EQUAL(GC::sign_pattern(c.first), c.second);
       BOOST_CHECK_EQUAL(GC::sign_pattern(c.first.elevated(2)), c.second);
     }

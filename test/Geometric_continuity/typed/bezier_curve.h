@@ -325,8 +325,8 @@ BOOST_AUTO_TEST_CASE(polygon_invariants) {
           BOOST_CHECK(i.curvature_squared == GC::curvature_squared(x));
         else { // G_2 / G_1^3 has only whole numbers in it
           const std::vector<FT> g = GC::gram_determinants(x, 2);
-          BOOST_CHECK(agree(i.curvature_squared, g[1] == FT(0) ? std::nullopt
-                                                               : std::optional<FT>(FT(g[2] / (g[1] * g[1] * g[1])))));
+          BOOST_CHECK(agree(i.curvature_squared,
+                            g[1] == FT(0) ? std::nullopt : std::optional<FT>(FT(g[2] / (g[1] * g[1] * g[1])))));
         }
         BOOST_CHECK(i.curvature_squared == r.curvature_squared && i.torsion == r.torsion);
         if constexpr (Curve<Traits>::N == 0 || Curve<Traits>::N == 3)

@@ -57,8 +57,7 @@ BOOST_AUTO_TEST_CASE(joins, *boost::unit_test::enable_if<exact>()) {
   with_random_input([](auto traits, int d, Random& random) {
     typedef decltype(traits) Traits;
     const Blend_input<Traits> input = random_blend<Traits>(random, d, 2);
-    for (const auto& strategy : all_strategies<Traits>())
-      BOOST_TEST_CONTEXT(strategy.name) {
+    for (const auto& strategy : all_strategies<Traits>()) BOOST_TEST_CONTEXT(strategy.name) {
         const Blend<Traits> gamma = strategy.blend(input);
         BOOST_CHECK(gamma.domain() == std::make_pair(FT(0), FT(1)));
         BOOST_CHECK(!gamma.parameters.fallback_start && !gamma.parameters.fallback_end);
@@ -101,7 +100,9 @@ BOOST_AUTO_TEST_CASE(geometry_of_the_strategies, *boost::unit_test::enable_if<ex
     // C nearest to the line through B1 and B2: the squared distance is quadratic in s
     const Blend<Traits> near = input(GC::Near_line());
     const Column<Traits> b1 = near.coordinates(1), w = near.coordinates(4) - b1;
-    const auto distance = [&](const Column<Traits>& c) -> FT { return GC::gram_determinant(std::vector<Column<Traits>>{c - b1, w}); };
+    const auto distance = [&](const Column<Traits>& c) -> FT {
+      return GC::gram_determinant(std::vector<Column<Traits>>{c - b1, w});
+    };
     const std::pair<Column<Traits>, Column<Traits>> lines[] = {{near.coordinates(2), delta * u},
                                                                {near.coordinates(3), delta * v}};
     for (const std::pair<Column<Traits>, Column<Traits>>& line : lines) {
@@ -176,7 +177,8 @@ BOOST_AUTO_TEST_CASE(near_line_fallback) {
                           {{1, 1}, {0, 5}, true, true},    // B2 = B1
                           {{7, 6}, {5, 0}, false, false}}; // B2 = (6, 6)
     for (const Case& c : cases) {
-      const Blend_input<Traits> input{jet<Traits>(d, {{0}, {5, 0}, {0, 20}}), jet<Traits>(d, {c.a2, c.v, {20, 40}}), {}};
+      const Blend_input<Traits> input{
+          jet<Traits>(d, {{0}, {5, 0}, {0, 20}}), jet<Traits>(d, {c.a2, c.v, {20, 40}}), {}};
       const Blend<Traits> near = input(GC::Near_line()), normal = input(GC::Normal_offset());
       BOOST_CHECK_EQUAL(near.parameters.fallback_start, c.start);
       BOOST_CHECK_EQUAL(near.parameters.fallback_end, c.end);
@@ -212,8 +214,7 @@ BOOST_AUTO_TEST_CASE(reproduction) {
 BOOST_AUTO_TEST_CASE(straight_and_closed) {
   in_every_space([](auto traits, int d) {
     typedef decltype(traits) Traits;
-    for (const auto& strategy : all_strategies<Traits>())
-      BOOST_TEST_CONTEXT(strategy.name) {
+    for (const auto& strategy : all_strategies<Traits>()) BOOST_TEST_CONTEXT(strategy.name) {
         // on the first axis, with curvature 0
         const Jet<Traits> phi = jet<Traits>(d, {{0}, {1}, {4}}), psi = jet<Traits>(d, {{7}, {2}, {-1}});
         const Blend<Traits> line = strategy.blend({phi, psi, {}});
@@ -252,8 +253,7 @@ BOOST_AUTO_TEST_CASE(refused_blends) {
 // ---------------------------------------------------------------- strategies and curves of the user's own
 
 struct Half_way { // between two strategies of the package
-  template <class Number, int N>
-  GC::Quintic_parameters<Number> operator()(const GC::Quintic_ends<Number, N>& e) const {
+  template <class Number, int N> GC::Quintic_parameters<Number> operator()(const GC::Quintic_ends<Number, N>& e) const {
     const GC::Quintic_parameters<Number> p = GC::Minimal_energy<3>()(e), q = GC::Normal_offset()(e);
     return {Number((p.s1 + q.s1) / Number(2)), Number((p.s2 + q.s2) / Number(2)), true, false};
   }
@@ -307,25 +307,25 @@ BOOST_AUTO_TEST_CASE(rounded_blends, *boost::unit_test::enable_if<!exact>()) {
     typedef decltype(traits) Traits;
     if constexpr (!exact) {
       const Blend_input<Traits> input = random_blend<Traits>(random, d, 2, &Random::rational);
-      const Blend_input<Reference> reference{rational_jet(input.phi), rational_jet(input.psi),
-                                             {rational(input.shape.beta), rational(input.shape.eta)}};
+      const Blend_input<Reference> reference{
+          rational_jet(input.phi), rational_jet(input.psi), {rational(input.shape.beta), rational(input.shape.eta)}};
       const double beta = CGAL::to_double(input.shape.beta), eta = CGAL::to_double(input.shape.eta);
       const double m = length(input.phi[0]) + length(input.psi[0]) + beta * length(input.phi[1]) +
                        eta * length(input.psi[1]) + beta * beta * length(input.phi[2]) +
                        eta * eta * length(input.psi[2]);
       const Strategies<Reference> exactly = all_strategies<Reference>();
       int i = 0;
-      for (const auto& strategy : all_strategies<Traits>())
-        BOOST_TEST_CONTEXT(strategy.name) {
+      for (const auto& strategy : all_strategies<Traits>()) BOOST_TEST_CONTEXT(strategy.name) {
           const Blend<Traits> gamma = strategy.blend(input);
           const Blend<Reference> expected = exactly[i++].blend(reference);
           double condition = 1;
           if (strategy.name == std::string("Near_line")) {
             const Column<Reference> w = expected.coordinates(4) - expected.coordinates(1);
             for (const Jet<Reference>& x : {reference.phi, reference.psi})
-              condition = std::max(condition, std::pow(length(x[1]) * length(w), 4) /
-                                                  std::pow(CGAL::to_double(GC::gram_determinant(
-                                                               std::vector<Column<Reference>>{x[1], w})), 2));
+              condition = std::max(
+                  condition,
+                  std::pow(length(x[1]) * length(w), 4) /
+                      std::pow(CGAL::to_double(GC::gram_determinant(std::vector<Column<Reference>>{x[1], w})), 2));
           }
           for (int j = 0; j <= 5; ++j)
             BOOST_CHECK(within(gamma.coordinates(j), expected.coordinates(j), 1000 * 0x1p-53 * m * condition));

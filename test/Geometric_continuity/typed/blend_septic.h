@@ -67,8 +67,7 @@ BOOST_AUTO_TEST_CASE(joins, *boost::unit_test::enable_if<exact>()) {
   with_random_input([](auto traits, int d, Random& random) {
     typedef decltype(traits) Traits;
     const Blend_input<Traits> input = random_blend<Traits>(random, d, 3);
-    for (const auto& strategy : all_strategies<Traits>())
-      BOOST_TEST_CONTEXT(strategy.name) {
+    for (const auto& strategy : all_strategies<Traits>()) BOOST_TEST_CONTEXT(strategy.name) {
         const Blend<Traits> gamma = strategy.blend(input);
         BOOST_CHECK(gamma.domain() == std::make_pair(FT(0), FT(1)));
         BOOST_CHECK(!gamma.parameters.fallback_start && !gamma.parameters.fallback_end);
@@ -88,8 +87,8 @@ BOOST_AUTO_TEST_CASE(joins, *boost::unit_test::enable_if<exact>()) {
 }
 
 // What the sequential and the joint strategies make orthogonal, at an end with the given jet x and the blend y
-template <class Traits> void check_orthogonality(const Jet<Traits>& x, const Jet<Traits>& g3, const Jet<Traits>& f3,
-                                                 const Jet<Traits>& joint) {
+template <class Traits>
+void check_orthogonality(const Jet<Traits>& x, const Jet<Traits>& g3, const Jet<Traits>& f3, const Jet<Traits>& joint) {
   const Column<Traits> n = GC::orthogonal_component(x[2], x[1]);
   for (const Jet<Traits>& y : {g3, f3}) {
     BOOST_CHECK(dot(y[2], x[1]) == FT(0)); // |gamma''| is least
@@ -213,8 +212,7 @@ BOOST_AUTO_TEST_CASE(reproduction, *boost::unit_test::enable_if<exact && cancels
 BOOST_AUTO_TEST_CASE(straight_and_closed) {
   in_every_space([](auto traits, int d) {
     typedef decltype(traits) Traits;
-    for (const auto& strategy : all_strategies<Traits>())
-      BOOST_TEST_CONTEXT(strategy.name) {
+    for (const auto& strategy : all_strategies<Traits>()) BOOST_TEST_CONTEXT(strategy.name) {
         const Jet<Traits> phi = jet<Traits>(d, {{0}, {1}, {4}, {9}}), psi = jet<Traits>(d, {{7}, {2}, {-1}, {3}});
         const Blend<Traits> line = strategy.blend({phi, psi, {}});
         for (int j = 0; j <= 7; ++j)
@@ -231,7 +229,7 @@ BOOST_AUTO_TEST_CASE(straight_and_closed) {
 BOOST_AUTO_TEST_CASE(refused_blends) {
   in_every_space([](auto traits, int d) {
     typedef decltype(traits) Traits;
-    check_blend_errors<Traits>(d, 3, GC::Minimal_energy_g3<3>());
+    if constexpr (cancels) check_blend_errors<Traits>(d, 3, GC::Minimal_energy_g3<3>());
     check_blend_errors<Traits>(d, 3, GC::Joint_g3());
   });
 }
@@ -239,8 +237,7 @@ BOOST_AUTO_TEST_CASE(refused_blends) {
 // ---------------------------------------------------------------- strategies and curves of the user's own
 
 struct Own_strategy {
-  template <class Number, int N>
-  GC::Septic_parameters<Number> operator()(const GC::Septic_ends<Number, N>& e) const {
+  template <class Number, int N> GC::Septic_parameters<Number> operator()(const GC::Septic_ends<Number, N>& e) const {
     GC::Septic_parameters<Number> p = GC::Sequential_g3()(e);
     p.start.beta3 += Number(1);
     p.fallback_end = true;
@@ -285,8 +282,8 @@ BOOST_AUTO_TEST_CASE(rounded_blends, *boost::unit_test::enable_if<!exact>()) {
     typedef decltype(traits) Traits;
     if constexpr (!exact) {
       const Blend_input<Traits> input = random_blend<Traits>(random, d, 3, &Random::number);
-      const Blend_input<Reference> reference{rational_jet(input.phi), rational_jet(input.psi),
-                                             {rational(input.shape.beta), rational(input.shape.eta)}};
+      const Blend_input<Reference> reference{
+          rational_jet(input.phi), rational_jet(input.psi), {rational(input.shape.beta), rational(input.shape.eta)}};
       double m = length(input.phi[0]) + length(input.psi[0]), c = 0;
       for (bool end : {false, true}) {
         const Jet<Reference>& x = end ? reference.psi : reference.phi;
@@ -299,8 +296,7 @@ BOOST_AUTO_TEST_CASE(rounded_blends, *boost::unit_test::enable_if<!exact>()) {
       const double bound = 1000 * 0x1p-53 * m * std::pow(1 + c, 4);
       const Strategies<Reference> exactly = all_strategies<Reference>();
       int i = 0;
-      for (const auto& strategy : all_strategies<Traits>())
-        BOOST_TEST_CONTEXT(strategy.name) {
+      for (const auto& strategy : all_strategies<Traits>()) BOOST_TEST_CONTEXT(strategy.name) {
           const Blend<Traits> gamma = strategy.blend(input);
           const Blend<Reference> expected = exactly[i++].blend(reference);
           const std::string name = strategy.name;

@@ -162,8 +162,7 @@ BOOST_TEST_GLOBAL_FIXTURE(Report_seed);
 // test(random) `rounds` times
 template <class Test> void repeat(Test test, int times = rounds) {
   Random random;
-  for (int i = 0; i < times; ++i)
-    BOOST_TEST_CONTEXT("seed " << random.seed << ", round " << i) test(random);
+  for (int i = 0; i < times; ++i) BOOST_TEST_CONTEXT("seed " << random.seed << ", round " << i) test(random);
 }
 
 // test(Traits(), d, random) `rounds` times in every space
@@ -219,8 +218,7 @@ template <class Traits> Jet<Traits> truncated(const Jet<Traits>& x, int k) {
 }
 
 // Random, with coordinates random.*source(), until no coordinate of x' is zero and the derivatives are independent.
-template <class Traits>
-Jet<Traits> random_jet(Random& random, int d, int k, FT (Random::*source)() = &Random::whole) {
+template <class Traits> Jet<Traits> random_jet(Random& random, int d, int k, FT (Random::*source)() = &Random::whole) {
   for (;;) {
     Jet<Traits> x(d, k);
     for (int j = 0; j <= k; ++j)
@@ -300,9 +298,12 @@ public:
       const FT a = random.whole(), b = random.whole(), c = random.whole(), e = FT(1);
       const FT n = a * a + b * b + c * c + e * e;
       const FT two(2);
-      rows_[0] = row(FT(FT(1) - two * (b * b + c * c) / n), FT(two * (a * b - c * e) / n), FT(two * (a * c + b * e) / n));
-      rows_[1] = row(FT(two * (a * b + c * e) / n), FT(FT(1) - two * (a * a + c * c) / n), FT(two * (b * c - a * e) / n));
-      rows_[2] = row(FT(two * (a * c - b * e) / n), FT(two * (b * c + a * e) / n), FT(FT(1) - two * (a * a + b * b) / n));
+      rows_[0] =
+          row(FT(FT(1) - two * (b * b + c * c) / n), FT(two * (a * b - c * e) / n), FT(two * (a * c + b * e) / n));
+      rows_[1] =
+          row(FT(two * (a * b + c * e) / n), FT(FT(1) - two * (a * a + c * c) / n), FT(two * (b * c - a * e) / n));
+      rows_[2] =
+          row(FT(two * (a * c - b * e) / n), FT(two * (b * c + a * e) / n), FT(FT(1) - two * (a * a + b * b) / n));
     } else
       for (int i = 0; i + 1 < d; ++i) {
         const FT t = cancels ? ratio(random.integer(-9, 9), random.integer(1, 9)) : FT(1), n = FT(1) + t * t;
@@ -318,9 +319,7 @@ public:
     for (int i = 0; i < v.dimension(); ++i) r[i] = scale * dot(rows_[i], v);
     return r;
   }
-  Point<Traits> operator()(const Point<Traits>& p) const {
-    return point<Traits>(linear(column<Traits>(p)) + shift_);
-  }
+  Point<Traits> operator()(const Point<Traits>& p) const { return point<Traits>(linear(column<Traits>(p)) + shift_); }
   Jet<Traits> operator()(const Jet<Traits>& x) const {
     Jet<Traits> y = x;
     for (int j = 0; j <= x.order(); ++j) y[j] = linear(x[j]);
@@ -403,7 +402,8 @@ template <class Traits> struct Blend_input {
 
 template <class Traits>
 Blend_input<Traits> random_blend(Random& random, int d, int order, FT (Random::*source)() = &Random::whole) {
-  const Jet<Traits> phi = random_jet<Traits>(random, d, order, source), psi = random_jet<Traits>(random, d, order, source);
+  const Jet<Traits> phi = random_jet<Traits>(random, d, order, source),
+                    psi = random_jet<Traits>(random, d, order, source);
   return {phi, psi, {random.positive_rational(), random.positive_rational()}};
 }
 

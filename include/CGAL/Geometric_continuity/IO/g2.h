@@ -8,9 +8,11 @@
 #include <CGAL/Geometric_continuity/Error.h>
 #include <CGAL/Geometric_continuity/IO/number.h>
 #include <CGAL/Geometric_continuity/curves/Bezier_curve.h>
+#include <CGAL/Geometric_continuity/curves/Bspline_curve.h>
 #include <CGAL/Geometric_continuity/internal/traits_access.h>
 
 #include <charconv>
+#include <cstddef>
 #include <exception>
 #include <istream>
 #include <limits>
@@ -21,6 +23,7 @@
 #include <streambuf>
 #include <string>
 #include <system_error>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -97,13 +100,18 @@ public:
 /// - the knots, as many as both together;
 /// - the control points.
 ///
-/// Coordinates and knots are read by `parse_number()`, so that a number may also be a fraction `p/q`. The curve must
-/// be a Bézier curve: as many control points as its order, and two knots `a < b`, each repeated as often as the order
-/// says. Its domain is [a, b]. All curves of a text have one dimension, which is that of `Traits` or, when `Traits`
-/// leaves it open, lies between 2 and `max_g2_dimension`. The order is at most `max_g2_order`.
+/// Coordinates and knots are read by `parse_number()`, so that a number may also be a fraction `p/q`. A B-spline curve
+/// needs at least as many control points as its order, and knots as `Knot_vector` does. A Bézier curve has as many
+/// control points as its order, and two knots `a < b`, each repeated as often as the order says; its domain is [a, b].
+/// All curves of a text have one dimension, which is that of `Traits` or, when `Traits` leaves it open, lies between 2
+/// and `max_g2_dimension`. The order is at most `max_g2_order`.
 ///
 /// \tparam Traits a model of `GeometricContinuityTraits` whose `FT` is accepted by `parse_number()`
-template <class Traits> class G2_curve_reader {
+/// \tparam Curve `Bezier_curve<Traits>` (curves with inner knots are refused) or `Bspline_curve<Traits>`
+template <class Traits, class Curve = Bezier_curve<Traits>> class G2_curve_reader {
+  static constexpr bool bezier = std::is_same_v<Curve, Bezier_curve<Traits>>;
+  static_assert(bezier || std::is_same_v<Curve, Bspline_curve<Traits>>);
+
   typedef typename Traits::FT FT;
   typedef typename Traits::Point Point;
 
@@ -120,7 +128,7 @@ public:
   /// \throws Error `malformed_input` with a text `name:line: reason` for everything that is not described above, and
   ///         for a text without any curve. After an error the reader cannot be used any more.
   /// \throws Error `cannot_read_file` when reading fails for another reason
-  std::optional<Bezier_curve<Traits>> next() {
+  std::optional<Curve> next() {
     if (!tokens_.advance()) {
       if (empty_) tokens_.refuse("no curve");
       return std::nullopt;
@@ -128,14 +136,23 @@ public:
     empty_ = false;
     read_header();
     read_dimension();
-    const int order = read_order();
-    const std::pair<FT, FT> domain = read_domain(order);
+    const Size size = read_size();
+    std::vector<FT> knots;
+    for (long long i = 0; i < size.knots(); ++i) knots.push_back(read_knot(knots, size));
     std::vector<Point> points;
-    for (int j = 0; j < order; ++j) points.push_back(read_point(j, order));
-    return Bezier_curve<Traits>(points.begin(), points.end(), domain.first, domain.second);
+    for (int j = 0; j < size.points; ++j) points.push_back(read_point(j, size.points));
+    if constexpr (bezier)
+      return Curve(points.begin(), points.end(), knots.front(), knots.back());
+    else
+      return Curve(points.begin(), points.end(), Knot_vector<FT>(size.order - 1, std::move(knots)));
   }
 
 private:
+  struct Size {
+    int points, order;
+    long long knots() const { return static_cast<long long>(points) + order; }
+  };
+
   // The integer in the current word.
   int integer(const std::string& what, int low, int high) const {
     const std::string& token = tokens_.token();
@@ -156,7 +173,7 @@ private:
   }
 
   // One of the numbers of a list of which `done` of `all` parts are complete.
-  FT read_number(int done, int all, const char* parts) {
+  FT read_number(long long done, long long all, const char* parts) {
     if (!tokens_.advance())
       tokens_.refuse("file ends after " + std::to_string(done) + " of " + std::to_string(all) + " " + parts);
     try {
@@ -194,31 +211,35 @@ private:
     if (read_integer("rational flag", 0, 1) == 1) tokens_.refuse("rational curves are not supported");
   }
 
-  int read_order() {
+  Size read_size() {
     const int points = read_integer("number of control points", 1);
     const int order = read_integer("order", 1, max_g2_order);
     const std::string text = std::to_string(points) + " control points and order " + std::to_string(order);
-    if (points < order) tokens_.refuse(text + ": there must be as many control points as the order says");
-    if (points > order) tokens_.refuse(text + ": inner knots are not supported, only Bezier curves");
-    return order;
+    if (points < order)
+      tokens_.refuse(text + ": there must be " + (bezier ? "" : "at least ") +
+                     "as many control points as the order says");
+    if (bezier && points > order) tokens_.refuse(text + ": inner knots are not supported, only Bezier curves");
+    return {points, order};
   }
 
-  std::pair<FT, FT> read_domain(int order) {
-    FT ends[2];
-    for (int i = 0; i < 2 * order; ++i) {
-      const FT knot = read_number(i, 2 * order, "knots");
-      FT& end = ends[i / order];
-      if (i % order == 0) {
-        end = knot;
-        if (i == order && end < ends[0]) refuse_decreasing_knots();
-        if (i == order && end == ends[0]) tokens_.refuse("the first and the last knots are equal: empty domain");
-      } else if (knot < end)
-        refuse_decreasing_knots();
-      else if (knot != end)
-        tokens_.refuse("the knots are not clamped: knot " + std::to_string(i + 1) + " of " + std::to_string(2 * order) +
-                       " must be equal to the one before it");
-    }
-    return {ends[0], ends[1]};
+  // The knot after those that have been read.
+  FT read_knot(const std::vector<FT>& knots, const Size& size) {
+    const std::size_t i = knots.size(), order = size.order;
+    const FT knot = read_number(i, size.knots(), "knots");
+    if (i > 0 && knot < knots.back()) refuse_decreasing_knots();
+    if (i == static_cast<std::size_t>(size.points) && knot == knots[order - 1])
+      tokens_.refuse(bezier
+                         ? "the first and the last knots are equal: empty domain"
+                         : text_of_knot(order, size) + " is equal to knot " + std::to_string(i + 1) + ": empty domain");
+    if (bezier && i % order != 0 && knot != knots.back())
+      tokens_.refuse("the knots are not clamped: " + text_of_knot(i + 1, size) + " must be equal to the one before it");
+    if (i >= order && knot == knots[i - order])
+      tokens_.refuse(text_of_knot(i + 1, size) + " is repeated more than " + std::to_string(order) + " times");
+    return knot;
+  }
+
+  static std::string text_of_knot(std::size_t number, const Size& size) {
+    return "knot " + std::to_string(number) + " of " + std::to_string(size.knots());
   }
 
   void refuse_decreasing_knots() const {
@@ -233,13 +254,54 @@ private:
 };
 
 /// \ingroup PkgGeometricContinuityIO
-/// All curves of a text in the `.g2` format, see `G2_curve_reader`.
+/// The reader of B-spline curves.
+template <class Traits> using G2_bspline_reader = G2_curve_reader<Traits, Bspline_curve<Traits>>;
+
+namespace internal {
+
+template <class Traits, class Curve> std::vector<Curve> read_g2(std::istream& is, const std::string& name) {
+  G2_curve_reader<Traits, Curve> reader(is, name);
+  std::vector<Curve> curves;
+  while (std::optional<Curve> curve = reader.next()) curves.push_back(*std::move(curve));
+  return curves;
+}
+
+// The text of a curve, with an empty line after it.
+template <class Curve> std::string g2_text(const Curve& curve, const Knot_vector<typename Curve::FT>& knots) {
+  const auto write_line = [](std::ostream& os, const auto& numbers) {
+    bool first = true;
+    for (const auto& x : numbers) {
+      if (!first) os << ' ';
+      write_number(os, x);
+      first = false;
+    }
+    os << '\n';
+  };
+  std::ostringstream text;
+  text.imbue(std::locale::classic());
+  text << "100 1 0 0\n"
+       << curve.dimension() << " 0\n"
+       << knots.number_of_coefficients() << ' ' << knots.degree() + 1 << '\n';
+  write_line(text, knots);
+  for (int j = 0; j < knots.number_of_coefficients(); ++j) write_line(text, curve.coordinates(j));
+  text << '\n';
+  return text.str();
+}
+
+} // namespace internal
+
+/// \ingroup PkgGeometricContinuityIO
+/// All curves of a text in the `.g2` format, which are Bézier curves, see `G2_curve_reader`.
 /// \throws Error as `G2_curve_reader` does
 template <class Traits> std::vector<Bezier_curve<Traits>> read_g2_curves(std::istream& is, const std::string& name) {
-  G2_curve_reader<Traits> reader(is, name);
-  std::vector<Bezier_curve<Traits>> curves;
-  while (std::optional<Bezier_curve<Traits>> curve = reader.next()) curves.push_back(*std::move(curve));
-  return curves;
+  return internal::read_g2<Traits, Bezier_curve<Traits>>(is, name);
+}
+
+/// \ingroup PkgGeometricContinuityIO
+/// All curves of a text in the `.g2` format as B-spline curves, see `G2_curve_reader`.
+/// \throws Error as `G2_curve_reader` does
+template <class Traits> std::vector<Bspline_curve<Traits>> read_g2_bsplines(std::istream& is, const std::string& name) {
+  return internal::read_g2<Traits, Bspline_curve<Traits>>(is, name);
 }
 
 /// \ingroup PkgGeometricContinuityIO
@@ -248,28 +310,17 @@ template <class Traits> std::vector<Bezier_curve<Traits>> read_g2_curves(std::is
 /// them.
 /// \throws Error as `write_number()` does
 template <class Traits, int Degree> void write_g2(std::ostream& os, const Bezier_curve<Traits, Degree>& curve) {
-  typedef typename Traits::FT FT;
-  const int order = curve.degree() + 1;
-  const std::pair<FT, FT> domain = curve.domain();
-  std::ostringstream text;
-  text.imbue(std::locale::classic());
-  text << "100 1 0 0\n" << curve.dimension() << " 0\n" << order << ' ' << order << '\n';
-  for (int i = 0; i < 2 * order; ++i) {
-    if (i > 0) text << ' ';
-    write_number(text, i < order ? domain.first : domain.second);
-  }
-  text << '\n';
-  for (int j = 0; j < order; ++j) {
-    const internal::Coordinates<Traits> x = curve.coordinates(j);
-    for (int i = 0; i < x.dimension(); ++i) {
-      if (i > 0) text << ' ';
-      write_number(text, x[i]);
-    }
-    text << '\n';
-  }
-  text << '\n';
-  const std::string characters = text.str();
-  os.write(characters.data(), static_cast<std::streamsize>(characters.size()));
+  const std::pair<typename Traits::FT, typename Traits::FT> domain = curve.domain();
+  const std::string text =
+      internal::g2_text(curve, Knot_vector<typename Traits::FT>(curve.degree(), domain.first, domain.second));
+  os.write(text.data(), static_cast<std::streamsize>(text.size()));
+}
+
+/// \ingroup PkgGeometricContinuityIO
+/// Writes a B-spline curve in the same way.
+template <class Traits> void write_g2(std::ostream& os, const Bspline_curve<Traits>& curve) {
+  const std::string text = internal::g2_text(curve, curve.knots());
+  os.write(text.data(), static_cast<std::streamsize>(text.size()));
 }
 
 } // namespace Geometric_continuity

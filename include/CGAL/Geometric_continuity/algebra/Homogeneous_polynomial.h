@@ -79,15 +79,11 @@ public:
 
   /// Sum and difference, in the larger of the two degrees.
   friend Homogeneous_polynomial operator+(Homogeneous_polynomial p, const Homogeneous_polynomial& q) {
-    if (p.degree() < q.degree()) p = p.elevated_to(q.degree());
-    if (q.degree() < p.degree()) return std::move(p) + q.elevated_to(p.degree());
-    for (int k = 0; k <= p.degree(); ++k) p.c_[k] += q[k];
+    p.combine(q, [](NT& x, const NT& y) { x += y; });
     return p;
   }
   friend Homogeneous_polynomial operator-(Homogeneous_polynomial p, const Homogeneous_polynomial& q) {
-    if (p.degree() < q.degree()) p = p.elevated_to(q.degree());
-    if (q.degree() < p.degree()) return std::move(p) - q.elevated_to(p.degree());
-    for (int k = 0; k <= p.degree(); ++k) p.c_[k] -= q[k];
+    p.combine(q, [](NT& x, const NT& y) { x -= y; });
     return p;
   }
 
@@ -100,9 +96,7 @@ public:
   friend bool operator!=(const Homogeneous_polynomial& p, const Homogeneous_polynomial& q) { return !(p == q); }
 
   /// The function \f$ t \mapsto p(1 - t) \f$.
-  Homogeneous_polynomial reversed() const {
-    return Homogeneous_polynomial(std::vector<NT>(c_.rbegin(), c_.rend()));
-  }
+  Homogeneous_polynomial reversed() const { return Homogeneous_polynomial(std::vector<NT>(c_.rbegin(), c_.rend())); }
 
   /// The parts on [0, 1/2] and [1/2, 1], each reparametrised to [0, 1] and multiplied by \f$ 2^n \f$. \f$ O(n^2) \f$
   std::pair<Homogeneous_polynomial, Homogeneous_polynomial> halves() const {
@@ -154,6 +148,13 @@ public:
 
 private:
   std::vector<NT> c_;
+
+  // operation(c_k, q_k) in the larger of the two degrees
+  template <class Operation> void combine(const Homogeneous_polynomial& q, Operation operation) {
+    if (degree() < q.degree()) *this = elevated_to(q.degree());
+    if (q.degree() < degree()) return combine(q.elevated_to(degree()), operation);
+    for (int k = 0; k <= degree(); ++k) operation(c_[k], q[k]);
+  }
 
   // Positive, negative or zero if bisection proves that, otherwise mixed.
   Sign_pattern strict_sign(int bisections) const {

@@ -8,6 +8,7 @@
 #include <CGAL/Geometric_continuity/construction/alternatives.h>
 #include <CGAL/Geometric_continuity/construction/blend.h>
 #include <CGAL/Geometric_continuity/curves/end_control_points.h>
+#include <CGAL/Geometric_continuity/internal/solve_positive_definite.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -70,22 +71,6 @@ Bezier_curve<Traits, Degree> next_segment(const Bezier_curve<Traits, Degree>& le
   return {points.begin(), points.end(), domain.second, FT(domain.second + beta * (domain.second - domain.first))};
 }
 
-// x with A x = b for a symmetric positive definite matrix: Gaussian elimination, which needs no pivoting.
-template <class FT> std::vector<FT> solve_positive_definite(std::vector<std::vector<FT>> a, std::vector<FT> b) {
-  const std::size_t n = b.size();
-  for (std::size_t k = 0; k < n; ++k)
-    for (std::size_t i = k + 1; i < n; ++i) {
-      const FT factor = a[i][k] / a[k][k];
-      for (std::size_t j = k + 1; j < n; ++j) a[i][j] -= factor * a[k][j];
-      b[i] -= factor * b[k];
-    }
-  for (std::size_t k = n; k-- > 0;) {
-    for (std::size_t j = k + 1; j < n; ++j) b[k] -= a[k][j] * b[j];
-    b[k] /= a[k][k];
-  }
-  return b;
-}
-
 // One degree of freedom of a polygon: the point b_index may move along a direction.
 template <class Vector> struct Freedom {
   int index;
@@ -110,7 +95,7 @@ void minimize_energy(std::vector<Coordinate_vector<FT, N>>& b,
     for (int j = 0; j <= m; ++j) sum -= row[j] * dot(free[k].direction, b[j]);
     rhs.push_back(sum);
   }
-  const std::vector<FT> x = solve_positive_definite<FT>(a, rhs);
+  const std::vector<FT> x = solve_positive_definite(std::move(a), std::move(rhs));
   for (std::size_t k = 0; k < free.size(); ++k) b[free[k].index] += x[k] * free[k].direction;
 }
 

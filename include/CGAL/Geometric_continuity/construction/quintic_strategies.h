@@ -72,11 +72,11 @@ template <int k> struct Minimal_energy {
     const Coordinate_vector<FT, N> b1 = e.b1(), b2 = e.b2(), c1 = e.c1(FT(0)), c2 = e.c2(FT(0));
     if constexpr (k == 2) // [12u.u, 2u.v; 2u.v, 12v.v] s = r
       return solve<FT>(FT(12) * dot(u, u), FT(2) * dot(u, v), FT(12) * dot(v, v),
-                   -dot(FT(4) * a1 - FT(13) * b1 + FT(12) * c1 + FT(2) * c2 - FT(8) * b2 + FT(3) * a2, u),
-                   -dot(FT(3) * a1 - FT(8) * b1 + FT(2) * c1 + FT(12) * c2 - FT(13) * b2 + FT(4) * a2, v));
+                       -dot(FT(4) * a1 - FT(13) * b1 + FT(12) * c1 + FT(2) * c2 - FT(8) * b2 + FT(3) * a2, u),
+                       -dot(FT(3) * a1 - FT(8) * b1 + FT(2) * c1 + FT(12) * c2 - FT(13) * b2 + FT(4) * a2, v));
     else // [3u.u, -u.v; -u.v, 3v.v] s = r
       return solve<FT>(FT(3) * dot(u, u), -dot(u, v), FT(3) * dot(v, v), dot(FT(3) * b1 - a1 - FT(3) * c1 + c2, u),
-                   -dot(FT(3) * c2 - c1 - FT(3) * b2 + a2, v));
+                       -dot(FT(3) * c2 - c1 - FT(3) * b2 + a2, v));
   }
 
 private:

@@ -7,6 +7,7 @@
 
 #include <CGAL/Geometric_continuity/algebra/Bernstein_polynomial.h>
 #include <CGAL/Geometric_continuity/construction/Septic_ends.h>
+#include <CGAL/Geometric_continuity/internal/solve_positive_definite.h>
 
 #include <array>
 #include <vector>
@@ -43,22 +44,6 @@ protected:
     return FT(-dot(FT(e.beta * e.beta * e.beta) * e.d3 + mu * e.d2, e.d1) / dot(e.d1, e.d1));
   }
 };
-
-// x with A x = b for a symmetric positive definite matrix: Gaussian elimination, which needs no pivoting.
-template <class FT, std::size_t n>
-std::array<FT, n> solve_positive_definite(std::array<std::array<FT, n>, n> a, std::array<FT, n> b) {
-  for (std::size_t k = 0; k < n; ++k)
-    for (std::size_t i = k + 1; i < n; ++i) {
-      const FT factor = a[i][k] / a[k][k];
-      for (std::size_t j = k + 1; j < n; ++j) a[i][j] -= factor * a[k][j];
-      b[i] -= factor * b[k];
-    }
-  for (std::size_t k = n; k-- > 0;) {
-    for (std::size_t j = k + 1; j < n; ++j) b[k] -= a[k][j] * b[j];
-    b[k] /= a[k][k];
-  }
-  return b;
-}
 
 // The integral of p^(k) . q^(k) over [0,1] for two control polygons, up to the factor (m!/(m-k)!)^2.
 template <class FT, int N, std::size_t points>

@@ -190,8 +190,8 @@ private:
         edge_.vanishing = std::pair<Field, Field>(Field(0), Field(1));
         return;
       }
-      edge_.vanishing = zero_interval<Field>(
-          edge_.coplanar ? n.side : Polynomial(Normals::square(n.n1) * Normals::square(n.n2)));
+      edge_.vanishing =
+          zero_interval<Field>(edge_.coplanar ? n.side : Polynomial(Normals::square(n.n1) * Normals::square(n.n2)));
     }
     if (edge_.defect == Edge_defect::crease || edge_.defect == Edge_defect::fold)
       edge_.deviation = Largest_deviation<Field>(n)();

@@ -53,7 +53,8 @@ template <class Field> struct Edge_sides {
   template <class FT> Edge_sides(const Edge_rows<FT>& a, const Edge_rows<FT>& b) {
     for (const Edge_rows<FT>* rows : {&a, &b})
       for (const auto* row : {&rows->edge, &rows->cross, &rows->second_cross}) {
-        if (row->empty()) throw Error(Error_code::wrong_number_of_points, "edge continuity: a row without coefficients");
+        if (row->empty())
+          throw Error(Error_code::wrong_number_of_points, "edge continuity: a row without coefficients");
         for (const Coordinate_vector<FT, 3>& x : *row)
           for (int i = 0; i < 3; ++i) denominator.include(to_field<Field>(x[i]));
       }
@@ -95,10 +96,10 @@ template <class Field> struct Edge_normals {
   typedef typename Sides::Vector Vector;
   typedef typename Common_denominator<Field>::Exact Exact;
 
-  Vector d;         // C', of the side with the lower degree along the edge
-  Vector n1, n2;    // the normals
-  Polynomial det;   // det(C', T1, T2) = n1 . T2
-  Polynomial side;  // n1 . n2
+  Vector d;        // C', of the side with the lower degree along the edge
+  Vector n1, n2;   // the normals
+  Polynomial det;  // det(C', T1, T2) = n1 . T2
+  Polynomial side; // n1 . n2
 
   explicit Edge_normals(const Sides& s)
       : d(Sides::derivative(s.c[s.c[1][0].degree() < s.c[0][0].degree()])), n1(cross_product(d, s.t[0])),

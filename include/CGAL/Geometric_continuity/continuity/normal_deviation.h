@@ -110,9 +110,8 @@ public:
 private:
   bool accurate() const {
     const Piece& worst = pieces_.front();
-    return worst.level >= least_level &&
-           !(Fraction{Ring(Ring(precision + 1) * lower_.numerator), Ring(Ring(precision) * lower_.denominator)} <
-             worst.upper);
+    return worst.level >= least_level && !(Fraction{Ring(Ring(precision + 1) * lower_.numerator),
+                                                    Ring(Ring(precision) * lower_.denominator)} < worst.upper);
   }
 
   void add(Piece piece) {
@@ -125,7 +124,8 @@ private:
 
   static Fraction upper_bound(const Piece& piece) {
     const Sign_pattern side = piece.side.coefficient_signs();
-    const bool acute = side == Sign_pattern::negative || side == Sign_pattern::nonpositive || side == Sign_pattern::zero;
+    const bool acute =
+        side == Sign_pattern::negative || side == Sign_pattern::nonpositive || side == Sign_pattern::zero;
     const Fraction right_angle{Ring(1), Ring(1)}, straight_angle{Ring(2), Ring(1)};
     const Fraction most = acute ? right_angle : straight_angle;
     Fraction bound = acute ? Fraction{Ring(0), Ring(1)} : right_angle;

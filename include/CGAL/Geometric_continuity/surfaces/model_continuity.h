@@ -72,7 +72,7 @@ struct Model_summary {
   std::size_t folds = 0;             ///< the others of `g0`
   std::size_t boundary = 0;          ///< edges of one patch only
   std::size_t collapsed = 0;         ///< edges that are single points
-  std::size_t non_manifold = 0;      ///< pairs of patches at an edge that more than two patches have; counted above, too
+  std::size_t non_manifold = 0; ///< pairs of patches at an edge that more than two patches have; counted above, too
 
   /// Writes the counts, e.g. `24 G2, 20 G1, 8 G0 (8 vanishing normals), 16 boundary, 8 collapsed`.
   friend std::ostream& operator<<(std::ostream& os, const Model_summary& s) {

@@ -17,8 +17,7 @@ namespace Geometric_continuity {
 /// \ingroup PkgGeometricContinuitySurfaces
 /// The field in which the continuity of surfaces is decided: that of the predicates of the traits class, or
 /// `Exact_rational` if those are floating-point numbers. The decision is exact with every kernel.
-template <class Traits>
-using Edge_field = typename internal::Exact_field<internal::Predicate_FT<Traits>>::type;
+template <class Traits> using Edge_field = typename internal::Exact_field<internal::Predicate_FT<Traits>>::type;
 
 namespace internal {
 
@@ -35,7 +34,8 @@ template <class Traits> void require_space(const Bezier_patch<Traits>& patch, co
 /// `v = 0`. Continuity does not depend on the lengths of the domain. The control points are converted to `Field` before
 /// anything is computed.
 /// \throws Error `dimension_mismatch` unless in dimension 3
-template <class Field, class Traits> Edge_rows<Field> edge_rows_over(const Bezier_patch<Traits>& patch, Patch_edge edge) {
+template <class Field, class Traits>
+Edge_rows<Field> edge_rows_over(const Bezier_patch<Traits>& patch, Patch_edge edge) {
   internal::require_space(patch, "edge_rows");
   typedef typename Edge_rows<Field>::Row Row;
   std::vector<Row> result;
@@ -52,8 +52,7 @@ template <class Field, class Traits> Edge_rows<Field> edge_rows_over(const Bezie
 /// \ingroup PkgGeometricContinuitySurfaces
 /// The rows in the field in which continuity is decided.
 /// \throws Error `dimension_mismatch` unless in dimension 3
-template <class Traits>
-Edge_rows<Edge_field<Traits>> edge_rows(const Bezier_patch<Traits>& patch, Patch_edge edge) {
+template <class Traits> Edge_rows<Edge_field<Traits>> edge_rows(const Bezier_patch<Traits>& patch, Patch_edge edge) {
   return edge_rows_over<Edge_field<Traits>>(patch, edge);
 }
 

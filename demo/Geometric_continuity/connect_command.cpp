@@ -1,0 +1,81 @@
+// Copyright (c) 2026 The Geometric_continuity developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#include "command_line.h"
+
+#include <CGAL/Exact_rational.h>
+#include <CGAL/Geometric_continuity/IO/atomic_file.h>
+#include <CGAL/Geometric_continuity/IO/g2.h>
+#include <CGAL/Geometric_continuity/IO/g2_bspline_surfaces.h>
+#include <CGAL/Geometric_continuity/Traits_3.h>
+#include <CGAL/Geometric_continuity/surfaces/connect_g1.h>
+#include <CGAL/Simple_cartesian.h>
+
+#include <fstream>
+#include <iostream>
+#include <stdexcept>
+#include <vector>
+
+namespace GC = CGAL::Geometric_continuity;
+
+namespace {
+
+const char* const usage =
+    "usage: geometric_continuity connect C.g2 C1.g2 C2.g2 [OPTIONS] -o RIBBON.g2\n"
+    "\n"
+    "Makes two surfaces of degree 6 x 1 that meet with G1 continuity along the cubic C. At both ends of C their cross\n"
+    "derivatives are C1 - C and C2 - C and their twists are C1' - C' and C2' - C', if these lie in the plane of C1 - "
+    "C2\n"
+    "and C'; otherwise as nearly as possible. The curves have the same knots, with inner knots at most double.\n"
+    "G1 is decided exactly on the result, along the whole of C. Exit code: 0 G1, 1 not, e.g. because of a fold, 2 bad "
+    "input.\n";
+
+template <class FT> using Traits = GC::Traits_3<CGAL::Simple_cartesian<FT>>;
+
+// The only curve of a file.
+template <class FT> GC::Bspline_curve<Traits<FT>> read_curve(const std::string& name) {
+  std::ifstream stream(name);
+  if (!stream) throw GC::Error(GC::Error_code::cannot_read_file, name);
+  const std::vector<GC::Bspline_curve<Traits<FT>>> curves = GC::read_g2_bsplines<Traits<FT>>(stream, name);
+  if (curves.size() != 1)
+    throw GC::Error(GC::Error_code::malformed_input,
+                    name + ": " + std::to_string(curves.size()) + " curves where one is expected");
+  return curves[0];
+}
+
+template <class FT> int connect(const Command_line& line) {
+  const Arguments files = line.files();
+  const GC::G1_ribbon<Traits<FT>> ribbon = connect_g1(read_curve<FT>(files[0]), read_curve<FT>(files[1]),
+                                                      read_curve<FT>(files[2]), line.number("bulge", FT(0)));
+  std::cout << ribbon << '\n';
+  bool g1 = true;
+  const std::vector<int> spans = ribbon.side1.knots_u().spans();
+  const std::vector<GC::Edge_continuity<CGAL::Exact_rational>> continuity = ribbon.continuity();
+  for (std::size_t i = 0; i < spans.size(); ++i) {
+    std::cout << "on [" << ribbon.side1.knots_u()[spans[i]] << ", " << ribbon.side1.knots_u()[spans[i] + 1]
+              << "]: " << continuity[i] << '\n';
+    g1 = g1 && continuity[i].g_order >= 1;
+  }
+  std::cout << (g1 ? "G1 along the whole edge, proved exactly\n" : "not G1 along the whole edge\n");
+  GC::write_file_atomically(line.text("output"), [&](std::ostream& os) {
+    GC::write_g2(os, ribbon.side1);
+    GC::write_g2(os, ribbon.side2);
+  });
+  return g1 ? requirement_met : requirement_not_met;
+}
+
+} // namespace
+
+int connect_command(const Arguments& arguments) {
+  const Command_line line(usage, arguments, [](po::options_description_easy_init add) {
+    add("bulge", po::value<std::string>(), "R, the freedom in the shape: beta becomes quartic; 0");
+    add("kernel", po::value<std::string>()->default_value("exact"), "construct in exact numbers, or in double");
+    add("output,o", po::value<std::string>(), "write both surfaces, .g2");
+  });
+  if (line.help()) return requirement_met;
+  if (line.files().size() != 3) throw std::invalid_argument("connect: three files are needed; see --help");
+  if (!line.has("output")) throw std::invalid_argument("connect: -o RIBBON.g2 is needed");
+  return line.choice("kernel", {"exact", "double"}) == "exact" ? connect<CGAL::Exact_rational>(line)
+                                                               : connect<double>(line);
+}

@@ -1,0 +1,63 @@
+// Copyright (c) 2026 The Geometric_continuity developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+/*!
+\ingroup PkgGeometricContinuityConcepts
+The concept `ParametricSurface` describes a surface over a rectangle of parameters that can give its points and
+derivatives.
+
+\cgalConcept
+
+What needs nothing but points and derivatives, such as a normal or a tessellation, is written for this concept. Whether
+two surfaces continue each other along a whole edge cannot be decided from single points; this is decided for polynomial
+patches, from their control points, see `CGAL::Geometric_continuity::edge_continuity()`.
+
+\cgalHasModelsBegin
+\cgalHasModel{CGAL::Geometric_continuity::Bezier_patch}
+\cgalHasModelsEnd
+
+\sa `GeometricContinuityTraits`
+\sa `ParametricCurve`
+*/
+class ParametricSurface {
+public:
+  /// \name Types
+  /// @{
+
+  /*!
+  A model of `GeometricContinuityTraits`. Normals exist in dimension 3.
+  */
+  typedef unspecified_type Traits;
+
+  /// @}
+
+  /// \name Operations
+  /// @{
+
+  /*!
+  The first and the last value of the parameter `u`.
+  */
+  std::pair<Traits::FT, Traits::FT> domain_u() const;
+
+  /*!
+  The first and the last value of the parameter `v`.
+  */
+  std::pair<Traits::FT, Traits::FT> domain_v() const;
+
+  /*!
+  The point of the surface at the parameters (`u`, `v`) of its domain, and all partial derivatives
+  \f$ \partial^{i+j} S / \partial u^i \partial v^j \f$ with `i + j <= k`, for `k >= 0`. Derivatives that vanish, such as
+  those beyond the degree of a polynomial surface, must be given as zero vectors.
+
+  `CGAL::Geometric_continuity::normal()` of the result with `k == 1` is the normal \f$ S_u \times S_v \f$.
+  */
+  CGAL::Geometric_continuity::Surface_jet<Traits> jet(const Traits::FT& u, const Traits::FT& v, int k) const;
+
+  /*!
+  The point at (`u`, `v`).
+  */
+  Traits::Point operator()(const Traits::FT& u, const Traits::FT& v) const;
+
+  /// @}
+};
