@@ -16,6 +16,7 @@ typedef std::vector<std::string> Arguments;
 
 // Each command reads its own arguments; errors are exceptions.
 int blend_command(const Arguments& arguments);
+int connect_command(const Arguments& arguments);
 int extend_command(const Arguments& arguments);
 int plot_command(const Arguments& arguments);
 int verify_command(const Arguments& arguments);

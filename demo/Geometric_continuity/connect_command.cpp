@@ -70,7 +70,7 @@ template <class FT> int connect(const Command_line& line) {
 int connect_command(const Arguments& arguments) {
   const Command_line line(usage, arguments, [](po::options_description_easy_init add) {
     add("bulge", po::value<std::string>(), "R, the freedom in the shape: beta becomes quartic; 0");
-    add("kernel", po::value<std::string>()->default_value("exact"), "construct in exact numbers, or in double");
+    add("kernel", po::value<std::string>()->default_value("exact"), "construct in exact numbers, or round to double");
     add("output,o", po::value<std::string>(), "write both surfaces, .g2");
   });
   if (line.help()) return requirement_met;

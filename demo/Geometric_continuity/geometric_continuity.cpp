@@ -13,6 +13,7 @@ namespace {
 const char* const usage = "usage: geometric_continuity COMMAND [ARGUMENTS]\n"
                           "\n"
                           "  blend   A.g2 B.g2     blend the end of A into the start of B, and prove both joins\n"
+                          "  connect C.g2 C1 C2    two surfaces that meet with G1 continuity along a cubic spline\n"
                           "  extend  A.g2          append a segment with continuous tangent, curvature or torsion\n"
                           "  verify  FILE.g2...    decide the continuity of every join of a chain, exactly\n"
                           "  plot    FILE.g2...    draw curves, control polygons and curvature combs\n"
@@ -22,6 +23,7 @@ const char* const usage = "usage: geometric_continuity COMMAND [ARGUMENTS]\n"
 
 int run(const std::string& command, const Arguments& arguments) {
   if (command == "blend") return blend_command(arguments);
+  if (command == "connect") return connect_command(arguments);
   if (command == "extend") return extend_command(arguments);
   if (command == "verify") return verify_command(arguments);
   if (command == "plot") return plot_command(arguments);

@@ -52,6 +52,8 @@
 #include <CGAL/Geometric_continuity/construction/septic_strategies.h>
 
 #include <CGAL/Geometric_continuity/surfaces/Bezier_patch.h>
+#include <CGAL/Geometric_continuity/surfaces/Bspline_surface.h>
+#include <CGAL/Geometric_continuity/surfaces/connect_g1.h>
 #include <CGAL/Geometric_continuity/surfaces/model_continuity.h>
 #include <CGAL/Geometric_continuity/surfaces/patch_continuity.h>
 

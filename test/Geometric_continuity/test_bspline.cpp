@@ -29,6 +29,7 @@
 #include <CGAL/Geometric_continuity/construction/blend.h>
 #include <CGAL/Geometric_continuity/continuity/knot_continuity.h>
 #include <CGAL/Geometric_continuity/curves/Bspline_curve.h>
+#include <CGAL/Geometric_continuity/curves/Composite_bezier_curve.h>
 #include <CGAL/Simple_cartesian.h>
 
 #include <algorithm>
@@ -940,6 +941,8 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(bezier_curves_and_back, K, Kernels) {
               joined.control_point(4) == y && joined.control_point(6) == z);
   BOOST_CHECK(joined.coordinates(1)[1] == FT(1));
   BOOST_CHECK(joined(FT(5)) == z);
+  const GC::Composite_bezier_curve<Traits3<K>> segmented(mixed.begin(), mixed.end());
+  BOOST_CHECK(Curve(segmented.segments().begin(), segmented.segments().end()) == joined);
   const std::vector<Bezier> gap{line, far}, none;
   BOOST_CHECK_EQUAL(error_of([&] { Curve(gap.begin(), gap.end()); }),
                     "curves_do_not_meet: Bspline_curve: Bezier curve 1");

@@ -220,6 +220,12 @@ BOOST_AUTO_TEST_CASE(other_jets_are_not_congruent) {
         z[j] += y[1];
         BOOST_CHECK(!GC::congruence(x, z));
       }
+      const Column<Traits> normal = GC::frenet_frame(y)->coordinates(d);
+      for (int j = d; j <= k; ++j) { // with the same dot products, but another determinant
+        Jet<Traits> z = y;
+        z[j] -= Q(2 * dot(y[j], normal) / dot(normal, normal)) * normal;
+        BOOST_CHECK(!GC::congruence(x, z));
+      }
       // equal invariants with another speed
       Jet<Traits> fast = y;
       Q factor(1);

@@ -26,6 +26,7 @@ template <class Test> void in_every_space(Test test) {
 }
 
 #include "typed/algebra.h"
+#include "typed/alternatives.h"
 #include "typed/bezier_curve.h"
 #include "typed/blend_quintic.h"
 #include "typed/blend_septic.h"

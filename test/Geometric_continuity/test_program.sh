@@ -42,7 +42,7 @@ S=$data/lmroman10-regular_S_0.g2 L=$data/space_left.g2 R=$data/space_right.g2
 
 # help and usage
 run 0 --help && says out "blend" "extend" "verify" "plot"
-for command in blend extend verify plot; do run 0 $command --help && says out "usage: geometric_continuity $command"; done
+for command in blend connect extend verify plot; do run 0 $command --help && says out "usage: geometric_continuity $command"; done
 run 2 && run 2 nonsense && says err "unknown command"
 run 2 verify && run 2 verify --nonsense "$S" && run 2 blend "$L" && run 2 plot "$L"
 
@@ -108,6 +108,18 @@ run 2 extend "$L" --order torsion --toward 1,2,3 --c0 1 -o no.g2 && run 2 extend
 printf '100 1 0 0\n2 0\n2 2\n0 0 1 1\n0 0\n1 0\n' >line.g2
 run 2 extend line.g2 --order curvature -o no.g2 && says err "wrong_number_of_points"
 run 0 extend line.g2 --order tangent -o two.g2 && run 2 plot line.g2 --alternatives -o no.svg
+
+# connect: a flat ribbon, one that folds, curves that do not fit
+cubic() { printf '100 1 0 0\n3 0\n4 4\n0 0 0 0 1 1 1 1\n%s\n' "$1"; }
+cubic $'0 0 0\n1 0 0\n2 0 0\n3 0 0' >c.g2
+cubic $'0 1 0\n1 1 0\n2 1 0\n3 1 0' >c1.g2
+cubic $'0 -1 0\n1 -1 0\n2 -1 0\n3 -1 0' >c2.g2
+cubic $'0 3 0\n1 3 0\n2 3 0\n3 3 0' >c3.g2
+run 0 connect c.g2 c1.g2 c2.g2 -o ribbon.g2 && says ribbon.g2 "200 1 0 0" "7 7"
+run 0 verify ribbon.g2 --surfaces --require G1 && says out "1 G2"
+run 1 connect c.g2 c1.g2 c3.g2 -o fold.g2
+run 2 connect c.g2 c1.g2 c1.g2 -o no.g2 && says err "singular_frame"
+run 2 connect c.g2 c1.g2 -o no.g2
 
 # surfaces
 run 0 verify "$teapot" --surfaces --json && says out '"summary":{"G2":24,"G1":20,"G0":8,"boundary":16,"collapsed":8'

@@ -201,8 +201,8 @@ bspline_remove(const Knot_vector<FT>& knots, const Coefficients& c, const FT& u,
 }
 
 /// \ingroup PkgGeometricContinuityAlgebra
-/// The knots without those inner copies that the spline does not need, by `bspline_smoothness()`. Its coefficients over them
-/// are those of `bspline_remove()`, or, all at once, `bspline_from_bezier()` of `bspline_bezier()`. \f$ O(n p^3) \f$
+/// The knots without those inner copies that the spline does not need, by `bspline_smoothness()`.
+/// `Bspline_function::remove_superfluous_knots()` is the function over them. \f$ O(n p^3) \f$
 /// \throws Error `wrong_number_of_points` unless there are `n` coefficients
 template <class FT, class Coefficients>
 Knot_vector<FT> minimal_knots(const Knot_vector<FT>& knots, const Coefficients& c) {

@@ -154,7 +154,8 @@ public:
   /// The edge as a curve over the knots of the surface. \f$ O(m q + q^2) \f$ for an edge run through by `u`
   Bspline_curve<Traits> boundary_curve(Patch_edge edge) const {
     std::vector<Point> points;
-    for (const Coordinates& x : rows(edge, 0)[0]) points.push_back(internal::to_point<Traits>(x));
+    const std::vector<Row<FT>> edge_row = rows(edge, 0);
+    for (const Coordinates& x : edge_row[0]) points.push_back(internal::to_point<Traits>(x));
     return Bspline_curve<Traits>(points.begin(), points.end(), knots_along(edge));
   }
 
