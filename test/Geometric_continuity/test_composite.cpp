@@ -15,6 +15,7 @@
 #include <CGAL/Geometric_continuity/Traits_2.h>
 #include <CGAL/Geometric_continuity/Traits_3.h>
 #include <CGAL/Geometric_continuity/Traits_d.h>
+#include <CGAL/Geometric_continuity/construction/extend.h>
 #include <CGAL/Geometric_continuity/continuity/chain_continuity.h>
 #include <CGAL/Geometric_continuity/curves/Composite_bezier_curve.h>
 #include <CGAL/Geometric_continuity/curves/polygon_invariants.h>
@@ -767,4 +768,29 @@ BOOST_AUTO_TEST_CASE(exact_predicates_read_points_and_knots_as_given) {
       GC::chain_continuity(Composite<Epick_3>(p.begin(), p.end(), {-1e-17, 1, 2}), 1).joins[0].continuity.c_order, 0);
   BOOST_CHECK_EQUAL(
       GC::chain_continuity(Composite<Epick_3>(p.begin(), p.end(), {0, 1, 2}), 1).joins[0].continuity.c_order, 1);
+}
+
+// A curve keeps its segments when it is extended or closed, and the new joins have the order that was asked for.
+BOOST_AUTO_TEST_CASE(extended_and_closed) {
+  Random random;
+  typedef GC::Composite_bezier_curve<Exact_3> Composite;
+  for (GC::Continuity_order order :
+       {GC::Continuity_order::tangent, GC::Continuity_order::curvature, GC::Continuity_order::torsion}) {
+    const int f_order = static_cast<int>(order);
+    const Composite curve = random.curve<Exact_3>(4, 2);
+    const Composite longer = GC::extend(curve, order, {Q(1, 3), Q(2), Q(5), Q(-1)});
+    BOOST_REQUIRE_EQUAL(longer.number_of_segments(), 3);
+    BOOST_CHECK(longer.segment_range(0, 2) == curve);
+    BOOST_CHECK(longer.lambda(2) == longer.lambda(1) / 3);
+    BOOST_CHECK_GE(GC::chain_continuity(longer).joins[1].continuity.f_order, f_order);
+
+    const Composite closed = GC::close(curve, order);
+    BOOST_REQUIRE_EQUAL(closed.number_of_segments(), 3);
+    BOOST_REQUIRE(closed.is_closed());
+    const GC::Composite_continuity<Exact_3> report = GC::chain_continuity(closed);
+    BOOST_CHECK_GE(report.joins[1].continuity.f_order, f_order);
+    BOOST_CHECK_GE(report.joins[2].continuity.f_order, f_order);
+    for (int l = 0; l < 2; ++l)
+      BOOST_CHECK(closed.segment(l) == curve.segment(l).elevate(closed.degree() - curve.degree()));
+  }
 }
