@@ -31,27 +31,29 @@ const char* const usage =
     "G1 is decided exactly on the result, along the whole of C. Exit code: 0 G1, 1 not, e.g. because of a fold, 2 bad "
     "input.\n";
 
-template <class FT> using Traits = GC::Traits_3<CGAL::Simple_cartesian<FT>>;
+typedef CGAL::Exact_rational FT;
+typedef GC::Traits_3<CGAL::Simple_cartesian<FT>> Traits;
+typedef GC::Bspline_curve<Traits> Curve;
 
 // The only curve of a file.
-template <class FT> GC::Bspline_curve<Traits<FT>> read_curve(const std::string& name) {
+Curve read_curve(const std::string& name) {
   std::ifstream stream(name);
   if (!stream) throw GC::Error(GC::Error_code::cannot_read_file, name);
-  const std::vector<GC::Bspline_curve<Traits<FT>>> curves = GC::read_g2_bsplines<Traits<FT>>(stream, name);
+  const std::vector<Curve> curves = GC::read_g2_bsplines<Traits>(stream, name);
   if (curves.size() != 1)
     throw GC::Error(GC::Error_code::malformed_input,
                     name + ": " + std::to_string(curves.size()) + " curves where one is expected");
   return curves[0];
 }
 
-template <class FT> int connect(const Command_line& line) {
+int connect(const Command_line& line) {
   const Arguments files = line.files();
-  const GC::G1_ribbon<Traits<FT>> ribbon = connect_g1(read_curve<FT>(files[0]), read_curve<FT>(files[1]),
-                                                      read_curve<FT>(files[2]), line.number("bulge", FT(0)));
+  const GC::G1_ribbon<Traits> ribbon =
+      connect_g1(read_curve(files[0]), read_curve(files[1]), read_curve(files[2]), line.number("bulge", FT(0)));
   std::cout << ribbon << '\n';
   bool g1 = true;
   const std::vector<int> spans = ribbon.side1.knots_u().spans();
-  const std::vector<GC::Edge_continuity<CGAL::Exact_rational>> continuity = ribbon.continuity();
+  const std::vector<GC::Edge_continuity<FT>> continuity = ribbon.continuity();
   for (std::size_t i = 0; i < spans.size(); ++i) {
     std::cout << "on [" << ribbon.side1.knots_u()[spans[i]] << ", " << ribbon.side1.knots_u()[spans[i] + 1]
               << "]: " << continuity[i] << '\n';
@@ -70,12 +72,10 @@ template <class FT> int connect(const Command_line& line) {
 int connect_command(const Arguments& arguments) {
   const Command_line line(usage, arguments, [](po::options_description_easy_init add) {
     add("bulge", po::value<std::string>(), "R, the freedom in the shape: beta becomes quartic; 0");
-    add("kernel", po::value<std::string>()->default_value("exact"), "construct in exact numbers, or round to double");
     add("output,o", po::value<std::string>(), "write both surfaces, .g2");
   });
   if (line.help()) return requirement_met;
   if (line.files().size() != 3) throw std::invalid_argument("connect: three files are needed; see --help");
   if (!line.has("output")) throw std::invalid_argument("connect: -o RIBBON.g2 is needed");
-  return line.choice("kernel", {"exact", "double"}) == "exact" ? connect<CGAL::Exact_rational>(line)
-                                                               : connect<double>(line);
+  return connect(line);
 }

@@ -847,6 +847,10 @@ template <class Traits> void check_curve_operations(Random<typename Traits::FT>&
     BOOST_CHECK(c.start_jet(3)[2][i] == x.right_derivatives(c.domain().first, 2)[2]);
     BOOST_CHECK(c.end_jet(3)[2][i] == x.left_derivatives(c.domain().second, 2)[2]);
   });
+  if (c.knots().is_clamped()) { // exactly, in floating point as well
+    BOOST_CHECK(c.start_jet(2)[0] == c.coordinates(0));
+    BOOST_CHECK(c.end_jet(2)[0] == c.coordinates(c.number_of_points() - 1));
+  }
   if constexpr (exact_v<FT>) {
     BOOST_CHECK(minimal == c || minimal.knots() != c.knots());
     for (const Knot<FT>& knot : c.knots().inner_knots()) BOOST_CHECK(!c.remove(knot.value));

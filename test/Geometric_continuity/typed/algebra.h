@@ -193,6 +193,8 @@ BOOST_AUTO_TEST_CASE(signs_of_whole_coefficients) {
       {whole({1, -1, 1}), Sign::nonnegative},                 // (2t-1)^2
       {whole({2, -1, 1}), Sign::positive},                    // 5t^2-6t+2
       {whole({1, -2, 1}), Sign::mixed},                       // two roots
+      {whole({1, -2, 3}), Sign::mixed},                       // (1-2t)(1-4t): the middle is a root
+      {whole({0, 2, -2, 3}), Sign::nonnegative},              // 3t(5t^2-6t+2): zero at 0 only
       {whole({0, -1, 1}), Sign::mixed},                       // a root at 0 and one inside
       {whole({0, 1, -1, 1, 0}), Sign::nonnegative},           // 2t(1-t)(7t^2-7t+2)
       {whole({0, 1, -1, 0}), Sign::mixed},                    // 3t(1-t)(1-2t)
