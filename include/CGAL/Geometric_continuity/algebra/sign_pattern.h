@@ -6,8 +6,8 @@
 #define CGAL_GEOMETRIC_CONTINUITY_ALGEBRA_SIGN_PATTERN_H
 
 #include <CGAL/Geometric_continuity/algebra/Bernstein_polynomial.h>
-#include <CGAL/Geometric_continuity/internal/exact_field.h>
-#include <CGAL/Geometric_continuity/internal/sign_of.h>
+#include <CGAL/Geometric_continuity/algebra/exact_field.h>
+#include <CGAL/Geometric_continuity/algebra/sign_of.h>
 
 #include <ostream>
 #include <string>

@@ -7,8 +7,8 @@
 
 #include <CGAL/Geometric_continuity/algebra/Coordinate_vector.h>
 #include <CGAL/Geometric_continuity/algebra/Homogeneous_polynomial.h>
+#include <CGAL/Geometric_continuity/algebra/exact_field.h>
 #include <CGAL/Geometric_continuity/internal/Decision_ring.h>
-#include <CGAL/Geometric_continuity/internal/exact_field.h>
 
 #include <algorithm>
 #include <string>

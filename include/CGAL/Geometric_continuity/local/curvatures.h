@@ -6,7 +6,7 @@
 #define CGAL_GEOMETRIC_CONTINUITY_LOCAL_CURVATURES_H
 
 #include <CGAL/Geometric_continuity/algebra/determinant.h>
-#include <CGAL/Geometric_continuity/internal/sign_of.h>
+#include <CGAL/Geometric_continuity/algebra/sign_of.h>
 #include <CGAL/Geometric_continuity/local/Curve_jet.h>
 
 #include <optional>

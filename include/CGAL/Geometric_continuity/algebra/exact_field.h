@@ -2,8 +2,8 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-#ifndef CGAL_GEOMETRIC_CONTINUITY_INTERNAL_EXACT_FIELD_H
-#define CGAL_GEOMETRIC_CONTINUITY_INTERNAL_EXACT_FIELD_H
+#ifndef CGAL_GEOMETRIC_CONTINUITY_ALGEBRA_EXACT_FIELD_H
+#define CGAL_GEOMETRIC_CONTINUITY_ALGEBRA_EXACT_FIELD_H
 
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Geometric_continuity/Error.h>
@@ -39,4 +39,4 @@ template <class Field, class FT> Field to_field(const FT& x) {
 } // namespace Geometric_continuity
 } // namespace CGAL
 
-#endif // CGAL_GEOMETRIC_CONTINUITY_INTERNAL_EXACT_FIELD_H
+#endif // CGAL_GEOMETRIC_CONTINUITY_ALGEBRA_EXACT_FIELD_H

@@ -2,8 +2,8 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-#ifndef CGAL_GEOMETRIC_CONTINUITY_INTERNAL_SIGN_OF_H
-#define CGAL_GEOMETRIC_CONTINUITY_INTERNAL_SIGN_OF_H
+#ifndef CGAL_GEOMETRIC_CONTINUITY_ALGEBRA_SIGN_OF_H
+#define CGAL_GEOMETRIC_CONTINUITY_ALGEBRA_SIGN_OF_H
 
 namespace CGAL {
 namespace Geometric_continuity {
@@ -16,4 +16,4 @@ template <class FT> int sign_of(const FT& x) { return FT(0) < x ? 1 : x < FT(0) 
 } // namespace Geometric_continuity
 } // namespace CGAL
 
-#endif // CGAL_GEOMETRIC_CONTINUITY_INTERNAL_SIGN_OF_H
+#endif // CGAL_GEOMETRIC_CONTINUITY_ALGEBRA_SIGN_OF_H
