@@ -163,18 +163,33 @@ public:
   /// across it, with respect to the parameter that grows into the surface. Rows beyond the degree are zero. Control points
   /// and knots are converted to `Field` before anything is computed.
   template <class Field = FT> std::vector<Row<Field>> rows(Patch_edge edge, int k) const {
-    const Knot_vector<FT>& across = knots_across(edge);
     const bool upper = at_upper_end(edge);
-    const FT parameter = upper ? across.domain().second : across.domain().first;
-    const int m = knots_along(edge).number_of_coefficients(), span = across.span(parameter);
-    std::vector<Row<Field>> rows(k + 1, Row<Field>(m, Coordinate_vector<Field, N>(dimension())));
+    const Interval across = knots_across(edge).domain();
+    return rows_at<Field>(runs_along_u(edge), upper ? across.second : across.first, upper, k);
+  }
+
+  /// The rows 0 to `k` at the line on which `v` (if `along_u`) or `u` is a given parameter of the domain: the coefficients,
+  /// over the knots along the line, of the line and of the first `k` derivatives across it, of the part of the surface at
+  /// larger parameters or, if `from_below`, at smaller ones, with respect to the parameter that grows into that part. At an
+  /// end of the domain they are those of the only part.
+  /// \throws Error `parameter_outside_domain`
+  template <class Field = FT>
+  std::vector<Row<Field>> rows_at(bool along_u, const FT& parameter, bool from_below, int k) const {
+    const Knot_vector<FT>& across = along_u ? v_ : u_;
+    const int q = across.degree(), m = (along_u ? u_ : v_).number_of_coefficients(),
+              span = from_below ? across.left_span(parameter) : across.span(parameter);
+    std::vector<Field> knots; // next to the line, with the control points that belong to them
+    for (int j = span - q; j <= span + q; ++j) knots.push_back(internal::to_field<Field>(across[j]));
+    std::vector<Row<Field>> points(m);
     for (int i = 0; i < m; ++i)
-      internal::derivatives_over<Field>(
-          across, span, parameter, k,
-          [&](int j) {
-            return internal::coordinates<Traits, Field>(runs_along_u(edge) ? control_point(i, j) : control_point(j, i));
-          },
-          [&](int r, const Coordinate_vector<Field, N>& x) { rows[r][i] = Field(upper && r % 2 == 1 ? -1 : 1) * x; });
+      for (int j = span - q; j <= span; ++j)
+        points[i].push_back(internal::coordinates<Traits, Field>(along_u ? control_point(i, j) : control_point(j, i)));
+    std::vector<Row<Field>> rows(k + 1, Row<Field>(m, Coordinate_vector<Field, N>(dimension())));
+    internal::derivative_weights(knots, q, q, internal::to_field<Field>(parameter), k,
+                                 [&](int r, const internal::Spline_weights<Field>& weights) {
+                                   const Field sign(from_below && r % 2 == 1 ? -1 : 1);
+                                   for (int i = 0; i < m; ++i) rows[r][i] = sign * weights(points[i]);
+                                 });
     return rows;
   }
 

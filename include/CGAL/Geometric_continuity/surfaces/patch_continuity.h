@@ -5,7 +5,7 @@
 #ifndef CGAL_GEOMETRIC_CONTINUITY_SURFACES_PATCH_CONTINUITY_H
 #define CGAL_GEOMETRIC_CONTINUITY_SURFACES_PATCH_CONTINUITY_H
 
-#include <CGAL/Geometric_continuity/continuity/edge_continuity.h>
+#include <CGAL/Geometric_continuity/continuity/spline_edge_continuity.h>
 #include <CGAL/Geometric_continuity/surfaces/Bezier_patch.h>
 
 #include <utility>
@@ -21,10 +21,23 @@ template <class Traits> using Edge_field = typename internal::Exact_field<intern
 
 namespace internal {
 
-template <class Traits> void require_space(const Bezier_patch<Traits>& patch, const char* function) {
-  static_assert(dimension_v<Traits> == 0 || dimension_v<Traits> == 3, "surfaces are compared in dimension 3");
-  if (patch.dimension() != 3)
+template <class Surface> void require_space(const Surface& surface, const char* function) {
+  static_assert(Surface::N == 0 || Surface::N == 3, "surfaces are compared in dimension 3");
+  if (surface.dimension() != 3)
     throw Error(Error_code::dimension_mismatch, std::string(function) + ": surfaces are compared in dimension 3");
+}
+
+// From the rows 0, 1 and 2.
+template <class Field, class Rows> Edge_rows<Field> edge_rows_in_space(const Rows& rows) {
+  const auto in_space = [](const auto& row) {
+    typename Edge_rows<Field>::Row result;
+    for (const auto& x : row) {
+      result.emplace_back(3);
+      for (int i = 0; i < 3; ++i) result.back()[i] = x[i];
+    }
+    return result;
+  };
+  return {in_space(rows[0]), in_space(rows[1]), in_space(rows[2])};
 }
 
 } // namespace internal
@@ -37,16 +50,7 @@ template <class Traits> void require_space(const Bezier_patch<Traits>& patch, co
 template <class Field, class Traits>
 Edge_rows<Field> edge_rows_over(const Bezier_patch<Traits>& patch, Patch_edge edge) {
   internal::require_space(patch, "edge_rows");
-  typedef typename Edge_rows<Field>::Row Row;
-  std::vector<Row> result;
-  for (const auto& row : patch.template rows<Field>(edge, 2)) {
-    result.emplace_back();
-    for (const auto& x : row) {
-      result.back().emplace_back(3);
-      for (int i = 0; i < 3; ++i) result.back().back()[i] = x[i];
-    }
-  }
-  return {std::move(result[0]), std::move(result[1]), std::move(result[2])};
+  return internal::edge_rows_in_space<Field>(patch.template rows<Field>(edge, 2));
 }
 
 /// \ingroup PkgGeometricContinuitySurfaces
@@ -57,9 +61,22 @@ template <class Traits> Edge_rows<Edge_field<Traits>> edge_rows(const Bezier_pat
 }
 
 /// \ingroup PkgGeometricContinuitySurfaces
+/// The same rows as splines over the domain of the edge.
+/// \throws Error `dimension_mismatch` unless in dimension 3
+template <class Traits>
+Spline_edge_rows<Edge_field<Traits>> spline_edge_rows(const Bezier_patch<Traits>& patch, Patch_edge edge) {
+  typedef Edge_field<Traits> Field;
+  const typename Bezier_patch<Traits>::Interval domain = patch.domain(edge);
+  return {Knot_vector<Field>(patch.degree_along(edge), internal::to_field<Field>(domain.first),
+                             internal::to_field<Field>(domain.second)),
+          edge_rows(patch, edge)};
+}
+
+/// \ingroup PkgGeometricContinuitySurfaces
 /// Decides the continuity of two patches along an edge of each, exactly, on the whole closed edge and with every kernel:
-/// the control points are taken as they are given. The edge of `b` may run backwards, and the degrees may differ. See the
-/// function for `Edge_rows`.
+/// the control points are taken as they are given. The edge of `b` may run backwards, and degrees and domains may differ.
+/// When the edges are not the same, the part that they have in common is decided, e.g. where several patches meet one long
+/// edge; members of the result say which part of each edge it is. See the function for `Spline_edge_rows`.
 ///
 /// All parameters in the result are those of the domain of the edge of `a`, without rounding. For two edges of one patch
 /// that closes up, `a` and `b` are the same patch.
@@ -67,22 +84,9 @@ template <class Traits> Edge_rows<Edge_field<Traits>> edge_rows(const Bezier_pat
 /// A number of operations with integers that is quadratic in the degree, plus the search for the largest angle where the
 /// patches are not \f$ G^1 \f$. \throws Error `dimension_mismatch` unless in dimension 3
 template <class Traits>
-Edge_continuity<Edge_field<Traits>> edge_continuity(const Bezier_patch<Traits>& a, Patch_edge edge_a,
-                                                    const Bezier_patch<Traits>& b, Patch_edge edge_b) {
-  typedef Edge_field<Traits> Field;
-  Edge_continuity<Field> result = edge_continuity(edge_rows(a, edge_a), edge_rows(b, edge_b));
-  const Field begin = internal::to_field<Field>(a.domain(edge_a).first),
-              length = internal::to_field<Field>(a.domain(edge_a).second) - begin;
-  const auto to_domain = [&](Field& t) { t = Field(begin + t * length); };
-  if (result.vanishing) {
-    to_domain(result.vanishing->first);
-    to_domain(result.vanishing->second);
-  }
-  if (result.deviation) {
-    to_domain(result.deviation->begin);
-    to_domain(result.deviation->end);
-  }
-  return result;
+Spline_edge_continuity<Edge_field<Traits>> edge_continuity(const Bezier_patch<Traits>& a, Patch_edge edge_a,
+                                                           const Bezier_patch<Traits>& b, Patch_edge edge_b) {
+  return edge_continuity(spline_edge_rows(a, edge_a), spline_edge_rows(b, edge_b));
 }
 
 /// \ingroup PkgGeometricContinuitySurfaces
