@@ -10,10 +10,13 @@
 #include <CGAL/Geometric_continuity.h>
 #include <CGAL/Geometric_continuity/IO/g2.h>
 
+#include <algorithm>
 #include <fstream>
 #include <memory>
 #include <optional>
 #include <string>
+#include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace GC = CGAL::Geometric_continuity;
@@ -35,27 +38,49 @@ template <class FT, int Degree> Exact_curve exact(const GC::Bezier_curve<Program
   return Exact_curve(points.begin(), points.end(), Exact(curve.domain().first), Exact(curve.domain().second));
 }
 
-// The curves of several files, one after the other; only one is kept in memory.
-template <class FT> class Curve_stream {
+inline GC::Bspline_curve<Program_traits<Exact>> exact(const GC::Bspline_curve<Program_traits<double>>& curve) {
+  std::vector<Exact_curve::Point> points;
+  for (int j = 0; j < curve.number_of_points(); ++j) {
+    const GC::Coordinate_vector<double, 0> x = curve.coordinates(j);
+    const std::vector<Exact> c(x.begin(), x.end());
+    points.push_back(Exact_curve::Point(x.dimension(), c.begin(), c.end()));
+  }
+  return {points.begin(), points.end(),
+          GC::Knot_vector<Exact>(curve.degree(), std::vector<Exact>(curve.knots().begin(), curve.knots().end()))};
+}
+
+// The curves of several files, one after the other; only one is kept in memory. A curve with inner knots is cut into its
+// Bezier curves. Numbers are read as FT, and everything behind that is computed in Result.
+template <class FT, class Result = FT> class Curve_stream {
   std::vector<std::string> files_;
   std::size_t next_file_ = 0;
   std::ifstream stream_;
-  std::optional<GC::G2_curve_reader<Program_traits<FT>>> reader_;
+  std::optional<GC::G2_bspline_reader<Program_traits<FT>>> reader_;
+  std::vector<Program_curve<Result>> pieces_; // the rest of a curve, last piece first
   int dimension_ = 0;
+
+  void cut(const GC::Bspline_curve<Program_traits<FT>>& curve) {
+    if constexpr (std::is_same_v<FT, Result>)
+      pieces_ = curve.bezier_pieces();
+    else
+      pieces_ = exact(curve).bezier_pieces();
+    std::reverse(pieces_.begin(), pieces_.end());
+  }
 
 public:
   explicit Curve_stream(const std::vector<std::string>& files) : files_(files) {}
 
-  std::optional<Program_curve<FT>> next() {
-    for (;;) {
+  std::optional<Program_curve<Result>> next() {
+    while (pieces_.empty()) {
       if (reader_)
-        if (std::optional<Program_curve<FT>> curve = reader_->next()) {
+        if (const std::optional<GC::Bspline_curve<Program_traits<FT>>> curve = reader_->next()) {
           if (dimension_ != 0 && curve->dimension() != dimension_)
             throw GC::Error(GC::Error_code::dimension_mismatch,
                             files_[next_file_ - 1] + ": dimension " + std::to_string(curve->dimension()) +
                                 " after a curve of dimension " + std::to_string(dimension_));
           dimension_ = curve->dimension();
-          return curve;
+          cut(*curve);
+          continue;
         }
       if (next_file_ == files_.size()) return std::nullopt;
       const std::string& name = files_[next_file_++];
@@ -65,6 +90,9 @@ public:
       if (!stream_) throw GC::Error(GC::Error_code::cannot_read_file, name);
       reader_.emplace(stream_, name);
     }
+    std::optional<Program_curve<Result>> piece = std::move(pieces_.back());
+    pieces_.pop_back();
+    return piece;
   }
 };
 

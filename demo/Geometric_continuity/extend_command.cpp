@@ -22,7 +22,8 @@ const char* const usage =
     "with p = b0 - b-1, r = b-2 - b-1. What is not given continues the curve as smoothly as possible; with --toward "
     "the\n"
     "segment ends at the point, or as near as it can, with the least energy. The join is decided exactly on the "
-    "result.\n";
+    "result.\n"
+    "Of a curve with inner knots the last span decides; all curves are written as Bezier curves.\n";
 
 // The coordinates of --toward.
 template <class FT> typename Program_curve<FT>::Point point(const std::string& text, int dimension) {

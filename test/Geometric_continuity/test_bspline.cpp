@@ -27,6 +27,8 @@
 #include <CGAL/Geometric_continuity/Traits_d.h>
 #include <CGAL/Geometric_continuity/algebra/Bspline_function.h>
 #include <CGAL/Geometric_continuity/construction/blend.h>
+#include <CGAL/Geometric_continuity/construction/extend_curves.h>
+#include <CGAL/Geometric_continuity/continuity/chain_continuity.h>
 #include <CGAL/Geometric_continuity/continuity/knot_continuity.h>
 #include <CGAL/Geometric_continuity/curves/Bspline_curve.h>
 #include <CGAL/Geometric_continuity/curves/Composite_bezier_curve.h>
@@ -904,6 +906,8 @@ BOOST_AUTO_TEST_CASE(curves_over_an_archetype) {
   BOOST_CHECK_EQUAL(knot_continuity(c, FT(1)).c_order, 1);
   BOOST_CHECK_EQUAL(knot_continuities(c).size(), 1u);
   BOOST_CHECK_EQUAL(continuity(c, blend(c, c), 2).g_order, 2);
+  BOOST_CHECK_EQUAL(GC::extend(c, GC::Continuity_order::curvature).number_of_points(), 6);
+  BOOST_CHECK_EQUAL(GC::extend_toward(c, GC::Continuity_order::tangent, point(9, 1)).number_of_points(), 6);
   BOOST_CHECK_EQUAL((f + f)[1] == FT(6), true);
 }
 
@@ -1108,6 +1112,93 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(splines_are_blended_and_joined, K, Kernels) {
                           3 - phi.knots().multiplicity(pieces[i].domain().first));
     } else if constexpr (exact_predicates_v<K>) // the clamped end point is a control point, taken over without rounding
       BOOST_CHECK(continuity(phi.clamp(), blend(phi.clamp(), psi), 2).c_order >= 0);
+  });
+}
+
+// Clamped or not, and with inner knots of any multiplicity: the last span decides.
+BOOST_AUTO_TEST_CASE_TEMPLATE(splines_are_extended, K, Kernels) {
+  typedef typename K::FT FT;
+  repeat<FT>(6, [](Random<FT>& random) {
+    const int p = random.integer(3, 4);
+    const Curve3<K> c = random.template curve<Traits3<K>>(random.knots(p, p), 3), clamped = c.clamp();
+    const Bezier3<K> last = clamped.bezier_pieces().back();
+    const FT beta = ratio<FT>(random.integer(1, 9), 4);
+    const std::vector<FT> x = random.numbers(3);
+    const typename K::Point_3 wished(x[0], x[1], x[2]);
+    for (GC::Continuity_order order :
+         {GC::Continuity_order::tangent, GC::Continuity_order::curvature, GC::Continuity_order::torsion})
+      for (bool toward : {false, true}) {
+        const GC::Extension_parameters<FT> parameters{beta, random.number(), random.number(), random.number()};
+        const Curve3<K> longer = toward ? GC::extend_toward(c, order, wished, beta) : GC::extend(c, order, parameters);
+        const Bezier3<K> next =
+            toward ? GC::extend_toward(last, order, wished, beta) : GC::extend(last, order, parameters);
+        // the old control points, then those of the new segment
+        BOOST_REQUIRE_EQUAL(longer.number_of_points(), clamped.number_of_points() + p);
+        for (int i = 0; i < clamped.number_of_points(); ++i)
+          BOOST_CHECK(longer.control_point(i) == clamped.control_point(i));
+        for (int i = 1; i <= p; ++i)
+          BOOST_CHECK(longer.control_point(clamped.number_of_points() - 1 + i) == next.control_point(i));
+        // the old knots, a join of multiplicity p, and the end of the new segment
+        std::vector<Knot<FT>> inner = clamped.knots().inner_knots();
+        inner.push_back({c.domain().second, p});
+        BOOST_CHECK(longer.knots() == GC::Knot_vector<FT>(p, c.domain().first, next.domain().second, inner));
+        if (toward && static_cast<int>(order) < p) BOOST_CHECK(longer(longer.domain().second) == wished);
+        if constexpr (exact_v<FT>) {
+          BOOST_CHECK(longer.bezier_pieces().back() == next);
+          for (const FT& u : ::parameters(c.knots(), random)) BOOST_CHECK(longer.left_jet(u, p) == c.left_jet(u, p));
+          BOOST_CHECK_GE(knot_continuity(longer, c.domain().second).f_order, static_cast<int>(order));
+        } else if constexpr (exact_predicates_v<K>)
+          BOOST_CHECK_GE(knot_continuity(longer, c.domain().second).c_order, 0);
+      }
+    // without parameters the last polynomial goes on, and the join is no knot at all
+    if constexpr (exact_v<FT>) {
+      const Curve3<K> on = GC::extend(c, GC::Continuity_order::torsion, {beta, {}, {}, {}});
+      BOOST_CHECK_EQUAL(on.function().smoothness(c.domain().second), p);
+      BOOST_CHECK(on.remove_superfluous_knots().knots().inner_knots().size() == c.knots().inner_knots().size());
+    }
+    CHECK_ERROR(GC::extend(c, GC::Continuity_order::tangent, {FT(0), {}, {}, {}}), nonpositive_beta);
+    CHECK_ERROR(GC::extend_toward(c, GC::Continuity_order::tangent, wished, FT(-1)), nonpositive_beta);
+  });
+  typedef typename K::Point_3 P;
+  // only the last span is asked whether it can be extended: its points are equal, then those before it
+  const GC::Knot_vector<FT> knots(1, FT(0), FT(2), {{FT(1), 1}});
+  const std::vector<P> stops{P(0, 0, 0), P(1, 0, 0), P(1, 0, 0)}, starts{P(1, 0, 0), P(1, 0, 0), P(2, 0, 0)};
+  CHECK_ERROR(GC::extend(Curve3<K>(stops.begin(), stops.end(), knots), GC::Continuity_order::tangent), zero_tangent);
+  const Curve3<K> line = GC::extend(Curve3<K>(starts.begin(), starts.end(), knots), GC::Continuity_order::tangent);
+  BOOST_CHECK(line(FT(3)) == P(3, 0, 0));
+  CHECK_ERROR(GC::extend(line, GC::Continuity_order::curvature), wrong_number_of_points);
+  // the segment that closes a spline, from its own ends
+  const std::vector<P> arch{P(0, 0, 0), P(0, 4, 0), P(4, 4, 4), P(4, 0, 0)};
+  const Curve3<K> open(arch.begin(), arch.end(), GC::Knot_vector<FT>(2, FT(0), FT(2), {{FT(1), 1}}));
+  const Bezier3<K> closing = GC::close(open, open, GC::Continuity_order::tangent);
+  BOOST_CHECK(closing.control_point(0) == P(4, 0, 0) && closing.control_point(3) == P(0, 0, 0));
+  if constexpr (exact_v<FT>) {
+    BOOST_CHECK_EQUAL(continuity(open, closing, 1).g_order, 1);
+    BOOST_CHECK_EQUAL(continuity(closing, open, 1).g_order, 1);
+  }
+}
+
+// A chain of splines and their blends.
+BOOST_AUTO_TEST_CASE(chains_of_splines) {
+  typedef CGAL::Simple_cartesian<Q> K;
+  repeat<Q>(5, [](Random<Q>& random) {
+    const Curve3<K> phi = random.curve<Traits3<K>>(random.knots(3, 2), 3),
+                    psi = random.curve<Traits3<K>>(random.knots(4, 2), 3);
+    const std::vector<Curve3<K>> chain{phi, Curve3<K>(blend(phi, psi)), psi,
+                                       Curve3<K>(blend(psi, phi, GC::Sequential_g3()))};
+    const GC::Chain_summary summary = GC::chain_continuity(chain.begin(), chain.end(), 3, true);
+    BOOST_CHECK_EQUAL(*summary.least_order(GC::Continuity_kind::G), 2);
+    BOOST_CHECK_EQUAL(summary.counts(GC::Continuity_kind::G).at(3), 2u);
+    // the pieces as a segmented curve, and back
+    const std::vector<Bezier3<K>> pieces = phi.bezier_pieces();
+    const GC::Composite_bezier_curve<Traits3<K>> segmented(pieces.begin(), pieces.end());
+    BOOST_CHECK(Curve3<K>(segmented.segments().begin(), segmented.segments().end()).remove_superfluous_knots() ==
+                phi.clamp());
+    const auto joins = GC::chain_continuity(segmented).joins;
+    const auto knots = knot_continuities(phi);
+    BOOST_REQUIRE_EQUAL(joins.size(), knots.size());
+    for (std::size_t i = 0; i < joins.size(); ++i)
+      BOOST_CHECK_EQUAL(joins[i].continuity.c_order, knots[i].join.c_order);
   });
 }
 

@@ -15,7 +15,7 @@
 #include <CGAL/Geometric_continuity/Traits_2.h>
 #include <CGAL/Geometric_continuity/Traits_3.h>
 #include <CGAL/Geometric_continuity/Traits_d.h>
-#include <CGAL/Geometric_continuity/construction/extend.h>
+#include <CGAL/Geometric_continuity/construction/extend_curves.h>
 #include <CGAL/Geometric_continuity/continuity/chain_continuity.h>
 #include <CGAL/Geometric_continuity/curves/Composite_bezier_curve.h>
 #include <CGAL/Geometric_continuity/curves/polygon_invariants.h>
@@ -783,6 +783,12 @@ BOOST_AUTO_TEST_CASE(extended_and_closed) {
     BOOST_CHECK(longer.segment_range(0, 2) == curve);
     BOOST_CHECK(longer.lambda(2) == longer.lambda(1) / 3);
     BOOST_CHECK_GE(GC::chain_continuity(longer).joins[1].continuity.f_order, f_order);
+
+    const Exact_3::Point wished(Q(7), Q(-3, 5), Q(11));
+    const Composite toward = GC::extend_toward(curve, order, wished, Q(2));
+    BOOST_REQUIRE_EQUAL(toward.number_of_segments(), 3);
+    BOOST_CHECK(toward.segment_range(0, 2) == curve);
+    BOOST_CHECK(toward.segment(2) == GC::extend_toward(curve.segment(1), order, wished, Q(2)));
 
     const Composite closed = GC::close(curve, order);
     BOOST_REQUIRE_EQUAL(closed.number_of_segments(), 3);

@@ -538,8 +538,6 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(unequal_degrees_and_domains, K, All_kernels) {
   BOOST_CHECK(e.deviation->begin < e.deviation->end);
 }
 
-// ---------------------------------------------------------------- wrong answers of others
-
 BOOST_AUTO_TEST_CASE_TEMPLATE(folds_are_not_smooth, K, All_kernels) {
   Random random;
   // both sides of the edge: angles of tangent planes, folded to [0, 90] degrees, are all zero
@@ -558,60 +556,6 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(folds_are_not_smooth, K, All_kernels) {
   typedef GC::Edge_field<GC::Traits_3<K>> Field;
   const GC::Edge_conditions<Field> conditions(GC::edge_rows(p[0], v0), GC::edge_rows(p[1], v0));
   BOOST_CHECK(conditions.coplanar() && conditions.second_order() && !conditions.g1() && !conditions.g2());
-  // a patch with itself
-  BOOST_CHECK_EQUAL(GC::edge_continuity(p[0], v0, p[0], v0).defect, Edge_defect::fold);
-  // the side changes along the edge
-  const auto mixed = edge_along_x<K>(y_direction, direction(constant(0), line(-3, 1), constant(0)));
-  BOOST_CHECK_EQUAL(mixed.g_order, 0);
-  BOOST_CHECK_EQUAL(mixed.defect, Edge_defect::fold);
-  BOOST_CHECK_EQUAL(mixed.side, Sign_pattern::mixed);
-  BOOST_CHECK(mixed.normal_vanishes);
-  BOOST_REQUIRE(mixed.vanishing);
-  BOOST_CHECK(exact(mixed.vanishing->first) == Q(3) / Q(4) && exact(mixed.vanishing->second) == Q(3) / Q(4));
-  BOOST_REQUIRE(mixed.deviation);
-  BOOST_CHECK(mixed.deviation->upper == 2 && exact(mixed.deviation->end) > Q(3) / Q(4));
-}
-
-BOOST_AUTO_TEST_CASE_TEMPLATE(no_tolerance_has_a_sign, K, All_kernels) {
-  // det = -1 or 1 on the whole edge, and of either sign on parts of it
-  const Polynomial zs[] = {constant(-1), constant(1), line(-1, 1), Polynomial{Q(0), Q(-1), Q(0)}};
-  for (const Polynomial& z : zs) {
-    const auto e = edge_along_x<K>(y_direction, direction(constant(0), constant(-1), z));
-    BOOST_CHECK_EQUAL(e.g_order, 0);
-    BOOST_CHECK_EQUAL(e.defect, Edge_defect::crease);
-  }
-}
-
-BOOST_AUTO_TEST_CASE_TEMPLATE(coplanar_parallelograms_are_smooth, K, All_kernels) {
-  for (int skew : {-5, 0, 3}) {
-    const auto e = edge_along_x<K>(direction(constant(7), constant(1), constant(0)),
-                                   direction(constant(skew), constant(-2), constant(0)));
-    BOOST_CHECK_EQUAL(e.g_order, 2);
-    BOOST_CHECK_EQUAL(e.defect, Edge_defect::none);
-  }
-  // beta C' with any polynomial beta does not matter
-  const auto e = edge_along_x<K>(direction(Polynomial{Q(3), Q(-8), Q(1)}, constant(1), constant(0)),
-                                 direction(line(-2, 5), constant(-2), constant(0)));
-  BOOST_CHECK_EQUAL(e.g_order, 2);
-}
-
-BOOST_AUTO_TEST_CASE_TEMPLATE(bumps_between_samples, K, All_kernels) {
-  // det vanishes at all samples k/n, k = 0, ..., n, and nowhere else
-  typedef typename K::FT FT;
-  const int n = is_exact<FT> ? 20 : 4;
-  Polynomial z = Polynomial{Q(4)};
-  for (int k = 0; k <= n; ++k) z = z * Polynomial{Q(Q(-k) / Q(n)), Q(Q(n - k) / Q(n))};
-  BOOST_CHECK_EQUAL(z.degree(), n + 1);
-  const std::vector<Patch<K>> p =
-      patches<K>({net_from_rows(x_axis, y_direction), net_from_rows(x_axis, direction(constant(0), constant(-1), z))});
-  const auto e = GC::edge_continuity(p[0], v0, p[1], v0);
-  for (int k = 0; k <= n; ++k) BOOST_CHECK_EQUAL(sampled_angle<K>(p[0], p[1], FT(FT(k) / FT(n))), 0);
-  BOOST_CHECK_EQUAL(e.g_order, 0);
-  BOOST_CHECK_EQUAL(e.defect, Edge_defect::crease);
-  BOOST_REQUIRE(e.deviation);
-  BOOST_CHECK_GT(e.deviation->smallest_angle(), 0);
-  // the largest bump is next to an end
-  BOOST_CHECK(exact(e.deviation->end) <= Q(1) / Q(n) || exact(e.deviation->begin) >= Q(n - 1) / Q(n));
 }
 
 BOOST_AUTO_TEST_CASE_TEMPLATE(one_unit_in_the_last_place, K, All_kernels) {

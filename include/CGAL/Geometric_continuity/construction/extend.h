@@ -7,7 +7,6 @@
 
 #include <CGAL/Geometric_continuity/construction/alternatives.h>
 #include <CGAL/Geometric_continuity/construction/blend.h>
-#include <CGAL/Geometric_continuity/curves/Composite_bezier_curve.h>
 #include <CGAL/Geometric_continuity/curves/end_control_points.h>
 #include <CGAL/Geometric_continuity/internal/solve_positive_definite.h>
 
@@ -201,40 +200,6 @@ Bezier_curve<typename Left::Traits> close(const Left& last, const Right& first, 
   const std::vector<typename Traits::Point> end = end_control_points(y, 3);
   points.insert(points.end(), end.begin(), end.end());
   return {points.begin(), points.end()};
-}
-
-namespace internal {
-
-template <class Traits, int Degree>
-std::vector<Bezier_curve<Traits>> segments_of(const Composite_bezier_curve<Traits, Degree>& curve) {
-  std::vector<Bezier_curve<Traits>> segments;
-  for (int l = 0; l < curve.number_of_segments(); ++l) segments.push_back(curve.segment(l));
-  return segments;
-}
-
-} // namespace internal
-
-/// \ingroup PkgGeometricContinuityConstruction
-/// The segmented curve with one more segment, which `extend()` makes from the last one. In the global parameter \f$ \beta \f$ is
-/// the ratio of the lengths of the two parameter intervals. \throws Error like `extend()` of a segment
-template <class Traits, int Degree>
-Composite_bezier_curve<Traits, Degree> extend(const Composite_bezier_curve<Traits, Degree>& curve,
-                                              Continuity_order order,
-                                              const Extension_parameters<typename Traits::FT>& parameters = {}) {
-  std::vector<Bezier_curve<Traits>> segments = internal::segments_of(curve);
-  segments.push_back(extend(segments.back(), order, parameters));
-  return Composite_bezier_curve<Traits, Degree>(segments.begin(), segments.end());
-}
-
-/// \ingroup PkgGeometricContinuityConstruction
-/// The closed curve with one more segment, which `close()` makes from the last one to the first. It takes a parameter
-/// interval of length 1; all segments get the highest degree. \throws Error like `close()` of two curves
-template <class Traits, int Degree>
-Composite_bezier_curve<Traits> close(const Composite_bezier_curve<Traits, Degree>& curve, Continuity_order order,
-                                     const Shape_parameters<typename Traits::FT>& shape = {}) {
-  std::vector<Bezier_curve<Traits>> segments = internal::segments_of(curve);
-  segments.push_back(close(segments.back(), segments.front(), order, shape));
-  return Composite_bezier_curve<Traits>(segments.begin(), segments.end());
 }
 
 } // namespace Geometric_continuity
