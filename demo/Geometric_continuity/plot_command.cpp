@@ -15,7 +15,8 @@ namespace {
 const char* const usage =
     "usage: geometric_continuity plot FILE.g2... -o OUT.svg [OPTIONS]\n"
     "\n"
-    "Draws the chain of curves of each file in a panel of its own, with the joins marked by their order.\n";
+    "Draws the chain of curves of each file in a panel of its own, with the joins marked by their order.\n"
+    "With --surfaces draws all surfaces of the files as one model, with its edges coloured by their order.\n";
 
 GC::Svg_panel picture(const std::string& file, const GC::Svg_style& style, bool closed) {
   const std::vector<Program_curve<Exact>> curves = read_curves<Exact>({file});
@@ -70,12 +71,23 @@ int plot_command(const Arguments& arguments) {
     add("no-comb", "without curvature combs");
     add("columns", po::value<int>()->default_value(3), "panels in a row");
     add("title", po::value<std::string>(), "title of the picture");
+    add("surfaces", "the files are surfaces, class 200");
+    add("isophotes", "surfaces in strips that show kinks, the default");
+    add("shaded", "surfaces smoothly shaded");
+    add("view", po::value<std::string>(), "AZIMUTH,ELEVATION of the viewer of surfaces, in degrees; -60,22 by default");
   });
   if (line.help()) return requirement_met;
   if (line.files().empty()) throw std::invalid_argument("plot: no file is given; see --help");
   if (!line.has("output")) throw std::invalid_argument("plot: -o OUT.svg is needed");
+  const std::string title = line.has("title") ? line.text("title") : std::string();
+  if (line.has("surfaces")) {
+    if (line.has("isophotes") && line.has("shaded"))
+      throw std::invalid_argument("plot: --isophotes and --shaded exclude each other");
+    return plot_surfaces(line.files(), line.text("output"), title, line.has("shaded"),
+                         line.has("view") ? line.text("view") : std::string());
+  }
   const GC::Svg_style style{GC::Svg_role::given, !line.has("no-polygon"), !line.has("no-comb")};
-  GC::Svg_figure figure(line.has("title") ? line.text("title") : std::string(), line.integer("columns"));
+  GC::Svg_figure figure(title, line.integer("columns"));
   for (const std::string& file : line.files())
     figure.add(line.has("alternatives") ? alternatives(file, style) : picture(file, style, line.has("closed")));
   GC::write_file_atomically(line.text("output"), [&](std::ostream& os) { figure.write(os); });

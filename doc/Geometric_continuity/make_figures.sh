@@ -7,3 +7,4 @@ data=$here/../../demo/Geometric_continuity/data
 "$program" blend "$data/lmroman10-regular_S_0.g2" --replace 1 --strategy all --plot "$here/fig/letter.svg" >/dev/null
 "$program" blend "$data/space_left.g2" "$data/space_right.g2" --strategy all --plot "$here/fig/space_blends.svg" >/dev/null
 "$program" plot "$data/planar.g2" --alternatives --no-comb -o "$here/fig/alternatives.svg"
+"$program" plot --surfaces "$data/teapot.g2" --title "The teapot: 32 bicubic patches, every edge decided exactly" -o "$here/fig/teapot.svg"

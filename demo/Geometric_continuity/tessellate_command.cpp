@@ -1,0 +1,60 @@
+// Copyright (c) 2026 The Geometric_continuity developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#include "command_line.h"
+
+#include <CGAL/Exact_rational.h>
+#include <CGAL/Geometric_continuity/IO/g2_surfaces.h>
+#include <CGAL/Geometric_continuity/IO/mesh.h>
+#include <CGAL/Geometric_continuity/Traits_3.h>
+#include <CGAL/Geometric_continuity/surfaces/tessellate.h>
+#include <CGAL/Simple_cartesian.h>
+
+#include <fstream>
+
+namespace GC = CGAL::Geometric_continuity;
+
+namespace {
+
+const char* const usage =
+    "usage: geometric_continuity tessellate MODEL.g2... -o OUT.off|ply|obj|stl [OPTIONS]\n"
+    "\n"
+    "Writes triangles for the surfaces of the files, without cracks along the edges that they have in common.\n";
+
+template <class FT> int tessellate(const Command_line& line) {
+  typedef GC::Traits_3<CGAL::Simple_cartesian<FT>> Traits;
+  std::vector<GC::Bspline_surface<Traits>> model;
+  for (const std::string& name : line.files()) {
+    std::ifstream stream(name);
+    if (!stream) throw GC::Error(GC::Error_code::cannot_read_file, name);
+    for (GC::Bspline_surface<Traits>& surface : GC::read_g2_bspline_surfaces<Traits>(stream, name))
+      model.push_back(std::move(surface));
+  }
+  const GC::Tessellation<Traits> mesh =
+      line.has("grid") ? GC::tessellate(model, GC::Uniform_grid{line.integer("grid")})
+                       : GC::tessellate(model, GC::Chord_tolerance{line.number<double>("tolerance", 0.01)});
+  GC::write_mesh(line.text("output"), mesh);
+  std::cout << model.size() << " surfaces: " << mesh.points.size() << " points, " << mesh.triangles.size()
+            << " triangles, " << GC::mesh_edges(mesh.triangles) << '\n';
+  return requirement_met;
+}
+
+} // namespace
+
+int tessellate_command(const Arguments& arguments) {
+  const Command_line line(usage, arguments, [](po::options_description_easy_init add) {
+    add("output,o", po::value<std::string>(), "the triangles; the format is that of the name");
+    add("tolerance", po::value<std::string>(), "largest distance of surfaces and triangles, 0.01 by default");
+    add("grid", po::value<int>(), "instead, N times N cells for each polynomial patch");
+    add("kernel", po::value<std::string>()->default_value("double"), "exact or double");
+  });
+  if (line.help()) return requirement_met;
+  if (line.files().empty()) throw std::invalid_argument("tessellate: no file is given; see --help");
+  if (!line.has("output")) throw std::invalid_argument("tessellate: -o OUT.off|ply|obj|stl is needed");
+  if (line.has("grid") && line.has("tolerance"))
+    throw std::invalid_argument("tessellate: --grid and --tolerance exclude each other");
+  GC::mesh_format(line.text("output")); // refused before anything is computed
+  return line.choice("kernel", {"exact", "double"}) == "exact" ? tessellate<CGAL::Exact_rational>(line)
+                                                               : tessellate<double>(line);
+}
