@@ -29,4 +29,5 @@ template <class Test> void in_every_space(Test test) {
 #include "typed/blend_quintic.h"
 #include "typed/blend_septic.h"
 #include "typed/continuity.h"
+#include "typed/cubic_curves.h"
 #include "typed/jets.h"
