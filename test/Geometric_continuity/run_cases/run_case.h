@@ -12,6 +12,8 @@
 #include "ops_errata.h"
 #include "ops_hagen.h"
 #include "ops_local.h"
+#include "ops_matrices.h"
+#include "ops_normals.h"
 #include "ops_ribbon.h"
 
 #include <stdexcept>
@@ -29,14 +31,14 @@ inline int dimension_of(const Case& c) {
 }
 
 template <class FT> bool run_scalars(const Case& c, Report& report) {
-  return run_bernstein<FT>(c, report) || run_connection_scalars<FT>(c, report);
+  return run_bernstein<FT>(c, report) || run_connection_scalars<FT>(c, report) || run_basis_matrix<FT>(c, report);
 }
 
 template <class Traits> bool run_operation(const Case& c, Report& report) {
   return run_bspline<Traits>(c, report) || run_bezier<Traits>(c, report) || run_invariants<Traits>(c, report) ||
          run_joins<Traits>(c, report) || run_errata<Traits>(c, report) || run_hagen<Traits>(c, report) ||
-         run_edges<Traits>(c, report) || run_ribbon<Traits>(c, report) ||
-         (c.has("strategy") && run_blends<Traits>(c, report));
+         run_edges<Traits>(c, report) || run_ribbon<Traits>(c, report) || run_normals<Traits>(c, report) ||
+         run_matrices<Traits>(c, report) || (c.has("strategy") && run_blends<Traits>(c, report));
 }
 
 // Computes the output of a case in one kernel family. It never looks at the expected output.

@@ -84,6 +84,19 @@ public:
 };
 
 /// \ingroup PkgGeometricContinuityAlgebra
+/// The cross product of two vectors of dimension 3.
+template <class FT, int N>
+Coordinate_vector<FT, N> cross_product(const Coordinate_vector<FT, N>& v, const Coordinate_vector<FT, N>& w) {
+  static_assert(N == 0 || N == 3, "the cross product is defined in dimension 3");
+  Coordinate_vector<FT, N> n(3);
+  for (int i = 0; i < 3; ++i) {
+    const int j = (i + 1) % 3, k = (i + 2) % 3;
+    n[i] = FT(v[j] * w[k] - v[k] * w[j]);
+  }
+  return n;
+}
+
+/// \ingroup PkgGeometricContinuityAlgebra
 /// The component of `v` orthogonal to `d`, \f$ v - \frac{v \cdot d}{d \cdot d}\, d \f$. \pre `d` is not zero
 template <class FT, int N>
 Coordinate_vector<FT, N> orthogonal_component(const Coordinate_vector<FT, N>& v, const Coordinate_vector<FT, N>& d) {

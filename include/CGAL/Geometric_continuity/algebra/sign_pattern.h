@@ -100,15 +100,20 @@ public:
   }
 };
 
-// p divided by the greatest common divisor of p and p': the same roots, all simple. \pre p is not zero
-template <class FT> Bernstein_polynomial<FT> square_free_part(const Bernstein_polynomial<FT>& p) {
-  Power_polynomial<FT> f(p), a(f), b(f.derivative());
+// By Euclid's algorithm; zero if both are.
+template <class FT> Power_polynomial<FT> greatest_common_divisor(Power_polynomial<FT> a, Power_polynomial<FT> b) {
   while (!b.is_zero()) {
     b.make_monic();
     a.divide(b);
     std::swap(a, b);
   }
-  return f.divide(a).bernstein();
+  return a;
+}
+
+// p divided by the greatest common divisor of p and p': the same roots, all simple. \pre p is not zero
+template <class FT> Bernstein_polynomial<FT> square_free_part(const Bernstein_polynomial<FT>& p) {
+  Power_polynomial<FT> f(p);
+  return f.divide(greatest_common_divisor(f, f.derivative())).bernstein();
 }
 
 template <class FT> int sign_variations(const Bernstein_polynomial<FT>& p) {

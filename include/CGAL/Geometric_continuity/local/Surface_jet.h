@@ -59,16 +59,9 @@ namespace internal {
 
 template <class Traits> Coordinates<Traits> normal_coordinates(const Surface_jet<Traits>& jet) {
   static_assert(dimension_v<Traits> == 0 || dimension_v<Traits> == 3, "a surface has a normal in dimension 3");
-  typedef typename Traits::FT FT;
   if (jet.dimension() != 3) throw Error(Error_code::dimension_mismatch, "normal: a surface has one in dimension 3");
   if (jet.order() < 1) throw Error(Error_code::jet_order_too_low, "normal reads the first derivatives");
-  const Coordinates<Traits>&u = jet(1, 0), &v = jet(0, 1);
-  Coordinates<Traits> n(3);
-  for (int i = 0; i < 3; ++i) {
-    const int j = (i + 1) % 3, k = (i + 2) % 3;
-    n[i] = FT(u[j] * v[k] - u[k] * v[j]);
-  }
-  return n;
+  return cross_product(jet(1, 0), jet(0, 1));
 }
 
 } // namespace internal

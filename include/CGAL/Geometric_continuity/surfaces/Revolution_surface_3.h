@@ -1,0 +1,177 @@
+// Copyright (c) 2026 The Geometric_continuity developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_GEOMETRIC_CONTINUITY_SURFACES_REVOLUTION_SURFACE_3_H
+#define CGAL_GEOMETRIC_CONTINUITY_SURFACES_REVOLUTION_SURFACE_3_H
+
+#include <CGAL/Geometric_continuity/local/Surface_jet.h>
+#include <CGAL/Geometric_continuity/surfaces/sweep_input.h>
+
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Geometric_continuity {
+
+namespace internal {
+
+// The derivatives of order 0 to k, at v, of the two functions of a rotation by the quaternion (1, v w), with W = w.w:
+//   R(v) x = x + f w x x + g w x (w x x),  f = 2v / (1 + v^2 W),  g = 2v^2 / (1 + v^2 W).
+// D f = p with the polynomials D = 1 + v^2 W and p, differentiated n times:
+//   D f^(n) + n D' f^(n-1) + n(n-1)/2 D'' f^(n-2) = p^(n).
+template <class FT> struct Rotation_functions {
+  std::vector<FT> f, g;
+
+  Rotation_functions(const FT& v, const FT& W, int k) {
+    const FT d0 = FT(1) + v * v * W, d1 = FT(2) * v * W, d2 = FT(2) * W;
+    const FT pf[3] = {FT(FT(2) * v), FT(2), FT(0)}, pg[3] = {FT(FT(2) * v * v), FT(FT(4) * v), FT(4)};
+    for (int n = 0; n <= k; ++n) {
+      f.push_back(next(f, pf, n, d0, d1, d2));
+      g.push_back(next(g, pg, n, d0, d1, d2));
+    }
+  }
+
+private:
+  static FT next(const std::vector<FT>& f, const FT* p, int n, const FT& d0, const FT& d1, const FT& d2) {
+    FT sum = n < 3 ? p[n] : FT(0);
+    if (n > 0) sum -= FT(n) * d1 * f[n - 1];
+    if (n > 1) sum -= FT(n) * FT(n - 1) / FT(2) * d2 * f[n - 2];
+    sum /= d0;
+    check_finite(sum, "Revolution_surface_3: rotation");
+    return sum;
+  }
+};
+
+} // namespace internal
+
+/// \ingroup PkgGeometricContinuitySurfaces
+/// The surface that a profile curve `c` sweeps when it turns about the axis through the point `a` with the direction `w`,
+/// \f$ S(u, v) = a + R_v (c(u) - a) \f$. The profile need not lie in a plane through the axis, and may meet it.
+///
+/// <b>Parametrisation.</b> `u` is the parameter of the profile. \f$ R_v \f$ is the rotation by the quaternion
+/// \f$ (1, v\,w) \f$, that is, by the angle \f$ \theta \f$ with \f$ v = \tan(\theta/2) / |w| \f$:
+///
+/// \f[ R_v\,x = x + \frac{2v\; w \times x + 2v^2\; w \times (w \times x)}{1 + v^2\, w \cdot w}. \f]
+///
+/// It is rational in `v`, and so are all derivatives, whatever the length of `w`. At `v = 0` it is the identity. All
+/// finite `v` leave out just half a turn, \f$ \theta = \pi \f$; `complement()` covers the rest of the turn.
+///
+/// <b>Normals.</b> \f$ S_v = \frac{2}{1 + v^2\, w \cdot w}\; w \times (S - a) \f$. The positive factor says how fast
+/// \f$ \theta \f$ grows with `v`: the derivative with respect to \f$ \theta \f$, times \f$ |w| \f$, is
+/// \f$ w \times (S - a) \f$. `normal()` leaves the factor out:
+/// \f$ N = S_u \times (w \times (S - a)) = R_v (c' \times (w \times (c - a))) \f$. It vanishes where the profile meets the
+/// axis, where \f$ c' = 0 \f$, and where the profile runs along a parallel, see `sweep_defects()`. For a profile in a plane
+/// through the axis it flips where the profile crosses the axis. Lecture slides, "Normals".
+///
+/// All is exact with an exact kernel if the jets of the profile are.
+///
+/// \tparam Curve a copyable model of `ParametricCurve` in dimension 3 that gives jets at all parameters of its domain
+/// \models ParametricSurface
+template <class Curve_> class Revolution_surface_3 {
+public:
+  typedef Curve_ Curve;
+  typedef typename Curve::Traits Traits;
+  typedef typename Traits::FT FT;
+  typedef typename Traits::Point Point;
+  typedef typename Traits::Vector Vector;
+  typedef std::pair<FT, FT> Interval;
+
+private:
+  typedef internal::Coordinates<Traits> Coordinates;
+
+  Curve profile_;
+  Point axis_point_;
+  Vector axis_;
+  Interval v_;
+  bool opposite_ = false; // the profile has been turned by half a turn before
+
+public:
+  /// From the profile, a point `a` on the axis, its direction `w`, and the domain of `v`, by default [-1, 1].
+  /// \throws Error `zero_direction` for the zero vector, `empty_domain` unless the domain has positive length,
+  ///   `dimension_mismatch` unless in dimension 3, `not_finite`
+  Revolution_surface_3(Curve profile, const Point& axis_point, const Vector& axis,
+                       const Interval& v = Interval(FT(-1), FT(1)))
+      : profile_(std::move(profile)), axis_point_(axis_point), axis_(axis), v_(v) {
+    internal::space_coordinates<Traits, FT>(axis_point, "Revolution_surface_3: point on the axis");
+    internal::direction_coordinates<Traits, FT>(axis, "Revolution_surface_3: axis");
+    internal::check_interval(v_, "Revolution_surface_3: domain of v");
+  }
+
+  /// The curve `c`.
+  const Curve& profile() const { return profile_; }
+  /// The point `a`.
+  const Point& axis_point() const { return axis_point_; }
+  /// The vector `w`.
+  const Vector& axis() const { return axis_; }
+  /// Whether the profile is first turned by \f$ \theta = \pi \f$, see `complement()`.
+  bool opposite() const { return opposite_; }
+
+  /// The domain of the profile.
+  Interval domain_u() const { return profile_.domain(); }
+  /// The domain of `v`.
+  Interval domain_v() const { return v_; }
+
+  /// The rest of the full turn: the surface of the profile turned by \f$ \theta = \pi \f$, with \f$ v \f$ in
+  /// \f$ [-1/(v_1 W), -1/(v_0 W)] \f$, where \f$ [v_0, v_1] \f$ is the domain of `v` of this surface and
+  /// \f$ W = w \cdot w \f$. Its first parallel is the last one of this surface, and conversely.
+  /// \throws Error `parameter_outside_domain` unless \f$ v_0 < 0 < v_1 \f$
+  Revolution_surface_3 complement() const {
+    if (!(v_.first < FT(0) && FT(0) < v_.second))
+      throw Error(Error_code::parameter_outside_domain, "Revolution_surface_3::complement: the domain must contain 0");
+    const Coordinates w = internal::coordinates<Traits>(axis_);
+    const FT W = dot(w, w);
+    Revolution_surface_3 r(profile_, axis_point_, axis_,
+                           Interval(FT(FT(-1) / (v_.second * W)), FT(FT(-1) / (v_.first * W))));
+    r.opposite_ = !opposite_;
+    return r;
+  }
+
+  /// The point at (`u`, `v`); `v` may lie outside its domain. One jet of the profile.
+  Point operator()(const FT& u, const FT& v) const { return jet(u, v, 0).point(); }
+
+  /// The jet of order `k >= 0`: \f$ \partial^{i+j} S / \partial u^i \partial v^j = R^{(j)}_v\, c^{(i)}(u) \f$ for
+  /// `i + j > 0`. One jet of order `k` of the profile and \f$ O(k^2) \f$ operations.
+  /// \throws Error `dimension_mismatch` unless the profile is in dimension 3, `not_finite` when \f$ v^2\, w \cdot w \f$
+  ///   overflows in floating-point arithmetic, and what the profile throws
+  Surface_jet<Traits> jet(const FT& u, const FT& v, int k) const {
+    const Curve_jet<Traits> c = internal::profile_jet(profile_, u, k);
+    const Coordinates a = internal::coordinates<Traits>(axis_point_), w = internal::coordinates<Traits>(axis_);
+    const FT W = dot(w, w);
+    const internal::Rotation_functions<FT> rotation(v, W, k);
+    Surface_jet<Traits> jet(3, k);
+    for (int i = 0; i <= k; ++i) {
+      Coordinates x = i == 0 ? c[0] - a : c[i];
+      if (opposite_) x += FT(FT(2) / W) * cross_product(w, cross_product(w, x));
+      const Coordinates y = cross_product(w, x), z = cross_product(w, y);
+      for (int j = 0; i + j <= k; ++j) jet(i, j) = rotation.f[j] * y + rotation.g[j] * z;
+      jet(i, 0) += x;
+    }
+    jet(0, 0) += a;
+    return jet;
+  }
+
+  /// \f$ w \times (S - a) \f$, the derivative with respect to the angle times \f$ |w| \f$.
+  /// \throws Error as `jet()`
+  Vector angular_derivative(const FT& u, const FT& v) const {
+    return internal::to_vector<Traits>(angular(jet(u, v, 0)));
+  }
+
+  /// The normal \f$ N = S_u \times (w \times (S - a)) \f$, not normalised: \f$ S_u \times S_v \f$ without a factor that is
+  /// positive everywhere. Its length does not depend on `v`.
+  /// \throws Error as `jet()`
+  Vector normal(const FT& u, const FT& v) const {
+    const Surface_jet<Traits> s = jet(u, v, 1);
+    return internal::to_vector<Traits>(cross_product(s(1, 0), angular(s)));
+  }
+
+private:
+  Coordinates angular(const Surface_jet<Traits>& s) const {
+    return cross_product(internal::coordinates<Traits>(axis_), s(0, 0) - internal::coordinates<Traits>(axis_point_));
+  }
+};
+
+} // namespace Geometric_continuity
+} // namespace CGAL
+
+#endif // CGAL_GEOMETRIC_CONTINUITY_SURFACES_REVOLUTION_SURFACE_3_H
