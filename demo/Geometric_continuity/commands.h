@@ -19,7 +19,12 @@ int blend_command(const Arguments& arguments);
 int connect_command(const Arguments& arguments);
 int extend_command(const Arguments& arguments);
 int plot_command(const Arguments& arguments);
+int tessellate_command(const Arguments& arguments);
 int verify_command(const Arguments& arguments);
+
+// The part of plot for models of surfaces.
+int plot_surfaces(const Arguments& files, const std::string& output, const std::string& title, bool shaded,
+                  const std::string& view);
 
 // The part of verify for models of surfaces.
 int verify_surfaces(const Arguments& files, bool json, const std::optional<int>& required);

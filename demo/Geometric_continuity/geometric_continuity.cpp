@@ -10,16 +10,19 @@
 
 namespace {
 
-const char* const usage = "usage: geometric_continuity COMMAND [ARGUMENTS]\n"
-                          "\n"
-                          "  blend   A.g2 B.g2     blend the end of A into the start of B, and prove both joins\n"
-                          "  connect C.g2 C1 C2    two surfaces that meet with G1 continuity along a cubic spline\n"
-                          "  extend  A.g2          append a segment with continuous tangent, curvature or torsion\n"
-                          "  verify  FILE.g2...    decide the continuity of every join of a chain, exactly\n"
-                          "  plot    FILE.g2...    draw curves, control polygons and curvature combs\n"
-                          "\n"
-                          "geometric_continuity COMMAND --help explains a command.\n"
-                          "Exit code: 0 met, 1 not met, 2 bad input.\n";
+const char* const usage =
+    "usage: geometric_continuity COMMAND [ARGUMENTS]\n"
+    "\n"
+    "  blend   A.g2 B.g2     blend the end of A into the start of B, and prove both joins\n"
+    "  connect C.g2 C1 C2    two surfaces that meet with G1 continuity along a cubic spline\n"
+    "  extend  A.g2          append a segment with continuous tangent, curvature or torsion\n"
+    "  verify  FILE.g2...    decide the continuity of every join of a chain or a drawing (.svg), exactly\n"
+    "  plot    FILE.g2...    draw curves, control polygons and curvature combs, or surfaces\n"
+    "  tessellate MODEL.g2   triangles for surfaces, without cracks, as OFF, PLY, OBJ or STL\n"
+    "\n"
+    "A curve with inner knots is taken as the chain of its Bezier curves, so that its knots are joins.\n"
+    "geometric_continuity COMMAND --help explains a command.\n"
+    "Exit code: 0 met, 1 not met, 2 bad input.\n";
 
 int run(const std::string& command, const Arguments& arguments) {
   if (command == "blend") return blend_command(arguments);
@@ -27,6 +30,7 @@ int run(const std::string& command, const Arguments& arguments) {
   if (command == "extend") return extend_command(arguments);
   if (command == "verify") return verify_command(arguments);
   if (command == "plot") return plot_command(arguments);
+  if (command == "tessellate") return tessellate_command(arguments);
   std::cerr << "geometric_continuity: unknown command '" << command << "'\n" << usage;
   return bad_input;
 }

@@ -73,7 +73,10 @@ std::string orders(const Join& join) {
 }
 
 std::string remark(const Join& join, const Exact_curve& left, const Exact_curve& right) {
-  const Jet x = left.end_jet(3), y = right.start_jet(3);
+  return remark(join, left.end_jet(3), right.start_jet(3));
+}
+
+std::string remark(const Join& join, const Jet& x, const Jet& y) {
   if (join.c_order < 0) {
     const GC::Coordinate_vector<Exact, 0> d = y[0] - x[0];
     return "the ends are " + rounded(root(dot(d, d))) + " apart";

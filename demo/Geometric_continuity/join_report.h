@@ -34,6 +34,10 @@ std::string orders(const Join& join);
 // What a reader wants to know of the join beyond its orders, in words and rounded numbers.
 std::string remark(const Join& join, const Exact_curve& left, const Exact_curve& right);
 
+// The same from the jets of order 3 at the join.
+std::string remark(const Join& join, const GC::Curve_jet<Program_traits<Exact>>& left,
+                   const GC::Curve_jet<Program_traits<Exact>>& right);
+
 // One line of a table: the numbers of the curves, the point, the orders, the remark.
 std::string table_row(const Join& join, int left, int right, const Exact_curve& left_curve,
                       const Exact_curve& right_curve);

@@ -3,50 +3,35 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
 #include "command_line.h"
+#include "deferred_output.h"
 #include "join_report.h"
+#include "svg_drawing.h"
+#include "verify_drawings.h"
 
 #include <CGAL/Geometric_continuity/IO/json.h>
 
 #include <algorithm>
-#include <array>
 #include <chrono>
-#include <cstdio>
+#include <cstddef>
 #include <map>
-#include <memory>
 #include <sstream>
 
 #include <unistd.h>
 
 namespace {
 
-const char* const usage = "usage: geometric_continuity verify FILE.g2... [OPTIONS]\n"
+const char* const usage = "usage: geometric_continuity verify FILE.g2... | DRAWING.svg... [OPTIONS]\n"
                           "\n"
                           "Decides the continuity of every join of the chain that all curves form in the given order. "
                           "The decision is exact for\n"
                           "the numbers of the files. C: equal derivatives; G: equal arc-length derivatives; F: equal "
-                          "Frenet frame and curvatures.\n"
-                          "With --surfaces finds all edges that the Bezier patches of the files share and decides G1 "
-                          "and G2 along each whole edge.\n"
+                          "Frenet frame and curvatures. The inner knots of a curve are joins as well.\n"
+                          "With --surfaces finds all edges that the surfaces of the files share and decides G1 and G2 "
+                          "along each whole edge\n"
+                          "and along the knot lines inside B-spline surfaces.\n"
+                          "Of SVG drawings decides the joins of every path and basic shape, and names the element and "
+                          "the commands.\n"
                           "Exit code: 0 when every join meets the requirement, 1 when one does not, 2 on bad input.\n";
-
-// Output that appears only when all input has been read and found good; it may be longer than the memory.
-class Deferred_output {
-  std::unique_ptr<std::FILE, int (*)(std::FILE*)> file_;
-
-public:
-  Deferred_output() : file_(std::tmpfile(), std::fclose) {
-    if (!file_) throw GC::Error(GC::Error_code::cannot_write_file, "temporary file");
-  }
-  void write(const std::string& text) {
-    if (std::fwrite(text.data(), 1, text.size(), file_.get()) != text.size())
-      throw GC::Error(GC::Error_code::cannot_write_file, "temporary file");
-  }
-  void copy_to(std::ostream& os) {
-    std::rewind(file_.get());
-    std::array<char, 1 << 16> block;
-    while (const std::size_t n = std::fread(block.data(), 1, block.size(), file_.get())) os.write(block.data(), n);
-  }
-};
 
 // Tells on a terminal how far a long chain has come, once a second.
 class Progress {
@@ -128,10 +113,10 @@ template <class FT>
 int verify(const Arguments& files, bool closed, int max_order, bool json, const std::optional<Requirement>& required) {
   Chain_report report(json, max_order, required);
   GC::Chain_analysis<Exact_curve> chain(max_order);
-  Curve_stream<FT> stream(files);
-  while (const std::optional<Program_curve<FT>> curve = stream.next()) {
+  Curve_stream<FT, Exact> stream(files);
+  while (const std::optional<Exact_curve> curve = stream.next()) {
     if (required && chain.size() == 0) required->check_dimension(curve->dimension());
-    chain.add(exact(*curve), report);
+    chain.add(*curve, report);
   }
   if (chain.size() == 1 && !closed)
     throw std::invalid_argument("a single curve has no join; --closed asks for the join of its end and its start");
@@ -155,6 +140,16 @@ int verify_command(const Arguments& arguments) {
   if (line.files().empty()) throw std::invalid_argument("verify: no file is given; see --help");
   std::optional<Requirement> required;
   if (line.has("require")) required = Requirement(line.text("require"));
+  const Arguments files = line.files();
+  const auto drawings = std::count_if(files.begin(), files.end(), is_svg_file);
+  if (drawings != 0) {
+    if (drawings != static_cast<std::ptrdiff_t>(files.size()))
+      throw std::invalid_argument("drawings (.svg) and curves (.g2) cannot be verified together");
+    for (const char* option : {"surfaces", "closed"})
+      if (line.has(option)) throw std::invalid_argument(std::string("--") + option + ": not for drawings");
+    if (line.choice("kernel", {"exact", "double"}) != "exact")
+      throw std::invalid_argument("--kernel double: drawings are read exactly");
+  }
   if (line.has("surfaces")) {
     if (required && (required->kind() != GC::Continuity_kind::G || required->order() > 2))
       throw std::invalid_argument("--require " + required->text() + ": along an edge G0, G1 and G2 are decided");
@@ -165,6 +160,7 @@ int verify_command(const Arguments& arguments) {
   if (max_order < 0 || max_order > 32) throw std::invalid_argument("--max-order: not from 0 to 32");
   if (required) max_order = std::max(max_order, required->order());
   const bool closed = line.has("closed"), json = line.has("json");
+  if (drawings != 0) return verify_drawings(files, max_order, json, required);
   return line.choice("kernel", {"exact", "double"}) == "exact"
              ? verify<Exact>(line.files(), closed, max_order, json, required)
              : verify<double>(line.files(), closed, max_order, json, required);

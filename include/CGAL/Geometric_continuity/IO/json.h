@@ -20,6 +20,22 @@ inline void write_json(std::ostream& os, const char* key, const std::optional<bo
   os << ",\"" << key << "\":" << (!flag ? "null" : *flag ? "true" : "false");
 }
 
+// The members of the object, without braces, so that others may follow.
+template <class FT> void write_json_members(std::ostream& os, const Join_continuity<FT>& join, int left, int right) {
+  os << "\"left\":" << left << ",\"right\":" << right << ",\"c_order\":" << join.c_order
+     << ",\"g_order\":" << join.g_order << ",\"f_order\":" << join.f_order << ",\"betas\":[";
+  for (std::size_t i = 0; i < join.betas.size(); ++i) {
+    os << (i == 0 ? "\"" : ",\"");
+    write_number(os, join.betas[i]);
+    os << '"';
+  }
+  os << "],\"regular\":" << (join.regular ? "true" : "false");
+  write_json(os, "tangent_equal", join.tangent_equal);
+  write_json(os, "curvature_equal", join.curvature_equal);
+  write_json(os, "curvature_vector_equal", join.curvature_vector_equal);
+  write_json(os, "torsion_equal", join.torsion_equal);
+}
+
 } // namespace internal
 
 /// \ingroup PkgGeometricContinuityIO
@@ -28,18 +44,8 @@ inline void write_json(std::ostream& os, const char* key, const std::optional<bo
 /// "curvature_equal":…,"curvature_vector_equal":…,"torsion_equal":…}`. Exact numbers are strings; a gap between the end
 /// points is `c_order` -1; what is undefined is null.
 template <class FT> void write_json(std::ostream& os, const Join_continuity<FT>& join, int left, int right) {
-  os << "{\"left\":" << left << ",\"right\":" << right << ",\"c_order\":" << join.c_order
-     << ",\"g_order\":" << join.g_order << ",\"f_order\":" << join.f_order << ",\"betas\":[";
-  for (std::size_t i = 0; i < join.betas.size(); ++i) {
-    os << (i == 0 ? "\"" : ",\"");
-    write_number(os, join.betas[i]);
-    os << '"';
-  }
-  os << "],\"regular\":" << (join.regular ? "true" : "false");
-  internal::write_json(os, "tangent_equal", join.tangent_equal);
-  internal::write_json(os, "curvature_equal", join.curvature_equal);
-  internal::write_json(os, "curvature_vector_equal", join.curvature_vector_equal);
-  internal::write_json(os, "torsion_equal", join.torsion_equal);
+  os << '{';
+  internal::write_json_members(os, join, left, right);
   os << '}';
 }
 

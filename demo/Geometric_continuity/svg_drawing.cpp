@@ -1,0 +1,266 @@
+// Copyright (c) 2026 The Geometric_continuity developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#include "svg_drawing.h"
+
+#include <CGAL/Geometric_continuity/IO/Svg_transform.h>
+#include <CGAL/Geometric_continuity/IO/svg_path.h>
+#include <CGAL/Geometric_continuity/IO/svg_shapes.h>
+
+#include <expat.h>
+
+#include <algorithm>
+#include <array>
+#include <exception>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <memory>
+#include <optional>
+#include <set>
+#include <utility>
+#include <vector>
+
+namespace {
+
+typedef CGAL::Exact_rational Exact;
+typedef GC::Svg_transform<Drawing_traits> Transform;
+
+constexpr std::size_t max_depth = 256;
+constexpr int first_block = 1 << 16, last_block = 1 << 28; // bytes
+
+// Elements that are drawn by reference or not at all, with everything in them.
+const std::set<std::string> skipped{"defs",     "symbol", "clipPath",       "mask",           "marker",
+                                    "pattern",  "style",  "linearGradient", "radialGradient", "filter",
+                                    "script",   "title",  "desc",           "metadata",       "foreignObject",
+                                    "flowRoot", "font",   "text",           "image"};
+
+// A length that has no meaning without a viewport or a font.
+struct Relative_length {
+  std::string text;
+};
+
+// The attributes of one element.
+class Attributes {
+  std::map<std::string, std::string> values_;
+  std::string place_; // of the element, for messages
+
+public:
+  Attributes(const char** pairs, std::string place) : place_(std::move(place)) {
+    for (; *pairs != nullptr; pairs += 2) values_.emplace(pairs[0], pairs[1]);
+  }
+
+  bool has(const std::string& name) const { return values_.count(name) != 0; }
+  std::string text(const std::string& name) const { return has(name) ? values_.at(name) : std::string(); }
+  std::string place(const std::string& name) const { return place_ + ", " + name; }
+
+  // A length in user units.
+  Exact length(const std::string& name) const {
+    if (!has(name)) return Exact(0);
+    const std::string value = text(name);
+    GC::internal::Svg_scanner scanner(value, place(name));
+    scanner.skip_space();
+    const Exact x = scanner.number<Exact>();
+    if (scanner.at_end()) return x;
+    std::string unit = value.substr(value.find_last_of("0123456789.") + 1);
+    unit.erase(unit.find_last_not_of(" \t\n\r") + 1);
+    const std::map<std::string, Exact> units{{"px", Exact(1)},         {"in", Exact(96)},    {"cm", Exact(9600) / 254},
+                                             {"mm", Exact(960) / 254}, {"pt", Exact(4) / 3}, {"pc", Exact(16)}};
+    if (units.count(unit) != 0) return Exact(x * units.at(unit));
+    for (const char* relative : {"%", "em", "ex", "ch", "rem", "vw", "vh", "vmin", "vmax"})
+      if (unit == relative) throw Relative_length{name + "=\"" + value + '"'};
+    scanner.refuse("'" + unit + "' is not a unit of length");
+  }
+
+  Exact size(const std::string& name) const {
+    const Exact x = length(name);
+    if (x < 0) throw GC::Error(GC::Error_code::malformed_input, place(name) + ": negative");
+    return x;
+  }
+};
+
+class Drawing_reader {
+  const std::string file_;
+  Drawing_handler& handler_;
+  std::unique_ptr<XML_ParserStruct, decltype(&XML_ParserFree)> parser_;
+  std::vector<Transform> transforms_;        // of the open elements that are read
+  std::size_t depth_ = 0, skipped_from_ = 0; // the depth of the element that is skipped with all in it, or 0
+  std::exception_ptr error_;
+
+  [[noreturn]] void refuse(const std::string& reason) const {
+    throw GC::Error(GC::Error_code::malformed_input, file_ + ':' + std::to_string(line()) + ": " + reason);
+  }
+  long long line() const { return static_cast<long long>(XML_GetCurrentLineNumber(parser_.get())); }
+
+  // No exception may pass through the parser, which is written in C.
+  template <class Action> static void guarded(void* self, Action action) {
+    Drawing_reader& reader = *static_cast<Drawing_reader*>(self);
+    if (reader.error_) return;
+    try {
+      action(reader);
+    } catch (...) {
+      reader.error_ = std::current_exception();
+      XML_StopParser(reader.parser_.get(), XML_FALSE);
+    }
+  }
+
+  static void on_start(void* self, const XML_Char* name, const XML_Char** attributes) {
+    guarded(self, [&](Drawing_reader& reader) { reader.start(name, attributes); });
+  }
+  static void on_end(void* self, const XML_Char*) {
+    guarded(self, [](Drawing_reader& reader) { reader.end(); });
+  }
+  static void on_entity(void* self, const XML_Char* name, int, const XML_Char*, int, const XML_Char*, const XML_Char*,
+                        const XML_Char*, const XML_Char*) {
+    guarded(self, [&](Drawing_reader& reader) {
+      reader.refuse("the entity " + GC::internal::quoted_token(name) +
+                    " is declared; drawings with entities are refused");
+    });
+  }
+
+  // The name without the namespace of SVG; other namespaces are left in front. Drawings without any namespace are read.
+  static std::string local_name(const std::string& name) {
+    const std::string svg = "http://www.w3.org/2000/svg ";
+    return name.compare(0, svg.size(), svg) == 0 ? name.substr(svg.size()) : name;
+  }
+
+  void start(const std::string& full_name, const char** pairs) {
+    const std::string name = local_name(full_name);
+    ++depth_;
+    if (depth_ > max_depth) refuse("elements are nested deeper than " + std::to_string(max_depth));
+    if (skipped_from_ != 0) return;
+    if (depth_ == 1 && name != "svg") refuse("the root element is " + GC::internal::quoted_token(name) + ", not svg");
+    if (skipped.count(name) != 0 || name.find(' ') != std::string::npos) {
+      skipped_from_ = depth_;
+      return;
+    }
+    Drawing_element element{file_, name, "", line()};
+    Attributes attributes(pairs, "");
+    element.id = attributes.text("id");
+    attributes = Attributes(pairs, file_ + ':' + std::to_string(element.line) + ": " + name +
+                                       (element.id.empty() ? "" : " \"" + element.id + '"'));
+    transforms_.push_back(transforms_.empty() ? Transform() : transforms_.back());
+    if (attributes.has("transform") && attributes.text("transform") != "none")
+      transforms_.back() = transforms_.back() * GC::parse_svg_transform<Drawing_traits>(attributes.text("transform"),
+                                                                                        attributes.place("transform"));
+    try {
+      draw(element, attributes);
+    } catch (const Relative_length& length) {
+      handler_.not_read(element, length.text + " is relative to something that is not known here");
+    }
+  }
+
+  void end() {
+    if (skipped_from_ == 0)
+      transforms_.pop_back();
+    else if (skipped_from_ == depth_)
+      skipped_from_ = 0;
+    --depth_;
+  }
+
+  void draw(const Drawing_element& element, const Attributes& a) {
+    const std::string& name = element.name;
+    if (name == "path")
+      draw_path(element, a);
+    else if (name == "line")
+      draw(element, 1, GC::svg_line<Drawing_traits>(a.length("x1"), a.length("y1"), a.length("x2"), a.length("y2")));
+    else if (name == "polyline" || name == "polygon")
+      draw(element, 1, GC::read_svg_polyline<Drawing_traits>(a.text("points"), name == "polygon", a.place("points")));
+    else if (name == "circle")
+      draw(element, 1, GC::svg_ellipse<Drawing_traits>(a.length("cx"), a.length("cy"), a.size("r"), a.size("r")));
+    else if (name == "ellipse")
+      draw(element, 1, GC::svg_ellipse<Drawing_traits>(a.length("cx"), a.length("cy"), a.size("rx"), a.size("ry")));
+    else if (name == "rect")
+      draw_rectangle(element, a);
+    else if (name == "use")
+      handler_.not_read(element, "the element that it repeats is not followed");
+  }
+
+  void draw_path(const Drawing_element& element, const Attributes& a) {
+    const std::string data = a.text("d");
+    GC::Svg_path_reader<Drawing_traits> reader(data, a.place("d"));
+    int number = 0;
+    while (const std::optional<Drawing_subpath> subpath = reader.next()) draw(element, ++number, *subpath);
+  }
+
+  // One radius that is missing is like the other one.
+  void draw_rectangle(const Drawing_element& element, const Attributes& a) {
+    const auto given = [&](const char* radius) { return a.has(radius) && a.text(radius) != "auto"; };
+    const char *const rx = given("rx") ? "rx" : "ry", *const ry = given("ry") ? "ry" : "rx";
+    const bool rounded = given(rx);
+    draw(element, 1,
+         GC::svg_rectangle<Drawing_traits>(a.length("x"), a.length("y"), a.size("width"), a.size("height"),
+                                           rounded ? a.size(rx) : Exact(0), rounded ? a.size(ry) : Exact(0)));
+  }
+
+  void draw(const Drawing_element& element, int number, const Drawing_subpath& subpath) {
+    if (subpath.segments.empty()) return;
+    const Transform& map = transforms_.back();
+    if (map.determinant() != 0)
+      handler_.subpath(element, number, subpath.transform(map));
+    else if (number == 1)
+      handler_.not_read(element, "it is not drawn, because its transform is not invertible");
+  }
+
+public:
+  Drawing_reader(const std::string& file, Drawing_handler& handler)
+      : file_(file), handler_(handler), parser_(XML_ParserCreateNS(nullptr, ' '), XML_ParserFree) {
+    if (!parser_) throw std::bad_alloc();
+    XML_SetUserData(parser_.get(), this);
+    XML_SetElementHandler(parser_.get(), on_start, on_end);
+    XML_SetEntityDeclHandler(parser_.get(), on_entity);
+  }
+
+  void read() {
+    std::ifstream stream(file_, std::ios::binary);
+    if (!stream) throw GC::Error(GC::Error_code::cannot_read_file, file_);
+    int size = first_block;
+    XML_Index position = -1; // of the last tag that was begun
+    for (bool last = false; !last;) {
+      void* const block = XML_GetBuffer(parser_.get(), size);
+      if (block == nullptr) throw std::bad_alloc();
+      stream.read(static_cast<char*>(block), size);
+      if (stream.bad()) throw GC::Error(GC::Error_code::cannot_read_file, file_);
+      last = !stream;
+      const XML_Status status = XML_ParseBuffer(parser_.get(), static_cast<int>(stream.gcount()), last);
+      if (error_) std::rethrow_exception(error_);
+      if (status != XML_STATUS_OK) refuse(XML_ErrorString(XML_GetErrorCode(parser_.get())));
+      // a tag that is longer than a block is scanned again with the next one: longer blocks keep that linear
+      const XML_Index before = std::exchange(position, XML_GetCurrentByteIndex(parser_.get()));
+      const bool stuck = position == before;
+      if (stuck && size == last_block) refuse("a tag is longer than 256 MiB");
+      size = stuck ? 2 * size : first_block;
+    }
+  }
+};
+
+// What the file begins with, without a byte order mark. Pipes cannot be read twice and are not looked into.
+std::string beginning(const std::string& file) {
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(file, error)) return "";
+  std::ifstream stream(file, std::ios::binary);
+  std::array<char, 256> block;
+  stream.read(block.data(), block.size());
+  std::string text(block.data(), static_cast<std::size_t>(stream.gcount()));
+  text.erase(std::remove_if(text.begin(), text.end(), [](char c) { return c == '\0' || (c & 0x80) != 0; }), text.end());
+  return text;
+}
+
+} // namespace
+
+std::string Drawing_element::text() const {
+  return name + (id.empty() ? "" : " \"" + id + '"') + " (line " + std::to_string(line) + ')';
+}
+
+void read_svg_drawing(const std::string& file, Drawing_handler& handler) { Drawing_reader(file, handler).read(); }
+
+bool is_svg_file(const std::string& file) {
+  std::string extension = file.substr(std::min(file.rfind('.'), file.size()));
+  for (char& c : extension)
+    if ('A' <= c && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  if (extension == ".svg") return true;
+  const std::string text = beginning(file);
+  const std::size_t first = text.find_first_not_of(" \t\r\n");
+  return first != std::string::npos && text[first] == '<';
+}

@@ -1,0 +1,201 @@
+// Copyright (c) 2026 The Geometric_continuity developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#include "verify_drawings.h"
+
+#include "deferred_output.h"
+#include "svg_drawing.h"
+
+#include <CGAL/Geometric_continuity/IO/json.h>
+#include <CGAL/Geometric_continuity/IO/svg_continuity.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <iostream>
+#include <map>
+#include <sstream>
+#include <vector>
+
+namespace {
+
+typedef GC::Svg_segment<Drawing_traits> Segment;
+
+const char* const undecided = "a rotated ellipse, whose tangents are not rational";
+
+std::string json_string(const std::string& text) {
+  std::string s = "\"";
+  for (char c : text) {
+    char escaped[8];
+    std::snprintf(escaped, sizeof escaped, "\\u%04x", static_cast<unsigned char>(c));
+    if (c == '"' || c == '\\')
+      (s += '\\') += c;
+    else
+      s += static_cast<unsigned char>(c) < 0x20 ? escaped : std::string(1, c);
+  }
+  return s + '"';
+}
+
+std::string json_element(const Drawing_element& element) {
+  return "\"file\":" + json_string(element.file) + ",\"element\":" + json_string(element.name) +
+         ",\"id\":" + json_string(element.id) + ",\"line\":" + std::to_string(element.line);
+}
+
+// The jet for the numbers of a report, in which square roots are rounded.
+GC::Curve_jet<Program_traits<Exact>> rounded_jet(const Segment& segment, bool at_end) {
+  const Exact root(std::sqrt(CGAL::to_double(GC::internal::svg_radicand(segment))));
+  const GC::Coordinate_jet<Exact, 2> jet = GC::internal::svg_jet<Exact>(segment, at_end, 3, root);
+  GC::Coordinate_jet<Exact, 0> result(2, 3);
+  for (int j = 0; j <= 3; ++j)
+    for (int i = 0; i < 2; ++i) result[j][i] = jet[j][i];
+  return GC::Curve_jet<Program_traits<Exact>>(result);
+}
+
+std::string command(const Segment& segment) { return std::to_string(segment.command) + ' ' + segment.letter; }
+
+std::string rounded(double x, int digits) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.*g", digits, x);
+  return text;
+}
+
+double length(const Segment& line) { return std::sqrt(CGAL::to_double((line.end() - line.start()).squared_length())); }
+
+bool has_no_length(const Segment& s) {
+  return s.bezier() && std::count(s.bezier()->begin(), s.bezier()->end(), s.start()) > s.bezier()->degree();
+}
+
+// What the segments of a join are, as far as it explains a remark.
+std::string explanation(const GC::Join_continuity<Exact>& join, const Segment& left, const Segment& right) {
+  std::string s;
+  if (!join.regular)
+    s += has_no_length(left) || has_no_length(right) ? ", a segment has no length" : ", a handle is at the node";
+  for (const Segment* segment : {&left, &right})
+    if (segment->letter == 'Z' || segment->letter == 'z')
+      s += ", the closing line is " + rounded(length(*segment), 4) + " long";
+  return s;
+}
+
+// Decides the joins of all subpaths that it receives.
+class Drawing_report : public Drawing_handler {
+  const int max_order_;
+  const bool json_, several_;
+  const std::optional<Requirement> required_;
+  Deferred_output out_;
+  std::vector<std::string> not_read_;
+  GC::Chain_summary summary_; // of what is decided
+  std::size_t joins_ = 0, undecided_ = 0, failing_ = 0, subpaths_ = 0, segments_ = 0;
+
+  typedef std::optional<GC::Join_continuity<Exact>> Decision;
+
+  std::string text(const Segment& left, const Segment& right, const Decision& decision) const {
+    const std::string point = "(" + rounded(CGAL::to_double(right.start().x()), 6) + ", " +
+                              rounded(CGAL::to_double(right.start().y()), 6) + ')';
+    std::string s = "commands " + command(left) + " - " + command(right) + " at " + point + ": ";
+    if (!decision) return s + "undecided, " + undecided;
+    s += 'G' + std::to_string(decision->g_order);
+    if (decision->g_order == max_order_) s += " or more";
+    return s + ", " + remark(*decision, rounded_jet(left, true), rounded_jet(right, false)) +
+           explanation(*decision, left, right);
+  }
+
+  std::string json(std::size_t left_number, std::size_t right_number, const Segment& left, const Segment& right,
+                   const Decision& decision) const {
+    std::ostringstream s;
+    if (decision)
+      GC::internal::write_json_members(s << '{', *decision, static_cast<int>(left_number),
+                                       static_cast<int>(right_number));
+    else
+      s << "{\"left\":" << left_number << ",\"right\":" << right_number
+        << ",\"c_order\":null,\"g_order\":null,\"f_order\":null,\"betas\":[],\"undecided\":" << json_string(undecided);
+    s << ",\"left_command\":" << left.command << ",\"left_letter\":\"" << left.letter
+      << "\",\"right_command\":" << right.command << ",\"right_letter\":\"" << right.letter << '"';
+    return s.str();
+  }
+
+public:
+  Drawing_report(int max_order, bool json, bool several, const std::optional<Requirement>& required)
+      : max_order_(max_order), json_(json), several_(several), required_(required) {
+    if (json_) out_.write("{\"joins\":[");
+  }
+
+  void subpath(const Drawing_element& element, int number, const Drawing_subpath& path) override {
+    const std::size_t n = path.segments.size();
+    for (std::size_t i = 0; i < (path.closed ? n : n - 1); ++i) {
+      const Segment &left = path.segments[i], &right = path.segments[(i + 1) % n];
+      const Decision decision = GC::continuity(left, right, max_order_);
+      if (decision)
+        summary_.add(*decision);
+      else
+        ++undecided_;
+      if (required_ && !(decision && required_->met(*decision))) ++failing_;
+      if (json_)
+        out_.write((joins_ == 0 ? "\n " : ",\n ") +
+                   json(segments_ + i, segments_ + (i + 1) % n, left, right, decision) + ',' + json_element(element) +
+                   ",\"subpath\":" + std::to_string(number) + '}');
+      else
+        out_.write((several_ ? element.file + ": " : "") + element.text() + ", subpath " + std::to_string(number) +
+                   ", " + text(left, right, decision) + '\n');
+      ++joins_;
+    }
+    segments_ += n;
+    ++subpaths_;
+  }
+
+  void not_read(const Drawing_element& element, const std::string& reason) override {
+    not_read_.push_back(json_ ? '{' + json_element(element) + ",\"reason\":" + json_string(reason) + '}'
+                              : (several_ ? element.file + ": " : "") + element.text() + ": not verified, " + reason);
+  }
+
+  // Prints all and returns whether the requirement is met.
+  bool print(std::ostream& os) {
+    out_.copy_to(os);
+    if (json_)
+      print_json_summary(os);
+    else
+      print_summary(os);
+    return failing_ == 0;
+  }
+
+private:
+  const std::map<int, std::size_t>& counts() const { return summary_.counts(GC::Continuity_kind::G); }
+
+  void print_summary(std::ostream& os) const {
+    for (const std::string& line : not_read_) os << line << '\n';
+    os << joins_ << (joins_ == 1 ? " join in " : " joins in ") << subpaths_
+       << (subpaths_ == 1 ? " subpath" : " subpaths");
+    const char* separator = ": ";
+    for (const auto& [order, count] : counts()) {
+      os << separator << count << " G" << order << (order == max_order_ ? " or more" : "");
+      separator = ", ";
+    }
+    if (undecided_ != 0) os << separator << undecided_ << " undecided";
+    os << '\n';
+    if (!required_) return;
+    if (failing_ == 0)
+      os << "every join is " << required_->text() << ", proved exactly\n";
+    else
+      os << failing_ << " of them not " << (undecided_ == 0 ? "" : "proved to be ") << required_->text() << '\n';
+  }
+
+  void print_json_summary(std::ostream& os) const {
+    os << "],\n \"not_verified\":[";
+    for (std::size_t i = 0; i < not_read_.size(); ++i) os << (i == 0 ? "\n " : ",\n ") << not_read_[i];
+    os << "],\n \"summary\":{\"joins\":" << joins_ << ",\"subpaths\":" << subpaths_;
+    for (const auto& [order, count] : counts()) os << ",\"G" << order << "\":" << count;
+    os << ",\"undecided\":" << undecided_ << '}';
+    if (required_)
+      os << ",\n \"required\":\"" << required_->text() << "\",\"met\":" << (failing_ == 0 ? "true" : "false");
+    os << "}\n";
+  }
+};
+
+} // namespace
+
+int verify_drawings(const Arguments& files, int max_order, bool json, const std::optional<Requirement>& required) {
+  if (required) required->check_dimension(2);
+  Drawing_report report(max_order, json, files.size() > 1, required);
+  for (const std::string& file : files) read_svg_drawing(file, report);
+  return report.print(std::cout) ? requirement_met : requirement_not_met;
+}
