@@ -15,6 +15,7 @@ A curve that ends is read at the end of its domain, a curve that starts at the s
 
 \cgalHasModelsBegin
 \cgalHasModel{CGAL::Geometric_continuity::Bezier_curve}
+\cgalHasModel{CGAL::Geometric_continuity::Cubic_blended_curve}
 \cgalHasModel{CGAL::Geometric_continuity::Quintic_blend}
 \cgalHasModel{CGAL::Geometric_continuity::Septic_blend}
 \cgalHasModelsEnd
@@ -45,7 +46,7 @@ public:
   /*!
   The point of the curve and its first `k` derivatives with respect to the parameter, at the parameter `u`.
 
-  It is called with the two ends of the domain. A quintic blend asks for `k == 2`, a septic one for `k == 3`;
+  It is called with the two ends of the domain; by swept surfaces, with the parameters at which they are evaluated. A quintic blend asks for `k == 2`, a septic one for `k == 3`;
   `CGAL::Geometric_continuity::continuity()` asks for the larger of 3 and the order that its caller wants to know.
   Derivatives that vanish, such as those beyond the degree of a polynomial curve, must be given as zero vectors. A jet
   of lower order is refused by blends with the reason `jet_order_too_low`, and limits the order that is reported for a

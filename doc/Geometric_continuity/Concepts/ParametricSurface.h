@@ -15,6 +15,8 @@ patches, from their control points, see `CGAL::Geometric_continuity::edge_contin
 
 \cgalHasModelsBegin
 \cgalHasModel{CGAL::Geometric_continuity::Bezier_patch}
+\cgalHasModel{CGAL::Geometric_continuity::Extrusion_surface_3}
+\cgalHasModel{CGAL::Geometric_continuity::Revolution_surface_3}
 \cgalHasModelsEnd
 
 \sa `GeometricContinuityTraits`

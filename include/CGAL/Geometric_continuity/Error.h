@@ -17,6 +17,7 @@ enum class Error_code {
   zero_tangent,             ///< the first derivative at an end is zero
   nonpositive_beta,         ///< a shape parameter \f$ \beta_1 \f$ (or \f$ \eta \f$) is not positive
   singular_frame,           ///< the vectors that must span a frame are linearly dependent
+  zero_direction,           ///< a direction, an axis or a normal is the zero vector
   knot_multiplicity,        ///< a knot is repeated too often
   parameter_outside_domain, ///< a parameter lies outside the domain
   empty_domain,             ///< a parameter interval has no positive length
@@ -27,6 +28,7 @@ enum class Error_code {
   curves_do_not_meet,       ///< a curve does not start where the one before it ends
   nonpositive_curvature,    ///< a curvature that must be positive is not
   unreachable_tolerance,    ///< a tolerance is not positive, or cannot be kept in floating-point arithmetic
+  not_a_manifold,           ///< triangles do not meet two by two along their edges, in one orientation
   malformed_input,          ///< the text of a file or of a number is not what it should be
   cannot_read_file,         ///< a file cannot be opened or read, for a reason of the system
   cannot_write_file         ///< a file, or a number in it, cannot be written
@@ -39,6 +41,7 @@ inline std::string to_string(Error_code code) {
   case Error_code::zero_tangent: return "zero_tangent";
   case Error_code::nonpositive_beta: return "nonpositive_beta";
   case Error_code::singular_frame: return "singular_frame";
+  case Error_code::zero_direction: return "zero_direction";
   case Error_code::knot_multiplicity: return "knot_multiplicity";
   case Error_code::parameter_outside_domain: return "parameter_outside_domain";
   case Error_code::empty_domain: return "empty_domain";
@@ -49,6 +52,7 @@ inline std::string to_string(Error_code code) {
   case Error_code::curves_do_not_meet: return "curves_do_not_meet";
   case Error_code::nonpositive_curvature: return "nonpositive_curvature";
   case Error_code::unreachable_tolerance: return "unreachable_tolerance";
+  case Error_code::not_a_manifold: return "not_a_manifold";
   case Error_code::malformed_input: return "malformed_input";
   case Error_code::cannot_read_file: return "cannot_read_file";
   case Error_code::cannot_write_file: return "cannot_write_file";
