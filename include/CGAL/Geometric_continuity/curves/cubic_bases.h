@@ -94,7 +94,7 @@ template <class Number> struct Matrix_basis {
 /// \tparam FT the field number type of the result
 /// \tparam From, To models of `CubicBasis`
 /// \throws Error `singular_frame` when the matrix of `to` has no inverse
-template <class FT, class From, class To> Basis_matrix<FT> basis_conversion(const From& from, const To& to) {
+template <class FT, class From, class To> Basis_matrix<FT> basis_conversion(From from, To to) {
   typedef typename internal::Exact_field<FT>::type Field;
   return internal::rounded_matrix<FT>(change_of_basis(from.template matrix<Field>(), to.template matrix<Field>()));
 }
