@@ -7,7 +7,9 @@
 
 #include <CGAL/Geometric_continuity/IO/atomic_file.h>
 #include <CGAL/Geometric_continuity/IO/svg.h>
+#include <CGAL/Geometric_continuity/construction/representable_blend.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <sstream>
 
@@ -27,6 +29,9 @@ const char* const usage =
     "--s2)\n"
     "strategies of order 3 (degree 7, G3 or F3): c3, seq_g3, seq_f3, joint_g3, energy3_g3, energy4_g3 (default),\n"
     "                                            free (--start --end)\n"
+    "--representable makes blends of order 2 with control points that are doubles and joins that are exactly G2 "
+    "nevertheless;\n"
+    "with -o it writes both curves, where needed rounded to few enough digits, and the blend between them.\n"
     "Numbers R are decimals or fractions p/q.\n";
 
 const Arguments quintic_names = {"c2", "normal", "min_second", "near_line", "energy2", "energy3"};
@@ -37,6 +42,7 @@ template <class FT> struct Result {
   std::string strategy;
   Program_curve<FT> curve;
   std::string parameters, fallback;
+  std::vector<Program_curve<FT>> neighbours = {}; // of a representable blend: both given curves as they now are
 };
 
 std::string rounded(double x) {
@@ -82,6 +88,17 @@ template <class FT> class Blender {
   const GC::Shape_parameters<FT> shape_;
 
   template <class Strategy> Result<FT> blend(const std::string& name, const Strategy& strategy) const {
+    if constexpr (std::is_same_v<FT, double> && GC::internal::is_quintic_strategy<Traits, Strategy>)
+      if (line_.has("representable")) {
+        const GC::Representable_blend<Traits> gamma = GC::representable_blend(phi_, psi_, strategy, shape_);
+        const double moved = std::max(gamma.start_join.moved, gamma.end_join.moved);
+        return {name,
+                gamma,
+                "beta = " + rounded(gamma.start_join.beta) + ", eta = " + rounded(gamma.end_join.beta) +
+                    (moved == 0 ? ", nothing was moved" : ", coordinates were moved by at most " + rounded(moved)),
+                "",
+                {gamma.phi, gamma.psi}};
+      }
     const auto gamma = GC::blend(phi_, psi_, strategy, shape_);
     return {name, gamma, text(gamma.parameters),
             fallback_text(gamma.parameters.fallback_start, gamma.parameters.fallback_end)};
@@ -185,7 +202,9 @@ template <class FT> int blend(const Command_line& line) {
   bool proved = true;
   for (const Result<FT>& r : results) {
     const Exact_curve gamma = exact(r.curve);
-    const Join start = GC::continuity(exact(phi), gamma), end = GC::continuity(gamma, exact(psi));
+    const bool moved = !r.neighbours.empty();
+    const Join start = GC::continuity(exact(moved ? r.neighbours[0] : phi), gamma),
+               end = GC::continuity(gamma, exact(moved ? r.neighbours[1] : psi));
     for (const Join& join : {start, end})
       proved = proved && (order == 2 || phi.dimension() < 3 ? join.g_order >= 2 : join.f_order >= 3);
     std::printf("%-11s %-12s %-12s %12s %12s  %s%s\n", r.strategy.c_str(), orders(start).c_str(), orders(end).c_str(),
@@ -200,7 +219,11 @@ template <class FT> int blend(const Command_line& line) {
       const bool chain = line.has("replace") && results.size() == 1;
       if (chain)
         for (const Program_curve<FT>& c : scene.before) GC::write_g2(os, c);
-      for (const Result<FT>& r : results) GC::write_g2(os, r.curve);
+      for (const Result<FT>& r : results)
+        if (r.neighbours.empty())
+          GC::write_g2(os, r.curve);
+        else // as fractions, which are the same numbers in every arithmetic
+          for (const Program_curve<FT>& c : {r.neighbours[0], r.curve, r.neighbours[1]}) GC::write_g2(os, exact(c));
       if (chain)
         for (const Program_curve<FT>& c : scene.after) GC::write_g2(os, c);
     });
@@ -223,10 +246,16 @@ int blend_command(const Arguments& arguments) {
     add("end", po::value<std::string>(), "R,R,R = beta2,mu,beta3 at the end (free, order 3)");
     add("replace", po::value<int>(), "replace this curve of a chain");
     add("kernel", po::value<std::string>()->default_value("exact"), "construct in exact numbers, or in double");
+    add("representable", "control points that are doubles, joins that are exactly G2");
     add("output,o", po::value<std::string>(), "write the result, .g2");
     add("plot", po::value<std::string>(), "draw the result, .svg");
     add("title", po::value<std::string>(), "title of the picture");
   });
   if (line.help()) return requirement_met;
+  if (line.has("representable")) {
+    if (line.integer("order") != 2) throw std::invalid_argument("--representable: blends of order 2 only");
+    if (line.has("replace")) throw std::invalid_argument("--representable: not with --replace");
+    return blend<double>(line);
+  }
   return line.choice("kernel", {"exact", "double"}) == "exact" ? blend<Exact>(line) : blend<double>(line);
 }

@@ -9,6 +9,7 @@
 #include "verify_drawings.h"
 
 #include <CGAL/Geometric_continuity/IO/json.h>
+#include <CGAL/Geometric_continuity/continuity/order_within.h>
 
 #include <algorithm>
 #include <chrono>
@@ -20,18 +21,23 @@
 
 namespace {
 
-const char* const usage = "usage: geometric_continuity verify FILE.g2... | DRAWING.svg... [OPTIONS]\n"
-                          "\n"
-                          "Decides the continuity of every join of the chain that all curves form in the given order. "
-                          "The decision is exact for\n"
-                          "the numbers of the files. C: equal derivatives; G: equal arc-length derivatives; F: equal "
-                          "Frenet frame and curvatures. The inner knots of a curve are joins as well.\n"
-                          "With --surfaces finds all edges that the surfaces of the files share and decides G1 and G2 "
-                          "along each whole edge\n"
-                          "and along the knot lines inside B-spline surfaces.\n"
-                          "Of SVG drawings decides the joins of every path and basic shape, and names the element and "
-                          "the commands.\n"
-                          "Exit code: 0 when every join meets the requirement, 1 when one does not, 2 on bad input.\n";
+const char* const usage =
+    "usage: geometric_continuity verify FILE.g2... | DRAWING.svg... [OPTIONS]\n"
+    "\n"
+    "Decides the continuity of every join of the chain that all curves form in the given order. "
+    "The decision is exact for\n"
+    "the numbers of the files. C: equal derivatives; G: equal arc-length derivatives; F: equal "
+    "Frenet frame and curvatures. The inner knots of a curve are joins as well.\n"
+    "With --surfaces finds all edges that the surfaces of the files share and decides G1 and G2 "
+    "along each whole edge\n"
+    "and along the knot lines inside B-spline surfaces.\n"
+    "Of SVG drawings decides the joins of every path and basic shape, and names the element and "
+    "the commands.\n"
+    "--within 1e-9,1e-6,1e-6 also tells how far each join is from continuous, in guaranteed "
+    "bounds, and the order that it has\n"
+    "within this angle of the tangents (radians), relative jump of the curvature vectors and jump "
+    "of the torsions.\n"
+    "Exit code: 0 when every join meets the requirement, 1 when one does not, 2 on bad input.\n";
 
 // Tells on a terminal how far a long chain has come, once a second.
 class Progress {
@@ -52,31 +58,68 @@ public:
   }
 };
 
+// The tolerance A,K,T or A,K,T,GAP.
+GC::Join_tolerance tolerance(const std::string& text) {
+  std::istringstream words(text);
+  std::vector<double> x;
+  try {
+    for (std::string word; std::getline(words, word, ',');) x.push_back(GC::parse_number<double>(word));
+  } catch (const GC::Error& e) {
+    throw std::invalid_argument(std::string("--within: ") + e.what());
+  }
+  if (x.size() != 3 && x.size() != 4)
+    throw std::invalid_argument(
+        "--within: an angle, a relative curvature and a torsion are needed, and possibly a gap");
+  for (double bound : x)
+    if (bound < 0) throw std::invalid_argument("--within: a tolerance is negative");
+  return {x[0], x[1], x[2], x.size() == 4 ? x[3] : 0};
+}
+
+// What is asked of the joins of a chain.
+struct Demand {
+  int max_order;
+  std::optional<Requirement> order;
+  std::optional<GC::Join_tolerance> tolerance;
+};
+
 // Collects what is reported of each join.
 class Chain_report {
   const bool json_;
-  const int max_order_;
-  const std::optional<Requirement> requirement_;
+  const Demand& demand_;
   Deferred_output out_;
   Progress progress_;
   std::size_t joins_ = 0, failing_ = 0;
 
 public:
-  Chain_report(bool json, int max_order, const std::optional<Requirement>& requirement)
-      : json_(json), max_order_(max_order), requirement_(requirement) {
+  Chain_report(bool json, const Demand& demand) : json_(json), demand_(demand) {
     out_.write(json_ ? "{\"joins\":[" : table_head());
   }
 
   void operator()(const GC::Chain_join<Exact_curve>& join) {
     const int left = static_cast<int>(join.left), right = static_cast<int>(join.right);
-    if (requirement_ && !requirement_->met(join.continuity)) ++failing_;
+    std::optional<GC::Order_within> within;
+    if (demand_.tolerance) within = GC::order_within(join.left_curve, join.right_curve, *demand_.tolerance);
+    if (demand_.order && !demand_.order->met(join.continuity) &&
+        !(within && (*within)(demand_.order->order()) == GC::Verdict::proved))
+      ++failing_;
+    std::ostringstream s;
     if (json_) {
-      std::ostringstream s;
-      s << (joins_ == 0 ? "\n " : ",\n ");
-      GC::write_json(s, join.continuity, left, right);
-      out_.write(s.str());
-    } else
-      out_.write(table_row(join.continuity, left, right, join.left_curve, join.right_curve));
+      s << (joins_ == 0 ? "\n {" : ",\n {");
+      GC::internal::write_json_members(s, join.continuity, left, right);
+      if (within) {
+        s << ',';
+        GC::internal::write_json_members(s, *within);
+      }
+      s << '}';
+    } else {
+      s << table_row(join.continuity, left, right, join.left_curve, join.right_curve);
+      if (within) {
+        s << "             within the tolerance: order";
+        for (int order = 0; order <= 3; ++order) s << (order > 0 ? ", " : " ") << order << ' ' << (*within)(order);
+        s << "; " << within->deviation << '\n';
+      }
+    }
+    out_.write(s.str());
     progress_.step(++joins_);
   }
 
@@ -93,29 +136,32 @@ public:
            << ",\"g_order\":" << *summary.least_order(GC::Continuity_kind::G)
            << ",\"f_order\":" << *summary.least_order(GC::Continuity_kind::F);
       os << '}';
-      if (requirement_)
-        os << ",\n \"required\":\"" << requirement_->text() << "\",\"met\":" << (failing_ == 0 ? "true" : "false");
+      if (demand_.order)
+        os << ",\n \"required\":\"" << demand_.order->text() << "\",\"met\":" << (failing_ == 0 ? "true" : "false");
       os << "}\n";
     } else {
       os << joins_ << (joins_ == 1 ? " join" : " joins");
       for (const auto& [order, count] : counts)
         os << (order == counts.begin()->first ? ": " : ", ") << count << ' '
-           << (order < 0 ? "gap" : 'G' + std::to_string(order) + (order == max_order_ ? " or more" : ""));
+           << (order < 0 ? "gap" : 'G' + std::to_string(order) + (order == demand_.max_order ? " or more" : ""));
       os << '\n';
-      if (requirement_ && failing_ == 0) os << "every join is " << requirement_->text() << ", proved exactly\n";
-      if (requirement_ && failing_ > 0) os << failing_ << " of them not " << requirement_->text() << '\n';
+      if (!demand_.order) return true;
+      const std::string order = demand_.order->text() + (demand_.tolerance ? " within the tolerance" : "");
+      if (failing_ == 0)
+        os << "every join is " << order << ", proved exactly\n";
+      else
+        os << failing_ << " of them not " << order << '\n';
     }
     return failing_ == 0;
   }
 };
 
-template <class FT>
-int verify(const Arguments& files, bool closed, int max_order, bool json, const std::optional<Requirement>& required) {
-  Chain_report report(json, max_order, required);
-  GC::Chain_analysis<Exact_curve> chain(max_order);
+template <class FT> int verify(const Arguments& files, bool closed, bool json, const Demand& demand) {
+  Chain_report report(json, demand);
+  GC::Chain_analysis<Exact_curve> chain(demand.max_order);
   Curve_stream<FT, Exact> stream(files);
   while (const std::optional<Exact_curve> curve = stream.next()) {
-    if (required && chain.size() == 0) required->check_dimension(curve->dimension());
+    if (demand.order && chain.size() == 0) demand.order->check_dimension(curve->dimension());
     chain.add(*curve, report);
   }
   if (chain.size() == 1 && !closed)
@@ -132,6 +178,7 @@ int verify_command(const Arguments& arguments) {
     add("closed", "the last curve leads back to the first");
     add("max-order", po::value<int>()->default_value(3), "the highest order to decide, from 0 to 32");
     add("require", po::value<std::string>(), "the order that every join must have: C1, G2, F3, ...");
+    add("within", po::value<std::string>(), "A,K,T or A,K,T,GAP: the tolerance for a join");
     add("json", "print JSON");
     add("kernel", po::value<std::string>()->default_value("exact"),
         "exact: the numbers as written; double: each number is first rounded to a double, then all is exact");
@@ -145,23 +192,26 @@ int verify_command(const Arguments& arguments) {
   if (drawings != 0) {
     if (drawings != static_cast<std::ptrdiff_t>(files.size()))
       throw std::invalid_argument("drawings (.svg) and curves (.g2) cannot be verified together");
-    for (const char* option : {"surfaces", "closed"})
+    for (const char* option : {"surfaces", "closed", "within"})
       if (line.has(option)) throw std::invalid_argument(std::string("--") + option + ": not for drawings");
     if (line.choice("kernel", {"exact", "double"}) != "exact")
       throw std::invalid_argument("--kernel double: drawings are read exactly");
   }
   if (line.has("surfaces")) {
+    if (line.has("within")) throw std::invalid_argument("--within: not for surfaces");
     if (required && (required->kind() != GC::Continuity_kind::G || required->order() > 2))
       throw std::invalid_argument("--require " + required->text() + ": along an edge G0, G1 and G2 are decided");
     return verify_surfaces(line.files(), line.has("json"),
                            required ? std::optional<int>(required->order()) : std::nullopt);
   }
-  int max_order = line.integer("max-order");
-  if (max_order < 0 || max_order > 32) throw std::invalid_argument("--max-order: not from 0 to 32");
-  if (required) max_order = std::max(max_order, required->order());
+  Demand demand{line.integer("max-order"), required, {}};
+  if (demand.max_order < 0 || demand.max_order > 32) throw std::invalid_argument("--max-order: not from 0 to 32");
+  if (required) demand.max_order = std::max(demand.max_order, required->order());
+  if (line.has("within")) demand.tolerance = tolerance(line.text("within"));
+  if (required && demand.tolerance && (required->kind() == GC::Continuity_kind::C || required->order() > 3))
+    throw std::invalid_argument("--require " + required->text() + ": within a tolerance, G or F up to 3 are decided");
   const bool closed = line.has("closed"), json = line.has("json");
-  if (drawings != 0) return verify_drawings(files, max_order, json, required);
-  return line.choice("kernel", {"exact", "double"}) == "exact"
-             ? verify<Exact>(line.files(), closed, max_order, json, required)
-             : verify<double>(line.files(), closed, max_order, json, required);
+  if (drawings != 0) return verify_drawings(files, demand.max_order, json, required);
+  return line.choice("kernel", {"exact", "double"}) == "exact" ? verify<Exact>(files, closed, json, demand)
+                                                               : verify<double>(files, closed, json, demand);
 }

@@ -18,6 +18,7 @@
 #include <CGAL/Geometric_continuity/algebra/Bernstein_polynomial.h>
 #include <CGAL/Geometric_continuity/algebra/Bspline_function.h>
 #include <CGAL/Geometric_continuity/algebra/Coordinate_vector.h>
+#include <CGAL/Geometric_continuity/algebra/Enclosure.h>
 #include <CGAL/Geometric_continuity/algebra/Knot_vector.h>
 #include <CGAL/Geometric_continuity/algebra/bernstein.h>
 #include <CGAL/Geometric_continuity/algebra/blending_functions.h>
@@ -29,7 +30,9 @@
 #include <CGAL/Geometric_continuity/local/Coordinate_jet.h>
 #include <CGAL/Geometric_continuity/local/Curve_jet.h>
 #include <CGAL/Geometric_continuity/local/Frenet_frame.h>
+#include <CGAL/Geometric_continuity/local/Jet_arrays.h>
 #include <CGAL/Geometric_continuity/local/congruence.h>
+#include <CGAL/Geometric_continuity/local/curvature_batch.h>
 #include <CGAL/Geometric_continuity/local/curvatures.h>
 #include <CGAL/Geometric_continuity/local/frenet_equations.h>
 
@@ -42,13 +45,17 @@
 #include <CGAL/Geometric_continuity/curves/control_polygon.h>
 #include <CGAL/Geometric_continuity/curves/cubic_bases.h>
 #include <CGAL/Geometric_continuity/curves/end_control_points.h>
+#include <CGAL/Geometric_continuity/curves/evaluate_batch.h>
 #include <CGAL/Geometric_continuity/curves/polygon_invariants.h>
 #include <CGAL/Geometric_continuity/curves/polyline.h>
 
+#include <CGAL/Geometric_continuity/continuity/Verdict.h>
 #include <CGAL/Geometric_continuity/continuity/chain_continuity.h>
+#include <CGAL/Geometric_continuity/continuity/deviation.h>
 #include <CGAL/Geometric_continuity/continuity/edge_continuity.h>
 #include <CGAL/Geometric_continuity/continuity/join_continuity.h>
 #include <CGAL/Geometric_continuity/continuity/knot_continuity.h>
+#include <CGAL/Geometric_continuity/continuity/order_within.h>
 #include <CGAL/Geometric_continuity/continuity/polygon_tests.h>
 #include <CGAL/Geometric_continuity/continuity/spline_edge_continuity.h>
 
@@ -56,11 +63,13 @@
 #include <CGAL/Geometric_continuity/construction/Septic_ends.h>
 #include <CGAL/Geometric_continuity/construction/alternatives.h>
 #include <CGAL/Geometric_continuity/construction/blend.h>
+#include <CGAL/Geometric_continuity/construction/blend_batch.h>
 #include <CGAL/Geometric_continuity/construction/extend.h>
 #include <CGAL/Geometric_continuity/construction/extend_curves.h>
 #include <CGAL/Geometric_continuity/construction/midpoint_construction.h>
 #include <CGAL/Geometric_continuity/construction/piecewise_cubics.h>
 #include <CGAL/Geometric_continuity/construction/quintic_strategies.h>
+#include <CGAL/Geometric_continuity/construction/representable_blend.h>
 #include <CGAL/Geometric_continuity/construction/septic_strategies.h>
 
 #include <CGAL/Geometric_continuity/surfaces/Bezier_patch.h>
@@ -72,6 +81,7 @@
 #include <CGAL/Geometric_continuity/surfaces/Tessellation.h>
 #include <CGAL/Geometric_continuity/surfaces/bspline_edge_continuity.h>
 #include <CGAL/Geometric_continuity/surfaces/connect_g1.h>
+#include <CGAL/Geometric_continuity/surfaces/evaluate_grid.h>
 #include <CGAL/Geometric_continuity/surfaces/face_graph.h>
 #include <CGAL/Geometric_continuity/surfaces/knot_line_continuity.h>
 #include <CGAL/Geometric_continuity/surfaces/model_continuity.h>

@@ -73,6 +73,24 @@ holds cmp -s default.g2 energy3.g2
 run 0 blend "$L" "$R" --kernel double -o double.g2 && says out "rounding has broken a join"
 run 1 verify "$L" double.g2 "$R" --kernel double --require G2
 
+# unless they are representable
+for strategy in c2 normal min_second near_line energy2 energy3; do
+  run 0 blend "$L" "$R" --representable --strategy $strategy -o chain.g2 && says out "G2" "proved in exact arithmetic"
+  run 0 verify chain.g2 --require G2 && says out "2 joins"
+  run 0 verify chain.g2 --require G2 --kernel double
+done
+run 2 blend "$L" "$R" --representable --order 3 -o no.g2 && run 2 blend "$S" --replace 1 --representable -o no.g2
+printf '100 1 0 0\n3 0\n2 2\n0 0 1 1\n1 0 0\n1.0000000000000002 0 0\n' >stiff.g2
+run 2 blend stiff.g2 "$R" --representable -o no.g2 && says err "not_representable"
+
+# joins within a tolerance
+run 1 verify "$L" double.g2 "$R" --kernel double --require G2 --within 1e-12,1e-25,0
+run 0 verify "$L" double.g2 "$R" --kernel double --require G2 --within 1e-9,1e-9,0 && says out "within the tolerance, proved"
+run 0 verify "$L" double.g2 "$R" --kernel double --within 1e-9,1e-9,0 --json && says out '"within":["proved","proved","proved",' '"tangent_angle":['
+run 0 verify --closed "$S" --within 0.004,0.1,0 && says out "order 0 proved, 1 proved, 2 refuted" "tangent angle"
+for bad in 1,2 1,2,x -1,0,0 1,2,3,4,5 nan,0,0; do run 2 verify "$L" "$R" --within $bad && says err "within"; done
+run 2 verify --closed "$S" --within 1,1,1 --require C1 && run 2 verify "$teapot" --surfaces --within 1,1,1
+
 # replacing a piece of an outline
 run 0 blend "$S" --replace 1 -o S.g2
 run 0 verify --closed S.g2 --json && says out '{"left":0,"right":1,"c_order":1,"g_order":2' '{"left":1,"right":2,"c_order":1,"g_order":2'

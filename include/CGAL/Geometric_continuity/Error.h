@@ -29,6 +29,7 @@ enum class Error_code {
   nonpositive_curvature,    ///< a curvature that must be positive is not
   unreachable_tolerance,    ///< a tolerance is not positive, or cannot be kept in floating-point arithmetic
   not_a_manifold,           ///< triangles do not meet two by two along their edges, in one orientation
+  not_representable,        ///< no floating-point numbers with the demanded property exist
   malformed_input,          ///< the text of a file or of a number is not what it should be
   cannot_read_file,         ///< a file cannot be opened or read, for a reason of the system
   cannot_write_file         ///< a file, or a number in it, cannot be written
@@ -53,6 +54,7 @@ inline std::string to_string(Error_code code) {
   case Error_code::nonpositive_curvature: return "nonpositive_curvature";
   case Error_code::unreachable_tolerance: return "unreachable_tolerance";
   case Error_code::not_a_manifold: return "not_a_manifold";
+  case Error_code::not_representable: return "not_representable";
   case Error_code::malformed_input: return "malformed_input";
   case Error_code::cannot_read_file: return "cannot_read_file";
   case Error_code::cannot_write_file: return "cannot_write_file";

@@ -7,7 +7,9 @@
 
 #include <CGAL/Geometric_continuity/IO/number.h>
 #include <CGAL/Geometric_continuity/continuity/join_continuity.h>
+#include <CGAL/Geometric_continuity/continuity/order_within.h>
 
+#include <cmath>
 #include <optional>
 #include <ostream>
 
@@ -36,6 +38,33 @@ template <class FT> void write_json_members(std::ostream& os, const Join_continu
   write_json(os, "torsion_equal", join.torsion_equal);
 }
 
+inline void write_json(std::ostream& os, const char* key, const std::optional<Enclosure>& e) {
+  os << ",\"" << key << "\":";
+  if (!e) {
+    os << "null";
+    return;
+  }
+  os << '[';
+  write_number(os, e->lower);
+  os << ',';
+  if (std::isfinite(e->upper))
+    write_number(os, e->upper);
+  else
+    os << "null";
+  os << ']';
+}
+
+// The members of the object, without braces.
+inline void write_json_members(std::ostream& os, const Order_within& within) {
+  os << "\"within\":[";
+  for (int order = 0; order <= 3; ++order) os << (order == 0 ? "\"" : ",\"") << within(order) << '"';
+  os << ']';
+  write_json(os, "gap", within.deviation.gap);
+  write_json(os, "tangent_angle", within.deviation.tangent_angle);
+  write_json(os, "curvature_jump", within.deviation.curvature_jump);
+  write_json(os, "torsion_jump", within.deviation.torsion_jump);
+}
+
 } // namespace internal
 
 /// \ingroup PkgGeometricContinuityIO
@@ -46,6 +75,16 @@ template <class FT> void write_json_members(std::ostream& os, const Join_continu
 template <class FT> void write_json(std::ostream& os, const Join_continuity<FT>& join, int left, int right) {
   os << '{';
   internal::write_json_members(os, join, left, right);
+  os << '}';
+}
+
+/// \ingroup PkgGeometricContinuityIO
+/// Writes the verdicts for the orders 0 to 3 and the enclosures of a deviation as a JSON object
+/// `{"within":["proved",…],"gap":[…,…],"tangent_angle":[…,…],"curvature_jump":[…,…],"torsion_jump":[…,…]}`. What is
+/// undefined is null, and so is an infinite upper bound.
+inline void write_json(std::ostream& os, const Order_within& within) {
+  os << '{';
+  internal::write_json_members(os, within);
   os << '}';
 }
 

@@ -35,10 +35,9 @@ template <class Traits> struct Septic_blend : Bezier_curve<Traits, 7> {
 
 namespace internal {
 
-template <class Traits>
-void check_blend_input(const Curve_jet<Traits>& phi, const Curve_jet<Traits>& psi, int order,
-                       const Shape_parameters<typename Traits::FT>& shape) {
-  typedef typename Traits::FT FT;
+template <class FT, int N>
+void check_blend_input(const Coordinate_jet<FT, N>& phi, const Coordinate_jet<FT, N>& psi, int order,
+                       const Shape_parameters<FT>& shape) {
   if (!(FT(0) < shape.beta)) throw Error(Error_code::nonpositive_beta, "blend: beta, at the end of the first curve");
   if (!(FT(0) < shape.eta)) throw Error(Error_code::nonpositive_beta, "blend: eta, at the start of the second curve");
   check_finite(shape.beta, "blend: beta");
@@ -67,7 +66,7 @@ template <class Traits, class Strategy>
 Quintic_blend<Traits> quintic_blend(const Curve_jet<Traits>& phi, const Curve_jet<Traits>& psi,
                                     const Strategy& strategy, const Shape_parameters<typename Traits::FT>& shape) {
   typedef typename Traits::FT FT;
-  check_blend_input(phi, psi, 2, shape);
+  check_blend_input<FT, dimension_v<Traits>>(phi, psi, 2, shape);
   const FT &beta = shape.beta, &eta = shape.eta;
   const Quintic_ends<FT, dimension_v<Traits>> e(phi[0], psi[0], beta * phi[1], eta * psi[1], FT(beta * beta) * phi[2],
                                                 FT(eta * eta) * psi[2]);
@@ -80,7 +79,7 @@ template <class Traits, class Strategy>
 Septic_blend<Traits> septic_blend(const Curve_jet<Traits>& phi, const Curve_jet<Traits>& psi, const Strategy& strategy,
                                   const Shape_parameters<typename Traits::FT>& shape) {
   typedef typename Traits::FT FT;
-  check_blend_input(phi, psi, 3, shape);
+  check_blend_input<FT, dimension_v<Traits>>(phi, psi, 3, shape);
   const Septic_ends<FT, dimension_v<Traits>> e{{phi[0], phi[1], phi[2], phi[3], shape.beta, 1},
                                                {psi[0], psi[1], psi[2], psi[3], shape.eta, -1}};
   const Septic_parameters<FT> p = strategy(e);

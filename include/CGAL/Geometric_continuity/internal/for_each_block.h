@@ -1,0 +1,42 @@
+// Copyright (c) 2026 The Geometric_continuity developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_GEOMETRIC_CONTINUITY_INTERNAL_FOR_EACH_BLOCK_H
+#define CGAL_GEOMETRIC_CONTINUITY_INTERNAL_FOR_EACH_BLOCK_H
+
+#include <CGAL/tags.h>
+
+#include <cstddef>
+#include <type_traits>
+
+#ifdef CGAL_LINKED_WITH_TBB
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+#endif
+
+namespace CGAL {
+namespace Geometric_continuity {
+namespace internal {
+
+// Calls work(begin, end) for consecutive parts of [0, n), on several cores with Parallel_tag.
+template <class Concurrency_tag, class Work> void for_each_block(std::size_t n, const Work& work) {
+#ifdef CGAL_LINKED_WITH_TBB
+  if constexpr (std::is_convertible_v<Concurrency_tag, Parallel_tag>) {
+    constexpr std::size_t grain = 1024;
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, n, grain),
+                      [&](const tbb::blocked_range<std::size_t>& r) { work(r.begin(), r.end()); });
+    return;
+  }
+#endif
+  static_assert(!std::is_same_v<Concurrency_tag, Parallel_tag> ||
+                    std::is_same_v<Parallel_if_available_tag, Parallel_tag>,
+                "Parallel_tag needs TBB, see CGAL_TBB_support; Parallel_if_available_tag does without");
+  work(std::size_t(0), n);
+}
+
+} // namespace internal
+} // namespace Geometric_continuity
+} // namespace CGAL
+
+#endif // CGAL_GEOMETRIC_CONTINUITY_INTERNAL_FOR_EACH_BLOCK_H

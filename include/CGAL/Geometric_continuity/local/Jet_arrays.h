@@ -1,0 +1,62 @@
+// Copyright (c) 2026 The Geometric_continuity developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_GEOMETRIC_CONTINUITY_LOCAL_JET_ARRAYS_H
+#define CGAL_GEOMETRIC_CONTINUITY_LOCAL_JET_ARRAYS_H
+
+#include <CGAL/Geometric_continuity/local/Coordinate_jet.h>
+
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Geometric_continuity {
+
+/// \ingroup PkgGeometricContinuityLocal
+/// Many jets of order `k` in dimension `N` as a structure of arrays: for each derivative and each coordinate one array with
+/// the numbers of all jets. This is the layout in which a processor computes several jets at a time.
+/// \tparam FT a field number type, usually `double`
+template <class FT_, int N, int k> class Jet_arrays {
+  static_assert(N > 0 && k >= 0);
+  std::size_t size_ = 0;
+  std::vector<FT_> numbers_;
+
+public:
+  typedef FT_ FT;
+
+  Jet_arrays() = default;
+  /// `n` jets with unspecified numbers.
+  explicit Jet_arrays(std::size_t n) { resize(n); }
+
+  /// Changes the number of jets. The numbers are unspecified afterwards; no memory is allocated when there is enough.
+  void resize(std::size_t n) {
+    size_ = n;
+    numbers_.resize(n * (k + 1) * N);
+  }
+  /// The number of jets.
+  std::size_t size() const { return size_; }
+
+  /// The coordinates number `i` of the derivatives of order `j` of all jets, an array of `size()` numbers.
+  FT* array(int j, int i) { return numbers_.data() + (j * N + i) * size_; }
+  const FT* array(int j, int i) const { return numbers_.data() + (j * N + i) * size_; }
+
+  /// One of the jets.
+  Coordinate_jet<FT, N> jet(std::size_t at) const {
+    Coordinate_jet<FT, N> r(N, k);
+    for (int j = 0; j <= k; ++j)
+      for (int i = 0; i < N; ++i) r[j][i] = array(j, i)[at];
+    return r;
+  }
+
+  /// Replaces one of the jets. \pre the jet has at least the order `k`, and the dimension `N`
+  template <int M> void set(std::size_t at, const Coordinate_jet<FT, M>& jet) {
+    for (int j = 0; j <= k; ++j)
+      for (int i = 0; i < N; ++i) array(j, i)[at] = jet[j][i];
+  }
+};
+
+} // namespace Geometric_continuity
+} // namespace CGAL
+
+#endif // CGAL_GEOMETRIC_CONTINUITY_LOCAL_JET_ARRAYS_H
