@@ -49,11 +49,13 @@
 #include <CGAL/Geometric_continuity/curves/polygon_invariants.h>
 #include <CGAL/Geometric_continuity/curves/polyline.h>
 
+#include <CGAL/Geometric_continuity/continuity/Prepared_end.h>
 #include <CGAL/Geometric_continuity/continuity/Verdict.h>
 #include <CGAL/Geometric_continuity/continuity/chain_continuity.h>
 #include <CGAL/Geometric_continuity/continuity/deviation.h>
 #include <CGAL/Geometric_continuity/continuity/edge_continuity.h>
 #include <CGAL/Geometric_continuity/continuity/join_continuity.h>
+#include <CGAL/Geometric_continuity/continuity/join_predicates.h>
 #include <CGAL/Geometric_continuity/continuity/knot_continuity.h>
 #include <CGAL/Geometric_continuity/continuity/order_within.h>
 #include <CGAL/Geometric_continuity/continuity/polygon_tests.h>

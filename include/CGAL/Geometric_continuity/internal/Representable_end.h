@@ -22,7 +22,7 @@ namespace Geometric_continuity {
 namespace internal {
 
 // 2^n, also where that is no double.
-inline Exact_rational power_of_two(int n) {
+inline Exact_rational exact_power_of_two(int n) {
   Exact_rational x(1);
   const Exact_rational factor = n < 0 ? Exact_rational(1) / Exact_rational(2) : Exact_rational(2);
   for (; n != 0; n += n < 0 ? 1 : -1) x *= factor;
@@ -46,7 +46,7 @@ template <class Float> Float rounded_to_grid(Float x, int n) {
 inline Exact_rational short_number(const Exact_rational& x, int digits) {
   const double approximation = CGAL::to_double(x);
   const int n = std::ilogb(approximation) + 1 - digits;
-  return Exact_rational(std::nearbyint(std::ldexp(approximation, -n))) * power_of_two(n);
+  return Exact_rational(std::nearbyint(std::ldexp(approximation, -n))) * exact_power_of_two(n);
 }
 
 // One end of a blend with control points that are numbers of type Float. With the end points A = b_0, b_1, b_2 of a curve
@@ -117,7 +117,7 @@ public:
     for (int digits = finest_e; digits >= coarsest_e; --digits) {
       const double multiple = std::nearbyint(std::ldexp(approximation, digits));
       if (!std::isfinite(multiple)) refuse("the strategy chooses a point that is too far away");
-      e_ = Exact_rational(multiple) * power_of_two(-digits);
+      e_ = Exact_rational(multiple) * exact_power_of_two(-digits);
       if (representable(third_point())) return true;
     }
     return false;

@@ -1,0 +1,282 @@
+// Copyright (c) 2026 The Geometric_continuity developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+// Exact decisions about joins with double coordinates, against the floating-point test that one writes by hand and is not
+// certified, and against the same test in other exact number types. All answers are compared before anything is timed.
+
+#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Exact_rational.h>
+#include <CGAL/Geometric_continuity/Traits_3.h>
+#include <CGAL/Geometric_continuity/continuity/join_predicates.h>
+#include <CGAL/Geometric_continuity/curves/Bezier_curve.h>
+#include <CGAL/Mpzf.h>
+
+#include <benchmark/benchmark.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <cstdlib>
+#include <functional>
+#include <iomanip>
+#include <iostream>
+#include <map>
+#include <random>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace GC = CGAL::Geometric_continuity;
+
+typedef GC::Traits_3<CGAL::Exact_predicates_inexact_constructions_kernel> Traits;
+typedef GC::Bezier_curve<Traits, 5> Curve;
+typedef GC::Prepared_end<Traits> End;
+typedef Traits::Point Point;
+
+// ---------------------------------------------------------------- the test by hand, in any number type
+
+template <class FT> using Vec = std::array<FT, 3>;
+template <class FT> Vec<FT> hand_minus(const Vec<FT>& x, const Vec<FT>& y) {
+  return {FT(x[0] - y[0]), FT(x[1] - y[1]), FT(x[2] - y[2])};
+}
+template <class FT> FT hand_dot(const Vec<FT>& x, const Vec<FT>& y) {
+  return FT(x[0] * y[0] + x[1] * y[1] + x[2] * y[2]);
+}
+template <class FT> Vec<FT> hand_cross(const Vec<FT>& x, const Vec<FT>& y) {
+  return {FT(x[1] * y[2] - x[2] * y[1]), FT(x[2] * y[0] - x[0] * y[2]), FT(x[0] * y[1] - x[1] * y[0])};
+}
+
+template <class FT> bool hand_equal(const FT& x, const FT& y) {
+  if constexpr (std::is_floating_point_v<FT>)
+    return std::abs(x - y) <= 1e-9 * (std::abs(x) + std::abs(y));
+  else
+    return x == y;
+}
+// For doubles, relative to the longer vector.
+template <class FT> bool equal_vectors(const Vec<FT>& x, const Vec<FT>& y) {
+  if constexpr (std::is_floating_point_v<FT>) {
+    const Vec<FT> d = hand_minus(x, y);
+    return hand_dot(d, d) <= 1e-18 * (hand_dot(x, x) + hand_dot(y, y));
+  } else
+    return x[0] == y[0] && x[1] == y[1] && x[2] == y[2];
+}
+
+template <class FT> struct Legs { Vec<FT> point, d1, d2, d3; };
+template <class FT> Vec<FT> coordinates(const Point& p) { return {FT(p.x()), FT(p.y()), FT(p.z())}; }
+template <class FT> Legs<FT> end_of(const Curve& c) {
+  const Vec<FT> p0 = coordinates<FT>(c.control_point(5)), p1 = coordinates<FT>(c.control_point(4)),
+                p2 = coordinates<FT>(c.control_point(3)), p3 = coordinates<FT>(c.control_point(2));
+  const Vec<FT> a = hand_minus(p0, p1), b = hand_minus(p1, p2), e = hand_minus(a, b);
+  return {p0, a, e, hand_minus(e, hand_minus(b, hand_minus(p2, p3)))};
+}
+template <class FT> Legs<FT> start_of(const Curve& c) {
+  const Vec<FT> p0 = coordinates<FT>(c.control_point(0)), p1 = coordinates<FT>(c.control_point(1)),
+                p2 = coordinates<FT>(c.control_point(2)), p3 = coordinates<FT>(c.control_point(3));
+  const Vec<FT> a = hand_minus(p1, p0), b = hand_minus(p2, p1), e = hand_minus(b, a);
+  return {p0, a, e, hand_minus(hand_minus(hand_minus(p3, p2), b), e)};
+}
+
+// G1: g Y' = a X', a > 0. G2: g^3 (Y' x Y'') = a^3 (X' x X''). F3: g^6 det Y = a^6 det X.
+template <bool torsion, class FT> bool by_hand(const Curve& left, const Curve& right) {
+  const Legs<FT> x = end_of<FT>(left), y = start_of<FT>(right);
+  if (!(x.point[0] == y.point[0] && x.point[1] == y.point[1] && x.point[2] == y.point[2])) return false;
+  const FT g = hand_dot(x.d1, x.d1), a = hand_dot(x.d1, y.d1);
+  if (!(FT(0) < a)) return false;
+  if (!equal_vectors<FT>({FT(g * y.d1[0]), FT(g * y.d1[1]), FT(g * y.d1[2])},
+                         {FT(a * x.d1[0]), FT(a * x.d1[1]), FT(a * x.d1[2])}))
+    return false;
+  const Vec<FT> n = hand_cross(x.d1, x.d2), o = hand_cross(y.d1, y.d2);
+  const FT g3 = FT(g * g * g), a3 = FT(a * a * a);
+  if (!equal_vectors<FT>({FT(g3 * o[0]), FT(g3 * o[1]), FT(g3 * o[2])}, {FT(a3 * n[0]), FT(a3 * n[1]), FT(a3 * n[2])}))
+    return false;
+  return !torsion || hand_equal<FT>(FT(g3 * g3 * hand_dot(o, y.d3)), FT(a3 * a3 * hand_dot(n, x.d3)));
+}
+
+// ---------------------------------------------------------------- input
+
+enum Class { holds, off_by_one, grossly_off };
+const char* const class_names[] = {"holds", "off by one unit", "grossly off"};
+
+struct Input {
+  std::vector<Curve> left;
+  std::array<std::vector<Curve>, 3> right;
+  std::vector<End> left_ends;
+  std::array<std::vector<End>, 3> right_ends;
+};
+
+// Joins with coordinates of about 45 bits on a grid 2^-45 that are F3; beta_1 = p/q.
+const Input& input() {
+  static const Input result = [] {
+    Input in;
+    std::mt19937_64 engine(2026);
+    const auto whole = [&](int bits) {
+      return static_cast<double>(static_cast<std::int64_t>(engine() >> (64 - bits)) - (std::int64_t(1) << (bits - 1)));
+    };
+    for (int k = 0; k < 512; ++k) {
+      const int q = 1 + static_cast<int>(engine() % 8), p = 1 + static_cast<int>(engine() % 15);
+      std::array<double, 3> start, a1, a2, a3, b1, b2, b3;
+      const double c[6] = {whole(8), whole(8), whole(8), whole(8), whole(4), whole(4)};
+      for (int i = 0; i < 3; ++i) {
+        const double x = whole(33), y = whole(30), z = whole(26);
+        start[i] = whole(43);
+        a1[i] = q * x;
+        b1[i] = p * x;
+        a2[i] = q * q * y + c[0] * x;
+        b2[i] = p * p * y + c[1] * x;
+        a3[i] = q * q * q * z + c[2] * x + c[4] * y;
+        b3[i] = p * p * p * z + c[3] * x + c[5] * y;
+      }
+      const auto polygon = [&](const auto& d1, const auto& d2, const auto& d3, double sign) {
+        std::array<std::array<double, 3>, 6> x{};
+        for (int i = 0; i < 3; ++i) {
+          x[0][i] = start[i];
+          x[1][i] = start[i] + sign * d1[i];
+          x[2][i] = start[i] + 2 * sign * d1[i] + d2[i];
+          x[3][i] = start[i] + 3 * sign * d1[i] + 3 * d2[i] + sign * d3[i];
+        }
+        return x;
+      };
+      const auto curve = [&](const std::array<std::array<double, 3>, 6>& x, bool reversed) {
+        std::array<Point, 6> points;
+        for (int j = 0; j < 6; ++j) {
+          const std::array<double, 3>& c = x[reversed ? 5 - j : j];
+          points[j] = Point(0x1p-45 * c[0], 0x1p-45 * c[1], 0x1p-45 * c[2]);
+        }
+        return Curve(points.begin(), points.end());
+      };
+      in.left.push_back(curve(polygon(a1, a2, a3, -1), true));
+      std::array<std::array<double, 3>, 6> right = polygon(b1, b2, b3, 1);
+      in.right[holds].push_back(curve(right, false));
+      right[2][1] += 1;
+      right[3][2] += 1;
+      in.right[off_by_one].push_back(curve(right, false));
+      right[2][1] += 0x1p45;
+      right[3][2] += 0x1p45;
+      in.right[grossly_off].push_back(curve(right, false));
+      in.left_ends.push_back(End::at_end(in.left.back()));
+      for (int j = 0; j < 3; ++j) in.right_ends[j].push_back(End::at_start(in.right[j].back()));
+    }
+    return in;
+  }();
+  return result;
+}
+
+// ---------------------------------------------------------------- what is timed
+
+typedef bool (*On_curves)(const Curve&, const Curve&);
+struct Method {
+  const char* name;
+  On_curves g2, f3;
+};
+typedef CGAL::Exact_predicates_exact_constructions_kernel::FT Lazy;
+const Method methods[] = {
+    {"by hand, double, not certified", by_hand<false, double>, by_hand<true, double>},
+    {"filtered, from doubles", [](const Curve& x, const Curve& y) { return GC::is_g2_join(x, y); },
+     [](const Curve& x, const Curve& y) { return GC::is_f3_join(x, y); }},
+    {"by hand, Mpzf", by_hand<false, CGAL::Mpzf>, by_hand<true, CGAL::Mpzf>},
+    {"by hand, Exact_rational", by_hand<false, CGAL::Exact_rational>, by_hand<true, CGAL::Exact_rational>},
+    {"by hand, number type of Epeck", by_hand<false, Lazy>, by_hand<true, Lazy>}};
+
+void compare_answers() {
+  const Input& in = input();
+  for (int c = 0; c < 3; ++c)
+    for (std::size_t k = 0; k < in.left.size(); ++k)
+      for (const Method& m : methods) {
+        if (m.g2 == methods[0].g2) continue; // which may be wrong
+        const bool same = m.g2(in.left[k], in.right[c][k]) == (c == holds) &&
+                          m.f3(in.left[k], in.right[c][k]) == (c == holds) &&
+                          GC::is_g2_join(in.left_ends[k], in.right_ends[c][k]) == (c == holds) &&
+                          GC::is_f3_join(in.left_ends[k], in.right_ends[c][k]) == (c == holds);
+        if (!same) {
+          std::cerr << m.name << ": wrong answer, " << class_names[c] << ", join " << k << '\n';
+          std::exit(1);
+        }
+      }
+}
+
+template <class Function> void time_joins(benchmark::State& state, Function decide) {
+  const std::size_t n = input().left.size();
+  std::size_t k = 0;
+  for (auto _ : state) {
+    benchmark::DoNotOptimize(decide(k));
+    if (++k == n) k = 0;
+  }
+}
+
+// Many joins in one pass over memory: curves next to each other, each used once.
+void one_pass(benchmark::State& state) {
+  const Input& in = input();
+  const std::size_t n = static_cast<std::size_t>(state.range(0));
+  std::vector<Curve> left, right;
+  left.reserve(n);
+  right.reserve(n);
+  for (std::size_t k = 0; k < n; ++k) {
+    left.push_back(in.left[k % in.left.size()]);
+    right.push_back(in.right[holds][k % in.left.size()]);
+  }
+  for (auto _ : state) {
+    std::size_t count = 0;
+    for (std::size_t k = 0; k < n; ++k) count += GC::is_f3_join(left[k], right[k]);
+    if (count != n) state.SkipWithError("wrong answer");
+  }
+  state.SetItemsProcessed(static_cast<std::int64_t>(state.iterations() * n));
+}
+
+// Besides the usual table, the ratios to the test by hand of the same question and class.
+class Ratios : public benchmark::ConsoleReporter {
+  std::map<std::string, double> hand_;
+  std::vector<std::pair<std::string, double>> runs_;
+
+public:
+  void ReportRuns(const std::vector<Run>& reports) override {
+    benchmark::ConsoleReporter::ReportRuns(reports);
+    for (const Run& run : reports) {
+      const std::string name = run.benchmark_name();
+      const std::size_t bar = name.find(" | ");
+      if (bar == std::string::npos || run.error_occurred) continue;
+      const double time = run.GetAdjustedRealTime();
+      if (name.find(methods[0].name) != std::string::npos) hand_[name.substr(0, bar)] = time;
+      runs_.emplace_back(name, time);
+    }
+  }
+  void Finalize() override {
+    std::cout << "\nratios to the test by hand in double\n";
+    for (const auto& run : runs_) {
+      const auto hand = hand_.find(run.first.substr(0, run.first.find(" | ")));
+      if (hand != hand_.end())
+        std::cout << std::setw(10) << std::fixed << std::setprecision(2) << run.second / hand->second << "  "
+                  << run.first << '\n';
+    }
+  }
+};
+
+int main(int argc, char** argv) {
+  compare_answers();
+  for (const bool torsion : {false, true})
+    for (int c = 0; c < 3; ++c) {
+      const std::string title = std::string(torsion ? "F3" : "G2") + ", " + class_names[c] + " | ";
+      for (const Method& m : methods) {
+        const On_curves decide = torsion ? m.f3 : m.g2;
+        benchmark::RegisterBenchmark((title + m.name).c_str(), [=](benchmark::State& state) {
+          time_joins(state, [&](std::size_t k) { return decide(input().left[k], input().right[c][k]); });
+        });
+      }
+      benchmark::RegisterBenchmark((title + "filtered, prepared").c_str(), [=](benchmark::State& state) {
+        const Input& in = input();
+        if (torsion)
+          time_joins(state, [&](std::size_t k) { return GC::is_f3_join(in.left_ends[k], in.right_ends[c][k]); });
+        else
+          time_joins(state, [&](std::size_t k) { return GC::is_g2_join(in.left_ends[k], in.right_ends[c][k]); });
+      });
+    }
+  benchmark::RegisterBenchmark("F3, holds, in one pass", one_pass)
+      ->Arg(512)
+      ->Arg(1000000)
+      ->Unit(benchmark::kMillisecond);
+  benchmark::Initialize(&argc, argv);
+  Ratios reporter;
+  benchmark::RunSpecifiedBenchmarks(&reporter);
+}
