@@ -5,6 +5,8 @@
 // Exact decisions about joins with double coordinates, against the floating-point test that one writes by hand and is not
 // certified, and against the same test in other exact number types. All answers are compared before anything is timed.
 
+#include "Ratio_table.h"
+
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Exact_rational.h>
@@ -13,17 +15,13 @@
 #include <CGAL/Geometric_continuity/curves/Bezier_curve.h>
 #include <CGAL/Mpzf.h>
 
-#include <benchmark/benchmark.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>
 #include <functional>
-#include <iomanip>
 #include <iostream>
-#include <map>
 #include <random>
 #include <string>
 #include <utility>
@@ -225,34 +223,6 @@ void one_pass(benchmark::State& state) {
   state.SetItemsProcessed(static_cast<std::int64_t>(state.iterations() * n));
 }
 
-// Besides the usual table, the ratios to the test by hand of the same question and class.
-class Ratios : public benchmark::ConsoleReporter {
-  std::map<std::string, double> hand_;
-  std::vector<std::pair<std::string, double>> runs_;
-
-public:
-  void ReportRuns(const std::vector<Run>& reports) override {
-    benchmark::ConsoleReporter::ReportRuns(reports);
-    for (const Run& run : reports) {
-      const std::string name = run.benchmark_name();
-      const std::size_t bar = name.find(" | ");
-      if (bar == std::string::npos || run.error_occurred) continue;
-      const double time = run.GetAdjustedRealTime();
-      if (name.find(methods[0].name) != std::string::npos) hand_[name.substr(0, bar)] = time;
-      runs_.emplace_back(name, time);
-    }
-  }
-  void Finalize() override {
-    std::cout << "\nratios to the test by hand in double\n";
-    for (const auto& run : runs_) {
-      const auto hand = hand_.find(run.first.substr(0, run.first.find(" | ")));
-      if (hand != hand_.end())
-        std::cout << std::setw(10) << std::fixed << std::setprecision(2) << run.second / hand->second << "  "
-                  << run.first << '\n';
-    }
-  }
-};
-
 int main(int argc, char** argv) {
   compare_answers();
   for (const bool torsion : {false, true})
@@ -276,7 +246,5 @@ int main(int argc, char** argv) {
       ->Arg(512)
       ->Arg(1000000)
       ->Unit(benchmark::kMillisecond);
-  benchmark::Initialize(&argc, argv);
-  Ratios reporter;
-  benchmark::RunSpecifiedBenchmarks(&reporter);
+  return run_benchmarks(argc, argv);
 }
