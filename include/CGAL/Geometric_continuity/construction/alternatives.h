@@ -6,7 +6,7 @@
 #define CGAL_GEOMETRIC_CONTINUITY_CONSTRUCTION_ALTERNATIVES_H
 
 #include <CGAL/Geometric_continuity/construction/connection_coefficients.h>
-#include <CGAL/Geometric_continuity/internal/Polygon_end.h>
+#include <CGAL/Geometric_continuity/curves/Polygon_end.h>
 
 #include <optional>
 #include <vector>

@@ -5,7 +5,7 @@
 #ifndef CGAL_GEOMETRIC_CONTINUITY_CONTINUITY_PREPARED_END_H
 #define CGAL_GEOMETRIC_CONTINUITY_CONTINUITY_PREPARED_END_H
 
-#include <CGAL/Geometric_continuity/internal/join_decision.h>
+#include <CGAL/Geometric_continuity/continuity/join_decision.h>
 
 #include <algorithm>
 #include <string>

@@ -2,8 +2,8 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-#ifndef CGAL_GEOMETRIC_CONTINUITY_INTERNAL_JOIN_DECISION_H
-#define CGAL_GEOMETRIC_CONTINUITY_INTERNAL_JOIN_DECISION_H
+#ifndef CGAL_GEOMETRIC_CONTINUITY_CONTINUITY_JOIN_DECISION_H
+#define CGAL_GEOMETRIC_CONTINUITY_CONTINUITY_JOIN_DECISION_H
 
 #include <CGAL/Geometric_continuity/algebra/bernstein.h>
 #include <CGAL/Geometric_continuity/continuity/join_continuity.h>
@@ -198,4 +198,4 @@ private:
 } // namespace Geometric_continuity
 } // namespace CGAL
 
-#endif // CGAL_GEOMETRIC_CONTINUITY_INTERNAL_JOIN_DECISION_H
+#endif // CGAL_GEOMETRIC_CONTINUITY_CONTINUITY_JOIN_DECISION_H

@@ -2,8 +2,8 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-#ifndef CGAL_GEOMETRIC_CONTINUITY_INTERNAL_POLYGON_END_H
-#define CGAL_GEOMETRIC_CONTINUITY_INTERNAL_POLYGON_END_H
+#ifndef CGAL_GEOMETRIC_CONTINUITY_CURVES_POLYGON_END_H
+#define CGAL_GEOMETRIC_CONTINUITY_CURVES_POLYGON_END_H
 
 #include <CGAL/Geometric_continuity/curves/Bezier_curve.h>
 
@@ -144,4 +144,4 @@ private:
 } // namespace Geometric_continuity
 } // namespace CGAL
 
-#endif // CGAL_GEOMETRIC_CONTINUITY_INTERNAL_POLYGON_END_H
+#endif // CGAL_GEOMETRIC_CONTINUITY_CURVES_POLYGON_END_H
