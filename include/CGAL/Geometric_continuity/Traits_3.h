@@ -7,6 +7,7 @@
 
 #include <CGAL/Dimension.h>
 #include <CGAL/Exact_rational.h>
+#include <CGAL/Geometric_continuity/kernel_coordinate.h>
 
 #include <type_traits>
 
@@ -36,8 +37,8 @@ public:
     int operator()(const Vector&) const { return 3; }
   };
   struct Compute_coordinate {
-    FT operator()(const Point& p, int i) const { return p.cartesian(i); }
-    FT operator()(const Vector& v, int i) const { return v.cartesian(i); }
+    FT operator()(const Point& p, int i) const { return internal::kernel_coordinate<FT>(p, i); }
+    FT operator()(const Vector& v, int i) const { return internal::kernel_coordinate<FT>(v, i); }
   };
   struct Construct_point {
     template <class RandomAccessIterator>

@@ -178,6 +178,11 @@ BOOST_AUTO_TEST_CASE(refused_curves) {
         CHECK_ERROR((Curve<Traits>{p[0], point<Traits>(c)}), not_finite);
         CHECK_ERROR((Parabola{p[0], point<Traits>(c), p[0]}), not_finite);
         BOOST_CHECK_THROW(Parabola(p.begin(), p.begin() + 3, FT(0), bad), GC::Error);
+        Column<Traits> opposite = c;
+        opposite *= FT(-1);
+        CHECK_ERROR((Parabola{point<Traits>(c), p[0], point<Traits>(opposite)}), not_finite);
+        c[d - 1] = std::numeric_limits<FT>::max(); // finite, though their sum is not
+        BOOST_CHECK_NO_THROW((Parabola{point<Traits>(c), point<Traits>(c), point<Traits>(c)}));
       }
   });
 }

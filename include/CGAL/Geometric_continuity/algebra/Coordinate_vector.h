@@ -6,6 +6,7 @@
 #define CGAL_GEOMETRIC_CONTINUITY_ALGEBRA_COORDINATE_VECTOR_H
 
 #include <CGAL/Geometric_continuity/Error.h>
+#include <CGAL/Geometric_continuity/algebra/for_each_index.h>
 
 #include <algorithm>
 #include <array>
@@ -34,10 +35,8 @@ public:
     if constexpr (N == 0)
       c_.assign(d, FT(0));
     else {
-      if (d != N)
-        throw Error(Error_code::dimension_mismatch,
-                    "vector of dimension " + std::to_string(d) + " where " + std::to_string(N) + " is expected");
-      c_.fill(FT(0));
+      if (d != N) refuse_dimension(d);
+      for_each([&](int i) { c_[i] = FT(0); });
     }
   }
 
@@ -48,38 +47,70 @@ public:
   auto end() const { return c_.end(); }
 
   Coordinate_vector& operator+=(const Coordinate_vector& v) {
-    for (int i = 0; i < dimension(); ++i) c_[i] += v[i];
+    for_each([&](int i) { c_[i] += v[i]; });
     return *this;
   }
   Coordinate_vector& operator-=(const Coordinate_vector& v) {
-    for (int i = 0; i < dimension(); ++i) c_[i] -= v[i];
+    for_each([&](int i) { c_[i] -= v[i]; });
     return *this;
   }
   Coordinate_vector& operator*=(const FT& s) {
-    for (int i = 0; i < dimension(); ++i) c_[i] *= s;
+    for_each([&](int i) { c_[i] *= s; });
     return *this;
   }
   Coordinate_vector& operator/=(const FT& s) {
-    for (int i = 0; i < dimension(); ++i) c_[i] /= s;
+    for_each([&](int i) { c_[i] /= s; });
     return *this;
   }
 
-  friend Coordinate_vector operator+(Coordinate_vector v, const Coordinate_vector& w) { return v += w; }
-  friend Coordinate_vector operator-(Coordinate_vector v, const Coordinate_vector& w) { return v -= w; }
-  friend Coordinate_vector operator*(const FT& s, Coordinate_vector v) { return v *= s; }
-  friend Coordinate_vector operator/(Coordinate_vector v, const FT& s) { return v /= s; }
+  friend Coordinate_vector operator+(Coordinate_vector v, const Coordinate_vector& w) {
+    v += w;
+    return v;
+  }
+  friend Coordinate_vector operator-(Coordinate_vector v, const Coordinate_vector& w) {
+    v -= w;
+    return v;
+  }
+  friend Coordinate_vector operator*(const FT& s, Coordinate_vector v) {
+    v *= s;
+    return v;
+  }
+  friend Coordinate_vector operator/(Coordinate_vector v, const FT& s) {
+    v /= s;
+    return v;
+  }
   friend bool operator==(const Coordinate_vector& v, const Coordinate_vector& w) {
     return std::equal(v.begin(), v.end(), w.begin(), w.end(), [](const FT& x, const FT& y) { return bool(x == y); });
   }
   friend bool operator!=(const Coordinate_vector& v, const Coordinate_vector& w) { return !(v == w); }
 
   friend FT dot(const Coordinate_vector& v, const Coordinate_vector& w) {
-    FT sum(0);
-    for (int i = 0; i < v.dimension(); ++i) sum += v[i] * w[i];
-    return sum;
+    if constexpr (N == 0) {
+      FT sum(0);
+      for (int i = 0; i < v.dimension(); ++i) sum += v[i] * w[i];
+      return sum;
+    } else {
+      FT sum(v[0] * w[0]);
+      internal::for_each_index<N - 1>([&](int i) { sum += v[i + 1] * w[i + 1]; });
+      return sum;
+    }
   }
   friend bool is_zero(const Coordinate_vector& v) {
     return std::all_of(v.begin(), v.end(), [](const FT& x) { return bool(x == FT(0)); });
+  }
+
+private:
+  static void refuse_dimension(int d) {
+    throw Error(Error_code::dimension_mismatch,
+                "vector of dimension " + std::to_string(d) + " where " + std::to_string(N) + " is expected");
+  }
+
+  // f(i) for each coordinate number i
+  template <class Function> BOOST_FORCEINLINE void for_each(const Function& f) const {
+    if constexpr (N == 0)
+      for (int i = 0; i < dimension(); ++i) f(i);
+    else
+      internal::for_each_index<N>(f);
   }
 };
 

@@ -46,7 +46,7 @@ template <class FT, class Coefficients> FT bernstein_value(Coefficients& c, int 
 
 /// \ingroup PkgGeometricContinuityAlgebra
 /// The derivatives of order 0 to `k` at `t`, with respect to `t`: `out(j, value)` is called for each
-/// `j`; `c` is overwritten. \f$ O(n^2 + k^3) \f$
+/// `j`, in this order; `c` is overwritten. \f$ O(n^2 + k^3) \f$
 template <class FT, class Coefficients, class Output>
 void bernstein_derivatives(Coefficients& c, int n, const FT& t, int k, Output out) {
   const int last = k < n ? k : n;
@@ -55,8 +55,9 @@ void bernstein_derivatives(Coefficients& c, int n, const FT& t, int k, Output ou
   // now c holds last+1 coefficients whose j-th differences, evaluated at t, are the j-th
   // derivatives up to the factor n!/(n-j)!
   FT factor(1);
+  Coefficients row = c;
   for (int j = 0; j <= last; ++j) {
-    Coefficients row = c;
+    for (int i = 0; i <= m; ++i) row[i] = c[i];
     out(j, FT(factor * bernstein_value(row, m, t)));
     difference_step(c, m--);
     factor *= FT(n - j);

@@ -10,8 +10,11 @@
 #include <CGAL/Geometric_continuity/internal/independent_iterations.h>
 #include <CGAL/Geometric_continuity/local/Jet_arrays.h>
 
+#include <array>
 #include <cstddef>
 #include <string>
+
+#include <CGAL/Geometric_continuity/internal/disable_loop_warnings.h>
 
 namespace CGAL {
 namespace Geometric_continuity {
@@ -34,12 +37,19 @@ public:
 
 namespace internal {
 
+template <class FT, int N, int k> FT squared_tangent(const Jet_arrays<FT, N, k>& jets, std::size_t at) {
+  FT square(0);
+  for_each_index<N>([&](int i) { square += jets.array(1, i)[at] * jets.array(1, i)[at]; });
+  return square;
+}
+
 template <class FT, int N, int k> void check_tangents(const Jet_arrays<FT, N, k>& jets, const char* place) {
-  for (std::size_t at = 0; at < jets.size(); ++at) {
-    FT square(0);
-    for (int i = 0; i < N; ++i) square += jets.array(1, i)[at] * jets.array(1, i)[at];
-    if (square == FT(0)) throw Error(Error_code::zero_tangent, place + std::to_string(at));
-  }
+  std::size_t zeros = 0; // counted first, which is done for several jets at a time
+  for (std::size_t at = 0; at < jets.size(); ++at) zeros += squared_tangent(jets, at) == FT(0) ? 1 : 0;
+  if (zeros == 0) return;
+  std::size_t at = 0;
+  while (!(squared_tangent(jets, at) == FT(0))) ++at;
+  throw Error(Error_code::zero_tangent, place + std::to_string(at));
 }
 
 } // namespace internal
@@ -64,8 +74,8 @@ void blend(const Jet_arrays<FT, N, k>& phi, const Jet_arrays<FT, N, k>& psi, con
   gamma.resize(phi.size());
   internal::for_each_block<Concurrency_tag>(phi.size(), [&](std::size_t begin, std::size_t end) {
     typedef Coordinate_vector<FT, N> Vector;
-    const FT *x[3][N], *y[3][N];
-    FT* out[6][N];
+    std::array<std::array<const FT*, N>, 3> x, y;
+    std::array<std::array<FT*, N>, 6> out;
     for (int i = 0; i < N; ++i) {
       for (int j = 0; j < 3; ++j) {
         x[j][i] = phi.array(j, i);
@@ -73,30 +83,32 @@ void blend(const Jet_arrays<FT, N, k>& phi, const Jet_arrays<FT, N, k>& psi, con
       }
       for (int j = 0; j < 6; ++j) out[j][i] = gamma.array(j, i);
     }
-    const auto vector = [](const FT* const* arrays, std::size_t at) {
-      Vector v;
-      for (int i = 0; i < N; ++i) v[i] = arrays[i][at];
-      return v;
-    };
     CGAL_GEOMETRIC_CONTINUITY_INDEPENDENT_ITERATIONS
     for (std::size_t at = begin; at < end; ++at) {
-      const Quintic_ends<FT, N> e(vector(x[0], at), vector(y[0], at), vector(x[1], at), vector(y[1], at),
-                                  vector(x[2], at), vector(y[2], at));
-      const Quintic_parameters<FT> p = strategy(e);
-      const Vector b1 = e.b1(), c1 = e.c1(p.s1), c2 = e.c2(p.s2), b2 = e.b2();
-      for (int i = 0; i < N; ++i) {
-        out[0][i][at] = e.a1[i];
-        out[1][i][at] = b1[i];
-        out[2][i][at] = c1[i];
-        out[3][i][at] = c2[i];
-        out[4][i][at] = b2[i];
-        out[5][i][at] = e.a2[i];
-      }
+      const auto read = [&](const std::array<const FT*, N>& arrays) {
+        Vector v;
+        internal::for_each_index<N>([&](int i) { v[i] = arrays[i][at]; });
+        return v;
+      };
+      const auto write = [&](const std::array<FT*, N>& arrays, const Vector& v) {
+        internal::for_each_index<N>([&](int i) { arrays[i][at] = v[i]; });
+      };
+      // compilers keep e and p in registers only when they are not const
+      Quintic_ends<FT, N> e(read(x[0]), read(y[0]), read(x[1]), read(y[1]), read(x[2]), read(y[2]));
+      Quintic_parameters<FT> p = strategy(e);
+      write(out[0], e.a1);
+      write(out[1], e.b1());
+      write(out[2], e.c1(p.s1));
+      write(out[3], e.c2(p.s2));
+      write(out[4], e.b2());
+      write(out[5], e.a2);
     }
   });
 }
 
 } // namespace Geometric_continuity
 } // namespace CGAL
+
+#include <CGAL/Geometric_continuity/internal/enable_loop_warnings.h>
 
 #endif // CGAL_GEOMETRIC_CONTINUITY_CONSTRUCTION_BLEND_BATCH_H

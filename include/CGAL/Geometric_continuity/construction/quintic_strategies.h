@@ -7,6 +7,8 @@
 
 #include <CGAL/Geometric_continuity/construction/Quintic_ends.h>
 
+#include <boost/config.hpp>
+
 namespace CGAL {
 namespace Geometric_continuity {
 
@@ -15,7 +17,8 @@ namespace Geometric_continuity {
 /// \f$ \beta = \eta = 1 \f$. Portnov (6). \models BlendStrategy
 struct Matching_second_derivative {
   template <class FT, int N> Quintic_parameters<FT> operator()(const Quintic_ends<FT, N>& e) const {
-    return {FT(dot(e.w1, e.u) / (FT(20) * dot(e.u, e.u))), FT(dot(e.w2, e.v) / (FT(20) * dot(e.v, e.v)))};
+    const FT c = internal::fraction<FT, 1, 20>();
+    return {FT(c * e.tangential1), FT(c * e.tangential2)};
   }
 };
 
@@ -23,7 +26,7 @@ struct Matching_second_derivative {
 /// The points \f$ C = B + d n \f$, straight above the second points. Portnov 4.1. \models BlendStrategy
 struct Normal_offset {
   template <class FT, int N> Quintic_parameters<FT> operator()(const Quintic_ends<FT, N>&) const {
-    return {FT(FT(-1) / FT(5)), FT(FT(1) / FT(5))};
+    return {internal::fraction<FT, -1, 5>(), internal::fraction<FT, 1, 5>()};
   }
 };
 
@@ -44,8 +47,8 @@ struct Near_line {
   template <class FT, int N> Quintic_parameters<FT> operator()(const Quintic_ends<FT, N>& e) const {
     const Coordinate_vector<FT, N> w = e.b2() - e.b1();
     Quintic_parameters<FT> p = Normal_offset()(e);
-    p.fallback_start = !add_shift(e.u, e.dn1, w, p.s1);
-    p.fallback_end = !add_shift(e.v, e.dn2, w, p.s2);
+    p.fallback_start = !add_shift(e.u, e.dn1(), w, p.s1);
+    p.fallback_end = !add_shift(e.v, e.dn2(), w, p.s2);
     return p;
   }
 
@@ -67,7 +70,7 @@ private:
 template <int k> struct Minimal_energy {
   static_assert(k == 2 || k == 3, "a quintic blend minimises the energy of order 2 or 3");
 
-  template <class FT, int N> Quintic_parameters<FT> operator()(const Quintic_ends<FT, N>& e) const {
+  template <class FT, int N> BOOST_FORCEINLINE Quintic_parameters<FT> operator()(const Quintic_ends<FT, N>& e) const {
     const Coordinate_vector<FT, N>&a1 = e.a1, &a2 = e.a2, &u = e.u, &v = e.v;
     const Coordinate_vector<FT, N> b1 = e.b1(), b2 = e.b2(), c1 = e.c1(FT(0)), c2 = e.c2(FT(0));
     if constexpr (k == 2) // [12u.u, 2u.v; 2u.v, 12v.v] s = r

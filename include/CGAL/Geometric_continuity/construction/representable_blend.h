@@ -140,7 +140,7 @@ Representable_blend<Traits> representable_blend(const Bezier_curve<Traits, M>& p
     if (!end_found) end.simplify();
     found = start_found && end_found;
   }
-  const Bezier_curve<Traits, 5> gamma = internal::curve_from<Traits>(std::array<internal::Coordinates<Traits>, 6>{
+  const Bezier_curve<Traits, 5> gamma(std::array<internal::Coordinates<Traits>, 6>{
       internal::rounded<Traits>(start.a()), internal::rounded<Traits>(start.second_point()),
       internal::rounded<Traits>(start.third_point()), internal::rounded<Traits>(end.third_point()),
       internal::rounded<Traits>(end.second_point()), internal::rounded<Traits>(end.a())});

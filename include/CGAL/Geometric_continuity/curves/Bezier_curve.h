@@ -8,11 +8,17 @@
 #include <CGAL/Bbox_2.h>
 #include <CGAL/Bbox_3.h>
 #include <CGAL/Geometric_continuity/algebra/Bernstein_polynomial.h>
+#include <CGAL/Geometric_continuity/internal/bernstein_jet.h>
+#include <CGAL/Geometric_continuity/internal/independent_iterations.h>
 #include <CGAL/Geometric_continuity/local/Curve_jet.h>
 #include <CGAL/number_utils.h>
 
+#include <boost/config.hpp>
+#include <boost/container/small_vector.hpp>
+
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <initializer_list>
 #include <iterator>
 #include <ostream>
@@ -20,6 +26,8 @@
 #include <type_traits>
 #include <utility>
 #include <vector>
+
+#include <CGAL/Geometric_continuity/internal/disable_loop_warnings.h>
 
 namespace CGAL {
 namespace Geometric_continuity {
@@ -51,6 +59,10 @@ private:
   template <class T>
   using Per_point = std::conditional_t<Degree == dynamic_degree, std::vector<T>, std::array<T, Degree + 1>>;
   typedef internal::Coordinates<Traits> Coordinates;
+  // the numbers of one coordinate; without allocation up to degree 9
+  template <class Field>
+  using Coefficients = std::conditional_t<Degree == dynamic_degree, boost::container::small_vector<Field, 10>,
+                                          std::array<Field, Degree + 1>>;
 
   Per_point<Point> points_;
   FT a_ = FT(0), b_ = FT(1);
@@ -72,6 +84,12 @@ public:
       for (; first != last && i <= Degree; ++first, ++i) points_[i] = *first;
       if (i <= Degree || first != last) refuse_number_of_points();
     }
+    check();
+  }
+
+  /// From the coordinates of the control points, and the domain. Errors as above.
+  BOOST_FORCEINLINE explicit Bezier_curve(const Per_point<Coordinates>& rows, const FT& a = FT(0), const FT& b = FT(1))
+      : points_(points_of(rows)), a_(a), b_(b) {
     check();
   }
 
@@ -100,27 +118,38 @@ public:
   /// The point at `u`, which may lie outside the domain: the polynomial is extended. \f$ O(m^2) \f$
   Point operator()(const FT& u) const {
     Coordinates x(dimension());
-    const FT t = local_parameter<FT>(u);
-    for (int i = 0; i < x.dimension(); ++i) {
-      Per_point<FT> c = coefficients<FT>(i);
-      x[i] = bernstein_value(c, degree(), t);
-    }
+    const FT t = local_parameter(u);
+    for_each_coordinate([&](int i) {
+      Coefficients<FT> c = coefficients(i);
+      if constexpr (Degree == dynamic_degree)
+        x[i] = bernstein_value(c, degree(), t);
+      else
+        internal::bernstein_jet<Degree, 0>(c, FT(FT(1) - t), t, &x[i]);
+    });
     return internal::to_point<Traits>(x);
   }
 
   /// The jet of order `k >= 0` at `u`; derivatives beyond the degree are zero. \f$ O(m^2 + k^3) \f$
   Curve_jet<Traits> jet(const FT& u, int k) const {
-    Curve_jet<Traits> jet(dimension(), k);
-    const FT t = local_parameter<FT>(u), h = FT(b_ - a_);
-    for (int i = 0; i < dimension(); ++i) {
-      Per_point<FT> c = coefficients<FT>(i);
-      FT scale(1);
-      bernstein_derivatives(c, degree(), t, k, [&](int j, const FT& x) {
-        jet[j][i] = x / scale;
-        scale *= h;
-      });
-    }
-    return jet;
+    if constexpr (Degree == dynamic_degree)
+      return jet_of_any_order(u, k);
+    else
+      switch (k) {
+      case 0: return jet<0>(u);
+      case 1: return jet<1>(u);
+      case 2: return jet<2>(u);
+      case 3: return jet<3>(u);
+      default: return jet_of_any_order(u, k);
+      }
+  }
+
+  /// The same with an order that is known at compile time. \f$ O(m^2 + k^3) \f$
+  template <int k> Curve_jet<Traits> jet(const FT& u) const {
+    static_assert(k >= 0);
+    if constexpr (Degree == dynamic_degree)
+      return jet_of_any_order(u, k);
+    else
+      return jet_of_order<k>(u);
   }
 
   /// The jet of order `k` at the start of the domain, from the first `k + 1` control points.
@@ -151,10 +180,10 @@ public:
   /// The parts on [a, u] and [u, b]. \throws Error `parameter_outside_domain` unless `a < u < b`
   std::pair<Bezier_curve, Bezier_curve> split(const FT& u) const {
     if (!(a_ < u && u < b_)) throw Error(Error_code::parameter_outside_domain, "Bezier_curve::split");
-    const FT t = local_parameter<FT>(u);
+    const FT t = local_parameter(u);
     Per_point<Coordinates> right = coordinate_rows(), left = right;
     bernstein_split(right, degree(), t, left);
-    return {from_rows<Bezier_curve>(left, a_, u), from_rows<Bezier_curve>(right, u, b_)};
+    return {Bezier_curve(left, a_, u), Bezier_curve(right, u, b_)};
   }
 
   /// The same curve with the degree raised by `times >= 0`.
@@ -226,7 +255,7 @@ public:
 
   /// The `i`-th coordinate as a polynomial of the local parameter \f$ t = (u-a)/(b-a) \f$.
   Bernstein_polynomial<FT> coordinate_polynomial(int i) const {
-    const Per_point<FT> c = coefficients<FT>(i);
+    const Coefficients<FT> c = coefficients(i);
     return Bernstein_polynomial<FT>(c.begin(), c.end());
   }
 
@@ -255,36 +284,95 @@ public:
   }
 
 private:
-  void refuse_number_of_points() const {
+  BOOST_NOINLINE void refuse_number_of_points() const {
     throw Error(Error_code::wrong_number_of_points,
                 "Bezier_curve: " + (Degree == dynamic_degree ? std::string("at least one control point is needed")
                                                              : "degree " + std::to_string(Degree) + " needs " +
                                                                    std::to_string(Degree + 1) + " control points"));
   }
 
-  void check() const {
+  BOOST_FORCEINLINE void check() const {
     if (points_.empty()) refuse_number_of_points();
     if (!(a_ < b_)) throw Error(Error_code::empty_domain, "Bezier_curve");
-    internal::check_finite(a_, "Bezier_curve: domain");
-    internal::check_finite(b_, "Bezier_curve: domain");
-    for (int j = 0; j <= degree(); ++j) {
-      const Coordinates p = coordinates(j);
-      if (p.dimension() != dimension())
-        throw Error(Error_code::dimension_mismatch, "Bezier_curve: control point " + std::to_string(j));
-      for (const FT& x : p) internal::check_finite(x, "Bezier_curve: control points");
+    if constexpr (N == 0)
+      for (int j = 0; j <= degree(); ++j)
+        if (Traits().compute_dimension_object()(points_[j]) != dimension())
+          throw Error(Error_code::dimension_mismatch, "Bezier_curve: control point " + std::to_string(j));
+    if constexpr (std::is_floating_point_v<FT>) {
+      const Traits traits;
+      FT sum = a_ + b_; // not finite if one of the numbers is not
+      for_each_point([&](int j) {
+        FT x = traits.compute_coordinate_object()(points_[j], 0);
+        for_each_coordinate([&](int i) {
+          if (i > 0) x += traits.compute_coordinate_object()(points_[j], i);
+        });
+        sum += x;
+      });
+      if (!std::isfinite(sum)) check_each_number();
     }
   }
+  BOOST_NOINLINE void check_each_number() const {
+    internal::check_finite(a_, "Bezier_curve: domain");
+    internal::check_finite(b_, "Bezier_curve: domain");
+    for (int j = 0; j <= degree(); ++j)
+      for (const FT& x : coordinates(j)) internal::check_finite(x, "Bezier_curve: control points");
+  }
 
-  template <class Field> Field local_parameter(const FT& u) const { return Field((u - a_) / (b_ - a_)); }
+  FT local_parameter(const FT& u) const { return FT((u - a_) / (b_ - a_)); }
+
+  // f(i) for each coordinate number i
+  template <class Function> BOOST_FORCEINLINE void for_each_coordinate(const Function& f) const {
+    if constexpr (N == 0)
+      for (int i = 0; i < dimension(); ++i) f(i);
+    else
+      internal::for_each_index<N>(f);
+  }
+
+  // f(j) for each control point number j
+  template <class Function> BOOST_FORCEINLINE void for_each_point(const Function& f) const {
+    if constexpr (Degree == dynamic_degree)
+      for (int j = 0; j <= degree(); ++j) f(j);
+    else
+      internal::for_each_index<Degree + 1>(f);
+  }
 
   // the i-th coordinates of all control points
-  template <class Field> Per_point<Field> coefficients(int i) const {
+  BOOST_FORCEINLINE Coefficients<FT> coefficients(int i) const {
     const Traits traits;
-    Per_point<Field> c;
+    Coefficients<FT> c;
     if constexpr (Degree == dynamic_degree) c.resize(points_.size());
-    for (int j = 0; j <= degree(); ++j)
-      c[j] = internal::to_field<Field>(FT(traits.compute_coordinate_object()(points_[j], i)));
+    for_each_point([&](int j) { c[j] = FT(traits.compute_coordinate_object()(points_[j], i)); });
     return c;
+  }
+
+  template <int k> Curve_jet<Traits> jet_of_order(const FT& u) const {
+    const FT h = FT(b_ - a_), t = FT((u - a_) / h), s = FT(FT(1) - t);
+    const std::array<FT, k + 1> factors = internal::derivative_factors<k>(Degree, h);
+    const int n = N == 0 ? dimension() : N;
+    Curve_jet<Traits> jet(n, k, internal::Unspecified());
+    CGAL_GEOMETRIC_CONTINUITY_INDEPENDENT_ITERATIONS
+    for (int i = 0; i < n; ++i) {
+      Coefficients<FT> c = coefficients(i);
+      std::array<FT, k + 1> d;
+      internal::bernstein_jet<Degree, k>(c, s, t, d.data());
+      jet[0][i] = d[0];
+      internal::for_each_index<k>([&](int j) { jet[j + 1][i] = FT(factors[j + 1] * d[j + 1]); });
+    }
+    return jet;
+  }
+
+  Curve_jet<Traits> jet_of_any_order(const FT& u, int k) const {
+    Curve_jet<Traits> jet(dimension(), k);
+    const FT t = local_parameter(u), h = FT(b_ - a_);
+    for (int i = 0; i < dimension(); ++i) {
+      Coefficients<FT> c = coefficients(i);
+      FT scale(1);
+      bernstein_derivatives(c, degree(), t, k, [&](int j, const FT& x) {
+        jet[j][i] = x / scale;
+        scale *= h;
+      });
+    }
+    return jet;
   }
 
   template <class Field> Coordinate_jet<Field, N> end_jet_over(int k, bool at_end) const {
@@ -293,7 +381,7 @@ private:
     const Field h = internal::to_field<Field>(b_) - internal::to_field<Field>(a_);
     Coordinate_jet<Field, N> jet(dimension(), k);
     for (int i = 0; i < dimension(); ++i) {
-      Per_point<Field> c;
+      Coefficients<Field> c;
       if constexpr (Degree == dynamic_degree) c.resize(used);
       for (int j = 0; j < used; ++j)
         c[j] = internal::to_field<Field>(FT(traits.compute_coordinate_object()(points_[at_end ? m - j : j], i)));
@@ -314,22 +402,24 @@ private:
     return rows;
   }
 
-  template <class Curve, class Rows> static Curve from_rows(const Rows& rows, const FT& a, const FT& b) {
-    if constexpr (std::is_same_v<Rows, std::vector<Coordinates>>) {
+  static Per_point<Point> points_of(const Per_point<Coordinates>& rows) {
+    if constexpr (Degree == dynamic_degree) {
       std::vector<Point> points;
+      points.reserve(rows.size());
       for (const Coordinates& x : rows) points.push_back(internal::to_point<Traits>(x));
-      return Curve(points.begin(), points.end(), a, b);
-    } else {
-      std::array<Point, std::tuple_size_v<Rows>> points;
-      for (std::size_t j = 0; j < points.size(); ++j) points[j] = internal::to_point<Traits>(rows[j]);
-      return Curve(points.begin(), points.end(), a, b);
-    }
+      return points;
+    } else
+      return points_of(rows, std::make_index_sequence<Degree + 1>());
+  }
+  template <std::size_t... j>
+  static Per_point<Point> points_of(const Per_point<Coordinates>& rows, std::index_sequence<j...>) {
+    return {{internal::to_point<Traits>(rows[j])...}};
   }
 
   template <class Curve, class Rows> Curve elevated(Rows rows) const {
     for (int j = 0; j <= degree(); ++j) rows[j] = coordinates(j);
     for (int n = degree(); n + 1 < static_cast<int>(rows.size()); ++n) bernstein_elevate<FT>(rows, n);
-    return from_rows<Curve>(rows, a_, b_);
+    return Curve(rows, a_, b_);
   }
 
   static double lower(const FT& x) { return CGAL::to_interval(x).first; }
@@ -338,5 +428,7 @@ private:
 
 } // namespace Geometric_continuity
 } // namespace CGAL
+
+#include <CGAL/Geometric_continuity/internal/enable_loop_warnings.h>
 
 #endif // CGAL_GEOMETRIC_CONTINUITY_CURVES_BEZIER_CURVE_H

@@ -13,6 +13,10 @@
 namespace CGAL {
 namespace Geometric_continuity {
 
+namespace internal {
+struct Unspecified {};
+} // namespace internal
+
 /// \ingroup PkgGeometricContinuityLocal
 /// A jet of order `k` in coordinates: the point and the first `k` derivatives of a curve at one parameter.
 /// All functions that read a jet are written on this type; `Curve_jet` adds the types of a kernel.
@@ -29,6 +33,13 @@ public:
   /// The zero jet of order `k` in dimension `d`. No memory is allocated up to order 5.
   Coordinate_jet(int d, int k) : order_(k) {
     for (int j = 0; j <= k && j < inlined; ++j) inlined_[j] = Vector_type(d);
+    if (k >= inlined) more_.assign(k + 1 - inlined, Vector_type(d));
+  }
+
+  /// The same with unspecified coordinates when `N > 0`, for those who set them all.
+  Coordinate_jet(int d, int k, internal::Unspecified) : order_(k) {
+    if constexpr (N == 0)
+      for (int j = 0; j <= k && j < inlined; ++j) inlined_[j] = Vector_type(d);
     if (k >= inlined) more_.assign(k + 1 - inlined, Vector_type(d));
   }
 

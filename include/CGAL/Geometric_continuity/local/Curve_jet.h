@@ -38,6 +38,9 @@ public:
   /// The zero jet of order `k` in dimension `d`.
   Curve_jet(int d, int k) : Base(d, k) {}
 
+  /// The same with unspecified coordinates when the dimension is known at compile time, for those who set them all.
+  Curve_jet(int d, int k, internal::Unspecified unspecified) : Base(d, k, unspecified) {}
+
   /// From the point and the derivatives, lowest order first.
   /// \throws Error `dimension_mismatch` when they do not have one dimension
   /// \throws Error `not_finite` for an infinite or undefined floating-point coordinate

@@ -19,7 +19,7 @@ namespace Geometric_continuity {
 /// \tparam FT a field number type, usually `double`
 template <class FT_, int N, int k> class Jet_arrays {
   static_assert(N > 0 && k >= 0);
-  std::size_t size_ = 0;
+  std::size_t size_ = 0, stride_ = 0;
   std::vector<FT_> numbers_;
 
 public:
@@ -32,14 +32,17 @@ public:
   /// Changes the number of jets. The numbers are unspecified afterwards; no memory is allocated when there is enough.
   void resize(std::size_t n) {
     size_ = n;
-    numbers_.resize(n * (k + 1) * N);
+    // An odd number of cache lines lies between two arrays: else their numbers would compete for a few lines of the cache.
+    constexpr std::size_t line = 8;
+    stride_ = line * ((n + line - 1) / line | 1);
+    numbers_.resize(stride_ * (k + 1) * N);
   }
   /// The number of jets.
   std::size_t size() const { return size_; }
 
   /// The coordinates number `i` of the derivatives of order `j` of all jets, an array of `size()` numbers.
-  FT* array(int j, int i) { return numbers_.data() + (j * N + i) * size_; }
-  const FT* array(int j, int i) const { return numbers_.data() + (j * N + i) * size_; }
+  FT* array(int j, int i) { return numbers_.data() + (j * N + i) * stride_; }
+  const FT* array(int j, int i) const { return numbers_.data() + (j * N + i) * stride_; }
 
   /// One of the jets.
   Coordinate_jet<FT, N> jet(std::size_t at) const {

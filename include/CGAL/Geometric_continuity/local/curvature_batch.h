@@ -37,15 +37,25 @@ std::size_t curvature_and_torsion(const Jet_arrays<FT, 3, k>& jets, FT* curvatur
     const FT *x2 = jets.array(2, 0), *y2 = jets.array(2, 1), *z2 = jets.array(2, 2);
     const FT *x3 = jets.array(3, 0), *y3 = jets.array(3, 1), *z3 = jets.array(3, 2);
     FT *kappa = curvature, *tau = torsion;
-    CGAL_GEOMETRIC_CONTINUITY_INDEPENDENT_ITERATIONS
-    for (std::size_t i = begin; i < end; ++i) {
-      const FT g = x1[i] * x1[i] + y1[i] * y1[i] + z1[i] * z1[i]; // |d1|^2
-      const FT nx = y1[i] * z2[i] - z1[i] * y2[i], ny = z1[i] * x2[i] - x1[i] * z2[i],
-               nz = x1[i] * y2[i] - y1[i] * x2[i];
-      const FT nn = nx * nx + ny * ny + nz * nz;                                  // |d1 x d2|^2
-      const FT g_or_1 = g > FT(0) ? g : FT(1), nn_or_1 = nn > FT(0) ? nn : FT(1); // the numerators are 0 as well
-      kappa[i] = std::sqrt(nn / g_or_1) / g_or_1;
-      tau[i] = (nx * x3[i] + ny * y3[i] + nz * z3[i]) / nn_or_1;
+    constexpr std::size_t most =
+        256; // at a time: the square root stands alone, -frounding-math keeps it from vectorisation
+    FT squares[most];
+    for (std::size_t first = begin; first < end; first += most) {
+      const std::size_t last = std::min(first + most, end);
+      CGAL_GEOMETRIC_CONTINUITY_INDEPENDENT_ITERATIONS
+      for (std::size_t i = first; i < last; ++i) {
+        const FT g = x1[i] * x1[i] + y1[i] * y1[i] + z1[i] * z1[i]; // |d1|^2
+        const FT nx = y1[i] * z2[i] - z1[i] * y2[i], ny = z1[i] * x2[i] - x1[i] * z2[i],
+                 nz = x1[i] * y2[i] - y1[i] * x2[i];
+        const FT nn = nx * nx + ny * ny + nz * nz;                                  // |d1 x d2|^2
+        const FT g_or_1 = g > FT(0) ? g : FT(1), nn_or_1 = nn > FT(0) ? nn : FT(1); // the numerators are 0 as well
+        squares[i - first] = g_or_1;
+        kappa[i] = nn / g_or_1;
+        tau[i] = (nx * x3[i] + ny * y3[i] + nz * z3[i]) / nn_or_1;
+      }
+      for (std::size_t i = first; i < last; ++i) kappa[i] = std::sqrt(kappa[i]);
+      CGAL_GEOMETRIC_CONTINUITY_INDEPENDENT_ITERATIONS
+      for (std::size_t i = first; i < last; ++i) kappa[i] /= squares[i - first];
     }
     undefined += std::count(kappa + begin, kappa + end, FT(0));
   });
