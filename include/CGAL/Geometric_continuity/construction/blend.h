@@ -5,11 +5,16 @@
 #ifndef CGAL_GEOMETRIC_CONTINUITY_CONSTRUCTION_BLEND_H
 #define CGAL_GEOMETRIC_CONTINUITY_CONSTRUCTION_BLEND_H
 
+#include <CGAL/Geometric_continuity/construction/blend_lazily.h>
+#include <CGAL/Geometric_continuity/construction/blend_on_fractions.h>
 #include <CGAL/Geometric_continuity/construction/quintic_strategies.h>
 #include <CGAL/Geometric_continuity/construction/septic_strategies.h>
 #include <CGAL/Geometric_continuity/curves/Bezier_curve.h>
 
+#include <boost/config.hpp>
+
 #include <array>
+#include <string>
 #include <type_traits>
 
 namespace CGAL {
@@ -20,8 +25,10 @@ namespace Geometric_continuity {
 template <class Traits> struct Quintic_blend : Bezier_curve<Traits, 5> {
   Quintic_parameters<typename Traits::FT> parameters;
 
-  Quintic_blend(const Bezier_curve<Traits, 5>& curve, const Quintic_parameters<typename Traits::FT>& parameters)
-      : Bezier_curve<Traits, 5>(curve), parameters(parameters) {}
+  /// From the coordinates of the control points.
+  Quintic_blend(const std::array<internal::Coordinates<Traits>, 6>& points,
+                const Quintic_parameters<typename Traits::FT>& parameters)
+      : Bezier_curve<Traits, 5>(points), parameters(parameters) {}
 };
 
 /// \ingroup PkgGeometricContinuityConstruction
@@ -29,50 +36,67 @@ template <class Traits> struct Quintic_blend : Bezier_curve<Traits, 5> {
 template <class Traits> struct Septic_blend : Bezier_curve<Traits, 7> {
   Septic_parameters<typename Traits::FT> parameters;
 
-  Septic_blend(const Bezier_curve<Traits, 7>& curve, const Septic_parameters<typename Traits::FT>& parameters)
-      : Bezier_curve<Traits, 7>(curve), parameters(parameters) {}
+  /// From the coordinates of the control points.
+  Septic_blend(const std::array<internal::Coordinates<Traits>, 8>& points,
+               const Septic_parameters<typename Traits::FT>& parameters)
+      : Bezier_curve<Traits, 7>(points), parameters(parameters) {}
 };
 
 namespace internal {
 
-template <class FT, int N>
-void check_blend_input(const Coordinate_jet<FT, N>& phi, const Coordinate_jet<FT, N>& psi, int order,
-                       const Shape_parameters<FT>& shape) {
-  if (!(FT(0) < shape.beta)) throw Error(Error_code::nonpositive_beta, "blend: beta, at the end of the first curve");
-  if (!(FT(0) < shape.eta)) throw Error(Error_code::nonpositive_beta, "blend: eta, at the start of the second curve");
-  check_finite(shape.beta, "blend: beta");
-  check_finite(shape.eta, "blend: eta");
-  if (phi.dimension() != psi.dimension())
-    throw Error(Error_code::dimension_mismatch, "blend: the first curve has dimension " +
-                                                    std::to_string(phi.dimension()) + ", the second " +
-                                                    std::to_string(psi.dimension()));
-  if (phi.order() < order || psi.order() < order)
-    throw Error(Error_code::jet_order_too_low, "blend: jets of order " + std::to_string(order) + " are needed");
-  if (dot(phi[1], phi[1]) == FT(0)) throw Error(Error_code::zero_tangent, "blend: end of the first curve");
-  if (dot(psi[1], psi[1]) == FT(0)) throw Error(Error_code::zero_tangent, "blend: start of the second curve");
+[[noreturn]] BOOST_NOINLINE inline void refuse_blend(Error_code code, const char* place) {
+  throw Error(code, std::string("blend: ") + place);
 }
 
-template <class Traits, std::size_t points>
-Bezier_curve<Traits, static_cast<int>(points) - 1> curve_from(const std::array<Coordinates<Traits>, points>& b) {
-  std::array<typename Traits::Point, points> p;
-  for (std::size_t i = 0; i < points; ++i) {
-    for (const typename Traits::FT& x : b[i]) check_finite(x, "blend: the result overflows");
-    p[i] = to_point<Traits>(b[i]);
-  }
-  return {p.begin(), p.end()};
+// Whether the square of a tangent, by which the formulas divide, is zero. Exact numbers need not be multiplied for this.
+template <class FT, int N> BOOST_FORCEINLINE bool is_zero_tangent(const Coordinate_vector<FT, N>& v) {
+  if constexpr (Rational_parts<FT>::value)
+    return is_zero(v);
+  else
+    return dot(v, v) == FT(0);
+}
+template <class ET, int N> bool is_zero_tangent(const Coordinate_vector<Lazy_exact_nt<ET>, N>& v) {
+  for (const Lazy_exact_nt<ET>& x : v) // most often an interval tells
+    if (!x.approx().do_overlap(Interval_nt<false>(0))) return false;
+  return is_zero(v);
+}
+
+// Called for each blend, and small when the shape parameters are constants: written out at the place of the call.
+template <class FT, int N>
+BOOST_FORCEINLINE void check_blend_input(const Coordinate_jet<FT, N>& phi, const Coordinate_jet<FT, N>& psi, int order,
+                                         const Shape_parameters<FT>& shape) {
+  if (!(FT(0) < shape.beta)) refuse_blend(Error_code::nonpositive_beta, "beta, at the end of the first curve");
+  if (!(FT(0) < shape.eta)) refuse_blend(Error_code::nonpositive_beta, "eta, at the start of the second curve");
+  check_finite(shape.beta, "blend: beta");
+  check_finite(shape.eta, "blend: eta");
+  if (N == 0 && phi.dimension() != psi.dimension())
+    refuse_blend(Error_code::dimension_mismatch, "the dimensions of the two curves differ");
+  if (phi.order() < order || psi.order() < order)
+    refuse_blend(Error_code::jet_order_too_low,
+                 order == 2 ? "jets of order 2 are needed" : "jets of order 3 are needed");
+  if (is_zero_tangent(phi[1])) refuse_blend(Error_code::zero_tangent, "end of the first curve");
+  if (is_zero_tangent(psi[1])) refuse_blend(Error_code::zero_tangent, "start of the second curve");
 }
 
 template <class Traits, class Strategy>
-Quintic_blend<Traits> quintic_blend(const Curve_jet<Traits>& phi, const Curve_jet<Traits>& psi,
-                                    const Strategy& strategy, const Shape_parameters<typename Traits::FT>& shape) {
+BOOST_FORCEINLINE Quintic_blend<Traits> quintic_blend(const Curve_jet<Traits>& phi, const Curve_jet<Traits>& psi,
+                                                      const Strategy& strategy,
+                                                      const Shape_parameters<typename Traits::FT>& shape) {
   typedef typename Traits::FT FT;
   check_blend_input<FT, dimension_v<Traits>>(phi, psi, 2, shape);
+  if constexpr (is_blended_on_fractions<FT, Strategy>) {
+    const auto [points, parameters] =
+        blend_on_fractions<Quintic_form, FT, dimension_v<Traits>>(phi, psi, strategy, shape);
+    return {points, parameters};
+  } else if constexpr (is_blended_lazily<FT, Strategy>) {
+    if (const auto r = blend_lazily<Quintic_form>(phi, psi, strategy, shape)) return {r->points, r->parameters};
+  }
   const FT &beta = shape.beta, &eta = shape.eta;
-  const Quintic_ends<FT, dimension_v<Traits>> e(phi[0], psi[0], beta * phi[1], eta * psi[1], FT(beta * beta) * phi[2],
-                                                FT(eta * eta) * psi[2]);
-  const Quintic_parameters<FT> p = strategy(e);
-  return {curve_from<Traits>(std::array<Coordinates<Traits>, 6>{e.a1, e.b1(), e.c1(p.s1), e.c2(p.s2), e.b2(), e.a2}),
-          p};
+  // compilers keep e and p in registers only when they are not const
+  Quintic_ends<FT, dimension_v<Traits>> e(phi[0], psi[0], beta * phi[1], eta * psi[1], FT(beta * beta) * phi[2],
+                                          FT(eta * eta) * psi[2]);
+  Quintic_parameters<FT> p = strategy(e);
+  return {{e.a1, e.b1(), e.c1(p.s1), e.c2(p.s2), e.b2(), e.a2}, p};
 }
 
 template <class Traits, class Strategy>
@@ -80,10 +104,17 @@ Septic_blend<Traits> septic_blend(const Curve_jet<Traits>& phi, const Curve_jet<
                                   const Shape_parameters<typename Traits::FT>& shape) {
   typedef typename Traits::FT FT;
   check_blend_input<FT, dimension_v<Traits>>(phi, psi, 3, shape);
+  if constexpr (is_blended_on_fractions<FT, Strategy>) {
+    const auto [points, parameters] =
+        blend_on_fractions<Septic_form, FT, dimension_v<Traits>>(phi, psi, strategy, shape);
+    return {points, parameters};
+  } else if constexpr (is_blended_lazily<FT, Strategy>) {
+    if (const auto r = blend_lazily<Septic_form>(phi, psi, strategy, shape)) return {r->points, r->parameters};
+  }
   const Septic_ends<FT, dimension_v<Traits>> e{{phi[0], phi[1], phi[2], phi[3], shape.beta, 1},
                                                {psi[0], psi[1], psi[2], psi[3], shape.eta, -1}};
   const Septic_parameters<FT> p = strategy(e);
-  return {curve_from<Traits>(e.control_points(p)), p};
+  return {e.control_points(p), p};
 }
 
 // A strategy is quintic when it can be called with Quintic_ends, septic when with Septic_ends.
@@ -112,8 +143,8 @@ constexpr bool is_septic_strategy =
 ///   `dimension_mismatch` for jets of different dimensions, `jet_order_too_low`, `zero_tangent` when a first derivative is
 ///   zero, `not_finite` when the result overflows the number type
 template <class Traits, class Strategy>
-auto blend(const Curve_jet<Traits>& phi, const Curve_jet<Traits>& psi, const Strategy& strategy,
-           const Shape_parameters<typename Traits::FT>& shape = {}) {
+BOOST_FORCEINLINE auto blend(const Curve_jet<Traits>& phi, const Curve_jet<Traits>& psi, const Strategy& strategy,
+                             const Shape_parameters<typename Traits::FT>& shape = {}) {
   if constexpr (internal::is_quintic_strategy<Traits, Strategy>)
     return internal::quintic_blend(phi, psi, strategy, shape);
   else { // asked only now, so that a quintic strategy may be a generic lambda
