@@ -9,7 +9,7 @@
 
 #include <algorithm>
 #include <optional>
-#include <ostream>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -18,11 +18,20 @@ namespace Geometric_continuity {
 
 namespace internal {
 
-template <class FT> void check_coefficient(const FT& x, const FT&, const char* place) { check_finite(x, place); }
-template <class FT, int N>
-void check_coefficient(const Coordinate_vector<FT, N>& x, const Coordinate_vector<FT, N>& first, const char* place) {
-  if (x.dimension() != first.dimension()) throw Error(Error_code::dimension_mismatch, place);
-  for (const FT& xi : x) check_finite(xi, place);
+// Without a branch for each number.
+template <class FT, class Value> void check_coefficients(const std::vector<Value>& c, const char* place) {
+  const int d = number_of_coordinates(c[0]);
+  bool same = true, finite = true;
+  for (const Value& x : c) same &= number_of_coordinates(x) == d;
+  if (!same) throw Error(Error_code::dimension_mismatch, place);
+  if constexpr (std::is_floating_point_v<FT>)
+    for (const Value& x : c) {
+      if constexpr (std::is_same_v<FT, Value>)
+        finite &= is_finite(x);
+      else
+        for (const FT& xi : x) finite &= is_finite(xi);
+    }
+  if (!finite) throw Error(Error_code::not_finite, place);
 }
 
 } // namespace internal
@@ -52,7 +61,7 @@ public:
   Bspline_function(Knot_vector<FT> knots, std::vector<Value> coefficients)
       : knots_(std::move(knots)), c_(std::move(coefficients)) {
     internal::check_number_of_coefficients(knots_, c_, "Bspline_function");
-    for (const Value& x : c_) internal::check_coefficient(x, c_[0], "Bspline_function: coefficients");
+    internal::check_coefficients<FT>(c_, "Bspline_function: coefficients");
   }
 
   int degree() const { return knots_.degree(); }
@@ -110,7 +119,8 @@ public:
 
   /// The same function with the degree raised by `times >= 0`, clamped, see `bspline_elevate()`.
   Bspline_function elevate(int times = 1) const {
-    return {elevated_knots(knots_, times), bspline_elevate<FT>(knots_, c_, times)};
+    const internal::Distinct_knots<FT> knots = internal::distinct_elevated_knots(knots_, times);
+    return {knots.knot_vector(), internal::elevate_over<FT>(knots, knots_, c_)};
   }
 
   /// The function run through backwards, see `Knot_vector::reverse()`.
@@ -120,8 +130,9 @@ public:
 
   /// The product, see `bspline_product()`.
   friend Bspline_function operator*(const Bspline_function<FT>& f, const Bspline_function& g) {
-    return {product_knots(f.knots(), g.knots()),
-            bspline_product<FT>(f.knots(), f.coefficients(), g.knots(), g.coefficients())};
+    const internal::Distinct_knots<FT> knots = internal::distinct_product_knots(f.knots(), g.knots());
+    return {knots.knot_vector(),
+            internal::product_over<FT>(knots, f.knots(), f.coefficients(), g.knots(), g.coefficients())};
   }
 
   /// Sum and difference, clamped, in the larger of the two degrees and over the knots of both.

@@ -10,16 +10,31 @@
 #include <CGAL/assertions.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <initializer_list>
 #include <iterator>
 #include <ostream>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Geometric_continuity {
+
+namespace internal {
+
+template <class FT> bool is_finite(const FT& x) {
+  if constexpr (std::is_floating_point_v<FT>)
+    return std::isfinite(x);
+  else
+    return true;
+}
+
+template <class FT> struct Distinct_knots;
+
+} // namespace internal
 
 /// \ingroup PkgGeometricContinuityAlgebra
 /// The degree `p` and the knots \f$ u_0 \le \dots \le u_{n+p} \f$ of splines with `n` coefficients. Repeated knots are
@@ -126,6 +141,13 @@ public:
     return k;
   }
 
+  /// How many there are. \f$ O(n) \f$
+  int number_of_spans() const {
+    int spans = 0;
+    for (int i = p_; i < number_of_coefficients(); ++i) spans += u_[i] < u_[i + 1];
+    return spans;
+  }
+
   bool contains(const FT& u) const { // false for an undefined number
     return (start() < u || start() == u) && (u < finish() || u == finish());
   }
@@ -229,6 +251,10 @@ public:
   }
 
 private:
+  friend struct internal::Distinct_knots<FT>; // whose knots need no check
+  struct Correct_by_construction {};
+  Knot_vector(int degree, std::vector<FT> knots, Correct_by_construction) : p_(degree), u_(std::move(knots)) {}
+
   const FT& start() const { return u_[p_]; }
   const FT& finish() const { return u_[number_of_coefficients()]; }
 
@@ -255,6 +281,21 @@ private:
 
   void check() const {
     check_degree();
+    if (!is_valid()) throw_reason();
+  }
+
+  // Without a branch for each knot. Nothing is less than an undefined number, and what lies between finite ends is finite.
+  bool is_valid() const {
+    const int n = size(), p = p_;
+    if (u_.size() < 2 * (static_cast<std::size_t>(p) + 1)) return false;
+    std::ptrdiff_t good = 0;
+    for (int i = 1; i < n; ++i) good += u_[i] < u_[i - 1] ? 0 : 1;
+    for (int i = p + 1; i < n; ++i) good += u_[i - p - 1] < u_[i] ? 1 : 0;
+    return good == 2 * n - p - 2 && start() < finish() && internal::is_finite(u_.front()) &&
+           internal::is_finite(u_.back());
+  }
+
+  void throw_reason() const {
     const std::string place = "Knot_vector: ";
     if (u_.size() < 2 * (static_cast<std::size_t>(p_) + 1))
       throw Error(Error_code::wrong_number_of_points,

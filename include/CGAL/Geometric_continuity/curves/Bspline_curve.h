@@ -12,6 +12,7 @@
 #include <optional>
 #include <ostream>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -176,7 +177,23 @@ public:
 
   /// The same curve with the degree raised by `times >= 0`, clamped. The multiplicities of the inner knots rise as much.
   /// \f$ O(d^3) \f$ for each span, in the new degree `d`
-  Bspline_curve elevate(int times = 1) const { return Bspline_curve(function().elevate(times)); }
+  Bspline_curve elevate(int times = 1) const {
+    const internal::Distinct_knots<FT> knots = internal::distinct_elevated_knots(knots_, times);
+    return written(knots, [&](Write_points& output) {
+      internal::elevate_spline<N>(knots, knots_, Rows_of_points{points_}, dimension(), output);
+    });
+  }
+
+  /// The curve with its coordinates multiplied by the spline function `f`, see `bspline_product()`.
+  /// \f$ O((p+q)^2) \f$ field operations for each span and coordinate, without a linear system.
+  /// \throws Error `parameter_outside_domain` when the domains differ
+  Bspline_curve multiply(const Bspline_function<FT>& f) const {
+    const internal::Distinct_knots<FT> knots = internal::distinct_product_knots(f.knots(), knots_);
+    return written(knots, [&](Write_points& output) {
+      internal::multiply_splines<N>(knots, f.knots(), internal::Rows_of_coefficients<std::vector<FT>>{f.coefficients()},
+                                    knots_, Rows_of_points{points_}, dimension(), output);
+    });
+  }
 
   /// The curve run through backwards, on the same domain, see `Knot_vector::reverse()`.
   Bspline_curve reverse() const { return Bspline_curve(points_.rbegin(), points_.rend(), knots_.reverse()); }
@@ -226,6 +243,42 @@ public:
   }
 
 private:
+  Bspline_curve(Knot_vector<FT> knots, std::vector<Point> points)
+      : knots_(std::move(knots)), points_(std::move(points)) {}
+
+  // Control points as rows of numbers, see bspline_spans.h.
+  struct Rows_of_points {
+    const std::vector<Point>& points;
+
+    void operator()(int i, FT* row) const {
+      const Traits traits;
+      const int d = N > 0 ? N : traits.compute_dimension_object()(points[i]);
+      for (int x = 0; x < d; ++x) row[x] = traits.compute_coordinate_object()(points[i], x);
+      if constexpr (internal::row_length_v < FT, N >> N) row[N] = FT(0);
+    }
+  };
+
+  // And back.
+  struct Write_points {
+    int dimension;
+    Point* next;
+    internal::Finite_rows<internal::row_length_v<FT, N>, FT> finite = {};
+
+    BOOST_FORCEINLINE void operator()(const FT* row) {
+      *next++ = Traits().construct_point_object()(N > 0 ? N : dimension, row, row + (N > 0 ? N : dimension));
+      finite.add(row, dimension);
+    }
+  };
+
+  // The curve over these knots with the points that work(output) writes.
+  template <class Work> Bspline_curve written(const internal::Distinct_knots<FT>& knots, Work work) const {
+    std::vector<Point> points(knots.number_of_coefficients());
+    Write_points output{dimension(), points.data()};
+    work(output);
+    if (!output.finite) throw Error(Error_code::not_finite, "Bspline_curve: control points");
+    return Bspline_curve(knots.knot_vector(), std::move(points));
+  }
+
   template <class Field> Coordinate_jet<Field, N> jet_over(const FT& u, int span, int k) const {
     Coordinate_jet<Field, N> jet(dimension(), k);
     internal::derivatives_over<Field>(
@@ -266,12 +319,11 @@ private:
 };
 
 /// \ingroup PkgGeometricContinuityCurves
-/// The curve with the coordinates of `c` multiplied by the spline function `f`, see `bspline_product()`.
-/// \f$ O((p+q)^3) \f$ field operations for each span, without a linear system.
+/// `c.multiply(f)`: the curve with the coordinates of `c` multiplied by the spline function `f`.
 /// \throws Error `parameter_outside_domain` when the domains differ
 template <class Traits>
 Bspline_curve<Traits> product(const Bspline_function<typename Traits::FT>& f, const Bspline_curve<Traits>& c) {
-  return Bspline_curve<Traits>(f * c.function());
+  return c.multiply(f);
 }
 
 } // namespace Geometric_continuity
