@@ -5,10 +5,10 @@
 #ifndef CGAL_GEOMETRIC_CONTINUITY_CONTINUITY_JOIN_DECISION_H
 #define CGAL_GEOMETRIC_CONTINUITY_CONTINUITY_JOIN_DECISION_H
 
+#include <CGAL/Geometric_continuity/algebra/Decision_ring.h>
 #include <CGAL/Geometric_continuity/algebra/bernstein.h>
 #include <CGAL/Geometric_continuity/continuity/join_continuity.h>
-#include <CGAL/Geometric_continuity/internal/Decision_ring.h>
-#include <CGAL/Geometric_continuity/internal/join_stages.h>
+#include <CGAL/Geometric_continuity/internal/Prepared_double_end.h>
 
 #include <algorithm>
 #include <optional>

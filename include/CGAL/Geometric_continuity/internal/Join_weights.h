@@ -34,6 +34,19 @@ constexpr int order_of(Join_kind kind) {
   }
 }
 
+// The degree of the form in the differences.
+constexpr int degree_of(Join_kind kind) {
+  switch (kind) {
+  case Join_kind::g1: return 2;
+  case Join_kind::g2: return 4;
+  case Join_kind::g3:
+  case Join_kind::f3: return 6;
+  case Join_kind::curvature_vector:
+  case Join_kind::torsion: return 7;
+  default: return 1;
+  }
+}
+
 // The integer factors of the geometric forms in the differences a_k of a polygon of degree m and b_k of one of degree n, to
 // which the derivatives are proportional: x^(k) = m!/(m-k)! a_k / h^k. After the linear substitutions that make the first
 // derivatives a_1 and b_1, x'' = (m-1)/m a_2 and x''' = (m-1)(m-2)/m^2 a_3; a common denominator gives the factors

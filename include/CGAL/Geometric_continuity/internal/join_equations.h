@@ -104,8 +104,11 @@ public:
                                                     scaled(dot_form(o, b3), w.b3), dot_form(n, n)));
   }
 
+  constexpr BOOST_FORCEINLINE bool left_has_curvature() const {
+    return !is_zero_vector(Join_kind::g2, cross_form(a1, a2));
+  }
   constexpr BOOST_FORCEINLINE bool both_have_curvature() const {
-    return !is_zero_vector(Join_kind::g2, cross_form(a1, a2)) && !is_zero_vector(Join_kind::g2, cross_form(b1, b2));
+    return left_has_curvature() && !is_zero_vector(Join_kind::g2, cross_form(b1, b2));
   }
 
 private:

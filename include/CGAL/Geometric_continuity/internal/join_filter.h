@@ -5,6 +5,7 @@
 #ifndef CGAL_GEOMETRIC_CONTINUITY_INTERNAL_JOIN_FILTER_H
 #define CGAL_GEOMETRIC_CONTINUITY_INTERNAL_JOIN_FILTER_H
 
+#include <CGAL/Geometric_continuity/internal/common_grid.h>
 #include <CGAL/Geometric_continuity/internal/join_equations.h>
 
 #include <algorithm>
@@ -100,6 +101,12 @@ template <class Weights> struct Join_filter {
   BOOST_FORCEINLINE bool operator()(Join_kind form, double x) const {
     constexpr Join_rounding rounding;
     return !(std::abs(x) > rounding.error[static_cast<int>(form)] * largest_product(form));
+  }
+
+  // The exact value of a form that may be zero is smaller than 2 to this power: at most twice its error.
+  BOOST_FORCEINLINE int exponent_of_bound(Join_kind form) const {
+    constexpr Join_rounding rounding;
+    return binary_exponent(rounding.error[static_cast<int>(form)] * largest_product(form)) + 2;
   }
 
 private:

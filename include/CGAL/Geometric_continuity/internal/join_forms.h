@@ -28,7 +28,9 @@ template <class X, class Y> struct Product_type {
   typedef X type;
 };
 #ifdef CGAL_GEOMETRIC_CONTINUITY_HAS_FIXED_INTEGER
-template <int m, int n> struct Product_type<Fixed_integer<m>, Fixed_integer<n>> { typedef Fixed_integer<m + n> type; };
+template <int m, int n, int most> struct Product_type<Fixed_integer<m, most>, Fixed_integer<n, most>> {
+  typedef Fixed_product<m, n, most> type;
+};
 #endif
 template <class X, class... Y> struct Product_of {
   typedef typename Product_type<X, typename Product_of<Y...>::type>::type type;
