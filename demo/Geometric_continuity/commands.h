@@ -9,6 +9,12 @@
 #include <string>
 #include <vector>
 
+namespace CGAL {
+namespace Geometric_continuity {
+struct Edge_tolerance;
+}
+} // namespace CGAL
+
 // Exit codes of the program.
 enum Exit_code { requirement_met = 0, requirement_not_met = 1, bad_input = 2 };
 
@@ -27,6 +33,7 @@ int plot_surfaces(const Arguments& files, const std::string& output, const std::
                   const std::string& view);
 
 // The part of verify for models of surfaces.
-int verify_surfaces(const Arguments& files, bool json, const std::optional<int>& required);
+int verify_surfaces(const Arguments& files, bool json, const std::optional<int>& required,
+                    const std::optional<CGAL::Geometric_continuity::Edge_tolerance>& tolerance);
 
 #endif // GEOMETRIC_CONTINUITY_DEMO_COMMANDS_H

@@ -9,6 +9,7 @@
 #include "verify_drawings.h"
 
 #include <CGAL/Geometric_continuity/IO/json.h>
+#include <CGAL/Geometric_continuity/continuity/edge_order_within.h>
 #include <CGAL/Geometric_continuity/continuity/order_within.h>
 
 #include <algorithm>
@@ -37,6 +38,9 @@ const char* const usage =
     "bounds, and the order that it has\n"
     "within this angle of the tangents (radians), relative jump of the curvature vectors and jump "
     "of the torsions.\n"
+    "--surfaces --within 1e-6,1e-9 does so for the largest angle of the normals along each edge and "
+    "the largest gap, and\n"
+    "also finds the boundary edges that are that near to each other.\n"
     "Exit code: 0 when every join meets the requirement, 1 when one does not, 2 on bad input.\n";
 
 // Tells on a terminal how far a long chain has come, once a second.
@@ -58,8 +62,8 @@ public:
   }
 };
 
-// The tolerance A,K,T or A,K,T,GAP.
-GC::Join_tolerance tolerance(const std::string& text) {
+// The bounds of --within, at least `least` and at most one more, the gap.
+std::vector<double> bounds(const std::string& text, std::size_t least, const char* needed) {
   std::istringstream words(text);
   std::vector<double> x;
   try {
@@ -67,12 +71,24 @@ GC::Join_tolerance tolerance(const std::string& text) {
   } catch (const GC::Error& e) {
     throw std::invalid_argument(std::string("--within: ") + e.what());
   }
-  if (x.size() != 3 && x.size() != 4)
-    throw std::invalid_argument(
-        "--within: an angle, a relative curvature and a torsion are needed, and possibly a gap");
+  if (x.size() != least && x.size() != least + 1)
+    throw std::invalid_argument(std::string("--within: ") + needed + " needed, and possibly a gap");
   for (double bound : x)
     if (bound < 0) throw std::invalid_argument("--within: a tolerance is negative");
-  return {x[0], x[1], x[2], x.size() == 4 ? x[3] : 0};
+  x.resize(least + 1);
+  return x;
+}
+
+// A,K,T or A,K,T,GAP
+GC::Join_tolerance join_tolerance(const std::string& text) {
+  const std::vector<double> x = bounds(text, 3, "an angle, a relative curvature and a torsion are");
+  return {x[0], x[1], x[2], x[3]};
+}
+
+// A or A,GAP
+GC::Edge_tolerance edge_tolerance(const std::string& text) {
+  const std::vector<double> x = bounds(text, 1, "an angle is");
+  return {x[0], x[1]};
 }
 
 // What is asked of the joins of a chain.
@@ -178,7 +194,8 @@ int verify_command(const Arguments& arguments) {
     add("closed", "the last curve leads back to the first");
     add("max-order", po::value<int>()->default_value(3), "the highest order to decide, from 0 to 32");
     add("require", po::value<std::string>(), "the order that every join must have: C1, G2, F3, ...");
-    add("within", po::value<std::string>(), "A,K,T or A,K,T,GAP: the tolerance for a join");
+    add("within", po::value<std::string>(),
+        "A,K,T or A,K,T,GAP: the tolerance for a join; of surfaces A or A,GAP for an edge");
     add("json", "print JSON");
     add("kernel", po::value<std::string>()->default_value("exact"),
         "exact: the numbers as written; double: each number is first rounded to a double, then all is exact");
@@ -198,16 +215,19 @@ int verify_command(const Arguments& arguments) {
       throw std::invalid_argument("--kernel double: drawings are read exactly");
   }
   if (line.has("surfaces")) {
-    if (line.has("within")) throw std::invalid_argument("--within: not for surfaces");
+    std::optional<GC::Edge_tolerance> tolerance;
+    if (line.has("within")) tolerance = edge_tolerance(line.text("within"));
     if (required && (required->kind() != GC::Continuity_kind::G || required->order() > 2))
       throw std::invalid_argument("--require " + required->text() + ": along an edge G0, G1 and G2 are decided");
-    return verify_surfaces(line.files(), line.has("json"),
-                           required ? std::optional<int>(required->order()) : std::nullopt);
+    if (tolerance && required && required->order() > 1)
+      throw std::invalid_argument("--require " + required->text() + ": within a tolerance, G0 and G1 are decided");
+    return verify_surfaces(files, line.has("json"), required ? std::optional<int>(required->order()) : std::nullopt,
+                           tolerance);
   }
   Demand demand{line.integer("max-order"), required, {}};
   if (demand.max_order < 0 || demand.max_order > 32) throw std::invalid_argument("--max-order: not from 0 to 32");
   if (required) demand.max_order = std::max(demand.max_order, required->order());
-  if (line.has("within")) demand.tolerance = tolerance(line.text("within"));
+  if (line.has("within")) demand.tolerance = join_tolerance(line.text("within"));
   if (required && demand.tolerance && (required->kind() == GC::Continuity_kind::C || required->order() > 3))
     throw std::invalid_argument("--require " + required->text() + ": within a tolerance, G or F up to 3 are decided");
   const bool closed = line.has("closed"), json = line.has("json");

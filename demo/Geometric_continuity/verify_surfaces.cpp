@@ -6,8 +6,10 @@
 
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Geometric_continuity/IO/g2_surfaces.h>
+#include <CGAL/Geometric_continuity/IO/json.h>
 #include <CGAL/Geometric_continuity/Traits_3.h>
 #include <CGAL/Geometric_continuity/surfaces/model_continuity.h>
+#include <CGAL/Geometric_continuity/surfaces/near_edges.h>
 #include <CGAL/Simple_cartesian.h>
 
 #include <fstream>
@@ -25,7 +27,15 @@ typedef GC::Traits_3<CGAL::Simple_cartesian<CGAL::Exact_rational>> Traits;
 typedef CGAL::Exact_rational FT;
 typedef GC::Bspline_surface<Traits> Surface;
 typedef GC::Model_edge<FT> Edge;
+typedef GC::Model_knot_line<FT> Line;
 typedef GC::Spline_edge_continuity<FT> Continuity;
+typedef GC::Edge_order_within Within;
+
+// What is asked of the edges of a model.
+struct Demand {
+  std::optional<int> order;
+  std::optional<GC::Edge_tolerance> tolerance;
+};
 
 std::vector<Surface> read_model(const Arguments& files) {
   std::vector<Surface> model;
@@ -63,17 +73,39 @@ void write_verdict(std::ostream& os, const Continuity& e) {
   os << ']';
 }
 
-void write_json(std::ostream& os, const Edge& e) {
-  os << "{\"patch_a\":" << e.patch_a << ",\"edge_a\":\"" << e.edge_a << "\",\"patch_b\":" << *e.patch_b
-     << ",\"edge_b\":\"" << *e.edge_b << "\",";
-  write_verdict(os, e.continuity);
-  os << ",\"reversed\":" << boolean(e.continuity.reversed) << ",\"non_manifold\":" << boolean(e.non_manifold) << '}';
+void write_json(std::ostream& os, const Within& within) {
+  os << ",\"within\":[\"" << within(0) << "\",\"" << within(1) << "\"]";
+  GC::internal::write_json(os, "gap", within.deviation.gap);
+  GC::internal::write_json(os, "normal_angle", within.deviation.normal_angle);
 }
 
-void write_json(std::ostream& os, const GC::Model_knot_line<FT>& l) {
+template <class A, class B>
+void write_names(std::ostream& os, std::size_t patch_a, const A& edge_a, std::size_t patch_b, const B& edge_b) {
+  os << "{\"patch_a\":" << patch_a << ",\"edge_a\":\"" << edge_a << "\",\"patch_b\":" << patch_b << ",\"edge_b\":\""
+     << edge_b << '"';
+}
+
+void write_json(std::ostream& os, const Edge& e, const std::optional<Within>& within) {
+  write_names(os, e.patch_a, e.edge_a, *e.patch_b, *e.edge_b);
+  os << ',';
+  write_verdict(os, e.continuity);
+  os << ",\"reversed\":" << boolean(e.continuity.reversed) << ",\"non_manifold\":" << boolean(e.non_manifold);
+  if (within) write_json(os, *within);
+  os << '}';
+}
+
+void write_json(std::ostream& os, const Line& l, const std::optional<Within>& within) {
   os << "{\"patch\":" << l.patch << ",\"direction\":\"" << (l.line.constant_u ? 'u' : 'v') << "\",\"knot\":\""
      << l.line.knot << "\",\"multiplicity\":" << l.line.multiplicity << ',';
   write_verdict(os, l.line.continuity);
+  if (within) write_json(os, *within);
+  os << '}';
+}
+
+void write_json(std::ostream& os, const GC::Near_edges& e) {
+  write_names(os, e.patch_a, e.edge_a, e.patch_b, e.edge_b);
+  os << ",\"reversed\":" << boolean(e.within.deviation.reversed);
+  write_json(os, e.within);
   os << '}';
 }
 
@@ -87,55 +119,126 @@ void write_json(std::ostream& os, const std::vector<Edge>& edges, GC::Model_edge
     }
 }
 
-void print_json(const GC::Model_continuity<FT>& model) {
+// The decisions on a model, exact and within the tolerance.
+class Model_report {
+  const std::vector<Surface>& surfaces_;
+  const Demand demand_;
+  const GC::Model_continuity<FT> model_;
+  std::vector<std::optional<Within>> edges_, lines_; // as those of the model
+  std::vector<GC::Near_edges> near_;
+  std::size_t failing_edges_ = 0, failing_lines_ = 0;
+
+public:
+  Model_report(const std::vector<Surface>& surfaces, const Demand& demand)
+      : surfaces_(surfaces), demand_(demand), model_(GC::continuity_of_model(surfaces)) {
+    for (const Edge& e : model_.edges) {
+      edges_.emplace_back();
+      if (e.kind != GC::Model_edge_kind::shared) continue;
+      if (demand_.tolerance) edges_.back() = GC::order_within(e.continuity, *demand_.tolerance);
+      failing_edges_ += fails(e.continuity.g_order, edges_.back());
+    }
+    for (const Line& l : model_.knot_lines) {
+      lines_.emplace_back();
+      if (demand_.tolerance) lines_.back() = GC::order_within(surfaces[l.patch], l.line, *demand_.tolerance);
+      failing_lines_ += fails(l.line.continuity.g_order, lines_.back());
+    }
+    if (demand_.tolerance && demand_.tolerance->gap > 0) near_ = GC::near_edges(surfaces, model_, *demand_.tolerance);
+    for (const GC::Near_edges& e : near_) failing_edges_ += fails(-1, e.within);
+  }
+
+  bool met() const { return failing_edges_ + failing_lines_ == 0; }
+  void print_json() const;
+  void print_text() const;
+
+private:
+  bool fails(int exact_order, const std::optional<Within>& within) const {
+    return demand_.order && exact_order < *demand_.order &&
+           !(within && (*within)(*demand_.order) == GC::Verdict::proved);
+  }
+
+  static void print(const std::optional<Within>& within) {
+    if (within) print(*within);
+  }
+  static void print(const Within& within) {
+    std::cout << "  within the tolerance: order 0 " << within(0) << ", 1 " << within(1) << "; " << within.deviation
+              << '\n';
+  }
+};
+
+void Model_report::print_json() const {
   std::cout << "{\"edges\":[";
   const char* separator = "\n ";
-  for (const Edge& e : model.edges)
-    if (e.kind == GC::Model_edge_kind::shared) {
+  for (std::size_t i = 0; i < model_.edges.size(); ++i)
+    if (model_.edges[i].kind == GC::Model_edge_kind::shared) {
       std::cout << separator;
-      write_json(std::cout, e);
+      write_json(std::cout, model_.edges[i], edges_[i]);
       separator = ",\n ";
     }
   std::cout << "],\n \"knot_lines\":[";
   separator = "\n ";
-  for (const GC::Model_knot_line<FT>& l : model.knot_lines) {
+  for (std::size_t i = 0; i < lines_.size(); ++i) {
     std::cout << separator;
-    write_json(std::cout, l);
+    write_json(std::cout, model_.knot_lines[i], lines_[i]);
     separator = ",\n ";
   }
+  if (demand_.tolerance) {
+    std::cout << "],\n \"near_edges\":[";
+    separator = "\n ";
+    for (const GC::Near_edges& e : near_) {
+      std::cout << separator;
+      write_json(std::cout, e);
+      separator = ",\n ";
+    }
+  }
   std::cout << "],\n \"boundary_edges\":[";
-  write_json(std::cout, model.edges, GC::Model_edge_kind::boundary);
+  write_json(std::cout, model_.edges, GC::Model_edge_kind::boundary);
   std::cout << "],\n \"collapsed_edges\":[";
-  write_json(std::cout, model.edges, GC::Model_edge_kind::collapsed);
-  const GC::Model_summary& s = model.summary;
+  write_json(std::cout, model_.edges, GC::Model_edge_kind::collapsed);
+  const GC::Model_summary& s = model_.summary;
   std::cout << "],\n \"summary\":{\"G2\":" << s.g2 << ",\"G1\":" << s.g1 << ",\"G0\":" << s.g0
             << ",\"boundary\":" << s.boundary << ",\"collapsed\":" << s.collapsed
             << ",\"vanishing_normals\":" << s.vanishing_normals << ",\"creases\":" << s.creases
             << ",\"folds\":" << s.folds << ",\"non_manifold\":" << s.non_manifold
             << ",\"knot_lines\":{\"G2\":" << s.knot_lines_g2 << ",\"G1\":" << s.knot_lines_g1
             << ",\"G0\":" << s.knot_lines_g0 << "}}";
+  if (demand_.order) std::cout << ",\n \"required\":\"G" << *demand_.order << "\",\"met\":" << boolean(met());
+  std::cout << "}\n";
+}
+
+void Model_report::print_text() const {
+  for (std::size_t i = 0; i < edges_.size(); ++i) {
+    std::cout << model_.edges[i] << '\n';
+    print(edges_[i]);
+  }
+  for (std::size_t i = 0; i < lines_.size(); ++i) {
+    std::cout << model_.knot_lines[i] << '\n';
+    print(lines_[i]);
+  }
+  for (const GC::Near_edges& e : near_) {
+    std::cout << e << '\n';
+    print(e.within);
+  }
+  std::cout << surfaces_.size() << " patches: " << model_.summary;
+  if (!near_.empty()) std::cout << "; near edges: " << near_.size();
+  std::cout << '\n';
+  if (!demand_.order) return;
+  const std::string order = "G" + std::to_string(*demand_.order) + (demand_.tolerance ? " within the tolerance" : ""),
+                    near = near_.empty() ? "" : " and every pair of near edges",
+                    inside = lines_.empty() ? "" : " and every knot line";
+  if (met()) std::cout << "every shared edge" << near << inside << " is " << order << ", proved exactly\n";
+  if (failing_edges_ > 0) std::cout << failing_edges_ << " of them not " << order << '\n';
+  if (failing_lines_ > 0) std::cout << failing_lines_ << " knot lines not " << order << '\n';
 }
 
 } // namespace
 
-int verify_surfaces(const Arguments& files, bool json, const std::optional<int>& required) {
+int verify_surfaces(const Arguments& files, bool json, const std::optional<int>& required,
+                    const std::optional<GC::Edge_tolerance>& tolerance) {
   const std::vector<Surface> surfaces = read_model(files);
-  const GC::Model_continuity<FT> model = GC::continuity_of_model(surfaces);
-  const std::size_t edges = required ? model.failing(*required).size() : 0,
-                    lines = required ? model.failing_knot_lines(*required).size() : 0;
-  const bool met = edges + lines == 0;
-  if (json) {
-    print_json(model);
-    if (required) std::cout << ",\n \"required\":\"G" << *required << "\",\"met\":" << boolean(met);
-    std::cout << "}\n";
-  } else {
-    for (const Edge& e : model.edges) std::cout << e << '\n';
-    for (const GC::Model_knot_line<FT>& l : model.knot_lines) std::cout << l << '\n';
-    std::cout << surfaces.size() << " patches: " << model.summary << '\n';
-    const std::string inside = model.knot_lines.empty() ? "" : " and every knot line";
-    if (required && met) std::cout << "every shared edge" << inside << " is G" << *required << ", proved exactly\n";
-    if (edges > 0) std::cout << edges << " of them not G" << *required << '\n';
-    if (lines > 0) std::cout << lines << " knot lines not G" << *required << '\n';
-  }
-  return met ? requirement_met : requirement_not_met;
+  const Model_report report(surfaces, {required, tolerance});
+  if (json)
+    report.print_json();
+  else
+    report.print_text();
+  return report.met() ? requirement_met : requirement_not_met;
 }

@@ -9,6 +9,7 @@
 #include <boost/test/unit_test.hpp>
 
 #include "typed/archetype.h"
+#include "typed/enclosures.h"
 
 #include <CGAL/Aff_transformation_3.h>
 #include <CGAL/Cartesian_d.h>
@@ -43,6 +44,7 @@ typedef CGAL::Exact_rational Q;
 typedef std::tuple<CGAL::Simple_cartesian<Q>, CGAL::Epeck, CGAL::Epick, CGAL::Simple_cartesian<double>> All_kernels;
 
 template <class K> using Patch = GC::Bezier_patch<GC::Traits_3<K>>;
+using enclosures::ulps;
 using GC::Edge_defect;
 using GC::Patch_edge;
 using GC::Sign_pattern;
@@ -655,13 +657,15 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(vanishing_normals, K, All_kernels) {
   BOOST_CHECK_EQUAL(end.defect, Edge_defect::crease);
   BOOST_CHECK(end.normal_vanishes && end.vanishing && end.vanishing->second == 0);
   BOOST_REQUIRE(end.deviation);
-  BOOST_CHECK_CLOSE(end.deviation->largest_angle(), std::atan(1.0), 0.1);
+  BOOST_CHECK(Q(exact(end.deviation->lower)) == Q(1) / Q(2) &&
+              end.deviation->upper == end.deviation->lower); // 45 degrees
   const auto inside =
       edge_along_x<K>(y_direction, direction(constant(0), constant(-1) * line(-1, 1) * line(-1, 1), line(-1, 1)));
   BOOST_CHECK_EQUAL(inside.defect, Edge_defect::crease);
   BOOST_CHECK(inside.normal_vanishes && inside.vanishing && inside.vanishing->second == half);
   BOOST_REQUIRE(inside.deviation);
-  BOOST_CHECK_GT(inside.deviation->largest_angle(), 1.57);
+  BOOST_CHECK(exact(inside.deviation->upper) == Q(1)); // a right angle, as a limit
+  BOOST_CHECK_LE(ulps(inside.deviation->angle()), 4);
   // perpendicular normals do not vanish
   const auto right = edge_along_x<K>(y_direction, direction(constant(0), constant(0), constant(1)));
   BOOST_CHECK_EQUAL(right.defect, Edge_defect::crease);
@@ -697,10 +701,13 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(the_angle_is_enclosed, K, All_kernels) {
     }
     BOOST_CHECK_LE(lower, upper);
     BOOST_CHECK_LE(upper, 3.1415926535897936);
+    BOOST_CHECK_LE(ulps(e.deviation->angle()), 4);
     BOOST_CHECK_LE(largest, upper * (1 + 1e-12));
     BOOST_CHECK_LE(upper, largest * 1.002);
-    BOOST_CHECK_GE(lower, largest * 0.998);
-    BOOST_CHECK_GE(inside, largest * 0.998);
+    if (begin <= 0 || end >= 1) BOOST_CHECK_GE(inside, largest * (1 - 1e-12)); // else no sample need be inside
+    // the angle at the place that is found
+    const double found = sampled_angle<K>(p[0], p[1], FT((begin + end) / 2));
+    if (0 < begin && end < 1) BOOST_CHECK_CLOSE(found, upper, 1e-6);
     BOOST_CHECK_LE(end - begin, 1.0 / 32);
     widest = std::max(widest, largest);
     narrowest = std::min(narrowest, largest);
@@ -714,18 +721,19 @@ BOOST_AUTO_TEST_CASE(angles_of_measures) {
   const double pi = std::acos(-1.0);
   for (int k = 0; k <= 200; ++k) {
     const double angle = k * pi / 200, cosine = std::cos(angle);
-    const std::pair<double, double> i = Deviation::angle(Q(1 - cosine * std::abs(cosine)));
-    BOOST_CHECK_SMALL(i.first - angle, 1e-7);
-    BOOST_CHECK_SMALL(i.second - angle, 1e-7);
-    BOOST_CHECK_LE(i.first, i.second);
+    const GC::Enclosure e = Deviation::angle(Q(1 - cosine * std::abs(cosine)));
+    BOOST_CHECK_SMALL(e.lower - angle, 1e-7);
+    BOOST_CHECK_SMALL(e.upper - angle, 1e-7);
+    BOOST_CHECK_LE(e.lower, e.upper);
+    BOOST_CHECK_LE(ulps(e), 4);
   }
-  BOOST_CHECK(Deviation::angle(Q(0)) == std::make_pair(0.0, 0.0));
-  BOOST_CHECK(Deviation::angle(Q(2)).first <= pi && pi < Deviation::angle(Q(2)).second);
-  BOOST_CHECK(Deviation::angle(Q(1)).first < pi / 2 && pi / 2 < Deviation::angle(Q(1)).second);
+  BOOST_CHECK((Deviation::angle(Q(0)) == GC::Enclosure{0, 0}));
+  BOOST_CHECK(Deviation::angle(Q(2)).lower <= pi && pi < Deviation::angle(Q(2)).upper);
+  BOOST_CHECK(Deviation::angle(Q(1)).lower <= pi / 2 && pi / 2 < Deviation::angle(Q(1)).upper);
   // tiny angles keep their accuracy
-  const std::pair<double, double> tiny = Deviation::angle(Q(Q(1) / Q(1e40)));
-  BOOST_CHECK_CLOSE(tiny.first, 1e-20, 1e-9);
-  BOOST_CHECK_CLOSE(tiny.second, 1e-20, 1e-9);
+  const GC::Enclosure tiny = Deviation::angle(Q(Q(1) / Q(1e40)));
+  BOOST_CHECK_CLOSE(tiny.lower, 1e-20, 1e-13);
+  BOOST_CHECK_LE(ulps(tiny), 4);
 }
 
 // ---------------------------------------------------------------- models

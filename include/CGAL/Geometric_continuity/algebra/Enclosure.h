@@ -5,6 +5,7 @@
 #ifndef CGAL_GEOMETRIC_CONTINUITY_ALGEBRA_ENCLOSURE_H
 #define CGAL_GEOMETRIC_CONTINUITY_ALGEBRA_ENCLOSURE_H
 
+#include <CGAL/Geometric_continuity/algebra/Decision_ring.h>
 #include <CGAL/number_utils.h>
 
 #include <mpfr.h>
@@ -51,6 +52,11 @@ public:
   double above() const { return mpfr_get_d(x_, MPFR_RNDU); }
 };
 
+// The closest interval of a number, also of one that is evaluated on demand.
+template <class FT> std::pair<double, double> exact_interval(const FT& x) {
+  return CGAL::to_interval(Exact_number<FT>::of(x));
+}
+
 // arctan(sqrt(x)), or pi/2 - that for the complement, or pi - that when obtuse; rounded in one direction.
 inline void arctangent_of_root(Mpfr_number& x, bool complement, bool obtuse, mpfr_rnd_t direction) {
   const mpfr_rnd_t opposite = direction == MPFR_RNDD ? MPFR_RNDU : MPFR_RNDD;
@@ -68,19 +74,33 @@ inline void arctangent_of_root(Mpfr_number& x, bool complement, bool obtuse, mpf
     mpfr_add(x.get(), angle.get(), x.get(), direction);
 }
 
+// The angle in [0, pi] whose squared sine and cosine have this ratio; not both are zero.
+template <class FT> Enclosure angle_of_squares(const FT& sine_squared, const FT& cosine_squared, bool obtuse) {
+  const bool complement = cosine_squared < sine_squared;
+  // the squared tangent, or cotangent, at most 1
+  const std::pair<double, double> i =
+      exact_interval(complement ? FT(cosine_squared / sine_squared) : FT(sine_squared / cosine_squared));
+  Mpfr_number x(i.first < 0 ? 0 : i.first), y(i.second);
+  const bool falling = complement != obtuse;
+  arctangent_of_root(x, complement, obtuse, falling ? MPFR_RNDU : MPFR_RNDD);
+  arctangent_of_root(y, complement, obtuse, falling ? MPFR_RNDD : MPFR_RNDU);
+  if (falling) return {y.below(), x.above()};
+  return {x.below(), y.above()};
+}
+
 } // namespace internal
 
 /// \ingroup PkgGeometricContinuityAlgebra
 /// An enclosure of a number. \tparam FT a number type with `CGAL::to_interval()`
 template <class FT> Enclosure enclosure(const FT& x) {
-  const std::pair<double, double> i = CGAL::to_interval(x);
+  const std::pair<double, double> i = internal::exact_interval(x);
   return {i.first, i.second};
 }
 
 /// \ingroup PkgGeometricContinuityAlgebra
 /// An enclosure of \f$ \sqrt{x} \f$. \pre `x >= 0` \tparam FT a number type with `CGAL::to_interval()`
 template <class FT> Enclosure root_enclosure(const FT& x) {
-  const std::pair<double, double> i = CGAL::to_interval(x);
+  const std::pair<double, double> i = internal::exact_interval(x);
   internal::Mpfr_number low(i.first < 0 ? 0 : i.first), high(i.second);
   mpfr_sqrt(low.get(), low.get(), MPFR_RNDD);
   mpfr_sqrt(high.get(), high.get(), MPFR_RNDU);
@@ -93,17 +113,7 @@ template <class FT> Enclosure root_enclosure(const FT& x) {
 /// for parallel vectors of one direction.
 /// \pre `sine_squared >= 0`, and not both are zero \tparam FT a field number type with `CGAL::to_interval()`
 template <class FT> Enclosure angle_enclosure(const FT& sine_squared, const FT& cosine) {
-  const FT cosine_squared = FT(cosine * cosine);
-  const bool obtuse = cosine < FT(0), complement = cosine_squared < sine_squared;
-  // the squared tangent, or cotangent, at most 1
-  const std::pair<double, double> i =
-      CGAL::to_interval(complement ? FT(cosine_squared / sine_squared) : FT(sine_squared / cosine_squared));
-  internal::Mpfr_number x(i.first < 0 ? 0 : i.first), y(i.second);
-  const bool falling = complement != obtuse;
-  internal::arctangent_of_root(x, complement, obtuse, falling ? MPFR_RNDU : MPFR_RNDD);
-  internal::arctangent_of_root(y, complement, obtuse, falling ? MPFR_RNDD : MPFR_RNDU);
-  if (falling) return {y.below(), x.above()};
-  return {x.below(), y.above()};
+  return internal::angle_of_squares(sine_squared, FT(cosine * cosine), cosine < FT(0));
 }
 
 } // namespace Geometric_continuity

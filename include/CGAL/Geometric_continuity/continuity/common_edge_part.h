@@ -121,6 +121,26 @@ std::vector<Common_span<Field>> common_spans(const std::vector<Edge_piece<Field>
   return spans;
 }
 
+// From the whole of one edge to the whole of another.
+template <class Field>
+Affine_parameter_map<Field> whole_map(const std::vector<Edge_piece<Field>>& a, const std::vector<Edge_piece<Field>>& b,
+                                      bool backwards) {
+  const Field begin = backwards ? b.back().end : b.front().begin, end = backwards ? b.front().begin : b.back().end;
+  const Field scale = Field(end - begin) / Field(a.back().end - a.front().begin);
+  return {scale, Field(begin - scale * a.front().begin)};
+}
+
+// The rows of both edges on a common span, in the direction of the first.
+template <class Field>
+std::pair<Edge_rows<Field>, Edge_rows<Field>>
+rows_on(const std::vector<Edge_piece<Field>>& a, const std::vector<Edge_piece<Field>>& b,
+        const Common_span<Field>& span, const Affine_parameter_map<Field>& map) {
+  const bool reversed = map.reverses();
+  const Edge_rows<Field> rows =
+      rows_on(b[span.b], map(reversed ? span.end : span.begin), map(reversed ? span.begin : span.end));
+  return {rows_on(a[span.a], span.begin, span.end), reversed ? rows.reversed() : rows};
+}
+
 // Finds the part that two edges have in common.
 template <class Field> class Common_edge_part {
   typedef std::vector<Edge_piece<Field>> Pieces;
@@ -137,12 +157,13 @@ public:
   // The whole edges if they are the same, forwards or else backwards; otherwise the longest common part that contains an end
   // piece of one of them. No spans if there is none.
   Edge_match<Field> operator()() const {
-    for (const Map& map : {whole_forwards(), whole_backwards()}) {
+    for (bool backwards : {false, true}) {
+      const Map map = whole_map(a_, b_, backwards);
       Spans spans = common_spans(a_, b_, map);
       if (std::all_of(spans.begin(), spans.end(), [&](const auto& span) { return same(span, map); }))
         return {map, std::move(spans)};
     }
-    Edge_match<Field> best{whole_forwards(), {}};
+    Edge_match<Field> best{whole_map(a_, b_, false), {}};
     const std::size_t m = a_.size(), n = b_.size();
     for (std::size_t i = 0; i < m; ++i) {
       propose(i, 0, best);
@@ -158,15 +179,6 @@ public:
 private:
   bool same(const Common_span<Field>& span, const Map& map) const {
     return agree(curves_a_[span.a], curves_b_[span.b], map);
-  }
-
-  Map whole_forwards() const {
-    const Field scale = Field(b_.back().end - b_.front().begin) / Field(a_.back().end - a_.front().begin);
-    return {scale, Field(b_.front().begin - scale * a_.front().begin)};
-  }
-  Map whole_backwards() const {
-    const Field scale = Field(b_.front().begin - b_.back().end) / Field(a_.back().end - a_.front().begin);
-    return {scale, Field(b_.back().end - scale * a_.front().begin)};
   }
 
   // The longest run of common spans under the map that is found from two pieces, if it is longer than the best one.

@@ -194,7 +194,7 @@ private:
           zero_interval<Field>(edge_.coplanar ? n.side : Polynomial(Normals::square(n.n1) * Normals::square(n.n2)));
     }
     if (edge_.defect == Edge_defect::crease || edge_.defect == Edge_defect::fold)
-      edge_.deviation = Largest_deviation<Field>(n)();
+      edge_.deviation = largest_angle<Field>(n.n1, n.n2, edge_.normal_vanishes);
     else
       edge_.deviation = Normal_deviation<Field>{Field(0), Field(0), Field(0), Field(1)};
   }
@@ -209,8 +209,8 @@ private:
 /// identity or the reversal.) Where the normal of one side vanishes there is no tangent plane, hence no \f$ G^1 \f$; this
 /// is reported as such. All parameters in the result are those of the first edge, in [0, 1].
 ///
-/// When the surfaces are not \f$ G^1 \f$, the largest angle between their normals is enclosed by branch and bound on the
-/// Bernstein coefficients of \f$ \sin^2\theta = \det(C', T_1, T_2)^2 |C'|^2 / (|C' \times T_1|^2 |C' \times T_2|^2) \f$, in
+/// When the surfaces are not \f$ G^1 \f$, the largest angle between their normals \f$ n_i = C' \times T_i \f$ is enclosed by
+/// branch and bound on the Bernstein coefficients of \f$ \sin^2\theta = 1 - (n_1 \cdot n_2)^2 / (|n_1|^2 |n_2|^2) \f$, in
 /// exact arithmetic.
 ///
 /// \tparam FT a field number type; for floating-point numbers all is exact in the numbers as given

@@ -6,9 +6,9 @@
 #define CGAL_GEOMETRIC_CONTINUITY_CONTINUITY_EDGE_POLYNOMIALS_H
 
 #include <CGAL/Geometric_continuity/algebra/Coordinate_vector.h>
+#include <CGAL/Geometric_continuity/algebra/Decision_ring.h>
 #include <CGAL/Geometric_continuity/algebra/Homogeneous_polynomial.h>
 #include <CGAL/Geometric_continuity/algebra/exact_field.h>
-#include <CGAL/Geometric_continuity/internal/Decision_ring.h>
 
 #include <algorithm>
 #include <string>
@@ -112,8 +112,7 @@ template <class Field> struct Edge_normals {
   bool normal_vanishes(Sign_pattern side_signs) const {
     if (side_signs == Sign_pattern::positive || side_signs == Sign_pattern::negative) return false;
     if (coplanar()) return true; // the normals are parallel, so that n1 . n2 is zero only where one of them is
-    return square(n1).template signs<Exact>() != Sign_pattern::positive ||
-           square(n2).template signs<Exact>() != Sign_pattern::positive;
+    return vanishes(n1) || vanishes(n2);
   }
 
   // N_i^2 (N . W2) = n3_i^2 (N . C'') + 2 n3_i n2_i (N . T1') + n2_i^2 (N . W1) with N = n1, n3 = T2 x T1. As n2 = q N and
@@ -131,6 +130,9 @@ template <class Field> struct Edge_normals {
   }
 
   static Polynomial square(const Vector& v) { return scalar_product(v, v); }
+
+  // Whether the vector is zero somewhere on the closed interval.
+  static bool vanishes(const Vector& v) { return square(v).template signs<Exact>() != Sign_pattern::positive; }
 };
 
 } // namespace internal

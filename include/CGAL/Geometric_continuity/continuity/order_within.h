@@ -12,6 +12,7 @@
 #include <cmath>
 #include <optional>
 #include <string>
+#include <type_traits>
 
 namespace CGAL {
 namespace Geometric_continuity {
@@ -52,7 +53,7 @@ struct Order_within {
 /// \tparam Left, Right models of `ParametricCurve` with one traits class
 /// \throws Error `unreachable_tolerance` for a negative tolerance or one that is not a number; `dimension_mismatch` when
 ///   the dimensions differ
-template <class Left, class Right>
+template <class Left, class Right, class = std::void_t<typename Left::Traits, typename Right::Traits>>
 Order_within order_within(const Left& left, const Right& right, const Join_tolerance& tolerance) {
   typedef typename internal::Exact_field<internal::Predicate_FT<typename Left::Traits>>::type Field;
   constexpr int N = internal::dimension_v<typename Left::Traits>;

@@ -124,14 +124,12 @@ template <class FT> void summarise(Spline_edge_continuity<FT>& edge) {
 
 // The decision on one common span under the map, a gap if the edges differ.
 template <class Field>
-Edge_span<Field> decide_span(const Edge_piece<Field>& a, const Edge_piece<Field>& b, const Common_span<Field>& span,
-                             const Affine_parameter_map<Field>& map) {
-  const bool reversed = map.reverses();
-  const Field begin_b = map(reversed ? span.end : span.begin), end_b = map(reversed ? span.begin : span.end);
-  const Edge_rows<Field> rows_b = rows_on(b, begin_b, end_b);
-  Edge_continuity<Field> e = edge_continuity(rows_on(a, span.begin, span.end), reversed ? rows_b.reversed() : rows_b);
+Edge_span<Field> decide_span(const std::vector<Edge_piece<Field>>& a, const std::vector<Edge_piece<Field>>& b,
+                             const Common_span<Field>& span, const Affine_parameter_map<Field>& map) {
+  const std::pair<Edge_rows<Field>, Edge_rows<Field>> rows = rows_on(a, b, span, map);
+  Edge_continuity<Field> e = edge_continuity(rows.first, rows.second);
   if (e.reversed) e = Edge_continuity<Field>(); // equal only at other parameters
-  e.reversed = reversed;
+  e.reversed = map.reverses();
   const Field length = span.end - span.begin;
   const auto to_domain = [&](Field& t) { t = Field(span.begin + t * length); };
   if (e.vanishing) {
@@ -151,8 +149,7 @@ Spline_edge_continuity<Field> decide_spans(const std::vector<Edge_piece<Field>>&
                                            const std::vector<Edge_piece<Field>>& b, const Edge_match<Field>& match) {
   Spline_edge_continuity<Field> result;
   if (match.spans.empty()) return result;
-  for (const Common_span<Field>& span : match.spans)
-    result.spans.push_back(decide_span(a[span.a], b[span.b], span, match.map));
+  for (const Common_span<Field>& span : match.spans) result.spans.push_back(decide_span(a, b, span, match.map));
   summarise(result);
   const Field begin = match.spans.front().begin, end = match.spans.back().end;
   result.part_a = {begin, end};

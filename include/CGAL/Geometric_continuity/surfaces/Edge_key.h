@@ -5,8 +5,8 @@
 #ifndef CGAL_GEOMETRIC_CONTINUITY_SURFACES_EDGE_KEY_H
 #define CGAL_GEOMETRIC_CONTINUITY_SURFACES_EDGE_KEY_H
 
+#include <CGAL/Geometric_continuity/algebra/Decision_ring.h>
 #include <CGAL/Geometric_continuity/continuity/spline_edge_rows.h>
-#include <CGAL/Geometric_continuity/internal/Decision_ring.h>
 #include <CGAL/Geometric_continuity/surfaces/bspline_edge_continuity.h>
 
 #include <algorithm>

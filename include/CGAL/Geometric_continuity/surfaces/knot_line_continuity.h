@@ -33,21 +33,25 @@ template <class FT> struct Knot_line {
 
 namespace internal {
 
+// The rows of the surface on one side of a knot line, along it.
+template <class Traits>
+Spline_edge_rows<Edge_field<Traits>> knot_line_rows(const Bspline_surface<Traits>& s, bool constant_u,
+                                                    const typename Traits::FT& knot, bool from_below) {
+  typedef Edge_field<Traits> Field;
+  return {knots_over<Field>(constant_u ? s.knots_v() : s.knots_u()),
+          edge_rows_in_space<Field>(s.template rows_at<Field>(!constant_u, knot, from_below, 2))};
+}
+
 template <class Traits>
 void add_knot_lines(const Bspline_surface<Traits>& s, bool constant_u,
                     std::vector<Knot_line<Edge_field<Traits>>>& lines) {
   typedef Edge_field<Traits> Field;
-  const Knot_vector<typename Traits::FT>&across = constant_u ? s.knots_u() : s.knots_v(),
-                             &along = constant_u ? s.knots_v() : s.knots_u();
-  const Knot_vector<Field> knots = knots_over<Field>(along);
+  const Knot_vector<typename Traits::FT>& across = constant_u ? s.knots_u() : s.knots_v();
   for (const auto& knot : across.inner_knots()) {
     if (knot.multiplicity <= across.degree() - 2) continue; // twice continuously differentiable
-    const auto rows = [&](bool from_below) {
-      return Spline_edge_rows<Field>{
-          knots, edge_rows_in_space<Field>(s.template rows_at<Field>(!constant_u, knot.value, from_below, 2))};
-    };
     lines.push_back({constant_u, to_field<Field>(knot.value), knot.multiplicity,
-                     continuity_at_same_parameters(rows(true), rows(false))});
+                     continuity_at_same_parameters(knot_line_rows(s, constant_u, knot.value, true),
+                                                   knot_line_rows(s, constant_u, knot.value, false))});
   }
 }
 

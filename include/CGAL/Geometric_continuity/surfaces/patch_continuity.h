@@ -7,7 +7,9 @@
 
 #include <CGAL/Geometric_continuity/continuity/spline_edge_continuity.h>
 #include <CGAL/Geometric_continuity/surfaces/Bezier_patch.h>
+#include <CGAL/Geometric_continuity/surfaces/patch_edge_decision.h>
 
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -38,6 +40,26 @@ template <class Field, class Rows> Edge_rows<Field> edge_rows_in_space(const Row
     return result;
   };
   return {in_space(rows[0]), in_space(rows[1]), in_space(rows[2])};
+}
+
+// Of two whole edges along which the surfaces have been decided to be smooth.
+template <class Field>
+Spline_edge_continuity<Field> smooth_continuity(const Smooth_edge& edge, const std::pair<Field, Field>& domain_a,
+                                                const std::pair<Field, Field>& domain_b) {
+  Edge_continuity<Field> e;
+  e.g_order = edge.order;
+  e.defect = edge.order == 2 ? Edge_defect::none : Edge_defect::curvature;
+  e.reversed = edge.reversed;
+  e.coplanar = true;
+  e.side = Sign_pattern::negative;
+  e.deviation = Normal_deviation<Field>{Field(0), Field(0), domain_a.first, domain_a.second};
+  Spline_edge_continuity<Field> result;
+  static_cast<Edge_continuity<Field>&>(result) = e;
+  result.spans.push_back({domain_a.first, domain_a.second, e});
+  result.part_a = domain_a;
+  result.part_b = domain_b;
+  result.whole_a = result.whole_b = true;
+  return result;
 }
 
 } // namespace internal
@@ -81,11 +103,22 @@ Spline_edge_rows<Edge_field<Traits>> spline_edge_rows(const Bezier_patch<Traits>
 /// All parameters in the result are those of the domain of the edge of `a`, without rounding. For two edges of one patch
 /// that closes up, `a` and `b` are the same patch.
 ///
-/// A number of operations with integers that is quadratic in the degree, plus the search for the largest angle where the
-/// patches are not \f$ G^1 \f$. \throws Error `dimension_mismatch` unless in dimension 3
+/// With `double` coordinates smooth edges of degree 7 or less are proved with integers of fixed length, see
+/// edge_predicates.h. Otherwise a number of operations with integers that is quadratic in the degree, plus the search for the
+/// largest angle where the patches are not \f$ G^1 \f$. \throws Error `dimension_mismatch` unless in dimension 3
 template <class Traits>
 Spline_edge_continuity<Edge_field<Traits>> edge_continuity(const Bezier_patch<Traits>& a, Patch_edge edge_a,
                                                            const Bezier_patch<Traits>& b, Patch_edge edge_b) {
+  typedef Edge_field<Traits> Field;
+  internal::require_space(a, "edge_continuity");
+  internal::require_space(b, "edge_continuity");
+  if (const std::optional<internal::Smooth_edge> smooth = internal::smooth_edge(a, edge_a, b, edge_b)) {
+    const auto domain = [](const Bezier_patch<Traits>& s, Patch_edge edge) {
+      const typename Bezier_patch<Traits>::Interval i = s.domain(edge);
+      return std::pair<Field, Field>(internal::to_field<Field>(i.first), internal::to_field<Field>(i.second));
+    };
+    return internal::smooth_continuity(*smooth, domain(a, edge_a), domain(b, edge_b));
+  }
   return edge_continuity(spline_edge_rows(a, edge_a), spline_edge_rows(b, edge_b));
 }
 

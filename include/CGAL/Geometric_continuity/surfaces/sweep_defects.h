@@ -5,10 +5,10 @@
 #ifndef CGAL_GEOMETRIC_CONTINUITY_SURFACES_SWEEP_DEFECTS_H
 #define CGAL_GEOMETRIC_CONTINUITY_SURFACES_SWEEP_DEFECTS_H
 
+#include <CGAL/Geometric_continuity/algebra/Decision_ring.h>
 #include <CGAL/Geometric_continuity/algebra/Homogeneous_polynomial.h>
 #include <CGAL/Geometric_continuity/algebra/isolate_roots.h>
 #include <CGAL/Geometric_continuity/curves/Bezier_curve.h>
-#include <CGAL/Geometric_continuity/internal/Decision_ring.h>
 #include <CGAL/Geometric_continuity/surfaces/Extrusion_surface_3.h>
 #include <CGAL/Geometric_continuity/surfaces/Revolution_surface_3.h>
 #include <CGAL/Geometric_continuity/surfaces/patch_continuity.h>

@@ -2,8 +2,8 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-#ifndef CGAL_GEOMETRIC_CONTINUITY_INTERNAL_DECISION_RING_H
-#define CGAL_GEOMETRIC_CONTINUITY_INTERNAL_DECISION_RING_H
+#ifndef CGAL_GEOMETRIC_CONTINUITY_ALGEBRA_DECISION_RING_H
+#define CGAL_GEOMETRIC_CONTINUITY_ALGEBRA_DECISION_RING_H
 
 #include <CGAL/Algebraic_structure_traits.h>
 #include <CGAL/Fraction_traits.h>
@@ -87,4 +87,4 @@ private:
 } // namespace Geometric_continuity
 } // namespace CGAL
 
-#endif // CGAL_GEOMETRIC_CONTINUITY_INTERNAL_DECISION_RING_H
+#endif // CGAL_GEOMETRIC_CONTINUITY_ALGEBRA_DECISION_RING_H
