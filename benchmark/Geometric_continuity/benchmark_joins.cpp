@@ -11,6 +11,7 @@
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Geometric_continuity/Traits_3.h>
+#include <CGAL/Geometric_continuity/continuity/join_batch.h>
 #include <CGAL/Geometric_continuity/continuity/join_predicates.h>
 #include <CGAL/Geometric_continuity/curves/Bezier_curve.h>
 #include <CGAL/Mpzf.h>
@@ -26,6 +27,10 @@
 #include <string>
 #include <utility>
 #include <vector>
+
+#ifdef CGAL_LINKED_WITH_TBB
+#include <tbb/task_arena.h>
+#endif
 
 namespace GC = CGAL::Geometric_continuity;
 
@@ -204,23 +209,49 @@ template <class Function> void time_joins(benchmark::State& state, Function deci
   }
 }
 
-// Many joins in one pass over memory: curves next to each other, each used once.
-void one_pass(benchmark::State& state) {
-  const Input& in = input();
-  const std::size_t n = static_cast<std::size_t>(state.range(0));
+// Pairs of curves next to each other in memory.
+struct Pairs {
   std::vector<Curve> left, right;
-  left.reserve(n);
-  right.reserve(n);
-  for (std::size_t k = 0; k < n; ++k) {
-    left.push_back(in.left[k % in.left.size()]);
-    right.push_back(in.right[holds][k % in.left.size()]);
+  explicit Pairs(std::size_t n) {
+    const Input& in = input();
+    left.reserve(n);
+    right.reserve(n);
+    for (std::size_t k = 0; k < n; ++k) {
+      left.push_back(in.left[k % in.left.size()]);
+      right.push_back(in.right[holds][k % in.left.size()]);
+    }
   }
-  for (auto _ : state) {
-    std::size_t count = 0;
-    for (std::size_t k = 0; k < n; ++k) count += GC::is_f3_join(left[k], right[k]);
-    if (count != n) state.SkipWithError("wrong answer");
-  }
-  state.SetItemsProcessed(static_cast<std::int64_t>(state.iterations() * n));
+};
+
+template <class Concurrency_tag> void verify(benchmark::State& state, const Pairs& pairs) {
+  const auto is_f3 = [](const Curve& left, const Curve& right) { return GC::is_f3_join(left, right); };
+  for (auto _ : state)
+    if (!GC::failing_joins<Concurrency_tag>(pairs.left.begin(), pairs.left.end(), pairs.right.begin(),
+                                            pairs.right.end(), is_f3)
+             .empty())
+      state.SkipWithError("wrong answer");
+  state.SetItemsProcessed(static_cast<std::int64_t>(state.iterations() * pairs.left.size()));
+}
+
+// 512 joins that stay in the cache, against 10^7 joins in one pass over 3 GiB of curves.
+void register_passes() {
+  const std::string title = "F3, holds, many joins | ";
+  const auto many = []() -> const Pairs& {
+    static const Pairs pairs(10000000);
+    return pairs;
+  };
+  const auto add = [&](const char* name, auto run) {
+    benchmark::RegisterBenchmark((title + name).c_str(), run)->Unit(benchmark::kMillisecond)->UseRealTime();
+  };
+  add("512 again and again, one core",
+      [](benchmark::State& state) { verify<CGAL::Sequential_tag>(state, Pairs(512)); });
+  add("10^7 in one pass, one core", [=](benchmark::State& state) { verify<CGAL::Sequential_tag>(state, many()); });
+#ifdef CGAL_LINKED_WITH_TBB
+  add("10^7 in one pass, two cores", [=](benchmark::State& state) {
+    tbb::task_arena two_cores(2);
+    two_cores.execute([&] { verify<CGAL::Parallel_tag>(state, many()); });
+  });
+#endif
 }
 
 int main(int argc, char** argv) {
@@ -242,9 +273,6 @@ int main(int argc, char** argv) {
           time_joins(state, [&](std::size_t k) { return GC::is_g2_join(in.left_ends[k], in.right_ends[c][k]); });
       });
     }
-  benchmark::RegisterBenchmark("F3, holds, in one pass", one_pass)
-      ->Arg(512)
-      ->Arg(1000000)
-      ->Unit(benchmark::kMillisecond);
+  register_passes();
   return run_benchmarks(argc, argv);
 }

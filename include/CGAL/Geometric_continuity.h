@@ -40,6 +40,7 @@
 #include <CGAL/Geometric_continuity/curves/Bspline_curve.h>
 #include <CGAL/Geometric_continuity/curves/Composite_bezier_curve.h>
 #include <CGAL/Geometric_continuity/curves/Cubic_blended_curve.h>
+#include <CGAL/Geometric_continuity/curves/Jet_polynomials.h>
 #include <CGAL/Geometric_continuity/curves/bezier_properties.h>
 #include <CGAL/Geometric_continuity/curves/bounding_boxes.h>
 #include <CGAL/Geometric_continuity/curves/control_polygon.h>
@@ -54,6 +55,7 @@
 #include <CGAL/Geometric_continuity/continuity/chain_continuity.h>
 #include <CGAL/Geometric_continuity/continuity/deviation.h>
 #include <CGAL/Geometric_continuity/continuity/edge_continuity.h>
+#include <CGAL/Geometric_continuity/continuity/join_batch.h>
 #include <CGAL/Geometric_continuity/continuity/join_continuity.h>
 #include <CGAL/Geometric_continuity/continuity/join_predicates.h>
 #include <CGAL/Geometric_continuity/continuity/knot_continuity.h>
@@ -83,11 +85,14 @@
 #include <CGAL/Geometric_continuity/surfaces/Tessellation.h>
 #include <CGAL/Geometric_continuity/surfaces/bspline_edge_continuity.h>
 #include <CGAL/Geometric_continuity/surfaces/connect_g1.h>
+#include <CGAL/Geometric_continuity/surfaces/edge_predicates.h>
 #include <CGAL/Geometric_continuity/surfaces/evaluate_grid.h>
 #include <CGAL/Geometric_continuity/surfaces/face_graph.h>
 #include <CGAL/Geometric_continuity/surfaces/knot_line_continuity.h>
 #include <CGAL/Geometric_continuity/surfaces/model_continuity.h>
+#include <CGAL/Geometric_continuity/surfaces/near_edges.h>
 #include <CGAL/Geometric_continuity/surfaces/patch_continuity.h>
+#include <CGAL/Geometric_continuity/surfaces/patch_order_within.h>
 #include <CGAL/Geometric_continuity/surfaces/sweep_defects.h>
 #include <CGAL/Geometric_continuity/surfaces/swept_continuity.h>
 #include <CGAL/Geometric_continuity/surfaces/tessellate.h>

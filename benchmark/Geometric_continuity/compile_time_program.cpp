@@ -1,0 +1,31 @@
+// Copyright (c) 2026 The Geometric_continuity developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+// A minimal program on top of it: two curves, a blend between them, and the continuity of a join.
+
+#ifdef WITH_FILTERED_KERNEL
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+typedef CGAL::Exact_predicates_inexact_constructions_kernel Kernel;
+#else
+#include <CGAL/Simple_cartesian.h>
+typedef CGAL::Simple_cartesian<double> Kernel;
+#endif
+
+#include <CGAL/Geometric_continuity/Traits_3.h>
+#include <CGAL/Geometric_continuity/construction/blend.h>
+#include <CGAL/Geometric_continuity/continuity/join_continuity.h>
+#include <CGAL/Geometric_continuity/curves/Bezier_curve.h>
+
+#include <iostream>
+
+namespace GC = CGAL::Geometric_continuity;
+typedef GC::Traits_3<Kernel> Traits;
+typedef Traits::Point Point;
+
+int main() {
+  const GC::Bezier_curve<Traits> phi{Point(0, 0, 0), Point(1, 0, 0), Point(2, 1, 0), Point(3, 1, 1)},
+      psi{Point(6, 1, 1), Point(7, 1, 1), Point(8, 0, 1), Point(9, 0, 0)};
+  const GC::Bezier_curve<Traits> gamma = GC::blend(phi, psi);
+  std::cout << GC::continuity(phi, gamma) << '\n';
+}

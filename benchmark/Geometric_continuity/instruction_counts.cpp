@@ -1,0 +1,76 @@
+// Copyright (c) 2026 The Geometric_continuity developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+// Each operation a thousand times, in a function of its own: callgrind counts its instructions, see instruction_counts.cmake.
+
+#include "by_hand.h"
+
+#include <CGAL/Geometric_continuity/Traits_3.h>
+#include <CGAL/Geometric_continuity/construction/blend.h>
+#include <CGAL/Geometric_continuity/curves/Jet_polynomials.h>
+#include <CGAL/Simple_cartesian.h>
+
+#include <array>
+#include <cmath>
+#include <cstdlib>
+#include <iostream>
+
+namespace GC = CGAL::Geometric_continuity;
+typedef GC::Traits_3<CGAL::Simple_cartesian<double>> Traits;
+typedef GC::Bezier_curve<Traits, 5> Quintic;
+typedef GC::Curve_jet<Traits> Jet;
+
+BOOST_NOINLINE by_hand::Jet jet_by_hand(const by_hand::Quintic& c, double u) { return by_hand::jet(c, u); }
+BOOST_NOINLINE Jet jet_generic(const Quintic& c, double u) { return c.jet<3>(u); }
+
+BOOST_NOINLINE by_hand::Jet prepared_jet_by_hand(const by_hand::Powers& c, double u) { return c(u); }
+BOOST_NOINLINE GC::Coordinate_jet<double, 3> prepared_jet_generic(const GC::Jet_polynomials<double, 3, 5, 3>& c,
+                                                                  double u) {
+  return c.jet(u);
+}
+
+BOOST_NOINLINE by_hand::Checked_blend blend_by_hand(const by_hand::Jet& x, const by_hand::Jet& y) {
+  return by_hand::checked_blend(x, y);
+}
+BOOST_NOINLINE by_hand::Blend blend_by_hand_unchecked(const by_hand::Jet& x, const by_hand::Jet& y) {
+  return by_hand::blend(x, y);
+}
+BOOST_NOINLINE GC::Quintic_blend<Traits> blend_generic(const Jet& x, const Jet& y) {
+  return GC::blend(x, y, GC::Minimal_second_derivative());
+}
+
+int main() {
+  std::array<Traits::Point, 6> p;
+  for (int j = 0; j < 6; ++j) p[j] = Traits::Point(j, (5 * j) % 7, (3 * j) % 5);
+  const Quintic curve(p.begin(), p.end());
+  const by_hand::Quintic hand_curve(p, 0, 1);
+  const GC::Jet_polynomials<double, 3, 5, 3> polynomials(curve);
+  const by_hand::Powers powers(hand_curve);
+  double error = 0; // the results are used, and they are the same
+  const auto compare = [&error](double x, double y) { error = std::fmax(error, std::abs(x - y) / (1 + std::abs(x))); };
+  for (int l = 0; l < 1000; ++l) {
+    const double u = l / 1000.0;
+    const Jet x = jet_generic(curve, u), y = curve.jet(1 - u, 3);
+    const by_hand::Jet hand_x = jet_by_hand(hand_curve, u), hand_y = by_hand::jet(hand_curve, 1 - u);
+    const by_hand::Jet hand_prepared = prepared_jet_by_hand(powers, u);
+    const GC::Coordinate_jet<double, 3> prepared = prepared_jet_generic(polynomials, u);
+    const GC::Quintic_blend<Traits> blend = blend_generic(x, y);
+    const by_hand::Checked_blend hand_blend = blend_by_hand(hand_x, hand_y);
+    const by_hand::Blend unchecked = blend_by_hand_unchecked(hand_x, hand_y);
+    for (int i = 0; i < 3; ++i) {
+      for (int j = 0; j < 4; ++j) {
+        compare(x[j][i], hand_x.d[j][i]);
+        compare(x[j][i], hand_prepared.d[j][i]);
+        compare(x[j][i], prepared[j][i]);
+      }
+      for (int j = 0; j < 6; ++j) {
+        compare(blend.control_point(j)[i], hand_blend.curve.points[j][i]);
+        compare(blend.control_point(j)[i], unchecked.points[j][i]);
+      }
+    }
+  }
+  if (error < 1e-12) return EXIT_SUCCESS;
+  std::cerr << "the results differ by " << error << '\n';
+  return EXIT_FAILURE;
+}
