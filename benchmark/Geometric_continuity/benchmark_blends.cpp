@@ -2,8 +2,8 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// Quintic blends in double, one at a time and in batches, against instructions written by hand. Results are compared before
-// anything is timed.
+// Quintic blends in double, one at a time and in batches, against instructions written by hand, and against what SISL (G1 only)
+// and OpenCASCADE (in the plane, by iteration) offer for the purpose. Results are compared before anything is timed.
 
 #include "Ratio_table.h"
 #include "by_hand.h"
@@ -13,6 +13,15 @@
 #include <CGAL/Geometric_continuity/construction/blend.h>
 #include <CGAL/Geometric_continuity/construction/blend_batch.h>
 #include <CGAL/Simple_cartesian.h>
+
+#ifdef GEOMETRIC_CONTINUITY_WITH_OCCT
+#include <FairCurve_AnalysisCode.hxx>
+#include <FairCurve_MinimalVariation.hxx>
+#include <gp_Pnt2d.hxx>
+#endif
+#ifdef GEOMETRIC_CONTINUITY_WITH_SISL
+#include <sisl.h>
+#endif
 
 #include <array>
 #include <random>
@@ -44,6 +53,37 @@ struct Ends {
     }
   }
 };
+
+#ifdef GEOMETRIC_CONTINUITY_WITH_OCCT
+// Angles and curvatures at the ends are given; true when it has converged.
+bool occt_blend() {
+  FairCurve_MinimalVariation curve(gp_Pnt2d(0, 0), gp_Pnt2d(4, 0), 1);
+  curve.SetConstraintOrder1(2);
+  curve.SetConstraintOrder2(2);
+  curve.SetAngle1(0.3);
+  curve.SetAngle2(0.3);
+  curve.SetCurvature1(0.2);
+  curve.SetCurvature2(0.1);
+  FairCurve_AnalysisCode code;
+  return curve.Compute(code) && code == FairCurve_OK;
+}
+#endif
+
+#ifdef GEOMETRIC_CONTINUITY_WITH_SISL
+// Between the end of one cubic and the start of another.
+bool sisl_blend() {
+  static double knots[] = {0, 0, 0, 0, 1, 1, 1, 1}, left[] = {-3, 0, 0, -2, 1, 0, -1, 1, 1, 0, 0, 0},
+                right[] = {4, 0, 0, 5, 1, 0, 6, 1, 1, 7, 0, 0};
+  static SISLCurve *const phi = newCurve(4, 4, knots, left, 1, 3, 1), *const psi =
+                                                                          newCurve(4, 4, knots, right, 1, 3, 1);
+  SISLCurve* gamma = nullptr;
+  int status = -1;
+  s1607(phi, psi, 1e-6, 0, 1, 1, 0, 2, 3, 6, &gamma, &status);
+  const bool joined = status >= 0 && gamma && near(gamma->ecoef[0], 0) && near(gamma->ecoef[3 * gamma->in - 3], 4);
+  if (gamma) freeCurve(gamma);
+  return joined;
+}
+#endif
 
 } // namespace
 
@@ -80,6 +120,14 @@ int main(int argc, char** argv) {
   });
   at_once("quintic blends, min_second | blend(), batch", n,
           [] { GC::blend(left.arrays, right.arrays, GC::Minimal_second_derivative(), gamma); });
+#ifdef GEOMETRIC_CONTINUITY_WITH_SISL
+  check(sisl_blend(), "SISL, blend");
+  at_once("quintic blends, min_second | SISL, s1607, G1 only", 1, [] { sisl_blend(); });
+#endif
+#ifdef GEOMETRIC_CONTINUITY_WITH_OCCT
+  check(occt_blend(), "OpenCASCADE, blend");
+  at_once("quintic blends, min_second | OpenCASCADE, FairCurve, in the plane", 1, [] { occt_blend(); });
+#endif
   one_by_one("quintic blends, energy3 | blend()", [](std::size_t l) {
     const GC::Quintic_blend<Traits> blend = GC::blend(left.single[l], right.single[l]);
     benchmark::DoNotOptimize(blend);

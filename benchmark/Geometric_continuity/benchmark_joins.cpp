@@ -16,6 +16,12 @@
 #include <CGAL/Geometric_continuity/curves/Bezier_curve.h>
 #include <CGAL/Mpzf.h>
 
+#ifdef GEOMETRIC_CONTINUITY_WITH_OCCT
+#include <Geom_BezierCurve.hxx>
+#include <LocalAnalysis_CurveContinuity.hxx>
+#include <TColgp_Array1OfPnt.hxx>
+#endif
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -254,6 +260,38 @@ void register_passes() {
 #endif
 }
 
+#ifdef GEOMETRIC_CONTINUITY_WITH_OCCT
+// What OpenCASCADE offers for G2, with tolerances: it accepts the joins that are off by one unit as well.
+struct Occt_curves {
+  std::vector<Handle(Geom_BezierCurve)> left;
+  std::array<std::vector<Handle(Geom_BezierCurve)>, 3> right;
+
+  Occt_curves() {
+    const Input& in = input();
+    for (const Curve& c : in.left) left.push_back(curve(c));
+    for (int j = 0; j < 3; ++j)
+      for (const Curve& c : in.right[j]) right[j].push_back(curve(c));
+    for (std::size_t k = 0; k < left.size(); ++k)
+      if (!is_g2(k, holds) || is_g2(k, grossly_off)) {
+        std::cerr << "OpenCASCADE: wrong answer, join " << k << '\n';
+        std::exit(1);
+      }
+  }
+  static Handle(Geom_BezierCurve) curve(const Curve& c) {
+    TColgp_Array1OfPnt poles(1, 6);
+    for (int j = 0; j < 6; ++j)
+      poles(j + 1) = gp_Pnt(c.control_point(j).x(), c.control_point(j).y(), c.control_point(j).z());
+    return new Geom_BezierCurve(poles);
+  }
+  bool is_g2(std::size_t k, int c) const {
+    const double small = 1e-9;
+    const LocalAnalysis_CurveContinuity analysis(left[k], 1, right[c][k], 0, GeomAbs_G2, small, small, small, small,
+                                                 small, small, small);
+    return analysis.IsDone() && analysis.IsG2();
+  }
+};
+#endif
+
 int main(int argc, char** argv) {
   compare_answers();
   for (const bool torsion : {false, true})
@@ -272,6 +310,13 @@ int main(int argc, char** argv) {
         else
           time_joins(state, [&](std::size_t k) { return GC::is_g2_join(in.left_ends[k], in.right_ends[c][k]); });
       });
+#ifdef GEOMETRIC_CONTINUITY_WITH_OCCT
+      static const Occt_curves occt;
+      if (!torsion)
+        benchmark::RegisterBenchmark((title + "OpenCASCADE, with tolerances").c_str(), [=](benchmark::State& state) {
+          time_joins(state, [&](std::size_t k) { return occt.is_g2(k, c); });
+        });
+#endif
     }
   register_passes();
   return run_benchmarks(argc, argv);
