@@ -15,16 +15,8 @@ trap 'rm -rf "$work"' EXIT
 export LC_ALL=C
 TIMEFORMAT=%U
 
-measure() { # FLAGS... SOURCE: sets least and bytes
-  least=
-  for ((i = 0; i < repetitions; ++i)); do
-    local seconds
-    seconds=$({ time "${compiler[@]}" "$@" -c -o "$work/object.o" 2>"$work/messages"; } 2>&1) ||
-      { cat "$work/messages" >&2; exit 1; }
-    least=$(printf '%s\n%s\n' "$seconds" "${least:-$seconds}" | sort -g | head -n 1)
-  done
-  strip -o "$work/stripped.o" "$work/object.o"
-  bytes=$(stat -c %s "$work/stripped.o")
+seconds_to_compile() { # FLAGS... SOURCE: leaves $work/object.o
+  { time "${compiler[@]}" "$@" -c -o "$work/object.o" 2>"$work/messages"; } 2>&1 || { cat "$work/messages" >&2; exit 1; }
 }
 
 compiler=("$@")
@@ -35,13 +27,21 @@ for kernel in Simple_cartesian Exact_predicates_inexact_constructions_kernel; do
   [ $kernel = Simple_cartesian ] || flags=(-DWITH_FILTERED_KERNEL)
   for level in -O0 -O2; do
     printf '\na minimal program, %s, %s\n' $kernel $level
+    declare -A seconds=() bytes=()
+    for ((i = 0; i < repetitions; ++i)); do # in turns, so that a machine that becomes slower does so for both
+      for program in kernel program; do
+        now=$(seconds_to_compile "${flags[@]}" $level "$here/compile_time_$program.cpp")
+        seconds[$program]=$(printf '%s\n%s\n' "$now" "${seconds[$program]:-$now}" | sort -g | head -n 1)
+        strip -o "$work/stripped.o" "$work/object.o"
+        bytes[$program]=$(stat -c %s "$work/stripped.o")
+      done
+    done
     for program in kernel program; do
-      measure "${flags[@]}" $level "$here/compile_time_$program.cpp"
-      [ $program = program ] || { first_seconds=$least first_bytes=$bytes; }
-      awk -v s="$least" -v b="$bytes" -v s1="$first_seconds" -v b1="$first_bytes" -v name=$program \
+      awk -v s="${seconds[$program]}" -v b="${bytes[$program]}" -v s1="${seconds[kernel]}" -v b1="${bytes[kernel]}" \
+        -v name=$program \
         'BEGIN { printf "%8.2f s %6.2f x %10d bytes %6.2f x  %s\n", s, s / s1, b, b / b1, name == "kernel" ? "the kernel alone" : "two curves, a blend, a join" }'
       printf '%s\n  {"name": "compile_time | %s %s | %s", "cpu_time": %s, "time_unit": "s", "stripped_bytes": %s}' \
-        "$separator" $kernel $level $program "$least" "$bytes" >>"$json"
+        "$separator" $kernel $level $program "${seconds[$program]}" "${bytes[$program]}" >>"$json"
       separator=,
     done
   done

@@ -225,14 +225,15 @@ template <class FT> std::vector<FT> special_numbers() {
 template <class FT> void check_fractions() {
   typedef GC::internal::Rational_parts<FT> Parts;
   typedef GC::internal::Unreduced_fraction<FT> Fraction;
+  typedef GC::internal::Inline_integer Integer;
   const std::vector<FT> numbers = special_numbers<FT>();
   for (const FT& x : numbers) {
-    GC::internal::Inline_integer n, d;
+    Integer n, d;
     Parts::split(x, n, d);
     check_number(Parts::make(n, d, 0), x);
     check_number(Parts::make(n, d, 70), FT(x * power_of_two<FT>(-70)));
     check_number(Parts::make(n, d, -70), FT(x * power_of_two<FT>(70)));
-    check_number(Parts::make(n * 15, d * 35, 0), FT(x * FT(FT(3) / FT(7))));
+    check_number(Parts::make(n * Integer(15), d * Integer(35), 0), FT(x * FT(FT(3) / FT(7))));
     check_number(FT(-Fraction(x).reduced()), (-Fraction(x)).reduced());
     for (const FT& y : numbers) {
       const Fraction p(x), q(y);

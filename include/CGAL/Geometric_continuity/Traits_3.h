@@ -6,10 +6,7 @@
 #define CGAL_GEOMETRIC_CONTINUITY_TRAITS_3_H
 
 #include <CGAL/Dimension.h>
-#include <CGAL/Exact_rational.h>
-#include <CGAL/Geometric_continuity/kernel_coordinate.h>
-
-#include <type_traits>
+#include <CGAL/Geometric_continuity/kernel_access.h>
 
 namespace CGAL {
 namespace Geometric_continuity {
@@ -29,8 +26,7 @@ public:
   typedef typename K::Point_3 Point;
   typedef typename K::Vector_3 Vector;
   typedef Dimension_tag<3> Dimension;
-  typedef std::conditional_t<K::Has_filtered_predicates && std::is_floating_point_v<FT>, Exact_rational, FT>
-      Predicate_FT;
+  typedef typename internal::Kernel_predicate_field<K>::type Predicate_FT;
 
   struct Compute_dimension {
     int operator()(const Point&) const { return 3; }

@@ -5,6 +5,7 @@
 #ifndef CGAL_GEOMETRIC_CONTINUITY_IO_SVG_PANEL_H
 #define CGAL_GEOMETRIC_CONTINUITY_IO_SVG_PANEL_H
 
+#include <CGAL/Geometric_continuity/algebra/to_field.h>
 #include <CGAL/Geometric_continuity/internal/traits_access.h>
 #include <CGAL/number_utils.h>
 

@@ -6,6 +6,7 @@
 #define CGAL_GEOMETRIC_CONTINUITY_IO_MESH_H
 
 #include <CGAL/Geometric_continuity/IO/atomic_file.h>
+#include <CGAL/Geometric_continuity/algebra/to_field.h>
 #include <CGAL/Geometric_continuity/internal/traits_access.h>
 #include <CGAL/Geometric_continuity/surfaces/Tessellation.h>
 

@@ -6,6 +6,7 @@
 #define CGAL_GEOMETRIC_CONTINUITY_IO_SVG_SURFACES_H
 
 #include <CGAL/Geometric_continuity/IO/svg_facets.h>
+#include <CGAL/Geometric_continuity/algebra/to_field.h>
 #include <CGAL/Geometric_continuity/surfaces/Bspline_surface.h>
 #include <CGAL/Geometric_continuity/surfaces/model_continuity.h>
 

@@ -6,7 +6,7 @@
 #define CGAL_GEOMETRIC_CONTINUITY_ALGEBRA_KNOT_VECTOR_H
 
 #include <CGAL/Geometric_continuity/Error.h>
-#include <CGAL/Geometric_continuity/algebra/exact_field.h>
+#include <CGAL/Geometric_continuity/algebra/to_field.h>
 #include <CGAL/assertions.h>
 
 #include <algorithm>

@@ -5,11 +5,12 @@
 #ifndef CGAL_GEOMETRIC_CONTINUITY_ALGEBRA_BERNSTEIN_H
 #define CGAL_GEOMETRIC_CONTINUITY_ALGEBRA_BERNSTEIN_H
 
+#include <type_traits>
 #include <vector>
 
 /// \file bernstein.h
 /// Algorithms on Bernstein coefficients \f$ c_0, \dots, c_n \f$ of \f$ \sum_i c_i B_i^n(t) \f$ in random-access
-/// containers `c`, by field arithmetic only. Curves run them coordinate by coordinate;
+/// containers `c`, by field arithmetic only. Curves run them on coordinates and on vectors of coordinates;
 /// `Bernstein_polynomial` wraps them for scalar polynomials.
 
 namespace CGAL {
@@ -39,16 +40,18 @@ template <class Coefficients> void difference_step(Coefficients& c, int n) {
 
 /// \ingroup PkgGeometricContinuityAlgebra
 /// The value at `t` by de Casteljau's algorithm; `c` is overwritten. \f$ O(n^2) \f$
-template <class FT, class Coefficients> FT bernstein_value(Coefficients& c, int n, const FT& t) {
+template <class FT, class Coefficients> auto bernstein_value(Coefficients& c, int n, const FT& t) {
   for (; n > 0; --n) de_casteljau_step(c, n, t);
   return c[0];
 }
 
 /// \ingroup PkgGeometricContinuityAlgebra
 /// The derivatives of order 0 to `k` at `t`, with respect to `t`: `out(j, value)` is called for each
-/// `j`, in this order; `c` is overwritten. \f$ O(n^2 + k^3) \f$
+/// `j`, in this order; `c` is overwritten. The coefficients are numbers or vectors of the same dimension.
+/// \f$ O(n^2 + k^3) \f$
 template <class FT, class Coefficients, class Output>
 void bernstein_derivatives(Coefficients& c, int n, const FT& t, int k, Output out) {
+  typedef std::decay_t<decltype(c[0])> Coefficient;
   const int last = k < n ? k : n;
   int m = n;
   for (; m > last; --m) de_casteljau_step(c, m, t);
@@ -58,11 +61,11 @@ void bernstein_derivatives(Coefficients& c, int n, const FT& t, int k, Output ou
   Coefficients row = c;
   for (int j = 0; j <= last; ++j) {
     for (int i = 0; i <= m; ++i) row[i] = c[i];
-    out(j, FT(factor * bernstein_value(row, m, t)));
+    out(j, Coefficient(factor * bernstein_value(row, m, t)));
     difference_step(c, m--);
     factor *= FT(n - j);
   }
-  for (int j = last + 1; j <= k; ++j) out(j, FT(0));
+  for (int j = last + 1; j <= k; ++j) out(j, Coefficient());
 }
 
 /// \ingroup PkgGeometricContinuityAlgebra

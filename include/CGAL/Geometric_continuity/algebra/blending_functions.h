@@ -6,7 +6,9 @@
 #define CGAL_GEOMETRIC_CONTINUITY_ALGEBRA_BLENDING_FUNCTIONS_H
 
 #include <CGAL/Geometric_continuity/algebra/Basis_matrix.h>
+#include <CGAL/Geometric_continuity/algebra/exact_field.h>
 #include <CGAL/Geometric_continuity/algebra/sign_pattern.h>
+#include <CGAL/Geometric_continuity/algebra/to_field.h>
 
 #include <vector>
 

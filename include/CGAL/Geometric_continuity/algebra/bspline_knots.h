@@ -6,6 +6,8 @@
 #define CGAL_GEOMETRIC_CONTINUITY_ALGEBRA_BSPLINE_KNOTS_H
 
 #include <CGAL/Geometric_continuity/algebra/bspline_evaluate.h>
+#include <CGAL/Geometric_continuity/algebra/exact_field.h>
+#include <CGAL/Geometric_continuity/algebra/to_field.h>
 
 #include <algorithm>
 #include <iterator>

@@ -7,6 +7,7 @@
 
 #include <CGAL/Geometric_continuity/algebra/Coordinate_vector.h>
 #include <CGAL/Geometric_continuity/algebra/exact_field.h>
+#include <CGAL/Geometric_continuity/algebra/to_field.h>
 
 #include <cstddef>
 #include <optional>

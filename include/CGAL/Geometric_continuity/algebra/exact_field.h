@@ -6,11 +6,7 @@
 #define CGAL_GEOMETRIC_CONTINUITY_ALGEBRA_EXACT_FIELD_H
 
 #include <CGAL/Exact_rational.h>
-#include <CGAL/Geometric_continuity/Error.h>
 
-#include <boost/config.hpp>
-
-#include <cmath>
 #include <type_traits>
 
 namespace CGAL {
@@ -21,25 +17,6 @@ namespace internal {
 template <class FT> struct Exact_field {
   typedef std::conditional_t<std::is_floating_point_v<FT>, Exact_rational, FT> type;
 };
-
-[[noreturn]] BOOST_NOINLINE inline void refuse_infinite(const char* place) {
-  throw Error(Error_code::not_finite, place);
-}
-
-// Checked before an infinity or a NaN can reach a rational number or a result.
-template <class FT> void check_finite(const FT& x, const char* place) {
-  if constexpr (std::is_floating_point_v<FT>)
-    if (!std::isfinite(x)) refuse_infinite(place);
-}
-
-template <class Field, class FT> Field to_field(const FT& x) {
-  if constexpr (std::is_same_v<Field, FT>)
-    return x;
-  else {
-    check_finite(x, "conversion to an exact number");
-    return Field(x);
-  }
-}
 
 } // namespace internal
 } // namespace Geometric_continuity

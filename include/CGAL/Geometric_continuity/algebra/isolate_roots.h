@@ -5,7 +5,9 @@
 #ifndef CGAL_GEOMETRIC_CONTINUITY_ALGEBRA_ISOLATE_ROOTS_H
 #define CGAL_GEOMETRIC_CONTINUITY_ALGEBRA_ISOLATE_ROOTS_H
 
+#include <CGAL/Geometric_continuity/algebra/exact_field.h>
 #include <CGAL/Geometric_continuity/algebra/sign_pattern.h>
+#include <CGAL/Geometric_continuity/algebra/to_field.h>
 
 #include <algorithm>
 #include <utility>

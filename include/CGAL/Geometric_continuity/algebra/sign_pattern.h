@@ -8,6 +8,7 @@
 #include <CGAL/Geometric_continuity/algebra/Bernstein_polynomial.h>
 #include <CGAL/Geometric_continuity/algebra/exact_field.h>
 #include <CGAL/Geometric_continuity/algebra/sign_of.h>
+#include <CGAL/Geometric_continuity/algebra/to_field.h>
 
 #include <ostream>
 #include <string>

@@ -5,6 +5,7 @@
 #ifndef CGAL_GEOMETRIC_CONTINUITY_CONSTRUCTION_ALTERNATIVES_H
 #define CGAL_GEOMETRIC_CONTINUITY_CONSTRUCTION_ALTERNATIVES_H
 
+#include <CGAL/Geometric_continuity/algebra/to_field.h>
 #include <CGAL/Geometric_continuity/construction/connection_coefficients.h>
 #include <CGAL/Geometric_continuity/curves/Polygon_end.h>
 

@@ -5,6 +5,7 @@
 #ifndef CGAL_GEOMETRIC_CONTINUITY_CONSTRUCTION_BLEND_H
 #define CGAL_GEOMETRIC_CONTINUITY_CONSTRUCTION_BLEND_H
 
+#include <CGAL/Geometric_continuity/algebra/to_field.h>
 #include <CGAL/Geometric_continuity/construction/blend_lazily.h>
 #include <CGAL/Geometric_continuity/construction/blend_on_fractions.h>
 #include <CGAL/Geometric_continuity/construction/quintic_strategies.h>

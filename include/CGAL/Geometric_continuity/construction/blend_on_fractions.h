@@ -6,8 +6,12 @@
 #define CGAL_GEOMETRIC_CONTINUITY_CONSTRUCTION_BLEND_ON_FRACTIONS_H
 
 #include <CGAL/Geometric_continuity/construction/blend_forms.h>
-#include <CGAL/Geometric_continuity/internal/Unreduced_vector.h>
+#include <CGAL/Geometric_continuity/internal/Rational_parts.h>
 #include <CGAL/Geometric_continuity/local/Coordinate_jet.h>
+
+#ifdef CGAL_USE_GMP
+#include <CGAL/Geometric_continuity/internal/Unreduced_vector.h>
+#endif
 
 #include <array>
 #include <cstddef>
@@ -20,6 +24,15 @@ namespace internal {
 template <class FT, class Strategy>
 constexpr bool is_blended_on_fractions = Rational_parts<FT>::value&& works_in_every_field<Strategy>;
 
+// A blend of jets of rational numbers: each vector of the jets gets one denominator, all is computed with unreduced
+// fractions, and the numbers that are returned are reduced, each once. The input has been checked.
+template <class Form, class FT, int N, class Strategy>
+Control_points_of_blend<Form, FT, N> blend_on_fractions(const Coordinate_jet<FT, N>& phi,
+                                                        const Coordinate_jet<FT, N>& psi, const Strategy& strategy,
+                                                        const Shape_parameters<FT>& shape);
+
+#ifdef CGAL_USE_GMP
+
 // The reduced first, inner and last points.
 template <class FT, int N, std::size_t inner, std::size_t... i>
 std::array<Coordinate_vector<FT, N>, inner + 2>
@@ -29,8 +42,6 @@ reduced_points(const Coordinate_vector<FT, N>& first,
   return {first, b[i].reduced()..., last};
 }
 
-// A blend of jets of rational numbers: each vector of the jets gets one denominator, all is computed with unreduced
-// fractions, and the numbers that are returned are reduced, each once. The input has been checked.
 template <class Form, class FT, int N, class Strategy>
 Control_points_of_blend<Form, FT, N> blend_on_fractions(const Coordinate_jet<FT, N>& phi,
                                                         const Coordinate_jet<FT, N>& psi, const Strategy& strategy,
@@ -50,6 +61,8 @@ Control_points_of_blend<Form, FT, N> blend_on_fractions(const Coordinate_jet<FT,
                                 std::make_index_sequence<Form::inner>()),
           p};
 }
+
+#endif // CGAL_USE_GMP
 
 } // namespace internal
 } // namespace Geometric_continuity

@@ -5,7 +5,7 @@
 #ifndef CGAL_GEOMETRIC_CONTINUITY_CONSTRUCTION_CURVE_FROM_CURVATURES_H
 #define CGAL_GEOMETRIC_CONTINUITY_CONSTRUCTION_CURVE_FROM_CURVATURES_H
 
-#include <CGAL/Geometric_continuity/algebra/exact_field.h>
+#include <CGAL/Geometric_continuity/algebra/to_field.h>
 #include <CGAL/Geometric_continuity/curves/Composite_bezier_curve.h>
 #include <CGAL/Geometric_continuity/curves/end_control_points.h>
 #include <CGAL/Geometric_continuity/local/Frenet_frame.h>

@@ -5,6 +5,7 @@
 #ifndef CGAL_GEOMETRIC_CONTINUITY_CONSTRUCTION_EXTEND_H
 #define CGAL_GEOMETRIC_CONTINUITY_CONSTRUCTION_EXTEND_H
 
+#include <CGAL/Geometric_continuity/algebra/to_field.h>
 #include <CGAL/Geometric_continuity/construction/alternatives.h>
 #include <CGAL/Geometric_continuity/construction/blend.h>
 #include <CGAL/Geometric_continuity/curves/end_control_points.h>

@@ -5,6 +5,8 @@
 #ifndef CGAL_GEOMETRIC_CONTINUITY_CONSTRUCTION_REPRESENTABLE_BLEND_H
 #define CGAL_GEOMETRIC_CONTINUITY_CONSTRUCTION_REPRESENTABLE_BLEND_H
 
+#include <CGAL/Exact_rational.h>
+#include <CGAL/Geometric_continuity/algebra/to_field.h>
 #include <CGAL/Geometric_continuity/construction/blend.h>
 #include <CGAL/Geometric_continuity/internal/Representable_end.h>
 

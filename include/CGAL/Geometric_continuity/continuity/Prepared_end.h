@@ -5,6 +5,7 @@
 #ifndef CGAL_GEOMETRIC_CONTINUITY_CONTINUITY_PREPARED_END_H
 #define CGAL_GEOMETRIC_CONTINUITY_CONTINUITY_PREPARED_END_H
 
+#include <CGAL/Geometric_continuity/algebra/to_field.h>
 #include <CGAL/Geometric_continuity/continuity/join_decision.h>
 
 #include <algorithm>

@@ -5,6 +5,7 @@
 #ifndef CGAL_GEOMETRIC_CONTINUITY_CONTINUITY_EDGE_CONTINUITY_H
 #define CGAL_GEOMETRIC_CONTINUITY_CONTINUITY_EDGE_CONTINUITY_H
 
+#include <CGAL/Geometric_continuity/algebra/exact_field.h>
 #include <CGAL/Geometric_continuity/algebra/sign_pattern.h>
 #include <CGAL/Geometric_continuity/continuity/edge_polynomials.h>
 #include <CGAL/Geometric_continuity/continuity/normal_deviation.h>

@@ -6,6 +6,7 @@
 #define CGAL_GEOMETRIC_CONTINUITY_CONTINUITY_EDGE_DEVIATION_H
 
 #include <CGAL/Geometric_continuity/algebra/Enclosure.h>
+#include <CGAL/Geometric_continuity/algebra/exact_field.h>
 #include <CGAL/Geometric_continuity/continuity/common_edge_part.h>
 #include <CGAL/Geometric_continuity/continuity/normal_deviation.h>
 

@@ -8,7 +8,7 @@
 #include <CGAL/Geometric_continuity/algebra/Coordinate_vector.h>
 #include <CGAL/Geometric_continuity/algebra/Decision_ring.h>
 #include <CGAL/Geometric_continuity/algebra/Homogeneous_polynomial.h>
-#include <CGAL/Geometric_continuity/algebra/exact_field.h>
+#include <CGAL/Geometric_continuity/algebra/to_field.h>
 
 #include <algorithm>
 #include <string>

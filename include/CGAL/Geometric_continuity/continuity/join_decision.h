@@ -7,6 +7,8 @@
 
 #include <CGAL/Geometric_continuity/algebra/Decision_ring.h>
 #include <CGAL/Geometric_continuity/algebra/bernstein.h>
+#include <CGAL/Geometric_continuity/algebra/exact_field.h>
+#include <CGAL/Geometric_continuity/algebra/to_field.h>
 #include <CGAL/Geometric_continuity/continuity/join_continuity.h>
 #include <CGAL/Geometric_continuity/internal/Prepared_double_end.h>
 

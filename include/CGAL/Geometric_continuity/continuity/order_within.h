@@ -5,6 +5,7 @@
 #ifndef CGAL_GEOMETRIC_CONTINUITY_CONTINUITY_ORDER_WITHIN_H
 #define CGAL_GEOMETRIC_CONTINUITY_CONTINUITY_ORDER_WITHIN_H
 
+#include <CGAL/Geometric_continuity/algebra/exact_field.h>
 #include <CGAL/Geometric_continuity/continuity/Verdict.h>
 #include <CGAL/Geometric_continuity/continuity/deviation.h>
 

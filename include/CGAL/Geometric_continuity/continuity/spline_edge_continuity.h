@@ -5,6 +5,7 @@
 #ifndef CGAL_GEOMETRIC_CONTINUITY_CONTINUITY_SPLINE_EDGE_CONTINUITY_H
 #define CGAL_GEOMETRIC_CONTINUITY_CONTINUITY_SPLINE_EDGE_CONTINUITY_H
 
+#include <CGAL/Geometric_continuity/algebra/exact_field.h>
 #include <CGAL/Geometric_continuity/continuity/common_edge_part.h>
 #include <CGAL/Geometric_continuity/continuity/edge_continuity.h>
 

@@ -7,6 +7,7 @@
 
 #include <CGAL/Geometric_continuity/algebra/bernstein.h>
 #include <CGAL/Geometric_continuity/algebra/bspline_knots.h>
+#include <CGAL/Geometric_continuity/algebra/to_field.h>
 #include <CGAL/Geometric_continuity/continuity/edge_polynomials.h>
 
 #include <cstddef>

@@ -8,6 +8,7 @@
 #include <CGAL/Bbox_2.h>
 #include <CGAL/Bbox_3.h>
 #include <CGAL/Geometric_continuity/algebra/Bernstein_polynomial.h>
+#include <CGAL/Geometric_continuity/algebra/to_field.h>
 #include <CGAL/Geometric_continuity/internal/bernstein_jet.h>
 #include <CGAL/Geometric_continuity/internal/independent_iterations.h>
 #include <CGAL/Geometric_continuity/local/Curve_jet.h>
@@ -361,15 +362,23 @@ private:
     return jet;
   }
 
+  // All coordinates together where their number is known to the compiler, otherwise one after the other.
   Curve_jet<Traits> jet_of_any_order(const FT& u, int k) const {
+    constexpr int width = N == 0 ? 1 : N;
+    typedef Coordinate_vector<FT, width> Block;
+    const Traits traits;
     Curve_jet<Traits> jet(dimension(), k);
-    const FT t = local_parameter(u), h = FT(b_ - a_);
-    for (int i = 0; i < dimension(); ++i) {
-      Coefficients<FT> c = coefficients(i);
+    const FT t = local_parameter(u), inverse = FT(FT(1) / FT(b_ - a_));
+    for (int first = 0; first < dimension(); first += width) {
+      Coefficients<Block> c;
+      if constexpr (Degree == dynamic_degree) c.resize(points_.size());
+      for_each_point([&](int j) {
+        for (int i = 0; i < width; ++i) c[j][i] = FT(traits.compute_coordinate_object()(points_[j], first + i));
+      });
       FT scale(1);
-      bernstein_derivatives(c, degree(), t, k, [&](int j, const FT& x) {
-        jet[j][i] = x / scale;
-        scale *= h;
+      bernstein_derivatives(c, degree(), t, std::min(k, degree()), [&](int j, const Block& x) {
+        for (int i = 0; i < width; ++i) jet[j][first + i] = scale * x[i];
+        scale *= inverse;
       });
     }
     return jet;

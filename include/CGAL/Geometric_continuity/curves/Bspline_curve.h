@@ -6,6 +6,7 @@
 #define CGAL_GEOMETRIC_CONTINUITY_CURVES_BSPLINE_CURVE_H
 
 #include <CGAL/Geometric_continuity/algebra/Bspline_function.h>
+#include <CGAL/Geometric_continuity/algebra/to_field.h>
 #include <CGAL/Geometric_continuity/curves/Bezier_curve.h>
 
 #include <algorithm>

@@ -5,6 +5,7 @@
 #ifndef CGAL_GEOMETRIC_CONTINUITY_CURVES_CUBIC_BLENDED_CURVE_H
 #define CGAL_GEOMETRIC_CONTINUITY_CURVES_CUBIC_BLENDED_CURVE_H
 
+#include <CGAL/Geometric_continuity/algebra/to_field.h>
 #include <CGAL/Geometric_continuity/curves/Bezier_curve.h>
 #include <CGAL/Geometric_continuity/curves/cubic_bases.h>
 

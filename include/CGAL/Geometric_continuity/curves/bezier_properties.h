@@ -6,6 +6,7 @@
 #define CGAL_GEOMETRIC_CONTINUITY_CURVES_BEZIER_PROPERTIES_H
 
 #include <CGAL/Geometric_continuity/algebra/convex_weights.h>
+#include <CGAL/Geometric_continuity/algebra/exact_field.h>
 #include <CGAL/Geometric_continuity/algebra/isolate_roots.h>
 #include <CGAL/Geometric_continuity/algebra/sign_pattern.h>
 #include <CGAL/Geometric_continuity/curves/Bezier_curve.h>

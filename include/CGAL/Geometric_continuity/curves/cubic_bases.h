@@ -7,6 +7,8 @@
 
 #include <CGAL/Geometric_continuity/algebra/Basis_matrix.h>
 #include <CGAL/Geometric_continuity/algebra/blending_functions.h>
+#include <CGAL/Geometric_continuity/algebra/exact_field.h>
+#include <CGAL/Geometric_continuity/algebra/to_field.h>
 
 #include <array>
 #include <vector>

@@ -5,6 +5,7 @@
 #ifndef CGAL_GEOMETRIC_CONTINUITY_CURVES_POLYLINE_H
 #define CGAL_GEOMETRIC_CONTINUITY_CURVES_POLYLINE_H
 
+#include <CGAL/Geometric_continuity/algebra/to_field.h>
 #include <CGAL/Geometric_continuity/curves/curve_pieces.h>
 
 #include <optional>

@@ -5,7 +5,7 @@
 #ifndef CGAL_GEOMETRIC_CONTINUITY_INTERNAL_UNREDUCED_FRACTION_H
 #define CGAL_GEOMETRIC_CONTINUITY_INTERNAL_UNREDUCED_FRACTION_H
 
-#include <CGAL/Geometric_continuity/internal/Inline_integer.h>
+#include <CGAL/Geometric_continuity/internal/Rational_parts.h>
 
 #include <type_traits>
 #include <utility>
@@ -21,9 +21,9 @@ struct Unreduced_denominator {
   long k = 0;
 
   Unreduced_denominator& operator*=(const Unreduced_denominator& e) {
-    if (is_one(d))
+    if (d.is_one())
       d = e.d;
-    else if (!is_one(e.d))
+    else if (!e.d.is_one())
       d *= e.d;
     k += e.k;
     return *this;
@@ -53,7 +53,7 @@ public:
       a.k = b.k;
     } else
       second_.k = a.k - b.k;
-    const int order = a.d.compare(b.d);
+    const int order = compare_absolute(a.d, b.d);
     if (order == 0) return;
     if (order < 0 && divides(a.d, b.d, first_.d)) {
       first_.is_one = false;
@@ -79,9 +79,9 @@ public:
     }
   }
   void subtract(Inline_integer& n, const Inline_integer& m) const {
-    n.backend().negate();
+    n.negate();
     add(n, m);
-    n.backend().negate();
+    n.negate();
   }
 };
 
@@ -101,7 +101,7 @@ public:
   template <class T, class = std::enable_if_t<std::is_constructible_v<Rational, const T&>>>
   explicit Unreduced_fraction(const T& x) {
     Rational_parts<Rational>::split(Rational(x), n_, d_.d);
-    d_.k = remove_twos(d_.d);
+    d_.k = d_.d.remove_twos();
   }
 
   const Inline_integer& numerator() const { return n_; }
@@ -126,10 +126,10 @@ public:
   // y is not zero
   Unreduced_fraction& operator/=(const Unreduced_fraction& y) {
     Denominator m{y.n_, -y.d_.k};
-    m.k += remove_twos(m.d);
+    m.k += m.d.remove_twos();
     if (m.d.sign() < 0) {
-      m.d.backend().negate();
-      n_.backend().negate();
+      m.d.negate();
+      n_.negate();
     }
     Inline_integer q;
     if (divides(y.d_.d, d_.d, q))
@@ -137,12 +137,12 @@ public:
     else
       n_ *= y.d_.d;
     d_ *= m;
-    if (d_.d.backend().size() > 10) *this = Unreduced_fraction(reduced());
+    if (d_.d.size() > 10) *this = Unreduced_fraction(reduced());
     return *this;
   }
 
   friend Unreduced_fraction operator-(Unreduced_fraction x) {
-    x.n_.backend().negate();
+    x.n_.negate();
     return x;
   }
   friend Unreduced_fraction operator+(Unreduced_fraction x, const Unreduced_fraction& y) {

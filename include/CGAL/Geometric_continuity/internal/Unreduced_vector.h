@@ -38,13 +38,13 @@ public:
     if constexpr (N == 0) d.resize(n);
     for (int i = 0; i < n; ++i) {
       internal::Rational_parts<Rational>::split(v[i], n_[i], d[i].d);
-      d[i].k = internal::remove_twos(d[i].d);
+      d[i].k = d[i].d.remove_twos();
       d_.k = std::max(d_.k, d[i].k);
-      if (d[i].d != d_.d) d_.d *= Integer(d[i].d / gcd(d_.d, d[i].d));
+      if (d[i].d != d_.d) d_.d *= quotient(d[i].d, gcd_of_odd(d_.d, d[i].d));
     }
     for (int i = 0; i < n; ++i) {
       if (d[i].k != d_.k) n_[i] <<= d_.k - d[i].k;
-      if (d[i].d != d_.d) n_[i] *= Integer(d_.d / d[i].d);
+      if (d[i].d != d_.d) n_[i] *= quotient(d_.d, d[i].d);
     }
   }
 
@@ -70,7 +70,7 @@ public:
   }
   // A common divisor of a long scalar is divided out before it gets into all coordinates.
   Coordinate_vector& operator*=(const FT& s) {
-    if (s.denominator().d.backend().size() > 3) return scale(FT(s.reduced()));
+    if (s.denominator().d.size() > 3) return scale(FT(s.reduced()));
     return scale(s);
   }
   Coordinate_vector& operator/=(const FT& s) { return *this *= FT(1) / s; }
@@ -93,7 +93,7 @@ public:
   }
 
   friend FT dot(const Coordinate_vector& v, const Coordinate_vector& w) {
-    Integer sum(0);
+    Integer sum;
     for (int i = 0; i < v.dimension(); ++i) sum += v.n_[i] * w.n_[i];
     typename FT::Denominator d = v.d_;
     d *= w.d_;
@@ -104,8 +104,13 @@ public:
   }
 
 private:
+  static Integer quotient(const Integer& x, const Integer& divisor) {
+    Integer q;
+    divides(divisor, x, q);
+    return q;
+  }
   Coordinate_vector& scale(const FT& s) {
-    if (!internal::is_one(s.numerator()))
+    if (!s.numerator().is_one())
       for (Integer& n : n_) n *= s.numerator();
     d_ *= s.denominator();
     return *this;

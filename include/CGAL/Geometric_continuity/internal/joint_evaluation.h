@@ -6,7 +6,6 @@
 #define CGAL_GEOMETRIC_CONTINUITY_INTERNAL_JOINT_EVALUATION_H
 
 #include <CGAL/Interval_nt.h>
-#include <CGAL/Lazy_exact_nt.h>
 
 #include <cstddef>
 #include <memory>
@@ -16,6 +15,10 @@
 #include <vector>
 
 namespace CGAL {
+
+template <class ET> class Lazy_exact_nt; // known here by name only: who has such numbers has included their header
+template <class ET> struct Lazy_exact_nt_rep;
+
 namespace Geometric_continuity {
 namespace internal {
 

@@ -5,6 +5,7 @@
 #ifndef CGAL_GEOMETRIC_CONTINUITY_LOCAL_CURVE_JET_H
 #define CGAL_GEOMETRIC_CONTINUITY_LOCAL_CURVE_JET_H
 
+#include <CGAL/Geometric_continuity/algebra/to_field.h>
 #include <CGAL/Geometric_continuity/internal/traits_access.h>
 #include <CGAL/Geometric_continuity/local/Coordinate_jet.h>
 

@@ -5,6 +5,7 @@
 #ifndef CGAL_GEOMETRIC_CONTINUITY_SURFACES_BSPLINE_SURFACE_H
 #define CGAL_GEOMETRIC_CONTINUITY_SURFACES_BSPLINE_SURFACE_H
 
+#include <CGAL/Geometric_continuity/algebra/to_field.h>
 #include <CGAL/Geometric_continuity/curves/Bspline_curve.h>
 #include <CGAL/Geometric_continuity/surfaces/Bezier_patch.h>
 

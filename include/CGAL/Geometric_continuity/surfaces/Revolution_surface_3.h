@@ -5,6 +5,7 @@
 #ifndef CGAL_GEOMETRIC_CONTINUITY_SURFACES_REVOLUTION_SURFACE_3_H
 #define CGAL_GEOMETRIC_CONTINUITY_SURFACES_REVOLUTION_SURFACE_3_H
 
+#include <CGAL/Geometric_continuity/algebra/to_field.h>
 #include <CGAL/Geometric_continuity/local/Surface_jet.h>
 #include <CGAL/Geometric_continuity/surfaces/sweep_input.h>
 

@@ -6,6 +6,7 @@
 #define CGAL_GEOMETRIC_CONTINUITY_SURFACES_CONNECT_G1_H
 
 #include <CGAL/Geometric_continuity/algebra/determinant.h>
+#include <CGAL/Geometric_continuity/algebra/to_field.h>
 #include <CGAL/Geometric_continuity/surfaces/G1_ribbon.h>
 #include <CGAL/number_utils.h>
 

@@ -5,6 +5,7 @@
 #ifndef CGAL_GEOMETRIC_CONTINUITY_SURFACES_KNOT_LINE_CONTINUITY_H
 #define CGAL_GEOMETRIC_CONTINUITY_SURFACES_KNOT_LINE_CONTINUITY_H
 
+#include <CGAL/Geometric_continuity/algebra/to_field.h>
 #include <CGAL/Geometric_continuity/surfaces/bspline_edge_continuity.h>
 
 #include <ostream>

@@ -5,6 +5,7 @@
 #ifndef CGAL_GEOMETRIC_CONTINUITY_SURFACES_NEAR_EDGES_H
 #define CGAL_GEOMETRIC_CONTINUITY_SURFACES_NEAR_EDGES_H
 
+#include <CGAL/Geometric_continuity/algebra/to_field.h>
 #include <CGAL/Geometric_continuity/surfaces/Model_edge.h>
 #include <CGAL/Geometric_continuity/surfaces/patch_order_within.h>
 

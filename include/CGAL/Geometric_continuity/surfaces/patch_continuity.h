@@ -5,6 +5,8 @@
 #ifndef CGAL_GEOMETRIC_CONTINUITY_SURFACES_PATCH_CONTINUITY_H
 #define CGAL_GEOMETRIC_CONTINUITY_SURFACES_PATCH_CONTINUITY_H
 
+#include <CGAL/Geometric_continuity/algebra/exact_field.h>
+#include <CGAL/Geometric_continuity/algebra/to_field.h>
 #include <CGAL/Geometric_continuity/continuity/spline_edge_continuity.h>
 #include <CGAL/Geometric_continuity/surfaces/Bezier_patch.h>
 #include <CGAL/Geometric_continuity/surfaces/patch_edge_decision.h>

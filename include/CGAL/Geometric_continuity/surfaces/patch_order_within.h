@@ -5,6 +5,7 @@
 #ifndef CGAL_GEOMETRIC_CONTINUITY_SURFACES_PATCH_ORDER_WITHIN_H
 #define CGAL_GEOMETRIC_CONTINUITY_SURFACES_PATCH_ORDER_WITHIN_H
 
+#include <CGAL/Geometric_continuity/algebra/to_field.h>
 #include <CGAL/Geometric_continuity/continuity/edge_order_within.h>
 #include <CGAL/Geometric_continuity/surfaces/knot_line_continuity.h>
 

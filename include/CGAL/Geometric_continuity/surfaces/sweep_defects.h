@@ -8,6 +8,7 @@
 #include <CGAL/Geometric_continuity/algebra/Decision_ring.h>
 #include <CGAL/Geometric_continuity/algebra/Homogeneous_polynomial.h>
 #include <CGAL/Geometric_continuity/algebra/isolate_roots.h>
+#include <CGAL/Geometric_continuity/algebra/to_field.h>
 #include <CGAL/Geometric_continuity/curves/Bezier_curve.h>
 #include <CGAL/Geometric_continuity/surfaces/Extrusion_surface_3.h>
 #include <CGAL/Geometric_continuity/surfaces/Revolution_surface_3.h>

@@ -5,6 +5,7 @@
 #ifndef CGAL_GEOMETRIC_CONTINUITY_SURFACES_SWEEP_INPUT_H
 #define CGAL_GEOMETRIC_CONTINUITY_SURFACES_SWEEP_INPUT_H
 
+#include <CGAL/Geometric_continuity/algebra/to_field.h>
 #include <CGAL/Geometric_continuity/internal/traits_access.h>
 #include <CGAL/Geometric_continuity/local/Curve_jet.h>
 

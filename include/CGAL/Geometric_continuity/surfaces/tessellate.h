@@ -5,6 +5,7 @@
 #ifndef CGAL_GEOMETRIC_CONTINUITY_SURFACES_TESSELLATE_H
 #define CGAL_GEOMETRIC_CONTINUITY_SURFACES_TESSELLATE_H
 
+#include <CGAL/Geometric_continuity/algebra/to_field.h>
 #include <CGAL/Geometric_continuity/surfaces/Bspline_surface.h>
 #include <CGAL/Geometric_continuity/surfaces/Model_mesh.h>
 

@@ -2,8 +2,8 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-#ifndef CGAL_GEOMETRIC_CONTINUITY_KERNEL_COORDINATE_H
-#define CGAL_GEOMETRIC_CONTINUITY_KERNEL_COORDINATE_H
+#ifndef CGAL_GEOMETRIC_CONTINUITY_KERNEL_ACCESS_H
+#define CGAL_GEOMETRIC_CONTINUITY_KERNEL_ACCESS_H
 
 #include <type_traits>
 
@@ -20,8 +20,16 @@ template <class FT, class Point_or_vector> FT kernel_coordinate(const Point_or_v
     return p.cartesian(i);
 }
 
+// The field in which predicates are decided: the exact one of a kernel that filters predicates on floating-point numbers, as
+// Exact_predicates_inexact_constructions_kernel does; otherwise that of the kernel.
+template <class K, bool filtered = K::Has_filtered_predicates&& std::is_floating_point_v<typename K::FT>>
+struct Kernel_predicate_field {
+  typedef typename K::FT type;
+};
+template <class K> struct Kernel_predicate_field<K, true> { typedef typename K::Exact_kernel::FT type; };
+
 } // namespace internal
 } // namespace Geometric_continuity
 } // namespace CGAL
 
-#endif // CGAL_GEOMETRIC_CONTINUITY_KERNEL_COORDINATE_H
+#endif // CGAL_GEOMETRIC_CONTINUITY_KERNEL_ACCESS_H
