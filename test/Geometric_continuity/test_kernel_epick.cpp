@@ -6,11 +6,16 @@
 #define BOOST_TEST_MODULE Exact_predicates_inexact_constructions_kernel
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Exact_rational.h>
 #include <CGAL/Geometric_continuity.h>
+
+#include <type_traits>
 
 typedef CGAL::Exact_predicates_inexact_constructions_kernel Kernel;
 typedef CGAL::Geometric_continuity::Traits_2<Kernel> Traits2;
 typedef CGAL::Geometric_continuity::Traits_3<Kernel> Traits3;
+static_assert(std::is_same_v<Traits2::Predicate_FT, CGAL::Exact_rational>);
+static_assert(std::is_same_v<Traits3::Predicate_FT, CGAL::Exact_rational>);
 constexpr bool exact = false, exact_predicates = true;
 constexpr bool cancels = true;
 constexpr int rounds = 20;
