@@ -65,7 +65,11 @@ void bernstein_derivatives(Coefficients& c, int n, const FT& t, int k, Output ou
     difference_step(c, m--);
     factor *= FT(n - j);
   }
-  for (int j = last + 1; j <= k; ++j) out(j, Coefficient());
+  for (int j = last + 1; j <= k; ++j)
+    if constexpr (std::is_same_v<Coefficient, FT>)
+      out(j, FT(0));
+    else
+      out(j, Coefficient(c[0].dimension()));
 }
 
 /// \ingroup PkgGeometricContinuityAlgebra

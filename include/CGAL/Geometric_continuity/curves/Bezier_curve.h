@@ -376,7 +376,7 @@ private:
         for (int i = 0; i < width; ++i) c[j][i] = FT(traits.compute_coordinate_object()(points_[j], first + i));
       });
       FT scale(1);
-      bernstein_derivatives(c, degree(), t, std::min(k, degree()), [&](int j, const Block& x) {
+      bernstein_derivatives(c, degree(), t, k, [&](int j, const Block& x) {
         for (int i = 0; i < width; ++i) jet[j][first + i] = scale * x[i];
         scale *= inverse;
       });
