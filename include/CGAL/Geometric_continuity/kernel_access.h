@@ -22,7 +22,7 @@ template <class FT, class Point_or_vector> FT kernel_coordinate(const Point_or_v
 
 // The field in which predicates are decided: the exact one of a kernel that filters predicates on floating-point numbers, as
 // Exact_predicates_inexact_constructions_kernel does; otherwise that of the kernel.
-template <class K, bool filtered = K::Has_filtered_predicates&& std::is_floating_point_v<typename K::FT>>
+template <class K, bool filtered = (K::Has_filtered_predicates && std::is_floating_point_v<typename K::FT>)>
 struct Kernel_predicate_field {
   typedef typename K::FT type;
 };
