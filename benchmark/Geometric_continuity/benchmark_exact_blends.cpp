@@ -11,7 +11,7 @@
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Geometric_continuity/Traits_3.h>
-#include <CGAL/Geometric_continuity/construction/blend.h>
+#include <CGAL/Geometric_continuity/blends/blend.h>
 #include <CGAL/Simple_cartesian.h>
 
 #include <boost/multiprecision/cpp_int.hpp>
@@ -100,7 +100,7 @@ auto by_operators(const GC::Curve_jet<Traits>& phi, const GC::Curve_jet<Traits>&
 class By_hand {
   mpz_class x_[3][3], d_, g_, h_, t_;
 
-  void end(const GC::Curve_jet<Exact_traits>& jet, int sign, std::array<GC::internal::Coordinates<Exact_traits>, 6>& b,
+  void end(const GC::Curve_jet<Exact_traits>& jet, int sign, std::array<GC::Coordinates<Exact_traits>, 6>& b,
            int place_of_b, int place_of_c) {
     d_ = 1;
     for (int j = 0; j < 3; ++j)
@@ -140,7 +140,7 @@ class By_hand {
 public:
   GC::Quintic_blend<Exact_traits> operator()(const GC::Curve_jet<Exact_traits>& phi,
                                              const GC::Curve_jet<Exact_traits>& psi) {
-    std::array<GC::internal::Coordinates<Exact_traits>, 6> b;
+    std::array<GC::Coordinates<Exact_traits>, 6> b;
     b[0] = phi[0];
     b[5] = psi[0];
     end(phi, 1, b, 1, 2);

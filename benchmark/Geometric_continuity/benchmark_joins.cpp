@@ -11,9 +11,9 @@
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Geometric_continuity/Traits_3.h>
-#include <CGAL/Geometric_continuity/continuity/join_batch.h>
-#include <CGAL/Geometric_continuity/continuity/join_predicates.h>
 #include <CGAL/Geometric_continuity/curves/Bezier_curve.h>
+#include <CGAL/Geometric_continuity/joins/failing_joins.h>
+#include <CGAL/Geometric_continuity/joins/join_predicates.h>
 #include <CGAL/Mpzf.h>
 
 #ifdef GEOMETRIC_CONTINUITY_WITH_OCCT

@@ -13,9 +13,9 @@ typedef CGAL::Simple_cartesian<double> Kernel;
 #endif
 
 #include <CGAL/Geometric_continuity/Traits_3.h>
-#include <CGAL/Geometric_continuity/construction/blend.h>
-#include <CGAL/Geometric_continuity/continuity/join_continuity.h>
+#include <CGAL/Geometric_continuity/blends/blend.h>
 #include <CGAL/Geometric_continuity/curves/Bezier_curve.h>
+#include <CGAL/Geometric_continuity/joins/join_continuity.h>
 
 #include <iostream>
 

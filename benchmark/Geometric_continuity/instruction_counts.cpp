@@ -7,7 +7,7 @@
 #include "by_hand.h"
 
 #include <CGAL/Geometric_continuity/Traits_3.h>
-#include <CGAL/Geometric_continuity/construction/blend.h>
+#include <CGAL/Geometric_continuity/blends/blend.h>
 #include <CGAL/Geometric_continuity/curves/Jet_polynomials.h>
 #include <CGAL/Simple_cartesian.h>
 

@@ -6,8 +6,8 @@
 #include "join_report.h"
 
 #include <CGAL/Geometric_continuity/IO/atomic_file.h>
-#include <CGAL/Geometric_continuity/IO/svg.h>
-#include <CGAL/Geometric_continuity/construction/representable_blend.h>
+#include <CGAL/Geometric_continuity/IO/figures/Svg_figure.h>
+#include <CGAL/Geometric_continuity/blends/representable_blend.h>
 
 #include <algorithm>
 #include <cstdio>

@@ -9,7 +9,7 @@
 #include <CGAL/Geometric_continuity/IO/g2.h>
 #include <CGAL/Geometric_continuity/IO/g2_surfaces.h>
 #include <CGAL/Geometric_continuity/Traits_3.h>
-#include <CGAL/Geometric_continuity/surfaces/connect_g1.h>
+#include <CGAL/Geometric_continuity/edges/connect_g1.h>
 #include <CGAL/Simple_cartesian.h>
 
 #include <fstream>

@@ -6,8 +6,8 @@
 #include "join_report.h"
 
 #include <CGAL/Geometric_continuity/IO/atomic_file.h>
-#include <CGAL/Geometric_continuity/IO/svg.h>
-#include <CGAL/Geometric_continuity/construction/extend.h>
+#include <CGAL/Geometric_continuity/IO/figures/Svg_figure.h>
+#include <CGAL/Geometric_continuity/extensions/extend.h>
 
 #include <sstream>
 
@@ -41,7 +41,7 @@ template <class FT> std::optional<FT> optional_number(const Command_line& line, 
 }
 
 template <class FT>
-Program_curve<FT> next_segment(const Command_line& line, const Program_curve<FT>& last, GC::Continuity_order order) {
+Program_curve<FT> next_segment(const Command_line& line, const Program_curve<FT>& last, GC::Frenet_order order) {
   const FT beta = line.number("beta", FT(1));
   if (!line.has("toward"))
     return GC::extend(
@@ -53,7 +53,7 @@ Program_curve<FT> next_segment(const Command_line& line, const Program_curve<FT>
 }
 
 template <class FT> int extend(const Command_line& line) {
-  typedef GC::Continuity_order Order;
+  typedef GC::Frenet_order Order;
   const std::string name = line.choice("order", {"tangent", "curvature", "torsion"});
   const Order order = name == "tangent" ? Order::tangent : name == "curvature" ? Order::curvature : Order::torsion;
   for (const auto& [option, needed] :

@@ -7,7 +7,7 @@
 
 #include "curves.h"
 
-#include <CGAL/Geometric_continuity/continuity/chain_continuity.h>
+#include <CGAL/Geometric_continuity/joins/chain_continuity.h>
 
 #include <string>
 

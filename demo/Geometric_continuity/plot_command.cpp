@@ -6,9 +6,9 @@
 #include "join_report.h"
 
 #include <CGAL/Geometric_continuity/IO/atomic_file.h>
-#include <CGAL/Geometric_continuity/IO/svg.h>
-#include <CGAL/Geometric_continuity/construction/alternatives.h>
-#include <CGAL/Geometric_continuity/construction/midpoint_construction.h>
+#include <CGAL/Geometric_continuity/IO/figures/Svg_figure.h>
+#include <CGAL/Geometric_continuity/extensions/alternatives.h>
+#include <CGAL/Geometric_continuity/extensions/midpoint_construction.h>
 
 namespace {
 

@@ -4,9 +4,9 @@
 
 #include "svg_drawing.h"
 
-#include <CGAL/Geometric_continuity/IO/Svg_transform.h>
-#include <CGAL/Geometric_continuity/IO/svg_path.h>
-#include <CGAL/Geometric_continuity/IO/svg_shapes.h>
+#include <CGAL/Geometric_continuity/IO/svg/Svg_transform.h>
+#include <CGAL/Geometric_continuity/IO/svg/read_svg_path.h>
+#include <CGAL/Geometric_continuity/IO/svg/svg_shapes.h>
 
 #include <expat.h>
 

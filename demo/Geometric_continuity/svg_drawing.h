@@ -6,7 +6,7 @@
 #define GEOMETRIC_CONTINUITY_DEMO_SVG_DRAWING_H
 
 #include <CGAL/Exact_rational.h>
-#include <CGAL/Geometric_continuity/IO/Svg_segment.h>
+#include <CGAL/Geometric_continuity/IO/svg/Svg_segment.h>
 #include <CGAL/Geometric_continuity/Traits_2.h>
 #include <CGAL/Simple_cartesian.h>
 

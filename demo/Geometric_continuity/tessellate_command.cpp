@@ -8,7 +8,7 @@
 #include <CGAL/Geometric_continuity/IO/g2_surfaces.h>
 #include <CGAL/Geometric_continuity/IO/mesh.h>
 #include <CGAL/Geometric_continuity/Traits_3.h>
-#include <CGAL/Geometric_continuity/surfaces/tessellate.h>
+#include <CGAL/Geometric_continuity/models/tessellate.h>
 #include <CGAL/Simple_cartesian.h>
 
 #include <fstream>

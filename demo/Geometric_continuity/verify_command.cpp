@@ -9,8 +9,8 @@
 #include "verify_drawings.h"
 
 #include <CGAL/Geometric_continuity/IO/json.h>
-#include <CGAL/Geometric_continuity/continuity/edge_order_within.h>
-#include <CGAL/Geometric_continuity/continuity/order_within.h>
+#include <CGAL/Geometric_continuity/edges/edge_order_within.h>
+#include <CGAL/Geometric_continuity/joins/order_within.h>
 
 #include <algorithm>
 #include <chrono>

@@ -8,7 +8,7 @@
 #include "svg_drawing.h"
 
 #include <CGAL/Geometric_continuity/IO/json.h>
-#include <CGAL/Geometric_continuity/IO/svg_continuity.h>
+#include <CGAL/Geometric_continuity/IO/svg/svg_continuity.h>
 
 #include <algorithm>
 #include <cmath>

@@ -8,8 +8,8 @@
 #include <CGAL/Geometric_continuity/IO/g2_surfaces.h>
 #include <CGAL/Geometric_continuity/IO/json.h>
 #include <CGAL/Geometric_continuity/Traits_3.h>
-#include <CGAL/Geometric_continuity/surfaces/model_continuity.h>
-#include <CGAL/Geometric_continuity/surfaces/near_edges.h>
+#include <CGAL/Geometric_continuity/models/model_continuity.h>
+#include <CGAL/Geometric_continuity/models/near_edges.h>
 #include <CGAL/Simple_cartesian.h>
 
 #include <fstream>
@@ -130,7 +130,7 @@ class Model_report {
 
 public:
   Model_report(const std::vector<Surface>& surfaces, const Demand& demand)
-      : surfaces_(surfaces), demand_(demand), model_(GC::continuity_of_model(surfaces)) {
+      : surfaces_(surfaces), demand_(demand), model_(GC::model_continuity(surfaces)) {
     for (const Edge& e : model_.edges) {
       edges_.emplace_back();
       if (e.kind != GC::Model_edge_kind::shared) continue;

@@ -7,7 +7,7 @@
 
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Geometric_continuity.h>
-#include <CGAL/Geometric_continuity/IO/svg.h>
+#include <CGAL/Geometric_continuity/IO/figures/Svg_figure.h>
 #include <CGAL/Simple_cartesian.h>
 
 #include <fstream>
@@ -31,7 +31,7 @@ int main() {
   GC::Svg_figure figure("The next segment for different members of the line", 3);
   bool proved = true;
   for (int c0 : {2, 4, 6}) {
-    const Curve right = GC::extend(left, GC::Continuity_order::curvature, {1, c0, {}, {}});
+    const Curve right = GC::extend(left, GC::Frenet_order::curvature, {1, c0, {}, {}});
     const auto join = GC::continuity(left, right);
     std::cout << "C0 = " << c0 << ": b2 = (" << line.point_at(c0) << "), " << join << '\n';
     proved = proved && join.g_order >= 2 && right.control_point(2) == line.point_at(c0);

@@ -22,7 +22,7 @@ int main() {
   std::vector<Curve> chain{
       Curve{Point(0, 0, 0), Point(1, 0, 0), Point(2, 1, 0), Point(3, 2, 1), Point(3, 3, 2), Point(2, 4, 4)}};
   for (const Point& wished : {Point(-3, 4, 5), Point(-4, -2, 7), Point(3, -3, 9)})
-    chain.push_back(GC::extend_toward(chain.back(), GC::Continuity_order::torsion, wished));
+    chain.push_back(GC::extend_toward(chain.back(), GC::Frenet_order::torsion, wished));
 
   bool proved = true;
   GC::Chain_analysis<Curve> analysis;

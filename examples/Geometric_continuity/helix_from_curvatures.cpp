@@ -6,7 +6,7 @@
 // constant curvatures, as a segmented Bezier curve with continuous curvature, and compared with the formula.
 
 #include <CGAL/Geometric_continuity.h>
-#include <CGAL/Geometric_continuity/construction/curve_from_curvatures.h>
+#include <CGAL/Geometric_continuity/curves/curve_from_curvatures.h>
 #include <CGAL/Simple_cartesian.h>
 
 #include <cmath>

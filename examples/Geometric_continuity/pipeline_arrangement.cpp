@@ -10,7 +10,7 @@
 #include <CGAL/Arrangement_2.h>
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Geometric_continuity/Traits_2.h>
-#include <CGAL/Geometric_continuity/construction/blend.h>
+#include <CGAL/Geometric_continuity/blends/blend.h>
 #include <CGAL/Geometric_continuity/curves/polyline.h>
 
 #include <iostream>

@@ -10,8 +10,8 @@
 #include <CGAL/CORE_algebraic_number_traits.h>
 #include <CGAL/Cartesian.h>
 #include <CGAL/Geometric_continuity/Traits_2.h>
-#include <CGAL/Geometric_continuity/construction/blend.h>
-#include <CGAL/Geometric_continuity/continuity/join_continuity.h>
+#include <CGAL/Geometric_continuity/blends/blend.h>
+#include <CGAL/Geometric_continuity/joins/join_continuity.h>
 
 #include <iostream>
 #include <vector>

@@ -25,7 +25,7 @@ int main(int argc, char* argv[]) {
   std::ifstream stream(file);
   try {
     const auto patches = GC::read_g2_surfaces<Traits>(stream, file);
-    const auto model = GC::continuity_of_model(patches);
+    const auto model = GC::model_continuity(patches);
     std::cout << patches.size() << " patches: " << model.summary << '\n';
 
     // at the bottom and at the knob, whole edges of patches shrink to a point

@@ -30,7 +30,7 @@ int main() {
 
   bool smooth = true;
   for (std::size_t i = 0; i + 1 < profile.size(); ++i) {
-    const auto join = GC::continuity_of_revolution(profile[i], profile[i + 1], a, z);
+    const auto join = GC::revolution_continuity(profile[i], profile[i + 1], a, z);
     std::cout << "profile G" << GC::continuity(profile[i], profile[i + 1]).g_order << ", vase " << join << '\n';
     smooth = smooth && join.g_order == 2;
   }

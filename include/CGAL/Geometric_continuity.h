@@ -6,20 +6,22 @@
 #define CGAL_GEOMETRIC_CONTINUITY_H
 
 /// \file Geometric_continuity.h
-/// Everything but input and output and what needs Boost.Odeint (construction/curve_from_curvatures.h).
+/// Everything but input and output and what needs Boost.Odeint (curves/curve_from_curvatures.h).
 
 #include <CGAL/Geometric_continuity/Error.h>
 #include <CGAL/Geometric_continuity/Traits_2.h>
 #include <CGAL/Geometric_continuity/Traits_3.h>
 #include <CGAL/Geometric_continuity/Traits_d.h>
 
+#include <CGAL/Geometric_continuity/numbers/Enclosure.h>
+#include <CGAL/Geometric_continuity/numbers/Exact_field.h>
+#include <CGAL/Geometric_continuity/numbers/rational_square_root.h>
+
 #include <CGAL/Geometric_continuity/algebra/Basis_matrix.h>
 #include <CGAL/Geometric_continuity/algebra/Bell_polynomials.h>
 #include <CGAL/Geometric_continuity/algebra/Bernstein_polynomial.h>
-#include <CGAL/Geometric_continuity/algebra/Bspline_function.h>
 #include <CGAL/Geometric_continuity/algebra/Coordinate_vector.h>
-#include <CGAL/Geometric_continuity/algebra/Enclosure.h>
-#include <CGAL/Geometric_continuity/algebra/Knot_vector.h>
+#include <CGAL/Geometric_continuity/algebra/Homogeneous_polynomial.h>
 #include <CGAL/Geometric_continuity/algebra/bernstein.h>
 #include <CGAL/Geometric_continuity/algebra/blending_functions.h>
 #include <CGAL/Geometric_continuity/algebra/convex_weights.h>
@@ -31,10 +33,16 @@
 #include <CGAL/Geometric_continuity/local/Curve_jet.h>
 #include <CGAL/Geometric_continuity/local/Frenet_frame.h>
 #include <CGAL/Geometric_continuity/local/Jet_arrays.h>
+#include <CGAL/Geometric_continuity/local/Surface_jet.h>
 #include <CGAL/Geometric_continuity/local/congruence.h>
+#include <CGAL/Geometric_continuity/local/coordinates.h>
 #include <CGAL/Geometric_continuity/local/curvature_batch.h>
 #include <CGAL/Geometric_continuity/local/curvatures.h>
 #include <CGAL/Geometric_continuity/local/frenet_equations.h>
+
+#include <CGAL/Geometric_continuity/splines/Bspline_function.h>
+#include <CGAL/Geometric_continuity/splines/Knot_vector.h>
+#include <CGAL/Geometric_continuity/splines/bspline_product.h>
 
 #include <CGAL/Geometric_continuity/curves/Bezier_curve.h>
 #include <CGAL/Geometric_continuity/curves/Bspline_curve.h>
@@ -47,54 +55,62 @@
 #include <CGAL/Geometric_continuity/curves/cubic_bases.h>
 #include <CGAL/Geometric_continuity/curves/end_control_points.h>
 #include <CGAL/Geometric_continuity/curves/evaluate_batch.h>
+#include <CGAL/Geometric_continuity/curves/piecewise_cubics.h>
 #include <CGAL/Geometric_continuity/curves/polygon_invariants.h>
 #include <CGAL/Geometric_continuity/curves/polyline.h>
 
-#include <CGAL/Geometric_continuity/continuity/Prepared_end.h>
-#include <CGAL/Geometric_continuity/continuity/Verdict.h>
-#include <CGAL/Geometric_continuity/continuity/chain_continuity.h>
-#include <CGAL/Geometric_continuity/continuity/deviation.h>
-#include <CGAL/Geometric_continuity/continuity/edge_continuity.h>
-#include <CGAL/Geometric_continuity/continuity/join_batch.h>
-#include <CGAL/Geometric_continuity/continuity/join_continuity.h>
-#include <CGAL/Geometric_continuity/continuity/join_predicates.h>
-#include <CGAL/Geometric_continuity/continuity/knot_continuity.h>
-#include <CGAL/Geometric_continuity/continuity/order_within.h>
-#include <CGAL/Geometric_continuity/continuity/polygon_tests.h>
-#include <CGAL/Geometric_continuity/continuity/spline_edge_continuity.h>
+#include <CGAL/Geometric_continuity/joins/Prepared_end.h>
+#include <CGAL/Geometric_continuity/joins/Verdict.h>
+#include <CGAL/Geometric_continuity/joins/chain_continuity.h>
+#include <CGAL/Geometric_continuity/joins/deviation.h>
+#include <CGAL/Geometric_continuity/joins/failing_joins.h>
+#include <CGAL/Geometric_continuity/joins/join_continuity.h>
+#include <CGAL/Geometric_continuity/joins/join_predicates.h>
+#include <CGAL/Geometric_continuity/joins/knot_continuity.h>
+#include <CGAL/Geometric_continuity/joins/order_within.h>
+#include <CGAL/Geometric_continuity/joins/polygon_tests.h>
 
-#include <CGAL/Geometric_continuity/construction/Quintic_ends.h>
-#include <CGAL/Geometric_continuity/construction/Septic_ends.h>
-#include <CGAL/Geometric_continuity/construction/alternatives.h>
-#include <CGAL/Geometric_continuity/construction/blend.h>
-#include <CGAL/Geometric_continuity/construction/blend_batch.h>
-#include <CGAL/Geometric_continuity/construction/extend.h>
-#include <CGAL/Geometric_continuity/construction/extend_curves.h>
-#include <CGAL/Geometric_continuity/construction/midpoint_construction.h>
-#include <CGAL/Geometric_continuity/construction/piecewise_cubics.h>
-#include <CGAL/Geometric_continuity/construction/quintic_strategies.h>
-#include <CGAL/Geometric_continuity/construction/representable_blend.h>
-#include <CGAL/Geometric_continuity/construction/septic_strategies.h>
+#include <CGAL/Geometric_continuity/blends/Quintic_ends.h>
+#include <CGAL/Geometric_continuity/blends/Septic_ends.h>
+#include <CGAL/Geometric_continuity/blends/blend.h>
+#include <CGAL/Geometric_continuity/blends/blend_batch.h>
+#include <CGAL/Geometric_continuity/blends/quintic_strategies.h>
+#include <CGAL/Geometric_continuity/blends/representable_blend.h>
+#include <CGAL/Geometric_continuity/blends/septic_strategies.h>
+
+#include <CGAL/Geometric_continuity/extensions/alternatives.h>
+#include <CGAL/Geometric_continuity/extensions/connection_coefficients.h>
+#include <CGAL/Geometric_continuity/extensions/extend.h>
+#include <CGAL/Geometric_continuity/extensions/extend_curves.h>
+#include <CGAL/Geometric_continuity/extensions/midpoint_construction.h>
 
 #include <CGAL/Geometric_continuity/surfaces/Bezier_patch.h>
 #include <CGAL/Geometric_continuity/surfaces/Bspline_surface.h>
 #include <CGAL/Geometric_continuity/surfaces/Extrusion_surface_3.h>
-#include <CGAL/Geometric_continuity/surfaces/G1_ribbon.h>
-#include <CGAL/Geometric_continuity/surfaces/Patch_flatness.h>
+#include <CGAL/Geometric_continuity/surfaces/Patch_edge.h>
 #include <CGAL/Geometric_continuity/surfaces/Revolution_surface_3.h>
-#include <CGAL/Geometric_continuity/surfaces/Tessellation.h>
-#include <CGAL/Geometric_continuity/surfaces/bspline_edge_continuity.h>
-#include <CGAL/Geometric_continuity/surfaces/connect_g1.h>
-#include <CGAL/Geometric_continuity/surfaces/edge_predicates.h>
 #include <CGAL/Geometric_continuity/surfaces/evaluate_grid.h>
-#include <CGAL/Geometric_continuity/surfaces/face_graph.h>
-#include <CGAL/Geometric_continuity/surfaces/knot_line_continuity.h>
-#include <CGAL/Geometric_continuity/surfaces/model_continuity.h>
-#include <CGAL/Geometric_continuity/surfaces/near_edges.h>
-#include <CGAL/Geometric_continuity/surfaces/patch_continuity.h>
-#include <CGAL/Geometric_continuity/surfaces/patch_order_within.h>
-#include <CGAL/Geometric_continuity/surfaces/sweep_defects.h>
-#include <CGAL/Geometric_continuity/surfaces/swept_continuity.h>
-#include <CGAL/Geometric_continuity/surfaces/tessellate.h>
+
+#include <CGAL/Geometric_continuity/edges/G1_ribbon.h>
+#include <CGAL/Geometric_continuity/edges/bspline_edge_continuity.h>
+#include <CGAL/Geometric_continuity/edges/connect_g1.h>
+#include <CGAL/Geometric_continuity/edges/edge_continuity.h>
+#include <CGAL/Geometric_continuity/edges/edge_deviation.h>
+#include <CGAL/Geometric_continuity/edges/edge_order_within.h>
+#include <CGAL/Geometric_continuity/edges/edge_predicates.h>
+#include <CGAL/Geometric_continuity/edges/knot_line_continuity.h>
+#include <CGAL/Geometric_continuity/edges/normal_deviation.h>
+#include <CGAL/Geometric_continuity/edges/patch_continuity.h>
+#include <CGAL/Geometric_continuity/edges/patch_order_within.h>
+#include <CGAL/Geometric_continuity/edges/spline_edge_continuity.h>
+#include <CGAL/Geometric_continuity/edges/sweep_defects.h>
+#include <CGAL/Geometric_continuity/edges/swept_continuity.h>
+
+#include <CGAL/Geometric_continuity/models/Model_edge.h>
+#include <CGAL/Geometric_continuity/models/Tessellation.h>
+#include <CGAL/Geometric_continuity/models/face_graph.h>
+#include <CGAL/Geometric_continuity/models/model_continuity.h>
+#include <CGAL/Geometric_continuity/models/near_edges.h>
+#include <CGAL/Geometric_continuity/models/tessellate.h>
 
 #endif // CGAL_GEOMETRIC_CONTINUITY_H

@@ -29,6 +29,8 @@ enum class Error_code {
   nonpositive_curvature,    ///< a curvature that must be positive is not
   unreachable_tolerance,    ///< a tolerance is not positive, or cannot be kept in floating-point arithmetic
   not_a_manifold,           ///< triangles do not meet two by two along their edges, in one orientation
+  negative_count,           ///< a number of times, points, knots, cells or derivatives is negative
+  work_limit,               ///< the answer would cost more work than the caller allows
   not_representable,        ///< no floating-point numbers with the demanded property exist
   malformed_input,          ///< the text of a file or of a number is not what it should be
   cannot_read_file,         ///< a file cannot be opened or read, for a reason of the system
@@ -54,6 +56,8 @@ inline std::string to_string(Error_code code) {
   case Error_code::nonpositive_curvature: return "nonpositive_curvature";
   case Error_code::unreachable_tolerance: return "unreachable_tolerance";
   case Error_code::not_a_manifold: return "not_a_manifold";
+  case Error_code::negative_count: return "negative_count";
+  case Error_code::work_limit: return "work_limit";
   case Error_code::not_representable: return "not_representable";
   case Error_code::malformed_input: return "malformed_input";
   case Error_code::cannot_read_file: return "cannot_read_file";

@@ -6,7 +6,7 @@
 #define CGAL_GEOMETRIC_CONTINUITY_TRAITS_3_H
 
 #include <CGAL/Dimension.h>
-#include <CGAL/Geometric_continuity/kernel_access.h>
+#include <CGAL/Geometric_continuity/numbers/internal/kernel_access.h>
 
 namespace CGAL {
 namespace Geometric_continuity {

@@ -9,7 +9,7 @@
 #include "Report.h"
 
 #include <CGAL/Fraction_traits.h>
-#include <CGAL/Geometric_continuity/surfaces/patch_continuity.h>
+#include <CGAL/Geometric_continuity/edges/patch_continuity.h>
 
 // Patches of a case. Rounded kernels take all coordinates times a common denominator: whole numbers, which they represent
 // without rounding. This changes the determinant by the third power of the scale, and no decision.
@@ -45,7 +45,7 @@ template <class Traits> struct Patch_input {
 
 // Topic edges: two patches with the common edge v = 0.
 template <class Traits> bool run_edges(const Case& c, Report& report) {
-  if constexpr (GC::internal::dimension_v<Traits> == 3) {
+  if constexpr (GC::dimension_v<Traits> == 3) {
     if (c.op != "edge") return false;
     typedef typename Traits::FT FT;
     typedef GC::Edge_field<Traits> Field;

@@ -8,7 +8,7 @@
 #include "Kernels.h"
 #include "Report.h"
 
-#include <CGAL/Geometric_continuity/construction/alternatives.h>
+#include <CGAL/Geometric_continuity/extensions/alternatives.h>
 
 #include <algorithm>
 
@@ -24,7 +24,7 @@ template <class Join> void report_errata_join(Report& report, const std::string&
 // Topic errata: the printed formulas and the corrected ones.
 template <class Traits> bool run_errata(const Case& c, Report& report) {
   typedef typename Traits::FT FT;
-  typedef GC::internal::Coordinates<Traits> Coordinates;
+  typedef GC::Coordinates<Traits> Coordinates;
   typedef GC::Bezier_curve<Traits> Curve;
   const Input<Traits> in{c};
 
@@ -33,7 +33,7 @@ template <class Traits> bool run_errata(const Case& c, Report& report) {
     const int m = left.degree();
     const std::vector<FT> C = in.numbers("C");
     const Coordinates b_1 = left.coordinates(m - 1), p = left.coordinates(m) - b_1, r = left.coordinates(m - 2) - b_1;
-    const typename Traits::Point printed = GC::internal::to_point<Traits>(C.at(1) * p + C.at(2) * r),
+    const typename Traits::Point printed = GC::to_point<Traits>(C.at(1) * p + C.at(2) * r),
                                  correct = GC::torsion_alternatives(left, C.at(0)).point_at({C.at(1), C.at(2)});
     const auto right = [&](const typename Traits::Point& b3) {
       std::vector<typename Traits::Point> points{left.control_point(m), GC::tangent_alternative(left).point(),

@@ -8,9 +8,9 @@
 #include "Kernels.h"
 #include "Report.h"
 
-#include <CGAL/Geometric_continuity/construction/alternatives.h>
-#include <CGAL/Geometric_continuity/construction/extend.h>
-#include <CGAL/Geometric_continuity/construction/midpoint_construction.h>
+#include <CGAL/Geometric_continuity/extensions/alternatives.h>
+#include <CGAL/Geometric_continuity/extensions/extend.h>
+#include <CGAL/Geometric_continuity/extensions/midpoint_construction.h>
 
 // Topic hagen, the operations on scalars.
 template <class FT> bool run_connection_scalars(const Case& c, Report& report) {
@@ -57,7 +57,7 @@ template <class Traits> void run_next_points(const Input<Traits>& in, Report& re
 
   // on unit intervals, as far as the chosen points determine the derivatives
   const GC::Bezier_curve<Traits> right =
-      GC::extend(left, static_cast<GC::Continuity_order>(k), parameters).with_domain(FT(0), FT(1));
+      GC::extend(left, static_cast<GC::Frenet_order>(k), parameters).with_domain(FT(0), FT(1));
   const auto join = [&] { return GC::continuity(left.end_jet(k), right.start_jet(k)); };
   report.predicate("join_note", [] { return std::string("on unit parameter intervals"); });
   report.consequence("join.c_order", [&] { return join().c_order; });

@@ -51,8 +51,7 @@ template <class Traits> bool run_invariants(const Case& c, Report& report) {
     if (!k) return std::nullopt;
     return coordinates<Traits>(*k);
   });
-  if constexpr (GC::internal::dimension_v<Traits> == 2)
-    report_signed_square(report, "signed", GC::signed_curvature(jet));
+  if constexpr (GC::dimension_v<Traits> == 2) report_signed_square(report, "signed", GC::signed_curvature(jet));
   if (n == 3) report.construction("tau", [&] { return torsion_if_defined(jet); });
   if (jet.order() >= n) {
     const std::vector<std::optional<GC::Signed_square<FT>>> kappa = GC::frenet_curvatures(jet);

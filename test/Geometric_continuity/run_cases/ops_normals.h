@@ -13,7 +13,7 @@
 
 // Topic normals: swept surfaces of a Bezier curve.
 template <class Traits> bool run_normals(const Case& c, Report& report) {
-  if constexpr (GC::internal::dimension_v<Traits> == 3) {
+  if constexpr (GC::dimension_v<Traits> == 3) {
     typedef typename Traits::FT FT;
     typedef typename Input<Traits>::Curve Curve;
     const Input<Traits> in{c};

@@ -9,12 +9,12 @@
 #include "Report.h"
 #include "ops_bspline.h"
 
-#include <CGAL/Geometric_continuity/surfaces/connect_g1.h>
+#include <CGAL/Geometric_continuity/edges/connect_g1.h>
 
 // Topic ribbon. Rounded kernels take scaled parameters, see Spline_input: this multiplies beta, and divides F by the scale
 // and F' by its square.
 template <class Traits> bool run_ribbon(const Case& c, Report& report) {
-  if constexpr (GC::internal::dimension_v<Traits> == 3) {
+  if constexpr (GC::dimension_v<Traits> == 3) {
     if (c.op != "ribbon") return false;
     typedef typename Traits::FT FT;
     typedef GC::G1_ribbon<Traits> Ribbon;

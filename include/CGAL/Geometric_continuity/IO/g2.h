@@ -6,7 +6,7 @@
 #define CGAL_GEOMETRIC_CONTINUITY_IO_G2_H
 
 #include <CGAL/Geometric_continuity/IO/g2_parser.h>
-#include <CGAL/Geometric_continuity/IO/g2_text.h>
+#include <CGAL/Geometric_continuity/IO/internal/g2_text.h>
 #include <CGAL/Geometric_continuity/curves/Bezier_curve.h>
 #include <CGAL/Geometric_continuity/curves/Bspline_curve.h>
 

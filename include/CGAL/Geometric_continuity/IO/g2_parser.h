@@ -7,7 +7,7 @@
 
 #include <CGAL/Geometric_continuity/Error.h>
 #include <CGAL/Geometric_continuity/IO/number.h>
-#include <CGAL/Geometric_continuity/internal/traits_access.h>
+#include <CGAL/Geometric_continuity/local/coordinates.h>
 
 #include <charconv>
 #include <cstddef>

@@ -7,7 +7,7 @@
 
 #include <CGAL/Geometric_continuity/IO/g2.h>
 #include <CGAL/Geometric_continuity/IO/g2_parser.h>
-#include <CGAL/Geometric_continuity/IO/g2_text.h>
+#include <CGAL/Geometric_continuity/IO/internal/g2_text.h>
 #include <CGAL/Geometric_continuity/surfaces/Bezier_patch.h>
 #include <CGAL/Geometric_continuity/surfaces/Bspline_surface.h>
 

@@ -6,8 +6,8 @@
 #define CGAL_GEOMETRIC_CONTINUITY_IO_JSON_H
 
 #include <CGAL/Geometric_continuity/IO/number.h>
-#include <CGAL/Geometric_continuity/continuity/join_continuity.h>
-#include <CGAL/Geometric_continuity/continuity/order_within.h>
+#include <CGAL/Geometric_continuity/joins/join_continuity.h>
+#include <CGAL/Geometric_continuity/joins/order_within.h>
 
 #include <cmath>
 #include <optional>

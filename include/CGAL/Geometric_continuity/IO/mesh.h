@@ -6,9 +6,9 @@
 #define CGAL_GEOMETRIC_CONTINUITY_IO_MESH_H
 
 #include <CGAL/Geometric_continuity/IO/atomic_file.h>
-#include <CGAL/Geometric_continuity/algebra/to_field.h>
-#include <CGAL/Geometric_continuity/internal/traits_access.h>
-#include <CGAL/Geometric_continuity/surfaces/Tessellation.h>
+#include <CGAL/Geometric_continuity/local/coordinates.h>
+#include <CGAL/Geometric_continuity/models/Tessellation.h>
+#include <CGAL/Geometric_continuity/numbers/internal/checked_conversion.h>
 
 #include <CGAL/IO/OBJ.h>
 #include <CGAL/IO/OFF.h>
@@ -55,7 +55,7 @@ template <class Traits>
 void write_mesh(std::ostream& os, const Tessellation<Traits>& tessellation, Mesh_format format) {
   std::vector<Simple_cartesian<double>::Point_3> points;
   for (const typename Traits::Point& point : tessellation.points) {
-    const internal::Coordinates<Traits> x = internal::coordinates<Traits>(point);
+    const Geometric_continuity::Coordinates<Traits> x = Geometric_continuity::coordinates<Traits>(point);
     if (x.dimension() != 3)
       throw Error(Error_code::dimension_mismatch, "write_mesh: points of dimension 3 are expected");
     double y[3];

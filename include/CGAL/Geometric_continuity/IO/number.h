@@ -7,7 +7,7 @@
 
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Geometric_continuity/Error.h>
-#include <CGAL/Geometric_continuity/algebra/to_field.h>
+#include <CGAL/Geometric_continuity/numbers/internal/checked_conversion.h>
 
 #include <algorithm>
 #include <charconv>

@@ -6,8 +6,8 @@
 #define CGAL_GEOMETRIC_CONTINUITY_ALGEBRA_BASIS_MATRIX_H
 
 #include <CGAL/Geometric_continuity/Error.h>
-#include <CGAL/Geometric_continuity/algebra/exact_field.h>
-#include <CGAL/Geometric_continuity/algebra/to_field.h>
+#include <CGAL/Geometric_continuity/numbers/Exact_field.h>
+#include <CGAL/Geometric_continuity/numbers/internal/checked_conversion.h>
 #include <CGAL/number_utils.h>
 
 #include <array>

@@ -6,7 +6,7 @@
 #define CGAL_GEOMETRIC_CONTINUITY_ALGEBRA_COORDINATE_VECTOR_H
 
 #include <CGAL/Geometric_continuity/Error.h>
-#include <CGAL/Geometric_continuity/algebra/for_each_index.h>
+#include <CGAL/Geometric_continuity/internal/for_each_index.h>
 
 #include <algorithm>
 #include <array>

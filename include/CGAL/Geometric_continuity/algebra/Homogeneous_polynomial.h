@@ -6,8 +6,8 @@
 #define CGAL_GEOMETRIC_CONTINUITY_ALGEBRA_HOMOGENEOUS_POLYNOMIAL_H
 
 #include <CGAL/Geometric_continuity/algebra/Bernstein_polynomial.h>
-#include <CGAL/Geometric_continuity/algebra/sign_of.h>
 #include <CGAL/Geometric_continuity/algebra/sign_pattern.h>
+#include <CGAL/Geometric_continuity/numbers/internal/sign_of.h>
 
 #include <algorithm>
 #include <array>

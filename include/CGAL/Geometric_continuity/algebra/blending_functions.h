@@ -6,9 +6,9 @@
 #define CGAL_GEOMETRIC_CONTINUITY_ALGEBRA_BLENDING_FUNCTIONS_H
 
 #include <CGAL/Geometric_continuity/algebra/Basis_matrix.h>
-#include <CGAL/Geometric_continuity/algebra/exact_field.h>
 #include <CGAL/Geometric_continuity/algebra/sign_pattern.h>
-#include <CGAL/Geometric_continuity/algebra/to_field.h>
+#include <CGAL/Geometric_continuity/numbers/Exact_field.h>
+#include <CGAL/Geometric_continuity/numbers/internal/checked_conversion.h>
 
 #include <vector>
 
@@ -49,7 +49,7 @@ template <class FT> std::vector<Bernstein_polynomial<FT>> bernstein_polynomials(
 /// floating-point numbers are taken as the rational numbers they are. Lecture slides, "Bézier curves III".
 /// \throws Error `not_finite` when a coefficient is infinite or not a number
 template <class FT> bool is_partition_of_unity(const std::vector<Bernstein_polynomial<FT>>& functions) {
-  typedef typename internal::Exact_field<FT>::type Field;
+  typedef typename Exact_field<FT>::type Field;
   Bernstein_polynomial<Field> sum{Field(0)};
   for (const Bernstein_polynomial<FT>& f : functions) {
     std::vector<Field> c;

@@ -6,8 +6,8 @@
 #define CGAL_GEOMETRIC_CONTINUITY_ALGEBRA_CONVEX_WEIGHTS_H
 
 #include <CGAL/Geometric_continuity/algebra/Coordinate_vector.h>
-#include <CGAL/Geometric_continuity/algebra/exact_field.h>
-#include <CGAL/Geometric_continuity/algebra/to_field.h>
+#include <CGAL/Geometric_continuity/numbers/Exact_field.h>
+#include <CGAL/Geometric_continuity/numbers/internal/checked_conversion.h>
 
 #include <cstddef>
 #include <optional>
@@ -92,9 +92,9 @@ private:
 /// \throws Error `dimension_mismatch` when the points differ in dimension
 /// \throws Error `not_finite` for an infinite or undefined floating-point coordinate
 template <class FT, int N>
-std::optional<std::vector<typename internal::Exact_field<FT>::type>>
+std::optional<std::vector<typename Exact_field<FT>::type>>
 convex_weights(const std::vector<Coordinate_vector<FT, N>>& q, const Coordinate_vector<FT, N>& p) {
-  typedef typename internal::Exact_field<FT>::type Field;
+  typedef typename Exact_field<FT>::type Field;
   const int n = static_cast<int>(q.size()), d = p.dimension();
   std::vector<std::vector<Field>> rows(d + 1, std::vector<Field>(n + 1, Field(0)));
   for (int j = 0; j < n; ++j) {

@@ -5,9 +5,9 @@
 #ifndef CGAL_GEOMETRIC_CONTINUITY_ALGEBRA_ISOLATE_ROOTS_H
 #define CGAL_GEOMETRIC_CONTINUITY_ALGEBRA_ISOLATE_ROOTS_H
 
-#include <CGAL/Geometric_continuity/algebra/exact_field.h>
 #include <CGAL/Geometric_continuity/algebra/sign_pattern.h>
-#include <CGAL/Geometric_continuity/algebra/to_field.h>
+#include <CGAL/Geometric_continuity/numbers/Exact_field.h>
+#include <CGAL/Geometric_continuity/numbers/internal/checked_conversion.h>
 
 #include <algorithm>
 #include <utility>
@@ -100,9 +100,9 @@ private:
 /// the roots of the square-free part by bisection.
 /// \throws Error `empty_domain` unless `width > 0`, `not_finite` when a coefficient is infinite or not a number
 template <class FT>
-std::vector<Isolated_root<typename internal::Exact_field<FT>::type>>
-isolate_roots(const Bernstein_polynomial<FT>& p, const typename internal::Exact_field<FT>::type& width) {
-  typedef typename internal::Exact_field<FT>::type Field;
+std::vector<Isolated_root<typename Exact_field<FT>::type>> isolate_roots(const Bernstein_polynomial<FT>& p,
+                                                                         const typename Exact_field<FT>::type& width) {
+  typedef typename Exact_field<FT>::type Field;
   if (!(Field(0) < width)) throw Error(Error_code::empty_domain, "isolate_roots: width");
   std::vector<Field> c;
   for (const FT& x : p.coefficients()) c.push_back(internal::to_field<Field>(x));
@@ -113,8 +113,8 @@ isolate_roots(const Bernstein_polynomial<FT>& p, const typename internal::Exact_
 /// \ingroup PkgGeometricContinuityAlgebra
 /// The same with the width 1/1024.
 template <class FT>
-std::vector<Isolated_root<typename internal::Exact_field<FT>::type>> isolate_roots(const Bernstein_polynomial<FT>& p) {
-  typedef typename internal::Exact_field<FT>::type Field;
+std::vector<Isolated_root<typename Exact_field<FT>::type>> isolate_roots(const Bernstein_polynomial<FT>& p) {
+  typedef typename Exact_field<FT>::type Field;
   return isolate_roots(p, Field(Field(1) / Field(1024)));
 }
 

@@ -6,9 +6,9 @@
 #define CGAL_GEOMETRIC_CONTINUITY_ALGEBRA_SIGN_PATTERN_H
 
 #include <CGAL/Geometric_continuity/algebra/Bernstein_polynomial.h>
-#include <CGAL/Geometric_continuity/algebra/exact_field.h>
-#include <CGAL/Geometric_continuity/algebra/sign_of.h>
-#include <CGAL/Geometric_continuity/algebra/to_field.h>
+#include <CGAL/Geometric_continuity/numbers/Exact_field.h>
+#include <CGAL/Geometric_continuity/numbers/internal/checked_conversion.h>
+#include <CGAL/Geometric_continuity/numbers/internal/sign_of.h>
 
 #include <ostream>
 #include <string>
@@ -196,7 +196,7 @@ template <class FT> Sign_pattern exact_sign_pattern(const Bernstein_polynomial<F
 /// roots of the square-free part are separated by Descartes' rule and bisection.
 /// \throws Error `not_finite` when a coefficient is infinite or not a number
 template <class FT> Sign_pattern sign_pattern(const Bernstein_polynomial<FT>& p) {
-  typedef typename internal::Exact_field<FT>::type Field;
+  typedef typename Exact_field<FT>::type Field;
   std::vector<Field> c;
   for (const FT& x : p.coefficients()) c.push_back(internal::to_field<Field>(x));
   return internal::exact_sign_pattern(Bernstein_polynomial<Field>(std::move(c)));
@@ -206,7 +206,7 @@ template <class FT> Sign_pattern sign_pattern(const Bernstein_polynomial<FT>& p)
 /// The signs of `p` on the closed interval [a, b], decided exactly. \pre `a < b`
 /// \throws Error `empty_domain` unless `a < b`
 template <class FT> Sign_pattern sign_pattern(const Bernstein_polynomial<FT>& p, const FT& a, const FT& b) {
-  typedef typename internal::Exact_field<FT>::type Field;
+  typedef typename Exact_field<FT>::type Field;
   if (!(a < b)) throw Error(Error_code::empty_domain, "sign_pattern: interval");
   std::vector<Field> c;
   for (const FT& x : p.coefficients()) c.push_back(internal::to_field<Field>(x));

@@ -8,10 +8,10 @@
 #include <CGAL/Bbox_2.h>
 #include <CGAL/Bbox_3.h>
 #include <CGAL/Geometric_continuity/algebra/Bernstein_polynomial.h>
-#include <CGAL/Geometric_continuity/algebra/to_field.h>
-#include <CGAL/Geometric_continuity/internal/bernstein_jet.h>
+#include <CGAL/Geometric_continuity/curves/internal/bernstein_jet.h>
 #include <CGAL/Geometric_continuity/internal/independent_iterations.h>
 #include <CGAL/Geometric_continuity/local/Curve_jet.h>
+#include <CGAL/Geometric_continuity/numbers/internal/checked_conversion.h>
 #include <CGAL/number_utils.h>
 
 #include <boost/config.hpp>
@@ -54,12 +54,12 @@ public:
   typedef typename Traits::FT FT;
   typedef typename Traits::Point Point;
   typedef typename Traits::Vector Vector;
-  static constexpr int N = internal::dimension_v<Traits>;
+  static constexpr int N = dimension_v<Traits>;
 
 private:
   template <class T>
   using Per_point = std::conditional_t<Degree == dynamic_degree, std::vector<T>, std::array<T, Degree + 1>>;
-  typedef internal::Coordinates<Traits> Coordinates;
+  typedef Geometric_continuity::Coordinates<Traits> Coordinates;
   // the numbers of one coordinate; without allocation up to degree 9
   template <class Field>
   using Coefficients = std::conditional_t<Degree == dynamic_degree, boost::container::small_vector<Field, 10>,
@@ -127,7 +127,7 @@ public:
       else
         internal::bernstein_jet<Degree, 0>(c, FT(FT(1) - t), t, &x[i]);
     });
-    return internal::to_point<Traits>(x);
+    return Geometric_continuity::to_point<Traits>(x);
   }
 
   /// The jet of order `k >= 0` at `u`; derivatives beyond the degree are zero. \f$ O(m^2 + k^3) \f$
@@ -169,12 +169,13 @@ public:
   Bezier_curve<Traits, (Degree > 0 ? Degree - 1 : Degree)> derivative() const {
     const int m = degree();
     if (m == 0) {
-      const Point origin = internal::to_point<Traits>(Coordinates(dimension()));
+      const Point origin = Geometric_continuity::to_point<Traits>(Coordinates(dimension()));
       return {&origin, &origin + 1, a_, b_};
     }
     const FT factor = FT(FT(m) / (b_ - a_));
     Per_point<Point> d = points_;
-    for (int i = 0; i < m; ++i) d[i] = internal::to_point<Traits>(factor * (coordinates(i + 1) - coordinates(i)));
+    for (int i = 0; i < m; ++i)
+      d[i] = Geometric_continuity::to_point<Traits>(factor * (coordinates(i + 1) - coordinates(i)));
     return {d.begin(), d.begin() + m, a_, b_};
   }
 
@@ -227,14 +228,15 @@ public:
         if (high[i] < p[i]) high[i] = p[i];
       }
     }
-    return {internal::to_point<Traits>(low), internal::to_point<Traits>(high)};
+    return {Geometric_continuity::to_point<Traits>(low), Geometric_continuity::to_point<Traits>(high)};
   }
 
   /// The bounding box of the control points as `Bbox_2` or `Bbox_3`, rounded outwards. Dimension 2 or 3 only.
   auto bbox() const {
     static_assert(N == 2 || N == 3, "bounding_box() serves the other dimensions");
     const std::pair<Point, Point> box = bounding_box();
-    const Coordinates low = internal::coordinates<Traits>(box.first), high = internal::coordinates<Traits>(box.second);
+    const Coordinates low = Geometric_continuity::coordinates<Traits>(box.first),
+                      high = Geometric_continuity::coordinates<Traits>(box.second);
     if constexpr (N == 2)
       return Bbox_2(lower(low[0]), lower(low[1]), upper(high[0]), upper(high[1]));
     else
@@ -261,7 +263,7 @@ public:
   }
 
   /// The coordinates of the `j`-th control point.
-  Coordinates coordinates(int j) const { return internal::coordinates<Traits>(points_[j]); }
+  Coordinates coordinates(int j) const { return Geometric_continuity::coordinates<Traits>(points_[j]); }
 
   /// Equality of control points and domain.
   friend bool operator==(const Bezier_curve& c, const Bezier_curve& d) {
@@ -415,14 +417,14 @@ private:
     if constexpr (Degree == dynamic_degree) {
       std::vector<Point> points;
       points.reserve(rows.size());
-      for (const Coordinates& x : rows) points.push_back(internal::to_point<Traits>(x));
+      for (const Coordinates& x : rows) points.push_back(Geometric_continuity::to_point<Traits>(x));
       return points;
     } else
       return points_of(rows, std::make_index_sequence<Degree + 1>());
   }
   template <std::size_t... j>
   static Per_point<Point> points_of(const Per_point<Coordinates>& rows, std::index_sequence<j...>) {
-    return {{internal::to_point<Traits>(rows[j])...}};
+    return {{Geometric_continuity::to_point<Traits>(rows[j])...}};
   }
 
   template <class Curve, class Rows> Curve elevated(Rows rows) const {

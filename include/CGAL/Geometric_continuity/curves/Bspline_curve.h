@@ -5,9 +5,9 @@
 #ifndef CGAL_GEOMETRIC_CONTINUITY_CURVES_BSPLINE_CURVE_H
 #define CGAL_GEOMETRIC_CONTINUITY_CURVES_BSPLINE_CURVE_H
 
-#include <CGAL/Geometric_continuity/algebra/Bspline_function.h>
-#include <CGAL/Geometric_continuity/algebra/to_field.h>
 #include <CGAL/Geometric_continuity/curves/Bezier_curve.h>
+#include <CGAL/Geometric_continuity/numbers/internal/checked_conversion.h>
+#include <CGAL/Geometric_continuity/splines/Bspline_function.h>
 
 #include <algorithm>
 #include <optional>
@@ -35,10 +35,10 @@ public:
   typedef typename Traits::FT FT;
   typedef typename Traits::Point Point;
   typedef typename Traits::Vector Vector;
-  static constexpr int N = internal::dimension_v<Traits>;
+  static constexpr int N = dimension_v<Traits>;
 
 private:
-  typedef internal::Coordinates<Traits> Coordinates;
+  typedef Geometric_continuity::Coordinates<Traits> Coordinates;
 
   Knot_vector<FT> knots_;
   std::vector<Point> points_;
@@ -66,7 +66,7 @@ public:
 
   /// From the coordinates as a function. \throws Error as above
   explicit Bspline_curve(const Function& f) : knots_(f.knots()) {
-    for (const Coordinates& x : f.coefficients()) points_.push_back(internal::to_point<Traits>(x));
+    for (const Coordinates& x : f.coefficients()) points_.push_back(Geometric_continuity::to_point<Traits>(x));
   }
 
   /// The same curve, without inner knots.
@@ -96,7 +96,7 @@ public:
   const_iterator begin() const { return points_.begin(); }
   const_iterator end() const { return points_.end(); }
   /// The coordinates of the `i`-th control point.
-  Coordinates coordinates(int i) const { return internal::coordinates<Traits>(points_[i]); }
+  Coordinates coordinates(int i) const { return Geometric_continuity::coordinates<Traits>(points_[i]); }
 
   const Knot_vector<FT>& knots() const { return knots_; }
   /// The domain \f$ [u_p, u_n] \f$.
@@ -115,7 +115,9 @@ public:
   /// @{
 
   /// The point at `u`, from the right where the curve jumps. \f$ O(\log n + p^2) \f$
-  Point operator()(const FT& u) const { return internal::to_point<Traits>(jet_over<FT>(u, knots_.span(u), 0)[0]); }
+  Point operator()(const FT& u) const {
+    return Geometric_continuity::to_point<Traits>(jet_over<FT>(u, knots_.span(u), 0)[0]);
+  }
 
   /// The jet of order `k >= 0` at `u`, from the right at a knot; derivatives beyond the degree are zero.
   /// \f$ O(\log n + p^2 + p k^2) \f$
@@ -210,7 +212,7 @@ public:
   std::vector<Bezier_curve<Traits>> bezier_pieces() const {
     const std::vector<Coordinates> rows = bspline_bezier<FT>(knots_, function().coefficients());
     std::vector<Point> points;
-    for (const Coordinates& x : rows) points.push_back(internal::to_point<Traits>(x));
+    for (const Coordinates& x : rows) points.push_back(Geometric_continuity::to_point<Traits>(x));
     std::vector<Bezier_curve<Traits>> pieces;
     auto first = points.begin();
     for (int k : knots_.spans()) {
@@ -283,7 +285,7 @@ private:
   template <class Field> Coordinate_jet<Field, N> jet_over(const FT& u, int span, int k) const {
     Coordinate_jet<Field, N> jet(dimension(), k);
     internal::derivatives_over<Field>(
-        knots_, span, u, k, [&](int i) { return internal::coordinates<Traits, Field>(points_[i]); },
+        knots_, span, u, k, [&](int i) { return Geometric_continuity::coordinates<Traits, Field>(points_[i]); },
         [&](int j, const Coordinate_vector<Field, N>& x) { jet[j] = x; });
     return jet;
   }
@@ -303,7 +305,7 @@ private:
         const std::string place = "Bspline_curve: Bezier curve " + std::to_string(knots.size());
         if (piece.dimension() != Traits().compute_dimension_object()(points.back()))
           throw Error(Error_code::dimension_mismatch, place);
-        if (piece.coordinates(0) != internal::coordinates<Traits>(points.back()))
+        if (piece.coordinates(0) != Geometric_continuity::coordinates<Traits>(points.back()))
           throw Error(Error_code::curves_do_not_meet, place);
       }
       const FT& end = knots.empty() ? start : knots.back().value;

@@ -5,8 +5,8 @@
 #ifndef CGAL_GEOMETRIC_CONTINUITY_CURVES_COMPOSITE_BEZIER_CURVE_H
 #define CGAL_GEOMETRIC_CONTINUITY_CURVES_COMPOSITE_BEZIER_CURVE_H
 
-#include <CGAL/Geometric_continuity/algebra/to_field.h>
 #include <CGAL/Geometric_continuity/curves/Bezier_curve.h>
+#include <CGAL/Geometric_continuity/numbers/internal/checked_conversion.h>
 #include <CGAL/Iterator_range.h>
 
 #include <boost/iterator/counting_iterator.hpp>
@@ -51,7 +51,7 @@ public:
   };
 
 private:
-  typedef internal::Coordinates<Traits> Coordinates;
+  typedef Geometric_continuity::Coordinates<Traits> Coordinates;
 
   int degree_ = Degree;
   std::vector<FT> knots_;     // u_0, ..., u_{k+1}
@@ -126,7 +126,7 @@ public:
   const Point& control_point(int i) const { return points_[i]; }
   const_iterator begin() const { return points_.begin(); }
   const_iterator end() const { return points_.end(); }
-  Coordinates coordinates(int i) const { return internal::coordinates<Traits>(points_[i]); }
+  Coordinates coordinates(int i) const { return Geometric_continuity::coordinates<Traits>(points_[i]); }
 
   /// The knots \f$ u_0, \dots, u_{k+1} \f$.
   const std::vector<FT>& knots() const { return knots_; }

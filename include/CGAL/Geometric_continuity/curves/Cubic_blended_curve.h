@@ -5,9 +5,9 @@
 #ifndef CGAL_GEOMETRIC_CONTINUITY_CURVES_CUBIC_BLENDED_CURVE_H
 #define CGAL_GEOMETRIC_CONTINUITY_CURVES_CUBIC_BLENDED_CURVE_H
 
-#include <CGAL/Geometric_continuity/algebra/to_field.h>
 #include <CGAL/Geometric_continuity/curves/Bezier_curve.h>
 #include <CGAL/Geometric_continuity/curves/cubic_bases.h>
+#include <CGAL/Geometric_continuity/numbers/internal/checked_conversion.h>
 
 #include <array>
 #include <ostream>
@@ -77,7 +77,7 @@ public:
   typedef typename Traits::Point Point;
   typedef typename Traits::Vector Vector;
   typedef typename Basis::template Geometry<Traits> Geometry;
-  static constexpr int N = internal::dimension_v<Traits>;
+  static constexpr int N = dimension_v<Traits>;
 
   /// From the geometry.
   /// \throws Error `dimension_mismatch` when its columns differ in dimension
@@ -107,7 +107,7 @@ public:
   std::pair<FT, FT> domain() const { return {FT(0), FT(1)}; }
 
   /// The point at `t`, which may lie outside of the domain.
-  Point operator()(const FT& t) const { return internal::to_point<Traits>(jet_over<FT>(t, 0)[0]); }
+  Point operator()(const FT& t) const { return Geometric_continuity::to_point<Traits>(jet_over<FT>(t, 0)[0]); }
 
   /// The jet of order `k >= 0` at `t`; derivatives of order 4 and more are zero.
   Curve_jet<Traits> jet(const FT& t, int k) const { return Curve_jet<Traits>(jet_over<FT>(t, k)); }

@@ -6,10 +6,10 @@
 #define CGAL_GEOMETRIC_CONTINUITY_CURVES_BEZIER_PROPERTIES_H
 
 #include <CGAL/Geometric_continuity/algebra/convex_weights.h>
-#include <CGAL/Geometric_continuity/algebra/exact_field.h>
 #include <CGAL/Geometric_continuity/algebra/isolate_roots.h>
 #include <CGAL/Geometric_continuity/algebra/sign_pattern.h>
 #include <CGAL/Geometric_continuity/curves/Bezier_curve.h>
+#include <CGAL/Geometric_continuity/numbers/Exact_field.h>
 
 #include <optional>
 #include <vector>
@@ -45,7 +45,8 @@ template <class Traits, int Degree>
 std::optional<std::vector<internal::Decision_FT<Traits>>> convex_hull_weights(const Bezier_curve<Traits, Degree>& curve,
                                                                               const typename Traits::Point& p) {
   typedef internal::Decision_FT<Traits> Field;
-  return convex_weights(internal::control_columns<Traits, Field>(curve), internal::coordinates<Traits, Field>(p));
+  return convex_weights(internal::control_columns<Traits, Field>(curve),
+                        Geometric_continuity::coordinates<Traits, Field>(p));
 }
 
 /// \ingroup PkgGeometricContinuityCurves
@@ -64,7 +65,7 @@ template <class Traits, int Degree>
 std::optional<typename Traits::Vector> start_tangent(const Bezier_curve<Traits, Degree>& curve) {
   for (int j = 1; j <= curve.degree(); ++j)
     if (curve.coordinates(j) != curve.coordinates(0))
-      return internal::to_vector<Traits>(curve.coordinates(j) - curve.coordinates(0));
+      return Geometric_continuity::to_vector<Traits>(curve.coordinates(j) - curve.coordinates(0));
   return std::nullopt;
 }
 
@@ -76,7 +77,7 @@ std::optional<typename Traits::Vector> end_tangent(const Bezier_curve<Traits, De
   const int m = curve.degree();
   for (int j = m - 1; j >= 0; --j)
     if (curve.coordinates(j) != curve.coordinates(m))
-      return internal::to_vector<Traits>(curve.coordinates(m) - curve.coordinates(j));
+      return Geometric_continuity::to_vector<Traits>(curve.coordinates(m) - curve.coordinates(j));
   return std::nullopt;
 }
 
@@ -101,8 +102,9 @@ template <class Traits, int Degree>
 std::optional<Crossings> count_crossings(const Bezier_curve<Traits, Degree>& curve,
                                          const typename Traits::Point& origin, const typename Traits::Vector& normal) {
   typedef internal::Decision_FT<Traits> Field;
-  typedef Coordinate_vector<Field, internal::dimension_v<Traits>> Column;
-  const Column q = internal::coordinates<Traits, Field>(origin), n = internal::coordinates<Traits, Field>(normal);
+  typedef Coordinate_vector<Field, dimension_v<Traits>> Column;
+  const Column q = Geometric_continuity::coordinates<Traits, Field>(origin),
+               n = Geometric_continuity::coordinates<Traits, Field>(normal);
   if (q.dimension() != curve.dimension() || n.dimension() != curve.dimension())
     throw Error(Error_code::dimension_mismatch, "count_crossings");
   if (is_zero(n)) throw Error(Error_code::zero_direction, "count_crossings: normal");

@@ -5,7 +5,7 @@
 #ifndef CGAL_GEOMETRIC_CONTINUITY_CURVES_BOUNDING_BOXES_H
 #define CGAL_GEOMETRIC_CONTINUITY_CURVES_BOUNDING_BOXES_H
 
-#include <CGAL/Geometric_continuity/curves/curve_pieces.h>
+#include <CGAL/Geometric_continuity/curves/internal/curve_pieces.h>
 
 #include <array>
 #include <string>
@@ -101,7 +101,7 @@ OutputIterator bounding_boxes(const Curve& curve, int k, const Handle& handle, O
   typedef typename Curve::Traits Traits;
   typedef typename Curve::FT FT;
   typedef Curve_piece_box<Traits, Handle> Box;
-  typedef std::vector<internal::Coordinates<Traits>> Rows;
+  typedef std::vector<Geometric_continuity::Coordinates<Traits>> Rows;
   if (k < 0 || k > 20)
     throw Error(Error_code::wrong_number_of_points, "bounding_boxes: " + std::to_string(k) + " halvings");
   int piece = 0;
@@ -112,7 +112,7 @@ OutputIterator bounding_boxes(const Curve& curve, int k, const Handle& handle, O
       std::array<double, Box::N> low, high;
       for (int i = 0; i < Box::N; ++i) {
         FT least = rows[0][i], greatest = rows[0][i];
-        for (const internal::Coordinates<Traits>& row : rows) {
+        for (const Geometric_continuity::Coordinates<Traits>& row : rows) {
           if (row[i] < least) least = row[i];
           if (greatest < row[i]) greatest = row[i];
         }

@@ -56,10 +56,10 @@ inline std::string to_string(Closing closing) {
 /// and only if \f$ b_1 - b_0 \f$ and \f$ b_m - b_{m-1} \f$ are nonzero \em positive multiples. Lecture slides, "Bézier curve
 /// tricks II", corrected: collinear is not enough.
 template <class Traits, int Degree> Closing closing(const Bezier_curve<Traits, Degree>& curve) {
-  typedef internal::Predicate_FT<Traits> Field;
-  typedef Coordinate_vector<Field, internal::dimension_v<Traits>> Coordinates;
+  typedef Predicate_FT<Traits> Field;
+  typedef Coordinate_vector<Field, dimension_v<Traits>> Coordinates;
   const int m = curve.degree();
-  const auto point = [&](int i) { return internal::coordinates<Traits, Field>(curve.control_point(i)); };
+  const auto point = [&](int i) { return Geometric_continuity::coordinates<Traits, Field>(curve.control_point(i)); };
   if (point(0) != point(m)) return Closing::open;
   if (m == 0) return Closing::singular;
   const Coordinates first = point(1) - point(0), last = point(m) - point(m - 1);

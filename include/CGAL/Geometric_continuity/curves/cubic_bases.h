@@ -7,8 +7,8 @@
 
 #include <CGAL/Geometric_continuity/algebra/Basis_matrix.h>
 #include <CGAL/Geometric_continuity/algebra/blending_functions.h>
-#include <CGAL/Geometric_continuity/algebra/exact_field.h>
-#include <CGAL/Geometric_continuity/algebra/to_field.h>
+#include <CGAL/Geometric_continuity/numbers/Exact_field.h>
+#include <CGAL/Geometric_continuity/numbers/internal/checked_conversion.h>
 
 #include <array>
 #include <vector>
@@ -97,7 +97,7 @@ template <class Number> struct Matrix_basis {
 /// \tparam From, To models of `CubicBasis`
 /// \throws Error `singular_frame` when the matrix of `to` has no inverse
 template <class FT, class From, class To> Basis_matrix<FT> basis_conversion(From from, To to) {
-  typedef typename internal::Exact_field<FT>::type Field;
+  typedef typename Exact_field<FT>::type Field;
   return internal::rounded_matrix<FT>(change_of_basis(from.template matrix<Field>(), to.template matrix<Field>()));
 }
 

@@ -5,8 +5,8 @@
 #ifndef CGAL_GEOMETRIC_CONTINUITY_CURVES_POLYLINE_H
 #define CGAL_GEOMETRIC_CONTINUITY_CURVES_POLYLINE_H
 
-#include <CGAL/Geometric_continuity/algebra/to_field.h>
-#include <CGAL/Geometric_continuity/curves/curve_pieces.h>
+#include <CGAL/Geometric_continuity/curves/internal/curve_pieces.h>
+#include <CGAL/Geometric_continuity/numbers/internal/checked_conversion.h>
 
 #include <optional>
 #include <string>
@@ -126,7 +126,7 @@ OutputIterator chord_polyline(const Curve& curve, const typename Curve::FT& tole
   typedef typename Curve::FT FT;
   internal::check_tolerance<FT>(tolerance, "chord_polyline: tolerance");
   internal::check_continuous(curve);
-  std::vector<std::vector<internal::Coordinates<Traits>>> pieces;
+  std::vector<std::vector<Geometric_continuity::Coordinates<Traits>>> pieces;
   internal::for_each_piece(curve, [&](const auto& piece) { pieces.push_back(internal::control_rows(piece)); });
   for (const auto& rows : pieces)
     if (tolerance < FT(FT(4) * internal::rounding_allowance(rows)))

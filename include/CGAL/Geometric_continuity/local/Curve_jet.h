@@ -5,9 +5,9 @@
 #ifndef CGAL_GEOMETRIC_CONTINUITY_LOCAL_CURVE_JET_H
 #define CGAL_GEOMETRIC_CONTINUITY_LOCAL_CURVE_JET_H
 
-#include <CGAL/Geometric_continuity/algebra/to_field.h>
-#include <CGAL/Geometric_continuity/internal/traits_access.h>
 #include <CGAL/Geometric_continuity/local/Coordinate_jet.h>
+#include <CGAL/Geometric_continuity/local/coordinates.h>
+#include <CGAL/Geometric_continuity/numbers/internal/checked_conversion.h>
 
 #include <initializer_list>
 #include <iterator>
@@ -24,8 +24,8 @@ namespace Geometric_continuity {
 /// parameter. Blends and continuity tests read nothing else of a curve.
 ///
 /// \tparam Traits a model of `GeometricContinuityTraits`
-template <class Traits_> class Curve_jet : public Coordinate_jet<typename Traits_::FT, internal::dimension_v<Traits_>> {
-  typedef Coordinate_jet<typename Traits_::FT, internal::dimension_v<Traits_>> Base;
+template <class Traits_> class Curve_jet : public Coordinate_jet<typename Traits_::FT, dimension_v<Traits_>> {
+  typedef Coordinate_jet<typename Traits_::FT, dimension_v<Traits_>> Base;
 
 public:
   typedef Traits_ Traits;
@@ -49,18 +49,18 @@ public:
   Curve_jet(const Point& point, const ForwardRange& derivatives)
       : Base(Traits().compute_dimension_object()(point),
              static_cast<int>(std::distance(std::begin(derivatives), std::end(derivatives)))) {
-    set(0, internal::coordinates<Traits>(point));
+    set(0, Geometric_continuity::coordinates<Traits>(point));
     int j = 0;
-    for (const Vector& v : derivatives) set(++j, internal::coordinates<Traits>(v));
+    for (const Vector& v : derivatives) set(++j, Geometric_continuity::coordinates<Traits>(v));
   }
   Curve_jet(const Point& point, std::initializer_list<Vector> derivatives)
       : Curve_jet(point, std::vector<Vector>(derivatives)) {}
 
   /// The point.
-  Point point() const { return internal::to_point<Traits>((*this)[0]); }
+  Point point() const { return Geometric_continuity::to_point<Traits>((*this)[0]); }
 
   /// The `j`-th derivative, `1 <= j <= order()`.
-  Vector derivative(int j) const { return internal::to_vector<Traits>((*this)[j]); }
+  Vector derivative(int j) const { return Geometric_continuity::to_vector<Traits>((*this)[j]); }
 
   /// Writes the point and the derivatives, one to a line.
   friend std::ostream& operator<<(std::ostream& os, const Curve_jet& jet) {
@@ -72,7 +72,7 @@ public:
   }
 
 private:
-  void set(int j, const internal::Coordinates<Traits>& c) {
+  void set(int j, const Geometric_continuity::Coordinates<Traits>& c) {
     if (c.dimension() != this->dimension())
       throw Error(Error_code::dimension_mismatch, "jet: derivative " + std::to_string(j));
     for (const FT& x : c) internal::check_finite(x, "jet");

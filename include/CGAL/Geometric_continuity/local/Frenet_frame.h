@@ -24,7 +24,7 @@ public:
   typedef Traits_ Traits;
   typedef typename Traits::FT FT;
   typedef typename Traits::Vector Vector;
-  typedef internal::Coordinates<Traits> Coordinates;
+  typedef Geometric_continuity::Coordinates<Traits> Coordinates;
 
   explicit Frenet_frame(std::vector<Coordinates> e) : e_(std::move(e)) {}
 
@@ -32,7 +32,7 @@ public:
 
   /// The vector \f$ e_i \f$, `1 <= i <= dimension()`: \f$ e_1 \f$ the tangent, \f$ e_2 \f$ the principal normal, in space
   /// \f$ e_3 \f$ the binormal.
-  Vector vector(int i) const { return internal::to_vector<Traits>(e_[i - 1]); }
+  Vector vector(int i) const { return Geometric_continuity::to_vector<Traits>(e_[i - 1]); }
 
   /// The coordinates of \f$ e_i \f$.
   const Coordinates& coordinates(int i) const { return e_[i - 1]; }
@@ -53,7 +53,7 @@ private:
 /// \throws Error `jet_order_too_low` with fewer than `n - 1` derivatives
 template <class Traits> std::optional<Frenet_frame<Traits>> frenet_frame(const Curve_jet<Traits>& jet) {
   typedef typename Traits::FT FT;
-  typedef internal::Coordinates<Traits> Coordinates;
+  typedef Geometric_continuity::Coordinates<Traits> Coordinates;
   const int n = jet.dimension();
   internal::require_order(jet, n - 1, "frenet_frame");
   std::vector<Coordinates> e;

@@ -5,7 +5,7 @@
 #ifndef CGAL_GEOMETRIC_CONTINUITY_LOCAL_SURFACE_JET_H
 #define CGAL_GEOMETRIC_CONTINUITY_LOCAL_SURFACE_JET_H
 
-#include <CGAL/Geometric_continuity/internal/traits_access.h>
+#include <CGAL/Geometric_continuity/local/coordinates.h>
 #include <CGAL/number_utils.h>
 
 #include <algorithm>
@@ -26,7 +26,7 @@ public:
   typedef typename Traits::FT FT;
   typedef typename Traits::Point Point;
   typedef typename Traits::Vector Vector;
-  typedef internal::Coordinates<Traits> Coordinates;
+  typedef Geometric_continuity::Coordinates<Traits> Coordinates;
 
   /// The zero jet of order `k` in dimension `d`. \throws Error `jet_order_too_low` unless `k >= 0`
   Surface_jet(int d, int k) : order_(k) {
@@ -43,10 +43,10 @@ public:
   Coordinates& operator()(int i, int j) { return partials_[index(i, j)]; }
 
   /// The point.
-  Point point() const { return internal::to_point<Traits>(partials_[0]); }
+  Point point() const { return Geometric_continuity::to_point<Traits>(partials_[0]); }
 
   /// The derivative of order `i` in `u` and `j` in `v`, `0 < i + j <= order()`.
-  Vector partial(int i, int j) const { return internal::to_vector<Traits>((*this)(i, j)); }
+  Vector partial(int i, int j) const { return Geometric_continuity::to_vector<Traits>((*this)(i, j)); }
 
 private:
   int order_;
@@ -71,7 +71,7 @@ template <class Traits> Coordinates<Traits> normal_coordinates(const Surface_jet
 /// not regular. Lecture slides, "Normals".
 /// \throws Error `dimension_mismatch` unless in dimension 3, `jet_order_too_low` for a jet of order 0
 template <class Traits> typename Traits::Vector normal(const Surface_jet<Traits>& jet) {
-  return internal::to_vector<Traits>(internal::normal_coordinates(jet));
+  return Geometric_continuity::to_vector<Traits>(internal::normal_coordinates(jet));
 }
 
 /// \ingroup PkgGeometricContinuityLocal
@@ -79,13 +79,13 @@ template <class Traits> typename Traits::Vector normal(const Surface_jet<Traits>
 /// \throws Error `dimension_mismatch` unless in dimension 3, `jet_order_too_low` for a jet of order 0
 template <class Traits> std::optional<typename Traits::Vector> unit_normal(const Surface_jet<Traits>& jet) {
   typedef typename Traits::FT FT;
-  internal::Coordinates<Traits> n = internal::normal_coordinates(jet);
+  Geometric_continuity::Coordinates<Traits> n = internal::normal_coordinates(jet);
   FT largest(0); // divided by it first, so that no square overflows or vanishes
   for (const FT& x : n) largest = std::max(largest, FT(CGAL::abs(x)));
   if (largest == FT(0)) return std::nullopt;
   n /= largest;
   n /= FT(CGAL::sqrt(FT(dot(n, n))));
-  return internal::to_vector<Traits>(n);
+  return Geometric_continuity::to_vector<Traits>(n);
 }
 
 } // namespace Geometric_continuity

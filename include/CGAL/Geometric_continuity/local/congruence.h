@@ -26,7 +26,7 @@ public:
   typedef typename Traits::FT FT;
   typedef typename Traits::Point Point;
   typedef typename Traits::Vector Vector;
-  typedef internal::Coordinates<Traits> Coordinates;
+  typedef Geometric_continuity::Coordinates<Traits> Coordinates;
 
   /// From the `n` rows of `B`, whose orthogonality is not checked, and `t`.
   Isometry(std::vector<Coordinates> rows, const Coordinates& t) : rows_(std::move(rows)), t_(t) {}
@@ -37,13 +37,13 @@ public:
   const FT& entry(int i, int j) const { return rows_[i][j]; }
 
   /// The vector `t`.
-  Vector translation() const { return internal::to_vector<Traits>(t_); }
+  Vector translation() const { return Geometric_continuity::to_vector<Traits>(t_); }
 
   Point operator()(const Point& p) const {
-    return internal::to_point<Traits>(linear(internal::coordinates<Traits>(p)) + t_);
+    return Geometric_continuity::to_point<Traits>(linear(Geometric_continuity::coordinates<Traits>(p)) + t_);
   }
   Vector operator()(const Vector& v) const {
-    return internal::to_vector<Traits>(linear(internal::coordinates<Traits>(v)));
+    return Geometric_continuity::to_vector<Traits>(linear(Geometric_continuity::coordinates<Traits>(v)));
   }
   Curve_jet<Traits> operator()(const Curve_jet<Traits>& x) const {
     Curve_jet<Traits> y = x;
@@ -115,9 +115,9 @@ bool has_equal_invariants(const Coordinate_jet<FT, N>& x, const Coordinate_jet<F
 template <class Traits>
 std::optional<Isometry<Traits>> congruence(const Curve_jet<Traits>& x, const Curve_jet<Traits>& y) {
   typedef typename Traits::FT FT;
-  typedef internal::Predicate_FT<Traits> Field;
-  typedef internal::Coordinates<Traits> Coordinates;
-  constexpr int N = internal::dimension_v<Traits>;
+  typedef Predicate_FT<Traits> Field;
+  typedef Geometric_continuity::Coordinates<Traits> Coordinates;
+  constexpr int N = dimension_v<Traits>;
   const int n = x.dimension(), k = std::min(x.order(), y.order());
   if (n != y.dimension()) throw Error(Error_code::dimension_mismatch, "congruence of two jets");
   if (k < std::max(n - 1, 0)) throw Error(Error_code::jet_order_too_low, "congruence of two jets");

@@ -6,8 +6,8 @@
 #define CGAL_GEOMETRIC_CONTINUITY_LOCAL_CURVATURES_H
 
 #include <CGAL/Geometric_continuity/algebra/determinant.h>
-#include <CGAL/Geometric_continuity/algebra/sign_of.h>
 #include <CGAL/Geometric_continuity/local/Curve_jet.h>
+#include <CGAL/Geometric_continuity/numbers/internal/sign_of.h>
 
 #include <optional>
 #include <ostream>
@@ -83,9 +83,9 @@ template <class FT, int N> std::vector<FT> gram_determinants(const Coordinate_je
 /// curvature. Empty where the tangent is zero. Barsky and Beatty; Hagen, remark 5 after 2.1.
 /// \throws Error `jet_order_too_low` with fewer than 2 derivatives
 template <class Traits> std::optional<typename Traits::Vector> curvature_vector(const Curve_jet<Traits>& jet) {
-  const std::optional<internal::Coordinates<Traits>> k = internal::curvature_vector(jet);
+  const std::optional<Geometric_continuity::Coordinates<Traits>> k = internal::curvature_vector(jet);
   if (!k) return std::nullopt;
-  return internal::to_vector<Traits>(*k);
+  return Geometric_continuity::to_vector<Traits>(*k);
 }
 
 /// \ingroup PkgGeometricContinuityLocal

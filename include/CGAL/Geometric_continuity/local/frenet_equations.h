@@ -75,7 +75,7 @@ template <class Traits> std::optional<Frenet_matrix<typename Traits::FT>> frenet
 /// Hagen (1.6). \throws Error `jet_order_too_low` with fewer than `n` derivatives
 template <class Traits>
 std::optional<std::vector<typename Traits::Vector>> frenet_frame_derivatives(const Curve_jet<Traits>& jet) {
-  typedef internal::Coordinates<Traits> Coordinates;
+  typedef Geometric_continuity::Coordinates<Traits> Coordinates;
   const std::optional<Frenet_matrix<typename Traits::FT>> w = frenet_matrix(jet);
   const std::optional<Frenet_frame<Traits>> frame = frenet_frame(jet);
   if (!w || !frame) return std::nullopt;
@@ -83,7 +83,7 @@ std::optional<std::vector<typename Traits::Vector>> frenet_frame_derivatives(con
   std::vector<Coordinates> e;
   for (int i = 1; i <= unit.dimension(); ++i) e.push_back(unit.coordinates(i));
   std::vector<typename Traits::Vector> derivatives;
-  for (const Coordinates& d : (*w)(e)) derivatives.push_back(internal::to_vector<Traits>(d));
+  for (const Coordinates& d : (*w)(e)) derivatives.push_back(Geometric_continuity::to_vector<Traits>(d));
   return derivatives;
 }
 

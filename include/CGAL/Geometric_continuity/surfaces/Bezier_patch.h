@@ -5,9 +5,9 @@
 #ifndef CGAL_GEOMETRIC_CONTINUITY_SURFACES_BEZIER_PATCH_H
 #define CGAL_GEOMETRIC_CONTINUITY_SURFACES_BEZIER_PATCH_H
 
-#include <CGAL/Geometric_continuity/algebra/to_field.h>
 #include <CGAL/Geometric_continuity/curves/Bezier_curve.h>
 #include <CGAL/Geometric_continuity/local/Surface_jet.h>
+#include <CGAL/Geometric_continuity/numbers/internal/checked_conversion.h>
 #include <CGAL/Geometric_continuity/surfaces/Patch_edge.h>
 
 #include <algorithm>
@@ -37,13 +37,13 @@ public:
   typedef typename Traits::Point Point;
   typedef typename Traits::Vector Vector;
   typedef std::pair<FT, FT> Interval;
-  static constexpr int N = internal::dimension_v<Traits>;
+  static constexpr int N = dimension_v<Traits>;
 
   /// A row of coordinates along an edge.
   template <class Field> using Row = std::vector<Coordinate_vector<Field, N>>;
 
 private:
-  typedef internal::Coordinates<Traits> Coordinates;
+  typedef Geometric_continuity::Coordinates<Traits> Coordinates;
 
   int p_ = 0, q_ = 0;
   std::vector<Point> points_; // b_ij at i (q+1) + j
@@ -75,7 +75,7 @@ public:
   /// The control point \f$ b_{ij} \f$, `0 <= i <= degree_u()`, `0 <= j <= degree_v()`.
   const Point& control_point(int i, int j) const { return points_[i * (q_ + 1) + j]; }
   /// The coordinates of \f$ b_{ij} \f$.
-  Coordinates coordinates(int i, int j) const { return internal::coordinates<Traits>(control_point(i, j)); }
+  Coordinates coordinates(int i, int j) const { return Geometric_continuity::coordinates<Traits>(control_point(i, j)); }
 
   /// The control points \f$ b_{00}, b_{01}, \dots, b_{pq} \f$.
   const_iterator begin() const { return points_.begin(); }
@@ -165,7 +165,7 @@ public:
     for (int i = 0; i <= m; ++i) {
       std::vector<Coordinate_vector<Field, N>> layers;
       for (int j = 0; j <= std::min(k, n); ++j)
-        layers.push_back(internal::coordinates<Traits, Field>(control_point(edge, i, j)));
+        layers.push_back(Geometric_continuity::coordinates<Traits, Field>(control_point(edge, i, j)));
       Field factor(1);
       for (int r = 0; r <= std::min(k, n); ++r) {
         rows[r][i] = factor * layers[0];
@@ -222,8 +222,8 @@ public:
       std::vector<Coordinates> r = column(j), l(r);
       bernstein_split(r, p_, t, l);
       for (int i = 0; i <= p_; ++i) {
-        left[i * (q_ + 1) + j] = internal::to_point<Traits>(l[i]);
-        right[i * (q_ + 1) + j] = internal::to_point<Traits>(r[i]);
+        left[i * (q_ + 1) + j] = Geometric_continuity::to_point<Traits>(l[i]);
+        right[i * (q_ + 1) + j] = Geometric_continuity::to_point<Traits>(r[i]);
       }
     }
     return {Bezier_patch(p_, q_, std::move(left), Interval(u_.first, u), v_),
@@ -341,7 +341,7 @@ private:
       std::vector<Coordinates> c = column(j);
       c.resize(p_ + times + 1, Coordinates(dimension()));
       for (int n = p_; n < p_ + times; ++n) bernstein_elevate<FT>(c, n);
-      for (int i = 0; i <= p_ + times; ++i) points[i * (q_ + 1) + j] = internal::to_point<Traits>(c[i]);
+      for (int i = 0; i <= p_ + times; ++i) points[i * (q_ + 1) + j] = Geometric_continuity::to_point<Traits>(c[i]);
     }
     return Bezier_patch(p_ + times, q_, std::move(points), u_, v_);
   }

@@ -5,8 +5,8 @@
 #ifndef CGAL_GEOMETRIC_CONTINUITY_SURFACES_BSPLINE_SURFACE_H
 #define CGAL_GEOMETRIC_CONTINUITY_SURFACES_BSPLINE_SURFACE_H
 
-#include <CGAL/Geometric_continuity/algebra/to_field.h>
 #include <CGAL/Geometric_continuity/curves/Bspline_curve.h>
+#include <CGAL/Geometric_continuity/numbers/internal/checked_conversion.h>
 #include <CGAL/Geometric_continuity/surfaces/Bezier_patch.h>
 
 #include <algorithm>
@@ -38,13 +38,13 @@ public:
   typedef typename Traits::Point Point;
   typedef typename Traits::Vector Vector;
   typedef std::pair<FT, FT> Interval;
-  static constexpr int N = internal::dimension_v<Traits>;
+  static constexpr int N = dimension_v<Traits>;
 
   /// A row of coordinates along an edge.
   template <class Field> using Row = std::vector<Coordinate_vector<Field, N>>;
 
 private:
-  typedef internal::Coordinates<Traits> Coordinates;
+  typedef Geometric_continuity::Coordinates<Traits> Coordinates;
   typedef Bspline_function<FT, Coordinate_vector<FT, 0>>
       Rows; // u -> the coordinates of all columns, one after the other
 
@@ -89,7 +89,7 @@ public:
   /// The control point \f$ b_{ij} \f$, `0 <= i < m`, `0 <= j < n`.
   const Point& control_point(int i, int j) const { return points_[i * number_of_points_v() + j]; }
   /// The coordinates of \f$ b_{ij} \f$.
-  Coordinates coordinates(int i, int j) const { return internal::coordinates<Traits>(control_point(i, j)); }
+  Coordinates coordinates(int i, int j) const { return Geometric_continuity::coordinates<Traits>(control_point(i, j)); }
   /// The control points \f$ b_{00}, b_{01}, \dots, b_{m-1,n-1} \f$.
   const_iterator begin() const { return points_.begin(); }
   const_iterator end() const { return points_.end(); }
@@ -156,7 +156,7 @@ public:
   Bspline_curve<Traits> boundary_curve(Patch_edge edge) const {
     std::vector<Point> points;
     const std::vector<Row<FT>> edge_row = rows(edge, 0);
-    for (const Coordinates& x : edge_row[0]) points.push_back(internal::to_point<Traits>(x));
+    for (const Coordinates& x : edge_row[0]) points.push_back(Geometric_continuity::to_point<Traits>(x));
     return Bspline_curve<Traits>(points.begin(), points.end(), knots_along(edge));
   }
 
@@ -184,7 +184,8 @@ public:
     std::vector<Row<Field>> points(m);
     for (int i = 0; i < m; ++i)
       for (int j = span - q; j <= span; ++j)
-        points[i].push_back(internal::coordinates<Traits, Field>(along_u ? control_point(i, j) : control_point(j, i)));
+        points[i].push_back(
+            Geometric_continuity::coordinates<Traits, Field>(along_u ? control_point(i, j) : control_point(j, i)));
     std::vector<Row<Field>> rows(k + 1, Row<Field>(m, Coordinate_vector<Field, N>(dimension())));
     internal::derivative_weights(knots, q, q, internal::to_field<Field>(parameter), k,
                                  [&](int r, const internal::Spline_weights<Field>& weights) {
@@ -343,7 +344,7 @@ private:
       for (int j = 0; j < n; ++j) {
         Coordinates x(d);
         for (int l = 0; l < d; ++l) x[l] = row[j * d + l];
-        points.push_back(internal::to_point<Traits>(x));
+        points.push_back(Geometric_continuity::to_point<Traits>(x));
       }
     return Bspline_surface(std::move(points), result.knots(), v_);
   }

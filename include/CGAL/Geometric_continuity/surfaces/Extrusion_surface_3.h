@@ -7,7 +7,7 @@
 
 #include <CGAL/Geometric_continuity/local/Surface_jet.h>
 #include <CGAL/Geometric_continuity/surfaces/Bezier_patch.h>
-#include <CGAL/Geometric_continuity/surfaces/sweep_input.h>
+#include <CGAL/Geometric_continuity/surfaces/internal/sweep_input.h>
 
 #include <array>
 #include <utility>
@@ -35,7 +35,7 @@ public:
   typedef std::pair<FT, FT> Interval;
 
 private:
-  typedef internal::Coordinates<Traits> Coordinates;
+  typedef Geometric_continuity::Coordinates<Traits> Coordinates;
 
   Curve profile_;
   Vector direction_;
@@ -69,7 +69,7 @@ public:
   /// \throws Error `dimension_mismatch` unless the profile is in dimension 3, and what the profile throws
   Surface_jet<Traits> jet(const FT& u, const FT& v, int k) const {
     const Curve_jet<Traits> c = internal::profile_jet(profile_, u, k);
-    const Coordinates w = internal::coordinates<Traits>(direction_);
+    const Coordinates w = Geometric_continuity::coordinates<Traits>(direction_);
     Surface_jet<Traits> jet(3, k);
     for (int i = 0; i <= k; ++i) jet(i, 0) = c[i];
     jet(0, 0) += v * w;
@@ -88,12 +88,12 @@ public:
 /// \throws Error `dimension_mismatch` unless the profile is in dimension 3
 template <class Traits, int Degree>
 Bezier_patch<Traits> bezier_patch(const Extrusion_surface_3<Bezier_curve<Traits, Degree>>& s) {
-  const internal::Coordinates<Traits> w = internal::coordinates<Traits>(s.direction());
+  const Geometric_continuity::Coordinates<Traits> w = Geometric_continuity::coordinates<Traits>(s.direction());
   if (s.profile().dimension() != 3) throw Error(Error_code::dimension_mismatch, "bezier_patch: the profile");
   std::vector<std::array<typename Traits::Point, 2>> net;
   for (int i = 0; i <= s.profile().degree(); ++i)
-    net.push_back({internal::to_point<Traits>(s.profile().coordinates(i) + s.domain_v().first * w),
-                   internal::to_point<Traits>(s.profile().coordinates(i) + s.domain_v().second * w)});
+    net.push_back({Geometric_continuity::to_point<Traits>(s.profile().coordinates(i) + s.domain_v().first * w),
+                   Geometric_continuity::to_point<Traits>(s.profile().coordinates(i) + s.domain_v().second * w)});
   return Bezier_patch<Traits>(net, s.domain_u(), s.domain_v());
 }
 

@@ -5,9 +5,9 @@
 #ifndef CGAL_GEOMETRIC_CONTINUITY_SURFACES_REVOLUTION_SURFACE_3_H
 #define CGAL_GEOMETRIC_CONTINUITY_SURFACES_REVOLUTION_SURFACE_3_H
 
-#include <CGAL/Geometric_continuity/algebra/to_field.h>
 #include <CGAL/Geometric_continuity/local/Surface_jet.h>
-#include <CGAL/Geometric_continuity/surfaces/sweep_input.h>
+#include <CGAL/Geometric_continuity/numbers/internal/checked_conversion.h>
+#include <CGAL/Geometric_continuity/surfaces/internal/sweep_input.h>
 
 #include <utility>
 #include <vector>
@@ -79,7 +79,7 @@ public:
   typedef std::pair<FT, FT> Interval;
 
 private:
-  typedef internal::Coordinates<Traits> Coordinates;
+  typedef Geometric_continuity::Coordinates<Traits> Coordinates;
 
   Curve profile_;
   Point axis_point_;
@@ -120,7 +120,7 @@ public:
   Revolution_surface_3 complement() const {
     if (!(v_.first < FT(0) && FT(0) < v_.second))
       throw Error(Error_code::parameter_outside_domain, "Revolution_surface_3::complement: the domain must contain 0");
-    const Coordinates w = internal::coordinates<Traits>(axis_);
+    const Coordinates w = Geometric_continuity::coordinates<Traits>(axis_);
     const FT W = dot(w, w);
     Revolution_surface_3 r(profile_, axis_point_, axis_,
                            Interval(FT(FT(-1) / (v_.second * W)), FT(FT(-1) / (v_.first * W))));
@@ -137,7 +137,8 @@ public:
   ///   overflows in floating-point arithmetic, and what the profile throws
   Surface_jet<Traits> jet(const FT& u, const FT& v, int k) const {
     const Curve_jet<Traits> c = internal::profile_jet(profile_, u, k);
-    const Coordinates a = internal::coordinates<Traits>(axis_point_), w = internal::coordinates<Traits>(axis_);
+    const Coordinates a = Geometric_continuity::coordinates<Traits>(axis_point_),
+                      w = Geometric_continuity::coordinates<Traits>(axis_);
     const FT W = dot(w, w);
     const internal::Rotation_functions<FT> rotation(v, W, k);
     Surface_jet<Traits> jet(3, k);
@@ -155,7 +156,7 @@ public:
   /// \f$ w \times (S - a) \f$, the derivative with respect to the angle times \f$ |w| \f$.
   /// \throws Error as `jet()`
   Vector angular_derivative(const FT& u, const FT& v) const {
-    return internal::to_vector<Traits>(angular(jet(u, v, 0)));
+    return Geometric_continuity::to_vector<Traits>(angular(jet(u, v, 0)));
   }
 
   /// The normal \f$ N = S_u \times (w \times (S - a)) \f$, not normalised: \f$ S_u \times S_v \f$ without a factor that is
@@ -163,12 +164,13 @@ public:
   /// \throws Error as `jet()`
   Vector normal(const FT& u, const FT& v) const {
     const Surface_jet<Traits> s = jet(u, v, 1);
-    return internal::to_vector<Traits>(cross_product(s(1, 0), angular(s)));
+    return Geometric_continuity::to_vector<Traits>(cross_product(s(1, 0), angular(s)));
   }
 
 private:
   Coordinates angular(const Surface_jet<Traits>& s) const {
-    return cross_product(internal::coordinates<Traits>(axis_), s(0, 0) - internal::coordinates<Traits>(axis_point_));
+    return cross_product(Geometric_continuity::coordinates<Traits>(axis_),
+                         s(0, 0) - Geometric_continuity::coordinates<Traits>(axis_point_));
   }
 };
 

@@ -1,0 +1,253 @@
+// Copyright (c) 2026 The Geometric_continuity developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_GEOMETRIC_CONTINUITY_IO_FIGURES_SVG_FIGURE_H
+#define CGAL_GEOMETRIC_CONTINUITY_IO_FIGURES_SVG_FIGURE_H
+
+#include <CGAL/Geometric_continuity/IO/figures/Svg_panel.h>
+#include <CGAL/Geometric_continuity/IO/figures/internal/svg_markup.h>
+#include <CGAL/Geometric_continuity/IO/figures/internal/svg_projection.h>
+
+#include <algorithm>
+#include <ostream>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Geometric_continuity {
+
+/// \ingroup PkgGeometricContinuityIO
+/// A figure of curves that join, in one or more panels side by side, as a picture in the format SVG.
+///
+/// All panels have one scale and one view, so that they can be compared. The scale is that of the curves; a control
+/// polygon that leads far away leaves its panel. When all curves are planar the `y`-axis points upwards; otherwise the
+/// panels show an axonometric view from above, with a grid on the ground plane and the shadow of the curves on it, and
+/// planar curves have `z = 0`. Curves up to degree 3 are drawn exactly, others by cubic pieces within 1/50 of a pixel.
+///
+/// The teeth of a curvature comb point away from the centre of curvature and are proportional to the curvature, by one
+/// factor for the figure. By this factor nine tenths of the combed length have teeth of at most 9 % of the size of the
+/// curves, and longer teeth are cut off at 18 %: they are drawn paler, the line through the tips is interrupted there,
+/// and the legend says so. When all teeth are shorter they are enlarged until the longest has this length. Each curve
+/// has its own comb up to its ends, so that a jump of the curvature at a join is a step of the line. Where the tangent
+/// is zero, and the curvature undefined, there is no tooth.
+class Svg_figure {
+public:
+  /// An empty figure with at most `columns >= 1` panels in a row.
+  explicit Svg_figure(std::string title = std::string(), int columns = 3)
+      : title_(std::move(title)), columns_((std::max)(1, columns)) {}
+
+  /// Appends a panel.
+  Svg_figure& add(const Svg_panel& panel) {
+    panels_.push_back(panel);
+    return *this;
+  }
+
+  int number_of_panels() const { return static_cast<int>(panels_.size()); }
+
+  /// Writes the picture as an SVG document in UTF-8.
+  void write(std::ostream& os) const {
+    std::vector<Svg_panel> panels = panels_;
+    std::vector<internal::Svg_curve*> curves;
+    bool spatial = false;
+    for (Svg_panel& panel : panels) {
+      spatial = spatial || panel.spatial_;
+      for (internal::Svg_curve& c : panel.curves_) curves.push_back(&c);
+    }
+    internal::svg_normalise(curves);
+
+    const int columns = (std::max)(1, (std::min)(columns_, number_of_panels()));
+    const double panel_width = (std::max)(260.0, (std::min)(560.0, (960.0 - gap * (columns - 1)) / columns));
+    const internal::Svg_view view(curves, spatial, panel_width);
+    const double width = columns * panel_width + (columns - 1) * gap + 2 * edge;
+
+    std::string body;
+    double y = edge; // of what comes next
+    for (const std::string& line : internal::wrapped_lines(title_, 19, width - 2 * edge)) {
+      body += internal::svg_text(edge, y + 14, 17, "#222222", "start", line, " font-weight=\"600\"");
+      y += 24;
+    }
+    if (!title_.empty()) y += 10;
+    for (std::size_t first = 0; first < panels.size(); first += columns) {
+      std::size_t lines = 0;
+      for (std::size_t i = first; i < (std::min)(first + columns, panels.size()); ++i) {
+        const double x = edge + (i - first) * (panel_width + gap);
+        body += picture(panels[i], view, x, y);
+        const std::vector<std::string> caption = internal::wrapped_lines(panels[i].caption_, 12.5, panel_width);
+        for (std::size_t j = 0; j < caption.size(); ++j)
+          body += internal::svg_text(x + 0.5 * panel_width, y + view.height() + 19 + 17.0 * j, 12.5, "#333333",
+                                     "middle", caption[j]);
+        lines = (std::max)(lines, caption.size());
+      }
+      y += view.height() + 17.0 * lines + 22;
+    }
+    body += legend(panels, view, width, y);
+    y += edge - 8;
+
+    const std::string w = internal::svg_number(width), h = internal::svg_number(y);
+    const std::string document =
+        "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" + w +
+        "\" height=\"" + h + "\" viewBox=\"0 0 " + w + ' ' + h + "\" font-family=\"" + internal::svg_fonts() +
+        "\" stroke-linecap=\"round\" stroke-linejoin=\"round\">\n<title>" + internal::svg_escape(title_) +
+        "</title>\n<rect width=\"" + w + "\" height=\"" + h + "\" fill=\"#ffffff\"/>\n" + body + "</svg>\n";
+    os.write(document.data(), static_cast<std::streamsize>(document.size()));
+  }
+
+  /// The same as `figure.write(os)`.
+  friend std::ostream& operator<<(std::ostream& os, const Svg_figure& figure) {
+    figure.write(os);
+    return os;
+  }
+
+private:
+  static constexpr double edge = 24, gap = 20; // pixels around the figure and between panels
+
+  std::string title_;
+  int columns_;
+  std::vector<Svg_panel> panels_;
+
+  static const internal::Stroke_style& curve_line(Svg_role role) {
+    return role == Svg_role::given   ? internal::svg_given
+           : role == Svg_role::blend ? internal::svg_blend
+                                     : internal::svg_construction;
+  }
+
+  // One panel with its upper left corner at (x, y), from the background to the foreground.
+  static std::string picture(const Svg_panel& panel, const internal::Svg_view& view, double x, double y) {
+    using namespace internal;
+    std::string s = "<svg x=\"" + svg_number(x) + "\" y=\"" + svg_number(y) + "\" width=\"" + svg_number(view.width()) +
+                    "\" height=\"" + svg_number(view.height()) + "\">\n";
+    if (view.spatial()) s += ground(panel, view);
+    for (const Svg_curve& c : panel.curves_)
+      if (c.style.curvature_comb) s += comb(c, view);
+    for (const Svg_curve& c : panel.curves_)
+      if (c.style.control_polygon) s += svg_stroke(svg_polygon, svg_polyline(view(c.points)));
+    for (Svg_role role : {Svg_role::construction, Svg_role::given, Svg_role::blend})
+      for (const Svg_curve& c : panel.curves_)
+        if (c.style.role == role) s += svg_stroke(curve_line(role), svg_curve_path(view(c.points)));
+    for (const Svg_curve& c : panel.curves_)
+      for (std::size_t j = 0; j < c.points.size() && c.style.control_polygon; ++j)
+        s += svg_disk(view(c.points[j]), 2, svg_polygon);
+    for (const Svg_join& join : panel.joins_)
+      s += svg_disk(view(panel.curves_[join.curve].points.back()), 3.4, svg_ring);
+    s += labels(panel, view);
+    s += "<rect x=\".5\" y=\".5\" width=\"" + svg_number(view.width() - 1) + "\" height=\"" +
+         svg_number(view.height() - 1) + "\" rx=\"3\" fill=\"none\" stroke=\"#e2e2e2\"/>\n";
+    return s + "</svg>\n";
+  }
+
+  // The grid, the axes in its corner, the shadows, and plumb lines from the joins.
+  static std::string ground(const Svg_panel& panel, const internal::Svg_view& view) {
+    using namespace internal;
+    const int nx = view.cells(0), ny = view.cells(1);
+    std::string grid, shadow, plumb, axes, names;
+    for (int i = 0; i <= nx; ++i) grid += svg_polyline({view(view.grid_point(i, 0)), view(view.grid_point(i, ny))});
+    for (int j = 0; j <= ny; ++j) grid += svg_polyline({view(view.grid_point(0, j)), view(view.grid_point(nx, j))});
+    for (const Svg_curve& c : panel.curves_) {
+      std::vector<Svg_point> points;
+      for (const Svg_point& p : c.points) points.push_back(view.ground(p));
+      shadow += svg_curve_path(view(points));
+    }
+    for (const Svg_join& join : panel.joins_) {
+      const Svg_point p = panel.curves_[join.curve].points.back();
+      plumb += svg_polyline({view(p), view(view.ground(p))});
+    }
+    const Svg_point origin = view.grid_point(0, 0);
+    for (int i = 0; i < 3; ++i) {
+      Svg_point tip = origin, beyond = origin;
+      tip[i] += 0.8 * view.cell();
+      beyond[i] += 1.1 * view.cell();
+      axes += svg_polyline({view(origin), view(tip)});
+      const Svg_pixel p = view(beyond);
+      names += svg_text(p[0], p[1] + 3.5, 10, "#777777", "middle", std::string(1, "xyz"[i]), " font-style=\"italic\"");
+    }
+    const std::string plane = svg_polyline(
+        {view(origin), view(view.grid_point(nx, 0)), view(view.grid_point(nx, ny)), view(view.grid_point(0, ny))});
+    return "<path fill=\"#f7f7f7\" d=\"" + plane + "Z\"/>\n" + svg_stroke(svg_grid, grid) +
+           svg_stroke(svg_shadow, shadow) + svg_stroke(svg_plumb, plumb) + svg_stroke(svg_axes, axes) + names;
+  }
+
+  static std::string comb(const internal::Svg_curve& curve, const internal::Svg_view& view) {
+    using namespace internal;
+    const int per_tooth = 2;
+    const std::vector<Svg_tooth> teeth = view.comb(curve, per_tooth);
+    std::string lines, cut, envelope;
+    std::vector<Svg_pixel> run; // tips of whole teeth in a row
+    Svg_pixel drawn(2);         // the foot of the last tooth
+    for (std::size_t i = 0; i < teeth.size(); ++i) {
+      const Svg_pixel foot = view(teeth[i].foot), tip = view(teeth[i].tip);
+      const bool end = i == 0 || i + 1 == teeth.size(), visible = svg_length(Svg_pixel(tip - foot)) > 0.5;
+      const bool crowded = teeth[i].whole && !end && svg_length(Svg_pixel(foot - drawn)) < 2;
+      if (i % per_tooth == 0 && visible && !crowded) {
+        (!teeth[i].whole ? cut : end ? envelope : lines) += svg_polyline({foot, tip});
+        drawn = foot;
+      }
+      if (teeth[i].whole) run.push_back(tip);
+      if (!teeth[i].whole || i + 1 == teeth.size()) {
+        envelope += svg_smooth_path(run);
+        run.clear();
+      }
+    }
+    return svg_stroke(svg_cut_teeth, cut) + svg_stroke(svg_teeth, lines) + svg_stroke(svg_envelope, envelope);
+  }
+
+  static std::string labels(const Svg_panel& panel, const internal::Svg_view& view) {
+    using namespace internal;
+    std::vector<Svg_pixel> drawn; // points of curves, combs and polygons, and labels
+    const auto add_segment = [&](const Svg_pixel& p, const Svg_pixel& q, int pieces) {
+      for (int i = 0; i <= pieces; ++i) drawn.push_back(p + i / double(pieces) * (q - p));
+    };
+    for (const Svg_curve& c : panel.curves_) {
+      for (const Svg_tooth& t : view.comb(c, 2))
+        add_segment(view(t.foot), view(c.style.curvature_comb ? t.tip : t.foot), 4);
+      for (std::size_t j = 1; j < c.points.size() && c.style.control_polygon; ++j)
+        add_segment(view(c.points[j - 1]), view(c.points[j]), 20);
+    }
+    std::string s;
+    for (const Svg_join& join : panel.joins_) {
+      const Svg_pixel p = view(panel.curves_[join.curve].points.back());
+      const double width = svg_text_width(join.label, 11);
+      const Svg_pixel q = svg_label_place(p, width, drawn, svg_vector({view.width(), view.height()}));
+      if (!join.label.empty()) add_segment(q - svg_vector({0.5 * width, 0.0}), q + svg_vector({0.5 * width, 0.0}), 4);
+      s += svg_text(q[0], q[1] + 4, 11, "#222222", "middle", join.label,
+                    " stroke=\"#ffffff\" stroke-width=\"3\" paint-order=\"stroke\"");
+    }
+    return s;
+  }
+
+  // What occurs in the panels, with samples; moves y below it.
+  static std::string legend(const std::vector<Svg_panel>& panels, const internal::Svg_view& view, double width,
+                            double& y) {
+    using namespace internal;
+    bool given = false, blend = false, construction = false, polygon = false, comb = false, join = false;
+    for (const Svg_panel& panel : panels) {
+      for (const Svg_join& j : panel.joins_) join = join || panel.curves_[j.curve].points.size() > 1; // no single point
+      for (const Svg_curve& c : panel.curves_) {
+        (c.style.role == Svg_role::given ? given : c.style.role == Svg_role::blend ? blend : construction) = true;
+        polygon = polygon || c.style.control_polygon;
+        comb = comb || c.style.curvature_comb;
+      }
+    }
+    Svg_legend items;
+    const std::string line = "M0 0L26 0";
+    if (given) items.add("given curve", svg_stroke(svg_given, line));
+    if (blend) items.add("blend", svg_stroke(svg_blend, line));
+    if (construction) items.add("construction", svg_stroke(svg_construction, line));
+    if (polygon)
+      items.add("control polygon", svg_stroke(svg_polygon, line) + svg_disk(svg_vector({0.0, 0.0}), 2, svg_polygon) +
+                                       svg_disk(svg_vector({26.0, 0.0}), 2, svg_polygon));
+    if (comb)
+      items.add(view.comb_is_cut() ? "curvature comb (long teeth cut off)" : "curvature comb",
+                svg_stroke(svg_teeth, "M2 5L0 -3M7.5 4L6.5 -5M13 3.7L13 -6M18.5 4L19.5 -5M24 5L26 -3") +
+                    svg_stroke(svg_envelope, "M0 -3Q13 -9 26 -3"));
+    if (join) items.add("join", svg_disk(svg_vector({19.0, 0.0}), 3.4, svg_ring));
+    if (view.spatial()) items.add("shadow on the ground", svg_stroke(svg_shadow, line));
+    return items.lines(width, edge, y);
+  }
+};
+
+} // namespace Geometric_continuity
+} // namespace CGAL
+
+#endif // CGAL_GEOMETRIC_CONTINUITY_IO_FIGURES_SVG_FIGURE_H

@@ -1,0 +1,248 @@
+// Copyright (c) 2026 The Geometric_continuity developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_GEOMETRIC_CONTINUITY_IO_FIGURES_SVG_SURFACES_H
+#define CGAL_GEOMETRIC_CONTINUITY_IO_FIGURES_SVG_SURFACES_H
+
+#include <CGAL/Geometric_continuity/IO/figures/internal/svg_facets.h>
+#include <CGAL/Geometric_continuity/models/model_continuity.h>
+#include <CGAL/Geometric_continuity/numbers/internal/checked_conversion.h>
+#include <CGAL/Geometric_continuity/surfaces/Bspline_surface.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <iterator>
+#include <ostream>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Geometric_continuity {
+
+/// \ingroup PkgGeometricContinuityIO
+/// How the faces of surfaces are painted.
+enum class Svg_shading {
+  isophotes, ///< in strips of equal angles of the normal and the light: where the strips have a kink the surface is not
+             ///< \f$ G^2 \f$, where they break it is not \f$ G^1 \f$
+  smooth     ///< by the angle of the normal and the light
+};
+
+/// \ingroup PkgGeometricContinuityIO
+/// How surfaces are drawn.
+struct Svg_surface_style {
+  Svg_shading shading = Svg_shading::isophotes; ///< the faces
+  double azimuth = -60;                         ///< where the viewer is, in degrees around the z-axis from the x-axis
+  double elevation = 22;                        ///< and above the ground, in degrees
+  std::string title;                            ///< plain text in UTF-8
+};
+
+namespace internal {
+
+// The lines of a picture by what they are.
+enum Svg_edge { svg_edge_g2, svg_edge_g1, svg_edge_vanishing, svg_edge_g0, svg_edge_boundary };
+constexpr std::array<Stroke_style, 5> edge_stroke_styles = {
+    {{"#2c9a5b", 0.9, ""}, {"#e69f00", 1.6, ""}, {"#b04a94", 1.8, "5 3"}, {"#e3211c", 3, ""}, {"#1b1b1b", 1.6, ""}}};
+constexpr std::array<const char*, 5> svg_edge_names = {"edge, G2", "edge, G1", "edge, G1 but where a normal vanishes",
+                                                       "edge, only G0: a crease", "boundary"};
+
+class Svg_surface_picture {
+  typedef Bspline_surface<Svg_traits> Surface;
+  static constexpr double edge = 24, width = 900; // pixels
+
+  std::vector<Surface> surfaces_; // normalised
+  std::vector<std::pair<Svg_edge, std::vector<Svg_point>>> lines_;
+  Svg_surface_style style_;
+
+public:
+  template <class SurfaceRange>
+  Svg_surface_picture(const SurfaceRange& surfaces, const Svg_surface_style& style) : style_(style) {
+    Svg_box<3> box;
+    for (const auto& s : surfaces)
+      for (const auto& p : s) box.add(in_doubles<std::decay_t<decltype(s)>>(p));
+    for (const auto& s : surfaces) surfaces_.push_back(normalised(s, box));
+    const auto model = model_continuity(surfaces);
+    for (const auto& e : model.edges)
+      if (e.kind != Model_edge_kind::collapsed) {
+        const Bspline_curve<Svg_traits> c = surfaces_[e.patch_a].boundary_curve(e.edge_a);
+        add_line(e.kind == Model_edge_kind::boundary ? svg_edge_boundary : kind(e.continuity), c.domain(), c);
+      }
+    for (const auto& l : model.knot_lines) {
+      const Surface& s = surfaces_[l.patch];
+      const double t = CGAL::to_double(l.line.knot);
+      const bool u = l.line.constant_u;
+      add_line(kind(l.line.continuity), u ? s.domain_v() : s.domain_u(),
+               [&](double x) { return u ? s(t, x) : s(x, t); });
+    }
+  }
+
+  std::string operator()() const {
+    std::vector<Svg_patch> patches;
+    std::vector<Svg_point> points;
+    for (const Surface& s : surfaces_)
+      for (const Svg_patch& patch : s.bezier_patches()) {
+        patches.push_back(patch.with_domain({0, 1}, {0, 1}));
+        for (int i = 0; i <= 8; ++i)
+          for (int j = 0; j <= 8; ++j) points.push_back(svg_point(patches.back()(i / 8.0, j / 8.0)));
+      }
+    double low = 0;
+    for (const Svg_point& p : points) low = (std::min)(low, p[2]);
+    const std::vector<Svg_point> seen = points;
+    for (const Svg_point& p : seen) points.push_back(svg_vector({p[0], p[1], low}));
+    Svg_camera camera(style_.azimuth, style_.elevation);
+    const double height = camera.fit(points, width, 16);
+    Svg_facets facets(camera);
+    for (const Svg_patch& patch : patches) facets.add(patch);
+    const Svg_depth_buffer buffer = facets.remove_hidden(width, height);
+
+    std::string title;
+    double y = edge;
+    for (const std::string& line : wrapped_lines(style_.title, 19, width)) {
+      title += svg_text(edge, y + 14, 17, "#222222", "start", line, " font-weight=\"600\"");
+      y += 24;
+    }
+    std::string picture = "<g transform=\"translate(" + svg_number(edge) + ' ' + svg_number(y) + ")\">\n" +
+                          shadow(patches, camera, low) + facets.paint(style_.shading == Svg_shading::isophotes) +
+                          lines(camera, buffer) + "</g>\n";
+    y += height + 12;
+    const std::string names = legend(y);
+    y += edge - 8;
+    const std::string w = svg_number(width + 2 * edge), h = svg_number(y);
+    return "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" + w +
+           "\" height=\"" + h + "\" viewBox=\"0 0 " + w + ' ' + h + "\" font-family=\"" + svg_fonts() +
+           "\" stroke-linecap=\"round\" stroke-linejoin=\"round\">\n<title>" + svg_escape(style_.title) +
+           "</title>\n<rect width=\"" + w + "\" height=\"" + h + "\" fill=\"#ffffff\"/>\n" + title + picture + names +
+           "</svg>\n";
+  }
+
+private:
+  template <class Source, class Point> static Svg_point in_doubles(const Point& point) {
+    const auto x = coordinates<typename Source::Traits>(point);
+    Svg_point y(3);
+    for (int i = 0; i < 3; ++i) check_finite(y[i] = CGAL::to_double(x[i]), "svg_surfaces");
+    return y;
+  }
+
+  template <class Traits> static Surface normalised(const Bezier_patch<Traits>& patch, const Svg_box<3>& box) {
+    return normalised(Bspline_surface<Traits>(patch), box);
+  }
+  template <class Traits> static Surface normalised(const Bspline_surface<Traits>& s, const Svg_box<3>& box) {
+    const double radius = (std::max)({box.radius(0), box.radius(1), box.radius(2)});
+    std::vector<std::vector<Svg_traits::Point>> net(s.number_of_points_u());
+    for (int i = 0; i < s.number_of_points_u(); ++i)
+      for (int j = 0; j < s.number_of_points_v(); ++j) {
+        const Svg_point p = in_doubles<Bspline_surface<Traits>>(s.control_point(i, j)) - box.centre(),
+                        q = radius > 0 ? p / radius : Svg_point(3);
+        net[i].emplace_back(q[0], q[1], q[2]);
+      }
+    const auto knots = [](const Knot_vector<typename Traits::FT>& exact) {
+      std::vector<double> numbers;
+      for (const auto& x : exact) numbers.push_back(CGAL::to_double(x));
+      return Knot_vector<double>(exact.degree(), std::move(numbers));
+    };
+    return Surface(net, knots(s.knots_u()), knots(s.knots_v()));
+  }
+
+  template <class Continuity> static Svg_edge kind(const Continuity& c) {
+    if (c.g_order >= 1) return c.g_order == 1 ? svg_edge_g1 : svg_edge_g2;
+    return c.defect == Edge_defect::vanishing_normal ? svg_edge_vanishing : svg_edge_g0;
+  }
+
+  template <class Curve> void add_line(Svg_edge kind, const std::pair<double, double>& domain, const Curve& curve) {
+    constexpr int pieces = 96;
+    std::vector<Svg_point> points;
+    for (int i = 0; i <= pieces; ++i)
+      points.push_back(
+          svg_point(curve(i == pieces ? domain.second : domain.first + i * (domain.second - domain.first) / pieces)));
+    lines_.emplace_back(kind, std::move(points));
+  }
+
+  // Where the light from above does not reach the ground.
+  static std::string shadow(const std::vector<Svg_patch>& patches, const Svg_camera& camera, double low) {
+    constexpr int n = 6;
+    std::string path;
+    for (const Svg_patch& s : patches)
+      for (int i = 0; i < n; ++i)
+        for (int j = 0; j < n; ++j) {
+          std::vector<Svg_pixel> polygon;
+          for (const auto& corner : {std::make_pair(i, j), std::make_pair(i + 1, j), std::make_pair(i + 1, j + 1),
+                                     std::make_pair(i, j + 1)}) {
+            const auto p = s(corner.first / double(n), corner.second / double(n));
+            const Svg_pixel q = camera(svg_vector({p.x(), p.y(), low}));
+            polygon.push_back(svg_vector({std::round(q[0]), std::round(q[1])}));
+          }
+          const Svg_pixel d = polygon[2] - polygon[0], e = polygon[3] - polygon[1];
+          if (d[0] * e[1] < d[1] * e[0]) std::reverse(polygon.begin(), polygon.end()); // one winding number
+          path += svg_polyline(polygon) + 'Z';
+        }
+    return "<path fill=\"#e4e6e9\" stroke=\"#e4e6e9\" d=\"" + path + "\"/>\n";
+  }
+
+  // The lines where they are not hidden, the more important ones above the others.
+  std::string lines(const Svg_camera& camera, const Svg_depth_buffer& buffer) const {
+    std::string svg;
+    for (const Svg_edge kind : {svg_edge_g2, svg_edge_g1, svg_edge_boundary, svg_edge_vanishing, svg_edge_g0}) {
+      std::string path;
+      for (const auto& line : lines_) {
+        if (line.first != kind) continue;
+        std::vector<Svg_pixel> run;
+        for (std::size_t i = 0; i <= line.second.size(); ++i) {
+          const bool seen =
+              i < line.second.size() && camera.depth(line.second[i]) >= buffer.around(camera(line.second[i])) - 6;
+          if (seen) run.push_back(camera(line.second[i]));
+          if (seen && i + 1 < line.second.size()) continue;
+          if (run.size() > 1) path += svg_polyline(thinned(run));
+          run.clear();
+        }
+      }
+      svg += svg_stroke(edge_stroke_styles[kind], path);
+    }
+    return svg;
+  }
+
+  // Without points that are nearer than three pixels to the one before.
+  static std::vector<Svg_pixel> thinned(const std::vector<Svg_pixel>& line) {
+    std::vector<Svg_pixel> result(1, line[0]);
+    for (std::size_t i = 1; i < line.size(); ++i)
+      if (i + 1 == line.size() || svg_length(Svg_pixel(line[i] - result.back())) > 3) result.push_back(line[i]);
+    return result;
+  }
+
+  std::string legend(double& y) const {
+    Svg_legend items;
+    if (style_.shading == Svg_shading::isophotes)
+      items.add("isophotes: kinked where only G1, broken where only G0",
+                "<path fill=\"" + Svg_facets::strip(5) + "\" d=\"M0 -6H9V6H0ZM18 -6H26V6H18Z\"/>\n<path fill=\"" +
+                    Svg_facets::strip(4) + "\" d=\"M9 -6H18V6H9Z\"/>\n");
+    for (std::size_t k = 0; k < edge_stroke_styles.size(); ++k)
+      if (std::any_of(lines_.begin(), lines_.end(),
+                      [&](const auto& line) { return line.first == static_cast<Svg_edge>(k); }))
+        items.add(svg_edge_names[k], svg_stroke(edge_stroke_styles[k], "M0 0L26 0"));
+    return items.lines(width + 2 * edge, edge, y);
+  }
+};
+
+} // namespace internal
+
+/// \ingroup PkgGeometricContinuityIO
+/// Draws surfaces as an SVG document in UTF-8: in a parallel projection with hidden parts removed, painted from back to
+/// front, with their shadow on the ground. Common edges, and the knot lines inside B-spline surfaces, are coloured by their
+/// order, which `model_continuity()` decides exactly; then everything is rounded to `double` for the drawing. Both sides of
+/// a surface are lit. Facets that interpenetrate are not cut.
+///
+/// \tparam SurfaceRange a forward range of `Bezier_patch` or of `Bspline_surface`
+/// \throws Error `dimension_mismatch` unless in dimension 3, `not_finite` for coordinates beyond the range of `double`
+template <class SurfaceRange>
+void write_svg_surfaces(std::ostream& os, const SurfaceRange& surfaces,
+                        const Svg_surface_style& style = Svg_surface_style()) {
+  const std::string document = internal::Svg_surface_picture(surfaces, style)();
+  os.write(document.data(), static_cast<std::streamsize>(document.size()));
+}
+
+} // namespace Geometric_continuity
+} // namespace CGAL
+
+#endif // CGAL_GEOMETRIC_CONTINUITY_IO_FIGURES_SVG_SURFACES_H

@@ -1,0 +1,163 @@
+// Copyright (c) 2026 The Geometric_continuity developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_GEOMETRIC_CONTINUITY_IO_SVG_SVG_TRANSFORM_H
+#define CGAL_GEOMETRIC_CONTINUITY_IO_SVG_SVG_TRANSFORM_H
+
+#include <CGAL/Geometric_continuity/IO/svg/internal/Svg_scanner.h>
+#include <CGAL/Geometric_continuity/IO/svg/internal/svg_angle.h>
+#include <CGAL/Geometric_continuity/local/coordinates.h>
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace CGAL {
+namespace Geometric_continuity {
+
+/// \ingroup PkgGeometricContinuityIO
+/// An affine map of the plane, \f$ (x, y) \mapsto (ax + cy + e, bx + dy + f) \f$, as in SVG's `matrix(a b c d e f)`.
+/// \tparam Traits a model of `GeometricContinuityTraits` of dimension 2
+template <class Traits> class Svg_transform {
+public:
+  typedef typename Traits::FT FT;
+  typedef typename Traits::Point Point;
+
+private:
+  std::array<FT, 6> m_{{FT(1), FT(0), FT(0), FT(1), FT(0), FT(0)}};
+
+public:
+  /// The identity.
+  Svg_transform() = default;
+
+  /// From `a, b, c, d, e, f`.
+  explicit Svg_transform(const std::array<FT, 6>& matrix) : m_(matrix) {}
+
+  /// The numbers `a, b, c, d, e, f`.
+  const std::array<FT, 6>& matrix() const { return m_; }
+
+  /// \f$ ad - bc \f$; the map is invertible unless this is zero.
+  FT determinant() const { return FT(m_[0] * m_[3] - m_[1] * m_[2]); }
+
+  /// The image of a point.
+  Point operator()(const Point& p) const {
+    const Geometric_continuity::Coordinates<Traits> x = Geometric_continuity::coordinates<Traits>(p);
+    Geometric_continuity::Coordinates<Traits> y(2);
+    y[0] = FT(m_[0] * x[0] + m_[2] * x[1] + m_[4]);
+    y[1] = FT(m_[1] * x[0] + m_[3] * x[1] + m_[5]);
+    return Geometric_continuity::to_point<Traits>(y);
+  }
+
+  /// First `inner`, then `outer`.
+  friend Svg_transform operator*(const Svg_transform& outer, const Svg_transform& inner) {
+    const std::array<FT, 6>&m = outer.m_, &n = inner.m_;
+    return Svg_transform({FT(m[0] * n[0] + m[2] * n[1]), FT(m[1] * n[0] + m[3] * n[1]), FT(m[0] * n[2] + m[2] * n[3]),
+                          FT(m[1] * n[2] + m[3] * n[3]), FT(m[0] * n[4] + m[2] * n[5] + m[4]),
+                          FT(m[1] * n[4] + m[3] * n[5] + m[5])});
+  }
+};
+
+namespace internal {
+
+// The rational rotation next to the given one: cos = (1 - t^2)/(1 + t^2), sin = 2t/(1 + t^2) with t = tan(angle/2)
+// rounded to double, after the quarter turns, which are exact.
+template <class Traits> Svg_transform<Traits> svg_rotation(const typename Traits::FT& degrees) {
+  typedef typename Traits::FT FT;
+  const Quarter_turns<FT> turns(degrees);
+  const FT t = turns.rest == FT(0) ? FT(0) : FT(std::tan(svg_radians(CGAL::to_double(turns.rest)) / 2));
+  const FT length = FT(FT(1) + t * t);
+  FT cosine = FT((FT(1) - t * t) / length), sine = FT((t + t) / length);
+  for (int i = 0; i < turns.count; ++i) {
+    const FT old = cosine;
+    cosine = FT(FT(0) - sine);
+    sine = old;
+  }
+  return Svg_transform<Traits>({cosine, sine, FT(FT(0) - sine), cosine, FT(0), FT(0)});
+}
+
+// Reads a list of transforms.
+template <class Traits> class Svg_transform_reader {
+  typedef typename Traits::FT FT;
+  typedef Svg_transform<Traits> Transform;
+
+  Svg_scanner scanner_;
+
+public:
+  Svg_transform_reader(std::string_view text, const std::string& name) : scanner_(text, name) {}
+
+  Transform operator()() {
+    Transform result;
+    scanner_.skip_space();
+    while (!scanner_.at_end()) {
+      result = result * next();
+      scanner_.skip_separator();
+    }
+    scanner_.refuse_comma();
+    return result;
+  }
+
+private:
+  static Transform translation(const FT& x, const FT& y) { return Transform({FT(1), FT(0), FT(0), FT(1), x, y}); }
+
+  // The tangent is exact at 0 and 45 degrees, otherwise rounded to double.
+  FT tangent(const FT& degrees) const {
+    const Quarter_turns<FT> turns(degrees);
+    if (turns.rest == FT(0) && turns.count % 2 != 0) scanner_.refuse("a skew by a right angle");
+    FT t = turns.rest == FT(0)     ? FT(0)
+           : turns.rest == FT(45)  ? FT(1)
+           : turns.rest == FT(-45) ? FT(-1)
+                                   : FT(std::tan(svg_radians(CGAL::to_double(turns.rest))));
+    return turns.count % 2 == 0 ? t : FT(FT(-1) / t);
+  }
+
+  Transform next() {
+    const std::string name(scanner_.word());
+    if (name != "matrix" && name != "translate" && name != "scale" && name != "rotate" && name != "skewX" &&
+        name != "skewY")
+      scanner_.refuse(name.empty() ? scanner_.found() + " where a transform is expected"
+                                   : "'" + name + "' is not a transform");
+    const bool turns = name == "rotate" || name == "skewX" || name == "skewY";
+    scanner_.expect('(');
+    std::vector<FT> x(1, turns ? scanner_.template angle<FT>() : scanner_.template number<FT>());
+    while (x.size() < 6 && scanner_.at_number()) x.push_back(scanner_.template number<FT>());
+    scanner_.refuse_comma();
+    scanner_.expect(')');
+    const std::size_t n = x.size();
+    if (name == "matrix" && n == 6) return Transform({x[0], x[1], x[2], x[3], x[4], x[5]});
+    if (name == "translate" && n <= 2) return translation(x[0], n == 2 ? x[1] : FT(0));
+    if (name == "scale" && n <= 2) return Transform({x[0], FT(0), FT(0), n == 2 ? x[1] : x[0], FT(0), FT(0)});
+    if (name == "rotate" && n == 1) return svg_rotation<Traits>(x[0]);
+    if (name == "rotate" && n == 3)
+      return translation(x[1], x[2]) * svg_rotation<Traits>(x[0]) * translation(FT(FT(0) - x[1]), FT(FT(0) - x[2]));
+    if (name == "skewX" && n == 1) return Transform({FT(1), FT(0), tangent(x[0]), FT(1), FT(0), FT(0)});
+    if (name == "skewY" && n == 1) return Transform({FT(1), tangent(x[0]), FT(0), FT(1), FT(0), FT(0)});
+    scanner_.refuse(name + " with " + std::to_string(n) + (n == 1 ? " number" : " numbers"));
+  }
+};
+
+} // namespace internal
+
+/// \ingroup PkgGeometricContinuityIO
+/// Reads a list of transforms, the attribute `transform`: `matrix`, `translate`, `scale`, `rotate`, `skewX`, `skewY`,
+/// with the numbers of `parse_number()`. The last one is applied first.
+///
+/// In an exact field the map is exact for all but angles: a rotation by other than a multiple of 90 degrees is replaced
+/// by a rotation with rational cosine and sine, and a skew by other than a multiple of 45 degrees by one with a
+/// rational tangent, at an angle that differs by the error of `std::tan()` in `double`. No order of continuity depends
+/// on that: C, G and F orders are the same before and after any invertible affine map, and the rotation does not change
+/// any angle or curvature.
+///
+/// \throws Error `malformed_input` with a text `name, character N: reason`
+template <class Traits>
+Svg_transform<Traits> parse_svg_transform(std::string_view text, const std::string& name = "transform") {
+  return internal::Svg_transform_reader<Traits>(text, name)();
+}
+
+} // namespace Geometric_continuity
+} // namespace CGAL
+
+#endif // CGAL_GEOMETRIC_CONTINUITY_IO_SVG_SVG_TRANSFORM_H

@@ -1,0 +1,146 @@
+// Copyright (c) 2026 The Geometric_continuity developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_GEOMETRIC_CONTINUITY_IO_SVG_READ_SVG_PATH_H
+#define CGAL_GEOMETRIC_CONTINUITY_IO_SVG_READ_SVG_PATH_H
+
+#include <CGAL/Geometric_continuity/IO/svg/internal/Svg_path_builder.h>
+#include <CGAL/Geometric_continuity/IO/svg/internal/Svg_scanner.h>
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace CGAL {
+namespace Geometric_continuity {
+
+/// \ingroup PkgGeometricContinuityIO
+/// Reads the subpaths of SVG path data, the attribute `d`, one after the other: the commands M, L, H, V, C, S, Q, T, A
+/// and Z, absolute and relative, with implicit repetitions, and numbers with as few separators as the grammar of SVG
+/// allows.
+///
+/// Coordinates are read by `parse_number()`, so that in an exact field the decimals are taken exactly, and sums of
+/// relative coordinates are exact too. Arcs stay arcs of ellipses, see `Svg_arc`. As SVG says, an arc with a zero
+/// radius is a line, one with equal ends is omitted, and Z draws a line unless the subpath is already at its start.
+///
+/// A cubic or a quadratic with a handle at its node has a zero tangent there. When all its control points lie between
+/// its ends, this is how editors write a line, and it is read as a line. A segment of no length is kept; its tangents
+/// are zero.
+///
+/// Where SVG asks a viewer to draw what comes before an error, this reader refuses the path.
+///
+/// \tparam Traits a model of `GeometricContinuityTraits` of dimension 2 whose `FT` is accepted by `parse_number()`
+template <class Traits> class Svg_path_reader {
+  typedef typename Traits::FT FT;
+  typedef Coordinate_vector<FT, 2> Coordinates;
+
+  internal::Svg_scanner scanner_;
+  internal::Svg_path_builder<Traits> builder_;
+  char letter_ = '\0';
+  bool ended_ = false;
+
+public:
+  /// Reads `text`, which must outlive the reader. Error messages begin with `name`.
+  explicit Svg_path_reader(std::string_view text, std::string name = "path data") : scanner_(text, std::move(name)) {
+    scanner_.skip_space();
+  }
+
+  /// The next subpath, or nothing at the end. A subpath without segments is left out unless it is closed.
+  /// \throws Error `malformed_input` with a text `name, character N: reason`, where `N` counts from 1, for everything
+  ///         that is no path data. After an error the reader cannot be used any more.
+  std::optional<Svg_subpath<Traits>> next() {
+    while (!ended_) {
+      if (scanner_.at_end()) {
+        scanner_.refuse_comma();
+        builder_.end();
+        ended_ = true;
+      } else
+        execute(next_command());
+      if (std::optional<Svg_subpath<Traits>> subpath = builder_.take_complete()) return subpath;
+    }
+    return std::nullopt;
+  }
+
+private:
+  static char upper(char c) { return 'a' <= c && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; }
+
+  // The letter of the next command; numbers behind a command repeat it, and those behind M are lines.
+  char next_command() {
+    const bool repeated = letter_ != '\0' && upper(letter_) != 'Z' && scanner_.at_number();
+    if (!repeated) {
+      scanner_.refuse_comma();
+      const char letter = scanner_.letter(letter_ == '\0' ? "the command M" : "a command");
+      if (letter_ == '\0' && upper(letter) != 'M') scanner_.refuse("the path does not begin with the command M");
+      if (std::string_view("MLHVCSQTAZ").find(upper(letter)) == std::string_view::npos)
+        scanner_.refuse(std::string("'") + letter + "' is not a command");
+      return letter;
+    }
+    return letter_ == 'M' ? 'L' : letter_ == 'm' ? 'l' : letter_;
+  }
+
+  void execute(char letter) {
+    const bool relative = upper(letter) != letter;
+    letter_ = letter;
+    builder_.begin_command(letter);
+    const Coordinates origin = relative ? builder_.current() : Coordinates(2);
+    switch (upper(letter)) {
+    case 'M': return builder_.move_to(point(origin));
+    case 'L': return builder_.line_to(point(origin));
+    case 'H': return builder_.line_to(coordinate(0, origin));
+    case 'V': return builder_.line_to(coordinate(1, origin));
+    case 'C': return builder_.curve_to(points(origin, {}, 3));
+    case 'S': return builder_.curve_to(points(origin, {builder_.reflected_control(3)}, 2));
+    case 'Q': return builder_.curve_to(points(origin, {}, 2));
+    case 'T': return builder_.curve_to(points(origin, {builder_.reflected_control(2)}, 1));
+    case 'A': return arc(origin);
+    default: return builder_.close();
+    }
+  }
+
+  Coordinates point(const Coordinates& origin) {
+    Coordinates x(2);
+    x[0] = FT(origin[0] + scanner_.template number<FT>());
+    x[1] = FT(origin[1] + scanner_.template number<FT>());
+    return x;
+  }
+
+  // The current point with one coordinate changed.
+  Coordinates coordinate(int i, const Coordinates& origin) {
+    Coordinates x = builder_.current();
+    x[i] = FT(origin[i] + scanner_.template number<FT>());
+    return x;
+  }
+
+  std::vector<Coordinates> points(const Coordinates& origin, std::vector<Coordinates> first, int more) {
+    for (int j = 0; j < more; ++j) first.push_back(point(origin));
+    return first;
+  }
+
+  void arc(const Coordinates& origin) {
+    Svg_arc_parameters<FT> parameters;
+    parameters.rx = scanner_.template number<FT>();
+    parameters.ry = scanner_.template number<FT>();
+    parameters.rotation = scanner_.template angle<FT>();
+    parameters.large = scanner_.flag();
+    parameters.sweep = scanner_.flag();
+    builder_.arc_to(parameters, point(origin));
+  }
+};
+
+/// \ingroup PkgGeometricContinuityIO
+/// All subpaths of SVG path data, see `Svg_path_reader`.
+/// \throws Error as `Svg_path_reader` does
+template <class Traits>
+std::vector<Svg_subpath<Traits>> read_svg_path(std::string_view text, const std::string& name = "path data") {
+  Svg_path_reader<Traits> reader(text, name);
+  std::vector<Svg_subpath<Traits>> subpaths;
+  while (std::optional<Svg_subpath<Traits>> subpath = reader.next()) subpaths.push_back(*std::move(subpath));
+  return subpaths;
+}
+
+} // namespace Geometric_continuity
+} // namespace CGAL
+
+#endif // CGAL_GEOMETRIC_CONTINUITY_IO_SVG_READ_SVG_PATH_H

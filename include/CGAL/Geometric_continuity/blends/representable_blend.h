@@ -1,0 +1,165 @@
+// Copyright (c) 2026 The Geometric_continuity developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_GEOMETRIC_CONTINUITY_BLENDS_REPRESENTABLE_BLEND_H
+#define CGAL_GEOMETRIC_CONTINUITY_BLENDS_REPRESENTABLE_BLEND_H
+
+#include <CGAL/Exact_rational.h>
+#include <CGAL/Geometric_continuity/blends/blend.h>
+#include <CGAL/Geometric_continuity/blends/internal/Representable_end.h>
+#include <CGAL/Geometric_continuity/numbers/internal/checked_conversion.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Geometric_continuity {
+
+/// \ingroup PkgGeometricContinuityConstruction
+/// What a representable blend needed at one of its joins.
+template <class FT, int N> struct Representable_join {
+  FT beta; ///< the shape parameter \f$ \beta_1 > 0 \f$ of the join, seen from the given curve
+  Coordinate_vector<FT, N>
+      grid; ///< for each coordinate, the power of two of which those of the three points are multiples
+  FT moved; ///< the largest change of a coordinate of these points, at most half of its grid unit; 0 when none was moved
+  bool is_moved() const { return moved != FT(0); } ///< whether a control point of the given curve was moved
+};
+
+/// \ingroup PkgGeometricContinuityConstruction
+/// A quintic blend whose control points are floating-point numbers and whose joins are exactly \f$ G^2 \f$, together with
+/// the curves that it joins. These are the given ones unless `start_join.is_moved()` or `end_join.is_moved()`.
+template <class Traits> struct Representable_blend : Bezier_curve<Traits, 5> {
+  typedef typename Traits::FT FT;
+
+  Bezier_curve<Traits> phi; ///< the first curve; `start_join` tells whether its last three control points were moved
+  Bezier_curve<Traits> psi; ///< the second curve; `end_join` tells whether its first three control points were moved
+  /// What was needed at \f$ \varphi \f$ and at \f$ \psi \f$.
+  Representable_join<FT, dimension_v<Traits>> start_join, end_join;
+
+  Representable_blend(const Bezier_curve<Traits, 5>& gamma, const Bezier_curve<Traits>& phi,
+                      const Bezier_curve<Traits>& psi, const Representable_join<FT, dimension_v<Traits>>& start_join,
+                      const Representable_join<FT, dimension_v<Traits>>& end_join)
+      : Bezier_curve<Traits, 5>(gamma), phi(phi), psi(psi), start_join(start_join), end_join(end_join) {}
+};
+
+namespace internal {
+
+// The control points next to a join of a curve, read inward; a straight line has no third one, and none is needed.
+template <class Traits, int Degree>
+std::array<Coordinates<Traits>, 3> inward_points(const Bezier_curve<Traits, Degree>& curve, bool at_end) {
+  const int m = curve.degree();
+  const auto point = [&](int i) { return curve.coordinates(at_end ? m - i : i); };
+  return {point(0), point(1), point(std::min(m, 2))};
+}
+
+// The curve with these points next to the join.
+template <class Traits, int Degree>
+Bezier_curve<Traits> with_inward_points(const Bezier_curve<Traits, Degree>& curve, bool at_end,
+                                        const std::array<Coordinates<Traits>, 3>& b) {
+  const int m = curve.degree();
+  std::vector<typename Traits::Point> points(curve.begin(), curve.end());
+  for (int i = 0; i <= std::min(m, 2); ++i) points[at_end ? m - i : i] = to_point<Traits>(b[i]);
+  return Bezier_curve<Traits>(points.begin(), points.end(), curve.domain().first, curve.domain().second);
+}
+
+template <class FT, int N>
+Representable_join<FT, N> representable_join(const Representable_end<FT, N>& end,
+                                             const std::array<Coordinate_vector<FT, N>, 3>& given, int degree) {
+  Representable_join<FT, N> join{FT(CGAL::to_double(Exact_rational(5 * end.c() / degree))), given[0], FT(0)};
+  for (int x = 0; x < given[0].dimension(); ++x) join.grid[x] = std::ldexp(FT(1), end.grid()[x]);
+  for (int i = 0; i < 3; ++i)
+    for (int x = 0; x < given[i].dimension(); ++x)
+      join.moved = std::max(join.moved, FT(std::abs(end.points()[i][x] - given[i][x])));
+  return join;
+}
+
+template <class Traits> Coordinates<Traits> rounded(const Coordinate_vector<Exact_rational, dimension_v<Traits>>& x) {
+  Coordinates<Traits> y(x.dimension());
+  for (int i = 0; i < x.dimension(); ++i) y[i] = typename Traits::FT(CGAL::to_double(x[i]));
+  return y;
+}
+
+} // namespace internal
+
+/// \ingroup PkgGeometricContinuityConstruction
+/// A quintic blend with control points that are floating-point numbers and with joins that are *exactly* \f$ G^2 \f$, as the
+/// exact predicates on the control points confirm. Rounding breaks every exact join of `blend()`; here the freedom of
+/// geometric continuity is spent on numbers with few digits.
+///
+/// With \f$ p = b_0 - b_{-1} \f$ and \f$ q = b_0 - 2b_{-1} + b_{-2} \f$ at the end of a curve of degree \f$ m \f$,
+/// \f[ B = A + c\,p, \qquad C = 2B - A + c^2\,\frac{5(m-1)}{4m}\,q + e\,p \f]
+/// with \f$ \beta = 5c/m \f$, and mirrored at the start of \f$ \psi \f$. Here `c` is close to \f$ \beta m/5 \f$ for the
+/// \f$ \beta \f$ of `shape` (within 1/8 of it, by 3 to 5 binary digits) and a multiple of the odd part of
+/// \f$ m/\gcd(m,5) \f$, so that no division by it remains; and `e` is close to what the strategy chooses, as near as the
+/// remaining digits allow (at least to 1/32, as a part of the leg `p`).
+///
+/// The three control points next to a join should be multiples of one power of two, with about a dozen binary digits to
+/// spare. Points that are not, e.g. those with 53 random digits, are rounded to the finest such grid that leaves room, each
+/// coordinate by at most half a grid unit; the result has the curves as they then are, and says by how much they moved. The
+/// shape of the whole blend follows the moved curves.
+///
+/// \param phi,psi Bézier curves of any degree \f$ \ge 1 \f$
+/// \param strategy a quintic strategy, see `BlendStrategy`; it is called with exact numbers
+/// \param shape the wished shape parameters
+/// \tparam Traits a traits class whose `FT` is `float` or `double`
+/// \throws Error `nonpositive_beta`, `dimension_mismatch`, `zero_tangent` as `blend()`; `wrong_number_of_points` for a curve
+///   of degree 0; `not_finite` for an infinite shape parameter
+/// \throws Error `not_representable` when no grid serves: when the tangent at a join is lost on each grid that leaves room,
+///   or when coordinates would overflow
+///
+/// A constant number of operations on rational numbers for each grid that is tried, at most about 50.
+template <class Traits, int M, int N, class Strategy>
+Representable_blend<Traits> representable_blend(const Bezier_curve<Traits, M>& phi, const Bezier_curve<Traits, N>& psi,
+                                                const Strategy& strategy,
+                                                const Shape_parameters<typename Traits::FT>& shape = {}) {
+  typedef typename Traits::FT FT;
+  typedef internal::Representable_end<FT, dimension_v<Traits>> End;
+  typedef std::array<Geometric_continuity::Coordinates<Traits>, 3> Points;
+  static_assert(std::is_floating_point_v<FT>, "with exact numbers, blend() is exact");
+  for (int degree : {phi.degree(), psi.degree()})
+    if (degree < 1)
+      throw Error(Error_code::wrong_number_of_points, "representable_blend: a curve of degree 0 has no tangent");
+  internal::check_blend_input(phi.template end_jet_over<Exact_rational>(2),
+                              psi.template start_jet_over<Exact_rational>(2), 2,
+                              Shape_parameters<Exact_rational>{internal::to_field<Exact_rational>(shape.beta),
+                                                               internal::to_field<Exact_rational>(shape.eta)});
+  const Points given_start = internal::inward_points(phi, true), given_end = internal::inward_points(psi, false);
+  End start(given_start, phi.degree(), 1, shape.beta, "representable_blend: end of the first curve"),
+      end(given_end, psi.degree(), -1, shape.eta, "representable_blend: start of the second curve");
+  for (bool found = false; !found;) {
+    const Quintic_ends<Exact_rational, dimension_v<Traits>> ends(start.a(), end.a(), start.tangent(), end.tangent(),
+                                                                 start.second_derivative(), end.second_derivative());
+    const Quintic_parameters<Exact_rational> s = strategy(ends);
+    const bool start_found = start.choose(ends.c1(s.s1)), end_found = end.choose(ends.c2(s.s2));
+    if (!start_found) start.simplify();
+    if (!end_found) end.simplify();
+    found = start_found && end_found;
+  }
+  const Bezier_curve<Traits, 5> gamma(std::array<Geometric_continuity::Coordinates<Traits>, 6>{
+      internal::rounded<Traits>(start.a()), internal::rounded<Traits>(start.second_point()),
+      internal::rounded<Traits>(start.third_point()), internal::rounded<Traits>(end.third_point()),
+      internal::rounded<Traits>(end.second_point()), internal::rounded<Traits>(end.a())});
+  return {gamma, internal::with_inward_points(phi, true, start.points()),
+          internal::with_inward_points(psi, false, end.points()),
+          internal::representable_join(start, given_start, phi.degree()),
+          internal::representable_join(end, given_end, psi.degree())};
+}
+
+/// \ingroup PkgGeometricContinuityConstruction
+/// The representable blend next to the one of least energy \f$ \int |\gamma'''|^2 \f$.
+template <class Traits, int M, int N>
+Representable_blend<Traits> representable_blend(const Bezier_curve<Traits, M>& phi,
+                                                const Bezier_curve<Traits, N>& psi) {
+  return representable_blend(phi, psi, Minimal_energy<3>());
+}
+
+} // namespace Geometric_continuity
+} // namespace CGAL
+
+#endif // CGAL_GEOMETRIC_CONTINUITY_BLENDS_REPRESENTABLE_BLEND_H

@@ -1,0 +1,167 @@
+// Copyright (c) 2026 The Geometric_continuity developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_GEOMETRIC_CONTINUITY_EDGES_EDGE_DEVIATION_H
+#define CGAL_GEOMETRIC_CONTINUITY_EDGES_EDGE_DEVIATION_H
+
+#include <CGAL/Geometric_continuity/edges/internal/common_edge_part.h>
+#include <CGAL/Geometric_continuity/edges/normal_deviation.h>
+#include <CGAL/Geometric_continuity/numbers/Enclosure.h>
+#include <CGAL/Geometric_continuity/numbers/Exact_field.h>
+
+#include <algorithm>
+#include <optional>
+#include <ostream>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Geometric_continuity {
+
+/// \ingroup PkgGeometricContinuityContinuity
+/// How far two surfaces are from being continuous along an edge of each: guaranteed enclosures of what is largest on the
+/// whole edges, where points at corresponding parameters are compared.
+struct Edge_deviation {
+  Enclosure gap; ///< the largest distance of the points of the edges, in units of the coordinates
+  /// The largest angle between the normals, in radians, in \f$ [0, \pi] \f$: 0 where the surfaces continue each other, see
+  /// `Normal_deviation`. Points where a normal vanishes are left out. Empty when a normal vanishes on a whole span.
+  std::optional<Enclosure> normal_angle;
+  bool normal_vanishes = false; ///< a normal vanishes somewhere on the closed edges
+  bool reversed = false;        ///< the second edge runs backwards
+
+  /// Writes what there is, e.g. `gap 0, normal angle [0.1, 0.1]`.
+  friend std::ostream& operator<<(std::ostream& os, const Edge_deviation& d) {
+    os << "gap " << d.gap;
+    if (d.normal_angle) os << ", normal angle " << *d.normal_angle;
+    if (d.normal_vanishes) os << ", a normal vanishes";
+    return os;
+  }
+};
+
+namespace internal {
+
+inline Enclosure larger_of(const Enclosure& x, const Enclosure& y) {
+  return {std::max(x.lower, y.lower), std::max(x.upper, y.upper)};
+}
+
+// The largest distance of two edges: with a number k >= 2 |C1 - C2|^2 it is the root of k times the largest value of
+// |C1 - C2|^2 / k, of which at least half is left to 1, so that its bounds differ by the 2^-53-th part at most.
+template <class Field> Enclosure largest_distance(const Edge_sides<Field>& sides) {
+  typedef typename Edge_sides<Field>::Ring Ring;
+  typedef typename Edge_sides<Field>::Polynomial Polynomial;
+  typedef typename Edge_normals<Field>::Exact Exact;
+  if (sides.same_edge()) return {0, 0};
+  Polynomial square;
+  for (int i = 0; i < 3; ++i) {
+    const Polynomial difference = sides.c[0][i] - sides.c[1][i];
+    square = square + difference * difference;
+  }
+  Ring k(0);
+  for (int i = 0; i <= square.degree(); ++i)
+    if (k < square[i]) k = square[i];
+  k *= Ring(2);
+  const Polynomial bound = Polynomial::from_bernstein(std::vector<Ring>(square.degree() + 1, k)),
+                   acute(std::vector<Ring>(1, Ring(-1)));
+  const Normal_deviation<Exact> largest = Largest_measure<Exact>(square, bound, acute)();
+  const auto distance = [&](const Exact& measure) {
+    return root_enclosure(sides.denominator.divided(Exact(measure * Exact(k)), 2));
+  };
+  return {distance(largest.lower).lower, distance(largest.upper).upper};
+}
+
+// The largest angle of the normals on one span, empty when one vanishes identically, and whether one vanishes somewhere.
+template <class Field> std::pair<std::optional<Enclosure>, bool> normal_angle(const Edge_sides<Field>& sides) {
+  typedef Edge_sides<Field> Sides;
+  const typename Sides::Vector n1 = cross_product(Sides::derivative(sides.c[0]), sides.t[0]),
+                               n2 = cross_product(Sides::derivative(sides.c[1]), sides.t[1]);
+  if (Sides::is_zero(n1) || Sides::is_zero(n2)) return {std::nullopt, true};
+  const bool vanishing = Edge_normals<Field>::vanishes(n1) || Edge_normals<Field>::vanishes(n2);
+  return {largest_angle<Field>(n1, n2, vanishing).angle(), vanishing};
+}
+
+template <class Field>
+std::vector<Edge_sides<Field>> sides_on_spans(const std::vector<Edge_piece<Field>>& a,
+                                              const std::vector<Edge_piece<Field>>& b,
+                                              const Affine_parameter_map<Field>& map) {
+  std::vector<Edge_sides<Field>> sides;
+  for (const Common_span<Field>& span : common_spans(a, b, map)) {
+    const std::pair<Edge_rows<Field>, Edge_rows<Field>> rows = rows_on(a, b, span, map);
+    sides.emplace_back(rows.first, rows.second);
+  }
+  return sides;
+}
+
+template <class Field> Enclosure largest_distance(const std::vector<Edge_sides<Field>>& spans) {
+  Enclosure gap{0, 0};
+  for (const Edge_sides<Field>& sides : spans) gap = larger_of(gap, largest_distance(sides));
+  return gap;
+}
+
+// With the gap on the spans, which is known.
+template <class Field>
+Edge_deviation edge_deviation(const std::vector<Edge_sides<Field>>& spans, const Enclosure& gap, bool reversed) {
+  Edge_deviation d{gap, Enclosure{0, 0}, false, reversed};
+  for (const Edge_sides<Field>& sides : spans) {
+    const std::pair<std::optional<Enclosure>, bool> angle = normal_angle(sides);
+    d.normal_vanishes = d.normal_vanishes || angle.second;
+    if (!angle.first) d.normal_angle.reset();
+    if (d.normal_angle) d.normal_angle = larger_of(*d.normal_angle, *angle.first);
+  }
+  return d;
+}
+
+// Along the whole edges, forwards or backwards, whichever has the smaller gap.
+template <class Field>
+Edge_deviation edge_deviation(const std::vector<Edge_piece<Field>>& a, const std::vector<Edge_piece<Field>>& b) {
+  const std::vector<Edge_sides<Field>> forwards = sides_on_spans(a, b, whole_map(a, b, false));
+  const Enclosure gap = largest_distance(forwards);
+  if (gap.upper == 0) return edge_deviation(forwards, gap, false);
+  const std::vector<Edge_sides<Field>> backwards = sides_on_spans(a, b, whole_map(a, b, true));
+  const Enclosure other_gap = largest_distance(backwards);
+  return gap.upper <= other_gap.upper ? edge_deviation(forwards, gap, false)
+                                      : edge_deviation(backwards, other_gap, true);
+}
+
+// Along lines over one domain, at equal parameters.
+template <class Field>
+Edge_deviation deviation_at_same_parameters(const Spline_edge_rows<Field>& a, const Spline_edge_rows<Field>& b) {
+  const std::vector<Edge_sides<Field>> spans =
+      sides_on_spans(edge_pieces<Field>(a), edge_pieces<Field>(b), Affine_parameter_map<Field>{Field(1), Field(0)});
+  return edge_deviation(spans, largest_distance(spans), false);
+}
+
+} // namespace internal
+
+/// \ingroup PkgGeometricContinuityContinuity
+/// How far two surfaces are from being continuous along their edges `v = 0`. The second edge is run through in the direction
+/// that gives the smaller gap. Everything is computed in an exact field from the coefficients as given; only the last step, a
+/// root or an arc tangent, is rounded, outwards. With a gap the normals are compared that belong to the same parameter.
+/// \throws Error `wrong_number_of_points` for an empty row, `not_finite`
+template <class FT> Edge_deviation deviation(const Edge_rows<FT>& a, const Edge_rows<FT>& b) {
+  typedef typename Exact_field<FT>::type Field;
+  const auto pieces = [](const Edge_rows<FT>& rows) {
+    const auto row = [](const typename Edge_rows<FT>::Row& r) {
+      typename Edge_rows<Field>::Row result;
+      for (const Coordinate_vector<FT, 3>& x : r) result.push_back(internal::coefficient_over<Field>(x));
+      return result;
+    };
+    return std::vector<internal::Edge_piece<Field>>{
+        {Field(0), Field(1), {row(rows.edge), row(rows.cross), row(rows.second_cross)}}};
+  };
+  return internal::edge_deviation<Field>(pieces(a), pieces(b));
+}
+
+/// \ingroup PkgGeometricContinuityContinuity
+/// The same for piecewise polynomial surfaces, on all spans of the knots of both edges: the domain of one edge as a whole
+/// corresponds to that of the other.
+/// \throws Error `wrong_number_of_points` when the rows do not fit the knots, `not_finite`
+template <class FT> Edge_deviation deviation(const Spline_edge_rows<FT>& a, const Spline_edge_rows<FT>& b) {
+  typedef typename Exact_field<FT>::type Field;
+  return internal::edge_deviation<Field>(internal::edge_pieces<Field>(a), internal::edge_pieces<Field>(b));
+}
+
+} // namespace Geometric_continuity
+} // namespace CGAL
+
+#endif // CGAL_GEOMETRIC_CONTINUITY_EDGES_EDGE_DEVIATION_H

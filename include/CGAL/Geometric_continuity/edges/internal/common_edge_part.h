@@ -1,0 +1,208 @@
+// Copyright (c) 2026 The Geometric_continuity developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_GEOMETRIC_CONTINUITY_EDGES_INTERNAL_COMMON_EDGE_PART_H
+#define CGAL_GEOMETRIC_CONTINUITY_EDGES_INTERNAL_COMMON_EDGE_PART_H
+
+#include <CGAL/Geometric_continuity/edges/internal/spline_edge_rows.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Geometric_continuity {
+namespace internal {
+
+// t -> scale t + shift, scale != 0: from the parameters of one edge to those of another.
+template <class Field> struct Affine_parameter_map {
+  Field scale, shift;
+
+  Field operator()(const Field& t) const { return Field(scale * t + shift); }
+  Field inverse(const Field& s) const { return Field(Field(s - shift) / scale); }
+  bool reverses() const { return scale < Field(0); }
+};
+
+// A polynomial curve sum_k a_k (t - center)^k of degree n with a_{n-1} . a_n = 0, which is a normal form: curves that differ
+// by an affine map of the parameter have the a_k in common, up to the factor scale^k.
+template <class Field> class Centred_curve {
+  typedef Coordinate_vector<Field, 3> Vector;
+
+  std::vector<Vector> a_;
+  Field center_;
+
+public:
+  explicit Centred_curve(const Edge_piece<Field>& piece) : a_(power_coefficients<Field>(piece.rows.edge)) {
+    const int n = degree();
+    if (n == 0) return; // a point
+    const Field x = Field(-dot(a_[n - 1], a_[n])) / Field(Field(n) * dot(a_[n], a_[n]));
+    for (int i = 0; i < n; ++i) // Horner's rule: powers of the distance from x
+      for (int k = n - 1; k >= i; --k) a_[k] += x * a_[k + 1];
+    center_ = Field(piece.begin + x * piece.length());
+    Field power(1);
+    for (int k = 1; k <= n; ++k) {
+      power = Field(power / piece.length());
+      a_[k] *= power;
+    }
+  }
+
+  int degree() const { return static_cast<int>(a_.size()) - 1; }
+
+  // Whether b(map(t)) = a(t) for all t.
+  friend bool agree(const Centred_curve& a, const Centred_curve& b, const Affine_parameter_map<Field>& map) {
+    if (a.degree() != b.degree()) return false;
+    if (a.degree() > 0 && map(a.center_) != b.center_) return false;
+    Field power(1);
+    for (int k = 0; k <= a.degree(); ++k) {
+      if (a.a_[k] != power * b.a_[k]) return false;
+      power = Field(power * map.scale);
+    }
+    return true;
+  }
+
+  // The map with b(map(t)) = a(t), if there is only one and it is found without roots: the exponents k > 0 that occur have no
+  // common divisor. Then scale = scale^gcd is a product of powers of the factors a_k / b_k = scale^k, by Euclid's algorithm.
+  friend std::optional<Affine_parameter_map<Field>> unique_map(const Centred_curve& a, const Centred_curve& b) {
+    if (a.degree() != b.degree()) return std::nullopt;
+    int gcd = 0;
+    Field scale(1); // to the power of gcd
+    for (int k = 1; k <= a.degree(); ++k) {
+      if (is_zero(a.a_[k]) != is_zero(b.a_[k])) return std::nullopt;
+      if (is_zero(a.a_[k])) continue;
+      int next = k;
+      Field factor = Field(dot(a.a_[k], b.a_[k]) / dot(b.a_[k], b.a_[k]));
+      if (factor == Field(0)) return std::nullopt;
+      while (next > 0) {
+        for (; gcd >= next; gcd -= next) scale = Field(scale / factor);
+        std::swap(gcd, next);
+        std::swap(scale, factor);
+      }
+    }
+    if (gcd != 1) return std::nullopt;
+    const Affine_parameter_map<Field> map{scale, Field(b.center_ - scale * a.center_)};
+    return agree(a, b, map) ? std::optional<Affine_parameter_map<Field>>(map) : std::nullopt;
+  }
+};
+
+// A span of the common refinement of two edges, in the parameters of the first, and the pieces that contain it.
+template <class Field> struct Common_span {
+  Field begin, end;
+  std::size_t a, b;
+};
+
+// The common spans on which two edges are the same curve under a map.
+template <class Field> struct Edge_match {
+  Affine_parameter_map<Field> map;
+  std::vector<Common_span<Field>> spans;
+};
+
+// All spans of the common domain of two edges under a map.
+template <class Field>
+std::vector<Common_span<Field>> common_spans(const std::vector<Edge_piece<Field>>& a,
+                                             const std::vector<Edge_piece<Field>>& b,
+                                             const Affine_parameter_map<Field>& map) {
+  std::vector<Common_span<Field>> mapped; // the pieces of the second edge in the parameters of the first
+  for (std::size_t j = 0; j < b.size(); ++j) mapped.push_back({map.inverse(b[j].begin), map.inverse(b[j].end), 0, j});
+  if (map.reverses()) {
+    std::reverse(mapped.begin(), mapped.end());
+    for (auto& x : mapped) std::swap(x.begin, x.end);
+  }
+  std::vector<Common_span<Field>> spans;
+  for (std::size_t i = 0, j = 0; i < a.size() && j < mapped.size();) {
+    const Field &begin = std::max(a[i].begin, mapped[j].begin), &end = std::min(a[i].end, mapped[j].end);
+    if (begin < end) spans.push_back({begin, end, i, mapped[j].b});
+    const bool next_a = !(mapped[j].end < a[i].end), next_b = !(a[i].end < mapped[j].end);
+    i += next_a;
+    j += next_b;
+  }
+  return spans;
+}
+
+// From the whole of one edge to the whole of another.
+template <class Field>
+Affine_parameter_map<Field> whole_map(const std::vector<Edge_piece<Field>>& a, const std::vector<Edge_piece<Field>>& b,
+                                      bool backwards) {
+  const Field begin = backwards ? b.back().end : b.front().begin, end = backwards ? b.front().begin : b.back().end;
+  const Field scale = Field(end - begin) / Field(a.back().end - a.front().begin);
+  return {scale, Field(begin - scale * a.front().begin)};
+}
+
+// The rows of both edges on a common span, in the direction of the first.
+template <class Field>
+std::pair<Edge_rows<Field>, Edge_rows<Field>>
+rows_on(const std::vector<Edge_piece<Field>>& a, const std::vector<Edge_piece<Field>>& b,
+        const Common_span<Field>& span, const Affine_parameter_map<Field>& map) {
+  const bool reversed = map.reverses();
+  const Edge_rows<Field> rows =
+      rows_on(b[span.b], map(reversed ? span.end : span.begin), map(reversed ? span.begin : span.end));
+  return {rows_on(a[span.a], span.begin, span.end), reversed ? rows.reversed() : rows};
+}
+
+// Finds the part that two edges have in common.
+template <class Field> class Common_edge_part {
+  typedef std::vector<Edge_piece<Field>> Pieces;
+  typedef Affine_parameter_map<Field> Map;
+  typedef std::vector<Common_span<Field>> Spans;
+
+  const Pieces &a_, &b_;
+  std::vector<Centred_curve<Field>> curves_a_, curves_b_;
+
+public:
+  Common_edge_part(const Pieces& a, const Pieces& b)
+      : a_(a), b_(b), curves_a_(a.begin(), a.end()), curves_b_(b.begin(), b.end()) {}
+
+  // The whole edges if they are the same, forwards or else backwards; otherwise the longest common part that contains an end
+  // piece of one of them. No spans if there is none.
+  Edge_match<Field> operator()() const {
+    for (bool backwards : {false, true}) {
+      const Map map = whole_map(a_, b_, backwards);
+      Spans spans = common_spans(a_, b_, map);
+      if (std::all_of(spans.begin(), spans.end(), [&](const auto& span) { return same(span, map); }))
+        return {map, std::move(spans)};
+    }
+    Edge_match<Field> best{whole_map(a_, b_, false), {}};
+    const std::size_t m = a_.size(), n = b_.size();
+    for (std::size_t i = 0; i < m; ++i) {
+      propose(i, 0, best);
+      if (n > 1) propose(i, n - 1, best);
+    }
+    for (std::size_t j = 1; j + 1 < n; ++j) {
+      propose(0, j, best);
+      if (m > 1) propose(m - 1, j, best);
+    }
+    return best;
+  }
+
+private:
+  bool same(const Common_span<Field>& span, const Map& map) const {
+    return agree(curves_a_[span.a], curves_b_[span.b], map);
+  }
+
+  // The longest run of common spans under the map that is found from two pieces, if it is longer than the best one.
+  void propose(std::size_t i, std::size_t j, Edge_match<Field>& best) const {
+    const std::optional<Map> map = unique_map(curves_a_[i], curves_b_[j]);
+    if (!map) return;
+    const Spans spans = common_spans(a_, b_, *map);
+    for (auto first = spans.begin(), last = first; first != spans.end(); first = last) {
+      if (!same(*first, *map)) {
+        last = first + 1;
+        continue;
+      }
+      while (last != spans.end() && same(*last, *map)) ++last;
+      if (length(best.spans) < Field((last - 1)->end - first->begin)) best = {*map, Spans(first, last)};
+    }
+  }
+
+  static Field length(const Spans& spans) {
+    return spans.empty() ? Field(0) : Field(spans.back().end - spans.front().begin);
+  }
+};
+
+} // namespace internal
+} // namespace Geometric_continuity
+} // namespace CGAL
+
+#endif // CGAL_GEOMETRIC_CONTINUITY_EDGES_INTERNAL_COMMON_EDGE_PART_H

@@ -1,0 +1,228 @@
+// Copyright (c) 2026 The Geometric_continuity developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_GEOMETRIC_CONTINUITY_EDGES_INTERNAL_EDGE_ON_GRID_H
+#define CGAL_GEOMETRIC_CONTINUITY_EDGES_INTERNAL_EDGE_ON_GRID_H
+
+#include <CGAL/Geometric_continuity/edges/internal/edge_layers.h>
+#include <CGAL/Geometric_continuity/edges/internal/edge_ratio.h>
+#include <CGAL/Geometric_continuity/numbers/internal/Fixed_integer.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <optional>
+
+namespace CGAL {
+namespace Geometric_continuity {
+namespace internal {
+
+#ifdef CGAL_GEOMETRIC_CONTINUITY_HAS_FIXED_INTEGER
+
+// A polynomial sum_k c_k t^k (1-t)^(degree-k), see Homogeneous_polynomial, with integers of fixed length and without
+// allocation.
+template <int limbs> struct Short_polynomial {
+  static constexpr int capacity = 7 * Edge_layers::most_along - 2;
+  int degree;
+  Fixed_integer<limbs> c[capacity];
+
+  explicit Short_polynomial(int n) : degree(n) {}
+
+  // The sum with the product p q, or the difference. \pre its degree is that of the sum
+  template <bool subtracted, int m, int n>
+  void add_product(const Short_polynomial<m>& p, const Short_polynomial<n>& q) {
+    static_assert(m + n == limbs, "no product overflows");
+    for (int i = 0; i <= p.degree; ++i)
+      for (int j = 0; j <= q.degree; ++j)
+        c[i + j] = subtracted ? c[i + j] - p.c[i] * q.c[j] : c[i + j] + p.c[i] * q.c[j];
+  }
+
+  void multiply(std::int64_t w) {
+    for (int k = 0; k <= degree; ++k) c[k] = scaled(c[k], w);
+  }
+
+  bool vanishes() const {
+    return std::all_of(c, c + degree + 1, [](const Fixed_integer<limbs>& x) { return is_zero(x); });
+  }
+
+  // 1 or -1 when all coefficients have this sign, otherwise 0
+  int strict_sign() const {
+    const auto sign = [](const Fixed_integer<limbs>& x) { return x.top() < 0 ? -1 : is_zero(x) ? 0 : 1; };
+    const int first = sign(c[0]);
+    return std::all_of(c, c + degree + 1, [&](const Fixed_integer<limbs>& x) { return sign(x) == first; }) ? first : 0;
+  }
+};
+
+template <int limbs> using Short_vector = std::array<Short_polynomial<limbs>, 3>;
+
+template <int limbs> Short_polynomial<limbs> zero_polynomial(int degree) {
+  Short_polynomial<limbs> p(degree);
+  std::fill(p.c, p.c + degree + 1, Fixed_integer<limbs>(0));
+  return p;
+}
+
+template <int m, int n> Short_polynomial<m + n> product(const Short_polynomial<m>& p, const Short_polynomial<n>& q) {
+  Short_polynomial<m + n> r = zero_polynomial<m + n>(p.degree + q.degree);
+  r.template add_product<false>(p, q);
+  return r;
+}
+
+// v . w
+template <int m, int n> Short_polynomial<m + n> product(const Short_vector<m>& v, const Short_vector<n>& w) {
+  Short_polynomial<m + n> r = zero_polynomial<m + n>(v[0].degree + w[0].degree);
+  for (int x = 0; x < 3; ++x) r.template add_product<false>(v[x], w[x]);
+  return r;
+}
+
+// The coordinate x of v x w.
+template <int m, int n>
+Short_polynomial<m + n> cross_coordinate(const Short_vector<m>& v, const Short_vector<n>& w, int x) {
+  const int y = x == 2 ? 0 : x + 1, z = 3 - x - y;
+  Short_polynomial<m + n> r = zero_polynomial<m + n>(v[0].degree + w[0].degree);
+  r.template add_product<false>(v[y], w[z]);
+  r.template add_product<true>(v[z], w[y]);
+  return r;
+}
+
+// The decision on two surfaces with one edge, in one direction, whose control points are whole numbers of at most 2^53. See
+// Edge_conditions; with the differences
+//   d = C'/n, a = T1/q1, b = T2/q2, e = C''/(n (n-1)), f = T1'/(n q1), g = W1/(q1 (q1-1)), h = W2/(q2 (q2-1))
+// of the control points, N = d x a, n2 = d x b, n3 = b x a, the identity of second order is
+//   n q1 (q2-1) N_i^2 (N.h) = q1 q2 (n-1) n3_i^2 (N.e) + 2 n q1 q2 n3_i n2_i (N.f) + n q2 (q1-1) n2_i^2 (N.g),
+// and with an Edge_ratio n3 = (gamma/alpha) N, n2 = (beta/alpha) N it is N.V = 0 with
+//   V = n q1 (q2-1) alpha^2 h - q1 q2 (n-1) gamma^2 e - 2 n q1 q2 beta gamma f - n q2 (q1-1) beta^2 g.
+//
+// Lengths, for degrees n <= 7 and q <= 8. A coefficient of a product of forms is a sum of at most as many products of
+// control points as the forms have terms, times the binomial coefficients of the degree of the product. First differences
+// are at most 2^54, second ones 2^55, with binomial factors < 2^6: one limb. Coordinates of N, n2, n3: 2 * 2^108 *
+// C(14,7) < 2^121, two limbs. a.N and similar: 6 * 2^163 * C(21,10) < 2^185, three limbs. n3 (N.e) and n2 (N.f), with
+// factors of at most 2 * 7 * 64 < 2^10: their sum is < 2 * 12 * 2^271 * C(33,16) * 2^10 < 2^317, five limbs. The identity:
+// four terms < 24 * 2^379 * C(46,23) * 2^10 each, together < 2^440, seven limbs. With a ratio: V < 4 * 2^(10 + 24 + 55) *
+// C(7,3) < 2^97, two limbs, and N.V < 6 * 2^108 * 2^91 * C(21,10) < 2^221, four limbs.
+class Edge_on_grid {
+  const Grid_layers &s1_, &s2_;
+  const int n_, q1_, q2_;
+  const Short_vector<1> d_, a_;
+
+public:
+  // \pre not collapsed
+  Edge_on_grid(const Grid_layers& s1, const Grid_layers& s2)
+      : s1_(s1), s2_(s2), n_(s1.along), q1_(s1.across), q2_(s2.across),
+        d_(vector(n_ - 1, [&](int i, int x) { return s1.p[0][i + 1][x] - s1.p[0][i][x]; })), a_(leg(s1)) {}
+
+  // Empty without a ratio, or if a normal may vanish somewhere.
+  template <int order> std::optional<bool> decide_by_ratio() const {
+    const std::optional<Edge_ratio> r = Edge_ratio::find(s1_, s2_);
+    if (!r) return std::nullopt;
+    if (r->beta >= 0) return false; // d x b = (beta/alpha) d x a
+    if (cross_coordinate(d_, a_, r->pivot).strict_sign() == 0) return std::nullopt;
+    return order == 1 || product(normal(), remainder(*r)).vanishes();
+  }
+
+  // Empty if a normal may vanish somewhere.
+  template <int order> std::optional<bool> decide() const {
+    const Short_vector<2> n1 = normal();
+    const Short_vector<1> b = leg(s2_);
+    if (!product(n1, b).vanishes()) return false;
+    // The normals are parallel. Where one coordinate of each is never zero they have one sense, or opposite senses.
+    for (int x = 0; x < 3; ++x) {
+      const int sign = n1[x].strict_sign();
+      if (sign == 0) continue;
+      const Short_polynomial<2> n2 = cross_coordinate(d_, b, x);
+      const int other = n2.strict_sign();
+      if (other == 0) continue;
+      if (sign == other) return false;
+      return order == 1 || second_order(n1, n2, cross_coordinate(b, a_, x), x);
+    }
+    return std::nullopt;
+  }
+
+private:
+  Short_vector<2> normal() const {
+    return {cross_coordinate(d_, a_, 0), cross_coordinate(d_, a_, 1), cross_coordinate(d_, a_, 2)};
+  }
+
+  bool second_order(const Short_vector<2>& n1, const Short_polynomial<2>& n2, const Short_polynomial<2>& n3,
+                    int x) const {
+    Short_polynomial<3> nf = product(n1, mixed_difference());
+    nf.multiply(2 * n_ * q1_ * q2_);
+    Short_polynomial<5> right = product(n2, nf);
+    if (n_ > 1) {
+      Short_polynomial<3> ne = product(n1, second_difference_along());
+      ne.multiply(q1_ * q2_ * (n_ - 1));
+      right.add_product<false>(n3, ne);
+    }
+    Short_polynomial<7> difference = product(right, n3);
+    if (q1_ > 1) {
+      Short_polynomial<3> ng = product(n1, second_difference(s1_));
+      ng.multiply(n_ * q2_ * (q1_ - 1));
+      difference.add_product<false>(product(n2, n2), ng);
+    }
+    if (q2_ > 1) {
+      Short_polynomial<3> nh = product(n1, second_difference(s2_));
+      nh.multiply(n_ * q1_ * (q2_ - 1));
+      difference.add_product<true>(product(n1[x], n1[x]), nh);
+    }
+    return difference.vanishes();
+  }
+
+  // V
+  Short_vector<2> remainder(const Edge_ratio& r) const {
+    std::array<std::array<Signed_128, Edge_layers::most_along + 1>, 3> v{};
+    const auto add = [&](std::int64_t factor, const Short_vector<1>& y, int shift) {
+      for (int x = 0; x < 3; ++x)
+        for (int k = 0; k <= y[x].degree; ++k) v[x][k + shift] += static_cast<Signed_128>(factor) * y[x].c[k].top();
+    };
+    if (q2_ > 1) add(n_ * q1_ * (q2_ - 1) * r.alpha * r.alpha, second_difference(s2_), 0);
+    if (q1_ > 1) add(-n_ * q2_ * (q1_ - 1) * r.beta * r.beta, second_difference(s1_), 0);
+    const std::int64_t f = -2 * n_ * q1_ * q2_ * r.beta, e = -q1_ * q2_ * (n_ - 1);
+    for (int k : {0, 1}) add(f * r.gamma[k], mixed_difference(), k);
+    if (n_ > 1) {
+      const Short_vector<1> y = second_difference_along();
+      add(e * r.gamma[0] * r.gamma[0], y, 0);
+      add(2 * e * r.gamma[0] * r.gamma[1], y, 1);
+      add(e * r.gamma[1] * r.gamma[1], y, 2);
+    }
+    Short_vector<2> result{Short_polynomial<2>(n_), Short_polynomial<2>(n_), Short_polynomial<2>(n_)};
+    for (int x = 0; x < 3; ++x)
+      for (int k = 0; k <= n_; ++k) {
+        result[x].c[k].limb[0] = static_cast<std::uint64_t>(v[x][k]);
+        result[x].c[k].limb[1] = static_cast<std::uint64_t>(v[x][k] >> 64);
+      }
+    return result;
+  }
+
+  // From Bernstein coefficients.
+  template <class Coefficient> static Short_vector<1> vector(int degree, Coefficient coefficient) {
+    Short_vector<1> v{Short_polynomial<1>(degree), Short_polynomial<1>(degree), Short_polynomial<1>(degree)};
+    std::int64_t binomial = 1;
+    for (int i = 0; i <= degree; ++i) {
+      for (int x = 0; x < 3; ++x) v[x].c[i] = Fixed_integer<1>(binomial * coefficient(i, x));
+      binomial = binomial * (degree - i) / (i + 1);
+    }
+    return v;
+  }
+  static Short_vector<1> leg(const Grid_layers& s) {
+    return vector(s.along, [&](int i, int x) { return s.p[1][i][x] - s.p[0][i][x]; });
+  }
+  Short_vector<1> second_difference_along() const {
+    return vector(n_ - 2, [&](int i, int x) { return s1_.p[0][i + 2][x] - 2 * s1_.p[0][i + 1][x] + s1_.p[0][i][x]; });
+  }
+  Short_vector<1> mixed_difference() const {
+    return vector(n_ - 1, [&](int i, int x) {
+      return (s1_.p[1][i + 1][x] - s1_.p[0][i + 1][x]) - (s1_.p[1][i][x] - s1_.p[0][i][x]);
+    });
+  }
+  static Short_vector<1> second_difference(const Grid_layers& s) {
+    return vector(s.along, [&](int i, int x) { return s.p[2][i][x] - 2 * s.p[1][i][x] + s.p[0][i][x]; });
+  }
+};
+
+#endif // CGAL_GEOMETRIC_CONTINUITY_HAS_FIXED_INTEGER
+
+} // namespace internal
+} // namespace Geometric_continuity
+} // namespace CGAL
+
+#endif // CGAL_GEOMETRIC_CONTINUITY_EDGES_INTERNAL_EDGE_ON_GRID_H

@@ -1,0 +1,107 @@
+// Copyright (c) 2026 The Geometric_continuity developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_GEOMETRIC_CONTINUITY_EDGES_INTERNAL_SPLINE_EDGE_ROWS_H
+#define CGAL_GEOMETRIC_CONTINUITY_EDGES_INTERNAL_SPLINE_EDGE_ROWS_H
+
+#include <CGAL/Geometric_continuity/algebra/bernstein.h>
+#include <CGAL/Geometric_continuity/edges/internal/edge_polynomials.h>
+#include <CGAL/Geometric_continuity/numbers/internal/checked_conversion.h>
+#include <CGAL/Geometric_continuity/splines/internal/bspline_knots.h>
+
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Geometric_continuity {
+
+/// \ingroup PkgGeometricContinuityContinuity
+/// What a B-spline surface contributes to its continuity along an edge: `Edge_rows` whose coefficients are those of splines
+/// over the knots of the edge.
+/// \tparam FT a field number type
+template <class FT_> struct Spline_edge_rows {
+  typedef FT_ FT;
+
+  Knot_vector<FT> knots; ///< along the edge
+  Edge_rows<FT> rows;    ///< each with `knots.number_of_coefficients()` coefficients
+};
+
+namespace internal {
+
+// The rows on an interval on which they are polynomials, in Bernstein form.
+template <class Field> struct Edge_piece {
+  Field begin, end;
+  Edge_rows<Field> rows;
+
+  Field length() const { return Field(end - begin); }
+};
+
+template <class Field, class FT> Knot_vector<Field> knots_over(const Knot_vector<FT>& knots) {
+  std::vector<Field> u;
+  for (const FT& x : knots) u.push_back(to_field<Field>(x));
+  return Knot_vector<Field>(knots.degree(), std::move(u));
+}
+
+// On each span of the knots, in an exact field. \throws Error `wrong_number_of_points`, `not_finite`
+template <class Field, class FT> std::vector<Edge_piece<Field>> edge_pieces(const Spline_edge_rows<FT>& edge) {
+  typedef typename Edge_rows<Field>::Row Row;
+  const Knot_vector<Field> knots = knots_over<Field>(edge.knots);
+  const std::vector<int> spans = knots.spans();
+  std::vector<Edge_piece<Field>> pieces;
+  for (int k : spans) pieces.push_back({knots[k], knots[k + 1], {}});
+  const auto add_row = [&](const typename Edge_rows<FT>::Row& row, Row Edge_rows<Field>::*member) {
+    Row c;
+    for (const Coordinate_vector<FT, 3>& x : row) c.push_back(coefficient_over<Field>(x));
+    const Row b = bspline_bezier<Field>(knots, c);
+    const std::size_t n = b.size() / pieces.size();
+    for (std::size_t i = 0; i < pieces.size(); ++i)
+      (pieces[i].rows.*member).assign(b.begin() + i * n, b.begin() + (i + 1) * n);
+  };
+  add_row(edge.rows.edge, &Edge_rows<Field>::edge);
+  add_row(edge.rows.cross, &Edge_rows<Field>::cross);
+  add_row(edge.rows.second_cross, &Edge_rows<Field>::second_cross);
+  return pieces;
+}
+
+// The coefficients on [x, y], x < y and 0 < y, of a polynomial with Bernstein coefficients on [0, 1], which need not contain
+// x and y.
+template <class Field, class Row> Row restricted(Row row, const Field& x, const Field& y) {
+  const int n = static_cast<int>(row.size()) - 1;
+  Row part = row;
+  if (y != Field(1)) { // to [0, y]
+    bernstein_split(row, n, y, part);
+    row.swap(part);
+  }
+  if (x != Field(0)) bernstein_split(row, n, Field(x / y), part);
+  return row;
+}
+
+// The rows on a part [begin, end] of a piece.
+template <class Field> Edge_rows<Field> rows_on(const Edge_piece<Field>& piece, const Field& begin, const Field& end) {
+  const Field length = piece.length(), x = Field(begin - piece.begin) / length, y = Field(end - piece.begin) / length;
+  return {restricted(piece.rows.edge, x, y), restricted(piece.rows.cross, x, y),
+          restricted(piece.rows.second_cross, x, y)};
+}
+
+// The coefficients of the powers of the parameter of a polynomial curve with Bernstein coefficients on [0, 1], up to the
+// last one that is not zero; the first is always there.
+template <class Field, class Row> Row power_coefficients(Row row) {
+  const int n = static_cast<int>(row.size()) - 1;
+  const std::vector<Field> binomials = binomial_coefficients<Field>(n);
+  Row a;
+  for (int k = 0; k <= n; ++k) {
+    a.push_back(binomials[k] * row[0]);
+    difference_step(row, n - k);
+  }
+  while (a.size() > 1 && is_zero(a.back())) a.pop_back();
+  return a;
+}
+
+} // namespace internal
+
+} // namespace Geometric_continuity
+} // namespace CGAL
+
+#endif // CGAL_GEOMETRIC_CONTINUITY_EDGES_INTERNAL_SPLINE_EDGE_ROWS_H

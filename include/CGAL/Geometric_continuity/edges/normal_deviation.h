@@ -1,0 +1,215 @@
+// Copyright (c) 2026 The Geometric_continuity developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_GEOMETRIC_CONTINUITY_EDGES_NORMAL_DEVIATION_H
+#define CGAL_GEOMETRIC_CONTINUITY_EDGES_NORMAL_DEVIATION_H
+
+#include <CGAL/Geometric_continuity/edges/internal/edge_measure.h>
+#include <CGAL/Geometric_continuity/numbers/Enclosure.h>
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Geometric_continuity {
+
+/// \ingroup PkgGeometricContinuityContinuity
+/// A guaranteed enclosure of the largest angle \f$ \theta \in [0, \pi] \f$ between the normals of two surfaces along their
+/// common edge, both turned so that \f$ \theta = 0 \f$ where the surfaces continue each other and \f$ \theta = \pi \f$ where
+/// they fold back. Points where a normal vanishes are left out; limits at them count.
+///
+/// The angle is given without roots by its measure \f$ 1 - \cos\theta\,|\cos\theta| \f$, which grows with it from 0 over 1 for
+/// a right angle to 2: it is \f$ \sin^2\theta \f$ up to the right angle and \f$ 2 - \sin^2\theta \f$ beyond. The measure is so
+/// accurate that `angle()` is at most four units in the last place wide, unless the angle varies at scales near the limits
+/// of floating-point numbers.
+/// \tparam FT a field number type
+template <class FT> struct Normal_deviation {
+  FT lower; ///< the measure of an angle that occurs on the edge, or as a limit
+  FT upper; ///< the measure of an angle that is not exceeded anywhere on the edge
+  FT begin; ///< the sub-interval of the parameters of the edge
+  FT end;   ///< where the angle is largest
+
+  /// The largest angle, in radians. It needs `CGAL::to_interval()`.
+  Enclosure angle() const { return {smallest_angle(), largest_angle()}; }
+  /// Its lower bound.
+  double smallest_angle() const { return angle(lower).lower; }
+  /// Its upper bound.
+  double largest_angle() const { return angle(upper).upper; }
+
+  /// The angle with the given measure between 0 and 2, in radians. It needs `CGAL::to_interval()`.
+  static Enclosure angle(const FT& measure) {
+    const bool obtuse = FT(1) < measure;
+    const FT sine_squared = obtuse ? FT(FT(2) - measure) : measure;
+    return internal::angle_of_squares(sine_squared, FT(FT(1) - sine_squared), obtuse);
+  }
+};
+
+namespace internal {
+
+// Branch and bound for the largest measure of the quotients s/p of two polynomials, 0 <= s <= p and 0 < p on [0, 1], with
+// s/p = sin^2 and a cosine that has the sign of -side. As s and p have one degree, s/p lies between the least and the largest
+// s_k/p_k where all p_k > 0. All arithmetic on pieces is that of a ring.
+//
+// It ends: let M be the supremum and q = M p - s, or (M - 2) p + s where obtuse, so that q >= 0. On a piece of length h at a
+// zero of q of order m the coefficients of q are O(h^m), and so are the errors of both bounds; at a distance of some h from
+// the zeros q is positive, and so are its coefficients. So on each level a bounded number of pieces is left, about two for
+// each zero, and 27 to 55 levels are needed.
+template <class Field> class Largest_measure {
+  typedef typename Edge_sides<Field>::Polynomial Polynomial;
+  typedef typename Polynomial::NT Ring;
+  typedef typename Edge_normals<Field>::Exact Exact;
+
+  struct Fraction { // with a positive denominator
+    Ring numerator, denominator;
+    friend bool operator<(const Fraction& x, const Fraction& y) {
+      return Ring(x.numerator * y.denominator) < Ring(y.numerator * x.denominator);
+    }
+  };
+  struct Piece { // of length 2^-level, from `begin` on
+    Polynomial s, p, side;
+    int level;
+    Field begin, length;
+    Fraction upper;
+    bool operator<(const Piece& other) const { return upper < other.upper; }
+  };
+
+  static constexpr int least_level = 5;    // the place is known to 1/32 of the edge
+  static constexpr int most_pieces = 5000; // the bound stays guaranteed when it is reached
+
+  const Exact epsilon_ = power_of_half(53), tiny_ = power_of_half(110);
+  std::vector<Piece> pieces_; // a heap: the first may have the largest angle
+  Fraction lower_{Ring(0), Ring(1)};
+
+public:
+  Largest_measure(Polynomial s, Polynomial p, Polynomial side) {
+    add({std::move(s), std::move(p), std::move(side), 0, Field(0), Field(1), {}});
+  }
+
+  Normal_deviation<Field> operator()() {
+    for (int i = 0; i < most_pieces && !accurate(); ++i) {
+      std::pop_heap(pieces_.begin(), pieces_.end());
+      const Piece piece = std::move(pieces_.back());
+      pieces_.pop_back();
+      const std::pair<Polynomial, Polynomial> s = piece.s.halves(), p = piece.p.halves(), side = piece.side.halves();
+      const Field length = piece.length / Field(2);
+      add({s.first, p.first, side.first, piece.level + 1, piece.begin, length, {}});
+      add({s.second, p.second, side.second, piece.level + 1, Field(piece.begin + length), length, {}});
+    }
+    const Piece& worst = pieces_.front();
+    return {Field(exact(lower_)), Field(exact(worst.upper)), worst.begin, Field(worst.begin + worst.length)};
+  }
+
+private:
+  // Whether the bounds x <= y of the measure determine the angle up to its 2^-54-th part. With s = sin^2 and c = cos^2 the
+  // measure changes by 2 sqrt(s c) times the change of the angle. Where y - x <= 2^-53 s c for the least s c in between,
+  // which is at one of the bounds, the angle therefore changes by at most 2^-54 sqrt(s c), and sqrt(s c) <= sin is at most the
+  // angle. If |1 - x| and |1 - y|, both c, are at most 2^-110, or the s near the straight angle, then cos or sin is at most
+  // 2^-55 at both ends, and the angle changes by 2^-54 at most.
+  bool accurate() const {
+    const Piece& worst = pieces_.front();
+    if (worst.level < least_level) return false;
+    const Ring factor(1 << 20); // soon tells that they are far from it
+    if (Ring(Ring(factor + Ring(1)) * Ring(lower_.numerator * worst.upper.denominator)) <
+        Ring(factor * Ring(worst.upper.numerator * lower_.denominator)))
+      return false;
+    const Exact x = exact(lower_), y = exact(worst.upper), difference = Exact(y - x);
+    if (!(x < y)) return true;
+    for (int corner : {1, 2})
+      if (is_tiny(Exact(x - Exact(corner))) && is_tiny(Exact(y - Exact(corner)))) return true;
+    if (x < Exact(1) && Exact(1) < y) return false;
+    return !(Exact(epsilon_ * sine_cosine_squared(x)) < difference) &&
+           !(Exact(epsilon_ * sine_cosine_squared(y)) < difference);
+  }
+
+  bool is_tiny(const Exact& x) const { return !(tiny_ < x) && !(x < Exact(-tiny_)); }
+
+  static Exact sine_cosine_squared(const Exact& measure) {
+    const Exact cosine_squared = measure < Exact(1) ? Exact(Exact(1) - measure) : Exact(measure - Exact(1));
+    return Exact(cosine_squared * Exact(Exact(1) - cosine_squared));
+  }
+
+  static Exact power_of_half(int n) {
+    Exact x(1);
+    for (; n > 0; --n) x = Exact(x / Exact(2));
+    return x;
+  }
+
+  void add(Piece piece) {
+    piece.upper = upper_bound(piece);
+    const int n = piece.p.degree(), before = piece.side.order_at_0(), after = piece.side.order_at_1();
+    raise_lower_bound(piece.s[0], piece.p[0], piece.side, before);
+    raise_lower_bound(piece.s[n], piece.p[n], piece.side, piece.side.degree() - after);
+    pieces_.push_back(std::move(piece));
+    std::push_heap(pieces_.begin(), pieces_.end());
+  }
+
+  static Fraction upper_bound(const Piece& piece) {
+    const Sign_pattern side = piece.side.coefficient_signs();
+    const bool acute =
+        side == Sign_pattern::negative || side == Sign_pattern::nonpositive || side == Sign_pattern::zero;
+    const Fraction right_angle{Ring(1), Ring(1)}, straight_angle{Ring(2), Ring(1)};
+    const Fraction most = acute ? right_angle : straight_angle;
+    Fraction bound = acute ? Fraction{Ring(0), Ring(1)} : right_angle;
+    for (int k = 0; k <= piece.p.degree(); ++k) {
+      if (!(Ring(0) < piece.p[k])) return most;
+      const Fraction sine{piece.s[k], piece.p[k]};
+      const Fraction measure = acute ? sine : Fraction{Ring(Ring(2) * piece.p[k] - piece.s[k]), piece.p[k]};
+      if (bound < measure) bound = measure;
+    }
+    return most < bound ? most : bound;
+  }
+
+  // By the measure at an end, as the limit from inside of the piece: the cosine has the sign of the first coefficient that is
+  // not zero. Where it is zero, sin^2 = 1.
+  void raise_lower_bound(const Ring& s, const Ring& p, const Polynomial& side, int k) {
+    const bool acute = k < 0 || k > side.degree() || side[k] < Ring(0);
+    const Fraction measure{acute ? s : Ring(Ring(2) * p - s), p};
+    if (lower_ < measure) lower_ = measure;
+  }
+
+  static Exact exact(const Fraction& x) { return Exact(Exact(x.numerator) / Exact(x.denominator)); }
+};
+
+// The largest angle between two normals along an edge. \pre neither vanishes identically
+template <class Field>
+Normal_deviation<Field> largest_angle(const Homogeneous_vector<typename Edge_sides<Field>::Ring>& n1,
+                                      const Homogeneous_vector<typename Edge_sides<Field>::Ring>& n2, bool vanishing) {
+  Edge_measure<Field> m(n1, n2, vanishing);
+  return Largest_measure<Field>(std::move(m.s), std::move(m.p), std::move(m.side))();
+}
+
+// A sub-interval in which the polynomial has a zero or comes close to one: a point if it is zero at an end, otherwise of
+// length 1/1024. \pre it has a zero in [0, 1]
+template <class Field, class Polynomial> std::pair<Field, Field> zero_interval(const Polynomial& polynomial) {
+  typedef typename Polynomial::NT Ring;
+  struct Piece {
+    Polynomial p;
+    int level;
+    Field begin, end;
+  };
+  constexpr int last_level = 10;
+  std::vector<Piece> stack(1, Piece{polynomial, 0, Field(0), Field(1)});
+  while (!stack.empty()) {
+    const Piece piece = std::move(stack.back());
+    stack.pop_back();
+    if (piece.p[0] == Ring(0)) return {piece.begin, piece.begin};
+    if (piece.p[piece.p.degree()] == Ring(0)) return {piece.end, piece.end};
+    const Sign_pattern signs = piece.p.coefficient_signs();
+    if (signs == Sign_pattern::positive || signs == Sign_pattern::negative) continue;
+    if (piece.level == last_level) return {piece.begin, piece.end};
+    const std::pair<Polynomial, Polynomial> halves = piece.p.halves();
+    const Field middle = Field(Field(piece.begin + piece.end) / Field(2));
+    stack.push_back(Piece{halves.second, piece.level + 1, middle, piece.end});
+    stack.push_back(Piece{halves.first, piece.level + 1, piece.begin, middle});
+  }
+  return {Field(0), Field(1)};
+}
+
+} // namespace internal
+
+} // namespace Geometric_continuity
+} // namespace CGAL
+
+#endif // CGAL_GEOMETRIC_CONTINUITY_EDGES_NORMAL_DEVIATION_H

@@ -1,0 +1,272 @@
+// Copyright (c) 2026 The Geometric_continuity developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_GEOMETRIC_CONTINUITY_EXTENSIONS_ALTERNATIVES_H
+#define CGAL_GEOMETRIC_CONTINUITY_EXTENSIONS_ALTERNATIVES_H
+
+#include <CGAL/Geometric_continuity/extensions/connection_coefficients.h>
+#include <CGAL/Geometric_continuity/extensions/internal/Polygon_end.h>
+#include <CGAL/Geometric_continuity/numbers/internal/checked_conversion.h>
+
+#include <optional>
+#include <vector>
+
+/// \file alternatives.h
+/// All choices for the first points of a Bézier polygon that continues another one of the same degree `m`.
+///
+/// The left polygon ends in \f$ b_{-3}, b_{-2}, b_{-1}, b_0 \f$ with the legs \f$ p = b_0 - b_{-1} \f$,
+/// \f$ r = b_{-2} - b_{-1} \f$, \f$ s = b_{-2} - b_{-3} \f$; the right one starts in \f$ b_0, b_1, b_2, b_3 \f$. The ratio
+/// \f$ \beta = |b_1 - b_0| / |p| \f$ is that of the parameter intervals, right by left, when the derivatives shall agree.
+/// Everything holds in any dimension. Hagen, theorem 3.2, corrected, with general \f$ \beta \f$ (Hagen: \f$ \beta = 1 \f$).
+
+namespace CGAL {
+namespace Geometric_continuity {
+
+/// \ingroup PkgGeometricContinuityConstruction
+/// The second point of every next segment with a continuous tangent: \f$ b_1 = b_0 + \beta p \f$. Hagen (3.2.1).
+template <class Traits> class Tangent_alternative : public internal::Polygon_end<Traits, 2> {
+  typedef internal::Polygon_end<Traits, 2> Base;
+
+public:
+  typedef typename Base::FT FT;
+  typedef typename Base::Point Point;
+  /// The number type of the kernel, or the exact one in which predicates are decided.
+  typedef typename Base::Field Field;
+
+  /// From the last points \f$ b_{-1}, b_0 \f$ of a polygon of degree `m`.
+  /// \throws Error `wrong_number_of_points` when `m < 1`, `nonpositive_beta` unless `beta > 0`, `dimension_mismatch`,
+  ///   `zero_tangent` when \f$ p = 0 \f$
+  Tangent_alternative(const std::array<Point, 2>& last_points, int m, const FT& beta = FT(1))
+      : Base(last_points, m, beta, "tangent_alternative") {}
+
+  using Base::beta;   ///< The ratio \f$ \beta \f$.
+  using Base::degree; ///< The degree `m` of both polygons.
+
+  /// \f$ b_1 \f$. \throws Error `not_finite` when it overflows the number type
+  Point point() const { return this->to_point(this->b(0) + beta() * this->p()); }
+
+  /// The ratio \f$ \beta > 0 \f$ of the tangent alternative of this polygon (of whatever ratio) that is `b1`; empty if none is.
+  /// Decided exactly where predicates are exact. \throws Error `dimension_mismatch`
+  std::optional<Field> ratio_of(const Point& b1) const {
+    const std::optional<Field> ratio =
+        internal::coefficient<Field>(this->in_field(b1) - this->template b<Field>(0), this->template p<Field>());
+    return ratio && Field(0) < *ratio ? ratio : std::nullopt;
+  }
+};
+
+/// \ingroup PkgGeometricContinuityConstruction
+/// The third point of every next segment with a continuous curvature vector, behind \f$ b_1 = b_0 + \beta p \f$: the points
+/// \f$ b_2 = b_0 + \beta^2 (b_{-2} - b_0) + C_0 p \f$ of an affine line. Hagen (3.2.2).
+template <class Traits> class Curvature_alternatives : public internal::Polygon_end<Traits, 3> {
+  typedef internal::Polygon_end<Traits, 3> Base;
+
+public:
+  typedef typename Base::FT FT;
+  typedef typename Base::Point Point;
+  typedef typename Base::Vector Vector;
+  /// The number type of the kernel, or the exact one in which predicates are decided.
+  typedef typename Base::Field Field;
+
+  /// From the last points \f$ b_{-2}, b_{-1}, b_0 \f$ of a polygon of degree `m`.
+  /// \throws Error `wrong_number_of_points` when `m < 2`, `nonpositive_beta` unless `beta > 0`, `dimension_mismatch`,
+  ///   `zero_tangent` when \f$ p = 0 \f$
+  Curvature_alternatives(const std::array<Point, 3>& last_points, int m, const FT& beta = FT(1))
+      : Base(last_points, m, beta, "curvature_alternatives") {}
+
+  using Base::beta;   ///< The ratio \f$ \beta \f$.
+  using Base::degree; ///< The degree `m` of both polygons.
+
+  /// The member with \f$ C_0 = 0 \f$ and the direction \f$ p \f$ of the line.
+  Point base_point() const { return this->to_point(base()); }
+  Vector direction() const { return Geometric_continuity::to_vector<Traits>(this->p()); }
+
+  /// The member \f$ b_2 \f$ with this \f$ C_0 \f$. \throws Error `not_finite` when it overflows the number type
+  Point point_at(const FT& c0) const { return this->to_point(base() + c0 * this->p()); }
+
+  /// The \f$ C_0 \f$ of a point, empty if it is not on the line. Decided exactly where predicates are exact.
+  /// \throws Error `dimension_mismatch`
+  std::optional<Field> parameter_of(const Point& b2) const {
+    return internal::coefficient<Field>(this->in_field(b2) - base<Field>(), this->template p<Field>());
+  }
+
+  /// The \f$ C_0 \f$ of the member nearest to a point: orthogonal projection. \throws Error `dimension_mismatch`
+  FT nearest_parameter(const Point& wished) const { return nearest(this->coordinates(wished)); }
+
+  /// \f$ C_0 = 2\beta^2 + 2\beta \f$, the \f$ C^2 \f$ member when \f$ \beta \f$ is the ratio of the parameter intervals.
+  FT ck_parameter() const { return ck_parameters<FT>(beta()).c0; }
+
+  /// \f$ \beta_2 \f$ of the join in unit intervals: \f$ Y'' = \beta^2 X'' + \beta_2 X' \f$.
+  FT beta2(const FT& c0) const { return connection_beta2<FT>(degree(), beta(), c0); }
+
+  /// The \f$ C_0 \f$ for which the next segment with the given points \f$ b_3, \dots, b_m \f$ has the least energy
+  /// \f$ \int |\gamma''|^2 \f$, on whatever interval. \f$ O(m^3) \f$
+  /// \throws Error `wrong_number_of_points` unless `m - 2` points are given, `dimension_mismatch`
+  template <class InputIterator> FT least_energy_parameter(InputIterator first, InputIterator last) const {
+    return nearest(this->least_energy_point({this->b(0), this->b(0) + beta() * this->p()}, first, last));
+  }
+
+private:
+  template <class F = FT> typename Base::template Coordinates_over<F> base() const {
+    const F beta = internal::to_field<F>(this->beta()), square = beta * beta;
+    return F(F(1) - square) * this->template b<F>(0) + square * this->template b<F>(2); // b_{-2} when beta = 1
+  }
+  FT nearest(const typename Base::Coordinates& x) const {
+    return this->finite(FT(dot(x - base(), this->p()) / dot(this->p(), this->p())));
+  }
+};
+
+/// \ingroup PkgGeometricContinuityConstruction
+/// The scalars of one member of `Torsion_alternatives`.
+template <class FT> struct Torsion_parameters {
+  FT c1, c2;
+  friend bool operator==(const Torsion_parameters& x, const Torsion_parameters& y) {
+    return x.c1 == y.c1 && x.c2 == y.c2;
+  }
+  friend bool operator!=(const Torsion_parameters& x, const Torsion_parameters& y) { return !(x == y); }
+};
+
+/// \ingroup PkgGeometricContinuityConstruction
+/// The fourth point of every next segment with a continuous Frenet frame, curvature and torsion (\f$ F^3 \f$), behind
+/// \f$ b_1 = b_0 + \beta p \f$ and the member \f$ b_2 \f$ of `Curvature_alternatives` with a given \f$ C_0 \f$: the points
+/// \f$ b_3 = b_0 + \beta^3 (b_{-2} - b_{-3}) + C_1 p + C_2 r \f$ of an affine plane, which does not depend on \f$ C_0 \f$.
+/// Hagen (3.2.3), corrected: the printed \f$ b_3 = C_1 p + C_2 r \f$ does not even move with the curve.
+///
+/// Where the curvature is zero (\f$ r \parallel p \f$) the plane shrinks to a line and \f$ C_1, C_2 \f$ cannot be told apart;
+/// functions that choose a member then take the \f$ C_2 \f$ of the \f$ G^3 \f$ members.
+template <class Traits> class Torsion_alternatives : public internal::Polygon_end<Traits, 4> {
+  typedef internal::Polygon_end<Traits, 4> Base;
+
+public:
+  typedef typename Base::FT FT;
+  typedef typename Base::Point Point;
+  typedef typename Base::Vector Vector;
+  /// The number type of the kernel, or the exact one in which predicates are decided.
+  typedef typename Base::Field Field;
+
+  /// From the last points \f$ b_{-3}, \dots, b_0 \f$ of a polygon of degree `m`, and the \f$ C_0 \f$ of \f$ b_2 \f$.
+  /// \throws Error `wrong_number_of_points` when `m < 3`, `nonpositive_beta` unless `beta > 0`, `dimension_mismatch`,
+  ///   `zero_tangent` when \f$ p = 0 \f$
+  Torsion_alternatives(const std::array<Point, 4>& last_points, int m, const FT& c0, const FT& beta = FT(1))
+      : Base(last_points, m, beta, "torsion_alternatives"), c0_(c0) {}
+
+  using Base::beta;   ///< The ratio \f$ \beta \f$.
+  using Base::degree; ///< The degree `m` of both polygons.
+  const FT& c0() const { return c0_; }
+
+  /// The member with \f$ C_1 = C_2 = 0 \f$ and the directions \f$ p, r \f$ of the plane.
+  Point base_point() const { return this->to_point(base()); }
+  std::pair<Vector, Vector> directions() const {
+    return {Geometric_continuity::to_vector<Traits>(this->p()), Geometric_continuity::to_vector<Traits>(this->r())};
+  }
+
+  /// Whether the curvature is zero, so that the members form a line only. Exact where predicates are exact.
+  bool is_line() const {
+    return internal::coefficient<Field>(this->template r<Field>(), this->template p<Field>()).has_value();
+  }
+
+  /// The member \f$ b_3 \f$ with these scalars. \throws Error `not_finite` when it overflows the number type
+  Point point_at(const Torsion_parameters<FT>& x) const {
+    return this->to_point(base() + x.c1 * this->p() + x.c2 * this->r());
+  }
+
+  /// Whether a point is a member. Exact where predicates are exact. \throws Error `dimension_mismatch`
+  bool contains(const Point& b3) const {
+    const typename Base::template Coordinates_over<Field> v = this->in_field(b3) - base<Field>(),
+                                                          p = this->template p<Field>();
+    return is_line() ? internal::coefficient<Field>(v, p).has_value()
+                     : internal::coefficients<Field>(v, p, this->template r<Field>()).has_value();
+  }
+
+  /// The scalars of a point, empty if it is not in the plane. Decided exactly where predicates are exact.
+  /// \throws Error `dimension_mismatch`; `singular_frame` where the curvature is zero
+  std::optional<Torsion_parameters<Field>> parameters_of(const Point& b3) const {
+    if (is_line())
+      throw Error(Error_code::singular_frame,
+                  "torsion_alternatives: the curvature is zero, C1 and C2 are not separable");
+    const auto c = internal::coefficients<Field>(this->in_field(b3) - base<Field>(), this->template p<Field>(),
+                                                 this->template r<Field>());
+    if (!c) return std::nullopt;
+    return Torsion_parameters<Field>{c->first, c->second};
+  }
+
+  /// The scalars of the member nearest to a point: orthogonal projection. \throws Error `dimension_mismatch`
+  Torsion_parameters<FT> nearest_parameters(const Point& wished) const { return nearest(this->coordinates(wished)); }
+
+  /// \f$ C_1 = \beta^3 + 3\beta^2 + 3\beta \f$ and \f$ C_2 = 2\beta^3 + 3\beta^2 \f$: with the \f$ C^2 \f$ choice of
+  /// \f$ C_0 \f$, the \f$ C^3 \f$ member when \f$ \beta \f$ is the ratio of the parameter intervals.
+  Torsion_parameters<FT> ck_parameters() const {
+    const Alternative_parameters<FT> c = Geometric_continuity::ck_parameters<FT>(beta());
+    return {c.c1, c.c2};
+  }
+
+  /// The \f$ G^3 \f$ member with this \f$ \beta_3 \f$ (in unit intervals). There is one for each.
+  Torsion_parameters<FT> g3_parameters(const FT& beta3 = FT(0)) const {
+    const FT c2 = g3_c2<FT>(degree(), beta(), c0_);
+    return {connection_c1<FT>(degree(), beta(), c0_, c2, beta3), c2};
+  }
+
+  /// \f$ \beta, \beta_2, \mu, \delta \f$ of the join with this member, in unit intervals.
+  Connection_coefficients<FT> connection(const Torsion_parameters<FT>& x) const {
+    return connection_coefficients<FT>(degree(), beta(), {c0_, x.c1, x.c2});
+  }
+
+  /// The scalars for which the next segment with the given points \f$ b_4, \dots, b_m \f$ has the least energy
+  /// \f$ \int |\gamma''|^2 \f$, on whatever interval. \f$ O(m^3) \f$
+  /// \throws Error `wrong_number_of_points` unless `m - 3` points are given, `dimension_mismatch`
+  template <class InputIterator>
+  Torsion_parameters<FT> least_energy_parameters(InputIterator first, InputIterator last) const {
+    const typename Base::Coordinates b0 = this->b(0), p = this->p(); // b_2 = b_0 + beta^2 (r - p) + C_0 p
+    const FT beta = this->beta(), beta_squared = beta * beta;
+    return nearest(
+        this->least_energy_point({b0, b0 + beta * p, b0 + beta_squared * (this->r() - p) + c0_ * p}, first, last));
+  }
+
+private:
+  FT c0_;
+
+  template <class F = FT> typename Base::template Coordinates_over<F> base() const {
+    const F beta = internal::to_field<F>(this->beta());
+    return this->template b<F>(0) + F(beta * beta * beta) * this->template s<F>();
+  }
+  // x - base = C_1 p + C_2 r up to a vector orthogonal to p and r; with q, the part of r orthogonal to p, the normal
+  // equations are triangular
+  Torsion_parameters<FT> nearest(const typename Base::Coordinates& x) const {
+    const typename Base::Coordinates v = x - base(), p = this->p(), r = this->r(), q = orthogonal_component(r, p);
+    const FT c2 = is_line() ? g3_parameters().c2 : FT(dot(v, q) / dot(q, q));
+    return {this->finite(FT(dot(v - c2 * r, p) / dot(p, p))), this->finite(c2)};
+  }
+};
+
+/// \ingroup PkgGeometricContinuityConstruction
+/// The second point of the segments that continue `left` with a continuous tangent.
+/// \throws Error like the constructor of the class
+template <class Traits, int Degree>
+Tangent_alternative<Traits> tangent_alternative(const Bezier_curve<Traits, Degree>& left,
+                                                const typename Traits::FT& beta = typename Traits::FT(1)) {
+  return {internal::last_points<2>(left, "tangent_alternative"), left.degree(), beta};
+}
+
+/// \ingroup PkgGeometricContinuityConstruction
+/// The line of third points of the segments that continue `left` with a continuous curvature vector.
+/// \throws Error like the constructor of the class
+template <class Traits, int Degree>
+Curvature_alternatives<Traits> curvature_alternatives(const Bezier_curve<Traits, Degree>& left,
+                                                      const typename Traits::FT& beta = typename Traits::FT(1)) {
+  return {internal::last_points<3>(left, "curvature_alternatives"), left.degree(), beta};
+}
+
+/// \ingroup PkgGeometricContinuityConstruction
+/// The plane of fourth points of the segments that continue `left` with continuous torsion, when \f$ b_2 \f$ has been chosen
+/// by \f$ C_0 \f$. \throws Error like the constructor of the class
+template <class Traits, int Degree>
+Torsion_alternatives<Traits> torsion_alternatives(const Bezier_curve<Traits, Degree>& left,
+                                                  const typename Traits::FT& c0,
+                                                  const typename Traits::FT& beta = typename Traits::FT(1)) {
+  return {internal::last_points<4>(left, "torsion_alternatives"), left.degree(), c0, beta};
+}
+
+} // namespace Geometric_continuity
+} // namespace CGAL
+
+#endif // CGAL_GEOMETRIC_CONTINUITY_EXTENSIONS_ALTERNATIVES_H

@@ -1,0 +1,148 @@
+// Copyright (c) 2026 The Geometric_continuity developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_GEOMETRIC_CONTINUITY_EXTENSIONS_INTERNAL_POLYGON_END_H
+#define CGAL_GEOMETRIC_CONTINUITY_EXTENSIONS_INTERNAL_POLYGON_END_H
+
+#include <CGAL/Geometric_continuity/curves/Bezier_curve.h>
+#include <CGAL/Geometric_continuity/numbers/internal/checked_conversion.h>
+
+#include <array>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Geometric_continuity {
+namespace internal {
+
+// c with v = c p, empty if there is none. \pre p is not zero
+template <class FT, int N>
+std::optional<FT> coefficient(const Coordinate_vector<FT, N>& v, const Coordinate_vector<FT, N>& p) {
+  const FT pp = dot(p, p), pv = dot(p, v);
+  if (pp * v != pv * p) return std::nullopt;
+  return FT(pv / pp);
+}
+
+// (c1, c2) with v = c1 p + c2 r, empty if there is none: normal equations, then the residual. \pre p, r are independent
+template <class FT, int N>
+std::optional<std::pair<FT, FT>> coefficients(const Coordinate_vector<FT, N>& v, const Coordinate_vector<FT, N>& p,
+                                              const Coordinate_vector<FT, N>& r) {
+  const FT pp = dot(p, p), pr = dot(p, r), rr = dot(r, r), pv = dot(p, v), rv = dot(r, v);
+  const FT det = pp * rr - pr * pr, c1 = rr * pv - pr * rv, c2 = pp * rv - pr * pv;
+  if (det * v != c1 * p + c2 * r) return std::nullopt;
+  return std::pair<FT, FT>(FT(c1 / det), FT(c2 / det));
+}
+
+// The integral over [0,1] of (B_i^m)'' (B_j^m)''. \pre m >= 2
+template <class FT> FT second_derivative_product(int m, int i, int j) {
+  const auto second_derivative = [m](int index) {
+    std::vector<FT> c(m + 1, FT(0));
+    c[index] = FT(1);
+    return Bernstein_polynomial<FT>(c).derivative().derivative();
+  };
+  return (second_derivative(i) * second_derivative(j)).integral();
+}
+
+// The last n points of the polygon, in its order.
+template <std::size_t n, class Traits, int Degree>
+std::array<typename Traits::Point, n> last_points(const Bezier_curve<Traits, Degree>& curve, const char* place) {
+  const int points = curve.degree() + 1, k = static_cast<int>(n);
+  if (points < k)
+    throw Error(Error_code::wrong_number_of_points,
+                std::string(place) + ": they do not exist for degree " + std::to_string(curve.degree()));
+  std::array<typename Traits::Point, n> last;
+  for (int i = 0; i < k; ++i) last[i] = curve.control_point(points - k + i);
+  return last;
+}
+
+// The last n points of a polygon of degree m and the ratio beta of a polygon that continues it: what the families of
+// alternatives have in common. F is the number type of the kernel or the field in which predicates are decided.
+template <class Traits, std::size_t n> class Polygon_end {
+  static constexpr int N = dimension_v<Traits>;
+
+public:
+  typedef typename Traits::FT FT;
+  typedef typename Traits::Point Point;
+  typedef typename Traits::Vector Vector;
+  typedef Predicate_FT<Traits> Field;
+
+  int degree() const { return m_; }
+  const FT& beta() const { return beta_; }
+
+protected:
+  template <class F> using Coordinates_over = Coordinate_vector<F, N>;
+  typedef Coordinates_over<FT> Coordinates;
+
+  Polygon_end(const std::array<Point, n>& last_points, int m, const FT& beta, const char* place)
+      : m_(m), beta_(beta), place_(place) {
+    if (m + 1 < static_cast<int>(n))
+      throw Error(Error_code::wrong_number_of_points,
+                  std::string(place) + ": they do not exist for degree " + std::to_string(m));
+    if (!(FT(0) < beta)) throw Error(Error_code::nonpositive_beta, place);
+    check_finite(beta, place);
+    for (std::size_t i = 0; i < n; ++i) points_[i] = Geometric_continuity::coordinates<Traits>(last_points[n - 1 - i]);
+    for (std::size_t i = 0; i < n; ++i) {
+      if (points_[i].dimension() != points_[0].dimension()) throw Error(Error_code::dimension_mismatch, place);
+      for (const FT& x : points_[i]) check_finite(x, place);
+    }
+    if (dot(p(), p()) == FT(0)) throw Error(Error_code::zero_tangent, place);
+  }
+
+  // the point b_{-i} and the legs
+  template <class F = FT> Coordinates_over<F> b(int i) const { return convert<F>(points_[i]); }
+  template <class F = FT> Coordinates_over<F> p() const { return b<F>(0) - b<F>(1); }
+  template <class F = FT> Coordinates_over<F> r() const { return b<F>(2) - b<F>(1); }
+  template <class F = FT> Coordinates_over<F> s() const { return b<F>(2) - b<F>(3); }
+
+  Coordinates coordinates(const Point& point) const {
+    const Coordinates x = Geometric_continuity::coordinates<Traits>(point);
+    if (x.dimension() != points_[0].dimension()) throw Error(Error_code::dimension_mismatch, place_);
+    return x;
+  }
+  Coordinates_over<Field> in_field(const Point& point) const { return convert<Field>(coordinates(point)); }
+
+  const FT& finite(const FT& x) const {
+    check_finite(x, place_);
+    return x;
+  }
+  Point to_point(const Coordinates& c) const {
+    for (const FT& x : c) finite(x);
+    return Geometric_continuity::to_point<Traits>(c);
+  }
+
+  // The point b_k for which the polygon b_0, ..., b_m has the least energy, where b holds b_0, ..., b_{k-1} and the range
+  // b_{k+1}, ..., b_m: the derivative sum_j E_kj b_j vanishes.
+  template <class InputIterator>
+  Coordinates least_energy_point(std::vector<Coordinates> b, InputIterator first, InputIterator last) const {
+    const int k = static_cast<int>(b.size());
+    b.push_back(Coordinates(points_[0].dimension()));
+    for (; first != last; ++first) b.push_back(coordinates(*first));
+    if (static_cast<int>(b.size()) != m_ + 1)
+      throw Error(Error_code::wrong_number_of_points,
+                  std::string(place_) + ": " + std::to_string(m_ - k) + " points must be given");
+    Coordinates sum(points_[0].dimension());
+    for (int j = 0; j <= m_; ++j) sum -= second_derivative_product<FT>(m_, k, j) * b[j];
+    return sum / second_derivative_product<FT>(m_, k, k);
+  }
+
+private:
+  std::array<Coordinates, n> points_; // from the end inwards
+  int m_;
+  FT beta_;
+  const char* place_;
+
+  template <class F> static Coordinates_over<F> convert(const Coordinates& c) {
+    Coordinates_over<F> x(c.dimension());
+    for (int i = 0; i < c.dimension(); ++i) x[i] = to_field<F>(c[i]);
+    return x;
+  }
+};
+
+} // namespace internal
+} // namespace Geometric_continuity
+} // namespace CGAL
+
+#endif // CGAL_GEOMETRIC_CONTINUITY_EXTENSIONS_INTERNAL_POLYGON_END_H

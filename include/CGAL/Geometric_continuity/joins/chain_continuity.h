@@ -1,0 +1,245 @@
+// Copyright (c) 2026 The Geometric_continuity developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_GEOMETRIC_CONTINUITY_JOINS_CHAIN_CONTINUITY_H
+#define CGAL_GEOMETRIC_CONTINUITY_JOINS_CHAIN_CONTINUITY_H
+
+#include <CGAL/Geometric_continuity/curves/Composite_bezier_curve.h>
+#include <CGAL/Geometric_continuity/joins/join_continuity.h>
+#include <CGAL/Geometric_continuity/local/curvatures.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <iterator>
+#include <map>
+#include <optional>
+#include <ostream>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Geometric_continuity {
+
+/// \ingroup PkgGeometricContinuityContinuity
+/// The three orders of continuity: equal derivatives, equal arc-length derivatives, equal Frenet frame and curvatures.
+enum class Continuity_kind { C, G, F };
+
+/// \ingroup PkgGeometricContinuityContinuity
+/// The order of one kind that was decided for a join.
+template <class FT> int order_of(const Join_continuity<FT>& join, Continuity_kind kind) {
+  return kind == Continuity_kind::C ? join.c_order : kind == Continuity_kind::G ? join.g_order : join.f_order;
+}
+
+/// \ingroup PkgGeometricContinuityContinuity
+/// How many joins of a chain have which order. The size does not depend on the length of the chain.
+class Chain_summary {
+  std::size_t joins_ = 0;
+  std::array<std::map<int, std::size_t>, 3> counts_;
+
+public:
+  /// Counts one more join.
+  template <class FT> void add(const Join_continuity<FT>& join) {
+    ++joins_;
+    for (Continuity_kind kind : {Continuity_kind::C, Continuity_kind::G, Continuity_kind::F})
+      ++counts_[static_cast<int>(kind)][order_of(join, kind)];
+  }
+
+  /// The number of joins.
+  std::size_t joins() const { return joins_; }
+
+  /// For each order that occurs the number of joins of exactly this order; -1 stands for a gap. Joins of the highest order
+  /// that was asked for may be smoother than that.
+  const std::map<int, std::size_t>& counts(Continuity_kind kind) const { return counts_[static_cast<int>(kind)]; }
+
+  /// The least order of all joins: the chain as a whole has this continuity. Empty for a chain without joins.
+  std::optional<int> least_order(Continuity_kind kind) const {
+    if (joins_ == 0) return std::nullopt;
+    return counts(kind).begin()->first;
+  }
+
+  /// The number of joins whose order is less.
+  std::size_t failing(Continuity_kind kind, int order) const {
+    std::size_t n = 0;
+    for (const std::pair<const int, std::size_t>& count : counts(kind)) n += count.first < order ? count.second : 0;
+    return n;
+  }
+
+  /// Writes the number of joins and the least orders, e.g. `3 joins, C0 G2 F2 or more`.
+  friend std::ostream& operator<<(std::ostream& os, const Chain_summary& s) {
+    os << s.joins_ << (s.joins_ == 1 ? " join" : " joins");
+    if (s.joins_ == 0) return os;
+    if (*s.least_order(Continuity_kind::C) < 0) return os << ", " << s.failing(Continuity_kind::C, 0) << " with a gap";
+    return os << ", C" << *s.least_order(Continuity_kind::C) << " G" << *s.least_order(Continuity_kind::G) << " F"
+              << *s.least_order(Continuity_kind::F) << " or more";
+  }
+};
+
+/// \ingroup PkgGeometricContinuityContinuity
+/// A join of a chain, as it is reported. It refers to the two curves and is valid during the report only.
+template <class Curve> struct Chain_join {
+  std::size_t left, right; ///< the numbers of the curves in the chain, from 0 on
+  const Curve& left_curve;
+  const Curve& right_curve;
+  Join_continuity<Predicate_FT<typename Curve::Traits>> continuity;
+};
+
+/// \ingroup PkgGeometricContinuityContinuity
+/// Decides the joins of a chain of any length whose curves come one at a time. Only the first curve and the previous one
+/// are kept.
+///
+/// \code{.cpp}
+/// Chain_analysis<Curve> chain(2);
+/// while (std::optional<Curve> curve = reader.next())
+///   chain.add(*curve, [](const Chain_join<Curve>& join) { std::cout << join.continuity << '\n'; });
+/// chain.close();
+/// std::cout << chain.summary() << '\n';
+/// \endcode
+///
+/// \tparam Curve a copyable model of `ParametricCurve`
+template <class Curve> class Chain_analysis {
+  int max_order_;
+  std::size_t size_ = 0;
+  std::optional<Curve> first_, last_;
+  Chain_summary summary_;
+
+  struct No_report {
+    void operator()(const Chain_join<Curve>&) const {}
+  };
+
+public:
+  /// Orders up to `max_order` are decided.
+  explicit Chain_analysis(int max_order = 3) : max_order_(max_order) {}
+
+  /// Appends a curve and decides its join with the one before it, if there is one: `report` is called with a
+  /// `Chain_join<Curve>`, then the join is counted. One call of `continuity()`.
+  /// \throws Error as `continuity()` does; then the chain is as it was before
+  template <class Report> void add(Curve curve, Report&& report) {
+    if (last_) decide(size_ - 1, size_, *last_, curve, report);
+    if (!first_) first_ = curve;
+    last_ = std::move(curve);
+    ++size_;
+  }
+  void add(Curve curve) { add(std::move(curve), No_report()); }
+
+  /// Decides the join that closes the chain, from the end of the last curve to the start of the first, which may be the
+  /// same. Nothing happens in an empty chain.
+  template <class Report> void close(Report&& report) {
+    if (last_) decide(size_ - 1, 0, *last_, *first_, report);
+  }
+  void close() { close(No_report()); }
+
+  /// The number of curves so far.
+  std::size_t size() const { return size_; }
+
+  /// The joins so far.
+  const Chain_summary& summary() const { return summary_; }
+
+private:
+  template <class Report>
+  void decide(std::size_t left, std::size_t right, const Curve& left_curve, const Curve& right_curve, Report& report) {
+    const Chain_join<Curve> join{left, right, left_curve, right_curve,
+                                 Geometric_continuity::continuity(left_curve, right_curve, max_order_)};
+    report(join);
+    summary_.add(join.continuity);
+  }
+};
+
+/// \ingroup PkgGeometricContinuityContinuity
+/// Decides all joins of a chain of curves up to order `max_order`, with the closing one if `closed`, and reports each by
+/// a call of `report` with a `Chain_join`. See `Chain_analysis`.
+/// \tparam InputIterator its value type is a copyable model of `ParametricCurve`
+template <class InputIterator, class Report>
+Chain_summary chain_continuity(InputIterator first, InputIterator last, int max_order, bool closed, Report&& report) {
+  Chain_analysis<typename std::iterator_traits<InputIterator>::value_type> chain(max_order);
+  for (; first != last; ++first) chain.add(*first, report);
+  if (closed) chain.close(report);
+  return chain.summary();
+}
+
+/// \ingroup PkgGeometricContinuityContinuity
+/// The same without a report.
+template <class InputIterator>
+Chain_summary chain_continuity(InputIterator first, InputIterator last, int max_order = 3, bool closed = false) {
+  return chain_continuity(first, last, max_order, closed, [](const auto&) {});
+}
+
+/// \ingroup PkgGeometricContinuityContinuity
+/// Curvature and torsion on one side of a join.
+template <class FT> struct Join_side {
+  /// \f$ \kappa \f$, signed in the plane; empty where the tangent is zero.
+  std::optional<Signed_square<FT>> curvature;
+  /// \f$ \tau \f$; empty unless in space with nonzero curvature.
+  std::optional<FT> torsion;
+};
+
+/// \ingroup PkgGeometricContinuityContinuity
+/// What was decided about one join of a segmented curve, in its global parameter.
+template <class Traits> struct Composite_join {
+  typedef Predicate_FT<Traits> FT; ///< the field in which it was decided
+  int left, right;                 ///< the numbers of the segments
+  typename Traits::FT knot;        ///< the parameter at the end of the left segment
+  Join_continuity<FT> continuity;  ///< the orders, with the shape parameters in the global parameter
+  Join_side<FT> left_side, right_side;
+};
+
+/// \ingroup PkgGeometricContinuityContinuity
+/// What was decided about all joins of a segmented curve.
+template <class Traits> struct Composite_continuity {
+  std::vector<Composite_join<Traits>> joins; ///< from left to right; that of a closed curve's end and start is the last
+  Chain_summary summary;
+
+  /// The joins that do not have the continuity of this kind and order, which must not exceed the order that was decided.
+  std::vector<Composite_join<Traits>> failing(Continuity_kind kind, int order) const {
+    std::vector<Composite_join<Traits>> result;
+    for (const Composite_join<Traits>& join : joins)
+      if (order_of(join.continuity, kind) < order) result.push_back(join);
+    return result;
+  }
+};
+
+namespace internal {
+
+template <class FT, int N> Join_side<FT> join_side(const Coordinate_jet<FT, N>& jet) {
+  Join_side<FT> side;
+  if constexpr (N == 0 || N == 2)
+    if (jet.dimension() == 2) side.curvature = signed_curvature(jet);
+  if (jet.dimension() != 2)
+    if (const std::optional<FT> square = curvature_squared(jet))
+      side.curvature = Signed_square<FT>{sign_of<FT>(*square), *square};
+  if constexpr (N == 0 || N == 3)
+    if (jet.dimension() == 3) side.torsion = torsion(jet);
+  return side;
+}
+
+} // namespace internal
+
+/// \ingroup PkgGeometricContinuityContinuity
+/// Decides all joins of a segmented curve with respect to its global parameter, up to order `max_order`; that between its
+/// end and its start as well when the curve is closed. Exact wherever `continuity()` of two curves is: with
+/// `Exact_predicates_inexact_constructions_kernel` for the points and knots as given. One decision as in
+/// `continuity()` for each join. Hagen 2.1, (2.2), corrected.
+template <class Traits, int Degree>
+Composite_continuity<Traits> chain_continuity(const Composite_bezier_curve<Traits, Degree>& curve, int max_order = 3) {
+  typedef Predicate_FT<Traits> Field;
+  typedef Bezier_curve<Traits, Degree> Segment;
+  constexpr int N = dimension_v<Traits>;
+  const int k = std::max(max_order, 3); // curvature and torsion are reported for every max_order
+  Composite_continuity<Traits> result;
+  for (const auto& join : curve.joins()) {
+    const Segment left = curve.segment(join.left), right = curve.segment(join.right);
+    const Coordinate_jet<Field, N> x = left.template end_jet_over<Field>(k),
+                                   y = right.template start_jet_over<Field>(k);
+    const Join_continuity<Field> decided = internal::Join_decision<Field, N>(x, y, max_order)();
+    result.joins.push_back(
+        {join.left, join.right, curve.knots()[join.left + 1], decided, internal::join_side(x), internal::join_side(y)});
+    result.summary.add(decided);
+  }
+  return result;
+}
+
+} // namespace Geometric_continuity
+} // namespace CGAL
+
+#endif // CGAL_GEOMETRIC_CONTINUITY_JOINS_CHAIN_CONTINUITY_H

@@ -1,0 +1,88 @@
+// Copyright (c) 2026 The Geometric_continuity developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_GEOMETRIC_CONTINUITY_JOINS_DEVIATION_H
+#define CGAL_GEOMETRIC_CONTINUITY_JOINS_DEVIATION_H
+
+#include <CGAL/Geometric_continuity/joins/join_continuity.h>
+#include <CGAL/Geometric_continuity/local/curvatures.h>
+#include <CGAL/Geometric_continuity/numbers/Enclosure.h>
+#include <CGAL/Geometric_continuity/numbers/Exact_field.h>
+
+#include <algorithm>
+#include <optional>
+#include <ostream>
+#include <type_traits>
+
+namespace CGAL {
+namespace Geometric_continuity {
+
+/// \ingroup PkgGeometricContinuityContinuity
+/// How far a join is from being continuous: guaranteed enclosures. With \f$ X \f$ for the curve that ends and \f$ Y \f$ for
+/// the curve that starts there:
+struct Join_deviation {
+  Enclosure gap; ///< the distance \f$ |Y - X| \f$ of the ends, in units of the coordinates
+  /// The angle between the tangents, in radians, in \f$ [0, \pi] \f$. Empty when a tangent is zero.
+  std::optional<Enclosure> tangent_angle;
+  /// The relative jump of the curvature vector, \f$ |K_Y - K_X| / \max(|K_X|, |K_Y|) \f$, in [0, 2]; 0 when both are zero.
+  /// Empty when a tangent is zero.
+  std::optional<Enclosure> curvature_jump;
+  /// The jump of the torsion \f$ |\tau_Y - \tau_X| \f$, in units of 1/length. Empty unless in dimension 3 with nonzero
+  /// curvature on both sides.
+  std::optional<Enclosure> torsion_jump;
+
+  /// Writes what there is, e.g. `gap 0, tangent angle [0.1, 0.1], curvature jump 0`.
+  friend std::ostream& operator<<(std::ostream& os, const Join_deviation& d) {
+    os << "gap " << d.gap;
+    if (d.tangent_angle) os << ", tangent angle " << *d.tangent_angle;
+    if (d.curvature_jump) os << ", curvature jump " << *d.curvature_jump;
+    if (d.torsion_jump) os << ", torsion jump " << *d.torsion_jump;
+    return os;
+  }
+};
+
+namespace internal {
+
+template <class Field, int N>
+Join_deviation join_deviation(const Coordinate_jet<Field, N>& x, const Coordinate_jet<Field, N>& y) {
+  typedef Coordinate_vector<Field, N> Vector;
+  if (x.dimension() != y.dimension()) throw Error(Error_code::dimension_mismatch, "deviation of two jets");
+  if (x.order() < 0 || y.order() < 0) throw Error(Error_code::jet_order_too_low, "deviation of two jets");
+  const auto square = [](const Vector& v) -> Field { return dot(v, v); };
+  Join_deviation d{root_enclosure(square(y[0] - x[0])), {}, {}, {}};
+  const int order = std::min(x.order(), y.order());
+  if (order < 1 || is_zero(x[1]) || is_zero(y[1])) return d;
+  const Field xy = dot(x[1], y[1]);
+  d.tangent_angle = angle_enclosure(Field(square(x[1]) * square(y[1]) - xy * xy), xy);
+  if (order < 2) return d;
+  const Vector kx = *curvature_vector(x), ky = *curvature_vector(y);
+  const Field largest = std::max(square(kx), square(ky));
+  d.curvature_jump = largest == Field(0) ? Enclosure{0, 0} : root_enclosure(Field(square(ky - kx) / largest));
+  if constexpr (N == 0 || N == 3)
+    if (order >= 3 && x.dimension() == 3 && !is_zero(kx) && !is_zero(ky)) {
+      const Field jump = *torsion(y) - *torsion(x);
+      d.torsion_jump = enclosure(jump < Field(0) ? Field(-jump) : jump);
+    }
+  return d;
+}
+
+} // namespace internal
+
+/// \ingroup PkgGeometricContinuityContinuity
+/// How far the join between the end of `left` and the start of `right` is from being continuous. Everything is computed in
+/// an exact field from the control points as given, also with `Simple_cartesian<double>`; only the last step, a root or an
+/// arc tangent, is rounded, outwards.
+/// \tparam Left, Right models of `ParametricCurve` with one traits class
+/// \throws Error `dimension_mismatch` when the dimensions differ, `not_finite`
+template <class Left, class Right> Join_deviation deviation(const Left& left, const Right& right) {
+  typedef typename Exact_field<Predicate_FT<typename Left::Traits>>::type Field;
+  static_assert(std::is_same_v<typename Left::Traits, typename Right::Traits>,
+                "both curves must have the same traits class");
+  return internal::join_deviation(internal::end_jet<Field>(left, 3), internal::start_jet<Field>(right, 3));
+}
+
+} // namespace Geometric_continuity
+} // namespace CGAL
+
+#endif // CGAL_GEOMETRIC_CONTINUITY_JOINS_DEVIATION_H

@@ -1,0 +1,161 @@
+// Copyright (c) 2026 The Geometric_continuity developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_GEOMETRIC_CONTINUITY_MODELS_FACE_GRAPH_H
+#define CGAL_GEOMETRIC_CONTINUITY_MODELS_FACE_GRAPH_H
+
+#include <CGAL/Geometric_continuity/Error.h>
+#include <CGAL/Geometric_continuity/models/Tessellation.h>
+
+#include <CGAL/boost/graph/properties.h>
+#include <boost/graph/graph_traits.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Geometric_continuity {
+
+namespace internal {
+
+// The halfedges of triangles: number 3 t + i leads from corner i of triangle t to the next one.
+class Triangle_halfedges {
+  typedef std::array<std::size_t, 3> Triangle;
+  static constexpr std::size_t none = static_cast<std::size_t>(-1);
+
+  const std::vector<Triangle>& triangles_;
+  std::vector<std::size_t> opposite_;
+
+public:
+  explicit Triangle_halfedges(const std::vector<Triangle>& triangles, std::size_t number_of_points)
+      : triangles_(triangles), opposite_(3 * triangles.size(), none) {
+    for (std::size_t t = 0; t < triangles.size(); ++t)
+      for (int i = 0; i < 3; ++i) {
+        if (triangles[t][i] >= number_of_points)
+          refuse("triangle " + std::to_string(t) + " has a point that does not exist");
+        if (triangles[t][i] == triangles[t][(i + 1) % 3])
+          refuse("triangle " + std::to_string(t) + " has one point twice");
+      }
+    match();
+    check_points(number_of_points);
+  }
+
+  std::size_t size() const { return opposite_.size(); }
+  std::size_t source(std::size_t h) const { return triangles_[h / 3][h % 3]; }
+  std::size_t target(std::size_t h) const { return source(next(h)); }
+  static std::size_t next(std::size_t h) { return h % 3 == 2 ? h - 2 : h + 1; }
+  static std::size_t previous(std::size_t h) { return h % 3 == 0 ? h + 2 : h - 1; }
+  bool on_boundary(std::size_t h) const { return opposite_[h] == none; }
+  std::size_t opposite(std::size_t h) const { return opposite_[h]; }
+
+private:
+  [[noreturn]] static void refuse(const std::string& reason) {
+    throw Error(Error_code::not_a_manifold, "to_face_graph: " + reason);
+  }
+
+  void match() {
+    std::vector<std::size_t> order;
+    for (std::size_t h = 0; h < size(); ++h) order.push_back(h);
+    const auto ends = [&](std::size_t h) {
+      const std::size_t a = source(h), b = target(h);
+      return std::make_pair((std::min)(a, b), (std::max)(a, b));
+    };
+    std::sort(order.begin(), order.end(), [&](std::size_t g, std::size_t h) { return ends(g) < ends(h); });
+    for (std::size_t first = 0, last = 0; first < size(); first = last) {
+      while (last < size() && ends(order[last]) == ends(order[first])) ++last;
+      if (last - first == 1) continue;
+      const std::size_t g = order[first], h = order[first + 1];
+      const std::string edge =
+          "the edge from point " + std::to_string(source(g)) + " to point " + std::to_string(target(g));
+      if (last - first > 2) refuse(edge + " has more than two triangles");
+      if (source(g) == source(h)) refuse(edge + " has two triangles of opposite orientations");
+      opposite_[g] = h;
+      opposite_[h] = g;
+    }
+  }
+
+  // The triangles at a point must be one fan: turning from one of them, first backwards, leads to all of them.
+  void check_points(std::size_t number_of_points) const {
+    std::vector<std::size_t> degree(number_of_points), some(number_of_points, none);
+    for (std::size_t h = 0; h < size(); ++h) {
+      ++degree[source(h)];
+      if (some[source(h)] == none || on_boundary(h)) some[source(h)] = h; // a boundary halfedge begins the fan
+    }
+    for (std::size_t p = 0; p < number_of_points; ++p) {
+      std::size_t seen = 0, h = some[p];
+      for (; h != none && !(seen > 0 && h == some[p]); h = opposite_[previous(h)]) ++seen;
+      if (seen != degree[p]) refuse("the triangles at point " + std::to_string(p) + " are not one fan");
+    }
+  }
+};
+
+} // namespace internal
+
+/// \ingroup PkgGeometricContinuitySurfaces
+/// Appends triangles to a mesh of \cgal: a vertex for each point, a face for each triangle. When it throws, the mesh has
+/// not been changed. \f$ O(n \log n) \f$ for `n` triangles
+///
+/// \tparam Traits a model of `GeometricContinuityTraits`
+/// \tparam Mesh a model of the concept `MutableFaceGraph` of \cgal
+/// \tparam VertexPointMap a writable property map from the vertices of the mesh to points, to which `Traits::Point` is
+///   assigned
+/// \throws Error `not_a_manifold` when an edge has more than two triangles or two of opposite orientations, or the triangles
+///   at a point are not one fan, or a triangle has one point twice
+template <class Traits, class Mesh, class VertexPointMap>
+void to_face_graph(const Tessellation<Traits>& tessellation, Mesh& mesh, VertexPointMap points) {
+  typedef boost::graph_traits<Mesh> Graph;
+  typedef typename Graph::vertex_descriptor Vertex;
+  typedef typename Graph::halfedge_descriptor Halfedge;
+  typedef typename Graph::face_descriptor Face;
+  const internal::Triangle_halfedges triangles(tessellation.triangles, tessellation.points.size());
+
+  std::vector<Vertex> vertices;
+  for (const typename Traits::Point& point : tessellation.points) {
+    vertices.push_back(add_vertex(mesh));
+    put(points, vertices.back(), point);
+  }
+  std::vector<Halfedge> halfedges(triangles.size(), Graph::null_halfedge());
+  for (std::size_t h = 0; h < triangles.size(); ++h) {
+    if (!triangles.on_boundary(h) && triangles.opposite(h) < h) {
+      halfedges[h] = opposite(halfedges[triangles.opposite(h)], mesh);
+      continue;
+    }
+    halfedges[h] = halfedge(add_edge(mesh), mesh);
+    set_target(halfedges[h], vertices[triangles.target(h)], mesh);
+    set_target(opposite(halfedges[h], mesh), vertices[triangles.source(h)], mesh);
+  }
+  std::vector<Halfedge> leaving(tessellation.points.size(), Graph::null_halfedge()); // along the boundary
+  for (std::size_t h = 0; h < triangles.size(); ++h) {
+    set_halfedge(vertices[triangles.target(h)], halfedges[h], mesh);
+    set_next(halfedges[h], halfedges[triangles.next(h)], mesh);
+    if (triangles.on_boundary(h)) leaving[triangles.target(h)] = opposite(halfedges[h], mesh);
+  }
+  for (std::size_t t = 0; t < tessellation.triangles.size(); ++t) {
+    const Face face = add_face(mesh);
+    set_halfedge(face, halfedges[3 * t], mesh);
+    for (int i = 0; i < 3; ++i) set_face(halfedges[3 * t + i], face, mesh);
+  }
+  for (std::size_t h = 0; h < triangles.size(); ++h)
+    if (triangles.on_boundary(h)) {
+      const Halfedge border = opposite(halfedges[h], mesh); // ends where h begins
+      set_face(border, Graph::null_face(), mesh);
+      set_next(border, leaving[triangles.source(h)], mesh);
+      set_halfedge(vertices[triangles.source(h)], border, mesh);
+    }
+}
+
+/// \ingroup PkgGeometricContinuitySurfaces
+/// The same with the point map `get(CGAL::vertex_point, mesh)` of the mesh.
+template <class Traits, class Mesh> void to_face_graph(const Tessellation<Traits>& tessellation, Mesh& mesh) {
+  to_face_graph(tessellation, mesh, get(CGAL::vertex_point, mesh));
+}
+
+} // namespace Geometric_continuity
+} // namespace CGAL
+
+#endif // CGAL_GEOMETRIC_CONTINUITY_MODELS_FACE_GRAPH_H

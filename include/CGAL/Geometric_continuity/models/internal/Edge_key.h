@@ -1,0 +1,109 @@
+// Copyright (c) 2026 The Geometric_continuity developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_GEOMETRIC_CONTINUITY_MODELS_INTERNAL_EDGE_KEY_H
+#define CGAL_GEOMETRIC_CONTINUITY_MODELS_INTERNAL_EDGE_KEY_H
+
+#include <CGAL/Geometric_continuity/edges/bspline_edge_continuity.h>
+#include <CGAL/Geometric_continuity/edges/internal/spline_edge_rows.h>
+#include <CGAL/Geometric_continuity/numbers/internal/Common_denominator.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Geometric_continuity {
+namespace internal {
+
+// Numbers that two edges have in common if and only if they are the same curve after affine maps of both domains to [0, 1],
+// in either direction, whatever their degrees and knots. For each interval on which the curve is one polynomial: its start and
+// the coefficients of the powers of the parameter of the whole, up to the last that is not zero; in the direction that makes
+// them smaller.
+template <class Traits> class Edge_key {
+  typedef Edge_field<Traits> Field;
+  typedef typename Exact_number<Field>::type Exact; // compared often, evaluated once
+  typedef std::vector<Coordinate_vector<Field, 3>> Row;
+  struct Piece {
+    Field begin, end;
+    Row row; // the polynomial on [0, 1]
+  };
+
+  std::vector<std::vector<Exact>> numbers_;
+
+public:
+  template <class Surface> Edge_key(const Surface& surface, Patch_edge edge) {
+    std::vector<Piece> pieces = unit_pieces(surface, edge);
+    numbers_ = numbers(pieces);
+    std::reverse(pieces.begin(), pieces.end());
+    for (Piece& piece : pieces) {
+      std::reverse(piece.row.begin(), piece.row.end());
+      piece.begin = Field(Field(1) - piece.end);
+    }
+    std::vector<std::vector<Exact>> backwards = numbers(pieces);
+    if (backwards < numbers_) numbers_.swap(backwards);
+  }
+
+  bool single_point() const { return numbers_.size() == 1 && numbers_[0].size() == 4; }
+
+  // Negative, zero or positive.
+  int compare(const Edge_key& other) const {
+    return numbers_ < other.numbers_ ? -1 : other.numbers_ < numbers_ ? 1 : 0;
+  }
+
+private:
+  // Row 0 of a Bezier patch is that of the only piece; no division is needed.
+  static std::vector<Piece> unit_pieces(const Bezier_patch<Traits>& patch, Patch_edge edge) {
+    return {{Field(0), Field(1), in_space(patch.template rows<Field>(edge, 0)[0])}};
+  }
+
+  static std::vector<Piece> unit_pieces(const Bspline_surface<Traits>& surface, Patch_edge edge) {
+    const Knot_vector<Field> knots = knots_over<Field>(surface.knots_along(edge));
+    const Row rows = bspline_bezier<Field>(knots, in_space(surface.template rows<Field>(edge, 0)[0]));
+    const std::pair<Field, Field> domain = knots.domain();
+    const Field length = domain.second - domain.first;
+    std::vector<Piece> pieces;
+    auto row = rows.begin();
+    for (int k : knots.spans()) {
+      const Field span = knots[k + 1] - knots[k];
+      const auto end = row + (knots.degree() + 1);
+      pieces.push_back({Field(Field(knots[k] - domain.first) / length),
+                        Field(Field(knots[k + 1] - domain.first) / length),
+                        restricted(Row(row, end), Field(Field(domain.first - knots[k]) / span),
+                                   Field(Field(domain.second - knots[k]) / span))});
+      row = end;
+    }
+    return pieces;
+  }
+
+  template <class Other_row> static Row in_space(const Other_row& row) {
+    Row result;
+    for (const auto& x : row) {
+      result.emplace_back(3);
+      for (int i = 0; i < 3; ++i) result.back()[i] = x[i];
+    }
+    return result;
+  }
+
+  static std::vector<std::vector<Exact>> numbers(const std::vector<Piece>& pieces) {
+    std::vector<std::vector<Exact>> result;
+    Row last;
+    for (const Piece& piece : pieces) {
+      Row powers = power_coefficients<Field>(piece.row);
+      if (powers == last) continue; // the same polynomial goes on
+      result.emplace_back(1, Exact_number<Field>::of(piece.begin));
+      for (const auto& a : powers)
+        for (const Field& x : a) result.back().push_back(Exact_number<Field>::of(x));
+      last.swap(powers);
+    }
+    return result;
+  }
+};
+
+} // namespace internal
+} // namespace Geometric_continuity
+} // namespace CGAL
+
+#endif // CGAL_GEOMETRIC_CONTINUITY_MODELS_INTERNAL_EDGE_KEY_H

@@ -1,0 +1,149 @@
+// Copyright (c) 2026 The Geometric_continuity developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_GEOMETRIC_CONTINUITY_MODELS_INTERNAL_MODEL_TOPOLOGY_H
+#define CGAL_GEOMETRIC_CONTINUITY_MODELS_INTERNAL_MODEL_TOPOLOGY_H
+
+#include <CGAL/Geometric_continuity/models/internal/Edge_key.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <numeric>
+#include <optional>
+#include <utility>
+#include <vector>
+
+/// \file Model_topology.h
+/// Which edges and corners of the patches of a model are the same.
+
+namespace CGAL {
+namespace Geometric_continuity {
+namespace internal {
+
+// An edge of a patch as one use of an edge of the model.
+struct Edge_use {
+  std::size_t patch;
+  Patch_edge edge;
+  bool backwards; // against the direction of the first use
+};
+
+// The edges and corners of the patches of a model, those that are the same under one number. Edges are the same as in
+// `model_continuity()`. Corners are the same where they are ends of the same edge, or of a collapsed edge; corners that
+// merely have the same coordinates are not.
+template <class Traits> class Model_topology {
+  typedef Bezier_patch<Traits> Patch;
+  typedef Edge_field<Traits> Field;
+  typedef std::pair<std::size_t, std::size_t> Pair;
+
+  std::vector<const Patch*> patches_;
+  std::vector<std::size_t> parent_;          // of the corner 4 * patch + 2 * (at the end of u) + (at the end of v)
+  std::vector<std::vector<Edge_use>> edges_; // all uses of each edge that is not collapsed
+  std::vector<Pair> pairs_;                  // of corners that have an edge or a diagonal of a patch in common, sorted
+
+public:
+  explicit Model_topology(const std::vector<const Patch*>& patches) : patches_(patches), parent_(4 * patches.size()) {
+    std::iota(parent_.begin(), parent_.end(), std::size_t(0));
+    match_edges();
+    for (const std::vector<Edge_use>& uses : edges_) {
+      const Pair first = ends(uses[0]);
+      for (const Edge_use& use : uses) {
+        unite(first.first, ends(use).first);
+        unite(first.second, ends(use).second);
+      }
+    }
+    for (std::size_t& corner : parent_) corner = root(corner);
+    for (const std::vector<Edge_use>& uses : edges_) pairs_.push_back(vertices(ends(uses[0])));
+    for (std::size_t i = 0; i < patches_.size(); ++i)
+      for (const Pair& diagonal : diagonals(i)) pairs_.push_back(diagonal);
+    std::sort(pairs_.begin(), pairs_.end());
+  }
+
+  // By the first use, which is that of the patch with the least number.
+  const std::vector<std::vector<Edge_use>>& edges() const { return edges_; }
+
+  // The number, below four times the number of patches, of what may be the corner of several patches.
+  std::size_t corner(std::size_t patch, bool end_of_u, bool end_of_v) const {
+    return parent_[4 * patch + 2 * end_of_u + end_of_v];
+  }
+
+  // Whether the four corners of the patch are different and no two of them are also two corners of another patch, unless
+  // by the edge between them. Then lines from edge to edge through the patch have no double elsewhere.
+  bool simple(std::size_t patch) const {
+    std::vector<Pair> pairs;
+    for (Patch_edge edge : patch_edges) pairs.push_back(vertices(ends({patch, edge, false})));
+    for (const Pair& diagonal : diagonals(patch)) pairs.push_back(diagonal);
+    return std::all_of(pairs.begin(), pairs.end(), [&](const Pair& pair) {
+      const auto range = std::equal_range(pairs_.begin(), pairs_.end(), pair);
+      return pair.first != pair.second && range.second - range.first == 1;
+    });
+  }
+
+private:
+  std::size_t root(std::size_t corner) {
+    while (parent_[corner] != corner) corner = parent_[corner] = parent_[parent_[corner]];
+    return corner;
+  }
+  void unite(std::size_t a, std::size_t b) {
+    a = root(a);
+    b = root(b);
+    parent_[(std::max)(a, b)] = (std::min)(a, b);
+  }
+
+  // The two corners where a use begins and ends.
+  static Pair ends(const Edge_use& use) {
+    const std::size_t side = at_upper_end(use.edge), first = 4 * use.patch;
+    const Pair ends =
+        runs_along_u(use.edge) ? Pair(first + side, first + 2 + side) : Pair(first + 2 * side, first + 2 * side + 1);
+    return use.backwards ? Pair(ends.second, ends.first) : ends;
+  }
+
+  Pair vertices(const Pair& corners) const {
+    const std::size_t a = parent_[corners.first], b = parent_[corners.second];
+    return Pair((std::min)(a, b), (std::max)(a, b));
+  }
+  std::array<Pair, 2> diagonals(std::size_t patch) const {
+    return {vertices(Pair(4 * patch, 4 * patch + 3)), vertices(Pair(4 * patch + 1, 4 * patch + 2))};
+  }
+
+  void match_edges() {
+    std::vector<Edge_use> uses;
+    std::vector<Edge_key<Traits>> keys;
+    for (std::size_t i = 0; i < patches_.size(); ++i)
+      for (Patch_edge edge : patch_edges) {
+        Edge_key<Traits> key(*patches_[i], edge);
+        const Edge_use use{i, edge, false};
+        if (key.single_point())
+          unite(ends(use).first, ends(use).second);
+        else {
+          uses.push_back(use);
+          keys.push_back(std::move(key));
+        }
+      }
+    std::vector<std::size_t> order(uses.size());
+    std::iota(order.begin(), order.end(), std::size_t(0));
+    std::stable_sort(order.begin(), order.end(),
+                     [&](std::size_t a, std::size_t b) { return keys[a].compare(keys[b]) < 0; });
+    for (auto i = order.begin(); i != order.end(); ++i) {
+      if (i == order.begin() || keys[*i].compare(keys[*(i - 1)]) != 0) edges_.emplace_back();
+      edges_.back().push_back(uses[*i]);
+      edges_.back().back().backwards = runs_backwards(edges_.back().front(), uses[*i]);
+    }
+    std::sort(edges_.begin(), edges_.end(), [](const std::vector<Edge_use>& a, const std::vector<Edge_use>& b) {
+      return std::make_pair(a[0].patch, a[0].edge) < std::make_pair(b[0].patch, b[0].edge);
+    });
+  }
+
+  // Whether one edge has the opposite direction of another, which is the same curve.
+  bool runs_backwards(const Edge_use& a, const Edge_use& b) const {
+    if (a.patch == b.patch && a.edge == b.edge) return false;
+    return !Edge_sides<Field>(edge_rows(*patches_[a.patch], a.edge), edge_rows(*patches_[b.patch], b.edge)).same_edge();
+  }
+};
+
+} // namespace internal
+} // namespace Geometric_continuity
+} // namespace CGAL
+
+#endif // CGAL_GEOMETRIC_CONTINUITY_MODELS_INTERNAL_MODEL_TOPOLOGY_H

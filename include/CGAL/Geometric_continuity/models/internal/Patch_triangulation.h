@@ -1,0 +1,195 @@
+// Copyright (c) 2026 The Geometric_continuity developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_GEOMETRIC_CONTINUITY_MODELS_INTERNAL_PATCH_TRIANGULATION_H
+#define CGAL_GEOMETRIC_CONTINUITY_MODELS_INTERNAL_PATCH_TRIANGULATION_H
+
+#include <CGAL/Geometric_continuity/models/Tessellation.h>
+#include <CGAL/Geometric_continuity/models/internal/Patch_flatness.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <utility>
+#include <vector>
+
+/// \file Patch_triangulation.h
+/// The triangles of one patch of a model, between the points on its edges.
+
+namespace CGAL {
+namespace Geometric_continuity {
+namespace internal {
+
+// i/n between a and b
+template <class FT> FT fraction_of(const std::pair<FT, FT>& interval, std::size_t i, std::size_t n) {
+  if (i == 0) return interval.first;
+  if (i == n) return interval.second;
+  return FT(interval.first +
+            FT(interval.second - interval.first) * FT(FT(static_cast<int>(i)) / FT(static_cast<int>(n))));
+}
+
+// For each k from 0 to n, the values of the Bernstein polynomials of a degree at k/n.
+template <class FT> std::vector<std::vector<FT>> bernstein_weights(int degree, std::size_t n) {
+  std::vector<std::vector<FT>> weights(n + 1);
+  for (std::size_t k = 0; k <= n; ++k)
+    for (int i = 0; i <= degree; ++i) {
+      std::vector<FT> unit(degree + 1, FT(0));
+      unit[i] = FT(1);
+      weights[k].push_back(bernstein_value(unit, degree, fraction_of<FT>({FT(0), FT(1)}, k, n)));
+    }
+  return weights;
+}
+
+// The sum of the points `net[first]`, `net[first + 1]`, ... with weights.
+template <class FT, class Coordinates>
+Coordinates weighted_sum(const std::vector<FT>& weights, const std::vector<Coordinates>& net, std::size_t first = 0) {
+  Coordinates sum = weights[0] * net[first];
+  for (std::size_t i = 1; i < weights.size(); ++i) sum += weights[i] * net[first + i];
+  return sum;
+}
+
+// Cuts the patch into cells, and each cell into triangles. Points on the edges are there before; their number on an edge
+// is a multiple of the number of cells, so that every triangle lies in a cell of its patch.
+template <class Traits> class Patch_triangulation {
+  typedef typename Traits::FT FT;
+  typedef Bezier_patch<Traits> Patch;
+  typedef Tessellation<Traits> Mesh;
+
+public:
+  // The points along the edges u0, u1, v0, v1 in the direction of the parameter, with both ends; of a collapsed edge the
+  // only point.
+  typedef std::array<std::vector<std::size_t>, 4> Edges;
+
+private:
+  const Patch& patch_;
+  std::size_t number_; // of the patch
+  const Edges& edges_;
+  std::size_t nu_, nv_;
+  Mesh& mesh_;
+  std::size_t first_inner_;
+
+public:
+  Patch_triangulation(const Patch& patch, std::size_t number, const Patch_cells& cells, const Edges& edges, Mesh& mesh)
+      : patch_(patch), number_(number), edges_(edges), nu_(cells.u), nv_(cells.v), mesh_(mesh),
+        first_inner_(mesh.points.size()) {
+    add_inner_points();
+    for (std::size_t i = 0; i < nu_; ++i)
+      for (std::size_t j = 0; j < nv_; ++j) triangulate(i, j);
+  }
+
+private:
+  // The points of the grid inside the patch, row by row: first the control points of the curve with the constant v.
+  void add_inner_points() {
+    const std::size_t p = static_cast<std::size_t>(patch_.degree_u()), q = static_cast<std::size_t>(patch_.degree_v());
+    std::vector<Coordinates<Traits>> net, row(p + 1);
+    for (const typename Traits::Point& b : patch_) net.push_back(coordinates<Traits>(b));
+    const std::vector<std::vector<FT>> u = bernstein_weights<FT>(patch_.degree_u(), nu_),
+                                       v = bernstein_weights<FT>(patch_.degree_v(), nv_);
+    for (std::size_t j = 1; j < nv_; ++j) {
+      for (std::size_t k = 0; k <= p; ++k) row[k] = weighted_sum(v[j], net, k * (q + 1));
+      for (std::size_t i = 1; i < nu_; ++i)
+        add_point(to_point<Traits>(weighted_sum(u[i], row)), fraction_of(patch_.domain_u(), i, nu_),
+                  fraction_of(patch_.domain_v(), j, nv_));
+    }
+  }
+
+  std::size_t add_point(const typename Traits::Point& point, const FT& u, const FT& v) {
+    mesh_.points.push_back(point);
+    mesh_.places.push_back({number_, u, v});
+    return mesh_.points.size() - 1;
+  }
+
+  void add_triangle(std::size_t a, std::size_t b, std::size_t c) {
+    if (a == b || b == c || c == a) return; // at a collapsed edge
+    mesh_.triangles.push_back({a, b, c});
+    mesh_.patches.push_back(number_);
+  }
+
+  // The points of a side of a cell: from the k-th of n parts of an edge, its end excluded.
+  void append_part(std::vector<std::size_t>& polygon, const std::vector<std::size_t>& edge, std::size_t k,
+                   std::size_t n, bool backwards) const {
+    const std::size_t m = (edge.size() - 1) / n;
+    for (std::size_t l = 0; l < (std::max)(m, std::size_t(1)); ++l)
+      polygon.push_back(edge[backwards ? (k + 1) * m - l : k * m + l]);
+  }
+
+  std::size_t inner(std::size_t i, std::size_t j) const { return first_inner_ + (j - 1) * (nu_ - 1) + i - 1; }
+
+  std::size_t grid_point(std::size_t i, std::size_t j) const {
+    const auto on = [](const std::vector<std::size_t>& edge, std::size_t k, std::size_t n) {
+      return edge[k * ((edge.size() - 1) / n)];
+    };
+    if (i == 0) return on(edges_[0], j, nv_);
+    if (i == nu_) return on(edges_[1], j, nv_);
+    if (j == 0) return on(edges_[2], i, nu_);
+    if (j == nv_) return on(edges_[3], i, nu_);
+    return inner(i, j);
+  }
+
+  // The cell number i in u and j in v, counterclockwise, side by side.
+  void triangulate(std::size_t i, std::size_t j) {
+    std::vector<std::size_t> polygon;
+    std::array<std::size_t, 5> corner; // where the sides begin
+    const std::array<bool, 4> outer = {j == 0, i + 1 == nu_, j + 1 == nv_, i == 0};
+    for (int side = 0; side < 4; ++side) {
+      corner[side] = polygon.size();
+      const bool along_u = side % 2 == 0;
+      constexpr int edge_of_side[] = {2, 1, 3, 0};
+      if (outer[side])
+        append_part(polygon, edges_[edge_of_side[side]], along_u ? i : j, along_u ? nu_ : nv_, side >= 2);
+      else
+        polygon.push_back(grid_point(i + (side == 1 || side == 2), j + (side >= 2)));
+    }
+    corner[4] = polygon.size();
+    if (const std::optional<int> apex = fan_apex(polygon, corner, outer))
+      fan(polygon, corner[*apex]);
+    else {
+      const FT s = centre(patch_.domain_u(), i, nu_), t = centre(patch_.domain_v(), j, nv_);
+      const std::size_t middle = add_point(patch_(s, t), s, t);
+      for (std::size_t k = 0; k < polygon.size(); ++k)
+        add_triangle(middle, polygon[k], polygon[(k + 1) % polygon.size()]);
+    }
+  }
+
+  static FT centre(const std::pair<FT, FT>& domain, std::size_t i, std::size_t n) {
+    return fraction_of(domain, 2 * i + 1, 2 * n);
+  }
+
+  // The corner from which a fan of triangles covers the cell: no other point may lie on the two sides at it, and it should
+  // not be on an edge of the patch. Corner number k is where side k begins and side k - 1 ends.
+  std::optional<int> fan_apex(const std::vector<std::size_t>& polygon, const std::array<std::size_t, 5>& corner,
+                              const std::array<bool, 4>& outer) const {
+    const auto whole = [&](int side) { return corner[side + 1] - corner[side] == 1; };
+    std::optional<int> best;
+    int best_sides = 3;
+    for (int k = 0; k < 4; ++k) {
+      const int before = (k + 3) % 4, outer_sides = outer[k] + outer[before];
+      if (!whole(k) || !whole(before) || outer_sides > best_sides) continue;
+      if (outer_sides == best_sides && !(diagonal(polygon, corner, k) < diagonal(polygon, corner, *best))) continue;
+      best = k;
+      best_sides = outer_sides;
+    }
+    return best;
+  }
+
+  // The square of the length of the diagonal from a corner.
+  FT diagonal(const std::vector<std::size_t>& polygon, const std::array<std::size_t, 5>& corner, int k) const {
+    const Coordinates<Traits> d = coordinates<Traits>(mesh_.points[polygon[corner[k]]]) -
+                                  coordinates<Traits>(mesh_.points[polygon[corner[(k + 2) % 4]]]);
+    return dot(d, d);
+  }
+
+  void fan(const std::vector<std::size_t>& polygon, std::size_t apex) {
+    const std::size_t n = polygon.size();
+    for (std::size_t k = 1; k + 1 < n; ++k)
+      add_triangle(polygon[apex], polygon[(apex + k) % n], polygon[(apex + k + 1) % n]);
+  }
+};
+
+} // namespace internal
+} // namespace Geometric_continuity
+} // namespace CGAL
+
+#endif // CGAL_GEOMETRIC_CONTINUITY_MODELS_INTERNAL_PATCH_TRIANGULATION_H

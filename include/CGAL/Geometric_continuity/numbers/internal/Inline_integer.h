@@ -1,0 +1,162 @@
+// Copyright (c) 2026 The Geometric_continuity developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_GEOMETRIC_CONTINUITY_NUMBERS_INTERNAL_INLINE_INTEGER_H
+#define CGAL_GEOMETRIC_CONTINUITY_NUMBERS_INTERNAL_INLINE_INTEGER_H
+
+#include <boost/container/small_vector.hpp>
+
+#include <gmp.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <utility>
+
+namespace CGAL {
+namespace Geometric_continuity {
+namespace internal {
+
+// An integer of any size that allocates no memory up to 16 limbs: an exact construction has many short-lived integers. The
+// arithmetic is that of GMP's functions for limbs.
+class Inline_integer {
+  typedef boost::container::small_vector<mp_limb_t, 16> Limbs;
+  Limbs limbs_; // of the absolute value, the least first; the last is not zero
+  bool negative_ = false;
+
+public:
+  Inline_integer() = default;
+  explicit Inline_integer(int x) : negative_(x < 0) {
+    if (x != 0) limbs_.push_back(x < 0 ? -static_cast<mp_limb_t>(x) : static_cast<mp_limb_t>(x));
+  }
+
+  std::size_t size() const { return limbs_.size(); }
+  bool is_zero() const { return limbs_.empty(); }
+  bool is_one() const { return limbs_.size() == 1 && limbs_[0] == 1 && !negative_; }
+  int sign() const { return is_zero() ? 0 : negative_ ? -1 : 1; }
+  void negate() { negative_ = !negative_ && !is_zero(); }
+
+  // Reads and writes size limbs, the least first, of integers of other types.
+  template <class Limb> void assign(const Limb* limbs, std::size_t size, bool negative) {
+    static_assert(sizeof(Limb) == sizeof(mp_limb_t));
+    limbs_.assign(limbs, limbs + size);
+    negative_ = negative;
+    remove_leading_zeros();
+  }
+  template <class Limb> void copy_limbs(Limb* to) const { std::copy(limbs_.begin(), limbs_.end(), to); }
+
+  Inline_integer& operator+=(const Inline_integer& y) { return add(y, y.negative_); }
+  Inline_integer& operator-=(const Inline_integer& y) { return add(y, !y.negative_); }
+  Inline_integer& operator*=(const Inline_integer& y) {
+    if (y.size() == 1 && !is_zero()) {
+      push(mpn_mul_1(limbs_.data(), limbs_.data(), size(), y.limbs_[0]));
+      negative_ = negative_ != y.negative_;
+      return *this;
+    }
+    return *this = *this * y;
+  }
+  Inline_integer& operator<<=(long k) {
+    if (is_zero()) return *this;
+    const std::size_t n = size(), limbs = k / GMP_NUMB_BITS;
+    limbs_.insert(limbs_.begin(), limbs, 0);
+    if (const unsigned bits = k % GMP_NUMB_BITS)
+      push(mpn_lshift(limbs_.data() + limbs, limbs_.data() + limbs, n, bits));
+    return *this;
+  }
+
+  // Makes this number odd; returns the exponent of the power of two that was taken away. 0 stays.
+  long remove_twos() {
+    if (is_zero() || (limbs_[0] & 1) != 0) return 0;
+    const long twos = static_cast<long>(mpn_scan1(limbs_.data(), 0));
+    limbs_.erase(limbs_.begin(), limbs_.begin() + twos / GMP_NUMB_BITS);
+    if (const unsigned bits = twos % GMP_NUMB_BITS) mpn_rshift(limbs_.data(), limbs_.data(), size(), bits);
+    remove_leading_zeros();
+    return twos;
+  }
+
+  friend Inline_integer operator*(const Inline_integer& x, const Inline_integer& y) {
+    Inline_integer z;
+    if (x.is_zero() || y.is_zero()) return z;
+    const Inline_integer &a = x.size() < y.size() ? y : x, &b = x.size() < y.size() ? x : y;
+    z.limbs_.resize(a.size() + b.size(), boost::container::default_init);
+    mpn_mul(z.limbs_.data(), a.limbs_.data(), a.size(), b.limbs_.data(), b.size());
+    z.negative_ = x.negative_ != y.negative_;
+    z.remove_leading_zeros();
+    return z;
+  }
+  friend bool operator==(const Inline_integer& x, const Inline_integer& y) {
+    return x.negative_ == y.negative_ && x.limbs_ == y.limbs_;
+  }
+  friend bool operator!=(const Inline_integer& x, const Inline_integer& y) { return !(x == y); }
+
+  // The order of the absolute values: negative, 0, positive.
+  friend int compare_absolute(const Inline_integer& x, const Inline_integer& y) {
+    if (x.size() != y.size()) return x.size() < y.size() ? -1 : 1;
+    return x.is_zero() ? 0 : mpn_cmp(x.limbs_.data(), y.limbs_.data(), x.size());
+  }
+
+  // Whether d > 0 divides x; if so, q = x / d.
+  friend bool divides(const Inline_integer& d, const Inline_integer& x, Inline_integer& q) {
+    if (x.is_zero() || d.is_one()) {
+      q = x;
+      return true;
+    }
+    if (x.size() < d.size()) return false;
+    Limbs quotient(x.size() - d.size() + 1, boost::container::default_init),
+        remainder(d.size(), boost::container::default_init);
+    mpn_tdiv_qr(quotient.data(), remainder.data(), 0, x.limbs_.data(), x.size(), d.limbs_.data(), d.size());
+    if (!std::all_of(remainder.begin(), remainder.end(), [](mp_limb_t r) { return r == 0; })) return false;
+    q.limbs_ = std::move(quotient);
+    q.negative_ = x.negative_;
+    q.remove_leading_zeros();
+    return true;
+  }
+
+  // The greatest common divisor of two positive odd numbers.
+  friend Inline_integer gcd_of_odd(Inline_integer x, Inline_integer y) {
+    if (x.size() < y.size()) std::swap(x, y);
+    Inline_integer g;
+    g.limbs_.resize(y.size(), boost::container::default_init);
+    g.limbs_.resize(mpn_gcd(g.limbs_.data(), x.limbs_.data(), x.size(), y.limbs_.data(), y.size()));
+    return g;
+  }
+
+private:
+  // Adds y, with the sign that is given.
+  Inline_integer& add(const Inline_integer& y, bool negative) {
+    const std::size_t n = y.size();
+    if (n == 0) return *this;
+    if (is_zero()) {
+      limbs_ = y.limbs_;
+      negative_ = negative;
+      return *this;
+    }
+    if (size() < n) limbs_.resize(n);
+    mp_limb_t* const x = limbs_.data();
+    if (negative_ == negative) {
+      push(mpn_add(x, x, size(), y.limbs_.data(), n));
+      return *this;
+    }
+    if (size() > n || mpn_cmp(x, y.limbs_.data(), n) >= 0)
+      mpn_sub(x, x, size(), y.limbs_.data(), n);
+    else {
+      mpn_sub_n(x, y.limbs_.data(), x, n);
+      negative_ = negative;
+    }
+    remove_leading_zeros();
+    return *this;
+  }
+  void push(mp_limb_t carry) {
+    if (carry != 0) limbs_.push_back(carry);
+  }
+  void remove_leading_zeros() {
+    while (!limbs_.empty() && limbs_.back() == 0) limbs_.pop_back();
+    if (limbs_.empty()) negative_ = false;
+  }
+};
+
+} // namespace internal
+} // namespace Geometric_continuity
+} // namespace CGAL
+
+#endif // CGAL_GEOMETRIC_CONTINUITY_NUMBERS_INTERNAL_INLINE_INTEGER_H

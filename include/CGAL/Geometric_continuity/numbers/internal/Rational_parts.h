@@ -1,0 +1,108 @@
+// Copyright (c) 2026 The Geometric_continuity developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_GEOMETRIC_CONTINUITY_NUMBERS_INTERNAL_RATIONAL_PARTS_H
+#define CGAL_GEOMETRIC_CONTINUITY_NUMBERS_INTERNAL_RATIONAL_PARTS_H
+
+#include <CGAL/config.h>
+
+#ifdef CGAL_USE_GMP
+#include <CGAL/Geometric_continuity/numbers/internal/Inline_integer.h>
+#endif
+
+#include <type_traits>
+#include <utility>
+
+namespace CGAL {
+namespace Geometric_continuity {
+namespace internal {
+
+// How a rational number type is taken apart and put together: value is false for other number types.
+//   split(x, n, d): x = n / d in lowest terms, d > 0
+//   make(n, d, k): the reduced number n / (d 2^k), d > 0
+// The types are known by their members, so that none of their headers is needed here. Without GMP there are none.
+template <class FT, class = void> struct Rational_parts : std::false_type {};
+
+#ifdef CGAL_USE_GMP
+
+// The number of GMP in a Gmpq, in an mpq_class, and in a gmp_rational of Boost.
+template <class FT> auto gmp_rational(FT& x) -> decltype(mpq_ptr(x.mpq())) { return x.mpq(); }
+template <class FT> auto gmp_rational(const FT& x) -> decltype(mpq_srcptr(x.mpq())) { return x.mpq(); }
+template <class FT> auto gmp_rational(FT& x) -> decltype(mpq_ptr(x.get_mpq_t())) { return x.get_mpq_t(); }
+template <class FT> auto gmp_rational(const FT& x) -> decltype(mpq_srcptr(x.get_mpq_t())) { return x.get_mpq_t(); }
+template <class FT> auto gmp_rational(FT& x) -> decltype(mpq_ptr(x.backend().data())) { return x.backend().data(); }
+template <class FT> auto gmp_rational(const FT& x) -> decltype(mpq_srcptr(x.backend().data())) {
+  return x.backend().data();
+}
+
+template <class FT>
+struct Rational_parts<FT, std::void_t<decltype(internal::gmp_rational(std::declval<const FT&>()))>> : std::true_type {
+  static void split(const FT& x, Inline_integer& n, Inline_integer& d) {
+    const mpq_srcptr q = internal::gmp_rational(x);
+    copy(mpq_numref(q), n);
+    copy(mpq_denref(q), d);
+  }
+  static FT make(const Inline_integer& n, const Inline_integer& d, long k) {
+    FT x;
+    const mpq_ptr q = internal::gmp_rational(x);
+    copy(n, mpq_numref(q));
+    if (!d.is_one()) {
+      copy(d, mpq_denref(q));
+      mpq_canonicalize(q);
+    }
+    if (k > 0) mpq_div_2exp(q, q, k);
+    if (k < 0) mpq_mul_2exp(q, q, -k);
+    return x;
+  }
+
+private:
+  static void copy(mpz_srcptr z, Inline_integer& x) { x.assign(mpz_limbs_read(z), mpz_size(z), mpz_sgn(z) < 0); }
+  static void copy(const Inline_integer& x, mpz_ptr z) {
+    const mp_size_t size = static_cast<mp_size_t>(x.size());
+    if (size != 0) x.copy_limbs(mpz_limbs_write(z, size));
+    mpz_limbs_finish(z, x.sign() < 0 ? -size : size);
+  }
+};
+
+// A cpp_rational of Boost, whose integers have the limbs of GMP except where the compiler has no 128-bit integer.
+template <class FT>
+struct Rational_parts<
+    FT, std::enable_if_t<sizeof(*numerator(std::declval<const FT&>()).backend().limbs()) == sizeof(mp_limb_t)>>
+    : std::true_type {
+  typedef std::decay_t<decltype(numerator(std::declval<const FT&>()))> Integer;
+
+  static void split(const FT& x, Inline_integer& n, Inline_integer& d) {
+    copy(numerator(x), n);
+    copy(denominator(x), d);
+  }
+  static FT make(const Inline_integer& n, const Inline_integer& d, long k) {
+    Integer num = integer(n), den = integer(d);
+    if (num.is_zero()) return FT(0);
+    if (k > 0) den <<= k;
+    if (k < 0) num <<= -k;
+    return FT(num, den);
+  }
+
+private:
+  static void copy(const Integer& z, Inline_integer& x) {
+    x.assign(z.backend().limbs(), z.backend().size(), z.sign() < 0);
+  }
+  static Integer integer(const Inline_integer& x) {
+    Integer z(0);
+    if (x.is_zero()) return z;
+    const unsigned size = static_cast<unsigned>(x.size());
+    z.backend().resize(size, size);
+    x.copy_limbs(z.backend().limbs());
+    z.backend().sign(x.sign() < 0);
+    return z;
+  }
+};
+
+#endif // CGAL_USE_GMP
+
+} // namespace internal
+} // namespace Geometric_continuity
+} // namespace CGAL
+
+#endif // CGAL_GEOMETRIC_CONTINUITY_NUMBERS_INTERNAL_RATIONAL_PARTS_H

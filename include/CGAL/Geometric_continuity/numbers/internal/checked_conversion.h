@@ -1,0 +1,42 @@
+// Copyright (c) 2026 The Geometric_continuity developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_GEOMETRIC_CONTINUITY_NUMBERS_INTERNAL_CHECKED_CONVERSION_H
+#define CGAL_GEOMETRIC_CONTINUITY_NUMBERS_INTERNAL_CHECKED_CONVERSION_H
+
+#include <CGAL/Geometric_continuity/Error.h>
+
+#include <boost/config.hpp>
+
+#include <cmath>
+#include <type_traits>
+
+namespace CGAL {
+namespace Geometric_continuity {
+namespace internal {
+
+[[noreturn]] BOOST_NOINLINE inline void refuse_infinite(const char* place) {
+  throw Error(Error_code::not_finite, place);
+}
+
+// Checked before an infinity or a NaN can reach a rational number or a result.
+template <class FT> void check_finite(const FT& x, const char* place) {
+  if constexpr (std::is_floating_point_v<FT>)
+    if (!std::isfinite(x)) refuse_infinite(place);
+}
+
+template <class Field, class FT> Field to_field(const FT& x) {
+  if constexpr (std::is_same_v<Field, FT>)
+    return x;
+  else {
+    check_finite(x, "conversion to an exact number");
+    return Field(x);
+  }
+}
+
+} // namespace internal
+} // namespace Geometric_continuity
+} // namespace CGAL
+
+#endif // CGAL_GEOMETRIC_CONTINUITY_NUMBERS_INTERNAL_CHECKED_CONVERSION_H

@@ -1,0 +1,127 @@
+// Copyright (c) 2026 The Geometric_continuity developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_GEOMETRIC_CONTINUITY_NUMBERS_INTERNAL_COMMON_GRID_H
+#define CGAL_GEOMETRIC_CONTINUITY_NUMBERS_INTERNAL_COMMON_GRID_H
+
+#include <boost/config.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+
+namespace CGAL {
+namespace Geometric_continuity {
+namespace internal {
+
+// 2^e for -1022 <= e <= 1023
+BOOST_FORCEINLINE double power_of_two(int e) {
+  const std::uint64_t bits = static_cast<std::uint64_t>(e + 1023) << 52;
+  double x;
+  std::memcpy(&x, &bits, sizeof x);
+  return x;
+}
+
+BOOST_FORCEINLINE std::uint64_t bits_of(double x) {
+  std::uint64_t bits;
+  std::memcpy(&bits, &x, sizeof x);
+  return bits;
+}
+
+// floor(log2(x)) for a finite x >= 2^-1022; less than that for a smaller one
+BOOST_FORCEINLINE int binary_exponent(double x) { return static_cast<int>(bits_of(x) >> 52) - 1023; }
+
+BOOST_FORCEINLINE double largest(const std::array<double, 2>& x) { return std::max(std::abs(x[0]), std::abs(x[1])); }
+BOOST_FORCEINLINE double largest(const std::array<double, 3>& x) {
+  return std::max(std::max(std::abs(x[0]), std::abs(x[1])), std::abs(x[2]));
+}
+
+// Units of 2^exponent in which numbers of at most 2^(exponent + 53) are at most 2^53.
+class Grid {
+  double units_ = 1, unit_ = 1;
+  int exponent_ = 0;
+  bool valid_ = false;
+
+public:
+  // For numbers up to `largest`; not valid beyond 2^500 or below 2^-400.
+  BOOST_FORCEINLINE explicit Grid(double largest) {
+    const int e = binary_exponent(largest);
+    valid_ = -400 <= e && e <= 500;
+    exponent_ = valid_ ? e - 52 : 0;
+    units_ = power_of_two(-exponent_);
+    unit_ = power_of_two(exponent_);
+  }
+
+  BOOST_FORCEINLINE int exponent() const { return exponent_; }
+  // All numbers that have been converted lie on the grid.
+  BOOST_FORCEINLINE bool valid() const { return valid_; }
+
+  // \pre the number is not larger than `largest`, and the grid was valid for this
+  BOOST_FORCEINLINE std::int64_t operator()(double x) {
+    const std::int64_t n = static_cast<std::int64_t>(x * units_); // at most 2^53
+    valid_ &= static_cast<double>(n) * unit_ == x;
+    return n;
+  }
+  BOOST_FORCEINLINE std::array<std::int64_t, 2> operator()(const std::array<double, 2>& x) {
+    return {(*this)(x[0]), (*this)(x[1])};
+  }
+  BOOST_FORCEINLINE std::array<std::int64_t, 3> operator()(const std::array<double, 3>& x) {
+    return {(*this)(x[0]), (*this)(x[1]), (*this)(x[2])};
+  }
+};
+
+// The coarsest grid of units 2^exponent that has all coordinates of several points.
+//
+// Let 2^e <= largest < 2^(e+1) and G = 2^(e-51), then |x| < 2^52 G for all coordinates. Between 2^52 G and 2^53 G the doubles
+// are the multiples of G: so 2^52 G + |x| is exact if x is a multiple of G, and so is (2^52 G + |x|) - 2^52 G = |x|; and
+// otherwise, in every rounding mode, this is a multiple of G, so it is not |x|. The last 52 bits of the sum are |x|/G: the
+// zeros at the end that all of them have go into the unit.
+class Common_grid {
+  double offset_ = 1;
+  int first_exponent_ = 0;
+  std::uint64_t bits_ = 0, wrong_ = 0;
+
+public:
+  // Not valid beyond 2^500 or below 2^-400.
+  BOOST_FORCEINLINE explicit Common_grid(double largest) {
+    const int e = binary_exponent(largest);
+    wrong_ = !(-400 <= e && e <= 500);
+    if (wrong_) return;
+    first_exponent_ = e - 51;
+    offset_ = power_of_two(e + 1);
+  }
+
+  // The points of an end. \pre no coordinate is larger than `largest`
+  template <int k, std::size_t N> BOOST_FORCEINLINE void include(const std::array<std::array<double, N>, 4>& x) {
+    include(x[0]);
+    include(x[1]);
+    if constexpr (k >= 2) include(x[2]);
+    if constexpr (k >= 3) include(x[3]);
+  }
+
+  // All coordinates lie on a grid of 52 bits.
+  BOOST_FORCEINLINE bool valid() const { return wrong_ == 0; }
+  BOOST_FORCEINLINE int exponent() const { return first_exponent_ + __builtin_ctzll(bits_ | std::uint64_t(1) << 51); }
+
+private:
+  template <std::size_t N> BOOST_FORCEINLINE void include(const std::array<double, N>& x) {
+    include(x[0]);
+    include(x[1]);
+    if constexpr (N == 3) include(x[2]);
+  }
+  BOOST_FORCEINLINE void include(double x) {
+    const double size = std::abs(x), sum = offset_ + size;
+    bits_ |= bits_of(sum);
+    wrong_ |= bits_of(sum - offset_) ^ bits_of(size);
+  }
+};
+
+} // namespace internal
+} // namespace Geometric_continuity
+} // namespace CGAL
+
+#endif // CGAL_GEOMETRIC_CONTINUITY_NUMBERS_INTERNAL_COMMON_GRID_H

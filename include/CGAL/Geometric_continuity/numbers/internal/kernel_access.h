@@ -1,0 +1,35 @@
+// Copyright (c) 2026 The Geometric_continuity developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_GEOMETRIC_CONTINUITY_NUMBERS_INTERNAL_KERNEL_ACCESS_H
+#define CGAL_GEOMETRIC_CONTINUITY_NUMBERS_INTERNAL_KERNEL_ACCESS_H
+
+#include <type_traits>
+
+namespace CGAL {
+namespace Geometric_continuity {
+namespace internal {
+
+// The i-th coordinate of a point or a vector of a kernel. A kernel that keeps them in an array is read there, without the
+// branches of cartesian(i), which would keep a compiler from computing several coordinates at a time.
+template <class FT, class Point_or_vector> FT kernel_coordinate(const Point_or_vector& p, int i) {
+  if constexpr (std::is_pointer_v<decltype(p.cartesian_begin())>)
+    return p.cartesian_begin()[i];
+  else
+    return p.cartesian(i);
+}
+
+// The field in which predicates are decided: the exact one of a kernel that filters predicates on floating-point numbers, as
+// Exact_predicates_inexact_constructions_kernel does; otherwise that of the kernel.
+template <class K, bool filtered = (K::Has_filtered_predicates && std::is_floating_point_v<typename K::FT>)>
+struct Kernel_predicate_field {
+  typedef typename K::FT type;
+};
+template <class K> struct Kernel_predicate_field<K, true> { typedef typename K::Exact_kernel::FT type; };
+
+} // namespace internal
+} // namespace Geometric_continuity
+} // namespace CGAL
+
+#endif // CGAL_GEOMETRIC_CONTINUITY_NUMBERS_INTERNAL_KERNEL_ACCESS_H

@@ -1,0 +1,236 @@
+// Copyright (c) 2026 The Geometric_continuity developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_GEOMETRIC_CONTINUITY_SPLINES_INTERNAL_BSPLINE_MULTIPLY_H
+#define CGAL_GEOMETRIC_CONTINUITY_SPLINES_INTERNAL_BSPLINE_MULTIPLY_H
+
+#include <CGAL/Geometric_continuity/splines/internal/bspline_knots.h>
+#include <CGAL/Geometric_continuity/splines/internal/bspline_spans.h>
+
+#include <algorithm>
+#include <array>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+/// \file bspline_multiply.h
+/// Products of splines on rows of numbers: Bernstein products on the spans, and then the coefficients over the knots of the
+/// result. Elevation is the product with 1.
+
+namespace CGAL {
+namespace Geometric_continuity {
+namespace internal {
+
+template <class FT> constexpr FT binomial_coefficient(int n, int i) {
+  FT b(1);
+  for (int j = 0; j < i; ++j) b = FT(b * FT(n - j) / FT(j + 1));
+  return b;
+}
+
+// B_i^p B_j^q = C(p,i) C(q,j) / C(p+q,i+j) B_{i+j}^{p+q}: the factor is number (q + 1) i + j.
+template <class Weights, class FT> constexpr void assign_product_weights(int p, int q, Weights& w) {
+  for (int i = 0; i <= p; ++i)
+    for (int j = 0; j <= q; ++j)
+      w[(q + 1) * i + j] =
+          FT(binomial_coefficient<FT>(p, i) * binomial_coefficient<FT>(q, j) / binomial_coefficient<FT>(p + q, i + j));
+}
+
+// These factors, at compile time unless P is -1.
+template <class FT, int P, int Q> struct Product_weights {
+  static constexpr std::array<FT, (P + 1) * (Q + 1)> computed() {
+    std::array<FT, (P + 1) * (Q + 1)> w{};
+    assign_product_weights<std::array<FT, (P + 1) * (Q + 1)>, FT>(P, Q, w);
+    return w;
+  }
+  static constexpr std::array<FT, (P + 1) * (Q + 1)> w = computed();
+
+  Product_weights(int, int) {}
+};
+template <class FT> struct Product_weights<FT, -1, -1> {
+  std::vector<FT> w;
+
+  Product_weights(int p, int q) : w((p + 1) * (q + 1)) { assign_product_weights<std::vector<FT>, FT>(p, q, w); }
+};
+
+// A coefficient as a row of numbers.
+template <class Value> struct Fixed_dimension : std::integral_constant<int, 1> {};
+template <class FT, int N> struct Fixed_dimension<Coordinate_vector<FT, N>> : std::integral_constant<int, N> {};
+
+template <class FT> int number_of_coordinates(const FT&) { return 1; }
+template <class FT, int N> int number_of_coordinates(const Coordinate_vector<FT, N>& c) { return c.dimension(); }
+
+template <class Coefficients> struct Rows_of_coefficients {
+  typedef typename Coefficients::value_type Value;
+  const Coefficients& c;
+
+  void operator()(int i, Value* row) const { *row = c[i]; }
+  template <class FT> void operator()(int i, FT* row) const {
+    std::copy(c[i].begin(), c[i].end(), row);
+    if constexpr (row_length_v < FT, Fixed_dimension<Value>::value >> Fixed_dimension<Value>::value)
+      row[Fixed_dimension<Value>::value] = FT(0);
+  }
+};
+
+// And back.
+template <class FT, class Value> struct Write_coefficients {
+  int dimension;
+  Value* next;
+
+  BOOST_FORCEINLINE void operator()(const FT* row) {
+    if constexpr (std::is_same_v<Value, FT>)
+      *next = *row;
+    else
+      for (int i = 0; i < dimension; ++i) (*next)[i] = row[i];
+    ++next;
+  }
+};
+
+// work.run<p, q>() where both degrees are small and the arithmetic is that of the processor, and else work.run<-1, -1>().
+template <class FT, int P = 1, int Q = 1, class Work> void run_with_degrees(int p, int q, Work work) {
+  constexpr int most_unrolled = std::is_floating_point_v<FT> ? 3 : 0;
+  if constexpr (P > most_unrolled || Q > most_unrolled)
+    work.template run<-1, -1>();
+  else if (p != P)
+    run_with_degrees<FT, P + 1, Q>(p, q, work);
+  else if (q != Q)
+    run_with_degrees<FT, P, Q + 1>(p, q, work);
+  else
+    work.template run<P, Q>();
+}
+
+// The Bernstein coefficients of the product on a span: `weighted` are the factor's coefficients times the product weights, `b`
+// the rows of the other spline.
+template <int N, class FT> void multiply_on_span(const FT* weighted, const FT* b, int p, int q, int n, FT* rows) {
+  std::fill_n(rows, (p + q + 1) * n, FT(0));
+  for (int i = 0; i <= p; ++i)
+    for (int j = 0; j <= q; ++j) multiply_row<N, true>(weighted[(q + 1) * i + j], b + n * j, n, rows + n * (i + j));
+}
+
+// The same written out: term number I of the coefficient K, and those that follow.
+template <int P, int Q, int N, int K = 0, int I = 0, class FT>
+BOOST_FORCEINLINE void multiply_on_span(const FT* weighted, const FT* b, FT* rows) {
+  constexpr int first = K > Q ? K - Q : 0, last = K < P ? K : P;
+  if constexpr (I < first)
+    multiply_on_span<P, Q, N, K, first>(weighted, b, rows);
+  else if constexpr (I <= last) {
+    multiply_row<N, (I > first)>(weighted[Q * I + K], b + N * (K - I), N, rows + N * K);
+    multiply_on_span<P, Q, N, K, I + 1>(weighted, b, rows);
+  } else if constexpr (K < P + Q)
+    multiply_on_span<P, Q, N, K + 1>(weighted, b, rows);
+}
+
+// See product_knots().
+template <class FT> Distinct_knots<FT> distinct_product_knots(const Knot_vector<FT>& f, const Knot_vector<FT>& g) {
+  if (!f.has_domain_of(g)) throw Error(Error_code::parameter_outside_domain, "B-spline product: the domains differ");
+  const int p = f.degree(), q = g.degree();
+  const FT *x = f.knots().data() + p, *y = g.knots().data() + q, &start = *x, &end = f[f.number_of_coefficients()];
+  Distinct_knots<FT> t(p + q, f.number_of_coefficients() - p + g.number_of_coefficients() - q);
+  t.append(start, p + q + 1);
+  while (*x == start) ++x;
+  while (*y == start) ++y;
+  while (*x < end || *y < end) {
+    const FT &a = *y < *x ? *y : *x, *const x_before = x, *const y_before = y;
+    while (*x == a) ++x;
+    while (*y == a) ++y;
+    t.append(a, static_cast<int>(std::max(x > x_before ? x - x_before + q : 0, y > y_before ? y - y_before + p : 0)));
+  }
+  t.append(end, p + q + 1);
+  return t;
+}
+
+// See elevated_knots().
+template <class FT> Distinct_knots<FT> distinct_elevated_knots(const Knot_vector<FT>& knots, int times) {
+  if (times < 0)
+    throw Error(Error_code::wrong_number_of_points, "elevated_knots: the degree raised by " + std::to_string(times));
+  const int d = knots.degree() + times;
+  const FT *x = knots.knots().data() + knots.degree(), &start = *x, &end = knots[knots.number_of_coefficients()];
+  Distinct_knots<FT> t(d, knots.number_of_coefficients() - knots.degree() + 1);
+  t.append(start, d + 1);
+  while (*x == start) ++x;
+  while (*x < end) {
+    const FT* const before = x;
+    while (*x == *before) ++x;
+    t.append(*before, static_cast<int>(x - before) + times);
+  }
+  t.append(end, d + 1);
+  return t;
+}
+
+// The product over t = distinct_product_knots(u, v) of the splines over u, with numbers, and over v. Coefficients come from
+// f(i, row) and g(i, row), and those of the product go to output(row), one after the other.
+template <int Dimension, class FT, class F, class G, class Output> struct Multiply_splines {
+  const Distinct_knots<FT>& t;
+  const Knot_vector<FT>& u;
+  F f;
+  const Knot_vector<FT>& v;
+  G g;
+  int dimension;
+  Output& output;
+
+  template <int P, int Q> void run() const {
+    const int p = P < 0 ? u.degree() : P, q = Q < 0 ? v.degree() : Q, n = row_length<FT, Dimension>(dimension);
+    const Product_weights<FT, P, Q> weights(p, q);
+    Numbers < FT, P<0 ? 0 : (P + 1) * (Q + 1)> weighted;
+    if constexpr (P < 0) weighted.resize((p + 1) * (q + 1));
+    Bernstein_pieces<FT> pieces(t, n);
+    FT* rows = pieces.rows.data();
+    Bernstein_spans<FT, P, 1, F> a(u, 1, f);
+    Bernstein_spans<FT, Q, Dimension, G> b(v, dimension, g);
+    for (int s = 1; s <= pieces.spans; ++s, rows += n * (p + q + 1)) {
+      a.next(pieces.knots[s].value);
+      b.next(pieces.knots[s].value);
+      for (int i = 0; i <= p; ++i)
+        for (int j = 0; j <= q; ++j) weighted[(q + 1) * i + j] = FT(weights.w[(q + 1) * i + j] * a[i][0]);
+      if constexpr (P >= 0 && Dimension > 0)
+        multiply_on_span<P, Q, row_length_v<FT, Dimension>>(weighted.data(), b[0], rows);
+      else
+        multiply_on_span<row_length_v<FT, Dimension>>(weighted.data(), b[0], p, q, n, rows);
+    }
+    coefficients_from_pieces < P<0 ? -1 : P + Q, Dimension>(pieces, p + q, dimension, output);
+  }
+};
+
+// The same for the factor 1, over t = distinct_elevated_knots(v, times).
+template <int Dimension, class FT, class G, class Output> struct Elevate_spline {
+  const Distinct_knots<FT>& t;
+  const Knot_vector<FT>& v;
+  G g;
+  int dimension;
+  Output& output;
+
+  template <int P, int Q> void run() const {
+    const int q = Q < 0 ? v.degree() : Q, p = P < 0 ? t.degree - q : P, n = row_length<FT, Dimension>(dimension);
+    const Product_weights<FT, P, Q> weights(p, q);
+    Bernstein_pieces<FT> pieces(t, n);
+    FT* rows = pieces.rows.data();
+    Bernstein_spans<FT, Q, Dimension, G> b(v, dimension, g);
+    for (int s = 1; s <= pieces.spans; ++s, rows += n * (p + q + 1)) {
+      b.next(pieces.knots[s].value);
+      if constexpr (P >= 0 && Dimension > 0)
+        multiply_on_span<P, Q, row_length_v<FT, Dimension>>(weights.w.data(), b[0], rows);
+      else
+        multiply_on_span<row_length_v<FT, Dimension>>(weights.w.data(), b[0], p, q, n, rows);
+    }
+    coefficients_from_pieces < P<0 ? -1 : P + Q, Dimension>(pieces, p + q, dimension, output);
+  }
+};
+
+template <int Dimension, class FT, class F, class G, class Output>
+void multiply_splines(const Distinct_knots<FT>& t, const Knot_vector<FT>& u, const F& f, const Knot_vector<FT>& v,
+                      const G& g, int dimension, Output& output) {
+  run_with_degrees<FT>(u.degree(), v.degree(),
+                       Multiply_splines<Dimension, FT, F, G, Output>{t, u, f, v, g, dimension, output});
+}
+template <int Dimension, class FT, class G, class Output>
+void elevate_spline(const Distinct_knots<FT>& t, const Knot_vector<FT>& v, const G& g, int dimension, Output& output) {
+  run_with_degrees<FT>(t.degree - v.degree(), v.degree(),
+                       Elevate_spline<Dimension, FT, G, Output>{t, v, g, dimension, output});
+}
+
+} // namespace internal
+
+} // namespace Geometric_continuity
+} // namespace CGAL
+
+#endif // CGAL_GEOMETRIC_CONTINUITY_SPLINES_INTERNAL_BSPLINE_MULTIPLY_H

@@ -1,0 +1,367 @@
+// Copyright (c) 2026 The Geometric_continuity developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+// Blends of rational numbers are computed on unreduced fractions, blends of lazy numbers as one lazy construction: the same
+// numbers as the formulas give with the operators of the number type.
+
+#define BOOST_TEST_MODULE exact_blends
+#define BOOST_TEST_DYN_LINK
+
+#include <CGAL/Cartesian_d.h>
+#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
+#include <CGAL/Geometric_continuity/Traits_2.h>
+#include <CGAL/Geometric_continuity/Traits_3.h>
+#include <CGAL/Geometric_continuity/Traits_d.h>
+#include <CGAL/Geometric_continuity/blends/blend.h>
+#include <CGAL/Gmpq.h>
+#include <CGAL/Gmpz.h>
+#include <CGAL/Quotient.h>
+#include <CGAL/Simple_cartesian.h>
+
+#include <boost/multiprecision/cpp_int.hpp>
+#include <boost/multiprecision/gmp.hpp>
+#include <boost/test/unit_test.hpp>
+
+#include <cmath>
+#include <limits>
+#include <random>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace GC = CGAL::Geometric_continuity;
+typedef CGAL::Exact_rational Exact;
+typedef CGAL::Exact_predicates_exact_constructions_kernel Lazy_kernel;
+
+#define CHECK_ERROR(expression, expected)                                                                              \
+  BOOST_CHECK_EXCEPTION((void)(expression), GC::Error,                                                                 \
+                        [](const GC::Error& e) { return e.code() == GC::Error_code::expected; })
+
+namespace {
+
+std::mt19937_64 engine(20);
+
+// 2^k, also for numbers without shifts
+template <class FT> FT power_of_two(int k) {
+  FT x(1), base(2);
+  for (int n = std::abs(k); n > 0; n /= 2) {
+    if (n % 2 == 1) x *= base;
+    base *= base;
+  }
+  return k < 0 ? FT(FT(1) / x) : x;
+}
+
+template <class FT> FT integer(int bits) { // in (-2^bits, 2^bits)
+  FT x(0);
+  for (int b = 0; b < bits; b += 15) {
+    x *= FT(1 << std::min(15, bits - b));
+    x += FT(static_cast<int>(engine() % (1u << std::min(15, bits - b))));
+  }
+  return engine() % 2 == 0 ? x : FT(-x);
+}
+
+enum Numbers { small, mixed, doubles, zeros, huge_and_tiny, long_numbers, number_of_families };
+
+template <class FT> FT number(int family) {
+  switch (family) {
+  case mixed: return FT(integer<FT>(80) / FT(FT(1) + integer<FT>(30) * integer<FT>(30) * FT(2)));
+  case doubles: return FT(std::ldexp(static_cast<double>(static_cast<long>(engine() >> 11)) - 0x1p52, -50));
+  case zeros: return FT(static_cast<int>(engine() % 3) - 1);
+  case huge_and_tiny:
+    return FT(FT(integer<FT>(20) / FT(3)) * power_of_two<FT>(engine() % 2 == 0 ? 150 : -150 - int(engine() % 9)));
+  case long_numbers: return FT(integer<FT>(1100) / FT(FT(7) * integer<FT>(200) + FT(1))); // longer than 1024 bits
+  default: return FT(FT(static_cast<int>(engine() % 2001) - 1000) / FT(1000));
+  }
+}
+
+template <class Traits> GC::Curve_jet<Traits> jet(int dimension, int order, int family) {
+  GC::Curve_jet<Traits> x(dimension, order);
+  for (int j = 0; j <= order; ++j)
+    for (int i = 0; i < dimension; ++i) x[j][i] = number<typename Traits::FT>(family);
+  if (is_zero(x[1])) x[1][0] = typename Traits::FT(1);
+  return x;
+}
+
+// The formulas with the operators of the number type.
+template <class Traits, class Strategy>
+auto by_operators(const GC::Curve_jet<Traits>& phi, const GC::Curve_jet<Traits>& psi, const Strategy& strategy,
+                  const GC::Shape_parameters<typename Traits::FT>& shape) {
+  typedef typename Traits::FT FT;
+  constexpr int N = GC::dimension_v<Traits>;
+  const FT &beta = shape.beta, &eta = shape.eta;
+  if constexpr (GC::internal::is_quintic_strategy<Traits, Strategy>) {
+    const GC::Quintic_ends<FT, N> e(phi[0], psi[0], beta * phi[1], eta * psi[1], FT(beta * beta) * phi[2],
+                                    FT(eta * eta) * psi[2]);
+    const GC::Quintic_parameters<FT> p = strategy(e);
+    return GC::Quintic_blend<Traits>({e.a1, e.b1(), e.c1(p.s1), e.c2(p.s2), e.b2(), e.a2}, p);
+  } else {
+    const GC::Septic_ends<FT, N> e{{phi[0], phi[1], phi[2], phi[3], beta, 1},
+                                   {psi[0], psi[1], psi[2], psi[3], eta, -1}};
+    const GC::Septic_parameters<FT> p = strategy(e);
+    return GC::Septic_blend<Traits>(e.control_points(p), p);
+  }
+}
+
+// In lowest terms, with a positive denominator.
+template <class FT> bool is_canonical(const FT& x) {
+  typedef CGAL::Fraction_traits<FT> Fraction;
+  typename Fraction::Numerator_type n;
+  typename Fraction::Denominator_type d;
+  typename Fraction::Decompose()(x, n, d);
+  return d > 0 && typename Fraction::Common_factor()(n, d) == 1;
+}
+
+template <class FT> void check_number(const FT& x, const FT& expected) {
+  BOOST_CHECK(x == expected);
+  if constexpr (GC::internal::Rational_parts<FT>::value) BOOST_CHECK(is_canonical(x));
+  if constexpr (std::is_same_v<FT, Lazy_kernel::FT>) BOOST_CHECK(is_canonical(x.exact()));
+}
+template <class FT> void check_parameters(const GC::Quintic_parameters<FT>& p, const GC::Quintic_parameters<FT>& q) {
+  check_number(p.s1, q.s1);
+  check_number(p.s2, q.s2);
+  BOOST_CHECK(p.fallback_start == q.fallback_start && p.fallback_end == q.fallback_end);
+}
+template <class FT> void check_parameters(const GC::Septic_parameters<FT>& p, const GC::Septic_parameters<FT>& q) {
+  for (const auto& [x, y] : {std::make_pair(p.start, q.start), std::make_pair(p.end, q.end)}) {
+    check_number(x.beta2, y.beta2);
+    check_number(x.mu, y.mu);
+    check_number(x.beta3, y.beta3);
+  }
+  BOOST_CHECK(p.fallback_start == q.fallback_start && p.fallback_end == q.fallback_end);
+}
+
+template <class Traits, class Strategy>
+void check_blend(const GC::Curve_jet<Traits>& phi, const GC::Curve_jet<Traits>& psi, const Strategy& strategy,
+                 const GC::Shape_parameters<typename Traits::FT>& shape) {
+  const auto gamma = GC::blend(phi, psi, strategy, shape), expected = by_operators(phi, psi, strategy, shape);
+  for (int j = 0; j <= gamma.degree(); ++j)
+    for (int i = 0; i < phi.dimension(); ++i) check_number(gamma.coordinates(j)[i], expected.coordinates(j)[i]);
+  check_parameters(gamma.parameters, expected.parameters);
+}
+
+template <class FT> struct Every_strategy {
+  template <class Test> static void quintic(const Test& test) {
+    test(GC::Matching_second_derivative());
+    test(GC::Normal_offset());
+    test(GC::Minimal_second_derivative());
+    test(GC::Near_line());
+    test(GC::Minimal_energy<2>());
+    test(GC::Minimal_energy<3>());
+    test(GC::Given_parameters<FT>{number<FT>(mixed), number<FT>(zeros)});
+  }
+  template <class Test> static void septic(const Test& test) {
+    test(GC::Matching_third_derivative());
+    test(GC::Sequential_g3());
+    test(GC::Sequential_f3());
+    test(GC::Joint_g3());
+    test(GC::Given_end_parameters<FT>{{number<FT>(mixed), FT(0), FT(-1)}, {FT(0), number<FT>(mixed), FT(2)}});
+  }
+};
+
+template <class Traits> void check_every_strategy(int dimension) {
+  typedef typename Traits::FT FT;
+  // what the operators of cpp_rational take minutes for
+  constexpr bool slow = std::is_same_v<FT, boost::multiprecision::cpp_rational>;
+  for (int family = 0; family < number_of_families; ++family) {
+    if (slow && dimension > 2 && (family == huge_and_tiny || family == long_numbers)) continue;
+    BOOST_TEST_CONTEXT("dimension " << dimension << ", family " << family) {
+      const GC::Curve_jet<Traits> phi = jet<Traits>(dimension, 3, family), psi = jet<Traits>(dimension, 3, family);
+      const GC::Shape_parameters<FT> shape = family % 2 == 0
+                                                 ? GC::Shape_parameters<FT>()
+                                                 : GC::Shape_parameters<FT>{FT(FT(3) / FT(7)), FT(FT(22) / FT(5))};
+      const auto test = [&](const auto& strategy) { check_blend(phi, psi, strategy, shape); };
+      Every_strategy<FT>::quintic(test);
+      Every_strategy<FT>::septic(test);
+      if (slow ? family == zeros
+               : family != long_numbers && family != huge_and_tiny) { // elsewhere operators take seconds
+        test(GC::Minimal_energy_g3<3>());
+        test(GC::Minimal_energy_g3<4>());
+      }
+    }
+  }
+}
+
+template <class FT> void check_in_every_space() {
+  check_every_strategy<GC::Traits_2<CGAL::Simple_cartesian<FT>>>(2);
+  check_every_strategy<GC::Traits_3<CGAL::Simple_cartesian<FT>>>(3);
+  check_every_strategy<GC::Traits_d<CGAL::Cartesian_d<FT>>>(4);
+}
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE(exact_rational) {
+  static_assert(GC::internal::Rational_parts<Exact>::value);
+  check_in_every_space<Exact>();
+}
+BOOST_AUTO_TEST_CASE(gmpq) {
+  static_assert(GC::internal::Rational_parts<CGAL::Gmpq>::value);
+  check_in_every_space<CGAL::Gmpq>();
+}
+BOOST_AUTO_TEST_CASE(cpp_rational) {
+  typedef boost::multiprecision::cpp_rational FT;
+  static_assert(GC::internal::Rational_parts<FT>::value);
+  check_in_every_space<FT>();
+}
+BOOST_AUTO_TEST_CASE(mpq_rational) {
+  typedef boost::multiprecision::mpq_rational FT;
+  static_assert(GC::internal::Rational_parts<FT>::value);
+  check_every_strategy<GC::Traits_3<CGAL::Simple_cartesian<FT>>>(3);
+}
+
+namespace {
+
+// Numbers around the limits of limbs and of the memory that needs no allocation.
+template <class FT> std::vector<FT> special_numbers() {
+  std::vector<FT> numbers{FT(0), FT(1), FT(-1), FT(FT(-3) / FT(40)), power_of_two<FT>(64), FT(-power_of_two<FT>(-64))};
+  for (const int k : {63, 64, 128, 1023, 1024, 1025}) {
+    numbers.push_back(FT(power_of_two<FT>(k) - FT(1)));
+    numbers.push_back(FT(FT(-1) / numbers.back()));
+    numbers.push_back(FT(FT(FT(5) * power_of_two<FT>(k)) / FT(3)));
+  }
+  return numbers;
+}
+
+template <class FT> void check_fractions() {
+  typedef GC::internal::Rational_parts<FT> Parts;
+  typedef GC::internal::Unreduced_fraction<FT> Fraction;
+  typedef GC::internal::Inline_integer Integer;
+  const std::vector<FT> numbers = special_numbers<FT>();
+  for (const FT& x : numbers) {
+    Integer n, d;
+    Parts::split(x, n, d);
+    check_number(Parts::make(n, d, 0), x);
+    check_number(Parts::make(n, d, 70), FT(x * power_of_two<FT>(-70)));
+    check_number(Parts::make(n, d, -70), FT(x * power_of_two<FT>(70)));
+    check_number(Parts::make(n * Integer(15), d * Integer(35), 0), FT(x * FT(FT(3) / FT(7))));
+    check_number(FT(-Fraction(x).reduced()), (-Fraction(x)).reduced());
+    for (const FT& y : numbers) {
+      const Fraction p(x), q(y);
+      check_number((p + q).reduced(), FT(x + y));
+      check_number((p - q).reduced(), FT(x - y));
+      check_number((p * q).reduced(), FT(x * y));
+      if (y != FT(0)) check_number((p / q).reduced(), FT(x / y));
+      BOOST_CHECK_EQUAL(p == q, x == y);
+      BOOST_CHECK_EQUAL(p < q, x < y);
+    }
+  }
+}
+
+// A strategy of the user that knows one number type only.
+template <class FT, int N> struct Product_of_tangents {
+  GC::Quintic_parameters<FT> operator()(const GC::Quintic_ends<FT, N>& e) const {
+    return {FT(dot(e.u, e.v) / FT(7)), FT(e.a1[0] - e.a2[0])};
+  }
+};
+// Templates of the user may rely on the number type of the kernel.
+template <class Exact_FT> struct Own_septic {
+  template <class FT, int N> GC::Septic_parameters<FT> operator()(const GC::Septic_ends<FT, N>& e) const {
+    static_assert(std::is_same_v<FT, Exact_FT>);
+    return {{dot(e.start.d1, e.end.d1), FT(1), FT(2)}, {FT(0), FT(3), e.end.beta}};
+  }
+};
+
+template <class Traits> void check_strategies_of_the_user(int dimension) {
+  typedef typename Traits::FT FT;
+  const GC::Curve_jet<Traits> phi = jet<Traits>(dimension, 3, mixed), psi = jet<Traits>(dimension, 3, doubles);
+  const GC::Shape_parameters<FT> shape{FT(FT(1) / FT(3)), FT(2)};
+  check_blend(phi, psi, Product_of_tangents<FT, GC::dimension_v<Traits>>(), shape);
+  check_blend(phi, psi, Own_septic<FT>(), shape);
+  const auto generic = [](const auto& e) { return GC::Quintic_parameters<FT>{FT(e.u[0]), FT(e.b2()[0])}; };
+  check_blend(phi, psi, generic, shape);
+}
+
+// Two pieces of one straight line: Near_line, Sequential_f3 and Joint_g3 are not defined.
+template <class Traits> void check_fallbacks(int dimension) {
+  typedef typename Traits::FT FT;
+  GC::Curve_jet<Traits> phi(dimension, 3), psi(dimension, 3);
+  for (int i = 0; i < dimension; ++i) {
+    const FT a = number<FT>(small), d = number<FT>(mixed);
+    for (int j = 0; j <= 3; ++j) {
+      phi[j][i] = FT(d * FT(FT(j + 1) / FT(3)));
+      psi[j][i] = FT(d * FT(FT(5) / FT(j + 7)));
+    }
+    phi[0][i] += a;
+    psi[0][i] += a;
+  }
+  const GC::Shape_parameters<FT> shape;
+  BOOST_CHECK(GC::blend(phi, psi, GC::Near_line()).parameters.fallback_start);
+  BOOST_CHECK(GC::blend(phi, psi, GC::Joint_g3()).parameters.fallback_end);
+  check_blend(phi, psi, GC::Near_line(), shape);
+  check_blend(phi, psi, GC::Sequential_f3(), shape);
+  check_blend(phi, psi, GC::Joint_g3(), shape);
+}
+
+template <class Traits> void check_errors(int dimension) {
+  typedef typename Traits::FT FT;
+  const GC::Curve_jet<Traits> phi = jet<Traits>(dimension, 3, mixed);
+  GC::Curve_jet<Traits> standing = phi;
+  for (int i = 0; i < dimension; ++i) standing[1][i] = FT(FT(FT(1) / FT(3)) * FT(3) - FT(1)); // 0, not only near it
+  CHECK_ERROR(GC::blend(standing, phi), zero_tangent);
+  CHECK_ERROR(GC::blend(phi, standing, GC::Near_line()), zero_tangent);
+  CHECK_ERROR(GC::blend(phi, standing, GC::Sequential_g3()), zero_tangent);
+  CHECK_ERROR(GC::blend(phi, phi, GC::Normal_offset(), {FT(0), FT(1)}), nonpositive_beta);
+  CHECK_ERROR(GC::blend(phi, phi, GC::Joint_g3(), {FT(1), FT(FT(-1) / FT(9))}), nonpositive_beta);
+  CHECK_ERROR(GC::blend(phi, jet<Traits>(dimension, 1, small)), jet_order_too_low);
+  CHECK_ERROR(GC::blend(phi, jet<Traits>(dimension, 2, small), GC::Joint_g3()), jet_order_too_low);
+}
+
+template <class Traits> void check_all_but_strategies(int dimension) {
+  check_strategies_of_the_user<Traits>(dimension);
+  check_fallbacks<Traits>(dimension);
+  check_errors<Traits>(dimension);
+}
+
+typedef GC::Traits_3<CGAL::Simple_cartesian<Exact>> Exact_traits;
+typedef GC::Traits_d<CGAL::Cartesian_d<Exact>> Exact_traits_d;
+typedef GC::Traits_3<Lazy_kernel> Lazy_traits;
+typedef Lazy_kernel::FT Lazy;
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE(fractions) {
+  check_fractions<Exact>();
+  check_fractions<CGAL::Gmpq>();
+  check_fractions<boost::multiprecision::cpp_rational>();
+  check_fractions<boost::multiprecision::mpq_rational>();
+}
+
+BOOST_AUTO_TEST_CASE(strategies_of_the_user_fallbacks_and_errors) {
+  check_all_but_strategies<Exact_traits>(3);
+  check_all_but_strategies<Exact_traits_d>(4);
+  check_all_but_strategies<Lazy_traits>(3);
+  CHECK_ERROR(GC::blend(jet<Exact_traits_d>(4, 3, small), jet<Exact_traits_d>(5, 3, small)), dimension_mismatch);
+}
+
+// Given parameters of other number types.
+BOOST_AUTO_TEST_CASE(given_parameters) {
+  const GC::Curve_jet<Exact_traits> phi = jet<Exact_traits>(3, 3, mixed), psi = jet<Exact_traits>(3, 3, mixed);
+  check_blend(phi, psi, GC::Given_parameters<double>{0.125, -3}, {});
+  check_blend(phi, psi, GC::Given_parameters<int>{7, 0}, {});
+  check_blend(phi, psi, GC::Given_end_parameters<double>{{0.5, 0, 1}, {0, -0.25, 0}}, {});
+}
+
+// Number types that have no parts: the operators.
+BOOST_AUTO_TEST_CASE(quotients) {
+  typedef CGAL::Quotient<CGAL::Gmpz> FT;
+  static_assert(!GC::internal::Rational_parts<FT>::value && !GC::internal::Rational_parts<double>::value);
+  static_assert(!GC::internal::Rational_parts<Lazy>::value);
+  typedef GC::Traits_3<CGAL::Simple_cartesian<FT>> Traits;
+  const GC::Curve_jet<Traits> phi = jet<Traits>(3, 2, small), psi = jet<Traits>(3, 2, small);
+  check_blend(phi, psi, GC::Minimal_energy<3>(), {});
+}
+
+BOOST_AUTO_TEST_CASE(lazy_numbers) { check_every_strategy<Lazy_traits>(3); }
+
+// All numbers of a blend stay intervals until one of them is needed. These contain the exact values.
+BOOST_AUTO_TEST_CASE(laziness) {
+  const GC::Curve_jet<Lazy_traits> phi = jet<Lazy_traits>(3, 3, mixed), psi = jet<Lazy_traits>(3, 3, mixed);
+  GC::Quintic_parameters<Lazy> p = GC::blend(phi, psi, GC::Near_line()).parameters;
+  const CGAL::Interval_nt<false> before = p.s1.approx();
+  BOOST_CHECK(!before.is_point() && before.sup() - before.inf() < 1e-6 * std::abs(before.sup()));
+  GC::Quintic_parameters<Exact> exact{p.s1.exact(), p.s2.exact(), false, false}; // the curve is gone
+  const CGAL::Interval_nt<false> after = p.s1.approx();
+  BOOST_CHECK(before.inf() <= after.inf() && after.sup() <= before.sup() && after.sup() - after.inf() <= 1e-15);
+  check_number(p.s1.exact(), exact.s1);
+  BOOST_CHECK(Exact(before.inf()) <= exact.s1 && exact.s1 <= Exact(before.sup()));
+}

@@ -1,0 +1,192 @@
+// Copyright (c) 2026 The Geometric_continuity developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+// Blends whose control points are floating-point numbers and whose joins are exactly G2.
+
+#define BOOST_TEST_MODULE representable_blend
+#define BOOST_TEST_DYN_LINK
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Geometric_continuity.h>
+#include <CGAL/Geometric_continuity/IO/g2.h>
+#include <CGAL/Geometric_continuity/blends/representable_blend.h>
+
+#include <boost/test/unit_test.hpp>
+
+#include <cmath>
+#include <cstdint>
+#include <iostream>
+#include <limits>
+#include <random>
+#include <sstream>
+#include <vector>
+
+namespace GC = CGAL::Geometric_continuity;
+typedef GC::Traits_2<CGAL::Epick> Plane;
+typedef GC::Traits_3<CGAL::Epick> Space;
+typedef GC::Bezier_curve<Space> Curve;
+typedef GC::Representable_blend<Space> Blend;
+
+#define CHECK_ERROR(expression, expected)                                                                              \
+  BOOST_CHECK_EXCEPTION((void)(expression), GC::Error,                                                                 \
+                        [](const GC::Error& e) { return e.code() == GC::Error_code::expected; })
+
+namespace {
+
+std::mt19937_64 random_engine(2026);
+
+// a multiple of 2^-36 in (-8, 8)
+double on_grid() { return std::ldexp(static_cast<double>(random_engine() >> 24), -36) - 8; }
+// 53 random digits
+double full() { return std::ldexp(static_cast<double>(random_engine() >> 11), -52) - 1; }
+
+template <class Number> Curve random_curve(int degree, Number number) {
+  std::vector<Space::Point> points;
+  for (int i = 0; i <= degree; ++i) {
+    const double x = number(), y = number(), z = number();
+    points.emplace_back(x, y, z);
+  }
+  return Curve(points.begin(), points.end());
+}
+
+bool exactly_g2(const Blend& b) {
+  return GC::continuity(b.phi, b).g_order >= 2 && GC::continuity(b, b.psi).g_order >= 2;
+}
+
+// The exact shape parameter that the decision finds is the one that is reported.
+bool beta_is(const CGAL::Exact_rational& found, double reported, int degree) {
+  return std::abs(CGAL::to_double(found) - reported) <= 1e-15 * degree;
+}
+
+double length(const Space::Vector& v) { return std::sqrt(v.squared_length()); }
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE(points_with_digits_to_spare_stay) {
+  for (int m = 1; m <= 9; ++m)
+    for (int n = 1; n <= 9; ++n)
+      for (int i = 0; i < 5; ++i) {
+        const Curve phi = random_curve(m, on_grid), psi = random_curve(n, on_grid);
+        const Blend b = GC::representable_blend(phi, psi);
+        BOOST_CHECK(exactly_g2(b));
+        BOOST_CHECK(!b.start_join.is_moved() && !b.end_join.is_moved() && b.phi == phi && b.psi == psi);
+        BOOST_CHECK(std::abs(b.start_join.beta - 1) <= 1.0 / 8 && std::abs(b.end_join.beta - 1) <= 1.0 / 8);
+        BOOST_CHECK(beta_is(GC::continuity(phi, b).betas[0], b.start_join.beta, m));
+        BOOST_CHECK(beta_is(CGAL::Exact_rational(1) / GC::continuity(b, psi).betas[0], b.end_join.beta, n));
+      }
+}
+
+BOOST_AUTO_TEST_CASE(full_doubles_move_by_half_a_unit) {
+  for (int m = 1; m <= 9; ++m)
+    for (int i = 0; i < 20; ++i) {
+      const Curve phi = random_curve(m, full), psi = random_curve(3, full);
+      const Blend b = GC::representable_blend(phi, psi);
+      BOOST_CHECK(exactly_g2(b));
+      BOOST_CHECK(b.start_join.is_moved() && b.end_join.is_moved());
+      for (int x = 0; x < 3; ++x) {
+        BOOST_CHECK_LE(b.start_join.grid[x], 0x1p-36); // of 53 digits at least 36 remain
+        double moved = 0;
+        for (int k = 0; k <= m; ++k) {
+          const double change = std::abs(b.phi.control_point(k)[x] - phi.control_point(k)[x]);
+          if (k < m - 2) BOOST_CHECK_EQUAL(change, 0);
+          moved = std::max(moved, change);
+        }
+        BOOST_CHECK_LE(moved, b.start_join.grid[x] / 2);
+        BOOST_CHECK_LE(moved, b.start_join.moved);
+      }
+    }
+}
+
+// Each strategy, also with other shape parameters: the points are near those of blend().
+BOOST_AUTO_TEST_CASE(strategies) {
+  const auto check = [](const Curve& phi, const Curve& psi, const auto& strategy, double beta, double eta) {
+    const Blend b = GC::representable_blend(phi, psi, strategy, {beta, eta});
+    BOOST_CHECK(exactly_g2(b));
+    BOOST_CHECK(std::abs(b.start_join.beta / beta - 1) <= 1.0 / 8 && std::abs(b.end_join.beta / eta - 1) <= 1.0 / 8);
+    // the blend with the shape parameters that were found differs by the rounding of e only: a 32nd of the legs
+    const auto near = GC::blend(phi, psi, strategy, {b.start_join.beta, b.end_join.beta});
+    const int m = phi.degree();
+    const double leg[2] = {length(phi.control_point(m) - phi.control_point(m - 1)),
+                           length(psi.control_point(1) - psi.control_point(0))};
+    for (int k = 0; k <= 5; ++k)
+      BOOST_CHECK_LE(length(near.control_point(k) - b.control_point(k)), leg[k / 3] / 32 + 1e-12);
+  };
+  for (int i = 0; i < 20; ++i) {
+    const Curve phi = random_curve(1 + i % 7, on_grid), psi = random_curve(2 + i % 5, on_grid);
+    check(phi, psi, GC::Matching_second_derivative(), 1, 1);
+    check(phi, psi, GC::Normal_offset(), 1.3, 0.7);
+    check(phi, psi, GC::Minimal_second_derivative(), 0.01, 100);
+    check(phi, psi, GC::Near_line(), 1, 1);
+    check(phi, psi, GC::Minimal_energy<2>(), 1, 2);
+    check(phi, psi, GC::Minimal_energy<3>(), 3, 1);
+    check(phi, psi, GC::Given_parameters<double>{0.25, -0.125}, 1, 1);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(written_and_read) {
+  const Blend b = GC::representable_blend(random_curve(3, full), random_curve(4, full));
+  std::stringstream file;
+  GC::write_g2(file, b.phi);
+  GC::write_g2(file, b);
+  GC::write_g2(file, b.psi);
+  const std::vector<Curve> curves = GC::read_g2_curves<Space>(file, "file");
+  BOOST_REQUIRE_EQUAL(curves.size(), 3);
+  BOOST_CHECK(GC::continuity(curves[0], curves[1]).g_order >= 2 && GC::continuity(curves[1], curves[2]).g_order >= 2);
+}
+
+BOOST_AUTO_TEST_CASE(unlike_sizes) {
+  // coordinates of very different sizes, one grid for each
+  const Curve phi{Space::Point(1e300, 1e-300, 0), Space::Point(1.1e300, 3e-300, 0), Space::Point(1.3e300, 2e-300, 0)},
+      psi{Space::Point(5e299, 1e-300, 1), Space::Point(4e299, 3e-300, 2), Space::Point(7e299, 4e-300, 0.1)};
+  const Blend b = GC::representable_blend(phi, psi);
+  BOOST_CHECK(exactly_g2(b));
+  BOOST_CHECK(b.start_join.grid[0] > 1e280 && b.start_join.grid[0] < 1e287 && b.start_join.grid[1] < 1e-308);
+  // subnormal numbers: the grid cannot be finer than they are
+  const double tiny = std::numeric_limits<double>::denorm_min();
+  const auto small = [&](int x) { return std::ldexp(x, 40) * tiny; };
+  const Curve left{Space::Point(0, 0, 0), Space::Point(small(3), small(5), 0), Space::Point(small(9), small(4), 0)};
+  const Curve right{Space::Point(small(20), 0, 0), Space::Point(small(33), small(5), small(1))};
+  BOOST_CHECK(exactly_g2(GC::representable_blend(left, right)));
+  // a tangent of one unit in the last place has no digits for a blend
+  const Curve stiff{Space::Point(1, 0, 0), Space::Point(std::nextafter(1.0, 2), 0, 0)};
+  CHECK_ERROR(GC::representable_blend(stiff, right), not_representable);
+  CHECK_ERROR(GC::representable_blend(right, stiff), not_representable);
+  const double huge = std::numeric_limits<double>::max();
+  const Curve wide{Space::Point(-huge, 0, 0), Space::Point(huge, 0, 0)};
+  CHECK_ERROR(GC::representable_blend(wide, right), not_representable);
+  CHECK_ERROR(GC::representable_blend(phi, psi, GC::Given_parameters<double>{1e308, 0}), not_representable);
+}
+
+BOOST_AUTO_TEST_CASE(other_spaces) {
+  typedef GC::Bezier_curve<Plane, 3> Cubic;
+  const Cubic phi{Plane::Point(0, 0), Plane::Point(0.1, 0.7), Plane::Point(0.4, 0.9), Plane::Point(0.9, 1)},
+      psi{Plane::Point(2, 0.3), Plane::Point(2.2, 0.1), Plane::Point(2.4, 0.2), Plane::Point(2.9, 0.3)};
+  const GC::Representable_blend<Plane> b = GC::representable_blend(phi, psi);
+  BOOST_CHECK(GC::continuity(b.phi, b).g_order >= 2 && GC::continuity(b, b.psi).g_order >= 2);
+  typedef GC::Traits_2<CGAL::Simple_cartesian<float>> Short;
+  const GC::Bezier_curve<Short> left{Short::Point(0, 0), Short::Point(1, 2), Short::Point(3, 3)},
+      right{Short::Point(5, 1), Short::Point(6, -1)};
+  const GC::Representable_blend<Short> c = GC::representable_blend(left, right);
+  typedef GC::Traits_2<CGAL::Simple_cartesian<CGAL::Exact_rational>> Rational;
+  const auto exact = [](const auto& curve) {
+    std::vector<Rational::Point> points;
+    for (const Short::Point& p : curve) points.emplace_back(p.x(), p.y());
+    return GC::Bezier_curve<Rational>(points.begin(), points.end());
+  };
+  BOOST_CHECK(GC::continuity(exact(c.phi), exact(c)).g_order >= 2);
+  BOOST_CHECK(GC::continuity(exact(c), exact(c.psi)).g_order >= 2);
+}
+
+BOOST_AUTO_TEST_CASE(errors) {
+  const Curve good = random_curve(3, on_grid), point{Space::Point(1, 2, 3)},
+              cusp{Space::Point(0, 0, 0), Space::Point(1, 0, 0), Space::Point(1, 0, 0)};
+  CHECK_ERROR(GC::representable_blend(good, good, GC::Normal_offset(), {0, 1}), nonpositive_beta);
+  CHECK_ERROR(GC::representable_blend(cusp, good, GC::Normal_offset(), {1, -1}), nonpositive_beta);
+  CHECK_ERROR(GC::representable_blend(cusp, good), zero_tangent);
+  CHECK_ERROR(GC::representable_blend(good, cusp.reverse()), zero_tangent);
+  CHECK_ERROR(GC::representable_blend(point, good), wrong_number_of_points);
+  CHECK_ERROR(GC::representable_blend(good, point), wrong_number_of_points);
+  const double infinity = std::numeric_limits<double>::infinity();
+  CHECK_ERROR(GC::representable_blend(good, good, GC::Normal_offset(), {infinity, 1}), not_finite);
+}

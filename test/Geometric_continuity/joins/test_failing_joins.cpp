@@ -1,0 +1,122 @@
+// Copyright (c) 2026 The Geometric_continuity developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+// Many joins at once: the same answers as one by one, on one core and on several.
+
+#define BOOST_TEST_MODULE join_batch
+#define BOOST_TEST_DYN_LINK
+
+#include <CGAL/Exact_rational.h>
+#include <CGAL/Geometric_continuity/Traits_2.h>
+#include <CGAL/Geometric_continuity/curves/Bezier_curve.h>
+#include <CGAL/Geometric_continuity/joins/failing_joins.h>
+#include <CGAL/Geometric_continuity/joins/join_predicates.h>
+#include <CGAL/Simple_cartesian.h>
+
+#include <boost/test/unit_test.hpp>
+
+#include <algorithm>
+#include <cstddef>
+#include <deque>
+#include <random>
+#include <set>
+#include <stdexcept>
+#include <vector>
+
+namespace GC = CGAL::Geometric_continuity;
+typedef std::vector<std::size_t> Indices;
+template <class FT> using Traits = GC::Traits_2<CGAL::Simple_cartesian<FT>>;
+template <class FT> using Curve = GC::Bezier_curve<Traits<FT>, 2>;
+
+const auto is_g2 = [](const auto& left, const auto& right) { return GC::is_g2_join(left, right); };
+
+// Pieces of the parabola y = x^2, in thirds if the numbers allow it; those in `bent` have their middle point moved, so that
+// they have no common tangent with their neighbours.
+template <class FT> std::vector<Curve<FT>> parabola(int n, const std::set<int>& bent) {
+  typedef typename Traits<FT>::Point Point;
+  const FT unit = std::is_same_v<FT, double> ? FT(1) : FT(FT(1) / FT(3));
+  std::vector<Curve<FT>> curves;
+  for (int i = 0; i < n; ++i) {
+    const FT x(i), y(i + 1), half(FT(2 * i + 1) / FT(2)), middle(x * y + FT(bent.count(i) ? 1 : 0));
+    curves.push_back({Point(x * unit, x * x * unit), Point(half * unit, middle * unit), Point(y * unit, y * y * unit)});
+  }
+  return curves;
+}
+
+template <class Tag, class FT> void check_chain(int n, const std::set<int>& bent) {
+  std::set<std::size_t> expected;
+  for (const int i : bent) {
+    if (i > 0) expected.insert(i - 1);
+    if (i + 1 < n) expected.insert(i);
+  }
+  const Indices truth(expected.begin(), expected.end());
+  const std::vector<Curve<FT>> curves = parabola<FT>(n, bent);
+  BOOST_CHECK(GC::failing_joins<Tag>(curves.begin(), curves.end(), is_g2) == truth);
+  Indices one_by_one;
+  for (int i = 0; i + 1 < n; ++i)
+    if (!GC::is_g2_join(curves[i], curves[i + 1])) one_by_one.push_back(i);
+  BOOST_CHECK(one_by_one == truth);
+  if (n > 0) // the chain as pairs
+    BOOST_CHECK(GC::failing_joins<Tag>(curves.begin(), curves.end() - 1, curves.begin() + 1, curves.end(), is_g2) ==
+                truth);
+}
+
+template <class Tag, class FT> void check_chains(int n) {
+  check_chain<Tag, FT>(0, {});
+  check_chain<Tag, FT>(1, {0});
+  check_chain<Tag, FT>(2, {});
+  check_chain<Tag, FT>(2, {1});
+  check_chain<Tag, FT>(n, {});
+  check_chain<Tag, FT>(n, {0, n - 1});
+  std::set<int> all, some;
+  std::mt19937 engine(2026);
+  for (int i = 0; i < n; ++i) {
+    all.insert(i);
+    if (engine() % 50 == 0) some.insert(i);
+  }
+  check_chain<Tag, FT>(n, some);
+  // a bent piece between two bent pieces: a join that fails on both sides
+  check_chain<Tag, FT>(n, all);
+}
+
+// enough for several blocks
+BOOST_AUTO_TEST_CASE(doubles_sequential) { check_chains<CGAL::Sequential_tag, double>(10000); }
+BOOST_AUTO_TEST_CASE(doubles_parallel) { check_chains<CGAL::Parallel_if_available_tag, double>(10000); }
+BOOST_AUTO_TEST_CASE(rational_numbers) { check_chains<CGAL::Parallel_if_available_tag, CGAL::Exact_rational>(2500); }
+
+// Prepared ends in two other kinds of containers.
+BOOST_AUTO_TEST_CASE(pairs_of_prepared_ends) {
+  typedef GC::Prepared_end<Traits<double>> End;
+  const std::vector<Curve<double>> curves = parabola<double>(3000, {1, 1500, 2998});
+  std::vector<End> left;
+  std::deque<End> right;
+  for (std::size_t i = 0; i + 1 < curves.size(); ++i) {
+    left.push_back(End::at_end(curves[i]));
+    right.push_back(End::at_start(curves[i + 1]));
+  }
+  const Indices truth = {0, 1, 1499, 1500, 2997, 2998};
+  BOOST_CHECK(GC::failing_joins(left.begin(), left.end(), right.begin(), right.end(), is_g2) == truth);
+  BOOST_CHECK(GC::failing_joins<CGAL::Parallel_if_available_tag>(left.begin(), left.end(), right.begin(), right.end(),
+                                                                 is_g2) == truth);
+}
+
+BOOST_AUTO_TEST_CASE(numbers_of_curves_differ) {
+  const std::vector<Curve<double>> curves = parabola<double>(5, {});
+  const auto refused = [](const GC::Error& e) { return e.code() == GC::Error_code::wrong_number_of_points; };
+  BOOST_CHECK_EXCEPTION((void)GC::failing_joins(curves.begin(), curves.end(), curves.begin(), curves.end() - 1, is_g2),
+                        GC::Error, refused);
+  BOOST_CHECK_EXCEPTION((void)GC::failing_joins(curves.begin(), curves.begin(), curves.begin(), curves.end(), is_g2),
+                        GC::Error, refused);
+}
+
+// What a predicate throws arrives, also from another thread.
+template <class Tag> void check_exception() {
+  const std::vector<int> numbers(5000, 1);
+  const auto throws = [](int, int) -> bool { throw std::domain_error("join"); };
+  BOOST_CHECK_THROW((void)GC::failing_joins<Tag>(numbers.begin(), numbers.end(), throws), std::domain_error);
+}
+BOOST_AUTO_TEST_CASE(exceptions) {
+  check_exception<CGAL::Sequential_tag>();
+  check_exception<CGAL::Parallel_if_available_tag>();
+}

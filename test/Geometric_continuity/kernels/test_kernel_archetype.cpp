@@ -1,0 +1,33 @@
+// Copyright (c) 2026 The Geometric_continuity developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#define BOOST_TEST_DYN_LINK
+#define BOOST_TEST_MODULE Archetype
+
+#include "support/archetype.h"
+
+#include <CGAL/Dimension.h>
+
+typedef archetype::Traits<CGAL::Dimension_tag<2>> Traits2;
+typedef archetype::Traits<CGAL::Dimension_tag<3>> Traits3;
+typedef archetype::Traits<CGAL::Dynamic_dimension_tag> Traits_n;
+constexpr bool exact = true, exact_predicates = true;
+constexpr bool cancels = true;
+constexpr int rounds = 3;
+
+template <class Test> void in_every_space(Test test) {
+  test(Traits2(), 2);
+  test(Traits3(), 3);
+  test(Traits_n(), 4);
+  test(Traits_n(), 5);
+}
+
+#include "typed/algebra.h"
+#include "typed/alternatives.h"
+#include "typed/bezier_curve.h"
+#include "typed/blend_quintic.h"
+#include "typed/blend_septic.h"
+#include "typed/continuity.h"
+#include "typed/cubic_curves.h"
+#include "typed/jets.h"

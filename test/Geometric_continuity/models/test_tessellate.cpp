@@ -1,0 +1,658 @@
+// Copyright (c) 2026 The Geometric_continuity developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+// Tessellation of patches, surfaces and models, face graphs and files of triangles.
+
+#define BOOST_TEST_DYN_LINK
+#define BOOST_TEST_MODULE tessellate
+#include <boost/test/unit_test.hpp>
+
+#include <CGAL/Exact_rational.h>
+#include <CGAL/Geometric_continuity/IO/mesh.h>
+#include <CGAL/Geometric_continuity/Traits_3.h>
+#include <CGAL/Geometric_continuity/models/face_graph.h>
+#include <CGAL/Geometric_continuity/models/tessellate.h>
+#include <CGAL/Linear_cell_complex_for_bgl_combinatorial_map_helper.h>
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/boost/graph/graph_traits_Linear_cell_complex_for_combinatorial_map.h>
+#include <CGAL/boost/graph/helpers.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <limits>
+#include <random>
+#include <set>
+#include <sstream>
+#include <string>
+#include <tuple>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace GC = CGAL::Geometric_continuity;
+
+typedef CGAL::Exact_rational Q;
+typedef CGAL::Simple_cartesian<Q> Exact_kernel;
+typedef std::tuple<CGAL::Simple_cartesian<double>, Exact_kernel> Kernels;
+
+template <class K> using Patch = GC::Bezier_patch<GC::Traits_3<K>>;
+template <class K> using Mesh = GC::Tessellation<GC::Traits_3<K>>;
+template <class K> using Net = std::vector<std::vector<typename K::Point_3>>;
+typedef Patch<Exact_kernel> Exact_patch;
+typedef std::vector<Exact_patch> Exact_model;
+typedef Exact_kernel::Point_3 Exact_point;
+
+#define CHECK_ERROR(expression, expected)                                                                              \
+  BOOST_CHECK_EXCEPTION((void)(expression), GC::Error,                                                                 \
+                        [](const GC::Error& e) { return e.code() == GC::Error_code::expected; })
+
+namespace {
+
+template <class K> constexpr bool is_exact = !std::is_floating_point_v<typename K::FT>;
+
+// ---------------------------------------------------------------- models, made of rationals
+
+// The same patch in another kernel; with rounded numbers the coordinates must be doubles.
+template <class K> Patch<K> in_kernel(const Exact_patch& s) {
+  const auto number = [](const Q& x) {
+    if constexpr (is_exact<K>)
+      return typename K::FT(x);
+    else {
+      const double rounded = CGAL::to_double(x);
+      BOOST_REQUIRE(Q(rounded) == x);
+      return rounded;
+    }
+  };
+  Net<K> net(s.degree_u() + 1);
+  for (int i = 0; i <= s.degree_u(); ++i)
+    for (int j = 0; j <= s.degree_v(); ++j) {
+      const Exact_point p = s.control_point(i, j);
+      net[i].emplace_back(number(p.x()), number(p.y()), number(p.z()));
+    }
+  return Patch<K>(net, {number(s.domain_u().first), number(s.domain_u().second)},
+                  {number(s.domain_v().first), number(s.domain_v().second)});
+}
+
+template <class K> std::vector<Patch<K>> in_kernel(const Exact_model& model) {
+  std::vector<Patch<K>> result;
+  for (const Exact_patch& s : model) result.push_back(in_kernel<K>(s));
+  return result;
+}
+
+// Whole numbers, so that elevated patches are whole, too.
+Exact_patch scaled(const Exact_patch& s, int factor) {
+  Net<Exact_kernel> net(s.degree_u() + 1);
+  for (int i = 0; i <= s.degree_u(); ++i)
+    for (int j = 0; j <= s.degree_v(); ++j) {
+      const Exact_point p = s.control_point(i, j);
+      net[i].emplace_back(Q(p.x() * factor), Q(p.y() * factor), Q(p.z() * factor));
+    }
+  return Exact_patch(net);
+}
+
+// Six patches over the faces of a cube of side 288, seen from outside. The middle control points of edges are moved outwards
+// by the factor `edge`, those of faces by a factor for each. Some are turned, run through backwards and elevated.
+Exact_model cube(const Q& edge, const std::array<Q, 6>& face) {
+  Exact_model model;
+  for (int k = 0; k < 6; ++k) {
+    const int axis = k / 2, sign = k % 2 == 0 ? 1 : -1;
+    Net<Exact_kernel> net(3);
+    for (int i = 0; i < 3; ++i)
+      for (int j = 0; j < 3; ++j) {
+        const Q factor = i == 1 && j == 1 ? face[k] : i == 1 || j == 1 ? edge : Q(1);
+        std::array<Q, 3> x;
+        x[axis] = Q(factor * Q(sign));
+        x[(axis + 1) % 3] = Q(factor * Q(i - 1));
+        x[(axis + 2) % 3] = Q(factor * Q(sign * (j - 1)));
+        net[i].emplace_back(x[0], x[1], x[2]);
+      }
+    Exact_patch s = scaled(Exact_patch(net), 144);
+    if (k % 3 == 1) s = s.swap_parameters().reverse_u();
+    if (k % 3 == 2) s = s.reverse_u().reverse_v();
+    model.push_back(s.elevate(k % 2, k / 3));
+  }
+  return model;
+}
+
+// n x m biquadratic patches that form a torus.
+Exact_model torus(int n, int m) {
+  const auto control_point = [&](int i, int j) {
+    const double pi = 3.14159265358979323846, a = pi * (i % (2 * n)) / n, b = pi * (j % (2 * m)) / m;
+    const double around = i % 2 == 0 ? 1 : 1.5, across = j % 2 == 0 ? 1 : 1.5;
+    const auto whole = [](double x) { return Q(static_cast<int>(std::lround(100 * x))); };
+    const double radius = around * (3 + across * std::cos(b));
+    return Exact_point(whole(radius * std::cos(a)), whole(radius * std::sin(a)), whole(across * std::sin(b)));
+  };
+  Exact_model model;
+  for (int i = 0; i < n; ++i)
+    for (int j = 0; j < m; ++j) {
+      Net<Exact_kernel> net(3);
+      for (int k = 0; k < 3; ++k)
+        for (int l = 0; l < 3; ++l) net[k].push_back(control_point(2 * i + k, 2 * j + l));
+      model.push_back(Exact_patch(net));
+    }
+  return model;
+}
+
+// A bicubic patch that closes up, u0 = u1, around the z-axis; its end v1 is a point if `tip`.
+Exact_patch tube(bool tip) {
+  Net<Exact_kernel> net(4);
+  const int x[] = {6, 6, -18, 6}, y[] = {0, 18, 0, 0};
+  for (int i = 0; i < 4; ++i)
+    for (int j = 0; j < 4; ++j)
+      net[i].push_back(tip && j == 3 ? Exact_point(0, 0, 12) : Exact_point(x[i] * (4 - j), y[i] * (4 - j), 3 * j));
+  return Exact_patch(net);
+}
+
+Exact_patch random_patch(std::mt19937& random, int p, int q) {
+  std::uniform_int_distribution<int> wave(-64, 64);
+  Net<Exact_kernel> net(p + 1);
+  for (int i = 0; i <= p; ++i)
+    for (int j = 0; j <= q; ++j)
+      net[i].emplace_back(Q(Q(256 * i + wave(random)) / Q(256)), Q(Q(256 * j + wave(random)) / Q(256)),
+                          Q(Q(wave(random)) / Q(64)));
+  return Exact_patch(net, {Q(-1), Q(3)}, {Q(2), Q(Q(5) / Q(2))});
+}
+
+// ---------------------------------------------------------------- what is checked of each tessellation
+
+template <class K> double distance(const typename K::Point_3& p, const typename K::Point_3& q) {
+  return std::sqrt(CGAL::to_double(CGAL::squared_distance(p, q)));
+}
+
+// Every point lies on its patch: exactly, or within some roundings of convex combinations. Triangles have different corners.
+template <class K> void check_points(const std::vector<Patch<K>>& model, const Mesh<K>& mesh) {
+  BOOST_REQUIRE_EQUAL(mesh.points.size(), mesh.places.size());
+  BOOST_REQUIRE_EQUAL(mesh.triangles.size(), mesh.patches.size());
+  int missed = 0;
+  for (std::size_t i = 0; i < mesh.points.size(); ++i) {
+    const auto& place = mesh.places[i];
+    const typename K::Point_3 p = model[place.patch](place.u, place.v);
+    if constexpr (is_exact<K>)
+      missed += !(p == mesh.points[i]);
+    else { // degree at most 10, coordinates at most `size`
+      double size = 0;
+      for (const auto& b : model[place.patch])
+        size = std::max({size, std::abs(b.x()), std::abs(b.y()), std::abs(b.z())});
+      missed += !(distance<K>(p, mesh.points[i]) <= 100 * size * std::numeric_limits<double>::epsilon());
+    }
+  }
+  BOOST_CHECK_EQUAL(missed, 0);
+  for (const auto& t : mesh.triangles) {
+    missed += mesh.points[t[0]] == mesh.points[t[1]] || mesh.points[t[1]] == mesh.points[t[2]] ||
+              mesh.points[t[2]] == mesh.points[t[0]];
+    for (std::size_t corner : t) BOOST_REQUIRE(corner < mesh.points.size());
+  }
+  BOOST_CHECK_EQUAL(missed, 0);
+}
+
+template <class K> long euler_characteristic(const Mesh<K>& mesh) {
+  return static_cast<long>(mesh.points.size()) - static_cast<long>(GC::mesh_edges(mesh.triangles).number_of_edges()) +
+         static_cast<long>(mesh.triangles.size());
+}
+
+// Six times the volume inside.
+template <class K> typename K::FT volume(const Mesh<K>& mesh) {
+  typename K::FT sum(0);
+  for (const auto& t : mesh.triangles)
+    sum += CGAL::determinant(mesh.points[t[0]] - CGAL::ORIGIN, mesh.points[t[1]] - CGAL::ORIGIN,
+                             mesh.points[t[2]] - CGAL::ORIGIN);
+  return sum;
+}
+
+// A closed oriented manifold with this Euler characteristic, to every mesh of CGAL.
+template <class K> void check_closed(const std::vector<Patch<K>>& model, const Mesh<K>& mesh, long characteristic) {
+  check_points<K>(model, mesh);
+  BOOST_CHECK(GC::mesh_edges(mesh.triangles).watertight());
+  BOOST_CHECK_EQUAL(euler_characteristic<K>(mesh), characteristic);
+  CGAL::Surface_mesh<typename K::Point_3> surface_mesh;
+  GC::to_face_graph(mesh, surface_mesh);
+  BOOST_CHECK(CGAL::is_valid_polygon_mesh(surface_mesh) && CGAL::is_closed(surface_mesh));
+}
+
+GC::Uniform_grid grid(int n) { return GC::Uniform_grid{n}; }
+GC::Chord_tolerance within(double distance) { return GC::Chord_tolerance{distance}; }
+
+} // namespace
+
+// ---------------------------------------------------------------- one patch
+
+BOOST_AUTO_TEST_CASE_TEMPLATE(uniform_grids, K, Kernels) {
+  std::mt19937 random(41);
+  const std::vector<Patch<K>> model{in_kernel<K>(random_patch(random, 2, 3))};
+  for (int n : {1, 2, 3, 7}) {
+    const Mesh<K> mesh = GC::tessellate(model[0], grid(n));
+    BOOST_CHECK_EQUAL(mesh.points.size(), (n + 1) * (n + 1));
+    BOOST_CHECK_EQUAL(mesh.triangles.size(), 2 * n * n);
+    const GC::Mesh_edges edges = GC::mesh_edges(mesh.triangles);
+    BOOST_CHECK_EQUAL(edges.boundary, 4 * n);
+    BOOST_CHECK_EQUAL(edges.irregular, 0);
+    BOOST_CHECK_EQUAL(euler_characteristic<K>(mesh), 1);
+    check_points<K>(model, mesh);
+    // the parameters are those of a grid, each once
+    std::set<std::pair<typename K::FT, typename K::FT>> parameters;
+    for (const auto& place : mesh.places) parameters.emplace(place.u, place.v);
+    BOOST_CHECK_EQUAL(parameters.size(), mesh.points.size());
+    BOOST_CHECK(parameters.begin()->first == -1 && parameters.rbegin()->first == 3);
+    // each triangle has half of a cell, and turns as the parameters do
+    for (const auto& t : mesh.triangles) {
+      const auto &a = mesh.places[t[0]], &b = mesh.places[t[1]], &c = mesh.places[t[2]];
+      const double area = CGAL::to_double(typename K::FT((b.u - a.u) * (c.v - a.v) - (b.v - a.v) * (c.u - a.u)));
+      BOOST_CHECK_CLOSE_FRACTION(area, 2.0 / (n * n), 1e-12);
+    }
+  }
+}
+
+// As many cells as the bound of Patch_flatness needs, which is the distance in the corners' middle for a paraboloid.
+BOOST_AUTO_TEST_CASE(numbers_of_cells) {
+  typedef CGAL::Simple_cartesian<double> K;
+  const auto paraboloid = [](double a, double b) { // (u, v, a u^2 + b v^2)
+    Net<K> net(3);
+    for (int i = 0; i < 3; ++i)
+      for (int j = 0; j < 3; ++j) net[i].emplace_back(i / 2.0, j / 2.0, a * (i == 2) + b * (j == 2));
+    return Patch<K>(net);
+  };
+  const auto cells = [](const Patch<K>& s, double distance) {
+    const std::optional<GC::Patch_cells> c = GC::Patch_flatness(s).cells(distance, 1, 4096);
+    return c ? std::make_pair(c->u, c->v) : std::make_pair(0, 0);
+  };
+  typedef std::pair<int, int> Cells;
+  BOOST_CHECK((cells(paraboloid(1, 0), 0.26) == Cells(1, 1)));
+  BOOST_CHECK((cells(paraboloid(1, 0), 0.24) == Cells(2, 1)));
+  BOOST_CHECK((cells(paraboloid(0, 1), 1 / 63.0) == Cells(1, 4)));
+  BOOST_CHECK((cells(paraboloid(1, 1), 1 / 31.0) == Cells(4, 4)));
+  BOOST_CHECK((cells(paraboloid(1, 1), 0.51) == Cells(1, 1)));
+  BOOST_CHECK((cells(paraboloid(16, 1), 0.51) == Cells(4, 1)));
+  BOOST_CHECK((cells(paraboloid(1, 1), 1e-9) == Cells(0, 0)));
+  // bilinear: the diagonal of the whole is 1/4 away from u v
+  const Patch<K> saddle{{{0, 0, 0}, {0, 1, 0}}, {{1, 0, 0}, {1, 1, 1}}};
+  BOOST_CHECK_CLOSE_FRACTION(GC::Patch_flatness(saddle).distance({1, 1}), 0.25, 1e-12);
+  BOOST_CHECK_CLOSE_FRACTION(GC::Patch_flatness(saddle).distance({4, 2}), 0.25 / 8, 1e-12);
+  BOOST_CHECK_EQUAL(GC::tessellate(saddle, within(0.26)).triangles.size(), 2);
+  BOOST_CHECK_EQUAL(GC::tessellate(saddle, within(0.24)).triangles.size(), 4);
+}
+
+// Dense samples of every triangle: the point of the surface and the point of the triangle with the same parameters.
+BOOST_AUTO_TEST_CASE_TEMPLATE(tolerance_is_kept, K, Kernels) {
+  typedef typename K::FT FT;
+  std::mt19937 random(42);
+  const std::array<std::pair<int, int>, 7> degrees = {{{1, 1}, {1, 3}, {2, 2}, {3, 2}, {3, 3}, {5, 1}, {6, 4}}};
+  for (const auto& degree : degrees) {
+    const Patch<K> s = in_kernel<K>(random_patch(random, degree.first, degree.second));
+    for (double tolerance : is_exact<K> ? std::vector<double>{0.3} : std::vector<double>{0.5, 0.1, 0.01}) {
+      const Mesh<K> mesh = GC::tessellate(s, within(tolerance));
+      check_points<K>({s}, mesh);
+      BOOST_CHECK_EQUAL(euler_characteristic<K>(mesh), 1);
+      double most = 0;
+      constexpr int steps = is_exact<K> ? 4 : 6;
+      for (const auto& t : mesh.triangles)
+        for (int i = 0; i <= steps; ++i)
+          for (int j = 0; i + j <= steps; ++j) {
+            const FT weight[] = {FT(FT(i) / FT(steps)), FT(FT(j) / FT(steps)), FT(FT(steps - i - j) / FT(steps))};
+            FT u(0), v(0);
+            typename K::Vector_3 x(FT(0), FT(0), FT(0));
+            for (int k = 0; k < 3; ++k) {
+              u += weight[k] * mesh.places[t[k]].u;
+              v += weight[k] * mesh.places[t[k]].v;
+              x = x + weight[k] * (mesh.points[t[k]] - CGAL::ORIGIN);
+            }
+            most = std::max(most, distance<K>(s(u, v), CGAL::ORIGIN + x));
+          }
+      BOOST_CHECK_LE(most, tolerance * (1 + 1e-12)); // the distance is rounded here
+      BOOST_CHECK_GE(most, tolerance / 64);          // and the triangles are not far too many
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE_TEMPLATE(orientation, K, Kernels) {
+  std::mt19937 random(43);
+  const Patch<K> s = in_kernel<K>(random_patch(random, 3, 3)); // a graph over a plane, nearly
+  for (const Mesh<K>& mesh : {GC::tessellate(s, grid(8)), GC::tessellate(s, within(0.01))})
+    for (const auto& t : mesh.triangles) {
+      const typename K::Vector_3 n = CGAL::normal(mesh.points[t[0]], mesh.points[t[1]], mesh.points[t[2]]);
+      BOOST_CHECK(n * s.normal(mesh.places[t[0]].u, mesh.places[t[0]].v) > 0);
+    }
+}
+
+BOOST_AUTO_TEST_CASE_TEMPLATE(collapsed_edges, K, Kernels) {
+  typedef typename K::Point_3 Point;
+  // a triangle: u0 is one point
+  const std::vector<Patch<K>> model{
+      Patch<K>{{Point(0, 0, 0), Point(0, 0, 0), Point(0, 0, 0)}, {Point(4, -4, 0), Point(4, 0, 4), Point(4, 4, 0)}}};
+  for (int n : {1, 2, 5}) {
+    const Mesh<K> mesh = GC::tessellate(model[0], grid(n));
+    BOOST_CHECK_EQUAL(mesh.points.size(), n * (n + 1) + 1);
+    BOOST_CHECK_EQUAL(mesh.triangles.size(), 2 * n * n - n);
+    BOOST_CHECK_EQUAL(GC::mesh_edges(mesh.triangles).boundary, 3 * n);
+    BOOST_CHECK_EQUAL(euler_characteristic<K>(mesh), 1);
+    check_points<K>(model, mesh);
+  }
+  // all four edges, and the whole patch
+  const Point o(0, 0, 0), t(0, 0, 4);
+  const std::vector<Patch<K>> bubble{Patch<K>{{o, o, o}, {o, t, o}, {o, o, o}}};
+  const Mesh<K> mesh = GC::tessellate(bubble[0], grid(4));
+  BOOST_CHECK(GC::mesh_edges(mesh.triangles).watertight());
+  BOOST_CHECK_EQUAL(euler_characteristic<K>(mesh), 2);
+  BOOST_CHECK_EQUAL(GC::tessellate(Patch<K>{{o, o}, {o, o}}, grid(1)).triangles.size(), 0);
+}
+
+BOOST_AUTO_TEST_CASE_TEMPLATE(a_patch_that_closes_up, K, Kernels) {
+  for (bool tip : {false, true}) {
+    const std::vector<Patch<K>> model{in_kernel<K>(tube(tip))};
+    for (double tolerance : {1e6, 10.0, 1.0}) {
+      const Mesh<K> mesh = GC::tessellate(model, within(tolerance));
+      check_points<K>(model, mesh);
+      BOOST_CHECK_EQUAL(euler_characteristic<K>(mesh), tip ? 1 : 0);
+      CGAL::Surface_mesh<typename K::Point_3> surface_mesh;
+      GC::to_face_graph(mesh, surface_mesh);
+      BOOST_CHECK(CGAL::is_valid_polygon_mesh(surface_mesh));
+    }
+    const Mesh<K> mesh = GC::tessellate(model[0], grid(3));
+    BOOST_CHECK_EQUAL(mesh.points.size(), tip ? 10 : 12);
+    CGAL::Surface_mesh<typename K::Point_3> surface_mesh;
+    if (!tip) CHECK_ERROR(GC::to_face_graph(GC::tessellate(model[0], grid(2)), surface_mesh), not_a_manifold);
+    BOOST_CHECK_EQUAL(num_vertices(surface_mesh), 0);
+    GC::to_face_graph(mesh, surface_mesh);
+  }
+}
+
+// ---------------------------------------------------------------- models
+
+BOOST_AUTO_TEST_CASE_TEMPLATE(cubes, K, Kernels) {
+  const std::vector<Patch<K>> flat = in_kernel<K>(cube(Q(1), {Q(1), Q(1), Q(1), Q(1), Q(1), Q(1)}));
+  for (int n : {1, 2, 3}) {
+    const Mesh<K> mesh = GC::tessellate(flat, grid(n));
+    check_closed<K>(flat, mesh, 2);
+    BOOST_CHECK_EQUAL(mesh.points.size(), 6 * n * n + 2);
+    if (is_exact<K> || n != 3) BOOST_CHECK(volume<K>(mesh) == 6 * 288 * 288 * 288);
+  }
+  BOOST_CHECK_EQUAL(GC::tessellate(flat, within(1e-3)).triangles.size(), 12);
+  // faces that need different numbers of cells, so that edges have more points than the cells beside them
+  const std::vector<Patch<K>> bulging =
+      in_kernel<K>(cube(Q(Q(5) / Q(4)), {Q(1), Q(3), Q(Q(3) / Q(2)), Q(9), Q(2), Q(Q(1) / Q(2))}));
+  for (double tolerance : {1e6, 30.0, 3.0}) {
+    const Mesh<K> mesh = GC::tessellate(bulging, within(tolerance));
+    check_closed<K>(bulging, mesh, 2);
+    if (tolerance < 100) BOOST_CHECK(volume<K>(mesh) > 6 * 288 * 288 * 288);
+  }
+  // without a face: only its edges are open
+  std::vector<Patch<K>> open = bulging;
+  open.pop_back();
+  const Mesh<K> mesh = GC::tessellate(open, within(3));
+  const GC::Mesh_edges edges = GC::mesh_edges(mesh.triangles);
+  BOOST_CHECK(edges.boundary > 0 && edges.boundary % 4 == 0 && edges.irregular == 0);
+  BOOST_CHECK_EQUAL(euler_characteristic<K>(mesh), 1);
+  BOOST_CHECK(std::set<std::size_t>(mesh.patches.begin(), mesh.patches.end()) ==
+              (std::set<std::size_t>{0, 1, 2, 3, 4}));
+}
+
+BOOST_AUTO_TEST_CASE_TEMPLATE(tori, K, Kernels) {
+  for (const auto& size : {std::make_pair(4, 3), std::make_pair(3, 3), std::make_pair(2, 5), std::make_pair(2, 2)}) {
+    const std::vector<Patch<K>> model = in_kernel<K>(torus(size.first, size.second));
+    for (double tolerance : {1e6, 20.0, 5.0}) {
+      const Mesh<K> mesh = GC::tessellate(model, within(tolerance));
+      check_closed<K>(model, mesh, 0);
+    }
+    check_closed<K>(model, GC::tessellate(model, grid(3)), 0);
+  }
+}
+
+// Two patches that have all four edges in common, a wedge of two patches with collapsed ends, and many around one line.
+BOOST_AUTO_TEST_CASE_TEMPLATE(patches_that_meet_more_than_once, K, Kernels) {
+  typedef typename K::Point_3 Point;
+  const auto cushion = [](int height) {
+    return Patch<K>{{Point(0, 0, 0), Point(0, 4, 0), Point(0, 8, 0)},
+                    {Point(4, 0, 0), Point(4, 4, height), Point(4, 8, 0)},
+                    {Point(8, 0, 0), Point(8, 4, 0), Point(8, 8, 0)}};
+  };
+  const std::vector<Patch<K>> pillow{cushion(6), cushion(-6).swap_parameters()};
+  const auto lune = [](int x, int y) {
+    const Point bottom(0, 0, 0), top(0, 0, 8);
+    return Patch<K>{
+        {bottom, Point(8, 0, 4), top}, {bottom, Point(8 * x, 8 * y, 4), top}, {bottom, Point(-8, 0, 4), top}};
+  };
+  const std::vector<Patch<K>> ball{lune(0, 2), lune(0, -2).reverse_u()};
+  for (double tolerance : {1e6, 0.5}) {
+    check_closed<K>(pillow, GC::tessellate(pillow, within(tolerance)), 2);
+    check_closed<K>(ball, GC::tessellate(ball, within(tolerance)), 2);
+  }
+  BOOST_CHECK(volume<K>(GC::tessellate(pillow, within(0.5))) > 0);
+  // three patches at an edge are welded, but are no manifold
+  std::vector<Patch<K>> fins;
+  for (int k = 0; k < 3; ++k)
+    fins.push_back(Patch<K>{{Point(0, 0, 0), Point(0, 0, 4)}, {Point(k, 4 - 2 * k, 0), Point(k, 4 - 2 * k, 4)}});
+  const Mesh<K> mesh = GC::tessellate(fins, grid(2));
+  BOOST_CHECK_EQUAL(mesh.points.size(), 3 + 3 * 6);
+  BOOST_CHECK_EQUAL(GC::mesh_edges(mesh.triangles).irregular, 2);
+  CGAL::Surface_mesh<Point> surface_mesh;
+  CHECK_ERROR(GC::to_face_graph(mesh, surface_mesh), not_a_manifold);
+}
+
+// One common edge with other degrees, other directions and other numbers of cells on the two sides.
+BOOST_AUTO_TEST_CASE_TEMPLATE(sides_of_an_edge, K, Kernels) {
+  std::mt19937 random(44);
+  const Exact_patch a = scaled(random_patch(random, 2, 2), 256 * 12 * 4);
+  Exact_patch b = a.reverse_v().elevate(2, 1); // its v1 is the v0 of a
+  Net<Exact_kernel> net(b.degree_u() + 1);
+  for (int i = 0; i <= b.degree_u(); ++i)
+    for (int j = 0; j <= b.degree_v(); ++j) {
+      const Exact_point p = b.control_point(i, j);
+      const int away = b.degree_v() - j;
+      const Q wave(i % 2 == 0 ? 100000 : -100000);
+      net[i].push_back(away == 0 ? p : Exact_point(p.x(), Q(Q(-12288) * Q(away)), wave)); // bends more
+    }
+  b = Exact_patch(net);
+  for (int turn = 0; turn < 8; ++turn) {
+    Exact_patch c = turn & 1 ? b.reverse_u() : b;
+    if (turn & 2) c = c.reverse_v();
+    if (turn & 4) c = c.swap_parameters();
+    const std::vector<Patch<K>> model = in_kernel<K>({a, c});
+    const Mesh<K> mesh = GC::tessellate(model, within(500));
+    check_points<K>(model, mesh);
+    BOOST_CHECK_EQUAL(euler_characteristic<K>(mesh), 1); // a disk: they are joined along one edge
+    const std::size_t a_alone = GC::tessellate(model[0], within(500)).triangles.size(),
+                      c_alone = GC::tessellate(model[1], within(500)).triangles.size();
+    BOOST_CHECK(mesh.triangles.size() > a_alone + c_alone); // a takes points of c into its outermost cells
+    const bool same_orientation = turn == 0 || turn == 3 || turn == 5 || turn == 6;
+    BOOST_CHECK_EQUAL(GC::mesh_edges(mesh.triangles).irregular == 0, same_orientation);
+  }
+}
+
+// A flat square, one cell, with curved patches on some of its sides: it takes their points on straight edges, and no triangle
+// has its corners on a line.
+BOOST_AUTO_TEST_CASE_TEMPLATE(a_cell_with_many_points, K, Kernels) {
+  typedef typename K::Point_3 Point;
+  for (int sides = 0; sides < 16; ++sides) {
+    std::vector<Patch<K>> model{Patch<K>{{Point(0, 0, 0), Point(0, 4, 0)}, {Point(4, 0, 0), Point(4, 4, 0)}}};
+    for (int side = 0; side < 4; ++side) {
+      if (!(sides >> side & 1)) continue;
+      Net<K> net(3);
+      for (int i = 0; i < 3; ++i)
+        for (int j = 0; j < 3; ++j) {
+          int x = 2 * i, y = -2 * j;
+          for (int turn = 0; turn < side; ++turn) std::tie(x, y) = std::make_pair(4 - y, x);
+          net[i].emplace_back(x, y, j != 1 ? 0 : i == 1 ? 8 : -8);
+        }
+      model.push_back(Patch<K>(net));
+    }
+    const Mesh<K> mesh = GC::tessellate(model, within(0.5));
+    check_points<K>(model, mesh);
+    BOOST_CHECK_EQUAL(euler_characteristic<K>(mesh), 1);
+    int flat = 0;
+    for (const auto& t : mesh.triangles)
+      flat += CGAL::collinear(mesh.points[t[0]], mesh.points[t[1]], mesh.points[t[2]]);
+    BOOST_CHECK_EQUAL(flat, 0);
+    const auto in_square = std::count(mesh.patches.begin(), mesh.patches.end(), 0);
+    BOOST_CHECK(sides == 0 ? in_square == 2 : in_square > 4);
+  }
+}
+
+BOOST_AUTO_TEST_CASE_TEMPLATE(bspline_surfaces, K, Kernels) {
+  typedef typename K::Point_3 Point;
+  typedef typename K::FT FT;
+  typedef GC::Bspline_surface<GC::Traits_3<K>> Surface;
+  std::mt19937 random(45);
+  std::uniform_int_distribution<int> height(-8, 8);
+  Net<K> net(6);
+  for (int i = 0; i < 6; ++i)
+    for (int j = 0; j < 5; ++j) net[i].emplace_back(8 * i, 8 * j, height(random));
+  const GC::Knot_vector<FT> u(3, {FT(0), FT(0), FT(0), FT(0), FT(1), FT(3), FT(4), FT(4), FT(4), FT(4)});
+  const GC::Knot_vector<FT> v(2, {FT(0), FT(0), FT(0), FT(1), FT(2), FT(4), FT(4), FT(4)});
+  const Surface surface(net, u, v);
+  const Mesh<K> uniform = GC::tessellate(surface, grid(2));
+  BOOST_CHECK_EQUAL(uniform.points.size(), 7 * 7); // 3 x 3 patches
+  BOOST_CHECK_EQUAL(euler_characteristic<K>(uniform), 1);
+  int missed = 0;
+  for (std::size_t i = 0; i < uniform.points.size(); ++i) {
+    const Point p = surface(uniform.places[i].u, uniform.places[i].v);
+    missed += is_exact<K> ? !(p == uniform.points[i]) : !(distance<K>(p, uniform.points[i]) < 1e-12);
+  }
+  BOOST_CHECK_EQUAL(missed, 0);
+  const Mesh<K> mesh = GC::tessellate(std::vector<Surface>{surface, surface.reverse_u()}, within(0.5));
+  BOOST_CHECK(std::count(mesh.patches.begin(), mesh.patches.end(), 0) > 18);
+  BOOST_CHECK_EQUAL(std::count(mesh.patches.begin(), mesh.patches.end(), 0),
+                    std::count(mesh.patches.begin(), mesh.patches.end(), 1));
+  BOOST_CHECK_EQUAL(*std::max_element(mesh.patches.begin(), mesh.patches.end()), 1);
+}
+
+// ---------------------------------------------------------------- errors
+
+BOOST_AUTO_TEST_CASE_TEMPLATE(refused, K, Kernels) {
+  std::mt19937 random(46);
+  const Patch<K> s = in_kernel<K>(random_patch(random, 2, 2));
+  const double infinity = std::numeric_limits<double>::infinity();
+  for (double tolerance : {0.0, -0.0, -1.0, 1e-300, std::numeric_limits<double>::denorm_min(), 1e-9})
+    CHECK_ERROR(GC::tessellate(s, within(tolerance)), unreachable_tolerance);
+  for (double tolerance : {infinity, -infinity, std::nan("")})
+    CHECK_ERROR(GC::tessellate(s, within(tolerance)), not_finite);
+  for (int n : {0, -1, 4097, std::numeric_limits<int>::max(), std::numeric_limits<int>::min()})
+    CHECK_ERROR(GC::tessellate(s, grid(n)), wrong_number_of_points);
+  CHECK_ERROR(GC::tessellate(std::vector<Patch<K>>(17, s), grid(1024)), unreachable_tolerance);
+  BOOST_CHECK(GC::tessellate(std::vector<Patch<K>>(), within(1)).points.empty());
+  BOOST_CHECK_EQUAL(GC::tessellate(s, within(1e300)).triangles.size(), 2);
+  if constexpr (!is_exact<K>) { // differences beyond the largest number
+    const Patch<K> huge{
+        {{0, 0, 0}, {1, 0, 0}}, {{1e308, 0, 0}, {-1e308, 1e308, 0}}, {{-1e308, 0, 0}, {1e308, 0, 1e308}}};
+    CHECK_ERROR(GC::tessellate(huge, within(1)), unreachable_tolerance);
+  }
+}
+
+// ---------------------------------------------------------------- face graphs
+
+BOOST_AUTO_TEST_CASE(face_graphs) {
+  typedef CGAL::Simple_cartesian<double> K;
+  const std::vector<Patch<K>> closed = in_kernel<K>(torus(4, 3));
+  const Mesh<K> torus_mesh = GC::tessellate(closed, grid(2)), disk = GC::tessellate(closed[0], grid(3));
+  const auto check = [&](auto mesh) {
+    GC::to_face_graph(torus_mesh, mesh);
+    GC::to_face_graph(disk, mesh); // beside it
+    BOOST_CHECK(CGAL::is_valid_polygon_mesh(mesh));
+    BOOST_CHECK_EQUAL(vertices(mesh).size(), torus_mesh.points.size() + disk.points.size());
+    BOOST_CHECK_EQUAL(faces(mesh).size(), torus_mesh.triangles.size() + disk.triangles.size());
+    int border = 0, wrong = 0;
+    const auto points = get(CGAL::vertex_point, mesh);
+    std::multiset<K::Point_3> expected(torus_mesh.points.begin(), torus_mesh.points.end());
+    expected.insert(disk.points.begin(), disk.points.end());
+    for (const auto v : vertices(mesh)) {
+      const auto place = expected.find(get(points, v));
+      if (place == expected.end())
+        ++wrong;
+      else
+        expected.erase(place);
+      wrong += target(halfedge(v, mesh), mesh) != v;
+    }
+    for (const auto h : halfedges(mesh)) {
+      border += CGAL::is_border(h, mesh);
+      wrong += source(next(h, mesh), mesh) != target(h, mesh) ||
+               CGAL::is_border(next(h, mesh), mesh) != CGAL::is_border(h, mesh);
+    }
+    BOOST_CHECK_EQUAL(border, 12);
+    BOOST_CHECK_EQUAL(wrong, 0);
+  };
+  typedef CGAL::Linear_cell_complex_traits<3, K> Cell_traits;
+  check(CGAL::Surface_mesh<K::Point_3>());
+  check(CGAL::Linear_cell_complex_for_bgl_combinatorial_map_helper<2, 3, Cell_traits>::type());
+}
+
+BOOST_AUTO_TEST_CASE(no_face_graphs) {
+  typedef CGAL::Simple_cartesian<double> K;
+  typedef std::vector<std::array<std::size_t, 3>> Triangles;
+  const auto refuse = [](std::size_t points, const Triangles& triangles, const std::string& reason) {
+    Mesh<K> mesh;
+    for (std::size_t i = 0; i < points; ++i) mesh.points.emplace_back(double(i), double(i * i), 0.0);
+    mesh.triangles = triangles;
+    CGAL::Surface_mesh<K::Point_3> result;
+    BOOST_CHECK_EXCEPTION(GC::to_face_graph(mesh, result), GC::Error, [&](const GC::Error& e) {
+      return e.code() == GC::Error_code::not_a_manifold && std::string(e.what()).find(reason) != std::string::npos;
+    });
+    BOOST_CHECK_EQUAL(num_vertices(result), 0);
+  };
+  refuse(5, {{0, 1, 2}, {1, 0, 3}, {0, 1, 4}}, "more than two triangles");
+  refuse(4, {{0, 1, 2}, {0, 1, 3}}, "opposite orientations");
+  refuse(3, {{0, 1, 1}}, "one point twice");
+  refuse(3, {{0, 1, 3}}, "does not exist");
+  refuse(5, {{0, 1, 2}, {0, 3, 4}}, "at point 0");                                             // two boundary fans
+  refuse(7, {{0, 1, 2}, {0, 2, 3}, {0, 3, 1}, {0, 4, 5}, {0, 5, 6}, {0, 6, 4}}, "at point 0"); // two cones
+  refuse(6, {{0, 1, 2}, {0, 2, 3}, {0, 3, 1}, {0, 4, 5}}, "at point 0");                       // a cone and a fan
+  CGAL::Surface_mesh<K::Point_3> result;
+  GC::to_face_graph(Mesh<K>(), result);
+  BOOST_CHECK_EQUAL(num_vertices(result), 0);
+}
+
+// ---------------------------------------------------------------- files
+
+BOOST_AUTO_TEST_CASE(files) {
+  typedef CGAL::Simple_cartesian<double> K;
+  std::mt19937 random(47);
+  const Mesh<K> mesh = GC::tessellate(in_kernel<K>(random_patch(random, 3, 2)), grid(3));
+  typedef std::vector<K::Point_3> Points;
+  typedef std::vector<std::vector<std::size_t>> Polygons;
+  const auto check = [&](GC::Mesh_format format, auto read, bool soup) {
+    std::stringstream stream;
+    GC::write_mesh(stream, mesh, format);
+    Points points;
+    Polygons polygons;
+    BOOST_CHECK(read(stream, points, polygons));
+    BOOST_REQUIRE_EQUAL(polygons.size(), mesh.triangles.size());
+    if (!soup) BOOST_CHECK(points == mesh.points); // without loss
+    for (std::size_t i = 0; i < polygons.size(); ++i)
+      for (int k = 0; k < 3; ++k) BOOST_CHECK(points[polygons[i][k]] == mesh.points[mesh.triangles[i][k]]);
+  };
+  check(
+      GC::Mesh_format::off, [](auto& is, auto& x, auto& y) { return CGAL::IO::read_OFF(is, x, y); }, false);
+  check(
+      GC::Mesh_format::obj, [](auto& is, auto& x, auto& y) { return CGAL::IO::read_OBJ(is, x, y); }, false);
+  check(
+      GC::Mesh_format::ply, [](auto& is, auto& x, auto& y) { return CGAL::IO::read_PLY(is, x, y); }, false);
+  check(
+      GC::Mesh_format::stl, [](auto& is, auto& x, auto& y) { return CGAL::IO::read_STL(is, x, y); }, true);
+
+  BOOST_CHECK(GC::mesh_format("a.b/teapot.OFF") == GC::Mesh_format::off);
+  BOOST_CHECK(GC::mesh_format("x.stl") == GC::Mesh_format::stl);
+  for (const char* name : {"", "off", "teapot", "teapot.off.gz", "a.off/teapot", "teapot.", "teapot.vtk"})
+    CHECK_ERROR(GC::mesh_format(name), cannot_write_file);
+  CHECK_ERROR(GC::write_mesh("no_such_folder/x.off", mesh), cannot_write_file);
+  GC::write_mesh("test_tessellate.ply", mesh);
+  BOOST_CHECK(std::ifstream("test_tessellate.ply").good());
+  std::filesystem::remove("test_tessellate.ply");
+
+  // exact numbers are rounded; what is too large is refused
+  const Q huge = [] {
+    Q x(1);
+    for (int i = 0; i < 2000; ++i) x *= Q(2);
+    return x;
+  }();
+  const Exact_point o(0, 0, 0), third(Q(Q(1) / Q(3)), 0, 0), far_away(0, huge, 0);
+  std::ostringstream os;
+  GC::write_mesh(os, GC::tessellate(Exact_patch{{o, Exact_point(0, 1, 0)}, {third, Exact_point(1, 1, 0)}}, grid(1)),
+                 GC::Mesh_format::off);
+  BOOST_CHECK(os.str().find("0.33333333333333331 0 0") != std::string::npos);
+  CHECK_ERROR(GC::write_mesh(os, GC::tessellate(Exact_patch{{o, far_away}, {third, Exact_point(1, 1, 0)}}, grid(1)),
+                             GC::Mesh_format::off),
+              not_finite);
+}
