@@ -307,7 +307,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(patch_edges, K, All_kernels) {
       const FT u = e == u0 ? FT(1) : e == u1 ? FT(3) : t, v = e == v0 ? FT(-1) : e == v1 ? FT(1) : t;
       BOOST_CHECK(c(t) == s(u, v));
       for (bool backwards : {false, true}) {
-        const Patch<K> r = s.oriented(e, backwards);
+        const Patch<K> r = backwards ? s.oriented(e).reverse_u() : s.oriented(e);
         BOOST_CHECK(r.domain_u() == along);
         const FT start = r.domain_v().first, s_along = backwards ? FT(along.first + along.second - t) : t;
         BOOST_CHECK(r(s_along, start) == s(u, v));
@@ -521,7 +521,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(unequal_degrees_and_domains, K, All_kernels) {
   moved[3][1][2] += Q(1);
   const std::vector<Patch<K>> p = patches<K>({first, second, moved});
   BOOST_CHECK(p[0].degree_u() < p[1].degree_u());
-  for (const Patch<K>& a : {p[0], p[0].oriented(v0, true)}) {
+  for (const Patch<K>& a : {p[0], p[0].oriented(v0).reverse_u()}) {
     BOOST_CHECK_EQUAL(GC::edge_continuity(a, v0, p[1], v0).g_order, 2);
     BOOST_CHECK_EQUAL(GC::edge_continuity(p[1], v0, a, v0).g_order, 2);
     BOOST_CHECK_EQUAL(GC::edge_continuity(a, v0, p[2], v0).g_order, 0);
