@@ -43,9 +43,9 @@ template <class Traits_> struct Tessellation {
 /// \ingroup PkgGeometricContinuitySurfaces
 /// How the triangles of a tessellation meet.
 struct Mesh_edges {
-  std::size_t inner = 0;     ///< edges of two triangles that run through them in opposite directions
+  std::size_t inner = 0;     ///< edges of two triangles, which pass them in opposite directions
   std::size_t boundary = 0;  ///< edges of one triangle only
-  std::size_t irregular = 0; ///< edges of more than two triangles, or of two that run through them in one direction
+  std::size_t irregular = 0; ///< edges of more than two triangles, or of two which pass them in one direction
 
   /// Returns the number of all edges.
   std::size_t number_of_edges() const { return inner + boundary + irregular; }

@@ -5,6 +5,7 @@
 #ifndef CGAL_GEOMETRIC_CONTINUITY_IO_FIGURES_SVG_SURFACES_H
 #define CGAL_GEOMETRIC_CONTINUITY_IO_FIGURES_SVG_SURFACES_H
 
+#include <CGAL/Geometric_continuity/IO/figures/Svg_surface_style.h>
 #include <CGAL/Geometric_continuity/IO/figures/internal/Svg_facets.h>
 #include <CGAL/Geometric_continuity/IO/figures/internal/svg_text.h>
 #include <CGAL/Geometric_continuity/models/model_continuity.h>
@@ -21,25 +22,11 @@
 #include <utility>
 #include <vector>
 
+/// \file svg_surfaces.h
+/// Pictures of surfaces: faces, edges and knot lines by their order of continuity, a shadow and a legend.
+
 namespace CGAL {
 namespace Geometric_continuity {
-
-/// \ingroup PkgGeometricContinuityIO
-/// How the faces of surfaces are painted.
-enum class Svg_shading {
-  isophotes, ///< in strips of equal angles of the normal and the light: where the strips have a kink the surface is not
-             ///< \f$ G^2 \f$, where they break it is not \f$ G^1 \f$
-  smooth     ///< by the angle of the normal and the light
-};
-
-/// \ingroup PkgGeometricContinuityIO
-/// How surfaces are drawn.
-struct Svg_surface_style {
-  Svg_shading shading = Svg_shading::isophotes; ///< the faces
-  double azimuth = -60;                         ///< where the viewer is: degrees around the z-axis from the x-axis
-  double elevation = 22;                        ///< where the viewer is: degrees above the ground
-  std::string title;                            ///< plain text in UTF-8
-};
 
 namespace internal {
 
@@ -104,8 +91,8 @@ public:
     double y = edge;
     const std::string title = svg_title(style_.title, edge, width + 2 * edge, y);
     std::string picture = "<g transform=\"translate(" + svg_number(edge) + ' ' + svg_number(y) + ")\">\n" +
-                          shadow(patches, camera, low) + facets.paint(style_.shading == Svg_shading::isophotes) +
-                          lines(camera, buffer) + "</g>\n";
+                          shadow(patches, camera, low) + facets.paint(style_.shading) + lines(camera, buffer) +
+                          "</g>\n";
     y += height + 12;
     const std::string names = legend(y);
     y += edge - 8;

@@ -5,10 +5,12 @@
 #ifndef CGAL_GEOMETRIC_CONTINUITY_IO_FIGURES_INTERNAL_SVG_FACETS_H
 #define CGAL_GEOMETRIC_CONTINUITY_IO_FIGURES_INTERNAL_SVG_FACETS_H
 
+#include <CGAL/Geometric_continuity/IO/figures/Svg_surface_style.h>
 #include <CGAL/Geometric_continuity/IO/figures/internal/Svg_camera.h>
 #include <CGAL/Geometric_continuity/IO/figures/internal/svg_markup.h>
 #include <CGAL/Geometric_continuity/Traits_3.h>
 #include <CGAL/Geometric_continuity/surfaces/Bezier_patch.h>
+#include <CGAL/Geometric_continuity/surfaces/Parameter_line.h>
 #include <CGAL/Simple_cartesian.h>
 
 #include <algorithm>
@@ -99,7 +101,7 @@ public:
   explicit Svg_facets(const Svg_camera& camera) : camera_(camera), light_(camera.direction(-0.55, 0.75, 0.6)) {}
 
   void add(const Svg_patch& s) {
-    const int m = cells(s, true), n = cells(s, false);
+    const int m = cells(s, Parameter_line::along_u), n = cells(s, Parameter_line::along_v);
     std::vector<Vertex> vertices;
     for (int i = 0; i <= m; ++i)
       for (int j = 0; j <= n; ++j) vertices.push_back(vertex(s, i / double(m), j / double(n)));
@@ -132,7 +134,7 @@ public:
   }
 
   // What is partly hidden from back to front, and then all else by its colour.
-  std::string paint(bool isophotes) {
+  std::string paint(Svg_shading shading) {
     const auto first_whole =
         std::stable_partition(facets_.begin(), facets_.end(), [](const Svg_facet& f) { return f.partly_hidden; });
     std::stable_sort(facets_.begin(), first_whole,
@@ -149,7 +151,7 @@ public:
     };
     for (const Svg_facet& f : facets_) {
       const std::vector<Svg_pixel> all(f.corner.begin(), f.corner.end());
-      if (!isophotes) {
+      if (shading == Svg_shading::smooth) {
         add(f, shaded(f.shade), all);
         continue;
       }
@@ -178,7 +180,8 @@ private:
   static int band(double angle) { return (std::min)(bands - 1, static_cast<int>(angle * bands)); }
 
   // Enough that a cell has the size of a few pixels.
-  int cells(const Svg_patch& s, bool along_u) const {
+  int cells(const Svg_patch& s, Parameter_line line) const {
+    const bool along_u = line == Parameter_line::along_u;
     double most = 0;
     const int p = along_u ? s.degree_u() : s.degree_v(), q = along_u ? s.degree_v() : s.degree_u();
     for (int j = 0; j <= q; ++j) {
