@@ -13,6 +13,7 @@
 #include <CGAL/Aff_transformation_3.h>
 #include <CGAL/Geometric_continuity/Traits_2.h>
 #include <CGAL/Geometric_continuity/Traits_d.h>
+#include <CGAL/Geometric_continuity/models/model_continuity.h>
 #include <CGAL/Geometric_continuity/surfaces/Bezier_patch.h>
 
 #include <algorithm>

@@ -52,7 +52,7 @@ template <class Traits> GC::Bspline_surface<Traits> surface() {
 
 } // namespace
 
-BOOST_AUTO_TEST_CASE_TEMPLATE(counts, Traits, All_traits) {
+BOOST_AUTO_TEST_CASE_TEMPLATE(counts_of_surfaces, Traits, All_traits) {
   typedef typename Traits::FT FT;
   const auto s = patch<Traits>();
   const auto t = surface<Traits>();
@@ -91,7 +91,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(counts, Traits, All_traits) {
   BOOST_CHECK(s.partial(half, half, 0, 0) == s(half, half) - CGAL::ORIGIN);
 }
 
-BOOST_AUTO_TEST_CASE_TEMPLATE(nets, Traits, All_traits) {
+BOOST_AUTO_TEST_CASE_TEMPLATE(nets_of_surfaces, Traits, All_traits) {
   typedef typename Traits::FT FT;
   typedef typename Traits::Point P;
   typedef GC::Bezier_patch<Traits> Patch;
@@ -106,7 +106,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(nets, Traits, All_traits) {
   BOOST_CHECK_EQUAL(Surface(Net{{o, o}, {o, o}}, linear, linear).number_of_points_u(), 2);
 }
 
-BOOST_AUTO_TEST_CASE(numbers_that_are_not_finite) {
+BOOST_AUTO_TEST_CASE(surfaces_of_numbers_that_are_not_finite) {
   typedef Double::Point P;
   typedef GC::Bezier_patch<Double> Patch;
   const GC::Knot_vector<double> linear(1, 0., 1.);
@@ -129,7 +129,7 @@ BOOST_AUTO_TEST_CASE(numbers_that_are_not_finite) {
 }
 
 // The length of a domain must be a number, too.
-BOOST_AUTO_TEST_CASE(domains) {
+BOOST_AUTO_TEST_CASE(domains_of_surfaces) {
   typedef std::pair<double, double> Interval;
   const double nan = std::nan("");
   const Interval unit(0, 1);
@@ -162,7 +162,7 @@ BOOST_AUTO_TEST_CASE(domains) {
 }
 
 // What overflows is refused: neither infinite numbers nor NaN are returned.
-BOOST_AUTO_TEST_CASE(jets_that_overflow) {
+BOOST_AUTO_TEST_CASE(surface_jets_that_overflow) {
   typedef Double::Point P;
   const GC::Bezier_patch<Double> narrow = patch<Double>().with_domain({0, 0x1p-600}, {0, 1});
   BOOST_CHECK(narrow(0x1p-601, 0.5) == patch<Double>()(0.5, 0.5));
@@ -193,7 +193,7 @@ BOOST_AUTO_TEST_CASE(grids_that_are_too_large) {
   BOOST_CHECK_EQUAL(grid.size(), 0);
 }
 
-BOOST_AUTO_TEST_CASE(names) {
+BOOST_AUTO_TEST_CASE(names_of_edges_and_patches) {
   BOOST_CHECK_EQUAL(GC::to_string(Patch_edge::u0) + to_string(Patch_edge::u1) + to_string(Patch_edge::v0) +
                         to_string(Patch_edge::v1),
                     "u0u1v0v1");

@@ -119,7 +119,7 @@ BOOST_AUTO_TEST_CASE(figures_that_are_refused) {
   BOOST_CHECK_EQUAL(texts(GC::Svg_figure().add(panel)), "");
 }
 
-BOOST_AUTO_TEST_CASE(surfaces) {
+BOOST_AUTO_TEST_CASE(pictures_of_surfaces) {
   const Patch bent{{Q(0, 0, 0), Q(0, 2, 0)}, {Q(1, 0, 2), Q(1, 2, 2)}, {Q(2, 0, 0), Q(2, 2, 0)}},
       next{{Q(2, 0, 0), Q(2, 2, 0)}, {Q(3, 0, 2), Q(3, 2, 2)}};
   GC::Svg_surface_style style;
