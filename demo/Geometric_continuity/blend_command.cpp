@@ -168,7 +168,7 @@ void plot(const std::string& file, const std::string& title, const Scene<FT>& sc
   for (const Result<FT>& r : results) {
     GC::Svg_panel panel(r.strategy + r.fallback);
     const GC::Svg_style given{GC::Svg_role::given, false, !chain}, neighbour{GC::Svg_role::given, false, true},
-        blend{GC::Svg_role::blend, true, true};
+        blend{GC::Svg_role::result, true, true, "blend"};
     // the neighbours of the blend are drawn with it, the rest of a chain without details
     for (const std::vector<Program_curve<FT>>* part : {&scene.before, &scene.after})
       for (const Program_curve<FT>& c : *part)

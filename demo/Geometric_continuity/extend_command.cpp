@@ -72,7 +72,7 @@ template <class FT> int extend(const Command_line& line) {
   });
   if (line.has("plot")) {
     const GC::Svg_style given{GC::Svg_role::given, false, true}, neighbour{GC::Svg_role::given, true, true},
-        added{GC::Svg_role::blend, true, true};
+        added{GC::Svg_role::result, true, true, "extension"};
     GC::Svg_panel panel;
     for (const Program_curve<FT>& c : curves) panel.add(c, &c == &last ? neighbour : given);
     panel.join(orders(join)).add(next, added);
