@@ -7,7 +7,6 @@
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Geometric_continuity/IO/atomic_file.h>
 #include <CGAL/Geometric_continuity/IO/g2.h>
-#include <CGAL/Geometric_continuity/IO/g2_surfaces.h>
 #include <CGAL/Geometric_continuity/Traits_3.h>
 #include <CGAL/Geometric_continuity/edges/connect_g1.h>
 #include <CGAL/Simple_cartesian.h>

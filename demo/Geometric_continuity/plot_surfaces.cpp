@@ -7,7 +7,7 @@
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Geometric_continuity/IO/atomic_file.h>
 #include <CGAL/Geometric_continuity/IO/figures/svg_surfaces.h>
-#include <CGAL/Geometric_continuity/IO/g2_surfaces.h>
+#include <CGAL/Geometric_continuity/IO/g2.h>
 #include <CGAL/Geometric_continuity/IO/number.h>
 #include <CGAL/Geometric_continuity/Traits_3.h>
 #include <CGAL/Simple_cartesian.h>

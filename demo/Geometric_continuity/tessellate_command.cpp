@@ -5,7 +5,7 @@
 #include "command_line.h"
 
 #include <CGAL/Exact_rational.h>
-#include <CGAL/Geometric_continuity/IO/g2_surfaces.h>
+#include <CGAL/Geometric_continuity/IO/g2.h>
 #include <CGAL/Geometric_continuity/IO/mesh.h>
 #include <CGAL/Geometric_continuity/Traits_3.h>
 #include <CGAL/Geometric_continuity/models/tessellate.h>

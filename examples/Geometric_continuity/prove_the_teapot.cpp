@@ -7,7 +7,7 @@
 
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Geometric_continuity.h>
-#include <CGAL/Geometric_continuity/IO/g2_surfaces.h>
+#include <CGAL/Geometric_continuity/IO/g2.h>
 #include <CGAL/Simple_cartesian.h>
 
 #include <fstream>
