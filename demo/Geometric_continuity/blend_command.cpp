@@ -17,25 +17,27 @@
 
 namespace {
 
-const char* const usage = "usage: geometric_continuity blend A.g2 B.g2 [OPTIONS]\n"
-                          "       geometric_continuity blend CHAIN.g2 --replace I [OPTIONS]\n"
-                          "\n"
-                          "Blends the end of the last curve of A into the start of the first curve of B, or\n"
-                          "replaces the curve number I of a chain (counted from 0, cyclically) by a blend of\n"
-                          "its neighbours. Both joins are decided exactly on the result. The output is the\n"
-                          "blends, or the chain with its curve replaced when one strategy is asked for.\n"
-                          "\n"
-                          "strategies of order 2 (degree 5, G2):\n"
-                          "  c2, normal, min_second, near_line, energy2, energy3 (default),\n"
-                          "  free (--s1 --s2)\n"
-                          "strategies of order 3 (degree 7, G3 or F3):\n"
-                          "  c3, seq_g3, seq_f3, joint_g3, energy3_g3, energy4_g3 (default),\n"
-                          "  free (--start --end)\n"
-                          "\n"
-                          "--representable makes blends of order 2 with control points that are doubles and\n"
-                          "joins that are exactly G2 nevertheless; with -o it writes both curves, where\n"
-                          "needed rounded to few enough digits, and the blend between them.\n"
-                          "Numbers R are decimals or fractions p/q.\n";
+const char* const usage = R"(usage: geometric_continuity blend A.g2 B.g2 [OPTIONS]
+       geometric_continuity blend CHAIN.g2 --replace I [OPTIONS]
+
+Blends the end of the last curve of A into the start of the first curve of B,
+or replaces the curve number I of a chain (counted from 0, cyclically) by a
+blend of its neighbours. Both joins are decided exactly on the result. The
+output is the blends, or the chain with its curve replaced when one strategy is
+asked for.
+
+strategies of order 2 (degree 5, G2):
+  c2, normal, min_second, near_line, energy2, energy3 (default),
+  free (--s1 --s2)
+strategies of order 3 (degree 7, G3 or F3):
+  c3, seq_g3, seq_f3, joint_g3, energy3_g3, energy4_g3 (default),
+  free (--start --end)
+
+--representable makes blends of order 2 with control points that are doubles
+and joins that are exactly G2 nevertheless; with -o it writes both curves,
+where needed rounded to few enough digits, and the blend between them. Numbers
+R are decimals or fractions p/q.
+)";
 
 const Arguments quintic_names = {"c2", "normal", "min_second", "near_line", "energy2", "energy3"};
 const Arguments septic_names = {"c3", "seq_g3", "seq_f3", "joint_g3", "energy3_g3", "energy4_g3"};

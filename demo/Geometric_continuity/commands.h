@@ -41,8 +41,8 @@ struct Surface_picture {
 // Runs `plot --surfaces`: draws the surfaces of the files as one model.
 int plot_surfaces(const Arguments& files, const Surface_picture& picture);
 
-// Runs `verify --surfaces`: decides the edges of the model that the files form, and prints a report. With a tolerance an
-// edge meets the requirement also when it does so within the tolerance.
+// Runs `verify --surfaces`: decides the edges of the model that the files form, and prints a report. With a tolerance
+// an edge meets the requirement also when it does so within the tolerance.
 int verify_surfaces(const Arguments& files, Report_format format, const std::optional<int>& required_g_order,
                     const std::optional<CGAL::Geometric_continuity::Edge_tolerance>& tolerance);
 

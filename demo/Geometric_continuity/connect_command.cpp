@@ -18,16 +18,17 @@
 
 namespace {
 
-const char* const usage = "usage: geometric_continuity connect C.g2 C1.g2 C2.g2 [OPTIONS] -o RIBBON.g2\n"
-                          "\n"
-                          "Makes two surfaces of degree 6 x 1 that meet with G1 continuity along the\n"
-                          "cubic C. At both ends of C their cross derivatives are C1 - C and C2 - C and\n"
-                          "their twists are C1' - C' and C2' - C', if these lie in the plane of C1 - C2 and\n"
-                          "C'; otherwise they are as near to that as possible. The three curves have the\n"
-                          "same knots, with inner knots at most double. G1 is decided exactly on the result,\n"
-                          "along the whole of C.\n"
-                          "Exit code: 0 when the result is G1, 1 when it is not, e.g. because of a fold, 2 on\n"
-                          "bad input.\n";
+const char* const usage = R"(usage: geometric_continuity connect C.g2 C1.g2 C2.g2 [OPTIONS] -o RIBBON.g2
+
+Makes two surfaces of degree 6 x 1 that meet with G1 continuity along the cubic
+C. At both ends of C their cross derivatives are C1 - C and C2 - C and their
+twists are C1' - C' and C2' - C', if these lie in the plane of C1 - C2 and C';
+otherwise they are as near to that as possible. The three curves have the same
+knots, with inner knots at most double. G1 is decided exactly on the result,
+along the whole of C.
+Exit code: 0 when the result is G1, 1 when it is not, e.g. because of a fold, 2
+on bad input.
+)";
 
 typedef CGAL::Exact_rational FT;
 typedef GC::Traits_3<CGAL::Simple_cartesian<FT>> Traits;

@@ -50,8 +50,8 @@ inline GC::Bspline_curve<Program_traits<Exact>> exact(const GC::Bspline_curve<Pr
           GC::Knot_vector<Exact>(curve.degree(), std::vector<Exact>(curve.knots().begin(), curve.knots().end()))};
 }
 
-// Reads the curves of several files, one after the other; only one is kept in memory. A curve with inner knots is cut into
-// its Bezier curves. Numbers are read as FT, and converted to Result before anything is computed.
+// Reads the curves of several files, one after the other; only one is kept in memory. A curve with inner knots is cut
+// into its Bezier curves. Numbers are read as FT, and converted to Result before anything is computed.
 template <class FT, class Result = FT> class Curve_stream {
   std::vector<std::string> files_;
   std::size_t next_file_ = 0;

@@ -17,18 +17,19 @@
 
 namespace {
 
-const char* const usage = "usage: geometric_continuity extend A.g2 --order ORDER [OPTIONS] -o OUT.g2\n"
-                          "\n"
-                          "Appends a segment of the same degree to the last curve of A. Its first points\n"
-                          "are members of Hagen's families:\n"
-                          "  b1 = b0 + beta p\n"
-                          "  b2 = b0 + beta^2 (b-2 - b0) + C0 p\n"
-                          "  b3 = b0 + beta^3 (b-2 - b-3) + C1 p + C2 r\n"
-                          "with p = b0 - b-1 and r = b-2 - b-1. What is not given continues the curve as\n"
-                          "smoothly as possible. With --toward the segment ends at the point, or as near to\n"
-                          "it as possible, with the least energy. The join is decided exactly on the\n"
-                          "result. Of a curve with inner knots the last span counts; all curves are written\n"
-                          "as Bezier curves. Numbers R are decimals or fractions p/q.\n";
+const char* const usage = R"(usage: geometric_continuity extend A.g2 --order ORDER [OPTIONS] -o OUT.g2
+
+Appends a segment of the same degree to the last curve of A. Its first points
+are members of Hagen's families:
+  b1 = b0 + beta p
+  b2 = b0 + beta^2 (b-2 - b0) + C0 p
+  b3 = b0 + beta^3 (b-2 - b-3) + C1 p + C2 r
+with p = b0 - b-1 and r = b-2 - b-1. What is not given continues the curve as
+smoothly as possible. With --toward the segment ends at the point, or as near
+to it as possible, with the least energy. The join is decided exactly on the
+result. Of a curve with inner knots the last span counts; all curves are
+written as Bezier curves. Numbers R are decimals or fractions p/q.
+)";
 
 // Returns the point of --toward.
 template <class FT> typename Program_curve<FT>::Point end_point(const Command_line& line, int dimension) {

@@ -12,11 +12,12 @@
 
 namespace {
 
-const char* const usage = "usage: geometric_continuity plot FILE.g2... -o OUT.svg [OPTIONS]\n"
-                          "\n"
-                          "Draws the chain of curves of each file in a panel of its own, with the joins\n"
-                          "marked by their order. With --surfaces it draws all surfaces of the files as one\n"
-                          "model, with its edges coloured by their order.\n";
+const char* const usage = R"(usage: geometric_continuity plot FILE.g2... -o OUT.svg [OPTIONS]
+
+Draws the chain of curves of each file in a panel of its own, with the joins
+marked by their order. With --surfaces it draws all surfaces of the files as
+one model, with its edges coloured by their order.
+)";
 
 // Draws the chain of curves of a file.
 GC::Svg_panel picture(const std::string& file, const GC::Svg_style& style, bool closed) {

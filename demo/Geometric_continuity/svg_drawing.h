@@ -39,10 +39,10 @@ public:
   virtual void not_read(const Drawing_element& element, const std::string& reason) = 0;
 };
 
-// Reads all paths and basic shapes that the SVG file draws, in order; at no time more than one element and one subpath are
-// in memory. What is defined but not drawn (defs, symbols, clip paths, ...) is skipped. Throws GC::Error
-// `malformed_input`, with file, line and reason, for what is not well-formed or no SVG, for declared entities, for elements
-// nested deeper than 256, and for errors in path data, transforms and lengths.
+// Reads all paths and basic shapes that the SVG file draws, in order; at no time more than one element and one subpath
+// are in memory. What is defined but not drawn (defs, symbols, clip paths, ...) is skipped. Throws GC::Error
+// `malformed_input`, with file, line and reason, for what is not well-formed or no SVG, for declared entities, for
+// elements nested deeper than 256, and for errors in path data, transforms and lengths.
 void read_svg_drawing(const std::string& file, Drawing_handler& handler);
 
 // Returns whether a file is an SVG drawing: by its name, or because it begins like XML.

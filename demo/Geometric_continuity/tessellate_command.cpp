@@ -16,10 +16,11 @@
 
 namespace {
 
-const char* const usage = "usage: geometric_continuity tessellate MODEL.g2... -o OUT.off|ply|obj|stl [OPTIONS]\n"
-                          "\n"
-                          "Writes triangles for the surfaces of the files, without cracks along the edges\n"
-                          "that they have in common.\n";
+const char* const usage = R"(usage: geometric_continuity tessellate MODEL.g2... -o OUT [OPTIONS]
+
+Writes triangles for the surfaces of the files, without cracks along the edges
+that they have in common.
+)";
 
 template <class FT> int tessellate(const Command_line& line) {
   typedef GC::Traits_3<CGAL::Simple_cartesian<FT>> Traits;
@@ -37,7 +38,8 @@ template <class FT> int tessellate(const Command_line& line) {
 
 int tessellate_command(const Arguments& arguments) {
   const Command_line line(usage, arguments, [](po::options_description_easy_init add) {
-    add("output,o", po::value<std::string>(), "write the triangles; the name tells the format");
+    add("output,o", po::value<std::string>(),
+        "write the triangles; the name, with .off, .ply, .obj or .stl, tells the format");
     add("tolerance", po::value<std::string>(), "R, the largest distance between surfaces and triangles (default 0.01)");
     add("grid", po::value<int>(), "instead: N times N cells for each polynomial patch");
     add("kernel", po::value<std::string>()->default_value("double"), "exact or double");

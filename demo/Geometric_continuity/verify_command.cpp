@@ -27,29 +27,30 @@
 
 namespace {
 
-const char* const usage = "usage: geometric_continuity verify FILE.g2... | DRAWING.svg... [OPTIONS]\n"
-                          "\n"
-                          "Decides the continuity of every join of the chain that all curves form in the\n"
-                          "given order. The decision is exact for the numbers of the files.\n"
-                          "  C: equal derivatives\n"
-                          "  G: equal derivatives with respect to arc length\n"
-                          "  F: equal Frenet frame and curvatures\n"
-                          "The inner knots of a curve are joins as well.\n"
-                          "\n"
-                          "With --surfaces it finds all edges that the surfaces of the files share, and\n"
-                          "decides G1 and G2 along each whole edge and along the knot lines inside B-spline\n"
-                          "surfaces. For SVG drawings it decides the joins of every path and basic shape, and\n"
-                          "names the element and the commands.\n"
-                          "\n"
-                          "--within 1e-9,1e-6,1e-6 also tells how far each join is from continuous, in\n"
-                          "guaranteed bounds, and the order that it has within this angle of the tangents\n"
-                          "(radians), relative jump of the curvature vectors and jump of the torsions.\n"
-                          "--surfaces --within 1e-6,1e-9 does so for the largest angle of the normals along\n"
-                          "each edge and the largest gap, and also finds the boundary edges that are that\n"
-                          "near to each other.\n"
-                          "\n"
-                          "Exit code: 0 when every join meets the requirement, 1 when one does not, 2 on bad\n"
-                          "input.\n";
+const char* const usage = R"(usage: geometric_continuity verify FILE.g2... | DRAWING.svg... [OPTIONS]
+
+Decides the continuity of every join of the chain that all curves form in the
+given order. The decision is exact for the numbers of the files.
+  C: equal derivatives
+  G: equal derivatives with respect to arc length
+  F: equal Frenet frame and curvatures
+The inner knots of a curve are joins as well.
+
+With --surfaces it finds all edges that the surfaces of the files share, and
+decides G1 and G2 along each whole edge and along the knot lines inside
+B-spline surfaces. For SVG drawings it decides the joins of every path and
+basic shape, and names the element and the commands.
+
+--within 1e-9,1e-6,1e-6 also tells how far each join is from continuous, in
+guaranteed bounds, and the order that it has within this angle of the tangents
+(radians), relative jump of the curvature vectors and jump of the torsions.
+--surfaces --within 1e-6,1e-9 does so for the largest angle of the normals
+along each edge and the largest gap, and also finds the boundary edges that are
+that near to each other.
+
+Exit code: 0 when every join meets the requirement, 1 when one does not, 2 on
+bad input.
+)";
 
 // Shows on a terminal, once a second, how many joins of a long chain are done.
 class Progress {

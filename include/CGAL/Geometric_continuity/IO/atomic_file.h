@@ -18,8 +18,8 @@ namespace Geometric_continuity {
 
 /// \ingroup PkgGeometricContinuityIO
 /// Writes a file as a whole or not at all: `writer(os)` writes to a new file in the same folder, which replaces `path`
-/// when everything has been written. An older file `path` stays as it is until then; when something fails it is kept, and
-/// the new file is removed. Links are followed, and the permissions of an older file are kept.
+/// when everything has been written. An older file `path` stays as it is until then; when something fails it is kept,
+/// and the new file is removed. Links are followed, and the permissions of an older file are kept.
 ///
 /// \tparam Writer a function object callable with a `std::ostream&`. Its own exceptions are passed on.
 /// \throws Error `cannot_write_file`, with the path and the reason of the system, when the file cannot be created,

@@ -41,11 +41,11 @@ namespace CGAL {
 namespace Geometric_continuity {
 
 /// \ingroup PkgGeometricContinuityIO
-/// Reads curves one after the other from a text in the `.g2` format, in memory that does not depend on the length of the
-/// text. A B-spline curve needs at least as many control points as its order, and knots as `Knot_vector` does. A Bézier
-/// curve has as many control points as its order, and two knots `a < b`, each repeated as often as the order says; its
-/// domain is [a, b]. All curves of a text have one dimension, which is that of `Traits` or, when `Traits` leaves it open,
-/// lies between 2 and `max_g2_dimension`. The order is at most `max_g2_order`.
+/// Reads curves one after the other from a text in the `.g2` format, in memory that does not depend on the length of
+/// the text. A B-spline curve needs at least as many control points as its order, and knots as `Knot_vector` does. A
+/// Bézier curve has as many control points as its order, and two knots `a < b`, each repeated as often as the order
+/// says; its domain is [a, b]. All curves of a text have one dimension, which is that of `Traits` or, when `Traits`
+/// leaves it open, lies between 2 and `max_g2_dimension`. The order is at most `max_g2_order`.
 ///
 /// \tparam Traits a model of `GeometricContinuityTraits` whose `FT` is accepted by `parse_number()`
 /// \tparam Curve `Bezier_curve<Traits>` (curves with inner knots are refused) or `Bspline_curve<Traits>`
@@ -64,8 +64,8 @@ public:
   G2_curve_reader(std::istream& is, std::string name) : parser_(is, std::move(name), internal::g2_curves) {}
 
   /// Returns the next curve, or nothing at the end of the text. After an error the reader cannot be used any more.
-  /// \throws Error `malformed_input` with a text `name:line: reason` for everything that is no curve of the format, and for
-  ///   a text without any curve; `cannot_read_file` when reading fails for another reason
+  /// \throws Error `malformed_input` with a text `name:line: reason` for everything that is no curve of the format, and
+  ///   for a text without any curve; `cannot_read_file` when reading fails for another reason
   std::optional<Curve> next() {
     if (!parser_.next_object()) return std::nullopt;
     internal::G2_direction<FT> u = parser_.read_direction(shape);
@@ -83,11 +83,12 @@ public:
 template <class Traits> using G2_bspline_reader = G2_curve_reader<Traits, Bspline_curve<Traits>>;
 
 /// \ingroup PkgGeometricContinuityIO
-/// Reads surfaces one after the other from a text in the `.g2` format, in memory that does not depend on the length of the
-/// text. A B-spline surface needs, in both directions, at least as many control points as the order says, and knots as
-/// `Knot_vector` does. A Bézier patch has as many control points as the orders say, and in both directions two knots, each
-/// repeated as often as the order says, which are its domain. All surfaces of a text have one dimension, which is that of
-/// `Traits` or, when `Traits` leaves it open, lies between 2 and `max_g2_dimension`. The orders are at most `max_g2_order`.
+/// Reads surfaces one after the other from a text in the `.g2` format, in memory that does not depend on the length of
+/// the text. A B-spline surface needs, in both directions, at least as many control points as the order says, and knots
+/// as `Knot_vector` does. A Bézier patch has as many control points as the orders say, and in both directions two
+/// knots, each repeated as often as the order says, which are its domain. All surfaces of a text have one dimension,
+/// which is that of `Traits` or, when `Traits` leaves it open, lies between 2 and `max_g2_dimension`. The orders are at
+/// most `max_g2_order`.
 ///
 /// \tparam Traits a model of `GeometricContinuityTraits` whose `FT` is accepted by `parse_number()`
 /// \tparam Surface `Bezier_patch<Traits>` (surfaces with inner knots are refused) or `Bspline_surface<Traits>`
@@ -107,8 +108,8 @@ public:
   G2_surface_reader(std::istream& is, std::string name) : parser_(is, std::move(name), internal::g2_surfaces) {}
 
   /// Returns the next surface, or nothing at the end of the text. After an error the reader cannot be used any more.
-  /// \throws Error `malformed_input` with a text `name:line: reason` for everything that is no surface of the format, and
-  ///   for a text without any surface; `cannot_read_file` when reading fails for another reason
+  /// \throws Error `malformed_input` with a text `name:line: reason` for everything that is no surface of the format,
+  ///   and for a text without any surface; `cannot_read_file` when reading fails for another reason
   std::optional<Surface> next() {
     if (!parser_.next_object()) return std::nullopt;
     Direction u = parser_.read_direction(shape, " in u"), v = parser_.read_direction(shape, " in v");
@@ -175,8 +176,8 @@ std::vector<Bspline_surface<Traits>> read_g2_bspline_surfaces(std::istream& is, 
 }
 
 /// \ingroup PkgGeometricContinuityIO
-/// Writes a Bézier curve in the `.g2` format without loss, with an empty line after it. Nothing is written when an error is
-/// thrown. Failures of the stream are seen in its state; `write_file_atomically()` reports them.
+/// Writes a Bézier curve in the `.g2` format without loss, with an empty line after it. Nothing is written when an
+/// error is thrown. Failures of the stream are seen in its state; `write_file_atomically()` reports them.
 /// \throws Error as `write_number()` does
 template <class Traits, int Degree> void write_g2(std::ostream& os, const Bezier_curve<Traits, Degree>& curve) {
   const std::pair<typename Traits::FT, typename Traits::FT> domain = curve.domain();
@@ -184,16 +185,16 @@ template <class Traits, int Degree> void write_g2(std::ostream& os, const Bezier
 }
 
 /// \ingroup PkgGeometricContinuityIO
-/// Writes a B-spline curve in the `.g2` format without loss, with an empty line after it. Nothing is written when an error
-/// is thrown. Failures of the stream are seen in its state; `write_file_atomically()` reports them.
+/// Writes a B-spline curve in the `.g2` format without loss, with an empty line after it. Nothing is written when an
+/// error is thrown. Failures of the stream are seen in its state; `write_file_atomically()` reports them.
 /// \throws Error as `write_number()` does
 template <class Traits> void write_g2(std::ostream& os, const Bspline_curve<Traits>& curve) {
   internal::write_g2_curve(os, curve, curve.knots());
 }
 
 /// \ingroup PkgGeometricContinuityIO
-/// Writes a B-spline surface in the `.g2` format without loss, with an empty line after it. Nothing is written when an error
-/// is thrown. Failures of the stream are seen in its state; `write_file_atomically()` reports them.
+/// Writes a B-spline surface in the `.g2` format without loss, with an empty line after it. Nothing is written when an
+/// error is thrown. Failures of the stream are seen in its state; `write_file_atomically()` reports them.
 /// \throws Error as `write_number()` does
 template <class Traits> void write_g2(std::ostream& os, const Bspline_surface<Traits>& surface) {
   const long long m = surface.number_of_points_u(), n = surface.number_of_points_v();
@@ -203,8 +204,8 @@ template <class Traits> void write_g2(std::ostream& os, const Bspline_surface<Tr
 }
 
 /// \ingroup PkgGeometricContinuityIO
-/// Writes a Bézier patch in the `.g2` format without loss, with an empty line after it. Nothing is written when an error is
-/// thrown. Failures of the stream are seen in its state; `write_file_atomically()` reports them.
+/// Writes a Bézier patch in the `.g2` format without loss, with an empty line after it. Nothing is written when an
+/// error is thrown. Failures of the stream are seen in its state; `write_file_atomically()` reports them.
 /// \throws Error as `write_number()` does
 template <class Traits> void write_g2(std::ostream& os, const Bezier_patch<Traits>& patch) {
   write_g2(os, Bspline_surface<Traits>(patch));

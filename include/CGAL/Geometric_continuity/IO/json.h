@@ -6,10 +6,10 @@
 #define CGAL_GEOMETRIC_CONTINUITY_IO_JSON_H
 
 /// \file IO/json.h
-/// Verdicts on joins as JSON. `write_json()` writes a value: a text, a flag, an enclosure, or an object for what was decided
-/// about a join. `write_json_members()` writes the members of such an object without the braces, so that a program can add
-/// members of its own. Exact numbers are strings, and what is undefined is null. Each function writes its text at once, or
-/// nothing when it throws; the locale, the width and the flags of the stream are ignored.
+/// Verdicts on joins as JSON. `write_json()` writes a value: a text, a flag, an enclosure, or an object for what was
+/// decided about a join. `write_json_members()` writes the members of such an object without the braces, so that a
+/// program can add members of its own. Exact numbers are strings, and what is undefined is null. Each function writes
+/// its text at once, or nothing when it throws; the locale, the width and the flags of the stream are ignored.
 
 #include <CGAL/Geometric_continuity/IO/number.h>
 #include <CGAL/Geometric_continuity/joins/join_continuity.h>
@@ -78,8 +78,8 @@ inline std::string json_members(const Order_within& within) {
 } // namespace internal
 
 /// \ingroup PkgGeometricContinuityIO
-/// Writes a text as a JSON string, in quotes and with escapes for quotes, backslashes and control characters. The text is
-/// expected in UTF-8; its bytes from 128 on are written as they are.
+/// Writes a text as a JSON string, in quotes and with escapes for quotes, backslashes and control characters. The text
+/// is expected in UTF-8; its bytes from 128 on are written as they are.
 inline void write_json(std::ostream& os, std::string_view text) { internal::write_text(os, internal::json_text(text)); }
 
 /// \ingroup PkgGeometricContinuityIO

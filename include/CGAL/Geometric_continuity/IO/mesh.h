@@ -56,11 +56,11 @@ inline Mesh_format mesh_format(const std::string& path) {
 }
 
 /// \ingroup PkgGeometricContinuityIO
-/// Writes the points and triangles of a tessellation by the functions of \cgal for polygon soups. Coordinates are rounded to
-/// `double` and written with 17 digits, so that nothing more is lost, whatever the locale. Nothing is written when an error
-/// is thrown. Failures of the stream are seen in its state.
-/// \throws Error `dimension_mismatch` unless the points are in dimension 3; `not_finite` for coordinates that are no finite
-///   `double`; `wrong_number_of_points` for a triangle with the index of a point that does not exist
+/// Writes the points and triangles of a tessellation by the functions of \cgal for polygon soups. Coordinates are
+/// rounded to `double` and written with 17 digits, so that nothing more is lost, whatever the locale. Nothing is
+/// written when an error is thrown. Failures of the stream are seen in its state.
+/// \throws Error `dimension_mismatch` unless the points are in dimension 3; `not_finite` for coordinates that are no
+///   finite `double`; `wrong_number_of_points` for a triangle with the index of a point that does not exist
 template <class Traits>
 void write_mesh(std::ostream& os, const Tessellation<Traits>& tessellation, Mesh_format format) {
   std::vector<Simple_cartesian<double>::Point_3> points;
@@ -92,8 +92,8 @@ void write_mesh(std::ostream& os, const Tessellation<Traits>& tessellation, Mesh
 }
 
 /// \ingroup PkgGeometricContinuityIO
-/// Writes a tessellation to a file as a whole or not at all, see `write_file_atomically()`, in the format that the name of
-/// the file says.
+/// Writes a tessellation to a file as a whole or not at all, see `write_file_atomically()`, in the format that the name
+/// of the file says.
 /// \throws Error as `mesh_format()`, `write_file_atomically()` and the function for streams do
 template <class Traits> void write_mesh(const std::string& path, const Tessellation<Traits>& tessellation) {
   const Mesh_format format = mesh_format(path);

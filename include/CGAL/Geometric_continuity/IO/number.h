@@ -192,9 +192,9 @@ inline void write_text(std::ostream& os, const std::string& text) {
 ///
 /// \tparam FT a field number type: `float`, `double`, or a type constructible from `int` with `+`, `-`, `*` and `/`.
 ///   When it has a member function `exact()`, it must be constructible from the result.
-/// \throws Error `malformed_input`, with the text (shortened) and the reason, for everything else: an empty text, `nan`,
-///   `inf`, hexadecimal numbers, trailing characters, more than `max_number_length` characters, an exponent beyond
-///   `max_decimal_exponent`
+/// \throws Error `malformed_input`, with the text (shortened) and the reason, for everything else: an empty text,
+///   `nan`, `inf`, hexadecimal numbers, trailing characters, more than `max_number_length` characters, an exponent
+///   beyond `max_decimal_exponent`
 template <class FT> FT parse_number(std::string_view token) {
   try {
     return internal::number_value<FT>(token);
@@ -210,8 +210,8 @@ template <class FT> FT parse_number(std::string_view token) {
 ///
 /// \tparam FT `float`, `double`, or a field number type as for `parse_number()` with `==` and an `operator<<` that
 ///   prints `p` or `p/q`; when it has a member function `exact()`, that is asked of the result
-/// \throws Error `not_finite` for an infinite or undefined floating-point number; `cannot_write_file` when the number type
-///   prints something else than the number, as does `Quotient<MP_Float>`; nothing is written then
+/// \throws Error `not_finite` for an infinite or undefined floating-point number; `cannot_write_file` when the number
+///   type prints something else than the number, as does `Quotient<MP_Float>`; nothing is written then
 template <class FT> void write_number(std::ostream& os, const FT& x) {
   internal::write_text(os, internal::number_text(x));
 }

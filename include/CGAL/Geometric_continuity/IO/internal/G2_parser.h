@@ -46,8 +46,8 @@ template <class FT> struct G2_direction {
   std::vector<FT> knots;
 };
 
-// Reads the parts of the objects of one class in a `.g2` text, one after the other. Everything that is not as it should be
-// is refused with file, line and reason.
+// Reads the parts of the objects of one class in a `.g2` text, one after the other. Everything that is not as it should
+// be is refused with file, line and reason.
 template <class Traits> class G2_parser {
   typedef typename Traits::FT FT;
   typedef G2_direction<FT> Direction;

@@ -19,8 +19,8 @@ namespace CGAL {
 namespace Geometric_continuity {
 namespace internal {
 
-// The words of a text file, with the lines in which they begin, one at a time. It reads the buffer of the stream, so that
-// neither the locale nor the flags of the stream matter.
+// The words of a text file, with the lines in which they begin, one at a time. It reads the buffer of the stream, so
+// that neither the locale nor the flags of the stream matter.
 class Token_reader {
   std::streambuf* buffer_;
   std::string name_, token_;

@@ -17,8 +17,8 @@ namespace Geometric_continuity {
 namespace internal {
 
 // Writes an object of a class in the `.g2` format, with an empty line after it: one knot vector for each parameter, and
-// `points` control points, of which the j-th has the coordinates coordinates(j). The text is complete before any of it is
-// written.
+// `points` control points, of which the j-th has the coordinates coordinates(j). The text is complete before any of it
+// is written.
 template <class FT, class Coordinates_of>
 void write_g2_text(std::ostream& os, int object_class, int dimension,
                    std::initializer_list<const Knot_vector<FT>*> directions, long long points,

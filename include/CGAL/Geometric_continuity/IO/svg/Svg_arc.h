@@ -32,8 +32,8 @@ template <class FT> struct Svg_arc_parameters {
 };
 
 /// \ingroup PkgGeometricContinuityIO
-/// An arc of an ellipse as SVG describes it, by its ends, with exact derivatives at the ends with respect to the eccentric
-/// angle. All orders of continuity but C are those of the arc in any parametrisation.
+/// An arc of an ellipse as SVG describes it, by its ends, with exact derivatives at the ends with respect to the
+/// eccentric angle. All orders of continuity but C are those of the arc in any parametrisation.
 ///
 /// Let `h` be half the chord, from the middle to the start, and `k` its image under the quarter turn of the ellipse,
 /// \f$ k = (-\frac{r_x}{r_y} h_y, \frac{r_y}{r_x} h_x) \f$ without rotation. With
@@ -63,9 +63,9 @@ private:
 
 public:
   /// Makes the arc from `start` to `end`.
-  /// \throws Error `zero_direction` when the ends coincide; `parameter_outside_domain` for a zero radius, for a rotation by
-  ///   more than 10^9 degrees, and when the sizes differ so much that \f$ D \f$ is no finite floating-point number;
-  ///   `not_finite` for a number that is not finite
+  /// \throws Error `zero_direction` when the ends coincide; `parameter_outside_domain` for a zero radius, for a
+  ///   rotation by more than 10^9 degrees, and when the sizes differ so much that \f$ D \f$ is no finite floating-point
+  ///   number; `not_finite` for a number that is not finite
   Svg_arc(const Point& start, const Point& end, const Svg_arc_parameters<FT>& parameters)
       : start_(Geometric_continuity::coordinates<Traits>(start)), end_(Geometric_continuity::coordinates<Traits>(end)),
         same_flags_(parameters.large == parameters.sweep), sweep_(parameters.sweep) {
@@ -133,8 +133,8 @@ public:
     return Curve_jet<Traits>(end_jet_over<FT>(order, *root_));
   }
 
-  /// Returns the image under an affine map of points, which is an arc of an ellipse again. Whether the map is affine and
-  /// invertible is not checked.
+  /// Returns the image under an affine map of points, which is an arc of an ellipse again. Whether the map is affine
+  /// and invertible is not checked.
   template <class Transformation> Svg_arc transform(const Transformation& map) const {
     const auto image = [&](const Coordinates& x) {
       return Geometric_continuity::coordinates<Traits>(map(Geometric_continuity::to_point<Traits>(x)));

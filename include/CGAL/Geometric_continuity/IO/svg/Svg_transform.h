@@ -147,8 +147,8 @@ private:
 } // namespace internal
 
 /// \ingroup PkgGeometricContinuityIO
-/// Returns the map of a list of transforms, the attribute `transform`: `matrix`, `translate`, `scale`, `rotate`, `skewX`,
-/// `skewY`, with the numbers of `parse_number()`. The last one is applied first.
+/// Returns the map of a list of transforms, the attribute `transform`: `matrix`, `translate`, `scale`, `rotate`,
+/// `skewX`, `skewY`, with the numbers of `parse_number()`. The last one is applied first.
 ///
 /// In an exact field the map is exact for all but angles: a rotation by other than a multiple of 90 degrees is replaced
 /// by a rotation with rational cosine and sine, and a skew by other than a multiple of 45 degrees by one with a
@@ -156,8 +156,8 @@ private:
 /// on that: C, G and F orders are the same before and after any invertible affine map, and the rotation does not change
 /// any angle or curvature.
 ///
-/// \throws Error `malformed_input` with a text `name, character N: reason`; `not_finite` when the product of the transforms
-///   is outside the range of floating-point numbers
+/// \throws Error `malformed_input` with a text `name, character N: reason`; `not_finite` when the product of the
+///   transforms is outside the range of floating-point numbers
 template <class Traits>
 Svg_transform<Traits> parse_svg_transform(std::string_view text, const std::string& name = "transform") {
   return internal::Svg_transform_reader<Traits>(text, name)();

@@ -49,8 +49,8 @@ public:
     scanner_.skip_space();
   }
 
-  /// Returns the next subpath, or nothing at the end. A subpath without segments is left out unless it is closed. After an
-  /// error the reader cannot be used any more.
+  /// Returns the next subpath, or nothing at the end. A subpath without segments is left out unless it is closed. After
+  /// an error the reader cannot be used any more.
   /// \throws Error `malformed_input` with a text `name, character N: reason`, where `N` counts from 1, for everything
   ///   that is no path data, and for numbers that `double` cannot hold or `Svg_arc` refuses
   std::optional<Svg_subpath<Traits>> next() {

@@ -95,9 +95,10 @@ Svg_subpath<Traits> read_svg_points(std::string_view points, Svg_outline outline
 } // namespace internal
 
 /// \ingroup PkgGeometricContinuityIO
-/// Returns a length, the text of an attribute such as `width`, in user units: a number as `parse_number()` reads it, and
-/// possibly one of the units `px`, `in`, `cm`, `mm`, `pt` and `pc`, of which 96 `px` are one `in`. The result is empty for a
-/// length that has no meaning without a viewport or a font, in `%`, `em`, `ex`, `ch`, `rem`, `vw`, `vh`, `vmin` or `vmax`.
+/// Returns a length, the text of an attribute such as `width`, in user units: a number as `parse_number()` reads it,
+/// and possibly one of the units `px`, `in`, `cm`, `mm`, `pt` and `pc`, of which 96 `px` are one `in`. The result is
+/// empty for a length that has no meaning without a viewport or a font, in `%`, `em`, `ex`, `ch`, `rem`, `vw`, `vh`,
+/// `vmin` or `vmax`.
 /// \throws Error `malformed_input` with a text `name, character N: reason`
 template <class FT> std::optional<FT> parse_svg_length(std::string_view text, const std::string& name = "length") {
   internal::Svg_scanner scanner(text, name);
@@ -171,8 +172,8 @@ Svg_subpath<Traits> svg_ellipse(const typename Traits::FT& cx, const typename Tr
 }
 
 /// \ingroup PkgGeometricContinuityIO
-/// Returns the path of a rectangle, M L A ... Z, whose corners are rounded by quarters of ellipses unless a radius is zero.
-/// Radii of more than half the size are reduced to that. It is empty when the width or the height is zero.
+/// Returns the path of a rectangle, M L A ... Z, whose corners are rounded by quarters of ellipses unless a radius is
+/// zero. Radii of more than half the size are reduced to that. It is empty when the width or the height is zero.
 /// \throws Error `malformed_input` for a negative size or radius; `not_finite` for a number that is not finite
 template <class Traits>
 Svg_subpath<Traits> svg_rectangle(const typename Traits::FT& x, const typename Traits::FT& y,
