@@ -701,6 +701,7 @@ BOOST_AUTO_TEST_CASE(curvatures_that_are_refused) {
 
   for (double length : {0., -1.}) CHECK_ERROR(plane(one, length), empty_domain);
   for (double length : {nan, inf}) CHECK_ERROR(plane(one, length), not_finite);
+  CHECK_ERROR(plane(one, 1, std::numeric_limits<double>::infinity()), not_finite);
   for (double tolerance : {0., -1., nan, 1e-17}) CHECK_ERROR(plane(one, 1, tolerance), unreachable_tolerance);
   BOOST_CHECK_GT(plane(one, 1, 2.3e-16), 16);
   // a jump of the curvature is passed, where it becomes infinite no step is small enough
@@ -838,7 +839,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(curvature_vector_of_barsky_and_beatty, Traits, Spa
     cubics.c0 += FT(3);
     const Composite<Traits> c = cubics(FT(1));
     const auto x = c.segment(0).template end_jet_over<Field>(2), y = c.segment(1).template start_jet_over<Field>(2);
-    const auto kx = *GC::internal::curvature_vector(x), ky = *GC::internal::curvature_vector(y);
+    const auto kx = *GC::curvature_vector(x), ky = *GC::curvature_vector(y);
     if constexpr (std::is_same_v<Field, Q>)
       BOOST_CHECK(kx == ky);
     else
