@@ -19,7 +19,7 @@ typedef Traits::Point Point;
 // Prints the orders of continuity of a closed curve, and returns the least G order.
 template <class Basis> int least_g_order(const char* name, const std::vector<Point>& points, const Basis& basis) {
   const GC::Composite_bezier_curve<Traits, 3> curve =
-      GC::piecewise_cubic<Traits>(points.begin(), points.end(), basis, true);
+      GC::piecewise_cubic<Traits>(points.begin(), points.end(), basis, GC::Closure::closed);
   const auto result = GC::chain_continuity(curve);
   std::cout << name << ", starts at (" << curve.control_point(0) << "): " << result.summary << '\n';
   for (const auto& join : result.failing(GC::Continuity_kind::G, 1))
