@@ -9,6 +9,9 @@
 
 #include <type_traits>
 
+/// \file Exact_field.h
+/// The numbers in which the package decides.
+
 namespace CGAL {
 namespace Geometric_continuity {
 
@@ -16,6 +19,7 @@ namespace Geometric_continuity {
 /// The field in which numbers of type `FT` are decided exactly: `Exact_rational` for floating-point numbers, every other field
 /// itself.
 template <class FT> struct Exact_field {
+  /// The exact field.
   typedef std::conditional_t<std::is_floating_point_v<FT>, Exact_rational, FT> type;
 };
 
