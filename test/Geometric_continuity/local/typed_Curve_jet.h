@@ -2,10 +2,10 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-#ifndef CGAL_GEOMETRIC_CONTINUITY_TEST_TYPED_JETS_H
-#define CGAL_GEOMETRIC_CONTINUITY_TEST_TYPED_JETS_H
+#ifndef CGAL_GEOMETRIC_CONTINUITY_TEST_LOCAL_TYPED_CURVE_JET_H
+#define CGAL_GEOMETRIC_CONTINUITY_TEST_LOCAL_TYPED_CURVE_JET_H
 
-#include "support.h"
+#include "support/typed.h"
 
 #include <limits>
 
@@ -345,4 +345,4 @@ BOOST_AUTO_TEST_CASE(rounded_curvatures, *boost::unit_test::enable_if<!exact>())
 
 BOOST_AUTO_TEST_SUITE_END()
 
-#endif // CGAL_GEOMETRIC_CONTINUITY_TEST_TYPED_JETS_H
+#endif // CGAL_GEOMETRIC_CONTINUITY_TEST_LOCAL_TYPED_CURVE_JET_H

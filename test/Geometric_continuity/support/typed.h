@@ -2,8 +2,8 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-#ifndef CGAL_GEOMETRIC_CONTINUITY_TEST_TYPED_SUPPORT_H
-#define CGAL_GEOMETRIC_CONTINUITY_TEST_TYPED_SUPPORT_H
+#ifndef CGAL_GEOMETRIC_CONTINUITY_TEST_SUPPORT_TYPED_H
+#define CGAL_GEOMETRIC_CONTINUITY_TEST_SUPPORT_TYPED_H
 
 // What the typed tests share. The including file has defined, for one kernel:
 //
@@ -483,4 +483,4 @@ template <class Traits, class Strategy> void check_blend_errors(int d, int order
   CHECK_ERROR(bad(strategy), nonpositive_beta);
 }
 
-#endif // CGAL_GEOMETRIC_CONTINUITY_TEST_TYPED_SUPPORT_H
+#endif // CGAL_GEOMETRIC_CONTINUITY_TEST_SUPPORT_TYPED_H
