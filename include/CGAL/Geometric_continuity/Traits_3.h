@@ -14,8 +14,8 @@ namespace Geometric_continuity {
 /// \ingroup PkgGeometricContinuityTraits
 /// The traits class for curves of dimension 3 over a CGAL kernel.
 ///
-/// With `Exact_predicates_inexact_constructions_kernel` predicates are decided in `Exact_rational` on the
-/// coordinates as given; with every other kernel they are decided in the field of the kernel.
+/// With `Exact_predicates_inexact_constructions_kernel` predicates are decided in `Exact_field<double>::type` on
+/// the coordinates as given; with every other kernel they are decided in the field of the kernel.
 ///
 /// \tparam K a model of the CGAL concept `Kernel`
 /// \models GeometricContinuityTraits

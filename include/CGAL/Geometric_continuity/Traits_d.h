@@ -27,7 +27,7 @@ template <class Dimension> struct Is_filtered_d<Epick_d<Dimension>> : std::true_
 /// `Cartesian_d<FT>`, `Epick_d<Dynamic_dimension_tag>` or `Epeck_d<Dynamic_dimension_tag>` (the last two
 /// need Eigen).
 ///
-/// With `Epick_d` predicates are decided in `Exact_rational` on the coordinates as given; with every
+/// With `Epick_d` predicates are decided in `Exact_field<double>::type` on the coordinates as given; with every
 /// other kernel they are decided in the field of the kernel.
 ///
 /// \tparam K a model of the CGAL concept `Kernel_d`

@@ -60,8 +60,8 @@ template <class FT> Basis_matrix<FT> rounded_matrix(const Basis_matrix<typename 
 /// \tparam FT a field number type, or `int` for matrices of whole numbers
 template <class FT_> class Basis_matrix {
 public:
-  typedef FT_ FT;
-  typedef std::array<std::array<FT, 4>, 4> Rows;
+  typedef FT_ FT;                                ///< the number type
+  typedef std::array<std::array<FT, 4>, 4> Rows; ///< the rows of a matrix
 
   /// Constructs a matrix from its rows.
   constexpr explicit Basis_matrix(const Rows& rows) : m_(rows) {}

@@ -27,7 +27,7 @@ namespace Geometric_continuity {
 /// \tparam FT a field number type
 template <class FT_> class Bernstein_polynomial {
 public:
-  typedef FT_ FT;
+  typedef FT_ FT; ///< the number type
 
   /// Constructs a polynomial from `n + 1 >= 1` coefficients. \throws Error `wrong_number_of_points` without coefficients
   explicit Bernstein_polynomial(std::vector<FT> coefficients) : c_(std::move(coefficients)) { check(); }

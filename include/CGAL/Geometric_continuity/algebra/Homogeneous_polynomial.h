@@ -30,7 +30,7 @@ namespace Geometric_continuity {
 /// \tparam NT a ring number type, constructible from `int`
 template <class NT_> class Homogeneous_polynomial {
 public:
-  typedef NT_ NT;
+  typedef NT_ NT; ///< the number type
 
   /// Constructs zero.
   Homogeneous_polynomial() : c_(1, NT(0)) {}

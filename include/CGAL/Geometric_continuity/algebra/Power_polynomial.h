@@ -51,7 +51,7 @@ template <class FT, class Row> Row powers_from_bernstein(Row c) {
 /// \tparam FT a field number type with exact operations
 template <class FT_> class Power_polynomial {
 public:
-  typedef FT_ FT;
+  typedef FT_ FT; ///< the number type
 
   /// Constructs zero.
   Power_polynomial() = default;

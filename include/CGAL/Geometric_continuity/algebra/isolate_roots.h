@@ -44,6 +44,7 @@ template <class FT> class Root_isolation {
   typedef Bernstein_polynomial<FT> Polynomial;
   typedef Isolated_root<FT> Root;
   typedef Whole_polynomial<FT> Whole;
+  typedef typename Whole::NT Number;
 
   // A multiple of the polynomial on [begin, end], reparametrised to [0, 1], without the roots at these ends.
   struct Part {
@@ -82,8 +83,8 @@ public:
 private:
   void find(const Whole& s) {
     if (s.degree() == 0) return;
-    if (s[0] == 0) roots_.push_back({FT(0), FT(0)});
-    if (s[s.degree()] == 0) roots_.push_back({FT(1), FT(1)});
+    if (s[0] == Number(0)) roots_.push_back({FT(0), FT(0)});
+    if (s[s.degree()] == Number(0)) roots_.push_back({FT(1), FT(1)});
     add_part(s, FT(0), FT(1), false, false);
     while (!parts_.empty()) {
       const Part part = std::move(parts_.back());
@@ -94,7 +95,7 @@ private:
 
   // Keeps a part that may have roots inside and is too long.
   void add_part(const Whole& s, const FT& begin, const FT& end, bool root_at_begin, bool root_at_end) {
-    Without_end_roots<typename Whole::NT> inside(s);
+    Without_end_roots<Number> inside(s);
     root_at_begin = root_at_begin || inside.root_at_0;
     root_at_end = root_at_end || inside.root_at_1;
     const Whole& q = inside.rest;
@@ -113,7 +114,7 @@ private:
     if (--bisections_ < 0) throw Error(Error_code::work_limit, "isolate_roots: too many bisections");
     const FT middle = (part.begin + part.end) / FT(2);
     const std::pair<Whole, Whole> halves = part.rest.halves();
-    const bool root = halves.second[0] == 0;
+    const bool root = halves.second[0] == Number(0);
     if (root) roots_.push_back({middle, middle});
     add_part(halves.first, part.begin, middle, part.root_at_begin, root);
     add_part(halves.second, middle, part.end, root, part.root_at_end);

@@ -34,8 +34,8 @@ namespace Geometric_continuity {
 /// \tparam Value `FT` or a `Coordinate_vector` of such numbers
 template <class FT_, class Value_ = FT_> class Bspline_function {
 public:
-  typedef FT_ FT;
-  typedef Value_ Value;
+  typedef FT_ FT;       ///< the number type
+  typedef Value_ Value; ///< a coefficient: a number or a vector
 
 private:
   Knot_vector<FT> knots_;

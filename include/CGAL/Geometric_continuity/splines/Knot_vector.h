@@ -42,7 +42,7 @@ template <class FT> struct Distinct_knots;
 /// \tparam FT a field number type
 template <class FT_> class Knot_vector {
 public:
-  typedef FT_ FT;
+  typedef FT_ FT;                                                  ///< the number type
   typedef typename std::vector<FT>::const_iterator const_iterator; ///< a random-access iterator
 
   /// A knot and its multiplicity.

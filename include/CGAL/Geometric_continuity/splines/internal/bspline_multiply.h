@@ -75,7 +75,7 @@ template <class Coefficients> struct Rows_of_coefficients {
   }
 };
 
-// And back.
+// Writes rows of numbers as coefficients, one after the other.
 template <class FT, class Value> struct Write_coefficients {
   int dimension;
   Value* next;
