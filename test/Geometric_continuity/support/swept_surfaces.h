@@ -112,18 +112,29 @@ template <class Traits> GC::Bezier_curve<Traits> int_curve(std::initializer_list
 
 inline Q binomial(int n, int k) { return GC::binomial_coefficients<Q>(n)[k]; }
 
+typedef GC::Bernstein_polynomial<Q> Polynomial;
+inline Polynomial factor(const Q& root) { return Polynomial{Q(-root), Q(Q(1) - root)}; } // t - root
+
 // A user's curve: the quarter of the unit circle in the plane y = 0 about (2, 0, 0), by a rational parameter in [0, 1].
 struct Quarter_circle {
   typedef Exact Traits;
   std::pair<Q, Q> domain() const { return {Q(0), Q(1)}; }
   GC::Curve_jet<Exact> jet(const Q& u, int k) const {
-    const GC::internal::Rotation_functions<Q> r(u, Q(1), k); // sine and 1 - cosine
     GC::Curve_jet<Exact> jet(3, k);
     for (int j = 0; j <= k; ++j) {
-      jet[j][0] = Q((j == 0 ? Q(3) : Q(0)) - r.g[j]);
-      jet[j][2] = r.f[j];
+      jet[j][0] = derivative(j, u, {Q(Q(3) + u * u), Q(Q(2) * u), Q(2)}, jet, 0); // 2 + cosine
+      jet[j][2] = derivative(j, u, {Q(Q(2) * u), Q(2), Q(0)}, jet, 2);            // sine
     }
     return jet;
+  }
+
+private:
+  // Of f with (1 + u^2) f = p, from the lower ones; p has the derivatives `of_p`.
+  static Q derivative(int j, const Q& u, const std::array<Q, 3>& of_p, const GC::Curve_jet<Exact>& f, int i) {
+    Q sum = j <= 2 ? of_p[j] : Q(0);
+    if (j >= 1) sum -= Q(2 * j) * u * f[j - 1][i];
+    if (j >= 2) sum -= Q(j * (j - 1)) * f[j - 2][i];
+    return Q(sum / (Q(1) + u * u));
   }
 };
 
