@@ -81,3 +81,32 @@ BOOST_AUTO_TEST_CASE(roots_with_double_coefficients) {
   const double infinity = std::numeric_limits<double>::infinity();
   CHECK_ERROR(isolate_roots(GC::Bernstein_polynomial<double>{-1., infinity}), not_finite);
 }
+
+// t^n - 2 (a t - 1)^2 has two roots near 1/a, about 2 a^(-n/2 - 1) apart: Mignotte.
+BOOST_AUTO_TEST_CASE(close_roots) {
+  const int n = 40;
+  const Q a(1000), center = Q(Q(1) / a);
+  const Polynomial line{Q(-1), Q(a - Q(1))};
+  Polynomial power{Q(1)};
+  for (int i = 0; i < n; ++i) power = power * factor(Q(0));
+  const Polynomial p = power - Polynomial{Q(2)} * line * line;
+  const Roots r = isolate_roots(p);
+  BOOST_REQUIRE_EQUAL(r.size(), 2u);
+  BOOST_CHECK(r[0].begin < center && r[0].end <= r[1].begin && center < r[1].end);
+  for (const GC::Isolated_root<Q>& root : r) BOOST_CHECK(p(root.begin) * p(root.end) < 0 && root.multiplicity == 1);
+  BOOST_CHECK(GC::sign_pattern(p) == GC::Sign_pattern::mixed);
+  // the work is limited
+  CHECK_ERROR(isolate_roots(p, Q(1), 100), work_limit);
+  BOOST_CHECK_EQUAL(isolate_roots(p, Q(1), 400).size(), 2u);
+}
+
+BOOST_AUTO_TEST_CASE(limits_of_the_work) {
+  const Polynomial p = factor(Q(Q(1) / Q(3))) * factor(Q(Q(2) / Q(3)));
+  Q width(1);
+  for (int i = 0; i < 5000; ++i) width /= 2;
+  CHECK_ERROR(isolate_roots(p, width), work_limit);
+  CHECK_ERROR(isolate_roots(p, Q(1), -1), negative_count);
+  CHECK_ERROR(isolate_roots(p, Q(1), 0), work_limit);
+  BOOST_CHECK_EQUAL(isolate_roots(p, Q(1), 1).size(), 2u);                    // one bisection separates them,
+  BOOST_CHECK_EQUAL(isolate_roots(factor(Q(1) / Q(3)), width, 0).size(), 1u); // and none is needed
+}

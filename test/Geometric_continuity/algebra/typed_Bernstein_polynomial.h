@@ -170,6 +170,10 @@ BOOST_AUTO_TEST_CASE(polynomial_interface) {
   CHECK_ERROR(Polynomial(none.begin(), none.end()), wrong_number_of_points);
   BOOST_CHECK(whole({1, 2}) != whole({1, 2, 3}));
   BOOST_CHECK(whole({1, 2}) != whole({1, 3}));
+  CHECK_ERROR(whole({1, 2}).elevated(-1), negative_count);
+  CHECK_ERROR(GC::bernstein_basis(-1, FT(0)), negative_count);
+  CHECK_ERROR(GC::bernstein_polynomials<FT>(-1), negative_count);
+  CHECK_ERROR(GC::binomial_coefficients<FT>(-1), negative_count);
   if constexpr (Is_streamable<FT>::value)
     BOOST_CHECK_EQUAL(text(whole({1, -2, 3})), text(FT(1), ' ', FT(-2), ' ', FT(3)));
 }
@@ -462,11 +466,14 @@ template <int N> void check_coordinate_vector(int d) {
   const Vector both = orthogonal_component(u, std::vector<Vector>{e1, e2});
   BOOST_CHECK(both[0] == FT(0) && both[1] == FT(0) && both[d - 1] == (d == 2 ? FT(0) : FT(7)));
   BOOST_CHECK(orthogonal_component(u, std::vector<Vector>()) == u);
+  CHECK_ERROR(orthogonal_component(u, Vector(d)), zero_direction);
   if constexpr (N != 0) {
     CHECK_ERROR(Vector(N - 1), dimension_mismatch);
     CHECK_ERROR(Vector(N + 1), dimension_mismatch);
   } else {
     BOOST_CHECK_EQUAL(Vector().dimension(), 0);
+    CHECK_ERROR(Vector(-1), negative_count);
+    CHECK_ERROR(cross_product(Vector(2), Vector(3)), dimension_mismatch);
     BOOST_CHECK(Vector(2) != Vector(3));
   }
 }

@@ -124,17 +124,13 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(arc_length_and_torsion_continuity, Traits, Spaces)
 BOOST_AUTO_TEST_CASE_TEMPLATE(curvature_vector_of_barsky_and_beatty, Traits, Spaces) {
   typedef typename Traits::FT FT;
   typedef GC::Predicate_FT<Traits> Field;
-  typedef GC::Traits_3<CGAL::Simple_cartesian<Field>> Space;
-  const auto curvature_vector = [](const GC::Coordinate_jet<Field, 3>& x) {
-    return GC::coordinates<Space>(*GC::curvature_vector(GC::Curve_jet<Space>(x)));
-  };
   // second-degree geometric continuity is the continuity of K = kappa e_2, and of the tangent
   for (const FT& beta : dyadic_ratios<FT>()) {
     Two_cubics<Traits> cubics = c3_member<Traits>(beta);
     cubics.c0 += FT(3);
     const Composite<Traits> c = cubics(FT(1));
     const auto x = c.segment(0).template end_jet_over<Field>(2), y = c.segment(1).template start_jet_over<Field>(2);
-    const Column<Space> kx = curvature_vector(x), ky = curvature_vector(y);
+    const auto kx = *GC::curvature_vector(x), ky = *GC::curvature_vector(y);
     if constexpr (std::is_same_v<Field, Q>)
       BOOST_CHECK(kx == ky);
     else

@@ -357,7 +357,27 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(elevation, K, Kernels) {
   const Function<FT> f(GC::Knot_vector<FT>(1, FT(0), FT(2), {{FT(1), 1}}), {FT(0), FT(2), FT(-2)});
   BOOST_CHECK(f.elevate() ==
               Function<FT>(GC::Knot_vector<FT>(2, FT(0), FT(2), {{FT(1), 2}}), {FT(0), FT(1), FT(2), FT(0), FT(-2)}));
-  CHECK_ERROR(f.elevate(-1), wrong_number_of_points);
+  CHECK_ERROR(f.elevate(-1), negative_count);
+}
+
+BOOST_AUTO_TEST_CASE_TEMPLATE(counts_that_are_refused, K, Kernels) {
+  typedef typename K::FT FT;
+  const Function<FT> f(GC::Knot_vector<FT>(2, FT(0), FT(2), {{FT(1), 1}}), {FT(0), FT(2), FT(-2), FT(1)}), copy = f;
+  CHECK_ERROR(f.insert(FT(1), -1), negative_count);
+  CHECK_ERROR(f.remove(FT(1), -1), negative_count);
+  CHECK_ERROR(f.elevate(-2), negative_count);
+  CHECK_ERROR(f.right_derivatives(FT(1), -1), negative_count);
+  CHECK_ERROR(f.left_derivatives(FT(1), -2), negative_count);
+  CHECK_ERROR(GC::elevated_knots(f.knots(), -1), negative_count);
+  CHECK_ERROR(bspline_elevate(f.knots(), f.coefficients(), -1), negative_count);
+  CHECK_ERROR(bspline_insert(f.knots(), f.coefficients(), FT(1), -1), negative_count);
+  CHECK_ERROR(bspline_remove(f.knots(), f.coefficients(), FT(1), -1), negative_count);
+  // neither span 1, before the domain, nor 4, behind it
+  for (int k : {-1, 1, 4, 9}) {
+    CHECK_ERROR(bspline_derivatives(f.knots(), f.coefficients(), k, FT(1), 0), parameter_outside_domain);
+    CHECK_ERROR(bspline_blossom(f.knots(), f.coefficients(), k, {FT(0), FT(1)}), parameter_outside_domain);
+  }
+  BOOST_CHECK(f == copy);
 }
 
 // The multiplicity of each inner knot of a product of splines whose coefficients are not special.

@@ -65,6 +65,13 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(knot_vectors, K, Kernels) {
   BOOST_CHECK(u.insert(FT(3), 2).remove(FT(3)) == u.insert(FT(3)));
   CHECK_ERROR(u.remove(FT(3)), knot_multiplicity);
   CHECK_ERROR(u.remove(FT(0)), knot_multiplicity);
+  const Knots before = u;
+  CHECK_ERROR(u.insert(FT(1), -1), negative_count);
+  CHECK_ERROR(u.remove(FT(1), -1), negative_count);
+  CHECK_ERROR(u.bezier(-1), wrong_number_of_points);
+  CHECK_ERROR(u.greville_abscissa(-1), parameter_outside_domain);
+  CHECK_ERROR(u.greville_abscissa(5), parameter_outside_domain);
+  BOOST_CHECK(u == before);
   BOOST_CHECK(u.with_inner_knots({}) == Knots(2, {FT(-1), FT(0), FT(0), FT(4), FT(6), FT(7)}));
   const Knots clamped(2, {FT(0), FT(0), FT(0), FT(1), FT(1), FT(4), FT(4), FT(4)});
   BOOST_CHECK(u.clamp() == clamped);
@@ -103,12 +110,19 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(refused_knot_vectors, K, Kernels) {
   CHECK_ERROR(GC::Knot_vector<FT>(2, FT(1), FT(1)), empty_domain);
   CHECK_ERROR(GC::Knot_vector<FT>(2, FT(0), FT(4), {{FT(5), 1}}), empty_domain);
   CHECK_ERROR(GC::Knot_vector<FT>(2, FT(0), FT(4), {{FT(1), 4}}), knot_multiplicity);
-  CHECK_ERROR(GC::Knot_vector<FT>(2, FT(0), FT(4), {{FT(1), -1}}), knot_multiplicity);
+  CHECK_ERROR(GC::Knot_vector<FT>(2, FT(0), FT(4), {{FT(1), -1}}), negative_count);
   if constexpr (!exact_v<FT>) {
     const FT infinity = std::numeric_limits<FT>::infinity(), nan = std::numeric_limits<FT>::quiet_NaN();
     CHECK_ERROR((GC::Knot_vector<FT>(1, {0, 0, 1, infinity})), not_finite);
     CHECK_ERROR((GC::Knot_vector<FT>(1, {0, nan, 1, 1})), not_finite);
     BOOST_CHECK(!GC::Knot_vector<FT>(1, 0, 1).contains(nan));
+    const FT large = (std::numeric_limits<FT>::max)();
+    BOOST_CHECK_EQUAL(error_of([&] { GC::Knot_vector<FT>(1, -large, large); }),
+                      "not_finite: Knot_vector: the distance of the first and the last knot overflows");
+    CHECK_ERROR((GC::Knot_vector<FT>(1, {-large, 0, 1, large})), not_finite);
+    const GC::Knot_vector<FT> long_domain(2, -large, FT(0), {{FT(-large / 2), 1}});
+    BOOST_CHECK_EQUAL(long_domain.greville_abscissa(1), FT(-0.75 * large)); // whose sum overflows
+    BOOST_CHECK_EQUAL(long_domain.greville_abscissa(3), FT(0));
     CHECK_ERROR(GC::Knot_vector<FT>(1, 0, 1).span(nan), parameter_outside_domain);
   }
 }

@@ -120,21 +120,18 @@ struct Quarter_circle {
   typedef Exact Traits;
   std::pair<Q, Q> domain() const { return {Q(0), Q(1)}; }
   GC::Curve_jet<Exact> jet(const Q& u, int k) const {
+    // cos + i sin = (1 + iu) / (1 - iu) = 2w - 1 with w = 1 / (1 - iu), of which each derivative is a power
+    const Q D = Q(Q(1) + u * u), x = Q(Q(1) / D), y = Q(u / D);
+    Q re = Q(Q(2) * x), im = Q(Q(2) * y); // of 2 j! i^j w^(j+1)
     GC::Curve_jet<Exact> jet(3, k);
     for (int j = 0; j <= k; ++j) {
-      jet[j][0] = derivative(j, u, {Q(Q(3) + u * u), Q(Q(2) * u), Q(2)}, jet, 0); // 2 + cosine
-      jet[j][2] = derivative(j, u, {Q(Q(2) * u), Q(2), Q(0)}, jet, 2);            // sine
+      jet[j][0] = Q(re + (j == 0 ? Q(1) : Q(0))); // 2 + cosine
+      jet[j][2] = im;
+      const Q before = re;
+      re = Q(Q(-(j + 1)) * (re * y + im * x));
+      im = Q(Q(j + 1) * (before * x - im * y));
     }
     return jet;
-  }
-
-private:
-  // Of f with (1 + u^2) f = p, from the lower ones; p has the derivatives `of_p`.
-  static Q derivative(int j, const Q& u, const std::array<Q, 3>& of_p, const GC::Curve_jet<Exact>& f, int i) {
-    Q sum = j <= 2 ? of_p[j] : Q(0);
-    if (j >= 1) sum -= Q(2 * j) * u * f[j - 1][i];
-    if (j >= 2) sum -= Q(j * (j - 1)) * f[j - 2][i];
-    return Q(sum / (Q(1) + u * u));
   }
 };
 

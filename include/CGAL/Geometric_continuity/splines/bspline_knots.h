@@ -2,112 +2,30 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-#ifndef CGAL_GEOMETRIC_CONTINUITY_SPLINES_INTERNAL_BSPLINE_KNOTS_H
-#define CGAL_GEOMETRIC_CONTINUITY_SPLINES_INTERNAL_BSPLINE_KNOTS_H
+#ifndef CGAL_GEOMETRIC_CONTINUITY_SPLINES_BSPLINE_KNOTS_H
+#define CGAL_GEOMETRIC_CONTINUITY_SPLINES_BSPLINE_KNOTS_H
 
+#include <CGAL/Geometric_continuity/Error.h>
 #include <CGAL/Geometric_continuity/numbers/Exact_field.h>
-#include <CGAL/Geometric_continuity/numbers/internal/checked_conversion.h>
-#include <CGAL/Geometric_continuity/splines/internal/bspline_evaluate.h>
+#include <CGAL/Geometric_continuity/splines/Knot_vector.h>
+#include <CGAL/Geometric_continuity/splines/internal/change_knots.h>
+#include <CGAL/Geometric_continuity/splines/internal/check_spline.h>
 
 #include <algorithm>
 #include <iterator>
 #include <optional>
-#include <string>
-#include <utility>
 #include <vector>
 
 /// \file bspline_knots.h
-/// The same spline over other knots: insertion, refinement, Bézier pieces and back, removal where it is exact. All of them
+/// One spline over several knot vectors: insertion, refinement, Bézier pieces and back, removal where it is exact. All of them
 /// compute the new coefficients as blossoms \f$ c'_j = f_k[t_{j+1}, \dots, t_{j+p}] \f$ at the new knots `t`, in
 /// \f$ O(p^2) \f$ each.
 
 namespace CGAL {
 namespace Geometric_continuity {
 
-namespace internal {
-
-// Chooses the span of the old knots u whose polynomial gives a new coefficient. Any span between the arguments would do in
-// exact arithmetic. The longest one keeps rounding errors small: arguments outside lie at most as many of its lengths away
-// as there are other spans between the arguments, however uneven the knots are.
-template <class FT> class Span_choice {
-  const Knot_vector<FT>& u_;
-  std::vector<int> spans_;  // all that are not empty, outside the domain as well
-  std::vector<FT> lengths_; // of these
-  std::size_t current_ = 0; // the one that contains the first argument
-
-public:
-  explicit Span_choice(const Knot_vector<FT>& u) : u_(u) {
-    for (int k = 0; k + 1 < u.size(); ++k)
-      if (u[k] < u[k + 1]) {
-        spans_.push_back(k);
-        lengths_.push_back(FT(u[k + 1] - u[k]));
-      }
-  }
-
-  // For the j-th coefficient over t; the calls are made for increasing j.
-  int operator()(const Knot_vector<FT>& t, int j) {
-    const int p = t.degree();
-    const FT &first = t[p == 0 ? j : j + 1], &last = t[j + p];
-    while (current_ + 1 < spans_.size() && !(first < u_[spans_[current_] + 1])) ++current_;
-    if (first == last) { // the basis function lives on the right of the knot, or else on the left
-      const bool right = t[j + p] < t[j + p + 1];
-      return spans_[right || current_ == 0 || u_[spans_[current_]] != first ? current_ : current_ - 1];
-    }
-    std::size_t longest = current_;
-    bool found = !(u_[spans_[longest]] < first) && !(last < u_[spans_[longest] + 1]);
-    for (std::size_t i = current_ + 1; i < spans_.size() && !(last < u_[spans_[i] + 1]); ++i)
-      if (!found || lengths_[longest] < lengths_[i]) {
-        longest = i;
-        found = true;
-      }
-    return spans_[longest];
-  }
-};
-
-// The coefficients over t of the spline with coefficients c over u. \pre the spline belongs to the space of t
-template <class FT, class Coefficients>
-std::vector<typename Coefficients::value_type> change_knots(const Knot_vector<FT>& u, const Coefficients& c,
-                                                            const Knot_vector<FT>& t) {
-  std::vector<typename Coefficients::value_type> result;
-  result.reserve(t.number_of_coefficients());
-  Span_choice<FT> span(u);
-  Blossom_weights<FT> weights;
-  for (int j = 0; j < t.number_of_coefficients(); ++j) {
-    weights.assign(u, u.degree(), span(t, j), t.begin() + (j + 1));
-    if (weights.w.size() == 1)
-      result.push_back(c[weights.first]);
-    else
-      result.push_back(weights(c));
-  }
-  return result;
-}
-
-template <class Field, class FT> Field coefficient_over(const FT& x) { return to_field<Field>(x); }
-template <class Field, class FT, int N>
-Coordinate_vector<Field, N> coefficient_over(const Coordinate_vector<FT, N>& x) {
-  Coordinate_vector<Field, N> r(x.dimension());
-  for (int i = 0; i < x.dimension(); ++i) r[i] = to_field<Field>(x[i]);
-  return r;
-}
-
-// The derivatives of order 0 to p at u, not beyond `order`, of the polynomial on the span k, in another field, to which what
-// is needed is converted. coefficient(i) is the i-th coefficient in that field; output(j, derivative) is called.
-template <class Field, class FT, class Coefficient, class Output>
-void derivatives_over(const Knot_vector<FT>& knots, int k, const FT& u, int order, Coefficient coefficient,
-                      Output output) {
-  const int p = knots.degree();
-  Span_vector<decltype(coefficient(0))> c;         // c_{k-p}, ..., c_k
-  boost::container::small_vector<Field, 16> local; // u_{k-p}, ..., u_{k+p}
-  for (int i = k - p; i <= k; ++i) c.push_back(coefficient(i));
-  for (int i = k - p; i <= k + p; ++i) local.push_back(to_field<Field>(knots[i]));
-  derivative_weights(local, p, p, to_field<Field>(u), order,
-                     [&](int j, const Spline_weights<Field>& weights) { output(j, weights(c)); });
-}
-
-} // namespace internal
-
 /// \ingroup PkgGeometricContinuityAlgebra
-/// The coefficients of the same spline over finer knots. A coefficient with `r` new knots between its old ones is a convex
+/// Returns the coefficients of a spline over finer knots. A coefficient with `r` new knots between its old ones is a convex
 /// combination of `r + 1` old coefficients. \f$ O(n p^2) \f$. Boehm, Goldman; the Oslo algorithm
 /// \param finer has the same degree and domain and every knot inside it at least as often; outside, it has the same knots,
 ///        or it is clamped
@@ -133,8 +51,8 @@ std::vector<typename Coefficients::value_type> bspline_refine(const Knot_vector<
 }
 
 /// \ingroup PkgGeometricContinuityAlgebra
-/// The coefficients over `knots.insert(u, times)`. \f$ O(n + p^3) \f$ operations. Boehm
-/// \throws Error `parameter_outside_domain`, `knot_multiplicity` when `u` would be repeated more than `p + 1` times,
+/// Returns the coefficients of a spline over `knots.insert(u, times)`, `times >= 0`. \f$ O(n + p^3) \f$ operations. Boehm
+/// \throws Error `negative_count`, `parameter_outside_domain`, `knot_multiplicity` when `u` would be repeated more than `p + 1` times,
 ///   `wrong_number_of_points` unless there are `n` coefficients
 template <class FT, class Coefficients>
 std::vector<typename Coefficients::value_type> bspline_insert(const Knot_vector<FT>& knots, const Coefficients& c,
@@ -144,7 +62,7 @@ std::vector<typename Coefficients::value_type> bspline_insert(const Knot_vector<
 }
 
 /// \ingroup PkgGeometricContinuityAlgebra
-/// The Bernstein coefficients of the polynomials on the spans of the domain, `p + 1` for each span, one after the other: the
+/// Returns the Bernstein coefficients of the polynomials on the spans of the domain, `p + 1` for each span, one after the other: the
 /// coefficients over `knots.bezier(p)`. \f$ O(n p^3) \f$
 /// \throws Error `wrong_number_of_points` unless there are `n` coefficients
 template <class FT, class Coefficients>
@@ -154,10 +72,12 @@ std::vector<typename Coefficients::value_type> bspline_bezier(const Knot_vector<
 }
 
 /// \ingroup PkgGeometricContinuityAlgebra
-/// The spline over `knots` from the Bernstein coefficients of its polynomials, the inverse of `bspline_bezier()`: each
+/// Returns the coefficients of the spline over `knots` from the Bernstein coefficients of its polynomials, the inverse of `bspline_bezier()`: each
 /// coefficient is one value of the blossom of one polynomial. \f$ O(n p^2) \f$ With rounded numbers, knots far outside the
 /// domain magnify the roundings: their coefficients are extrapolations.
-/// \pre the polynomials join as smoothly at each knot of multiplicity `m` as `knots` says, \f$ C^{p-m} \f$
+///
+/// That the polynomials join as smoothly at each knot of multiplicity `m` as `knots` says, \f$ C^{p-m} \f$, is the caller's duty:
+/// otherwise there is no such spline, and each coefficient belongs to one of the polynomials.
 /// \throws Error `wrong_number_of_points` unless there are `p + 1` coefficients for each span
 template <class FT, class Coefficients>
 std::vector<typename Coefficients::value_type> bspline_from_bezier(const Knot_vector<FT>& knots,
@@ -168,7 +88,7 @@ std::vector<typename Coefficients::value_type> bspline_from_bezier(const Knot_ve
 }
 
 /// \ingroup PkgGeometricContinuityAlgebra
-/// The order of continuity at a parameter inside the domain: the largest \f$ s \le p \f$ such that all derivatives up to
+/// Decides the order of continuity at a parameter inside the domain: the largest \f$ s \le p \f$ such that all derivatives up to
 /// order `s` agree from both sides, -1 at a jump. It is `p` where both sides are one polynomial. Decided exactly:
 /// floating-point numbers are taken as the rational numbers they are. \f$ O(p^3) \f$
 /// \throws Error `parameter_outside_domain` also at the ends of the domain,
@@ -191,30 +111,32 @@ int bspline_smoothness(const Knot_vector<FT>& knots, const Coefficients& c, cons
 }
 
 /// \ingroup PkgGeometricContinuityAlgebra
-/// The coefficients over the knots without `times >= 0` copies of the inner knot `u`, or nothing when that would change the
+/// Returns the coefficients over the knots without `times >= 0` copies of the inner knot `u`, or nothing when that would change the
 /// spline. The decision is that of `bspline_smoothness()`. \f$ O(n + p^3) \f$ operations
-/// \throws Error as `bspline_smoothness()`
+/// \throws Error `negative_count` when `times` is negative, `parameter_outside_domain` unless `u` is inside the domain,
+///   `wrong_number_of_points` unless there are `n` coefficients
 template <class FT, class Coefficients>
 std::optional<std::vector<typename Coefficients::value_type>>
 bspline_remove(const Knot_vector<FT>& knots, const Coefficients& c, const FT& u, int times = 1) {
+  if (times < 0) throw Error(Error_code::negative_count, "bspline_remove: times");
   const int smoothness = bspline_smoothness<FT>(knots, c, u), rest = knots.multiplicity(u) - times;
   if (rest < 0 || smoothness < knots.degree() - rest) return std::nullopt;
   return internal::change_knots<FT>(knots, c, knots.remove(u, times));
 }
 
 /// \ingroup PkgGeometricContinuityAlgebra
-/// The knots without those inner copies that the spline does not need, by `bspline_smoothness()`.
+/// Returns the knots without those inner copies that the spline does not need, by `bspline_smoothness()`.
 /// `Bspline_function::remove_superfluous_knots()` is the function over them. \f$ O(n p^3) \f$
 /// \throws Error `wrong_number_of_points` unless there are `n` coefficients
 template <class FT, class Coefficients>
 Knot_vector<FT> minimal_knots(const Knot_vector<FT>& knots, const Coefficients& c) {
   std::vector<typename Knot_vector<FT>::Knot> inner = knots.inner_knots();
   for (typename Knot_vector<FT>::Knot& knot : inner)
-    knot.multiplicity = std::min(knot.multiplicity, knots.degree() - bspline_smoothness<FT>(knots, c, knot.value));
+    knot.multiplicity = (std::min)(knot.multiplicity, knots.degree() - bspline_smoothness<FT>(knots, c, knot.value));
   return knots.with_inner_knots(inner);
 }
 
 } // namespace Geometric_continuity
 } // namespace CGAL
 
-#endif // CGAL_GEOMETRIC_CONTINUITY_SPLINES_INTERNAL_BSPLINE_KNOTS_H
+#endif // CGAL_GEOMETRIC_CONTINUITY_SPLINES_BSPLINE_KNOTS_H
