@@ -40,6 +40,7 @@
 #include <CGAL/Geometric_continuity/local/coordinates.h>
 #include <CGAL/Geometric_continuity/local/curvature_batch.h>
 #include <CGAL/Geometric_continuity/local/curvatures.h>
+#include <CGAL/Geometric_continuity/local/end_jet.h>
 #include <CGAL/Geometric_continuity/local/frenet_equations.h>
 
 #include <CGAL/Geometric_continuity/splines/Bspline_function.h>

@@ -73,7 +73,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(derivatives_on_both_sides_of_a_knot, Traits, All_t
       BOOST_CHECK(c.jet(u, 3) == right);
       BOOST_CHECK(column<Traits>(c(u)) == b(0));
       BOOST_CHECK_EQUAL(c.segment_at(u), l + 1);
-      BOOST_CHECK_EQUAL(c.segment_at(u, false), l);
+      BOOST_CHECK_EQUAL(c.segment_before(u), l);
     }
     // there is one side only at the ends, and the right end belongs to the domain
     const FT first = c.domain().first, last = c.domain().second;

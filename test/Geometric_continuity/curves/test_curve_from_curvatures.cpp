@@ -331,6 +331,7 @@ BOOST_AUTO_TEST_CASE(curvatures_that_are_refused) {
 
   for (double length : {0., -1.}) CHECK_ERROR(plane(one, length), empty_domain);
   for (double length : {nan, inf}) CHECK_ERROR(plane(one, length), not_finite);
+  CHECK_ERROR(plane(one, 1, std::numeric_limits<double>::infinity()), not_finite);
   for (double tolerance : {0., -1., nan, 1e-17}) CHECK_ERROR(plane(one, 1, tolerance), unreachable_tolerance);
   BOOST_CHECK_GT(plane(one, 1, 2.3e-16), 16);
   // a jump of the curvature is passed, where it becomes infinite no step is small enough

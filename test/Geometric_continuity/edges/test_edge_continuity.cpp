@@ -177,7 +177,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(unequal_degrees_and_domains, K, All_kernels) {
   moved[3][1][2] += Q(1);
   const std::vector<Patch<K>> p = patches<K>({first, second, moved});
   BOOST_CHECK(p[0].degree_u() < p[1].degree_u());
-  for (const Patch<K>& a : {p[0], p[0].oriented(v0, true)}) {
+  for (const Patch<K>& a : {p[0], p[0].oriented(v0).reverse_u()}) {
     BOOST_CHECK_EQUAL(GC::edge_continuity(a, v0, p[1], v0).g_order, 2);
     BOOST_CHECK_EQUAL(GC::edge_continuity(p[1], v0, a, v0).g_order, 2);
     BOOST_CHECK_EQUAL(GC::edge_continuity(a, v0, p[2], v0).g_order, 0);

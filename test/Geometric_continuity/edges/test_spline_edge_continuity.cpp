@@ -283,7 +283,7 @@ BOOST_AUTO_TEST_CASE(wrong_input) {
   rows.rows.cross.pop_back();
   CHECK_ERROR(edge_continuity(rows, rows), wrong_number_of_points);
   const S s = spline(wave, knots(0, 1), knots(0, 1));
-  CHECK_ERROR(s.rows_at(true, 2, false, 1), parameter_outside_domain);
+  CHECK_ERROR(s.rows_at(GC::Parameter_line::along_u, 2, GC::Line_side::larger_parameters, 1), parameter_outside_domain);
 }
 
 // ---------------------------------------------------------------- knot lines

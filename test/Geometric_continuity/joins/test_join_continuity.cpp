@@ -132,7 +132,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(curvature_vector_of_barsky_and_beatty, Traits, Spa
     cubics.c0 += FT(3);
     const Composite<Traits> c = cubics(FT(1));
     const auto x = c.segment(0).template end_jet_over<Field>(2), y = c.segment(1).template start_jet_over<Field>(2);
-    const auto kx = *GC::internal::curvature_vector(x), ky = *GC::internal::curvature_vector(y);
+    const auto kx = *GC::curvature_vector(x), ky = *GC::curvature_vector(y);
     if constexpr (std::is_same_v<Field, Q>)
       BOOST_CHECK(kx == ky);
     else

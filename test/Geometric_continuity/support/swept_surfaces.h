@@ -117,11 +117,16 @@ struct Quarter_circle {
   typedef Exact Traits;
   std::pair<Q, Q> domain() const { return {Q(0), Q(1)}; }
   GC::Curve_jet<Exact> jet(const Q& u, int k) const {
-    const GC::internal::Rotation_functions<Q> r(u, Q(1), k); // sine and 1 - cosine
+    // cos + i sin = (1 + iu) / (1 - iu) = 2w - 1 with w = 1 / (1 - iu), of which each derivative is a power
+    const Q D = Q(Q(1) + u * u), x = Q(Q(1) / D), y = Q(u / D);
+    Q re = Q(Q(2) * x), im = Q(Q(2) * y); // of 2 j! i^j w^(j+1)
     GC::Curve_jet<Exact> jet(3, k);
     for (int j = 0; j <= k; ++j) {
-      jet[j][0] = Q((j == 0 ? Q(3) : Q(0)) - r.g[j]);
-      jet[j][2] = r.f[j];
+      jet[j][0] = Q(re + (j == 0 ? Q(1) : Q(0))); // 2 + cosine
+      jet[j][2] = im;
+      const Q before = re;
+      re = Q(Q(-(j + 1)) * (re * y + im * x));
+      im = Q(Q(j + 1) * (before * x - im * y));
     }
     return jet;
   }

@@ -197,7 +197,7 @@ BOOST_AUTO_TEST_CASE(the_same_surface_by_other_control_nets) {
       BOOST_CHECK(raised.boundary_curve(edge) == (times == 0 ? c : c.elevate(times)));
     }
     BOOST_CHECK(s.elevate(0, 0) == s);
-    CHECK_ERROR(s.elevate(-1, 0), wrong_number_of_points);
+    CHECK_ERROR(s.elevate(-1, 0), negative_count);
 
     const Surface<Exact> clamped = s.clamp();
     BOOST_CHECK(clamped.knots_u().is_clamped() && clamped.knots_v().is_clamped());

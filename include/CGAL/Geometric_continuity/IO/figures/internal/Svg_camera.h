@@ -2,10 +2,10 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-#ifndef CGAL_GEOMETRIC_CONTINUITY_IO_FIGURES_INTERNAL_SVG_SURFACE_VIEW_H
-#define CGAL_GEOMETRIC_CONTINUITY_IO_FIGURES_INTERNAL_SVG_SURFACE_VIEW_H
+#ifndef CGAL_GEOMETRIC_CONTINUITY_IO_FIGURES_INTERNAL_SVG_CAMERA_H
+#define CGAL_GEOMETRIC_CONTINUITY_IO_FIGURES_INTERNAL_SVG_CAMERA_H
 
-#include <CGAL/Geometric_continuity/IO/figures/internal/svg_projection.h>
+#include <CGAL/Geometric_continuity/IO/figures/internal/Svg_view.h>
 
 #include <algorithm>
 #include <array>
@@ -15,7 +15,7 @@
 #include <utility>
 #include <vector>
 
-/// \file svg_surface_view.h
+/// \file Svg_camera.h
 /// From surfaces to the plane of a picture: a parallel projection, and what hides what.
 
 namespace CGAL {
@@ -121,4 +121,4 @@ public:
 } // namespace Geometric_continuity
 } // namespace CGAL
 
-#endif // CGAL_GEOMETRIC_CONTINUITY_IO_FIGURES_INTERNAL_SVG_SURFACE_VIEW_H
+#endif // CGAL_GEOMETRIC_CONTINUITY_IO_FIGURES_INTERNAL_SVG_CAMERA_H

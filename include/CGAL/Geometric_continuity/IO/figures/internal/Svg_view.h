@@ -2,8 +2,8 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-#ifndef CGAL_GEOMETRIC_CONTINUITY_IO_FIGURES_INTERNAL_SVG_PROJECTION_H
-#define CGAL_GEOMETRIC_CONTINUITY_IO_FIGURES_INTERNAL_SVG_PROJECTION_H
+#ifndef CGAL_GEOMETRIC_CONTINUITY_IO_FIGURES_INTERNAL_SVG_VIEW_H
+#define CGAL_GEOMETRIC_CONTINUITY_IO_FIGURES_INTERNAL_SVG_VIEW_H
 
 #include <CGAL/Geometric_continuity/IO/figures/Svg_panel.h>
 #include <CGAL/Geometric_continuity/algebra/bernstein.h>
@@ -16,7 +16,7 @@
 #include <utility>
 #include <vector>
 
-/// \file svg_projection.h
+/// \file Svg_view.h
 /// From curves to the plane of a picture: one view, one scale and one comb for all panels of an `Svg_figure`.
 
 namespace CGAL {
@@ -235,4 +235,4 @@ private:
 } // namespace Geometric_continuity
 } // namespace CGAL
 
-#endif // CGAL_GEOMETRIC_CONTINUITY_IO_FIGURES_INTERNAL_SVG_PROJECTION_H
+#endif // CGAL_GEOMETRIC_CONTINUITY_IO_FIGURES_INTERNAL_SVG_VIEW_H

@@ -2,115 +2,69 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-#ifndef CGAL_GEOMETRIC_CONTINUITY_IO_G2_PARSER_H
-#define CGAL_GEOMETRIC_CONTINUITY_IO_G2_PARSER_H
+#ifndef CGAL_GEOMETRIC_CONTINUITY_IO_INTERNAL_G2_PARSER_H
+#define CGAL_GEOMETRIC_CONTINUITY_IO_INTERNAL_G2_PARSER_H
 
-#include <CGAL/Geometric_continuity/Error.h>
+#include <CGAL/Geometric_continuity/IO/internal/Token_reader.h>
+#include <CGAL/Geometric_continuity/IO/limits.h>
 #include <CGAL/Geometric_continuity/IO/number.h>
 #include <CGAL/Geometric_continuity/local/coordinates.h>
 
 #include <charconv>
+#include <cmath>
 #include <cstddef>
-#include <exception>
 #include <istream>
 #include <limits>
-#include <streambuf>
 #include <string>
 #include <system_error>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Geometric_continuity {
-
-/// \ingroup PkgGeometricContinuityIO
-/// The highest order (degree + 1) of a curve or surface that is read from a `.g2` file.
-constexpr int max_g2_order = 128;
-
-/// \ingroup PkgGeometricContinuityIO
-/// The highest dimension of a curve or surface that is read from a `.g2` file.
-constexpr int max_g2_dimension = 16;
-
 namespace internal {
 
-// The words of a text file, with the lines in which they begin. It reads the buffer of the stream, which is neither
-// formatted nor influenced by the locale, and holds one word at a time.
-class Token_reader {
-  std::streambuf* buffer_;
-  std::string name_, token_;
-  long long line_ = 1, token_line_ = 1;
-
-  int next_character() {
-    try {
-      const std::streambuf::int_type c = buffer_->sbumpc();
-      return c == std::streambuf::traits_type::eof() ? -1 : static_cast<unsigned char>(c);
-    } catch (const std::exception& error) {
-      throw Error(Error_code::cannot_read_file, name_ + ": " + error.what());
-    }
-  }
-
-public:
-  Token_reader(std::istream& is, std::string name) : buffer_(is.rdbuf()), name_(std::move(name)) {
-    if (!is) throw Error(Error_code::cannot_read_file, name_ + ": the stream cannot be read");
-  }
-
-  // Moves to the next word, if there is one.
-  bool advance() {
-    const auto is_space = [](int c) { return c == ' ' || ('\t' <= c && c <= '\r'); };
-    token_.clear();
-    int c = next_character();
-    for (; is_space(c); c = next_character()) line_ += c == '\n';
-    if (c == -1) return false;
-    token_line_ = line_;
-    for (; c != -1 && !is_space(c); c = next_character()) {
-      token_ += static_cast<char>(c);
-      if (token_.size() > max_number_length)
-        refuse("more than " + std::to_string(max_number_length) +
-               " characters without a space: " + quoted_token(token_));
-    }
-    line_ += c == '\n';
-    return true;
-  }
-
-  const std::string& token() const { return token_; }
-
-  [[noreturn]] void refuse(const std::string& reason) const {
-    throw Error(Error_code::malformed_input, name_ + ":" + std::to_string(token_line_) + ": " + reason);
-  }
-};
-
-// What one kind of object is called in the texts of errors.
-struct G2_kind {
-  int number;         // the class
+// A class of objects of the format, and what it is called in messages.
+struct G2_class {
+  int number;
   const char* name;   // "curve"
   const char* bezier; // "Bezier curves"
 };
-constexpr G2_kind g2_curves{100, "curve", "Bezier curves"}, g2_surfaces{200, "surface", "Bezier patches"};
+constexpr G2_class g2_curves{100, "curve", "Bezier curves"};
+constexpr G2_class g2_surfaces{200, "surface", "Bezier patches"};
 
-// One parameter of a spline.
+// Which knots are allowed.
+enum class G2_shape {
+  bezier, // two, each repeated as often as the order says
+  spline  // all that Knot_vector takes
+};
+
+// What the text says of one parameter of a spline.
 template <class FT> struct G2_direction {
   int points, order;
   std::vector<FT> knots;
 };
 
-// The parts of the objects of one kind in a `.g2` text, which follow each other. Everything that is not as it should be is
-// refused with file, line and reason.
+// Reads the parts of the objects of one class in a `.g2` text, one after the other. Everything that is not as it should
+// be is refused with file, line and reason.
 template <class Traits> class G2_parser {
   typedef typename Traits::FT FT;
   typedef G2_direction<FT> Direction;
 
   Token_reader tokens_;
-  G2_kind kind_;
+  G2_class class_;
   int dimension_ = 0; // of the first object
   bool empty_ = true;
 
 public:
-  G2_parser(std::istream& is, std::string name, const G2_kind& kind) : tokens_(is, std::move(name)), kind_(kind) {}
+  G2_parser(std::istream& is, std::string name, const G2_class& object_class)
+      : tokens_(is, std::move(name)), class_(object_class) {}
 
-  // Reads the header and the dimension of the next object, or finds the end of the text.
+  // Reads the header and the dimension of the next object. Returns false at the end of the text.
   bool next_object() {
     if (!tokens_.advance()) {
-      if (empty_) tokens_.refuse(std::string("no ") + kind_.name);
+      if (empty_) tokens_.refuse(std::string("no ") + class_.name);
       return false;
     }
     empty_ = false;
@@ -119,9 +73,10 @@ public:
     return true;
   }
 
-  // The number of points, the order, and the knots, which are those of a `Knot_vector`; if `bezier`, without inner knots and
-  // clamped. `in` names the parameter of a surface, e.g. " in u".
-  Direction read_direction(bool bezier, const std::string& in = "") {
+  // Reads the number of points, the order, and knots as `Knot_vector` takes them; for Bezier shapes there are no inner
+  // knots. `in` names the parameter of a surface, e.g. " in u".
+  Direction read_direction(G2_shape shape, const std::string& in = "") {
+    const bool bezier = shape == G2_shape::bezier;
     Direction d;
     d.points = read_integer("number of control points" + in, 1);
     d.order = read_integer("order" + in, 1, max_g2_order);
@@ -130,12 +85,13 @@ public:
     if (d.points < d.order)
       tokens_.refuse(text + "there must be " + (bezier ? "" : "at least ") +
                      "as many control points as the order says");
-    if (bezier && d.points > d.order) tokens_.refuse(text + "inner knots are not supported, only " + kind_.bezier);
+    if (bezier && d.points > d.order) tokens_.refuse(text + "inner knots are not supported, only " + class_.bezier);
     const std::size_t all = static_cast<std::size_t>(d.points) + d.order;
-    while (d.knots.size() < all) d.knots.push_back(read_knot(d, all, bezier, in));
+    while (d.knots.size() < all) d.knots.push_back(read_knot(d, all, shape, in));
     return d;
   }
 
+  // Reads the control point after `done` of `all`.
   typename Traits::Point read_point(long long done, long long all) {
     Coordinates<Traits> x(dimension_);
     for (int i = 0; i < dimension_; ++i) x[i] = read_number(done, all, "control points");
@@ -157,7 +113,7 @@ private:
     return value;
   }
 
-  int read_integer(const std::string& what, int low = 0, int high = std::numeric_limits<int>::max()) {
+  int read_integer(const std::string& what, int low = 0, int high = (std::numeric_limits<int>::max)()) {
     if (!tokens_.advance()) tokens_.refuse("file ends before the " + what);
     return integer("the " + what, low, high);
   }
@@ -174,12 +130,12 @@ private:
   }
 
   void read_header() {
-    const int number = integer("the class of the object", 0, std::numeric_limits<int>::max());
-    if (number != kind_.number) {
+    const int number = integer("the class of the object", 0, (std::numeric_limits<int>::max)());
+    if (number != class_.number) {
       std::string known;
-      for (const G2_kind& other : {g2_curves, g2_surfaces})
+      for (const G2_class& other : {g2_curves, g2_surfaces})
         if (number == other.number) known = std::string(" (spline ") + other.name + ")";
-      tokens_.refuse(std::to_string(number) + known + " where a " + kind_.name + " (" + std::to_string(kind_.number) +
+      tokens_.refuse(std::to_string(number) + known + " where a " + class_.name + " (" + std::to_string(class_.number) +
                      ") is expected");
     }
     read_integer("major version", 1, 1);
@@ -189,7 +145,7 @@ private:
       if (!tokens_.advance())
         tokens_.refuse("file ends after " + std::to_string(i) + " of " + std::to_string(auxiliary) +
                        " auxiliary values");
-      integer("an auxiliary value", std::numeric_limits<int>::min(), std::numeric_limits<int>::max());
+      integer("an auxiliary value", (std::numeric_limits<int>::min)(), (std::numeric_limits<int>::max)());
     }
   }
 
@@ -199,15 +155,16 @@ private:
     if (fixed != 0 && dimension != fixed)
       tokens_.refuse("dimension " + std::to_string(dimension) + " where " + std::to_string(fixed) + " is expected");
     if (dimension_ != 0 && dimension != dimension_)
-      tokens_.refuse("dimension " + std::to_string(dimension) + " after a " + kind_.name + " of dimension " +
+      tokens_.refuse("dimension " + std::to_string(dimension) + " after a " + class_.name + " of dimension " +
                      std::to_string(dimension_));
     dimension_ = dimension;
     if (read_integer("rational flag", 0, 1) == 1)
-      tokens_.refuse(std::string("rational ") + kind_.name + "s are not supported");
+      tokens_.refuse(std::string("rational ") + class_.name + "s are not supported");
   }
 
-  // The knot after those that have been read.
-  FT read_knot(const Direction& d, std::size_t all, bool bezier, const std::string& in) {
+  // Reads the knot after those of `d`.
+  FT read_knot(const Direction& d, std::size_t all, G2_shape shape, const std::string& in) {
+    const bool bezier = shape == G2_shape::bezier;
     const std::size_t i = d.knots.size(), order = d.order;
     const auto name = [all](std::size_t number) {
       return "knot " + std::to_string(number) + " of " + std::to_string(all);
@@ -215,6 +172,9 @@ private:
     const FT knot = read_number(i, all, "knots" + in);
     if (i > 0 && knot < d.knots.back())
       tokens_.refuse("the knots" + in + " decrease at " + quoted_token(tokens_.token()));
+    if constexpr (std::is_floating_point_v<FT>)
+      if (i > 0 && !std::isfinite(knot - d.knots.front()))
+        tokens_.refuse("the difference of the knots" + in + " is outside the range of floating-point numbers");
     if (i == static_cast<std::size_t>(d.points) && knot == d.knots[order - 1])
       tokens_.refuse((bezier ? "the first and the last knots" + in + " are equal"
                              : name(order) + in + " is equal to knot " + std::to_string(i + 1)) +
@@ -231,4 +191,4 @@ private:
 } // namespace Geometric_continuity
 } // namespace CGAL
 
-#endif // CGAL_GEOMETRIC_CONTINUITY_IO_G2_PARSER_H
+#endif // CGAL_GEOMETRIC_CONTINUITY_IO_INTERNAL_G2_PARSER_H

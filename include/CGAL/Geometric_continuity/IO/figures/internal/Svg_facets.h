@@ -5,10 +5,12 @@
 #ifndef CGAL_GEOMETRIC_CONTINUITY_IO_FIGURES_INTERNAL_SVG_FACETS_H
 #define CGAL_GEOMETRIC_CONTINUITY_IO_FIGURES_INTERNAL_SVG_FACETS_H
 
-#include <CGAL/Geometric_continuity/IO/figures/internal/svg_facet.h>
-#include <CGAL/Geometric_continuity/IO/figures/internal/svg_surface_view.h>
+#include <CGAL/Geometric_continuity/IO/figures/Svg_surface_style.h>
+#include <CGAL/Geometric_continuity/IO/figures/internal/Svg_camera.h>
+#include <CGAL/Geometric_continuity/IO/figures/internal/svg_markup.h>
 #include <CGAL/Geometric_continuity/Traits_3.h>
 #include <CGAL/Geometric_continuity/surfaces/Bezier_patch.h>
+#include <CGAL/Geometric_continuity/surfaces/Parameter_line.h>
 #include <CGAL/Simple_cartesian.h>
 
 #include <algorithm>
@@ -20,7 +22,7 @@
 #include <utility>
 #include <vector>
 
-/// \file svg_facets.h
+/// \file Svg_facets.h
 /// The faces of a picture of surfaces: small quadrangles, lit, cut along isophotes and painted from back to front.
 
 namespace CGAL {
@@ -31,6 +33,55 @@ typedef Traits_3<Simple_cartesian<double>> Svg_traits;
 typedef Bezier_patch<Svg_traits> Svg_patch;
 
 inline Svg_point svg_point(const Svg_traits::Point& p) { return svg_vector({p.x(), p.y(), p.z()}); }
+
+// A quadrangle, its corners in turn.
+struct Svg_facet {
+  std::array<Svg_pixel, 4> corner;
+  std::array<double, 4> depth; // in pixels, greater where it is nearer
+  std::array<double, 4> angle; // of the normal and the light, from 0 to 1
+  double shade = 0;            // from 0 for dark to 1 for bright
+  double twist = 0;            // how far in depth it is from flat
+  bool partly_hidden = false;
+
+  double nearness() const { return 0.25 * (depth[0] + depth[1] + depth[2] + depth[3]); }
+
+  // The part number i, j of n times n.
+  Svg_facet part(int i, int j, int n) const {
+    Svg_facet result = *this;
+    for (int k = 0; k < 4; ++k) {
+      const double x = (i + (k == 1 || k == 2)) / double(n), y = (j + (k >= 2)) / double(n);
+      const double weight[] = {(1 - x) * (1 - y), x * (1 - y), x * y, (1 - x) * y};
+      result.corner[k] = Svg_pixel(2);
+      result.depth[k] = result.angle[k] = 0;
+      for (int l = 0; l < 4; ++l) {
+        result.corner[k] += weight[l] * corner[l];
+        result.depth[k] += weight[l] * depth[l];
+        result.angle[k] += weight[l] * angle[l];
+      }
+    }
+    return result;
+  }
+
+  // The part where the angle is between two.
+  std::vector<Svg_pixel> between(double low, double high) const {
+    std::vector<std::pair<Svg_pixel, double>> polygon;
+    for (int i = 0; i < 4; ++i) polygon.emplace_back(corner[i], angle[i]);
+    for (int sign : {1, -1}) {
+      const double limit = sign > 0 ? low : high;
+      std::vector<std::pair<Svg_pixel, double>> cut;
+      for (std::size_t i = 0; i < polygon.size(); ++i) {
+        const auto &a = polygon[i], &b = polygon[(i + 1) % polygon.size()];
+        const double x = sign * (a.second - limit), y = sign * (b.second - limit);
+        if (x >= 0) cut.push_back(a);
+        if ((x < 0 && y > 0) || (x > 0 && y < 0)) cut.emplace_back(a.first + x / (x - y) * (b.first - a.first), limit);
+      }
+      polygon = std::move(cut);
+    }
+    std::vector<Svg_pixel> result;
+    for (const auto& p : polygon) result.push_back(p.first);
+    return result;
+  }
+};
 
 class Svg_facets {
   struct Vertex {
@@ -50,7 +101,7 @@ public:
   explicit Svg_facets(const Svg_camera& camera) : camera_(camera), light_(camera.direction(-0.55, 0.75, 0.6)) {}
 
   void add(const Svg_patch& s) {
-    const int m = cells(s, true), n = cells(s, false);
+    const int m = cells(s, Parameter_line::along_u), n = cells(s, Parameter_line::along_v);
     std::vector<Vertex> vertices;
     for (int i = 0; i <= m; ++i)
       for (int j = 0; j <= n; ++j) vertices.push_back(vertex(s, i / double(m), j / double(n)));
@@ -83,7 +134,7 @@ public:
   }
 
   // What is partly hidden from back to front, and then all else by its colour.
-  std::string paint(bool isophotes) {
+  std::string paint(Svg_shading shading) {
     const auto first_whole =
         std::stable_partition(facets_.begin(), facets_.end(), [](const Svg_facet& f) { return f.partly_hidden; });
     std::stable_sort(facets_.begin(), first_whole,
@@ -100,7 +151,7 @@ public:
     };
     for (const Svg_facet& f : facets_) {
       const std::vector<Svg_pixel> all(f.corner.begin(), f.corner.end());
-      if (!isophotes) {
+      if (shading == Svg_shading::smooth) {
         add(f, shaded(f.shade), all);
         continue;
       }
@@ -129,7 +180,8 @@ private:
   static int band(double angle) { return (std::min)(bands - 1, static_cast<int>(angle * bands)); }
 
   // Enough that a cell has the size of a few pixels.
-  int cells(const Svg_patch& s, bool along_u) const {
+  int cells(const Svg_patch& s, Parameter_line line) const {
+    const bool along_u = line == Parameter_line::along_u;
     double most = 0;
     const int p = along_u ? s.degree_u() : s.degree_v(), q = along_u ? s.degree_v() : s.degree_u();
     for (int j = 0; j <= q; ++j) {
