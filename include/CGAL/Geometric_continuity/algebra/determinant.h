@@ -75,9 +75,8 @@ template <class FT, class Entry> FT determinant_by_elimination(int n, Entry entr
 } // namespace internal
 
 /// \ingroup PkgGeometricContinuityAlgebra
-/// Returns the determinant of the `n` x `n` matrix with entries `entry(row, column)`: up to `n == 6` without divisions, by
-/// Laplace expansion; above, by elimination in the field, in \f$ O(n^3) \f$.
-/// The determinant without rows is 1.
+/// Returns the determinant of the `n` x `n` matrix with entries `entry(row, column)`: up to `n == 6` without divisions,
+/// by Laplace expansion; above, by elimination in the field, in \f$ O(n^3) \f$. The determinant without rows is 1.
 /// \throws Error `negative_count` when `n` is negative
 template <class FT, class Entry> FT determinant(int n, Entry entry) {
   if (n < 0) throw Error(Error_code::negative_count, "determinant: rows");
