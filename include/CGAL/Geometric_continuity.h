@@ -22,6 +22,8 @@
 #include <CGAL/Geometric_continuity/algebra/Bernstein_polynomial.h>
 #include <CGAL/Geometric_continuity/algebra/Coordinate_vector.h>
 #include <CGAL/Geometric_continuity/algebra/Homogeneous_polynomial.h>
+#include <CGAL/Geometric_continuity/algebra/Power_polynomial.h>
+#include <CGAL/Geometric_continuity/algebra/Sign_set.h>
 #include <CGAL/Geometric_continuity/algebra/bernstein.h>
 #include <CGAL/Geometric_continuity/algebra/blending_functions.h>
 #include <CGAL/Geometric_continuity/algebra/convex_weights.h>
@@ -44,6 +46,8 @@
 
 #include <CGAL/Geometric_continuity/splines/Bspline_function.h>
 #include <CGAL/Geometric_continuity/splines/Knot_vector.h>
+#include <CGAL/Geometric_continuity/splines/bspline_evaluate.h>
+#include <CGAL/Geometric_continuity/splines/bspline_knots.h>
 #include <CGAL/Geometric_continuity/splines/bspline_product.h>
 
 #include <CGAL/Geometric_continuity/curves/Bezier_curve.h>
