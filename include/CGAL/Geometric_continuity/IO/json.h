@@ -24,11 +24,12 @@ inline void write_json(std::ostream& os, const char* key, const std::optional<bo
 
 // The members of the object, without braces, so that others may follow.
 template <class FT> void write_json_members(std::ostream& os, const Join_continuity<FT>& join, int left, int right) {
+  const std::vector<FT> betas = join.betas();
   os << "\"left\":" << left << ",\"right\":" << right << ",\"c_order\":" << join.c_order
      << ",\"g_order\":" << join.g_order << ",\"f_order\":" << join.f_order << ",\"betas\":[";
-  for (std::size_t i = 0; i < join.betas.size(); ++i) {
+  for (std::size_t i = 0; i < betas.size(); ++i) {
     os << (i == 0 ? "\"" : ",\"");
-    write_number(os, join.betas[i]);
+    write_number(os, betas[i]);
     os << '"';
   }
   os << "],\"regular\":" << (join.regular ? "true" : "false");

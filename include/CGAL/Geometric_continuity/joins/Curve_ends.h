@@ -1,0 +1,191 @@
+// Copyright (c) 2026 The Geometric_continuity developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_GEOMETRIC_CONTINUITY_JOINS_CURVE_ENDS_H
+#define CGAL_GEOMETRIC_CONTINUITY_JOINS_CURVE_ENDS_H
+
+#include <CGAL/Geometric_continuity/local/Curve_jet.h>
+
+#include <algorithm>
+#include <type_traits>
+#include <utility>
+
+/// \file Curve_ends.h
+/// How the ends of curves are read, for all decisions about joins: as the control points next to the end, where the curve
+/// has them as given numbers, and otherwise as jets. Control points are what the fast exact decisions on `double`
+/// coordinates read.
+
+namespace CGAL {
+namespace Geometric_continuity {
+
+template <class Traits, int Degree> class Bezier_curve;
+template <class Traits, int Degree> class Composite_bezier_curve;
+template <class Traits> class Bspline_curve;
+
+/// \ingroup PkgGeometricContinuityContinuity
+/// The two ends of a curve.
+enum class Curve_end {
+  start, ///< where the curve starts: the right curve of a join is read here
+  end    ///< where the curve ends: the left curve of a join is read here
+};
+
+/// \ingroup PkgGeometricContinuityContinuity
+/// Tells how the control points next to the ends of a `Curve` are found. This is the general case: not at all, the curve is
+/// read by its jets. It is specialised for `Bezier_curve`, `Composite_bezier_curve` and `Bspline_curve`. A Bézier curve of the
+/// user's own, with the members `Traits`, `degree()`, `control_point(i)` and `domain()` of `Bezier_curve`, takes part by
+/// \code{.cpp}
+/// template <> struct CGAL::Geometric_continuity::Curve_ends<My_curve> : Bezier_ends<My_curve> {};
+/// \endcode
+/// \tparam Curve a curve
+template <class Curve> struct Curve_ends {
+  /// Whether there are control points to be read at all; if not, the other members are not needed.
+  static constexpr bool have_polygons = false;
+};
+
+/// \ingroup PkgGeometricContinuityContinuity
+/// The `Curve_ends` of a curve that is one Bézier curve.
+template <class Curve> struct Bezier_ends {
+  /// There are control points.
+  static constexpr bool have_polygons = true;
+  /// Returns whether the control points next to this end are Bézier points: always.
+  static bool has_polygon(const Curve&, Curve_end) { return true; }
+  /// Returns the number of the control point at this end. The following ones lie inwards, as many as the degree.
+  static int point_number(const Curve& c, Curve_end end) { return end == Curve_end::end ? c.degree() : 0; }
+  /// Returns the domain of the Bézier curve at this end.
+  static std::pair<typename Curve::Traits::FT, typename Curve::Traits::FT> domain(const Curve& c, Curve_end) {
+    return c.domain();
+  }
+};
+
+/// \ingroup PkgGeometricContinuityContinuity
+/// The ends of a `Bezier_curve`.
+template <class Traits, int Degree>
+struct Curve_ends<Bezier_curve<Traits, Degree>> : Bezier_ends<Bezier_curve<Traits, Degree>> {};
+
+/// \ingroup PkgGeometricContinuityContinuity
+/// The ends of a `Composite_bezier_curve`: those of its first and of its last segment.
+template <class Traits, int Degree> struct Curve_ends<Composite_bezier_curve<Traits, Degree>> {
+  typedef Composite_bezier_curve<Traits, Degree> Curve; ///< the curve
+  typedef typename Traits::FT FT;                       ///< its numbers
+  /// There are control points.
+  static constexpr bool have_polygons = true;
+  /// Returns whether the control points next to this end are Bézier points: always.
+  static bool has_polygon(const Curve&, Curve_end) { return true; }
+  /// Returns the number of the control point at this end.
+  static int point_number(const Curve& c, Curve_end end) {
+    return end == Curve_end::end ? static_cast<int>(c.control_points().size()) - 1 : 0;
+  }
+  /// Returns the domain of the segment at this end.
+  static std::pair<FT, FT> domain(const Curve& c, Curve_end end) {
+    const int l = end == Curve_end::end ? c.number_of_segments() - 1 : 0;
+    return {c.knots()[l], c.knots()[l + 1]};
+  }
+};
+
+/// \ingroup PkgGeometricContinuityContinuity
+/// The ends of a `Bspline_curve`: those of the polynomials on its first and last span that is not empty. The control points
+/// next to the end are Bézier points if the knots outside of the span are equal, and on its other side as many of them as four
+/// points need: at least three, or as many as the degree. Otherwise the Bézier points are combinations of control points, and
+/// the end is read by its jet.
+template <class Traits> struct Curve_ends<Bspline_curve<Traits>> {
+  typedef Bspline_curve<Traits> Curve; ///< the curve
+  typedef typename Traits::FT FT;      ///< its numbers
+  /// There are control points.
+  static constexpr bool have_polygons = true;
+  /// Returns whether the control points next to this end are Bézier points. \f$ O(\log n + p) \f$
+  static bool has_polygon(const Curve& c, Curve_end end) {
+    const int p = c.degree(), k = span(c, end), few = (std::min)(p, 3);
+    const int before = end == Curve_end::end ? few : p, after = end == Curve_end::end ? p : few;
+    for (int i = 1; i < before; ++i)
+      if (c.knots()[k - i] != c.knots()[k]) return false;
+    for (int i = 1; i < after; ++i)
+      if (c.knots()[k + 1 + i] != c.knots()[k + 1]) return false;
+    return true;
+  }
+  /// Returns the number of the control point at this end, if `has_polygon()`.
+  static int point_number(const Curve& c, Curve_end end) {
+    return end == Curve_end::end ? span(c, end) : span(c, end) - c.degree();
+  }
+  /// Returns the span at this end.
+  static std::pair<FT, FT> domain(const Curve& c, Curve_end end) {
+    const int k = span(c, end);
+    return {c.knots()[k], c.knots()[k + 1]};
+  }
+
+private:
+  static int span(const Curve& c, Curve_end end) {
+    return end == Curve_end::end ? c.knots().left_span(c.domain().second) : c.knots().span(c.domain().first);
+  }
+};
+
+namespace internal {
+
+// The control points next to an end of a curve: point 0 is at the join. \pre the curve has them there
+template <class Curve, Curve_end which> class Curve_end_view {
+  typedef Curve_ends<Curve> Ends;
+  const Curve& curve_;
+  const int first_;
+
+public:
+  typedef typename Curve::Traits Traits;
+  typedef typename Traits::FT FT;
+
+  explicit Curve_end_view(const Curve& curve) : curve_(curve), first_(Ends::point_number(curve, which)) {}
+
+  int degree() const { return curve_.degree(); }
+  int dimension() const { return Traits().compute_dimension_object()(curve_.control_point(first_)); }
+  std::pair<FT, FT> domain() const { return Ends::domain(curve_, which); }
+  FT coordinate(int j, int i) const {
+    return FT(Traits().compute_coordinate_object()(
+        curve_.control_point(which == Curve_end::end ? first_ - j : first_ + j), i));
+  }
+};
+
+template <class Curve> bool has_polygon(const Curve& curve, Curve_end end) {
+  if constexpr (Curve_ends<Curve>::have_polygons)
+    return Curve_ends<Curve>::has_polygon(curve, end);
+  else
+    return false;
+}
+
+template <class Field, class Curve, class = void> struct Has_end_jets_over : std::false_type {};
+template <class Field, class Curve>
+struct Has_end_jets_over<Field, Curve,
+                         std::void_t<decltype(std::declval<const Curve&>().template end_jet_over<Field>(0)),
+                                     decltype(std::declval<const Curve&>().template start_jet_over<Field>(0))>>
+    : std::true_type {};
+template <class Curve, class = void> struct Has_jets : std::false_type {};
+template <class Curve>
+struct Has_jets<
+    Curve, std::void_t<decltype(std::declval<const Curve&>().jet(std::declval<const Curve&>().domain().second, 0))>>
+    : std::true_type {};
+
+// The jet at an end of a curve in another field: exact from the curve's own data where it offers that, otherwise the curve's
+// jet converted.
+template <class Field, class Curve>
+Coordinate_jet<Field, dimension_v<typename Curve::Traits>> end_jet(const Curve& curve, int k) {
+  if constexpr (Has_end_jets_over<Field, Curve>::value)
+    return curve.template end_jet_over<Field>(k);
+  else {
+    static_assert(Has_jets<Curve>::value, "the ends of this curve cannot be read: it is no model of ParametricCurve "
+                                          "(domain(), jet(u, k)), and Curve_ends is not specialised for it");
+    return convert_jet<Field>(curve.jet(curve.domain().second, k));
+  }
+}
+template <class Field, class Curve>
+Coordinate_jet<Field, dimension_v<typename Curve::Traits>> start_jet(const Curve& curve, int k) {
+  if constexpr (Has_end_jets_over<Field, Curve>::value)
+    return curve.template start_jet_over<Field>(k);
+  else {
+    static_assert(Has_jets<Curve>::value, "the ends of this curve cannot be read: it is no model of ParametricCurve "
+                                          "(domain(), jet(u, k)), and Curve_ends is not specialised for it");
+    return convert_jet<Field>(curve.jet(curve.domain().first, k));
+  }
+}
+
+} // namespace internal
+} // namespace Geometric_continuity
+} // namespace CGAL
+
+#endif // CGAL_GEOMETRIC_CONTINUITY_JOINS_CURVE_ENDS_H
