@@ -25,8 +25,16 @@ template <class FT> struct Join_continuity; // joins/join_continuity.h
 
 namespace internal {
 
+// floor(log2) of the largest coordinate of a vector of floating-point numbers, not zero.
+template <class FT, int N> int exponent_of(const Coordinate_vector<FT, N>& v) {
+  int e = (std::numeric_limits<int>::min)();
+  for (const FT& x : v)
+    if (x != FT(0)) e = (std::max)(e, std::ilogb(x));
+  return e;
+}
+
 // The span of vectors that come one at a time, by elimination without fractions (Bareiss): all numbers are minors of the
-// vectors. O(n k) operations for each of k vectors of dimension n.
+// vectors, those of floating-point type up to powers of two. O(n k) operations for each of k vectors of dimension n.
 template <class FT, int N> class Vector_span {
   typedef Coordinate_vector<FT, N> Vector;
   std::vector<Vector> rows_;
@@ -60,6 +68,8 @@ private:
       v = rows_[r][pivots_[r]] * v - factor * rows_[r];
       v[pivots_[r]] = FT(0); // also if rounded
       if (r > 0) v /= rows_[r - 1][pivots_[r - 1]];
+      if (is_zero(v)) break;
+      if constexpr (std::is_floating_point_v<FT>) v *= std::ldexp(FT(1), (std::min)(-exponent_of(v), 1000));
     }
     return v;
   }
@@ -175,13 +185,13 @@ private:
   // The coordinates times 2^s and the parameters divided by 2^l and 2^r, with s + l and s + r such that the first derivatives
   // are about 1, and the least s such that no other one is larger.
   void scale_jets() {
-    const int first_x = exponent(X[1]), first_y = exponent(Y[1]);
+    const int first_x = exponent_of(X[1]), first_y = exponent_of(Y[1]);
     bool straight = true;
     int s = 0;
     const auto include = [&](const Jet& jet, int first) {
       for (int j = 2; j <= jet.order(); ++j) {
         if (is_zero(jet[j])) continue;
-        const int excess = exponent(jet[j]) - j * first; // divided by j - 1 and rounded up
+        const int excess = exponent_of(jet[j]) - j * first; // divided by j - 1 and rounded up
         const int least = excess > 0 ? (excess + j - 2) / (j - 1) : -(-excess / (j - 1));
         s = straight ? least : (std::max)(s, least);
         straight = false;
@@ -193,12 +203,6 @@ private:
     scale = {-first_x - s, -first_y - s};
     multiply(X, s, scale.left);
     multiply(Y, s, scale.right);
-  }
-  static int exponent(const Vector& v) {
-    int e = std::ilogb((std::numeric_limits<FT>::min)()) - std::numeric_limits<FT>::digits;
-    for (const FT& x : v)
-      if (x != FT(0)) e = (std::max)(e, std::ilogb(x));
-    return e;
   }
   static void multiply(Jet& jet, int s, int l) {
     for (int j = 1; j <= jet.order(); ++j)

@@ -42,7 +42,7 @@ public:
   Shape_parameters(std::vector<FT> forms, Parameter_scale scale) : forms_(std::move(forms)), scale_(scale) {}
   Shape_parameters(const Double_end& left, const Double_end& right) : left_(left), right_(right) {}
 
-  // The first `count` parameters.
+  // The first `count` parameters; none if nothing has been given.
   std::vector<FT> operator()(int count) const {
     std::vector<FT> betas;
     if (count <= 0) return betas;
@@ -57,6 +57,7 @@ public:
       }
       return betas;
     }
+    if (forms_.empty()) return betas; // none in this field
     FT power = forms_[0];
     for (int k = 1; k <= count; ++k) {
       FT beta = FT(forms_[k] / power);
