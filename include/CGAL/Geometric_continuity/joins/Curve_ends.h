@@ -5,11 +5,13 @@
 #ifndef CGAL_GEOMETRIC_CONTINUITY_JOINS_CURVE_ENDS_H
 #define CGAL_GEOMETRIC_CONTINUITY_JOINS_CURVE_ENDS_H
 
+#include <CGAL/Geometric_continuity/algebra/bernstein.h>
 #include <CGAL/Geometric_continuity/local/Curve_jet.h>
 
 #include <algorithm>
 #include <type_traits>
 #include <utility>
+#include <vector>
 
 /// \file Curve_ends.h
 /// How the ends of curves are read, for all decisions about joins: as the control points next to the end, where the curve
@@ -39,7 +41,7 @@ enum class Curve_end {
 /// \endcode
 /// \tparam Curve a curve
 template <class Curve> struct Curve_ends {
-  /// Whether there are control points to be read at all; if not, the other members are not needed.
+  /// There are no control points to be read. Then the other members are not needed.
   static constexpr bool have_polygons = false;
 };
 
@@ -161,27 +163,51 @@ struct Has_jets<
     Curve, std::void_t<decltype(std::declval<const Curve&>().jet(std::declval<const Curve&>().domain().second, 0))>>
     : std::true_type {};
 
-// The jet at an end of a curve in another field: exact from the curve's own data where it offers that, otherwise the curve's
-// jet converted.
-template <class Field, class Curve>
-Coordinate_jet<Field, dimension_v<typename Curve::Traits>> end_jet(const Curve& curve, int k) {
-  if constexpr (Has_end_jets_over<Field, Curve>::value)
-    return curve.template end_jet_over<Field>(k);
+// The jet of order k at an end that is given by control points: m!/(m-j)! / h^j times the j-th differences, backwards at an
+// end. The points up to min(k, m) are read.
+template <class Field, Curve_end which, class View>
+Coordinate_jet<Field, dimension_v<typename View::Traits>> jet_of_polygon(const View& view, int k) {
+  const int m = view.degree(), used = (std::min)(k, m) + 1;
+  const Field h = to_field<Field>(view.domain().second) - to_field<Field>(view.domain().first);
+  Coordinate_jet<Field, dimension_v<typename View::Traits>> jet(view.dimension(), k);
+  std::vector<Field> c(used);
+  for (int i = 0; i < view.dimension(); ++i) {
+    for (int j = 0; j < used; ++j) c[j] = to_field<Field>(view.coordinate(j, i));
+    Field scale(1);
+    bernstein_end_derivatives<Field>(c, m, k, [&](int j, const Field& x) {
+      jet[j][i] = x / scale;
+      scale *= which == Curve_end::end ? Field(-h) : h;
+    });
+  }
+  return jet;
+}
+
+// The jet at an end of a curve in another field: exact from the curve's own data where it offers that or has control points,
+// otherwise the curve's jet converted.
+template <class Field, Curve_end which, class Curve>
+Coordinate_jet<Field, dimension_v<typename Curve::Traits>> jet_at(const Curve& curve, int k) {
+  if constexpr (Has_end_jets_over<Field, Curve>::value) {
+    if constexpr (which == Curve_end::end)
+      return curve.template end_jet_over<Field>(k);
+    else
+      return curve.template start_jet_over<Field>(k);
+  } else if constexpr (Curve_ends<Curve>::have_polygons)
+    return jet_of_polygon<Field, which>(Curve_end_view<Curve, which>(curve), k);
   else {
-    static_assert(Has_jets<Curve>::value, "the ends of this curve cannot be read: it is no model of ParametricCurve "
-                                          "(domain(), jet(u, k)), and Curve_ends is not specialised for it");
-    return convert_jet<Field>(curve.jet(curve.domain().second, k));
+    constexpr bool readable = Has_jets<Curve>::value;
+    static_assert(readable, "the ends of this curve cannot be read: it is no model of ParametricCurve (domain(), "
+                            "jet(u, k)), and Curve_ends is not specialised for it");
+    if constexpr (readable)
+      return convert_jet<Field>(curve.jet(which == Curve_end::end ? curve.domain().second : curve.domain().first, k));
   }
 }
 template <class Field, class Curve>
+Coordinate_jet<Field, dimension_v<typename Curve::Traits>> end_jet(const Curve& curve, int k) {
+  return jet_at<Field, Curve_end::end>(curve, k);
+}
+template <class Field, class Curve>
 Coordinate_jet<Field, dimension_v<typename Curve::Traits>> start_jet(const Curve& curve, int k) {
-  if constexpr (Has_end_jets_over<Field, Curve>::value)
-    return curve.template start_jet_over<Field>(k);
-  else {
-    static_assert(Has_jets<Curve>::value, "the ends of this curve cannot be read: it is no model of ParametricCurve "
-                                          "(domain(), jet(u, k)), and Curve_ends is not specialised for it");
-    return convert_jet<Field>(curve.jet(curve.domain().first, k));
-  }
+  return jet_at<Field, Curve_end::start>(curve, k);
 }
 
 } // namespace internal

@@ -103,9 +103,15 @@ public:
   int dimension() const { return end_.dimension(); }
   /// Returns the domain of the curve, or [0, 1] if its jet is kept.
   std::pair<FT, FT> domain() const { return end_.domain(); }
-  /// Returns the `i`-th coordinate of the `j`-th point from the end, `0 <= j <= 3` and `j <= degree()`; rounded if the jet of
-  /// a curve with `double` coordinates is kept. \pre `i` and `j` are in range
-  FT coordinate(int j, int i) const { return end_.coordinate(j, i); }
+  /// Returns the `i`-th coordinate of the `j`-th point from the end; rounded if the jet of a curve with `double` coordinates is
+  /// kept.
+  /// \throws Error `wrong_number_of_points` unless `0 <= j <= 3` and `j <= degree()`, `dimension_mismatch` unless
+  ///   `0 <= i < dimension()`
+  FT coordinate(int j, int i) const {
+    if (j < 0 || (std::min)(degree(), 3) < j) throw Error(Error_code::wrong_number_of_points, "Prepared_end: point");
+    if (i < 0 || dimension() <= i) throw Error(Error_code::dimension_mismatch, "Prepared_end: coordinate");
+    return end_.coordinate(j, i);
+  }
 
   /// \cond
   template <internal::Join_question question, class Stages>
@@ -123,7 +129,7 @@ public:
 private:
   Prepared_end(End end, std::shared_ptr<const Jet> jet) : end_(std::move(end)), jet_(std::move(jet)) {}
 
-  template <Curve_end which> Jet jet() const { return jet_ ? *jet_ : internal::jet_of_polygon<which>(end_); }
+  template <Curve_end which> Jet jet() const { return jet_ ? *jet_ : internal::jet_of_polygon<Field, which>(end_, 3); }
 
   template <Curve_end which, class Curve> static Prepared_end of(const Curve& curve) {
     std::vector<Point> points;

@@ -671,6 +671,9 @@ BOOST_AUTO_TEST_CASE(prepared_end_refuses) {
   CHECK_ERROR(End(3, p.begin(), p.end()), wrong_number_of_points);
   CHECK_ERROR(End(-1, p.begin(), p.end()), wrong_number_of_points);
   CHECK_ERROR(End(2, p.begin(), p.end(), 1, 1), empty_domain);
+  CHECK_ERROR(End(2, p.begin(), p.end()).coordinate(3, 0), wrong_number_of_points);
+  CHECK_ERROR(End(2, p.begin(), p.end()).coordinate(-1, 0), wrong_number_of_points);
+  CHECK_ERROR(End(2, p.begin(), p.end()).coordinate(0, 3), dimension_mismatch);
   p[1] = Space::Point(0, std::numeric_limits<double>::infinity(), 0);
   CHECK_ERROR(End(2, p.begin(), p.end()), not_finite);
 }

@@ -113,7 +113,7 @@ public:
     return zero(Join_question::f3, difference_form(x, dot_form(n, b3), y, dot_form(n, a3)));
   }
 
-  // Not for parallel tangents only: K = (g a2 - (a1.a2) a1) / g^2 with g = a1.a1, and likewise on the right.
+  // Not for parallel tangents only: K = (g a2 - (a1.a2) a1) / g^2 with g = a1.a1, and the same of b on the right.
   constexpr BOOST_FORCEINLINE bool curvature_vectors_equal() const {
     typedef Product<T, T> Second;
     typedef Product<Second, Second> Fourth;

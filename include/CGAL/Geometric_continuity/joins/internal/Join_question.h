@@ -8,27 +8,29 @@
 // The vocabulary of the exact decisions about joins of curves in the plane and in space: what is asked, what is answered, and
 // the stages of which each proves something. From a predicate of join_predicates.h the calls go
 //
-//   is_g2_join                join_predicates.h
-//   decide_join               decide_join.h          the ends meet; polygons or jets
-//   decide_legs               decide_join.h          doubles first, then multi-precision
-//   decide_on_doubles         join_on_doubles.h      signs and equality of doubles; the filter
-//   decide_modulo             join_on_integers.h     a form below its bound, modulo a power of two
-//   decide_on_grids           join_on_integers.h     residues modulo 2^64, then integers of fixed length
-//   decide_in_ring            decide_join.h          multi-precision
+//   is_g2_join          join_predicates.h
+//   decide_join         decide_join.h        control points or jets?
+//   decide_polygons     decide_join.h        the ends meet: comparison of the points
+//   decide_legs         decide_join.h        doubles first, then multi-precision
+//   decide_on_doubles   join_on_doubles.h    comparison of signs; the filter: a rounded form exceeds its error
+//   decide_modulo       join_on_integers.h   a form below a proven bound, modulo a power of two above it
+//   decide_on_grids     join_on_integers.h   residues modulo 2^64, then integers of fixed length
+//   decide_in_ring      decide_join.h        multi-precision, or the numbers of an exact kernel
 //
-// and continuity() of join_continuity.h enters at decide_on_doubles with several questions (decide_all_on_doubles). All stages
-// evaluate one text, Join_equations. It is a template with four axes:
+// and continuity() of join_continuity.h asks decide_on_doubles several questions (decide_all_on_doubles). Ends without control
+// points and dimensions above 3 are decided by Join_decision. All stages evaluate one text, Join_equations. It is a template
+// with four axes:
 //
 // - `Zero` says what is known of a number whose form has been computed. Exact_zero: it is 0 or not. Join_filter: if the
 //   rounded value exceeds the bound of its error the exact one is not 0; otherwise nothing. Residue_zero: if the residue modulo
 //   2^64 is not 0 the number is not; otherwise nothing. Modular_zero: the number is smaller than the modulus, so it is 0 if
 //   and only if its residue is. Join_rounding: nothing is known, the bound of the error is recorded.
 // - `Weights` are the factors of the differences by which degrees and domains enter. Parametric_join_weights (both, for C^k) or
-//   Join_weights (degrees, for all others), in the integers or doubles in which the stage reckons.
+//   Join_weights (degrees, for all others), in the integers or doubles in which the stage computes.
 // - `Ratio` is beta_1 as a fraction p/q of numbers in which the forms are homogeneous. Join_ratio takes a coordinate of the
 //   differences themselves; Short_join_ratio a reduced fraction of at most 12 bits, which makes the forms shorter.
-// - `Stages` says which stages are taken and hears what they decide. All_join_stages takes all of them and records nothing;
-//   tests switch stages off and count.
+// - `Stages` says which stages are taken, and is told what each of them decides. All_join_stages takes all of them and records
+//   nothing; tests switch stages off and count.
 
 namespace CGAL {
 namespace Geometric_continuity {

@@ -5,7 +5,6 @@
 #ifndef CGAL_GEOMETRIC_CONTINUITY_JOINS_INTERNAL_DECIDE_JOIN_H
 #define CGAL_GEOMETRIC_CONTINUITY_JOINS_INTERNAL_DECIDE_JOIN_H
 
-#include <CGAL/Geometric_continuity/algebra/bernstein.h>
 #include <CGAL/Geometric_continuity/joins/Curve_ends.h>
 #include <CGAL/Geometric_continuity/joins/internal/Join_decision.h>
 #include <CGAL/Geometric_continuity/joins/internal/join_on_doubles.h>
@@ -17,8 +16,6 @@
 #include <algorithm>
 #include <optional>
 #include <type_traits>
-#include <utility>
-#include <vector>
 
 namespace CGAL {
 namespace Geometric_continuity {
@@ -97,25 +94,6 @@ Join_answer decide_in_ring(const Left& left, const Right& right) {
   return equations_hold<question>(equations, equations.ratio()) ? Join_answer::yes : Join_answer::no;
 }
 
-// The jet of order 3 at an end that is given by control points.
-template <Curve_end which, class View>
-Coordinate_jet<Join_field<View>, dimension_v<typename View::Traits>> jet_of_polygon(const View& view) {
-  typedef Join_field<View> Field;
-  const int m = view.degree(), used = (std::min)(3, m) + 1;
-  const Field h = to_field<Field>(view.domain().second) - to_field<Field>(view.domain().first);
-  Coordinate_jet<Field, dimension_v<typename View::Traits>> jet(view.dimension(), 3);
-  std::vector<Field> c(used);
-  for (int i = 0; i < view.dimension(); ++i) {
-    for (int j = 0; j < used; ++j) c[j] = to_field<Field>(view.coordinate(j, i));
-    Field scale(1);
-    bernstein_end_derivatives<Field>(c, m, 3, [&](int j, const Field& x) {
-      jet[j][i] = x / scale;
-      scale *= which == Curve_end::end ? Field(-h) : h;
-    });
-  }
-  return jet;
-}
-
 // From jets of order 3, that the ends meet included.
 template <Join_question question, class Field, int N>
 Join_answer decide_on_jets(const Coordinate_jet<Field, N>& x, const Coordinate_jet<Field, N>& y) {
@@ -146,7 +124,8 @@ Join_answer decide_exactly(const Left& left, const Right& right, Stages& stages)
   else if constexpr (N == 2 || N == 3)
     answer = decide_in_ring<question, N>(left, right);
   else
-    answer = decide_on_jets<question>(jet_of_polygon<Curve_end::end>(left), jet_of_polygon<Curve_end::start>(right));
+    answer = decide_on_jets<question>(jet_of_polygon<Join_field<Left>, Curve_end::end>(left, 3),
+                                      jet_of_polygon<Join_field<Right>, Curve_end::start>(right, 3));
   stages.decided(Join_stage::multiprecision, answer);
   return answer;
 }

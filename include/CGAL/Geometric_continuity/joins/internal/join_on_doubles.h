@@ -133,28 +133,48 @@ Join_answer decide_on_doubles(const Left& left, const Right& right, Stages& stag
                                           grid_legs_of<k>(points_of<k, N>(right)), n, pivot, w, stages);
 }
 
-// Whether the curvatures have different magnitudes, |a1 x a2|^2 |b1|^6 differs from |b1 x b2|^2 |a1|^6 (for equal degrees), in
-// interval arithmetic. Only `true` is a proof.
+// |a1 x a2|^2 times the square of the weight, and g = |a1|^2, from the legs of an end.
+template <class T, int N> T square_of_area(const Legs<T, N>& legs, const T& weight, T& g) {
+  T area(0);
+  g = T(0);
+  for (int i = 0; i < N; ++i) {
+    g += T(legs[0][i] * legs[0][i]);
+    for (int j = 0; j < i; ++j) {
+      const T x = legs[0][i] * legs[1][j] - legs[0][j] * legs[1][i];
+      area += T(x * x);
+    }
+  }
+  return T(area * weight * weight);
+}
+
+// Whether the curvatures have different magnitudes: |a1 x a2|^2 |b1|^6 is not |b1 x b2|^2 |a1|^6 (for equal degrees), modulo
+// 2^64 on grids or in interval arithmetic. Only `true` is a proof.
 template <int N, class Left, class Right> bool curvatures_differ(const Left& left, const Right& right) {
+  const Join_weights<std::int64_t> w =
+      Join_weights<std::int64_t>::template geometric<Join_question::g2>(left.degree(), right.degree());
+  const End_polygon<double, N> p = points_of<2, N>(left), q = points_of<2, N>(right);
+  const Grid_legs<N> x = grid_legs_of<2>(p), y = grid_legs_of<2>(q);
+  const int units = x.exponent + x.zeros - y.exponent - y.zeros; // the left legs are in units of 2^units
+  if (x.valid && y.valid && -14 <= units && units <= 14) {
+    typedef std::uint64_t Residue;
+    Residue g, h;
+    Residue a = square_of_area<Residue, N>(converted<2, Residue>(without_zeros<2>(x.legs, x.zeros)), w.a2, g),
+            b = square_of_area<Residue, N>(converted<2, Residue>(without_zeros<2>(y.legs, y.zeros)), w.b2, h);
+    a *= h * h * h;
+    b *= g * g * g;
+    if (units < 0 ? (a << -2 * units) != b : a != (b << 2 * units)) return true;
+  }
   typedef Interval_nt<> Interval;
-  const auto form = [](const End_polygon<double, N>& x, std::int64_t weight, Interval& g) {
-    std::array<Interval, N> d1, d2;
-    for (int i = 0; i < N; ++i) {
-      d1[i] = Interval(x[1][i]) - Interval(x[0][i]);
-      d2[i] = Interval(x[2][i]) - Interval(x[1][i]);
-    }
-    Interval area(0);
-    g = Interval(0);
-    for (int i = 0; i < N; ++i) {
-      g += CGAL::square(d1[i]);
-      for (int j = 0; j < i; ++j) area += CGAL::square(Interval(d1[i] * d2[j] - d1[j] * d2[i]));
-    }
-    return Interval(area * CGAL::square(Interval(static_cast<double>(weight))));
+  const auto legs = [](const End_polygon<double, N>& points) {
+    End_polygon<Interval, N> x;
+    for (int j = 0; j <= 2; ++j)
+      for (int i = 0; i < N; ++i) x[j][i] = Interval(points[j][i]);
+    return legs_of<2>(x);
   };
-  const auto w = Join_weights<std::int64_t>::template geometric<Join_question::g2>(left.degree(), right.degree());
   Interval g, h;
-  const Interval x = form(points_of<2, N>(left), w.a2, g), y = form(points_of<2, N>(right), w.b2, h);
-  return !Interval(x * h * CGAL::square(h)).do_overlap(Interval(y * g * CGAL::square(g)));
+  const Interval a = square_of_area<Interval, N>(legs(p), Interval(static_cast<double>(w.a2)), g),
+                 b = square_of_area<Interval, N>(legs(q), Interval(static_cast<double>(w.b2)), h);
+  return !Interval(a * h * h * h).do_overlap(Interval(b * g * g * g));
 }
 
 // Whether the answer is yes. Nothing is asked any more once one answer has been unknown.
