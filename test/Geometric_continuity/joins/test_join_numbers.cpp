@@ -5,7 +5,7 @@
 // continuity() where numbers are tiny or huge, in high dimensions, and without memory from the heap.
 
 #define BOOST_TEST_DYN_LINK
-#define BOOST_TEST_MODULE join_continuity
+#define BOOST_TEST_MODULE join_numbers
 #include <boost/test/unit_test.hpp>
 
 #include <CGAL/Cartesian_d.h>
