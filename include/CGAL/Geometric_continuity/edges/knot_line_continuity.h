@@ -40,7 +40,9 @@ Spline_edge_rows<Edge_field<Traits>> knot_line_rows(const Bspline_surface<Traits
                                                     const typename Traits::FT& knot, bool from_below) {
   typedef Edge_field<Traits> Field;
   return {knots_over<Field>(constant_u ? s.knots_v() : s.knots_u()),
-          edge_rows_in_space<Field>(s.template rows_at<Field>(!constant_u, knot, from_below, 2))};
+          edge_rows_in_space<Field>(
+              s.template rows_at<Field>(constant_u ? Parameter_line::along_v : Parameter_line::along_u, knot,
+                                        from_below ? Line_side::smaller_parameters : Line_side::larger_parameters, 2))};
 }
 
 template <class Traits>

@@ -11,7 +11,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <initializer_list>
 #include <ostream>
 #include <utility>
 #include <vector>
@@ -63,19 +62,6 @@ template <class FT> struct Spline_edge_continuity : Edge_continuity<FT> {
 
 namespace internal {
 
-inline Sign_pattern combined(Sign_pattern a, Sign_pattern b) {
-  const auto has = [a, b](std::initializer_list<Sign_pattern> patterns) {
-    return std::any_of(patterns.begin(), patterns.end(), [a, b](Sign_pattern x) { return x == a || x == b; });
-  };
-  const bool positive = has({Sign_pattern::positive, Sign_pattern::nonnegative, Sign_pattern::mixed}),
-             negative = has({Sign_pattern::negative, Sign_pattern::nonpositive, Sign_pattern::mixed}),
-             zero = has({Sign_pattern::nonnegative, Sign_pattern::nonpositive, Sign_pattern::zero});
-  if (positive && negative) return Sign_pattern::mixed;
-  if (positive) return zero ? Sign_pattern::nonnegative : Sign_pattern::positive;
-  if (negative) return zero ? Sign_pattern::nonpositive : Sign_pattern::negative;
-  return Sign_pattern::zero;
-}
-
 // The larger, the graver.
 inline int severity(Edge_defect defect) {
   switch (defect) {
@@ -107,7 +93,7 @@ template <class FT> void summarise(Spline_edge_continuity<FT>& edge) {
     }
     if (is_worse(s, edge.spans[edge.worst].continuity)) edge.worst = i;
     edge.coplanar = edge.coplanar && s.coplanar;
-    edge.side = combined(edge.side, s.side);
+    edge.side = joint_pattern(edge.side, s.side);
     edge.collapsed = edge.collapsed && s.collapsed;
     edge.normal_vanishes = edge.normal_vanishes || s.normal_vanishes;
     if (!edge.vanishing) edge.vanishing = s.vanishing;

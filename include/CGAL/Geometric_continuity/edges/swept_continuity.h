@@ -59,9 +59,9 @@ template <class Field> struct Point_of_edge {
     const Field det = dot(n1, t[1]), side = dot(n1, n2);
     edge.collapsed = is_zero(c1);
     edge.coplanar = det == Field(0);
-    edge.side = side < Field(0)   ? Sign_pattern::negative
-                : Field(0) < side ? Sign_pattern::positive
-                                  : Sign_pattern::zero;
+    Sign_set sign;
+    sign.add(internal::sign_of(side));
+    edge.side = sign.pattern();
     edge.normal_vanishes = is_zero(n1) || is_zero(n2);
     if (edge.collapsed) {
       edge.defect = Edge_defect::collapsed;

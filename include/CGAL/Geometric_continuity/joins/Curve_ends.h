@@ -6,7 +6,7 @@
 #define CGAL_GEOMETRIC_CONTINUITY_JOINS_CURVE_ENDS_H
 
 #include <CGAL/Geometric_continuity/algebra/bernstein.h>
-#include <CGAL/Geometric_continuity/local/Curve_jet.h>
+#include <CGAL/Geometric_continuity/local/end_jet.h>
 
 #include <algorithm>
 #include <type_traits>
@@ -151,12 +151,6 @@ template <class Curve> bool has_polygon(const Curve& curve, Curve_end end) {
     return false;
 }
 
-template <class Field, class Curve, class = void> struct Has_end_jets_over : std::false_type {};
-template <class Field, class Curve>
-struct Has_end_jets_over<Field, Curve,
-                         std::void_t<decltype(std::declval<const Curve&>().template end_jet_over<Field>(0)),
-                                     decltype(std::declval<const Curve&>().template start_jet_over<Field>(0))>>
-    : std::true_type {};
 template <class Curve, class = void> struct Has_jets : std::false_type {};
 template <class Curve>
 struct Has_jets<
@@ -182,32 +176,20 @@ Coordinate_jet<Field, dimension_v<typename View::Traits>> jet_of_polygon(const V
   return jet;
 }
 
-// The jet at an end of a curve in another field: exact from the curve's own data where it offers that or has control points,
-// otherwise the curve's jet converted.
+// The jet at an end of a curve, see end_jet(); of a curve without jets from its control points.
 template <class Field, Curve_end which, class Curve>
 Coordinate_jet<Field, dimension_v<typename Curve::Traits>> jet_at(const Curve& curve, int k) {
-  if constexpr (Has_end_jets_over<Field, Curve>::value) {
-    if constexpr (which == Curve_end::end)
-      return curve.template end_jet_over<Field>(k);
-    else
-      return curve.template start_jet_over<Field>(k);
-  } else if constexpr (Curve_ends<Curve>::have_polygons)
+  constexpr bool readable = Has_end_jets_over<Field, Curve>::value || Has_jets<Curve>::value;
+  if constexpr (Curve_ends<Curve>::have_polygons && !Has_end_jets_over<Field, Curve>::value)
     return jet_of_polygon<Field, which>(Curve_end_view<Curve, which>(curve), k);
   else {
-    constexpr bool readable = Has_jets<Curve>::value;
     static_assert(readable, "the ends of this curve cannot be read: it is no model of ParametricCurve (domain(), "
                             "jet(u, k)), and Curve_ends is not specialised for it");
-    if constexpr (readable)
-      return convert_jet<Field>(curve.jet(which == Curve_end::end ? curve.domain().second : curve.domain().first, k));
+    if constexpr (readable && which == Curve_end::end)
+      return end_jet<Field>(curve, k);
+    else if constexpr (readable)
+      return start_jet<Field>(curve, k);
   }
-}
-template <class Field, class Curve>
-Coordinate_jet<Field, dimension_v<typename Curve::Traits>> end_jet(const Curve& curve, int k) {
-  return jet_at<Field, Curve_end::end>(curve, k);
-}
-template <class Field, class Curve>
-Coordinate_jet<Field, dimension_v<typename Curve::Traits>> start_jet(const Curve& curve, int k) {
-  return jet_at<Field, Curve_end::start>(curve, k);
 }
 
 } // namespace internal

@@ -143,7 +143,7 @@ private:
         return Prepared_end(m, points.begin(), points.end(), domain.first, domain.second);
       }
     constexpr bool at_end = which == Curve_end::end;
-    const Jet jet = at_end ? internal::end_jet<Field>(curve, 3) : internal::start_jet<Field>(curve, 3);
+    const Jet jet = internal::jet_at<Field, which>(curve, 3);
     for (const Coordinate_vector<Field, N>& x : internal::points_from_jet(jet, 3, Field(at_end ? -1 : 1))) {
       Coordinates<Traits> c(x.dimension());
       for (int i = 0; i < x.dimension(); ++i)

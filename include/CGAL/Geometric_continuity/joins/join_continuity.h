@@ -134,8 +134,8 @@ Join_continuity<Predicate_FT<typename Left::Traits>> continuity(const Left& left
         return join;
     }
   const int order = (std::max)(max_order, 3); // curvature and torsion are reported for every max_order
-  const Coordinate_jet<Field, N> x = internal::end_jet<Field>(left, order),
-                                 y = internal::start_jet<Field>(right, order);
+  const Coordinate_jet<Field, N> x = internal::jet_at<Field, Curve_end::end>(left, order),
+                                 y = internal::jet_at<Field, Curve_end::start>(right, order);
   return internal::Join_decision<Field, N>(x, y, max_order)();
 }
 

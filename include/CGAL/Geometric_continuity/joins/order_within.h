@@ -81,7 +81,7 @@ Order_within order_within(const Left& left, const Right& right, const Join_toler
   for (double bound :
        {tolerance.angle, tolerance.curvature, tolerance.torsion, tolerance.gap, tolerance.curvature_derivative})
     if (!(0 <= bound)) throw Error(Error_code::unreachable_tolerance, "order_within: " + std::to_string(bound));
-  const Coordinate_jet<Field, N> x = internal::end_jet<Field>(left, 3), y = internal::start_jet<Field>(right, 3);
+  const Coordinate_jet<Field, N> x = end_jet<Field>(left, 3), y = start_jet<Field>(right, 3);
   const bool planar = x.dimension() == 2;
   const Join_continuity<Field> exact = internal::Join_decision<Field, N>(x, y, 3)();
   const int exact_order = planar ? exact.g_order : exact.f_order;

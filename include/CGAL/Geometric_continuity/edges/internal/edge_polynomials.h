@@ -7,6 +7,7 @@
 
 #include <CGAL/Geometric_continuity/algebra/Coordinate_vector.h>
 #include <CGAL/Geometric_continuity/algebra/Homogeneous_polynomial.h>
+#include <CGAL/Geometric_continuity/algebra/sign_pattern.h>
 #include <CGAL/Geometric_continuity/numbers/internal/Common_denominator.h>
 #include <CGAL/Geometric_continuity/numbers/internal/checked_conversion.h>
 
@@ -106,7 +107,7 @@ template <class Field> struct Edge_normals {
         n2(cross_product(d, s.t[1])), det(scalar_product(n1, s.t[1])), side(scalar_product(n1, n2)) {}
 
   bool coplanar() const { return det.is_zero(); }
-  Sign_pattern side_signs() const { return side.template signs<Exact>(); }
+  Sign_pattern side_signs() const { return sign_pattern<Exact>(side); }
 
   // Whether n1 or n2 vanishes somewhere on the closed interval. It needs the signs of n1 . n2.
   bool normal_vanishes(Sign_pattern side_signs) const {
@@ -132,7 +133,7 @@ template <class Field> struct Edge_normals {
   static Polynomial square(const Vector& v) { return scalar_product(v, v); }
 
   // Whether the vector is zero somewhere on the closed interval.
-  static bool vanishes(const Vector& v) { return square(v).template signs<Exact>() != Sign_pattern::positive; }
+  static bool vanishes(const Vector& v) { return sign_pattern<Exact>(square(v)) != Sign_pattern::positive; }
 };
 
 } // namespace internal

@@ -172,7 +172,8 @@ Join_answer decide_join(const Left& left, const Right& right, Stages& stages) {
       return decide_polygons<question>(x, y, stages);
     }
   typedef typename Exact_field<Predicate_FT<typename Left::Traits>>::type Field;
-  const Join_answer answer = decide_on_jets<question>(end_jet<Field>(left, 3), start_jet<Field>(right, 3));
+  const Join_answer answer =
+      decide_on_jets<question>(jet_at<Field, Curve_end::end>(left, 3), jet_at<Field, Curve_end::start>(right, 3));
   stages.decided(Join_stage::multiprecision, answer);
   return answer;
 }

@@ -91,7 +91,7 @@ private:
     std::vector<std::vector<Exact>> result;
     Row last;
     for (const Piece& piece : pieces) {
-      Row powers = power_coefficients<Field>(piece.row);
+      Row powers = powers_from_bernstein<Field>(piece.row);
       if (powers == last) continue; // the same polynomial goes on
       result.emplace_back(1, Exact_number<Field>::of(piece.begin));
       for (const auto& a : powers)
