@@ -33,8 +33,8 @@ template <class Exact> Whole_polynomial<Exact> whole_multiple(const Bernstein_po
   return Whole_polynomial<Exact>::from_bernstein(std::move(c));
 }
 
-// How often the coefficients change the sign.
-template <class NT> int sign_variations(const Homogeneous_polynomial<NT>& p) {
+// How often the coefficients change the sign, of a polynomial in Bernstein or in homogeneous form.
+template <class Polynomial> int sign_variations(const Polynomial& p) {
   int variations = 0, last = 0;
   for (int k = 0; k <= p.degree(); ++k) {
     const int s = sign_of(p[k]);
