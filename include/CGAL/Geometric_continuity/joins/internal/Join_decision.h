@@ -7,7 +7,7 @@
 
 #include <CGAL/Geometric_continuity/algebra/Bell_polynomials.h>
 #include <CGAL/Geometric_continuity/algebra/determinant.h>
-#include <CGAL/Geometric_continuity/joins/internal/Shape_parameters.h>
+#include <CGAL/Geometric_continuity/joins/internal/Join_parameters.h>
 #include <CGAL/Geometric_continuity/local/Curve_jet.h>
 
 #include <algorithm>
@@ -147,7 +147,7 @@ private:
       if (g * v != b * X[1]) break;
       numerators.push_back(b);
     }
-    join.parameters = Shape_parameters<FT>(std::move(numerators), scale);
+    join.parameters = Join_parameters<FT>(std::move(numerators), scale);
   }
 
   // Y^(j) - beta_1^j X^(j) must lie in the span of X', ..., X^(j-1)
