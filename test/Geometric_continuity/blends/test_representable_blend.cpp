@@ -72,8 +72,8 @@ BOOST_AUTO_TEST_CASE(points_with_digits_to_spare_stay) {
         BOOST_CHECK(exactly_g2(b));
         BOOST_CHECK(!b.start_join.is_moved() && !b.end_join.is_moved() && b.phi == phi && b.psi == psi);
         BOOST_CHECK(std::abs(b.start_join.beta - 1) <= 1.0 / 8 && std::abs(b.end_join.beta - 1) <= 1.0 / 8);
-        BOOST_CHECK(beta_is(GC::continuity(phi, b).betas[0], b.start_join.beta, m));
-        BOOST_CHECK(beta_is(CGAL::Exact_rational(1) / GC::continuity(b, psi).betas[0], b.end_join.beta, n));
+        BOOST_CHECK(beta_is(GC::continuity(phi, b).betas()[0], b.start_join.beta, m));
+        BOOST_CHECK(beta_is(CGAL::Exact_rational(1) / GC::continuity(b, psi).betas()[0], b.end_join.beta, n));
       }
 }
 

@@ -96,8 +96,8 @@ template <class Traits>
 void check_betas(const Curve<Traits>& left, const Curve<Traits>& right, const std::vector<FT>& expected) {
   if (!exact_predicates) return;
   const auto join = GC::continuity(unit(left), unit(right), static_cast<int>(expected.size()));
-  BOOST_REQUIRE(join.betas.size() == expected.size());
-  for (std::size_t i = 0; i < expected.size(); ++i) BOOST_CHECK(join.betas[i] == in_field<Field<Traits>>(expected[i]));
+  BOOST_REQUIRE(join.betas().size() == expected.size());
+  for (std::size_t i = 0; i < expected.size(); ++i) BOOST_CHECK(join.betas()[i] == in_field<Field<Traits>>(expected[i]));
 }
 
 // ---------------------------------------------------------------- scalars
