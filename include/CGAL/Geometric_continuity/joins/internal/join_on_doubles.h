@@ -5,7 +5,7 @@
 #ifndef CGAL_GEOMETRIC_CONTINUITY_JOINS_INTERNAL_JOIN_ON_DOUBLES_H
 #define CGAL_GEOMETRIC_CONTINUITY_JOINS_INTERNAL_JOIN_ON_DOUBLES_H
 
-#include <CGAL/Geometric_continuity/joins/internal/Shape_parameters.h>
+#include <CGAL/Geometric_continuity/joins/internal/Join_parameters.h>
 #include <CGAL/Geometric_continuity/joins/internal/join_on_integers.h>
 #include <CGAL/Interval_nt.h>
 
@@ -243,7 +243,7 @@ bool decide_all_on_doubles(const Left& left, const Right& right, int max_order, 
                         b,
                         m};
     };
-    join.parameters = Shape_parameters<typename Result::Number>(along(left), along(right));
+    join.parameters = Join_parameters<typename Result::Number>(along(left), along(right));
   }
   return !unknown;
 }
