@@ -4,8 +4,6 @@
 
 // B-spline curves.
 
-#define BOOST_TEST_DYN_LINK
-#define BOOST_TEST_MODULE Bspline_curve
 #include <boost/test/unit_test.hpp>
 
 #include "support/archetype.h"

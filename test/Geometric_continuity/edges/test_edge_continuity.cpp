@@ -4,8 +4,6 @@
 
 // The order of continuity of Bezier patches along edges, degenerate edges, and the angle between the normals.
 
-#define BOOST_TEST_DYN_LINK
-#define BOOST_TEST_MODULE edge_continuity
 #include <boost/test/unit_test.hpp>
 
 #include "support/enclosures.h"
@@ -29,7 +27,8 @@ template <class K> double sampled_angle(const Patch<K>& a, const Patch<K>& b, co
 }
 
 // The value of a number of any kernel.
-template <class FT> Q exact(const FT& x) { return Q(GC::internal::Exact_number<FT>::of(x)); }
+Q exact(const CGAL::Epeck::FT& x) { return Q(x.exact()); }
+Q exact(const Q& x) { return x; }
 
 // A flat surface y >= 0 and others along the edge (x, 0, 0), 0 <= x <= 1.
 const Curve x_axis{line(0, 1), constant(0), constant(0)};

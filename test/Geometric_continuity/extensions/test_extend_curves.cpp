@@ -4,8 +4,6 @@
 
 // Segmented curves that are extended and closed.
 
-#define BOOST_TEST_DYN_LINK
-#define BOOST_TEST_MODULE extend_curves
 #include <boost/test/unit_test.hpp>
 
 #include "support/composite_curves.h"

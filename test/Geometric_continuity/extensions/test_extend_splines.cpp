@@ -4,8 +4,6 @@
 
 // Splines that are extended and closed.
 
-#define BOOST_TEST_DYN_LINK
-#define BOOST_TEST_MODULE extend_splines
 #include <boost/test/unit_test.hpp>
 
 #include "support/splines.h"

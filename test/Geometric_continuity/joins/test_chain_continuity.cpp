@@ -4,8 +4,6 @@
 
 // The analysis of chains and of segmented curves.
 
-#define BOOST_TEST_DYN_LINK
-#define BOOST_TEST_MODULE chain_continuity
 #include <boost/test/unit_test.hpp>
 
 #include "support/composite_curves.h"

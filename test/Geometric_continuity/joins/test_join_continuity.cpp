@@ -4,8 +4,6 @@
 
 // The remarks of Hagen after 2.1: what continuity of derivatives says about that of the invariants, and conversely.
 
-#define BOOST_TEST_DYN_LINK
-#define BOOST_TEST_MODULE join_continuity
 #include <boost/test/unit_test.hpp>
 
 #include "support/jets.h"

@@ -4,8 +4,6 @@
 
 // Continuity at the knots of splines, and of chains of them.
 
-#define BOOST_TEST_DYN_LINK
-#define BOOST_TEST_MODULE knot_continuity
 #include <boost/test/unit_test.hpp>
 
 #include "support/splines.h"

@@ -19,8 +19,8 @@
 #include <vector>
 
 /// \file sign_pattern.h
-/// The signs of a polynomial on an interval, decided exactly: by its coefficients if they suffice, and otherwise by the roots of
-/// its square-free part, which are separated by Descartes' rule and bisection.
+/// The signs of a polynomial on an interval, decided exactly: by its coefficients if they suffice,
+/// and otherwise by the roots of its square-free part, which are separated by Descartes' rule and bisection.
 
 namespace CGAL {
 namespace Geometric_continuity {
@@ -37,8 +37,8 @@ template <class NT> Sign_pattern strict_sign(const Homogeneous_polynomial<NT>& p
   return strict_sign(halves.second, bisections - 1) == left ? left : Sign_pattern::mixed;
 }
 
-// Adds the signs of p on the open interval (0, 1), where p is not zero at 0 and 1 and s is its square-free part. Bisection
-// ends because the roots of s are simple.
+// Adds the signs of p on the open interval (0, 1), where p is not zero at 0 and 1 and s is its square-free part.
+// Bisection ends because the roots of s are simple.
 template <class NT, class Ring>
 void add_signs(const Homogeneous_polynomial<NT>& p, const Homogeneous_polynomial<Ring>& s, Sign_set& signs) {
   typedef Homogeneous_polynomial<NT> Polynomial;
@@ -90,12 +90,12 @@ template <class FT> auto exact_polynomial(const Bernstein_polynomial<FT>& p) {
 } // namespace internal
 
 /// \ingroup PkgGeometricContinuityAlgebra
-/// Decides the signs of `p` on the closed interval [0, 1], exactly: floating-point coefficients are taken as the rational
-/// numbers they are.
+/// Decides the signs of `p` on the closed interval [0, 1], exactly: floating-point coefficients are taken as the
+/// rational numbers they are.
 ///
-/// Coefficients of one sign decide in \f$ O(n) \f$. Otherwise the square-free part is computed, and \f$ O(n^2) \f$ additions are
-/// done for each bisection that separates its roots; there are about as many bisections as the distance of the closest
-/// roots, complex ones included, has binary digits.
+/// Coefficients of one sign decide in \f$ O(n) \f$. Otherwise the square-free part is computed, and \f$ O(n^2) \f$
+/// additions are done for each bisection that separates its roots; there are about as many bisections as the distance
+/// of the closest roots, complex ones included, has binary digits.
 /// \throws Error `not_finite` when a coefficient is infinite or not a number
 template <class FT> Sign_pattern sign_pattern(const Bernstein_polynomial<FT>& p) {
   const auto exact = internal::exact_polynomial(p);
@@ -117,8 +117,8 @@ template <class FT> Sign_pattern sign_pattern(const Bernstein_polynomial<FT>& p,
 }
 
 /// \ingroup PkgGeometricContinuityAlgebra
-/// Decides the signs of `p` on the closed interval [0, 1], exactly: by up to four bisections, and if those do not decide, by the
-/// square-free part and as many as are needed, see `sign_pattern(const Bernstein_polynomial<FT>&)`.
+/// Decides the signs of `p` on the closed interval [0, 1], exactly: by up to four bisections, and if those do not
+/// decide, by the square-free part and as many as are needed, see `sign_pattern(const Bernstein_polynomial<FT>&)`.
 /// \tparam Exact a field with exact operations to which `NT` can be converted
 /// \tparam NT a ring number type with exact operations
 template <class Exact, class NT> Sign_pattern sign_pattern(const Homogeneous_polynomial<NT>& p) {

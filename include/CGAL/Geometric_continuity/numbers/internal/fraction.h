@@ -11,7 +11,8 @@ namespace CGAL {
 namespace Geometric_continuity {
 namespace internal {
 
-// The constant p/q in the field FT. With floating-point numbers it is divided by the compiler, also under -frounding-math.
+// The constant p/q in the field FT. With floating-point numbers it is divided by the compiler, also under
+// -frounding-math.
 template <class FT, int p, int q> FT fraction() {
   if constexpr (std::is_floating_point_v<FT>) {
     constexpr FT value = FT(p) / FT(q);
