@@ -9,6 +9,8 @@
 #include <CGAL/Geometric_continuity/joins/internal/join_on_integers.h>
 #include <CGAL/Interval_nt.h>
 
+#include <boost/config.hpp>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -75,7 +77,7 @@ template <int k, int N, class Points> BOOST_FORCEINLINE End_polygon<double, N> p
 
 // The decision on two ends with double coordinates, exact or `unknown`. That the ends meet is not asked here.
 template <Join_question question, int N, class Left, class Right, class Stages>
-Join_answer decide_on_doubles(const Left& left, const Right& right, Stages& stages) {
+BOOST_FORCEINLINE Join_answer decide_on_doubles(const Left& left, const Right& right, Stages& stages) {
   constexpr int k = highest_difference(question);
   static_assert(k > 0, "the points are compared before");
   const auto decided = [&](Join_stage stage, Join_answer answer) {
