@@ -71,10 +71,9 @@
 #include <CGAL/Geometric_continuity/joins/order_within.h>
 #include <CGAL/Geometric_continuity/joins/polygon_tests.h>
 
-#include <CGAL/Geometric_continuity/blends/Quintic_ends.h>
-#include <CGAL/Geometric_continuity/blends/Septic_ends.h>
 #include <CGAL/Geometric_continuity/blends/blend.h>
 #include <CGAL/Geometric_continuity/blends/blend_batch.h>
+#include <CGAL/Geometric_continuity/blends/blend_ends.h>
 #include <CGAL/Geometric_continuity/blends/quintic_strategies.h>
 #include <CGAL/Geometric_continuity/blends/representable_blend.h>
 #include <CGAL/Geometric_continuity/blends/septic_strategies.h>

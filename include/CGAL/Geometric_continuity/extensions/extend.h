@@ -7,6 +7,7 @@
 
 #include <CGAL/Geometric_continuity/algebra/internal/solve_positive_definite.h>
 #include <CGAL/Geometric_continuity/blends/blend.h>
+#include <CGAL/Geometric_continuity/blends/septic_strategies.h>
 #include <CGAL/Geometric_continuity/curves/end_control_points.h>
 #include <CGAL/Geometric_continuity/extensions/alternatives.h>
 #include <CGAL/Geometric_continuity/numbers/internal/checked_conversion.h>
