@@ -202,7 +202,11 @@ private:
   Vector base() const { return Exact_rational(2) * second_point() - a_ + Exact_rational(c_ * c_ * f_) * q_; }
 
   bool representable(const Vector& x) {
-    for (int i = 0; i < x.dimension(); ++i) failed_[i] = !is_representable<Float>(x[i]);
+    const Exact_rational most((std::numeric_limits<Float>::max)());
+    for (int i = 0; i < x.dimension(); ++i) {
+      failed_[i] = !is_representable<Float>(x[i]);
+      if (failed_[i] && (most < x[i] || x[i] < -most)) refuse("a coordinate of the blend overflows");
+    }
     return std::find(failed_.begin(), failed_.end(), true) == failed_.end();
   }
 };
