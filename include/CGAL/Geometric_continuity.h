@@ -79,9 +79,10 @@
 #include <CGAL/Geometric_continuity/blends/septic_strategies.h>
 
 #include <CGAL/Geometric_continuity/extensions/alternatives.h>
+#include <CGAL/Geometric_continuity/extensions/close.h>
 #include <CGAL/Geometric_continuity/extensions/connection_coefficients.h>
 #include <CGAL/Geometric_continuity/extensions/extend.h>
-#include <CGAL/Geometric_continuity/extensions/extend_curves.h>
+#include <CGAL/Geometric_continuity/extensions/extend_toward.h>
 #include <CGAL/Geometric_continuity/extensions/midpoint_construction.h>
 
 #include <CGAL/Geometric_continuity/surfaces/Bezier_patch.h>
