@@ -396,6 +396,29 @@ BOOST_AUTO_TEST_CASE(not_finite) {
   check_not_finite<Cpp, GC::Traits_3<CGAL::Simple_cartesian<Cpp>>>();
 }
 
+// With floating-point numbers a jet that is not finite is found in the blend.
+BOOST_AUTO_TEST_CASE(jets_that_are_not_finite) {
+  typedef GC::Traits_3<CGAL::Simple_cartesian<double>> Traits;
+  const GC::Curve_jet<Traits> phi = jet<Traits>(3, 3, small), psi = jet<Traits>(3, 3, small);
+  for (const double number : {std::numeric_limits<double>::infinity(), std::numeric_limits<double>::quiet_NaN()})
+    for (int j = 0; j <= 3; ++j)
+      for (int i = 0; i < 3; ++i) {
+        GC::Curve_jet<Traits> x = phi;
+        x[j][i] = number;
+        const auto quintic = [&](const auto& strategy) {
+          if (j == 3) return; // is not read
+          CHECK_ERROR(GC::blend(x, psi, strategy), not_finite);
+          CHECK_ERROR(GC::blend(psi, x, strategy), not_finite);
+        };
+        const auto septic = [&](const auto& strategy) {
+          CHECK_ERROR(GC::blend(x, psi, strategy), not_finite);
+          CHECK_ERROR(GC::blend(psi, x, strategy), not_finite);
+        };
+        Every_strategy<double>::quintic(quintic);
+        Every_strategy<double>::septic(septic);
+      }
+}
+
 namespace {
 
 // A curve of the user: an arc of a parabola that can be read only by its jets.

@@ -9,6 +9,8 @@
 #include <CGAL/Geometric_continuity/local/coordinates.h>
 #include <CGAL/Geometric_continuity/numbers/internal/checked_conversion.h>
 
+#include <boost/config.hpp>
+
 #include <array>
 #include <type_traits>
 #include <utility>
@@ -92,7 +94,7 @@ template <class FT, int N> struct Quintic_ends {
   /// Computes the vectors from the jets at the end of \f$ \varphi \f$ and at the start of \f$ \psi \f$: `phi[j]` and `psi[j]`
   /// are the derivatives of order `j`, 0 to 2. The tangents must not be zero.
   template <class Jet>
-  Quintic_ends(const Jet& phi, const Jet& psi, const Shape_parameters<FT>& shape)
+  BOOST_FORCEINLINE Quintic_ends(const Jet& phi, const Jet& psi, const Shape_parameters<FT>& shape)
       : Quintic_ends(phi[0], psi[0], shape.beta * phi[1], shape.eta * psi[1], FT(shape.beta * shape.beta) * phi[2],
                      FT(shape.eta * shape.eta) * psi[2]) {}
 
@@ -120,7 +122,9 @@ template <class FT, int N> struct Quintic_ends {
   /// Returns the control points between the first and the last, \f$ B_1, C_1, C_2, B_2 \f$, for what the strategy chose.
   std::array<Vector, 4> inner_points(const Parameters& p) const { return {b1(), c1(p.s1), c2(p.s2), b2()}; }
   /// Returns the control points \f$ A_1, B_1, C_1, C_2, B_2, A_2 \f$ for what the strategy chose.
-  std::array<Vector, 6> control_points(const Parameters& p) const { return {a1, b1(), c1(p.s1), c2(p.s2), b2(), a2}; }
+  BOOST_FORCEINLINE std::array<Vector, 6> control_points(const Parameters& p) const {
+    return {a1, b1(), c1(p.s1), c2(p.s2), b2(), a2};
+  }
 };
 
 /// \ingroup PkgGeometricContinuityConstruction
@@ -188,7 +192,7 @@ template <class FT, int N> struct Septic_end {
   /// Returns the three control points next to the end point \f$ b_0 \f$, from there inwards: \f$ b_1 = b_0 + \gamma'/7 \f$,
   /// \f$ b_2 = b_0 + 2\gamma'/7 + \gamma''/42 \f$, \f$ b_3 = b_0 + 3\gamma'/7 + \gamma''/14 + \gamma'''/210 \f$;
   /// at the end of the blend the odd derivatives change sign.
-  std::array<Vector, 3> control_points(const Septic_end_parameters<FT>& p) const {
+  std::array<Vector, 3> inner_points(const Septic_end_parameters<FT>& p) const {
     const Vector g1 = FT(direction) * first(), g2 = second(p), g3 = FT(direction) * third(p);
     return {x + g1 / FT(7), x + FT(2) * g1 / FT(7) + g2 / FT(42), x + FT(3) * g1 / FT(7) + g2 / FT(14) + g3 / FT(210)};
   }
@@ -214,7 +218,7 @@ template <class FT, int N> struct Septic_ends {
 
   /// Returns the six control points between the first and the last for what the strategy chose.
   std::array<Vector, 6> inner_points(const Parameters& p) const {
-    const std::array<Vector, 3> s = start.control_points(p.start), e = end.control_points(p.end);
+    const std::array<Vector, 3> s = start.inner_points(p.start), e = end.inner_points(p.end);
     return {s[0], s[1], s[2], e[2], e[1], e[0]};
   }
   /// Returns the eight control points for what the strategy chose.
