@@ -79,18 +79,18 @@
 #include <CGAL/Geometric_continuity/joins/order_within.h>
 #include <CGAL/Geometric_continuity/joins/polygon_tests.h>
 
-#include <CGAL/Geometric_continuity/blends/Quintic_ends.h>
-#include <CGAL/Geometric_continuity/blends/Septic_ends.h>
 #include <CGAL/Geometric_continuity/blends/blend.h>
 #include <CGAL/Geometric_continuity/blends/blend_batch.h>
+#include <CGAL/Geometric_continuity/blends/blend_ends.h>
 #include <CGAL/Geometric_continuity/blends/quintic_strategies.h>
 #include <CGAL/Geometric_continuity/blends/representable_blend.h>
 #include <CGAL/Geometric_continuity/blends/septic_strategies.h>
 
 #include <CGAL/Geometric_continuity/extensions/alternatives.h>
+#include <CGAL/Geometric_continuity/extensions/close.h>
 #include <CGAL/Geometric_continuity/extensions/connection_coefficients.h>
 #include <CGAL/Geometric_continuity/extensions/extend.h>
-#include <CGAL/Geometric_continuity/extensions/extend_curves.h>
+#include <CGAL/Geometric_continuity/extensions/extend_toward.h>
 #include <CGAL/Geometric_continuity/extensions/midpoint_construction.h>
 
 #include <CGAL/Geometric_continuity/surfaces/Bezier_patch.h>
