@@ -6,7 +6,7 @@
 #define CGAL_GEOMETRIC_CONTINUITY_EDGES_G1_RIBBON_H
 
 #include <CGAL/Geometric_continuity/algebra/sign_pattern.h>
-#include <CGAL/Geometric_continuity/edges/bspline_edge_continuity.h>
+#include <CGAL/Geometric_continuity/edges/edge_continuity.h>
 
 #include <ostream>
 #include <utility>
