@@ -21,6 +21,8 @@
 #include <CGAL/Geometric_continuity/Traits_2.h>
 #include <CGAL/Geometric_continuity/Traits_3.h>
 #include <CGAL/Geometric_continuity/Traits_d.h>
+#include <CGAL/Geometric_continuity/edges/Edge_conditions.h>
+#include <CGAL/Geometric_continuity/edges/common_edges.h>
 #include <CGAL/Geometric_continuity/models/model_continuity.h>
 #include <CGAL/Simple_cartesian.h>
 
@@ -182,7 +184,12 @@ template <class K> double sampled_angle(const Patch<K>& a, const Patch<K>& b, co
 }
 
 // The value of a number of any kernel.
-template <class FT> Q exact(const FT& x) { return Q(GC::internal::Exact_number<FT>::of(x)); }
+template <class FT> Q exact(const FT& x) {
+  if constexpr (std::is_same_v<FT, Q>)
+    return x;
+  else
+    return Q(x.exact());
+}
 
 // A flat surface y >= 0 and others along the edge (x, 0, 0), 0 <= x <= 1.
 const Curve x_axis{line(0, 1), constant(0), constant(0)};
