@@ -11,33 +11,38 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <sstream>
+#include <stdexcept>
+#include <string>
+#include <vector>
 
 namespace {
 
-const char* const usage =
-    "usage: geometric_continuity blend A.g2 B.g2 [OPTIONS]\n"
-    "       geometric_continuity blend CHAIN.g2 --replace I [OPTIONS]\n"
-    "\n"
-    "Blends the end of the last curve of A into the start of the first curve of B, or replaces the curve number I of a "
-    "chain\n"
-    "(counted from 0, cyclically) by a blend of its neighbours. Both joins are decided exactly on the result. The "
-    "output is\n"
-    "the blends, or the chain with its curve replaced when one strategy is asked for.\n"
-    "\n"
-    "strategies of order 2 (degree 5, G2): c2, normal, min_second, near_line, energy2, energy3 (default), free (--s1 "
-    "--s2)\n"
-    "strategies of order 3 (degree 7, G3 or F3): c3, seq_g3, seq_f3, joint_g3, energy3_g3, energy4_g3 (default),\n"
-    "                                            free (--start --end)\n"
-    "--representable makes blends of order 2 with control points that are doubles and joins that are exactly G2 "
-    "nevertheless;\n"
-    "with -o it writes both curves, where needed rounded to few enough digits, and the blend between them.\n"
-    "Numbers R are decimals or fractions p/q.\n";
+const char* const usage = R"(usage: geometric_continuity blend A.g2 B.g2 [OPTIONS]
+       geometric_continuity blend CHAIN.g2 --replace I [OPTIONS]
+
+Blends the end of the last curve of A into the start of the first curve of B,
+or replaces the curve number I of a chain (counted from 0, cyclically) by a
+blend of its neighbours. Both joins are decided exactly on the result. The
+output is the blends, or the chain with its curve replaced when one strategy is
+asked for.
+
+strategies of order 2 (degree 5, G2):
+  c2, normal, min_second, near_line, energy2, energy3 (default),
+  free (--s1 --s2)
+strategies of order 3 (degree 7, G3 or F3):
+  c3, seq_g3, seq_f3, joint_g3, energy3_g3, energy4_g3 (default),
+  free (--start --end)
+
+--representable makes blends of order 2 with control points that are doubles
+and joins that are exactly G2 nevertheless; with -o it writes both curves,
+where needed rounded to few enough digits, and the blend between them. Numbers
+R are decimals or fractions p/q.
+)";
 
 const Arguments quintic_names = {"c2", "normal", "min_second", "near_line", "energy2", "energy3"};
 const Arguments septic_names = {"c3", "seq_g3", "seq_f3", "joint_g3", "energy3_g3", "energy4_g3"};
 
-// A blend by one strategy.
+// What one strategy gives.
 template <class FT> struct Result {
   std::string strategy;
   Program_curve<FT> curve;
@@ -45,11 +50,7 @@ template <class FT> struct Result {
   std::vector<Program_curve<FT>> neighbours = {}; // of a representable blend: both given curves as they now are
 };
 
-std::string rounded(double x) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.6g", x);
-  return text;
-}
+std::string rounded(double x) { return ::rounded(x, 6); }
 
 std::string fallback_text(bool start, bool end) {
   return !start && !end ? ""
@@ -71,16 +72,14 @@ template <class FT> std::string text(const GC::Septic_parameters<FT>& p) {
   return "(beta2, mu, beta3) = " + text(p.start) + ", " + text(p.end);
 }
 
-// The three numbers of --start or --end.
+// Returns the three numbers of --start or --end.
 template <class FT> GC::Septic_end_parameters<FT> end_parameters(const Command_line& line, const std::string& option) {
-  std::istringstream words(line.has(option) ? line.text(option) : "");
-  std::vector<FT> x;
-  for (std::string word; std::getline(words, word, ',');) x.push_back(GC::parse_number<FT>(word));
+  const std::vector<FT> x = line.numbers<FT>(option);
   if (x.size() != 3) throw std::invalid_argument("--" + option + ": three numbers beta2,mu,beta3 are needed");
   return {x[0], x[1], x[2]};
 }
 
-// Blends two curves by a strategy with this name.
+// Blends two curves by strategies that are given by name.
 template <class FT> class Blender {
   typedef Program_traits<FT> Traits;
   const Command_line& line_;
@@ -91,7 +90,7 @@ template <class FT> class Blender {
     if constexpr (std::is_same_v<FT, double> && GC::internal::is_quintic_strategy<Traits, Strategy>)
       if (line_.has("representable")) {
         const GC::Representable_blend<Traits> gamma = GC::representable_blend(phi_, psi_, strategy, shape_);
-        const double moved = std::max(gamma.start_join.moved, gamma.end_join.moved);
+        const double moved = (std::max)(gamma.start_join.moved, gamma.end_join.moved);
         return {name,
                 gamma,
                 "beta = " + rounded(gamma.start_join.beta) + ", eta = " + rounded(gamma.end_join.beta) +
@@ -159,7 +158,7 @@ template <class FT> std::string plot_join(const Program_curve<FT>& left, const P
              : (join.f_order > join.g_order ? 'F' + std::to_string(join.f_order) : 'G' + std::to_string(join.g_order));
 }
 
-// One panel for each result.
+// Draws one panel for each result.
 template <class FT>
 void plot(const std::string& file, const std::string& title, const Scene<FT>& scene,
           const std::vector<Result<FT>>& results, const Program_curve<FT>& phi, const Program_curve<FT>& psi) {
@@ -168,7 +167,7 @@ void plot(const std::string& file, const std::string& title, const Scene<FT>& sc
   for (const Result<FT>& r : results) {
     GC::Svg_panel panel(r.strategy + r.fallback);
     const GC::Svg_style given{GC::Svg_role::given, false, !chain}, neighbour{GC::Svg_role::given, false, true},
-        blend{GC::Svg_role::blend, true, true};
+        blend{GC::Svg_role::result, true, true, "blend"};
     // the neighbours of the blend are drawn with it, the rest of a chain without details
     for (const std::vector<Program_curve<FT>>* part : {&scene.before, &scene.after})
       for (const Program_curve<FT>& c : *part)
@@ -181,6 +180,7 @@ void plot(const std::string& file, const std::string& title, const Scene<FT>& sc
   GC::write_file_atomically(file, [&](std::ostream& os) { figure.write(os); });
 }
 
+// Blends by the strategies that are asked for, prints a table and writes the files.
 template <class FT> int blend(const Command_line& line) {
   const int order = line.integer("order");
   if (order != 2 && order != 3) throw std::invalid_argument("--order: 2 or 3, not " + std::to_string(order));
@@ -227,8 +227,7 @@ template <class FT> int blend(const Command_line& line) {
       if (chain)
         for (const Program_curve<FT>& c : scene.after) GC::write_g2(os, c);
     });
-  if (line.has("plot"))
-    plot(line.text("plot"), line.has("title") ? line.text("title") : std::string(), scene, results, phi, psi);
+  if (line.has("plot")) plot(line.text("plot"), line.text("title"), scene, results, phi, psi);
   return requirement_met;
 }
 
@@ -236,16 +235,17 @@ template <class FT> int blend(const Command_line& line) {
 
 int blend_command(const Arguments& arguments) {
   const Command_line line(usage, arguments, [](po::options_description_easy_init add) {
-    add("strategy", po::value<std::string>(), "one strategy, or all but free");
+    add("strategy", po::value<std::string>(), "one of the strategies, or all: each of them except free");
     add("order", po::value<int>()->default_value(2), "2: quintic, 3: septic");
-    add("beta", po::value<std::string>(), "R > 0, the blend starts with beta times the end tangent of A; 1");
-    add("eta", po::value<std::string>(), "R > 0, the blend ends with eta times the start tangent of B; 1");
+    add("beta", po::value<std::string>(), "R > 0, the blend starts with beta times the end tangent of A (default 1)");
+    add("eta", po::value<std::string>(), "R > 0, the blend ends with eta times the start tangent of B (default 1)");
     add("s1", po::value<std::string>(), "R, free scalar at the start (free, order 2)");
     add("s2", po::value<std::string>(), "R, free scalar at the end (free, order 2)");
     add("start", po::value<std::string>(), "R,R,R = beta2,mu,beta3 at the start (free, order 3)");
     add("end", po::value<std::string>(), "R,R,R = beta2,mu,beta3 at the end (free, order 3)");
-    add("replace", po::value<int>(), "replace this curve of a chain");
-    add("kernel", po::value<std::string>()->default_value("exact"), "construct in exact numbers, or in double");
+    add("replace", po::value<int>(), "I, replace this curve of a chain");
+    add("kernel", po::value<std::string>()->default_value("exact"),
+        "exact: construct in exact numbers; double: in floating-point numbers");
     add("representable", "control points that are doubles, joins that are exactly G2");
     add("output,o", po::value<std::string>(), "write the result, .g2");
     add("plot", po::value<std::string>(), "draw the result, .svg");

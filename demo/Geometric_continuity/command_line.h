@@ -12,17 +12,20 @@
 #include <boost/program_options.hpp>
 
 #include <iostream>
+#include <sstream>
 #include <stdexcept>
+#include <string>
+#include <vector>
 
 namespace po = boost::program_options;
 
-// The arguments of one command: named options and files. Answers --help itself.
+// The arguments of one command: named options and files. Prints the help itself when it is asked for.
 class Command_line {
   po::options_description options_;
   po::variables_map values_;
 
 public:
-  // `describe` adds the options of the command.
+  // Parses the arguments; `describe(add)` adds the options of the command, each by a call of `add`.
   template <class Describe>
   Command_line(const std::string& usage, const Arguments& arguments, Describe describe) : options_("options") {
     describe(options_.add_options()("help,h", "print this text"));
@@ -40,23 +43,33 @@ public:
     if (values_.count("help")) std::cout << usage << '\n' << options_;
   }
 
+  // Whether the help was printed, so that nothing else is to be done.
   bool help() const { return values_.count("help") != 0; }
+
   bool has(const std::string& option) const { return values_.count(option) != 0; }
+
+  // The arguments that are no options.
   Arguments files() const { return has("file") ? values_["file"].as<Arguments>() : Arguments(); }
-  std::string text(const std::string& option) const { return values_[option].as<std::string>(); }
+
+  // The value of an option; empty when it is not given.
+  std::string text(const std::string& option) const { return has(option) ? values_[option].as<std::string>() : ""; }
+
   int integer(const std::string& option) const { return values_[option].as<int>(); }
 
-  // An exact number; `otherwise` when the option is not given.
+  // The number that an option gives, or `otherwise` when it is not given.
   template <class FT> FT number(const std::string& option, const FT& otherwise) const {
-    if (!has(option)) return otherwise;
-    try {
-      return CGAL::Geometric_continuity::parse_number<FT>(text(option));
-    } catch (const std::exception& e) {
-      throw std::invalid_argument("--" + option + ": " + e.what());
-    }
+    return has(option) ? parsed<FT>(option, text(option)) : otherwise;
   }
 
-  // One of the given words.
+  // The numbers that an option gives, separated by commas.
+  template <class FT> std::vector<FT> numbers(const std::string& option) const {
+    std::istringstream words(text(option));
+    std::vector<FT> result;
+    for (std::string word; std::getline(words, word, ',');) result.push_back(parsed<FT>(option, word));
+    return result;
+  }
+
+  // The value of an option that must be one of the given words.
   std::string choice(const std::string& option, const Arguments& words) const {
     const std::string word = text(option);
     std::string known;
@@ -65,6 +78,15 @@ public:
       known += (known.empty() ? "" : ", ") + w;
     }
     throw std::invalid_argument("--" + option + ": '" + word + "' is none of " + known);
+  }
+
+private:
+  template <class FT> static FT parsed(const std::string& option, const std::string& word) {
+    try {
+      return CGAL::Geometric_continuity::parse_number<FT>(word);
+    } catch (const std::exception& e) {
+      throw std::invalid_argument("--" + option + ": " + e.what());
+    }
   }
 };
 

@@ -15,12 +15,15 @@ struct Edge_tolerance;
 }
 } // namespace CGAL
 
-// Exit codes of the program.
+// What the program returns to the shell.
 enum Exit_code { requirement_met = 0, requirement_not_met = 1, bad_input = 2 };
+
+// How `verify` prints what it decided.
+enum class Report_format { text, json };
 
 typedef std::vector<std::string> Arguments;
 
-// Each command reads its own arguments; errors are exceptions.
+// Each command parses its own arguments, returns an Exit_code, and throws on bad input.
 int blend_command(const Arguments& arguments);
 int connect_command(const Arguments& arguments);
 int extend_command(const Arguments& arguments);
@@ -28,12 +31,19 @@ int plot_command(const Arguments& arguments);
 int tessellate_command(const Arguments& arguments);
 int verify_command(const Arguments& arguments);
 
-// The part of plot for models of surfaces.
-int plot_surfaces(const Arguments& files, const std::string& output, const std::string& title, bool shaded,
-                  const std::string& view);
+// A picture of surfaces, as its options describe it.
+struct Surface_picture {
+  std::string output, title;
+  std::string view;    // "AZIMUTH,ELEVATION" in degrees; empty for the default
+  bool shaded = false; // otherwise in strips that show kinks
+};
 
-// The part of verify for models of surfaces.
-int verify_surfaces(const Arguments& files, bool json, const std::optional<int>& required,
+// Runs `plot --surfaces`: draws the surfaces of the files as one model.
+int plot_surfaces(const Arguments& files, const Surface_picture& picture);
+
+// Runs `verify --surfaces`: decides the edges of the model that the files form, and prints a report. With a tolerance
+// an edge meets the requirement also when it does so within the tolerance.
+int verify_surfaces(const Arguments& files, Report_format format, const std::optional<int>& required_g_order,
                     const std::optional<CGAL::Geometric_continuity::Edge_tolerance>& tolerance);
 
 #endif // GEOMETRIC_CONTINUITY_DEMO_COMMANDS_H

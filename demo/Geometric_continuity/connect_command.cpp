@@ -3,11 +3,10 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
 #include "command_line.h"
+#include "input.h"
 
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Geometric_continuity/IO/atomic_file.h>
-#include <CGAL/Geometric_continuity/IO/g2.h>
-#include <CGAL/Geometric_continuity/IO/g2_surfaces.h>
 #include <CGAL/Geometric_continuity/Traits_3.h>
 #include <CGAL/Geometric_continuity/edges/connect_g1.h>
 #include <CGAL/Simple_cartesian.h>
@@ -17,28 +16,27 @@
 #include <stdexcept>
 #include <vector>
 
-namespace GC = CGAL::Geometric_continuity;
-
 namespace {
 
-const char* const usage =
-    "usage: geometric_continuity connect C.g2 C1.g2 C2.g2 [OPTIONS] -o RIBBON.g2\n"
-    "\n"
-    "Makes two surfaces of degree 6 x 1 that meet with G1 continuity along the cubic C. At both ends of C their cross\n"
-    "derivatives are C1 - C and C2 - C and their twists are C1' - C' and C2' - C', if these lie in the plane of C1 - "
-    "C2\n"
-    "and C'; otherwise as nearly as possible. The curves have the same knots, with inner knots at most double.\n"
-    "G1 is decided exactly on the result, along the whole of C. Exit code: 0 G1, 1 not, e.g. because of a fold, 2 bad "
-    "input.\n";
+const char* const usage = R"(usage: geometric_continuity connect C.g2 C1.g2 C2.g2 [OPTIONS] -o RIBBON.g2
+
+Makes two surfaces of degree 6 x 1 that meet with G1 continuity along the cubic
+C. At both ends of C their cross derivatives are C1 - C and C2 - C and their
+twists are C1' - C' and C2' - C', if these lie in the plane of C1 - C2 and C';
+otherwise they are as near to that as possible. The three curves have the same
+knots, with inner knots at most double. G1 is decided exactly on the result,
+along the whole of C.
+Exit code: 0 when the result is G1, 1 when it is not, e.g. because of a fold, 2
+on bad input.
+)";
 
 typedef CGAL::Exact_rational FT;
 typedef GC::Traits_3<CGAL::Simple_cartesian<FT>> Traits;
 typedef GC::Bspline_curve<Traits> Curve;
 
-// The only curve of a file.
+// Reads the only curve of a file.
 Curve read_curve(const std::string& name) {
-  std::ifstream stream(name);
-  if (!stream) throw GC::Error(GC::Error_code::cannot_read_file, name);
+  std::ifstream stream = open_input(name);
   const std::vector<Curve> curves = GC::read_g2_bsplines<Traits>(stream, name);
   if (curves.size() != 1)
     throw GC::Error(GC::Error_code::malformed_input,
@@ -71,7 +69,7 @@ int connect(const Command_line& line) {
 
 int connect_command(const Arguments& arguments) {
   const Command_line line(usage, arguments, [](po::options_description_easy_init add) {
-    add("bulge", po::value<std::string>(), "R, the freedom in the shape: beta becomes quartic; 0");
+    add("bulge", po::value<std::string>(), "R, bends the surfaces: beta becomes quartic (default 0)");
     add("output,o", po::value<std::string>(), "write both surfaces, .g2");
   });
   if (line.help()) return requirement_met;

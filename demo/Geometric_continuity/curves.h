@@ -5,6 +5,8 @@
 #ifndef GEOMETRIC_CONTINUITY_DEMO_CURVES_H
 #define GEOMETRIC_CONTINUITY_DEMO_CURVES_H
 
+#include "input.h"
+
 #include <CGAL/Cartesian_d.h>
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Geometric_continuity.h>
@@ -19,15 +21,13 @@
 #include <utility>
 #include <vector>
 
-namespace GC = CGAL::Geometric_continuity;
-
-// The program serves all dimensions by one instantiation per number type.
+// One instantiation for each number type serves all dimensions.
 template <class FT> using Program_traits = GC::Traits_d<CGAL::Cartesian_d<FT>>;
 template <class FT> using Program_curve = GC::Bezier_curve<Program_traits<FT>>;
 typedef CGAL::Exact_rational Exact;
 typedef Program_curve<Exact> Exact_curve;
 
-// The curve with exactly the same control points in the exact field.
+// Returns the curve with the same control points and the same domain, as exact numbers.
 template <class FT, int Degree> Exact_curve exact(const GC::Bezier_curve<Program_traits<FT>, Degree>& curve) {
   std::vector<Exact_curve::Point> points;
   for (int j = 0; j <= curve.degree(); ++j) {
@@ -38,6 +38,7 @@ template <class FT, int Degree> Exact_curve exact(const GC::Bezier_curve<Program
   return Exact_curve(points.begin(), points.end(), Exact(curve.domain().first), Exact(curve.domain().second));
 }
 
+// Returns the B-spline curve with the same control points and knots, as exact numbers.
 inline GC::Bspline_curve<Program_traits<Exact>> exact(const GC::Bspline_curve<Program_traits<double>>& curve) {
   std::vector<Exact_curve::Point> points;
   for (int j = 0; j < curve.number_of_points(); ++j) {
@@ -49,8 +50,8 @@ inline GC::Bspline_curve<Program_traits<Exact>> exact(const GC::Bspline_curve<Pr
           GC::Knot_vector<Exact>(curve.degree(), std::vector<Exact>(curve.knots().begin(), curve.knots().end()))};
 }
 
-// The curves of several files, one after the other; only one is kept in memory. A curve with inner knots is cut into its
-// Bezier curves. Numbers are read as FT, and everything behind that is computed in Result.
+// Reads the curves of several files, one after the other; only one is kept in memory. A curve with inner knots is cut
+// into its Bezier curves. Numbers are read as FT, and converted to Result before anything is computed.
 template <class FT, class Result = FT> class Curve_stream {
   std::vector<std::string> files_;
   std::size_t next_file_ = 0;
@@ -70,6 +71,7 @@ template <class FT, class Result = FT> class Curve_stream {
 public:
   explicit Curve_stream(const std::vector<std::string>& files) : files_(files) {}
 
+  // Returns the next curve, or nothing after the last one.
   std::optional<Program_curve<Result>> next() {
     while (pieces_.empty()) {
       if (reader_)
@@ -84,10 +86,7 @@ public:
         }
       if (next_file_ == files_.size()) return std::nullopt;
       const std::string& name = files_[next_file_++];
-      stream_.close();
-      stream_.clear();
-      stream_.open(name);
-      if (!stream_) throw GC::Error(GC::Error_code::cannot_read_file, name);
+      stream_ = open_input(name);
       reader_.emplace(stream_, name);
     }
     std::optional<Program_curve<Result>> piece = std::move(pieces_.back());
@@ -96,6 +95,7 @@ public:
   }
 };
 
+// Reads all curves of several files.
 template <class FT> std::vector<Program_curve<FT>> read_curves(const std::vector<std::string>& files) {
   Curve_stream<FT> stream(files);
   std::vector<Program_curve<FT>> curves;

@@ -13,7 +13,7 @@
 #include <ostream>
 #include <string>
 
-// Output that appears only when all input has been read and found good; it may be longer than the memory.
+// Collects output until all input has been read and found good. It may be larger than the memory.
 class Deferred_output {
   std::unique_ptr<std::FILE, int (*)(std::FILE*)> file_;
 
@@ -29,6 +29,8 @@ public:
   void write(const std::string& text) {
     if (std::fwrite(text.data(), 1, text.size(), file_.get()) != text.size()) refuse();
   }
+
+  // Copies everything that was written.
   void copy_to(std::ostream& os) {
     std::rewind(file_.get());
     std::array<char, 1 << 16> block;

@@ -9,27 +9,31 @@
 #include <CGAL/Geometric_continuity/IO/figures/Svg_figure.h>
 #include <CGAL/Geometric_continuity/extensions/extend.h>
 
-#include <sstream>
+#include <iostream>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <vector>
 
 namespace {
 
-const char* const usage =
-    "usage: geometric_continuity extend A.g2 --order tangent|curvature|torsion [OPTIONS] -o OUT.g2\n"
-    "\n"
-    "Appends a segment of the same degree behind the last curve of A. Its first points are members of Hagen's "
-    "families:\n"
-    "  b1 = b0 + beta p, b2 = b0 + beta^2 (b-2 - b0) + C0 p, b3 = b0 + beta^3 (b-2 - b-3) + C1 p + C2 r\n"
-    "with p = b0 - b-1, r = b-2 - b-1. What is not given continues the curve as smoothly as possible; with --toward "
-    "the\n"
-    "segment ends at the point, or as near as it can, with the least energy. The join is decided exactly on the "
-    "result.\n"
-    "Of a curve with inner knots the last span decides; all curves are written as Bezier curves.\n";
+const char* const usage = R"(usage: geometric_continuity extend A.g2 --order ORDER [OPTIONS] -o OUT.g2
 
-// The coordinates of --toward.
-template <class FT> typename Program_curve<FT>::Point point(const std::string& text, int dimension) {
-  std::istringstream words(text);
-  std::vector<FT> x;
-  for (std::string word; std::getline(words, word, ',');) x.push_back(GC::parse_number<FT>(word));
+Appends a segment of the same degree to the last curve of A. Its first points
+are members of Hagen's families:
+  b1 = b0 + beta p
+  b2 = b0 + beta^2 (b-2 - b0) + C0 p
+  b3 = b0 + beta^3 (b-2 - b-3) + C1 p + C2 r
+with p = b0 - b-1 and r = b-2 - b-1. What is not given continues the curve as
+smoothly as possible. With --toward the segment ends at the point, or as near
+to it as possible, with the least energy. The join is decided exactly on the
+result. Of a curve with inner knots the last span counts; all curves are
+written as Bezier curves. Numbers R are decimals or fractions p/q.
+)";
+
+// Returns the point of --toward.
+template <class FT> typename Program_curve<FT>::Point end_point(const Command_line& line, int dimension) {
+  const std::vector<FT> x = line.numbers<FT>("toward");
   if (static_cast<int>(x.size()) != dimension)
     throw std::invalid_argument("--toward: " + std::to_string(dimension) + " coordinates are needed, such as 1,2,3/2");
   return {dimension, x.begin(), x.end()};
@@ -49,7 +53,7 @@ Program_curve<FT> next_segment(const Command_line& line, const Program_curve<FT>
         {beta, optional_number<FT>(line, "c0"), optional_number<FT>(line, "c1"), optional_number<FT>(line, "c2")});
   for (const char* option : {"c0", "c1", "c2"})
     if (line.has(option)) throw std::invalid_argument(std::string("--toward chooses --") + option + " itself");
-  return GC::extend_toward(last, order, point<FT>(line.text("toward"), last.dimension()), beta);
+  return GC::extend_toward(last, order, end_point<FT>(line, last.dimension()), beta);
 }
 
 template <class FT> int extend(const Command_line& line) {
@@ -72,7 +76,7 @@ template <class FT> int extend(const Command_line& line) {
   });
   if (line.has("plot")) {
     const GC::Svg_style given{GC::Svg_role::given, false, true}, neighbour{GC::Svg_role::given, true, true},
-        added{GC::Svg_role::blend, true, true};
+        added{GC::Svg_role::result, true, true, "extension"};
     GC::Svg_panel panel;
     for (const Program_curve<FT>& c : curves) panel.add(c, &c == &last ? neighbour : given);
     panel.join(orders(join)).add(next, added);
@@ -86,12 +90,14 @@ template <class FT> int extend(const Command_line& line) {
 int extend_command(const Arguments& arguments) {
   const Command_line line(usage, arguments, [](po::options_description_easy_init add) {
     add("order", po::value<std::string>(), "tangent, curvature or torsion: what is continuous");
-    add("beta", po::value<std::string>(), "R > 0, the length of the next parameter interval relative to the last; 1");
+    add("beta", po::value<std::string>(),
+        "R > 0, length of the new parameter interval in terms of the last one (default 1)");
     add("c0", po::value<std::string>(), "R, chooses b2 on its line");
     add("c1", po::value<std::string>(), "R, chooses b3 in its plane");
     add("c2", po::value<std::string>(), "R, chooses b3 in its plane");
-    add("toward", po::value<std::string>(), "x,y[,z], the wished end point");
-    add("kernel", po::value<std::string>()->default_value("exact"), "construct in exact numbers, or in double");
+    add("toward", po::value<std::string>(), "X,Y[,Z], where the segment shall end");
+    add("kernel", po::value<std::string>()->default_value("exact"),
+        "exact: construct in exact numbers; double: in floating-point numbers");
     add("output,o", po::value<std::string>(), "write all curves of A and the new one, .g2");
     add("plot", po::value<std::string>(), "draw the result, .svg");
   });

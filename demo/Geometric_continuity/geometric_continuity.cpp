@@ -10,19 +10,25 @@
 
 namespace {
 
-const char* const usage =
-    "usage: geometric_continuity COMMAND [ARGUMENTS]\n"
-    "\n"
-    "  blend   A.g2 B.g2     blend the end of A into the start of B, and prove both joins\n"
-    "  connect C.g2 C1 C2    two surfaces that meet with G1 continuity along a cubic spline\n"
-    "  extend  A.g2          append a segment with continuous tangent, curvature or torsion\n"
-    "  verify  FILE.g2...    decide the continuity of every join of a chain or a drawing (.svg), exactly\n"
-    "  plot    FILE.g2...    draw curves, control polygons and curvature combs, or surfaces\n"
-    "  tessellate MODEL.g2   triangles for surfaces, without cracks, as OFF, PLY, OBJ or STL\n"
-    "\n"
-    "A curve with inner knots is taken as the chain of its Bezier curves, so that its knots are joins.\n"
-    "geometric_continuity COMMAND --help explains a command.\n"
-    "Exit code: 0 met, 1 not met, 2 bad input.\n";
+const char* const usage = R"(usage: geometric_continuity COMMAND [ARGUMENTS]
+
+  blend A.g2 B.g2           blend the end of A into the start of B, and prove
+                            both joins
+  connect C.g2 C1.g2 C2.g2  make two surfaces that meet with G1 continuity along
+                            a cubic spline
+  extend A.g2               append a segment with continuous tangent, curvature
+                            or torsion
+  verify FILE.g2...         decide the continuity of every join of a chain or of
+                            a drawing (.svg), exactly
+  plot FILE.g2...           draw curves, control polygons and curvature combs,
+                            or surfaces
+  tessellate MODEL.g2...    write triangles for surfaces, without cracks, as
+                            OFF, PLY, OBJ or STL
+
+A curve with inner knots is taken as the chain of its Bezier curves, so that
+its knots are joins. geometric_continuity COMMAND --help explains a command.
+Exit code: 0 when the requirement is met, 1 when it is not, 2 on bad input.
+)";
 
 int run(const std::string& command, const Arguments& arguments) {
   if (command == "blend") return blend_command(arguments);

@@ -15,13 +15,9 @@ namespace {
 
 typedef GC::Curve_jet<Program_traits<Exact>> Jet;
 
-std::string rounded(double x) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.4g", x);
-  return text;
-}
+std::string rounded(double x) { return ::rounded(x, 4); }
 
-// a square root for reports only
+// The square root, for reports only.
 double root(const Exact& square) { return std::sqrt(CGAL::to_double(square)); }
 
 std::string curvature(const Jet& jet) {
@@ -30,13 +26,13 @@ std::string curvature(const Jet& jet) {
   return rounded(k.sign * root(k.square));
 }
 
-// "from x to y", or the size of the jump where it does not show in the rounded numbers
+// "from x to y", or the size of the jump when it does not show in the rounded numbers.
 std::string jump(const std::string& from, const std::string& to, double size) {
   return from != to ? "from " + from + " to " + to : "by " + rounded(size) + " at " + from;
 }
 
 // The angle between the tangents in degrees. The sine comes from an exact square, so that the tiny kinks that designers
-// hunt keep their digits.
+// look for keep their digits.
 double kink(const Jet& left, const Jet& right) {
   const Exact xx = dot(left[1], left[1]), yy = dot(right[1], right[1]), xy = dot(left[1], right[1]);
   const Exact sine_squared = (xx * yy - xy * xy) / (xx * yy), cosine_squared = xy * xy / (xx * yy);
@@ -47,9 +43,15 @@ double kink(const Jet& left, const Jet& right) {
 
 } // namespace
 
+std::string rounded(double x, int digits) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.*g", digits, x);
+  return text;
+}
+
 Requirement::Requirement(const std::string& text) : order_(-1) {
   const std::size_t kind = std::string("CGF").find(text.substr(0, 1));
-  const std::string digits = text.substr(std::min<std::size_t>(1, text.size()));
+  const std::string digits = text.substr((std::min<std::size_t>)(1, text.size()));
   if (!text.empty() && kind != std::string::npos && !digits.empty() && digits.size() <= 2 &&
       digits.find_first_not_of("0123456789") == std::string::npos) {
     kind_ = static_cast<GC::Continuity_kind>(kind);

@@ -19,28 +19,36 @@ class Requirement {
   int order_;
 
 public:
-  // Throws when the text is not C, G or F and a number, or can't be met in this dimension.
+  // Throws std::invalid_argument unless the text is C, G or F with a number from 0 to 32.
   explicit Requirement(const std::string& text);
   GC::Continuity_kind kind() const { return kind_; }
   int order() const { return order_; }
   bool met(const Join& join) const { return GC::order_of(join, kind_) >= order_; }
-  void check_dimension(int dimension) const; // F3 can't be met in the plane
+
+  // Throws std::invalid_argument for an F order that no join has in this dimension, such as F3 in the plane.
+  void check_dimension(int dimension) const;
+
   std::string text() const;
 };
 
-// "C1 G2 F2"
+// Returns a number with this many significant digits.
+std::string rounded(double x, int digits);
+
+// Returns the orders of a join, e.g. "C1 G2 F2", or "gap".
 std::string orders(const Join& join);
 
-// What a reader wants to know of the join beyond its orders, in words and rounded numbers.
+// Returns what a reader wants to know of a join beyond its orders, in words and rounded numbers.
 std::string remark(const Join& join, const Exact_curve& left, const Exact_curve& right);
 
-// The same from the jets of order 3 at the join.
+// Returns what a reader wants to know of a join beyond its orders, from the jets of order 3 on both sides.
 std::string remark(const Join& join, const GC::Curve_jet<Program_traits<Exact>>& left,
                    const GC::Curve_jet<Program_traits<Exact>>& right);
 
-// One line of a table: the numbers of the curves, the point, the orders, the remark.
+// Returns the first line of a table of joins.
+std::string table_head();
+
+// Returns the line of a join: the numbers of both curves, the orders, the point, the remark.
 std::string table_row(const Join& join, int left, int right, const Exact_curve& left_curve,
                       const Exact_curve& right_curve);
-std::string table_head();
 
 #endif // GEOMETRIC_CONTINUITY_DEMO_JOIN_REPORT_H

@@ -12,12 +12,14 @@
 
 namespace {
 
-const char* const usage =
-    "usage: geometric_continuity plot FILE.g2... -o OUT.svg [OPTIONS]\n"
-    "\n"
-    "Draws the chain of curves of each file in a panel of its own, with the joins marked by their order.\n"
-    "With --surfaces draws all surfaces of the files as one model, with its edges coloured by their order.\n";
+const char* const usage = R"(usage: geometric_continuity plot FILE.g2... -o OUT.svg [OPTIONS]
 
+Draws the chain of curves of each file in a panel of its own, with the joins
+marked by their order. With --surfaces it draws all surfaces of the files as
+one model, with its edges coloured by their order.
+)";
+
+// Draws the chain of curves of a file.
 GC::Svg_panel picture(const std::string& file, const GC::Svg_style& style, bool closed) {
   const std::vector<Program_curve<Exact>> curves = read_curves<Exact>({file});
   GC::Svg_panel panel(file.substr(file.find_last_of('/') + 1));
@@ -30,7 +32,7 @@ GC::Svg_panel picture(const std::string& file, const GC::Svg_style& style, bool 
   return panel;
 }
 
-// Hagen's figure 2 for the end of the last curve.
+// Draws Hagen's figure 2 for the end of the last curve of a file.
 GC::Svg_panel alternatives(const std::string& file, const GC::Svg_style& style) {
   const std::vector<Exact_curve> curves = read_curves<Exact>({file});
   const Exact_curve& last = curves.back();
@@ -39,7 +41,7 @@ GC::Svg_panel alternatives(const std::string& file, const GC::Svg_style& style) 
   const GC::Curvature_alternatives<Program_traits<Exact>> line = GC::curvature_alternatives(last);
   GC::Svg_panel panel(file.substr(file.find_last_of('/') + 1) +
                       ": the line of alternatives for b\u2082, C\u2080 from 0 to 6");
-  const GC::Svg_style construction{GC::Svg_role::construction, false, false}, found{GC::Svg_role::blend, false, false};
+  const GC::Svg_style construction{GC::Svg_role::construction, false, false}, found{GC::Svg_role::result, false, false, "line of alternatives"};
   for (const Exact_curve& c : curves) panel.add(c, style);
   const auto leg = [&](const Exact_curve::Point& a, const Exact_curve::Point& b) {
     panel.add(Exact_curve{a, b}, construction);
@@ -64,27 +66,26 @@ GC::Svg_panel alternatives(const std::string& file, const GC::Svg_style& style) 
 
 int plot_command(const Arguments& arguments) {
   const Command_line line(usage, arguments, [](po::options_description_easy_init add) {
-    add("output,o", po::value<std::string>(), "the picture, .svg");
-    add("alternatives", "Hagen's midpoint construction and his line of alternatives");
+    add("output,o", po::value<std::string>(), "write the picture, .svg");
+    add("alternatives", "add Hagen's midpoint construction and his line of alternatives");
     add("closed", "the last curve of a file leads back to its first");
     add("no-polygon", "without control polygons");
     add("no-comb", "without curvature combs");
     add("columns", po::value<int>()->default_value(3), "panels in a row");
     add("title", po::value<std::string>(), "title of the picture");
     add("surfaces", "the files are surfaces, class 200");
-    add("isophotes", "surfaces in strips that show kinks, the default");
-    add("shaded", "surfaces smoothly shaded");
-    add("view", po::value<std::string>(), "AZIMUTH,ELEVATION of the viewer of surfaces, in degrees; -60,22 by default");
+    add("isophotes", "draw surfaces in strips that show kinks, the default");
+    add("shaded", "draw surfaces smoothly shaded");
+    add("view", po::value<std::string>(), "AZIMUTH,ELEVATION of the viewer of surfaces in degrees (default -60,22)");
   });
   if (line.help()) return requirement_met;
   if (line.files().empty()) throw std::invalid_argument("plot: no file is given; see --help");
   if (!line.has("output")) throw std::invalid_argument("plot: -o OUT.svg is needed");
-  const std::string title = line.has("title") ? line.text("title") : std::string();
+  const std::string title = line.text("title");
   if (line.has("surfaces")) {
     if (line.has("isophotes") && line.has("shaded"))
       throw std::invalid_argument("plot: --isophotes and --shaded exclude each other");
-    return plot_surfaces(line.files(), line.text("output"), title, line.has("shaded"),
-                         line.has("view") ? line.text("view") : std::string());
+    return plot_surfaces(line.files(), {line.text("output"), title, line.text("view"), line.has("shaded")});
   }
   const GC::Svg_style style{GC::Svg_role::given, !line.has("no-polygon"), !line.has("no-comb")};
   GC::Svg_figure figure(title, line.integer("columns"));

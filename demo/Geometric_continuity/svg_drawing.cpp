@@ -4,6 +4,7 @@
 
 #include "svg_drawing.h"
 
+#include <CGAL/Geometric_continuity/IO/quoted_token.h>
 #include <CGAL/Geometric_continuity/IO/svg/Svg_transform.h>
 #include <CGAL/Geometric_continuity/IO/svg/read_svg_path.h>
 #include <CGAL/Geometric_continuity/IO/svg/svg_shapes.h>
@@ -36,7 +37,7 @@ const std::set<std::string> skipped{"defs",     "symbol", "clipPath",       "mas
                                     "script",   "title",  "desc",           "metadata",       "foreignObject",
                                     "flowRoot", "font",   "text",           "image"};
 
-// A length that has no meaning without a viewport or a font.
+// Thrown for a length that has no meaning without a viewport or a font.
 struct Relative_length {
   std::string text;
 };
@@ -55,24 +56,15 @@ public:
   std::string text(const std::string& name) const { return has(name) ? values_.at(name) : std::string(); }
   std::string place(const std::string& name) const { return place_ + ", " + name; }
 
-  // A length in user units.
+  // A length in user units; 0 when it is not given.
   Exact length(const std::string& name) const {
     if (!has(name)) return Exact(0);
-    const std::string value = text(name);
-    GC::internal::Svg_scanner scanner(value, place(name));
-    scanner.skip_space();
-    const Exact x = scanner.number<Exact>();
-    if (scanner.at_end()) return x;
-    std::string unit = value.substr(value.find_last_of("0123456789.") + 1);
-    unit.erase(unit.find_last_not_of(" \t\n\r") + 1);
-    const std::map<std::string, Exact> units{{"px", Exact(1)},         {"in", Exact(96)},    {"cm", Exact(9600) / 254},
-                                             {"mm", Exact(960) / 254}, {"pt", Exact(4) / 3}, {"pc", Exact(16)}};
-    if (units.count(unit) != 0) return Exact(x * units.at(unit));
-    for (const char* relative : {"%", "em", "ex", "ch", "rem", "vw", "vh", "vmin", "vmax"})
-      if (unit == relative) throw Relative_length{name + "=\"" + value + '"'};
-    scanner.refuse("'" + unit + "' is not a unit of length");
+    const std::optional<Exact> length = GC::parse_svg_length<Exact>(text(name), place(name));
+    if (!length) throw Relative_length{name + "=\"" + text(name) + '"'};
+    return *length;
   }
 
+  // A length that is not negative.
   Exact size(const std::string& name) const {
     const Exact x = length(name);
     if (x < 0) throw GC::Error(GC::Error_code::malformed_input, place(name) + ": negative");
@@ -80,6 +72,7 @@ public:
   }
 };
 
+// Reads a drawing with Expat: keeps the transforms of the open elements, and hands on the subpaths of each.
 class Drawing_reader {
   const std::string file_;
   Drawing_handler& handler_;
@@ -114,8 +107,7 @@ class Drawing_reader {
   static void on_entity(void* self, const XML_Char* name, int, const XML_Char*, int, const XML_Char*, const XML_Char*,
                         const XML_Char*, const XML_Char*) {
     guarded(self, [&](Drawing_reader& reader) {
-      reader.refuse("the entity " + GC::internal::quoted_token(name) +
-                    " is declared; drawings with entities are refused");
+      reader.refuse("the entity " + GC::quoted_token(name) + " is declared; drawings with entities are refused");
     });
   }
 
@@ -130,7 +122,7 @@ class Drawing_reader {
     ++depth_;
     if (depth_ > max_depth) refuse("elements are nested deeper than " + std::to_string(max_depth));
     if (skipped_from_ != 0) return;
-    if (depth_ == 1 && name != "svg") refuse("the root element is " + GC::internal::quoted_token(name) + ", not svg");
+    if (depth_ == 1 && name != "svg") refuse("the root element is " + GC::quoted_token(name) + ", not svg");
     if (skipped.count(name) != 0 || name.find(' ') != std::string::npos) {
       skipped_from_ = depth_;
       return;
@@ -166,7 +158,9 @@ class Drawing_reader {
     else if (name == "line")
       draw(element, 1, GC::svg_line<Drawing_traits>(a.length("x1"), a.length("y1"), a.length("x2"), a.length("y2")));
     else if (name == "polyline" || name == "polygon")
-      draw(element, 1, GC::read_svg_polyline<Drawing_traits>(a.text("points"), name == "polygon", a.place("points")));
+      draw(element, 1,
+           name == "polygon" ? GC::read_svg_polygon<Drawing_traits>(a.text("points"), a.place("points"))
+                             : GC::read_svg_polyline<Drawing_traits>(a.text("points"), a.place("points")));
     else if (name == "circle")
       draw(element, 1, GC::svg_ellipse<Drawing_traits>(a.length("cx"), a.length("cy"), a.size("r"), a.size("r")));
     else if (name == "ellipse")
@@ -184,7 +178,7 @@ class Drawing_reader {
     while (const std::optional<Drawing_subpath> subpath = reader.next()) draw(element, ++number, *subpath);
   }
 
-  // One radius that is missing is like the other one.
+  // When one radius is missing, it is equal to the other one.
   void draw_rectangle(const Drawing_element& element, const Attributes& a) {
     const auto given = [&](const char* radius) { return a.has(radius) && a.text(radius) != "auto"; };
     const char *const rx = given("rx") ? "rx" : "ry", *const ry = given("ry") ? "ry" : "rx";
@@ -256,7 +250,7 @@ std::string Drawing_element::text() const {
 void read_svg_drawing(const std::string& file, Drawing_handler& handler) { Drawing_reader(file, handler).read(); }
 
 bool is_svg_file(const std::string& file) {
-  std::string extension = file.substr(std::min(file.rfind('.'), file.size()));
+  std::string extension = file.substr((std::min)(file.rfind('.'), file.size()));
   for (char& c : extension)
     if ('A' <= c && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
   if (extension == ".svg") return true;

@@ -17,12 +17,13 @@ namespace GC = CGAL::Geometric_continuity;
 typedef GC::Traits_2<CGAL::Simple_cartesian<CGAL::Exact_rational>> Drawing_traits;
 typedef GC::Svg_subpath<Drawing_traits> Drawing_subpath;
 
-// An element of a drawing, for reports.
+// Where an element of a drawing stands, for reports.
 struct Drawing_element {
   std::string file, name, id; // the id may be empty
   long long line;
 
-  std::string text() const; // e.g. path "leaf" (line 12)
+  // Returns the name, the id and the line, e.g. path "leaf" (line 12).
+  std::string text() const;
 };
 
 // Receives what is found in a drawing.
@@ -30,20 +31,21 @@ class Drawing_handler {
 public:
   virtual ~Drawing_handler() = default;
 
-  // A subpath of a path or of a basic shape, in the coordinates of the drawing; numbered from 1 on in its element.
+  // Receives a subpath of a path or of a basic shape, in the coordinates of the drawing. The subpaths of an element are
+  // numbered from 1 on.
   virtual void subpath(const Drawing_element& element, int number, const Drawing_subpath& subpath) = 0;
 
-  // An element that would draw something, but cannot be read.
+  // Receives an element that would draw something, but cannot be read.
   virtual void not_read(const Drawing_element& element, const std::string& reason) = 0;
 };
 
-// Reads all paths and basic shapes that the SVG file draws, in order; at no time more than one element and one subpath are
-// in memory. What is defined but not drawn (defs, symbols, clip paths, ...) is skipped. Throws GC::Error
-// `malformed_input`, with file, line and reason, for what is not well-formed or no SVG, for declared entities, for elements
-// nested deeper than 256, and for errors in path data, transforms and lengths.
+// Reads all paths and basic shapes that the SVG file draws, in order; at no time more than one element and one subpath
+// are in memory. What is defined but not drawn (defs, symbols, clip paths, ...) is skipped. Throws GC::Error
+// `malformed_input`, with file, line and reason, for what is not well-formed or no SVG, for declared entities, for
+// elements nested deeper than 256, and for errors in path data, transforms and lengths.
 void read_svg_drawing(const std::string& file, Drawing_handler& handler);
 
-// By its name, or because it begins like XML.
+// Returns whether a file is an SVG drawing: by its name, or because it begins like XML.
 bool is_svg_file(const std::string& file);
 
 #endif // GEOMETRIC_CONTINUITY_DEMO_SVG_DRAWING_H

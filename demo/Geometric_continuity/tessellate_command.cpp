@@ -3,34 +3,28 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
 #include "command_line.h"
+#include "input.h"
 
 #include <CGAL/Exact_rational.h>
-#include <CGAL/Geometric_continuity/IO/g2_surfaces.h>
 #include <CGAL/Geometric_continuity/IO/mesh.h>
 #include <CGAL/Geometric_continuity/Traits_3.h>
 #include <CGAL/Geometric_continuity/models/tessellate.h>
 #include <CGAL/Simple_cartesian.h>
 
-#include <fstream>
-
-namespace GC = CGAL::Geometric_continuity;
+#include <iostream>
+#include <vector>
 
 namespace {
 
-const char* const usage =
-    "usage: geometric_continuity tessellate MODEL.g2... -o OUT.off|ply|obj|stl [OPTIONS]\n"
-    "\n"
-    "Writes triangles for the surfaces of the files, without cracks along the edges that they have in common.\n";
+const char* const usage = R"(usage: geometric_continuity tessellate MODEL.g2... -o OUT [OPTIONS]
+
+Writes triangles for the surfaces of the files, without cracks along the edges
+that they have in common.
+)";
 
 template <class FT> int tessellate(const Command_line& line) {
   typedef GC::Traits_3<CGAL::Simple_cartesian<FT>> Traits;
-  std::vector<GC::Bspline_surface<Traits>> model;
-  for (const std::string& name : line.files()) {
-    std::ifstream stream(name);
-    if (!stream) throw GC::Error(GC::Error_code::cannot_read_file, name);
-    for (GC::Bspline_surface<Traits>& surface : GC::read_g2_bspline_surfaces<Traits>(stream, name))
-      model.push_back(std::move(surface));
-  }
+  const std::vector<GC::Bspline_surface<Traits>> model = read_surfaces<Traits>(line.files());
   const GC::Tessellation<Traits> mesh =
       line.has("grid") ? GC::tessellate(model, GC::Uniform_grid{line.integer("grid")})
                        : GC::tessellate(model, GC::Chord_tolerance{line.number<double>("tolerance", 0.01)});
@@ -44,9 +38,10 @@ template <class FT> int tessellate(const Command_line& line) {
 
 int tessellate_command(const Arguments& arguments) {
   const Command_line line(usage, arguments, [](po::options_description_easy_init add) {
-    add("output,o", po::value<std::string>(), "the triangles; the format is that of the name");
-    add("tolerance", po::value<std::string>(), "largest distance of surfaces and triangles, 0.01 by default");
-    add("grid", po::value<int>(), "instead, N times N cells for each polynomial patch");
+    add("output,o", po::value<std::string>(),
+        "write the triangles; the name, with .off, .ply, .obj or .stl, tells the format");
+    add("tolerance", po::value<std::string>(), "R, the largest distance between surfaces and triangles (default 0.01)");
+    add("grid", po::value<int>(), "instead: N times N cells for each polynomial patch");
     add("kernel", po::value<std::string>()->default_value("double"), "exact or double");
   });
   if (line.help()) return requirement_met;

@@ -15,35 +15,44 @@
 #include <algorithm>
 #include <chrono>
 #include <cstddef>
+#include <iostream>
 #include <map>
+#include <optional>
 #include <sstream>
+#include <stdexcept>
+#include <string>
+#include <vector>
 
 #include <unistd.h>
 
 namespace {
 
-const char* const usage =
-    "usage: geometric_continuity verify FILE.g2... | DRAWING.svg... [OPTIONS]\n"
-    "\n"
-    "Decides the continuity of every join of the chain that all curves form in the given order. "
-    "The decision is exact for\n"
-    "the numbers of the files. C: equal derivatives; G: equal arc-length derivatives; F: equal "
-    "Frenet frame and curvatures. The inner knots of a curve are joins as well.\n"
-    "With --surfaces finds all edges that the surfaces of the files share and decides G1 and G2 "
-    "along each whole edge\n"
-    "and along the knot lines inside B-spline surfaces.\n"
-    "Of SVG drawings decides the joins of every path and basic shape, and names the element and "
-    "the commands.\n"
-    "--within 1e-9,1e-6,1e-6 also tells how far each join is from continuous, in guaranteed "
-    "bounds, and the order that it has\n"
-    "within this angle of the tangents (radians), relative jump of the curvature vectors and jump "
-    "of the torsions.\n"
-    "--surfaces --within 1e-6,1e-9 does so for the largest angle of the normals along each edge and "
-    "the largest gap, and\n"
-    "also finds the boundary edges that are that near to each other.\n"
-    "Exit code: 0 when every join meets the requirement, 1 when one does not, 2 on bad input.\n";
+const char* const usage = R"(usage: geometric_continuity verify FILE.g2... | DRAWING.svg... [OPTIONS]
 
-// Tells on a terminal how far a long chain has come, once a second.
+Decides the continuity of every join of the chain that all curves form in the
+given order. The decision is exact for the numbers of the files.
+  C: equal derivatives
+  G: equal derivatives with respect to arc length
+  F: equal Frenet frame and curvatures
+The inner knots of a curve are joins as well.
+
+With --surfaces it finds all edges that the surfaces of the files share, and
+decides G1 and G2 along each whole edge and along the knot lines inside
+B-spline surfaces. For SVG drawings it decides the joins of every path and
+basic shape, and names the element and the commands.
+
+--within 1e-9,1e-6,1e-6 also tells how far each join is from continuous, in
+guaranteed bounds, and the order that it has within this angle of the tangents
+(radians), relative jump of the curvature vectors and jump of the torsions.
+--surfaces --within 1e-6,1e-9 does so for the largest angle of the normals
+along each edge and the largest gap, and also finds the boundary edges that are
+that near to each other.
+
+Exit code: 0 when every join meets the requirement, 1 when one does not, 2 on
+bad input.
+)";
+
+// Shows on a terminal, once a second, how many joins of a long chain are done.
 class Progress {
   typedef std::chrono::steady_clock Clock;
   const bool shown_ = isatty(STDERR_FILENO);
@@ -62,15 +71,9 @@ public:
   }
 };
 
-// The bounds of --within, at least `least` and at most one more, the gap.
-std::vector<double> bounds(const std::string& text, std::size_t least, const char* needed) {
-  std::istringstream words(text);
-  std::vector<double> x;
-  try {
-    for (std::string word; std::getline(words, word, ',');) x.push_back(GC::parse_number<double>(word));
-  } catch (const GC::Error& e) {
-    throw std::invalid_argument(std::string("--within: ") + e.what());
-  }
+// Returns the bounds of --within: as many as `least`, and the gap, which is 0 when it is not given.
+std::vector<double> bounds(const Command_line& line, std::size_t least, const char* needed) {
+  std::vector<double> x = line.numbers<double>("within");
   if (x.size() != least && x.size() != least + 1)
     throw std::invalid_argument(std::string("--within: ") + needed + " needed, and possibly a gap");
   for (double bound : x)
@@ -80,14 +83,14 @@ std::vector<double> bounds(const std::string& text, std::size_t least, const cha
 }
 
 // A,K,T or A,K,T,GAP
-GC::Join_tolerance join_tolerance(const std::string& text) {
-  const std::vector<double> x = bounds(text, 3, "an angle, a relative curvature and a torsion are");
+GC::Join_tolerance join_tolerance(const Command_line& line) {
+  const std::vector<double> x = bounds(line, 3, "an angle, a relative curvature and a torsion are");
   return {x[0], x[1], x[2], x[3]};
 }
 
 // A or A,GAP
-GC::Edge_tolerance edge_tolerance(const std::string& text) {
-  const std::vector<double> x = bounds(text, 1, "an angle is");
+GC::Edge_tolerance edge_tolerance(const Command_line& line) {
+  const std::vector<double> x = bounds(line, 1, "an angle is");
   return {x[0], x[1]};
 }
 
@@ -98,7 +101,7 @@ struct Demand {
   std::optional<GC::Join_tolerance> tolerance;
 };
 
-// Collects what is reported of each join.
+// Collects the reports on the joins, and prints them when all are decided.
 class Chain_report {
   const bool json_;
   const Demand& demand_;
@@ -107,7 +110,7 @@ class Chain_report {
   std::size_t joins_ = 0, failing_ = 0;
 
 public:
-  Chain_report(bool json, const Demand& demand) : json_(json), demand_(demand) {
+  Chain_report(Report_format format, const Demand& demand) : json_(format == Report_format::json), demand_(demand) {
     out_.write(json_ ? "{\"joins\":[" : table_head());
   }
 
@@ -121,10 +124,10 @@ public:
     std::ostringstream s;
     if (json_) {
       s << (joins_ == 0 ? "\n {" : ",\n {");
-      GC::internal::write_json_members(s, join.continuity, left, right);
+      GC::write_json_members(s, join.continuity, left, right);
       if (within) {
         s << ',';
-        GC::internal::write_json_members(s, *within);
+        GC::write_json_members(s, *within);
       }
       s << '}';
     } else {
@@ -139,7 +142,7 @@ public:
     progress_.step(++joins_);
   }
 
-  // Prints all and returns whether the requirement is met.
+  // Prints the report and returns whether the requirement is met.
   bool print(std::ostream& os, const GC::Chain_summary& summary) {
     const std::map<int, std::size_t>& counts = summary.counts(GC::Continuity_kind::G);
     out_.copy_to(os);
@@ -172,10 +175,12 @@ public:
   }
 };
 
-template <class FT> int verify(const Arguments& files, bool closed, bool json, const Demand& demand) {
-  Chain_report report(json, demand);
+// Decides the joins of a chain of curves; FT is the type in which their numbers are read.
+template <class FT> int verify(const Command_line& line, Report_format format, const Demand& demand) {
+  const bool closed = line.has("closed");
+  Chain_report report(format, demand);
   GC::Chain_analysis<Exact_curve> chain(demand.max_order);
-  Curve_stream<FT, Exact> stream(files);
+  Curve_stream<FT, Exact> stream(line.files());
   while (const std::optional<Exact_curve> curve = stream.next()) {
     if (demand.order && chain.size() == 0) demand.order->check_dimension(curve->dimension());
     chain.add(*curve, report);
@@ -195,7 +200,7 @@ int verify_command(const Arguments& arguments) {
     add("max-order", po::value<int>()->default_value(3), "the highest order to decide, from 0 to 32");
     add("require", po::value<std::string>(), "the order that every join must have: C1, G2, F3, ...");
     add("within", po::value<std::string>(),
-        "A,K,T or A,K,T,GAP: the tolerance for a join; of surfaces A or A,GAP for an edge");
+        "A,K,T or A,K,T,GAP: the tolerance for a join; with --surfaces A or A,GAP for an edge");
     add("json", "print JSON");
     add("kernel", po::value<std::string>()->default_value("exact"),
         "exact: the numbers as written; double: each number is first rounded to a double, then all is exact");
@@ -205,6 +210,7 @@ int verify_command(const Arguments& arguments) {
   std::optional<Requirement> required;
   if (line.has("require")) required = Requirement(line.text("require"));
   const Arguments files = line.files();
+  const Report_format format = line.has("json") ? Report_format::json : Report_format::text;
   const auto drawings = std::count_if(files.begin(), files.end(), is_svg_file);
   if (drawings != 0) {
     if (drawings != static_cast<std::ptrdiff_t>(files.size()))
@@ -216,22 +222,20 @@ int verify_command(const Arguments& arguments) {
   }
   if (line.has("surfaces")) {
     std::optional<GC::Edge_tolerance> tolerance;
-    if (line.has("within")) tolerance = edge_tolerance(line.text("within"));
+    if (line.has("within")) tolerance = edge_tolerance(line);
     if (required && (required->kind() != GC::Continuity_kind::G || required->order() > 2))
       throw std::invalid_argument("--require " + required->text() + ": along an edge G0, G1 and G2 are decided");
     if (tolerance && required && required->order() > 1)
       throw std::invalid_argument("--require " + required->text() + ": within a tolerance, G0 and G1 are decided");
-    return verify_surfaces(files, line.has("json"), required ? std::optional<int>(required->order()) : std::nullopt,
-                           tolerance);
+    return verify_surfaces(files, format, required ? std::optional<int>(required->order()) : std::nullopt, tolerance);
   }
   Demand demand{line.integer("max-order"), required, {}};
   if (demand.max_order < 0 || demand.max_order > 32) throw std::invalid_argument("--max-order: not from 0 to 32");
-  if (required) demand.max_order = std::max(demand.max_order, required->order());
-  if (line.has("within")) demand.tolerance = join_tolerance(line.text("within"));
+  if (required) demand.max_order = (std::max)(demand.max_order, required->order());
+  if (line.has("within")) demand.tolerance = join_tolerance(line);
   if (required && demand.tolerance && (required->kind() == GC::Continuity_kind::C || required->order() > 3))
     throw std::invalid_argument("--require " + required->text() + ": within a tolerance, G or F up to 3 are decided");
-  const bool closed = line.has("closed"), json = line.has("json");
-  if (drawings != 0) return verify_drawings(files, demand.max_order, json, required);
-  return line.choice("kernel", {"exact", "double"}) == "exact" ? verify<Exact>(files, closed, json, demand)
-                                                               : verify<double>(files, closed, json, demand);
+  if (drawings != 0) return verify_drawings(files, demand.max_order, format, required);
+  return line.choice("kernel", {"exact", "double"}) == "exact" ? verify<Exact>(line, format, demand)
+                                                               : verify<double>(line, format, demand);
 }

@@ -12,7 +12,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <iostream>
 #include <map>
 #include <sstream>
@@ -25,16 +24,9 @@ typedef GC::Svg_segment<Drawing_traits> Segment;
 const char* const undecided = "a rotated ellipse, whose tangents are not rational";
 
 std::string json_string(const std::string& text) {
-  std::string s = "\"";
-  for (char c : text) {
-    char escaped[8];
-    std::snprintf(escaped, sizeof escaped, "\\u%04x", static_cast<unsigned char>(c));
-    if (c == '"' || c == '\\')
-      (s += '\\') += c;
-    else
-      s += static_cast<unsigned char>(c) < 0x20 ? escaped : std::string(1, c);
-  }
-  return s + '"';
+  std::ostringstream os;
+  GC::write_json(os, text);
+  return os.str();
 }
 
 std::string json_element(const Drawing_element& element) {
@@ -42,23 +34,27 @@ std::string json_element(const Drawing_element& element) {
          ",\"id\":" + json_string(element.id) + ",\"line\":" + std::to_string(element.line);
 }
 
-// The jet for the numbers of a report, in which square roots are rounded.
-GC::Curve_jet<Program_traits<Exact>> rounded_jet(const Segment& segment, bool at_end) {
-  const Exact root(std::sqrt(CGAL::to_double(GC::internal::svg_radicand(segment))));
-  const GC::Coordinate_jet<Exact, 2> jet = GC::internal::svg_jet<Exact>(segment, at_end, 3, root);
+typedef GC::Curve_jet<Program_traits<Exact>> Jet;
+
+// A jet for the numbers of a report, for which square roots are rounded.
+Exact rounded_root(const Segment& segment) { return Exact(std::sqrt(CGAL::to_double(segment.radicand()))); }
+
+Jet report_jet(const GC::Coordinate_jet<Exact, 2>& jet) {
   GC::Coordinate_jet<Exact, 0> result(2, 3);
   for (int j = 0; j <= 3; ++j)
     for (int i = 0; i < 2; ++i) result[j][i] = jet[j][i];
-  return GC::Curve_jet<Program_traits<Exact>>(result);
+  return Jet(result);
+}
+
+Jet rounded_end_jet(const Segment& segment) {
+  return report_jet(segment.end_jet_over<Exact>(3, rounded_root(segment)));
+}
+
+Jet rounded_start_jet(const Segment& segment) {
+  return report_jet(segment.start_jet_over<Exact>(3, rounded_root(segment)));
 }
 
 std::string command(const Segment& segment) { return std::to_string(segment.command) + ' ' + segment.letter; }
-
-std::string rounded(double x, int digits) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.*g", digits, x);
-  return text;
-}
 
 double length(const Segment& line) { return std::sqrt(CGAL::to_double((line.end() - line.start()).squared_length())); }
 
@@ -66,7 +62,7 @@ bool has_no_length(const Segment& s) {
   return s.bezier() && std::count(s.bezier()->begin(), s.bezier()->end(), s.start()) > s.bezier()->degree();
 }
 
-// What the segments of a join are, as far as it explains a remark.
+// Says what the segments of a join are, as far as that explains a remark.
 std::string explanation(const GC::Join_continuity<Exact>& join, const Segment& left, const Segment& right) {
   std::string s;
   if (!join.regular)
@@ -80,7 +76,7 @@ std::string explanation(const GC::Join_continuity<Exact>& join, const Segment& l
 // Decides the joins of all subpaths that it receives.
 class Drawing_report : public Drawing_handler {
   const int max_order_;
-  const bool json_, several_;
+  const bool json_, several_; // several_: there are several files, so that each line names its own
   const std::optional<Requirement> required_;
   Deferred_output out_;
   std::vector<std::string> not_read_;
@@ -96,7 +92,7 @@ class Drawing_report : public Drawing_handler {
     if (!decision) return s + "undecided, " + undecided;
     s += 'G' + std::to_string(decision->g_order);
     if (decision->g_order == max_order_) s += " or more";
-    return s + ", " + remark(*decision, rounded_jet(left, true), rounded_jet(right, false)) +
+    return s + ", " + remark(*decision, rounded_end_jet(left), rounded_start_jet(right)) +
            explanation(*decision, left, right);
   }
 
@@ -104,8 +100,7 @@ class Drawing_report : public Drawing_handler {
                    const Decision& decision) const {
     std::ostringstream s;
     if (decision)
-      GC::internal::write_json_members(s << '{', *decision, static_cast<int>(left_number),
-                                       static_cast<int>(right_number));
+      GC::write_json_members(s << '{', *decision, static_cast<int>(left_number), static_cast<int>(right_number));
     else
       s << "{\"left\":" << left_number << ",\"right\":" << right_number
         << ",\"c_order\":null,\"g_order\":null,\"f_order\":null,\"betas\":[],\"undecided\":" << json_string(undecided);
@@ -115,8 +110,8 @@ class Drawing_report : public Drawing_handler {
   }
 
 public:
-  Drawing_report(int max_order, bool json, bool several, const std::optional<Requirement>& required)
-      : max_order_(max_order), json_(json), several_(several), required_(required) {
+  Drawing_report(int max_order, Report_format format, bool several, const std::optional<Requirement>& required)
+      : max_order_(max_order), json_(format == Report_format::json), several_(several), required_(required) {
     if (json_) out_.write("{\"joins\":[");
   }
 
@@ -148,7 +143,7 @@ public:
                               : (several_ ? element.file + ": " : "") + element.text() + ": not verified, " + reason);
   }
 
-  // Prints all and returns whether the requirement is met.
+  // Prints the report and returns whether the requirement is met.
   bool print(std::ostream& os) {
     out_.copy_to(os);
     if (json_)
@@ -193,9 +188,10 @@ private:
 
 } // namespace
 
-int verify_drawings(const Arguments& files, int max_order, bool json, const std::optional<Requirement>& required) {
+int verify_drawings(const Arguments& files, int max_order, Report_format format,
+                    const std::optional<Requirement>& required) {
   if (required) required->check_dimension(2);
-  Drawing_report report(max_order, json, files.size() > 1, required);
+  Drawing_report report(max_order, format, files.size() > 1, required);
   for (const std::string& file : files) read_svg_drawing(file, report);
   return report.print(std::cout) ? requirement_met : requirement_not_met;
 }

@@ -10,7 +10,8 @@
 
 #include <optional>
 
-// The part of verify for SVG drawings: prints the joins of all paths and basic shapes, and returns the exit code.
-int verify_drawings(const Arguments& files, int max_order, bool json, const std::optional<Requirement>& required);
+// Runs `verify` for SVG drawings: prints the joins of all paths and basic shapes, and returns the exit code.
+int verify_drawings(const Arguments& files, int max_order, Report_format format,
+                    const std::optional<Requirement>& required);
 
 #endif // GEOMETRIC_CONTINUITY_DEMO_VERIFY_DRAWINGS_H

@@ -3,23 +3,19 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
 #include "commands.h"
+#include "input.h"
 
 #include <CGAL/Exact_rational.h>
-#include <CGAL/Geometric_continuity/IO/g2_surfaces.h>
 #include <CGAL/Geometric_continuity/IO/json.h>
 #include <CGAL/Geometric_continuity/Traits_3.h>
 #include <CGAL/Geometric_continuity/models/model_continuity.h>
 #include <CGAL/Geometric_continuity/models/near_edges.h>
 #include <CGAL/Simple_cartesian.h>
 
-#include <fstream>
 #include <iostream>
 #include <optional>
 #include <string>
-#include <utility>
 #include <vector>
-
-namespace GC = CGAL::Geometric_continuity;
 
 namespace {
 
@@ -37,24 +33,13 @@ struct Demand {
   std::optional<GC::Edge_tolerance> tolerance;
 };
 
-std::vector<Surface> read_model(const Arguments& files) {
-  std::vector<Surface> model;
-  for (const std::string& name : files) {
-    std::ifstream stream(name);
-    if (!stream) throw GC::Error(GC::Error_code::cannot_read_file, name);
-    GC::G2_bspline_surface_reader<Traits> reader(stream, name);
-    while (std::optional<Surface> surface = reader.next()) model.push_back(*std::move(surface));
-  }
-  return model;
-}
-
 const char* boolean(bool b) { return b ? "true" : "false"; }
 
 std::string order(const GC::Edge_continuity<FT>& e) {
   return e.g_order < 0 ? to_string(e.defect) : "G" + std::to_string(e.g_order);
 }
 
-// The keys that edges, knot lines and spans have in common.
+// Writes the members that edges, knot lines and spans have in common.
 void write_verdict(std::ostream& os, const GC::Edge_continuity<FT>& e) {
   os << "\"order\":\"" << order(e) << "\",\"reason\":\"" << e.defect << "\",\"side\":\"" << e.side << '"';
   if (e.deviation) os << ",\"angle_at_most\":" << e.deviation->largest_angle();
@@ -75,8 +60,10 @@ void write_verdict(std::ostream& os, const Continuity& e) {
 
 void write_json(std::ostream& os, const Within& within) {
   os << ",\"within\":[\"" << within(0) << "\",\"" << within(1) << "\"]";
-  GC::internal::write_json(os, "gap", within.deviation.gap);
-  GC::internal::write_json(os, "normal_angle", within.deviation.normal_angle);
+  os << ",\"gap\":";
+  GC::write_json(os, within.deviation.gap);
+  os << ",\"normal_angle\":";
+  GC::write_json(os, within.deviation.normal_angle);
 }
 
 template <class A, class B>
@@ -109,7 +96,7 @@ void write_json(std::ostream& os, const GC::Near_edges& e) {
   os << '}';
 }
 
-// The edges that are not shared, in a list of their own.
+// Writes the edges of one kind that are not shared.
 void write_json(std::ostream& os, const std::vector<Edge>& edges, GC::Model_edge_kind kind) {
   const char* separator = "";
   for (const Edge& e : edges)
@@ -227,16 +214,17 @@ void Model_report::print_text() const {
                     inside = lines_.empty() ? "" : " and every knot line";
   if (met()) std::cout << "every shared edge" << near << inside << " is " << order << ", proved exactly\n";
   if (failing_edges_ > 0) std::cout << failing_edges_ << " of them not " << order << '\n';
-  if (failing_lines_ > 0) std::cout << failing_lines_ << " knot lines not " << order << '\n';
+  if (failing_lines_ > 0)
+    std::cout << failing_lines_ << (failing_lines_ == 1 ? " knot line not " : " knot lines not ") << order << '\n';
 }
 
 } // namespace
 
-int verify_surfaces(const Arguments& files, bool json, const std::optional<int>& required,
+int verify_surfaces(const Arguments& files, Report_format format, const std::optional<int>& required_g_order,
                     const std::optional<GC::Edge_tolerance>& tolerance) {
-  const std::vector<Surface> surfaces = read_model(files);
-  const Model_report report(surfaces, {required, tolerance});
-  if (json)
+  const std::vector<Surface> surfaces = read_surfaces<Traits>(files);
+  const Model_report report(surfaces, {required_g_order, tolerance});
+  if (format == Report_format::json)
     report.print_json();
   else
     report.print_text();

@@ -18,17 +18,17 @@ int main() {
   const Curve phi{Point(-3, 0), Point(-3, 2), Point(-2, 3), Point(0, 3)};
   const Curve psi{Point(4, 0), Point(5, -1), Point(7, -1), Point(8, 1)};
 
-  // from the end of phi to the start of psi
+  // The blend leads from the end of phi to the start of psi.
   const GC::Quintic_blend<Traits> gamma = GC::blend(phi, psi);
 
   std::cout << "control points of the blend:\n";
   for (const Point& p : gamma) std::cout << "  " << exact(p.x()) << "  " << exact(p.y()) << '\n';
 
-  // the verdict is exact: nothing is sampled, and there is no tolerance
+  // The verdict is exact: nothing is sampled, and there is no tolerance.
   const auto start = GC::continuity(phi, gamma), end = GC::continuity(gamma, psi);
   std::cout << "start: " << start << "\nend:   " << end << '\n';
 
-  // the squared curvature of the blend is that of phi
+  // The squared curvature of the blend is that of phi.
   std::cout << "squared curvatures: " << exact(*GC::curvature_squared(phi.end_jet(2))) << " and "
             << exact(*GC::curvature_squared(gamma.start_jet(2))) << '\n';
   return start.g_order >= 2 && end.g_order >= 2 ? 0 : 1;

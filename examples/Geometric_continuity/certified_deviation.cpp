@@ -2,8 +2,8 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// How far a join is from smooth: bounds that are guaranteed, and orders of continuity within a tolerance. The curves are like
-// quarters of a circle; turning them has rounded their coordinates.
+// Tells how far a join is from smooth: guaranteed bounds, and orders of continuity within a tolerance. The curves
+// resemble quarters of a circle; their coordinates have been rounded when they were turned.
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Geometric_continuity.h>
@@ -15,7 +15,7 @@ typedef GC::Traits_3<CGAL::Exact_predicates_inexact_constructions_kernel> Traits
 typedef Traits::Point Point;
 typedef GC::Bezier_curve<Traits> Curve;
 
-// turned by 30 degrees about the z-axis
+// The point (x, y, 0), turned by 30 degrees about the z-axis.
 Point turned(double x, double y) {
   const double c = 0.8660254037844386, s = 0.5;
   return Point(c * x - s * y, s * x + c * y, 0);

@@ -2,8 +2,8 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// Closed curves through points (Catmull-Rom), and near them (uniform B-spline): how smooth they are is proved. Points that
-// coincide are no error, and the proof tells what they do to the curve.
+// Makes closed curves through points (Catmull-Rom) and near them (uniform B-spline), and proves how smooth they are.
+// Points may coincide; the proof shows what that does to the curve.
 
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Geometric_continuity.h>
@@ -16,9 +16,10 @@ namespace GC = CGAL::Geometric_continuity;
 typedef GC::Traits_2<CGAL::Simple_cartesian<CGAL::Exact_rational>> Traits;
 typedef Traits::Point Point;
 
+// Prints the orders of continuity of a closed curve, and returns the least G order.
 template <class Basis> int least_g_order(const char* name, const std::vector<Point>& points, const Basis& basis) {
   const GC::Composite_bezier_curve<Traits, 3> curve =
-      GC::piecewise_cubic<Traits>(points.begin(), points.end(), basis, true);
+      GC::piecewise_cubic<Traits>(points.begin(), points.end(), basis, GC::Closure::closed);
   const auto result = GC::chain_continuity(curve);
   std::cout << name << ", starts at (" << curve.control_point(0) << "): " << result.summary << '\n';
   for (const auto& join : result.failing(GC::Continuity_kind::G, 1))
@@ -36,7 +37,7 @@ int main() {
   tripled.insert(tripled.begin() + 2, 2, points[2]);
   const int corner = least_g_order("B-spline with a tripled point", tripled, GC::Uniform_bspline_basis());
 
-  // the same curve in another basis, exactly
+  // One segment, converted exactly to another basis.
   const GC::Cubic_blended_curve<Traits, GC::Catmull_rom_basis> segment({points[0], points[1], points[2], points[3]});
   const auto hermite = segment.in_basis(GC::Hermite_basis()).geometry();
   std::cout << "from (" << hermite.p1 << ") to (" << hermite.p4 << ") with the derivatives (" << hermite.r1 << ") and ("

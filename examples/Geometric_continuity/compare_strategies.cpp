@@ -2,8 +2,8 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// Blends the same two curves by each strategy and compares energy and orders of continuity. Every quintic strategy gives G2
-// joins; they differ in two scalars. The septic ones give G3 or F3 joins: torsion is continuous, too.
+// Blends the same two curves by each strategy, and compares energy and orders of continuity. Every quintic strategy
+// gives G2 joins; they differ in two scalars. The septic strategies give G3 or F3 joins: torsion is continuous as well.
 
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Geometric_continuity.h>
@@ -17,6 +17,7 @@ typedef GC::Traits_3<CGAL::Simple_cartesian<CGAL::Exact_rational>> Traits;
 typedef Traits::Point Point;
 typedef GC::Bezier_curve<Traits> Curve;
 
+// Prints what a strategy gives, and returns whether both joins have the F order.
 template <class Strategy>
 bool report(const char* name, const Curve& phi, const Curve& psi, const Strategy& strategy, int f_order) {
   const auto gamma = GC::blend(phi, psi, strategy);

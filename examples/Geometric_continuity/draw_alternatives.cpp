@@ -27,7 +27,7 @@ int main() {
   std::cout << "C0 of the C2 member " << *line.parameter_of(construction.b2_tilde) << ", of the other reflection "
             << *line.parameter_of(construction.b2_bar) << '\n';
 
-  const GC::Svg_style given{GC::Svg_role::given, true, true}, next{GC::Svg_role::blend, true, true};
+  const GC::Svg_style given{GC::Svg_role::given, true, true}, next{GC::Svg_role::result, true, true, "next segment"};
   GC::Svg_figure figure("The next segment for different members of the line", 3);
   bool proved = true;
   for (int c0 : {2, 4, 6}) {

@@ -2,8 +2,8 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// Extends a space curve again and again so that the Frenet frame, the curvature and the torsion are continuous, while the
-// next segments head for wished points. The plane of alternatives leaves room for that, C3 would not.
+// Extends a space curve several times so that the Frenet frame, the curvature and the torsion are continuous, while
+// each new segment heads for a given point. The plane of alternatives leaves room for that; C3 would not.
 
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Geometric_continuity.h>
@@ -18,11 +18,11 @@ typedef Traits::Point Point;
 typedef GC::Bezier_curve<Traits> Curve;
 
 int main() {
-  // degree 5: three points for the torsion, and the last one is free
+  // Of degree 5: three points serve the torsion, and the last one is free.
   std::vector<Curve> chain{
       Curve{Point(0, 0, 0), Point(1, 0, 0), Point(2, 1, 0), Point(3, 2, 1), Point(3, 3, 2), Point(2, 4, 4)}};
-  for (const Point& wished : {Point(-3, 4, 5), Point(-4, -2, 7), Point(3, -3, 9)})
-    chain.push_back(GC::extend_toward(chain.back(), GC::Frenet_order::torsion, wished));
+  for (const Point& target : {Point(-3, 4, 5), Point(-4, -2, 7), Point(3, -3, 9)})
+    chain.push_back(GC::extend_toward(chain.back(), GC::Frenet_order::torsion, target));
 
   bool proved = true;
   GC::Chain_analysis<Curve> analysis;

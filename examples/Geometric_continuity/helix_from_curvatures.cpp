@@ -2,13 +2,15 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// The fundamental theorem of curves: curvature and torsion determine a curve up to its place. A helix is rebuilt from its two
-// constant curvatures, as a segmented Bezier curve with continuous curvature, and compared with the formula.
+// The fundamental theorem of curves: curvature and torsion determine a curve up to its position. Here a helix is
+// rebuilt from its two constant curvatures, as a composite Bezier curve with continuous curvature, and compared with
+// the formula.
 
 #include <CGAL/Geometric_continuity.h>
 #include <CGAL/Geometric_continuity/curves/curve_from_curvatures.h>
 #include <CGAL/Simple_cartesian.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <iostream>
@@ -22,7 +24,7 @@ int main() {
   const double r = 4, h = 3, c = 5; // (r cos t, r sin t, h t) with t = s/c and c^2 = r^2 + h^2
   const std::vector<std::function<double(double)>> curvatures = {[&](double) { return r / (c * c); },
                                                                  [&](double) { return h / (c * c); }};
-  // the frame of the helix at t = 0
+  // The frame of the helix at t = 0.
   const GC::Curve_jet<Traits> start(Point(r, 0, 0), {Traits::Vector(0, r, h), Traits::Vector(-r, 0, 0)});
   const double length = 40;
   const GC::Integrated_curve<Traits> curve =
@@ -33,7 +35,7 @@ int main() {
   for (int i = 0; i <= 1000; ++i) {
     const double s = length * i / 1000, t = s / c;
     const Point p = bezier(s), q(r * std::cos(t), r * std::sin(t), h * t);
-    error = std::max(error, std::sqrt(CGAL::squared_distance(p, q)));
+    error = (std::max)(error, std::sqrt(CGAL::squared_distance(p, q)));
   }
   std::cout << (curve.error_bound < 1e-6 ? "integrated within 1e-6" : "the integration is too coarse") << '\n'
             << (error < 2e-6 ? "the Bezier curve is within 2e-6 of the helix" : "the Bezier curve is off") << '\n';

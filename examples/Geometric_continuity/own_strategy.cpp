@@ -2,8 +2,8 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// A strategy of one's own: how far the inner control points of the blend slide along the end tangents. Whatever it
-// chooses, the joins stay G2; here the strategy aims the middle of the blend at a wished height.
+// Defines a strategy of your own, which chooses how far the inner control points of a blend slide along the end
+// tangents. Whatever it chooses, the joins stay G2. Here the strategy puts the middle of the blend at a given height.
 
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Geometric_continuity.h>

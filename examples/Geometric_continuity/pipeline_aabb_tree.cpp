@@ -2,8 +2,8 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// The distance of points from a curve, with a guaranteed error: an AABB tree of CGAL answers for a polyline, and the
-// polyline is nowhere farther from the curve than its tolerance. (AABB_tree is under the GPL.)
+// Computes the distance of a point from a curve, with a guaranteed error: an AABB tree of CGAL answers for a polyline
+// that is nowhere farther from the curve than its tolerance. (AABB_tree is under the GPL.)
 
 #include <CGAL/AABB_tree.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -48,7 +48,7 @@ int main() {
     for (std::size_t i = 1; i < points.size(); ++i) segments.emplace_back(points[i - 1], points[i]);
     Tree tree(segments.begin(), segments.end());
 
-    // from the point at t = 1/2 two units along the normal (-2, 1, 2)
+    // Two units from the point at t = 1/2 along the normal (-2, 1, 2).
     const Point query(1.5 - 4 / 3., 0.75 + 2 / 3., 0.25 + 4 / 3.);
     const double distance = std::sqrt(tree.squared_distance(query));
     std::cout << std::setw(4) << segments.size() << " segments: " << std::fixed << std::setprecision(5)

@@ -2,8 +2,9 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// The exact arrangement of Bezier curves, without polylines: Arr_Bezier_curve_traits_2 of CGAL takes the control points as they
-// are, and gives them back. Curves over its rational kernel need no conversion. (This part of CGAL is under the GPL.)
+// Builds the exact arrangement of Bezier curves, without polylines: Arr_Bezier_curve_traits_2 of CGAL takes the control
+// points as they are, and gives them back. Curves over its rational kernel need no conversion. (This part of CGAL is
+// under the GPL.)
 
 #include <CGAL/Arr_Bezier_curve_traits_2.h>
 #include <CGAL/Arrangement_with_history_2.h>
@@ -39,7 +40,7 @@ int main() {
   std::cout << arrangement.number_of_vertices() << " vertices, " << arrangement.number_of_edges() << " edges, "
             << arrangement.number_of_faces() << " faces\n";
 
-  // back: the curves of the arrangement join as smoothly as before
+  // The curves that come back from the arrangement join as smoothly as before.
   std::vector<Curve> back;
   for (auto c = arrangement.curves_begin(); c != arrangement.curves_end(); ++c) back.push_back(from_cgal(*c));
   const auto start = GC::continuity(back[0], back[1]), end = GC::continuity(back[1], back[2]);

@@ -2,8 +2,8 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// Which of many lines cross, touch or miss which of many curves: box_intersection_d of CGAL finds the few pairs whose boxes
-// meet, and signs of polynomials decide those exactly. (Box_intersection_d is under the GPL.)
+// Finds which of many lines cross, touch or miss which of many curves: box_intersection_d of CGAL finds the few pairs
+// whose boxes meet, and signs of polynomials decide those exactly. (Box_intersection_d is under the GPL.)
 
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Geometric_continuity/Traits_2.h>
@@ -35,7 +35,7 @@ GC::Sign_pattern sides(const Curve& curve, const Curve& line) {
 }
 
 int main() {
-  // parabolas that rise to 8/7 on [2 i, 2 i + 1], and level lines over five of them each
+  // Parabolas that rise to 8/7 on [2 i, 2 i + 1], and horizontal lines, each over five of them.
   const int n = 30;
   std::vector<Curve> curves;
   std::vector<Box> curve_boxes, line_boxes;

@@ -2,8 +2,8 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// The area inside an outline of curves with a hole, as triangles: polylines become constraints of a triangulation, and a
-// flood from outside tells the triangles inside. (Constrained_Delaunay_triangulation_2 is under the GPL.)
+// Triangulates the area inside an outline of curves with a hole: polylines become constraints of a triangulation, and a
+// flood fill from outside tells which triangles are inside. (Constrained_Delaunay_triangulation_2 is under the GPL.)
 
 #include <CGAL/Constrained_Delaunay_triangulation_2.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -21,13 +21,15 @@
 namespace GC = CGAL::Geometric_continuity;
 typedef CGAL::Exact_predicates_inexact_constructions_kernel Kernel;
 typedef Kernel::Point_2 Point;
-typedef CGAL::Triangulation_face_base_with_info_2<std::optional<int>, Kernel>
-    Face_base; // how many constraints are outside
+// The information of a face is the number of outlines around it.
+typedef CGAL::Triangulation_face_base_with_info_2<std::optional<int>, Kernel> Face_base;
 typedef CGAL::Triangulation_data_structure_2<CGAL::Triangulation_vertex_base_2<Kernel>,
                                              CGAL::Constrained_triangulation_face_base_2<Kernel, Face_base>>
     Data_structure;
 typedef CGAL::Constrained_Delaunay_triangulation_2<Kernel, Data_structure> Triangulation;
 
+// Gives the depth to all faces that are reached from this one without crossing a constraint, and collects the
+// constraints.
 void mark(Triangulation::Face_handle face, int depth, std::vector<Triangulation::Edge>& border) {
   std::vector<Triangulation::Face_handle> stack{face};
   while (!stack.empty()) {
@@ -46,7 +48,7 @@ void mark(Triangulation::Face_handle face, int depth, std::vector<Triangulation:
 
 int main() {
   typedef GC::Composite_bezier_curve<GC::Traits_2<Kernel>> Curve;
-  // two parabolas y = 4 - x^2 and y = x^2 - 4, and y = +-(1 - x^2) as a hole
+  // The parabolas y = 4 - x^2 and y = x^2 - 4 bound the area, y = 1 - x^2 and y = x^2 - 1 bound the hole.
   const std::vector<Point> outer{{-2, 0}, {0, 8}, {2, 0}, {0, -8}, {-2, 0}},
       inner{{-1, 0}, {0, 2}, {1, 0}, {0, -2}, {-1, 0}};
   Triangulation triangulation;
@@ -57,7 +59,7 @@ int main() {
   }
   std::vector<Triangulation::Edge> border;
   mark(triangulation.infinite_face(), 0, border);
-  for (std::size_t i = 0; i < border.size(); ++i) { // grows
+  for (std::size_t i = 0; i < border.size(); ++i) { // border grows meanwhile
     const Triangulation::Edge e = border[i];
     mark(e.first->neighbor(e.second), *e.first->info() + 1, border);
   }

@@ -2,8 +2,9 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// A closed outline of Bezier curves as a fine polyline, which the package Polyline_simplification_2 of CGAL thins out without
-// letting it cross itself. Both errors are bounds, and they add up. (The simplification is under the GPL.)
+// Turns a closed outline of Bezier curves into a fine polyline, which the package Polyline_simplification_2 of CGAL
+// thins out without letting it cross itself. Both errors are bounded, and the bounds add up. (The simplification is
+// under the GPL.)
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Geometric_continuity/Traits_2.h>
@@ -24,7 +25,7 @@ typedef Kernel::Point_2 Point;
 typedef CGAL::Polygon_2<Kernel> Polygon;
 
 int main() {
-  // a leaf with a tip at the origin
+  // A leaf with a tip at the origin.
   const std::vector<Point> points{Point(0, 0),  Point(6, -1), Point(8, 5), Point(8, 9),
                                   Point(4, 10), Point(1, 5),  Point(0, 0)};
   const GC::Composite_bezier_curve<GC::Traits_2<Kernel>> leaf(points.begin(), points.end(), {0, 1, 2});

@@ -2,8 +2,8 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// A G1 ribbon along a curve as a Surface_mesh: oriented, checked for self-intersections and remeshed by the package
-// Polygon_mesh_processing of CGAL. (Surface_mesh and most of Polygon_mesh_processing are under the GPL.)
+// Turns a G1 ribbon along a curve into a Surface_mesh, which the package Polygon_mesh_processing of CGAL orients,
+// checks for self-intersections and remeshes. (Surface_mesh and most of Polygon_mesh_processing are under the GPL.)
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Geometric_continuity/Traits_3.h>
@@ -41,7 +41,7 @@ int main() {
 
   GC::Tessellation<Traits> triangles =
       GC::tessellate(std::vector{ribbon.side1, ribbon.side2}, GC::Chord_tolerance{0.01});
-  // both sides start at the curve, so that one of them is upside down
+  // Both sides start at the curve, so that one of them is upside down.
   PMP::orient_polygon_soup(triangles.points, triangles.triangles);
   Mesh mesh;
   GC::to_face_graph(triangles, mesh);

@@ -2,8 +2,8 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// A blend in floating-point numbers: rounding the control points of a G2 blend breaks its joins. A representable blend is
-// exactly G2, and still is after it has been written to a file and read again.
+// Blends in floating-point numbers. Rounding the control points of a G2 blend breaks its joins; a representable blend
+// is exactly G2, and still is after it has been written to a file and read again.
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Geometric_continuity.h>
@@ -18,7 +18,8 @@ typedef GC::Traits_3<CGAL::Exact_predicates_inexact_constructions_kernel> Traits
 typedef Traits::Point Point;
 typedef GC::Bezier_curve<Traits> Curve;
 
-const char* order(const Curve& left, const Curve& right) { // decided exactly, on the coordinates as they are
+// The order of a join, decided exactly on the coordinates as they are.
+const char* order(const Curve& left, const Curve& right) {
   return GC::is_g2_join(left, right) ? "G2" : GC::is_g1_join(left, right) ? "G1" : "a corner";
 }
 

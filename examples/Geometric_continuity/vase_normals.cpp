@@ -2,8 +2,8 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// Turns a profile of three curves into a vase. The profile is proved to be smooth, and so is the vase; its normals are
-// exact, and the only place without one, the bottom on the axis, is found.
+// Turns a profile of three curves into a vase, and proves that the profile and the vase are smooth. The normals of the
+// vase are exact, and the only place without a normal, the bottom on the axis, is found.
 
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Geometric_continuity.h>

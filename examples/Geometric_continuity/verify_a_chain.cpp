@@ -2,12 +2,14 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// Verifies a closed chain of curves with double coordinates. The kernel has inexact constructions, but its predicates are
-// exact: the answer is that for the coordinates as given, and one unit in the last place makes a difference.
+// Verifies a closed chain of curves with double coordinates. The constructions of the kernel are inexact, but its
+// predicates are exact: the answer holds for the coordinates as given, and one unit in the last place makes a
+// difference.
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Geometric_continuity.h>
 
+#include <algorithm>
 #include <cmath>
 #include <iostream>
 #include <vector>
@@ -17,7 +19,7 @@ typedef GC::Traits_2<CGAL::Exact_predicates_inexact_constructions_kernel> Traits
 typedef Traits::Point Point;
 typedef GC::Bezier_curve<Traits, 3> Curve; // the degree is fixed: no allocation
 
-// four cubics like quarters of a circle, with handles of length h
+// Four cubics that resemble quarters of a circle, with handles of length h.
 std::vector<Curve> rounded_square(double h) {
   return {Curve{Point(1, 0), Point(1, h), Point(h, 1), Point(0, 1)},
           Curve{Point(0, 1), Point(-h, 1), Point(-1, h), Point(-1, 0)},
@@ -25,12 +27,13 @@ std::vector<Curve> rounded_square(double h) {
           Curve{Point(0, -1), Point(h, -1), Point(1, -h), Point(1, 0)}};
 }
 
+// Prints the orders of all joins, and returns the least G order.
 int least_g_order(const std::vector<Curve>& chain) {
   int least = 3;
-  for (std::size_t i = 0; i < chain.size(); ++i) { // the last join closes the chain
+  for (std::size_t i = 0; i < chain.size(); ++i) { // the last of these joins closes the chain
     const auto join = GC::continuity(chain[i], chain[(i + 1) % chain.size()]);
     std::cout << "  join " << i << ": C" << join.c_order << " G" << join.g_order << '\n';
-    least = std::min(least, join.g_order);
+    least = (std::min)(least, join.g_order);
   }
   return least;
 }

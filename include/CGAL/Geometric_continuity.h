@@ -22,6 +22,8 @@
 #include <CGAL/Geometric_continuity/algebra/Bernstein_polynomial.h>
 #include <CGAL/Geometric_continuity/algebra/Coordinate_vector.h>
 #include <CGAL/Geometric_continuity/algebra/Homogeneous_polynomial.h>
+#include <CGAL/Geometric_continuity/algebra/Power_polynomial.h>
+#include <CGAL/Geometric_continuity/algebra/Sign_set.h>
 #include <CGAL/Geometric_continuity/algebra/bernstein.h>
 #include <CGAL/Geometric_continuity/algebra/blending_functions.h>
 #include <CGAL/Geometric_continuity/algebra/convex_weights.h>
@@ -38,10 +40,13 @@
 #include <CGAL/Geometric_continuity/local/coordinates.h>
 #include <CGAL/Geometric_continuity/local/curvature_batch.h>
 #include <CGAL/Geometric_continuity/local/curvatures.h>
+#include <CGAL/Geometric_continuity/local/end_jet.h>
 #include <CGAL/Geometric_continuity/local/frenet_equations.h>
 
 #include <CGAL/Geometric_continuity/splines/Bspline_function.h>
 #include <CGAL/Geometric_continuity/splines/Knot_vector.h>
+#include <CGAL/Geometric_continuity/splines/bspline_evaluate.h>
+#include <CGAL/Geometric_continuity/splines/bspline_knots.h>
 #include <CGAL/Geometric_continuity/splines/bspline_product.h>
 
 #include <CGAL/Geometric_continuity/curves/Bezier_curve.h>

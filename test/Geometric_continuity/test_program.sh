@@ -41,8 +41,13 @@ holds() {
 S=$data/lmroman10-regular_S_0.g2 L=$data/space_left.g2 R=$data/space_right.g2
 
 # help and usage
-run 0 --help && says out "blend" "extend" "verify" "plot"
-for command in blend connect extend verify plot tessellate; do run 0 $command --help && says out "usage: geometric_continuity $command"; done
+narrow() { # the file out fits into a terminal of 80 columns
+  holds [ -z "$(awk 'length > 80' out)" ]
+}
+run 0 --help && says out "blend" "extend" "verify" "plot" && narrow
+for command in blend connect extend verify plot tessellate; do
+  run 0 $command --help && says out "usage: geometric_continuity $command" && narrow
+done
 run 2 && run 2 nonsense && says err "unknown command"
 run 2 verify && run 2 verify --nonsense "$S" && run 2 blend "$L" && run 2 plot "$L"
 
@@ -191,7 +196,7 @@ if command -v python3 >/dev/null; then
   holds python3 -c "import json; d = json.load(open('out')); assert len(d['edges'][0]['spans']) == 2 and len(d['knot_lines']) == 2"
 fi
 flat $'0 0 1 1\n0 0 0\n1 0 0\n2 0 1\n3 0 0\n4 0 0\n0 1 0\n1 1 0\n2 1 0\n3 1 0\n4 1 0' >roof.g2
-run 1 verify roof.g2 --surfaces --require G1 && says out "1 knot lines not G1"
+run 1 verify roof.g2 --surfaces --require G1 && says out "1 knot line not G1"
 # surfaces within a tolerance: a crease of arctan(1/3) at one end, a kink along a knot line, a surface that is 2^-30 away
 run 1 verify low.g2 high.g2 --surfaces --require G1 --within 0.321 && says out "order 0 proved, 1 refuted; gap 0, normal angle [0.321751, 0.321751]" \
   "1 of them not G1 within the tolerance"

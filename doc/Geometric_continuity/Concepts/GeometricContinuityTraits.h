@@ -28,9 +28,10 @@ public:
   A field number type. It must be default constructible, copyable and constructible from `int`, and provide the
   operators `+`, `-`, `*`, `/`, `+=`, `-=`, `*=`, `/=`, the unary `-`, and the comparisons `==`, `!=` and `<`.
 
-  Nothing else is needed for jets, curves, joins and blends. Three functions ask for more:
-  `CGAL::Geometric_continuity::Bezier_curve::bbox()` calls `CGAL::to_interval()`,
-  `CGAL::Geometric_continuity::Frenet_frame::normalized()` calls `CGAL::sqrt()`, and the output operators write numbers
+  Nothing else is needed for jets, curves, splines, joins, edges, blends and the signs and roots of polynomials. Only what
+  reports asks for more: boxes and the guaranteed enclosures of deviations, roots and angles call `CGAL::to_interval()` (an
+  exact number that is evaluated on demand gives its exact value by a member `exact()`), unit vectors and lengths such as
+  `CGAL::Geometric_continuity::Frenet_frame::normalized()` call `CGAL::sqrt()`, and the output operators write numbers
   with `<<`.
 
   The decisions of the package are exact if the operations of the number type in which they are made are exact (see
@@ -59,7 +60,8 @@ public:
   Optional. The number type in which predicates are decided; `FT` if the traits class does not have this type. It must
   fulfil the requirements of `FT` and, if it is another type, be constructible from `FT` without rounding.
 
-  A traits class over rounded numbers whose predicates shall be exact sets it to an exact field, as the three models do
+  A traits class over rounded numbers whose predicates shall be exact sets it to an exact field such as
+  `CGAL::Geometric_continuity::Exact_field<FT>::type`, as the three models do
   for kernels with exact predicates and inexact constructions.
   */
   typedef unspecified_type Predicate_FT;

@@ -15,6 +15,7 @@ patches, from their control points, see `CGAL::Geometric_continuity::edge_contin
 
 \cgalHasModelsBegin
 \cgalHasModel{CGAL::Geometric_continuity::Bezier_patch}
+\cgalHasModel{CGAL::Geometric_continuity::Bspline_surface}
 \cgalHasModel{CGAL::Geometric_continuity::Extrusion_surface_3}
 \cgalHasModel{CGAL::Geometric_continuity::Revolution_surface_3}
 \cgalHasModelsEnd
@@ -38,17 +39,17 @@ public:
   /// @{
 
   /*!
-  The first and the last value of the parameter `u`.
+  Returns the first and the last value of the parameter `u`.
   */
   std::pair<Traits::FT, Traits::FT> domain_u() const;
 
   /*!
-  The first and the last value of the parameter `v`.
+  Returns the first and the last value of the parameter `v`.
   */
   std::pair<Traits::FT, Traits::FT> domain_v() const;
 
   /*!
-  The point of the surface at the parameters (`u`, `v`) of its domain, and all partial derivatives
+  Returns the point of the surface at the parameters (`u`, `v`) of its domain, and all partial derivatives
   \f$ \partial^{i+j} S / \partial u^i \partial v^j \f$ with `i + j <= k`, for `k >= 0`. Derivatives that vanish, such as
   those beyond the degree of a polynomial surface, must be given as zero vectors.
 
@@ -57,7 +58,7 @@ public:
   CGAL::Geometric_continuity::Surface_jet<Traits> jet(const Traits::FT& u, const Traits::FT& v, int k) const;
 
   /*!
-  The point at (`u`, `v`).
+  Returns the point at (`u`, `v`).
   */
   Traits::Point operator()(const Traits::FT& u, const Traits::FT& v) const;
 

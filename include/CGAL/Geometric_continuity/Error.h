@@ -5,6 +5,8 @@
 #ifndef CGAL_GEOMETRIC_CONTINUITY_ERROR_H
 #define CGAL_GEOMETRIC_CONTINUITY_ERROR_H
 
+#include <CGAL/Geometric_continuity/internal/refuse_fast_math.h>
+
 #include <stdexcept>
 #include <string>
 
@@ -38,7 +40,7 @@ enum class Error_code {
 };
 
 /// \ingroup PkgGeometricContinuityErrors
-/// The name of a reason, as spelled in the enumeration.
+/// Returns the name of a reason, as spelled in the enumeration.
 inline std::string to_string(Error_code code) {
   switch (code) {
   case Error_code::zero_tangent: return "zero_tangent";
@@ -71,10 +73,10 @@ inline std::string to_string(Error_code code) {
 /// anything has been changed, in release builds as well.
 class Error : public std::runtime_error {
 public:
-  /// `place` says where the input is wrong, e.g. "blend: end of the first curve".
+  /// Constructs an exception; `place` says where the input is wrong, e.g. "blend: end of the first curve".
   Error(Error_code code, const std::string& place) : std::runtime_error(to_string(code) + ": " + place), code_(code) {}
 
-  /// The reason, for programs.
+  /// Returns the reason, for programs.
   Error_code code() const { return code_; }
 
 private:

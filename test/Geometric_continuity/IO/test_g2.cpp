@@ -562,6 +562,26 @@ BOOST_AUTO_TEST_CASE(nothing_is_written_when_a_number_cannot_be_written) {
   BOOST_CHECK_EQUAL(os.str(), "");
 }
 
+BOOST_AUTO_TEST_CASE(nothing_is_written_of_numbers_that_are_not_finite) {
+  for (const double bad : {HUGE_VAL, -HUGE_VAL, std::nan("")}) {
+    std::ostringstream os;
+    BOOST_CHECK(contains(error_of([&] { GC::write_number(os, bad); }), "not_finite"));
+    BOOST_CHECK(contains(error_of([&] {
+                           GC::write_g2(os, GC::Bezier_curve<Double_2>{Double_2::Point(0, 1), Double_2::Point(2, bad)});
+                         }),
+                         "not_finite"));
+    BOOST_CHECK_EQUAL(os.str(), "");
+  }
+}
+
+BOOST_AUTO_TEST_CASE(texts_in_messages_are_quoted) {
+  BOOST_CHECK_EQUAL(GC::quoted_token(""), "''");
+  BOOST_CHECK_EQUAL(GC::quoted_token("a b"), "'a b'");
+  BOOST_CHECK_EQUAL(GC::quoted_token("\n\x7f\xff"), "'\\x0A\\x7F\\xFF'");
+  BOOST_CHECK_EQUAL(GC::quoted_token(std::string(40, 'x')), "'" + std::string(40, 'x') + "'");
+  BOOST_CHECK_EQUAL(GC::quoted_token(std::string(41, 'x')), "'" + std::string(40, 'x') + "...'");
+}
+
 // errors
 
 // `text` in dimension 2 is refused, in every number type, with a message that begins and ends as said.
@@ -646,6 +666,19 @@ BOOST_AUTO_TEST_CASE(wrong_knots) {
   check_g2_error(with_line(4, "0 0 0 0 1 1 nan 1"), 12, "not a number: 'nan'");
   // equal numbers in different words are equal knots
   BOOST_CHECK_EQUAL(g2_error<Double_2>(with_line(4, ".1 1/10 1e-1 10e-2 1 1 1 1")), "no error");
+}
+
+BOOST_AUTO_TEST_CASE(knots_that_are_too_far_apart) {
+  const std::string text = "100 1 0 0\n2 0\n2 2\n-1.7e308 -1.7e308\n1.7e308 1.7e308\n0 0\n1 1\n",
+                    message = "malformed_input: f.g2:5: the difference of the knots is outside the range of "
+                              "floating-point numbers";
+  BOOST_CHECK_EQUAL(g2_error<Double_2>(text), message);
+  BOOST_CHECK_EQUAL(error_of([&] {
+                      std::istringstream is(text);
+                      GC::read_g2_bsplines<Double_2>(is, "f.g2");
+                    }),
+                    message);
+  BOOST_CHECK_EQUAL(read<Exact_2>(text).size(), 1u);
 }
 
 BOOST_AUTO_TEST_CASE(wrong_coordinates) {

@@ -2,62 +2,27 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// Structures of arrays: the same numbers as one by one, exactly with rational numbers, and within rounding with doubles.
+// Many jets at once: the same numbers as one by one, exactly with rational numbers, and within rounding with doubles.
 
-#define BOOST_TEST_MODULE batches
 #define BOOST_TEST_DYN_LINK
+#define BOOST_TEST_MODULE evaluate_batch
+#include <boost/test/unit_test.hpp>
+
+#include "support/random_points.h"
 
 #include <CGAL/Cartesian_d.h>
-#include <CGAL/Exact_rational.h>
-#include <CGAL/Geometric_continuity.h>
-#include <CGAL/Geometric_continuity/blends/blend_batch.h>
+#include <CGAL/Geometric_continuity/Traits_d.h>
+#include <CGAL/Geometric_continuity/curves/Bezier_curve.h>
 #include <CGAL/Geometric_continuity/curves/Jet_polynomials.h>
 #include <CGAL/Geometric_continuity/curves/evaluate_batch.h>
-#include <CGAL/Geometric_continuity/local/curvature_batch.h>
-#include <CGAL/Geometric_continuity/surfaces/evaluate_grid.h>
-#include <CGAL/Simple_cartesian.h>
-
-#include <boost/test/unit_test.hpp>
 
 #include <algorithm>
 #include <cmath>
-#include <random>
+#include <cstddef>
+#include <type_traits>
 #include <vector>
 
-namespace GC = CGAL::Geometric_continuity;
-typedef CGAL::Exact_rational Exact;
-template <class FT> using Traits = GC::Traits_3<CGAL::Simple_cartesian<FT>>;
-template <class FT> using Point = typename Traits<FT>::Point;
-
-#define CHECK_ERROR(expression, expected)                                                                              \
-  BOOST_CHECK_EXCEPTION((void)(expression), GC::Error,                                                                 \
-                        [](const GC::Error& e) { return e.code() == GC::Error_code::expected; })
-
 namespace {
-
-std::mt19937 engine(2026);
-
-template <class FT> FT number() { // in [-1, 1]
-  const int x = static_cast<int>(engine() % 2001) - 1000;
-  return FT(FT(x) / FT(1000));
-}
-template <class FT> Point<FT> point() {
-  const FT x = number<FT>(), y = number<FT>(), z = number<FT>();
-  return Point<FT>(x, y, z);
-}
-template <class FT> std::vector<Point<FT>> points(int n) {
-  std::vector<Point<FT>> p;
-  for (int i = 0; i < n; ++i) p.push_back(point<FT>());
-  return p;
-}
-
-// Equal for exact numbers. The doubles of these tests come from sums of a few hundred products of numbers up to `size`.
-template <class FT> bool same(const FT& x, const FT& y, double size) {
-  if constexpr (std::is_same_v<FT, double>)
-    return std::abs(x - y) <= 0x1p-44 * size;
-  else
-    return x == y;
-}
 
 // The same curve with exact numbers.
 template <class Curve> GC::Bezier_curve<Traits<Exact>> exact_curve(const Curve& curve) {
@@ -164,26 +129,6 @@ template <class FT, int degree> void check_fixed_degree(const FT& a, const FT& b
   }
 }
 
-template <class FT> void check_grid(int p, int q) {
-  std::vector<std::vector<Point<FT>>> net;
-  for (int i = 0; i <= p; ++i) net.push_back(points<FT>(q + 1));
-  const GC::Bezier_patch<Traits<FT>> patch(net, {FT(-1), FT(1)}, {FT(2), FT(5)});
-  std::vector<FT> u, v;
-  for (int i = 0; i < 5; ++i) u.push_back(number<FT>());
-  for (int i = 0; i < 9; ++i) v.push_back(FT(FT(3) + number<FT>()));
-  GC::Surface_grid<FT> grid;
-  GC::evaluate_grid<GC::Grid_normals::unnormalised, CGAL::Parallel_if_available_tag>(patch, u, v, grid);
-  for (std::size_t i = 0; i < u.size(); ++i)
-    for (std::size_t j = 0; j < v.size(); ++j) {
-      const Point<FT> x = patch(u[i], v[j]);
-      const auto normal = patch.normal(u[i], v[j]);
-      for (int k = 0; k < 3; ++k) {
-        BOOST_CHECK(same(grid.points(k)[i * v.size() + j], x[k], 1));
-        BOOST_CHECK(same(grid.normals(k)[i * v.size() + j], normal[k], 8 * (p + 1) * (q + 1)));
-      }
-    }
-}
-
 } // namespace
 
 BOOST_AUTO_TEST_CASE(jets) {
@@ -206,104 +151,4 @@ BOOST_AUTO_TEST_CASE(jets) {
   const double x[] = {1, 2, 3};
   const Any::Point p(3, x, x + 3);
   CHECK_ERROR(GC::evaluate(GC::Bezier_curve<Any>{p, p}, x, 3, plane), dimension_mismatch);
-}
-
-BOOST_AUTO_TEST_CASE(curvatures) {
-  const int n = 600;
-  GC::Jet_arrays<double, 3, 3> jets(n);
-  std::vector<GC::Curve_jet<Traits<double>>> single;
-  for (int l = 0; l < n; ++l) {
-    const auto d = points<double>(4);
-    const auto vector = [&](int j) { return d[j] - CGAL::ORIGIN; };
-    single.push_back({d[0], {vector(1), vector(2), vector(3)}});
-    if (l == 7) single.back() = {d[0], {CGAL::NULL_VECTOR, vector(2), vector(3)}}; // no tangent
-    if (l == 300) single.back() = {d[0], {vector(1), 2 * vector(1), vector(3)}};   // no curvature
-    jets.set(l, single.back());
-  }
-  std::vector<double> kappa(n, -1), tau(n, -1);
-  BOOST_CHECK_EQUAL(GC::curvature_and_torsion<CGAL::Parallel_if_available_tag>(jets, kappa.data(), tau.data()), 2);
-  for (int l = 0; l < n; ++l) {
-    const auto square = GC::curvature_squared(single[l]);
-    const auto torsion = GC::torsion(single[l]);
-    BOOST_CHECK_EQUAL(torsion.has_value(), l != 7 && l != 300);
-    BOOST_CHECK_CLOSE_FRACTION(kappa[l], square ? std::sqrt(*square) : 0, 1e-9);
-    BOOST_CHECK_CLOSE_FRACTION(tau[l], torsion.value_or(0), 1e-9);
-  }
-}
-
-BOOST_AUTO_TEST_CASE(blends) {
-  const int n = 20;
-  GC::Jet_arrays<Exact, 3, 2> phi(n), psi(n);
-  std::vector<GC::Curve_jet<Traits<Exact>>> left, right;
-  for (int l = 0; l < n; ++l)
-    for (auto* side : {&left, &right}) {
-      const auto d = points<Exact>(3);
-      side->push_back({d[0], {d[1] - CGAL::ORIGIN, d[2] - CGAL::ORIGIN}});
-      (side == &left ? phi : psi).set(l, side->back());
-    }
-  GC::Blend_arrays<Exact, 3> gamma;
-  const auto check = [&](const auto& strategy) {
-    GC::blend<CGAL::Parallel_if_available_tag>(phi, psi, strategy, gamma);
-    for (int l = 0; l < n; ++l) {
-      const auto single = GC::blend(left[l], right[l], strategy);
-      for (int j = 0; j <= 5; ++j)
-        for (int i = 0; i < 3; ++i) BOOST_CHECK_EQUAL(gamma.array(j, i)[l], single.control_point(j)[i]);
-    }
-  };
-  check(GC::Minimal_energy<3>());
-  check(GC::Matching_second_derivative());
-  for (int i = 0; i < 3; ++i) psi.array(1, i)[13] = 0;
-  BOOST_CHECK_EXCEPTION(GC::blend(phi, psi, GC::Normal_offset(), gamma), GC::Error, [](const GC::Error& e) {
-    return e.code() == GC::Error_code::zero_tangent &&
-           std::string(e.what()).find("second curve number 13") != std::string::npos;
-  });
-  psi.resize(n - 1);
-  CHECK_ERROR(GC::blend(phi, psi, GC::Normal_offset(), gamma), wrong_number_of_points);
-}
-
-BOOST_AUTO_TEST_CASE(grids) {
-  for (int p : {0, 1, 3, 6})
-    for (int q : {0, 1, 2, 4, 7}) {
-      check_grid<double>(p, q);
-      check_grid<Exact>(p, q);
-    }
-}
-
-BOOST_AUTO_TEST_CASE(unit_normals) {
-  // a cone: the normal vanishes at its apex, v = 0
-  const GC::Bezier_patch<Traits<double>> cone{{{0, 0, 0}, {1, 0, 1}}, {{0, 0, 0}, {0, 1, 1}}};
-  const std::vector<double> u{0, 0.25, 1}, v{0, 0.5, 1};
-  GC::Surface_grid<double> grid;
-  GC::evaluate_grid(cone, u, v, grid);
-  for (std::size_t l = 0; l < 9; ++l) {
-    const double x = grid.normals(0)[l], y = grid.normals(1)[l], z = grid.normals(2)[l];
-    const double length = std::sqrt(x * x + y * y + z * z);
-    if (l % 3 == 0)
-      BOOST_CHECK_EQUAL(length, 0);
-    else
-      BOOST_CHECK_CLOSE_FRACTION(length, 1, 1e-15);
-  }
-}
-
-BOOST_AUTO_TEST_CASE(spline_grids) {
-  const GC::Knot_vector<Exact> knots_u(2, {0, 0, 0, 1, 2, 2, 3, 3, 3}), knots_v(1, {0, 0, 2, 3, 3});
-  std::vector<std::vector<Point<Exact>>> net;
-  for (int i = 0; i < knots_u.number_of_coefficients(); ++i)
-    net.push_back(points<Exact>(knots_v.number_of_coefficients()));
-  const GC::Bspline_surface<Traits<Exact>> surface(net, knots_u, knots_v);
-  std::vector<Exact> u{0, Exact(1) / 3, 1, Exact(3) / 2, 2, Exact(5) / 2, 3}, v{0, 1, 2, Exact(8) / 3, 3};
-  GC::Surface_grid<Exact> grid;
-  GC::evaluate_grid<GC::Grid_normals::unnormalised>(surface, u, v, grid);
-  for (std::size_t i = 0; i < u.size(); ++i)
-    for (std::size_t j = 0; j < v.size(); ++j) {
-      const auto normal = surface.normal(u[i], v[j]);
-      for (int k = 0; k < 3; ++k) {
-        BOOST_CHECK_EQUAL(grid.points(k)[i * v.size() + j], surface(u[i], v[j])[k]);
-        BOOST_CHECK_EQUAL(grid.normals(k)[i * v.size() + j], normal[k]);
-      }
-    }
-  std::swap(u[1], u[2]);
-  CHECK_ERROR(GC::evaluate_grid<GC::Grid_normals::unnormalised>(surface, u, v, grid), wrong_number_of_points);
-  u = {0, 4};
-  CHECK_ERROR(GC::evaluate_grid<GC::Grid_normals::unnormalised>(surface, u, v, grid), parameter_outside_domain);
 }

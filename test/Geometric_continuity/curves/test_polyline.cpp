@@ -401,7 +401,7 @@ BOOST_AUTO_TEST_CASE(boxes_are_tight) {
 BOOST_AUTO_TEST_CASE(numbers_of_halvings_that_are_refused) {
   std::vector<GC::Curve_piece_box<Exact_2, int>> boxes;
   const Curve<Exact_2> c = bezier<Exact_2>({{0, 0}, {1, 1}});
-  CHECK_ERROR(GC::bounding_boxes(c, -1, 0, std::back_inserter(boxes)), wrong_number_of_points);
-  CHECK_ERROR(GC::bounding_boxes(c, 21, 0, std::back_inserter(boxes)), wrong_number_of_points);
+  CHECK_ERROR(GC::bounding_boxes(c, -1, 0, std::back_inserter(boxes)), negative_count);
+  CHECK_ERROR(GC::bounding_boxes(c, 21, 0, std::back_inserter(boxes)), work_limit);
   BOOST_CHECK(boxes.empty());
 }

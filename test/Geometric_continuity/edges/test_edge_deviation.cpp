@@ -14,8 +14,8 @@
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Geometric_continuity/Traits_3.h>
-#include <CGAL/Geometric_continuity/models/model_continuity.h>
-#include <CGAL/Geometric_continuity/models/near_edges.h>
+#include <CGAL/Geometric_continuity/edges/edge_order_within.h>
+#include <CGAL/Geometric_continuity/edges/knot_line_continuity.h>
 
 #include <algorithm>
 #include <cmath>
@@ -274,6 +274,7 @@ BOOST_AUTO_TEST_CASE(edges_that_have_nothing_in_common) {
   typedef Space::Point Point;
   const Patch a({{Point(0, 0, 0), Point(0, 1, 0)}, {Point(1, 0, 0), Point(1, 1, 0)}}),
       b({{Point(0, 0, 5), Point(0, -1, 5)}, {Point(1, 0, 5), Point(1, -1, 5)}});
+  constexpr GC::Patch_edge v0 = GC::Patch_edge::v0;
   const auto none = GC::edge_continuity(a, v0, b, v0);
   BOOST_CHECK_EQUAL(none.g_order, -1);
   BOOST_CHECK_EXCEPTION((void)GC::order_within(none, {1, 1}), GC::Error,
@@ -284,50 +285,6 @@ BOOST_AUTO_TEST_CASE(edges_that_have_nothing_in_common) {
   BOOST_CHECK_EQUAL(apart.proved_order(), -1);
   BOOST_CHECK_EQUAL(apart.deviation.gap, (GC::Enclosure{5, 5}));
   BOOST_CHECK_EQUAL(GC::order_within(a, v0, b, v0, {0, 5}).proved_order(), 1); // the gap is tolerated
-}
-
-// Patches and B-spline surfaces, on doubles and on exact numbers.
-BOOST_AUTO_TEST_CASE(near_edges_of_a_model) {
-  typedef GC::Bezier_patch<Space> Patch;
-  const auto patch = [](double x, double y, double z, double tilt) { // over [x, x + 1] x [y, y + 1]
-    return Patch({{Space::Point(x, y, z), Space::Point(x, y + 1, z)},
-                  {Space::Point(x + 1, y, z + tilt), Space::Point(x + 1, y + 1, z + tilt)}});
-  };
-  const double unit = 0x1p-40;
-  // 0 | 1 with a gap in z, 1 | 2 the same edge with a kink, 3 next to 0 in v, turned; 4 far away
-  std::vector<Patch> model = {patch(0, 0, 0, 0), patch(1, 0, unit, 0), patch(2, 0, unit, 0.125),
-                              patch(0, 1, 0, 4 * unit).reverse_u(), patch(100, 0, 0, 0)};
-  const auto exact = GC::model_continuity(model);
-  BOOST_CHECK_EQUAL(exact.summary.g0 + exact.summary.g1 + exact.summary.g2, 1);
-  BOOST_CHECK(GC::near_edges(model, exact, {1, 0}).empty());
-  BOOST_CHECK(GC::near_edges(model, exact, {1, unit / 2}).empty());
-  const auto one_pair = GC::near_edges(model, exact, {0, unit});
-  BOOST_REQUIRE_EQUAL(one_pair.size(), 1);
-  BOOST_CHECK(one_pair[0].patch_a == 0 && one_pair[0].edge_a == u1 && one_pair[0].patch_b == 1 &&
-              one_pair[0].edge_b == u0);
-  BOOST_CHECK_EQUAL(one_pair[0].within.deviation.gap, (GC::Enclosure{unit, unit}));
-  BOOST_CHECK_EQUAL(one_pair[0].within.proved_order(), 1);
-  const auto pairs = GC::near_edges(model, exact, {0, 4 * unit});
-  BOOST_REQUIRE_EQUAL(pairs.size(), 2);
-  BOOST_CHECK(pairs[0].edge_a == u1 && pairs[1].edge_a == v1 && pairs[1].patch_b == 3 && pairs[1].edge_b == v0);
-  BOOST_CHECK(pairs[1].within.deviation.reversed);
-  BOOST_CHECK_EQUAL(pairs[1].within.deviation.gap, (GC::Enclosure{4 * unit, 4 * unit}));
-  BOOST_CHECK_EQUAL(pairs[1].within(0), Verdict::proved);
-  BOOST_CHECK_EQUAL(pairs[1].within(1), Verdict::refuted); // tilted by arctan(4 unit)
-  BOOST_CHECK_EQUAL(GC::near_edges(model, exact, {5 * unit, 4 * unit})[1].within(1), Verdict::proved);
-  std::ostringstream os;
-  os << pairs[1];
-  BOOST_CHECK_EQUAL(os.str(), "0 v1 - 3 v0: near, reversed");
-  BOOST_CHECK_EXCEPTION((void)GC::near_edges(model, exact, {0, std::numeric_limits<double>::infinity()}), GC::Error,
-                        [](const GC::Error& x) { return x.code() == GC::Error_code::not_finite; });
-
-  // the same functions of surfaces
-  const GC::Edge_order_within kink = GC::order_within(model[1], u1, model[2], u0, {0.1243549945467615, 0});
-  BOOST_CHECK_EQUAL(kink(1), Verdict::proved); // arctan(1/8) = 0.12435499454676143...
-  BOOST_CHECK_EQUAL(GC::order_within(model[1], u1, model[2], u0, {0.1243549945467613, 0})(1), Verdict::refuted);
-  const GC::Bspline_surface<Space> spline(model[2]);
-  BOOST_CHECK_EQUAL(*GC::deviation(model[1], u1, spline, u0).normal_angle, *kink.deviation.normal_angle);
-  BOOST_CHECK_EQUAL(GC::deviation(spline, u0, model[1], u1).gap, (GC::Enclosure{0, 0}));
 }
 
 // A knot line with a jump is continuous within a tolerance.

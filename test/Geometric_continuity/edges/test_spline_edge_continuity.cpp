@@ -2,164 +2,26 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// Continuity of B-spline surfaces along edges, parts of edges and knot lines, and models of them.
+// Continuity of B-spline surfaces along edges, parts of edges and knot lines.
 
 #define BOOST_TEST_DYN_LINK
-#define BOOST_TEST_MODULE bspline_edges
+#define BOOST_TEST_MODULE spline_edge_continuity
 #include <boost/test/unit_test.hpp>
 
-#include <CGAL/Cartesian_d.h>
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Exact_rational.h>
-#include <CGAL/Geometric_continuity/Traits_3.h>
+#include "support/spline_surfaces.h"
+
 #include <CGAL/Geometric_continuity/Traits_d.h>
-#include <CGAL/Geometric_continuity/models/model_continuity.h>
-#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Geometric_continuity/edges/edge_continuity.h>
+#include <CGAL/Geometric_continuity/edges/knot_line_continuity.h>
 
 #include <algorithm>
-#include <array>
+#include <cmath>
 #include <random>
 #include <sstream>
 #include <string>
-#include <tuple>
-#include <type_traits>
-#include <utility>
 #include <vector>
 
-namespace GC = CGAL::Geometric_continuity;
-
-typedef CGAL::Exact_rational Q;
-typedef CGAL::Simple_cartesian<Q> Exact;
-typedef std::tuple<Exact, CGAL::Epick, CGAL::Simple_cartesian<double>> Kernels;
-
-template <class K> using Surface = GC::Bspline_surface<GC::Traits_3<K>>;
-template <class K> using Patch = GC::Bezier_patch<GC::Traits_3<K>>;
-typedef Surface<Exact> S;
-typedef GC::Knot_vector<Q> Knots;
-using GC::Edge_defect;
-using GC::Patch_edge;
-constexpr Patch_edge u0 = Patch_edge::u0, u1 = Patch_edge::u1, v0 = Patch_edge::v0, v1 = Patch_edge::v1;
-
-#define CHECK_ERROR(expression, expected)                                                                              \
-  BOOST_CHECK_EXCEPTION((void)(expression), GC::Error,                                                                 \
-                        [](const GC::Error& e) { return e.code() == GC::Error_code::expected; })
-
 namespace {
-
-// ---------------------------------------------------------------- surfaces
-
-// A polynomial surface: the coefficients of u^i v^j, i, j <= 3.
-typedef std::array<std::array<std::array<int, 4>, 4>, 3> Map;
-
-Map graph(const std::array<std::array<int, 4>, 4>& z) {
-  Map f{};
-  f[0][1][0] = 1;
-  f[1][0][1] = 1;
-  f[2] = z;
-  return f;
-}
-
-// x = u, y = v, z = 2 u^3 v - u v^2 + 3 u^2 - u^2 v^3
-const Map wave = graph({{{0, 0, 0, 0}, {0, 0, -1, 0}, {3, 0, 0, -1}, {0, 2, 0, 0}}});
-
-// The blossom of u^k in degree 3 at the knots j+1, j+2, j+3.
-Q blossom(const Knots& t, int j, int k) {
-  const Q &a = t[j + 1], &b = t[j + 2], &c = t[j + 3];
-  if (k == 0) return Q(1);
-  if (k == 1) return Q((a + b + c) / 3);
-  return k == 2 ? Q((a * b + b * c + c * a) / 3) : Q(a * b * c);
-}
-
-// Over cubic knots, with the coordinates times 9, so that whole knots give whole coordinates.
-S spline(const Map& f, const Knots& u, const Knots& v) {
-  std::vector<std::vector<Exact::Point_3>> net(u.number_of_coefficients());
-  for (int i = 0; i < u.number_of_coefficients(); ++i)
-    for (int j = 0; j < v.number_of_coefficients(); ++j) {
-      Q x[3];
-      for (int c = 0; c < 3; ++c)
-        for (int k = 0; k < 4; ++k)
-          for (int l = 0; l < 4; ++l) x[c] += 9 * f[c][k][l] * blossom(u, i, k) * blossom(v, j, l);
-      net[i].emplace_back(x[0], x[1], x[2]);
-    }
-  return S(net, u, v);
-}
-
-// With control points and knots moved.
-template <class Point_map, class Knot_map> S changed(const S& s, Point_map point, Knot_map knot) {
-  std::vector<std::vector<Exact::Point_3>> net(s.number_of_points_u());
-  for (int i = 0; i < s.number_of_points_u(); ++i)
-    for (int j = 0; j < s.number_of_points_v(); ++j) net[i].push_back(point(i, j, s.control_point(i, j)));
-  std::vector<Q> u;
-  for (const Q& t : s.knots_u()) u.push_back(knot(t));
-  return S(net, Knots(s.degree_u(), u), s.knots_v());
-}
-template <class Point_map> S with_points(const S& s, Point_map point) {
-  return changed(s, point, [](const Q& t) { return t; });
-}
-S lifted(const S& s, int i, int j) {
-  return with_points(s, [&](int k, int l, const Exact::Point_3& p) {
-    return k == i && l == j ? Exact::Point_3(p.x(), p.y(), p.z() + 1) : p;
-  });
-}
-S with_knots(const S& s, const Q& scale, const Q& shift) {
-  return changed(
-      s, [](int, int, const Exact::Point_3& p) { return p; }, [&](const Q& t) { return Q(scale * t + shift); });
-}
-
-// The part on [a, b] of the domain of u.
-S part(const S& s, const Q& a, const Q& b) {
-  const int order = s.degree_u() + 1;
-  S r = s.clamp();
-  for (const Q& t : {a, b}) r = r.insert_u(t, order - r.knots_u().multiplicity(t));
-  std::vector<Q> u;
-  std::vector<std::vector<Exact::Point_3>> net;
-  for (int i = 0; i < r.knots_u().size(); ++i) {
-    if (r.knots_u()[i] < a || b < r.knots_u()[i]) continue;
-    u.push_back(r.knots_u()[i]);
-    if (!(r.knots_u()[i] < b)) continue;
-    net.emplace_back();
-    for (int j = 0; j < r.number_of_points_v(); ++j) net.back().push_back(r.control_point(i, j));
-  }
-  return S(net, Knots(order - 1, u), r.knots_v());
-}
-
-// The same in another kernel; it must be represented exactly.
-template <class K> Surface<K> in(const S& s) {
-  typedef typename K::FT FT;
-  const auto number = [](const Q& x) {
-    if constexpr (std::is_same_v<FT, Q>)
-      return x;
-    else {
-      BOOST_REQUIRE(Q(CGAL::to_double(x)) == x);
-      return FT(CGAL::to_double(x));
-    }
-  };
-  std::vector<FT> u, v;
-  for (const Q& t : s.knots_u()) u.push_back(number(t));
-  for (const Q& t : s.knots_v()) v.push_back(number(t));
-  std::vector<std::vector<typename K::Point_3>> net(s.number_of_points_u());
-  for (int i = 0; i < s.number_of_points_u(); ++i)
-    for (int j = 0; j < s.number_of_points_v(); ++j) {
-      const Exact::Point_3& p = s.control_point(i, j);
-      net[i].emplace_back(number(p.x()), number(p.y()), number(p.z()));
-    }
-  return Surface<K>(net, GC::Knot_vector<FT>(s.degree_u(), u), GC::Knot_vector<FT>(s.degree_v(), v));
-}
-
-Knots knots(const Q& a, const Q& b, const std::vector<Q>& inner = {}) {
-  std::vector<Q> u(4, a);
-  u.insert(u.end(), inner.begin(), inner.end());
-  u.insert(u.end(), 4, b);
-  return Knots(3, u);
-}
-
-// ---------------------------------------------------------------- results
-
-template <class T> std::string text(const T& x) {
-  std::ostringstream os;
-  os << x;
-  return os.str();
-}
 
 // The spans with their orders, e.g. "0 G2 1 G0 3".
 template <class FT> std::string spans(const GC::Spline_edge_continuity<FT>& e) {
@@ -175,12 +37,6 @@ template <class FT> std::string parts(const GC::Spline_edge_continuity<FT>& e) {
   os << e.part_a.first << ".." << e.part_a.second << (e.whole_a ? " whole, " : ", ") << e.part_b.first << ".."
      << e.part_b.second << (e.whole_b ? " whole" : "");
   return os.str();
-}
-
-std::mt19937_64 seeded() {
-  constexpr unsigned seed = 20260721;
-  BOOST_TEST_MESSAGE("seed " << seed);
-  return std::mt19937_64(seed);
 }
 
 } // namespace
@@ -427,7 +283,7 @@ BOOST_AUTO_TEST_CASE(wrong_input) {
   rows.rows.cross.pop_back();
   CHECK_ERROR(edge_continuity(rows, rows), wrong_number_of_points);
   const S s = spline(wave, knots(0, 1), knots(0, 1));
-  CHECK_ERROR(s.rows_at(true, 2, false, 1), parameter_outside_domain);
+  CHECK_ERROR(s.rows_at(GC::Parameter_line::along_u, 2, GC::Line_side::larger_parameters, 1), parameter_outside_domain);
 }
 
 // ---------------------------------------------------------------- knot lines
@@ -498,65 +354,5 @@ BOOST_AUTO_TEST_CASE(knot_lines_are_edges_of_parts) {
       BOOST_CHECK(line.continuity.deviation->upper == e.deviation->upper);
     }
     BOOST_CHECK_EQUAL(e.g_order, multiplicity == 3 ? 0 : 1 - int(e.normal_vanishes));
-  }
-}
-
-// ---------------------------------------------------------------- models
-
-// As many bicubic patches of one smooth surface as a test may take: the number of edges of each kind is known.
-BOOST_AUTO_TEST_CASE(model_of_a_large_grid) {
-  constexpr int n = 15;
-  std::vector<Patch<Exact>> patches;
-  std::vector<S> surfaces;
-  for (int i = 0; i < n; ++i)
-    for (int j = 0; j < n; ++j) {
-      surfaces.push_back(spline(wave, knots(i, i + 1), knots(j, j + 1)));
-      patches.push_back(surfaces.back().bezier_patches()[0]);
-    }
-  for (const GC::Model_summary& s : {GC::model_continuity(patches).summary, GC::model_continuity(surfaces).summary})
-    BOOST_CHECK_EQUAL(text(s), "420 G2, 0 G1, 0 G0, 60 boundary, 0 collapsed");
-}
-
-BOOST_AUTO_TEST_CASE_TEMPLATE(model_of_splines, K, Kernels) {
-  // one above the other, in any direction, degree and domain; the last one meets half an edge only
-  const std::vector<S> exact = {spline(wave, knots(0, 4, {1, 2, 2}), knots(0, 1)),
-                                with_knots(spline(wave, knots(0, 4, {3}), knots(1, 2)).reverse_u(), 4, 1),
-                                lifted(spline(wave, knots(0, 4, {1, 3}), knots(2, 3)), 5, 1).swap_parameters(),
-                                spline(wave, knots(0, 2), knots(3, 4))};
-  std::vector<Surface<K>> s;
-  for (const S& x : exact) s.push_back(in<K>(x));
-  const auto model = GC::model_continuity(s);
-  BOOST_CHECK_EQUAL(text(model.summary),
-                    "1 G2, 0 G1, 1 G0 (1 creases), 12 boundary, 0 collapsed; knot lines: 1 G2, 0 G1, 0 G0");
-  BOOST_REQUIRE_EQUAL(model.edges.size(), 14);
-  std::vector<std::string> shared;
-  for (const auto& e : model.edges)
-    if (e.kind == GC::Model_edge_kind::shared) shared.push_back(text(e));
-  BOOST_REQUIRE_EQUAL(shared.size(), 2);
-  BOOST_CHECK_EQUAL(shared[0], "0 v1 - 1 v0: G2, reversed");
-  BOOST_CHECK_EQUAL(shared[1].substr(0, 24), "1 v1 - 2 u0: G0 (crease)");
-  BOOST_REQUIRE_EQUAL(model.knot_lines.size(), 1);
-  BOOST_CHECK_EQUAL(text(model.knot_lines[0]), "0 u = 2: G2");
-  BOOST_CHECK_EQUAL(model.failing(1).size(), 1);
-  BOOST_CHECK(model.has_order(0) && !model.has_order(1));
-}
-
-BOOST_AUTO_TEST_CASE(closed_surface_with_a_pole) {
-  // a band around a square: linear in u and closed, and a lid of triangles to one point, which is collapsed
-  typedef Exact::Point_3 P;
-  const Knots u(1, {0, 0, 1, 2, 3, 4, 4}), v(1, {0, 0, 1, 1});
-  const P square[] = {P(0, 0, 0), P(1, 0, 0), P(1, 1, 0), P(0, 1, 0), P(0, 0, 0)};
-  std::vector<std::vector<P>> band, lid;
-  for (const P& p : square) {
-    band.push_back({p, P(p.x(), p.y(), 1)});
-    lid.push_back({P(p.x(), p.y(), 1), P(Q(1) / 2, Q(1) / 2, 1)});
-  }
-  const auto model = GC::model_continuity(std::vector<S>{S(band, u, v), S(lid, u, v)});
-  // the seams: a corner of the band is a right angle, that of the lid is flat but its normal vanishes at the pole
-  BOOST_CHECK_EQUAL(text(model.summary), "0 G2, 0 G1, 3 G0 (2 creases, 1 vanishing normals), 1 boundary, 1 collapsed; "
-                                         "knot lines: 0 G2, 0 G1, 6 G0");
-  for (const auto& l : model.failing_knot_lines(1)) {
-    BOOST_CHECK_EQUAL(l.line.continuity.defect, l.patch == 0 ? Edge_defect::crease : Edge_defect::vanishing_normal);
-    if (l.patch == 0) BOOST_CHECK(l.line.continuity.deviation->upper == Q(1)); // a right angle
   }
 }

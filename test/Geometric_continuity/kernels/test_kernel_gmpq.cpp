@@ -25,10 +25,10 @@ template <class Test> void in_every_space(Test test) {
   test(Traits_n(), 5);
 }
 
-#include "typed/algebra.h"
-#include "typed/alternatives.h"
-#include "typed/bezier_curve.h"
-#include "typed/blend_quintic.h"
-#include "typed/blend_septic.h"
-#include "typed/continuity.h"
-#include "typed/jets.h"
+#include "algebra/typed_Bernstein_polynomial.h"
+#include "blends/typed_quintic_blend.h"
+#include "blends/typed_septic_blend.h"
+#include "curves/typed_Bezier_curve.h"
+#include "extensions/typed_alternatives.h"
+#include "joins/typed_join_continuity.h"
+#include "local/typed_Curve_jet.h"

@@ -526,13 +526,17 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(refused, K, Kernels) {
   std::mt19937 random(46);
   const Patch<K> s = in_kernel<K>(random_patch(random, 2, 2));
   const double infinity = std::numeric_limits<double>::infinity();
-  for (double tolerance : {0.0, -0.0, -1.0, 1e-300, std::numeric_limits<double>::denorm_min(), 1e-9})
+  for (double tolerance : {0.0, -0.0, -1.0, -1e-300})
     CHECK_ERROR(GC::tessellate(s, within(tolerance)), unreachable_tolerance);
+  for (double tolerance : {1e-300, std::numeric_limits<double>::denorm_min(), 1e-9})
+    CHECK_ERROR(GC::tessellate(s, within(tolerance)), work_limit);
   for (double tolerance : {infinity, -infinity, std::nan("")})
     CHECK_ERROR(GC::tessellate(s, within(tolerance)), not_finite);
-  for (int n : {0, -1, 4097, std::numeric_limits<int>::max(), std::numeric_limits<int>::min()})
-    CHECK_ERROR(GC::tessellate(s, grid(n)), wrong_number_of_points);
-  CHECK_ERROR(GC::tessellate(std::vector<Patch<K>>(17, s), grid(1024)), unreachable_tolerance);
+  CHECK_ERROR(GC::tessellate(s, grid(0)), wrong_number_of_points);
+  for (int n : {-1, (std::numeric_limits<int>::min)()}) CHECK_ERROR(GC::tessellate(s, grid(n)), negative_count);
+  for (int n : {4097, 1 << 16, (std::numeric_limits<int>::max)()}) CHECK_ERROR(GC::tessellate(s, grid(n)), work_limit);
+  CHECK_ERROR(GC::tessellate(std::vector<Patch<K>>(17, s), grid(1024)), work_limit);
+  CHECK_ERROR(GC::tessellate(std::vector<Patch<K>>(200, s), grid(4096)), work_limit); // more cells than an int counts
   BOOST_CHECK(GC::tessellate(std::vector<Patch<K>>(), within(1)).points.empty());
   BOOST_CHECK_EQUAL(GC::tessellate(s, within(1e300)).triangles.size(), 2);
   if constexpr (!is_exact<K>) { // differences beyond the largest number
@@ -540,6 +544,38 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(refused, K, Kernels) {
         {{0, 0, 0}, {1, 0, 0}}, {{1e308, 0, 0}, {-1e308, 1e308, 0}}, {{-1e308, 0, 0}, {1e308, 0, 1e308}}};
     CHECK_ERROR(GC::tessellate(huge, within(1)), unreachable_tolerance);
   }
+}
+
+// Every number of cells and every tolerance has an answer at once.
+BOOST_AUTO_TEST_CASE(numbers_of_cells_that_are_refused) {
+  typedef CGAL::Simple_cartesian<double> K;
+  const Patch<K> flat{{{0, 0, 0}, {0, 1, 0}}, {{1, 0, 0}, {1, 1, 0}}},
+      saddle{{{0, 0, 0}, {0, 1, 0}}, {{1, 0, 0}, {1, 1, 1}}};
+  const double infinity = std::numeric_limits<double>::infinity();
+  const int largest = (std::numeric_limits<int>::max)(), smallest = (std::numeric_limits<int>::min)();
+  for (const Patch<K>& s : {flat, saddle}) {
+    const GC::Patch_flatness flatness(s);
+    for (const auto& range : {std::make_pair(0, 16), std::make_pair(1, 0), std::make_pair(0, 0)})
+      CHECK_ERROR(flatness.cells(0.1, range.first, range.second), wrong_number_of_points);
+    for (const auto& range : {std::make_pair(-1, 16), std::make_pair(1, -16), std::make_pair(smallest, smallest)})
+      CHECK_ERROR(flatness.cells(0.1, range.first, range.second), negative_count);
+    for (double tolerance : {0.0, -0.0, -1.0}) CHECK_ERROR(flatness.cells(tolerance, 1, 16), unreachable_tolerance);
+    for (double tolerance : {infinity, -infinity, std::nan("")})
+      CHECK_ERROR(flatness.cells(tolerance, 1, 16), not_finite);
+    BOOST_CHECK(!flatness.cells(0.3, 5, 7)); // no power of two
+    BOOST_CHECK(!flatness.cells(0.3, 8, 4));
+    BOOST_CHECK(!flatness.cells(0.3, largest, largest));
+    const std::optional<GC::Patch_cells> between = flatness.cells(0.3, 3, 13);
+    BOOST_CHECK(between && between->u == 4 && between->v == 4);
+    CHECK_ERROR(flatness.distance({0, 1}), wrong_number_of_points);
+    CHECK_ERROR(flatness.distance({1, -1}), negative_count);
+    BOOST_CHECK(flatness.distance({largest, largest}) < 1e-18);
+  }
+  const GC::Patch_flatness bent(saddle); // 1 / (4 uv)
+  const std::optional<GC::Patch_cells> most = bent.cells(0x1.1p-62, 1, largest), fewest = bent.cells(1e300, 1, largest);
+  BOOST_CHECK(most && double(most->u) * most->v == 0x1p60 && bent.distance(*most) <= 0x1.1p-62);
+  BOOST_CHECK(!bent.cells(0x1p-63, 1, largest));
+  BOOST_CHECK(fewest && fewest->u == 1 && fewest->v == 1);
 }
 
 // ---------------------------------------------------------------- face graphs

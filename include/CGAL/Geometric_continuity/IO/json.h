@@ -5,87 +5,129 @@
 #ifndef CGAL_GEOMETRIC_CONTINUITY_IO_JSON_H
 #define CGAL_GEOMETRIC_CONTINUITY_IO_JSON_H
 
+/// \file IO/json.h
+/// Verdicts on joins as JSON. `write_json()` writes a value: a text, a flag, an enclosure, or an object for what was
+/// decided about a join. `write_json_members()` writes the members of such an object without the braces, so that a
+/// program can add members of its own. Exact numbers are strings, and what is undefined is null. Each function writes
+/// its text at once, or nothing when it throws; the locale, the width and the flags of the stream are ignored.
+
 #include <CGAL/Geometric_continuity/IO/number.h>
 #include <CGAL/Geometric_continuity/joins/join_continuity.h>
 #include <CGAL/Geometric_continuity/joins/order_within.h>
 
 #include <cmath>
+#include <cstddef>
 #include <optional>
 #include <ostream>
+#include <string>
+#include <string_view>
 
 namespace CGAL {
 namespace Geometric_continuity {
 
 namespace internal {
 
-inline void write_json(std::ostream& os, const char* key, const std::optional<bool>& flag) {
-  os << ",\"" << key << "\":" << (!flag ? "null" : *flag ? "true" : "false");
-}
-
-// The members of the object, without braces, so that others may follow.
-template <class FT> void write_json_members(std::ostream& os, const Join_continuity<FT>& join, int left, int right) {
-  os << "\"left\":" << left << ",\"right\":" << right << ",\"c_order\":" << join.c_order
-     << ",\"g_order\":" << join.g_order << ",\"f_order\":" << join.f_order << ",\"betas\":[";
-  for (std::size_t i = 0; i < join.betas.size(); ++i) {
-    os << (i == 0 ? "\"" : ",\"");
-    write_number(os, join.betas[i]);
-    os << '"';
+inline std::string json_text(std::string_view text) {
+  constexpr char hex[] = "0123456789abcdef";
+  std::string json = "\"";
+  for (char c : text) {
+    const unsigned char byte = static_cast<unsigned char>(c);
+    if (byte < 0x20)
+      json += {'\\', 'u', '0', '0', hex[byte / 16], hex[byte % 16]};
+    else {
+      if (c == '"' || c == '\\') json += '\\';
+      json += c;
+    }
   }
-  os << "],\"regular\":" << (join.regular ? "true" : "false");
-  write_json(os, "tangent_equal", join.tangent_equal);
-  write_json(os, "curvature_equal", join.curvature_equal);
-  write_json(os, "curvature_vector_equal", join.curvature_vector_equal);
-  write_json(os, "torsion_equal", join.torsion_equal);
+  return json + '"';
 }
 
-inline void write_json(std::ostream& os, const char* key, const std::optional<Enclosure>& e) {
-  os << ",\"" << key << "\":";
-  if (!e) {
-    os << "null";
-    return;
+inline std::string json_text(const std::optional<bool>& flag) { return !flag ? "null" : *flag ? "true" : "false"; }
+
+inline std::string json_text(const std::optional<Enclosure>& e) {
+  if (!e) return "null";
+  const bool unbounded = e->upper > 0 && std::isinf(e->upper);
+  return '[' + number_text(e->lower) + ',' + (unbounded ? std::string("null") : number_text(e->upper)) + ']';
+}
+
+template <class FT> std::string json_members(const Join_continuity<FT>& join, int left, int right) {
+  std::string json = "\"left\":" + std::to_string(left) + ",\"right\":" + std::to_string(right) +
+                     ",\"c_order\":" + std::to_string(join.c_order) + ",\"g_order\":" + std::to_string(join.g_order) +
+                     ",\"f_order\":" + std::to_string(join.f_order) + ",\"betas\":[";
+  const char* separator = "\"";
+  for (const FT& beta : join.betas) {
+    json += separator + number_text(beta) + '"';
+    separator = ",\"";
   }
-  os << '[';
-  write_number(os, e->lower);
-  os << ',';
-  if (std::isfinite(e->upper))
-    write_number(os, e->upper);
-  else
-    os << "null";
-  os << ']';
+  return json + "],\"regular\":" + json_text(std::optional<bool>(join.regular)) +
+         ",\"tangent_equal\":" + json_text(join.tangent_equal) +
+         ",\"curvature_equal\":" + json_text(join.curvature_equal) +
+         ",\"curvature_vector_equal\":" + json_text(join.curvature_vector_equal) +
+         ",\"torsion_equal\":" + json_text(join.torsion_equal);
 }
 
-// The members of the object, without braces.
-inline void write_json_members(std::ostream& os, const Order_within& within) {
-  os << "\"within\":[";
-  for (int order = 0; order <= 3; ++order) os << (order == 0 ? "\"" : ",\"") << within(order) << '"';
-  os << ']';
-  write_json(os, "gap", within.deviation.gap);
-  write_json(os, "tangent_angle", within.deviation.tangent_angle);
-  write_json(os, "curvature_jump", within.deviation.curvature_jump);
-  write_json(os, "torsion_jump", within.deviation.torsion_jump);
+inline std::string json_members(const Order_within& within) {
+  std::string json = "\"within\":[";
+  for (int order = 0; order <= 3; ++order) json += (order == 0 ? "\"" : ",\"") + to_string(within(order)) + '"';
+  const Join_deviation& d = within.deviation;
+  return json + "],\"gap\":" + json_text(std::optional<Enclosure>(d.gap)) +
+         ",\"tangent_angle\":" + json_text(d.tangent_angle) + ",\"curvature_jump\":" + json_text(d.curvature_jump) +
+         ",\"torsion_jump\":" + json_text(d.torsion_jump);
 }
 
 } // namespace internal
 
 /// \ingroup PkgGeometricContinuityIO
+/// Writes a text as a JSON string, in quotes and with escapes for quotes, backslashes and control characters. The text
+/// is expected in UTF-8; its bytes from 128 on are written as they are.
+inline void write_json(std::ostream& os, std::string_view text) { internal::write_text(os, internal::json_text(text)); }
+
+/// \ingroup PkgGeometricContinuityIO
+/// Writes a text that ends with a null character as a JSON string.
+inline void write_json(std::ostream& os, const char* text) { write_json(os, std::string_view(text)); }
+
+/// \ingroup PkgGeometricContinuityIO
+/// Writes a flag as `true`, `false` or, when it is empty, `null`.
+inline void write_json(std::ostream& os, const std::optional<bool>& flag) {
+  internal::write_text(os, internal::json_text(flag));
+}
+
+/// \ingroup PkgGeometricContinuityIO
+/// Writes an enclosure as `[lower,upper]`, without loss, or `null` when it is empty. An infinite upper bound is `null`.
+/// \throws Error `not_finite` for a bound that is not a number, and for an infinite lower bound
+inline void write_json(std::ostream& os, const std::optional<Enclosure>& enclosure) {
+  internal::write_text(os, internal::json_text(enclosure));
+}
+
+/// \ingroup PkgGeometricContinuityIO
+/// Writes the members of the JSON object of `write_json(os, join, left, right)`, without braces.
+/// \throws Error as `write_number()` does for the shape parameters
+template <class FT> void write_json_members(std::ostream& os, const Join_continuity<FT>& join, int left, int right) {
+  internal::write_text(os, internal::json_members(join, left, right));
+}
+
+/// \ingroup PkgGeometricContinuityIO
+/// Writes the members of the JSON object of `write_json(os, within)`, without braces.
+/// \throws Error `not_finite` for an enclosure with a bound that is not a number
+inline void write_json_members(std::ostream& os, const Order_within& within) {
+  internal::write_text(os, internal::json_members(within));
+}
+
+/// \ingroup PkgGeometricContinuityIO
 /// Writes what was decided about the join of the curves number `left` and `right` as a JSON object
 /// `{"left":…,"right":…,"c_order":…,"g_order":…,"f_order":…,"betas":["p/q",…],"regular":…,"tangent_equal":…,
-/// "curvature_equal":…,"curvature_vector_equal":…,"torsion_equal":…}`. Exact numbers are strings; a gap between the end
-/// points is `c_order` -1; what is undefined is null.
+/// "curvature_equal":…,"curvature_vector_equal":…,"torsion_equal":…}`. A gap between the end points is `c_order` -1.
+/// \throws Error as `write_number()` does for the shape parameters
 template <class FT> void write_json(std::ostream& os, const Join_continuity<FT>& join, int left, int right) {
-  os << '{';
-  internal::write_json_members(os, join, left, right);
-  os << '}';
+  internal::write_text(os, '{' + internal::json_members(join, left, right) + '}');
 }
 
 /// \ingroup PkgGeometricContinuityIO
 /// Writes the verdicts for the orders 0 to 3 and the enclosures of a deviation as a JSON object
-/// `{"within":["proved",…],"gap":[…,…],"tangent_angle":[…,…],"curvature_jump":[…,…],"torsion_jump":[…,…]}`. What is
-/// undefined is null, and so is an infinite upper bound.
+/// `{"within":["proved",…],"gap":[…,…],"tangent_angle":[…,…],"curvature_jump":[…,…],"torsion_jump":[…,…]}`.
+/// \throws Error `not_finite` for an enclosure with a bound that is not a number
 inline void write_json(std::ostream& os, const Order_within& within) {
-  os << '{';
-  internal::write_json_members(os, within);
-  os << '}';
+  internal::write_text(os, '{' + internal::json_members(within) + '}');
 }
 
 } // namespace Geometric_continuity

@@ -5,6 +5,9 @@
 #ifndef CGAL_GEOMETRIC_CONTINUITY_IO_MESH_H
 #define CGAL_GEOMETRIC_CONTINUITY_IO_MESH_H
 
+/// \file IO/mesh.h
+/// Triangles of surfaces as files that other programs read.
+
 #include <CGAL/Geometric_continuity/IO/atomic_file.h>
 #include <CGAL/Geometric_continuity/local/coordinates.h>
 #include <CGAL/Geometric_continuity/models/Tessellation.h>
@@ -18,7 +21,9 @@
 #include <CGAL/number_utils.h>
 
 #include <algorithm>
+#include <array>
 #include <cctype>
+#include <cstddef>
 #include <limits>
 #include <locale>
 #include <ostream>
@@ -30,10 +35,15 @@ namespace Geometric_continuity {
 
 /// \ingroup PkgGeometricContinuityIO
 /// The formats in which triangles are written, all of them as text.
-enum class Mesh_format { off, obj, ply, stl };
+enum class Mesh_format {
+  off, ///< Object File Format
+  obj, ///< Wavefront
+  ply, ///< Polygon File Format
+  stl  ///< stereolithography: the triangles have no common points
+};
 
 /// \ingroup PkgGeometricContinuityIO
-/// The format of a file by the last letters of its name, in upper or lower case.
+/// Returns the format of a file by the last letters of its name, in upper or lower case.
 /// \throws Error `cannot_write_file` for any other than `.off`, `.obj`, `.ply` and `.stl`
 inline Mesh_format mesh_format(const std::string& path) {
   std::string extension = path.substr((std::min)(path.size(), path.find_last_of("./")));
@@ -46,14 +56,15 @@ inline Mesh_format mesh_format(const std::string& path) {
 }
 
 /// \ingroup PkgGeometricContinuityIO
-/// Writes the points and triangles of a tessellation by the functions of \cgal for polygon soups. Coordinates are rounded to
-/// `double` and written with 17 digits, so that nothing more is lost, whatever the locale. Failures of the stream are seen
-/// in its state.
-/// \throws Error `dimension_mismatch` unless the points are in dimension 3, `not_finite` for coordinates that are too large
-///   for `double`
+/// Writes the points and triangles of a tessellation by the functions of \cgal for polygon soups. Coordinates are
+/// rounded to `double` and written with 17 digits, so that nothing more is lost, whatever the locale. Nothing is
+/// written when an error is thrown. Failures of the stream are seen in its state.
+/// \throws Error `dimension_mismatch` unless the points are in dimension 3; `not_finite` for coordinates that are no
+///   finite `double`; `wrong_number_of_points` for a triangle with the index of a point that does not exist
 template <class Traits>
 void write_mesh(std::ostream& os, const Tessellation<Traits>& tessellation, Mesh_format format) {
   std::vector<Simple_cartesian<double>::Point_3> points;
+  points.reserve(tessellation.points.size());
   for (const typename Traits::Point& point : tessellation.points) {
     const Geometric_continuity::Coordinates<Traits> x = Geometric_continuity::coordinates<Traits>(point);
     if (x.dimension() != 3)
@@ -62,6 +73,11 @@ void write_mesh(std::ostream& os, const Tessellation<Traits>& tessellation, Mesh
     for (int i = 0; i < 3; ++i) internal::check_finite(y[i] = CGAL::to_double(x[i]), "write_mesh");
     points.emplace_back(y[0], y[1], y[2]);
   }
+  for (const std::array<std::size_t, 3>& triangle : tessellation.triangles)
+    for (std::size_t i : triangle)
+      if (i >= points.size())
+        throw Error(Error_code::wrong_number_of_points, "write_mesh: a triangle has the point " + std::to_string(i) +
+                                                            " of " + std::to_string(points.size()));
   const std::locale locale = os.imbue(std::locale::classic());
   const std::streamsize precision = os.precision(std::numeric_limits<double>::max_digits10);
   CGAL::IO::set_ascii_mode(os);
@@ -76,7 +92,8 @@ void write_mesh(std::ostream& os, const Tessellation<Traits>& tessellation, Mesh
 }
 
 /// \ingroup PkgGeometricContinuityIO
-/// Writes a file as a whole or not at all, see `write_file_atomically()`, in the format that its name says.
+/// Writes a tessellation to a file as a whole or not at all, see `write_file_atomically()`, in the format that the name
+/// of the file says.
 /// \throws Error as `mesh_format()`, `write_file_atomically()` and the function for streams do
 template <class Traits> void write_mesh(const std::string& path, const Tessellation<Traits>& tessellation) {
   const Mesh_format format = mesh_format(path);

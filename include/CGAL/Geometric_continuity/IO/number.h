@@ -5,8 +5,14 @@
 #ifndef CGAL_GEOMETRIC_CONTINUITY_IO_NUMBER_H
 #define CGAL_GEOMETRIC_CONTINUITY_IO_NUMBER_H
 
+/// \file IO/number.h
+/// Numbers as text, read and written without loss: decimals, and fractions p/q for exact fields.
+
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Geometric_continuity/Error.h>
+#include <CGAL/Geometric_continuity/IO/internal/Number_parts.h>
+#include <CGAL/Geometric_continuity/IO/limits.h>
+#include <CGAL/Geometric_continuity/IO/quoted_token.h>
 #include <CGAL/Geometric_continuity/numbers/internal/checked_conversion.h>
 
 #include <algorithm>
@@ -19,7 +25,6 @@
 #include <locale>
 #include <ostream>
 #include <sstream>
-#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <system_error>
@@ -29,103 +34,10 @@
 namespace CGAL {
 namespace Geometric_continuity {
 
-/// \ingroup PkgGeometricContinuityIO
-/// The longest text, in characters, that is read as a number.
-constexpr std::size_t max_number_length = 4096;
-
-/// \ingroup PkgGeometricContinuityIO
-/// The largest absolute value of the exponent of a decimal, so that a few characters cannot fill the memory.
-constexpr int max_decimal_exponent = 4096;
-
 namespace internal {
 
-// Why a text is not read as a number; the text itself is added by those who know where it stands.
-class Number_error : public std::runtime_error {
-  using std::runtime_error::runtime_error;
-};
-
-// A text for messages: in quotes, shortened, with bytes that cannot be printed as \xHH.
-inline std::string quoted_token(std::string_view text) {
-  constexpr std::size_t longest = 40;
-  constexpr char hex[] = "0123456789ABCDEF";
-  std::string result = "'";
-  for (char c : text.substr(0, longest)) {
-    const unsigned char byte = static_cast<unsigned char>(c);
-    if (byte >= 0x20 && byte < 0x7F)
-      result += c;
-    else
-      result += {'\\', 'x', hex[byte / 16], hex[byte % 16]};
-  }
-  return result + (text.size() > longest ? "...'" : "'");
-}
-
-// The parts of the text of a number: a decimal, or a fraction when there is a denominator.
-struct Number_parts {
-  bool negative = false;
-  std::string_view integer, fraction, denominator; // digits
-  int exponent = 0;
-};
-
-inline bool take(std::string_view& text, char c) {
-  const bool found = !text.empty() && text.front() == c;
-  if (found) text.remove_prefix(1);
-  return found;
-}
-
-// Takes an optional sign and tells whether it is a minus.
-inline bool take_minus(std::string_view& text) {
-  if (take(text, '+')) return false;
-  return take(text, '-');
-}
-
-inline std::string_view take_digits(std::string_view& text) {
-  const std::string_view digits = text.substr(0, text.find_first_not_of("0123456789"));
-  text.remove_prefix(digits.size());
-  return digits;
-}
-
-inline bool all_zero(std::string_view digits) { return digits.find_first_not_of('0') == std::string_view::npos; }
-
-inline int decimal_exponent(std::string_view text) {
-  const bool negative = take_minus(text);
-  const std::string_view digits = take_digits(text);
-  if (digits.empty() || !text.empty()) throw Number_error("not a number");
-  int exponent = 0;
-  for (char c : digits) {
-    exponent = 10 * exponent + (c - '0');
-    if (exponent > max_decimal_exponent)
-      throw Number_error("decimal exponent beyond " + std::to_string(max_decimal_exponent));
-  }
-  return negative ? -exponent : exponent;
-}
-
-inline Number_parts number_parts(std::string_view text) {
-  if (text.empty()) throw Number_error("empty number");
-  Number_parts parts;
-  parts.negative = take_minus(text);
-  parts.integer = take_digits(text);
-  if (!parts.integer.empty() && take(text, '/')) {
-    parts.denominator = take_digits(text);
-    if (parts.denominator.empty() || !text.empty()) throw Number_error("not a number");
-    if (all_zero(parts.denominator)) throw Number_error("zero denominator");
-    return parts;
-  }
-  if (take(text, '.')) parts.fraction = take_digits(text);
-  if (parts.integer.empty() && parts.fraction.empty()) throw Number_error("not a number");
-  if (take(text, 'e') || take(text, 'E'))
-    parts.exponent = decimal_exponent(text);
-  else if (!text.empty())
-    throw Number_error("not a number");
-  return parts;
-}
-
-inline void check_number_length(std::string_view text) {
-  if (text.size() > max_number_length)
-    throw Number_error("number longer than " + std::to_string(max_number_length) + " characters");
-}
-
-// Numbers that are evaluated on demand, such as those of Lazy_exact_nt, are read and written in the type of
-// their exact values.
+// Numbers that are evaluated on demand, such as those of Lazy_exact_nt, are read and written in the type of their exact
+// values.
 template <class FT, class = void> struct Evaluated { typedef FT type; };
 template <class FT> struct Evaluated<FT, std::void_t<decltype(std::declval<const FT&>().exact())>> {
   typedef std::decay_t<decltype(std::declval<const FT&>().exact())> type;
@@ -141,7 +53,7 @@ template <class FT> FT append_digits(FT value, std::string_view digits) {
       scale *= 10;
     }
     value = FT(FT(value * FT(scale)) + FT(piece));
-    digits.remove_prefix(std::min(piece_length, digits.size()));
+    digits.remove_prefix((std::min)(piece_length, digits.size()));
   }
   return value;
 }
@@ -177,7 +89,7 @@ template <class FT> FT nearest_floating_point(const Exact_rational& x) {
     std::memcpy(&result, &bits, sizeof bits);
     return result;
   };
-  const FT largest = std::numeric_limits<FT>::max();
+  const FT largest = (std::numeric_limits<FT>::max)();
   if (Exact_rational(largest) < x) throw Number_error("outside the range of floating-point numbers");
   Bits low = 0, high; // number(low) <= x <= number(high)
   std::memcpy(&high, &largest, sizeof high);
@@ -208,7 +120,7 @@ template <class FT> FT floating_point_value(std::string_view text, const Number_
   return value;
 }
 
-// \throws Number_error
+// The value of a text. Throws Number_error, so that the caller can say where the text stands.
 template <class FT> FT number_value(std::string_view text) {
   check_number_length(text);
   const Number_parts parts = number_parts(text);
@@ -250,29 +162,44 @@ template <class FT> std::string exact_text(const FT& x) {
   return text;
 }
 
+// The text that write_number() writes.
+template <class FT> std::string number_text(const FT& x) {
+  if constexpr (std::is_floating_point_v<FT>)
+    return floating_point_text(x);
+  else if constexpr (std::is_same_v<typename Evaluated<FT>::type, FT>)
+    return exact_text(x);
+  else
+    return exact_text(x.exact());
+}
+
+// A text that is complete is written at once, whatever the width, the flags and the locale of the stream.
+inline void write_text(std::ostream& os, const std::string& text) {
+  os.write(text.data(), static_cast<std::streamsize>(text.size()));
+}
+
 } // namespace internal
 
 /// \ingroup PkgGeometricContinuityIO
-/// The number written in a text. This is an optional sign, then a decimal (`12`, `-.5`, `3.`, `1e-3`, `1.5E+4`) or a
-/// fraction `p/q` of two integers of which the second is positive and has no sign.
+/// Returns the number that is written in a text: an optional sign, then a decimal (`12`, `-.5`, `3.`, `1e-3`, `1.5E+4`)
+/// or a fraction `p/q` of two integers of which the second is positive and has no sign.
 ///
 /// In a field other than the floating-point types the number is exactly what is written: `0.1` is 1/10. In `float` and
 /// `double` decimals and fractions are rounded to the nearest number, to the even one in a tie; a number that would
 /// become infinite, a fraction beyond the largest finite number, and a number that is not zero and would become zero
 /// are refused. A number that becomes subnormal is read.
 ///
-/// \tparam FT a field number type: `float`, `double`, or a type constructible from `int` with `+`, `-`, `*` and `/`.
-///            When it has a member function `exact()`, it must be constructible from the result.
-/// \throws Error `malformed_input`, with the text (shortened) and the reason, for everything else: an empty text,
-///         `nan`, `inf`, hexadecimal numbers, trailing characters, more than `max_number_length` characters, an
-///         exponent beyond `max_decimal_exponent`
-///
 /// Linear many operations of the field in the number of characters.
+///
+/// \tparam FT a field number type: `float`, `double`, or a type constructible from `int` with `+`, `-`, `*` and `/`.
+///   When it has a member function `exact()`, it must be constructible from the result.
+/// \throws Error `malformed_input`, with the text (shortened) and the reason, for everything else: an empty text,
+///   `nan`, `inf`, hexadecimal numbers, trailing characters, more than `max_number_length` characters, an exponent
+///   beyond `max_decimal_exponent`
 template <class FT> FT parse_number(std::string_view token) {
   try {
     return internal::number_value<FT>(token);
   } catch (const internal::Number_error& error) {
-    throw Error(Error_code::malformed_input, std::string(error.what()) + ": " + internal::quoted_token(token));
+    throw Error(Error_code::malformed_input, std::string(error.what()) + ": " + quoted_token(token));
   }
 }
 
@@ -282,19 +209,11 @@ template <class FT> FT parse_number(std::string_view token) {
 /// fields as `p` or `p/q`. Locale, precision, width and flags of the stream are ignored.
 ///
 /// \tparam FT `float`, `double`, or a field number type as for `parse_number()` with `==` and an `operator<<` that
-///            prints `p` or `p/q`; when it has a member function `exact()`, that is asked of the result
-/// \throws Error `not_finite` for an infinite or undefined floating-point number
-/// \throws Error `cannot_write_file` when the number type prints something else than the number, as does
-///         `Quotient<MP_Float>`
+///   prints `p` or `p/q`; when it has a member function `exact()`, that is asked of the result
+/// \throws Error `not_finite` for an infinite or undefined floating-point number; `cannot_write_file` when the number
+///   type prints something else than the number, as does `Quotient<MP_Float>`; nothing is written then
 template <class FT> void write_number(std::ostream& os, const FT& x) {
-  std::string text;
-  if constexpr (std::is_floating_point_v<FT>)
-    text = internal::floating_point_text(x);
-  else if constexpr (std::is_same_v<typename internal::Evaluated<FT>::type, FT>)
-    text = internal::exact_text(x);
-  else
-    text = internal::exact_text(x.exact());
-  os.write(text.data(), static_cast<std::streamsize>(text.size()));
+  internal::write_text(os, internal::number_text(x));
 }
 
 } // namespace Geometric_continuity

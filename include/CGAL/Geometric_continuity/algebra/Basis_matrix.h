@@ -14,6 +14,10 @@
 #include <ostream>
 #include <type_traits>
 
+/// \file Basis_matrix.h
+/// The 4 x 4 matrices of cubic curves, how one changes into another, and those of Hermite, Bézier, B-spline and cardinal curves.
+/// Lecture slides, "Blended curves".
+
 namespace CGAL {
 namespace Geometric_continuity {
 
@@ -56,16 +60,16 @@ template <class FT> Basis_matrix<FT> rounded_matrix(const Basis_matrix<typename 
 /// \tparam FT a field number type, or `int` for matrices of whole numbers
 template <class FT_> class Basis_matrix {
 public:
-  typedef FT_ FT;
-  typedef std::array<std::array<FT, 4>, 4> Rows;
+  typedef FT_ FT;                                ///< the number type
+  typedef std::array<std::array<FT, 4>, 4> Rows; ///< the rows of a matrix
 
-  /// From the rows.
+  /// Constructs a matrix from its rows.
   constexpr explicit Basis_matrix(const Rows& rows) : m_(rows) {}
 
-  /// The entry in row `i` and column `j`.
+  /// Returns the entry in row `i` and column `j`, `0 <= i, j < 4`.
   constexpr const FT& operator()(int i, int j) const { return m_[i][j]; }
 
-  /// The same matrix over another number type.
+  /// Returns the same matrix over another number type.
   template <class Other> constexpr Basis_matrix<Other> over() const {
     typename Basis_matrix<Other>::Rows r{};
     for (int i = 0; i < 4; ++i)
@@ -73,7 +77,7 @@ public:
     return Basis_matrix<Other>(r);
   }
 
-  /// The product of two matrices. 64 multiplications
+  /// Returns the product of two matrices, with 64 multiplications.
   friend constexpr Basis_matrix operator*(const Basis_matrix& a, const Basis_matrix& b) {
     Rows r{};
     for (int i = 0; i < 4; ++i)
@@ -84,7 +88,7 @@ public:
     return Basis_matrix(r);
   }
 
-  /// The product of a matrix and a number.
+  /// Returns the product of a number and a matrix.
   friend constexpr Basis_matrix operator*(const FT& s, const Basis_matrix& a) {
     Rows r{};
     for (int i = 0; i < 4; ++i)
@@ -92,14 +96,14 @@ public:
     return Basis_matrix(r);
   }
 
-  /// The determinant, by expansion along the first row.
+  /// Returns the determinant, by expansion along the first row.
   constexpr FT determinant() const {
     FT sum(0);
     for (int j = 0; j < 4; ++j) sum += FT(m_[0][j] * cofactor(0, j));
     return sum;
   }
 
-  /// The inverse, as the matrix of cofactors divided by the determinant. Whether there is one is decided exactly, and the
+  /// Returns the inverse, as the matrix of cofactors divided by the determinant. Whether there is one is decided exactly, and the
   /// inverse of a matrix of floating-point numbers is exact up to one rounding of each entry, by `CGAL::to_double()`.
   /// \throws Error `singular_frame` when the determinant is zero, and for whole numbers unless it is 1 or -1
   /// \throws Error `not_finite` for an infinite or undefined entry, and when the inverse overflows
@@ -117,13 +121,14 @@ public:
     }
   }
 
-  /// Equality of all entries.
+  /// Decides whether all entries are equal.
   friend constexpr bool operator==(const Basis_matrix& a, const Basis_matrix& b) {
     for (int i = 0; i < 4; ++i)
       for (int j = 0; j < 4; ++j)
         if (a(i, j) != b(i, j)) return false;
     return true;
   }
+  /// Decides whether an entry is different.
   friend constexpr bool operator!=(const Basis_matrix& a, const Basis_matrix& b) { return !(a == b); }
 
   /// Writes the rows, one to a line.
@@ -149,7 +154,7 @@ private:
 };
 
 /// \ingroup PkgGeometricContinuityAlgebra
-/// The matrix \f$ A = M_{from} M_{to}^{-1} \f$ that changes the geometry of a curve in one basis into that of the same curve in
+/// Returns the matrix \f$ A = M_{from} M_{to}^{-1} \f$ that changes the geometry of a curve in one basis into that of the same curve in
 /// another one: \f$ G_{to} = G_{from} A \f$. Exact; the matrix for floating-point numbers is exact up to one rounding of each
 /// entry.
 /// \throws Error `singular_frame`, `not_finite` when the basis `to` cannot be inverted
@@ -176,35 +181,35 @@ static_assert(bezier_matrix == Basis_matrix<int>({{{-1, 3, -3, 1}, {3, -6, 3, 0}
 } // namespace internal
 
 /// \ingroup PkgGeometricContinuityAlgebra
-/// The matrix of the four conditions on a Hermite curve: \f$ G_H = G_H M_H\,\cdot \f$ this matrix, the columns of which are
+/// Returns the matrix of the four conditions on a Hermite curve: \f$ G_H = G_H M_H\,\cdot \f$ this matrix, the columns of which are
 /// \f$ [t^3\ t^2\ t\ 1]^T \f$ at 0 and 1 and its derivatives at 0 and 1. Lecture slides, corrected.
 template <class FT> Basis_matrix<FT> hermite_constraint_matrix() {
   return internal::hermite_constraints.template over<FT>();
 }
 
 /// \ingroup PkgGeometricContinuityAlgebra
-/// \f$ M_H \f$, the inverse of `hermite_constraint_matrix()`, taken at compile time. The rows stand for the end points
+/// Returns \f$ M_H \f$, the inverse of `hermite_constraint_matrix()`, taken at compile time. The rows stand for the end points
 /// \f$ P_1, P_4 \f$ and the derivatives \f$ R_1, R_4 \f$ there. Lecture slides, corrected.
 template <class FT> Basis_matrix<FT> hermite_matrix() { return internal::hermite_matrix.template over<FT>(); }
 
 /// \ingroup PkgGeometricContinuityAlgebra
-/// \f$ M_{HB} \f$ with \f$ G_H = G_B M_{HB} \f$: \f$ R_1 = 3 (P_2 - P_1) \f$ and \f$ R_4 = 3 (P_4 - P_3) \f$. Lecture slides.
+/// Returns \f$ M_{HB} \f$ with \f$ G_H = G_B M_{HB} \f$: \f$ R_1 = 3 (P_2 - P_1) \f$ and \f$ R_4 = 3 (P_4 - P_3) \f$. Lecture slides.
 template <class FT> Basis_matrix<FT> hermite_from_bezier_matrix() {
   return internal::hermite_from_bezier_matrix.template over<FT>();
 }
 
 /// \ingroup PkgGeometricContinuityAlgebra
-/// \f$ M_B = M_{HB} M_H \f$, the Bernstein polynomials of degree 3. Lecture slides, corrected.
+/// Returns \f$ M_B = M_{HB} M_H \f$, the rows of which are the Bernstein polynomials of degree 3. Lecture slides, corrected.
 template <class FT> Basis_matrix<FT> bezier_matrix() { return internal::bezier_matrix.template over<FT>(); }
 
 /// \ingroup PkgGeometricContinuityAlgebra
-/// The uniform cubic B-spline: the curve of four neighbours is near the second and the third.
+/// Returns the matrix of the uniform cubic B-spline: the curve of four neighbours is near the second and the third.
 template <class FT> Basis_matrix<FT> bspline_matrix() {
   return FT(FT(1) / FT(6)) * internal::bspline_matrix.template over<FT>();
 }
 
 /// \ingroup PkgGeometricContinuityAlgebra
-/// The cardinal spline: the curve of four neighbours leads from the second to the third, with derivatives
+/// Returns the matrix of the cardinal spline: the curve of four neighbours leads from the second to the third, with derivatives
 /// \f$ \frac{1-c}{2} (P_3 - P_1) \f$ and \f$ \frac{1-c}{2} (P_4 - P_2) \f$ for the tension `c`. Tension 0 is Catmull-Rom;
 /// tension 1 has zero derivatives and a singular matrix.
 template <class FT> Basis_matrix<FT> cardinal_matrix(const FT& tension) {
@@ -213,7 +218,7 @@ template <class FT> Basis_matrix<FT> cardinal_matrix(const FT& tension) {
 }
 
 /// \ingroup PkgGeometricContinuityAlgebra
-/// The spline of Catmull and Rom, `cardinal_matrix(0)`.
+/// Returns the matrix of the spline of Catmull and Rom, `cardinal_matrix(0)`.
 template <class FT> Basis_matrix<FT> catmull_rom_matrix() { return cardinal_matrix<FT>(FT(0)); }
 
 } // namespace Geometric_continuity

@@ -5,27 +5,35 @@
 #ifndef CGAL_GEOMETRIC_CONTINUITY_ALGEBRA_BERNSTEIN_H
 #define CGAL_GEOMETRIC_CONTINUITY_ALGEBRA_BERNSTEIN_H
 
+#include <CGAL/Geometric_continuity/Error.h>
+
 #include <type_traits>
 #include <vector>
 
 /// \file bernstein.h
 /// Algorithms on Bernstein coefficients \f$ c_0, \dots, c_n \f$ of \f$ \sum_i c_i B_i^n(t) \f$ in random-access
 /// containers `c`, by field arithmetic only. Curves run them on coordinates and on vectors of coordinates;
-/// `Bernstein_polynomial` wraps them for scalar polynomials.
+/// `Bernstein_polynomial` wraps them for scalar polynomials. The algorithms are de Casteljau's; see Farin, "Curves and Surfaces
+/// for CAGD", chapters 5 and 6.
+///
+/// They run in the innermost loops and do not check their arguments: it is the caller's duty that `c` has the `n + 1` elements
+/// and, where this is said, the room that is needed, and that `n` and `k` are not negative.
 
 namespace CGAL {
 namespace Geometric_continuity {
 
 /// \ingroup PkgGeometricContinuityAlgebra
-/// The row \f$ \binom{n}{0}, \dots, \binom{n}{n} \f$ of Pascal's triangle.
+/// Returns the row \f$ \binom{n}{0}, \dots, \binom{n}{n} \f$ of Pascal's triangle, `n >= 0`. \f$ O(n) \f$
+/// \throws Error `negative_count` when `n` is negative
 template <class FT> std::vector<FT> binomial_coefficients(int n) {
+  if (n < 0) throw Error(Error_code::negative_count, "binomial_coefficients");
   std::vector<FT> row(1, FT(1));
   for (int i = 0; i < n; ++i) row.push_back(FT(row.back() * FT(n - i) / FT(i + 1)));
   return row;
 }
 
 /// \ingroup PkgGeometricContinuityAlgebra
-/// One step of de Casteljau's algorithm at `t`: overwrites \f$ c_0, \dots, c_n \f$ by the `n` coefficients
+/// Does one step of de Casteljau's algorithm at `t`: overwrites \f$ c_0, \dots, c_n \f$ by the `n` coefficients
 /// \f$ (1-t) c_i + t c_{i+1} \f$ in the first places.
 template <class FT, class Coefficients> void de_casteljau_step(Coefficients& c, int n, const FT& t) {
   const FT s = FT(1) - t;
@@ -39,14 +47,14 @@ template <class Coefficients> void difference_step(Coefficients& c, int n) {
 }
 
 /// \ingroup PkgGeometricContinuityAlgebra
-/// The value at `t` by de Casteljau's algorithm; `c` is overwritten. \f$ O(n^2) \f$
+/// Returns the value at `t` by de Casteljau's algorithm; `c` is overwritten. \f$ O(n^2) \f$
 template <class FT, class Coefficients> auto bernstein_value(Coefficients& c, int n, const FT& t) {
   for (; n > 0; --n) de_casteljau_step(c, n, t);
   return c[0];
 }
 
 /// \ingroup PkgGeometricContinuityAlgebra
-/// The derivatives of order 0 to `k` at `t`, with respect to `t`: `out(j, value)` is called for each
+/// Computes the derivatives of order 0 to `k` at `t`, with respect to `t`: `out(j, value)` is called for each
 /// `j`, in this order; `c` is overwritten. The coefficients are numbers or vectors of the same dimension.
 /// \f$ O(n^2 + k^3) \f$
 template <class FT, class Coefficients, class Output>
@@ -73,8 +81,8 @@ void bernstein_derivatives(Coefficients& c, int n, const FT& t, int k, Output ou
 }
 
 /// \ingroup PkgGeometricContinuityAlgebra
-/// The derivatives of order 0 to `k` at `t = 0` from the first `k + 1` coefficients, in `c`, which is
-/// overwritten: \f$ \frac{n!}{(n-j)!} \Delta^j c_0 \f$. The coefficients in reverse order give the derivatives
+/// Computes the derivatives of order 0 to `k` at `t = 0` from the first `k + 1` coefficients, in `c`, which is
+/// overwritten, and calls `out(j, value)` for each `j`, in this order: \f$ \frac{n!}{(n-j)!} \Delta^j c_0 \f$. The coefficients in reverse order give the derivatives
 /// at `t = 1` up to the sign \f$ (-1)^j \f$. \f$ O(k^2) \f$
 template <class FT, class Coefficients, class Output>
 void bernstein_end_derivatives(Coefficients& c, int n, int k, Output out) {
@@ -89,7 +97,8 @@ void bernstein_end_derivatives(Coefficients& c, int n, int k, Output out) {
 }
 
 /// \ingroup PkgGeometricContinuityAlgebra
-/// Overwrites \f$ c_0, \dots, c_n \f$ by the coefficients on \f$ [t, 1] \f$ and writes those on \f$ [0, t] \f$ to `left`.
+/// Overwrites \f$ c_0, \dots, c_n \f$ by the coefficients on \f$ [t, 1] \f$ and writes those on \f$ [0, t] \f$ to `left`,
+/// which has room for `n + 1`. \f$ O(n^2) \f$
 template <class FT, class Coefficients> void bernstein_split(Coefficients& c, int n, const FT& t, Coefficients& left) {
   // after i steps, c[0] is the next coefficient of the left part
   const FT s = FT(1) - t;
@@ -101,7 +110,7 @@ template <class FT, class Coefficients> void bernstein_split(Coefficients& c, in
 }
 
 /// \ingroup PkgGeometricContinuityAlgebra
-/// Raises the degree from `n` to `n + 1`; `c` must have room for `n + 2` coefficients.
+/// Raises the degree from `n` to `n + 1`; `c` has room for `n + 2` coefficients. \f$ O(n) \f$
 template <class FT, class Coefficients> void bernstein_elevate(Coefficients& c, int n) {
   c[n + 1] = c[n];
   for (int i = n; i > 0; --i) c[i] = (FT(i) * c[i - 1] + FT(n + 1 - i) * c[i]) / FT(n + 1);

@@ -5,6 +5,7 @@
 #ifndef CGAL_GEOMETRIC_CONTINUITY_ALGEBRA_CONVEX_WEIGHTS_H
 #define CGAL_GEOMETRIC_CONTINUITY_ALGEBRA_CONVEX_WEIGHTS_H
 
+#include <CGAL/Geometric_continuity/Error.h>
 #include <CGAL/Geometric_continuity/algebra/Coordinate_vector.h>
 #include <CGAL/Geometric_continuity/numbers/Exact_field.h>
 #include <CGAL/Geometric_continuity/numbers/internal/checked_conversion.h>
@@ -14,6 +15,9 @@
 #include <string>
 #include <utility>
 #include <vector>
+
+/// \file convex_weights.h
+/// Whether a point is in the convex hull of others, with weights that prove it: the first phase of the simplex algorithm.
 
 namespace CGAL {
 namespace Geometric_continuity {
@@ -85,7 +89,7 @@ private:
 } // namespace internal
 
 /// \ingroup PkgGeometricContinuityAlgebra
-/// Weights \f$ w_i \ge 0 \f$ with \f$ \sum_i w_i = 1 \f$ and \f$ \sum_i w_i q_i = p \f$: they prove that `p` is in the convex hull
+/// Computes weights \f$ w_i \ge 0 \f$ with \f$ \sum_i w_i = 1 \f$ and \f$ \sum_i w_i q_i = p \f$: they prove that `p` is in the convex hull
 /// of the points `q`. At most one more of them than the dimension is not zero. Empty if and only if `p` is outside. Exact in
 /// any dimension: floating-point coordinates are taken as the rational numbers they are. By the simplex algorithm with Bland's
 /// rule; fast in practice.

@@ -7,18 +7,18 @@
 
 #include <CGAL/Geometric_continuity/algebra/Coordinate_vector.h>
 
+#include <cmath>
 #include <cstddef>
+#include <type_traits>
 #include <vector>
 
 namespace CGAL {
 namespace Geometric_continuity {
 
-/// \ingroup PkgGeometricContinuityAlgebra
-/// The determinant of the `n` x `n` matrix with entries `entry(row, column)`, without divisions, by
-/// Laplace expansion over the subsets of columns: \f$ n\,2^{n-1} \f$ products.
-template <class FT, class Entry> FT determinant(int n, Entry entry) {
-  if (n == 1) return entry(0, 0);
-  if (n == 2) return FT(entry(0, 0) * entry(1, 1) - entry(0, 1) * entry(1, 0));
+namespace internal {
+
+// Without divisions, by Laplace expansion over the subsets of columns: n 2^(n-1) products.
+template <class FT, class Entry> FT determinant_by_minors(int n, Entry entry) {
   // minors[columns]: determinant of the first |columns| rows restricted to these columns
   std::vector<FT> minors(std::size_t(1) << n, FT(0));
   minors[0] = FT(1);
@@ -38,6 +38,46 @@ template <class FT, class Entry> FT determinant(int n, Entry entry) {
     }
   }
   return minors.back();
+}
+
+// By Gaussian elimination in the field, O(n^3). The pivot is the largest number of a column, when they are rounded.
+template <class FT, class Entry> FT determinant_by_elimination(int n, Entry entry) {
+  std::vector<std::vector<FT>> rows(n);
+  for (int i = 0; i < n; ++i)
+    for (int j = 0; j < n; ++j) rows[i].push_back(entry(i, j));
+  FT product(1);
+  for (int step = 0; step < n; ++step) {
+    int pivot = step;
+    for (int i = step + 1; i < n; ++i)
+      if constexpr (std::is_floating_point_v<FT>) {
+        if (std::abs(rows[pivot][step]) < std::abs(rows[i][step])) pivot = i;
+      } else if (rows[pivot][step] == FT(0))
+        pivot = i;
+    if (rows[pivot][step] == FT(0)) return FT(0);
+    if (pivot != step) {
+      rows[pivot].swap(rows[step]);
+      product = -product;
+    }
+    product *= rows[step][step];
+    for (int i = step + 1; i < n; ++i) {
+      if (rows[i][step] == FT(0)) continue;
+      const FT factor = rows[i][step] / rows[step][step];
+      for (int j = step + 1; j < n; ++j) rows[i][j] -= factor * rows[step][j];
+    }
+  }
+  return product;
+}
+
+} // namespace internal
+
+/// \ingroup PkgGeometricContinuityAlgebra
+/// Returns the determinant of the `n` x `n` matrix with entries `entry(row, column)`: up to `n == 6` without divisions, by
+/// Laplace expansion; above, by elimination in the field, in \f$ O(n^3) \f$.
+template <class FT, class Entry> FT determinant(int n, Entry entry) {
+  if (n == 1) return entry(0, 0);
+  if (n == 2) return FT(entry(0, 0) * entry(1, 1) - entry(0, 1) * entry(1, 0));
+  if (n <= 6) return internal::determinant_by_minors<FT>(n, entry);
+  return internal::determinant_by_elimination<FT>(n, entry);
 }
 
 /// \ingroup PkgGeometricContinuityAlgebra

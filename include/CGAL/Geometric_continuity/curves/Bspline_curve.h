@@ -6,14 +6,14 @@
 #define CGAL_GEOMETRIC_CONTINUITY_CURVES_BSPLINE_CURVE_H
 
 #include <CGAL/Geometric_continuity/curves/Bezier_curve.h>
-#include <CGAL/Geometric_continuity/numbers/internal/checked_conversion.h>
+#include <CGAL/Geometric_continuity/curves/internal/Joined_bezier_curves.h>
+#include <CGAL/Geometric_continuity/curves/internal/point_rows.h>
 #include <CGAL/Geometric_continuity/splines/Bspline_function.h>
 
-#include <algorithm>
+#include <cstddef>
 #include <optional>
 #include <ostream>
 #include <string>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -31,11 +31,11 @@ namespace Geometric_continuity {
 /// \models ParametricCurve
 template <class Traits_> class Bspline_curve {
 public:
-  typedef Traits_ Traits;
-  typedef typename Traits::FT FT;
-  typedef typename Traits::Point Point;
-  typedef typename Traits::Vector Vector;
-  static constexpr int N = dimension_v<Traits>;
+  typedef Traits_ Traits;                       ///< the traits class
+  typedef typename Traits::FT FT;               ///< the field
+  typedef typename Traits::Point Point;         ///< the points of the kernel
+  typedef typename Traits::Vector Vector;       ///< the vectors of the kernel
+  static constexpr int N = dimension_v<Traits>; ///< the dimension, or 0 when it is known at run time only
 
 private:
   typedef Geometric_continuity::Coordinates<Traits> Coordinates;
@@ -44,11 +44,10 @@ private:
   std::vector<Point> points_;
 
 public:
-  typedef typename std::vector<Point>::const_iterator const_iterator;
-  /// The coordinates of the curve as a function of the parameter.
-  typedef Bspline_function<FT, Coordinates> Function;
+  typedef typename std::vector<Point>::const_iterator const_iterator; ///< iterates over the control points
+  typedef Bspline_function<FT, Coordinates> Function; ///< the coordinates as a function of the parameter
 
-  /// From a range of control points and the knots.
+  /// Takes a range of control points and the knots.
   /// \throws Error `wrong_number_of_points` unless there are `n` points
   /// \throws Error `dimension_mismatch` when the points differ in dimension
   /// \throws Error `not_finite` for an infinite or undefined floating-point coordinate
@@ -56,25 +55,23 @@ public:
   Bspline_curve(InputIterator first, InputIterator last, Knot_vector<FT> knots)
       : knots_(std::move(knots)), points_(first, last) {
     internal::check_number_of_coefficients(knots_, points_, "Bspline_curve");
-    for (int i = 0; i < number_of_points(); ++i) {
-      const Coordinates x = coordinates(i);
-      if (x.dimension() != dimension())
-        throw Error(Error_code::dimension_mismatch, "Bspline_curve: control point " + std::to_string(i));
-      for (const FT& xi : x) internal::check_finite(xi, "Bspline_curve: control points");
-    }
+    check_points();
   }
 
-  /// From the coordinates as a function. \throws Error as above
+  /// Takes the coordinates as a function.
+  /// \throws Error `dimension_mismatch` when the coefficients differ in dimension
+  /// \throws Error `not_finite` for an infinite or undefined floating-point coordinate
   explicit Bspline_curve(const Function& f) : knots_(f.knots()) {
     for (const Coordinates& x : f.coefficients()) points_.push_back(Geometric_continuity::to_point<Traits>(x));
+    check_points();
   }
 
-  /// The same curve, without inner knots.
+  /// Converts a Bézier curve; the B-spline curve has no inner knots.
   template <int Degree>
   explicit Bspline_curve(const Bezier_curve<Traits, Degree>& c)
       : knots_(c.degree(), c.domain().first, c.domain().second), points_(c.begin(), c.end()) {}
 
-  /// From a range of Bézier curves, each of which starts exactly where the one before it ends. The degree `p` is the highest
+  /// Takes a range of Bézier curves, each of which starts exactly where the one before it ends. The degree `p` is the highest
   /// of theirs; the others are elevated. The inner knots have multiplicity `p`; `remove_superfluous_knots()` leaves those
   /// that are needed. The pieces keep the lengths of their domains: \f$ u_p \f$ is the start of the first domain, and domains
   /// that continue each other are taken over as they are.
@@ -82,27 +79,36 @@ public:
   /// \throws Error `curves_do_not_meet`, `dimension_mismatch` when two neighbours do not fit
   /// \throws Error `empty_domain`, `not_finite` when knots become equal or overflow by rounding
   template <class ForwardIterator>
-  Bspline_curve(ForwardIterator first, ForwardIterator last) : Bspline_curve(joined(first, last)) {}
+  Bspline_curve(ForwardIterator first, ForwardIterator last)
+      : Bspline_curve(internal::Joined_bezier_curves<Traits>(first, last, 0, "Bspline_curve")) {}
 
+  /// Returns the degree `p`.
   int degree() const { return knots_.degree(); }
+  /// Returns the dimension of the control points.
   int dimension() const { return Traits().compute_dimension_object()(points_[0]); }
 
   /// \name Control Points and Knots
   /// @{
 
+  /// Returns the number `n` of control points.
   int number_of_points() const { return static_cast<int>(points_.size()); }
+  /// Returns the control points, in order.
   const std::vector<Point>& control_points() const { return points_; }
+  /// Returns the `i`-th control point. \pre `0 <= i < number_of_points()`
   const Point& control_point(int i) const { return points_[i]; }
+  /// Returns an iterator to the first control point.
   const_iterator begin() const { return points_.begin(); }
+  /// Returns the iterator after the last control point.
   const_iterator end() const { return points_.end(); }
-  /// The coordinates of the `i`-th control point.
+  /// Returns the coordinates of the `i`-th control point. \pre `0 <= i < number_of_points()`
   Coordinates coordinates(int i) const { return Geometric_continuity::coordinates<Traits>(points_[i]); }
 
+  /// Returns the knots.
   const Knot_vector<FT>& knots() const { return knots_; }
-  /// The domain \f$ [u_p, u_n] \f$.
+  /// Returns the domain \f$ [u_p, u_n] \f$.
   std::pair<FT, FT> domain() const { return knots_.domain(); }
 
-  /// The coordinates of the curve as a function of the parameter.
+  /// Returns the coordinates of the curve as a function of the parameter.
   Function function() const {
     std::vector<Coordinates> rows;
     for (int i = 0; i < number_of_points(); ++i) rows.push_back(coordinates(i));
@@ -111,37 +117,51 @@ public:
 
   /// @}
   /// \name Evaluation
-  /// All these functions throw `Error` with `parameter_outside_domain` outside the domain, whose right end is included.
+  /// At an end of the domain, the jets of both sides are the jet of the only side that there is. With floating-point numbers,
+  /// derivatives that overflow are not refused.
   /// @{
 
-  /// The point at `u`, from the right where the curve jumps. \f$ O(\log n + p^2) \f$
+  /// Returns the point at `u`, from the right where the curve jumps. \f$ O(\log n + p^2) \f$
+  /// \throws Error `parameter_outside_domain` outside the domain, whose right end is included
   Point operator()(const FT& u) const {
     return Geometric_continuity::to_point<Traits>(jet_over<FT>(u, knots_.span(u), 0)[0]);
   }
 
-  /// The jet of order `k >= 0` at `u`, from the right at a knot; derivatives beyond the degree are zero.
+  /// Returns the jet of order `k` at `u`, from the right at a knot; derivatives beyond the degree are zero.
   /// \f$ O(\log n + p^2 + p k^2) \f$
+  /// \throws Error `parameter_outside_domain`, `negative_count` unless `k >= 0`
   Curve_jet<Traits> jet(const FT& u, int k) const { return right_jet(u, k); }
 
-  /// The jets from one side. At an end of the domain both are the jet of the only side that there is.
+  /// Returns the jet of order `k` at `u`, from the left at a knot.
+  /// \throws Error `parameter_outside_domain`, `negative_count` unless `k >= 0`
   Curve_jet<Traits> left_jet(const FT& u, int k) const { return Curve_jet<Traits>(left_jet_over<FT>(u, k)); }
+  /// Returns the jet of order `k` at `u`, from the right at a knot.
+  /// \throws Error `parameter_outside_domain`, `negative_count` unless `k >= 0`
   Curve_jet<Traits> right_jet(const FT& u, int k) const { return Curve_jet<Traits>(right_jet_over<FT>(u, k)); }
 
-  /// The jets at the ends of the domain.
+  /// Returns the jet of order `k` at the start of the domain. \throws Error `negative_count` unless `k >= 0`
   Curve_jet<Traits> start_jet(int k) const { return right_jet(domain().first, k); }
+  /// Returns the jet of order `k` at the end of the domain. \throws Error `negative_count` unless `k >= 0`
   Curve_jet<Traits> end_jet(int k) const { return left_jet(domain().second, k); }
 
-  /// The same in another field, to which control points, knots and parameter are converted first: this is how an
-  /// exact predicate reads a curve with `double` coordinates.
+  /// Returns the jet of order `k` at `u`, from the left at a knot, in another field, to which control points, knots and
+  /// parameter are converted first: this is how an exact predicate reads a curve with `double` coordinates.
+  /// \throws Error `parameter_outside_domain`, `negative_count` unless `k >= 0`
   template <class Field> Coordinate_jet<Field, N> left_jet_over(const FT& u, int k) const {
     return jet_over<Field>(u, knots_.left_span(u), k);
   }
+  /// Returns the jet of order `k` at `u`, from the right at a knot, in another field, to which control points, knots and
+  /// parameter are converted first. \throws Error `parameter_outside_domain`, `negative_count` unless `k >= 0`
   template <class Field> Coordinate_jet<Field, N> right_jet_over(const FT& u, int k) const {
     return jet_over<Field>(u, knots_.span(u), k);
   }
+  /// Returns the jet of order `k` at the start of the domain in another field, to which control points and knots are converted
+  /// first. \throws Error `negative_count` unless `k >= 0`
   template <class Field> Coordinate_jet<Field, N> start_jet_over(int k) const {
     return right_jet_over<Field>(domain().first, k);
   }
+  /// Returns the jet of order `k` at the end of the domain in another field, to which control points and knots are converted
+  /// first. \throws Error `negative_count` unless `k >= 0`
   template <class Field> Coordinate_jet<Field, N> end_jet_over(int k) const {
     return left_jet_over<Field>(domain().second, k);
   }
@@ -150,46 +170,55 @@ public:
   /// \name Other Curves
   /// @{
 
-  /// The derivative (hodograph): the curve of degree `p - 1` (0 for degree 0) whose point at `u` has the coordinates of the
-  /// first derivative. Jumps are not differentiated. \f$ O(n) \f$
+  /// Returns the derivative (hodograph): the curve of degree `p - 1` (0 for degree 0) whose point at `u` has the coordinates of
+  /// the first derivative. Jumps are not differentiated. \f$ O(n) \f$
+  /// \throws Error `not_finite` when a floating-point coordinate overflows
   Bspline_curve derivative() const { return Bspline_curve(function().derivative()); }
 
-  /// The same curve with `times >= 0` more copies of the knot `u`. \f$ O(n + p^3) \f$
+  /// Returns this curve over the knots with `times` more copies of `u`. \f$ O(n + p^3) \f$
   /// \throws Error `parameter_outside_domain`, and `knot_multiplicity` when it would be repeated more than `p + 1` times
-  Bspline_curve insert(const FT& u, int times = 1) const { return Bspline_curve(function().insert(u, times)); }
+  /// \throws Error `negative_count` unless `times >= 0`
+  Bspline_curve insert(const FT& u, int times = 1) const {
+    internal::check_count(times, "Bspline_curve::insert");
+    return Bspline_curve(function().insert(u, times));
+  }
 
-  /// The same curve over finer knots, see `bspline_refine()`. \f$ O(n p^2) \f$
+  /// Returns this curve over finer knots, see `bspline_refine()`. \f$ O(n p^2) \f$
   /// \throws Error `wrong_number_of_points` when the degrees differ, `parameter_outside_domain` when the domains differ,
   ///   `knot_multiplicity` when a knot is missing
   Bspline_curve refine(const Knot_vector<FT>& finer) const { return Bspline_curve(function().refine(finer)); }
 
-  /// The same curve without the knots outside the domain, and with control points at its ends. \f$ O(n p^2) \f$
+  /// Returns this curve without the knots outside the domain, and with control points at its ends. \f$ O(n p^2) \f$
   Bspline_curve clamp() const { return Bspline_curve(function().clamp()); }
 
-  /// The same curve with `times >= 0` copies of the inner knot `u` less, or nothing when the curve needs them. Decided
-  /// exactly, see `bspline_smoothness()`. \f$ O(n + p^3) \f$
+  /// Returns this curve over the knots with `times` copies of the inner knot `u` less, or nothing when the curve needs them.
+  /// Decided exactly, see `bspline_smoothness()`. \f$ O(n + p^3) \f$
   /// \throws Error `parameter_outside_domain` also at the ends of the domain
+  /// \throws Error `knot_multiplicity` when there are not as many, `negative_count` unless `times >= 0`
   std::optional<Bspline_curve> remove(const FT& u, int times = 1) const {
+    internal::check_count(times, "Bspline_curve::remove");
     const std::optional<Function> f = function().remove(u, times);
     if (!f) return std::nullopt;
     return Bspline_curve(*f);
   }
 
-  /// The same curve without the inner knots that it does not need, decided exactly. \f$ O(n p^3) \f$
+  /// Returns this curve without the inner knots that it does not need, decided exactly. \f$ O(n p^3) \f$
   Bspline_curve remove_superfluous_knots() const { return Bspline_curve(function().remove_superfluous_knots()); }
 
-  /// The same curve with the degree raised by `times >= 0`, clamped. The multiplicities of the inner knots rise as much.
+  /// Returns this curve with the degree raised by `times`, clamped. The multiplicities of the inner knots rise as much.
   /// \f$ O(d^3) \f$ for each span, in the new degree `d`
+  /// \throws Error `negative_count` unless `times >= 0`
   Bspline_curve elevate(int times = 1) const {
+    internal::check_count(times, "Bspline_curve::elevate");
     const internal::Distinct_knots<FT> knots = internal::distinct_elevated_knots(knots_, times);
     return written(knots, [&](Write_points& output) {
       internal::elevate_spline<N>(knots, knots_, Rows_of_points{points_}, dimension(), output);
     });
   }
 
-  /// The curve with its coordinates multiplied by the spline function `f`, see `bspline_product()`.
+  /// Returns the curve with the coordinates of this one multiplied by the spline function `f`, see `bspline_product()`.
   /// \f$ O((p+q)^2) \f$ field operations for each span and coordinate, without a linear system.
-  /// \throws Error `parameter_outside_domain` when the domains differ
+  /// \throws Error `parameter_outside_domain` when the domains differ, `not_finite` when a floating-point number overflows
   Bspline_curve multiply(const Bspline_function<FT>& f) const {
     const internal::Distinct_knots<FT> knots = internal::distinct_product_knots(f.knots(), knots_);
     return written(knots, [&](Write_points& output) {
@@ -198,17 +227,17 @@ public:
     });
   }
 
-  /// The curve run through backwards, on the same domain, see `Knot_vector::reverse()`.
+  /// Returns the curve in the opposite direction, on the same domain, see `Knot_vector::reverse()`.
   Bspline_curve reverse() const { return Bspline_curve(points_.rbegin(), points_.rend(), knots_.reverse()); }
 
-  /// The image under an affine map of points, e.g. a `CGAL::Aff_transformation_3`.
+  /// Returns the image under an affine map of points, e.g. a `CGAL::Aff_transformation_3`. The images are not checked.
   template <class Transformation> Bspline_curve transform(const Transformation& map) const {
     Bspline_curve r = *this;
     for (Point& p : r.points_) p = map(p);
     return r;
   }
 
-  /// The Bézier curves on the spans, each with its span as domain. \f$ O(n p^3) \f$
+  /// Returns the Bézier curves on the spans, each with its span as domain. \f$ O(n p^3) \f$
   std::vector<Bezier_curve<Traits>> bezier_pieces() const {
     const std::vector<Coordinates> rows = bspline_bezier<FT>(knots_, function().coefficients());
     std::vector<Point> points;
@@ -224,13 +253,14 @@ public:
 
   /// @}
 
-  /// Equality of knots and control points.
+  /// Returns whether knots and control points are equal.
   friend bool operator==(const Bspline_curve& c, const Bspline_curve& d) {
     if (c.knots_ != d.knots_) return false;
     for (int j = 0; j < c.number_of_points(); ++j)
       if (c.coordinates(j) != d.coordinates(j)) return false;
     return true;
   }
+  /// Returns whether knots or control points differ.
   friend bool operator!=(const Bspline_curve& c, const Bspline_curve& d) { return !(c == d); }
 
   /// Writes the knots and the control points.
@@ -249,29 +279,26 @@ private:
   Bspline_curve(Knot_vector<FT> knots, std::vector<Point> points)
       : knots_(std::move(knots)), points_(std::move(points)) {}
 
-  // Control points as rows of numbers, see bspline_spans.h.
-  struct Rows_of_points {
-    const std::vector<Point>& points;
+  typedef internal::Rows_of_points<Traits> Rows_of_points;
+  typedef internal::Write_points<Traits> Write_points;
 
-    void operator()(int i, FT* row) const {
-      const Traits traits;
-      const int d = N > 0 ? N : traits.compute_dimension_object()(points[i]);
-      for (int x = 0; x < d; ++x) row[x] = traits.compute_coordinate_object()(points[i], x);
-      if constexpr (internal::row_length_v < FT, N >> N) row[N] = FT(0);
+  // The inner knots have the multiplicity of the degree.
+  explicit Bspline_curve(const internal::Joined_bezier_curves<Traits>& curves)
+      : Bspline_curve(curves.points.begin(), curves.points.end(), knots_of(curves)) {}
+  static Knot_vector<FT> knots_of(const internal::Joined_bezier_curves<Traits>& curves) {
+    std::vector<typename Knot_vector<FT>::Knot> inner;
+    for (std::size_t l = 1; l + 1 < curves.knots.size(); ++l) inner.push_back({curves.knots[l], curves.degree});
+    return Knot_vector<FT>(curves.degree, curves.knots.front(), curves.knots.back(), inner);
+  }
+
+  void check_points() const {
+    for (int i = 0; i < number_of_points(); ++i) {
+      const Coordinates x = coordinates(i);
+      if (x.dimension() != dimension())
+        throw Error(Error_code::dimension_mismatch, "Bspline_curve: control point " + std::to_string(i));
+      for (const FT& xi : x) internal::check_finite(xi, "Bspline_curve: control points");
     }
-  };
-
-  // And back.
-  struct Write_points {
-    int dimension;
-    Point* next;
-    internal::Finite_rows<internal::row_length_v<FT, N>, FT> finite = {};
-
-    BOOST_FORCEINLINE void operator()(const FT* row) {
-      *next++ = Traits().construct_point_object()(N > 0 ? N : dimension, row, row + (N > 0 ? N : dimension));
-      finite.add(row, dimension);
-    }
-  };
+  }
 
   // The curve over these knots with the points that work(output) writes.
   template <class Work> Bspline_curve written(const internal::Distinct_knots<FT>& knots, Work work) const {
@@ -289,41 +316,11 @@ private:
         [&](int j, const Coordinate_vector<Field, N>& x) { jet[j] = x; });
     return jet;
   }
-
-  template <class ForwardIterator> static Bspline_curve joined(ForwardIterator first, ForwardIterator last) {
-    typedef typename Knot_vector<FT>::Knot Knot;
-    if (first == last) throw Error(Error_code::wrong_number_of_points, "Bspline_curve: no Bezier curve");
-    const FT start = first->domain().first;
-    int degree = 0;
-    for (ForwardIterator i = first; i != last; ++i) degree = std::max(degree, i->degree());
-    std::vector<Point> points;
-    std::vector<Knot> knots; // the ends of the pieces
-    for (ForwardIterator i = first; i != last; ++i) {
-      const Bezier_curve<Traits> piece = i->elevate(degree - i->degree());
-      const std::pair<FT, FT> domain = piece.domain();
-      if (i != first) {
-        const std::string place = "Bspline_curve: Bezier curve " + std::to_string(knots.size());
-        if (piece.dimension() != Traits().compute_dimension_object()(points.back()))
-          throw Error(Error_code::dimension_mismatch, place);
-        if (piece.coordinates(0) != Geometric_continuity::coordinates<Traits>(points.back()))
-          throw Error(Error_code::curves_do_not_meet, place);
-      }
-      const FT& end = knots.empty() ? start : knots.back().value;
-      const FT next = end == domain.first ? domain.second : FT(end + (domain.second - domain.first));
-      if (!(end < next))
-        throw Error(Error_code::empty_domain, "Bspline_curve: Bezier curve " + std::to_string(knots.size()));
-      points.insert(points.end(), piece.begin() + (points.empty() ? 0 : 1), piece.end());
-      knots.push_back({next, degree});
-    }
-    const FT finish = knots.back().value;
-    knots.pop_back();
-    return Bspline_curve(points.begin(), points.end(), Knot_vector<FT>(degree, start, finish, knots));
-  }
 };
 
 /// \ingroup PkgGeometricContinuityCurves
-/// `c.multiply(f)`: the curve with the coordinates of `c` multiplied by the spline function `f`.
-/// \throws Error `parameter_outside_domain` when the domains differ
+/// Returns the curve with the coordinates of `c` multiplied by the spline function `f`, `c.multiply(f)`.
+/// \throws Error `parameter_outside_domain` when the domains differ, `not_finite` when a floating-point number overflows
 template <class Traits>
 Bspline_curve<Traits> product(const Bspline_function<typename Traits::FT>& f, const Bspline_curve<Traits>& c) {
   return c.multiply(f);

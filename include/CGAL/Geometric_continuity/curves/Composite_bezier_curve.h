@@ -6,7 +6,7 @@
 #define CGAL_GEOMETRIC_CONTINUITY_CURVES_COMPOSITE_BEZIER_CURVE_H
 
 #include <CGAL/Geometric_continuity/curves/Bezier_curve.h>
-#include <CGAL/Geometric_continuity/numbers/internal/checked_conversion.h>
+#include <CGAL/Geometric_continuity/curves/internal/Joined_bezier_curves.h>
 #include <CGAL/Iterator_range.h>
 
 #include <boost/iterator/counting_iterator.hpp>
@@ -37,17 +37,17 @@ namespace Geometric_continuity {
 /// \models ParametricCurve
 template <class Traits_, int Degree = dynamic_degree> class Composite_bezier_curve {
 public:
-  typedef Traits_ Traits;
-  typedef typename Traits::FT FT;
-  typedef typename Traits::Point Point;
-  typedef typename Traits::Vector Vector;
-  typedef Bezier_curve<Traits, Degree> Segment;
-  static constexpr int N = Segment::N;
+  typedef Traits_ Traits;                       ///< the traits class
+  typedef typename Traits::FT FT;               ///< the field
+  typedef typename Traits::Point Point;         ///< the points of the kernel
+  typedef typename Traits::Vector Vector;       ///< the vectors of the kernel
+  typedef Bezier_curve<Traits, Degree> Segment; ///< a segment, with its part of the domain
+  static constexpr int N = Segment::N;          ///< the dimension, or 0 when it is known at run time only
 
   /// The join between the end of the segment `left` and the start of the segment `right`.
   struct Join {
-    int left;
-    int right;
+    int left;  ///< the number of the segment that ends
+    int right; ///< the number of the segment that starts
   };
 
 private:
@@ -67,13 +67,13 @@ private:
   };
 
 public:
-  typedef typename std::vector<Point>::const_iterator const_iterator;
+  typedef typename std::vector<Point>::const_iterator const_iterator; ///< iterates over the control points
 
-  /// From the `m (k + 1) + 1` control points and the `k + 2` knots; the degree follows from their numbers.
+  /// Takes the `m (k + 1) + 1` control points and the `k + 2` knots; the degree follows from their numbers.
   /// \throws Error `empty_domain` with fewer than 2 knots, and unless they increase strictly
   /// \throws Error `wrong_number_of_points` when the number of points is not of this form, or not for `m == Degree`
   /// \throws Error `dimension_mismatch` when the points differ in dimension
-  /// \throws Error `not_finite` for an infinite or undefined floating-point number
+  /// \throws Error `not_finite` for an infinite or undefined floating-point number, and when the length of the domain overflows
   template <class InputIterator>
   Composite_bezier_curve(InputIterator first, InputIterator last, std::vector<FT> knots)
       : knots_(std::move(knots)), points_(first, last) {
@@ -87,81 +87,82 @@ public:
     check_points();
   }
 
-  /// From a range of Bézier curves, each of which starts exactly where the one before it ends. Its degree is the highest
+  /// Takes a range of Bézier curves, each of which starts exactly where the one before it ends. Its degree is the highest
   /// of theirs, or `Degree`; the others are elevated. The segments keep the lengths of their domains: \f$ u_0 \f$ is the
   /// start of the first domain, and domains that continue each other are taken over as they are.
   /// \throws Error `curves_do_not_meet`, `dimension_mismatch` when two neighbours do not fit
   /// \throws Error `wrong_number_of_points` for an empty range, and for a degree above `Degree`
   /// \throws Error `empty_domain`, `not_finite` when knots become equal or overflow by rounding
-  template <class ForwardIterator> Composite_bezier_curve(ForwardIterator first, ForwardIterator last) {
-    if (first == last) throw Error(Error_code::wrong_number_of_points, "Composite_bezier_curve: no segment");
-    for (ForwardIterator i = first; i != last; ++i) degree_ = std::max(degree_, i->degree());
-    if (Degree != dynamic_degree && degree_ > Degree)
-      throw Error(Error_code::wrong_number_of_points, "Composite_bezier_curve: a segment of degree " +
-                                                          std::to_string(degree_) + " where it is at most " +
-                                                          std::to_string(Degree));
-    for (; first != last; ++first) append(first->elevate(degree_ - first->degree()));
-    check_knots();
-    check_points();
-  }
+  template <class ForwardIterator>
+  Composite_bezier_curve(ForwardIterator first, ForwardIterator last)
+      : Composite_bezier_curve(
+            internal::Joined_bezier_curves<Traits>(first, last, (std::max)(Degree, 0), "Composite_bezier_curve")) {}
 
-  /// The same curve with its degree forgotten, or remembered.
+  /// Converts a curve by forgetting its degree, or by remembering it.
+  /// \throws Error `wrong_number_of_points` when the curve does not have the degree `Degree`
   template <int Other, class = std::enable_if_t<Other != Degree>>
   Composite_bezier_curve(const Composite_bezier_curve<Traits, Other>& c)
       : Composite_bezier_curve(c.begin(), c.end(), c.knots()) {
     static_assert(Other == dynamic_degree || Degree == dynamic_degree, "the degrees differ");
   }
 
+  /// Returns the degree `m` of the segments.
   int degree() const { return degree_; }
+  /// Returns the dimension of the control points.
   int dimension() const { return Traits().compute_dimension_object()(points_[0]); }
 
-  /// The number of segments, `k + 1`.
+  /// Returns the number of segments, `k + 1`.
   int number_of_segments() const { return static_cast<int>(knots_.size()) - 1; }
 
   /// \name Polygon and Knots
   /// @{
 
-  /// The control points \f$ b_0, \dots, b_{m(k+1)} \f$.
+  /// Returns the control points \f$ b_0, \dots, b_{m(k+1)} \f$.
   const std::vector<Point>& control_points() const { return points_; }
+  /// Returns the control point \f$ b_i \f$. \pre `0 <= i <= m (k + 1)`
   const Point& control_point(int i) const { return points_[i]; }
+  /// Returns an iterator to the first control point.
   const_iterator begin() const { return points_.begin(); }
+  /// Returns the iterator after the last control point.
   const_iterator end() const { return points_.end(); }
+  /// Returns the coordinates of the control point \f$ b_i \f$. \pre `0 <= i <= m (k + 1)`
   Coordinates coordinates(int i) const { return Geometric_continuity::coordinates<Traits>(points_[i]); }
 
-  /// The knots \f$ u_0, \dots, u_{k+1} \f$.
+  /// Returns the knots \f$ u_0, \dots, u_{k+1} \f$.
   const std::vector<FT>& knots() const { return knots_; }
 
-  /// The domain \f$ [u_0, u_{k+1}] \f$.
+  /// Returns the domain \f$ [u_0, u_{k+1}] \f$.
   std::pair<FT, FT> domain() const { return {knots_.front(), knots_.back()}; }
 
-  /// The length \f$ \lambda_\ell \f$ of the parameter interval of the `l`-th segment.
+  /// Returns the length \f$ \lambda_\ell \f$ of the parameter interval of the `l`-th segment.
+  /// \pre `0 <= l < number_of_segments()`
   FT lambda(int l) const { return FT(knots_[l + 1] - knots_[l]); }
 
-  /// \f$ \lambda_{right} / \lambda_{left} \f$: the \f$ \beta_1 \f$ with which, seen from unit intervals, a join is
-  /// \f$ C^1 \f$.
+  /// Returns \f$ \lambda_{right} / \lambda_{left} \f$: the \f$ \beta_1 \f$ with which, seen from unit intervals, a join is
+  /// \f$ C^1 \f$. \pre the numbers of the segments are between 0 and `number_of_segments() - 1`
   FT ratio(const Join& join) const { return FT(lambda(join.right) / lambda(join.left)); }
 
   /// @}
   /// \name Segments and Joins
   /// @{
 
-  /// The `l`-th segment with its domain \f$ [u_\ell, u_{\ell+1}] \f$, `0 <= l < number_of_segments()`.
+  /// Returns the `l`-th segment with its domain \f$ [u_\ell, u_{\ell+1}] \f$. \pre `0 <= l < number_of_segments()`
   Segment segment(int l) const {
     const const_iterator first = points_.begin() + degree_ * l;
     return Segment(first, first + degree_ + 1, knots_[l], knots_[l + 1]);
   }
 
-  /// The range of all segments, which are made one at a time. It refers to this curve.
+  /// Returns the range of all segments, which are made one at a time. It refers to this curve, which must live on.
   auto segments() const {
     return CGAL::make_range(
         boost::make_transform_iterator(boost::make_counting_iterator(0), Segment_at{this}),
         boost::make_transform_iterator(boost::make_counting_iterator(number_of_segments()), Segment_at{this}));
   }
 
-  /// The number of joins: that of the inner knots, and one more when the curve is closed.
+  /// Returns the number of joins: that of the inner knots, and one more when the curve is closed.
   int number_of_joins() const { return number_of_segments() - (is_closed() ? 0 : 1); }
 
-  /// The range of all joins from left to right; that of a closed curve ends with the one between its end and its start.
+  /// Returns the range of all joins from left to right; that of a closed curve ends with the one between its end and its start.
   auto joins() const {
     return CGAL::make_range(
         boost::make_transform_iterator(boost::make_counting_iterator(0), Join_at{number_of_segments()}),
@@ -169,39 +170,53 @@ public:
                                        Join_at{number_of_segments()}));
   }
 
-  /// The first and the last control point are equal.
+  /// Returns whether the first and the last control point are equal.
   bool is_closed() const { return coordinates(0) == coordinates(static_cast<int>(points_.size()) - 1); }
 
-  /// The segment that is evaluated at `u`: at an inner knot the one to the right, or else the one to the left.
-  /// \f$ O(\log k) \f$ \throws Error `parameter_outside_domain`
-  int segment_at(const FT& u, bool from_the_right = true) const {
-    const FT &a = knots_.front(), &b = knots_.back();
-    if (!(a < u || a == u) || !(u < b || u == b)) // an undefined number is refused, too
-      throw Error(Error_code::parameter_outside_domain, "Composite_bezier_curve");
+  /// Returns the number of the segment that is evaluated at `u`: at an inner knot the one to the right. \f$ O(\log k) \f$
+  /// \throws Error `parameter_outside_domain`
+  int segment_at(const FT& u) const {
+    check_parameter(u);
     const auto inner = knots_.begin() + 1, end = knots_.end() - 1;
-    return static_cast<int>((from_the_right ? std::upper_bound(inner, end, u) : std::lower_bound(inner, end, u)) -
-                            inner);
+    return static_cast<int>(std::upper_bound(inner, end, u) - inner);
+  }
+
+  /// Returns the number of the segment that leads to `u`: at an inner knot the one to the left. \f$ O(\log k) \f$
+  /// \throws Error `parameter_outside_domain`
+  int segment_before(const FT& u) const {
+    check_parameter(u);
+    const auto inner = knots_.begin() + 1, end = knots_.end() - 1;
+    return static_cast<int>(std::lower_bound(inner, end, u) - inner);
   }
 
   /// @}
   /// \name Evaluation
-  /// All these functions throw `Error` with `parameter_outside_domain` unless \f$ u_0 \le u \le u_{k+1} \f$.
+  /// At an end of the domain, the jets of both sides are the jet of the only side that there is. With floating-point numbers,
+  /// derivatives that overflow are not refused.
   /// @{
 
-  /// The point at `u`.
+  /// Returns the point at `u`. \f$ O(\log k + m^2) \f$
+  /// \throws Error `parameter_outside_domain` unless \f$ u_0 \le u \le u_{k+1} \f$
   Point operator()(const FT& u) const { return segment(segment_at(u))(u); }
 
-  /// The jet of order `k` at `u`, from the right at the inner knots. \f$ O(m^2 + k^3) \f$
+  /// Returns the jet of order `k` at `u`, from the right at the inner knots. \f$ O(m^2 + k^3) \f$
+  /// \throws Error `parameter_outside_domain`, `negative_count` unless `k >= 0`
   Curve_jet<Traits> jet(const FT& u, int k) const { return right_jet(u, k); }
 
-  /// The jets from one side. At an end of the domain both are the jet of the only side that there is.
-  Curve_jet<Traits> left_jet(const FT& u, int k) const { return segment(segment_at(u, false)).jet(u, k); }
-  Curve_jet<Traits> right_jet(const FT& u, int k) const { return segment(segment_at(u, true)).jet(u, k); }
+  /// Returns the jet of order `k` at `u`, from the left at the inner knots. \f$ O(m^2 + k^3) \f$
+  /// \throws Error `parameter_outside_domain`, `negative_count` unless `k >= 0`
+  Curve_jet<Traits> left_jet(const FT& u, int k) const { return segment(segment_before(u)).jet(u, k); }
+  /// Returns the jet of order `k` at `u`, from the right at the inner knots. \f$ O(m^2 + k^3) \f$
+  /// \throws Error `parameter_outside_domain`, `negative_count` unless `k >= 0`
+  Curve_jet<Traits> right_jet(const FT& u, int k) const { return segment(segment_at(u)).jet(u, k); }
 
-  /// The jets at the ends of the domain in another field, see `Bezier_curve`.
+  /// Returns the jet of order `k` at the start of the domain in another field, see `Bezier_curve::start_jet_over()`.
+  /// \throws Error `negative_count` unless `k >= 0`
   template <class Field> Coordinate_jet<Field, N> start_jet_over(int k) const {
     return segment(0).template start_jet_over<Field>(k);
   }
+  /// Returns the jet of order `k` at the end of the domain in another field, see `Bezier_curve::end_jet_over()`.
+  /// \throws Error `negative_count` unless `k >= 0`
   template <class Field> Coordinate_jet<Field, N> end_jet_over(int k) const {
     return segment(number_of_segments() - 1).template end_jet_over<Field>(k);
   }
@@ -210,7 +225,7 @@ public:
   /// \name Other Curves
   /// @{
 
-  /// The same curve with `u` as a further knot. Nothing changes when it is a knot already. \f$ O(m k + m^2) \f$
+  /// Returns this curve with `u` as a further knot. Nothing changes when it is a knot already. \f$ O(m k + m^2) \f$
   /// \throws Error `parameter_outside_domain`
   Composite_bezier_curve insert_knot(const FT& u) const {
     const int l = segment_at(u), m = degree_;
@@ -225,15 +240,15 @@ public:
     return r;
   }
 
-  /// The part on [u, v], on its own part of the domain.
+  /// Returns the part on [u, v], on its own part of the domain.
   /// \throws Error `parameter_outside_domain`, `empty_domain` unless `u < v`
   Composite_bezier_curve subrange(const FT& u, const FT& v) const {
     if (!(u < v)) throw Error(Error_code::empty_domain, "Composite_bezier_curve::subrange");
     const Composite_bezier_curve c = insert_knot(u).insert_knot(v);
-    return c.segment_range(c.segment_at(u), c.segment_at(v, false) + 1);
+    return c.segment_range(c.segment_at(u), c.segment_before(v) + 1);
   }
 
-  /// The part of the segments `first`, ..., `last - 1`.
+  /// Returns the part of the segments `first`, ..., `last - 1`.
   /// \throws Error `parameter_outside_domain` unless `0 <= first < last <= number_of_segments()`
   Composite_bezier_curve segment_range(int first, int last) const {
     if (!(0 <= first && first < last && last <= number_of_segments()))
@@ -242,14 +257,14 @@ public:
                                   std::vector<FT>(knots_.begin() + first, knots_.begin() + last + 1));
   }
 
-  /// The parts on both sides of `u`. \throws Error `parameter_outside_domain` unless \f$ u_0 < u < u_{k+1} \f$
+  /// Returns the parts on both sides of `u`. \throws Error `parameter_outside_domain` unless \f$ u_0 < u < u_{k+1} \f$
   std::pair<Composite_bezier_curve, Composite_bezier_curve> split(const FT& u) const {
     if (!(knots_.front() < u && u < knots_.back()))
       throw Error(Error_code::parameter_outside_domain, "Composite_bezier_curve::split");
     return {subrange(knots_.front(), u), subrange(u, knots_.back())};
   }
 
-  /// The curve run through backwards, on the same domain: `u` becomes \f$ u_0 + u_{k+1} - u \f$. With rounded numbers
+  /// Returns the curve in the opposite direction, on the same domain: `u` becomes \f$ u_0 + u_{k+1} - u \f$. With rounded numbers
   /// this rounds the inner knots, but no point. \throws Error `empty_domain` when that makes two knots equal
   Composite_bezier_curve reverse() const {
     Composite_bezier_curve r = *this;
@@ -261,7 +276,7 @@ public:
     return r;
   }
 
-  /// The image under an affine map of points, e.g. an `Isometry`.
+  /// Returns the image under an affine map of points, e.g. an `Isometry`. The images are not checked.
   template <class Transformation> Composite_bezier_curve transform(const Transformation& map) const {
     Composite_bezier_curve r = *this;
     for (Point& p : r.points_) p = map(p);
@@ -270,10 +285,11 @@ public:
 
   /// @}
 
-  /// Equality of knots and control points.
+  /// Returns whether knots and control points are equal.
   friend bool operator==(const Composite_bezier_curve& c, const Composite_bezier_curve& d) {
     return c.knots_ == d.knots_ && c.points_ == d.points_;
   }
+  /// Returns whether knots or control points differ.
   friend bool operator!=(const Composite_bezier_curve& c, const Composite_bezier_curve& d) { return !(c == d); }
 
   /// Writes the segments, one to a line.
@@ -283,20 +299,20 @@ public:
   }
 
 private:
-  void append(const Bezier_curve<Traits>& curve) {
-    const std::pair<FT, FT> domain = curve.domain();
-    if (points_.empty()) {
-      knots_ = {domain.first, domain.second};
-      points_.assign(curve.begin(), curve.end());
-      return;
-    }
-    const Coordinates end = coordinates(static_cast<int>(points_.size()) - 1), start = curve.coordinates(0);
-    const std::string place = "Composite_bezier_curve: segment " + std::to_string(number_of_segments());
-    if (start.dimension() != end.dimension()) throw Error(Error_code::dimension_mismatch, place);
-    if (start != end) throw Error(Error_code::curves_do_not_meet, place);
-    knots_.push_back(knots_.back() == domain.first ? domain.second
-                                                   : FT(knots_.back() + (domain.second - domain.first)));
-    points_.insert(points_.end(), curve.begin() + 1, curve.end());
+  explicit Composite_bezier_curve(internal::Joined_bezier_curves<Traits> curves)
+      : degree_(curves.degree), knots_(std::move(curves.knots)), points_(std::move(curves.points)) {
+    if (Degree != dynamic_degree && degree_ > Degree)
+      throw Error(Error_code::wrong_number_of_points, "Composite_bezier_curve: a segment of degree " +
+                                                          std::to_string(degree_) + " where it is at most " +
+                                                          std::to_string(Degree));
+    check_knots();
+    check_points();
+  }
+
+  void check_parameter(const FT& u) const {
+    const FT &a = knots_.front(), &b = knots_.back();
+    if (!(a < u || a == u) || !(u < b || u == b)) // an undefined number is refused, too
+      throw Error(Error_code::parameter_outside_domain, "Composite_bezier_curve");
   }
 
   void check_knots() const {
@@ -306,6 +322,7 @@ private:
       if (l > 0 && !(knots_[l - 1] < knots_[l]))
         throw Error(Error_code::empty_domain, "Composite_bezier_curve: segment " + std::to_string(l - 1));
     }
+    internal::check_finite(FT(knots_.back() - knots_.front()), "Composite_bezier_curve: length of the domain");
   }
 
   void check_points() const {

@@ -71,15 +71,15 @@ Cubic_columns<FT, N> blended_columns(const Cubic_columns<FT, N>& g, const Basis_
 /// \models ParametricCurve
 template <class Traits_, class Basis_> class Cubic_blended_curve {
 public:
-  typedef Traits_ Traits;
-  typedef Basis_ Basis;
-  typedef typename Traits::FT FT;
-  typedef typename Traits::Point Point;
-  typedef typename Traits::Vector Vector;
-  typedef typename Basis::template Geometry<Traits> Geometry;
-  static constexpr int N = dimension_v<Traits>;
+  typedef Traits_ Traits;                                     ///< the traits class
+  typedef Basis_ Basis;                                       ///< the basis
+  typedef typename Traits::FT FT;                             ///< the field
+  typedef typename Traits::Point Point;                       ///< the points of the kernel
+  typedef typename Traits::Vector Vector;                     ///< the vectors of the kernel
+  typedef typename Basis::template Geometry<Traits> Geometry; ///< four points, or points and vectors
+  static constexpr int N = dimension_v<Traits>;               ///< the dimension, or 0 when it is known at run time only
 
-  /// From the geometry.
+  /// Takes the geometry.
   /// \throws Error `dimension_mismatch` when its columns differ in dimension
   /// \throws Error `not_finite` for an infinite or undefined floating-point coordinate
   explicit Cubic_blended_curve(const Geometry& geometry, const Basis& basis = Basis())
@@ -92,31 +92,38 @@ public:
     }
   }
 
-  /// From a Bézier curve of degree at most 3, the domain of which becomes [0, 1].
+  /// Converts a Bézier curve of degree at most 3, the domain of which becomes [0, 1].
   /// \throws Error `wrong_number_of_points` for a higher degree
   /// \throws Error `singular_frame` when the matrix of the basis has no inverse
   template <int Degree>
   explicit Cubic_blended_curve(const Bezier_curve<Traits, Degree>& curve, const Basis& basis = Basis())
       : Cubic_blended_curve(Cubic_blended_curve<Traits, Bezier_basis>(cubic_points(curve)).in_basis(basis)) {}
 
+  /// Returns the geometry.
   const Geometry& geometry() const { return geometry_; }
+  /// Returns the basis.
   const Basis& basis() const { return basis_; }
+  /// Returns the dimension of the points.
   int dimension() const { return columns<FT>()[0].dimension(); }
 
-  /// The domain [0, 1].
+  /// Returns the domain [0, 1].
   std::pair<FT, FT> domain() const { return {FT(0), FT(1)}; }
 
-  /// The point at `t`, which may lie outside of the domain.
+  /// Returns the point at the finite parameter `t`, which may lie outside of the domain.
   Point operator()(const FT& t) const { return Geometric_continuity::to_point<Traits>(jet_over<FT>(t, 0)[0]); }
 
-  /// The jet of order `k >= 0` at `t`; derivatives of order 4 and more are zero.
+  /// Returns the jet of order `k` at the finite parameter `t`, which may lie outside of the domain; derivatives of order 4 and
+  /// more are zero. \throws Error `negative_count` unless `k >= 0`
   Curve_jet<Traits> jet(const FT& t, int k) const { return Curve_jet<Traits>(jet_over<FT>(t, k)); }
 
-  /// The jets at the ends in another field, to which the geometry is converted first.
+  /// Returns the jet of order `k` at the start in another field, to which the geometry is converted first.
+  /// \throws Error `negative_count` unless `k >= 0`
   template <class Field> Coordinate_jet<Field, N> start_jet_over(int k) const { return jet_over<Field>(Field(0), k); }
+  /// Returns the jet of order `k` at the end in another field, to which the geometry is converted first.
+  /// \throws Error `negative_count` unless `k >= 0`
   template <class Field> Coordinate_jet<Field, N> end_jet_over(int k) const { return jet_over<Field>(Field(1), k); }
 
-  /// The same curve in another basis: \f$ G_{to} = G M M_{to}^{-1} \f$.
+  /// Returns this curve in another basis: \f$ G_{to} = G M M_{to}^{-1} \f$.
   /// \throws Error `singular_frame` when the matrix of the other basis has no inverse
   template <class Other> Cubic_blended_curve<Traits, Other> in_basis(const Other& other = Other()) const {
     typedef Cubic_blended_curve<Traits, Other> Result;
@@ -125,13 +132,15 @@ public:
     return Result(internal::geometry_from_columns<Traits, typename Result::Geometry>(g), other);
   }
 
-  /// The same curve as a Bézier curve on [a, b].
-  /// \throws Error `empty_domain` unless `a < b`
+  /// Returns this curve as a Bézier curve on [a, b].
+  /// \throws Error `empty_domain` unless `a < b`, `not_finite` when a floating-point number overflows
   Bezier_curve<Traits, 3> bezier(const FT& a = FT(0), const FT& b = FT(1)) const {
     return bezier(basis_conversion<FT>(basis_, Bezier_basis()), a, b);
   }
 
-  /// The same, with the matrix `basis_conversion<FT>(basis(), Bezier_basis())`, which many curves of one basis can share.
+  /// Returns this curve as a Bézier curve on [a, b], by the matrix `basis_conversion<FT>(basis(), Bezier_basis())`, which many
+  /// curves of one basis can share.
+  /// \throws Error `empty_domain` unless `a < b`, `not_finite` when a floating-point number overflows
   Bezier_curve<Traits, 3> bezier(const Basis_matrix<FT>& to_bezier, const FT& a, const FT& b) const {
     const internal::Cubic_columns<FT, N> g = internal::blended_columns<FT, N>(columns<FT>(), to_bezier);
     const auto p = internal::geometry_from_columns<Traits, std::array<Point, 4>>(g);

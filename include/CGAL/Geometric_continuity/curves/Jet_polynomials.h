@@ -38,7 +38,7 @@ template <class FT_, int N, int degree, int k> class Jet_polynomials {
   static constexpr int last = k < degree ? k : degree; // the derivatives of higher order are zero
 
 public:
-  typedef FT_ FT;
+  typedef FT_ FT; ///< the field
 
   /// Prepares a curve. \f$ O(N m^3) \f$
   /// \throws Error `dimension_mismatch` unless the curve has the dimension `N`
@@ -64,7 +64,7 @@ public:
     }
   }
 
-  /// The jet at `u`.
+  /// Returns the jet at `u`. \f$ O(N k m) \f$
   Coordinate_jet<FT, N> jet(const FT& u) const {
     const FT x = local_parameter(u);
     Coordinate_jet<FT, N> jet(N, k, internal::Unspecified());
@@ -74,8 +74,8 @@ public:
     return jet;
   }
 
-  /// The jets at `parameters[begin]`, ..., `parameters[end-1]`, which are written to the places `begin`, ..., `end-1` of
-  /// `jets`, several at a time.
+  /// Computes the jets at `parameters[begin]`, ..., `parameters[end-1]`, several at a time, and writes them to the places
+  /// `begin`, ..., `end-1` of `jets`. \pre `begin <= end <= jets.size()`
   void evaluate(const FT* parameters, std::size_t begin, std::size_t end, Jet_arrays<FT, N, k>& jets) const {
     for (int i = 0; i < N; ++i) evaluate_coordinate(i, parameters, begin, end, jets);
   }

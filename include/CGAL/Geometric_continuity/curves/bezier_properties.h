@@ -10,6 +10,7 @@
 #include <CGAL/Geometric_continuity/algebra/sign_pattern.h>
 #include <CGAL/Geometric_continuity/curves/Bezier_curve.h>
 #include <CGAL/Geometric_continuity/numbers/Exact_field.h>
+#include <CGAL/Geometric_continuity/numbers/internal/checked_conversion.h>
 
 #include <optional>
 #include <vector>
@@ -30,13 +31,18 @@ std::vector<Coordinate_vector<Field, dimension_v<Traits>>> control_columns(const
   return columns;
 }
 
+template <class Traits> typename Traits::Vector direction(const Coordinates<Traits>& v, const char* place) {
+  for (const typename Traits::FT& x : v) check_finite(x, place);
+  return to_vector<Traits>(v);
+}
+
 // The exact field for the numbers of a kernel: that of its predicates, and never a rounded one.
 template <class Traits> using Decision_FT = typename Exact_field<Predicate_FT<Traits>>::type;
 
 } // namespace internal
 
 /// \ingroup PkgGeometricContinuityCurves
-/// Weights \f$ w_i \ge 0 \f$ with \f$ \sum_i w_i = 1 \f$ and \f$ \sum_i w_i b_i = p \f$ for the control points, which prove that `p` is in
+/// Returns weights \f$ w_i \ge 0 \f$ with \f$ \sum_i w_i = 1 \f$ and \f$ \sum_i w_i b_i = p \f$ for the control points, which prove that `p` is in
 /// their convex hull; empty if and only if it is outside. Exact with every kernel for the coordinates as given, in any
 /// dimension. See `convex_weights()`.
 /// \throws Error `dimension_mismatch` when `p` has another dimension
@@ -50,34 +56,38 @@ std::optional<std::vector<internal::Decision_FT<Traits>>> convex_hull_weights(co
 }
 
 /// \ingroup PkgGeometricContinuityCurves
-/// Whether `p` is in the convex hull of the control points, or on its boundary. Every point of the curve is, for parameters
+/// Returns whether `p` is in the convex hull of the control points, or on its boundary. Every point of the curve is, for parameters
 /// in the domain: its weights are the values of the Bernstein polynomials there. (With rounded numbers the point that
 /// the curve returns may be just outside.) Exact with every kernel for the coordinates as given. See `convex_hull_weights()`.
+/// \throws Error `dimension_mismatch` when `p` has another dimension
+/// \throws Error `not_finite` when `p` has an infinite or undefined floating-point coordinate
 template <class Traits, int Degree>
 bool is_in_convex_hull(const Bezier_curve<Traits, Degree>& curve, const typename Traits::Point& p) {
   return bool(convex_hull_weights(curve, p));
 }
 
 /// \ingroup PkgGeometricContinuityCurves
-/// The direction in which the curve starts: the first \f$ b_j - b_0 \f$ that is not zero. It is a positive multiple of the first
-/// derivative that does not vanish, so it is that of the leg \f$ b_1 - b_0 \f$ in general. Empty when all control points are equal.
+/// Returns the direction in which the curve starts: the first \f$ b_j - b_0 \f$ that is not zero. It is a positive multiple of the
+/// first derivative that does not vanish, so it is that of the leg \f$ b_1 - b_0 \f$ in general. Empty when all control points are
+/// equal. \f$ O(m) \f$ \throws Error `not_finite` when a floating-point coordinate overflows
 template <class Traits, int Degree>
 std::optional<typename Traits::Vector> start_tangent(const Bezier_curve<Traits, Degree>& curve) {
   for (int j = 1; j <= curve.degree(); ++j)
     if (curve.coordinates(j) != curve.coordinates(0))
-      return Geometric_continuity::to_vector<Traits>(curve.coordinates(j) - curve.coordinates(0));
+      return internal::direction<Traits>(curve.coordinates(j) - curve.coordinates(0), "start_tangent");
   return std::nullopt;
 }
 
 /// \ingroup PkgGeometricContinuityCurves
-/// The direction in which the curve ends: the last \f$ b_m - b_j \f$ that is not zero, in general the leg \f$ b_m - b_{m-1} \f$.
-/// Empty when all control points are equal.
+/// Returns the direction in which the curve ends: the last \f$ b_m - b_j \f$ that is not zero, in general the leg
+/// \f$ b_m - b_{m-1} \f$. Empty when all control points are equal. \f$ O(m) \f$
+/// \throws Error `not_finite` when a floating-point coordinate overflows
 template <class Traits, int Degree>
 std::optional<typename Traits::Vector> end_tangent(const Bezier_curve<Traits, Degree>& curve) {
   const int m = curve.degree();
   for (int j = m - 1; j >= 0; --j)
     if (curve.coordinates(j) != curve.coordinates(m))
-      return Geometric_continuity::to_vector<Traits>(curve.coordinates(m) - curve.coordinates(j));
+      return internal::direction<Traits>(curve.coordinates(m) - curve.coordinates(j), "end_tangent");
   return std::nullopt;
 }
 
@@ -87,7 +97,7 @@ struct Crossings {
   int polygon = 0;  ///< changes of side from control point to control point, those on the hyperplane left out
   int curve = 0;    ///< changes of side of the curve
   int contacts = 0; ///< common points other than the end points, each as often as its multiplicity
-  /// Whether the curve does not cross more often than its polygon. So it is for every curve and hyperplane.
+  /// Returns whether the curve does not cross more often than its polygon. So it is for every curve and hyperplane.
   bool diminished() const { return curve <= contacts && contacts <= polygon; }
 };
 

@@ -6,6 +6,7 @@
 #define CGAL_GEOMETRIC_CONTINUITY_CURVES_BOUNDING_BOXES_H
 
 #include <CGAL/Geometric_continuity/curves/internal/curve_pieces.h>
+#include <CGAL/Geometric_continuity/local/internal/check_count.h>
 
 #include <array>
 #include <string>
@@ -24,11 +25,11 @@ namespace Geometric_continuity {
 /// \tparam Handle says which curve it is: a number, a pointer, an iterator; it must be ordered and comparable
 template <class Traits, class Handle> class Curve_piece_box {
 public:
-  typedef typename Traits::FT FT;
-  typedef double NT;                  ///< the type of the sides of the box
-  typedef std::pair<Handle, int> ID;  ///< the curve and the number of the piece
-  typedef std::pair<FT, FT> Interval; ///< an interval of parameters
-  static constexpr int N = Traits::Dimension::value;
+  typedef typename Traits::FT FT;                    ///< the field
+  typedef double NT;                                 ///< the type of the sides of the box
+  typedef std::pair<Handle, int> ID;                 ///< the curve and the number of the piece
+  typedef std::pair<FT, FT> Interval;                ///< an interval of parameters
+  static constexpr int N = Traits::Dimension::value; ///< the dimension
   static_assert(N == 2 || N == 3, "boxes are of dimension 2 or 3");
 
   /// A box without a curve, for arrays.
@@ -39,11 +40,11 @@ public:
                   const std::array<double, N>& high)
       : id_(std::move(curve), piece), interval_(std::move(interval)), low_(low), high_(high) {}
 
-  /// The curve.
+  /// Returns the handle, which says which curve it is.
   const Handle& handle() const { return id_.first; }
-  /// The part of the domain.
+  /// Returns the part of the domain.
   const Interval& interval() const { return interval_; }
-  /// The box as a `Bbox_2` or `Bbox_3`.
+  /// Returns the box as a `Bbox_2` or `Bbox_3`.
   auto bbox() const {
     if constexpr (N == 2)
       return Bbox_2(low_[0], low_[1], high_[0], high_[1]);
@@ -54,9 +55,13 @@ public:
   /// \name BoxIntersectionBox_d
   /// @{
 
+  /// Returns the dimension.
   static int dimension() { return N; }
+  /// Returns the curve and the number of the piece.
   const ID& id() const { return id_; }
+  /// Returns the smallest `i`-th coordinate of the box. \pre `0 <= i < N`
   double min_coord(int i) const { return low_[i]; }
+  /// Returns the largest `i`-th coordinate of the box. \pre `0 <= i < N`
   double max_coord(int i) const { return high_[i]; }
 
   /// @}
@@ -95,15 +100,15 @@ void for_each_part(const std::vector<Coordinate_vector<FT, N>>& rows, const FT& 
 /// \param handle is copied into each box, to say which curve it belongs to
 /// \param out takes values of type `Curve_piece_box<Traits, Handle>`
 /// \returns the iterator after the last box
-/// \throws Error `wrong_number_of_points` unless `0 <= k <= 20`
+/// \throws Error `negative_count` unless `k >= 0`, `work_limit` unless `k <= 20`
 template <class Curve, class Handle, class OutputIterator>
 OutputIterator bounding_boxes(const Curve& curve, int k, const Handle& handle, OutputIterator out) {
   typedef typename Curve::Traits Traits;
   typedef typename Curve::FT FT;
   typedef Curve_piece_box<Traits, Handle> Box;
   typedef std::vector<Geometric_continuity::Coordinates<Traits>> Rows;
-  if (k < 0 || k > 20)
-    throw Error(Error_code::wrong_number_of_points, "bounding_boxes: " + std::to_string(k) + " halvings");
+  internal::check_count(k, "bounding_boxes: halvings");
+  if (k > 20) throw Error(Error_code::work_limit, "bounding_boxes: " + std::to_string(k) + " halvings");
   int piece = 0;
   internal::for_each_piece(curve, [&](const auto& bezier) {
     const Rows polygon = internal::control_rows(bezier);

@@ -6,24 +6,30 @@
 #define CGAL_GEOMETRIC_CONTINUITY_CURVES_CONTROL_POLYGON_H
 
 #include <CGAL/Geometric_continuity/curves/Bezier_curve.h>
+#include <CGAL/Geometric_continuity/local/internal/check_count.h>
 
 #include <string>
 #include <vector>
+
+/// \file control_polygon.h
+/// Two tricks with the control polygon of a Bézier curve: points that pull, and polygons that close. Lecture slides, "Bézier
+/// curve tricks".
 
 namespace CGAL {
 namespace Geometric_continuity {
 
 /// \ingroup PkgGeometricContinuityCurves
-/// The curve whose control polygon has `times` more copies of the `i`-th control point: it is pulled towards this point,
+/// Returns the curve whose control polygon has `times` more copies of the `i`-th control point: it is pulled towards this point,
 /// whose weight at `t` grows from \f$ B_i^m(t) \f$ to \f$ B_i^{m+1}(t) + B_{i+1}^{m+1}(t) \f$ when doubled. The degree rises
 /// by `times`. Lecture slides, "Bézier curve tricks I".
-/// \throws Error `wrong_number_of_points` unless `0 <= i <= m` and `times >= 0`
+/// \f$ O(m + times) \f$
+/// \throws Error `wrong_number_of_points` unless `0 <= i <= m`, `negative_count` unless `times >= 0`
 template <class Traits, int Degree>
 Bezier_curve<Traits> repeat_control_point(const Bezier_curve<Traits, Degree>& curve, int i, int times = 1) {
-  if (i < 0 || i > curve.degree() || times < 0)
-    throw Error(Error_code::wrong_number_of_points, "repeat_control_point: point " + std::to_string(i) + ", " +
-                                                        std::to_string(times) + " times, in a curve of degree " +
-                                                        std::to_string(curve.degree()));
+  internal::check_count(times, "repeat_control_point");
+  if (i < 0 || i > curve.degree())
+    throw Error(Error_code::wrong_number_of_points, "repeat_control_point: point " + std::to_string(i) +
+                                                        " in a curve of degree " + std::to_string(curve.degree()));
   std::vector<typename Traits::Point> points(curve.begin(), curve.end());
   points.insert(points.begin() + i, times, curve.control_point(i));
   return Bezier_curve<Traits>(points.begin(), points.end(), curve.domain().first, curve.domain().second);
@@ -40,6 +46,7 @@ enum class Closing {
 };
 
 /// \ingroup PkgGeometricContinuityCurves
+/// Returns the name of a way to close, as spelled in the enumeration.
 inline std::string to_string(Closing closing) {
   switch (closing) {
   case Closing::open: return "open";
@@ -54,7 +61,7 @@ inline std::string to_string(Closing closing) {
 /// \ingroup PkgGeometricContinuityCurves
 /// Decides how a curve closes, exactly with exact kernels and with `Exact_predicates_inexact_constructions_kernel`: smooth if
 /// and only if \f$ b_1 - b_0 \f$ and \f$ b_m - b_{m-1} \f$ are nonzero \em positive multiples. Lecture slides, "Bézier curve
-/// tricks II", corrected: collinear is not enough.
+/// tricks II", corrected: collinear is not enough. \f$ O(1) \f$
 template <class Traits, int Degree> Closing closing(const Bezier_curve<Traits, Degree>& curve) {
   typedef Predicate_FT<Traits> Field;
   typedef Coordinate_vector<Field, dimension_v<Traits>> Coordinates;

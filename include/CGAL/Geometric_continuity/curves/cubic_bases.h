@@ -34,7 +34,7 @@ template <class Traits> struct Hermite_geometry {
 struct Hermite_basis {
   /// Two points and two vectors.
   template <class Traits> using Geometry = Hermite_geometry<Traits>;
-  /// `hermite_matrix()`
+  /// Returns `hermite_matrix()`.
   template <class FT> Basis_matrix<FT> matrix() const { return hermite_matrix<FT>(); }
 };
 
@@ -43,7 +43,7 @@ struct Hermite_basis {
 struct Bezier_basis {
   /// Four points.
   template <class Traits> using Geometry = std::array<typename Traits::Point, 4>;
-  /// `bezier_matrix()`
+  /// Returns `bezier_matrix()`.
   template <class FT> Basis_matrix<FT> matrix() const { return bezier_matrix<FT>(); }
 };
 
@@ -52,7 +52,7 @@ struct Bezier_basis {
 struct Catmull_rom_basis {
   /// Four points.
   template <class Traits> using Geometry = std::array<typename Traits::Point, 4>;
-  /// `catmull_rom_matrix()`
+  /// Returns `catmull_rom_matrix()`.
   template <class FT> Basis_matrix<FT> matrix() const { return catmull_rom_matrix<FT>(); }
 };
 
@@ -62,8 +62,12 @@ template <class Number> struct Cardinal_basis {
   Number tension; ///< 0 is Catmull-Rom, 1 has zero tangents; any number will do
   /// Four points.
   template <class Traits> using Geometry = std::array<typename Traits::Point, 4>;
-  /// `cardinal_matrix()`
-  template <class FT> Basis_matrix<FT> matrix() const { return cardinal_matrix<FT>(internal::to_field<FT>(tension)); }
+  /// Returns `cardinal_matrix()`.
+  /// \throws Error `not_finite` for an infinite or undefined tension
+  template <class FT> Basis_matrix<FT> matrix() const {
+    internal::check_finite(tension, "Cardinal_basis: tension");
+    return cardinal_matrix<FT>(internal::to_field<FT>(tension));
+  }
 };
 
 /// \ingroup PkgGeometricContinuityCurves
@@ -71,7 +75,7 @@ template <class Number> struct Cardinal_basis {
 struct Uniform_bspline_basis {
   /// Four points.
   template <class Traits> using Geometry = std::array<typename Traits::Point, 4>;
-  /// `bspline_matrix()`
+  /// Returns `bspline_matrix()`.
   template <class FT> Basis_matrix<FT> matrix() const { return bspline_matrix<FT>(); }
 };
 
@@ -82,17 +86,20 @@ template <class Number> struct Matrix_basis {
   Basis_matrix<Number> m; ///< the matrix
   /// Four points.
   template <class Traits> using Geometry = std::array<typename Traits::Point, 4>;
-  /// The matrix, over another field.
+  /// Returns the matrix, over another field. \throws Error `not_finite` for an infinite or undefined entry
   template <class FT> Basis_matrix<FT> matrix() const {
     typename Basis_matrix<FT>::Rows r;
     for (int i = 0; i < 4; ++i)
-      for (int j = 0; j < 4; ++j) r[i][j] = internal::to_field<FT>(m(i, j));
+      for (int j = 0; j < 4; ++j) {
+        internal::check_finite(m(i, j), "Matrix_basis");
+        r[i][j] = internal::to_field<FT>(m(i, j));
+      }
     return Basis_matrix<FT>(r);
   }
 };
 
 /// \ingroup PkgGeometricContinuityCurves
-/// The matrix that changes geometry in one basis into that in another one, see `change_of_basis()`.
+/// Returns the matrix that changes geometry in one basis into that in another one, see `change_of_basis()`.
 /// \tparam FT the field number type of the result
 /// \tparam From, To models of `CubicBasis`
 /// \throws Error `singular_frame` when the matrix of `to` has no inverse
@@ -102,7 +109,7 @@ template <class FT, class From, class To> Basis_matrix<FT> basis_conversion(From
 }
 
 /// \ingroup PkgGeometricContinuityCurves
-/// The four blending functions of a basis, see `blending_functions()` of a matrix. Coefficients of floating-point type are
+/// Returns the four blending functions of a basis, see `blending_functions()` of a matrix. Coefficients of floating-point type are
 /// rounded once each.
 /// \tparam FT the field number type of the result
 /// \tparam Basis a model of `CubicBasis`

@@ -33,15 +33,17 @@ namespace Geometric_continuity {
 /// \ingroup PkgGeometricContinuityConstruction
 /// A point of a curve that is parametrised by arc length, with its Frenet frame.
 template <class Traits> struct Framed_point {
-  typedef typename Traits::FT FT;
+  typedef typename Traits::FT FT; ///< the field
 
-  FT s; ///< the arc length from the start of the curve
-  typename Traits::Point point;
-  Frenet_frame<Traits> frame; ///< orthonormal
-  std::vector<FT> curvatures; ///< \f$ \kappa_1(s), \dots, \kappa_{n-1}(s) \f$
+  FT s;                         ///< the arc length from the start of the curve
+  typename Traits::Point point; ///< the point
+  Frenet_frame<Traits> frame;   ///< orthonormal
+  std::vector<FT> curvatures;   ///< \f$ \kappa_1(s), \dots, \kappa_{n-1}(s) \f$
 
-  /// The jet \f$ (x, x', x'') = (x, e_1, \kappa_1 e_2) \f$ with respect to arc length.
+  /// Returns the jet \f$ (x, x', x'') = (x, e_1, \kappa_1 e_2) \f$ with respect to arc length.
+  /// \throws Error `dimension_mismatch` unless the frame has at least 2 vectors and there is a curvature
   Curve_jet<Traits> jet() const {
+    if (frame.dimension() < 2 || curvatures.empty()) throw Error(Error_code::dimension_mismatch, "Framed_point::jet");
     Curve_jet<Traits> x(Coordinate_jet<FT, dimension_v<Traits>>(frame.dimension(), 2));
     x[0] = Geometric_continuity::coordinates<Traits>(point);
     x[1] = frame.coordinates(1);
@@ -53,7 +55,7 @@ template <class Traits> struct Framed_point {
 /// \ingroup PkgGeometricContinuityConstruction
 /// A curve that was computed from its curvatures: what `curve_from_curvatures()` returns.
 template <class Traits> struct Integrated_curve {
-  typedef typename Traits::FT FT;
+  typedef typename Traits::FT FT; ///< the field
 
   std::vector<Framed_point<Traits>> samples; ///< in order, at the ends of all steps
 
@@ -61,11 +63,13 @@ template <class Traits> struct Integrated_curve {
   /// of the integrator can be trusted, up to rounding and terms of second order.
   FT error_bound;
 
-  /// The segmented Bézier curve of degree 5 on [0, length] whose knots are the arc lengths of the samples and which has
+  /// Returns the segmented Bézier curve of degree 5 on [0, length] whose knots are the arc lengths of the samples and which has
   /// there their points and their first two derivatives \f$ e_1 \f$ and \f$ \kappa_1 e_2 \f$. Up to rounding its joins are
   /// \f$ C^2 \f$, hence \f$ G^2 \f$, and in a segment of length `h` it is at most \f$ \frac{h^6}{46080} \max |x^{(6)}| \f$
   /// from the curve that it interpolates (Hermite).
+  /// \throws Error `wrong_number_of_points` with fewer than 2 samples, `empty_domain` unless their arc lengths increase
   Composite_bezier_curve<Traits, 5> bezier_curve() const {
+    if (samples.size() < 2) throw Error(Error_code::wrong_number_of_points, "Integrated_curve::bezier_curve");
     std::vector<typename Traits::Point> points(1, samples[0].point);
     std::vector<FT> knots(1, samples[0].s);
     for (std::size_t i = 1; i < samples.size(); ++i) {
@@ -106,7 +110,7 @@ public:
   Frenet_system(const Curvatures& kappa, int n, FT length) : kappa_(kappa), n_(n), length_(length) {}
 
   State curvatures(FT s) const {
-    State k = curvature_values<FT>(kappa_, std::min(s, length_)); // rounding must not leave their domain
+    State k = curvature_values<FT>(kappa_, (std::min)(s, length_)); // rounding must not leave their domain
     if (static_cast<int>(k.size()) != n_ - 1)
       throw Error(Error_code::dimension_mismatch, "curve_from_curvatures: " + std::to_string(k.size()) +
                                                       " curvatures in dimension " + std::to_string(n_));
@@ -165,7 +169,7 @@ template <class Traits> Frenet_frame<Traits> initial_frame(const Frenet_frame<Tr
 constexpr int max_integration_steps = 1000000;
 
 /// \ingroup PkgGeometricContinuityConstruction
-/// The curve of the given length in \f$ E^n \f$, \f$ n \ge 2 \f$, that is parametrised by arc length, starts at `start` with
+/// Returns the curve of the given length in \f$ E^n \f$, \f$ n \ge 2 \f$, that is parametrised by arc length, starts at `start` with
 /// the Frenet frame `frame`, and has the curvatures \f$ \kappa_1(s), \dots, \kappa_{n-1}(s) \f$. Hagen 1.7 (b).
 ///
 /// The Frenet equations (1.6) for the point and the frame are integrated by the method of Dormand and Prince of order
@@ -186,7 +190,7 @@ constexpr int max_integration_steps = 1000000;
 /// \throws Error `dimension_mismatch` when the numbers of curvatures, vectors and coordinates do not fit,
 ///   `singular_frame` when the first `n - 1` vectors are linearly dependent, `empty_domain` unless the length is positive
 /// \throws Error `unreachable_tolerance` unless the tolerance is at least the machine epsilon, and when more than
-///   `max_integration_steps` or vanishing steps would be needed
+///   `max_integration_steps` or vanishing steps would be needed; `not_finite` for an infinite or undefined length or tolerance
 template <class Traits, class Curvatures>
 Integrated_curve<Traits> curve_from_curvatures(const Curvatures& kappa, const typename Traits::Point& start,
                                                const Frenet_frame<Traits>& frame, typename Traits::FT length,
@@ -204,6 +208,7 @@ Integrated_curve<Traits> curve_from_curvatures(const Curvatures& kappa, const ty
   if (!(length > FT(0))) throw Error(Error_code::empty_domain, "curve_from_curvatures: length");
   if (!(tolerance >= std::numeric_limits<FT>::epsilon()))
     throw Error(Error_code::unreachable_tolerance, "curve_from_curvatures");
+  internal::check_finite(tolerance, "curve_from_curvatures: tolerance");
 
   const System system(kappa, n, length);
   const Frenet_frame<Traits> initial = internal::initial_frame(frame);
@@ -223,7 +228,7 @@ Integrated_curve<Traits> curve_from_curvatures(const Curvatures& kappa, const ty
   FT s(0), step = length;
   while (s < length) {
     const FT rest = length - s;
-    step = std::min(step, length / 16);
+    step = (std::min)(step, length / 16);
     if (rest < 2 * step) step = rest <= step ? rest : rest / 2; // no tiny step at the end
     const bool last = step == rest;
     if (s + step == s || static_cast<int>(curve.samples.size()) > max_integration_steps)
@@ -240,8 +245,9 @@ Integrated_curve<Traits> curve_from_curvatures(const Curvatures& kappa, const ty
 }
 
 /// \ingroup PkgGeometricContinuityConstruction
-/// The curve that starts at the origin with the standard basis of \f$ E^n \f$ as its frame, where `n - 1` is the number
-/// of the curvatures.
+/// Returns the curve of the given length and curvatures that starts at the origin with the standard basis of \f$ E^n \f$ as its
+/// frame, where `n - 1` is the number of the curvatures.
+/// \throws Error `dimension_mismatch` without curvatures, and what the function with a given frame throws
 template <class Traits, class Curvatures>
 Integrated_curve<Traits> curve_from_curvatures(const Curvatures& kappa, typename Traits::FT length,
                                                typename Traits::FT tolerance = 1e-10) {

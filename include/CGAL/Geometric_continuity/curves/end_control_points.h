@@ -8,7 +8,12 @@
 #include <CGAL/Geometric_continuity/local/Curve_jet.h>
 
 #include <algorithm>
+#include <string>
 #include <vector>
+
+/// \file end_control_points.h
+/// The control points at an end of a Bézier curve from a jet: the inverse of `Bezier_curve::start_jet()` and
+/// `Bezier_curve::end_jet()`. The `j`-th difference of the points is \f$ h^j \frac{(m-j)!}{m!} x^{(j)} \f$.
 
 namespace CGAL {
 namespace Geometric_continuity {
@@ -35,6 +40,15 @@ std::vector<Coordinate_vector<FT, N>> points_from_jet(const Coordinate_jet<FT, N
   return b;
 }
 
+template <class FT, int N>
+std::vector<Coordinate_vector<FT, N>> finite_points_from_jet(const Coordinate_jet<FT, N>& jet, int m, const FT& h) {
+  check_finite(h, "control points from a jet: length of the domain");
+  std::vector<Coordinate_vector<FT, N>> b = points_from_jet(jet, m, h);
+  for (const Coordinate_vector<FT, N>& p : b)
+    for (const FT& x : p) check_finite(x, "control points from a jet");
+  return b;
+}
+
 template <class Traits> std::vector<typename Traits::Point> to_points(const std::vector<Coordinates<Traits>>& b) {
   std::vector<typename Traits::Point> points;
   for (const Coordinates<Traits>& x : b) points.push_back(to_point<Traits>(x));
@@ -44,27 +58,30 @@ template <class Traits> std::vector<typename Traits::Point> to_points(const std:
 } // namespace internal
 
 /// \ingroup PkgGeometricContinuityCurves
-/// The first `k + 1` control points of every Bézier curve of degree `m` on a domain of length `h` that has the given jet
+/// Returns the first `k + 1` control points of every Bézier curve of degree `m` on a domain of length `h` that has the given jet
 /// of order `k` at its start: \f$ b_1 = b_0 + \frac{h}{m} y' \f$,
 /// \f$ b_2 = 2 b_1 - b_0 + \frac{h^2}{m(m-1)} y'' \f$, and so on.
-/// \throws Error `wrong_number_of_points` when `m < k`, `empty_domain` unless `h > 0`
+/// \throws Error `wrong_number_of_points` when `m < k`, `empty_domain` unless `h > 0`, `not_finite` when `h` or a result is
+///   not finite
 template <class Traits>
 std::vector<typename Traits::Point> start_control_points(const Curve_jet<Traits>& jet, int m,
                                                          const typename Traits::FT& h = typename Traits::FT(1)) {
   if (!(typename Traits::FT(0) < h)) throw Error(Error_code::empty_domain, "start_control_points");
-  return internal::to_points<Traits>(internal::points_from_jet(jet, m, h));
+  return internal::to_points<Traits>(internal::finite_points_from_jet(jet, m, h));
 }
 
 /// \ingroup PkgGeometricContinuityCurves
-/// The last `k + 1` control points, in the order of the curve, of every Bézier curve of degree `m` on a domain of length
+/// Returns the last `k + 1` control points, in the order of the curve, of every Bézier curve of degree `m` on a domain of length
 /// `h` that has the given jet of order `k` at its end.
-/// \throws Error `wrong_number_of_points` when `m < k`, `empty_domain` unless `h > 0`
+/// \throws Error `wrong_number_of_points` when `m < k`, `empty_domain` unless `h > 0`, `not_finite` when `h` or a result is
+///   not finite
 template <class Traits>
 std::vector<typename Traits::Point> end_control_points(const Curve_jet<Traits>& jet, int m,
                                                        const typename Traits::FT& h = typename Traits::FT(1)) {
   typedef typename Traits::FT FT;
   if (!(FT(0) < h)) throw Error(Error_code::empty_domain, "end_control_points");
-  std::vector<typename Traits::Point> points = internal::to_points<Traits>(internal::points_from_jet(jet, m, FT(-h)));
+  std::vector<typename Traits::Point> points =
+      internal::to_points<Traits>(internal::finite_points_from_jet(jet, m, FT(-h)));
   std::reverse(points.begin(), points.end());
   return points;
 }

@@ -33,15 +33,17 @@ void evaluate_degree(const Curve& curve, const FT* parameters, Jet_arrays<FT, N,
 } // namespace internal
 
 /// \ingroup PkgGeometricContinuityCurves
-/// The jets of order `k` of a Bézier curve at many parameters: the curve is prepared as `Jet_polynomials` once, and with
+/// Computes the jets of order `k` of a Bézier curve at many parameters: the curve is prepared as `Jet_polynomials` once, and with
 /// floating-point numbers several parameters are computed at a time. With exact numbers the results are those of
 /// `Bezier_curve::jet()`; else see `Jet_polynomials` for the bound of the error. No memory is allocated when `jets` has room.
 ///
-/// \param parameters the first of `n` parameters, which may lie outside of the domain
-/// \param n their number; `jets` is resized to it
+/// \param curve the curve
+/// \param parameters the first of `n` finite parameters, which may lie outside of the domain
+/// \param n their number
+/// \param jets takes the results; it is resized to `n`
 /// \tparam Concurrency_tag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`
 ///
-/// \f$ O(N (m^3 + n k m)) \f$ for degree `m`; degrees above 9 that are known at run time only take the way of `jet()`.
+/// \f$ O(N (m^3 + n k m)) \f$ for degree `m`; degrees above 9 that are known at run time only go through `jet()`.
 /// \throws Error `dimension_mismatch` unless the curve has the dimension `N`
 template <class Concurrency_tag = Sequential_tag, class Traits, int Degree, int N, int k>
 void evaluate(const Bezier_curve<Traits, Degree>& curve, const typename Traits::FT* parameters, std::size_t n,

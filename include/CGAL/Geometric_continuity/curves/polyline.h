@@ -6,10 +6,10 @@
 #define CGAL_GEOMETRIC_CONTINUITY_CURVES_POLYLINE_H
 
 #include <CGAL/Geometric_continuity/curves/internal/curve_pieces.h>
+#include <CGAL/Geometric_continuity/local/internal/check_count.h>
 #include <CGAL/Geometric_continuity/numbers/internal/checked_conversion.h>
 
 #include <optional>
-#include <string>
 #include <utility>
 #include <vector>
 
@@ -62,7 +62,7 @@ bool is_near_segment(const Coordinate_vector<FT, N>& x, const Coordinate_vector<
 //     chord is that to the foot.
 //
 // (1) is the better bound for a short piece: it is sharp for parabolas. (2) sees that a straight curve is straight, at
-// whatever speed it is run through. All is measured in units of the tolerance, so that squares of doubles do not overflow
+// whatever its speed. All is measured in units of the tolerance, so that squares of doubles do not overflow
 // unnoticed. An undefined number proves nothing.
 template <class FT, int N> bool is_chord_near(const std::vector<Coordinate_vector<FT, N>>& rows, const FT& tolerance) {
   typedef Coordinate_vector<FT, N> Coordinates;
@@ -107,7 +107,8 @@ template <class Traits> void check_continuous(const Bspline_curve<Traits>& curve
 /// Writes a polyline whose Hausdorff distance from the curve is at most `tolerance`, in the unit of the coordinates: no point
 /// of either is farther than that from the other. Pieces of the curve are halved until a bound on their distance from the
 /// chord is met, so that vertices are dense where the curve bends. Straight pieces are kept whole. \f$ O(\sqrt{s/\tau}) \f$
-/// vertices for second derivatives of size \f$ s \f$, each in \f$ O(m^2) \f$
+/// vertices for second derivatives of size \f$ s \f$, each in \f$ O(m^2) \f$; with exact numbers nothing else bounds their
+/// number.
 ///
 /// With an exact kernel all vertices lie on the curve. With floating-point numbers they do up to rounding, and the tolerance
 /// is kept all the same: a part of it is set aside for all rounding errors (in dimensions up to 16 and degrees up to 200).
@@ -140,32 +141,37 @@ OutputIterator chord_polyline(const Curve& curve, const typename Curve::FT& tole
 }
 
 /// \ingroup PkgGeometricContinuityCurves
-/// Writes the points at `n + 1` parameters that divide the domain into `n >= 1` equal parts.
+/// Writes the points at the `n + 1` parameters that divide the domain into `n` equal parts.
 /// \tparam Curve a model of `ParametricCurve` that can be evaluated in its whole domain
-/// \throws Error `wrong_number_of_points` unless `n >= 1`, and whatever the curve throws
+/// \returns the iterator after the last point
+/// \throws Error `negative_count` unless `n >= 0`, `wrong_number_of_points` for `n == 0`, and whatever the curve throws
 template <class Curve, class OutputIterator>
 OutputIterator uniform_polyline(const Curve& curve, int n, OutputIterator out) {
   typedef typename Curve::Traits Traits;
   typedef typename Traits::FT FT;
-  if (n < 1) throw Error(Error_code::wrong_number_of_points, "uniform_polyline: " + std::to_string(n) + " parts");
+  internal::check_count(n, "uniform_polyline: parts");
+  if (n == 0) throw Error(Error_code::wrong_number_of_points, "uniform_polyline: no parts");
   internal::Polyline_output<Traits, OutputIterator> output(std::move(out));
   const std::pair<FT, FT> domain = curve.domain();
-  for (int i = 0; i <= n; ++i) {
+  for (int i = 0; i < n; ++i) {
     const FT t = FT(FT(i) / FT(n));
-    output.add(curve.jet(i == n ? domain.second : FT((FT(1) - t) * domain.first + t * domain.second), 0)[0]);
+    output.add(curve.jet(FT((FT(1) - t) * domain.first + t * domain.second), 0)[0]);
   }
+  output.add(curve.jet(domain.second, 0)[0]);
   return output.iterator();
 }
 
 /// \ingroup PkgGeometricContinuityCurves
-/// The same for any curve with a bounded second derivative, with the least `n` for which
-/// \f$ \left(\frac{b-a}{n}\right)^2 \frac{s}{8} \f$ is at most `tolerance`: this bounds the distance from the chord at the
+/// Writes a polyline within `tolerance` of any curve with a bounded second derivative: the points at equal distances of the
+/// parameter, as `uniform_polyline()` does, with the least number `n` of parts for which
+/// \f$ \left(\frac{b-a}{n}\right)^2 \frac{s}{8} \f$ is at most `tolerance`. This bounds the distance from the chord at the
 /// same parameter, and with it the Hausdorff distance. It is kept up to the rounding of the curve's own points.
 /// \tparam Curve a model of `ParametricCurve` that can be evaluated in its whole domain [a, b]
 /// \param curve a curve with a continuous first derivative
 /// \param s an upper bound of \f$ |x''| \f$ in the domain
 /// \param tolerance positive
 /// \param out takes values of type `Traits::Point`
+/// \returns the iterator after the last point
 /// \throws Error `unreachable_tolerance` unless `tolerance > 0` and `s >= 0`, and when `n` would exceed \f$ 2^{30} \f$
 /// \throws Error `not_finite` when one of them is infinite or undefined
 template <class Curve, class OutputIterator>

@@ -136,13 +136,12 @@ Edge_order_within order_within(const Bspline_surface<Traits>& surface, const Kno
   typedef Edge_field<Traits> Field;
   internal::check_tolerance(tolerance);
   if (0 <= line.continuity.g_order) return order_within(line.continuity, tolerance);
-  const internal::Line_direction direction =
-      line.constant_u ? internal::Line_direction::v : internal::Line_direction::u;
+  const Parameter_line direction = line.constant_u ? Parameter_line::along_v : Parameter_line::along_u;
   for (const auto& knot : internal::knots_across(surface, direction).inner_knots())
     if (internal::to_field<Field>(knot.value) == line.knot)
       return order_within(internal::deviation_at_same_parameters(
-                              internal::knot_line_rows(surface, direction, knot.value, internal::Line_side::below),
-                              internal::knot_line_rows(surface, direction, knot.value, internal::Line_side::above)),
+                              internal::knot_line_rows(surface, direction, knot.value, Line_side::smaller_parameters),
+                              internal::knot_line_rows(surface, direction, knot.value, Line_side::larger_parameters)),
                           tolerance);
   throw Error(Error_code::knot_multiplicity, "order_within: not a knot line of the surface");
 }

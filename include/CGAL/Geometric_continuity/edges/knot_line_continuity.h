@@ -34,35 +34,30 @@ template <class FT> struct Knot_line {
 
 namespace internal {
 
-// The parameter that varies on a line, and the part of the surface next to it, at smaller or larger parameters.
-enum class Line_direction { u, v };
-enum class Line_side { below, above };
-
 template <class Traits>
-const Knot_vector<typename Traits::FT>& knots_across(const Bspline_surface<Traits>& s, Line_direction direction) {
-  return direction == Line_direction::u ? s.knots_v() : s.knots_u();
+const Knot_vector<typename Traits::FT>& knots_across(const Bspline_surface<Traits>& s, Parameter_line line) {
+  return line == Parameter_line::along_u ? s.knots_v() : s.knots_u();
 }
 
 // The rows of the surface on one side of a knot line, along it.
 template <class Traits>
-Spline_edge_rows<Edge_field<Traits>> knot_line_rows(const Bspline_surface<Traits>& s, Line_direction direction,
+Spline_edge_rows<Edge_field<Traits>> knot_line_rows(const Bspline_surface<Traits>& s, Parameter_line line,
                                                     const typename Traits::FT& knot, Line_side side) {
   typedef Edge_field<Traits> Field;
-  const bool along_u = direction == Line_direction::u;
-  return {knots_over<Field>(along_u ? s.knots_u() : s.knots_v()),
-          edge_rows_in_space<Field>(s.template rows_at<Field>(along_u, knot, side == Line_side::below, 2))};
+  return {knots_over<Field>(line == Parameter_line::along_u ? s.knots_u() : s.knots_v()),
+          edge_rows_in_space<Field>(s.template rows_at<Field>(line, knot, side, 2))};
 }
 
 template <class Traits>
-void add_knot_lines(const Bspline_surface<Traits>& s, Line_direction direction,
+void add_knot_lines(const Bspline_surface<Traits>& s, Parameter_line line,
                     std::vector<Knot_line<Edge_field<Traits>>>& lines) {
   typedef Edge_field<Traits> Field;
-  const Knot_vector<typename Traits::FT>& across = knots_across(s, direction);
+  const Knot_vector<typename Traits::FT>& across = knots_across(s, line);
   for (const auto& knot : across.inner_knots()) {
     if (knot.multiplicity <= across.degree() - 2) continue; // twice continuously differentiable
-    lines.push_back({direction == Line_direction::v, to_field<Field>(knot.value), knot.multiplicity,
-                     continuity_at_same_parameters(knot_line_rows(s, direction, knot.value, Line_side::below),
-                                                   knot_line_rows(s, direction, knot.value, Line_side::above))});
+    lines.push_back({line == Parameter_line::along_v, to_field<Field>(knot.value), knot.multiplicity,
+                     continuity_at_same_parameters(knot_line_rows(s, line, knot.value, Line_side::smaller_parameters),
+                                                   knot_line_rows(s, line, knot.value, Line_side::larger_parameters))});
   }
 }
 
@@ -80,8 +75,8 @@ template <class Traits>
 std::vector<Knot_line<Edge_field<Traits>>> knot_line_continuity(const Bspline_surface<Traits>& surface) {
   internal::require_space(surface, "knot_line_continuity");
   std::vector<Knot_line<Edge_field<Traits>>> lines;
-  internal::add_knot_lines(surface, internal::Line_direction::v, lines);
-  internal::add_knot_lines(surface, internal::Line_direction::u, lines);
+  internal::add_knot_lines(surface, Parameter_line::along_v, lines);
+  internal::add_knot_lines(surface, Parameter_line::along_u, lines);
   return lines;
 }
 

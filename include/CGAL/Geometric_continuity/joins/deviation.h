@@ -79,7 +79,7 @@ template <class Left, class Right> Join_deviation deviation(const Left& left, co
   typedef typename Exact_field<Predicate_FT<typename Left::Traits>>::type Field;
   static_assert(std::is_same_v<typename Left::Traits, typename Right::Traits>,
                 "both curves must have the same traits class");
-  return internal::join_deviation(internal::end_jet<Field>(left, 3), internal::start_jet<Field>(right, 3));
+  return internal::join_deviation(end_jet<Field>(left, 3), start_jet<Field>(right, 3));
 }
 
 } // namespace Geometric_continuity

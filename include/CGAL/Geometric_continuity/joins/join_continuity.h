@@ -7,7 +7,7 @@
 
 #include <CGAL/Geometric_continuity/algebra/Bell_polynomials.h>
 #include <CGAL/Geometric_continuity/algebra/determinant.h>
-#include <CGAL/Geometric_continuity/local/Curve_jet.h>
+#include <CGAL/Geometric_continuity/local/end_jet.h>
 
 #include <algorithm>
 #include <optional>
@@ -149,31 +149,6 @@ private:
   }
 };
 
-// The jets at the ends of a curve in another field: exact from the curve's own data where it offers
-// that, otherwise the curve's jet converted.
-template <class Field, class Curve, class = void> struct Has_end_jets_over : std::false_type {};
-template <class Field, class Curve>
-struct Has_end_jets_over<Field, Curve,
-                         std::void_t<decltype(std::declval<const Curve&>().template end_jet_over<Field>(0)),
-                                     decltype(std::declval<const Curve&>().template start_jet_over<Field>(0))>>
-    : std::true_type {};
-
-template <class Field, class Curve>
-Coordinate_jet<Field, dimension_v<typename Curve::Traits>> end_jet(const Curve& curve, int k) {
-  if constexpr (Has_end_jets_over<Field, Curve>::value)
-    return curve.template end_jet_over<Field>(k);
-  else
-    return convert_jet<Field>(curve.jet(curve.domain().second, k));
-}
-
-template <class Field, class Curve>
-Coordinate_jet<Field, dimension_v<typename Curve::Traits>> start_jet(const Curve& curve, int k) {
-  if constexpr (Has_end_jets_over<Field, Curve>::value)
-    return curve.template start_jet_over<Field>(k);
-  else
-    return convert_jet<Field>(curve.jet(curve.domain().first, k));
-}
-
 } // namespace internal
 
 /// \ingroup PkgGeometricContinuityContinuity
@@ -219,8 +194,7 @@ Join_continuity<Predicate_FT<typename Left::Traits>> continuity(const Left& left
   static_assert(std::is_same_v<Traits, typename Right::Traits>, "both curves must have the same traits class");
   typedef Predicate_FT<Traits> Field;
   const int order = std::max(max_order, 3); // curvature and torsion are reported for every max_order
-  const Coordinate_jet<Field, dimension_v<Traits>> x = internal::end_jet<Field>(left, order),
-                                                   y = internal::start_jet<Field>(right, order);
+  const Coordinate_jet<Field, dimension_v<Traits>> x = end_jet<Field>(left, order), y = start_jet<Field>(right, order);
   return internal::Join_decision<Field, dimension_v<Traits>>(x, y, max_order)();
 }
 

@@ -60,7 +60,7 @@ Order_within order_within(const Left& left, const Right& right, const Join_toler
   constexpr int N = dimension_v<typename Left::Traits>;
   for (double bound : {tolerance.angle, tolerance.curvature, tolerance.torsion, tolerance.gap})
     if (!(0 <= bound)) throw Error(Error_code::unreachable_tolerance, "order_within: " + std::to_string(bound));
-  const Coordinate_jet<Field, N> x = internal::end_jet<Field>(left, 3), y = internal::start_jet<Field>(right, 3);
+  const Coordinate_jet<Field, N> x = end_jet<Field>(left, 3), y = start_jet<Field>(right, 3);
   const int exact_order = internal::Join_decision<Field, N>(x, y, 3)().f_order;
   Order_within result{internal::join_deviation(x, y), {}};
   const Join_deviation& d = result.deviation;

@@ -28,21 +28,26 @@ template <class Traits_> class Curve_jet : public Coordinate_jet<typename Traits
   typedef Coordinate_jet<typename Traits_::FT, dimension_v<Traits_>> Base;
 
 public:
-  typedef Traits_ Traits;
-  typedef typename Traits::FT FT;
-  typedef typename Traits::Point Point;
-  typedef typename Traits::Vector Vector;
+  typedef Traits_ Traits;                 ///< the traits class
+  typedef typename Traits::FT FT;         ///< the field
+  typedef typename Traits::Point Point;   ///< the points of the kernel
+  typedef typename Traits::Vector Vector; ///< the vectors of the kernel
 
+  /// The empty jet, of order -1.
   Curve_jet() = default;
+
+  /// Takes a jet in coordinates, which are not checked.
   explicit Curve_jet(Base jet) : Base(std::move(jet)) {}
 
   /// The zero jet of order `k` in dimension `d`.
+  /// \throws Error `negative_count` unless `k >= 0` and `d >= 0`, `dimension_mismatch` unless `d` is the dimension of the
+  ///   traits class
   Curve_jet(int d, int k) : Base(d, k) {}
 
-  /// The same with unspecified coordinates when the dimension is known at compile time, for those who set them all.
+  // The jet with numbers that are not initialised when the dimension is known at compile time.
   Curve_jet(int d, int k, internal::Unspecified unspecified) : Base(d, k, unspecified) {}
 
-  /// From the point and the derivatives, lowest order first.
+  /// Takes the point and the range of the derivatives, lowest order first.
   /// \throws Error `dimension_mismatch` when they do not have one dimension
   /// \throws Error `not_finite` for an infinite or undefined floating-point coordinate
   template <class ForwardRange>
@@ -53,13 +58,16 @@ public:
     int j = 0;
     for (const Vector& v : derivatives) set(++j, Geometric_continuity::coordinates<Traits>(v));
   }
+  /// Takes the point and a list of the derivatives, lowest order first.
+  /// \throws Error `dimension_mismatch` when they do not have one dimension
+  /// \throws Error `not_finite` for an infinite or undefined floating-point coordinate
   Curve_jet(const Point& point, std::initializer_list<Vector> derivatives)
       : Curve_jet(point, std::vector<Vector>(derivatives)) {}
 
-  /// The point.
+  /// Returns the point. \pre the jet is not empty
   Point point() const { return Geometric_continuity::to_point<Traits>((*this)[0]); }
 
-  /// The `j`-th derivative, `1 <= j <= order()`.
+  /// Returns the `j`-th derivative. \pre `1 <= j <= order()`
   Vector derivative(int j) const { return Geometric_continuity::to_vector<Traits>((*this)[j]); }
 
   /// Writes the point and the derivatives, one to a line.
@@ -84,6 +92,7 @@ namespace internal {
 
 // The jet with its coordinates taken over to another field.
 template <class Field, class FT, int N> Coordinate_jet<Field, N> convert_jet(const Coordinate_jet<FT, N>& jet) {
+  if (jet.order() < 0) return Coordinate_jet<Field, N>();
   Coordinate_jet<Field, N> r(jet.dimension(), jet.order());
   for (int j = 0; j <= jet.order(); ++j)
     for (int i = 0; i < jet.dimension(); ++i) r[j][i] = to_field<Field>(jet[j][i]);

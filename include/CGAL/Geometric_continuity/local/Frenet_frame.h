@@ -8,39 +8,100 @@
 #include <CGAL/Geometric_continuity/local/curvatures.h>
 #include <CGAL/number_utils.h>
 
+#include <algorithm>
+#include <limits>
 #include <optional>
+#include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Geometric_continuity {
 
+namespace internal {
+
+// The vector v with det(rows, v) = v.v that is orthogonal to the n-1 rows: the cofactors of the last row. O(n^4)
+template <class FT, int N>
+Coordinate_vector<FT, N> orthogonal_complement(const std::vector<Coordinate_vector<FT, N>>& rows) {
+  const int n = static_cast<int>(rows.size()) + 1;
+  Coordinate_vector<FT, N> v(n);
+  for (int i = 0; i < n; ++i) {
+    const FT minor = determinant<FT>(
+        n - 1, [&](int row, int column) -> const FT& { return rows[row][column < i ? column : column + 1]; });
+    v[i] = (n - 1 - i) % 2 == 0 ? minor : FT(FT(0) - minor);
+  }
+  return v;
+}
+
+// The Frenet frame of a curve with these first n-1 derivatives, empty where they are linearly dependent.
+template <class FT, int N>
+std::optional<std::vector<Coordinate_vector<FT, N>>>
+frenet_vectors(const std::vector<Coordinate_vector<FT, N>>& derivatives) {
+  std::vector<Coordinate_vector<FT, N>> e;
+  for (const Coordinate_vector<FT, N>& d : derivatives) {
+    e.push_back(orthogonal_component(d, e));
+    if (is_zero(e.back())) return std::nullopt;
+  }
+  e.push_back(orthogonal_complement(derivatives));
+  return e;
+}
+
+// 2^e v, or times a power of two with which no number overflows, and not all vanish.
+template <class FT, int N> Coordinate_vector<FT, N> scaled_within_range(const Coordinate_vector<FT, N>& v, int e) {
+  if constexpr (std::is_floating_point_v<FT>) {
+    typedef std::numeric_limits<FT> Limits;
+    const int exponent = exponent_of(v, "frenet_frame");
+    const int target = (std::max)(Limits::min_exponent, (std::min)(exponent + e, Limits::max_exponent - 2));
+    return times_power_of_two(v, target - exponent, "frenet_frame");
+  } else
+    return v;
+}
+
+} // namespace internal
+
 /// \ingroup PkgGeometricContinuityLocal
 /// The Frenet frame of a curve in \f$ E^n \f$ as `n` orthogonal vectors \f$ e_1, \dots, e_n \f$ with positive
 /// orientation: \f$ e_i \f$ is the component of \f$ x^{(i)} \f$ orthogonal to the earlier ones for `i < n`, and
 /// \f$ e_n \f$ completes them, so that no root is needed. Hagen 1.2, 1.3.
+/// \tparam Traits a model of `GeometricContinuityTraits`
 template <class Traits_> class Frenet_frame {
 public:
-  typedef Traits_ Traits;
-  typedef typename Traits::FT FT;
-  typedef typename Traits::Vector Vector;
-  typedef Geometric_continuity::Coordinates<Traits> Coordinates;
+  typedef Traits_ Traits;                                        ///< the traits class
+  typedef typename Traits::FT FT;                                ///< the field
+  typedef typename Traits::Vector Vector;                        ///< the vectors of the kernel
+  typedef Geometric_continuity::Coordinates<Traits> Coordinates; ///< their coordinates
 
-  explicit Frenet_frame(std::vector<Coordinates> e) : e_(std::move(e)) {}
+  /// Takes the coordinates of `n` vectors of dimension `n`. That they are orthogonal is not checked.
+  /// \throws Error `dimension_mismatch` when a vector does not have the dimension `n`
+  explicit Frenet_frame(std::vector<Coordinates> e) : e_(std::move(e)) {
+    for (const Coordinates& v : e_)
+      if (v.dimension() != dimension())
+        throw Error(Error_code::dimension_mismatch, "Frenet_frame: " + std::to_string(e_.size()) +
+                                                        " vectors, one of them of dimension " +
+                                                        std::to_string(v.dimension()));
+  }
 
+  /// Returns the dimension `n`, which is the number of vectors.
   int dimension() const { return static_cast<int>(e_.size()); }
 
-  /// The vector \f$ e_i \f$, `1 <= i <= dimension()`: \f$ e_1 \f$ the tangent, \f$ e_2 \f$ the principal normal, in space
-  /// \f$ e_3 \f$ the binormal.
+  /// Returns the vector \f$ e_i \f$: \f$ e_1 \f$ is the tangent, \f$ e_2 \f$ the principal normal, in space
+  /// \f$ e_3 \f$ the binormal. \pre `1 <= i <= dimension()`
   Vector vector(int i) const { return Geometric_continuity::to_vector<Traits>(e_[i - 1]); }
 
-  /// The coordinates of \f$ e_i \f$.
+  /// Returns the coordinates of \f$ e_i \f$. \pre `1 <= i <= dimension()`
   const Coordinates& coordinates(int i) const { return e_[i - 1]; }
 
-  /// The frame with unit vectors; only for number types that have a square root.
+  /// Returns the frame with unit vectors; only for number types that have a square root.
+  /// \throws Error `zero_direction` when a vector is zero, `not_finite` when one is infinite or undefined
   Frenet_frame normalized() const {
-    std::vector<Coordinates> unit = e_;
-    for (Coordinates& v : unit) v /= FT(CGAL::sqrt(dot(v, v)));
+    std::vector<Coordinates> unit;
+    for (const Coordinates& v : e_) {
+      const internal::Scaled_vector<FT, dimension_v<Traits>> x(v, "Frenet_frame::normalized");
+      const FT square = dot(*x, *x);
+      if (square == FT(0)) throw Error(Error_code::zero_direction, "Frenet_frame::normalized");
+      unit.push_back(*x / FT(CGAL::sqrt(square)));
+    }
     return Frenet_frame(std::move(unit));
   }
 
@@ -49,28 +110,30 @@ private:
 };
 
 /// \ingroup PkgGeometricContinuityLocal
-/// The Frenet frame at a jet; empty where the first `n - 1` derivatives are linearly dependent.
-/// \throws Error `jet_order_too_low` with fewer than `n - 1` derivatives
+/// Returns the Frenet frame at a jet; empty where the first `n - 1` derivatives are linearly dependent. With floating-point
+/// numbers a power of two keeps \f$ e_n \f$, whose length is the volume that these derivatives span, within the range of
+/// the number type. \f$ O(n^4) \f$
+/// \throws Error `jet_order_too_low` with fewer than `n - 1` derivatives, and for an empty jet
+/// \throws Error `not_finite` when a derivative is infinite or undefined
 template <class Traits> std::optional<Frenet_frame<Traits>> frenet_frame(const Curve_jet<Traits>& jet) {
   typedef typename Traits::FT FT;
-  typedef Geometric_continuity::Coordinates<Traits> Coordinates;
+  constexpr int N = dimension_v<Traits>;
   const int n = jet.dimension();
-  internal::require_order(jet, n - 1, "frenet_frame");
-  std::vector<Coordinates> e;
+  internal::require_order(jet, (std::max)(n - 1, 0), "frenet_frame");
+  std::vector<Coordinate_vector<FT, N>> derivatives;
+  std::vector<int> exponents;
+  int sum = 0;
   for (int i = 1; i < n; ++i) {
-    e.push_back(orthogonal_component(jet[i], e));
-    if (is_zero(e.back())) return std::nullopt;
+    const internal::Scaled_vector<FT, N> x(jet[i], "frenet_frame");
+    derivatives.push_back(*x);
+    exponents.push_back(x.exponent());
+    sum += x.exponent();
   }
-  // e_n: the cofactors of the last row, so that det(e_1, ..., e_n) = |e_n|^2 > 0
-  Coordinates last(n);
-  for (int i = 0; i < n; ++i) {
-    Coordinates unit(n);
-    unit[i] = FT(1);
-    last[i] = determinant<FT>(
-        n, [&](int row, int column) -> const FT& { return row < n - 1 ? e[row][column] : unit[column]; });
-  }
-  e.push_back(last);
-  return Frenet_frame<Traits>(std::move(e));
+  std::optional<std::vector<Coordinate_vector<FT, N>>> e = internal::frenet_vectors(derivatives);
+  if (!e) return std::nullopt;
+  for (int i = 0; i + 1 < n; ++i) (*e)[i] = internal::times_power_of_two((*e)[i], exponents[i], "frenet_frame");
+  (*e)[n - 1] = internal::scaled_within_range((*e)[n - 1], sum);
+  return Frenet_frame<Traits>(std::move(*e));
 }
 
 } // namespace Geometric_continuity

@@ -23,8 +23,9 @@ template <class FT_, int N, int k> class Jet_arrays {
   std::vector<FT_> numbers_;
 
 public:
-  typedef FT_ FT;
+  typedef FT_ FT; ///< the field
 
+  /// No jets.
   Jet_arrays() = default;
   /// `n` jets with unspecified numbers.
   explicit Jet_arrays(std::size_t n) { resize(n); }
@@ -37,14 +38,17 @@ public:
     stride_ = line * ((n + line - 1) / line | 1);
     numbers_.resize(stride_ * (k + 1) * N);
   }
-  /// The number of jets.
+  /// Returns the number of jets.
   std::size_t size() const { return size_; }
 
-  /// The coordinates number `i` of the derivatives of order `j` of all jets, an array of `size()` numbers.
+  /// Gives access to the coordinates number `i` of the derivatives of order `j` of all jets, an array of `size()` numbers.
+  /// \pre `0 <= j <= k`, `0 <= i < N`
   FT* array(int j, int i) { return numbers_.data() + (j * N + i) * stride_; }
+  /// Returns the coordinates number `i` of the derivatives of order `j` of all jets, an array of `size()` numbers.
+  /// \pre `0 <= j <= k`, `0 <= i < N`
   const FT* array(int j, int i) const { return numbers_.data() + (j * N + i) * stride_; }
 
-  /// One of the jets.
+  /// Returns the jet number `at`. \pre `at < size()`
   Coordinate_jet<FT, N> jet(std::size_t at) const {
     Coordinate_jet<FT, N> r(N, k);
     for (int j = 0; j <= k; ++j)
@@ -52,8 +56,12 @@ public:
     return r;
   }
 
-  /// Replaces one of the jets. \pre the jet has at least the order `k`, and the dimension `N`
+  /// Replaces the jet number `at`. \pre `at < size()`
+  /// \throws Error `jet_order_too_low` unless the jet has at least the order `k`
+  /// \throws Error `dimension_mismatch` unless it has the dimension `N`
   template <int M> void set(std::size_t at, const Coordinate_jet<FT, M>& jet) {
+    if (jet.order() < k) throw Error(Error_code::jet_order_too_low, "Jet_arrays::set");
+    if (jet.dimension() != N) throw Error(Error_code::dimension_mismatch, "Jet_arrays::set");
     for (int j = 0; j <= k; ++j)
       for (int i = 0; i < N; ++i) array(j, i)[at] = jet[j][i];
   }

@@ -6,6 +6,8 @@
 #define CGAL_GEOMETRIC_CONTINUITY_LOCAL_SURFACE_JET_H
 
 #include <CGAL/Geometric_continuity/local/coordinates.h>
+#include <CGAL/Geometric_continuity/local/internal/Scaled_vector.h>
+#include <CGAL/Geometric_continuity/local/internal/check_count.h>
 #include <CGAL/number_utils.h>
 
 #include <algorithm>
@@ -22,30 +24,37 @@ namespace Geometric_continuity {
 /// \tparam Traits a model of `GeometricContinuityTraits`
 template <class Traits_> class Surface_jet {
 public:
-  typedef Traits_ Traits;
-  typedef typename Traits::FT FT;
-  typedef typename Traits::Point Point;
-  typedef typename Traits::Vector Vector;
-  typedef Geometric_continuity::Coordinates<Traits> Coordinates;
+  typedef Traits_ Traits;                                        ///< the traits class
+  typedef typename Traits::FT FT;                                ///< the field
+  typedef typename Traits::Point Point;                          ///< the points of the kernel
+  typedef typename Traits::Vector Vector;                        ///< the vectors of the kernel
+  typedef Geometric_continuity::Coordinates<Traits> Coordinates; ///< their coordinates
 
-  /// The zero jet of order `k` in dimension `d`. \throws Error `jet_order_too_low` unless `k >= 0`
+  /// The zero jet of order `k` in dimension `d`.
+  /// \throws Error `jet_order_too_low` unless `k >= 0`, `negative_count` unless `d >= 0`
+  /// \throws Error `dimension_mismatch` unless `d` is the dimension of the traits class
   Surface_jet(int d, int k) : order_(k) {
     if (k < 0) throw Error(Error_code::jet_order_too_low, "Surface_jet: a jet of negative order");
+    internal::check_count(d, "Surface_jet: dimension");
     partials_.assign((k + 1) * (k + 2) / 2, Coordinates(d));
   }
 
+  /// Returns the order `k`.
   int order() const { return order_; }
+  /// Returns the dimension.
   int dimension() const { return partials_[0].dimension(); }
 
-  /// The coordinates of the derivative of order `i` in `u` and `j` in `v`; of the point for `i = j = 0`.
+  /// Returns the coordinates of the derivative of order `i` in `u` and `j` in `v`; of the point for `i = j = 0`.
   /// \pre `0 <= i`, `0 <= j`, `i + j <= order()`
   const Coordinates& operator()(int i, int j) const { return partials_[index(i, j)]; }
+  /// Gives access to the coordinates of the derivative of order `i` in `u` and `j` in `v`; to those of the point for
+  /// `i = j = 0`. \pre `0 <= i`, `0 <= j`, `i + j <= order()`
   Coordinates& operator()(int i, int j) { return partials_[index(i, j)]; }
 
-  /// The point.
+  /// Returns the point.
   Point point() const { return Geometric_continuity::to_point<Traits>(partials_[0]); }
 
-  /// The derivative of order `i` in `u` and `j` in `v`, `0 < i + j <= order()`.
+  /// Returns the derivative of order `i` in `u` and `j` in `v`. \pre `0 <= i`, `0 <= j`, `0 < i + j <= order()`
   Vector partial(int i, int j) const { return Geometric_continuity::to_vector<Traits>((*this)(i, j)); }
 
 private:
@@ -57,31 +66,39 @@ private:
 
 namespace internal {
 
-template <class Traits> Coordinates<Traits> normal_coordinates(const Surface_jet<Traits>& jet) {
+template <class Traits> void require_normal(const Surface_jet<Traits>& jet) {
   static_assert(dimension_v<Traits> == 0 || dimension_v<Traits> == 3, "a surface has a normal in dimension 3");
   if (jet.dimension() != 3) throw Error(Error_code::dimension_mismatch, "normal: a surface has one in dimension 3");
   if (jet.order() < 1) throw Error(Error_code::jet_order_too_low, "normal reads the first derivatives");
-  return cross_product(jet(1, 0), jet(0, 1));
 }
 
 } // namespace internal
 
 /// \ingroup PkgGeometricContinuityLocal
-/// The normal \f$ S_u \times S_v \f$, not normalised and hence exact with an exact kernel. It is zero where the surface is
-/// not regular. Lecture slides, "Normals".
+/// Returns the normal \f$ S_u \times S_v \f$, not normalised and hence exact with an exact kernel. It is zero where the
+/// surface is not regular. Lecture slides, "Normals".
 /// \throws Error `dimension_mismatch` unless in dimension 3, `jet_order_too_low` for a jet of order 0
+/// \throws Error `not_finite` when a floating-point coordinate overflows
 template <class Traits> typename Traits::Vector normal(const Surface_jet<Traits>& jet) {
-  return Geometric_continuity::to_vector<Traits>(internal::normal_coordinates(jet));
+  internal::require_normal(jet);
+  const Geometric_continuity::Coordinates<Traits> n = cross_product(jet(1, 0), jet(0, 1));
+  for (const typename Traits::FT& x : n) internal::check_finite(x, "normal");
+  return Geometric_continuity::to_vector<Traits>(n);
 }
 
 /// \ingroup PkgGeometricContinuityLocal
-/// The unit normal, empty where \f$ S_u \times S_v = 0 \f$; only for number types that have a square root.
+/// Returns the unit normal, empty where \f$ S_u \times S_v = 0 \f$; only for number types that have a square root.
+/// Derivatives of any floating-point size are scaled, so that no product overflows.
 /// \throws Error `dimension_mismatch` unless in dimension 3, `jet_order_too_low` for a jet of order 0
+/// \throws Error `not_finite` when a floating-point derivative is infinite or undefined
 template <class Traits> std::optional<typename Traits::Vector> unit_normal(const Surface_jet<Traits>& jet) {
   typedef typename Traits::FT FT;
-  Geometric_continuity::Coordinates<Traits> n = internal::normal_coordinates(jet);
+  typedef internal::Scaled_vector<FT, dimension_v<Traits>> Scaled;
+  internal::require_normal(jet);
+  const Scaled u(jet(1, 0), "unit_normal"), v(jet(0, 1), "unit_normal");
+  Geometric_continuity::Coordinates<Traits> n = cross_product(*u, *v);
   FT largest(0); // divided by it first, so that no square overflows or vanishes
-  for (const FT& x : n) largest = std::max(largest, FT(CGAL::abs(x)));
+  for (const FT& x : n) largest = (std::max)(largest, FT(CGAL::abs(x)));
   if (largest == FT(0)) return std::nullopt;
   n /= largest;
   n /= FT(CGAL::sqrt(FT(dot(n, n))));

@@ -44,7 +44,7 @@ template <class Traits> using Coordinates = Coordinate_vector<typename Traits::F
 template <class Traits> using Predicate_FT = typename internal::Predicate_field<Traits>::type;
 
 /// \ingroup PkgGeometricContinuityTraits
-/// The coordinates of a point or a vector `p` of the traits class, in its own field or converted to `Field`.
+/// Returns the coordinates of a point or a vector `p` of the traits class, in its own field or converted to `Field`.
 /// \throws Error `not_finite` when a coordinate that is converted is an infinity or not a number
 template <class Traits, class Field = typename Traits::FT, class Point_or_vector>
 Coordinate_vector<Field, dimension_v<Traits>> coordinates(const Point_or_vector& p) {
@@ -57,13 +57,13 @@ Coordinate_vector<Field, dimension_v<Traits>> coordinates(const Point_or_vector&
 }
 
 /// \ingroup PkgGeometricContinuityTraits
-/// The point with the coordinates `c`.
+/// Returns the point with the coordinates `c`.
 template <class Traits> typename Traits::Point to_point(const Coordinates<Traits>& c) {
   return Traits().construct_point_object()(c.dimension(), c.begin(), c.end());
 }
 
 /// \ingroup PkgGeometricContinuityTraits
-/// The vector with the coordinates `c`.
+/// Returns the vector with the coordinates `c`.
 template <class Traits> typename Traits::Vector to_vector(const Coordinates<Traits>& c) {
   return Traits().construct_vector_object()(c.dimension(), c.begin(), c.end());
 }

@@ -18,11 +18,16 @@ namespace CGAL {
 namespace Geometric_continuity {
 
 /// \ingroup PkgGeometricContinuityLocal
-/// The curvatures \f$ \kappa = |d_1 \times d_2| / |d_1|^3 \f$ and torsions
+/// Computes the curvatures \f$ \kappa = |d_1 \times d_2| / |d_1|^3 \f$ and torsions
 /// \f$ \tau = \det(d_1, d_2, d_3) / |d_1 \times d_2|^2 \f$ of many jets in space, in one pass.
 ///
 /// Where a number is not defined it is set to 0: the curvature where \f$ d_1 = 0 \f$, the torsion where also
 /// \f$ d_1 \times d_2 = 0 \f$. Compile with `-fno-math-errno`, or the square root is not vectorised.
+///
+/// In contrast to `curvature_squared()` and `torsion()`, derivatives are not scaled. In `double`, the largest coordinate of each
+/// of the three derivatives must be 0 or between \f$ 2^{-200} \f$ and \f$ 2^{200} \f$; beyond, products of up to four of
+/// them overflow or vanish, and the results are unspecified (too small, infinite, or not a number). It is the caller's duty to
+/// scale such jets, or to ask for them one by one.
 ///
 /// \param jets `n` jets of order at least 3
 /// \param curvature,torsion arrays for `n` numbers
@@ -37,11 +42,11 @@ std::size_t curvature_and_torsion(const Jet_arrays<FT, 3, k>& jets, FT* curvatur
     const FT *x2 = jets.array(2, 0), *y2 = jets.array(2, 1), *z2 = jets.array(2, 2);
     const FT *x3 = jets.array(3, 0), *y3 = jets.array(3, 1), *z3 = jets.array(3, 2);
     FT *kappa = curvature, *tau = torsion;
-    constexpr std::size_t most =
-        256; // at a time: the square root stands alone, -frounding-math keeps it from vectorisation
+    // at a time: the square root stands alone, because -frounding-math keeps it from vectorisation
+    constexpr std::size_t most = 256;
     FT squares[most];
     for (std::size_t first = begin; first < end; first += most) {
-      const std::size_t last = std::min(first + most, end);
+      const std::size_t last = (std::min)(first + most, end);
       CGAL_GEOMETRIC_CONTINUITY_INDEPENDENT_ITERATIONS
       for (std::size_t i = first; i < last; ++i) {
         const FT g = x1[i] * x1[i] + y1[i] * y1[i] + z1[i] * z1[i]; // |d1|^2

@@ -7,11 +7,24 @@
 
 #include <CGAL/Geometric_continuity/algebra/determinant.h>
 #include <CGAL/Geometric_continuity/local/Curve_jet.h>
+#include <CGAL/Geometric_continuity/local/internal/Scaled_vector.h>
+#include <CGAL/Geometric_continuity/local/internal/check_count.h>
 #include <CGAL/Geometric_continuity/numbers/internal/sign_of.h>
 
+#include <algorithm>
 #include <optional>
 #include <ostream>
+#include <string>
 #include <vector>
+
+/// \file curvatures.h
+/// Curvature, torsion and all curvatures of a curve in \f$ E^n \f$ from its jet, without roots, and hence exact in every
+/// field: \f$ \kappa_i^2 = G_{i-1} G_{i+1} / (G_i^2 G_1) \f$ with the Gram determinants \f$ G_i \f$ of the derivatives
+/// (Hagen (1.5), (1.9), (1.11), (1.12)).
+///
+/// With floating-point numbers all these functions compute with derivatives that are scaled by powers of two, so that no
+/// intermediate number overflows. A result that is too large for the number type, and derivatives that are not finite,
+/// are refused (`Error`, `not_finite`); one that is too small is rounded to 0.
 
 namespace CGAL {
 namespace Geometric_continuity {
@@ -22,10 +35,13 @@ template <class FT> struct Signed_square {
   int sign;  ///< -1, 0 or 1
   FT square; ///< the square of the number
 
+  /// Returns whether the two numbers are equal.
   friend bool operator==(const Signed_square& x, const Signed_square& y) {
     return x.sign == y.sign && x.square == y.square;
   }
+  /// Returns whether the two numbers differ.
   friend bool operator!=(const Signed_square& x, const Signed_square& y) { return !(x == y); }
+  /// Writes the number with a root sign, e.g. `-sqrt(1/16)`.
   friend std::ostream& operator<<(std::ostream& os, const Signed_square& x) {
     return os << (x.sign < 0 ? "-" : "") << "sqrt(" << x.square << ')';
   }
@@ -47,99 +63,126 @@ template <int d, class FT, int N> void require_dimension(const Coordinate_jet<FT
                                                     std::to_string(jet.dimension()));
 }
 
-// det(x', ..., x^(n)) in dimension n
-template <class FT, int N> FT derivative_determinant(const Coordinate_jet<FT, N>& jet) {
-  return determinant<FT>(jet.dimension(), [&](int row, int column) -> const FT& { return jet[row + 1][column]; });
-}
-
-// the Gram determinant G_count of (1.5)
-template <class FT, int N> FT gram_of_derivatives(const Coordinate_jet<FT, N>& jet, int count) {
-  std::vector<Coordinate_vector<FT, N>> d;
-  for (int j = 1; j <= count; ++j) d.push_back(jet[j]);
-  return gram_determinant(d);
-}
-
-template <class FT, int N> std::optional<Coordinate_vector<FT, N>> curvature_vector(const Coordinate_jet<FT, N>& jet) {
-  require_order(jet, 2, "curvature_vector");
-  const FT g = dot(jet[1], jet[1]);
-  if (g == FT(0)) return std::nullopt;
-  return orthogonal_component(jet[2], jet[1]) / g;
-}
-
 } // namespace internal
 
 /// \ingroup PkgGeometricContinuityLocal
-/// The Gram determinants \f$ G_0 = 1, G_1, \dots, G_k \f$ of the first `k` derivatives,
-/// \f$ G_i = \det(x^{(a)} \cdot x^{(b)})_{a,b \le i} \f$.
+/// Returns the Gram determinants \f$ G_0 = 1, G_1, \dots, G_k \f$ of the first `k` derivatives,
+/// \f$ G_i = \det(x^{(a)} \cdot x^{(b)})_{a,b \le i} \f$: the squared volumes that they span. \f$ O(n k^3 + k^4) \f$ in
+/// dimension `n`
+/// \throws Error `negative_count` unless `k >= 0`, `jet_order_too_low` with fewer than `k` derivatives
+/// \throws Error `not_finite` when a floating-point result overflows
 template <class FT, int N> std::vector<FT> gram_determinants(const Coordinate_jet<FT, N>& jet, int k) {
+  internal::check_count(k, "gram_determinants: number of derivatives");
   internal::require_order(jet, k, "gram_determinants");
-  std::vector<FT> g;
-  for (int i = 0; i <= k; ++i) g.push_back(internal::gram_of_derivatives(jet, i));
+  std::vector<FT> g(1, FT(1));
+  std::vector<Coordinate_vector<FT, N>> d;
+  int exponent = 0;
+  for (int i = 1; i <= k; ++i) {
+    const internal::Scaled_vector<FT, N> x(jet[i], "gram_determinants");
+    d.push_back(*x);
+    exponent += 2 * x.exponent();
+    g.push_back(internal::times_power_of_two(gram_determinant(d), exponent, "gram_determinants"));
+  }
   return g;
 }
 
 /// \ingroup PkgGeometricContinuityLocal
-/// The curvature vector \f$ K = \kappa e_2 = d_2^\perp / |d_1|^2 \f$ in any dimension; it points to the centre of
-/// curvature. Empty where the tangent is zero. Barsky and Beatty; Hagen, remark 5 after 2.1.
-/// \throws Error `jet_order_too_low` with fewer than 2 derivatives
+/// Returns the coordinates of the curvature vector \f$ K = \kappa e_2 = d_2^\perp / |d_1|^2 \f$ in any dimension; it points
+/// to the centre of curvature. Empty where the tangent is zero. Barsky and Beatty; Hagen, remark 5 after 2.1.
+/// \throws Error `jet_order_too_low` with fewer than 2 derivatives, `not_finite` when a floating-point result overflows
+template <class FT, int N> std::optional<Coordinate_vector<FT, N>> curvature_vector(const Coordinate_jet<FT, N>& jet) {
+  internal::require_order(jet, 2, "curvature_vector");
+  const internal::Scaled_vector<FT, N> d1(jet[1], "curvature_vector"), d2(jet[2], "curvature_vector");
+  const FT g = dot(*d1, *d1);
+  if (g == FT(0)) return std::nullopt;
+  return internal::times_power_of_two(orthogonal_component(*d2, *d1) / g, d2.exponent() - 2 * d1.exponent(),
+                                      "curvature_vector");
+}
+
+/// \ingroup PkgGeometricContinuityLocal
+/// Returns the curvature vector \f$ K = \kappa e_2 = d_2^\perp / |d_1|^2 \f$ as a vector of the kernel, in any dimension; it
+/// points to the centre of curvature. Empty where the tangent is zero. Barsky and Beatty; Hagen, remark 5 after 2.1.
+/// \throws Error `jet_order_too_low` with fewer than 2 derivatives, `not_finite` when a floating-point result overflows
 template <class Traits> std::optional<typename Traits::Vector> curvature_vector(const Curve_jet<Traits>& jet) {
-  const std::optional<Geometric_continuity::Coordinates<Traits>> k = internal::curvature_vector(jet);
+  const Coordinate_jet<typename Traits::FT, dimension_v<Traits>>& coordinates = jet;
+  const std::optional<Geometric_continuity::Coordinates<Traits>> k = curvature_vector(coordinates);
   if (!k) return std::nullopt;
   return Geometric_continuity::to_vector<Traits>(*k);
 }
 
 /// \ingroup PkgGeometricContinuityLocal
-/// The squared curvature \f$ \kappa^2 = G_2 / G_1^3 \f$ in any dimension. Empty where the tangent is zero.
-/// Hagen (1.11). \throws Error `jet_order_too_low` with fewer than 2 derivatives
+/// Returns the squared curvature \f$ \kappa^2 = G_2 / G_1^3 = |d_2^\perp|^2 / |d_1|^4 \f$ in any dimension. Empty where the
+/// tangent is zero. Hagen (1.11).
+/// \throws Error `jet_order_too_low` with fewer than 2 derivatives, `not_finite` when a floating-point result overflows
 template <class FT, int N> std::optional<FT> curvature_squared(const Coordinate_jet<FT, N>& jet) {
-  const std::optional<Coordinate_vector<FT, N>> k = internal::curvature_vector(jet);
-  if (!k) return std::nullopt;
-  return dot(*k, *k);
+  internal::require_order(jet, 2, "curvature_squared");
+  const internal::Scaled_vector<FT, N> d1(jet[1], "curvature_squared"), d2(jet[2], "curvature_squared");
+  const FT g = dot(*d1, *d1);
+  if (g == FT(0)) return std::nullopt;
+  const Coordinate_vector<FT, N> k = orthogonal_component(*d2, *d1) / g;
+  return internal::times_power_of_two(FT(dot(k, k)), 2 * d2.exponent() - 4 * d1.exponent(), "curvature_squared");
 }
 
 /// \ingroup PkgGeometricContinuityLocal
-/// The signed curvature \f$ \det(d_1, d_2) / |d_1|^3 \f$ of a planar curve, positive in a left turn. Empty where the
+/// Returns the signed curvature \f$ \det(d_1, d_2) / |d_1|^3 \f$ of a planar curve, positive in a left turn. Empty where the
 /// tangent is zero. Hagen (1.9).
-/// \throws Error `jet_order_too_low` with fewer than 2 derivatives, `dimension_mismatch` unless in dimension 2
+/// \throws Error `jet_order_too_low` with fewer than 2 derivatives, `dimension_mismatch` unless in dimension 2,
+///   `not_finite` when a floating-point result overflows
 template <class FT, int N> std::optional<Signed_square<FT>> signed_curvature(const Coordinate_jet<FT, N>& jet) {
   internal::require_order(jet, 2, "signed_curvature");
   internal::require_dimension<2>(jet, "signed_curvature");
-  const FT g1 = dot(jet[1], jet[1]);
-  if (g1 == FT(0)) return std::nullopt;
-  const FT det = internal::derivative_determinant(jet);
-  return Signed_square<FT>{internal::sign_of(det), FT(det * det / (g1 * g1 * g1))};
+  const internal::Scaled_vector<FT, N> d1(jet[1], "signed_curvature"), d2(jet[2], "signed_curvature");
+  const FT g = dot(*d1, *d1);
+  if (g == FT(0)) return std::nullopt;
+  const FT det = (*d1)[0] * (*d2)[1] - (*d1)[1] * (*d2)[0];
+  return Signed_square<FT>{internal::sign_of(det),
+                           internal::times_power_of_two(FT(det * det / (g * g * g)),
+                                                        2 * d2.exponent() - 4 * d1.exponent(), "signed_curvature")};
 }
 
 /// \ingroup PkgGeometricContinuityLocal
-/// The torsion \f$ \tau = \det(d_1, d_2, d_3) / |d_1 \times d_2|^2 \f$ of a space curve. Empty where the curvature is
-/// zero or undefined. Hagen (1.12).
-/// \throws Error `jet_order_too_low` with fewer than 3 derivatives, `dimension_mismatch` unless in dimension 3
+/// Returns the torsion \f$ \tau = \det(d_1, d_2, d_3) / |d_1 \times d_2|^2 \f$ of a space curve. Empty where the curvature
+/// is zero or undefined. Hagen (1.12).
+/// \throws Error `jet_order_too_low` with fewer than 3 derivatives, `dimension_mismatch` unless in dimension 3,
+///   `not_finite` when a floating-point result overflows
 template <class FT, int N> std::optional<FT> torsion(const Coordinate_jet<FT, N>& jet) {
   internal::require_order(jet, 3, "torsion");
   internal::require_dimension<3>(jet, "torsion");
-  const FT g2 = internal::gram_of_derivatives(jet, 2);
+  const internal::Scaled_vector<FT, N> d1(jet[1], "torsion"), d2(jet[2], "torsion"), d3(jet[3], "torsion");
+  const Coordinate_vector<FT, N> normal = cross_product(*d1, *d2);
+  const FT g2 = dot(normal, normal);
   if (g2 == FT(0)) return std::nullopt;
-  return FT(internal::derivative_determinant(jet) / g2);
+  return internal::times_power_of_two(FT(dot(normal, *d3) / g2), d3.exponent() - d1.exponent() - d2.exponent(),
+                                      "torsion");
 }
 
 /// \ingroup PkgGeometricContinuityLocal
-/// The curvatures \f$ \kappa_1, \dots, \kappa_{n-1} \f$ of a curve in \f$ E^n \f$,
-/// \f$ \kappa_i^2 = G_{i-1} G_{i+1} / (G_i^2 G_1) \f$, by Gram-Schmidt orthogonalisation; all are nonnegative but the last, which has the sign of
-/// \f$ \det(d_1, \dots, d_n) \f$. Entries from the first `i` with \f$ G_i = 0 \f$ on are empty. Hagen (1.5).
-/// \throws Error `jet_order_too_low` with fewer than `n` derivatives
+/// Returns the `n - 1` curvatures \f$ \kappa_1, \dots, \kappa_{n-1} \f$ of a curve in \f$ E^n \f$,
+/// \f$ \kappa_i^2 = G_{i-1} G_{i+1} / (G_i^2 G_1) \f$, by Gram-Schmidt orthogonalisation; all are nonnegative but the last,
+/// which has the sign of \f$ \det(d_1, \dots, d_n) \f$. Entries from the first `i` with \f$ G_i = 0 \f$ on are empty.
+/// \f$ O(n^3) \f$. Hagen (1.5).
+/// \throws Error `jet_order_too_low` with fewer than `n` derivatives, `not_finite` when a floating-point result overflows
 template <class FT, int N>
 std::vector<std::optional<Signed_square<FT>>> frenet_curvatures(const Coordinate_jet<FT, N>& jet) {
   const int n = jet.dimension();
   internal::require_order(jet, n, "frenet_curvatures");
   std::vector<std::optional<Signed_square<FT>>> kappa(n > 0 ? n - 1 : 0);
-  std::vector<Coordinate_vector<FT, N>> q; // Gram-Schmidt: |q_i|^2 = G_i / G_{i-1}
+  std::vector<Coordinate_vector<FT, N>> d, q; // Gram-Schmidt: |q_i|^2 = G_i / G_{i-1}
+  std::vector<int> exponents;
   for (int i = 1; i <= n; ++i) {
-    q.push_back(orthogonal_component(jet[i], q));
+    const internal::Scaled_vector<FT, N> x(jet[i], "frenet_curvatures");
+    exponents.push_back(x.exponent());
+    d.push_back(*x);
+    q.push_back(orthogonal_component(*x, q));
     const FT length = dot(q[i - 1], q[i - 1]);
     if (i > 1) { // kappa_{i-1}^2 = |q_i|^2 / (|q_{i-1}|^2 |q_1|^2)
       const FT square = length / (dot(q[i - 2], q[i - 2]) * dot(q[0], q[0]));
-      const int sign = i < n ? internal::sign_of(square) : internal::sign_of(internal::derivative_determinant(jet));
-      kappa[i - 2] = Signed_square<FT>{sign, square};
+      const int sign =
+          i < n
+              ? internal::sign_of(square)
+              : internal::sign_of(determinant<FT>(n, [&](int row, int column) -> const FT& { return d[row][column]; }));
+      const int exponent = 2 * (exponents[i - 1] - exponents[i - 2] - exponents[0]);
+      kappa[i - 2] = Signed_square<FT>{sign, internal::times_power_of_two(FT(square), exponent, "frenet_curvatures")};
     }
     if (length == FT(0)) break;
   }

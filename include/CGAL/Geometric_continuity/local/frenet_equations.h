@@ -10,6 +10,7 @@
 
 #include <optional>
 #include <ostream>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -24,20 +25,24 @@ template <class FT> class Frenet_matrix {
   std::vector<FT> w_; // w_{12}, ..., w_{n-1,n}
 
 public:
-  /// From the speed \f$ |X'| \f$ and the curvatures \f$ \kappa_1, \dots, \kappa_{n-1} \f$.
+  /// Takes the speed \f$ |X'| \f$ and the `n - 1` curvatures \f$ \kappa_1, \dots, \kappa_{n-1} \f$.
   Frenet_matrix(const FT& speed, std::vector<FT> curvatures) : w_(std::move(curvatures)) {
     for (FT& w : w_) w *= speed;
   }
 
+  /// Returns the dimension `n`, one more than the number of curvatures.
   int dimension() const { return static_cast<int>(w_.size()) + 1; }
 
-  /// The entry \f$ w_{ij} \f$, `1 <= i, j <= dimension()`.
+  /// Returns the entry \f$ w_{ij} \f$. \pre `1 <= i <= dimension()`, `1 <= j <= dimension()`
   FT operator()(int i, int j) const { return j == i + 1 ? FT(w_[i - 1]) : j + 1 == i ? FT(-w_[j - 1]) : FT(0); }
 
-  /// The derivatives \f$ e_1', \dots, e_n' \f$ of the orthonormal vectors \f$ e_1, \dots, e_n \f$. \f$ O(n^2) \f$
+  /// Returns the derivatives \f$ e_1', \dots, e_n' \f$ of the orthonormal vectors \f$ e_1, \dots, e_n \f$. \f$ O(n^2) \f$
+  /// \throws Error `dimension_mismatch` unless there are `n` vectors of dimension `n`
   template <int N>
   std::vector<Coordinate_vector<FT, N>> operator()(const std::vector<Coordinate_vector<FT, N>>& e) const {
     const int n = dimension();
+    if (static_cast<int>(e.size()) != n || e[0].dimension() != n)
+      throw Error(Error_code::dimension_mismatch, "Frenet_matrix: " + std::to_string(e.size()) + " vectors");
     std::vector<Coordinate_vector<FT, N>> d(n, Coordinate_vector<FT, N>(n));
     for (int i = 0; i + 1 < n; ++i) {
       d[i] += w_[i] * e[i + 1];
@@ -55,9 +60,9 @@ public:
 };
 
 /// \ingroup PkgGeometricContinuityLocal
-/// The matrix of the Frenet equations at a jet; empty where the first `n - 1` derivatives are linearly dependent. Only for
+/// Returns the matrix of the Frenet equations at a jet; empty where the first `n - 1` derivatives are linearly dependent. Only for
 /// number types that have a square root; `frenet_curvatures()` gives the squares of the curvatures in any field.
-/// \throws Error `jet_order_too_low` with fewer than `n` derivatives
+/// \throws Error `jet_order_too_low` with fewer than `n` derivatives, `not_finite` when the square of a curvature overflows
 template <class Traits> std::optional<Frenet_matrix<typename Traits::FT>> frenet_matrix(const Curve_jet<Traits>& jet) {
   typedef typename Traits::FT FT;
   std::vector<FT> kappa;
@@ -66,13 +71,16 @@ template <class Traits> std::optional<Frenet_matrix<typename Traits::FT>> frenet
     const FT root = CGAL::sqrt(k->square);
     kappa.push_back(k->sign < 0 ? FT(-root) : root);
   }
-  return Frenet_matrix<FT>(FT(CGAL::sqrt(FT(dot(jet[1], jet[1])))), std::move(kappa));
+  const internal::Scaled_vector<FT, dimension_v<Traits>> d1(jet[1], "frenet_matrix");
+  const FT speed = CGAL::sqrt(FT(dot(*d1, *d1)));
+  return Frenet_matrix<FT>(internal::times_power_of_two(speed, d1.exponent(), "frenet_matrix"), std::move(kappa));
 }
 
 /// \ingroup PkgGeometricContinuityLocal
-/// The derivatives \f$ e_1', \dots, e_n' \f$, with respect to the parameter, of the orthonormal Frenet frame at a jet;
+/// Returns the derivatives \f$ e_1', \dots, e_n' \f$, with respect to the parameter, of the orthonormal Frenet frame at a jet;
 /// empty where the first `n - 1` derivatives are linearly dependent. Only for number types that have a square root.
-/// Hagen (1.6). \throws Error `jet_order_too_low` with fewer than `n` derivatives
+/// Hagen (1.6).
+/// \throws Error `jet_order_too_low` with fewer than `n` derivatives, `not_finite` when the square of a curvature overflows
 template <class Traits>
 std::optional<std::vector<typename Traits::Vector>> frenet_frame_derivatives(const Curve_jet<Traits>& jet) {
   typedef Geometric_continuity::Coordinates<Traits> Coordinates;

@@ -22,10 +22,10 @@ namespace Geometric_continuity {
 ///
 /// \tparam Traits a model of `GeometricContinuityTraits`
 template <class Traits_> struct Tessellation {
-  typedef Traits_ Traits;
-  typedef typename Traits::FT FT;
-  typedef typename Traits::Point Point;
-  typedef std::array<std::size_t, 3> Triangle;
+  typedef Traits_ Traits;                      ///< the geometric traits
+  typedef typename Traits::FT FT;              ///< the number type
+  typedef typename Traits::Point Point;        ///< the points
+  typedef std::array<std::size_t, 3> Triangle; ///< the numbers of three points
 
   /// Where a point lies.
   struct Place {
@@ -43,13 +43,14 @@ template <class Traits_> struct Tessellation {
 /// \ingroup PkgGeometricContinuitySurfaces
 /// How the triangles of a tessellation meet.
 struct Mesh_edges {
-  std::size_t inner = 0;     ///< edges of two triangles that run through them in opposite directions
+  std::size_t inner = 0;     ///< edges of two triangles, which pass them in opposite directions
   std::size_t boundary = 0;  ///< edges of one triangle only
-  std::size_t irregular = 0; ///< edges of more than two triangles, or of two that run through them in one direction
+  std::size_t irregular = 0; ///< edges of more than two triangles, or of two which pass them in one direction
 
+  /// Returns the number of all edges.
   std::size_t number_of_edges() const { return inner + boundary + irregular; }
 
-  /// Whether each edge has a triangle on both sides.
+  /// Tells whether each edge has a triangle on both sides.
   bool watertight() const { return boundary == 0 && irregular == 0; }
 
   /// Writes the counts, e.g. `96 edges, watertight` or `96 edges, 12 on the boundary`.
@@ -63,7 +64,7 @@ struct Mesh_edges {
 };
 
 /// \ingroup PkgGeometricContinuitySurfaces
-/// Counts the edges of triangles by what meets at them. \f$ O(n \log n) \f$ for `n` triangles
+/// Counts the edges of triangles by how many triangles meet at them. \f$ O(n \log n) \f$ for `n` triangles
 /// \tparam TriangleRange a range of triples of numbers of points
 template <class TriangleRange> Mesh_edges mesh_edges(const TriangleRange& triangles) {
   struct Use {

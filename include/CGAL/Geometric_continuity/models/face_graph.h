@@ -105,7 +105,7 @@ private:
 /// \tparam VertexPointMap a writable property map from the vertices of the mesh to points, to which `Traits::Point` is
 ///   assigned
 /// \throws Error `not_a_manifold` when an edge has more than two triangles or two of opposite orientations, or the triangles
-///   at a point are not one fan, or a triangle has one point twice
+///   at a point are not one fan, or a triangle has one point twice or a point that does not exist
 template <class Traits, class Mesh, class VertexPointMap>
 void to_face_graph(const Tessellation<Traits>& tessellation, Mesh& mesh, VertexPointMap points) {
   typedef boost::graph_traits<Mesh> Graph;
@@ -150,7 +150,13 @@ void to_face_graph(const Tessellation<Traits>& tessellation, Mesh& mesh, VertexP
 }
 
 /// \ingroup PkgGeometricContinuitySurfaces
-/// The same with the point map `get(CGAL::vertex_point, mesh)` of the mesh.
+/// Appends triangles to a mesh of \cgal, whose point map is `get(CGAL::vertex_point, mesh)`: a vertex for each point, a face
+/// for each triangle. When it throws, the mesh has not been changed. \f$ O(n \log n) \f$ for `n` triangles
+///
+/// \tparam Traits a model of `GeometricContinuityTraits`
+/// \tparam Mesh a model of the concept `MutableFaceGraph` of \cgal with a property map of points
+/// \throws Error `not_a_manifold` when an edge has more than two triangles or two of opposite orientations, or the triangles
+///   at a point are not one fan, or a triangle has one point twice or a point that does not exist
 template <class Traits, class Mesh> void to_face_graph(const Tessellation<Traits>& tessellation, Mesh& mesh) {
   to_face_graph(tessellation, mesh, get(CGAL::vertex_point, mesh));
 }

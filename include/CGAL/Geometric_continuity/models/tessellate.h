@@ -10,6 +10,7 @@
 #include <CGAL/Geometric_continuity/surfaces/Bspline_surface.h>
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <iterator>
 #include <optional>
@@ -26,9 +27,13 @@ namespace Geometric_continuity {
 constexpr int max_tessellation_cells = 1 << 24;
 
 /// \ingroup PkgGeometricContinuitySurfaces
+/// The largest number of cells into which `tessellate()` cuts a Bézier patch in one direction.
+constexpr int max_cells_in_one_direction = 1 << 12;
+
+/// \ingroup PkgGeometricContinuitySurfaces
 /// Each Bézier patch is cut into `n` times `n` cells, equal in its parameters.
 struct Uniform_grid {
-  int n; ///< positive
+  int n; ///< from 1 to `max_cells_in_one_direction`
 };
 
 /// \ingroup PkgGeometricContinuitySurfaces
@@ -40,26 +45,28 @@ struct Chord_tolerance {
 
 namespace internal {
 
-constexpr int most_cells = 1 << 12; // in one direction
-
-template <class Traits>
-Patch_cells cells_of_patch(const Uniform_grid& grid, const Bezier_patch<Traits>&, bool /* simple */) {
+template <class Traits> Patch_cells cells_of_patch(const Uniform_grid& grid, const Bezier_patch<Traits>&, int) {
   return {grid.n, grid.n};
 }
 
-// Four cells make the triangles of patches a manifold that close up, or meet more than once.
 template <class Traits>
-Patch_cells cells_of_patch(const Chord_tolerance& tolerance, const Bezier_patch<Traits>& patch, bool simple) {
-  const std::optional<Patch_cells> cells = Patch_flatness(patch).cells(tolerance.distance, simple ? 1 : 4, most_cells);
-  if (!cells) throw Error(Error_code::unreachable_tolerance, "tessellate: a patch would need too many triangles");
+Patch_cells cells_of_patch(const Chord_tolerance& tolerance, const Bezier_patch<Traits>& patch, int least) {
+  constexpr int most = max_cells_in_one_direction;
+  const Patch_flatness flatness(patch);
+  const std::optional<Patch_cells> cells = flatness.cells(tolerance.distance, least, most);
+  if (!cells && std::isfinite(flatness.distance({most, most})))
+    throw Error(Error_code::work_limit,
+                "tessellate: more than " + std::to_string(most) + " cells of a patch in one direction");
+  if (!cells) throw Error(Error_code::unreachable_tolerance, "tessellate: the second derivatives of a patch overflow");
   return *cells;
 }
 
 inline void check_mode(const Uniform_grid& grid) {
-  if (grid.n < 1 || grid.n > most_cells)
-    throw Error(Error_code::wrong_number_of_points, "tessellate: a grid of " + std::to_string(grid.n) +
-                                                        " cells where 1 to " + std::to_string(most_cells) +
-                                                        " are expected");
+  refuse_negative(grid.n, "tessellate: a grid");
+  if (grid.n == 0) throw Error(Error_code::wrong_number_of_points, "tessellate: a grid of no cells");
+  if (grid.n > max_cells_in_one_direction)
+    throw Error(Error_code::work_limit, "tessellate: a grid of " + std::to_string(grid.n) + " cells where at most " +
+                                            std::to_string(max_cells_in_one_direction) + " are made");
 }
 
 inline void check_mode(const Chord_tolerance& tolerance) {
@@ -68,18 +75,18 @@ inline void check_mode(const Chord_tolerance& tolerance) {
     throw Error(Error_code::unreachable_tolerance, "tessellate: the tolerance must be positive");
 }
 
+// All numbers of cells are known, and few enough, before the first point is computed.
 template <class Traits, class Mode>
 Tessellation<Traits> tessellate_patches(const std::vector<const Bezier_patch<Traits>*>& patches,
                                         const std::vector<std::size_t>& numbers, const Mode& mode) {
   check_mode(mode);
   for (const Bezier_patch<Traits>* patch : patches) require_space(*patch, "tessellate");
   int cells_left = max_tessellation_cells;
-  return Model_mesh<Traits>(patches, numbers)([&](const Bezier_patch<Traits>& patch, bool simple) {
-    const Patch_cells cells = cells_of_patch(mode, patch, simple);
+  return Model_mesh<Traits>(patches, numbers)([&](const Bezier_patch<Traits>& patch, int least) {
+    const Patch_cells cells = cells_of_patch(mode, patch, least);
     cells_left -= cells.u * cells.v;
     if (cells_left < 0)
-      throw Error(Error_code::unreachable_tolerance,
-                  "tessellate: more than " + std::to_string(max_tessellation_cells) + " cells");
+      throw Error(Error_code::work_limit, "tessellate: more than " + std::to_string(max_tessellation_cells) + " cells");
     return cells;
   });
 }
@@ -106,7 +113,7 @@ template <class Traits> struct Numbered_patches {
 } // namespace internal
 
 /// \ingroup PkgGeometricContinuitySurfaces
-/// Tessellates a model: the patches or surfaces of a range, welded along their common edges.
+/// Tessellates a model: makes triangles from the patches or surfaces of a range, welded along their common edges.
 ///
 /// Edges are the same when `model_continuity()` says so: by exact comparison of their curves, in either direction and
 /// also if their degrees differ. A point on a common edge is computed once, so that there are no cracks, with rounded
@@ -123,10 +130,11 @@ template <class Traits> struct Numbered_patches {
 ///
 /// \tparam SurfaceRange a forward range of `Bezier_patch` or of `Bspline_surface`
 /// \tparam Mode `Uniform_grid` or `Chord_tolerance`
-/// \throws Error `unreachable_tolerance` for a tolerance that is not positive, or that would need more than
-///   `max_tessellation_cells` cells, or more than 4096 in one direction; `not_finite` for a tolerance that is infinite or not
-///   a number; `wrong_number_of_points` for a grid with less than 1 or more than 4096 cells in a direction;
-///   `dimension_mismatch` unless in dimension 3
+/// \throws Error `unreachable_tolerance` for a tolerance that is not positive, or when the bounds in `Patch_flatness`
+///   overflow; `not_finite` for a tolerance that is infinite or not a number; `work_limit` for a grid or a tolerance that
+///   would need more than `max_tessellation_cells` cells, or more than `max_cells_in_one_direction` in a direction of a
+///   patch; `negative_count` and `wrong_number_of_points` for a grid with a negative number of cells and with none;
+///   `dimension_mismatch` unless in dimension 3. No point is computed before
 template <class SurfaceRange, class Mode>
 auto tessellate(const SurfaceRange& surfaces, const Mode& mode)
     -> Tessellation<typename std::decay_t<decltype(*std::begin(surfaces))>::Traits> {
@@ -138,14 +146,16 @@ auto tessellate(const SurfaceRange& surfaces, const Mode& mode)
 }
 
 /// \ingroup PkgGeometricContinuitySurfaces
-/// Tessellates a patch, welded where it closes up. See the function for a model.
+/// Tessellates a patch, welded where it closes up, as a model of one patch.
+/// \throws Error as the function that tessellates a model
 template <class Traits, class Mode>
 Tessellation<Traits> tessellate(const Bezier_patch<Traits>& patch, const Mode& mode) {
   return internal::tessellate_patches<Traits>({&patch}, {0}, mode);
 }
 
 /// \ingroup PkgGeometricContinuitySurfaces
-/// Tessellates a surface, Bézier patch by Bézier patch, welded also where it closes up. See the function for a model.
+/// Tessellates a surface, Bézier patch by Bézier patch, welded also where it closes up, as a model of one surface.
+/// \throws Error as the function that tessellates a model
 template <class Traits, class Mode>
 Tessellation<Traits> tessellate(const Bspline_surface<Traits>& surface, const Mode& mode) {
   return tessellate(std::array<Bspline_surface<Traits>, 1>{surface}, mode);

@@ -6,17 +6,21 @@
 #define CGAL_GEOMETRIC_CONTINUITY_NUMBERS_RATIONAL_SQUARE_ROOT_H
 
 #include <CGAL/Fraction_traits.h>
+#include <CGAL/Geometric_continuity/numbers/internal/Exact_number.h>
+#include <CGAL/Geometric_continuity/numbers/internal/checked_conversion.h>
 
 #include <cmath>
 #include <optional>
 #include <type_traits>
-#include <utility>
+
+/// \file rational_square_root.h
+/// Square roots that are rational numbers, found exactly.
 
 namespace CGAL {
 namespace Geometric_continuity {
 namespace internal {
 
-// The square root of an integer when it is an integer: Newton's iteration from above.
+// The square root of an integer n >= 0 when it is an integer: Newton's iteration from above.
 template <class Integer> std::optional<Integer> integer_square_root(const Integer& n) {
   Integer x(1);
   while (Integer(x * x) < n) x = Integer(x + x);
@@ -34,32 +38,32 @@ template <class FT> std::optional<FT> fraction_square_root(const FT& x) {
   typename Fraction::Numerator_type numerator;
   typename Fraction::Denominator_type denominator;
   typename Fraction::Decompose()(x, numerator, denominator);
-  const auto p = integer_square_root(numerator);
-  const auto q = integer_square_root(denominator);
-  if (!p || !q) return std::nullopt;
-  return FT(FT(*p) / FT(*q));
+  // of p/q it is sqrt(p q)/|q|, also of a fraction that is not in lowest terms
+  typedef typename Fraction::Numerator_type Integer;
+  const std::optional<Integer> root = integer_square_root(Integer(numerator * denominator));
+  if (!root) return std::nullopt;
+  const FT r(FT(*root) / FT(denominator));
+  return r < FT(0) ? FT(-r) : r;
 }
-
-// Numbers that are evaluated on demand are read in the type of their exact values.
-template <class FT, class = void> struct Has_exact_value : std::false_type {};
-template <class FT>
-struct Has_exact_value<FT, std::void_t<decltype(std::declval<const FT&>().exact())>> : std::true_type {};
 
 } // namespace internal
 
 /// \ingroup PkgGeometricContinuityAlgebra
-/// The square root of `x >= 0` when it is rational, otherwise empty; of a floating-point number the rounded root. The
-/// fractions of the number type must be in lowest terms.
+/// Returns the square root of `x` when it is rational, and nothing otherwise, for instance for a negative `x`. The root of a
+/// floating-point number is rounded.
+/// \tparam FT a floating-point type, or a fraction by `CGAL::Fraction_traits`, also one that is evaluated on demand
+/// \throws Error `not_finite` for an infinite or undefined floating-point number
 template <class FT> std::optional<FT> rational_square_root(const FT& x) {
+  internal::check_finite(x, "rational_square_root");
+  if (x < FT(0)) return std::nullopt;
   if (x == FT(0)) return FT(0);
   if constexpr (std::is_floating_point_v<FT>)
     return std::sqrt(x);
-  else if constexpr (internal::Has_exact_value<FT>::value) {
-    const auto root = internal::fraction_square_root(x.exact());
+  else {
+    const auto root = internal::fraction_square_root(internal::Exact_number<FT>::of(x));
     if (!root) return std::nullopt;
     return FT(*root);
-  } else
-    return internal::fraction_square_root(x);
+  }
 }
 
 } // namespace Geometric_continuity

@@ -6,8 +6,7 @@
 #define CGAL_GEOMETRIC_CONTINUITY_SPLINES_KNOT_VECTOR_H
 
 #include <CGAL/Geometric_continuity/Error.h>
-#include <CGAL/Geometric_continuity/numbers/internal/checked_conversion.h>
-#include <CGAL/assertions.h>
+#include <CGAL/Geometric_continuity/splines/internal/check_knots.h>
 
 #include <algorithm>
 #include <cmath>
@@ -20,17 +19,13 @@
 #include <utility>
 #include <vector>
 
+/// \file Knot_vector.h
+/// The knots of B-splines, and the knots of other splines that are made of them. De Boor, "A Practical Guide to Splines".
+
 namespace CGAL {
 namespace Geometric_continuity {
 
 namespace internal {
-
-template <class FT> bool is_finite(const FT& x) {
-  if constexpr (std::is_floating_point_v<FT>)
-    return std::isfinite(x);
-  else
-    return true;
-}
 
 template <class FT> struct Distinct_knots;
 
@@ -47,8 +42,8 @@ template <class FT> struct Distinct_knots;
 /// \tparam FT a field number type
 template <class FT_> class Knot_vector {
 public:
-  typedef FT_ FT;
-  typedef typename std::vector<FT>::const_iterator const_iterator;
+  typedef FT_ FT;                                                  ///< the number type
+  typedef typename std::vector<FT>::const_iterator const_iterator; ///< a random-access iterator
 
   /// A knot and its multiplicity.
   struct Knot {
@@ -61,49 +56,59 @@ private:
   std::vector<FT> u_;
 
 public:
-  /// From the degree `p >= 0` and all knots.
+  /// Constructs a vector from the degree `p >= 0` and all knots.
   /// \throws Error `wrong_number_of_points` for a negative degree, and for fewer than `2 p + 2` knots
-  /// \throws Error `not_finite` for an infinite or undefined floating-point number
+  /// \throws Error `not_finite` for an infinite or undefined floating-point number, and when the distance of the first and the
+  ///   last knot overflows
   /// \throws Error `empty_domain` when the knots decrease somewhere, and unless \f$ u_p < u_n \f$
   /// \throws Error `knot_multiplicity` when a knot is repeated more than `p + 1` times
   Knot_vector(int degree, std::vector<FT> knots) : p_(degree), u_(std::move(knots)) { check(); }
+  /// Constructs a vector from the degree `p >= 0` and all knots.
+  /// \throws Error as the constructor from a `std::vector`
   Knot_vector(int degree, std::initializer_list<FT> knots) : p_(degree), u_(knots) { check(); }
 
-  /// The clamped vector on [a, b] with these knots inside, in increasing order. \throws Error as above
+  /// Constructs the clamped vector on [a, b] with these knots inside, in increasing order.
+  /// \throws Error `negative_count` for a negative multiplicity, and as the constructor from all knots
   Knot_vector(int degree, const FT& a, const FT& b, const std::vector<Knot>& inner_knots = {}) : p_(degree) {
-    check_degree();
+    internal::check_degree(p_);
     append(a, p_ + 1);
     for (const Knot& knot : inner_knots) append(knot.value, knot.multiplicity);
     append(b, p_ + 1);
     check();
   }
 
+  /// Returns the degree `p`.
   int degree() const { return p_; }
 
   /// \name Knots
   /// @{
 
-  /// The number of knots, `n + p + 1`.
+  /// Returns the number of knots, `n + p + 1`.
   int size() const { return static_cast<int>(u_.size()); }
-  /// The number `n` of coefficients of a spline.
+  /// Returns the number `n` of coefficients of a spline.
   int number_of_coefficients() const { return size() - p_ - 1; }
+  /// Returns \f$ u_i \f$, `0 <= i < size()`.
   const FT& operator[](int i) const { return u_[i]; }
+  /// Returns an iterator to the first knot.
   const_iterator begin() const { return u_.begin(); }
+  /// Returns the iterator behind the last knot.
   const_iterator end() const { return u_.end(); }
+  /// Returns all knots.
   const std::vector<FT>& knots() const { return u_; }
 
-  /// \f$ [u_p, u_n] \f$
+  /// Returns the ends of the domain, \f$ u_p \f$ and \f$ u_n \f$.
   std::pair<FT, FT> domain() const { return {start(), finish()}; }
+  /// Decides whether both vectors have the same domain.
   bool has_domain_of(const Knot_vector& other) const { return start() == other.start() && finish() == other.finish(); }
-  /// Both ends of the domain have multiplicity `p + 1`, and there is no knot outside.
+  /// Decides whether both ends of the domain have multiplicity `p + 1`, so that there is no knot outside.
   bool is_clamped() const { return u_.front() == start() && u_.back() == finish(); }
 
-  /// How often `u` is a knot. \f$ O(\log n + p) \f$
+  /// Returns how often `u` is a knot. \f$ O(\log n + p) \f$
   int multiplicity(const FT& u) const {
     const auto range = std::equal_range(u_.begin(), u_.end(), u);
     return static_cast<int>(range.second - range.first);
   }
-  /// The knots of the domain, in increasing order, with their multiplicities in the whole vector.
+  /// Returns the knots of the domain, in increasing order, with their multiplicities in the whole vector. \f$ O(n + p) \f$
   std::vector<Knot> distinct_knots() const {
     std::vector<Knot> knots;
     for (const FT& u : u_)
@@ -113,19 +118,25 @@ public:
       }
     return knots;
   }
-  /// The same without the ends of the domain.
+  /// Returns the knots inside the domain, in increasing order, with their multiplicities. \f$ O(n + p) \f$
   std::vector<Knot> inner_knots() const {
     std::vector<Knot> knots = distinct_knots();
     return std::vector<Knot>(knots.begin() + 1, knots.end() - 1);
   }
 
-  /// The Greville abscissa \f$ (u_{i+1} + \dots + u_{i+p})/p \f$: the coefficients of the function `u`. In degree 0 the
-  /// middle of the `i`-th span.
+  /// Returns the Greville abscissa \f$ (u_{i+1} + \dots + u_{i+p})/p \f$, `0 <= i < n`: the coefficients of the function `u`. In
+  /// degree 0 the middle between \f$ u_i \f$ and \f$ u_{i+1} \f$. \f$ O(p) \f$
+  /// \throws Error `parameter_outside_domain` unless `0 <= i < n`
   FT greville_abscissa(int i) const {
-    if (p_ == 0) return FT((u_[i] + u_[i + 1]) / FT(2));
+    if (i < 0 || number_of_coefficients() <= i)
+      throw Error(Error_code::parameter_outside_domain, "greville_abscissa: coefficient " + std::to_string(i));
+    const int first = p_ == 0 ? i : i + 1, count = p_ == 0 ? 2 : p_;
     FT sum(0);
-    for (int j = 1; j <= p_; ++j) sum += u_[i + j];
-    return FT(sum / FT(p_));
+    for (int j = 0; j < count; ++j) sum += u_[first + j];
+    if (internal::is_finite(sum)) return FT(sum / FT(count));
+    FT mean(0); // of numbers whose sum overflows
+    for (int j = 0; j < count; ++j) mean += u_[first + j] / FT(count);
+    return mean;
   }
 
   /// @}
@@ -133,7 +144,7 @@ public:
   /// The span `k` is the interval \f$ [u_k, u_{k+1}] \f$, where it is not empty and inside the domain.
   /// @{
 
-  /// All spans, in increasing order.
+  /// Returns all spans, in increasing order. \f$ O(n) \f$
   std::vector<int> spans() const {
     std::vector<int> k;
     for (int i = p_; i < number_of_coefficients(); ++i)
@@ -141,18 +152,17 @@ public:
     return k;
   }
 
-  /// How many there are. \f$ O(n) \f$
+  /// Returns the number of spans. \f$ O(n) \f$
   int number_of_spans() const {
     int spans = 0;
     for (int i = p_; i < number_of_coefficients(); ++i) spans += u_[i] < u_[i + 1];
     return spans;
   }
 
-  bool contains(const FT& u) const { // false for an undefined number
-    return (start() < u || start() == u) && (u < finish() || u == finish());
-  }
+  /// Decides whether `u` is in the domain; an undefined number is not.
+  bool contains(const FT& u) const { return (start() < u || start() == u) && (u < finish() || u == finish()); }
 
-  /// The span with \f$ u_k \le u < u_{k+1} \f$, the last one at the end of the domain. \f$ O(\log n) \f$
+  /// Returns the span with \f$ u_k \le u < u_{k+1} \f$, the last one at the end of the domain. \f$ O(\log n) \f$
   /// \throws Error `parameter_outside_domain`
   int span(const FT& u) const {
     check_parameter(u);
@@ -162,7 +172,7 @@ public:
            1;
   }
 
-  /// The span with \f$ u_k < u \le u_{k+1} \f$, the first one at the start of the domain. \f$ O(\log n) \f$
+  /// Returns the span with \f$ u_k < u \le u_{k+1} \f$, the first one at the start of the domain. \f$ O(\log n) \f$
   /// \throws Error `parameter_outside_domain`
   int left_span(const FT& u) const {
     check_parameter(u);
@@ -176,28 +186,31 @@ public:
   /// \name Other Knot Vectors
   /// @{
 
-  /// With `times >= 0` more copies of the knot `u`.
-  /// \throws Error `parameter_outside_domain`, and `knot_multiplicity` when it would be repeated too often
+  /// Returns the vector with `times >= 0` more copies of the knot `u`.
+  /// \throws Error `negative_count` when `times` is negative, `parameter_outside_domain`, and `knot_multiplicity` when `u` would
+  ///   be repeated too often
   Knot_vector insert(const FT& u, int times = 1) const {
-    CGAL_precondition(times >= 0);
+    check_times(times);
     check_parameter(u);
     std::vector<FT> knots = u_;
     knots.insert(std::upper_bound(knots.begin(), knots.end(), u), static_cast<std::size_t>(times), u);
     return Knot_vector(p_, std::move(knots));
   }
 
-  /// With `times >= 0` copies less of the knot `u`, which is inside the domain.
-  /// \throws Error `knot_multiplicity` when there are not as many
+  /// Returns the vector with `times >= 0` copies less of the knot `u`, which is inside the domain.
+  /// \throws Error `negative_count` when `times` is negative, `knot_multiplicity` when there are not as many
   Knot_vector remove(const FT& u, int times = 1) const {
+    check_times(times);
     std::vector<Knot> knots = inner_knots();
     const auto knot = std::find_if(knots.begin(), knots.end(), [&](const Knot& x) { return x.value == u; });
-    if (times < 0 || times > (knot == knots.end() ? 0 : knot->multiplicity))
+    if (times > (knot == knots.end() ? 0 : knot->multiplicity))
       throw Error(Error_code::knot_multiplicity, "Knot_vector: an inner knot that is not there is removed");
     if (knot != knots.end()) knot->multiplicity -= times;
     return with_inner_knots(knots);
   }
 
-  /// With other knots inside the domain; the ends and the knots outside stay. \throws Error as the constructor
+  /// Returns the vector with other knots inside the domain; the ends and the knots outside stay.
+  /// \throws Error as the constructor from inner knots
   Knot_vector with_inner_knots(const std::vector<Knot>& inner_knots) const {
     Knot_vector r = *this;
     r.u_.assign(u_.begin(), std::upper_bound(u_.begin(), u_.end(), start()));
@@ -207,18 +220,20 @@ public:
     return r;
   }
 
-  /// Without the knots outside the domain, and with its ends repeated `p + 1` times.
+  /// Returns the vector without the knots outside the domain, and with its ends repeated `p + 1` times.
   Knot_vector clamp() const { return Knot_vector(p_, start(), finish(), inner_knots()); }
 
-  /// Of another degree, clamped, with every knot of the domain repeated `degree + 1` times: the coefficients are
-  /// those of one Bernstein polynomial for each span.
+  /// Returns the clamped vector of another degree with every knot of the domain repeated `degree + 1` times: the coefficients
+  /// are those of one Bernstein polynomial for each span.
+  /// \throws Error `wrong_number_of_points` for a negative degree
   Knot_vector bezier(int degree) const {
+    internal::check_degree(degree);
     std::vector<Knot> knots = inner_knots();
     for (Knot& knot : knots) knot.multiplicity = degree + 1;
     return Knot_vector(degree, start(), finish(), knots);
   }
 
-  /// The smallest clamped vector with the inner knots of both.
+  /// Returns the smallest clamped vector with the inner knots of both.
   /// \throws Error `wrong_number_of_points` when the degrees differ, `parameter_outside_domain` when the domains differ
   friend Knot_vector merge(const Knot_vector& x, const Knot_vector& y) {
     if (x.p_ != y.p_) throw Error(Error_code::wrong_number_of_points, "merge: knot vectors of different degrees");
@@ -229,7 +244,7 @@ public:
     return Knot_vector(x.p_, std::move(knots));
   }
 
-  /// The vector of the splines run through backwards, on the same domain: `u` becomes \f$ u_p + (u_n - u) \f$. With
+  /// Returns the knots of the reversed splines, on the same domain: `u` becomes \f$ u_p + (u_n - u) \f$. With
   /// rounded numbers this rounds all knots but the ends of the domain.
   /// \throws Error `knot_multiplicity` when too many knots become equal by rounding
   Knot_vector reverse() const {
@@ -240,8 +255,9 @@ public:
 
   /// @}
 
-  /// Equality of degree and knots.
+  /// Decides whether degree and knots are equal.
   friend bool operator==(const Knot_vector& x, const Knot_vector& y) { return x.p_ == y.p_ && x.u_ == y.u_; }
+  /// Decides whether the degree or a knot is different.
   friend bool operator!=(const Knot_vector& x, const Knot_vector& y) { return !(x == y); }
 
   /// Writes the knots, separated by spaces.
@@ -259,7 +275,7 @@ private:
   const FT& finish() const { return u_[number_of_coefficients()]; }
 
   void append(const FT& u, int times) {
-    if (times < 0) throw Error(Error_code::knot_multiplicity, "Knot_vector: a negative multiplicity");
+    check_times(times);
     u_.insert(u_.end(), static_cast<std::size_t>(times), u);
   }
 
@@ -275,41 +291,11 @@ private:
     if (!contains(u)) throw Error(Error_code::parameter_outside_domain, "B-spline: the parameter");
   }
 
-  void check_degree() const {
-    if (p_ < 0) throw Error(Error_code::wrong_number_of_points, "Knot_vector: degree " + std::to_string(p_));
+  static void check_times(int times) {
+    if (times < 0) throw Error(Error_code::negative_count, "Knot_vector: a knot " + std::to_string(times) + " times");
   }
 
-  void check() const {
-    check_degree();
-    if (!is_valid()) throw_reason();
-  }
-
-  // Without a branch for each knot. Nothing is less than an undefined number, and what lies between finite ends is finite.
-  bool is_valid() const {
-    const int n = size(), p = p_;
-    if (u_.size() < 2 * (static_cast<std::size_t>(p) + 1)) return false;
-    std::ptrdiff_t good = 0;
-    for (int i = 1; i < n; ++i) good += u_[i] < u_[i - 1] ? 0 : 1;
-    for (int i = p + 1; i < n; ++i) good += u_[i - p - 1] < u_[i] ? 1 : 0;
-    return good == 2 * n - p - 2 && start() < finish() && internal::is_finite(u_.front()) &&
-           internal::is_finite(u_.back());
-  }
-
-  void throw_reason() const {
-    const std::string place = "Knot_vector: ";
-    if (u_.size() < 2 * (static_cast<std::size_t>(p_) + 1))
-      throw Error(Error_code::wrong_number_of_points,
-                  place + std::to_string(u_.size()) + " knots are too few for degree " + std::to_string(p_));
-    for (const FT& u : u_) internal::check_finite(u, "Knot_vector");
-    for (int i = 1; i < size(); ++i)
-      if (u_[i] < u_[i - 1])
-        throw Error(Error_code::empty_domain, place + "knot " + std::to_string(i) + " is less than the one before it");
-    if (!(start() < finish())) throw Error(Error_code::empty_domain, place + "the ends of the domain are equal");
-    for (int i = p_ + 1; i < size(); ++i)
-      if (u_[i - p_ - 1] == u_[i])
-        throw Error(Error_code::knot_multiplicity, place + "knot " + std::to_string(i) + " is repeated more than " +
-                                                       std::to_string(p_ + 1) + " times");
-  }
+  void check() const { internal::check_knots(p_, u_); }
 };
 
 } // namespace Geometric_continuity

@@ -5,7 +5,9 @@
 #ifndef CGAL_GEOMETRIC_CONTINUITY_SPLINES_BSPLINE_PRODUCT_H
 #define CGAL_GEOMETRIC_CONTINUITY_SPLINES_BSPLINE_PRODUCT_H
 
+#include <CGAL/Geometric_continuity/splines/Knot_vector.h>
 #include <CGAL/Geometric_continuity/splines/internal/bspline_multiply.h>
+#include <CGAL/Geometric_continuity/splines/internal/check_spline.h>
 
 #include <vector>
 
@@ -15,35 +17,9 @@
 
 namespace CGAL {
 namespace Geometric_continuity {
-namespace internal {
-
-template <class FT, class Scalars, class Coefficients>
-std::vector<typename Coefficients::value_type> product_over(const Distinct_knots<FT>& t, const Knot_vector<FT>& f_knots,
-                                                            const Scalars& f, const Knot_vector<FT>& g_knots,
-                                                            const Coefficients& g) {
-  typedef typename Coefficients::value_type Value;
-  std::vector<Value> c(t.number_of_coefficients(), g[0]);
-  Write_coefficients<FT, Value> output{number_of_coordinates(g[0]), c.data()};
-  multiply_splines<Fixed_dimension<Value>::value>(t, f_knots, Rows_of_coefficients<Scalars>{f}, g_knots,
-                                                  Rows_of_coefficients<Coefficients>{g}, output.dimension, output);
-  return c;
-}
-
-template <class FT, class Coefficients>
-std::vector<typename Coefficients::value_type> elevate_over(const Distinct_knots<FT>& t, const Knot_vector<FT>& knots,
-                                                            const Coefficients& g) {
-  typedef typename Coefficients::value_type Value;
-  std::vector<Value> c(t.number_of_coefficients(), g[0]);
-  Write_coefficients<FT, Value> output{number_of_coordinates(g[0]), c.data()};
-  elevate_spline<Fixed_dimension<Value>::value>(t, knots, Rows_of_coefficients<Coefficients>{g}, output.dimension,
-                                                output);
-  return c;
-}
-
-} // namespace internal
 
 /// \ingroup PkgGeometricContinuityAlgebra
-/// The knots of the product of splines of the degrees `p` and `q` over `f` and `g`: clamped, of degree `p + q`, with the
+/// Returns the knots of the product of splines of the degrees `p` and `q` over `f` and `g`: clamped, of degree `p + q`, with the
 /// multiplicity \f$ \max(m_f + q \text{ if } m_f > 0,\ m_g + p \text{ if } m_g > 0) \f$ for an inner knot of the multiplicities
 /// \f$ m_f, m_g \f$, which is the smallest that holds all products. Che et al.
 /// \throws Error `parameter_outside_domain` when the domains differ
@@ -52,7 +28,7 @@ template <class FT> Knot_vector<FT> product_knots(const Knot_vector<FT>& f, cons
 }
 
 /// \ingroup PkgGeometricContinuityAlgebra
-/// The coefficients over `product_knots()` of the product of a spline `f` of degree `p` with numbers and a spline `g` of degree
+/// Returns the coefficients over `product_knots()` of the product of a spline `f` of degree `p` with numbers and a spline `g` of degree
 /// `q` with numbers or vectors as coefficients. The knots need not be equal nor clamped, and may have any multiplicity.
 ///
 /// With \f$ P_k = f_k g_k \f$ in Bernstein form on each span, the coefficients are
@@ -72,16 +48,16 @@ std::vector<typename Coefficients::value_type> bspline_product(const Knot_vector
 }
 
 /// \ingroup PkgGeometricContinuityAlgebra
-/// The knots of the same splines in a degree raised by `times >= 0`: clamped, every inner knot repeated `times` more.
-/// \throws Error `wrong_number_of_points` for `times < 0`
+/// Returns the knots of the same splines in a degree raised by `times >= 0`: clamped, every inner knot repeated `times` more.
+/// \throws Error `negative_count` when `times` is negative
 template <class FT> Knot_vector<FT> elevated_knots(const Knot_vector<FT>& knots, int times = 1) {
   return internal::distinct_elevated_knots(knots, times).knot_vector();
 }
 
 /// \ingroup PkgGeometricContinuityAlgebra
-/// The coefficients over `elevated_knots()`: those of the product with the constant 1 of degree `times >= 0`. The operations
+/// Returns the coefficients over `elevated_knots()`: those of the product with the constant 1 of degree `times >= 0`. The operations
 /// are those of `bspline_product()`.
-/// \throws Error `wrong_number_of_points` for `times < 0`, and unless there are `n` coefficients
+/// \throws Error `negative_count` when `times` is negative, `wrong_number_of_points` unless there are `n` coefficients
 template <class FT, class Coefficients>
 std::vector<typename Coefficients::value_type> bspline_elevate(const Knot_vector<FT>& knots, const Coefficients& c,
                                                                int times = 1) {

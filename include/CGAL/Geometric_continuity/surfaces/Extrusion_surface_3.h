@@ -5,9 +5,8 @@
 #ifndef CGAL_GEOMETRIC_CONTINUITY_SURFACES_EXTRUSION_SURFACE_3_H
 #define CGAL_GEOMETRIC_CONTINUITY_SURFACES_EXTRUSION_SURFACE_3_H
 
-#include <CGAL/Geometric_continuity/local/Surface_jet.h>
 #include <CGAL/Geometric_continuity/surfaces/Bezier_patch.h>
-#include <CGAL/Geometric_continuity/surfaces/internal/sweep_input.h>
+#include <CGAL/Geometric_continuity/surfaces/Swept_surface_3.h>
 
 #include <array>
 #include <utility>
@@ -25,66 +24,62 @@ namespace Geometric_continuity {
 ///
 /// \tparam Curve a copyable model of `ParametricCurve` in dimension 3 that gives jets at all parameters of its domain
 /// \models ParametricSurface
-template <class Curve_> class Extrusion_surface_3 {
-public:
-  typedef Curve_ Curve;
-  typedef typename Curve::Traits Traits;
-  typedef typename Traits::FT FT;
-  typedef typename Traits::Point Point;
-  typedef typename Traits::Vector Vector;
-  typedef std::pair<FT, FT> Interval;
-
-private:
-  typedef Geometric_continuity::Coordinates<Traits> Coordinates;
-
-  Curve profile_;
-  Vector direction_;
-  Interval v_;
+template <class Curve_> class Extrusion_surface_3 : public Swept_surface_3<Curve_> {
+  typedef Swept_surface_3<Curve_> Base;
+  typedef typename Base::Coordinates Coordinates;
 
 public:
-  /// From the profile, the direction `w`, and the domain of `v`, by default [0, 1].
+  using typename Base::Curve;
+  using typename Base::FT;
+  using typename Base::Interval;
+  using typename Base::Point;
+  using typename Base::Traits;
+  using typename Base::Vector;
+
+  /// Constructs the surface from the profile, the direction `w`, and the domain of `v`, by default [0, 1].
   /// \throws Error `zero_direction` for the zero vector, `empty_domain` unless the domain has positive length,
-  ///   `dimension_mismatch` unless in dimension 3, `not_finite`
+  ///   `dimension_mismatch` unless in dimension 3, `not_finite` for floating-point coordinates, ends of the domain or a
+  ///   length of the domain that are infinite or not a number
   Extrusion_surface_3(Curve profile, const Vector& direction, const Interval& v = Interval(FT(0), FT(1)))
-      : profile_(std::move(profile)), direction_(direction), v_(v) {
+      : Base(std::move(profile), v, "Extrusion_surface_3: domain of v"), direction_(direction) {
     internal::direction_coordinates<Traits, FT>(direction, "Extrusion_surface_3: direction");
-    internal::check_interval(v_, "Extrusion_surface_3: domain of v");
   }
 
-  /// The curve `c`.
-  const Curve& profile() const { return profile_; }
-  /// The vector `w`.
+  /// Returns the vector `w`.
   const Vector& direction() const { return direction_; }
 
-  /// The domain of the profile.
-  Interval domain_u() const { return profile_.domain(); }
-  /// The domain of `v`.
-  Interval domain_v() const { return v_; }
-
-  /// The point at (`u`, `v`); `v` may lie outside its domain. One jet of the profile.
+  /// Returns the point at (`u`, `v`); `v` may lie outside its domain. One jet of the profile.
+  /// \throws Error `dimension_mismatch` unless the profile is in dimension 3, `not_finite` when a result
+  ///   overflows in floating-point arithmetic, and what the profile throws
   Point operator()(const FT& u, const FT& v) const { return jet(u, v, 0).point(); }
 
-  /// The jet of order `k >= 0`: \f$ \partial^i S / \partial u^i = c^{(i)} \f$ and \f$ \partial S / \partial v = w \f$, all
-  /// others are zero. One jet of order `k` of the profile.
-  /// \throws Error `dimension_mismatch` unless the profile is in dimension 3, and what the profile throws
+  /// Returns the jet of order `k >= 0`: \f$ \partial^i S / \partial u^i = c^{(i)} \f$ and
+  /// \f$ \partial S / \partial v = w \f$, all others are zero. One jet of order `k` of the profile.
+  /// \throws Error `dimension_mismatch` unless the profile is in dimension 3, `not_finite` when a result
+  ///   overflows in floating-point arithmetic, and what the profile throws
   Surface_jet<Traits> jet(const FT& u, const FT& v, int k) const {
-    const Curve_jet<Traits> c = internal::profile_jet(profile_, u, k);
-    const Coordinates w = Geometric_continuity::coordinates<Traits>(direction_);
     Surface_jet<Traits> jet(3, k);
+    const Curve_jet<Traits> c = internal::profile_jet(this->profile(), u, k);
+    const Coordinates w = Geometric_continuity::coordinates<Traits>(direction_);
     for (int i = 0; i <= k; ++i) jet(i, 0) = c[i];
     jet(0, 0) += v * w;
     if (k > 0) jet(0, 1) = w;
+    internal::check_jet(jet, "Extrusion_surface_3: jet");
     return jet;
   }
 
-  /// The normal \f$ S_u \times S_v = c'(u) \times w \f$, not normalised.
-  /// \throws Error as `jet()`
+  /// Returns the normal \f$ S_u \times S_v = c'(u) \times w \f$, not normalised.
+  /// \throws Error `dimension_mismatch` unless the profile is in dimension 3, `not_finite` when a result
+  ///   overflows in floating-point arithmetic, and what the profile throws
   Vector normal(const FT& u, const FT& v) const { return Geometric_continuity::normal(jet(u, v, 1)); }
+
+private:
+  Vector direction_;
 };
 
 /// \ingroup PkgGeometricContinuitySurfaces
-/// The extrusion of a Bézier curve with the control points \f$ b_i \f$ as a patch of the same degree in `u` and of degree 1 in
-/// `v`: its control points are \f$ b_i + v_0 w \f$ and \f$ b_i + v_1 w \f$, where \f$ [v_0, v_1] \f$ is the domain of `v`.
+/// Returns the extrusion of a Bézier curve with the control points \f$ b_i \f$ as a patch, of the degree of the curve in `u`
+/// and of degree 1 in `v`. Its control points are \f$ b_i + v_0 w \f$ and \f$ b_i + v_1 w \f$, where \f$ [v_0, v_1] \f$ is the domain of `v`.
 /// \throws Error `dimension_mismatch` unless the profile is in dimension 3
 template <class Traits, int Degree>
 Bezier_patch<Traits> bezier_patch(const Extrusion_surface_3<Bezier_curve<Traits, Degree>>& s) {

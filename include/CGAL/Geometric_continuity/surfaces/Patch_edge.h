@@ -9,16 +9,19 @@
 #include <ostream>
 #include <string>
 
+/// \file Patch_edge.h
+/// The four edges of a patch by name.
+
 namespace CGAL {
 namespace Geometric_continuity {
 
 /// \ingroup PkgGeometricContinuitySurfaces
 /// The edges of a rectangular patch on [a, b] x [c, d]. Each runs in the direction of its growing parameter.
 enum class Patch_edge {
-  u0, ///< `u = a`, run through by `v`
-  u1, ///< `u = b`, run through by `v`
-  v0, ///< `v = c`, run through by `u`
-  v1  ///< `v = d`, run through by `u`
+  u0, ///< `u = a`, parametrised by `v`
+  u1, ///< `u = b`, parametrised by `v`
+  v0, ///< `v = c`, parametrised by `u`
+  v1  ///< `v = d`, parametrised by `u`
 };
 
 /// \ingroup PkgGeometricContinuitySurfaces
@@ -26,18 +29,21 @@ enum class Patch_edge {
 constexpr std::array<Patch_edge, 4> patch_edges = {Patch_edge::u0, Patch_edge::u1, Patch_edge::v0, Patch_edge::v1};
 
 /// \ingroup PkgGeometricContinuitySurfaces
-/// Whether the edge is run through by `u`.
+/// Tells whether an edge is parametrised by `u`.
 inline bool runs_along_u(Patch_edge edge) { return edge == Patch_edge::v0 || edge == Patch_edge::v1; }
 
 /// \ingroup PkgGeometricContinuitySurfaces
-/// Whether the edge lies at the upper end of the parameter that is constant on it.
+/// Tells whether an edge lies at the upper end of the parameter that is constant on it.
 inline bool at_upper_end(Patch_edge edge) { return edge == Patch_edge::u1 || edge == Patch_edge::v1; }
 
 /// \ingroup PkgGeometricContinuitySurfaces
+/// Returns the name of an edge, as spelled in the enumeration.
 inline std::string to_string(Patch_edge edge) {
   return std::string(runs_along_u(edge) ? "v" : "u") + (at_upper_end(edge) ? '1' : '0');
 }
 
+/// \ingroup PkgGeometricContinuitySurfaces
+/// Writes the name of an edge.
 inline std::ostream& operator<<(std::ostream& os, Patch_edge edge) { return os << to_string(edge); }
 
 } // namespace Geometric_continuity

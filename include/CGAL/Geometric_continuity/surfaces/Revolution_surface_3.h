@@ -5,46 +5,13 @@
 #ifndef CGAL_GEOMETRIC_CONTINUITY_SURFACES_REVOLUTION_SURFACE_3_H
 #define CGAL_GEOMETRIC_CONTINUITY_SURFACES_REVOLUTION_SURFACE_3_H
 
-#include <CGAL/Geometric_continuity/local/Surface_jet.h>
-#include <CGAL/Geometric_continuity/numbers/internal/checked_conversion.h>
-#include <CGAL/Geometric_continuity/surfaces/internal/sweep_input.h>
+#include <CGAL/Geometric_continuity/surfaces/Swept_surface_3.h>
+#include <CGAL/Geometric_continuity/surfaces/internal/Rotation_functions.h>
 
 #include <utility>
-#include <vector>
 
 namespace CGAL {
 namespace Geometric_continuity {
-
-namespace internal {
-
-// The derivatives of order 0 to k, at v, of the two functions of a rotation by the quaternion (1, v w), with W = w.w:
-//   R(v) x = x + f w x x + g w x (w x x),  f = 2v / (1 + v^2 W),  g = 2v^2 / (1 + v^2 W).
-// D f = p with the polynomials D = 1 + v^2 W and p, differentiated n times:
-//   D f^(n) + n D' f^(n-1) + n(n-1)/2 D'' f^(n-2) = p^(n).
-template <class FT> struct Rotation_functions {
-  std::vector<FT> f, g;
-
-  Rotation_functions(const FT& v, const FT& W, int k) {
-    const FT d0 = FT(1) + v * v * W, d1 = FT(2) * v * W, d2 = FT(2) * W;
-    const FT pf[3] = {FT(FT(2) * v), FT(2), FT(0)}, pg[3] = {FT(FT(2) * v * v), FT(FT(4) * v), FT(4)};
-    for (int n = 0; n <= k; ++n) {
-      f.push_back(next(f, pf, n, d0, d1, d2));
-      g.push_back(next(g, pg, n, d0, d1, d2));
-    }
-  }
-
-private:
-  static FT next(const std::vector<FT>& f, const FT* p, int n, const FT& d0, const FT& d1, const FT& d2) {
-    FT sum = n < 3 ? p[n] : FT(0);
-    if (n > 0) sum -= FT(n) * d1 * f[n - 1];
-    if (n > 1) sum -= FT(n) * FT(n - 1) / FT(2) * d2 * f[n - 2];
-    sum /= d0;
-    check_finite(sum, "Revolution_surface_3: rotation");
-    return sum;
-  }
-};
-
-} // namespace internal
 
 /// \ingroup PkgGeometricContinuitySurfaces
 /// The surface that a profile curve `c` sweeps when it turns about the axis through the point `a` with the direction `w`,
@@ -69,79 +36,71 @@ private:
 ///
 /// \tparam Curve a copyable model of `ParametricCurve` in dimension 3 that gives jets at all parameters of its domain
 /// \models ParametricSurface
-template <class Curve_> class Revolution_surface_3 {
-public:
-  typedef Curve_ Curve;
-  typedef typename Curve::Traits Traits;
-  typedef typename Traits::FT FT;
-  typedef typename Traits::Point Point;
-  typedef typename Traits::Vector Vector;
-  typedef std::pair<FT, FT> Interval;
-
-private:
-  typedef Geometric_continuity::Coordinates<Traits> Coordinates;
-
-  Curve profile_;
-  Point axis_point_;
-  Vector axis_;
-  Interval v_;
-  bool opposite_ = false; // the profile has been turned by half a turn before
+template <class Curve_> class Revolution_surface_3 : public Swept_surface_3<Curve_> {
+  typedef Swept_surface_3<Curve_> Base;
+  typedef typename Base::Coordinates Coordinates;
 
 public:
-  /// From the profile, a point `a` on the axis, its direction `w`, and the domain of `v`, by default [-1, 1].
+  using typename Base::Curve;
+  using typename Base::FT;
+  using typename Base::Interval;
+  using typename Base::Point;
+  using typename Base::Traits;
+  using typename Base::Vector;
+
+  /// Constructs the surface from the profile, a point `a` on the axis, its direction `w`, and the domain of `v`, by default
+  /// [-1, 1].
   /// \throws Error `zero_direction` for the zero vector, `empty_domain` unless the domain has positive length,
-  ///   `dimension_mismatch` unless in dimension 3, `not_finite`
+  ///   `dimension_mismatch` unless in dimension 3, `not_finite` for floating-point coordinates, ends of the domain or a
+  ///   length of the domain that are infinite or not a number
   Revolution_surface_3(Curve profile, const Point& axis_point, const Vector& axis,
                        const Interval& v = Interval(FT(-1), FT(1)))
-      : profile_(std::move(profile)), axis_point_(axis_point), axis_(axis), v_(v) {
+      : Base(std::move(profile), v, "Revolution_surface_3: domain of v"), axis_point_(axis_point), axis_(axis) {
     internal::space_coordinates<Traits, FT>(axis_point, "Revolution_surface_3: point on the axis");
     internal::direction_coordinates<Traits, FT>(axis, "Revolution_surface_3: axis");
-    internal::check_interval(v_, "Revolution_surface_3: domain of v");
   }
 
-  /// The curve `c`.
-  const Curve& profile() const { return profile_; }
-  /// The point `a`.
+  /// Returns the point `a`.
   const Point& axis_point() const { return axis_point_; }
-  /// The vector `w`.
+  /// Returns the vector `w`.
   const Vector& axis() const { return axis_; }
-  /// Whether the profile is first turned by \f$ \theta = \pi \f$, see `complement()`.
+  /// Tells whether the profile is first turned by \f$ \theta = \pi \f$, see `complement()`.
   bool opposite() const { return opposite_; }
 
-  /// The domain of the profile.
-  Interval domain_u() const { return profile_.domain(); }
-  /// The domain of `v`.
-  Interval domain_v() const { return v_; }
-
-  /// The rest of the full turn: the surface of the profile turned by \f$ \theta = \pi \f$, with \f$ v \f$ in
+  /// Returns the rest of the full turn: the surface of the profile turned by \f$ \theta = \pi \f$, with \f$ v \f$ in
   /// \f$ [-1/(v_1 W), -1/(v_0 W)] \f$, where \f$ [v_0, v_1] \f$ is the domain of `v` of this surface and
   /// \f$ W = w \cdot w \f$. Its first parallel is the last one of this surface, and conversely.
-  /// \throws Error `parameter_outside_domain` unless \f$ v_0 < 0 < v_1 \f$
+  /// \throws Error `parameter_outside_domain` unless \f$ v_0 < 0 < v_1 \f$, `not_finite` when the new domain overflows in
+  ///   floating-point arithmetic
   Revolution_surface_3 complement() const {
-    if (!(v_.first < FT(0) && FT(0) < v_.second))
+    const Interval v = this->domain_v();
+    if (!(v.first < FT(0) && FT(0) < v.second))
       throw Error(Error_code::parameter_outside_domain, "Revolution_surface_3::complement: the domain must contain 0");
     const Coordinates w = Geometric_continuity::coordinates<Traits>(axis_);
     const FT W = dot(w, w);
-    Revolution_surface_3 r(profile_, axis_point_, axis_,
-                           Interval(FT(FT(-1) / (v_.second * W)), FT(FT(-1) / (v_.first * W))));
+    Revolution_surface_3 r(this->profile(), axis_point_, axis_,
+                           Interval(FT(FT(-1) / (v.second * W)), FT(FT(-1) / (v.first * W))));
     r.opposite_ = !opposite_;
     return r;
   }
 
-  /// The point at (`u`, `v`); `v` may lie outside its domain. One jet of the profile.
+  /// Returns the point at (`u`, `v`); `v` may lie outside its domain. One jet of the profile.
+  /// \throws Error `dimension_mismatch` unless the profile is in dimension 3, `not_finite` when \f$ v^2\, w \cdot w \f$
+  ///   or a result overflows in floating-point arithmetic, and what the profile throws
   Point operator()(const FT& u, const FT& v) const { return jet(u, v, 0).point(); }
 
-  /// The jet of order `k >= 0`: \f$ \partial^{i+j} S / \partial u^i \partial v^j = R^{(j)}_v\, c^{(i)}(u) \f$ for
-  /// `i + j > 0`. One jet of order `k` of the profile and \f$ O(k^2) \f$ operations.
+  /// Returns the jet of order `k >= 0`:
+  /// \f$ \partial^{i+j} S / \partial u^i \partial v^j = R^{(j)}_v\, c^{(i)}(u) \f$ for `i + j > 0`. One jet of order `k` of
+  /// the profile and \f$ O(k^2) \f$ operations.
   /// \throws Error `dimension_mismatch` unless the profile is in dimension 3, `not_finite` when \f$ v^2\, w \cdot w \f$
-  ///   overflows in floating-point arithmetic, and what the profile throws
+  ///   or a result overflows in floating-point arithmetic, and what the profile throws
   Surface_jet<Traits> jet(const FT& u, const FT& v, int k) const {
-    const Curve_jet<Traits> c = internal::profile_jet(profile_, u, k);
+    Surface_jet<Traits> jet(3, k);
+    const Curve_jet<Traits> c = internal::profile_jet(this->profile(), u, k);
     const Coordinates a = Geometric_continuity::coordinates<Traits>(axis_point_),
                       w = Geometric_continuity::coordinates<Traits>(axis_);
     const FT W = dot(w, w);
     const internal::Rotation_functions<FT> rotation(v, W, k);
-    Surface_jet<Traits> jet(3, k);
     for (int i = 0; i <= k; ++i) {
       Coordinates x = i == 0 ? c[0] - a : c[i];
       if (opposite_) x += FT(FT(2) / W) * cross_product(w, cross_product(w, x));
@@ -150,17 +109,18 @@ public:
       jet(i, 0) += x;
     }
     jet(0, 0) += a;
+    internal::check_jet(jet, "Revolution_surface_3: jet");
     return jet;
   }
 
-  /// \f$ w \times (S - a) \f$, the derivative with respect to the angle times \f$ |w| \f$.
+  /// Returns \f$ w \times (S - a) \f$, the derivative with respect to the angle times \f$ |w| \f$.
   /// \throws Error as `jet()`
   Vector angular_derivative(const FT& u, const FT& v) const {
     return Geometric_continuity::to_vector<Traits>(angular(jet(u, v, 0)));
   }
 
-  /// The normal \f$ N = S_u \times (w \times (S - a)) \f$, not normalised: \f$ S_u \times S_v \f$ without a factor that is
-  /// positive everywhere. Its length does not depend on `v`.
+  /// Returns the normal \f$ N = S_u \times (w \times (S - a)) \f$, not normalised: \f$ S_u \times S_v \f$ without a factor
+  /// that is positive everywhere. Its length does not depend on `v`.
   /// \throws Error as `jet()`
   Vector normal(const FT& u, const FT& v) const {
     const Surface_jet<Traits> s = jet(u, v, 1);
@@ -168,6 +128,10 @@ public:
   }
 
 private:
+  Point axis_point_;
+  Vector axis_;
+  bool opposite_ = false; // the profile has been turned by half a turn before
+
   Coordinates angular(const Surface_jet<Traits>& s) const {
     return cross_product(Geometric_continuity::coordinates<Traits>(axis_),
                          s(0, 0) - Geometric_continuity::coordinates<Traits>(axis_point_));

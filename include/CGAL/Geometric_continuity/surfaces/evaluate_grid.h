@@ -8,6 +8,8 @@
 #include <CGAL/Geometric_continuity/internal/for_each_block.h>
 #include <CGAL/Geometric_continuity/internal/independent_iterations.h>
 #include <CGAL/Geometric_continuity/surfaces/Bspline_surface.h>
+#include <CGAL/Geometric_continuity/surfaces/Surface_grid.h>
+#include <CGAL/Geometric_continuity/surfaces/internal/bernstein_values.h>
 
 #include <algorithm>
 #include <array>
@@ -17,43 +19,12 @@
 #include <utility>
 #include <vector>
 
+/// \file evaluate_grid.h
+/// Many points and normals of a surface at once: for each parameter `u` the control points of a curve in `v`, and then all
+/// points on that line of the grid, in loops that a compiler vectorises.
+
 namespace CGAL {
 namespace Geometric_continuity {
-
-/// \ingroup PkgGeometricContinuitySurfaces
-/// The points and normals of a surface at the vertices of a grid of parameters, as a structure of arrays: for each
-/// coordinate one array with the numbers of all vertices, where the vertex of the `i`-th parameter `u` and the `j`-th
-/// parameter `v` has the index \f$ i\,n_v + j \f$.
-template <class FT> class Surface_grid {
-  std::size_t size_u_ = 0, size_v_ = 0;
-  std::vector<FT> numbers_;
-
-public:
-  /// Changes the numbers of parameters. The numbers of the vertices are unspecified afterwards; no memory is allocated when
-  /// there is enough.
-  void resize(std::size_t size_u, std::size_t size_v) {
-    size_u_ = size_u;
-    size_v_ = size_v;
-    numbers_.resize(6 * size());
-  }
-  std::size_t size_u() const { return size_u_; }         ///< the number of parameters `u`
-  std::size_t size_v() const { return size_v_; }         ///< the number \f$ n_v \f$ of parameters `v`
-  std::size_t size() const { return size_u_ * size_v_; } ///< the number of vertices
-
-  /// The coordinates number `i` of all points.
-  FT* points(int i) { return numbers_.data() + i * size(); }
-  const FT* points(int i) const { return numbers_.data() + i * size(); }
-  /// The coordinates number `i` of all normals.
-  FT* normals(int i) { return numbers_.data() + (3 + i) * size(); }
-  const FT* normals(int i) const { return numbers_.data() + (3 + i) * size(); }
-};
-
-/// \ingroup PkgGeometricContinuitySurfaces
-/// Which normals `evaluate_grid()` computes.
-enum class Grid_normals {
-  unnormalised, ///< \f$ S_u \times S_v \f$, without roots
-  unit          ///< of length 1, or zero where \f$ S_u \times S_v = 0 \f$
-};
 
 namespace internal {
 
@@ -69,13 +40,13 @@ template <class FT> struct Basis_arrays {
     const FT h = FT(domain.second - domain.first);
     std::vector<FT> b(n + 2), lower(n + 2); // degrees n and n-1, with a zero in front
     for (std::size_t l = 0; l < size; ++l) {
-      const FT t = FT((parameters[l] - domain.first) / h), s = FT(FT(1) - t);
+      const FT t = FT((parameters[l] - domain.first) / h);
       std::fill(b.begin(), b.end(), FT(0));
       std::fill(lower.begin(), lower.end(), FT(0));
       b[1] = FT(1);
       for (int m = 1; m <= n; ++m) {
         lower = b;
-        for (int j = m + 1; j > 0; --j) b[j] = FT(s * b[j] + t * b[j - 1]);
+        raise_bernstein_values(b, m, t);
       }
       for (int j = 0; j <= n; ++j) {
         values[j * size + l] = b[j + 1];
@@ -176,6 +147,14 @@ void evaluate_patch(const Bezier_patch<Traits>& patch, const typename Traits::FT
   });
 }
 
+template <class Surface, class Range> void check_grid(const Surface& surface, const Range& u, const Range& v) {
+  if (surface.dimension() != 3)
+    throw Error(Error_code::dimension_mismatch, "evaluate_grid: a normal needs dimension 3");
+  for (const Range* parameters : {&u, &v})
+    for (std::size_t l = 0; l < parameters->size(); ++l)
+      check_finite(parameters->data()[l], "evaluate_grid: parameters");
+}
+
 // Where the parameters of each span begin, and at last where those of the last span end.
 template <class FT, class Range>
 std::vector<std::size_t> parameters_of_spans(const Knot_vector<FT>& knots, const Range& parameters) {
@@ -194,33 +173,45 @@ std::vector<std::size_t> parameters_of_spans(const Knot_vector<FT>& knots, const
 } // namespace internal
 
 /// \ingroup PkgGeometricContinuitySurfaces
-/// The points and normals of a Bézier patch at all pairs of a parameter `u` and a parameter `v`, several at a time with
-/// floating-point numbers. The parameters may lie outside of the domain.
+/// Computes the points and normals of a Bézier patch at all pairs of a parameter `u` and a parameter `v`, several at a time
+/// with floating-point numbers. The parameters may lie outside of the domain.
 ///
+/// \param patch the patch, of dimension 3
 /// \param u,v the parameters, each in a range with `data()` and `size()`
 /// \param grid the result; it is resized. A grid that is used again allocates no memory
 /// \tparam kind with or without roots; compile with `-fno-math-errno`, or the root is not vectorised
 /// \tparam Concurrency_tag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`
-/// \throws Error `dimension_mismatch` unless in dimension 3
+/// \throws Error `dimension_mismatch` unless in dimension 3, `not_finite` for a parameter that is infinite or not a number.
+///   Results that overflow are not refused, but infinite or NaN
 ///
 /// \f$ O(n_u n_v q + n_u p q + n_u p^2 + n_v q^2) \f$ for the degree \f$ p \times q \f$
 template <Grid_normals kind = Grid_normals::unit, class Concurrency_tag = Sequential_tag, class Traits, class Range>
 void evaluate_grid(const Bezier_patch<Traits>& patch, const Range& u, const Range& v,
                    Surface_grid<typename Traits::FT>& grid) {
-  if (patch.dimension() != 3) throw Error(Error_code::dimension_mismatch, "evaluate_grid: a normal needs dimension 3");
+  internal::check_grid(patch, u, v);
   grid.resize(u.size(), v.size());
   internal::evaluate_patch<Concurrency_tag, kind>(patch, u.data(), u.size(), v.data(), v.size(), 0, 0, grid);
 }
 
 /// \ingroup PkgGeometricContinuitySurfaces
-/// The same for a B-spline surface, from its Bézier patches: at a knot that of the span to the right is taken.
-/// \throws Error `parameter_outside_domain`, `dimension_mismatch` unless in dimension 3; `wrong_number_of_points` unless the
-///   parameters are sorted in ascending order
+/// Computes the points and normals of a B-spline surface at all pairs of a parameter `u` and a parameter `v`, from its Bézier
+/// patches: at a knot that of the span to the right is taken.
+///
+/// \param surface the surface, of dimension 3
+/// \param u,v the parameters in ascending order, each in a range with `data()`, `size()`, `begin()`, `end()`, `front()` and
+///   `back()`
+/// \param grid the result; it is resized. A grid that is used again allocates no memory for the vertices
+/// \tparam kind with or without roots; compile with `-fno-math-errno`, or the root is not vectorised
+/// \tparam Concurrency_tag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`
+/// \throws Error `parameter_outside_domain` for a parameter outside the domain, `dimension_mismatch` unless in dimension 3,
+///   `wrong_number_of_points` unless the parameters are sorted in ascending order, `not_finite` for a parameter that is
+///   infinite or not a number. Results that overflow are not refused, but infinite or NaN
+///
+/// \f$ O(n_u n_v q) \f$ for the vertices, and the cost of the Bézier patches and, for each, of its Bernstein polynomials
 template <Grid_normals kind = Grid_normals::unit, class Concurrency_tag = Sequential_tag, class Traits, class Range>
 void evaluate_grid(const Bspline_surface<Traits>& surface, const Range& u, const Range& v,
                    Surface_grid<typename Traits::FT>& grid) {
-  if (surface.dimension() != 3)
-    throw Error(Error_code::dimension_mismatch, "evaluate_grid: a normal needs dimension 3");
+  internal::check_grid(surface, u, v);
   const std::vector<std::size_t> rows = internal::parameters_of_spans(surface.knots_u(), u),
                                  columns = internal::parameters_of_spans(surface.knots_v(), v);
   grid.resize(u.size(), v.size());

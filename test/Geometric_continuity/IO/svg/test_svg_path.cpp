@@ -13,6 +13,7 @@
 #include <CGAL/Geometric_continuity/IO/svg/svg_shapes.h>
 #include <CGAL/Geometric_continuity/Traits_2.h>
 #include <CGAL/Simple_cartesian.h>
+#include <CGAL/Sqrt_extension.h>
 
 #include <array>
 #include <cmath>
@@ -412,11 +413,11 @@ BOOST_AUTO_TEST_CASE(orders_are_the_same_after_any_transform) {
 
 BOOST_AUTO_TEST_CASE(basic_shapes) {
   BOOST_CHECK_EQUAL(text({GC::svg_line<Exact>(1, 2, 3, 4)}), "2L 1,2 3,4; |");
-  BOOST_CHECK_EQUAL(text({GC::read_svg_polyline<Exact>(" 1 2 3,4-5-6", false)}), "2L 1,2 3,4; 3L 3,4 -5,-6; |");
-  BOOST_CHECK_EQUAL(text({GC::read_svg_polyline<Exact>("1 2 3,4", true)}), "2L 1,2 3,4; 3Z 3,4 1,2; Z");
-  BOOST_CHECK_EQUAL(text({GC::read_svg_polyline<Exact>("", true)}), "|");
-  BOOST_CHECK_NE(error([] { GC::read_svg_polyline<Exact>("1 2 3", true); }), "no error");
-  BOOST_CHECK_NE(error([] { GC::read_svg_polyline<Exact>("1 2 x", true); }), "no error");
+  BOOST_CHECK_EQUAL(text({GC::read_svg_polyline<Exact>(" 1 2 3,4-5-6")}), "2L 1,2 3,4; 3L 3,4 -5,-6; |");
+  BOOST_CHECK_EQUAL(text({GC::read_svg_polygon<Exact>("1 2 3,4")}), "2L 1,2 3,4; 3Z 3,4 1,2; Z");
+  BOOST_CHECK_EQUAL(text({GC::read_svg_polygon<Exact>("")}), "|");
+  BOOST_CHECK_NE(error([] { GC::read_svg_polygon<Exact>("1 2 3"); }), "no error");
+  BOOST_CHECK_NE(error([] { GC::read_svg_polygon<Exact>("1 2 x"); }), "no error");
   BOOST_CHECK_EQUAL(text({GC::svg_rectangle<Exact>(1, 2, 4, 6, 0, 3)}),
                     "2L 1,2 5,2; 3L 5,2 5,8; 4L 5,8 1,8; 5Z 1,8 1,2; Z");
   BOOST_CHECK_EQUAL(
@@ -501,4 +502,97 @@ BOOST_AUTO_TEST_CASE(rational_square_roots) {
     BOOST_CHECK(GC::rational_square_root(square) == x);
     BOOST_CHECK(!GC::rational_square_root(other));
   }
+}
+
+BOOST_AUTO_TEST_CASE(lengths) {
+  const auto length = [](const std::string& text) { return GC::parse_svg_length<Q>(text, "x"); };
+  BOOST_CHECK(length(" 1.5 ") == Q(3, 2));
+  BOOST_CHECK(length("-2px") == Q(-2));
+  BOOST_CHECK(length("1in") == Q(96));
+  BOOST_CHECK(length("2.54cm") == Q(96));
+  BOOST_CHECK(length("1e1mm\n") == Q(4800, 127));
+  BOOST_CHECK(length("3 pt") == Q(4));
+  BOOST_CHECK(length("1pc") == Q(16));
+  for (const char* relative : {"%", "em", "ex", "ch", "rem", "vw", "vh", "vmin", "vmax"})
+    BOOST_CHECK(!length("1" + std::string(relative)));
+  BOOST_CHECK_EQUAL(GC::parse_svg_length<double>("0.5in").value(), 48);
+  const auto message = [&](const std::string& text) { return error([&] { length(text); }); };
+  BOOST_CHECK_EQUAL(message("1m"), "malformed_input: x, character 1: 'm' is not a unit of length");
+  BOOST_CHECK_EQUAL(message("1 2"), "malformed_input: x, character 1: '2' is not a unit of length");
+  for (const char* text : {"", "px", "1,", "1,px", "1pxx", "1IN", "nan", "1e9999"})
+    BOOST_CHECK_NE(message(text), "no error");
+  BOOST_CHECK_NE(error([] { GC::parse_svg_length<double>("1e308in"); }), "no error");
+}
+
+// The jets at the ends of segments of each kind, in the field and in an extension of it.
+BOOST_AUTO_TEST_CASE(jets_at_the_ends_of_segments) {
+  const std::vector<Subpath> path = GC::read_svg_path<Exact>("M0 0C1 2 3 4 5 6A5 5 0 0 1 6 6");
+  const Segment &cubic = path[0].segments[0], &circle = path[0].segments[1];
+  BOOST_CHECK(cubic.is_known() && cubic.radicand() == 0);
+  BOOST_CHECK((cubic.start_jet_over<Q>(2, Q(0)) == cubic.bezier()->start_jet(2)));
+  BOOST_CHECK((cubic.end_jet_over<Q>(2, Q(0)) == cubic.bezier()->end_jet(2)));
+  BOOST_CHECK(circle.is_known());
+  BOOST_CHECK_EQUAL(circle.radicand(), 99);
+  typedef CGAL::Sqrt_extension<Q, Q> Field;
+  const Field root(Q(0), Q(1), Q(99));
+  const auto start = circle.start_jet_over<Field>(2, root), end = circle.end_jet_over<Field>(2, root);
+  for (const auto& x : {start, end}) // on the circle of radius 5 around x + x''
+    BOOST_CHECK(x[2][0] * x[2][0] + x[2][1] * x[2][1] == Field(25));
+  BOOST_CHECK(start[0][0] + start[2][0] == end[0][0] + end[2][0] && start[0][1] + start[2][1] == end[0][1] + end[2][1]);
+  BOOST_CHECK(!GC::read_svg_path<Exact>("M0 0A5 4 30 0 1 5 5")[0].segments[0].is_known());
+}
+
+namespace {
+
+template <class Function> void check_code(Function f, GC::Error_code code) {
+  try {
+    f();
+    BOOST_ERROR("no error where " << to_string(code) << " is expected");
+  } catch (const GC::Error& e) {
+    BOOST_CHECK_MESSAGE(e.code() == code, e.what() << " where " << to_string(code) << " is expected");
+  }
+}
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE(what_is_no_arc_is_refused) {
+  typedef GC::Svg_arc<Exact> Arc;
+  const Point p(0, 0), q(1, 0);
+  check_code([&] { Arc(p, p, {1, 1}); }, GC::Error_code::zero_direction);
+  check_code([&] { Arc(p, q, {0, 1}); }, GC::Error_code::parameter_outside_domain);
+  check_code([&] { Arc(p, q, {1, 0}); }, GC::Error_code::parameter_outside_domain);
+  check_code([&] { Arc(p, q, {1, 2, Q(1000000001)}); }, GC::Error_code::parameter_outside_domain);
+  const Arc unknown(p, q, {1, 2, 30});
+  check_code([&] { unknown.start_jet_over<Q>(1, Q(0)); }, GC::Error_code::parameter_outside_domain);
+  check_code([&] { unknown.end_jet_over<Q>(1, Q(0)); }, GC::Error_code::parameter_outside_domain);
+  check_code([&] { Arc(p, q, {1, 1}).start_jet_over<Q>(-1, Q(0)); }, GC::Error_code::negative_count);
+  const Segment line = GC::svg_line<Exact>(0, 0, 1, 1).segments[0];
+  check_code([&] { line.end_jet_over<Q>(-1, Q(0)); }, GC::Error_code::negative_count);
+  check_code([&] { GC::continuity(line, line, -1); }, GC::Error_code::jet_order_too_low);
+}
+
+BOOST_AUTO_TEST_CASE(numbers_that_are_not_finite_are_refused) {
+  typedef GC::Svg_arc<Double> Arc;
+  const Double::Point p(0, 0), q(1, 0);
+  for (const double bad : {std::nan(""), HUGE_VAL, -HUGE_VAL}) {
+    check_code([&] { Arc(p, Double::Point(bad, 0), {1, 1}); }, GC::Error_code::not_finite);
+    check_code([&] { Arc(Double::Point(0, bad), q, {1, 1}); }, GC::Error_code::not_finite);
+    check_code([&] { Arc(p, q, {bad, 1}); }, GC::Error_code::not_finite);
+    check_code([&] { Arc(p, q, {1, bad}); }, GC::Error_code::not_finite);
+    check_code([&] { Arc(p, q, {1, 2, bad}); }, GC::Error_code::not_finite);
+    check_code([&] { GC::Svg_transform<Double>({1, 0, 0, 1, 0, bad}); }, GC::Error_code::not_finite);
+    check_code([&] { GC::svg_line<Double>(0, 1, bad, 3); }, GC::Error_code::not_finite);
+    check_code([&] { GC::svg_ellipse<Double>(0, 1, bad, 3); }, GC::Error_code::not_finite);
+    check_code([&] { GC::svg_rectangle<Double>(0, 1, bad, 3, 0, 0); }, GC::Error_code::not_finite);
+    check_code([&] { GC::svg_rectangle<Double>(0, 1, 2, 3, 0, bad); }, GC::Error_code::not_finite);
+  }
+  check_code([&] { Arc(p, q, {1e200, 1e200}); }, GC::Error_code::parameter_outside_domain);
+  check_code([&] { GC::parse_svg_transform<Double>("scale(1e200)scale(1e200)"); }, GC::Error_code::not_finite);
+  // sums beyond the largest number are found where they stand
+  const auto message = [](const char* data) { return error([&] { GC::read_svg_path<Double>(data); }); };
+  for (const char* data : {"M1e308 0l1e308 0", "M1e308 0h1e308", "M-1e308-1e308Q1e308 0 1e308 1T0 0"})
+    BOOST_CHECK_MESSAGE(message(data).find("path data, character ") != std::string::npos &&
+                            message(data).find("outside the range") != std::string::npos,
+                        data << ": " << message(data));
+  BOOST_CHECK(message("M0 0A1e200 1e200 0 0 1 1 0").find("path data, character ") != std::string::npos);
 }

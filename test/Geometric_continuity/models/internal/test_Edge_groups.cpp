@@ -2,7 +2,7 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// How the edges of a model are recognised: keys of single edges, and groups of those that are the same.
+// How the edges of a model are recognised: groups of those that are the same.
 
 #define BOOST_TEST_DYN_LINK
 #define BOOST_TEST_MODULE edge_groups
@@ -32,7 +32,6 @@ typedef GC::Bspline_surface<Space> Surface;
 typedef GC::Bezier_patch<Space> Patch;
 typedef GC::Knot_vector<Q> Knots;
 using GC::Patch_edge;
-constexpr Patch_edge u0 = Patch_edge::u0, v0 = Patch_edge::v0, v1 = Patch_edge::v1;
 
 namespace {
 
@@ -102,33 +101,6 @@ template <class S> void check_groups(const std::vector<S>& model) {
 }
 
 } // namespace
-
-BOOST_AUTO_TEST_CASE(keys_of_edges) {
-  typedef GC::internal::Edge_key<Space> Key;
-  const auto equal = [](const Key& x, const Key& y) { return !(x < y) && !(y < x); };
-  std::mt19937_64 random = seeded();
-  const Surface s = random_surface(random, cubic({1, 2, 3, 3}), cubic({}));
-  const Key key(s, v0);
-  for (const Surface& t : {s.elevate(2, 1), over(s, Q(5) / 3, -1), s.insert_u(Q(1) / 2, 2).clamp()}) {
-    BOOST_CHECK(equal(key, Key(t, v0)));
-    BOOST_CHECK_EQUAL(key.turned(), Key(t, v0).turned());
-  }
-  for (const Surface& t : {s.reverse_u(), over(s.insert_u(2, 2).reverse_u(), Q(1) / 7, 0).elevate(1, 0)}) {
-    BOOST_CHECK(equal(key, Key(t, v0)));
-    BOOST_CHECK_NE(key.turned(), Key(t, v0).turned());
-  }
-  BOOST_CHECK(equal(key, Key(s.reverse_v(), v1)));
-  BOOST_CHECK(equal(key, Key(s.swap_parameters(), u0)));
-  for (const Surface& t : {lifted(s, 3, 0), lifted(s, 0, 0)}) {
-    BOOST_CHECK(!equal(key, Key(t, v0)));
-    BOOST_CHECK_NE(key < Key(t, v0), Key(t, v0) < key);
-  }
-  BOOST_CHECK(!key.single_point());
-  // the same for Bezier patches
-  const Patch patch = random_surface(random, cubic({}), cubic({})).bezier_patches()[0];
-  BOOST_CHECK(equal(Key(patch, v0), Key(Surface(patch).insert_u(1).insert_u(2), v0)));
-  BOOST_CHECK(!equal(key, Key(patch, v0)));
-}
 
 BOOST_AUTO_TEST_CASE(groups_of_edges) {
   std::mt19937_64 random = seeded();

@@ -6,8 +6,9 @@
 #define CGAL_GEOMETRIC_CONTINUITY_IO_FIGURES_SVG_FIGURE_H
 
 #include <CGAL/Geometric_continuity/IO/figures/Svg_panel.h>
+#include <CGAL/Geometric_continuity/IO/figures/internal/Svg_view.h>
 #include <CGAL/Geometric_continuity/IO/figures/internal/svg_markup.h>
-#include <CGAL/Geometric_continuity/IO/figures/internal/svg_projection.h>
+#include <CGAL/Geometric_continuity/IO/figures/internal/svg_text.h>
 
 #include <algorithm>
 #include <ostream>
@@ -34,16 +35,21 @@ namespace Geometric_continuity {
 /// is zero, and the curvature undefined, there is no tooth.
 class Svg_figure {
 public:
-  /// An empty figure with at most `columns >= 1` panels in a row.
+  /// Constructs a figure without panels, which will have at most `columns` panels in a row. The title is plain text in UTF-8.
+  /// \throws Error `negative_count` for a negative number of columns, `wrong_number_of_points` for no columns
   explicit Svg_figure(std::string title = std::string(), int columns = 3)
-      : title_(std::move(title)), columns_((std::max)(1, columns)) {}
+      : title_(std::move(title)), columns_(columns) {
+    if (columns < 0) throw Error(Error_code::negative_count, "Svg_figure: columns");
+    if (columns == 0) throw Error(Error_code::wrong_number_of_points, "Svg_figure: no columns");
+  }
 
-  /// Appends a panel.
+  /// Appends a panel; returns the figure.
   Svg_figure& add(const Svg_panel& panel) {
     panels_.push_back(panel);
     return *this;
   }
 
+  /// Returns the number of panels.
   int number_of_panels() const { return static_cast<int>(panels_.size()); }
 
   /// Writes the picture as an SVG document in UTF-8.
@@ -62,12 +68,8 @@ public:
     const internal::Svg_view view(curves, spatial, panel_width);
     const double width = columns * panel_width + (columns - 1) * gap + 2 * edge;
 
-    std::string body;
     double y = edge; // of what comes next
-    for (const std::string& line : internal::wrapped_lines(title_, 19, width - 2 * edge)) {
-      body += internal::svg_text(edge, y + 14, 17, "#222222", "start", line, " font-weight=\"600\"");
-      y += 24;
-    }
+    std::string body = internal::svg_title(title_, edge, width, y);
     if (!title_.empty()) y += 10;
     for (std::size_t first = 0; first < panels.size(); first += columns) {
       std::size_t lines = 0;
@@ -85,16 +87,11 @@ public:
     body += legend(panels, view, width, y);
     y += edge - 8;
 
-    const std::string w = internal::svg_number(width), h = internal::svg_number(y);
-    const std::string document =
-        "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" + w +
-        "\" height=\"" + h + "\" viewBox=\"0 0 " + w + ' ' + h + "\" font-family=\"" + internal::svg_fonts() +
-        "\" stroke-linecap=\"round\" stroke-linejoin=\"round\">\n<title>" + internal::svg_escape(title_) +
-        "</title>\n<rect width=\"" + w + "\" height=\"" + h + "\" fill=\"#ffffff\"/>\n" + body + "</svg>\n";
+    const std::string document = internal::svg_document(title_, width, y, body);
     os.write(document.data(), static_cast<std::streamsize>(document.size()));
   }
 
-  /// The same as `figure.write(os)`.
+  /// Writes the picture as an SVG document in UTF-8.
   friend std::ostream& operator<<(std::ostream& os, const Svg_figure& figure) {
     figure.write(os);
     return os;
@@ -107,12 +104,6 @@ private:
   int columns_;
   std::vector<Svg_panel> panels_;
 
-  static const internal::Stroke_style& curve_line(Svg_role role) {
-    return role == Svg_role::given   ? internal::svg_given
-           : role == Svg_role::blend ? internal::svg_blend
-                                     : internal::svg_construction;
-  }
-
   // One panel with its upper left corner at (x, y), from the background to the foreground.
   static std::string picture(const Svg_panel& panel, const internal::Svg_view& view, double x, double y) {
     using namespace internal;
@@ -122,15 +113,15 @@ private:
     for (const Svg_curve& c : panel.curves_)
       if (c.style.curvature_comb) s += comb(c, view);
     for (const Svg_curve& c : panel.curves_)
-      if (c.style.control_polygon) s += svg_stroke(svg_polygon, svg_polyline(view(c.points)));
-    for (Svg_role role : {Svg_role::construction, Svg_role::given, Svg_role::blend})
+      if (c.style.control_polygon) s += svg_stroke(polygon_stroke, svg_polyline(view(c.points)));
+    for (Svg_role role : {Svg_role::construction, Svg_role::given, Svg_role::result})
       for (const Svg_curve& c : panel.curves_)
-        if (c.style.role == role) s += svg_stroke(curve_line(role), svg_curve_path(view(c.points)));
+        if (c.style.role == role) s += svg_stroke(stroke_of(role), svg_curve_path(view(c.points)));
     for (const Svg_curve& c : panel.curves_)
       for (std::size_t j = 0; j < c.points.size() && c.style.control_polygon; ++j)
-        s += svg_disk(view(c.points[j]), 2, svg_polygon);
+        s += svg_disk(view(c.points[j]), 2, polygon_stroke);
     for (const Svg_join& join : panel.joins_)
-      s += svg_disk(view(panel.curves_[join.curve].points.back()), 3.4, svg_ring);
+      s += svg_disk(view(panel.curves_[join.curve].points.back()), 3.4, ring_stroke);
     s += labels(panel, view);
     s += "<rect x=\".5\" y=\".5\" width=\"" + svg_number(view.width() - 1) + "\" height=\"" +
          svg_number(view.height() - 1) + "\" rx=\"3\" fill=\"none\" stroke=\"#e2e2e2\"/>\n";
@@ -164,8 +155,8 @@ private:
     }
     const std::string plane = svg_polyline(
         {view(origin), view(view.grid_point(nx, 0)), view(view.grid_point(nx, ny)), view(view.grid_point(0, ny))});
-    return "<path fill=\"#f7f7f7\" d=\"" + plane + "Z\"/>\n" + svg_stroke(svg_grid, grid) +
-           svg_stroke(svg_shadow, shadow) + svg_stroke(svg_plumb, plumb) + svg_stroke(svg_axes, axes) + names;
+    return "<path fill=\"#f7f7f7\" d=\"" + plane + "Z\"/>\n" + svg_stroke(grid_stroke, grid) +
+           svg_stroke(shadow_stroke, shadow) + svg_stroke(plumb_stroke, plumb) + svg_stroke(axes_stroke, axes) + names;
   }
 
   static std::string comb(const internal::Svg_curve& curve, const internal::Svg_view& view) {
@@ -189,7 +180,7 @@ private:
         run.clear();
       }
     }
-    return svg_stroke(svg_cut_teeth, cut) + svg_stroke(svg_teeth, lines) + svg_stroke(svg_envelope, envelope);
+    return svg_stroke(cut_teeth_stroke, cut) + svg_stroke(teeth_stroke, lines) + svg_stroke(envelope_stroke, envelope);
   }
 
   static std::string labels(const Svg_panel& panel, const internal::Svg_view& view) {
@@ -220,29 +211,32 @@ private:
   static std::string legend(const std::vector<Svg_panel>& panels, const internal::Svg_view& view, double width,
                             double& y) {
     using namespace internal;
-    bool given = false, blend = false, construction = false, polygon = false, comb = false, join = false;
+    std::vector<std::pair<Svg_role, std::string>> lines; // each once
+    bool polygon = false, comb = false, join = false;
     for (const Svg_panel& panel : panels) {
       for (const Svg_join& j : panel.joins_) join = join || panel.curves_[j.curve].points.size() > 1; // no single point
       for (const Svg_curve& c : panel.curves_) {
-        (c.style.role == Svg_role::given ? given : c.style.role == Svg_role::blend ? blend : construction) = true;
+        const std::pair<Svg_role, std::string> line(c.style.role, name_of(c.style));
+        if (c.points.size() > 1 && std::find(lines.begin(), lines.end(), line) == lines.end()) lines.push_back(line);
         polygon = polygon || c.style.control_polygon;
         comb = comb || c.style.curvature_comb;
       }
     }
     Svg_legend items;
     const std::string line = "M0 0L26 0";
-    if (given) items.add("given curve", svg_stroke(svg_given, line));
-    if (blend) items.add("blend", svg_stroke(svg_blend, line));
-    if (construction) items.add("construction", svg_stroke(svg_construction, line));
+    for (Svg_role role : {Svg_role::given, Svg_role::result, Svg_role::construction})
+      for (const std::pair<Svg_role, std::string>& l : lines)
+        if (l.first == role) items.add(l.second, svg_stroke(stroke_of(role), line));
     if (polygon)
-      items.add("control polygon", svg_stroke(svg_polygon, line) + svg_disk(svg_vector({0.0, 0.0}), 2, svg_polygon) +
-                                       svg_disk(svg_vector({26.0, 0.0}), 2, svg_polygon));
+      items.add("control polygon", svg_stroke(polygon_stroke, line) +
+                                       svg_disk(svg_vector({0.0, 0.0}), 2, polygon_stroke) +
+                                       svg_disk(svg_vector({26.0, 0.0}), 2, polygon_stroke));
     if (comb)
       items.add(view.comb_is_cut() ? "curvature comb (long teeth cut off)" : "curvature comb",
-                svg_stroke(svg_teeth, "M2 5L0 -3M7.5 4L6.5 -5M13 3.7L13 -6M18.5 4L19.5 -5M24 5L26 -3") +
-                    svg_stroke(svg_envelope, "M0 -3Q13 -9 26 -3"));
-    if (join) items.add("join", svg_disk(svg_vector({19.0, 0.0}), 3.4, svg_ring));
-    if (view.spatial()) items.add("shadow on the ground", svg_stroke(svg_shadow, line));
+                svg_stroke(teeth_stroke, "M2 5L0 -3M7.5 4L6.5 -5M13 3.7L13 -6M18.5 4L19.5 -5M24 5L26 -3") +
+                    svg_stroke(envelope_stroke, "M0 -3Q13 -9 26 -3"));
+    if (join) items.add("join", svg_disk(svg_vector({19.0, 0.0}), 3.4, ring_stroke));
+    if (view.spatial()) items.add("shadow on the ground", svg_stroke(shadow_stroke, line));
     return items.lines(width, edge, y);
   }
 };

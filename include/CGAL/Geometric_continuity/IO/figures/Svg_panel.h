@@ -20,17 +20,18 @@ namespace Geometric_continuity {
 /// \ingroup PkgGeometricContinuityIO
 /// What a curve is in a picture.
 enum class Svg_role {
-  given,       ///< a curve that was there before, drawn dark
-  blend,       ///< a curve that was constructed, highlighted
-  construction ///< a line of a geometric construction, drawn dashed
+  given,       ///< a curve that was there before, drawn dark; "given curve" in the legend unless it has a name
+  result,      ///< a curve that was computed, highlighted; "result" in the legend unless it has a name
+  construction ///< a line of a geometric construction, drawn dashed; "construction" in the legend unless it has a name
 };
 
 /// \ingroup PkgGeometricContinuityIO
-/// How a curve is drawn.
+/// How a curve is drawn, and what the legend calls it.
 struct Svg_style {
-  Svg_role role = Svg_role::given;
-  bool control_polygon = false; ///< with its control points, thin
-  bool curvature_comb = false;  ///< with teeth as long as the curvature, see `Svg_figure`
+  Svg_role role = Svg_role::given;  ///< the colour and width of the line
+  bool control_polygon = false;     ///< with its control points, thin
+  bool curvature_comb = false;      ///< with teeth as long as the curvature, see `Svg_figure`
+  std::string name = std::string(); ///< plain text in UTF-8 for the legend; empty: the name of the role
 };
 
 namespace internal {
@@ -56,7 +57,7 @@ struct Svg_join {
 /// `panel.add(phi).join("G2").add(gamma, highlighted).join("G2").add(psi)`.
 class Svg_panel {
 public:
-  /// Captions and labels are plain text in UTF-8. Long captions are broken into lines.
+  /// Constructs a panel without curves. Captions and labels are plain text in UTF-8. Long captions are broken into lines.
   explicit Svg_panel(std::string caption = std::string()) : caption_(std::move(caption)) {}
 
   /// Adds a Bézier curve of dimension 2 or 3 over any kernel. The coordinates are rounded to `double` for the drawing.

@@ -5,7 +5,9 @@
 #ifndef CGAL_GEOMETRIC_CONTINUITY_IO_FIGURES_SVG_SURFACES_H
 #define CGAL_GEOMETRIC_CONTINUITY_IO_FIGURES_SVG_SURFACES_H
 
-#include <CGAL/Geometric_continuity/IO/figures/internal/svg_facets.h>
+#include <CGAL/Geometric_continuity/IO/figures/Svg_surface_style.h>
+#include <CGAL/Geometric_continuity/IO/figures/internal/Svg_facets.h>
+#include <CGAL/Geometric_continuity/IO/figures/internal/svg_text.h>
 #include <CGAL/Geometric_continuity/models/model_continuity.h>
 #include <CGAL/Geometric_continuity/numbers/internal/checked_conversion.h>
 #include <CGAL/Geometric_continuity/surfaces/Bspline_surface.h>
@@ -20,25 +22,11 @@
 #include <utility>
 #include <vector>
 
+/// \file svg_surfaces.h
+/// Pictures of surfaces: faces, edges and knot lines by their order of continuity, a shadow and a legend.
+
 namespace CGAL {
 namespace Geometric_continuity {
-
-/// \ingroup PkgGeometricContinuityIO
-/// How the faces of surfaces are painted.
-enum class Svg_shading {
-  isophotes, ///< in strips of equal angles of the normal and the light: where the strips have a kink the surface is not
-             ///< \f$ G^2 \f$, where they break it is not \f$ G^1 \f$
-  smooth     ///< by the angle of the normal and the light
-};
-
-/// \ingroup PkgGeometricContinuityIO
-/// How surfaces are drawn.
-struct Svg_surface_style {
-  Svg_shading shading = Svg_shading::isophotes; ///< the faces
-  double azimuth = -60;                         ///< where the viewer is, in degrees around the z-axis from the x-axis
-  double elevation = 22;                        ///< and above the ground, in degrees
-  std::string title;                            ///< plain text in UTF-8
-};
 
 namespace internal {
 
@@ -60,6 +48,8 @@ class Svg_surface_picture {
 public:
   template <class SurfaceRange>
   Svg_surface_picture(const SurfaceRange& surfaces, const Svg_surface_style& style) : style_(style) {
+    check_finite(style.azimuth, "svg_surfaces: azimuth");
+    check_finite(style.elevation, "svg_surfaces: elevation");
     Svg_box<3> box;
     for (const auto& s : surfaces)
       for (const auto& p : s) box.add(in_doubles<std::decay_t<decltype(s)>>(p));
@@ -98,29 +88,22 @@ public:
     for (const Svg_patch& patch : patches) facets.add(patch);
     const Svg_depth_buffer buffer = facets.remove_hidden(width, height);
 
-    std::string title;
     double y = edge;
-    for (const std::string& line : wrapped_lines(style_.title, 19, width)) {
-      title += svg_text(edge, y + 14, 17, "#222222", "start", line, " font-weight=\"600\"");
-      y += 24;
-    }
+    const std::string title = svg_title(style_.title, edge, width + 2 * edge, y);
     std::string picture = "<g transform=\"translate(" + svg_number(edge) + ' ' + svg_number(y) + ")\">\n" +
-                          shadow(patches, camera, low) + facets.paint(style_.shading == Svg_shading::isophotes) +
-                          lines(camera, buffer) + "</g>\n";
+                          shadow(patches, camera, low) + facets.paint(style_.shading) + lines(camera, buffer) +
+                          "</g>\n";
     y += height + 12;
     const std::string names = legend(y);
     y += edge - 8;
-    const std::string w = svg_number(width + 2 * edge), h = svg_number(y);
-    return "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" + w +
-           "\" height=\"" + h + "\" viewBox=\"0 0 " + w + ' ' + h + "\" font-family=\"" + svg_fonts() +
-           "\" stroke-linecap=\"round\" stroke-linejoin=\"round\">\n<title>" + svg_escape(style_.title) +
-           "</title>\n<rect width=\"" + w + "\" height=\"" + h + "\" fill=\"#ffffff\"/>\n" + title + picture + names +
-           "</svg>\n";
+    return svg_document(style_.title, width + 2 * edge, y, title + picture + names);
   }
 
 private:
   template <class Source, class Point> static Svg_point in_doubles(const Point& point) {
     const auto x = coordinates<typename Source::Traits>(point);
+    if (x.dimension() != 3)
+      throw Error(Error_code::dimension_mismatch, "svg_surfaces: surfaces in dimension 3 can be drawn");
     Svg_point y(3);
     for (int i = 0; i < 3; ++i) check_finite(y[i] = CGAL::to_double(x[i]), "svg_surfaces");
     return y;
@@ -234,7 +217,8 @@ private:
 /// a surface are lit. Facets that interpenetrate are not cut.
 ///
 /// \tparam SurfaceRange a forward range of `Bezier_patch` or of `Bspline_surface`
-/// \throws Error `dimension_mismatch` unless in dimension 3, `not_finite` for coordinates beyond the range of `double`
+/// \throws Error `dimension_mismatch` unless in dimension 3, `not_finite` for coordinates beyond the range of `double` and for
+///   angles of the view that are infinite or not a number
 template <class SurfaceRange>
 void write_svg_surfaces(std::ostream& os, const SurfaceRange& surfaces,
                         const Svg_surface_style& style = Svg_surface_style()) {

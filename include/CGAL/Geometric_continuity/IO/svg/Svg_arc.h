@@ -5,13 +5,17 @@
 #ifndef CGAL_GEOMETRIC_CONTINUITY_IO_SVG_SVG_ARC_H
 #define CGAL_GEOMETRIC_CONTINUITY_IO_SVG_SVG_ARC_H
 
+#include <CGAL/Geometric_continuity/Error.h>
 #include <CGAL/Geometric_continuity/IO/svg/internal/svg_angle.h>
 #include <CGAL/Geometric_continuity/local/Curve_jet.h>
 #include <CGAL/Geometric_continuity/local/coordinates.h>
+#include <CGAL/Geometric_continuity/numbers/internal/checked_conversion.h>
 #include <CGAL/Geometric_continuity/numbers/rational_square_root.h>
 
+#include <cmath>
 #include <optional>
 #include <string>
+#include <type_traits>
 #include <utility>
 
 namespace CGAL {
@@ -20,14 +24,15 @@ namespace Geometric_continuity {
 /// \ingroup PkgGeometricContinuityIO
 /// What the command A of SVG's path data says of an arc of an ellipse, beyond its start and end.
 template <class FT> struct Svg_arc_parameters {
-  FT rx, ry;           ///< the radii, not zero; their signs do not matter
+  FT rx;               ///< the first radius, not zero; its sign does not matter
+  FT ry;               ///< the second radius, not zero; its sign does not matter
   FT rotation = FT(0); ///< the angle from the x-axis to the first radius, in degrees
   bool large = false;  ///< more than half of the ellipse
-  bool sweep = false;  ///< with growing angle, which is from the x-axis to the y-axis
+  bool sweep = false;  ///< with growing angle: it turns from the x-axis to the y-axis
 };
 
 /// \ingroup PkgGeometricContinuityIO
-/// An arc of an ellipse as SVG describes it, by its ends, and its exact derivatives at the ends with respect to the
+/// An arc of an ellipse as SVG describes it, by its ends, with exact derivatives at the ends with respect to the
 /// eccentric angle. All orders of continuity but C are those of the arc in any parametrisation.
 ///
 /// Let `h` be half the chord, from the middle to the start, and `k` its image under the quarter turn of the ellipse,
@@ -57,11 +62,18 @@ private:
   bool same_flags_, sweep_;
 
 public:
-  /// The arc from `start` to `end`. \pre the radii are not zero, and the ends differ
+  /// Makes the arc from `start` to `end`.
+  /// \throws Error `zero_direction` when the ends coincide; `parameter_outside_domain` for a zero radius, for a
+  ///   rotation by more than 10^9 degrees, and when the sizes differ so much that \f$ D \f$ is no finite floating-point
+  ///   number; `not_finite` for a number that is not finite
   Svg_arc(const Point& start, const Point& end, const Svg_arc_parameters<FT>& parameters)
       : start_(Geometric_continuity::coordinates<Traits>(start)), end_(Geometric_continuity::coordinates<Traits>(end)),
         same_flags_(parameters.large == parameters.sweep), sweep_(parameters.sweep) {
+    for (const FT& x : {start_[0], start_[1], end_[0], end_[1], parameters.rx, parameters.ry, parameters.rotation})
+      internal::check_finite(x, "Svg_arc");
+    if (start_ == end_) throw Error(Error_code::zero_direction, "Svg_arc: the ends coincide");
     FT rx = absolute(parameters.rx), ry = absolute(parameters.ry);
+    if (rx == FT(0) || ry == FT(0)) throw Error(Error_code::parameter_outside_domain, "Svg_arc: a radius is zero");
     if (rx != ry) {
       const std::optional<bool> swapped = quarter_turned(parameters.rotation);
       known_ = swapped.has_value();
@@ -72,42 +84,57 @@ public:
     k_[1] = FT(ry * h[0] / rx);
     const FT x = FT(h[0] / rx), y = FT(h[1] / ry), lambda = FT(x * x + y * y);
     if (lambda < FT(1)) radicand_ = FT((FT(1) - lambda) / lambda);
+    if constexpr (std::is_floating_point_v<FT>)
+      if (!(FT(0) < lambda) || !std::isfinite(radicand_) || !std::isfinite(k_[0]) || !std::isfinite(k_[1]))
+        throw Error(Error_code::parameter_outside_domain,
+                    "Svg_arc: the sizes differ too much for floating-point numbers");
     if (known_) root_ = rational_square_root(radicand_);
   }
 
+  /// Returns the point where the arc starts.
   Point start() const { return Geometric_continuity::to_point<Traits>(start_); }
+
+  /// Returns the point where the arc ends.
   Point end() const { return Geometric_continuity::to_point<Traits>(end_); }
 
-  /// Whether the derivatives are known, be it with a square root: the rotation is rational, or does not matter.
+  /// Returns whether the derivatives are known, be it with a square root: the rotation is rational, or does not matter.
   bool is_known() const { return known_; }
 
-  /// Whether the derivatives are known and rational.
+  /// Returns whether the derivatives are known and rational.
   bool is_rational() const { return root_.has_value(); }
 
-  /// The number `D`, whose square root appears in the derivatives.
+  /// Returns the number `D`, whose square root appears in the derivatives.
   const FT& radicand() const { return radicand_; }
 
-  /// The jets at the ends in a field, given the root of `radicand()` in it: \f$ x' = \pm R(x-c) \f$,
+  /// Returns the jet at the start in a field, given the root of `radicand()` in it: \f$ x' = \pm R(x-c) \f$,
   /// \f$ x'' = -(x-c) \f$, \f$ x''' = -x' \f$, ... with the quarter turn `R` of the ellipse.
-  /// \pre `is_known()`
+  /// \throws Error `negative_count` for a negative order; `parameter_outside_domain` unless `is_known()`
   template <class Field> Coordinate_jet<Field, 2> start_jet_over(int order, const Field& root) const {
     return jet<Field>(order, root, start_, half_chord(), k_);
   }
+
+  /// Returns the jet at the end in a field, given the root of `radicand()` in it; see `start_jet_over()`.
+  /// \throws Error `negative_count` for a negative order; `parameter_outside_domain` unless `is_known()`
   template <class Field> Coordinate_jet<Field, 2> end_jet_over(int order, const Field& root) const {
     return jet<Field>(order, root, end_, FT(-1) * half_chord(), FT(-1) * k_);
   }
 
-  /// The jets at the ends; empty unless `is_rational()`.
+  /// Returns the jet at the start; empty unless `is_rational()`.
+  /// \throws Error `negative_count` for a negative order
   std::optional<Curve_jet<Traits>> start_jet(int order) const {
     if (!root_) return std::nullopt;
     return Curve_jet<Traits>(start_jet_over<FT>(order, *root_));
   }
+
+  /// Returns the jet at the end; empty unless `is_rational()`.
+  /// \throws Error `negative_count` for a negative order
   std::optional<Curve_jet<Traits>> end_jet(int order) const {
     if (!root_) return std::nullopt;
     return Curve_jet<Traits>(end_jet_over<FT>(order, *root_));
   }
 
-  /// The image under an affine map of points, which is an arc of an ellipse again.
+  /// Returns the image under an affine map of points, which is an arc of an ellipse again. Whether the map is affine
+  /// and invertible is not checked.
   template <class Transformation> Svg_arc transform(const Transformation& map) const {
     const auto image = [&](const Coordinates& x) {
       return Geometric_continuity::coordinates<Traits>(map(Geometric_continuity::to_point<Traits>(x)));
@@ -136,6 +163,9 @@ private:
   template <class Field>
   Coordinate_jet<Field, 2> jet(int order, const Field& root, const Coordinates& x, const Coordinates& h,
                                const Coordinates& k) const {
+    if (order < 0) throw Error(Error_code::negative_count, "Svg_arc: order " + std::to_string(order));
+    if (!known_)
+      throw Error(Error_code::parameter_outside_domain, "Svg_arc: the rotation of the ellipse is not rational");
     const Coordinates c = half_chord();
     const Field s = same_flags_ ? Field(Field(0) - root) : root;
     Coordinate_jet<Field, 2> jet(2, order);

@@ -8,6 +8,7 @@
 #include <CGAL/Geometric_continuity/IO/svg/internal/Svg_scanner.h>
 #include <CGAL/Geometric_continuity/IO/svg/internal/svg_angle.h>
 #include <CGAL/Geometric_continuity/local/coordinates.h>
+#include <CGAL/Geometric_continuity/numbers/internal/checked_conversion.h>
 
 #include <array>
 #include <cmath>
@@ -31,19 +32,22 @@ private:
   std::array<FT, 6> m_{{FT(1), FT(0), FT(0), FT(1), FT(0), FT(0)}};
 
 public:
-  /// The identity.
+  /// Makes the identity.
   Svg_transform() = default;
 
-  /// From `a, b, c, d, e, f`.
-  explicit Svg_transform(const std::array<FT, 6>& matrix) : m_(matrix) {}
+  /// Makes the map of the numbers `a, b, c, d, e, f`.
+  /// \throws Error `not_finite` for a number that is not finite
+  explicit Svg_transform(const std::array<FT, 6>& matrix) : m_(matrix) {
+    for (const FT& x : m_) internal::check_finite(x, "Svg_transform");
+  }
 
-  /// The numbers `a, b, c, d, e, f`.
+  /// Returns the numbers `a, b, c, d, e, f`.
   const std::array<FT, 6>& matrix() const { return m_; }
 
-  /// \f$ ad - bc \f$; the map is invertible unless this is zero.
+  /// Returns \f$ ad - bc \f$; the map is invertible unless this is zero.
   FT determinant() const { return FT(m_[0] * m_[3] - m_[1] * m_[2]); }
 
-  /// The image of a point.
+  /// Returns the image of a point.
   Point operator()(const Point& p) const {
     const Geometric_continuity::Coordinates<Traits> x = Geometric_continuity::coordinates<Traits>(p);
     Geometric_continuity::Coordinates<Traits> y(2);
@@ -52,7 +56,8 @@ public:
     return Geometric_continuity::to_point<Traits>(y);
   }
 
-  /// First `inner`, then `outer`.
+  /// Returns the map that applies first `inner`, then `outer`.
+  /// \throws Error `not_finite` when the product is outside the range of floating-point numbers
   friend Svg_transform operator*(const Svg_transform& outer, const Svg_transform& inner) {
     const std::array<FT, 6>&m = outer.m_, &n = inner.m_;
     return Svg_transform({FT(m[0] * n[0] + m[2] * n[1]), FT(m[1] * n[0] + m[3] * n[1]), FT(m[0] * n[2] + m[2] * n[3]),
@@ -142,8 +147,8 @@ private:
 } // namespace internal
 
 /// \ingroup PkgGeometricContinuityIO
-/// Reads a list of transforms, the attribute `transform`: `matrix`, `translate`, `scale`, `rotate`, `skewX`, `skewY`,
-/// with the numbers of `parse_number()`. The last one is applied first.
+/// Returns the map of a list of transforms, the attribute `transform`: `matrix`, `translate`, `scale`, `rotate`,
+/// `skewX`, `skewY`, with the numbers of `parse_number()`. The last one is applied first.
 ///
 /// In an exact field the map is exact for all but angles: a rotation by other than a multiple of 90 degrees is replaced
 /// by a rotation with rational cosine and sine, and a skew by other than a multiple of 45 degrees by one with a
@@ -151,7 +156,8 @@ private:
 /// on that: C, G and F orders are the same before and after any invertible affine map, and the rotation does not change
 /// any angle or curvature.
 ///
-/// \throws Error `malformed_input` with a text `name, character N: reason`
+/// \throws Error `malformed_input` with a text `name, character N: reason`; `not_finite` when the product of the
+///   transforms is outside the range of floating-point numbers
 template <class Traits>
 Svg_transform<Traits> parse_svg_transform(std::string_view text, const std::string& name = "transform") {
   return internal::Svg_transform_reader<Traits>(text, name)();

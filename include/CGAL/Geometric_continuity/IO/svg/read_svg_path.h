@@ -8,9 +8,11 @@
 #include <CGAL/Geometric_continuity/IO/svg/internal/Svg_path_builder.h>
 #include <CGAL/Geometric_continuity/IO/svg/internal/Svg_scanner.h>
 
+#include <cmath>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <vector>
 
 namespace CGAL {
@@ -47,9 +49,10 @@ public:
     scanner_.skip_space();
   }
 
-  /// The next subpath, or nothing at the end. A subpath without segments is left out unless it is closed.
+  /// Returns the next subpath, or nothing at the end. A subpath without segments is left out unless it is closed. After
+  /// an error the reader cannot be used any more.
   /// \throws Error `malformed_input` with a text `name, character N: reason`, where `N` counts from 1, for everything
-  ///         that is no path data. After an error the reader cannot be used any more.
+  ///   that is no path data, and for numbers that `double` cannot hold or `Svg_arc` refuses
   std::optional<Svg_subpath<Traits>> next() {
     while (!ended_) {
       if (scanner_.at_end()) {
@@ -91,9 +94,9 @@ private:
     case 'H': return builder_.line_to(coordinate(0, origin));
     case 'V': return builder_.line_to(coordinate(1, origin));
     case 'C': return builder_.curve_to(points(origin, {}, 3));
-    case 'S': return builder_.curve_to(points(origin, {builder_.reflected_control(3)}, 2));
+    case 'S': return builder_.curve_to(points(origin, {reflected(3)}, 2));
     case 'Q': return builder_.curve_to(points(origin, {}, 2));
-    case 'T': return builder_.curve_to(points(origin, {builder_.reflected_control(2)}, 1));
+    case 'T': return builder_.curve_to(points(origin, {reflected(2)}, 1));
     case 'A': return arc(origin);
     default: return builder_.close();
     }
@@ -101,15 +104,33 @@ private:
 
   Coordinates point(const Coordinates& origin) {
     Coordinates x(2);
-    x[0] = FT(origin[0] + scanner_.template number<FT>());
-    x[1] = FT(origin[1] + scanner_.template number<FT>());
+    for (int i = 0; i < 2; ++i) x[i] = moved(origin[i]);
+    return x;
+  }
+
+  // The next number, added to a coordinate of the origin.
+  FT moved(const FT& origin) {
+    const FT x = FT(origin + scanner_.template number<FT>());
+    check(x);
+    return x;
+  }
+
+  void check(const FT& x) const {
+    if constexpr (std::is_floating_point_v<FT>)
+      if (!std::isfinite(x)) scanner_.refuse("a coordinate outside the range of floating-point numbers");
+  }
+
+  // The handle of the last command of this degree, reflected at the current point.
+  Coordinates reflected(int degree) const {
+    const Coordinates x = builder_.reflected_control(degree);
+    for (int i = 0; i < 2; ++i) check(x[i]);
     return x;
   }
 
   // The current point with one coordinate changed.
   Coordinates coordinate(int i, const Coordinates& origin) {
     Coordinates x = builder_.current();
-    x[i] = FT(origin[i] + scanner_.template number<FT>());
+    x[i] = moved(origin[i]);
     return x;
   }
 
@@ -125,12 +146,17 @@ private:
     parameters.rotation = scanner_.template angle<FT>();
     parameters.large = scanner_.flag();
     parameters.sweep = scanner_.flag();
-    builder_.arc_to(parameters, point(origin));
+    const Coordinates end = point(origin);
+    try {
+      builder_.arc_to(parameters, end);
+    } catch (const Error& error) { // sizes that differ too much for floating-point numbers
+      scanner_.refuse(error.what());
+    }
   }
 };
 
 /// \ingroup PkgGeometricContinuityIO
-/// All subpaths of SVG path data, see `Svg_path_reader`.
+/// Returns all subpaths of SVG path data.
 /// \throws Error as `Svg_path_reader` does
 template <class Traits>
 std::vector<Svg_subpath<Traits>> read_svg_path(std::string_view text, const std::string& name = "path data") {

@@ -19,25 +19,6 @@ namespace Geometric_continuity {
 
 namespace internal {
 
-// The jet at one end of a segment in a field that has the root of the arc's radicand; that of a curve needs no root.
-template <class Field, class Traits>
-Coordinate_jet<Field, 2> svg_jet(const Svg_segment<Traits>& segment, bool at_end, int order, const Field& root) {
-  typedef typename Traits::FT FT;
-  if (const Svg_arc<Traits>* arc = segment.arc())
-    return at_end ? arc->template end_jet_over<Field>(order, root) : arc->template start_jet_over<Field>(order, root);
-  const Coordinate_jet<FT, 2> rational = at_end ? segment.bezier()->end_jet(order) : segment.bezier()->start_jet(order);
-  Coordinate_jet<Field, 2> jet(2, order);
-  for (int j = 0; j <= order; ++j)
-    for (int i = 0; i < 2; ++i) jet[j][i] = Field(rational[j][i]);
-  return jet;
-}
-
-// The root that a segment needs.
-template <class Traits> typename Traits::FT svg_radicand(const Svg_segment<Traits>& segment) {
-  typedef typename Traits::FT FT;
-  return segment.arc() ? segment.arc()->radicand() : FT(0);
-}
-
 // The decision in a field extended by one or two square roots, without the betas that are not in FT.
 template <class FT, class Field> Join_continuity<FT> drop_irrational_betas(const Join_continuity<Field>& join) {
   Join_continuity<FT> r;
@@ -61,20 +42,20 @@ template <class FT, class Field> Join_continuity<FT> drop_irrational_betas(const
 /// Arcs are taken with respect to the eccentric angle; only the C order and the shape parameters depend on that. Where
 /// the centre of an arc is not rational, the decision is made in the field extended by its square root, exactly, and no
 /// shape parameters are given. In `double` it is plain floating point.
+/// \throws Error `jet_order_too_low` for a negative `max_order`
 template <class Traits>
 std::optional<Join_continuity<typename Traits::FT>> continuity(const Svg_segment<Traits>& left,
                                                                const Svg_segment<Traits>& right, int max_order = 3) {
   typedef typename Traits::FT FT;
-  const auto known = [](const Svg_segment<Traits>& s) { return !s.arc() || s.arc()->is_known(); };
-  if (!known(left) || !known(right)) return std::nullopt;
-  const int order = std::max(max_order, 3); // curvature is reported for every max_order
+  if (!left.is_known() || !right.is_known()) return std::nullopt;
+  const int order = (std::max)(max_order, 3); // curvature is reported for every max_order
   const auto decide = [&](const auto& left_root, const auto& right_root) {
     typedef std::decay_t<decltype(left_root)> Field;
-    const Coordinate_jet<Field, 2> x = internal::svg_jet<Field>(left, true, order, left_root),
-                                   y = internal::svg_jet<Field>(right, false, order, right_root);
+    const Coordinate_jet<Field, 2> x = left.template end_jet_over<Field>(order, left_root),
+                                   y = right.template start_jet_over<Field>(order, right_root);
     return internal::Join_decision<Field, 2>(x, y, max_order)();
   };
-  const FT d = internal::svg_radicand(left), e = internal::svg_radicand(right);
+  const FT d = left.radicand(), e = right.radicand();
   const std::optional<FT> p = rational_square_root(d), q = rational_square_root(e);
   if constexpr (std::is_floating_point_v<FT>)
     return decide(*p, *q);

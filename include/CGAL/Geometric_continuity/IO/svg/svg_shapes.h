@@ -5,12 +5,21 @@
 #ifndef CGAL_GEOMETRIC_CONTINUITY_IO_SVG_SVG_SHAPES_H
 #define CGAL_GEOMETRIC_CONTINUITY_IO_SVG_SVG_SHAPES_H
 
+/// \file IO/svg/svg_shapes.h
+/// The basic shapes of SVG as paths, by the equivalent commands that SVG gives, and the lengths in their attributes.
+
+#include <CGAL/Geometric_continuity/Error.h>
+#include <CGAL/Geometric_continuity/IO/quoted_token.h>
 #include <CGAL/Geometric_continuity/IO/svg/internal/Svg_path_builder.h>
 #include <CGAL/Geometric_continuity/IO/svg/internal/Svg_scanner.h>
+#include <CGAL/Geometric_continuity/numbers/internal/checked_conversion.h>
 
 #include <algorithm>
+#include <cmath>
+#include <optional>
 #include <string>
 #include <string_view>
+#include <type_traits>
 
 namespace CGAL {
 namespace Geometric_continuity {
@@ -28,6 +37,7 @@ template <class Traits> class Svg_shape_builder {
     Coordinates p(2);
     p[0] = x;
     p[1] = y;
+    for (int i = 0; i < 2; ++i) check_finite(p[i], "shape of SVG");
     return p;
   }
 
@@ -40,7 +50,7 @@ public:
     builder_.begin_command('L');
     builder_.line_to(point(x, y));
   }
-  // a quarter of an ellipse, with growing angle
+  // Draws a quarter of an ellipse, with growing angle.
   void quarter_to(const FT& rx, const FT& ry, const FT& x, const FT& y) {
     builder_.begin_command('A');
     builder_.arc_to({rx, ry, FT(0), false, true}, point(x, y));
@@ -57,30 +67,17 @@ public:
 };
 
 template <class FT> void require_not_negative(const FT& x, const char* what) {
+  check_finite(x, what);
   if (x < FT(0)) throw Error(Error_code::malformed_input, std::string("negative ") + what);
 }
 
-} // namespace internal
+enum class Svg_outline { open, closed };
 
-/// \ingroup PkgGeometricContinuityIO
-/// The path M L of a line.
 template <class Traits>
-Svg_subpath<Traits> svg_line(const typename Traits::FT& x1, const typename Traits::FT& y1,
-                             const typename Traits::FT& x2, const typename Traits::FT& y2) {
-  internal::Svg_shape_builder<Traits> path;
-  path.move_to(x1, y1);
-  path.line_to(x2, y2);
-  return path.end();
-}
-
-/// \ingroup PkgGeometricContinuityIO
-/// The path M L ... of a polyline or, with Z, of a polygon, from the attribute `points`.
-/// \throws Error `malformed_input` with a text `name, character N: reason`
-template <class Traits>
-Svg_subpath<Traits> read_svg_polyline(std::string_view points, bool closed, const std::string& name = "points") {
+Svg_subpath<Traits> read_svg_points(std::string_view points, Svg_outline outline, const std::string& name) {
   typedef typename Traits::FT FT;
-  internal::Svg_scanner scanner(points, name);
-  internal::Svg_shape_builder<Traits> path;
+  Svg_scanner scanner(points, name);
+  Svg_shape_builder<Traits> path;
   scanner.skip_space();
   bool empty = true;
   for (; scanner.at_number(); empty = false) {
@@ -92,13 +89,72 @@ Svg_subpath<Traits> read_svg_polyline(std::string_view points, bool closed, cons
   }
   scanner.refuse_comma();
   if (!scanner.at_end()) scanner.refuse(scanner.found() + " where a number is expected");
-  if (closed && !empty) return path.close();
+  return outline == Svg_outline::closed && !empty ? path.close() : path.end();
+}
+
+} // namespace internal
+
+/// \ingroup PkgGeometricContinuityIO
+/// Returns a length, the text of an attribute such as `width`, in user units: a number as `parse_number()` reads it,
+/// and possibly one of the units `px`, `in`, `cm`, `mm`, `pt` and `pc`, of which 96 `px` are one `in`. The result is
+/// empty for a length that has no meaning without a viewport or a font, in `%`, `em`, `ex`, `ch`, `rem`, `vw`, `vh`,
+/// `vmin` or `vmax`.
+/// \throws Error `malformed_input` with a text `name, character N: reason`
+template <class FT> std::optional<FT> parse_svg_length(std::string_view text, const std::string& name = "length") {
+  internal::Svg_scanner scanner(text, name);
+  scanner.skip_space();
+  const FT x = scanner.number<FT>();
+  scanner.refuse_comma();
+  const std::string_view unit = scanner.rest();
+  const auto scaled = [&](int numerator, int denominator) -> FT {
+    const FT length = FT(FT(x * FT(numerator)) / FT(denominator));
+    if constexpr (std::is_floating_point_v<FT>)
+      if (!std::isfinite(length)) scanner.refuse("a length outside the range of floating-point numbers");
+    return length;
+  };
+  if (unit.empty() || unit == "px") return x;
+  if (unit == "in") return scaled(96, 1);
+  if (unit == "cm") return scaled(9600, 254);
+  if (unit == "mm") return scaled(960, 254);
+  if (unit == "pt") return scaled(4, 3);
+  if (unit == "pc") return scaled(16, 1);
+  for (const char* relative : {"%", "em", "ex", "ch", "rem", "vw", "vh", "vmin", "vmax"})
+    if (unit == relative) return std::nullopt;
+  scanner.refuse(quoted_token(unit) + " is not a unit of length");
+}
+
+/// \ingroup PkgGeometricContinuityIO
+/// Returns the path M L of a line.
+/// \throws Error `not_finite` for a coordinate that is not finite
+template <class Traits>
+Svg_subpath<Traits> svg_line(const typename Traits::FT& x1, const typename Traits::FT& y1,
+                             const typename Traits::FT& x2, const typename Traits::FT& y2) {
+  internal::Svg_shape_builder<Traits> path;
+  path.move_to(x1, y1);
+  path.line_to(x2, y2);
   return path.end();
 }
 
 /// \ingroup PkgGeometricContinuityIO
-/// The path of an ellipse, or of a circle: M, four quarters A, Z, from the point with the largest `x` on. Empty without
-/// a radius. \throws Error `malformed_input` for a negative radius
+/// Returns the path M L ... of a polyline, from the text of the attribute `points`.
+/// \throws Error `malformed_input` with a text `name, character N: reason`
+template <class Traits>
+Svg_subpath<Traits> read_svg_polyline(std::string_view points, const std::string& name = "points") {
+  return internal::read_svg_points<Traits>(points, internal::Svg_outline::open, name);
+}
+
+/// \ingroup PkgGeometricContinuityIO
+/// Returns the path M L ... Z of a polygon, from the text of the attribute `points`.
+/// \throws Error `malformed_input` with a text `name, character N: reason`
+template <class Traits>
+Svg_subpath<Traits> read_svg_polygon(std::string_view points, const std::string& name = "points") {
+  return internal::read_svg_points<Traits>(points, internal::Svg_outline::closed, name);
+}
+
+/// \ingroup PkgGeometricContinuityIO
+/// Returns the path of an ellipse, or of a circle: M, four quarters A, Z, from the point with the largest `x` on. It is
+/// empty when a radius is zero.
+/// \throws Error `malformed_input` for a negative radius; `not_finite` for a number that is not finite
 template <class Traits>
 Svg_subpath<Traits> svg_ellipse(const typename Traits::FT& cx, const typename Traits::FT& cy,
                                 const typename Traits::FT& rx, const typename Traits::FT& ry) {
@@ -116,9 +172,9 @@ Svg_subpath<Traits> svg_ellipse(const typename Traits::FT& cx, const typename Tr
 }
 
 /// \ingroup PkgGeometricContinuityIO
-/// The path of a rectangle, M L A ... Z, whose corners are rounded by quarters of ellipses unless a radius is zero. The
-/// radii are at most half the size. Empty without a width or a height.
-/// \throws Error `malformed_input` for a negative size or radius
+/// Returns the path of a rectangle, M L A ... Z, whose corners are rounded by quarters of ellipses unless a radius is
+/// zero. Radii of more than half the size are reduced to that. It is empty when the width or the height is zero.
+/// \throws Error `malformed_input` for a negative size or radius; `not_finite` for a number that is not finite
 template <class Traits>
 Svg_subpath<Traits> svg_rectangle(const typename Traits::FT& x, const typename Traits::FT& y,
                                   const typename Traits::FT& width, const typename Traits::FT& height,
@@ -131,8 +187,8 @@ Svg_subpath<Traits> svg_rectangle(const typename Traits::FT& x, const typename T
   if (width == FT(0) || height == FT(0)) return Svg_subpath<Traits>();
   const bool sharp = corner_x == FT(0) || corner_y == FT(0);
   const FT right = FT(x + width), bottom = FT(y + height);
-  const FT rx = sharp ? FT(0) : std::min(corner_x, FT(width / FT(2)));
-  const FT ry = sharp ? FT(0) : std::min(corner_y, FT(height / FT(2)));
+  const FT rx = sharp ? FT(0) : (std::min)(corner_x, FT(width / FT(2)));
+  const FT ry = sharp ? FT(0) : (std::min)(corner_y, FT(height / FT(2)));
   const FT x1 = FT(x + rx), x2 = FT(right - rx), y1 = FT(y + ry), y2 = FT(bottom - ry);
   internal::Svg_shape_builder<Traits> path;
   const auto side = [&](const FT& from, const FT& to, const FT& u, const FT& v) {

@@ -16,7 +16,8 @@
 namespace CGAL {
 namespace Geometric_continuity {
 
-// A vector of unreduced fractions has one denominator.
+// A vector of unreduced fractions has one denominator. This is a specialisation of a public template, and so it must stand in
+// the namespace of the template; it is internal like its number type.
 template <class Rational, int N> class Coordinate_vector<internal::Unreduced_fraction<Rational>, N> {
   typedef internal::Unreduced_fraction<Rational> FT;
   typedef internal::Inline_integer Integer;
@@ -39,7 +40,7 @@ public:
     for (int i = 0; i < n; ++i) {
       internal::Rational_parts<Rational>::split(v[i], n_[i], d[i].d);
       d[i].k = d[i].d.remove_twos();
-      d_.k = std::max(d_.k, d[i].k);
+      d_.k = (std::max)(d_.k, d[i].k);
       if (d[i].d != d_.d) d_.d *= quotient(d[i].d, gcd_of_odd(d_.d, d[i].d));
     }
     for (int i = 0; i < n; ++i) {

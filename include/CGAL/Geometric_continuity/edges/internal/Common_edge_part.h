@@ -38,7 +38,7 @@ template <class Field> class Centred_curve {
   Field centre_;
 
 public:
-  explicit Centred_curve(const Edge_piece<Field>& piece) : a_(power_coefficients<Field>(piece.rows.edge)) {
+  explicit Centred_curve(const Edge_piece<Field>& piece) : a_(powers_from_bernstein<Field>(piece.rows.edge)) {
     const int n = degree();
     if (n == 0) return; // a point
     const Field x = Field(-dot(a_[n - 1], a_[n])) / Field(Field(n) * dot(a_[n], a_[n]));

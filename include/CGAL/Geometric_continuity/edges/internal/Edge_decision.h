@@ -5,6 +5,7 @@
 #ifndef CGAL_GEOMETRIC_CONTINUITY_EDGES_INTERNAL_EDGE_DECISION_H
 #define CGAL_GEOMETRIC_CONTINUITY_EDGES_INTERNAL_EDGE_DECISION_H
 
+#include <CGAL/Geometric_continuity/algebra/sign_pattern.h>
 #include <CGAL/Geometric_continuity/edges/Spline_edge_continuity.h>
 #include <CGAL/Geometric_continuity/edges/internal/Edge_normals.h>
 #include <CGAL/Geometric_continuity/edges/internal/Largest_measure.h>
@@ -12,7 +13,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <initializer_list>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -119,19 +119,6 @@ template <class Field> Edge_span<Field> on_interval(const Field& begin, const Fi
   return {begin, end, std::move(e)};
 }
 
-inline Sign_pattern combined(Sign_pattern a, Sign_pattern b) {
-  const auto has = [a, b](std::initializer_list<Sign_pattern> patterns) {
-    return std::any_of(patterns.begin(), patterns.end(), [a, b](Sign_pattern x) { return x == a || x == b; });
-  };
-  const bool positive = has({Sign_pattern::positive, Sign_pattern::nonnegative, Sign_pattern::mixed}),
-             negative = has({Sign_pattern::negative, Sign_pattern::nonpositive, Sign_pattern::mixed}),
-             zero = has({Sign_pattern::nonnegative, Sign_pattern::nonpositive, Sign_pattern::zero});
-  if (positive && negative) return Sign_pattern::mixed;
-  if (positive) return zero ? Sign_pattern::nonnegative : Sign_pattern::positive;
-  if (negative) return zero ? Sign_pattern::nonpositive : Sign_pattern::negative;
-  return Sign_pattern::zero;
-}
-
 template <class FT> bool is_worse(const Edge_continuity<FT>& x, const Edge_continuity<FT>& y) {
   if (x.defect != y.defect) return severity(y.defect) < severity(x.defect);
   return x.deviation && (!y.deviation || y.deviation->upper < x.deviation->upper);
@@ -149,7 +136,7 @@ template <class FT> void summarise(Spline_edge_continuity<FT>& edge) {
     }
     if (is_worse(s, edge.spans[edge.worst].continuity)) edge.worst = i;
     edge.coplanar = edge.coplanar && s.coplanar;
-    edge.side = combined(edge.side, s.side);
+    edge.side = joint_pattern(edge.side, s.side);
     edge.collapsed = edge.collapsed && s.collapsed;
     edge.normal_vanishes = edge.normal_vanishes || s.normal_vanishes;
     if (!edge.vanishing) edge.vanishing = s.vanishing;

@@ -6,6 +6,7 @@
 #define CGAL_GEOMETRIC_CONTINUITY_EDGES_INTERNAL_EDGE_NORMALS_H
 
 #include <CGAL/Geometric_continuity/algebra/Homogeneous_polynomial.h>
+#include <CGAL/Geometric_continuity/algebra/sign_pattern.h>
 #include <CGAL/Geometric_continuity/edges/Edge_rows.h>
 #include <CGAL/Geometric_continuity/numbers/internal/Common_denominator.h>
 
@@ -96,7 +97,7 @@ template <class Field> struct Edge_normals {
 
   // The order 1, from the signs of n1 . n2.
   bool coplanar() const { return det.is_zero(); }
-  Sign_pattern side_signs() const { return side.template signs<Exact>(); }
+  Sign_pattern side_signs() const { return sign_pattern<Exact>(side); }
   bool first_order() const { return coplanar() && side_signs() == Sign_pattern::negative; }
 
   // Whether n1 or n2 vanishes somewhere on the closed interval. It needs the signs of n1 . n2.
@@ -123,7 +124,7 @@ template <class Field> struct Edge_normals {
 
   static Polynomial square(const Vector& v) { return scalar_product(v, v); }
   // Whether the vector is zero somewhere on the closed interval.
-  static bool vanishes(const Vector& v) { return square(v).template signs<Exact>() != Sign_pattern::positive; }
+  static bool vanishes(const Vector& v) { return sign_pattern<Exact>(square(v)) != Sign_pattern::positive; }
 
 private:
   Edge_normals(const Vector& d, const Vector (&t)[2])

@@ -5,9 +5,10 @@
 #ifndef CGAL_GEOMETRIC_CONTINUITY_EDGES_INTERNAL_EDGE_PIECE_H
 #define CGAL_GEOMETRIC_CONTINUITY_EDGES_INTERNAL_EDGE_PIECE_H
 
+#include <CGAL/Geometric_continuity/algebra/Power_polynomial.h>
 #include <CGAL/Geometric_continuity/algebra/bernstein.h>
 #include <CGAL/Geometric_continuity/edges/Edge_rows.h>
-#include <CGAL/Geometric_continuity/splines/internal/bspline_knots.h>
+#include <CGAL/Geometric_continuity/splines/bspline_knots.h>
 
 #include <cstddef>
 #include <utility>
@@ -77,20 +78,6 @@ template <class Field> Edge_rows<Field> rows_on(const Edge_piece<Field>& piece, 
   const Field length = piece.length(), x = Field(begin - piece.begin) / length, y = Field(end - piece.begin) / length;
   return {restricted(piece.rows.edge, x, y), restricted(piece.rows.cross, x, y),
           restricted(piece.rows.second_cross, x, y)};
-}
-
-// The coefficients of the powers of the parameter of a polynomial curve with Bernstein coefficients on [0, 1], up to the
-// last one that is not zero; the first is always there.
-template <class Field, class Row> Row power_coefficients(Row row) {
-  const int n = static_cast<int>(row.size()) - 1;
-  const std::vector<Field> binomials = binomial_coefficients<Field>(n);
-  Row a;
-  for (int k = 0; k <= n; ++k) {
-    a.push_back(binomials[k] * row[0]);
-    difference_step(row, n - k);
-  }
-  while (a.size() > 1 && is_zero(a.back())) a.pop_back();
-  return a;
 }
 
 } // namespace internal

@@ -196,7 +196,7 @@ private:
       numbers.push_back(*i);
       keys.push_back(std::move(key));
     }
-    const auto less = [&](std::size_t a, std::size_t b) { return keys[a] < keys[b]; };
+    const auto less = [&](std::size_t a, std::size_t b) { return keys[a].compare(keys[b]) < 0; };
     for_each_run(order.begin(), order.end(), less, [&](Iterator first, Iterator last) {
       const bool turned = keys[*first].turned();
       edges_.emplace_back();

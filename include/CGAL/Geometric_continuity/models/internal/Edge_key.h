@@ -52,7 +52,10 @@ public:
   // the other backwards. (An edge that is the same backwards is not turned.)
   bool turned() const { return turned_; }
 
-  friend bool operator<(const Edge_key& x, const Edge_key& y) { return x.numbers_ < y.numbers_; }
+  // Negative, zero or positive.
+  int compare(const Edge_key& other) const {
+    return numbers_ < other.numbers_ ? -1 : other.numbers_ < numbers_ ? 1 : 0;
+  }
 
 private:
   // Row 0 of a Bezier patch is that of the only piece; no division is needed.
@@ -83,7 +86,7 @@ private:
     std::vector<std::vector<Exact>> result;
     Row last;
     for (const Piece& piece : pieces) {
-      Row powers = power_coefficients<Field>(piece.row);
+      Row powers = powers_from_bernstein<Field>(piece.row);
       if (powers == last) continue; // the same polynomial goes on
       result.emplace_back(1, Exact_number<Field>::of(piece.begin));
       for (const auto& a : powers)

@@ -10,7 +10,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <limits>
 #include <utility>
 #include <vector>
 
@@ -21,6 +20,8 @@
 namespace CGAL {
 namespace Geometric_continuity {
 namespace internal {
+
+enum class Edge_end { first, last };
 
 template <class Traits> class Model_mesh {
   typedef typename Traits::FT FT;
@@ -40,14 +41,16 @@ public:
       : patches_(patches), numbers_(numbers), topology_(patches), corners_(4 * patches.size(), none),
         edges_(patches.size()) {}
 
-  // `cells_of(patch, simple)` is the number of cells of a patch; where two patches have an edge, one of their numbers along
-  // it must divide the other.
+  // `cells_of(patch, least)` is the number of cells of a patch, if possible at least `least` in each direction: four cells
+  // make the triangles of patches a manifold that close up, or meet more than once. Where two patches have an edge, one of
+  // their numbers along it must divide the other.
   template <class Cells_of> Tessellation<Traits> operator()(Cells_of cells_of) {
-    for (std::size_t i = 0; i < patches_.size(); ++i) cells_.push_back(cells_of(*patches_[i], topology_.simple(i)));
+    for (std::size_t i = 0; i < patches_.size(); ++i)
+      cells_.push_back(cells_of(*patches_[i], topology_.simple(i) ? 1 : 4));
     for (const std::vector<Edge_use>& uses : topology_.edges()) add_edge(uses);
     for (std::size_t i = 0; i < patches_.size(); ++i) {
       for (Patch_edge edge : patch_edges)
-        if (points_of(i, edge).empty()) points_of(i, edge).push_back(end(i, edge, false)); // collapsed
+        if (points_of(i, edge).empty()) points_of(i, edge).push_back(end(i, edge, Edge_end::first)); // collapsed
       Patch_triangulation<Traits>(*patches_[i], numbers_[i], cells_[i], edges_[i], mesh_);
     }
     return std::move(mesh_);
@@ -69,8 +72,9 @@ private:
   }
 
   // The point at one of the ends of an edge.
-  std::size_t end(std::size_t patch, Patch_edge edge, bool last) {
-    const bool u = runs_along_u(edge) ? last : at_upper_end(edge), v = runs_along_u(edge) ? at_upper_end(edge) : last;
+  std::size_t end(std::size_t patch, Patch_edge edge, Edge_end which) {
+    const bool last = which == Edge_end::last, u = runs_along_u(edge) ? last : at_upper_end(edge),
+               v = runs_along_u(edge) ? at_upper_end(edge) : last;
     std::size_t& point = corners_[topology_.corner(patch, u, v)];
     const Patch& s = *patches_[patch];
     if (point == none)
@@ -91,14 +95,14 @@ private:
     const std::vector<std::vector<FT>> weights = bernstein_weights<FT>(s.degree_along(edge), n);
     const FT u0 = at_upper_end(edge) ? s.domain_u().second : s.domain_u().first,
              v0 = at_upper_end(edge) ? s.domain_v().second : s.domain_v().first;
-    std::vector<std::size_t> points(1, end(i, edge, false));
+    std::vector<std::size_t> points(1, end(i, edge, Edge_end::first));
     for (std::size_t k = 1; k < n; ++k) {
       const FT t = fraction_of(s.domain(edge), k, n);
       const bool along_u = runs_along_u(edge);
       points.push_back(
           add_point(i, to_point<Traits>(weighted_sum(weights[k], net)), along_u ? t : u0, along_u ? v0 : t));
     }
-    points.push_back(end(i, edge, true));
+    points.push_back(end(i, edge, Edge_end::last));
     for (const Edge_use& use : uses) {
       std::vector<std::size_t>& side = points_of(use.patch, use.edge);
       side = points;

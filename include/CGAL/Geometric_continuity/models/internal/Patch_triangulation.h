@@ -5,8 +5,9 @@
 #ifndef CGAL_GEOMETRIC_CONTINUITY_MODELS_INTERNAL_PATCH_TRIANGULATION_H
 #define CGAL_GEOMETRIC_CONTINUITY_MODELS_INTERNAL_PATCH_TRIANGULATION_H
 
+#include <CGAL/Geometric_continuity/models/Patch_flatness.h>
 #include <CGAL/Geometric_continuity/models/Tessellation.h>
-#include <CGAL/Geometric_continuity/models/internal/Patch_flatness.h>
+#include <CGAL/Geometric_continuity/surfaces/internal/bernstein_values.h>
 
 #include <algorithm>
 #include <array>
@@ -33,12 +34,13 @@ template <class FT> FT fraction_of(const std::pair<FT, FT>& interval, std::size_
 // For each k from 0 to n, the values of the Bernstein polynomials of a degree at k/n.
 template <class FT> std::vector<std::vector<FT>> bernstein_weights(int degree, std::size_t n) {
   std::vector<std::vector<FT>> weights(n + 1);
-  for (std::size_t k = 0; k <= n; ++k)
-    for (int i = 0; i <= degree; ++i) {
-      std::vector<FT> unit(degree + 1, FT(0));
-      unit[i] = FT(1);
-      weights[k].push_back(bernstein_value(unit, degree, fraction_of<FT>({FT(0), FT(1)}, k, n)));
-    }
+  for (std::size_t k = 0; k <= n; ++k) {
+    const FT t = fraction_of<FT>({FT(0), FT(1)}, k, n);
+    std::vector<FT> b(degree + 2, FT(0)); // with a zero in front
+    b[1] = FT(1);
+    for (int m = 1; m <= degree; ++m) raise_bernstein_values(b, m, t);
+    weights[k].assign(b.begin() + 1, b.end());
+  }
   return weights;
 }
 

@@ -7,6 +7,7 @@
 
 #include <CGAL/Algebraic_structure_traits.h>
 #include <CGAL/Fraction_traits.h>
+#include <CGAL/Geometric_continuity/numbers/internal/Exact_number.h>
 #include <CGAL/number_utils.h>
 
 #include <type_traits>
@@ -15,16 +16,6 @@
 namespace CGAL {
 namespace Geometric_continuity {
 namespace internal {
-
-// Numbers that are evaluated on demand are replaced by their exact values.
-template <class Field, class = void> struct Exact_number {
-  typedef Field type;
-  static const type& of(const Field& x) { return x; }
-};
-template <class Field> struct Exact_number<Field, std::void_t<decltype(std::declval<const Field&>().exact())>> {
-  typedef std::decay_t<decltype(std::declval<const Field&>().exact())> type;
-  static const type& of(const Field& x) { return x.exact(); }
-};
 
 template <class FT, class = void> struct Has_integer_parts : std::false_type {};
 template <class FT>

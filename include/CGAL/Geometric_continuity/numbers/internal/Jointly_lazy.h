@@ -16,7 +16,8 @@
 
 namespace CGAL {
 
-template <class ET> class Lazy_exact_nt; // known here by name only: who has such numbers has included their header
+// Types of CGAL that are declared here and not defined: who has such numbers has included their header.
+template <class ET> class Lazy_exact_nt;
 template <class ET> struct Lazy_exact_nt_rep;
 
 namespace Geometric_continuity {

@@ -35,9 +35,9 @@ BOOST_FORCEINLINE std::uint64_t bits_of(double x) {
 // floor(log2(x)) for a finite x >= 2^-1022; less than that for a smaller one
 BOOST_FORCEINLINE int binary_exponent(double x) { return static_cast<int>(bits_of(x) >> 52) - 1023; }
 
-BOOST_FORCEINLINE double largest(const std::array<double, 2>& x) { return std::max(std::abs(x[0]), std::abs(x[1])); }
+BOOST_FORCEINLINE double largest(const std::array<double, 2>& x) { return (std::max)(std::abs(x[0]), std::abs(x[1])); }
 BOOST_FORCEINLINE double largest(const std::array<double, 3>& x) {
-  return std::max(std::max(std::abs(x[0]), std::abs(x[1])), std::abs(x[2]));
+  return (std::max)((std::max)(std::abs(x[0]), std::abs(x[1])), std::abs(x[2]));
 }
 
 // Units of 2^exponent in which numbers of at most 2^(exponent + 53) are at most 2^53.

@@ -5,6 +5,8 @@
 #ifndef CGAL_GEOMETRIC_CONTINUITY_NUMBERS_INTERNAL_KERNEL_ACCESS_H
 #define CGAL_GEOMETRIC_CONTINUITY_NUMBERS_INTERNAL_KERNEL_ACCESS_H
 
+#include <CGAL/Geometric_continuity/numbers/Exact_field.h>
+
 #include <type_traits>
 
 namespace CGAL {
@@ -20,13 +22,13 @@ template <class FT, class Point_or_vector> FT kernel_coordinate(const Point_or_v
     return p.cartesian(i);
 }
 
-// The field in which predicates are decided: the exact one of a kernel that filters predicates on floating-point numbers, as
+// The field in which predicates are decided: the exact field of the numbers of a kernel that filters predicates on floating-point numbers, as
 // Exact_predicates_inexact_constructions_kernel does; otherwise that of the kernel.
 template <class K, bool filtered = (K::Has_filtered_predicates && std::is_floating_point_v<typename K::FT>)>
 struct Kernel_predicate_field {
   typedef typename K::FT type;
 };
-template <class K> struct Kernel_predicate_field<K, true> { typedef typename K::Exact_kernel::FT type; };
+template <class K> struct Kernel_predicate_field<K, true> { typedef typename Exact_field<typename K::FT>::type type; };
 
 } // namespace internal
 } // namespace Geometric_continuity

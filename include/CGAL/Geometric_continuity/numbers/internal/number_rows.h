@@ -20,13 +20,13 @@ namespace internal {
 template <class FT> constexpr bool fits_vector_registers_v = std::is_same_v<FT, double> || std::is_same_v<FT, float>;
 
 template <class FT, int Dimension>
-constexpr int row_length_v = fits_vector_registers_v<FT>&& Dimension == 3 ? 4 : Dimension;
+constexpr int row_length_v = (Dimension == 3 && fits_vector_registers_v<FT>) ? 4 : Dimension;
 template <class FT, int Dimension> int row_length(int dimension) {
   return Dimension > 0 ? row_length_v<FT, Dimension> : dimension;
 }
 
 #if defined(__GNUC__)
-template <class FT, int N> constexpr bool row_is_vector_v = fits_vector_registers_v<FT>&& N == 4;
+template <class FT, int N> constexpr bool row_is_vector_v = N == 4 && fits_vector_registers_v<FT>;
 
 // A row in a register. It is never passed by value.
 template <class FT> struct Row_vector {
@@ -62,15 +62,17 @@ BOOST_FORCEINLINE void mix_rows(const FT* x, const FT* y, const FT& ratio, int n
 }
 
 // result = a x, or result += a x
-template <int N, bool add, class FT> BOOST_FORCEINLINE void multiply_row(const FT& a, const FT* x, int n, FT* result) {
+enum class Row_update { assign, add };
+template <int N, Row_update update, class FT>
+BOOST_FORCEINLINE void multiply_row(const FT& a, const FT* x, int n, FT* result) {
   if constexpr (row_is_vector_v<FT, N>) {
     Row_vector<FT> product(x);
     product.v = a * product.v;
-    if constexpr (add) product.v += Row_vector<FT>(result).v;
+    if constexpr (update == Row_update::add) product.v += Row_vector<FT>(result).v;
     product.store(result);
   } else
     for (int i = 0; i < (N > 0 ? N : n); ++i)
-      if constexpr (add)
+      if constexpr (update == Row_update::add)
         result[i] += a * x[i];
       else
         result[i] = a * x[i];
@@ -83,7 +85,7 @@ template <int N, class FT> class Finite_rows {
 public:
   BOOST_FORCEINLINE void add(const FT* row, int n) {
     if constexpr (row_is_vector_v<FT, N>)
-      multiply_row<N, true>(FT(0), row, n, zero_);
+      multiply_row<N, Row_update::add>(FT(0), row, n, zero_);
     else if constexpr (std::is_floating_point_v<FT>)
       for (int i = 0; i < (N > 0 ? N : n); ++i) zero_[N > 0 ? i : 0] += 0 * row[i];
   }

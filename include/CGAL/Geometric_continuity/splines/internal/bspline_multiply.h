@@ -5,7 +5,10 @@
 #ifndef CGAL_GEOMETRIC_CONTINUITY_SPLINES_INTERNAL_BSPLINE_MULTIPLY_H
 #define CGAL_GEOMETRIC_CONTINUITY_SPLINES_INTERNAL_BSPLINE_MULTIPLY_H
 
-#include <CGAL/Geometric_continuity/splines/internal/bspline_knots.h>
+#include <CGAL/Geometric_continuity/Error.h>
+#include <CGAL/Geometric_continuity/algebra/Coordinate_vector.h>
+#include <CGAL/Geometric_continuity/numbers/internal/number_rows.h>
+#include <CGAL/Geometric_continuity/splines/Knot_vector.h>
 #include <CGAL/Geometric_continuity/splines/internal/bspline_spans.h>
 
 #include <algorithm>
@@ -67,12 +70,12 @@ template <class Coefficients> struct Rows_of_coefficients {
   void operator()(int i, Value* row) const { *row = c[i]; }
   template <class FT> void operator()(int i, FT* row) const {
     std::copy(c[i].begin(), c[i].end(), row);
-    if constexpr (row_length_v < FT, Fixed_dimension<Value>::value >> Fixed_dimension<Value>::value)
-      row[Fixed_dimension<Value>::value] = FT(0);
+    constexpr int dimension = Fixed_dimension<Value>::value, length = row_length_v<FT, dimension>;
+    if constexpr (length > dimension) row[dimension] = FT(0);
   }
 };
 
-// And back.
+// Writes rows of numbers as coefficients, one after the other.
 template <class FT, class Value> struct Write_coefficients {
   int dimension;
   Value* next;
@@ -104,17 +107,19 @@ template <class FT, int P = 1, int Q = 1, class Work> void run_with_degrees(int 
 template <int N, class FT> void multiply_on_span(const FT* weighted, const FT* b, int p, int q, int n, FT* rows) {
   std::fill_n(rows, (p + q + 1) * n, FT(0));
   for (int i = 0; i <= p; ++i)
-    for (int j = 0; j <= q; ++j) multiply_row<N, true>(weighted[(q + 1) * i + j], b + n * j, n, rows + n * (i + j));
+    for (int j = 0; j <= q; ++j)
+      multiply_row<N, Row_update::add>(weighted[(q + 1) * i + j], b + n * j, n, rows + n * (i + j));
 }
 
-// The same written out: term number I of the coefficient K, and those that follow.
+// The product on a span, written out: term number I of the coefficient K, and those that follow.
 template <int P, int Q, int N, int K = 0, int I = 0, class FT>
 BOOST_FORCEINLINE void multiply_on_span(const FT* weighted, const FT* b, FT* rows) {
   constexpr int first = K > Q ? K - Q : 0, last = K < P ? K : P;
   if constexpr (I < first)
     multiply_on_span<P, Q, N, K, first>(weighted, b, rows);
   else if constexpr (I <= last) {
-    multiply_row<N, (I > first)>(weighted[Q * I + K], b + N * (K - I), N, rows + N * K);
+    multiply_row<N, (I > first ? Row_update::add : Row_update::assign)>(weighted[Q * I + K], b + N * (K - I), N,
+                                                                        rows + N * K);
     multiply_on_span<P, Q, N, K, I + 1>(weighted, b, rows);
   } else if constexpr (K < P + Q)
     multiply_on_span<P, Q, N, K + 1>(weighted, b, rows);
@@ -133,7 +138,7 @@ template <class FT> Distinct_knots<FT> distinct_product_knots(const Knot_vector<
     const FT &a = *y < *x ? *y : *x, *const x_before = x, *const y_before = y;
     while (*x == a) ++x;
     while (*y == a) ++y;
-    t.append(a, static_cast<int>(std::max(x > x_before ? x - x_before + q : 0, y > y_before ? y - y_before + p : 0)));
+    t.append(a, static_cast<int>((std::max)(x > x_before ? x - x_before + q : 0, y > y_before ? y - y_before + p : 0)));
   }
   t.append(end, p + q + 1);
   return t;
@@ -142,7 +147,7 @@ template <class FT> Distinct_knots<FT> distinct_product_knots(const Knot_vector<
 // See elevated_knots().
 template <class FT> Distinct_knots<FT> distinct_elevated_knots(const Knot_vector<FT>& knots, int times) {
   if (times < 0)
-    throw Error(Error_code::wrong_number_of_points, "elevated_knots: the degree raised by " + std::to_string(times));
+    throw Error(Error_code::negative_count, "elevated_knots: the degree raised by " + std::to_string(times));
   const int d = knots.degree() + times;
   const FT *x = knots.knots().data() + knots.degree(), &start = *x, &end = knots[knots.number_of_coefficients()];
   Distinct_knots<FT> t(d, knots.number_of_coefficients() - knots.degree() + 1);
@@ -171,7 +176,8 @@ template <int Dimension, class FT, class F, class G, class Output> struct Multip
   template <int P, int Q> void run() const {
     const int p = P < 0 ? u.degree() : P, q = Q < 0 ? v.degree() : Q, n = row_length<FT, Dimension>(dimension);
     const Product_weights<FT, P, Q> weights(p, q);
-    Numbers < FT, P<0 ? 0 : (P + 1) * (Q + 1)> weighted;
+    constexpr int size = P < 0 ? 0 : (P + 1) * (Q + 1), degree = P < 0 ? -1 : P + Q;
+    Numbers<FT, size> weighted;
     if constexpr (P < 0) weighted.resize((p + 1) * (q + 1));
     Bernstein_pieces<FT> pieces(t, n);
     FT* rows = pieces.rows.data();
@@ -187,11 +193,11 @@ template <int Dimension, class FT, class F, class G, class Output> struct Multip
       else
         multiply_on_span<row_length_v<FT, Dimension>>(weighted.data(), b[0], p, q, n, rows);
     }
-    coefficients_from_pieces < P<0 ? -1 : P + Q, Dimension>(pieces, p + q, dimension, output);
+    coefficients_from_pieces<degree, Dimension>(pieces, p + q, dimension, output);
   }
 };
 
-// The same for the factor 1, over t = distinct_elevated_knots(v, times).
+// The product with the constant 1, over t = distinct_elevated_knots(v, times).
 template <int Dimension, class FT, class G, class Output> struct Elevate_spline {
   const Distinct_knots<FT>& t;
   const Knot_vector<FT>& v;
@@ -200,6 +206,7 @@ template <int Dimension, class FT, class G, class Output> struct Elevate_spline 
   Output& output;
 
   template <int P, int Q> void run() const {
+    constexpr int degree = P < 0 ? -1 : P + Q;
     const int q = Q < 0 ? v.degree() : Q, p = P < 0 ? t.degree - q : P, n = row_length<FT, Dimension>(dimension);
     const Product_weights<FT, P, Q> weights(p, q);
     Bernstein_pieces<FT> pieces(t, n);
@@ -212,7 +219,7 @@ template <int Dimension, class FT, class G, class Output> struct Elevate_spline 
       else
         multiply_on_span<row_length_v<FT, Dimension>>(weights.w.data(), b[0], p, q, n, rows);
     }
-    coefficients_from_pieces < P<0 ? -1 : P + Q, Dimension>(pieces, p + q, dimension, output);
+    coefficients_from_pieces<degree, Dimension>(pieces, p + q, dimension, output);
   }
 };
 
@@ -228,8 +235,32 @@ void elevate_spline(const Distinct_knots<FT>& t, const Knot_vector<FT>& v, const
                        Elevate_spline<Dimension, FT, G, Output>{t, v, g, dimension, output});
 }
 
-} // namespace internal
+// The coefficients of the product over t = distinct_product_knots(f_knots, g_knots).
+template <class FT, class Scalars, class Coefficients>
+std::vector<typename Coefficients::value_type> product_over(const Distinct_knots<FT>& t, const Knot_vector<FT>& f_knots,
+                                                            const Scalars& f, const Knot_vector<FT>& g_knots,
+                                                            const Coefficients& g) {
+  typedef typename Coefficients::value_type Value;
+  std::vector<Value> c(t.number_of_coefficients(), g[0]);
+  Write_coefficients<FT, Value> output{number_of_coordinates(g[0]), c.data()};
+  multiply_splines<Fixed_dimension<Value>::value>(t, f_knots, Rows_of_coefficients<Scalars>{f}, g_knots,
+                                                  Rows_of_coefficients<Coefficients>{g}, output.dimension, output);
+  return c;
+}
 
+// The coefficients over t = distinct_elevated_knots(knots, times).
+template <class FT, class Coefficients>
+std::vector<typename Coefficients::value_type> elevate_over(const Distinct_knots<FT>& t, const Knot_vector<FT>& knots,
+                                                            const Coefficients& g) {
+  typedef typename Coefficients::value_type Value;
+  std::vector<Value> c(t.number_of_coefficients(), g[0]);
+  Write_coefficients<FT, Value> output{number_of_coordinates(g[0]), c.data()};
+  elevate_spline<Fixed_dimension<Value>::value>(t, knots, Rows_of_coefficients<Coefficients>{g}, output.dimension,
+                                                output);
+  return c;
+}
+
+} // namespace internal
 } // namespace Geometric_continuity
 } // namespace CGAL
 

@@ -120,7 +120,7 @@ private:
     t_ = a;
   }
 
-  // The same rounds written out: the first row is number M in b.
+  // The rounds of step(), written out: the first row is number M in b.
   template <int M, int I = 0> BOOST_FORCEINLINE void rounds() {
     if constexpr (I < Degree - M) {
       mix_rows<N>(w(I), w(I + 1), ratios_[I], N, w(I));
@@ -203,8 +203,8 @@ BOOST_NOINLINE void straddling_coefficient(const Bernstein_pieces<FT>& pieces, i
   }
 }
 
-// The same for the spans on the left and on the right of a knot, with `rest` copies of the knot after it. `piece` are the rows
-// of the first span.
+// The value of the blossom from the spans on the left and on the right of a knot, with `rest` copies of the knot after it, which is the usual
+// case of the function above. `piece` are the rows of the first span.
 template <int N, class FT>
 BOOST_FORCEINLINE void straddling_coefficient(const typename Knot_vector<FT>::Knot* knots, const FT* piece, int d,
                                               int n, int copies, int rest, FT* local) {
@@ -234,10 +234,10 @@ void coefficients_from_pieces(const Bernstein_pieces<FT>& pieces, int degree, in
   const FT* piece = pieces.rows.data();
   for (int s = 0; s < pieces.spans; ++s, piece += (d + 1) * n) {
     const int right = pieces.knots[s + 1].multiplicity;
-    int copies = std::min(pieces.knots[s].multiplicity, d); // of the knot on the left
+    int copies = (std::min)(pieces.knots[s].multiplicity, d); // of the knot on the left
     const FT* const end = piece + (right < d ? right + 1 : right) * n;
     for (const FT* row = piece + (d - copies) * n; row < end; row += n) output(row);
-    for (copies = std::min(copies, d - right - 1); copies > 0; --copies) {
+    for (copies = (std::min)(copies, d - right - 1); copies > 0; --copies) {
       const int rest = d - copies - right; // arguments beyond the knot on the right
       if (rest <= pieces.knots[s + 2].multiplicity)
         straddling_coefficient<N>(pieces.knots + s, piece, d, n, copies, rest, local.data());

@@ -10,7 +10,9 @@
 #include <CGAL/Geometric_continuity/numbers/internal/checked_conversion.h>
 
 #include <string>
-#include <utility>
+
+/// \file sweep_input.h
+/// Checks of what surfaces of extrusion and of revolution are made from.
 
 namespace CGAL {
 namespace Geometric_continuity {
@@ -26,18 +28,13 @@ Coordinate_vector<Field, dimension_v<Traits>> space_coordinates(const Point_or_v
   return Geometric_continuity::coordinates<Traits, Field>(p);
 }
 
+// The coordinates of a vector in space that is not zero.
 template <class Traits, class Field>
 Coordinate_vector<Field, dimension_v<Traits>> direction_coordinates(const typename Traits::Vector& w,
                                                                     const char* place) {
   const Coordinate_vector<Field, dimension_v<Traits>> x = space_coordinates<Traits, Field>(w, place);
   if (is_zero(x)) throw Error(Error_code::zero_direction, place);
   return x;
-}
-
-template <class FT> void check_interval(const std::pair<FT, FT>& interval, const char* place) {
-  check_finite(interval.first, place);
-  check_finite(interval.second, place);
-  if (!(interval.first < interval.second)) throw Error(Error_code::empty_domain, place);
 }
 
 // A jet of a curve that must be in space and have all `k` derivatives.
@@ -47,9 +44,9 @@ template <class Jet> const Jet& require_space_jet(const Jet& jet, int k, const c
   return jet;
 }
 
+// The jet of order k of a profile.
 template <class Curve>
 Curve_jet<typename Curve::Traits> profile_jet(const Curve& c, const typename Curve::Traits::FT& u, int k) {
-  if (k < 0) throw Error(Error_code::jet_order_too_low, "swept surface: a jet of negative order");
   return require_space_jet(c.jet(u, k), k, "swept surface: the profile");
 }
 

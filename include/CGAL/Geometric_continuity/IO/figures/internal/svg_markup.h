@@ -5,17 +5,18 @@
 #ifndef CGAL_GEOMETRIC_CONTINUITY_IO_FIGURES_INTERNAL_SVG_MARKUP_H
 #define CGAL_GEOMETRIC_CONTINUITY_IO_FIGURES_INTERNAL_SVG_MARKUP_H
 
-#include <CGAL/Geometric_continuity/IO/figures/internal/svg_projection.h>
+#include <CGAL/Geometric_continuity/IO/figures/internal/Svg_view.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdio>
 #include <cstdlib>
-#include <cstring>
 #include <string>
 #include <vector>
 
 /// \file svg_markup.h
-/// The elements of SVG that an `Svg_figure` consists of: numbers, text, lines and paths in pixels.
+/// Numbers, colours, lines and paths of SVG, in pixels.
 
 namespace CGAL {
 namespace Geometric_continuity {
@@ -34,68 +35,22 @@ inline std::string svg_number(double x) {
 
 inline std::string svg_pair(const Svg_pixel& p) { return svg_number(p[0]) + ' ' + svg_number(p[1]); }
 
-// ---- text
-
-inline const char* svg_fonts() { return "Helvetica, Arial, 'Liberation Sans', 'DejaVu Sans', sans-serif"; }
-
-inline std::string svg_escape(const std::string& text) {
-  std::string s;
-  for (char c : text) switch (c) {
-    case '&': s += "&amp;"; break;
-    case '<': s += "&lt;"; break;
-    case '>': s += "&gt;"; break;
-    case '"': s += "&quot;"; break;
-    default: s += static_cast<unsigned char>(c) < ' ' || c == '\x7f' ? ' ' : c;
-    }
-  return s;
-}
-
-// Estimated for UTF-8 and a wide font.
-inline double svg_text_width(const std::string& text, double size) {
-  double width = 0;
-  for (char c : text)
-    if ((c & 0xC0) != 0x80) width += std::strchr(" .,:;'|!()[]fijlrt", c) ? 0.36 : std::strchr("mwMW@", c) ? 0.9 : 0.63;
-  return width * size;
-}
-
-// The text in lines that fit, broken between words, or within a word that is longer than a line.
-inline std::vector<std::string> wrapped_lines(const std::string& text, double size, double width) {
-  std::vector<std::string> lines;
-  std::string line, word;
-  for (std::size_t i = 0; i <= text.size(); ++i) {
-    const bool space = i == text.size() || static_cast<unsigned char>(text[i]) <= ' ';
-    if (!space) word += text[i];
-    const bool long_word = svg_text_width(word, size) > width && (i + 1 == text.size() || (text[i + 1] & 0xC0) != 0x80);
-    if ((!space && !long_word) || word.empty()) continue;
-    if (!line.empty() && svg_text_width(line + ' ' + word, size) > width) {
-      lines.push_back(line);
-      line.clear();
-    }
-    line += (line.empty() ? "" : " ") + word;
-    word.clear();
-  }
-  if (!line.empty()) lines.push_back(line);
-  return lines;
-}
-
-inline std::string svg_text(double x, double y, double size, const char* colour, const char* anchor,
-                            const std::string& text, const std::string& more = std::string()) {
-  if (text.empty()) return text;
-  return "<text x=\"" + svg_number(x) + "\" y=\"" + svg_number(y) + "\" font-size=\"" + svg_number(size) +
-         "\" fill=\"" + colour + "\" text-anchor=\"" + anchor + '"' + more + '>' + svg_escape(text) + "</text>\n";
-}
-
-// ---- lines; the colours differ in lightness and stay distinct for the colour-blind
+// The colours differ in lightness and stay distinct for the colour-blind
 
 struct Stroke_style {
   const char* colour;
   double width;
   const char* dashes;
 };
-constexpr Stroke_style svg_given{"#2f4058", 2, ""}, svg_blend{"#d55e00", 2.6, ""}, svg_polygon{"#8c8c8c", 0.9, ""},
-    svg_teeth{"#a6cbe6", 0.7, ""}, svg_cut_teeth{"#d3e5f2", 0.7, ""}, svg_envelope{"#3787c0", 1.1, ""},
-    svg_ring{"#222222", 1.4, ""}, svg_grid{"#e3e3e3", 0.8, ""}, svg_shadow{"#cdcdcd", 2.4, ""},
-    svg_plumb{"#b4b4b4", 0.8, "2 3"}, svg_axes{"#8c8c8c", 1, ""}, svg_construction{"#008060", 1.1, "5 4"};
+constexpr Stroke_style given_stroke{"#2f4058", 2, ""}, result_stroke{"#d55e00", 2.6, ""},
+    polygon_stroke{"#8c8c8c", 0.9, ""}, teeth_stroke{"#a6cbe6", 0.7, ""}, cut_teeth_stroke{"#d3e5f2", 0.7, ""},
+    envelope_stroke{"#3787c0", 1.1, ""}, ring_stroke{"#222222", 1.4, ""}, grid_stroke{"#e3e3e3", 0.8, ""},
+    shadow_stroke{"#cdcdcd", 2.4, ""}, plumb_stroke{"#b4b4b4", 0.8, "2 3"}, axes_stroke{"#8c8c8c", 1, ""},
+    construction_stroke{"#008060", 1.1, "5 4"};
+
+inline const Stroke_style& stroke_of(Svg_role role) {
+  return role == Svg_role::given ? given_stroke : role == Svg_role::result ? result_stroke : construction_stroke;
+}
 
 inline std::string svg_stroke(const Stroke_style& line, const std::string& path) {
   if (path.empty()) return path;
@@ -159,62 +114,30 @@ inline std::string svg_curve_path(std::vector<Svg_pixel> b) {
   return path;
 }
 
-// Where a label beside p is farthest from all that is drawn and from the edge of the panel, among eight places.
-inline Svg_pixel svg_label_place(const Svg_pixel& p, double text_width, const std::vector<Svg_pixel>& drawn,
-                                 const Svg_pixel& panel_size) {
-  const Svg_pixel half = svg_vector({0.5 * text_width, 4.5});
-  Svg_pixel best = p;
-  double best_distance = -1e6;
-  for (const Svg_pixel& d :
-       {svg_vector({0.0, -1.0}), svg_vector({0.0, 1.0}), svg_vector({1.0, 0.0}), svg_vector({-1.0, 0.0}),
-        svg_vector({0.7, -0.8}), svg_vector({-0.7, -0.8}), svg_vector({0.7, 0.8}), svg_vector({-0.7, 0.8})}) {
-    const Svg_pixel q = p + svg_vector({d[0] * (half[0] + 8), d[1] * (half[1] + 8)});
-    double distance = 12; // farther is not better
-    for (const Svg_pixel& o : drawn) {
-      Svg_pixel away(2); // from the box of the text
-      for (int i : {0, 1}) away[i] = (std::max)(0.0, std::abs(o[i] - q[i]) - half[i]);
-      distance = (std::min)(distance, svg_length(away));
-    }
-    for (int i : {0, 1}) distance = (std::min)({distance, q[i] - half[i] - 2, panel_size[i] - q[i] - half[i] - 2});
-    if (distance > best_distance) {
-      best = q;
-      best_distance = distance;
-    }
-  }
-  return best;
+// A colour between two, x from 0 to 1, as #rrggbb.
+inline std::string svg_mix(const std::array<int, 3>& from, const std::array<int, 3>& to, double x) {
+  char text[8];
+  std::array<int, 3> c;
+  for (int i = 0; i < 3; ++i)
+    c[i] = static_cast<int>(std::lround(from[i] + (std::min)(1.0, (std::max)(0.0, x)) * (to[i] - from[i])));
+  std::snprintf(text, sizeof text, "#%02x%02x%02x", c[0], c[1], c[2]);
+  return text;
 }
 
-// Samples, 26 pixels wide, with their names.
-class Svg_legend {
-  struct Item {
-    std::string name, sample;
-    double width;
-  };
-  std::vector<Item> items_;
-
-public:
-  void add(const std::string& name, const std::string& sample) {
-    items_.push_back({name, sample, 60 + svg_text_width(name, 11.5)});
+// In tenths of a pixel: the first point, then steps.
+inline std::string svg_outline(const std::vector<Svg_pixel>& polygon) {
+  std::string path;
+  long x = 0, y = 0;
+  for (std::size_t k = 0; k < polygon.size(); ++k) {
+    const long i = std::lround(10 * polygon[k][0]), j = std::lround(10 * polygon[k][1]);
+    if (k > 0 && i == x && j == y) continue;
+    const char* separator = path.empty() ? "M" : path.find('l') == std::string::npos ? "l" : i < x ? "" : " ";
+    path += separator + std::to_string(i - x) + (j < y ? "" : " ") + std::to_string(j - y);
+    x = i;
+    y = j;
   }
-
-  // As many to a line as fit; moves y below them.
-  std::string lines(double width, double edge, double& y) const {
-    std::string s;
-    for (std::size_t first = 0, last; first < items_.size(); first = last) {
-      double used = items_[first].width;
-      for (last = first + 1; last < items_.size() && used + items_[last].width <= width - 2 * edge; ++last)
-        used += items_[last].width;
-      double x = edge;
-      for (std::size_t i = first; i < last; ++i) {
-        s += "<g transform=\"translate(" + svg_number(x) + ' ' + svg_number(y + 12) + ")\">\n" + items_[i].sample +
-             svg_text(34, 4, 11.5, "#444444", "start", items_[i].name) + "</g>\n";
-        x += items_[i].width;
-      }
-      y += 22;
-    }
-    return s;
-  }
-};
+  return path.empty() ? path : path + 'z';
+}
 
 } // namespace internal
 } // namespace Geometric_continuity

@@ -7,6 +7,7 @@
 
 #include <CGAL/Geometric_continuity/Error.h>
 #include <CGAL/Geometric_continuity/IO/number.h>
+#include <CGAL/Geometric_continuity/IO/quoted_token.h>
 #include <CGAL/Geometric_continuity/IO/svg/internal/svg_angle.h>
 
 #include <cstddef>
@@ -67,7 +68,7 @@ public:
     while (!at_end() && is_space(peek())) ++position_;
   }
 
-  // Skips white space with at most one comma.
+  // Skips white space and at most one comma.
   void skip_separator() {
     skip_space();
     comma_ = peek() == ',';
@@ -76,7 +77,7 @@ public:
     skip_space();
   }
 
-  // No comma stands between what was read last and what comes next.
+  // Refuses a comma between what was read last and what comes next.
   void refuse_comma() const {
     if (comma_) refuse("a comma where a number is expected");
   }
@@ -86,7 +87,7 @@ public:
     return !at_end() && (is_digit(c) || c == '+' || c == '-' || c == '.');
   }
 
-  // A number and what separates it from the next one.
+  // Reads a number and what separates it from the next one.
   template <class FT> FT number() {
     token_ = position_;
     if (!at_number()) refuse(found() + " where a number is expected");
@@ -101,14 +102,14 @@ public:
     }
   }
 
-  // A number of degrees.
+  // Reads a number of degrees.
   template <class FT> FT angle() {
     const FT degrees = number<FT>();
     if (!is_svg_angle(degrees)) refuse("an angle beyond 10^9 degrees");
     return degrees;
   }
 
-  // A single 0 or 1, which needs no separator.
+  // Reads a single 0 or 1, which needs no separator.
   bool flag() {
     token_ = position_;
     if (at_end() || (peek() != '0' && peek() != '1')) refuse(found() + " where a flag, 0 or 1, is expected");
@@ -117,7 +118,7 @@ public:
     return value;
   }
 
-  // A letter; the caller says what is expected when there is none.
+  // Reads a letter; the caller says what is expected when there is none.
   char letter(const char* expected) {
     token_ = position_;
     if (!is_letter(peek())) refuse(found() + " where " + expected + " is expected");
@@ -126,7 +127,7 @@ public:
     return c;
   }
 
-  // A word of letters, which may be empty.
+  // Reads a word of letters, which may be empty.
   std::string_view word() {
     token_ = position_;
     while (is_letter(peek())) ++position_;
@@ -140,6 +141,14 @@ public:
       refuse(found() + " where '" + c + "' is expected");
     }
     skip_space();
+  }
+
+  // Takes all that is left, without white space at its end. A message still refers to what was read before.
+  std::string_view rest() {
+    std::string_view rest = text_.substr(position_);
+    while (!rest.empty() && is_space(rest.back())) rest.remove_suffix(1);
+    position_ = text_.size();
+    return rest;
   }
 
   // The next character, for messages.

@@ -1,0 +1,158 @@
+// Copyright (c) 2026 The Geometric_continuity developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_GEOMETRIC_CONTINUITY_IO_FIGURES_INTERNAL_SVG_TEXT_H
+#define CGAL_GEOMETRIC_CONTINUITY_IO_FIGURES_INTERNAL_SVG_TEXT_H
+
+#include <CGAL/Geometric_continuity/IO/figures/internal/svg_markup.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <string>
+#include <vector>
+
+/// \file svg_text.h
+/// Text in a picture: titles, captions, labels, the legend, and the document around all.
+
+namespace CGAL {
+namespace Geometric_continuity {
+namespace internal {
+
+inline const char* svg_fonts() { return "Helvetica, Arial, 'Liberation Sans', 'DejaVu Sans', sans-serif"; }
+
+inline std::string svg_escape(const std::string& text) {
+  std::string s;
+  for (char c : text) switch (c) {
+    case '&': s += "&amp;"; break;
+    case '<': s += "&lt;"; break;
+    case '>': s += "&gt;"; break;
+    case '"': s += "&quot;"; break;
+    default: s += static_cast<unsigned char>(c) < ' ' || c == '\x7f' ? ' ' : c;
+    }
+  return s;
+}
+
+// Estimated for UTF-8 and a wide font.
+inline double svg_text_width(const std::string& text, double size) {
+  double width = 0;
+  for (char c : text)
+    if ((c & 0xC0) != 0x80) width += std::strchr(" .,:;'|!()[]fijlrt", c) ? 0.36 : std::strchr("mwMW@", c) ? 0.9 : 0.63;
+  return width * size;
+}
+
+// The text in lines that fit, broken between words, or within a word that is longer than a line.
+inline std::vector<std::string> wrapped_lines(const std::string& text, double size, double width) {
+  std::vector<std::string> lines;
+  std::string line, word;
+  for (std::size_t i = 0; i <= text.size(); ++i) {
+    const bool space = i == text.size() || static_cast<unsigned char>(text[i]) <= ' ';
+    if (!space) word += text[i];
+    const bool long_word = svg_text_width(word, size) > width && (i + 1 == text.size() || (text[i + 1] & 0xC0) != 0x80);
+    if ((!space && !long_word) || word.empty()) continue;
+    if (!line.empty() && svg_text_width(line + ' ' + word, size) > width) {
+      lines.push_back(line);
+      line.clear();
+    }
+    line += (line.empty() ? "" : " ") + word;
+    word.clear();
+  }
+  if (!line.empty()) lines.push_back(line);
+  return lines;
+}
+
+inline std::string svg_text(double x, double y, double size, const char* colour, const char* anchor,
+                            const std::string& text, const std::string& more = std::string()) {
+  if (text.empty()) return text;
+  return "<text x=\"" + svg_number(x) + "\" y=\"" + svg_number(y) + "\" font-size=\"" + svg_number(size) +
+         "\" fill=\"" + colour + "\" text-anchor=\"" + anchor + '"' + more + '>' + svg_escape(text) + "</text>\n";
+}
+
+// Where a label beside p is farthest from all that is drawn and from the edge of the panel, among eight places.
+inline Svg_pixel svg_label_place(const Svg_pixel& p, double text_width, const std::vector<Svg_pixel>& drawn,
+                                 const Svg_pixel& panel_size) {
+  const Svg_pixel half = svg_vector({0.5 * text_width, 4.5});
+  Svg_pixel best = p;
+  double best_distance = -1e6;
+  for (const Svg_pixel& d :
+       {svg_vector({0.0, -1.0}), svg_vector({0.0, 1.0}), svg_vector({1.0, 0.0}), svg_vector({-1.0, 0.0}),
+        svg_vector({0.7, -0.8}), svg_vector({-0.7, -0.8}), svg_vector({0.7, 0.8}), svg_vector({-0.7, 0.8})}) {
+    const Svg_pixel q = p + svg_vector({d[0] * (half[0] + 8), d[1] * (half[1] + 8)});
+    double distance = 12; // farther is not better
+    for (const Svg_pixel& o : drawn) {
+      Svg_pixel away(2); // from the box of the text
+      for (int i : {0, 1}) away[i] = (std::max)(0.0, std::abs(o[i] - q[i]) - half[i]);
+      distance = (std::min)(distance, svg_length(away));
+    }
+    for (int i : {0, 1}) distance = (std::min)({distance, q[i] - half[i] - 2, panel_size[i] - q[i] - half[i] - 2});
+    if (distance > best_distance) {
+      best = q;
+      best_distance = distance;
+    }
+  }
+  return best;
+}
+
+// What the legend calls a curve.
+inline std::string name_of(const Svg_style& style) {
+  if (!style.name.empty()) return style.name;
+  return style.role == Svg_role::given ? "given curve" : style.role == Svg_role::result ? "result" : "construction";
+}
+
+// The names of what is drawn, each beside a sample, 26 pixels wide.
+class Svg_legend {
+  struct Item {
+    std::string name, sample;
+    double width;
+  };
+  std::vector<Item> items_;
+
+public:
+  void add(const std::string& name, const std::string& sample) {
+    items_.push_back({name, sample, 60 + svg_text_width(name, 11.5)});
+  }
+
+  // As many to a line as fit; moves y below them.
+  std::string lines(double width, double edge, double& y) const {
+    std::string s;
+    for (std::size_t first = 0, last; first < items_.size(); first = last) {
+      double used = items_[first].width;
+      for (last = first + 1; last < items_.size() && used + items_[last].width <= width - 2 * edge; ++last)
+        used += items_[last].width;
+      double x = edge;
+      for (std::size_t i = first; i < last; ++i) {
+        s += "<g transform=\"translate(" + svg_number(x) + ' ' + svg_number(y + 12) + ")\">\n" + items_[i].sample +
+             svg_text(34, 4, 11.5, "#444444", "start", items_[i].name) + "</g>\n";
+        x += items_[i].width;
+      }
+      y += 22;
+    }
+    return s;
+  }
+};
+
+// The lines of the title, from `y` on; moves y below them.
+inline std::string svg_title(const std::string& title, double edge, double width, double& y) {
+  std::string s;
+  for (const std::string& line : wrapped_lines(title, 19, width - 2 * edge)) {
+    s += svg_text(edge, y + 14, 17, "#222222", "start", line, " font-weight=\"600\"");
+    y += 24;
+  }
+  return s;
+}
+
+// A picture on white.
+inline std::string svg_document(const std::string& title, double width, double height, const std::string& body) {
+  const std::string w = svg_number(width), h = svg_number(height);
+  return "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" + w +
+         "\" height=\"" + h + "\" viewBox=\"0 0 " + w + ' ' + h + "\" font-family=\"" + svg_fonts() +
+         "\" stroke-linecap=\"round\" stroke-linejoin=\"round\">\n<title>" + svg_escape(title) +
+         "</title>\n<rect width=\"" + w + "\" height=\"" + h + "\" fill=\"#ffffff\"/>\n" + body + "</svg>\n";
+}
+
+} // namespace internal
+} // namespace Geometric_continuity
+} // namespace CGAL
+
+#endif // CGAL_GEOMETRIC_CONTINUITY_IO_FIGURES_INTERNAL_SVG_TEXT_H

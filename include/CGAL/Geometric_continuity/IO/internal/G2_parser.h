@@ -1,0 +1,194 @@
+// Copyright (c) 2026 The Geometric_continuity developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_GEOMETRIC_CONTINUITY_IO_INTERNAL_G2_PARSER_H
+#define CGAL_GEOMETRIC_CONTINUITY_IO_INTERNAL_G2_PARSER_H
+
+#include <CGAL/Geometric_continuity/IO/internal/Token_reader.h>
+#include <CGAL/Geometric_continuity/IO/limits.h>
+#include <CGAL/Geometric_continuity/IO/number.h>
+#include <CGAL/Geometric_continuity/local/coordinates.h>
+
+#include <charconv>
+#include <cmath>
+#include <cstddef>
+#include <istream>
+#include <limits>
+#include <string>
+#include <system_error>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Geometric_continuity {
+namespace internal {
+
+// A class of objects of the format, and what it is called in messages.
+struct G2_class {
+  int number;
+  const char* name;   // "curve"
+  const char* bezier; // "Bezier curves"
+};
+constexpr G2_class g2_curves{100, "curve", "Bezier curves"};
+constexpr G2_class g2_surfaces{200, "surface", "Bezier patches"};
+
+// Which knots are allowed.
+enum class G2_shape {
+  bezier, // two, each repeated as often as the order says
+  spline  // all that Knot_vector takes
+};
+
+// What the text says of one parameter of a spline.
+template <class FT> struct G2_direction {
+  int points, order;
+  std::vector<FT> knots;
+};
+
+// Reads the parts of the objects of one class in a `.g2` text, one after the other. Everything that is not as it should
+// be is refused with file, line and reason.
+template <class Traits> class G2_parser {
+  typedef typename Traits::FT FT;
+  typedef G2_direction<FT> Direction;
+
+  Token_reader tokens_;
+  G2_class class_;
+  int dimension_ = 0; // of the first object
+  bool empty_ = true;
+
+public:
+  G2_parser(std::istream& is, std::string name, const G2_class& object_class)
+      : tokens_(is, std::move(name)), class_(object_class) {}
+
+  // Reads the header and the dimension of the next object. Returns false at the end of the text.
+  bool next_object() {
+    if (!tokens_.advance()) {
+      if (empty_) tokens_.refuse(std::string("no ") + class_.name);
+      return false;
+    }
+    empty_ = false;
+    read_header();
+    read_dimension();
+    return true;
+  }
+
+  // Reads the number of points, the order, and knots as `Knot_vector` takes them; for Bezier shapes there are no inner
+  // knots. `in` names the parameter of a surface, e.g. " in u".
+  Direction read_direction(G2_shape shape, const std::string& in = "") {
+    const bool bezier = shape == G2_shape::bezier;
+    Direction d;
+    d.points = read_integer("number of control points" + in, 1);
+    d.order = read_integer("order" + in, 1, max_g2_order);
+    const std::string text =
+        std::to_string(d.points) + " control points and order " + std::to_string(d.order) + in + ": ";
+    if (d.points < d.order)
+      tokens_.refuse(text + "there must be " + (bezier ? "" : "at least ") +
+                     "as many control points as the order says");
+    if (bezier && d.points > d.order) tokens_.refuse(text + "inner knots are not supported, only " + class_.bezier);
+    const std::size_t all = static_cast<std::size_t>(d.points) + d.order;
+    while (d.knots.size() < all) d.knots.push_back(read_knot(d, all, shape, in));
+    return d;
+  }
+
+  // Reads the control point after `done` of `all`.
+  typename Traits::Point read_point(long long done, long long all) {
+    Coordinates<Traits> x(dimension_);
+    for (int i = 0; i < dimension_; ++i) x[i] = read_number(done, all, "control points");
+    return to_point<Traits>(x);
+  }
+
+private:
+  // The integer in the current word.
+  int integer(const std::string& what, int low, int high) const {
+    const std::string& token = tokens_.token();
+    const char* const end = token.data() + token.size();
+    int value = 0;
+    const std::from_chars_result result = std::from_chars(token.data(), end, value);
+    if (result.ec != std::errc() || result.ptr != end || value < low || high < value) {
+      const std::string range = "an integer from " + std::to_string(low) + " to " + std::to_string(high);
+      tokens_.refuse(what + " is " + quoted_token(token) + " where " + (low == high ? std::to_string(low) : range) +
+                     " is expected");
+    }
+    return value;
+  }
+
+  int read_integer(const std::string& what, int low = 0, int high = (std::numeric_limits<int>::max)()) {
+    if (!tokens_.advance()) tokens_.refuse("file ends before the " + what);
+    return integer("the " + what, low, high);
+  }
+
+  // One of the numbers of a list of which `done` of `all` parts are complete.
+  FT read_number(long long done, long long all, const std::string& parts) {
+    if (!tokens_.advance())
+      tokens_.refuse("file ends after " + std::to_string(done) + " of " + std::to_string(all) + " " + parts);
+    try {
+      return number_value<FT>(tokens_.token());
+    } catch (const Number_error& error) {
+      tokens_.refuse(error.what() + (": " + quoted_token(tokens_.token())));
+    }
+  }
+
+  void read_header() {
+    const int number = integer("the class of the object", 0, (std::numeric_limits<int>::max)());
+    if (number != class_.number) {
+      std::string known;
+      for (const G2_class& other : {g2_curves, g2_surfaces})
+        if (number == other.number) known = std::string(" (spline ") + other.name + ")";
+      tokens_.refuse(std::to_string(number) + known + " where a " + class_.name + " (" + std::to_string(class_.number) +
+                     ") is expected");
+    }
+    read_integer("major version", 1, 1);
+    read_integer("minor version", 0, 0);
+    const int auxiliary = read_integer("number of auxiliary values");
+    for (int i = 0; i < auxiliary; ++i) {
+      if (!tokens_.advance())
+        tokens_.refuse("file ends after " + std::to_string(i) + " of " + std::to_string(auxiliary) +
+                       " auxiliary values");
+      integer("an auxiliary value", (std::numeric_limits<int>::min)(), (std::numeric_limits<int>::max)());
+    }
+  }
+
+  void read_dimension() {
+    constexpr int fixed = dimension_v<Traits>;
+    const int dimension = fixed == 0 ? read_integer("dimension", 2, max_g2_dimension) : read_integer("dimension");
+    if (fixed != 0 && dimension != fixed)
+      tokens_.refuse("dimension " + std::to_string(dimension) + " where " + std::to_string(fixed) + " is expected");
+    if (dimension_ != 0 && dimension != dimension_)
+      tokens_.refuse("dimension " + std::to_string(dimension) + " after a " + class_.name + " of dimension " +
+                     std::to_string(dimension_));
+    dimension_ = dimension;
+    if (read_integer("rational flag", 0, 1) == 1)
+      tokens_.refuse(std::string("rational ") + class_.name + "s are not supported");
+  }
+
+  // Reads the knot after those of `d`.
+  FT read_knot(const Direction& d, std::size_t all, G2_shape shape, const std::string& in) {
+    const bool bezier = shape == G2_shape::bezier;
+    const std::size_t i = d.knots.size(), order = d.order;
+    const auto name = [all](std::size_t number) {
+      return "knot " + std::to_string(number) + " of " + std::to_string(all);
+    };
+    const FT knot = read_number(i, all, "knots" + in);
+    if (i > 0 && knot < d.knots.back())
+      tokens_.refuse("the knots" + in + " decrease at " + quoted_token(tokens_.token()));
+    if constexpr (std::is_floating_point_v<FT>)
+      if (i > 0 && !std::isfinite(knot - d.knots.front()))
+        tokens_.refuse("the difference of the knots" + in + " is outside the range of floating-point numbers");
+    if (i == static_cast<std::size_t>(d.points) && knot == d.knots[order - 1])
+      tokens_.refuse((bezier ? "the first and the last knots" + in + " are equal"
+                             : name(order) + in + " is equal to knot " + std::to_string(i + 1)) +
+                     ": empty domain");
+    if (bezier && i % order != 0 && knot != d.knots.back())
+      tokens_.refuse("the knots" + in + " are not clamped: " + name(i + 1) + " must be equal to the one before it");
+    if (i >= order && knot == d.knots[i - order])
+      tokens_.refuse(name(i + 1) + in + " is repeated more than " + std::to_string(order) + " times");
+    return knot;
+  }
+};
+
+} // namespace internal
+} // namespace Geometric_continuity
+} // namespace CGAL
+
+#endif // CGAL_GEOMETRIC_CONTINUITY_IO_INTERNAL_G2_PARSER_H

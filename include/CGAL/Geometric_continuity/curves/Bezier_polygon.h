@@ -1,0 +1,238 @@
+// Copyright (c) 2026 The Geometric_continuity developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_GEOMETRIC_CONTINUITY_CURVES_BEZIER_POLYGON_H
+#define CGAL_GEOMETRIC_CONTINUITY_CURVES_BEZIER_POLYGON_H
+
+#include <CGAL/Bbox_2.h>
+#include <CGAL/Bbox_3.h>
+#include <CGAL/Geometric_continuity/algebra/Bernstein_polynomial.h>
+#include <CGAL/Geometric_continuity/internal/for_each_index.h>
+#include <CGAL/Geometric_continuity/local/coordinates.h>
+#include <CGAL/Geometric_continuity/numbers/internal/checked_conversion.h>
+#include <CGAL/number_utils.h>
+
+#include <boost/config.hpp>
+#include <boost/container/small_vector.hpp>
+
+#include <array>
+#include <cmath>
+#include <ostream>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Geometric_continuity {
+
+/// \ingroup PkgGeometricContinuityCurves
+/// The degree of a curve whose degree is known at run time only.
+constexpr int dynamic_degree = -1;
+
+/// \ingroup PkgGeometricContinuityCurves
+/// What a Bézier curve is given by: its control points \f$ b_0, \dots, b_m \f$ and its domain [a, b]. This base of
+/// `Bezier_curve` stores and checks them, and answers what needs no evaluation.
+///
+/// \tparam Traits a model of `GeometricContinuityTraits`
+/// \tparam Degree the degree `m >= 0`, or `dynamic_degree`
+template <class Traits_, int Degree> class Bezier_polygon {
+public:
+  typedef Traits_ Traits;                                        ///< the traits class
+  typedef typename Traits::FT FT;                                ///< the field
+  typedef typename Traits::Point Point;                          ///< the points of the kernel
+  typedef typename Traits::Vector Vector;                        ///< the vectors of the kernel
+  typedef Geometric_continuity::Coordinates<Traits> Coordinates; ///< the coordinates of a point
+  static constexpr int N = dimension_v<Traits>; ///< the dimension, or 0 when it is known at run time only
+
+  /// A container with one entry for each control point: an array when the degree is fixed, a vector when it is not.
+  template <class T>
+  using Per_point = std::conditional_t<Degree == dynamic_degree, std::vector<T>, std::array<T, Degree + 1>>;
+  typedef typename Per_point<Point>::const_iterator const_iterator; ///< iterates over the control points
+
+  /// Returns the degree `m`, one less than the number of control points.
+  int degree() const { return static_cast<int>(points_.size()) - 1; }
+  /// Returns the dimension of the control points.
+  int dimension() const { return Traits().compute_dimension_object()(points_[0]); }
+
+  /// Returns the control points, in order.
+  const Per_point<Point>& control_points() const { return points_; }
+  /// Returns the `j`-th control point. \pre `0 <= j <= degree()`
+  const Point& control_point(int j) const { return points_[j]; }
+  /// Returns the coordinates of the `j`-th control point. \pre `0 <= j <= degree()`
+  Coordinates coordinates(int j) const { return Geometric_continuity::coordinates<Traits>(points_[j]); }
+  /// Returns an iterator to the first control point.
+  const_iterator begin() const { return points_.begin(); }
+  /// Returns the iterator after the last control point.
+  const_iterator end() const { return points_.end(); }
+
+  /// Returns the domain [a, b].
+  std::pair<FT, FT> domain() const { return {a_, b_}; }
+
+  /// Returns the `i`-th coordinate as a polynomial of degree `m` of the local parameter \f$ t = (u-a)/(b-a) \f$.
+  /// \pre `0 <= i < dimension()`
+  Bernstein_polynomial<FT> coordinate_polynomial(int i) const {
+    const Coefficients<FT> c = coefficients(i);
+    return Bernstein_polynomial<FT>(c.begin(), c.end());
+  }
+
+  /// Returns two opposite corners of the bounding box of the control points, which contains the curve. \f$ O(m) \f$
+  std::pair<Point, Point> bounding_box() const {
+    Coordinates low = coordinates(0), high = low;
+    for (int j = 1; j <= degree(); ++j) {
+      const Coordinates p = coordinates(j);
+      for (int i = 0; i < p.dimension(); ++i) {
+        if (p[i] < low[i]) low[i] = p[i];
+        if (high[i] < p[i]) high[i] = p[i];
+      }
+    }
+    return {Geometric_continuity::to_point<Traits>(low), Geometric_continuity::to_point<Traits>(high)};
+  }
+
+  /// Returns the bounding box of the control points as `Bbox_2` or `Bbox_3`, rounded outwards. Dimension 2 or 3 only.
+  auto bbox() const {
+    static_assert(N == 2 || N == 3, "bounding_box() serves the other dimensions");
+    const std::pair<Point, Point> box = bounding_box();
+    const Coordinates low = Geometric_continuity::coordinates<Traits>(box.first),
+                      high = Geometric_continuity::coordinates<Traits>(box.second);
+    if constexpr (N == 2)
+      return Bbox_2(lower(low[0]), lower(low[1]), upper(high[0]), upper(high[1]));
+    else
+      return Bbox_3(lower(low[0]), lower(low[1]), lower(low[2]), upper(high[0]), upper(high[1]), upper(high[2]));
+  }
+
+  /// Returns whether control points and domains are equal.
+  friend bool operator==(const Bezier_polygon& c, const Bezier_polygon& d) {
+    if (c.a_ != d.a_ || c.b_ != d.b_ || c.degree() != d.degree()) return false;
+    for (int j = 0; j <= c.degree(); ++j)
+      if (c.coordinates(j) != d.coordinates(j)) return false;
+    return true;
+  }
+  /// Returns whether control points or domains differ.
+  friend bool operator!=(const Bezier_polygon& c, const Bezier_polygon& d) { return !(c == d); }
+
+  /// Writes the domain and the control points.
+  friend std::ostream& operator<<(std::ostream& os, const Bezier_polygon& c) {
+    os << "Bezier curve of degree " << c.degree() << " on [" << c.a_ << ", " << c.b_ << "]:";
+    for (int j = 0; j <= c.degree(); ++j) {
+      const Coordinates p = c.coordinates(j);
+      os << " (";
+      for (int i = 0; i < p.dimension(); ++i) os << (i == 0 ? "" : ", ") << p[i];
+      os << ')';
+    }
+    return os;
+  }
+
+protected:
+  // One number or row for each control point; without allocation up to degree 9.
+  template <class T>
+  using Coefficients =
+      std::conditional_t<Degree == dynamic_degree, boost::container::small_vector<T, 10>, std::array<T, Degree + 1>>;
+
+  Per_point<Point> points_;
+  FT a_, b_;
+
+  template <class InputIterator>
+  Bezier_polygon(InputIterator first, InputIterator last, const FT& a, const FT& b) : a_(a), b_(b) {
+    if constexpr (Degree == dynamic_degree)
+      points_.assign(first, last);
+    else {
+      int i = 0;
+      for (; first != last && i <= Degree; ++first, ++i) points_[i] = *first;
+      if (i <= Degree || first != last) refuse_number_of_points();
+    }
+    check();
+  }
+  BOOST_FORCEINLINE Bezier_polygon(const Per_point<Coordinates>& rows, const FT& a, const FT& b)
+      : points_(points_of(rows)), a_(a), b_(b) {
+    check();
+  }
+
+  // f(i) for each coordinate number i
+  template <class Function> BOOST_FORCEINLINE void for_each_coordinate(const Function& f) const {
+    if constexpr (N == 0)
+      for (int i = 0; i < dimension(); ++i) f(i);
+    else
+      internal::for_each_index<N>(f);
+  }
+  // f(j) for each control point number j
+  template <class Function> BOOST_FORCEINLINE void for_each_point(const Function& f) const {
+    if constexpr (Degree == dynamic_degree)
+      for (int j = 0; j <= degree(); ++j) f(j);
+    else
+      internal::for_each_index<Degree + 1>(f);
+  }
+  // the i-th coordinates of all control points
+  BOOST_FORCEINLINE Coefficients<FT> coefficients(int i) const {
+    const Traits traits;
+    Coefficients<FT> c;
+    if constexpr (Degree == dynamic_degree) c.resize(points_.size());
+    for_each_point([&](int j) { c[j] = FT(traits.compute_coordinate_object()(points_[j], i)); });
+    return c;
+  }
+  Per_point<Coordinates> coordinate_rows() const {
+    Per_point<Coordinates> rows;
+    if constexpr (Degree == dynamic_degree) rows.resize(points_.size());
+    for (int j = 0; j <= degree(); ++j) rows[j] = coordinates(j);
+    return rows;
+  }
+
+private:
+  BOOST_NOINLINE void refuse_number_of_points() const {
+    throw Error(Error_code::wrong_number_of_points,
+                "Bezier_curve: " + (Degree == dynamic_degree ? std::string("at least one control point is needed")
+                                                             : "degree " + std::to_string(Degree) + " needs " +
+                                                                   std::to_string(Degree + 1) + " control points"));
+  }
+
+  BOOST_FORCEINLINE void check() const {
+    if (points_.empty()) refuse_number_of_points();
+    if (!(a_ < b_)) throw Error(Error_code::empty_domain, "Bezier_curve");
+    if constexpr (N == 0)
+      for (int j = 0; j <= degree(); ++j)
+        if (Traits().compute_dimension_object()(points_[j]) != dimension())
+          throw Error(Error_code::dimension_mismatch, "Bezier_curve: control point " + std::to_string(j));
+    if constexpr (std::is_floating_point_v<FT>) {
+      const Traits traits;
+      FT sum = b_ - a_; // not finite if one of the numbers is not, or the length of the domain
+      for_each_point([&](int j) {
+        FT x = traits.compute_coordinate_object()(points_[j], 0);
+        for_each_coordinate([&](int i) {
+          if (i > 0) x += traits.compute_coordinate_object()(points_[j], i);
+        });
+        sum += x;
+      });
+      if (!std::isfinite(sum)) check_each_number();
+    }
+  }
+  BOOST_NOINLINE void check_each_number() const {
+    internal::check_finite(a_, "Bezier_curve: domain");
+    internal::check_finite(b_, "Bezier_curve: domain");
+    internal::check_finite(FT(b_ - a_), "Bezier_curve: length of the domain");
+    for (int j = 0; j <= degree(); ++j)
+      for (const FT& x : coordinates(j)) internal::check_finite(x, "Bezier_curve: control points");
+  }
+
+  static Per_point<Point> points_of(const Per_point<Coordinates>& rows) {
+    if constexpr (Degree == dynamic_degree) {
+      std::vector<Point> points;
+      points.reserve(rows.size());
+      for (const Coordinates& x : rows) points.push_back(Geometric_continuity::to_point<Traits>(x));
+      return points;
+    } else
+      return points_of(rows, std::make_index_sequence<Degree + 1>());
+  }
+  template <std::size_t... j>
+  static Per_point<Point> points_of(const Per_point<Coordinates>& rows, std::index_sequence<j...>) {
+    return {{Geometric_continuity::to_point<Traits>(rows[j])...}};
+  }
+
+  static double lower(const FT& x) { return CGAL::to_interval(x).first; }
+  static double upper(const FT& x) { return CGAL::to_interval(x).second; }
+};
+
+} // namespace Geometric_continuity
+} // namespace CGAL
+
+#endif // CGAL_GEOMETRIC_CONTINUITY_CURVES_BEZIER_POLYGON_H

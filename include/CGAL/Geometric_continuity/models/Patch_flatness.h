@@ -1,0 +1,135 @@
+// Copyright (c) 2026 The Geometric_continuity developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_GEOMETRIC_CONTINUITY_MODELS_PATCH_FLATNESS_H
+#define CGAL_GEOMETRIC_CONTINUITY_MODELS_PATCH_FLATNESS_H
+
+#include <CGAL/Geometric_continuity/numbers/internal/checked_conversion.h>
+#include <CGAL/Geometric_continuity/surfaces/Bezier_patch.h>
+#include <CGAL/number_utils.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <utility>
+
+namespace CGAL {
+namespace Geometric_continuity {
+
+/// \ingroup PkgGeometricContinuitySurfaces
+/// The numbers of cells into which a patch is cut in the direction of `u` and of `v`.
+struct Patch_cells {
+  int u; ///< positive
+  int v; ///< positive
+};
+
+/// \ingroup PkgGeometricContinuitySurfaces
+/// Bounds for the second derivatives of a Bézier patch that is taken on the unit square, and what follows for its
+/// distance from triangles: `tessellate()` chooses by them how many cells a patch needs. By the convex hull property the lengths of the derivatives are nowhere greater than
+/// \f[ M_{uu} = p(p-1) \max |b_{i+2,j} - 2b_{i+1,j} + b_{ij}|, \quad
+///   M_{uv} = pq \max |b_{i+1,j+1} - b_{i+1,j} - b_{i,j+1} + b_{ij}|, \quad
+///   M_{vv} = q(q-1) \max |b_{i,j+2} - 2b_{i,j+1} + b_{ij}|. \f]
+///
+/// <b>Claim.</b> Let the corners \f$ p_k \f$ of a triangle in the unit square differ by at most \f$ h_u \f$ in `u` and
+/// \f$ h_v \f$ in `v`, and let \f$ x = \sum \lambda_k p_k \f$ be in the triangle. Then
+/// \f[ \left| S(x) - \sum \lambda_k S(p_k) \right| \le \frac{1}{8} (M_{uu} h_u^2 + 2 M_{uv} h_u h_v + M_{vv} h_v^2). \f]
+/// <b>Proof.</b> Let \f$ p_k - x = (\delta_k, \epsilon_k) \f$, and let \f$ f \f$ be the component of \f$ S \f$ in a direction of
+/// length 1. The segments from \f$ x \f$ to \f$ p_k \f$ lie in the square, hence by Taylor's formula \f$ f(p_k) \f$ differs from
+/// \f$ f(x) + Df(x)(p_k - x) \f$ by at most \f$ \frac{1}{2} (M_{uu} \delta_k^2 + 2 M_{uv} |\delta_k \epsilon_k| + M_{vv}
+/// \epsilon_k^2) \f$. In the sum with the weights \f$ \lambda_k \f$ the linear terms cancel. What remains of \f$ u \f$ is the
+/// variance \f$ \sum \lambda_k \delta_k^2 \f$ of numbers in an interval of length \f$ h_u \f$, which is at most
+/// \f$ h_u^2 / 4 \f$; the same holds for \f$ v \f$; and by the inequality of Cauchy and Schwarz
+/// \f$ \sum \lambda_k |\delta_k \epsilon_k| \le h_u h_v / 4 \f$. \f$ \Box \f$
+///
+/// The bounds are floating-point numbers, rounded upwards when the field is exact. With floating-point control points the
+/// claim holds up to the rounding of differences and of evaluated points.
+class Patch_flatness {
+  double uu_ = 0, uv_ = 0, vv_ = 0;
+
+public:
+  /// Computes the bounds of a patch; they are infinite when second differences overflow. Linear in the number of control
+  /// points. It needs `CGAL::to_interval()`.
+  template <class Traits> explicit Patch_flatness(const Bezier_patch<Traits>& s) {
+    typedef Geometric_continuity::Coordinates<Traits> Coordinates;
+    const int p = s.degree_u(), q = s.degree_v();
+    const auto raise = [](double& bound, double factor, const Coordinates& difference) {
+      bound = (std::max)(bound, upwards(factor * length(difference)));
+    };
+    for (int i = 0; i <= p; ++i)
+      for (int j = 0; j <= q; ++j) {
+        const Coordinates b = s.coordinates(i, j);
+        if (i + 2 <= p)
+          raise(uu_, double(p) * (p - 1),
+                s.coordinates(i + 2, j) - s.coordinates(i + 1, j) + b - s.coordinates(i + 1, j));
+        if (j + 2 <= q)
+          raise(vv_, double(q) * (q - 1),
+                s.coordinates(i, j + 2) - s.coordinates(i, j + 1) + b - s.coordinates(i, j + 1));
+        if (i < p && j < q)
+          raise(uv_, double(p) * q,
+                s.coordinates(i + 1, j + 1) - s.coordinates(i + 1, j) + b - s.coordinates(i, j + 1));
+      }
+  }
+
+  /// Returns a bound for the distance of the patch from its triangles, when it is cut into equal cells and each triangle
+  /// lies in a cell; infinite when it overflows.
+  /// \throws Error `negative_count` for a negative number of cells, `wrong_number_of_points` for no cells
+  double distance(const Patch_cells& cells) const {
+    check_cells((std::min)(cells.u, cells.v));
+    return bound(cells.u, cells.v);
+  }
+
+  /// Returns the least number of cells whose numbers in `u` and in `v` are powers of two between `least` and `most` and
+  /// whose distance is not greater than `tolerance`; empty when there are none. \f$ O(\log (most / least)) \f$
+  /// \throws Error `unreachable_tolerance` unless the tolerance is positive, `not_finite` when it is infinite or not a
+  ///   number, `negative_count` for a negative number of cells, `wrong_number_of_points` for no cells
+  std::optional<Patch_cells> cells(double tolerance, int least, int most) const {
+    internal::check_finite(tolerance, "Patch_flatness: the tolerance");
+    if (!(tolerance > 0))
+      throw Error(Error_code::unreachable_tolerance, "Patch_flatness: the tolerance must be positive");
+    check_cells((std::min)(least, most));
+    long long low = 1, high = 1;
+    while (low < least) low *= 2;
+    while (2 * high <= most) high *= 2;
+    std::optional<Patch_cells> best;
+    long long v = high;
+    for (long long u = low; u <= high; u *= 2) { // more cells in u need fewer in v
+      if (!(bound(u, v) <= tolerance)) continue;
+      while (v / 2 >= low && bound(u, v / 2) <= tolerance) v /= 2;
+      if (!best || u * v < static_cast<long long>(best->u) * best->v)
+        best = Patch_cells{static_cast<int>(u), static_cast<int>(v)};
+    }
+    return best;
+  }
+
+private:
+  static void check_cells(int least) {
+    internal::refuse_negative(least, "Patch_flatness: number of cells");
+    if (least == 0) throw Error(Error_code::wrong_number_of_points, "Patch_flatness: no cells");
+  }
+
+  double bound(long long u, long long v) const {
+    const double hu = 1.0 / static_cast<double>(u), hv = 1.0 / static_cast<double>(v);
+    return upwards(0.125 * (uu_ * hu * hu + 2 * uv_ * hu * hv + vv_ * hv * hv));
+  }
+
+  // The few roundings of the formulas here change a number by less than this.
+  static double upwards(double x) {
+    return x > 0 ? (std::max)(x * (1 + 0x1p-46), (std::numeric_limits<double>::min)()) : x;
+  }
+
+  template <class Coordinates> static double length(const Coordinates& x) {
+    double result = 0;
+    for (const auto& c : x) {
+      const std::pair<double, double> interval = CGAL::to_interval(c);
+      result = std::hypot(result, (std::max)(-interval.first, interval.second));
+    }
+    return std::isfinite(result) ? result : std::numeric_limits<double>::infinity();
+  }
+};
+
+} // namespace Geometric_continuity
+} // namespace CGAL
+
+#endif // CGAL_GEOMETRIC_CONTINUITY_MODELS_PATCH_FLATNESS_H

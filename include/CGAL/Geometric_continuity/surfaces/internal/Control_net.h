@@ -1,0 +1,141 @@
+// Copyright (c) 2026 The Geometric_continuity developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_GEOMETRIC_CONTINUITY_SURFACES_INTERNAL_CONTROL_NET_H
+#define CGAL_GEOMETRIC_CONTINUITY_SURFACES_INTERNAL_CONTROL_NET_H
+
+#include <CGAL/Geometric_continuity/Error.h>
+#include <CGAL/Geometric_continuity/local/coordinates.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <iterator>
+#include <ostream>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+/// \file Control_net.h
+/// The control points of a tensor-product surface and what all such surfaces do with them.
+
+namespace CGAL {
+namespace Geometric_continuity {
+namespace internal {
+
+// The points b_ij in rows of constant i. `surface` is the name of the surface, for messages.
+template <class Traits> class Control_net {
+  typedef typename Traits::Point Point;
+
+  int rows_ = 0, columns_ = 0;
+  std::vector<Point> points_; // b_ij at i columns + j
+
+public:
+  typedef typename std::vector<Point>::const_iterator const_iterator;
+
+  // From a range of ranges. At least one point, rows of one length, points of one dimension, finite coordinates.
+  template <class Net> Control_net(const Net& net, const char* surface) {
+    for (const auto& row : net) {
+      const int n = static_cast<int>(std::distance(std::begin(row), std::end(row)));
+      if (rows_ > 0 && n != columns_)
+        throw Error(Error_code::wrong_number_of_points, std::string(surface) + ": " + std::to_string(n) +
+                                                            " control points in row " + std::to_string(rows_) +
+                                                            " after " + std::to_string(columns_));
+      points_.insert(points_.end(), std::begin(row), std::end(row));
+      columns_ = n;
+      ++rows_;
+    }
+    if (points_.empty()) throw Error(Error_code::wrong_number_of_points, std::string(surface) + ": no control point");
+    check(surface);
+  }
+
+  // From rows * columns points.
+  Control_net(int rows, int columns, std::vector<Point> points, const char* surface)
+      : rows_(rows), columns_(columns), points_(std::move(points)) {
+    check(surface);
+  }
+
+  int rows() const { return rows_; }
+  int columns() const { return columns_; }
+  int dimension() const { return Traits().compute_dimension_object()(points_[0]); }
+  const Point& operator()(int i, int j) const { return points_[static_cast<std::size_t>(i) * columns_ + j]; }
+  Coordinates<Traits> coordinates(int i, int j) const {
+    return Geometric_continuity::coordinates<Traits>((*this)(i, j));
+  }
+  const_iterator begin() const { return points_.begin(); }
+  const_iterator end() const { return points_.end(); }
+
+  // b_0j, b_1j, ...
+  std::vector<Coordinates<Traits>> column(int j) const {
+    std::vector<Coordinates<Traits>> c;
+    for (int i = 0; i < rows_; ++i) c.push_back(coordinates(i, j));
+    return c;
+  }
+
+  // The net b_ji.
+  Control_net transpose() const {
+    Control_net r = *this;
+    std::swap(r.rows_, r.columns_);
+    auto p = r.points_.begin();
+    for (int j = 0; j < columns_; ++j)
+      for (int i = 0; i < rows_; ++i) *p++ = (*this)(i, j);
+    return r;
+  }
+
+  // With the rows in reverse order.
+  Control_net reverse_rows() const {
+    Control_net r = *this;
+    auto p = r.points_.begin();
+    for (int i = rows_; i-- > 0;)
+      p = std::copy_n(points_.begin() + static_cast<std::size_t>(i) * columns_, columns_, p);
+    return r;
+  }
+
+  // The images of the points under a map.
+  template <class Map> Control_net transform(const Map& map, const char* surface) const {
+    std::vector<Point> points;
+    for (const Point& p : points_) points.push_back(map(p));
+    return Control_net(rows_, columns_, std::move(points), surface);
+  }
+
+  friend bool operator==(const Control_net& a, const Control_net& b) {
+    return a.rows_ == b.rows_ && a.columns_ == b.columns_ && a.points_ == b.points_;
+  }
+
+  // One row to a line, each after the end of the line before it.
+  friend std::ostream& operator<<(std::ostream& os, const Control_net& net) {
+    for (int i = 0; i < net.rows_; ++i) {
+      os << '\n';
+      for (int j = 0; j < net.columns_; ++j) {
+        const Coordinates<Traits> p = net.coordinates(i, j);
+        for (int x = 0; x < p.dimension(); ++x) os << (x > 0 ? ", " : j > 0 ? " (" : "(") << p[x];
+        os << ')';
+      }
+    }
+    return os;
+  }
+
+private:
+  void check(const char* surface) const {
+    const auto refuse = [&](Error_code code, int i, int j) {
+      throw Error(code, std::string(surface) + ": control point " + std::to_string(i) + ", " + std::to_string(j));
+    };
+    const int d = dimension();
+    for (int i = 0; i < rows_; ++i)
+      for (int j = 0; j < columns_; ++j) {
+        const Coordinates<Traits> x = coordinates(i, j);
+        if (x.dimension() != d) refuse(Error_code::dimension_mismatch, i, j);
+        if constexpr (std::is_floating_point_v<typename Traits::FT>)
+          for (const typename Traits::FT& c : x)
+            if (!std::isfinite(c)) refuse(Error_code::not_finite, i, j);
+      }
+  }
+};
+
+} // namespace internal
+} // namespace Geometric_continuity
+} // namespace CGAL
+
+#endif // CGAL_GEOMETRIC_CONTINUITY_SURFACES_INTERNAL_CONTROL_NET_H

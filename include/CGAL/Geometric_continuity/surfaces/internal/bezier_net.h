@@ -1,0 +1,98 @@
+// Copyright (c) 2026 The Geometric_continuity developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_GEOMETRIC_CONTINUITY_SURFACES_INTERNAL_BEZIER_NET_H
+#define CGAL_GEOMETRIC_CONTINUITY_SURFACES_INTERNAL_BEZIER_NET_H
+
+#include <CGAL/Geometric_continuity/algebra/bernstein.h>
+#include <CGAL/Geometric_continuity/surfaces/internal/Control_net.h>
+#include <CGAL/Geometric_continuity/surfaces/internal/surface_checks.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+/// \file bezier_net.h
+/// The algorithms of `Bezier_patch`: those of Bernstein polynomials, applied to the columns of a control net.
+
+namespace CGAL {
+namespace Geometric_continuity {
+namespace internal {
+
+// The parameter u as a fraction of the interval: 0 at its lower end, 1 at its upper end.
+template <class FT> FT local_parameter(const FT& u, const std::pair<FT, FT>& interval) {
+  return FT((u - interval.first) / (interval.second - interval.first));
+}
+
+// The jet of order k at (u, v) of the patch on the rectangle `domain_u` x `domain_v`: first the derivatives in v of the
+// control points of all rows, then those in u.
+template <class Traits>
+Surface_jet<Traits> bezier_jet(const Control_net<Traits>& net,
+                               const std::pair<typename Traits::FT, typename Traits::FT>& domain_u,
+                               const std::pair<typename Traits::FT, typename Traits::FT>& domain_v,
+                               const typename Traits::FT& u, const typename Traits::FT& v, int k) {
+  typedef typename Traits::FT FT;
+  const Traits traits;
+  const int p = net.rows() - 1, q = net.columns() - 1, d = net.dimension();
+  Surface_jet<Traits> jet(d, k);
+  const FT s = local_parameter(u, domain_u), t = local_parameter(v, domain_v);
+  const FT hu = FT(domain_u.second - domain_u.first), hv = FT(domain_v.second - domain_v.first);
+  for (int x = 0; x < d; ++x) {
+    std::vector<std::vector<FT>> columns(k + 1, std::vector<FT>(p + 1)); // derivatives with respect to v
+    for (int i = 0; i <= p; ++i) {
+      std::vector<FT> row;
+      for (int j = 0; j <= q; ++j) row.push_back(FT(traits.compute_coordinate_object()(net(i, j), x)));
+      bernstein_derivatives(row, q, t, k, [&](int j, const FT& value) { columns[j][i] = value; });
+    }
+    FT scale_v(1);
+    for (int j = 0; j <= k; ++j) {
+      FT scale = scale_v;
+      bernstein_derivatives(columns[j], p, s, k - j, [&](int i, const FT& value) {
+        jet(i, j)[x] = value / scale;
+        scale *= hu;
+      });
+      scale_v *= hv;
+    }
+  }
+  check_jet(jet, "Bezier_patch: jet");
+  return jet;
+}
+
+// The net of the degree in u raised by `times`.
+template <class Traits> Control_net<Traits> elevate_rows(const Control_net<Traits>& net, int times) {
+  const int p = net.rows() - 1, q = net.columns() - 1;
+  std::vector<typename Traits::Point> points(static_cast<std::size_t>(p + times + 1) * (q + 1), net(0, 0));
+  for (int j = 0; j <= q; ++j) {
+    std::vector<Coordinates<Traits>> c = net.column(j);
+    c.resize(p + times + 1, Coordinates<Traits>(net.dimension()));
+    for (int n = p; n < p + times; ++n) bernstein_elevate<typename Traits::FT>(c, n);
+    for (int i = 0; i <= p + times; ++i) points[static_cast<std::size_t>(i) * (q + 1) + j] = to_point<Traits>(c[i]);
+  }
+  return Control_net<Traits>(p + times + 1, q + 1, std::move(points), "Bezier_patch");
+}
+
+// The nets of the two parts, of which the first takes the fraction t of the interval of u.
+template <class Traits>
+std::pair<Control_net<Traits>, Control_net<Traits>> split_rows(const Control_net<Traits>& net,
+                                                               const typename Traits::FT& t) {
+  const int p = net.rows() - 1, q = net.columns() - 1;
+  std::vector<typename Traits::Point> left(net.begin(), net.end()), right(left);
+  for (int j = 0; j <= q; ++j) {
+    std::vector<Coordinates<Traits>> r = net.column(j), l(r);
+    bernstein_split(r, p, t, l);
+    for (int i = 0; i <= p; ++i) {
+      left[static_cast<std::size_t>(i) * (q + 1) + j] = to_point<Traits>(l[i]);
+      right[static_cast<std::size_t>(i) * (q + 1) + j] = to_point<Traits>(r[i]);
+    }
+  }
+  return {Control_net<Traits>(p + 1, q + 1, std::move(left), "Bezier_patch"),
+          Control_net<Traits>(p + 1, q + 1, std::move(right), "Bezier_patch")};
+}
+
+} // namespace internal
+} // namespace Geometric_continuity
+} // namespace CGAL
+
+#endif // CGAL_GEOMETRIC_CONTINUITY_SURFACES_INTERNAL_BEZIER_NET_H

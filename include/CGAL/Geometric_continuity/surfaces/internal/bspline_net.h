@@ -1,0 +1,130 @@
+// Copyright (c) 2026 The Geometric_continuity developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_GEOMETRIC_CONTINUITY_SURFACES_INTERNAL_BSPLINE_NET_H
+#define CGAL_GEOMETRIC_CONTINUITY_SURFACES_INTERNAL_BSPLINE_NET_H
+
+#include <CGAL/Geometric_continuity/splines/Bspline_function.h>
+#include <CGAL/Geometric_continuity/surfaces/Parameter_line.h>
+#include <CGAL/Geometric_continuity/surfaces/internal/Control_net.h>
+#include <CGAL/Geometric_continuity/surfaces/internal/surface_checks.h>
+
+#include <string>
+#include <utility>
+#include <vector>
+
+/// \file bspline_net.h
+/// The algorithms of `Bspline_surface`: those of spline functions, applied to the rows and columns of a control net.
+
+namespace CGAL {
+namespace Geometric_continuity {
+namespace internal {
+
+template <class FT> void check_number_of_points(int number, const Knot_vector<FT>& knots, const char* what) {
+  const int needed = knots.number_of_coefficients();
+  if (number != needed)
+    throw Error(Error_code::wrong_number_of_points, "Bspline_surface: " + std::to_string(number) + ' ' + what +
+                                                        " where the knots need " + std::to_string(needed));
+}
+
+template <class FT> void check_insertion(const Knot_vector<FT>& knots, int times) {
+  refuse_negative(times, "Bspline_surface: copies of a knot");
+  if (times > knots.degree() + 1) throw Error(Error_code::knot_multiplicity, "Bspline_surface: copies of a knot");
+}
+
+// The jet of order k at (u, v), from the spans to the right of the parameters: first the derivatives in v of the control
+// points of all rows that matter, then those in u.
+template <class Traits>
+Surface_jet<Traits> bspline_jet(const Control_net<Traits>& net, const Knot_vector<typename Traits::FT>& knots_u,
+                                const Knot_vector<typename Traits::FT>& knots_v, const typename Traits::FT& u,
+                                const typename Traits::FT& v, int k) {
+  typedef typename Traits::FT FT;
+  Surface_jet<Traits> jet(net.dimension(), k);
+  const int p = knots_u.degree(), q = knots_v.degree(), span_u = knots_u.span(u), span_v = knots_v.span(v);
+  std::vector<std::vector<Coordinates<Traits>>> columns(k + 1); // derivatives with respect to v
+  derivative_weights(knots_v, q, span_v, v, k, [&](int j, const Spline_weights<FT>& weights) {
+    for (int i = span_u - p; i <= span_u; ++i) {
+      Coordinates<Traits> sum(net.dimension());
+      for (int l = 0; l <= q; ++l) sum += weights.w[l] * net.coordinates(i, weights.first + l);
+      columns[j].push_back(sum);
+    }
+  });
+  derivative_weights(knots_u, p, span_u, u, k, [&](int i, const Spline_weights<FT>& weights) {
+    for (int j = 0; j <= k - i; ++j)
+      for (int l = 0; l <= p && !columns[j].empty(); ++l) jet(i, j) += weights.w[l] * columns[j][l];
+  });
+  check_jet(jet, "Bspline_surface: jet");
+  return jet;
+}
+
+// The rows 0 to k at a parameter line, see `Bspline_surface::rows_at()`.
+template <class Field, class Traits>
+std::vector<std::vector<Coordinate_vector<Field, dimension_v<Traits>>>>
+bspline_rows_at(const Control_net<Traits>& net, const Knot_vector<typename Traits::FT>& knots_u,
+                const Knot_vector<typename Traits::FT>& knots_v, Parameter_line line,
+                const typename Traits::FT& parameter, Line_side side, int k) {
+  typedef Coordinate_vector<Field, dimension_v<Traits>> Vector;
+  refuse_negative(k, "Bspline_surface: rows");
+  const bool along_u = line == Parameter_line::along_u, below = side == Line_side::smaller_parameters;
+  const Knot_vector<typename Traits::FT>& across = along_u ? knots_v : knots_u;
+  const int q = across.degree(), m = along_u ? net.rows() : net.columns(),
+            span = below ? across.left_span(parameter) : across.span(parameter);
+  std::vector<Field> knots; // next to the line, with the control points that belong to them
+  for (int j = span - q; j <= span + q; ++j) knots.push_back(to_field<Field>(across[j]));
+  std::vector<std::vector<Vector>> points(m);
+  for (int i = 0; i < m; ++i)
+    for (int j = span - q; j <= span; ++j)
+      points[i].push_back(coordinates<Traits, Field>(along_u ? net(i, j) : net(j, i)));
+  std::vector<std::vector<Vector>> rows(k + 1, std::vector<Vector>(m, Vector(net.dimension())));
+  derivative_weights(knots, q, q, to_field<Field>(parameter), k, [&](int r, const Spline_weights<Field>& weights) {
+    const Field sign(below && r % 2 == 1 ? -1 : 1);
+    for (int i = 0; i < m; ++i) rows[r][i] = sign * weights(points[i]);
+  });
+  return rows;
+}
+
+// The surface as one spline function of u, whose values are the coordinates of all columns, one after the other.
+template <class Traits>
+using Spline_of_rows = Bspline_function<typename Traits::FT, Coordinate_vector<typename Traits::FT, 0>>;
+
+template <class Traits>
+Spline_of_rows<Traits> spline_of_rows(const Control_net<Traits>& net, const Knot_vector<typename Traits::FT>& knots_u) {
+  const int n = net.columns(), d = net.dimension();
+  std::vector<Coordinate_vector<typename Traits::FT, 0>> rows;
+  for (int i = 0; i < net.rows(); ++i) {
+    rows.emplace_back(n * d);
+    for (int j = 0; j < n; ++j) {
+      const Coordinates<Traits> x = net.coordinates(i, j);
+      for (int l = 0; l < d; ++l) rows.back()[j * d + l] = x[l];
+    }
+  }
+  return Spline_of_rows<Traits>(knots_u, std::move(rows));
+}
+
+template <class Traits> Control_net<Traits> net_of(const Spline_of_rows<Traits>& spline, int columns, int d) {
+  std::vector<typename Traits::Point> points;
+  for (const auto& row : spline.coefficients())
+    for (int j = 0; j < columns; ++j) {
+      Coordinates<Traits> x(d);
+      for (int l = 0; l < d; ++l) x[l] = row[j * d + l];
+      points.push_back(to_point<Traits>(x));
+    }
+  return Control_net<Traits>(static_cast<int>(spline.coefficients().size()), columns, std::move(points),
+                             "Bspline_surface");
+}
+
+// The control points b_ij with i and j in two closed ranges.
+template <class Traits>
+std::vector<std::vector<typename Traits::Point>> part_of_net(const Control_net<Traits>& net, int first_i, int last_i,
+                                                             int first_j, int last_j) {
+  std::vector<std::vector<typename Traits::Point>> part;
+  for (int i = first_i; i <= last_i; ++i) part.emplace_back(&net(i, first_j), &net(i, last_j) + 1);
+  return part;
+}
+
+} // namespace internal
+} // namespace Geometric_continuity
+} // namespace CGAL
+
+#endif // CGAL_GEOMETRIC_CONTINUITY_SURFACES_INTERNAL_BSPLINE_NET_H

@@ -1,0 +1,142 @@
+// Copyright (c) 2026 The Geometric_continuity developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+// Figures of curves and pictures of surfaces: what the legend says, and what is refused.
+
+#define BOOST_TEST_DYN_LINK
+#define BOOST_TEST_MODULE Svg_figure
+#include <boost/test/unit_test.hpp>
+
+#include <CGAL/Geometric_continuity/IO/figures/Svg_figure.h>
+#include <CGAL/Geometric_continuity/IO/figures/svg_surfaces.h>
+#include <CGAL/Geometric_continuity/Traits_2.h>
+#include <CGAL/Geometric_continuity/Traits_3.h>
+#include <CGAL/Geometric_continuity/curves/Bezier_curve.h>
+#include <CGAL/Simple_cartesian.h>
+
+#include <cmath>
+#include <limits>
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace GC = CGAL::Geometric_continuity;
+
+typedef CGAL::Simple_cartesian<double> Kernel;
+typedef GC::Traits_2<Kernel> Plane;
+typedef GC::Traits_3<Kernel> Space;
+typedef GC::Bezier_curve<Plane> Curve;
+typedef GC::Bezier_patch<Space> Patch;
+typedef Plane::Point P;
+typedef Space::Point Q;
+using GC::Svg_role;
+using GC::Svg_style;
+
+#define CHECK_ERROR(expression, expected)                                                                              \
+  BOOST_CHECK_EXCEPTION((void)(expression), GC::Error,                                                                 \
+                        [](const GC::Error& e) { return e.code() == GC::Error_code::expected; })
+
+namespace {
+
+const Curve arch{P(0, 0), P(1, 2), P(3, 2), P(4, 0)}, line{P(4, 0), P(6, -4)}, point{P(1, 1)};
+
+std::string svg(const GC::Svg_figure& figure) {
+  std::ostringstream os;
+  os << figure;
+  return os.str();
+}
+
+// All that stands in text elements, one to a line.
+std::string texts(const std::string& document) {
+  std::string result;
+  for (std::size_t i = document.find("<text "); i != std::string::npos; i = document.find("<text ", i + 1)) {
+    const std::size_t begin = document.find('>', i) + 1;
+    result += document.substr(begin, document.find("</text>", i) - begin) + '\n';
+  }
+  return result;
+}
+std::string texts(const GC::Svg_figure& figure) { return texts(svg(figure)); }
+
+std::string texts(const std::vector<Patch>& surfaces, const GC::Svg_surface_style& style) {
+  std::ostringstream os;
+  GC::write_svg_surfaces(os, surfaces, style);
+  return texts(os.str());
+}
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE(the_legend_names_what_is_drawn) {
+  GC::Svg_panel panel("caption");
+  panel.add(arch).join("G0").add(line, Svg_style{Svg_role::result, false, false, "line of alternatives"});
+  BOOST_CHECK_EQUAL(texts(GC::Svg_figure().add(panel)), "G0\ncaption\ngiven curve\nline of alternatives\njoin\n");
+  // without a name: that of the role; in the order of the roles
+  panel = GC::Svg_panel();
+  panel.add(line, Svg_style{Svg_role::construction}).add(line, Svg_style{Svg_role::result}).add(arch);
+  BOOST_CHECK_EQUAL(texts(GC::Svg_figure().add(panel)), "given curve\nresult\nconstruction\n");
+  // curves of one role with other names, each once, also in other panels
+  GC::Svg_figure figure("title");
+  for (const char* name : {"first", "second", "first"})
+    figure.add(GC::Svg_panel().add(arch, Svg_style{Svg_role::given, false, false, name}));
+  BOOST_CHECK_EQUAL(texts(figure), "title\nfirst\nsecond\n");
+  // one name in two roles has two lines
+  panel = GC::Svg_panel();
+  panel.add(arch, Svg_style{Svg_role::given, false, false, "a < b"});
+  panel.add(line, Svg_style{Svg_role::result, false, false, "a < b"});
+  BOOST_CHECK_EQUAL(texts(GC::Svg_figure().add(panel)), "a &lt; b\na &lt; b\n");
+  BOOST_CHECK(svg(GC::Svg_figure().add(panel)).find("a < b") == std::string::npos);
+  // a point is no line, and no join
+  panel = GC::Svg_panel();
+  panel.add(line, Svg_style{Svg_role::result}).add(point).join("b");
+  BOOST_CHECK_EQUAL(texts(GC::Svg_figure().add(panel)), "b\nresult\n");
+  // details
+  panel = GC::Svg_panel();
+  panel.add(arch, Svg_style{Svg_role::given, true, true});
+  BOOST_CHECK_EQUAL(texts(GC::Svg_figure().add(panel)), "given curve\ncontrol polygon\ncurvature comb\n");
+  BOOST_CHECK_EQUAL(texts(GC::Svg_figure()), "");
+}
+
+BOOST_AUTO_TEST_CASE(the_legend_shows_the_line_of_each_role) {
+  const auto sample = [](Svg_role role) {
+    const std::string s = svg(GC::Svg_figure().add(GC::Svg_panel().add(line, Svg_style{role, false, false, "name"})));
+    const std::size_t end = s.find(">name<"), begin = s.rfind("<g transform", end);
+    return s.substr(begin, end - begin);
+  };
+  BOOST_CHECK(sample(Svg_role::given).find("stroke=\"#2f4058\"") != std::string::npos);
+  BOOST_CHECK(sample(Svg_role::result).find("stroke=\"#d55e00\"") != std::string::npos);
+  BOOST_CHECK(sample(Svg_role::construction).find("stroke-dasharray") != std::string::npos);
+}
+
+BOOST_AUTO_TEST_CASE(figures_that_are_refused) {
+  CHECK_ERROR(GC::Svg_figure("", 0), wrong_number_of_points);
+  CHECK_ERROR(GC::Svg_figure("", -1), negative_count);
+  CHECK_ERROR(GC::Svg_figure("", (std::numeric_limits<int>::min)()), negative_count);
+  BOOST_CHECK_EQUAL(GC::Svg_figure("", (std::numeric_limits<int>::max)()).add(GC::Svg_panel()).number_of_panels(), 1);
+  BOOST_CHECK_EQUAL(texts(GC::Svg_figure("", (std::numeric_limits<int>::max)()).add(GC::Svg_panel().add(arch))),
+                    "given curve\n");
+  GC::Svg_panel panel;
+  CHECK_ERROR(panel.join("G1"), wrong_number_of_points);
+  BOOST_CHECK_EQUAL(texts(GC::Svg_figure().add(panel)), "");
+}
+
+BOOST_AUTO_TEST_CASE(pictures_of_surfaces) {
+  const Patch bent{{Q(0, 0, 0), Q(0, 2, 0)}, {Q(1, 0, 2), Q(1, 2, 2)}, {Q(2, 0, 0), Q(2, 2, 0)}},
+      next{{Q(2, 0, 0), Q(2, 2, 0)}, {Q(3, 0, 2), Q(3, 2, 2)}};
+  GC::Svg_surface_style style;
+  style.title = "roof & wall";
+  style.shading = GC::Svg_shading::smooth;
+  BOOST_CHECK_EQUAL(texts({bent, next}, style), "roof &amp; wall\nedge, only G0: a crease\nboundary\n");
+  style.shading = GC::Svg_shading::isophotes;
+  style.title.clear();
+  BOOST_CHECK_EQUAL(texts({bent}, style), "isophotes: kinked where only G1, broken where only G0\nboundary\n");
+  for (double x : {std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity(), std::nan("")}) {
+    std::ostringstream os;
+    GC::Svg_surface_style wrong;
+    wrong.azimuth = x;
+    CHECK_ERROR(GC::write_svg_surfaces(os, std::vector<Patch>{bent}, wrong), not_finite);
+    wrong = GC::Svg_surface_style();
+    wrong.elevation = x;
+    CHECK_ERROR(GC::write_svg_surfaces(os, std::vector<Patch>{bent}, wrong), not_finite);
+    BOOST_CHECK(os.str().empty());
+  }
+}

@@ -1,0 +1,127 @@
+// Copyright (c) 2026 The Geometric_continuity developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#define BOOST_TEST_MODULE json
+#define BOOST_TEST_DYN_LINK
+#include <boost/test/unit_test.hpp>
+
+#include <CGAL/Exact_rational.h>
+#include <CGAL/Geometric_continuity/IO/json.h>
+#include <CGAL/Geometric_continuity/Traits_2.h>
+#include <CGAL/Geometric_continuity/curves/Bezier_curve.h>
+#include <CGAL/Simple_cartesian.h>
+
+#include <cmath>
+#include <iomanip>
+#include <limits>
+#include <locale>
+#include <optional>
+#include <sstream>
+#include <string>
+
+namespace GC = CGAL::Geometric_continuity;
+
+namespace {
+
+typedef CGAL::Exact_rational Q;
+typedef GC::Traits_2<CGAL::Simple_cartesian<Q>> Exact;
+typedef GC::Bezier_curve<Exact> Curve;
+typedef Exact::Point Point;
+
+// The text that f(os) writes.
+template <class F> std::string written(F f) {
+  std::ostringstream os;
+  f(os);
+  return os.str();
+}
+
+template <class T> std::string json(const T& x) {
+  return written([&](std::ostream& os) { GC::write_json(os, x); });
+}
+
+// f(os) throws `not_finite` and writes nothing.
+template <class F> void check_not_finite(F f) {
+  std::ostringstream os;
+  try {
+    f(os);
+    BOOST_ERROR("no error");
+  } catch (const GC::Error& e) {
+    BOOST_CHECK(e.code() == GC::Error_code::not_finite);
+  }
+  BOOST_CHECK_EQUAL(os.str(), "");
+}
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE(texts) {
+  BOOST_CHECK_EQUAL(json(""), "\"\"");
+  BOOST_CHECK_EQUAL(json("true"), "\"true\""); // a text, not a flag
+  BOOST_CHECK_EQUAL(json(std::string("a\"b\\c/d")), "\"a\\\"b\\\\c/d\"");
+  BOOST_CHECK_EQUAL(json(std::string_view("\n\t\0\x1f\x7f", 5)), "\"\\u000a\\u0009\\u0000\\u001f\x7f\"");
+  BOOST_CHECK_EQUAL(json("\xc3\xa9"), "\"\xc3\xa9\"");
+}
+
+BOOST_AUTO_TEST_CASE(flags) {
+  BOOST_CHECK_EQUAL(json(std::optional<bool>()), "null");
+  BOOST_CHECK_EQUAL(json(std::optional<bool>(true)), "true");
+  BOOST_CHECK_EQUAL(json(std::optional<bool>(false)), "false");
+  BOOST_CHECK_EQUAL(json(false), "false");
+}
+
+BOOST_AUTO_TEST_CASE(enclosures) {
+  const double infinity = std::numeric_limits<double>::infinity();
+  BOOST_CHECK_EQUAL(json(std::optional<GC::Enclosure>()), "null");
+  BOOST_CHECK_EQUAL(json(GC::Enclosure{0.1, 1e100}), "[0.1,1e+100]");
+  BOOST_CHECK_EQUAL(json(GC::Enclosure{2, infinity}), "[2,null]");
+  const double nan = std::nan("");
+  for (const GC::Enclosure& bad : {GC::Enclosure{0, nan}, {nan, 1}, {0, -infinity}, {-infinity, 1}, {infinity, 1}})
+    check_not_finite([&](std::ostream& os) { GC::write_json(os, bad); });
+}
+
+BOOST_AUTO_TEST_CASE(joins) {
+  const Curve left{Point(0, 0), Point(1, 0)}, right{Point(1, 0), Point(Q(4, 3), 0)}, gap{Point(2, 0), Point(3, 0)};
+  const auto join = GC::continuity(left, right);
+  const std::string members = "\"left\":7,\"right\":12345,\"c_order\":0,\"g_order\":3,\"f_order\":2,\"betas\":[\"1/3\","
+                              "\"0\",\"0\"],\"regular\":true,\"tangent_equal\":true,\"curvature_equal\":true,"
+                              "\"curvature_vector_equal\":true,\"torsion_equal\":null";
+  BOOST_CHECK_EQUAL(written([&](std::ostream& os) { GC::write_json(os, join, 7, 12345); }), '{' + members + '}');
+  BOOST_CHECK_EQUAL(written([&](std::ostream& os) { GC::write_json_members(os, join, 7, 12345); }), members);
+  BOOST_CHECK_EQUAL(written([&](std::ostream& os) { GC::write_json_members(os, GC::continuity(left, gap), 0, 1); }),
+                    "\"left\":0,\"right\":1,\"c_order\":-1,\"g_order\":-1,\"f_order\":-1,\"betas\":[],\"regular\":true,"
+                    "\"tangent_equal\":true,\"curvature_equal\":true,\"curvature_vector_equal\":true,"
+                    "\"torsion_equal\":null");
+}
+
+BOOST_AUTO_TEST_CASE(orders_within_a_tolerance) {
+  const Curve left{Point(0, 0), Point(1, 0)}, right{Point(1, 0), Point(2, 0)};
+  GC::Order_within within = GC::order_within(left, right, {});
+  const std::string members = "\"within\":[\"proved\",\"proved\",\"proved\",\"undecided\"],\"gap\":[0,0],"
+                              "\"tangent_angle\":[0,0],\"curvature_jump\":[0,0],\"torsion_jump\":null";
+  within.verdicts[3] = GC::Verdict::undecided;
+  within.deviation.torsion_jump.reset();
+  BOOST_CHECK_EQUAL(json(within), '{' + members + '}');
+  BOOST_CHECK_EQUAL(written([&](std::ostream& os) { GC::write_json_members(os, within); }), members);
+  within.deviation.torsion_jump = GC::Enclosure{0, std::nan("")};
+  check_not_finite([&](std::ostream& os) { GC::write_json(os, within); });
+  check_not_finite([&](std::ostream& os) { GC::write_json_members(os, within); });
+}
+
+BOOST_AUTO_TEST_CASE(streams_and_locales_do_not_matter) {
+  struct Continental : std::numpunct<char> {
+    char do_decimal_point() const override { return ','; }
+    char do_thousands_sep() const override { return '.'; }
+    std::string do_grouping() const override { return "\3"; }
+  };
+  const Curve left{Point(0, 0), Point(1, 0)}, gap{Point(2, 0), Point(3, 0)};
+  const auto join = GC::continuity(left, gap);
+  const std::locale continental(std::locale::classic(), new Continental), old = std::locale::global(continental);
+  std::ostringstream os; // has the global locale
+  os << std::hex << std::showpos << std::setw(200);
+  GC::write_json(os, join, 12345, 1234567);
+  os << std::setw(200);
+  GC::write_json(os, GC::Enclosure{1234.5, 1234567});
+  std::locale::global(old);
+  BOOST_CHECK_EQUAL(os.str().substr(0, 31), "{\"left\":12345,\"right\":1234567,\"");
+  BOOST_CHECK_EQUAL(os.str().substr(os.str().find('}')), "}[1234.5,1234567]");
+}

@@ -1,0 +1,79 @@
+// Copyright (c) 2026 The Geometric_continuity developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#define BOOST_TEST_MODULE mesh
+#define BOOST_TEST_DYN_LINK
+#include <boost/test/unit_test.hpp>
+
+#include <CGAL/Geometric_continuity/IO/mesh.h>
+#include <CGAL/Geometric_continuity/Traits_2.h>
+#include <CGAL/Geometric_continuity/Traits_3.h>
+#include <CGAL/Simple_cartesian.h>
+
+#include <cmath>
+#include <sstream>
+
+namespace GC = CGAL::Geometric_continuity;
+
+namespace {
+
+typedef GC::Traits_3<CGAL::Simple_cartesian<double>> Traits;
+typedef GC::Tessellation<Traits> Tessellation;
+
+const GC::Mesh_format formats[] = {GC::Mesh_format::off, GC::Mesh_format::obj, GC::Mesh_format::ply,
+                                   GC::Mesh_format::stl};
+
+Tessellation triangle() {
+  Tessellation t;
+  t.points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0.1}};
+  t.triangles = {{0, 1, 2}};
+  return t;
+}
+
+// In no format anything is written, but this error is thrown.
+template <class Traits> void check_refused(const GC::Tessellation<Traits>& t, GC::Error_code code) {
+  for (const GC::Mesh_format format : formats) {
+    std::ostringstream os;
+    try {
+      GC::write_mesh(os, t, format);
+      BOOST_ERROR("no error");
+    } catch (const GC::Error& e) {
+      BOOST_CHECK(e.code() == code);
+    }
+    BOOST_CHECK_EQUAL(os.str(), "");
+  }
+}
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE(each_format_has_all_coordinates) {
+  for (const GC::Mesh_format format : formats) {
+    std::ostringstream os;
+    GC::write_mesh(os, triangle(), format);
+    BOOST_CHECK(os.str().find("0 1 0.10000000000000001") != std::string::npos);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(triangles_without_points_are_refused) {
+  Tessellation t = triangle();
+  t.triangles.push_back({1, 2, 3});
+  check_refused(t, GC::Error_code::wrong_number_of_points);
+  t.points.clear();
+  check_refused(t, GC::Error_code::wrong_number_of_points);
+}
+
+BOOST_AUTO_TEST_CASE(numbers_that_are_not_finite_are_refused) {
+  for (const double bad : {std::nan(""), HUGE_VAL, -HUGE_VAL}) {
+    Tessellation t = triangle();
+    t.points[2] = {0, 1, bad};
+    check_refused(t, GC::Error_code::not_finite);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(points_of_the_plane_are_refused) {
+  GC::Tessellation<GC::Traits_2<CGAL::Simple_cartesian<double>>> t;
+  t.points = {{0, 0}, {1, 0}, {0, 1}};
+  t.triangles = {{0, 1, 2}};
+  check_refused(t, GC::Error_code::dimension_mismatch);
+}

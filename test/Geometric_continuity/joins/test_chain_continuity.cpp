@@ -1,0 +1,284 @@
+// Copyright (c) 2026 The Geometric_continuity developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+// The analysis of chains and of segmented curves.
+
+#define BOOST_TEST_DYN_LINK
+#define BOOST_TEST_MODULE chain_continuity
+#include <boost/test/unit_test.hpp>
+
+#include "support/composite_curves.h"
+
+#include <CGAL/Geometric_continuity/Traits_2.h>
+#include <CGAL/Geometric_continuity/Traits_3.h>
+#include <CGAL/Geometric_continuity/Traits_d.h>
+#include <CGAL/Geometric_continuity/curves/Composite_bezier_curve.h>
+#include <CGAL/Geometric_continuity/curves/polygon_invariants.h>
+#include <CGAL/Geometric_continuity/joins/chain_continuity.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <map>
+#include <stdexcept>
+#include <vector>
+
+// ------------------------------------------------------------------------------------------------------------ chains
+
+namespace {
+
+// Curves of which each starts where the one before it ends but for some gaps, with joins of all kinds.
+template <class Traits> std::vector<Bezier<Traits>> random_chain(Random& random, int n) {
+  typedef typename Traits::FT FT;
+  std::vector<Bezier<Traits>> chain(1, random.curve<Traits>(3, 1).segment(0));
+  while (static_cast<int>(chain.size()) < n) {
+    const Bezier<Traits>& last = chain.back();
+    std::vector<Column<Traits>> b;
+    for (int i = 0; i < 4; ++i) b.push_back(random.column<Traits>());
+    const int order = random.integer(-1, 3);
+    const FT beta(random.integer(1, 2)), c0(random.integer(0, 9));
+    const Column<Traits> p = last.coordinates(3) - last.coordinates(2);
+    if (order >= 0) b[0] = last.coordinates(3);
+    if (order >= 1) b[1] = b[0] + beta * p;
+    if (order >= 2) b[2] = b[0] + FT(beta * beta) * (last.coordinates(1) - b[0]) + c0 * p;
+    std::vector<typename Traits::Point> points;
+    for (const Column<Traits>& x : b) points.push_back(GC::to_point<Traits>(x));
+    chain.push_back(Bezier<Traits>(points.begin(), points.end()));
+  }
+  return chain;
+}
+
+template <class Join> bool same_join(const Join& x, const Join& y) {
+  return x.c_order == y.c_order && x.g_order == y.g_order && x.f_order == y.f_order && x.betas == y.betas &&
+         x.curvature_equal == y.curvature_equal && x.torsion_equal == y.torsion_equal;
+}
+
+// A curve that counts its copies.
+struct Counted_curve : Bezier<Double_2> {
+  static int alive, most;
+  static void count(int n) { most = std::max(most, alive += n); }
+  explicit Counted_curve(const Bezier<Double_2>& c) : Bezier<Double_2>(c) { count(1); }
+  Counted_curve(const Counted_curve& c) : Bezier<Double_2>(c) { count(1); }
+  Counted_curve& operator=(const Counted_curve&) = default;
+  ~Counted_curve() { count(-1); }
+};
+int Counted_curve::alive = 0, Counted_curve::most = 0;
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE_TEMPLATE(a_chain_is_its_joins, Traits, All_traits) {
+  typedef GC::Chain_join<Bezier<Traits>> Chain_join;
+  Random random;
+  for (bool closed : {false, true})
+    for (int max_order : {0, 2, 4}) {
+      const std::vector<Bezier<Traits>> chain = random_chain<Traits>(random, 30);
+      std::size_t n = 0;
+      std::map<int, std::size_t> c, g, f;
+      const GC::Chain_summary summary =
+          GC::chain_continuity(chain.begin(), chain.end(), max_order, closed, [&](const Chain_join& join) {
+            BOOST_CHECK_EQUAL(join.left, n);
+            BOOST_CHECK_EQUAL(join.right, n == 29 ? 0 : n + 1);
+            BOOST_CHECK(join.left_curve == chain[join.left]);
+            BOOST_CHECK(join.right_curve == chain[join.right]);
+            const auto expected = GC::continuity(chain[join.left], chain[join.right], max_order);
+            BOOST_CHECK(same_join(join.continuity, expected));
+            ++c[expected.c_order];
+            ++g[expected.g_order];
+            ++f[expected.f_order];
+            ++n;
+          });
+      BOOST_CHECK_EQUAL(n, closed ? 30 : 29);
+      BOOST_CHECK_EQUAL(summary.joins(), n);
+      BOOST_CHECK(summary.counts(Kind::C) == c);
+      BOOST_CHECK(summary.counts(Kind::G) == g);
+      BOOST_CHECK(summary.counts(Kind::F) == f);
+      BOOST_CHECK(max_order == 0 || g.size() > 2); // the test sees joins of several orders
+      BOOST_CHECK_EQUAL(*summary.least_order(Kind::G), g.begin()->first);
+      BOOST_CHECK_EQUAL(summary.failing(Kind::C, 1), c[-1] + c[0]);
+      BOOST_CHECK_EQUAL(summary.failing(Kind::F, 0), f[-1]);
+      BOOST_CHECK(GC::chain_continuity(chain.begin(), chain.end(), max_order, closed).counts(Kind::C) == c);
+    }
+}
+
+BOOST_AUTO_TEST_CASE(short_chains) {
+  Random random;
+  const std::vector<Bezier<Exact_3>> chain = random_chain<Exact_3>(random, 2);
+  const auto joins = [&](int n, bool closed) {
+    return GC::chain_continuity(chain.begin(), chain.begin() + n, 3, closed);
+  };
+  BOOST_CHECK_EQUAL(joins(0, false).joins(), 0);
+  BOOST_CHECK_EQUAL(joins(0, true).joins(), 0);
+  BOOST_CHECK_EQUAL(joins(1, false).joins(), 0);
+  BOOST_CHECK_EQUAL(joins(1, true).joins(), 1);
+  BOOST_CHECK_EQUAL(joins(2, false).joins(), 1);
+  BOOST_CHECK_EQUAL(joins(2, true).joins(), 2);
+  BOOST_CHECK(!joins(1, false).least_order(Kind::C));
+  BOOST_CHECK_EQUAL(joins(0, true).failing(Kind::C, 3), 0);
+}
+
+BOOST_AUTO_TEST_CASE(memory_does_not_grow_with_a_chain) {
+  Random random;
+  const Counted_curve curve(random.curve<Double_2>(3, 1).segment(0));
+  const auto most = [&](int n) {
+    GC::Chain_analysis<Counted_curve> chain(2);
+    Counted_curve::most = Counted_curve::alive;
+    for (int i = 0; i < n; ++i) chain.add(curve);
+    chain.close();
+    BOOST_CHECK_EQUAL(chain.size(), n);
+    BOOST_CHECK_EQUAL(chain.summary().joins(), n);
+    return Counted_curve::most;
+  };
+  BOOST_CHECK_EQUAL(most(1000), most(3));
+  BOOST_CHECK_EQUAL(Counted_curve::alive, 1);
+}
+
+BOOST_AUTO_TEST_CASE(a_refused_curve_does_not_change_the_chain) {
+  typedef Exact_d::Point Point;
+  const std::vector<Q> x = {Q(0), Q(1), Q(2)};
+  const Point p(2, x.begin(), x.begin() + 2), q(3, x.begin(), x.end());
+  const Bezier<Exact_d> plane{p, p}, space{q, q};
+  typedef GC::Chain_join<Bezier<Exact_d>> Chain_join;
+  GC::Chain_analysis<Bezier<Exact_d>> chain;
+  chain.add(plane);
+  CHECK_ERROR(chain.add(space), dimension_mismatch);
+  BOOST_CHECK_THROW(chain.add(plane, [](const Chain_join&) { throw std::runtime_error("report"); }),
+                    std::runtime_error);
+  BOOST_CHECK_EQUAL(chain.size(), 1);
+  BOOST_CHECK_EQUAL(chain.summary().joins(), 0);
+  chain.add(plane);
+  BOOST_CHECK_EQUAL(chain.summary().joins(), 1);
+  GC::Chain_analysis<Bezier<Exact_d>> no_order(-1);
+  no_order.add(plane);
+  CHECK_ERROR(no_order.add(plane), jet_order_too_low);
+}
+
+// ------------------------------------------------------------------------------------- analysis of a segmented curve
+
+BOOST_AUTO_TEST_CASE_TEMPLATE(continuity_in_the_global_parameter, Traits, All_traits) {
+  typedef typename Traits::FT FT;
+  const int n = test_dimension<Traits>;
+  typedef GC::Predicate_FT<Traits> Field;
+  // one cubic over the knots 0, 1, 2, 4
+  const Composite<Traits> cubic = composite<Traits>({{0}, {4, 0, 0, 8}, {8, 8, 4}, {8, 12, 16, 4}}, {0, 4});
+  const Composite<Traits> c = cubic.insert_knot(FT(2)).insert_knot(FT(1));
+  const GC::Composite_continuity<Traits> whole = GC::chain_continuity(c);
+  BOOST_REQUIRE_EQUAL(whole.joins.size(), 2);
+  for (const GC::Composite_join<Traits>& join : whole.joins) {
+    BOOST_CHECK_EQUAL(join.continuity.c_order, 3);
+    BOOST_CHECK_EQUAL(join.continuity.g_order, 3);
+    BOOST_CHECK_EQUAL(join.continuity.f_order, std::min(3, n));
+    BOOST_CHECK(join.continuity.betas == numbers<Field>({1, 0, 0}));
+  }
+  BOOST_CHECK_EQUAL(whole.joins[1].left, 1);
+  BOOST_CHECK_EQUAL(whole.joins[1].right, 2);
+  BOOST_CHECK_EQUAL(whole.joins[1].knot, FT(2));
+
+  // the same points over other knots: the last segment, of length 2, is run through in 1/2
+  const std::vector<FT> knots = {FT(0), FT(1), FT(2), ratio<FT>(5, 2)};
+  const auto other = GC::chain_continuity(Composite<Traits>(c.begin(), c.end(), knots)).joins[1].continuity;
+  BOOST_CHECK_EQUAL(other.c_order, 0);
+  BOOST_CHECK_EQUAL(other.g_order, 3);
+  BOOST_CHECK(other.betas == numbers<Field>({4, 0, 0}));
+}
+
+BOOST_AUTO_TEST_CASE_TEMPLATE(every_join_is_that_of_two_curves, Traits, All_traits) {
+  typedef GC::Predicate_FT<Traits> Field;
+  Random random;
+  for (bool closed : {false, true})
+    for (int max_order : {1, 3, 4}) {
+      const Composite<Traits> c = random.curve<Traits>(4, 3, closed);
+      const GC::Composite_continuity<Traits> whole = GC::chain_continuity(c, max_order);
+      BOOST_REQUIRE_EQUAL(whole.joins.size(), closed ? 3 : 2);
+      BOOST_CHECK_EQUAL(whole.summary.joins(), whole.joins.size());
+      GC::Chain_summary summary;
+      for (std::size_t i = 0; i < whole.joins.size(); ++i) {
+        const GC::Composite_join<Traits>& join = whole.joins[i];
+        BOOST_CHECK_EQUAL(join.left, i);
+        BOOST_CHECK_EQUAL(join.right, (i + 1) % 3);
+        BOOST_CHECK_EQUAL(join.knot, c.knots()[i + 1]);
+        const Bezier<Traits> left = c.segment(join.left), right = c.segment(join.right);
+        const auto expected = GC::continuity(left, right, max_order);
+        BOOST_CHECK(same_join(join.continuity, expected));
+        summary.add(expected);
+        const auto x = left.template end_jet_over<Field>(3), y = right.template start_jet_over<Field>(3);
+        if constexpr (test_dimension<Traits> == 2) {
+          BOOST_CHECK(join.left_side.curvature == GC::signed_curvature(x));
+          BOOST_CHECK(join.right_side.curvature == GC::signed_curvature(y));
+        } else {
+          BOOST_CHECK(join.left_side.curvature->square == *GC::curvature_squared(x));
+          BOOST_CHECK(join.right_side.curvature->square == *GC::curvature_squared(y));
+          BOOST_CHECK(join.left_side.curvature->sign == 1 && join.right_side.curvature->sign == 1);
+        }
+        if constexpr (is_exact<Traits>) { // from the legs of the polygon
+          const auto before = GC::end_invariants(left), after = GC::start_invariants(right);
+          BOOST_CHECK(join.left_side.curvature->square == *before.curvature_squared);
+          BOOST_CHECK(join.right_side.curvature->square == *after.curvature_squared);
+          BOOST_CHECK(join.left_side.torsion == before.torsion);
+          BOOST_CHECK(join.right_side.torsion == after.torsion);
+        }
+        if constexpr (test_dimension<Traits> == 3) {
+          BOOST_CHECK(join.left_side.torsion == GC::torsion(x));
+          BOOST_CHECK(join.right_side.torsion == GC::torsion(y));
+        } else
+          BOOST_CHECK(!join.left_side.torsion && !join.right_side.torsion);
+      }
+      for (Kind kind : {Kind::C, Kind::G, Kind::F}) BOOST_CHECK(whole.summary.counts(kind) == summary.counts(kind));
+    }
+}
+
+BOOST_AUTO_TEST_CASE_TEMPLATE(sides_of_a_join, Traits, All_traits) {
+  typedef GC::Predicate_FT<Traits> Field;
+  typedef GC::Signed_square<Field> Signed;
+  // a left turn before the join and a right turn after it; at the ends of parabolas kappa = |p x r| / (2 |p|^3)
+  const auto whole = GC::chain_continuity(composite<Traits>({{0, 0}, {2, 0}, {2, 2}, {2, 4}, {8, 4}}, {0, 1, 2}));
+  const bool plane = test_dimension<Traits> == 2;
+  BOOST_CHECK(whole.joins[0].left_side.curvature == (Signed{1, Field(Field(1) / Field(16))}));
+  BOOST_CHECK(whole.joins[0].right_side.curvature == (Signed{plane ? -1 : 1, Field(Field(9) / Field(16))}));
+  // a zero leg has no curvature, a straight one the curvature 0 and no torsion
+  const auto zero = GC::chain_continuity(composite<Traits>({{0, 0}, {2, 0}, {2, 0}, {2, 4}, {2, 8}}, {0, 1, 2}));
+  BOOST_CHECK(!zero.joins[0].left_side.curvature && !zero.joins[0].left_side.torsion);
+  BOOST_CHECK(zero.joins[0].right_side.curvature == (Signed{0, Field(0)}));
+  BOOST_CHECK(!zero.joins[0].right_side.torsion);
+}
+
+BOOST_AUTO_TEST_CASE_TEMPLATE(joins_that_fail, Traits, All_traits) {
+  // four segments of a closed polygon: smooth, corner, smooth in direction only, closing corner
+  const Composite<Traits> c =
+      composite<Traits>({{0, 0}, {1, 0}, {2, 0}, {2, 1}, {2, 2}, {2, 4}, {2, 6}, {-1, 6}, {0, 0}}, {0, 1, 2, 3, 4});
+  BOOST_REQUIRE(c.is_closed());
+  const GC::Composite_continuity<Traits> whole = GC::chain_continuity(c);
+  const auto failing = [&](Kind kind, int order) {
+    std::vector<int> left;
+    for (const GC::Composite_join<Traits>& join : whole.failing(kind, order)) left.push_back(join.left);
+    BOOST_CHECK_EQUAL(left.size(), whole.summary.failing(kind, order));
+    return left;
+  };
+  BOOST_CHECK(failing(Kind::C, 0) == std::vector<int>());
+  BOOST_CHECK(failing(Kind::C, 1) == std::vector<int>({0, 1, 2, 3}));
+  BOOST_CHECK(failing(Kind::G, 1) == std::vector<int>({0, 2, 3}));
+  BOOST_CHECK(failing(Kind::F, 1) == std::vector<int>({0, 2, 3}));
+  BOOST_CHECK_EQUAL(*whole.summary.least_order(Kind::G), 0);
+  BOOST_CHECK(whole.joins[1].continuity.betas.size() >= 1 &&
+              whole.joins[1].continuity.betas[0] == GC::Predicate_FT<Traits>(2));
+}
+
+BOOST_AUTO_TEST_CASE(exact_predicates_read_points_and_knots_as_given) {
+  typedef Epick_3::Point Point;
+  // legs of length 1 + 1e-17 and 1: rounded subtraction makes them equal
+  const std::vector<Point> b = {Point(-1, 0, 0), Point(1e-17, 0, 0), Point(1, 0, 0)};
+  const Composite<Epick_3> c(b.begin(), b.end(), {0, 1, 2});
+  const auto exact = GC::chain_continuity(c, 1).joins[0].continuity;
+  BOOST_CHECK_EQUAL(exact.c_order, 0);
+  BOOST_CHECK_EQUAL(exact.g_order, 1);
+  BOOST_CHECK(exact.betas[0] < 1);
+  typedef Double_3::Point Rounded;
+  const std::vector<Rounded> r = {Rounded(-1, 0, 0), Rounded(1e-17, 0, 0), Rounded(1, 0, 0)};
+  BOOST_CHECK_EQUAL(
+      GC::chain_continuity(Composite<Double_3>(r.begin(), r.end(), {0, 1, 2}), 1).joins[0].continuity.c_order, 1);
+  // the same with knots: intervals of length 1 + 1e-17 and 1
+  const std::vector<Point> p = {Point(-1, 0, 0), Point(0, 0, 0), Point(1, 0, 0)};
+  BOOST_CHECK_EQUAL(
+      GC::chain_continuity(Composite<Epick_3>(p.begin(), p.end(), {-1e-17, 1, 2}), 1).joins[0].continuity.c_order, 0);
+  BOOST_CHECK_EQUAL(
+      GC::chain_continuity(Composite<Epick_3>(p.begin(), p.end(), {0, 1, 2}), 1).joins[0].continuity.c_order, 1);
+}

@@ -1,0 +1,130 @@
+// Copyright (c) 2026 The Geometric_continuity developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+// Enclosures of square roots and of angles: they hold, proved by exact numbers, in every rounding mode, and are narrow. Rational
+// square roots.
+
+#define BOOST_TEST_DYN_LINK
+#define BOOST_TEST_MODULE Enclosure
+#include <boost/test/unit_test.hpp>
+
+#include "support/enclosures.h"
+#include "support/errors.h"
+
+#include <CGAL/Exact_rational.h>
+#include <CGAL/Geometric_continuity/numbers/Enclosure.h>
+#include <CGAL/Geometric_continuity/numbers/rational_square_root.h>
+#include <CGAL/Quotient.h>
+
+#include <cfenv>
+#include <cmath>
+#include <iostream>
+#include <limits>
+#include <random>
+#include <utility>
+
+namespace GC = CGAL::Geometric_continuity;
+typedef CGAL::Exact_rational Q;
+using enclosures::angle_is;
+using enclosures::encloses_root;
+using enclosures::ulps;
+
+namespace {
+
+const int rounding_modes[] = {FE_TONEAREST, FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO};
+
+template <class FT> GC::Enclosure angle_in(int mode, const FT& sine_squared, const FT& cosine) {
+  std::fesetround(mode);
+  const GC::Enclosure e = GC::angle_enclosure(sine_squared, cosine);
+  std::fesetround(FE_TONEAREST);
+  return e;
+}
+template <class FT> GC::Enclosure root_in(int mode, const FT& x) {
+  std::fesetround(mode);
+  const GC::Enclosure e = GC::root_enclosure(x);
+  std::fesetround(FE_TONEAREST);
+  return e;
+}
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE(random_roots_and_angles) {
+  std::cout << "seed 2026\n";
+  std::mt19937_64 random(2026);
+  const auto number = [&random](int exponents) {
+    return std::ldexp(double(random() >> 11), -52 - static_cast<int>(random() % static_cast<unsigned>(exponents)));
+  };
+  for (int i = 0; i < 400; ++i) {
+    const int mode = rounding_modes[i % 4], exponents = i % 3 == 0 ? 1 : i % 3 == 1 ? 30 : 200;
+    const double s = number(exponents), c = number(exponents) * (i % 8 < 4 ? 1 : -1);
+    const GC::Enclosure root = root_in(mode, Q(Q(s) / Q(3)));
+    BOOST_CHECK(encloses_root(root, Q(Q(s) / Q(3))));
+    BOOST_CHECK(ulps(root) <= 4);
+    BOOST_CHECK(encloses_root(root_in(mode, s), Q(s)) && ulps(root_in(mode, s)) <= 1); // a number without an interval
+    const Q sine_squared = Q(Q(s) * Q(s) / Q(7));
+    const GC::Enclosure angle = angle_in(mode, sine_squared, Q(c));
+    const Q lengths = Q(sine_squared + Q(c) * Q(c));
+    BOOST_CHECK(angle_is(true, angle.lower, Q(c), lengths));
+    BOOST_CHECK(angle_is(false, angle.upper, Q(c), lengths));
+    BOOST_CHECK(ulps(angle) <= 4);
+    BOOST_CHECK(0 <= angle.lower && angle.lower < angle.upper);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(special_angles) {
+  const double pi = 3.141592653589793, above_pi = std::nextafter(pi, 4.); // pi lies between
+  for (int mode : rounding_modes) {
+    BOOST_CHECK(angle_in(mode, Q(0), Q(5)) == (GC::Enclosure{0, 0}));
+    BOOST_CHECK(angle_in(mode, Q(0), Q(-5)) == (GC::Enclosure{pi, above_pi}));
+    BOOST_CHECK(angle_in(mode, Q(3), Q(0)) == (GC::Enclosure{pi / 2, above_pi / 2}));
+    BOOST_CHECK(angle_in(mode, Q(2), Q(2)).lower < angle_in(mode, Q(5), Q(2)).lower);
+    const GC::Enclosure eighth = angle_in(mode, Q(4), Q(2)), obtuse = angle_in(mode, Q(4), Q(-2));
+    BOOST_CHECK(eighth.lower <= pi / 4 && above_pi / 4 <= eighth.upper && ulps(eighth) <= 3);
+    BOOST_CHECK(obtuse.lower <= 0.75 * pi && 0.75 * above_pi <= obtuse.upper && ulps(obtuse) <= 3);
+    // tiny angles, near 0 and near pi, and nearly right ones
+    const Q tiny = Q(std::ldexp(1., -500));
+    const GC::Enclosure near_0 = angle_in(mode, Q(tiny * tiny), Q(1));
+    BOOST_CHECK(near_0.lower <= std::ldexp(1., -500) && std::ldexp(1., -500) <= near_0.upper && ulps(near_0) <= 3);
+    BOOST_CHECK(angle_in(mode, Q(tiny * tiny), Q(-1)) == (GC::Enclosure{pi, above_pi}));
+    BOOST_CHECK(angle_in(mode, Q(1), tiny) == (GC::Enclosure{pi / 2, above_pi / 2}));
+    BOOST_CHECK(angle_in(mode, Q(1), Q(-tiny)) == (GC::Enclosure{pi / 2, above_pi / 2}));
+    const GC::Enclosure least = angle_in(mode, Q(tiny * tiny * tiny * tiny * tiny), Q(1)); // 2^-1250 is no double
+    BOOST_CHECK(least.lower >= 0 && least.upper <= std::ldexp(1., -530));
+  }
+  CHECK_ERROR(GC::angle_enclosure(Q(0), Q(0)), zero_direction);
+  CHECK_ERROR(GC::angle_enclosure(Q(-1), Q(2)), parameter_outside_domain);
+  CHECK_ERROR(GC::angle_enclosure(std::numeric_limits<double>::quiet_NaN(), 1.), not_finite);
+}
+
+BOOST_AUTO_TEST_CASE(special_roots) {
+  const double largest = (std::numeric_limits<double>::max)(), least = std::numeric_limits<double>::denorm_min(),
+               infinity = std::numeric_limits<double>::infinity();
+  for (int mode : rounding_modes) {
+    BOOST_CHECK(root_in(mode, Q(0)) == (GC::Enclosure{0, 0}));
+    BOOST_CHECK(root_in(mode, Q(9)) == (GC::Enclosure{3, 3}));
+    BOOST_CHECK(encloses_root(root_in(mode, Q(largest)), Q(largest)));
+    BOOST_CHECK(encloses_root(root_in(mode, Q(least)), Q(least)));
+    const GC::Enclosure huge = root_in(mode, Q(Q(largest) * Q(4)));
+    BOOST_CHECK(huge.upper == infinity && Q(huge.lower) * Q(huge.lower) <= Q(Q(largest) * Q(4)));
+  }
+  CHECK_ERROR(GC::root_enclosure(Q(-1)), parameter_outside_domain);
+  CHECK_ERROR(GC::root_enclosure(infinity), not_finite);
+  CHECK_ERROR(GC::enclosure(infinity), not_finite);
+  BOOST_CHECK(GC::enclosure(Q(Q(1) / Q(2))) == (GC::Enclosure{0.5, 0.5}));
+}
+
+BOOST_AUTO_TEST_CASE(rational_roots) {
+  BOOST_CHECK(*GC::rational_square_root(Q(Q(4) / Q(9))) == Q(2) / Q(3));
+  BOOST_CHECK(*GC::rational_square_root(Q(0)) == Q(0));
+  BOOST_CHECK(!GC::rational_square_root(Q(2)));
+  BOOST_CHECK(!GC::rational_square_root(Q(-4)));
+  BOOST_CHECK(!GC::rational_square_root(-4.));
+  BOOST_CHECK(*GC::rational_square_root(2.25) == 1.5);
+  CHECK_ERROR(GC::rational_square_root(std::numeric_limits<double>::quiet_NaN()), not_finite);
+  // fractions that are not in lowest terms, with a negative denominator
+  typedef CGAL::Quotient<long> Fraction;
+  BOOST_CHECK(*GC::rational_square_root(Fraction(8, 2)) == Fraction(2));
+  BOOST_CHECK(*GC::rational_square_root(Fraction(-8, -18)) == Fraction(2, 3));
+  BOOST_CHECK(!GC::rational_square_root(Fraction(8, 4)));
+}
