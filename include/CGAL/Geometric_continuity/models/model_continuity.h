@@ -107,9 +107,12 @@ private:
 /// \f$ s_1, \dots, s_k \f$, there is one row for each pair \f$ s_i, s_{i+1} \f$, marked `non_manifold`, so that \f$ k-1 \f$
 /// rows and not \f$ k(k-1)/2 \f$ are decided.
 ///
-/// The edges are found by sorting: \f$ O(n \log n) \f$ comparisons for `n` patches; then each shared edge is decided once.
+/// Each edge is recognised once, by sorting: \f$ O(n \log n) \f$ comparisons for `n` patches, of the control points as they are
+/// given where edges with the same ends have one degree and the same knots. Then each shared edge is decided once, smooth
+/// edges with integers of fixed length where `edge_continuity()` takes them.
 ///
-/// \tparam PatchRange a forward range of `Bezier_patch` or of `Bspline_surface`, which must outlive the call
+/// \tparam PatchRange a forward range of `Bezier_patch` or of `Bspline_surface`
+/// \param patches of the model, which must outlive the call
 /// \throws Error `dimension_mismatch` unless in dimension 3
 template <class PatchRange> auto model_continuity(const PatchRange& patches) {
   typedef std::decay_t<decltype(*std::begin(patches))> Patch;

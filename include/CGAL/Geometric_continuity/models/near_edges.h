@@ -6,6 +6,7 @@
 #define CGAL_GEOMETRIC_CONTINUITY_MODELS_NEAR_EDGES_H
 
 #include <CGAL/Geometric_continuity/edges/edge_order_within.h>
+#include <CGAL/Geometric_continuity/edges/internal/Edge_piece.h>
 #include <CGAL/Geometric_continuity/models/Model_edge.h>
 #include <CGAL/Geometric_continuity/numbers/internal/checked_conversion.h>
 
@@ -68,7 +69,7 @@ template <class Field> struct Boundary_edge {
 } // namespace internal
 
 /// \ingroup PkgGeometricContinuitySurfaces
-/// The pairs of boundary edges of a model whose gap is not refuted to be within the tolerance, and their orders within the
+/// Finds the pairs of boundary edges of a model whose gap is not refuted to be within the tolerance, and their orders within the
 /// tolerance: edges that `model_continuity()` finds to differ, such as those of rounded constructions. By the number of the
 /// first patch. An edge that is near to several others is in several pairs.
 ///

@@ -40,7 +40,7 @@ struct All_edge_stages {
   void decided(Edge_stage, bool) const {}
 };
 
-// Whether two patches have the order G^k along whole edges that are the same curve, run through in one direction; or empty
+// Whether two patches have the order G^k along whole edges that are the same curve in one direction; or empty
 // if numbers of fixed length do not decide it.
 template <int order, class Stages>
 std::optional<bool> decide_on_same_edge(const Edge_layers& a, const Edge_layers& b, Stages& stages) {
@@ -79,7 +79,7 @@ std::optional<bool> decide_on_same_edge(const Edge_layers& a, const Edge_layers&
   return std::nullopt;
 }
 
-// The same for whole edges that may differ, or run in opposite directions; then the second is turned.
+// The decision on whole edges that may differ, or run in opposite directions; then the second is turned.
 template <int order, class Stages>
 std::optional<bool> decide_on_layers(const Edge_layers& a, Edge_layers& b, Stages& stages) {
   if (a.along != b.along) return std::nullopt;
@@ -93,7 +93,7 @@ std::optional<bool> decide_on_layers(const Edge_layers& a, Edge_layers& b, Stage
   return decide_on_same_edge<order>(a, b, stages);
 }
 
-// The order 1 or 2 along two edges that are the same curve, run through in one direction, if numbers of fixed length prove
+// The order 1 or 2 along two edges that are the same curve in one direction, if numbers of fixed length prove
 // it. Otherwise the edge may be anything.
 inline std::optional<int> smooth_order(const Edge_layers& a, const Edge_layers& b) {
   const All_edge_stages stages;

@@ -48,7 +48,7 @@ public:
 
   bool single_point() const { return numbers_.size() == 1 && numbers_[0].size() == 4; }
 
-  // Whether the numbers are those of the edge run through backwards. Of two edges with equal keys that differ in this, one is
+  // Whether the numbers are those of the reversed edge. Of two edges with equal keys that differ in this, one is
   // the other backwards. (An edge that is the same backwards is not turned.)
   bool turned() const { return turned_; }
 
