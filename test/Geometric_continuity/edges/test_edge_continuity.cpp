@@ -394,6 +394,9 @@ BOOST_AUTO_TEST_CASE(angles_of_measures) {
   BOOST_CHECK((Deviation::angle(Q(0)) == GC::Enclosure{0, 0}));
   BOOST_CHECK(Deviation::angle(Q(2)).lower <= pi && pi < Deviation::angle(Q(2)).upper);
   BOOST_CHECK(Deviation::angle(Q(1)).lower <= pi / 2 && pi / 2 < Deviation::angle(Q(1)).upper);
+  for (const Q& outside : {Q(Q(-1) / 8), Q(Q(17) / 8)})
+    BOOST_CHECK_EXCEPTION((void)Deviation::angle(outside), GC::Error,
+                          [](const GC::Error& e) { return e.code() == GC::Error_code::parameter_outside_domain; });
   // tiny angles keep their accuracy
   const GC::Enclosure tiny = Deviation::angle(Q(Q(1) / Q(1e40)));
   BOOST_CHECK_CLOSE(tiny.lower, 1e-20, 1e-13);

@@ -5,6 +5,7 @@
 #ifndef CGAL_GEOMETRIC_CONTINUITY_EDGES_NORMAL_DEVIATION_H
 #define CGAL_GEOMETRIC_CONTINUITY_EDGES_NORMAL_DEVIATION_H
 
+#include <CGAL/Geometric_continuity/Error.h>
 #include <CGAL/Geometric_continuity/numbers/Enclosure.h>
 
 namespace CGAL {
@@ -34,7 +35,10 @@ template <class FT> struct Normal_deviation {
   double largest_angle() const { return angle(upper).upper; }
 
   /// Returns an enclosure of the angle that has a measure between 0 and 2, in radians. It needs `CGAL::to_interval()`.
+  /// \throws Error `parameter_outside_domain` for another measure
   static Enclosure angle(const FT& measure) {
+    if (measure < FT(0) || FT(2) < measure)
+      throw Error(Error_code::parameter_outside_domain, "Normal_deviation::angle: a measure is between 0 and 2");
     const bool obtuse = FT(1) < measure;
     const FT sine_squared = obtuse ? FT(FT(2) - measure) : measure;
     return internal::angle_of_squares(sine_squared, FT(FT(1) - sine_squared), obtuse);
