@@ -100,18 +100,18 @@
 #include <CGAL/Geometric_continuity/surfaces/Revolution_surface_3.h>
 #include <CGAL/Geometric_continuity/surfaces/evaluate_grid.h>
 
+#include <CGAL/Geometric_continuity/edges/Edge_conditions.h>
+#include <CGAL/Geometric_continuity/edges/Edge_rows.h>
 #include <CGAL/Geometric_continuity/edges/G1_ribbon.h>
-#include <CGAL/Geometric_continuity/edges/bspline_edge_continuity.h>
+#include <CGAL/Geometric_continuity/edges/Normal_deviation.h>
+#include <CGAL/Geometric_continuity/edges/Spline_edge_continuity.h>
+#include <CGAL/Geometric_continuity/edges/common_edges.h>
 #include <CGAL/Geometric_continuity/edges/connect_g1.h>
 #include <CGAL/Geometric_continuity/edges/edge_continuity.h>
 #include <CGAL/Geometric_continuity/edges/edge_deviation.h>
 #include <CGAL/Geometric_continuity/edges/edge_order_within.h>
 #include <CGAL/Geometric_continuity/edges/edge_predicates.h>
 #include <CGAL/Geometric_continuity/edges/knot_line_continuity.h>
-#include <CGAL/Geometric_continuity/edges/normal_deviation.h>
-#include <CGAL/Geometric_continuity/edges/patch_continuity.h>
-#include <CGAL/Geometric_continuity/edges/patch_order_within.h>
-#include <CGAL/Geometric_continuity/edges/spline_edge_continuity.h>
 #include <CGAL/Geometric_continuity/edges/sweep_defects.h>
 #include <CGAL/Geometric_continuity/edges/swept_continuity.h>
 
