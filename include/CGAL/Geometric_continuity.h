@@ -68,6 +68,7 @@
 #include <CGAL/Geometric_continuity/curves/polygon_invariants.h>
 #include <CGAL/Geometric_continuity/curves/polyline.h>
 
+#include <CGAL/Geometric_continuity/joins/Curve_ends.h>
 #include <CGAL/Geometric_continuity/joins/Prepared_end.h>
 #include <CGAL/Geometric_continuity/joins/Verdict.h>
 #include <CGAL/Geometric_continuity/joins/chain_continuity.h>
@@ -96,8 +97,11 @@
 #include <CGAL/Geometric_continuity/surfaces/Bezier_patch.h>
 #include <CGAL/Geometric_continuity/surfaces/Bspline_surface.h>
 #include <CGAL/Geometric_continuity/surfaces/Extrusion_surface_3.h>
+#include <CGAL/Geometric_continuity/surfaces/Parameter_line.h>
 #include <CGAL/Geometric_continuity/surfaces/Patch_edge.h>
 #include <CGAL/Geometric_continuity/surfaces/Revolution_surface_3.h>
+#include <CGAL/Geometric_continuity/surfaces/Surface_grid.h>
+#include <CGAL/Geometric_continuity/surfaces/Swept_surface_3.h>
 #include <CGAL/Geometric_continuity/surfaces/evaluate_grid.h>
 
 #include <CGAL/Geometric_continuity/edges/Edge_conditions.h>
@@ -116,6 +120,7 @@
 #include <CGAL/Geometric_continuity/edges/swept_continuity.h>
 
 #include <CGAL/Geometric_continuity/models/Model_edge.h>
+#include <CGAL/Geometric_continuity/models/Patch_flatness.h>
 #include <CGAL/Geometric_continuity/models/Tessellation.h>
 #include <CGAL/Geometric_continuity/models/face_graph.h>
 #include <CGAL/Geometric_continuity/models/model_continuity.h>
