@@ -122,6 +122,13 @@ public:
       stages.decided(internal::Join_stage::multiprecision, answer);
       return answer;
     }
+    if constexpr (on_grid && question != internal::Join_question::c0 && !internal::planar_by_definition<question, N>)
+      if (!internal::asks_for_contact(question) || internal::ends_meet(left.end_, right.end_)) {
+        const internal::Join_answer answer = End::template decide<question>(left.end_, right.end_, stages);
+        return answer != internal::Join_answer::unknown
+                   ? answer
+                   : internal::decide_exactly<question>(left.end_, right.end_, stages);
+      }
     return internal::decide_polygons<question>(left.end_, right.end_, stages);
   }
   /// \endcond

@@ -7,7 +7,7 @@
 
 #include <CGAL/Geometric_continuity/joins/Curve_ends.h>
 #include <CGAL/Geometric_continuity/joins/internal/Join_decision.h>
-#include <CGAL/Geometric_continuity/joins/internal/Shape_parameters.h>
+#include <CGAL/Geometric_continuity/joins/internal/Join_parameters.h>
 #include <CGAL/Geometric_continuity/joins/internal/join_on_doubles.h>
 #include <CGAL/Geometric_continuity/local/Curve_jet.h>
 
@@ -67,7 +67,7 @@ template <class FT> struct Join_continuity {
   }
 
   /// \cond
-  internal::Shape_parameters<FT> parameters;
+  internal::Join_parameters<FT> parameters;
   /// \endcond
 };
 

@@ -18,7 +18,7 @@ namespace Geometric_continuity {
 
 /// \ingroup PkgGeometricContinuityLocal
 /// A map \f$ x \mapsto B x + t \f$ of points of \f$ E^n \f$ with an orthogonal matrix `B` of determinant 1. Vectors are
-/// mapped by `B`, jets as a whole.
+/// mapped by `B`, jets as a whole. Floating-point images are rounded, and not checked for overflow.
 /// \tparam Traits a model of `GeometricContinuityTraits`
 template <class Traits_> class Isometry {
 public:

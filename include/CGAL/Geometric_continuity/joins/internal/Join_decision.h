@@ -7,13 +7,13 @@
 
 #include <CGAL/Geometric_continuity/algebra/Bell_polynomials.h>
 #include <CGAL/Geometric_continuity/algebra/determinant.h>
-#include <CGAL/Geometric_continuity/joins/internal/Shape_parameters.h>
+#include <CGAL/Geometric_continuity/joins/internal/Join_parameters.h>
 #include <CGAL/Geometric_continuity/local/Curve_jet.h>
+#include <CGAL/Geometric_continuity/local/internal/Scaled_vector.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -24,14 +24,6 @@ namespace Geometric_continuity {
 template <class FT> struct Join_continuity; // joins/join_continuity.h
 
 namespace internal {
-
-// floor(log2) of the largest coordinate of a vector of floating-point numbers, not zero.
-template <class FT, int N> int exponent_of(const Coordinate_vector<FT, N>& v) {
-  int e = (std::numeric_limits<int>::min)();
-  for (const FT& x : v)
-    if (x != FT(0)) e = (std::max)(e, std::ilogb(x));
-  return e;
-}
 
 // The span of vectors that come one at a time, by elimination without fractions (Bareiss): all numbers are minors of the
 // vectors, those of floating-point type up to powers of two. O(n k) operations for each of k vectors of dimension n.
@@ -69,7 +61,8 @@ private:
       v[pivots_[r]] = FT(0); // also if rounded
       if (r > 0) v /= rows_[r - 1][pivots_[r - 1]];
       if (is_zero(v)) break;
-      if constexpr (std::is_floating_point_v<FT>) v *= std::ldexp(FT(1), (std::min)(-exponent_of(v), 1000));
+      if constexpr (std::is_floating_point_v<FT>)
+        v *= std::ldexp(FT(1), (std::min)(-exponent_of(v, "continuity: elimination"), 1000));
     }
     return v;
   }
@@ -147,7 +140,7 @@ private:
       if (g * v != b * X[1]) break;
       numerators.push_back(b);
     }
-    join.parameters = Shape_parameters<FT>(std::move(numerators), scale);
+    join.parameters = Join_parameters<FT>(std::move(numerators), scale);
   }
 
   // Y^(j) - beta_1^j X^(j) must lie in the span of X', ..., X^(j-1)
@@ -185,13 +178,14 @@ private:
   // The coordinates times 2^s and the parameters divided by 2^l and 2^r, with s + l and s + r such that the first derivatives
   // are about 1, and the least s such that no other one is larger.
   void scale_jets() {
-    const int first_x = exponent_of(X[1]), first_y = exponent_of(Y[1]);
+    const char* const place = "continuity: derivatives";
+    const int first_x = exponent_of(X[1], place), first_y = exponent_of(Y[1], place);
     bool straight = true;
     int s = 0;
     const auto include = [&](const Jet& jet, int first) {
       for (int j = 2; j <= jet.order(); ++j) {
         if (is_zero(jet[j])) continue;
-        const int excess = exponent_of(jet[j]) - j * first; // divided by j - 1 and rounded up
+        const int excess = exponent_of(jet[j], place) - j * first; // divided by j - 1 and rounded up
         const int least = excess > 0 ? (excess + j - 2) / (j - 1) : -(-excess / (j - 1));
         s = straight ? least : (std::max)(s, least);
         straight = false;

@@ -7,6 +7,8 @@
 
 #include <CGAL/Geometric_continuity/joins/internal/join_on_doubles.h>
 
+#include <boost/config.hpp>
+
 #include <algorithm>
 #include <cstdint>
 #include <utility>
@@ -38,7 +40,8 @@ public:
 
   // Exact or `unknown`. \pre the ends meet, if the question asks for contact
   template <Join_question question, class Stages>
-  static Join_answer decide(const Prepared_double_end& left, const Prepared_double_end& right, Stages& stages) {
+  static BOOST_FORCEINLINE Join_answer decide(const Prepared_double_end& left, const Prepared_double_end& right,
+                                              Stages& stages) {
     if constexpr (is_parametric(question))
       return decide_on_doubles<question, N>(left, right, stages);
     else {

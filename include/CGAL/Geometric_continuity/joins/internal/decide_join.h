@@ -13,6 +13,8 @@
 #include <CGAL/Geometric_continuity/numbers/internal/Common_denominator.h>
 #include <CGAL/Geometric_continuity/numbers/internal/checked_conversion.h>
 
+#include <boost/config.hpp>
+
 #include <algorithm>
 #include <optional>
 #include <type_traits>
@@ -30,7 +32,7 @@ template <class Left, class Right> void check_dimensions(const Left& left, const
   if (left.dimension() != right.dimension()) throw Error(Error_code::dimension_mismatch, "join of two curves");
 }
 
-template <class Left, class Right> bool ends_meet(const Left& left, const Right& right) {
+template <class Left, class Right> BOOST_FORCEINLINE bool ends_meet(const Left& left, const Right& right) {
   for (int i = 0; i < left.dimension(); ++i)
     if (left.coordinate(0, i) != right.coordinate(0, i)) return false;
   return true;
@@ -116,7 +118,7 @@ constexpr bool planar_by_definition = N == 2 && (question == Join_question::f3 |
 
 // In multi-precision, or in the field of an exact kernel. \pre the ends meet, if the question asks for contact
 template <Join_question question, class Left, class Right, class Stages>
-Join_answer decide_exactly(const Left& left, const Right& right, Stages& stages) {
+BOOST_NOINLINE Join_answer decide_exactly(const Left& left, const Right& right, Stages& stages) {
   constexpr int N = dimension_v<typename Left::Traits>;
   Join_answer answer;
   if constexpr (planar_by_definition<question, N>)
@@ -132,7 +134,7 @@ Join_answer decide_exactly(const Left& left, const Right& right, Stages& stages)
 
 // All stages on control points. \pre the ends meet, if the question asks for contact
 template <Join_question question, class Left, class Right, class Stages>
-Join_answer decide_legs(const Left& left, const Right& right, Stages& stages) {
+BOOST_FORCEINLINE Join_answer decide_legs(const Left& left, const Right& right, Stages& stages) {
   typedef typename Left::Traits Traits;
   constexpr int N = dimension_v<Traits>;
   if constexpr (is_double<typename Traits::FT> && (N == 2 || N == 3) && !planar_by_definition<question, N>) {
@@ -144,7 +146,7 @@ Join_answer decide_legs(const Left& left, const Right& right, Stages& stages) {
 
 // The decision on two ends that are given by control points.
 template <Join_question question, class Left, class Right, class Stages>
-Join_answer decide_polygons(const Left& left, const Right& right, Stages& stages) {
+BOOST_FORCEINLINE Join_answer decide_polygons(const Left& left, const Right& right, Stages& stages) {
   static_assert(std::is_same_v<typename Left::Traits, typename Right::Traits>,
                 "both curves must have the same traits class");
   check_dimensions(left, right);
@@ -162,7 +164,7 @@ Join_answer decide_polygons(const Left& left, const Right& right, Stages& stages
 
 // The decision on two curves: on control points where both curves have them, otherwise on jets in an exact field.
 template <Join_question question, class Left, class Right, class Stages>
-Join_answer decide_join(const Left& left, const Right& right, Stages& stages) {
+BOOST_FORCEINLINE Join_answer decide_join(const Left& left, const Right& right, Stages& stages) {
   static_assert(std::is_same_v<typename Left::Traits, typename Right::Traits>,
                 "both curves must have the same traits class");
   if constexpr (Curve_ends<Left>::have_polygons && Curve_ends<Right>::have_polygons)

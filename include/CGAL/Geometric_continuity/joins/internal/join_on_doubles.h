@@ -5,9 +5,11 @@
 #ifndef CGAL_GEOMETRIC_CONTINUITY_JOINS_INTERNAL_JOIN_ON_DOUBLES_H
 #define CGAL_GEOMETRIC_CONTINUITY_JOINS_INTERNAL_JOIN_ON_DOUBLES_H
 
-#include <CGAL/Geometric_continuity/joins/internal/Shape_parameters.h>
+#include <CGAL/Geometric_continuity/joins/internal/Join_parameters.h>
 #include <CGAL/Geometric_continuity/joins/internal/join_on_integers.h>
 #include <CGAL/Interval_nt.h>
+
+#include <boost/config.hpp>
 
 #include <algorithm>
 #include <array>
@@ -75,7 +77,7 @@ template <int k, int N, class Points> BOOST_FORCEINLINE End_polygon<double, N> p
 
 // The decision on two ends with double coordinates, exact or `unknown`. That the ends meet is not asked here.
 template <Join_question question, int N, class Left, class Right, class Stages>
-Join_answer decide_on_doubles(const Left& left, const Right& right, Stages& stages) {
+BOOST_FORCEINLINE Join_answer decide_on_doubles(const Left& left, const Right& right, Stages& stages) {
   constexpr int k = highest_difference(question);
   static_assert(k > 0, "the points are compared before");
   const auto decided = [&](Join_stage stage, Join_answer answer) {
@@ -243,7 +245,7 @@ bool decide_all_on_doubles(const Left& left, const Right& right, int max_order, 
                         b,
                         m};
     };
-    join.parameters = Shape_parameters<typename Result::Number>(along(left), along(right));
+    join.parameters = Join_parameters<typename Result::Number>(along(left), along(right));
   }
   return !unknown;
 }

@@ -2,8 +2,8 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-#ifndef CGAL_GEOMETRIC_CONTINUITY_JOINS_INTERNAL_SHAPE_PARAMETERS_H
-#define CGAL_GEOMETRIC_CONTINUITY_JOINS_INTERNAL_SHAPE_PARAMETERS_H
+#ifndef CGAL_GEOMETRIC_CONTINUITY_JOINS_INTERNAL_JOIN_PARAMETERS_H
+#define CGAL_GEOMETRIC_CONTINUITY_JOINS_INTERNAL_JOIN_PARAMETERS_H
 
 #include <CGAL/Geometric_continuity/numbers/internal/checked_conversion.h>
 
@@ -32,15 +32,15 @@ struct Double_end {
 // What the shape parameters beta_1, beta_2, ... of a join are computed from, when someone asks for them. Either from the
 // forms of a decision on jets, beta_k = b_k / g^(2k-1); or, for joins of curves with double coordinates, from one coordinate:
 // of the vectors Y^(k) - sum_{m=2}^k B_{k,m}(beta_1, ...) X^(m) = beta_k X' only that is needed. No memory is allocated before.
-template <class FT> class Shape_parameters {
+template <class FT> class Join_parameters {
   std::vector<FT> forms_; // g, b_1, b_2, ...
   Parameter_scale scale_;
   Double_end left_, right_;
 
 public:
-  Shape_parameters() = default;
-  Shape_parameters(std::vector<FT> forms, Parameter_scale scale) : forms_(std::move(forms)), scale_(scale) {}
-  Shape_parameters(const Double_end& left, const Double_end& right) : left_(left), right_(right) {}
+  Join_parameters() = default;
+  Join_parameters(std::vector<FT> forms, Parameter_scale scale) : forms_(std::move(forms)), scale_(scale) {}
+  Join_parameters(const Double_end& left, const Double_end& right) : left_(left), right_(right) {}
 
   // The first `count` parameters; none if nothing has been given.
   std::vector<FT> operator()(int count) const {
@@ -93,4 +93,4 @@ private:
 } // namespace Geometric_continuity
 } // namespace CGAL
 
-#endif // CGAL_GEOMETRIC_CONTINUITY_JOINS_INTERNAL_SHAPE_PARAMETERS_H
+#endif // CGAL_GEOMETRIC_CONTINUITY_JOINS_INTERNAL_JOIN_PARAMETERS_H
