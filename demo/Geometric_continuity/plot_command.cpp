@@ -41,7 +41,8 @@ GC::Svg_panel alternatives(const std::string& file, const GC::Svg_style& style) 
   const GC::Curvature_alternatives<Program_traits<Exact>> line = GC::curvature_alternatives(last);
   GC::Svg_panel panel(file.substr(file.find_last_of('/') + 1) +
                       ": the line of alternatives for b\u2082, C\u2080 from 0 to 6");
-  const GC::Svg_style construction{GC::Svg_role::construction, false, false}, found{GC::Svg_role::result, false, false, "line of alternatives"};
+  const GC::Svg_style construction{GC::Svg_role::construction, false, false},
+      found{GC::Svg_role::result, false, false, "line of alternatives"};
   for (const Exact_curve& c : curves) panel.add(c, style);
   const auto leg = [&](const Exact_curve::Point& a, const Exact_curve::Point& b) {
     panel.add(Exact_curve{a, b}, construction);

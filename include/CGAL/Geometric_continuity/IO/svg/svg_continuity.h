@@ -42,7 +42,7 @@ template <class FT, class Field> Join_continuity<FT> drop_irrational_betas(const
 /// Arcs are taken with respect to the eccentric angle; only the C order and the shape parameters depend on that. Where
 /// the centre of an arc is not rational, the decision is made in the field extended by its square root, exactly, and no
 /// shape parameters are given. In `double` it is plain floating point.
-/// \throws Error `jet_order_too_low` for a negative `max_order`
+/// \throws Error `negative_count` for a negative `max_order`
 template <class Traits>
 std::optional<Join_continuity<typename Traits::FT>> continuity(const Svg_segment<Traits>& left,
                                                                const Svg_segment<Traits>& right, int max_order = 3) {
