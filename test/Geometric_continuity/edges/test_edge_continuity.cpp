@@ -4,8 +4,6 @@
 
 // The order of continuity of Bezier patches along edges, degenerate edges, and the angle between the normals.
 
-#define BOOST_TEST_DYN_LINK
-#define BOOST_TEST_MODULE edge_continuity
 #include <boost/test/unit_test.hpp>
 
 #include "support/enclosures.h"

@@ -4,8 +4,6 @@
 
 // Models of Bezier patches.
 
-#define BOOST_TEST_DYN_LINK
-#define BOOST_TEST_MODULE model_continuity
 #include <boost/test/unit_test.hpp>
 
 #include "support/archetype.h"

@@ -5,6 +5,7 @@
 #ifndef CGAL_GEOMETRIC_CONTINUITY_MODELS_PATCH_FLATNESS_H
 #define CGAL_GEOMETRIC_CONTINUITY_MODELS_PATCH_FLATNESS_H
 
+#include <CGAL/Geometric_continuity/local/internal/check_count.h>
 #include <CGAL/Geometric_continuity/numbers/internal/checked_conversion.h>
 #include <CGAL/Geometric_continuity/surfaces/Bezier_patch.h>
 #include <CGAL/number_utils.h>
@@ -105,7 +106,7 @@ public:
 
 private:
   static void check_cells(int least) {
-    internal::refuse_negative(least, "Patch_flatness: number of cells");
+    internal::check_count(least, "Patch_flatness: number of cells");
     if (least == 0) throw Error(Error_code::wrong_number_of_points, "Patch_flatness: no cells");
   }
 

@@ -5,6 +5,7 @@
 #ifndef CGAL_GEOMETRIC_CONTINUITY_MODELS_TESSELLATE_H
 #define CGAL_GEOMETRIC_CONTINUITY_MODELS_TESSELLATE_H
 
+#include <CGAL/Geometric_continuity/local/internal/check_count.h>
 #include <CGAL/Geometric_continuity/models/internal/Model_mesh.h>
 #include <CGAL/Geometric_continuity/numbers/internal/checked_conversion.h>
 #include <CGAL/Geometric_continuity/surfaces/Bspline_surface.h>
@@ -62,7 +63,7 @@ Patch_cells cells_of_patch(const Chord_tolerance& tolerance, const Bezier_patch<
 }
 
 inline void check_mode(const Uniform_grid& grid) {
-  refuse_negative(grid.n, "tessellate: a grid");
+  check_count(grid.n, "tessellate: a grid");
   if (grid.n == 0) throw Error(Error_code::wrong_number_of_points, "tessellate: a grid of no cells");
   if (grid.n > max_cells_in_one_direction)
     throw Error(Error_code::work_limit, "tessellate: a grid of " + std::to_string(grid.n) + " cells where at most " +

@@ -94,7 +94,7 @@ public:
   /// Returns the derivative of order `i >= 0` in `u` and `j >= 0` in `v`; for `i = j = 0` the position vector.
   /// \throws Error `negative_count` for a negative order
   Vector partial(const FT& u, const FT& v, int i, int j) const {
-    internal::refuse_negative((std::min)(i, j), "Bezier_patch: order of a partial derivative");
+    internal::check_count((std::min)(i, j), "Bezier_patch: order of a partial derivative");
     return jet(u, v, i + j).partial(i, j);
   }
 
@@ -139,7 +139,7 @@ public:
   /// points are converted to `Field` before anything is computed. \f$ O(pk^2) \f$ for an edge of degree `p`
   /// \throws Error `negative_count` unless `k >= 0`
   template <class Field = FT> std::vector<Row<Field>> rows(Patch_edge edge, int k) const {
-    internal::refuse_negative(k, "Bezier_patch: rows");
+    internal::check_count(k, "Bezier_patch: rows");
     const int m = degree_along(edge), n = degree_across(edge), last = (std::min)(k, n);
     std::vector<Row<Field>> rows(k + 1, Row<Field>(m + 1, Coordinate_vector<Field, N>(dimension())));
     for (int i = 0; i <= m; ++i) {

@@ -119,7 +119,7 @@ public:
   /// Returns the derivative of order `i >= 0` in `u` and `j >= 0` in `v`; for `i = j = 0` the position vector.
   /// \throws Error `negative_count` for a negative order
   Vector partial(const FT& u, const FT& v, int i, int j) const {
-    internal::refuse_negative((std::min)(i, j), "Bspline_surface: order of a partial derivative");
+    internal::check_count((std::min)(i, j), "Bspline_surface: order of a partial derivative");
     return jet(u, v, i + j).partial(i, j);
   }
 

@@ -29,7 +29,7 @@ template <class FT> void check_number_of_points(int number, const Knot_vector<FT
 }
 
 template <class FT> void check_insertion(const Knot_vector<FT>& knots, int times) {
-  refuse_negative(times, "Bspline_surface: copies of a knot");
+  check_count(times, "Bspline_surface: copies of a knot");
   if (times > knots.degree() + 1) throw Error(Error_code::knot_multiplicity, "Bspline_surface: copies of a knot");
 }
 
@@ -65,7 +65,7 @@ bspline_rows_at(const Control_net<Traits>& net, const Knot_vector<typename Trait
                 const Knot_vector<typename Traits::FT>& knots_v, Parameter_line line,
                 const typename Traits::FT& parameter, Line_side side, int k) {
   typedef Coordinate_vector<Field, dimension_v<Traits>> Vector;
-  refuse_negative(k, "Bspline_surface: rows");
+  check_count(k, "Bspline_surface: rows");
   const bool along_u = line == Parameter_line::along_u, below = side == Line_side::smaller_parameters;
   const Knot_vector<typename Traits::FT>& across = along_u ? knots_v : knots_u;
   const int q = across.degree(), m = along_u ? net.rows() : net.columns(),

@@ -6,6 +6,7 @@
 #define CGAL_GEOMETRIC_CONTINUITY_SURFACES_INTERNAL_SURFACE_CHECKS_H
 
 #include <CGAL/Geometric_continuity/local/Surface_jet.h>
+#include <CGAL/Geometric_continuity/local/internal/check_count.h>
 #include <CGAL/Geometric_continuity/numbers/internal/checked_conversion.h>
 
 #include <string>
@@ -19,15 +20,11 @@ namespace CGAL {
 namespace Geometric_continuity {
 namespace internal {
 
-inline void refuse_negative(int count, const char* place) {
-  if (count < 0) throw Error(Error_code::negative_count, std::string(place) + ": " + std::to_string(count));
-}
-
 // The degrees to which surfaces are raised end here, so that a wrong number can fill neither memory nor time.
 constexpr int most_raised_degree = 4096;
 
 inline void check_elevation(int degree, int times, const char* place) {
-  refuse_negative(times, place);
+  check_count(times, place);
   if (times > 0 && times > most_raised_degree - degree)
     throw Error(Error_code::work_limit, std::string(place) + ": a degree above " + std::to_string(most_raised_degree));
 }
