@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -68,6 +69,14 @@ template <class Surface> void require_space(const Surface& surface, const char* 
   static_assert(Surface::N == 0 || Surface::N == 3, "surfaces are compared in dimension 3");
   if (surface.dimension() != 3)
     throw Error(Error_code::dimension_mismatch, std::string(function) + ": surfaces are compared in dimension 3");
+}
+
+template <class Surface_a, class Surface_b>
+void require_space(const Surface_a& a, const Surface_b& b, const char* function) {
+  static_assert(std::is_same_v<typename Surface_a::Traits, typename Surface_b::Traits>,
+                "both surfaces must have the same traits class");
+  require_space(a, function);
+  require_space(b, function);
 }
 
 template <class Field, class Row> typename Edge_rows<Field>::Row row_in_space(const Row& row) {

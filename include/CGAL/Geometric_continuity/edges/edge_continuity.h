@@ -69,8 +69,7 @@ template <class Surface_a, class Surface_b, class Find_match>
 auto decide_surfaces(const Surface_a& a, Patch_edge edge_a, const Surface_b& b, Patch_edge edge_b,
                      Find_match find_match) -> Spline_edge_continuity<Edge_field<typename Surface_a::Traits>> {
   typedef Edge_field<typename Surface_a::Traits> Field;
-  require_space(a, "edge_continuity");
-  require_space(b, "edge_continuity");
+  require_space(a, b, "edge_continuity");
   Edge_layers x, y;
   std::optional<Edge_direction> direction;
   if (edge_layers(a, edge_a, b, edge_b, 2, x, y)) direction = common_direction(x, y);

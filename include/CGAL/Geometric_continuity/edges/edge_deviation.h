@@ -169,8 +169,7 @@ template <class FT> Edge_deviation deviation(const Spline_edge_rows<FT>& a, cons
 /// \throws Error `dimension_mismatch` unless in dimension 3
 template <class Surface_a, class Surface_b>
 Edge_deviation deviation(const Surface_a& a, Patch_edge edge_a, const Surface_b& b, Patch_edge edge_b) {
-  internal::require_space(a, "deviation");
-  internal::require_space(b, "deviation");
+  internal::require_space(a, b, "deviation");
   return internal::edge_deviation<Edge_field<typename Surface_a::Traits>>(internal::edge_pieces(a, edge_a),
                                                                           internal::edge_pieces(b, edge_b));
 }

@@ -52,8 +52,7 @@ template <int order, class Field> bool polynomials_have_order(const Edge_rows<Fi
 template <int order, class Surface_a, class Surface_b, class Stages>
 bool edge_has_order(const Surface_a& a, Patch_edge edge_a, const Surface_b& b, Patch_edge edge_b, Stages& stages) {
   typedef Edge_field<typename Surface_a::Traits> Field;
-  require_space(a, "edge predicate");
-  require_space(b, "edge predicate");
+  require_space(a, b, "edge predicate");
   Edge_layers x, y;
   if (edge_layers(a, edge_a, b, edge_b, order, x, y))
     if (const std::optional<bool> answer = decide_on_layers<order>(x, y, stages)) return *answer;
