@@ -7,7 +7,6 @@
 
 #include <CGAL/Geometric_continuity/blends/internal/exact_blend.h>
 #include <CGAL/Geometric_continuity/blends/quintic_strategies.h>
-#include <CGAL/Geometric_continuity/blends/septic_strategies.h>
 #include <CGAL/Geometric_continuity/curves/Bezier_curve.h>
 #include <CGAL/Geometric_continuity/local/end_jet.h>
 
