@@ -8,6 +8,7 @@
 #include <CGAL/Geometric_continuity/IO/atomic_file.h>
 #include <CGAL/Geometric_continuity/IO/figures/Svg_figure.h>
 #include <CGAL/Geometric_continuity/blends/representable_blend.h>
+#include <CGAL/Geometric_continuity/blends/septic_strategies.h>
 
 #include <algorithm>
 #include <cstdio>

@@ -8,6 +8,7 @@
 #include <CGAL/Geometric_continuity/IO/atomic_file.h>
 #include <CGAL/Geometric_continuity/IO/figures/Svg_figure.h>
 #include <CGAL/Geometric_continuity/extensions/extend.h>
+#include <CGAL/Geometric_continuity/extensions/extend_toward.h>
 
 #include <iostream>
 #include <optional>

@@ -7,6 +7,8 @@
 
 #include "support/typed.h"
 
+#include <CGAL/Geometric_continuity/blends/septic_strategies.h>
+
 BOOST_AUTO_TEST_SUITE(blend_septic)
 
 template <class Traits> using Blend = GC::Septic_blend<Traits>;

@@ -9,6 +9,8 @@
 #include "Report.h"
 #include "ops_local.h"
 
+#include <CGAL/Geometric_continuity/blends/septic_strategies.h>
+
 #include <stdexcept>
 
 template <class Left, class Right>
