@@ -4,7 +4,8 @@
 
 // Exact decisions about whole edges of bicubic patches with double coordinates, against the test at samples in
 // floating-point arithmetic that one writes by hand and is not certified, and against the same test in exact number types, with
-// so many samples that it is a proof. All answers are compared before anything is timed.
+// so many samples that it is a proof; and whole models, against the decisions on their shared edges one by one in
+// multi-precision. All answers are compared before anything is timed.
 
 #include "Ratio_table.h"
 
@@ -12,7 +13,11 @@
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Geometric_continuity/Traits_3.h>
+#include <CGAL/Geometric_continuity/edges/Edge_conditions.h>
+#include <CGAL/Geometric_continuity/edges/edge_continuity.h>
 #include <CGAL/Geometric_continuity/edges/edge_predicates.h>
+#include <CGAL/Geometric_continuity/models/model_continuity.h>
+#include <CGAL/Simple_cartesian.h>
 
 #include <array>
 #include <cmath>
@@ -21,6 +26,7 @@
 #include <cstdlib>
 #include <iostream>
 #include <random>
+#include <stdexcept>
 #include <string>
 #include <type_traits>
 #include <vector>
@@ -214,8 +220,10 @@ struct Method {
 };
 typedef CGAL::Exact_predicates_exact_constructions_kernel::FT Lazy;
 
+// The last stage alone: it does not compare the edges, which are the same.
 template <int order> bool in_multiprecision(const Patch& a, const Patch& b) {
-  return GC::internal::edge_has_order<order>(a, v0, b, v0);
+  const GC::Edge_conditions<CGAL::Exact_rational> conditions(GC::edge_rows(a, v0), GC::edge_rows(b, v0));
+  return order == 1 ? conditions.g1() : conditions.g2();
 }
 template <int order> bool in_a_report(const Patch& a, const Patch& b) {
   return GC::edge_continuity(a, v0, b, v0).g_order >= order;
@@ -224,7 +232,7 @@ const Method methods[] = {
     {"by hand at 9 samples, double, not certified", by_hand<1, double>, by_hand<2, double>},
     {"filtered", [](const Patch& a, const Patch& b) { return GC::is_g1_edge(a, v0, b, v0); },
      [](const Patch& a, const Patch& b) { return GC::is_g2_edge(a, v0, b, v0); }},
-    {"multi-precision stage alone", in_multiprecision<1>, in_multiprecision<2>},
+    {"Edge_conditions, multi-precision", in_multiprecision<1>, in_multiprecision<2>},
     {"edge_continuity(), with reasons and angles", in_a_report<1>, in_a_report<2>},
     {"by hand at 9 or 19 samples, Exact_rational", by_hand<1, CGAL::Exact_rational>, by_hand<2, CGAL::Exact_rational>},
     {"by hand at 9 or 19 samples, number type of Epeck", by_hand<1, Lazy>, by_hand<2, Lazy>}};
@@ -242,8 +250,124 @@ void compare_answers() {
         }
 }
 
+// ---------------------------------------------------------------- models
+
+typedef CGAL::Exact_rational Q;
+typedef GC::Traits_3<CGAL::Simple_cartesian<Q>> Rational;
+
+// Bicubic, cut into n x n surfaces of 4 x 4 spans, with whole coordinates.
+std::vector<GC::Bspline_surface<Rational>> rational_model(int n) {
+  typedef GC::Bspline_surface<Rational> Surface;
+  typedef GC::Knot_vector<Q> Knots;
+  std::mt19937 engine(2026);
+  const auto whole = [&](int most) { return Q(static_cast<int>(engine() % static_cast<unsigned>(most))); };
+  const auto knots = [](int first, int last) {
+    std::vector<Q> u(4, Q(first));
+    for (int k = first + 1; k < last; ++k) u.emplace_back(k);
+    u.insert(u.end(), 4, Q(last));
+    return Knots(3, u);
+  };
+  const Knots all = knots(0, 4 * n);
+  std::vector<std::vector<Rational::Point>> net(all.number_of_coefficients());
+  for (int i = 0; i < all.number_of_coefficients(); ++i)
+    for (int j = 0; j < all.number_of_coefficients(); ++j)
+      net[i].emplace_back(1296 * (Q(10 * i) + whole(5)), 1296 * (Q(10 * j) + whole(5)), 1296 * whole(50));
+  Surface s(net, all, all);
+  for (int k = 1; k < n; ++k) s = s.insert_u(4 * k, 2).insert_v(4 * k, 2);
+  std::vector<Surface> model;
+  for (int i = 0; i < n; ++i) // six control points further on for each cut
+    for (int j = 0; j < n; ++j) {
+      std::vector<std::vector<Rational::Point>> part(7);
+      for (int k = 0; k < 7; ++k)
+        for (int l = 0; l < 7; ++l) part[k].push_back(s.control_point(6 * i + k, 6 * j + l));
+      model.emplace_back(part, knots(4 * i, 4 * i + 4), knots(4 * j, 4 * j + 4));
+    }
+  return model;
+}
+
+std::vector<GC::Bspline_surface<Traits>> on_doubles(const std::vector<GC::Bspline_surface<Rational>>& model) {
+  const auto number = [](const Q& x) {
+    const double y = CGAL::to_double(x);
+    if (Q(y) != x) throw std::logic_error("the model is not one of doubles");
+    return y;
+  };
+  const auto knots = [&](const GC::Knot_vector<Q>& v) {
+    std::vector<double> u;
+    for (const Q& x : v) u.push_back(number(x));
+    return GC::Knot_vector<double>(v.degree(), u);
+  };
+  std::vector<GC::Bspline_surface<Traits>> result;
+  for (const auto& s : model) {
+    std::vector<std::vector<Point>> net(s.number_of_points_u());
+    for (int i = 0; i < s.number_of_points_u(); ++i)
+      for (int j = 0; j < s.number_of_points_v(); ++j) {
+        const auto& p = s.control_point(i, j);
+        net[i].emplace_back(number(p.x()), number(p.y()), number(p.z()));
+      }
+    result.emplace_back(net, knots(s.knots_u()), knots(s.knots_v()));
+  }
+  return result;
+}
+
+// The Bezier patches of all surfaces.
+template <class Surface> auto in_patches(const std::vector<Surface>& model) {
+  std::vector<GC::Bezier_patch<typename Surface::Traits>> patches;
+  for (const Surface& s : model)
+    for (const auto& patch : s.bezier_patches()) patches.push_back(patch);
+  return patches;
+}
+
+// Each shared edge of patches in multi-precision, when they are known: not recognised, and without reasons.
+template <class Patches, class Model> std::size_t smooth_one_by_one(const Patches& patches, const Model& model) {
+  std::size_t smooth = 0;
+  for (const auto& e : model.edges) {
+    if (e.kind != GC::Model_edge_kind::shared) continue;
+    const auto a = edge_rows(patches[e.patch_a], e.edge_a), b = edge_rows(patches[*e.patch_b], *e.edge_b);
+    smooth += GC::Edge_conditions<Q>(a, e.continuity.reversed ? b.reversed() : b).g2();
+  }
+  return smooth;
+}
+
+template <class Model> void register_model(const std::string& title, const Model& model, std::size_t edges) {
+  if (GC::model_continuity(model).summary.g2 != edges) {
+    std::cerr << title << ": wrong answer\n";
+    std::exit(1);
+  }
+  benchmark::RegisterBenchmark(title.c_str(), [=](benchmark::State& state) {
+    for (auto _ : state) benchmark::DoNotOptimize(GC::model_continuity(model).summary.g2);
+    state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(edges));
+  });
+}
+
+void register_models() {
+  const auto rational = rational_model(4);
+  const auto rational_patches = in_patches(rational);
+  const auto doubles = on_doubles(rational);
+  std::vector<GC::Bspline_surface<Rational>> as_surfaces;
+  for (const auto& patch : rational_patches) as_surfaces.emplace_back(patch);
+  const auto patches = in_patches(on_doubles(as_surfaces));
+  const std::string model = "an edge of a model of 16 B-spline surfaces, 4 spans | ",
+                    small = "an edge of a model of 256 patches | ";
+  constexpr std::size_t model_edges = 24, small_edges = 480;
+  const auto known = GC::model_continuity(patches);
+  if (smooth_one_by_one(patches, known) != small_edges) {
+    std::cerr << small << ": wrong answer\n";
+    std::exit(1);
+  }
+  register_model(model + "double", doubles, model_edges);
+  register_model(model + "Exact_rational", rational, model_edges);
+  register_model(small + "double", patches, small_edges);
+  register_model(small + "Exact_rational", rational_patches, small_edges);
+  const std::string alone = small + "Edge_conditions, edges known, multi-precision";
+  benchmark::RegisterBenchmark(alone.c_str(), [=](benchmark::State& state) {
+    for (auto _ : state) benchmark::DoNotOptimize(smooth_one_by_one(patches, known));
+    state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(small_edges));
+  });
+}
+
 int main(int argc, char** argv) {
   compare_answers();
+  register_models();
   for (int order : {1, 2})
     for (int c = 0; c < 3; ++c)
       for (const Method& m : methods) {

@@ -12,6 +12,7 @@
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Geometric_continuity/Traits_3.h>
 #include <CGAL/Geometric_continuity/blends/blend.h>
+#include <CGAL/Geometric_continuity/blends/septic_strategies.h>
 #include <CGAL/Simple_cartesian.h>
 
 #include <boost/multiprecision/cpp_int.hpp>
@@ -73,25 +74,12 @@ auto by_blend(const GC::Curve_jet<Traits>& phi, const GC::Curve_jet<Traits>& psi
   return GC::blend(phi, psi, strategy);
 }
 
-// The formulas with the operators of the number type.
+// A strategy that keeps to the number type of the traits class: the formulas with its operators.
+template <class Strategy> struct In_one_field : Strategy { typedef CGAL::Tag_false Works_in_every_field; };
+
 template <class Traits, class Strategy>
-auto by_operators(const GC::Curve_jet<Traits>& phi, const GC::Curve_jet<Traits>& psi, const Strategy& strategy) {
-  typedef FT_of<Traits> FT;
-  const GC::Shape_parameters<FT> shape;
-  if constexpr (GC::internal::is_quintic_strategy<Traits, Strategy>) {
-    GC::internal::check_blend_input<FT, 3>(phi, psi, 2, shape);
-    const FT &beta = shape.beta, &eta = shape.eta;
-    const GC::Quintic_ends<FT, 3> e(phi[0], psi[0], beta * phi[1], eta * psi[1], FT(beta * beta) * phi[2],
-                                    FT(eta * eta) * psi[2]);
-    const GC::Quintic_parameters<FT> p = strategy(e);
-    return GC::Quintic_blend<Traits>({e.a1, e.b1(), e.c1(p.s1), e.c2(p.s2), e.b2(), e.a2}, p);
-  } else {
-    GC::internal::check_blend_input<FT, 3>(phi, psi, 3, shape);
-    const GC::Septic_ends<FT, 3> e{{phi[0], phi[1], phi[2], phi[3], shape.beta, 1},
-                                   {psi[0], psi[1], psi[2], psi[3], shape.eta, -1}};
-    const GC::Septic_parameters<FT> p = strategy(e);
-    return GC::Septic_blend<Traits>(e.control_points(p), p);
-  }
+auto by_operators(const GC::Curve_jet<Traits>& phi, const GC::Curve_jet<Traits>& psi, const Strategy&) {
+  return GC::blend(phi, psi, In_one_field<Strategy>());
 }
 
 #ifdef CGAL_USE_GMPXX

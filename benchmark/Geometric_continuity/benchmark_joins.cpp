@@ -13,6 +13,7 @@
 #include <CGAL/Geometric_continuity/Traits_3.h>
 #include <CGAL/Geometric_continuity/curves/Bezier_curve.h>
 #include <CGAL/Geometric_continuity/joins/failing_joins.h>
+#include <CGAL/Geometric_continuity/joins/join_continuity.h>
 #include <CGAL/Geometric_continuity/joins/join_predicates.h>
 #include <CGAL/Mpzf.h>
 
@@ -198,7 +199,8 @@ void compare_answers() {
         const bool same = m.g2(in.left[k], in.right[c][k]) == (c == holds) &&
                           m.f3(in.left[k], in.right[c][k]) == (c == holds) &&
                           GC::is_g2_join(in.left_ends[k], in.right_ends[c][k]) == (c == holds) &&
-                          GC::is_f3_join(in.left_ends[k], in.right_ends[c][k]) == (c == holds);
+                          GC::is_f3_join(in.left_ends[k], in.right_ends[c][k]) == (c == holds) &&
+                          (GC::continuity(in.left[k], in.right[c][k]).f_order == 3) == (c == holds);
         if (!same) {
           std::cerr << m.name << ": wrong answer, " << class_names[c] << ", join " << k << '\n';
           std::exit(1);
@@ -310,6 +312,19 @@ int main(int argc, char** argv) {
         else
           time_joins(state, [&](std::size_t k) { return GC::is_g2_join(in.left_ends[k], in.right_ends[c][k]); });
       });
+      if (torsion) {
+        benchmark::RegisterBenchmark((title + "filtered, and is_g3_join").c_str(), [=](benchmark::State& state) {
+          const Input& in = input();
+          time_joins(state, [&](std::size_t k) {
+            return GC::is_f3_join(in.left[k], in.right[c][k]) + 2 * GC::is_g3_join(in.left[k], in.right[c][k]);
+          });
+        });
+        benchmark::RegisterBenchmark(
+            (title + "continuity: all orders and flags").c_str(), [=](benchmark::State& state) {
+              const Input& in = input();
+              time_joins(state, [&](std::size_t k) { return GC::continuity(in.left[k], in.right[c][k]).f_order; });
+            });
+      }
 #ifdef GEOMETRIC_CONTINUITY_WITH_OCCT
       static const Occt_curves occt;
       if (!torsion)

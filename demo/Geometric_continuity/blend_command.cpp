@@ -87,7 +87,7 @@ template <class FT> class Blender {
   const GC::Shape_parameters<FT> shape_;
 
   template <class Strategy> Result<FT> blend(const std::string& name, const Strategy& strategy) const {
-    if constexpr (std::is_same_v<FT, double> && GC::internal::is_quintic_strategy<Traits, Strategy>)
+    if constexpr (std::is_same_v<FT, double> && GC::is_quintic_strategy_v<Strategy, Traits>)
       if (line_.has("representable")) {
         const GC::Representable_blend<Traits> gamma = GC::representable_blend(phi_, psi_, strategy, shape_);
         const double moved = (std::max)(gamma.start_join.moved, gamma.end_join.moved);

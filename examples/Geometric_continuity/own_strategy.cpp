@@ -3,7 +3,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
 // Defines a strategy of your own, which chooses how far the inner control points of a blend slide along the end
-// tangents. Whatever it chooses, the joins stay G2. Here the strategy puts the middle of the blend at a given height.
+// tangents. Whatever it chooses, the joins stay G2. Here the strategy puts the middle of the blend at a given height. It
+// works in every field, and says so: then the package computes the blend in a field that is faster than rational numbers.
 
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Geometric_continuity.h>
@@ -19,7 +20,9 @@ typedef GC::Bezier_curve<Traits> Curve;
 
 // gamma(1/2) = (A1 + 5 B1 + 10 C1 + 10 C2 + 5 B2 + A2) / 32 with C1 = C1(0) + s u and C2 = C2(0) - s v
 struct Middle_at_height {
-  FT y;
+  typedef CGAL::Tag_true Works_in_every_field;
+  Traits::FT y;
+
   template <class FT, int N> GC::Quintic_parameters<FT> operator()(const GC::Quintic_ends<FT, N>& e) const {
     const GC::Coordinate_vector<FT, N> middle =
         (e.a1 + FT(5) * e.b1() + FT(10) * e.c1(0) + FT(10) * e.c2(0) + FT(5) * e.b2() + e.a2) / FT(32);
@@ -29,7 +32,7 @@ struct Middle_at_height {
       p.fallback_start = p.fallback_end = true; // the height does not depend on s
       return p;
     }
-    p.s1 = (y - middle[1]) / slope;
+    p.s1 = (FT(y) - middle[1]) / slope;
     p.s2 = -p.s1;
     return p;
   }

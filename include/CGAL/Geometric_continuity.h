@@ -34,6 +34,7 @@
 #include <CGAL/Geometric_continuity/local/Coordinate_jet.h>
 #include <CGAL/Geometric_continuity/local/Curve_jet.h>
 #include <CGAL/Geometric_continuity/local/Frenet_frame.h>
+#include <CGAL/Geometric_continuity/local/Isometry.h>
 #include <CGAL/Geometric_continuity/local/Jet_arrays.h>
 #include <CGAL/Geometric_continuity/local/Surface_jet.h>
 #include <CGAL/Geometric_continuity/local/congruence.h>
@@ -50,8 +51,11 @@
 #include <CGAL/Geometric_continuity/splines/bspline_product.h>
 
 #include <CGAL/Geometric_continuity/curves/Bezier_curve.h>
+#include <CGAL/Geometric_continuity/curves/Bezier_polygon.h>
 #include <CGAL/Geometric_continuity/curves/Bspline_curve.h>
+#include <CGAL/Geometric_continuity/curves/Bspline_polygon.h>
 #include <CGAL/Geometric_continuity/curves/Composite_bezier_curve.h>
+#include <CGAL/Geometric_continuity/curves/Composite_bezier_polygon.h>
 #include <CGAL/Geometric_continuity/curves/Cubic_blended_curve.h>
 #include <CGAL/Geometric_continuity/curves/Jet_polynomials.h>
 #include <CGAL/Geometric_continuity/curves/bezier_properties.h>
@@ -64,6 +68,7 @@
 #include <CGAL/Geometric_continuity/curves/polygon_invariants.h>
 #include <CGAL/Geometric_continuity/curves/polyline.h>
 
+#include <CGAL/Geometric_continuity/joins/Curve_ends.h>
 #include <CGAL/Geometric_continuity/joins/Prepared_end.h>
 #include <CGAL/Geometric_continuity/joins/Verdict.h>
 #include <CGAL/Geometric_continuity/joins/chain_continuity.h>
@@ -75,43 +80,47 @@
 #include <CGAL/Geometric_continuity/joins/order_within.h>
 #include <CGAL/Geometric_continuity/joins/polygon_tests.h>
 
-#include <CGAL/Geometric_continuity/blends/Quintic_ends.h>
-#include <CGAL/Geometric_continuity/blends/Septic_ends.h>
 #include <CGAL/Geometric_continuity/blends/blend.h>
 #include <CGAL/Geometric_continuity/blends/blend_batch.h>
+#include <CGAL/Geometric_continuity/blends/blend_ends.h>
 #include <CGAL/Geometric_continuity/blends/quintic_strategies.h>
 #include <CGAL/Geometric_continuity/blends/representable_blend.h>
 #include <CGAL/Geometric_continuity/blends/septic_strategies.h>
 
 #include <CGAL/Geometric_continuity/extensions/alternatives.h>
+#include <CGAL/Geometric_continuity/extensions/close.h>
 #include <CGAL/Geometric_continuity/extensions/connection_coefficients.h>
 #include <CGAL/Geometric_continuity/extensions/extend.h>
-#include <CGAL/Geometric_continuity/extensions/extend_curves.h>
+#include <CGAL/Geometric_continuity/extensions/extend_toward.h>
 #include <CGAL/Geometric_continuity/extensions/midpoint_construction.h>
 
 #include <CGAL/Geometric_continuity/surfaces/Bezier_patch.h>
 #include <CGAL/Geometric_continuity/surfaces/Bspline_surface.h>
 #include <CGAL/Geometric_continuity/surfaces/Extrusion_surface_3.h>
+#include <CGAL/Geometric_continuity/surfaces/Parameter_line.h>
 #include <CGAL/Geometric_continuity/surfaces/Patch_edge.h>
 #include <CGAL/Geometric_continuity/surfaces/Revolution_surface_3.h>
+#include <CGAL/Geometric_continuity/surfaces/Surface_grid.h>
+#include <CGAL/Geometric_continuity/surfaces/Swept_surface_3.h>
 #include <CGAL/Geometric_continuity/surfaces/evaluate_grid.h>
 
+#include <CGAL/Geometric_continuity/edges/Edge_conditions.h>
+#include <CGAL/Geometric_continuity/edges/Edge_rows.h>
 #include <CGAL/Geometric_continuity/edges/G1_ribbon.h>
-#include <CGAL/Geometric_continuity/edges/bspline_edge_continuity.h>
+#include <CGAL/Geometric_continuity/edges/Normal_deviation.h>
+#include <CGAL/Geometric_continuity/edges/Spline_edge_continuity.h>
+#include <CGAL/Geometric_continuity/edges/common_edges.h>
 #include <CGAL/Geometric_continuity/edges/connect_g1.h>
 #include <CGAL/Geometric_continuity/edges/edge_continuity.h>
 #include <CGAL/Geometric_continuity/edges/edge_deviation.h>
 #include <CGAL/Geometric_continuity/edges/edge_order_within.h>
 #include <CGAL/Geometric_continuity/edges/edge_predicates.h>
 #include <CGAL/Geometric_continuity/edges/knot_line_continuity.h>
-#include <CGAL/Geometric_continuity/edges/normal_deviation.h>
-#include <CGAL/Geometric_continuity/edges/patch_continuity.h>
-#include <CGAL/Geometric_continuity/edges/patch_order_within.h>
-#include <CGAL/Geometric_continuity/edges/spline_edge_continuity.h>
 #include <CGAL/Geometric_continuity/edges/sweep_defects.h>
 #include <CGAL/Geometric_continuity/edges/swept_continuity.h>
 
 #include <CGAL/Geometric_continuity/models/Model_edge.h>
+#include <CGAL/Geometric_continuity/models/Patch_flatness.h>
 #include <CGAL/Geometric_continuity/models/Tessellation.h>
 #include <CGAL/Geometric_continuity/models/face_graph.h>
 #include <CGAL/Geometric_continuity/models/model_continuity.h>

@@ -25,7 +25,28 @@ operator whose parameter is an unconstrained template parameter can be called wi
 A strategy is called after the input has been checked: both end tangents are nonzero, \f$ \beta \f$ and \f$ \eta \f$ are
 positive. It should use field operations only, so that it works with every number type, and should report in
 `fallback_start` and `fallback_end` where its rule is undefined and another value was used. What it chooses is returned
-to the caller in the member `parameters` of the blend.
+to the caller in the member `parameters` of the blend. Whether a type is a quintic or a septic strategy is told by
+`CGAL::Geometric_continuity::is_quintic_strategy_v` and `CGAL::Geometric_continuity::is_septic_strategy_v`.
+
+<h3>Exact blends several times faster</h3>
+
+With rational numbers most of the time of a construction goes into greatest common divisors, and with lazy numbers into
+the graph of the operations. A strategy that has the type `Works_in_every_field` with the value `true` is therefore called
+in other fields than that of the traits class: with fractions that are not reduced, and, for lazy numbers, with intervals
+first and with fractions when an exact value is asked for. The numbers of the blend are the same. All strategies of the
+package allow it. It requires that
+
+- the operator is a template over the number type `FT` of the ends, or at least can be called with ends over those fields;
+- it uses on these numbers only `+`, `-`, `*`, `/`, comparisons with `<` and `==`, and construction from `int`. A number of
+  its own is converted to `FT`; if not every `FT` can be made from it, the operator does not take part in overload
+  resolution for the others (`std::enable_if_t`), and the blend is computed in the field of the traits class;
+- it computes a bounded number of operations: the fractions grow with each, because they are not reduced;
+- a comparison may throw, when an interval does not tell, and the strategy lets the exception pass;
+- its answer depends on nothing but its members and the ends, and its members own what they refer to: a copy of the
+  strategy is kept by the lazy numbers of a blend, and called later.
+
+A strategy that cannot be changed is allowed by a specialisation of
+`CGAL::Geometric_continuity::works_in_every_field_v`.
 
 \cgalHasModelsBegin
 \cgalHasModel{CGAL::Geometric_continuity::Matching_second_derivative} (quintic)
@@ -46,6 +67,17 @@ to the caller in the member `parameters` of the blend.
 */
 class BlendStrategy {
 public:
+  /// \name Types
+  /// @{
+
+  /*!
+  Optional: `CGAL::Tag_true` when the strategy may be called in other fields than that of the traits class. Without this
+  type it is called in that field only, as with `CGAL::Tag_false`.
+  */
+  typedef unspecified_type Works_in_every_field;
+
+  /// @}
+
   /// \name Operations
   /// One of these two. `FT` is the number type of the traits class, `N` its dimension, or 0 if the dimension is known
   /// at run time only.

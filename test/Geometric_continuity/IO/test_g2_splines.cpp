@@ -4,8 +4,6 @@
 
 // B-spline curves in .g2 files.
 
-#define BOOST_TEST_DYN_LINK
-#define BOOST_TEST_MODULE g2_splines
 #include <boost/test/unit_test.hpp>
 
 #include "support/splines.h"

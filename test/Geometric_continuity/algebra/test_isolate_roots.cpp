@@ -4,8 +4,6 @@
 
 // Roots of polynomials on [0, 1].
 
-#define BOOST_TEST_DYN_LINK
-#define BOOST_TEST_MODULE isolate_roots
 #include <boost/test/unit_test.hpp>
 
 #include "support/swept_surfaces.h"
@@ -19,8 +17,6 @@
 
 namespace {
 
-typedef GC::Bernstein_polynomial<Q> Polynomial;
-Polynomial factor(const Q& root) { return Polynomial{Q(-root), Q(Q(1) - root)}; } // t - root
 typedef std::vector<GC::Isolated_root<Q>> Roots;
 
 bool is(const GC::Isolated_root<Q>& r, const Q& x, int multiplicity) {

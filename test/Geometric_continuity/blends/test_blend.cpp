@@ -4,8 +4,6 @@
 
 // Blends of splines.
 
-#define BOOST_TEST_DYN_LINK
-#define BOOST_TEST_MODULE blend
 #include <boost/test/unit_test.hpp>
 
 #include "support/splines.h"

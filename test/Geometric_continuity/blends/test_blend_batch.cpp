@@ -4,8 +4,6 @@
 
 // Many blends at once: the same points as one by one.
 
-#define BOOST_TEST_DYN_LINK
-#define BOOST_TEST_MODULE blend_batch
 #include <boost/test/unit_test.hpp>
 
 #include "support/random_points.h"

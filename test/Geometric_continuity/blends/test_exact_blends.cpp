@@ -14,6 +14,8 @@
 #include <CGAL/Geometric_continuity/Traits_3.h>
 #include <CGAL/Geometric_continuity/Traits_d.h>
 #include <CGAL/Geometric_continuity/blends/blend.h>
+#include <CGAL/Geometric_continuity/blends/septic_strategies.h>
+#include <CGAL/Geometric_continuity/joins/join_continuity.h>
 #include <CGAL/Gmpq.h>
 #include <CGAL/Gmpz.h>
 #include <CGAL/Quotient.h>
@@ -24,6 +26,7 @@
 #include <boost/test/unit_test.hpp>
 
 #include <cmath>
+#include <cstddef>
 #include <limits>
 #include <random>
 #include <type_traits>
@@ -33,6 +36,7 @@
 namespace GC = CGAL::Geometric_continuity;
 typedef CGAL::Exact_rational Exact;
 typedef CGAL::Exact_predicates_exact_constructions_kernel Lazy_kernel;
+typedef Lazy_kernel::FT Lazy;
 
 #define CHECK_ERROR(expression, expected)                                                                              \
   BOOST_CHECK_EXCEPTION((void)(expression), GC::Error,                                                                 \
@@ -89,15 +93,12 @@ auto by_operators(const GC::Curve_jet<Traits>& phi, const GC::Curve_jet<Traits>&
                   const GC::Shape_parameters<typename Traits::FT>& shape) {
   typedef typename Traits::FT FT;
   constexpr int N = GC::dimension_v<Traits>;
-  const FT &beta = shape.beta, &eta = shape.eta;
-  if constexpr (GC::internal::is_quintic_strategy<Traits, Strategy>) {
-    const GC::Quintic_ends<FT, N> e(phi[0], psi[0], beta * phi[1], eta * psi[1], FT(beta * beta) * phi[2],
-                                    FT(eta * eta) * psi[2]);
+  if constexpr (GC::is_quintic_strategy_v<Strategy, Traits>) {
+    const GC::Quintic_ends<FT, N> e(phi, psi, shape);
     const GC::Quintic_parameters<FT> p = strategy(e);
     return GC::Quintic_blend<Traits>({e.a1, e.b1(), e.c1(p.s1), e.c2(p.s2), e.b2(), e.a2}, p);
   } else {
-    const GC::Septic_ends<FT, N> e{{phi[0], phi[1], phi[2], phi[3], beta, 1},
-                                   {psi[0], psi[1], psi[2], psi[3], eta, -1}};
+    const GC::Septic_ends<FT, N> e(phi, psi, shape);
     const GC::Septic_parameters<FT> p = strategy(e);
     return GC::Septic_blend<Traits>(e.control_points(p), p);
   }
@@ -114,8 +115,10 @@ template <class FT> bool is_canonical(const FT& x) {
 
 template <class FT> void check_number(const FT& x, const FT& expected) {
   BOOST_CHECK(x == expected);
-  if constexpr (GC::internal::Rational_parts<FT>::value) BOOST_CHECK(is_canonical(x));
-  if constexpr (std::is_same_v<FT, Lazy_kernel::FT>) BOOST_CHECK(is_canonical(x.exact()));
+  if constexpr (std::is_same_v<FT, Lazy_kernel::FT>)
+    BOOST_CHECK(is_canonical(x.exact()));
+  else if constexpr (!std::is_same_v<FT, CGAL::Quotient<CGAL::Gmpz>>) // which need not be reduced
+    BOOST_CHECK(is_canonical(x));
 }
 template <class FT> void check_parameters(const GC::Quintic_parameters<FT>& p, const GC::Quintic_parameters<FT>& q) {
   check_number(p.s1, q.s1);
@@ -190,62 +193,18 @@ template <class FT> void check_in_every_space() {
 
 } // namespace
 
-BOOST_AUTO_TEST_CASE(exact_rational) {
-  static_assert(GC::internal::Rational_parts<Exact>::value);
-  check_in_every_space<Exact>();
-}
-BOOST_AUTO_TEST_CASE(gmpq) {
-  static_assert(GC::internal::Rational_parts<CGAL::Gmpq>::value);
-  check_in_every_space<CGAL::Gmpq>();
-}
+BOOST_AUTO_TEST_CASE(exact_rational) { check_in_every_space<Exact>(); }
+BOOST_AUTO_TEST_CASE(gmpq) { check_in_every_space<CGAL::Gmpq>(); }
 BOOST_AUTO_TEST_CASE(cpp_rational) {
   typedef boost::multiprecision::cpp_rational FT;
-  static_assert(GC::internal::Rational_parts<FT>::value);
   check_in_every_space<FT>();
 }
 BOOST_AUTO_TEST_CASE(mpq_rational) {
   typedef boost::multiprecision::mpq_rational FT;
-  static_assert(GC::internal::Rational_parts<FT>::value);
   check_every_strategy<GC::Traits_3<CGAL::Simple_cartesian<FT>>>(3);
 }
 
 namespace {
-
-// Numbers around the limits of limbs and of the memory that needs no allocation.
-template <class FT> std::vector<FT> special_numbers() {
-  std::vector<FT> numbers{FT(0), FT(1), FT(-1), FT(FT(-3) / FT(40)), power_of_two<FT>(64), FT(-power_of_two<FT>(-64))};
-  for (const int k : {63, 64, 128, 1023, 1024, 1025}) {
-    numbers.push_back(FT(power_of_two<FT>(k) - FT(1)));
-    numbers.push_back(FT(FT(-1) / numbers.back()));
-    numbers.push_back(FT(FT(FT(5) * power_of_two<FT>(k)) / FT(3)));
-  }
-  return numbers;
-}
-
-template <class FT> void check_fractions() {
-  typedef GC::internal::Rational_parts<FT> Parts;
-  typedef GC::internal::Unreduced_fraction<FT> Fraction;
-  typedef GC::internal::Inline_integer Integer;
-  const std::vector<FT> numbers = special_numbers<FT>();
-  for (const FT& x : numbers) {
-    Integer n, d;
-    Parts::split(x, n, d);
-    check_number(Parts::make(n, d, 0), x);
-    check_number(Parts::make(n, d, 70), FT(x * power_of_two<FT>(-70)));
-    check_number(Parts::make(n, d, -70), FT(x * power_of_two<FT>(70)));
-    check_number(Parts::make(n * Integer(15), d * Integer(35), 0), FT(x * FT(FT(3) / FT(7))));
-    check_number(FT(-Fraction(x).reduced()), (-Fraction(x)).reduced());
-    for (const FT& y : numbers) {
-      const Fraction p(x), q(y);
-      check_number((p + q).reduced(), FT(x + y));
-      check_number((p - q).reduced(), FT(x - y));
-      check_number((p * q).reduced(), FT(x * y));
-      if (y != FT(0)) check_number((p / q).reduced(), FT(x / y));
-      BOOST_CHECK_EQUAL(p == q, x == y);
-      BOOST_CHECK_EQUAL(p < q, x < y);
-    }
-  }
-}
 
 // A strategy of the user that knows one number type only.
 template <class FT, int N> struct Product_of_tangents {
@@ -260,6 +219,67 @@ template <class Exact_FT> struct Own_septic {
     return {{dot(e.start.d1, e.end.d1), FT(1), FT(2)}, {FT(0), FT(3), e.end.beta}};
   }
 };
+
+// Strategies of the user for every field. What each was called with is counted, to tell whether it was.
+template <class Number> std::size_t& calls() {
+  static std::size_t n = 0;
+  return n;
+}
+template <bool allowed> struct Slide_of_the_user {
+  typedef CGAL::Boolean_tag<allowed> Works_in_every_field;
+  int factor;
+
+  template <class FT, int N> GC::Quintic_parameters<FT> operator()(const GC::Quintic_ends<FT, N>& e) const {
+    ++calls<FT>();
+    const FT uv = dot(e.u, e.v), length = dot(e.u, e.u) + dot(e.v, e.v);
+    GC::Quintic_parameters<FT> p;
+    p.fallback_start = uv < FT(0);
+    p.s1 = p.fallback_start ? FT(-uv / length) : FT(FT(factor) * uv / length);
+    p.s2 = FT(p.s1 * p.s1 - e.tangential2 / FT(3));
+    return p;
+  }
+};
+struct Septic_of_the_user {
+  typedef CGAL::Tag_true Works_in_every_field;
+  template <class FT, int N> GC::Septic_parameters<FT> operator()(const GC::Septic_ends<FT, N>& e) const {
+    ++calls<FT>();
+    GC::Septic_parameters<FT> p;
+    p.start.beta2 = FT(dot(e.start.d1, e.end.d1) / dot(e.start.d1, e.start.d1));
+    p.end.mu = FT(e.end.beta / FT(7));
+    return p;
+  }
+};
+// A strategy that cannot be changed: the user allows it from outside.
+struct Foreign_strategy : Slide_of_the_user<false> {};
+
+} // namespace
+
+template <> constexpr bool CGAL::Geometric_continuity::works_in_every_field_v<Foreign_strategy> = true;
+
+namespace {
+
+template <class Traits> void check_strategies_in_every_field(int dimension) {
+  typedef typename Traits::FT FT;
+  const GC::Shape_parameters<FT> shape{FT(FT(2) / FT(3)), 2};
+  for (int family : {small, mixed, doubles, zeros}) {
+    const GC::Curve_jet<Traits> phi = jet<Traits>(dimension, 3, family), psi = jet<Traits>(dimension, 3, family);
+    check_blend(phi, psi, Slide_of_the_user<true>{3}, shape);
+    check_blend(phi, psi, Slide_of_the_user<false>{3}, shape);
+    check_blend(phi, psi, Foreign_strategy{{5}}, shape);
+    check_blend(phi, psi, Septic_of_the_user(), shape);
+    // in the field of the traits class when it is not allowed in others, and elsewhere when it is
+    const auto calls_of = [&](const auto& strategy) {
+      const std::size_t before = calls<FT>();
+      GC::blend(phi, psi, strategy, shape);
+      return calls<FT>() - before;
+    };
+    BOOST_CHECK_EQUAL(calls_of(Slide_of_the_user<false>{3}), 1);
+    BOOST_CHECK_EQUAL(calls_of(Septic_of_the_user()), 0);
+    if (std::is_same_v<FT, Lazy> && family == zeros) continue; // intervals may not tell the sign of u.v
+    BOOST_CHECK_EQUAL(calls_of(Slide_of_the_user<true>{3}), 0);
+    BOOST_CHECK_EQUAL(calls_of(Foreign_strategy{{3}}), 0);
+  }
+}
 
 template <class Traits> void check_strategies_of_the_user(int dimension) {
   typedef typename Traits::FT FT;
@@ -315,16 +335,8 @@ template <class Traits> void check_all_but_strategies(int dimension) {
 typedef GC::Traits_3<CGAL::Simple_cartesian<Exact>> Exact_traits;
 typedef GC::Traits_d<CGAL::Cartesian_d<Exact>> Exact_traits_d;
 typedef GC::Traits_3<Lazy_kernel> Lazy_traits;
-typedef Lazy_kernel::FT Lazy;
 
 } // namespace
-
-BOOST_AUTO_TEST_CASE(fractions) {
-  check_fractions<Exact>();
-  check_fractions<CGAL::Gmpq>();
-  check_fractions<boost::multiprecision::cpp_rational>();
-  check_fractions<boost::multiprecision::mpq_rational>();
-}
 
 BOOST_AUTO_TEST_CASE(strategies_of_the_user_fallbacks_and_errors) {
   check_all_but_strategies<Exact_traits>(3);
@@ -333,19 +345,117 @@ BOOST_AUTO_TEST_CASE(strategies_of_the_user_fallbacks_and_errors) {
   CHECK_ERROR(GC::blend(jet<Exact_traits_d>(4, 3, small), jet<Exact_traits_d>(5, 3, small)), dimension_mismatch);
 }
 
+BOOST_AUTO_TEST_CASE(strategies_of_the_user_in_every_field) {
+  static_assert(GC::works_in_every_field_v<GC::Near_line> && GC::works_in_every_field_v<GC::Minimal_energy_g3<4>>);
+  static_assert(GC::works_in_every_field_v<Slide_of_the_user<true>>);
+  static_assert(!GC::works_in_every_field_v<Slide_of_the_user<false>> &&
+                !GC::works_in_every_field_v<Own_septic<Exact>>);
+  static_assert(GC::is_quintic_strategy_v<Foreign_strategy, Exact_traits>);
+  static_assert(!GC::is_septic_strategy_v<Foreign_strategy, Exact_traits>);
+  static_assert(GC::is_septic_strategy_v<Septic_of_the_user, Lazy_traits>);
+  check_strategies_in_every_field<Exact_traits>(3);
+  check_strategies_in_every_field<Exact_traits_d>(4);
+  check_strategies_in_every_field<Lazy_traits>(3);
+}
+
 // Given parameters of other number types.
 BOOST_AUTO_TEST_CASE(given_parameters) {
   const GC::Curve_jet<Exact_traits> phi = jet<Exact_traits>(3, 3, mixed), psi = jet<Exact_traits>(3, 3, mixed);
   check_blend(phi, psi, GC::Given_parameters<double>{0.125, -3}, {});
   check_blend(phi, psi, GC::Given_parameters<int>{7, 0}, {});
   check_blend(phi, psi, GC::Given_end_parameters<double>{{0.5, 0, 1}, {0, -0.25, 0}}, {});
+  const GC::Curve_jet<Lazy_traits> x = jet<Lazy_traits>(3, 3, mixed), y = jet<Lazy_traits>(3, 3, mixed);
+  check_blend(x, y, GC::Given_parameters<double>{0.125, -3}, {});
+  check_blend(x, y, GC::Given_parameters<Exact>{Exact(1) / Exact(3), -3}, {});
+  check_blend(x, y, GC::Given_parameters<Lazy>{Lazy(1) / Lazy(3), 2.5}, {});
 }
 
-// Number types that have no parts: the operators.
+// An infinity or a NaN that enters as a double is refused where it enters; GMP would stop the program.
+template <class FT, class Traits> void check_not_finite() {
+  const GC::Curve_jet<Traits> phi = jet<Traits>(3, 3, small), psi = jet<Traits>(3, 3, small);
+  typedef GC::Shape_parameters<FT> Shape;
+  typedef GC::Given_parameters<double> Given;
+  typedef GC::Given_end_parameters<double> Given_ends;
+  for (const double x : {std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity(),
+                         std::numeric_limits<double>::quiet_NaN()}) {
+    CHECK_ERROR((Shape{x, 1}), not_finite);
+    CHECK_ERROR((Shape{FT(1), x}), not_finite);
+    CHECK_ERROR(GC::blend(phi, psi, GC::Normal_offset(), {1, x}), not_finite);
+    CHECK_ERROR((GC::Given_parameters<FT>{x, 0}), not_finite);
+    CHECK_ERROR((GC::Septic_end_parameters<FT>{0, x, 1}), not_finite);
+    CHECK_ERROR(GC::blend(phi, psi, Given{x, 0}), not_finite);
+    CHECK_ERROR(GC::blend(phi, psi, Given{0, x}), not_finite);
+    CHECK_ERROR(GC::blend(phi, psi, Given_ends{{0, x, 0}, {}}), not_finite);
+    CHECK_ERROR(GC::blend(phi, psi, Given_ends{{}, {0, 0, x}}), not_finite);
+  }
+}
+BOOST_AUTO_TEST_CASE(not_finite) {
+  check_not_finite<Exact, Exact_traits>();
+  check_not_finite<Lazy, Lazy_traits>();
+  typedef boost::multiprecision::cpp_rational Cpp;
+  check_not_finite<Cpp, GC::Traits_3<CGAL::Simple_cartesian<Cpp>>>();
+}
+
+// With floating-point numbers a jet that is not finite is found in the blend.
+BOOST_AUTO_TEST_CASE(jets_that_are_not_finite) {
+  typedef GC::Traits_3<CGAL::Simple_cartesian<double>> Traits;
+  const GC::Curve_jet<Traits> phi = jet<Traits>(3, 3, small), psi = jet<Traits>(3, 3, small);
+  for (const double number : {std::numeric_limits<double>::infinity(), std::numeric_limits<double>::quiet_NaN()})
+    for (int j = 0; j <= 3; ++j)
+      for (int i = 0; i < 3; ++i) {
+        GC::Curve_jet<Traits> x = phi;
+        x[j][i] = number;
+        const auto quintic = [&](const auto& strategy) {
+          if (j == 3) return; // is not read
+          CHECK_ERROR(GC::blend(x, psi, strategy), not_finite);
+          CHECK_ERROR(GC::blend(psi, x, strategy), not_finite);
+        };
+        const auto septic = [&](const auto& strategy) {
+          CHECK_ERROR(GC::blend(x, psi, strategy), not_finite);
+          CHECK_ERROR(GC::blend(psi, x, strategy), not_finite);
+        };
+        Every_strategy<double>::quintic(quintic);
+        Every_strategy<double>::septic(septic);
+      }
+}
+
+namespace {
+
+// A curve of the user: an arc of a parabola that can be read only by its jets.
+struct Parabola {
+  typedef Exact_traits Traits;
+  Exact scale;
+
+  std::pair<Exact, Exact> domain() const { return {Exact(1), Exact(3)}; }
+  GC::Curve_jet<Traits> jet(const Exact& u, int k) const {
+    GC::Curve_jet<Traits> x(3, k);
+    x[0][0] = u;
+    x[0][1] = scale * u * u;
+    if (k > 0) x[1][0] = 1;
+    if (k > 0) x[1][1] = 2 * scale * u;
+    if (k > 1) x[2][1] = 2 * scale;
+    return x;
+  }
+};
+
+} // namespace
+
+// blend() reads the ends of a curve as continuity() does.
+BOOST_AUTO_TEST_CASE(ends_of_curves) {
+  const Parabola left{Exact(1)}, right{Exact(-2)};
+  const auto join = [](const auto& x, const auto& y) { return GC::continuity(x, y).g_order; };
+  const auto quintic = GC::blend(left, right);
+  BOOST_CHECK(join(left, quintic) >= 2 && join(quintic, right) >= 2);
+  const auto septic = GC::blend(left, right, GC::Joint_g3());
+  BOOST_CHECK(join(left, septic) >= 3 && join(septic, right) >= 3);
+  const GC::Curve_jet<Exact_traits> x = jet<Exact_traits>(3, 3, mixed), y = jet<Exact_traits>(3, 3, mixed);
+  const auto middle = GC::blend(x, y), next = GC::blend(middle, right);
+  BOOST_CHECK(join(middle, next) >= 2 && join(next, right) >= 2);
+}
+
+// Number types that are not known by their numerators and denominators: the operators.
 BOOST_AUTO_TEST_CASE(quotients) {
   typedef CGAL::Quotient<CGAL::Gmpz> FT;
-  static_assert(!GC::internal::Rational_parts<FT>::value && !GC::internal::Rational_parts<double>::value);
-  static_assert(!GC::internal::Rational_parts<Lazy>::value);
   typedef GC::Traits_3<CGAL::Simple_cartesian<FT>> Traits;
   const GC::Curve_jet<Traits> phi = jet<Traits>(3, 2, small), psi = jet<Traits>(3, 2, small);
   check_blend(phi, psi, GC::Minimal_energy<3>(), {});

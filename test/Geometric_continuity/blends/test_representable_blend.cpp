@@ -14,6 +14,7 @@
 
 #include <boost/test/unit_test.hpp>
 
+#include <cfenv>
 #include <cmath>
 #include <cstdint>
 #include <iostream>
@@ -72,8 +73,8 @@ BOOST_AUTO_TEST_CASE(points_with_digits_to_spare_stay) {
         BOOST_CHECK(exactly_g2(b));
         BOOST_CHECK(!b.start_join.is_moved() && !b.end_join.is_moved() && b.phi == phi && b.psi == psi);
         BOOST_CHECK(std::abs(b.start_join.beta - 1) <= 1.0 / 8 && std::abs(b.end_join.beta - 1) <= 1.0 / 8);
-        BOOST_CHECK(beta_is(GC::continuity(phi, b).betas[0], b.start_join.beta, m));
-        BOOST_CHECK(beta_is(CGAL::Exact_rational(1) / GC::continuity(b, psi).betas[0], b.end_join.beta, n));
+        BOOST_CHECK(beta_is(GC::continuity(phi, b).betas()[0], b.start_join.beta, m));
+        BOOST_CHECK(beta_is(CGAL::Exact_rational(1) / GC::continuity(b, psi).betas()[0], b.end_join.beta, n));
       }
 }
 
@@ -158,6 +159,123 @@ BOOST_AUTO_TEST_CASE(unlike_sizes) {
   CHECK_ERROR(GC::representable_blend(phi, psi, GC::Given_parameters<double>{1e308, 0}), not_representable);
 }
 
+namespace {
+
+// Calls a function in each rounding mode; the mode is that of before when the function has returned or thrown.
+class Rounding_mode {
+  const int before_ = std::fegetround();
+
+public:
+  explicit Rounding_mode(int mode) { BOOST_REQUIRE_EQUAL(std::fesetround(mode), 0); }
+  ~Rounding_mode() { std::fesetround(before_); }
+};
+const int rounding_modes[] = {FE_TONEAREST, FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO};
+
+template <class Function> auto in_mode(int mode, const Function& function) {
+  const Rounding_mode rounding(mode);
+  return function();
+}
+
+// Each moved coordinate stays within half a unit of its grid, and is a multiple of that.
+template <class Join> void check_moves(const Curve& given, const Curve& moved, const Join& join) {
+  for (int k = 0; k <= given.degree(); ++k)
+    for (int x = 0; x < 3; ++x) {
+      const CGAL::Exact_rational before(given.control_point(k)[x]), after(moved.control_point(k)[x]),
+          unit(join.grid[x]), change = CGAL::abs(CGAL::Exact_rational(after - before));
+      BOOST_CHECK(change <= unit / 2 && change <= CGAL::Exact_rational(join.moved));
+    }
+}
+
+} // namespace
+
+// Positive shape parameters of every size: a blend with exact joins, or the promised error, and soon.
+BOOST_AUTO_TEST_CASE(tiny_and_huge_shape_parameters) {
+  const double least = std::numeric_limits<double>::denorm_min(), most = (std::numeric_limits<double>::max)();
+  const Curve phi = random_curve(3, on_grid), psi = random_curve(4, on_grid);
+  // straight lines whose legs start in the origin, of a size that makes up for the parameter
+  const auto line = [](double size, bool at_end) {
+    const Space::Point origin(0, 0, 0), other(size, -3 * size, 2 * size);
+    return at_end ? Curve{other, origin} : Curve{origin, other};
+  };
+  for (const int mode : rounding_modes)
+    for (const double beta : {least, 3 * least, 1e-310, 1e-300, 1e300, most / 2, most}) {
+      BOOST_TEST_CONTEXT("rounding mode " << mode << ", parameter " << beta) {
+        const auto blend = [mode](const Curve& left, const Curve& right, double b, double e) {
+          return in_mode(mode, [&] {
+            return GC::representable_blend(left, right, GC::Minimal_second_derivative(), {b, e});
+          });
+        };
+        CHECK_ERROR(blend(phi, psi, beta, 1), not_representable);
+        CHECK_ERROR(blend(phi, psi, 1, beta), not_representable);
+        const double size = beta < 1 ? 1e300 : 1e-300;
+        const Blend b = blend(line(size, true), line(1, false), beta, 1);
+        BOOST_CHECK(exactly_g2(b));
+        BOOST_CHECK(b.start_join.beta > 0 && std::isfinite(b.start_join.beta));
+        BOOST_CHECK(std::abs(b.start_join.beta / beta - 1) <= 1.0 / 8);
+        BOOST_CHECK(exactly_g2(blend(line(1, true), line(size, false), 1, beta)));
+      }
+    }
+}
+
+BOOST_AUTO_TEST_CASE(near_overflow) {
+  const double most = (std::numeric_limits<double>::max)();
+  std::mt19937_64 random(7);
+  BOOST_TEST_MESSAGE("seed 7");
+  int refused = 0, made = 0;
+  for (const int mode : rounding_modes)
+    for (int i = 0; i < 60; ++i) {
+      const auto huge = [&random, most] { // near the largest number, some of them far from it
+        const double x = most / 4 * (std::ldexp(static_cast<double>(random() >> 11), -53) * 4);
+        return std::ldexp(random() % 2 == 0 ? x : -x, -static_cast<int>(random() % 4 == 0 ? random() % 60 : 0));
+      };
+      const auto curve = [&] {
+        std::vector<Space::Point> p;
+        for (int k = 0; k < 3; ++k) {
+          const double x = huge(), y = huge(), z = huge();
+          p.emplace_back(x, y, z);
+        }
+        return Curve(p.begin(), p.end());
+      };
+      const Curve phi = curve(), psi = curve();
+      try {
+        const Blend b = in_mode(mode, [&] { return GC::representable_blend(phi, psi); });
+        ++made;
+        BOOST_CHECK(exactly_g2(b));
+        for (int x = 0; x < 3; ++x)
+          BOOST_CHECK(std::isfinite(b.start_join.grid[x]) && std::isfinite(b.end_join.grid[x]));
+        check_moves(phi, b.phi, b.start_join);
+        check_moves(psi, b.psi, b.end_join);
+      } catch (const GC::Error& e) {
+        ++refused;
+        BOOST_CHECK(e.code() == GC::Error_code::not_representable);
+      }
+    }
+  BOOST_CHECK(made > 0 && refused > 0);
+  // the coordinate x cannot leave the largest numbers: B would lie beyond them
+  const Curve wide{Space::Point(-most / 4, 1, 0), Space::Point(most / 4, 3, 0)}, right = random_curve(2, on_grid);
+  for (const int mode : rounding_modes)
+    CHECK_ERROR(in_mode(mode,
+                        [&] {
+                          return GC::representable_blend(wide, right, GC::Normal_offset(), {100, 1});
+                        }),
+                not_representable);
+}
+
+// The rounding of points does not depend on the rounding mode.
+BOOST_AUTO_TEST_CASE(rounding) {
+  for (int i = 0; i < 30; ++i) {
+    const Curve phi = random_curve(1 + i % 5, full), psi = random_curve(3, full);
+    const Blend nearest = GC::representable_blend(phi, psi);
+    for (const int mode : rounding_modes) {
+      const Blend b = in_mode(mode, [&] { return GC::representable_blend(phi, psi); });
+      BOOST_CHECK(exactly_g2(b));
+      check_moves(phi, b.phi, b.start_join);
+      check_moves(psi, b.psi, b.end_join);
+      BOOST_CHECK(b == nearest && b.phi == nearest.phi && b.psi == nearest.psi);
+    }
+  }
+}
+
 BOOST_AUTO_TEST_CASE(other_spaces) {
   typedef GC::Bezier_curve<Plane, 3> Cubic;
   const Cubic phi{Plane::Point(0, 0), Plane::Point(0.1, 0.7), Plane::Point(0.4, 0.9), Plane::Point(0.9, 1)},
@@ -189,4 +307,8 @@ BOOST_AUTO_TEST_CASE(errors) {
   CHECK_ERROR(GC::representable_blend(good, point), wrong_number_of_points);
   const double infinity = std::numeric_limits<double>::infinity();
   CHECK_ERROR(GC::representable_blend(good, good, GC::Normal_offset(), {infinity, 1}), not_finite);
+  for (const double x : {infinity, -infinity, std::numeric_limits<double>::quiet_NaN()}) {
+    CHECK_ERROR(GC::representable_blend(good, good, GC::Given_parameters<double>{x, 0}), not_finite);
+    CHECK_ERROR(GC::representable_blend(good, good, GC::Given_parameters<double>{0, x}), not_finite);
+  }
 }

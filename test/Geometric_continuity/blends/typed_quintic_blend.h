@@ -46,11 +46,11 @@ template <class Traits> void check_joins(const Blend_input<Traits>& input, const
   BOOST_REQUIRE_EQUAL(left.g_order, 2);
   BOOST_REQUIRE_EQUAL(right.g_order, 2);
   BOOST_CHECK_EQUAL(left.f_order, 2);
-  BOOST_CHECK(left.betas[0] == beta);
-  BOOST_CHECK(left.betas[1] == beta2(input.phi, beta, gamma.parameters.s1));
-  BOOST_CHECK(right.betas[0] == FT(FT(1) / eta));
-  BOOST_CHECK(right_backwards.betas[0] == eta);
-  BOOST_CHECK(right_backwards.betas[1] == beta2(input.psi, eta, gamma.parameters.s2));
+  BOOST_CHECK(left.betas()[0] == beta);
+  BOOST_CHECK(left.betas()[1] == beta2(input.phi, beta, gamma.parameters.s1));
+  BOOST_CHECK(right.betas()[0] == FT(FT(1) / eta));
+  BOOST_CHECK(right_backwards.betas()[0] == eta);
+  BOOST_CHECK(right_backwards.betas()[1] == beta2(input.psi, eta, gamma.parameters.s2));
 }
 
 BOOST_AUTO_TEST_CASE(joins, *boost::unit_test::enable_if<exact>()) {

@@ -52,10 +52,10 @@ void check_join(const Jet<Traits>& x, const Jet<Traits>& y, const FT& beta, cons
     BOOST_CHECK_EQUAL(join.f_order, std::min(x.dimension(), 3));
   }
   const auto join = GC::continuity(x, y);
-  BOOST_CHECK(join.betas[0] == beta);
-  BOOST_CHECK(join.betas[1] == p.beta2);
-  if (p.mu == mu_of_g3(beta, p)) BOOST_CHECK(join.betas[2] == p.beta3);
-  BOOST_CHECK(GC::continuity(y, x).betas[0] == FT(FT(1) / beta));
+  BOOST_CHECK(join.betas()[0] == beta);
+  BOOST_CHECK(join.betas()[1] == p.beta2);
+  if (p.mu == mu_of_g3(beta, p)) BOOST_CHECK(join.betas()[2] == p.beta3);
+  BOOST_CHECK(GC::continuity(y, x).betas()[0] == FT(FT(1) / beta));
 }
 
 template <class Traits> void check_joins(const Blend_input<Traits>& input, const Blend<Traits>& gamma) {

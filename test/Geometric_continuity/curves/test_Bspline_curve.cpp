@@ -4,8 +4,6 @@
 
 // B-spline curves.
 
-#define BOOST_TEST_DYN_LINK
-#define BOOST_TEST_MODULE Bspline_curve
 #include <boost/test/unit_test.hpp>
 
 #include "support/archetype.h"
@@ -17,7 +15,7 @@
 #include <CGAL/Geometric_continuity/blends/blend.h>
 #include <CGAL/Geometric_continuity/curves/Bspline_curve.h>
 #include <CGAL/Geometric_continuity/curves/Composite_bezier_curve.h>
-#include <CGAL/Geometric_continuity/extensions/extend_curves.h>
+#include <CGAL/Geometric_continuity/extensions/extend.h>
 #include <CGAL/Geometric_continuity/joins/knot_continuity.h>
 
 #include <cstddef>

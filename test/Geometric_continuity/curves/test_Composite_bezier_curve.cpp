@@ -4,8 +4,6 @@
 
 // Segmented curves.
 
-#define BOOST_TEST_DYN_LINK
-#define BOOST_TEST_MODULE Composite_bezier_curve
 #include <boost/test/unit_test.hpp>
 
 #include "support/composite_curves.h"

@@ -4,8 +4,6 @@
 
 // Many jets at once: the same numbers as one by one, exactly with rational numbers, and within rounding with doubles.
 
-#define BOOST_TEST_DYN_LINK
-#define BOOST_TEST_MODULE evaluate_batch
 #include <boost/test/unit_test.hpp>
 
 #include "support/random_points.h"

@@ -94,7 +94,8 @@ BOOST_AUTO_TEST_CASE(domains_of_infinite_length) {
   typedef GC::Composite_bezier_curve<Double> Composite;
   CHECK_ERROR(Curve(points.begin(), points.end(), a, b), not_finite);
   CHECK_ERROR(Cubic(points.begin(), points.end(), a, b), not_finite);
-  CHECK_ERROR(GC::Bezier_curve<Epick>(points.begin(), points.end(), a, b), not_finite);
+  const std::array<Epick::Point, 2> epick_points{Epick::Point(0, 0, 0), Epick::Point(1, 2, 0)};
+  CHECK_ERROR(GC::Bezier_curve<Epick>(epick_points.begin(), epick_points.end(), a, b), not_finite);
   CHECK_ERROR(c.with_domain(a, b), not_finite);
   CHECK_ERROR(f.with_domain(a, b), not_finite);
   CHECK_ERROR(Composite(points.begin(), points.end(), {a, b}), not_finite);

@@ -5,8 +5,6 @@
 // The G1 ribbon. With exact numbers all is compared with ==. The
 // numbers of a ribbon that are not control points are exact with every kernel, and compared with == there, too.
 
-#define BOOST_TEST_DYN_LINK
-#define BOOST_TEST_MODULE G1_ribbon
 #include <boost/test/unit_test.hpp>
 
 #include "support/exact_splines.h"
@@ -402,15 +400,6 @@ template <class K> Curve<K> whole_curve(const std::vector<std::vector<int>>& x, 
   std::vector<typename K::Point_3> points;
   for (const std::vector<int>& p : x) points.emplace_back(FT(p[0]), FT(p[1]), FT(p[2]));
   return Curve<K>(points.begin(), points.end(), GC::Knot_vector<FT>(3, FT(a), FT(b)));
-}
-
-template <class F> std::string error_of(F f) {
-  try {
-    f();
-  } catch (const GC::Error& error) {
-    return error.what();
-  }
-  return "no error";
 }
 
 } // namespace

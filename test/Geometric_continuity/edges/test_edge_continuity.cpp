@@ -4,17 +4,18 @@
 
 // The order of continuity of Bezier patches along edges, degenerate edges, and the angle between the normals.
 
-#define BOOST_TEST_DYN_LINK
-#define BOOST_TEST_MODULE edge_continuity
 #include <boost/test/unit_test.hpp>
 
 #include "support/enclosures.h"
 #include "support/nets.h"
 
-#include <CGAL/Geometric_continuity/edges/patch_continuity.h>
+#include <CGAL/Geometric_continuity/edges/Edge_conditions.h>
+#include <CGAL/Geometric_continuity/edges/common_edges.h>
+#include <CGAL/Geometric_continuity/edges/edge_continuity.h>
 
 #include <algorithm>
 #include <cmath>
+#include <type_traits>
 #include <vector>
 
 using enclosures::ulps;
@@ -29,7 +30,12 @@ template <class K> double sampled_angle(const Patch<K>& a, const Patch<K>& b, co
 }
 
 // The value of a number of any kernel.
-template <class FT> Q exact(const FT& x) { return Q(GC::internal::Exact_number<FT>::of(x)); }
+template <class FT> Q exact(const FT& x) {
+  if constexpr (std::is_same_v<FT, Q>)
+    return x;
+  else
+    return Q(x.exact());
+}
 
 // A flat surface y >= 0 and others along the edge (x, 0, 0), 0 <= x <= 1.
 const Curve x_axis{line(0, 1), constant(0), constant(0)};
@@ -386,6 +392,9 @@ BOOST_AUTO_TEST_CASE(angles_of_measures) {
   BOOST_CHECK((Deviation::angle(Q(0)) == GC::Enclosure{0, 0}));
   BOOST_CHECK(Deviation::angle(Q(2)).lower <= pi && pi < Deviation::angle(Q(2)).upper);
   BOOST_CHECK(Deviation::angle(Q(1)).lower <= pi / 2 && pi / 2 < Deviation::angle(Q(1)).upper);
+  for (const Q& outside : {Q(Q(-1) / 8), Q(Q(17) / 8)})
+    BOOST_CHECK_EXCEPTION((void)Deviation::angle(outside), GC::Error,
+                          [](const GC::Error& e) { return e.code() == GC::Error_code::parameter_outside_domain; });
   // tiny angles keep their accuracy
   const GC::Enclosure tiny = Deviation::angle(Q(Q(1) / Q(1e40)));
   BOOST_CHECK_CLOSE(tiny.lower, 1e-20, 1e-13);

@@ -16,7 +16,6 @@
 #include <CGAL/Geometric_continuity/Traits_3.h>
 #include <CGAL/Geometric_continuity/edges/edge_order_within.h>
 #include <CGAL/Geometric_continuity/edges/knot_line_continuity.h>
-#include <CGAL/Geometric_continuity/edges/patch_order_within.h>
 
 #include <algorithm>
 #include <cmath>
@@ -260,10 +259,32 @@ BOOST_AUTO_TEST_CASE(edge_verdicts) {
   BOOST_CHECK_EQUAL(GC::order_within(a, half, {angle * 1.001, 0}).deviation.gap, (GC::Enclosure{0, 0}));
   BOOST_CHECK_EQUAL(GC::order_within(a, half, {angle * 1.001, 0.6}).deviation.gap, (GC::Enclosure{0.5, 0.5}));
 
+  for (int order : {-1, 2})
+    BOOST_CHECK_EXCEPTION((void)GC::order_within(a, b, {1, 1})(order), GC::Error,
+                          [](const GC::Error& x) { return x.code() == GC::Error_code::jet_order_too_low; });
   for (const GC::Edge_tolerance& bad : {GC::Edge_tolerance{-1, 0}, GC::Edge_tolerance{0, -1},
                                         GC::Edge_tolerance{std::numeric_limits<double>::quiet_NaN(), 0}})
     BOOST_CHECK_EXCEPTION((void)GC::order_within(a, b, bad), GC::Error,
                           [](const GC::Error& x) { return x.code() == GC::Error_code::unreachable_tolerance; });
+}
+
+// In release builds too, in which preconditions are not checked.
+BOOST_AUTO_TEST_CASE(edges_that_have_nothing_in_common) {
+  typedef GC::Bezier_patch<Space> Patch;
+  typedef Space::Point Point;
+  const Patch a({{Point(0, 0, 0), Point(0, 1, 0)}, {Point(1, 0, 0), Point(1, 1, 0)}}),
+      b({{Point(0, 0, 5), Point(0, -1, 5)}, {Point(1, 0, 5), Point(1, -1, 5)}});
+  constexpr GC::Patch_edge v0 = GC::Patch_edge::v0;
+  const auto none = GC::edge_continuity(a, v0, b, v0);
+  BOOST_CHECK_EQUAL(none.g_order, -1);
+  BOOST_CHECK_EXCEPTION((void)GC::order_within(none, {1, 1}), GC::Error,
+                        [](const GC::Error& x) { return x.code() == GC::Error_code::curves_do_not_meet; });
+  const GC::Edge_order_within apart = GC::order_within(a, v0, b, v0, {1, 1});
+  BOOST_CHECK_EQUAL(apart(0), Verdict::refuted);
+  BOOST_CHECK_EQUAL(apart(1), Verdict::refuted);
+  BOOST_CHECK_EQUAL(apart.proved_order(), -1);
+  BOOST_CHECK_EQUAL(apart.deviation.gap, (GC::Enclosure{5, 5}));
+  BOOST_CHECK_EQUAL(GC::order_within(a, v0, b, v0, {0, 5}).proved_order(), 1); // the gap is tolerated
 }
 
 // A knot line with a jump is continuous within a tolerance.

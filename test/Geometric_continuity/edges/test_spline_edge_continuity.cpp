@@ -4,15 +4,14 @@
 
 // Continuity of B-spline surfaces along edges, parts of edges and knot lines.
 
-#define BOOST_TEST_DYN_LINK
-#define BOOST_TEST_MODULE spline_edge_continuity
 #include <boost/test/unit_test.hpp>
 
 #include "support/spline_surfaces.h"
 
 #include <CGAL/Geometric_continuity/Traits_d.h>
-#include <CGAL/Geometric_continuity/edges/bspline_edge_continuity.h>
+#include <CGAL/Geometric_continuity/edges/edge_continuity.h>
 #include <CGAL/Geometric_continuity/edges/knot_line_continuity.h>
+#include <CGAL/Geometric_continuity/models/model_continuity.h>
 
 #include <algorithm>
 #include <cmath>

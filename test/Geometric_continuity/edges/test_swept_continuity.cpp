@@ -4,8 +4,6 @@
 
 // Where the normals of swept surfaces vanish, and how smoothly swept surfaces join.
 
-#define BOOST_TEST_DYN_LINK
-#define BOOST_TEST_MODULE swept_continuity
 #include <boost/test/unit_test.hpp>
 
 #include "support/swept_surfaces.h"
@@ -21,13 +19,6 @@
 #include <initializer_list>
 #include <type_traits>
 #include <vector>
-
-namespace {
-
-typedef GC::Bernstein_polynomial<Q> Polynomial;
-Polynomial factor(const Q& root) { return Polynomial{Q(-root), Q(Q(1) - root)}; } // t - root
-
-} // namespace
 
 // ---------------------------------------------------------------- where the normal vanishes
 

@@ -4,14 +4,12 @@
 
 // Segmented curves that are extended and closed.
 
-#define BOOST_TEST_DYN_LINK
-#define BOOST_TEST_MODULE extend_curves
 #include <boost/test/unit_test.hpp>
 
 #include "support/composite_curves.h"
 
 #include <CGAL/Geometric_continuity/Traits_3.h>
-#include <CGAL/Geometric_continuity/extensions/extend_curves.h>
+#include <CGAL/Geometric_continuity/extensions/extend.h>
 #include <CGAL/Geometric_continuity/joins/chain_continuity.h>
 
 // A curve keeps its segments when it is extended or closed, and the new joins have the order that was asked for.

@@ -4,13 +4,11 @@
 
 // Splines that are extended and closed.
 
-#define BOOST_TEST_DYN_LINK
-#define BOOST_TEST_MODULE extend_splines
 #include <boost/test/unit_test.hpp>
 
 #include "support/splines.h"
 
-#include <CGAL/Geometric_continuity/extensions/extend_curves.h>
+#include <CGAL/Geometric_continuity/extensions/extend.h>
 #include <CGAL/Geometric_continuity/joins/join_continuity.h>
 #include <CGAL/Geometric_continuity/joins/knot_continuity.h>
 

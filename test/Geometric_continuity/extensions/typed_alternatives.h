@@ -8,7 +8,9 @@
 #include "support/typed.h"
 
 #include <CGAL/Geometric_continuity/extensions/alternatives.h>
+#include <CGAL/Geometric_continuity/extensions/close.h>
 #include <CGAL/Geometric_continuity/extensions/extend.h>
+#include <CGAL/Geometric_continuity/extensions/extend_toward.h>
 #include <CGAL/Geometric_continuity/extensions/midpoint_construction.h>
 #include <CGAL/Geometric_continuity/joins/polygon_tests.h>
 
@@ -96,8 +98,9 @@ template <class Traits>
 void check_betas(const Curve<Traits>& left, const Curve<Traits>& right, const std::vector<FT>& expected) {
   if (!exact_predicates) return;
   const auto join = GC::continuity(unit(left), unit(right), static_cast<int>(expected.size()));
-  BOOST_REQUIRE(join.betas.size() == expected.size());
-  for (std::size_t i = 0; i < expected.size(); ++i) BOOST_CHECK(join.betas[i] == in_field<Field<Traits>>(expected[i]));
+  BOOST_REQUIRE(join.betas().size() == expected.size());
+  for (std::size_t i = 0; i < expected.size(); ++i)
+    BOOST_CHECK(join.betas()[i] == in_field<Field<Traits>>(expected[i]));
 }
 
 // ---------------------------------------------------------------- scalars

@@ -179,6 +179,38 @@ BOOST_AUTO_TEST_CASE(verdicts) {
   BOOST_CHECK_EQUAL(Verdict::undecided && Verdict::refuted, Verdict::refuted);
 }
 
+// There the derivatives of the curvature with respect to arc length are compared.
+BOOST_AUTO_TEST_CASE(order_3_in_the_plane) {
+  const auto within = [](const Plane_curve& left, const Plane_curve& right, double tolerance) {
+    return GC::order_within(left, right, {0, 0, 0, 0, tolerance});
+  };
+  // the parabola 6 (t, t^2), continued with beta = (1, 2, 0)
+  const Plane_curve parabola{Plane::Point(-6, 6), Plane::Point(-3, 0), Plane::Point(0, 0)},
+      next{Plane::Point(0, 0), Plane::Point(2, 0), Plane::Point(6, 2), Plane::Point(12, 18)};
+  BOOST_CHECK_EQUAL(GC::continuity(parabola, next).g_order, 3);
+  BOOST_CHECK_EQUAL(GC::continuity(parabola, next).f_order, 2);
+  for (const double tolerance : {0., 1e-300, 1., 1e300})
+    BOOST_CHECK_EQUAL(within(parabola, next, tolerance).proved_order(), 3);
+  // another third derivative: the jump is 1/72
+  const Plane_curve off{Plane::Point(0, 0), Plane::Point(2, 0), Plane::Point(6, 2), Plane::Point(12, 18.5)};
+  BOOST_CHECK_EQUAL(within(parabola, off, 0)(3), Verdict::refuted);
+  BOOST_CHECK_EQUAL(within(parabola, off, 0).proved_order(), 2);
+  BOOST_CHECK_EQUAL(within(parabola, off, 0.01388)(3), Verdict::refuted);
+  BOOST_CHECK_EQUAL(within(parabola, off, 0.01389)(3), Verdict::proved);
+  // the curve (3 t, 9 t^3) has the derivative 2 at 0
+  const Plane_curve line{Plane::Point(-1, 0), Plane::Point(0, 0)},
+      cubic{Plane::Point(0, 0), Plane::Point(1, 0), Plane::Point(2, 0), Plane::Point(3, 9)};
+  BOOST_CHECK_EQUAL(within(line, cubic, 2)(3), Verdict::proved);
+  BOOST_CHECK_EQUAL(within(line, cubic, std::nextafter(2, 0))(3), Verdict::refuted);
+  // what lower orders refute stays refuted
+  const Plane_curve kink{Plane::Point(0, 0), Plane::Point(1, 1)};
+  BOOST_CHECK_EQUAL(within(line, kink, 1)(3), Verdict::refuted);
+  BOOST_CHECK_EXCEPTION(within(line, cubic, -1), GC::Error,
+                        [](const GC::Error& x) { return x.code() == GC::Error_code::unreachable_tolerance; });
+  BOOST_CHECK_EXCEPTION(within(line, cubic, 0)(-1), GC::Error,
+                        [](const GC::Error& x) { return x.code() == GC::Error_code::negative_count; });
+}
+
 // Rounding a blend breaks its joins by about one unit in the last place, and that is what is proved.
 BOOST_AUTO_TEST_CASE(rounded_blend) {
   const Space_curve left{Space::Point(0, 0, 0), Space::Point(1, 0.3, 0.1), Space::Point(2, 0.7, -0.4),

@@ -4,8 +4,6 @@
 
 // Hagen 1.7 (a): jets with the same invariants are moved onto each other by one isometry.
 
-#define BOOST_TEST_DYN_LINK
-#define BOOST_TEST_MODULE congruence
 #include <boost/test/unit_test.hpp>
 
 #include "support/jets.h"

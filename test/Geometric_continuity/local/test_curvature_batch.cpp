@@ -4,8 +4,6 @@
 
 // Curvatures and torsions of many jets.
 
-#define BOOST_TEST_DYN_LINK
-#define BOOST_TEST_MODULE curvature_batch
 #include <boost/test/unit_test.hpp>
 
 #include "support/random_points.h"

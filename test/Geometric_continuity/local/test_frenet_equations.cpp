@@ -4,8 +4,6 @@
 
 // The Frenet equations.
 
-#define BOOST_TEST_DYN_LINK
-#define BOOST_TEST_MODULE frenet_equations
 #include <boost/test/unit_test.hpp>
 
 #include "support/jets.h"

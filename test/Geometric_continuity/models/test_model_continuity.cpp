@@ -4,13 +4,12 @@
 
 // Models of Bezier patches.
 
-#define BOOST_TEST_DYN_LINK
-#define BOOST_TEST_MODULE model_continuity
 #include <boost/test/unit_test.hpp>
 
 #include "support/archetype.h"
 #include "support/nets.h"
 
+#include <CGAL/Geometric_continuity/edges/common_edges.h>
 #include <CGAL/Geometric_continuity/models/model_continuity.h>
 
 #include <cstddef>

@@ -4,8 +4,6 @@
 
 // Models of B-spline surfaces.
 
-#define BOOST_TEST_DYN_LINK
-#define BOOST_TEST_MODULE spline_models
 #include <boost/test/unit_test.hpp>
 
 #include "support/spline_surfaces.h"

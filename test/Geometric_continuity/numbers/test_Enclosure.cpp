@@ -74,21 +74,24 @@ BOOST_AUTO_TEST_CASE(random_roots_and_angles) {
 
 BOOST_AUTO_TEST_CASE(special_angles) {
   const double pi = 3.141592653589793, above_pi = std::nextafter(pi, 4.); // pi lies between
+  const auto is_close = [&](const GC::Enclosure& e, double factor) {      // of a multiple of pi by a power of two
+    return e.lower <= factor * pi && factor * above_pi <= e.upper && ulps(e) <= 3;
+  };
   for (int mode : rounding_modes) {
     BOOST_CHECK(angle_in(mode, Q(0), Q(5)) == (GC::Enclosure{0, 0}));
-    BOOST_CHECK(angle_in(mode, Q(0), Q(-5)) == (GC::Enclosure{pi, above_pi}));
-    BOOST_CHECK(angle_in(mode, Q(3), Q(0)) == (GC::Enclosure{pi / 2, above_pi / 2}));
+    BOOST_CHECK(is_close(angle_in(mode, Q(0), Q(-5)), 1));
+    BOOST_CHECK(is_close(angle_in(mode, Q(3), Q(0)), 0.5));
     BOOST_CHECK(angle_in(mode, Q(2), Q(2)).lower < angle_in(mode, Q(5), Q(2)).lower);
     const GC::Enclosure eighth = angle_in(mode, Q(4), Q(2)), obtuse = angle_in(mode, Q(4), Q(-2));
-    BOOST_CHECK(eighth.lower <= pi / 4 && above_pi / 4 <= eighth.upper && ulps(eighth) <= 3);
+    BOOST_CHECK(is_close(eighth, 0.25));
     BOOST_CHECK(obtuse.lower <= 0.75 * pi && 0.75 * above_pi <= obtuse.upper && ulps(obtuse) <= 3);
     // tiny angles, near 0 and near pi, and nearly right ones
     const Q tiny = Q(std::ldexp(1., -500));
     const GC::Enclosure near_0 = angle_in(mode, Q(tiny * tiny), Q(1));
     BOOST_CHECK(near_0.lower <= std::ldexp(1., -500) && std::ldexp(1., -500) <= near_0.upper && ulps(near_0) <= 3);
-    BOOST_CHECK(angle_in(mode, Q(tiny * tiny), Q(-1)) == (GC::Enclosure{pi, above_pi}));
-    BOOST_CHECK(angle_in(mode, Q(1), tiny) == (GC::Enclosure{pi / 2, above_pi / 2}));
-    BOOST_CHECK(angle_in(mode, Q(1), Q(-tiny)) == (GC::Enclosure{pi / 2, above_pi / 2}));
+    BOOST_CHECK(is_close(angle_in(mode, Q(tiny * tiny), Q(-1)), 1));
+    BOOST_CHECK(is_close(angle_in(mode, Q(1), tiny), 0.5));
+    BOOST_CHECK(is_close(angle_in(mode, Q(1), Q(-tiny)), 0.5));
     const GC::Enclosure least = angle_in(mode, Q(tiny * tiny * tiny * tiny * tiny), Q(1)); // 2^-1250 is no double
     BOOST_CHECK(least.lower >= 0 && least.upper <= std::ldexp(1., -530));
   }

@@ -17,7 +17,7 @@ void report_blend_join(Report& report, const std::string& path, const Left& left
   report.consequence(path + ".c_order", [&] { return join().c_order; });
   report.consequence(path + ".g_order", [&] { return join().g_order; });
   report.consequence(path + ".f_order", [&] { return join().f_order; });
-  report.consequence(path + ".betas", [&] { return join().betas; });
+  report.consequence(path + ".betas", [&] { return join().betas(); });
   report.consequence(path + ".torsion_equal", [&] { return join().torsion_equal; });
 }
 

@@ -76,7 +76,7 @@ template <class Traits> bool run_joins(const Case& c, Report& report) {
   report.predicate("c_order", [&] { return join.c_order; });
   report.predicate("g_order", [&] { return join.g_order; });
   report.predicate("f_order", [&] { return join.f_order; });
-  report.predicate("betas", [&] { return join.betas; });
+  report.predicate("betas", [&] { return join.betas(); });
   report.predicate("regular", [&] { return join.regular; });
   report.predicate("tangent_continuous", [&] { return join.tangent_equal; });
   report.predicate("curvature_equal", [&] { return join.curvature_equal; });

@@ -4,8 +4,6 @@
 
 // Spline functions: values, blossoms and derivatives, other knots, elevation, product.
 
-#define BOOST_TEST_DYN_LINK
-#define BOOST_TEST_MODULE Bspline_function
 #include <boost/test/unit_test.hpp>
 
 #include "support/splines.h"

@@ -4,8 +4,6 @@
 
 // Knot vectors.
 
-#define BOOST_TEST_DYN_LINK
-#define BOOST_TEST_MODULE Knot_vector
 #include <boost/test/unit_test.hpp>
 
 #include "support/splines.h"

@@ -112,6 +112,9 @@ template <class Traits> GC::Bezier_curve<Traits> int_curve(std::initializer_list
 
 inline Q binomial(int n, int k) { return GC::binomial_coefficients<Q>(n)[k]; }
 
+typedef GC::Bernstein_polynomial<Q> Polynomial;
+inline Polynomial factor(const Q& root) { return Polynomial{Q(-root), Q(Q(1) - root)}; } // t - root
+
 // A user's curve: the quarter of the unit circle in the plane y = 0 about (2, 0, 0), by a rational parameter in [0, 1].
 struct Quarter_circle {
   typedef Exact Traits;

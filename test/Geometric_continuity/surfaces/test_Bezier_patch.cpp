@@ -4,8 +4,6 @@
 
 // Bezier patches.
 
-#define BOOST_TEST_DYN_LINK
-#define BOOST_TEST_MODULE Bezier_patch
 #include <boost/test/unit_test.hpp>
 
 #include "support/nets.h"

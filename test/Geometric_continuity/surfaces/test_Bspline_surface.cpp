@@ -4,8 +4,6 @@
 
 // Tensor product surfaces. With exact numbers all is compared with ==.
 
-#define BOOST_TEST_DYN_LINK
-#define BOOST_TEST_MODULE Bspline_surface
 #include <boost/test/unit_test.hpp>
 
 #include "support/exact_splines.h"

@@ -4,8 +4,6 @@
 
 // Grids of points and normals: the same numbers as one by one.
 
-#define BOOST_TEST_DYN_LINK
-#define BOOST_TEST_MODULE evaluate_grid
 #include <boost/test/unit_test.hpp>
 
 #include "support/random_points.h"

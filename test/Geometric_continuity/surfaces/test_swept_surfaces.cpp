@@ -4,8 +4,6 @@
 
 // Swept surfaces: their jets and normals.
 
-#define BOOST_TEST_DYN_LINK
-#define BOOST_TEST_MODULE swept_surfaces
 #include <boost/test/unit_test.hpp>
 
 #include "support/archetype.h"

@@ -55,7 +55,7 @@ template <class FT> std::string json_members(const Join_continuity<FT>& join, in
                      ",\"c_order\":" + std::to_string(join.c_order) + ",\"g_order\":" + std::to_string(join.g_order) +
                      ",\"f_order\":" + std::to_string(join.f_order) + ",\"betas\":[";
   const char* separator = "\"";
-  for (const FT& beta : join.betas) {
+  for (const FT& beta : join.betas()) {
     json += separator + number_text(beta) + '"';
     separator = ",\"";
   }

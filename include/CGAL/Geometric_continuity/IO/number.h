@@ -180,8 +180,8 @@ inline void write_text(std::ostream& os, const std::string& text) {
 } // namespace internal
 
 /// \ingroup PkgGeometricContinuityIO
-/// Returns the number that is written in a text: an optional sign, then a decimal (`12`, `-.5`, `3.`, `1e-3`, `1.5E+4`)
-/// or a fraction `p/q` of two integers of which the second is positive and has no sign.
+/// Returns the number that is written in a text. This is an optional sign, then a decimal (`12`, `-.5`, `3.`, `1e-3`,
+/// `1.5E+4`) or a fraction `p/q` of two integers of which the second is positive and has no sign.
 ///
 /// In a field other than the floating-point types the number is exactly what is written: `0.1` is 1/10. In `float` and
 /// `double` decimals and fractions are rounded to the nearest number, to the even one in a tie; a number that would

@@ -15,8 +15,8 @@
 #include <type_traits>
 
 /// \file Basis_matrix.h
-/// The 4 x 4 matrices of cubic curves, how one changes into another, and those of Hermite, Bézier, B-spline and cardinal curves.
-/// Lecture slides, "Blended curves".
+/// The 4 x 4 matrices of cubic curves, how one changes into another, and those of Hermite, Bézier,
+/// B-spline and cardinal curves. Lecture slides, "Blended curves".
 
 namespace CGAL {
 namespace Geometric_continuity {
@@ -52,8 +52,8 @@ template <class FT> Basis_matrix<FT> rounded_matrix(const Basis_matrix<typename 
 
 /// \ingroup PkgGeometricContinuityAlgebra
 /// The basis matrix `M` of a cubic curve \f$ Q(t) = G\,M\,[t^3\ t^2\ t\ 1]^T \f$: a 4 x 4 matrix whose row `i` is the
-/// blending function of the `i`-th column of the geometry `G`, with the columns \f$ t^3, t^2, t, 1 \f$. Lecture slides, "Blended
-/// curves".
+/// blending function of the `i`-th column of the geometry `G`, with the columns \f$ t^3, t^2, t, 1 \f$. Lecture slides,
+/// "Blended curves".
 ///
 /// All members can be used at compile time, if the number type can.
 ///
@@ -103,8 +103,9 @@ public:
     return sum;
   }
 
-  /// Returns the inverse, as the matrix of cofactors divided by the determinant. Whether there is one is decided exactly, and the
-  /// inverse of a matrix of floating-point numbers is exact up to one rounding of each entry, by `CGAL::to_double()`.
+  /// Returns the inverse, as the matrix of cofactors divided by the determinant. Whether there is one is decided
+  /// exactly, and the inverse of a matrix of floating-point numbers is exact up to one rounding of each entry, by
+  /// `CGAL::to_double()`.
   /// \throws Error `singular_frame` when the determinant is zero, and for whole numbers unless it is 1 or -1
   /// \throws Error `not_finite` for an infinite or undefined entry, and when the inverse overflows
   constexpr Basis_matrix inverse() const {
@@ -154,9 +155,9 @@ private:
 };
 
 /// \ingroup PkgGeometricContinuityAlgebra
-/// Returns the matrix \f$ A = M_{from} M_{to}^{-1} \f$ that changes the geometry of a curve in one basis into that of the same curve in
-/// another one: \f$ G_{to} = G_{from} A \f$. Exact; the matrix for floating-point numbers is exact up to one rounding of each
-/// entry.
+/// Returns the matrix \f$ A = M_{from} M_{to}^{-1} \f$ that changes the geometry of a curve in one basis into that of
+/// the same curve in another one: \f$ G_{to} = G_{from} A \f$. Exact; the matrix for floating-point numbers is exact up
+/// to one rounding of each entry.
 /// \throws Error `singular_frame`, `not_finite` when the basis `to` cannot be inverted
 template <class FT>
 constexpr Basis_matrix<FT> change_of_basis(const Basis_matrix<FT>& from, const Basis_matrix<FT>& to) {
@@ -181,25 +182,27 @@ static_assert(bezier_matrix == Basis_matrix<int>({{{-1, 3, -3, 1}, {3, -6, 3, 0}
 } // namespace internal
 
 /// \ingroup PkgGeometricContinuityAlgebra
-/// Returns the matrix of the four conditions on a Hermite curve: \f$ G_H = G_H M_H\,\cdot \f$ this matrix, the columns of which are
-/// \f$ [t^3\ t^2\ t\ 1]^T \f$ at 0 and 1 and its derivatives at 0 and 1. Lecture slides, corrected.
+/// Returns the matrix of the four conditions on a Hermite curve: \f$ G_H = G_H M_H\,\cdot \f$ this matrix, the columns
+/// of which are \f$ [t^3\ t^2\ t\ 1]^T \f$ at 0 and 1 and its derivatives at 0 and 1. Lecture slides, corrected.
 template <class FT> Basis_matrix<FT> hermite_constraint_matrix() {
   return internal::hermite_constraints.template over<FT>();
 }
 
 /// \ingroup PkgGeometricContinuityAlgebra
-/// Returns \f$ M_H \f$, the inverse of `hermite_constraint_matrix()`, taken at compile time. The rows stand for the end points
-/// \f$ P_1, P_4 \f$ and the derivatives \f$ R_1, R_4 \f$ there. Lecture slides, corrected.
+/// Returns \f$ M_H \f$, the inverse of `hermite_constraint_matrix()`, taken at compile time. The rows stand for the end
+/// points \f$ P_1, P_4 \f$ and the derivatives \f$ R_1, R_4 \f$ there. Lecture slides, corrected.
 template <class FT> Basis_matrix<FT> hermite_matrix() { return internal::hermite_matrix.template over<FT>(); }
 
 /// \ingroup PkgGeometricContinuityAlgebra
-/// Returns \f$ M_{HB} \f$ with \f$ G_H = G_B M_{HB} \f$: \f$ R_1 = 3 (P_2 - P_1) \f$ and \f$ R_4 = 3 (P_4 - P_3) \f$. Lecture slides.
+/// Returns \f$ M_{HB} \f$ with \f$ G_H = G_B M_{HB} \f$: \f$ R_1 = 3 (P_2 - P_1) \f$ and \f$ R_4 = 3 (P_4 - P_3) \f$.
+/// Lecture slides.
 template <class FT> Basis_matrix<FT> hermite_from_bezier_matrix() {
   return internal::hermite_from_bezier_matrix.template over<FT>();
 }
 
 /// \ingroup PkgGeometricContinuityAlgebra
-/// Returns \f$ M_B = M_{HB} M_H \f$, the rows of which are the Bernstein polynomials of degree 3. Lecture slides, corrected.
+/// Returns \f$ M_B = M_{HB} M_H \f$, the rows of which are the Bernstein polynomials of degree 3. Lecture slides,
+/// corrected.
 template <class FT> Basis_matrix<FT> bezier_matrix() { return internal::bezier_matrix.template over<FT>(); }
 
 /// \ingroup PkgGeometricContinuityAlgebra
@@ -209,9 +212,9 @@ template <class FT> Basis_matrix<FT> bspline_matrix() {
 }
 
 /// \ingroup PkgGeometricContinuityAlgebra
-/// Returns the matrix of the cardinal spline: the curve of four neighbours leads from the second to the third, with derivatives
-/// \f$ \frac{1-c}{2} (P_3 - P_1) \f$ and \f$ \frac{1-c}{2} (P_4 - P_2) \f$ for the tension `c`. Tension 0 is Catmull-Rom;
-/// tension 1 has zero derivatives and a singular matrix.
+/// Returns the matrix of the cardinal spline: the curve of four neighbours leads from the second to the third, with
+/// derivatives \f$ \frac{1-c}{2} (P_3 - P_1) \f$ and \f$ \frac{1-c}{2} (P_4 - P_2) \f$ for the tension `c`. Tension 0
+/// is Catmull-Rom; tension 1 has zero derivatives and a singular matrix.
 template <class FT> Basis_matrix<FT> cardinal_matrix(const FT& tension) {
   const FT o(0), e(1), s = FT(FT(FT(1) - tension) / FT(2)), r = FT(-s);
   return Basis_matrix<FT>({{{o, o, r, o}, {e, o, o, r}, {o, e, s, o}, {o, o, o, s}}}) * hermite_matrix<FT>();

@@ -25,8 +25,9 @@ template <class FT> class Bell_polynomials {
   std::vector<FT> binomials_{FT(1)};                                    // row k-1 of Pascal's triangle
 
 public:
-  /// Returns \f$ B_{k,m} \f$ for `2 <= m <= k`. It depends on the first `k - m + 1` variables only, so it is known as soon as
-  /// the first `k - 1` variables have been appended; that they have been, and the range of `m`, is the caller's duty.
+  /// Returns \f$ B_{k,m} \f$ for `2 <= m <= k`. It depends on the first `k - m + 1` variables only, so it is known as
+  /// soon as the first `k - 1` variables have been appended; that they have been, and the range of `m`, is the caller's
+  /// duty.
   const FT& operator()(int k, int m) const { return rows_[k - 1][m - 2]; }
 
   /// Appends the next variable, \f$ x_{k-1} \f$, and so makes the row \f$ B_{k,\cdot} \f$ known.

@@ -15,8 +15,8 @@
 #include <vector>
 
 /// \file Bernstein_polynomial.h
-/// Polynomials on [0, 1] in Bernstein form: their coefficients are control points, and their signs tell much about the signs of
-/// the polynomial. Farin, "Curves and Surfaces for CAGD", chapter 6.
+/// Polynomials on [0, 1] in Bernstein form: their coefficients are control points, and
+/// their signs tell much about the signs of the polynomial. Farin, "Curves and Surfaces for CAGD", chapter 6.
 
 namespace CGAL {
 namespace Geometric_continuity {
@@ -29,9 +29,11 @@ template <class FT_> class Bernstein_polynomial {
 public:
   typedef FT_ FT; ///< the number type
 
-  /// Constructs a polynomial from `n + 1 >= 1` coefficients. \throws Error `wrong_number_of_points` without coefficients
+  /// Constructs a polynomial from `n + 1 >= 1` coefficients. \throws Error `wrong_number_of_points` without
+  /// coefficients
   explicit Bernstein_polynomial(std::vector<FT> coefficients) : c_(std::move(coefficients)) { check(); }
-  /// Constructs a polynomial from `n + 1 >= 1` coefficients. \throws Error `wrong_number_of_points` without coefficients
+  /// Constructs a polynomial from `n + 1 >= 1` coefficients. \throws Error `wrong_number_of_points` without
+  /// coefficients
   Bernstein_polynomial(std::initializer_list<FT> coefficients) : c_(coefficients) { check(); }
   /// Constructs a polynomial from a range of `n + 1 >= 1` coefficients.
   /// \throws Error `wrong_number_of_points` without coefficients
@@ -93,8 +95,8 @@ public:
     return {Bernstein_polynomial(std::move(left)), Bernstein_polynomial(std::move(right))};
   }
 
-  /// Returns the restriction to [a, b], reparametrised to [0, 1]: \f$ t \mapsto p(a + t (b - a)) \f$ for any `a` and `b`.
-  /// \f$ O(n^2) \f$
+  /// Returns the restriction to [a, b], reparametrised to [0, 1]: \f$ t \mapsto p(a + t (b - a)) \f$ for any `a` and
+  /// `b`. \f$ O(n^2) \f$
   Bernstein_polynomial restricted(const FT& a, const FT& b) const {
     if (a == FT(1)) { // split from the other side: [b, 1] reversed
       Bernstein_polynomial r = split(b).second;

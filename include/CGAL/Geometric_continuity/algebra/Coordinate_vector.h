@@ -170,7 +170,8 @@ Coordinate_vector<FT, N> orthogonal_component(const Coordinate_vector<FT, N>& v,
 }
 
 /// \ingroup PkgGeometricContinuityAlgebra
-/// Returns the component of `v` orthogonal to all `q`, which are orthogonal to each other: one step of Gram and Schmidt.
+/// Returns the component of `v` orthogonal to all `q`, which are orthogonal to each other: one step of Gram and
+/// Schmidt.
 /// \throws Error `zero_direction` when \f$ q \cdot q \f$ is zero for a vector `q`
 template <class FT, int N>
 Coordinate_vector<FT, N> orthogonal_component(Coordinate_vector<FT, N> v,

@@ -35,7 +35,8 @@ public:
   /// Constructs zero.
   Homogeneous_polynomial() : c_(1, NT(0)) {}
 
-  /// Constructs a polynomial from `n + 1 >= 1` coefficients \f$ c_k \f$. \throws Error `wrong_number_of_points` without coefficients
+  /// Constructs a polynomial from `n + 1 >= 1` coefficients \f$ c_k \f$. \throws Error `wrong_number_of_points` without
+  /// coefficients
   explicit Homogeneous_polynomial(std::vector<NT> coefficients) : c_(std::move(coefficients)) {
     if (c_.empty()) throw Error(Error_code::wrong_number_of_points, "homogeneous polynomial without coefficients");
   }
@@ -110,7 +111,8 @@ public:
   /// Returns the function \f$ t \mapsto p(1 - t) \f$.
   Homogeneous_polynomial reversed() const { return Homogeneous_polynomial(std::vector<NT>(c_.rbegin(), c_.rend())); }
 
-  /// Returns the parts on [0, 1/2] and [1/2, 1], each reparametrised to [0, 1] and multiplied by \f$ 2^n \f$. \f$ O(n^2) \f$
+  /// Returns the parts on [0, 1/2] and [1/2, 1], each reparametrised to [0, 1] and multiplied by \f$ 2^n \f$.
+  /// \f$ O(n^2) \f$
   std::pair<Homogeneous_polynomial, Homogeneous_polynomial> halves() const {
     return {reversed().second_half().reversed(), second_half()};
   }
@@ -128,8 +130,10 @@ public:
     return l;
   }
 
-  /// Returns the quotient by \f$ t^k (1-t)^l \f$, `0 <= k <= order_at_0()`, `0 <= l <= order_at_1()`, `k + l <= degree()`.
-  /// \throws Error `negative_count` when `k` or `l` is negative, `wrong_number_of_points` when there are not as many factors
+  /// Returns the quotient by \f$ t^k (1-t)^l \f$, `0 <= k <= order_at_0()`, `0 <= l <= order_at_1()`,
+  /// `k + l <= degree()`.
+  /// \throws Error `negative_count` when `k` or `l` is negative, `wrong_number_of_points` when there are not as many
+  ///   factors
   Homogeneous_polynomial without_end_factors(int k, int l) const {
     if (k < 0 || l < 0) throw Error(Error_code::negative_count, "without_end_factors");
     const auto is_zero = [](const NT& x) { return bool(x == NT(0)); };

@@ -29,9 +29,9 @@ template <class FT, int N> bool is_zero_coefficient(const Coordinate_vector<FT, 
 } // namespace internal
 
 /// \ingroup PkgGeometricContinuityAlgebra
-/// Returns the coefficients \f$ a_k = \binom{n}{k} \Delta^k c_0 \f$ of the powers of `t`, up to the last that is not zero but at
-/// least \f$ a_0 \f$, from the `n + 1` Bernstein coefficients \f$ c_i \f$ on [0, 1], which are numbers or vectors. None from
-/// none. \f$ O(n^2) \f$
+/// Returns the coefficients \f$ a_k = \binom{n}{k} \Delta^k c_0 \f$ of the powers of `t`, up to the last that is not
+/// zero but at least \f$ a_0 \f$, from the `n + 1` Bernstein coefficients \f$ c_i \f$ on [0, 1], which are numbers or
+/// vectors. None from none. \f$ O(n^2) \f$
 /// \tparam FT a field number type \tparam Row a `std::vector` of such numbers or of vectors over them
 template <class FT, class Row> Row powers_from_bernstein(Row c) {
   const int n = static_cast<int>(c.size()) - 1;
@@ -47,7 +47,8 @@ template <class FT, class Row> Row powers_from_bernstein(Row c) {
 }
 
 /// \ingroup PkgGeometricContinuityAlgebra
-/// A polynomial \f$ \sum_{k=0}^n a_k t^k \f$ with \f$ a_n \ne 0 \f$; the zero polynomial has no coefficients and the degree -1.
+/// A polynomial \f$ \sum_{k=0}^n a_k t^k \f$ with \f$ a_n \ne 0 \f$; the zero polynomial has no coefficients and the
+/// degree -1.
 /// \tparam FT a field number type with exact operations
 template <class FT_> class Power_polynomial {
 public:
@@ -98,8 +99,8 @@ public:
     return Power_polynomial(std::move(q));
   }
 
-  /// Returns the same function in Bernstein form, \f$ c_i = \sum_k a_k \binom{i}{k} / \binom{n}{k} \f$, of the same degree; of
-  /// degree 0 for zero. \f$ O(n^2) \f$
+  /// Returns the same function in Bernstein form, \f$ c_i = \sum_k a_k \binom{i}{k} / \binom{n}{k} \f$, of the same
+  /// degree; of degree 0 for zero. \f$ O(n^2) \f$
   Bernstein_polynomial<FT> bernstein() const {
     if (is_zero()) return Bernstein_polynomial<FT>{FT(0)};
     const int n = degree();
@@ -128,8 +129,8 @@ private:
 };
 
 /// \ingroup PkgGeometricContinuityAlgebra
-/// Returns the greatest common divisor, up to a factor that is not zero, by Euclid's algorithm; zero if both are. \f$ O(nm) \f$
-/// operations for degrees `n`, `m`, on numbers that grow in length up to the order of `n + m`
+/// Returns the greatest common divisor, up to a factor that is not zero, by Euclid's algorithm; zero if both are.
+/// \f$ O(nm) \f$ operations for degrees `n`, `m`, on numbers that grow in length up to the order of `n + m`
 template <class FT> Power_polynomial<FT> greatest_common_divisor(Power_polynomial<FT> a, Power_polynomial<FT> b) {
   static_assert(!std::is_floating_point_v<FT>, "divisibility is decided in an exact field");
   while (!b.is_zero()) {
@@ -141,8 +142,8 @@ template <class FT> Power_polynomial<FT> greatest_common_divisor(Power_polynomia
 }
 
 /// \ingroup PkgGeometricContinuityAlgebra
-/// Returns `p` divided by the greatest common divisor of `p` and its derivative: it has the same roots, and all of them are
-/// simple. It costs as much as `greatest_common_divisor()`.
+/// Returns `p` divided by the greatest common divisor of `p` and its derivative: it has the same roots, and all of them
+/// are simple. It costs as much as `greatest_common_divisor()`.
 /// \throws Error `wrong_number_of_points` when `p` is zero
 template <class FT> Bernstein_polynomial<FT> square_free_part(const Bernstein_polynomial<FT>& p) {
   Power_polynomial<FT> f(p);

@@ -11,13 +11,13 @@
 #include <vector>
 
 /// \file bernstein.h
-/// Algorithms on Bernstein coefficients \f$ c_0, \dots, c_n \f$ of \f$ \sum_i c_i B_i^n(t) \f$ in random-access
-/// containers `c`, by field arithmetic only. Curves run them on coordinates and on vectors of coordinates;
-/// `Bernstein_polynomial` wraps them for scalar polynomials. The algorithms are de Casteljau's; see Farin, "Curves and Surfaces
-/// for CAGD", chapters 5 and 6.
+/// Algorithms on Bernstein coefficients \f$ c_0, \dots, c_n \f$ of \f$ \sum_i c_i B_i^n(t) \f$ in
+/// random-access containers `c`, by field arithmetic only. Curves run them on coordinates and on vectors of
+/// coordinates; `Bernstein_polynomial` wraps them for scalar polynomials. The algorithms are de Casteljau's; see Farin,
+/// "Curves and Surfaces for CAGD", chapters 5 and 6.
 ///
-/// They run in the innermost loops and do not check their arguments: it is the caller's duty that `c` has the `n + 1` elements
-/// and, where this is said, the room that is needed, and that `n` and `k` are not negative.
+/// They run in the innermost loops and do not check their arguments: it is the caller's duty that `c` has the `n + 1`
+/// elements and, where this is said, the room that is needed, and that `n` and `k` are not negative.
 
 namespace CGAL {
 namespace Geometric_continuity {
@@ -82,8 +82,8 @@ void bernstein_derivatives(Coefficients& c, int n, const FT& t, int k, Output ou
 
 /// \ingroup PkgGeometricContinuityAlgebra
 /// Computes the derivatives of order 0 to `k` at `t = 0` from the first `k + 1` coefficients, in `c`, which is
-/// overwritten, and calls `out(j, value)` for each `j`, in this order: \f$ \frac{n!}{(n-j)!} \Delta^j c_0 \f$. The coefficients in reverse order give the derivatives
-/// at `t = 1` up to the sign \f$ (-1)^j \f$. \f$ O(k^2) \f$
+/// overwritten, and calls `out(j, value)` for each `j`, in this order: \f$ \frac{n!}{(n-j)!} \Delta^j c_0 \f$. The
+/// coefficients in reverse order give the derivatives at `t = 1` up to the sign \f$ (-1)^j \f$. \f$ O(k^2) \f$
 template <class FT, class Coefficients, class Output>
 void bernstein_end_derivatives(Coefficients& c, int n, int k, Output out) {
   const int last = k < n ? k : n;
@@ -97,8 +97,8 @@ void bernstein_end_derivatives(Coefficients& c, int n, int k, Output out) {
 }
 
 /// \ingroup PkgGeometricContinuityAlgebra
-/// Overwrites \f$ c_0, \dots, c_n \f$ by the coefficients on \f$ [t, 1] \f$ and writes those on \f$ [0, t] \f$ to `left`,
-/// which has room for `n + 1`. \f$ O(n^2) \f$
+/// Overwrites \f$ c_0, \dots, c_n \f$ by the coefficients on \f$ [t, 1] \f$ and writes those on \f$ [0, t] \f$ to
+/// `left`, which has room for `n + 1`. \f$ O(n^2) \f$
 template <class FT, class Coefficients> void bernstein_split(Coefficients& c, int n, const FT& t, Coefficients& left) {
   // after i steps, c[0] is the next coefficient of the left part
   const FT s = FT(1) - t;

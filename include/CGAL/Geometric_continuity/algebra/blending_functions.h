@@ -15,8 +15,9 @@
 #include <vector>
 
 /// \file blending_functions.h
-/// The functions with which the points of a curve are weighted, and whether the curve stays in the convex hull of its points:
-/// \f$ \sum_i f_i = 1 \f$ and \f$ f_i \ge 0 \f$. Lecture slides, "Blended curves", "Bézier curves III".
+/// The functions with which the points of a curve are weighted, and whether the curve stays
+/// in the convex hull of its points: \f$ \sum_i f_i = 1 \f$ and \f$ f_i \ge 0 \f$. Lecture slides, "Blended curves",
+/// "Bézier curves III".
 
 namespace CGAL {
 namespace Geometric_continuity {
@@ -32,8 +33,8 @@ template <class FT> std::vector<Bernstein_polynomial<FT>> rows_as_polynomials(co
 } // namespace internal
 
 /// \ingroup PkgGeometricContinuityAlgebra
-/// Returns the four blending functions of a cubic basis: polynomials of degree 3 on [0, 1], with which the columns of the geometry are
-/// weighted. Lecture slides, "Blended curves".
+/// Returns the four blending functions of a cubic basis: polynomials of degree 3 on [0, 1], with which the columns of
+/// the geometry are weighted. Lecture slides, "Blended curves".
 /// \throws Error `not_finite` for an infinite or undefined floating-point number
 template <class FT> std::vector<Bernstein_polynomial<FT>> blending_functions(const Basis_matrix<FT>& basis) {
   return internal::rows_as_polynomials(change_of_basis(basis, bezier_matrix<FT>()));
@@ -55,8 +56,9 @@ template <class FT> std::vector<Bernstein_polynomial<FT>> bernstein_polynomials(
 }
 
 /// \ingroup PkgGeometricContinuityAlgebra
-/// Decides whether the functions sum to 1 everywhere, so that the curve moves with its points. Exact for the coefficients as given:
-/// floating-point numbers are taken as the rational numbers they are. Lecture slides, "Bézier curves III".
+/// Decides whether the functions sum to 1 everywhere, so that the curve moves with its points. Exact for the
+/// coefficients as given: floating-point numbers are taken as the rational numbers they are. Lecture slides, "Bézier
+/// curves III".
 /// \throws Error `not_finite` when a coefficient is infinite or not a number
 template <class FT> bool is_partition_of_unity(const std::vector<Bernstein_polynomial<FT>>& functions) {
   typedef typename Exact_field<FT>::type Field;
@@ -80,9 +82,9 @@ template <class FT> bool is_nonnegative(const Bernstein_polynomial<FT>& p) {
 }
 
 /// \ingroup PkgGeometricContinuityAlgebra
-/// Decides whether every curve that has these blending functions stays in the convex hull of its points for `t` in [0, 1]: the
-/// functions sum to 1 and are nonnegative there. This is so for Bézier curves and B-splines, but not for Catmull-Rom splines.
-/// Lecture slides, "Bézier curves III", corrected.
+/// Decides whether every curve that has these blending functions stays in the convex hull of its points for `t` in [0,
+/// 1]: the functions sum to 1 and are nonnegative there. This is so for Bézier curves and B-splines, but not for
+/// Catmull-Rom splines. Lecture slides, "Bézier curves III", corrected.
 /// \throws Error `not_finite` when a coefficient is infinite or not a number
 template <class FT> bool has_convex_hull_property(const std::vector<Bernstein_polynomial<FT>>& functions) {
   for (const Bernstein_polynomial<FT>& f : functions)

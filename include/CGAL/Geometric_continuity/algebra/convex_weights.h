@@ -17,15 +17,16 @@
 #include <vector>
 
 /// \file convex_weights.h
-/// Whether a point is in the convex hull of others, with weights that prove it: the first phase of the simplex algorithm.
+/// Whether a point is in the convex hull of others, with weights that prove it: the first phase
+/// of the simplex algorithm.
 
 namespace CGAL {
 namespace Geometric_continuity {
 
 namespace internal {
 
-// The first phase of the simplex algorithm: w >= 0 with A w = b, for b >= 0. The pivots are those of Bland's rule, with which
-// it ends although nearly all of b is zero here.
+// The first phase of the simplex algorithm: w >= 0 with A w = b, for b >= 0. The pivots are those of Bland's rule, with
+// which it ends although nearly all of b is zero here.
 template <class Field> class Feasible_solution {
   typedef std::vector<Field> Row;
   std::vector<Row> rows_;  // [A | b], transformed so that the columns basis_[i] of the chosen w are unit vectors
@@ -89,10 +90,10 @@ private:
 } // namespace internal
 
 /// \ingroup PkgGeometricContinuityAlgebra
-/// Computes weights \f$ w_i \ge 0 \f$ with \f$ \sum_i w_i = 1 \f$ and \f$ \sum_i w_i q_i = p \f$: they prove that `p` is in the convex hull
-/// of the points `q`. At most one more of them than the dimension is not zero. Empty if and only if `p` is outside. Exact in
-/// any dimension: floating-point coordinates are taken as the rational numbers they are. By the simplex algorithm with Bland's
-/// rule; fast in practice.
+/// Computes weights \f$ w_i \ge 0 \f$ with \f$ \sum_i w_i = 1 \f$ and \f$ \sum_i w_i q_i = p \f$: they prove that `p`
+/// is in the convex hull of the points `q`. At most one more of them than the dimension is not zero. Empty if and only
+/// if `p` is outside. Exact in any dimension: floating-point coordinates are taken as the rational numbers they are. By
+/// the simplex algorithm with Bland's rule; fast in practice.
 /// \throws Error `dimension_mismatch` when the points differ in dimension
 /// \throws Error `not_finite` for an infinite or undefined floating-point coordinate
 template <class FT, int N>

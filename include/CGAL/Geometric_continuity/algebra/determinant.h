@@ -5,12 +5,16 @@
 #ifndef CGAL_GEOMETRIC_CONTINUITY_ALGEBRA_DETERMINANT_H
 #define CGAL_GEOMETRIC_CONTINUITY_ALGEBRA_DETERMINANT_H
 
+#include <CGAL/Geometric_continuity/Error.h>
 #include <CGAL/Geometric_continuity/algebra/Coordinate_vector.h>
 
 #include <cmath>
 #include <cstddef>
 #include <type_traits>
 #include <vector>
+
+/// \file determinant.h
+/// Determinants: without divisions where that is cheap, so that numbers stay short, and otherwise by elimination.
 
 namespace CGAL {
 namespace Geometric_continuity {
@@ -71,9 +75,11 @@ template <class FT, class Entry> FT determinant_by_elimination(int n, Entry entr
 } // namespace internal
 
 /// \ingroup PkgGeometricContinuityAlgebra
-/// Returns the determinant of the `n` x `n` matrix with entries `entry(row, column)`: up to `n == 6` without divisions, by
-/// Laplace expansion; above, by elimination in the field, in \f$ O(n^3) \f$.
+/// Returns the determinant of the `n` x `n` matrix with entries `entry(row, column)`: up to `n == 6` without divisions,
+/// by Laplace expansion; above, by elimination in the field, in \f$ O(n^3) \f$. The determinant without rows is 1.
+/// \throws Error `negative_count` when `n` is negative
 template <class FT, class Entry> FT determinant(int n, Entry entry) {
+  if (n < 0) throw Error(Error_code::negative_count, "determinant: rows");
   if (n == 1) return entry(0, 0);
   if (n == 2) return FT(entry(0, 0) * entry(1, 1) - entry(0, 1) * entry(1, 0));
   if (n <= 6) return internal::determinant_by_minors<FT>(n, entry);
@@ -81,8 +87,8 @@ template <class FT, class Entry> FT determinant(int n, Entry entry) {
 }
 
 /// \ingroup PkgGeometricContinuityAlgebra
-/// The Gram determinant \f$ \det (v_a \cdot v_b) \f$ of the vectors: the squared volume they span,
-/// zero if and only if they are linearly dependent.
+/// Returns the Gram determinant \f$ \det (v_a \cdot v_b) \f$ of the vectors: the squared volume they span,
+/// zero if and only if they are linearly dependent. It costs the determinant of as many rows as there are vectors.
 template <class FT, int N> FT gram_determinant(const std::vector<Coordinate_vector<FT, N>>& v) {
   const int n = static_cast<int>(v.size());
   if (n == 0) return FT(1);

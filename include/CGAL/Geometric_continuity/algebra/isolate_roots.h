@@ -17,15 +17,15 @@
 #include <vector>
 
 /// \file isolate_roots.h
-/// The real roots of a polynomial in [0, 1], each in an interval of its own, with their multiplicities: Descartes' rule in
-/// Bernstein form and bisection. Collins, Akritas; Lane, Riesenfeld.
+/// The real roots of a polynomial in [0, 1], each in an interval of its own, with their
+/// multiplicities: Descartes' rule in Bernstein form and bisection. Collins, Akritas; Lane, Riesenfeld.
 
 namespace CGAL {
 namespace Geometric_continuity {
 
 /// \ingroup PkgGeometricContinuityAlgebra
-/// A root of a polynomial: the only one in the interval [`begin`, `end`], and inside unless `begin == end`; then it is this
-/// number.
+/// A root of a polynomial: the only one in the interval [`begin`, `end`], and inside unless `begin == end`; then it is
+/// this number.
 /// \tparam FT a field number type
 template <class FT> struct Isolated_root {
   FT begin;             ///< the lower end of the interval
@@ -124,19 +124,21 @@ private:
 } // namespace internal
 
 /// \ingroup PkgGeometricContinuityAlgebra
-/// Finds the roots of `p` in the closed interval [0, 1] in increasing order, each in an interval of its own whose length is at
-/// most `width > 0`, with their multiplicities. A root is given exactly if it is the only one of `p`, on or outside the
-/// interval, or if bisection meets it. The result is empty for the zero polynomial, which has no isolated roots.
+/// Finds the roots of `p` in the closed interval [0, 1] in increasing order, each in an interval of its own whose
+/// length is at most `width > 0`, with their multiplicities. A root is given exactly if it is the only one of `p`, on
+/// or outside the interval, or if bisection meets it. The result is empty for the zero polynomial, which has no
+/// isolated roots.
 ///
-/// Exact: floating-point coefficients are taken as the rational numbers they are. Descartes' rule in Bernstein form separates
-/// the roots of the square-free part by bisection.
+/// Exact: floating-point coefficients are taken as the rational numbers they are. Descartes' rule in Bernstein form
+/// separates the roots of the square-free part by bisection.
 ///
 /// \param p the polynomial, of degree `n`
 /// \param width the greatest length of an interval
-/// \param most_bisections the work that is allowed. Each bisection takes \f$ O(n^2) \f$ additions of whole numbers that grow by
-///        `n` binary digits with each of those before it that led to the same interval. An interval of length
-///        \f$ 2^{-k} \f$ takes `k` bisections; roots that are close to each other take more, at most about \f$ n \f$ times as many
-///        as the coefficients have digits. The square-free part and the multiplicities cost \f$ O(n^2) \f$ operations besides.
+/// \param most_bisections the work that is allowed. Each bisection takes \f$ O(n^2) \f$ additions of whole numbers that
+///        grow by `n` binary digits with each of those before it that led to the same interval. An interval of length
+///        \f$ 2^{-k} \f$ takes `k` bisections; roots that are close to each other take more, at most about \f$ n \f$
+///        times as many as the coefficients have digits. The square-free part and the multiplicities cost
+///        \f$ O(n^2) \f$ operations besides.
 /// \throws Error `empty_domain` unless `width > 0`, `not_finite` when a coefficient is infinite or not a number
 /// \throws Error `work_limit` when more bisections are needed, `negative_count` when `most_bisections` is negative
 template <class FT>
@@ -157,9 +159,10 @@ std::vector<Isolated_root<typename Exact_field<FT>::type>> isolate_roots(const B
 }
 
 /// \ingroup PkgGeometricContinuityAlgebra
-/// Finds the roots of `p` in the closed interval [0, 1] in intervals of at most 1/1024, with at most `default_bisections`
-/// bisections, see the function with these two as arguments.
-/// \throws Error `not_finite` when a coefficient is infinite or not a number, `work_limit` when more bisections are needed
+/// Finds the roots of `p` in the closed interval [0, 1] in intervals of at most 1/1024, with at most
+/// `default_bisections` bisections, see the function with these two as arguments.
+/// \throws Error `not_finite` when a coefficient is infinite or not a number, `work_limit` when more bisections are
+///   needed
 template <class FT>
 std::vector<Isolated_root<typename Exact_field<FT>::type>> isolate_roots(const Bernstein_polynomial<FT>& p) {
   typedef typename Exact_field<FT>::type Field;

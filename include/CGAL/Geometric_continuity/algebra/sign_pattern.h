@@ -15,16 +15,29 @@
 #include <CGAL/Geometric_continuity/numbers/internal/checked_conversion.h>
 #include <CGAL/Geometric_continuity/numbers/internal/sign_of.h>
 
+#include <optional>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
 /// \file sign_pattern.h
-/// The signs of a polynomial on an interval, decided exactly: by its coefficients if they suffice, and otherwise by the roots of
-/// its square-free part, which are separated by Descartes' rule and bisection.
+/// The signs of a polynomial on an interval, decided exactly: by its coefficients if they suffice,
+/// and otherwise by the roots of its square-free part, which are separated by Descartes' rule and bisection.
 
 namespace CGAL {
 namespace Geometric_continuity {
 namespace internal {
+
+// The signs of a polynomial on [0, 1] if those of its coefficients decide: the basis functions are positive inside, so that
+// without coefficients of both signs only the ends can be zero.
+inline std::optional<Sign_pattern> decided_by_coefficients(Sign_pattern coefficients, bool zero_at_an_end) {
+  switch (coefficients) {
+  case Sign_pattern::mixed: return std::nullopt;
+  case Sign_pattern::nonnegative: return zero_at_an_end ? coefficients : Sign_pattern::positive;
+  case Sign_pattern::nonpositive: return zero_at_an_end ? coefficients : Sign_pattern::negative;
+  default: return coefficients;
+  }
+}
 
 // Positive, negative or zero if bisection proves that, otherwise mixed.
 template <class NT> Sign_pattern strict_sign(const Homogeneous_polynomial<NT>& p, int bisections) {
@@ -37,8 +50,8 @@ template <class NT> Sign_pattern strict_sign(const Homogeneous_polynomial<NT>& p
   return strict_sign(halves.second, bisections - 1) == left ? left : Sign_pattern::mixed;
 }
 
-// Adds the signs of p on the open interval (0, 1), where p is not zero at 0 and 1 and s is its square-free part. Bisection
-// ends because the roots of s are simple.
+// Adds the signs of p on the open interval (0, 1), where p is not zero at 0 and 1 and s is its square-free part.
+// Bisection ends because the roots of s are simple.
 template <class NT, class Ring>
 void add_signs(const Homogeneous_polynomial<NT>& p, const Homogeneous_polynomial<Ring>& s, Sign_set& signs) {
   typedef Homogeneous_polynomial<NT> Polynomial;
@@ -66,14 +79,14 @@ void add_signs(const Homogeneous_polynomial<NT>& p, const Homogeneous_polynomial
 
 // The signs of p on [0, 1], where Exact is a field without numbers that are evaluated on demand.
 template <class Exact, class NT> Sign_pattern exact_sign_pattern(const Homogeneous_polynomial<NT>& p) {
-  const Sign_pattern coefficients = p.coefficient_signs();
-  if (coefficients == Sign_pattern::zero) return coefficients;
+  const bool zero_at_an_end = p[0] == NT(0) || p[p.degree()] == NT(0);
+  if (const auto decided = decided_by_coefficients(p.coefficient_signs(), zero_at_an_end)) return *decided;
   const Without_end_roots<NT> inside(p);
   Sign_set signs;
   if (inside.root_at_0 || inside.root_at_1) signs.add(0);
   signs.add(sign_of(inside.rest[0]));
   signs.add(sign_of(inside.rest[inside.rest.degree()]));
-  if (coefficients == Sign_pattern::mixed && !signs.is_mixed()) // otherwise only the ends can be zero
+  if (!signs.is_mixed())
     add_signs(inside.rest, whole_multiple(square_free_part(inside.rest.template bernstein<Exact>())), signs);
   return signs.pattern();
 }
@@ -90,16 +103,21 @@ template <class FT> auto exact_polynomial(const Bernstein_polynomial<FT>& p) {
 } // namespace internal
 
 /// \ingroup PkgGeometricContinuityAlgebra
-/// Decides the signs of `p` on the closed interval [0, 1], exactly: floating-point coefficients are taken as the rational
-/// numbers they are.
+/// Decides the signs of `p` on the closed interval [0, 1], exactly: floating-point coefficients are taken as the
+/// rational numbers they are.
 ///
-/// Coefficients of one sign decide in \f$ O(n) \f$. Otherwise the square-free part is computed, and \f$ O(n^2) \f$ additions are
-/// done for each bisection that separates its roots; there are about as many bisections as the distance of the closest
-/// roots, complex ones included, has binary digits.
+/// Coefficients of one sign decide in \f$ O(n) \f$. Otherwise the square-free part is computed, and \f$ O(n^2) \f$
+/// additions are done for each bisection that separates its roots; there are about as many bisections as the distance
+/// of the closest roots, complex ones included, has binary digits.
 /// \throws Error `not_finite` when a coefficient is infinite or not a number
 template <class FT> Sign_pattern sign_pattern(const Bernstein_polynomial<FT>& p) {
   const auto exact = internal::exact_polynomial(p);
-  return internal::exact_sign_pattern<typename std::decay_t<decltype(exact)>::FT>(internal::whole_multiple(exact));
+  typedef typename std::decay_t<decltype(exact)>::FT Exact;
+  Sign_set signs;
+  for (const Exact& x : exact.coefficients()) signs.add(internal::sign_of(x));
+  const bool zero_at_an_end = exact[0] == Exact(0) || exact[exact.degree()] == Exact(0);
+  if (const auto decided = internal::decided_by_coefficients(signs.pattern(), zero_at_an_end)) return *decided;
+  return internal::exact_sign_pattern<Exact>(internal::whole_multiple(exact));
 }
 
 /// \ingroup PkgGeometricContinuityAlgebra
@@ -117,8 +135,8 @@ template <class FT> Sign_pattern sign_pattern(const Bernstein_polynomial<FT>& p,
 }
 
 /// \ingroup PkgGeometricContinuityAlgebra
-/// Decides the signs of `p` on the closed interval [0, 1], exactly: by up to four bisections, and if those do not decide, by the
-/// square-free part and as many as are needed, see `sign_pattern(const Bernstein_polynomial<FT>&)`.
+/// Decides the signs of `p` on the closed interval [0, 1], exactly: by up to four bisections, and if those do not
+/// decide, by the square-free part and as many as are needed, see `sign_pattern(const Bernstein_polynomial<FT>&)`.
 /// \tparam Exact a field with exact operations to which `NT` can be converted
 /// \tparam NT a ring number type with exact operations
 template <class Exact, class NT> Sign_pattern sign_pattern(const Homogeneous_polynomial<NT>& p) {

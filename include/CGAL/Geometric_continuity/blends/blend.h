@@ -5,12 +5,10 @@
 #ifndef CGAL_GEOMETRIC_CONTINUITY_BLENDS_BLEND_H
 #define CGAL_GEOMETRIC_CONTINUITY_BLENDS_BLEND_H
 
-#include <CGAL/Geometric_continuity/blends/internal/blend_lazily.h>
-#include <CGAL/Geometric_continuity/blends/internal/blend_on_fractions.h>
+#include <CGAL/Geometric_continuity/blends/internal/exact_blend.h>
 #include <CGAL/Geometric_continuity/blends/quintic_strategies.h>
-#include <CGAL/Geometric_continuity/blends/septic_strategies.h>
 #include <CGAL/Geometric_continuity/curves/Bezier_curve.h>
-#include <CGAL/Geometric_continuity/numbers/internal/checked_conversion.h>
+#include <CGAL/Geometric_continuity/local/end_jet.h>
 
 #include <boost/config.hpp>
 
@@ -18,15 +16,22 @@
 #include <string>
 #include <type_traits>
 
+/// \file blend.h
+/// The blend from one curve to the next: a Bézier curve on [0, 1] whose joins are \f$ G^2 \f$ (degree 5) or \f$ G^3 \f$,
+/// \f$ F^3 \f$ (degree 7), whatever a strategy chooses for the scalars that are free. Portnov (5), (10), (15), corrected, with
+/// \f$ \beta \f$ and \f$ \eta \f$; the formulas are in `blend_ends.h`.
+
 namespace CGAL {
 namespace Geometric_continuity {
 
 /// \ingroup PkgGeometricContinuityConstruction
 /// A quintic blend: a Bézier curve of degree 5 on [0, 1] together with the scalars that its strategy chose.
+/// \tparam Traits a model of `GeometricContinuityTraits`
 template <class Traits> struct Quintic_blend : Bezier_curve<Traits, 5> {
-  Quintic_parameters<typename Traits::FT> parameters;
+  Quintic_parameters<typename Traits::FT> parameters; ///< what the strategy chose
 
   /// From the coordinates of the control points.
+  /// \throws Error `not_finite` for an infinite or undefined floating-point coordinate
   Quintic_blend(const std::array<Geometric_continuity::Coordinates<Traits>, 6>& points,
                 const Quintic_parameters<typename Traits::FT>& parameters)
       : Bezier_curve<Traits, 5>(points), parameters(parameters) {}
@@ -34,10 +39,12 @@ template <class Traits> struct Quintic_blend : Bezier_curve<Traits, 5> {
 
 /// \ingroup PkgGeometricContinuityConstruction
 /// A septic blend: a Bézier curve of degree 7 on [0, 1] together with the scalars that its strategy chose.
+/// \tparam Traits a model of `GeometricContinuityTraits`
 template <class Traits> struct Septic_blend : Bezier_curve<Traits, 7> {
-  Septic_parameters<typename Traits::FT> parameters;
+  Septic_parameters<typename Traits::FT> parameters; ///< what the strategy chose
 
   /// From the coordinates of the control points.
+  /// \throws Error `not_finite` for an infinite or undefined floating-point coordinate
   Septic_blend(const std::array<Geometric_continuity::Coordinates<Traits>, 8>& points,
                const Septic_parameters<typename Traits::FT>& parameters)
       : Bezier_curve<Traits, 7>(points), parameters(parameters) {}
@@ -79,57 +86,39 @@ BOOST_FORCEINLINE void check_blend_input(const Coordinate_jet<FT, N>& phi, const
   if (is_zero_tangent(psi[1])) refuse_blend(Error_code::zero_tangent, "start of the second curve");
 }
 
-template <class Traits, class Strategy>
-BOOST_FORCEINLINE Quintic_blend<Traits> quintic_blend(const Curve_jet<Traits>& phi, const Curve_jet<Traits>& psi,
-                                                      const Strategy& strategy,
-                                                      const Shape_parameters<typename Traits::FT>& shape) {
-  typedef typename Traits::FT FT;
-  check_blend_input<FT, dimension_v<Traits>>(phi, psi, 2, shape);
-  if constexpr (is_blended_on_fractions<FT, Strategy>) {
-    const auto [points, parameters] =
-        blend_on_fractions<Quintic_form, FT, dimension_v<Traits>>(phi, psi, strategy, shape);
-    return {points, parameters};
-  } else if constexpr (is_blended_lazily<FT, Strategy>) {
-    if (const auto r = blend_lazily<Quintic_form>(phi, psi, strategy, shape)) return {r->points, r->parameters};
+// The one road of all blends: Ends is Quintic_ends or Septic_ends, Blend the type of the result.
+template <class Blend, template <class, int> class Ends, class FT, int N, class Strategy>
+BOOST_FORCEINLINE Blend blend_of_jets(const Coordinate_jet<FT, N>& phi, const Coordinate_jet<FT, N>& psi,
+                                      const Strategy& strategy, const Shape_parameters<FT>& shape) {
+  check_blend_input(phi, psi, Ends<FT, N>::order, shape);
+  if constexpr (is_blended_on_fractions<Ends, FT, N, Strategy>()) {
+    const Exact_blend<Ends, FT, N> r = blend_on_fractions<Ends>(phi, psi, strategy, shape);
+    return {r.points, r.parameters};
+  } else if constexpr (is_blended_lazily<Ends, FT, N, Strategy>()) {
+    if (const auto r = blend_lazily<Ends>(phi, psi, strategy, shape)) return {r->points, r->parameters};
   }
-  const FT &beta = shape.beta, &eta = shape.eta;
   // compilers keep e and p in registers only when they are not const
-  Quintic_ends<FT, dimension_v<Traits>> e(phi[0], psi[0], beta * phi[1], eta * psi[1], FT(beta * beta) * phi[2],
-                                          FT(eta * eta) * psi[2]);
-  Quintic_parameters<FT> p = strategy(e);
-  return {{e.a1, e.b1(), e.c1(p.s1), e.c2(p.s2), e.b2(), e.a2}, p};
-}
-
-template <class Traits, class Strategy>
-Septic_blend<Traits> septic_blend(const Curve_jet<Traits>& phi, const Curve_jet<Traits>& psi, const Strategy& strategy,
-                                  const Shape_parameters<typename Traits::FT>& shape) {
-  typedef typename Traits::FT FT;
-  check_blend_input<FT, dimension_v<Traits>>(phi, psi, 3, shape);
-  if constexpr (is_blended_on_fractions<FT, Strategy>) {
-    const auto [points, parameters] =
-        blend_on_fractions<Septic_form, FT, dimension_v<Traits>>(phi, psi, strategy, shape);
-    return {points, parameters};
-  } else if constexpr (is_blended_lazily<FT, Strategy>) {
-    if (const auto r = blend_lazily<Septic_form>(phi, psi, strategy, shape)) return {r->points, r->parameters};
-  }
-  const Septic_ends<FT, dimension_v<Traits>> e{{phi[0], phi[1], phi[2], phi[3], shape.beta, 1},
-                                               {psi[0], psi[1], psi[2], psi[3], shape.eta, -1}};
-  const Septic_parameters<FT> p = strategy(e);
+  Ends<FT, N> e(phi, psi, shape);
+  typename Ends<FT, N>::Parameters p = strategy(e);
   return {e.control_points(p), p};
 }
 
-// A strategy is quintic when it can be called with Quintic_ends, septic when with Septic_ends.
 template <class Traits, class Strategy>
-constexpr bool is_quintic_strategy =
-    std::is_invocable_v<const Strategy&, const Quintic_ends<typename Traits::FT, dimension_v<Traits>>&>;
-template <class Traits, class Strategy>
-constexpr bool is_septic_strategy =
-    std::is_invocable_v<const Strategy&, const Septic_ends<typename Traits::FT, dimension_v<Traits>>&>;
+BOOST_FORCEINLINE auto blend_of_jets(const Coordinate_jet<typename Traits::FT, dimension_v<Traits>>& phi,
+                                     const Coordinate_jet<typename Traits::FT, dimension_v<Traits>>& psi,
+                                     const Strategy& strategy, const Shape_parameters<typename Traits::FT>& shape) {
+  if constexpr (is_quintic_strategy_v<Strategy, Traits>)
+    return blend_of_jets<Quintic_blend<Traits>, Quintic_ends>(phi, psi, strategy, shape);
+  else { // asked only now, so that a quintic strategy may be a generic lambda
+    static_assert(is_septic_strategy_v<Strategy, Traits>, "the strategy models BlendStrategy");
+    return blend_of_jets<Septic_blend<Traits>, Septic_ends>(phi, psi, strategy, shape);
+  }
+}
 
 } // namespace internal
 
 /// \ingroup PkgGeometricContinuityConstruction
-/// The Bézier curve \f$ \gamma \f$ on [0, 1] that leads from the end of \f$ \varphi \f$ to the start of \f$ \psi \f$,
+/// Returns the Bézier curve \f$ \gamma \f$ on [0, 1] that leads from the end of \f$ \varphi \f$ to the start of \f$ \psi \f$,
 /// given by their jets there, with geometric continuity at both joins:
 ///
 /// - with a quintic strategy (called with `Quintic_ends`) a `Quintic_blend` of degree 5 with \f$ G^2 \f$ joins, from jets of
@@ -137,44 +126,51 @@ constexpr bool is_septic_strategy =
 /// - with a septic strategy (called with `Septic_ends`) a `Septic_blend` of degree 7 with \f$ G^3 \f$ or \f$ F^3 \f$ joins,
 ///   from jets of order 3.
 ///
-/// With an exact kernel the joins are exact; a constant number of field operations.
+/// With an exact kernel the joins are exact. A constant number of field operations in a given dimension.
 ///
 /// \tparam Strategy a model of `BlendStrategy`
-/// \throws Error `nonpositive_beta` unless \f$ \beta > 0 \f$ and \f$ \eta > 0 \f$ (checked first),
-///   `dimension_mismatch` for jets of different dimensions, `jet_order_too_low`, `zero_tangent` when a first derivative is
-///   zero, `not_finite` when the result overflows the number type
+/// \throws Error `nonpositive_beta` unless \f$ \beta > 0 \f$ and \f$ \eta > 0 \f$ (checked first)
+/// \throws Error `dimension_mismatch` for jets of different dimensions
+/// \throws Error `jet_order_too_low` when a jet has fewer derivatives than the strategy's kind reads
+/// \throws Error `zero_tangent` when a first derivative is zero
+/// \throws Error `not_finite` when a shape parameter is infinite, or the result overflows the number type
 template <class Traits, class Strategy>
 BOOST_FORCEINLINE auto blend(const Curve_jet<Traits>& phi, const Curve_jet<Traits>& psi, const Strategy& strategy,
                              const Shape_parameters<typename Traits::FT>& shape = {}) {
-  if constexpr (internal::is_quintic_strategy<Traits, Strategy>)
-    return internal::quintic_blend(phi, psi, strategy, shape);
-  else { // asked only now, so that a quintic strategy may be a generic lambda
-    static_assert(internal::is_septic_strategy<Traits, Strategy>, "the strategy models BlendStrategy");
-    return internal::septic_blend(phi, psi, strategy, shape);
-  }
+  return internal::blend_of_jets<Traits>(phi, psi, strategy, shape);
 }
 
 /// \ingroup PkgGeometricContinuityConstruction
-/// The quintic blend of least energy \f$ \int |\gamma'''|^2 \f$ of two jets of order at least 2.
+/// Returns the quintic blend of least energy \f$ \int |\gamma'''|^2 \f$ of two jets of order at least 2, with \f$ G^2 \f$ joins
+/// and \f$ \beta = \eta = 1 \f$. A constant number of field operations in a given dimension.
+/// \throws Error `dimension_mismatch`, `jet_order_too_low`, `zero_tangent`, `not_finite` when the result overflows
 template <class Traits> Quintic_blend<Traits> blend(const Curve_jet<Traits>& phi, const Curve_jet<Traits>& psi) {
   return blend(phi, psi, Minimal_energy<3>());
 }
 
 /// \ingroup PkgGeometricContinuityConstruction
-/// The blend from the end of the curve `phi` to the start of the curve `psi`.
+/// Returns the blend from the end of the curve `phi` to the start of the curve `psi`: a `Quintic_blend` with \f$ G^2 \f$ joins
+/// or a `Septic_blend` with \f$ G^3 \f$ or \f$ F^3 \f$ joins, by the kind of the strategy. The ends are read by `end_jet()` and
+/// `start_jet()`, as `continuity()` reads them. A constant number of field operations in a given dimension, besides the jets.
 /// \tparam Left, Right models of `ParametricCurve` with one traits class
+/// \tparam Strategy a model of `BlendStrategy`
+/// \throws Error `nonpositive_beta` unless \f$ \beta > 0 \f$ and \f$ \eta > 0 \f$ (checked first)
+/// \throws Error `dimension_mismatch`, `zero_tangent`, `not_finite` when a shape parameter is infinite or the result overflows
 template <class Left, class Right, class Strategy>
 auto blend(const Left& phi, const Right& psi, const Strategy& strategy,
            const Shape_parameters<typename Left::Traits::FT>& shape = {}) {
   typedef typename Left::Traits Traits;
+  typedef typename Traits::FT FT;
   static_assert(std::is_same_v<Traits, typename Right::Traits>, "both curves must have the same traits class");
-  constexpr int order = internal::is_quintic_strategy<Traits, Strategy> ? 2 : 3;
-  return blend(Curve_jet<Traits>(phi.jet(phi.domain().second, order)),
-               Curve_jet<Traits>(psi.jet(psi.domain().first, order)), strategy, shape);
+  constexpr int order = is_quintic_strategy_v<Strategy, Traits> ? 2 : 3;
+  return internal::blend_of_jets<Traits>(end_jet<FT>(phi, order), start_jet<FT>(psi, order), strategy, shape);
 }
 
 /// \ingroup PkgGeometricContinuityConstruction
-/// The quintic blend of least energy \f$ \int |\gamma'''|^2 \f$ of two curves.
+/// Returns the quintic blend of least energy \f$ \int |\gamma'''|^2 \f$ from the end of the curve `phi` to the start of the
+/// curve `psi`, with \f$ G^2 \f$ joins and \f$ \beta = \eta = 1 \f$.
+/// \tparam Left, Right models of `ParametricCurve` with one traits class
+/// \throws Error `dimension_mismatch`, `zero_tangent`, `not_finite` when the result overflows
 template <class Left, class Right> Quintic_blend<typename Left::Traits> blend(const Left& phi, const Right& psi) {
   return blend(phi, psi, Minimal_energy<3>());
 }

@@ -28,10 +28,11 @@ template <class FT, int N> class Blend_arrays {
 public:
   /// Changes the number of blends. The numbers are unspecified afterwards.
   void resize(std::size_t n) { points_.resize(n); }
-  /// The number of blends.
+  /// Returns the number of blends.
   std::size_t size() const { return points_.size(); }
-  /// The coordinates number `i` of the control points number `j`, 0 to 5, of all blends, an array of `size()` numbers.
+  /// Returns the coordinates number `i` of the control points number `j`, 0 to 5, of all blends, an array of `size()` numbers.
   FT* array(int j, int i) { return points_.array(j, i); }
+  /// Returns the coordinates number `i` of the control points number `j`, 0 to 5, of all blends, an array of `size()` numbers.
   const FT* array(int j, int i) const { return points_.array(j, i); }
 };
 
@@ -55,8 +56,9 @@ template <class FT, int N, int k> void check_tangents(const Jet_arrays<FT, N, k>
 } // namespace internal
 
 /// \ingroup PkgGeometricContinuityConstruction
-/// The quintic blends of many pairs of jets, as `blend()` computes them one by one, with the shape parameters
+/// Computes the quintic blends of many pairs of jets, as `blend()` does one by one, with the shape parameters
 /// \f$ \beta = \eta = 1 \f$. The formulas are those of the strategy, and the compiler computes several blends at a time.
+/// \f$ O(n) \f$. That the numbers are finite is the caller's duty: a blend of others is not finite either.
 ///
 /// \param phi,psi `n` jets of order at least 2 at the ends of the first and at the starts of the second curves
 /// \param gamma the blends, resized to `n`

@@ -5,17 +5,30 @@
 #ifndef CGAL_GEOMETRIC_CONTINUITY_BLENDS_QUINTIC_STRATEGIES_H
 #define CGAL_GEOMETRIC_CONTINUITY_BLENDS_QUINTIC_STRATEGIES_H
 
-#include <CGAL/Geometric_continuity/blends/Quintic_ends.h>
+#include <CGAL/Geometric_continuity/blends/blend_ends.h>
+
+#include <CGAL/tags.h>
 
 #include <boost/config.hpp>
+
+#include <type_traits>
+#include <utility>
+
+/// \file quintic_strategies.h
+/// The strategies of the package for blends of degree 5: how the scalars \f$ s_1, s_2 \f$ are chosen, by which the points
+/// \f$ C_1, C_2 \f$ slide along the end tangents. Portnov (6), (16), (23), corrected; the least energies in closed form. Each
+/// takes a constant number of field operations in a given dimension.
 
 namespace CGAL {
 namespace Geometric_continuity {
 
 /// \ingroup PkgGeometricContinuityStrategies
-/// \f$ \gamma'' \f$ equals that of the given curves (scaled by \f$ \beta^2, \eta^2 \f$): a \f$ C^2 \f$ join when
+/// Chooses \f$ \gamma'' \f$ equal to that of the given curves (scaled by \f$ \beta^2, \eta^2 \f$): a \f$ C^2 \f$ join when
 /// \f$ \beta = \eta = 1 \f$. Portnov (6). \models BlendStrategy
 struct Matching_second_derivative {
+  typedef Tag_true Works_in_every_field;
+
+  /// Chooses \f$ s_1 \f$ and \f$ s_2 \f$.
   template <class FT, int N> Quintic_parameters<FT> operator()(const Quintic_ends<FT, N>& e) const {
     const FT c = internal::fraction<FT, 1, 20>();
     return {FT(c * e.tangential1), FT(c * e.tangential2)};
@@ -23,27 +36,36 @@ struct Matching_second_derivative {
 };
 
 /// \ingroup PkgGeometricContinuityStrategies
-/// The points \f$ C = B + d n \f$, straight above the second points. Portnov 4.1. \models BlendStrategy
+/// Chooses the points \f$ C = B + d n \f$, straight above the second points. Portnov 4.1. \models BlendStrategy
 struct Normal_offset {
+  typedef Tag_true Works_in_every_field;
+
+  /// Chooses \f$ s_1 \f$ and \f$ s_2 \f$.
   template <class FT, int N> Quintic_parameters<FT> operator()(const Quintic_ends<FT, N>&) const {
     return {internal::fraction<FT, -1, 5>(), internal::fraction<FT, 1, 5>()};
   }
 };
 
 /// \ingroup PkgGeometricContinuityStrategies
-/// The least \f$ |\gamma''| \f$ at both ends. Portnov (16), with `d n` for the vector that is not a unit vector in print.
+/// Chooses the least \f$ |\gamma''| \f$ at both ends. Portnov (16), with `d n` for the vector that is not a unit vector in print.
 /// \models BlendStrategy
 struct Minimal_second_derivative {
+  typedef Tag_true Works_in_every_field;
+
+  /// Chooses \f$ s_1 \f$ and \f$ s_2 \f$.
   template <class FT, int N> Quintic_parameters<FT> operator()(const Quintic_ends<FT, N>&) const {
     return {FT(0), FT(0)};
   }
 };
 
 /// \ingroup PkgGeometricContinuityStrategies
-/// The points `C` nearest to the line \f$ B_1 B_2 \f$ on their lines. Portnov (23). Where that line is parallel to a
-/// tangent, or \f$ B_1 = B_2 \f$, the point is not determined: there the strategy falls back to `Normal_offset` and says so.
-/// Near that position the point is far away. \models BlendStrategy
+/// Chooses the points `C` nearest to the line \f$ B_1 B_2 \f$. Portnov (23). Where that line is parallel to a tangent, or
+/// \f$ B_1 = B_2 \f$, the point is not determined: there the strategy falls back to `Normal_offset` and says so. Near that
+/// position the point is far away. \models BlendStrategy
 struct Near_line {
+  typedef Tag_true Works_in_every_field;
+
+  /// Chooses \f$ s_1 \f$ and \f$ s_2 \f$.
   template <class FT, int N> Quintic_parameters<FT> operator()(const Quintic_ends<FT, N>& e) const {
     const Coordinate_vector<FT, N> w = e.b2() - e.b1();
     Quintic_parameters<FT> p = Normal_offset()(e);
@@ -65,11 +87,14 @@ private:
 };
 
 /// \ingroup PkgGeometricContinuityStrategies
-/// The least energy \f$ \int_0^1 |\gamma^{(k)}|^2 dt \f$, `k` = 2 or 3. With `k` = 3 the result is optimal among all smooth
+/// Chooses the least energy \f$ \int_0^1 |\gamma^{(k)}|^2 dt \f$, `k` = 2 or 3. With `k` = 3 the result is optimal among all smooth
 /// curves with the same ends. The linear system is never singular. \models BlendStrategy
 template <int k> struct Minimal_energy {
   static_assert(k == 2 || k == 3, "a quintic blend minimises the energy of order 2 or 3");
 
+  typedef Tag_true Works_in_every_field;
+
+  /// Chooses \f$ s_1 \f$ and \f$ s_2 \f$.
   template <class FT, int N> BOOST_FORCEINLINE Quintic_parameters<FT> operator()(const Quintic_ends<FT, N>& e) const {
     const Coordinate_vector<FT, N>&a1 = e.a1, &a2 = e.a2, &u = e.u, &v = e.v;
     const Coordinate_vector<FT, N> b1 = e.b1(), b2 = e.b2(), c1 = e.c1(FT(0)), c2 = e.c2(FT(0));
@@ -91,11 +116,26 @@ private:
 };
 
 /// \ingroup PkgGeometricContinuityStrategies
-/// The caller's own scalars \f$ s_1, s_2 \f$. \models BlendStrategy
+/// Chooses the caller's own scalars \f$ s_1, s_2 \f$. \models BlendStrategy
+/// \tparam FT_ a number type from which that of the blend can be made, e.g. `double` for an exact blend
 template <class FT_> struct Given_parameters {
-  FT_ s1, s2;
-  template <class FT, int N> Quintic_parameters<FT> operator()(const Quintic_ends<FT, N>&) const {
-    return {FT(s1), FT(s2)};
+  typedef Tag_true Works_in_every_field;
+
+  FT_ s1 = FT_(0); ///< \f$ s_1 \f$
+  FT_ s2 = FT_(0); ///< \f$ s_2 \f$
+
+  /// Sets both to 0.
+  Given_parameters() = default;
+  /// Takes numbers of any type from which `FT_` can be made.
+  /// \throws Error `not_finite` when a floating-point number that is converted is infinite or not a number
+  Given_parameters(internal::Given_number<FT_> s1, internal::Given_number<FT_> s2)
+      : s1(std::move(s1.value)), s2(std::move(s2.value)) {}
+
+  /// Returns the given scalars.
+  /// \throws Error `not_finite` when a floating-point number that is converted is infinite or not a number
+  template <class FT, int N, class = std::enable_if_t<std::is_constructible_v<FT, const FT_&>>>
+  Quintic_parameters<FT> operator()(const Quintic_ends<FT, N>&) const {
+    return {internal::to_field<FT>(s1), internal::to_field<FT>(s2)};
   }
 };
 

@@ -18,17 +18,24 @@
 #include <utility>
 #include <vector>
 
+/// \file representable_blend.h
+/// Blends whose control points are floating-point numbers and whose joins are exactly \f$ G^2 \f$ nevertheless.
+
 namespace CGAL {
 namespace Geometric_continuity {
 
 /// \ingroup PkgGeometricContinuityConstruction
 /// What a representable blend needed at one of its joins.
 template <class FT, int N> struct Representable_join {
-  FT beta; ///< the shape parameter \f$ \beta_1 > 0 \f$ of the join, seen from the given curve
-  Coordinate_vector<FT, N>
-      grid; ///< for each coordinate, the power of two of which those of the three points are multiples
-  FT moved; ///< the largest change of a coordinate of these points, at most half of its grid unit; 0 when none was moved
-  bool is_moved() const { return moved != FT(0); } ///< whether a control point of the given curve was moved
+  /// The shape parameter \f$ \beta_1 > 0 \f$ of the join, seen from the given curve.
+  FT beta;
+  /// For each coordinate the power of two of which those of the three control points next to the join are multiples.
+  Coordinate_vector<FT, N> grid;
+  /// The largest change of a coordinate of these points, at most half of its grid unit; 0 when none was moved.
+  FT moved;
+
+  /// Returns whether a control point of the given curve was moved.
+  bool is_moved() const { return moved != FT(0); }
 };
 
 /// \ingroup PkgGeometricContinuityConstruction
@@ -39,9 +46,10 @@ template <class Traits> struct Representable_blend : Bezier_curve<Traits, 5> {
 
   Bezier_curve<Traits> phi; ///< the first curve; `start_join` tells whether its last three control points were moved
   Bezier_curve<Traits> psi; ///< the second curve; `end_join` tells whether its first three control points were moved
-  /// What was needed at \f$ \varphi \f$ and at \f$ \psi \f$.
-  Representable_join<FT, dimension_v<Traits>> start_join, end_join;
+  Representable_join<FT, dimension_v<Traits>> start_join; ///< what was needed at the end of \f$ \varphi \f$
+  Representable_join<FT, dimension_v<Traits>> end_join;   ///< what was needed at the start of \f$ \psi \f$
 
+  /// From the blend, the two curves and what the joins needed.
   Representable_blend(const Bezier_curve<Traits, 5>& gamma, const Bezier_curve<Traits>& phi,
                       const Bezier_curve<Traits>& psi, const Representable_join<FT, dimension_v<Traits>>& start_join,
                       const Representable_join<FT, dimension_v<Traits>>& end_join)
@@ -50,32 +58,34 @@ template <class Traits> struct Representable_blend : Bezier_curve<Traits, 5> {
 
 namespace internal {
 
+enum class Curve_side { start, end };
+
 // The control points next to a join of a curve, read inward; a straight line has no third one, and none is needed.
 template <class Traits, int Degree>
-std::array<Coordinates<Traits>, 3> inward_points(const Bezier_curve<Traits, Degree>& curve, bool at_end) {
+std::array<Coordinates<Traits>, 3> inward_points(const Bezier_curve<Traits, Degree>& curve, Curve_side side) {
   const int m = curve.degree();
-  const auto point = [&](int i) { return curve.coordinates(at_end ? m - i : i); };
-  return {point(0), point(1), point(std::min(m, 2))};
+  const auto point = [&](int i) { return curve.coordinates(side == Curve_side::end ? m - i : i); };
+  return {point(0), point(1), point((std::min)(m, 2))};
 }
 
 // The curve with these points next to the join.
 template <class Traits, int Degree>
-Bezier_curve<Traits> with_inward_points(const Bezier_curve<Traits, Degree>& curve, bool at_end,
+Bezier_curve<Traits> with_inward_points(const Bezier_curve<Traits, Degree>& curve, Curve_side side,
                                         const std::array<Coordinates<Traits>, 3>& b) {
   const int m = curve.degree();
   std::vector<typename Traits::Point> points(curve.begin(), curve.end());
-  for (int i = 0; i <= std::min(m, 2); ++i) points[at_end ? m - i : i] = to_point<Traits>(b[i]);
+  for (int i = 0; i <= (std::min)(m, 2); ++i) points[side == Curve_side::end ? m - i : i] = to_point<Traits>(b[i]);
   return Bezier_curve<Traits>(points.begin(), points.end(), curve.domain().first, curve.domain().second);
 }
 
 template <class FT, int N>
 Representable_join<FT, N> representable_join(const Representable_end<FT, N>& end,
-                                             const std::array<Coordinate_vector<FT, N>, 3>& given, int degree) {
-  Representable_join<FT, N> join{FT(CGAL::to_double(Exact_rational(5 * end.c() / degree))), given[0], FT(0)};
+                                             const std::array<Coordinate_vector<FT, N>, 3>& given) {
+  Representable_join<FT, N> join{end.beta(), given[0], FT(0)};
   for (int x = 0; x < given[0].dimension(); ++x) join.grid[x] = std::ldexp(FT(1), end.grid()[x]);
   for (int i = 0; i < 3; ++i)
     for (int x = 0; x < given[i].dimension(); ++x)
-      join.moved = std::max(join.moved, FT(std::abs(end.points()[i][x] - given[i][x])));
+      join.moved = (std::max)(join.moved, FT(std::abs(end.points()[i][x] - given[i][x])));
   return join;
 }
 
@@ -88,7 +98,7 @@ template <class Traits> Coordinates<Traits> rounded(const Coordinate_vector<Exac
 } // namespace internal
 
 /// \ingroup PkgGeometricContinuityConstruction
-/// A quintic blend with control points that are floating-point numbers and with joins that are *exactly* \f$ G^2 \f$, as the
+/// Returns a quintic blend with control points that are floating-point numbers and with joins that are *exactly* \f$ G^2 \f$, as the
 /// exact predicates on the control points confirm. Rounding breaks every exact join of `blend()`; here the freedom of
 /// geometric continuity is spent on numbers with few digits.
 ///
@@ -108,10 +118,14 @@ template <class Traits> Coordinates<Traits> rounded(const Coordinate_vector<Exac
 /// \param strategy a quintic strategy, see `BlendStrategy`; it is called with exact numbers
 /// \param shape the wished shape parameters
 /// \tparam Traits a traits class whose `FT` is `float` or `double`
-/// \throws Error `nonpositive_beta`, `dimension_mismatch`, `zero_tangent` as `blend()`; `wrong_number_of_points` for a curve
-///   of degree 0; `not_finite` for an infinite shape parameter
-/// \throws Error `not_representable` when no grid serves: when the tangent at a join is lost on each grid that leaves room,
-///   or when coordinates would overflow
+/// \throws Error `nonpositive_beta`, `dimension_mismatch`, `zero_tangent` as `blend()`
+/// \throws Error `wrong_number_of_points` for a curve of degree 0
+/// \throws Error `not_finite` for an infinite shape parameter, or when the strategy gives one
+/// \throws Error `not_representable` when no grid serves: when the tangent at a join is lost on each grid that leaves room (as
+///   for a shape parameter that is far too small or too large), or when a coordinate, a grid unit or a shape parameter would
+///   overflow
+///
+/// All of this holds in every rounding mode of floating-point arithmetic.
 ///
 /// A constant number of operations on rational numbers for each grid that is tried, at most about 50.
 template <class Traits, int M, int N, class Strategy>
@@ -125,11 +139,10 @@ Representable_blend<Traits> representable_blend(const Bezier_curve<Traits, M>& p
   for (int degree : {phi.degree(), psi.degree()})
     if (degree < 1)
       throw Error(Error_code::wrong_number_of_points, "representable_blend: a curve of degree 0 has no tangent");
-  internal::check_blend_input(phi.template end_jet_over<Exact_rational>(2),
-                              psi.template start_jet_over<Exact_rational>(2), 2,
-                              Shape_parameters<Exact_rational>{internal::to_field<Exact_rational>(shape.beta),
-                                                               internal::to_field<Exact_rational>(shape.eta)});
-  const Points given_start = internal::inward_points(phi, true), given_end = internal::inward_points(psi, false);
+  internal::check_blend_input(end_jet<Exact_rational>(phi, 2), start_jet<Exact_rational>(psi, 2), 2,
+                              Shape_parameters<Exact_rational>{shape.beta, shape.eta});
+  const Points given_start = internal::inward_points(phi, internal::Curve_side::end),
+               given_end = internal::inward_points(psi, internal::Curve_side::start);
   End start(given_start, phi.degree(), 1, shape.beta, "representable_blend: end of the first curve"),
       end(given_end, psi.degree(), -1, shape.eta, "representable_blend: start of the second curve");
   for (bool found = false; !found;) {
@@ -145,14 +158,15 @@ Representable_blend<Traits> representable_blend(const Bezier_curve<Traits, M>& p
       internal::rounded<Traits>(start.a()), internal::rounded<Traits>(start.second_point()),
       internal::rounded<Traits>(start.third_point()), internal::rounded<Traits>(end.third_point()),
       internal::rounded<Traits>(end.second_point()), internal::rounded<Traits>(end.a())});
-  return {gamma, internal::with_inward_points(phi, true, start.points()),
-          internal::with_inward_points(psi, false, end.points()),
-          internal::representable_join(start, given_start, phi.degree()),
-          internal::representable_join(end, given_end, psi.degree())};
+  return {gamma, internal::with_inward_points(phi, internal::Curve_side::end, start.points()),
+          internal::with_inward_points(psi, internal::Curve_side::start, end.points()),
+          internal::representable_join(start, given_start), internal::representable_join(end, given_end)};
 }
 
 /// \ingroup PkgGeometricContinuityConstruction
-/// The representable blend next to the one of least energy \f$ \int |\gamma'''|^2 \f$.
+/// Returns the representable blend next to the blend of least energy \f$ \int |\gamma'''|^2 \f$ with
+/// \f$ \beta = \eta = 1 \f$. Errors and cost are those of `representable_blend()` with a strategy.
+/// \throws Error `dimension_mismatch`, `zero_tangent`, `wrong_number_of_points`, `not_representable`
 template <class Traits, int M, int N>
 Representable_blend<Traits> representable_blend(const Bezier_curve<Traits, M>& phi,
                                                 const Bezier_curve<Traits, N>& psi) {

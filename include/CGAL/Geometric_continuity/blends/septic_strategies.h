@@ -7,18 +7,28 @@
 
 #include <CGAL/Geometric_continuity/algebra/Bernstein_polynomial.h>
 #include <CGAL/Geometric_continuity/algebra/internal/solve_positive_definite.h>
-#include <CGAL/Geometric_continuity/blends/Septic_ends.h>
+#include <CGAL/Geometric_continuity/blends/blend_ends.h>
+
+#include <CGAL/tags.h>
 
 #include <array>
+#include <type_traits>
 #include <vector>
+
+/// \file septic_strategies.h
+/// The strategies of the package for blends of degree 7: how the scalars \f$ \beta_2, \mu, \beta_3 \f$ at each end are chosen.
+/// Each takes a constant number of field operations in a given dimension.
 
 namespace CGAL {
 namespace Geometric_continuity {
 
 namespace internal {
 
-// A strategy that treats both ends alike: End()(end, parameters) returns whether it fell back.
+// A strategy that treats both ends alike: End::choose(end, parameters) returns whether it fell back.
 template <class End> struct End_by_end {
+  typedef Tag_true Works_in_every_field;
+
+  /// Chooses \f$ \beta_2, \mu, \beta_3 \f$ at both ends.
   template <class FT, int N> Septic_parameters<FT> operator()(const Septic_ends<FT, N>& e) const {
     Septic_parameters<FT> p;
     p.fallback_start = End::choose(e.start, p.start);
@@ -64,15 +74,20 @@ FT energy_product(std::array<Coordinate_vector<FT, N>, points> p, std::array<Coo
 } // namespace internal
 
 /// \ingroup PkgGeometricContinuityStrategies
-/// All derivatives up to the third equal those of the given curves (scaled): a \f$ C^3 \f$ join when
+/// Chooses all derivatives up to the third equal to those of the given curves (scaled): a \f$ C^3 \f$ join when
 /// \f$ \beta = \eta = 1 \f$. \models BlendStrategy
 struct Matching_third_derivative {
+  typedef Tag_true Works_in_every_field;
+
+  /// Chooses \f$ \beta_2, \mu, \beta_3 \f$ at both ends.
   template <class FT, int N> Septic_parameters<FT> operator()(const Septic_ends<FT, N>&) const { return {}; }
 };
 
 /// \ingroup PkgGeometricContinuityStrategies
-/// \f$ G^3 \f$; first the least \f$ |\gamma''| \f$, then the least \f$ |\gamma'''| \f$ that is left. \models BlendStrategy
+/// Chooses \f$ G^3 \f$ joins with the least \f$ |\gamma''| \f$, and then with the least \f$ |\gamma'''| \f$ that is left.
+/// \models BlendStrategy
 struct Sequential_g3 : internal::End_by_end<Sequential_g3> {
+  /// Sets the scalars of one end; returns whether the rule is undefined there.
   template <class FT, int N> static bool choose(const Septic_end<FT, N>& e, Septic_end_parameters<FT>& p) {
     p.beta2 = orthogonal_beta2(e);
     p.mu = FT(3) * e.beta * p.beta2;
@@ -82,9 +97,10 @@ struct Sequential_g3 : internal::End_by_end<Sequential_g3> {
 };
 
 /// \ingroup PkgGeometricContinuityStrategies
-/// \f$ F^3 \f$; the least \f$ |\gamma''| \f$ and the least \f$ |\gamma'''| \f$. Where the curvature is zero
-/// \f$ \mu = 0 \f$ (reported as a fallback). \models BlendStrategy
+/// Chooses \f$ F^3 \f$ joins with the least \f$ |\gamma''| \f$ and the least \f$ |\gamma'''| \f$. Where the curvature is
+/// zero, \f$ \mu = 0 \f$ (reported as a fallback). \models BlendStrategy
 struct Sequential_f3 : internal::End_by_end<Sequential_f3> {
+  /// Sets the scalars of one end; returns whether the rule is undefined there.
   template <class FT, int N> static bool choose(const Septic_end<FT, N>& e, Septic_end_parameters<FT>& p) {
     p.beta2 = orthogonal_beta2(e);
     const bool determined = orthogonal_mu(e, p.mu);
@@ -94,9 +110,10 @@ struct Sequential_f3 : internal::End_by_end<Sequential_f3> {
 };
 
 /// \ingroup PkgGeometricContinuityStrategies
-/// \f$ G^3 \f$ with the least \f$ |\gamma'''| \f$: \f$ \mu \f$ of `Sequential_f3` and \f$ \beta_2 = \mu/(3\beta) \f$. Falls
-/// back to `Sequential_g3` where the curvature is zero. \models BlendStrategy
+/// Chooses \f$ G^3 \f$ joins with the least \f$ |\gamma'''| \f$: the \f$ \mu \f$ of `Sequential_f3`, and
+/// \f$ \beta_2 = \mu/(3\beta) \f$. Falls back to `Sequential_g3` where the curvature is zero. \models BlendStrategy
 struct Joint_g3 : internal::End_by_end<Joint_g3> {
+  /// Sets the scalars of one end; returns whether the rule is undefined there.
   template <class FT, int N> static bool choose(const Septic_end<FT, N>& e, Septic_end_parameters<FT>& p) {
     if (!orthogonal_mu(e, p.mu)) {
       Sequential_g3::choose(e, p);
@@ -109,11 +126,14 @@ struct Joint_g3 : internal::End_by_end<Joint_g3> {
 };
 
 /// \ingroup PkgGeometricContinuityStrategies
-/// \f$ G^3 \f$ with the least energy \f$ \int_0^1 |\gamma^{(k)}|^2 dt \f$, `k` = 3 or 4, over \f$ (\beta_2, \beta_3) \f$ at
+/// Chooses \f$ G^3 \f$ joins with the least energy \f$ \int_0^1 |\gamma^{(k)}|^2 dt \f$, `k` = 3 or 4, over \f$ (\beta_2, \beta_3) \f$ at
 /// both ends: a 4 x 4 linear system that is never singular. \models BlendStrategy
 template <int k> struct Minimal_energy_g3 {
   static_assert(k == 3 || k == 4, "a septic blend minimises the energy of order 3 or 4");
 
+  typedef Tag_true Works_in_every_field;
+
+  /// Chooses \f$ \beta_2, \mu, \beta_3 \f$ at both ends.
   template <class FT, int N> Septic_parameters<FT> operator()(const Septic_ends<FT, N>& e) const {
     typedef std::array<Coordinate_vector<FT, N>, 8> Polygon;
     // the control polygon is affine in the four unknowns: base + sum x_i step[i]
@@ -145,11 +165,20 @@ private:
 };
 
 /// \ingroup PkgGeometricContinuityStrategies
-/// The caller's own parameters at both ends. \models BlendStrategy
+/// Chooses the caller's own parameters at both ends. \models BlendStrategy
+/// \tparam FT_ a number type from which that of the blend can be made, e.g. `double` for an exact blend
 template <class FT_> struct Given_end_parameters {
-  Septic_end_parameters<FT_> start, end;
-  template <class FT, int N> Septic_parameters<FT> operator()(const Septic_ends<FT, N>&) const {
-    return {{FT(start.beta2), FT(start.mu), FT(start.beta3)}, {FT(end.beta2), FT(end.mu), FT(end.beta3)}};
+  typedef Tag_true Works_in_every_field;
+
+  Septic_end_parameters<FT_> start; ///< the scalars at the start of the blend
+  Septic_end_parameters<FT_> end;   ///< the scalars at the end of the blend
+
+  /// Returns the given scalars.
+  /// \throws Error `not_finite` when a floating-point number that is converted is infinite or not a number
+  template <class FT, int N, class = std::enable_if_t<std::is_constructible_v<FT, const FT_&>>>
+  Septic_parameters<FT> operator()(const Septic_ends<FT, N>&) const {
+    return {Septic_end_parameters<FT>{start.beta2, start.mu, start.beta3},
+            Septic_end_parameters<FT>{end.beta2, end.mu, end.beta3}};
   }
 };
 

@@ -6,14 +6,13 @@
 #define CGAL_GEOMETRIC_CONTINUITY_CURVES_BSPLINE_CURVE_H
 
 #include <CGAL/Geometric_continuity/curves/Bezier_curve.h>
+#include <CGAL/Geometric_continuity/curves/Bspline_polygon.h>
 #include <CGAL/Geometric_continuity/curves/internal/Joined_bezier_curves.h>
 #include <CGAL/Geometric_continuity/curves/internal/point_rows.h>
 #include <CGAL/Geometric_continuity/splines/Bspline_function.h>
 
 #include <cstddef>
 #include <optional>
-#include <ostream>
-#include <string>
 #include <utility>
 #include <vector>
 
@@ -29,23 +28,24 @@ namespace Geometric_continuity {
 ///
 /// \tparam Traits a model of `GeometricContinuityTraits`
 /// \models ParametricCurve
-template <class Traits_> class Bspline_curve {
-public:
-  typedef Traits_ Traits;                       ///< the traits class
-  typedef typename Traits::FT FT;               ///< the field
-  typedef typename Traits::Point Point;         ///< the points of the kernel
-  typedef typename Traits::Vector Vector;       ///< the vectors of the kernel
-  static constexpr int N = dimension_v<Traits>; ///< the dimension, or 0 when it is known at run time only
-
-private:
-  typedef Geometric_continuity::Coordinates<Traits> Coordinates;
-
-  Knot_vector<FT> knots_;
-  std::vector<Point> points_;
+template <class Traits_> class Bspline_curve : public Bspline_polygon<Traits_> {
+  typedef Bspline_polygon<Traits_> Polygon;
+  using Polygon::knots_;
+  using Polygon::points_;
+  using typename Polygon::Coordinates;
 
 public:
-  typedef typename std::vector<Point>::const_iterator const_iterator; ///< iterates over the control points
-  typedef Bspline_function<FT, Coordinates> Function; ///< the coordinates as a function of the parameter
+  typedef Traits_ Traits;                      ///< the traits class
+  typedef typename Traits::FT FT;              ///< the field
+  typedef typename Traits::Point Point;        ///< the points of the kernel
+  typedef typename Traits::Vector Vector;      ///< the vectors of the kernel
+  typedef typename Polygon::Function Function; ///< the coordinates as a function of the parameter
+  using Polygon::N;
+
+  using Polygon::degree;
+  using Polygon::dimension;
+  using Polygon::domain;
+  using Polygon::function;
 
   /// Takes a range of control points and the knots.
   /// \throws Error `wrong_number_of_points` unless there are `n` points
@@ -53,23 +53,24 @@ public:
   /// \throws Error `not_finite` for an infinite or undefined floating-point coordinate
   template <class InputIterator>
   Bspline_curve(InputIterator first, InputIterator last, Knot_vector<FT> knots)
-      : knots_(std::move(knots)), points_(first, last) {
+      : Polygon(std::move(knots), std::vector<Point>(first, last)) {
     internal::check_number_of_coefficients(knots_, points_, "Bspline_curve");
-    check_points();
+    this->check_points();
   }
 
   /// Takes the coordinates as a function.
   /// \throws Error `dimension_mismatch` when the coefficients differ in dimension
   /// \throws Error `not_finite` for an infinite or undefined floating-point coordinate
-  explicit Bspline_curve(const Function& f) : knots_(f.knots()) {
+  explicit Bspline_curve(const Function& f) : Polygon(f.knots(), {}) {
     for (const Coordinates& x : f.coefficients()) points_.push_back(Geometric_continuity::to_point<Traits>(x));
-    check_points();
+    this->check_points();
   }
 
   /// Converts a Bézier curve; the B-spline curve has no inner knots.
   template <int Degree>
   explicit Bspline_curve(const Bezier_curve<Traits, Degree>& c)
-      : knots_(c.degree(), c.domain().first, c.domain().second), points_(c.begin(), c.end()) {}
+      : Polygon(Knot_vector<FT>(c.degree(), c.domain().first, c.domain().second),
+                std::vector<Point>(c.begin(), c.end())) {}
 
   /// Takes a range of Bézier curves, each of which starts exactly where the one before it ends. The degree `p` is the highest
   /// of theirs; the others are elevated. The inner knots have multiplicity `p`; `remove_superfluous_knots()` leaves those
@@ -82,40 +83,6 @@ public:
   Bspline_curve(ForwardIterator first, ForwardIterator last)
       : Bspline_curve(internal::Joined_bezier_curves<Traits>(first, last, 0, "Bspline_curve")) {}
 
-  /// Returns the degree `p`.
-  int degree() const { return knots_.degree(); }
-  /// Returns the dimension of the control points.
-  int dimension() const { return Traits().compute_dimension_object()(points_[0]); }
-
-  /// \name Control Points and Knots
-  /// @{
-
-  /// Returns the number `n` of control points.
-  int number_of_points() const { return static_cast<int>(points_.size()); }
-  /// Returns the control points, in order.
-  const std::vector<Point>& control_points() const { return points_; }
-  /// Returns the `i`-th control point. \pre `0 <= i < number_of_points()`
-  const Point& control_point(int i) const { return points_[i]; }
-  /// Returns an iterator to the first control point.
-  const_iterator begin() const { return points_.begin(); }
-  /// Returns the iterator after the last control point.
-  const_iterator end() const { return points_.end(); }
-  /// Returns the coordinates of the `i`-th control point. \pre `0 <= i < number_of_points()`
-  Coordinates coordinates(int i) const { return Geometric_continuity::coordinates<Traits>(points_[i]); }
-
-  /// Returns the knots.
-  const Knot_vector<FT>& knots() const { return knots_; }
-  /// Returns the domain \f$ [u_p, u_n] \f$.
-  std::pair<FT, FT> domain() const { return knots_.domain(); }
-
-  /// Returns the coordinates of the curve as a function of the parameter.
-  Function function() const {
-    std::vector<Coordinates> rows;
-    for (int i = 0; i < number_of_points(); ++i) rows.push_back(coordinates(i));
-    return Function(knots_, std::move(rows));
-  }
-
-  /// @}
   /// \name Evaluation
   /// At an end of the domain, the jets of both sides are the jet of the only side that there is. With floating-point numbers,
   /// derivatives that overflow are not refused.
@@ -253,31 +220,8 @@ public:
 
   /// @}
 
-  /// Returns whether knots and control points are equal.
-  friend bool operator==(const Bspline_curve& c, const Bspline_curve& d) {
-    if (c.knots_ != d.knots_) return false;
-    for (int j = 0; j < c.number_of_points(); ++j)
-      if (c.coordinates(j) != d.coordinates(j)) return false;
-    return true;
-  }
-  /// Returns whether knots or control points differ.
-  friend bool operator!=(const Bspline_curve& c, const Bspline_curve& d) { return !(c == d); }
-
-  /// Writes the knots and the control points.
-  friend std::ostream& operator<<(std::ostream& os, const Bspline_curve& c) {
-    os << "B-spline curve of degree " << c.degree() << " over " << c.knots_ << ':';
-    for (int j = 0; j < c.number_of_points(); ++j) {
-      const Coordinates p = c.coordinates(j);
-      os << " (";
-      for (int i = 0; i < p.dimension(); ++i) os << (i == 0 ? "" : ", ") << p[i];
-      os << ')';
-    }
-    return os;
-  }
-
 private:
-  Bspline_curve(Knot_vector<FT> knots, std::vector<Point> points)
-      : knots_(std::move(knots)), points_(std::move(points)) {}
+  Bspline_curve(Knot_vector<FT> knots, std::vector<Point> points) : Polygon(std::move(knots), std::move(points)) {}
 
   typedef internal::Rows_of_points<Traits> Rows_of_points;
   typedef internal::Write_points<Traits> Write_points;
@@ -289,15 +233,6 @@ private:
     std::vector<typename Knot_vector<FT>::Knot> inner;
     for (std::size_t l = 1; l + 1 < curves.knots.size(); ++l) inner.push_back({curves.knots[l], curves.degree});
     return Knot_vector<FT>(curves.degree, curves.knots.front(), curves.knots.back(), inner);
-  }
-
-  void check_points() const {
-    for (int i = 0; i < number_of_points(); ++i) {
-      const Coordinates x = coordinates(i);
-      if (x.dimension() != dimension())
-        throw Error(Error_code::dimension_mismatch, "Bspline_curve: control point " + std::to_string(i));
-      for (const FT& xi : x) internal::check_finite(xi, "Bspline_curve: control points");
-    }
   }
 
   // The curve over these knots with the points that work(output) writes.

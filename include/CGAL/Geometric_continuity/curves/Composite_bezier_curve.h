@@ -6,6 +6,7 @@
 #define CGAL_GEOMETRIC_CONTINUITY_CURVES_COMPOSITE_BEZIER_CURVE_H
 
 #include <CGAL/Geometric_continuity/curves/Bezier_curve.h>
+#include <CGAL/Geometric_continuity/curves/Composite_bezier_polygon.h>
 #include <CGAL/Geometric_continuity/curves/internal/Joined_bezier_curves.h>
 #include <CGAL/Iterator_range.h>
 
@@ -35,14 +36,25 @@ namespace Geometric_continuity {
 /// \tparam Traits a model of `GeometricContinuityTraits`
 /// \tparam Degree the degree `m >= 0`, or `dynamic_degree`
 /// \models ParametricCurve
-template <class Traits_, int Degree = dynamic_degree> class Composite_bezier_curve {
+template <class Traits_, int Degree = dynamic_degree>
+class Composite_bezier_curve : public Composite_bezier_polygon<Traits_> {
+  typedef Composite_bezier_polygon<Traits_> Polygon;
+  using Polygon::degree_;
+  using Polygon::knots_;
+  using Polygon::points_;
+
 public:
-  typedef Traits_ Traits;                       ///< the traits class
-  typedef typename Traits::FT FT;               ///< the field
-  typedef typename Traits::Point Point;         ///< the points of the kernel
-  typedef typename Traits::Vector Vector;       ///< the vectors of the kernel
-  typedef Bezier_curve<Traits, Degree> Segment; ///< a segment, with its part of the domain
-  static constexpr int N = Segment::N;          ///< the dimension, or 0 when it is known at run time only
+  typedef Traits_ Traits;                                  ///< the traits class
+  typedef typename Traits::FT FT;                          ///< the field
+  typedef typename Traits::Point Point;                    ///< the points of the kernel
+  typedef typename Traits::Vector Vector;                  ///< the vectors of the kernel
+  typedef Bezier_curve<Traits, Degree> Segment;            ///< a segment, with its part of the domain
+  static constexpr int N = Segment::N;                     ///< the dimension, or 0 when it is known at run time only
+  typedef typename Polygon::const_iterator const_iterator; ///< iterates over the control points
+
+  using Polygon::is_closed;
+  using Polygon::lambda;
+  using Polygon::number_of_segments;
 
   /// The join between the end of the segment `left` and the start of the segment `right`.
   struct Join {
@@ -51,12 +63,6 @@ public:
   };
 
 private:
-  typedef Geometric_continuity::Coordinates<Traits> Coordinates;
-
-  int degree_ = Degree;
-  std::vector<FT> knots_;     // u_0, ..., u_{k+1}
-  std::vector<Point> points_; // b_0, ..., b_{m(k+1)}
-
   struct Segment_at {
     const Composite_bezier_curve* curve;
     Segment operator()(int l) const { return curve->segment(l); }
@@ -67,8 +73,6 @@ private:
   };
 
 public:
-  typedef typename std::vector<Point>::const_iterator const_iterator; ///< iterates over the control points
-
   /// Takes the `m (k + 1) + 1` control points and the `k + 2` knots; the degree follows from their numbers.
   /// \throws Error `empty_domain` with fewer than 2 knots, and unless they increase strictly
   /// \throws Error `wrong_number_of_points` when the number of points is not of this form, or not for `m == Degree`
@@ -76,15 +80,15 @@ public:
   /// \throws Error `not_finite` for an infinite or undefined floating-point number, and when the length of the domain overflows
   template <class InputIterator>
   Composite_bezier_curve(InputIterator first, InputIterator last, std::vector<FT> knots)
-      : knots_(std::move(knots)), points_(first, last) {
-    check_knots();
+      : Polygon(0, std::move(knots), std::vector<Point>(first, last)) {
+    this->check_knots();
     const int points = static_cast<int>(points_.size()), k1 = number_of_segments();
     if (points == 0 || (points - 1) % k1 != 0 || (Degree != dynamic_degree && (points - 1) / k1 != Degree))
       throw Error(Error_code::wrong_number_of_points, "Composite_bezier_curve: " + std::to_string(points) +
                                                           " points for " + std::to_string(k1) + " segments" +
                                                           (Degree == dynamic_degree ? "" : " of the fixed degree"));
     degree_ = (points - 1) / k1;
-    check_points();
+    this->check_points();
   }
 
   /// Takes a range of Bézier curves, each of which starts exactly where the one before it ends. Its degree is the highest
@@ -106,45 +110,12 @@ public:
     static_assert(Other == dynamic_degree || Degree == dynamic_degree, "the degrees differ");
   }
 
-  /// Returns the degree `m` of the segments.
-  int degree() const { return degree_; }
-  /// Returns the dimension of the control points.
-  int dimension() const { return Traits().compute_dimension_object()(points_[0]); }
-
-  /// Returns the number of segments, `k + 1`.
-  int number_of_segments() const { return static_cast<int>(knots_.size()) - 1; }
-
-  /// \name Polygon and Knots
+  /// \name Segments and Joins
   /// @{
-
-  /// Returns the control points \f$ b_0, \dots, b_{m(k+1)} \f$.
-  const std::vector<Point>& control_points() const { return points_; }
-  /// Returns the control point \f$ b_i \f$. \pre `0 <= i <= m (k + 1)`
-  const Point& control_point(int i) const { return points_[i]; }
-  /// Returns an iterator to the first control point.
-  const_iterator begin() const { return points_.begin(); }
-  /// Returns the iterator after the last control point.
-  const_iterator end() const { return points_.end(); }
-  /// Returns the coordinates of the control point \f$ b_i \f$. \pre `0 <= i <= m (k + 1)`
-  Coordinates coordinates(int i) const { return Geometric_continuity::coordinates<Traits>(points_[i]); }
-
-  /// Returns the knots \f$ u_0, \dots, u_{k+1} \f$.
-  const std::vector<FT>& knots() const { return knots_; }
-
-  /// Returns the domain \f$ [u_0, u_{k+1}] \f$.
-  std::pair<FT, FT> domain() const { return {knots_.front(), knots_.back()}; }
-
-  /// Returns the length \f$ \lambda_\ell \f$ of the parameter interval of the `l`-th segment.
-  /// \pre `0 <= l < number_of_segments()`
-  FT lambda(int l) const { return FT(knots_[l + 1] - knots_[l]); }
 
   /// Returns \f$ \lambda_{right} / \lambda_{left} \f$: the \f$ \beta_1 \f$ with which, seen from unit intervals, a join is
   /// \f$ C^1 \f$. \pre the numbers of the segments are between 0 and `number_of_segments() - 1`
   FT ratio(const Join& join) const { return FT(lambda(join.right) / lambda(join.left)); }
-
-  /// @}
-  /// \name Segments and Joins
-  /// @{
 
   /// Returns the `l`-th segment with its domain \f$ [u_\ell, u_{\ell+1}] \f$. \pre `0 <= l < number_of_segments()`
   Segment segment(int l) const {
@@ -169,9 +140,6 @@ public:
         boost::make_transform_iterator(boost::make_counting_iterator(number_of_joins()),
                                        Join_at{number_of_segments()}));
   }
-
-  /// Returns whether the first and the last control point are equal.
-  bool is_closed() const { return coordinates(0) == coordinates(static_cast<int>(points_.size()) - 1); }
 
   /// Returns the number of the segment that is evaluated at `u`: at an inner knot the one to the right. \f$ O(\log k) \f$
   /// \throws Error `parameter_outside_domain`
@@ -285,13 +253,6 @@ public:
 
   /// @}
 
-  /// Returns whether knots and control points are equal.
-  friend bool operator==(const Composite_bezier_curve& c, const Composite_bezier_curve& d) {
-    return c.knots_ == d.knots_ && c.points_ == d.points_;
-  }
-  /// Returns whether knots or control points differ.
-  friend bool operator!=(const Composite_bezier_curve& c, const Composite_bezier_curve& d) { return !(c == d); }
-
   /// Writes the segments, one to a line.
   friend std::ostream& operator<<(std::ostream& os, const Composite_bezier_curve& c) {
     for (const Segment& s : c.segments()) os << s << '\n';
@@ -300,38 +261,19 @@ public:
 
 private:
   explicit Composite_bezier_curve(internal::Joined_bezier_curves<Traits> curves)
-      : degree_(curves.degree), knots_(std::move(curves.knots)), points_(std::move(curves.points)) {
+      : Polygon(curves.degree, std::move(curves.knots), std::move(curves.points)) {
     if (Degree != dynamic_degree && degree_ > Degree)
       throw Error(Error_code::wrong_number_of_points, "Composite_bezier_curve: a segment of degree " +
                                                           std::to_string(degree_) + " where it is at most " +
                                                           std::to_string(Degree));
-    check_knots();
-    check_points();
+    this->check_knots();
+    this->check_points();
   }
 
   void check_parameter(const FT& u) const {
     const FT &a = knots_.front(), &b = knots_.back();
     if (!(a < u || a == u) || !(u < b || u == b)) // an undefined number is refused, too
       throw Error(Error_code::parameter_outside_domain, "Composite_bezier_curve");
-  }
-
-  void check_knots() const {
-    if (knots_.size() < 2) throw Error(Error_code::empty_domain, "Composite_bezier_curve: fewer than two knots");
-    for (std::size_t l = 0; l < knots_.size(); ++l) {
-      internal::check_finite(knots_[l], "Composite_bezier_curve: knots");
-      if (l > 0 && !(knots_[l - 1] < knots_[l]))
-        throw Error(Error_code::empty_domain, "Composite_bezier_curve: segment " + std::to_string(l - 1));
-    }
-    internal::check_finite(FT(knots_.back() - knots_.front()), "Composite_bezier_curve: length of the domain");
-  }
-
-  void check_points() const {
-    for (int i = 0; i < static_cast<int>(points_.size()); ++i) {
-      const Coordinates p = coordinates(i);
-      if (p.dimension() != dimension())
-        throw Error(Error_code::dimension_mismatch, "Composite_bezier_curve: control point " + std::to_string(i));
-      for (const FT& x : p) internal::check_finite(x, "Composite_bezier_curve: control points");
-    }
   }
 };
 

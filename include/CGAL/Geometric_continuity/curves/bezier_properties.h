@@ -6,6 +6,7 @@
 #define CGAL_GEOMETRIC_CONTINUITY_CURVES_BEZIER_PROPERTIES_H
 
 #include <CGAL/Geometric_continuity/algebra/convex_weights.h>
+#include <CGAL/Geometric_continuity/algebra/internal/root_count.h>
 #include <CGAL/Geometric_continuity/algebra/isolate_roots.h>
 #include <CGAL/Geometric_continuity/algebra/sign_pattern.h>
 #include <CGAL/Geometric_continuity/curves/Bezier_curve.h>
@@ -123,7 +124,7 @@ std::optional<Crossings> count_crossings(const Bezier_curve<Traits, Degree>& cur
   const Bernstein_polynomial<Field> distance(distances);
   if (sign_pattern(distance) == Sign_pattern::zero) return std::nullopt;
   Crossings count;
-  count.polygon = internal::sign_variations(distance);
+  count.polygon = internal::sign_variations(internal::whole_multiple(distance));
   for (const Isolated_root<Field>& root : isolate_roots(distance, Field(1))) {
     if (root.end == Field(0) || root.begin == Field(1)) continue; // an end point of the curve
     count.contacts += root.multiplicity;

@@ -6,7 +6,7 @@
 #define CGAL_GEOMETRIC_CONTINUITY_EDGES_G1_RIBBON_H
 
 #include <CGAL/Geometric_continuity/algebra/sign_pattern.h>
-#include <CGAL/Geometric_continuity/edges/bspline_edge_continuity.h>
+#include <CGAL/Geometric_continuity/edges/edge_continuity.h>
 
 #include <ostream>
 #include <utility>
@@ -35,13 +35,13 @@ template <class FT> struct Ribbon_end {
 /// given curves without rounding.
 /// \tparam Traits a model of `GeometricContinuityTraits` of dimension 3
 template <class Traits_> struct G1_ribbon {
-  typedef Traits_ Traits;
-  typedef Edge_field<Traits> Field;
-  typedef Bernstein_polynomial<Field> Polynomial;
-  typedef Bspline_surface<Traits> Surface;
+  typedef Traits_ Traits;                         ///< of the curves and the surfaces
+  typedef Edge_field<Traits> Field;               ///< the field of the numbers that are not control points
+  typedef Bernstein_polynomial<Field> Polynomial; ///< of \f$ \alpha_k \f$ and \f$ \beta_k \f$
+  typedef Bspline_surface<Traits> Surface;        ///< of each side
 
   Polynomial alpha;        ///< \f$ \alpha_1 \f$, with the domain mapped to [0, 1]
-  Polynomial beta;         ///< \f$ \beta_1 \f$, likewise
+  Polynomial beta;         ///< \f$ \beta_1 \f$, with the domain mapped to [0, 1]
   Polynomial alpha2;       ///< \f$ \alpha_2 = \alpha_1 - 2 \f$
   Polynomial beta2;        ///< \f$ \beta_2 = \beta_1 \f$
   Ribbon_end<Field> start; ///< at the start of the domain
@@ -49,27 +49,27 @@ template <class Traits_> struct G1_ribbon {
   Surface side1;           ///< \f$ S_1 \f$; its edge `v0` is \f$ C \f$
   Surface side2;           ///< \f$ S_2 \f$, with the same knots
 
-  /// Whether both sides attain the given first derivatives \f$ C_1 - C \f$, \f$ C_2 - C \f$ at both ends.
+  /// Returns whether both sides attain the given first derivatives \f$ C_1 - C \f$, \f$ C_2 - C \f$ at both ends.
   bool position_coplanar() const { return start.position_residual == Field(0) && end.position_residual == Field(0); }
-  /// Whether both sides attain the given twists \f$ C_1' - C' \f$, \f$ C_2' - C' \f$ at both ends. Together with
+  /// Returns whether both sides attain the given twists \f$ C_1' - C' \f$, \f$ C_2' - C' \f$ at both ends. Together with
   /// `position_coplanar()` this is \f$ F = F' = 0 \f$ at both ends.
   bool twist_coplanar() const { return start.twist_residual == Field(0) && end.twist_residual == Field(0); }
 
-  /// The signs of \f$ \alpha_1 \f$ on the closed domain. Where it is not positive, the first side turns over.
+  /// Returns the signs of \f$ \alpha_1 \f$ on the closed domain. Where it is not positive, the first side turns over.
   Sign_pattern alpha_signs() const { return sign_pattern(alpha); }
-  /// The signs of \f$ 2 - \alpha_1 = -\alpha_2 \f$ on the closed domain. Where it is not positive, the second side turns over.
+  /// Returns the signs of \f$ 2 - \alpha_1 = -\alpha_2 \f$ on the closed domain. Where it is not positive, the second side turns over.
   Sign_pattern two_minus_alpha_signs() const { return sign_pattern(Polynomial{Field(2)} - alpha); }
-  /// Whether \f$ 0 < \alpha_1 < 2 \f$ fails somewhere on the closed domain: there, both surfaces lie on one side of the edge.
+  /// Returns whether \f$ 0 < \alpha_1 < 2 \f$ fails somewhere on the closed domain: there, both surfaces lie on one side of the edge.
   bool folds() const {
     return alpha_signs() != Sign_pattern::positive || two_minus_alpha_signs() != Sign_pattern::positive;
   }
 
-  /// The continuity of the surfaces along \f$ C \f$ as they are, one decision for each span of the knots, see
+  /// Decides the continuity of the surfaces along \f$ C \f$ as they are, one decision for each span of the knots, see
   /// `edge_continuity()`. Control points are taken as they are given; parameters are those of the domain. When they have
   /// been rounded, the surfaces are not exactly \f$ G^1 \f$, and each decision bounds the angle between the normals.
   std::vector<Edge_continuity<Field>> continuity() const;
 
-  /// Whether `continuity()` is \f$ G^1 \f$ or more on all spans: a proof for the whole edge.
+  /// Returns whether `continuity()` is \f$ G^1 \f$ or more on all spans: a proof for the whole edge.
   bool g1() const { return edge_continuity(side1, Patch_edge::v0, side2, Patch_edge::v0).g_order >= 1; }
 
   /// Writes all but the surfaces, one item to a line.

@@ -120,7 +120,7 @@ void check_ribbon_input(const Bspline_curve<Traits>& c, const Bspline_curve<Trai
 } // namespace internal
 
 /// \ingroup PkgGeometricContinuitySurfaces
-/// Two surfaces of degree 6 x 1 that meet along \f$ C \f$ with \f$ G^1 \f$ continuity, with given cross derivatives
+/// Constructs two surfaces of degree 6 x 1 that meet along \f$ C \f$ with \f$ G^1 \f$ continuity, with given cross derivatives
 /// \f$ C_k - C \f$ and twists \f$ C_k' - C' \f$, `k = 1, 2`, at both ends of \f$ C \f$. *Algebraic G1 connection retaining
 /// fixed twist vectors*, with the corrections below.
 ///
@@ -143,7 +143,8 @@ void check_ribbon_input(const Bspline_curve<Traits>& c, const Bspline_curve<Trai
 /// With rounded constructions \f$ \alpha_k \f$ and \f$ \beta_k \f$ are computed exactly and rounded once.
 ///
 /// \f$ O(n) \f$ for `n` control points.
-/// \param C,C1,C2 cubic curves with the same knots; inner knots have at most the multiplicity 2
+/// \param C the common edge, a cubic curve; inner knots have at most the multiplicity 2
+/// \param C1,C2 cubic curves with the knots of `C`, which give the first derivatives and the twists
 /// \param bulge a freedom that the demands leave: \f$ \beta_k \f$ is a quartic with \f$ bulge\,B_2^4 \f$ added unless it is 0
 /// \throws Error `wrong_number_of_points` unless the curves are cubic, `parameter_outside_domain` when their domains differ,
 ///   `knot_multiplicity` when their knots differ, or for an inner knot of multiplicity 3 or more, where \f$ C' \f$ may jump

@@ -5,201 +5,105 @@
 #ifndef CGAL_GEOMETRIC_CONTINUITY_EDGES_EDGE_CONTINUITY_H
 #define CGAL_GEOMETRIC_CONTINUITY_EDGES_EDGE_CONTINUITY_H
 
-#include <CGAL/Geometric_continuity/algebra/sign_pattern.h>
-#include <CGAL/Geometric_continuity/edges/internal/edge_polynomials.h>
-#include <CGAL/Geometric_continuity/edges/normal_deviation.h>
+#include <CGAL/Geometric_continuity/edges/Edge_rows.h>
+#include <CGAL/Geometric_continuity/edges/Spline_edge_continuity.h>
+#include <CGAL/Geometric_continuity/edges/internal/Common_edge_part.h>
+#include <CGAL/Geometric_continuity/edges/internal/Edge_decision.h>
 #include <CGAL/Geometric_continuity/numbers/Exact_field.h>
 
 #include <optional>
-#include <ostream>
-#include <string>
 #include <utility>
+#include <vector>
+
+/// \file edge_continuity.h
+/// The continuity of two surfaces along an edge of each, decided exactly on the whole closed edge; for every mix of surface
+/// types, and for rows of coefficients. See `Edge_conditions` for what is decided.
 
 namespace CGAL {
 namespace Geometric_continuity {
 
-/// \ingroup PkgGeometricContinuityContinuity
-/// Why two surfaces are not smoother along an edge than they are.
-enum class Edge_defect {
-  none,             ///< they have the highest order that is decided, \f$ G^2 \f$
-  gap,              ///< the edges are different curves
-  collapsed,        ///< the edge is a single point
-  vanishing_normal, ///< the tangent planes agree wherever there are any, but the normal of one side vanishes somewhere
-  crease,           ///< the tangent planes differ somewhere
-  fold,             ///< the tangent planes agree, but somewhere both surfaces lie on the same side of the edge
-  curvature         ///< the tangent planes agree, the curvatures do not
-};
-
-/// \ingroup PkgGeometricContinuityContinuity
-inline std::string to_string(Edge_defect defect) {
-  switch (defect) {
-  case Edge_defect::none: return "none";
-  case Edge_defect::gap: return "gap";
-  case Edge_defect::collapsed: return "collapsed";
-  case Edge_defect::vanishing_normal: return "vanishing_normal";
-  case Edge_defect::crease: return "crease";
-  case Edge_defect::fold: return "fold";
-  case Edge_defect::curvature: return "curvature";
-  }
-  return "unknown";
-}
-
-inline std::ostream& operator<<(std::ostream& os, Edge_defect defect) { return os << to_string(defect); }
-
-/// \ingroup PkgGeometricContinuityContinuity
-/// The polynomials that decide the continuity of two surfaces \f$ S_1, S_2 \f$ with the same edge, run through in the same
-/// direction. With the rows \f$ C, T_1, W_1 \f$ and \f$ C, T_2, W_2 \f$ and \f$ N = C' \times T_1 \f$:
-///
-/// - \f$ G^1 \f$: \f$ \det(C', T_1, T_2) \equiv 0 \f$ and \f$ (C' \times T_1) \cdot (C' \times T_2) < 0 \f$ on the whole closed
-///   interval;
-/// - \f$ G^2 \f$: in addition, with \f$ n_2 = C' \times T_2 \f$ and \f$ n_3 = T_2 \times T_1 \f$, for each coordinate `i`
-///   \f$ N_i^2 (N \cdot W_2) \equiv n_{3,i}^2 (N \cdot C'') + 2 n_{3,i} n_{2,i} (N \cdot T_1') + n_{2,i}^2 (N \cdot W_1) \f$.
-///
-/// For \f$ T_2 = p\,C' + q\,T_1 \f$ this is the equality of the second fundamental forms: \f$ n_2 = qN \f$,
-/// \f$ n_3 = pN \f$.
-///
-/// \tparam FT a field number type; for floating-point numbers all is exact in the numbers as given
-template <class FT> class Edge_conditions {
-public:
-  /// The field of the answers: `FT`, or `Exact_rational` for floating-point numbers.
-  typedef typename Exact_field<FT>::type Field;
-
-  /// Of two surfaces with the same edge in the same direction, which is not checked. The degrees may differ.
-  /// A number of ring operations that is quadratic in the degree.
-  /// \throws Error `wrong_number_of_points` for an empty row, `not_finite`
-  Edge_conditions(const Edge_rows<FT>& a, const Edge_rows<FT>& b) : sides_(a, b), normals_(sides_) {}
-
-  /// \f$ \det(C', T_1, T_2) \f$. With rows of degrees `p` (the lower of the two edges), `l` and `m` it has the coefficients
-  /// \f$ \binom{p+l+m-1}{k}^{-1} \sum_{i+j+h=k} \binom{p-1}{i} \binom{l}{j} \binom{m}{h} \det(p\,\Delta C_i, T_{1,j}, T_{2,h}) \f$.
-  Bernstein_polynomial<Field> determinant() const { return bernstein(normals_.det, 3); }
-
-  /// \f$ (C' \times T_1) \cdot (C' \times T_2) \f$: negative where the surfaces lie on different sides of the edge.
-  Bernstein_polynomial<Field> side() const { return bernstein(normals_.side, 4); }
-
-  /// Whether the determinant vanishes identically: the tangent planes agree wherever there are any.
-  bool coplanar() const { return normals_.coplanar(); }
-
-  /// The signs of `side()` on the closed interval.
-  Sign_pattern side_pattern() const { return normals_.side_signs(); }
-
-  /// Whether a normal vanishes somewhere on the closed interval.
-  bool normal_vanishes() const { return normals_.normal_vanishes(side_pattern()); }
-
-  /// Whether `coplanar()` holds and the identity of \f$ G^2 \f$, which alone does not see on which sides the surfaces lie.
-  bool second_order() const { return coplanar() && normals_.second_order(sides_); }
-
-  bool g1() const { return coplanar() && side_pattern() == Sign_pattern::negative; }
-  bool g2() const { return g1() && second_order(); }
-
-private:
-  internal::Edge_sides<Field> sides_;
-  internal::Edge_normals<Field> normals_;
-
-  template <class Polynomial> Bernstein_polynomial<Field> bernstein(const Polynomial& p, int power) const {
-    typedef typename internal::Common_denominator<Field>::Exact Exact;
-    const Bernstein_polynomial<Exact> scaled = p.template bernstein<Exact>();
-    std::vector<Field> b;
-    for (const Exact& x : scaled.coefficients()) b.push_back(sides_.denominator.divided(x, power));
-    return Bernstein_polynomial<Field>(std::move(b));
-  }
-};
-
-/// \ingroup PkgGeometricContinuityContinuity
-/// What was decided about two surfaces along an edge.
-/// \tparam FT the field in which it was decided
-template <class FT> struct Edge_continuity {
-  /// -1 when the edges differ, 0 when they are the same curve, 1 when the tangent planes agree along the whole closed edge
-  /// and the surfaces lie on different sides of it, 2 when the curvatures agree as well.
-  int g_order = -1;
-  Edge_defect defect = Edge_defect::gap; ///< why the order is not higher
-  bool reversed = false;                 ///< the second edge runs backwards
-  bool coplanar = false;                 ///< \f$ \det(C', T_1, T_2) \equiv 0 \f$
-  /// The signs of \f$ (C' \times T_1) \cdot (C' \times T_2) \f$: `negative` where the surfaces continue each other.
-  Sign_pattern side = Sign_pattern::zero;
-  bool collapsed = false;       ///< the edge is a single point
-  bool normal_vanishes = false; ///< a normal vanishes somewhere on the closed edge
-  /// The sub-interval of the parameters of the first edge, at most 1/32 of it, in which a normal vanishes: a point when it
-  /// was found exactly. Empty where no normal vanishes or the edge is collapsed.
-  std::optional<std::pair<FT, FT>> vanishing;
-  /// The enclosure of the largest angle between the normals and the place of a crease or fold, in the parameters of the
-  /// first edge. Empty without a common edge, and where one normal vanishes identically.
-  std::optional<Normal_deviation<FT>> deviation;
-
-  /// Writes the order, the defect and the upper bound of the angle, e.g. `G1 (curvature)` or `G0 (crease), angle <= 0.3`.
-  friend std::ostream& operator<<(std::ostream& os, const Edge_continuity& e) {
-    if (e.g_order < 0) return os << "gap";
-    os << 'G' << e.g_order;
-    if (e.defect != Edge_defect::none) os << " (" << e.defect << ')';
-    if (e.reversed) os << ", reversed";
-    if (e.deviation && FT(0) < e.deviation->upper) os << ", angle <= " << e.deviation->largest_angle();
-    return os;
-  }
-};
-
 namespace internal {
 
-template <class Field> class Edge_decision {
-  typedef Edge_sides<Field> Sides;
-  typedef Edge_normals<Field> Normals;
-  typedef typename Normals::Polynomial Polynomial;
-
-  Edge_continuity<Field> edge_;
-
-public:
-  Edge_continuity<Field> operator()(Sides sides) {
-    if (!sides.same_edge()) {
-      sides.reverse_second();
-      if (!sides.same_edge()) return edge_;
-      edge_.reversed = true;
-    }
-    edge_.g_order = 0;
-    const Normals normals(sides);
-    edge_.collapsed = sides.collapsed();
-    edge_.coplanar = normals.coplanar();
-    edge_.side = normals.side_signs();
-    edge_.normal_vanishes = normals.normal_vanishes(edge_.side);
-    if (edge_.collapsed)
-      edge_.defect = Edge_defect::collapsed;
-    else {
-      edge_.defect = first_order_defect();
-      if (edge_.defect == Edge_defect::curvature) {
-        edge_.g_order = 1;
-        if (normals.second_order(sides)) {
-          edge_.g_order = 2;
-          edge_.defect = Edge_defect::none;
-        }
-      }
-      locate(normals);
-    }
-    return edge_;
+// The decisions on the spans of a match, by decide(rows, rows).
+template <class Field, class Decide>
+Spline_edge_continuity<Field> decide_spans(const std::vector<Edge_piece<Field>>& a,
+                                           const std::vector<Edge_piece<Field>>& b, const Edge_match<Field>& match,
+                                           Decide decide) {
+  Spline_edge_continuity<Field> result;
+  if (match.spans.empty()) return result;
+  for (const Common_span<Field>& span : match.spans) {
+    const std::pair<Edge_rows<Field>, Edge_rows<Field>> rows = rows_on(a, b, span, match.map);
+    Edge_continuity<Field> e = decide(rows.first, rows.second);
+    e.reversed = match.map.reverses();
+    result.spans.push_back(on_interval(span.begin, span.end, std::move(e)));
   }
+  summarise(result);
+  const Field begin = match.spans.front().begin, end = match.spans.back().end;
+  result.part_a = {begin, end};
+  result.part_b = {match.map(begin), match.map(end)};
+  if (match.map.reverses()) std::swap(result.part_b.first, result.part_b.second);
+  result.whole_a = begin == a.front().begin && end == a.back().end;
+  result.whole_b = result.part_b.first == b.front().begin && result.part_b.second == b.back().end;
+  return result;
+}
 
-private:
-  Edge_defect first_order_defect() const {
-    if (!edge_.coplanar) return Edge_defect::crease;
-    switch (edge_.side) {
-    case Sign_pattern::negative: return Edge_defect::curvature; // until second order has been decided
-    case Sign_pattern::nonpositive:
-    case Sign_pattern::zero: return Edge_defect::vanishing_normal;
-    default: return Edge_defect::fold;
-    }
-  }
+// Of two whole edges along which the surfaces have an order of 1 or 2 and are one polynomial each.
+template <class Field>
+Spline_edge_continuity<Field> whole_smooth_edge(int order, Edge_direction direction,
+                                                const std::pair<Field, Field>& domain_a,
+                                                const std::pair<Field, Field>& domain_b) {
+  Edge_continuity<Field> e = smooth_continuity<Field>(order);
+  e.reversed = direction == Edge_direction::opposite;
+  Spline_edge_continuity<Field> result;
+  result.spans.push_back(on_interval(domain_a.first, domain_a.second, std::move(e)));
+  summarise(result);
+  result.part_a = domain_a;
+  result.part_b = domain_b;
+  result.whole_a = result.whole_b = true;
+  return result;
+}
 
-  void locate(const Normals& n) {
-    if (edge_.normal_vanishes) {
-      if (Sides::is_zero(n.n1) || Sides::is_zero(n.n2)) {
-        edge_.vanishing = std::pair<Field, Field>(Field(0), Field(1));
-        return;
-      }
-      edge_.vanishing =
-          zero_interval<Field>(edge_.coplanar ? n.side : Polynomial(Normals::square(n.n1) * Normals::square(n.n2)));
-    }
-    if (edge_.defect == Edge_defect::crease || edge_.defect == Edge_defect::fold)
-      edge_.deviation = largest_angle<Field>(n.n1, n.n2, edge_.normal_vanishes);
-    else
-      edge_.deviation = Normal_deviation<Field>{Field(0), Field(0), Field(0), Field(1)};
+// The stages of fixed length for surfaces that are one patch each, then those for pieces, where find_match(pieces, pieces)
+// finds what the edges have in common.
+template <class Surface_a, class Surface_b, class Find_match>
+auto decide_surfaces(const Surface_a& a, Patch_edge edge_a, const Surface_b& b, Patch_edge edge_b,
+                     Find_match find_match) -> Spline_edge_continuity<Edge_field<typename Surface_a::Traits>> {
+  typedef Edge_field<typename Surface_a::Traits> Field;
+  require_space(a, "edge_continuity");
+  require_space(b, "edge_continuity");
+  Edge_layers x, y;
+  std::optional<Edge_direction> direction;
+  if (edge_layers(a, edge_a, b, edge_b, 2, x, y)) direction = common_direction(x, y);
+  if (direction) {
+    if (*direction == Edge_direction::opposite) y.reverse();
+    if (const std::optional<int> order = smooth_order(x, y))
+      return whole_smooth_edge(*order, *direction, edge_domain<Field>(a, edge_a), edge_domain<Field>(b, edge_b));
   }
-};
+  const std::vector<Edge_piece<Field>> pieces_a = edge_pieces(a, edge_a), pieces_b = edge_pieces(b, edge_b);
+  if (direction) // and the stages of fixed length have been tried
+    return decide_spans(pieces_a, pieces_b, whole_match(pieces_a, pieces_b, *direction), decide_rough_edge<Field>);
+  return decide_spans(pieces_a, pieces_b, find_match(pieces_a, pieces_b), decide_edge<Field>);
+}
+
+// For edges that have been recognised as the same, see Edge_key.
+template <class Surface_a, class Surface_b>
+auto continuity_of_same_edge(const Surface_a& a, Patch_edge edge_a, const Surface_b& b, Patch_edge edge_b,
+                             Edge_direction direction) {
+  return decide_surfaces(a, edge_a, b, edge_b, [direction](const auto& pieces_a, const auto& pieces_b) {
+    return whole_match(pieces_a, pieces_b, direction);
+  });
+}
+
+// Along lines over one domain that have equal parameters in common points, or are not the same.
+template <class Field>
+Spline_edge_continuity<Field> continuity_at_same_parameters(const Spline_edge_rows<Field>& a,
+                                                            const Spline_edge_rows<Field>& b) {
+  const std::vector<Edge_piece<Field>> pieces_a = edge_pieces<Field>(a), pieces_b = edge_pieces<Field>(b);
+  const Edge_match<Field> match = whole_match(pieces_a, pieces_b, Edge_direction::same);
+  return decide_spans(pieces_a, pieces_b, match, [](const Edge_rows<Field>& x, const Edge_rows<Field>& y) {
+    return x.edge == y.edge ? decide_edge(x, y) : Edge_continuity<Field>();
+  });
+}
 
 } // namespace internal
 
@@ -219,7 +123,64 @@ private:
 template <class FT>
 Edge_continuity<typename Exact_field<FT>::type> edge_continuity(const Edge_rows<FT>& a, const Edge_rows<FT>& b) {
   typedef typename Exact_field<FT>::type Field;
-  return internal::Edge_decision<Field>()(internal::Edge_sides<Field>(a, b));
+  internal::Edge_sides<Field> sides(a, b);
+  const std::optional<bool> reversed = sides.align();
+  if (!reversed) return {};
+  Edge_continuity<Field> edge = internal::Edge_decision<Field>()(sides);
+  edge.reversed = *reversed;
+  return edge;
+}
+
+/// \ingroup PkgGeometricContinuityContinuity
+/// Decides the continuity of two piecewise polynomial surfaces along the part that their edges have in common, exactly, on
+/// each closed span of the knots of both, see the function for `Edge_rows`.
+///
+/// The edges may differ in degree, in knots and in domain. First they are compared as a whole: they are the same when the
+/// affine map of the one domain to the other, forwards or backwards, makes them the same curve. Otherwise the longest part is
+/// found on which some affine map of the parameters does and which contains the first or the last span of one of the edges:
+/// all of one edge where several patches meet one long edge, or where the edges overlap. (One case is not found: a part that
+/// is not all of both edges and whose polynomial depends only on a power \f$ (t - c)^g \f$, `g > 1`, of the parameter.)
+///
+/// Only the rows are restricted to common spans; no surface is refined. For edges that are the same as a whole the number of
+/// operations is linear in the number of knots, otherwise it is at most quadratic. On each span rational numbers with short
+/// numerators are decided with integers of fixed length, as for surfaces.
+/// \tparam FT a field number type; for floating-point numbers all is exact in the numbers as given
+/// \throws Error `wrong_number_of_points` when the rows do not fit the knots, `not_finite`
+template <class FT>
+Spline_edge_continuity<typename Exact_field<FT>::type> edge_continuity(const Spline_edge_rows<FT>& a,
+                                                                       const Spline_edge_rows<FT>& b) {
+  typedef typename Exact_field<FT>::type Field;
+  const std::vector<internal::Edge_piece<Field>> pieces_a = internal::edge_pieces<Field>(a),
+                                                 pieces_b = internal::edge_pieces<Field>(b);
+  return internal::decide_spans(pieces_a, pieces_b, internal::Common_edge_part<Field>(pieces_a, pieces_b)(),
+                                internal::decide_edge<Field>);
+}
+
+/// \ingroup PkgGeometricContinuitySurfaces
+/// Decides the continuity of two surfaces along an edge of each, exactly, on the whole closed edge and with every kernel:
+/// control points and knots are taken as they are given. The edge of `b` may run backwards, and degrees, knots and domains
+/// may differ. When the edges are not the same, the part that they have in common is decided, e.g. where several surfaces meet
+/// one long edge; members of the result say which part of each edge it is. The result has a verdict for each span of the
+/// knots of both edges; see the function for `Spline_edge_rows`.
+///
+/// All parameters in the result are those of the domain of the edge of `a`, without rounding. For two edges of one surface
+/// that closes up, `a` and `b` are the same surface. What happens at knots across the edge inside one of the surfaces is
+/// decided by `knot_line_continuity()`. For the two sides of a ribbon pass `G1_ribbon::side1` and `G1_ribbon::side2`; swept
+/// surfaces have `extrusion_continuity()` and `revolution_continuity()`.
+///
+/// Smooth edges of degree 7 or less are proved with integers of fixed length where the coordinates are `double`, or rational
+/// numbers with short numerators over one denominator; see edge_predicates.h. Otherwise a number of operations with integers
+/// that is quadratic in the degree and linear in the number of knots, plus the search for the largest angle where the surfaces
+/// are not \f$ G^1 \f$.
+/// \tparam Surface_a, Surface_b `Bezier_patch` or `Bspline_surface`, in any combination, with one traits class
+/// \throws Error `dimension_mismatch` unless in dimension 3
+template <class Surface_a, class Surface_b>
+auto edge_continuity(const Surface_a& a, Patch_edge edge_a, const Surface_b& b, Patch_edge edge_b)
+    -> Spline_edge_continuity<Edge_field<typename Surface_a::Traits>> {
+  typedef Edge_field<typename Surface_a::Traits> Field;
+  return internal::decide_surfaces(a, edge_a, b, edge_b, [](const auto& pieces_a, const auto& pieces_b) {
+    return internal::Common_edge_part<Field>(pieces_a, pieces_b)();
+  });
 }
 
 } // namespace Geometric_continuity

@@ -5,8 +5,8 @@
 #ifndef CGAL_GEOMETRIC_CONTINUITY_EDGES_EDGE_DEVIATION_H
 #define CGAL_GEOMETRIC_CONTINUITY_EDGES_EDGE_DEVIATION_H
 
-#include <CGAL/Geometric_continuity/edges/internal/common_edge_part.h>
-#include <CGAL/Geometric_continuity/edges/normal_deviation.h>
+#include <CGAL/Geometric_continuity/edges/internal/Common_edge_part.h>
+#include <CGAL/Geometric_continuity/edges/internal/Largest_measure.h>
 #include <CGAL/Geometric_continuity/numbers/Enclosure.h>
 #include <CGAL/Geometric_continuity/numbers/Exact_field.h>
 
@@ -42,7 +42,7 @@ struct Edge_deviation {
 namespace internal {
 
 inline Enclosure larger_of(const Enclosure& x, const Enclosure& y) {
-  return {std::max(x.lower, y.lower), std::max(x.upper, y.upper)};
+  return {(std::max)(x.lower, y.lower), (std::max)(x.upper, y.upper)};
 }
 
 // The largest distance of two edges: with a number k >= 2 |C1 - C2|^2 it is the root of k times the largest value of
@@ -100,8 +100,9 @@ template <class Field> Enclosure largest_distance(const std::vector<Edge_sides<F
 
 // With the gap on the spans, which is known.
 template <class Field>
-Edge_deviation edge_deviation(const std::vector<Edge_sides<Field>>& spans, const Enclosure& gap, bool reversed) {
-  Edge_deviation d{gap, Enclosure{0, 0}, false, reversed};
+Edge_deviation edge_deviation(const std::vector<Edge_sides<Field>>& spans, const Enclosure& gap,
+                              Edge_direction direction) {
+  Edge_deviation d{gap, Enclosure{0, 0}, false, direction == Edge_direction::opposite};
   for (const Edge_sides<Field>& sides : spans) {
     const std::pair<std::optional<Enclosure>, bool> angle = normal_angle(sides);
     d.normal_vanishes = d.normal_vanishes || angle.second;
@@ -114,13 +115,13 @@ Edge_deviation edge_deviation(const std::vector<Edge_sides<Field>>& spans, const
 // Along the whole edges, forwards or backwards, whichever has the smaller gap.
 template <class Field>
 Edge_deviation edge_deviation(const std::vector<Edge_piece<Field>>& a, const std::vector<Edge_piece<Field>>& b) {
-  const std::vector<Edge_sides<Field>> forwards = sides_on_spans(a, b, whole_map(a, b, false));
+  const std::vector<Edge_sides<Field>> forwards = sides_on_spans(a, b, whole_map(a, b, Edge_direction::same));
   const Enclosure gap = largest_distance(forwards);
-  if (gap.upper == 0) return edge_deviation(forwards, gap, false);
-  const std::vector<Edge_sides<Field>> backwards = sides_on_spans(a, b, whole_map(a, b, true));
+  if (gap.upper == 0) return edge_deviation(forwards, gap, Edge_direction::same);
+  const std::vector<Edge_sides<Field>> backwards = sides_on_spans(a, b, whole_map(a, b, Edge_direction::opposite));
   const Enclosure other_gap = largest_distance(backwards);
-  return gap.upper <= other_gap.upper ? edge_deviation(forwards, gap, false)
-                                      : edge_deviation(backwards, other_gap, true);
+  return gap.upper <= other_gap.upper ? edge_deviation(forwards, gap, Edge_direction::same)
+                                      : edge_deviation(backwards, other_gap, Edge_direction::opposite);
 }
 
 // Along lines over one domain, at equal parameters.
@@ -128,37 +129,50 @@ template <class Field>
 Edge_deviation deviation_at_same_parameters(const Spline_edge_rows<Field>& a, const Spline_edge_rows<Field>& b) {
   const std::vector<Edge_sides<Field>> spans =
       sides_on_spans(edge_pieces<Field>(a), edge_pieces<Field>(b), Affine_parameter_map<Field>{Field(1), Field(0)});
-  return edge_deviation(spans, largest_distance(spans), false);
+  return edge_deviation(spans, largest_distance(spans), Edge_direction::same);
 }
 
 } // namespace internal
 
 /// \ingroup PkgGeometricContinuityContinuity
-/// How far two surfaces are from being continuous along their edges `v = 0`. The second edge is run through in the direction
+/// Encloses how far two surfaces are from being continuous along their edges `v = 0`. The second edge is taken in the direction
 /// that gives the smaller gap. Everything is computed in an exact field from the coefficients as given; only the last step, a
 /// root or an arc tangent, is rounded, outwards. With a gap the normals are compared that belong to the same parameter.
 /// \throws Error `wrong_number_of_points` for an empty row, `not_finite`
 template <class FT> Edge_deviation deviation(const Edge_rows<FT>& a, const Edge_rows<FT>& b) {
   typedef typename Exact_field<FT>::type Field;
   const auto pieces = [](const Edge_rows<FT>& rows) {
-    const auto row = [](const typename Edge_rows<FT>::Row& r) {
-      typename Edge_rows<Field>::Row result;
-      for (const Coordinate_vector<FT, 3>& x : r) result.push_back(internal::coefficient_over<Field>(x));
-      return result;
-    };
     return std::vector<internal::Edge_piece<Field>>{
-        {Field(0), Field(1), {row(rows.edge), row(rows.cross), row(rows.second_cross)}}};
+        {Field(0),
+         Field(1),
+         {internal::row_in_space<Field>(rows.edge), internal::row_in_space<Field>(rows.cross),
+          internal::row_in_space<Field>(rows.second_cross)}}};
   };
   return internal::edge_deviation<Field>(pieces(a), pieces(b));
 }
 
 /// \ingroup PkgGeometricContinuityContinuity
-/// The same for piecewise polynomial surfaces, on all spans of the knots of both edges: the domain of one edge as a whole
-/// corresponds to that of the other.
+/// Encloses how far two piecewise polynomial surfaces are from being continuous along an edge of each, on all spans of the
+/// knots of both: the domain of one edge as a whole corresponds to that of the other, in the direction that gives the smaller
+/// gap. See the function for `Edge_rows`.
 /// \throws Error `wrong_number_of_points` when the rows do not fit the knots, `not_finite`
 template <class FT> Edge_deviation deviation(const Spline_edge_rows<FT>& a, const Spline_edge_rows<FT>& b) {
   typedef typename Exact_field<FT>::type Field;
   return internal::edge_deviation<Field>(internal::edge_pieces<Field>(a), internal::edge_pieces<Field>(b));
+}
+
+/// \ingroup PkgGeometricContinuitySurfaces
+/// Encloses how far two surfaces are from being continuous along an edge of each: guaranteed enclosures of the largest
+/// distance of the edges, whose domains correspond as a whole in the direction that makes it smaller, and of the largest angle
+/// of the normals. Exact up to the last rounding, with every kernel.
+/// \tparam Surface_a, Surface_b `Bezier_patch` or `Bspline_surface`, in any combination, with one traits class
+/// \throws Error `dimension_mismatch` unless in dimension 3
+template <class Surface_a, class Surface_b>
+Edge_deviation deviation(const Surface_a& a, Patch_edge edge_a, const Surface_b& b, Patch_edge edge_b) {
+  internal::require_space(a, "deviation");
+  internal::require_space(b, "deviation");
+  return internal::edge_deviation<Edge_field<typename Surface_a::Traits>>(internal::edge_pieces(a, edge_a),
+                                                                          internal::edge_pieces(b, edge_b));
 }
 
 } // namespace Geometric_continuity

@@ -5,7 +5,7 @@
 #ifndef CGAL_GEOMETRIC_CONTINUITY_EDGES_KNOT_LINE_CONTINUITY_H
 #define CGAL_GEOMETRIC_CONTINUITY_EDGES_KNOT_LINE_CONTINUITY_H
 
-#include <CGAL/Geometric_continuity/edges/bspline_edge_continuity.h>
+#include <CGAL/Geometric_continuity/edges/edge_continuity.h>
 #include <CGAL/Geometric_continuity/numbers/internal/checked_conversion.h>
 
 #include <ostream>
@@ -19,7 +19,7 @@ namespace Geometric_continuity {
 /// surface along it.
 /// \tparam FT the field in which it was decided
 template <class FT> struct Knot_line {
-  bool constant_u;  ///< the knot is one of `u`, and the line is run through by `v`; otherwise the reverse
+  bool constant_u;  ///< the knot is one of `u`, and `v` varies on the line; otherwise the reverse
   FT knot;          ///< the constant parameter
   int multiplicity; ///< of the knot
   /// The first surface is the part at smaller parameters, the second the part at larger ones. Parameters are those along the
@@ -34,27 +34,30 @@ template <class FT> struct Knot_line {
 
 namespace internal {
 
+template <class Traits>
+const Knot_vector<typename Traits::FT>& knots_across(const Bspline_surface<Traits>& s, Parameter_line line) {
+  return line == Parameter_line::along_u ? s.knots_v() : s.knots_u();
+}
+
 // The rows of the surface on one side of a knot line, along it.
 template <class Traits>
-Spline_edge_rows<Edge_field<Traits>> knot_line_rows(const Bspline_surface<Traits>& s, bool constant_u,
-                                                    const typename Traits::FT& knot, bool from_below) {
+Spline_edge_rows<Edge_field<Traits>> knot_line_rows(const Bspline_surface<Traits>& s, Parameter_line line,
+                                                    const typename Traits::FT& knot, Line_side side) {
   typedef Edge_field<Traits> Field;
-  return {knots_over<Field>(constant_u ? s.knots_v() : s.knots_u()),
-          edge_rows_in_space<Field>(
-              s.template rows_at<Field>(constant_u ? Parameter_line::along_v : Parameter_line::along_u, knot,
-                                        from_below ? Line_side::smaller_parameters : Line_side::larger_parameters, 2))};
+  return {knots_over<Field>(line == Parameter_line::along_u ? s.knots_u() : s.knots_v()),
+          edge_rows_in_space<Field>(s.template rows_at<Field>(line, knot, side, 2))};
 }
 
 template <class Traits>
-void add_knot_lines(const Bspline_surface<Traits>& s, bool constant_u,
+void add_knot_lines(const Bspline_surface<Traits>& s, Parameter_line line,
                     std::vector<Knot_line<Edge_field<Traits>>>& lines) {
   typedef Edge_field<Traits> Field;
-  const Knot_vector<typename Traits::FT>& across = constant_u ? s.knots_u() : s.knots_v();
+  const Knot_vector<typename Traits::FT>& across = knots_across(s, line);
   for (const auto& knot : across.inner_knots()) {
     if (knot.multiplicity <= across.degree() - 2) continue; // twice continuously differentiable
-    lines.push_back({constant_u, to_field<Field>(knot.value), knot.multiplicity,
-                     continuity_at_same_parameters(knot_line_rows(s, constant_u, knot.value, true),
-                                                   knot_line_rows(s, constant_u, knot.value, false))});
+    lines.push_back({line == Parameter_line::along_v, to_field<Field>(knot.value), knot.multiplicity,
+                     continuity_at_same_parameters(knot_line_rows(s, line, knot.value, Line_side::smaller_parameters),
+                                                   knot_line_rows(s, line, knot.value, Line_side::larger_parameters))});
   }
 }
 
@@ -66,13 +69,14 @@ void add_knot_lines(const Bspline_surface<Traits>& s, bool constant_u,
 /// greater than degree - 2, first those of `u` and then those of `v`. As for edges, nothing is sampled, a knot with
 /// multiplicity degree can be \f$ G^2 \f$, and points where the normal vanishes are reported.
 ///
-/// Linear in the number of control points of the lines. \throws Error `dimension_mismatch` unless in dimension 3
+/// Linear in the number of control points of the lines.
+/// \throws Error `dimension_mismatch` unless in dimension 3
 template <class Traits>
 std::vector<Knot_line<Edge_field<Traits>>> knot_line_continuity(const Bspline_surface<Traits>& surface) {
   internal::require_space(surface, "knot_line_continuity");
   std::vector<Knot_line<Edge_field<Traits>>> lines;
-  internal::add_knot_lines(surface, true, lines);
-  internal::add_knot_lines(surface, false, lines);
+  internal::add_knot_lines(surface, Parameter_line::along_v, lines);
+  internal::add_knot_lines(surface, Parameter_line::along_u, lines);
   return lines;
 }
 

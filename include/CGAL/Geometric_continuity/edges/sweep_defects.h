@@ -8,7 +8,7 @@
 #include <CGAL/Geometric_continuity/algebra/Homogeneous_polynomial.h>
 #include <CGAL/Geometric_continuity/algebra/isolate_roots.h>
 #include <CGAL/Geometric_continuity/curves/Bezier_curve.h>
-#include <CGAL/Geometric_continuity/edges/patch_continuity.h>
+#include <CGAL/Geometric_continuity/edges/Edge_rows.h>
 #include <CGAL/Geometric_continuity/numbers/internal/Common_denominator.h>
 #include <CGAL/Geometric_continuity/numbers/internal/checked_conversion.h>
 #include <CGAL/Geometric_continuity/surfaces/Extrusion_surface_3.h>
@@ -42,7 +42,7 @@ template <class FT> struct Sweep_defect {
 };
 
 /// \ingroup PkgGeometricContinuitySurfaces
-/// All parameters of a profile at which the normal of its swept surface vanishes.
+/// Lists all parameters of a profile at which the normal of its swept surface vanishes.
 template <class FT> struct Sweep_defects {
   /// The normal vanishes everywhere: the profile is a point, lies on the axis, or is straight in the direction of extrusion.
   bool degenerate = false;
@@ -155,7 +155,7 @@ private:
 } // namespace internal
 
 /// \ingroup PkgGeometricContinuitySurfaces
-/// The parameters at which the normal \f$ c' \times w \f$ of the extrusion of a Bézier curve vanishes. They are the common
+/// Finds the parameters at which the normal \f$ c' \times w \f$ of the extrusion of a Bézier curve vanishes. They are the common
 /// roots of its coordinates, found exactly and with every kernel: the control points are taken as they are given. The
 /// intervals have at most 1/1024 of the length of the domain.
 ///
@@ -170,8 +170,9 @@ Sweep_defects<Edge_field<Traits>> sweep_defects(const Extrusion_surface_3<Bezier
 }
 
 /// \ingroup PkgGeometricContinuitySurfaces
-/// The same for the normal \f$ c' \times (w \times (c - a)) \f$ of the surface of revolution of a Bézier curve. It vanishes at
-/// these parameters for all angles, and at no others.
+/// Finds the parameters at which the normal \f$ c' \times (w \times (c - a)) \f$ of the surface of revolution of a Bézier curve
+/// vanishes: at these parameters for all angles, and at no others. They are found exactly and with every kernel, in intervals
+/// of at most 1/1024 of the length of the domain, as for an extrusion.
 /// \throws Error `dimension_mismatch` unless the profile is in dimension 3
 template <class Traits, int Degree>
 Sweep_defects<Edge_field<Traits>> sweep_defects(const Revolution_surface_3<Bezier_curve<Traits, Degree>>& s) {
@@ -181,7 +182,7 @@ Sweep_defects<Edge_field<Traits>> sweep_defects(const Revolution_surface_3<Bezie
 }
 
 /// \ingroup PkgGeometricContinuitySurfaces
-/// The signed distance of a profile from the axis, times a positive constant, as a polynomial on [0, 1], for a profile that
+/// Returns the signed distance of a profile from the axis, times a positive constant, as a polynomial on [0, 1], for a profile that
 /// lies in a plane through the axis; otherwise empty. Its first coefficient that is not zero is positive. Where it changes
 /// its sign the profile crosses the axis, and the normal of the surface flips. Decided exactly, with every kernel; its
 /// signs are found by `sign_pattern()`.

@@ -6,12 +6,14 @@
 #define CGAL_GEOMETRIC_CONTINUITY_EDGES_SWEPT_CONTINUITY_H
 
 #include <CGAL/Geometric_continuity/edges/edge_continuity.h>
-#include <CGAL/Geometric_continuity/edges/patch_continuity.h>
 #include <CGAL/Geometric_continuity/joins/join_continuity.h>
 #include <CGAL/Geometric_continuity/surfaces/internal/sweep_input.h>
 
 #include <type_traits>
 #include <vector>
+
+/// \file swept_continuity.h
+/// The continuity of surfaces that two profiles sweep, along the line swept by the point in which the profiles join.
 
 namespace CGAL {
 namespace Geometric_continuity {
@@ -45,57 +47,43 @@ private:
   }
 };
 
-// The second-order conditions of Edge_conditions at one point of a common edge, from the derivatives C', C'' of the edge and
-// T = S_v, T' = S_uv, W = S_vv of both sides.
-template <class Field> struct Point_of_edge {
-  typedef Coordinate_vector<Field, 3> Vector;
-  Vector c1, c2, t[2], t1, w[2]; // t1 is T' of the first side
+// The derivatives C', C'' of a common edge and T = S_v, T' = S_uv, W = S_vv of both sides at one point, in a ring, as
+// polynomials that are constant: what Edge_decision reads of Edge_sides, for an edge whose points are all alike.
+template <class Field> class Point_of_edge {
+  typedef Coordinate_vector<Field, 3> Column;
+  typedef typename Edge_sides<Field>::Polynomial Polynomial;
+  typedef typename Edge_sides<Field>::Vector Vector;
 
-  // The decision for all points of the edge, if all are alike.
-  Edge_continuity<Field> operator()() const {
-    Edge_continuity<Field> edge;
-    edge.g_order = 0;
-    const Vector n1 = cross_product(c1, t[0]), n2 = cross_product(c1, t[1]);
-    const Field det = dot(n1, t[1]), side = dot(n1, n2);
-    edge.collapsed = is_zero(c1);
-    edge.coplanar = det == Field(0);
-    Sign_set sign;
-    sign.add(internal::sign_of(side));
-    edge.side = sign.pattern();
-    edge.normal_vanishes = is_zero(n1) || is_zero(n2);
-    if (edge.collapsed) {
-      edge.defect = Edge_defect::collapsed;
-      return edge;
+  Common_denominator<Field> denominator_;
+  Vector c1_, c2_, t1_;
+
+public:
+  Vector t[2], w[2];
+
+  Point_of_edge(const Column& c1, const Column& c2, const Column (&cross)[2], const Column& mixed,
+                const Column (&second_cross)[2]) {
+    for (const Column* x : {&c1, &c2, &cross[0], &cross[1], &mixed, &second_cross[0], &second_cross[1]})
+      for (const Field& y : *x) denominator_.include(y);
+    c1_ = constant(c1);
+    c2_ = constant(c2);
+    t1_ = constant(mixed);
+    for (int side = 0; side < 2; ++side) {
+      t[side] = constant(cross[side]);
+      w[side] = constant(second_cross[side]);
     }
-    if (edge.normal_vanishes) {
-      edge.vanishing = std::pair<Field, Field>(Field(0), Field(1));
-      edge.defect = Edge_defect::vanishing_normal;
-      return edge;
-    }
-    edge.defect = !edge.coplanar ? Edge_defect::crease : Field(0) < side ? Edge_defect::fold : Edge_defect::curvature;
-    const Field square = det * det * dot(c1, c1) / (dot(n1, n1) * dot(n2, n2)); // sin^2 of the angle of the normals
-    const Field measure = Field(0) < side ? Field(Field(2) - square) : square;
-    edge.deviation = Normal_deviation<Field>{measure, measure, Field(0), Field(1)};
-    if (edge.defect == Edge_defect::curvature) {
-      edge.g_order = 1;
-      if (second_order(n1, n2)) {
-        edge.g_order = 2;
-        edge.defect = Edge_defect::none;
-      }
-    }
-    return edge;
   }
 
+  bool collapsed() const { return Edge_sides<Field>::is_zero(c1_); }
+  const Vector& first_derivative() const { return c1_; }
+  const Vector& second_derivative() const { return c2_; }
+  const Vector& mixed_derivative() const { return t1_; }
+
 private:
-  // N_i^2 (N . W2) = n3_i^2 (N . C'') + 2 n3_i n2_i (N . T1') + n2_i^2 (N . W1), N = n1, n3 = T2 x T1, for one N_i != 0
-  bool second_order(const Vector& n1, const Vector& n2) const {
-    const Vector n3 = cross_product(t[1], t[0]);
-    int i = 0;
-    while (n1[i] == Field(0)) ++i;
-    const Field left = n1[i] * n1[i] * dot(n1, w[1]);
-    const Field right =
-        n3[i] * n3[i] * dot(n1, c2) + Field(2) * n3[i] * n2[i] * dot(n1, t1) + n2[i] * n2[i] * dot(n1, w[0]);
-    return left == right;
+  Vector constant(const Column& x) const {
+    const auto number = [&](int i) {
+      return Polynomial(std::vector<typename Polynomial::NT>(1, denominator_.numerator(x[i])));
+    };
+    return {number(0), number(1), number(2)};
   }
 };
 
@@ -170,8 +158,14 @@ Edge_continuity<Edge_field<typename Left::Traits>> revolution_continuity(const L
     }
   }
   const Vector inwards = Field(-1) * join.left[1];
-  return internal::Point_of_edge<Field>{
-      m, cross_product(w, m), {inwards, join.right[1]}, cross_product(w, inwards), {join.left[2], join.right[2]}}();
+  const internal::Point_of_edge<Field> point(m, cross_product(w, m), {inwards, join.right[1]},
+                                             cross_product(w, inwards), {join.left[2], join.right[2]});
+  Edge_continuity<Field> edge = internal::Edge_decision<Field>()(point);
+  if (edge.deviation) {
+    edge.deviation->begin = Field(0);
+    edge.deviation->end = Field(1);
+  }
+  return edge;
 }
 
 } // namespace Geometric_continuity

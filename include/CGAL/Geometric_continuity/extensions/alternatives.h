@@ -9,8 +9,9 @@
 #include <CGAL/Geometric_continuity/extensions/internal/Polygon_end.h>
 #include <CGAL/Geometric_continuity/numbers/internal/checked_conversion.h>
 
+#include <array>
 #include <optional>
-#include <vector>
+#include <utility>
 
 /// \file alternatives.h
 /// All choices for the first points of a Bézier polygon that continues another one of the same degree `m`.
@@ -36,18 +37,18 @@ public:
 
   /// From the last points \f$ b_{-1}, b_0 \f$ of a polygon of degree `m`.
   /// \throws Error `wrong_number_of_points` when `m < 1`, `nonpositive_beta` unless `beta > 0`, `dimension_mismatch`,
-  ///   `zero_tangent` when \f$ p = 0 \f$
+  ///   `zero_tangent` when \f$ p = 0 \f$, `not_finite` for an infinite or undefined floating-point number
   Tangent_alternative(const std::array<Point, 2>& last_points, int m, const FT& beta = FT(1))
       : Base(last_points, m, beta, "tangent_alternative") {}
 
-  using Base::beta;   ///< The ratio \f$ \beta \f$.
-  using Base::degree; ///< The degree `m` of both polygons.
+  using Base::beta;   ///< returns the ratio \f$ \beta \f$
+  using Base::degree; ///< returns the degree `m` of both polygons
 
-  /// \f$ b_1 \f$. \throws Error `not_finite` when it overflows the number type
+  /// Returns \f$ b_1 \f$. \throws Error `not_finite` when it overflows the number type
   Point point() const { return this->to_point(this->b(0) + beta() * this->p()); }
 
-  /// The ratio \f$ \beta > 0 \f$ of the tangent alternative of this polygon (of whatever ratio) that is `b1`; empty if none is.
-  /// Decided exactly where predicates are exact. \throws Error `dimension_mismatch`
+  /// Returns the ratio \f$ \beta > 0 \f$ of the tangent alternative of this polygon (of whatever ratio) that is `b1`; empty if
+  /// none is. Decided exactly where predicates are exact. \throws Error `dimension_mismatch`, `not_finite`
   std::optional<Field> ratio_of(const Point& b1) const {
     const std::optional<Field> ratio =
         internal::coefficient<Field>(this->in_field(b1) - this->template b<Field>(0), this->template p<Field>());
@@ -70,38 +71,41 @@ public:
 
   /// From the last points \f$ b_{-2}, b_{-1}, b_0 \f$ of a polygon of degree `m`.
   /// \throws Error `wrong_number_of_points` when `m < 2`, `nonpositive_beta` unless `beta > 0`, `dimension_mismatch`,
-  ///   `zero_tangent` when \f$ p = 0 \f$
+  ///   `zero_tangent` when \f$ p = 0 \f$, `not_finite` for an infinite or undefined floating-point number
   Curvature_alternatives(const std::array<Point, 3>& last_points, int m, const FT& beta = FT(1))
       : Base(last_points, m, beta, "curvature_alternatives") {}
 
-  using Base::beta;   ///< The ratio \f$ \beta \f$.
-  using Base::degree; ///< The degree `m` of both polygons.
+  using Base::beta;   ///< returns the ratio \f$ \beta \f$
+  using Base::degree; ///< returns the degree `m` of both polygons
 
-  /// The member with \f$ C_0 = 0 \f$ and the direction \f$ p \f$ of the line.
+  /// Returns the member with \f$ C_0 = 0 \f$. \throws Error `not_finite` when it overflows the number type
   Point base_point() const { return this->to_point(base()); }
+  /// Returns the direction \f$ p \f$ of the line.
   Vector direction() const { return Geometric_continuity::to_vector<Traits>(this->p()); }
 
-  /// The member \f$ b_2 \f$ with this \f$ C_0 \f$. \throws Error `not_finite` when it overflows the number type
+  /// Returns the member \f$ b_2 \f$ with this \f$ C_0 \f$. \throws Error `not_finite` when it overflows the number type
   Point point_at(const FT& c0) const { return this->to_point(base() + c0 * this->p()); }
 
-  /// The \f$ C_0 \f$ of a point, empty if it is not on the line. Decided exactly where predicates are exact.
-  /// \throws Error `dimension_mismatch`
+  /// Returns the \f$ C_0 \f$ of a point, empty if it is not on the line. Decided exactly where predicates are exact.
+  /// \throws Error `dimension_mismatch`, `not_finite`
   std::optional<Field> parameter_of(const Point& b2) const {
     return internal::coefficient<Field>(this->in_field(b2) - base<Field>(), this->template p<Field>());
   }
 
-  /// The \f$ C_0 \f$ of the member nearest to a point: orthogonal projection. \throws Error `dimension_mismatch`
+  /// Returns the \f$ C_0 \f$ of the member nearest to a point: orthogonal projection.
+  /// \throws Error `dimension_mismatch`, `not_finite`
   FT nearest_parameter(const Point& wished) const { return nearest(this->coordinates(wished)); }
 
-  /// \f$ C_0 = 2\beta^2 + 2\beta \f$, the \f$ C^2 \f$ member when \f$ \beta \f$ is the ratio of the parameter intervals.
+  /// Returns \f$ C_0 = 2\beta^2 + 2\beta \f$, which chooses the \f$ C^2 \f$ member when \f$ \beta \f$ is the ratio of the parameter intervals.
   FT ck_parameter() const { return ck_parameters<FT>(beta()).c0; }
 
-  /// \f$ \beta_2 \f$ of the join in unit intervals: \f$ Y'' = \beta^2 X'' + \beta_2 X' \f$.
-  FT beta2(const FT& c0) const { return connection_beta2<FT>(degree(), beta(), c0); }
+  /// Returns \f$ \beta_2 \f$ of the join in unit intervals: \f$ Y'' = \beta^2 X'' + \beta_2 X' \f$.
+  /// \throws Error `not_finite` when it overflows the number type
+  FT beta2(const FT& c0) const { return this->finite(connection_beta2<FT>(degree(), beta(), c0)); }
 
-  /// The \f$ C_0 \f$ for which the next segment with the given points \f$ b_3, \dots, b_m \f$ has the least energy
+  /// Returns the \f$ C_0 \f$ for which the next segment with the given points \f$ b_3, \dots, b_m \f$ has the least energy
   /// \f$ \int |\gamma''|^2 \f$, on whatever interval. \f$ O(m^3) \f$
-  /// \throws Error `wrong_number_of_points` unless `m - 2` points are given, `dimension_mismatch`
+  /// \throws Error `wrong_number_of_points` unless `m - 2` points are given, `dimension_mismatch`, `not_finite`
   template <class InputIterator> FT least_energy_parameter(InputIterator first, InputIterator last) const {
     return nearest(this->least_energy_point({this->b(0), this->b(0) + beta() * this->p()}, first, last));
   }
@@ -119,10 +123,14 @@ private:
 /// \ingroup PkgGeometricContinuityConstruction
 /// The scalars of one member of `Torsion_alternatives`.
 template <class FT> struct Torsion_parameters {
-  FT c1, c2;
+  FT c1; ///< \f$ C_1 \f$
+  FT c2; ///< \f$ C_2 \f$
+
+  /// Returns whether both scalars are equal.
   friend bool operator==(const Torsion_parameters& x, const Torsion_parameters& y) {
     return x.c1 == y.c1 && x.c2 == y.c2;
   }
+  /// Returns whether a scalar differs.
   friend bool operator!=(const Torsion_parameters& x, const Torsion_parameters& y) { return !(x == y); }
 };
 
@@ -146,31 +154,33 @@ public:
 
   /// From the last points \f$ b_{-3}, \dots, b_0 \f$ of a polygon of degree `m`, and the \f$ C_0 \f$ of \f$ b_2 \f$.
   /// \throws Error `wrong_number_of_points` when `m < 3`, `nonpositive_beta` unless `beta > 0`, `dimension_mismatch`,
-  ///   `zero_tangent` when \f$ p = 0 \f$
+  ///   `zero_tangent` when \f$ p = 0 \f$, `not_finite` for an infinite or undefined floating-point number
   Torsion_alternatives(const std::array<Point, 4>& last_points, int m, const FT& c0, const FT& beta = FT(1))
-      : Base(last_points, m, beta, "torsion_alternatives"), c0_(c0) {}
+      : Base(last_points, m, beta, "torsion_alternatives"), c0_(this->finite(c0)) {}
 
-  using Base::beta;   ///< The ratio \f$ \beta \f$.
-  using Base::degree; ///< The degree `m` of both polygons.
-  const FT& c0() const { return c0_; }
+  using Base::beta;                    ///< returns the ratio \f$ \beta \f$
+  using Base::degree;                  ///< returns the degree `m` of both polygons
+  const FT& c0() const { return c0_; } ///< returns the \f$ C_0 \f$ of \f$ b_2 \f$
 
-  /// The member with \f$ C_1 = C_2 = 0 \f$ and the directions \f$ p, r \f$ of the plane.
+  /// Returns the member with \f$ C_1 = C_2 = 0 \f$. \throws Error `not_finite` when it overflows the number type
   Point base_point() const { return this->to_point(base()); }
+  /// Returns the directions \f$ p, r \f$ of the plane.
   std::pair<Vector, Vector> directions() const {
     return {Geometric_continuity::to_vector<Traits>(this->p()), Geometric_continuity::to_vector<Traits>(this->r())};
   }
 
-  /// Whether the curvature is zero, so that the members form a line only. Exact where predicates are exact.
+  /// Decides whether the curvature is zero, so that the members form a line only. Exact where predicates are exact.
   bool is_line() const {
     return internal::coefficient<Field>(this->template r<Field>(), this->template p<Field>()).has_value();
   }
 
-  /// The member \f$ b_3 \f$ with these scalars. \throws Error `not_finite` when it overflows the number type
+  /// Returns the member \f$ b_3 \f$ with these scalars. \throws Error `not_finite` when it overflows the number type
   Point point_at(const Torsion_parameters<FT>& x) const {
     return this->to_point(base() + x.c1 * this->p() + x.c2 * this->r());
   }
 
-  /// Whether a point is a member. Exact where predicates are exact. \throws Error `dimension_mismatch`
+  /// Decides whether a point is a member. Exact where predicates are exact.
+  /// \throws Error `dimension_mismatch`, `not_finite`
   bool contains(const Point& b3) const {
     const typename Base::template Coordinates_over<Field> v = this->in_field(b3) - base<Field>(),
                                                           p = this->template p<Field>();
@@ -178,8 +188,8 @@ public:
                      : internal::coefficients<Field>(v, p, this->template r<Field>()).has_value();
   }
 
-  /// The scalars of a point, empty if it is not in the plane. Decided exactly where predicates are exact.
-  /// \throws Error `dimension_mismatch`; `singular_frame` where the curvature is zero
+  /// Returns the scalars of a point, empty if it is not in the plane. Decided exactly where predicates are exact.
+  /// \throws Error `dimension_mismatch`, `not_finite`; `singular_frame` where the curvature is zero
   std::optional<Torsion_parameters<Field>> parameters_of(const Point& b3) const {
     if (is_line())
       throw Error(Error_code::singular_frame,
@@ -190,30 +200,35 @@ public:
     return Torsion_parameters<Field>{c->first, c->second};
   }
 
-  /// The scalars of the member nearest to a point: orthogonal projection. \throws Error `dimension_mismatch`
+  /// Returns the scalars of the member nearest to a point: orthogonal projection.
+  /// \throws Error `dimension_mismatch`, `not_finite`
   Torsion_parameters<FT> nearest_parameters(const Point& wished) const { return nearest(this->coordinates(wished)); }
 
-  /// \f$ C_1 = \beta^3 + 3\beta^2 + 3\beta \f$ and \f$ C_2 = 2\beta^3 + 3\beta^2 \f$: with the \f$ C^2 \f$ choice of
-  /// \f$ C_0 \f$, the \f$ C^3 \f$ member when \f$ \beta \f$ is the ratio of the parameter intervals.
+  /// Returns \f$ C_1 = \beta^3 + 3\beta^2 + 3\beta \f$ and \f$ C_2 = 2\beta^3 + 3\beta^2 \f$: with the \f$ C^2 \f$ choice of
+  /// \f$ C_0 \f$ they choose the \f$ C^3 \f$ member when \f$ \beta \f$ is the ratio of the parameter intervals.
   Torsion_parameters<FT> ck_parameters() const {
     const Alternative_parameters<FT> c = Geometric_continuity::ck_parameters<FT>(beta());
     return {c.c1, c.c2};
   }
 
-  /// The \f$ G^3 \f$ member with this \f$ \beta_3 \f$ (in unit intervals). There is one for each.
+  /// Returns the scalars of the \f$ G^3 \f$ member with this \f$ \beta_3 \f$ (in unit intervals). There is one for each.
+  /// \throws Error `not_finite` when they overflow the number type
   Torsion_parameters<FT> g3_parameters(const FT& beta3 = FT(0)) const {
     const FT c2 = g3_c2<FT>(degree(), beta(), c0_);
-    return {connection_c1<FT>(degree(), beta(), c0_, c2, beta3), c2};
+    return {this->finite(connection_c1<FT>(degree(), beta(), c0_, c2, beta3)), this->finite(c2)};
   }
 
-  /// \f$ \beta, \beta_2, \mu, \delta \f$ of the join with this member, in unit intervals.
+  /// Returns \f$ \beta, \beta_2, \mu, \delta \f$ of the join with this member, in unit intervals.
+  /// \throws Error `not_finite` when one of them overflows the number type
   Connection_coefficients<FT> connection(const Torsion_parameters<FT>& x) const {
-    return connection_coefficients<FT>(degree(), beta(), {c0_, x.c1, x.c2});
+    const Connection_coefficients<FT> c = connection_coefficients<FT>(degree(), beta(), {c0_, x.c1, x.c2});
+    for (const FT& coefficient : {c.beta2, c.mu, c.delta}) this->finite(coefficient);
+    return c;
   }
 
-  /// The scalars for which the next segment with the given points \f$ b_4, \dots, b_m \f$ has the least energy
+  /// Returns the scalars for which the next segment with the given points \f$ b_4, \dots, b_m \f$ has the least energy
   /// \f$ \int |\gamma''|^2 \f$, on whatever interval. \f$ O(m^3) \f$
-  /// \throws Error `wrong_number_of_points` unless `m - 3` points are given, `dimension_mismatch`
+  /// \throws Error `wrong_number_of_points` unless `m - 3` points are given, `dimension_mismatch`, `not_finite`
   template <class InputIterator>
   Torsion_parameters<FT> least_energy_parameters(InputIterator first, InputIterator last) const {
     const typename Base::Coordinates b0 = this->b(0), p = this->p(); // b_2 = b_0 + beta^2 (r - p) + C_0 p
@@ -239,8 +254,8 @@ private:
 };
 
 /// \ingroup PkgGeometricContinuityConstruction
-/// The second point of the segments that continue `left` with a continuous tangent.
-/// \throws Error like the constructor of the class
+/// Returns the second point of the segments that continue `left` with a continuous tangent, as an object.
+/// \throws Error like the constructor of `Tangent_alternative`
 template <class Traits, int Degree>
 Tangent_alternative<Traits> tangent_alternative(const Bezier_curve<Traits, Degree>& left,
                                                 const typename Traits::FT& beta = typename Traits::FT(1)) {
@@ -248,8 +263,8 @@ Tangent_alternative<Traits> tangent_alternative(const Bezier_curve<Traits, Degre
 }
 
 /// \ingroup PkgGeometricContinuityConstruction
-/// The line of third points of the segments that continue `left` with a continuous curvature vector.
-/// \throws Error like the constructor of the class
+/// Returns the line of third points of the segments that continue `left` with a continuous curvature vector.
+/// \throws Error like the constructor of `Curvature_alternatives`
 template <class Traits, int Degree>
 Curvature_alternatives<Traits> curvature_alternatives(const Bezier_curve<Traits, Degree>& left,
                                                       const typename Traits::FT& beta = typename Traits::FT(1)) {
@@ -257,8 +272,8 @@ Curvature_alternatives<Traits> curvature_alternatives(const Bezier_curve<Traits,
 }
 
 /// \ingroup PkgGeometricContinuityConstruction
-/// The plane of fourth points of the segments that continue `left` with continuous torsion, when \f$ b_2 \f$ has been chosen
-/// by \f$ C_0 \f$. \throws Error like the constructor of the class
+/// Returns the plane of fourth points of the segments that continue `left` with continuous torsion, when \f$ b_2 \f$ has been
+/// chosen by \f$ C_0 \f$. \throws Error like the constructor of `Torsion_alternatives`
 template <class Traits, int Degree>
 Torsion_alternatives<Traits> torsion_alternatives(const Bezier_curve<Traits, Degree>& left,
                                                   const typename Traits::FT& c0,

@@ -5,37 +5,66 @@
 #ifndef CGAL_GEOMETRIC_CONTINUITY_EXTENSIONS_EXTEND_H
 #define CGAL_GEOMETRIC_CONTINUITY_EXTENSIONS_EXTEND_H
 
-#include <CGAL/Geometric_continuity/algebra/internal/solve_positive_definite.h>
-#include <CGAL/Geometric_continuity/blends/blend.h>
+#include <CGAL/Geometric_continuity/curves/Bspline_curve.h>
+#include <CGAL/Geometric_continuity/curves/Composite_bezier_curve.h>
 #include <CGAL/Geometric_continuity/curves/end_control_points.h>
 #include <CGAL/Geometric_continuity/extensions/alternatives.h>
 #include <CGAL/Geometric_continuity/numbers/internal/checked_conversion.h>
 
 #include <algorithm>
-#include <cstddef>
 #include <optional>
+#include <type_traits>
 #include <utility>
 #include <vector>
+
+/// \file extend.h
+/// The next segment behind a curve, with chosen members of Hagen's families of alternatives (see `alternatives.h`). Of a Bézier
+/// curve the segment is returned; a segmented curve and a B-spline curve are returned with the segment.
 
 namespace CGAL {
 namespace Geometric_continuity {
 
 /// \ingroup PkgGeometricContinuityConstruction
-/// What a join shall keep continuous, each with all before it: \f$ F^1 \f$, \f$ F^2 \f$, \f$ F^3 \f$.
+/// What a join keeps continuous, each with all before it: \f$ F^1 \f$, \f$ F^2 \f$, \f$ F^3 \f$.
 enum class Frenet_order {
   tangent = 1,   ///< the direction of the tangent
   curvature = 2, ///< the curvature vector
   torsion = 3    ///< the Frenet frame, the curvature and the torsion
 };
 
+namespace internal {
+
+// A number that a caller may leave out, see Given_number.
+template <class FT> struct Given_optional_number {
+  std::optional<FT> value;
+
+  Given_optional_number() = default;
+  Given_optional_number(std::nullopt_t) {}
+  Given_optional_number(std::optional<FT> x) : value(std::move(x)) {}
+  template <class T, class = std::enable_if_t<!std::is_same_v<std::decay_t<T>, std::optional<FT>> &&
+                                              std::is_constructible_v<FT, T&&>>>
+  Given_optional_number(T&& x) : value(Given_number<FT>(std::forward<T>(x)).value) {}
+};
+
+} // namespace internal
+
 /// \ingroup PkgGeometricContinuityConstruction
 /// The ratio and the members of the families of alternatives that a next segment takes. What is not given is that of the
 /// smoothest join: \f$ C_0 \f$ of the \f$ C^2 \f$ member, \f$ C_2 \f$ of the \f$ G^3 \f$ member and \f$ C_1 \f$ with
 /// \f$ \delta = 0 \f$.
 template <class FT> struct Extension_parameters {
-  FT beta = FT(1);          ///< the length of the domain of the next segment, that of the last one being 1
-  std::optional<FT> c0;     ///< chooses \f$ b_2 \f$, see `Curvature_alternatives`
-  std::optional<FT> c1, c2; ///< choose \f$ b_3 \f$, see `Torsion_alternatives`
+  FT beta = FT(1);      ///< the length of the domain of the next segment, that of the last one being 1
+  std::optional<FT> c0; ///< \f$ C_0 \f$, which chooses \f$ b_2 \f$, see `Curvature_alternatives`
+  std::optional<FT> c1; ///< \f$ C_1 \f$, which chooses \f$ b_3 \f$ together with `c2`, see `Torsion_alternatives`
+  std::optional<FT> c2; ///< \f$ C_2 \f$, which chooses \f$ b_3 \f$ together with `c1`, see `Torsion_alternatives`
+
+  /// Sets \f$ \beta = 1 \f$ and gives none of the others.
+  Extension_parameters() = default;
+  /// Takes numbers of any type from which `FT` can be made; what is `{}` or `std::nullopt` is not given.
+  /// \throws Error `not_finite` when a floating-point number that is converted is infinite or not a number
+  Extension_parameters(internal::Given_number<FT> beta, internal::Given_optional_number<FT> c0 = {},
+                       internal::Given_optional_number<FT> c1 = {}, internal::Given_optional_number<FT> c2 = {})
+      : beta(std::move(beta.value)), c0(std::move(c0.value)), c1(std::move(c1.value)), c2(std::move(c2.value)) {}
 };
 
 namespace internal {
@@ -72,43 +101,17 @@ Bezier_curve<Traits, Degree> next_segment(const Bezier_curve<Traits, Degree>& le
   return {points.begin(), points.end(), domain.second, FT(domain.second + beta * (domain.second - domain.first))};
 }
 
-// One degree of freedom of a polygon: the point b_index may move along a direction.
-template <class Vector> struct Freedom {
-  int index;
-  Vector direction;
-};
-
-// Moves the points of the polygon b along the given directions so that the integral of |gamma''|^2 becomes least.
-// \pre b_0 and b_1 do not move, and the directions of one point are independent
-template <class FT, int N>
-void minimize_energy(std::vector<Coordinate_vector<FT, N>>& b,
-                     const std::vector<Freedom<Coordinate_vector<FT, N>>>& free) {
-  const int m = static_cast<int>(b.size()) - 1;
-  std::vector<std::vector<FT>> products(m + 1, std::vector<FT>(m + 1)), a(free.size());
-  for (int i = 2; i <= m; ++i)
-    for (int j = 0; j <= m; ++j) products[i][j] = second_derivative_product<FT>(m, i, j);
-  std::vector<FT> rhs;
-  for (std::size_t k = 0; k < free.size(); ++k) {
-    const std::vector<FT>& row = products[free[k].index];
-    for (const Freedom<Coordinate_vector<FT, N>>& other : free)
-      a[k].push_back(FT(row[other.index] * dot(free[k].direction, other.direction)));
-    FT sum(0);
-    for (int j = 0; j <= m; ++j) sum -= row[j] * dot(free[k].direction, b[j]);
-    rhs.push_back(sum);
-  }
-  const std::vector<FT> x = solve_positive_definite(std::move(a), std::move(rhs));
-  for (std::size_t k = 0; k < free.size(); ++k) b[free[k].index] += x[k] * free[k].direction;
-}
-
 } // namespace internal
 
 /// \ingroup PkgGeometricContinuityConstruction
-/// The next segment of a chain behind `left`: of the same degree `m`, on the domain \f$ [b, b + \beta (b - a)] \f$ behind
+/// Returns the next segment of a chain behind `left`: of the same degree `m`, on the domain \f$ [b, b + \beta (b - a)] \f$ behind
 /// \f$ [a, b] \f$, with the wanted continuity. Its first points are the given members of the families of alternatives; its
 /// derivatives beyond the wanted order are those of `left`. Without given parameters this is the polynomial `left` itself,
 /// continued, for every order. \f$ O(m^2) \f$
-/// \throws Error `wrong_number_of_points` when `m` is less than the order (the family does not exist), `nonpositive_beta` unless
-///   \f$ \beta > 0 \f$, `zero_tangent`, `not_finite` when the result overflows the number type
+/// \throws Error `wrong_number_of_points` when `m` is less than the order (the family does not exist)
+/// \throws Error `nonpositive_beta` unless \f$ \beta > 0 \f$
+/// \throws Error `zero_tangent` when the last two control points are equal
+/// \throws Error `not_finite` when a parameter is infinite or not a number, or the result overflows the number type
 template <class Traits, int Degree>
 Bezier_curve<Traits, Degree> extend(const Bezier_curve<Traits, Degree>& left, Frenet_order order,
                                     const Extension_parameters<typename Traits::FT>& parameters = {}) {
@@ -134,74 +137,56 @@ Bezier_curve<Traits, Degree> extend(const Bezier_curve<Traits, Degree>& left, Fr
   return internal::next_segment(left, beta, b);
 }
 
-/// \ingroup PkgGeometricContinuityConstruction
-/// The next segment of a chain behind `left` that leads to a wished point: of the same degree `m`, on the domain
-/// \f$ [b, b + \beta (b - a)] \f$ behind \f$ [a, b] \f$, with the wanted continuity `k`. When `m > k` it ends at the point; when
-/// `m == k` it ends at the nearest member of the family of alternatives. All that is free otherwise, the scalars of the
-/// families and the points between, has the least energy \f$ \int |\gamma''|^2 \f$: an exact linear system in at most
-/// `3 + n (m - k - 1)` unknowns in dimension `n`, never singular, solved by elimination.
-/// \throws Error like `extend()`, `dimension_mismatch`
-template <class Traits, int Degree>
-Bezier_curve<Traits, Degree> extend_toward(const Bezier_curve<Traits, Degree>& left, Frenet_order order,
-                                           const typename Traits::Point& wished,
-                                           const typename Traits::FT& beta = typename Traits::FT(1)) {
-  typedef typename Traits::FT FT;
-  typedef Geometric_continuity::Coordinates<Traits> Coordinates;
-  const int m = left.degree(), k = static_cast<int>(order), n = left.dimension();
-  const Tangent_alternative<Traits> tangent = tangent_alternative(left, beta);
-  const Coordinates end = Geometric_continuity::coordinates<Traits>(wished);
-  if (end.dimension() != n) throw Error(Error_code::dimension_mismatch, "extend_toward: the wished point");
+namespace internal {
 
-  std::vector<Coordinates> b{left.coordinates(m), Geometric_continuity::coordinates<Traits>(tangent.point())};
-  std::vector<internal::Freedom<Coordinates>> free;
-  if (order >= Frenet_order::curvature) {
-    const Curvature_alternatives<Traits> line = curvature_alternatives(left, beta);
-    const FT c0 = m == 2 ? line.nearest_parameter(wished) : FT(0);
-    b.push_back(Geometric_continuity::coordinates<Traits>(line.point_at(c0)));
-    if (m > 2) free.push_back({2, Geometric_continuity::coordinates<Traits>(line.direction())});
-  }
-  if (order >= Frenet_order::torsion) {
-    const Torsion_alternatives<Traits> plane = torsion_alternatives(left, FT(0), beta);
-    const Torsion_parameters<FT> c = m == 3 ? plane.nearest_parameters(wished) : Torsion_parameters<FT>{FT(0), FT(0)};
-    b.push_back(Geometric_continuity::coordinates<Traits>(plane.point_at(c)));
-    if (m > 3) free.push_back({3, Geometric_continuity::coordinates<Traits>(plane.directions().first)});
-    if (m > 3 && !plane.is_line())
-      free.push_back({3, Geometric_continuity::coordinates<Traits>(plane.directions().second)});
-  }
-  for (int j = k + 1; j < m; ++j) {
-    b.push_back(Coordinates(n));
-    for (int i = 0; i < n; ++i) {
-      Coordinates axis(n);
-      axis[i] = FT(1);
-      free.push_back({j, axis});
-    }
-  }
-  if (m > k) b.push_back(end);
-  internal::minimize_energy(b, free);
-  return internal::next_segment(left, beta, b);
+template <class Traits, int Degree>
+std::vector<Bezier_curve<Traits>> segments_of(const Composite_bezier_curve<Traits, Degree>& curve) {
+  std::vector<Bezier_curve<Traits>> segments;
+  for (int l = 0; l < curve.number_of_segments(); ++l) segments.push_back(curve.segment(l));
+  return segments;
 }
 
+} // namespace internal
+
 /// \ingroup PkgGeometricContinuityConstruction
-/// The segment on [0, 1] that leads from the end of the curve `last` back to the start of the curve `first`, with the wanted
-/// continuity at both joins: for the tangent the cubic with the end tangents \f$ \beta x' \f$ and \f$ \eta y' \f$, for the
-/// curvature the quintic blend of least \f$ \int |\gamma'''|^2 \f$, for the torsion the \f$ G^3 \f$ septic blend of least
-/// \f$ \int |\gamma^{(4)}|^2 \f$.
-/// \tparam Left, Right models of `ParametricCurve` with one traits class
-/// \throws Error like `blend()`
-template <class Left, class Right>
-Bezier_curve<typename Left::Traits> close(const Left& last, const Right& first, Frenet_order order,
-                                          const Shape_parameters<typename Left::Traits::FT>& shape = {}) {
-  typedef typename Left::Traits Traits;
-  if (order == Frenet_order::torsion) return blend(last, first, Minimal_energy_g3<4>(), shape);
-  if (order == Frenet_order::curvature) return blend(last, first, Minimal_energy<3>(), shape);
-  Curve_jet<Traits> x = last.jet(last.domain().second, 1), y = first.jet(first.domain().first, 1);
-  internal::check_blend_input(x, y, 1, shape);
-  x[1] *= shape.beta;
-  y[1] *= shape.eta;
-  std::vector<typename Traits::Point> points = start_control_points(x, 3);
-  const std::vector<typename Traits::Point> end = end_control_points(y, 3);
-  points.insert(points.end(), end.begin(), end.end());
-  return {points.begin(), points.end()};
+/// Returns the segmented curve with one more segment, which `extend()` makes from the last one. In the global parameter
+/// \f$ \beta \f$ is the ratio of the lengths of the two parameter intervals.
+/// \throws Error `wrong_number_of_points`, `nonpositive_beta`, `zero_tangent`, `not_finite` as `extend()` of a Bézier curve
+template <class Traits, int Degree>
+Composite_bezier_curve<Traits, Degree> extend(const Composite_bezier_curve<Traits, Degree>& curve, Frenet_order order,
+                                              const Extension_parameters<typename Traits::FT>& parameters = {}) {
+  std::vector<Bezier_curve<Traits>> segments = internal::segments_of(curve);
+  segments.push_back(extend(segments.back(), order, parameters));
+  return Composite_bezier_curve<Traits, Degree>(segments.begin(), segments.end());
+}
+
+namespace internal {
+
+// The curve over the knots of both, with the end of the curve repeated p times. The segment starts where the clamped curve ends.
+template <class Traits>
+Bspline_curve<Traits> with_segment(const Bspline_curve<Traits>& clamped, const Bezier_curve<Traits>& segment) {
+  typedef typename Traits::FT FT;
+  std::vector<typename Traits::Point> points(clamped.begin(), clamped.end());
+  points.insert(points.end(), segment.begin() + 1, segment.end());
+  std::vector<FT> knots(clamped.knots().begin(), clamped.knots().end() - 1);
+  knots.insert(knots.end(), clamped.degree() + 1, segment.domain().second);
+  return {points.begin(), points.end(), Knot_vector<FT>(clamped.degree(), std::move(knots))};
+}
+
+} // namespace internal
+
+/// \ingroup PkgGeometricContinuityConstruction
+/// Returns the B-spline curve with one more segment, which `extend()` makes from the Bézier curve on the last span. It is clamped; its
+/// domain \f$ [a, b] \f$ grows by \f$ \beta \f$ times the length of that span. The inner knots stay, and the join at `b` becomes a
+/// knot of multiplicity `p`, because a join with geometric continuity is in general no smoother in the parameter;
+/// `Bspline_curve::remove_superfluous_knots()` leaves those that are needed. A clamped curve keeps its control points. For
+/// the Bézier curve on the last span \f$ O(n p^3) \f$.
+/// \throws Error `wrong_number_of_points`, `nonpositive_beta`, `zero_tangent`, `not_finite` as `extend()` of a Bézier curve
+template <class Traits>
+Bspline_curve<Traits> extend(const Bspline_curve<Traits>& curve, Frenet_order order,
+                             const Extension_parameters<typename Traits::FT>& parameters = {}) {
+  const Bspline_curve<Traits> clamped = curve.clamp();
+  return internal::with_segment(clamped, extend(clamped.bezier_pieces().back(), order, parameters));
 }
 
 } // namespace Geometric_continuity

@@ -9,19 +9,26 @@
 
 #include <string>
 
+/// \file midpoint_construction.h
+/// Hagen's constructions (3.3.1) and (3.3.2), corrected, of the first points of a polygon that continues another one with a
+/// continuous curvature vector and \f$ \beta = 1 \f$, by reflections only.
+
 namespace CGAL {
 namespace Geometric_continuity {
 
 /// \ingroup PkgGeometricContinuityConstruction
-/// The reflection \f$ 2c - x \f$ of a point in a centre, which becomes the midpoint of both. With \f$ c = b_0 \f$ and
+/// Returns the reflection \f$ 2c - x \f$ of a point in a centre, which becomes the midpoint of both. With \f$ c = b_0 \f$ and
 /// \f$ x = b_{-1} \f$ this is Hagen's construction (3.3.1) of the \f$ b_1 \f$ of a continuous tangent.
-/// \throws Error `dimension_mismatch`
+/// \throws Error `dimension_mismatch`, `not_finite` when the result overflows the number type
 template <class Traits>
-typename Traits::Point reflection(const typename Traits::Point& center, const typename Traits::Point& x) {
-  const Geometric_continuity::Coordinates<Traits> c = Geometric_continuity::coordinates<Traits>(center),
-                                                  d = Geometric_continuity::coordinates<Traits>(x);
+typename Traits::Point reflection(const typename Traits::Point& centre, const typename Traits::Point& x) {
+  typedef Geometric_continuity::Coordinates<Traits> Coordinates;
+  const Coordinates c = Geometric_continuity::coordinates<Traits>(centre),
+                    d = Geometric_continuity::coordinates<Traits>(x);
   if (c.dimension() != d.dimension()) throw Error(Error_code::dimension_mismatch, "reflection");
-  return Geometric_continuity::to_point<Traits>(c + (c - d));
+  const Coordinates reflected = c + (c - d);
+  for (const typename Traits::FT& y : reflected) internal::check_finite(y, "reflection");
+  return Geometric_continuity::to_point<Traits>(reflected);
 }
 
 /// \ingroup PkgGeometricContinuityConstruction
@@ -36,21 +43,27 @@ template <class Traits> struct Midpoint_construction {
 
   Point b1; ///< \f$ b_0 \f$ is the midpoint of \f$ b_{-1}, b_1 \f$
   Point d0; ///< \f$ b_{-1} \f$ is the midpoint of \f$ b_{-2}, d_0 \f$
-  Point
-      b2_tilde; ///< \f$ \tilde b_2 \f$: \f$ b_1 \f$ is the midpoint of \f$ d_0, \tilde b_2 \f$; \f$ C_0 = 4 \f$, the \f$ C^2 \f$ join
-  Point b2_bar; ///< \f$ \bar b_2 \f$: \f$ b_0 \f$ is the midpoint of \f$ d_0, \bar b_2 \f$; \f$ C_0 = 2 \f$
+  /// \f$ \tilde b_2 \f$: \f$ b_1 \f$ is the midpoint of \f$ d_0, \tilde b_2 \f$; \f$ C_0 = 4 \f$, the \f$ C^2 \f$ join
+  Point b2_tilde;
+  /// \f$ \bar b_2 \f$: \f$ b_0 \f$ is the midpoint of \f$ d_0, \bar b_2 \f$; \f$ C_0 = 2 \f$
+  Point b2_bar;
 
-  /// The alternatives \f$ b_2 = \bar b_2 + \frac{C_0 - 2}{2} (\tilde b_2 - \bar b_2) \f$, an affine line.
+  /// Returns the alternatives \f$ b_2 = \bar b_2 + \frac{C_0 - 2}{2} (\tilde b_2 - \bar b_2) \f$, an affine line.
+  /// \throws Error `not_finite` when the result overflows the number type
   Point b2(const FT& c0) const {
-    const Geometric_continuity::Coordinates<Traits> bar = Geometric_continuity::coordinates<Traits>(b2_bar);
-    return Geometric_continuity::to_point<Traits>(
-        bar + FT((c0 - FT(2)) / FT(2)) * (Geometric_continuity::coordinates<Traits>(b2_tilde) - bar));
+    typedef Geometric_continuity::Coordinates<Traits> Coordinates;
+    const Coordinates bar = Geometric_continuity::coordinates<Traits>(b2_bar),
+                      point =
+                          bar + FT((c0 - FT(2)) / FT(2)) * (Geometric_continuity::coordinates<Traits>(b2_tilde) - bar);
+    for (const FT& x : point) internal::check_finite(x, "midpoint_construction: b2");
+    return Geometric_continuity::to_point<Traits>(point);
   }
 };
 
 /// \ingroup PkgGeometricContinuityConstruction
-/// Hagen's constructions (3.3.1) and (3.3.2) at the end \f$ b_{-2}, b_{-1}, b_0 \f$ of a polygon. Where
-/// \f$ b_{-1} = b_0 \f$ the line of alternatives shrinks to a point. \throws Error `dimension_mismatch`
+/// Constructs the points of Hagen (3.3.1) and (3.3.2) at the end \f$ b_{-2}, b_{-1}, b_0 \f$ of a polygon. Where
+/// \f$ b_{-1} = b_0 \f$ the line of alternatives shrinks to a point.
+/// \throws Error `dimension_mismatch`, `not_finite` when a point overflows the number type
 template <class Traits>
 Midpoint_construction<Traits> midpoint_construction(const typename Traits::Point& b_2,
                                                     const typename Traits::Point& b_1,
@@ -64,7 +77,8 @@ Midpoint_construction<Traits> midpoint_construction(const typename Traits::Point
 }
 
 /// \ingroup PkgGeometricContinuityConstruction
-/// The same at the end of a curve. \throws Error `wrong_number_of_points` for a degree below 2
+/// Constructs the points of Hagen (3.3.1) and (3.3.2) behind a Bézier curve, from its last three control points.
+/// \throws Error `wrong_number_of_points` for a degree below 2, `not_finite` when a point overflows the number type
 template <class Traits, int Degree>
 Midpoint_construction<Traits> midpoint_construction(const Bezier_curve<Traits, Degree>& left) {
   const int m = left.degree();

@@ -22,21 +22,24 @@ enum class Verdict {
 };
 
 /// \ingroup PkgGeometricContinuityContinuity
+/// Returns `proved`, `refuted` or `undecided`.
 inline std::string to_string(Verdict verdict) {
   return verdict == Verdict::proved ? "proved" : verdict == Verdict::refuted ? "refuted" : "undecided";
 }
 
+/// \ingroup PkgGeometricContinuityContinuity
+/// Writes `to_string(verdict)`.
 inline std::ostream& operator<<(std::ostream& os, Verdict verdict) { return os << to_string(verdict); }
 
 /// \ingroup PkgGeometricContinuityContinuity
-/// Whether both are true.
+/// Returns whether both are true: refuted if one of them is, proved if both are.
 inline Verdict operator&&(Verdict x, Verdict y) {
   if (x == Verdict::refuted || y == Verdict::refuted) return Verdict::refuted;
   return x == Verdict::proved && y == Verdict::proved ? Verdict::proved : Verdict::undecided;
 }
 
 /// \ingroup PkgGeometricContinuityContinuity
-/// Whether a number is at most `bound`.
+/// Returns whether the number in an enclosure is at most `bound`.
 inline Verdict at_most(const Enclosure& x, double bound) {
   return x.upper <= bound ? Verdict::proved : bound < x.lower ? Verdict::refuted : Verdict::undecided;
 }

@@ -23,11 +23,15 @@ namespace CGAL {
 namespace Geometric_continuity {
 
 /// \ingroup PkgGeometricContinuityContinuity
-/// The three orders of continuity: equal derivatives, equal arc-length derivatives, equal Frenet frame and curvatures.
-enum class Continuity_kind { C, G, F };
+/// The three kinds of continuity, each of which has an order.
+enum class Continuity_kind {
+  C, ///< equal derivatives
+  G, ///< equal derivatives with respect to arc length
+  F  ///< equal Frenet frames and curvatures
+};
 
 /// \ingroup PkgGeometricContinuityContinuity
-/// The order of one kind that was decided for a join.
+/// Returns the order of one kind that was decided for a join.
 template <class FT> int order_of(const Join_continuity<FT>& join, Continuity_kind kind) {
   return kind == Continuity_kind::C ? join.c_order : kind == Continuity_kind::G ? join.g_order : join.f_order;
 }
@@ -46,20 +50,20 @@ public:
       ++counts_[static_cast<int>(kind)][order_of(join, kind)];
   }
 
-  /// The number of joins.
+  /// Returns the number of joins.
   std::size_t joins() const { return joins_; }
 
-  /// For each order that occurs the number of joins of exactly this order; -1 stands for a gap. Joins of the highest order
+  /// Returns for each order that occurs the number of joins of exactly this order; -1 stands for a gap. Joins of the highest order
   /// that was asked for may be smoother than that.
   const std::map<int, std::size_t>& counts(Continuity_kind kind) const { return counts_[static_cast<int>(kind)]; }
 
-  /// The least order of all joins: the chain as a whole has this continuity. Empty for a chain without joins.
+  /// Returns the least order of all joins: the chain as a whole has this continuity. Empty for a chain without joins.
   std::optional<int> least_order(Continuity_kind kind) const {
     if (joins_ == 0) return std::nullopt;
     return counts(kind).begin()->first;
   }
 
-  /// The number of joins whose order is less.
+  /// Returns the number of joins whose order of this kind is less than `order`.
   std::size_t failing(Continuity_kind kind, int order) const {
     std::size_t n = 0;
     for (const std::pair<const int, std::size_t>& count : counts(kind)) n += count.first < order ? count.second : 0;
@@ -79,10 +83,10 @@ public:
 /// \ingroup PkgGeometricContinuityContinuity
 /// A join of a chain, as it is reported. It refers to the two curves and is valid during the report only.
 template <class Curve> struct Chain_join {
-  std::size_t left, right; ///< the numbers of the curves in the chain, from 0 on
-  const Curve& left_curve;
-  const Curve& right_curve;
-  Join_continuity<Predicate_FT<typename Curve::Traits>> continuity;
+  std::size_t left, right;  ///< the numbers of the curves in the chain, from 0 on
+  const Curve& left_curve;  ///< the curve that ends at the join
+  const Curve& right_curve; ///< the curve that starts at the join
+  Join_continuity<Predicate_FT<typename Curve::Traits>> continuity; ///< what was decided
 };
 
 /// \ingroup PkgGeometricContinuityContinuity
@@ -109,8 +113,11 @@ template <class Curve> class Chain_analysis {
   };
 
 public:
-  /// Orders up to `max_order` are decided.
-  explicit Chain_analysis(int max_order = 3) : max_order_(max_order) {}
+  /// Starts an empty chain. Orders up to `max_order` are decided.
+  /// \throws Error `negative_count` for a negative order
+  explicit Chain_analysis(int max_order = 3) : max_order_(max_order) {
+    if (max_order < 0) throw Error(Error_code::negative_count, "Chain_analysis: order");
+  }
 
   /// Appends a curve and decides its join with the one before it, if there is one: `report` is called with a
   /// `Chain_join<Curve>`, then the join is counted. One call of `continuity()`.
@@ -121,19 +128,25 @@ public:
     last_ = std::move(curve);
     ++size_;
   }
+
+  /// Appends a curve and decides its join with the one before it, if there is one, without a report.
+  /// \throws Error as `continuity()` does; then the chain is as it was before
   void add(Curve curve) { add(std::move(curve), No_report()); }
 
   /// Decides the join that closes the chain, from the end of the last curve to the start of the first, which may be the
-  /// same. Nothing happens in an empty chain.
+  /// same: `report` is called with a `Chain_join<Curve>`, then the join is counted. Nothing happens in an empty chain.
+  /// \throws Error as `continuity()` does
   template <class Report> void close(Report&& report) {
     if (last_) decide(size_ - 1, 0, *last_, *first_, report);
   }
+
+  /// Decides the join that closes the chain, without a report. \throws Error as `continuity()` does
   void close() { close(No_report()); }
 
-  /// The number of curves so far.
+  /// Returns the number of curves so far.
   std::size_t size() const { return size_; }
 
-  /// The joins so far.
+  /// Returns the counts of the joins so far.
   const Chain_summary& summary() const { return summary_; }
 
 private:
@@ -148,8 +161,10 @@ private:
 
 /// \ingroup PkgGeometricContinuityContinuity
 /// Decides all joins of a chain of curves up to order `max_order`, with the closing one if `closed`, and reports each by
-/// a call of `report` with a `Chain_join`. See `Chain_analysis`.
+/// a call of `report` with a `Chain_join`. One call of `continuity()` for each join; the first curve and the previous one are
+/// kept, see `Chain_analysis`. Returns the counts.
 /// \tparam InputIterator its value type is a copyable model of `ParametricCurve`
+/// \throws Error as `continuity()` does
 template <class InputIterator, class Report>
 Chain_summary chain_continuity(InputIterator first, InputIterator last, int max_order, bool closed, Report&& report) {
   Chain_analysis<typename std::iterator_traits<InputIterator>::value_type> chain(max_order);
@@ -159,7 +174,10 @@ Chain_summary chain_continuity(InputIterator first, InputIterator last, int max_
 }
 
 /// \ingroup PkgGeometricContinuityContinuity
-/// The same without a report.
+/// Decides all joins of a chain of curves up to order `max_order`, with the closing one if `closed`, and returns the counts.
+/// One call of `continuity()` for each join.
+/// \tparam InputIterator its value type is a copyable model of `ParametricCurve`
+/// \throws Error as `continuity()` does
 template <class InputIterator>
 Chain_summary chain_continuity(InputIterator first, InputIterator last, int max_order = 3, bool closed = false) {
   return chain_continuity(first, last, max_order, closed, [](const auto&) {});
@@ -178,19 +196,21 @@ template <class FT> struct Join_side {
 /// What was decided about one join of a segmented curve, in its global parameter.
 template <class Traits> struct Composite_join {
   typedef Predicate_FT<Traits> FT; ///< the field in which it was decided
-  int left, right;                 ///< the numbers of the segments
+  int left;                        ///< the number of the segment that ends here
+  int right;                       ///< the number of the segment that starts here
   typename Traits::FT knot;        ///< the parameter at the end of the left segment
   Join_continuity<FT> continuity;  ///< the orders, with the shape parameters in the global parameter
-  Join_side<FT> left_side, right_side;
+  Join_side<FT> left_side;         ///< of the left segment
+  Join_side<FT> right_side;        ///< of the right segment
 };
 
 /// \ingroup PkgGeometricContinuityContinuity
 /// What was decided about all joins of a segmented curve.
 template <class Traits> struct Composite_continuity {
   std::vector<Composite_join<Traits>> joins; ///< from left to right; that of a closed curve's end and start is the last
-  Chain_summary summary;
+  Chain_summary summary;                     ///< how many joins have which order
 
-  /// The joins that do not have the continuity of this kind and order, which must not exceed the order that was decided.
+  /// Returns the joins that do not have the continuity of this kind and order, which must not exceed the order that was decided.
   std::vector<Composite_join<Traits>> failing(Continuity_kind kind, int order) const {
     std::vector<Composite_join<Traits>> result;
     for (const Composite_join<Traits>& join : joins)
@@ -201,6 +221,7 @@ template <class Traits> struct Composite_continuity {
 
 namespace internal {
 
+// Curvature and torsion from a jet of order 2, or 3 in space.
 template <class FT, int N> Join_side<FT> join_side(const Coordinate_jet<FT, N>& jet) {
   Join_side<FT> side;
   if constexpr (N == 0 || N == 2)
@@ -220,20 +241,18 @@ template <class FT, int N> Join_side<FT> join_side(const Coordinate_jet<FT, N>& 
 /// end and its start as well when the curve is closed. Exact wherever `continuity()` of two curves is: with
 /// `Exact_predicates_inexact_constructions_kernel` for the points and knots as given. One decision as in
 /// `continuity()` for each join. Hagen 2.1, (2.2), corrected.
+/// \throws Error `negative_count` for a negative order
 template <class Traits, int Degree>
 Composite_continuity<Traits> chain_continuity(const Composite_bezier_curve<Traits, Degree>& curve, int max_order = 3) {
   typedef Predicate_FT<Traits> Field;
   typedef Bezier_curve<Traits, Degree> Segment;
-  constexpr int N = dimension_v<Traits>;
-  const int k = std::max(max_order, 3); // curvature and torsion are reported for every max_order
   Composite_continuity<Traits> result;
   for (const auto& join : curve.joins()) {
     const Segment left = curve.segment(join.left), right = curve.segment(join.right);
-    const Coordinate_jet<Field, N> x = left.template end_jet_over<Field>(k),
-                                   y = right.template start_jet_over<Field>(k);
-    const Join_continuity<Field> decided = internal::Join_decision<Field, N>(x, y, max_order)();
-    result.joins.push_back(
-        {join.left, join.right, curve.knots()[join.left + 1], decided, internal::join_side(x), internal::join_side(y)});
+    const Join_continuity<Field> decided = continuity(left, right, max_order);
+    result.joins.push_back({join.left, join.right, curve.knots()[join.left + 1], decided,
+                            internal::join_side(left.template end_jet_over<Field>(3)),
+                            internal::join_side(right.template start_jet_over<Field>(3))});
     result.summary.add(decided);
   }
   return result;

@@ -44,6 +44,7 @@ struct Join_deviation {
 
 namespace internal {
 
+// The deviation of two jets in an exact field.
 template <class Field, int N>
 Join_deviation join_deviation(const Coordinate_jet<Field, N>& x, const Coordinate_jet<Field, N>& y) {
   typedef Coordinate_vector<Field, N> Vector;
@@ -51,13 +52,13 @@ Join_deviation join_deviation(const Coordinate_jet<Field, N>& x, const Coordinat
   if (x.order() < 0 || y.order() < 0) throw Error(Error_code::jet_order_too_low, "deviation of two jets");
   const auto square = [](const Vector& v) -> Field { return dot(v, v); };
   Join_deviation d{root_enclosure(square(y[0] - x[0])), {}, {}, {}};
-  const int order = std::min(x.order(), y.order());
+  const int order = (std::min)(x.order(), y.order());
   if (order < 1 || is_zero(x[1]) || is_zero(y[1])) return d;
   const Field xy = dot(x[1], y[1]);
   d.tangent_angle = angle_enclosure(Field(square(x[1]) * square(y[1]) - xy * xy), xy);
   if (order < 2) return d;
   const Vector kx = *curvature_vector(x), ky = *curvature_vector(y);
-  const Field largest = std::max(square(kx), square(ky));
+  const Field largest = (std::max)(square(kx), square(ky));
   d.curvature_jump = largest == Field(0) ? Enclosure{0, 0} : root_enclosure(Field(square(ky - kx) / largest));
   if constexpr (N == 0 || N == 3)
     if (order >= 3 && x.dimension() == 3 && !is_zero(kx) && !is_zero(ky)) {
@@ -70,11 +71,11 @@ Join_deviation join_deviation(const Coordinate_jet<Field, N>& x, const Coordinat
 } // namespace internal
 
 /// \ingroup PkgGeometricContinuityContinuity
-/// How far the join between the end of `left` and the start of `right` is from being continuous. Everything is computed in
+/// Returns how far the join between the end of `left` and the start of `right` is from being continuous. Everything is computed in
 /// an exact field from the control points as given, also with `Simple_cartesian<double>`; only the last step, a root or an
 /// arc tangent, is rounded, outwards.
 /// \tparam Left, Right models of `ParametricCurve` with one traits class
-/// \throws Error `dimension_mismatch` when the dimensions differ, `not_finite`
+/// \throws Error `dimension_mismatch` when the dimensions differ, `not_finite` for an infinite or undefined coordinate
 template <class Left, class Right> Join_deviation deviation(const Left& left, const Right& right) {
   typedef typename Exact_field<Predicate_FT<typename Left::Traits>>::type Field;
   static_assert(std::is_same_v<typename Left::Traits, typename Right::Traits>,

@@ -18,7 +18,7 @@
 namespace CGAL {
 namespace Geometric_continuity {
 
-/// \file join_batch.h
+/// \file failing_joins.h
 /// One question about each of many joins, on several cores if wanted. The question is a predicate of join_predicates.h, or
 /// any function of two curves that returns a `bool`:
 ///
@@ -57,7 +57,7 @@ std::vector<std::size_t> failing_indices(std::size_t n, const Predicate& holds) 
 } // namespace internal
 
 /// \ingroup PkgGeometricContinuityContinuity
-/// The joins of a chain of curves at which `holds` is false: numbers \f$ i \f$ in increasing order, for the join between the
+/// Returns the joins of a chain of curves at which `holds` is false: numbers \f$ i \f$ in increasing order, for the join between the
 /// curves \f$ i \f$ and \f$ i + 1 \f$, counted from 0 on. Empty for a chain without joins, i.e. of at most one curve.
 ///
 /// \tparam Concurrency_tag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`
@@ -76,8 +76,14 @@ std::vector<std::size_t> failing_joins(RandomAccessIterator first, RandomAccessI
 }
 
 /// \ingroup PkgGeometricContinuityContinuity
-/// The same for pairs of curves: join \f$ i \f$ is the one between the left curve \f$ i \f$ and the right curve \f$ i \f$.
+/// Returns the joins of many pairs of curves at which `holds` is false: numbers \f$ i \f$ in increasing order, for the join
+/// between the left curve \f$ i \f$ and the right curve \f$ i \f$, counted from 0 on.
 ///
+/// \tparam Concurrency_tag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`
+/// \tparam Left_iterator, Right_iterator random access iterators over curves, or whatever `holds` takes
+/// \tparam Predicate called as `holds(left, right)`, concurrently unless the tag is `Sequential_tag`
+///
+/// One call of `holds` for each join; memory is allocated for the joins that fail only.
 /// \throws Error `wrong_number_of_points` when there are not as many right curves as left ones
 template <class Concurrency_tag = Sequential_tag, class Left_iterator, class Right_iterator, class Predicate>
 std::vector<std::size_t> failing_joins(Left_iterator left, Left_iterator left_end, Right_iterator right,

@@ -45,7 +45,7 @@ template <class Traits> struct Knot_continuity {
 ///
 /// With `Exact_predicates_inexact_constructions_kernel` the control points, the knots and the parameter are taken over to an
 /// exact field before anything is derived from them, so that the answer is exact for the curve as given.
-/// \throws Error `parameter_outside_domain` also at the ends of the domain
+/// \throws Error `parameter_outside_domain` also at the ends of the domain, `negative_count` for a negative order
 template <class Traits>
 Join_continuity<Predicate_FT<Traits>> knot_continuity(const Bspline_curve<Traits>& curve,
                                                       const typename Traits::FT& knot, int max_order = 3) {
@@ -56,7 +56,9 @@ Join_continuity<Predicate_FT<Traits>> knot_continuity(const Bspline_curve<Traits
 }
 
 /// \ingroup PkgGeometricContinuityContinuity
-/// `knot_continuity()` at all inner knots, in increasing order.
+/// Decides the continuity of a B-spline curve at all its inner knots, up to order `max_order`, and returns it in increasing
+/// order of the knots. One call of `knot_continuity()` for each of them.
+/// \throws Error `negative_count` for a negative order
 template <class Traits>
 std::vector<Knot_continuity<Traits>> knot_continuities(const Bspline_curve<Traits>& curve, int max_order = 3) {
   std::vector<Knot_continuity<Traits>> result;

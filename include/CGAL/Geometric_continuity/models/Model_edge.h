@@ -25,6 +25,7 @@ enum class Model_edge_kind {
 };
 
 /// \ingroup PkgGeometricContinuitySurfaces
+/// Returns the name of a kind, as spelled in the enumeration.
 inline std::string to_string(Model_edge_kind kind) {
   switch (kind) {
   case Model_edge_kind::shared: return "shared";
@@ -34,13 +35,15 @@ inline std::string to_string(Model_edge_kind kind) {
   return "unknown";
 }
 
+/// \ingroup PkgGeometricContinuitySurfaces
+/// Writes the name of a kind.
 inline std::ostream& operator<<(std::ostream& os, Model_edge_kind kind) { return os << to_string(kind); }
 
 /// \ingroup PkgGeometricContinuitySurfaces
 /// An edge of a model, with the decision if it is shared.
 /// \tparam FT the field in which it was decided
 template <class FT> struct Model_edge {
-  Model_edge_kind kind;
+  Model_edge_kind kind;                  ///< whether there is a second patch
   std::size_t patch_a;                   ///< the number of the patch, from 0 on
   Patch_edge edge_a;                     ///< its edge
   std::optional<std::size_t> patch_b;    ///< the other patch of a shared edge; the same one where a patch closes up
@@ -80,8 +83,8 @@ struct Model_summary {
   std::size_t boundary = 0;          ///< edges of one patch only
   std::size_t collapsed = 0;         ///< edges that are single points
   std::size_t non_manifold = 0; ///< pairs of patches at an edge that more than two patches have; counted above, too
-  std::size_t knot_lines_g2 =
-      0; ///< knot lines inside B-spline surfaces that are \f$ G^2 \f$ though the knot is multiple
+  /// Knot lines inside B-spline surfaces that are \f$ G^2 \f$ though the knot is multiple.
+  std::size_t knot_lines_g2 = 0;
   std::size_t knot_lines_g1 = 0; ///< knot lines that are \f$ G^1 \f$ but not \f$ G^2 \f$
   std::size_t knot_lines_g0 = 0; ///< knot lines that are not \f$ G^1 \f$
 
@@ -113,10 +116,10 @@ template <class FT> struct Model_continuity {
   std::vector<Model_knot_line<FT>> knot_lines; ///< by the number of the surface, see `knot_line_continuity()`
   Model_summary summary;                       ///< of edges and knot lines
 
-  /// Whether all shared edges and all knot lines have at least this order.
+  /// Returns whether all shared edges and all knot lines have at least this order.
   bool has_order(int g_order) const { return failing(g_order).empty() && failing_knot_lines(g_order).empty(); }
 
-  /// The knot lines whose order is less.
+  /// Returns the knot lines whose order is less than `g_order`.
   std::vector<Model_knot_line<FT>> failing_knot_lines(int g_order) const {
     std::vector<Model_knot_line<FT>> result;
     for (const Model_knot_line<FT>& l : knot_lines)
@@ -124,7 +127,7 @@ template <class FT> struct Model_continuity {
     return result;
   }
 
-  /// The shared edges whose order is less.
+  /// Returns the shared edges whose order is less than `g_order`.
   std::vector<Model_edge<FT>> failing(int g_order) const {
     std::vector<Model_edge<FT>> result;
     for (const Model_edge<FT>& e : edges)

@@ -6,7 +6,7 @@
 #define CGAL_GEOMETRIC_CONTINUITY_MODELS_MODEL_CONTINUITY_H
 
 #include <CGAL/Geometric_continuity/models/Model_edge.h>
-#include <CGAL/Geometric_continuity/models/internal/Edge_key.h>
+#include <CGAL/Geometric_continuity/models/internal/Edge_groups.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -30,13 +30,6 @@ template <class Traits> std::vector<Knot_line<Edge_field<Traits>>> knot_lines_in
 
 template <class Surface> class Model_analysis {
   typedef Edge_field<typename Surface::Traits> Field;
-  typedef Edge_key<typename Surface::Traits> Key;
-
-  struct Use {
-    std::size_t patch;
-    Patch_edge edge;
-    Key key;
-  };
 
   const std::vector<const Surface*>& patches_;
   Model_continuity<Field> model_;
@@ -45,39 +38,23 @@ public:
   explicit Model_analysis(const std::vector<const Surface*>& patches) : patches_(patches) {}
 
   Model_continuity<Field> operator()() {
-    std::vector<Use> uses;
-    for (std::size_t i = 0; i < patches_.size(); ++i) {
-      require_space(*patches_[i], "model_continuity");
-      add_knot_lines(i);
-      for (Patch_edge edge : patch_edges) {
-        Use use{i, edge, Key(*patches_[i], edge)};
-        if (use.key.single_point()) {
-          add(Model_edge_kind::collapsed, use);
-          ++model_.summary.collapsed;
-        } else
-          uses.push_back(std::move(use));
-      }
-    }
-    std::vector<const Use*> sorted;
-    for (const Use& use : uses) sorted.push_back(&use);
-    std::stable_sort(sorted.begin(), sorted.end(),
-                     [](const Use* a, const Use* b) { return a->key.compare(b->key) < 0; });
-    for (auto first = sorted.begin(), last = first; first != sorted.end(); first = last) {
-      while (last != sorted.end() && (*first)->key.compare((*last)->key) == 0) ++last;
-      if (last - first == 1) {
-        add(Model_edge_kind::boundary, **first);
-        ++model_.summary.boundary;
-      }
-      for (auto next = first + 1; next != last; ++next) share(**(next - 1), **next, last - first > 2);
+    for (const Surface* patch : patches_) require_space(*patch, "model_continuity");
+    for (std::size_t i = 0; i < patches_.size(); ++i) add_knot_lines(i);
+    const Edge_groups<Surface> groups(patches_);
+    for (const Edge_use& use : groups.collapsed()) add(Model_edge_kind::collapsed, use);
+    for (const std::vector<Edge_use>& uses : groups.edges()) {
+      if (uses.size() == 1) add(Model_edge_kind::boundary, uses[0]);
+      for (std::size_t i = 1; i < uses.size(); ++i) share(uses[i - 1], uses[i], uses.size() > 2);
     }
     std::sort(model_.edges.begin(), model_.edges.end(), [](const Model_edge<Field>& a, const Model_edge<Field>& b) {
       return std::make_pair(a.patch_a, a.edge_a) < std::make_pair(b.patch_a, b.edge_a);
     });
+    count_edges();
     return std::move(model_);
   }
 
 private:
-  Model_edge<Field>& add(Model_edge_kind kind, const Use& a) {
+  Model_edge<Field>& add(Model_edge_kind kind, const Edge_use& a) {
     model_.edges.push_back(Model_edge<Field>{kind, a.patch, a.edge, {}, {}, false, {}});
     return model_.edges.back();
   }
@@ -91,18 +68,28 @@ private:
     }
   }
 
-  void share(const Use& a, const Use& b, bool non_manifold) {
+  void share(const Edge_use& a, const Edge_use& b, bool non_manifold) {
     Model_edge<Field>& row = add(Model_edge_kind::shared, a);
     row.patch_b = b.patch;
     row.edge_b = b.edge;
     row.non_manifold = non_manifold;
-    row.continuity = edge_continuity(*patches_[a.patch], a.edge, *patches_[b.patch], b.edge);
+    row.continuity =
+        continuity_of_same_edge(*patches_[a.patch], a.edge, *patches_[b.patch], b.edge,
+                                a.backwards == b.backwards ? Edge_direction::same : Edge_direction::opposite);
+  }
+
+  void count_edges() {
     Model_summary& s = model_.summary;
-    s.non_manifold += non_manifold;
-    ++(row.continuity.g_order == 2 ? s.g2 : row.continuity.g_order == 1 ? s.g1 : s.g0);
-    if (row.continuity.defect == Edge_defect::vanishing_normal) ++s.vanishing_normals;
-    if (row.continuity.defect == Edge_defect::crease) ++s.creases;
-    if (row.continuity.defect == Edge_defect::fold) ++s.folds;
+    for (const Model_edge<Field>& row : model_.edges) {
+      s.boundary += row.kind == Model_edge_kind::boundary;
+      s.collapsed += row.kind == Model_edge_kind::collapsed;
+      if (row.kind != Model_edge_kind::shared) continue;
+      s.non_manifold += row.non_manifold;
+      ++(row.continuity.g_order == 2 ? s.g2 : row.continuity.g_order == 1 ? s.g1 : s.g0);
+      s.vanishing_normals += row.continuity.defect == Edge_defect::vanishing_normal;
+      s.creases += row.continuity.defect == Edge_defect::crease;
+      s.folds += row.continuity.defect == Edge_defect::fold;
+    }
   }
 };
 
@@ -120,9 +107,12 @@ private:
 /// \f$ s_1, \dots, s_k \f$, there is one row for each pair \f$ s_i, s_{i+1} \f$, marked `non_manifold`, so that \f$ k-1 \f$
 /// rows and not \f$ k(k-1)/2 \f$ are decided.
 ///
-/// The edges are found by sorting: \f$ O(n \log n) \f$ comparisons for `n` patches; then each shared edge is decided once.
+/// Each edge is recognised once, by sorting: \f$ O(n \log n) \f$ comparisons for `n` patches, of the control points as they are
+/// given where edges with the same ends have one degree and the same knots. Then each shared edge is decided once, smooth
+/// edges with integers of fixed length where `edge_continuity()` takes them.
 ///
-/// \tparam PatchRange a forward range of `Bezier_patch` or of `Bspline_surface`, which must outlive the call
+/// \tparam PatchRange a forward range of `Bezier_patch` or of `Bspline_surface`
+/// \param patches of the model, which must outlive the call
 /// \throws Error `dimension_mismatch` unless in dimension 3
 template <class PatchRange> auto model_continuity(const PatchRange& patches) {
   typedef std::decay_t<decltype(*std::begin(patches))> Patch;

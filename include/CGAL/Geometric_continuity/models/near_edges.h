@@ -5,7 +5,8 @@
 #ifndef CGAL_GEOMETRIC_CONTINUITY_MODELS_NEAR_EDGES_H
 #define CGAL_GEOMETRIC_CONTINUITY_MODELS_NEAR_EDGES_H
 
-#include <CGAL/Geometric_continuity/edges/patch_order_within.h>
+#include <CGAL/Geometric_continuity/edges/edge_order_within.h>
+#include <CGAL/Geometric_continuity/edges/internal/Edge_piece.h>
 #include <CGAL/Geometric_continuity/models/Model_edge.h>
 #include <CGAL/Geometric_continuity/numbers/internal/checked_conversion.h>
 
@@ -52,7 +53,7 @@ template <class Field> struct Boundary_edge {
     const std::vector<Edge_piece<Field>> pieces = edge_pieces<Field>(rows);
     ends[0] = pieces.front().rows.edge.front();
     ends[1] = pieces.back().rows.edge.back();
-    x = std::min(ends[0][0], ends[1][0]);
+    x = (std::min)(ends[0][0], ends[1][0]);
   }
 
   bool has_ends_near(const Boundary_edge& other, const Field& squared_gap) const {
@@ -68,7 +69,7 @@ template <class Field> struct Boundary_edge {
 } // namespace internal
 
 /// \ingroup PkgGeometricContinuitySurfaces
-/// The pairs of boundary edges of a model whose gap is not refuted to be within the tolerance, and their orders within the
+/// Finds the pairs of boundary edges of a model whose gap is not refuted to be within the tolerance, and their orders within the
 /// tolerance: edges that `model_continuity()` finds to differ, such as those of rounded constructions. By the number of the
 /// first patch. An edge that is near to several others is in several pairs.
 ///

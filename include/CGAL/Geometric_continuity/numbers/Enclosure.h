@@ -15,15 +15,15 @@
 #include <utility>
 
 /// \file Enclosure.h
-/// Guaranteed enclosures of numbers, of square roots and of angles by floating-point numbers: what is reported about joins
-/// and edges that are nearly smooth. Nothing else in the package takes a root.
+/// Guaranteed enclosures of numbers, of square roots and of angles by floating-point numbers: what is
+/// reported about joins and edges that are nearly smooth. Nothing else in the package takes a root.
 
 namespace CGAL {
 namespace Geometric_continuity {
 
 /// \ingroup PkgGeometricContinuityAlgebra
-/// A guaranteed enclosure of a real number by two floating-point numbers. For numbers that are neither tiny nor huge the
-/// functions that make enclosures give at most four units in the last place.
+/// A guaranteed enclosure of a real number by two floating-point numbers. For numbers that are neither tiny nor huge
+/// the functions that make enclosures give at most four units in the last place.
 struct Enclosure {
   double lower; ///< not larger than the number; finite
   double upper; ///< not less than the number; infinite when the number is larger than all floating-point numbers
@@ -88,9 +88,10 @@ template <class FT> Enclosure root_enclosure(const FT& x) {
 }
 
 /// \ingroup PkgGeometricContinuityAlgebra
-/// Returns an enclosure, in radians, of the angle in \f$ [0, \pi] \f$ whose cosine has the sign of `cosine` and whose sine and
-/// cosine have the squares \f$ s / (s + c^2) \f$ and \f$ c^2 / (s + c^2) \f$ with `s = sine_squared >= 0` and `c = cosine`. It
-/// is exact for parallel vectors of one direction. \tparam FT a field number type with `CGAL::to_interval()`
+/// Returns an enclosure, in radians, of the angle in \f$ [0, \pi] \f$ whose cosine has the sign of `cosine` and whose
+/// sine and cosine have the squares \f$ s / (s + c^2) \f$ and \f$ c^2 / (s + c^2) \f$ with `s = sine_squared >= 0` and
+/// `c = cosine`. It is exact for parallel vectors of one direction. \tparam FT a field number type with
+/// `CGAL::to_interval()`
 /// \throws Error `zero_direction` when both are zero, `parameter_outside_domain` when `sine_squared` is negative
 /// \throws Error `not_finite` for an infinite or undefined floating-point number
 template <class FT> Enclosure angle_enclosure(const FT& sine_squared, const FT& cosine) {

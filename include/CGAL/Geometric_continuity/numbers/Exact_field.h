@@ -25,7 +25,8 @@ namespace Geometric_continuity {
 namespace internal {
 
 #ifdef CGAL_GEOMETRIC_CONTINUITY_EXACT_FIELD_OF_BOOST
-// Here `Exact_rational` is a `Quotient`, which some versions of CGAL never cancel, so that numbers grow with each operation.
+// Here `Exact_rational` is a `Quotient`, which some versions of CGAL never cancel, so that numbers grow with each
+// operation.
 typedef boost::multiprecision::cpp_rational Exact_field_of_doubles;
 #else
 typedef Exact_rational Exact_field_of_doubles;
@@ -34,9 +35,9 @@ typedef Exact_rational Exact_field_of_doubles;
 } // namespace internal
 
 /// \ingroup PkgGeometricContinuityTraits
-/// The field in which numbers of type `FT` are decided exactly: `Exact_rational` for floating-point numbers, every other field
-/// itself. Without GMP and LEDA, and with Boost up to 1.78, it is `boost::multiprecision::cpp_rational` for floating-point
-/// numbers.
+/// The field in which numbers of type `FT` are decided exactly: `Exact_rational` for floating-point numbers, every
+/// other field itself. Without GMP and LEDA, and with Boost up to 1.78, it is `boost::multiprecision::cpp_rational` for
+/// floating-point numbers.
 template <class FT> struct Exact_field {
   /// The exact field.
   typedef std::conditional_t<std::is_floating_point_v<FT>, internal::Exact_field_of_doubles, FT> type;

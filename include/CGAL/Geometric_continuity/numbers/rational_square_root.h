@@ -49,8 +49,8 @@ template <class FT> std::optional<FT> fraction_square_root(const FT& x) {
 } // namespace internal
 
 /// \ingroup PkgGeometricContinuityAlgebra
-/// Returns the square root of `x` when it is rational, and nothing otherwise, for instance for a negative `x`. The root of a
-/// floating-point number is rounded.
+/// Returns the square root of `x` when it is rational, and nothing otherwise, for instance for a negative `x`. The root
+/// of a floating-point number is rounded.
 /// \tparam FT a floating-point type, or a fraction by `CGAL::Fraction_traits`, also one that is evaluated on demand
 /// \throws Error `not_finite` for an infinite or undefined floating-point number
 template <class FT> std::optional<FT> rational_square_root(const FT& x) {

@@ -20,7 +20,8 @@
 #include <vector>
 
 /// \file Knot_vector.h
-/// The knots of B-splines, and the knots of other splines that are made of them. De Boor, "A Practical Guide to Splines".
+/// The knots of B-splines, and the knots of other splines that are made of them. De Boor, "A
+/// Practical Guide to Splines".
 
 namespace CGAL {
 namespace Geometric_continuity {
@@ -58,8 +59,8 @@ private:
 public:
   /// Constructs a vector from the degree `p >= 0` and all knots.
   /// \throws Error `wrong_number_of_points` for a negative degree, and for fewer than `2 p + 2` knots
-  /// \throws Error `not_finite` for an infinite or undefined floating-point number, and when the distance of the first and the
-  ///   last knot overflows
+  /// \throws Error `not_finite` for an infinite or undefined floating-point number, and when the distance of the first
+  ///   and the last knot overflows
   /// \throws Error `empty_domain` when the knots decrease somewhere, and unless \f$ u_p < u_n \f$
   /// \throws Error `knot_multiplicity` when a knot is repeated more than `p + 1` times
   Knot_vector(int degree, std::vector<FT> knots) : p_(degree), u_(std::move(knots)) { check(); }
@@ -108,7 +109,8 @@ public:
     const auto range = std::equal_range(u_.begin(), u_.end(), u);
     return static_cast<int>(range.second - range.first);
   }
-  /// Returns the knots of the domain, in increasing order, with their multiplicities in the whole vector. \f$ O(n + p) \f$
+  /// Returns the knots of the domain, in increasing order, with their multiplicities in the whole vector.
+  /// \f$ O(n + p) \f$
   std::vector<Knot> distinct_knots() const {
     std::vector<Knot> knots;
     for (const FT& u : u_)
@@ -124,8 +126,8 @@ public:
     return std::vector<Knot>(knots.begin() + 1, knots.end() - 1);
   }
 
-  /// Returns the Greville abscissa \f$ (u_{i+1} + \dots + u_{i+p})/p \f$, `0 <= i < n`: the coefficients of the function `u`. In
-  /// degree 0 the middle between \f$ u_i \f$ and \f$ u_{i+1} \f$. \f$ O(p) \f$
+  /// Returns the Greville abscissa \f$ (u_{i+1} + \dots + u_{i+p})/p \f$, `0 <= i < n`: the coefficients of the
+  /// function `u`. In degree 0 the middle between \f$ u_i \f$ and \f$ u_{i+1} \f$. \f$ O(p) \f$
   /// \throws Error `parameter_outside_domain` unless `0 <= i < n`
   FT greville_abscissa(int i) const {
     if (i < 0 || number_of_coefficients() <= i)
@@ -187,8 +189,8 @@ public:
   /// @{
 
   /// Returns the vector with `times >= 0` more copies of the knot `u`.
-  /// \throws Error `negative_count` when `times` is negative, `parameter_outside_domain`, and `knot_multiplicity` when `u` would
-  ///   be repeated too often
+  /// \throws Error `negative_count` when `times` is negative, `parameter_outside_domain`, and `knot_multiplicity` when
+  ///   `u` would be repeated too often
   Knot_vector insert(const FT& u, int times = 1) const {
     check_times(times);
     check_parameter(u);
@@ -223,8 +225,8 @@ public:
   /// Returns the vector without the knots outside the domain, and with its ends repeated `p + 1` times.
   Knot_vector clamp() const { return Knot_vector(p_, start(), finish(), inner_knots()); }
 
-  /// Returns the clamped vector of another degree with every knot of the domain repeated `degree + 1` times: the coefficients
-  /// are those of one Bernstein polynomial for each span.
+  /// Returns the clamped vector of another degree with every knot of the domain repeated `degree + 1` times: the
+  /// coefficients are those of one Bernstein polynomial for each span.
   /// \throws Error `wrong_number_of_points` for a negative degree
   Knot_vector bezier(int degree) const {
     internal::check_degree(degree);

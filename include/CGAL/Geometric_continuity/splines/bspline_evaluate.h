@@ -20,16 +20,16 @@
 /// only. The coefficients \f$ c_0, \dots, c_{n-1} \f$ are in a random-access container `c`; they are numbers or
 /// `Coordinate_vector`s.
 ///
-/// On the span `k` the spline is a polynomial \f$ f_k \f$. Its \em blossom \f$ f_k[t_1, \dots, t_p] \f$ is the function that
-/// is symmetric, affine in each argument, and equal to \f$ f_k(t) \f$ at \f$ [t, \dots, t] \f$. Everything rests on
-/// \f$ c_i = f_k[u_{i+1}, \dots, u_{i+p}] \f$.
+/// On the span `k` the spline is a polynomial \f$ f_k \f$. Its \em blossom \f$ f_k[t_1, \dots, t_p] \f$ is the function
+/// that is symmetric, affine in each argument, and equal to \f$ f_k(t) \f$ at \f$ [t, \dots, t] \f$. Everything rests
+/// on \f$ c_i = f_k[u_{i+1}, \dots, u_{i+p}] \f$.
 
 namespace CGAL {
 namespace Geometric_continuity {
 
 /// \ingroup PkgGeometricContinuityAlgebra
-/// Returns the values of all `n` basis functions \f$ N_i^p(u) \f$: right-continuous, and continuous from the left at the end of the
-/// domain. \f$ O(n + p^2) \f$
+/// Returns the values of all `n` basis functions \f$ N_i^p(u) \f$: right-continuous, and continuous from the left at
+/// the end of the domain. \f$ O(n + p^2) \f$
 /// \throws Error `parameter_outside_domain`
 template <class FT> std::vector<FT> bspline_basis(const Knot_vector<FT>& knots, const FT& u) {
   const int p = knots.degree(), k = knots.span(u);
@@ -41,36 +41,34 @@ template <class FT> std::vector<FT> bspline_basis(const Knot_vector<FT>& knots, 
 }
 
 /// \ingroup PkgGeometricContinuityAlgebra
-/// Returns the derivatives of order 0 to `order >= 0` at `u` of the polynomial on the span `k`: from the right or from the left at a
-/// knot, according to `Knot_vector::span()` and `Knot_vector::left_span()`. \f$ O(p^2 + p\,order^2) \f$
+/// Returns the derivatives of order 0 to `order >= 0` at `u` of the polynomial on the span `k`: from the right or from
+/// the left at a knot, according to `Knot_vector::span()` and `Knot_vector::left_span()`. \f$ O(p^2 + p\,order^2) \f$
 /// \throws Error `wrong_number_of_points` unless there are `n` coefficients, `negative_count` when `order` is negative,
 ///   `parameter_outside_domain` unless `k` is a span
 template <class FT, class Coefficients>
 std::vector<typename Coefficients::value_type> bspline_derivatives(const Knot_vector<FT>& knots, const Coefficients& c,
                                                                    int k, const FT& u, int order) {
-  typedef typename Coefficients::value_type Value;
   internal::check_number_of_coefficients(knots, c, "bspline_derivatives");
   internal::check_span(knots, k, "bspline_derivatives");
   if (order < 0) throw Error(Error_code::negative_count, "bspline_derivatives: order");
-  std::vector<Value> derivatives(order + 1, Value(FT(0) * c[0]));
-  internal::derivative_weights(
-      knots, knots.degree(), k, u, order,
-      [&](int j, const internal::Spline_weights<FT>& weights) { derivatives[j] = weights(c); });
-  return derivatives;
+  return internal::derivatives_on_span(knots, c, k, u, order);
 }
 
 /// \ingroup PkgGeometricContinuityAlgebra
-/// Returns the value at `u`, from the right at a knot and from the left at the end of the domain. \f$ O(\log n + p^2) \f$
+/// Returns the value at `u`, from the right at a knot and from the left at the end of the domain.
+/// \f$ O(\log n + p^2) \f$
 /// \throws Error `parameter_outside_domain`, `wrong_number_of_points` unless there are `n` coefficients
 template <class FT, class Coefficients>
 typename Coefficients::value_type bspline_value(const Knot_vector<FT>& knots, const Coefficients& c, const FT& u) {
-  return bspline_derivatives<FT>(knots, c, knots.span(u), u, 0)[0];
+  internal::check_number_of_coefficients(knots, c, "bspline_value");
+  return internal::derivatives_on_span(knots, c, knots.span(u), u, 0)[0];
 }
 
 /// \ingroup PkgGeometricContinuityAlgebra
-/// Returns the blossom \f$ f_k[t_1, \dots, t_p] \f$ of the polynomial on the span `k`, at `p` arguments in any order. \f$ O(p^2) \f$
-/// \throws Error `wrong_number_of_points` unless there are `n` coefficients and `p` arguments, `parameter_outside_domain` unless
-///   `k` is a span
+/// Returns the blossom \f$ f_k[t_1, \dots, t_p] \f$ of the polynomial on the span `k`, at `p` arguments in any order.
+/// \f$ O(p^2) \f$
+/// \throws Error `wrong_number_of_points` unless there are `n` coefficients and `p` arguments,
+///   `parameter_outside_domain` unless `k` is a span
 template <class FT, class Coefficients>
 typename Coefficients::value_type bspline_blossom(const Knot_vector<FT>& knots, const Coefficients& c, int k,
                                                   std::vector<FT> arguments) {
@@ -86,8 +84,8 @@ typename Coefficients::value_type bspline_blossom(const Knot_vector<FT>& knots, 
 }
 
 /// \ingroup PkgGeometricContinuityAlgebra
-/// Returns the knots of the derivative: without the first and the last, in degree `p - 1`. A knot where the splines may jump loses
-/// one of its `p + 1` copies as well; jumps are not differentiated. In degree 0 the vector itself.
+/// Returns the knots of the derivative: without the first and the last, in degree `p - 1`. A knot where the splines may
+/// jump loses one of its `p + 1` copies as well; jumps are not differentiated. In degree 0 the vector itself.
 template <class FT> Knot_vector<FT> derivative_knots(const Knot_vector<FT>& knots) {
   const int p = knots.degree(), n = knots.number_of_coefficients();
   if (p == 0) return knots;
@@ -98,8 +96,8 @@ template <class FT> Knot_vector<FT> derivative_knots(const Knot_vector<FT>& knot
 }
 
 /// \ingroup PkgGeometricContinuityAlgebra
-/// Returns the coefficients \f$ p \frac{c_i - c_{i-1}}{u_{i+p} - u_i} \f$ of the derivative over `derivative_knots()`; zeros in degree
-/// 0. \f$ O(n) \f$
+/// Returns the coefficients \f$ p \frac{c_i - c_{i-1}}{u_{i+p} - u_i} \f$ of the derivative over `derivative_knots()`;
+/// zeros in degree 0. \f$ O(n) \f$
 /// \throws Error `wrong_number_of_points` unless there are `n` coefficients
 template <class FT, class Coefficients>
 std::vector<typename Coefficients::value_type> bspline_derivative(const Knot_vector<FT>& knots, const Coefficients& c) {

@@ -17,18 +17,18 @@
 #include <vector>
 
 /// \file bspline_knots.h
-/// One spline over several knot vectors: insertion, refinement, Bézier pieces and back, removal where it is exact. All of them
-/// compute the new coefficients as blossoms \f$ c'_j = f_k[t_{j+1}, \dots, t_{j+p}] \f$ at the new knots `t`, in
-/// \f$ O(p^2) \f$ each.
+/// One spline over several knot vectors: insertion, refinement, Bézier pieces and back, removal
+/// where it is exact. All of them compute the new coefficients as blossoms \f$ c'_j = f_k[t_{j+1}, \dots, t_{j+p}] \f$
+/// at the new knots `t`, in \f$ O(p^2) \f$ each.
 
 namespace CGAL {
 namespace Geometric_continuity {
 
 /// \ingroup PkgGeometricContinuityAlgebra
-/// Returns the coefficients of a spline over finer knots. A coefficient with `r` new knots between its old ones is a convex
-/// combination of `r + 1` old coefficients. \f$ O(n p^2) \f$. Boehm, Goldman; the Oslo algorithm
-/// \param finer has the same degree and domain and every knot inside it at least as often; outside, it has the same knots,
-///        or it is clamped
+/// Returns the coefficients of a spline over finer knots. A coefficient with `r` new knots between its old ones is a
+/// convex combination of `r + 1` old coefficients. \f$ O(n p^2) \f$. Boehm, Goldman; the Oslo algorithm
+/// \param finer has the same degree and domain and every knot inside it at least as often; outside, it has the same
+///        knots, or it is clamped
 /// \throws Error `wrong_number_of_points` when the degrees differ and unless there are `n` coefficients,
 ///   `parameter_outside_domain` when the domains differ, `knot_multiplicity` when a knot is missing
 template <class FT, class Coefficients>
@@ -51,9 +51,10 @@ std::vector<typename Coefficients::value_type> bspline_refine(const Knot_vector<
 }
 
 /// \ingroup PkgGeometricContinuityAlgebra
-/// Returns the coefficients of a spline over `knots.insert(u, times)`, `times >= 0`. \f$ O(n + p^3) \f$ operations. Boehm
-/// \throws Error `negative_count`, `parameter_outside_domain`, `knot_multiplicity` when `u` would be repeated more than `p + 1` times,
-///   `wrong_number_of_points` unless there are `n` coefficients
+/// Returns the coefficients of a spline over `knots.insert(u, times)`, `times >= 0`. \f$ O(n + p^3) \f$ operations.
+/// Boehm
+/// \throws Error `negative_count`, `parameter_outside_domain`, `knot_multiplicity` when `u` would be repeated more than
+///   `p + 1` times, `wrong_number_of_points` unless there are `n` coefficients
 template <class FT, class Coefficients>
 std::vector<typename Coefficients::value_type> bspline_insert(const Knot_vector<FT>& knots, const Coefficients& c,
                                                               const FT& u, int times = 1) {
@@ -62,8 +63,8 @@ std::vector<typename Coefficients::value_type> bspline_insert(const Knot_vector<
 }
 
 /// \ingroup PkgGeometricContinuityAlgebra
-/// Returns the Bernstein coefficients of the polynomials on the spans of the domain, `p + 1` for each span, one after the other: the
-/// coefficients over `knots.bezier(p)`. \f$ O(n p^3) \f$
+/// Returns the Bernstein coefficients of the polynomials on the spans of the domain, `p + 1` for each span, one after
+/// the other: the coefficients over `knots.bezier(p)`. \f$ O(n p^3) \f$
 /// \throws Error `wrong_number_of_points` unless there are `n` coefficients
 template <class FT, class Coefficients>
 std::vector<typename Coefficients::value_type> bspline_bezier(const Knot_vector<FT>& knots, const Coefficients& c) {
@@ -72,12 +73,12 @@ std::vector<typename Coefficients::value_type> bspline_bezier(const Knot_vector<
 }
 
 /// \ingroup PkgGeometricContinuityAlgebra
-/// Returns the coefficients of the spline over `knots` from the Bernstein coefficients of its polynomials, the inverse of `bspline_bezier()`: each
-/// coefficient is one value of the blossom of one polynomial. \f$ O(n p^2) \f$ With rounded numbers, knots far outside the
-/// domain magnify the roundings: their coefficients are extrapolations.
+/// Returns the coefficients of the spline over `knots` from the Bernstein coefficients of its polynomials, the inverse
+/// of `bspline_bezier()`: each coefficient is one value of the blossom of one polynomial. \f$ O(n p^2) \f$ With rounded
+/// numbers, knots far outside the domain magnify the roundings: their coefficients are extrapolations.
 ///
-/// That the polynomials join as smoothly at each knot of multiplicity `m` as `knots` says, \f$ C^{p-m} \f$, is the caller's duty:
-/// otherwise there is no such spline, and each coefficient belongs to one of the polynomials.
+/// That the polynomials join as smoothly at each knot of multiplicity `m` as `knots` says, \f$ C^{p-m} \f$, is the
+/// caller's duty: otherwise there is no such spline, and each coefficient belongs to one of the polynomials.
 /// \throws Error `wrong_number_of_points` unless there are `p + 1` coefficients for each span
 template <class FT, class Coefficients>
 std::vector<typename Coefficients::value_type> bspline_from_bezier(const Knot_vector<FT>& knots,
@@ -88,9 +89,9 @@ std::vector<typename Coefficients::value_type> bspline_from_bezier(const Knot_ve
 }
 
 /// \ingroup PkgGeometricContinuityAlgebra
-/// Decides the order of continuity at a parameter inside the domain: the largest \f$ s \le p \f$ such that all derivatives up to
-/// order `s` agree from both sides, -1 at a jump. It is `p` where both sides are one polynomial. Decided exactly:
-/// floating-point numbers are taken as the rational numbers they are. \f$ O(p^3) \f$
+/// Decides the order of continuity at a parameter inside the domain: the largest \f$ s \le p \f$ such that all
+/// derivatives up to order `s` agree from both sides, -1 at a jump. It is `p` where both sides are one polynomial.
+/// Decided exactly: floating-point numbers are taken as the rational numbers they are. \f$ O(p^3) \f$
 /// \throws Error `parameter_outside_domain` also at the ends of the domain,
 ///   `wrong_number_of_points` unless there are `n` coefficients
 template <class FT, class Coefficients>
@@ -111,8 +112,8 @@ int bspline_smoothness(const Knot_vector<FT>& knots, const Coefficients& c, cons
 }
 
 /// \ingroup PkgGeometricContinuityAlgebra
-/// Returns the coefficients over the knots without `times >= 0` copies of the inner knot `u`, or nothing when that would change the
-/// spline. The decision is that of `bspline_smoothness()`. \f$ O(n + p^3) \f$ operations
+/// Returns the coefficients over the knots without `times >= 0` copies of the inner knot `u`, or nothing when that
+/// would change the spline. The decision is that of `bspline_smoothness()`. \f$ O(n + p^3) \f$ operations
 /// \throws Error `negative_count` when `times` is negative, `parameter_outside_domain` unless `u` is inside the domain,
 ///   `wrong_number_of_points` unless there are `n` coefficients
 template <class FT, class Coefficients>

@@ -19,24 +19,25 @@ namespace CGAL {
 namespace Geometric_continuity {
 
 /// \ingroup PkgGeometricContinuityAlgebra
-/// Returns the knots of the product of splines of the degrees `p` and `q` over `f` and `g`: clamped, of degree `p + q`, with the
-/// multiplicity \f$ \max(m_f + q \text{ if } m_f > 0,\ m_g + p \text{ if } m_g > 0) \f$ for an inner knot of the multiplicities
-/// \f$ m_f, m_g \f$, which is the smallest that holds all products. Che et al.
+/// Returns the knots of the product of splines of the degrees `p` and `q` over `f` and `g`: clamped, of degree `p + q`,
+/// with the multiplicity \f$ \max(m_f + q \text{ if } m_f > 0,\ m_g + p \text{ if } m_g > 0) \f$ for an inner knot of
+/// the multiplicities \f$ m_f, m_g \f$, which is the smallest that holds all products. Che et al.
 /// \throws Error `parameter_outside_domain` when the domains differ
 template <class FT> Knot_vector<FT> product_knots(const Knot_vector<FT>& f, const Knot_vector<FT>& g) {
   return internal::distinct_product_knots(f, g).knot_vector();
 }
 
 /// \ingroup PkgGeometricContinuityAlgebra
-/// Returns the coefficients over `product_knots()` of the product of a spline `f` of degree `p` with numbers and a spline `g` of degree
-/// `q` with numbers or vectors as coefficients. The knots need not be equal nor clamped, and may have any multiplicity.
+/// Returns the coefficients over `product_knots()` of the product of a spline `f` of degree `p` with numbers and a
+/// spline `g` of degree `q` with numbers or vectors as coefficients. The knots need not be equal nor clamped, and may
+/// have any multiplicity.
 ///
 /// With \f$ P_k = f_k g_k \f$ in Bernstein form on each span, the coefficients are
-/// \f$ P_k[t_{j+1}, \dots, t_{j+p+q}] \f$. Most of them are Bernstein coefficients as they are; of splines of equal degree with
-/// simple knots, one for each knot needs arithmetic.
+/// \f$ P_k[t_{j+1}, \dots, t_{j+p+q}] \f$. Most of them are Bernstein coefficients as they are; of splines of equal
+/// degree with simple knots, one for each knot needs arithmetic.
 ///
-/// \f$ O(p^2 + q^2 + pq) \f$ field operations for each coordinate and span, and \f$ O((p+q)^2) \f$ for each coefficient that
-/// straddles a knot. Degrees up to 3 on floating-point numbers are unrolled.
+/// \f$ O(p^2 + q^2 + pq) \f$ field operations for each coordinate and span, and \f$ O((p+q)^2) \f$ for each coefficient
+/// that straddles a knot. Degrees up to 3 on floating-point numbers are unrolled.
 /// \throws Error `parameter_outside_domain` when the domains differ,
 ///   `wrong_number_of_points` unless the numbers of coefficients fit the knots
 template <class FT, class Scalars, class Coefficients>
@@ -48,15 +49,16 @@ std::vector<typename Coefficients::value_type> bspline_product(const Knot_vector
 }
 
 /// \ingroup PkgGeometricContinuityAlgebra
-/// Returns the knots of the same splines in a degree raised by `times >= 0`: clamped, every inner knot repeated `times` more.
+/// Returns the knots of the same splines in a degree raised by `times >= 0`: clamped, every inner knot repeated `times`
+/// more.
 /// \throws Error `negative_count` when `times` is negative
 template <class FT> Knot_vector<FT> elevated_knots(const Knot_vector<FT>& knots, int times = 1) {
   return internal::distinct_elevated_knots(knots, times).knot_vector();
 }
 
 /// \ingroup PkgGeometricContinuityAlgebra
-/// Returns the coefficients over `elevated_knots()`: those of the product with the constant 1 of degree `times >= 0`. The operations
-/// are those of `bspline_product()`.
+/// Returns the coefficients over `elevated_knots()`: those of the product with the constant 1 of degree `times >= 0`.
+/// The operations are those of `bspline_product()`.
 /// \throws Error `negative_count` when `times` is negative, `wrong_number_of_points` unless there are `n` coefficients
 template <class FT, class Coefficients>
 std::vector<typename Coefficients::value_type> bspline_elevate(const Knot_vector<FT>& knots, const Coefficients& c,

@@ -2,8 +2,8 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// The predicates of edge_predicates.h on double coordinates: every stage is reached and agrees with the plain decision in
-// rational numbers (Edge_conditions), on edges of every class.
+// The predicates of edge_predicates.h on double coordinates, on rational numbers and on spans of splines: every stage is
+// reached and agrees with the plain decision in rational numbers (Edge_conditions), on edges of every class.
 //
 // Set GEOMETRIC_CONTINUITY_EDGES for the number of edges of each class and GEOMETRIC_CONTINUITY_SEED for other numbers.
 
@@ -14,6 +14,8 @@
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Geometric_continuity/Traits_3.h>
+#include <CGAL/Geometric_continuity/edges/Edge_conditions.h>
+#include <CGAL/Geometric_continuity/edges/edge_continuity.h>
 #include <CGAL/Geometric_continuity/edges/edge_predicates.h>
 #include <CGAL/Simple_cartesian.h>
 
@@ -27,6 +29,7 @@
 #include <numeric>
 #include <random>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -112,7 +115,7 @@ void check_report(const Patch& a, Patch_edge edge_a, const Patch& b, Patch_edge 
   typedef GC::Spline_edge_continuity<Q> Report;
   const Report e = GC::edge_continuity(a, edge_a, b, edge_b);
   BOOST_CHECK_EQUAL(e.g_order, truth);
-  if (truth < 1) return; // the same function
+  if (truth < 1) return;
   const Report f = GC::edge_continuity(GC::spline_edge_rows(a, edge_a), GC::spline_edge_rows(b, edge_b));
   const auto same = [](const GC::Edge_continuity<Q>& x, const GC::Edge_continuity<Q>& y) {
     return x.g_order == y.g_order && x.defect == y.defect && x.reversed == y.reversed && x.coplanar == y.coplanar &&
@@ -528,7 +531,143 @@ BOOST_AUTO_TEST_CASE(not_finite) {
                           [](const GC::Error& e) { return e.code() == GC::Error_code::not_finite; });
 }
 
-// Exact kernels have the last stage only.
+// ---------------------------------------------------------------- rational numbers, and the spans of splines
+
+namespace {
+
+typedef GC::Traits_3<CGAL::Simple_cartesian<Q>> Rational_space;
+typedef GC::Bezier_patch<Rational_space> Rational_patch;
+typedef GC::Bspline_surface<Rational_space> Rational_spline;
+
+// With coordinates divided by a whole number.
+Rational_patch rational(const Patch& s, int divisor) {
+  std::vector<std::vector<Rational_space::Point>> net(s.degree_u() + 1);
+  for (int i = 0; i <= s.degree_u(); ++i)
+    for (int j = 0; j <= s.degree_v(); ++j) {
+      const Space::Point& p = s.control_point(i, j);
+      net[i].emplace_back(Q(p.x()) / divisor, Q(p.y()) / divisor, Q(p.z()) / divisor);
+    }
+  return Rational_patch(net);
+}
+
+// Over inner knots that change nothing, here those in the direction of the edge.
+Rational_spline with_knots(const Rational_patch& s, Patch_edge edge, const std::vector<Q>& knots) {
+  Rational_spline r(s);
+  for (const Q& t : knots) r = runs_along_u(edge) ? r.insert_u(t) : r.insert_v(t);
+  return runs_along_u(edge) ? r.insert_v(Q(1) / 2) : r.insert_u(Q(1) / 2);
+}
+
+GC::Bspline_surface<Space> in_double(const Rational_spline& s) {
+  const auto number = [](const Q& x) {
+    BOOST_REQUIRE(Q(CGAL::to_double(x)) == x);
+    return CGAL::to_double(x);
+  };
+  std::vector<double> u, v;
+  for (const Q& t : s.knots_u()) u.push_back(number(t));
+  for (const Q& t : s.knots_v()) v.push_back(number(t));
+  std::vector<std::vector<Space::Point>> net(s.number_of_points_u());
+  for (int i = 0; i < s.number_of_points_u(); ++i)
+    for (int j = 0; j < s.number_of_points_v(); ++j) {
+      const Rational_space::Point& p = s.control_point(i, j);
+      net[i].emplace_back(number(p.x()), number(p.y()), number(p.z()));
+    }
+  return GC::Bspline_surface<Space>(net, GC::Knot_vector<double>(s.degree_u(), u),
+                                    GC::Knot_vector<double>(s.degree_v(), v));
+}
+
+bool agree(const GC::Edge_continuity<Q>& x, const GC::Edge_continuity<Q>& y) {
+  return x.g_order == y.g_order && x.defect == y.defect && x.reversed == y.reversed && x.coplanar == y.coplanar &&
+         x.side == y.side && x.collapsed == y.collapsed && x.normal_vanishes == y.normal_vanishes;
+}
+
+// The report and the predicates on the same edge, in other numbers and over other knots, against `truth`, which the rational
+// road has found: that for rows, which has no stages. A single point is of the order 0 in any parametrisation.
+template <class Surface_a, class Surface_b>
+void check_surfaces(const Surface_a& a, Patch_edge edge_a, const Surface_b& b, Patch_edge edge_b,
+                    const GC::Edge_continuity<Q>& truth, Counter& counter) {
+  const auto report = GC::edge_continuity(a, edge_a, b, edge_b);
+  const auto check_order = [&](auto order, bool expected) {
+    for (const unsigned used : combinations) {
+      Stages stages{used};
+      counter.mismatches +=
+          GC::internal::edge_has_order<decltype(order)::value>(a, edge_a, b, edge_b, stages) != expected;
+      if (used == 31)
+        for (int s = 0; s < 5; ++s) counter.stages[order][s] += stages.count[s];
+    }
+    ++counter.answers[order][expected];
+  };
+  check_order(std::integral_constant<int, 0>(), 0 <= truth.g_order);
+  check_order(std::integral_constant<int, 1>(), 1 <= truth.g_order);
+  check_order(std::integral_constant<int, 2>(), 2 <= truth.g_order);
+  if (truth.g_order >= 0 && !truth.collapsed) {
+    const bool same = agree(report, truth) && report.whole_a && report.whole_b &&
+                      (!truth.deviation || truth.deviation->upper != Q(0) || report.deviation->upper == Q(0));
+    counter.mismatches += !same;
+    BOOST_CHECK_MESSAGE(same, report << " instead of " << truth);
+  }
+}
+
+void check_numbers_and_knots(const Patch& a, Patch_edge edge_a, const Patch& b, Patch_edge edge_b, Counter& rationals,
+                             Counter& spans) {
+  const GC::Edge_continuity<Q> truth = edge_continuity(rows_of(a, edge_a), rows_of(b, edge_b));
+  check_surfaces(rational(a, 6), edge_a, rational(b, 6), edge_b, truth, rationals);
+  // knots at equal places of the curve where the second edge runs backwards or not
+  const std::vector<Q> halves{Q(1) / 2}, quarters{Q(1) / 4, Q(1) / 2, Q(3) / 4};
+  const Rational_spline x = with_knots(rational(a, 1), edge_a, halves),
+                        y = with_knots(rational(b, 1), edge_b, quarters);
+  check_surfaces(x, edge_a, y, edge_b, truth, spans);
+  check_surfaces(x, edge_a, rational(b, 1), edge_b, truth, spans);
+}
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE(rational_numbers_and_spans) {
+  Random r;
+  Counter rationals, spans, doubles, rough;
+  for (int i = 0; i < edges_of_a_class(); ++i) {
+    Connection s(r, 2 + i % 3);
+    if (i % 3 == 1) s.w2[0][2] += 1; // order 1
+    if (i % 6 == 2) s.t2[0][2] += 1; // a crease
+    const Edges e = edges(r, s);
+    const auto a = placed(e.first, static_cast<int>(r.integer(0, 7)), as_given),
+               b = placed(e.second, static_cast<int>(r.integer(0, 7)), as_given);
+    check_numbers_and_knots(a.first, a.second, b.first, b.second, rationals, spans);
+    if (i % 4 == 0) { // the same splines on doubles, which represent them
+      const auto c = placed(e.first, 0, as_given), d = placed(e.second, 0, as_given);
+      const GC::Edge_continuity<Q> truth = edge_continuity(rows_of(c.first, v0), rows_of(d.first, v0));
+      const auto spline = [](const Patch& patch) { return in_double(with_knots(rational(patch, 1), v0, {Q(1) / 2})); };
+      check_surfaces(spline(c.first), v0, spline(d.first), v0, truth, doubles);
+    }
+    // off by one unit of coordinates of 53 bits, without a normal, a single point
+    Edges off = edges(r, s);
+    if (i % 3 == 0) {
+      fill(off);
+      off.second[i % 2 + 1][r.integer(0, s.n)][2] += 1;
+    } else {
+      if (i % 3 == 1) {
+        s.t1 = Polynomial{0, 1} * r.curve(s.n - 1, 1);
+        s.connect(r, {1}, -1);
+      } else
+        s.c = {{5, 6, 7}};
+      off = edges(r, s);
+    }
+    const auto p = placed(off.first, 0, as_given), q = placed(off.second, static_cast<int>(r.integer(0, 7)), as_given);
+    check_numbers_and_knots(p.first, p.second, q.first, q.second, rough, rough);
+  }
+  report("rational numbers", r, rationals);
+  report("spans of splines", r, spans);
+  report("spans of splines on doubles", r, doubles);
+  report("rough rational edges", r, rough);
+  for (const Counter& c : {rationals, spans, doubles})
+    for (int order : {1, 2}) {
+      BOOST_CHECK_GT(c.of(order, Edge_stage::simple_ratio), c.answers[order][1] / 2);
+      BOOST_CHECK_GT(c.of(order, Edge_stage::floating_point), 0);
+      BOOST_CHECK_GT(c.answers[order][0], 0);
+    }
+  BOOST_CHECK_GT(rough.of(1, Edge_stage::multiprecision), 0);
+}
+
+// Rational numbers have all stages if they are short over one denominator.
 BOOST_AUTO_TEST_CASE(exact_kernels) {
   typedef GC::Traits_3<CGAL::Simple_cartesian<Q>> Exact;
   typedef Exact::Point Point;

@@ -4,8 +4,6 @@
 
 // Keys by which the edges of a model are recognised.
 
-#define BOOST_TEST_DYN_LINK
-#define BOOST_TEST_MODULE Edge_key
 #include <boost/test/unit_test.hpp>
 
 #include "support/spline_surfaces.h"

@@ -15,9 +15,9 @@
 #include <vector>
 
 /// \file root_count.h
-/// What the signs and the roots of a polynomial are found with: Descartes' rule in Bernstein form. A polynomial has at most as
-/// many roots in (0, 1) as its coefficients change the sign, and exactly one if they do so once. Bisection is done in whole
-/// numbers, which are added, where rational numbers would be cancelled.
+/// What the signs and the roots of a polynomial are found with: Descartes' rule in Bernstein form. A
+/// polynomial has at most as many roots in (0, 1) as its coefficients change the sign, and exactly one if they do so
+/// once. Bisection is done in whole numbers, which are added, where rational numbers would be cancelled.
 
 namespace CGAL {
 namespace Geometric_continuity {

@@ -13,7 +13,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdlib>
 #include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -21,32 +23,51 @@ namespace CGAL {
 namespace Geometric_continuity {
 namespace internal {
 
+// All of this holds in every rounding mode: what is computed in floating-point numbers is exact, or a choice near to others.
+
 // 2^n, also where that is no double.
 inline Exact_rational exact_power_of_two(int n) {
-  Exact_rational x(1);
-  const Exact_rational factor = n < 0 ? Exact_rational(1) / Exact_rational(2) : Exact_rational(2);
-  for (; n != 0; n += n < 0 ? 1 : -1) x *= factor;
-  return x;
+  Exact_rational power(1), base = n < 0 ? Exact_rational(Exact_rational(1) / Exact_rational(2)) : Exact_rational(2);
+  for (int k = std::abs(n); k > 0; k /= 2) {
+    if (k % 2 != 0) power *= base;
+    base *= base;
+  }
+  return power;
 }
 
 // Whether x is a number of the floating-point type Float.
 template <class Float> bool is_representable(const Exact_rational& x) {
-  const Float rounded = static_cast<Float>(CGAL::to_double(x));
-  return std::isfinite(rounded) && Exact_rational(rounded) == x;
+  const double rounded = CGAL::to_double(x);
+  if (!(std::abs(rounded) <= static_cast<double>((std::numeric_limits<Float>::max)()))) return false;
+  return Exact_rational(static_cast<Float>(rounded)) == x;
 }
 
-// The multiple of 2^n nearest to the number x, or of two the one with the even quotient.
-template <class Float> Float rounded_to_grid(Float x, int n) {
+// The integer nearest to x, or of two the even one.
+template <class Float> Float nearest_integer(Float x) {
+  const Float n = std::trunc(x), rest = std::abs(x - n); // exact
+  if (rest < Float(0.5) || (rest == Float(0.5) && std::fmod(n, Float(2)) == Float(0))) return n;
+  return n + std::copysign(Float(1), x);
+}
+
+// Whether the multiple m of 2^n is too large for Float.
+template <class Float> bool overflows(Float m, int n) {
+  return m != Float(0) && std::ilogb(m) >= std::numeric_limits<Float>::max_exponent - n;
+}
+
+// The multiple of 2^n nearest to the number x, or of two the one with the even quotient; nothing when it is too large.
+template <class Float> std::optional<Float> rounded_to_grid(Float x, int n) {
   if (x == Float(0) || std::ilogb(x) - std::numeric_limits<Float>::digits >= n) return x;
   if (std::ilogb(x) < n - 1) return Float(0);
-  return std::ldexp(std::nearbyint(std::ldexp(x, -n)), n); // the quotient has at most as many digits as x
+  const Float multiple = nearest_integer(std::ldexp(x, -n)); // the quotient has at most as many digits as x
+  if (overflows(multiple, n)) return std::nullopt;
+  return std::ldexp(multiple, n);
 }
 
-// The number with `digits` binary digits nearest to x > 0.
+// The number with `digits` binary digits nearest to x; x > 0 is not far from 1.
 inline Exact_rational short_number(const Exact_rational& x, int digits) {
   const double approximation = CGAL::to_double(x);
   const int n = std::ilogb(approximation) + 1 - digits;
-  return Exact_rational(std::nearbyint(std::ldexp(approximation, -n))) * exact_power_of_two(n);
+  return Exact_rational(nearest_integer(std::ldexp(approximation, -n))) * exact_power_of_two(n);
 }
 
 // One end of a blend with control points that are numbers of type Float. With the end points A = b_0, b_1, b_2 of a curve
@@ -68,7 +89,8 @@ private:
   const int sign_;                                         // of the leg p = sign (b_0 - b_1)
   const int m_;
   const char* place_;
-  Exact_rational target_; // of c
+  int exponent_;          // of beta
+  Exact_rational target_; // of c / 2^exponent
   Exact_rational f_, odd_;
   int digits_ = most_digits;
   std::vector<int> grid_;    // coordinate x of the points is a multiple of 2^grid[x]
@@ -82,17 +104,18 @@ public:
   // `sign` is 1 at the end of a curve, -1 at the start of one.
   Representable_end(const std::array<Coordinate_vector<Float, N>, 3>& inward, int degree, int sign, const Float& beta,
                     const char* place)
-      : given_(inward), sign_(sign), m_(degree), place_(place), target_(Exact_rational(beta) * degree / 5),
+      : given_(inward), sign_(sign), m_(degree), place_(place), exponent_(std::ilogb(beta)), // not 0, and finite
+        target_(Exact_rational(std::scalbn(beta, -exponent_)) * degree / 5),
         f_(Exact_rational(5 * (degree - 1)) / Exact_rational(4 * degree)), odd_(odd_denominator(degree)), b_(inward) {
     for (int x = 0; x < given_[0].dimension(); ++x) {
       int top = std::numeric_limits<Float>::min_exponent; // the coordinates are below 2^top
       for (const auto& b : given_)
-        if (b[x] != Float(0)) top = std::max(top, std::ilogb(b[x]) + 1);
+        if (b[x] != Float(0)) top = (std::max)(top, std::ilogb(b[x]) + 1);
       int n = top;
       for (const auto& b : given_)
-        while (rounded_to_grid(b[x], n) != b[x]) --n;
+        while (rounded_to_grid(b[x], n) != b[x]) --n; // ends at the unit of the last digit
       // c has at least so many digits, and the largest coordinate needs all of them
-      grid_.push_back(std::max(n, top - std::numeric_limits<Float>::digits + fewest_digits));
+      grid_.push_back((std::max)(n, top - std::numeric_limits<Float>::digits + fewest_digits));
     }
     failed_.resize(grid_.size());
     round();
@@ -100,12 +123,17 @@ public:
   }
 
   const std::array<Coordinate_vector<Float, N>, 3>& points() const { return b_; }
-  const Exact_rational& c() const { return c_; }
+  // The shape parameter of the join, rounded; it stays positive.
+  Float beta() const {
+    const double x = CGAL::to_double(Exact_rational(5 * c_ / m_));
+    if (!(x <= static_cast<double>((std::numeric_limits<Float>::max)()))) refuse("the shape parameter overflows");
+    return (std::max)(static_cast<Float>(x), std::numeric_limits<Float>::denorm_min());
+  }
   const std::vector<int>& grid() const { return grid_; }
 
   Vector a() const { return a_; }
   Vector tangent() const { return Exact_rational(5 * c_) * p_; }                      // of the blend
-  Vector second_derivative() const { return Exact_rational(20 * c_ * c_ * f_) * q_; } // likewise, with e = 0
+  Vector second_derivative() const { return Exact_rational(20 * c_ * c_ * f_) * q_; } // of the blend when e = 0
   Vector second_point() const { return a_ + Exact_rational(sign_ * c_) * p_; }        // B
   Vector third_point() const { return base() + e_ * p_; }                             // C
 
@@ -115,9 +143,9 @@ public:
     const Exact_rational exact = dot(Vector(wish - base()), p_) / dot(p_, p_);
     const double approximation = CGAL::to_double(exact);
     for (int digits = finest_e; digits >= coarsest_e; --digits) {
-      const double multiple = std::nearbyint(std::ldexp(approximation, digits));
-      if (!std::isfinite(multiple)) refuse("the strategy chooses a point that is too far away");
-      e_ = Exact_rational(multiple) * exact_power_of_two(-digits);
+      if (!std::isfinite(approximation) || overflows(approximation, digits))
+        refuse("the strategy chooses a point that is too far away");
+      e_ = Exact_rational(nearest_integer(std::ldexp(approximation, digits))) * exact_power_of_two(-digits);
       if (representable(third_point())) return true;
     }
     return false;
@@ -144,11 +172,14 @@ private:
   }
 
   void round() {
-    for (int i = 0; i < 3; ++i)
-      for (int x = 0; x < given_[i].dimension(); ++x) {
-        b_[i][x] = rounded_to_grid(given_[i][x], grid_[x]);
-        if (!std::isfinite(b_[i][x])) refuse("a coordinate overflows when it is rounded");
+    for (int x = 0; x < given_[0].dimension(); ++x) {
+      if (overflows(Float(1), grid_[x])) refuse("no grid leaves room below the largest number");
+      for (int i = 0; i < 3; ++i) {
+        const std::optional<Float> b = rounded_to_grid(given_[i][x], grid_[x]);
+        if (!b) refuse("a coordinate overflows when it is rounded");
+        b_[i][x] = *b;
       }
+    }
   }
 
   [[noreturn]] void refuse(const char* reason) const {
@@ -165,13 +196,17 @@ private:
     p_ = Exact_rational(sign_) * (a_ - exact(b_[1]));
     q_ = a_ - Exact_rational(2) * exact(b_[1]) + exact(b_[2]);
     if (dot(p_, p_) == Exact_rational(0)) refuse("the tangent is lost on each grid that leaves room for the blend");
-    c_ = odd_ * short_number(target_ / odd_, digits_);
+    c_ = odd_ * short_number(target_ / odd_, digits_) * exact_power_of_two(exponent_);
   }
 
   Vector base() const { return Exact_rational(2) * second_point() - a_ + Exact_rational(c_ * c_ * f_) * q_; }
 
   bool representable(const Vector& x) {
-    for (int i = 0; i < x.dimension(); ++i) failed_[i] = !is_representable<Float>(x[i]);
+    const Exact_rational most((std::numeric_limits<Float>::max)());
+    for (int i = 0; i < x.dimension(); ++i) {
+      failed_[i] = !is_representable<Float>(x[i]);
+      if (failed_[i] && (most < x[i] || x[i] < -most)) refuse("a coordinate of the blend overflows");
+    }
     return std::find(failed_.begin(), failed_.end(), true) == failed_.end();
   }
 };

@@ -15,7 +15,7 @@ namespace CGAL {
 namespace Geometric_continuity {
 namespace internal {
 
-// What floating-point numbers can refute: the conditions of Edge_on_grid at both ends of the edge, where they need only few
+// What floating-point numbers can refute: the conditions of Edge_on_grid, and of Edge_normals, at both ends of the edge, where they need only few
 // control points. With u = 2^-52, which bounds the relative error of an operation in every rounding mode, with or without
 // fused multiplication and addition:
 //
@@ -54,7 +54,7 @@ private:
     Vector value;
     double bound;
     Second_difference(const Vector& x, const Vector& y)
-        : value(minus(y, x)), bound(std::max(least, largest(x) + largest(y))) {}
+        : value(minus(y, x)), bound((std::max)(least, largest(x) + largest(y))) {}
   };
 
   // The reversed edge has the differences d with the other sign, and so has f; all terms of the conditions are odd in d, or all
@@ -78,8 +78,8 @@ private:
              M = 2 * n * q1 * q2 * (A * B * D * B) * f.bound, bound = f.bound;
       const auto add = [&](double weight, double x, double X, const Second_difference& y) {
         value += weight * x * dot(normal, y.value);
-        M = std::max(M, std::abs(weight) * X * y.bound);
-        bound = std::max(bound, y.bound);
+        M = (std::max)(M, std::abs(weight) * X * y.bound);
+        bound = (std::max)(bound, y.bound);
       };
       const auto across = [&](const Edge_layers& s, const Vector& leg) {
         return Second_difference(leg, minus(point(s, 2, 0), point(s, 1, 0)));

@@ -86,7 +86,7 @@ Short_polynomial<m + n> cross_coordinate(const Short_vector<m>& v, const Short_v
 }
 
 // The decision on two surfaces with one edge, in one direction, whose control points are whole numbers of at most 2^53. See
-// Edge_conditions; with the differences
+// Edge_conditions, and Edge_normals for the same in multi-precision; with the differences
 //   d = C'/n, a = T1/q1, b = T2/q2, e = C''/(n (n-1)), f = T1'/(n q1), g = W1/(q1 (q1-1)), h = W2/(q2 (q2-1))
 // of the control points, N = d x a, n2 = d x b, n3 = b x a, the identity of second order is
 //   n q1 (q2-1) N_i^2 (N.h) = q1 q2 (n-1) n3_i^2 (N.e) + 2 n q1 q2 n3_i n2_i (N.f) + n q2 (q1-1) n2_i^2 (N.g),

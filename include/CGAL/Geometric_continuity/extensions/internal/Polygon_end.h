@@ -98,18 +98,19 @@ protected:
   template <class F = FT> Coordinates_over<F> s() const { return b<F>(2) - b<F>(3); }
 
   Coordinates coordinates(const Point& point) const {
-    const Coordinates x = Geometric_continuity::coordinates<Traits>(point);
-    if (x.dimension() != points_[0].dimension()) throw Error(Error_code::dimension_mismatch, place_);
-    return x;
+    const Coordinates c = Geometric_continuity::coordinates<Traits>(point);
+    if (c.dimension() != points_[0].dimension()) throw Error(Error_code::dimension_mismatch, place_);
+    for (const FT& x : c) check_finite(x, place_);
+    return c;
   }
   Coordinates_over<Field> in_field(const Point& point) const { return convert<Field>(coordinates(point)); }
 
-  const FT& finite(const FT& x) const {
+  FT finite(FT x) const {
     check_finite(x, place_);
     return x;
   }
   Point to_point(const Coordinates& c) const {
-    for (const FT& x : c) finite(x);
+    for (const FT& x : c) check_finite(x, place_);
     return Geometric_continuity::to_point<Traits>(c);
   }
 

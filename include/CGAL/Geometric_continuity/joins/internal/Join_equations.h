@@ -8,6 +8,10 @@
 #include <CGAL/Geometric_continuity/joins/internal/Join_weights.h>
 #include <CGAL/Geometric_continuity/joins/internal/join_forms.h>
 
+#include <array>
+#include <cstdint>
+#include <type_traits>
+
 namespace CGAL {
 namespace Geometric_continuity {
 namespace internal {
@@ -22,6 +26,29 @@ template <class T> struct Join_ratio {
   template <class V, class W> constexpr BOOST_FORCEINLINE Product<V, T> p_times(const V& v, const W& w) const {
     return scaled(Product<V, T>(v * p), w);
   }
+};
+
+// What is known of exact numbers.
+template <class T> struct Exact_zero {
+  static constexpr bool exact = true, pivot_is_first = true;
+  template <class X> bool operator()(Join_question, const X& x) const {
+    if constexpr (std::is_same_v<X, T>)
+      return bool(x == T(0));
+    else
+      return is_zero(x);
+  }
+};
+
+// The residue of zero is zero; the residue of another number may be.
+struct Residue_zero {
+  static constexpr bool exact = false, pivot_is_first = true;
+  bool operator()(Join_question, std::uint64_t x) const { return x == 0; }
+};
+
+// The residue of a number that is known to be smaller than the modulus.
+struct Modular_zero {
+  static constexpr bool exact = false, pivot_is_first = true;
+  template <class X> bool operator()(Join_question, const X& x) const { return is_zero(x); }
 };
 
 // The equations of the join of two polygons with nonzero first differences. `Zero` says whether the value of a form may be
@@ -86,7 +113,7 @@ public:
     return zero(Join_question::f3, difference_form(x, dot_form(n, b3), y, dot_form(n, a3)));
   }
 
-  // Not for parallel tangents only: K = (g a2 - (a1.a2) a1) / g^2 with g = a1.a1, and likewise on the right.
+  // Not for parallel tangents only: K = (g a2 - (a1.a2) a1) / g^2 with g = a1.a1, and the same of b on the right.
   constexpr BOOST_FORCEINLINE bool curvature_vectors_equal() const {
     typedef Product<T, T> Second;
     typedef Product<Second, Second> Fourth;

@@ -113,21 +113,21 @@ private:
   BOOST_FORCEINLINE double largest_product(Join_question form) const {
     const double a = A.d1, b = B.d1;
     if constexpr (std::is_same_v<Weights, Parametric_join_weights<double>>) switch (form) {
-      case Join_question::c1: return std::max(w.a1 * A.d1, w.b1 * B.d1);
-      case Join_question::c2: return std::max(w.a2 * A.d2, w.b2 * B.d2);
-      default: return std::max(w.a3 * A.d3, w.b3 * B.d3);
+      case Join_question::c1: return (std::max)(w.a1 * A.d1, w.b1 * B.d1);
+      case Join_question::c2: return (std::max)(w.a2 * A.d2, w.b2 * B.d2);
+      default: return (std::max)(w.a3 * A.d3, w.b3 * B.d3);
       }
     else {
-      const double second = std::max(w.b2 * (a * a) * B.d2, w.a2 * (b * b) * A.d2);
+      const double second = (std::max)(w.b2 * (a * a) * B.d2, w.a2 * (b * b) * A.d2);
       switch (form) {
       case Join_question::g1: return a * b;
       case Join_question::g2: return a * second;
       case Join_question::g3:
-        return a * std::max(std::max(w.b3 * (a * a * a * a) * B.d3, w.a3 * (a * b * b * b) * A.d3),
-                            w.mix * (b * A.d2) * second);
-      case Join_question::f3: return a * A.d2 * std::max(w.b3 * (a * a * a) * B.d3, w.a3 * (b * b * b) * A.d3);
+        return a * (std::max)((std::max)(w.b3 * (a * a * a * a) * B.d3, w.a3 * (a * b * b * b) * A.d3),
+                              w.mix * (b * A.d2) * second);
+      case Join_question::f3: return a * A.d2 * (std::max)(w.b3 * (a * a * a) * B.d3, w.a3 * (b * b * b) * A.d3);
       case Join_question::curvature_vector: return a * a * b * b * second;
-      default: return a * A.d2 * (b * B.d2) * std::max(w.a3 * A.d3 * (b * B.d2), w.b3 * B.d3 * (a * A.d2));
+      default: return a * A.d2 * (b * B.d2) * (std::max)(w.a3 * A.d3 * (b * B.d2), w.b3 * B.d3 * (a * A.d2));
       }
     }
   }

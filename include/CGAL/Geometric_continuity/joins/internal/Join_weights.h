@@ -5,6 +5,8 @@
 #ifndef CGAL_GEOMETRIC_CONTINUITY_JOINS_INTERNAL_JOIN_WEIGHTS_H
 #define CGAL_GEOMETRIC_CONTINUITY_JOINS_INTERNAL_JOIN_WEIGHTS_H
 
+#include <CGAL/Geometric_continuity/joins/internal/Join_question.h>
+
 #include <boost/config.hpp>
 
 #include <algorithm>
@@ -14,40 +16,6 @@
 namespace CGAL {
 namespace Geometric_continuity {
 namespace internal {
-
-// What can be decided about a join.
-enum class Join_question { c0, c1, c2, c3, g1, g2, g3, f3, curvature_vector, torsion };
-
-constexpr bool is_parametric(Join_question question) { return question <= Join_question::c3; }
-constexpr bool is_geometric(Join_question question) {
-  return Join_question::g1 <= question && question <= Join_question::f3;
-}
-
-// The highest difference of the polygons that is read.
-constexpr int highest_difference(Join_question question) {
-  switch (question) {
-  case Join_question::c0: return 0;
-  case Join_question::c1:
-  case Join_question::g1: return 1;
-  case Join_question::c2:
-  case Join_question::g2:
-  case Join_question::curvature_vector: return 2;
-  default: return 3;
-  }
-}
-
-// The degree of the form in the differences.
-constexpr int form_degree(Join_question question) {
-  switch (question) {
-  case Join_question::g1: return 2;
-  case Join_question::g2: return 4;
-  case Join_question::g3:
-  case Join_question::f3: return 6;
-  case Join_question::curvature_vector:
-  case Join_question::torsion: return 7;
-  default: return 1;
-  }
-}
 
 // The integer factors of the geometric forms in the differences a_k of a polygon of degree m and b_k of one of degree n, to
 // which the derivatives are proportional: x^(k) = m!/(m-k)! a_k / h^k. After the linear substitutions that make the first
@@ -61,10 +29,11 @@ template <class W> struct Join_weights {
   template <Join_question question> static BOOST_FORCEINLINE Join_weights geometric(int m, int n) {
     if (m == n) {
       if (question == Join_question::g3) // those below divided by m^2 (m-1)
-        return {W(1), W(1), W(std::max(m - 2, 0)), W(std::max(m - 2, 0)), W(3 * std::max(m - 1, 0))};
+        return {W(1), W(1), W((std::max)(m - 2, 0)), W((std::max)(m - 2, 0)), W(3 * (std::max)(m - 1, 0))};
       return {W(1), W(1), W(1), W(1), W(1)};
     }
-    const W M(m), N(n), m1(std::max(m - 1, 0)), n1(std::max(n - 1, 0)), m2(std::max(m - 2, 0)), n2(std::max(n - 2, 0));
+    const W M(m), N(n), m1((std::max)(m - 1, 0)), n1((std::max)(n - 1, 0)), m2((std::max)(m - 2, 0)),
+        n2((std::max)(n - 2, 0));
     const W a2(N * m1), b2(M * n1);
     if (question == Join_question::torsion) return {a2, b2, W(N * m2), W(M * n2), W(1)};
     return {a2, b2, W(W(N * a2) * m2), W(W(M * b2) * n2), W(W(3) * a2)};
@@ -76,8 +45,8 @@ template <class W> struct Parametric_join_weights {
   W a1, b1, a2, b2, a3, b3;
 
   static BOOST_FORCEINLINE Parametric_join_weights of(int m, int n, const W& h, const W& l) {
-    const W a1(W(m) * l), a2(W(a1 * W(std::max(m - 1, 0))) * l), a3(W(a2 * W(std::max(m - 2, 0))) * l);
-    const W b1(W(n) * h), b2(W(b1 * W(std::max(n - 1, 0))) * h), b3(W(b2 * W(std::max(n - 2, 0))) * h);
+    const W a1(W(m) * l), a2(W(a1 * W((std::max)(m - 1, 0))) * l), a3(W(a2 * W((std::max)(m - 2, 0))) * l);
+    const W b1(W(n) * h), b2(W(b1 * W((std::max)(n - 1, 0))) * h), b3(W(b2 * W((std::max)(n - 2, 0))) * h);
     return {a1, b1, a2, b2, a3, b3};
   }
 };
@@ -95,9 +64,9 @@ BOOST_FORCEINLINE Parametric_join_weights<V> converted(const Parametric_join_wei
 
 // At most 2^40: exact as doubles, and with room for 20 bits more.
 template <int k> BOOST_FORCEINLINE bool weights_fit(const Parametric_join_weights<std::int64_t>& w) {
-  std::int64_t largest = std::max(w.a1, w.b1);
-  if (k >= 2) largest = std::max(largest, std::max(w.a2, w.b2));
-  if (k >= 3) largest = std::max(largest, std::max(w.a3, w.b3));
+  std::int64_t largest = (std::max)(w.a1, w.b1);
+  if (k >= 2) largest = (std::max)(largest, (std::max)(w.a2, w.b2));
+  if (k >= 3) largest = (std::max)(largest, (std::max)(w.a3, w.b3));
   return largest <= std::int64_t(1) << 40;
 }
 
@@ -109,13 +78,13 @@ template <Join_question question> BOOST_FORCEINLINE bool take_up(Join_weights<st
   constexpr std::int64_t second = std::int64_t(1) << 19, third = std::int64_t(1) << (power == 1 ? 19 : 28),
                          mixed = std::int64_t(1) << 16;
   if (d < -14 || 14 < d || !((w.a2 | w.b2) < second) || !((w.a3 | w.b3) < third) || !(w.mix < mixed)) return false;
-  const int up = std::max(d, 0), down = std::max(-d, 0);
+  const int up = (std::max)(d, 0), down = (std::max)(-d, 0);
   w = {w.a2 << down, w.b2 << up, w.a3 << power * down, w.b3 << power * up, w.mix << down};
   return (w.a2 | w.b2) < second && (highest_difference(question) < 3 || ((w.a3 | w.b3) < third && w.mix < mixed));
 }
 template <Join_question question> BOOST_FORCEINLINE bool take_up(Parametric_join_weights<std::int64_t>& w, int d) {
   if (d < -20 || 20 < d) return false;
-  const int up = std::max(d, 0), down = std::max(-d, 0);
+  const int up = (std::max)(d, 0), down = (std::max)(-d, 0);
   w = {w.a1 << up, w.b1 << down, w.a2 << up, w.b2 << down, w.a3 << up, w.b3 << down};
   return true;
 }

@@ -7,6 +7,8 @@
 
 #include <CGAL/Geometric_continuity/joins/internal/join_on_doubles.h>
 
+#include <boost/config.hpp>
+
 #include <algorithm>
 #include <cstdint>
 #include <utility>
@@ -15,9 +17,9 @@ namespace CGAL {
 namespace Geometric_continuity {
 namespace internal {
 
-// An end with what its decisions have in common: the legs on its grid.
+// An end with double coordinates, with what its decisions have in common: the legs on its grid.
 template <class Traits_, int N> class Prepared_double_end {
-  End_points<double, N> points_;
+  End_polygon<double, N> points_;
   int degree_;
   std::pair<double, double> domain_;
   Grid_legs<N> grid_;
@@ -36,14 +38,16 @@ public:
   std::pair<double, double> domain() const { return domain_; }
   double coordinate(int j, int i) const { return points_[j][i]; }
 
+  // Exact or `unknown`. \pre the ends meet, if the question asks for contact
   template <Join_question question, class Stages>
-  static Join_answer decide(const Prepared_double_end& left, const Prepared_double_end& right, Stages& stages) {
+  static BOOST_FORCEINLINE Join_answer decide(const Prepared_double_end& left, const Prepared_double_end& right,
+                                              Stages& stages) {
     if constexpr (is_parametric(question))
       return decide_on_doubles<question, N>(left, right, stages);
     else {
       const Grid_legs<N>&x = left.grid_, &y = right.grid_;
       const int m = left.degree(), n = right.degree(), pivot = left.pivot_;
-      if (!x.valid || !y.valid || std::max(m, n) > 1000 || !stages.uses(Join_stage::fixed_integer))
+      if (!x.valid || !y.valid || (std::max)(m, n) > 1000 || !stages.uses(Join_stage::fixed_integer))
         return decide_on_doubles<question, N>(left, right, stages);
       const auto decided = [&](Join_answer answer) {
         stages.decided(Join_stage::comparison, answer);
@@ -51,8 +55,7 @@ public:
       };
       const std::int64_t first = x.legs[0][pivot], second = y.legs[0][pivot];
       if constexpr (is_geometric(question)) {
-        if (left.points_[0] != right.points_[0] || !((first < 0 && 0 < second) || (0 < first && second < 0)))
-          return decided(Join_answer::no);
+        if (!((first < 0 && 0 < second) || (0 < first && second < 0))) return decided(Join_answer::no);
       } else if (first == 0 || y.legs[0][right.pivot_] == 0)
         return decided(Join_answer::undefined);
       return decide_on_grid_legs<question, N>(x, m, y, n, pivot,

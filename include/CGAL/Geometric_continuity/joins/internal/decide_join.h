@@ -5,41 +5,38 @@
 #ifndef CGAL_GEOMETRIC_CONTINUITY_JOINS_INTERNAL_DECIDE_JOIN_H
 #define CGAL_GEOMETRIC_CONTINUITY_JOINS_INTERNAL_DECIDE_JOIN_H
 
-#include <CGAL/Geometric_continuity/algebra/bernstein.h>
-#include <CGAL/Geometric_continuity/joins/internal/Prepared_double_end.h>
+#include <CGAL/Geometric_continuity/joins/Curve_ends.h>
+#include <CGAL/Geometric_continuity/joins/internal/Join_decision.h>
+#include <CGAL/Geometric_continuity/joins/internal/join_on_doubles.h>
 #include <CGAL/Geometric_continuity/joins/join_continuity.h>
 #include <CGAL/Geometric_continuity/numbers/Exact_field.h>
 #include <CGAL/Geometric_continuity/numbers/internal/Common_denominator.h>
 #include <CGAL/Geometric_continuity/numbers/internal/checked_conversion.h>
 
+#include <boost/config.hpp>
+
 #include <algorithm>
 #include <optional>
 #include <type_traits>
-#include <utility>
-#include <vector>
 
 namespace CGAL {
 namespace Geometric_continuity {
 namespace internal {
 
-// The end of a curve, or its start, as the predicates read it: point 0 is at the join.
-template <class Curve, bool at_end> struct Curve_end_view {
-  typedef typename Curve::Traits Traits;
-  typedef typename Traits::FT FT;
-  const Curve& curve;
-
-  int degree() const { return curve.degree(); }
-  int dimension() const { return Traits().compute_dimension_object()(curve.control_point(0)); }
-  std::pair<FT, FT> domain() const { return curve.domain(); }
-  FT coordinate(int j, int i) const {
-    return FT(Traits().compute_coordinate_object()(curve.control_point(at_end ? curve.degree() - j : j), i));
-  }
-};
-
-// Numbers that become doubles without rounding.
-template <class FT> constexpr bool is_double = std::is_floating_point_v<FT> && sizeof(FT) <= sizeof(double);
-
 template <class View> using Join_field = typename Exact_field<Predicate_FT<typename View::Traits>>::type;
+
+// Whether the question is about the points as well.
+constexpr bool asks_for_contact(Join_question question) { return is_parametric(question) || is_geometric(question); }
+
+template <class Left, class Right> void check_dimensions(const Left& left, const Right& right) {
+  if (left.dimension() != right.dimension()) throw Error(Error_code::dimension_mismatch, "join of two curves");
+}
+
+template <class Left, class Right> BOOST_FORCEINLINE bool ends_meet(const Left& left, const Right& right) {
+  for (int i = 0; i < left.dimension(); ++i)
+    if (left.coordinate(0, i) != right.coordinate(0, i)) return false;
+  return true;
+}
 
 // In dimension 2 and 3: the equations in the ring of the common denominators.
 template <Join_question question, int N, class Left, class Right>
@@ -49,88 +46,60 @@ Join_answer decide_in_ring(const Left& left, const Right& right) {
   constexpr int k = highest_difference(question);
   const int m = left.degree(), n = right.degree();
   const auto points = [](const auto& end) {
-    End_points<Field, N> x;
+    End_polygon<Field, N> x;
     for (int j = 0; j <= k; ++j)
-      for (int i = 0; i < N; ++i) x[j][i] = to_field<Field>(end.coordinate(std::min(j, end.degree()), i));
+      for (int i = 0; i < N; ++i) x[j][i] = to_field<Field>(end.coordinate((std::min)(j, end.degree()), i));
     return x;
   };
-  const End_points<Field, N> p = points(left), q = points(right);
-  if (is_parametric(question) || is_geometric(question))
-    for (int i = 0; i < N; ++i)
-      if (p[0][i] != q[0][i]) return Join_answer::no;
-  if constexpr (k == 0)
-    return Join_answer::yes;
-  else {
-    Common_denominator<Field> scale;
-    for (int j = 0; j <= k; ++j)
-      for (int i = 0; i < N; ++i) {
-        scale.include(p[j][i]);
-        scale.include(q[j][i]);
-      }
-    End_points<Ring, N> x, y;
-    for (int j = 0; j <= k; ++j)
-      for (int i = 0; i < N; ++i) {
-        x[j][i] = scale.numerator(p[j][i]);
-        y[j][i] = scale.numerator(q[j][i]);
-      }
-    const auto nonzero = [](const std::array<Ring, N>& leg) {
-      int i = 0;
-      while (i < N && leg[i] == Ring(0)) ++i;
-      return i;
-    };
-    const Differences<Ring, N> legs_x = legs_of<k>(x), legs_y = legs_of<k>(y);
-    const int pivot = is_parametric(question) ? 0 : nonzero(legs_x[0]);
-    if (!is_parametric(question) && (pivot == N || nonzero(legs_y[0]) == N))
-      return is_geometric(question) ? Join_answer::no : Join_answer::undefined;
-    const Differences<Ring, N> a = differences_of<k, true>(rotated<k>(legs_x, pivot), m),
-                               b = differences_of<k, false>(rotated<k>(legs_y, pivot), n);
+  const End_polygon<Field, N> p = points(left), q = points(right);
+  Common_denominator<Field> scale;
+  for (int j = 0; j <= k; ++j)
+    for (int i = 0; i < N; ++i) {
+      scale.include(p[j][i]);
+      scale.include(q[j][i]);
+    }
+  End_polygon<Ring, N> x, y;
+  for (int j = 0; j <= k; ++j)
+    for (int i = 0; i < N; ++i) {
+      x[j][i] = scale.numerator(p[j][i]);
+      y[j][i] = scale.numerator(q[j][i]);
+    }
+  const auto nonzero = [](const std::array<Ring, N>& leg) {
+    int i = 0;
+    while (i < N && leg[i] == Ring(0)) ++i;
+    return i;
+  };
+  const Legs<Ring, N> legs_x = legs_of<k>(x), legs_y = legs_of<k>(y);
+  const int pivot = is_parametric(question) ? 0 : nonzero(legs_x[0]);
+  if (!is_parametric(question) && (pivot == N || nonzero(legs_y[0]) == N))
+    return is_geometric(question) ? Join_answer::no : Join_answer::undefined;
+  const Differences<Ring, N> a = differences_of<k, true>(rotated<k>(legs_x, pivot), m),
+                             b = differences_of<k, false>(rotated<k>(legs_y, pivot), n);
 
-    Join_weights_of<question, Ring> w;
-    if constexpr (is_parametric(question)) {
-      const Field h = to_field<Field>(left.domain().second) - to_field<Field>(left.domain().first),
-                  l = to_field<Field>(right.domain().second) - to_field<Field>(right.domain().first);
-      Common_denominator<Field> lengths;
-      lengths.include(h);
-      lengths.include(l);
-      w = Parametric_join_weights<Ring>::of(m, n, lengths.numerator(h), lengths.numerator(l));
-    } else
-      w = Join_weights<Ring>::template geometric<question>(m, n);
-    Exact_zero<Ring> zero;
-    const Join_equations<Ring, N, Join_weights_of<question, Ring>, Exact_zero<Ring>> equations(a, b, w, zero);
-    if constexpr (is_geometric(question))
-      if ((Ring(0) < a[0][0]) != (Ring(0) < b[0][0]) || b[0][0] == Ring(0) || !equations.tangents_parallel())
-        return Join_answer::no;
-    if constexpr (question == Join_question::torsion)
-      if (!equations.both_have_curvature()) return Join_answer::undefined;
-    return equations_hold<question>(equations, equations.ratio()) ? Join_answer::yes : Join_answer::no;
-  }
+  Join_weights_of<question, Ring> w;
+  if constexpr (is_parametric(question)) {
+    const Field h = to_field<Field>(left.domain().second) - to_field<Field>(left.domain().first),
+                l = to_field<Field>(right.domain().second) - to_field<Field>(right.domain().first);
+    Common_denominator<Field> lengths;
+    lengths.include(h);
+    lengths.include(l);
+    w = Parametric_join_weights<Ring>::of(m, n, lengths.numerator(h), lengths.numerator(l));
+  } else
+    w = Join_weights<Ring>::template geometric<question>(m, n);
+  Exact_zero<Ring> zero;
+  const Join_equations<Ring, N, Join_weights_of<question, Ring>, Exact_zero<Ring>> equations(a, b, w, zero);
+  if constexpr (is_geometric(question))
+    if ((Ring(0) < a[0][0]) != (Ring(0) < b[0][0]) || b[0][0] == Ring(0) || !equations.tangents_parallel())
+      return Join_answer::no;
+  if constexpr (question == Join_question::torsion)
+    if (!equations.both_have_curvature()) return Join_answer::undefined;
+  return equations_hold<question>(equations, equations.ratio()) ? Join_answer::yes : Join_answer::no;
 }
 
-// In other dimensions: from the jets.
-template <Join_question question, class View>
-Coordinate_jet<Join_field<View>, dimension_v<typename View::Traits>> end_jet_of(const View& view, bool left) {
-  typedef Join_field<View> Field;
-  const int m = view.degree(), used = std::min(3, m) + 1;
-  const Field h = to_field<Field>(view.domain().second) - to_field<Field>(view.domain().first);
-  Coordinate_jet<Field, dimension_v<typename View::Traits>> jet(view.dimension(), 3);
-  std::vector<Field> c(used);
-  for (int i = 0; i < view.dimension(); ++i) {
-    for (int j = 0; j < used; ++j) c[j] = to_field<Field>(view.coordinate(j, i));
-    Field scale(1);
-    bernstein_end_derivatives<Field>(c, m, 3, [&](int j, const Field& x) {
-      jet[j][i] = x / scale;
-      scale *= left ? Field(-h) : h;
-    });
-  }
-  return jet;
-}
-
-template <Join_question question, class Left, class Right>
-Join_answer decide_from_jets(const Left& left, const Right& right) {
-  typedef Join_field<Left> Field;
-  const auto x = end_jet_of<question>(left, true);
-  const auto y = end_jet_of<question>(right, false);
-  const Join_continuity<Field> join = Join_decision<Field, dimension_v<typename Left::Traits>>(x, y, 3)();
+// From jets of order 3, that the ends meet included.
+template <Join_question question, class Field, int N>
+Join_answer decide_on_jets(const Coordinate_jet<Field, N>& x, const Coordinate_jet<Field, N>& y) {
+  const Join_continuity<Field> join = Join_decision<Field, N>(x, y, 3)();
   const auto answer = [](bool holds) { return holds ? Join_answer::yes : Join_answer::no; };
   const auto optional = [](const std::optional<bool>& b) {
     return !b ? Join_answer::undefined : *b ? Join_answer::yes : Join_answer::no;
@@ -147,27 +116,26 @@ Join_answer decide_from_jets(const Left& left, const Right& right) {
 template <Join_question question, int N>
 constexpr bool planar_by_definition = N == 2 && (question == Join_question::f3 || question == Join_question::torsion);
 
-// In multi-precision, or in the field of an exact kernel.
+// In multi-precision, or in the field of an exact kernel. \pre the ends meet, if the question asks for contact
 template <Join_question question, class Left, class Right, class Stages>
-Join_answer decide_exactly(const Left& left, const Right& right, Stages& stages) {
-  typedef typename Left::Traits Traits;
-  constexpr int N = dimension_v<Traits>;
+BOOST_NOINLINE Join_answer decide_exactly(const Left& left, const Right& right, Stages& stages) {
+  constexpr int N = dimension_v<typename Left::Traits>;
   Join_answer answer;
   if constexpr (planar_by_definition<question, N>)
     answer = question == Join_question::f3 ? Join_answer::no : Join_answer::undefined;
   else if constexpr (N == 2 || N == 3)
     answer = decide_in_ring<question, N>(left, right);
   else
-    answer = decide_from_jets<question>(left, right);
+    answer = decide_on_jets<question>(jet_of_polygon<Join_field<Left>, Curve_end::end>(left, 3),
+                                      jet_of_polygon<Join_field<Right>, Curve_end::start>(right, 3));
   stages.decided(Join_stage::multiprecision, answer);
   return answer;
 }
 
-// All stages.
+// All stages on control points. \pre the ends meet, if the question asks for contact
 template <Join_question question, class Left, class Right, class Stages>
-Join_answer decide_join(const Left& left, const Right& right, Stages& stages) {
+BOOST_FORCEINLINE Join_answer decide_legs(const Left& left, const Right& right, Stages& stages) {
   typedef typename Left::Traits Traits;
-  static_assert(std::is_same_v<Traits, typename Right::Traits>, "both curves must have the same traits class");
   constexpr int N = dimension_v<Traits>;
   if constexpr (is_double<typename Traits::FT> && (N == 2 || N == 3) && !planar_by_definition<question, N>) {
     const Join_answer answer = decide_on_doubles<question, N>(left, right, stages);
@@ -176,26 +144,41 @@ Join_answer decide_join(const Left& left, const Right& right, Stages& stages) {
   return decide_exactly<question>(left, right, stages);
 }
 
-// The end of a curve with the coordinates of its points from the end inwards.
-template <class Traits_> class Stored_end {
-public:
-  typedef Traits_ Traits;
-  typedef typename Traits::FT FT;
+// The decision on two ends that are given by control points.
+template <Join_question question, class Left, class Right, class Stages>
+BOOST_FORCEINLINE Join_answer decide_polygons(const Left& left, const Right& right, Stages& stages) {
+  static_assert(std::is_same_v<typename Left::Traits, typename Right::Traits>,
+                "both curves must have the same traits class");
+  check_dimensions(left, right);
+  if constexpr (asks_for_contact(question))
+    if (!ends_meet(left, right)) {
+      stages.decided(Join_stage::comparison, Join_answer::no);
+      return Join_answer::no;
+    }
+  if constexpr (question == Join_question::c0) {
+    stages.decided(Join_stage::comparison, Join_answer::yes);
+    return Join_answer::yes;
+  } else
+    return decide_legs<question>(left, right, stages);
+}
 
-  Stored_end(int m, const FT& a, const FT& b) : degree_(m), domain_(a, b) {}
-  void push_back(const Coordinates<Traits>& x) { points_.push_back(x); }
-
-  const std::vector<Coordinates<Traits>>& points() const { return points_; }
-  int degree() const { return degree_; }
-  int dimension() const { return points_[0].dimension(); }
-  const std::pair<FT, FT>& domain() const { return domain_; }
-  const FT& coordinate(int j, int i) const { return points_[j][i]; }
-
-private:
-  int degree_;
-  std::pair<FT, FT> domain_;
-  std::vector<Coordinates<Traits>> points_;
-};
+// The decision on two curves: on control points where both curves have them, otherwise on jets in an exact field.
+template <Join_question question, class Left, class Right, class Stages>
+BOOST_FORCEINLINE Join_answer decide_join(const Left& left, const Right& right, Stages& stages) {
+  static_assert(std::is_same_v<typename Left::Traits, typename Right::Traits>,
+                "both curves must have the same traits class");
+  if constexpr (Curve_ends<Left>::have_polygons && Curve_ends<Right>::have_polygons)
+    if (has_polygon(left, Curve_end::end) && has_polygon(right, Curve_end::start)) {
+      const Curve_end_view<Left, Curve_end::end> x(left);
+      const Curve_end_view<Right, Curve_end::start> y(right);
+      return decide_polygons<question>(x, y, stages);
+    }
+  typedef typename Exact_field<Predicate_FT<typename Left::Traits>>::type Field;
+  const Join_answer answer =
+      decide_on_jets<question>(jet_at<Field, Curve_end::end>(left, 3), jet_at<Field, Curve_end::start>(right, 3));
+  stages.decided(Join_stage::multiprecision, answer);
+  return answer;
+}
 
 } // namespace internal
 } // namespace Geometric_continuity

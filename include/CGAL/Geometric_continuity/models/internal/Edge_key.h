@@ -5,12 +5,10 @@
 #ifndef CGAL_GEOMETRIC_CONTINUITY_MODELS_INTERNAL_EDGE_KEY_H
 #define CGAL_GEOMETRIC_CONTINUITY_MODELS_INTERNAL_EDGE_KEY_H
 
-#include <CGAL/Geometric_continuity/edges/bspline_edge_continuity.h>
-#include <CGAL/Geometric_continuity/edges/internal/spline_edge_rows.h>
+#include <CGAL/Geometric_continuity/edges/internal/Edge_piece.h>
 #include <CGAL/Geometric_continuity/numbers/internal/Common_denominator.h>
 
 #include <algorithm>
-#include <cstddef>
 #include <utility>
 #include <vector>
 
@@ -21,17 +19,18 @@ namespace internal {
 // Numbers that two edges have in common if and only if they are the same curve after affine maps of both domains to [0, 1],
 // in either direction, whatever their degrees and knots. For each interval on which the curve is one polynomial: its start and
 // the coefficients of the powers of the parameter of the whole, up to the last that is not zero; in the direction that makes
-// them smaller.
+// them smaller. For sorting many edges; two edges are compared by Common_edge_part and Edge_sides::align().
 template <class Traits> class Edge_key {
   typedef Edge_field<Traits> Field;
   typedef typename Exact_number<Field>::type Exact; // compared often, evaluated once
-  typedef std::vector<Coordinate_vector<Field, 3>> Row;
+  typedef typename Edge_rows<Field>::Row Row;
   struct Piece {
     Field begin, end;
     Row row; // the polynomial on [0, 1]
   };
 
   std::vector<std::vector<Exact>> numbers_;
+  bool turned_ = false;
 
 public:
   template <class Surface> Edge_key(const Surface& surface, Patch_edge edge) {
@@ -43,10 +42,15 @@ public:
       piece.begin = Field(Field(1) - piece.end);
     }
     std::vector<std::vector<Exact>> backwards = numbers(pieces);
-    if (backwards < numbers_) numbers_.swap(backwards);
+    turned_ = backwards < numbers_;
+    if (turned_) numbers_.swap(backwards);
   }
 
   bool single_point() const { return numbers_.size() == 1 && numbers_[0].size() == 4; }
+
+  // Whether the numbers are those of the reversed edge. Of two edges with equal keys that differ in this, one is
+  // the other backwards. (An edge that is the same backwards is not turned.)
+  bool turned() const { return turned_; }
 
   // Negative, zero or positive.
   int compare(const Edge_key& other) const {
@@ -56,12 +60,12 @@ public:
 private:
   // Row 0 of a Bezier patch is that of the only piece; no division is needed.
   static std::vector<Piece> unit_pieces(const Bezier_patch<Traits>& patch, Patch_edge edge) {
-    return {{Field(0), Field(1), in_space(patch.template rows<Field>(edge, 0)[0])}};
+    return {{Field(0), Field(1), row_in_space<Field>(patch.template rows<Field>(edge, 0)[0])}};
   }
 
   static std::vector<Piece> unit_pieces(const Bspline_surface<Traits>& surface, Patch_edge edge) {
     const Knot_vector<Field> knots = knots_over<Field>(surface.knots_along(edge));
-    const Row rows = bspline_bezier<Field>(knots, in_space(surface.template rows<Field>(edge, 0)[0]));
+    const Row rows = bspline_bezier<Field>(knots, row_in_space<Field>(surface.template rows<Field>(edge, 0)[0]));
     const std::pair<Field, Field> domain = knots.domain();
     const Field length = domain.second - domain.first;
     std::vector<Piece> pieces;
@@ -76,15 +80,6 @@ private:
       row = end;
     }
     return pieces;
-  }
-
-  template <class Other_row> static Row in_space(const Other_row& row) {
-    Row result;
-    for (const auto& x : row) {
-      result.emplace_back(3);
-      for (int i = 0; i < 3; ++i) result.back()[i] = x[i];
-    }
-    return result;
   }
 
   static std::vector<std::vector<Exact>> numbers(const std::vector<Piece>& pieces) {

@@ -5,7 +5,7 @@
 #ifndef CGAL_GEOMETRIC_CONTINUITY_MODELS_INTERNAL_MODEL_TOPOLOGY_H
 #define CGAL_GEOMETRIC_CONTINUITY_MODELS_INTERNAL_MODEL_TOPOLOGY_H
 
-#include <CGAL/Geometric_continuity/models/internal/Edge_key.h>
+#include <CGAL/Geometric_continuity/models/internal/Edge_groups.h>
 
 #include <algorithm>
 #include <array>
@@ -22,19 +22,11 @@ namespace CGAL {
 namespace Geometric_continuity {
 namespace internal {
 
-// An edge of a patch as one use of an edge of the model.
-struct Edge_use {
-  std::size_t patch;
-  Patch_edge edge;
-  bool backwards; // against the direction of the first use
-};
-
 // The edges and corners of the patches of a model, those that are the same under one number. Edges are the same as in
 // `model_continuity()`. Corners are the same where they are ends of the same edge, or of a collapsed edge; corners that
 // merely have the same coordinates are not.
 template <class Traits> class Model_topology {
   typedef Bezier_patch<Traits> Patch;
-  typedef Edge_field<Traits> Field;
   typedef std::pair<std::size_t, std::size_t> Pair;
 
   std::vector<const Patch*> patches_;
@@ -45,7 +37,9 @@ template <class Traits> class Model_topology {
 public:
   explicit Model_topology(const std::vector<const Patch*>& patches) : patches_(patches), parent_(4 * patches.size()) {
     std::iota(parent_.begin(), parent_.end(), std::size_t(0));
-    match_edges();
+    const Edge_groups<Patch> groups(patches_);
+    edges_ = groups.edges();
+    for (const Edge_use& use : groups.collapsed()) unite(ends(use).first, ends(use).second);
     for (const std::vector<Edge_use>& uses : edges_) {
       const Pair first = ends(uses[0]);
       for (const Edge_use& use : uses) {
@@ -105,40 +99,6 @@ private:
   }
   std::array<Pair, 2> diagonals(std::size_t patch) const {
     return {vertices(Pair(4 * patch, 4 * patch + 3)), vertices(Pair(4 * patch + 1, 4 * patch + 2))};
-  }
-
-  void match_edges() {
-    std::vector<Edge_use> uses;
-    std::vector<Edge_key<Traits>> keys;
-    for (std::size_t i = 0; i < patches_.size(); ++i)
-      for (Patch_edge edge : patch_edges) {
-        Edge_key<Traits> key(*patches_[i], edge);
-        const Edge_use use{i, edge, false};
-        if (key.single_point())
-          unite(ends(use).first, ends(use).second);
-        else {
-          uses.push_back(use);
-          keys.push_back(std::move(key));
-        }
-      }
-    std::vector<std::size_t> order(uses.size());
-    std::iota(order.begin(), order.end(), std::size_t(0));
-    std::stable_sort(order.begin(), order.end(),
-                     [&](std::size_t a, std::size_t b) { return keys[a].compare(keys[b]) < 0; });
-    for (auto i = order.begin(); i != order.end(); ++i) {
-      if (i == order.begin() || keys[*i].compare(keys[*(i - 1)]) != 0) edges_.emplace_back();
-      edges_.back().push_back(uses[*i]);
-      edges_.back().back().backwards = runs_backwards(edges_.back().front(), uses[*i]);
-    }
-    std::sort(edges_.begin(), edges_.end(), [](const std::vector<Edge_use>& a, const std::vector<Edge_use>& b) {
-      return std::make_pair(a[0].patch, a[0].edge) < std::make_pair(b[0].patch, b[0].edge);
-    });
-  }
-
-  // Whether one edge has the opposite direction of another, which is the same curve.
-  bool runs_backwards(const Edge_use& a, const Edge_use& b) const {
-    if (a.patch == b.patch && a.edge == b.edge) return false;
-    return !Edge_sides<Field>(edge_rows(*patches_[a.patch], a.edge), edge_rows(*patches_[b.patch], b.edge)).same_edge();
   }
 };
 

@@ -27,8 +27,8 @@ struct Has_integer_parts<FT, std::enable_if_t<Fraction_traits<FT>::Is_fraction::
 template <class FT, bool fraction> struct Numerators { typedef FT type; };
 template <class FT> struct Numerators<FT, true> { typedef typename Fraction_traits<FT>::Numerator_type type; };
 
-// The ring in which signs of homogeneous expressions in numbers of a field are decided, after all these numbers have been
-// multiplied by their common denominator: integers for rational numbers, which need not be cancelled after each
+// The ring in which signs of homogeneous expressions in numbers of a field are decided, after all these numbers have
+// been multiplied by their common denominator: integers for rational numbers, which need not be cancelled after each
 // operation; otherwise the field itself.
 template <class Field> class Common_denominator {
 public:

@@ -12,8 +12,8 @@ namespace CGAL {
 namespace Geometric_continuity {
 namespace internal {
 
-// The type of the exact values of a field, and how to read them: numbers that are evaluated on demand, which have a member
-// exact(), are evaluated; all others are exact themselves.
+// The type of the exact values of a field, and how to read them: numbers that are evaluated on demand, which have a
+// member exact(), are evaluated; all others are exact themselves.
 template <class Field, class = void> struct Exact_number {
   typedef Field type;
   static const type& of(const Field& x) { return x; }

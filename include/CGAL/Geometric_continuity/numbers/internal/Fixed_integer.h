@@ -27,8 +27,8 @@ namespace internal {
 __extension__ typedef __int128 Signed_128;
 __extension__ typedef unsigned __int128 Unsigned_128;
 
-// x + y + carry modulo 2^64, and x - y - borrow, with the carry or borrow that goes out. Other ways to write this make some
-// compilers branch on the carry.
+// x + y + carry modulo 2^64, and x - y - borrow, with the carry or borrow that goes out. Other ways to write this make
+// some compilers branch on the carry.
 typedef unsigned char Carry;
 BOOST_FORCEINLINE std::uint64_t add_with_carry(std::uint64_t x, std::uint64_t y, Carry& carry) {
   unsigned long long sum;
@@ -52,9 +52,9 @@ BOOST_FORCEINLINE std::uint64_t subtract_with_borrow(std::uint64_t x, std::uint6
   return difference;
 }
 
-// An integer of `limbs` times 64 bits, two's complement, least significant limb first. A product has as many limbs as its
-// factors together, so it never overflows, but not more than `most`: beyond them it is taken modulo 2^(64 most). A sum does
-// not grow: the caller leaves it room, unless it has `most` limbs.
+// An integer of `limbs` times 64 bits, two's complement, least significant limb first. A product has as many limbs as
+// its factors together, so it never overflows, but not more than `most`: beyond them it is taken modulo 2^(64 most). A
+// sum does not grow: the caller leaves it room, unless it has `most` limbs.
 //
 // The loops over limbs are recursions, which are unrolled at every level of optimisation.
 constexpr int unlimited = 1 << 16;
@@ -114,8 +114,8 @@ BOOST_FORCEINLINE Signed_128 unsigned_times_signed(std::uint64_t x, std::int64_t
 // The product of numbers of m and n limbs.
 template <int m, int n, int most> using Fixed_product = Fixed_integer<(m + n < most ? m + n : most), most>;
 
-// Limb by limb with a signed carry: -2^127 <= x_k y + carry < 2^127. The last limb of a product that is not longer than x
-// is taken modulo 2^64.
+// Limb by limb with a signed carry: -2^127 <= x_k y + carry < 2^127. The last limb of a product that is not longer than
+// x is taken modulo 2^64.
 template <int k, int m, int n, int most>
 BOOST_FORCEINLINE void multiply(const Fixed_integer<m, most>& x, std::int64_t y, Signed_128 carry,
                                 Fixed_integer<n, most>& product) {

@@ -17,8 +17,8 @@ namespace CGAL {
 namespace Geometric_continuity {
 namespace internal {
 
-// An integer of any size that allocates no memory up to 16 limbs: an exact construction has many short-lived integers. The
-// arithmetic is that of GMP's functions for limbs.
+// An integer of any size that allocates no memory up to 16 limbs: an exact construction has many short-lived integers.
+// The arithmetic is that of GMP's functions for limbs.
 class Inline_integer {
   typedef boost::container::small_vector<mp_limb_t, 16> Limbs;
   Limbs limbs_; // of the absolute value, the least first; the last is not zero

@@ -11,6 +11,7 @@
 
 #include <cmath>
 #include <type_traits>
+#include <utility>
 
 namespace CGAL {
 namespace Geometric_continuity {
@@ -34,6 +35,21 @@ template <class Field, class FT> Field to_field(const FT& x) {
     return Field(x);
   }
 }
+
+// A number of the field FT that a caller gives as a number of any type: an infinity or a NaN is refused before it is converted.
+template <class FT> struct Given_number {
+  FT value;
+
+  template <class T, class = std::enable_if_t<std::is_constructible_v<FT, T&&>>>
+  Given_number(T&& x) : value(convert(std::forward<T>(x))) {}
+
+private:
+  static const FT& convert(const FT& x) { return x; }
+  static FT&& convert(FT&& x) { return std::move(x); }
+  template <class T, class = std::enable_if_t<!std::is_same_v<std::decay_t<T>, FT>>> static FT convert(T&& x) {
+    return to_field<FT>(x);
+  }
+};
 
 } // namespace internal
 } // namespace Geometric_continuity

@@ -76,10 +76,10 @@ public:
 
 // The coarsest grid of units 2^exponent that has all coordinates of several points.
 //
-// Let 2^e <= largest < 2^(e+1) and G = 2^(e-51), then |x| < 2^52 G for all coordinates. Between 2^52 G and 2^53 G the doubles
-// are the multiples of G: so 2^52 G + |x| is exact if x is a multiple of G, and so is (2^52 G + |x|) - 2^52 G = |x|; and
-// otherwise, in every rounding mode, this is a multiple of G, so it is not |x|. The last 52 bits of the sum are |x|/G: the
-// zeros at the end that all of them have go into the unit.
+// Let 2^e <= largest < 2^(e+1) and G = 2^(e-51), then |x| < 2^52 G for all coordinates. Between 2^52 G and 2^53 G the
+// doubles are the multiples of G: so 2^52 G + |x| is exact if x is a multiple of G, and so is (2^52 G + |x|) - 2^52 G =
+// |x|; and otherwise, in every rounding mode, this is a multiple of G, so it is not |x|. The last 52 bits of the sum
+// are |x|/G: the zeros at the end that all of them have go into the unit.
 class Common_grid {
   double offset_ = 1;
   int first_exponent_ = 0;

@@ -13,8 +13,8 @@ namespace CGAL {
 namespace Geometric_continuity {
 namespace internal {
 
-// The i-th coordinate of a point or a vector of a kernel. A kernel that keeps them in an array is read there, without the
-// branches of cartesian(i), which would keep a compiler from computing several coordinates at a time.
+// The i-th coordinate of a point or a vector of a kernel. A kernel that keeps them in an array is read there, without
+// the branches of cartesian(i), which would keep a compiler from computing several coordinates at a time.
 template <class FT, class Point_or_vector> FT kernel_coordinate(const Point_or_vector& p, int i) {
   if constexpr (std::is_pointer_v<decltype(p.cartesian_begin())>)
     return p.cartesian_begin()[i];
@@ -22,8 +22,8 @@ template <class FT, class Point_or_vector> FT kernel_coordinate(const Point_or_v
     return p.cartesian(i);
 }
 
-// The field in which predicates are decided: the exact field of the numbers of a kernel that filters predicates on floating-point numbers, as
-// Exact_predicates_inexact_constructions_kernel does; otherwise that of the kernel.
+// The field in which predicates are decided: the exact field of the numbers of a kernel that filters predicates on
+// floating-point numbers, as Exact_predicates_inexact_constructions_kernel does; otherwise that of the kernel.
 template <class K, bool filtered = (K::Has_filtered_predicates && std::is_floating_point_v<typename K::FT>)>
 struct Kernel_predicate_field {
   typedef typename K::FT type;

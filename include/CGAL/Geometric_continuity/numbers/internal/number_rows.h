@@ -78,7 +78,8 @@ BOOST_FORCEINLINE void multiply_row(const FT& a, const FT* x, int n, FT* result)
         result[i] = a * x[i];
 }
 
-// Rows whose numbers are all finite are told from others by the sum of 0 x over all numbers x, without a branch for each.
+// Rows whose numbers are all finite are told from others by the sum of 0 x over all numbers x, without a branch for
+// each.
 template <int N, class FT> class Finite_rows {
   std::conditional_t<std::is_floating_point_v<FT>, FT, bool> zero_[N > 0 ? N : 1] = {};
 

@@ -34,8 +34,8 @@ template <class FT> struct Spline_weights {
   }
 };
 
-// De Boor's triangle, transposed: it starts with the weight 1 and leads to the weights of the coefficients. The level with
-// n weights gives n + 1; its i-th quotient belongs to the knots left + i and right + i.
+// De Boor's triangle, transposed: it starts with the weight 1 and leads to the weights of the coefficients. The level
+// with n weights gives n + 1; its i-th quotient belongs to the knots left + i and right + i.
 template <class FT, class Knots>
 void add_argument(Span_vector<FT>& w, const Knots& u, int left, int right, const FT& t) {
   FT carry(0);
@@ -60,8 +60,8 @@ template <class FT, class Knots> void add_differentiation(Span_vector<FT>& w, co
   w.push_back(carry);
 }
 
-// The weights of the derivatives of order 0 to p at t, not beyond `order`, of a spline of degree p on the span k, for the
-// coefficients k-p, ..., k: output(j, weights) is called for each. Only the knots k-p+1, ..., k+p are read.
+// The weights of the derivatives of order 0 to p at t, not beyond `order`, of a spline of degree p on the span k, for
+// the coefficients k-p, ..., k: output(j, weights) is called for each. Only the knots k-p+1, ..., k+p are read.
 template <class FT, class Knots, class Output>
 void derivative_weights(const Knots& u, int p, int k, const FT& t, int order, Output output) {
   Spline_weights<FT> basis, weights; // the basis of degree p - j
@@ -79,8 +79,19 @@ void derivative_weights(const Knots& u, int p, int k, const FT& t, int order, Ou
   output(0, basis);
 }
 
-// The weights of the blossom f_k[t_1, ..., t_p] at increasing arguments. Arguments that are knots next to the span are not
-// computed with but select the coefficients, so that as few levels as possible remain. When every knot between the
+// The derivatives of order 0 to `order` at t of the polynomial on the span k.
+template <class FT, class Coefficients>
+std::vector<typename Coefficients::value_type> derivatives_on_span(const Knot_vector<FT>& u, const Coefficients& c,
+                                                                   int k, const FT& t, int order) {
+  typedef typename Coefficients::value_type Value;
+  std::vector<Value> derivatives(order + 1, Value(FT(0) * c[0]));
+  derivative_weights(u, u.degree(), k, t, order,
+                     [&](int j, const Spline_weights<FT>& weights) { derivatives[j] = weights(c); });
+  return derivatives;
+}
+
+// The weights of the blossom f_k[t_1, ..., t_p] at increasing arguments. Arguments that are knots next to the span are
+// not computed with but select the coefficients, so that as few levels as possible remain. When every knot between the
 // arguments is one of them, all weights are nonnegative.
 template <class FT> class Blossom_weights : public Spline_weights<FT> {
   std::vector<int> other_; // the arguments that are not selected

@@ -16,16 +16,16 @@
 #include <vector>
 
 /// \file change_knots.h
-/// The coefficients of a spline over other knots, as blossoms \f$ c'_j = f_k[t_{j+1}, \dots, t_{j+p}] \f$ at the new knots
-/// `t`, and its derivatives in another field.
+/// The coefficients of a spline over other knots, as blossoms
+/// \f$ c'_j = f_k[t_{j+1}, \dots, t_{j+p}] \f$ at the new knots `t`, and its derivatives in another field.
 
 namespace CGAL {
 namespace Geometric_continuity {
 namespace internal {
 
-// Chooses the span of the old knots u whose polynomial gives a new coefficient. Any span between the arguments would do in
-// exact arithmetic. The longest one keeps rounding errors small: arguments outside lie at most as many of its lengths away
-// as there are other spans between the arguments, however uneven the knots are.
+// Chooses the span of the old knots u whose polynomial gives a new coefficient. Any span between the arguments would do
+// in exact arithmetic. The longest one keeps rounding errors small: arguments outside lie at most as many of its
+// lengths away as there are other spans between the arguments, however uneven the knots are.
 template <class FT> class Span_choice {
   const Knot_vector<FT>& u_;
   std::vector<int> spans_;  // all that are not empty, outside the domain as well
@@ -87,8 +87,8 @@ Coordinate_vector<Field, N> coefficient_over(const Coordinate_vector<FT, N>& x) 
   return r;
 }
 
-// The derivatives of order 0 to p at u, not beyond `order`, of the polynomial on the span k, in another field, to which what
-// is needed is converted. coefficient(i) is the i-th coefficient in that field; output(j, derivative) is called.
+// The derivatives of order 0 to p at u, not beyond `order`, of the polynomial on the span k, in another field, to which
+// what is needed is converted. coefficient(i) is the i-th coefficient in that field; output(j, derivative) is called.
 template <class Field, class FT, class Coefficient, class Output>
 void derivatives_over(const Knot_vector<FT>& knots, int k, const FT& u, int order, Coefficient coefficient,
                       Output output) {

@@ -2,44 +2,23 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-#ifndef CGAL_GEOMETRIC_CONTINUITY_EDGES_INTERNAL_EDGE_POLYNOMIALS_H
-#define CGAL_GEOMETRIC_CONTINUITY_EDGES_INTERNAL_EDGE_POLYNOMIALS_H
+#ifndef CGAL_GEOMETRIC_CONTINUITY_EDGES_INTERNAL_EDGE_NORMALS_H
+#define CGAL_GEOMETRIC_CONTINUITY_EDGES_INTERNAL_EDGE_NORMALS_H
 
-#include <CGAL/Geometric_continuity/algebra/Coordinate_vector.h>
 #include <CGAL/Geometric_continuity/algebra/Homogeneous_polynomial.h>
 #include <CGAL/Geometric_continuity/algebra/sign_pattern.h>
+#include <CGAL/Geometric_continuity/edges/Edge_rows.h>
 #include <CGAL/Geometric_continuity/numbers/internal/Common_denominator.h>
-#include <CGAL/Geometric_continuity/numbers/internal/checked_conversion.h>
 
-#include <algorithm>
-#include <string>
+#include <optional>
 #include <utility>
 #include <vector>
 
+/// \file Edge_normals.h
+/// The conditions of `Edge_conditions` in polynomials over a ring of multi-precision numbers.
+
 namespace CGAL {
 namespace Geometric_continuity {
-
-/// \ingroup PkgGeometricContinuityContinuity
-/// What a polynomial surface `S(u, v)` contributes to its continuity along the edge `v = 0`, `u` in [0, 1]: the edge
-/// \f$ C(u) = S(u, 0) \f$ and the cross derivatives \f$ T(u) = S_v(u, 0) \f$ and \f$ W(u) = S_{vv}(u, 0) \f$, where `v`
-/// grows into the surface. Each row holds Bernstein coefficients; the rows may differ in degree.
-/// \tparam FT a field number type
-template <class FT_> struct Edge_rows {
-  typedef FT_ FT;
-  typedef std::vector<Coordinate_vector<FT, 3>> Row;
-
-  Row edge;         ///< the coefficients of \f$ C \f$, the control points of the edge
-  Row cross;        ///< the coefficients of \f$ T \f$
-  Row second_cross; ///< the coefficients of \f$ W \f$
-
-  /// The rows of \f$ S(1-u, v) \f$.
-  Edge_rows reversed() const {
-    Edge_rows r = *this;
-    for (Row* row : {&r.edge, &r.cross, &r.second_cross}) std::reverse(row->begin(), row->end());
-    return r;
-  }
-};
-
 namespace internal {
 
 // The rows of both sides, in a ring: multiplied by their common denominator. Sides 0 and 1 are S1 and S2.
@@ -71,9 +50,21 @@ template <class Field> struct Edge_sides {
   bool collapsed() const { return is_zero(derivative(c[0])); }
   bool same_edge() const { return c[0] == c[1]; }
 
-  void reverse_second() {
+  // Turns the second side so that both edges are the same curve in one direction, if they are in one of both. Returns
+  // whether it has been turned, or nothing if the edges differ. The quick test for two edges that are polynomials; see also
+  // same_edge() in edge_layers.h for control points of equal degree, Common_edge_part for pieces, Edge_key for many edges.
+  std::optional<bool> align() {
+    if (same_edge()) return false;
     for (Vector* v : {&c[1], &t[1], &w[1]}) *v = {(*v)[0].reversed(), (*v)[1].reversed(), (*v)[2].reversed()};
+    return same_edge() ? std::optional<bool>(true) : std::nullopt;
   }
+
+  // C', of the side with the lower degree along the edge
+  Vector first_derivative() const { return derivative(c[c[1][0].degree() < c[0][0].degree()]); }
+  // C''
+  Vector second_derivative() const { return derivative(first_derivative()); }
+  // T1'
+  Vector mixed_derivative() const { return derivative(t[0]); }
 
   static Vector derivative(const Vector& v) { return {v[0].derivative(), v[1].derivative(), v[2].derivative()}; }
   static bool is_zero(const Vector& v) { return v[0].is_zero() && v[1].is_zero() && v[2].is_zero(); }
@@ -90,24 +81,24 @@ private:
   }
 };
 
-// C', the normals n1 = C' x T1 and n2 = C' x T2, and what they decide. \pre both sides have the same edge, in one direction
+// The normals n1 = C' x T1 and n2 = C' x T2 of both sides, and what they decide. `Sides` is Edge_sides or what has its
+// derivatives. \pre both sides have the same edge, in one direction
 template <class Field> struct Edge_normals {
   typedef Edge_sides<Field> Sides;
   typedef typename Sides::Polynomial Polynomial;
   typedef typename Sides::Vector Vector;
   typedef typename Common_denominator<Field>::Exact Exact;
 
-  Vector d;        // C', of the side with the lower degree along the edge
-  Vector n1, n2;   // the normals
+  Vector n1, n2;
   Polynomial det;  // det(C', T1, T2) = n1 . T2
   Polynomial side; // n1 . n2
 
-  explicit Edge_normals(const Sides& s)
-      : d(Sides::derivative(s.c[s.c[1][0].degree() < s.c[0][0].degree()])), n1(cross_product(d, s.t[0])),
-        n2(cross_product(d, s.t[1])), det(scalar_product(n1, s.t[1])), side(scalar_product(n1, n2)) {}
+  template <class AnySides> explicit Edge_normals(const AnySides& s) : Edge_normals(s.first_derivative(), s.t) {}
 
+  // The order 1, from the signs of n1 . n2.
   bool coplanar() const { return det.is_zero(); }
   Sign_pattern side_signs() const { return sign_pattern<Exact>(side); }
+  bool first_order() const { return coplanar() && side_signs() == Sign_pattern::negative; }
 
   // Whether n1 or n2 vanishes somewhere on the closed interval. It needs the signs of n1 . n2.
   bool normal_vanishes(Sign_pattern side_signs) const {
@@ -117,28 +108,32 @@ template <class Field> struct Edge_normals {
   }
 
   // N_i^2 (N . W2) = n3_i^2 (N . C'') + 2 n3_i n2_i (N . T1') + n2_i^2 (N . W1) with N = n1, n3 = T2 x T1. As n2 = q N and
-  // n3 = p N with rational functions p and q, one coordinate with N_i != 0 decides for all. \pre coplanar()
-  bool second_order(const Sides& s) const {
+  // n3 = p N with rational functions p and q, one coordinate with N_i != 0 decides for all. The same identity is decided in
+  // Edge_on_grid by integers of fixed length and in Edge_filter by floating-point numbers. \pre coplanar()
+  template <class AnySides> bool second_order(const AnySides& s) const {
     int i = 0;
     while (i < 3 && n1[i].is_zero()) ++i;
     if (i == 3) return true;
     const Polynomial n3 = s.t[1][(i + 1) % 3] * s.t[0][(i + 2) % 3] - s.t[1][(i + 2) % 3] * s.t[0][(i + 1) % 3];
-    const Polynomial mixed = scalar_product(n1, Sides::derivative(s.t[0]));
+    const Polynomial mixed = scalar_product(n1, s.mixed_derivative());
     const Polynomial left = n1[i] * n1[i] * scalar_product(n1, s.w[1]);
-    const Polynomial right = n3 * (n3 * scalar_product(n1, Sides::derivative(d)) + n2[i] * (mixed + mixed)) +
+    const Polynomial right = n3 * (n3 * scalar_product(n1, s.second_derivative()) + n2[i] * (mixed + mixed)) +
                              n2[i] * n2[i] * scalar_product(n1, s.w[0]);
     return left == right;
   }
 
   static Polynomial square(const Vector& v) { return scalar_product(v, v); }
-
   // Whether the vector is zero somewhere on the closed interval.
   static bool vanishes(const Vector& v) { return sign_pattern<Exact>(square(v)) != Sign_pattern::positive; }
+
+private:
+  Edge_normals(const Vector& d, const Vector (&t)[2])
+      : n1(cross_product(d, t[0])), n2(cross_product(d, t[1])), det(scalar_product(n1, t[1])),
+        side(scalar_product(n1, n2)) {}
 };
 
 } // namespace internal
-
 } // namespace Geometric_continuity
 } // namespace CGAL
 
-#endif // CGAL_GEOMETRIC_CONTINUITY_EDGES_INTERNAL_EDGE_POLYNOMIALS_H
+#endif // CGAL_GEOMETRIC_CONTINUITY_EDGES_INTERNAL_EDGE_NORMALS_H

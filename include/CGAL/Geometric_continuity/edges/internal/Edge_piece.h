@@ -2,33 +2,23 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-#ifndef CGAL_GEOMETRIC_CONTINUITY_EDGES_INTERNAL_SPLINE_EDGE_ROWS_H
-#define CGAL_GEOMETRIC_CONTINUITY_EDGES_INTERNAL_SPLINE_EDGE_ROWS_H
+#ifndef CGAL_GEOMETRIC_CONTINUITY_EDGES_INTERNAL_EDGE_PIECE_H
+#define CGAL_GEOMETRIC_CONTINUITY_EDGES_INTERNAL_EDGE_PIECE_H
 
 #include <CGAL/Geometric_continuity/algebra/Power_polynomial.h>
 #include <CGAL/Geometric_continuity/algebra/bernstein.h>
-#include <CGAL/Geometric_continuity/edges/internal/edge_polynomials.h>
-#include <CGAL/Geometric_continuity/numbers/internal/checked_conversion.h>
+#include <CGAL/Geometric_continuity/edges/Edge_rows.h>
 #include <CGAL/Geometric_continuity/splines/bspline_knots.h>
 
 #include <cstddef>
 #include <utility>
 #include <vector>
 
+/// \file Edge_piece.h
+/// The rows along an edge of a piecewise polynomial surface, one Bernstein form for each span of the knots.
+
 namespace CGAL {
 namespace Geometric_continuity {
-
-/// \ingroup PkgGeometricContinuityContinuity
-/// What a B-spline surface contributes to its continuity along an edge: `Edge_rows` whose coefficients are those of splines
-/// over the knots of the edge.
-/// \tparam FT a field number type
-template <class FT_> struct Spline_edge_rows {
-  typedef FT_ FT;
-
-  Knot_vector<FT> knots; ///< along the edge
-  Edge_rows<FT> rows;    ///< each with `knots.number_of_coefficients()` coefficients
-};
-
 namespace internal {
 
 // The rows on an interval on which they are polynomials, in Bernstein form.
@@ -39,12 +29,6 @@ template <class Field> struct Edge_piece {
   Field length() const { return Field(end - begin); }
 };
 
-template <class Field, class FT> Knot_vector<Field> knots_over(const Knot_vector<FT>& knots) {
-  std::vector<Field> u;
-  for (const FT& x : knots) u.push_back(to_field<Field>(x));
-  return Knot_vector<Field>(knots.degree(), std::move(u));
-}
-
 // On each span of the knots, in an exact field. \throws Error `wrong_number_of_points`, `not_finite`
 template <class Field, class FT> std::vector<Edge_piece<Field>> edge_pieces(const Spline_edge_rows<FT>& edge) {
   typedef typename Edge_rows<Field>::Row Row;
@@ -53,9 +37,7 @@ template <class Field, class FT> std::vector<Edge_piece<Field>> edge_pieces(cons
   std::vector<Edge_piece<Field>> pieces;
   for (int k : spans) pieces.push_back({knots[k], knots[k + 1], {}});
   const auto add_row = [&](const typename Edge_rows<FT>::Row& row, Row Edge_rows<Field>::*member) {
-    Row c;
-    for (const Coordinate_vector<FT, 3>& x : row) c.push_back(coefficient_over<Field>(x));
-    const Row b = bspline_bezier<Field>(knots, c);
+    const Row b = bspline_bezier<Field>(knots, row_in_space<Field>(row));
     const std::size_t n = b.size() / pieces.size();
     for (std::size_t i = 0; i < pieces.size(); ++i)
       (pieces[i].rows.*member).assign(b.begin() + i * n, b.begin() + (i + 1) * n);
@@ -64,6 +46,18 @@ template <class Field, class FT> std::vector<Edge_piece<Field>> edge_pieces(cons
   add_row(edge.rows.cross, &Edge_rows<Field>::cross);
   add_row(edge.rows.second_cross, &Edge_rows<Field>::second_cross);
   return pieces;
+}
+
+// Of an edge of a surface. A patch has one piece, which needs no knots.
+template <class Traits>
+std::vector<Edge_piece<Edge_field<Traits>>> edge_pieces(const Bezier_patch<Traits>& patch, Patch_edge edge) {
+  typedef Edge_field<Traits> Field;
+  const std::pair<Field, Field> domain = edge_domain<Field>(patch, edge);
+  return {{domain.first, domain.second, edge_rows(patch, edge)}};
+}
+template <class Traits>
+std::vector<Edge_piece<Edge_field<Traits>>> edge_pieces(const Bspline_surface<Traits>& surface, Patch_edge edge) {
+  return edge_pieces<Edge_field<Traits>>(spline_edge_rows(surface, edge));
 }
 
 // The coefficients on [x, y], x < y and 0 < y, of a polynomial with Bernstein coefficients on [0, 1], which need not contain
@@ -87,8 +81,7 @@ template <class Field> Edge_rows<Field> rows_on(const Edge_piece<Field>& piece, 
 }
 
 } // namespace internal
-
 } // namespace Geometric_continuity
 } // namespace CGAL
 
-#endif // CGAL_GEOMETRIC_CONTINUITY_EDGES_INTERNAL_SPLINE_EDGE_ROWS_H
+#endif // CGAL_GEOMETRIC_CONTINUITY_EDGES_INTERNAL_EDGE_PIECE_H

@@ -2,8 +2,8 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-#ifndef CGAL_GEOMETRIC_CONTINUITY_JOINS_INTERNAL_JOIN_DIFFERENCES_H
-#define CGAL_GEOMETRIC_CONTINUITY_JOINS_INTERNAL_JOIN_DIFFERENCES_H
+#ifndef CGAL_GEOMETRIC_CONTINUITY_JOINS_INTERNAL_END_POLYGON_H
+#define CGAL_GEOMETRIC_CONTINUITY_JOINS_INTERNAL_END_POLYGON_H
 
 #include <CGAL/Geometric_continuity/joins/internal/Join_filter.h>
 
@@ -11,17 +11,22 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 
 namespace CGAL {
 namespace Geometric_continuity {
 namespace internal {
 
-// The points of an end from the join inwards, x_0 to x_k; beyond the degree the last one is repeated.
-template <class T, int N> using End_points = std::array<std::array<T, N>, 4>;
+// Four control points of an end from the join inwards, x_0 to x_3; beyond the degree, and beyond the order k that is asked for,
+// the last one is repeated or they are unspecified.
+template <class T, int N> using End_polygon = std::array<std::array<T, N>, 4>;
 
-// The legs x_1 - x_0, x_2 - x_1, x_3 - x_2, as many as the order k needs.
+// The legs x_1 - x_0, x_2 - x_1, x_3 - x_2 of such a polygon.
+template <class T, int N> using Legs = std::array<std::array<T, N>, 3>;
+
+// As many legs as the order k needs.
 template <int k, class T, std::size_t N>
-BOOST_FORCEINLINE Differences<T, N> legs_of(const std::array<std::array<T, N>, 4>& x) {
+BOOST_FORCEINLINE Legs<T, N> legs_of(const std::array<std::array<T, N>, 4>& x) {
   if constexpr (k == 1)
     return {internal::minus(x[1], x[0])};
   else if constexpr (k == 2)
@@ -59,7 +64,7 @@ template <class T> BOOST_FORCEINLINE std::array<T, 3> rotated(const std::array<T
   return {x[first], x[second], x[3 - first - second]};
 }
 template <int k, class T, std::size_t N>
-BOOST_FORCEINLINE Differences<T, N> rotated(const std::array<std::array<T, N>, 3>& legs, int first) {
+BOOST_FORCEINLINE Legs<T, N> rotated(const std::array<std::array<T, N>, 3>& legs, int first) {
   if constexpr (k == 1)
     return {rotated(legs[0], first)};
   else if constexpr (k == 2)
@@ -74,7 +79,7 @@ template <class T> BOOST_FORCEINLINE int largest_coordinate(const std::array<T, 
 }
 template <class T> BOOST_FORCEINLINE int largest_coordinate(const std::array<T, 3>& x) {
   const int i = std::abs(x[0]) < std::abs(x[1]) ? 1 : 0;
-  return std::max(std::abs(x[0]), std::abs(x[1])) < std::abs(x[2]) ? 2 : i;
+  return (std::max)(std::abs(x[0]), std::abs(x[1])) < std::abs(x[2]) ? 2 : i;
 }
 
 // The numbers in another type.
@@ -115,17 +120,17 @@ BOOST_FORCEINLINE Differences<T, N> in_units(const std::array<std::array<double,
 // The largest absolute value of a coordinate.
 template <int k, std::size_t N>
 BOOST_FORCEINLINE double largest_coordinate_of(const std::array<std::array<double, N>, 4>& x) {
-  double size = std::max(largest(x[0]), largest(x[1]));
-  if constexpr (k >= 2) size = std::max(size, largest(x[2]));
-  if constexpr (k >= 3) size = std::max(size, largest(x[3]));
+  double size = (std::max)(largest(x[0]), largest(x[1]));
+  if constexpr (k >= 2) size = (std::max)(size, largest(x[2]));
+  if constexpr (k >= 3) size = (std::max)(size, largest(x[3]));
   return size;
 }
 
 // Bounds of the differences from the legs; of the second one also if it is zero.
 template <int k, std::size_t N>
 BOOST_FORCEINLINE Difference_bounds bounds_of_differences(const std::array<std::array<double, N>, 3>& legs) {
-  const double first = largest(legs[0]), second = k >= 2 ? std::max(first, largest(legs[1])) : first,
-               third = k >= 3 ? std::max(second, largest(legs[2])) : second;
+  const double first = largest(legs[0]), second = k >= 2 ? (std::max)(first, largest(legs[1])) : first,
+               third = k >= 3 ? (std::max)(second, largest(legs[2])) : second;
   return {first, 2 * second, 4 * third};
 }
 
@@ -133,4 +138,4 @@ BOOST_FORCEINLINE Difference_bounds bounds_of_differences(const std::array<std::
 } // namespace Geometric_continuity
 } // namespace CGAL
 
-#endif // CGAL_GEOMETRIC_CONTINUITY_JOINS_INTERNAL_JOIN_DIFFERENCES_H
+#endif // CGAL_GEOMETRIC_CONTINUITY_JOINS_INTERNAL_END_POLYGON_H

@@ -5,13 +5,16 @@
 #ifndef CGAL_GEOMETRIC_CONTINUITY_EDGES_INTERNAL_COMMON_EDGE_PART_H
 #define CGAL_GEOMETRIC_CONTINUITY_EDGES_INTERNAL_COMMON_EDGE_PART_H
 
-#include <CGAL/Geometric_continuity/edges/internal/spline_edge_rows.h>
+#include <CGAL/Geometric_continuity/edges/internal/Edge_piece.h>
 
 #include <algorithm>
 #include <cstddef>
 #include <optional>
 #include <utility>
 #include <vector>
+
+/// \file Common_edge_part.h
+/// The parts of two piecewise polynomial edges that are the same curve, and the spans on which both are polynomials.
 
 namespace CGAL {
 namespace Geometric_continuity {
@@ -26,13 +29,13 @@ template <class Field> struct Affine_parameter_map {
   bool reverses() const { return scale < Field(0); }
 };
 
-// A polynomial curve sum_k a_k (t - center)^k of degree n with a_{n-1} . a_n = 0, which is a normal form: curves that differ
+// A polynomial curve sum_k a_k (t - centre)^k of degree n with a_{n-1} . a_n = 0, which is a normal form: curves that differ
 // by an affine map of the parameter have the a_k in common, up to the factor scale^k.
 template <class Field> class Centred_curve {
   typedef Coordinate_vector<Field, 3> Vector;
 
   std::vector<Vector> a_;
-  Field center_;
+  Field centre_;
 
 public:
   explicit Centred_curve(const Edge_piece<Field>& piece) : a_(powers_from_bernstein<Field>(piece.rows.edge)) {
@@ -41,7 +44,7 @@ public:
     const Field x = Field(-dot(a_[n - 1], a_[n])) / Field(Field(n) * dot(a_[n], a_[n]));
     for (int i = 0; i < n; ++i) // Horner's rule: powers of the distance from x
       for (int k = n - 1; k >= i; --k) a_[k] += x * a_[k + 1];
-    center_ = Field(piece.begin + x * piece.length());
+    centre_ = Field(piece.begin + x * piece.length());
     Field power(1);
     for (int k = 1; k <= n; ++k) {
       power = Field(power / piece.length());
@@ -54,7 +57,7 @@ public:
   // Whether b(map(t)) = a(t) for all t.
   friend bool agree(const Centred_curve& a, const Centred_curve& b, const Affine_parameter_map<Field>& map) {
     if (a.degree() != b.degree()) return false;
-    if (a.degree() > 0 && map(a.center_) != b.center_) return false;
+    if (a.degree() > 0 && map(a.centre_) != b.centre_) return false;
     Field power(1);
     for (int k = 0; k <= a.degree(); ++k) {
       if (a.a_[k] != power * b.a_[k]) return false;
@@ -82,7 +85,7 @@ public:
       }
     }
     if (gcd != 1) return std::nullopt;
-    const Affine_parameter_map<Field> map{scale, Field(b.center_ - scale * a.center_)};
+    const Affine_parameter_map<Field> map{scale, Field(b.centre_ - scale * a.centre_)};
     return agree(a, b, map) ? std::optional<Affine_parameter_map<Field>>(map) : std::nullopt;
   }
 };
@@ -112,7 +115,7 @@ std::vector<Common_span<Field>> common_spans(const std::vector<Edge_piece<Field>
   }
   std::vector<Common_span<Field>> spans;
   for (std::size_t i = 0, j = 0; i < a.size() && j < mapped.size();) {
-    const Field &begin = std::max(a[i].begin, mapped[j].begin), &end = std::min(a[i].end, mapped[j].end);
+    const Field &begin = (std::max)(a[i].begin, mapped[j].begin), &end = (std::min)(a[i].end, mapped[j].end);
     if (begin < end) spans.push_back({begin, end, i, mapped[j].b});
     const bool next_a = !(mapped[j].end < a[i].end), next_b = !(a[i].end < mapped[j].end);
     i += next_a;
@@ -124,10 +127,19 @@ std::vector<Common_span<Field>> common_spans(const std::vector<Edge_piece<Field>
 // From the whole of one edge to the whole of another.
 template <class Field>
 Affine_parameter_map<Field> whole_map(const std::vector<Edge_piece<Field>>& a, const std::vector<Edge_piece<Field>>& b,
-                                      bool backwards) {
+                                      Edge_direction direction) {
+  const bool backwards = direction == Edge_direction::opposite;
   const Field begin = backwards ? b.back().end : b.front().begin, end = backwards ? b.front().begin : b.back().end;
   const Field scale = Field(end - begin) / Field(a.back().end - a.front().begin);
   return {scale, Field(begin - scale * a.front().begin)};
+}
+
+// Of two edges that are the same as a whole.
+template <class Field>
+Edge_match<Field> whole_match(const std::vector<Edge_piece<Field>>& a, const std::vector<Edge_piece<Field>>& b,
+                              Edge_direction direction) {
+  const Affine_parameter_map<Field> map = whole_map(a, b, direction);
+  return {map, common_spans(a, b, map)};
 }
 
 // The rows of both edges on a common span, in the direction of the first.
@@ -141,7 +153,8 @@ rows_on(const std::vector<Edge_piece<Field>>& a, const std::vector<Edge_piece<Fi
   return {rows_on(a[span.a], span.begin, span.end), reversed ? rows.reversed() : rows};
 }
 
-// Finds the part that two edges have in common.
+// Finds the part that two edges have in common. The test for whole edges is also made, faster, by Edge_sides::align() for two
+// polynomials, by same_edge() in edge_layers.h for control points, and by Edge_key for all edges of a model.
 template <class Field> class Common_edge_part {
   typedef std::vector<Edge_piece<Field>> Pieces;
   typedef Affine_parameter_map<Field> Map;
@@ -154,16 +167,21 @@ public:
   Common_edge_part(const Pieces& a, const Pieces& b)
       : a_(a), b_(b), curves_a_(a.begin(), a.end()), curves_b_(b.begin(), b.end()) {}
 
-  // The whole edges if they are the same, forwards or else backwards; otherwise the longest common part that contains an end
-  // piece of one of them. No spans if there is none.
-  Edge_match<Field> operator()() const {
-    for (bool backwards : {false, true}) {
-      const Map map = whole_map(a_, b_, backwards);
-      Spans spans = common_spans(a_, b_, map);
-      if (std::all_of(spans.begin(), spans.end(), [&](const auto& span) { return same(span, map); }))
-        return {map, std::move(spans)};
+  // The whole edges if they are the same, forwards or else backwards.
+  std::optional<Edge_match<Field>> whole() const {
+    for (Edge_direction direction : {Edge_direction::same, Edge_direction::opposite}) {
+      Edge_match<Field> match = whole_match(a_, b_, direction);
+      if (std::all_of(match.spans.begin(), match.spans.end(), [&](const auto& span) { return same(span, match.map); }))
+        return match;
     }
-    Edge_match<Field> best{whole_map(a_, b_, false), {}};
+    return std::nullopt;
+  }
+
+  // The whole edges if they are the same; otherwise the longest common part that contains an end piece of one of them. No
+  // spans if there is none.
+  Edge_match<Field> operator()() const {
+    if (std::optional<Edge_match<Field>> match = whole()) return *std::move(match);
+    Edge_match<Field> best{whole_map(a_, b_, Edge_direction::same), {}};
     const std::size_t m = a_.size(), n = b_.size();
     for (std::size_t i = 0; i < m; ++i) {
       propose(i, 0, best);

@@ -1,0 +1,263 @@
+// Copyright (c) 2026 The Geometric_continuity developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_GEOMETRIC_CONTINUITY_BLENDS_BLEND_ENDS_H
+#define CGAL_GEOMETRIC_CONTINUITY_BLENDS_BLEND_ENDS_H
+
+#include <CGAL/Geometric_continuity/algebra/Coordinate_vector.h>
+#include <CGAL/Geometric_continuity/local/coordinates.h>
+#include <CGAL/Geometric_continuity/numbers/internal/checked_conversion.h>
+
+#include <boost/config.hpp>
+
+#include <array>
+#include <type_traits>
+#include <utility>
+
+/// \file blend_ends.h
+/// What a strategy for blends reads, what it chooses, and how its kind is found: all that one's own model of `BlendStrategy`
+/// needs. The formulas of the control points are here, for blends of degree 5 (Portnov (5), (10), (15), corrected, with
+/// \f$ \beta \f$ and \f$ \eta \f$) and of degree 7.
+
+namespace CGAL {
+namespace Geometric_continuity {
+
+namespace internal {
+
+// The constant p/q in the field FT. With floating-point numbers it is divided by the compiler, also under -frounding-math.
+template <class FT, int p, int q> FT fraction() {
+  if constexpr (std::is_floating_point_v<FT>) {
+    constexpr FT value = FT(p) / FT(q);
+    return value;
+  } else
+    return FT(FT(p) / FT(q));
+}
+
+} // namespace internal
+
+/// \ingroup PkgGeometricContinuityConstruction
+/// The shape parameters of a blend: its first derivatives are \f$ \beta\varphi'(1) \f$ at the start and \f$ \eta\psi'(0) \f$
+/// at the end. Both must be positive. Portnov has \f$ \beta = \eta = 1 \f$.
+/// \tparam FT a field number type
+template <class FT> struct Shape_parameters {
+  FT beta = FT(1); ///< \f$ \beta \f$, at the end of the first curve
+  FT eta = FT(1);  ///< \f$ \eta \f$, at the start of the second curve
+
+  /// Sets \f$ \beta = \eta = 1 \f$.
+  Shape_parameters() = default;
+  /// Takes numbers of any type from which `FT` can be made.
+  /// \throws Error `not_finite` when a floating-point number that is converted is infinite or not a number
+  Shape_parameters(internal::Given_number<FT> beta, internal::Given_number<FT> eta)
+      : beta(std::move(beta.value)), eta(std::move(eta.value)) {}
+};
+
+/// \ingroup PkgGeometricContinuityConstruction
+/// What a strategy chooses for a quintic blend.
+/// \tparam FT a field number type
+template <class FT> struct Quintic_parameters {
+  FT s1 = FT(0);               ///< \f$ \gamma''(0) = 20 (d n_1 + s_1 u) \f$
+  FT s2 = FT(0);               ///< \f$ \gamma''(1) = 20 (d n_2 + s_2 v) \f$
+  bool fallback_start = false; ///< whether the strategy is undefined at the start and chose by another rule
+  bool fallback_end = false;   ///< whether the strategy is undefined at the end and chose by another rule
+
+  /// Returns these parameters with `f(s)` in the place of each scalar `s`, called in the order of the members.
+  template <class To, class Function> Quintic_parameters<To> transform(const Function& f) const {
+    return {f(s1), f(s2), fallback_start, fallback_end};
+  }
+};
+
+/// \ingroup PkgGeometricContinuityConstruction
+/// What a quintic strategy reads of a blend \f$ \gamma \f$ of degree 5: all but the two scalars that it chooses.
+/// \tparam FT a field number type \tparam N the dimension, or 0 when it is known at run time only
+template <class FT, int N> struct Quintic_ends {
+  typedef Coordinate_vector<FT, N> Vector;
+  typedef Quintic_parameters<FT> Parameters; ///< what the strategy chooses
+  static constexpr int degree = 5;           ///< the degree of the blend
+  static constexpr int order = 2;            ///< the order of the jets that are read
+
+  Vector a1; ///< the start \f$ A_1 = \gamma(0) \f$
+  Vector a2; ///< the end \f$ A_2 = \gamma(1) \f$
+  Vector u;  ///< the tangent at the start, \f$ u = \gamma'(0) = \beta\varphi'(1) \f$
+  Vector v;  ///< the tangent at the end, \f$ v = \gamma'(1) = \eta\psi'(0) \f$
+  Vector w1; ///< the scaled second derivative \f$ \beta^2\varphi''(1) \f$
+  Vector w2; ///< the scaled second derivative \f$ \eta^2\psi''(0) \f$
+
+  FT tangential1; ///< the tangential part of `w1` in units of `u`, \f$ (w_1 \cdot u) / (u \cdot u) \f$
+  FT tangential2; ///< the tangential part of `w2` in units of `v`, \f$ (w_2 \cdot v) / (v \cdot v) \f$
+
+  /// Takes the six vectors. `u` and `v` must not be zero.
+  Quintic_ends(const Vector& a1, const Vector& a2, const Vector& u, const Vector& v, const Vector& w1, const Vector& w2)
+      : a1(a1), a2(a2), u(u), v(v), w1(w1), w2(w2), tangential1(dot(w1, u) / dot(u, u)),
+        tangential2(dot(w2, v) / dot(v, v)) {}
+
+  /// Computes the vectors from the jets at the end of \f$ \varphi \f$ and at the start of \f$ \psi \f$: `phi[j]` and `psi[j]`
+  /// are the derivatives of order `j`, 0 to 2. The tangents must not be zero.
+  template <class Jet>
+  BOOST_FORCEINLINE Quintic_ends(const Jet& phi, const Jet& psi, const Shape_parameters<FT>& shape)
+      : Quintic_ends(phi[0], psi[0], shape.beta * phi[1], shape.eta * psi[1], FT(shape.beta * shape.beta) * phi[2],
+                     FT(shape.eta * shape.eta) * psi[2]) {}
+
+  /// Returns the vector `d n` of Portnov (15) at the start, without a root: \f$ w_1^\perp / 20 \f$.
+  Vector dn1() const { return internal::fraction<FT, 1, 20>() * (w1 - tangential1 * u); }
+  /// Returns the vector `d n` at the end: \f$ w_2^\perp / 20 \f$.
+  Vector dn2() const { return internal::fraction<FT, 1, 20>() * (w2 - tangential2 * v); }
+
+  /// Returns \f$ B_1 = A_1 + u/5 \f$. Portnov (10)
+  Vector b1() const { return a1 + internal::fraction<FT, 1, 5>() * u; }
+  /// Returns \f$ B_2 = A_2 - v/5 \f$. Portnov (10)
+  Vector b2() const { return a2 - internal::fraction<FT, 1, 5>() * v; }
+
+  /// Returns \f$ C_1 = A_1 + (2/5 + s_1) u + d n_1 \f$.
+  Vector c1(const FT& s1) const {
+    const FT c = internal::fraction<FT, 1, 20>();
+    return a1 + FT(internal::fraction<FT, 2, 5>() + s1 - c * tangential1) * u + c * w1;
+  }
+  /// Returns \f$ C_2 = A_2 - (2/5 - s_2) v + d n_2 \f$.
+  Vector c2(const FT& s2) const {
+    const FT c = internal::fraction<FT, 1, 20>();
+    return a2 - FT(internal::fraction<FT, 2, 5>() - s2 + c * tangential2) * v + c * w2;
+  }
+
+  /// Returns the control points between the first and the last, \f$ B_1, C_1, C_2, B_2 \f$, for what the strategy chose.
+  std::array<Vector, 4> inner_points(const Parameters& p) const { return {b1(), c1(p.s1), c2(p.s2), b2()}; }
+  /// Returns the control points \f$ A_1, B_1, C_1, C_2, B_2, A_2 \f$ for what the strategy chose.
+  BOOST_FORCEINLINE std::array<Vector, 6> control_points(const Parameters& p) const {
+    return {a1, b1(), c1(p.s1), c2(p.s2), b2(), a2};
+  }
+};
+
+/// \ingroup PkgGeometricContinuityConstruction
+/// The free scalars at one end of a septic blend: \f$ \gamma'' = \beta^2 d_2 + \beta_2 d_1 \f$,
+/// \f$ \gamma''' = \beta^3 d_3 + \mu d_2 + \beta_3 d_1 \f$. The join is \f$ F^3 \f$ for all values and \f$ G^3 \f$ if and
+/// only if \f$ \mu = 3\beta\beta_2 \f$ (or the curvature is zero).
+/// \tparam FT a field number type
+template <class FT> struct Septic_end_parameters {
+  FT beta2 = FT(0); ///< \f$ \beta_2 \f$
+  FT mu = FT(0);    ///< \f$ \mu \f$
+  FT beta3 = FT(0); ///< \f$ \beta_3 \f$
+
+  /// Sets all to 0.
+  Septic_end_parameters() = default;
+  /// Takes numbers of any type from which `FT` can be made.
+  /// \throws Error `not_finite` when a floating-point number that is converted is infinite or not a number
+  Septic_end_parameters(internal::Given_number<FT> beta2, internal::Given_number<FT> mu,
+                        internal::Given_number<FT> beta3)
+      : beta2(std::move(beta2.value)), mu(std::move(mu.value)), beta3(std::move(beta3.value)) {}
+
+  /// Returns whether all scalars are equal.
+  friend bool operator==(const Septic_end_parameters& p, const Septic_end_parameters& q) {
+    return p.beta2 == q.beta2 && p.mu == q.mu && p.beta3 == q.beta3;
+  }
+};
+
+/// \ingroup PkgGeometricContinuityConstruction
+/// What a strategy chooses for a septic blend.
+/// \tparam FT a field number type
+template <class FT> struct Septic_parameters {
+  Septic_end_parameters<FT> start; ///< the scalars at the start
+  Septic_end_parameters<FT> end;   ///< the scalars at the end
+  bool fallback_start = false;     ///< whether the strategy is undefined at the start and chose by another rule
+  bool fallback_end = false;       ///< whether the strategy is undefined at the end and chose by another rule
+
+  /// Returns these parameters with `f(s)` in the place of each scalar `s`, called in the order of the members.
+  template <class To, class Function> Septic_parameters<To> transform(const Function& f) const {
+    return {Septic_end_parameters<To>{f(start.beta2), f(start.mu), f(start.beta3)},
+            Septic_end_parameters<To>{f(end.beta2), f(end.mu), f(end.beta3)}, fallback_start, fallback_end};
+  }
+};
+
+/// \ingroup PkgGeometricContinuityConstruction
+/// One end of a septic blend: the point, the derivatives of the given curve, and the shape parameter.
+/// \tparam FT a field number type \tparam N the dimension, or 0 when it is known at run time only
+template <class FT, int N> struct Septic_end {
+  typedef Coordinate_vector<FT, N> Vector;
+
+  Vector x;      ///< the end point
+  Vector d1;     ///< the first derivative of the given curve, not zero
+  Vector d2;     ///< the second derivative of the given curve
+  Vector d3;     ///< the third derivative of the given curve
+  FT beta;       ///< the shape parameter \f$ \beta \f$ or \f$ \eta \f$ of the join
+  int direction; ///< 1 at the start of the blend, -1 at its end
+
+  /// Returns \f$ \gamma' \f$.
+  Vector first() const { return beta * d1; }
+  /// Returns \f$ \gamma'' \f$.
+  Vector second(const Septic_end_parameters<FT>& p) const { return FT(beta * beta) * d2 + p.beta2 * d1; }
+  /// Returns \f$ \gamma''' \f$.
+  Vector third(const Septic_end_parameters<FT>& p) const {
+    return FT(beta * beta * beta) * d3 + p.mu * d2 + p.beta3 * d1;
+  }
+
+  /// Returns the three control points next to the end point \f$ b_0 \f$, from there inwards: \f$ b_1 = b_0 + \gamma'/7 \f$,
+  /// \f$ b_2 = b_0 + 2\gamma'/7 + \gamma''/42 \f$, \f$ b_3 = b_0 + 3\gamma'/7 + \gamma''/14 + \gamma'''/210 \f$;
+  /// at the end of the blend the odd derivatives change sign.
+  std::array<Vector, 3> inner_points(const Septic_end_parameters<FT>& p) const {
+    const Vector g1 = FT(direction) * first(), g2 = second(p), g3 = FT(direction) * third(p);
+    return {x + g1 / FT(7), x + FT(2) * g1 / FT(7) + g2 / FT(42), x + FT(3) * g1 / FT(7) + g2 / FT(14) + g3 / FT(210)};
+  }
+};
+
+/// \ingroup PkgGeometricContinuityConstruction
+/// What a septic strategy reads of a blend \f$ \gamma \f$ of degree 7: all but the three scalars at each end.
+/// \tparam FT a field number type \tparam N the dimension, or 0 when it is known at run time only
+template <class FT, int N> struct Septic_ends {
+  typedef Coordinate_vector<FT, N> Vector;
+  typedef Septic_parameters<FT> Parameters; ///< what the strategy chooses
+  static constexpr int degree = 7;          ///< the degree of the blend
+  static constexpr int order = 3;           ///< the order of the jets that are read
+
+  Septic_end<FT, N> start; ///< the start of the blend, at the end of \f$ \varphi \f$
+  Septic_end<FT, N> end;   ///< the end of the blend, at the start of \f$ \psi \f$
+
+  /// Takes the jets at the end of \f$ \varphi \f$ and at the start of \f$ \psi \f$: `phi[j]` and `psi[j]` are the derivatives of
+  /// order `j`, 0 to 3. The tangents must not be zero.
+  template <class Jet>
+  Septic_ends(const Jet& phi, const Jet& psi, const Shape_parameters<FT>& shape)
+      : start{phi[0], phi[1], phi[2], phi[3], shape.beta, 1}, end{psi[0], psi[1], psi[2], psi[3], shape.eta, -1} {}
+
+  /// Returns the six control points between the first and the last for what the strategy chose.
+  std::array<Vector, 6> inner_points(const Parameters& p) const {
+    const std::array<Vector, 3> s = start.inner_points(p.start), e = end.inner_points(p.end);
+    return {s[0], s[1], s[2], e[2], e[1], e[0]};
+  }
+  /// Returns the eight control points for what the strategy chose.
+  std::array<Vector, 8> control_points(const Parameters& p) const {
+    const std::array<Vector, 6> b = inner_points(p);
+    return {start.x, b[0], b[1], b[2], b[3], b[4], b[5], end.x};
+  }
+};
+
+namespace internal {
+
+template <class Strategy, class = void> struct Works_in_every_field : std::false_type {};
+template <class Strategy>
+struct Works_in_every_field<Strategy, std::void_t<typename Strategy::Works_in_every_field>>
+    : std::bool_constant<Strategy::Works_in_every_field::value> {};
+
+} // namespace internal
+
+/// \ingroup PkgGeometricContinuityStrategies
+/// Whether a strategy allows that it is called in other fields than that of the traits class, which makes exact blends several
+/// times faster: the value of `Strategy::Works_in_every_field`, see `BlendStrategy`; `false` when there is no such type. It may
+/// be specialised for a strategy that cannot be changed.
+template <class Strategy> constexpr bool works_in_every_field_v = internal::Works_in_every_field<Strategy>::value;
+
+/// \ingroup PkgGeometricContinuityStrategies
+/// Whether a strategy is quintic: whether it can be called with the `Quintic_ends` of a traits class. It then makes blends of
+/// degree 5 from jets of order 2, even if it could be called with `Septic_ends` too.
+template <class Strategy, class Traits>
+constexpr bool is_quintic_strategy_v =
+    std::is_invocable_v<const Strategy&, const Quintic_ends<typename Traits::FT, dimension_v<Traits>>&>;
+
+/// \ingroup PkgGeometricContinuityStrategies
+/// Whether a strategy can be called with the `Septic_ends` of a traits class. If it is not quintic, it makes blends of degree
+/// 7 from jets of order 3.
+template <class Strategy, class Traits>
+constexpr bool is_septic_strategy_v =
+    std::is_invocable_v<const Strategy&, const Septic_ends<typename Traits::FT, dimension_v<Traits>>&>;
+
+} // namespace Geometric_continuity
+} // namespace CGAL
+
+#endif // CGAL_GEOMETRIC_CONTINUITY_BLENDS_BLEND_ENDS_H

@@ -1,0 +1,97 @@
+// Copyright (c) 2026 The Geometric_continuity developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_GEOMETRIC_CONTINUITY_JOINS_INTERNAL_JOIN_QUESTION_H
+#define CGAL_GEOMETRIC_CONTINUITY_JOINS_INTERNAL_JOIN_QUESTION_H
+
+// The vocabulary of the exact decisions about joins of curves in the plane and in space: what is asked, what is answered, and
+// the stages of which each proves something. From a predicate of join_predicates.h the calls go
+//
+//   is_g2_join          join_predicates.h
+//   decide_join         decide_join.h        control points or jets?
+//   decide_polygons     decide_join.h        the ends meet: comparison of the points
+//   decide_legs         decide_join.h        doubles first, then multi-precision
+//   decide_on_doubles   join_on_doubles.h    comparison of signs; the filter: a rounded form exceeds its error
+//   decide_modulo       join_on_integers.h   a form below a proven bound, modulo a power of two above it
+//   decide_on_grids     join_on_integers.h   residues modulo 2^64, then integers of fixed length
+//   decide_in_ring      decide_join.h        multi-precision, or the numbers of an exact kernel
+//
+// and continuity() of join_continuity.h asks decide_on_doubles several questions (decide_all_on_doubles). Ends without control
+// points and dimensions above 3 are decided by Join_decision. All stages evaluate one text, Join_equations. It is a template
+// with four axes:
+//
+// - `Zero` says what is known of a number whose form has been computed. Exact_zero: it is 0 or not. Join_filter: if the
+//   rounded value exceeds the bound of its error the exact one is not 0; otherwise nothing. Residue_zero: if the residue modulo
+//   2^64 is not 0 the number is not; otherwise nothing. Modular_zero: the number is smaller than the modulus, so it is 0 if
+//   and only if its residue is. Join_rounding: nothing is known, the bound of the error is recorded.
+// - `Weights` are the factors of the differences by which degrees and domains enter. Parametric_join_weights (both, for C^k) or
+//   Join_weights (degrees, for all others), in the integers or doubles in which the stage computes.
+// - `Ratio` is beta_1 as a fraction p/q of numbers in which the forms are homogeneous. Join_ratio takes a coordinate of the
+//   differences themselves; Short_join_ratio a reduced fraction of at most 12 bits, which makes the forms shorter.
+// - `Stages` says which stages are taken, and is told what each of them decides. All_join_stages takes all of them and records
+//   nothing; tests switch stages off and count.
+
+namespace CGAL {
+namespace Geometric_continuity {
+namespace internal {
+
+// What can be decided about a join.
+enum class Join_question { c0, c1, c2, c3, g1, g2, g3, f3, curvature_vector, torsion };
+
+constexpr bool is_parametric(Join_question question) { return question <= Join_question::c3; }
+constexpr bool is_geometric(Join_question question) {
+  return Join_question::g1 <= question && question <= Join_question::f3;
+}
+
+// The highest difference of the polygons that is read.
+constexpr int highest_difference(Join_question question) {
+  switch (question) {
+  case Join_question::c0: return 0;
+  case Join_question::c1:
+  case Join_question::g1: return 1;
+  case Join_question::c2:
+  case Join_question::g2:
+  case Join_question::curvature_vector: return 2;
+  default: return 3;
+  }
+}
+
+// The degree of the form in the differences.
+constexpr int form_degree(Join_question question) {
+  switch (question) {
+  case Join_question::g1: return 2;
+  case Join_question::g2: return 4;
+  case Join_question::g3:
+  case Join_question::f3: return 6;
+  case Join_question::curvature_vector:
+  case Join_question::torsion: return 7;
+  default: return 1;
+  }
+}
+
+// The answer to a question; `unknown` when a stage cannot tell.
+enum class Join_answer { no, yes, undefined, unknown };
+
+// Where a decision was made.
+enum class Join_stage {
+  comparison,      // equality and signs of the numbers as given
+  floating_point,  // a form is larger than its rounding error
+  bounded_residue, // a form is smaller than the modulus
+  residue,         // a form is not zero modulo 2^64
+  simple_ratio,    // integers of fixed length, with p/q short
+  fixed_integer,   // integers of fixed length
+  multiprecision
+};
+
+// Takes all stages and records nothing.
+struct All_join_stages {
+  static constexpr bool uses(Join_stage) { return true; }
+  void decided(Join_stage, Join_answer) const {}
+};
+
+} // namespace internal
+} // namespace Geometric_continuity
+} // namespace CGAL
+
+#endif // CGAL_GEOMETRIC_CONTINUITY_JOINS_INTERNAL_JOIN_QUESTION_H
