@@ -59,12 +59,12 @@ public:
   ///   differ in dimension, `not_finite` for floating-point coordinates that are infinite or not a number
   template <class Points>
   Bspline_surface(const Points& net, Knot_vector<FT> knots_u, Knot_vector<FT> knots_v)
-      : Bspline_surface(Net(net, "Bspline_surface"), std::move(knots_u), std::move(knots_v)) {}
+      : u_(std::move(knots_u)), v_(std::move(knots_v)), net_(internal::spline_net<Traits>(net, u_, v_)) {}
   /// Constructs a surface from a control net that is written as a list of lists, and the knots.
   /// \throws Error `wrong_number_of_points`, `dimension_mismatch` or `not_finite` for what is no net for the knots
   Bspline_surface(std::initializer_list<std::initializer_list<Point>> net, Knot_vector<FT> knots_u,
                   Knot_vector<FT> knots_v)
-      : Bspline_surface(Net(net, "Bspline_surface"), std::move(knots_u), std::move(knots_v)) {}
+      : u_(std::move(knots_u)), v_(std::move(knots_v)), net_(internal::spline_net<Traits>(net, u_, v_)) {}
 
   /// Constructs the surface without inner knots that is equal to a patch.
   explicit Bspline_surface(const Bezier_patch<Traits>& patch)

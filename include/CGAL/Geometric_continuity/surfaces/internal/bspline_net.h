@@ -10,6 +10,7 @@
 #include <CGAL/Geometric_continuity/surfaces/internal/Control_net.h>
 #include <CGAL/Geometric_continuity/surfaces/internal/surface_checks.h>
 
+#include <iterator>
 #include <string>
 #include <utility>
 #include <vector>
@@ -26,6 +27,16 @@ template <class FT> void check_number_of_points(int number, const Knot_vector<FT
   if (number != needed)
     throw Error(Error_code::wrong_number_of_points, "Bspline_surface: " + std::to_string(number) + ' ' + what +
                                                         " where the knots need " + std::to_string(needed));
+}
+
+// The net of a range of ranges, with as many rows and columns as the knots need.
+template <class Traits, class Points>
+Control_net<Traits> spline_net(const Points& net, const Knot_vector<typename Traits::FT>& knots_u,
+                               const Knot_vector<typename Traits::FT>& knots_v) {
+  for (const auto& row : net)
+    check_number_of_points(static_cast<int>(std::distance(std::begin(row), std::end(row))), knots_v, "points in a row");
+  check_number_of_points(static_cast<int>(std::distance(std::begin(net), std::end(net))), knots_u, "rows");
+  return Control_net<Traits>(net, "Bspline_surface");
 }
 
 template <class FT> void check_insertion(const Knot_vector<FT>& knots, int times) {
