@@ -72,7 +72,7 @@ template <class ET, int N> bool is_zero_tangent(const Coordinate_vector<Lazy_exa
 // Called for each blend, and small when the shape parameters are constants: written out at the place of the call.
 template <class FT, int N>
 BOOST_FORCEINLINE void check_blend_input(const Coordinate_jet<FT, N>& phi, const Coordinate_jet<FT, N>& psi, int order,
-                                         const Geometric_continuity::Shape_parameters<FT>& shape) {
+                                         const Shape_parameters<FT>& shape) {
   if (!(FT(0) < shape.beta)) refuse_blend(Error_code::nonpositive_beta, "beta, at the end of the first curve");
   if (!(FT(0) < shape.eta)) refuse_blend(Error_code::nonpositive_beta, "eta, at the start of the second curve");
   check_finite(shape.beta, "blend: beta");
@@ -89,8 +89,7 @@ BOOST_FORCEINLINE void check_blend_input(const Coordinate_jet<FT, N>& phi, const
 // The one road of all blends: Ends is Quintic_ends or Septic_ends, Blend the type of the result.
 template <class Blend, template <class, int> class Ends, class FT, int N, class Strategy>
 BOOST_FORCEINLINE Blend blend_of_jets(const Coordinate_jet<FT, N>& phi, const Coordinate_jet<FT, N>& psi,
-                                      const Strategy& strategy,
-                                      const Geometric_continuity::Shape_parameters<FT>& shape) {
+                                      const Strategy& strategy, const Shape_parameters<FT>& shape) {
   check_blend_input(phi, psi, Ends<FT, N>::order, shape);
   if constexpr (is_blended_on_fractions<Ends, FT, N, Strategy>()) {
     const Exact_blend<Ends, FT, N> r = blend_on_fractions<Ends>(phi, psi, strategy, shape);
@@ -107,8 +106,7 @@ BOOST_FORCEINLINE Blend blend_of_jets(const Coordinate_jet<FT, N>& phi, const Co
 template <class Traits, class Strategy>
 BOOST_FORCEINLINE auto blend_of_jets(const Coordinate_jet<typename Traits::FT, dimension_v<Traits>>& phi,
                                      const Coordinate_jet<typename Traits::FT, dimension_v<Traits>>& psi,
-                                     const Strategy& strategy,
-                                     const Geometric_continuity::Shape_parameters<typename Traits::FT>& shape) {
+                                     const Strategy& strategy, const Shape_parameters<typename Traits::FT>& shape) {
   if constexpr (is_quintic_strategy_v<Strategy, Traits>)
     return blend_of_jets<Quintic_blend<Traits>, Quintic_ends>(phi, psi, strategy, shape);
   else { // asked only now, so that a quintic strategy may be a generic lambda

@@ -62,8 +62,7 @@ reduced_points(const Coordinate_vector<FT, N>& first,
 // A blend of jets of rational numbers, which have been checked. Each vector of the jets gets one denominator.
 template <template <class, int> class Ends, class FT, int N, class Strategy>
 Exact_blend<Ends, FT, N> blend_on_fractions(const Coordinate_jet<FT, N>& phi, const Coordinate_jet<FT, N>& psi,
-                                            const Strategy& strategy,
-                                            const Geometric_continuity::Shape_parameters<FT>& shape) {
+                                            const Strategy& strategy, const Shape_parameters<FT>& shape) {
   typedef Unreduced_fraction<FT> Fraction;
   typedef Coordinate_vector<Fraction, N> Vector;
   Derivatives<Ends, Fraction, N> x, y;
@@ -83,6 +82,11 @@ Exact_blend<Ends, FT, N> blend_on_fractions(const Coordinate_jet<FT, N>& phi, co
 template <template <class, int> class Ends, class FT, int N, class Strategy> constexpr bool is_blended_on_fractions() {
   return false;
 }
+
+// Named where it is not called.
+template <template <class, int> class Ends, class FT, int N, class Strategy>
+Exact_blend<Ends, FT, N> blend_on_fractions(const Coordinate_jet<FT, N>& phi, const Coordinate_jet<FT, N>& psi,
+                                            const Strategy& strategy, const Shape_parameters<FT>& shape);
 
 #endif // CGAL_USE_GMP
 
@@ -104,7 +108,7 @@ template <template <class, int> class Ends, class FT, int N, class Strategy> con
 template <template <class, int> class Ends, class ET, int N, class Strategy> struct Exact_numbers_of_blend {
   Derivatives<Ends, Lazy_exact_nt<ET>, N> phi, psi;
   Strategy strategy;
-  Geometric_continuity::Shape_parameters<Lazy_exact_nt<ET>> shape;
+  Shape_parameters<Lazy_exact_nt<ET>> shape;
 
   std::vector<ET> operator()() const {
     const int dimension = phi[0].dimension(), order = Ends<ET, N>::order;
@@ -114,8 +118,8 @@ template <template <class, int> class Ends, class ET, int N, class Strategy> str
         x[j][i] = phi[j][i].exact();
         y[j][i] = psi[j][i].exact();
       }
-    const Exact_blend<Ends, ET, N> r = blend_on_fractions<Ends>(
-        x, y, strategy, Geometric_continuity::Shape_parameters<ET>{shape.beta.exact(), shape.eta.exact()});
+    const Exact_blend<Ends, ET, N> r =
+        blend_on_fractions<Ends>(x, y, strategy, Shape_parameters<ET>{shape.beta.exact(), shape.eta.exact()});
     std::vector<ET> numbers;
     for (std::size_t j = 1; j + 1 < r.points.size(); ++j)
       numbers.insert(numbers.end(), r.points[j].begin(), r.points[j].end());
@@ -129,7 +133,7 @@ template <template <class, int> class Ends, class ET, int N, class Strategy> str
 template <template <class, int> class Ends, class ET, int N, class Strategy>
 std::optional<Exact_blend<Ends, Lazy_exact_nt<ET>, N>>
 blend_lazily(const Coordinate_jet<Lazy_exact_nt<ET>, N>& phi, const Coordinate_jet<Lazy_exact_nt<ET>, N>& psi,
-             const Strategy& strategy, const Geometric_continuity::Shape_parameters<Lazy_exact_nt<ET>>& shape) {
+             const Strategy& strategy, const Shape_parameters<Lazy_exact_nt<ET>>& shape) {
   typedef Lazy_exact_nt<ET> FT;
   typedef Interval_nt<false> Interval;
   const int dimension = phi.dimension();
