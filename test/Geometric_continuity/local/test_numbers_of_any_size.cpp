@@ -144,8 +144,9 @@ BOOST_AUTO_TEST_CASE(decimal_sizes_against_rationals) {
       }
       const auto e = GC::frenet_frame(x);
       BOOST_REQUIRE(e);
+      const GC::Frenet_frame<Double_3> unit = e->normalized();
       for (int j = 1; j <= 3; ++j)
-        for (double c : e->normalized().coordinates(j)) BOOST_CHECK(std::abs(c) <= 1 + 1e-15);
+        for (double c : unit.coordinates(j)) BOOST_CHECK(std::abs(c) <= 1 + 1e-15);
     }
 }
 
