@@ -102,6 +102,7 @@
 #include <CGAL/Geometric_continuity/surfaces/Revolution_surface_3.h>
 #include <CGAL/Geometric_continuity/surfaces/Surface_grid.h>
 #include <CGAL/Geometric_continuity/surfaces/Swept_surface_3.h>
+#include <CGAL/Geometric_continuity/surfaces/boundary_curve.h>
 #include <CGAL/Geometric_continuity/surfaces/evaluate_grid.h>
 
 #include <CGAL/Geometric_continuity/edges/Edge_conditions.h>
