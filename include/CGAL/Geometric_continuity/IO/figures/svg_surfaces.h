@@ -9,7 +9,7 @@
 #include <CGAL/Geometric_continuity/IO/figures/internal/Svg_facets.h>
 #include <CGAL/Geometric_continuity/IO/figures/internal/svg_text.h>
 #include <CGAL/Geometric_continuity/models/model_continuity.h>
-#include <CGAL/Geometric_continuity/numbers/internal/checked_conversion.h>
+#include <CGAL/Geometric_continuity/numbers/internal/checked_numbers.h>
 #include <CGAL/Geometric_continuity/surfaces/Bspline_surface.h>
 #include <CGAL/Geometric_continuity/surfaces/boundary_curve.h>
 

@@ -6,7 +6,7 @@
 #define CGAL_GEOMETRIC_CONTINUITY_SPLINES_INTERNAL_CHANGE_KNOTS_H
 
 #include <CGAL/Geometric_continuity/algebra/Coordinate_vector.h>
-#include <CGAL/Geometric_continuity/numbers/internal/checked_conversion.h>
+#include <CGAL/Geometric_continuity/numbers/internal/checked_numbers.h>
 #include <CGAL/Geometric_continuity/splines/Knot_vector.h>
 #include <CGAL/Geometric_continuity/splines/internal/Spline_weights.h>
 

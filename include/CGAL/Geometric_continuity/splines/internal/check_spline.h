@@ -6,7 +6,7 @@
 #define CGAL_GEOMETRIC_CONTINUITY_SPLINES_INTERNAL_CHECK_SPLINE_H
 
 #include <CGAL/Geometric_continuity/Error.h>
-#include <CGAL/Geometric_continuity/numbers/internal/checked_conversion.h>
+#include <CGAL/Geometric_continuity/numbers/internal/checked_numbers.h>
 #include <CGAL/Geometric_continuity/splines/Knot_vector.h>
 #include <CGAL/Geometric_continuity/splines/internal/bspline_multiply.h>
 
