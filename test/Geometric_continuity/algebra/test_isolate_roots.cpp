@@ -85,14 +85,14 @@ BOOST_AUTO_TEST_CASE(roots_with_double_coefficients) {
 // t^n - 2 (a t - 1)^2 has two roots near 1/a, about 2 a^(-n/2 - 1) apart: Mignotte.
 BOOST_AUTO_TEST_CASE(close_roots) {
   const int n = 40;
-  const Q a(1000), center = Q(Q(1) / a);
+  const Q a(1000), centre = Q(Q(1) / a);
   const Polynomial line{Q(-1), Q(a - Q(1))};
   Polynomial power{Q(1)};
   for (int i = 0; i < n; ++i) power = power * factor(Q(0));
   const Polynomial p = power - Polynomial{Q(2)} * line * line;
   const Roots r = isolate_roots(p);
   BOOST_REQUIRE_EQUAL(r.size(), 2u);
-  BOOST_CHECK(r[0].begin < center && r[0].end <= r[1].begin && center < r[1].end);
+  BOOST_CHECK(r[0].begin < centre && r[0].end <= r[1].begin && centre < r[1].end);
   for (const GC::Isolated_root<Q>& root : r) BOOST_CHECK(p(root.begin) * p(root.end) < 0 && root.multiplicity == 1);
   BOOST_CHECK(GC::sign_pattern(p) == GC::Sign_pattern::mixed);
   // the work is limited
