@@ -85,9 +85,9 @@ inline Grid_layers on_grid(const Edge_layers& a, Grid& grid) {
   return g;
 }
 
-// What floating-point numbers can refute: the conditions of Edge_on_grid, and of Edge_normals, at both ends of the edge, where they need only few
-// control points. With u = 2^-52, which bounds the relative error of an operation in every rounding mode, with or without
-// fused multiplication and addition:
+// What floating-point numbers can refute: the conditions of Edge_on_grid, and of Edge_normals, at both ends of the edge,
+// where they need only few control points. With u = 2^-52, which bounds the relative error of an operation in every
+// rounding mode, with or without fused multiplication and addition:
 //
 // - det(d, a, b) has 6 terms; in each of them three differences, two products, and at most four sums are rounded. With
 //   bounds D, A, B of the coordinates the error is at most 6 ((1+u)^9 - 1) (1+u)^3 D A B < 2^-46 D A B.
