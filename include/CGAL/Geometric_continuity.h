@@ -97,17 +97,16 @@
 #include <CGAL/Geometric_continuity/surfaces/Bezier_patch.h>
 #include <CGAL/Geometric_continuity/surfaces/Bspline_surface.h>
 #include <CGAL/Geometric_continuity/surfaces/Extrusion_surface_3.h>
-#include <CGAL/Geometric_continuity/surfaces/Parameter_line.h>
 #include <CGAL/Geometric_continuity/surfaces/Patch_edge.h>
 #include <CGAL/Geometric_continuity/surfaces/Revolution_surface_3.h>
 #include <CGAL/Geometric_continuity/surfaces/Surface_grid.h>
 #include <CGAL/Geometric_continuity/surfaces/Swept_surface_3.h>
+#include <CGAL/Geometric_continuity/surfaces/boundary_curve.h>
 #include <CGAL/Geometric_continuity/surfaces/evaluate_grid.h>
 
 #include <CGAL/Geometric_continuity/edges/Edge_conditions.h>
 #include <CGAL/Geometric_continuity/edges/Edge_rows.h>
 #include <CGAL/Geometric_continuity/edges/G1_ribbon.h>
-#include <CGAL/Geometric_continuity/edges/Normal_deviation.h>
 #include <CGAL/Geometric_continuity/edges/Spline_edge_continuity.h>
 #include <CGAL/Geometric_continuity/edges/common_edges.h>
 #include <CGAL/Geometric_continuity/edges/connect_g1.h>

@@ -5,10 +5,19 @@
 #ifndef CGAL_GEOMETRIC_CONTINUITY_ERROR_H
 #define CGAL_GEOMETRIC_CONTINUITY_ERROR_H
 
-#include <CGAL/Geometric_continuity/internal/refuse_fast_math.h>
-
 #include <stdexcept>
 #include <string>
+
+/// \file Error.h
+/// What the package refuses: bad input, by a typed exception, and compiler options with which it would decide wrongly.
+
+// The stages of a decision that are made in floating-point arithmetic rest on the rounding of each operation, as IEEE
+// 754 defines it, and on the recognition of infinite and undefined numbers. -fno-math-errno and -frounding-math leave
+// both alone.
+#if defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__) || defined(__RECIPROCAL_MATH__) ||                         \
+    (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__)
+#error "Geometric_continuity: with -ffast-math or -Ofast exact predicates would be wrong; -fno-math-errno is allowed."
+#endif
 
 namespace CGAL {
 namespace Geometric_continuity {

@@ -10,6 +10,7 @@
 #include "support/exact_splines.h"
 
 #include <CGAL/Geometric_continuity/edges/connect_g1.h>
+#include <CGAL/Geometric_continuity/surfaces/boundary_curve.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -107,13 +108,13 @@ void check_ribbon(const Input& in, const Ribbon& r, Random& random) {
   const std::vector<Knots::Knot> old = knots.inner_knots(), all = r.side1.knots_u().inner_knots();
   BOOST_CHECK(r.side1.knots_u().is_clamped() && r.side1.knots_u().domain() == knots.domain());
   BOOST_REQUIRE_EQUAL(old.size(), all.size());
-  const Curve<Exact> across = r.side1.boundary_curve(Patch_edge::v1);
+  const Curve<Exact> across = GC::boundary_curve(r.side1, Patch_edge::v1);
   for (std::size_t i = 0; i < old.size(); ++i) {
     BOOST_CHECK(old[i].value == all[i].value);
     BOOST_CHECK_EQUAL(old[i].multiplicity + 4, all[i].multiplicity);
     BOOST_CHECK_EQUAL(across.function().smoothness(old[i].value), 2 - old[i].multiplicity);
   }
-  BOOST_CHECK(r.side1.boundary_curve(Patch_edge::v0) == in.c.elevate(3).refine(r.side1.knots_u()));
+  BOOST_CHECK(GC::boundary_curve(r.side1, Patch_edge::v0) == in.c.elevate(3).refine(r.side1.knots_u()));
 
   // the coordinates in the plane of D and C' are those of the nearest vectors
   const auto check_end = [&](const GC::Ribbon_end<Q>& report, const Q& t, const auto& c, const auto& c1,

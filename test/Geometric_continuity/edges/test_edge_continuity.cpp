@@ -12,6 +12,7 @@
 #include <CGAL/Geometric_continuity/edges/Edge_conditions.h>
 #include <CGAL/Geometric_continuity/edges/common_edges.h>
 #include <CGAL/Geometric_continuity/edges/edge_continuity.h>
+#include <CGAL/Geometric_continuity/surfaces/boundary_curve.h>
 
 #include <algorithm>
 #include <cmath>
@@ -164,7 +165,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(all_orientations, K, All_kernels) {
         const auto e = GC::edge_continuity(a, edge_a, b, edge_b);
         BOOST_CHECK_EQUAL(e.defect, defects[kind]);
         BOOST_CHECK_EQUAL(e.g_order, 2 - kind);
-        const bool backwards = a.boundary_curve(edge_a) != b.boundary_curve(edge_b);
+        const bool backwards = GC::boundary_curve(a, edge_a) != GC::boundary_curve(b, edge_b);
         BOOST_CHECK_EQUAL(e.reversed, backwards);
         reversed += backwards;
         const std::vector<GC::Common_edge> common = GC::common_edges(a, b);

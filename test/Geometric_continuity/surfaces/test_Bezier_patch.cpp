@@ -13,6 +13,7 @@
 #include <CGAL/Geometric_continuity/Traits_d.h>
 #include <CGAL/Geometric_continuity/models/model_continuity.h>
 #include <CGAL/Geometric_continuity/surfaces/Bezier_patch.h>
+#include <CGAL/Geometric_continuity/surfaces/boundary_curve.h>
 
 #include <algorithm>
 #include <iterator>
@@ -124,7 +125,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(patch_edges, K, All_kernels) {
   typedef typename K::FT FT;
   const Patch<K> s = sample_patch<K>();
   for (Patch_edge e : GC::patch_edges) {
-    const GC::Bezier_curve<GC::Traits_3<K>> c = s.boundary_curve(e);
+    const GC::Bezier_curve<GC::Traits_3<K>> c = GC::boundary_curve(s, e);
     const std::pair<FT, FT> along = s.domain(e);
     BOOST_CHECK(c.domain() == along);
     for (const FT& t : {along.first, FT((along.first + along.second) / FT(2)), along.second}) {

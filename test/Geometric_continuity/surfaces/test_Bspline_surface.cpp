@@ -10,6 +10,7 @@
 
 #include <CGAL/Geometric_continuity/Traits_d.h>
 #include <CGAL/Geometric_continuity/surfaces/Bspline_surface.h>
+#include <CGAL/Geometric_continuity/surfaces/boundary_curve.h>
 
 #include <cmath>
 #include <cstddef>
@@ -119,7 +120,7 @@ BOOST_AUTO_TEST_CASE(edges_of_surfaces) {
       const bool along_u = GC::runs_along_u(edge), upper = GC::at_upper_end(edge);
       const auto fixed = along_u ? s.domain_v() : s.domain_u();
       const Q at = upper ? fixed.second : fixed.first;
-      const Curve<Exact> c = s.boundary_curve(edge);
+      const Curve<Exact> c = GC::boundary_curve(s, edge);
       BOOST_CHECK(c.knots() == s.knots_along(edge));
       BOOST_CHECK(s.knots_along(edge) == (along_u ? s.knots_u() : s.knots_v()));
       BOOST_CHECK(s.knots_across(edge) == (along_u ? s.knots_v() : s.knots_u()));
@@ -191,8 +192,8 @@ BOOST_AUTO_TEST_CASE(the_same_surface_by_other_control_nets) {
     check_same_surface(s, raised, random);
     for (Patch_edge edge : GC::patch_edges) {
       const int times = GC::runs_along_u(edge) ? i : j;
-      const Curve<Exact> c = s.boundary_curve(edge);
-      BOOST_CHECK(raised.boundary_curve(edge) == (times == 0 ? c : c.elevate(times)));
+      const Curve<Exact> c = GC::boundary_curve(s, edge);
+      BOOST_CHECK(GC::boundary_curve(raised, edge) == (times == 0 ? c : c.elevate(times)));
     }
     BOOST_CHECK(s.elevate(0, 0) == s);
     CHECK_ERROR(s.elevate(-1, 0), negative_count);

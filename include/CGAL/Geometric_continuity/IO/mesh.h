@@ -11,7 +11,7 @@
 #include <CGAL/Geometric_continuity/IO/atomic_file.h>
 #include <CGAL/Geometric_continuity/local/coordinates.h>
 #include <CGAL/Geometric_continuity/models/Tessellation.h>
-#include <CGAL/Geometric_continuity/numbers/internal/checked_conversion.h>
+#include <CGAL/Geometric_continuity/numbers/internal/checked_numbers.h>
 
 #include <CGAL/IO/OBJ.h>
 #include <CGAL/IO/OFF.h>

@@ -13,7 +13,7 @@
 #include <CGAL/Geometric_continuity/IO/internal/Number_parts.h>
 #include <CGAL/Geometric_continuity/IO/limits.h>
 #include <CGAL/Geometric_continuity/IO/quoted_token.h>
-#include <CGAL/Geometric_continuity/numbers/internal/checked_conversion.h>
+#include <CGAL/Geometric_continuity/numbers/internal/checked_numbers.h>
 
 #include <algorithm>
 #include <charconv>

@@ -7,7 +7,7 @@
 
 #include <CGAL/Geometric_continuity/Error.h>
 #include <CGAL/Geometric_continuity/numbers/Exact_field.h>
-#include <CGAL/Geometric_continuity/numbers/internal/checked_conversion.h>
+#include <CGAL/Geometric_continuity/numbers/internal/checked_numbers.h>
 #include <CGAL/number_utils.h>
 
 #include <array>

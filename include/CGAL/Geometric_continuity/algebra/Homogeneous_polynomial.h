@@ -8,7 +8,6 @@
 #include <CGAL/Geometric_continuity/Error.h>
 #include <CGAL/Geometric_continuity/algebra/Bernstein_polynomial.h>
 #include <CGAL/Geometric_continuity/algebra/Sign_set.h>
-#include <CGAL/Geometric_continuity/numbers/internal/sign_of.h>
 
 #include <algorithm>
 #include <array>

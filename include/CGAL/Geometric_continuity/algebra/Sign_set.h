@@ -14,6 +14,13 @@
 namespace CGAL {
 namespace Geometric_continuity {
 
+namespace internal {
+
+// The sign of a number. By comparisons only, which is all that the concept asks of a field.
+template <class FT> int sign_of(const FT& x) { return FT(0) < x ? 1 : x < FT(0) ? -1 : 0; }
+
+} // namespace internal
+
 /// \ingroup PkgGeometricContinuityAlgebra
 /// The signs that a function takes on a closed interval.
 enum class Sign_pattern {

@@ -10,7 +10,7 @@
 #include <CGAL/Geometric_continuity/algebra/Bernstein_polynomial.h>
 #include <CGAL/Geometric_continuity/algebra/sign_pattern.h>
 #include <CGAL/Geometric_continuity/numbers/Exact_field.h>
-#include <CGAL/Geometric_continuity/numbers/internal/checked_conversion.h>
+#include <CGAL/Geometric_continuity/numbers/internal/checked_numbers.h>
 
 #include <vector>
 

@@ -7,10 +7,8 @@
 
 #include <CGAL/Geometric_continuity/Error.h>
 #include <CGAL/Geometric_continuity/algebra/Power_polynomial.h>
-#include <CGAL/Geometric_continuity/algebra/internal/root_count.h>
 #include <CGAL/Geometric_continuity/algebra/sign_pattern.h>
 #include <CGAL/Geometric_continuity/numbers/Exact_field.h>
-#include <CGAL/Geometric_continuity/numbers/internal/Exact_number.h>
 
 #include <algorithm>
 #include <utility>

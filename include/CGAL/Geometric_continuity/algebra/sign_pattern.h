@@ -9,11 +9,9 @@
 #include <CGAL/Geometric_continuity/algebra/Homogeneous_polynomial.h>
 #include <CGAL/Geometric_continuity/algebra/Power_polynomial.h>
 #include <CGAL/Geometric_continuity/algebra/Sign_set.h>
-#include <CGAL/Geometric_continuity/algebra/internal/root_count.h>
 #include <CGAL/Geometric_continuity/numbers/Exact_field.h>
-#include <CGAL/Geometric_continuity/numbers/internal/Exact_number.h>
-#include <CGAL/Geometric_continuity/numbers/internal/checked_conversion.h>
-#include <CGAL/Geometric_continuity/numbers/internal/sign_of.h>
+#include <CGAL/Geometric_continuity/numbers/internal/Common_denominator.h>
+#include <CGAL/Geometric_continuity/numbers/internal/checked_numbers.h>
 
 #include <optional>
 #include <type_traits>
@@ -27,6 +25,40 @@
 namespace CGAL {
 namespace Geometric_continuity {
 namespace internal {
+
+// A positive multiple of a polynomial over a field, in whole numbers where the field has a common denominator.
+template <class Exact> using Whole_polynomial = Homogeneous_polynomial<typename Common_denominator<Exact>::Ring>;
+template <class Exact> Whole_polynomial<Exact> whole_multiple(const Bernstein_polynomial<Exact>& p) {
+  Common_denominator<Exact> denominator;
+  for (const Exact& x : p.coefficients()) denominator.include(x);
+  std::vector<typename Common_denominator<Exact>::Ring> c;
+  for (const Exact& x : p.coefficients()) c.push_back(denominator.numerator(x));
+  return Whole_polynomial<Exact>::from_bernstein(std::move(c));
+}
+
+// How often the coefficients change the sign, of a polynomial in Bernstein or in homogeneous form.
+template <class Polynomial> int sign_variations(const Polynomial& p) {
+  int variations = 0, last = 0;
+  for (int k = 0; k <= p.degree(); ++k) {
+    const int s = sign_of(p[k]);
+    if (s != 0 && last != 0 && s != last) ++variations;
+    if (s != 0) last = s;
+  }
+  return variations;
+}
+
+// A polynomial without the roots that it has at 0 and at 1. \pre p is not zero
+template <class NT> struct Without_end_roots {
+  bool root_at_0, root_at_1;
+  Homogeneous_polynomial<NT> rest; // of the same sign as p inside
+
+  explicit Without_end_roots(const Homogeneous_polynomial<NT>& p) {
+    const int k = p.order_at_0(), l = p.order_at_1();
+    root_at_0 = k > 0;
+    root_at_1 = l > 0;
+    rest = k + l > 0 ? p.without_end_factors(k, l) : p;
+  }
+};
 
 // The signs of a polynomial on [0, 1] if those of its coefficients decide: the basis functions are positive inside, so that
 // without coefficients of both signs only the ends can be zero.

@@ -14,7 +14,7 @@
 #include <cstddef>
 #include <string>
 
-#include <CGAL/Geometric_continuity/internal/disable_loop_warnings.h>
+CGAL_GEOMETRIC_CONTINUITY_LOOP_WARNINGS_OFF
 
 namespace CGAL {
 namespace Geometric_continuity {
@@ -111,6 +111,6 @@ void blend(const Jet_arrays<FT, N, k>& phi, const Jet_arrays<FT, N, k>& psi, con
 } // namespace Geometric_continuity
 } // namespace CGAL
 
-#include <CGAL/Geometric_continuity/internal/enable_loop_warnings.h>
+CGAL_GEOMETRIC_CONTINUITY_LOOP_WARNINGS_ON
 
 #endif // CGAL_GEOMETRIC_CONTINUITY_BLENDS_BLEND_BATCH_H

@@ -8,7 +8,7 @@
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Geometric_continuity/blends/blend.h>
 #include <CGAL/Geometric_continuity/blends/internal/Representable_end.h>
-#include <CGAL/Geometric_continuity/numbers/internal/checked_conversion.h>
+#include <CGAL/Geometric_continuity/numbers/internal/checked_numbers.h>
 
 #include <algorithm>
 #include <array>

@@ -18,7 +18,7 @@
 #include <utility>
 #include <vector>
 
-#include <CGAL/Geometric_continuity/internal/disable_loop_warnings.h>
+CGAL_GEOMETRIC_CONTINUITY_LOOP_WARNINGS_OFF
 
 namespace CGAL {
 namespace Geometric_continuity {
@@ -303,6 +303,6 @@ private:
 } // namespace Geometric_continuity
 } // namespace CGAL
 
-#include <CGAL/Geometric_continuity/internal/enable_loop_warnings.h>
+CGAL_GEOMETRIC_CONTINUITY_LOOP_WARNINGS_ON
 
 #endif // CGAL_GEOMETRIC_CONTINUITY_CURVES_BEZIER_CURVE_H

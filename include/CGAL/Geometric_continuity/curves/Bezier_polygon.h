@@ -5,13 +5,10 @@
 #ifndef CGAL_GEOMETRIC_CONTINUITY_CURVES_BEZIER_POLYGON_H
 #define CGAL_GEOMETRIC_CONTINUITY_CURVES_BEZIER_POLYGON_H
 
-#include <CGAL/Bbox_2.h>
-#include <CGAL/Bbox_3.h>
 #include <CGAL/Geometric_continuity/algebra/Bernstein_polynomial.h>
 #include <CGAL/Geometric_continuity/internal/for_each_index.h>
 #include <CGAL/Geometric_continuity/local/coordinates.h>
-#include <CGAL/Geometric_continuity/numbers/internal/checked_conversion.h>
-#include <CGAL/number_utils.h>
+#include <CGAL/Geometric_continuity/numbers/internal/checked_numbers.h>
 
 #include <boost/config.hpp>
 #include <boost/container/small_vector.hpp>
@@ -78,29 +75,10 @@ public:
   }
 
   /// Returns two opposite corners of the bounding box of the control points, which contains the curve. \f$ O(m) \f$
-  std::pair<Point, Point> bounding_box() const {
-    Coordinates low = coordinates(0), high = low;
-    for (int j = 1; j <= degree(); ++j) {
-      const Coordinates p = coordinates(j);
-      for (int i = 0; i < p.dimension(); ++i) {
-        if (p[i] < low[i]) low[i] = p[i];
-        if (high[i] < p[i]) high[i] = p[i];
-      }
-    }
-    return {Geometric_continuity::to_point<Traits>(low), Geometric_continuity::to_point<Traits>(high)};
-  }
+  std::pair<Point, Point> bounding_box() const { return internal::corners_of_box<Traits>(begin(), end()); }
 
   /// Returns the bounding box of the control points as `Bbox_2` or `Bbox_3`, rounded outwards. Dimension 2 or 3 only.
-  auto bbox() const {
-    static_assert(N == 2 || N == 3, "bounding_box() serves the other dimensions");
-    const std::pair<Point, Point> box = bounding_box();
-    const Coordinates low = Geometric_continuity::coordinates<Traits>(box.first),
-                      high = Geometric_continuity::coordinates<Traits>(box.second);
-    if constexpr (N == 2)
-      return Bbox_2(lower(low[0]), lower(low[1]), upper(high[0]), upper(high[1]));
-    else
-      return Bbox_3(lower(low[0]), lower(low[1]), lower(low[2]), upper(high[0]), upper(high[1]), upper(high[2]));
-  }
+  auto bbox() const { return internal::bbox_of<Traits>(bounding_box()); }
 
   /// Returns whether control points and domains are equal.
   friend bool operator==(const Bezier_polygon& c, const Bezier_polygon& d) {
@@ -227,9 +205,6 @@ private:
   static Per_point<Point> points_of(const Per_point<Coordinates>& rows, std::index_sequence<j...>) {
     return {{Geometric_continuity::to_point<Traits>(rows[j])...}};
   }
-
-  static double lower(const FT& x) { return CGAL::to_interval(x).first; }
-  static double upper(const FT& x) { return CGAL::to_interval(x).second; }
 };
 
 } // namespace Geometric_continuity

@@ -6,7 +6,7 @@
 #define CGAL_GEOMETRIC_CONTINUITY_CURVES_BSPLINE_POLYGON_H
 
 #include <CGAL/Geometric_continuity/local/coordinates.h>
-#include <CGAL/Geometric_continuity/numbers/internal/checked_conversion.h>
+#include <CGAL/Geometric_continuity/numbers/internal/checked_numbers.h>
 #include <CGAL/Geometric_continuity/splines/Bspline_function.h>
 
 #include <ostream>

@@ -7,7 +7,7 @@
 
 #include <CGAL/Geometric_continuity/curves/Bezier_curve.h>
 #include <CGAL/Geometric_continuity/curves/cubic_bases.h>
-#include <CGAL/Geometric_continuity/numbers/internal/checked_conversion.h>
+#include <CGAL/Geometric_continuity/numbers/internal/checked_numbers.h>
 
 #include <array>
 #include <ostream>

@@ -12,7 +12,7 @@
 #include <array>
 #include <cstddef>
 
-#include <CGAL/Geometric_continuity/internal/disable_loop_warnings.h>
+CGAL_GEOMETRIC_CONTINUITY_LOOP_WARNINGS_OFF
 
 namespace CGAL {
 namespace Geometric_continuity {
@@ -113,6 +113,6 @@ private:
 } // namespace Geometric_continuity
 } // namespace CGAL
 
-#include <CGAL/Geometric_continuity/internal/enable_loop_warnings.h>
+CGAL_GEOMETRIC_CONTINUITY_LOOP_WARNINGS_ON
 
 #endif // CGAL_GEOMETRIC_CONTINUITY_CURVES_JET_POLYNOMIALS_H

@@ -6,12 +6,11 @@
 #define CGAL_GEOMETRIC_CONTINUITY_CURVES_BEZIER_PROPERTIES_H
 
 #include <CGAL/Geometric_continuity/algebra/convex_weights.h>
-#include <CGAL/Geometric_continuity/algebra/internal/root_count.h>
 #include <CGAL/Geometric_continuity/algebra/isolate_roots.h>
 #include <CGAL/Geometric_continuity/algebra/sign_pattern.h>
 #include <CGAL/Geometric_continuity/curves/Bezier_curve.h>
 #include <CGAL/Geometric_continuity/numbers/Exact_field.h>
-#include <CGAL/Geometric_continuity/numbers/internal/checked_conversion.h>
+#include <CGAL/Geometric_continuity/numbers/internal/checked_numbers.h>
 
 #include <optional>
 #include <vector>

@@ -6,7 +6,7 @@
 #define CGAL_GEOMETRIC_CONTINUITY_CURVES_BOUNDING_BOXES_H
 
 #include <CGAL/Geometric_continuity/curves/internal/curve_pieces.h>
-#include <CGAL/Geometric_continuity/local/internal/check_count.h>
+#include <CGAL/Geometric_continuity/numbers/internal/checked_numbers.h>
 
 #include <array>
 #include <string>

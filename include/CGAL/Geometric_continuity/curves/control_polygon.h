@@ -6,7 +6,7 @@
 #define CGAL_GEOMETRIC_CONTINUITY_CURVES_CONTROL_POLYGON_H
 
 #include <CGAL/Geometric_continuity/curves/Bezier_curve.h>
-#include <CGAL/Geometric_continuity/local/internal/check_count.h>
+#include <CGAL/Geometric_continuity/numbers/internal/checked_numbers.h>
 
 #include <string>
 #include <vector>

@@ -8,7 +8,7 @@
 #include <CGAL/Geometric_continuity/algebra/Basis_matrix.h>
 #include <CGAL/Geometric_continuity/algebra/blending_functions.h>
 #include <CGAL/Geometric_continuity/numbers/Exact_field.h>
-#include <CGAL/Geometric_continuity/numbers/internal/checked_conversion.h>
+#include <CGAL/Geometric_continuity/numbers/internal/checked_numbers.h>
 
 #include <array>
 #include <vector>

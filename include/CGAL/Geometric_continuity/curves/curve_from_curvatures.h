@@ -7,7 +7,7 @@
 
 #include <CGAL/Geometric_continuity/curves/Integrated_curve.h>
 #include <CGAL/Geometric_continuity/local/Frenet_frame.h>
-#include <CGAL/Geometric_continuity/numbers/internal/checked_conversion.h>
+#include <CGAL/Geometric_continuity/numbers/internal/checked_numbers.h>
 #include <CGAL/number_utils.h>
 
 #include <boost/numeric/odeint/stepper/controlled_runge_kutta.hpp>

@@ -7,7 +7,7 @@
 
 #include <CGAL/Geometric_continuity/algebra/Coordinate_vector.h>
 #include <CGAL/Geometric_continuity/numbers/Exact_field.h>
-#include <CGAL/Geometric_continuity/numbers/internal/checked_conversion.h>
+#include <CGAL/Geometric_continuity/numbers/internal/checked_numbers.h>
 #include <CGAL/Geometric_continuity/surfaces/Bezier_patch.h>
 #include <CGAL/Geometric_continuity/surfaces/Bspline_surface.h>
 

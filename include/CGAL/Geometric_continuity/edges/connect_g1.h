@@ -6,8 +6,9 @@
 #define CGAL_GEOMETRIC_CONTINUITY_EDGES_CONNECT_G1_H
 
 #include <CGAL/Geometric_continuity/algebra/determinant.h>
+#include <CGAL/Geometric_continuity/curves/Bspline_curve.h>
 #include <CGAL/Geometric_continuity/edges/G1_ribbon.h>
-#include <CGAL/Geometric_continuity/numbers/internal/checked_conversion.h>
+#include <CGAL/Geometric_continuity/numbers/internal/checked_numbers.h>
 #include <CGAL/number_utils.h>
 
 #include <string>

@@ -6,7 +6,7 @@
 #define CGAL_GEOMETRIC_CONTINUITY_EDGES_KNOT_LINE_CONTINUITY_H
 
 #include <CGAL/Geometric_continuity/edges/edge_continuity.h>
-#include <CGAL/Geometric_continuity/numbers/internal/checked_conversion.h>
+#include <CGAL/Geometric_continuity/numbers/internal/checked_numbers.h>
 
 #include <ostream>
 #include <vector>

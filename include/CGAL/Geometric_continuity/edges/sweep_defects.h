@@ -10,7 +10,7 @@
 #include <CGAL/Geometric_continuity/curves/Bezier_curve.h>
 #include <CGAL/Geometric_continuity/edges/Edge_rows.h>
 #include <CGAL/Geometric_continuity/numbers/internal/Common_denominator.h>
-#include <CGAL/Geometric_continuity/numbers/internal/checked_conversion.h>
+#include <CGAL/Geometric_continuity/numbers/internal/checked_numbers.h>
 #include <CGAL/Geometric_continuity/surfaces/Extrusion_surface_3.h>
 #include <CGAL/Geometric_continuity/surfaces/Revolution_surface_3.h>
 

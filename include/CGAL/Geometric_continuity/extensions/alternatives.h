@@ -7,7 +7,7 @@
 
 #include <CGAL/Geometric_continuity/extensions/connection_coefficients.h>
 #include <CGAL/Geometric_continuity/extensions/internal/Polygon_end.h>
-#include <CGAL/Geometric_continuity/numbers/internal/checked_conversion.h>
+#include <CGAL/Geometric_continuity/numbers/internal/checked_numbers.h>
 
 #include <array>
 #include <optional>

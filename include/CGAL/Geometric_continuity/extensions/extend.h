@@ -9,7 +9,7 @@
 #include <CGAL/Geometric_continuity/curves/Composite_bezier_curve.h>
 #include <CGAL/Geometric_continuity/curves/end_control_points.h>
 #include <CGAL/Geometric_continuity/extensions/alternatives.h>
-#include <CGAL/Geometric_continuity/numbers/internal/checked_conversion.h>
+#include <CGAL/Geometric_continuity/numbers/internal/checked_numbers.h>
 
 #include <algorithm>
 #include <optional>

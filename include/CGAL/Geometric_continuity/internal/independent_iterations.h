@@ -14,4 +14,15 @@
 #define CGAL_GEOMETRIC_CONTINUITY_INDEPENDENT_ITERATIONS
 #endif
 
+// Before and after functions with such loops: clang shall not warn where it cannot compute several iterations at a time,
+// as with exact numbers.
+#if defined(__clang__)
+#define CGAL_GEOMETRIC_CONTINUITY_LOOP_WARNINGS_OFF                                                                    \
+  _Pragma("clang diagnostic push") _Pragma("clang diagnostic ignored \"-Wpass-failed\"")
+#define CGAL_GEOMETRIC_CONTINUITY_LOOP_WARNINGS_ON _Pragma("clang diagnostic pop")
+#else
+#define CGAL_GEOMETRIC_CONTINUITY_LOOP_WARNINGS_OFF
+#define CGAL_GEOMETRIC_CONTINUITY_LOOP_WARNINGS_ON
+#endif
+
 #endif // CGAL_GEOMETRIC_CONTINUITY_INTERNAL_INDEPENDENT_ITERATIONS_H

@@ -8,7 +8,7 @@
 #include <CGAL/Geometric_continuity/curves/end_control_points.h>
 #include <CGAL/Geometric_continuity/joins/internal/Prepared_double_end.h>
 #include <CGAL/Geometric_continuity/joins/internal/decide_join.h>
-#include <CGAL/Geometric_continuity/numbers/internal/checked_conversion.h>
+#include <CGAL/Geometric_continuity/numbers/internal/checked_numbers.h>
 #include <CGAL/number_utils.h>
 
 #include <algorithm>

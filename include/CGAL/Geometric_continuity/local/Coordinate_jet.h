@@ -6,7 +6,7 @@
 #define CGAL_GEOMETRIC_CONTINUITY_LOCAL_COORDINATE_JET_H
 
 #include <CGAL/Geometric_continuity/algebra/Coordinate_vector.h>
-#include <CGAL/Geometric_continuity/local/internal/check_count.h>
+#include <CGAL/Geometric_continuity/numbers/internal/checked_numbers.h>
 
 #include <array>
 #include <vector>

@@ -7,7 +7,7 @@
 
 #include <CGAL/Geometric_continuity/local/Coordinate_jet.h>
 #include <CGAL/Geometric_continuity/local/coordinates.h>
-#include <CGAL/Geometric_continuity/numbers/internal/checked_conversion.h>
+#include <CGAL/Geometric_continuity/numbers/internal/checked_numbers.h>
 
 #include <initializer_list>
 #include <iterator>

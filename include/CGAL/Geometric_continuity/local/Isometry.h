@@ -6,7 +6,7 @@
 #define CGAL_GEOMETRIC_CONTINUITY_LOCAL_ISOMETRY_H
 
 #include <CGAL/Geometric_continuity/local/Curve_jet.h>
-#include <CGAL/Geometric_continuity/numbers/internal/checked_conversion.h>
+#include <CGAL/Geometric_continuity/numbers/internal/checked_numbers.h>
 
 #include <ostream>
 #include <string>

@@ -7,7 +7,7 @@
 
 #include <CGAL/Geometric_continuity/local/coordinates.h>
 #include <CGAL/Geometric_continuity/local/internal/Scaled_vector.h>
-#include <CGAL/Geometric_continuity/local/internal/check_count.h>
+#include <CGAL/Geometric_continuity/numbers/internal/checked_numbers.h>
 #include <CGAL/number_utils.h>
 
 #include <algorithm>
@@ -104,6 +104,18 @@ template <class Traits> std::optional<typename Traits::Vector> unit_normal(const
   n /= FT(CGAL::sqrt(FT(dot(n, n))));
   return Geometric_continuity::to_vector<Traits>(n);
 }
+
+namespace internal {
+
+// What overflows in floating-point arithmetic is refused.
+template <class Traits> void check_jet(const Surface_jet<Traits>& jet, const char* place) {
+  if constexpr (std::is_floating_point_v<typename Traits::FT>)
+    for (int i = 0; i <= jet.order(); ++i)
+      for (int j = 0; i + j <= jet.order(); ++j)
+        for (const typename Traits::FT& x : jet(i, j)) check_finite(x, place);
+}
+
+} // namespace internal
 
 } // namespace Geometric_continuity
 } // namespace CGAL

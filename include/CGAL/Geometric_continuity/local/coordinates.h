@@ -6,11 +6,15 @@
 #define CGAL_GEOMETRIC_CONTINUITY_LOCAL_COORDINATES_H
 
 #include <CGAL/Geometric_continuity/algebra/Coordinate_vector.h>
-#include <CGAL/Geometric_continuity/numbers/internal/checked_conversion.h>
+#include <CGAL/Geometric_continuity/numbers/internal/checked_numbers.h>
 
+#include <CGAL/Bbox_2.h>
+#include <CGAL/Bbox_3.h>
 #include <CGAL/Dimension.h>
+#include <CGAL/number_utils.h>
 
 #include <type_traits>
+#include <utility>
 
 namespace CGAL {
 namespace Geometric_continuity {
@@ -67,6 +71,37 @@ template <class Traits> typename Traits::Point to_point(const Coordinates<Traits
 template <class Traits> typename Traits::Vector to_vector(const Coordinates<Traits>& c) {
   return Traits().construct_vector_object()(c.dimension(), c.begin(), c.end());
 }
+
+namespace internal {
+
+// Two opposite corners of the bounding box of the points in [first, last). \pre there is one
+template <class Traits, class Iterator>
+std::pair<typename Traits::Point, typename Traits::Point> corners_of_box(Iterator first, Iterator last) {
+  Coordinates<Traits> low = coordinates<Traits>(*first), high = low;
+  while (++first != last) {
+    const Coordinates<Traits> p = coordinates<Traits>(*first);
+    for (int i = 0; i < p.dimension(); ++i) {
+      if (p[i] < low[i]) low[i] = p[i];
+      if (high[i] < p[i]) high[i] = p[i];
+    }
+  }
+  return {to_point<Traits>(low), to_point<Traits>(high)};
+}
+
+// The box with two such corners as `Bbox_2` or `Bbox_3`, rounded outwards.
+template <class Traits> auto bbox_of(const std::pair<typename Traits::Point, typename Traits::Point>& corners) {
+  constexpr int N = dimension_v<Traits>;
+  static_assert(N == 2 || N == 3, "bounding_box() serves the other dimensions");
+  const Coordinates<Traits> low = coordinates<Traits>(corners.first), high = coordinates<Traits>(corners.second);
+  const auto lower = [&](int i) { return CGAL::to_interval(low[i]).first; };
+  const auto upper = [&](int i) { return CGAL::to_interval(high[i]).second; };
+  if constexpr (N == 2)
+    return Bbox_2(lower(0), lower(1), upper(0), upper(1));
+  else
+    return Bbox_3(lower(0), lower(1), lower(2), upper(0), upper(1), upper(2));
+}
+
+} // namespace internal
 
 } // namespace Geometric_continuity
 } // namespace CGAL

@@ -5,11 +5,11 @@
 #ifndef CGAL_GEOMETRIC_CONTINUITY_LOCAL_CURVATURES_H
 #define CGAL_GEOMETRIC_CONTINUITY_LOCAL_CURVATURES_H
 
+#include <CGAL/Geometric_continuity/algebra/Sign_set.h>
 #include <CGAL/Geometric_continuity/algebra/determinant.h>
 #include <CGAL/Geometric_continuity/local/Curve_jet.h>
 #include <CGAL/Geometric_continuity/local/internal/Scaled_vector.h>
-#include <CGAL/Geometric_continuity/local/internal/check_count.h>
-#include <CGAL/Geometric_continuity/numbers/internal/sign_of.h>
+#include <CGAL/Geometric_continuity/numbers/internal/checked_numbers.h>
 
 #include <algorithm>
 #include <optional>

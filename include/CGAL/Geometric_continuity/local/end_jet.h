@@ -6,7 +6,7 @@
 #define CGAL_GEOMETRIC_CONTINUITY_LOCAL_END_JET_H
 
 #include <CGAL/Geometric_continuity/local/Curve_jet.h>
-#include <CGAL/Geometric_continuity/local/internal/check_count.h>
+#include <CGAL/Geometric_continuity/numbers/internal/checked_numbers.h>
 
 #include <type_traits>
 #include <utility>

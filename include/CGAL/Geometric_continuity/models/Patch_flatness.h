@@ -5,8 +5,7 @@
 #ifndef CGAL_GEOMETRIC_CONTINUITY_MODELS_PATCH_FLATNESS_H
 #define CGAL_GEOMETRIC_CONTINUITY_MODELS_PATCH_FLATNESS_H
 
-#include <CGAL/Geometric_continuity/local/internal/check_count.h>
-#include <CGAL/Geometric_continuity/numbers/internal/checked_conversion.h>
+#include <CGAL/Geometric_continuity/numbers/internal/checked_numbers.h>
 #include <CGAL/Geometric_continuity/surfaces/Bezier_patch.h>
 #include <CGAL/number_utils.h>
 

@@ -8,7 +8,7 @@
 #include <CGAL/Geometric_continuity/edges/edge_order_within.h>
 #include <CGAL/Geometric_continuity/edges/internal/Edge_piece.h>
 #include <CGAL/Geometric_continuity/models/Model_edge.h>
-#include <CGAL/Geometric_continuity/numbers/internal/checked_conversion.h>
+#include <CGAL/Geometric_continuity/numbers/internal/checked_numbers.h>
 
 #include <algorithm>
 #include <cstddef>

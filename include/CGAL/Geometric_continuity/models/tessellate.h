@@ -5,9 +5,8 @@
 #ifndef CGAL_GEOMETRIC_CONTINUITY_MODELS_TESSELLATE_H
 #define CGAL_GEOMETRIC_CONTINUITY_MODELS_TESSELLATE_H
 
-#include <CGAL/Geometric_continuity/local/internal/check_count.h>
 #include <CGAL/Geometric_continuity/models/internal/Model_mesh.h>
-#include <CGAL/Geometric_continuity/numbers/internal/checked_conversion.h>
+#include <CGAL/Geometric_continuity/numbers/internal/checked_numbers.h>
 #include <CGAL/Geometric_continuity/surfaces/Bspline_surface.h>
 
 #include <array>

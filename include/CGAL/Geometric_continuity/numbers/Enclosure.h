@@ -6,7 +6,7 @@
 #define CGAL_GEOMETRIC_CONTINUITY_NUMBERS_ENCLOSURE_H
 
 #include <CGAL/Geometric_continuity/Error.h>
-#include <CGAL/Geometric_continuity/numbers/internal/Exact_number.h>
+#include <CGAL/Geometric_continuity/numbers/Exact_field.h>
 #include <CGAL/Geometric_continuity/numbers/internal/certified_bounds.h>
 #include <CGAL/number_utils.h>
 

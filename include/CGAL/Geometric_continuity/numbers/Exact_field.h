@@ -15,6 +15,7 @@
 #endif
 
 #include <type_traits>
+#include <utility>
 
 /// \file Exact_field.h
 /// The numbers in which the package decides.
@@ -42,6 +43,21 @@ template <class FT> struct Exact_field {
   /// The exact field.
   typedef std::conditional_t<std::is_floating_point_v<FT>, internal::Exact_field_of_doubles, FT> type;
 };
+
+namespace internal {
+
+// The type of the exact values of a field, and how to read them: numbers that are evaluated on demand, which have a
+// member exact(), are evaluated; all others are exact themselves.
+template <class Field, class = void> struct Exact_number {
+  typedef Field type;
+  static const type& of(const Field& x) { return x; }
+};
+template <class Field> struct Exact_number<Field, std::void_t<decltype(std::declval<const Field&>().exact())>> {
+  typedef std::decay_t<decltype(std::declval<const Field&>().exact())> type;
+  static const type& of(const Field& x) { return x.exact(); }
+};
+
+} // namespace internal
 
 } // namespace Geometric_continuity
 } // namespace CGAL

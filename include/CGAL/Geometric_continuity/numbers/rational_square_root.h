@@ -6,8 +6,8 @@
 #define CGAL_GEOMETRIC_CONTINUITY_NUMBERS_RATIONAL_SQUARE_ROOT_H
 
 #include <CGAL/Fraction_traits.h>
-#include <CGAL/Geometric_continuity/numbers/internal/Exact_number.h>
-#include <CGAL/Geometric_continuity/numbers/internal/checked_conversion.h>
+#include <CGAL/Geometric_continuity/numbers/Exact_field.h>
+#include <CGAL/Geometric_continuity/numbers/internal/checked_numbers.h>
 
 #include <cmath>
 #include <optional>

@@ -6,7 +6,7 @@
 #define CGAL_GEOMETRIC_CONTINUITY_SPLINES_KNOT_VECTOR_H
 
 #include <CGAL/Geometric_continuity/Error.h>
-#include <CGAL/Geometric_continuity/splines/internal/check_knots.h>
+#include <CGAL/Geometric_continuity/splines/internal/check_spline.h>
 
 #include <algorithm>
 #include <cmath>

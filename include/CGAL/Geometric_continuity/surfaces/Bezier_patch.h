@@ -5,7 +5,6 @@
 #ifndef CGAL_GEOMETRIC_CONTINUITY_SURFACES_BEZIER_PATCH_H
 #define CGAL_GEOMETRIC_CONTINUITY_SURFACES_BEZIER_PATCH_H
 
-#include <CGAL/Geometric_continuity/curves/Bezier_curve.h>
 #include <CGAL/Geometric_continuity/surfaces/Patch_edge.h>
 #include <CGAL/Geometric_continuity/surfaces/internal/bezier_net.h>
 
@@ -126,13 +125,6 @@ public:
     return runs_along_u(edge) ? control_point(i, inward) : control_point(inward, i);
   }
 
-  /// Returns the edge as a curve on its part of the domain.
-  Bezier_curve<Traits> boundary_curve(Patch_edge edge) const {
-    std::vector<Point> points;
-    for (int i = 0; i <= degree_along(edge); ++i) points.push_back(control_point(edge, i, 0));
-    return Bezier_curve<Traits>(points.begin(), points.end(), domain(edge).first, domain(edge).second);
-  }
-
   /// Returns the rows 0 to `k` at an edge: the Bernstein coefficients, along the edge, of the edge and of the first `k`
   /// derivatives across it, where the patch is taken on the unit square and turned so that the edge is at `v = 0`:
   /// \f$ \frac{q!}{(q-r)!} \Delta^r b_{i0} \f$, differences into the patch. Rows beyond the degree are zero. The control
@@ -210,10 +202,10 @@ public:
   }
 
   /// Returns two opposite corners of the bounding box of the control points, which contains the patch.
-  std::pair<Point, Point> bounding_box() const { return polygon().bounding_box(); }
+  std::pair<Point, Point> bounding_box() const { return internal::corners_of_box<Traits>(begin(), end()); }
 
   /// Returns the bounding box of the control points as `Bbox_2` or `Bbox_3`, rounded outwards. Dimension 2 or 3 only.
-  auto bbox() const { return polygon().bbox(); }
+  auto bbox() const { return internal::bbox_of<Traits>(bounding_box()); }
 
   /// @}
 
@@ -237,8 +229,6 @@ private:
     internal::check_interval(u_, "Bezier_patch: domain in u");
     internal::check_interval(v_, "Bezier_patch: domain in v");
   }
-
-  Bezier_curve<Traits> polygon() const { return Bezier_curve<Traits>(net_.begin(), net_.end()); }
 };
 
 } // namespace Geometric_continuity

@@ -5,9 +5,8 @@
 #ifndef CGAL_GEOMETRIC_CONTINUITY_SURFACES_BSPLINE_SURFACE_H
 #define CGAL_GEOMETRIC_CONTINUITY_SURFACES_BSPLINE_SURFACE_H
 
-#include <CGAL/Geometric_continuity/curves/Bspline_curve.h>
 #include <CGAL/Geometric_continuity/surfaces/Bezier_patch.h>
-#include <CGAL/Geometric_continuity/surfaces/Parameter_line.h>
+#include <CGAL/Geometric_continuity/surfaces/Patch_edge.h>
 #include <CGAL/Geometric_continuity/surfaces/internal/bspline_net.h>
 
 #include <algorithm>
@@ -141,14 +140,6 @@ public:
   const Knot_vector<FT>& knots_along(Patch_edge edge) const { return runs_along_u(edge) ? u_ : v_; }
   /// Returns the knots in the parameter that is constant on an edge.
   const Knot_vector<FT>& knots_across(Patch_edge edge) const { return runs_along_u(edge) ? v_ : u_; }
-
-  /// Returns the edge as a curve over the knots of the surface. \f$ O(m q + q^2) \f$ for an edge along `u`
-  Bspline_curve<Traits> boundary_curve(Patch_edge edge) const {
-    std::vector<Point> points;
-    const std::vector<Row<FT>> edge_row = rows(edge, 0);
-    for (const Coordinates& x : edge_row[0]) points.push_back(Geometric_continuity::to_point<Traits>(x));
-    return Bspline_curve<Traits>(points.begin(), points.end(), knots_along(edge));
-  }
 
   /// Returns the rows 0 to `k` at an edge: the coefficients, over `knots_along(edge)`, of the edge and of the first `k`
   /// derivatives across it, with respect to the parameter that grows into the surface. Rows beyond the degree are zero.

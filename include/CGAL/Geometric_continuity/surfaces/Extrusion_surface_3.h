@@ -5,6 +5,7 @@
 #ifndef CGAL_GEOMETRIC_CONTINUITY_SURFACES_EXTRUSION_SURFACE_3_H
 #define CGAL_GEOMETRIC_CONTINUITY_SURFACES_EXTRUSION_SURFACE_3_H
 
+#include <CGAL/Geometric_continuity/curves/Bezier_curve.h>
 #include <CGAL/Geometric_continuity/surfaces/Bezier_patch.h>
 #include <CGAL/Geometric_continuity/surfaces/Swept_surface_3.h>
 

@@ -10,7 +10,7 @@
 #include <string>
 
 /// \file Patch_edge.h
-/// The four edges of a patch by name.
+/// The four edges of a patch, and the lines on a surface on which one of its parameters is constant, by name.
 
 namespace CGAL {
 namespace Geometric_continuity {
@@ -45,6 +45,20 @@ inline std::string to_string(Patch_edge edge) {
 /// \ingroup PkgGeometricContinuitySurfaces
 /// Writes the name of an edge.
 inline std::ostream& operator<<(std::ostream& os, Patch_edge edge) { return os << to_string(edge); }
+
+/// \ingroup PkgGeometricContinuitySurfaces
+/// The two kinds of parameter lines of a surface.
+enum class Parameter_line {
+  along_u, ///< `v` is constant
+  along_v  ///< `u` is constant
+};
+
+/// \ingroup PkgGeometricContinuitySurfaces
+/// The two parts of a surface beside a parameter line.
+enum class Line_side {
+  smaller_parameters, ///< where the parameter that is constant on the line is smaller
+  larger_parameters   ///< where it is larger
+};
 
 } // namespace Geometric_continuity
 } // namespace CGAL

@@ -5,7 +5,8 @@
 #ifndef CGAL_GEOMETRIC_CONTINUITY_SURFACES_SWEPT_SURFACE_3_H
 #define CGAL_GEOMETRIC_CONTINUITY_SURFACES_SWEPT_SURFACE_3_H
 
-#include <CGAL/Geometric_continuity/surfaces/internal/surface_checks.h>
+#include <CGAL/Geometric_continuity/local/Surface_jet.h>
+#include <CGAL/Geometric_continuity/numbers/internal/checked_numbers.h>
 #include <CGAL/Geometric_continuity/surfaces/internal/sweep_input.h>
 
 #include <utility>

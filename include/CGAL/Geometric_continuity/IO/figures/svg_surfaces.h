@@ -9,8 +9,9 @@
 #include <CGAL/Geometric_continuity/IO/figures/internal/Svg_facets.h>
 #include <CGAL/Geometric_continuity/IO/figures/internal/svg_text.h>
 #include <CGAL/Geometric_continuity/models/model_continuity.h>
-#include <CGAL/Geometric_continuity/numbers/internal/checked_conversion.h>
+#include <CGAL/Geometric_continuity/numbers/internal/checked_numbers.h>
 #include <CGAL/Geometric_continuity/surfaces/Bspline_surface.h>
+#include <CGAL/Geometric_continuity/surfaces/boundary_curve.h>
 
 #include <algorithm>
 #include <array>
@@ -57,7 +58,7 @@ public:
     const auto model = model_continuity(surfaces);
     for (const auto& e : model.edges)
       if (e.kind != Model_edge_kind::collapsed) {
-        const Bspline_curve<Svg_traits> c = surfaces_[e.patch_a].boundary_curve(e.edge_a);
+        const Bspline_curve<Svg_traits> c = boundary_curve(surfaces_[e.patch_a], e.edge_a);
         add_line(e.kind == Model_edge_kind::boundary ? svg_edge_boundary : kind(e.continuity), c.domain(), c);
       }
     for (const auto& l : model.knot_lines) {

@@ -9,7 +9,7 @@
 #include <CGAL/Geometric_continuity/IO/svg/internal/svg_angle.h>
 #include <CGAL/Geometric_continuity/local/Curve_jet.h>
 #include <CGAL/Geometric_continuity/local/coordinates.h>
-#include <CGAL/Geometric_continuity/numbers/internal/checked_conversion.h>
+#include <CGAL/Geometric_continuity/numbers/internal/checked_numbers.h>
 #include <CGAL/Geometric_continuity/numbers/rational_square_root.h>
 
 #include <cmath>

@@ -8,7 +8,7 @@
 #include <CGAL/Geometric_continuity/IO/svg/internal/Svg_scanner.h>
 #include <CGAL/Geometric_continuity/IO/svg/internal/svg_angle.h>
 #include <CGAL/Geometric_continuity/local/coordinates.h>
-#include <CGAL/Geometric_continuity/numbers/internal/checked_conversion.h>
+#include <CGAL/Geometric_continuity/numbers/internal/checked_numbers.h>
 
 #include <array>
 #include <cmath>

@@ -12,7 +12,7 @@
 #include <CGAL/Geometric_continuity/IO/quoted_token.h>
 #include <CGAL/Geometric_continuity/IO/svg/internal/Svg_path_builder.h>
 #include <CGAL/Geometric_continuity/IO/svg/internal/Svg_scanner.h>
-#include <CGAL/Geometric_continuity/numbers/internal/checked_conversion.h>
+#include <CGAL/Geometric_continuity/numbers/internal/checked_numbers.h>
 
 #include <algorithm>
 #include <cmath>

@@ -6,7 +6,7 @@
 #define CGAL_GEOMETRIC_CONTINUITY_EXTENSIONS_INTERNAL_POLYGON_END_H
 
 #include <CGAL/Geometric_continuity/curves/Bezier_curve.h>
-#include <CGAL/Geometric_continuity/numbers/internal/checked_conversion.h>
+#include <CGAL/Geometric_continuity/numbers/internal/checked_numbers.h>
 
 #include <array>
 #include <optional>

@@ -5,7 +5,7 @@
 #ifndef CGAL_GEOMETRIC_CONTINUITY_JOINS_INTERNAL_JOIN_PARAMETERS_H
 #define CGAL_GEOMETRIC_CONTINUITY_JOINS_INTERNAL_JOIN_PARAMETERS_H
 
-#include <CGAL/Geometric_continuity/numbers/internal/checked_conversion.h>
+#include <CGAL/Geometric_continuity/numbers/internal/checked_numbers.h>
 
 #include <cmath>
 #include <type_traits>

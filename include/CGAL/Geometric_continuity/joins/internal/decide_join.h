@@ -11,7 +11,7 @@
 #include <CGAL/Geometric_continuity/joins/join_continuity.h>
 #include <CGAL/Geometric_continuity/numbers/Exact_field.h>
 #include <CGAL/Geometric_continuity/numbers/internal/Common_denominator.h>
-#include <CGAL/Geometric_continuity/numbers/internal/checked_conversion.h>
+#include <CGAL/Geometric_continuity/numbers/internal/checked_numbers.h>
 
 #include <boost/config.hpp>
 

@@ -6,7 +6,7 @@
 #define CGAL_GEOMETRIC_CONTINUITY_LOCAL_INTERNAL_SCALED_VECTOR_H
 
 #include <CGAL/Geometric_continuity/algebra/Coordinate_vector.h>
-#include <CGAL/Geometric_continuity/numbers/internal/checked_conversion.h>
+#include <CGAL/Geometric_continuity/numbers/internal/checked_numbers.h>
 
 #include <cmath>
 #include <limits>

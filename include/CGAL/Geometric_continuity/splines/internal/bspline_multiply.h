@@ -10,6 +10,7 @@
 #include <CGAL/Geometric_continuity/numbers/internal/number_rows.h>
 #include <CGAL/Geometric_continuity/splines/Knot_vector.h>
 #include <CGAL/Geometric_continuity/splines/internal/bspline_spans.h>
+#include <CGAL/Geometric_continuity/splines/internal/check_spline.h>
 
 #include <algorithm>
 #include <array>
@@ -59,9 +60,6 @@ template <class FT> struct Product_weights<FT, -1, -1> {
 // A coefficient as a row of numbers.
 template <class Value> struct Fixed_dimension : std::integral_constant<int, 1> {};
 template <class FT, int N> struct Fixed_dimension<Coordinate_vector<FT, N>> : std::integral_constant<int, N> {};
-
-template <class FT> int number_of_coordinates(const FT&) { return 1; }
-template <class FT, int N> int number_of_coordinates(const Coordinate_vector<FT, N>& c) { return c.dimension(); }
 
 template <class Coefficients> struct Rows_of_coefficients {
   typedef typename Coefficients::value_type Value;

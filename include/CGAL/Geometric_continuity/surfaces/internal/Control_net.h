@@ -7,6 +7,7 @@
 
 #include <CGAL/Geometric_continuity/Error.h>
 #include <CGAL/Geometric_continuity/local/coordinates.h>
+#include <CGAL/Geometric_continuity/numbers/internal/checked_numbers.h>
 
 #include <algorithm>
 #include <cmath>
@@ -24,6 +25,15 @@
 namespace CGAL {
 namespace Geometric_continuity {
 namespace internal {
+
+// The degrees to which surfaces are raised end here, so that a wrong number can fill neither memory nor time.
+constexpr int most_raised_degree = 4096;
+
+inline void check_elevation(int degree, int times, const char* place) {
+  check_count(times, place);
+  if (times > 0 && times > most_raised_degree - degree)
+    throw Error(Error_code::work_limit, std::string(place) + ": a degree above " + std::to_string(most_raised_degree));
+}
 
 // The points b_ij in rows of constant i. `surface` is the name of the surface, for messages.
 template <class Traits> class Control_net {

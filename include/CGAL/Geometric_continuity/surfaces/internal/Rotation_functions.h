@@ -5,7 +5,7 @@
 #ifndef CGAL_GEOMETRIC_CONTINUITY_SURFACES_INTERNAL_ROTATION_FUNCTIONS_H
 #define CGAL_GEOMETRIC_CONTINUITY_SURFACES_INTERNAL_ROTATION_FUNCTIONS_H
 
-#include <CGAL/Geometric_continuity/numbers/internal/checked_conversion.h>
+#include <CGAL/Geometric_continuity/numbers/internal/checked_numbers.h>
 
 #include <vector>
 

@@ -6,8 +6,9 @@
 #define CGAL_GEOMETRIC_CONTINUITY_SURFACES_INTERNAL_BEZIER_NET_H
 
 #include <CGAL/Geometric_continuity/algebra/bernstein.h>
+#include <CGAL/Geometric_continuity/local/Surface_jet.h>
+#include <CGAL/Geometric_continuity/numbers/internal/checked_numbers.h>
 #include <CGAL/Geometric_continuity/surfaces/internal/Control_net.h>
-#include <CGAL/Geometric_continuity/surfaces/internal/surface_checks.h>
 
 #include <algorithm>
 #include <cstddef>

@@ -5,10 +5,11 @@
 #ifndef CGAL_GEOMETRIC_CONTINUITY_SURFACES_INTERNAL_BSPLINE_NET_H
 #define CGAL_GEOMETRIC_CONTINUITY_SURFACES_INTERNAL_BSPLINE_NET_H
 
+#include <CGAL/Geometric_continuity/local/Surface_jet.h>
+#include <CGAL/Geometric_continuity/numbers/internal/checked_numbers.h>
 #include <CGAL/Geometric_continuity/splines/Bspline_function.h>
-#include <CGAL/Geometric_continuity/surfaces/Parameter_line.h>
+#include <CGAL/Geometric_continuity/surfaces/Patch_edge.h>
 #include <CGAL/Geometric_continuity/surfaces/internal/Control_net.h>
-#include <CGAL/Geometric_continuity/surfaces/internal/surface_checks.h>
 
 #include <iterator>
 #include <string>

@@ -2,20 +2,34 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-#ifndef CGAL_GEOMETRIC_CONTINUITY_NUMBERS_INTERNAL_CHECKED_CONVERSION_H
-#define CGAL_GEOMETRIC_CONTINUITY_NUMBERS_INTERNAL_CHECKED_CONVERSION_H
+#ifndef CGAL_GEOMETRIC_CONTINUITY_NUMBERS_INTERNAL_CHECKED_NUMBERS_H
+#define CGAL_GEOMETRIC_CONTINUITY_NUMBERS_INTERNAL_CHECKED_NUMBERS_H
 
 #include <CGAL/Geometric_continuity/Error.h>
 
 #include <boost/config.hpp>
 
 #include <cmath>
+#include <string>
 #include <type_traits>
 #include <utility>
+
+/// \file checked_numbers.h
+/// What is refused of the numbers that callers give: negative counts, infinities and empty intervals, and their conversion.
 
 namespace CGAL {
 namespace Geometric_continuity {
 namespace internal {
+
+[[noreturn]] BOOST_NOINLINE inline void refuse_count(int n, const char* place) {
+  throw Error(Error_code::negative_count, std::string(place) + ": " + std::to_string(n));
+}
+
+// Refuses a negative number of derivatives, of elevations, of halvings, ... `place` names the function. The message is put
+// together out of line, so that the check is one comparison.
+BOOST_FORCEINLINE void check_count(int n, const char* place) {
+  if (n < 0) refuse_count(n, place);
+}
 
 [[noreturn]] BOOST_NOINLINE inline void refuse_infinite(const char* place) {
   throw Error(Error_code::not_finite, place);
@@ -25,6 +39,14 @@ namespace internal {
 template <class FT> void check_finite(const FT& x, const char* place) {
   if constexpr (std::is_floating_point_v<FT>)
     if (!std::isfinite(x)) refuse_infinite(place);
+}
+
+// The ends and the length of a domain must be finite, and the length positive.
+template <class FT> void check_interval(const std::pair<FT, FT>& interval, const char* place) {
+  check_finite(interval.first, place);
+  check_finite(interval.second, place);
+  if (!(interval.first < interval.second)) throw Error(Error_code::empty_domain, place);
+  check_finite(FT(interval.second - interval.first), place);
 }
 
 template <class Field, class FT> Field to_field(const FT& x) {
@@ -55,4 +77,4 @@ private:
 } // namespace Geometric_continuity
 } // namespace CGAL
 
-#endif // CGAL_GEOMETRIC_CONTINUITY_NUMBERS_INTERNAL_CHECKED_CONVERSION_H
+#endif // CGAL_GEOMETRIC_CONTINUITY_NUMBERS_INTERNAL_CHECKED_NUMBERS_H
