@@ -52,11 +52,11 @@ template <class Field>
 Spline_edge_continuity<Field> whole_smooth_edge(int order, Edge_direction direction,
                                                 const std::pair<Field, Field>& domain_a,
                                                 const std::pair<Field, Field>& domain_b) {
-  Edge_continuity<Field> e = smooth_continuity<Field>(order);
-  e.reversed = direction == Edge_direction::opposite;
   Spline_edge_continuity<Field> result;
-  result.spans.push_back(on_interval(domain_a.first, domain_a.second, std::move(e)));
-  summarise(result);
+  Edge_continuity<Field>& e = result;
+  e = smooth_continuity<Field>(order, domain_a);
+  e.reversed = direction == Edge_direction::opposite;
+  result.spans.push_back({domain_a.first, domain_a.second, e});
   result.part_a = domain_a;
   result.part_b = domain_b;
   result.whole_a = result.whole_b = true;

@@ -81,13 +81,13 @@ private:
 };
 
 // What Edge_decision answers for the orders 1 and 2, which have no reasons and places but these.
-template <class Field> Edge_continuity<Field> smooth_continuity(int order) {
+template <class Field> Edge_continuity<Field> smooth_continuity(int order, const std::pair<Field, Field>& domain) {
   Edge_continuity<Field> e;
   e.g_order = order;
   e.defect = order == 2 ? Edge_defect::none : Edge_defect::curvature;
   e.coplanar = true;
   e.side = Sign_pattern::negative;
-  e.deviation = Normal_deviation<Field>{Field(0), Field(0), Field(0), Field(1)};
+  e.deviation = Normal_deviation<Field>{Field(0), Field(0), domain.first, domain.second};
   return e;
 }
 
@@ -95,7 +95,8 @@ template <class Field> Edge_continuity<Field> smooth_continuity(int order) {
 template <class Field> Edge_continuity<Field> decide_edge(const Edge_rows<Field>& a, const Edge_rows<Field>& b) {
   Edge_layers x, y;
   if (edge_layers(a, b, x, y))
-    if (const std::optional<int> order = smooth_order(x, y)) return smooth_continuity<Field>(*order);
+    if (const std::optional<int> order = smooth_order(x, y))
+      return smooth_continuity<Field>(*order, {Field(0), Field(1)});
   return Edge_decision<Field>()(Edge_sides<Field>(a, b));
 }
 
