@@ -10,6 +10,8 @@
 #include <CGAL/Geometric_continuity/local/coordinates.h>
 #include <CGAL/Geometric_continuity/numbers/internal/Common_denominator.h>
 
+#include <boost/config.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -81,7 +83,7 @@ std::optional<bool> decide_on_same_edge(const Edge_layers& a, const Edge_layers&
 
 // The decision on whole edges that may differ, or run in opposite directions; then the second is turned.
 template <int order, class Stages>
-std::optional<bool> decide_on_layers(const Edge_layers& a, Edge_layers& b, Stages& stages) {
+BOOST_FORCEINLINE std::optional<bool> decide_on_layers(const Edge_layers& a, Edge_layers& b, Stages& stages) {
   if (a.along != b.along) return std::nullopt;
   const std::optional<Edge_direction> direction = common_direction(a, b);
   if (!direction) {
@@ -114,24 +116,23 @@ template <class Traits> bool is_one_patch(const Bspline_surface<Traits>& s) {
   return one_span(s.knots_u()) && one_span(s.knots_v());
 }
 
-// The control point number i along an edge in the layer j. \pre `is_one_patch(s)`
-template <class Surface> const typename Surface::Point& patch_point(const Surface& s, Patch_edge edge, int i, int j) {
-  const int inward = at_upper_end(edge) ? (runs_along_u(edge) ? s.degree_v() : s.degree_u()) - j : j;
-  return runs_along_u(edge) ? s.control_point(i, inward) : s.control_point(inward, i);
-}
-
-// Calls f(x, p) for all coordinates x of the control points that count for an order, and their places p. Returns whether
-// the degrees are among those that are decided in numbers of fixed length.
+// Calls f(x, p) for all coordinates x of the control points that count for an order, and their places p: the point number i
+// along the edge in each layer j. Returns whether the degrees are among those that are decided in numbers of fixed length.
+// Most edges that are not smooth are refused soon after this: it is written out where it is called.
 template <class Field, class Surface, class Function>
-bool for_each_layer(const Surface& s, Patch_edge edge, int order, Edge_layers& layers, Function f) {
-  layers.along = runs_along_u(edge) ? s.degree_u() : s.degree_v();
-  layers.across = runs_along_u(edge) ? s.degree_v() : s.degree_u();
-  if (!is_one_patch(s) || !Edge_layers::fits(layers.along, layers.across)) return false;
-  layers.layers = (std::min)(order, layers.across) + 1;
-  for (int j = 0; j < layers.layers; ++j)
-    for (int i = 0; i <= layers.along; ++i) {
-      const Coordinate_vector<Field, Surface::N> x =
-          coordinates<typename Surface::Traits, Field>(patch_point(s, edge, i, j));
+BOOST_FORCEINLINE bool for_each_layer(const Surface& s, Patch_edge edge, int order, Edge_layers& layers, Function f) {
+  const bool along_u = runs_along_u(edge);
+  const int along = along_u ? s.degree_u() : s.degree_v(), across = along_u ? s.degree_v() : s.degree_u();
+  layers.along = along;
+  layers.across = across;
+  layers.layers = (std::min)(order, across) + 1;
+  if (!is_one_patch(s) || !Edge_layers::fits(along, across)) return false;
+  const int first = at_upper_end(edge) ? across : 0, step = at_upper_end(edge) ? -1 : 1;
+  for (int j = 0; j <= (std::min)(order, across); ++j)
+    for (int i = 0; i <= along; ++i) {
+      const int inward = first + step * j;
+      const Coordinate_vector<Field, Surface::N> x = coordinates<typename Surface::Traits, Field>(
+          along_u ? s.control_point(i, inward) : s.control_point(inward, i));
       for (int k = 0; k < 3; ++k) f(x[k], layers.p[j][i][k]);
     }
   return true;
