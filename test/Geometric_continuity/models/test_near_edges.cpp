@@ -4,12 +4,10 @@
 
 // Edges that nearly meet.
 
-#define BOOST_TEST_DYN_LINK
-#define BOOST_TEST_MODULE near_edges
 #include <boost/test/unit_test.hpp>
 
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Geometric_continuity/Traits_3.h>
+#include "support/nets.h"
+
 #include <CGAL/Geometric_continuity/models/model_continuity.h>
 #include <CGAL/Geometric_continuity/models/near_edges.h>
 
@@ -17,14 +15,10 @@
 #include <sstream>
 #include <vector>
 
-namespace GC = CGAL::Geometric_continuity;
-typedef GC::Traits_3<CGAL::Epick> Space;
-using GC::Verdict;
-constexpr GC::Patch_edge u0 = GC::Patch_edge::u0, u1 = GC::Patch_edge::u1, v0 = GC::Patch_edge::v0,
-                         v1 = GC::Patch_edge::v1;
-
 // Patches and B-spline surfaces, on doubles and on exact numbers.
 BOOST_AUTO_TEST_CASE(near_edges_of_a_model) {
+  using GC::Verdict;
+  typedef GC::Traits_3<CGAL::Epick> Space;
   typedef GC::Bezier_patch<Space> Patch;
   const auto patch = [](double x, double y, double z, double tilt) { // over [x, x + 1] x [y, y + 1]
     return Patch({{Space::Point(x, y, z), Space::Point(x, y + 1, z)},
@@ -55,8 +49,7 @@ BOOST_AUTO_TEST_CASE(near_edges_of_a_model) {
   std::ostringstream os;
   os << pairs[1];
   BOOST_CHECK_EQUAL(os.str(), "0 v1 - 3 v0: near, reversed");
-  BOOST_CHECK_EXCEPTION((void)GC::near_edges(model, exact, {0, std::numeric_limits<double>::infinity()}), GC::Error,
-                        [](const GC::Error& x) { return x.code() == GC::Error_code::not_finite; });
+  CHECK_ERROR((GC::near_edges(model, exact, {0, std::numeric_limits<double>::infinity()})), not_finite);
 
   // the same functions of surfaces
   const GC::Edge_order_within kink = GC::order_within(model[1], u1, model[2], u0, {0.1243549945467615, 0});
