@@ -4,16 +4,11 @@
 
 // What patches, B-spline surfaces, swept surfaces and grids refuse, with the reason.
 
-#define BOOST_TEST_DYN_LINK
-#define BOOST_TEST_MODULE surface_input
 #include <boost/test/unit_test.hpp>
 
-#include <CGAL/Exact_rational.h>
-#include <CGAL/Geometric_continuity/Traits_3.h>
-#include <CGAL/Geometric_continuity/surfaces/Extrusion_surface_3.h>
-#include <CGAL/Geometric_continuity/surfaces/Revolution_surface_3.h>
+#include "support/swept_surfaces.h"
+
 #include <CGAL/Geometric_continuity/surfaces/evaluate_grid.h>
-#include <CGAL/Simple_cartesian.h>
 
 #include <cmath>
 #include <limits>
@@ -22,16 +17,8 @@
 #include <utility>
 #include <vector>
 
-namespace GC = CGAL::Geometric_continuity;
-
-typedef GC::Traits_3<CGAL::Simple_cartesian<double>> Double;
-typedef GC::Traits_3<CGAL::Simple_cartesian<CGAL::Exact_rational>> Exact;
 typedef std::tuple<Double, Exact> All_traits;
 using GC::Patch_edge;
-
-#define CHECK_ERROR(expression, expected)                                                                              \
-  BOOST_CHECK_EXCEPTION((void)(expression), GC::Error,                                                                 \
-                        [](const GC::Error& e) { return e.code() == GC::Error_code::expected; })
 
 namespace {
 
