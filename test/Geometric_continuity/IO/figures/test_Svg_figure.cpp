@@ -96,6 +96,16 @@ BOOST_AUTO_TEST_CASE(the_legend_names_what_is_drawn) {
   BOOST_CHECK_EQUAL(texts(GC::Svg_figure()), "");
 }
 
+BOOST_AUTO_TEST_CASE(texts_are_valid_in_xml) {
+  const std::string r = "\xef\xbf\xbd"; // U+FFFD
+  GC::Svg_figure figure("a\xff\x1b \xef\xbf\xbe&\xef\xbf\xbf\xc3\xa9");
+  figure.add(
+      GC::Svg_panel("\xe2\x82").add(arch, Svg_style{Svg_role::given, false, false, "\xed\xa0\x80"}).join("\x01<"));
+  const std::string title = 'a' + r + ' ' + r + "&amp;" + r + "\xc3\xa9";
+  BOOST_CHECK_EQUAL(texts(figure), title + "\n &lt;\n" + r + '\n' + r + r + r + "\njoin\n");
+  BOOST_CHECK(svg(figure).find("<title>a" + r + "  " + r + "&amp;") != std::string::npos);
+}
+
 BOOST_AUTO_TEST_CASE(the_legend_shows_the_line_of_each_role) {
   const auto sample = [](Svg_role role) {
     const std::string s = svg(GC::Svg_figure().add(GC::Svg_panel().add(line, Svg_style{role, false, false, "name"})));

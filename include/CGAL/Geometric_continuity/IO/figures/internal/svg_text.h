@@ -6,6 +6,7 @@
 #define CGAL_GEOMETRIC_CONTINUITY_IO_FIGURES_INTERNAL_SVG_TEXT_H
 
 #include <CGAL/Geometric_continuity/IO/figures/internal/svg_markup.h>
+#include <CGAL/Geometric_continuity/IO/internal/utf8.h>
 
 #include <algorithm>
 #include <cmath>
@@ -22,15 +23,24 @@ namespace internal {
 
 inline const char* svg_fonts() { return "Helvetica, Arial, 'Liberation Sans', 'DejaVu Sans', sans-serif"; }
 
+// What XML does not allow becomes U+FFFD, and control characters become spaces.
 inline std::string svg_escape(const std::string& text) {
   std::string s;
-  for (char c : text) switch (c) {
+  for_each_utf8_character(text, [&](const Utf8_character& c) {
+    switch (c.code) {
     case '&': s += "&amp;"; break;
     case '<': s += "&lt;"; break;
     case '>': s += "&gt;"; break;
     case '"': s += "&quot;"; break;
-    default: s += static_cast<unsigned char>(c) < ' ' || c == '\x7f' ? ' ' : c;
+    case 0xFFFE:
+    case 0xFFFF: s += replacement_bytes; break;
+    default:
+      if (c.code < ' ' || c.code == 0x7F)
+        s += ' ';
+      else
+        s += c.well_formed ? c.bytes : replacement_bytes;
     }
+  });
   return s;
 }
 
