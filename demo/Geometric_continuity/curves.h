@@ -54,6 +54,7 @@ inline GC::Bspline_curve<Program_traits<Exact>> exact(const GC::Bspline_curve<Pr
 // into its Bezier curves. Numbers are read as FT, and converted to Result before anything is computed.
 template <class FT, class Result = FT> class Curve_stream {
   std::vector<std::string> files_;
+  Reading_position position_;
   std::size_t next_file_ = 0;
   std::ifstream stream_;
   std::optional<GC::G2_bspline_reader<Program_traits<FT>>> reader_;
@@ -69,7 +70,10 @@ template <class FT, class Result = FT> class Curve_stream {
   }
 
 public:
-  explicit Curve_stream(const std::vector<std::string>& files) : files_(files) {}
+  explicit Curve_stream(const std::vector<std::string>& files) : files_(files), position_(files) {}
+
+  // Returns which part of the files has been read, from 0 to 1; 0 when that is not known, and between the pieces of a curve.
+  double part_read() { return pieces_.empty() && next_file_ != 0 ? position_.part(next_file_ - 1, stream_) : 0; }
 
   // Returns the next curve, or nothing after the last one.
   std::optional<Program_curve<Result>> next() {

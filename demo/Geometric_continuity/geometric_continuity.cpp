@@ -4,6 +4,8 @@
 
 #include "commands.h"
 
+#include <CGAL/Geometric_continuity/IO/printable.h>
+
 #include <exception>
 #include <iostream>
 #include <new>
@@ -30,6 +32,8 @@ its knots are joins. geometric_continuity COMMAND --help explains a command.
 Exit code: 0 when the requirement is met, 1 when it is not, 2 on bad input.
 )";
 
+using CGAL::Geometric_continuity::printable;
+
 int run(const std::string& command, const Arguments& arguments) {
   if (command == "blend") return blend_command(arguments);
   if (command == "connect") return connect_command(arguments);
@@ -37,7 +41,7 @@ int run(const std::string& command, const Arguments& arguments) {
   if (command == "verify") return verify_command(arguments);
   if (command == "plot") return plot_command(arguments);
   if (command == "tessellate") return tessellate_command(arguments);
-  std::cerr << "geometric_continuity: unknown command '" << command << "'\n" << usage;
+  std::cerr << "geometric_continuity: unknown command '" << printable(command) << "'\n" << usage;
   return bad_input;
 }
 
@@ -58,7 +62,7 @@ int main(int argc, char* argv[]) {
   } catch (const std::bad_alloc&) {
     std::cerr << "geometric_continuity: out of memory\n";
   } catch (const std::exception& e) {
-    std::cerr << "geometric_continuity: " << e.what() << '\n';
+    std::cerr << "geometric_continuity: " << printable(e.what()) << '\n';
   }
   return bad_input;
 }

@@ -5,10 +5,14 @@
 #ifndef GEOMETRIC_CONTINUITY_DEMO_INPUT_H
 #define GEOMETRIC_CONTINUITY_DEMO_INPUT_H
 
+#include "progress.h"
+
 #include <CGAL/Geometric_continuity/Error.h>
 #include <CGAL/Geometric_continuity/IO/g2.h>
 
+#include <cstddef>
 #include <fstream>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -25,10 +29,15 @@ inline std::ifstream open_input(const std::string& name) {
 // Reads the surfaces of several files, which together are one model.
 template <class Traits> std::vector<GC::Bspline_surface<Traits>> read_surfaces(const std::vector<std::string>& files) {
   std::vector<GC::Bspline_surface<Traits>> model;
-  for (const std::string& name : files) {
-    std::ifstream stream = open_input(name);
-    for (GC::Bspline_surface<Traits>& surface : GC::read_g2_bspline_surfaces<Traits>(stream, name))
-      model.push_back(std::move(surface));
+  const Reading_position position(files);
+  Progress progress("surfaces read");
+  for (std::size_t i = 0; i < files.size(); ++i) {
+    std::ifstream stream = open_input(files[i]);
+    GC::G2_bspline_surface_reader<Traits> reader(stream, files[i]);
+    while (std::optional<GC::Bspline_surface<Traits>> surface = reader.next()) {
+      model.push_back(*std::move(surface));
+      progress.step(model.size(), [&] { return position.part(i, stream); });
+    }
   }
   return model;
 }

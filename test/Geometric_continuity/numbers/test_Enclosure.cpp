@@ -176,7 +176,7 @@ BOOST_AUTO_TEST_CASE(what_is_printed_encloses) {
   BOOST_CHECK_EQUAL(printed({-0.1, 0.3}), "[-0.100001, 0.3]");
   BOOST_CHECK_EQUAL(printed({1 / 3., 2 / 3.}, 4), "[0.3333, 0.6667]");
   BOOST_CHECK_EQUAL(printed({0.99999, 99999.5}, 4), "[0.9999, 1e+05]");
-  BOOST_CHECK_EQUAL(printed({-9.9999, -9.9999}, 0), "[-10, -9]");
+  BOOST_CHECK_EQUAL(printed({-9.9999, -9.9999}, 0), "[-1e+01, -9]");
   BOOST_CHECK_EQUAL(printed({1e-5, 0.0001}, 3), "[1e-05, 0.000101]");
   BOOST_CHECK_EQUAL(printed({1, infinity}), "[1, inf]");
   BOOST_CHECK_EQUAL(printed({1, (std::numeric_limits<double>::max)()}, 2), "[1, 1.8e+308]");
