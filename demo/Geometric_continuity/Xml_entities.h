@@ -53,6 +53,13 @@ public:
     return reason;
   }
 
+  // The same for what stands between the first two quotation marks of one kind.
+  std::optional<std::string> refusal_in_quoted(std::string_view text) const {
+    const std::size_t begin = text.find_first_of("'\"");
+    if (begin == std::string_view::npos) return std::nullopt;
+    return refusal_in(text.substr(begin, text.find(text[begin], begin + 1) - begin));
+  }
+
   // Declares an entity of the file itself. Returns why it is refused: its references must be to entities that are
   // declared before it, so that none refers to itself.
   std::optional<std::string> declare(const std::string& name, std::string_view value) {

@@ -131,8 +131,14 @@ class Drawing_reader {
       reader.refuse_if(reader.entities_.declare(name, std::string_view(value, static_cast<std::size_t>(length))));
     });
   }
-  static void on_default_value(void* self, const XML_Char*, const XML_Char*, const XML_Char*, const XML_Char*, int) {
-    guarded(self, [](Drawing_reader& reader) { reader.refuse_if(reader.entities_.refusal_in(reader.piece())); });
+  // Called before the value is passed.
+  static void on_default_value(void* self, const XML_Char*, const XML_Char*, const XML_Char*, const XML_Char* value,
+                               int) {
+    guarded(self, [&](Drawing_reader& reader) {
+      const std::string_view rest = reader.rest();
+      if (value == nullptr || rest.size() < reader.length()) return;
+      reader.refuse_if(reader.entities_.refusal_in_quoted(rest.substr(reader.length())));
+    });
   }
   static void on_skipped_entity(void* self, const XML_Char* name, int) {
     guarded(self, [&](Drawing_reader& reader) { reader.refuse_if(reader.entities_.refusal(name)); });
@@ -145,11 +151,11 @@ class Drawing_reader {
     return XML_STATUS_ERROR;
   }
 
-  // Refuses what is not well-formed; Expat does not name the entity.
+  // Refuses what is not well-formed. Expat does not name the entity, which is the first one that is not known.
   [[noreturn]] void refuse_error(XML_Error error) const {
     if (error == XML_ERROR_NO_MEMORY) throw std::bad_alloc();
     if (error == XML_ERROR_UNDEFINED_ENTITY || error == XML_ERROR_ATTRIBUTE_EXTERNAL_ENTITY_REF)
-      refuse_if(entities_.refusal_in(piece()));
+      refuse_if(entities_.refusal_in(rest()));
     refuse(XML_ErrorString(error));
   }
 
@@ -157,14 +163,17 @@ class Drawing_reader {
     if (reason) refuse(*reason);
   }
 
-  // The bytes of the file to which the current call refers, such as a tag.
-  std::string_view piece() const {
+  // What has been read of the file from the place on to which the current call refers.
+  std::string_view rest() const {
     int offset = 0, size = 0;
     const char* const context = XML_GetInputContext(parser_.get(), &offset, &size);
-    const int count = (std::min)(XML_GetCurrentByteCount(parser_.get()), size - offset);
-    if (context == nullptr || count <= 0) return std::string_view();
-    return std::string_view(context + offset, static_cast<std::size_t>(count));
+    if (context == nullptr || size < offset) return std::string_view();
+    return std::string_view(context + offset, static_cast<std::size_t>(size - offset));
   }
+
+  // The bytes of the file to which the current call refers, such as a tag.
+  std::size_t length() const { return static_cast<std::size_t>(XML_GetCurrentByteCount(parser_.get())); }
+  std::string_view piece() const { return rest().substr(0, length()); }
 
   // The name without the namespace of SVG; other namespaces are left in front. Drawings without any namespace are read.
   static std::string local_name(const std::string& name) {

@@ -7,6 +7,7 @@
 
 #include <CGAL/Fraction_traits.h>
 #include <CGAL/Geometric_continuity/numbers/Exact_field.h>
+#include <CGAL/Quotient.h>
 
 #include <type_traits>
 
@@ -23,12 +24,15 @@ template <class Integer> Integer power_of_two(int exponent) {
   return power;
 }
 
+template <class FT> constexpr bool is_quotient = false;
+template <class NT> constexpr bool is_quotient<CGAL::Quotient<NT>> = true;
+
 // Whether the numerator and the denominator of a number have at most `bits` bits. Numbers that are no fractions, such
-// as those in floating point, do not grow.
+// as those in floating point, do not grow; the length of a `Quotient` says nothing, because it may never be cancelled.
 template <int bits, class FT> bool is_svg_short(const FT& x) {
   typedef typename Exact_number<FT>::type Exact;
   typedef CGAL::Fraction_traits<Exact> Fraction;
-  if constexpr (std::is_same_v<typename Fraction::Is_fraction, CGAL::Tag_true>) {
+  if constexpr (std::is_same_v<typename Fraction::Is_fraction, CGAL::Tag_true> && !is_quotient<Exact>) {
     typedef typename Fraction::Numerator_type Integer;
     static const Integer bound = power_of_two<Integer>(bits);
     Integer numerator;
