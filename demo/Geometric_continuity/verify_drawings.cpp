@@ -5,6 +5,7 @@
 #include "verify_drawings.h"
 
 #include "deferred_output.h"
+#include "input.h"
 #include "progress.h"
 #include "svg_drawing.h"
 
@@ -14,6 +15,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <iostream>
 #include <map>
 #include <sstream>
@@ -84,6 +86,7 @@ class Drawing_report : public Drawing_handler {
   const std::optional<Requirement> required_;
   Deferred_output out_;
   Progress progress_{"joins"};
+  std::function<void()> show_progress_ = [] {};
   std::vector<std::string> not_read_;
   GC::Chain_summary summary_; // of what is decided
   std::size_t joins_ = 0, undecided_ = 0, failing_ = 0, subpaths_ = 0, segments_ = 0;
@@ -120,6 +123,19 @@ public:
     if (json_) out_.write("{\"joins\":[");
   }
 
+  // Reads drawings, one after the other.
+  void read(const Arguments& files) {
+    const Reading_position position(files);
+    for (std::size_t i = 0; i < files.size(); ++i) {
+      Input input(files[i]);
+      show_progress_ = [&] { progress_.step(joins_, [&] { return position.part(i, input); }); };
+      input.after_each_block(show_progress_); // a path may be large
+      read_svg_drawing(input, input_name(files[i]), *this);
+      show_progress_ = [] {};
+    }
+    progress_.clear();
+  }
+
   void subpath(const Drawing_element& element, int number, const Drawing_subpath& path) override {
     const std::size_t n = path.segments.size();
     for (std::size_t i = 0; i < (path.closed ? n : n - 1); ++i) {
@@ -136,7 +152,8 @@ public:
                    ",\"subpath\":" + std::to_string(number) + '}');
       else
         out_.write(name(element) + ", subpath " + std::to_string(number) + ", " + text(left, right, decision) + '\n');
-      progress_.step(++joins_);
+      ++joins_;
+      show_progress_();
     }
     segments_ += n;
     ++subpaths_;
@@ -149,7 +166,6 @@ public:
 
   // Prints the report and returns the exit code.
   int print(std::ostream& os) {
-    progress_.clear();
     out_.copy_to(os);
     if (json_)
       print_json_summary(os);
@@ -207,6 +223,6 @@ int verify_drawings(const Arguments& files, int max_order, const Report_mode& mo
                     const std::optional<Requirement>& required) {
   if (required) required->check_dimension(2);
   Drawing_report report(max_order, mode, files.size() > 1, required);
-  for (const std::string& file : files) read_svg_drawing(file, report);
+  report.read(files);
   return report.print(std::cout);
 }
