@@ -19,16 +19,21 @@ marked by their order. With --surfaces it draws all surfaces of the files as
 one model, with its edges coloured by their order.
 )";
 
+std::string name_without_folder(const std::string& file) { return file.substr(file.find_last_of('/') + 1); }
+
 // Draws the chain of curves of a file.
 GC::Svg_panel picture(const std::string& file, const GC::Svg_style& style, bool closed) {
-  const std::vector<Program_curve<Exact>> curves = read_curves<Exact>({file});
-  GC::Svg_panel panel(file.substr(file.find_last_of('/') + 1));
-  for (std::size_t i = 0; i < curves.size(); ++i) {
-    panel.add(curves[i], style);
-    if (i + 1 == curves.size() && !closed) continue;
-    const Join join = GC::continuity(curves[i], curves[(i + 1) % curves.size()]);
-    panel.join(join.c_order < 0 ? "gap" : 'G' + std::to_string(join.g_order));
+  GC::Svg_panel panel(name_without_folder(file));
+  GC::Chain_analysis<Exact_curve> chain;
+  Curve_stream<Exact> stream({file});
+  const auto mark = [&](const GC::Chain_join<Exact_curve>& join) {
+    panel.join(join.continuity.c_order < 0 ? "gap" : 'G' + std::to_string(join.continuity.g_order));
+  };
+  while (const std::optional<Exact_curve> curve = stream.next()) {
+    chain.add(*curve, mark); // at the end of the curve before
+    panel.add(*curve, style);
   }
+  if (closed) chain.close(mark);
   return panel;
 }
 
@@ -39,8 +44,7 @@ GC::Svg_panel alternatives(const std::string& file, const GC::Svg_style& style) 
   const int m = last.degree();
   const GC::Midpoint_construction<Program_traits<Exact>> points = GC::midpoint_construction(last);
   const GC::Curvature_alternatives<Program_traits<Exact>> line = GC::curvature_alternatives(last);
-  GC::Svg_panel panel(file.substr(file.find_last_of('/') + 1) +
-                      ": the line of alternatives for b\u2082, C\u2080 from 0 to 6");
+  GC::Svg_panel panel(name_without_folder(file) + ": the line of alternatives for b\u2082, C\u2080 from 0 to 6");
   const GC::Svg_style construction{GC::Svg_role::construction, false, false},
       found{GC::Svg_role::result, false, false, "line of alternatives"};
   for (const Exact_curve& c : curves) panel.add(c, style);
