@@ -11,7 +11,10 @@
 #include <CGAL/Geometric_continuity/models/tessellate.h>
 #include <CGAL/Simple_cartesian.h>
 
+#include <cstddef>
 #include <iostream>
+#include <stdexcept>
+#include <string>
 #include <vector>
 
 namespace {
@@ -22,12 +25,25 @@ Writes triangles for the surfaces of the files, without cracks along the edges
 that they have in common.
 )";
 
+// Names the options by which the work is bounded.
+template <class Traits, class Mode>
+GC::Tessellation<Traits> tessellate(const std::vector<GC::Bspline_surface<Traits>>& model, const Mode& mode,
+                                    std::size_t max_triangles) {
+  try {
+    return GC::tessellate(model, mode, max_triangles);
+  } catch (const GC::Error& error) {
+    if (error.code() != GC::Error_code::work_limit) throw;
+    throw std::runtime_error(std::string(error.what()) + "; see --grid, --tolerance and --max-triangles");
+  }
+}
+
 template <class FT> int tessellate(const Command_line& line) {
   typedef GC::Traits_3<CGAL::Simple_cartesian<FT>> Traits;
   const std::vector<GC::Bspline_surface<Traits>> model = read_surfaces<Traits>(line.files());
+  const std::size_t most = static_cast<std::size_t>(line.integer("max-triangles"));
   const GC::Tessellation<Traits> mesh =
-      line.has("grid") ? GC::tessellate(model, GC::Uniform_grid{line.integer("grid")})
-                       : GC::tessellate(model, GC::Chord_tolerance{line.number<double>("tolerance", 0.01)});
+      line.has("grid") ? tessellate(model, GC::Uniform_grid{line.integer("grid")}, most)
+                       : tessellate(model, GC::Chord_tolerance{line.number<double>("tolerance", 0.01)}, most);
   GC::write_mesh(line.text("output"), mesh);
   std::cout << model.size() << " surfaces: " << mesh.points.size() << " points, " << mesh.triangles.size()
             << " triangles, " << GC::mesh_edges(mesh.triangles) << '\n';
@@ -42,6 +58,8 @@ int tessellate_command(const Arguments& arguments) {
         "write the triangles; the name, with .off, .ply, .obj or .stl, tells the format");
     add("tolerance", po::value<std::string>(), "R, the largest distance between surfaces and triangles (default 0.01)");
     add("grid", po::value<int>(), "instead: N times N cells for each polynomial patch");
+    add("max-triangles", po::value<int>()->default_value(GC::max_tessellation_triangles),
+        "more triangles are refused before any is made");
     add("kernel", po::value<std::string>()->default_value("double"), "exact or double");
   });
   if (line.help()) return requirement_met;
@@ -49,6 +67,7 @@ int tessellate_command(const Arguments& arguments) {
   if (!line.has("output")) throw std::invalid_argument("tessellate: -o OUT.off|ply|obj|stl is needed");
   if (line.has("grid") && line.has("tolerance"))
     throw std::invalid_argument("tessellate: --grid and --tolerance exclude each other");
+  if (line.integer("max-triangles") < 1) throw std::invalid_argument("--max-triangles: not positive");
   GC::mesh_format(line.text("output")); // refused before anything is computed
   return line.choice("kernel", {"exact", "double"}) == "exact" ? tessellate<CGAL::Exact_rational>(line)
                                                                : tessellate<double>(line);
