@@ -13,7 +13,6 @@
 #include <CGAL/Geometric_continuity/IO/G2_piece_reader.h>
 #include <CGAL/Geometric_continuity/IO/g2.h>
 
-#include <fstream>
 #include <memory>
 #include <optional>
 #include <string>
@@ -43,7 +42,7 @@ template <class FT, int Degree> Exact_curve exact(const GC::Bezier_curve<Program
 template <class FT, class Result = FT> class Curve_stream {
   std::vector<std::string> files_;
   std::size_t next_file_ = 0;
-  std::ifstream stream_;
+  std::unique_ptr<Input> input_;
   std::optional<GC::G2_piece_reader<Program_traits<Result>, Program_traits<FT>>> reader_;
   int dimension_ = 0;
 
@@ -57,15 +56,16 @@ public:
         if (std::optional<Program_curve<Result>> curve = reader_->next()) {
           if (dimension_ != 0 && curve->dimension() != dimension_)
             throw GC::Error(GC::Error_code::dimension_mismatch,
-                            files_[next_file_ - 1] + ": dimension " + std::to_string(curve->dimension()) +
+                            input_name(files_[next_file_ - 1]) + ": dimension " + std::to_string(curve->dimension()) +
                                 " after a curve of dimension " + std::to_string(dimension_));
           dimension_ = curve->dimension();
           return curve;
         }
       if (next_file_ == files_.size()) return std::nullopt;
       const std::string& name = files_[next_file_++];
-      stream_ = open_input(name);
-      reader_.emplace(stream_, name);
+      reader_.reset();
+      input_ = std::make_unique<Input>(name);
+      reader_.emplace(*input_, input_name(name));
     }
   }
 };
