@@ -12,6 +12,8 @@
 #include <CGAL/Geometric_continuity/models/tessellate.h>
 #include <CGAL/Simple_cartesian.h>
 
+#include <cstddef>
+#include <limits>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -25,6 +27,18 @@ that they have in common. The name of the output tells the format unless
 --format does, as it must for standard output.
 Exit code: 0 when the triangles are written, 2 on bad input.
 )";
+
+// Names the options by which the work is bounded.
+template <class Traits, class Mode>
+GC::Tessellation<Traits> tessellate(const std::vector<GC::Bspline_surface<Traits>>& model, const Mode& mode,
+                                    std::size_t max_triangles) {
+  try {
+    return GC::tessellate(model, mode, max_triangles);
+  } catch (const GC::Error& error) {
+    if (error.code() != GC::Error_code::work_limit) throw;
+    throw std::runtime_error(std::string(error.what()) + "; see --grid, --tolerance and --max-triangles");
+  }
+}
 
 // The format of --format, or that of the name of the output.
 GC::Mesh_format output_format(const Command_line& line) {
@@ -41,9 +55,11 @@ GC::Mesh_format output_format(const Command_line& line) {
 template <class FT> int write_triangles(const Command_line& line, GC::Mesh_format format) {
   typedef GC::Traits_3<CGAL::Simple_cartesian<FT>> Traits;
   const std::vector<GC::Bspline_surface<Traits>> model = read_surfaces<Traits>(line.files());
+  const std::size_t most =
+      static_cast<std::size_t>(line.integer("max-triangles", 1, (std::numeric_limits<int>::max)()));
   const GC::Tessellation<Traits> mesh =
-      line.has("grid") ? GC::tessellate(model, GC::Uniform_grid{line.integer("grid")})
-                       : GC::tessellate(model, GC::Chord_tolerance{line.number<double>("tolerance", 0.01)});
+      line.has("grid") ? tessellate(model, GC::Uniform_grid{line.integer("grid")}, most)
+                       : tessellate(model, GC::Chord_tolerance{line.number<double>("tolerance", 0.01)}, most);
   write_output(line.text("output"), [&](std::ostream& os) { GC::write_mesh(os, mesh, format); });
   report_stream(line) << model.size() << " surfaces: " << mesh.points.size() << " points, " << mesh.triangles.size()
                       << " triangles, " << GC::mesh_edges(mesh.triangles) << '\n';
@@ -59,6 +75,8 @@ int tessellate_command(const Arguments& arguments) {
     add("format", po::value<std::string>(), "off, ply, obj or stl, for standard output and devices");
     add("tolerance", po::value<std::string>(), "R, the largest distance between surfaces and triangles (default 0.01)");
     add("grid", po::value<int>(), "instead: N times N cells for each polynomial patch");
+    add("max-triangles", po::value<int>()->default_value(GC::max_tessellation_triangles),
+        "more triangles are refused before any is made");
     add("kernel", po::value<std::string>()->default_value("double"), "exact or double");
   });
   if (line.help()) return requirement_met;
