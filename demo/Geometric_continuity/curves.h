@@ -50,8 +50,8 @@ template <class FT, class Result = FT> class Curve_stream {
 public:
   explicit Curve_stream(const std::vector<std::string>& files) : files_(files), position_(files) {}
 
-  // Returns which part of the files has been read, from 0 to 1; 0 when that is not known, and between the pieces of a curve.
-  double part_read() { return pieces_.empty() && next_file_ != 0 ? position_.part(next_file_ - 1, *input_) : 0; }
+  // Returns which part of the files has been read, from 0 to 1; 0 when that is not known.
+  double part_read() { return input_ ? position_.part(next_file_ - 1, *input_) : 0; }
 
   // Returns the next curve, or nothing after the last one.
   std::optional<Program_curve<Result>> next() {
