@@ -28,7 +28,7 @@ GC::Svg_panel picture(const std::string& file, const GC::Svg_style& style, bool 
   GC::Svg_panel panel(name_without_folder(file));
   GC::Chain_analysis<Exact_curve> chain;
   Curve_stream<Exact> stream({file});
-  Progress progress("curves");
+  Progress progress("curves read");
   const auto mark = [&](const GC::Chain_join<Exact_curve>& join) {
     panel.join(join.continuity.c_order < 0 ? "gap" : 'G' + std::to_string(join.continuity.g_order));
   };
@@ -106,8 +106,10 @@ int plot_command(const Arguments& arguments) {
       figure.add(line.has("alternatives") ? alternatives(file, style) : picture(file, style, line.has("closed")));
     } catch (const GC::Error& error) { // of the panel, which knows the number of the curve
       if (error.code() != GC::Error_code::not_finite) throw;
-      throw GC::Error(error.code(), input_name(file) + ": " + error.what());
+      throw std::runtime_error(input_name(file) + ": " + error.what());
     }
-  write_output(line.text("output"), [&](std::ostream& os) { figure.write(os); });
+  Progress progress("curves drawn");
+  write_output(line.text("output"),
+               [&](std::ostream& os) { figure.write(os, [&](std::size_t n) { progress.step(n); }); });
   return requirement_met;
 }

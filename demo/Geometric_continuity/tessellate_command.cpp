@@ -5,6 +5,7 @@
 #include "command_line.h"
 #include "input.h"
 #include "output.h"
+#include "progress.h"
 
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Geometric_continuity/IO/mesh.h>
@@ -32,8 +33,9 @@ Exit code: 0 when the triangles are written, 2 on bad input.
 template <class Traits, class Mode>
 GC::Tessellation<Traits> tessellate(const std::vector<GC::Bspline_surface<Traits>>& model, const Mode& mode,
                                     std::size_t max_triangles) {
+  Progress progress("triangles");
   try {
-    return GC::tessellate(model, mode, max_triangles);
+    return GC::tessellate(model, mode, max_triangles, [&](std::size_t n) { progress.step(n); });
   } catch (const GC::Error& error) {
     if (error.code() != GC::Error_code::work_limit) throw;
     throw std::runtime_error(std::string(error.what()) + "; see --grid, --tolerance and --max-triangles");

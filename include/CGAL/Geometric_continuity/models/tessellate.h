@@ -124,14 +124,14 @@ public:
     for (const auto& surface : surfaces) add(surface, number++);
   }
 
-  Tessellation<Traits> operator()() const {
+  template <class Report> Tessellation<Traits> operator()(Report report) const {
     std::vector<const Bezier_patch<Traits>*> pointers;
     pointers.reserve(patches_.size());
     for (const Bezier_patch<Traits>& patch : patches_) pointers.push_back(&patch);
     return Model_mesh<Traits>(pointers,
                               numbers_)([&](const Bezier_patch<Traits>& patch, std::size_t number,
                                             int least) { return cells_of_patch(mode_, patch, number, least); },
-                                        max_triangles_);
+                                        max_triangles_, report);
   }
 
 private:
@@ -172,6 +172,7 @@ private:
 /// \param mode how fine the triangles are
 /// \param max_triangles more triangles are refused. Their number is predicted, up to those at collapsed edges, from the
 ///   numbers of cells, and from the knots even before a surface is cut into patches
+/// \param report is called as `report(n)` with the number of triangles so far, after each Bézier patch
 /// \tparam SurfaceRange a forward range of `Bezier_patch` or of `Bspline_surface`
 /// \tparam Mode `Uniform_grid` or `Chord_tolerance`
 /// \throws Error `unreachable_tolerance` for a tolerance that is not positive, or when the bounds in `Patch_flatness`
@@ -179,13 +180,22 @@ private:
 ///   for more than `max_triangles` triangles, and for a grid or a tolerance that would need more than
 ///   `max_cells_in_one_direction` cells in a direction of a patch; `negative_count` and `wrong_number_of_points` for a grid
 ///   with a negative number of cells and with none; `dimension_mismatch` unless in dimension 3. No point is computed before
-template <class SurfaceRange, class Mode>
-auto tessellate(const SurfaceRange& surfaces, const Mode& mode, std::size_t max_triangles = max_tessellation_triangles)
+template <class SurfaceRange, class Mode, class Report>
+auto tessellate(const SurfaceRange& surfaces, const Mode& mode, std::size_t max_triangles, Report report)
     -> Tessellation<typename std::decay_t<decltype(*std::begin(surfaces))>::Traits> {
   typedef std::decay_t<decltype(*std::begin(surfaces))> Surface;
   internal::Numbered_patches<typename Surface::Traits, Mode> patches(mode, max_triangles);
   patches.add_all(surfaces);
-  return patches();
+  return patches(report);
+}
+
+/// \ingroup PkgGeometricContinuitySurfaces
+/// Tessellates a model, without reports.
+/// \throws Error as the function that reports
+template <class SurfaceRange, class Mode>
+auto tessellate(const SurfaceRange& surfaces, const Mode& mode, std::size_t max_triangles = max_tessellation_triangles)
+    -> Tessellation<typename std::decay_t<decltype(*std::begin(surfaces))>::Traits> {
+  return tessellate(surfaces, mode, max_triangles, [](std::size_t) {});
 }
 
 /// \ingroup PkgGeometricContinuitySurfaces

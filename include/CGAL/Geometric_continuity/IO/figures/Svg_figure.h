@@ -12,6 +12,7 @@
 #include <CGAL/Geometric_continuity/IO/figures/internal/svg_text.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <ostream>
 #include <string>
 #include <utility>
@@ -53,8 +54,15 @@ public:
   /// Returns the number of panels.
   int number_of_panels() const { return static_cast<int>(panels_.size()); }
 
-  /// Writes the picture as an SVG document in UTF-8.
+  /// Writes the picture as an SVG document in UTF-8. Linear in the number of curves.
   void write(std::ostream& os) const {
+    write(os, [](std::size_t) {});
+  }
+
+  /// Writes the picture as an SVG document in UTF-8, and calls `report(n)` when `n` curves have been drawn, for each `n`
+  /// from 1 on.
+  template <class Report> void write(std::ostream& os, Report report) const {
+    std::size_t drawn = 0;
     std::vector<Svg_panel> panels = panels_;
     std::vector<internal::Svg_curve*> curves;
     bool spatial = false;
@@ -77,7 +85,7 @@ public:
       std::size_t lines = 0;
       for (std::size_t i = first; i < (std::min)(first + columns, panels.size()); ++i) {
         const double x = edge + (i - first) * (panel_width + gap);
-        body += picture(panels[i], view, x, y);
+        body += picture(panels[i], view, x, y, [&] { report(++drawn); });
         const std::vector<std::string> caption = internal::wrapped_lines(panels[i].caption_, 12.5, panel_width);
         for (std::size_t j = 0; j < caption.size(); ++j)
           body += internal::svg_text(x + 0.5 * panel_width, y + view.height() + 19 + 17.0 * j, 12.5, "#333333",
@@ -108,7 +116,9 @@ private:
   std::vector<Svg_panel> panels_;
 
   // One panel with its upper left corner at (x, y), from the background to the foreground.
-  static std::string picture(const Svg_panel& panel, const internal::Svg_view& view, double x, double y) {
+  template <class Report>
+  static std::string picture(const Svg_panel& panel, const internal::Svg_view& view, double x, double y,
+                             Report report) {
     using namespace internal;
     std::string s = "<svg x=\"" + svg_number(x) + "\" y=\"" + svg_number(y) + "\" width=\"" + svg_number(view.width()) +
                     "\" height=\"" + svg_number(view.height()) + "\">\n";
@@ -118,6 +128,7 @@ private:
       const std::vector<Svg_tooth> teeth = view.comb(c, per_tooth);
       if (c.style.curvature_comb) s += comb(teeth, view);
       keep_free(places, c, teeth, view);
+      report();
     }
     for (const Svg_curve& c : panel.curves_)
       if (c.style.control_polygon) s += svg_stroke(polygon_stroke, svg_polyline(view(c.points)));

@@ -110,7 +110,10 @@ private:
       try {
         f(s);
       } catch (const Error& error) {
-        throw Error(error.code(), "svg_surfaces: surface " + std::to_string(number) + ": " + error.what());
+        const std::string reason = error.code() == Error_code::dimension_mismatch ? "it is not in dimension 3"
+                                   : error.code() == Error_code::not_finite       ? "a number is too large"
+                                                                                  : "knots become equal by rounding";
+        throw Error(error.code(), "svg_surfaces: surface " + std::to_string(number) + " cannot be drawn: " + reason);
       }
       ++number;
     }
@@ -118,9 +121,9 @@ private:
 
   template <class Source, class Point> static Svg_point in_doubles(const Point& point) {
     const auto x = coordinates<typename Source::Traits>(point);
-    if (x.dimension() != 3) throw Error(Error_code::dimension_mismatch, "only surfaces in dimension 3 can be drawn");
+    if (x.dimension() != 3) throw Error(Error_code::dimension_mismatch, "svg_surfaces");
     Svg_point y(3);
-    for (int i = 0; i < 3; ++i) check_finite(y[i] = CGAL::to_double(x[i]), "a coordinate");
+    for (int i = 0; i < 3; ++i) check_finite(y[i] = CGAL::to_double(x[i]), "svg_surfaces");
     return y;
   }
 

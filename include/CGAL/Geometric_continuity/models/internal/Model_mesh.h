@@ -79,8 +79,10 @@ public:
 
   // `cells_of(patch, number, least)` is the number of cells of a patch, which has this number in the tessellation, if
   // possible at least `least` in each direction: four cells make the triangles of patches a manifold that close up, or meet
-  // more than once. Where two patches have an edge, one of their numbers along it must divide the other.
-  template <class Cells_of> Tessellation<Traits> operator()(Cells_of cells_of, std::size_t max_triangles) {
+  // more than once. Where two patches have an edge, one of their numbers along it must divide the other. After each patch
+  // `report(n)` is called with the number of triangles so far.
+  template <class Cells_of, class Report>
+  Tessellation<Traits> operator()(Cells_of cells_of, std::size_t max_triangles, Report report) {
     for (std::size_t i = 0; i < patches_.size(); ++i)
       cells_.push_back(cells_of(*patches_[i], numbers_[i], topology_.simple(i) ? 1 : 4));
     reserve(max_triangles);
@@ -89,6 +91,7 @@ public:
     for (std::size_t i = 0; i < patches_.size(); ++i) {
       for (Patch_edge edge : patch_edges) points_of(i, edge, points[static_cast<std::size_t>(edge)]);
       Patch_triangulation<Traits>(*patches_[i], numbers_[i], cells_[i], points, mesh_);
+      report(mesh_.triangles.size());
     }
     return std::move(mesh_);
   }
