@@ -48,9 +48,9 @@ Spline_edge_rows<Edge_field<Traits>> knot_line_rows(const Bspline_surface<Traits
           edge_rows_in_space<Field>(s.template rows_at<Field>(line, knot, side, 2))};
 }
 
-template <class Traits, class Progress>
+template <class Traits, class Report>
 void add_knot_lines(const Bspline_surface<Traits>& s, Parameter_line line,
-                    std::vector<Knot_line<Edge_field<Traits>>>& lines, Progress& progress) {
+                    std::vector<Knot_line<Edge_field<Traits>>>& lines, Report& report) {
   typedef Edge_field<Traits> Field;
   const Knot_vector<typename Traits::FT>& across = knots_across(s, line);
   for (const auto& knot : across.inner_knots()) {
@@ -58,17 +58,17 @@ void add_knot_lines(const Bspline_surface<Traits>& s, Parameter_line line,
     lines.push_back({line == Parameter_line::along_v, to_field<Field>(knot.value), knot.multiplicity,
                      continuity_at_same_parameters(knot_line_rows(s, line, knot.value, Line_side::smaller_parameters),
                                                    knot_line_rows(s, line, knot.value, Line_side::larger_parameters))});
-    progress();
+    report();
   }
 }
 
-// What knot_line_continuity() returns; progress() is called after each line.
-template <class Traits, class Progress>
-std::vector<Knot_line<Edge_field<Traits>>> knot_lines(const Bspline_surface<Traits>& surface, Progress progress) {
+// What knot_line_continuity() returns; report() is called after each line.
+template <class Traits, class Report>
+std::vector<Knot_line<Edge_field<Traits>>> knot_lines(const Bspline_surface<Traits>& surface, Report report) {
   require_space(surface, "knot_line_continuity");
   std::vector<Knot_line<Edge_field<Traits>>> lines;
-  add_knot_lines(surface, Parameter_line::along_v, lines, progress);
-  add_knot_lines(surface, Parameter_line::along_u, lines, progress);
+  add_knot_lines(surface, Parameter_line::along_v, lines, report);
+  add_knot_lines(surface, Parameter_line::along_u, lines, report);
   return lines;
 }
 

@@ -7,7 +7,6 @@
 
 #include <CGAL/Geometric_continuity/models/Model_edge.h>
 #include <CGAL/Geometric_continuity/models/internal/Edge_groups.h>
-#include <CGAL/Geometric_continuity/models/internal/No_progress.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -21,27 +20,25 @@ namespace Geometric_continuity {
 
 namespace internal {
 
-template <class Traits, class Progress>
-std::vector<Knot_line<Edge_field<Traits>>> knot_lines_in_model(const Bspline_surface<Traits>& surface,
-                                                               Progress progress) {
-  return knot_lines(surface, progress);
+template <class Traits, class Report>
+std::vector<Knot_line<Edge_field<Traits>>> knot_lines_in_model(const Bspline_surface<Traits>& surface, Report report) {
+  return knot_lines(surface, report);
 }
-template <class Traits, class Progress>
-std::vector<Knot_line<Edge_field<Traits>>> knot_lines_in_model(const Bezier_patch<Traits>&, Progress) {
+template <class Traits, class Report>
+std::vector<Knot_line<Edge_field<Traits>>> knot_lines_in_model(const Bezier_patch<Traits>&, Report) {
   return {};
 }
 
-template <class Surface, class Progress> class Model_analysis {
+template <class Surface, class Report> class Model_analysis {
   typedef Edge_field<typename Surface::Traits> Field;
 
   const std::vector<const Surface*>& patches_;
-  Progress& progress_;
+  Report& report_;
   std::size_t decided_ = 0;
   Model_continuity<Field> model_;
 
 public:
-  Model_analysis(const std::vector<const Surface*>& patches, Progress& progress)
-      : patches_(patches), progress_(progress) {}
+  Model_analysis(const std::vector<const Surface*>& patches, Report& report) : patches_(patches), report_(report) {}
 
   Model_continuity<Field> operator()() {
     for (const Surface* patch : patches_) require_space(*patch, "model_continuity");
@@ -67,7 +64,7 @@ private:
 
   void add_knot_lines(std::size_t i) {
     Model_summary& s = model_.summary;
-    for (Knot_line<Field>& line : knot_lines_in_model(*patches_[i], [this] { progress_(++decided_); })) {
+    for (Knot_line<Field>& line : knot_lines_in_model(*patches_[i], [this] { report_(++decided_); })) {
       const int order = line.continuity.g_order;
       ++(order == 2 ? s.knot_lines_g2 : order == 1 ? s.knot_lines_g1 : s.knot_lines_g0);
       model_.knot_lines.push_back({i, std::move(line)});
@@ -82,7 +79,7 @@ private:
     row.continuity =
         continuity_of_same_edge(*patches_[a.patch], a.edge, *patches_[b.patch], b.edge,
                                 a.backwards == b.backwards ? Edge_direction::same : Edge_direction::opposite);
-    progress_(++decided_);
+    report_(++decided_);
   }
 
   void count_edges() {
@@ -119,17 +116,21 @@ private:
 /// edges with integers of fixed length where `edge_continuity()` takes them.
 ///
 /// \tparam PatchRange a forward range of `Bezier_patch` or of `Bspline_surface`
-/// \tparam Progress a function object that takes a `std::size_t`
 /// \param patches of the model, which must outlive the call
-/// \param progress is called after each decision, with the number of shared edges and knot lines that are decided so far; by
-///   default nothing is called
+/// \param report is called as `report(n)` with the number of shared edges and knot lines decided so far, after each
 /// \throws Error `dimension_mismatch` unless in dimension 3
-template <class PatchRange, class Progress = internal::No_progress>
-auto model_continuity(const PatchRange& patches, Progress progress = Progress()) {
+template <class PatchRange, class Report> auto model_continuity(const PatchRange& patches, Report report) {
   typedef std::decay_t<decltype(*std::begin(patches))> Patch;
   std::vector<const Patch*> pointers;
   for (const Patch& patch : patches) pointers.push_back(&patch);
-  return internal::Model_analysis<Patch, Progress>(pointers, progress)();
+  return internal::Model_analysis<Patch, Report>(pointers, report)();
+}
+
+/// \ingroup PkgGeometricContinuitySurfaces
+/// Decides the continuity along all edges of a model, without reports.
+/// \throws Error as the function that reports
+template <class PatchRange> auto model_continuity(const PatchRange& patches) {
+  return model_continuity(patches, [](std::size_t) {});
 }
 
 } // namespace Geometric_continuity
