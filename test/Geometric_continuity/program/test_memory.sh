@@ -14,11 +14,14 @@ numbers() { # COUNT DIGITS: fractions of that many random digits, the same ones 
 }
 repeat() { printf "$2%.0s" $(seq "$1"); }
 
-for i in $(seq 5); do
-  printf '100 1 0 0\n2 0\n12 12\n%s%s\n%s %s\n%s\n' "$(repeat 12 '0 ')" "$(repeat 12 '1 ')" $i $i "$(numbers 20 1900)"
-  printf '%s %s\n' $((i + 1)) $((i + 1))
-done >huge.g2
-head -n 26 huge.g2 >first.g2
+fractions() { # ORDER DIGITS: two curves in the plane, with such coordinates
+  for i in 1 2; do
+    printf '100 1 0 0\n2 0\n%d %d\n%s%s\n' "$1" "$1" "$(repeat "$1" '0 ')" "$(repeat "$1" '1 ')"
+    printf '%d %d\n%s\n%d %d\n' $i $i "$(numbers $((2 * $1 - 4)) "$2")" $((i + 1)) $((i + 1))
+  done
+}
+fractions 24 1900 >huge.g2
+fractions 12 600 >large.g2
 {
   printf '<svg xmlns="http://www.w3.org/2000/svg"><path d="M0 0'
   for i in $(seq 1000); do printf 'c1 2 %d 4 5 %d' $i $i; done
@@ -29,7 +32,7 @@ head -n 26 huge.g2 >first.g2
   seq -s ' ' 0 599 | sed 's/^/ /; s/$/ 599/'
   seq 1 600 | sed 's/$/ 1/'
 } >long.g2
-run 0 verify huge.g2 && run 0 verify drawing.svg
+run 0 verify huge.g2 && run 0 verify large.g2 && run 0 verify drawing.svg
 
 limited() { # KILOBYTES ARGUMENTS...
   (
@@ -59,14 +62,14 @@ memory() { # ARGUMENTS...
 }
 if [ "${SANITIZED:-no}" = no ]; then # sanitizers need memory that is not there
   memory verify huge.g2
-  memory verify huge.g2 --within 1,1,1
+  memory verify large.g2 huge.g2 --within 1,1,1
   memory verify --surfaces "$teapot" "$teapot" "$teapot" "$teapot"
   memory verify drawing.svg
   memory plot long.g2 --no-comb -o plot.svg
   memory plot --surfaces "$teapot" -o plot.svg
   memory tessellate "$teapot" --grid 20 -o mesh.off
-  memory blend first.g2 first.g2 --kernel exact -o blend.g2
-  memory extend first.g2 --order curvature -o blend.g2
+  memory blend large.g2 large.g2 -o blend.g2
+  memory extend large.g2 --order curvature -o blend.g2
 fi
 
 # A stack of 256 kB, at the limits of depth: groups in groups, curves of the highest order.
@@ -96,7 +99,7 @@ stack() { # ARGUMENTS...: the exit code is 0 or 1
 }
 if [ "${SANITIZED:-no}" = no ]; then
   stack verify drawing.svg --json
-  stack verify order.g2 && stack verify order.g2 --kernel double && stack verify huge.g2 --within 1,1,1
+  stack verify order.g2 && stack verify order.g2 --kernel double && stack verify large.g2 --within 1,1,1
   stack verify --surfaces "$teapot" --within 1,1
   stack plot order.g2 -o plot.svg && stack plot --surfaces "$teapot" -o plot.svg && stack plot "$data/planar.g2" --alternatives -o plot.svg
   stack tessellate "$teapot" -o mesh.off && stack tessellate "$teapot" --kernel exact -o mesh.off
