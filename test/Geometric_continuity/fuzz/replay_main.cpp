@@ -15,7 +15,7 @@
 
 int main(int argc, char* argv[]) {
   std::vector<std::filesystem::path> files;
-  for (const std::string name : std::vector<std::string>(argv + 1, argv + argc))
+  for (const std::string& name : std::vector<std::string>(argv + 1, argv + argc))
     if (std::filesystem::is_directory(name))
       for (const std::filesystem::directory_entry& entry : std::filesystem::directory_iterator(name))
         files.push_back(entry.path());
