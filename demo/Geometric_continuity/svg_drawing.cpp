@@ -4,6 +4,7 @@
 
 #include "svg_drawing.h"
 
+#include "Drawing_attributes.h"
 #include "Unpacked_bytes.h"
 #include "Xml_entities.h"
 #include "input.h"
@@ -18,8 +19,6 @@
 
 #include <algorithm>
 #include <exception>
-#include <filesystem>
-#include <map>
 #include <memory>
 #include <optional>
 #include <set>
@@ -29,7 +28,6 @@
 
 namespace {
 
-typedef CGAL::Exact_rational Exact;
 typedef GC::Svg_transform<Drawing_traits> Transform;
 
 constexpr std::size_t max_depth = 256;
@@ -45,46 +43,10 @@ const std::set<std::string> skipped{"defs",     "symbol", "clipPath",       "mas
                                     "script",   "title",  "desc",           "metadata",       "foreignObject",
                                     "flowRoot", "font",   "text",           "image"};
 
-// Thrown for a length that has no meaning without a viewport or a font.
-struct Relative_length {
-  std::string text;
-};
-
 // The text of an error without its code.
 std::string reason(const GC::Error& error) {
   return std::string(error.what()).substr(to_string(error.code()).size() + 2);
 }
-
-// The attributes of one element.
-class Attributes {
-  std::map<std::string, std::string> values_;
-  std::string place_; // of the element, for messages
-
-public:
-  Attributes(const char** pairs, std::string place) : place_(std::move(place)) {
-    for (; *pairs != nullptr; pairs += 2) values_.emplace(pairs[0], pairs[1]);
-  }
-
-  bool has(const std::string& name) const { return values_.count(name) != 0; }
-  std::string text(const std::string& name) const { return has(name) ? values_.at(name) : std::string(); }
-  std::string place() const { return place_; }
-  std::string place(const std::string& name) const { return place_ + ", " + name; }
-
-  // A length in user units; 0 when it is not given.
-  Exact length(const std::string& name) const {
-    if (!has(name)) return Exact(0);
-    const std::optional<Exact> length = GC::parse_svg_length<Exact>(text(name), place(name));
-    if (!length) throw Relative_length{name + "=\"" + text(name) + '"'};
-    return *length;
-  }
-
-  // A length that is not negative.
-  Exact size(const std::string& name) const {
-    const Exact x = length(name);
-    if (x < 0) throw GC::Error(GC::Error_code::malformed_input, place(name) + ": negative");
-    return x;
-  }
-};
 
 // Reads a drawing with Expat: keeps the transforms of the open elements, and hands on the subpaths of each.
 class Drawing_reader {
@@ -193,10 +155,10 @@ class Drawing_reader {
       return;
     }
     Drawing_element element{file_, name, "", line()};
-    Attributes attributes(pairs, "");
+    Drawing_attributes attributes(pairs, "");
     element.id = attributes.text("id");
-    attributes = Attributes(pairs, file_ + ':' + std::to_string(element.line) + ": " + name +
-                                       (element.id.empty() ? "" : " \"" + element.id + '"'));
+    attributes = Drawing_attributes(pairs, file_ + ':' + std::to_string(element.line) + ": " + name +
+                                               (element.id.empty() ? "" : " \"" + element.id + '"'));
     transforms_.push_back(transforms_.empty() ? Transform() : transforms_.back());
     if (attributes.has("transform") && attributes.text("transform") != "none") transform(attributes);
     try {
@@ -209,7 +171,7 @@ class Drawing_reader {
     }
   }
 
-  void transform(const Attributes& attributes) {
+  void transform(const Drawing_attributes& attributes) {
     const std::string place = attributes.place("transform");
     const Transform inner = GC::parse_svg_transform<Drawing_traits>(attributes.text("transform"), place);
     try {
@@ -227,7 +189,7 @@ class Drawing_reader {
     --depth_;
   }
 
-  void draw(const Drawing_element& element, const Attributes& a) {
+  void draw(const Drawing_element& element, const Drawing_attributes& a) {
     const std::string& name = element.name;
     if (name == "path")
       draw_path(element, a);
@@ -247,7 +209,7 @@ class Drawing_reader {
       handler_.not_read(element, "the element that it repeats is not followed");
   }
 
-  void draw_path(const Drawing_element& element, const Attributes& a) {
+  void draw_path(const Drawing_element& element, const Drawing_attributes& a) {
     const std::string data = a.text("d");
     GC::Svg_path_reader<Drawing_traits> reader(data, a.place("d"));
     int number = 0;
@@ -255,13 +217,14 @@ class Drawing_reader {
   }
 
   // When one radius is missing, it is equal to the other one.
-  void draw_rectangle(const Drawing_element& element, const Attributes& a) {
+  void draw_rectangle(const Drawing_element& element, const Drawing_attributes& a) {
     const auto given = [&](const char* radius) { return a.has(radius) && a.text(radius) != "auto"; };
     const char *const rx = given("rx") ? "rx" : "ry", *const ry = given("ry") ? "ry" : "rx";
     const bool rounded = given(rx);
     draw(element, 1,
          GC::svg_rectangle<Drawing_traits>(a.length("x"), a.length("y"), a.size("width"), a.size("height"),
-                                           rounded ? a.size(rx) : Exact(0), rounded ? a.size(ry) : Exact(0)));
+                                           rounded ? a.size(rx) : Drawing_number(0),
+                                           rounded ? a.size(ry) : Drawing_number(0)));
   }
 
   void draw(const Drawing_element& element, int number, const Drawing_subpath& subpath) {
@@ -309,16 +272,6 @@ public:
   }
 };
 
-// What the file begins with, without a byte order mark and the zeros of UTF-16. Of pipes only standard input is looked
-// into, because others cannot be opened twice.
-std::string beginning(const std::string& file) {
-  std::error_code error;
-  if (!is_standard_input(file) && !std::filesystem::is_regular_file(file, error)) return "";
-  std::string text(Input(file).beginning(256));
-  text.erase(std::remove_if(text.begin(), text.end(), [](char c) { return c == '\0' || (c & 0x80) != 0; }), text.end());
-  return text;
-}
-
 } // namespace
 
 std::string Drawing_element::text() const {
@@ -332,14 +285,4 @@ void read_svg_drawing(std::istream& stream, const std::string& name, Drawing_han
 void read_svg_drawing(const std::string& file, Drawing_handler& handler) {
   Input stream(file);
   read_svg_drawing(stream, input_name(file), handler);
-}
-
-bool is_svg_file(const std::string& file) {
-  std::string extension = file.substr((std::min)(file.rfind('.'), file.size()));
-  for (char& c : extension)
-    if ('A' <= c && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  if (extension == ".svg" || extension == ".svgz") return true;
-  const std::string text = beginning(file);
-  const std::size_t first = text.find_first_not_of(" \t\r\n");
-  return first != std::string::npos && (text[first] == '<' || Unpacked_bytes::may_begin(text[0]));
 }
