@@ -49,8 +49,10 @@ template <class Field> struct Boundary_edge {
   Vector ends[2];
   Field x; // the smaller of the first coordinates of both ends
 
-  Boundary_edge(std::size_t p, Patch_edge e, Spline_edge_rows<Field> r) : patch(p), edge(e), rows(std::move(r)) {
-    const std::vector<Edge_piece<Field>> pieces = edge_pieces<Field>(rows);
+  Boundary_edge(std::size_t p, Patch_edge e, Spline_edge_rows<Field> r, Work_limit limit)
+      : patch(p), edge(e), rows(std::move(r)) {
+    Work_meter work(limit, "near_edges");
+    const std::vector<Edge_piece<Field>> pieces = edge_pieces<Field>(rows, work);
     ends[0] = pieces.front().rows.edge.front();
     ends[1] = pieces.back().rows.edge.back();
     x = (std::min)(ends[0][0], ends[1][0]);
@@ -82,7 +84,7 @@ template <class Field> struct Boundary_edge {
 ///   gap
 template <class PatchRange, class FT>
 std::vector<Near_edges> near_edges(const PatchRange& patches, const Model_continuity<FT>& model,
-                                   const Edge_tolerance& tolerance) {
+                                   const Edge_tolerance& tolerance, Work_limit limit = Work_limit()) {
   typedef internal::Boundary_edge<FT> Edge;
   internal::check_tolerance(tolerance);
   internal::check_finite(tolerance.gap, "near_edges: gap");
@@ -93,7 +95,7 @@ std::vector<Near_edges> near_edges(const PatchRange& patches, const Model_contin
   for (const auto& patch : patches) {
     for (; row != model.edges.end() && row->patch_a == number; ++row)
       if (row->kind == Model_edge_kind::boundary)
-        edges.emplace_back(number, row->edge_a, spline_edge_rows(patch, row->edge_a));
+        edges.emplace_back(number, row->edge_a, spline_edge_rows(patch, row->edge_a), limit);
     ++number;
   }
   std::sort(edges.begin(), edges.end(), [](const Edge& a, const Edge& b) { return bool(a.x < b.x); });

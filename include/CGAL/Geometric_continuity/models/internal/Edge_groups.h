@@ -7,9 +7,11 @@
 
 #include <CGAL/Geometric_continuity/local/coordinates.h>
 #include <CGAL/Geometric_continuity/models/internal/Edge_key.h>
+#include <CGAL/Geometric_continuity/models/internal/name_work_limit.h>
 
 #include <algorithm>
 #include <cstddef>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -120,13 +122,15 @@ template <class Surface> class Edge_groups {
   typedef typename std::vector<std::size_t>::iterator Iterator;
 
   const std::vector<const Surface*>& surfaces_;
+  const Work_limit limit_;
   std::vector<Edge_use> uses_;
   std::vector<Polygon> polygons_; // of the uses
   std::vector<Edge_use> collapsed_;
   std::vector<std::vector<Edge_use>> edges_;
 
 public:
-  explicit Edge_groups(const std::vector<const Surface*>& surfaces) : surfaces_(surfaces) {
+  explicit Edge_groups(const std::vector<const Surface*>& surfaces, Work_limit limit = Work_limit())
+      : surfaces_(surfaces), limit_(limit) {
     std::vector<std::size_t> with_polygon, other;
     for (std::size_t i = 0; i < surfaces_.size(); ++i)
       for (Patch_edge edge : patch_edges) {
@@ -187,14 +191,16 @@ private:
     std::vector<Key> keys;
     std::vector<std::size_t> order;
     for (Iterator i = begin; i != end; ++i) {
-      Key key(*surfaces_[uses_[*i].patch], uses_[*i].edge);
-      if (key.single_point()) {
+      std::optional<Key> key;
+      name_work_limit([&] { return edge_name(uses_[*i].patch, uses_[*i].edge); },
+                      [&] { key.emplace(*surfaces_[uses_[*i].patch], uses_[*i].edge, limit_); });
+      if (key->single_point()) {
         collapsed_.push_back(uses_[*i]);
         continue;
       }
       order.push_back(keys.size());
       numbers.push_back(*i);
-      keys.push_back(std::move(key));
+      keys.push_back(*std::move(key));
     }
     const auto less = [&](std::size_t a, std::size_t b) { return keys[a].compare(keys[b]) < 0; };
     for_each_run(order.begin(), order.end(), less, [&](Iterator first, Iterator last) {
