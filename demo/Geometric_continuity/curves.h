@@ -13,7 +13,6 @@
 #include <CGAL/Geometric_continuity/IO/g2.h>
 
 #include <algorithm>
-#include <fstream>
 #include <memory>
 #include <optional>
 #include <string>
@@ -55,7 +54,7 @@ inline GC::Bspline_curve<Program_traits<Exact>> exact(const GC::Bspline_curve<Pr
 template <class FT, class Result = FT> class Curve_stream {
   std::vector<std::string> files_;
   std::size_t next_file_ = 0;
-  std::ifstream stream_;
+  std::unique_ptr<Input> input_;
   std::optional<GC::G2_bspline_reader<Program_traits<FT>>> reader_;
   std::vector<Program_curve<Result>> pieces_; // the rest of a curve, last piece first
   int dimension_ = 0;
@@ -78,7 +77,7 @@ public:
         if (const std::optional<GC::Bspline_curve<Program_traits<FT>>> curve = reader_->next()) {
           if (dimension_ != 0 && curve->dimension() != dimension_)
             throw GC::Error(GC::Error_code::dimension_mismatch,
-                            files_[next_file_ - 1] + ": dimension " + std::to_string(curve->dimension()) +
+                            input_name(files_[next_file_ - 1]) + ": dimension " + std::to_string(curve->dimension()) +
                                 " after a curve of dimension " + std::to_string(dimension_));
           dimension_ = curve->dimension();
           cut(*curve);
@@ -86,8 +85,9 @@ public:
         }
       if (next_file_ == files_.size()) return std::nullopt;
       const std::string& name = files_[next_file_++];
-      stream_ = open_input(name);
-      reader_.emplace(stream_, name);
+      reader_.reset();
+      input_ = std::make_unique<Input>(name);
+      reader_.emplace(*input_, input_name(name));
     }
     std::optional<Program_curve<Result>> piece = std::move(pieces_.back());
     pieces_.pop_back();

@@ -4,8 +4,8 @@
 
 #include "command_line.h"
 #include "join_report.h"
+#include "output.h"
 
-#include <CGAL/Geometric_continuity/IO/atomic_file.h>
 #include <CGAL/Geometric_continuity/IO/figures/Svg_figure.h>
 #include <CGAL/Geometric_continuity/extensions/alternatives.h>
 #include <CGAL/Geometric_continuity/extensions/midpoint_construction.h>
@@ -17,6 +17,7 @@ const char* const usage = R"(usage: geometric_continuity plot FILE.g2... -o OUT.
 Draws the chain of curves of each file in a panel of its own, with the joins
 marked by their order. With --surfaces it draws all surfaces of the files as
 one model, with its edges coloured by their order.
+Exit code: 0 when the picture is written, 2 on bad input.
 )";
 
 // Draws the chain of curves of a file.
@@ -72,7 +73,7 @@ int plot_command(const Arguments& arguments) {
     add("closed", "the last curve of a file leads back to its first");
     add("no-polygon", "without control polygons");
     add("no-comb", "without curvature combs");
-    add("columns", po::value<int>()->default_value(3), "panels in a row");
+    add("columns", po::value<int>()->default_value(3), "panels in a row, from 1 to 1000");
     add("title", po::value<std::string>(), "title of the picture");
     add("surfaces", "the files are surfaces, class 200");
     add("isophotes", "draw surfaces in strips that show kinks, the default");
@@ -82,16 +83,20 @@ int plot_command(const Arguments& arguments) {
   if (line.help()) return requirement_met;
   if (line.files().empty()) throw std::invalid_argument("plot: no file is given; see --help");
   if (!line.has("output")) throw std::invalid_argument("plot: -o OUT.svg is needed");
+  check_picture_name(line, "output");
   const std::string title = line.text("title");
   if (line.has("surfaces")) {
+    line.refuse({"alternatives", "closed", "no-polygon", "no-comb", "columns"}, "not with --surfaces");
     if (line.has("isophotes") && line.has("shaded"))
       throw std::invalid_argument("plot: --isophotes and --shaded exclude each other");
     return plot_surfaces(line.files(), {line.text("output"), title, line.text("view"), line.has("shaded")});
   }
+  line.refuse({"isophotes", "shaded", "view"}, "only with --surfaces");
+  if (line.has("alternatives")) line.refuse({"closed"}, "not with --alternatives");
   const GC::Svg_style style{GC::Svg_role::given, !line.has("no-polygon"), !line.has("no-comb")};
-  GC::Svg_figure figure(title, line.integer("columns"));
+  GC::Svg_figure figure(title, line.integer("columns", 1, 1000));
   for (const std::string& file : line.files())
     figure.add(line.has("alternatives") ? alternatives(file, style) : picture(file, style, line.has("closed")));
-  GC::write_file_atomically(line.text("output"), [&](std::ostream& os) { figure.write(os); });
+  write_output(line.text("output"), [&](std::ostream& os) { figure.write(os); });
   return requirement_met;
 }
