@@ -58,17 +58,23 @@ template <class FT, class Result = FT> class Curve_stream {
   std::optional<GC::G2_bspline_reader<Program_traits<FT>>> reader_;
   std::vector<Program_curve<Result>> pieces_; // the rest of a curve, last piece first
   int dimension_ = 0;
+  GC::Work_limit limit_;
 
   void cut(const GC::Bspline_curve<Program_traits<FT>>& curve) {
     if constexpr (std::is_same_v<FT, Result>)
-      pieces_ = curve.bezier_pieces();
+      pieces_ = curve.bezier_pieces(limit_);
     else
-      pieces_ = exact(curve).bezier_pieces();
+      pieces_ = exact(curve).bezier_pieces(limit_);
     std::reverse(pieces_.begin(), pieces_.end());
   }
 
 public:
-  explicit Curve_stream(const std::vector<std::string>& files) : files_(files) {}
+  // The limit is that for each curve.
+  explicit Curve_stream(const std::vector<std::string>& files, GC::Work_limit limit = GC::Work_limit())
+      : files_(files), limit_(limit) {}
+
+  // The file of the last curve.
+  std::string file() const { return input_name(files_[next_file_ - 1]); }
 
   // Returns the next curve, or nothing after the last one.
   std::optional<Program_curve<Result>> next() {

@@ -3,6 +3,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
 #include "verify_drawings.h"
+#include "work_limit.h"
 
 #include "deferred_output.h"
 #include "svg_drawing.h"
@@ -76,6 +77,7 @@ std::string explanation(const GC::Join_continuity<Exact>& join, const Segment& l
 // Decides the joins of all subpaths that it receives.
 class Drawing_report : public Drawing_handler {
   const int max_order_;
+  const GC::Work_limit limit_;
   const bool json_, several_; // several_: there are several files, so that each line names its own
   const std::optional<Requirement> required_;
   Deferred_output out_;
@@ -110,8 +112,10 @@ class Drawing_report : public Drawing_handler {
   }
 
 public:
-  Drawing_report(int max_order, Report_format format, bool several, const std::optional<Requirement>& required)
-      : max_order_(max_order), json_(format == Report_format::json), several_(several), required_(required) {
+  Drawing_report(int max_order, GC::Work_limit limit, Report_format format, bool several,
+                 const std::optional<Requirement>& required)
+      : max_order_(max_order), limit_(limit), json_(format == Report_format::json), several_(several),
+        required_(required) {
     if (json_) out_.write("{\"joins\":[");
   }
 
@@ -119,7 +123,9 @@ public:
     const std::size_t n = path.segments.size();
     for (std::size_t i = 0; i < (path.closed ? n : n - 1); ++i) {
       const Segment &left = path.segments[i], &right = path.segments[(i + 1) % n];
-      const Decision decision = GC::continuity(left, right, max_order_);
+      const Decision decision = within_work_limit(
+          [&] { return "commands " + std::to_string(left.command) + " and " + std::to_string(right.command); },
+          [&] { return GC::continuity(left, right, max_order_, limit_); });
       if (decision)
         summary_.add(*decision);
       else
@@ -188,10 +194,10 @@ private:
 
 } // namespace
 
-int verify_drawings(const Arguments& files, int max_order, Report_format format,
+int verify_drawings(const Arguments& files, int max_order, GC::Work_limit limit, Report_format format,
                     const std::optional<Requirement>& required) {
   if (required) required->check_dimension(2);
-  Drawing_report report(max_order, format, files.size() > 1, required);
+  Drawing_report report(max_order, limit, format, files.size() > 1, required);
   for (const std::string& file : files) read_svg_drawing(file, report);
   return report.print(std::cout) ? requirement_met : requirement_not_met;
 }

@@ -4,6 +4,7 @@
 
 #include "commands.h"
 #include "input.h"
+#include "work_limit.h"
 
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Geometric_continuity/IO/json.h>
@@ -31,6 +32,7 @@ typedef GC::Edge_order_within Within;
 struct Demand {
   std::optional<int> order;
   std::optional<GC::Edge_tolerance> tolerance;
+  GC::Work_limit limit; // for each edge
 };
 
 const char* boolean(bool b) { return b ? "true" : "false"; }
@@ -117,7 +119,7 @@ class Model_report {
 
 public:
   Model_report(const std::vector<Surface>& surfaces, const Demand& demand)
-      : surfaces_(surfaces), demand_(demand), model_(GC::model_continuity(surfaces)) {
+      : surfaces_(surfaces), demand_(demand), model_(GC::model_continuity(surfaces, demand.limit)) {
     for (const Edge& e : model_.edges) {
       edges_.emplace_back();
       if (e.kind != GC::Model_edge_kind::shared) continue;
@@ -126,10 +128,12 @@ public:
     }
     for (const Line& l : model_.knot_lines) {
       lines_.emplace_back();
-      if (demand_.tolerance) lines_.back() = GC::order_within(surfaces[l.patch], l.line, *demand_.tolerance);
+      if (demand_.tolerance)
+        lines_.back() = GC::order_within(surfaces[l.patch], l.line, *demand_.tolerance, demand_.limit);
       failing_lines_ += fails(l.line.continuity.g_order, lines_.back());
     }
-    if (demand_.tolerance && demand_.tolerance->gap > 0) near_ = GC::near_edges(surfaces, model_, *demand_.tolerance);
+    if (demand_.tolerance && demand_.tolerance->gap > 0)
+      near_ = GC::near_edges(surfaces, model_, *demand_.tolerance, demand_.limit);
     for (const GC::Near_edges& e : near_) failing_edges_ += fails(-1, e.within);
   }
 
@@ -221,9 +225,13 @@ void Model_report::print_text() const {
 } // namespace
 
 int verify_surfaces(const Arguments& files, Report_format format, const std::optional<int>& required_g_order,
-                    const std::optional<GC::Edge_tolerance>& tolerance) {
+                    const std::optional<GC::Edge_tolerance>& tolerance, GC::Work_limit limit) {
   const std::vector<Surface> surfaces = read_surfaces<Traits>(files);
-  const Model_report report(surfaces, {required_g_order, tolerance});
+  const Model_report report =
+      within_work_limit([&] { return files.size() == 1 ? input_name(files[0]) : input_name(files[0]) + ", ..."; },
+                        [&] {
+                          return Model_report(surfaces, {required_g_order, tolerance, limit});
+                        });
   if (format == Report_format::json)
     report.print_json();
   else

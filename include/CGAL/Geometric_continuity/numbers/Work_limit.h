@@ -45,10 +45,13 @@ namespace internal {
 class Work_meter {
   const Work_limit limit_;
   const char* const place_;
+  const double allowed_;
   double steps_ = 0, search_steps_ = 0;
 
 public:
-  Work_meter(Work_limit limit, const char* place) : limit_(limit), place_(place) {}
+  // For `factor` times the limit.
+  Work_meter(Work_limit limit, const char* place, double factor = 1)
+      : limit_(limit), place_(place), allowed_(static_cast<double>(limit.steps()) * factor) {}
 
   // Takes note of as many sums or products of numbers of so many words. \throws Error `work_limit`
   void charge_sums(double number, std::size_t words) { charge(number * words); }
@@ -65,8 +68,7 @@ public:
   // Whether a search that may be stopped at any time, and has taken `done` steps, may take so many more; then takes note of them.
   // Each may take a quarter of the limit, and all together half of it more than the limit.
   bool allows_search(double done, double steps) {
-    const double limit = static_cast<double>(limit_.steps());
-    if (!(done + steps <= limit / 4 && search_steps_ + steps <= limit / 2)) return false;
+    if (!(done + steps <= allowed_ / 4 && search_steps_ + steps <= allowed_ / 2)) return false;
     search_steps_ += steps;
     return true;
   }
@@ -74,7 +76,7 @@ public:
 private:
   void charge(double steps) {
     steps_ += steps;
-    if (!(steps_ <= static_cast<double>(limit_.steps())))
+    if (!(steps_ <= allowed_))
       throw Error(Error_code::work_limit,
                   std::string(place_) + ": more than " + std::to_string(limit_.steps()) + " steps of work");
   }

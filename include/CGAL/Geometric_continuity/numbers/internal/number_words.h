@@ -63,6 +63,15 @@ struct Number_words<NT, std::void_t<decltype(numerator(std::declval<const NT&>()
   }
 };
 
+template <class Field> std::size_t number_words(const Field& x);
+
+// A Sqrt_extension.
+template <class NT>
+struct Number_words<NT,
+                    std::void_t<decltype(std::declval<const NT&>().a0()), decltype(std::declval<const NT&>().a1())>> {
+  static std::size_t of(const NT& x) { return (std::max)(number_words(x.a0()), number_words(x.a1())); }
+};
+
 template <class Field> std::size_t number_words(const Field& x) {
   typedef typename Exact_number<Field>::type Exact;
   return Number_words<Exact>::of(Exact_number<Field>::of(x));
