@@ -118,10 +118,10 @@ public:
   }
 
 private:
-  // Of one more order of G: about k^2 products of numbers not longer than this one.
-  void charge(int k, const FT& number) {
+  // Of one more order: about k^2 products of numbers as long as these two together.
+  void charge(int k, const FT& x, const FT& y) {
     if constexpr (!rounded)
-      work.charge_products(static_cast<double>(k + 1) * (k + X.dimension()), number_words(number));
+      work.charge_products(static_cast<double>(k + 1) * (k + X.dimension()), number_words(x) + number_words(y));
   }
 
   int jet_order() const { return (std::min)(X.order(), Y.order()); }
@@ -139,7 +139,7 @@ private:
     for (int k = 1;; ++k) {
       join.g_order = k;
       if (k == max_order) break;
-      charge(k, FT(powers.back() * numerators.back()));
+      charge(k, powers.back(), numerators.back());
       bell.append(numerators.back());
       powers.push_back(FT(powers.back() * g));
       powers.push_back(FT(powers.back() * g));
@@ -160,7 +160,7 @@ private:
     for (int j = 2; j <= (std::min)(max_order, X.dimension()); ++j) {
       gj *= g;
       aj *= a;
-      charge(j, gj);
+      charge(j, gj, gj);
       span.add(X[j - 1]);
       if (!span.contains(gj * Y[j] - aj * X[j])) return;
       join.f_order = j;
