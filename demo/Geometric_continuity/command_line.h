@@ -100,8 +100,8 @@ public:
 
   // What --max-work gives; the default of the library when it is not given.
   CGAL::Geometric_continuity::Work_limit work_limit() const {
+    if (!has("max-work")) return {};
     const std::string word = text("max-work");
-    if (word.empty()) return {};
     std::uint64_t steps = 0;
     const std::from_chars_result end = std::from_chars(word.data(), word.data() + word.size(), steps);
     if (end.ec != std::errc() || end.ptr != word.data() + word.size() || steps == 0)

@@ -3,10 +3,10 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
 #include "verify_drawings.h"
-#include "work_limit.h"
 
 #include "deferred_output.h"
 #include "svg_drawing.h"
+#include "work_limit.h"
 
 #include <CGAL/Geometric_continuity/IO/json.h>
 #include <CGAL/Geometric_continuity/IO/svg/svg_continuity.h>
