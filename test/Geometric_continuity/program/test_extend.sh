@@ -15,3 +15,6 @@ run 2 extend "$L" --order torsion --toward 1,2,3 --c0 1 -o no.g2 && run 2 extend
 printf '100 1 0 0\n2 0\n2 2\n0 0 1 1\n0 0\n1 0\n' >line.g2
 run 2 extend line.g2 --order curvature -o no.g2 && says err "wrong_number_of_points"
 run 0 extend line.g2 --order tangent -o two.g2 && run 2 plot line.g2 --alternatives -o no.svg
+# rounding breaks a join: the file is written all the same
+run 1 extend "$L" --order torsion --beta 1/3 --kernel double -o broken.g2 && says out "rounding has broken the join"
+run 1 verify broken.g2 --require G2 && run 0 extend "$L" --order torsion --beta 1/3 -o exact.g2 && says out "the join is proved"
