@@ -9,13 +9,17 @@
 #include "input.h"
 
 #include <CGAL/Geometric_continuity/IO/number.h>
+#include <CGAL/Geometric_continuity/numbers/Work_limit.h>
 
 #include <boost/program_options.hpp>
 
 #include <algorithm>
+#include <charconv>
+#include <cstdint>
 #include <iostream>
 #include <stdexcept>
 #include <string>
+#include <system_error>
 #include <vector>
 
 namespace po = boost::program_options;
@@ -92,6 +96,17 @@ public:
       result.push_back(parsed<FT>(option, words.substr(begin, end - begin)));
     }
     return result;
+  }
+
+  // What --max-work gives; the default of the library when it is not given.
+  CGAL::Geometric_continuity::Work_limit work_limit() const {
+    if (!has("max-work")) return {};
+    const std::string word = text("max-work");
+    std::uint64_t steps = 0;
+    const std::from_chars_result end = std::from_chars(word.data(), word.data() + word.size(), steps);
+    if (end.ec != std::errc() || end.ptr != word.data() + word.size() || steps == 0)
+      throw std::invalid_argument("--max-work: '" + word + "' is not a number of steps, such as 4000000000");
+    return CGAL::Geometric_continuity::Work_limit(steps);
   }
 
   // The value of an option that must be one of the given words.

@@ -46,12 +46,18 @@ template <class FT, class Result = FT> class Curve_stream {
   std::unique_ptr<Input> input_;
   std::optional<GC::G2_piece_reader<Program_traits<Result>, Program_traits<FT>>> reader_;
   int dimension_ = 0;
+  GC::Work_limit limit_;
 
 public:
-  explicit Curve_stream(const std::vector<std::string>& files) : files_(files), position_(files) {}
+  // The limit is that for each curve.
+  explicit Curve_stream(const std::vector<std::string>& files, GC::Work_limit limit = GC::Work_limit())
+      : files_(files), position_(files), limit_(limit) {}
 
   // Returns which part of the files has been read, from 0 to 1; 0 when that is not known.
   double part_read() { return input_ ? position_.part(next_file_ - 1, *input_) : 0; }
+
+  // Returns the file of the last curve.
+  std::string file() const { return input_name(files_[next_file_ - 1]); }
 
   // Returns the next curve, or nothing after the last one.
   std::optional<Program_curve<Result>> next() {
@@ -69,7 +75,7 @@ public:
       const std::string& name = files_[next_file_++];
       reader_.reset();
       input_ = std::make_unique<Input>(name);
-      reader_.emplace(*input_, input_name(name));
+      reader_.emplace(*input_, input_name(name), limit_);
     }
   }
 };

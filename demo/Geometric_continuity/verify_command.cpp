@@ -8,6 +8,7 @@
 #include "progress.h"
 #include "svg_drawing.h"
 #include "verify_drawings.h"
+#include "work_limit.h"
 
 #include <CGAL/Geometric_continuity/IO/json.h>
 #include <CGAL/Geometric_continuity/edges/edge_order_within.h>
@@ -49,6 +50,9 @@ that near to each other.
 What cannot be verified is named: elements of a drawing that cannot be read,
 joins whose tangents are not rational, edges of surfaces that are single points.
 With --strict that counts as not met, also without --require.
+Exact decisions on numbers of thousands of digits, or of high order and degree,
+can take long: --max-work N allows N steps, about N multiplications of machine
+words, for each join, edge or curve, instead of 4000000000.
 
 Exit code: 0 when every join meets the requirement, 1 when one does not, 2 on
 bad input, and when there is no join, unless --allow-empty accepts that.
@@ -82,6 +86,7 @@ struct Demand {
   int max_order;
   std::optional<Requirement> order;
   std::optional<GC::Join_tolerance> tolerance;
+  GC::Work_limit limit; // for each join, and for the pieces of each curve
 };
 
 // Collects the reports on the joins, and prints them when all are decided.
@@ -169,17 +174,23 @@ template <class FT> int verify(const Command_line& line, const Report_mode& mode
   const bool closed = line.has("closed");
   Chain_report report(mode, demand);
   Progress progress("joins");
-  GC::Chain_analysis<Exact_curve> chain(demand.max_order);
-  Curve_stream<FT, Exact> stream(line.files());
-  while (const std::optional<Exact_curve> curve = stream.next()) {
+  GC::Chain_analysis<Exact_curve> chain(demand.max_order, demand.limit);
+  Curve_stream<FT, Exact> stream(line.files(), demand.limit);
+  const auto next = [&] { return within_work_limit([&] { return stream.file(); }, [&] { return stream.next(); }); };
+  while (const std::optional<Exact_curve> curve = next()) {
     if (demand.order && chain.size() == 0) demand.order->check_dimension(curve->dimension());
-    chain.add(*curve, report);
+    within_work_limit(
+        [&] {
+          return stream.file() + ": join " + std::to_string(chain.size() - 1) + " -> " + std::to_string(chain.size());
+        },
+        [&] { chain.add(*curve, report); });
     progress.step(report.joins(), [&] { return stream.part_read(); });
   }
   progress.clear();
   if (chain.size() == 1 && !closed && !mode.allow_empty)
     throw std::invalid_argument("a single curve has no join; --closed asks for the join of its end and its start");
-  if (closed) chain.close(report);
+  if (closed)
+    within_work_limit([] { return std::string("the join that closes the chain"); }, [&] { chain.close(report); });
   return report.print(std::cout, chain.summary());
 }
 
@@ -196,6 +207,7 @@ int verify_command(const Arguments& arguments) {
     add("strict", "what cannot be verified counts as not met");
     add("allow-empty", "accept that there is no join");
     add("json", "print JSON");
+    add("max-work", po::value<std::string>(), "the steps of work that are allowed for one join, edge or curve");
     add("kernel", po::value<std::string>()->default_value("exact"),
         "exact: the numbers as written; double: each number is first rounded to a double, then all is exact");
   });
@@ -220,14 +232,15 @@ int verify_command(const Arguments& arguments) {
       throw std::invalid_argument("--require " + required->text() + ": along an edge G0, G1 and G2 are decided");
     if (tolerance && required && required->order() > 1)
       throw std::invalid_argument("--require " + required->text() + ": within a tolerance, G0 and G1 are decided");
-    return verify_surfaces(files, mode, required ? std::optional<int>(required->order()) : std::nullopt, tolerance);
+    return verify_surfaces(files, mode, required ? std::optional<int>(required->order()) : std::nullopt, tolerance,
+                           line.work_limit());
   }
-  Demand demand{line.integer("max-order", 0, 32), required, {}};
+  Demand demand{line.integer("max-order", 0, 32), required, {}, line.work_limit()};
   if (required) demand.max_order = (std::max)(demand.max_order, required->order());
   if (line.has("within")) demand.tolerance = join_tolerance(line);
   if (required && demand.tolerance && (required->kind() == GC::Continuity_kind::C || required->order() > 3))
     throw std::invalid_argument("--require " + required->text() + ": within a tolerance, G or F up to 3 are decided");
-  if (drawings != 0) return verify_drawings(files, demand.max_order, mode, required);
+  if (drawings != 0) return verify_drawings(files, demand.max_order, demand.limit, mode, required);
   return line.choice("kernel", {"exact", "double"}) == "exact" ? verify<Exact>(line, mode, demand)
                                                                : verify<double>(line, mode, demand);
 }

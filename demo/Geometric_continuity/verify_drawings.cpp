@@ -8,6 +8,7 @@
 #include "input.h"
 #include "progress.h"
 #include "svg_drawing.h"
+#include "work_limit.h"
 
 #include <CGAL/Geometric_continuity/IO/json.h>
 #include <CGAL/Geometric_continuity/IO/printable.h>
@@ -80,6 +81,7 @@ std::string explanation(const GC::Join_continuity<Exact>& join, const Segment& l
 // Decides the joins of all subpaths that it receives.
 class Drawing_report : public Drawing_handler {
   const int max_order_;
+  const GC::Work_limit limit_;
   const Report_mode mode_;
   const bool json_ = mode_.format == Report_format::json;
   const bool several_; // there are several files, so that each line names its own
@@ -118,8 +120,9 @@ class Drawing_report : public Drawing_handler {
   }
 
 public:
-  Drawing_report(int max_order, const Report_mode& mode, bool several, const std::optional<Requirement>& required)
-      : max_order_(max_order), mode_(mode), several_(several), required_(required) {
+  Drawing_report(int max_order, GC::Work_limit limit, const Report_mode& mode, bool several,
+                 const std::optional<Requirement>& required)
+      : max_order_(max_order), limit_(limit), mode_(mode), several_(several), required_(required) {
     if (json_) out_.write("{\"joins\":[");
   }
 
@@ -140,7 +143,9 @@ public:
     const std::size_t n = path.segments.size();
     for (std::size_t i = 0; i < (path.closed ? n : n - 1); ++i) {
       const Segment &left = path.segments[i], &right = path.segments[(i + 1) % n];
-      const Decision decision = GC::continuity(left, right, max_order_);
+      const Decision decision = within_work_limit(
+          [&] { return "commands " + std::to_string(left.command) + " and " + std::to_string(right.command); },
+          [&] { return GC::continuity(left, right, max_order_, limit_); });
       if (decision)
         summary_.add(*decision);
       else
@@ -219,10 +224,10 @@ private:
 
 } // namespace
 
-int verify_drawings(const Arguments& files, int max_order, const Report_mode& mode,
+int verify_drawings(const Arguments& files, int max_order, GC::Work_limit limit, const Report_mode& mode,
                     const std::optional<Requirement>& required) {
   if (required) required->check_dimension(2);
-  Drawing_report report(max_order, mode, files.size() > 1, required);
+  Drawing_report report(max_order, limit, mode, files.size() > 1, required);
   report.read(files);
   return report.print(std::cout);
 }

@@ -5,6 +5,7 @@
 #include "input.h"
 #include "join_report.h"
 #include "progress.h"
+#include "work_limit.h"
 
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Geometric_continuity/IO/json.h>
@@ -32,6 +33,7 @@ typedef GC::Edge_order_within Within;
 struct Demand {
   std::optional<int> order;
   std::optional<GC::Edge_tolerance> tolerance;
+  GC::Work_limit limit; // for each edge
 };
 
 const char* boolean(bool b) { return b ? "true" : "false"; }
@@ -119,7 +121,7 @@ class Model_report {
 
 public:
   Model_report(const std::vector<Surface>& surfaces, const Report_mode& mode, const Demand& demand)
-      : surfaces_(surfaces), mode_(mode), demand_(demand), model_(decided(surfaces)) {
+      : surfaces_(surfaces), mode_(mode), demand_(demand), model_(decided(surfaces, demand.limit)) {
     Progress progress("edges and knot lines within the tolerance");
     const auto step = [&] {
       const std::size_t done = edges_.size() + lines_.size();
@@ -134,11 +136,12 @@ public:
     }
     for (const Line& l : model_.knot_lines) {
       lines_.emplace_back();
-      if (demand_.tolerance) lines_.back() = GC::order_within(surfaces[l.patch], l.line, *demand_.tolerance);
+      if (demand_.tolerance)
+        lines_.back() = GC::order_within(surfaces[l.patch], l.line, *demand_.tolerance, demand_.limit);
       failing_lines_ += fails(l.line.continuity.g_order, lines_.back());
       step();
     }
-    if (demand_.tolerance && demand_.tolerance->gap > 0) near_ = near(surfaces, model_, *demand_.tolerance);
+    if (demand_.tolerance && demand_.tolerance->gap > 0) near_ = near(surfaces, model_, demand_);
     for (const GC::Near_edges& e : near_) failing_edges_ += fails(-1, e.within);
   }
 
@@ -156,16 +159,16 @@ private:
   void print_text() const;
   void print_verdict() const;
 
-  static GC::Model_continuity<FT> decided(const std::vector<Surface>& surfaces) {
+  static GC::Model_continuity<FT> decided(const std::vector<Surface>& surfaces, GC::Work_limit limit) {
     Progress progress("edges and knot lines");
-    return GC::model_continuity(surfaces, [&](std::size_t n) { progress.step(n); });
+    return GC::model_continuity(surfaces, limit, [&](std::size_t n) { progress.step(n); });
   }
 
   static std::vector<GC::Near_edges> near(const std::vector<Surface>& surfaces, const GC::Model_continuity<FT>& model,
-                                          const GC::Edge_tolerance& tolerance) {
+                                          const Demand& demand) {
     Progress progress("boundary edges");
     const auto part = [&](std::size_t n) { return double(n) / double(model.summary.boundary); };
-    return GC::near_edges(surfaces, model, tolerance,
+    return GC::near_edges(surfaces, model, *demand.tolerance, demand.limit,
                           [&](std::size_t n) { progress.step(n, [&] { return part(n); }); });
   }
 
@@ -270,7 +273,10 @@ void Model_report::print_verdict() const {
 } // namespace
 
 int verify_surfaces(const Arguments& files, const Report_mode& mode, const std::optional<int>& required_g_order,
-                    const std::optional<GC::Edge_tolerance>& tolerance) {
+                    const std::optional<GC::Edge_tolerance>& tolerance, GC::Work_limit limit) {
   const std::vector<Surface> surfaces = read_surfaces<Traits>(files);
-  return Model_report(surfaces, mode, {required_g_order, tolerance}).print();
+  return within_work_limit([&] { return files.size() == 1 ? input_name(files[0]) : input_name(files[0]) + ", ..."; },
+                           [&] {
+                             return Model_report(surfaces, mode, {required_g_order, tolerance, limit}).print();
+                           });
 }

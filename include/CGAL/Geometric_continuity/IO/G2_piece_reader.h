@@ -38,16 +38,18 @@ template <class Traits, class Source = Traits> class G2_piece_reader {
   internal::G2_size size_{0, 1}; // of the current curve
   internal::G2_knot_text<Number> text_{1};
   int points_read_ = 0;
+  Work_limit limit_;
   std::deque<FT> knots_;                      // u_k-p, ..., u_k+p+1, where k is the number of the last point
   std::deque<typename Traits::Point> points_; // b_k-p, ..., b_k
 
 public:
-  /// Reads from `is`, which must outlive the reader. Error messages begin with `name`.
+  /// Reads from `is`, which must outlive the reader. Error messages begin with `name`. The limit is that for each piece.
   /// \throws Error `cannot_read_file` when the stream is not good
-  G2_piece_reader(std::istream& is, std::string name) : parser_(is, std::move(name), internal::g2_curves) {}
+  G2_piece_reader(std::istream& is, std::string name, Work_limit limit = Work_limit())
+      : parser_(is, std::move(name), internal::g2_curves), limit_(limit) {}
 
   /// Returns the next piece, or nothing at the end of the text. After an error the reader cannot be used any more.
-  /// \throws Error as `G2_bspline_reader` does
+  /// \throws Error as `G2_bspline_reader` does, `work_limit`
   std::optional<Bezier_curve<Traits>> next() {
     for (;;) {
       while (points_read_ < size_.points)
@@ -88,7 +90,7 @@ private:
   Bezier_curve<Traits> piece() {
     const Bspline_curve<Traits> spline(points_.begin(), points_.end(),
                                        Knot_vector<FT>(degree(), std::vector<FT>(knots_.begin(), knots_.end())));
-    return spline.bezier_pieces().front();
+    return spline.bezier_pieces(limit_).front();
   }
 };
 

@@ -7,10 +7,12 @@
 
 #include <CGAL/Geometric_continuity/local/coordinates.h>
 #include <CGAL/Geometric_continuity/models/internal/Edge_key.h>
+#include <CGAL/Geometric_continuity/models/internal/name_work_limit.h>
 
 #include <algorithm>
 #include <cstddef>
 #include <numeric>
+#include <optional>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -150,12 +152,14 @@ template <class Surface> class Edge_groups {
   typedef Edge_polygon<Traits> Polygon;
 
   const std::vector<const Surface*>& surfaces_;
+  const Work_limit limit_;
   std::vector<Edge_use> uses_; // edge by edge
   std::vector<Edge_use> collapsed_;
   std::vector<Edge_uses> edges_;
 
 public:
-  explicit Edge_groups(const std::vector<const Surface*>& surfaces) : surfaces_(surfaces) {
+  explicit Edge_groups(const std::vector<const Surface*>& surfaces, Work_limit limit = Work_limit())
+      : surfaces_(surfaces), limit_(limit) {
     uses_.reserve(4 * surfaces_.size()); // so that the edges can point into it
     if (std::all_of(surfaces_.begin(), surfaces_.end(), [](const Surface* s) { return has_corner_points(*s); }))
       group_by_ends();
@@ -257,13 +261,15 @@ private:
     std::vector<Edge_use> open;
     std::vector<Key> keys;
     for (const Edge_use& use : uses) {
-      Key key(*surfaces_[use.patch], use.edge);
-      if (key.single_point()) {
+      std::optional<Key> key;
+      name_work_limit([&] { return edge_name(use.patch, use.edge); },
+                      [&] { key.emplace(*surfaces_[use.patch], use.edge, limit_); });
+      if (key->single_point()) {
         collapsed_.push_back(use);
         continue;
       }
       open.push_back(use);
-      keys.push_back(std::move(key));
+      keys.push_back(*std::move(key));
     }
     group(open, keys, [](const Key& a, const Key& b) { return a.compare(b) < 0; });
   }
