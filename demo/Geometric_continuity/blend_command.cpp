@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <array>
 #include <iomanip>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -165,10 +166,10 @@ template <class FT> std::string plot_join(const Program_curve<FT>& left, const P
              : (join.f_order > join.g_order ? 'F' + std::to_string(join.f_order) : 'G' + std::to_string(join.g_order));
 }
 
-// Draws one panel for each result.
+// Draws one panel for each result. Throws GC::Error `not_finite` for coordinates that are too large to be drawn.
 template <class FT>
-void plot(const std::string& file, const std::string& title, const Scene<FT>& scene,
-          const std::vector<Result<FT>>& results, const Program_curve<FT>& phi, const Program_curve<FT>& psi) {
+GC::Svg_figure picture(const std::string& title, const Scene<FT>& scene, const std::vector<Result<FT>>& results,
+                       const Program_curve<FT>& phi, const Program_curve<FT>& psi) {
   const bool chain = scene.before.size() + scene.after.size() > 2;
   GC::Svg_figure figure(title, 3);
   for (const Result<FT>& r : results) {
@@ -184,7 +185,7 @@ void plot(const std::string& file, const std::string& title, const Scene<FT>& sc
     panel.add(psi, neighbour);
     figure.add(panel);
   }
-  write_output(file, [&](std::ostream& os) { figure.write(os); });
+  return figure;
 }
 
 // Refuses the parameters of the free strategies where they have no meaning.
@@ -242,6 +243,8 @@ template <class FT> int blend(const Command_line& line) {
   report << (proved ? "both joins of every blend are proved in exact arithmetic\n"
                     : "decided in exact arithmetic: rounding has broken a join\n");
 
+  std::optional<GC::Svg_figure> figure;
+  if (line.has("plot")) figure = picture(line.text("title"), scene, results, phi, psi);
   if (line.has("output"))
     write_output(line.text("output"), [&](std::ostream& os) {
       const bool chain = line.has("replace") && results.size() == 1;
@@ -255,7 +258,7 @@ template <class FT> int blend(const Command_line& line) {
       if (chain)
         for (const Program_curve<FT>& c : scene.after) GC::write_g2(os, c);
     });
-  if (line.has("plot")) plot(line.text("plot"), line.text("title"), scene, results, phi, psi);
+  if (figure) write_output(line.text("plot"), [&](std::ostream& os) { figure->write(os); });
   return proved ? requirement_met : requirement_not_met;
 }
 

@@ -78,18 +78,18 @@ template <class FT> int extend(const Command_line& line) {
                       << (proved ? "the join is proved in exact arithmetic\n"
                                  : "decided in exact arithmetic: rounding has broken the join\n");
 
+  GC::Svg_panel panel;
+  if (line.has("plot")) {
+    const GC::Svg_style given{GC::Svg_role::given, false, true}, neighbour{GC::Svg_role::given, true, true},
+        added{GC::Svg_role::result, true, true, "extension"};
+    for (const Program_curve<FT>& c : curves) panel.add(c, &c == &last ? neighbour : given);
+    panel.join(orders(join)).add(next, added);
+  }
   write_output(line.text("output"), [&](std::ostream& os) {
     for (const Program_curve<FT>& c : curves) GC::write_g2(os, c);
     GC::write_g2(os, next);
   });
-  if (line.has("plot")) {
-    const GC::Svg_style given{GC::Svg_role::given, false, true}, neighbour{GC::Svg_role::given, true, true},
-        added{GC::Svg_role::result, true, true, "extension"};
-    GC::Svg_panel panel;
-    for (const Program_curve<FT>& c : curves) panel.add(c, &c == &last ? neighbour : given);
-    panel.join(orders(join)).add(next, added);
-    write_output(line.text("plot"), [&](std::ostream& os) { os << GC::Svg_figure().add(panel); });
-  }
+  if (line.has("plot")) write_output(line.text("plot"), [&](std::ostream& os) { os << GC::Svg_figure().add(panel); });
   return proved ? requirement_met : requirement_not_met;
 }
 

@@ -74,3 +74,8 @@ printf '' >empty.g2 && refused "empty.g2:1: no curve" verify empty.g2
 printf '\xef\xbb\xbf' | cat - "$L" >mark.g2 && run 0 verify --closed mark.g2
 printf '\xff\xfe1\0' >utf16.g2 && refused "utf16.g2:1: the text is UTF-16" verify utf16.g2
 printf '1\0000\0000\000' >utf16.g2 && refused "utf16.g2:1: the text is UTF-16" verify utf16.g2
+curve $'2 0\n2 2\n0 0 1 1\n0 0\n1e400 0' >far.g2 # too large for a picture: nothing is written
+refused "not_finite: Svg_panel: " plot far.g2 -o no.svg
+refused "not_finite: Svg_panel: " extend far.g2 --order tangent -o no.g2 --plot no.svg
+refused "not_finite: Svg_panel: " blend far.g2 far.g2 -o no.g2 --plot no.svg
+holds [ ! -e no.g2 -a ! -e no.svg ]
