@@ -9,6 +9,7 @@
 #include <CGAL/Geometric_continuity/IO/internal/G2_parser.h>
 #include <CGAL/Geometric_continuity/curves/Bspline_curve.h>
 
+#include <algorithm>
 #include <deque>
 #include <istream>
 #include <optional>
@@ -23,7 +24,8 @@ namespace Geometric_continuity {
 /// Reads the curves of a text in the `.g2` format piece by piece: for each span of a B-spline curve its Bézier curve, with
 /// the span as domain, as `Bspline_curve::bezier_pieces()` returns them, and then those of the next curve. The curve as a
 /// whole is never there. Of a curve, only the knots as they are written and what belongs to one span are kept, so that a
-/// text with millions of control points needs less memory than it has characters. Texts are accepted as by
+/// text with millions of control points needs less memory than it has characters. A curve of an order above 16 is read as a
+/// whole: to cut it span by span would take much longer. Texts are accepted as by
 /// `G2_bspline_reader`; what is wrong in a curve is refused when it is reached, which may be after its first pieces.
 ///
 /// \tparam Traits a model of `GeometricContinuityTraits`
@@ -33,6 +35,7 @@ template <class Traits, class Source = Traits> class G2_piece_reader {
   typedef typename Traits::FT FT;
   typedef typename Source::FT Number;
   static constexpr internal::G2_shape shape = internal::G2_shape::spline;
+  static constexpr int highest_order = 16; // of a curve that is cut span by span
 
   internal::G2_parser<Source> parser_;
   internal::G2_size size_{0, 1}; // of the current curve
@@ -41,6 +44,7 @@ template <class Traits, class Source = Traits> class G2_piece_reader {
   Work_limit limit_;
   std::deque<FT> knots_;                      // u_k-p, ..., u_k+p+1, where k is the number of the last point
   std::deque<typename Traits::Point> points_; // b_k-p, ..., b_k
+  std::vector<Bezier_curve<Traits>> pieces_;  // of a curve that is read as a whole: what is left, the next one last
 
 public:
   /// Reads from `is`, which must outlive the reader. Error messages begin with `name`. The limit is that for each piece.
@@ -52,6 +56,11 @@ public:
   /// \throws Error as `G2_bspline_reader` does, `work_limit`
   std::optional<Bezier_curve<Traits>> next() {
     for (;;) {
+      if (!pieces_.empty()) {
+        const Bezier_curve<Traits> piece = std::move(pieces_.back());
+        pieces_.pop_back();
+        return piece;
+      }
       while (points_read_ < size_.points)
         if (read_point()) return piece();
       if (!parser_.next_object()) return std::nullopt;
@@ -70,15 +79,29 @@ private:
     knots_.clear();
     points_.clear();
     while (static_cast<int>(knots_.size()) < 2 * degree() + 1) knots_.push_back(FT(text_.take()));
+    if (size_.order > highest_order) read_whole_curve();
+  }
+
+  void read_whole_curve() {
+    while (points_read_ < size_.points) {
+      points_.push_back(next_point());
+      if (points_read_ >= size_.order) knots_.push_back(FT(text_.take()));
+    }
+    pieces_ = curve().bezier_pieces(limit_);
+    std::reverse(pieces_.begin(), pieces_.end());
+  }
+
+  typename Traits::Point next_point() {
+    const Coordinates<Source> x = coordinates<Source>(parser_.read_point(points_read_++, size_.points));
+    Coordinates<Traits> y(x.dimension());
+    for (int i = 0; i < x.dimension(); ++i) y[i] = FT(x[i]);
+    return to_point<Traits>(y);
   }
 
   // Returns whether the point belongs to the end of a span, which is then the one in the middle of the knots.
   bool read_point() {
-    const Coordinates<Source> x = coordinates<Source>(parser_.read_point(points_read_, size_.points));
-    Coordinates<Traits> y(x.dimension());
-    for (int i = 0; i < x.dimension(); ++i) y[i] = FT(x[i]);
-    points_.push_back(to_point<Traits>(y));
-    if (++points_read_ < size_.order) return false;
+    points_.push_back(next_point());
+    if (points_read_ < size_.order) return false;
     if (points_read_ > size_.order) {
       knots_.pop_front();
       points_.pop_front();
@@ -87,11 +110,11 @@ private:
     return knots_[degree()] < knots_[degree() + 1];
   }
 
-  Bezier_curve<Traits> piece() {
-    const Bspline_curve<Traits> spline(points_.begin(), points_.end(),
-                                       Knot_vector<FT>(degree(), std::vector<FT>(knots_.begin(), knots_.end())));
-    return spline.bezier_pieces(limit_).front();
+  // The curve of the points and knots that are there.
+  Bspline_curve<Traits> curve() const {
+    return {points_.begin(), points_.end(), Knot_vector<FT>(degree(), std::vector<FT>(knots_.begin(), knots_.end()))};
   }
+  Bezier_curve<Traits> piece() const { return curve().bezier_pieces(limit_).front(); }
 };
 
 } // namespace Geometric_continuity
