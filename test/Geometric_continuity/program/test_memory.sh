@@ -60,17 +60,15 @@ memory() { # ARGUMENTS...
   echo "$refusals of 10 limits from $starts to $suffices kB refused: $*"
   holds [ -z "$(find . -name '.geometric_continuity*')" ]
 }
-if [ "${SANITIZED:-no}" = no ]; then # sanitizers need memory that is not there
-  memory verify huge.g2
-  memory verify large.g2 huge.g2 --within 1,1,1
-  memory verify --surfaces "$teapot" "$teapot" "$teapot" "$teapot"
-  memory verify drawing.svg
-  memory plot long.g2 --no-comb -o plot.svg
-  memory plot --surfaces "$teapot" -o plot.svg
-  memory tessellate "$teapot" --grid 20 -o mesh.off
-  memory blend large.g2 large.g2 -o blend.g2
-  memory extend large.g2 --order curvature -o blend.g2
-fi
+memory verify huge.g2
+memory verify large.g2 huge.g2 --within 1,1,1
+memory verify --surfaces "$teapot" "$teapot" "$teapot" "$teapot"
+memory verify drawing.svg
+memory plot long.g2 --no-comb -o plot.svg
+memory plot --surfaces "$teapot" -o plot.svg
+memory tessellate "$teapot" --grid 20 -o mesh.off
+memory blend large.g2 large.g2 -o blend.g2
+memory extend large.g2 --order curvature -o blend.g2
 
 # A stack of 256 kB, at the limits of depth: groups in groups, curves of the highest order.
 nested=$(repeat 254 '<g transform="scale(2)">')$(printf '<path d="M0 0h1v1"/>')$(repeat 254 '</g>')
@@ -97,13 +95,11 @@ stack() { # ARGUMENTS...: the exit code is 0 or 1
   echo "exit code $code with a small stack: $*"
   head -c 1000 err
 }
-if [ "${SANITIZED:-no}" = no ]; then
-  stack verify drawing.svg --json
-  stack verify order.g2 && stack verify order.g2 --kernel double && stack verify large.g2 --within 1,1,1
-  stack verify --surfaces "$teapot" --within 1,1
-  stack plot order.g2 -o plot.svg && stack plot --surfaces "$teapot" -o plot.svg && stack plot "$data/planar.g2" --alternatives -o plot.svg
-  stack tessellate "$teapot" -o mesh.off && stack tessellate "$teapot" --kernel exact -o mesh.off
-  stack connect c.g2 c1.g2 c2.g2 -o ribbon.g2
-  stack blend left.g2 right.g2 -o blend.g2 && stack blend left.g2 right.g2 --order 3 -o blend.g2
-  stack blend "$L" "$R" --strategy all --plot plot.svg && stack extend left.g2 --order torsion -o blend.g2
-fi
+stack verify drawing.svg --json
+stack verify order.g2 && stack verify order.g2 --kernel double && stack verify large.g2 --within 1,1,1
+stack verify --surfaces "$teapot" --within 1,1
+stack plot order.g2 -o plot.svg && stack plot --surfaces "$teapot" -o plot.svg && stack plot "$data/planar.g2" --alternatives -o plot.svg
+stack tessellate "$teapot" -o mesh.off && stack tessellate "$teapot" --kernel exact -o mesh.off
+stack connect c.g2 c1.g2 c2.g2 -o ribbon.g2
+stack blend left.g2 right.g2 -o blend.g2 && stack blend left.g2 right.g2 --order 3 -o blend.g2
+stack blend "$L" "$R" --strategy all --plot plot.svg && stack extend left.g2 --order torsion -o blend.g2
