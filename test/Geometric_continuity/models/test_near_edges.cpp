@@ -64,6 +64,7 @@ BOOST_AUTO_TEST_CASE(near_edges_of_a_model) {
 
 BOOST_AUTO_TEST_CASE(progress_is_told) {
   // strips of two linear patches each, three side by side and one apart
+  typedef GC::Traits_3<CGAL::Epick> Space;
   typedef GC::Bspline_surface<Space> Surface;
   const GC::Knot_vector<double> u(1, {0, 0, 1, 2, 2}), v(1, {0, 0, 1, 1});
   std::vector<Surface> strips;
