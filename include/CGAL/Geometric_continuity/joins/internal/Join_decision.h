@@ -118,10 +118,10 @@ public:
   }
 
 private:
-  // Of one more order: about k^2 products of numbers as long as these two together.
-  void charge(int k, const FT& x, const FT& y) {
+  // So many products of numbers as long as these. Those with 0 cost nothing.
+  void charge(double number, const FT& x, const FT& y) {
     if constexpr (!rounded)
-      work.charge_products(static_cast<double>(k + 1) * (k + X.dimension()), number_words(x) + number_words(y));
+      if (x != FT(0) && y != FT(0)) work.charge_products(number, number_words(x), number_words(y));
   }
 
   int jet_order() const { return (std::min)(X.order(), Y.order()); }
@@ -136,16 +136,23 @@ private:
     Bell_polynomials<FT> bell;
     std::vector<FT> powers{FT(1), g}; // of g, up to 2k-1
     std::vector<FT> numerators{g, a};
+    int factors = 0; // that are not 0
     for (int k = 1;; ++k) {
       join.g_order = k;
       if (k == max_order) break;
-      charge(k, powers.back(), numerators.back());
+      factors += numerators.back() != FT(0);
+      charge(3, powers.back(), g);
       bell.append(numerators.back());
       powers.push_back(FT(powers.back() * g));
       powers.push_back(FT(powers.back() * g));
       Vector v = powers[2 * k] * Y[k + 1];
-      for (int m = 2; m <= k + 1; ++m) v -= FT(powers[m - 2] * bell(k + 1, m)) * X[m];
+      for (int m = 2; m <= k + 1; ++m) {
+        const FT& b = bell(k + 1, m);
+        charge(factors + X.dimension(), powers[m - 2], b);
+        v -= FT(powers[m - 2] * b) * X[m];
+      }
       const FT b = dot(v, X[1]);
+      charge(4 * X.dimension(), b, g);
       if (g * v != b * X[1]) break;
       numerators.push_back(b);
     }
@@ -160,7 +167,7 @@ private:
     for (int j = 2; j <= (std::min)(max_order, X.dimension()); ++j) {
       gj *= g;
       aj *= a;
-      charge(j, gj, gj);
+      charge(j * (j + X.dimension()), gj, gj);
       span.add(X[j - 1]);
       if (!span.contains(gj * Y[j] - aj * X[j])) return;
       join.f_order = j;
