@@ -69,8 +69,8 @@ long_fractions 40 >fractions.g2
 bounded 60 0 verify --max-order 32 --require G32 fractions.g2
 run 2 verify --max-order 32 --max-work 100000 fractions.g2
 says err "fractions.g2: " "--max-work N"
-long_fractions 1900 >longer.g2
-bounded 120 2 verify --max-order 32 longer.g2
+long_fractions 400 >longer.g2
+bounded 60 2 verify --max-order 32 longer.g2
 says err "longer.g2: " "--max-work N"
 
 # The option.
