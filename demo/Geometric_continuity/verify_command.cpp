@@ -215,12 +215,10 @@ int verify_command(const Arguments& arguments) {
   if (drawings != 0) {
     if (drawings != static_cast<std::ptrdiff_t>(files.size()))
       throw std::invalid_argument("drawings (.svg) and curves (.g2) cannot be verified together");
-    for (const char* option : {"surfaces", "closed", "within"})
-      if (line.has(option)) throw std::invalid_argument(std::string("--") + option + ": not for drawings");
-    if (line.choice("kernel", {"exact", "double"}) != "exact")
-      throw std::invalid_argument("--kernel double: drawings are read exactly");
+    line.refuse({"surfaces", "closed", "within", "kernel"}, "not for drawings");
   }
   if (line.has("surfaces")) {
+    line.refuse({"closed", "max-order", "kernel"}, "not with --surfaces");
     std::optional<GC::Edge_tolerance> tolerance;
     if (line.has("within")) tolerance = edge_tolerance(line);
     if (required && (required->kind() != GC::Continuity_kind::G || required->order() > 2))
@@ -229,8 +227,7 @@ int verify_command(const Arguments& arguments) {
       throw std::invalid_argument("--require " + required->text() + ": within a tolerance, G0 and G1 are decided");
     return verify_surfaces(files, format, required ? std::optional<int>(required->order()) : std::nullopt, tolerance);
   }
-  Demand demand{line.integer("max-order"), required, {}};
-  if (demand.max_order < 0 || demand.max_order > 32) throw std::invalid_argument("--max-order: not from 0 to 32");
+  Demand demand{line.integer("max-order", 0, 32), required, {}};
   if (required) demand.max_order = (std::max)(demand.max_order, required->order());
   if (line.has("within")) demand.tolerance = join_tolerance(line);
   if (required && demand.tolerance && (required->kind() == GC::Continuity_kind::C || required->order() > 3))

@@ -42,7 +42,7 @@ public:
     for (std::size_t i = 0; i < patches_.size(); ++i) add_knot_lines(i);
     const Edge_groups<Surface> groups(patches_);
     for (const Edge_use& use : groups.collapsed()) add(Model_edge_kind::collapsed, use);
-    for (const std::vector<Edge_use>& uses : groups.edges()) {
+    for (const Edge_uses& uses : groups.edges()) {
       if (uses.size() == 1) add(Model_edge_kind::boundary, uses[0]);
       for (std::size_t i = 1; i < uses.size(); ++i) share(uses[i - 1], uses[i], uses.size() > 2);
     }

@@ -69,31 +69,6 @@ inline std::string svg_text(double x, double y, double size, const char* colour,
          "\" fill=\"" + colour + "\" text-anchor=\"" + anchor + '"' + more + '>' + svg_escape(text) + "</text>\n";
 }
 
-// Where a label beside p is farthest from all that is drawn and from the edge of the panel, among eight places.
-inline Svg_pixel svg_label_place(const Svg_pixel& p, double text_width, const std::vector<Svg_pixel>& drawn,
-                                 const Svg_pixel& panel_size) {
-  const Svg_pixel half = svg_vector({0.5 * text_width, 4.5});
-  Svg_pixel best = p;
-  double best_distance = -1e6;
-  for (const Svg_pixel& d :
-       {svg_vector({0.0, -1.0}), svg_vector({0.0, 1.0}), svg_vector({1.0, 0.0}), svg_vector({-1.0, 0.0}),
-        svg_vector({0.7, -0.8}), svg_vector({-0.7, -0.8}), svg_vector({0.7, 0.8}), svg_vector({-0.7, 0.8})}) {
-    const Svg_pixel q = p + svg_vector({d[0] * (half[0] + 8), d[1] * (half[1] + 8)});
-    double distance = 12; // farther is not better
-    for (const Svg_pixel& o : drawn) {
-      Svg_pixel away(2); // from the box of the text
-      for (int i : {0, 1}) away[i] = (std::max)(0.0, std::abs(o[i] - q[i]) - half[i]);
-      distance = (std::min)(distance, svg_length(away));
-    }
-    for (int i : {0, 1}) distance = (std::min)({distance, q[i] - half[i] - 2, panel_size[i] - q[i] - half[i] - 2});
-    if (distance > best_distance) {
-      best = q;
-      best_distance = distance;
-    }
-  }
-  return best;
-}
-
 // What the legend calls a curve.
 inline std::string name_of(const Svg_style& style) {
   if (!style.name.empty()) return style.name;
