@@ -10,6 +10,7 @@
 #include "measure.h"
 
 #include <CGAL/Geometric_continuity/Traits_3.h>
+#include <CGAL/Geometric_continuity/blends/Fair.h>
 #include <CGAL/Geometric_continuity/blends/blend.h>
 #include <CGAL/Geometric_continuity/blends/blend_batch.h>
 #include <CGAL/Simple_cartesian.h>
@@ -91,13 +92,13 @@ int main(int argc, char** argv) {
   std::mt19937 random(2026);
   static const Ends left(random), right(random);
   static GC::Blend_arrays<double, 3> gamma, energy;
-  GC::blend(left.arrays, right.arrays, GC::Minimal_second_derivative(), gamma);
-  GC::blend(left.arrays, right.arrays, GC::Minimal_energy<3>(), energy);
+  GC::blend(left.arrays, right.arrays, GC::Minimal_second_derivative(), {1, 1}, gamma);
+  GC::blend(left.arrays, right.arrays, GC::Minimal_energy<3>(), {1, 1}, energy);
   for (std::size_t l = 0; l < n; ++l) {
     const by_hand::Checked_blend hand = by_hand::checked_blend(left.hand[l], right.hand[l]);
-    const GC::Quintic_blend<Traits> single =
-                                        GC::blend(left.single[l], right.single[l], GC::Minimal_second_derivative()),
-                                    least = GC::blend(left.single[l], right.single[l]);
+    const GC::Quintic_blend<Traits> single = GC::blend(left.single[l], right.single[l], GC::Minimal_second_derivative(),
+                                                       {1, 1}),
+                                    least = GC::blend(left.single[l], right.single[l], GC::Minimal_energy<3>(), {1, 1});
     for (int j = 0; j < 6; ++j)
       for (int i = 0; i < 3; ++i) {
         check(near(hand.curve.points[j][i], single.control_point(j)[i]), "blend");
@@ -115,11 +116,13 @@ int main(int argc, char** argv) {
     benchmark::DoNotOptimize(blend);
   });
   one_by_one("quintic blends, min_second | blend()", [](std::size_t l) {
-    const GC::Quintic_blend<Traits> blend = GC::blend(left.single[l], right.single[l], GC::Minimal_second_derivative());
+    const GC::Quintic_blend<Traits> blend =
+        GC::blend(left.single[l], right.single[l], GC::Minimal_second_derivative(), {1, 1});
     benchmark::DoNotOptimize(blend);
   });
-  at_once("quintic blends, min_second | blend(), batch", n,
-          [] { GC::blend(left.arrays, right.arrays, GC::Minimal_second_derivative(), gamma); });
+  at_once("quintic blends, min_second | blend(), batch", n, [] {
+    GC::blend(left.arrays, right.arrays, GC::Minimal_second_derivative(), {1, 1}, gamma);
+  });
 #ifdef GEOMETRIC_CONTINUITY_WITH_SISL
   check(sisl_blend(), "SISL, blend");
   at_once("quintic blends, min_second | SISL, s1607, G1 only", 1, [] { sisl_blend(); });
@@ -129,10 +132,19 @@ int main(int argc, char** argv) {
   at_once("quintic blends, min_second | OpenCASCADE, FairCurve, in the plane", 1, [] { occt_blend(); });
 #endif
   one_by_one("quintic blends, energy3 | blend()", [](std::size_t l) {
+    const GC::Quintic_blend<Traits> blend = GC::blend(left.single[l], right.single[l], GC::Minimal_energy<3>(), {1, 1});
+    benchmark::DoNotOptimize(blend);
+  });
+  at_once("quintic blends, energy3 | blend(), batch", n, [] {
+    GC::blend(left.arrays, right.arrays, GC::Minimal_energy<3>(), {1, 1}, energy);
+  });
+  one_by_one("quintic blends, energy3 | blend(), automatic shape", [](std::size_t l) {
     const GC::Quintic_blend<Traits> blend = GC::blend(left.single[l], right.single[l]);
     benchmark::DoNotOptimize(blend);
   });
-  at_once("quintic blends, energy3 | blend(), batch", n,
-          [] { GC::blend(left.arrays, right.arrays, GC::Minimal_energy<3>(), energy); });
+  one_by_one("quintic blends, fair | blend()", [](std::size_t l) {
+    const GC::Quintic_blend<Traits> blend = GC::blend(left.single[l], right.single[l], GC::Fair());
+    benchmark::DoNotOptimize(blend);
+  });
   return run_benchmarks(argc, argv);
 }

@@ -71,7 +71,7 @@ template <class Traits> Jets<Traits> jets(Numbers kind) {
 
 template <class Traits, class Strategy>
 auto by_blend(const GC::Curve_jet<Traits>& phi, const GC::Curve_jet<Traits>& psi, const Strategy& strategy) {
-  return GC::blend(phi, psi, strategy);
+  return GC::blend(phi, psi, strategy, {});
 }
 
 // A strategy that keeps to the number type of the traits class: the formulas with its operators.
@@ -79,7 +79,7 @@ template <class Strategy> struct In_one_field : Strategy { typedef CGAL::Tag_fal
 
 template <class Traits, class Strategy>
 auto by_operators(const GC::Curve_jet<Traits>& phi, const GC::Curve_jet<Traits>& psi, const Strategy&) {
-  return GC::blend(phi, psi, In_one_field<Strategy>());
+  return GC::blend(phi, psi, In_one_field<Strategy>(), {});
 }
 
 #ifdef CGAL_USE_GMPXX

@@ -37,7 +37,7 @@ BOOST_NOINLINE by_hand::Blend blend_by_hand_unchecked(const by_hand::Jet& x, con
   return by_hand::blend(x, y);
 }
 BOOST_NOINLINE GC::Quintic_blend<Traits> blend_generic(const Jet& x, const Jet& y) {
-  return GC::blend(x, y, GC::Minimal_second_derivative());
+  return GC::blend(x, y, GC::Minimal_second_derivative(), {1, 1});
 }
 
 int main() {

@@ -80,6 +80,8 @@
 #include <CGAL/Geometric_continuity/joins/order_within.h>
 #include <CGAL/Geometric_continuity/joins/polygon_tests.h>
 
+#include <CGAL/Geometric_continuity/blends/Fair.h>
+#include <CGAL/Geometric_continuity/blends/automatic_shape.h>
 #include <CGAL/Geometric_continuity/blends/blend.h>
 #include <CGAL/Geometric_continuity/blends/blend_batch.h>
 #include <CGAL/Geometric_continuity/blends/blend_ends.h>

@@ -34,6 +34,14 @@ BOOST_AUTO_TEST_CASE(blends) {
     }
   };
   check(GC::Minimal_energy<3>());
+  const GC::Shape_parameters<Exact> shape(2, Exact(1) / 3);
+  GC::blend<CGAL::Parallel_if_available_tag>(phi, psi, GC::Minimal_energy<2>(), shape, gamma);
+  for (int l = 0; l < n; ++l)
+    for (int j = 0; j <= 5; ++j)
+      for (int i = 0; i < 3; ++i)
+        BOOST_CHECK_EQUAL(gamma.array(j, i)[l],
+                          GC::blend(left[l], right[l], GC::Minimal_energy<2>(), shape).control_point(j)[i]);
+  CHECK_ERROR(GC::blend(phi, psi, GC::Minimal_energy<2>(), {1, 0}, gamma), nonpositive_beta);
   check(GC::Matching_second_derivative());
   for (int i = 0; i < 3; ++i) psi.array(1, i)[13] = 0;
   BOOST_CHECK_EXCEPTION(GC::blend(phi, psi, GC::Normal_offset(), gamma), GC::Error, [](const GC::Error& e) {

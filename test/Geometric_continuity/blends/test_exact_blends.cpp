@@ -96,11 +96,11 @@ auto by_operators(const GC::Curve_jet<Traits>& phi, const GC::Curve_jet<Traits>&
   if constexpr (GC::is_quintic_strategy_v<Strategy, Traits>) {
     const GC::Quintic_ends<FT, N> e(phi, psi, shape);
     const GC::Quintic_parameters<FT> p = strategy(e);
-    return GC::Quintic_blend<Traits>({e.a1, e.b1(), e.c1(p.s1), e.c2(p.s2), e.b2(), e.a2}, p);
+    return GC::Quintic_blend<Traits>({e.a1, e.b1(), e.c1(p.s1), e.c2(p.s2), e.b2(), e.a2}, p, shape);
   } else {
     const GC::Septic_ends<FT, N> e(phi, psi, shape);
     const GC::Septic_parameters<FT> p = strategy(e);
-    return GC::Septic_blend<Traits>(e.control_points(p), p);
+    return GC::Septic_blend<Traits>(e.control_points(p), p, shape);
   }
 }
 

@@ -69,6 +69,7 @@ BOOST_AUTO_TEST_CASE(joins, *boost::unit_test::enable_if<exact>()) {
     const Blend<Traits> gamma = smooth(GC::Matching_second_derivative());
     BOOST_CHECK_EQUAL(GC::continuity(input.phi, gamma.start_jet(2)).c_order, 2);
     BOOST_CHECK_EQUAL(GC::continuity(gamma.end_jet(2), input.psi).c_order, 2);
+    smooth.shape = GC::automatic_shape(input.phi, input.psi);
     BOOST_CHECK(same_points<Traits>(GC::blend(input.phi, input.psi), smooth(GC::Minimal_energy<3>())));
   });
 }
@@ -197,7 +198,7 @@ BOOST_AUTO_TEST_CASE(reproduction) {
       const Taylor_curve<Traits> whole(random_jet<Traits>(random, d, degree), FT(0), FT(3)); // three parts of length 1
       const Jet<Traits> phi = whole.jet(FT(1), 2), psi = whole.jet(FT(2), 2);
       if (is_zero(phi[1]) || is_zero(psi[1])) return;
-      const Blend<Traits> gamma = GC::blend(phi, psi, strategy);
+      const Blend<Traits> gamma = GC::blend(phi, psi, strategy, {});
       const Jet<Traits> expected = whole.jet(FT(1), 5), start = gamma.start_jet(5);
       // whole numbers up to 2^9, conditions below 2^3, and differences that multiply errors by up to 5! 2^5 < 2^12
       for (int j = 0; j <= 5; ++j)

@@ -201,7 +201,7 @@ BOOST_AUTO_TEST_CASE(reproduction, *boost::unit_test::enable_if<exact && cancels
       const Taylor_curve<Traits> whole(random_jet<Traits>(random, d, degree), FT(0), FT(3)); // three parts of length 1
       const Jet<Traits> phi = whole.jet(FT(1), 3), psi = whole.jet(FT(2), 3);
       if (is_zero(phi[1]) || is_zero(psi[1])) return;
-      BOOST_CHECK(GC::blend(phi, psi, strategy).start_jet(7) == whole.jet(FT(1), 7));
+      BOOST_CHECK(GC::blend(phi, psi, strategy, {}).start_jet(7) == whole.jet(FT(1), 7));
     };
     check(1, GC::Sequential_g3());
     check(1, GC::Sequential_f3());

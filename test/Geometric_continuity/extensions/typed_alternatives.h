@@ -733,9 +733,10 @@ BOOST_AUTO_TEST_CASE(close_a_chain) {
       }
     CHECK_ERROR(GC::close(last, first, Order::tangent, {FT(0), FT(1)}), nonpositive_beta);
     if (!rational_numbers) return;
-    BOOST_CHECK(same_points<Traits>(GC::close(last, first, Order::curvature), GC::blend(last, first)));
+    BOOST_CHECK(same_points<Traits>(GC::close(last, first, Order::curvature),
+                                    GC::blend(last, first, GC::Minimal_energy<3>(), {})));
     BOOST_CHECK(same_points<Traits>(GC::close(last, first, Order::torsion),
-                                    GC::blend(last, first, GC::Minimal_energy_g3<4>())));
+                                    GC::blend(last, first, GC::Minimal_energy_g3<4>(), {})));
   });
 }
 

@@ -5,6 +5,7 @@
 #ifndef CGAL_GEOMETRIC_CONTINUITY_BLENDS_BLEND_H
 #define CGAL_GEOMETRIC_CONTINUITY_BLENDS_BLEND_H
 
+#include <CGAL/Geometric_continuity/blends/automatic_shape.h>
 #include <CGAL/Geometric_continuity/blends/internal/exact_blend.h>
 #include <CGAL/Geometric_continuity/blends/quintic_strategies.h>
 #include <CGAL/Geometric_continuity/curves/Bezier_curve.h>
@@ -15,6 +16,7 @@
 #include <array>
 #include <string>
 #include <type_traits>
+#include <utility>
 
 /// \file blend.h
 /// The blend from one curve to the next: a Bézier curve on [0, 1] whose joins are \f$ G^2 \f$ (degree 5) or \f$ G^3 \f$,
@@ -28,26 +30,41 @@ namespace Geometric_continuity {
 /// A quintic blend: a Bézier curve of degree 5 on [0, 1] together with the scalars that its strategy chose.
 /// \tparam Traits a model of `GeometricContinuityTraits`
 template <class Traits> struct Quintic_blend : Bezier_curve<Traits, 5> {
-  Quintic_parameters<typename Traits::FT> parameters; ///< what the strategy chose
+  typedef Quintic_parameters<typename Traits::FT> Parameters; ///< the type of what the strategy chose
+  typedef Shape_parameters<typename Traits::FT> Shape;        ///< the type of the shape parameters
+
+  Parameters parameters; ///< what the strategy chose
+  Shape shape;           ///< the shape parameters, given or chosen
 
   /// From the coordinates of the control points.
   /// \throws Error `not_finite` for an infinite or undefined floating-point coordinate
-  Quintic_blend(const std::array<Geometric_continuity::Coordinates<Traits>, 6>& points,
-                const Quintic_parameters<typename Traits::FT>& parameters)
-      : Bezier_curve<Traits, 5>(points), parameters(parameters) {}
+  Quintic_blend(const std::array<Geometric_continuity::Coordinates<Traits>, 6>& points, const Parameters& parameters,
+                const Shape& shape)
+      : Bezier_curve<Traits, 5>(points), parameters(parameters), shape(shape) {}
 };
 
 /// \ingroup PkgGeometricContinuityConstruction
 /// A septic blend: a Bézier curve of degree 7 on [0, 1] together with the scalars that its strategy chose.
 /// \tparam Traits a model of `GeometricContinuityTraits`
 template <class Traits> struct Septic_blend : Bezier_curve<Traits, 7> {
-  Septic_parameters<typename Traits::FT> parameters; ///< what the strategy chose
+  typedef Septic_parameters<typename Traits::FT> Parameters; ///< the type of what the strategy chose
+  typedef Shape_parameters<typename Traits::FT> Shape;       ///< the type of the shape parameters
+
+  Parameters parameters; ///< what the strategy chose
+  Shape shape;           ///< the shape parameters, given or chosen
 
   /// From the coordinates of the control points.
   /// \throws Error `not_finite` for an infinite or undefined floating-point coordinate
-  Septic_blend(const std::array<Geometric_continuity::Coordinates<Traits>, 8>& points,
-               const Septic_parameters<typename Traits::FT>& parameters)
-      : Bezier_curve<Traits, 7>(points), parameters(parameters) {}
+  Septic_blend(const std::array<Geometric_continuity::Coordinates<Traits>, 8>& points, const Parameters& parameters,
+               const Shape& shape)
+      : Bezier_curve<Traits, 7>(points), parameters(parameters), shape(shape) {}
+};
+
+/// \ingroup PkgGeometricContinuityConstruction
+/// A blend by a strategy that chooses the shape parameters too, such as `Fair`, with what it reports.
+/// \tparam Blend `Quintic_blend` or `Septic_blend` \tparam Report e.g. `Fair_report`
+template <class Blend, class Report> struct Shaped_blend : Blend {
+  Report report; ///< what the strategy reports
 };
 
 namespace internal {
@@ -93,26 +110,56 @@ BOOST_FORCEINLINE Blend blend_of_jets(const Coordinate_jet<FT, N>& phi, const Co
   check_blend_input(phi, psi, Ends<FT, N>::order, shape);
   if constexpr (is_blended_on_fractions<Ends, FT, N, Strategy>()) {
     const Exact_blend<Ends, FT, N> r = blend_on_fractions<Ends>(phi, psi, strategy, shape);
-    return {r.points, r.parameters};
+    return {r.points, r.parameters, shape};
   } else if constexpr (is_blended_lazily<Ends, FT, N, Strategy>()) {
-    if (const auto r = blend_lazily<Ends>(phi, psi, strategy, shape)) return {r->points, r->parameters};
+    if (const auto r = blend_lazily<Ends>(phi, psi, strategy, shape)) return {r->points, r->parameters, shape};
   }
   // compilers keep e and p in registers only when they are not const
   Ends<FT, N> e(phi, psi, shape);
   typename Ends<FT, N>::Parameters p = strategy(e);
-  return {e.control_points(p), p};
+  return {e.control_points(p), p, shape};
 }
 
-template <class Traits, class Strategy>
+template <class Strategy, class Jet, class = void> struct Chooses_shape : std::false_type {};
+template <class Strategy, class Jet>
+struct Chooses_shape<Strategy, Jet,
+                     std::void_t<decltype(std::declval<const Strategy&>().choose(
+                         std::declval<const Jet&>(), std::declval<const Jet&>()))>> : std::true_type {};
+
+// The shape parameters are those of the strategy, if it chooses them, or those of automatic_shape().
+template <class Blend, template <class, int> class Ends, class FT, int N, class Strategy>
+BOOST_FORCEINLINE auto blend_of_jets(const Coordinate_jet<FT, N>& phi, const Coordinate_jet<FT, N>& psi,
+                                     const Strategy& strategy) {
+  check_blend_input(phi, psi, Ends<FT, N>::order, Shape_parameters<FT>());
+  if constexpr (Chooses_shape<Strategy, Coordinate_jet<FT, N>>::value) {
+    const auto chosen = strategy.choose(phi, psi);
+    return Shaped_blend<Blend, std::decay_t<decltype(chosen.report)>>{
+        blend_of_jets<Blend, Ends>(phi, psi, chosen.strategy, chosen.shape), chosen.report};
+  } else
+    return blend_of_jets<Blend, Ends>(phi, psi, strategy, automatic_shape(phi, psi));
+}
+
+// `shape` is one argument, or none.
+template <class Traits, class Strategy, class... Shape>
 BOOST_FORCEINLINE auto blend_of_jets(const Coordinate_jet<typename Traits::FT, dimension_v<Traits>>& phi,
                                      const Coordinate_jet<typename Traits::FT, dimension_v<Traits>>& psi,
-                                     const Strategy& strategy, const Shape_parameters<typename Traits::FT>& shape) {
+                                     const Strategy& strategy, const Shape&... shape) {
   if constexpr (is_quintic_strategy_v<Strategy, Traits>)
-    return blend_of_jets<Quintic_blend<Traits>, Quintic_ends>(phi, psi, strategy, shape);
+    return blend_of_jets<Quintic_blend<Traits>, Quintic_ends>(phi, psi, strategy, shape...);
   else { // asked only now, so that a quintic strategy may be a generic lambda
     static_assert(is_septic_strategy_v<Strategy, Traits>, "the strategy models BlendStrategy");
-    return blend_of_jets<Septic_blend<Traits>, Septic_ends>(phi, psi, strategy, shape);
+    return blend_of_jets<Septic_blend<Traits>, Septic_ends>(phi, psi, strategy, shape...);
   }
+}
+
+// The ends of curves are read as continuity() reads them.
+template <class Left, class Right, class Strategy, class... Shape>
+auto blend_of_curves(const Left& phi, const Right& psi, const Strategy& strategy, const Shape&... shape) {
+  typedef typename Left::Traits Traits;
+  typedef typename Traits::FT FT;
+  static_assert(std::is_same_v<Traits, typename Right::Traits>, "both curves must have the same traits class");
+  constexpr int order = is_quintic_strategy_v<Strategy, Traits> ? 2 : 3;
+  return blend_of_jets<Traits>(end_jet<FT>(phi, order), start_jet<FT>(psi, order), strategy, shape...);
 }
 
 } // namespace internal
@@ -128,6 +175,7 @@ BOOST_FORCEINLINE auto blend_of_jets(const Coordinate_jet<typename Traits::FT, d
 ///
 /// With an exact kernel the joins are exact. A constant number of field operations in a given dimension.
 ///
+/// \param shape the shape parameters, e.g. `{1, 1}` for Portnov's blends
 /// \tparam Strategy a model of `BlendStrategy`
 /// \throws Error `nonpositive_beta` unless \f$ \beta > 0 \f$ and \f$ \eta > 0 \f$ (checked first)
 /// \throws Error `dimension_mismatch` for jets of different dimensions
@@ -136,13 +184,24 @@ BOOST_FORCEINLINE auto blend_of_jets(const Coordinate_jet<typename Traits::FT, d
 /// \throws Error `not_finite` when a shape parameter is infinite, or the result overflows the number type
 template <class Traits, class Strategy>
 BOOST_FORCEINLINE auto blend(const Curve_jet<Traits>& phi, const Curve_jet<Traits>& psi, const Strategy& strategy,
-                             const Shape_parameters<typename Traits::FT>& shape = {}) {
+                             const Shape_parameters<typename Traits::FT>& shape) {
   return internal::blend_of_jets<Traits>(phi, psi, strategy, shape);
 }
 
 /// \ingroup PkgGeometricContinuityConstruction
+/// Returns the blend of two jets with the shape parameters that the strategy chooses, as `Fair` does, or else with those of
+/// `automatic_shape()`: a `Quintic_blend` or a `Septic_blend`, or a `Shaped_blend` of one of these when the strategy chooses the
+/// shape. A constant number of field operations in a given dimension, besides what the strategy needs.
+/// \tparam Strategy a model of `BlendStrategy`
+/// \throws Error `dimension_mismatch`, `jet_order_too_low`, `zero_tangent`, `not_finite` when the result overflows
+template <class Traits, class Strategy>
+BOOST_FORCEINLINE auto blend(const Curve_jet<Traits>& phi, const Curve_jet<Traits>& psi, const Strategy& strategy) {
+  return internal::blend_of_jets<Traits>(phi, psi, strategy);
+}
+
+/// \ingroup PkgGeometricContinuityConstruction
 /// Returns the quintic blend of least energy \f$ \int |\gamma'''|^2 \f$ of two jets of order at least 2, with \f$ G^2 \f$ joins
-/// and \f$ \beta = \eta = 1 \f$. A constant number of field operations in a given dimension.
+/// and the shape parameters of `automatic_shape()`. A constant number of field operations in a given dimension.
 /// \throws Error `dimension_mismatch`, `jet_order_too_low`, `zero_tangent`, `not_finite` when the result overflows
 template <class Traits> Quintic_blend<Traits> blend(const Curve_jet<Traits>& phi, const Curve_jet<Traits>& psi) {
   return blend(phi, psi, Minimal_energy<3>());
@@ -152,23 +211,32 @@ template <class Traits> Quintic_blend<Traits> blend(const Curve_jet<Traits>& phi
 /// Returns the blend from the end of the curve `phi` to the start of the curve `psi`: a `Quintic_blend` with \f$ G^2 \f$ joins
 /// or a `Septic_blend` with \f$ G^3 \f$ or \f$ F^3 \f$ joins, by the kind of the strategy. The ends are read by `end_jet()` and
 /// `start_jet()`, as `continuity()` reads them. A constant number of field operations in a given dimension, besides the jets.
+/// \param shape the shape parameters, e.g. `{1, 1}` for Portnov's blends
 /// \tparam Left, Right models of `ParametricCurve` with one traits class
 /// \tparam Strategy a model of `BlendStrategy`
 /// \throws Error `nonpositive_beta` unless \f$ \beta > 0 \f$ and \f$ \eta > 0 \f$ (checked first)
 /// \throws Error `dimension_mismatch`, `zero_tangent`, `not_finite` when a shape parameter is infinite or the result overflows
 template <class Left, class Right, class Strategy>
 auto blend(const Left& phi, const Right& psi, const Strategy& strategy,
-           const Shape_parameters<typename Left::Traits::FT>& shape = {}) {
-  typedef typename Left::Traits Traits;
-  typedef typename Traits::FT FT;
-  static_assert(std::is_same_v<Traits, typename Right::Traits>, "both curves must have the same traits class");
-  constexpr int order = is_quintic_strategy_v<Strategy, Traits> ? 2 : 3;
-  return internal::blend_of_jets<Traits>(end_jet<FT>(phi, order), start_jet<FT>(psi, order), strategy, shape);
+           const Shape_parameters<typename Left::Traits::FT>& shape) {
+  return internal::blend_of_curves(phi, psi, strategy, shape);
+}
+
+/// \ingroup PkgGeometricContinuityConstruction
+/// Returns the blend of two curves with the shape parameters that the strategy chooses, as `Fair` does, or else with those of
+/// `automatic_shape()`: a `Quintic_blend` or a `Septic_blend`, or a `Shaped_blend` of one of these when the strategy chooses the
+/// shape. A constant number of field operations in a given dimension, besides the jets and what the strategy needs.
+/// \tparam Left, Right models of `ParametricCurve` with one traits class
+/// \tparam Strategy a model of `BlendStrategy`
+/// \throws Error `dimension_mismatch`, `zero_tangent`, `not_finite` when the result overflows
+template <class Left, class Right, class Strategy>
+auto blend(const Left& phi, const Right& psi, const Strategy& strategy) {
+  return internal::blend_of_curves(phi, psi, strategy);
 }
 
 /// \ingroup PkgGeometricContinuityConstruction
 /// Returns the quintic blend of least energy \f$ \int |\gamma'''|^2 \f$ from the end of the curve `phi` to the start of the
-/// curve `psi`, with \f$ G^2 \f$ joins and \f$ \beta = \eta = 1 \f$.
+/// curve `psi`, with \f$ G^2 \f$ joins and the shape parameters of `automatic_shape()`.
 /// \tparam Left, Right models of `ParametricCurve` with one traits class
 /// \throws Error `dimension_mismatch`, `zero_tangent`, `not_finite` when the result overflows
 template <class Left, class Right> Quintic_blend<typename Left::Traits> blend(const Left& phi, const Right& psi) {

@@ -6,6 +6,7 @@
 #define CGAL_GEOMETRIC_CONTINUITY_IO_FIGURES_SVG_FIGURE_H
 
 #include <CGAL/Geometric_continuity/IO/figures/Svg_panel.h>
+#include <CGAL/Geometric_continuity/IO/figures/internal/Svg_curvature_plots.h>
 #include <CGAL/Geometric_continuity/IO/figures/internal/Svg_label_places.h>
 #include <CGAL/Geometric_continuity/IO/figures/internal/Svg_view.h>
 #include <CGAL/Geometric_continuity/IO/figures/internal/svg_markup.h>
@@ -28,6 +29,9 @@ namespace Geometric_continuity {
 /// polygon that leads far away leaves its panel. When all curves are planar the `y`-axis points upwards; otherwise the
 /// panels show an axonometric view from above, with a grid on the ground plane and the shadow of the curves on it, and
 /// planar curves have `z = 0`. Curves up to degree 3 are drawn exactly, others by cubic pieces within 1/50 of a pixel.
+///
+/// Curves with a curvature plot are drawn, one after the other as they were added, in a plot of the curvature against the arc
+/// length below their panel. It is signed in the plane: positive where the curve turns left. All plots of a figure have one scale.
 ///
 /// The teeth of a curvature comb point away from the centre of curvature and are proportional to the curvature, by one
 /// factor for the figure. By this factor nine tenths of the combed length have teeth of at most 9 % of the size of the
@@ -76,7 +80,11 @@ public:
     const int columns = (std::max)(1, (std::min)(columns_, number_of_panels()));
     const double panel_width = (std::max)(260.0, (std::min)(560.0, (960.0 - gap * (columns - 1)) / columns));
     const internal::Svg_view view(curves, spatial, panel_width);
-    const double width = columns * panel_width + (columns - 1) * gap + 2 * edge;
+    std::vector<const std::vector<internal::Svg_curve>*> curves_of_panels;
+    for (const Svg_panel& panel : panels) curves_of_panels.push_back(&panel.curves_);
+    const internal::Svg_curvature_plots plots(curves_of_panels, spatial);
+    const double width = columns * panel_width + (columns - 1) * gap + 2 * edge,
+                 height = view.height() + plots.height(); // of a panel with its plot
 
     double y = edge; // of what comes next
     std::string body = internal::svg_title(title_, edge, width, y);
@@ -86,15 +94,16 @@ public:
       for (std::size_t i = first; i < (std::min)(first + columns, panels.size()); ++i) {
         const double x = edge + (i - first) * (panel_width + gap);
         body += picture(panels[i], view, x, y, [&] { report(++drawn); });
+        body += plots.picture(i, x, y + view.height(), panel_width);
         const std::vector<std::string> caption = internal::wrapped_lines(panels[i].caption_, 12.5, panel_width);
         for (std::size_t j = 0; j < caption.size(); ++j)
-          body += internal::svg_text(x + 0.5 * panel_width, y + view.height() + 19 + 17.0 * j, 12.5, "#333333",
+          body += internal::svg_text(x + 0.5 * panel_width, y + height + 19 + 17.0 * j, 12.5, "#333333",
                                      "middle", caption[j]);
         lines = (std::max)(lines, caption.size());
       }
-      y += view.height() + 17.0 * lines + 22;
+      y += height + 17.0 * lines + 22;
     }
-    body += legend(panels, view, width, y);
+    body += legend(panels, view, plots, width, y);
     y += edge - 8;
 
     const std::string document = internal::svg_document(title_, width, y, body);
@@ -225,8 +234,8 @@ private:
   }
 
   // What occurs in the panels, with samples; moves y below it.
-  static std::string legend(const std::vector<Svg_panel>& panels, const internal::Svg_view& view, double width,
-                            double& y) {
+  static std::string legend(const std::vector<Svg_panel>& panels, const internal::Svg_view& view,
+                            const internal::Svg_curvature_plots& plots, double width, double& y) {
     using namespace internal;
     std::vector<std::pair<Svg_role, std::string>> lines; // each once
     bool polygon = false, comb = false, join = false;
@@ -252,6 +261,9 @@ private:
       items.add(view.comb_is_cut() ? "curvature comb (long teeth cut off)" : "curvature comb",
                 svg_stroke(teeth_stroke, "M2 5L0 -3M7.5 4L6.5 -5M13 3.7L13 -6M18.5 4L19.5 -5M24 5L26 -3") +
                     svg_stroke(envelope_stroke, "M0 -3Q13 -9 26 -3"));
+    if (!plots.empty())
+      items.add(plots.is_cut() ? "below: curvature against arc length (cut off)" : "below: curvature against arc length",
+                svg_stroke(given_stroke, "M2 4C9 -10 16 8 24 -6"));
     if (join) items.add("join", svg_disk(svg_vector({19.0, 0.0}), 3.4, ring_stroke));
     if (view.spatial()) items.add("shadow on the ground", svg_stroke(shadow_stroke, line));
     return items.lines(width, edge, y);

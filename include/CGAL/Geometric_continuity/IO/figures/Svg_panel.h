@@ -33,6 +33,7 @@ struct Svg_style {
   bool control_polygon = false;     ///< with its control points, thin
   bool curvature_comb = false;      ///< with teeth as long as the curvature, see `Svg_figure`
   std::string name = std::string(); ///< plain text in UTF-8 for the legend; empty: the name of the role
+  bool curvature_plot = false;      ///< in the plot of the curvature against the arc length below the panel
 };
 
 namespace internal {

@@ -1,0 +1,168 @@
+// Copyright (c) 2026 The Geometric_continuity developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_GEOMETRIC_CONTINUITY_BLENDS_FAIR_H
+#define CGAL_GEOMETRIC_CONTINUITY_BLENDS_FAIR_H
+
+#include <CGAL/Geometric_continuity/blends/automatic_shape.h>
+#include <CGAL/Geometric_continuity/blends/blend_ends.h>
+#include <CGAL/Geometric_continuity/blends/internal/fair_input.h>
+#include <CGAL/Geometric_continuity/blends/internal/fair_minimum.h>
+#include <CGAL/Geometric_continuity/numbers/internal/short_double.h>
+
+#include <array>
+#include <cmath>
+#include <type_traits>
+
+/// \file Fair.h
+/// Strategies for blends that look as if they were drawn: the least variation of curvature among all blends whose joins are of
+/// one kind. The functional is that of Moreton and Séquin,
+/// \f[ E = L^3 \int_0^L \left| \left(\tfrac{dK}{ds}\right)^{\perp} \right|^2 ds,\qquad
+///     \left(\tfrac{dK}{ds}\right)^{\perp} = \frac{1}{|d_1|^3}\Bigl(d_3^\perp - 3\,\tfrac{d_1\cdot d_2}{d_1\cdot d_1}\, d_2^\perp\Bigr), \f]
+/// with the curvature vector `K`, the length `L` and the derivatives \f$ d_1, d_2, d_3 \f$. It depends neither on the scale nor
+/// on the parameter. In the plane it is \f$ L^3\int \kappa'^2 \f$, in space \f$ L^3\int \kappa'^2+\kappa^2\tau^2 \f$.
+
+namespace CGAL {
+namespace Geometric_continuity {
+
+/// \ingroup PkgGeometricContinuityStrategies
+/// What the search for a fair blend has done.
+struct Fair_report {
+  int iterations = 0;            ///< how many steps were tried
+  double automatic_fairness = 0; ///< `E` of the blend of least energy with the automatic shape, where the search starts
+  double fairness = 0;           ///< `E` of the blend that was found; never more than `automatic_fairness`
+  bool converged = false;        ///< whether the search ended in a local minimum
+};
+
+namespace internal {
+
+// A free number with at most 12 binary digits behind the point and 20 in all: products with shape parameters are exact.
+inline double short_scalar(double x) {
+  return std::abs(x) < 256 ? std::floor(x * 4096 + 0.5) / 4096 : short_double<20>(x);
+}
+
+// The numbers of a fair blend, in floating-point numbers that are short, so that they are the same in every field.
+template <Blend_kind kind> struct Fair_numbers {
+  typedef typename Fair_end<kind, 2>::Unknowns End;
+  double beta, eta;
+  End start, end; // with the logarithm, that is not needed
+  Fair_report report;
+};
+
+// Minimises over the free numbers, and rounds them. `beta` and `eta` are the given shape, or where the search starts.
+template <Blend_kind kind, class FT, int N, class Jet>
+Fair_numbers<kind> fair_numbers(const Jet& phi, const Jet& psi, double beta, double eta, Shape_choice shape) {
+  constexpr int M = fair_dimension<N, Fair_end<kind, 2>::order>, second = Fair_end<kind, M>::unknowns;
+  typedef Fair_family<kind, M> Family;
+  const Family family = fair_family<kind, FT, N>(phi, psi, beta, eta);
+  Fair_minimum<kind, M> minimum(family, shape);
+  const auto shape_parameter = [&](double given, double logarithm) {
+    return shape == Shape_choice::given ? given : short_double<ratio_digits + 2>(given * std::exp(logarithm));
+  };
+  const auto rounded = [&](typename Family::Unknowns x) {
+    for (int k = 0; k < Family::unknowns; ++k)
+      if (k == 0 || k == second)
+        x[k] = std::log(shape_parameter(k == 0 ? beta : eta, x[k]) / (k == 0 ? beta : eta));
+      else
+        x[k] = kind == Blend_kind::g2 ? 20 * short_scalar(x[k] / 20) : short_scalar(x[k]);
+    return x;
+  };
+  minimum.take(rounded(minimum.x));
+  const typename Family::Unknowns x = rounded(minimum.x);
+  return {shape_parameter(beta, x[0]),
+          shape_parameter(eta, x[second]),
+          Family::start_of(x),
+          Family::end_of(x),
+          {minimum.iterations, minimum.before, minimum.after, minimum.converged}};
+}
+
+// What a strategy chooses that also chooses the shape.
+template <class FT, class Strategy> struct Fair_choice {
+  Shape_parameters<FT> shape;
+  Strategy strategy; // for this shape
+  Fair_report report;
+};
+
+inline Given_parameters<double> fair_scalars(const Fair_numbers<Blend_kind::g2>& x, double, double) {
+  return {short_scalar(x.start[1] / 20), short_scalar(x.end[1] / 20)};
+}
+
+// The scalars of one end with the shape parameter beta: beta tau, beta^2 nu, beta sigma, and mu = 3 beta beta_2 for G3.
+template <Blend_kind kind, class FT>
+Septic_end_parameters<FT> fair_end_scalars(const typename Fair_end<kind, 2>::Unknowns& x, const FT& beta) {
+  const FT beta2 = beta * FT(x[1]), beta3 = beta * FT(x[2]);
+  if constexpr (kind == Blend_kind::g3)
+    return {beta2, FT(FT(3) * beta * beta2), beta3};
+  else
+    return {beta2, FT(beta * beta * FT(x[3])), beta3};
+}
+template <class FT, Blend_kind kind>
+Given_end_parameters<FT> fair_scalars(const Fair_numbers<kind>& x, const FT& beta, const FT& eta) {
+  return {fair_end_scalars<kind, FT>(x.start, beta), fair_end_scalars<kind, FT>(x.end, eta)};
+}
+
+// A strategy for one kind of joins.
+template <Blend_kind kind> struct Fair_strategy {
+  /// Chooses the shape parameters and the free scalars for two jets.
+  template <class FT, int N> auto choose(const Coordinate_jet<FT, N>& phi, const Coordinate_jet<FT, N>& psi) const {
+    const Shape_parameters<FT> automatic = internal::automatic_shape(phi, psi);
+    const Fair_numbers<kind> x = fair_numbers<kind, FT, N>(phi, psi, CGAL::to_double(automatic.beta),
+                                                           CGAL::to_double(automatic.eta), Shape_choice::free);
+    const auto strategy = fair_scalars(x, x.beta, x.eta);
+    return Fair_choice<FT, std::decay_t<decltype(strategy)>>{{FT(x.beta), FT(x.eta)}, strategy, x.report};
+  }
+};
+
+template <Blend_kind kind> struct Fair_septic_strategy : Fair_strategy<kind> {
+  /// Chooses the free scalars at both ends for given shape parameters.
+  template <class FT, int N> Septic_parameters<FT> operator()(const Septic_ends<FT, N>& e) const {
+    return fair_scalars<FT>(fair_numbers<kind, FT, N>(scaled(e.start), scaled(e.end), 1, 1, Shape_choice::given),
+                            e.start.beta, e.end.beta)(e);
+  }
+
+private:
+  template <class FT, int N> static std::array<Coordinate_vector<FT, N>, 4> scaled(const Septic_end<FT, N>& e) {
+    return {e.x, e.beta * e.d1, FT(e.beta * e.beta) * e.d2, FT(e.beta * e.beta * e.beta) * e.d3};
+  }
+};
+
+} // namespace internal
+
+/// \ingroup PkgGeometricContinuityStrategies
+/// Chooses the fairest blend of degree 5 with \f$ G^2 \f$ joins: the least `E` over \f$ \beta, \eta, s_1, s_2 \f$, near the
+/// blend of least energy with the automatic shape, and with \f$ \beta, \eta \f$ within a factor of 4 of it. Where the caller
+/// gives the shape parameters, over \f$ s_1, s_2 \f$ only.
+///
+/// The search is made in floating-point numbers. What it finds is rounded to short binary fractions, with which the blend is
+/// constructed in the field of the kernel: with an exact kernel its joins are exactly \f$ G^2 \f$, whatever was found. Before this
+/// rounding `E` is at most that of the blend of least energy with the automatic shape. Where both ends lie on one line, one
+/// after the other, the blend is a part of that line. Ends whose blends all have a cusp, or numbers outside of the range of
+/// `double`, get the automatic shape, which is reported as not converged.
+///
+/// At most 100 steps, each with 24 to 96 nodes of Gauss's quadrature; nothing is allocated in dimensions 2 and 3.
+/// \models BlendStrategy
+struct Fair : internal::Fair_strategy<internal::Blend_kind::g2> {
+  /// Chooses \f$ s_1 \f$ and \f$ s_2 \f$ for given shape parameters.
+  template <class FT, int N> Quintic_parameters<FT> operator()(const Quintic_ends<FT, N>& e) const {
+    const std::array<Coordinate_vector<FT, N>, 3> phi = {e.a1, e.u, e.w1}, psi = {e.a2, e.v, e.w2};
+    return internal::fair_scalars(
+        internal::fair_numbers<internal::Blend_kind::g2, FT, N>(phi, psi, 1, 1, internal::Shape_choice::given), 1.,
+        1.)(e);
+  }
+};
+
+/// \ingroup PkgGeometricContinuityStrategies
+/// Chooses the fairest blend of degree 7 with \f$ G^3 \f$ joins: the least `E` over \f$ \beta, \beta_2, \beta_3 \f$ at both ends,
+/// near the blend of least energy \f$ \int |\gamma^{(4)}|^2 \f$. All else as for `Fair`. \models BlendStrategy
+struct Fair_g3 : internal::Fair_septic_strategy<internal::Blend_kind::g3> {};
+
+/// \ingroup PkgGeometricContinuityStrategies
+/// Chooses the fairest blend of degree 7 with \f$ F^3 \f$ joins: the least `E` over \f$ \beta, \beta_2, \mu, \beta_3 \f$ at both
+/// ends. In the plane the joins are \f$ G^2 \f$. All else as for `Fair_g3`. \models BlendStrategy
+struct Fair_f3 : internal::Fair_septic_strategy<internal::Blend_kind::f3> {};
+
+} // namespace Geometric_continuity
+} // namespace CGAL
+
+#endif // CGAL_GEOMETRIC_CONTINUITY_BLENDS_FAIR_H

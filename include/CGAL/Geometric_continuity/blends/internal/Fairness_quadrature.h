@@ -1,0 +1,230 @@
+// Copyright (c) 2026 The Geometric_continuity developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_GEOMETRIC_CONTINUITY_BLENDS_INTERNAL_FAIRNESS_QUADRATURE_H
+#define CGAL_GEOMETRIC_CONTINUITY_BLENDS_INTERNAL_FAIRNESS_QUADRATURE_H
+
+#include <CGAL/Geometric_continuity/algebra/bernstein.h>
+#include <CGAL/Geometric_continuity/blends/internal/Fair_family.h>
+#include <CGAL/Geometric_continuity/internal/independent_iterations.h>
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+
+// The fairness E = L^3 int |(dK/ds)_perp|^2 ds of a blend, and its first derivatives, by Gauss's quadrature with a fixed number
+// of nodes. With a = d1.d2/g, b = d1.d3/g, g = d1.d1,
+//
+//   f = M / g^(5/4),   M = d3 - 3a d2 + (3a^2 - b) d1,   E = L^3 int |f|^2 dt,   L = int sqrt(g) dt.
+
+CGAL_GEOMETRIC_CONTINUITY_LOOP_WARNINGS_OFF
+
+namespace CGAL {
+namespace Geometric_continuity {
+namespace internal {
+
+// Nodes and weights on [0, 1], and there the derivatives of the Bernstein polynomials.
+template <int degree, int nodes> struct Gauss_nodes {
+  static_assert(nodes % 4 == 0);
+  typedef std::array<double, nodes> Row;
+
+  Row weight, root_of_weight;
+  std::array<std::array<Row, degree + 1>, 3> b; // b[k-1][j]: derivative number k of the polynomial number j
+
+  static const Gauss_nodes& instance() {
+    static const Gauss_nodes table;
+    return table;
+  }
+
+private:
+  Gauss_nodes() {
+    for (int i = 0; i < nodes; ++i) {
+      // the zero number i of the Legendre polynomial, by Newton's method
+      double z = std::cos(std::acos(-1.) * (i + 0.75) / (nodes + 0.5)), slope = 1;
+      for (int step = 0; step < 8; ++step) {
+        double p = 1, previous = 0;
+        for (int n = 1; n <= nodes; ++n) {
+          const double next = ((2 * n - 1) * z * p - (n - 1) * previous) / n;
+          previous = p;
+          p = next;
+        }
+        slope = nodes * (z * p - previous) / (z * z - 1);
+        z -= p / slope;
+      }
+      weight[i] = 1 / ((1 - z * z) * slope * slope);
+      root_of_weight[i] = std::sqrt(weight[i]);
+      for (int j = 0; j <= degree; ++j) {
+        std::array<double, degree + 1> c{};
+        c[j] = 1;
+        int m = degree;
+        for (int k = 0; k < 3; ++k) {
+          const double factor = m;
+          for (int l = 0; l < m; ++l) c[l] = factor * (c[l + 1] - c[l]);
+          --m;
+          b[k][j][i] = value(c, m, (1 - z) / 2);
+        }
+      }
+    }
+  }
+
+  // By de Casteljau's algorithm.
+  static double value(std::array<double, degree + 1> c, int m, double t) {
+    for (; m > 0; --m)
+      for (int l = 0; l < m; ++l) c[l] += t * (c[l + 1] - c[l]);
+    return c[0];
+  }
+};
+
+// Half the gradient of E, and the matrix of Gauss and Newton: E(x + h) is near E + 2 g.h + h.Hh.
+template <int unknowns> struct Fairness_expansion {
+  std::array<double, unknowns> gradient;
+  std::array<std::array<double, unknowns>, unknowns> matrix;
+};
+
+template <Blend_kind kind, int M, int nodes> class Fairness_quadrature {
+  typedef Fair_family<kind, M> Family;
+  typedef typename Family::Unknowns Unknowns;
+  typedef typename Family::End End;
+  typedef std::array<double, nodes> Row;
+  typedef std::array<Row, M> Rows;
+  static constexpr int degree = Family::degree, unknowns = Family::unknowns;
+
+  const Family& family_;
+  const Gauss_nodes<degree, nodes>& table_ = Gauss_nodes<degree, nodes>::instance();
+
+  // At all nodes.
+  std::array<Rows, 3> d_;                  // the derivatives
+  Row speed_, over_g_, a_, e_, scale_;     // sqrt(g), 1/g, a, 3a^2 - b, sqrt(weight) / g^(5/4)
+  Rows f_;                                 // f times sqrt(weight)
+  std::array<Rows, unknowns> derivatives_; // of f, without that of L
+  double length_ = 0, sum_ = 0;
+
+public:
+  explicit Fairness_quadrature(const Family& family) : family_(family) {}
+
+  // E; infinite where the quadrature has no number, as when the derivative vanishes at a node.
+  double value(const Unknowns& x) {
+    evaluate(x);
+    const double e = length_ * length_ * length_ * sum_;
+    return e >= 0 ? e : std::numeric_limits<double>::infinity();
+  }
+
+  double length() const { return length_; } // of the last blend
+
+  // At the x of the last call of value().
+  Fairness_expansion<unknowns> expand(const Unknowns& x) {
+    Fairness_expansion<unknowns> r;
+    std::array<double, unknowns> relative_length, product; // of each derivative: that of L / L, its product with f
+    const auto starts = family_.start.tangents(Family::start_of(x));
+    const auto ends = family_.end.tangents(Family::end_of(x));
+    for (int k = 0; k < unknowns; ++k) {
+      const bool at_start = k < End::unknowns;
+      relative_length[k] = differentiate(at_start ? starts[k] : ends[k - End::unknowns], at_start, derivatives_[k]);
+      product[k] = dot(derivatives_[k], f_);
+    }
+    const double cube = length_ * length_ * length_;
+    for (int k = 0; k < unknowns; ++k) {
+      r.gradient[k] = cube * (product[k] + 1.5 * relative_length[k] * sum_);
+      for (int l = 0; l <= k; ++l)
+        r.matrix[k][l] = r.matrix[l][k] =
+            cube * (dot(derivatives_[k], derivatives_[l]) +
+                    1.5 * (relative_length[k] * product[l] + relative_length[l] * product[k]) +
+                    2.25 * relative_length[k] * relative_length[l] * sum_);
+    }
+    return r;
+  }
+
+private:
+  static double sum(const Row& x) {
+    std::array<double, 4> lanes{};
+    for (int i = 0; i < nodes; i += 4)
+      for (int l = 0; l < 4; ++l) lanes[l] += x[i + l];
+    return lanes[0] + lanes[1] + (lanes[2] + lanes[3]);
+  }
+  static double dot(const Rows& x, const Rows& y) {
+    Row products{};
+    for (int c = 0; c < M; ++c)
+      for (int i = 0; i < nodes; ++i) products[i] += x[c][i] * y[c][i];
+    return sum(products);
+  }
+  static void dot(const Rows& x, const Rows& y, Row& products) {
+    for (int i = 0; i < nodes; ++i) products[i] = x[0][i] * y[0][i];
+    for (int c = 1; c < M; ++c)
+      for (int i = 0; i < nodes; ++i) products[i] += x[c][i] * y[c][i];
+  }
+
+  void evaluate(const Unknowns& x) {
+    const typename Family::Points p = family_.points(x);
+    for (int k = 0; k < 3; ++k)
+      for (int c = 0; c < M; ++c) {
+        Row& row = d_[k][c];
+        for (int i = 0; i < nodes; ++i) row[i] = table_.b[k][1][i] * p[0][c];
+        for (int j = 2; j <= degree; ++j)
+          for (int i = 0; i < nodes; ++i) row[i] += table_.b[k][j][i] * p[j - 1][c];
+      }
+    Row g, first, second;
+    dot(d_[0], d_[0], g);
+    dot(d_[0], d_[1], first);
+    dot(d_[0], d_[2], second);
+    for (int i = 0; i < nodes; ++i) speed_[i] = std::sqrt(g[i]);
+    for (int i = 0; i < nodes; ++i) scale_[i] = std::sqrt(speed_[i]);
+    Row lengths;
+    for (int i = 0; i < nodes; ++i) {
+      over_g_[i] = 1 / g[i];
+      a_[i] = first[i] * over_g_[i];
+      e_[i] = 3 * a_[i] * a_[i] - second[i] * over_g_[i];
+      scale_[i] = table_.root_of_weight[i] * over_g_[i] / scale_[i];
+      lengths[i] = table_.weight[i] * speed_[i];
+    }
+    for (int c = 0; c < M; ++c)
+      for (int i = 0; i < nodes; ++i)
+        f_[c][i] = scale_[i] * (d_[2][c][i] - 3 * a_[i] * d_[1][c][i] + e_[i] * d_[0][c][i]);
+    length_ = sum(lengths);
+    sum_ = dot(f_, f_);
+  }
+
+  // The derivative of f, times sqrt(weight), when the control points at one end move by h; returns that of L, divided by L.
+  double differentiate(const typename End::Points& h, bool at_start, Rows& df) const {
+    std::array<Rows, 3> dd;
+    for (int k = 0; k < 3; ++k)
+      for (int c = 0; c < M; ++c) {
+        Row& row = dd[k][c];
+        for (int j = 0; j < End::order; ++j) {
+          const Row& b = table_.b[k][at_start ? j + 1 : degree - 1 - j];
+          if (j == 0)
+            for (int i = 0; i < nodes; ++i) row[i] = b[i] * h[j][c];
+          else
+            for (int i = 0; i < nodes; ++i) row[i] += b[i] * h[j][c];
+        }
+      }
+    Row p11, p12, p21, p13, p31, da, db, dg, lengths;
+    dot(d_[0], dd[0], p11);
+    dot(d_[0], dd[1], p12);
+    dot(dd[0], d_[1], p21);
+    dot(d_[0], dd[2], p13);
+    dot(dd[0], d_[2], p31);
+    for (int i = 0; i < nodes; ++i) {
+      const double b = 3 * a_[i] * a_[i] - e_[i];
+      da[i] = (p12[i] + p21[i] - 2 * a_[i] * p11[i]) * over_g_[i];
+      db[i] = (p13[i] + p31[i] - 2 * b * p11[i]) * over_g_[i];
+      dg[i] = 2.5 * p11[i] * over_g_[i];
+      lengths[i] = table_.weight[i] * p11[i] * over_g_[i] * speed_[i];
+    }
+    for (int c = 0; c < M; ++c)
+      for (int i = 0; i < nodes; ++i)
+        df[c][i] = scale_[i] * (dd[2][c][i] - 3 * a_[i] * dd[1][c][i] + e_[i] * dd[0][c][i] - 3 * da[i] * d_[1][c][i] +
+                                (6 * a_[i] * da[i] - db[i]) * d_[0][c][i]) -
+                   dg[i] * f_[c][i];
+    return sum(lengths) / length_;
+  }
+};
+
+} // namespace internal
+} // namespace Geometric_continuity
+} // namespace CGAL
+
+CGAL_GEOMETRIC_CONTINUITY_LOOP_WARNINGS_ON
+
+#endif // CGAL_GEOMETRIC_CONTINUITY_BLENDS_INTERNAL_FAIRNESS_QUADRATURE_H
