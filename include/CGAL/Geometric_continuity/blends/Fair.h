@@ -56,7 +56,6 @@ Fair_numbers<kind> fair_numbers(const Jet& phi, const Jet& psi, double beta, dou
   constexpr int M = fair_dimension<N, Fair_end<kind, 2>::order>, second = Fair_end<kind, M>::unknowns;
   typedef Fair_family<kind, M> Family;
   const Family family = fair_family<kind, FT, N>(phi, psi, beta, eta);
-  Fair_minimum<kind, M> minimum(family, shape);
   const auto shape_parameter = [&](double given, double logarithm) {
     return shape == Shape_choice::given ? given : short_double<ratio_digits + 2>(given * std::exp(logarithm));
   };
@@ -68,12 +67,11 @@ Fair_numbers<kind> fair_numbers(const Jet& phi, const Jet& psi, double beta, dou
         x[k] = kind == Blend_kind::g2 ? 20 * short_scalar(x[k] / 20) : short_scalar(x[k]);
     return x;
   };
-  minimum.take(rounded(minimum.x));
-  const typename Family::Unknowns x = rounded(minimum.x);
-  return {shape_parameter(beta, x[0]),
-          shape_parameter(eta, x[second]),
-          Family::start_of(x),
-          Family::end_of(x),
+  const Fair_minimum<kind, M> minimum(family, shape, rounded);
+  return {shape_parameter(beta, minimum.x[0]),
+          shape_parameter(eta, minimum.x[second]),
+          Family::start_of(minimum.x),
+          Family::end_of(minimum.x),
           {minimum.iterations, minimum.before, minimum.after, minimum.converged}};
 }
 
