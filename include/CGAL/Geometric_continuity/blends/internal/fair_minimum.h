@@ -12,7 +12,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstddef>
 #include <limits>
 #include <utility>
 
@@ -63,8 +62,9 @@ public:
     };
     search(start());
     if constexpr (kind == Blend_kind::g2) // the others start from what is found here
-      if (shape == Shape_choice::free && !(after < ugly))
-        for (const Unknowns& y : starts_from_everywhere()) search(y);
+      if (!(after < ugly))
+        for (const std::pair<double, Unknowns>& y : starts_from_everywhere())
+          if (y.first < std::numeric_limits<double>::infinity()) search(y.second);
     if (after <= before) return;
     x = rounded(automatic_); // nothing is better, or was found
     converged = converged && after <= (1 + agreement) * before;
@@ -103,17 +103,20 @@ private:
   }
 
   // The automatic blend may be in the reach of a bad minimum only, as when it has a small loop. Of a coarse grid of blends,
-  // those with the least E, of different shapes.
-  std::array<Unknowns, 4> starts_from_everywhere() const {
+  // those with the least E, of different shapes, where the shape is free.
+  std::array<std::pair<double, Unknowns>, 4> starts_from_everywhere() const {
     Quadrature<24> quadrature(family_);
     std::array<std::pair<double, Unknowns>, 4> best; // in increasing order
     best.fill({std::numeric_limits<double>::infinity(), automatic_});
-    for (int a = -2; a <= 2; ++a)
-      for (int b = -2; b <= 2; ++b) {
+    const bool free = shape_ == Shape_choice::free;
+    const int reach = free ? 2 : 0;
+    const double start = free ? short_[0] : 0, end = free ? short_[1] : 0;
+    for (int a = -reach; a <= reach; ++a)
+      for (int b = -reach; b <= reach; ++b) {
         std::pair<double, Unknowns> y = best.back();
         for (double s : {-4., -2., 0., 2.})
           for (double t : {-2., 0., 2., 4.}) {
-            const Unknowns z = {short_[0] + a * log2, s, short_[1] + b * log2, t};
+            const Unknowns z = {start + a * log2, s, end + b * log2, t};
             const double e = quadrature.value(z);
             if (e < y.first) y = {e, z};
           }
@@ -121,9 +124,7 @@ private:
         best.back() = y;
         std::sort(best.begin(), best.end());
       }
-    std::array<Unknowns, 4> result;
-    for (std::size_t i = 0; i < result.size(); ++i) result[i] = best[i].second;
-    return result;
+    return best;
   }
 
   // Minimises the quadrature with so many nodes, from y. Takes what was found if it is better than x, unless twice as
