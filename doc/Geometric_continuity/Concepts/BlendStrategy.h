@@ -28,13 +28,25 @@ positive. It should use field operations only, so that it works with every numbe
 to the caller in the member `parameters` of the blend. Whether a type is a quintic or a septic strategy is told by
 `CGAL::Geometric_continuity::is_quintic_strategy_v` and `CGAL::Geometric_continuity::is_septic_strategy_v`.
 
+<h3>Strategies that choose the shape</h3>
+
+Where the caller gives no shape parameters \f$ \beta, \eta \f$, they are those of `CGAL::Geometric_continuity::automatic_shape()`,
+unless the strategy has a member function `choose()`: this is called with both jets and returns a structure with the members
+
+- `shape`: the shape parameters, both positive, with the type `CGAL::Geometric_continuity::Shape_parameters<FT>`;
+- `strategy`: a quintic or septic strategy for this shape, of the same kind, with which the blend is made;
+- `report`: anything that the strategy has to say. It becomes the member `report` of the blend, which is a
+  `CGAL::Geometric_continuity::Shaped_blend`.
+
+Such a strategy has the operator too, for a shape that the caller gives. `CGAL::Geometric_continuity::Fair` is one.
+
 <h3>Exact blends several times faster</h3>
 
 With rational numbers most of the time of a construction goes into greatest common divisors, and with lazy numbers into
 the graph of the operations. A strategy that has the type `Works_in_every_field` with the value `true` is therefore called
 in other fields than that of the traits class: with fractions that are not reduced, and, for lazy numbers, with intervals
 first and with fractions when an exact value is asked for. The numbers of the blend are the same. All strategies of the
-package allow it. It requires that
+package allow it, but the fair ones. It requires that
 
 - the operator is a template over the number type `FT` of the ends, or at least can be called with ends over those fields;
 - it uses on these numbers only `+`, `-`, `*`, `/`, comparisons with `<` and `==`, and construction from `int`. A number of
@@ -55,12 +67,15 @@ A strategy that cannot be changed is allowed by a specialisation of
 \cgalHasModel{CGAL::Geometric_continuity::Near_line} (quintic)
 \cgalHasModel{CGAL::Geometric_continuity::Minimal_energy} (quintic)
 \cgalHasModel{CGAL::Geometric_continuity::Given_parameters} (quintic)
+\cgalHasModel{CGAL::Geometric_continuity::Fair} (quintic, chooses the shape)
 \cgalHasModel{CGAL::Geometric_continuity::Matching_third_derivative} (septic)
 \cgalHasModel{CGAL::Geometric_continuity::Sequential_g3} (septic)
 \cgalHasModel{CGAL::Geometric_continuity::Sequential_f3} (septic)
 \cgalHasModel{CGAL::Geometric_continuity::Joint_g3} (septic)
 \cgalHasModel{CGAL::Geometric_continuity::Minimal_energy_g3} (septic)
 \cgalHasModel{CGAL::Geometric_continuity::Given_end_parameters} (septic)
+\cgalHasModel{CGAL::Geometric_continuity::Fair_g3} (septic, chooses the shape)
+\cgalHasModel{CGAL::Geometric_continuity::Fair_f3} (septic, chooses the shape)
 \cgalHasModelsEnd
 
 \sa `CGAL::Geometric_continuity::blend()`
@@ -96,6 +111,14 @@ public:
   template <class FT, int N>
   CGAL::Geometric_continuity::Septic_parameters<FT>
   operator()(const CGAL::Geometric_continuity::Septic_ends<FT, N>& e) const;
+
+  /*!
+  Optional: chooses the shape parameters, and a strategy for them, for the end `phi` of the first and the start `psi` of the second
+  curve, which have been checked.
+  */
+  template <class FT, int N>
+  unspecified_type choose(const CGAL::Geometric_continuity::Coordinate_jet<FT, N>& phi,
+                          const CGAL::Geometric_continuity::Coordinate_jet<FT, N>& psi) const;
 
   /// @}
 };

@@ -60,6 +60,11 @@ bool beta_is(const CGAL::Exact_rational& found, double reported, int degree) {
   return std::abs(CGAL::to_double(found) - reported) <= 1e-15 * degree;
 }
 
+// With beta = eta = 1.
+Blend unit_blend(const Curve& phi, const Curve& psi) {
+  return GC::representable_blend(phi, psi, GC::Minimal_energy<3>(), {1, 1});
+}
+
 double length(const Space::Vector& v) { return std::sqrt(v.squared_length()); }
 
 } // namespace
@@ -69,7 +74,7 @@ BOOST_AUTO_TEST_CASE(points_with_digits_to_spare_stay) {
     for (int n = 1; n <= 9; ++n)
       for (int i = 0; i < 5; ++i) {
         const Curve phi = random_curve(m, on_grid), psi = random_curve(n, on_grid);
-        const Blend b = GC::representable_blend(phi, psi);
+        const Blend b = unit_blend(phi, psi);
         BOOST_CHECK(exactly_g2(b));
         BOOST_CHECK(!b.start_join.is_moved() && !b.end_join.is_moved() && b.phi == phi && b.psi == psi);
         BOOST_CHECK(std::abs(b.start_join.beta - 1) <= 1.0 / 8 && std::abs(b.end_join.beta - 1) <= 1.0 / 8);
@@ -82,7 +87,7 @@ BOOST_AUTO_TEST_CASE(full_doubles_move_by_half_a_unit) {
   for (int m = 1; m <= 9; ++m)
     for (int i = 0; i < 20; ++i) {
       const Curve phi = random_curve(m, full), psi = random_curve(3, full);
-      const Blend b = GC::representable_blend(phi, psi);
+      const Blend b = unit_blend(phi, psi);
       BOOST_CHECK(exactly_g2(b));
       BOOST_CHECK(b.start_join.is_moved() && b.end_join.is_moved());
       for (int x = 0; x < 3; ++x) {
@@ -140,7 +145,7 @@ BOOST_AUTO_TEST_CASE(unlike_sizes) {
   // coordinates of very different sizes, one grid for each
   const Curve phi{Space::Point(1e300, 1e-300, 0), Space::Point(1.1e300, 3e-300, 0), Space::Point(1.3e300, 2e-300, 0)},
       psi{Space::Point(5e299, 1e-300, 1), Space::Point(4e299, 3e-300, 2), Space::Point(7e299, 4e-300, 0.1)};
-  const Blend b = GC::representable_blend(phi, psi);
+  const Blend b = unit_blend(phi, psi);
   BOOST_CHECK(exactly_g2(b));
   BOOST_CHECK(b.start_join.grid[0] > 1e280 && b.start_join.grid[0] < 1e287 && b.start_join.grid[1] < 1e-308);
   // subnormal numbers: the grid cannot be finer than they are
@@ -148,14 +153,14 @@ BOOST_AUTO_TEST_CASE(unlike_sizes) {
   const auto small = [&](int x) { return std::ldexp(x, 40) * tiny; };
   const Curve left{Space::Point(0, 0, 0), Space::Point(small(3), small(5), 0), Space::Point(small(9), small(4), 0)};
   const Curve right{Space::Point(small(20), 0, 0), Space::Point(small(33), small(5), small(1))};
-  BOOST_CHECK(exactly_g2(GC::representable_blend(left, right)));
+  BOOST_CHECK(exactly_g2(unit_blend(left, right)));
   // a tangent of one unit in the last place has no digits for a blend
   const Curve stiff{Space::Point(1, 0, 0), Space::Point(std::nextafter(1.0, 2), 0, 0)};
-  CHECK_ERROR(GC::representable_blend(stiff, right), not_representable);
-  CHECK_ERROR(GC::representable_blend(right, stiff), not_representable);
+  CHECK_ERROR(unit_blend(stiff, right), not_representable);
+  CHECK_ERROR(unit_blend(right, stiff), not_representable);
   const double huge = std::numeric_limits<double>::max();
   const Curve wide{Space::Point(-huge, 0, 0), Space::Point(huge, 0, 0)};
-  CHECK_ERROR(GC::representable_blend(wide, right), not_representable);
+  CHECK_ERROR(unit_blend(wide, right), not_representable);
   CHECK_ERROR(GC::representable_blend(phi, psi, GC::Given_parameters<double>{1e308, 0}), not_representable);
 }
 
@@ -238,7 +243,7 @@ BOOST_AUTO_TEST_CASE(near_overflow) {
       };
       const Curve phi = curve(), psi = curve();
       try {
-        const Blend b = in_mode(mode, [&] { return GC::representable_blend(phi, psi); });
+        const Blend b = in_mode(mode, [&] { return unit_blend(phi, psi); });
         ++made;
         BOOST_CHECK(exactly_g2(b));
         for (int x = 0; x < 3; ++x)
@@ -311,4 +316,17 @@ BOOST_AUTO_TEST_CASE(errors) {
     CHECK_ERROR(GC::representable_blend(good, good, GC::Given_parameters<double>{x, 0}), not_finite);
     CHECK_ERROR(GC::representable_blend(good, good, GC::Given_parameters<double>{0, x}), not_finite);
   }
+}
+
+// The default is the automatic shape.
+BOOST_AUTO_TEST_CASE(automatic_shape) {
+  for (int m = 1; m <= 9; ++m)
+    for (int i = 0; i < 10; ++i) {
+      const Curve phi = random_curve(m, on_grid), psi = random_curve(3, on_grid);
+      const Blend b = GC::representable_blend(phi, psi);
+      BOOST_CHECK(exactly_g2(b));
+      const GC::Shape_parameters<double> shape = GC::automatic_shape(phi.end_jet(1), psi.start_jet(1));
+      BOOST_CHECK(std::abs(b.start_join.beta / shape.beta - 1) <= 1.0 / 8);
+      BOOST_CHECK(std::abs(b.end_join.beta / shape.eta - 1) <= 1.0 / 8);
+    }
 }

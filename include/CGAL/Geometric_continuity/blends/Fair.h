@@ -56,7 +56,6 @@ Fair_numbers<kind> fair_numbers(const Jet& phi, const Jet& psi, double beta, dou
   constexpr int M = fair_dimension<N, Fair_end<kind, 2>::order>, second = Fair_end<kind, M>::unknowns;
   typedef Fair_family<kind, M> Family;
   const Family family = fair_family<kind, FT, N>(phi, psi, beta, eta);
-  Fair_minimum<kind, M> minimum(family, shape);
   const auto shape_parameter = [&](double given, double logarithm) {
     return shape == Shape_choice::given ? given : short_double<ratio_digits + 2>(given * std::exp(logarithm));
   };
@@ -68,12 +67,11 @@ Fair_numbers<kind> fair_numbers(const Jet& phi, const Jet& psi, double beta, dou
         x[k] = kind == Blend_kind::g2 ? 20 * short_scalar(x[k] / 20) : short_scalar(x[k]);
     return x;
   };
-  minimum.take(rounded(minimum.x));
-  const typename Family::Unknowns x = rounded(minimum.x);
-  return {shape_parameter(beta, x[0]),
-          shape_parameter(eta, x[second]),
-          Family::start_of(x),
-          Family::end_of(x),
+  const Fair_minimum<kind, M> minimum(family, shape, rounded);
+  return {shape_parameter(beta, minimum.x[0]),
+          shape_parameter(eta, minimum.x[second]),
+          Family::start_of(minimum.x),
+          Family::end_of(minimum.x),
           {minimum.iterations, minimum.before, minimum.after, minimum.converged}};
 }
 
@@ -131,16 +129,19 @@ private:
 
 /// \ingroup PkgGeometricContinuityStrategies
 /// Chooses the fairest blend of degree 5 with \f$ G^2 \f$ joins: the least `E` over \f$ \beta, \eta, s_1, s_2 \f$, near the
-/// blend of least energy with the automatic shape, and with \f$ \beta, \eta \f$ within a factor of 4 of it. Where the caller
-/// gives the shape parameters, over \f$ s_1, s_2 \f$ only.
+/// blend of least energy with the automatic shape, and with \f$ \beta, \eta \f$ within a factor of 4 of it (or shorter tangents,
+/// where the diameter of the circle of curvature is less than the chord). Where `E` is more than 1000 there, which nobody would
+/// draw, the search starts again from the best four of a coarse grid of blends. Where the caller gives the shape parameters, over
+/// \f$ s_1, s_2 \f$ only.
 ///
 /// The search is made in floating-point numbers. What it finds is rounded to short binary fractions, with which the blend is
 /// constructed in the field of the kernel: with an exact kernel its joins are exactly \f$ G^2 \f$, whatever was found. Before this
 /// rounding `E` is at most that of the blend of least energy with the automatic shape. Where both ends lie on one line, one
-/// after the other, the blend is a part of that line. Ends whose blends all have a cusp, or numbers outside of the range of
-/// `double`, get the automatic shape, which is reported as not converged.
+/// after the other, the blend is a part of that line. Ends whose blends all have a cusp get the automatic shape, or one with
+/// tangents no longer than the diameters of the circles of curvature, which is reported as not converged.
 ///
-/// At most 100 steps, each with 24 to 96 nodes of Gauss's quadrature; nothing is allocated in dimensions 2 and 3.
+/// About ten steps, at most 100 from each start, with 24 to 96 nodes of Gauss's quadrature; nothing is allocated in dimensions 2
+/// and 3.
 /// \models BlendStrategy
 struct Fair : internal::Fair_strategy<internal::Blend_kind::g2> {
   /// Chooses \f$ s_1 \f$ and \f$ s_2 \f$ for given shape parameters.
@@ -154,12 +155,12 @@ struct Fair : internal::Fair_strategy<internal::Blend_kind::g2> {
 
 /// \ingroup PkgGeometricContinuityStrategies
 /// Chooses the fairest blend of degree 7 with \f$ G^3 \f$ joins: the least `E` over \f$ \beta, \beta_2, \beta_3 \f$ at both ends,
-/// near the blend of least energy \f$ \int |\gamma^{(4)}|^2 \f$. All else as for `Fair`. \models BlendStrategy
+/// near the blend of `Fair` or that of least energy \f$ \int |\gamma^{(4)}|^2 \f$. All else as for `Fair`. \models BlendStrategy
 struct Fair_g3 : internal::Fair_septic_strategy<internal::Blend_kind::g3> {};
 
 /// \ingroup PkgGeometricContinuityStrategies
 /// Chooses the fairest blend of degree 7 with \f$ F^3 \f$ joins: the least `E` over \f$ \beta, \beta_2, \mu, \beta_3 \f$ at both
-/// ends. In the plane the joins are \f$ G^2 \f$. All else as for `Fair_g3`. \models BlendStrategy
+/// ends, near the blend of `Fair_g3`. In the plane the joins are \f$ G^2 \f$. All else as for `Fair_g3`. \models BlendStrategy
 struct Fair_f3 : internal::Fair_septic_strategy<internal::Blend_kind::f3> {};
 
 } // namespace Geometric_continuity

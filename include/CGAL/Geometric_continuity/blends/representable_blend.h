@@ -78,6 +78,11 @@ Bezier_curve<Traits> with_inward_points(const Bezier_curve<Traits, Degree>& curv
   return Bezier_curve<Traits>(points.begin(), points.end(), curve.domain().first, curve.domain().second);
 }
 
+inline void check_degrees(int phi, int psi) {
+  if (phi < 1 || psi < 1)
+    throw Error(Error_code::wrong_number_of_points, "representable_blend: a curve of degree 0 has no tangent");
+}
+
 template <class FT, int N>
 Representable_join<FT, N> representable_join(const Representable_end<FT, N>& end,
                                              const std::array<Coordinate_vector<FT, N>, 3>& given) {
@@ -131,14 +136,12 @@ template <class Traits> Coordinates<Traits> rounded(const Coordinate_vector<Exac
 template <class Traits, int M, int N, class Strategy>
 Representable_blend<Traits> representable_blend(const Bezier_curve<Traits, M>& phi, const Bezier_curve<Traits, N>& psi,
                                                 const Strategy& strategy,
-                                                const Shape_parameters<typename Traits::FT>& shape = {}) {
+                                                const Shape_parameters<typename Traits::FT>& shape) {
   typedef typename Traits::FT FT;
   typedef internal::Representable_end<FT, dimension_v<Traits>> End;
   typedef std::array<Geometric_continuity::Coordinates<Traits>, 3> Points;
   static_assert(std::is_floating_point_v<FT>, "with exact numbers, blend() is exact");
-  for (int degree : {phi.degree(), psi.degree()})
-    if (degree < 1)
-      throw Error(Error_code::wrong_number_of_points, "representable_blend: a curve of degree 0 has no tangent");
+  internal::check_degrees(phi.degree(), psi.degree());
   internal::check_blend_input(end_jet<Exact_rational>(phi, 2), start_jet<Exact_rational>(psi, 2), 2,
                               Shape_parameters<Exact_rational>{shape.beta, shape.eta});
   const Points given_start = internal::inward_points(phi, internal::Curve_side::end),
@@ -164,8 +167,30 @@ Representable_blend<Traits> representable_blend(const Bezier_curve<Traits, M>& p
 }
 
 /// \ingroup PkgGeometricContinuityConstruction
-/// Returns the representable blend next to the blend of least energy \f$ \int |\gamma'''|^2 \f$ with
-/// \f$ \beta = \eta = 1 \f$. Errors and cost are those of `representable_blend()` with a strategy.
+/// Returns the representable blend whose shape parameters are near those that the strategy chooses, as `Fair` does, or else near
+/// those of `automatic_shape()`. For the shape parameters that it has in the end, the strategy chooses the scalars. Errors and
+/// cost are those of `representable_blend()` with a shape, besides what the choice of the shape needs.
+/// \throws Error `dimension_mismatch`, `zero_tangent`, `wrong_number_of_points`, `not_representable`
+template <class Traits, int M, int N, class Strategy>
+Representable_blend<Traits> representable_blend(const Bezier_curve<Traits, M>& phi, const Bezier_curve<Traits, N>& psi,
+                                                const Strategy& strategy) {
+  typedef Coordinate_jet<Exact_rational, dimension_v<Traits>> Jet;
+  internal::check_degrees(phi.degree(), psi.degree());
+  const Jet left = end_jet<Exact_rational>(phi, 2), right = start_jet<Exact_rational>(psi, 2);
+  internal::check_blend_input(left, right, 2, Shape_parameters<Exact_rational>());
+  Shape_parameters<Exact_rational> shape;
+  if constexpr (internal::Chooses_shape<Strategy, Jet>::value)
+    shape = strategy.choose(left, right).shape;
+  else
+    shape = internal::automatic_shape(left, right);
+  typedef typename Traits::FT FT;
+  return representable_blend(phi, psi, strategy,
+                             {FT(CGAL::to_double(shape.beta)), FT(CGAL::to_double(shape.eta))}); // short: exact
+}
+
+/// \ingroup PkgGeometricContinuityConstruction
+/// Returns the representable blend next to the blend of least energy \f$ \int |\gamma'''|^2 \f$ with the shape parameters of
+/// `automatic_shape()`. Errors and cost are those of `representable_blend()` with a strategy.
 /// \throws Error `dimension_mismatch`, `zero_tangent`, `wrong_number_of_points`, `not_representable`
 template <class Traits, int M, int N>
 Representable_blend<Traits> representable_blend(const Bezier_curve<Traits, M>& phi,

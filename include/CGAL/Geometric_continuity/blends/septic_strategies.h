@@ -5,15 +5,15 @@
 #ifndef CGAL_GEOMETRIC_CONTINUITY_BLENDS_SEPTIC_STRATEGIES_H
 #define CGAL_GEOMETRIC_CONTINUITY_BLENDS_SEPTIC_STRATEGIES_H
 
-#include <CGAL/Geometric_continuity/algebra/Bernstein_polynomial.h>
+#include <CGAL/Geometric_continuity/algebra/bernstein.h>
 #include <CGAL/Geometric_continuity/algebra/internal/solve_positive_definite.h>
 #include <CGAL/Geometric_continuity/blends/blend_ends.h>
 
 #include <CGAL/tags.h>
 
 #include <array>
+#include <cstddef>
 #include <type_traits>
-#include <vector>
 
 /// \file septic_strategies.h
 /// The strategies of the package for blends of degree 7: how the scalars \f$ \beta_2, \mu, \beta_3 \f$ at each end are chosen.
@@ -64,10 +64,15 @@ FT energy_product(std::array<Coordinate_vector<FT, N>, points> p, std::array<Coo
     difference_step(p, m);
     difference_step(q, m);
   }
-  const std::vector<FT> bm = binomial_coefficients<FT>(m), b2m = binomial_coefficients<FT>(2 * m);
+  const auto binomial = [](int n, int i) {
+    int b = 1;
+    for (int j = 0; j < i; ++j) b = b * (n - j) / (j + 1);
+    return b;
+  };
   FT sum(0);
   for (int i = 0; i <= m; ++i)
-    for (int j = 0; j <= m; ++j) sum += bm[i] * bm[j] / b2m[i + j] * dot(p[i], q[j]);
+    for (int j = 0; j <= m; ++j)
+      sum += FT(binomial(m, i) * binomial(m, j)) / FT(binomial(2 * m, i + j)) * dot(p[i], q[j]);
   return FT(sum / FT(2 * m + 1));
 }
 

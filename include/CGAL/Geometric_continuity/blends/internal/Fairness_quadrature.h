@@ -111,7 +111,15 @@ public:
     return e >= 0 ? e : std::numeric_limits<double>::infinity();
   }
 
-  double length() const { return length_; } // of the last blend
+  // Whether the tangent turns by more than a right angle from one node to the next: the last blend has a cusp, or almost.
+  bool turns_back() const {
+    for (int i = 0; i + 1 < nodes; ++i) {
+      double product = 0;
+      for (int c = 0; c < M; ++c) product += d_[0][c][i] * d_[0][c][i + 1];
+      if (!(product > 0)) return true;
+    }
+    return false;
+  }
 
   // At the x of the last call of value().
   Fairness_expansion<unknowns> expand(const Unknowns& x) {
@@ -145,14 +153,15 @@ private:
   }
   static double dot(const Rows& x, const Rows& y) {
     Row products{};
-    for (int c = 0; c < M; ++c)
-      for (int i = 0; i < nodes; ++i) products[i] += x[c][i] * y[c][i];
+    for (int c = 0; c < M; ++c) CGAL_GEOMETRIC_CONTINUITY_INDEPENDENT_ITERATIONS
+    for (int i = 0; i < nodes; ++i) products[i] += x[c][i] * y[c][i];
     return sum(products);
   }
   static void dot(const Rows& x, const Rows& y, Row& products) {
+    CGAL_GEOMETRIC_CONTINUITY_INDEPENDENT_ITERATIONS
     for (int i = 0; i < nodes; ++i) products[i] = x[0][i] * y[0][i];
-    for (int c = 1; c < M; ++c)
-      for (int i = 0; i < nodes; ++i) products[i] += x[c][i] * y[c][i];
+    for (int c = 1; c < M; ++c) CGAL_GEOMETRIC_CONTINUITY_INDEPENDENT_ITERATIONS
+    for (int i = 0; i < nodes; ++i) products[i] += x[c][i] * y[c][i];
   }
 
   void evaluate(const Unknowns& x) {
@@ -160,17 +169,21 @@ private:
     for (int k = 0; k < 3; ++k)
       for (int c = 0; c < M; ++c) {
         Row& row = d_[k][c];
+        CGAL_GEOMETRIC_CONTINUITY_INDEPENDENT_ITERATIONS
         for (int i = 0; i < nodes; ++i) row[i] = table_.b[k][1][i] * p[0][c];
-        for (int j = 2; j <= degree; ++j)
-          for (int i = 0; i < nodes; ++i) row[i] += table_.b[k][j][i] * p[j - 1][c];
+        for (int j = 2; j <= degree; ++j) CGAL_GEOMETRIC_CONTINUITY_INDEPENDENT_ITERATIONS
+        for (int i = 0; i < nodes; ++i) row[i] += table_.b[k][j][i] * p[j - 1][c];
       }
     Row g, first, second;
     dot(d_[0], d_[0], g);
     dot(d_[0], d_[1], first);
     dot(d_[0], d_[2], second);
+    CGAL_GEOMETRIC_CONTINUITY_INDEPENDENT_ITERATIONS
     for (int i = 0; i < nodes; ++i) speed_[i] = std::sqrt(g[i]);
+    CGAL_GEOMETRIC_CONTINUITY_INDEPENDENT_ITERATIONS
     for (int i = 0; i < nodes; ++i) scale_[i] = std::sqrt(speed_[i]);
     Row lengths;
+    CGAL_GEOMETRIC_CONTINUITY_INDEPENDENT_ITERATIONS
     for (int i = 0; i < nodes; ++i) {
       over_g_[i] = 1 / g[i];
       a_[i] = first[i] * over_g_[i];
@@ -178,9 +191,9 @@ private:
       scale_[i] = table_.root_of_weight[i] * over_g_[i] / scale_[i];
       lengths[i] = table_.weight[i] * speed_[i];
     }
-    for (int c = 0; c < M; ++c)
-      for (int i = 0; i < nodes; ++i)
-        f_[c][i] = scale_[i] * (d_[2][c][i] - 3 * a_[i] * d_[1][c][i] + e_[i] * d_[0][c][i]);
+    for (int c = 0; c < M; ++c) CGAL_GEOMETRIC_CONTINUITY_INDEPENDENT_ITERATIONS
+    for (int i = 0; i < nodes; ++i)
+      f_[c][i] = scale_[i] * (d_[2][c][i] - 3 * a_[i] * d_[1][c][i] + e_[i] * d_[0][c][i]);
     length_ = sum(lengths);
     sum_ = dot(f_, f_);
   }
@@ -193,10 +206,10 @@ private:
         Row& row = dd[k][c];
         for (int j = 0; j < End::order; ++j) {
           const Row& b = table_.b[k][at_start ? j + 1 : degree - 1 - j];
-          if (j == 0)
-            for (int i = 0; i < nodes; ++i) row[i] = b[i] * h[j][c];
-          else
-            for (int i = 0; i < nodes; ++i) row[i] += b[i] * h[j][c];
+          if (j == 0) CGAL_GEOMETRIC_CONTINUITY_INDEPENDENT_ITERATIONS
+          for (int i = 0; i < nodes; ++i) row[i] = b[i] * h[j][c];
+          else CGAL_GEOMETRIC_CONTINUITY_INDEPENDENT_ITERATIONS for (int i = 0; i < nodes; ++i) row[i] +=
+              b[i] * h[j][c];
         }
       }
     Row p11, p12, p21, p13, p31, da, db, dg, lengths;
@@ -205,6 +218,7 @@ private:
     dot(dd[0], d_[1], p21);
     dot(d_[0], dd[2], p13);
     dot(dd[0], d_[2], p31);
+    CGAL_GEOMETRIC_CONTINUITY_INDEPENDENT_ITERATIONS
     for (int i = 0; i < nodes; ++i) {
       const double b = 3 * a_[i] * a_[i] - e_[i];
       da[i] = (p12[i] + p21[i] - 2 * a_[i] * p11[i]) * over_g_[i];
@@ -212,11 +226,11 @@ private:
       dg[i] = 2.5 * p11[i] * over_g_[i];
       lengths[i] = table_.weight[i] * p11[i] * over_g_[i] * speed_[i];
     }
-    for (int c = 0; c < M; ++c)
-      for (int i = 0; i < nodes; ++i)
-        df[c][i] = scale_[i] * (dd[2][c][i] - 3 * a_[i] * dd[1][c][i] + e_[i] * dd[0][c][i] - 3 * da[i] * d_[1][c][i] +
-                                (6 * a_[i] * da[i] - db[i]) * d_[0][c][i]) -
-                   dg[i] * f_[c][i];
+    for (int c = 0; c < M; ++c) CGAL_GEOMETRIC_CONTINUITY_INDEPENDENT_ITERATIONS
+    for (int i = 0; i < nodes; ++i)
+      df[c][i] = scale_[i] * (dd[2][c][i] - 3 * a_[i] * dd[1][c][i] + e_[i] * dd[0][c][i] - 3 * da[i] * d_[1][c][i] +
+                              (6 * a_[i] * da[i] - db[i]) * d_[0][c][i]) -
+                 dg[i] * f_[c][i];
     return sum(lengths) / length_;
   }
 };

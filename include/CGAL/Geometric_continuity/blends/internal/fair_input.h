@@ -13,6 +13,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <type_traits>
 #include <vector>
 
 // The family of blends of two jets, in floating-point numbers: moved to the origin, scaled so that the chord has a length near 1,
@@ -58,16 +59,28 @@ Fair_family<kind, fair_dimension<N, Fair_end<kind, 2>::order>> fair_family(const
   typedef Coordinate_vector<double, N> Given;
   std::array<Given, 2 * order + 1> v; // the chord, the derivatives of phi, those of psi
   v.fill(Given(dimension));
-  double largest = 0; // coordinate of the chord and of both tangents
-  for (int i = 0; i < dimension; ++i) {
-    v[0][i] = CGAL::to_double(FT(psi[0][i] - phi[0][i]));
-    double power_of_beta = 1, power_of_eta = 1;
-    for (int k = 1; k <= order; ++k) {
-      v[k][i] = CGAL::to_double(phi[k][i]) * (power_of_beta *= beta);
-      v[order + k][i] = CGAL::to_double(psi[k][i]) * (power_of_eta *= eta);
+  // Returns the largest coordinate of the chord and of both tangents.
+  const auto take = [&](const FT& scale) {
+    double largest = 0;
+    for (int i = 0; i < dimension; ++i) {
+      v[0][i] = CGAL::to_double(FT(FT(psi[0][i] - phi[0][i]) * scale));
+      double power_of_beta = 1, power_of_eta = 1;
+      for (int k = 1; k <= order; ++k) {
+        v[k][i] = CGAL::to_double(FT(phi[k][i] * scale)) * (power_of_beta *= beta);
+        v[order + k][i] = CGAL::to_double(FT(psi[k][i] * scale)) * (power_of_eta *= eta);
+      }
+      for (int k : {0, 1, order + 1}) largest = (std::max)(largest, std::abs(v[k][i]));
     }
-    for (int k : {0, 1, order + 1}) largest = (std::max)(largest, std::abs(v[k][i]));
-  }
+    return largest;
+  };
+  double largest = take(FT(1));
+  if constexpr (!std::is_floating_point_v<FT>)
+    if (!(1e-100 < largest && largest < 1e100)) { // exact numbers of any size
+      FT sum(0);
+      for (int i = 0; i < dimension; ++i)
+        sum += CGAL::abs(FT(psi[0][i] - phi[0][i])) + CGAL::abs(FT(FT(beta) * phi[1][i]));
+      largest = take(FT(FT(1) / sum));
+    }
   if (largest > 0 && largest <= (std::numeric_limits<double>::max)())
     for (Given& x : v)
       for (int i = 0; i < dimension; ++i) x[i] = std::ldexp(x[i], -std::ilogb(largest));

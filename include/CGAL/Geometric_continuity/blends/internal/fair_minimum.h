@@ -7,13 +7,13 @@
 
 #include <CGAL/Geometric_continuity/algebra/internal/solve_positive_definite.h>
 #include <CGAL/Geometric_continuity/blends/internal/Fairness_quadrature.h>
-#include <CGAL/Geometric_continuity/blends/quintic_strategies.h>
-#include <CGAL/Geometric_continuity/blends/septic_strategies.h>
+#include <CGAL/Geometric_continuity/blends/internal/fair_start.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 // The fairest blend of a family, by the method of Levenberg and Marquardt. Deterministic; nothing is allocated.
 
@@ -21,134 +21,171 @@ namespace CGAL {
 namespace Geometric_continuity {
 namespace internal {
 
-// The blend of least energy with the shape parameters e^a and e^b: where the search starts.
-template <Blend_kind kind, int M>
-typename Fair_family<kind, M>::Unknowns least_energy(const Fair_family<kind, M>& f, double a, double b) {
-  typedef Coordinate_vector<double, M> Vector;
-  const double beta = std::exp(a), eta = std::exp(b);
-  const Vector origin(M);
-  if constexpr (kind == Blend_kind::g2) {
-    const Quintic_parameters<double> p =
-        Minimal_energy<3>()(Quintic_ends<double, M>(origin, f.chord, beta * f.start.d[0], eta * f.end.d[0],
-                                                    (beta * beta) * f.start.d[1], (eta * eta) * f.end.d[1]));
-    return {a, 20 * p.s1, b, 20 * p.s2};
-  } else {
-    const std::array<Vector, 4> phi = {origin, f.start.d[0], f.start.d[1], f.start.d[2]},
-                                psi = {f.chord, f.end.d[0], f.end.d[1], f.end.d[2]};
-    const Septic_parameters<double> p =
-        Minimal_energy_g3<4>()(Septic_ends<double, M>(phi, psi, Shape_parameters<double>(beta, eta)));
-    if constexpr (kind == Blend_kind::g3)
-      return {a, p.start.beta2 / beta, p.start.beta3 / beta, b, p.end.beta2 / eta, p.end.beta3 / eta};
-    else
-      return {a, p.start.beta2 / beta, p.start.beta3 / beta, p.start.mu / (beta * beta),
-              b, p.end.beta2 / eta,    p.end.beta3 / eta,    p.end.mu / (eta * eta)};
-  }
-}
-
 enum class Shape_choice { free, given };
 
 template <Blend_kind kind, int M> class Fair_minimum {
   typedef Fair_family<kind, M> Family;
   typedef typename Family::Unknowns Unknowns;
+  template <int nodes> using Quadrature = Fairness_quadrature<kind, M, nodes>;
   static constexpr int unknowns = Family::unknowns, shape_unknowns[2] = {0, Family::End::unknowns};
-  static constexpr double most_change = 1.3862943611198906; // of the logarithm of a shape parameter: a factor of 4
-  static constexpr double longest_step = 0.75;              // of the same
-  static constexpr double precision = 1e-4;                 // of E, as far as the expansion tells
-  static constexpr int most_iterations = 100;
+  static constexpr double log2 = 0.6931471805599453;
+  static constexpr double most_change = 2 * log2; // of the logarithm of a shape parameter: a factor of 4
+  static constexpr double longest_step = 0.75;    // of the same
+  static constexpr double precision = 1e-3;       // of E, as far as the expansion tells
+  static constexpr double agreement = 1e-2;       // of two quadratures
+  static constexpr double rough_agreement = 0.5;  // when they see the same curve, which almost has a cusp
+  static constexpr double negligible = 1e-6;      // E of a curve that nobody can tell from an arc of a circle
+  static constexpr double ugly = 1e3;             // E of a curve that nobody would draw
+  static constexpr int most_iterations = 100;     // of one descent
 
   const Family& family_;
   const Shape_choice shape_;
+  const Unknowns automatic_; // the blend of least energy with the automatic shape
+  const std::array<double, 2>
+      short_; // the logarithms of the changes that shorten the tangents to the diameters of curvature
 
 public:
-  Unknowns x;           ///< the blend that was found
-  Unknowns automatic;   ///< the blend of least energy with the automatic shape
-  double before, after; ///< E of both
+  Unknowns x;                   // the blend that was found, rounded
+  double before = 0, after = 0; // E of the automatic blend, and of x
   int iterations = 0;
   bool converged = false;
 
-  Fair_minimum(const Family& family, Shape_choice shape) : family_(family), shape_(shape) {
-    automatic = x = least_energy(family, 0, 0);
-    before = after = Fairness_quadrature<kind, M, 24>(family).value(x);
-    look_around();
+  // `rounded(x)` is a blend near x whose numbers are short.
+  template <class Rounding>
+  Fair_minimum(const Family& family, Shape_choice shape, const Rounding& rounded)
+      : family_(family), shape_(shape),
+        automatic_(least_energy(family)), short_{shortening(family.start), shortening(family.end)},
+        x(rounded(automatic_)), after(std::numeric_limits<double>::infinity()) {
     // a curve that is almost a cusp needs more nodes
-    descend<24>() || descend<48>() || descend<96>();
-  }
-
-  // Takes a blend near the minimum, e.g. with rounded numbers, unless it is worse than the automatic one.
-  void take(const Unknowns& rounded) {
-    Fairness_quadrature<kind, M, 96> quadrature(family_);
-    before = quadrature.value(automatic);
-    x = rounded;
-    after = quadrature.value(x);
+    const auto search = [&](const Unknowns& y) {
+      descend<24>(y, rounded) || descend<48>(y, rounded) || descend<96>(y, rounded);
+    };
+    search(start());
+    if constexpr (kind == Blend_kind::g2) // the others start from what is found here
+      if (!(after < ugly))
+        for (const std::pair<double, Unknowns>& y : starts_from_everywhere())
+          if (y.first < std::numeric_limits<double>::infinity()) search(y.second);
     if (after <= before) return;
-    x = automatic;
+    x = rounded(automatic_); // nothing is better, or was found
+    converged = converged && after <= (1 + agreement) * before;
     after = before;
-    converged = false;
+    if constexpr (kind == Blend_kind::g2)
+      if (shape == Shape_choice::free && !(after < ugly)) { // at least not far away
+        const Unknowns y = rounded(least_energy(family, short_[0], short_[1]));
+        const double e = Quadrature<96>(family).value(y);
+        if (!(e < before)) return;
+        x = y;
+        after = e;
+        converged = false;
+      }
   }
 
 private:
-  // The automatic shape may be in the reach of a bad minimum: then another one with longer or shorter tangents is much better.
-  void look_around() {
-    if (shape_ == Shape_choice::given) return;
-    Fairness_quadrature<kind, M, 24> quadrature(family_);
-    constexpr double much_better = 0.25, factor = 0.6931471805599453; // 2
-    double best = before * much_better;
-    for (double a : {-factor, 0., factor})
-      for (double b : {-factor, 0., factor}) {
-        const Unknowns y = least_energy(family_, a, b);
-        const double e = quadrature.value(y);
-        if (!(e < best)) continue;
-        best = e;
-        x = y;
-      }
+  // A tangent that is longer than the diameter of the circle of curvature makes the blend leave it at once.
+  static double shortening(const typename Family::End& end) {
+    const double g = dot(end.d[0], end.d[0]), h = dot(end.d[0], end.d[1]) / g;
+    const typename Family::Vector normal = end.d[1] - h * end.d[0];
+    const double ratio = 2 * std::sqrt(g / dot(normal, normal)); // the diameter to the tangent
+    return ratio < 1 ? std::log(ratio) : 0;
   }
 
-  bool is_fixed(int k, const Unknowns& gradient) const {
+  // The automatic blend, or the fair one with less freedom where that is better.
+  Unknowns start() {
+    if constexpr (kind != Blend_kind::g2) {
+      const auto simpler = simpler_family(family_);
+      const Fair_minimum<simpler_kind(kind), M> minimum(simpler, shape_, [](const auto& y) { return y; });
+      iterations = minimum.iterations;
+      const Unknowns y = with_more_freedom(family_, simpler, minimum.x);
+      Quadrature<24> quadrature(family_);
+      if (quadrature.value(y) < quadrature.value(automatic_)) return y;
+    }
+    return automatic_;
+  }
+
+  // The automatic blend may be in the reach of a bad minimum only, as when it has a small loop. Of a coarse grid of blends,
+  // those with the least E, of different shapes, where the shape is free.
+  std::array<std::pair<double, Unknowns>, 4> starts_from_everywhere() const {
+    Quadrature<24> quadrature(family_);
+    std::array<std::pair<double, Unknowns>, 4> best; // in increasing order
+    best.fill({std::numeric_limits<double>::infinity(), automatic_});
+    const bool free = shape_ == Shape_choice::free;
+    const int reach = free ? 2 : 0;
+    const double start = free ? short_[0] : 0, end = free ? short_[1] : 0;
+    for (int a = -reach; a <= reach; ++a)
+      for (int b = -reach; b <= reach; ++b) {
+        std::pair<double, Unknowns> y = best.back();
+        for (double s : {-4., -2., 0., 2.})
+          for (double t : {-2., 0., 2., 4.}) {
+            const Unknowns z = {start + a * log2, s, end + b * log2, t};
+            const double e = quadrature.value(z);
+            if (e < y.first) y = {e, z};
+          }
+        if (!(y.first < best.back().first)) continue;
+        best.back() = y;
+        std::sort(best.begin(), best.end());
+      }
+    return best;
+  }
+
+  // Minimises the quadrature with so many nodes, from y. Takes what was found if it is better than x, unless twice as
+  // many nodes see another curve; returns whether they agree.
+  template <int nodes, class Rounding> bool descend(Unknowns y, const Rounding& rounded) {
+    Quadrature<nodes> quadrature(family_);
+    const std::pair<double, bool> found = minimise(quadrature, y);
+    Quadrature<2 * nodes> finer(family_);
+    before = finer.value(automatic_);
+    const double difference = std::abs(finer.value(y) - found.first);
+    const bool agreed = difference <= agreement * (found.first + negligible) && !finer.turns_back();
+    y = rounded(y);
+    const double e = finer.value(y);
+    if ((agreed || (difference < rough_agreement * found.first && !finer.turns_back())) && e < after) {
+      x = y;
+      after = e;
+      converged = agreed && found.second;
+    }
+    return agreed;
+  }
+
+  double least_change(int k) const { return short_[k == shape_unknowns[0] ? 0 : 1] - most_change; }
+
+  bool is_fixed(int k, const Unknowns& y, const Unknowns& gradient) const {
     for (int shape : shape_unknowns)
       if (k == shape)
-        return shape_ == Shape_choice::given || (x[k] >= most_change && gradient[k] < 0) ||
-               (x[k] <= -most_change && gradient[k] > 0);
+        return shape_ == Shape_choice::given || (y[k] >= most_change && gradient[k] < 0) ||
+               (y[k] <= least_change(k) && gradient[k] > 0);
     return false;
   }
 
-  // Minimises the quadrature with so many nodes. Returns whether twice as many nodes say the same of the result.
-  template <int nodes> bool descend() {
-    Fairness_quadrature<kind, M, nodes> quadrature(family_);
-    double here = quadrature.value(x);
-    Fairness_expansion<unknowns> expansion = quadrature.expand(x);
-    converged = false;
-    for (double damping = 1e-2; damping < 1e10 && iterations < most_iterations; ++iterations) {
+  // From y; returns the least value that was found, which is that of y then, and whether it is a minimum.
+  template <int nodes> std::pair<double, bool> minimise(Quadrature<nodes>& quadrature, Unknowns& y) {
+    double here = quadrature.value(y), damping = 1e-2;
+    Fairness_expansion<unknowns> expansion = quadrature.expand(y);
+    for (int i = 0; i < most_iterations; ++i, ++iterations) {
       if (!(here <= (std::numeric_limits<double>::max)())) break;
-      const Unknowns next = step(expansion, damping);
+      const Unknowns next = step(y, expansion, damping);
       double gain = 0; // as the expansion predicts it
       for (int k = 0; k < unknowns; ++k) {
-        const double h = next[k] - x[k];
+        const double h = next[k] - y[k];
         gain -= 2 * expansion.gradient[k] * h;
-        for (int l = 0; l < unknowns; ++l) gain -= h * expansion.matrix[k][l] * (next[l] - x[l]);
+        for (int l = 0; l < unknowns; ++l) gain -= h * expansion.matrix[k][l] * (next[l] - y[l]);
       }
-      if (!(gain > precision * here)) {
-        converged = damping <= 1 || here == 0;
-        break;
-      }
+      if (gain * (1 + damping) <= precision * (here + negligible)) return {here, true};
+      if (!(gain > 1e-3 * precision * (here + negligible))) break;
       const double value = quadrature.value(next);
       if (value < here) {
         const double ratio = (here - value) / gain;
         damping = (std::max)(damping * (ratio > 0.75 ? 0.1 : ratio < 0.25 ? 2 : 0.5), 1e-9);
-        x = next;
+        y = next;
         here = value;
-        expansion = quadrature.expand(x);
+        expansion = quadrature.expand(y);
       } else
         damping *= 8;
     }
-    after = Fairness_quadrature<kind, M, 2 * nodes>(family_).value(x);
-    constexpr double agreement = 0.01;
-    const bool agreed = std::abs(after - here) <= agreement * after;
-    converged = converged && agreed;
-    return agreed;
+    return {here, false};
   }
 
   // The minimum of the expansion with damping, not too far away.
-  Unknowns step(const Fairness_expansion<unknowns>& e, double damping) const {
+  Unknowns step(const Unknowns& y, const Fairness_expansion<unknowns>& e, double damping) const {
     std::array<std::array<double, unknowns>, unknowns> matrix = e.matrix;
     Unknowns h;
     for (int k = 0; k < unknowns; ++k) {
@@ -156,7 +193,7 @@ private:
       matrix[k][k] += damping * matrix[k][k] + std::numeric_limits<double>::min();
     }
     for (int k = 0; k < unknowns; ++k)
-      if (is_fixed(k, e.gradient)) {
+      if (is_fixed(k, y, e.gradient)) {
         for (int l = 0; l < unknowns; ++l) matrix[k][l] = matrix[l][k] = 0;
         matrix[k][k] = 1;
         h[k] = 0;
@@ -166,8 +203,8 @@ private:
     for (int k : shape_unknowns) longest = (std::max)(longest, std::abs(h[k]));
     const double part = longest > longest_step ? longest_step / longest : 1;
     Unknowns next;
-    for (int k = 0; k < unknowns; ++k) next[k] = x[k] + part * h[k];
-    for (int k : shape_unknowns) next[k] = (std::min)((std::max)(next[k], -most_change), most_change);
+    for (int k = 0; k < unknowns; ++k) next[k] = y[k] + part * h[k];
+    for (int k : shape_unknowns) next[k] = (std::min)((std::max)(next[k], least_change(k)), most_change);
     return next;
   }
 };

@@ -1,0 +1,208 @@
+// Copyright (c) 2026 The Geometric_continuity developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+// Fair blends between curves that lead from one to the other, in the plane and in space, against OpenCASCADE's curves of minimal
+// variation (in the plane, with angles and curvatures at the ends) and against the same functional minimised by Eigen's
+// Levenberg-Marquardt with numeric differences. The values of E are compared and printed before anything is timed.
+
+#include "Ratio_table.h"
+#include "measure.h"
+
+#include <CGAL/Exact_rational.h>
+#include <CGAL/Geometric_continuity/Traits_2.h>
+#include <CGAL/Geometric_continuity/Traits_3.h>
+#include <CGAL/Geometric_continuity/blends/Fair.h>
+#include <CGAL/Geometric_continuity/blends/blend.h>
+#include <CGAL/Simple_cartesian.h>
+
+#ifdef GEOMETRIC_CONTINUITY_WITH_OCCT
+#include <FairCurve_AnalysisCode.hxx>
+#include <FairCurve_MinimalVariation.hxx>
+#include <gp_Pnt2d.hxx>
+#endif
+#ifdef GEOMETRIC_CONTINUITY_WITH_EIGEN
+#include <unsupported/Eigen/NonLinearOptimization>
+#include <unsupported/Eigen/NumericalDiff>
+#endif
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <iostream>
+#include <random>
+#include <vector>
+
+namespace GC = CGAL::Geometric_continuity;
+typedef GC::Traits_2<CGAL::Simple_cartesian<double>> Plane;
+typedef GC::Traits_3<CGAL::Simple_cartesian<double>> Space;
+typedef GC::Traits_2<CGAL::Simple_cartesian<CGAL::Exact_rational>> Exact;
+
+namespace {
+
+// The end of one cubic and the start of another, on a grid.
+template <class Traits> struct Pair {
+  GC::Curve_jet<Traits> phi, psi;
+
+  explicit Pair(std::mt19937_64& random) : phi(jet(random, -3, true)), psi(jet(random, 2, false)) {}
+
+private:
+  static GC::Curve_jet<Traits> jet(std::mt19937_64& random, double from, bool at_end) {
+    constexpr int N = Traits::Dimension::value;
+    typedef typename Traits::FT FT;
+    const auto number = [&] { return std::ldexp(static_cast<double>(random() >> 44), -19) - 1; };
+    std::array<GC::Coordinate_vector<FT, N>, 4> p;
+    for (int i = 0; i < 4; ++i)
+      for (int c = 0; c < N; ++c) p[i][c] = FT(c == 0 ? from + i + 0.25 * number() : number());
+    const GC::Bezier_curve<Traits, 3> curve(p);
+    return at_end ? curve.end_jet(3) : curve.start_jet(3);
+  }
+};
+
+template <class Traits> std::vector<Pair<Traits>> pairs(std::size_t count) {
+  std::mt19937_64 random(2026);
+  std::vector<Pair<Traits>> result;
+  while (result.size() < count) result.emplace_back(random);
+  return result;
+}
+
+// One with the median time: E is small enough that the first search is good enough.
+const Pair<Plane>& typical(const std::vector<Pair<Plane>>& all) {
+  std::vector<std::pair<double, std::size_t>> e;
+  for (std::size_t i = 0; i < all.size(); ++i)
+    e.emplace_back(GC::blend(all[i].phi, all[i].psi, GC::Fair()).report.fairness, i);
+  std::sort(e.begin(), e.end());
+  return all[e[e.size() / 2].second];
+}
+
+double cross(const GC::Coordinate_vector<double, 2>& x, const GC::Coordinate_vector<double, 2>& y) {
+  return x[0] * y[1] - x[1] * y[0];
+}
+
+#ifdef GEOMETRIC_CONTINUITY_WITH_EIGEN
+// sqrt(L^3 ds) times dκ/ds at midpoints, as a function of log beta, log eta, s1, s2.
+struct Residuals {
+  typedef double Scalar;
+  enum { InputsAtCompileTime = Eigen::Dynamic, ValuesAtCompileTime = Eigen::Dynamic };
+  typedef Eigen::VectorXd InputType;
+  typedef Eigen::VectorXd ValueType;
+  typedef Eigen::MatrixXd JacobianType;
+
+  const Pair<Plane>* pair;
+  GC::Shape_parameters<double> shape;
+  int nodes = 48;
+
+  int inputs() const { return 4; }
+  int values() const { return nodes; }
+
+  GC::Quintic_blend<Plane> blend(const InputType& x) const {
+    return GC::blend(pair->phi, pair->psi, GC::Given_parameters<double>{x[2], x[3]},
+                     {shape.beta * std::exp(x[0]), shape.eta * std::exp(x[1])});
+  }
+  int operator()(const InputType& x, ValueType& f) const {
+    const GC::Quintic_blend<Plane> gamma = blend(x);
+    double length = 0;
+    for (int i = 0; i < nodes; ++i) {
+      const auto d = gamma.jet((i + 0.5) / nodes, 3);
+      const double g = dot(d[1], d[1]), v = std::sqrt(g);
+      const double slope = (cross(d[1], d[3]) / (v * g) - 3 * cross(d[1], d[2]) * dot(d[1], d[2]) / (v * g * g)) / v;
+      length += v / nodes;
+      f[i] = slope * std::sqrt(v / nodes);
+    }
+    f *= std::sqrt(length * length * length);
+    return 0;
+  }
+};
+
+double fairness(const Pair<Plane>& pair, const GC::Quintic_blend<Plane>& gamma) {
+  Residuals residuals;
+  residuals.pair = &pair;
+  residuals.shape = gamma.shape;
+  residuals.nodes = 1000;
+  Eigen::VectorXd x(4), f(1000);
+  x << 0, 0, gamma.parameters.s1, gamma.parameters.s2;
+  residuals(x, f);
+  return f.squaredNorm();
+}
+
+GC::Quintic_blend<Plane> minimise_by_eigen(const Pair<Plane>& pair) {
+  const GC::Quintic_blend<Plane> automatic = GC::blend(pair.phi, pair.psi);
+  Residuals residuals;
+  residuals.pair = &pair;
+  residuals.shape = automatic.shape;
+  Eigen::NumericalDiff<Residuals> differences(residuals);
+  Eigen::LevenbergMarquardt<Eigen::NumericalDiff<Residuals>> search(differences);
+  search.parameters.ftol = search.parameters.xtol = 1e-3; // of E; as precise as Fair
+  Eigen::VectorXd x(4);
+  x << 0, 0, automatic.parameters.s1, automatic.parameters.s2;
+  search.minimize(x);
+  return residuals.blend(x);
+}
+#endif
+
+#ifdef GEOMETRIC_CONTINUITY_WITH_OCCT
+// Angles and curvatures at the ends are given; true when it has converged.
+bool occt_blend() {
+  FairCurve_MinimalVariation curve(gp_Pnt2d(0, 0), gp_Pnt2d(4, 0), 1);
+  curve.SetConstraintOrder1(2);
+  curve.SetConstraintOrder2(2);
+  curve.SetAngle1(0.3);
+  curve.SetAngle2(0.3);
+  curve.SetCurvature1(0.2);
+  curve.SetCurvature2(0.1);
+  FairCurve_AnalysisCode code;
+  return curve.Compute(code) && code == FairCurve_OK;
+}
+#endif
+
+template <class Traits, class Strategy>
+void time_blends(const char* name, const std::vector<Pair<Traits>>& all, Strategy s) {
+  at_once(name, all.size(), [&all, s] {
+    for (const Pair<Traits>& p : all) {
+      auto gamma = GC::blend(p.phi, p.psi, s);
+      benchmark::DoNotOptimize(gamma);
+    }
+  });
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+  static const std::vector<Pair<Plane>> plane = pairs<Plane>(200);
+  static const std::vector<Pair<Space>> space = pairs<Space>(200);
+  static const std::vector<Pair<Exact>> exact = pairs<Exact>(200);
+  static const Pair<Plane> one = typical(plane);
+  const auto fair = GC::blend(one.phi, one.psi, GC::Fair());
+  check(fair.report.converged, "fair blend");
+  std::cerr << "typical pair: E automatic " << fair.report.automatic_fairness << ", fair " << fair.report.fairness;
+#ifdef GEOMETRIC_CONTINUITY_WITH_EIGEN
+  const double eigen = fairness(one, minimise_by_eigen(one));
+  std::cerr << " = " << fairness(one, fair) << ", Eigen " << eigen;
+  check(fairness(one, fair) <= 1.01 * eigen, "fair blend, against Eigen");
+#endif
+  std::cerr << '\n';
+
+  at_once("fair blends, typical pair in the plane | blend(), Fair", 1, [] {
+    auto gamma = GC::blend(one.phi, one.psi, GC::Fair());
+    benchmark::DoNotOptimize(gamma);
+  });
+#ifdef GEOMETRIC_CONTINUITY_WITH_EIGEN
+  at_once("fair blends, typical pair in the plane | Eigen, numeric differences", 1, [] {
+    auto gamma = minimise_by_eigen(one);
+    benchmark::DoNotOptimize(gamma);
+  });
+#endif
+#ifdef GEOMETRIC_CONTINUITY_WITH_OCCT
+  check(occt_blend(), "OpenCASCADE, blend");
+  at_once("fair blends, typical pair in the plane | OpenCASCADE, FairCurve", 1, [] { occt_blend(); });
+#endif
+  time_blends("fair blends, 200 pairs in the plane | blend(), least energy", plane, GC::Minimal_energy<3>());
+  time_blends("fair blends, 200 pairs in the plane | blend(), Fair", plane, GC::Fair());
+  time_blends("fair blends, 200 pairs in the plane | blend(), Fair_g3", plane, GC::Fair_g3());
+  time_blends("fair blends, 200 pairs in the plane | blend(), Fair_f3", plane, GC::Fair_f3());
+  time_blends("fair blends, 200 pairs in space | blend(), Fair", space, GC::Fair());
+  time_blends("fair blends, 200 pairs in space | blend(), Fair_g3", space, GC::Fair_g3());
+  time_blends("fair blends, 200 exact pairs in the plane | blend(), least energy", exact, GC::Minimal_energy<3>());
+  time_blends("fair blends, 200 exact pairs in the plane | blend(), Fair", exact, GC::Fair());
+  return run_benchmarks(argc, argv);
+}

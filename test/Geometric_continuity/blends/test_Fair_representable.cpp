@@ -1,0 +1,67 @@
+// Copyright (c) 2026 The Geometric_continuity developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+// Representable blends that aim at the fair one: exactly G2, and almost as fair.
+
+#define BOOST_TEST_DYN_LINK
+#define BOOST_TEST_MODULE Fair_representable
+#include <boost/test/unit_test.hpp>
+
+#include "support/fairness.h"
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Geometric_continuity/Traits_2.h>
+#include <CGAL/Geometric_continuity/Traits_3.h>
+#include <CGAL/Geometric_continuity/blends/Fair.h>
+#include <CGAL/Geometric_continuity/blends/representable_blend.h>
+#include <CGAL/Geometric_continuity/joins/join_predicates.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+#include <tuple>
+#include <vector>
+
+typedef GC::Traits_2<CGAL::Epick> Plane;
+typedef GC::Traits_3<CGAL::Epick> Space;
+typedef std::tuple<Plane, Space> Traits_classes;
+
+namespace {
+
+// A cubic from about x = from to from + 3, on the grid.
+template <class Traits> GC::Bezier_curve<Traits> cubic(std::mt19937_64& random, double from, int grid) {
+  constexpr int N = Traits::Dimension::value;
+  std::uniform_real_distribution<double> number(-1, 1);
+  std::vector<typename Traits::Point> points;
+  for (int i = 0; i < 4; ++i) {
+    GC::Coordinate_vector<double, N> p;
+    for (int c = 0; c < N; ++c) {
+      const double x = c == 0 ? from + i + 0.3 * number(random) : number(random);
+      p[c] = std::ldexp(std::nearbyint(std::ldexp(x, grid)), -grid);
+    }
+    points.push_back(GC::to_point<Traits>(p));
+  }
+  return GC::Bezier_curve<Traits>(points.begin(), points.end());
+}
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE_TEMPLATE(almost_as_fair, Traits, Traits_classes) {
+  constexpr unsigned seed = 7;
+  BOOST_TEST_MESSAGE("seed " << seed);
+  std::mt19937_64 random(seed);
+  double largest = 0;
+  for (int i = 0; i < 102; ++i) {
+    const int grid = 20 + i % 17;
+    const GC::Bezier_curve<Traits> phi = cubic<Traits>(random, -3, grid), psi = cubic<Traits>(random, 2, grid);
+    const GC::Representable_blend<Traits> gamma = GC::representable_blend(phi, psi, GC::Fair());
+    BOOST_CHECK(GC::is_g2_join(gamma.phi, gamma) && GC::is_g2_join(gamma, gamma.psi));
+    BOOST_CHECK(!gamma.start_join.is_moved() && !gamma.end_join.is_moved());
+    const double ratio =
+        fairness(static_cast<const GC::Bezier_curve<Traits, 5>&>(gamma)) / fairness(GC::blend(phi, psi, GC::Fair()));
+    largest = (std::max)(largest, ratio);
+    BOOST_CHECK_LE(ratio, 1.1);
+  }
+  BOOST_TEST_MESSAGE("E / E of the fair blend: largest " << largest);
+}
