@@ -202,6 +202,13 @@ BOOST_AUTO_TEST_CASE(sizes) {
     const auto d = GC::round_corner(curve<Exact_2>(left), curve<Exact_2>(right), std::ldexp(0.7, e));
     BOOST_CHECK(d.left_cut == c.left_cut && d.right_cut == c.right_cut);
   }
+  // a cusp: cubes of these numbers would be zero or infinite
+  for (const int e : {-400, 400}) {
+    const double x = std::ldexp(1, e);
+    const auto d = GC::round_corner(curve<Double>({{-3 * x, 2 * x}, {-x, 0}, {0, 0}}),
+                                    curve<Double>({{0, 0}, {-x, 0}, {-3 * x, -2 * x}}), x);
+    BOOST_CHECK(d.left_cut == 1 - d.right_cut && d.blend.report.converged);
+  }
   const auto tiny = GC::round_corner(curve<Exact_2>(arc), curve<Exact_2>(hook), 0x1p-300);
   BOOST_CHECK(GC::continuity(tiny.left, tiny.blend).g_order >= 2);
   BOOST_CHECK(GC::continuity(tiny.blend, tiny.right).g_order >= 2);

@@ -9,6 +9,7 @@
 #include <CGAL/Geometric_continuity/blends/blend.h>
 #include <CGAL/Geometric_continuity/curves/Bezier_curve.h>
 #include <CGAL/Geometric_continuity/extensions/internal/Measured_polygon.h>
+#include <CGAL/Geometric_continuity/numbers/Exact_field.h>
 #include <CGAL/Geometric_continuity/numbers/internal/checked_numbers.h>
 
 #include <cmath>
@@ -62,20 +63,26 @@ inline void check_distance(double distance, const std::string& place) {
     throw Error(Error_code::parameter_outside_domain, place + ": the distance is not positive");
 }
 
+// Whether two curves with opposite tangents end and start on one line, as far as a blend reads them.
+template <class Field, class Left, class Right> bool turn_back(const Left& left, const Right& right, int order) {
+  typedef Coordinate_vector<Field, Left::N> Vector;
+  const Coordinate_jet<Field, Left::N> phi = end_jet<Field>(left, order), psi = start_jet<Field>(right, order);
+  const Field square = dot(phi[1], phi[1]);
+  const auto is_along = [&](const Vector& v) { return square * v == dot(v, phi[1]) * phi[1]; };
+  bool on_line = dot(phi[1], psi[1]) < Field(0) && is_along(psi[0] - phi[0]);
+  for (int k = 1; k <= order && on_line; ++k) on_line = is_along(phi[k]) && is_along(psi[k]);
+  return on_line;
+}
+
 // The blend from the end of one part to the start of the next one.
 template <class Left, class Right, class Strategy>
 auto blend_of_parts(const Left& left, const Right& right, const Strategy& strategy, const std::string& place) {
   typedef typename Left::Traits Traits;
   typedef typename Left::FT FT;
-  constexpr int order = is_quintic_strategy_v<Strategy, Traits> ? 2 : 3;
-  const Coordinate_jet<FT, Left::N> phi = end_jet<FT>(left, order), psi = start_jet<FT>(right, order);
-  if (is_zero(phi[1])) throw Error(Error_code::zero_tangent, place + ": at the cut of the left curve");
-  if (is_zero(psi[1])) throw Error(Error_code::zero_tangent, place + ": at the cut of the right curve");
-  const FT square = dot(phi[1], phi[1]);
-  const auto is_along = [&](const Coordinate_vector<FT, Left::N>& v) { return square * v == dot(v, phi[1]) * phi[1]; };
-  bool on_line = is_along(psi[0] - phi[0]);
-  for (int k = 1; k <= order; ++k) on_line = on_line && is_along(phi[k]) && is_along(psi[k]);
-  if (on_line && dot(phi[1], psi[1]) < FT(0))
+  if (is_zero(end_jet<FT>(left, 1)[1])) throw Error(Error_code::zero_tangent, place + ": at the cut of the left curve");
+  if (is_zero(start_jet<FT>(right, 1)[1]))
+    throw Error(Error_code::zero_tangent, place + ": at the cut of the right curve");
+  if (turn_back<typename Exact_field<FT>::type>(left, right, is_quintic_strategy_v<Strategy, Traits> ? 2 : 3))
     throw Error(Error_code::zero_tangent, place + ": the curves turn back on one line, where every blend has a cusp");
   return blend(left, right, strategy);
 }
