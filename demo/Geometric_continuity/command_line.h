@@ -6,13 +6,14 @@
 #define GEOMETRIC_CONTINUITY_DEMO_COMMAND_LINE_H
 
 #include "commands.h"
+#include "input.h"
 
 #include <CGAL/Geometric_continuity/IO/number.h>
 
 #include <boost/program_options.hpp>
 
+#include <algorithm>
 #include <iostream>
-#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -40,21 +41,42 @@ public:
                   .style(style::unix_style & ~style::allow_guessing)
                   .run(),
               values_);
-    if (values_.count("help")) std::cout << usage << '\n' << options_;
+    if (help()) std::cout << usage << '\n' << options_;
+    const Arguments names = files();
+    if (std::count_if(names.begin(), names.end(), is_standard_input) > 1)
+      throw std::invalid_argument("standard input is to be read twice");
   }
 
   // Whether the help was printed, so that nothing else is to be done.
   bool help() const { return values_.count("help") != 0; }
 
-  bool has(const std::string& option) const { return values_.count(option) != 0; }
+  // Whether an option is given; its default value does not count.
+  bool has(const std::string& option) const { return values_.count(option) != 0 && !values_[option].defaulted(); }
+
+  // Refuses options that have no meaning here, with the reason, e.g. "not with --surfaces".
+  void refuse(const Arguments& options, const std::string& reason) const {
+    for (const std::string& option : options)
+      if (has(option)) throw std::invalid_argument("--" + option + ": " + reason);
+  }
 
   // The arguments that are no options.
   Arguments files() const { return has("file") ? values_["file"].as<Arguments>() : Arguments(); }
 
-  // The value of an option; empty when it is not given.
-  std::string text(const std::string& option) const { return has(option) ? values_[option].as<std::string>() : ""; }
+  // The value of an option, or its default value; empty when there is none.
+  std::string text(const std::string& option) const {
+    return values_.count(option) != 0 ? values_[option].as<std::string>() : "";
+  }
 
   int integer(const std::string& option) const { return values_[option].as<int>(); }
+
+  // The value of an option that must not lie outside of these bounds.
+  int integer(const std::string& option, int low, int high) const {
+    const int value = integer(option);
+    if (value < low || high < value)
+      throw std::invalid_argument("--" + option + ": " + std::to_string(value) + " is not from " + std::to_string(low) +
+                                  " to " + std::to_string(high));
+    return value;
+  }
 
   // The number that an option gives, or `otherwise` when it is not given.
   template <class FT> FT number(const std::string& option, const FT& otherwise) const {
@@ -63,9 +85,12 @@ public:
 
   // The numbers that an option gives, separated by commas.
   template <class FT> std::vector<FT> numbers(const std::string& option) const {
-    std::istringstream words(text(option));
+    const std::string words = text(option);
     std::vector<FT> result;
-    for (std::string word; std::getline(words, word, ',');) result.push_back(parsed<FT>(option, word));
+    for (std::size_t begin = 0, end; begin <= words.size(); begin = end + 1) {
+      end = (std::min)(words.find(',', begin), words.size());
+      result.push_back(parsed<FT>(option, words.substr(begin, end - begin)));
+    }
     return result;
   }
 

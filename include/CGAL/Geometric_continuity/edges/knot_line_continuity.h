@@ -48,9 +48,9 @@ Spline_edge_rows<Edge_field<Traits>> knot_line_rows(const Bspline_surface<Traits
           edge_rows_in_space<Field>(s.template rows_at<Field>(line, knot, side, 2))};
 }
 
-template <class Traits>
+template <class Traits, class Report>
 void add_knot_lines(const Bspline_surface<Traits>& s, Parameter_line line,
-                    std::vector<Knot_line<Edge_field<Traits>>>& lines) {
+                    std::vector<Knot_line<Edge_field<Traits>>>& lines, Report& report) {
   typedef Edge_field<Traits> Field;
   const Knot_vector<typename Traits::FT>& across = knots_across(s, line);
   for (const auto& knot : across.inner_knots()) {
@@ -58,7 +58,18 @@ void add_knot_lines(const Bspline_surface<Traits>& s, Parameter_line line,
     lines.push_back({line == Parameter_line::along_v, to_field<Field>(knot.value), knot.multiplicity,
                      continuity_at_same_parameters(knot_line_rows(s, line, knot.value, Line_side::smaller_parameters),
                                                    knot_line_rows(s, line, knot.value, Line_side::larger_parameters))});
+    report();
   }
+}
+
+// What knot_line_continuity() returns; report() is called after each line.
+template <class Traits, class Report>
+std::vector<Knot_line<Edge_field<Traits>>> knot_lines(const Bspline_surface<Traits>& surface, Report report) {
+  require_space(surface, "knot_line_continuity");
+  std::vector<Knot_line<Edge_field<Traits>>> lines;
+  add_knot_lines(surface, Parameter_line::along_v, lines, report);
+  add_knot_lines(surface, Parameter_line::along_u, lines, report);
+  return lines;
 }
 
 } // namespace internal
@@ -73,11 +84,7 @@ void add_knot_lines(const Bspline_surface<Traits>& s, Parameter_line line,
 /// \throws Error `dimension_mismatch` unless in dimension 3
 template <class Traits>
 std::vector<Knot_line<Edge_field<Traits>>> knot_line_continuity(const Bspline_surface<Traits>& surface) {
-  internal::require_space(surface, "knot_line_continuity");
-  std::vector<Knot_line<Edge_field<Traits>>> lines;
-  internal::add_knot_lines(surface, Parameter_line::along_v, lines);
-  internal::add_knot_lines(surface, Parameter_line::along_u, lines);
-  return lines;
+  return internal::knot_lines(surface, [] {});
 }
 
 } // namespace Geometric_continuity

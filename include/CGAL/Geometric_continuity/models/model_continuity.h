@@ -20,29 +20,32 @@ namespace Geometric_continuity {
 
 namespace internal {
 
-template <class Traits>
-std::vector<Knot_line<Edge_field<Traits>>> knot_lines_in_model(const Bspline_surface<Traits>& surface) {
-  return knot_line_continuity(surface);
+template <class Traits, class Report>
+std::vector<Knot_line<Edge_field<Traits>>> knot_lines_in_model(const Bspline_surface<Traits>& surface, Report report) {
+  return knot_lines(surface, report);
 }
-template <class Traits> std::vector<Knot_line<Edge_field<Traits>>> knot_lines_in_model(const Bezier_patch<Traits>&) {
+template <class Traits, class Report>
+std::vector<Knot_line<Edge_field<Traits>>> knot_lines_in_model(const Bezier_patch<Traits>&, Report) {
   return {};
 }
 
-template <class Surface> class Model_analysis {
+template <class Surface, class Report> class Model_analysis {
   typedef Edge_field<typename Surface::Traits> Field;
 
   const std::vector<const Surface*>& patches_;
+  Report& report_;
+  std::size_t decided_ = 0;
   Model_continuity<Field> model_;
 
 public:
-  explicit Model_analysis(const std::vector<const Surface*>& patches) : patches_(patches) {}
+  Model_analysis(const std::vector<const Surface*>& patches, Report& report) : patches_(patches), report_(report) {}
 
   Model_continuity<Field> operator()() {
     for (const Surface* patch : patches_) require_space(*patch, "model_continuity");
     for (std::size_t i = 0; i < patches_.size(); ++i) add_knot_lines(i);
     const Edge_groups<Surface> groups(patches_);
     for (const Edge_use& use : groups.collapsed()) add(Model_edge_kind::collapsed, use);
-    for (const std::vector<Edge_use>& uses : groups.edges()) {
+    for (const Edge_uses& uses : groups.edges()) {
       if (uses.size() == 1) add(Model_edge_kind::boundary, uses[0]);
       for (std::size_t i = 1; i < uses.size(); ++i) share(uses[i - 1], uses[i], uses.size() > 2);
     }
@@ -61,7 +64,7 @@ private:
 
   void add_knot_lines(std::size_t i) {
     Model_summary& s = model_.summary;
-    for (Knot_line<Field>& line : knot_lines_in_model(*patches_[i])) {
+    for (Knot_line<Field>& line : knot_lines_in_model(*patches_[i], [this] { report_(++decided_); })) {
       const int order = line.continuity.g_order;
       ++(order == 2 ? s.knot_lines_g2 : order == 1 ? s.knot_lines_g1 : s.knot_lines_g0);
       model_.knot_lines.push_back({i, std::move(line)});
@@ -76,6 +79,7 @@ private:
     row.continuity =
         continuity_of_same_edge(*patches_[a.patch], a.edge, *patches_[b.patch], b.edge,
                                 a.backwards == b.backwards ? Edge_direction::same : Edge_direction::opposite);
+    report_(++decided_);
   }
 
   void count_edges() {
@@ -113,12 +117,20 @@ private:
 ///
 /// \tparam PatchRange a forward range of `Bezier_patch` or of `Bspline_surface`
 /// \param patches of the model, which must outlive the call
+/// \param report is called as `report(n)` with the number of shared edges and knot lines decided so far, after each
 /// \throws Error `dimension_mismatch` unless in dimension 3
-template <class PatchRange> auto model_continuity(const PatchRange& patches) {
+template <class PatchRange, class Report> auto model_continuity(const PatchRange& patches, Report report) {
   typedef std::decay_t<decltype(*std::begin(patches))> Patch;
   std::vector<const Patch*> pointers;
   for (const Patch& patch : patches) pointers.push_back(&patch);
-  return internal::Model_analysis<Patch>(pointers)();
+  return internal::Model_analysis<Patch, Report>(pointers, report)();
+}
+
+/// \ingroup PkgGeometricContinuitySurfaces
+/// Decides the continuity along all edges of a model, without reports.
+/// \throws Error as the function that reports
+template <class PatchRange> auto model_continuity(const PatchRange& patches) {
+  return model_continuity(patches, [](std::size_t) {});
 }
 
 } // namespace Geometric_continuity

@@ -78,11 +78,12 @@ template <class Field> struct Boundary_edge {
 /// \param patches of the model
 /// \param model the result of `model_continuity(patches)`
 /// \param tolerance for the gap and for the order 1
+/// \param report is called as `report(n)` with the number of boundary edges compared so far, after each
 /// \throws Error `unreachable_tolerance` for a negative tolerance or one that is not a number, `not_finite` for an infinite
 ///   gap
-template <class PatchRange, class FT>
+template <class PatchRange, class FT, class Report>
 std::vector<Near_edges> near_edges(const PatchRange& patches, const Model_continuity<FT>& model,
-                                   const Edge_tolerance& tolerance) {
+                                   const Edge_tolerance& tolerance, Report report) {
   typedef internal::Boundary_edge<FT> Edge;
   internal::check_tolerance(tolerance);
   internal::check_finite(tolerance.gap, "near_edges: gap");
@@ -98,7 +99,7 @@ std::vector<Near_edges> near_edges(const PatchRange& patches, const Model_contin
   }
   std::sort(edges.begin(), edges.end(), [](const Edge& a, const Edge& b) { return bool(a.x < b.x); });
   std::vector<Near_edges> result;
-  for (auto i = edges.begin(); i != edges.end(); ++i)
+  for (auto i = edges.begin(); i != edges.end(); ++i) {
     for (auto j = i + 1; j != edges.end() && !(gap < FT(j->x - i->x)); ++j) {
       if (!i->has_ends_near(*j, squared_gap)) continue;
       const bool in_order = std::make_pair(i->patch, i->edge) < std::make_pair(j->patch, j->edge);
@@ -106,11 +107,22 @@ std::vector<Near_edges> near_edges(const PatchRange& patches, const Model_contin
       const Edge_order_within within = order_within(deviation(a.rows, b.rows), tolerance);
       if (within(0) != Verdict::refuted) result.push_back({a.patch, a.edge, b.patch, b.edge, within});
     }
+    report(static_cast<std::size_t>(i - edges.begin()) + 1);
+  }
   std::sort(result.begin(), result.end(), [](const Near_edges& a, const Near_edges& b) {
     return std::make_pair(std::make_pair(a.patch_a, a.edge_a), std::make_pair(a.patch_b, a.edge_b)) <
            std::make_pair(std::make_pair(b.patch_a, b.edge_a), std::make_pair(b.patch_b, b.edge_b));
   });
   return result;
+}
+
+/// \ingroup PkgGeometricContinuitySurfaces
+/// Finds the near edges of a model, without reports.
+/// \throws Error as the function that reports
+template <class PatchRange, class FT>
+std::vector<Near_edges> near_edges(const PatchRange& patches, const Model_continuity<FT>& model,
+                                   const Edge_tolerance& tolerance) {
+  return near_edges(patches, model, tolerance, [](std::size_t) {});
 }
 
 } // namespace Geometric_continuity
