@@ -22,8 +22,8 @@ namespace {
 
 const char* const usage = R"(usage: geometric_continuity blend A.g2 B.g2 [OPTIONS]
        geometric_continuity blend CHAIN.g2 --replace I [OPTIONS]
-       geometric_continuity blend CHAIN.g2 --corner I --distance R [OPTIONS]
-       geometric_continuity blend CHAIN.g2 --corners WHICH --distance R [OPTIONS]
+       geometric_continuity blend CHAIN.g2 --corner I --distance R
+       geometric_continuity blend CHAIN.g2 --corners all|kinks --distance R
 
 Blends the end of the last curve of A into the start of the first curve of B,
 or replaces the curve number I of a chain (counted from 0, cyclically) by a

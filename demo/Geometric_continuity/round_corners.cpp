@@ -15,6 +15,7 @@
 #include <array>
 #include <cstddef>
 #include <iomanip>
+#include <optional>
 #include <ostream>
 #include <stdexcept>
 #include <string>
@@ -45,7 +46,8 @@ template <class FT> Rounded<FT> rounded_chain(const Command_line& line, const Ch
   return with_corner(chain, line.integer("corner", 0, n - 1), distance);
 }
 
-template <class FT> void plot(const Command_line& line, const Rounded<FT>& result) {
+// Throws GC::Error `not_finite` for coordinates that are too large to be drawn.
+template <class FT> GC::Svg_figure picture(const std::string& title, const Rounded<FT>& result) {
   GC::Svg_panel panel;
   auto corner = result.corners.begin();
   for (std::size_t k = 0; k < result.curves.size(); ++k) {
@@ -54,9 +56,9 @@ template <class FT> void plot(const Command_line& line, const Rounded<FT>& resul
                                          : GC::Svg_style{GC::Svg_role::given, false, true});
     if (is_blend) ++corner;
   }
-  GC::Svg_figure figure(line.text("title"), 1);
+  GC::Svg_figure figure(title, 1);
   figure.add(panel);
-  write_output(line.text("plot"), [&](std::ostream& os) { figure.write(os); });
+  return figure;
 }
 
 void write_row(std::ostream& os, const std::array<std::string, 5>& columns) {
@@ -103,12 +105,14 @@ template <class FT> Exit_code round_corners(const Command_line& line) {
     }
   }();
 
+  std::optional<GC::Svg_figure> figure;
+  if (line.has("plot")) figure = picture(line.text("title"), result);
   const bool proved = write_report(report_stream(line), result, chain.size(), line.has("closed"));
   if (line.has("output"))
     write_output(line.text("output"), [&](std::ostream& os) {
       for (const Program_curve<FT>& c : result.curves) GC::write_g2(os, c);
     });
-  if (line.has("plot")) plot(line, result);
+  if (figure) write_output(line.text("plot"), [&](std::ostream& os) { figure->write(os); });
   return proved ? requirement_met : requirement_not_met;
 }
 

@@ -136,7 +136,7 @@ const Rows arc = {{-3, -2}, {-2, 1}, {-0.5, 1}, {0, 0}}, hook = {{0, 0}, {1, 2},
 } // namespace
 
 BOOST_AUTO_TEST_CASE(lines) {
-  for (const int degrees : {10, 90, 170}) { // the angle by which the direction turns
+  for (const int degrees : {0, 10, 90, 170}) { // the angle by which the direction turns
     const double angle = degrees * std::acos(-1.) / 180;
     BOOST_TEST_CONTEXT("angle " << degrees)
     for (const double distance : {0.125, 1., 3.9})
@@ -253,6 +253,9 @@ BOOST_AUTO_TEST_CASE(refused) {
   // there and back on one line; a cubic with a cusp in the middle, where it is cut
   CHECK_ERROR(GC::round_corner(in, in.reverse(), 1), zero_tangent);
   CHECK_ERROR(GC::round_corner(curve<Double>({{-2, -4}, {0, 0}}), curve<Double>({{0, 0}, {-1, -2}}), 1), zero_tangent);
+  // the same way back
+  CHECK_ERROR(GC::round_corner(curve<Exact_2>(arc), curve<Exact_2>(arc).reverse(), 1), zero_direction);
+  CHECK_ERROR(GC::round_corner(curve<Double>(arc), curve<Double>(arc).reverse(), 1), zero_direction);
   const Curve<Exact_2> cusp = curve<Exact_2>({{-1, 0}, {0, 1}, {-1, 1}, {0, 0}});
   const double half = arc_length(cusp, 0, 0.5);
   BOOST_CHECK_EQUAL(error_of([&] { GC::round_corner(cusp, out, half); }),

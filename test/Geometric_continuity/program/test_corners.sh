@@ -61,6 +61,11 @@ refused() { # refused TEXT ARGUMENTS...: the error contains the text
   shift
   run 2 "$@" -o no.g2 && says err "$text" && holds [ ! -e no.g2 ]
 }
+{ line "-1e400 0" "0 0"; line "0 0" "0 1e400"; } >large.g2
+refused "large.g2: not_finite" blend large.g2 --corner 0 --distance 1
+refused "" blend large.g2 --corner 0 --distance 1 --plot large.svg && holds [ ! -e large.svg ]
+{ line "0 0" "8 0"; line "8 0" "0 0"; } >back.g2
+refused "the curves turn back on one line" blend back.g2 --corner 0 --distance 1
 refused "--distance is needed" blend square.g2 --corner 0
 refused "--corner and --corners: one of them" blend square.g2 --corner 0 --corners all --distance 1
 refused "--corner: 4 is not from 0 to 3" blend square.g2 --corner 4 --distance 1

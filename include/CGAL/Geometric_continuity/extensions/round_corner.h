@@ -84,6 +84,8 @@ auto blend_of_parts(const Left& left, const Right& right, const Strategy& strate
     throw Error(Error_code::zero_tangent, place + ": at the cut of the right curve");
   if (turn_back<typename Exact_field<FT>::type>(left, right, is_quintic_strategy_v<Strategy, Traits> ? 2 : 3))
     throw Error(Error_code::zero_tangent, place + ": the curves turn back on one line, where every blend has a cusp");
+  if (left.coordinates(left.degree()) == right.coordinates(0))
+    throw Error(Error_code::zero_direction, place + ": both cuts lie in one point");
   return blend(left, right, strategy);
 }
 
@@ -108,7 +110,7 @@ auto blend_of_parts(const Left& left, const Right& right, const Strategy& strate
 /// \throws Error `curves_do_not_meet` unless `left` ends in the point where `right` starts
 /// \throws Error `parameter_outside_domain` when the distance is not positive, or not less than the length of a curve
 /// \throws Error `zero_tangent` when a first derivative is zero at a cut, and when the curves meet in a cusp and both
-///   lie on one line
+///   lie on one line; `zero_direction` when both cuts lie in one point, e.g. where one curve is the other one reversed
 /// \throws Error `dimension_mismatch`, `not_representable` when a cut has no parameter of type `double`
 template <class Traits, int Left_degree, int Right_degree, class Strategy = Fair>
 auto round_corner(const Bezier_curve<Traits, Left_degree>& left, const Bezier_curve<Traits, Right_degree>& right,

@@ -68,7 +68,7 @@ Curve part_between(const Curve& curve, const typename Curve::FT& a, const typena
 ///   `double`, is infinite or undefined
 /// \throws Error `curves_do_not_meet` when there is a gap, with the number of the curve before it
 /// \throws Error `parameter_outside_domain` when the distance is not positive, or a curve at a corner has length zero
-/// \throws Error `zero_tangent`, `dimension_mismatch`, `not_representable` as `round_corner()` does
+/// \throws Error `zero_tangent`, `zero_direction`, `dimension_mismatch`, `not_representable` as `round_corner()` does
 template <class ForwardIterator, class Strategy = Fair>
 Rounded_chain<typename std::iterator_traits<ForwardIterator>::value_type::Traits>
 round_corners(ForwardIterator first, ForwardIterator last, double distance, bool closed, int order = 2,
