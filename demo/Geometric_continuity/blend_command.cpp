@@ -5,6 +5,7 @@
 #include "command_line.h"
 #include "join_report.h"
 #include "output.h"
+#include "round_corners.h"
 
 #include <CGAL/Geometric_continuity/IO/figures/Svg_figure.h>
 #include <CGAL/Geometric_continuity/blends/representable_blend.h>
@@ -22,6 +23,8 @@ namespace {
 
 const char* const usage = R"(usage: geometric_continuity blend A.g2 B.g2 [OPTIONS]
        geometric_continuity blend CHAIN.g2 --replace I [OPTIONS]
+       geometric_continuity blend CHAIN.g2 --corner I --distance R
+       geometric_continuity blend CHAIN.g2 --corners all|kinks --distance R
 
 Blends the end of the last curve of A into the start of the first curve of B,
 or replaces the curve number I of a chain (counted from 0, cyclically) by a
@@ -40,6 +43,13 @@ strategies of order 3 (degree 7, G3 or F3):
 and joins that are exactly G2 nevertheless; with -o it writes both curves,
 where needed rounded to few enough digits, and the blend between them. Numbers
 R are decimals or fractions p/q.
+
+--corner I rounds the join after the curve number I of a chain (counted from 0,
+cyclically): both curves are cut at the arc length R from it, and a fair blend
+with G2 joins is put between. --corners all rounds all joins that are not G2,
+--corners kinks those that are not G1; of short curves less than R is cut off,
+so that a quarter of each remains. The output is the whole chain.
+
 Exit code: 0 when both joins of every blend have the order that is asked for, 1
 when rounding has broken one (--kernel double; the files are written
 nevertheless), 2 on bad input.
@@ -275,6 +285,10 @@ int blend_command(const Arguments& arguments) {
     add("start", po::value<std::string>(), "R,R,R = beta2,mu,beta3 at the start (free, order 3)");
     add("end", po::value<std::string>(), "R,R,R = beta2,mu,beta3 at the end (free, order 3)");
     add("replace", po::value<int>(), "I, replace this curve of a chain");
+    add("corner", po::value<int>(), "I, round the join after this curve of a chain");
+    add("corners", po::value<std::string>(), "all or kinks, round these joins of a chain");
+    add("distance", po::value<std::string>(), "R > 0, from a corner to where its curves are cut");
+    add("closed", "with --corners: the last curve leads back to the first");
     add("kernel", po::value<std::string>()->default_value("exact"),
         "exact: construct in exact numbers; double: in floating-point numbers");
     add("representable", "control points that are doubles, joins that are exactly G2");
@@ -285,6 +299,8 @@ int blend_command(const Arguments& arguments) {
   if (line.help()) return requirement_met;
   check_outputs(line);
   if (!line.has("plot")) line.refuse({"title"}, "only with --plot");
+  if (line.has("corner") || line.has("corners")) return round_corners(line);
+  line.refuse({"distance", "closed"}, "only with --corner or --corners");
   if (line.has("representable")) {
     if (line.integer("order") != 2) throw std::invalid_argument("--representable: blends of order 2 only");
     line.refuse({"replace", "kernel"}, "not with --representable");

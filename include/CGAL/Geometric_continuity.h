@@ -95,6 +95,8 @@
 #include <CGAL/Geometric_continuity/extensions/extend.h>
 #include <CGAL/Geometric_continuity/extensions/extend_toward.h>
 #include <CGAL/Geometric_continuity/extensions/midpoint_construction.h>
+#include <CGAL/Geometric_continuity/extensions/round_corner.h>
+#include <CGAL/Geometric_continuity/extensions/round_corners.h>
 
 #include <CGAL/Geometric_continuity/surfaces/Bezier_patch.h>
 #include <CGAL/Geometric_continuity/surfaces/Bspline_surface.h>

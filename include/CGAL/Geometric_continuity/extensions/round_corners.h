@@ -1,0 +1,127 @@
+// Copyright (c) 2026 The Geometric_continuity developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_GEOMETRIC_CONTINUITY_EXTENSIONS_ROUND_CORNERS_H
+#define CGAL_GEOMETRIC_CONTINUITY_EXTENSIONS_ROUND_CORNERS_H
+
+#include <CGAL/Geometric_continuity/extensions/round_corner.h>
+#include <CGAL/Geometric_continuity/joins/join_continuity.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <iterator>
+#include <string>
+#include <vector>
+
+/// \file round_corners.h
+/// All corners of a chain of curves, or of a closed outline, are rounded as `round_corner()` rounds one.
+
+namespace CGAL {
+namespace Geometric_continuity {
+
+/// \ingroup PkgGeometricContinuityConstruction
+/// Where a corner of a chain was, and what has become of it.
+template <class FT> struct Rounded_join {
+  std::size_t join;  ///< the corner is the join after this curve of the given chain, counted from 0 on
+  double distance;   ///< from the corner to both cuts, along the curves
+  FT left_cut;       ///< the parameter where the curve before the corner is cut
+  FT right_cut;      ///< the parameter where the curve after the corner is cut
+  std::size_t blend; ///< the number of the blend in the rounded chain
+};
+
+/// \ingroup PkgGeometricContinuityConstruction
+/// A chain of curves whose corners are rounded.
+template <class Traits> struct Rounded_chain {
+  std::vector<Bezier_curve<Traits>> curves;               ///< the chain: curves, or parts of them, and blends
+  std::vector<Rounded_join<typename Traits::FT>> corners; ///< the corners that were rounded, in their order
+};
+
+namespace internal {
+
+// The curve between two parameters, each of which may be an end of it.
+template <class Curve>
+Curve part_between(const Curve& curve, const typename Curve::FT& a, const typename Curve::FT& b) {
+  const Curve before = b < curve.domain().second ? curve.split(b).first : curve;
+  return curve.domain().first < a ? before.split(a).second : before;
+}
+
+} // namespace internal
+
+/// \ingroup PkgGeometricContinuityConstruction
+/// Rounds the corners of a chain of Bézier curves, each of which starts where the one before it ends. Corners are the joins
+/// whose \f$ G \f$ order is less than `order`: with 1 kinks and cusps, with 2 jumps of the curvature too. All other joins,
+/// and the control points of curves without corners, stay as they are.
+///
+/// A corner is cut off at `distance` on both sides, as `round_corner()` does, or nearer, so that a quarter of each curve
+/// remains: at most at 3/4 of the length of a curve with one corner, and at 3/8 of the length of a curve with two. Both cuts of a
+/// corner have the same distance.
+///
+/// One call of `continuity()` for each join, and what `round_corner()` takes for each corner.
+///
+/// \param first,last the curves, of type `Bezier_curve`
+/// \param distance positive
+/// \param closed whether the end of the last curve and the start of the first are a join too, which may be a corner
+/// \param order the \f$ G \f$ order that joins need in order to stay
+/// \param strategy a model of `BlendStrategy` that is called without shape parameters
+/// \throws Error `negative_count` for a negative order, `not_finite` when the distance, or a curve as numbers of type
+///   `double`, is infinite or undefined
+/// \throws Error `curves_do_not_meet` when there is a gap, with the number of the curve before it
+/// \throws Error `parameter_outside_domain` when the distance is not positive, or a curve at a corner has length zero
+/// \throws Error `zero_tangent`, `zero_direction`, `dimension_mismatch`, `not_representable` as `round_corner()` does
+template <class ForwardIterator, class Strategy = Fair>
+Rounded_chain<typename std::iterator_traits<ForwardIterator>::value_type::Traits>
+round_corners(ForwardIterator first, ForwardIterator last, double distance, bool closed, int order = 2,
+              const Strategy& strategy = Strategy()) {
+  typedef typename std::iterator_traits<ForwardIterator>::value_type::Traits Traits;
+  typedef typename Traits::FT FT;
+  typedef Bezier_curve<Traits> Curve;
+  internal::check_distance(distance, "round_corners");
+  internal::check_count(order, "round_corners: order");
+  const std::vector<Curve> given(first, last);
+  const std::size_t n = given.size();
+  const auto place = [](std::size_t i) { return "round_corners: join after curve " + std::to_string(i); };
+
+  std::vector<bool> is_corner(n, false); // the join after the curve
+  for (std::size_t i = 0; i + (closed ? 0 : 1) < n; ++i) {
+    const auto join = continuity(given[i], given[(i + 1) % n], order);
+    if (join.c_order < 0) throw Error(Error_code::curves_do_not_meet, place(i));
+    is_corner[i] = join.g_order < order;
+  }
+  const auto longest = [&](std::size_t i) { // distance of a corner from its cut on this curve
+    const double length = internal::Measured_polygon<Curve::N>(given[i], Curve_end::start).length();
+    return (is_corner[i] && is_corner[(i + n - 1) % n] ? 0.375 : 0.75) * length;
+  };
+
+  Rounded_chain<Traits> result;
+  std::vector<FT> starts, ends; // of what remains of the curves
+  for (const Curve& c : given) {
+    starts.push_back(c.domain().first);
+    ends.push_back(c.domain().second);
+  }
+  for (std::size_t i = 0; i < n; ++i) {
+    if (!is_corner[i]) continue;
+    const std::size_t next = (i + 1) % n;
+    const double d = (std::min)({distance, longest(i), longest(next)});
+    ends[i] = internal::cut_parameter(given[i], Curve_end::end, d, place(i));
+    starts[next] = internal::cut_parameter(given[next], Curve_end::start, d, place(i));
+    result.corners.push_back({i, d, ends[i], starts[next], 0});
+  }
+
+  std::vector<Curve> parts;
+  for (std::size_t i = 0; i < n; ++i) parts.push_back(internal::part_between(given[i], starts[i], ends[i]));
+  auto corner = result.corners.begin();
+  for (std::size_t i = 0; i < n; ++i) {
+    result.curves.push_back(parts[i]);
+    if (!is_corner[i]) continue;
+    corner->blend = result.curves.size();
+    ++corner;
+    result.curves.push_back(internal::blend_of_parts(parts[i], parts[(i + 1) % n], strategy, place(i)));
+  }
+  return result;
+}
+
+} // namespace Geometric_continuity
+} // namespace CGAL
+
+#endif // CGAL_GEOMETRIC_CONTINUITY_EXTENSIONS_ROUND_CORNERS_H

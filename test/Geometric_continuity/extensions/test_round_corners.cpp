@@ -1,0 +1,220 @@
+// Copyright (c) 2026 The Geometric_continuity developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+// All corners of a chain are rounded: which joins are corners, how near they are cut where curves are short, what stays as it
+// is, and what is refused.
+
+#define BOOST_TEST_MODULE round_corners
+#define BOOST_TEST_DYN_LINK
+
+#include "support/errors.h"
+
+#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
+#include <CGAL/Exact_rational.h>
+#include <CGAL/Geometric_continuity/Traits_2.h>
+#include <CGAL/Geometric_continuity/extensions/round_corners.h>
+#include <CGAL/Geometric_continuity/joins/chain_continuity.h>
+#include <CGAL/Geometric_continuity/joins/join_predicates.h>
+#include <CGAL/Simple_cartesian.h>
+
+#include <boost/test/unit_test.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <random>
+#include <type_traits>
+#include <vector>
+
+namespace GC = CGAL::Geometric_continuity;
+
+namespace {
+
+typedef CGAL::Exact_rational Q;
+typedef GC::Traits_2<CGAL::Simple_cartesian<Q>> Traits;
+typedef Traits::Point Point;
+typedef GC::Bezier_curve<Traits> Curve;
+typedef std::vector<Curve> Chain;
+typedef GC::Rounded_chain<Traits> Rounded;
+
+const Chain square = {
+    {Point(0, 0), Point(8, 0)}, {Point(8, 0), Point(8, 8)}, {Point(8, 8), Point(0, 8)}, {Point(0, 8), Point(0, 0)}};
+
+bool same(const Curve& a, const Curve& b) {
+  return a.domain() == b.domain() && a.degree() == b.degree() && std::equal(a.begin(), a.end(), b.begin());
+}
+
+// The least G order of all joins.
+int least_order(const Rounded& r, bool closed) {
+  const auto nothing = [](const auto&) {};
+  return *GC::chain_continuity(r.curves.begin(), r.curves.end(), 3, closed, nothing)
+              .least_order(GC::Continuity_kind::G);
+}
+
+// What is left of each given curve lies in its place, and is the part of it between the cuts.
+void check_parts(const Chain& given, const Rounded& r) {
+  std::vector<Q> starts, ends;
+  std::vector<bool> is_blend(r.curves.size(), false);
+  for (const Curve& c : given) {
+    starts.push_back(c.domain().first);
+    ends.push_back(c.domain().second);
+  }
+  for (const GC::Rounded_join<Q>& corner : r.corners) {
+    ends[corner.join] = corner.left_cut;
+    starts[(corner.join + 1) % given.size()] = corner.right_cut;
+    BOOST_REQUIRE(corner.blend < r.curves.size());
+    is_blend[corner.blend] = true;
+    BOOST_CHECK(r.curves[corner.blend].degree() == 5);
+  }
+  std::size_t i = 0;
+  for (std::size_t k = 0; k < r.curves.size(); ++k) {
+    if (is_blend[k]) continue;
+    BOOST_REQUIRE(i < given.size());
+    Curve part = given[i];
+    if (ends[i] != part.domain().second) part = part.split(ends[i]).first;
+    if (starts[i] != part.domain().first) part = part.split(starts[i]).second;
+    BOOST_CHECK(same(r.curves[k], part));
+    ++i;
+  }
+  BOOST_CHECK(i == given.size());
+}
+
+Rounded rounded(const Chain& chain, double distance, bool closed, int order = 2) {
+  const Rounded r = GC::round_corners(chain.begin(), chain.end(), distance, closed, order);
+  check_parts(chain, r);
+  return r;
+}
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE(closed_and_open) {
+  const Rounded closed = rounded(square, 1, true), open = rounded(square, 1, false);
+  BOOST_REQUIRE(closed.curves.size() == 8 && closed.corners.size() == 4);
+  BOOST_REQUIRE(open.curves.size() == 7 && open.corners.size() == 3);
+  for (std::size_t i = 0; i < 4; ++i) {
+    BOOST_CHECK(closed.corners[i].join == i && closed.corners[i].blend == 2 * i + 1);
+    BOOST_CHECK(closed.corners[i].distance == 1);
+    BOOST_CHECK(closed.corners[i].left_cut == Q(7) / 8 && closed.corners[i].right_cut == Q(1) / 8);
+  }
+  BOOST_CHECK(least_order(closed, true) == 2);
+  BOOST_CHECK(least_order(open, false) == 2);
+  // all four corners have one form
+  const Curve &first = closed.curves[1], second = closed.curves[3];
+  for (int j = 0; j <= 5; ++j)
+    BOOST_CHECK(second.control_point(j) == Point(8 - first.control_point(j).y(), first.control_point(j).x()));
+}
+
+// Kinks, a jump of the curvature and a smooth join.
+BOOST_AUTO_TEST_CASE(which_joins) {
+  const Curve parabola{Point(4, 0), Point(6, 0), Point(8, 2)};
+  const Chain chain = {{Point(-2, 2), Point(0, 0)},
+                       {Point(0, 0), Point(4, 0)},
+                       parabola.split(Q(1) / 3).first,
+                       parabola.split(Q(1) / 3).second,
+                       {Point(8, 2), Point(8, 5)}};
+  const Rounded none = rounded(chain, 0.5, false, 0), kinks = rounded(chain, 0.5, false, 1),
+                jumps = rounded(chain, 0.5, false, 2);
+  BOOST_CHECK(none.corners.empty() && none.curves.size() == 5);
+  BOOST_REQUIRE(kinks.corners.size() == 2 && jumps.corners.size() == 3);
+  BOOST_CHECK(kinks.corners[0].join == 0 && kinks.corners[1].join == 3);
+  BOOST_CHECK(jumps.corners[0].join == 0 && jumps.corners[1].join == 1 && jumps.corners[2].join == 3);
+  BOOST_CHECK(least_order(kinks, false) == 1 && least_order(jumps, false) == 2);
+  // a chain that has the order stays
+  const Chain smooth = {chain[2], chain[3]};
+  BOOST_CHECK(rounded(smooth, 0.5, false).corners.empty());
+}
+
+// A quarter of each curve remains: of a curve with two corners 3/8 are cut off on each side, and with one 3/4.
+BOOST_AUTO_TEST_CASE(short_curves) {
+  const Chain chain = {{Point(0, 4), Point(0, 0)}, {Point(0, 0), Point(1, 0)}, {Point(1, 0), Point(1, 4)}};
+  const Rounded r = rounded(chain, 100, false);
+  BOOST_REQUIRE(r.corners.size() == 2);
+  for (const GC::Rounded_join<Q>& corner : r.corners) BOOST_CHECK(corner.distance == 0.375);
+  BOOST_CHECK(r.corners[0].right_cut == Q(3) / 8 && r.corners[1].left_cut == Q(5) / 8);
+  BOOST_CHECK(least_order(r, false) == 2);
+  const Chain two = {chain[0], chain[1]};
+  const Rounded one_corner = rounded(two, 100, false);
+  BOOST_CHECK(one_corner.corners[0].distance == 0.75 && one_corner.corners[0].right_cut == Q(3) / 4);
+  // the same distance on both sides, and the wanted one where it fits
+  const Rounded fits = rounded(two, 0.5, false);
+  BOOST_CHECK(fits.corners[0].right_cut == Q(1) / 2 && fits.corners[0].left_cut == Q(7) / 8);
+}
+
+// A drop, of one curve; a lens, of two; a star with a cusp and a tangent that is zero.
+BOOST_AUTO_TEST_CASE(outlines) {
+  const Chain drop = {{Point(0, 0), Point(9, 6), Point(-9, 6), Point(0, 0)}},
+              lens = {{Point(-2, 0), Point(0, 2), Point(2, 0)}, {Point(2, 0), Point(0, -2), Point(-2, 0)}},
+              star = {{Point(0, 0), Point(4, 0), Point(6, 2)},
+                      {Point(6, 2), Point(4, 0), Point(2, 6)},
+                      {Point(2, 6), Point(2, 6), Point(0, 3), Point(0, 0)}};
+  for (const Chain& outline : {drop, lens, star}) {
+    const Rounded r = rounded(outline, 0.5, true);
+    BOOST_CHECK(r.corners.size() == outline.size() && r.curves.size() == 2 * outline.size());
+    BOOST_CHECK(least_order(r, true) >= 2);
+  }
+  BOOST_CHECK(rounded(drop, 0.5, false).curves.size() == 1);
+}
+
+BOOST_AUTO_TEST_CASE(random_polygons) {
+  const unsigned seed = 2026;
+  std::mt19937 engine(seed);
+  const auto number = [&] { return static_cast<int>(engine() % 201) - 100; };
+  for (int round = 0; round < 10; ++round) BOOST_TEST_CONTEXT("seed " << seed << ", round " << round) {
+      std::vector<Point> corners;
+      for (int i = 0; i < 7; ++i) corners.push_back(Point(number(), number()));
+      Chain chain;
+      for (int i = 0; i < 7; ++i)
+        chain.push_back({corners[i], Point(number(), number()), Point(number(), number()), corners[(i + 1) % 7]});
+      const Rounded r = rounded(chain, 10, true);
+      BOOST_CHECK(r.corners.size() == 7 && least_order(r, true) >= 2);
+    }
+}
+
+// The same chain on every kernel; rounded numbers are near the exact ones.
+BOOST_AUTO_TEST_CASE(kernels) {
+  const Rounded exact = rounded(square, 1.3, true);
+  const auto check = [&](auto traits) {
+    typedef decltype(traits) Other;
+    std::vector<GC::Bezier_curve<Other>> chain;
+    for (const Curve& c : square) {
+      std::vector<typename Other::Point> points;
+      for (const Point& p : c) points.emplace_back(CGAL::to_double(p.x()), CGAL::to_double(p.y()));
+      chain.emplace_back(points.begin(), points.end());
+    }
+    const auto r = GC::round_corners(chain.begin(), chain.end(), 1.3, true);
+    BOOST_REQUIRE(r.curves.size() == exact.curves.size());
+    for (std::size_t k = 0; k < exact.curves.size(); ++k)
+      for (int j = 0; j <= exact.curves[k].degree(); ++j)
+        for (int i = 0; i < 2; ++i)
+          BOOST_CHECK_SMALL(CGAL::to_double(r.curves[k].control_point(j)[i]) -
+                                CGAL::to_double(exact.curves[k].control_point(j)[i]),
+                            1e-14 * 8);
+    if constexpr (!std::is_same_v<typename Other::FT, double>)
+      for (std::size_t k = 0; k < 8; ++k) BOOST_CHECK(GC::is_g2_join(r.curves[k], r.curves[(k + 1) % 8]));
+  };
+  check(GC::Traits_2<CGAL::Epeck>());
+  check(GC::Traits_2<CGAL::Simple_cartesian<double>>());
+}
+
+BOOST_AUTO_TEST_CASE(refused) {
+  const auto round = [](const Chain& chain, double distance, bool closed) {
+    return GC::round_corners(chain.begin(), chain.end(), distance, closed);
+  };
+  BOOST_CHECK(round({}, 1, false).curves.empty() && round({}, 1, true).curves.empty());
+  const Chain gap = {square[0], square[1], square[3]}, open = {square[0], square[1]};
+  BOOST_CHECK_EQUAL(error_of([&] { round(gap, 1, false); }), "curves_do_not_meet: round_corners: join after curve 1");
+  BOOST_CHECK_EQUAL(error_of([&] { round(open, 1, true); }), "curves_do_not_meet: round_corners: join after curve 1");
+  for (const double x : {0., -1.}) CHECK_ERROR(round(square, x, true), parameter_outside_domain);
+  for (const double x : {std::numeric_limits<double>::infinity(), std::numeric_limits<double>::quiet_NaN()})
+    CHECK_ERROR(round(square, x, true), not_finite);
+  CHECK_ERROR(GC::round_corners(square.begin(), square.end(), 1, true, -1), negative_count);
+  const Chain point = {square[0], {Point(8, 0), Point(8, 0)}, square[1]};
+  BOOST_CHECK_EQUAL(error_of([&] { round(point, 1, false); }),
+                    "parameter_outside_domain: round_corners: join after curve 0: the distance 0 is not less than the "
+                    "length 0 of the right curve");
+  const Chain back = {square[1], square[2], square[2].reverse()};
+  BOOST_CHECK_EQUAL(error_of([&] { round(back, 1, false); }),
+                    "zero_tangent: round_corners: join after curve 1: the curves turn back on one line, where every "
+                    "blend has a cusp");
+}
