@@ -4,14 +4,16 @@
 
 #include "command_line.h"
 #include "join_report.h"
+#include "output.h"
 
-#include <CGAL/Geometric_continuity/IO/atomic_file.h>
 #include <CGAL/Geometric_continuity/IO/figures/Svg_figure.h>
 #include <CGAL/Geometric_continuity/blends/representable_blend.h>
 #include <CGAL/Geometric_continuity/blends/septic_strategies.h>
 
 #include <algorithm>
-#include <cstdio>
+#include <array>
+#include <iomanip>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -38,6 +40,9 @@ strategies of order 3 (degree 7, G3 or F3):
 and joins that are exactly G2 nevertheless; with -o it writes both curves,
 where needed rounded to few enough digits, and the blend between them. Numbers
 R are decimals or fractions p/q.
+Exit code: 0 when both joins of every blend have the order that is asked for, 1
+when rounding has broken one (--kernel double; the files are written
+nevertheless), 2 on bad input.
 )";
 
 const Arguments quintic_names = {"c2", "normal", "min_second", "near_line", "energy2", "energy3"};
@@ -140,15 +145,17 @@ template <class FT> Scene<FT> read_scene(const Command_line& line) {
     if (files.size() != 2) throw std::invalid_argument("blend: two files are needed; see --help");
     Scene<FT> scene{read_curves<FT>({files[0]}), read_curves<FT>({files[1]})};
     if (scene.before.front().dimension() != scene.after.front().dimension())
-      throw GC::Error(GC::Error_code::dimension_mismatch, "blend: " + files[0] + " and " + files[1]);
+      throw GC::Error(GC::Error_code::dimension_mismatch,
+                      "blend: " + input_name(files[0]) + " and " + input_name(files[1]));
     return scene;
   }
   if (files.size() != 1) throw std::invalid_argument("blend --replace: one file is needed; see --help");
   const std::vector<Program_curve<FT>> chain = read_curves<FT>(files);
   const int n = static_cast<int>(chain.size()), i = line.integer("replace");
-  if (i < 0 || i >= n || n < 3)
-    throw std::invalid_argument("--replace " + std::to_string(i) + ": " + files[0] + " has " + std::to_string(n) +
-                                (n == 1 ? " curve" : " curves") + "; at least 3 are needed");
+  const std::string text = "--replace " + std::to_string(i) + ": " + input_name(files[0]) + " has " +
+                           std::to_string(n) + (n == 1 ? " curve" : " curves");
+  if (n < 3) throw std::invalid_argument(text + "; at least 3 are needed");
+  if (i < 0 || i >= n) throw std::invalid_argument(text + ", number 0 to " + std::to_string(n - 1));
   return {{chain.begin(), chain.begin() + i}, {chain.begin() + i + 1, chain.end()}};
 }
 
@@ -159,10 +166,10 @@ template <class FT> std::string plot_join(const Program_curve<FT>& left, const P
              : (join.f_order > join.g_order ? 'F' + std::to_string(join.f_order) : 'G' + std::to_string(join.g_order));
 }
 
-// Draws one panel for each result.
+// Draws one panel for each result. Throws GC::Error `not_finite` for coordinates that are too large to be drawn.
 template <class FT>
-void plot(const std::string& file, const std::string& title, const Scene<FT>& scene,
-          const std::vector<Result<FT>>& results, const Program_curve<FT>& phi, const Program_curve<FT>& psi) {
+GC::Svg_figure picture(const std::string& title, const Scene<FT>& scene, const std::vector<Result<FT>>& results,
+                       const Program_curve<FT>& phi, const Program_curve<FT>& psi) {
   const bool chain = scene.before.size() + scene.after.size() > 2;
   GC::Svg_figure figure(title, 3);
   for (const Result<FT>& r : results) {
@@ -178,17 +185,34 @@ void plot(const std::string& file, const std::string& title, const Scene<FT>& sc
     panel.add(psi, neighbour);
     figure.add(panel);
   }
-  GC::write_file_atomically(file, [&](std::ostream& os) { figure.write(os); });
+  return figure;
+}
+
+// Refuses the parameters of the free strategies where they have no meaning.
+void check_parameters(const Command_line& line, int order, bool free) {
+  const Arguments quintic = {"s1", "s2"}, septic = {"start", "end"};
+  if (!free) {
+    line.refuse(quintic, "only with --strategy free");
+    line.refuse(septic, "only with --strategy free");
+  }
+  line.refuse(order == 2 ? septic : quintic, "not with --order " + std::to_string(order));
+}
+
+// Writes a line of the table.
+void write_row(std::ostream& os, const std::array<std::string, 5>& columns, const std::string& rest) {
+  os << std::left << std::setw(11) << columns[0] << ' ' << std::setw(12) << columns[1] << ' ' << std::setw(12)
+     << columns[2] << ' ' << std::right << std::setw(12) << columns[3] << ' ' << std::setw(12) << columns[4] << "  "
+     << rest << '\n';
 }
 
 // Blends by the strategies that are asked for, prints a table and writes the files.
 template <class FT> int blend(const Command_line& line) {
-  const int order = line.integer("order");
-  if (order != 2 && order != 3) throw std::invalid_argument("--order: 2 or 3, not " + std::to_string(order));
+  const int order = line.integer("order", 2, 3);
   const Arguments& names = order == 2 ? quintic_names : septic_names;
   Arguments choices = names;
   choices.insert(choices.end(), {"free", "all"});
   const std::string chosen = line.has("strategy") ? line.choice("strategy", choices) : names.back();
+  check_parameters(line, order, chosen == "free");
 
   const Scene<FT> scene = read_scene<FT>(line);
   const Program_curve<FT>& phi = scene.before.empty() ? scene.after.back() : scene.before.back();
@@ -198,8 +222,11 @@ template <class FT> int blend(const Command_line& line) {
   for (const std::string& name : chosen == "all" ? names : Arguments{chosen})
     results.push_back(order == 2 ? blender.quintic(name) : blender.septic(name));
 
-  std::printf("%-11s %-12s %-12s %12s %12s  %s\n", "strategy", "start join", "end join",
-              order == 2 ? "int |x''|^2" : "int |x'''|^2", order == 2 ? "int |x'''|^2" : "int |x''''|^2", "parameters");
+  std::ostream& report = report_stream(line);
+  write_row(report,
+            {"strategy", "start join", "end join", order == 2 ? "int |x''|^2" : "int |x'''|^2",
+             order == 2 ? "int |x'''|^2" : "int |x''''|^2"},
+            "parameters");
   bool proved = true;
   for (const Result<FT>& r : results) {
     const Exact_curve gamma = exact(r.curve);
@@ -208,15 +235,18 @@ template <class FT> int blend(const Command_line& line) {
                end = GC::continuity(gamma, exact(moved ? r.neighbours[1] : psi));
     for (const Join& join : {start, end})
       proved = proved && (order == 2 || phi.dimension() < 3 ? join.g_order >= 2 : join.f_order >= 3);
-    std::printf("%-11s %-12s %-12s %12s %12s  %s%s\n", r.strategy.c_str(), orders(start).c_str(), orders(end).c_str(),
-                rounded(CGAL::to_double(gamma.energy(order))).c_str(),
-                rounded(CGAL::to_double(gamma.energy(order + 1))).c_str(), r.parameters.c_str(), r.fallback.c_str());
+    write_row(report,
+              {r.strategy, orders(start), orders(end), rounded(CGAL::to_double(gamma.energy(order))),
+               rounded(CGAL::to_double(gamma.energy(order + 1)))},
+              r.parameters + r.fallback);
   }
-  std::printf(proved ? "both joins of every blend are proved in exact arithmetic\n"
-                     : "decided in exact arithmetic: rounding has broken a join\n");
+  report << (proved ? "both joins of every blend are proved in exact arithmetic\n"
+                    : "decided in exact arithmetic: rounding has broken a join\n");
 
+  std::optional<GC::Svg_figure> figure;
+  if (line.has("plot")) figure = picture(line.text("title"), scene, results, phi, psi);
   if (line.has("output"))
-    GC::write_file_atomically(line.text("output"), [&](std::ostream& os) {
+    write_output(line.text("output"), [&](std::ostream& os) {
       const bool chain = line.has("replace") && results.size() == 1;
       if (chain)
         for (const Program_curve<FT>& c : scene.before) GC::write_g2(os, c);
@@ -228,8 +258,8 @@ template <class FT> int blend(const Command_line& line) {
       if (chain)
         for (const Program_curve<FT>& c : scene.after) GC::write_g2(os, c);
     });
-  if (line.has("plot")) plot(line.text("plot"), line.text("title"), scene, results, phi, psi);
-  return requirement_met;
+  if (figure) write_output(line.text("plot"), [&](std::ostream& os) { figure->write(os); });
+  return proved ? requirement_met : requirement_not_met;
 }
 
 } // namespace
@@ -253,9 +283,11 @@ int blend_command(const Arguments& arguments) {
     add("title", po::value<std::string>(), "title of the picture");
   });
   if (line.help()) return requirement_met;
+  check_outputs(line);
+  if (!line.has("plot")) line.refuse({"title"}, "only with --plot");
   if (line.has("representable")) {
     if (line.integer("order") != 2) throw std::invalid_argument("--representable: blends of order 2 only");
-    if (line.has("replace")) throw std::invalid_argument("--representable: not with --replace");
+    line.refuse({"replace", "kernel"}, "not with --representable");
     return blend<double>(line);
   }
   return line.choice("kernel", {"exact", "double"}) == "exact" ? blend<Exact>(line) : blend<double>(line);

@@ -6,15 +6,20 @@
 #define GEOMETRIC_CONTINUITY_DEMO_COMMAND_LINE_H
 
 #include "commands.h"
+#include "input.h"
 
 #include <CGAL/Geometric_continuity/IO/number.h>
+#include <CGAL/Geometric_continuity/numbers/Work_limit.h>
 
 #include <boost/program_options.hpp>
 
+#include <algorithm>
+#include <charconv>
+#include <cstdint>
 #include <iostream>
-#include <sstream>
 #include <stdexcept>
 #include <string>
+#include <system_error>
 #include <vector>
 
 namespace po = boost::program_options;
@@ -40,21 +45,42 @@ public:
                   .style(style::unix_style & ~style::allow_guessing)
                   .run(),
               values_);
-    if (values_.count("help")) std::cout << usage << '\n' << options_;
+    if (help()) std::cout << usage << '\n' << options_;
+    const Arguments names = files();
+    if (std::count_if(names.begin(), names.end(), is_standard_input) > 1)
+      throw std::invalid_argument("standard input is to be read twice");
   }
 
   // Whether the help was printed, so that nothing else is to be done.
   bool help() const { return values_.count("help") != 0; }
 
-  bool has(const std::string& option) const { return values_.count(option) != 0; }
+  // Whether an option is given; its default value does not count.
+  bool has(const std::string& option) const { return values_.count(option) != 0 && !values_[option].defaulted(); }
+
+  // Refuses options that have no meaning here, with the reason, e.g. "not with --surfaces".
+  void refuse(const Arguments& options, const std::string& reason) const {
+    for (const std::string& option : options)
+      if (has(option)) throw std::invalid_argument("--" + option + ": " + reason);
+  }
 
   // The arguments that are no options.
   Arguments files() const { return has("file") ? values_["file"].as<Arguments>() : Arguments(); }
 
-  // The value of an option; empty when it is not given.
-  std::string text(const std::string& option) const { return has(option) ? values_[option].as<std::string>() : ""; }
+  // The value of an option, or its default value; empty when there is none.
+  std::string text(const std::string& option) const {
+    return values_.count(option) != 0 ? values_[option].as<std::string>() : "";
+  }
 
   int integer(const std::string& option) const { return values_[option].as<int>(); }
+
+  // The value of an option that must not lie outside of these bounds.
+  int integer(const std::string& option, int low, int high) const {
+    const int value = integer(option);
+    if (value < low || high < value)
+      throw std::invalid_argument("--" + option + ": " + std::to_string(value) + " is not from " + std::to_string(low) +
+                                  " to " + std::to_string(high));
+    return value;
+  }
 
   // The number that an option gives, or `otherwise` when it is not given.
   template <class FT> FT number(const std::string& option, const FT& otherwise) const {
@@ -63,10 +89,24 @@ public:
 
   // The numbers that an option gives, separated by commas.
   template <class FT> std::vector<FT> numbers(const std::string& option) const {
-    std::istringstream words(text(option));
+    const std::string words = text(option);
     std::vector<FT> result;
-    for (std::string word; std::getline(words, word, ',');) result.push_back(parsed<FT>(option, word));
+    for (std::size_t begin = 0, end; begin <= words.size(); begin = end + 1) {
+      end = (std::min)(words.find(',', begin), words.size());
+      result.push_back(parsed<FT>(option, words.substr(begin, end - begin)));
+    }
     return result;
+  }
+
+  // What --max-work gives; the default of the library when it is not given.
+  CGAL::Geometric_continuity::Work_limit work_limit() const {
+    if (!has("max-work")) return {};
+    const std::string word = text("max-work");
+    std::uint64_t steps = 0;
+    const std::from_chars_result end = std::from_chars(word.data(), word.data() + word.size(), steps);
+    if (end.ec != std::errc() || end.ptr != word.data() + word.size() || steps == 0)
+      throw std::invalid_argument("--max-work: '" + word + "' is not a number of steps, such as 4000000000");
+    return CGAL::Geometric_continuity::Work_limit(steps);
   }
 
   // The value of an option that must be one of the given words.

@@ -12,7 +12,8 @@
 namespace CGAL {
 namespace Geometric_continuity {
 struct Edge_tolerance;
-}
+class Work_limit;
+} // namespace Geometric_continuity
 } // namespace CGAL
 
 // What the program returns to the shell.
@@ -20,6 +21,13 @@ enum Exit_code { requirement_met = 0, requirement_not_met = 1, bad_input = 2 };
 
 // How `verify` prints what it decided.
 enum class Report_format { text, json };
+
+// How `verify` reports and judges what it decided.
+struct Report_mode {
+  Report_format format = Report_format::text;
+  bool strict = false;      // what could not be verified counts as not met
+  bool allow_empty = false; // nothing to decide is no error
+};
 
 typedef std::vector<std::string> Arguments;
 
@@ -43,7 +51,8 @@ int plot_surfaces(const Arguments& files, const Surface_picture& picture);
 
 // Runs `verify --surfaces`: decides the edges of the model that the files form, and prints a report. With a tolerance
 // an edge meets the requirement also when it does so within the tolerance.
-int verify_surfaces(const Arguments& files, Report_format format, const std::optional<int>& required_g_order,
-                    const std::optional<CGAL::Geometric_continuity::Edge_tolerance>& tolerance);
+int verify_surfaces(const Arguments& files, const Report_mode& mode, const std::optional<int>& required_g_order,
+                    const std::optional<CGAL::Geometric_continuity::Edge_tolerance>& tolerance,
+                    CGAL::Geometric_continuity::Work_limit limit);
 
 #endif // GEOMETRIC_CONTINUITY_DEMO_COMMANDS_H

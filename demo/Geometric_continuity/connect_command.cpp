@@ -4,15 +4,13 @@
 
 #include "command_line.h"
 #include "input.h"
+#include "output.h"
 
 #include <CGAL/Exact_rational.h>
-#include <CGAL/Geometric_continuity/IO/atomic_file.h>
 #include <CGAL/Geometric_continuity/Traits_3.h>
 #include <CGAL/Geometric_continuity/edges/connect_g1.h>
 #include <CGAL/Simple_cartesian.h>
 
-#include <fstream>
-#include <iostream>
 #include <stdexcept>
 #include <vector>
 
@@ -36,11 +34,11 @@ typedef GC::Bspline_curve<Traits> Curve;
 
 // Reads the only curve of a file.
 Curve read_curve(const std::string& name) {
-  std::ifstream stream = open_input(name);
-  const std::vector<Curve> curves = GC::read_g2_bsplines<Traits>(stream, name);
+  Input input(name);
+  const std::vector<Curve> curves = GC::read_g2_bsplines<Traits>(input, input_name(name));
   if (curves.size() != 1)
     throw GC::Error(GC::Error_code::malformed_input,
-                    name + ": " + std::to_string(curves.size()) + " curves where one is expected");
+                    input_name(name) + ": " + std::to_string(curves.size()) + " curves where one is expected");
   return curves[0];
 }
 
@@ -48,17 +46,18 @@ int connect(const Command_line& line) {
   const Arguments files = line.files();
   const GC::G1_ribbon<Traits> ribbon =
       connect_g1(read_curve(files[0]), read_curve(files[1]), read_curve(files[2]), line.number("bulge", FT(0)));
-  std::cout << ribbon << '\n';
+  std::ostream& report = report_stream(line);
+  report << ribbon << '\n';
   bool g1 = true;
   const std::vector<int> spans = ribbon.side1.knots_u().spans();
   const std::vector<GC::Edge_continuity<FT>> continuity = ribbon.continuity();
   for (std::size_t i = 0; i < spans.size(); ++i) {
-    std::cout << "on [" << ribbon.side1.knots_u()[spans[i]] << ", " << ribbon.side1.knots_u()[spans[i] + 1]
-              << "]: " << continuity[i] << '\n';
+    report << "on [" << ribbon.side1.knots_u()[spans[i]] << ", " << ribbon.side1.knots_u()[spans[i] + 1]
+           << "]: " << continuity[i] << '\n';
     g1 = g1 && continuity[i].g_order >= 1;
   }
-  std::cout << (g1 ? "G1 along the whole edge, proved exactly\n" : "not G1 along the whole edge\n");
-  GC::write_file_atomically(line.text("output"), [&](std::ostream& os) {
+  report << (g1 ? "G1 along the whole edge, proved exactly\n" : "not G1 along the whole edge\n");
+  write_output(line.text("output"), [&](std::ostream& os) {
     GC::write_g2(os, ribbon.side1);
     GC::write_g2(os, ribbon.side2);
   });
@@ -75,5 +74,6 @@ int connect_command(const Arguments& arguments) {
   if (line.help()) return requirement_met;
   if (line.files().size() != 3) throw std::invalid_argument("connect: three files are needed; see --help");
   if (!line.has("output")) throw std::invalid_argument("connect: -o RIBBON.g2 is needed");
+  check_outputs(line);
   return connect(line);
 }

@@ -10,10 +10,9 @@
 #include <CGAL/Cartesian_d.h>
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Geometric_continuity.h>
+#include <CGAL/Geometric_continuity/IO/G2_piece_reader.h>
 #include <CGAL/Geometric_continuity/IO/g2.h>
 
-#include <algorithm>
-#include <fstream>
 #include <memory>
 #include <optional>
 #include <string>
@@ -38,60 +37,46 @@ template <class FT, int Degree> Exact_curve exact(const GC::Bezier_curve<Program
   return Exact_curve(points.begin(), points.end(), Exact(curve.domain().first), Exact(curve.domain().second));
 }
 
-// Returns the B-spline curve with the same control points and knots, as exact numbers.
-inline GC::Bspline_curve<Program_traits<Exact>> exact(const GC::Bspline_curve<Program_traits<double>>& curve) {
-  std::vector<Exact_curve::Point> points;
-  for (int j = 0; j < curve.number_of_points(); ++j) {
-    const GC::Coordinate_vector<double, 0> x = curve.coordinates(j);
-    const std::vector<Exact> c(x.begin(), x.end());
-    points.push_back(Exact_curve::Point(x.dimension(), c.begin(), c.end()));
-  }
-  return {points.begin(), points.end(),
-          GC::Knot_vector<Exact>(curve.degree(), std::vector<Exact>(curve.knots().begin(), curve.knots().end()))};
-}
-
-// Reads the curves of several files, one after the other; only one is kept in memory. A curve with inner knots is cut
-// into its Bezier curves. Numbers are read as FT, and converted to Result before anything is computed.
+// Reads the curves of several files, one after the other. A curve with inner knots is cut into its Bezier curves; only one
+// of them is kept in memory. Numbers are read as FT, and converted to Result before anything is computed.
 template <class FT, class Result = FT> class Curve_stream {
   std::vector<std::string> files_;
+  Reading_position position_;
   std::size_t next_file_ = 0;
-  std::ifstream stream_;
-  std::optional<GC::G2_bspline_reader<Program_traits<FT>>> reader_;
-  std::vector<Program_curve<Result>> pieces_; // the rest of a curve, last piece first
+  std::unique_ptr<Input> input_;
+  std::optional<GC::G2_piece_reader<Program_traits<Result>, Program_traits<FT>>> reader_;
   int dimension_ = 0;
-
-  void cut(const GC::Bspline_curve<Program_traits<FT>>& curve) {
-    if constexpr (std::is_same_v<FT, Result>)
-      pieces_ = curve.bezier_pieces();
-    else
-      pieces_ = exact(curve).bezier_pieces();
-    std::reverse(pieces_.begin(), pieces_.end());
-  }
+  GC::Work_limit limit_;
 
 public:
-  explicit Curve_stream(const std::vector<std::string>& files) : files_(files) {}
+  // The limit is that for each curve.
+  explicit Curve_stream(const std::vector<std::string>& files, GC::Work_limit limit = GC::Work_limit())
+      : files_(files), position_(files), limit_(limit) {}
+
+  // Returns which part of the files has been read, from 0 to 1; 0 when that is not known.
+  double part_read() { return input_ ? position_.part(next_file_ - 1, *input_) : 0; }
+
+  // Returns the file of the last curve.
+  std::string file() const { return input_name(files_[next_file_ - 1]); }
 
   // Returns the next curve, or nothing after the last one.
   std::optional<Program_curve<Result>> next() {
-    while (pieces_.empty()) {
+    for (;;) {
       if (reader_)
-        if (const std::optional<GC::Bspline_curve<Program_traits<FT>>> curve = reader_->next()) {
+        if (std::optional<Program_curve<Result>> curve = reader_->next()) {
           if (dimension_ != 0 && curve->dimension() != dimension_)
             throw GC::Error(GC::Error_code::dimension_mismatch,
-                            files_[next_file_ - 1] + ": dimension " + std::to_string(curve->dimension()) +
+                            input_name(files_[next_file_ - 1]) + ": dimension " + std::to_string(curve->dimension()) +
                                 " after a curve of dimension " + std::to_string(dimension_));
           dimension_ = curve->dimension();
-          cut(*curve);
-          continue;
+          return curve;
         }
       if (next_file_ == files_.size()) return std::nullopt;
       const std::string& name = files_[next_file_++];
-      stream_ = open_input(name);
-      reader_.emplace(stream_, name);
+      reader_.reset();
+      input_ = std::make_unique<Input>(name);
+      reader_.emplace(*input_, input_name(name), limit_);
     }
-    std::optional<Program_curve<Result>> piece = std::move(pieces_.back());
-    pieces_.pop_back();
-    return piece;
   }
 };
 

@@ -7,34 +7,83 @@
 
 #include <CGAL/Geometric_continuity/Error.h>
 
-#include <array>
-#include <cstdio>
-#include <memory>
+#include <cerrno>
+#include <csignal>
+#include <cstddef>
+#include <cstdlib>
 #include <ostream>
 #include <string>
+#include <system_error>
 
-// Collects output until all input has been read and found good. It may be larger than the memory.
+#include <fcntl.h>
+#include <stdlib.h>
+#include <unistd.h>
+
+// Collects output until all input has been read and found good: in memory, or, what is longer than a few megabytes, in a
+// temporary file of the folder TMPDIR, which has no name any more as soon as it exists.
 class Deferred_output {
-  std::unique_ptr<std::FILE, int (*)(std::FILE*)> file_;
+  static constexpr std::size_t max_in_memory = std::size_t(4) << 20;
+  std::string text_; // behind what is in the file
+  std::string path_ = folder() + "/geometric_continuity_XXXXXX";
+  int file_ = -1;
 
-  [[noreturn]] static void refuse() {
-    throw CGAL::Geometric_continuity::Error(CGAL::Geometric_continuity::Error_code::cannot_write_file,
-                                            "temporary file");
+  static std::string folder() {
+    const char* const name = std::getenv("TMPDIR");
+    return name == nullptr || *name == '\0' ? "/tmp" : name;
+  }
+
+  [[noreturn]] void refuse(CGAL::Geometric_continuity::Error_code code) const {
+    const int error = errno;
+    throw CGAL::Geometric_continuity::Error(code,
+                                            "temporary file " + path_ + ": " + std::generic_category().message(error));
+  }
+
+  void create() {
+    sigset_t all, old;
+    sigfillset(&all);
+    sigprocmask(SIG_BLOCK, &all, &old); // until the name is gone
+    file_ = ::mkostemp(path_.data(), O_CLOEXEC);
+    const int error = errno;
+    if (file_ >= 0) ::unlink(path_.c_str());
+    sigprocmask(SIG_SETMASK, &old, nullptr);
+    errno = error;
+    if (file_ < 0) refuse(CGAL::Geometric_continuity::Error_code::cannot_write_file);
+  }
+
+  void move_to_file() {
+    if (file_ < 0) create();
+    for (std::size_t done = 0; done < text_.size();) {
+      const ssize_t n = ::write(file_, text_.data() + done, text_.size() - done);
+      if (n < 0) refuse(CGAL::Geometric_continuity::Error_code::cannot_write_file);
+      done += static_cast<std::size_t>(n);
+    }
+    text_.clear();
   }
 
 public:
-  Deferred_output() : file_(std::tmpfile(), std::fclose) {
-    if (!file_) refuse();
+  Deferred_output() = default;
+  Deferred_output(const Deferred_output&) = delete;
+  Deferred_output& operator=(const Deferred_output&) = delete;
+  ~Deferred_output() {
+    if (file_ >= 0) ::close(file_);
   }
+
   void write(const std::string& text) {
-    if (std::fwrite(text.data(), 1, text.size(), file_.get()) != text.size()) refuse();
+    text_ += text;
+    if (text_.size() > max_in_memory) move_to_file();
   }
 
   // Copies everything that was written.
   void copy_to(std::ostream& os) {
-    std::rewind(file_.get());
-    std::array<char, 1 << 16> block;
-    while (const std::size_t n = std::fread(block.data(), 1, block.size(), file_.get())) os.write(block.data(), n);
+    if (file_ >= 0) {
+      if (::lseek(file_, 0, SEEK_SET) != 0) refuse(CGAL::Geometric_continuity::Error_code::cannot_read_file);
+      std::string block(std::size_t(1) << 16, '\0');
+      while (const ssize_t n = ::read(file_, block.data(), block.size())) {
+        if (n < 0) refuse(CGAL::Geometric_continuity::Error_code::cannot_read_file);
+        os.write(block.data(), n);
+      }
+    }
+    os << text_;
   }
 };
 

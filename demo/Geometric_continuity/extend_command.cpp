@@ -4,13 +4,12 @@
 
 #include "command_line.h"
 #include "join_report.h"
+#include "output.h"
 
-#include <CGAL/Geometric_continuity/IO/atomic_file.h>
 #include <CGAL/Geometric_continuity/IO/figures/Svg_figure.h>
 #include <CGAL/Geometric_continuity/extensions/extend.h>
 #include <CGAL/Geometric_continuity/extensions/extend_toward.h>
 
-#include <iostream>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -30,6 +29,8 @@ smoothly as possible. With --toward the segment ends at the point, or as near
 to it as possible, with the least energy. The join is decided exactly on the
 result. Of a curve with inner knots the last span counts; all curves are
 written as Bezier curves. Numbers R are decimals or fractions p/q.
+Exit code: 0 when the join has the order that is asked for, 1 when rounding has
+broken it (--kernel double; the files are written nevertheless), 2 on bad input.
 )";
 
 // Returns the point of --toward.
@@ -69,21 +70,27 @@ template <class FT> int extend(const Command_line& line) {
   const Program_curve<FT>& last = curves.back();
   const Program_curve<FT> next = next_segment(line, last, order);
   const Join join = GC::continuity(exact(last), exact(next));
-  std::cout << next << '\n' << join << '\n';
+  const bool proved = order == Order::tangent                             ? join.g_order >= 1
+                      : order == Order::curvature || next.dimension() < 3 ? join.g_order >= 2
+                                                                          : join.f_order >= 3;
+  report_stream(line) << next << '\n'
+                      << join << '\n'
+                      << (proved ? "the join is proved in exact arithmetic\n"
+                                 : "decided in exact arithmetic: rounding has broken the join\n");
 
-  GC::write_file_atomically(line.text("output"), [&](std::ostream& os) {
-    for (const Program_curve<FT>& c : curves) GC::write_g2(os, c);
-    GC::write_g2(os, next);
-  });
+  GC::Svg_panel panel;
   if (line.has("plot")) {
     const GC::Svg_style given{GC::Svg_role::given, false, true}, neighbour{GC::Svg_role::given, true, true},
         added{GC::Svg_role::result, true, true, "extension"};
-    GC::Svg_panel panel;
     for (const Program_curve<FT>& c : curves) panel.add(c, &c == &last ? neighbour : given);
     panel.join(orders(join)).add(next, added);
-    GC::write_file_atomically(line.text("plot"), [&](std::ostream& os) { os << GC::Svg_figure().add(panel); });
   }
-  return requirement_met;
+  write_output(line.text("output"), [&](std::ostream& os) {
+    for (const Program_curve<FT>& c : curves) GC::write_g2(os, c);
+    GC::write_g2(os, next);
+  });
+  if (line.has("plot")) write_output(line.text("plot"), [&](std::ostream& os) { os << GC::Svg_figure().add(panel); });
+  return proved ? requirement_met : requirement_not_met;
 }
 
 } // namespace
@@ -106,5 +113,6 @@ int extend_command(const Arguments& arguments) {
   if (line.files().size() != 1) throw std::invalid_argument("extend: one file is needed; see --help");
   if (!line.has("order")) throw std::invalid_argument("extend: --order is needed; see --help");
   if (!line.has("output")) throw std::invalid_argument("extend: -o OUT.g2 is needed");
+  check_outputs(line);
   return line.choice("kernel", {"exact", "double"}) == "exact" ? extend<Exact>(line) : extend<double>(line);
 }

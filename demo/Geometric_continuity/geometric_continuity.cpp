@@ -3,6 +3,10 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
 #include "commands.h"
+#include "standard_streams.h"
+#include "sudden_end.h"
+
+#include <CGAL/Geometric_continuity/IO/printable.h>
 
 #include <exception>
 #include <iostream>
@@ -26,9 +30,14 @@ const char* const usage = R"(usage: geometric_continuity COMMAND [ARGUMENTS]
                             OFF, PLY, OBJ or STL
 
 A curve with inner knots is taken as the chain of its Bezier curves, so that
-its knots are joins. geometric_continuity COMMAND --help explains a command.
-Exit code: 0 when the requirement is met, 1 when it is not, 2 on bad input.
+its knots are joins. The name - is standard input, and standard output.
+geometric_continuity COMMAND --help explains a command; --version tells the
+version.
+Exit code: 0 when the requirement is met, 1 when it is not, 2 on bad input and
+when the output cannot be written.
 )";
+
+using CGAL::Geometric_continuity::printable;
 
 int run(const std::string& command, const Arguments& arguments) {
   if (command == "blend") return blend_command(arguments);
@@ -37,14 +46,11 @@ int run(const std::string& command, const Arguments& arguments) {
   if (command == "verify") return verify_command(arguments);
   if (command == "plot") return plot_command(arguments);
   if (command == "tessellate") return tessellate_command(arguments);
-  std::cerr << "geometric_continuity: unknown command '" << command << "'\n" << usage;
+  std::cerr << "geometric_continuity: unknown command '" << printable(command) << "'\n" << usage;
   return bad_input;
 }
 
-} // namespace
-
-int main(int argc, char* argv[]) {
-  const Arguments arguments(argv + (argc > 0 ? 1 : 0), argv + argc);
+int run(const Arguments& arguments) {
   if (arguments.empty()) {
     std::cerr << usage;
     return bad_input;
@@ -53,12 +59,26 @@ int main(int argc, char* argv[]) {
     std::cout << usage;
     return requirement_met;
   }
+  if (arguments[0] == "--version") {
+    std::cout << "geometric_continuity " << GEOMETRIC_CONTINUITY_VERSION << '\n';
+    return requirement_met;
+  }
   try {
     return run(arguments[0], Arguments(arguments.begin() + 1, arguments.end()));
-  } catch (const std::bad_alloc&) {
+  } catch (const std::bad_alloc&) { // more than any system could give
     std::cerr << "geometric_continuity: out of memory\n";
   } catch (const std::exception& e) {
-    std::cerr << "geometric_continuity: " << e.what() << '\n';
+    std::cerr << "geometric_continuity: " << printable(e.what()) << '\n';
   }
   return bad_input;
+}
+
+} // namespace
+
+int main(int argc, char* argv[]) {
+  occupy_standard_descriptors();
+  end_when_memory_runs_out();
+  clean_up_at_signals();
+  Standard_output output;
+  return output.finish(run(Arguments(argv + (argc > 0 ? 1 : 0), argv + argc)));
 }

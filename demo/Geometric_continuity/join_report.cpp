@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <iostream>
 #include <stdexcept>
 
 namespace {
@@ -47,6 +48,19 @@ std::string rounded(double x, int digits) {
   char text[32];
   std::snprintf(text, sizeof text, "%.*g", digits, x);
   return text;
+}
+
+std::string counted(std::size_t n, const std::string& noun) {
+  return std::to_string(n) + ' ' + noun + (n == 1 ? "" : "s");
+}
+
+int Conclusion::exit_code(const Report_mode& mode, const std::string& what) const {
+  if (decided == 0 && !mode.allow_empty) {
+    std::cerr << "geometric_continuity: verify: there is no " << what
+              << ", so that nothing was decided; --allow-empty accepts that\n";
+    return bad_input;
+  }
+  return met(mode) ? requirement_met : requirement_not_met;
 }
 
 Requirement::Requirement(const std::string& text) : order_(-1) {

@@ -4,8 +4,9 @@
 
 #include "command_line.h"
 #include "join_report.h"
+#include "output.h"
+#include "progress.h"
 
-#include <CGAL/Geometric_continuity/IO/atomic_file.h>
 #include <CGAL/Geometric_continuity/IO/figures/Svg_figure.h>
 #include <CGAL/Geometric_continuity/extensions/alternatives.h>
 #include <CGAL/Geometric_continuity/extensions/midpoint_construction.h>
@@ -17,18 +18,26 @@ const char* const usage = R"(usage: geometric_continuity plot FILE.g2... -o OUT.
 Draws the chain of curves of each file in a panel of its own, with the joins
 marked by their order. With --surfaces it draws all surfaces of the files as
 one model, with its edges coloured by their order.
+Exit code: 0 when the picture is written, 2 on bad input.
 )";
+
+std::string name_without_folder(const std::string& file) { return file.substr(file.find_last_of('/') + 1); }
 
 // Draws the chain of curves of a file.
 GC::Svg_panel picture(const std::string& file, const GC::Svg_style& style, bool closed) {
-  const std::vector<Program_curve<Exact>> curves = read_curves<Exact>({file});
-  GC::Svg_panel panel(file.substr(file.find_last_of('/') + 1));
-  for (std::size_t i = 0; i < curves.size(); ++i) {
-    panel.add(curves[i], style);
-    if (i + 1 == curves.size() && !closed) continue;
-    const Join join = GC::continuity(curves[i], curves[(i + 1) % curves.size()]);
-    panel.join(join.c_order < 0 ? "gap" : 'G' + std::to_string(join.g_order));
+  GC::Svg_panel panel(name_without_folder(file));
+  GC::Chain_analysis<Exact_curve> chain;
+  Curve_stream<Exact> stream({file});
+  Progress progress("curves read");
+  const auto mark = [&](const GC::Chain_join<Exact_curve>& join) {
+    panel.join(join.continuity.c_order < 0 ? "gap" : 'G' + std::to_string(join.continuity.g_order));
+  };
+  while (const std::optional<Exact_curve> curve = stream.next()) {
+    chain.add(*curve, mark); // at the end of the curve before
+    panel.add(*curve, style);
+    progress.step(chain.size());
   }
+  if (closed) chain.close(mark);
   return panel;
 }
 
@@ -39,8 +48,7 @@ GC::Svg_panel alternatives(const std::string& file, const GC::Svg_style& style) 
   const int m = last.degree();
   const GC::Midpoint_construction<Program_traits<Exact>> points = GC::midpoint_construction(last);
   const GC::Curvature_alternatives<Program_traits<Exact>> line = GC::curvature_alternatives(last);
-  GC::Svg_panel panel(file.substr(file.find_last_of('/') + 1) +
-                      ": the line of alternatives for b\u2082, C\u2080 from 0 to 6");
+  GC::Svg_panel panel(name_without_folder(file) + ": the line of alternatives for b\u2082, C\u2080 from 0 to 6");
   const GC::Svg_style construction{GC::Svg_role::construction, false, false},
       found{GC::Svg_role::result, false, false, "line of alternatives"};
   for (const Exact_curve& c : curves) panel.add(c, style);
@@ -72,7 +80,7 @@ int plot_command(const Arguments& arguments) {
     add("closed", "the last curve of a file leads back to its first");
     add("no-polygon", "without control polygons");
     add("no-comb", "without curvature combs");
-    add("columns", po::value<int>()->default_value(3), "panels in a row");
+    add("columns", po::value<int>()->default_value(3), "panels in a row, from 1 to 1000");
     add("title", po::value<std::string>(), "title of the picture");
     add("surfaces", "the files are surfaces, class 200");
     add("isophotes", "draw surfaces in strips that show kinks, the default");
@@ -82,16 +90,26 @@ int plot_command(const Arguments& arguments) {
   if (line.help()) return requirement_met;
   if (line.files().empty()) throw std::invalid_argument("plot: no file is given; see --help");
   if (!line.has("output")) throw std::invalid_argument("plot: -o OUT.svg is needed");
+  check_picture_name(line, "output");
   const std::string title = line.text("title");
   if (line.has("surfaces")) {
+    line.refuse({"alternatives", "closed", "no-polygon", "no-comb", "columns"}, "not with --surfaces");
     if (line.has("isophotes") && line.has("shaded"))
       throw std::invalid_argument("plot: --isophotes and --shaded exclude each other");
     return plot_surfaces(line.files(), {line.text("output"), title, line.text("view"), line.has("shaded")});
   }
+  line.refuse({"isophotes", "shaded", "view"}, "only with --surfaces");
+  if (line.has("alternatives")) line.refuse({"closed"}, "not with --alternatives");
   const GC::Svg_style style{GC::Svg_role::given, !line.has("no-polygon"), !line.has("no-comb")};
-  GC::Svg_figure figure(title, line.integer("columns"));
-  for (const std::string& file : line.files())
-    figure.add(line.has("alternatives") ? alternatives(file, style) : picture(file, style, line.has("closed")));
-  GC::write_file_atomically(line.text("output"), [&](std::ostream& os) { figure.write(os); });
+  GC::Svg_figure figure(title, line.integer("columns", 1, 1000));
+  for (const std::string& file : line.files()) try {
+      figure.add(line.has("alternatives") ? alternatives(file, style) : picture(file, style, line.has("closed")));
+    } catch (const GC::Error& error) { // of the panel, which knows the number of the curve
+      if (error.code() != GC::Error_code::not_finite) throw;
+      throw std::runtime_error(input_name(file) + ": " + error.what());
+    }
+  Progress progress("curves drawn");
+  write_output(line.text("output"),
+               [&](std::ostream& os) { figure.write(os, [&](std::size_t n) { progress.step(n); }); });
   return requirement_met;
 }

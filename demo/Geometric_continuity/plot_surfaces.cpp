@@ -4,9 +4,9 @@
 
 #include "commands.h"
 #include "input.h"
+#include "output.h"
 
 #include <CGAL/Exact_rational.h>
-#include <CGAL/Geometric_continuity/IO/atomic_file.h>
 #include <CGAL/Geometric_continuity/IO/figures/svg_surfaces.h>
 #include <CGAL/Geometric_continuity/IO/number.h>
 #include <CGAL/Geometric_continuity/Traits_3.h>
@@ -32,6 +32,6 @@ int plot_surfaces(const Arguments& files, const Surface_picture& picture) {
       throw std::invalid_argument("--view: at most 360 and 90 degrees");
   }
   const std::vector<GC::Bspline_surface<Traits>> model = read_surfaces<Traits>(files);
-  GC::write_file_atomically(picture.output, [&](std::ostream& os) { GC::write_svg_surfaces(os, model, style); });
+  write_output(picture.output, [&](std::ostream& os) { GC::write_svg_surfaces(os, model, style); });
   return requirement_met;
 }

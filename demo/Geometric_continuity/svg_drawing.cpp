@@ -4,32 +4,38 @@
 
 #include "svg_drawing.h"
 
+#include "Drawing_attributes.h"
+#include "Unpacked_bytes.h"
+#include "Xml_entities.h"
+#include "input.h"
+
 #include <CGAL/Geometric_continuity/IO/quoted_token.h>
 #include <CGAL/Geometric_continuity/IO/svg/Svg_transform.h>
 #include <CGAL/Geometric_continuity/IO/svg/read_svg_path.h>
 #include <CGAL/Geometric_continuity/IO/svg/svg_shapes.h>
 
+#define XML_DTD // declares what Expat offers against entities that expand to more and more text
 #include <expat.h>
 
 #include <algorithm>
-#include <array>
 #include <exception>
-#include <filesystem>
-#include <fstream>
-#include <map>
 #include <memory>
 #include <optional>
 #include <set>
+#include <string_view>
 #include <utility>
 #include <vector>
 
 namespace {
 
-typedef CGAL::Exact_rational Exact;
 typedef GC::Svg_transform<Drawing_traits> Transform;
 
 constexpr std::size_t max_depth = 256;
 constexpr int first_block = 1 << 16, last_block = 1 << 28; // bytes
+
+// Entities may expand to this many bytes, and a file that is longer to this many times its length.
+constexpr unsigned long long free_expansion = 1 << 20;
+constexpr float max_expansion = 10;
 
 // Elements that are drawn by reference or not at all, with everything in them.
 const std::set<std::string> skipped{"defs",     "symbol", "clipPath",       "mask",           "marker",
@@ -37,40 +43,10 @@ const std::set<std::string> skipped{"defs",     "symbol", "clipPath",       "mas
                                     "script",   "title",  "desc",           "metadata",       "foreignObject",
                                     "flowRoot", "font",   "text",           "image"};
 
-// Thrown for a length that has no meaning without a viewport or a font.
-struct Relative_length {
-  std::string text;
-};
-
-// The attributes of one element.
-class Attributes {
-  std::map<std::string, std::string> values_;
-  std::string place_; // of the element, for messages
-
-public:
-  Attributes(const char** pairs, std::string place) : place_(std::move(place)) {
-    for (; *pairs != nullptr; pairs += 2) values_.emplace(pairs[0], pairs[1]);
-  }
-
-  bool has(const std::string& name) const { return values_.count(name) != 0; }
-  std::string text(const std::string& name) const { return has(name) ? values_.at(name) : std::string(); }
-  std::string place(const std::string& name) const { return place_ + ", " + name; }
-
-  // A length in user units; 0 when it is not given.
-  Exact length(const std::string& name) const {
-    if (!has(name)) return Exact(0);
-    const std::optional<Exact> length = GC::parse_svg_length<Exact>(text(name), place(name));
-    if (!length) throw Relative_length{name + "=\"" + text(name) + '"'};
-    return *length;
-  }
-
-  // A length that is not negative.
-  Exact size(const std::string& name) const {
-    const Exact x = length(name);
-    if (x < 0) throw GC::Error(GC::Error_code::malformed_input, place(name) + ": negative");
-    return x;
-  }
-};
+// The text of an error without its code.
+std::string reason(const GC::Error& error) {
+  return std::string(error.what()).substr(to_string(error.code()).size() + 2);
+}
 
 // Reads a drawing with Expat: keeps the transforms of the open elements, and hands on the subpaths of each.
 class Drawing_reader {
@@ -79,6 +55,8 @@ class Drawing_reader {
   std::unique_ptr<XML_ParserStruct, decltype(&XML_ParserFree)> parser_;
   std::vector<Transform> transforms_;        // of the open elements that are read
   std::size_t depth_ = 0, skipped_from_ = 0; // the depth of the element that is skipped with all in it, or 0
+  Xml_entities entities_;
+  bool has_doctype_ = false;
   std::exception_ptr error_;
 
   [[noreturn]] void refuse(const std::string& reason) const {
@@ -104,12 +82,60 @@ class Drawing_reader {
   static void on_end(void* self, const XML_Char*) {
     guarded(self, [](Drawing_reader& reader) { reader.end(); });
   }
-  static void on_entity(void* self, const XML_Char* name, int, const XML_Char*, int, const XML_Char*, const XML_Char*,
-                        const XML_Char*, const XML_Char*) {
+  static void on_doctype(void* self, const XML_Char*, const XML_Char*, const XML_Char*, int) {
+    static_cast<Drawing_reader*>(self)->has_doctype_ = true;
+  }
+  static void on_entity(void* self, const XML_Char* name, int is_parameter, const XML_Char* value, int length,
+                        const XML_Char*, const XML_Char*, const XML_Char*, const XML_Char*) {
+    if (is_parameter != 0) return; // references to these are not followed
     guarded(self, [&](Drawing_reader& reader) {
-      reader.refuse("the entity " + GC::quoted_token(name) + " is declared; drawings with entities are refused");
+      if (value == nullptr) return reader.entities_.declare_external(name);
+      reader.refuse_if(reader.entities_.declare(name, std::string_view(value, static_cast<std::size_t>(length))));
     });
   }
+  // Called before the value is passed.
+  static void on_default_value(void* self, const XML_Char*, const XML_Char*, const XML_Char*, const XML_Char* value,
+                               int) {
+    guarded(self, [&](Drawing_reader& reader) {
+      const std::string_view rest = reader.rest();
+      if (value == nullptr || rest.size() < reader.length()) return;
+      reader.refuse_if(reader.entities_.refusal_in_quoted(rest.substr(reader.length())));
+    });
+  }
+  static void on_skipped_entity(void* self, const XML_Char* name, int) {
+    guarded(self, [&](Drawing_reader& reader) { reader.refuse_if(reader.entities_.refusal(name)); });
+  }
+  static int on_external_entity(XML_Parser parser, const XML_Char*, const XML_Char*, const XML_Char*, const XML_Char*) {
+    guarded(XML_GetUserData(parser), [](Drawing_reader& reader) {
+      reader.refuse_if(reader.entities_.refusal_in(reader.piece()));
+      reader.refuse("an entity stands in another file, which is not read");
+    });
+    return XML_STATUS_ERROR;
+  }
+
+  // Refuses what is not well-formed. Expat does not name the entity, which is the first one that is not known.
+  [[noreturn]] void refuse_error(XML_Error error) const {
+    if (error == XML_ERROR_NO_MEMORY) throw std::bad_alloc();
+    if (error == XML_ERROR_UNDEFINED_ENTITY || error == XML_ERROR_ATTRIBUTE_EXTERNAL_ENTITY_REF)
+      refuse_if(entities_.refusal_in(rest()));
+    refuse(XML_ErrorString(error));
+  }
+
+  void refuse_if(const std::optional<std::string>& reason) const {
+    if (reason) refuse(*reason);
+  }
+
+  // What has been read of the file from the place on to which the current call refers.
+  std::string_view rest() const {
+    int offset = 0, size = 0;
+    const char* const context = XML_GetInputContext(parser_.get(), &offset, &size);
+    if (context == nullptr || size < offset) return std::string_view();
+    return std::string_view(context + offset, static_cast<std::size_t>(size - offset));
+  }
+
+  // The bytes of the file to which the current call refers, such as a tag.
+  std::size_t length() const { return static_cast<std::size_t>(XML_GetCurrentByteCount(parser_.get())); }
+  std::string_view piece() const { return rest().substr(0, length()); }
 
   // The name without the namespace of SVG; other namespaces are left in front. Drawings without any namespace are read.
   static std::string local_name(const std::string& name) {
@@ -120,6 +146,7 @@ class Drawing_reader {
   void start(const std::string& full_name, const char** pairs) {
     const std::string name = local_name(full_name);
     ++depth_;
+    if (has_doctype_) refuse_if(entities_.refusal_in(piece())); // in attributes, Expat skips them in silence
     if (depth_ > max_depth) refuse("elements are nested deeper than " + std::to_string(max_depth));
     if (skipped_from_ != 0) return;
     if (depth_ == 1 && name != "svg") refuse("the root element is " + GC::quoted_token(name) + ", not svg");
@@ -128,18 +155,29 @@ class Drawing_reader {
       return;
     }
     Drawing_element element{file_, name, "", line()};
-    Attributes attributes(pairs, "");
+    Drawing_attributes attributes(pairs, "");
     element.id = attributes.text("id");
-    attributes = Attributes(pairs, file_ + ':' + std::to_string(element.line) + ": " + name +
-                                       (element.id.empty() ? "" : " \"" + element.id + '"'));
+    attributes = Drawing_attributes(pairs, file_ + ':' + std::to_string(element.line) + ": " + name +
+                                               (element.id.empty() ? "" : " \"" + element.id + '"'));
     transforms_.push_back(transforms_.empty() ? Transform() : transforms_.back());
-    if (attributes.has("transform") && attributes.text("transform") != "none")
-      transforms_.back() = transforms_.back() * GC::parse_svg_transform<Drawing_traits>(attributes.text("transform"),
-                                                                                        attributes.place("transform"));
+    if (attributes.has("transform") && attributes.text("transform") != "none") transform(attributes);
     try {
       draw(element, attributes);
     } catch (const Relative_length& length) {
       handler_.not_read(element, length.text + " is relative to something that is not known here");
+    } catch (const GC::Error& error) {
+      if (error.code() != GC::Error_code::work_limit) throw;
+      throw GC::Error(error.code(), attributes.place() + ": " + reason(error));
+    }
+  }
+
+  void transform(const Drawing_attributes& attributes) {
+    const std::string place = attributes.place("transform");
+    const Transform inner = GC::parse_svg_transform<Drawing_traits>(attributes.text("transform"), place);
+    try {
+      transforms_.back() = transforms_.back() * inner;
+    } catch (const GC::Error& error) {
+      throw GC::Error(error.code(), place + ", with the groups around: " + reason(error));
     }
   }
 
@@ -151,7 +189,7 @@ class Drawing_reader {
     --depth_;
   }
 
-  void draw(const Drawing_element& element, const Attributes& a) {
+  void draw(const Drawing_element& element, const Drawing_attributes& a) {
     const std::string& name = element.name;
     if (name == "path")
       draw_path(element, a);
@@ -171,7 +209,7 @@ class Drawing_reader {
       handler_.not_read(element, "the element that it repeats is not followed");
   }
 
-  void draw_path(const Drawing_element& element, const Attributes& a) {
+  void draw_path(const Drawing_element& element, const Drawing_attributes& a) {
     const std::string data = a.text("d");
     GC::Svg_path_reader<Drawing_traits> reader(data, a.place("d"));
     int number = 0;
@@ -179,13 +217,14 @@ class Drawing_reader {
   }
 
   // When one radius is missing, it is equal to the other one.
-  void draw_rectangle(const Drawing_element& element, const Attributes& a) {
+  void draw_rectangle(const Drawing_element& element, const Drawing_attributes& a) {
     const auto given = [&](const char* radius) { return a.has(radius) && a.text(radius) != "auto"; };
     const char *const rx = given("rx") ? "rx" : "ry", *const ry = given("ry") ? "ry" : "rx";
     const bool rounded = given(rx);
     draw(element, 1,
          GC::svg_rectangle<Drawing_traits>(a.length("x"), a.length("y"), a.size("width"), a.size("height"),
-                                           rounded ? a.size(rx) : Exact(0), rounded ? a.size(ry) : Exact(0)));
+                                           rounded ? a.size(rx) : Drawing_number(0),
+                                           rounded ? a.size(ry) : Drawing_number(0)));
   }
 
   void draw(const Drawing_element& element, int number, const Drawing_subpath& subpath) {
@@ -203,23 +242,27 @@ public:
     if (!parser_) throw std::bad_alloc();
     XML_SetUserData(parser_.get(), this);
     XML_SetElementHandler(parser_.get(), on_start, on_end);
+    XML_SetStartDoctypeDeclHandler(parser_.get(), on_doctype);
     XML_SetEntityDeclHandler(parser_.get(), on_entity);
+    XML_SetAttlistDeclHandler(parser_.get(), on_default_value);
+    XML_SetSkippedEntityHandler(parser_.get(), on_skipped_entity);
+    XML_SetExternalEntityRefHandler(parser_.get(), on_external_entity);
+    XML_SetBillionLaughsAttackProtectionActivationThreshold(parser_.get(), free_expansion);
+    XML_SetBillionLaughsAttackProtectionMaximumAmplification(parser_.get(), max_expansion);
   }
 
-  void read() {
-    std::ifstream stream(file_, std::ios::binary);
-    if (!stream) throw GC::Error(GC::Error_code::cannot_read_file, file_);
+  void read(std::istream& stream) {
+    Unpacked_bytes bytes(stream, file_);
     int size = first_block;
     XML_Index position = -1; // of the last tag that was begun
     for (bool last = false; !last;) {
       void* const block = XML_GetBuffer(parser_.get(), size);
       if (block == nullptr) throw std::bad_alloc();
-      stream.read(static_cast<char*>(block), size);
-      if (stream.bad()) throw GC::Error(GC::Error_code::cannot_read_file, file_);
-      last = !stream;
-      const XML_Status status = XML_ParseBuffer(parser_.get(), static_cast<int>(stream.gcount()), last);
+      const std::size_t read = bytes.read(static_cast<char*>(block), static_cast<std::size_t>(size));
+      last = read < static_cast<std::size_t>(size);
+      const XML_Status status = XML_ParseBuffer(parser_.get(), static_cast<int>(read), last);
       if (error_) std::rethrow_exception(error_);
-      if (status != XML_STATUS_OK) refuse(XML_ErrorString(XML_GetErrorCode(parser_.get())));
+      if (status != XML_STATUS_OK) refuse_error(XML_GetErrorCode(parser_.get()));
       // a tag that is longer than a block is scanned again with the next one: longer blocks keep that linear
       const XML_Index before = std::exchange(position, XML_GetCurrentByteIndex(parser_.get()));
       const bool stuck = position == before;
@@ -229,32 +272,17 @@ public:
   }
 };
 
-// What the file begins with, without a byte order mark. Pipes cannot be read twice and are not looked into.
-std::string beginning(const std::string& file) {
-  std::error_code error;
-  if (!std::filesystem::is_regular_file(file, error)) return "";
-  std::ifstream stream(file, std::ios::binary);
-  std::array<char, 256> block;
-  stream.read(block.data(), block.size());
-  std::string text(block.data(), static_cast<std::size_t>(stream.gcount()));
-  text.erase(std::remove_if(text.begin(), text.end(), [](char c) { return c == '\0' || (c & 0x80) != 0; }), text.end());
-  return text;
-}
-
 } // namespace
 
 std::string Drawing_element::text() const {
   return name + (id.empty() ? "" : " \"" + id + '"') + " (line " + std::to_string(line) + ')';
 }
 
-void read_svg_drawing(const std::string& file, Drawing_handler& handler) { Drawing_reader(file, handler).read(); }
+void read_svg_drawing(std::istream& stream, const std::string& name, Drawing_handler& handler) {
+  Drawing_reader(name, handler).read(stream);
+}
 
-bool is_svg_file(const std::string& file) {
-  std::string extension = file.substr((std::min)(file.rfind('.'), file.size()));
-  for (char& c : extension)
-    if ('A' <= c && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  if (extension == ".svg") return true;
-  const std::string text = beginning(file);
-  const std::size_t first = text.find_first_not_of(" \t\r\n");
-  return first != std::string::npos && text[first] == '<';
+void read_svg_drawing(const std::string& file, Drawing_handler& handler) {
+  Input stream(file);
+  read_svg_drawing(stream, input_name(file), handler);
 }

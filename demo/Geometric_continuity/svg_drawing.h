@@ -10,6 +10,7 @@
 #include <CGAL/Geometric_continuity/Traits_2.h>
 #include <CGAL/Simple_cartesian.h>
 
+#include <istream>
 #include <string>
 
 namespace GC = CGAL::Geometric_continuity;
@@ -40,12 +41,20 @@ public:
 };
 
 // Reads all paths and basic shapes that the SVG file draws, in order; at no time more than one element and one subpath
-// are in memory. What is defined but not drawn (defs, symbols, clip paths, ...) is skipped. Throws GC::Error
-// `malformed_input`, with file, line and reason, for what is not well-formed or no SVG, for declared entities, for
-// elements nested deeper than 256, and for errors in path data, transforms and lengths.
+// are in memory. What is defined but not drawn (defs, symbols, clip paths, ...) is skipped. The name "-" is standard
+// input. The text may be packed by gzip, whatever the name.
+//
+// Entities are read when the file itself declares them and they expand to no more than 1 MiB, or ten times the length of
+// the file; no other file is ever opened. Throws GC::Error with file, line and reason: `malformed_input` for what is not
+// well-formed or no SVG, for references to other entities, for elements nested deeper than 256, and for errors in path
+// data, transforms and lengths; `work_limit` for more than 256 MiB unpacked and for sizes that differ too much;
+// `cannot_read_file` with the reason of the system.
 void read_svg_drawing(const std::string& file, Drawing_handler& handler);
 
-// Returns whether a file is an SVG drawing: by its name, or because it begins like XML.
+// Reads a drawing from a stream; the name is used in messages.
+void read_svg_drawing(std::istream& stream, const std::string& name, Drawing_handler& handler);
+
+// Returns whether a file is an SVG drawing: by its name, or because it begins like XML or is packed by gzip.
 bool is_svg_file(const std::string& file);
 
 #endif // GEOMETRIC_CONTINUITY_DEMO_SVG_DRAWING_H

@@ -4,6 +4,8 @@
 
 #include "command_line.h"
 #include "input.h"
+#include "output.h"
+#include "progress.h"
 
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Geometric_continuity/IO/mesh.h>
@@ -11,7 +13,10 @@
 #include <CGAL/Geometric_continuity/models/tessellate.h>
 #include <CGAL/Simple_cartesian.h>
 
-#include <iostream>
+#include <cstddef>
+#include <limits>
+#include <stdexcept>
+#include <string>
 #include <vector>
 
 namespace {
@@ -19,18 +24,47 @@ namespace {
 const char* const usage = R"(usage: geometric_continuity tessellate MODEL.g2... -o OUT [OPTIONS]
 
 Writes triangles for the surfaces of the files, without cracks along the edges
-that they have in common.
+that they have in common. The name of the output tells the format unless
+--format does, as it must for standard output.
+Exit code: 0 when the triangles are written, 2 on bad input.
 )";
 
-template <class FT> int tessellate(const Command_line& line) {
+// Names the options by which the work is bounded.
+template <class Traits, class Mode>
+GC::Tessellation<Traits> tessellate(const std::vector<GC::Bspline_surface<Traits>>& model, const Mode& mode,
+                                    std::size_t max_triangles) {
+  Progress progress("triangles");
+  try {
+    return GC::tessellate(model, mode, max_triangles, [&](std::size_t n) { progress.step(n); });
+  } catch (const GC::Error& error) {
+    if (error.code() != GC::Error_code::work_limit) throw;
+    throw std::runtime_error(std::string(error.what()) + "; see --grid, --tolerance and --max-triangles");
+  }
+}
+
+// The format of --format, or that of the name of the output.
+GC::Mesh_format output_format(const Command_line& line) {
+  const std::string name = line.text("output");
+  if (!line.has("format") && has_no_format(name))
+    throw std::invalid_argument("tessellate -o " + name + ": --format off|ply|obj|stl is needed");
+  if (!line.has("format")) return GC::mesh_format(name);
+  const std::string format = '.' + line.choice("format", {"off", "ply", "obj", "stl"}), ending = extension(name);
+  if (!has_no_format(name) && ending != format)
+    throw std::invalid_argument("--format: not with " + name + ", which ends with '" + ending + "'");
+  return GC::mesh_format(format);
+}
+
+template <class FT> int write_triangles(const Command_line& line, GC::Mesh_format format) {
   typedef GC::Traits_3<CGAL::Simple_cartesian<FT>> Traits;
   const std::vector<GC::Bspline_surface<Traits>> model = read_surfaces<Traits>(line.files());
+  const std::size_t most =
+      static_cast<std::size_t>(line.integer("max-triangles", 1, (std::numeric_limits<int>::max)()));
   const GC::Tessellation<Traits> mesh =
-      line.has("grid") ? GC::tessellate(model, GC::Uniform_grid{line.integer("grid")})
-                       : GC::tessellate(model, GC::Chord_tolerance{line.number<double>("tolerance", 0.01)});
-  GC::write_mesh(line.text("output"), mesh);
-  std::cout << model.size() << " surfaces: " << mesh.points.size() << " points, " << mesh.triangles.size()
-            << " triangles, " << GC::mesh_edges(mesh.triangles) << '\n';
+      line.has("grid") ? tessellate(model, GC::Uniform_grid{line.integer("grid")}, most)
+                       : tessellate(model, GC::Chord_tolerance{line.number<double>("tolerance", 0.01)}, most);
+  write_output(line.text("output"), [&](std::ostream& os) { GC::write_mesh(os, mesh, format); });
+  report_stream(line) << model.size() << " surfaces: " << mesh.points.size() << " points, " << mesh.triangles.size()
+                      << " triangles, " << GC::mesh_edges(mesh.triangles) << '\n';
   return requirement_met;
 }
 
@@ -40,8 +74,11 @@ int tessellate_command(const Arguments& arguments) {
   const Command_line line(usage, arguments, [](po::options_description_easy_init add) {
     add("output,o", po::value<std::string>(),
         "write the triangles; the name, with .off, .ply, .obj or .stl, tells the format");
+    add("format", po::value<std::string>(), "off, ply, obj or stl, for standard output and devices");
     add("tolerance", po::value<std::string>(), "R, the largest distance between surfaces and triangles (default 0.01)");
     add("grid", po::value<int>(), "instead: N times N cells for each polynomial patch");
+    add("max-triangles", po::value<int>()->default_value(GC::max_tessellation_triangles),
+        "more triangles are refused before any is made");
     add("kernel", po::value<std::string>()->default_value("double"), "exact or double");
   });
   if (line.help()) return requirement_met;
@@ -49,7 +86,7 @@ int tessellate_command(const Arguments& arguments) {
   if (!line.has("output")) throw std::invalid_argument("tessellate: -o OUT.off|ply|obj|stl is needed");
   if (line.has("grid") && line.has("tolerance"))
     throw std::invalid_argument("tessellate: --grid and --tolerance exclude each other");
-  GC::mesh_format(line.text("output")); // refused before anything is computed
-  return line.choice("kernel", {"exact", "double"}) == "exact" ? tessellate<CGAL::Exact_rational>(line)
-                                                               : tessellate<double>(line);
+  const GC::Mesh_format format = output_format(line);
+  return line.choice("kernel", {"exact", "double"}) == "exact" ? write_triangles<CGAL::Exact_rational>(line, format)
+                                                               : write_triangles<double>(line, format);
 }

@@ -5,15 +5,16 @@
 #include "command_line.h"
 #include "deferred_output.h"
 #include "join_report.h"
+#include "progress.h"
 #include "svg_drawing.h"
 #include "verify_drawings.h"
+#include "work_limit.h"
 
 #include <CGAL/Geometric_continuity/IO/json.h>
 #include <CGAL/Geometric_continuity/edges/edge_order_within.h>
 #include <CGAL/Geometric_continuity/joins/order_within.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cstddef>
 #include <iostream>
 #include <map>
@@ -22,8 +23,6 @@
 #include <stdexcept>
 #include <string>
 #include <vector>
-
-#include <unistd.h>
 
 namespace {
 
@@ -48,28 +47,16 @@ guaranteed bounds, and the order that it has within this angle of the tangents
 along each edge and the largest gap, and also finds the boundary edges that are
 that near to each other.
 
+What cannot be verified is named: elements of a drawing that cannot be read,
+joins whose tangents are not rational, edges of surfaces that are single points.
+With --strict that counts as not met, also without --require.
+Exact decisions on numbers of thousands of digits, or of high order and degree,
+can take long: --max-work N allows N steps, about N multiplications of machine
+words, for each join, edge or curve, instead of 4000000000.
+
 Exit code: 0 when every join meets the requirement, 1 when one does not, 2 on
-bad input.
+bad input, and when there is no join, unless --allow-empty accepts that.
 )";
-
-// Shows on a terminal, once a second, how many joins of a long chain are done.
-class Progress {
-  typedef std::chrono::steady_clock Clock;
-  const bool shown_ = isatty(STDERR_FILENO);
-  Clock::time_point next_ = Clock::now() + std::chrono::seconds(1);
-  bool written_ = false;
-
-public:
-  void step(std::size_t joins) {
-    if (!shown_ || joins % 256 != 0 || Clock::now() < next_) return;
-    std::cerr << '\r' << joins << " joins" << std::flush;
-    next_ = Clock::now() + std::chrono::seconds(1);
-    written_ = true;
-  }
-  ~Progress() {
-    if (written_) std::cerr << "\r\033[K";
-  }
-};
 
 // Returns the bounds of --within: as many as `least`, and the gap, which is 0 when it is not given.
 std::vector<double> bounds(const Command_line& line, std::size_t least, const char* needed) {
@@ -99,20 +86,23 @@ struct Demand {
   int max_order;
   std::optional<Requirement> order;
   std::optional<GC::Join_tolerance> tolerance;
+  GC::Work_limit limit; // for each join, and for the pieces of each curve
 };
 
 // Collects the reports on the joins, and prints them when all are decided.
 class Chain_report {
-  const bool json_;
+  const Report_mode mode_;
+  const bool json_ = mode_.format == Report_format::json;
   const Demand& demand_;
   Deferred_output out_;
-  Progress progress_;
   std::size_t joins_ = 0, failing_ = 0;
 
 public:
-  Chain_report(Report_format format, const Demand& demand) : json_(format == Report_format::json), demand_(demand) {
+  Chain_report(const Report_mode& mode, const Demand& demand) : mode_(mode), demand_(demand) {
     out_.write(json_ ? "{\"joins\":[" : table_head());
   }
+
+  std::size_t joins() const { return joins_; }
 
   void operator()(const GC::Chain_join<Exact_curve>& join) {
     const int left = static_cast<int>(join.left), right = static_cast<int>(join.right);
@@ -139,12 +129,13 @@ public:
       }
     }
     out_.write(s.str());
-    progress_.step(++joins_);
+    ++joins_;
   }
 
-  // Prints the report and returns whether the requirement is met.
-  bool print(std::ostream& os, const GC::Chain_summary& summary) {
+  // Prints the report and returns the exit code.
+  int print(std::ostream& os, const GC::Chain_summary& summary) {
     const std::map<int, std::size_t>& counts = summary.counts(GC::Continuity_kind::G);
+    const Conclusion conclusion{joins_, failing_, 0};
     out_.copy_to(os);
     if (json_) {
       os << "],\n \"summary\":{\"joins\":" << joins_;
@@ -156,39 +147,51 @@ public:
            << ",\"f_order\":" << *summary.least_order(GC::Continuity_kind::F);
       os << '}';
       if (demand_.order)
-        os << ",\n \"required\":\"" << demand_.order->text() << "\",\"met\":" << (failing_ == 0 ? "true" : "false");
+        os << ",\n \"required\":\"" << demand_.order->text() << "\",\"met\":" << conclusion.json_met(mode_);
       os << "}\n";
     } else {
-      os << joins_ << (joins_ == 1 ? " join" : " joins");
+      os << counted(joins_, "join");
       for (const auto& [order, count] : counts)
         os << (order == counts.begin()->first ? ": " : ", ") << count << ' '
            << (order < 0 ? "gap" : 'G' + std::to_string(order) + (order == demand_.max_order ? " or more" : ""));
       os << '\n';
-      if (!demand_.order) return true;
-      const std::string order = demand_.order->text() + (demand_.tolerance ? " within the tolerance" : "");
-      if (failing_ == 0)
-        os << "every join is " << order << ", proved exactly\n";
-      else
-        os << failing_ << " of them not " << order << '\n';
+      if (joins_ == 0)
+        os << "no join, nothing was decided\n";
+      else if (demand_.order) {
+        const std::string order = demand_.order->text() + (demand_.tolerance ? " within the tolerance" : "");
+        if (failing_ == 0)
+          os << "every join is " << order << ", proved exactly\n";
+        else
+          os << failing_ << " of them not " << order << '\n';
+      }
     }
-    return failing_ == 0;
+    return conclusion.exit_code(mode_, "join");
   }
 };
 
 // Decides the joins of a chain of curves; FT is the type in which their numbers are read.
-template <class FT> int verify(const Command_line& line, Report_format format, const Demand& demand) {
+template <class FT> int verify(const Command_line& line, const Report_mode& mode, const Demand& demand) {
   const bool closed = line.has("closed");
-  Chain_report report(format, demand);
-  GC::Chain_analysis<Exact_curve> chain(demand.max_order);
-  Curve_stream<FT, Exact> stream(line.files());
-  while (const std::optional<Exact_curve> curve = stream.next()) {
+  Chain_report report(mode, demand);
+  Progress progress("joins");
+  GC::Chain_analysis<Exact_curve> chain(demand.max_order, demand.limit);
+  Curve_stream<FT, Exact> stream(line.files(), demand.limit);
+  const auto next = [&] { return within_work_limit([&] { return stream.file(); }, [&] { return stream.next(); }); };
+  while (const std::optional<Exact_curve> curve = next()) {
     if (demand.order && chain.size() == 0) demand.order->check_dimension(curve->dimension());
-    chain.add(*curve, report);
+    within_work_limit(
+        [&] {
+          return stream.file() + ": join " + std::to_string(chain.size() - 1) + " -> " + std::to_string(chain.size());
+        },
+        [&] { chain.add(*curve, report); });
+    progress.step(report.joins(), [&] { return stream.part_read(); });
   }
-  if (chain.size() == 1 && !closed)
+  progress.clear();
+  if (chain.size() == 1 && !closed && !mode.allow_empty)
     throw std::invalid_argument("a single curve has no join; --closed asks for the join of its end and its start");
-  if (closed) chain.close(report);
-  return report.print(std::cout, chain.summary()) ? requirement_met : requirement_not_met;
+  if (closed)
+    within_work_limit([] { return std::string("the join that closes the chain"); }, [&] { chain.close(report); });
+  return report.print(std::cout, chain.summary());
 }
 
 } // namespace
@@ -201,7 +204,10 @@ int verify_command(const Arguments& arguments) {
     add("require", po::value<std::string>(), "the order that every join must have: C1, G2, F3, ...");
     add("within", po::value<std::string>(),
         "A,K,T or A,K,T,GAP: the tolerance for a join; with --surfaces A or A,GAP for an edge");
+    add("strict", "what cannot be verified counts as not met");
+    add("allow-empty", "accept that there is no join");
     add("json", "print JSON");
+    add("max-work", po::value<std::string>(), "the steps of work that are allowed for one join, edge or curve");
     add("kernel", po::value<std::string>()->default_value("exact"),
         "exact: the numbers as written; double: each number is first rounded to a double, then all is exact");
   });
@@ -210,32 +216,31 @@ int verify_command(const Arguments& arguments) {
   std::optional<Requirement> required;
   if (line.has("require")) required = Requirement(line.text("require"));
   const Arguments files = line.files();
-  const Report_format format = line.has("json") ? Report_format::json : Report_format::text;
+  const Report_mode mode{line.has("json") ? Report_format::json : Report_format::text, line.has("strict"),
+                         line.has("allow-empty")};
   const auto drawings = std::count_if(files.begin(), files.end(), is_svg_file);
   if (drawings != 0) {
     if (drawings != static_cast<std::ptrdiff_t>(files.size()))
       throw std::invalid_argument("drawings (.svg) and curves (.g2) cannot be verified together");
-    for (const char* option : {"surfaces", "closed", "within"})
-      if (line.has(option)) throw std::invalid_argument(std::string("--") + option + ": not for drawings");
-    if (line.choice("kernel", {"exact", "double"}) != "exact")
-      throw std::invalid_argument("--kernel double: drawings are read exactly");
+    line.refuse({"surfaces", "closed", "within", "kernel"}, "not for drawings");
   }
   if (line.has("surfaces")) {
+    line.refuse({"closed", "max-order", "kernel"}, "not with --surfaces");
     std::optional<GC::Edge_tolerance> tolerance;
     if (line.has("within")) tolerance = edge_tolerance(line);
     if (required && (required->kind() != GC::Continuity_kind::G || required->order() > 2))
       throw std::invalid_argument("--require " + required->text() + ": along an edge G0, G1 and G2 are decided");
     if (tolerance && required && required->order() > 1)
       throw std::invalid_argument("--require " + required->text() + ": within a tolerance, G0 and G1 are decided");
-    return verify_surfaces(files, format, required ? std::optional<int>(required->order()) : std::nullopt, tolerance);
+    return verify_surfaces(files, mode, required ? std::optional<int>(required->order()) : std::nullopt, tolerance,
+                           line.work_limit());
   }
-  Demand demand{line.integer("max-order"), required, {}};
-  if (demand.max_order < 0 || demand.max_order > 32) throw std::invalid_argument("--max-order: not from 0 to 32");
+  Demand demand{line.integer("max-order", 0, 32), required, {}, line.work_limit()};
   if (required) demand.max_order = (std::max)(demand.max_order, required->order());
   if (line.has("within")) demand.tolerance = join_tolerance(line);
   if (required && demand.tolerance && (required->kind() == GC::Continuity_kind::C || required->order() > 3))
     throw std::invalid_argument("--require " + required->text() + ": within a tolerance, G or F up to 3 are decided");
-  if (drawings != 0) return verify_drawings(files, demand.max_order, format, required);
-  return line.choice("kernel", {"exact", "double"}) == "exact" ? verify<Exact>(line, format, demand)
-                                                               : verify<double>(line, format, demand);
+  if (drawings != 0) return verify_drawings(files, demand.max_order, demand.limit, mode, required);
+  return line.choice("kernel", {"exact", "double"}) == "exact" ? verify<Exact>(line, mode, demand)
+                                                               : verify<double>(line, mode, demand);
 }

@@ -5,13 +5,18 @@
 #include "verify_drawings.h"
 
 #include "deferred_output.h"
+#include "input.h"
+#include "progress.h"
 #include "svg_drawing.h"
+#include "work_limit.h"
 
 #include <CGAL/Geometric_continuity/IO/json.h>
+#include <CGAL/Geometric_continuity/IO/printable.h>
 #include <CGAL/Geometric_continuity/IO/svg/svg_continuity.h>
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <iostream>
 #include <map>
 #include <sstream>
@@ -76,9 +81,14 @@ std::string explanation(const GC::Join_continuity<Exact>& join, const Segment& l
 // Decides the joins of all subpaths that it receives.
 class Drawing_report : public Drawing_handler {
   const int max_order_;
-  const bool json_, several_; // several_: there are several files, so that each line names its own
+  const GC::Work_limit limit_;
+  const Report_mode mode_;
+  const bool json_ = mode_.format == Report_format::json;
+  const bool several_; // there are several files, so that each line names its own
   const std::optional<Requirement> required_;
   Deferred_output out_;
+  Progress progress_{"joins"};
+  std::function<void()> show_progress_ = [] {};
   std::vector<std::string> not_read_;
   GC::Chain_summary summary_; // of what is decided
   std::size_t joins_ = 0, undecided_ = 0, failing_ = 0, subpaths_ = 0, segments_ = 0;
@@ -110,16 +120,32 @@ class Drawing_report : public Drawing_handler {
   }
 
 public:
-  Drawing_report(int max_order, Report_format format, bool several, const std::optional<Requirement>& required)
-      : max_order_(max_order), json_(format == Report_format::json), several_(several), required_(required) {
+  Drawing_report(int max_order, GC::Work_limit limit, const Report_mode& mode, bool several,
+                 const std::optional<Requirement>& required)
+      : max_order_(max_order), limit_(limit), mode_(mode), several_(several), required_(required) {
     if (json_) out_.write("{\"joins\":[");
+  }
+
+  // Reads drawings, one after the other.
+  void read(const Arguments& files) {
+    const Reading_position position(files);
+    for (std::size_t i = 0; i < files.size(); ++i) {
+      Input input(files[i]);
+      show_progress_ = [&] { progress_.step(joins_, [&] { return position.part(i, input); }); };
+      input.after_each_block(show_progress_); // a path may be large
+      read_svg_drawing(input, input_name(files[i]), *this);
+      show_progress_ = [] {};
+    }
+    progress_.clear();
   }
 
   void subpath(const Drawing_element& element, int number, const Drawing_subpath& path) override {
     const std::size_t n = path.segments.size();
     for (std::size_t i = 0; i < (path.closed ? n : n - 1); ++i) {
       const Segment &left = path.segments[i], &right = path.segments[(i + 1) % n];
-      const Decision decision = GC::continuity(left, right, max_order_);
+      const Decision decision = within_work_limit(
+          [&] { return "commands " + std::to_string(left.command) + " and " + std::to_string(right.command); },
+          [&] { return GC::continuity(left, right, max_order_, limit_); });
       if (decision)
         summary_.add(*decision);
       else
@@ -130,9 +156,9 @@ public:
                    json(segments_ + i, segments_ + (i + 1) % n, left, right, decision) + ',' + json_element(element) +
                    ",\"subpath\":" + std::to_string(number) + '}');
       else
-        out_.write((several_ ? element.file + ": " : "") + element.text() + ", subpath " + std::to_string(number) +
-                   ", " + text(left, right, decision) + '\n');
+        out_.write(name(element) + ", subpath " + std::to_string(number) + ", " + text(left, right, decision) + '\n');
       ++joins_;
+      show_progress_();
     }
     segments_ += n;
     ++subpaths_;
@@ -140,38 +166,49 @@ public:
 
   void not_read(const Drawing_element& element, const std::string& reason) override {
     not_read_.push_back(json_ ? '{' + json_element(element) + ",\"reason\":" + json_string(reason) + '}'
-                              : (several_ ? element.file + ": " : "") + element.text() + ": not verified, " + reason);
+                              : name(element) + ": not verified, " + GC::printable(reason));
   }
 
-  // Prints the report and returns whether the requirement is met.
-  bool print(std::ostream& os) {
+  // Prints the report and returns the exit code.
+  int print(std::ostream& os) {
     out_.copy_to(os);
     if (json_)
       print_json_summary(os);
     else
       print_summary(os);
-    return failing_ == 0;
+    return conclusion().exit_code(mode_, "join");
   }
 
 private:
+  // Joins that are undecided fail when an order is asked for.
+  Conclusion conclusion() const { return {joins_, failing_, not_read_.size() + (required_ ? 0 : undecided_)}; }
+
+  // What the lines of an element begin with: names from outside must not look like lines.
+  std::string name(const Drawing_element& element) const {
+    return GC::printable((several_ ? element.file + ": " : "") + element.text());
+  }
+
   const std::map<int, std::size_t>& counts() const { return summary_.counts(GC::Continuity_kind::G); }
 
   void print_summary(std::ostream& os) const {
     for (const std::string& line : not_read_) os << line << '\n';
-    os << joins_ << (joins_ == 1 ? " join in " : " joins in ") << subpaths_
-       << (subpaths_ == 1 ? " subpath" : " subpaths");
+    os << counted(joins_, "join") << " in " << counted(subpaths_, "subpath");
     const char* separator = ": ";
     for (const auto& [order, count] : counts()) {
       os << separator << count << " G" << order << (order == max_order_ ? " or more" : "");
       separator = ", ";
     }
     if (undecided_ != 0) os << separator << undecided_ << " undecided";
-    os << '\n';
-    if (!required_) return;
-    if (failing_ == 0)
-      os << "every join is " << required_->text() << ", proved exactly\n";
-    else
+    const std::string unverified =
+        not_read_.empty() ? "" : "; " + counted(not_read_.size(), "element") + " not verified";
+    os << unverified << '\n';
+    if (joins_ == 0)
+      os << "no join, nothing was decided\n";
+    else if (required_ && failing_ == 0)
+      os << "every join is " << required_->text() << ", proved exactly" << unverified << '\n';
+    else if (required_)
       os << failing_ << " of them not " << (undecided_ == 0 ? "" : "proved to be ") << required_->text() << '\n';
+    if (mode_.strict && conclusion().unverified > 0) os << "not met, because not all was verified\n";
   }
 
   void print_json_summary(std::ostream& os) const {
@@ -180,18 +217,17 @@ private:
     os << "],\n \"summary\":{\"joins\":" << joins_ << ",\"subpaths\":" << subpaths_;
     for (const auto& [order, count] : counts()) os << ",\"G" << order << "\":" << count;
     os << ",\"undecided\":" << undecided_ << '}';
-    if (required_)
-      os << ",\n \"required\":\"" << required_->text() << "\",\"met\":" << (failing_ == 0 ? "true" : "false");
+    if (required_) os << ",\n \"required\":\"" << required_->text() << "\",\"met\":" << conclusion().json_met(mode_);
     os << "}\n";
   }
 };
 
 } // namespace
 
-int verify_drawings(const Arguments& files, int max_order, Report_format format,
+int verify_drawings(const Arguments& files, int max_order, GC::Work_limit limit, const Report_mode& mode,
                     const std::optional<Requirement>& required) {
   if (required) required->check_dimension(2);
-  Drawing_report report(max_order, format, files.size() > 1, required);
-  for (const std::string& file : files) read_svg_drawing(file, report);
-  return report.print(std::cout) ? requirement_met : requirement_not_met;
+  Drawing_report report(max_order, limit, mode, files.size() > 1, required);
+  report.read(files);
+  return report.print(std::cout);
 }

@@ -11,7 +11,7 @@
 #include <optional>
 
 // Runs `verify` for SVG drawings: prints the joins of all paths and basic shapes, and returns the exit code.
-int verify_drawings(const Arguments& files, int max_order, Report_format format,
+int verify_drawings(const Arguments& files, int max_order, GC::Work_limit limit, const Report_mode& mode,
                     const std::optional<Requirement>& required);
 
 #endif // GEOMETRIC_CONTINUITY_DEMO_VERIFY_DRAWINGS_H

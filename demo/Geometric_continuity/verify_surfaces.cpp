@@ -2,8 +2,10 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-#include "commands.h"
 #include "input.h"
+#include "join_report.h"
+#include "progress.h"
+#include "work_limit.h"
 
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Geometric_continuity/IO/json.h>
@@ -20,7 +22,7 @@
 namespace {
 
 typedef GC::Traits_3<CGAL::Simple_cartesian<CGAL::Exact_rational>> Traits;
-typedef CGAL::Exact_rational FT;
+typedef Exact FT;
 typedef GC::Bspline_surface<Traits> Surface;
 typedef GC::Model_edge<FT> Edge;
 typedef GC::Model_knot_line<FT> Line;
@@ -31,6 +33,7 @@ typedef GC::Edge_order_within Within;
 struct Demand {
   std::optional<int> order;
   std::optional<GC::Edge_tolerance> tolerance;
+  GC::Work_limit limit; // for each edge
 };
 
 const char* boolean(bool b) { return b ? "true" : "false"; }
@@ -42,7 +45,7 @@ std::string order(const GC::Edge_continuity<FT>& e) {
 // Writes the members that edges, knot lines and spans have in common.
 void write_verdict(std::ostream& os, const GC::Edge_continuity<FT>& e) {
   os << "\"order\":\"" << order(e) << "\",\"reason\":\"" << e.defect << "\",\"side\":\"" << e.side << '"';
-  if (e.deviation) os << ",\"angle_at_most\":" << e.deviation->largest_angle();
+  if (e.deviation) GC::write_number(os << ",\"angle_at_most\":", e.deviation->largest_angle());
 }
 
 void write_verdict(std::ostream& os, const Continuity& e) {
@@ -109,6 +112,7 @@ void write_json(std::ostream& os, const std::vector<Edge>& edges, GC::Model_edge
 // The decisions on a model, exact and within the tolerance.
 class Model_report {
   const std::vector<Surface>& surfaces_;
+  const Report_mode mode_;
   const Demand demand_;
   const GC::Model_continuity<FT> model_;
   std::vector<std::optional<Within>> edges_, lines_; // as those of the model
@@ -116,28 +120,64 @@ class Model_report {
   std::size_t failing_edges_ = 0, failing_lines_ = 0;
 
 public:
-  Model_report(const std::vector<Surface>& surfaces, const Demand& demand)
-      : surfaces_(surfaces), demand_(demand), model_(GC::model_continuity(surfaces)) {
+  Model_report(const std::vector<Surface>& surfaces, const Report_mode& mode, const Demand& demand)
+      : surfaces_(surfaces), mode_(mode), demand_(demand), model_(decided(surfaces, demand.limit)) {
+    Progress progress("edges and knot lines within the tolerance");
+    const auto step = [&] {
+      const std::size_t done = edges_.size() + lines_.size();
+      progress.step(done, [&] { return double(done) / double(model_.edges.size() + model_.knot_lines.size()); });
+    };
     for (const Edge& e : model_.edges) {
       edges_.emplace_back();
       if (e.kind != GC::Model_edge_kind::shared) continue;
       if (demand_.tolerance) edges_.back() = GC::order_within(e.continuity, *demand_.tolerance);
       failing_edges_ += fails(e.continuity.g_order, edges_.back());
+      step();
     }
     for (const Line& l : model_.knot_lines) {
       lines_.emplace_back();
-      if (demand_.tolerance) lines_.back() = GC::order_within(surfaces[l.patch], l.line, *demand_.tolerance);
+      if (demand_.tolerance)
+        lines_.back() = GC::order_within(surfaces[l.patch], l.line, *demand_.tolerance, demand_.limit);
       failing_lines_ += fails(l.line.continuity.g_order, lines_.back());
+      step();
     }
-    if (demand_.tolerance && demand_.tolerance->gap > 0) near_ = GC::near_edges(surfaces, model_, *demand_.tolerance);
+    if (demand_.tolerance && demand_.tolerance->gap > 0) near_ = near(surfaces, model_, demand_);
     for (const GC::Near_edges& e : near_) failing_edges_ += fails(-1, e.within);
   }
 
-  bool met() const { return failing_edges_ + failing_lines_ == 0; }
-  void print_json() const;
-  void print_text() const;
+  // Prints the report and returns the exit code.
+  int print() const {
+    if (mode_.format == Report_format::json)
+      print_json();
+    else
+      print_text();
+    return conclusion().exit_code(mode_, "shared edge");
+  }
 
 private:
+  void print_json() const;
+  void print_text() const;
+  void print_verdict() const;
+
+  static GC::Model_continuity<FT> decided(const std::vector<Surface>& surfaces, GC::Work_limit limit) {
+    Progress progress("edges and knot lines");
+    return GC::model_continuity(surfaces, limit, [&](std::size_t n) { progress.step(n); });
+  }
+
+  static std::vector<GC::Near_edges> near(const std::vector<Surface>& surfaces, const GC::Model_continuity<FT>& model,
+                                          const Demand& demand) {
+    Progress progress("boundary edges");
+    const auto part = [&](std::size_t n) { return double(n) / double(model.summary.boundary); };
+    return GC::near_edges(surfaces, model, *demand.tolerance, demand.limit,
+                          [&](std::size_t n) { progress.step(n, [&] { return part(n); }); });
+  }
+
+  // Edges that are single points have no tangent planes to compare.
+  Conclusion conclusion() const {
+    const GC::Model_summary& s = model_.summary;
+    return {s.g2 + s.g1 + s.g0 + lines_.size() + near_.size(), failing_edges_ + failing_lines_, s.collapsed};
+  }
+
   bool fails(int exact_order, const std::optional<Within>& within) const {
     return demand_.order && exact_order < *demand_.order &&
            !(within && (*within)(*demand_.order) == GC::Verdict::proved);
@@ -188,7 +228,8 @@ void Model_report::print_json() const {
             << ",\"folds\":" << s.folds << ",\"non_manifold\":" << s.non_manifold
             << ",\"knot_lines\":{\"G2\":" << s.knot_lines_g2 << ",\"G1\":" << s.knot_lines_g1
             << ",\"G0\":" << s.knot_lines_g0 << "}}";
-  if (demand_.order) std::cout << ",\n \"required\":\"G" << *demand_.order << "\",\"met\":" << boolean(met());
+  if (demand_.order)
+    std::cout << ",\n \"required\":\"G" << *demand_.order << "\",\"met\":" << conclusion().json_met(mode_);
   std::cout << "}\n";
 }
 
@@ -208,11 +249,22 @@ void Model_report::print_text() const {
   std::cout << surfaces_.size() << " patches: " << model_.summary;
   if (!near_.empty()) std::cout << "; near edges: " << near_.size();
   std::cout << '\n';
-  if (!demand_.order) return;
+  const Conclusion all = conclusion();
+  if (all.decided == 0) std::cout << "no shared edge, nothing was decided\n";
+  if (demand_.order && all.decided > 0) print_verdict();
+  if (mode_.strict && all.unverified > 0) std::cout << "not met, because not all was verified\n";
+}
+
+void Model_report::print_verdict() const {
+  const Conclusion all = conclusion();
   const std::string order = "G" + std::to_string(*demand_.order) + (demand_.tolerance ? " within the tolerance" : ""),
                     near = near_.empty() ? "" : " and every pair of near edges",
                     inside = lines_.empty() ? "" : " and every knot line";
-  if (met()) std::cout << "every shared edge" << near << inside << " is " << order << ", proved exactly\n";
+  if (all.failing == 0) {
+    std::cout << "every shared edge" << near << inside << " is " << order << ", proved exactly";
+    if (all.unverified > 0) std::cout << "; " << counted(all.unverified, "collapsed edge") << " not verified";
+    std::cout << '\n';
+  }
   if (failing_edges_ > 0) std::cout << failing_edges_ << " of them not " << order << '\n';
   if (failing_lines_ > 0)
     std::cout << failing_lines_ << (failing_lines_ == 1 ? " knot line not " : " knot lines not ") << order << '\n';
@@ -220,13 +272,11 @@ void Model_report::print_text() const {
 
 } // namespace
 
-int verify_surfaces(const Arguments& files, Report_format format, const std::optional<int>& required_g_order,
-                    const std::optional<GC::Edge_tolerance>& tolerance) {
+int verify_surfaces(const Arguments& files, const Report_mode& mode, const std::optional<int>& required_g_order,
+                    const std::optional<GC::Edge_tolerance>& tolerance, GC::Work_limit limit) {
   const std::vector<Surface> surfaces = read_surfaces<Traits>(files);
-  const Model_report report(surfaces, {required_g_order, tolerance});
-  if (format == Report_format::json)
-    report.print_json();
-  else
-    report.print_text();
-  return report.met() ? requirement_met : requirement_not_met;
+  return within_work_limit([&] { return files.size() == 1 ? input_name(files[0]) : input_name(files[0]) + ", ..."; },
+                           [&] {
+                             return Model_report(surfaces, mode, {required_g_order, tolerance, limit}).print();
+                           });
 }

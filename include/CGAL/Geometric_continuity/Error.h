@@ -41,7 +41,7 @@ enum class Error_code {
   unreachable_tolerance,    ///< a tolerance is not positive, or cannot be kept in floating-point arithmetic
   not_a_manifold,           ///< triangles do not meet two by two along their edges, in one orientation
   negative_count,           ///< a number of times, points, knots, cells or derivatives is negative
-  work_limit,               ///< the answer would cost more work than the caller allows
+  work_limit,               ///< the answer would cost more work than is allowed, see `Work_limit`
   not_representable,        ///< no floating-point numbers with the demanded property exist
   malformed_input,          ///< the text of a file or of a number is not what it should be
   cannot_read_file,         ///< a file cannot be opened or read, for a reason of the system

@@ -13,7 +13,6 @@
 #include <CGAL/Cartesian_d.h>
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Exact_rational.h>
-#include <CGAL/Geometric_continuity/IO/atomic_file.h>
 #include <CGAL/Geometric_continuity/IO/g2.h>
 #include <CGAL/Geometric_continuity/IO/number.h>
 #include <CGAL/Geometric_continuity/Traits_2.h>
@@ -48,11 +47,6 @@
 #include <string>
 #include <utility>
 #include <vector>
-
-#ifdef __unix__
-#include <csignal>
-#include <sys/resource.h>
-#endif
 
 namespace GC = CGAL::Geometric_continuity;
 namespace fs = std::filesystem;
@@ -163,33 +157,6 @@ template <class Curve> std::string g2_text(const Curve& curve) {
   GC::write_g2(os, curve);
   return os.str();
 }
-
-// A folder that is removed with all its files.
-class Folder {
-  fs::path path_;
-
-public:
-  Folder() {
-    std::random_device random;
-    path_ = fs::temp_directory_path() / ("test_io_" + std::to_string(random()) + std::to_string(random()));
-    fs::create_directory(path_);
-  }
-  ~Folder() { fs::remove_all(path_); }
-  Folder(const Folder&) = delete;
-  Folder& operator=(const Folder&) = delete;
-
-  std::string operator/(const std::string& name) const { return (path_ / name).string(); }
-  std::ptrdiff_t number_of_files() const {
-    return std::distance(fs::directory_iterator(path_), fs::directory_iterator());
-  }
-};
-
-std::string content(const std::string& path) {
-  std::ifstream is(path);
-  return std::string(std::istreambuf_iterator<char>(is), std::istreambuf_iterator<char>());
-}
-
-void set_content(const std::string& path, const std::string& text) { std::ofstream(path) << text; }
 
 const std::string line_text = "100 1 0 0\n"
                               "2 0\n"
@@ -776,11 +743,10 @@ BOOST_AUTO_TEST_CASE(endless_words_are_not_accumulated) {
 }
 
 BOOST_AUTO_TEST_CASE(streams_that_cannot_be_read) {
-  const Folder folder;
-  std::ifstream missing(folder / "missing.g2");
+  std::ifstream missing("/there is no such folder/missing.g2");
   BOOST_CHECK_EQUAL(error_of([&] { GC::read_g2_curves<Exact_2>(missing, "missing.g2"); }),
                     "cannot_read_file: missing.g2: the stream cannot be read");
-  std::ifstream opened(folder / ""); // a folder, which some systems open
+  std::ifstream opened(fs::temp_directory_path()); // a folder, which some systems open
   BOOST_CHECK(contains(error_of([&] { GC::read_g2_curves<Exact_2>(opened, "folder"); }), "cannot_read_file: folder: "));
   Endless broken("");
   std::istream is(&broken);
@@ -788,125 +754,13 @@ BOOST_AUTO_TEST_CASE(streams_that_cannot_be_read) {
                     "cannot_read_file: broken: the line is dead");
 }
 
-// files
-
-BOOST_AUTO_TEST_CASE(files_are_written) {
-  const Folder folder;
-  const std::string path = folder / "curve.g2";
-  const GC::Bezier_curve<Exact_2> cubic = read<Exact_2>(cubic_text)[0];
-  GC::write_file_atomically(path, [&](std::ostream& os) { GC::write_g2(os, cubic); });
-  BOOST_CHECK_EQUAL(content(path), cubic_text);
-  BOOST_CHECK_EQUAL(folder.number_of_files(), 1);
-  std::ifstream is(path);
-  BOOST_CHECK(GC::read_g2_curves<Exact_2>(is, path)[0] == cubic);
-  // a file without a folder in its name
-  const std::string name = "test_io_" + std::to_string(std::random_device()()) + ".g2";
-  GC::write_file_atomically(name, [](std::ostream& os) { os << "here"; });
-  BOOST_CHECK_EQUAL(content(name), "here");
-  BOOST_CHECK(fs::remove(name));
+BOOST_AUTO_TEST_CASE(byte_order_marks) {
+  const std::string mark = "\xEF\xBB\xBF", zero(1, '\0');
+  BOOST_CHECK(read<Exact_2>(mark + cubic_text)[0] == read<Exact_2>(cubic_text)[0]);
+  check_g2_error(mark, 1, "no curve");
+  check_g2_error(mark + "\n200 1 0 0", 2, "200 (spline surface) where a curve (100) is expected");
+  check_g2_error("\xEF\xBB 100", 1, "the text begins with half a byte order mark");
+  for (const std::string& utf16 :
+       {std::string("\xFF\xFE"), std::string("\xFE\xFF"), "1" + zero + "0" + zero, zero + "1" + zero + "0"})
+    check_g2_error(utf16, 1, "the text is UTF-16 where UTF-8 is expected");
 }
-
-BOOST_AUTO_TEST_CASE(older_files_are_replaced) {
-  const Folder folder;
-  const std::string path = folder / "old.g2", link = folder / "link.g2";
-  set_content(path, "a longer old text");
-  fs::permissions(path, fs::perms::owner_read | fs::perms::owner_write);
-  fs::create_symlink("old.g2", link);
-  GC::write_file_atomically(link, [&](std::ostream& os) {
-    os << "new" << std::flush;
-    BOOST_CHECK_EQUAL(content(path), "a longer old text");
-  });
-  BOOST_CHECK_EQUAL(content(path), "new");
-  BOOST_CHECK(fs::is_symlink(link));
-  BOOST_CHECK(fs::status(path).permissions() == (fs::perms::owner_read | fs::perms::owner_write));
-  BOOST_CHECK_EQUAL(folder.number_of_files(), 2);
-}
-
-BOOST_AUTO_TEST_CASE(older_files_are_kept_when_the_writer_throws) {
-  const Folder folder;
-  const std::string path = folder / "old.g2";
-  set_content(path, "old");
-  const auto fails = [](std::ostream& os) {
-    os << "half" << std::flush;
-    throw std::range_error("the writer's own");
-  };
-  BOOST_CHECK_EXCEPTION(GC::write_file_atomically(path, fails), std::range_error,
-                        [](const std::range_error& error) { return error.what() == std::string("the writer's own"); });
-  BOOST_CHECK_EQUAL(content(path), "old");
-  BOOST_CHECK_EQUAL(folder.number_of_files(), 1);
-  // a stream that was set to fail, in silence
-  const std::string message = "cannot_write_file: " + path + ": write error";
-  BOOST_CHECK_EQUAL(
-      error_of([&] { GC::write_file_atomically(path, [](std::ostream& os) { os.setstate(std::ios::badbit); }); }),
-      message);
-  BOOST_CHECK(contains(error_of([&] {
-                         GC::write_file_atomically(path, [](std::ostream& os) {
-                           os.exceptions(std::ios::goodbit);
-                           os.setstate(std::ios::badbit);
-                         });
-                       }),
-                       message));
-  BOOST_CHECK_EQUAL(content(path), "old");
-  BOOST_CHECK_EQUAL(folder.number_of_files(), 1);
-  // the failure of another stream is the writer's own
-  BOOST_CHECK_THROW(GC::write_file_atomically(path,
-                                              [](std::ostream&) {
-                                                std::istringstream other;
-                                                other.exceptions(std::ios::failbit);
-                                                other.get();
-                                              }),
-                    std::ios::failure);
-  BOOST_CHECK_EQUAL(folder.number_of_files(), 1);
-}
-
-BOOST_AUTO_TEST_CASE(files_that_cannot_be_written) {
-  const Folder folder;
-  bool called = false;
-  const auto writer = [&](std::ostream&) { called = true; };
-  const auto error = [&](const std::string& path) {
-    return error_of([&] { GC::write_file_atomically(path, writer); });
-  };
-  const auto reason = [](std::errc code) { return std::make_error_code(code).message(); };
-  std::string path = folder / "missing/curve.g2";
-  BOOST_CHECK_EQUAL(error(path), "cannot_write_file: " + path + ": " + reason(std::errc::no_such_file_or_directory));
-  set_content(folder / "file", "text");
-  path = folder / "file/curve.g2";
-  BOOST_CHECK_EQUAL(error(path), "cannot_write_file: " + path + ": " + reason(std::errc::not_a_directory));
-  path = folder / "";
-  BOOST_CHECK_EQUAL(error(path), "cannot_write_file: " + path + ": not a regular file");
-  BOOST_CHECK(!called);
-  BOOST_CHECK_EQUAL(folder.number_of_files(), 1);
-}
-
-#ifdef __unix__
-BOOST_AUTO_TEST_CASE(full_disks) {
-  const Folder folder;
-  const std::string path = folder / "old.g2";
-  set_content(path, "old");
-  // a limit for the size of files takes the place of a full disk
-  rlimit old_limit;
-  BOOST_REQUIRE_EQUAL(getrlimit(RLIMIT_FSIZE, &old_limit), 0);
-  rlimit limit = old_limit;
-  limit.rlim_cur = 100000;
-  const auto old_handler = std::signal(SIGXFSZ, SIG_IGN);
-  BOOST_REQUIRE_EQUAL(setrlimit(RLIMIT_FSIZE, &limit), 0);
-  bool reached_end = false;
-  const std::string message = error_of([&] {
-    GC::write_file_atomically(path, [&](std::ostream& os) {
-      for (int i = 0; i < 200000; ++i) os.put('x');
-      reached_end = true;
-    });
-  });
-  // so little too much that it is seen at the end only
-  const std::string late_message = error_of(
-      [&] { GC::write_file_atomically(path, [&](std::ostream& os) { os << std::string(99999, 'x') << "yz"; }); });
-  setrlimit(RLIMIT_FSIZE, &old_limit);
-  std::signal(SIGXFSZ, old_handler);
-  const std::string reason = std::make_error_code(std::errc::file_too_large).message();
-  BOOST_CHECK_EQUAL(message, "cannot_write_file: " + path + ": " + reason);
-  BOOST_CHECK_EQUAL(late_message, "cannot_write_file: " + path + ": " + reason);
-  BOOST_CHECK(!reached_end);
-  BOOST_CHECK_EQUAL(content(path), "old");
-  BOOST_CHECK_EQUAL(folder.number_of_files(), 1);
-}
-#endif

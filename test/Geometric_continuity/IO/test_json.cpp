@@ -62,6 +62,25 @@ BOOST_AUTO_TEST_CASE(texts) {
   BOOST_CHECK_EQUAL(json("\xc3\xa9"), "\"\xc3\xa9\"");
 }
 
+BOOST_AUTO_TEST_CASE(texts_that_are_not_utf_8) {
+  const std::string r = "\xef\xbf\xbd"; // U+FFFD
+  const auto check = [](const std::string& text, const std::string& expected) {
+    BOOST_CHECK_EQUAL(json(text), '"' + expected + '"');
+  };
+  // the least and the largest character of each length, what surrounds the surrogates, and noncharacters stay
+  for (const char* text : {"\x7f", "\xc2\x80", "\xdf\xbf", "\xe0\xa0\x80", "\xed\x9f\xbf", "\xee\x80\x80",
+                           "\xef\xbf\xbe", "\xef\xbf\xbf", "\xf0\x90\x80\x80", "\xf4\x8f\xbf\xbf"})
+    check(text, text);
+  check("a\x80z\xffz\xfe", 'a' + r + 'z' + r + 'z' + r); // no first bytes
+  check("\xc0\xaf\xc1\xbf", r + r + r + r);              // overlong: no beginning of a character
+  check("\xe0\x9f\xbf\xf0\x8f\xbf\xbf", r + r + r + r + r + r + r);
+  check("\xed\xa0\x80\xed\xbf\xbf", r + r + r + r + r + r); // surrogates
+  check("\xf4\x90\x80\x80\xf5\x80", r + r + r + r + r + r); // beyond U+10FFFF
+  check("\xe2\x82", r);                                     // cut off
+  check("\xe2\x82z\xf0\x9f\x98\"", r + 'z' + r + "\\\"");
+  check("\xf0\x90\xe2\x82\xac\xe2", r + "\xe2\x82\xac" + r);
+}
+
 BOOST_AUTO_TEST_CASE(flags) {
   BOOST_CHECK_EQUAL(json(std::optional<bool>()), "null");
   BOOST_CHECK_EQUAL(json(std::optional<bool>(true)), "true");

@@ -10,7 +10,9 @@
 
 #include <CGAL/Geometric_continuity/models/model_continuity.h>
 #include <CGAL/Geometric_continuity/models/near_edges.h>
+#include <CGAL/Geometric_continuity/surfaces/Bspline_surface.h>
 
+#include <cstddef>
 #include <limits>
 #include <sstream>
 #include <vector>
@@ -58,4 +60,26 @@ BOOST_AUTO_TEST_CASE(near_edges_of_a_model) {
   const GC::Bspline_surface<Space> spline(model[2]);
   BOOST_CHECK_EQUAL(*GC::deviation(model[1], u1, spline, u0).normal_angle, *kink.deviation.normal_angle);
   BOOST_CHECK_EQUAL(GC::deviation(spline, u0, model[1], u1).gap, (GC::Enclosure{0, 0}));
+}
+
+BOOST_AUTO_TEST_CASE(progress_is_told) {
+  // strips of two linear patches each, three side by side and one apart
+  typedef GC::Bspline_surface<Space> Surface;
+  const GC::Knot_vector<double> u(1, {0, 0, 1, 2, 2}), v(1, {0, 0, 1, 1});
+  std::vector<Surface> strips;
+  for (int y : {0, 1, 2, 5}) {
+    std::vector<std::vector<Space::Point>> net;
+    for (int x : {0, 1, 2}) net.push_back({Space::Point(x, y, 0), Space::Point(x, y + 1, 0)});
+    strips.emplace_back(net, u, v);
+  }
+  std::vector<std::size_t> told;
+  const auto tell = [&told](std::size_t n) { told.push_back(n); };
+  const auto model = GC::model_continuity(strips, GC::Work_limit(), tell);
+  BOOST_CHECK_EQUAL(model.summary.g2, 2);
+  BOOST_CHECK_EQUAL(model.knot_lines.size(), 4);
+  BOOST_CHECK(told == (std::vector<std::size_t>{1, 2, 3, 4, 5, 6}));
+  told.clear();
+  GC::near_edges(strips, model, {1, 0.5}, GC::Work_limit(), tell);
+  BOOST_CHECK_EQUAL(told.size(), model.summary.boundary);
+  BOOST_CHECK_EQUAL(told.back(), model.summary.boundary);
 }

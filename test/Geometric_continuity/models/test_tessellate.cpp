@@ -25,6 +25,7 @@
 #include <filesystem>
 #include <fstream>
 #include <limits>
+#include <optional>
 #include <random>
 #include <set>
 #include <sstream>
@@ -544,6 +545,75 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(refused, K, Kernels) {
         {{0, 0, 0}, {1, 0, 0}}, {{1e308, 0, 0}, {-1e308, 1e308, 0}}, {{-1e308, 0, 0}, {1e308, 0, 1e308}}};
     CHECK_ERROR(GC::tessellate(huge, within(1)), unreachable_tolerance);
   }
+}
+
+// The triangles are counted before they are made: of surfaces, of patches with edges in common, and by a tolerance.
+BOOST_AUTO_TEST_CASE(limit_of_triangles) {
+  typedef CGAL::Simple_cartesian<double> K;
+  std::mt19937 random(47);
+  const auto message = [](const auto& surfaces, const auto& mode, std::size_t most) -> std::string {
+    try {
+      return std::to_string(GC::tessellate(surfaces, mode, most).triangles.size()) + " triangles";
+    } catch (const GC::Error& error) {
+      BOOST_CHECK(error.code() == GC::Error_code::work_limit);
+      return error.what();
+    }
+  };
+  const auto too_many = [](int surface, const std::string& count, std::size_t most) {
+    return "work_limit: tessellate: surface " + std::to_string(surface) + " leads to " + count +
+           " triangles or more, where at most " + std::to_string(most) + " are made";
+  };
+  const Patch<K> s = in_kernel<K>(random_patch(random, 2, 2));
+  BOOST_CHECK_EQUAL(message(s, grid(4), 32), "32 triangles");
+  BOOST_CHECK_EQUAL(message(s, grid(4), 31), too_many(0, "32", 31));
+  BOOST_CHECK_EQUAL(message(std::vector<Patch<K>>(3, s), grid(4096), 100000000), too_many(2, "100663296", 100000000));
+  BOOST_CHECK_EQUAL(message(s, grid(4096), GC::max_tessellation_triangles),
+                    too_many(0, "33554432", GC::max_tessellation_triangles));
+  const std::string tiny = message(s, within(1e-300), GC::max_tessellation_triangles);
+  BOOST_CHECK(tiny.find("surface 0 leads to ") != std::string::npos && tiny.find("e+30") != std::string::npos);
+  BOOST_CHECK(message(s, within(5e-324), GC::max_tessellation_triangles).find("1e+300 triangles") != std::string::npos);
+  // a plane beside a curved patch: points on their edge add triangles to the plane
+  const Patch<K> plane{{{0, 0, 0}, {0, 1, 0}}, {{1, 0, 0}, {1, 1, 0}}},
+      wave{{{1, 0, 0}, {1, 0.5, 0}, {1, 1, 0}}, {{2, 0, 0}, {2, 0.5, 8}, {2, 1, 0}}};
+  for (const Patch<K>& t : {wave, wave.swap_parameters()}) {
+    const std::vector<Patch<K>> model{plane, t};
+    const Mesh<K> mesh = GC::tessellate(model, within(0.01));
+    BOOST_CHECK_GT(std::count(mesh.patches.begin(), mesh.patches.end(), 0), 2);
+    const std::size_t needed = mesh.triangles.size();
+    BOOST_CHECK_EQUAL(message(model, within(0.01), needed), std::to_string(needed) + " triangles");
+    BOOST_CHECK_EQUAL(message(model, within(0.01), needed - 1), too_many(0, std::to_string(needed), needed - 1));
+  }
+  // the knots alone tell that there are too many
+  typedef GC::Bspline_surface<GC::Traits_3<K>> Surface;
+  std::vector<double> knots(1, 0.0);
+  for (int i = 0; i < 301; ++i) knots.push_back(i);
+  knots.push_back(300.0);
+  const GC::Knot_vector<double> u(1, knots);
+  Net<K> net(301);
+  for (int i = 0; i < 301; ++i)
+    for (int j = 0; j < 301; ++j) net[i].emplace_back(i, j, i * j % 7);
+  const Surface surface(net, u, u);
+  BOOST_CHECK_EQUAL(message(surface, grid(1), 180000), "180000 triangles");
+  BOOST_CHECK_EQUAL(message(surface, grid(2), 719999), too_many(0, "720000", 719999));
+  BOOST_CHECK_EQUAL(message(std::vector<Surface>{surface, surface}, within(1), 359999), too_many(1, "360000", 359999));
+}
+
+// The bound never excludes numbers of cells that suffice.
+BOOST_AUTO_TEST_CASE(least_numbers_of_cells) {
+  typedef CGAL::Simple_cartesian<double> K;
+  std::mt19937 random(48);
+  for (int p = 1; p <= 3; ++p)
+    for (int q = 1; q <= 3; ++q) {
+      const GC::Patch_flatness flatness(in_kernel<K>(random_patch(random, p, q)));
+      for (double tolerance : {1e3, 1.0, 0.1, 1e-3}) {
+        const std::optional<GC::Patch_cells> cells = flatness.cells(tolerance, 1, 4096);
+        BOOST_REQUIRE(cells);
+        BOOST_CHECK_LE(flatness.least_cells(tolerance), double(cells->u) * cells->v);
+        BOOST_CHECK_GE(16 * flatness.least_cells(tolerance), double(cells->u) * cells->v);
+      }
+      for (double tolerance : {0.0, -1.0}) CHECK_ERROR(flatness.least_cells(tolerance), unreachable_tolerance);
+      CHECK_ERROR(flatness.least_cells(std::nan("")), not_finite);
+    }
 }
 
 // Every number of cells and every tolerance has an answer at once.

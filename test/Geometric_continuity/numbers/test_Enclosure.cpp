@@ -13,6 +13,7 @@
 #include "support/errors.h"
 
 #include <CGAL/Exact_rational.h>
+#include <CGAL/Geometric_continuity/IO/number.h>
 #include <CGAL/Geometric_continuity/numbers/Enclosure.h>
 #include <CGAL/Geometric_continuity/numbers/rational_square_root.h>
 #include <CGAL/Quotient.h>
@@ -21,7 +22,10 @@
 #include <cmath>
 #include <iostream>
 #include <limits>
+#include <locale>
 #include <random>
+#include <sstream>
+#include <string>
 #include <utility>
 
 namespace GC = CGAL::Geometric_continuity;
@@ -45,6 +49,13 @@ template <class FT> GC::Enclosure root_in(int mode, const FT& x) {
   const GC::Enclosure e = GC::root_enclosure(x);
   std::fesetround(FE_TONEAREST);
   return e;
+}
+
+std::string printed(const GC::Enclosure& e, int precision = 6) {
+  std::ostringstream os;
+  os.precision(precision);
+  os << e;
+  return os.str();
 }
 
 } // namespace
@@ -130,4 +141,53 @@ BOOST_AUTO_TEST_CASE(rational_roots) {
   BOOST_CHECK(*GC::rational_square_root(Fraction(8, 2)) == Fraction(2));
   BOOST_CHECK(*GC::rational_square_root(Fraction(-8, -18)) == Fraction(2, 3));
   BOOST_CHECK(!GC::rational_square_root(Fraction(8, 4)));
+}
+
+BOOST_AUTO_TEST_CASE(what_is_printed_encloses) {
+  std::cout << "seed 2027\n";
+  std::mt19937_64 random(2027);
+  for (int i = 0; i < 1000; ++i) {
+    const int precision = 1 + i % 17, mode = rounding_modes[i % 4];
+    double x = std::ldexp(double(random() >> 11), static_cast<int>(random() % 2000) - 1074);
+    if (i % 3 == 0) x = std::ldexp(double(random() >> 11), -60 + i % 20); // without an exponent
+    if (i % 7 == 0) x = 0.1 * double(random() % 1000);
+    if (i % 5 < 2) x = -x;
+    const double y = i % 2 == 0 ? x : x + std::abs(x) * double(random() % 100) / 64;
+    if (std::isinf(x) || std::isinf(y)) continue;
+    std::fesetround(mode);
+    const std::string text = printed({x, y}, precision);
+    std::fesetround(FE_TONEAREST);
+    const std::size_t comma = text.find(", ");
+    const bool one = comma == std::string::npos;
+    const Q below = GC::parse_number<Q>(one ? text : text.substr(1, comma - 1)),
+            above = one ? below : GC::parse_number<Q>(text.substr(comma + 2, text.size() - comma - 3));
+    BOOST_CHECK_MESSAGE(below <= Q(x) && Q(y) <= above, text);
+    // close, by the number of digits; a single digit more may be the tenth part
+    Q unit(1);
+    for (int k = 1; k < precision; ++k) unit = Q(unit / Q(10));
+    BOOST_CHECK_MESSAGE(Q(x) - below <= unit * CGAL::abs(Q(x)) && above - Q(y) <= unit * CGAL::abs(Q(y)), text);
+  }
+  const double infinity = std::numeric_limits<double>::infinity();
+  BOOST_CHECK_EQUAL(printed({0, 0}), "0");
+  BOOST_CHECK_EQUAL(printed({-0., 0}), "0");
+  BOOST_CHECK_EQUAL(printed({0.5, 0.5}), "0.5");
+  BOOST_CHECK_EQUAL(printed({-1200, 1234567}), "[-1200, 1.23457e+06]");
+  BOOST_CHECK_EQUAL(printed({0.1, 0.1}), "[0.1, 0.100001]"); // the floating-point number is larger than 1/10
+  BOOST_CHECK_EQUAL(printed({-0.1, 0.3}), "[-0.100001, 0.3]");
+  BOOST_CHECK_EQUAL(printed({1 / 3., 2 / 3.}, 4), "[0.3333, 0.6667]");
+  BOOST_CHECK_EQUAL(printed({0.99999, 99999.5}, 4), "[0.9999, 1e+05]");
+  BOOST_CHECK_EQUAL(printed({-9.9999, -9.9999}, 0), "[-1e+01, -9]");
+  BOOST_CHECK_EQUAL(printed({1e-5, 0.0001}, 3), "[1e-05, 0.000101]");
+  BOOST_CHECK_EQUAL(printed({1, infinity}), "[1, inf]");
+  BOOST_CHECK_EQUAL(printed({1, (std::numeric_limits<double>::max)()}, 2), "[1, 1.8e+308]");
+}
+
+BOOST_AUTO_TEST_CASE(flags_and_locales_do_not_matter) {
+  struct Continental : std::numpunct<char> {
+    char do_decimal_point() const override { return ','; }
+  };
+  std::ostringstream os;
+  os.imbue(std::locale(std::locale::classic(), new Continental));
+  os << std::fixed << std::showpos << GC::Enclosure{0.25, 0.5};
+  BOOST_CHECK_EQUAL(os.str(), "[0.25, 0.5]");
 }

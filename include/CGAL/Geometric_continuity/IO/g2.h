@@ -46,6 +46,7 @@ namespace Geometric_continuity {
 /// Bézier curve has as many control points as its order, and two knots `a < b`, each repeated as often as the order
 /// says; its domain is [a, b]. All curves of a text have one dimension, which is that of `Traits` or, when `Traits`
 /// leaves it open, lies between 2 and `max_g2_dimension`. The order is at most `max_g2_order`.
+/// A byte order mark of UTF-8 is skipped; UTF-16 is refused.
 ///
 /// \tparam Traits a model of `GeometricContinuityTraits` whose `FT` is accepted by `parse_number()`
 /// \tparam Curve `Bezier_curve<Traits>` (curves with inner knots are refused) or `Bspline_curve<Traits>`
@@ -89,6 +90,7 @@ template <class Traits> using G2_bspline_reader = G2_curve_reader<Traits, Bsplin
 /// knots, each repeated as often as the order says, which are its domain. All surfaces of a text have one dimension,
 /// which is that of `Traits` or, when `Traits` leaves it open, lies between 2 and `max_g2_dimension`. The orders are at
 /// most `max_g2_order`.
+/// A byte order mark is treated as for curves.
 ///
 /// \tparam Traits a model of `GeometricContinuityTraits` whose `FT` is accepted by `parse_number()`
 /// \tparam Surface `Bezier_patch<Traits>` (surfaces with inner knots are refused) or `Bspline_surface<Traits>`

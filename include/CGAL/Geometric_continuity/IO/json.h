@@ -11,6 +11,7 @@
 /// program can add members of its own. Exact numbers are strings, and what is undefined is null. Each function writes
 /// its text at once, or nothing when it throws; the locale, the width and the flags of the stream are ignored.
 
+#include <CGAL/Geometric_continuity/IO/internal/utf8.h>
 #include <CGAL/Geometric_continuity/IO/number.h>
 #include <CGAL/Geometric_continuity/joins/join_continuity.h>
 #include <CGAL/Geometric_continuity/joins/order_within.h>
@@ -30,15 +31,14 @@ namespace internal {
 inline std::string json_text(std::string_view text) {
   constexpr char hex[] = "0123456789abcdef";
   std::string json = "\"";
-  for (char c : text) {
-    const unsigned char byte = static_cast<unsigned char>(c);
-    if (byte < 0x20)
-      json += {'\\', 'u', '0', '0', hex[byte / 16], hex[byte % 16]};
+  for_each_utf8_character(text, [&](const Utf8_character& c) {
+    if (c.code < 0x20)
+      json += {'\\', 'u', '0', '0', hex[c.code / 16], hex[c.code % 16]};
     else {
-      if (c == '"' || c == '\\') json += '\\';
-      json += c;
+      if (c.code == '"' || c.code == '\\') json += '\\';
+      json += c.well_formed ? c.bytes : replacement_bytes;
     }
-  }
+  });
   return json + '"';
 }
 
@@ -79,7 +79,7 @@ inline std::string json_members(const Order_within& within) {
 
 /// \ingroup PkgGeometricContinuityIO
 /// Writes a text as a JSON string, in quotes and with escapes for quotes, backslashes and control characters. The text
-/// is expected in UTF-8; its bytes from 128 on are written as they are.
+/// is expected in UTF-8; what is not becomes U+FFFD, one for each longest part that could begin a character.
 inline void write_json(std::ostream& os, std::string_view text) { internal::write_text(os, internal::json_text(text)); }
 
 /// \ingroup PkgGeometricContinuityIO

@@ -9,7 +9,10 @@
 #include <CGAL/Geometric_continuity/algebra/Bernstein_polynomial.h>
 #include <CGAL/Geometric_continuity/algebra/Coordinate_vector.h>
 #include <CGAL/Geometric_continuity/algebra/bernstein.h>
+#include <CGAL/Geometric_continuity/numbers/Work_limit.h>
 
+#include <algorithm>
+#include <cstddef>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -128,12 +131,21 @@ private:
   }
 };
 
-/// \ingroup PkgGeometricContinuityAlgebra
-/// Returns the greatest common divisor, up to a factor that is not zero, by Euclid's algorithm; zero if both are.
-/// \f$ O(nm) \f$ operations for degrees `n`, `m`, on numbers that grow in length up to the order of `n + m`
-template <class FT> Power_polynomial<FT> greatest_common_divisor(Power_polynomial<FT> a, Power_polynomial<FT> b) {
+namespace internal {
+
+template <class FT> std::size_t most_words(const Power_polynomial<FT>& p) {
+  std::size_t words = 1;
+  for (int k = 0; k <= p.degree(); ++k) words = (std::max)(words, number_words(p[k]));
+  return words;
+}
+
+// Euclid's algorithm. \throws Error `work_limit`
+template <class FT>
+Power_polynomial<FT> greatest_common_divisor(Power_polynomial<FT> a, Power_polynomial<FT> b, Work_meter& work) {
   static_assert(!std::is_floating_point_v<FT>, "divisibility is decided in an exact field");
   while (!b.is_zero()) {
+    const double quotients = (std::max)(a.degree() - b.degree() + 1, 1);
+    work.charge_products(quotients * (b.degree() + 1), (std::max)(most_words(a), most_words(b)));
     b.make_monic();
     a.divide(b);
     std::swap(a, b);
@@ -141,13 +153,33 @@ template <class FT> Power_polynomial<FT> greatest_common_divisor(Power_polynomia
   return a;
 }
 
+// See the function with a limit. \throws Error `work_limit`
+template <class FT> Bernstein_polynomial<FT> square_free_part(const Bernstein_polynomial<FT>& p, Work_meter& work) {
+  Power_polynomial<FT> f(p);
+  return f.divide(greatest_common_divisor(f, f.derivative(), work)).bernstein();
+}
+
+} // namespace internal
+
+/// \ingroup PkgGeometricContinuityAlgebra
+/// Returns the greatest common divisor, up to a factor that is not zero, by Euclid's algorithm; zero if both are.
+/// \f$ O(nm) \f$ operations for degrees `n`, `m`, on numbers that grow in length up to the order of `n + m`
+/// \throws Error `work_limit`
+template <class FT>
+Power_polynomial<FT> greatest_common_divisor(const Power_polynomial<FT>& a, const Power_polynomial<FT>& b,
+                                             Work_limit limit = Work_limit()) {
+  internal::Work_meter work(limit, "greatest_common_divisor");
+  return internal::greatest_common_divisor(a, b, work);
+}
+
 /// \ingroup PkgGeometricContinuityAlgebra
 /// Returns `p` divided by the greatest common divisor of `p` and its derivative: it has the same roots, and all of them
 /// are simple. It costs as much as `greatest_common_divisor()`.
-/// \throws Error `wrong_number_of_points` when `p` is zero
-template <class FT> Bernstein_polynomial<FT> square_free_part(const Bernstein_polynomial<FT>& p) {
-  Power_polynomial<FT> f(p);
-  return f.divide(greatest_common_divisor(f, f.derivative())).bernstein();
+/// \throws Error `wrong_number_of_points` when `p` is zero, `work_limit`
+template <class FT>
+Bernstein_polynomial<FT> square_free_part(const Bernstein_polynomial<FT>& p, Work_limit limit = Work_limit()) {
+  internal::Work_meter work(limit, "square_free_part");
+  return internal::square_free_part(p, work);
 }
 
 } // namespace Geometric_continuity

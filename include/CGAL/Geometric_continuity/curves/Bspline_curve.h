@@ -204,9 +204,10 @@ public:
     return r;
   }
 
-  /// Returns the Bézier curves on the spans, each with its span as domain. \f$ O(n p^3) \f$
-  std::vector<Bezier_curve<Traits>> bezier_pieces() const {
-    const std::vector<Coordinates> rows = bspline_bezier<FT>(knots_, function().coefficients());
+  /// Returns the Bézier curves on the spans, each with its span as domain, see `bspline_bezier()`. \f$ O(p^2) \f$ for each
+  /// \throws Error `work_limit` when the points have common denominators that are too long
+  std::vector<Bezier_curve<Traits>> bezier_pieces(Work_limit limit = Work_limit()) const {
+    const std::vector<Coordinates> rows = bspline_bezier<FT>(knots_, function().coefficients(), limit);
     std::vector<Point> points;
     for (const Coordinates& x : rows) points.push_back(Geometric_continuity::to_point<Traits>(x));
     std::vector<Bezier_curve<Traits>> pieces;

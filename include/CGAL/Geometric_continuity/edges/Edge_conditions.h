@@ -36,8 +36,11 @@ public:
 
   /// Takes the rows of two surfaces with the same edge in the same direction, which is not checked. The degrees may differ.
   /// Costs a number of ring operations that is quadratic in the degree.
-  /// \throws Error `wrong_number_of_points` for an empty row, `not_finite`
-  Edge_conditions(const Edge_rows<FT>& a, const Edge_rows<FT>& b) : sides_(a, b), normals_(sides_) {}
+  /// \param a, b the rows
+  /// \param limit the work that is allowed here and for each question, which may throw `work_limit`
+  /// \throws Error `wrong_number_of_points` for an empty row, `not_finite`, `work_limit`
+  Edge_conditions(const Edge_rows<FT>& a, const Edge_rows<FT>& b, Work_limit limit = Work_limit())
+      : Edge_conditions(a, b, limit, internal::Work_meter(limit, place)) {}
 
   /// Returns \f$ \det(C', T_1, T_2) \f$. With rows of degrees `p` (the lower of the two edges), `l` and `m` it has the coefficients
   /// \f$ \binom{p+l+m-1}{k}^{-1} \sum_{i+j+h=k} \binom{p-1}{i} \binom{l}{j} \binom{m}{h} \det(p\,\Delta C_i, T_{1,j}, T_{2,h}) \f$.
@@ -50,22 +53,36 @@ public:
   bool coplanar() const { return normals_.coplanar(); }
 
   /// Returns the signs of `side()` on the closed interval.
-  Sign_pattern side_pattern() const { return normals_.side_signs(); }
+  Sign_pattern side_pattern() const {
+    internal::Work_meter work(limit_, place);
+    return normals_.side_signs(work);
+  }
 
   /// Returns whether a normal vanishes somewhere on the closed interval.
-  bool normal_vanishes() const { return normals_.normal_vanishes(side_pattern()); }
+  bool normal_vanishes() const {
+    internal::Work_meter work(limit_, place);
+    return normals_.normal_vanishes(side_pattern(), work);
+  }
 
   /// Returns whether `coplanar()` holds and the identity of \f$ G^2 \f$, which alone does not see on which sides the surfaces lie.
-  bool second_order() const { return coplanar() && normals_.second_order(sides_); }
+  bool second_order() const {
+    internal::Work_meter work(limit_, place);
+    return coplanar() && normals_.second_order(sides_, work);
+  }
 
   /// Returns whether the surfaces are \f$ G^1 \f$ along the whole closed edge.
-  bool g1() const { return normals_.first_order(); }
+  bool g1() const { return coplanar() && side_pattern() == Sign_pattern::negative; }
   /// Returns whether the surfaces are \f$ G^2 \f$ along the whole closed edge.
   bool g2() const { return g1() && second_order(); }
 
 private:
+  static constexpr const char* place = "Edge_conditions";
+  Work_limit limit_; // for each question
   internal::Edge_sides<Field> sides_;
   internal::Edge_normals<Field> normals_;
+
+  Edge_conditions(const Edge_rows<FT>& a, const Edge_rows<FT>& b, Work_limit limit, internal::Work_meter&& work)
+      : limit_(limit), sides_(a, b, work), normals_(sides_, work) {}
 
   template <class Polynomial> Bernstein_polynomial<Field> bernstein(const Polynomial& p, int power) const {
     typedef typename internal::Common_denominator<Field>::Exact Exact;

@@ -25,14 +25,16 @@ struct Common_edge {
 /// Returns all pairs of edges of `a` and `b` that are the same curve, and not a single point. The points of the edges and their
 /// parametrisations, after exact elevation to one degree, are compared exactly; 16 pairs are tried. Two edges of the same
 /// patch `a = b` are listed once; an edge is not paired with itself. For many patches see `model_continuity()`.
-/// \throws Error `dimension_mismatch` unless in dimension 3
+/// \throws Error `dimension_mismatch` unless in dimension 3, `work_limit` for one pair
 template <class Traits>
-std::vector<Common_edge> common_edges(const Bezier_patch<Traits>& a, const Bezier_patch<Traits>& b) {
+std::vector<Common_edge> common_edges(const Bezier_patch<Traits>& a, const Bezier_patch<Traits>& b,
+                                      Work_limit limit = Work_limit()) {
   std::vector<Common_edge> result;
   for (Patch_edge edge_a : patch_edges)
     for (Patch_edge edge_b : patch_edges) {
       if (&a == &b && !(edge_a < edge_b)) continue;
-      internal::Edge_sides<Edge_field<Traits>> sides(edge_rows(a, edge_a), edge_rows(b, edge_b));
+      internal::Work_meter work(limit, "common_edges");
+      internal::Edge_sides<Edge_field<Traits>> sides(edge_rows(a, edge_a), edge_rows(b, edge_b), work);
       if (sides.collapsed()) continue;
       if (const std::optional<bool> reversed = sides.align()) result.push_back({edge_a, edge_b, *reversed});
     }

@@ -24,16 +24,16 @@ namespace Geometric_continuity {
 
 namespace internal {
 
-// The decisions on the spans of a match, by decide(rows, rows).
+// The decisions on the spans of a match, by decide(rows, rows, work).
 template <class Field, class Decide>
 Spline_edge_continuity<Field> decide_spans(const std::vector<Edge_piece<Field>>& a,
                                            const std::vector<Edge_piece<Field>>& b, const Edge_match<Field>& match,
-                                           Decide decide) {
+                                           Decide decide, Work_meter& work) {
   Spline_edge_continuity<Field> result;
   if (match.spans.empty()) return result;
   for (const Common_span<Field>& span : match.spans) {
     const std::pair<Edge_rows<Field>, Edge_rows<Field>> rows = rows_on(a, b, span, match.map);
-    Edge_continuity<Field> e = decide(rows.first, rows.second);
+    Edge_continuity<Field> e = decide(rows.first, rows.second, work);
     e.reversed = match.map.reverses();
     result.spans.push_back(on_interval(span.begin, span.end, std::move(e)));
   }
@@ -63,11 +63,12 @@ Spline_edge_continuity<Field> whole_smooth_edge(int order, Edge_direction direct
   return result;
 }
 
-// The stages of fixed length for surfaces that are one patch each, then those for pieces, where find_match(pieces, pieces)
-// finds what the edges have in common.
+// The stages of fixed length for surfaces that are one patch each, then those for pieces, where find_match(pieces, pieces,
+// work) finds what the edges have in common.
 template <class Surface_a, class Surface_b, class Find_match>
 auto decide_surfaces(const Surface_a& a, Patch_edge edge_a, const Surface_b& b, Patch_edge edge_b,
-                     Find_match find_match) -> Spline_edge_continuity<Edge_field<typename Surface_a::Traits>> {
+                     Find_match find_match, Work_limit limit)
+    -> Spline_edge_continuity<Edge_field<typename Surface_a::Traits>> {
   typedef Edge_field<typename Surface_a::Traits> Field;
   require_space(a, b, "edge_continuity");
   Edge_layers x, y;
@@ -78,30 +79,39 @@ auto decide_surfaces(const Surface_a& a, Patch_edge edge_a, const Surface_b& b, 
     if (const std::optional<int> order = smooth_order(x, y))
       return whole_smooth_edge(*order, *direction, edge_domain<Field>(a, edge_a), edge_domain<Field>(b, edge_b));
   }
-  const std::vector<Edge_piece<Field>> pieces_a = edge_pieces(a, edge_a), pieces_b = edge_pieces(b, edge_b);
+  Work_meter work(limit, "edge_continuity");
+  const std::vector<Edge_piece<Field>> pieces_a = edge_pieces(a, edge_a, work), pieces_b = edge_pieces(b, edge_b, work);
   if (direction) // and the stages of fixed length have been tried
-    return decide_spans(pieces_a, pieces_b, whole_match(pieces_a, pieces_b, *direction), decide_rough_edge<Field>);
-  return decide_spans(pieces_a, pieces_b, find_match(pieces_a, pieces_b), decide_edge<Field>);
+    return decide_spans(pieces_a, pieces_b, whole_match(pieces_a, pieces_b, *direction), decide_rough_edge<Field>,
+                        work);
+  return decide_spans(pieces_a, pieces_b, find_match(pieces_a, pieces_b, work), decide_edge<Field>, work);
 }
 
 // For edges that have been recognised as the same, see Edge_key.
 template <class Surface_a, class Surface_b>
 auto continuity_of_same_edge(const Surface_a& a, Patch_edge edge_a, const Surface_b& b, Patch_edge edge_b,
-                             Edge_direction direction) {
-  return decide_surfaces(a, edge_a, b, edge_b, [direction](const auto& pieces_a, const auto& pieces_b) {
-    return whole_match(pieces_a, pieces_b, direction);
-  });
+                             Edge_direction direction, Work_limit limit) {
+  return decide_surfaces(
+      a, edge_a, b, edge_b,
+      [direction](const auto& pieces_a, const auto& pieces_b, Work_meter&) {
+        return whole_match(pieces_a, pieces_b, direction);
+      },
+      limit);
 }
 
 // Along lines over one domain that have equal parameters in common points, or are not the same.
 template <class Field>
 Spline_edge_continuity<Field> continuity_at_same_parameters(const Spline_edge_rows<Field>& a,
-                                                            const Spline_edge_rows<Field>& b) {
-  const std::vector<Edge_piece<Field>> pieces_a = edge_pieces<Field>(a), pieces_b = edge_pieces<Field>(b);
+                                                            const Spline_edge_rows<Field>& b, Work_limit limit) {
+  Work_meter work(limit, "edge_continuity");
+  const std::vector<Edge_piece<Field>> pieces_a = edge_pieces<Field>(a, work), pieces_b = edge_pieces<Field>(b, work);
   const Edge_match<Field> match = whole_match(pieces_a, pieces_b, Edge_direction::same);
-  return decide_spans(pieces_a, pieces_b, match, [](const Edge_rows<Field>& x, const Edge_rows<Field>& y) {
-    return x.edge == y.edge ? decide_edge(x, y) : Edge_continuity<Field>();
-  });
+  return decide_spans(
+      pieces_a, pieces_b, match,
+      [](const Edge_rows<Field>& x, const Edge_rows<Field>& y, Work_meter& meter) {
+        return x.edge == y.edge ? decide_edge(x, y, meter) : Edge_continuity<Field>();
+      },
+      work);
 }
 
 } // namespace internal
@@ -115,17 +125,20 @@ Spline_edge_continuity<Field> continuity_at_same_parameters(const Spline_edge_ro
 ///
 /// When the surfaces are not \f$ G^1 \f$, the largest angle between their normals \f$ n_i = C' \times T_i \f$ is enclosed by
 /// branch and bound on the Bernstein coefficients of \f$ \sin^2\theta = 1 - (n_1 \cdot n_2)^2 / (|n_1|^2 |n_2|^2) \f$, in
-/// exact arithmetic.
+/// exact arithmetic. Where the limit of the work does not suffice for a close enclosure, it is a wider one; what is decided
+/// is decided, or refused by an error.
 ///
 /// \tparam FT a field number type; for floating-point numbers all is exact in the numbers as given
-/// \throws Error `wrong_number_of_points` for an empty row, `not_finite`
+/// \throws Error `wrong_number_of_points` for an empty row, `not_finite`, `work_limit`
 template <class FT>
-Edge_continuity<typename Exact_field<FT>::type> edge_continuity(const Edge_rows<FT>& a, const Edge_rows<FT>& b) {
+Edge_continuity<typename Exact_field<FT>::type> edge_continuity(const Edge_rows<FT>& a, const Edge_rows<FT>& b,
+                                                                Work_limit limit = Work_limit()) {
   typedef typename Exact_field<FT>::type Field;
-  internal::Edge_sides<Field> sides(a, b);
+  internal::Work_meter work(limit, "edge_continuity");
+  internal::Edge_sides<Field> sides(a, b, work);
   const std::optional<bool> reversed = sides.align();
   if (!reversed) return {};
-  Edge_continuity<Field> edge = internal::Edge_decision<Field>()(sides);
+  Edge_continuity<Field> edge = internal::Edge_decision<Field>()(sides, work);
   edge.reversed = *reversed;
   return edge;
 }
@@ -144,15 +157,16 @@ Edge_continuity<typename Exact_field<FT>::type> edge_continuity(const Edge_rows<
 /// operations is linear in the number of knots, otherwise it is at most quadratic. On each span rational numbers with short
 /// numerators are decided with integers of fixed length, as for surfaces.
 /// \tparam FT a field number type; for floating-point numbers all is exact in the numbers as given
-/// \throws Error `wrong_number_of_points` when the rows do not fit the knots, `not_finite`
+/// \throws Error `wrong_number_of_points` when the rows do not fit the knots, `not_finite`, `work_limit`
 template <class FT>
-Spline_edge_continuity<typename Exact_field<FT>::type> edge_continuity(const Spline_edge_rows<FT>& a,
-                                                                       const Spline_edge_rows<FT>& b) {
+Spline_edge_continuity<typename Exact_field<FT>::type>
+edge_continuity(const Spline_edge_rows<FT>& a, const Spline_edge_rows<FT>& b, Work_limit limit = Work_limit()) {
   typedef typename Exact_field<FT>::type Field;
-  const std::vector<internal::Edge_piece<Field>> pieces_a = internal::edge_pieces<Field>(a),
-                                                 pieces_b = internal::edge_pieces<Field>(b);
-  return internal::decide_spans(pieces_a, pieces_b, internal::Common_edge_part<Field>(pieces_a, pieces_b)(),
-                                internal::decide_edge<Field>);
+  internal::Work_meter work(limit, "edge_continuity");
+  const std::vector<internal::Edge_piece<Field>> pieces_a = internal::edge_pieces<Field>(a, work),
+                                                 pieces_b = internal::edge_pieces<Field>(b, work);
+  return internal::decide_spans(pieces_a, pieces_b, internal::Common_edge_part<Field>(pieces_a, pieces_b, work)(),
+                                internal::decide_edge<Field>, work);
 }
 
 /// \ingroup PkgGeometricContinuitySurfaces
@@ -172,14 +186,18 @@ Spline_edge_continuity<typename Exact_field<FT>::type> edge_continuity(const Spl
 /// that is quadratic in the degree and linear in the number of knots, plus the search for the largest angle where the surfaces
 /// are not \f$ G^1 \f$.
 /// \tparam Surface_a, Surface_b `Bezier_patch` or `Bspline_surface`, in any combination, with one traits class
-/// \throws Error `dimension_mismatch` unless in dimension 3
+/// \throws Error `dimension_mismatch` unless in dimension 3, `work_limit`
 template <class Surface_a, class Surface_b>
-auto edge_continuity(const Surface_a& a, Patch_edge edge_a, const Surface_b& b, Patch_edge edge_b)
+auto edge_continuity(const Surface_a& a, Patch_edge edge_a, const Surface_b& b, Patch_edge edge_b,
+                     Work_limit limit = Work_limit())
     -> Spline_edge_continuity<Edge_field<typename Surface_a::Traits>> {
   typedef Edge_field<typename Surface_a::Traits> Field;
-  return internal::decide_surfaces(a, edge_a, b, edge_b, [](const auto& pieces_a, const auto& pieces_b) {
-    return internal::Common_edge_part<Field>(pieces_a, pieces_b)();
-  });
+  return internal::decide_surfaces(
+      a, edge_a, b, edge_b,
+      [](const auto& pieces_a, const auto& pieces_b, internal::Work_meter& work) {
+        return internal::Common_edge_part<Field>(pieces_a, pieces_b, work)();
+      },
+      limit);
 }
 
 } // namespace Geometric_continuity

@@ -47,7 +47,7 @@ inline Enclosure larger_of(const Enclosure& x, const Enclosure& y) {
 
 // The largest distance of two edges: with a number k >= 2 |C1 - C2|^2 it is the root of k times the largest value of
 // |C1 - C2|^2 / k, of which at least half is left to 1, so that its bounds differ by the 2^-53-th part at most.
-template <class Field> Enclosure largest_distance(const Edge_sides<Field>& sides) {
+template <class Field> Enclosure largest_distance(const Edge_sides<Field>& sides, Work_meter& work) {
   typedef typename Edge_sides<Field>::Ring Ring;
   typedef typename Edge_sides<Field>::Polynomial Polynomial;
   typedef typename Edge_normals<Field>::Exact Exact;
@@ -55,7 +55,7 @@ template <class Field> Enclosure largest_distance(const Edge_sides<Field>& sides
   Polynomial square;
   for (int i = 0; i < 3; ++i) {
     const Polynomial difference = sides.c[0][i] - sides.c[1][i];
-    square = square + difference * difference;
+    square = square + product(difference, difference, work);
   }
   Ring k(0);
   for (int i = 0; i <= square.degree(); ++i)
@@ -63,7 +63,7 @@ template <class Field> Enclosure largest_distance(const Edge_sides<Field>& sides
   k *= Ring(2);
   const Polynomial bound = Polynomial::from_bernstein(std::vector<Ring>(square.degree() + 1, k)),
                    acute(std::vector<Ring>(1, Ring(-1)));
-  const Normal_deviation<Exact> largest = Largest_measure<Exact>(square, bound, acute)();
+  const Normal_deviation<Exact> largest = Largest_measure<Exact>(square, bound, acute, work)();
   const auto distance = [&](const Exact& measure) {
     return root_enclosure(sides.denominator.divided(Exact(measure * Exact(k)), 2));
   };
@@ -71,40 +71,41 @@ template <class Field> Enclosure largest_distance(const Edge_sides<Field>& sides
 }
 
 // The largest angle of the normals on one span, empty when one vanishes identically, and whether one vanishes somewhere.
-template <class Field> std::pair<std::optional<Enclosure>, bool> normal_angle(const Edge_sides<Field>& sides) {
+template <class Field>
+std::pair<std::optional<Enclosure>, bool> normal_angle(const Edge_sides<Field>& sides, Work_meter& work) {
   typedef Edge_sides<Field> Sides;
-  const typename Sides::Vector n1 = cross_product(Sides::derivative(sides.c[0]), sides.t[0]),
-                               n2 = cross_product(Sides::derivative(sides.c[1]), sides.t[1]);
+  const typename Sides::Vector n1 = internal::cross_product(Sides::derivative(sides.c[0]), sides.t[0], work),
+                               n2 = internal::cross_product(Sides::derivative(sides.c[1]), sides.t[1], work);
   if (Sides::is_zero(n1) || Sides::is_zero(n2)) return {std::nullopt, true};
-  const bool vanishing = Edge_normals<Field>::vanishes(n1) || Edge_normals<Field>::vanishes(n2);
-  return {largest_angle<Field>(n1, n2, vanishing).angle(), vanishing};
+  const bool vanishing = Edge_normals<Field>::vanishes(n1, work) || Edge_normals<Field>::vanishes(n2, work);
+  return {largest_angle<Field>(n1, n2, vanishing, work).angle(), vanishing};
 }
 
 template <class Field>
 std::vector<Edge_sides<Field>> sides_on_spans(const std::vector<Edge_piece<Field>>& a,
                                               const std::vector<Edge_piece<Field>>& b,
-                                              const Affine_parameter_map<Field>& map) {
+                                              const Affine_parameter_map<Field>& map, Work_meter& work) {
   std::vector<Edge_sides<Field>> sides;
   for (const Common_span<Field>& span : common_spans(a, b, map)) {
     const std::pair<Edge_rows<Field>, Edge_rows<Field>> rows = rows_on(a, b, span, map);
-    sides.emplace_back(rows.first, rows.second);
+    sides.emplace_back(rows.first, rows.second, work);
   }
   return sides;
 }
 
-template <class Field> Enclosure largest_distance(const std::vector<Edge_sides<Field>>& spans) {
+template <class Field> Enclosure largest_distance(const std::vector<Edge_sides<Field>>& spans, Work_meter& work) {
   Enclosure gap{0, 0};
-  for (const Edge_sides<Field>& sides : spans) gap = larger_of(gap, largest_distance(sides));
+  for (const Edge_sides<Field>& sides : spans) gap = larger_of(gap, largest_distance(sides, work));
   return gap;
 }
 
 // With the gap on the spans, which is known.
 template <class Field>
 Edge_deviation edge_deviation(const std::vector<Edge_sides<Field>>& spans, const Enclosure& gap,
-                              Edge_direction direction) {
+                              Edge_direction direction, Work_meter& work) {
   Edge_deviation d{gap, Enclosure{0, 0}, false, direction == Edge_direction::opposite};
   for (const Edge_sides<Field>& sides : spans) {
-    const std::pair<std::optional<Enclosure>, bool> angle = normal_angle(sides);
+    const std::pair<std::optional<Enclosure>, bool> angle = normal_angle(sides, work);
     d.normal_vanishes = d.normal_vanishes || angle.second;
     if (!angle.first) d.normal_angle.reset();
     if (d.normal_angle) d.normal_angle = larger_of(*d.normal_angle, *angle.first);
@@ -114,22 +115,26 @@ Edge_deviation edge_deviation(const std::vector<Edge_sides<Field>>& spans, const
 
 // Along the whole edges, forwards or backwards, whichever has the smaller gap.
 template <class Field>
-Edge_deviation edge_deviation(const std::vector<Edge_piece<Field>>& a, const std::vector<Edge_piece<Field>>& b) {
-  const std::vector<Edge_sides<Field>> forwards = sides_on_spans(a, b, whole_map(a, b, Edge_direction::same));
-  const Enclosure gap = largest_distance(forwards);
-  if (gap.upper == 0) return edge_deviation(forwards, gap, Edge_direction::same);
-  const std::vector<Edge_sides<Field>> backwards = sides_on_spans(a, b, whole_map(a, b, Edge_direction::opposite));
-  const Enclosure other_gap = largest_distance(backwards);
-  return gap.upper <= other_gap.upper ? edge_deviation(forwards, gap, Edge_direction::same)
-                                      : edge_deviation(backwards, other_gap, Edge_direction::opposite);
+Edge_deviation edge_deviation(const std::vector<Edge_piece<Field>>& a, const std::vector<Edge_piece<Field>>& b,
+                              Work_meter& work) {
+  const std::vector<Edge_sides<Field>> forwards = sides_on_spans(a, b, whole_map(a, b, Edge_direction::same), work);
+  const Enclosure gap = largest_distance(forwards, work);
+  if (gap.upper == 0) return edge_deviation(forwards, gap, Edge_direction::same, work);
+  const std::vector<Edge_sides<Field>> backwards =
+      sides_on_spans(a, b, whole_map(a, b, Edge_direction::opposite), work);
+  const Enclosure other_gap = largest_distance(backwards, work);
+  return gap.upper <= other_gap.upper ? edge_deviation(forwards, gap, Edge_direction::same, work)
+                                      : edge_deviation(backwards, other_gap, Edge_direction::opposite, work);
 }
 
 // Along lines over one domain, at equal parameters.
 template <class Field>
-Edge_deviation deviation_at_same_parameters(const Spline_edge_rows<Field>& a, const Spline_edge_rows<Field>& b) {
-  const std::vector<Edge_sides<Field>> spans =
-      sides_on_spans(edge_pieces<Field>(a), edge_pieces<Field>(b), Affine_parameter_map<Field>{Field(1), Field(0)});
-  return edge_deviation(spans, largest_distance(spans), Edge_direction::same);
+Edge_deviation deviation_at_same_parameters(const Spline_edge_rows<Field>& a, const Spline_edge_rows<Field>& b,
+                                            Work_limit limit) {
+  Work_meter work(limit, "deviation of edges");
+  const std::vector<Edge_sides<Field>> spans = sides_on_spans(edge_pieces<Field>(a, work), edge_pieces<Field>(b, work),
+                                                              Affine_parameter_map<Field>{Field(1), Field(0)}, work);
+  return edge_deviation(spans, largest_distance(spans, work), Edge_direction::same, work);
 }
 
 } // namespace internal
@@ -138,9 +143,12 @@ Edge_deviation deviation_at_same_parameters(const Spline_edge_rows<Field>& a, co
 /// Encloses how far two surfaces are from being continuous along their edges `v = 0`. The second edge is taken in the direction
 /// that gives the smaller gap. Everything is computed in an exact field from the coefficients as given; only the last step, a
 /// root or an arc tangent, is rounded, outwards. With a gap the normals are compared that belong to the same parameter.
-/// \throws Error `wrong_number_of_points` for an empty row, `not_finite`
-template <class FT> Edge_deviation deviation(const Edge_rows<FT>& a, const Edge_rows<FT>& b) {
+/// Where the limit of the work does not suffice for close enclosures, they are wider ones, and still guaranteed.
+/// \throws Error `wrong_number_of_points` for an empty row, `not_finite`, `work_limit`
+template <class FT>
+Edge_deviation deviation(const Edge_rows<FT>& a, const Edge_rows<FT>& b, Work_limit limit = Work_limit()) {
   typedef typename Exact_field<FT>::type Field;
+  internal::Work_meter work(limit, "deviation of edges");
   const auto pieces = [](const Edge_rows<FT>& rows) {
     return std::vector<internal::Edge_piece<Field>>{
         {Field(0),
@@ -148,17 +156,21 @@ template <class FT> Edge_deviation deviation(const Edge_rows<FT>& a, const Edge_
          {internal::row_in_space<Field>(rows.edge), internal::row_in_space<Field>(rows.cross),
           internal::row_in_space<Field>(rows.second_cross)}}};
   };
-  return internal::edge_deviation<Field>(pieces(a), pieces(b));
+  return internal::edge_deviation<Field>(pieces(a), pieces(b), work);
 }
 
 /// \ingroup PkgGeometricContinuityContinuity
 /// Encloses how far two piecewise polynomial surfaces are from being continuous along an edge of each, on all spans of the
 /// knots of both: the domain of one edge as a whole corresponds to that of the other, in the direction that gives the smaller
 /// gap. See the function for `Edge_rows`.
-/// \throws Error `wrong_number_of_points` when the rows do not fit the knots, `not_finite`
-template <class FT> Edge_deviation deviation(const Spline_edge_rows<FT>& a, const Spline_edge_rows<FT>& b) {
+/// \throws Error `wrong_number_of_points` when the rows do not fit the knots, `not_finite`, `work_limit`
+template <class FT>
+Edge_deviation deviation(const Spline_edge_rows<FT>& a, const Spline_edge_rows<FT>& b,
+                         Work_limit limit = Work_limit()) {
   typedef typename Exact_field<FT>::type Field;
-  return internal::edge_deviation<Field>(internal::edge_pieces<Field>(a), internal::edge_pieces<Field>(b));
+  internal::Work_meter work(limit, "deviation of edges");
+  return internal::edge_deviation<Field>(internal::edge_pieces<Field>(a, work), internal::edge_pieces<Field>(b, work),
+                                         work);
 }
 
 /// \ingroup PkgGeometricContinuitySurfaces
@@ -166,12 +178,14 @@ template <class FT> Edge_deviation deviation(const Spline_edge_rows<FT>& a, cons
 /// distance of the edges, whose domains correspond as a whole in the direction that makes it smaller, and of the largest angle
 /// of the normals. Exact up to the last rounding, with every kernel.
 /// \tparam Surface_a, Surface_b `Bezier_patch` or `Bspline_surface`, in any combination, with one traits class
-/// \throws Error `dimension_mismatch` unless in dimension 3
+/// \throws Error `dimension_mismatch` unless in dimension 3, `work_limit`
 template <class Surface_a, class Surface_b>
-Edge_deviation deviation(const Surface_a& a, Patch_edge edge_a, const Surface_b& b, Patch_edge edge_b) {
+Edge_deviation deviation(const Surface_a& a, Patch_edge edge_a, const Surface_b& b, Patch_edge edge_b,
+                         Work_limit limit = Work_limit()) {
   internal::require_space(a, b, "deviation");
-  return internal::edge_deviation<Edge_field<typename Surface_a::Traits>>(internal::edge_pieces(a, edge_a),
-                                                                          internal::edge_pieces(b, edge_b));
+  internal::Work_meter work(limit, "deviation of edges");
+  return internal::edge_deviation<Edge_field<typename Surface_a::Traits>>(internal::edge_pieces(a, edge_a, work),
+                                                                          internal::edge_pieces(b, edge_b, work), work);
 }
 
 } // namespace Geometric_continuity

@@ -99,13 +99,13 @@ Edge_order_within order_within_or_exactly(const Spline_edge_continuity<FT>& exac
 /// `deviation()` along the whole edges; where these are farther apart than the tolerance but have a part exactly in common, see
 /// `edge_continuity()`, this part counts.
 /// \throws Error `unreachable_tolerance` for a negative tolerance or one that is not a number, `wrong_number_of_points` when
-///   the rows do not fit the knots, `not_finite`
+///   the rows do not fit the knots, `not_finite`, `work_limit`
 template <class FT>
 Edge_order_within order_within(const Spline_edge_rows<FT>& a, const Spline_edge_rows<FT>& b,
-                               const Edge_tolerance& tolerance) {
+                               const Edge_tolerance& tolerance, Work_limit limit = Work_limit()) {
   internal::check_tolerance(tolerance);
   return internal::order_within_or_exactly(
-      edge_continuity(a, b), [&] { return deviation(a, b); }, tolerance);
+      edge_continuity(a, b, limit), [&] { return deviation(a, b, limit); }, tolerance);
 }
 
 /// \ingroup PkgGeometricContinuitySurfaces
@@ -113,13 +113,13 @@ Edge_order_within order_within(const Spline_edge_rows<FT>& a, const Spline_edge_
 /// `Spline_edge_rows`. Edges that have nothing in common, exactly or within the tolerance, are refuted, with their gap.
 /// \tparam Surface_a, Surface_b `Bezier_patch` or `Bspline_surface`, in any combination, with one traits class
 /// \throws Error `unreachable_tolerance` for a negative tolerance or one that is not a number; `dimension_mismatch` unless
-///   in dimension 3
+///   in dimension 3; `work_limit`
 template <class Surface_a, class Surface_b>
 Edge_order_within order_within(const Surface_a& a, Patch_edge edge_a, const Surface_b& b, Patch_edge edge_b,
-                               const Edge_tolerance& tolerance) {
+                               const Edge_tolerance& tolerance, Work_limit limit = Work_limit()) {
   internal::check_tolerance(tolerance);
   return internal::order_within_or_exactly(
-      edge_continuity(a, edge_a, b, edge_b), [&] { return deviation(a, edge_a, b, edge_b); }, tolerance);
+      edge_continuity(a, edge_a, b, edge_b, limit), [&] { return deviation(a, edge_a, b, edge_b, limit); }, tolerance);
 }
 
 /// \ingroup PkgGeometricContinuitySurfaces
@@ -129,10 +129,10 @@ Edge_order_within order_within(const Surface_a& a, Patch_edge edge_a, const Surf
 /// \param line one of `knot_line_continuity(surface)`
 /// \param tolerance for the gap and for the order 1
 /// \throws Error `unreachable_tolerance` for a negative tolerance or one that is not a number; `knot_multiplicity` when
-///   the surface jumps along `line`, but has no inner knot there
+///   the surface jumps along `line`, but has no inner knot there; `work_limit`
 template <class Traits>
 Edge_order_within order_within(const Bspline_surface<Traits>& surface, const Knot_line<Edge_field<Traits>>& line,
-                               const Edge_tolerance& tolerance) {
+                               const Edge_tolerance& tolerance, Work_limit limit = Work_limit()) {
   typedef Edge_field<Traits> Field;
   internal::check_tolerance(tolerance);
   if (0 <= line.continuity.g_order) return order_within(line.continuity, tolerance);
@@ -141,7 +141,8 @@ Edge_order_within order_within(const Bspline_surface<Traits>& surface, const Kno
     if (internal::to_field<Field>(knot.value) == line.knot)
       return order_within(internal::deviation_at_same_parameters(
                               internal::knot_line_rows(surface, direction, knot.value, Line_side::smaller_parameters),
-                              internal::knot_line_rows(surface, direction, knot.value, Line_side::larger_parameters)),
+                              internal::knot_line_rows(surface, direction, knot.value, Line_side::larger_parameters),
+                              limit),
                           tolerance);
   throw Error(Error_code::knot_multiplicity, "order_within: not a knot line of the surface");
 }

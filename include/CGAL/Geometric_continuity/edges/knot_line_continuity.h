@@ -48,17 +48,30 @@ Spline_edge_rows<Edge_field<Traits>> knot_line_rows(const Bspline_surface<Traits
           edge_rows_in_space<Field>(s.template rows_at<Field>(line, knot, side, 2))};
 }
 
-template <class Traits>
+template <class Traits, class Report>
 void add_knot_lines(const Bspline_surface<Traits>& s, Parameter_line line,
-                    std::vector<Knot_line<Edge_field<Traits>>>& lines) {
+                    std::vector<Knot_line<Edge_field<Traits>>>& lines, Work_limit limit, Report& report) {
   typedef Edge_field<Traits> Field;
   const Knot_vector<typename Traits::FT>& across = knots_across(s, line);
   for (const auto& knot : across.inner_knots()) {
     if (knot.multiplicity <= across.degree() - 2) continue; // twice continuously differentiable
-    lines.push_back({line == Parameter_line::along_v, to_field<Field>(knot.value), knot.multiplicity,
-                     continuity_at_same_parameters(knot_line_rows(s, line, knot.value, Line_side::smaller_parameters),
-                                                   knot_line_rows(s, line, knot.value, Line_side::larger_parameters))});
+    lines.push_back(
+        {line == Parameter_line::along_v, to_field<Field>(knot.value), knot.multiplicity,
+         continuity_at_same_parameters(knot_line_rows(s, line, knot.value, Line_side::smaller_parameters),
+                                       knot_line_rows(s, line, knot.value, Line_side::larger_parameters), limit)});
+    report();
   }
+}
+
+// What knot_line_continuity() returns; report() is called after each line.
+template <class Traits, class Report>
+std::vector<Knot_line<Edge_field<Traits>>> knot_lines(const Bspline_surface<Traits>& surface, Work_limit limit,
+                                                      Report report) {
+  require_space(surface, "knot_line_continuity");
+  std::vector<Knot_line<Edge_field<Traits>>> lines;
+  add_knot_lines(surface, Parameter_line::along_v, lines, limit, report);
+  add_knot_lines(surface, Parameter_line::along_u, lines, limit, report);
+  return lines;
 }
 
 } // namespace internal
@@ -69,15 +82,12 @@ void add_knot_lines(const Bspline_surface<Traits>& s, Parameter_line line,
 /// greater than degree - 2, first those of `u` and then those of `v`. As for edges, nothing is sampled, a knot with
 /// multiplicity degree can be \f$ G^2 \f$, and points where the normal vanishes are reported.
 ///
-/// Linear in the number of control points of the lines.
-/// \throws Error `dimension_mismatch` unless in dimension 3
+/// Linear in the number of control points of the lines. The limit is one for each line.
+/// \throws Error `dimension_mismatch` unless in dimension 3, `work_limit`
 template <class Traits>
-std::vector<Knot_line<Edge_field<Traits>>> knot_line_continuity(const Bspline_surface<Traits>& surface) {
-  internal::require_space(surface, "knot_line_continuity");
-  std::vector<Knot_line<Edge_field<Traits>>> lines;
-  internal::add_knot_lines(surface, Parameter_line::along_v, lines);
-  internal::add_knot_lines(surface, Parameter_line::along_u, lines);
-  return lines;
+std::vector<Knot_line<Edge_field<Traits>>> knot_line_continuity(const Bspline_surface<Traits>& surface,
+                                                                Work_limit limit = Work_limit()) {
+  return internal::knot_lines(surface, limit, [] {});
 }
 
 } // namespace Geometric_continuity

@@ -133,11 +133,12 @@ extrusion_continuity(const Left& left, const Right& right, const typename Left::
 /// The decision is exact with every kernel: control points are taken as they are given, and otherwise the derivatives as
 /// `ParametricCurve::jet()` returns them.
 /// \tparam Left, Right models of `ParametricCurve` with one traits class, in dimension 3
-/// \throws Error `zero_direction`, `dimension_mismatch` unless in dimension 3, `jet_order_too_low`, `not_finite`
+/// \throws Error `zero_direction`, `dimension_mismatch` unless in dimension 3, `jet_order_too_low`, `not_finite`,
+///   `work_limit`
 template <class Left, class Right>
-Edge_continuity<Edge_field<typename Left::Traits>> revolution_continuity(const Left& left, const Right& right,
-                                                                         const typename Left::Traits::Point& axis_point,
-                                                                         const typename Left::Traits::Vector& axis) {
+Edge_continuity<Edge_field<typename Left::Traits>>
+revolution_continuity(const Left& left, const Right& right, const typename Left::Traits::Point& axis_point,
+                      const typename Left::Traits::Vector& axis, Work_limit limit = Work_limit()) {
   typedef typename Left::Traits Traits;
   typedef internal::Profile_join<Left, Right> Join;
   typedef typename Join::Field Field;
@@ -160,7 +161,8 @@ Edge_continuity<Edge_field<typename Left::Traits>> revolution_continuity(const L
   const Vector inwards = Field(-1) * join.left[1];
   const internal::Point_of_edge<Field> point(m, cross_product(w, m), {inwards, join.right[1]},
                                              cross_product(w, inwards), {join.left[2], join.right[2]});
-  Edge_continuity<Field> edge = internal::Edge_decision<Field>()(point);
+  internal::Work_meter work(limit, "revolution_continuity");
+  Edge_continuity<Field> edge = internal::Edge_decision<Field>()(point, work);
   if (edge.deviation) {
     edge.deviation->begin = Field(0);
     edge.deviation->end = Field(1);

@@ -104,6 +104,7 @@ template <class Curve> struct Chain_join {
 /// \tparam Curve a copyable model of `ParametricCurve`
 template <class Curve> class Chain_analysis {
   int max_order_;
+  Work_limit limit_;
   std::size_t size_ = 0;
   std::optional<Curve> first_, last_;
   Chain_summary summary_;
@@ -113,9 +114,9 @@ template <class Curve> class Chain_analysis {
   };
 
 public:
-  /// Starts an empty chain. Orders up to `max_order` are decided.
+  /// Starts an empty chain. Orders up to `max_order` are decided, each join with the work of `limit` at most.
   /// \throws Error `negative_count` for a negative order
-  explicit Chain_analysis(int max_order = 3) : max_order_(max_order) {
+  explicit Chain_analysis(int max_order = 3, Work_limit limit = Work_limit()) : max_order_(max_order), limit_(limit) {
     if (max_order < 0) throw Error(Error_code::negative_count, "Chain_analysis: order");
   }
 
@@ -153,7 +154,7 @@ private:
   template <class Report>
   void decide(std::size_t left, std::size_t right, const Curve& left_curve, const Curve& right_curve, Report& report) {
     const Chain_join<Curve> join{left, right, left_curve, right_curve,
-                                 Geometric_continuity::continuity(left_curve, right_curve, max_order_)};
+                                 Geometric_continuity::continuity(left_curve, right_curve, max_order_, limit_)};
     report(join);
     summary_.add(join.continuity);
   }

@@ -10,6 +10,8 @@
 #include <CGAL/Geometric_continuity/joins/internal/Join_parameters.h>
 #include <CGAL/Geometric_continuity/joins/internal/join_on_doubles.h>
 #include <CGAL/Geometric_continuity/local/Curve_jet.h>
+#include <CGAL/Geometric_continuity/numbers/Work_limit.h>
+#include <CGAL/Geometric_continuity/numbers/internal/Common_denominator.h>
 
 #include <algorithm>
 #include <optional>
@@ -71,6 +73,25 @@ template <class FT> struct Join_continuity {
   /// \endcond
 };
 
+namespace internal {
+
+// Multiplies two jets by their common denominator, which changes no answer, and makes rational numbers integers. What is worth
+// it is the many products of a high order.
+template <class Field, int N> void clear_denominators(Coordinate_jet<Field, N>& x, Coordinate_jet<Field, N>& y) {
+  if constexpr (Common_denominator<Field>::clears) {
+    Common_denominator<Field> denominator;
+    for (const Coordinate_jet<Field, N>* jet : {&x, &y})
+      for (int j = 0; j <= jet->order(); ++j)
+        for (const Field& number : (*jet)[j]) denominator.include(number);
+    for (Coordinate_jet<Field, N>* jet : {&x, &y})
+      for (int j = 0; j <= jet->order(); ++j)
+        for (int i = 0; i < jet->dimension(); ++i)
+          (*jet)[j][i] = Field(typename Common_denominator<Field>::Exact(denominator.numerator((*jet)[j][i])));
+  }
+}
+
+} // namespace internal
+
 /// \ingroup PkgGeometricContinuityContinuity
 /// Decides the continuity of the join of two jets, `left` at the end of one curve and `right` at the start of the next, up
 /// to order `max_order >= 0` or as far as both jets go. The decision is division-free and exact on the numbers of the jets with
@@ -83,14 +104,14 @@ template <class FT> struct Join_continuity {
 ///
 /// \f$ O(n k^2 + k^4) \f$ field operations in dimension `n` for order `k`.
 /// \throws Error `negative_count` for a negative order, `dimension_mismatch` when the dimensions differ, `jet_order_too_low`
-///   for an empty jet, `not_finite` for an infinite or undefined floating-point coordinate
+///   for an empty jet, `not_finite` for an infinite or undefined floating-point coordinate, `work_limit`
 template <class Traits>
 Join_continuity<Predicate_FT<Traits>> continuity(const Curve_jet<Traits>& left, const Curve_jet<Traits>& right,
-                                                 int max_order) {
+                                                 int max_order, Work_limit limit = Work_limit()) {
   typedef Predicate_FT<Traits> Field;
   constexpr int N = dimension_v<Traits>;
   const Coordinate_jet<Field, N> x = internal::convert_jet<Field>(left), y = internal::convert_jet<Field>(right);
-  return internal::Join_decision<Field, N>(x, y, max_order)();
+  return internal::Join_decision<Field, N>(x, y, max_order, limit)();
 }
 
 /// \ingroup PkgGeometricContinuityContinuity
@@ -115,10 +136,10 @@ Join_continuity<Predicate_FT<Traits>> continuity(const Curve_jet<Traits>& left, 
 ///
 /// \tparam Left, Right models of `ParametricCurve` with one traits class, or types for which `Curve_ends` is specialised
 /// \throws Error `negative_count` for a negative order, `dimension_mismatch` when the dimensions differ, `not_finite` when
-///   derivatives overflow
+///   derivatives overflow, `work_limit`: with exact numbers, high orders are forms of high degree
 template <class Left, class Right>
-Join_continuity<Predicate_FT<typename Left::Traits>> continuity(const Left& left, const Right& right,
-                                                                int max_order = 3) {
+Join_continuity<Predicate_FT<typename Left::Traits>> continuity(const Left& left, const Right& right, int max_order = 3,
+                                                                Work_limit limit = Work_limit()) {
   typedef typename Left::Traits Traits;
   static_assert(std::is_same_v<Traits, typename Right::Traits>, "both curves must have the same traits class");
   typedef Predicate_FT<Traits> Field;
@@ -134,9 +155,10 @@ Join_continuity<Predicate_FT<typename Left::Traits>> continuity(const Left& left
         return join;
     }
   const int order = (std::max)(max_order, 3); // curvature and torsion are reported for every max_order
-  const Coordinate_jet<Field, N> x = internal::jet_at<Field, Curve_end::end>(left, order),
-                                 y = internal::jet_at<Field, Curve_end::start>(right, order);
-  return internal::Join_decision<Field, N>(x, y, max_order)();
+  Coordinate_jet<Field, N> x = internal::jet_at<Field, Curve_end::end>(left, order),
+                           y = internal::jet_at<Field, Curve_end::start>(right, order);
+  if (max_order > 3) internal::clear_denominators(x, y);
+  return internal::Join_decision<Field, N>(x, y, max_order, limit)();
 }
 
 } // namespace Geometric_continuity

@@ -5,6 +5,7 @@
 #ifndef CGAL_GEOMETRIC_CONTINUITY_MODELS_MODEL_EDGE_H
 #define CGAL_GEOMETRIC_CONTINUITY_MODELS_MODEL_EDGE_H
 
+#include <CGAL/Geometric_continuity/Error.h>
 #include <CGAL/Geometric_continuity/edges/knot_line_continuity.h>
 
 #include <cstddef>

@@ -85,9 +85,7 @@ public:
   /// \throws Error `unreachable_tolerance` unless the tolerance is positive, `not_finite` when it is infinite or not a
   ///   number, `negative_count` for a negative number of cells, `wrong_number_of_points` for no cells
   std::optional<Patch_cells> cells(double tolerance, int least, int most) const {
-    internal::check_finite(tolerance, "Patch_flatness: the tolerance");
-    if (!(tolerance > 0))
-      throw Error(Error_code::unreachable_tolerance, "Patch_flatness: the tolerance must be positive");
+    check_tolerance(tolerance);
     check_cells((std::min)(least, most));
     long long low = 1, high = 1;
     while (low < least) low *= 2;
@@ -103,7 +101,25 @@ public:
     return best;
   }
 
+  /// Returns a number of cells below which, by the bounds, no choice of their numbers in `u` and in `v` reaches the
+  /// tolerance: \f$ \max(1, \sqrt{M_{uu} / 8t}, \sqrt{M_{vv} / 8t}, (\sqrt{M_{uu} M_{vv}} + M_{uv}) / 4t) \f$, by the inequality
+  /// between arithmetic and geometric mean. It is infinite when it overflows.
+  /// \throws Error `unreachable_tolerance` unless the tolerance is positive, `not_finite` when it is infinite or not a
+  ///   number
+  double least_cells(double tolerance) const {
+    check_tolerance(tolerance);
+    const double root = std::sqrt(8 * tolerance), factor = 1 - 0x1p-40; // rounded downwards
+    return (std::max)({1.0, factor * (std::sqrt(uu_) / root), factor * (std::sqrt(vv_) / root),
+                       factor * ((0.25 * std::sqrt(uu_) * std::sqrt(vv_) + 0.25 * uv_) / tolerance)});
+  }
+
 private:
+  static void check_tolerance(double tolerance) {
+    internal::check_finite(tolerance, "Patch_flatness: the tolerance");
+    if (!(tolerance > 0))
+      throw Error(Error_code::unreachable_tolerance, "Patch_flatness: the tolerance must be positive");
+  }
+
   static void check_cells(int least) {
     internal::check_count(least, "Patch_flatness: number of cells");
     if (least == 0) throw Error(Error_code::wrong_number_of_points, "Patch_flatness: no cells");

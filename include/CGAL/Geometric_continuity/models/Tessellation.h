@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <iterator>
 #include <ostream>
 #include <utility>
 #include <vector>
@@ -65,7 +66,7 @@ struct Mesh_edges {
 
 /// \ingroup PkgGeometricContinuitySurfaces
 /// Counts the edges of triangles by how many triangles meet at them. \f$ O(n \log n) \f$ for `n` triangles
-/// \tparam TriangleRange a range of triples of numbers of points
+/// \tparam TriangleRange a forward range of triples of numbers of points
 template <class TriangleRange> Mesh_edges mesh_edges(const TriangleRange& triangles) {
   struct Use {
     std::size_t low, high;
@@ -73,6 +74,7 @@ template <class TriangleRange> Mesh_edges mesh_edges(const TriangleRange& triang
     bool same_edge(const Use& other) const { return low == other.low && high == other.high; }
   };
   std::vector<Use> uses;
+  uses.reserve(3 * static_cast<std::size_t>(std::distance(std::begin(triangles), std::end(triangles))));
   for (const auto& t : triangles)
     for (int i = 0; i < 3; ++i) {
       const std::size_t a = t[i], b = t[(i + 1) % 3];

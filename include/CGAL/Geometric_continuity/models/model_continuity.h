@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <iterator>
+#include <string>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -20,29 +21,35 @@ namespace Geometric_continuity {
 
 namespace internal {
 
-template <class Traits>
-std::vector<Knot_line<Edge_field<Traits>>> knot_lines_in_model(const Bspline_surface<Traits>& surface) {
-  return knot_line_continuity(surface);
+template <class Traits, class Report>
+std::vector<Knot_line<Edge_field<Traits>>> knot_lines_in_model(const Bspline_surface<Traits>& surface, Work_limit limit,
+                                                               Report report) {
+  return knot_lines(surface, limit, report);
 }
-template <class Traits> std::vector<Knot_line<Edge_field<Traits>>> knot_lines_in_model(const Bezier_patch<Traits>&) {
+template <class Traits, class Report>
+std::vector<Knot_line<Edge_field<Traits>>> knot_lines_in_model(const Bezier_patch<Traits>&, Work_limit, Report) {
   return {};
 }
 
-template <class Surface> class Model_analysis {
+template <class Surface, class Report> class Model_analysis {
   typedef Edge_field<typename Surface::Traits> Field;
 
   const std::vector<const Surface*>& patches_;
+  const Work_limit limit_;
+  Report& report_;
+  std::size_t decided_ = 0;
   Model_continuity<Field> model_;
 
 public:
-  explicit Model_analysis(const std::vector<const Surface*>& patches) : patches_(patches) {}
+  Model_analysis(const std::vector<const Surface*>& patches, Work_limit limit, Report& report)
+      : patches_(patches), limit_(limit), report_(report) {}
 
   Model_continuity<Field> operator()() {
     for (const Surface* patch : patches_) require_space(*patch, "model_continuity");
     for (std::size_t i = 0; i < patches_.size(); ++i) add_knot_lines(i);
-    const Edge_groups<Surface> groups(patches_);
+    const Edge_groups<Surface> groups(patches_, limit_);
     for (const Edge_use& use : groups.collapsed()) add(Model_edge_kind::collapsed, use);
-    for (const std::vector<Edge_use>& uses : groups.edges()) {
+    for (const Edge_uses& uses : groups.edges()) {
       if (uses.size() == 1) add(Model_edge_kind::boundary, uses[0]);
       for (std::size_t i = 1; i < uses.size(); ++i) share(uses[i - 1], uses[i], uses.size() > 2);
     }
@@ -61,7 +68,10 @@ private:
 
   void add_knot_lines(std::size_t i) {
     Model_summary& s = model_.summary;
-    for (Knot_line<Field>& line : knot_lines_in_model(*patches_[i])) {
+    std::vector<Knot_line<Field>> lines;
+    name_work_limit([&] { return "patch " + std::to_string(i); },
+                    [&] { lines = knot_lines_in_model(*patches_[i], limit_, [this] { report_(++decided_); }); });
+    for (Knot_line<Field>& line : lines) {
       const int order = line.continuity.g_order;
       ++(order == 2 ? s.knot_lines_g2 : order == 1 ? s.knot_lines_g1 : s.knot_lines_g0);
       model_.knot_lines.push_back({i, std::move(line)});
@@ -73,9 +83,13 @@ private:
     row.patch_b = b.patch;
     row.edge_b = b.edge;
     row.non_manifold = non_manifold;
-    row.continuity =
-        continuity_of_same_edge(*patches_[a.patch], a.edge, *patches_[b.patch], b.edge,
-                                a.backwards == b.backwards ? Edge_direction::same : Edge_direction::opposite);
+    name_work_limit([&] { return edge_name(a.patch, a.edge) + " - " + edge_name(b.patch, b.edge); },
+                    [&] {
+                      row.continuity = continuity_of_same_edge(
+                          *patches_[a.patch], a.edge, *patches_[b.patch], b.edge,
+                          a.backwards == b.backwards ? Edge_direction::same : Edge_direction::opposite, limit_);
+                    });
+    report_(++decided_);
   }
 
   void count_edges() {
@@ -113,12 +127,22 @@ private:
 ///
 /// \tparam PatchRange a forward range of `Bezier_patch` or of `Bspline_surface`
 /// \param patches of the model, which must outlive the call
-/// \throws Error `dimension_mismatch` unless in dimension 3
-template <class PatchRange> auto model_continuity(const PatchRange& patches) {
+/// \param limit the work that is allowed for each edge, to recognise and to decide it, and for each knot line
+/// \param report is called as `report(n)` with the number of shared edges and knot lines decided so far, after each
+/// \throws Error `dimension_mismatch` unless in dimension 3; `work_limit`, with the patch and the edge
+template <class PatchRange, class Report>
+auto model_continuity(const PatchRange& patches, Work_limit limit, Report report) {
   typedef std::decay_t<decltype(*std::begin(patches))> Patch;
   std::vector<const Patch*> pointers;
   for (const Patch& patch : patches) pointers.push_back(&patch);
-  return internal::Model_analysis<Patch>(pointers)();
+  return internal::Model_analysis<Patch, Report>(pointers, limit, report)();
+}
+
+/// \ingroup PkgGeometricContinuitySurfaces
+/// Decides the continuity along all edges of a model, without reports.
+/// \throws Error as the function that reports
+template <class PatchRange> auto model_continuity(const PatchRange& patches, Work_limit limit = Work_limit()) {
+  return model_continuity(patches, limit, [](std::size_t) {});
 }
 
 } // namespace Geometric_continuity

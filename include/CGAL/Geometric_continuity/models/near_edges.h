@@ -8,9 +8,13 @@
 #include <CGAL/Geometric_continuity/edges/edge_order_within.h>
 #include <CGAL/Geometric_continuity/edges/internal/Edge_piece.h>
 #include <CGAL/Geometric_continuity/models/Model_edge.h>
+#include <CGAL/Geometric_continuity/numbers/Work_limit.h>
+#include <CGAL/Geometric_continuity/numbers/internal/certified_bounds.h>
 #include <CGAL/Geometric_continuity/numbers/internal/checked_numbers.h>
+#include <CGAL/number_utils.h>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <iterator>
 #include <ostream>
@@ -42,29 +46,60 @@ namespace internal {
 // A boundary edge with its ends.
 template <class Field> struct Boundary_edge {
   typedef Coordinate_vector<Field, 3> Vector;
+  typedef std::array<std::pair<double, double>, 3> Box; // that contains a point
 
   std::size_t patch;
   Patch_edge edge;
-  Spline_edge_rows<Field> rows;
+  std::vector<Edge_piece<Field>> pieces;
   Vector ends[2];
-  Field x; // the smaller of the first coordinates of both ends
+  Box boxes[2];
 
-  Boundary_edge(std::size_t p, Patch_edge e, Spline_edge_rows<Field> r) : patch(p), edge(e), rows(std::move(r)) {
-    const std::vector<Edge_piece<Field>> pieces = edge_pieces<Field>(rows);
+  Boundary_edge(std::size_t p, Patch_edge e, const Spline_edge_rows<Field>& rows, Work_limit limit)
+      : patch(p), edge(e) {
+    Work_meter work(limit, "near_edges");
+    pieces = edge_pieces<Field>(rows, work);
     ends[0] = pieces.front().rows.edge.front();
     ends[1] = pieces.back().rows.edge.back();
-    x = (std::min)(ends[0][0], ends[1][0]);
+    for (int end : {0, 1})
+      for (int i = 0; i < 3; ++i) boxes[end][i] = CGAL::to_interval(ends[end][i]);
   }
 
-  bool has_ends_near(const Boundary_edge& other, const Field& squared_gap) const {
-    const auto near = [&](const Vector& p, const Vector& q) {
-      const Vector difference = q - p;
+  // Bounds of the smaller coordinate of both ends.
+  double low(int i) const { return (std::min)(boxes[0][i].first, boxes[1][i].first); }
+  double high(int i) const { return (std::min)(boxes[0][i].second, boxes[1][i].second); }
+
+  // Whether the ends are not farther apart than the gap, in one of both directions. Boxes tell nearly all that are.
+  bool has_ends_near(const Boundary_edge& other, double gap, const Field& squared_gap) const {
+    const auto near = [&](int end, int other_end) {
+      for (int i = 0; i < 3; ++i)
+        if (is_beyond(boxes[end][i], other.boxes[other_end][i], gap) ||
+            is_beyond(other.boxes[other_end][i], boxes[end][i], gap))
+          return false;
+      const Vector difference = other.ends[other_end] - ends[end];
       return !(squared_gap < dot(difference, difference));
     };
-    return (near(ends[0], other.ends[0]) && near(ends[1], other.ends[1])) ||
-           (near(ends[0], other.ends[1]) && near(ends[1], other.ends[0]));
+    return (near(0, 0) && near(1, 1)) || (near(0, 1) && near(1, 0));
+  }
+
+  // Whether the numbers of the second interval exceed those of the first by more than the gap.
+  static bool is_beyond(const std::pair<double, double>& x, const std::pair<double, double>& y, double gap) {
+    return gap < next_below(y.first - x.second);
   }
 };
+
+// The coordinate in which the edges are spread most, as far as they are finite.
+template <class Field> int longest_side(const std::vector<Boundary_edge<Field>>& edges) {
+  int longest = 0;
+  double length = 0;
+  for (int i = 0; i < 3; ++i) {
+    const auto [least, most] = std::minmax_element(edges.begin(), edges.end(),
+                                                   [i](const auto& a, const auto& b) { return a.low(i) < b.low(i); });
+    if (least == edges.end() || !(length < most->low(i) - least->low(i))) continue;
+    length = most->low(i) - least->low(i);
+    longest = i;
+  }
+  return longest;
+}
 
 } // namespace internal
 
@@ -73,44 +108,62 @@ template <class Field> struct Boundary_edge {
 /// tolerance: edges that `model_continuity()` finds to differ, such as those of rounded constructions. By the number of the
 /// first patch. An edge that is near to several others is in several pairs.
 ///
-/// The ends of near edges are near; so candidates are found by sorting, and for each the gap is enclosed.
+/// The ends of near edges are near; so candidates are found by sorting, and for each the gap is enclosed. A gap that is not
+/// small compared with the patches makes all pairs of edges candidates.
 /// \tparam PatchRange a forward range of `Bezier_patch` or of `Bspline_surface`
 /// \param patches of the model
 /// \param model the result of `model_continuity(patches)`
 /// \param tolerance for the gap and for the order 1
+/// \param limit the work that is allowed for each edge, and for the search and its thousandth part more for each edge
+/// \param report is called as `report(n)` with the number of boundary edges compared so far, after each
 /// \throws Error `unreachable_tolerance` for a negative tolerance or one that is not a number, `not_finite` for an infinite
-///   gap
-template <class PatchRange, class FT>
+///   gap, `work_limit`
+template <class PatchRange, class FT, class Report>
 std::vector<Near_edges> near_edges(const PatchRange& patches, const Model_continuity<FT>& model,
-                                   const Edge_tolerance& tolerance) {
+                                   const Edge_tolerance& tolerance, Work_limit limit, Report report) {
   typedef internal::Boundary_edge<FT> Edge;
   internal::check_tolerance(tolerance);
   internal::check_finite(tolerance.gap, "near_edges: gap");
-  const FT gap(tolerance.gap), squared_gap(gap * gap);
+  const double gap = tolerance.gap;
+  const FT squared_gap = FT(gap) * FT(gap);
   std::vector<Edge> edges;
   std::size_t number = 0;
   auto row = model.edges.begin(); // by the number of the patch
   for (const auto& patch : patches) {
     for (; row != model.edges.end() && row->patch_a == number; ++row)
       if (row->kind == Model_edge_kind::boundary)
-        edges.emplace_back(number, row->edge_a, spline_edge_rows(patch, row->edge_a));
+        edges.emplace_back(number, row->edge_a, spline_edge_rows(patch, row->edge_a), limit);
     ++number;
   }
-  std::sort(edges.begin(), edges.end(), [](const Edge& a, const Edge& b) { return bool(a.x < b.x); });
+  const int side = internal::longest_side(edges);
+  std::sort(edges.begin(), edges.end(), [&](const Edge& a, const Edge& b) { return a.low(side) < b.low(side); });
+  internal::Work_meter work(limit, "near_edges", 1 + static_cast<double>(edges.size()) / 1000);
   std::vector<Near_edges> result;
-  for (auto i = edges.begin(); i != edges.end(); ++i)
-    for (auto j = i + 1; j != edges.end() && !(gap < FT(j->x - i->x)); ++j) {
-      if (!i->has_ends_near(*j, squared_gap)) continue;
+  for (auto i = edges.begin(); i != edges.end(); ++i) {
+    for (auto j = i + 1; j != edges.end(); ++j) {
+      if (gap < internal::next_below(j->low(side) - i->high(side))) break;
+      if (!i->has_ends_near(*j, gap, squared_gap)) continue;
       const bool in_order = std::make_pair(i->patch, i->edge) < std::make_pair(j->patch, j->edge);
       const Edge &a = in_order ? *i : *j, &b = in_order ? *j : *i;
-      const Edge_order_within within = order_within(deviation(a.rows, b.rows), tolerance);
+      const Edge_order_within within = order_within(internal::edge_deviation(a.pieces, b.pieces, work), tolerance);
       if (within(0) != Verdict::refuted) result.push_back({a.patch, a.edge, b.patch, b.edge, within});
     }
+    report(static_cast<std::size_t>(i - edges.begin()) + 1);
+  }
   std::sort(result.begin(), result.end(), [](const Near_edges& a, const Near_edges& b) {
     return std::make_pair(std::make_pair(a.patch_a, a.edge_a), std::make_pair(a.patch_b, a.edge_b)) <
            std::make_pair(std::make_pair(b.patch_a, b.edge_a), std::make_pair(b.patch_b, b.edge_b));
   });
   return result;
+}
+
+/// \ingroup PkgGeometricContinuitySurfaces
+/// Finds the near edges of a model, without reports.
+/// \throws Error as the function that reports
+template <class PatchRange, class FT>
+std::vector<Near_edges> near_edges(const PatchRange& patches, const Model_continuity<FT>& model,
+                                   const Edge_tolerance& tolerance, Work_limit limit = Work_limit()) {
+  return near_edges(patches, model, tolerance, limit, [](std::size_t) {});
 }
 
 } // namespace Geometric_continuity

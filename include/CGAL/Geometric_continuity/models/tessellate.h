@@ -22,9 +22,9 @@ namespace CGAL {
 namespace Geometric_continuity {
 
 /// \ingroup PkgGeometricContinuitySurfaces
-/// The largest number of cells, each of two triangles or more, that `tessellate()` makes, so that a wrong tolerance cannot
-/// fill the memory.
-constexpr int max_tessellation_cells = 1 << 24;
+/// The largest number of triangles that `tessellate()` makes unless it is told otherwise, so that a wrong tolerance cannot
+/// fill the memory: each takes about 60 bytes.
+constexpr std::size_t max_tessellation_triangles = 1 << 22;
 
 /// \ingroup PkgGeometricContinuitySurfaces
 /// The largest number of cells into which `tessellate()` cuts a Bézier patch in one direction.
@@ -45,21 +45,40 @@ struct Chord_tolerance {
 
 namespace internal {
 
-template <class Traits> Patch_cells cells_of_patch(const Uniform_grid& grid, const Bezier_patch<Traits>&, int) {
+inline std::string surface_in_tessellation(std::size_t number) {
+  return "tessellate: surface " + std::to_string(number);
+}
+
+template <class Traits>
+Patch_cells cells_of_patch(const Uniform_grid& grid, const Bezier_patch<Traits>&, std::size_t, int) {
   return {grid.n, grid.n};
 }
 
 template <class Traits>
-Patch_cells cells_of_patch(const Chord_tolerance& tolerance, const Bezier_patch<Traits>& patch, int least) {
+Patch_cells cells_of_patch(const Chord_tolerance& tolerance, const Bezier_patch<Traits>& patch, std::size_t number,
+                           int least) {
   constexpr int most = max_cells_in_one_direction;
-  const Patch_flatness flatness(patch);
-  const std::optional<Patch_cells> cells = flatness.cells(tolerance.distance, least, most);
-  if (!cells && std::isfinite(flatness.distance({most, most})))
-    throw Error(Error_code::work_limit,
-                "tessellate: more than " + std::to_string(most) + " cells of a patch in one direction");
-  if (!cells) throw Error(Error_code::unreachable_tolerance, "tessellate: the second derivatives of a patch overflow");
+  const std::optional<Patch_cells> cells = Patch_flatness(patch).cells(tolerance.distance, least, most);
+  if (!cells)
+    throw Error(Error_code::work_limit, surface_in_tessellation(number) + " needs more than " + std::to_string(most) +
+                                            " cells of a patch in one direction");
   return *cells;
 }
+
+// No fewer cells suffice for a Bezier patch, and for a surface that may have several.
+template <class Traits> double least_cells(const Uniform_grid& grid, const Bezier_patch<Traits>&, std::size_t) {
+  return double(grid.n) * grid.n;
+}
+template <class Traits>
+double least_cells(const Chord_tolerance& tolerance, const Bezier_patch<Traits>& patch, std::size_t number) {
+  const Patch_flatness flatness(patch);
+  if (!std::isfinite(flatness.distance({max_cells_in_one_direction, max_cells_in_one_direction})))
+    throw Error(Error_code::unreachable_tolerance,
+                surface_in_tessellation(number) + ": the second derivatives of a patch overflow");
+  return flatness.least_cells(tolerance.distance);
+}
+inline double least_cells_of_any_patch(const Uniform_grid& grid) { return double(grid.n) * grid.n; }
+inline double least_cells_of_any_patch(const Chord_tolerance&) { return 1; }
 
 inline void check_mode(const Uniform_grid& grid) {
   check_count(grid.n, "tessellate: a grid");
@@ -75,38 +94,59 @@ inline void check_mode(const Chord_tolerance& tolerance) {
     throw Error(Error_code::unreachable_tolerance, "tessellate: the tolerance must be positive");
 }
 
-// All numbers of cells are known, and few enough, before the first point is computed.
-template <class Traits, class Mode>
-Tessellation<Traits> tessellate_patches(const std::vector<const Bezier_patch<Traits>*>& patches,
-                                        const std::vector<std::size_t>& numbers, const Mode& mode) {
-  check_mode(mode);
-  for (const Bezier_patch<Traits>* patch : patches) require_space(*patch, "tessellate");
-  int cells_left = max_tessellation_cells;
-  return Model_mesh<Traits>(patches, numbers)([&](const Bezier_patch<Traits>& patch, int least) {
-    const Patch_cells cells = cells_of_patch(mode, patch, least);
-    cells_left -= cells.u * cells.v;
-    if (cells_left < 0)
-      throw Error(Error_code::work_limit, "tessellate: more than " + std::to_string(max_tessellation_cells) + " cells");
-    return cells;
-  });
-}
+// The Bezier patches of one or more surfaces, each with the number of its surface. Before a surface is cut into them, before
+// edges are compared and before the first point is computed, it is known that the triangles are not too many.
+template <class Traits, class Mode> class Numbered_patches {
+  const Mode& mode_;
+  std::size_t max_triangles_;
+  Triangle_budget least_; // of the patches that are there
+  std::vector<Bezier_patch<Traits>> patches_;
+  std::vector<std::size_t> numbers_;
 
-// The Bezier patches of one or more surfaces, each with the number of its surface.
-template <class Traits> struct Numbered_patches {
-  std::vector<Bezier_patch<Traits>> patches;
-  std::vector<std::size_t> numbers;
+public:
+  Numbered_patches(const Mode& mode, std::size_t max_triangles)
+      : mode_(mode), max_triangles_(max_triangles), least_(max_triangles) {
+    check_mode(mode);
+  }
 
-  void add(const Bezier_patch<Traits>& patch, std::size_t number) {
-    patches.push_back(patch);
-    numbers.push_back(number);
+  template <class SurfaceRange> void add_all(const SurfaceRange& surfaces) {
+    Triangle_budget least(max_triangles_);
+    std::size_t number = 0, all = 0;
+    for (const auto& surface : surfaces) {
+      require_space(surface, "tessellate");
+      const std::size_t n = number_of_patches(surface);
+      least.add(2 * static_cast<double>(n) * least_cells_of_any_patch(mode_), number++);
+      all += n;
+    }
+    patches_.reserve(all);
+    numbers_.reserve(all);
+    number = 0;
+    for (const auto& surface : surfaces) add(surface, number++);
+  }
+
+  template <class Report> Tessellation<Traits> operator()(Report report) const {
+    std::vector<const Bezier_patch<Traits>*> pointers;
+    pointers.reserve(patches_.size());
+    for (const Bezier_patch<Traits>& patch : patches_) pointers.push_back(&patch);
+    return Model_mesh<Traits>(pointers,
+                              numbers_)([&](const Bezier_patch<Traits>& patch, std::size_t number,
+                                            int least) { return cells_of_patch(mode_, patch, number, least); },
+                                        max_triangles_, report);
+  }
+
+private:
+  static std::size_t number_of_patches(const Bezier_patch<Traits>&) { return 1; }
+  static std::size_t number_of_patches(const Bspline_surface<Traits>& surface) {
+    return static_cast<std::size_t>(surface.knots_u().number_of_spans()) * surface.knots_v().number_of_spans();
+  }
+
+  void add(Bezier_patch<Traits> patch, std::size_t number) {
+    least_.add(2 * least_cells(mode_, patch, number), number);
+    patches_.push_back(std::move(patch));
+    numbers_.push_back(number);
   }
   void add(const Bspline_surface<Traits>& surface, std::size_t number) {
-    for (const Bezier_patch<Traits>& patch : surface.bezier_patches()) add(patch, number);
-  }
-  template <class Mode> Tessellation<Traits> tessellate(const Mode& mode) const {
-    std::vector<const Bezier_patch<Traits>*> pointers;
-    for (const Bezier_patch<Traits>& patch : patches) pointers.push_back(&patch);
-    return tessellate_patches(pointers, numbers, mode);
+    surface.for_each_bezier_patch([&](Bezier_patch<Traits> patch) { add(std::move(patch), number); });
   }
 };
 
@@ -128,37 +168,52 @@ template <class Traits> struct Numbered_patches {
 /// \f$ O(n \log n) \f$ comparisons of edges of `n` patches, and \f$ O(p^2) \f$ operations for each point on a patch of
 /// degree `p`.
 ///
+/// \param surfaces the patches or surfaces
+/// \param mode how fine the triangles are
+/// \param max_triangles more triangles are refused. Their number is predicted, up to those at collapsed edges, from the
+///   numbers of cells, and from the knots even before a surface is cut into patches
+/// \param report is called as `report(n)` with the number of triangles so far, after each Bézier patch
 /// \tparam SurfaceRange a forward range of `Bezier_patch` or of `Bspline_surface`
 /// \tparam Mode `Uniform_grid` or `Chord_tolerance`
 /// \throws Error `unreachable_tolerance` for a tolerance that is not positive, or when the bounds in `Patch_flatness`
-///   overflow; `not_finite` for a tolerance that is infinite or not a number; `work_limit` for a grid or a tolerance that
-///   would need more than `max_tessellation_cells` cells, or more than `max_cells_in_one_direction` in a direction of a
-///   patch; `negative_count` and `wrong_number_of_points` for a grid with a negative number of cells and with none;
-///   `dimension_mismatch` unless in dimension 3. No point is computed before
-template <class SurfaceRange, class Mode>
-auto tessellate(const SurfaceRange& surfaces, const Mode& mode)
+///   overflow; `not_finite` for a tolerance that is infinite or not a number; `work_limit`, with the number of the surface,
+///   for more than `max_triangles` triangles, and for a grid or a tolerance that would need more than
+///   `max_cells_in_one_direction` cells in a direction of a patch; `negative_count` and `wrong_number_of_points` for a grid
+///   with a negative number of cells and with none; `dimension_mismatch` unless in dimension 3. No point is computed before
+template <class SurfaceRange, class Mode, class Report>
+auto tessellate(const SurfaceRange& surfaces, const Mode& mode, std::size_t max_triangles, Report report)
     -> Tessellation<typename std::decay_t<decltype(*std::begin(surfaces))>::Traits> {
   typedef std::decay_t<decltype(*std::begin(surfaces))> Surface;
-  internal::Numbered_patches<typename Surface::Traits> patches;
-  std::size_t number = 0;
-  for (const Surface& surface : surfaces) patches.add(surface, number++);
-  return patches.tessellate(mode);
+  internal::Numbered_patches<typename Surface::Traits, Mode> patches(mode, max_triangles);
+  patches.add_all(surfaces);
+  return patches(report);
+}
+
+/// \ingroup PkgGeometricContinuitySurfaces
+/// Tessellates a model, without reports.
+/// \throws Error as the function that reports
+template <class SurfaceRange, class Mode>
+auto tessellate(const SurfaceRange& surfaces, const Mode& mode, std::size_t max_triangles = max_tessellation_triangles)
+    -> Tessellation<typename std::decay_t<decltype(*std::begin(surfaces))>::Traits> {
+  return tessellate(surfaces, mode, max_triangles, [](std::size_t) {});
 }
 
 /// \ingroup PkgGeometricContinuitySurfaces
 /// Tessellates a patch, welded where it closes up, as a model of one patch.
 /// \throws Error as the function that tessellates a model
 template <class Traits, class Mode>
-Tessellation<Traits> tessellate(const Bezier_patch<Traits>& patch, const Mode& mode) {
-  return internal::tessellate_patches<Traits>({&patch}, {0}, mode);
+Tessellation<Traits> tessellate(const Bezier_patch<Traits>& patch, const Mode& mode,
+                                std::size_t max_triangles = max_tessellation_triangles) {
+  return tessellate(std::array<Bezier_patch<Traits>, 1>{patch}, mode, max_triangles);
 }
 
 /// \ingroup PkgGeometricContinuitySurfaces
 /// Tessellates a surface, Bézier patch by Bézier patch, welded also where it closes up, as a model of one surface.
 /// \throws Error as the function that tessellates a model
 template <class Traits, class Mode>
-Tessellation<Traits> tessellate(const Bspline_surface<Traits>& surface, const Mode& mode) {
-  return tessellate(std::array<Bspline_surface<Traits>, 1>{surface}, mode);
+Tessellation<Traits> tessellate(const Bspline_surface<Traits>& surface, const Mode& mode,
+                                std::size_t max_triangles = max_tessellation_triangles) {
+  return tessellate(std::array<Bspline_surface<Traits>, 1>{surface}, mode, max_triangles);
 }
 
 } // namespace Geometric_continuity

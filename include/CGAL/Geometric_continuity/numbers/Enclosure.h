@@ -8,10 +8,12 @@
 #include <CGAL/Geometric_continuity/Error.h>
 #include <CGAL/Geometric_continuity/numbers/Exact_field.h>
 #include <CGAL/Geometric_continuity/numbers/internal/certified_bounds.h>
+#include <CGAL/Geometric_continuity/numbers/internal/decimal_bound.h>
 #include <CGAL/number_utils.h>
 
 #include <cmath>
 #include <ostream>
+#include <string>
 #include <utility>
 
 /// \file Enclosure.h
@@ -33,10 +35,13 @@ struct Enclosure {
   /// Decides whether an end is different.
   friend bool operator!=(const Enclosure& x, const Enclosure& y) { return !(x == y); }
 
-  /// Writes `[lower, upper]`, or the number when both are the same.
+  /// Writes `[lower, upper]` rounded outwards: the decimals enclose the number, too. They have as many significant digits as
+  /// the stream has precision, whatever its locale and its flags. Writes the number alone when both decimals are the same.
   friend std::ostream& operator<<(std::ostream& os, const Enclosure& x) {
-    if (x.lower == x.upper) return os << x.lower;
-    return os << '[' << x.lower << ", " << x.upper << ']';
+    const int digits = static_cast<int>(os.precision());
+    const std::string below = internal::decimal_below(x.lower, digits),
+                      above = internal::decimal_above(x.upper, digits);
+    return os << (below == above ? below : '[' + below + ", " + above + ']');
   }
 };
 

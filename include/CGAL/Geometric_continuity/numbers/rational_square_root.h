@@ -12,6 +12,7 @@
 #include <cmath>
 #include <optional>
 #include <type_traits>
+#include <vector>
 
 /// \file rational_square_root.h
 /// Square roots that are rational numbers, found exactly.
@@ -20,10 +21,22 @@ namespace CGAL {
 namespace Geometric_continuity {
 namespace internal {
 
+// A power of two that is at least the square root of n, and less than twice as large: the largest one whose square is
+// less than n, doubled. Its exponent is found bit by bit, with as many products as it has bits.
+template <class Integer> Integer power_of_two_above_root(const Integer& n) {
+  std::vector<Integer> powers(1, Integer(2)); // 2, 4, 16, 256, ...
+  while (Integer(powers.back() * powers.back()) < n) powers.push_back(Integer(powers.back() * powers.back()));
+  Integer x(1);
+  for (; !powers.empty(); powers.pop_back()) {
+    const Integer y = Integer(x * powers.back());
+    if (Integer(y * y) < n) x = y;
+  }
+  return Integer(x + x);
+}
+
 // The square root of an integer n >= 0 when it is an integer: Newton's iteration from above.
 template <class Integer> std::optional<Integer> integer_square_root(const Integer& n) {
-  Integer x(1);
-  while (Integer(x * x) < n) x = Integer(x + x);
+  Integer x = power_of_two_above_root(n);
   for (;;) {
     const Integer y = Integer(Integer(x + Integer(n / x)) / Integer(2));
     if (!(y < x)) break;

@@ -8,9 +8,12 @@
 #include <CGAL/Geometric_continuity/Error.h>
 #include <CGAL/Geometric_continuity/algebra/Coordinate_vector.h>
 #include <CGAL/Geometric_continuity/numbers/Exact_field.h>
+#include <CGAL/Geometric_continuity/numbers/Work_limit.h>
 #include <CGAL/Geometric_continuity/numbers/internal/checked_numbers.h>
 #include <CGAL/Geometric_continuity/splines/Knot_vector.h>
 #include <CGAL/Geometric_continuity/splines/internal/Spline_weights.h>
+#include <CGAL/Geometric_continuity/splines/internal/bspline_differences.h>
+#include <CGAL/Geometric_continuity/splines/internal/bspline_spans.h>
 #include <CGAL/Geometric_continuity/splines/internal/check_spline.h>
 
 #include <boost/container/small_vector.hpp>
@@ -19,12 +22,14 @@
 #include <cstddef>
 #include <iterator>
 #include <optional>
+#include <type_traits>
+#include <utility>
 #include <vector>
 
 /// \file bspline_knots.h
 /// One spline over several knot vectors: insertion, refinement, Bézier pieces and back, removal
-/// where it is exact. All of them compute the new coefficients as blossoms \f$ c'_j = f_k[t_{j+1}, \dots, t_{j+p}] \f$
-/// at the new knots `t`, in \f$ O(p^2) \f$ each.
+/// where it is exact. But for the Bézier pieces, the new coefficients are computed as blossoms
+/// \f$ c'_j = f_k[t_{j+1}, \dots, t_{j+p}] \f$ at the new knots `t`, in \f$ O(p^2) \f$ each.
 
 namespace CGAL {
 namespace Geometric_continuity {
@@ -83,6 +88,46 @@ std::vector<typename Coefficients::value_type> change_knots(const Knot_vector<FT
       result.push_back(c[weights.first]);
     else
       result.push_back(weights(c));
+  }
+  return result;
+}
+
+// The Bernstein coefficients on the spans.
+template <class FT, class Coefficients>
+std::vector<typename Coefficients::value_type> bernstein_pieces(const Knot_vector<FT>& knots, const Coefficients& c,
+                                                                Work_meter& work) {
+  typedef typename Coefficients::value_type Value;
+  const int p = knots.degree(), n = number_of_coordinates(c[0]);
+  const std::vector<int> spans = knots.spans();
+  std::vector<Value> result(spans.size() * (p + 1), c[0]);
+  if (spans.size() == 1 && knots.is_clamped()) {
+    std::copy(c.begin(), c.end(), result.begin());
+    return result;
+  }
+  const auto number = [](auto& x, int d) -> auto& {
+    if constexpr (std::is_same_v<Value, FT>)
+      return x;
+    else
+      return x[d];
+  };
+  if constexpr (is_rational_v<FT>) {
+    for (int d = 0; d < n; ++d) {
+      std::vector<FT> column;
+      for (const Value& x : c) column.push_back(number(x, d));
+      Difference_spans<FT> pieces(knots, std::move(column), work);
+      for (std::size_t s = 0; s < spans.size(); ++s)
+        pieces.next([&](int i, FT b) { number(result[s * (p + 1) + i], d) = std::move(b); });
+    }
+  } else {
+    const auto row = [&](int i, FT* x) {
+      for (int d = 0; d < n; ++d) x[d] = number(c[i], d);
+    };
+    Bernstein_spans<FT, -1, 0, decltype(row)> pieces(knots, n, row);
+    for (std::size_t s = 0; s < spans.size(); ++s) {
+      pieces.next(knots[spans[s] + 1]);
+      for (int i = 0; i <= p; ++i)
+        for (int d = 0; d < n; ++d) number(result[s * (p + 1) + i], d) = pieces[i][d];
+    }
   }
   return result;
 }
@@ -151,12 +196,17 @@ std::vector<typename Coefficients::value_type> bspline_insert(const Knot_vector<
 
 /// \ingroup PkgGeometricContinuityAlgebra
 /// Returns the Bernstein coefficients of the polynomials on the spans of the domain, `p + 1` for each span, one after
-/// the other: the coefficients over `knots.bezier(p)`. \f$ O(n p^3) \f$
-/// \throws Error `wrong_number_of_points` unless there are `n` coefficients
+/// the other: the coefficients over `knots.bezier(p)`. \f$ O(p^2) \f$ for each span and coordinate, with rational numbers
+/// additions of integers: these have the common denominator of a span.
+/// \param knots, c the spline
+/// \param limit the work that is allowed
+/// \throws Error `wrong_number_of_points` unless there are `n` coefficients, `work_limit`
 template <class FT, class Coefficients>
-std::vector<typename Coefficients::value_type> bspline_bezier(const Knot_vector<FT>& knots, const Coefficients& c) {
+std::vector<typename Coefficients::value_type> bspline_bezier(const Knot_vector<FT>& knots, const Coefficients& c,
+                                                              Work_limit limit = Work_limit()) {
   internal::check_number_of_coefficients(knots, c, "bspline_bezier");
-  return internal::change_knots<FT>(knots, c, knots.bezier(knots.degree()));
+  internal::Work_meter work(limit, "Bernstein coefficients of a spline");
+  return internal::bernstein_pieces(knots, c, work);
 }
 
 /// \ingroup PkgGeometricContinuityAlgebra

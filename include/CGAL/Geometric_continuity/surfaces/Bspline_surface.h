@@ -10,6 +10,7 @@
 #include <CGAL/Geometric_continuity/surfaces/internal/bspline_net.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <initializer_list>
 #include <optional>
 #include <ostream>
@@ -226,13 +227,26 @@ public:
   /// Returns the Bézier patches on the rectangles of a span in `u` and a span in `v`, each with its rectangle as domain. All
   /// that belong to the first span in `u` come first. \f$ O(mn(p^3 + q^3)) \f$
   std::vector<Bezier_patch<Traits>> bezier_patches() const {
-    const Bspline_surface r = refine(u_.bezier(degree_u()), v_.bezier(degree_v()));
     std::vector<Bezier_patch<Traits>> patches;
-    for (int k : r.u_.spans())
-      for (int l : r.v_.spans())
-        patches.emplace_back(internal::part_of_net(r.net_, k - degree_u(), k, l - degree_v(), l),
-                             Interval(r.u_[k], r.u_[k + 1]), Interval(r.v_[l], r.v_[l + 1]));
+    patches.reserve(static_cast<std::size_t>(u_.number_of_spans()) * v_.number_of_spans());
+    for_each_bezier_patch([&](Bezier_patch<Traits> patch) { patches.push_back(std::move(patch)); });
     return patches;
+  }
+
+  /// Calls `f(patch)` for each of the Bézier patches that `bezier_patches()` returns, in the same order. Only those of one
+  /// span in `u` are in memory. \f$ O(mn(p^3 + q^3)) \f$
+  template <class Function> void for_each_bezier_patch(Function f) const {
+    const int p = degree_u(), q = degree_v();
+    const Bspline_surface strips = along_u([&](const Spline& spline) { return spline.refine(u_.bezier(p)); });
+    const Knot_vector<FT> bezier_v = v_.bezier(q);
+    for (int k : strips.u_.spans()) {
+      const Interval u(strips.u_[k], strips.u_[k + 1]);
+      const Bspline_surface strip(internal::part_of_net(strips.net_, k - p, k, 0, net_.columns() - 1),
+                                  Knot_vector<FT>(p, u.first, u.second), v_);
+      const Bspline_surface cut = strip.along_v([&](const Spline& spline) { return spline.refine(bezier_v); });
+      for (int l : cut.v_.spans())
+        f(Bezier_patch<Traits>(internal::part_of_net(cut.net_, 0, p, l - q, l), u, Interval(cut.v_[l], cut.v_[l + 1])));
+    }
   }
 
   /// @}

@@ -8,6 +8,7 @@
 #define BOOST_TEST_MODULE Svg_figure
 #include <boost/test/unit_test.hpp>
 
+#include <CGAL/Exact_rational.h>
 #include <CGAL/Geometric_continuity/IO/figures/Svg_figure.h>
 #include <CGAL/Geometric_continuity/IO/figures/svg_surfaces.h>
 #include <CGAL/Geometric_continuity/Traits_2.h>
@@ -96,6 +97,16 @@ BOOST_AUTO_TEST_CASE(the_legend_names_what_is_drawn) {
   BOOST_CHECK_EQUAL(texts(GC::Svg_figure()), "");
 }
 
+BOOST_AUTO_TEST_CASE(texts_are_valid_in_xml) {
+  const std::string r = "\xef\xbf\xbd"; // U+FFFD
+  GC::Svg_figure figure("a\xff\x1b \xef\xbf\xbe&\xef\xbf\xbf\xc3\xa9");
+  figure.add(
+      GC::Svg_panel("\xe2\x82").add(arch, Svg_style{Svg_role::given, false, false, "\xed\xa0\x80"}).join("\x01<"));
+  const std::string title = 'a' + r + ' ' + r + "&amp;" + r + "\xc3\xa9";
+  BOOST_CHECK_EQUAL(texts(figure), title + "\n &lt;\n" + r + '\n' + r + r + r + "\njoin\n");
+  BOOST_CHECK(svg(figure).find("<title>a" + r + "  " + r + "&amp;") != std::string::npos);
+}
+
 BOOST_AUTO_TEST_CASE(the_legend_shows_the_line_of_each_role) {
   const auto sample = [](Svg_role role) {
     const std::string s = svg(GC::Svg_figure().add(GC::Svg_panel().add(line, Svg_style{role, false, false, "name"})));
@@ -117,6 +128,57 @@ BOOST_AUTO_TEST_CASE(figures_that_are_refused) {
   GC::Svg_panel panel;
   CHECK_ERROR(panel.join("G1"), wrong_number_of_points);
   BOOST_CHECK_EQUAL(texts(GC::Svg_figure().add(panel)), "");
+}
+
+// The coordinates are finite in double, or refused; then what is drawn is finite.
+BOOST_AUTO_TEST_CASE(coordinates_of_all_sizes) {
+  typedef CGAL::Exact_rational Number;
+  typedef GC::Bezier_curve<GC::Traits_2<CGAL::Simple_cartesian<Number>>> Exact_curve;
+  const auto power = [](int n) {
+    Number x(1);
+    for (int i = 0; i < n; ++i) x *= 10;
+    return x;
+  };
+  const auto curve = [](const Number& size) {
+    typedef Exact_curve::Point Point;
+    return Exact_curve{Point(0, 0), Point(size, Number(-size)), Point(Number(2 * size), size),
+                       Point(Number(3 * size), 0)};
+  };
+  for (const Number& size : {power(307), power(0), Number(1 / power(307)), Number(1 / power(4000))}) {
+    GC::Svg_panel panel;
+    panel.add(curve(size), Svg_style{Svg_role::given, true, true}).join("G0").add(curve(1));
+    const std::string drawn = svg(GC::Svg_figure().add(panel));
+    BOOST_CHECK(drawn.find("nan") == std::string::npos && drawn.find("inf") == std::string::npos);
+    BOOST_CHECK(texts(drawn).find("G0") == 0);
+  }
+  GC::Svg_panel panel;
+  panel.add(curve(1));
+  BOOST_CHECK_EXCEPTION(panel.add(curve(power(400))), GC::Error, [](const GC::Error& e) {
+    return e.code() == GC::Error_code::not_finite &&
+           std::string(e.what()).find("curve 2: control point 2 is too far away") != std::string::npos;
+  });
+  BOOST_CHECK_EQUAL(texts(GC::Svg_figure().add(panel)), "given curve\n"); // as it was before
+}
+
+// Of many curves each is drawn, with its comb, its polygon and its join.
+BOOST_AUTO_TEST_CASE(many_curves) {
+  const auto count = [](const std::string& text, const std::string& word) {
+    int n = 0;
+    for (std::size_t i = text.find(word); i != std::string::npos; i = text.find(word, i + 1)) ++n;
+    return n;
+  };
+  const int n = 2000;
+  GC::Svg_panel panel;
+  for (int i = 0; i < n; ++i) // a chain of arches, and one that is as long as all
+    panel
+        .add(i == 7 ? Curve{P(0, 0), P(0, n), P(4 * n, n), P(4 * n, 0)}
+                    : arch.transform(CGAL::Aff_transformation_2<Kernel>(CGAL::TRANSLATION, Kernel::Vector_2(4 * i, 0))),
+             Svg_style{Svg_role::given, true, true})
+        .join("G1");
+  const std::string drawn = svg(GC::Svg_figure().add(panel));
+  BOOST_CHECK_EQUAL(count(drawn, ">G1</text>"), n);
+  BOOST_CHECK_EQUAL(count(drawn, "<circle"), 5 * n + 3); // points, joins and the legend
+  BOOST_CHECK(drawn.find("nan") == std::string::npos);
 }
 
 BOOST_AUTO_TEST_CASE(pictures_of_surfaces) {

@@ -15,6 +15,7 @@
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Sqrt_extension.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <iostream>
@@ -344,6 +345,12 @@ BOOST_AUTO_TEST_CASE(errors_have_a_place_and_a_reason) {
   check_refused(std::string("M1 1\0", 5), 5, "'\\x00' where a command is expected");
   check_refused("M1 1\xC2\xA0L2 2", 5, "'\\xC2' where a command is expected");
   check_refused("M1 1L" + std::string(5000, '1') + " 1", 6, "number longer than 4096");
+  check_refused("M1 1L" + std::string(4000, '1') + " 1", 6, "number of more than 1280 bits");
+  check_refused("M1 1L1 1e-386", 8, "number of more than 1280 bits");
+  check_refused("M1e200 1l1e-300 1", 10, "a coordinate of more than 1280 bits");
+  check_refused("M1 1A1e300 1e-300 0 0 1 2 2", 27, "the sizes of an arc differ too much");
+  check_refused("M1 1A1e308 1e308 0 0 1 2 2", 26, "the sizes of an arc differ too much");
+  read("M1e308 1.7976931348623157e308l-1e300 0Q5e-324 0 4.9406564584124654e-324 1"); // the range of double
   BOOST_CHECK(error([] {
                 GC::read_svg_path<Exact>("M1 x", "a.svg:7: path");
               }).find("a.svg:7: path, character 4: 'x' where a number") != std::string::npos);
@@ -394,6 +401,71 @@ BOOST_AUTO_TEST_CASE(transforms) {
        {"scale", "scale()", "scale(1,2,3)", "matrix(1 2 3 4 5)", "rotate(1 2)", "skewX(1 2)", "scale(1),", "scale(1,)",
         ",scale(1)", "rotate(30deg)", "matrix(1 2 3 4 5 6 7)", "3", "rotate(1e10)"})
     BOOST_CHECK_NE(refused(list), "no error");
+}
+
+// A list of rotations about one centre is one rotation, however long.
+BOOST_AUTO_TEST_CASE(rotations_about_one_centre_are_one) {
+  const auto map = [](const std::string& list) { return GC::parse_svg_transform<Exact>(list).matrix(); };
+  const auto repeated = [](const std::string& s, int n) {
+    std::string result;
+    for (int i = 0; i < n; ++i) result += s;
+    return result;
+  };
+  BOOST_CHECK(map("rotate(30)rotate(60)") == map("rotate(90)"));
+  BOOST_CHECK(map("rotate(1)rotate(2),rotate(3)") == map("rotate(6)"));
+  BOOST_CHECK(map("rotate(350)rotate(20)") == map("rotate(10)"));
+  BOOST_CHECK(map("rotate(30 1 2)rotate(60 1 2)") == map("rotate(90 1 2)"));
+  BOOST_CHECK(map("rotate(30)rotate(-30)") == map(""));
+  BOOST_CHECK(map(repeated("rotate(1)", 4000)) == map("rotate(40)"));
+  BOOST_CHECK(map(repeated("rotate(1e9)", 1000)) == map("rotate(280)")); // 10^12 degrees
+  // in their places among the others
+  BOOST_CHECK(map("rotate(30)rotate(60)scale(2,3)rotate(90)") == map("rotate(90)scale(2,3)rotate(90)"));
+  BOOST_CHECK(map("scale(2,3)rotate(45)rotate(45)") == map("scale(2,3)rotate(90)"));
+  BOOST_CHECK(map("rotate(90 1 2)rotate(90 3 4)") ==
+              (Transform(map("rotate(90 1 2)")) * Transform(map("rotate(90 3 4)"))).matrix());
+  BOOST_CHECK(map("rotate(10 1 2)rotate(10)") ==
+              (Transform(map("rotate(10 1 2)")) * Transform(map("rotate(10)"))).matrix());
+  BOOST_CHECK_EQUAL(GC::parse_svg_transform<Double>("rotate(30)rotate(60)").matrix()[0], 0);
+}
+
+// Products are exact as long as their numbers are short; longer ones are rounded, and do not grow with the list.
+BOOST_AUTO_TEST_CASE(products_of_transforms_stay_short) {
+  const std::vector<Subpath> path = GC::read_svg_path<Exact>("M0 0C1 2 3 3 5 3S7 4 9 2Q10 1 12 3T15 0A5 5 0 0 1 16 0");
+  const Transform step = GC::parse_svg_transform<Exact>("translate(1,2)rotate(10)scale(.9)");
+  Transform product;
+  const auto length = [](const Transform& map) {
+    std::size_t n = 0;
+    for (const Q& x : map.matrix()) n = (std::max)(n, text(x).size());
+    return n;
+  };
+  std::size_t longest = 0;
+  for (int i = 1; i <= 500; ++i) {
+    product = product * step;
+    longest = (std::max)(longest, length(product));
+    BOOST_REQUIRE_LE(longest, 2u * 309 + 2); // p/q in decimal digits
+    const double radians = std::acos(-1.0) / 18 * i, scale = std::pow(.9, i);
+    BOOST_CHECK_CLOSE_FRACTION(CGAL::to_double(product.determinant()) / (scale * scale), 1, 1e-11);
+    BOOST_CHECK_SMALL(CGAL::to_double(product.matrix()[0]) / scale - std::cos(radians), 1e-11);
+    if (i % 50 == 0) BOOST_CHECK_EQUAL(orders(path[0].transform(product)), orders(path[0]));
+  }
+  BOOST_CHECK_GT(longest, 300u);
+  // short ones are exact
+  const Transform third({Q(1, 3), 0, 0, Q(1, 7), 0, Q(1, 11)});
+  Transform power;
+  Q a(1), d(1);
+  for (int i = 0; i < 300; ++i, a /= 3, d /= 7) {
+    BOOST_CHECK(power.matrix()[0] == a && power.matrix()[3] == d);
+    power = power * third;
+  }
+  // what rounding would make singular is refused, and so is what floating point cannot hold
+  const auto refused = [](const std::string& list) { return error([&] { GC::parse_svg_transform<Exact>(list); }); };
+  const std::string tiny = "scale(1e-300)";
+  BOOST_CHECK_EQUAL(refused(tiny + ' ' + tiny), "malformed_input: transform, character 21: work_limit: Svg_transform: "
+                                                "numbers of more than 1024 bits");
+  BOOST_CHECK_NE(refused("scale(1e300)scale(1e300)"), "no error");
+  BOOST_CHECK_EQUAL(refused("scale(1e-386)"), "malformed_input: transform, character 7: number of more than 1280 bits: "
+                                              "'1e-386'");
+  BOOST_CHECK_NE(refused("scale(" + std::string(4096, '1') + ")"), "no error");
 }
 
 BOOST_AUTO_TEST_CASE(orders_are_the_same_after_any_transform) {
@@ -511,15 +583,22 @@ BOOST_AUTO_TEST_CASE(lengths) {
   BOOST_CHECK(length("1in") == Q(96));
   BOOST_CHECK(length("2.54cm") == Q(96));
   BOOST_CHECK(length("1e1mm\n") == Q(4800, 127));
-  BOOST_CHECK(length("3 pt") == Q(4));
+  BOOST_CHECK(length("3pt") == Q(4));
   BOOST_CHECK(length("1pc") == Q(16));
-  for (const char* relative : {"%", "em", "ex", "ch", "rem", "vw", "vh", "vmin", "vmax"})
+  BOOST_CHECK(length("101.6Q") == Q(96) && length("1IN") == Q(96));
+  for (const char* relative :
+       {"%", "em", "ex", "ch", "ic", "rem", "lh", "vw", "vh", "vi", "vb", "vmin", "vmax", "EM"}) {
     BOOST_CHECK(!length("1" + std::string(relative)));
+    BOOST_CHECK(!length(" 1e3" + std::string(relative) + '\n'));
+  }
   BOOST_CHECK_EQUAL(GC::parse_svg_length<double>("0.5in").value(), 48);
   const auto message = [&](const std::string& text) { return error([&] { length(text); }); };
   BOOST_CHECK_EQUAL(message("1m"), "malformed_input: x, character 1: 'm' is not a unit of length");
-  BOOST_CHECK_EQUAL(message("1 2"), "malformed_input: x, character 1: '2' is not a unit of length");
-  for (const char* text : {"", "px", "1,", "1,px", "1pxx", "1IN", "nan", "1e9999"})
+  BOOST_CHECK_EQUAL(message("1junk2px"), "malformed_input: x, character 1: 'junk2px' is not a unit of length");
+  BOOST_CHECK_EQUAL(message("1 2px"), "malformed_input: x, character 1: ' 2px' is not a unit of length");
+  BOOST_CHECK_EQUAL(message("1,"), "malformed_input: x, character 1: ',' is not a unit of length");
+  for (const char* text : {"",    " ",      "px",    "1 2", "1 px",  "1 %", "1,px", "1pxx", "1px2", "1px px",
+                           "nan", "1e9999", "1e386", "1e",  "1e+px", "1/2", "--1",  "+-1",  ".",    "1..2"})
     BOOST_CHECK_NE(message(text), "no error");
   BOOST_CHECK_NE(error([] { GC::parse_svg_length<double>("1e308in"); }), "no error");
 }

@@ -6,11 +6,13 @@
 #define CGAL_GEOMETRIC_CONTINUITY_IO_FIGURES_SVG_FIGURE_H
 
 #include <CGAL/Geometric_continuity/IO/figures/Svg_panel.h>
+#include <CGAL/Geometric_continuity/IO/figures/internal/Svg_label_places.h>
 #include <CGAL/Geometric_continuity/IO/figures/internal/Svg_view.h>
 #include <CGAL/Geometric_continuity/IO/figures/internal/svg_markup.h>
 #include <CGAL/Geometric_continuity/IO/figures/internal/svg_text.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <ostream>
 #include <string>
 #include <utility>
@@ -44,16 +46,23 @@ public:
   }
 
   /// Appends a panel; returns the figure.
-  Svg_figure& add(const Svg_panel& panel) {
-    panels_.push_back(panel);
+  Svg_figure& add(Svg_panel panel) {
+    panels_.push_back(std::move(panel));
     return *this;
   }
 
   /// Returns the number of panels.
   int number_of_panels() const { return static_cast<int>(panels_.size()); }
 
-  /// Writes the picture as an SVG document in UTF-8.
+  /// Writes the picture as an SVG document in UTF-8. Linear in the number of curves.
   void write(std::ostream& os) const {
+    write(os, [](std::size_t) {});
+  }
+
+  /// Writes the picture as an SVG document in UTF-8, and calls `report(n)` when `n` curves have been drawn, for each `n`
+  /// from 1 on.
+  template <class Report> void write(std::ostream& os, Report report) const {
+    std::size_t drawn = 0;
     std::vector<Svg_panel> panels = panels_;
     std::vector<internal::Svg_curve*> curves;
     bool spatial = false;
@@ -62,6 +71,7 @@ public:
       for (internal::Svg_curve& c : panel.curves_) curves.push_back(&c);
     }
     internal::svg_normalise(curves);
+    internal::svg_choose_samples(curves);
 
     const int columns = (std::max)(1, (std::min)(columns_, number_of_panels()));
     const double panel_width = (std::max)(260.0, (std::min)(560.0, (960.0 - gap * (columns - 1)) / columns));
@@ -75,7 +85,7 @@ public:
       std::size_t lines = 0;
       for (std::size_t i = first; i < (std::min)(first + columns, panels.size()); ++i) {
         const double x = edge + (i - first) * (panel_width + gap);
-        body += picture(panels[i], view, x, y);
+        body += picture(panels[i], view, x, y, [&] { report(++drawn); });
         const std::vector<std::string> caption = internal::wrapped_lines(panels[i].caption_, 12.5, panel_width);
         for (std::size_t j = 0; j < caption.size(); ++j)
           body += internal::svg_text(x + 0.5 * panel_width, y + view.height() + 19 + 17.0 * j, 12.5, "#333333",
@@ -99,19 +109,27 @@ public:
 
 private:
   static constexpr double edge = 24, gap = 20; // pixels around the figure and between panels
+  static constexpr int per_tooth = 2;          // how many are computed for each that is drawn
 
   std::string title_;
   int columns_;
   std::vector<Svg_panel> panels_;
 
   // One panel with its upper left corner at (x, y), from the background to the foreground.
-  static std::string picture(const Svg_panel& panel, const internal::Svg_view& view, double x, double y) {
+  template <class Report>
+  static std::string picture(const Svg_panel& panel, const internal::Svg_view& view, double x, double y,
+                             Report report) {
     using namespace internal;
     std::string s = "<svg x=\"" + svg_number(x) + "\" y=\"" + svg_number(y) + "\" width=\"" + svg_number(view.width()) +
                     "\" height=\"" + svg_number(view.height()) + "\">\n";
     if (view.spatial()) s += ground(panel, view);
-    for (const Svg_curve& c : panel.curves_)
-      if (c.style.curvature_comb) s += comb(c, view);
+    Svg_label_places places(view.width(), view.height());
+    for (const Svg_curve& c : panel.curves_) {
+      const std::vector<Svg_tooth> teeth = view.comb(c, per_tooth);
+      if (c.style.curvature_comb) s += comb(teeth, view);
+      keep_free(places, c, teeth, view);
+      report();
+    }
     for (const Svg_curve& c : panel.curves_)
       if (c.style.control_polygon) s += svg_stroke(polygon_stroke, svg_polyline(view(c.points)));
     for (Svg_role role : {Svg_role::construction, Svg_role::given, Svg_role::result})
@@ -122,7 +140,7 @@ private:
         s += svg_disk(view(c.points[j]), 2, polygon_stroke);
     for (const Svg_join& join : panel.joins_)
       s += svg_disk(view(panel.curves_[join.curve].points.back()), 3.4, ring_stroke);
-    s += labels(panel, view);
+    s += labels(panel, places, view);
     s += "<rect x=\".5\" y=\".5\" width=\"" + svg_number(view.width() - 1) + "\" height=\"" +
          svg_number(view.height() - 1) + "\" rx=\"3\" fill=\"none\" stroke=\"#e2e2e2\"/>\n";
     return s + "</svg>\n";
@@ -159,10 +177,8 @@ private:
            svg_stroke(shadow_stroke, shadow) + svg_stroke(plumb_stroke, plumb) + svg_stroke(axes_stroke, axes) + names;
   }
 
-  static std::string comb(const internal::Svg_curve& curve, const internal::Svg_view& view) {
+  static std::string comb(const std::vector<internal::Svg_tooth>& teeth, const internal::Svg_view& view) {
     using namespace internal;
-    const int per_tooth = 2;
-    const std::vector<Svg_tooth> teeth = view.comb(curve, per_tooth);
     std::string lines, cut, envelope;
     std::vector<Svg_pixel> run; // tips of whole teeth in a row
     Svg_pixel drawn(2);         // the foot of the last tooth
@@ -183,24 +199,25 @@ private:
     return svg_stroke(cut_teeth_stroke, cut) + svg_stroke(teeth_stroke, lines) + svg_stroke(envelope_stroke, envelope);
   }
 
-  static std::string labels(const Svg_panel& panel, const internal::Svg_view& view) {
+  // No label is to be where the curve, its comb and its polygon are.
+  static void keep_free(internal::Svg_label_places& places, const internal::Svg_curve& c,
+                        const std::vector<internal::Svg_tooth>& teeth, const internal::Svg_view& view) {
+    for (const internal::Svg_tooth& t : teeth)
+      places.add_segment(view(t.foot), view(c.style.curvature_comb ? t.tip : t.foot), 4);
+    for (std::size_t j = 1; j < c.points.size() && c.style.control_polygon; ++j)
+      places.add_segment(view(c.points[j - 1]), view(c.points[j]), 20);
+  }
+
+  static std::string labels(const Svg_panel& panel, internal::Svg_label_places& places,
+                            const internal::Svg_view& view) {
     using namespace internal;
-    std::vector<Svg_pixel> drawn; // points of curves, combs and polygons, and labels
-    const auto add_segment = [&](const Svg_pixel& p, const Svg_pixel& q, int pieces) {
-      for (int i = 0; i <= pieces; ++i) drawn.push_back(p + i / double(pieces) * (q - p));
-    };
-    for (const Svg_curve& c : panel.curves_) {
-      for (const Svg_tooth& t : view.comb(c, 2))
-        add_segment(view(t.foot), view(c.style.curvature_comb ? t.tip : t.foot), 4);
-      for (std::size_t j = 1; j < c.points.size() && c.style.control_polygon; ++j)
-        add_segment(view(c.points[j - 1]), view(c.points[j]), 20);
-    }
     std::string s;
     for (const Svg_join& join : panel.joins_) {
       const Svg_pixel p = view(panel.curves_[join.curve].points.back());
       const double width = svg_text_width(join.label, 11);
-      const Svg_pixel q = svg_label_place(p, width, drawn, svg_vector({view.width(), view.height()}));
-      if (!join.label.empty()) add_segment(q - svg_vector({0.5 * width, 0.0}), q + svg_vector({0.5 * width, 0.0}), 4);
+      const Svg_pixel q = places.place(p, width);
+      if (!join.label.empty())
+        places.add_segment(q - svg_vector({0.5 * width, 0.0}), q + svg_vector({0.5 * width, 0.0}), 4);
       s += svg_text(q[0], q[1] + 4, 11, "#222222", "middle", join.label,
                     " stroke=\"#ffffff\" stroke-width=\"3\" paint-order=\"stroke\"");
     }

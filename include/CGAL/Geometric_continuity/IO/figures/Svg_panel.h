@@ -5,10 +5,11 @@
 #ifndef CGAL_GEOMETRIC_CONTINUITY_IO_FIGURES_SVG_PANEL_H
 #define CGAL_GEOMETRIC_CONTINUITY_IO_FIGURES_SVG_PANEL_H
 
+#include <CGAL/Geometric_continuity/Error.h>
 #include <CGAL/Geometric_continuity/local/coordinates.h>
-#include <CGAL/Geometric_continuity/numbers/internal/checked_numbers.h>
 #include <CGAL/number_utils.h>
 
+#include <cmath>
 #include <iterator>
 #include <string>
 #include <utility>
@@ -42,6 +43,7 @@ typedef Coordinate_vector<double, 3> Svg_point; // z = 0 for a planar curve
 struct Svg_curve {
   std::vector<Svg_point> points;
   Svg_style style;
+  int samples = 0; // parts in which a figure looks at it
 };
 
 // A join at the end of the curve with this index.
@@ -66,7 +68,7 @@ public:
   /// \throws Error `dimension_mismatch` in dimension 1 or above 3
   /// \throws Error `wrong_number_of_points` unless there are `degree() + 1` control points (of a B-spline curve, add
   ///   the Bézier segments)
-  /// \throws Error `not_finite` for a coordinate beyond the range of `double`
+  /// \throws Error `not_finite` for a coordinate beyond the range of `double`, with the number of the curve in the panel
   template <class Curve> Svg_panel& add(const Curve& curve, const Svg_style& style = Svg_style()) {
     const int d = curve.dimension();
     if (d != 2 && d != 3)
@@ -74,12 +76,15 @@ public:
                   "Svg_panel: curves of dimension 2 or 3 can be drawn, not " + std::to_string(d));
     if (std::distance(curve.begin(), curve.end()) != curve.degree() + 1)
       throw Error(Error_code::wrong_number_of_points, "Svg_panel: only Bézier curves can be drawn");
-    internal::Svg_curve drawn{std::vector<internal::Svg_point>(curve.degree() + 1, internal::Svg_point(3)), style};
+    internal::Svg_curve drawn{std::vector<internal::Svg_point>(curve.degree() + 1, internal::Svg_point(3)), style, 0};
     for (int j = 0; j <= curve.degree(); ++j) {
       const Geometric_continuity::Coordinates<typename Curve::Traits> x = curve.coordinates(j);
       for (int i = 0; i < d; ++i) {
         drawn.points[j][i] = CGAL::to_double(x[i]);
-        internal::check_finite(drawn.points[j][i], "Svg_panel: control points");
+        if (!std::isfinite(drawn.points[j][i]))
+          throw Error(Error_code::not_finite, "Svg_panel: curve " + std::to_string(curves_.size() + 1) +
+                                                  ": control point " + std::to_string(j + 1) +
+                                                  " is too far away to be drawn");
       }
     }
     curves_.push_back(std::move(drawn));

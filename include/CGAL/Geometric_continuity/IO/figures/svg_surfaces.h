@@ -52,9 +52,10 @@ public:
     check_finite(style.azimuth, "svg_surfaces: azimuth");
     check_finite(style.elevation, "svg_surfaces: elevation");
     Svg_box<3> box;
-    for (const auto& s : surfaces)
+    for_each_numbered(surfaces, [&](const auto& s) {
       for (const auto& p : s) box.add(in_doubles<std::decay_t<decltype(s)>>(p));
-    for (const auto& s : surfaces) surfaces_.push_back(normalised(s, box));
+    });
+    for_each_numbered(surfaces, [&](const auto& s) { surfaces_.push_back(normalised(s, box)); });
     const auto model = model_continuity(surfaces);
     for (const auto& e : model.edges)
       if (e.kind != Model_edge_kind::collapsed) {
@@ -101,10 +102,26 @@ public:
   }
 
 private:
+  // Calls f(surface); an error names the surface.
+  template <class SurfaceRange, class Function>
+  static void for_each_numbered(const SurfaceRange& surfaces, Function f) {
+    std::size_t number = 0;
+    for (const auto& s : surfaces) {
+      try {
+        f(s);
+      } catch (const Error& error) {
+        const std::string reason = error.code() == Error_code::dimension_mismatch ? "it is not in dimension 3"
+                                   : error.code() == Error_code::not_finite       ? "a number is too large"
+                                                                                  : "knots become equal by rounding";
+        throw Error(error.code(), "svg_surfaces: surface " + std::to_string(number) + " cannot be drawn: " + reason);
+      }
+      ++number;
+    }
+  }
+
   template <class Source, class Point> static Svg_point in_doubles(const Point& point) {
     const auto x = coordinates<typename Source::Traits>(point);
-    if (x.dimension() != 3)
-      throw Error(Error_code::dimension_mismatch, "svg_surfaces: surfaces in dimension 3 can be drawn");
+    if (x.dimension() != 3) throw Error(Error_code::dimension_mismatch, "svg_surfaces");
     Svg_point y(3);
     for (int i = 0; i < 3; ++i) check_finite(y[i] = CGAL::to_double(x[i]), "svg_surfaces");
     return y;

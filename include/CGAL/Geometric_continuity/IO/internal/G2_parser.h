@@ -40,11 +40,21 @@ enum class G2_shape {
   spline  // all that Knot_vector takes
 };
 
-// What the text says of one parameter of a spline.
-template <class FT> struct G2_direction {
+// The numbers of control points and the order in one parameter of a spline.
+struct G2_size {
   int points, order;
-  std::vector<FT> knots;
 };
+
+// What the text says of one parameter of a spline.
+template <class FT> struct G2_direction : G2_size { std::vector<FT> knots; };
+
+// Knots are kept in a vector, or as in `G2_knot_text`.
+template <class FT> void append_knot(std::vector<FT>& knots, const FT& knot, const std::string&) {
+  knots.push_back(knot);
+}
+template <class Knots, class FT> void append_knot(Knots& knots, const FT& knot, const std::string& word) {
+  knots.append(knot, word);
+}
 
 // Reads the parts of the objects of one class in a `.g2` text, one after the other. Everything that is not as it should
 // be is refused with file, line and reason.
@@ -73,21 +83,34 @@ public:
     return true;
   }
 
-  // Reads the number of points, the order, and knots as `Knot_vector` takes them; for Bezier shapes there are no inner
-  // knots. `in` names the parameter of a surface, e.g. " in u".
-  Direction read_direction(G2_shape shape, const std::string& in = "") {
+  // Reads the number of points and the order; for Bezier shapes they are equal. `in` names the parameter of a surface,
+  // e.g. " in u".
+  G2_size read_size(G2_shape shape, const std::string& in = "") {
     const bool bezier = shape == G2_shape::bezier;
-    Direction d;
-    d.points = read_integer("number of control points" + in, 1);
-    d.order = read_integer("order" + in, 1, max_g2_order);
-    const std::string text =
-        std::to_string(d.points) + " control points and order " + std::to_string(d.order) + in + ": ";
-    if (d.points < d.order)
+    const int points = read_integer("number of control points" + in, 1),
+              order = read_integer("order" + in, 1, max_g2_order);
+    const std::string text = std::to_string(points) + " control points and order " + std::to_string(order) + in + ": ";
+    if (points < order)
       tokens_.refuse(text + "there must be " + (bezier ? "" : "at least ") +
                      "as many control points as the order says");
-    if (bezier && d.points > d.order) tokens_.refuse(text + "inner knots are not supported, only " + class_.bezier);
-    const std::size_t all = static_cast<std::size_t>(d.points) + d.order;
-    while (d.knots.size() < all) d.knots.push_back(read_knot(d, all, shape, in));
+    if (bezier && points > order) tokens_.refuse(text + "inner knots are not supported, only " + class_.bezier);
+    return {points, order};
+  }
+
+  // Appends all knots, as `Knot_vector` takes them; for Bezier shapes there are no inner knots.
+  template <class Knots>
+  void read_knots(Knots& knots, const G2_size& size, G2_shape shape, const std::string& in = "") {
+    const std::size_t all = static_cast<std::size_t>(size.points) + size.order;
+    while (knots.size() < all) {
+      const FT knot = read_knot(knots, size, all, shape, in);
+      append_knot(knots, knot, tokens_.token());
+    }
+  }
+
+  // Reads the size and the knots in one parameter.
+  Direction read_direction(G2_shape shape, const std::string& in = "") {
+    Direction d{read_size(shape, in), {}};
+    read_knots(d.knots, d, shape, in);
     return d;
   }
 
@@ -162,26 +185,27 @@ private:
       tokens_.refuse(std::string("rational ") + class_.name + "s are not supported");
   }
 
-  // Reads the knot after those of `d`.
-  FT read_knot(const Direction& d, std::size_t all, G2_shape shape, const std::string& in) {
+  // Reads the knot after those that are there.
+  template <class Knots>
+  FT read_knot(const Knots& knots, const G2_size& size, std::size_t all, G2_shape shape, const std::string& in) {
     const bool bezier = shape == G2_shape::bezier;
-    const std::size_t i = d.knots.size(), order = d.order;
+    const std::size_t i = knots.size(), order = size.order;
     const auto name = [all](std::size_t number) {
       return "knot " + std::to_string(number) + " of " + std::to_string(all);
     };
     const FT knot = read_number(i, all, "knots" + in);
-    if (i > 0 && knot < d.knots.back())
+    if (i > 0 && knot < knots.back())
       tokens_.refuse("the knots" + in + " decrease at " + quoted_token(tokens_.token()));
     if constexpr (std::is_floating_point_v<FT>)
-      if (i > 0 && !std::isfinite(knot - d.knots.front()))
+      if (i > 0 && !std::isfinite(knot - knots.front()))
         tokens_.refuse("the difference of the knots" + in + " is outside the range of floating-point numbers");
-    if (i == static_cast<std::size_t>(d.points) && knot == d.knots[order - 1])
+    if (i == static_cast<std::size_t>(size.points) && knot == knots[order - 1])
       tokens_.refuse((bezier ? "the first and the last knots" + in + " are equal"
                              : name(order) + in + " is equal to knot " + std::to_string(i + 1)) +
                      ": empty domain");
-    if (bezier && i % order != 0 && knot != d.knots.back())
+    if (bezier && i % order != 0 && knot != knots.back())
       tokens_.refuse("the knots" + in + " are not clamped: " + name(i + 1) + " must be equal to the one before it");
-    if (i >= order && knot == d.knots[i - order])
+    if (i >= order && knot == knots[i - order])
       tokens_.refuse(name(i + 1) + in + " is repeated more than " + std::to_string(order) + " times");
     return knot;
   }

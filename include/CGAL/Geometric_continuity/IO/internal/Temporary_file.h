@@ -7,74 +7,92 @@
 
 #include <CGAL/Geometric_continuity/Error.h>
 
+#include <algorithm>
+#include <atomic>
 #include <cerrno>
-#include <cstdio>
-#include <filesystem>
-#include <fstream>
-#include <ios>
+#include <memory>
 #include <random>
 #include <string>
 #include <system_error>
+#include <utility>
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
 namespace CGAL {
 namespace Geometric_continuity {
 namespace internal {
 
-[[noreturn]] inline void refuse_to_write(const std::filesystem::path& path, const std::string& reason) {
-  throw Error(Error_code::cannot_write_file, path.string() + ": " + reason);
+[[noreturn]] inline void refuse_to_write(const std::string& path, int system_error) {
+  throw Error(Error_code::cannot_write_file,
+              path + ": " + (system_error == 0 ? "write error" : std::generic_category().message(system_error)));
 }
 
-[[noreturn]] inline void refuse_to_write(const std::filesystem::path& path, int system_error) {
-  refuse_to_write(path, system_error == 0 ? "write error" : std::generic_category().message(system_error));
-}
+// The names of the temporary files that exist, for the handler of a signal. It may interrupt anything, and therefore finds
+// nothing but pointers. A file for which there is no place left is not removed by a handler.
+inline std::atomic<const char*> unfinished_files[16];
+static_assert(std::atomic<const char*>::is_always_lock_free);
 
-// An empty file with a new name in the folder of `target`. It is removed unless it has replaced `target`.
+// An empty file with a new name in a folder. It is removed unless it gets the name for which it is meant.
 class Temporary_file {
-  std::filesystem::path target_, path_;
+  std::unique_ptr<char[]> path_; // empty when the file has got its name
+  std::atomic<const char*>* entry_ = nullptr;
+  int descriptor_ = -1;
+
+  // The name is entered before the file exists, so that a signal cannot come in between.
+  void enter() {
+    for (std::atomic<const char*>& entry : unfinished_files) {
+      const char* free = nullptr;
+      if (!entry.compare_exchange_strong(free, path_.get())) continue;
+      entry_ = &entry;
+      return;
+    }
+  }
+
+  // Forgets the name, after which no handler removes the file.
+  void forget() {
+    // a handler that runs in another thread may still read the name that it has taken
+    if (entry_ != nullptr && entry_->exchange(nullptr) == nullptr) path_.release();
+    path_.reset();
+    entry_ = nullptr;
+  }
 
 public:
-  explicit Temporary_file(const std::filesystem::path& target) : target_(target) {
+  // `target` stands for it in messages.
+  Temporary_file(const std::string& folder, mode_t mode, const std::string& target) {
     std::random_device random;
-    for (int attempts_left = 100; path_.empty(); --attempts_left) {
-      const std::string name = ".geometric_continuity_" + std::to_string(random()) + ".tmp";
-      const std::filesystem::path path = target_.parent_path() / name;
-      if (std::FILE* file = std::fopen(path.string().c_str(), "wx")) { // x: fails when the file exists
-        std::fclose(file);
-        path_ = path;
-      } else if (errno != EEXIST || attempts_left == 0)
-        refuse_to_write(target_, errno);
+    for (int attempts_left = 100; descriptor_ < 0; --attempts_left) {
+      const std::string number = std::to_string(random()) + std::to_string(random()),
+                        path = folder + "/.geometric_continuity_" + number + ".tmp";
+      path_ = std::make_unique<char[]>(path.size() + 1); // ends with 0
+      std::copy(path.begin(), path.end(), path_.get());
+      enter();
+      descriptor_ = ::open(path_.get(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, mode);
+      if (descriptor_ >= 0) break;
+      const int error = errno;
+      forget();
+      if (error != EEXIST || attempts_left == 0) refuse_to_write(target, error);
     }
   }
   Temporary_file(const Temporary_file&) = delete;
   Temporary_file& operator=(const Temporary_file&) = delete;
   ~Temporary_file() {
-    std::error_code ignored;
-    if (!path_.empty()) std::filesystem::remove(path_, ignored);
+    if (descriptor_ >= 0) ::close(descriptor_);
+    if (path_) ::unlink(path_.get());
+    forget();
   }
 
-  const std::filesystem::path& path() const { return path_; }
+  int descriptor() const { return descriptor_; }
 
-  void replace_target() {
-    std::error_code error;
-    if (std::filesystem::exists(target_, error))
-      std::filesystem::permissions(path_, std::filesystem::status(target_, error).permissions(), error);
-    if (!error) std::filesystem::rename(path_, target_, error);
-    if (error) refuse_to_write(target_, error.message());
-    path_.clear();
+  // Gives the file its name. Everything is stored before, so that not even a power failure leaves half a file.
+  void rename(const std::string& path, const std::string& target) {
+    if (::fsync(descriptor_) != 0 && errno != EINVAL) refuse_to_write(target, errno);
+    if (::close(std::exchange(descriptor_, -1)) != 0) refuse_to_write(target, errno);
+    if (::rename(path_.get(), path.c_str()) != 0) refuse_to_write(target, errno);
+    forget();
   }
 };
-
-// The file that is to be written: links are followed, and what could not be written directly is refused.
-inline std::filesystem::path writable_target(const std::filesystem::path& path) {
-  std::error_code error;
-  if (!std::filesystem::exists(path, error)) return path;
-  if (!std::filesystem::is_regular_file(path, error)) refuse_to_write(path, "not a regular file");
-  errno = 0;
-  if (!std::ofstream(path, std::ios::app)) refuse_to_write(path, errno);
-  const std::filesystem::path target = std::filesystem::canonical(path, error);
-  if (error) refuse_to_write(path, error.message());
-  return target;
-}
 
 } // namespace internal
 } // namespace Geometric_continuity

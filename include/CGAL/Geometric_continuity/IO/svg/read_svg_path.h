@@ -5,8 +5,10 @@
 #ifndef CGAL_GEOMETRIC_CONTINUITY_IO_SVG_READ_SVG_PATH_H
 #define CGAL_GEOMETRIC_CONTINUITY_IO_SVG_READ_SVG_PATH_H
 
+#include <CGAL/Geometric_continuity/IO/limits.h>
 #include <CGAL/Geometric_continuity/IO/svg/internal/Svg_path_builder.h>
 #include <CGAL/Geometric_continuity/IO/svg/internal/Svg_scanner.h>
+#include <CGAL/Geometric_continuity/IO/svg/internal/svg_size.h>
 
 #include <cmath>
 #include <optional>
@@ -52,7 +54,9 @@ public:
   /// Returns the next subpath, or nothing at the end. A subpath without segments is left out unless it is closed. After
   /// an error the reader cannot be used any more.
   /// \throws Error `malformed_input` with a text `name, character N: reason`, where `N` counts from 1, for everything
-  ///   that is no path data, and for numbers that `double` cannot hold or `Svg_arc` refuses
+  ///   that is no path data, for numbers that `double` cannot hold or `Svg_arc` refuses, and in an exact field for
+  ///   numbers and coordinates of more than `max_svg_number_bits` bits and for arcs with a ratio of the radii of more
+  ///   than `max_svg_ratio_bits` or an `Svg_arc::radicand()` of more than `max_svg_radicand_bits`
   std::optional<Svg_subpath<Traits>> next() {
     while (!ended_) {
       if (scanner_.at_end()) {
@@ -118,6 +122,8 @@ private:
   void check(const FT& x) const {
     if constexpr (std::is_floating_point_v<FT>)
       if (!std::isfinite(x)) scanner_.refuse("a coordinate outside the range of floating-point numbers");
+    if (!internal::is_svg_short<max_svg_number_bits>(x))
+      scanner_.refuse("a coordinate of more than " + std::to_string(max_svg_number_bits) + " bits");
   }
 
   // The handle of the last command of this degree, reflected at the current point.
@@ -149,7 +155,7 @@ private:
     const Coordinates end = point(origin);
     try {
       builder_.arc_to(parameters, end);
-    } catch (const Error& error) { // sizes that differ too much for floating-point numbers
+    } catch (const Error& error) { // sizes that differ too much
       scanner_.refuse(error.what());
     }
   }

@@ -42,10 +42,11 @@ template <class FT, class Field> Join_continuity<FT> drop_irrational_betas(const
 /// Arcs are taken with respect to the eccentric angle; only the C order and the shape parameters depend on that. Where
 /// the centre of an arc is not rational, the decision is made in the field extended by its square root, exactly, and no
 /// shape parameters are given. In `double` it is plain floating point.
-/// \throws Error `negative_count` for a negative `max_order`
+/// \throws Error `negative_count` for a negative `max_order`, `work_limit`
 template <class Traits>
 std::optional<Join_continuity<typename Traits::FT>> continuity(const Svg_segment<Traits>& left,
-                                                               const Svg_segment<Traits>& right, int max_order = 3) {
+                                                               const Svg_segment<Traits>& right, int max_order = 3,
+                                                               Work_limit limit = Work_limit()) {
   typedef typename Traits::FT FT;
   if (!left.is_known() || !right.is_known()) return std::nullopt;
   const int order = (std::max)(max_order, 3); // curvature is reported for every max_order
@@ -53,7 +54,7 @@ std::optional<Join_continuity<typename Traits::FT>> continuity(const Svg_segment
     typedef std::decay_t<decltype(left_root)> Field;
     const Coordinate_jet<Field, 2> x = left.template end_jet_over<Field>(order, left_root),
                                    y = right.template start_jet_over<Field>(order, right_root);
-    return internal::Join_decision<Field, 2>(x, y, max_order)();
+    return internal::Join_decision<Field, 2>(x, y, max_order, limit)();
   };
   const FT d = left.radicand(), e = right.radicand();
   const std::optional<FT> p = rational_square_root(d), q = rational_square_root(e);

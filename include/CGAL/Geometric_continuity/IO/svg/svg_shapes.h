@@ -96,16 +96,20 @@ Svg_subpath<Traits> read_svg_points(std::string_view points, Svg_outline outline
 
 /// \ingroup PkgGeometricContinuityIO
 /// Returns a length, the text of an attribute such as `width`, in user units: a number as `parse_number()` reads it,
-/// and possibly one of the units `px`, `in`, `cm`, `mm`, `pt` and `pc`, of which 96 `px` are one `in`. The result is
-/// empty for a length that has no meaning without a viewport or a font, in `%`, `em`, `ex`, `ch`, `rem`, `vw`, `vh`,
-/// `vmin` or `vmax`.
-/// \throws Error `malformed_input` with a text `name, character N: reason`
+/// directly followed by nothing or by one of CSS's units `px`, `in`, `cm`, `mm`, `q`, `pt` and `pc`, in capital or small
+/// letters, of which 96 `px` are one `in`; white space may surround both. The result is empty for a length that has no
+/// meaning without a viewport or a font: in `%`, `em`, `ex`, `ch`, `ic`, `rem`, `lh`, `vw`, `vh`, `vi`, `vb`, `vmin` or
+/// `vmax`.
+/// \throws Error `malformed_input` with a text `name, character N: reason`; in an exact field for a number of more than
+///   `max_svg_number_bits` bits, too
 template <class FT> std::optional<FT> parse_svg_length(std::string_view text, const std::string& name = "length") {
   internal::Svg_scanner scanner(text, name);
   scanner.skip_space();
-  const FT x = scanner.number<FT>();
-  scanner.refuse_comma();
-  const std::string_view unit = scanner.rest();
+  const FT x = scanner.leading_number<FT>();
+  const std::string given(scanner.rest());
+  std::string unit = given;
+  for (char& c : unit)
+    if ('A' <= c && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
   const auto scaled = [&](int numerator, int denominator) -> FT {
     const FT length = FT(FT(x * FT(numerator)) / FT(denominator));
     if constexpr (std::is_floating_point_v<FT>)
@@ -116,11 +120,12 @@ template <class FT> std::optional<FT> parse_svg_length(std::string_view text, co
   if (unit == "in") return scaled(96, 1);
   if (unit == "cm") return scaled(9600, 254);
   if (unit == "mm") return scaled(960, 254);
+  if (unit == "q") return scaled(240, 254);
   if (unit == "pt") return scaled(4, 3);
   if (unit == "pc") return scaled(16, 1);
-  for (const char* relative : {"%", "em", "ex", "ch", "rem", "vw", "vh", "vmin", "vmax"})
+  for (const char* relative : {"%", "em", "ex", "ch", "ic", "rem", "lh", "vw", "vh", "vi", "vb", "vmin", "vmax"})
     if (unit == relative) return std::nullopt;
-  scanner.refuse(quoted_token(unit) + " is not a unit of length");
+  scanner.refuse(quoted_token(given) + " is not a unit of length");
 }
 
 /// \ingroup PkgGeometricContinuityIO

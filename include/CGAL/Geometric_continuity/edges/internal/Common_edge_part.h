@@ -38,7 +38,9 @@ template <class Field> class Centred_curve {
   Field centre_;
 
 public:
-  explicit Centred_curve(const Edge_piece<Field>& piece) : a_(powers_from_bernstein<Field>(piece.rows.edge)) {
+  Centred_curve(const Edge_piece<Field>& piece, Work_meter& work) {
+    charge_powers<Field>(piece.rows.edge, work);
+    a_ = powers_from_bernstein<Field>(piece.rows.edge);
     const int n = degree();
     if (n == 0) return; // a point
     const Field x = Field(-dot(a_[n - 1], a_[n])) / Field(Field(n) * dot(a_[n], a_[n]));
@@ -164,8 +166,10 @@ template <class Field> class Common_edge_part {
   std::vector<Centred_curve<Field>> curves_a_, curves_b_;
 
 public:
-  Common_edge_part(const Pieces& a, const Pieces& b)
-      : a_(a), b_(b), curves_a_(a.begin(), a.end()), curves_b_(b.begin(), b.end()) {}
+  Common_edge_part(const Pieces& a, const Pieces& b, Work_meter& work) : a_(a), b_(b) {
+    for (const Edge_piece<Field>& piece : a) curves_a_.emplace_back(piece, work);
+    for (const Edge_piece<Field>& piece : b) curves_b_.emplace_back(piece, work);
+  }
 
   // The whole edges if they are the same, forwards or else backwards.
   std::optional<Edge_match<Field>> whole() const {

@@ -33,23 +33,23 @@ template <class Field> class Edge_decision {
   Edge_continuity<Field> edge_;
 
 public:
-  template <class Sides> Edge_continuity<Field> operator()(const Sides& sides) {
+  template <class Sides> Edge_continuity<Field> operator()(const Sides& sides, Work_meter& work) {
     edge_.g_order = 0;
-    const Normals normals(sides);
+    const Normals normals(sides, work);
     edge_.collapsed = sides.collapsed();
     edge_.coplanar = normals.coplanar();
-    edge_.side = normals.side_signs();
-    edge_.normal_vanishes = normals.normal_vanishes(edge_.side);
+    edge_.side = normals.side_signs(work);
+    edge_.normal_vanishes = normals.normal_vanishes(edge_.side, work);
     edge_.defect = edge_.collapsed ? Edge_defect::collapsed : first_order_defect();
     if (edge_.collapsed) return edge_;
     if (edge_.defect == Edge_defect::curvature) {
       edge_.g_order = 1;
-      if (normals.second_order(sides)) {
+      if (normals.second_order(sides, work)) {
         edge_.g_order = 2;
         edge_.defect = Edge_defect::none;
       }
     }
-    locate(normals);
+    locate(normals, work);
     return edge_;
   }
 
@@ -64,17 +64,17 @@ private:
     }
   }
 
-  void locate(const Normals& n) {
+  void locate(const Normals& n, Work_meter& work) {
     if (edge_.normal_vanishes) {
       if (Edge_sides<Field>::is_zero(n.n1) || Edge_sides<Field>::is_zero(n.n2)) {
         edge_.vanishing = std::pair<Field, Field>(Field(0), Field(1));
         return;
       }
-      edge_.vanishing =
-          zero_interval<Field>(edge_.coplanar ? n.side : Polynomial(Normals::square(n.n1) * Normals::square(n.n2)));
+      edge_.vanishing = zero_interval<Field>(
+          edge_.coplanar ? n.side : product(Normals::square(n.n1, work), Normals::square(n.n2, work), work), work);
     }
     if (edge_.defect == Edge_defect::crease || edge_.defect == Edge_defect::fold)
-      edge_.deviation = largest_angle<Field>(n.n1, n.n2, edge_.normal_vanishes);
+      edge_.deviation = largest_angle<Field>(n.n1, n.n2, edge_.normal_vanishes, work);
     else
       edge_.deviation = Normal_deviation<Field>{Field(0), Field(0), Field(0), Field(1)};
   }
@@ -92,17 +92,19 @@ template <class Field> Edge_continuity<Field> smooth_continuity(int order, const
 }
 
 // The decision on rows with the same edge, in one direction.
-template <class Field> Edge_continuity<Field> decide_edge(const Edge_rows<Field>& a, const Edge_rows<Field>& b) {
+template <class Field>
+Edge_continuity<Field> decide_edge(const Edge_rows<Field>& a, const Edge_rows<Field>& b, Work_meter& work) {
   Edge_layers x, y;
   if (edge_layers(a, b, x, y))
     if (const std::optional<int> order = smooth_order(x, y))
       return smooth_continuity<Field>(*order, {Field(0), Field(1)});
-  return Edge_decision<Field>()(Edge_sides<Field>(a, b));
+  return Edge_decision<Field>()(Edge_sides<Field>(a, b, work), work);
 }
 
 // The multi-precision stage alone.
-template <class Field> Edge_continuity<Field> decide_rough_edge(const Edge_rows<Field>& a, const Edge_rows<Field>& b) {
-  return Edge_decision<Field>()(Edge_sides<Field>(a, b));
+template <class Field>
+Edge_continuity<Field> decide_rough_edge(const Edge_rows<Field>& a, const Edge_rows<Field>& b, Work_meter& work) {
+  return Edge_decision<Field>()(Edge_sides<Field>(a, b, work), work);
 }
 
 // The verdict on an interval [begin, end] of an edge from that on [0, 1].

@@ -8,8 +8,11 @@
 #include <CGAL/Geometric_continuity/algebra/Homogeneous_polynomial.h>
 #include <CGAL/Geometric_continuity/algebra/sign_pattern.h>
 #include <CGAL/Geometric_continuity/edges/Edge_rows.h>
+#include <CGAL/Geometric_continuity/numbers/Work_limit.h>
 #include <CGAL/Geometric_continuity/numbers/internal/Common_denominator.h>
 
+#include <algorithm>
+#include <cstddef>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -21,6 +24,45 @@ namespace CGAL {
 namespace Geometric_continuity {
 namespace internal {
 
+// The words of the longest coefficient.
+template <class NT> std::size_t most_words(const Homogeneous_polynomial<NT>& p) {
+  std::size_t words = 1;
+  for (int k = 0; k <= p.degree(); ++k) words = (std::max)(words, number_words(p[k]));
+  return words;
+}
+template <class NT> std::size_t most_words(const Homogeneous_vector<NT>& v) {
+  return (std::max)({most_words(v[0]), most_words(v[1]), most_words(v[2])});
+}
+
+// Takes note of as many products of two polynomials.
+template <class NT>
+void charge_product(double number, const Homogeneous_polynomial<NT>& p, const Homogeneous_polynomial<NT>& q,
+                    Work_meter& work) {
+  work.charge_products(number * (p.degree() + 1.) * (q.degree() + 1), most_words(p), most_words(q));
+}
+
+// Products of polynomials as without a meter.
+template <class NT>
+Homogeneous_polynomial<NT> product(const Homogeneous_polynomial<NT>& p, const Homogeneous_polynomial<NT>& q,
+                                   Work_meter& work) {
+  charge_product(1, p, q, work);
+  return p * q;
+}
+template <class NT>
+Homogeneous_polynomial<NT> scalar_product(const Homogeneous_vector<NT>& v, const Homogeneous_vector<NT>& w,
+                                          Work_meter& work) {
+  for (int i = 0; i < 3; ++i) charge_product(1, v[i], w[i], work);
+  return Geometric_continuity::scalar_product(v, w);
+}
+template <class NT>
+Homogeneous_vector<NT> cross_product(const Homogeneous_vector<NT>& v, const Homogeneous_vector<NT>& w,
+                                     Work_meter& work) {
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j)
+      if (i != j) charge_product(1, v[i], w[j], work);
+  return Geometric_continuity::cross_product(v, w);
+}
+
 // The rows of both sides, in a ring: multiplied by their common denominator. Sides 0 and 1 are S1 and S2.
 template <class Field> struct Edge_sides {
   typedef typename Common_denominator<Field>::Ring Ring;
@@ -30,13 +72,17 @@ template <class Field> struct Edge_sides {
   Common_denominator<Field> denominator;
   Vector c[2], t[2], w[2]; // C, T, W
 
-  template <class FT> Edge_sides(const Edge_rows<FT>& a, const Edge_rows<FT>& b) {
+  template <class FT> Edge_sides(const Edge_rows<FT>& a, const Edge_rows<FT>& b, Work_meter& work) {
     for (const Edge_rows<FT>* rows : {&a, &b})
       for (const auto* row : {&rows->edge, &rows->cross, &rows->second_cross}) {
         if (row->empty())
           throw Error(Error_code::wrong_number_of_points, "edge continuity: a row without coefficients");
         for (const Coordinate_vector<FT, 3>& x : *row)
-          for (int i = 0; i < 3; ++i) denominator.include(to_field<Field>(x[i]));
+          for (int i = 0; i < 3; ++i) {
+            const Field number = to_field<Field>(x[i]);
+            denominator.include(number);
+            work.charge_products(2, denominator.words(), number_words(number)); // here, and for the numerator
+          }
       }
     int side = 0;
     for (const Edge_rows<FT>* rows : {&a, &b}) {
@@ -93,43 +139,52 @@ template <class Field> struct Edge_normals {
   Polynomial det;  // det(C', T1, T2) = n1 . T2
   Polynomial side; // n1 . n2
 
-  template <class AnySides> explicit Edge_normals(const AnySides& s) : Edge_normals(s.first_derivative(), s.t) {}
+  template <class AnySides>
+  Edge_normals(const AnySides& s, Work_meter& work) : Edge_normals(s.first_derivative(), s.t, work) {}
 
   // The order 1, from the signs of n1 . n2.
   bool coplanar() const { return det.is_zero(); }
-  Sign_pattern side_signs() const { return sign_pattern<Exact>(side); }
-  bool first_order() const { return coplanar() && side_signs() == Sign_pattern::negative; }
+  Sign_pattern side_signs(Work_meter& work) const { return internal::sign_pattern<Exact>(side, work); }
+  bool first_order(Work_meter& work) const { return coplanar() && side_signs(work) == Sign_pattern::negative; }
 
   // Whether n1 or n2 vanishes somewhere on the closed interval. It needs the signs of n1 . n2.
-  bool normal_vanishes(Sign_pattern side_signs) const {
+  bool normal_vanishes(Sign_pattern side_signs, Work_meter& work) const {
     if (side_signs == Sign_pattern::positive || side_signs == Sign_pattern::negative) return false;
     if (coplanar()) return true; // the normals are parallel, so that n1 . n2 is zero only where one of them is
-    return vanishes(n1) || vanishes(n2);
+    return vanishes(n1, work) || vanishes(n2, work);
   }
 
   // N_i^2 (N . W2) = n3_i^2 (N . C'') + 2 n3_i n2_i (N . T1') + n2_i^2 (N . W1) with N = n1, n3 = T2 x T1. As n2 = q N and
   // n3 = p N with rational functions p and q, one coordinate with N_i != 0 decides for all. The same identity is decided in
   // Edge_on_grid by integers of fixed length and in Edge_filter by floating-point numbers. \pre coplanar()
-  template <class AnySides> bool second_order(const AnySides& s) const {
+  template <class AnySides> bool second_order(const AnySides& s, Work_meter& work) const {
     int i = 0;
     while (i < 3 && n1[i].is_zero()) ++i;
     if (i == 3) return true;
+    charge_product(6, s.t[0][0], s.t[1][0], work);
     const Polynomial n3 = s.t[1][(i + 1) % 3] * s.t[0][(i + 2) % 3] - s.t[1][(i + 2) % 3] * s.t[0][(i + 1) % 3];
-    const Polynomial mixed = scalar_product(n1, s.mixed_derivative());
-    const Polynomial left = n1[i] * n1[i] * scalar_product(n1, s.w[1]);
+    const Polynomial mixed = internal::scalar_product(n1, s.mixed_derivative(), work);
+    const Polynomial last = internal::scalar_product(n1, s.w[1], work);
+    for (const Polynomial& x : {n1[i], n2[i], n3}) {
+      charge_product(1, x, x, work);
+      charge_product(2, x, last, work);
+    }
+    const Polynomial left = n1[i] * n1[i] * last;
     const Polynomial right = n3 * (n3 * scalar_product(n1, s.second_derivative()) + n2[i] * (mixed + mixed)) +
                              n2[i] * n2[i] * scalar_product(n1, s.w[0]);
     return left == right;
   }
 
-  static Polynomial square(const Vector& v) { return scalar_product(v, v); }
+  static Polynomial square(const Vector& v, Work_meter& work) { return internal::scalar_product(v, v, work); }
   // Whether the vector is zero somewhere on the closed interval.
-  static bool vanishes(const Vector& v) { return sign_pattern<Exact>(square(v)) != Sign_pattern::positive; }
+  static bool vanishes(const Vector& v, Work_meter& work) {
+    return internal::sign_pattern<Exact>(square(v, work), work) != Sign_pattern::positive;
+  }
 
 private:
-  Edge_normals(const Vector& d, const Vector (&t)[2])
-      : n1(cross_product(d, t[0])), n2(cross_product(d, t[1])), det(scalar_product(n1, t[1])),
-        side(scalar_product(n1, n2)) {}
+  Edge_normals(const Vector& d, const Vector (&t)[2], Work_meter& work)
+      : n1(internal::cross_product(d, t[0], work)), n2(internal::cross_product(d, t[1], work)),
+        det(internal::scalar_product(n1, t[1], work)), side(internal::scalar_product(n1, n2, work)) {}
 };
 
 } // namespace internal

@@ -31,13 +31,15 @@ template <class Field> struct Edge_measure {
   Polynomial s, p, side;
 
   // `vanishing` tells whether a normal is zero somewhere on [0, 1]
-  Edge_measure(Vector n1, Vector n2, bool vanishing) {
+  Edge_measure(Vector n1, Vector n2, bool vanishing, Work_meter& work) {
     Polynomial factor = one(); // of the normals
-    if (vanishing) factor = without_square_factors(without_common_factor(n1) * without_common_factor(n2));
-    side = scalar_product(n1, n2);
-    p = Normals::square(n1) * Normals::square(n2);
-    s = p - side * side;
-    if (factor.degree() > 0) side = factor * side;
+    if (vanishing)
+      factor =
+          without_square_factors(product(without_common_factor(n1, work), without_common_factor(n2, work), work), work);
+    side = internal::scalar_product(n1, n2, work);
+    p = product(Normals::square(n1, work), Normals::square(n2, work), work);
+    s = p - product(side, side, work);
+    if (factor.degree() > 0) side = product(factor, side, work);
   }
 
 private:
@@ -67,10 +69,11 @@ private:
   }
 
   // Divides by the greatest common divisor of the coordinates and returns it, both up to positive factors.
-  static Polynomial without_common_factor(Vector& n) {
+  static Polynomial without_common_factor(Vector& n, Work_meter& work) {
     std::vector<Power> v;
     for (const Polynomial& x : n) v.push_back(power_form(x));
-    const Power factor = greatest_common_divisor(greatest_common_divisor(v[0], v[1]), v[2]);
+    const Power factor =
+        internal::greatest_common_divisor(internal::greatest_common_divisor(v[0], v[1], work), v[2], work);
     for (Power& x : v) {
       Power dividend = x;
       x = dividend.divide(factor);
@@ -81,15 +84,17 @@ private:
   }
 
   // The product of the factors of odd multiplicity, with the same sign as p wherever p is not zero.
-  static Polynomial without_square_factors(const Polynomial& p) { return in_ring({odd_factors(power_form(p))})[0]; }
+  static Polynomial without_square_factors(const Polynomial& p, Work_meter& work) {
+    return in_ring({odd_factors(power_form(p), work)})[0];
+  }
 
   // With the factors a_i of multiplicity i, g = gcd(p, p') is the product of a_i^(i-1), and p/g that of all a_i, which are
   // the odd ones of p and those of g.
-  static Power odd_factors(Power p) {
+  static Power odd_factors(Power p, Work_meter& work) {
     if (p.degree() < 1) return p;
-    const Power g = greatest_common_divisor(p, p.derivative());
+    const Power g = internal::greatest_common_divisor(p, p.derivative(), work);
     Power all = p.divide(g);
-    return all.divide(odd_factors(g));
+    return all.divide(odd_factors(g, work));
   }
 };
 
@@ -97,10 +102,11 @@ private:
 // s/p = sin^2 and a cosine that has the sign of -side. As s and p have one degree, s/p lies between the least and the largest
 // s_k/p_k where all p_k > 0. All arithmetic on pieces is that of a ring.
 //
-// It ends: let M be the supremum and q = M p - s, or (M - 2) p + s where obtuse, so that q >= 0. On a piece of length h at a
+// Where the numbers are all about 1, it ends soon: let M be the supremum and q = M p - s, or (M - 2) p + s where obtuse, so that q >= 0. On a piece of length h at a
 // zero of q of order m the coefficients of q are O(h^m), and so are the errors of both bounds; at a distance of some h from
 // the zeros q is positive, and so are its coefficients. So on each level a bounded number of pieces is left, about two for
-// each zero, and 27 to 55 levels are needed.
+// each zero, and 27 to 55 levels are needed. Where the angle varies on an interval of length 2^-k only, they are about k more;
+// so the search stops when the meter does not allow more, and the bounds are what has been proved until then.
 template <class Field> class Largest_measure {
   typedef typename Edge_sides<Field>::Polynomial Polynomial;
   typedef typename Polynomial::NT Ring;
@@ -126,14 +132,16 @@ template <class Field> class Largest_measure {
   const Exact epsilon_ = power_of_half(53), tiny_ = power_of_half(110);
   std::vector<Piece> pieces_; // a heap: the first may have the largest angle
   Fraction lower_{Ring(0), Ring(1)};
+  Work_meter& work_;
+  double steps_ = 0; // taken so far
 
 public:
-  Largest_measure(Polynomial s, Polynomial p, Polynomial side) {
+  Largest_measure(Polynomial s, Polynomial p, Polynomial side, Work_meter& work) : work_(work) {
     add({std::move(s), std::move(p), std::move(side), 0, Field(0), Field(1), {}});
   }
 
   Normal_deviation<Field> operator()() {
-    for (int i = 0; i < most_pieces && !accurate(); ++i) {
+    for (int i = 0; i < most_pieces && may_go_on() && !accurate(); ++i) {
       std::pop_heap(pieces_.begin(), pieces_.end());
       const Piece piece = std::move(pieces_.back());
       pieces_.pop_back();
@@ -147,6 +155,18 @@ public:
   }
 
 private:
+  // Whether the meter allows to divide the next piece. The bounds take a product for each coefficient and comparison.
+  bool may_go_on() {
+    const Piece& worst = pieces_.front();
+    const double n = worst.p.degree() + 1;
+    const std::size_t words = number_words(worst.p[worst.p.degree() / 2]);
+    const double steps = bisection_steps(worst.s) + bisection_steps(worst.p) + bisection_steps(worst.side) +
+                         8 * n * Work_meter::product_steps(words, words);
+    if (!work_.allows_search(steps_, steps)) return false;
+    steps_ += steps;
+    return true;
+  }
+
   // Whether the bounds x <= y of the measure determine the angle up to its 2^-54-th part. With s = sin^2 and c = cos^2 the
   // measure changes by 2 sqrt(s c) times the change of the angle. Where y - x <= 2^-53 s c for the least s c in between,
   // which is at one of the bounds, the angle therefore changes by at most 2^-54 sqrt(s c), and sqrt(s c) <= sin is at most the
@@ -220,14 +240,16 @@ private:
 // The largest angle between two normals along an edge. \pre neither vanishes identically
 template <class Field>
 Normal_deviation<Field> largest_angle(const Homogeneous_vector<typename Edge_sides<Field>::Ring>& n1,
-                                      const Homogeneous_vector<typename Edge_sides<Field>::Ring>& n2, bool vanishing) {
-  Edge_measure<Field> m(n1, n2, vanishing);
-  return Largest_measure<Field>(std::move(m.s), std::move(m.p), std::move(m.side))();
+                                      const Homogeneous_vector<typename Edge_sides<Field>::Ring>& n2, bool vanishing,
+                                      Work_meter& work) {
+  Edge_measure<Field> m(n1, n2, vanishing, work);
+  return Largest_measure<Field>(std::move(m.s), std::move(m.p), std::move(m.side), work)();
 }
 
 // A sub-interval in which the polynomial has a zero or comes close to one: a point if it is zero at an end, otherwise of
 // length 1/1024. \pre it has a zero in [0, 1]
-template <class Field, class Polynomial> std::pair<Field, Field> zero_interval(const Polynomial& polynomial) {
+template <class Field, class Polynomial>
+std::pair<Field, Field> zero_interval(const Polynomial& polynomial, Work_meter& work) {
   typedef typename Polynomial::NT Ring;
   struct Piece {
     Polynomial p;
@@ -244,6 +266,7 @@ template <class Field, class Polynomial> std::pair<Field, Field> zero_interval(c
     const Sign_pattern signs = piece.p.coefficient_signs();
     if (signs == Sign_pattern::positive || signs == Sign_pattern::negative) continue;
     if (piece.level == last_level) return {piece.begin, piece.end};
+    charge_bisection(piece.p, work);
     const std::pair<Polynomial, Polynomial> halves = piece.p.halves();
     const Field middle = Field(Field(piece.begin + piece.end) / Field(2));
     stack.push_back(Piece{halves.second, piece.level + 1, middle, piece.end});

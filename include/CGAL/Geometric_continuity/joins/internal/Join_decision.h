@@ -10,6 +10,7 @@
 #include <CGAL/Geometric_continuity/joins/internal/Join_parameters.h>
 #include <CGAL/Geometric_continuity/local/Curve_jet.h>
 #include <CGAL/Geometric_continuity/local/internal/Scaled_vector.h>
+#include <CGAL/Geometric_continuity/numbers/Work_limit.h>
 
 #include <algorithm>
 #include <cmath>
@@ -81,13 +82,14 @@ template <class FT, int N> class Join_decision {
 
   std::conditional_t<rounded, Jet, const Jet&> X, Y;
   const int max_order;
+  Work_meter work;
   Parameter_scale scale;
   FT g, a; // g = X'.X', a = X'.Y'; G1 iff g Y' = a X' and a > 0; then beta_1 = a/g
   Join_continuity<FT> join;
 
 public:
-  Join_decision(const Jet& left, const Jet& right, int order)
-      : X(left), Y(right), max_order((std::min)({order, left.order(), right.order()})) {
+  Join_decision(const Jet& left, const Jet& right, int order, Work_limit limit = Work_limit())
+      : X(left), Y(right), max_order((std::min)({order, left.order(), right.order()})), work(limit, "continuity") {
     if (order < 0) throw Error(Error_code::negative_count, "continuity: order");
     if (X.dimension() != Y.dimension()) throw Error(Error_code::dimension_mismatch, "continuity of two jets");
     if (max_order < 0) throw Error(Error_code::jet_order_too_low, "continuity of two jets");
@@ -116,6 +118,12 @@ public:
   }
 
 private:
+  // Of one more order: about k^2 products of numbers as long as these two together.
+  void charge(int k, const FT& x, const FT& y) {
+    if constexpr (!rounded)
+      work.charge_products(static_cast<double>(k + 1) * (k + X.dimension()), number_words(x) + number_words(y));
+  }
+
   int jet_order() const { return (std::min)(X.order(), Y.order()); }
 
   void decide_c_order() {
@@ -131,6 +139,7 @@ private:
     for (int k = 1;; ++k) {
       join.g_order = k;
       if (k == max_order) break;
+      charge(k, powers.back(), numerators.back());
       bell.append(numerators.back());
       powers.push_back(FT(powers.back() * g));
       powers.push_back(FT(powers.back() * g));
@@ -149,9 +158,10 @@ private:
     FT gj = g, aj = a;
     join.f_order = 1;
     for (int j = 2; j <= (std::min)(max_order, X.dimension()); ++j) {
-      span.add(X[j - 1]);
       gj *= g;
       aj *= a;
+      charge(j, gj, gj);
+      span.add(X[j - 1]);
       if (!span.contains(gj * Y[j] - aj * X[j])) return;
       join.f_order = j;
     }

@@ -7,9 +7,13 @@
 
 #include <CGAL/Geometric_continuity/local/coordinates.h>
 #include <CGAL/Geometric_continuity/models/internal/Edge_key.h>
+#include <CGAL/Geometric_continuity/models/internal/name_work_limit.h>
 
 #include <algorithm>
 #include <cstddef>
+#include <numeric>
+#include <optional>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -31,15 +35,60 @@ struct Edge_use {
   }
 };
 
+// The uses of one edge.
+class Edge_uses {
+  const Edge_use *first_, *last_;
+
+public:
+  Edge_uses(const Edge_use* first, const Edge_use* last) : first_(first), last_(last) {}
+
+  const Edge_use* begin() const { return first_; }
+  const Edge_use* end() const { return last_; }
+  std::size_t size() const { return static_cast<std::size_t>(last_ - first_); }
+  const Edge_use& operator[](std::size_t i) const { return first_[i]; }
+};
+
+// Whether the control points at the corners are points of the surface, and those of the edges belong to these alone.
+template <class Traits> bool has_corner_points(const Bezier_patch<Traits>&) { return true; }
+template <class Traits> bool has_corner_points(const Bspline_surface<Traits>& s) {
+  return s.knots_u().is_clamped() && s.knots_v().is_clamped();
+}
+
+// The control point at a corner.
+template <class Traits> const typename Traits::Point& corner_point(const Bezier_patch<Traits>& s, bool u, bool v) {
+  return s.control_point(u ? s.degree_u() : 0, v ? s.degree_v() : 0);
+}
+template <class Traits> const typename Traits::Point& corner_point(const Bspline_surface<Traits>& s, bool u, bool v) {
+  return s.control_point(u ? s.number_of_points_u() - 1 : 0, v ? s.number_of_points_v() - 1 : 0);
+}
+
+// The numbers of the two corners where an edge begins and ends; a corner has the number 4 * patch + 2 * (at the end of u) +
+// (at the end of v).
+inline std::pair<std::size_t, std::size_t> corners_of(std::size_t patch, Patch_edge edge) {
+  const std::size_t side = at_upper_end(edge), first = 4 * patch;
+  return runs_along_u(edge) ? std::make_pair(first + side, first + 2 + side)
+                            : std::make_pair(first + 2 * side, first + 2 * side + 1);
+}
+
+// Coordinate by coordinate: negative, zero or positive.
+template <class Coordinates> int compare_coordinates(const Coordinates& p, const Coordinates& q) {
+  for (int i = 0; i < p.dimension(); ++i) {
+    if (p[i] < q[i]) return -1;
+    if (q[i] < p[i]) return 1;
+  }
+  return 0;
+}
+
 // The control points of an edge over its knots, in the direction that makes them smaller. Edges of one form, i.e. of one degree
 // over the same knots, are the same if and only if their points are; other edges are compared by Edge_key.
+// \pre has_corner_points()
 template <class Traits> class Edge_polygon {
   typedef Edge_field<Traits> Field;
   typedef typename Traits::FT FT;
 
   std::vector<Coordinates<Traits>> points_;
   std::vector<Field> knots_; // the inner knots, where the domain is [0, 1]
-  int degree_ = -1;
+  int degree_;
   bool turned_ = false;
 
 public:
@@ -47,11 +96,9 @@ public:
     for (int i = 0; i <= degree_; ++i) add(s.control_point(edge, i, 0));
     turn();
   }
-  Edge_polygon(const Bspline_surface<Traits>& s, Patch_edge edge) {
+  Edge_polygon(const Bspline_surface<Traits>& s, Patch_edge edge) : degree_(s.knots_along(edge).degree()) {
     const Knot_vector<FT>&along = s.knots_along(edge), &across = s.knots_across(edge);
-    const int last = across.number_of_coefficients() - 1, side = at_upper_end(edge) ? last : 0;
-    if (!along.is_clamped() || !across.is_clamped()) return;
-    degree_ = along.degree();
+    const int side = at_upper_end(edge) ? across.number_of_coefficients() - 1 : 0;
     for (int i = 0; i < along.number_of_coefficients(); ++i)
       add(runs_along_u(edge) ? s.control_point(i, side) : s.control_point(side, i));
     const Field begin = to_field<Field>(along.domain().first), length = to_field<Field>(along.domain().second) - begin;
@@ -60,8 +107,6 @@ public:
     turn();
   }
 
-  // Whether the control points at the ends are points of the edge.
-  bool valid() const { return degree_ >= 0; }
   // See Edge_key.
   bool turned() const { return turned_; }
   bool single_point() const {
@@ -75,11 +120,6 @@ public:
            (knots_.empty() || !(points_.front() == points_.back()));
   }
 
-  // By the points at the ends.
-  static bool ends_before(const Edge_polygon& x, const Edge_polygon& y) {
-    const int first = compare(x.points_.front(), y.points_.front());
-    return first < 0 || (first == 0 && compare(x.points_.back(), y.points_.back()) < 0);
-  }
   // By all points. \pre both have one form
   friend bool operator<(const Edge_polygon& x, const Edge_polygon& y) { return before(x.points_, y.points_); }
 
@@ -98,120 +138,157 @@ private:
     knots_.swap(knots);
   }
 
-  static int compare(const Coordinates<Traits>& p, const Coordinates<Traits>& q) {
-    for (int i = 0; i < p.dimension(); ++i) {
-      if (p[i] < q[i]) return -1;
-      if (q[i] < p[i]) return 1;
-    }
-    return 0;
-  }
   static bool before(const Points& x, const Points& y) {
     return std::lexicographical_compare(x.begin(), x.end(), y.begin(), y.end(),
-                                        [](const auto& p, const auto& q) { return compare(p, q) < 0; });
+                                        [](const auto& p, const auto& q) { return compare_coordinates(p, q) < 0; });
   }
 };
 
-// Recognises each edge of a model once, by sorting: first by the points at its ends; then those with the same ends by their
-// control points, if they have one degree and the same knots, otherwise by Edge_key.
+// Recognises each edge of a model once, by sorting: first by the points at its ends, which have been numbered; then those
+// with the same ends by their control points, if they have one degree and the same knots, otherwise by Edge_key.
 template <class Surface> class Edge_groups {
   typedef typename Surface::Traits Traits;
   typedef Edge_key<Traits> Key;
   typedef Edge_polygon<Traits> Polygon;
-  typedef typename std::vector<std::size_t>::iterator Iterator;
 
   const std::vector<const Surface*>& surfaces_;
-  std::vector<Edge_use> uses_;
-  std::vector<Polygon> polygons_; // of the uses
+  const Work_limit limit_;
+  std::vector<Edge_use> uses_; // edge by edge
   std::vector<Edge_use> collapsed_;
-  std::vector<std::vector<Edge_use>> edges_;
+  std::vector<Edge_uses> edges_;
 
 public:
-  explicit Edge_groups(const std::vector<const Surface*>& surfaces) : surfaces_(surfaces) {
-    std::vector<std::size_t> with_polygon, other;
-    for (std::size_t i = 0; i < surfaces_.size(); ++i)
-      for (Patch_edge edge : patch_edges) {
-        Polygon polygon(*surfaces_[i], edge);
-        if (polygon.valid() && polygon.single_point()) {
-          collapsed_.push_back({i, edge, false});
-          continue;
-        }
-        (polygon.valid() ? with_polygon : other).push_back(uses_.size());
-        uses_.push_back({i, edge, false});
-        polygons_.push_back(std::move(polygon));
-      }
-    if (other.empty())
-      group_by_ends(with_polygon);
+  explicit Edge_groups(const std::vector<const Surface*>& surfaces, Work_limit limit = Work_limit())
+      : surfaces_(surfaces), limit_(limit) {
+    uses_.reserve(4 * surfaces_.size()); // so that the edges can point into it
+    if (std::all_of(surfaces_.begin(), surfaces_.end(), [](const Surface* s) { return has_corner_points(*s); }))
+      group_by_ends();
     else { // a control point may be no point of the edge
-      other.insert(other.end(), with_polygon.begin(), with_polygon.end());
-      std::sort(other.begin(), other.end());
-      group_by_keys(other.begin(), other.end());
+      std::vector<Edge_use> all;
+      for (std::size_t i = 0; i < surfaces_.size(); ++i)
+        for (Patch_edge edge : patch_edges) all.push_back({i, edge, false});
+      group_by_keys(all);
     }
     std::sort(collapsed_.begin(), collapsed_.end());
     std::sort(edges_.begin(), edges_.end(), [](const auto& a, const auto& b) { return a[0] < b[0]; });
   }
+  Edge_groups(const Edge_groups&) = delete;
+  Edge_groups& operator=(const Edge_groups&) = delete;
 
   // The uses of each edge that is not collapsed, by their patches; the edges by their first uses.
-  const std::vector<std::vector<Edge_use>>& edges() const { return edges_; }
+  const std::vector<Edge_uses>& edges() const { return edges_; }
   // The edges that are single points, by their patches.
   const std::vector<Edge_use>& collapsed() const { return collapsed_; }
 
 private:
-  // Sorts, and calls f(first, last) for each run of elements none of which is less than another.
-  template <class Less, class Function>
-  static void for_each_run(Iterator begin, Iterator end, const Less& less, const Function& f) {
-    std::stable_sort(begin, end, less);
-    for (Iterator first = begin, last = begin; first != end; first = last) {
-      while (last != end && !less(*first, *last)) ++last;
-      f(first, last);
+  // One number for each point that is a corner, by the numbers of the corners.
+  std::vector<std::size_t> numbers_of_corners() const {
+    struct Corner {
+      Coordinates<Traits> x;
+      std::size_t number;
+    };
+    std::vector<Corner> corners;
+    corners.reserve(4 * surfaces_.size());
+    for (const Surface* s : surfaces_)
+      for (bool u : {false, true})
+        for (bool v : {false, true})
+          corners.push_back({Geometric_continuity::coordinates<Traits>(corner_point(*s, u, v)), corners.size()});
+    const auto less = [](const Corner& a, const Corner& b) { return compare_coordinates(a.x, b.x) < 0; };
+    std::sort(corners.begin(), corners.end(), less);
+    std::vector<std::size_t> numbers(corners.size());
+    std::size_t points = 0;
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+      points += i > 0 && less(corners[i - 1], corners[i]);
+      numbers[corners[i].number] = points;
+    }
+    return numbers;
+  }
+
+  void group_by_ends() {
+    struct Placed_use {
+      std::size_t low, high; // the points at the ends
+      Edge_use use;
+    };
+    std::vector<Placed_use> placed;
+    {
+      const std::vector<std::size_t> corners = numbers_of_corners();
+      placed.reserve(corners.size());
+      for (std::size_t i = 0; i < surfaces_.size(); ++i)
+        for (Patch_edge edge : patch_edges) {
+          const std::pair<std::size_t, std::size_t> ends = corners_of(i, edge);
+          const std::size_t a = corners[ends.first], b = corners[ends.second];
+          placed.push_back({(std::min)(a, b), (std::max)(a, b), {i, edge, false}});
+        }
+    }
+    const auto less = [](const Placed_use& a, const Placed_use& b) {
+      return std::tie(a.low, a.high, a.use) < std::tie(b.low, b.high, b.use);
+    };
+    std::sort(placed.begin(), placed.end(), less);
+    std::vector<Edge_use> same_ends;
+    for (auto first = placed.begin(), last = first; first != placed.end(); first = last) {
+      same_ends.clear();
+      for (; last != placed.end() && last->low == first->low && last->high == first->high; ++last)
+        same_ends.push_back(last->use);
+      group_by_polygons(same_ends, first->low == first->high);
     }
   }
 
-  void group_by_ends(std::vector<std::size_t>& uses) {
-    const auto less_ends = [&](std::size_t a, std::size_t b) {
-      return Polygon::ends_before(polygons_[a], polygons_[b]);
-    };
-    const auto less = [&](std::size_t a, std::size_t b) { return polygons_[a] < polygons_[b]; };
-    const auto turned = [&](std::size_t a) { return polygons_[a].turned(); };
-    for_each_run(uses.begin(), uses.end(), less_ends, [&](Iterator begin, Iterator end) {
-      const bool one_form =
-          std::all_of(begin, end, [&](std::size_t a) { return polygons_[a].has_form_of(polygons_[*begin]); });
-      if (one_form)
-        for_each_run(begin, end, less, [&](Iterator first, Iterator last) { add(first, last, turned); });
-      else
-        group_by_keys(begin, end);
-    });
-  }
-
-  void group_by_keys(Iterator begin, Iterator end) {
-    std::vector<std::size_t> numbers; // of the uses, in the order of the keys
-    std::vector<Key> keys;
-    std::vector<std::size_t> order;
-    for (Iterator i = begin; i != end; ++i) {
-      Key key(*surfaces_[uses_[*i].patch], uses_[*i].edge);
-      if (key.single_point()) {
-        collapsed_.push_back(uses_[*i]);
+  // Edges with the same points at their ends.
+  void group_by_polygons(const std::vector<Edge_use>& uses, bool closed) {
+    if (uses.size() == 1 && !closed) {
+      uses_.push_back(uses[0]);
+      edges_.emplace_back(uses_.data() + uses_.size() - 1, uses_.data() + uses_.size());
+      return;
+    }
+    std::vector<Edge_use> open;
+    std::vector<Polygon> polygons;
+    for (const Edge_use& use : uses) {
+      Polygon polygon(*surfaces_[use.patch], use.edge);
+      if (closed && polygon.single_point()) {
+        collapsed_.push_back(use);
         continue;
       }
-      order.push_back(keys.size());
-      numbers.push_back(*i);
-      keys.push_back(std::move(key));
+      open.push_back(use);
+      polygons.push_back(std::move(polygon));
     }
-    const auto less = [&](std::size_t a, std::size_t b) { return keys[a].compare(keys[b]) < 0; };
-    for_each_run(order.begin(), order.end(), less, [&](Iterator first, Iterator last) {
-      const bool turned = keys[*first].turned();
-      edges_.emplace_back();
-      for (; first != last; ++first) {
-        edges_.back().push_back(uses_[numbers[*first]]);
-        edges_.back().back().backwards = keys[*first].turned() != turned;
-      }
-    });
+    if (std::all_of(polygons.begin(), polygons.end(), [&](const Polygon& p) { return p.has_form_of(polygons[0]); }))
+      group(open, polygons, [](const Polygon& a, const Polygon& b) { return a < b; });
+    else
+      group_by_keys(open);
   }
 
-  template <class Turned> void add(Iterator first, Iterator last, const Turned& turned) {
-    edges_.emplace_back();
-    for (Iterator i = first; i != last; ++i) {
-      edges_.back().push_back(uses_[*i]);
-      edges_.back().back().backwards = turned(*i) != turned(*first);
+  void group_by_keys(const std::vector<Edge_use>& uses) {
+    std::vector<Edge_use> open;
+    std::vector<Key> keys;
+    for (const Edge_use& use : uses) {
+      std::optional<Key> key;
+      name_work_limit([&] { return edge_name(use.patch, use.edge); },
+                      [&] { key.emplace(*surfaces_[use.patch], use.edge, limit_); });
+      if (key->single_point()) {
+        collapsed_.push_back(use);
+        continue;
+      }
+      open.push_back(use);
+      keys.push_back(*std::move(key));
+    }
+    group(open, keys, [](const Key& a, const Key& b) { return a.compare(b) < 0; });
+  }
+
+  // Edges are the same when neither of what stands for them is less. \pre the uses are in order
+  template <class Form, class Less>
+  void group(const std::vector<Edge_use>& uses, const std::vector<Form>& forms, const Less& less) {
+    std::vector<std::size_t> order(uses.size());
+    std::iota(order.begin(), order.end(), std::size_t(0));
+    std::stable_sort(order.begin(), order.end(),
+                     [&](std::size_t a, std::size_t b) { return less(forms[a], forms[b]); });
+    for (std::size_t first = 0, last = 0; first < order.size(); first = last) {
+      const Form& form = forms[order[first]];
+      const Edge_use* const begin = uses_.data() + uses_.size();
+      for (; last < order.size() && !less(form, forms[order[last]]); ++last) {
+        uses_.push_back(uses[order[last]]);
+        uses_.back().backwards = forms[order[last]].turned() != form.turned();
+      }
+      edges_.emplace_back(begin, uses_.data() + uses_.size());
     }
   }
 };

@@ -33,8 +33,10 @@ template <class Traits> class Edge_key {
   bool turned_ = false;
 
 public:
-  template <class Surface> Edge_key(const Surface& surface, Patch_edge edge) {
-    std::vector<Piece> pieces = unit_pieces(surface, edge);
+  template <class Surface> Edge_key(const Surface& surface, Patch_edge edge, Work_limit limit = Work_limit()) {
+    Work_meter work(limit, "model_continuity");
+    std::vector<Piece> pieces = unit_pieces(surface, edge, work);
+    for (const Piece& piece : pieces) charge_powers<Field>(piece.row, work);
     numbers_ = numbers(pieces);
     std::reverse(pieces.begin(), pieces.end());
     for (Piece& piece : pieces) {
@@ -59,13 +61,13 @@ public:
 
 private:
   // Row 0 of a Bezier patch is that of the only piece; no division is needed.
-  static std::vector<Piece> unit_pieces(const Bezier_patch<Traits>& patch, Patch_edge edge) {
+  static std::vector<Piece> unit_pieces(const Bezier_patch<Traits>& patch, Patch_edge edge, Work_meter&) {
     return {{Field(0), Field(1), row_in_space<Field>(patch.template rows<Field>(edge, 0)[0])}};
   }
 
-  static std::vector<Piece> unit_pieces(const Bspline_surface<Traits>& surface, Patch_edge edge) {
+  static std::vector<Piece> unit_pieces(const Bspline_surface<Traits>& surface, Patch_edge edge, Work_meter& work) {
     const Knot_vector<Field> knots = knots_over<Field>(surface.knots_along(edge));
-    const Row rows = bspline_bezier<Field>(knots, row_in_space<Field>(surface.template rows<Field>(edge, 0)[0]));
+    const Row rows = bernstein_pieces(knots, row_in_space<Field>(surface.template rows<Field>(edge, 0)[0]), work);
     const std::pair<Field, Field> domain = knots.domain();
     const Field length = domain.second - domain.first;
     std::vector<Piece> pieces;

@@ -5,11 +5,16 @@
 #ifndef CGAL_GEOMETRIC_CONTINUITY_MODELS_INTERNAL_MODEL_MESH_H
 #define CGAL_GEOMETRIC_CONTINUITY_MODELS_INTERNAL_MODEL_MESH_H
 
+#include <CGAL/Geometric_continuity/Error.h>
 #include <CGAL/Geometric_continuity/models/internal/Model_topology.h>
 #include <CGAL/Geometric_continuity/models/internal/Patch_triangulation.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <cstddef>
+#include <cstdio>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -21,48 +26,99 @@ namespace CGAL {
 namespace Geometric_continuity {
 namespace internal {
 
-enum class Edge_end { first, last };
+// The triangles that are going to be made. More than the limit are refused before any of them is made.
+class Triangle_budget {
+  std::size_t limit_;
+  double triangles_ = 0;
+
+public:
+  explicit Triangle_budget(std::size_t limit) : limit_(limit) {}
+
+  // `surface` is the last for which triangles have been counted.
+  void add(double triangles, std::size_t surface) {
+    triangles_ = (std::min)(triangles_ + triangles, 1e300);
+    if (triangles_ <= static_cast<double>(limit_)) return;
+    char count[32]; // with an exponent when they are too many to be read
+    std::snprintf(count, sizeof count, triangles_ < 1e15 ? "%.0f" : "%.3g", std::ceil(triangles_));
+    throw Error(Error_code::work_limit, "tessellate: surface " + std::to_string(surface) + " leads to " + count +
+                                            " triangles or more, where at most " + std::to_string(limit_) +
+                                            " are made");
+  }
+  std::size_t triangles() const { return static_cast<std::size_t>(triangles_); }
+};
 
 template <class Traits> class Model_mesh {
   typedef typename Traits::FT FT;
   typedef Bezier_patch<Traits> Patch;
   static constexpr std::size_t none = static_cast<std::size_t>(-1);
 
-  std::vector<const Patch*> patches_;
-  std::vector<std::size_t> numbers_; // of the patches, in the tessellation
+  // The points of an edge: those of two corners, and `cells - 1` between them, one after the other.
+  struct Edge {
+    std::size_t first, inner, last, cells;
+  };
+  // The edge of the model that is an edge of a patch; `none` when it is collapsed.
+  struct Side {
+    std::size_t edge = none;
+    bool backwards = false;
+  };
+
+  const std::vector<const Patch*>& patches_;
+  const std::vector<std::size_t>& numbers_; // of the patches, in the tessellation
   Model_topology<Traits> topology_;
   std::vector<Patch_cells> cells_;
-  std::vector<std::size_t> corners_;                               // their points, by the numbers of the topology
-  std::vector<typename Patch_triangulation<Traits>::Edges> edges_; // by patch
+  std::vector<std::size_t> corners_; // their points, by the numbers of the topology
+  std::vector<Edge> edges_;          // of the model
+  std::vector<std::array<Side, 4>> sides_;
   Tessellation<Traits> mesh_;
 
 public:
+  // Neither patches nor numbers are copied.
   Model_mesh(const std::vector<const Patch*>& patches, const std::vector<std::size_t>& numbers)
       : patches_(patches), numbers_(numbers), topology_(patches), corners_(4 * patches.size(), none),
-        edges_(patches.size()) {}
+        sides_(patches.size()) {}
 
-  // `cells_of(patch, least)` is the number of cells of a patch, if possible at least `least` in each direction: four cells
-  // make the triangles of patches a manifold that close up, or meet more than once. Where two patches have an edge, one of
-  // their numbers along it must divide the other.
-  template <class Cells_of> Tessellation<Traits> operator()(Cells_of cells_of) {
+  // `cells_of(patch, number, least)` is the number of cells of a patch, which has this number in the tessellation, if
+  // possible at least `least` in each direction: four cells make the triangles of patches a manifold that close up, or meet
+  // more than once. Where two patches have an edge, one of their numbers along it must divide the other. After each patch
+  // `report(n)` is called with the number of triangles so far.
+  template <class Cells_of, class Report>
+  Tessellation<Traits> operator()(Cells_of cells_of, std::size_t max_triangles, Report report) {
     for (std::size_t i = 0; i < patches_.size(); ++i)
-      cells_.push_back(cells_of(*patches_[i], topology_.simple(i) ? 1 : 4));
-    for (const std::vector<Edge_use>& uses : topology_.edges()) add_edge(uses);
+      cells_.push_back(cells_of(*patches_[i], numbers_[i], topology_.simple(i) ? 1 : 4));
+    reserve(max_triangles);
+    for (const Edge_uses& uses : topology_.edges()) add_edge(uses);
+    typename Patch_triangulation<Traits>::Edges points;
     for (std::size_t i = 0; i < patches_.size(); ++i) {
-      for (Patch_edge edge : patch_edges)
-        if (points_of(i, edge).empty()) points_of(i, edge).push_back(end(i, edge, Edge_end::first)); // collapsed
-      Patch_triangulation<Traits>(*patches_[i], numbers_[i], cells_[i], edges_[i], mesh_);
+      for (Patch_edge edge : patch_edges) points_of(i, edge, points[static_cast<std::size_t>(edge)]);
+      Patch_triangulation<Traits>(*patches_[i], numbers_[i], cells_[i], points, mesh_);
+      report(mesh_.triangles.size());
     }
     return std::move(mesh_);
   }
 
 private:
-  std::vector<std::size_t>& points_of(std::size_t patch, Patch_edge edge) {
-    return edges_[patch][static_cast<std::size_t>(edge)];
+  // A point that is added to an edge of a cell adds a triangle.
+  void reserve(std::size_t max_triangles) {
+    Triangle_budget budget(max_triangles);
+    for (std::size_t i = 0; i < patches_.size(); ++i) budget.add(2.0 * cells_[i].u * cells_[i].v, numbers_[i]);
+    for (const Edge_uses& uses : topology_.edges()) {
+      const std::size_t n = cells_along(uses);
+      for (const Edge_use& use : uses) budget.add(static_cast<double>(n - number_of_cells(use)), numbers_[use.patch]);
+    }
+    mesh_.triangles.reserve(budget.triangles());
+    mesh_.patches.reserve(budget.triangles());
+    edges_.reserve(topology_.edges().size());
   }
 
   std::size_t number_of_cells(const Edge_use& use) const {
     return static_cast<std::size_t>(runs_along_u(use.edge) ? cells_[use.patch].u : cells_[use.patch].v);
+  }
+
+  // As many as the patch with the most cells needs.
+  std::size_t cells_along(const Edge_uses& uses) const {
+    std::size_t n = 1;
+    for (const Edge_use& use : uses) n = (std::max)(n, number_of_cells(use));
+    return n;
   }
 
   std::size_t add_point(std::size_t patch, const typename Traits::Point& point, const FT& u, const FT& v) {
@@ -71,43 +127,58 @@ private:
     return mesh_.points.size() - 1;
   }
 
-  // The point at one of the ends of an edge.
-  std::size_t end(std::size_t patch, Patch_edge edge, Edge_end which) {
-    const bool last = which == Edge_end::last, u = runs_along_u(edge) ? last : at_upper_end(edge),
-               v = runs_along_u(edge) ? at_upper_end(edge) : last;
+  // The point at a corner.
+  std::size_t corner(std::size_t number) {
+    const std::size_t patch = number / 4;
+    const bool u = number % 4 >= 2, v = number % 2 == 1;
     std::size_t& point = corners_[topology_.corner(patch, u, v)];
     const Patch& s = *patches_[patch];
     if (point == none)
-      point = add_point(patch, s.control_point(u ? s.degree_u() : 0, v ? s.degree_v() : 0),
-                        u ? s.domain_u().second : s.domain_u().first, v ? s.domain_v().second : s.domain_v().first);
+      point = add_point(patch, corner_point(s, u, v), u ? s.domain_u().second : s.domain_u().first,
+                        v ? s.domain_v().second : s.domain_v().first);
     return point;
   }
 
-  // The points of an edge are computed once, from its first use, as many as the patch with the most cells needs.
-  void add_edge(const std::vector<Edge_use>& uses) {
-    std::size_t n = 1;
-    for (const Edge_use& use : uses) n = (std::max)(n, number_of_cells(use));
-    const std::size_t i = uses[0].patch;
+  // The points of an edge are computed once, from its first use.
+  void add_edge(const Edge_uses& uses) {
+    const std::size_t n = cells_along(uses), i = uses[0].patch;
     const Patch_edge edge = uses[0].edge;
+    const std::pair<std::size_t, std::size_t> ends = corners_of(i, edge);
+    const std::size_t first = corner(ends.first), inner = mesh_.points.size();
+    if (n > 1) add_inner_points(i, edge, n);
+    const std::size_t last = corner(ends.second);
+    for (const Edge_use& use : uses)
+      sides_[use.patch][static_cast<std::size_t>(use.edge)] = {edges_.size(), use.backwards};
+    edges_.push_back({first, inner, last, n});
+  }
+
+  void add_inner_points(std::size_t i, Patch_edge edge, std::size_t n) {
     const Patch& s = *patches_[i];
     std::vector<Coordinates<Traits>> net;
     for (int k = 0; k <= s.degree_along(edge); ++k) net.push_back(coordinates<Traits>(s.control_point(edge, k, 0)));
     const std::vector<std::vector<FT>> weights = bernstein_weights<FT>(s.degree_along(edge), n);
     const FT u0 = at_upper_end(edge) ? s.domain_u().second : s.domain_u().first,
              v0 = at_upper_end(edge) ? s.domain_v().second : s.domain_v().first;
-    std::vector<std::size_t> points(1, end(i, edge, Edge_end::first));
     for (std::size_t k = 1; k < n; ++k) {
       const FT t = fraction_of(s.domain(edge), k, n);
       const bool along_u = runs_along_u(edge);
-      points.push_back(
-          add_point(i, to_point<Traits>(weighted_sum(weights[k], net)), along_u ? t : u0, along_u ? v0 : t));
+      add_point(i, to_point<Traits>(weighted_sum(weights[k], net)), along_u ? t : u0, along_u ? v0 : t);
     }
-    points.push_back(end(i, edge, Edge_end::last));
-    for (const Edge_use& use : uses) {
-      std::vector<std::size_t>& side = points_of(use.patch, use.edge);
-      side = points;
-      if (use.backwards) std::reverse(side.begin(), side.end());
+  }
+
+  // The points along an edge of a patch, in the direction of the parameter.
+  void points_of(std::size_t patch, Patch_edge patch_edge, std::vector<std::size_t>& points) {
+    const Side& side = sides_[patch][static_cast<std::size_t>(patch_edge)];
+    points.clear();
+    if (side.edge == none) {
+      points.push_back(corner(corners_of(patch, patch_edge).first));
+      return;
     }
+    const Edge& edge = edges_[side.edge];
+    points.push_back(edge.first);
+    for (std::size_t k = 0; k + 1 < edge.cells; ++k) points.push_back(edge.inner + k);
+    points.push_back(edge.last);
+    if (side.backwards) std::reverse(points.begin(), points.end());
   }
 };
 

@@ -29,18 +29,17 @@ template <class Traits> class Model_topology {
   typedef Bezier_patch<Traits> Patch;
   typedef std::pair<std::size_t, std::size_t> Pair;
 
-  std::vector<const Patch*> patches_;
-  std::vector<std::size_t> parent_;          // of the corner 4 * patch + 2 * (at the end of u) + (at the end of v)
-  std::vector<std::vector<Edge_use>> edges_; // all uses of each edge that is not collapsed
-  std::vector<Pair> pairs_;                  // of corners that have an edge or a diagonal of a patch in common, sorted
+  Edge_groups<Patch> groups_;
+  std::vector<std::size_t> parent_; // of the corner 4 * patch + 2 * (at the end of u) + (at the end of v)
+  std::vector<bool> simple_;        // by patch
 
 public:
-  explicit Model_topology(const std::vector<const Patch*>& patches) : patches_(patches), parent_(4 * patches.size()) {
+  // The patches are not copied.
+  explicit Model_topology(const std::vector<const Patch*>& patches)
+      : groups_(patches), parent_(4 * patches.size()), simple_(patches.size()) {
     std::iota(parent_.begin(), parent_.end(), std::size_t(0));
-    const Edge_groups<Patch> groups(patches_);
-    edges_ = groups.edges();
-    for (const Edge_use& use : groups.collapsed()) unite(ends(use).first, ends(use).second);
-    for (const std::vector<Edge_use>& uses : edges_) {
+    for (const Edge_use& use : groups_.collapsed()) unite(ends(use).first, ends(use).second);
+    for (const Edge_uses& uses : groups_.edges()) {
       const Pair first = ends(uses[0]);
       for (const Edge_use& use : uses) {
         unite(first.first, ends(use).first);
@@ -48,14 +47,17 @@ public:
       }
     }
     for (std::size_t& corner : parent_) corner = root(corner);
-    for (const std::vector<Edge_use>& uses : edges_) pairs_.push_back(vertices(ends(uses[0])));
-    for (std::size_t i = 0; i < patches_.size(); ++i)
-      for (const Pair& diagonal : diagonals(i)) pairs_.push_back(diagonal);
-    std::sort(pairs_.begin(), pairs_.end());
+    std::vector<Pair> pairs; // of corners that have an edge or a diagonal of a patch in common
+    pairs.reserve(groups_.edges().size() + 2 * patches.size());
+    for (const Edge_uses& uses : groups_.edges()) pairs.push_back(vertices(ends(uses[0])));
+    for (std::size_t i = 0; i < patches.size(); ++i)
+      for (const Pair& diagonal : diagonals(i)) pairs.push_back(diagonal);
+    std::sort(pairs.begin(), pairs.end());
+    for (std::size_t i = 0; i < patches.size(); ++i) simple_[i] = is_simple(i, pairs);
   }
 
   // By the first use, which is that of the patch with the least number.
-  const std::vector<std::vector<Edge_use>>& edges() const { return edges_; }
+  const std::vector<Edge_uses>& edges() const { return groups_.edges(); }
 
   // The number, below four times the number of patches, of what may be the corner of several patches.
   std::size_t corner(std::size_t patch, bool end_of_u, bool end_of_v) const {
@@ -64,17 +66,19 @@ public:
 
   // Whether the four corners of the patch are different and no two of them are also two corners of another patch, unless
   // by the edge between them. Then lines from edge to edge through the patch have no double elsewhere.
-  bool simple(std::size_t patch) const {
+  bool simple(std::size_t patch) const { return simple_[patch]; }
+
+private:
+  bool is_simple(std::size_t patch, const std::vector<Pair>& sorted_pairs) const {
     std::vector<Pair> pairs;
     for (Patch_edge edge : patch_edges) pairs.push_back(vertices(ends({patch, edge, false})));
     for (const Pair& diagonal : diagonals(patch)) pairs.push_back(diagonal);
     return std::all_of(pairs.begin(), pairs.end(), [&](const Pair& pair) {
-      const auto range = std::equal_range(pairs_.begin(), pairs_.end(), pair);
+      const auto range = std::equal_range(sorted_pairs.begin(), sorted_pairs.end(), pair);
       return pair.first != pair.second && range.second - range.first == 1;
     });
   }
 
-private:
   std::size_t root(std::size_t corner) {
     while (parent_[corner] != corner) corner = parent_[corner] = parent_[parent_[corner]];
     return corner;
@@ -87,9 +91,7 @@ private:
 
   // The two corners where a use begins and ends.
   static Pair ends(const Edge_use& use) {
-    const std::size_t side = at_upper_end(use.edge), first = 4 * use.patch;
-    const Pair ends =
-        runs_along_u(use.edge) ? Pair(first + side, first + 2 + side) : Pair(first + 2 * side, first + 2 * side + 1);
+    const Pair ends = corners_of(use.patch, use.edge);
     return use.backwards ? Pair(ends.second, ends.first) : ends;
   }
 

@@ -8,8 +8,10 @@
 #include <CGAL/Algebraic_structure_traits.h>
 #include <CGAL/Fraction_traits.h>
 #include <CGAL/Geometric_continuity/numbers/Exact_field.h>
+#include <CGAL/Geometric_continuity/numbers/internal/number_words.h>
 #include <CGAL/number_utils.h>
 
+#include <cstddef>
 #include <type_traits>
 #include <utility>
 
@@ -35,6 +37,8 @@ public:
   typedef typename Exact_number<Field>::type Exact;
   static constexpr bool clears = Has_integer_parts<Exact>::value;
   typedef typename Numerators<Exact, clears>::type Ring;
+
+  explicit Common_denominator(Ring multiple_of = Ring(1)) : d_(std::move(multiple_of)) {}
 
   // Makes the denominator a multiple of that of x.
   void include(const Field& x) {
@@ -64,8 +68,11 @@ public:
       return Field(x);
   }
 
+  const Ring& value() const { return d_; }
+  std::size_t words() const { return number_words(d_); }
+
 private:
-  Ring d_ = Ring(1);
+  Ring d_;
 
   static std::pair<Ring, Ring> parts(const Field& x) {
     std::pair<Ring, Ring> f;

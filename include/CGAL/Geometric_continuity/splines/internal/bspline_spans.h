@@ -33,6 +33,18 @@ namespace internal {
 // So many numbers as local variables where that is known at compile time (`Size > 0`), and otherwise in a vector.
 template <class FT, int Size> using Numbers = std::conditional_t<(Size > 0), std::array<FT, Size>, std::vector<FT>>;
 
+// From the values of the blossom at p successive knots, the first of which are those for a span that begins with the knot
+// *u, to the values where u takes the place of the knots before it: those of the spline without knots before u.
+template <int N, class FT> void without_knots_before(const FT* u, int p, int n, FT* rows) {
+  int m = 1;
+  while (m < p && u[-m] == *u) ++m;
+  for (int r = 1; r <= p - m; ++r)
+    for (int i = 0; i <= p - m - r; ++i) {
+      const FT &left = u[r + i - p], &right = u[1 + i];
+      mix_rows<N>(rows + n * i, rows + n * (i + 1), FT((*u - left) / (right - left)), n, rows + n * i);
+    }
+}
+
 // The Bernstein coefficients of a spline of degree p on one interval [t, a] after the other. The ends of the intervals
 // are the knots of the domain, and others between them.
 //
@@ -69,13 +81,7 @@ public:
       ratios_.resize(p() + 1);
     }
     for (int j = 0; j <= p(); ++j) coefficients_(k_ - p() + j, w(j));
-    int m = 1;
-    while (m < p() && u_[k_ - m] == t_) ++m;
-    for (int r = 1; r <= p() - m; ++r) // without knots before t
-      for (int i = 0; i <= p() - m - r; ++i) {
-        const FT &left = u_[k_ - p() + r + i], &right = u_[k_ + 1 + i];
-        mix_rows<N>(w(i), w(i + 1), FT((t_ - left) / (right - left)), n(), w(i));
-      }
+    without_knots_before<N>(u_ + k_, p(), n(), w_.data());
   }
 
   // Goes on to the interval [t, a].

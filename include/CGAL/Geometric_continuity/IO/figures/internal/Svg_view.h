@@ -77,6 +77,22 @@ inline void svg_normalise(const std::vector<Svg_curve*>& curves) {
     for (Svg_point& p : c->points) p = radius > 0 ? (p - centre) / radius : Svg_point(3);
 }
 
+// 256 samples of each curve, in a figure of up to 256 curves; of more curves fewer, but more of those that are longer.
+inline void svg_choose_samples(const std::vector<Svg_curve*>& curves) {
+  const double most = 256, least = 8, average = most * most / static_cast<double>(curves.size());
+  const auto length = [](const Svg_curve& c) { // of the control polygon
+    double sum = 0;
+    for (std::size_t j = 1; j < c.points.size(); ++j) sum += svg_length(Svg_point(c.points[j] - c.points[j - 1]));
+    return sum;
+  };
+  double total = 0;
+  for (const Svg_curve* c : curves) total += length(*c);
+  for (Svg_curve* c : curves) {
+    const double share = total > 0 ? length(*c) / total : 0;
+    c->samples = static_cast<int>((std::min)(most, (std::max)(least, average + most * most * share)));
+  }
+}
+
 // A tooth of a curvature comb.
 struct Svg_tooth {
   Svg_point foot, tip;
@@ -85,7 +101,6 @@ struct Svg_tooth {
 
 // The view on normalised curves that is shared by all panels of a figure.
 class Svg_view {
-  static constexpr int samples = 256;
   static constexpr double margin = 22; // pixels between the drawing and the edge of its panel
 
   bool spatial_;
@@ -99,7 +114,7 @@ class Svg_view {
 public:
   Svg_view(const std::vector<Svg_curve*>& curves, bool spatial, double width) : spatial_(spatial), width_(width) {
     for (const Svg_curve* c : curves)
-      for (int i = 0; i <= samples; ++i) box_.add(polygon_jet(c->points, i / double(samples), 0)[0]);
+      for (int i = 0; i <= c->samples; ++i) box_.add(polygon_jet(c->points, i / double(c->samples), 0)[0]);
     size_ = 2 * svg_length(svg_vector({box_.radius(0), box_.radius(1), box_.radius(2)}));
     if (!(size_ > 0)) size_ = 1;
     choose_comb_scale(curves);
@@ -138,8 +153,8 @@ public:
   std::vector<Svg_tooth> comb(const Svg_curve& curve, int per_tooth) const {
     std::vector<double> way(1, 0.0);
     Svg_tooth last = tooth(curve, 0);
-    for (int i = 1; i <= samples; ++i) {
-      const Svg_tooth next = tooth(curve, i / double(samples));
+    for (int i = 1; i <= curve.samples; ++i) {
+      const Svg_tooth next = tooth(curve, i / double(curve.samples));
       way.push_back(way.back() + svg_length(next.foot - last.foot) + svg_length(next.tip - last.tip));
       last = next;
     }
@@ -148,9 +163,9 @@ public:
     std::vector<Svg_tooth> teeth;
     for (int i = 0, j = 0; i <= n && n > 0; ++i) {
       const double w = way.back() * i / n;
-      while (j + 1 < samples && way[j + 1] < w) ++j;
+      while (j + 1 < curve.samples && way[j + 1] < w) ++j;
       const double step = way[j + 1] - way[j];
-      teeth.push_back(tooth(curve, (j + (step > 0 ? (std::min)(1.0, (w - way[j]) / step) : 0.0)) / samples));
+      teeth.push_back(tooth(curve, (j + (step > 0 ? (std::min)(1.0, (w - way[j]) / step) : 0.0)) / curve.samples));
     }
     return teeth;
   }
@@ -184,11 +199,11 @@ private:
     std::vector<std::pair<double, double>> weighted; // curvature, length of arc
     double total = 0;
     for (const Svg_curve* c : curves)
-      for (int i = 0; i <= samples && c->style.curvature_comb; ++i) {
-        const Coordinate_jet<double, 3> jet = polygon_jet(c->points, i / double(samples), 2);
+      for (int i = 0; i <= c->samples && c->style.curvature_comb; ++i) {
+        const Coordinate_jet<double, 3> jet = polygon_jet(c->points, i / double(c->samples), 2);
         const std::optional<Svg_point> k = curvature(jet);
         if (!k) continue;
-        weighted.emplace_back(svg_length(*k), svg_length(jet[1]));
+        weighted.emplace_back(svg_length(*k), svg_length(jet[1]) / c->samples);
         total += weighted.back().second;
       }
     if (weighted.empty()) return;
@@ -207,8 +222,8 @@ private:
   void fit(const std::vector<Svg_curve*>& curves) {
     Svg_box<2> picture;
     for (const Svg_curve* c : curves)
-      for (int i = 0; i <= samples; ++i) {
-        const Svg_tooth t = tooth(*c, i / double(samples));
+      for (int i = 0; i <= c->samples; ++i) {
+        const Svg_tooth t = tooth(*c, i / double(c->samples));
         picture.add(project(t.foot));
         if (c->style.curvature_comb) picture.add(project(t.foot + (t.whole ? 1.0 : 2.0 / 3) * (t.tip - t.foot)));
       }

@@ -6,6 +6,7 @@
 #define CGAL_GEOMETRIC_CONTINUITY_IO_FIGURES_INTERNAL_SVG_TEXT_H
 
 #include <CGAL/Geometric_continuity/IO/figures/internal/svg_markup.h>
+#include <CGAL/Geometric_continuity/IO/internal/utf8.h>
 
 #include <algorithm>
 #include <cmath>
@@ -22,15 +23,24 @@ namespace internal {
 
 inline const char* svg_fonts() { return "Helvetica, Arial, 'Liberation Sans', 'DejaVu Sans', sans-serif"; }
 
+// What XML does not allow becomes U+FFFD, and control characters become spaces.
 inline std::string svg_escape(const std::string& text) {
   std::string s;
-  for (char c : text) switch (c) {
+  for_each_utf8_character(text, [&](const Utf8_character& c) {
+    switch (c.code) {
     case '&': s += "&amp;"; break;
     case '<': s += "&lt;"; break;
     case '>': s += "&gt;"; break;
     case '"': s += "&quot;"; break;
-    default: s += static_cast<unsigned char>(c) < ' ' || c == '\x7f' ? ' ' : c;
+    case 0xFFFE:
+    case 0xFFFF: s += replacement_bytes; break;
+    default:
+      if (c.code < ' ' || c.code == 0x7F)
+        s += ' ';
+      else
+        s += c.well_formed ? c.bytes : replacement_bytes;
     }
+  });
   return s;
 }
 
@@ -67,31 +77,6 @@ inline std::string svg_text(double x, double y, double size, const char* colour,
   if (text.empty()) return text;
   return "<text x=\"" + svg_number(x) + "\" y=\"" + svg_number(y) + "\" font-size=\"" + svg_number(size) +
          "\" fill=\"" + colour + "\" text-anchor=\"" + anchor + '"' + more + '>' + svg_escape(text) + "</text>\n";
-}
-
-// Where a label beside p is farthest from all that is drawn and from the edge of the panel, among eight places.
-inline Svg_pixel svg_label_place(const Svg_pixel& p, double text_width, const std::vector<Svg_pixel>& drawn,
-                                 const Svg_pixel& panel_size) {
-  const Svg_pixel half = svg_vector({0.5 * text_width, 4.5});
-  Svg_pixel best = p;
-  double best_distance = -1e6;
-  for (const Svg_pixel& d :
-       {svg_vector({0.0, -1.0}), svg_vector({0.0, 1.0}), svg_vector({1.0, 0.0}), svg_vector({-1.0, 0.0}),
-        svg_vector({0.7, -0.8}), svg_vector({-0.7, -0.8}), svg_vector({0.7, 0.8}), svg_vector({-0.7, 0.8})}) {
-    const Svg_pixel q = p + svg_vector({d[0] * (half[0] + 8), d[1] * (half[1] + 8)});
-    double distance = 12; // farther is not better
-    for (const Svg_pixel& o : drawn) {
-      Svg_pixel away(2); // from the box of the text
-      for (int i : {0, 1}) away[i] = (std::max)(0.0, std::abs(o[i] - q[i]) - half[i]);
-      distance = (std::min)(distance, svg_length(away));
-    }
-    for (int i : {0, 1}) distance = (std::min)({distance, q[i] - half[i] - 2, panel_size[i] - q[i] - half[i] - 2});
-    if (distance > best_distance) {
-      best = q;
-      best_distance = distance;
-    }
-  }
-  return best;
 }
 
 // What the legend calls a curve.

@@ -5,7 +5,10 @@
 #ifndef CGAL_GEOMETRIC_CONTINUITY_IO_SVG_INTERNAL_SVG_PATH_BUILDER_H
 #define CGAL_GEOMETRIC_CONTINUITY_IO_SVG_INTERNAL_SVG_PATH_BUILDER_H
 
+#include <CGAL/Geometric_continuity/Error.h>
+#include <CGAL/Geometric_continuity/IO/limits.h>
 #include <CGAL/Geometric_continuity/IO/svg/Svg_segment.h>
+#include <CGAL/Geometric_continuity/IO/svg/internal/svg_size.h>
 
 #include <initializer_list>
 #include <optional>
@@ -102,6 +105,9 @@ public:
     if (x == current_) return;
     if (parameters.rx == FT(0) || parameters.ry == FT(0)) return add({current_, x});
     const Svg_arc<Traits> arc(to_point<Traits>(current_), to_point<Traits>(x), parameters);
+    if (!is_svg_short<max_svg_radicand_bits>(arc.radicand()) ||
+        !is_svg_short<max_svg_ratio_bits>(FT(parameters.rx / parameters.ry)))
+      throw Error(Error_code::work_limit, "the sizes of an arc differ too much");
     subpath_.segments.push_back({arc, commands_, letter_});
     current_ = x;
   }

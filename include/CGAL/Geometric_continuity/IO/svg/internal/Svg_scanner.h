@@ -6,9 +6,11 @@
 #define CGAL_GEOMETRIC_CONTINUITY_IO_SVG_INTERNAL_SVG_SCANNER_H
 
 #include <CGAL/Geometric_continuity/Error.h>
+#include <CGAL/Geometric_continuity/IO/limits.h>
 #include <CGAL/Geometric_continuity/IO/number.h>
 #include <CGAL/Geometric_continuity/IO/quoted_token.h>
 #include <CGAL/Geometric_continuity/IO/svg/internal/svg_angle.h>
+#include <CGAL/Geometric_continuity/IO/svg/internal/svg_size.h>
 
 #include <cstddef>
 #include <string>
@@ -87,19 +89,27 @@ public:
     return !at_end() && (is_digit(c) || c == '+' || c == '-' || c == '.');
   }
 
-  // Reads a number and what separates it from the next one.
-  template <class FT> FT number() {
+  // Reads a number and nothing behind it.
+  template <class FT> FT leading_number() {
     token_ = position_;
     if (!at_number()) refuse(found() + " where a number is expected");
     skip_number();
     const std::string_view token = text_.substr(token_, position_ - token_);
     try {
       const FT value = number_value<FT>(token);
-      skip_separator();
+      if (!is_svg_short<max_svg_number_bits>(value))
+        throw Number_error("number of more than " + std::to_string(max_svg_number_bits) + " bits");
       return value;
     } catch (const Number_error& error) {
       refuse(error.what() + (": " + quoted_token(token)));
     }
+  }
+
+  // Reads a number and what separates it from the next one.
+  template <class FT> FT number() {
+    const FT value = leading_number<FT>();
+    skip_separator();
+    return value;
   }
 
   // Reads a number of degrees.

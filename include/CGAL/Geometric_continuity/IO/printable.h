@@ -1,0 +1,62 @@
+// Copyright (c) 2026 The Geometric_continuity developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_GEOMETRIC_CONTINUITY_IO_PRINTABLE_H
+#define CGAL_GEOMETRIC_CONTINUITY_IO_PRINTABLE_H
+
+#include <CGAL/Geometric_continuity/IO/internal/utf8.h>
+
+#include <string>
+#include <string_view>
+
+namespace CGAL {
+namespace Geometric_continuity {
+
+namespace internal {
+
+// Whether a character controls a terminal, ends a line or changes the direction of the text.
+inline bool is_control_character(char32_t c) {
+  const auto between = [c](char32_t first, char32_t last) { return first <= c && c <= last; };
+  return c < 0x20 || between(0x7F, 0x9F) || c == 0x061C || between(0x200E, 0x200F) || between(0x2028, 0x202E) ||
+         between(0x2066, 0x2069);
+}
+
+inline std::string escaped_character(const Utf8_character& c) {
+  constexpr char hex[] = "0123456789abcdef";
+  switch (c.code) {
+  case '\n': return "\\n";
+  case '\r': return "\\r";
+  case '\t': return "\\t";
+  }
+  std::string s;
+  if (c.well_formed && 0x80 <= c.code) {
+    s = "\\u";
+    for (int shift = 12; shift >= 0; shift -= 4) s += hex[c.code >> shift & 0xF];
+  } else
+    for (char byte : c.bytes) s += {'\\', 'x', hex[static_cast<unsigned char>(byte) / 16], hex[byte & 0xF]};
+  return s;
+}
+
+} // namespace internal
+
+/// \ingroup PkgGeometricContinuityIO
+/// Returns a text as it can be shown on one line of a terminal, whatever it holds: names of files and of elements come from
+/// outside. Control characters, line separators and characters that change the direction of the text become `\n`, `\r`, `\t`,
+/// `\xhh` or `\uhhhh`, bytes that are not UTF-8 `\xhh`. All else stays, also backslashes, so that a second call changes
+/// nothing.
+inline std::string printable(std::string_view text) {
+  std::string result;
+  internal::for_each_utf8_character(text, [&](const internal::Utf8_character& c) {
+    if (c.well_formed && !internal::is_control_character(c.code))
+      result += c.bytes;
+    else
+      result += internal::escaped_character(c);
+  });
+  return result;
+}
+
+} // namespace Geometric_continuity
+} // namespace CGAL
+
+#endif // CGAL_GEOMETRIC_CONTINUITY_IO_PRINTABLE_H

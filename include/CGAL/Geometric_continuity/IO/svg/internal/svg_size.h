@@ -1,0 +1,51 @@
+// Copyright (c) 2026 The Geometric_continuity developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_GEOMETRIC_CONTINUITY_IO_SVG_INTERNAL_SVG_SIZE_H
+#define CGAL_GEOMETRIC_CONTINUITY_IO_SVG_INTERNAL_SVG_SIZE_H
+
+#include <CGAL/Fraction_traits.h>
+#include <CGAL/Geometric_continuity/numbers/Exact_field.h>
+#include <CGAL/Quotient.h>
+
+#include <type_traits>
+
+namespace CGAL {
+namespace Geometric_continuity {
+namespace internal {
+
+template <class Integer> Integer power_of_two(int exponent) {
+  Integer power(1), square(2);
+  for (; exponent > 0; exponent /= 2) {
+    if (exponent % 2 == 1) power = Integer(power * square);
+    if (exponent > 1) square = Integer(square * square);
+  }
+  return power;
+}
+
+template <class FT> constexpr bool is_quotient = false;
+template <class NT> constexpr bool is_quotient<CGAL::Quotient<NT>> = true;
+
+// Whether the numerator and the denominator of a number have at most `bits` bits. Numbers that are no fractions, such
+// as those in floating point, do not grow; the length of a `Quotient` says nothing, because it may never be cancelled.
+template <int bits, class FT> bool is_svg_short(const FT& x) {
+  typedef typename Exact_number<FT>::type Exact;
+  typedef CGAL::Fraction_traits<Exact> Fraction;
+  if constexpr (std::is_same_v<typename Fraction::Is_fraction, CGAL::Tag_true> && !is_quotient<Exact>) {
+    typedef typename Fraction::Numerator_type Integer;
+    static const Integer bound = power_of_two<Integer>(bits);
+    Integer numerator;
+    typename Fraction::Denominator_type denominator;
+    typename Fraction::Decompose()(Exact_number<FT>::of(x), numerator, denominator);
+    const Integer d(denominator);
+    return numerator < bound && -bound < numerator && d < bound && -bound < d;
+  } else
+    return true;
+}
+
+} // namespace internal
+} // namespace Geometric_continuity
+} // namespace CGAL
+
+#endif // CGAL_GEOMETRIC_CONTINUITY_IO_SVG_INTERNAL_SVG_SIZE_H

@@ -1,0 +1,93 @@
+// Copyright (c) 2026 The Geometric_continuity developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+// The places of labels in a picture, compared with those that a search through all points finds.
+
+#define BOOST_TEST_DYN_LINK
+#define BOOST_TEST_MODULE Svg_label_places
+#include <boost/test/unit_test.hpp>
+
+#include <CGAL/Geometric_continuity/IO/figures/internal/Svg_label_places.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <random>
+#include <vector>
+
+namespace GC = CGAL::Geometric_continuity;
+using GC::internal::Svg_label_places;
+using GC::internal::Svg_pixel;
+using GC::internal::svg_vector;
+
+namespace {
+
+constexpr double width = 120, height = 90;
+
+// How far a box is from the edge and from all points, at most 12.
+double free_distance(const Svg_pixel& q, const Svg_pixel& half, const std::vector<Svg_pixel>& drawn) {
+  double distance = (std::min)(
+      {12.0, q[0] - half[0] - 2, width - q[0] - half[0] - 2, q[1] - half[1] - 2, height - q[1] - half[1] - 2});
+  for (const Svg_pixel& o : drawn) {
+    const double dx = (std::max)(0.0, std::abs(o[0] - q[0]) - half[0]),
+                 dy = (std::max)(0.0, std::abs(o[1] - q[1]) - half[1]);
+    distance = (std::min)(distance, std::sqrt(dx * dx + dy * dy));
+  }
+  return distance;
+}
+
+// The first of the eight places with the greatest distance.
+Svg_pixel place(const Svg_pixel& p, double text_width, const std::vector<Svg_pixel>& drawn) {
+  const Svg_pixel half = svg_vector({0.5 * text_width, 4.5});
+  const std::array<std::array<double, 2>, 8> directions = {
+      {{0, -1}, {0, 1}, {1, 0}, {-1, 0}, {0.7, -0.8}, {-0.7, -0.8}, {0.7, 0.8}, {-0.7, 0.8}}};
+  std::vector<Svg_pixel> places;
+  for (const auto& d : directions) places.push_back(p + svg_vector({d[0] * (half[0] + 8), d[1] * (half[1] + 8)}));
+  return *std::max_element(places.begin(), places.end(), [&](const Svg_pixel& a, const Svg_pixel& b) {
+    return free_distance(a, half, drawn) < free_distance(b, half, drawn);
+  });
+}
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE(the_freest_of_eight_places) {
+  const unsigned seed = 20261122;
+  BOOST_TEST_MESSAGE("seed " << seed);
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> x(-30, width + 30), y(-30, height + 30), text(0, 40);
+  for (int points : {0, 1, 5, 40, 200, 800}) { // of which few share a cell
+    Svg_label_places places(width, height);
+    std::vector<Svg_pixel> drawn;
+    for (int i = 0; i < points; ++i) {
+      drawn.push_back(svg_vector({x(random), y(random)}));
+      places.add_point(drawn.back());
+    }
+    for (int i = 0; i < 200; ++i) {
+      const Svg_pixel p = svg_vector({x(random), y(random)});
+      const double text_width = text(random);
+      BOOST_CHECK(places.place(p, text_width) == place(p, text_width, drawn));
+    }
+  }
+}
+
+// A crowd of points hides no other, and a point that is not finite does no harm.
+BOOST_AUTO_TEST_CASE(crowds) {
+  Svg_label_places places(width, height);
+  for (int i = 0; i < 100000; ++i) places.add_point(svg_vector({60.0 + 1e-6 * i, 20.0}));
+  places.add_point(svg_vector({60.0, 70.0}));
+  places.add_point(svg_vector({std::nan(""), 0.0}));
+  places.add_point(svg_vector({HUGE_VAL, -HUGE_VAL}));
+  const Svg_pixel above = places.place(svg_vector({60.0, 32.5}), 10),
+                  below = places.place(svg_vector({60.0, 57.5}), 10);
+  BOOST_CHECK(above[1] > 32.5 || above[0] != 60);
+  BOOST_CHECK(below[1] < 57.5 || below[0] != 60);
+  // a segment is as its ends and the points between them
+  Svg_label_places segment(width, height), same(width, height);
+  segment.add_segment(svg_vector({10.0, 40.0}), svg_vector({50.0, 40.0}), 4);
+  for (double x : {10.0, 20.0, 30.0, 40.0, 50.0}) same.add_point(svg_vector({x, 40.0}));
+  for (double x = 0; x < width; x += 5) {
+    const Svg_pixel p = svg_vector({x, 48.0});
+    BOOST_CHECK(segment.place(p, 12) == same.place(p, 12));
+  }
+}

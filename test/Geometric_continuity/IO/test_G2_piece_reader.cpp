@@ -1,0 +1,116 @@
+// Copyright (c) 2026 The Geometric_continuity developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+// Curves in .g2 files that are read piece by piece.
+
+#define BOOST_TEST_DYN_LINK
+#define BOOST_TEST_MODULE G2_piece_reader
+#include <boost/test/unit_test.hpp>
+
+#include <CGAL/Exact_rational.h>
+#include <CGAL/Geometric_continuity/IO/G2_piece_reader.h>
+#include <CGAL/Geometric_continuity/IO/g2.h>
+#include <CGAL/Geometric_continuity/Traits_2.h>
+#include <CGAL/Simple_cartesian.h>
+
+#include <optional>
+#include <random>
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace GC = CGAL::Geometric_continuity;
+
+typedef CGAL::Exact_rational Q;
+typedef GC::Traits_2<CGAL::Simple_cartesian<Q>> Exact;
+typedef GC::Traits_2<CGAL::Simple_cartesian<double>> Rounded;
+typedef std::vector<GC::Bezier_curve<Exact>> Pieces;
+
+namespace {
+
+template <class Source> Pieces read_pieces(const std::string& text) {
+  std::istringstream is(text);
+  GC::G2_piece_reader<Exact, Source> reader(is, "f.g2");
+  Pieces pieces;
+  while (const std::optional<GC::Bezier_curve<Exact>> piece = reader.next()) pieces.push_back(*piece);
+  return pieces;
+}
+
+// The pieces of the curves that are read as a whole.
+Pieces pieces_of_curves(const std::string& text) {
+  std::istringstream is(text);
+  Pieces pieces;
+  for (const GC::Bspline_curve<Exact>& curve : GC::read_g2_bsplines<Exact>(is, "f.g2"))
+    for (const GC::Bezier_curve<Exact>& piece : curve.bezier_pieces()) pieces.push_back(piece);
+  return pieces;
+}
+
+template <class Function> std::string error_of(Function f) {
+  try {
+    f();
+  } catch (const GC::Error& error) {
+    return error.what();
+  }
+  return "no error";
+}
+
+} // namespace
+
+// Of all degrees, with knots of all multiplicities, also outside of the domain and at its ends. The numbers are halves of
+// integers, which are the same in floating point.
+BOOST_AUTO_TEST_CASE(the_pieces_are_those_of_the_curves) {
+  const unsigned seed = 20261122;
+  BOOST_TEST_MESSAGE("seed " << seed);
+  std::mt19937 random(seed);
+  std::ostringstream text;
+  for (int i = 0; i < 200; ++i) {
+    const int order = i % 25 == 0 ? 15 + i / 25 % 4 : 1 + i % 6, points = order + static_cast<int>(random() % 12);
+    std::vector<int> knots(points + order); // in halves; u_{j + order} > u_j, and the domain is not empty
+    for (int j = 0; j < points + order; ++j) {
+      knots[j] = j == 0 ? -3 : knots[j - 1] + (random() % 3 == 0 ? static_cast<int>(random() % 4) : 0);
+      if (j >= order && knots[j] == knots[j - order]) ++knots[j];
+      if (j == points && knots[j] == knots[order - 1]) ++knots[j];
+    }
+    text << "100 1 0 0 2 0\n" << points << ' ' << order << '\n';
+    for (int u : knots) text << u << "/2 ";
+    for (int j = 0; j < 2 * points; ++j) text << '\n' << static_cast<int>(random() % 100) * 0.5;
+    text << "\n\n";
+  }
+  const Pieces expected = pieces_of_curves(text.str());
+  BOOST_CHECK_GT(expected.size(), 400);
+  BOOST_CHECK(read_pieces<Exact>(text.str()) == expected);
+  BOOST_CHECK(read_pieces<Rounded>(text.str()) == expected);
+}
+
+// Numbers are rounded where the source says so, and before anything is computed.
+BOOST_AUTO_TEST_CASE(numbers_of_the_source) {
+  const std::string text = "100 1 0 0\n2 0\n3 2\n0 0 .1 1 1\n0 0\n.1 .2\n1 0\n";
+  const Pieces exact = read_pieces<Exact>(text), rounded = read_pieces<Rounded>(text);
+  BOOST_REQUIRE_EQUAL(exact.size(), 2);
+  BOOST_REQUIRE_EQUAL(rounded.size(), 2);
+  BOOST_CHECK(exact[0].domain().second == Q(1) / 10);
+  BOOST_CHECK(rounded[0].domain().second == Q(0.1));
+  BOOST_CHECK(rounded[1].control_point(0).y() == Q(0.2));
+}
+
+// In the words of the reader of whole curves, with line and reason, wherever the text is wrong.
+BOOST_AUTO_TEST_CASE(refused_as_whole_curves) {
+  const std::string header = "100 1 0 0\n2 0\n", points = "\n0 0\n1 2\n3 4\n5 6\n";
+  for (const std::string& text :
+       {std::string(), header, header + "4 3\n0 0 0 1/2 2 2\n1" + points, header + "4 3\n0 0 1\n.5 2 2 2" + points,
+        header + "4 3\n0 0 0\n0 2 2 2" + points, header + "4 3\n0 1 2 2 2 3 4" + points,
+        header + "4 3\n0 0 0 1 1 1\n1" + points, header + "4 5\n" + points, header + "4 129\n" + points,
+        header + "2147483647 3\n0 0 0 1 2 x" + points, header + "5 3\n0 0 0 1 2 3 3 3" + points,
+        header + "40 3\n0" + points, header + "4 3\n0 0 0 1 2 2 2\n0 0\n1 2\n3 4\n5 six\n",
+        header + "4 3\n0 0 0 1 2 2 2" + points + "100 1 0 0\n3 0\n", header + "4 3\n0 0 0 1 2 2 2" + points + "200"}) {
+    const std::string expected = error_of([&] { pieces_of_curves(text); });
+    BOOST_CHECK_NE(expected, "no error");
+    BOOST_CHECK_EQUAL(error_of([&] { read_pieces<Exact>(text); }), expected);
+  }
+  // with rounded numbers
+  const std::string far_apart = header + "2 2\n-1e308 -1e308 1e308 1e308\n0 0 1 1\n";
+  BOOST_CHECK_EQUAL(
+      error_of([&] { read_pieces<Rounded>(far_apart); }),
+      "malformed_input: f.g2:4: the difference of the knots is outside the range of floating-point numbers");
+}

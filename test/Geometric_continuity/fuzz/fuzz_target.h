@@ -1,0 +1,61 @@
+// Copyright (c) 2026 The Geometric_continuity developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef GEOMETRIC_CONTINUITY_FUZZ_FUZZ_TARGET_H
+#define GEOMETRIC_CONTINUITY_FUZZ_FUZZ_TARGET_H
+
+// What the fuzz targets have in common. Each is one function of bytes, which libFuzzer or replay_main.cpp calls: typed
+// errors are expected, everything else that escapes is a mistake, and so is a property that does not hold.
+
+#include <CGAL/Geometric_continuity/Error.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+#include <string>
+#include <string_view>
+
+namespace GC = CGAL::Geometric_continuity;
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);
+
+inline std::string_view fuzz_text(const std::uint8_t* data, std::size_t size) {
+  return std::string_view(reinterpret_cast<const char*>(data), size);
+}
+
+// Ends the process unless a property holds.
+inline void require(bool property, const char* what) {
+  if (property) return;
+  std::fprintf(stderr, "not true: %s\n", what);
+  std::abort();
+}
+
+// Calls f and returns whether it ended without a typed error, which must have a text.
+template <class Function> bool accepts(Function f) {
+  try {
+    f();
+    return true;
+  } catch (const GC::Error& error) {
+    require(std::string_view(error.what()).size() > to_string(error.code()).size() + 2, "an error has a reason");
+    return false;
+  }
+}
+
+// Whether a text has an exponent of three or more digits, so that deciding on its numbers may take long.
+inline bool has_long_exponent(std::string_view text) {
+  std::size_t digits = 0;
+  bool exponent = false;
+  for (const char c : text) {
+    const bool digit = '0' <= c && c <= '9';
+    if (exponent && digit && ++digits > 2) return true;
+    if (!digit && !(exponent && digits == 0 && (c == '+' || c == '-'))) {
+      exponent = c == 'e' || c == 'E';
+      digits = 0;
+    }
+  }
+  return false;
+}
+
+#endif // GEOMETRIC_CONTINUITY_FUZZ_FUZZ_TARGET_H

@@ -1,0 +1,62 @@
+# What the tests of the program have in common. A test is called as bash test_NAME.sh PROGRAM DATA_FOLDER WORK_FOLDER, and
+# begins with
+#   . "$(dirname "$0")/functions.sh"
+# which moves to an empty work folder. When the test ends, its exit code tells whether a check has failed.
+set -u
+program=$1 data=$2 work=$3
+rm -rf "$work" && mkdir -p "$work" && cd "$work" || exit 1
+failures=0 checks=0
+finish() {
+  local code=$?
+  echo "$checks checks, $failures failures"
+  [ $failures -eq 0 ] && [ $checks -gt 0 ] || code=1
+  exit $code
+}
+trap finish EXIT
+
+S=$data/lmroman10-regular_S_0.g2 L=$data/space_left.g2 R=$data/space_right.g2 teapot=$data/teapot.g2
+
+# run CODE ARGUMENTS...: the exit code of the program is CODE; output and errors are kept in the files out and err
+run() {
+  local expected=$1 code=0
+  shift
+  checks=$((checks + 1))
+  "$program" "$@" >out 2>err </dev/null || code=$?
+  [ "$code" -eq "$expected" ] && return
+  failures=$((failures + 1))
+  echo "exit code $code instead of $expected: $*"
+  head -c 5000 out err
+}
+# says FILE TEXT...: the file contains each text
+says() {
+  local file=$1 text
+  shift
+  for text in "$@"; do
+    checks=$((checks + 1))
+    grep -qF -- "$text" "$file" && continue
+    failures=$((failures + 1))
+    echo "'$text' is missing in $file:"
+    head -c 5000 "$file"
+  done
+}
+# holds CONDITION...: the shell condition is true
+holds() {
+  checks=$((checks + 1))
+  if ! "$@"; then
+    failures=$((failures + 1))
+    echo "not true: $*"
+  fi
+}
+
+# Texts of the format .g2 after what they have in common: any curve, a curve of dimension 3, a cubic on [0, 1] by its
+# points, a biquadratic surface with a double knot in u by its knots in v and its points.
+curve() { printf '100 1 0 0\n%s\n' "$1"; }
+spline() { curve "3 0"$'\n'"$1"; }
+cubic() { spline $'4 4\n0 0 0 0 1 1 1 1\n'"$1"; }
+flat() { printf '200 1 0 0\n3 0\n5 3\n0 0 0 1 1 2 2 2\n2 2\n%s\n' "$1"; }
+# The file drawing.svg with these elements.
+svg() { printf '<svg xmlns="http://www.w3.org/2000/svg">\n%s</svg>\n' "$1" >drawing.svg; }
+# A curve with two inner knots, of which one is double.
+two_knots=$'7 4\n0 0 0 0 1 2 2 3 3 3 3\n0 0 0\n1 2 0\n2 3 1\n4 1 1\n5 0 3\n7 2 2\n8 3 0'
+# A flat surface.
+flat_points=$'0 0 1 1\n0 0 0\n1 0 0\n2 0 0\n3 0 0\n4 0 0\n0 1 0\n1 1 0\n2 1 0\n3 1 0\n4 1 0'

@@ -1,0 +1,53 @@
+#!/usr/bin/env bash
+# verify of chains: orders, requirements, tolerances, inner knots.
+. "$(dirname "$0")/functions.sh"
+
+run 0 blend "$L" "$R" -o blend.g2
+run 1 blend "$L" "$R" --kernel double -o double.g2
+
+# joins within a tolerance
+run 1 verify "$L" double.g2 "$R" --kernel double --require G2 --within 1e-12,1e-25,0
+run 0 verify "$L" double.g2 "$R" --kernel double --require G2 --within 1e-9,1e-9,0 && says out "within the tolerance, proved"
+run 0 verify "$L" double.g2 "$R" --kernel double --within 1e-9,1e-9,0 --json && says out '"within":["proved","proved","proved",' '"tangent_angle":['
+run 0 verify --closed "$S" --within 0.004,0.1,0 && says out "order 0 proved, 1 proved, 2 refuted" "tangent angle"
+for bad in 1,2 1,2,x -1,0,0 1,2,3,4,5 nan,0,0; do run 2 verify "$L" "$R" --within $bad && says err "within"; done
+run 2 verify --closed "$S" --within 1,1,1 --require C1 && run 2 verify "$S" --within 1
+
+# orders and requirements
+run 0 verify --closed "$S" && says out "28 joins: 12 G0, 12 G1, 4 G2" "kink of 0.2217 degrees" "zero tangent at the start" \
+  "curvature jumps from"
+run 0 verify --closed "$S" --require C0 && run 1 verify --closed "$S" --require G1 && run 1 verify "$L" "$R" --require C0
+run 1 verify "$L" "$R" --json --require C0 && says out '"c_order":-1,"g_order":-1,"f_order":-1,"betas":[]' '"met":false'
+run 0 verify "$L" blend.g2 "$R" --max-order 0 && run 0 verify "$L" blend.g2 "$R" --max-order 9
+run 2 verify "$L" blend.g2 "$R" --max-order 33 && run 2 verify "$L" blend.g2 "$R" --max-order two
+for bad in G X2 G2x g2 2 "" G99; do run 2 verify --closed "$S" --require "$bad" && says err "--require"; done
+run 2 verify --closed "$S" --require F3 && says err "at most the dimension"
+run 2 verify "$L" && says err "no join"
+if command -v python3 >/dev/null; then
+  run 0 verify --closed "$S" --json
+  holds python3 -c "import json; d = json.load(open('out')); assert len(d['joins']) == 28 and d['joins'][27]['right'] == 0"
+fi
+
+# curves with inner knots: each knot is a join, decided exactly with both kernels
+spline "$two_knots" >spline.g2
+for kernel in exact double; do
+  run 0 verify spline.g2 --kernel $kernel --require C1 && says out "2 joins: 1 G1, 1 G2"
+  run 1 verify spline.g2 --kernel $kernel --require G2 && says out "1 of them not G2"
+done
+run 0 verify spline.g2 --json && says out '{"left":0,"right":1,"c_order":2' '{"left":1,"right":2,"c_order":1'
+run 0 blend spline.g2 "$R" -o blend.g2 && says out "proved in exact arithmetic"
+run 0 verify spline.g2 blend.g2 "$R" && says out "4 joins: 1 G1, 3 G2"
+run 0 blend "$L" spline.g2 --order 3 -o blend.g2 && run 0 verify "$L" blend.g2 spline.g2 && says out "4 joins: 1 G1, 1 G2, 2 G3"
+run 1 blend spline.g2 "$R" --kernel double
+run 0 extend spline.g2 --order torsion --c0 3 --c2 0 --plot three.svg -o three.g2 && run 0 verify three.g2 --json
+says out '{"left":2,"right":3,"c_order":1,"g_order":2,"f_order":3'
+holds [ "$(grep -c '^100 ' three.g2)" -eq 4 ]
+run 0 plot spline.g2 -o spline.svg && says spline.svg ">G1<" ">G2<"
+spline $'7 4\n-3 -2 -1 0 1 2 3 4 5 6 7\n0 0 0\n4 0 1\n4 4 0\n0 4 1\n0 0 0\n4 0 1\n4 4 0' >round.g2
+run 0 verify --closed round.g2 --require C2 && says out "4 joins"
+run 0 blend round.g2 --replace 1 -o replaced.g2 && run 0 verify --closed replaced.g2 --require G2
+run 2 blend round.g2 --replace 4 -o no.g2
+spline $'4 2\n0 0 1 1 3 3\n0 0 0\n1 0 0\n1 1 0\n2 1 0' >jump.g2
+run 1 verify jump.g2 --require C0 && says out "1 gap"
+spline $'4 2\n0 0 1 .5 3 3\n0 0 0\n1 0 0\n1 1 0\n2 1 0' >bad.g2
+run 2 verify bad.g2 && says err "bad.g2:4" "the knots decrease"

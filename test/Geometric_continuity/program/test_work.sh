@@ -1,0 +1,82 @@
+# Cost is bounded: small files with huge numbers, high degrees and odd tolerances end soon, with an answer or a refusal that
+# says how to allow more.
+. "$(dirname "$0")/functions.sh"
+
+# bounded SECONDS CODE ARGUMENTS...: the program ends in time, with this code
+bounded() {
+  local seconds=$1 expected=$2 code=0
+  shift 2
+  checks=$((checks + 1))
+  timeout "$seconds" "$program" "$@" >out 2>err </dev/null || code=$?
+  [ "$code" -eq "$expected" ] && return
+  failures=$((failures + 1))
+  echo "exit code $code instead of $expected within $seconds seconds: $*"
+  head -c 2000 out err
+}
+
+# Two bilinear surfaces with one edge, of which the rest is given.
+bilinear() { printf '200 1 0 0\n3 0\n2 2\n0 0 1 1\n2 2\n0 0 1 1\n0 5e300 -7e4000\n3 1 8e-4000\n%s\n' "$1"; }
+{ bilinear $'6e4000 0 -4e4000\n-8e-278 0 0'; bilinear $'-1 -9e-4000 -2e-300\n-9e-986 0 -9e-300'; } >huge.g2
+bounded 60 0 verify --surfaces huge.g2
+says out "0 v0 - 1 v0: G0 (crease)" "1 creases"
+for tolerance in 1e308,1e308 1e308,5e-324 5e-324,1e308 0,0 0,1e-300; do
+  bounded 60 0 verify --surfaces --within $tolerance huge.g2
+  bounded 60 0 verify --surfaces --within $tolerance "$teapot"
+done
+run 2 verify --surfaces --max-work 1 huge.g2
+says err "huge.g2: work_limit: patch 0 v0 - patch 1 v0" "more than 1 steps of work" "--max-work N"
+holds test ! -s out
+run 2 verify --surfaces --max-work 1000 --json huge.g2
+holds test ! -s out
+
+# B-splines of high order with as many inner knots.
+high_order() { # ORDER
+  awk -v k="$1" 'BEGIN {
+    print "100 1 0 0\n2 0\n" 2 * k, k
+    for (i = 0; i < k; ++i) printf "0 "
+    for (i = 1; i <= k; ++i) printf "%d ", i
+    for (i = 0; i < k; ++i) printf "%d ", k + 1
+    print ""
+    for (i = 0; i < 2 * k; ++i) print (i * 37) % 101, (i * 53) % 97
+  }'
+}
+high_order 64 >order64.g2
+bounded 30 0 verify --require G3 order64.g2
+says out "64 joins"
+high_order 128 >order128.g2
+bounded 120 0 verify --require G3 order128.g2
+says out "128 joins"
+run 2 verify --max-work 1000000 order64.g2
+says err "order64.g2: work_limit" "--max-work N"
+
+# Orders up to 32 of curves with long fractions: one polynomial on both sides of a knot, so that all orders hold.
+long_fractions() { # DIGITS
+  awk -v digits="$1" 'BEGIN {
+    srand(7)
+    print "100 1 0 0\n2 0\n35 34"
+    for (i = 0; i < 34; ++i) printf "0 "
+    printf "1 "
+    for (i = 0; i < 34; ++i) printf "2 "
+    print ""
+    for (i = 0; i < 70; ++i) {
+      number = ""
+      for (j = 0; j < 2 * digits; ++j) number = number (j == digits ? "/" : "") 1 + int(9 * rand())
+      printf "%s%s", number, i % 2 ? "\n" : " "
+    }
+  }'
+}
+long_fractions 40 >fractions.g2
+bounded 60 0 verify --max-order 32 --require G32 fractions.g2
+run 2 verify --max-order 32 --max-work 100000 fractions.g2
+says err "fractions.g2: " "--max-work N"
+long_fractions 1900 >longer.g2
+bounded 120 2 verify --max-order 32 longer.g2
+says err "longer.g2: " "--max-work N"
+
+# The option.
+for word in 0 -1 x 1e9 1.5 "" 99999999999999999999999; do
+  run 2 verify --max-work "$word" "$S"
+  says err "--max-work: '$word'"
+done
+run 0 verify --max-work 18446744073709551615 "$S"
+run 0 verify --surfaces --max-work 100000000 "$teapot"
