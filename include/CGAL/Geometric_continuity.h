@@ -62,8 +62,10 @@
 #include <CGAL/Geometric_continuity/curves/bounding_boxes.h>
 #include <CGAL/Geometric_continuity/curves/control_polygon.h>
 #include <CGAL/Geometric_continuity/curves/cubic_bases.h>
+#include <CGAL/Geometric_continuity/curves/curvature_extrema.h>
 #include <CGAL/Geometric_continuity/curves/end_control_points.h>
 #include <CGAL/Geometric_continuity/curves/evaluate_batch.h>
+#include <CGAL/Geometric_continuity/curves/fairness.h>
 #include <CGAL/Geometric_continuity/curves/piecewise_cubics.h>
 #include <CGAL/Geometric_continuity/curves/polygon_invariants.h>
 #include <CGAL/Geometric_continuity/curves/polyline.h>

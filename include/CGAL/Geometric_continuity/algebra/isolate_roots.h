@@ -52,24 +52,21 @@ template <class FT> class Root_isolation {
   };
 
   const FT width_;
-  int bisections_; // that are left
+  const int most_bisections_;
+  int bisections_ = 0; // that are left
+  bool all_simple_ = true, given_up_ = false;
   std::vector<Root> roots_;
   std::vector<Part> parts_;
 
 public:
-  Root_isolation(const FT& width, int bisections) : width_(width), bisections_(bisections) {}
+  Root_isolation(const FT& width, int bisections) : width_(width), most_bisections_(bisections) {}
 
+  // Most polynomials have simple roots only, which Descartes' rule shows without Euclid's algorithm: an interval with one
+  // variation has one root, and it is simple. The square-free part is for those where bisection does not end.
   std::vector<Root> operator()(const Polynomial& p) {
-    Power_polynomial<FT> f(p), g = greatest_common_divisor(f, f.derivative());
-    find(whole_multiple(f.divide(g).bernstein()));
+    find(whole_multiple(p));
+    if (given_up_) find_with_multiplicities(p);
     std::sort(roots_.begin(), roots_.end(), [](const Root& x, const Root& y) { return bool(x.begin < y.begin); });
-    while (g.degree() >= 1) { // it has the same roots, each once less
-      f = std::move(g);
-      g = greatest_common_divisor(f, f.derivative());
-      const Polynomial s = f.divide(g).bernstein();
-      for (Root& root : roots_)
-        if (has_root(s, root)) ++root.multiplicity;
-    }
     return std::move(roots_);
   }
 
@@ -79,12 +76,29 @@ public:
   }
 
 private:
+  void find_with_multiplicities(const Polynomial& p) {
+    all_simple_ = given_up_ = false;
+    roots_.clear();
+    parts_.clear();
+    Power_polynomial<FT> f(p), g = greatest_common_divisor(f, f.derivative());
+    find(whole_multiple(f.divide(g).bernstein()));
+    while (g.degree() >= 1) { // it has the same roots, each once less
+      f = std::move(g);
+      g = greatest_common_divisor(f, f.derivative());
+      const Polynomial s = f.divide(g).bernstein();
+      for (Root& root : roots_)
+        if (has_root(s, root)) ++root.multiplicity;
+    }
+  }
+
   void find(const Whole& s) {
+    bisections_ = most_bisections_;
     if (s.degree() == 0) return;
+    given_up_ = all_simple_ && (s.order_at_0() > 1 || s.order_at_1() > 1);
     if (s[0] == Number(0)) roots_.push_back({FT(0), FT(0)});
     if (s[s.degree()] == Number(0)) roots_.push_back({FT(1), FT(1)});
     add_part(s, FT(0), FT(1), false, false);
-    while (!parts_.empty()) {
+    while (!parts_.empty() && !given_up_) {
       const Part part = std::move(parts_.back());
       parts_.pop_back();
       bisect(part);
@@ -104,16 +118,23 @@ private:
       roots_.push_back({root, root});
     } else if (variations == 1 && !(width_ < FT(end - begin)) && !root_at_begin && !root_at_end)
       roots_.push_back({begin, end});
-    else
+    else {
+      given_up_ = given_up_ || (all_simple_ && variations > 1 && FT(end - begin) * FT(1 << 24) * FT(1 << 24) < FT(1));
       parts_.push_back({std::move(inside.rest), begin, end, root_at_begin, root_at_end});
+    }
   }
 
   void bisect(const Part& part) {
-    if (--bisections_ < 0) throw Error(Error_code::work_limit, "isolate_roots: too many bisections");
+    if (--bisections_ < 0) {
+      given_up_ = all_simple_;
+      if (given_up_) return;
+      throw Error(Error_code::work_limit, "isolate_roots: too many bisections");
+    }
     const FT middle = (part.begin + part.end) / FT(2);
     const std::pair<Whole, Whole> halves = part.rest.halves();
     const bool root = halves.second[0] == Number(0);
     if (root) roots_.push_back({middle, middle});
+    given_up_ = given_up_ || (all_simple_ && halves.second.order_at_0() > 1);
     add_part(halves.first, part.begin, middle, part.root_at_begin, root);
     add_part(halves.second, middle, part.end, root, part.root_at_end);
   }
@@ -128,15 +149,16 @@ private:
 /// isolated roots.
 ///
 /// Exact: floating-point coefficients are taken as the rational numbers they are. Descartes' rule in Bernstein form
-/// separates the roots of the square-free part by bisection.
+/// separates the roots by bisection; where it does not, as with multiple roots, those of the square-free part.
 ///
 /// \param p the polynomial, of degree `n`
 /// \param width the greatest length of an interval
 /// \param most_bisections the work that is allowed. Each bisection takes \f$ O(n^2) \f$ additions of whole numbers that
 ///        grow by `n` binary digits with each of those before it that led to the same interval. An interval of length
 ///        \f$ 2^{-k} \f$ takes `k` bisections; roots that are close to each other take more, at most about \f$ n \f$
-///        times as many as the coefficients have digits. The square-free part and the multiplicities cost
-///        \f$ O(n^2) \f$ operations besides.
+///        times as many as the coefficients have digits. Where roots are multiple or less than about \f$ 2^{-48} \f$ apart,
+///        there are up to twice as many, and the square-free part and the multiplicities cost \f$ O(n^2) \f$ operations
+///        besides.
 /// \throws Error `empty_domain` unless `width > 0`, `not_finite` when a coefficient is infinite or not a number
 /// \throws Error `work_limit` when more bisections are needed, `negative_count` when `most_bisections` is negative
 template <class FT>

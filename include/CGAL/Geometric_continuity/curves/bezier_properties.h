@@ -9,7 +9,7 @@
 #include <CGAL/Geometric_continuity/algebra/isolate_roots.h>
 #include <CGAL/Geometric_continuity/algebra/sign_pattern.h>
 #include <CGAL/Geometric_continuity/curves/Bezier_curve.h>
-#include <CGAL/Geometric_continuity/numbers/Exact_field.h>
+#include <CGAL/Geometric_continuity/curves/internal/decision_numbers.h>
 #include <CGAL/Geometric_continuity/numbers/internal/checked_numbers.h>
 
 #include <optional>
@@ -35,9 +35,6 @@ template <class Traits> typename Traits::Vector direction(const Coordinates<Trai
   for (const typename Traits::FT& x : v) check_finite(x, place);
   return to_vector<Traits>(v);
 }
-
-// The exact field for the numbers of a kernel: that of its predicates, and never a rounded one.
-template <class Traits> using Decision_FT = typename Exact_field<Predicate_FT<Traits>>::type;
 
 } // namespace internal
 

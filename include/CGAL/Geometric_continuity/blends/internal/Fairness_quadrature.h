@@ -18,6 +18,8 @@
 // of nodes. With a = d1.d2/g, b = d1.d3/g, g = d1.d1,
 //
 //   f = M / g^(5/4),   M = d3 - 3a d2 + (3a^2 - b) d1,   E = L^3 int |f|^2 dt,   L = int sqrt(g) dt.
+//
+// E of any curve, to a precision, is in curves/fairness.h.
 
 CGAL_GEOMETRIC_CONTINUITY_LOOP_WARNINGS_OFF
 

@@ -1,0 +1,143 @@
+// Copyright (c) 2026 The Geometric_continuity developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_GEOMETRIC_CONTINUITY_CURVES_INTERNAL_CURVATURE_POLYNOMIALS_H
+#define CGAL_GEOMETRIC_CONTINUITY_CURVES_INTERNAL_CURVATURE_POLYNOMIALS_H
+
+#include <CGAL/Geometric_continuity/algebra/Bernstein_polynomial.h>
+#include <CGAL/Geometric_continuity/algebra/Coordinate_vector.h>
+#include <CGAL/Geometric_continuity/algebra/isolate_roots.h>
+#include <CGAL/Geometric_continuity/algebra/sign_pattern.h>
+#include <CGAL/Geometric_continuity/local/curvatures.h>
+#include <CGAL/Geometric_continuity/numbers/Enclosure.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <utility>
+#include <vector>
+
+// The curvature of a Bezier curve as polynomials of the local parameter t in [0, 1], in an exact field. With the derivatives
+// d1, d2, the speed g = d1.d1 and the components w_ij = d1_i d2_j - d1_j d2_i, i < j, of the area d1 ^ d2,
+//
+//   kappa^2 = S / g^3,  S = sum of w_ij^2,     in the plane  kappa = w / g^(3/2),  w = w_01.
+//
+// The derivative of the curvature has the sign of
+//
+//   2 g w' - 3 g' w  in the plane,             g S' - 3 g' S  in other dimensions, where kappa >= 0,
+//
+// which for degree m >= 2 are of degree 4m - 7 and 6m - 11: 2 g w' - 3 g' w = 2 (g det(d1, d3) - 3 (d1.d2) det(d1, d2)). The
+// leading coefficients cancel, so that w is of degree 2m - 4 and S of degree 4m - 8.
+
+namespace CGAL {
+namespace Geometric_continuity {
+namespace internal {
+
+template <class NT> class Curvature_polynomials {
+  typedef Bernstein_polynomial<NT> Polynomial;
+
+  Polynomial g_{NT(0)};
+  std::vector<Polynomial> w_;
+  Polynomial s_{NT(0)};
+
+public:
+  // From the control points of the curve.
+  template <int N> explicit Curvature_polynomials(const std::vector<Coordinate_vector<NT, N>>& rows) {
+    const int dimension = rows.front().dimension();
+    std::vector<Polynomial> d1, d2;
+    for (int i = 0; i < dimension; ++i) {
+      std::vector<NT> c;
+      for (const Coordinate_vector<NT, N>& row : rows) c.push_back(row[i]);
+      d1.push_back(Polynomial(std::move(c)).derivative());
+      d2.push_back(d1.back().derivative());
+      g_ = g_ + d1[i] * d1[i];
+      for (int j = 0; j < i; ++j) {
+        w_.push_back(d1[j] * d2[i] - d1[i] * d2[j]);
+        s_ = s_ + w_.back() * w_.back();
+      }
+    }
+  }
+
+  // Whether the curve has a tangent everywhere.
+  bool is_regular() const { return sign_pattern(g_) == Sign_pattern::positive; }
+
+  // Whether the curvature is zero everywhere.
+  bool is_straight() const { return Power_polynomial<NT>(s_).is_zero(); }
+
+  bool is_planar() const { return w_.size() == 1; }
+
+  // A polynomial with the sign of the derivative of the curvature.
+  Polynomial slope() const {
+    const NT two(2), three(3);
+    if (is_planar()) return Polynomial{two} * g_ * w_[0].derivative() - Polynomial{three} * g_.derivative() * w_[0];
+    return g_ * s_.derivative() - Polynomial{three} * g_.derivative() * s_;
+  }
+
+  // The zeros of the curvature. At an inflection d1 ^ d2 changes its direction: it is (t - t0)^k times what is not zero, with an
+  // odd k.
+  std::vector<Isolated_root<NT>> inflections(const NT& width) const {
+    std::vector<Isolated_root<NT>> roots = isolate_roots(is_planar() ? w_[0] : s_, width);
+    const int even = is_planar() ? 1 : 2; // the multiplicity is k times this
+    roots.erase(std::remove_if(roots.begin(), roots.end(),
+                               [even](const Isolated_root<NT>& r) { return r.multiplicity / even % 2 == 0; }),
+                roots.end());
+    return roots;
+  }
+
+  // The curvature at an end of the curve.
+  Signed_square<NT> start_curvature() const { return end_curvature(false); }
+  Signed_square<NT> end_curvature() const { return end_curvature(true); }
+
+  // A positive multiple of d1 ^ d2 near an end: as the Bernstein polynomials fall off one by one, its first coefficient that is
+  // not zero. Zeros if the curve is straight.
+  std::vector<NT> start_area() const { return area(false); }
+  std::vector<NT> end_area() const { return area(true); }
+
+  // The values of the curvature on [from, to], signed in the plane. Empty unless the speed is proved to be positive there.
+  std::optional<Enclosure> curvature(const NT& from, const NT& to) const {
+    const std::pair<NT, NT> g = range(g_, from, to), s = range(s_, from, to);
+    if (!(NT(0) < g.first)) return std::nullopt;
+    const NT least = s.first < NT(0) ? NT(0) : NT(s.first / (g.second * g.second * g.second)),
+             greatest = s.second / (g.first * g.first * g.first);
+    const double low = root_enclosure(least).lower, high = root_enclosure(greatest).upper;
+    if (std::isinf(high)) throw Error(Error_code::not_finite, "curvature_extrema: a curvature is too large");
+    if (!is_planar()) return Enclosure{low, high};
+    const std::pair<NT, NT> w = range(w_[0], from, to);
+    const int first = sign_of(w.first), last = sign_of(w.second);
+    return Enclosure{first > 0 ? low : first < 0 ? -high : 0, last < 0 ? -low : last > 0 ? high : 0};
+  }
+
+private:
+  // The least and the greatest coefficient on an interval.
+  static std::pair<NT, NT> range(const Polynomial& p, const NT& from, const NT& to) {
+    const Polynomial part = p.restricted(from, to);
+    const auto ends = std::minmax_element(part.coefficients().begin(), part.coefficients().end());
+    return {*ends.first, *ends.second};
+  }
+
+  Signed_square<NT> end_curvature(bool end) const {
+    const auto at = [end](const Polynomial& p) { return p[end ? p.degree() : 0]; };
+    const NT g = at(g_), s = at(s_);
+    return {is_planar() ? sign_of(at(w_[0])) : sign_of(s), NT(s / (g * g * g))};
+  }
+
+  std::vector<NT> area(bool end) const {
+    std::vector<NT> a(w_.size(), NT(0));
+    for (int k = 0; !w_.empty() && k <= w_[0].degree(); ++k) {
+      bool zero = true;
+      for (std::size_t i = 0; i < w_.size(); ++i) {
+        a[i] = w_[i][end ? w_[i].degree() - k : k];
+        zero = zero && a[i] == NT(0);
+      }
+      if (!zero) break;
+    }
+    return a;
+  }
+};
+
+} // namespace internal
+} // namespace Geometric_continuity
+} // namespace CGAL
+
+#endif // CGAL_GEOMETRIC_CONTINUITY_CURVES_INTERNAL_CURVATURE_POLYNOMIALS_H

@@ -1,0 +1,323 @@
+// Copyright (c) 2026 The Geometric_continuity developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+// Extrema of curvature and inflections: of curves where they are known, and of random ones, where dense sampling finds them.
+
+#define BOOST_TEST_DYN_LINK
+#define BOOST_TEST_MODULE curvature_extrema
+#include <boost/test/unit_test.hpp>
+
+#include "support/errors.h"
+
+#include <CGAL/Cartesian_d.h>
+#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Exact_rational.h>
+#include <CGAL/Geometric_continuity/Traits_2.h>
+#include <CGAL/Geometric_continuity/Traits_3.h>
+#include <CGAL/Geometric_continuity/Traits_d.h>
+#include <CGAL/Geometric_continuity/curves/curvature_extrema.h>
+#include <CGAL/Simple_cartesian.h>
+
+#include <array>
+#include <cmath>
+#include <random>
+#include <sstream>
+#include <tuple>
+#include <vector>
+
+namespace GC = CGAL::Geometric_continuity;
+
+typedef CGAL::Exact_rational Q;
+typedef GC::Traits_d<CGAL::Cartesian_d<Q>> Exact_d;
+typedef GC::Traits_d<CGAL::Cartesian_d<double>> Double_d;
+typedef std::tuple<GC::Traits_2<CGAL::Simple_cartesian<Q>>, GC::Traits_2<CGAL::Epeck>, GC::Traits_2<CGAL::Epick>,
+                   GC::Traits_2<CGAL::Simple_cartesian<double>>, Exact_d, Double_d>
+    Planar_traits;
+typedef std::tuple<GC::Traits_3<CGAL::Simple_cartesian<Q>>, GC::Traits_3<CGAL::Epeck>,
+                   GC::Traits_3<CGAL::Simple_cartesian<double>>, Exact_d, Double_d>
+    Space_traits;
+typedef std::vector<std::vector<double>> Rows;
+
+namespace {
+
+constexpr unsigned seed = 2026;
+
+template <class Traits> std::vector<typename Traits::Point> points(const Rows& rows) {
+  std::vector<typename Traits::Point> p;
+  for (const std::vector<double>& row : rows) {
+    GC::Coordinates<Traits> x(static_cast<int>(row.size()));
+    for (int i = 0; i < x.dimension(); ++i) x[i] = typename Traits::FT(row[i]);
+    p.push_back(GC::to_point<Traits>(x));
+  }
+  return p;
+}
+template <class Traits> GC::Bezier_curve<Traits> bezier(const Rows& rows, double a = 0, double b = 1) {
+  const std::vector<typename Traits::Point> p = points<Traits>(rows);
+  return GC::Bezier_curve<Traits>(p.begin(), p.end(), typename Traits::FT(a), typename Traits::FT(b));
+}
+template <class Traits> GC::Curvature_extrema measured(const Rows& rows, double a = 0, double b = 1) {
+  return GC::curvature_extrema(bezier<Traits>(rows, a, b));
+}
+
+bool holds(const GC::Enclosure& e, double x, double width = 1e-9) {
+  return e.lower <= x && x <= e.upper && e.upper - e.lower <= width * (1 + std::abs(x));
+}
+
+// Every coordinate of a row multiplied by a number, and moved.
+Rows mapped(Rows rows, double factor, double shift) {
+  for (std::vector<double>& row : rows)
+    for (double& x : row) x = factor * x + shift;
+  return rows;
+}
+Rows mirrored(Rows rows) {
+  for (std::vector<double>& row : rows) row[1] = -row[1];
+  return rows;
+}
+Rows reversed(const Rows& rows) { return Rows(rows.rbegin(), rows.rend()); }
+Rows in_space(Rows rows, int dimension) {
+  for (std::vector<double>& row : rows) row.resize(dimension, 0.25);
+  return rows;
+}
+
+const Rows parabola = {{-1, 1}, {0, -1}, {1, 1}};       // y = x^2
+const Rows s_curve = {{0, 0}, {1, 2}, {2, -2}, {3, 0}}; // turns right, then left
+const Rows two_inflections = {{-3, 2}, {4, -1}, {2, -2}, {2, 4}};
+const Rows quarter = {{1, 0}, {1, 0.55078125}, {0.55078125, 1}, {0, 1}};  // nearly a quarter of a circle
+const Rows undulation = {{0, 0}, {0.25, 0}, {0.5, 0}, {0.75, 0}, {1, 1}}; // y = x^4
+const Rows cubic_graph = {{-1, -1}, {-1. / 2, 1}, {1. / 2, -1}, {1, 1}};
+
+// What dense sampling sees: how often the curvature of a planar curve turns, and how often it changes its sign.
+std::array<int, 2> sampled(const Rows& rows) {
+  const GC::Bezier_curve<Double_d> curve = bezier<Double_d>(rows);
+  constexpr int n = 20000;
+  int turns = 0, changes = 0;
+  double last = 0, direction = 0;
+  for (int i = 0; i <= n; ++i) {
+    const GC::Curve_jet<Double_d> jet = curve.jet(i / static_cast<double>(n), 2);
+    double kappa;
+    if (rows.front().size() == 2) {
+      const GC::Signed_square<double> k = *GC::signed_curvature(jet);
+      kappa = k.sign * std::sqrt(k.square);
+    } else
+      kappa = std::sqrt(*GC::curvature_squared(jet));
+    if (i > 0) {
+      if (kappa * last < 0) ++changes;
+      if ((kappa - last) * direction < 0) ++turns;
+      direction = kappa - last;
+    }
+    last = kappa;
+  }
+  return {turns, changes};
+}
+
+Rows random_rows(std::mt19937& engine, int degree, int dimension, int spread) {
+  Rows rows;
+  for (int i = 0; i <= degree; ++i) {
+    rows.emplace_back();
+    for (int k = 0; k < dimension; ++k)
+      rows.back().push_back((static_cast<int>(engine() % 2001) - 1000) / 1024. + (k == 0 ? spread * i : 0));
+  }
+  return rows;
+}
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE_TEMPLATE(a_parabola_has_one_extremum, Traits, Planar_traits) {
+  const GC::Curvature_extrema c = measured<Traits>(parabola, 3, 5);
+  BOOST_REQUIRE_EQUAL(c.extrema.size(), 1u);
+  BOOST_CHECK(c.extrema[0].maximum);
+  BOOST_CHECK((c.extrema[0].parameter == GC::Enclosure{4, 4}) && (c.extrema[0].curvature == GC::Enclosure{2, 2}));
+  BOOST_CHECK(c.inflections.empty());
+  BOOST_CHECK((c.greatest.curvature == GC::Enclosure{2, 2}) && holds(c.least.curvature, 2 / std::pow(5, 1.5), 1e-15));
+  BOOST_CHECK((c.least.parameter == GC::Enclosure{3, 3}) && (c.largest() == GC::Enclosure{2, 2}));
+  const GC::Curvature_extrema d = measured<Traits>(mirrored(parabola));
+  BOOST_REQUIRE_EQUAL(d.extrema.size(), 1u);
+  BOOST_CHECK(!d.extrema[0].maximum && (d.extrema[0].curvature == GC::Enclosure{-2, -2}));
+  BOOST_CHECK((d.least.curvature == GC::Enclosure{-2, -2}) && (d.largest() == GC::Enclosure{2, 2}));
+}
+
+BOOST_AUTO_TEST_CASE_TEMPLATE(an_s_has_one_inflection, Traits, Planar_traits) {
+  const GC::Curvature_extrema c = measured<Traits>(s_curve);
+  BOOST_REQUIRE_EQUAL(c.inflections.size(), 1u);
+  BOOST_CHECK((c.inflections[0] == GC::Enclosure{0.5, 0.5}));
+  BOOST_REQUIRE_EQUAL(c.extrema.size(), 2u);
+  BOOST_CHECK(!c.extrema[0].maximum && c.extrema[1].maximum);
+  BOOST_CHECK(c.extrema[0].curvature.lower == -c.extrema[1].curvature.upper);
+  // y = x^3: |kappa| is largest where 45 x^4 = 1; then 6 x / (1 + 9 x^4)^(3/2)
+  const GC::Curvature_extrema d = measured<Traits>(cubic_graph, -1, 1);
+  BOOST_REQUIRE_EQUAL(d.extrema.size(), 2u);
+}
+
+BOOST_AUTO_TEST_CASE(the_cube_of_x) {
+  const Q third = Q(Q(1) / Q(3));
+  typedef GC::Traits_2<CGAL::Simple_cartesian<Q>> Traits;
+  const std::vector<Traits::Point> p = {Traits::Point(-1, -1), Traits::Point(-third, 1), Traits::Point(third, -1),
+                                        Traits::Point(1, 1)};
+  const GC::Curvature_extrema c = GC::curvature_extrema(GC::Bezier_curve<Traits>(p.begin(), p.end(), Q(-1), Q(1)));
+  const double x = std::pow(45, -0.25), kappa = 6 * x / std::pow(1.2, 1.5);
+  BOOST_REQUIRE_EQUAL(c.extrema.size(), 2u);
+  BOOST_CHECK(holds(c.extrema[0].parameter, -x) && holds(c.extrema[1].parameter, x));
+  BOOST_CHECK(holds(c.extrema[0].curvature, -kappa) && holds(c.extrema[1].curvature, kappa));
+  BOOST_CHECK(c.inflections.size() == 1 && (c.inflections[0] == GC::Enclosure{0, 0}));
+  std::ostringstream os;
+  os << c;
+  BOOST_CHECK(os.str().find("2 extrema of curvature, 1 inflection, curvature from [-1.7") == 0);
+}
+
+BOOST_AUTO_TEST_CASE_TEMPLATE(other_planar_curves, Traits, Planar_traits) {
+  // an undulation is the minimum of the curvature and no inflection
+  const GC::Curvature_extrema u = measured<Traits>({{-1, 1}, {-0.5, -1}, {0, 1}, {0.5, -1}, {1, 1}});
+  BOOST_CHECK_EQUAL(u.inflections.size(), 0u); // (2t - 1)^4
+  BOOST_REQUIRE_EQUAL(u.extrema.size(), 3u);
+  BOOST_CHECK(!u.extrema[1].maximum && (u.extrema[1].curvature == GC::Enclosure{0, 0}) &&
+              (u.extrema[1].parameter == GC::Enclosure{0.5, 0.5}));
+  // at an end of the domain nothing is counted
+  BOOST_CHECK_EQUAL(measured<Traits>(undulation).inflections.size(), 0u);
+  BOOST_CHECK_EQUAL(measured<Traits>(undulation).extrema.size(), 1u);
+  BOOST_CHECK((measured<Traits>(undulation).least.curvature == GC::Enclosure{0, 0}));
+  const GC::Curvature_extrema q = measured<Traits>(quarter);
+  BOOST_CHECK_EQUAL(q.inflections.size(), 0u);
+  BOOST_CHECK_EQUAL(q.extrema.size(), 3u);
+  BOOST_CHECK(0.9 < q.least.curvature.lower && q.greatest.curvature.upper < 1.1);
+  const GC::Curvature_extrema two = measured<Traits>(two_inflections);
+  BOOST_CHECK_EQUAL(two.inflections.size(), 2u);
+  BOOST_CHECK_EQUAL(two.extrema.size(), 3u);
+}
+
+BOOST_AUTO_TEST_CASE_TEMPLATE(lines_and_cusps, Traits, Planar_traits) {
+  const GC::Curvature_extrema c = measured<Traits>({{0, 0}, {1, 1}, {4, 4}});
+  BOOST_CHECK(c.extrema.empty() && c.inflections.empty());
+  BOOST_CHECK((c.greatest.curvature == GC::Enclosure{0, 0}) && (c.least.curvature == GC::Enclosure{0, 0}));
+  BOOST_CHECK((measured<Traits>({{0, 0}, {1, 1}}).largest() == GC::Enclosure{0, 0}));
+  CHECK_ERROR(measured<Traits>({{0, 0}, {1, 1}, {0, 1}, {1, 0}}), zero_tangent);
+  CHECK_ERROR(measured<Traits>({{0, 0}, {0, 0}, {0, 1}, {1, 0}}), zero_tangent);
+  CHECK_ERROR(measured<Traits>({{0, 0}, {1, 0}, {0, 0}}), zero_tangent); // there and back
+  CHECK_ERROR(measured<Traits>({{1, 1}, {1, 1}}), zero_tangent);
+  CHECK_ERROR(measured<Traits>({{1, 1}}), zero_tangent);
+}
+
+// A planar curve has the same inflections in any space; there they are minima of the curvature.
+BOOST_AUTO_TEST_CASE_TEMPLATE(planar_curves_in_space, Traits, Space_traits) {
+  const GC::Curvature_extrema c = measured<Traits>(in_space(s_curve, 3));
+  BOOST_REQUIRE_EQUAL(c.inflections.size(), 1u);
+  BOOST_CHECK((c.inflections[0] == GC::Enclosure{0.5, 0.5}));
+  BOOST_REQUIRE_EQUAL(c.extrema.size(), 3u);
+  BOOST_CHECK(c.extrema[0].maximum && !c.extrema[1].maximum && c.extrema[2].maximum);
+  BOOST_CHECK((c.extrema[1].parameter == GC::Enclosure{0.5, 0.5}) && (c.least.curvature == GC::Enclosure{0, 0}));
+  const GC::Curvature_extrema u = measured<Traits>(in_space({{-1, 1}, {-0.5, -1}, {0, 1}, {0.5, -1}, {1, 1}}, 3));
+  BOOST_CHECK(u.inflections.empty() && u.extrema.size() == 3);
+  BOOST_CHECK(measured<Traits>({{0, 0, 0}, {1, 1, 1}, {4, 4, 4}}).extrema.empty());
+  // the twisted cubic: kappa^2 = 4 (1 + 9t^2 + 9t^4) / (1 + 4t^2 + 9t^4)^3, largest at 0
+  const GC::Curvature_extrema t = measured<Traits>({{-1, 1, -1}, {-0.5, -0.5, 0.5}, {0.5, -0.5, -0.5}, {1, 1, 1}});
+  BOOST_CHECK(t.inflections.empty());
+  BOOST_CHECK(t.extrema.size() % 2 == 1);
+}
+
+BOOST_AUTO_TEST_CASE(random_curves_against_samples) {
+  std::mt19937 engine(seed);
+  BOOST_TEST_MESSAGE("seed " << seed);
+  for (int dimension : {2, 3, 4})
+    for (int degree = 2; degree <= (dimension == 2 ? 7 : 5); ++degree)
+      for (int run = 0; run < 6; ++run) {
+        const Rows rows = random_rows(engine, degree, dimension, 1);
+        const GC::Curvature_extrema c = measured<Double_d>(rows);
+        const std::array<int, 2> s = sampled(rows);
+        BOOST_TEST_CONTEXT("dimension " << dimension << ", degree " << degree << ", run " << run) {
+          BOOST_CHECK_EQUAL(c.extrema.size(), static_cast<std::size_t>(s[0]));
+          BOOST_CHECK_EQUAL(c.inflections.size(), static_cast<std::size_t>(s[1]));
+        }
+        for (std::size_t i = 1; i < c.extrema.size(); ++i) {
+          BOOST_CHECK(c.extrema[i].maximum != c.extrema[i - 1].maximum);
+          BOOST_CHECK(c.extrema[i - 1].parameter.upper < c.extrema[i].parameter.lower);
+        }
+      }
+}
+
+BOOST_AUTO_TEST_CASE(similar_and_reversed_curves) {
+  std::mt19937 engine(seed + 1);
+  for (int run = 0; run < 12; ++run) {
+    const int dimension = 2 + run % 2;
+    const Rows rows = random_rows(engine, 3 + run % 3, dimension, 1);
+    const GC::Curvature_extrema c = measured<Exact_d>(rows), scaled = measured<Exact_d>(mapped(rows, 4, 3), 2, 10),
+                                back = measured<Exact_d>(reversed(rows)), mirror = measured<Exact_d>(mirrored(rows));
+    const std::size_t n = c.extrema.size();
+    BOOST_REQUIRE(scaled.extrema.size() == n && back.extrema.size() == n && mirror.extrema.size() == n);
+    BOOST_CHECK(scaled.inflections.size() == c.inflections.size() && back.inflections.size() == c.inflections.size());
+    for (std::size_t i = 0; i < n; ++i) {
+      BOOST_CHECK(scaled.extrema[i].maximum == c.extrema[i].maximum);
+      BOOST_CHECK(holds(scaled.extrema[i].curvature, c.extrema[i].curvature.lower / 4, 1e-8) ||
+                  std::abs(4 * scaled.extrema[i].curvature.lower - c.extrema[i].curvature.lower) <
+                      1e-8 * std::abs(c.extrema[i].curvature.lower));
+      const bool turned = dimension == 2; // then the curvature changes its sign
+      BOOST_CHECK(back.extrema[n - 1 - i].maximum == (c.extrema[i].maximum != turned));
+      BOOST_CHECK(mirror.extrema[i].maximum == (c.extrema[i].maximum != turned));
+    }
+  }
+}
+
+// The counts of a curve are those of its pieces, with what is at the knots.
+BOOST_AUTO_TEST_CASE_TEMPLATE(pieces, Traits, Planar_traits) {
+  typedef typename Traits::FT FT;
+  typedef GC::Bezier_curve<Traits> Bezier;
+  const auto of = [](const std::vector<Bezier>& curves) {
+    return GC::curvature_extrema(GC::Composite_bezier_curve<Traits>(curves.begin(), curves.end()));
+  };
+  for (const Rows& rows : {parabola, s_curve, quarter, Rows{{0, 0}, {1, 3}, {3, -2}, {4, 4}, {6, 0}, {7, 1}}}) {
+    const Bezier whole = bezier<Traits>(rows);
+    const GC::Curvature_extrema c = GC::curvature_extrema(whole);
+    for (double u : {0.25, 0.5, 0.625}) { // 1/2 is an extremum or an inflection of the first three
+      const auto parts = whole.split(FT(u));
+      const GC::Curvature_extrema d = of({parts.first, parts.second});
+      BOOST_CHECK_EQUAL(d.extrema.size(), c.extrema.size());
+      BOOST_CHECK_EQUAL(d.inflections.size(), c.inflections.size());
+    }
+  }
+  // a parabola, a straight line, and a parabola that bends the other way: curvature falls to 2, jumps to 0, and so on
+  const Bezier left = bezier<Traits>({{-2, 0}, {-1, 0}, {-0, 2}}), line = bezier<Traits>({{0, 2}, {1, 4}}, 1, 2),
+               right = bezier<Traits>({{1, 4}, {2, 6}, {3, 6}}, 2, 3);
+  const GC::Curvature_extrema bent = of({left, line, right});
+  BOOST_REQUIRE_EQUAL(bent.inflections.size(), 1u);
+  BOOST_CHECK((bent.inflections[0] == GC::Enclosure{1, 1}));
+  // rises, falls along the first parabola, jumps down to 0, jumps down, falls and rises
+  BOOST_CHECK_EQUAL(bent.extrema.size(),
+                    GC::curvature_extrema(left).extrema.size() + GC::curvature_extrema(right).extrema.size());
+  // two parabolas that bend to the same side with a line between: a minimum, the line
+  const Bezier same = bezier<Traits>({{1, 4}, {2, 6}, {2, 8}}, 2, 3);
+  const GC::Curvature_extrema plateau = of({left, line, same});
+  BOOST_CHECK(plateau.inflections.empty());
+  BOOST_REQUIRE(plateau.extrema.size() >= 1);
+  bool found = false;
+  for (const GC::Curvature_extremum& e : plateau.extrema)
+    found = found || (!e.maximum && e.curvature == GC::Enclosure{0, 0} && e.parameter == GC::Enclosure{1, 1});
+  BOOST_CHECK(found);
+}
+
+// With floating-point numbers the Bezier pieces of a B-spline curve would be rounded; it is decided as it is given.
+BOOST_AUTO_TEST_CASE_TEMPLATE(splines, Traits, Planar_traits) {
+  typedef typename Traits::FT FT;
+  const std::vector<typename Traits::Point> p =
+      points<Traits>({{0, 0}, {0.1, 1}, {1.3, 1.7}, {2, -1}, {3, 0.3}, {4, 0}});
+  std::vector<FT> knots;
+  for (double u : {0., 0., 0., 0., 0.1, 0.7, 1., 1., 1., 1.}) knots.push_back(FT(u));
+  const GC::Bspline_curve<Traits> curve(p.begin(), p.end(), GC::Knot_vector<FT>(3, knots));
+  const GC::Curvature_extrema c = GC::curvature_extrema(curve), back = GC::curvature_extrema(curve.reverse());
+  std::size_t inner = 0;
+  for (const GC::Bezier_curve<Traits>& piece : curve.bezier_pieces())
+    inner += GC::curvature_extrema(piece).extrema.size();
+  BOOST_CHECK(inner <= c.extrema.size() && c.extrema.size() <= inner + 2); // the curvature is continuous
+  BOOST_CHECK_EQUAL(back.inflections.size(), c.inflections.size());
+  BOOST_CHECK_EQUAL(back.extrema.size(), c.extrema.size());
+}
+
+BOOST_AUTO_TEST_CASE(pieces_in_space) {
+  typedef GC::Traits_3<CGAL::Simple_cartesian<Q>> Traits;
+  const GC::Bezier_curve<Traits> whole = bezier<Traits>(in_space(s_curve, 3));
+  const auto parts = whole.split(Q(Q(1) / Q(2)));
+  const std::vector<GC::Bezier_curve<Traits>> curves = {parts.first, parts.second};
+  const GC::Curvature_extrema c =
+      GC::curvature_extrema(GC::Composite_bezier_curve<Traits>(curves.begin(), curves.end()));
+  BOOST_CHECK(c.inflections.size() == 1 && (c.inflections[0] == GC::Enclosure{0.5, 0.5}));
+  BOOST_CHECK(c.extrema.size() == 3);
+}
