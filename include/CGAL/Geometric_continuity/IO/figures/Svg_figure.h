@@ -97,8 +97,8 @@ public:
         body += plots.picture(i, x, y + view.height(), panel_width);
         const std::vector<std::string> caption = internal::wrapped_lines(panels[i].caption_, 12.5, panel_width);
         for (std::size_t j = 0; j < caption.size(); ++j)
-          body += internal::svg_text(x + 0.5 * panel_width, y + height + 19 + 17.0 * j, 12.5, "#333333",
-                                     "middle", caption[j]);
+          body += internal::svg_text(x + 0.5 * panel_width, y + height + 19 + 17.0 * j, 12.5, "#333333", "middle",
+                                     caption[j]);
         lines = (std::max)(lines, caption.size());
       }
       y += height + 17.0 * lines + 22;
@@ -262,7 +262,8 @@ private:
                 svg_stroke(teeth_stroke, "M2 5L0 -3M7.5 4L6.5 -5M13 3.7L13 -6M18.5 4L19.5 -5M24 5L26 -3") +
                     svg_stroke(envelope_stroke, "M0 -3Q13 -9 26 -3"));
     if (!plots.empty())
-      items.add(plots.is_cut() ? "below: curvature against arc length (cut off)" : "below: curvature against arc length",
+      items.add(plots.is_cut() ? "below: curvature against arc length (cut off)"
+                               : "below: curvature against arc length",
                 svg_stroke(given_stroke, "M2 4C9 -10 16 8 24 -6"));
     if (join) items.add("join", svg_disk(svg_vector({19.0, 0.0}), 3.4, ring_stroke));
     if (view.spatial()) items.add("shadow on the ground", svg_stroke(shadow_stroke, line));

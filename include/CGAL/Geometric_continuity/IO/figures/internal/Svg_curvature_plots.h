@@ -66,8 +66,8 @@ public:
       return svg_vector({margin + (length_ > 0 ? p[0] / length_ : 0) * (width - 2 * margin),
                          is_signed_ ? margin + 0.5 * (1 - k) * inner : margin + (1 - k) * inner});
     };
-    std::string s = "<svg x=\"" + svg_number(x) + "\" y=\"" + svg_number(y + above) + "\" width=\"" + svg_number(width) +
-                    "\" height=\"" + svg_number(height_) + "\">\n";
+    std::string s = "<svg x=\"" + svg_number(x) + "\" y=\"" + svg_number(y + above) + "\" width=\"" +
+                    svg_number(width) + "\" height=\"" + svg_number(height_) + "\">\n";
     s += svg_stroke(grid_stroke, svg_polyline({pixel(svg_vector({0., 0.})), pixel(svg_vector({length_, 0.}))}));
     std::string joins;
     for (std::size_t j = 1; j < plots_[i].size(); ++j) {
