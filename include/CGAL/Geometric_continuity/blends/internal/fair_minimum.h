@@ -67,7 +67,7 @@ public:
           if (y.first < std::numeric_limits<double>::infinity()) search(y.second);
     if (after <= before) return;
     x = rounded(automatic_); // nothing is better, or was found
-    converged = converged && after <= (1 + agreement) * before;
+    converged = converged && after <= (1 + agreement) * before + negligible;
     after = before;
     if constexpr (kind == Blend_kind::g2)
       if (shape == Shape_choice::free && !(after < ugly)) { // at least not far away
