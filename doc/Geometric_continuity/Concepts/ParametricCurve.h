@@ -50,7 +50,8 @@ public:
   Returns the point of the curve and its first `k` derivatives with respect to the parameter, at the parameter `u`.
 
   It is called with `k >= 0` at the two ends of the domain; by swept surfaces and `uniform_polyline()`, with the parameters at
-  which they are evaluated. A quintic blend asks for `k == 2`, a septic one for `k == 3`;
+  which they are evaluated, and by `CGAL::Geometric_continuity::fairness()` and
+  `CGAL::Geometric_continuity::bending_energy()`, with those of a quadrature and `k == 3`. A quintic blend asks for `k == 2`, a septic one for `k == 3`;
   `CGAL::Geometric_continuity::continuity()` asks for the larger of 3 and the order that its caller wants to know.
   Derivatives that vanish, such as those beyond the degree of a polynomial curve, must be given as zero vectors. A jet
   of lower order is refused by blends with the reason `jet_order_too_low`, and limits the order that is reported for a

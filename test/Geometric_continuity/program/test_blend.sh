@@ -3,16 +3,16 @@
 . "$(dirname "$0")/functions.sh"
 
 # blend by each strategy; every file that is written is proved
-for strategy in c2 normal min_second near_line energy2 energy3; do
+for strategy in c2 normal min_second near_line energy2 energy3 fair; do
   run 0 blend "$L" "$R" --strategy $strategy -o blend.g2 && says out "proved in exact arithmetic"
   run 0 verify "$L" blend.g2 "$R" --require G2
 done
-for strategy in c3 seq_g3 seq_f3 joint_g3 energy3_g3 energy4_g3; do
+for strategy in c3 seq_g3 seq_f3 joint_g3 energy3_g3 energy4_g3 fair_g3 fair_f3; do
   run 0 blend "$L" "$R" --order 3 --strategy $strategy -o blend.g2 && says out "proved in exact arithmetic"
   run 0 verify "$L" blend.g2 "$R" --require F3
 done
-run 0 blend "$L" "$R" --strategy free --s1 -1/5 --s2 0.2 -o free.g2
-run 0 blend "$L" "$R" --strategy normal -o normal.g2
+run 0 blend "$L" "$R" --strategy free --s1 -1/5 --s2 0.2 --beta 1 --eta 1 -o free.g2
+run 0 blend "$L" "$R" --strategy normal --beta 1 --eta 1 -o normal.g2
 holds cmp -s free.g2 normal.g2
 run 0 blend "$L" "$R" --order 3 --strategy free --start 0,0,0 --end 0,0,0 -o free.g2
 run 0 blend "$L" "$R" --order 3 --strategy c3 -o c3.g2
@@ -20,10 +20,34 @@ holds cmp -s free.g2 c3.g2
 run 0 blend "$L" "$R" --beta 3/2 --eta 0.5 -o blend.g2
 run 0 verify "$L" blend.g2 "$R" --require G2 --json && says out '"betas":["3/2",' '"betas":["2",'
 run 0 blend "$L" "$R" --strategy all --plot all.svg
-holds [ "$(grep -c '</svg>' all.svg)" -eq 7 ]
+holds [ "$(grep -c '</svg>' all.svg)" -eq 8 ]
 run 0 blend "$L" "$R" && run 0 blend "$L" "$R" --strategy energy3 -o energy3.g2
 run 0 blend "$L" "$R" -o default.g2
 holds cmp -s default.g2 energy3.g2
+
+# without --beta and --eta the shape is that of the chord, and where one is given the other is still that
+run 0 blend "$L" "$R" -o automatic.g2 && says out "energy3" "beta = " "eta = "
+run 0 blend "$L" "$R" --beta 1 --eta 1 -o unit.g2 && says out "beta = 1, eta = 1"
+holds [ "$(cmp -s automatic.g2 unit.g2 && echo same)" = "" ]
+eta=$(run 0 blend "$L" "$R"; sed -n 's/.*\(eta = [^,]*\),.*/\1/p' out)
+run 0 blend "$L" "$R" --beta 3/2 && says out "beta = 1.5, $eta,"
+
+# how fair the blends are: fair is the fairest
+run 0 blend "$L" "$R" --strategy all && says out "fairness" "bending" "extrema" "inflections" "iteration" "->"
+run 0 blend "$L" "$R" --strategy all --json
+says out '"strategy":"fair","beta":"' '"start_join":{"left":0,"right":1,"c_order":' '"curvature_extrema":[' \
+  '"inflections":[' '"largest_curvature":[' '"bending_energy":' '"iterations":' '"proved":true'
+fairness() { sed -n "s/.*\"strategy\":\"$1\".*\"fairness\":\([^,]*\),.*/\1/p" out; }
+for strategy in c2 normal min_second near_line energy2 energy3; do
+  holds awk -v "x=$(fairness fair)" -v "y=$(fairness $strategy)" 'BEGIN { exit !(0 < x && x <= y) }'
+done
+run 0 blend "$L" "$R" --order 3 --strategy all --json && says out '"strategy":"fair_g3"' '"strategy":"fair_f3"'
+run 0 blend "$L" "$R" --strategy fair --beta 1 --eta 1 && says out "beta = 1, eta = 1"
+run 0 blend "$L" "$R" --strategy fair --representable -o chain.g2 && says out "proved in exact arithmetic"
+run 0 verify chain.g2 --require G2 --kernel double
+run 0 blend "$S" --replace 1 --strategy fair -o S.g2 --plot S.svg
+run 0 verify --closed S.g2 --json && says out '{"left":0,"right":1,"c_order":0,"g_order":2'
+run 1 blend "$L" "$R" --strategy fair --kernel double && says out "fair " "iteration"
 
 # blends in double are not exact, and the report says so
 run 1 blend "$L" "$R" --kernel double -o double.g2 && says out "rounding has broken a join"
@@ -40,7 +64,7 @@ printf '100 1 0 0\n3 0\n2 2\n0 0 1 1\n1 0 0\n1.0000000000000002 0 0\n' >stiff.g2
 run 2 blend stiff.g2 "$R" --representable -o no.g2 && says err "not_representable"
 
 # replacing a piece of an outline
-run 0 blend "$S" --replace 1 -o S.g2
+run 0 blend "$S" --replace 1 --beta 1 --eta 1 -o S.g2
 run 0 verify --closed S.g2 --json && says out '{"left":0,"right":1,"c_order":1,"g_order":2' '{"left":1,"right":2,"c_order":1,"g_order":2'
 run 0 blend "$S" --replace 0 -o S.g2 && run 0 blend "$S" --replace 27 -o S.g2
 run 2 blend "$S" --replace 28 -o no.g2 && run 2 blend "$S" --replace -1 -o no.g2 && run 2 blend "$L" --replace 0 -o no.g2
