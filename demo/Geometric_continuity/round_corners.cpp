@@ -40,7 +40,8 @@ template <class FT> Rounded<FT> with_corner(const Chain<FT>& chain, int i, doubl
 template <class FT> Rounded<FT> rounded_chain(const Command_line& line, const Chain<FT>& chain, double distance) {
   const int n = static_cast<int>(chain.size());
   if (!line.has("corner"))
-    return GC::round_corners(chain.begin(), chain.end(), distance, line.has("closed"),
+    return GC::round_corners(chain.begin(), chain.end(), distance,
+                             line.has("closed") ? GC::Closure::closed : GC::Closure::open,
                              line.choice("corners", {"all", "kinks"}) == "all" ? 2 : 1);
   if (n < 2) throw std::invalid_argument("--corner: at least 2 curves are needed");
   return with_corner(chain, line.integer("corner", 0, n - 1), distance);

@@ -81,7 +81,8 @@ void check_parts(const Chain& given, const Rounded& r) {
 }
 
 Rounded rounded(const Chain& chain, double distance, bool closed, int order = 2) {
-  const Rounded r = GC::round_corners(chain.begin(), chain.end(), distance, closed, order);
+  const Rounded r =
+      GC::round_corners(chain.begin(), chain.end(), distance, closed ? GC::Closure::closed : GC::Closure::open, order);
   check_parts(chain, r);
   return r;
 }
@@ -173,7 +174,7 @@ BOOST_AUTO_TEST_CASE(random_polygons) {
 
 // The same chain on every kernel; rounded numbers are near the exact ones.
 BOOST_AUTO_TEST_CASE(kernels) {
-  const Rounded exact = rounded(square, 1.3, true);
+  const Rounded exact = rounded(square, 1.3, GC::Closure::closed);
   const auto check = [&](auto traits) {
     typedef decltype(traits) Other;
     std::vector<GC::Bezier_curve<Other>> chain;
@@ -182,7 +183,7 @@ BOOST_AUTO_TEST_CASE(kernels) {
       for (const Point& p : c) points.emplace_back(CGAL::to_double(p.x()), CGAL::to_double(p.y()));
       chain.emplace_back(points.begin(), points.end());
     }
-    const auto r = GC::round_corners(chain.begin(), chain.end(), 1.3, true);
+    const auto r = GC::round_corners(chain.begin(), chain.end(), 1.3, GC::Closure::closed);
     BOOST_REQUIRE(r.curves.size() == exact.curves.size());
     for (std::size_t k = 0; k < exact.curves.size(); ++k)
       for (int j = 0; j <= exact.curves[k].degree(); ++j)
@@ -199,7 +200,7 @@ BOOST_AUTO_TEST_CASE(kernels) {
 
 BOOST_AUTO_TEST_CASE(refused) {
   const auto round = [](const Chain& chain, double distance, bool closed) {
-    return GC::round_corners(chain.begin(), chain.end(), distance, closed);
+    return GC::round_corners(chain.begin(), chain.end(), distance, closed ? GC::Closure::closed : GC::Closure::open);
   };
   BOOST_CHECK(round({}, 1, false).curves.empty() && round({}, 1, true).curves.empty());
   const Chain gap = {square[0], square[1], square[3]}, open = {square[0], square[1]};
@@ -208,7 +209,7 @@ BOOST_AUTO_TEST_CASE(refused) {
   for (const double x : {0., -1.}) CHECK_ERROR(round(square, x, true), parameter_outside_domain);
   for (const double x : {std::numeric_limits<double>::infinity(), std::numeric_limits<double>::quiet_NaN()})
     CHECK_ERROR(round(square, x, true), not_finite);
-  CHECK_ERROR(GC::round_corners(square.begin(), square.end(), 1, true, -1), negative_count);
+  CHECK_ERROR(GC::round_corners(square.begin(), square.end(), 1, GC::Closure::closed, -1), negative_count);
   const Chain point = {square[0], {Point(8, 0), Point(8, 0)}, square[1]};
   BOOST_CHECK_EQUAL(error_of([&] { round(point, 1, false); }),
                     "parameter_outside_domain: round_corners: join after curve 0: the distance 0 is not less than the "

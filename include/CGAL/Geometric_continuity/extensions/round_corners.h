@@ -5,6 +5,7 @@
 #ifndef CGAL_GEOMETRIC_CONTINUITY_EXTENSIONS_ROUND_CORNERS_H
 #define CGAL_GEOMETRIC_CONTINUITY_EXTENSIONS_ROUND_CORNERS_H
 
+#include <CGAL/Geometric_continuity/curves/piecewise_cubics.h>
 #include <CGAL/Geometric_continuity/extensions/round_corner.h>
 #include <CGAL/Geometric_continuity/joins/join_continuity.h>
 
@@ -61,7 +62,7 @@ Curve part_between(const Curve& curve, const typename Curve::FT& a, const typena
 ///
 /// \param first,last the curves, of type `Bezier_curve`
 /// \param distance positive
-/// \param closed whether the end of the last curve and the start of the first are a join too, which may be a corner
+/// \param closure whether the end of the last curve and the start of the first are a join too, which may be a corner
 /// \param order the \f$ G \f$ order that joins need in order to stay
 /// \param strategy a model of `BlendStrategy` that is called without shape parameters
 /// \throws Error `negative_count` for a negative order, `not_finite` when the distance, or a curve as numbers of type
@@ -71,11 +72,12 @@ Curve part_between(const Curve& curve, const typename Curve::FT& a, const typena
 /// \throws Error `zero_tangent`, `zero_direction`, `dimension_mismatch`, `not_representable` as `round_corner()` does
 template <class ForwardIterator, class Strategy = Fair>
 Rounded_chain<typename std::iterator_traits<ForwardIterator>::value_type::Traits>
-round_corners(ForwardIterator first, ForwardIterator last, double distance, bool closed, int order = 2,
+round_corners(ForwardIterator first, ForwardIterator last, double distance, Closure closure, int order = 2,
               const Strategy& strategy = Strategy()) {
   typedef typename std::iterator_traits<ForwardIterator>::value_type::Traits Traits;
   typedef typename Traits::FT FT;
   typedef Bezier_curve<Traits> Curve;
+  const bool closed = closure == Closure::closed;
   internal::check_distance(distance, "round_corners");
   internal::check_count(order, "round_corners: order");
   const std::vector<Curve> given(first, last);
