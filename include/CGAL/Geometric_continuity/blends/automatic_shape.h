@@ -27,6 +27,24 @@ namespace internal {
 constexpr int ratio_digits = 8;
 constexpr int largest_ratio_exponent = 100; // the ratio lies between 2^-100 and 2^100
 
+template <class FT> constexpr bool has_interval_v = Real_embeddable_traits<FT>::Is_real_embeddable::value;
+
+// A number with at most two digits more in any field, also in one that is made from integers only.
+template <class FT> FT short_number_in(double x) {
+  if constexpr (has_interval_v<FT>)
+    return FT(x);
+  else {
+    constexpr int digits = ratio_digits + 2;
+    int exponent;
+    const double mantissa = std::frexp(x, &exponent);
+    FT result(static_cast<int>(std::ldexp(mantissa, digits)));
+    const FT two(2);
+    for (exponent -= digits; exponent > 0; --exponent) result *= two;
+    for (; exponent < 0; ++exponent) result /= two;
+    return result;
+  }
+}
+
 // The number i of the short numbers in increasing order: those from 2^e to 2^(e+1) have the numbers 128 e to 128 e + 127.
 inline double short_ratio(int i) {
   constexpr int steps = 1 << (ratio_digits - 1);
@@ -41,7 +59,8 @@ template <class ET> double short_root_of_ratio(const ET& x, const ET& y) {
   // whether the root is not below the middle of the short numbers i - 1 and i
   const auto reaches = [&](int i) {
     const double middle = (short_ratio(i - 1) + short_ratio(i)) / 2; // exact
-    return !(x < ET(ET(middle) * ET(middle)) * y);
+    const ET m = short_number_in<ET>(middle);
+    return !(x < ET(m * m) * y);
   };
   if (!reaches(-most)) return 1;
   int low = -most, high = most + 1; // reaches(low), and not high
@@ -75,6 +94,8 @@ template <class FT, int N> class Chord_ratio {
   static std::pair<double, double> rounded(const FT& x) {
     if constexpr (std::is_floating_point_v<FT>)
       return {static_cast<double>(x), 0};
+    else if constexpr (!has_interval_v<FT>)
+      return {0, 0}; // nothing is known
     else {
       const std::pair<double, double> i = CGAL::to_interval(x);
       return {i.first, i.second - i.first};
@@ -116,7 +137,7 @@ public:
 template <class FT, int N>
 Shape_parameters<FT> automatic_shape(const Coordinate_jet<FT, N>& phi, const Coordinate_jet<FT, N>& psi) {
   const Chord_ratio<FT, N> ratio(phi[0], psi[0]);
-  return {FT(ratio(phi[1])), FT(ratio(psi[1]))};
+  return {short_number_in<FT>(ratio(phi[1])), short_number_in<FT>(ratio(psi[1]))};
 }
 
 } // namespace internal
