@@ -22,6 +22,9 @@ namespace CGAL {
 namespace Geometric_continuity {
 namespace internal {
 
+// As std::void_t, which makes all specialisations the same for some versions of clang.
+template <class...> struct Void { typedef void type; };
+
 // How many machine words a number has: the longer of numerator and denominator. Types are known by their members, as in
 // Rational_parts; for one that is not known, it is 1.
 template <class NT, class = void> struct Number_words {
@@ -46,18 +49,20 @@ template <class NT> auto gmp_words(const NT& x) -> decltype(internal::words_of(x
   return words_of(x.backend().data());
 }
 
-template <class NT> struct Number_words<NT, std::void_t<decltype(internal::gmp_words(std::declval<const NT&>()))>> {
+template <class NT>
+struct Number_words<NT, typename Void<decltype(internal::gmp_words(std::declval<const NT&>()))>::type> {
   static std::size_t of(const NT& x) { return gmp_words(x); }
 };
 
 #endif // CGAL_USE_GMP
 
 // A cpp_int and a cpp_rational of Boost.
-template <class NT> struct Number_words<NT, std::void_t<decltype(std::declval<const NT&>().backend().limbs())>> {
+template <class NT>
+struct Number_words<NT, typename Void<decltype(std::declval<const NT&>().backend().limbs())>::type> {
   static std::size_t of(const NT& x) { return x.backend().size(); }
 };
 template <class NT>
-struct Number_words<NT, std::void_t<decltype(numerator(std::declval<const NT&>()).backend().limbs())>> {
+struct Number_words<NT, typename Void<decltype(numerator(std::declval<const NT&>()).backend().limbs())>::type> {
   static std::size_t of(const NT& x) {
     return (std::max)(std::size_t(numerator(x).backend().size()), std::size_t(denominator(x).backend().size()));
   }
@@ -67,8 +72,8 @@ template <class Field> std::size_t number_words(const Field& x);
 
 // A Sqrt_extension.
 template <class NT>
-struct Number_words<NT,
-                    std::void_t<decltype(std::declval<const NT&>().a0()), decltype(std::declval<const NT&>().a1())>> {
+struct Number_words<
+    NT, typename Void<decltype(std::declval<const NT&>().a0()), decltype(std::declval<const NT&>().a1())>::type> {
   static std::size_t of(const NT& x) { return (std::max)(number_words(x.a0()), number_words(x.a1())); }
 };
 
