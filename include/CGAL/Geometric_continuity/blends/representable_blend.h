@@ -168,7 +168,7 @@ Representable_blend<Traits> representable_blend(const Bezier_curve<Traits, M>& p
 
 /// \ingroup PkgGeometricContinuityConstruction
 /// Returns the representable blend whose shape parameters are near those that the strategy chooses, as `Fair` does, or else near
-/// those of `automatic_shape()`. For the shape parameters that it has in the end, the strategy chooses the scalars. Errors and
+/// those of `automatic_shape()`. Errors and
 /// cost are those of `representable_blend()` with a shape, besides what the choice of the shape needs.
 /// \throws Error `dimension_mismatch`, `zero_tangent`, `wrong_number_of_points`, `not_representable`
 template <class Traits, int M, int N, class Strategy>
@@ -178,14 +178,16 @@ Representable_blend<Traits> representable_blend(const Bezier_curve<Traits, M>& p
   internal::check_degrees(phi.degree(), psi.degree());
   const Jet left = end_jet<Exact_rational>(phi, 2), right = start_jet<Exact_rational>(psi, 2);
   internal::check_blend_input(left, right, 2, Shape_parameters<Exact_rational>());
-  Shape_parameters<Exact_rational> shape;
-  if constexpr (internal::Chooses_shape<Strategy, Jet>::value)
-    shape = strategy.choose(left, right).shape;
-  else
-    shape = internal::automatic_shape(left, right);
   typedef typename Traits::FT FT;
-  return representable_blend(phi, psi, strategy,
-                             {FT(CGAL::to_double(shape.beta)), FT(CGAL::to_double(shape.eta))}); // short: exact
+  const auto blend_with = [&](const auto& s, const Shape_parameters<Exact_rational>& shape) {
+    return representable_blend(phi, psi, s,
+                               {FT(CGAL::to_double(shape.beta)), FT(CGAL::to_double(shape.eta))}); // short: exact
+  };
+  if constexpr (internal::Chooses_shape<Strategy, Jet>::value) {
+    const auto chosen = strategy.choose(left, right);
+    return blend_with(chosen.strategy, chosen.shape);
+  } else
+    return blend_with(strategy, internal::automatic_shape(left, right));
 }
 
 /// \ingroup PkgGeometricContinuityConstruction
