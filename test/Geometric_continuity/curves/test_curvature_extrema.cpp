@@ -91,7 +91,7 @@ const Rows cubic_graph = {{-1, -1}, {-1. / 2, 1}, {1. / 2, -1}, {1, 1}};
 // What dense sampling sees: how often the curvature of a planar curve turns, and how often it changes its sign.
 std::array<int, 2> sampled(const Rows& rows) {
   const GC::Bezier_curve<Double_d> curve = bezier<Double_d>(rows);
-  constexpr int n = 20000;
+  constexpr int n = 4000;
   int turns = 0, changes = 0;
   double last = 0, direction = 0;
   for (int i = 0; i <= n; ++i) {

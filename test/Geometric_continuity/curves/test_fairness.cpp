@@ -74,7 +74,7 @@ struct Arc {
 // L, the integrals of the squared curvature and of what E integrates, by the trapezoidal rule in the curvature and the torsion,
 // which are taken from jets of the curve.
 std::array<double, 2> summed(const GC::Bezier_curve<Double_d>& curve) {
-  constexpr int n = 20000;
+  constexpr int n = 2000;
   double length = 0, bending = 0, variation = 0;
   const auto curvature = [&](double t) { return std::sqrt(*GC::curvature_squared(curve.jet(t, 2))); };
   for (int i = 0; i < n; ++i) {
