@@ -20,7 +20,7 @@ typedef GC::Bezier_curve<Traits> Curve;
 // Prints what a strategy gives, and returns whether both joins have the F order.
 template <class Strategy>
 bool report(const char* name, const Curve& phi, const Curve& psi, const Strategy& strategy, int f_order) {
-  const auto gamma = GC::blend(phi, psi, strategy);
+  const auto gamma = GC::blend(phi, psi, strategy, {1, 1}); // with the speed of the given curves
   const auto start = GC::continuity(phi, gamma), end = GC::continuity(gamma, psi);
   std::cout << std::left << std::setw(28) << name << "degree " << gamma.degree() << "  C" << start.c_order << " G"
             << start.g_order << " F" << start.f_order << "  energy " << CGAL::to_double(gamma.energy(2)) << '\n';
