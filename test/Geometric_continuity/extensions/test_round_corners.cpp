@@ -174,7 +174,7 @@ BOOST_AUTO_TEST_CASE(random_polygons) {
 
 // The same chain on every kernel; rounded numbers are near the exact ones.
 BOOST_AUTO_TEST_CASE(kernels) {
-  const Rounded exact = rounded(square, 1.3, GC::Closure::closed);
+  const Rounded exact = rounded(square, 1.3, true);
   const auto check = [&](auto traits) {
     typedef decltype(traits) Other;
     std::vector<GC::Bezier_curve<Other>> chain;
