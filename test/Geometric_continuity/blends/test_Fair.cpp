@@ -159,6 +159,8 @@ template <class Traits> void compare_with_optimum(unsigned seed, int pairs) {
 
 } // namespace
 
+// With most other seeds about one pair in 300 in space lies above the bound (up to 2.3 times): there the reference has gone on to
+// another minimum. In the plane none was found above 1.26.
 BOOST_AUTO_TEST_CASE(optimum_in_the_plane) { compare_with_optimum<Plane>(2, 300); }
 BOOST_AUTO_TEST_CASE(optimum_in_space) { compare_with_optimum<Space>(10, 300); }
 
