@@ -84,8 +84,9 @@ Rows in_space(Rows rows, int dimension) {
 const Rows parabola = {{-1, 1}, {0, -1}, {1, 1}};       // y = x^2
 const Rows s_curve = {{0, 0}, {1, 2}, {2, -2}, {3, 0}}; // turns right, then left
 const Rows two_inflections = {{-3, 2}, {4, -1}, {2, -2}, {2, 4}};
-const Rows quarter = {{1, 0}, {1, 0.55078125}, {0.55078125, 1}, {0, 1}};  // nearly a quarter of a circle
-const Rows undulation = {{0, 0}, {0.25, 0}, {0.5, 0}, {0.75, 0}, {1, 1}}; // y = x^4
+const Rows quarter = {{1, 0}, {1, 0.55078125}, {0.55078125, 1}, {0, 1}};    // nearly a quarter of a circle
+const Rows undulation = {{0, 0}, {0.25, 0}, {0.5, 0}, {0.75, 0}, {1, 1}};   // y = x^4
+const Rows flat_s = {{-5, -1}, {-3, 1}, {-1, -1}, {1, 1}, {3, -1}, {5, 1}}; // y = (x/5)^5
 const Rows cubic_graph = {{-1, -1}, {-1. / 2, 1}, {1. / 2, -1}, {1, 1}};
 
 // What dense sampling sees: how often the curvature of a planar curve turns, and how often it changes its sign.
@@ -173,6 +174,10 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(other_planar_curves, Traits, Planar_traits) {
   BOOST_REQUIRE_EQUAL(u.extrema.size(), 3u);
   BOOST_CHECK(!u.extrema[1].maximum && (u.extrema[1].curvature == GC::Enclosure{0, 0}) &&
               (u.extrema[1].parameter == GC::Enclosure{0.5, 0.5}));
+  // the slope of the curvature has a double zero at the inflection, and does not change its sign
+  const GC::Curvature_extrema f = measured<Traits>(flat_s);
+  BOOST_CHECK(f.inflections.size() == 1 && (f.inflections[0] == GC::Enclosure{0.5, 0.5}));
+  BOOST_CHECK_EQUAL(f.extrema.size(), 2u);
   // at an end of the domain nothing is counted
   BOOST_CHECK_EQUAL(measured<Traits>(undulation).inflections.size(), 0u);
   BOOST_CHECK_EQUAL(measured<Traits>(undulation).extrema.size(), 1u);
@@ -206,6 +211,8 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(planar_curves_in_space, Traits, Space_traits) {
   BOOST_REQUIRE_EQUAL(c.extrema.size(), 3u);
   BOOST_CHECK(c.extrema[0].maximum && !c.extrema[1].maximum && c.extrema[2].maximum);
   BOOST_CHECK((c.extrema[1].parameter == GC::Enclosure{0.5, 0.5}) && (c.least.curvature == GC::Enclosure{0, 0}));
+  const GC::Curvature_extrema f = measured<Traits>(in_space(flat_s, 3));
+  BOOST_CHECK(f.inflections.size() == 1 && f.extrema.size() == 3);
   const GC::Curvature_extrema u = measured<Traits>(in_space({{-1, 1}, {-0.5, -1}, {0, 1}, {0.5, -1}, {1, 1}}, 3));
   BOOST_CHECK(u.inflections.empty() && u.extrema.size() == 3);
   BOOST_CHECK(measured<Traits>({{0, 0, 0}, {1, 1, 1}, {4, 4, 4}}).extrema.empty());
