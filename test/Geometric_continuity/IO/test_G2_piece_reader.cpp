@@ -8,6 +8,8 @@
 #define BOOST_TEST_MODULE G2_piece_reader
 #include <boost/test/unit_test.hpp>
 
+#include "support/errors.h"
+
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Geometric_continuity/IO/G2_piece_reader.h>
 #include <CGAL/Geometric_continuity/IO/g2.h>
@@ -44,15 +46,6 @@ Pieces pieces_of_curves(const std::string& text) {
   for (const GC::Bspline_curve<Exact>& curve : GC::read_g2_bsplines<Exact>(is, "f.g2"))
     for (const GC::Bezier_curve<Exact>& piece : curve.bezier_pieces()) pieces.push_back(piece);
   return pieces;
-}
-
-template <class Function> std::string error_of(Function f) {
-  try {
-    f();
-  } catch (const GC::Error& error) {
-    return error.what();
-  }
-  return "no error";
 }
 
 } // namespace

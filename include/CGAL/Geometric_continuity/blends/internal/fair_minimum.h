@@ -190,7 +190,7 @@ private:
     Unknowns h;
     for (int k = 0; k < unknowns; ++k) {
       h[k] = -e.gradient[k];
-      matrix[k][k] += damping * matrix[k][k] + std::numeric_limits<double>::min();
+      matrix[k][k] += damping * matrix[k][k] + (std::numeric_limits<double>::min)();
     }
     for (int k = 0; k < unknowns; ++k)
       if (is_fixed(k, y, e.gradient)) {
