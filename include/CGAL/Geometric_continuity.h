@@ -34,6 +34,7 @@
 #include <CGAL/Geometric_continuity/local/Coordinate_jet.h>
 #include <CGAL/Geometric_continuity/local/Curve_jet.h>
 #include <CGAL/Geometric_continuity/local/Frenet_frame.h>
+#include <CGAL/Geometric_continuity/local/Homogeneous_traits.h>
 #include <CGAL/Geometric_continuity/local/Isometry.h>
 #include <CGAL/Geometric_continuity/local/Jet_arrays.h>
 #include <CGAL/Geometric_continuity/local/Surface_jet.h>
@@ -43,6 +44,7 @@
 #include <CGAL/Geometric_continuity/local/curvatures.h>
 #include <CGAL/Geometric_continuity/local/end_jet.h>
 #include <CGAL/Geometric_continuity/local/frenet_equations.h>
+#include <CGAL/Geometric_continuity/local/homogeneous_jets.h>
 
 #include <CGAL/Geometric_continuity/splines/Bspline_function.h>
 #include <CGAL/Geometric_continuity/splines/Knot_vector.h>
@@ -58,6 +60,8 @@
 #include <CGAL/Geometric_continuity/curves/Composite_bezier_polygon.h>
 #include <CGAL/Geometric_continuity/curves/Cubic_blended_curve.h>
 #include <CGAL/Geometric_continuity/curves/Jet_polynomials.h>
+#include <CGAL/Geometric_continuity/curves/Rational_bezier_curve.h>
+#include <CGAL/Geometric_continuity/curves/Rational_bspline_curve.h>
 #include <CGAL/Geometric_continuity/curves/bezier_properties.h>
 #include <CGAL/Geometric_continuity/curves/bounding_boxes.h>
 #include <CGAL/Geometric_continuity/curves/control_polygon.h>

@@ -32,6 +32,7 @@ enum class Error_code {
   knot_multiplicity,        ///< a knot is repeated too often
   parameter_outside_domain, ///< a parameter lies outside the domain
   empty_domain,             ///< a parameter interval has no positive length
+  zero_weight,              ///< the denominator of a rational curve or surface is not positive somewhere
   wrong_number_of_points,   ///< too few or too many control points
   dimension_mismatch,       ///< points, vectors or curves of different dimensions meet
   jet_order_too_low,        ///< a jet has fewer derivatives than the construction reads
@@ -59,6 +60,7 @@ inline std::string to_string(Error_code code) {
   case Error_code::knot_multiplicity: return "knot_multiplicity";
   case Error_code::parameter_outside_domain: return "parameter_outside_domain";
   case Error_code::empty_domain: return "empty_domain";
+  case Error_code::zero_weight: return "zero_weight";
   case Error_code::wrong_number_of_points: return "wrong_number_of_points";
   case Error_code::dimension_mismatch: return "dimension_mismatch";
   case Error_code::jet_order_too_low: return "jet_order_too_low";

@@ -272,25 +272,13 @@ private:
     return jet;
   }
 
-  // The jet at an end of the domain, from which the control points index(0), index(1), ... are numbered; `step` is the length of
-  // the domain, negative at the end of the curve.
+  // The jet at an end of the domain, from which the control points index(0), index(1), ... are numbered.
   template <class Field, class Index>
   Coordinate_jet<Field, N> jet_of_legs(int k, const Field& step, const Index& index) const {
     const Traits traits;
-    const int m = degree(), used = (std::min)(k, m) + 1;
-    Coordinate_jet<Field, N> jet(dimension(), k);
-    for (int i = 0; i < dimension(); ++i) {
-      Coefficients<Field> c;
-      if constexpr (Degree == dynamic_degree) c.resize(used);
-      for (int j = 0; j < used; ++j)
-        c[j] = internal::to_field<Field>(FT(traits.compute_coordinate_object()(points_[index(j)], i)));
-      Field scale(1);
-      bernstein_end_derivatives<Field>(c, m, k, [&](int j, const Field& x) {
-        jet[j][i] = x / scale;
-        scale *= step;
-      });
-    }
-    return jet;
+    return internal::jet_of_legs<Field, N, Degree>(dimension(), degree(), k, step, [&](int j, int i) {
+      return internal::to_field<Field>(FT(traits.compute_coordinate_object()(points_[index(j)], i)));
+    });
   }
 
   template <class Curve, class Rows> Curve elevated(Rows rows) const {

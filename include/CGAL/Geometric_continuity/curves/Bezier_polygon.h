@@ -8,10 +8,10 @@
 #include <CGAL/Geometric_continuity/algebra/Bernstein_polynomial.h>
 #include <CGAL/Geometric_continuity/internal/for_each_index.h>
 #include <CGAL/Geometric_continuity/local/coordinates.h>
+#include <CGAL/Geometric_continuity/local/internal/jet_of_legs.h>
 #include <CGAL/Geometric_continuity/numbers/internal/checked_numbers.h>
 
 #include <boost/config.hpp>
-#include <boost/container/small_vector.hpp>
 
 #include <array>
 #include <cmath>
@@ -103,10 +103,7 @@ public:
   }
 
 protected:
-  // One number or row for each control point; without allocation up to degree 9.
-  template <class T>
-  using Coefficients =
-      std::conditional_t<Degree == dynamic_degree, boost::container::small_vector<T, 10>, std::array<T, Degree + 1>>;
+  template <class T> using Coefficients = internal::Bezier_coefficients<Degree, T>;
 
   Per_point<Point> points_;
   FT a_, b_;

@@ -5,13 +5,12 @@
 #ifndef CGAL_GEOMETRIC_CONTINUITY_JOINS_CURVE_ENDS_H
 #define CGAL_GEOMETRIC_CONTINUITY_JOINS_CURVE_ENDS_H
 
-#include <CGAL/Geometric_continuity/algebra/bernstein.h>
 #include <CGAL/Geometric_continuity/local/end_jet.h>
+#include <CGAL/Geometric_continuity/local/internal/jet_of_legs.h>
 
 #include <algorithm>
 #include <type_traits>
 #include <utility>
-#include <vector>
 
 /// \file Curve_ends.h
 /// How the ends of curves are read, for all decisions about joins: as the control points next to the end, where the curve
@@ -161,19 +160,10 @@ struct Has_jets<
 // end. The points up to min(k, m) are read.
 template <class Field, Curve_end which, class View>
 Coordinate_jet<Field, dimension_v<typename View::Traits>> jet_of_polygon(const View& view, int k) {
-  const int m = view.degree(), used = (std::min)(k, m) + 1;
   const Field h = to_field<Field>(view.domain().second) - to_field<Field>(view.domain().first);
-  Coordinate_jet<Field, dimension_v<typename View::Traits>> jet(view.dimension(), k);
-  std::vector<Field> c(used);
-  for (int i = 0; i < view.dimension(); ++i) {
-    for (int j = 0; j < used; ++j) c[j] = to_field<Field>(view.coordinate(j, i));
-    Field scale(1);
-    bernstein_end_derivatives<Field>(c, m, k, [&](int j, const Field& x) {
-      jet[j][i] = x / scale;
-      scale *= which == Curve_end::end ? Field(-h) : h;
-    });
-  }
-  return jet;
+  return jet_of_legs<Field, dimension_v<typename View::Traits>, -1>(
+      view.dimension(), view.degree(), k, which == Curve_end::end ? Field(-h) : h,
+      [&](int j, int i) { return to_field<Field>(view.coordinate(j, i)); });
 }
 
 // The jet at an end of a curve, see end_jet(); of a curve without jets from its control points.

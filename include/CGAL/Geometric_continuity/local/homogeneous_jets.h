@@ -1,0 +1,87 @@
+// Copyright (c) 2026 The Geometric_continuity developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_GEOMETRIC_CONTINUITY_LOCAL_HOMOGENEOUS_JETS_H
+#define CGAL_GEOMETRIC_CONTINUITY_LOCAL_HOMOGENEOUS_JETS_H
+
+#include <CGAL/Geometric_continuity/local/Curve_jet.h>
+#include <CGAL/Geometric_continuity/local/Homogeneous_traits.h>
+
+#include <boost/container/small_vector.hpp>
+
+#include <utility>
+
+/// \file homogeneous_jets.h
+/// From the derivatives of homogeneous points \f$ (p, w) = (w x, w) \f$ of a curve to those of \f$ x = p / w \f$, and back.
+
+namespace CGAL {
+namespace Geometric_continuity {
+
+namespace internal {
+
+// Calls f(k, binomials) for k = 0, ..., order, with the row C(k, 0), ..., C(k, k) of Pascal's triangle.
+template <class FT, class Function> void for_each_binomial_row(int order, Function f) {
+  boost::container::small_vector<FT, 6> row(order + 1, FT(0));
+  row[0] = FT(1);
+  for (int k = 0; k <= order; ++k) {
+    for (int j = k; j > 0; --j) row[j] += row[j - 1];
+    f(k, row);
+  }
+}
+
+template <class FT> void require_denominator(const FT& w, const char* place) {
+  if (w == FT(0)) throw Error(Error_code::zero_weight, place);
+}
+
+} // namespace internal
+
+/// \ingroup PkgGeometricContinuityLocal
+/// Returns the jet of the curve \f$ x = p / w \f$ from that of its homogeneous points \f$ (p, w) \f$:
+/// \f$ x_k = (p_k - \sum_{j=1}^k \binom{k}{j} w_j x_{k-j}) / w_0 \f$. \f$ O(n k^2) \f$
+/// \tparam M one more than the dimension of \f$ x \f$, or 0
+/// \throws Error `zero_weight` when \f$ w_0 = 0 \f$, `jet_order_too_low` for an empty jet
+template <class FT, int M> Coordinate_jet<FT, (M == 0 ? 0 : M - 1)> project(const Coordinate_jet<FT, M>& p) {
+  if (p.order() < 0) throw Error(Error_code::jet_order_too_low, "project");
+  const int n = p.dimension() - 1;
+  internal::require_denominator(p[0][n], "the denominator of a rational curve");
+  const FT inverse = FT(FT(1) / p[0][n]);
+  Coordinate_jet<FT, (M == 0 ? 0 : M - 1)> x(n, p.order());
+  internal::for_each_binomial_row<FT>(p.order(), [&](int k, const auto& binomial) {
+    for (int i = 0; i < n; ++i) {
+      FT sum = p[k][i];
+      for (int j = 1; j <= k; ++j) sum -= binomial[j] * p[j][n] * x[k - j][i];
+      x[k][i] = FT(sum * inverse);
+    }
+  });
+  return x;
+}
+
+/// \ingroup PkgGeometricContinuityLocal
+/// Returns the jet of the homogeneous points \f$ (p, w) \f$ of a curve from that of \f$ x = p / w \f$ and the derivatives
+/// \f$ w_0, w_1, \dots \f$ of the denominator, which may be chosen freely:
+/// \f$ p_k = \sum_{j=0}^k \binom{k}{j} w_j x_{k-j} \f$. Derivatives of the denominator that are not given are zero.
+/// \f$ O(n k^2) \f$
+/// \param x the jet
+/// \param weights a container of numbers
+/// \throws Error `zero_weight` when \f$ w_0 \f$ is zero or missing, `jet_order_too_low` for an empty jet
+template <class FT, int N, class Weights>
+Coordinate_jet<FT, (N == 0 ? 0 : N + 1)> lift(const Coordinate_jet<FT, N>& x, const Weights& weights) {
+  if (x.order() < 0) throw Error(Error_code::jet_order_too_low, "lift");
+  const int n = x.dimension();
+  Coordinate_jet<FT, (N == 0 ? 0 : N + 1)> p(n + 1, x.order());
+  int given = 0;
+  for (const FT& w : weights)
+    if (given <= x.order()) p[given++][n] = w;
+  internal::require_denominator(p[0][n], "the denominator of a rational curve");
+  internal::for_each_binomial_row<FT>(x.order(), [&](int k, const auto& binomial) {
+    for (int j = 0; j <= k; ++j)
+      for (int i = 0; i < n; ++i) p[k][i] += binomial[j] * p[j][n] * x[k - j][i];
+  });
+  return p;
+}
+
+} // namespace Geometric_continuity
+} // namespace CGAL
+
+#endif // CGAL_GEOMETRIC_CONTINUITY_LOCAL_HOMOGENEOUS_JETS_H

@@ -1,0 +1,50 @@
+// Copyright (c) 2026 The Geometric_continuity developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_GEOMETRIC_CONTINUITY_LOCAL_INTERNAL_JET_OF_LEGS_H
+#define CGAL_GEOMETRIC_CONTINUITY_LOCAL_INTERNAL_JET_OF_LEGS_H
+
+#include <CGAL/Geometric_continuity/algebra/bernstein.h>
+#include <CGAL/Geometric_continuity/local/Coordinate_jet.h>
+
+#include <boost/container/small_vector.hpp>
+
+#include <algorithm>
+#include <array>
+#include <type_traits>
+
+namespace CGAL {
+namespace Geometric_continuity {
+namespace internal {
+
+// One number or row for each control point of a curve of this degree, without allocation up to degree 9.
+template <int Degree, class T>
+using Bezier_coefficients =
+    std::conditional_t<(Degree < 0), boost::container::small_vector<T, 10>, std::array<T, Degree + 1>>;
+
+// The jet of order k at an end of a Bezier curve of degree m: m!/(m-j)! / h^j times the j-th differences of its control points,
+// which coordinate(j, i) reads from that end on, the points up to min(k, m). The step h is the length of the domain, negative
+// at the end of the curve. Degree is m, or -1 when it is known at run time only.
+template <class Field, int N, int Degree, class Coordinate>
+Coordinate_jet<Field, N> jet_of_legs(int dimension, int m, int k, const Field& h, const Coordinate& coordinate) {
+  const int used = (std::min)(k, m) + 1;
+  Coordinate_jet<Field, N> jet(dimension, k);
+  for (int i = 0; i < dimension; ++i) {
+    Bezier_coefficients<Degree, Field> c;
+    if constexpr (Degree < 0) c.resize(used);
+    for (int j = 0; j < used; ++j) c[j] = coordinate(j, i);
+    Field scale(1);
+    bernstein_end_derivatives<Field>(c, m, k, [&](int j, const Field& x) {
+      jet[j][i] = x / scale;
+      scale *= h;
+    });
+  }
+  return jet;
+}
+
+} // namespace internal
+} // namespace Geometric_continuity
+} // namespace CGAL
+
+#endif // CGAL_GEOMETRIC_CONTINUITY_LOCAL_INTERNAL_JET_OF_LEGS_H
