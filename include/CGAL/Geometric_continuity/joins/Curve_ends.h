@@ -23,6 +23,8 @@ namespace Geometric_continuity {
 template <class Traits, int Degree> class Bezier_curve;
 template <class Traits, int Degree> class Composite_bezier_curve;
 template <class Traits> class Bspline_curve;
+template <class Traits, int Degree> class Rational_bezier_curve;
+template <class Traits> class Rational_bspline_curve;
 
 /// \ingroup PkgGeometricContinuityContinuity
 /// The two ends of a curve.
@@ -85,13 +87,12 @@ template <class Traits, int Degree> struct Curve_ends<Composite_bezier_curve<Tra
 };
 
 /// \ingroup PkgGeometricContinuityContinuity
-/// The ends of a `Bspline_curve`: those of the polynomials on its first and last span that is not empty. The control points
+/// The `Curve_ends` of a B-spline curve: those of the polynomials on its first and last span that is not empty. The control points
 /// next to the end are Bézier points if the knots outside of the span are equal, and on its other side as many of them as four
 /// points need: at least three, or as many as the degree. Otherwise the Bézier points are combinations of control points, and
 /// the end is read by its jet.
-template <class Traits> struct Curve_ends<Bspline_curve<Traits>> {
-  typedef Bspline_curve<Traits> Curve; ///< the curve
-  typedef typename Traits::FT FT;      ///< its numbers
+template <class Curve> struct Bspline_ends {
+  typedef typename Curve::FT FT; ///< the numbers of the curve
   /// There are control points.
   static constexpr bool have_polygons = true;
   /// Returns whether the control points next to this end are Bézier points. \f$ O(\log n + p) \f$
@@ -117,6 +118,29 @@ template <class Traits> struct Curve_ends<Bspline_curve<Traits>> {
 private:
   static int span(const Curve& c, Curve_end end) {
     return end == Curve_end::end ? c.knots().left_span(c.domain().second) : c.knots().span(c.domain().first);
+  }
+};
+
+/// \ingroup PkgGeometricContinuityContinuity
+/// The ends of a `Bspline_curve`.
+template <class Traits> struct Curve_ends<Bspline_curve<Traits>> : Bspline_ends<Bspline_curve<Traits>> {};
+
+/// \ingroup PkgGeometricContinuityContinuity
+/// The ends of a `Rational_bezier_curve`. If all weights are equal it is the Bézier curve of its control points; otherwise the end is read
+/// by its jet.
+template <class Traits, int Degree>
+struct Curve_ends<Rational_bezier_curve<Traits, Degree>> : Bezier_ends<Rational_bezier_curve<Traits, Degree>> {
+  /// Returns whether the control points are those of a polynomial curve.
+  static bool has_polygon(const Rational_bezier_curve<Traits, Degree>& c, Curve_end) { return c.is_polynomial(); }
+};
+
+/// \ingroup PkgGeometricContinuityContinuity
+/// The ends of a `Rational_bspline_curve`: as those of a `Bspline_curve` if all weights are equal, otherwise read by their jets.
+template <class Traits>
+struct Curve_ends<Rational_bspline_curve<Traits>> : Bspline_ends<Rational_bspline_curve<Traits>> {
+  /// Returns whether the control points next to this end are Bézier points of a polynomial curve.
+  static bool has_polygon(const Rational_bspline_curve<Traits>& c, Curve_end end) {
+    return c.is_polynomial() && Bspline_ends<Rational_bspline_curve<Traits>>::has_polygon(c, end);
   }
 };
 
