@@ -103,10 +103,11 @@ void write_table(std::ostream& os, const std::vector<Blend_report>& reports, int
     proved = proved && r.is_proved(order);
     const std::optional<GC::Curvature_extrema>& c = r.curvature;
     write_row(os,
-              {r.strategy, orders(r.start), orders(r.end), rounded(CGAL::to_double(r.curve.energy(order))),
-               rounded(CGAL::to_double(r.curve.energy(order + 1))), rounded(r.fairness), rounded(r.bending_energy),
-               c ? std::to_string(c->extrema.size()) : "-", c ? std::to_string(c->inflections.size()) : "-",
-               c ? rounded(c->largest().upper) : "-"},
+              {r.strategy, orders(r.start), orders(r.end),
+               rounded(CGAL::to_double(r.curve.polynomial()->energy(order))),
+               rounded(CGAL::to_double(r.curve.polynomial()->energy(order + 1))), rounded(r.fairness),
+               rounded(r.bending_energy), c ? std::to_string(c->extrema.size()) : "-",
+               c ? std::to_string(c->inflections.size()) : "-", c ? rounded(c->largest().upper) : "-"},
               r.parameters);
   }
   os << (proved ? "both joins of every blend are proved in exact arithmetic\n"

@@ -15,6 +15,7 @@
 
 #include <memory>
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -22,19 +23,33 @@
 
 // One instantiation for each number type serves all dimensions.
 template <class FT> using Program_traits = GC::Traits_d<CGAL::Cartesian_d<FT>>;
-template <class FT> using Program_curve = GC::Bezier_curve<Program_traits<FT>>;
+template <class FT>
+using Program_curve = GC::Rational_bezier_curve<Program_traits<FT>>; // polynomial ones have the weights 1
 typedef CGAL::Exact_rational Exact;
 typedef Program_curve<Exact> Exact_curve;
 
-// Returns the curve with the same control points and the same domain, as exact numbers.
-template <class FT, int Degree> Exact_curve exact(const GC::Bezier_curve<Program_traits<FT>, Degree>& curve) {
-  std::vector<Exact_curve::Point> points;
-  for (int j = 0; j <= curve.degree(); ++j) {
-    const GC::Coordinate_vector<FT, 0> x = curve.coordinates(j);
-    const std::vector<Exact> c(x.begin(), x.end());
-    points.push_back(Exact_curve::Point(x.dimension(), c.begin(), c.end()));
+// Returns the curve with the same control points, weights and domain, as exact numbers.
+template <class FT> Exact_curve exact(const Program_curve<FT>& curve) {
+  if constexpr (std::is_same_v<FT, Exact>)
+    return curve;
+  else {
+    std::vector<Exact_curve::Homogeneous::Point> rows;
+    for (int j = 0; j <= curve.degree(); ++j) {
+      const GC::Coordinate_vector<FT, 0> x = curve.coordinates(j);
+      GC::Coordinate_vector<Exact, 0> c(x.dimension());
+      for (int i = 0; i < x.dimension(); ++i) c[i] = Exact(x[i]);
+      rows.push_back(GC::homogeneous_point(c, Exact(curve.weight(j))));
+    }
+    return Exact_curve(
+        Exact_curve::Homogeneous(rows.begin(), rows.end(), Exact(curve.domain().first), Exact(curve.domain().second)));
   }
-  return Exact_curve(points.begin(), points.end(), Exact(curve.domain().first), Exact(curve.domain().second));
+}
+
+// Returns a curve of which all weights are equal without them. Throws std::invalid_argument for any other, with what needs that.
+template <class FT>
+GC::Bezier_curve<Program_traits<FT>> polynomial(const Program_curve<FT>& curve, const std::string& what) {
+  if (const std::optional<GC::Bezier_curve<Program_traits<FT>>> c = curve.polynomial()) return *c;
+  throw std::invalid_argument(what + " needs polynomial curves, and one of these is rational");
 }
 
 // Reads the curves of several files, one after the other. A curve with inner knots is cut into its Bezier curves; only one

@@ -44,7 +44,10 @@ GC::Svg_panel picture(const std::string& file, const GC::Svg_style& style, bool 
 // Draws Hagen's figure 2 for the end of the last curve of a file.
 GC::Svg_panel alternatives(const std::string& file, const GC::Svg_style& style) {
   const std::vector<Exact_curve> curves = read_curves<Exact>({file});
-  const Exact_curve& last = curves.back();
+  typedef GC::Bezier_curve<Program_traits<Exact>> Polynomial;
+  const Exact_curve& curve = curves.back();
+  const Polynomial last =
+      curve.is_polynomial() ? *curve.polynomial() : GC::taylor_polynomial_at_end(curve, (std::max)(curve.degree(), 2));
   const int m = last.degree();
   const GC::Midpoint_construction<Program_traits<Exact>> points = GC::midpoint_construction(last);
   const GC::Curvature_alternatives<Program_traits<Exact>> line = GC::curvature_alternatives(last);
@@ -53,14 +56,14 @@ GC::Svg_panel alternatives(const std::string& file, const GC::Svg_style& style) 
       found{GC::Svg_role::result, false, false, "line of alternatives"};
   for (const Exact_curve& c : curves) panel.add(c, style);
   const auto leg = [&](const Exact_curve::Point& a, const Exact_curve::Point& b) {
-    panel.add(Exact_curve{a, b}, construction);
+    panel.add(Polynomial{a, b}, construction);
   };
   leg(last.control_point(m - 1), points.b1);
   leg(last.control_point(m - 2), points.d0);
   leg(points.d0, points.b2_tilde);
   leg(points.d0, points.b2_bar);
-  panel.add(Exact_curve{line.point_at(0), line.point_at(6)}, found);
-  const auto mark = [&](const Exact_curve::Point& p, const char* label) { panel.add(Exact_curve{p}).join(label); };
+  panel.add(Polynomial{line.point_at(0), line.point_at(6)}, found);
+  const auto mark = [&](const Exact_curve::Point& p, const char* label) { panel.add(Polynomial{p}).join(label); };
   mark(last.control_point(m), "b\u2080");
   mark(last.control_point(m - 1), "b\u208b\u2081");
   mark(last.control_point(m - 2), "b\u208b\u2082");
