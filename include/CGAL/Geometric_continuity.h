@@ -45,6 +45,7 @@
 #include <CGAL/Geometric_continuity/local/end_jet.h>
 #include <CGAL/Geometric_continuity/local/frenet_equations.h>
 #include <CGAL/Geometric_continuity/local/homogeneous_jets.h>
+#include <CGAL/Geometric_continuity/local/homogeneous_surface_jets.h>
 
 #include <CGAL/Geometric_continuity/splines/Bspline_function.h>
 #include <CGAL/Geometric_continuity/splines/Knot_vector.h>
@@ -108,6 +109,8 @@
 #include <CGAL/Geometric_continuity/surfaces/Bspline_surface.h>
 #include <CGAL/Geometric_continuity/surfaces/Extrusion_surface_3.h>
 #include <CGAL/Geometric_continuity/surfaces/Patch_edge.h>
+#include <CGAL/Geometric_continuity/surfaces/Rational_bezier_patch.h>
+#include <CGAL/Geometric_continuity/surfaces/Rational_bspline_surface.h>
 #include <CGAL/Geometric_continuity/surfaces/Revolution_surface_3.h>
 #include <CGAL/Geometric_continuity/surfaces/Surface_grid.h>
 #include <CGAL/Geometric_continuity/surfaces/Swept_surface_3.h>
