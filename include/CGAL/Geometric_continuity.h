@@ -63,6 +63,7 @@
 #include <CGAL/Geometric_continuity/curves/Jet_polynomials.h>
 #include <CGAL/Geometric_continuity/curves/Rational_bezier_curve.h>
 #include <CGAL/Geometric_continuity/curves/Rational_bspline_curve.h>
+#include <CGAL/Geometric_continuity/curves/arcs.h>
 #include <CGAL/Geometric_continuity/curves/bezier_properties.h>
 #include <CGAL/Geometric_continuity/curves/bounding_boxes.h>
 #include <CGAL/Geometric_continuity/curves/control_polygon.h>

@@ -92,4 +92,11 @@ std::vector<std::vector<typename Traits::FT>> coordinate_rows(const Range& point
   return rows;
 }
 
+template <class Traits>
+std::vector<std::vector<typename Traits::FT>> coordinate_rows(const GC::Curve_jet<Traits>& jet) {
+  std::vector<std::vector<typename Traits::FT>> rows(1, coordinates<Traits>(jet.point()));
+  for (int j = 1; j <= jet.order(); ++j) rows.push_back(coordinates<Traits>(jet.derivative(j)));
+  return rows;
+}
+
 #endif // GEOMETRIC_CONTINUITY_TEST_KERNELS_H

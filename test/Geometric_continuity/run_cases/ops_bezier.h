@@ -17,11 +17,7 @@ template <class Traits> bool run_bezier(const Case& c, Report& report) {
   if (c.op == "eval_jet") {
     const FT h = in.number("interval_length");
     const GC::Curve_jet<Traits> jet = in.curve("P", FT(0), h).jet(FT(in.number("t") * h), c.integer("k"));
-    report.construction("jet", [&] {
-      std::vector<std::vector<FT>> rows(1, coordinates<Traits>(jet.point()));
-      for (int j = 1; j <= jet.order(); ++j) rows.push_back(coordinates<Traits>(jet.derivative(j)));
-      return rows;
-    });
+    report.construction("jet", [&] { return coordinate_rows(jet); });
   } else if (c.op == "split") {
     // at the ends of the domain only the polynomials of the coordinates can be split
     const Curve curve = in.curve("P");

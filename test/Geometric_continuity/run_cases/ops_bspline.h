@@ -30,6 +30,21 @@ template <class Traits> struct Spline_input {
 
   FT parameter(const std::string& path) const { return from_rational<FT>(Exact_rational(c.number(path) * scale)); }
   FT unscaled(const FT& u) const { return FT(u / from_rational<FT>(scale)); }
+  std::vector<FT> unscaled(const GC::Knot_vector<FT>& knots) const {
+    std::vector<FT> unscaled_knots;
+    for (const FT& u : knots) unscaled_knots.push_back(unscaled(u));
+    return unscaled_knots;
+  }
+  // with respect to the given parameter
+  std::vector<std::vector<FT>> rows(const GC::Curve_jet<Traits>& jet) const {
+    std::vector<std::vector<FT>> rows = coordinate_rows(jet);
+    FT power(1);
+    for (std::vector<FT>& row : rows) {
+      for (FT& x : row) x *= power;
+      power *= from_rational<FT>(scale);
+    }
+    return rows;
+  }
 
   Curve curve(const std::string& path = "") const {
     std::vector<FT> knots;
@@ -58,11 +73,7 @@ void report_spline(Report& report, const Spline_input<Traits>& in, const GC::Bsp
                    const typename Traits::FT& factor = typename Traits::FT(1)) {
   typedef typename Traits::FT FT;
   report.construction("degree", [&] { return curve.degree(); });
-  report.construction("knots", [&] {
-    std::vector<FT> knots;
-    for (const FT& u : curve.knots()) knots.push_back(in.unscaled(u));
-    return knots;
-  });
+  report.construction("knots", [&] { return in.unscaled(curve.knots()); });
   report.construction("points", [&] {
     std::vector<std::vector<FT>> rows = coordinate_rows<Traits>(curve);
     for (std::vector<FT>& row : rows)
@@ -85,19 +96,9 @@ template <class Traits> bool run_bspline(const Case& c, Report& report) {
   if (c.op == "eval_jet") {
     const GC::Bspline_curve<Traits> curve = in.curve();
     const FT u = in.parameter("u");
-    const auto rows = [&](const GC::Curve_jet<Traits>& jet) {
-      std::vector<std::vector<FT>> rows(1, coordinates<Traits>(jet.point()));
-      for (int j = 1; j <= jet.order(); ++j) rows.push_back(coordinates<Traits>(jet.derivative(j)));
-      FT power(1);
-      for (std::vector<FT>& row : rows) {
-        for (FT& x : row) x *= power;
-        power *= factor;
-      }
-      return rows;
-    };
     const GC::Curve_jet<Traits> right = curve.jet(u, c.integer("k")), left = curve.left_jet(u, c.integer("k"));
-    report.construction("right", [&] { return rows(right); });
-    report.construction("left", [&] { return rows(left); });
+    report.construction("right", [&] { return in.rows(right); });
+    report.construction("left", [&] { return in.rows(left); });
     report.construction("basis", [&] { return GC::bspline_basis(curve.knots(), u); });
   } else if (c.op == "bezier_pieces") {
     const std::vector<GC::Bezier_curve<Traits>> pieces = in.curve().bezier_pieces();

@@ -62,12 +62,7 @@ template <class Traits> bool run_invariants(const Case& c, Report& report) {
   return true;
 }
 
-// Topic joins.
-template <class Traits> bool run_joins(const Case& c, Report& report) {
-  if (c.op != "classify_join") return false;
-  const Input<Traits> in{c};
-  const GC::Curve_jet<Traits> left = in.jet("left"), right = in.jet("right");
-  const auto join = GC::continuity(left, right, c.integer("kmax"));
+template <class Jet, class Join> void report_join(Report& report, const Jet& left, const Jet& right, const Join& join) {
   // the invariants of both sides are listed for a regular join only
   report.construction("kappa2_left", [&] { return join.regular ? curvature_if_defined(left) : std::nullopt; });
   report.construction("kappa2_right", [&] { return join.regular ? curvature_if_defined(right) : std::nullopt; });
@@ -82,6 +77,14 @@ template <class Traits> bool run_joins(const Case& c, Report& report) {
   report.predicate("curvature_equal", [&] { return join.curvature_equal; });
   report.predicate("curvature_vector_equal", [&] { return join.curvature_vector_equal; });
   report.predicate("torsion_equal", [&] { return join.torsion_equal; });
+}
+
+// Topic joins.
+template <class Traits> bool run_joins(const Case& c, Report& report) {
+  if (c.op != "classify_join") return false;
+  const Input<Traits> in{c};
+  const GC::Curve_jet<Traits> left = in.jet("left"), right = in.jet("right");
+  report_join(report, left, right, GC::continuity(left, right, c.integer("kmax")));
   return true;
 }
 

@@ -14,6 +14,7 @@
 #include "ops_local.h"
 #include "ops_matrices.h"
 #include "ops_normals.h"
+#include "ops_rational.h"
 #include "ops_ribbon.h"
 
 #include <stdexcept>
@@ -21,7 +22,8 @@
 
 // The dimension of a case: the length of the first point of its input, 0 when it has no points.
 inline int dimension_of(const Case& c) {
-  if (c.has("b0#")) return c.length("b0");
+  for (const char* point : {"b0", "center"})
+    if (c.has(std::string(point) + '#')) return c.length(point);
   for (const auto& [path, value] : c.in)
     if (path.size() > 3 && path.compare(path.size() - 3, 3, ".0#") == 0) {
       const auto in_net = c.in.find(path.substr(0, path.size() - 1) + ".0#"); // nets are nested one level deeper
@@ -35,10 +37,11 @@ template <class FT> bool run_scalars(const Case& c, Report& report) {
 }
 
 template <class Traits> bool run_operation(const Case& c, Report& report) {
-  return run_bspline<Traits>(c, report) || run_bezier<Traits>(c, report) || run_invariants<Traits>(c, report) ||
-         run_joins<Traits>(c, report) || run_errata<Traits>(c, report) || run_hagen<Traits>(c, report) ||
-         run_edges<Traits>(c, report) || run_ribbon<Traits>(c, report) || run_normals<Traits>(c, report) ||
-         run_matrices<Traits>(c, report) || (c.has("strategy") && run_blends<Traits>(c, report));
+  return run_rational<Traits>(c, report) || run_bspline<Traits>(c, report) || run_bezier<Traits>(c, report) ||
+         run_invariants<Traits>(c, report) || run_joins<Traits>(c, report) || run_errata<Traits>(c, report) ||
+         run_hagen<Traits>(c, report) || run_edges<Traits>(c, report) || run_ribbon<Traits>(c, report) ||
+         run_normals<Traits>(c, report) || run_matrices<Traits>(c, report) ||
+         (c.has("strategy") && run_blends<Traits>(c, report));
 }
 
 // Computes the output of a case in one kernel family. It never looks at the expected output.

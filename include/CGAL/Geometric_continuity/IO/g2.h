@@ -12,9 +12,10 @@
 /// A curve has the words
 /// - `100`, the class of spline curves, the version `1 0`, the number of auxiliary integers, and these, which are
 ///   skipped;
-/// - the dimension, and 0 because the curve is not rational;
+/// - the dimension, and the rational flag: 0, or 1 for a curve with weights;
 /// - the number of control points, the order (degree + 1), and the knots, as many as both together;
-/// - the control points.
+/// - the control points; with the flag 1 the products \f$ w x \f$ of the coordinates and the weight, and then the weight
+///   \f$ w \f$.
 ///
 /// A surface has the class `200`, and in place of the third line the same numbers for `u` and then for `v`. Its control
 /// points are \f$ b_{00}, b_{10}, \dots, b_{m-1,0}, b_{01}, \dots, b_{m-1,n-1} \f$: the index that belongs to `u` runs
@@ -26,9 +27,12 @@
 #include <CGAL/Geometric_continuity/IO/internal/g2_text.h>
 #include <CGAL/Geometric_continuity/curves/Bezier_curve.h>
 #include <CGAL/Geometric_continuity/curves/Bspline_curve.h>
+#include <CGAL/Geometric_continuity/curves/Rational_bezier_curve.h>
+#include <CGAL/Geometric_continuity/curves/Rational_bspline_curve.h>
 #include <CGAL/Geometric_continuity/surfaces/Bezier_patch.h>
 #include <CGAL/Geometric_continuity/surfaces/Bspline_surface.h>
 
+#include <algorithm>
 #include <istream>
 #include <optional>
 #include <ostream>
@@ -40,6 +44,23 @@
 namespace CGAL {
 namespace Geometric_continuity {
 
+namespace internal {
+
+// A rational Bezier or B-spline curve from what has been read.
+template <class Curve, class Points, class Direction> Curve rational_g2_curve(const Points& w, const Direction& u) {
+  typedef typename Curve::Homogeneous Homogeneous;
+  if constexpr (std::is_same_v<Curve, Rational_bspline_curve<typename Curve::Traits>>) {
+    const Knot_vector<typename Curve::FT> knots(u.order - 1, u.knots);
+    if (w.infinite()) return Curve(Homogeneous(w.rows.begin(), w.rows.end(), knots));
+    return Curve(w.points.begin(), w.points.end(), w.weights.begin(), w.weights.end(), knots);
+  } else {
+    if (w.infinite()) return Curve(Homogeneous(w.rows.begin(), w.rows.end(), u.knots.front(), u.knots.back()));
+    return Curve(w.points.begin(), w.points.end(), w.weights.begin(), w.weights.end(), u.knots.front(), u.knots.back());
+  }
+}
+
+} // namespace internal
+
 /// \ingroup PkgGeometricContinuityIO
 /// Reads curves one after the other from a text in the `.g2` format, in memory that does not depend on the length of
 /// the text. A B-spline curve needs at least as many control points as its order, and knots as `Knot_vector` does. A
@@ -49,10 +70,15 @@ namespace Geometric_continuity {
 /// A byte order mark of UTF-8 is skipped; UTF-16 is refused.
 ///
 /// \tparam Traits a model of `GeometricContinuityTraits` whose `FT` is accepted by `parse_number()`
-/// \tparam Curve `Bezier_curve<Traits>` (curves with inner knots are refused) or `Bspline_curve<Traits>`
+/// \tparam Curve `Rational_bspline_curve<Traits>` or `Bspline_curve<Traits>`, or, for texts without inner knots,
+///   `Rational_bezier_curve<Traits>` or `Bezier_curve<Traits>`. Curves with the rational flag are refused where a polynomial
+///   type is read; polynomial curves are read as rational ones with the weights 1
 template <class Traits, class Curve = Bezier_curve<Traits>> class G2_curve_reader {
-  static constexpr bool bezier = std::is_same_v<Curve, Bezier_curve<Traits>>;
-  static_assert(bezier || std::is_same_v<Curve, Bspline_curve<Traits>>);
+  static constexpr bool bezier =
+      std::is_same_v<Curve, Bezier_curve<Traits>> || std::is_same_v<Curve, Rational_bezier_curve<Traits>>;
+  static constexpr bool rational =
+      std::is_same_v<Curve, Rational_bezier_curve<Traits>> || std::is_same_v<Curve, Rational_bspline_curve<Traits>>;
+  static_assert(bezier || rational || std::is_same_v<Curve, Bspline_curve<Traits>>);
   static constexpr internal::G2_shape shape = bezier ? internal::G2_shape::bezier : internal::G2_shape::spline;
 
   typedef typename Traits::FT FT;
@@ -62,7 +88,9 @@ template <class Traits, class Curve = Bezier_curve<Traits>> class G2_curve_reade
 public:
   /// Reads from `is`, which must outlive the reader. Error messages begin with `name`.
   /// \throws Error `cannot_read_file` when the stream is not good
-  G2_curve_reader(std::istream& is, std::string name) : parser_(is, std::move(name), internal::g2_curves) {}
+  G2_curve_reader(std::istream& is, std::string name)
+      : parser_(is, std::move(name), internal::g2_curves,
+                rational ? internal::G2_weights::allowed : internal::G2_weights::refused) {}
 
   /// Returns the next curve, or nothing at the end of the text. After an error the reader cannot be used any more.
   /// \throws Error `malformed_input` with a text `name:line: reason` for everything that is no curve of the format, and
@@ -70,12 +98,26 @@ public:
   std::optional<Curve> next() {
     if (!parser_.next_object()) return std::nullopt;
     internal::G2_direction<FT> u = parser_.read_direction(shape);
+    if constexpr (rational)
+      if (parser_.rational()) return read_rational(u);
     std::vector<typename Traits::Point> points;
     for (int j = 0; j < u.points; ++j) points.push_back(parser_.read_point(j, u.points));
     if constexpr (bezier)
-      return Curve(points.begin(), points.end(), u.knots.front(), u.knots.back());
+      return Curve(Bezier_curve<Traits>(points.begin(), points.end(), u.knots.front(), u.knots.back()));
     else
-      return Curve(points.begin(), points.end(), Knot_vector<FT>(u.order - 1, std::move(u.knots)));
+      return Curve(
+          Bspline_curve<Traits>(points.begin(), points.end(), Knot_vector<FT>(u.order - 1, std::move(u.knots))));
+  }
+
+private:
+  Curve read_rational(const internal::G2_direction<FT>& u) {
+    internal::G2_weighted_points<Traits, typename internal::G2_parser<Traits>::Exact> w;
+    for (int j = 0; j < u.points; ++j) w.push_back(parser_.read_homogeneous_point(j, u.points));
+    try {
+      return internal::rational_g2_curve<Curve>(w, u);
+    } catch (const Error& error) { // a denominator that is not positive
+      parser_.refuse(error.what());
+    }
   }
 };
 
@@ -139,11 +181,29 @@ template <class Object, class Reader> std::vector<Object> read_all(Reader reader
   return objects;
 }
 
+// Whether nothing is lost without the weights.
+template <class Object> bool has_unit_weights(const Object& object) {
+  typedef typename Object::FT FT;
+  return std::all_of(object.weights().begin(), object.weights().end(), [](const FT& w) { return bool(w == FT(1)); });
+}
+
 // A curve over all its knots.
 template <class Curve>
 void write_g2_curve(std::ostream& os, const Curve& curve, const Knot_vector<typename Curve::FT>& knots) {
-  write_g2_text<typename Curve::FT>(os, g2_curves.number, curve.dimension(), {&knots}, knots.number_of_coefficients(),
+  write_g2_text<typename Curve::FT>(os, g2_curves.number, curve.dimension(), false, {&knots},
+                                    knots.number_of_coefficients(),
                                     [&](long long j) { return curve.coordinates(static_cast<int>(j)); });
+}
+
+// A rational curve over all its knots; with the weights 1 as a polynomial one.
+template <class Curve>
+void write_rational_g2_curve(std::ostream& os, const Curve& curve, const Knot_vector<typename Curve::FT>& knots) {
+  if (has_unit_weights(curve)) return write_g2_curve(os, curve, knots);
+  write_g2_text<typename Curve::FT>(os, g2_curves.number, curve.dimension(), true, {&knots},
+                                    knots.number_of_coefficients(), [&](long long j) {
+                                      const int i = static_cast<int>(j);
+                                      return weighted_row(curve.coordinates(i), curve.weight(i));
+                                    });
 }
 
 } // namespace internal
@@ -160,6 +220,15 @@ template <class Traits> std::vector<Bezier_curve<Traits>> read_g2_curves(std::is
 /// \throws Error as `G2_curve_reader` does
 template <class Traits> std::vector<Bspline_curve<Traits>> read_g2_bsplines(std::istream& is, const std::string& name) {
   return internal::read_all<Bspline_curve<Traits>>(G2_bspline_reader<Traits>(is, name));
+}
+
+/// \ingroup PkgGeometricContinuityIO
+/// Returns all curves of a text in the `.g2` format, rational or not, as rational B-spline curves.
+/// \throws Error as `G2_curve_reader` does
+template <class Traits>
+std::vector<Rational_bspline_curve<Traits>> read_g2_rational_bsplines(std::istream& is, const std::string& name) {
+  return internal::read_all<Rational_bspline_curve<Traits>>(
+      G2_curve_reader<Traits, Rational_bspline_curve<Traits>>(is, name));
 }
 
 /// \ingroup PkgGeometricContinuityIO
@@ -195,13 +264,32 @@ template <class Traits> void write_g2(std::ostream& os, const Bspline_curve<Trai
 }
 
 /// \ingroup PkgGeometricContinuityIO
+/// Writes a rational Bézier curve in the `.g2` format without loss, with an empty line after it: the products \f$ w_i b_i \f$ and
+/// the weights \f$ w_i \f$, or a polynomial curve where all weights are 1. A product of floating-point numbers is written with as many digits as
+/// give the control point back when it is divided by the weight. Nothing is written when an error is thrown.
+/// \throws Error as `write_number()` does
+template <class Traits, int Degree>
+void write_g2(std::ostream& os, const Rational_bezier_curve<Traits, Degree>& curve) {
+  const std::pair<typename Traits::FT, typename Traits::FT> domain = curve.domain();
+  internal::write_rational_g2_curve(os, curve,
+                                    Knot_vector<typename Traits::FT>(curve.degree(), domain.first, domain.second));
+}
+
+/// \ingroup PkgGeometricContinuityIO
+/// Writes a rational B-spline curve in the `.g2` format without loss, with an empty line after it, as a rational Bézier curve.
+/// \throws Error as `write_number()` does
+template <class Traits> void write_g2(std::ostream& os, const Rational_bspline_curve<Traits>& curve) {
+  internal::write_rational_g2_curve(os, curve, curve.knots());
+}
+
+/// \ingroup PkgGeometricContinuityIO
 /// Writes a B-spline surface in the `.g2` format without loss, with an empty line after it. Nothing is written when an
 /// error is thrown. Failures of the stream are seen in its state; `write_file_atomically()` reports them.
 /// \throws Error as `write_number()` does
 template <class Traits> void write_g2(std::ostream& os, const Bspline_surface<Traits>& surface) {
   const long long m = surface.number_of_points_u(), n = surface.number_of_points_v();
   internal::write_g2_text<typename Traits::FT>(
-      os, internal::g2_surfaces.number, surface.dimension(), {&surface.knots_u(), &surface.knots_v()}, m * n,
+      os, internal::g2_surfaces.number, surface.dimension(), false, {&surface.knots_u(), &surface.knots_v()}, m * n,
       [&](long long k) { return surface.coordinates(static_cast<int>(k % m), static_cast<int>(k / m)); });
 }
 

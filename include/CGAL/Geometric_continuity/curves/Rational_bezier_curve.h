@@ -103,8 +103,9 @@ public:
   /// \throws Error `wrong_number_of_points` when the curve does not have the degree `Degree`
   template <int Other, class = std::enable_if_t<Other != Degree>>
   Rational_bezier_curve(const Rational_bezier_curve<Traits, Other>& c)
-      : Rational_bezier_curve(Homogeneous(c.homogeneous())) { // keeps infinite control points
+      : Polygon(c.begin(), c.end(), c.domain().first, c.domain().second), weights_(ones(points_.size())) {
     static_assert(Other == dynamic_degree || Degree == dynamic_degree, "the degrees differ");
+    std::copy(c.weights().begin(), c.weights().end(), weights_.begin());
   }
 
   /// \name Weights
@@ -244,7 +245,11 @@ public:
   /// Returns the curve with these control points and weights on another domain.
   /// \throws Error `empty_domain` unless `a < b`, `not_finite` when one of them is not finite or `b - a` overflows
   Rational_bezier_curve with_domain(const FT& a, const FT& b) const {
-    return Rational_bezier_curve(homogeneous().with_domain(a, b));
+    internal::check_interval(std::pair<FT, FT>(a, b), "Rational_bezier_curve::with_domain");
+    Rational_bezier_curve r = *this;
+    r.a_ = a;
+    r.b_ = b;
+    return r;
   }
 
   /// Returns the image under an affine map of points, e.g. a `CGAL::Aff_transformation_3`. The images are not checked.

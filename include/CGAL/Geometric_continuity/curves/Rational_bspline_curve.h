@@ -90,7 +90,9 @@ public:
   /// Converts a rational Bézier curve.
   template <int Degree>
   explicit Rational_bspline_curve(const Rational_bezier_curve<Traits, Degree>& c)
-      : Rational_bspline_curve(Homogeneous(c.homogeneous())) {}
+      : Polygon(Knot_vector<FT>(c.degree(), c.domain().first, c.domain().second),
+                std::vector<Point>(c.begin(), c.end())),
+        weights_(c.weights().begin(), c.weights().end()) {}
 
   /// Joins rational Bézier curves that continue each other: each starts where the one before it ends. Their weights are
   /// multiplied by a factor each, so that the homogeneous points meet, and all are elevated to one degree. The knots between them have the

@@ -9,6 +9,7 @@
 #include <CGAL/Geometric_continuity/IO/limits.h>
 #include <CGAL/Geometric_continuity/IO/number.h>
 #include <CGAL/Geometric_continuity/local/coordinates.h>
+#include <CGAL/Geometric_continuity/numbers/Exact_field.h>
 
 #include <charconv>
 #include <cmath>
@@ -40,6 +41,9 @@ enum class G2_shape {
   spline  // all that Knot_vector takes
 };
 
+// Whether rational objects are read.
+enum class G2_weights { refused, allowed };
+
 // The numbers of control points and the order in one parameter of a spline.
 struct G2_size {
   int points, order;
@@ -64,12 +68,20 @@ template <class Traits> class G2_parser {
 
   Token_reader tokens_;
   G2_class class_;
+  G2_weights weights_;
   int dimension_ = 0; // of the first object
-  bool empty_ = true;
+  bool empty_ = true, rational_ = false;
 
 public:
-  G2_parser(std::istream& is, std::string name, const G2_class& object_class)
-      : tokens_(is, std::move(name)), class_(object_class) {}
+  // A point with its weight, in homogeneous coordinates (w x, w), as exact numbers.
+  typedef typename Exact_field<FT>::type Exact;
+  typedef Coordinate_vector<Exact, (dimension_v<Traits> == 0 ? 0 : dimension_v<Traits> + 1)> Homogeneous_row;
+
+  G2_parser(std::istream& is, std::string name, const G2_class& object_class, G2_weights weights = G2_weights::refused)
+      : tokens_(is, std::move(name)), class_(object_class), weights_(weights) {}
+
+  // Whether the current object has weights.
+  bool rational() const { return rational_; }
 
   // Reads the header and the dimension of the next object. Returns false at the end of the text.
   bool next_object() {
@@ -117,9 +129,19 @@ public:
   // Reads the control point after `done` of `all`.
   typename Traits::Point read_point(long long done, long long all) {
     Coordinates<Traits> x(dimension_);
-    for (int i = 0; i < dimension_; ++i) x[i] = read_number(done, all, "control points");
+    for (int i = 0; i < dimension_; ++i) x[i] = read_number<FT>(done, all, "control points");
     return to_point<Traits>(x);
   }
+
+  // Reads the control point after `done` of `all` of a rational object.
+  Homogeneous_row read_homogeneous_point(long long done, long long all) {
+    Homogeneous_row row(dimension_ + 1);
+    for (int i = 0; i <= dimension_; ++i) row[i] = read_number<Exact>(done, all, "control points");
+    return row;
+  }
+
+  // Refuses what is wrong in the object that has been read as a whole.
+  [[noreturn]] void refuse(const std::string& reason) const { tokens_.refuse(reason); }
 
 private:
   // The integer in the current word.
@@ -142,11 +164,11 @@ private:
   }
 
   // One of the numbers of a list of which `done` of `all` parts are complete.
-  FT read_number(long long done, long long all, const std::string& parts) {
+  template <class Number> Number read_number(long long done, long long all, const std::string& parts) {
     if (!tokens_.advance())
       tokens_.refuse("file ends after " + std::to_string(done) + " of " + std::to_string(all) + " " + parts);
     try {
-      return number_value<FT>(tokens_.token());
+      return number_value<Number>(tokens_.token());
     } catch (const Number_error& error) {
       tokens_.refuse(error.what() + (": " + quoted_token(tokens_.token())));
     }
@@ -181,8 +203,9 @@ private:
       tokens_.refuse("dimension " + std::to_string(dimension) + " after a " + class_.name + " of dimension " +
                      std::to_string(dimension_));
     dimension_ = dimension;
-    if (read_integer("rational flag", 0, 1) == 1)
-      tokens_.refuse(std::string("rational ") + class_.name + "s are not supported");
+    rational_ = read_integer("rational flag", 0, 1) == 1;
+    if (rational_ && weights_ == G2_weights::refused)
+      tokens_.refuse(std::string("a rational ") + class_.name + " where a polynomial one is expected");
   }
 
   // Reads the knot after those that are there.
@@ -193,7 +216,7 @@ private:
     const auto name = [all](std::size_t number) {
       return "knot " + std::to_string(number) + " of " + std::to_string(all);
     };
-    const FT knot = read_number(i, all, "knots" + in);
+    const FT knot = read_number<FT>(i, all, "knots" + in);
     if (i > 0 && knot < knots.back())
       tokens_.refuse("the knots" + in + " decrease at " + quoted_token(tokens_.token()));
     if constexpr (std::is_floating_point_v<FT>)
