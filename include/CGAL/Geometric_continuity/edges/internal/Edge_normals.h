@@ -262,6 +262,18 @@ private:
   }
 };
 
+// The normal of one side along its own edge, times a power of the denominator for homogeneous points.
+template <class Field, int N>
+Homogeneous_vector<typename Edge_sides<Field, N>::Ring> normal_along_edge(const Edge_sides<Field, N>& s, int side,
+                                                                          Work_meter& work) {
+  typedef typename Edge_sides<Field, N>::Ring Ring;
+  const typename Edge_sides<Field, N>::Vector d = Edge_sides<Field, N>::derivative(s.c[side]);
+  if constexpr (N == 4)
+    return normal_part<Ring>(Homogeneous_line<Ring>(s.c[side], d, work).plane(s.t[side], work));
+  else
+    return internal::cross_product(d, s.t[side], work);
+}
+
 } // namespace internal
 } // namespace Geometric_continuity
 } // namespace CGAL

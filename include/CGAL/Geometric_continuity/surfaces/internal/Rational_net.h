@@ -61,7 +61,8 @@ public:
 
   // (w_ij b_ij, w_ij), multiplied in the field.
   template <class Field = FT> auto homogeneous(int i, int j) const {
-    return homogeneous_point(coordinates<Traits, Field>(points_(i, j)), to_field<Field>(weight(i, j)));
+    return homogeneous_point(Geometric_continuity::coordinates<Traits, Field>(points_(i, j)),
+                             to_field<Field>(weight(i, j)));
   }
   std::vector<std::vector<typename Homogeneous_traits<Traits>::Point>> homogeneous() const {
     std::vector<std::vector<typename Homogeneous_traits<Traits>::Point>> net(rows());
