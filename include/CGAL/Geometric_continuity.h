@@ -116,7 +116,9 @@
 #include <CGAL/Geometric_continuity/surfaces/Surface_grid.h>
 #include <CGAL/Geometric_continuity/surfaces/Swept_surface_3.h>
 #include <CGAL/Geometric_continuity/surfaces/boundary_curve.h>
+#include <CGAL/Geometric_continuity/surfaces/elementary_surfaces.h>
 #include <CGAL/Geometric_continuity/surfaces/evaluate_grid.h>
+#include <CGAL/Geometric_continuity/surfaces/swept_patches.h>
 
 #include <CGAL/Geometric_continuity/edges/Edge_conditions.h>
 #include <CGAL/Geometric_continuity/edges/Edge_rows.h>
