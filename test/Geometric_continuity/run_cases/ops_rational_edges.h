@@ -49,10 +49,27 @@ public:
         net.back().push_back(Input<Traits>::point(Input<Traits>::convert(times(point_scale_, x))));
       weights.push_back(Input<Traits>::convert(times(weight_scale_, c.numbers(path + ".weights" + row))));
     }
-    return GC::Rational_bezier_patch<Traits>(net, weights);
+    try {
+      return GC::Rational_bezier_patch<Traits>(net, weights);
+    } catch (const GC::Error& e) {
+      if (e.code() != GC::Error_code::zero_weight) throw;
+      return part_next_to_edge(net, weights);
+    }
   }
 
 private:
+  // Of a net whose denominator is positive near the edge only.
+  template <class Points, class Weights>
+  static GC::Rational_bezier_patch<Traits> part_next_to_edge(const Points& net, const Weights& weights) {
+    typedef GC::Rational_bezier_patch<Traits> Patch;
+    std::vector<std::vector<typename GC::Homogeneous_traits<Traits>::Point>> points(net.size());
+    for (std::size_t i = 0; i < net.size(); ++i)
+      for (std::size_t j = 0; j < net[i].size(); ++j)
+        points[i].push_back(GC::homogeneous_point(GC::coordinates<Traits>(net[i][j]), weights[i][j]));
+    const FT part = FT(FT(1) / FT(1024));
+    return Patch(typename Patch::Homogeneous(points).split_v(part).first);
+  }
+
   static std::vector<Exact_rational> times(const Exact_rational& scale, std::vector<Exact_rational> x) {
     for (Exact_rational& y : x) y *= scale;
     return x;

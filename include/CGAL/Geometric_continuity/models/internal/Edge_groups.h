@@ -151,7 +151,7 @@ private:
 // surfaces always by Edge_key.
 template <class Surface> class Edge_groups {
   typedef typename Surface::Traits Traits;
-  typedef Edge_key<Surface> Key;
+  typedef Edge_key<Traits, row_dimension<Surface>> Key;
   typedef Edge_polygon<Traits> Polygon;
 
   const std::vector<const Surface*>& surfaces_;

@@ -19,11 +19,11 @@ namespace internal {
 // Numbers that two edges have in common if and only if they are the same curve after affine maps of both domains to [0, 1],
 // in either direction, whatever their degrees and knots. For each interval on which the curve is one polynomial: its start and
 // the coefficients of the powers of the parameter of the whole, up to the last that is not zero; in the direction that makes
-// them smaller. Those of homogeneous points are the same up to a factor, see normalise(). For sorting many edges; two edges are compared by Common_edge_part and Edge_sides::align().
-template <class Surface> class Edge_key {
-  typedef Edge_field<typename Surface::Traits> Field;
+// them smaller. Homogeneous points, N = 4, have them in common up to a factor, see normalise(). For sorting many edges; two edges
+// are compared by Common_edge_part and Edge_sides::align().
+template <class Traits, int N = 3> class Edge_key {
+  typedef Edge_field<Traits> Field;
   typedef typename Exact_number<Field>::type Exact; // compared often, evaluated once
-  static constexpr int N = row_dimension<Surface>;
   typedef typename Edge_rows<Field, N>::Row Row;
   struct Piece {
     Field begin, end;
@@ -34,7 +34,7 @@ template <class Surface> class Edge_key {
   bool turned_ = false;
 
 public:
-  Edge_key(const Surface& surface, Patch_edge edge, Work_limit limit = Work_limit()) {
+  template <class Surface> Edge_key(const Surface& surface, Patch_edge edge, Work_limit limit = Work_limit()) {
     Work_meter work(limit, "model_continuity");
     std::vector<Piece> pieces = unit_pieces(surface, edge, work);
     for (const Piece& piece : pieces) charge_powers<Field>(piece.row, work);
@@ -82,6 +82,7 @@ private:
     }
   }
 
+  template <class Surface>
   static std::vector<Piece> unit_pieces(const Surface& surface, Patch_edge edge, Work_meter& work) {
     if constexpr (Is_patch<Surface>::value) // row 0 is that of the only piece; no division is needed
       return {{Field(0), Field(1), row_in_space<Field, N>(surface.template rows<Field>(edge, 0)[0])}};
@@ -89,6 +90,7 @@ private:
       return pieces_of_spline(surface, edge, work);
   }
 
+  template <class Surface>
   static std::vector<Piece> pieces_of_spline(const Surface& surface, Patch_edge edge, Work_meter& work) {
     const Knot_vector<Field> knots = knots_over<Field>(surface.knots_along(edge));
     const Row rows = bernstein_pieces(knots, row_in_space<Field, N>(surface.template rows<Field>(edge, 0)[0]), work);
