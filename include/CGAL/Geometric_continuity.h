@@ -45,6 +45,7 @@
 #include <CGAL/Geometric_continuity/local/end_jet.h>
 #include <CGAL/Geometric_continuity/local/frenet_equations.h>
 #include <CGAL/Geometric_continuity/local/homogeneous_jets.h>
+#include <CGAL/Geometric_continuity/local/homogeneous_surface_jets.h>
 
 #include <CGAL/Geometric_continuity/splines/Bspline_function.h>
 #include <CGAL/Geometric_continuity/splines/Knot_vector.h>
@@ -109,11 +110,15 @@
 #include <CGAL/Geometric_continuity/surfaces/Bspline_surface.h>
 #include <CGAL/Geometric_continuity/surfaces/Extrusion_surface_3.h>
 #include <CGAL/Geometric_continuity/surfaces/Patch_edge.h>
+#include <CGAL/Geometric_continuity/surfaces/Rational_bezier_patch.h>
+#include <CGAL/Geometric_continuity/surfaces/Rational_bspline_surface.h>
 #include <CGAL/Geometric_continuity/surfaces/Revolution_surface_3.h>
 #include <CGAL/Geometric_continuity/surfaces/Surface_grid.h>
 #include <CGAL/Geometric_continuity/surfaces/Swept_surface_3.h>
 #include <CGAL/Geometric_continuity/surfaces/boundary_curve.h>
+#include <CGAL/Geometric_continuity/surfaces/elementary_surfaces.h>
 #include <CGAL/Geometric_continuity/surfaces/evaluate_grid.h>
+#include <CGAL/Geometric_continuity/surfaces/swept_patches.h>
 
 #include <CGAL/Geometric_continuity/edges/Edge_conditions.h>
 #include <CGAL/Geometric_continuity/edges/Edge_rows.h>

@@ -84,7 +84,9 @@ template <class Traits>
 Rational_bezier_curve<Traits, 2> elliptical_arc(const typename Traits::Point& c, const typename Traits::Vector& u,
                                                 const typename Traits::Vector& v, const typename Traits::FT& r) {
   typedef typename Traits::FT FT;
-  const Coordinates<Traits> centre = coordinates<Traits>(c), x = coordinates<Traits>(u), y = coordinates<Traits>(v);
+  const Coordinates<Traits> centre = Geometric_continuity::coordinates<Traits>(c),
+                            x = Geometric_continuity::coordinates<Traits>(u),
+                            y = Geometric_continuity::coordinates<Traits>(v);
   internal::require_one_dimension(centre, x, "elliptical_arc: half-axes");
   internal::require_one_dimension(centre, y, "elliptical_arc: half-axes");
   internal::check_finite(r, "elliptical_arc: r");
@@ -106,7 +108,8 @@ template <class Traits>
 Rational_bezier_curve<Traits, 2> circular_arc(const typename Traits::Point& centre, const typename Traits::Point& start,
                                               const typename Traits::FT& r) {
   static_assert(dimension_v<Traits> == 2, "in space, an arc has an axis");
-  const Coordinates<Traits> u = coordinates<Traits>(start) - coordinates<Traits>(centre);
+  const Coordinates<Traits> u =
+      Geometric_continuity::coordinates<Traits>(start) - Geometric_continuity::coordinates<Traits>(centre);
   internal::square_of(u, "circular_arc: the start is the centre");
   Coordinates<Traits> v(2);
   v[0] = -u[1];
@@ -126,9 +129,11 @@ Rational_bezier_curve<Traits, 2> circular_arc(const typename Traits::Point& cent
   static_assert(dimension_v<Traits> == 3, "an arc about an axis lies in space");
   internal::check_finite(r, "circular_arc: r");
   if (r == FT(0)) throw Error(Error_code::empty_domain, "circular_arc: an arc of no length");
-  const Coordinates<Traits> n = coordinates<Traits>(axis), x = coordinates<Traits>(start) - coordinates<Traits>(centre);
+  const Coordinates<Traits> n = Geometric_continuity::coordinates<Traits>(axis),
+                            x = Geometric_continuity::coordinates<Traits>(start) -
+                                Geometric_continuity::coordinates<Traits>(centre);
   const FT length_squared = internal::square_of(n, "circular_arc: axis");
-  const Coordinates<Traits> u = orthogonal_component(x, n), foot = coordinates<Traits>(start) - u,
+  const Coordinates<Traits> u = orthogonal_component(x, n), foot = Geometric_continuity::coordinates<Traits>(start) - u,
                             nu = cross_product(n, u); // |axis| times the second half-axis
   internal::square_of(u, "circular_arc: the start lies on the axis");
   const FT s = FT(r * r * length_squared), denominator = FT(FT(1) + s), cosine = FT(FT(FT(1) - s) / denominator),
@@ -148,7 +153,9 @@ Rational_bezier_curve<Traits, 2> circular_arc(const typename Traits::Point& cent
 template <class Traits>
 Rational_bezier_curve<Traits, 2> circular_arc_through(const typename Traits::Point& p, const typename Traits::Point& q,
                                                       const typename Traits::Point& r) {
-  const Coordinates<Traits> a = coordinates<Traits>(p), b = coordinates<Traits>(q), c = coordinates<Traits>(r);
+  const Coordinates<Traits> a = Geometric_continuity::coordinates<Traits>(p),
+                            b = Geometric_continuity::coordinates<Traits>(q),
+                            c = Geometric_continuity::coordinates<Traits>(r);
   internal::require_one_dimension(a, b, "circular_arc_through");
   internal::require_one_dimension(a, c, "circular_arc_through");
   const char* equal = "circular_arc_through: two of the three points are equal";
@@ -167,7 +174,9 @@ template <class Traits>
 Rational_bezier_curve<Traits, 2> circular_arc_with_tangent(const typename Traits::Point& p,
                                                            const typename Traits::Vector& tangent,
                                                            const typename Traits::Point& r) {
-  const Coordinates<Traits> a = coordinates<Traits>(p), d = coordinates<Traits>(tangent), c = coordinates<Traits>(r);
+  const Coordinates<Traits> a = Geometric_continuity::coordinates<Traits>(p),
+                            d = Geometric_continuity::coordinates<Traits>(tangent),
+                            c = Geometric_continuity::coordinates<Traits>(r);
   internal::require_one_dimension(a, d, "circular_arc_with_tangent");
   internal::require_one_dimension(a, c, "circular_arc_with_tangent");
   const Coordinates<Traits> e = (c - a) / internal::square_of(c - a, "circular_arc_with_tangent: the points are equal");
@@ -186,15 +195,17 @@ Rational_bezier_curve<Traits, 2> conic_arc(const typename Traits::Point& p, cons
                                            const typename Traits::Point& r, const typename Traits::Vector& tangent_r,
                                            const typename Traits::Point& q) {
   typedef typename Traits::FT FT;
-  const Coordinates<Traits> a = coordinates<Traits>(p), c = coordinates<Traits>(r), d = coordinates<Traits>(tangent_p),
-                            e = coordinates<Traits>(tangent_r), chord = c - a;
+  const Coordinates<Traits> a = Geometric_continuity::coordinates<Traits>(p),
+                            c = Geometric_continuity::coordinates<Traits>(r),
+                            d = Geometric_continuity::coordinates<Traits>(tangent_p),
+                            e = Geometric_continuity::coordinates<Traits>(tangent_r), chord = c - a;
   for (const Coordinates<Traits>* x : {&c, &d, &e}) internal::require_one_dimension(a, *x, "conic_arc");
-  internal::require_one_dimension(a, coordinates<Traits>(q), "conic_arc");
+  internal::require_one_dimension(a, Geometric_continuity::coordinates<Traits>(q), "conic_arc");
   internal::square_of(d, "conic_arc: tangent at the start");
   internal::square_of(e, "conic_arc: tangent at the end");
   // in the basis chord, d: the second tangent is (ex, ey), and meets the first one at ex != 0
   const std::array<FT, 2> second = internal::components(chord, d, e),
-                          through = internal::components(chord, d, coordinates<Traits>(q) - a);
+                          through = internal::components(chord, d, Geometric_continuity::coordinates<Traits>(q) - a);
   const bool parallel = second[0] == FT(0);
   const FT apex = parallel ? FT(1) : FT(-second[1] / second[0]); // a + apex d, or the direction d
   if (apex == FT(0)) throw Error(Error_code::singular_frame, "conic_arc: the tangents meet on the chord");
@@ -214,7 +225,9 @@ template <class Traits>
 Rational_bspline_curve<Traits> ellipse(const typename Traits::Point& c, const typename Traits::Vector& u,
                                        const typename Traits::Vector& v) {
   typedef typename Traits::FT FT;
-  const Coordinates<Traits> centre = coordinates<Traits>(c), x = coordinates<Traits>(u), y = coordinates<Traits>(v);
+  const Coordinates<Traits> centre = Geometric_continuity::coordinates<Traits>(c),
+                            x = Geometric_continuity::coordinates<Traits>(u),
+                            y = Geometric_continuity::coordinates<Traits>(v);
   internal::require_one_dimension(centre, x, "ellipse: half-axes");
   internal::require_one_dimension(centre, y, "ellipse: half-axes");
   std::vector<typename Traits::Point> points;

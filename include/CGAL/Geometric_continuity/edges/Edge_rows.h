@@ -10,6 +10,8 @@
 #include <CGAL/Geometric_continuity/numbers/internal/checked_numbers.h>
 #include <CGAL/Geometric_continuity/surfaces/Bezier_patch.h>
 #include <CGAL/Geometric_continuity/surfaces/Bspline_surface.h>
+#include <CGAL/Geometric_continuity/surfaces/Rational_bezier_patch.h>
+#include <CGAL/Geometric_continuity/surfaces/Rational_bspline_surface.h>
 
 #include <algorithm>
 #include <string>
@@ -26,11 +28,13 @@ namespace Geometric_continuity {
 /// \ingroup PkgGeometricContinuityContinuity
 /// What a polynomial surface `S(u, v)` contributes to its continuity along the edge `v = 0`, `u` in [0, 1]: the edge
 /// \f$ C(u) = S(u, 0) \f$ and the cross derivatives \f$ T(u) = S_v(u, 0) \f$ and \f$ W(u) = S_{vv}(u, 0) \f$, where `v`
-/// grows into the surface. Each row holds Bernstein coefficients; the rows may differ in degree.
+/// grows into the surface. Each row holds Bernstein coefficients; the rows may differ in degree. Of a rational surface they are
+/// those of its homogeneous points.
 /// \tparam FT a field number type
-template <class FT_> struct Edge_rows {
+/// \tparam N the number of coordinates: 3, or 4 for homogeneous points
+template <class FT_, int N = 3> struct Edge_rows {
   typedef FT_ FT;                                    ///< the type of the coordinates
-  typedef std::vector<Coordinate_vector<FT, 3>> Row; ///< one point or vector for each coefficient
+  typedef std::vector<Coordinate_vector<FT, N>> Row; ///< one point or vector for each coefficient
 
   Row edge;         ///< the coefficients of \f$ C \f$, the control points of the edge
   Row cross;        ///< the coefficients of \f$ T \f$
@@ -48,11 +52,12 @@ template <class FT_> struct Edge_rows {
 /// What a B-spline surface contributes to its continuity along an edge: `Edge_rows` whose coefficients are those of splines
 /// over the knots of the edge.
 /// \tparam FT a field number type
-template <class FT_> struct Spline_edge_rows {
+/// \tparam N the number of coordinates: 3, or 4 for homogeneous points
+template <class FT_, int N = 3> struct Spline_edge_rows {
   typedef FT_ FT; ///< the type of knots and coordinates
 
   Knot_vector<FT> knots; ///< along the edge
-  Edge_rows<FT> rows;    ///< each with `knots.number_of_coefficients()` coefficients
+  Edge_rows<FT, N> rows; ///< each with `knots.number_of_coefficients()` coefficients
 };
 
 /// \ingroup PkgGeometricContinuitySurfaces
@@ -61,6 +66,20 @@ template <class FT_> struct Spline_edge_rows {
 template <class Traits> using Edge_field = typename Exact_field<Predicate_FT<Traits>>::type;
 
 namespace internal {
+
+// Whether the rows of a surface are those of homogeneous points.
+template <class Surface, class = void> struct Is_rational_surface : std::false_type {};
+template <class Surface>
+struct Is_rational_surface<Surface, std::void_t<typename Surface::Homogeneous>> : std::true_type {};
+
+// Whether a surface is one patch, without knots.
+template <class Surface> struct Is_patch : std::false_type {};
+template <class Traits> struct Is_patch<Bezier_patch<Traits>> : std::true_type {};
+template <class Traits> struct Is_patch<Rational_bezier_patch<Traits>> : std::true_type {};
+
+// The number of coordinates in the rows of one or two surfaces.
+template <class Surface_a, class Surface_b = Surface_a>
+constexpr int row_dimension = Is_rational_surface<Surface_a>::value || Is_rational_surface<Surface_b>::value ? 4 : 3;
 
 // How the second of two edges runs that are the same curve.
 enum class Edge_direction { same, opposite };
@@ -79,19 +98,19 @@ void require_space(const Surface_a& a, const Surface_b& b, const char* function)
   require_space(b, function);
 }
 
-template <class Field, class Row> typename Edge_rows<Field>::Row row_in_space(const Row& row) {
-  typename Edge_rows<Field>::Row result;
+template <class Field, int N = 3, class Row> typename Edge_rows<Field, N>::Row row_in_space(const Row& row) {
+  typename Edge_rows<Field, N>::Row result;
   result.reserve(row.size());
   for (const auto& x : row) {
-    result.emplace_back(3);
-    for (int i = 0; i < 3; ++i) result.back()[i] = to_field<Field>(x[i]);
+    result.emplace_back(N);
+    for (int i = 0; i < N; ++i) result.back()[i] = to_field<Field>(x[i]);
   }
   return result;
 }
 
 // From the rows 0, 1 and 2.
-template <class Field, class Rows> Edge_rows<Field> edge_rows_in_space(const Rows& rows) {
-  return {row_in_space<Field>(rows[0]), row_in_space<Field>(rows[1]), row_in_space<Field>(rows[2])};
+template <class Field, int N = 3, class Rows> Edge_rows<Field, N> edge_rows_in_space(const Rows& rows) {
+  return {row_in_space<Field, N>(rows[0]), row_in_space<Field, N>(rows[1]), row_in_space<Field, N>(rows[2])};
 }
 
 template <class Field, class FT> Knot_vector<Field> knots_over(const Knot_vector<FT>& knots) {
@@ -101,15 +120,28 @@ template <class Field, class FT> Knot_vector<Field> knots_over(const Knot_vector
 }
 
 // The domain of an edge.
-template <class Field, class Traits>
-std::pair<Field, Field> edge_domain(const Bezier_patch<Traits>& patch, Patch_edge edge) {
-  const typename Bezier_patch<Traits>::Interval domain = patch.domain(edge);
+template <class Field, class Surface> std::pair<Field, Field> edge_domain(const Surface& surface, Patch_edge edge) {
+  const typename Surface::Interval domain = runs_along_u(edge) ? surface.domain_u() : surface.domain_v();
   return {to_field<Field>(domain.first), to_field<Field>(domain.second)};
 }
-template <class Field, class Traits>
-std::pair<Field, Field> edge_domain(const Bspline_surface<Traits>& surface, Patch_edge edge) {
-  const typename Bspline_surface<Traits>::Interval domain = surface.knots_along(edge).domain();
-  return {to_field<Field>(domain.first), to_field<Field>(domain.second)};
+
+// The rows of a patch, as splines over the domain of the edge.
+template <class Patch>
+Spline_edge_rows<Edge_field<typename Patch::Traits>, row_dimension<Patch>> spline_rows_of_patch(const Patch& patch,
+                                                                                                Patch_edge edge) {
+  typedef Edge_field<typename Patch::Traits> Field;
+  const std::pair<Field, Field> domain = edge_domain<Field>(patch, edge);
+  return {Knot_vector<Field>(patch.degree_along(edge), domain.first, domain.second), edge_rows(patch, edge)};
+}
+
+// The rows of a surface over knots.
+template <class Surface>
+Spline_edge_rows<Edge_field<typename Surface::Traits>, row_dimension<Surface>>
+spline_rows_of_surface(const Surface& surface, Patch_edge edge) {
+  typedef Edge_field<typename Surface::Traits> Field;
+  require_space(surface, "spline_edge_rows");
+  return {knots_over<Field>(surface.knots_along(edge)),
+          edge_rows_in_space<Field, row_dimension<Surface>>(surface.template rows<Field>(edge, 2))};
 }
 
 } // namespace internal
@@ -133,13 +165,29 @@ template <class Traits> Edge_rows<Edge_field<Traits>> edge_rows(const Bezier_pat
 }
 
 /// \ingroup PkgGeometricContinuitySurfaces
+/// Returns the rows of the homogeneous points of a rational patch along one of its edges, in the field in which continuity is
+/// decided; see the function for `Bezier_patch`.
+/// \throws Error `dimension_mismatch` unless in dimension 3
+template <class Traits>
+Edge_rows<Edge_field<Traits>, 4> edge_rows(const Rational_bezier_patch<Traits>& patch, Patch_edge edge) {
+  internal::require_space(patch, "edge_rows");
+  return internal::edge_rows_in_space<Edge_field<Traits>, 4>(patch.template rows<Edge_field<Traits>>(edge, 2));
+}
+
+/// \ingroup PkgGeometricContinuitySurfaces
 /// Returns the rows of a patch along one of its edges, see `edge_rows()`, as splines over the domain of the edge.
 /// \throws Error `dimension_mismatch` unless in dimension 3
 template <class Traits>
 Spline_edge_rows<Edge_field<Traits>> spline_edge_rows(const Bezier_patch<Traits>& patch, Patch_edge edge) {
-  typedef Edge_field<Traits> Field;
-  const std::pair<Field, Field> domain = internal::edge_domain<Field>(patch, edge);
-  return {Knot_vector<Field>(patch.degree_along(edge), domain.first, domain.second), edge_rows(patch, edge)};
+  return internal::spline_rows_of_patch(patch, edge);
+}
+
+/// \ingroup PkgGeometricContinuitySurfaces
+/// Returns the rows of a rational patch along one of its edges, see `edge_rows()`, as splines over the domain of the edge.
+/// \throws Error `dimension_mismatch` unless in dimension 3
+template <class Traits>
+Spline_edge_rows<Edge_field<Traits>, 4> spline_edge_rows(const Rational_bezier_patch<Traits>& patch, Patch_edge edge) {
+  return internal::spline_rows_of_patch(patch, edge);
 }
 
 /// \ingroup PkgGeometricContinuitySurfaces
@@ -149,10 +197,17 @@ Spline_edge_rows<Edge_field<Traits>> spline_edge_rows(const Bezier_patch<Traits>
 /// \throws Error `dimension_mismatch` unless in dimension 3
 template <class Traits>
 Spline_edge_rows<Edge_field<Traits>> spline_edge_rows(const Bspline_surface<Traits>& surface, Patch_edge edge) {
-  typedef Edge_field<Traits> Field;
-  internal::require_space(surface, "spline_edge_rows");
-  return {internal::knots_over<Field>(surface.knots_along(edge)),
-          internal::edge_rows_in_space<Field>(surface.template rows<Field>(edge, 2))};
+  return internal::spline_rows_of_surface(surface, edge);
+}
+
+/// \ingroup PkgGeometricContinuitySurfaces
+/// Returns the rows of the homogeneous points of a rational B-spline surface along one of its edges, see the function for
+/// `Bspline_surface`.
+/// \throws Error `dimension_mismatch` unless in dimension 3
+template <class Traits>
+Spline_edge_rows<Edge_field<Traits>, 4> spline_edge_rows(const Rational_bspline_surface<Traits>& surface,
+                                                         Patch_edge edge) {
+  return internal::spline_rows_of_surface(surface, edge);
 }
 
 } // namespace Geometric_continuity

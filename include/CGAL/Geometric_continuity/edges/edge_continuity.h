@@ -25,14 +25,14 @@ namespace Geometric_continuity {
 namespace internal {
 
 // The decisions on the spans of a match, by decide(rows, rows, work).
-template <class Field, class Decide>
-Spline_edge_continuity<Field> decide_spans(const std::vector<Edge_piece<Field>>& a,
-                                           const std::vector<Edge_piece<Field>>& b, const Edge_match<Field>& match,
+template <class Field, int N, class Decide>
+Spline_edge_continuity<Field> decide_spans(const std::vector<Edge_piece<Field, N>>& a,
+                                           const std::vector<Edge_piece<Field, N>>& b, const Edge_match<Field>& match,
                                            Decide decide, Work_meter& work) {
   Spline_edge_continuity<Field> result;
   if (match.spans.empty()) return result;
   for (const Common_span<Field>& span : match.spans) {
-    const std::pair<Edge_rows<Field>, Edge_rows<Field>> rows = rows_on(a, b, span, match.map);
+    const std::pair<Edge_rows<Field, N>, Edge_rows<Field, N>> rows = rows_on(a, b, span, match.map);
     Edge_continuity<Field> e = decide(rows.first, rows.second, work);
     e.reversed = match.map.reverses();
     result.spans.push_back(on_interval(span.begin, span.end, std::move(e)));
@@ -70,21 +70,25 @@ auto decide_surfaces(const Surface_a& a, Patch_edge edge_a, const Surface_b& b, 
                      Find_match find_match, Work_limit limit)
     -> Spline_edge_continuity<Edge_field<typename Surface_a::Traits>> {
   typedef Edge_field<typename Surface_a::Traits> Field;
+  constexpr int N = row_dimension<Surface_a, Surface_b>;
   require_space(a, b, "edge_continuity");
-  Edge_layers x, y;
   std::optional<Edge_direction> direction;
-  if (edge_layers(a, edge_a, b, edge_b, 2, x, y)) direction = common_direction(x, y);
-  if (direction) {
-    if (*direction == Edge_direction::opposite) y.reverse();
-    if (const std::optional<int> order = smooth_order(x, y))
-      return whole_smooth_edge(*order, *direction, edge_domain<Field>(a, edge_a), edge_domain<Field>(b, edge_b));
+  if constexpr (N == 3) {
+    Edge_layers x, y;
+    if (edge_layers(a, edge_a, b, edge_b, 2, x, y)) direction = common_direction(x, y);
+    if (direction) {
+      if (*direction == Edge_direction::opposite) y.reverse();
+      if (const std::optional<int> order = smooth_order(x, y))
+        return whole_smooth_edge(*order, *direction, edge_domain<Field>(a, edge_a), edge_domain<Field>(b, edge_b));
+    }
   }
   Work_meter work(limit, "edge_continuity");
-  const std::vector<Edge_piece<Field>> pieces_a = edge_pieces(a, edge_a, work), pieces_b = edge_pieces(b, edge_b, work);
+  const std::vector<Edge_piece<Field, N>> pieces_a = edge_pieces_in<N>(a, edge_a, work),
+                                          pieces_b = edge_pieces_in<N>(b, edge_b, work);
   if (direction) // and the stages of fixed length have been tried
-    return decide_spans(pieces_a, pieces_b, whole_match(pieces_a, pieces_b, *direction), decide_rough_edge<Field>,
+    return decide_spans(pieces_a, pieces_b, whole_match(pieces_a, pieces_b, *direction), decide_rough_edge<Field, N>,
                         work);
-  return decide_spans(pieces_a, pieces_b, find_match(pieces_a, pieces_b, work), decide_edge<Field>, work);
+  return decide_spans(pieces_a, pieces_b, find_match(pieces_a, pieces_b, work), decide_edge<Field, N>, work);
 }
 
 // For edges that have been recognised as the same, see Edge_key.
@@ -100,15 +104,16 @@ auto continuity_of_same_edge(const Surface_a& a, Patch_edge edge_a, const Surfac
 }
 
 // Along lines over one domain that have equal parameters in common points, or are not the same.
-template <class Field>
-Spline_edge_continuity<Field> continuity_at_same_parameters(const Spline_edge_rows<Field>& a,
-                                                            const Spline_edge_rows<Field>& b, Work_limit limit) {
+template <class Field, int N>
+Spline_edge_continuity<Field> continuity_at_same_parameters(const Spline_edge_rows<Field, N>& a,
+                                                            const Spline_edge_rows<Field, N>& b, Work_limit limit) {
   Work_meter work(limit, "edge_continuity");
-  const std::vector<Edge_piece<Field>> pieces_a = edge_pieces<Field>(a, work), pieces_b = edge_pieces<Field>(b, work);
+  const std::vector<Edge_piece<Field, N>> pieces_a = edge_pieces<Field>(a, work),
+                                          pieces_b = edge_pieces<Field>(b, work);
   const Edge_match<Field> match = whole_match(pieces_a, pieces_b, Edge_direction::same);
   return decide_spans(
       pieces_a, pieces_b, match,
-      [](const Edge_rows<Field>& x, const Edge_rows<Field>& y, Work_meter& meter) {
+      [](const Edge_rows<Field, N>& x, const Edge_rows<Field, N>& y, Work_meter& meter) {
         return x.edge == y.edge ? decide_edge(x, y, meter) : Edge_continuity<Field>();
       },
       work);
@@ -156,17 +161,24 @@ Edge_continuity<typename Exact_field<FT>::type> edge_continuity(const Edge_rows<
 /// Only the rows are restricted to common spans; no surface is refined. For edges that are the same as a whole the number of
 /// operations is linear in the number of knots, otherwise it is at most quadratic. On each span rational numbers with short
 /// numerators are decided with integers of fixed length, as for surfaces.
+///
+/// Rows of homogeneous points, `N = 4`, are those of rational surfaces. Then edges are the same curve where their homogeneous
+/// points differ by a constant factor on each span, and the conditions are those of the tangent planes in homogeneous space, with
+/// \f$ C \wedge C' \wedge T \f$ in place of \f$ C' \times T \f$. Edges that are the same points in another rational
+/// parametrisation, or with a factor that is not constant, are not recognised as the same, unless they are collapsed.
 /// \tparam FT a field number type; for floating-point numbers all is exact in the numbers as given
-/// \throws Error `wrong_number_of_points` when the rows do not fit the knots, `not_finite`, `work_limit`
-template <class FT>
+/// \tparam N the number of coordinates: 3, or 4 for homogeneous points
+/// \throws Error `wrong_number_of_points` when the rows do not fit the knots, `not_finite`, `work_limit`; `zero_weight` where
+///   a denominator is zero
+template <class FT, int N>
 Spline_edge_continuity<typename Exact_field<FT>::type>
-edge_continuity(const Spline_edge_rows<FT>& a, const Spline_edge_rows<FT>& b, Work_limit limit = Work_limit()) {
+edge_continuity(const Spline_edge_rows<FT, N>& a, const Spline_edge_rows<FT, N>& b, Work_limit limit = Work_limit()) {
   typedef typename Exact_field<FT>::type Field;
   internal::Work_meter work(limit, "edge_continuity");
-  const std::vector<internal::Edge_piece<Field>> pieces_a = internal::edge_pieces<Field>(a, work),
-                                                 pieces_b = internal::edge_pieces<Field>(b, work);
-  return internal::decide_spans(pieces_a, pieces_b, internal::Common_edge_part<Field>(pieces_a, pieces_b, work)(),
-                                internal::decide_edge<Field>, work);
+  const std::vector<internal::Edge_piece<Field, N>> pieces_a = internal::edge_pieces<Field>(a, work),
+                                                    pieces_b = internal::edge_pieces<Field>(b, work);
+  return internal::decide_spans(pieces_a, pieces_b, internal::Common_edge_part<Field, N>(pieces_a, pieces_b, work)(),
+                                internal::decide_edge<Field, N>, work);
 }
 
 /// \ingroup PkgGeometricContinuitySurfaces
@@ -184,8 +196,9 @@ edge_continuity(const Spline_edge_rows<FT>& a, const Spline_edge_rows<FT>& b, Wo
 /// Smooth edges of degree 7 or less are proved with integers of fixed length where the coordinates are `double`, or rational
 /// numbers with short numerators over one denominator; see edge_predicates.h. Otherwise a number of operations with integers
 /// that is quadratic in the degree and linear in the number of knots, plus the search for the largest angle where the surfaces
-/// are not \f$ G^1 \f$.
-/// \tparam Surface_a, Surface_b `Bezier_patch` or `Bspline_surface`, in any combination, with one traits class
+/// are not \f$ G^1 \f$. Rational surfaces are decided with integers of any length.
+/// \tparam Surface_a, Surface_b `Bezier_patch`, `Bspline_surface`, `Rational_bezier_patch` or `Rational_bspline_surface`, in any
+///   combination, with one traits class
 /// \throws Error `dimension_mismatch` unless in dimension 3, `work_limit`
 template <class Surface_a, class Surface_b>
 auto edge_continuity(const Surface_a& a, Patch_edge edge_a, const Surface_b& b, Patch_edge edge_b,
@@ -195,7 +208,8 @@ auto edge_continuity(const Surface_a& a, Patch_edge edge_a, const Surface_b& b, 
   return internal::decide_surfaces(
       a, edge_a, b, edge_b,
       [](const auto& pieces_a, const auto& pieces_b, internal::Work_meter& work) {
-        return internal::Common_edge_part<Field>(pieces_a, pieces_b, work)();
+        return internal::Common_edge_part<Field, internal::row_dimension<Surface_a, Surface_b>>(pieces_a, pieces_b,
+                                                                                                work)();
       },
       limit);
 }

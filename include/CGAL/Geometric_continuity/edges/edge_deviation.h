@@ -5,6 +5,7 @@
 #ifndef CGAL_GEOMETRIC_CONTINUITY_EDGES_EDGE_DEVIATION_H
 #define CGAL_GEOMETRIC_CONTINUITY_EDGES_EDGE_DEVIATION_H
 
+#include <CGAL/Geometric_continuity/algebra/sign_pattern.h>
 #include <CGAL/Geometric_continuity/edges/internal/Common_edge_part.h>
 #include <CGAL/Geometric_continuity/edges/internal/Largest_measure.h>
 #include <CGAL/Geometric_continuity/numbers/Enclosure.h>
@@ -45,66 +46,90 @@ inline Enclosure larger_of(const Enclosure& x, const Enclosure& y) {
   return {(std::max)(x.lower, y.lower), (std::max)(x.upper, y.upper)};
 }
 
-// The largest distance of two edges: with a number k >= 2 |C1 - C2|^2 it is the root of k times the largest value of
-// |C1 - C2|^2 / k, of which at least half is left to 1, so that its bounds differ by the 2^-53-th part at most.
-template <class Field> Enclosure largest_distance(const Edge_sides<Field>& sides, Work_meter& work) {
-  typedef typename Edge_sides<Field>::Ring Ring;
-  typedef typename Edge_sides<Field>::Polynomial Polynomial;
+// A number that is at least twice the largest value of s/q on [0, 1], of polynomials of one degree. As the coefficients of q are
+// not all positive where some weights are not, it is found on parts of the interval. \pre 0 < q on [0, 1]
+template <class Polynomial>
+typename Polynomial::NT twice_the_quotient(const Polynomial& s, const Polynomial& q, Work_meter& work) {
+  typedef typename Polynomial::NT Ring;
+  if (q.coefficient_signs() == Sign_pattern::positive) {
+    Ring k(1);
+    for (int i = 0; i <= q.degree(); ++i)
+      while (Ring(k * q[i]) < Ring(Ring(2) * s[i])) k *= Ring(2);
+    return k;
+  }
+  charge_bisection(q, work);
+  charge_bisection(s, work);
+  const std::pair<Polynomial, Polynomial> p = s.halves(), r = q.halves();
+  return (std::max)(twice_the_quotient(p.first, r.first, work), twice_the_quotient(p.second, r.second, work));
+}
+
+// The largest distance of two edges is the root of the largest value of s/q, where s = |C1 - C2|^2 and q = 1, or
+// s = |w2 C1 - w1 C2|^2 and q = (w1 w2)^2 for homogeneous points. With a number k >= 2 s/q it is that of k times the largest
+// value of s/(k q), of which at least half is left to 1, so that its bounds differ by the 2^-53-th part at most.
+template <class Field, int N> Enclosure largest_distance(const Edge_sides<Field, N>& sides, Work_meter& work) {
+  typedef typename Edge_sides<Field, N>::Ring Ring;
+  typedef typename Edge_sides<Field, N>::Polynomial Polynomial;
   typedef typename Edge_normals<Field>::Exact Exact;
   if (sides.same_edge()) return {0, 0};
-  Polynomial square;
+  Polynomial s, q(std::vector<Ring>(1, Ring(1)));
   for (int i = 0; i < 3; ++i) {
-    const Polynomial difference = sides.c[0][i] - sides.c[1][i];
-    square = square + product(difference, difference, work);
+    Polynomial difference;
+    if constexpr (N == 4)
+      difference = product(sides.c[0][i], sides.c[1][3], work) - product(sides.c[1][i], sides.c[0][3], work);
+    else
+      difference = sides.c[0][i] - sides.c[1][i];
+    s = s + product(difference, difference, work);
   }
-  Ring k(0);
-  for (int i = 0; i <= square.degree(); ++i)
-    if (k < square[i]) k = square[i];
-  k *= Ring(2);
-  const Polynomial bound = Polynomial::from_bernstein(std::vector<Ring>(square.degree() + 1, k)),
-                   acute(std::vector<Ring>(1, Ring(-1)));
-  const Normal_deviation<Exact> largest = Largest_measure<Exact>(square, bound, acute, work)();
-  const auto distance = [&](const Exact& measure) {
-    return root_enclosure(sides.denominator.divided(Exact(measure * Exact(k)), 2));
+  if constexpr (N == 4) {
+    const Polynomial w = product(sides.c[0][3], sides.c[1][3], work);
+    q = product(w, w, work);
+  }
+  const int degree = (std::max)(s.degree(), q.degree());
+  const Ring k = twice_the_quotient(s.elevated_to(degree), q.elevated_to(degree), work);
+  const Polynomial factor(std::vector<Ring>(1, k)), acute(std::vector<Ring>(1, Ring(-1)));
+  const Normal_deviation<Exact> largest =
+      Largest_measure<Exact>(s.elevated_to(degree), factor * q.elevated_to(degree), acute, work)();
+  const auto distance = [&](const Exact& measure) { // of homogeneous points the common denominator cancels out
+    return root_enclosure(sides.denominator.divided(Exact(measure * Exact(k)), N == 4 ? 0 : 2));
   };
   return {distance(largest.lower).lower, distance(largest.upper).upper};
 }
 
 // The largest angle of the normals on one span, empty when one vanishes identically, and whether one vanishes somewhere.
-template <class Field>
-std::pair<std::optional<Enclosure>, bool> normal_angle(const Edge_sides<Field>& sides, Work_meter& work) {
-  typedef Edge_sides<Field> Sides;
-  const typename Sides::Vector n1 = internal::cross_product(Sides::derivative(sides.c[0]), sides.t[0], work),
-                               n2 = internal::cross_product(Sides::derivative(sides.c[1]), sides.t[1], work);
-  if (Sides::is_zero(n1) || Sides::is_zero(n2)) return {std::nullopt, true};
+template <class Field, int N>
+std::pair<std::optional<Enclosure>, bool> normal_angle(const Edge_sides<Field, N>& sides, Work_meter& work) {
+  typedef typename Edge_sides<Field, N>::Ring Ring;
+  const Homogeneous_vector<Ring> n1 = normal_along_edge(sides, 0, work), n2 = normal_along_edge(sides, 1, work);
+  if (Edge_sides<Field>::is_zero(n1) || Edge_sides<Field>::is_zero(n2)) return {std::nullopt, true};
   const bool vanishing = Edge_normals<Field>::vanishes(n1, work) || Edge_normals<Field>::vanishes(n2, work);
   return {largest_angle<Field>(n1, n2, vanishing, work).angle(), vanishing};
 }
 
-template <class Field>
-std::vector<Edge_sides<Field>> sides_on_spans(const std::vector<Edge_piece<Field>>& a,
-                                              const std::vector<Edge_piece<Field>>& b,
-                                              const Affine_parameter_map<Field>& map, Work_meter& work) {
-  std::vector<Edge_sides<Field>> sides;
+template <class Field, int N>
+std::vector<Edge_sides<Field, N>> sides_on_spans(const std::vector<Edge_piece<Field, N>>& a,
+                                                 const std::vector<Edge_piece<Field, N>>& b,
+                                                 const Affine_parameter_map<Field>& map, Work_meter& work) {
+  std::vector<Edge_sides<Field, N>> sides;
   for (const Common_span<Field>& span : common_spans(a, b, map)) {
-    const std::pair<Edge_rows<Field>, Edge_rows<Field>> rows = rows_on(a, b, span, map);
+    const std::pair<Edge_rows<Field, N>, Edge_rows<Field, N>> rows = rows_on(a, b, span, map);
     sides.emplace_back(rows.first, rows.second, work);
   }
   return sides;
 }
 
-template <class Field> Enclosure largest_distance(const std::vector<Edge_sides<Field>>& spans, Work_meter& work) {
+template <class Field, int N>
+Enclosure largest_distance(const std::vector<Edge_sides<Field, N>>& spans, Work_meter& work) {
   Enclosure gap{0, 0};
-  for (const Edge_sides<Field>& sides : spans) gap = larger_of(gap, largest_distance(sides, work));
+  for (const Edge_sides<Field, N>& sides : spans) gap = larger_of(gap, largest_distance(sides, work));
   return gap;
 }
 
 // With the gap on the spans, which is known.
-template <class Field>
-Edge_deviation edge_deviation(const std::vector<Edge_sides<Field>>& spans, const Enclosure& gap,
+template <class Field, int N>
+Edge_deviation edge_deviation(const std::vector<Edge_sides<Field, N>>& spans, const Enclosure& gap,
                               Edge_direction direction, Work_meter& work) {
   Edge_deviation d{gap, Enclosure{0, 0}, false, direction == Edge_direction::opposite};
-  for (const Edge_sides<Field>& sides : spans) {
+  for (const Edge_sides<Field, N>& sides : spans) {
     const std::pair<std::optional<Enclosure>, bool> angle = normal_angle(sides, work);
     d.normal_vanishes = d.normal_vanishes || angle.second;
     if (!angle.first) d.normal_angle.reset();
@@ -114,13 +139,13 @@ Edge_deviation edge_deviation(const std::vector<Edge_sides<Field>>& spans, const
 }
 
 // Along the whole edges, forwards or backwards, whichever has the smaller gap.
-template <class Field>
-Edge_deviation edge_deviation(const std::vector<Edge_piece<Field>>& a, const std::vector<Edge_piece<Field>>& b,
+template <class Field, int N>
+Edge_deviation edge_deviation(const std::vector<Edge_piece<Field, N>>& a, const std::vector<Edge_piece<Field, N>>& b,
                               Work_meter& work) {
-  const std::vector<Edge_sides<Field>> forwards = sides_on_spans(a, b, whole_map(a, b, Edge_direction::same), work);
+  const std::vector<Edge_sides<Field, N>> forwards = sides_on_spans(a, b, whole_map(a, b, Edge_direction::same), work);
   const Enclosure gap = largest_distance(forwards, work);
   if (gap.upper == 0) return edge_deviation(forwards, gap, Edge_direction::same, work);
-  const std::vector<Edge_sides<Field>> backwards =
+  const std::vector<Edge_sides<Field, N>> backwards =
       sides_on_spans(a, b, whole_map(a, b, Edge_direction::opposite), work);
   const Enclosure other_gap = largest_distance(backwards, work);
   return gap.upper <= other_gap.upper ? edge_deviation(forwards, gap, Edge_direction::same, work)
@@ -128,12 +153,12 @@ Edge_deviation edge_deviation(const std::vector<Edge_piece<Field>>& a, const std
 }
 
 // Along lines over one domain, at equal parameters.
-template <class Field>
-Edge_deviation deviation_at_same_parameters(const Spline_edge_rows<Field>& a, const Spline_edge_rows<Field>& b,
+template <class Field, int N>
+Edge_deviation deviation_at_same_parameters(const Spline_edge_rows<Field, N>& a, const Spline_edge_rows<Field, N>& b,
                                             Work_limit limit) {
   Work_meter work(limit, "deviation of edges");
-  const std::vector<Edge_sides<Field>> spans = sides_on_spans(edge_pieces<Field>(a, work), edge_pieces<Field>(b, work),
-                                                              Affine_parameter_map<Field>{Field(1), Field(0)}, work);
+  const std::vector<Edge_sides<Field, N>> spans = sides_on_spans(
+      edge_pieces<Field>(a, work), edge_pieces<Field>(b, work), Affine_parameter_map<Field>{Field(1), Field(0)}, work);
   return edge_deviation(spans, largest_distance(spans, work), Edge_direction::same, work);
 }
 
@@ -156,7 +181,7 @@ Edge_deviation deviation(const Edge_rows<FT>& a, const Edge_rows<FT>& b, Work_li
          {internal::row_in_space<Field>(rows.edge), internal::row_in_space<Field>(rows.cross),
           internal::row_in_space<Field>(rows.second_cross)}}};
   };
-  return internal::edge_deviation<Field>(pieces(a), pieces(b), work);
+  return internal::edge_deviation(pieces(a), pieces(b), work);
 }
 
 /// \ingroup PkgGeometricContinuityContinuity
@@ -164,28 +189,29 @@ Edge_deviation deviation(const Edge_rows<FT>& a, const Edge_rows<FT>& b, Work_li
 /// knots of both: the domain of one edge as a whole corresponds to that of the other, in the direction that gives the smaller
 /// gap. See the function for `Edge_rows`.
 /// \throws Error `wrong_number_of_points` when the rows do not fit the knots, `not_finite`, `work_limit`
-template <class FT>
-Edge_deviation deviation(const Spline_edge_rows<FT>& a, const Spline_edge_rows<FT>& b,
+template <class FT, int N>
+Edge_deviation deviation(const Spline_edge_rows<FT, N>& a, const Spline_edge_rows<FT, N>& b,
                          Work_limit limit = Work_limit()) {
   typedef typename Exact_field<FT>::type Field;
   internal::Work_meter work(limit, "deviation of edges");
-  return internal::edge_deviation<Field>(internal::edge_pieces<Field>(a, work), internal::edge_pieces<Field>(b, work),
-                                         work);
+  return internal::edge_deviation(internal::edge_pieces<Field>(a, work), internal::edge_pieces<Field>(b, work), work);
 }
 
 /// \ingroup PkgGeometricContinuitySurfaces
 /// Encloses how far two surfaces are from being continuous along an edge of each: guaranteed enclosures of the largest
 /// distance of the edges, whose domains correspond as a whole in the direction that makes it smaller, and of the largest angle
 /// of the normals. Exact up to the last rounding, with every kernel.
-/// \tparam Surface_a, Surface_b `Bezier_patch` or `Bspline_surface`, in any combination, with one traits class
+/// \tparam Surface_a, Surface_b `Bezier_patch`, `Bspline_surface`, `Rational_bezier_patch` or `Rational_bspline_surface`, in any
+///   combination, with one traits class
 /// \throws Error `dimension_mismatch` unless in dimension 3, `work_limit`
 template <class Surface_a, class Surface_b>
 Edge_deviation deviation(const Surface_a& a, Patch_edge edge_a, const Surface_b& b, Patch_edge edge_b,
                          Work_limit limit = Work_limit()) {
   internal::require_space(a, b, "deviation");
   internal::Work_meter work(limit, "deviation of edges");
-  return internal::edge_deviation<Edge_field<typename Surface_a::Traits>>(internal::edge_pieces(a, edge_a, work),
-                                                                          internal::edge_pieces(b, edge_b, work), work);
+  constexpr int N = internal::row_dimension<Surface_a, Surface_b>;
+  return internal::edge_deviation(internal::edge_pieces_in<N>(a, edge_a, work),
+                                  internal::edge_pieces_in<N>(b, edge_b, work), work);
 }
 
 } // namespace Geometric_continuity

@@ -100,8 +100,8 @@ Edge_order_within order_within_or_exactly(const Spline_edge_continuity<FT>& exac
 /// `edge_continuity()`, this part counts.
 /// \throws Error `unreachable_tolerance` for a negative tolerance or one that is not a number, `wrong_number_of_points` when
 ///   the rows do not fit the knots, `not_finite`, `work_limit`
-template <class FT>
-Edge_order_within order_within(const Spline_edge_rows<FT>& a, const Spline_edge_rows<FT>& b,
+template <class FT, int N>
+Edge_order_within order_within(const Spline_edge_rows<FT, N>& a, const Spline_edge_rows<FT, N>& b,
                                const Edge_tolerance& tolerance, Work_limit limit = Work_limit()) {
   internal::check_tolerance(tolerance);
   return internal::order_within_or_exactly(
@@ -111,7 +111,8 @@ Edge_order_within order_within(const Spline_edge_rows<FT>& a, const Spline_edge_
 /// \ingroup PkgGeometricContinuitySurfaces
 /// Decides which order, 0 or 1, two surfaces have along an edge of each within a tolerance, see the function for
 /// `Spline_edge_rows`. Edges that have nothing in common, exactly or within the tolerance, are refuted, with their gap.
-/// \tparam Surface_a, Surface_b `Bezier_patch` or `Bspline_surface`, in any combination, with one traits class
+/// \tparam Surface_a, Surface_b `Bezier_patch`, `Bspline_surface`, `Rational_bezier_patch` or `Rational_bspline_surface`, in any
+///   combination, with one traits class
 /// \throws Error `unreachable_tolerance` for a negative tolerance or one that is not a number; `dimension_mismatch` unless
 ///   in dimension 3; `work_limit`
 template <class Surface_a, class Surface_b>
@@ -125,15 +126,16 @@ Edge_order_within order_within(const Surface_a& a, Patch_edge edge_a, const Surf
 /// \ingroup PkgGeometricContinuitySurfaces
 /// Decides which order, 0 or 1, a B-spline surface has along one of its knot lines within a tolerance. Where the surface jumps
 /// its two parts are compared at equal parameters.
+/// \tparam Surface `Bspline_surface` or `Rational_bspline_surface`
 /// \param surface the surface
 /// \param line one of `knot_line_continuity(surface)`
 /// \param tolerance for the gap and for the order 1
 /// \throws Error `unreachable_tolerance` for a negative tolerance or one that is not a number; `knot_multiplicity` when
 ///   the surface jumps along `line`, but has no inner knot there; `work_limit`
-template <class Traits>
-Edge_order_within order_within(const Bspline_surface<Traits>& surface, const Knot_line<Edge_field<Traits>>& line,
+template <class Surface>
+Edge_order_within order_within(const Surface& surface, const Knot_line<Edge_field<typename Surface::Traits>>& line,
                                const Edge_tolerance& tolerance, Work_limit limit = Work_limit()) {
-  typedef Edge_field<Traits> Field;
+  typedef Edge_field<typename Surface::Traits> Field;
   internal::check_tolerance(tolerance);
   if (0 <= line.continuity.g_order) return order_within(line.continuity, tolerance);
   const Parameter_line direction = line.constant_u ? Parameter_line::along_v : Parameter_line::along_u;

@@ -28,13 +28,15 @@ namespace Geometric_continuity {
 namespace internal {
 
 // Along rows with the same edge, in one direction.
-template <int order, class Field, class Stages>
-bool rows_have_order(const Edge_rows<Field>& a, const Edge_rows<Field>& b, Stages& stages, Work_meter& work) {
-  Edge_layers x, y;
-  if (edge_layers(a, b, x, y))
-    if (const std::optional<bool> answer = decide_on_same_edge<order>(x, y, stages)) return *answer;
-  const Edge_sides<Field> sides(a, b, work);
-  const Edge_normals<Field> normals(sides, work);
+template <int order, class Field, int N, class Stages>
+bool rows_have_order(const Edge_rows<Field, N>& a, const Edge_rows<Field, N>& b, Stages& stages, Work_meter& work) {
+  if constexpr (N == 3) {
+    Edge_layers x, y;
+    if (edge_layers(a, b, x, y))
+      if (const std::optional<bool> answer = decide_on_same_edge<order>(x, y, stages)) return *answer;
+  }
+  const Edge_sides<Field, N> sides(a, b, work);
+  const Edge_normals<Field, N> normals(sides, work);
   const bool answer = normals.first_order(work) && (order == 1 || normals.second_order(sides, work));
   stages.decided(Edge_stage::multiprecision, answer);
   return answer;
@@ -54,24 +56,29 @@ template <int order, class Surface_a, class Surface_b, class Stages>
 bool edge_has_order(const Surface_a& a, Patch_edge edge_a, const Surface_b& b, Patch_edge edge_b, Stages& stages,
                     Work_limit limit) {
   typedef Edge_field<typename Surface_a::Traits> Field;
+  constexpr int N = row_dimension<Surface_a, Surface_b>;
   require_space(a, b, "edge predicate");
-  Edge_layers x, y;
-  if (edge_layers(a, edge_a, b, edge_b, order, x, y))
-    if (const std::optional<bool> answer = decide_on_layers<order>(x, y, stages)) return *answer;
-  Work_meter work(limit, "edge predicate");
-  const std::vector<Edge_piece<Field>> pieces_a = edge_pieces(a, edge_a, work), pieces_b = edge_pieces(b, edge_b, work);
-  if (is_one_patch(a) && is_one_patch(b)) {
-    const bool answer = polynomials_have_order<order>(pieces_a[0].rows, pieces_b[0].rows, work);
-    stages.decided(Edge_stage::multiprecision, answer);
-    return answer;
+  if constexpr (N == 3) {
+    Edge_layers x, y;
+    if (edge_layers(a, edge_a, b, edge_b, order, x, y))
+      if (const std::optional<bool> answer = decide_on_layers<order>(x, y, stages)) return *answer;
   }
-  const std::optional<Edge_match<Field>> match = Common_edge_part<Field>(pieces_a, pieces_b, work).whole();
+  Work_meter work(limit, "edge predicate");
+  const std::vector<Edge_piece<Field, N>> pieces_a = edge_pieces_in<N>(a, edge_a, work),
+                                          pieces_b = edge_pieces_in<N>(b, edge_b, work);
+  if constexpr (N == 3)
+    if (is_one_patch(a) && is_one_patch(b)) {
+      const bool answer = polynomials_have_order<order>(pieces_a[0].rows, pieces_b[0].rows, work);
+      stages.decided(Edge_stage::multiprecision, answer);
+      return answer;
+    }
+  const std::optional<Edge_match<Field>> match = Common_edge_part<Field, N>(pieces_a, pieces_b, work).whole();
   if (!match || order == 0) {
     stages.decided(Edge_stage::multiprecision, match.has_value());
     return match.has_value();
   }
   return std::all_of(match->spans.begin(), match->spans.end(), [&](const Common_span<Field>& span) {
-    const std::pair<Edge_rows<Field>, Edge_rows<Field>> rows = rows_on(pieces_a, pieces_b, span, match->map);
+    const std::pair<Edge_rows<Field, N>, Edge_rows<Field, N>> rows = rows_on(pieces_a, pieces_b, span, match->map);
     return rows_have_order<order>(rows.first, rows.second, stages, work);
   });
 }
@@ -86,7 +93,8 @@ bool edge_has_order(const Surface_a& a, Patch_edge edge_a, const Surface_b& b, P
 
 /// \ingroup PkgGeometricContinuitySurfaces
 /// Returns whether the edges are the same curve, whole, with the same parametrisation up to an affine map, in either direction.
-/// \tparam Surface_a, Surface_b `Bezier_patch` or `Bspline_surface`, with one traits class
+/// \tparam Surface_a, Surface_b `Bezier_patch`, `Bspline_surface`, `Rational_bezier_patch` or `Rational_bspline_surface`, with one
+///   traits class
 /// \throws Error `dimension_mismatch` unless in dimension 3; `not_finite` when the answer depends on a coordinate that is
 ///   infinite or not a number; `work_limit`
 template <class Surface_a, class Surface_b>
@@ -98,7 +106,8 @@ bool is_g0_edge(const Surface_a& a, Patch_edge edge_a, const Surface_b& b, Patch
 /// \ingroup PkgGeometricContinuitySurfaces
 /// Returns whether the edges are the same, see `is_g0_edge()`, the tangent planes agree along the whole closed edge and the
 /// surfaces lie on different sides of it. Decides the signs of forms of degree 3 and 4. False where a normal vanishes.
-/// \tparam Surface_a, Surface_b `Bezier_patch` or `Bspline_surface`, with one traits class
+/// \tparam Surface_a, Surface_b `Bezier_patch`, `Bspline_surface`, `Rational_bezier_patch` or `Rational_bspline_surface`, with one
+///   traits class
 /// \throws Error `dimension_mismatch` unless in dimension 3, `not_finite`, `work_limit`
 template <class Surface_a, class Surface_b>
 bool is_g1_edge(const Surface_a& a, Patch_edge edge_a, const Surface_b& b, Patch_edge edge_b,
@@ -109,7 +118,8 @@ bool is_g1_edge(const Surface_a& a, Patch_edge edge_a, const Surface_b& b, Patch
 /// \ingroup PkgGeometricContinuitySurfaces
 /// Returns whether the surfaces are \f$ G^1 \f$ along the edges, see `is_g1_edge()`, and their curvatures agree, see
 /// `Edge_conditions`. Decides whether a form of degree 7 vanishes.
-/// \tparam Surface_a, Surface_b `Bezier_patch` or `Bspline_surface`, with one traits class
+/// \tparam Surface_a, Surface_b `Bezier_patch`, `Bspline_surface`, `Rational_bezier_patch` or `Rational_bspline_surface`, with one
+///   traits class
 /// \throws Error `dimension_mismatch` unless in dimension 3, `not_finite`, `work_limit`
 template <class Surface_a, class Surface_b>
 bool is_g2_edge(const Surface_a& a, Patch_edge edge_a, const Surface_b& b, Patch_edge edge_b,

@@ -34,25 +34,25 @@ template <class FT> struct Knot_line {
 
 namespace internal {
 
-template <class Traits>
-const Knot_vector<typename Traits::FT>& knots_across(const Bspline_surface<Traits>& s, Parameter_line line) {
+template <class Surface> const Knot_vector<typename Surface::FT>& knots_across(const Surface& s, Parameter_line line) {
   return line == Parameter_line::along_u ? s.knots_v() : s.knots_u();
 }
 
 // The rows of the surface on one side of a knot line, along it.
-template <class Traits>
-Spline_edge_rows<Edge_field<Traits>> knot_line_rows(const Bspline_surface<Traits>& s, Parameter_line line,
-                                                    const typename Traits::FT& knot, Line_side side) {
-  typedef Edge_field<Traits> Field;
+template <class Surface>
+Spline_edge_rows<Edge_field<typename Surface::Traits>, row_dimension<Surface>>
+knot_line_rows(const Surface& s, Parameter_line line, const typename Surface::FT& knot, Line_side side) {
+  typedef Edge_field<typename Surface::Traits> Field;
   return {knots_over<Field>(line == Parameter_line::along_u ? s.knots_u() : s.knots_v()),
-          edge_rows_in_space<Field>(s.template rows_at<Field>(line, knot, side, 2))};
+          edge_rows_in_space<Field, row_dimension<Surface>>(s.template rows_at<Field>(line, knot, side, 2))};
 }
 
-template <class Traits, class Report>
-void add_knot_lines(const Bspline_surface<Traits>& s, Parameter_line line,
-                    std::vector<Knot_line<Edge_field<Traits>>>& lines, Work_limit limit, Report& report) {
-  typedef Edge_field<Traits> Field;
-  const Knot_vector<typename Traits::FT>& across = knots_across(s, line);
+template <class Surface, class Report>
+void add_knot_lines(const Surface& s, Parameter_line line,
+                    std::vector<Knot_line<Edge_field<typename Surface::Traits>>>& lines, Work_limit limit,
+                    Report& report) {
+  typedef Edge_field<typename Surface::Traits> Field;
+  const Knot_vector<typename Surface::FT>& across = knots_across(s, line);
   for (const auto& knot : across.inner_knots()) {
     if (knot.multiplicity <= across.degree() - 2) continue; // twice continuously differentiable
     lines.push_back(
@@ -64,11 +64,11 @@ void add_knot_lines(const Bspline_surface<Traits>& s, Parameter_line line,
 }
 
 // What knot_line_continuity() returns; report() is called after each line.
-template <class Traits, class Report>
-std::vector<Knot_line<Edge_field<Traits>>> knot_lines(const Bspline_surface<Traits>& surface, Work_limit limit,
-                                                      Report report) {
+template <class Surface, class Report>
+std::vector<Knot_line<Edge_field<typename Surface::Traits>>> knot_lines(const Surface& surface, Work_limit limit,
+                                                                        Report report) {
   require_space(surface, "knot_line_continuity");
-  std::vector<Knot_line<Edge_field<Traits>>> lines;
+  std::vector<Knot_line<Edge_field<typename Surface::Traits>>> lines;
   add_knot_lines(surface, Parameter_line::along_v, lines, limit, report);
   add_knot_lines(surface, Parameter_line::along_u, lines, limit, report);
   return lines;
@@ -86,6 +86,15 @@ std::vector<Knot_line<Edge_field<Traits>>> knot_lines(const Bspline_surface<Trai
 /// \throws Error `dimension_mismatch` unless in dimension 3, `work_limit`
 template <class Traits>
 std::vector<Knot_line<Edge_field<Traits>>> knot_line_continuity(const Bspline_surface<Traits>& surface,
+                                                                Work_limit limit = Work_limit()) {
+  return internal::knot_lines(surface, limit, [] {});
+}
+
+/// \ingroup PkgGeometricContinuitySurfaces
+/// Decides the continuity of a rational B-spline surface across its knot lines, see the function for `Bspline_surface`.
+/// \throws Error `dimension_mismatch` unless in dimension 3, `work_limit`
+template <class Traits>
+std::vector<Knot_line<Edge_field<Traits>>> knot_line_continuity(const Rational_bspline_surface<Traits>& surface,
                                                                 Work_limit limit = Work_limit()) {
   return internal::knot_lines(surface, limit, [] {});
 }

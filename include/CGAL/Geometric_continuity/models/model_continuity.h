@@ -21,14 +21,13 @@ namespace Geometric_continuity {
 
 namespace internal {
 
-template <class Traits, class Report>
-std::vector<Knot_line<Edge_field<Traits>>> knot_lines_in_model(const Bspline_surface<Traits>& surface, Work_limit limit,
-                                                               Report report) {
-  return knot_lines(surface, limit, report);
-}
-template <class Traits, class Report>
-std::vector<Knot_line<Edge_field<Traits>>> knot_lines_in_model(const Bezier_patch<Traits>&, Work_limit, Report) {
-  return {};
+template <class Surface, class Report>
+std::vector<Knot_line<Edge_field<typename Surface::Traits>>> knot_lines_in_model(const Surface& surface,
+                                                                                 Work_limit limit, Report report) {
+  if constexpr (Is_patch<Surface>::value)
+    return {};
+  else
+    return knot_lines(surface, limit, report);
 }
 
 template <class Surface, class Report> class Model_analysis {
@@ -125,7 +124,8 @@ private:
 /// given where edges with the same ends have one degree and the same knots. Then each shared edge is decided once, smooth
 /// edges with integers of fixed length where `edge_continuity()` takes them.
 ///
-/// \tparam PatchRange a forward range of `Bezier_patch` or of `Bspline_surface`
+/// \tparam PatchRange a forward range of `Bezier_patch`, `Bspline_surface`, `Rational_bezier_patch` or
+///   `Rational_bspline_surface`; polynomial surfaces can be converted to rational ones
 /// \param patches of the model, which must outlive the call
 /// \param limit the work that is allowed for each edge, to recognise and to decide it, and for each knot line
 /// \param report is called as `report(n)` with the number of shared edges and knot lines decided so far, after each

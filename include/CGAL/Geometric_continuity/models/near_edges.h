@@ -44,24 +44,31 @@ struct Near_edges {
 namespace internal {
 
 // A boundary edge with its ends.
-template <class Field> struct Boundary_edge {
+template <class Field, int N> struct Boundary_edge {
   typedef Coordinate_vector<Field, 3> Vector;
   typedef std::array<std::pair<double, double>, 3> Box; // that contains a point
 
   std::size_t patch;
   Patch_edge edge;
-  std::vector<Edge_piece<Field>> pieces;
+  std::vector<Edge_piece<Field, N>> pieces;
   Vector ends[2];
   Box boxes[2];
 
-  Boundary_edge(std::size_t p, Patch_edge e, const Spline_edge_rows<Field>& rows, Work_limit limit)
+  Boundary_edge(std::size_t p, Patch_edge e, const Spline_edge_rows<Field, N>& rows, Work_limit limit)
       : patch(p), edge(e) {
     Work_meter work(limit, "near_edges");
     pieces = edge_pieces<Field>(rows, work);
-    ends[0] = pieces.front().rows.edge.front();
-    ends[1] = pieces.back().rows.edge.back();
+    ends[0] = point_of(pieces.front().rows.edge.front());
+    ends[1] = point_of(pieces.back().rows.edge.back());
     for (int end : {0, 1})
       for (int i = 0; i < 3; ++i) boxes[end][i] = CGAL::to_interval(ends[end][i]);
+  }
+
+  static Vector point_of(const Coordinate_vector<Field, N>& p) {
+    if constexpr (N == 4)
+      return affine_point(p);
+    else
+      return p;
   }
 
   // Bounds of the smaller coordinate of both ends.
@@ -88,7 +95,7 @@ template <class Field> struct Boundary_edge {
 };
 
 // The coordinate in which the edges are spread most, as far as they are finite.
-template <class Field> int longest_side(const std::vector<Boundary_edge<Field>>& edges) {
+template <class Field, int N> int longest_side(const std::vector<Boundary_edge<Field, N>>& edges) {
   int longest = 0;
   double length = 0;
   for (int i = 0; i < 3; ++i) {
@@ -110,7 +117,7 @@ template <class Field> int longest_side(const std::vector<Boundary_edge<Field>>&
 ///
 /// The ends of near edges are near; so candidates are found by sorting, and for each the gap is enclosed. A gap that is not
 /// small compared with the patches makes all pairs of edges candidates.
-/// \tparam PatchRange a forward range of `Bezier_patch` or of `Bspline_surface`
+/// \tparam PatchRange a forward range of surfaces, as for `model_continuity()`
 /// \param patches of the model
 /// \param model the result of `model_continuity(patches)`
 /// \param tolerance for the gap and for the order 1
@@ -121,7 +128,8 @@ template <class Field> int longest_side(const std::vector<Boundary_edge<Field>>&
 template <class PatchRange, class FT, class Report>
 std::vector<Near_edges> near_edges(const PatchRange& patches, const Model_continuity<FT>& model,
                                    const Edge_tolerance& tolerance, Work_limit limit, Report report) {
-  typedef internal::Boundary_edge<FT> Edge;
+  typedef std::decay_t<decltype(*std::begin(patches))> Surface;
+  typedef internal::Boundary_edge<FT, internal::row_dimension<Surface>> Edge;
   internal::check_tolerance(tolerance);
   internal::check_finite(tolerance.gap, "near_edges: gap");
   const double gap = tolerance.gap;

@@ -131,21 +131,9 @@ public:
   /// points are converted to `Field` before anything is computed. \f$ O(pk^2) \f$ for an edge of degree `p`
   /// \throws Error `negative_count` unless `k >= 0`
   template <class Field = FT> std::vector<Row<Field>> rows(Patch_edge edge, int k) const {
-    internal::check_count(k, "Bezier_patch: rows");
-    const int m = degree_along(edge), n = degree_across(edge), last = (std::min)(k, n);
-    std::vector<Row<Field>> rows(k + 1, Row<Field>(m + 1, Coordinate_vector<Field, N>(dimension())));
-    for (int i = 0; i <= m; ++i) {
-      std::vector<Coordinate_vector<Field, N>> layers;
-      for (int j = 0; j <= last; ++j)
-        layers.push_back(Geometric_continuity::coordinates<Traits, Field>(control_point(edge, i, j)));
-      Field factor(1);
-      for (int r = 0; r <= last; ++r) {
-        rows[r][i] = factor * layers[0];
-        difference_step(layers, last - r);
-        factor *= Field(n - r);
-      }
-    }
-    return rows;
+    return internal::bezier_rows<Field, N>(degree_along(edge), degree_across(edge), dimension(), k, [&](int i, int j) {
+      return Geometric_continuity::coordinates<Traits, Field>(control_point(edge, i, j));
+    });
   }
 
   /// Returns the patch turned so that the edge is at `v = 0` and keeps its direction.

@@ -160,7 +160,9 @@ public:
   /// \throws Error `parameter_outside_domain` for a parameter outside the domain, `negative_count` unless `k >= 0`
   template <class Field = FT>
   std::vector<Row<Field>> rows_at(Parameter_line line, const FT& parameter, Line_side side, int k) const {
-    return internal::bspline_rows_at<Field>(net_, u_, v_, line, parameter, side, k);
+    return internal::bspline_rows_at<Field, N>(u_, v_, dimension(), line, parameter, side, k, [&](int i, int j) {
+      return Geometric_continuity::coordinates<Traits, Field>(net_(i, j));
+    });
   }
 
   /// @}

@@ -7,8 +7,12 @@
 
 #include <CGAL/Geometric_continuity/curves/Bezier_curve.h>
 #include <CGAL/Geometric_continuity/curves/Bspline_curve.h>
+#include <CGAL/Geometric_continuity/curves/Rational_bezier_curve.h>
+#include <CGAL/Geometric_continuity/curves/Rational_bspline_curve.h>
 #include <CGAL/Geometric_continuity/surfaces/Bezier_patch.h>
 #include <CGAL/Geometric_continuity/surfaces/Bspline_surface.h>
+#include <CGAL/Geometric_continuity/surfaces/Rational_bezier_patch.h>
+#include <CGAL/Geometric_continuity/surfaces/Rational_bspline_surface.h>
 
 #include <vector>
 
@@ -36,6 +40,24 @@ template <class Traits> Bspline_curve<Traits> boundary_curve(const Bspline_surfa
   const auto rows = surface.rows(edge, 0);
   for (const Coordinates<Traits>& x : rows[0]) points.push_back(to_point<Traits>(x));
   return Bspline_curve<Traits>(points.begin(), points.end(), surface.knots_along(edge));
+}
+
+/// \ingroup PkgGeometricContinuitySurfaces
+/// Returns an edge of a rational patch as a rational curve, with the domain and the direction of the edge.
+template <class Traits>
+Rational_bezier_curve<Traits> boundary_curve(const Rational_bezier_patch<Traits>& patch, Patch_edge edge) {
+  const typename Rational_bezier_patch<Traits>::Interval domain = patch.domain(edge);
+  typedef typename Rational_bezier_curve<Traits>::Homogeneous Homogeneous;
+  return Rational_bezier_curve<Traits>(Homogeneous(patch.rows(edge, 0)[0], domain.first, domain.second));
+}
+
+/// \ingroup PkgGeometricContinuitySurfaces
+/// Returns an edge of a rational B-spline surface as a rational curve over the knots of the edge.
+template <class Traits>
+Rational_bspline_curve<Traits> boundary_curve(const Rational_bspline_surface<Traits>& surface, Patch_edge edge) {
+  typedef typename Rational_bspline_curve<Traits>::Homogeneous Homogeneous;
+  const auto rows = surface.rows(edge, 0);
+  return Rational_bspline_curve<Traits>(Homogeneous(rows[0].begin(), rows[0].end(), surface.knots_along(edge)));
 }
 
 } // namespace Geometric_continuity

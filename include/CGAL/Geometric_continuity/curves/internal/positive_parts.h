@@ -31,8 +31,9 @@ typename Traits::Point image_of_control_point(const Map& map, const typename Tra
                                               const typename Traits::FT& weight) {
   if (weight != typename Traits::FT(0)) return map(p);
   const Coordinates<Traits> origin(Traits().compute_dimension_object()(p));
-  return to_point<Traits>(coordinates<Traits>(typename Traits::Point(map(p))) -
-                          coordinates<Traits>(typename Traits::Point(map(to_point<Traits>(origin)))));
+  return to_point<Traits>(
+      Geometric_continuity::coordinates<Traits>(typename Traits::Point(map(p))) -
+      Geometric_continuity::coordinates<Traits>(typename Traits::Point(map(to_point<Traits>(origin)))));
 }
 
 } // namespace internal

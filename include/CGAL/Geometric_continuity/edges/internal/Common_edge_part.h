@@ -30,17 +30,20 @@ template <class Field> struct Affine_parameter_map {
 };
 
 // A polynomial curve sum_k a_k (t - centre)^k of degree n with a_{n-1} . a_n = 0, which is a normal form: curves that differ
-// by an affine map of the parameter have the a_k in common, up to the factor scale^k.
-template <class Field> class Centred_curve {
-  typedef Coordinate_vector<Field, 3> Vector;
+// by an affine map of the parameter have the a_k in common, up to the factor scale^k; curves of homogeneous points, N = 4, up to
+// one more factor. (With a factor that is not constant they are the same curve, too, which is not recognised unless they are a
+// point.)
+template <class Field, int N> class Centred_curve {
+  typedef Coordinate_vector<Field, N> Vector;
 
   std::vector<Vector> a_;
   Field centre_;
 
 public:
-  Centred_curve(const Edge_piece<Field>& piece, Work_meter& work) {
+  Centred_curve(const Edge_piece<Field, N>& piece, Work_meter& work) {
     charge_powers<Field>(piece.rows.edge, work);
-    a_ = powers_from_bernstein<Field>(piece.rows.edge);
+    a_ = is_point(piece.rows.edge) ? std::vector<Vector>{piece.rows.edge[0]}
+                                   : powers_from_bernstein<Field>(piece.rows.edge);
     const int n = degree();
     if (n == 0) return; // a point
     const Field x = Field(-dot(a_[n - 1], a_[n])) / Field(Field(n) * dot(a_[n], a_[n]));
@@ -61,6 +64,10 @@ public:
     if (a.degree() != b.degree()) return false;
     if (a.degree() > 0 && map(a.centre_) != b.centre_) return false;
     Field power(1);
+    if constexpr (N == 4) { // the factor of all coefficients, from the last
+      power = ratio(a.a_.back(), b.a_.back());
+      for (int k = 0; k < a.degree(); ++k) power = Field(power / map.scale);
+    }
     for (int k = 0; k <= a.degree(); ++k) {
       if (a.a_[k] != power * b.a_[k]) return false;
       power = Field(power * map.scale);
@@ -69,16 +76,20 @@ public:
   }
 
   // The map with b(map(t)) = a(t), if there is only one and it is found without roots: the exponents k > 0 that occur have no
-  // common divisor. Then scale = scale^gcd is a product of powers of the factors a_k / b_k = scale^k, by Euclid's algorithm.
+  // common divisor. Then scale = scale^gcd is a product of powers of the factors a_k / b_k = scale^k, by Euclid's algorithm. Of
+  // homogeneous points these are (a_n / b_n) / (a_{n-k} / b_{n-k}).
   friend std::optional<Affine_parameter_map<Field>> unique_map(const Centred_curve& a, const Centred_curve& b) {
     if (a.degree() != b.degree()) return std::nullopt;
     int gcd = 0;
     Field scale(1); // to the power of gcd
     for (int k = 1; k <= a.degree(); ++k) {
-      if (is_zero(a.a_[k]) != is_zero(b.a_[k])) return std::nullopt;
-      if (is_zero(a.a_[k])) continue;
+      const int i = N == 4 ? a.degree() - k : k;
+      if (is_zero(a.a_[i]) != is_zero(b.a_[i])) return std::nullopt;
+      if (is_zero(a.a_[i])) continue;
       int next = k;
-      Field factor = Field(dot(a.a_[k], b.a_[k]) / dot(b.a_[k], b.a_[k]));
+      Field factor = ratio(a.a_[i], b.a_[i]);
+      if (factor == Field(0)) return std::nullopt;
+      if constexpr (N == 4) factor = Field(ratio(a.a_.back(), b.a_.back()) / factor);
       if (factor == Field(0)) return std::nullopt;
       while (next > 0) {
         for (; gcd >= next; gcd -= next) scale = Field(scale / factor);
@@ -89,6 +100,19 @@ public:
     if (gcd != 1) return std::nullopt;
     const Affine_parameter_map<Field> map{scale, Field(b.centre_ - scale * a.centre_)};
     return agree(a, b, map) ? std::optional<Affine_parameter_map<Field>>(map) : std::nullopt;
+  }
+
+private:
+  // Of two parallel vectors.
+  static Field ratio(const Vector& x, const Vector& y) { return Field(dot(x, y) / dot(y, y)); }
+
+  // Whether all homogeneous points are multiples of the first, which is not infinite.
+  static bool is_point(const std::vector<Vector>& p) {
+    return N == 4 && std::all_of(p.begin(), p.end(), [&](const Vector& x) {
+             for (int i = 0; i < 3; ++i)
+               if (x[i] * p[0][N - 1] != p[0][i] * x[N - 1]) return false;
+             return true;
+           });
   }
 };
 
@@ -105,9 +129,9 @@ template <class Field> struct Edge_match {
 };
 
 // All spans of the common domain of two edges under a map.
-template <class Field>
-std::vector<Common_span<Field>> common_spans(const std::vector<Edge_piece<Field>>& a,
-                                             const std::vector<Edge_piece<Field>>& b,
+template <class Field, int N>
+std::vector<Common_span<Field>> common_spans(const std::vector<Edge_piece<Field, N>>& a,
+                                             const std::vector<Edge_piece<Field, N>>& b,
                                              const Affine_parameter_map<Field>& map) {
   std::vector<Common_span<Field>> mapped; // the pieces of the second edge in the parameters of the first
   for (std::size_t j = 0; j < b.size(); ++j) mapped.push_back({map.inverse(b[j].begin), map.inverse(b[j].end), 0, j});
@@ -127,9 +151,9 @@ std::vector<Common_span<Field>> common_spans(const std::vector<Edge_piece<Field>
 }
 
 // From the whole of one edge to the whole of another.
-template <class Field>
-Affine_parameter_map<Field> whole_map(const std::vector<Edge_piece<Field>>& a, const std::vector<Edge_piece<Field>>& b,
-                                      Edge_direction direction) {
+template <class Field, int N>
+Affine_parameter_map<Field> whole_map(const std::vector<Edge_piece<Field, N>>& a,
+                                      const std::vector<Edge_piece<Field, N>>& b, Edge_direction direction) {
   const bool backwards = direction == Edge_direction::opposite;
   const Field begin = backwards ? b.back().end : b.front().begin, end = backwards ? b.front().begin : b.back().end;
   const Field scale = Field(end - begin) / Field(a.back().end - a.front().begin);
@@ -137,38 +161,38 @@ Affine_parameter_map<Field> whole_map(const std::vector<Edge_piece<Field>>& a, c
 }
 
 // Of two edges that are the same as a whole.
-template <class Field>
-Edge_match<Field> whole_match(const std::vector<Edge_piece<Field>>& a, const std::vector<Edge_piece<Field>>& b,
+template <class Field, int N>
+Edge_match<Field> whole_match(const std::vector<Edge_piece<Field, N>>& a, const std::vector<Edge_piece<Field, N>>& b,
                               Edge_direction direction) {
   const Affine_parameter_map<Field> map = whole_map(a, b, direction);
   return {map, common_spans(a, b, map)};
 }
 
-// The rows of both edges on a common span, in the direction of the first.
-template <class Field>
-std::pair<Edge_rows<Field>, Edge_rows<Field>>
-rows_on(const std::vector<Edge_piece<Field>>& a, const std::vector<Edge_piece<Field>>& b,
+// The rows of both edges on a common span, in the direction of the first, with equal weights where it begins.
+template <class Field, int N>
+std::pair<Edge_rows<Field, N>, Edge_rows<Field, N>>
+rows_on(const std::vector<Edge_piece<Field, N>>& a, const std::vector<Edge_piece<Field, N>>& b,
         const Common_span<Field>& span, const Affine_parameter_map<Field>& map) {
   const bool reversed = map.reverses();
-  const Edge_rows<Field> rows =
+  const Edge_rows<Field, N> rows =
       rows_on(b[span.b], map(reversed ? span.end : span.begin), map(reversed ? span.begin : span.end));
-  return {rows_on(a[span.a], span.begin, span.end), reversed ? rows.reversed() : rows};
+  return with_equal_weights(rows_on(a[span.a], span.begin, span.end), reversed ? rows.reversed() : rows);
 }
 
 // Finds the part that two edges have in common. The test for whole edges is also made, faster, by Edge_sides::align() for two
 // polynomials, by same_edge() in edge_layers.h for control points, and by Edge_key for all edges of a model.
-template <class Field> class Common_edge_part {
-  typedef std::vector<Edge_piece<Field>> Pieces;
+template <class Field, int N = 3> class Common_edge_part {
+  typedef std::vector<Edge_piece<Field, N>> Pieces;
   typedef Affine_parameter_map<Field> Map;
   typedef std::vector<Common_span<Field>> Spans;
 
   const Pieces &a_, &b_;
-  std::vector<Centred_curve<Field>> curves_a_, curves_b_;
+  std::vector<Centred_curve<Field, N>> curves_a_, curves_b_;
 
 public:
   Common_edge_part(const Pieces& a, const Pieces& b, Work_meter& work) : a_(a), b_(b) {
-    for (const Edge_piece<Field>& piece : a) curves_a_.emplace_back(piece, work);
-    for (const Edge_piece<Field>& piece : b) curves_b_.emplace_back(piece, work);
+    for (const Edge_piece<Field, N>& piece : a) curves_a_.emplace_back(piece, work);
+    for (const Edge_piece<Field, N>& piece : b) curves_b_.emplace_back(piece, work);
   }
 
   // The whole edges if they are the same, forwards or else backwards.

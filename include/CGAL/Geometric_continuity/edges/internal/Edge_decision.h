@@ -26,8 +26,8 @@ namespace Geometric_continuity {
 namespace internal {
 
 // In multi-precision, for edges that are the same curve in one direction. `Sides` is Edge_sides or what has its derivatives.
-template <class Field> class Edge_decision {
-  typedef Edge_normals<Field> Normals;
+template <class Field, int N = 3> class Edge_decision {
+  typedef Edge_normals<Field, N> Normals;
   typedef typename Normals::Polynomial Polynomial;
 
   Edge_continuity<Field> edge_;
@@ -66,7 +66,7 @@ private:
 
   void locate(const Normals& n, Work_meter& work) {
     if (edge_.normal_vanishes) {
-      if (Edge_sides<Field>::is_zero(n.n1) || Edge_sides<Field>::is_zero(n.n2)) {
+      if (Edge_sides<Field, N>::is_zero(n.n1) || Edge_sides<Field, N>::is_zero(n.n2)) {
         edge_.vanishing = std::pair<Field, Field>(Field(0), Field(1));
         return;
       }
@@ -74,7 +74,8 @@ private:
           edge_.coplanar ? n.side : product(Normals::square(n.n1, work), Normals::square(n.n2, work), work), work);
     }
     if (edge_.defect == Edge_defect::crease || edge_.defect == Edge_defect::fold)
-      edge_.deviation = largest_angle<Field>(n.n1, n.n2, edge_.normal_vanishes, work);
+      edge_.deviation = largest_angle<Field>(normal_part<typename Normals::Ring>(n.n1),
+                                             normal_part<typename Normals::Ring>(n.n2), edge_.normal_vanishes, work);
     else
       edge_.deviation = Normal_deviation<Field>{Field(0), Field(0), Field(0), Field(1)};
   }
@@ -91,20 +92,22 @@ template <class Field> Edge_continuity<Field> smooth_continuity(int order, const
   return e;
 }
 
-// The decision on rows with the same edge, in one direction.
-template <class Field>
-Edge_continuity<Field> decide_edge(const Edge_rows<Field>& a, const Edge_rows<Field>& b, Work_meter& work) {
-  Edge_layers x, y;
-  if (edge_layers(a, b, x, y))
-    if (const std::optional<int> order = smooth_order(x, y))
-      return smooth_continuity<Field>(*order, {Field(0), Field(1)});
-  return Edge_decision<Field>()(Edge_sides<Field>(a, b, work), work);
+// The multi-precision stage alone.
+template <class Field, int N>
+Edge_continuity<Field> decide_rough_edge(const Edge_rows<Field, N>& a, const Edge_rows<Field, N>& b, Work_meter& work) {
+  return Edge_decision<Field, N>()(Edge_sides<Field, N>(a, b, work), work);
 }
 
-// The multi-precision stage alone.
-template <class Field>
-Edge_continuity<Field> decide_rough_edge(const Edge_rows<Field>& a, const Edge_rows<Field>& b, Work_meter& work) {
-  return Edge_decision<Field>()(Edge_sides<Field>(a, b, work), work);
+// The decision on rows with the same edge, in one direction. Homogeneous ones have the multi-precision stage only.
+template <class Field, int N>
+Edge_continuity<Field> decide_edge(const Edge_rows<Field, N>& a, const Edge_rows<Field, N>& b, Work_meter& work) {
+  if constexpr (N == 3) {
+    Edge_layers x, y;
+    if (edge_layers(a, b, x, y))
+      if (const std::optional<int> order = smooth_order(x, y))
+        return smooth_continuity<Field>(*order, {Field(0), Field(1)});
+  }
+  return decide_rough_edge(a, b, work);
 }
 
 // The verdict on an interval [begin, end] of an edge from that on [0, 1].

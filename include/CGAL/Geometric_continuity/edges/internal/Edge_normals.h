@@ -12,6 +12,7 @@
 #include <CGAL/Geometric_continuity/numbers/internal/Common_denominator.h>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <optional>
 #include <utility>
@@ -30,9 +31,6 @@ template <class NT> std::size_t most_words(const Homogeneous_polynomial<NT>& p) 
   for (int k = 0; k <= p.degree(); ++k) words = (std::max)(words, number_words(p[k]));
   return words;
 }
-template <class NT> std::size_t most_words(const Homogeneous_vector<NT>& v) {
-  return (std::max)({most_words(v[0]), most_words(v[1]), most_words(v[2])});
-}
 
 // Takes note of as many products of two polynomials.
 template <class NT>
@@ -48,11 +46,13 @@ Homogeneous_polynomial<NT> product(const Homogeneous_polynomial<NT>& p, const Ho
   charge_product(1, p, q, work);
   return p * q;
 }
-template <class NT>
-Homogeneous_polynomial<NT> scalar_product(const Homogeneous_vector<NT>& v, const Homogeneous_vector<NT>& w,
-                                          Work_meter& work) {
-  for (int i = 0; i < 3; ++i) charge_product(1, v[i], w[i], work);
-  return Geometric_continuity::scalar_product(v, w);
+template <class NT, std::size_t n>
+Homogeneous_polynomial<NT> scalar_product(const std::array<Homogeneous_polynomial<NT>, n>& v,
+                                          const std::array<Homogeneous_polynomial<NT>, n>& w, Work_meter& work) {
+  for (std::size_t i = 0; i < n; ++i) charge_product(1, v[i], w[i], work);
+  Homogeneous_polynomial<NT> sum = v[0] * w[0] + v[1] * w[1] + v[2] * w[2];
+  for (std::size_t i = 3; i < n; ++i) sum = sum + v[i] * w[i];
+  return sum;
 }
 template <class NT>
 Homogeneous_vector<NT> cross_product(const Homogeneous_vector<NT>& v, const Homogeneous_vector<NT>& w,
@@ -63,29 +63,30 @@ Homogeneous_vector<NT> cross_product(const Homogeneous_vector<NT>& v, const Homo
   return Geometric_continuity::cross_product(v, w);
 }
 
-// The rows of both sides, in a ring: multiplied by their common denominator. Sides 0 and 1 are S1 and S2.
-template <class Field> struct Edge_sides {
+// The rows of both sides, in a ring: multiplied by their common denominator. Sides 0 and 1 are S1 and S2. For N = 4 they are
+// those of homogeneous points.
+template <class Field, int N = 3> struct Edge_sides {
   typedef typename Common_denominator<Field>::Ring Ring;
   typedef Homogeneous_polynomial<Ring> Polynomial;
-  typedef Homogeneous_vector<Ring> Vector;
+  typedef std::array<Polynomial, N> Vector;
 
   Common_denominator<Field> denominator;
   Vector c[2], t[2], w[2]; // C, T, W
 
-  template <class FT> Edge_sides(const Edge_rows<FT>& a, const Edge_rows<FT>& b, Work_meter& work) {
-    for (const Edge_rows<FT>* rows : {&a, &b})
+  template <class FT> Edge_sides(const Edge_rows<FT, N>& a, const Edge_rows<FT, N>& b, Work_meter& work) {
+    for (const Edge_rows<FT, N>* rows : {&a, &b})
       for (const auto* row : {&rows->edge, &rows->cross, &rows->second_cross}) {
         if (row->empty())
           throw Error(Error_code::wrong_number_of_points, "edge continuity: a row without coefficients");
-        for (const Coordinate_vector<FT, 3>& x : *row)
-          for (int i = 0; i < 3; ++i) {
+        for (const Coordinate_vector<FT, N>& x : *row)
+          for (int i = 0; i < N; ++i) {
             const Field number = to_field<Field>(x[i]);
             denominator.include(number);
             work.charge_products(2, denominator.words(), number_words(number)); // here, and for the numerator
           }
       }
     int side = 0;
-    for (const Edge_rows<FT>* rows : {&a, &b}) {
+    for (const Edge_rows<FT, N>* rows : {&a, &b}) {
       c[side] = polynomials(rows->edge);
       t[side] = polynomials(rows->cross);
       w[side] = polynomials(rows->second_cross);
@@ -93,7 +94,14 @@ template <class Field> struct Edge_sides {
     }
   }
 
-  bool collapsed() const { return is_zero(derivative(c[0])); }
+  bool collapsed() const {
+    if constexpr (N == 4) {
+      const Vector& p = c[0];
+      const Vector d = derivative(p);
+      return p[0] * d[3] == d[0] * p[3] && p[1] * d[3] == d[1] * p[3] && p[2] * d[3] == d[2] * p[3];
+    } else
+      return is_zero(derivative(c[0]));
+  }
   bool same_edge() const { return c[0] == c[1]; }
 
   // Turns the second side so that both edges are the same curve in one direction, if they are in one of both. Returns
@@ -101,24 +109,33 @@ template <class Field> struct Edge_sides {
   // same_edge() in edge_layers.h for control points of equal degree, Common_edge_part for pieces, Edge_key for many edges.
   std::optional<bool> align() {
     if (same_edge()) return false;
-    for (Vector* v : {&c[1], &t[1], &w[1]}) *v = {(*v)[0].reversed(), (*v)[1].reversed(), (*v)[2].reversed()};
+    for (Vector* v : {&c[1], &t[1], &w[1]})
+      for (Polynomial& p : *v) p = p.reversed();
     return same_edge() ? std::optional<bool>(true) : std::nullopt;
   }
 
-  // C', of the side with the lower degree along the edge
-  Vector first_derivative() const { return derivative(c[c[1][0].degree() < c[0][0].degree()]); }
+  // C, of the side with the lower degree along the edge
+  const Vector& edge() const { return c[c[1][0].degree() < c[0][0].degree()]; }
+  // C'
+  Vector first_derivative() const { return derivative(edge()); }
   // C''
   Vector second_derivative() const { return derivative(first_derivative()); }
   // T1'
   Vector mixed_derivative() const { return derivative(t[0]); }
 
-  static Vector derivative(const Vector& v) { return {v[0].derivative(), v[1].derivative(), v[2].derivative()}; }
-  static bool is_zero(const Vector& v) { return v[0].is_zero() && v[1].is_zero() && v[2].is_zero(); }
+  static Vector derivative(const Vector& v) {
+    Vector d;
+    for (int i = 0; i < N; ++i) d[i] = v[i].derivative();
+    return d;
+  }
+  static bool is_zero(const Vector& v) {
+    return std::all_of(v.begin(), v.end(), [](const Polynomial& p) { return p.is_zero(); });
+  }
 
 private:
   template <class Row> Vector polynomials(const Row& row) const {
     Vector v;
-    for (int i = 0; i < 3; ++i) {
+    for (int i = 0; i < N; ++i) {
       std::vector<Ring> b;
       for (const auto& x : row) b.push_back(denominator.numerator(to_field<Field>(x[i])));
       v[i] = Polynomial::from_bernstein(std::move(b));
@@ -127,20 +144,57 @@ private:
   }
 };
 
+// A line of homogeneous space, x ^ y, by its coordinates x_i y_j - x_j y_i, i < j.
+template <class NT> struct Homogeneous_line {
+  typedef Homogeneous_polynomial<NT> Polynomial;
+  typedef std::array<Polynomial, 4> Point;
+
+  Polynomial m[4][4];
+
+  Homogeneous_line(const Point& x, const Point& y, Work_meter& work) {
+    for (int i = 0; i < 4; ++i)
+      for (int j = i + 1; j < 4; ++j) {
+        charge_product(1, x[i], y[j], work);
+        charge_product(1, x[j], y[i], work);
+        m[i][j] = x[i] * y[j] - x[j] * y[i];
+      }
+  }
+
+  // The coordinate i of the plane x ^ y ^ z as a covector p, where p . v = det(v, x, y, z).
+  Polynomial plane(int i, const Point& z, Work_meter& work) const {
+    const int a = i == 0, b = i <= 1 ? 2 : 1, c = i <= 2 ? 3 : 2; // the others, in order
+    charge_product(3, m[a][b], z[c], work);
+    const Polynomial minor = m[a][b] * z[c] - m[a][c] * z[b] + m[b][c] * z[a];
+    return i % 2 == 0 ? minor : Polynomial() - minor;
+  }
+  Point plane(const Point& z, Work_meter& work) const {
+    return {plane(0, z, work), plane(1, z, work), plane(2, z, work), plane(3, z, work)};
+  }
+};
+
+// The normal of a plane, or the normal itself.
+template <class NT> const Homogeneous_vector<NT>& normal_part(const Homogeneous_vector<NT>& n) { return n; }
+template <class NT> Homogeneous_vector<NT> normal_part(const std::array<Homogeneous_polynomial<NT>, 4>& plane) {
+  return {plane[0], plane[1], plane[2]};
+}
+
 // The normals n1 = C' x T1 and n2 = C' x T2 of both sides, and what they decide. `Sides` is Edge_sides or what has its
-// derivatives. \pre both sides have the same edge, in one direction
-template <class Field> struct Edge_normals {
-  typedef Edge_sides<Field> Sides;
+// derivatives. For homogeneous points, N = 4, these are the tangent planes C ^ C' ^ T1 and C ^ C' ^ T2, whose first three
+// coordinates are the normals times powers of the denominator; all identities have the same form, as det(x, C, C', T1) = n1 . x.
+// \pre both sides have the same edge, in one direction
+template <class Field, int N = 3> struct Edge_normals {
+  typedef Edge_sides<Field, N> Sides;
+  typedef typename Sides::Ring Ring;
   typedef typename Sides::Polynomial Polynomial;
   typedef typename Sides::Vector Vector;
   typedef typename Common_denominator<Field>::Exact Exact;
 
   Vector n1, n2;
   Polynomial det;  // det(C', T1, T2) = n1 . T2
-  Polynomial side; // n1 . n2
+  Polynomial side; // n1 . n2, of the normals
 
   template <class AnySides>
-  Edge_normals(const AnySides& s, Work_meter& work) : Edge_normals(s.first_derivative(), s.t, work) {}
+  Edge_normals(const AnySides& s, Work_meter& work) : Edge_normals(s, s.first_derivative(), work) {}
 
   // The order 1, from the signs of n1 . n2.
   bool coplanar() const { return det.is_zero(); }
@@ -154,15 +208,14 @@ template <class Field> struct Edge_normals {
     return vanishes(n1, work) || vanishes(n2, work);
   }
 
-  // N_i^2 (N . W2) = n3_i^2 (N . C'') + 2 n3_i n2_i (N . T1') + n2_i^2 (N . W1) with N = n1, n3 = T2 x T1. As n2 = q N and
-  // n3 = p N with rational functions p and q, one coordinate with N_i != 0 decides for all. The same identity is decided in
-  // Edge_on_grid by integers of fixed length and in Edge_filter by floating-point numbers. \pre coplanar()
+  // N_i^2 (N . W2) = n3_i^2 (N . C'') + 2 n3_i n2_i (N . T1') + n2_i^2 (N . W1) with N = n1, n3 = T2 x T1 or C ^ T2 ^ T1. As
+  // n2 = q N and n3 = p N with rational functions p and q, one coordinate with N_i != 0 decides for all. The same identity is
+  // decided in Edge_on_grid by integers of fixed length and in Edge_filter by floating-point numbers. \pre coplanar()
   template <class AnySides> bool second_order(const AnySides& s, Work_meter& work) const {
     int i = 0;
     while (i < 3 && n1[i].is_zero()) ++i;
     if (i == 3) return true;
-    charge_product(6, s.t[0][0], s.t[1][0], work);
-    const Polynomial n3 = s.t[1][(i + 1) % 3] * s.t[0][(i + 2) % 3] - s.t[1][(i + 2) % 3] * s.t[0][(i + 1) % 3];
+    const Polynomial n3 = third_normal(s, i, work);
     const Polynomial mixed = internal::scalar_product(n1, s.mixed_derivative(), work);
     const Polynomial last = internal::scalar_product(n1, s.w[1], work);
     for (const Polynomial& x : {n1[i], n2[i], n3}) {
@@ -170,22 +223,56 @@ template <class Field> struct Edge_normals {
       charge_product(2, x, last, work);
     }
     const Polynomial left = n1[i] * n1[i] * last;
-    const Polynomial right = n3 * (n3 * scalar_product(n1, s.second_derivative()) + n2[i] * (mixed + mixed)) +
-                             n2[i] * n2[i] * scalar_product(n1, s.w[0]);
+    const Polynomial right =
+        n3 * (n3 * internal::scalar_product(n1, s.second_derivative(), work) + n2[i] * (mixed + mixed)) +
+        n2[i] * n2[i] * internal::scalar_product(n1, s.w[0], work);
     return left == right;
   }
 
-  static Polynomial square(const Vector& v, Work_meter& work) { return internal::scalar_product(v, v, work); }
+  static Polynomial square(const Vector& v, Work_meter& work) {
+    const Homogeneous_vector<Ring>& n = normal_part<Ring>(v);
+    return internal::scalar_product(n, n, work);
+  }
   // Whether the vector is zero somewhere on the closed interval.
   static bool vanishes(const Vector& v, Work_meter& work) {
     return internal::sign_pattern<Exact>(square(v, work), work) != Sign_pattern::positive;
   }
 
 private:
-  Edge_normals(const Vector& d, const Vector (&t)[2], Work_meter& work)
-      : n1(internal::cross_product(d, t[0], work)), n2(internal::cross_product(d, t[1], work)),
-        det(internal::scalar_product(n1, t[1], work)), side(internal::scalar_product(n1, n2, work)) {}
+  template <class AnySides> Edge_normals(const AnySides& s, const Vector& d, Work_meter& work) {
+    if constexpr (N == 4) {
+      const Homogeneous_line<Ring> tangent(s.edge(), d, work);
+      n1 = tangent.plane(s.t[0], work);
+      n2 = tangent.plane(s.t[1], work);
+    } else {
+      n1 = internal::cross_product(d, s.t[0], work);
+      n2 = internal::cross_product(d, s.t[1], work);
+    }
+    det = internal::scalar_product(n1, s.t[1], work);
+    side = internal::scalar_product(normal_part<Ring>(n1), normal_part<Ring>(n2), work);
+  }
+
+  template <class AnySides> static Polynomial third_normal(const AnySides& s, int i, Work_meter& work) {
+    if constexpr (N == 4)
+      return Homogeneous_line<Ring>(s.edge(), s.t[1], work).plane(i, s.t[0], work);
+    else {
+      charge_product(6, s.t[0][0], s.t[1][0], work);
+      return s.t[1][(i + 1) % 3] * s.t[0][(i + 2) % 3] - s.t[1][(i + 2) % 3] * s.t[0][(i + 1) % 3];
+    }
+  }
 };
+
+// The normal of one side along its own edge, times a power of the denominator for homogeneous points.
+template <class Field, int N>
+Homogeneous_vector<typename Edge_sides<Field, N>::Ring> normal_along_edge(const Edge_sides<Field, N>& s, int side,
+                                                                          Work_meter& work) {
+  typedef typename Edge_sides<Field, N>::Ring Ring;
+  const typename Edge_sides<Field, N>::Vector d = Edge_sides<Field, N>::derivative(s.c[side]);
+  if constexpr (N == 4)
+    return normal_part<Ring>(Homogeneous_line<Ring>(s.c[side], d, work).plane(s.t[side], work));
+  else
+    return internal::cross_product(d, s.t[side], work);
+}
 
 } // namespace internal
 } // namespace Geometric_continuity

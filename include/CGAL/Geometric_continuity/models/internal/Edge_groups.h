@@ -49,17 +49,19 @@ public:
 };
 
 // Whether the control points at the corners are points of the surface, and those of the edges belong to these alone.
-template <class Traits> bool has_corner_points(const Bezier_patch<Traits>&) { return true; }
-template <class Traits> bool has_corner_points(const Bspline_surface<Traits>& s) {
-  return s.knots_u().is_clamped() && s.knots_v().is_clamped();
+template <class Surface> bool has_corner_points(const Surface& s) {
+  if constexpr (Is_patch<Surface>::value)
+    return true;
+  else
+    return s.knots_u().is_clamped() && s.knots_v().is_clamped();
 }
 
 // The control point at a corner.
-template <class Traits> const typename Traits::Point& corner_point(const Bezier_patch<Traits>& s, bool u, bool v) {
-  return s.control_point(u ? s.degree_u() : 0, v ? s.degree_v() : 0);
-}
-template <class Traits> const typename Traits::Point& corner_point(const Bspline_surface<Traits>& s, bool u, bool v) {
-  return s.control_point(u ? s.number_of_points_u() - 1 : 0, v ? s.number_of_points_v() - 1 : 0);
+template <class Surface> const typename Surface::Point& corner_point(const Surface& s, bool u, bool v) {
+  if constexpr (Is_patch<Surface>::value)
+    return s.control_point(u ? s.degree_u() : 0, v ? s.degree_v() : 0);
+  else
+    return s.control_point(u ? s.number_of_points_u() - 1 : 0, v ? s.number_of_points_v() - 1 : 0);
 }
 
 // The numbers of the two corners where an edge begins and ends; a corner has the number 4 * patch + 2 * (at the end of u) +
@@ -145,10 +147,11 @@ private:
 };
 
 // Recognises each edge of a model once, by sorting: first by the points at its ends, which have been numbered; then those
-// with the same ends by their control points, if they have one degree and the same knots, otherwise by Edge_key.
+// with the same ends by their control points, if they have one degree and the same knots, otherwise by Edge_key; those of rational
+// surfaces always by Edge_key.
 template <class Surface> class Edge_groups {
   typedef typename Surface::Traits Traits;
-  typedef Edge_key<Traits> Key;
+  typedef Edge_key<Traits, row_dimension<Surface>> Key;
   typedef Edge_polygon<Traits> Polygon;
 
   const std::vector<const Surface*>& surfaces_;
@@ -240,6 +243,13 @@ private:
       edges_.emplace_back(uses_.data() + uses_.size() - 1, uses_.data() + uses_.size());
       return;
     }
+    if constexpr (Is_rational_surface<Surface>::value)
+      group_by_keys(uses);
+    else
+      group_polynomials(uses, closed);
+  }
+
+  void group_polynomials(const std::vector<Edge_use>& uses, bool closed) {
     std::vector<Edge_use> open;
     std::vector<Polygon> polygons;
     for (const Edge_use& use : uses) {

@@ -19,11 +19,12 @@ namespace internal {
 // Numbers that two edges have in common if and only if they are the same curve after affine maps of both domains to [0, 1],
 // in either direction, whatever their degrees and knots. For each interval on which the curve is one polynomial: its start and
 // the coefficients of the powers of the parameter of the whole, up to the last that is not zero; in the direction that makes
-// them smaller. For sorting many edges; two edges are compared by Common_edge_part and Edge_sides::align().
-template <class Traits> class Edge_key {
+// them smaller. Homogeneous points, N = 4, have them in common up to a factor, see normalise(). For sorting many edges; two edges
+// are compared by Common_edge_part and Edge_sides::align().
+template <class Traits, int N = 3> class Edge_key {
   typedef Edge_field<Traits> Field;
   typedef typename Exact_number<Field>::type Exact; // compared often, evaluated once
-  typedef typename Edge_rows<Field>::Row Row;
+  typedef typename Edge_rows<Field, N>::Row Row;
   struct Piece {
     Field begin, end;
     Row row; // the polynomial on [0, 1]
@@ -48,7 +49,7 @@ public:
     if (turned_) numbers_.swap(backwards);
   }
 
-  bool single_point() const { return numbers_.size() == 1 && numbers_[0].size() == 4; }
+  bool single_point() const { return numbers_.size() == 1 && numbers_[0].size() == N + 1; }
 
   // Whether the numbers are those of the reversed edge. Of two edges with equal keys that differ in this, one is
   // the other backwards. (An edge that is the same backwards is not turned.)
@@ -60,14 +61,39 @@ public:
   }
 
 private:
-  // Row 0 of a Bezier patch is that of the only piece; no division is needed.
-  static std::vector<Piece> unit_pieces(const Bezier_patch<Traits>& patch, Patch_edge edge, Work_meter&) {
-    return {{Field(0), Field(1), row_in_space<Field>(patch.template rows<Field>(edge, 0)[0])}};
+  // Homogeneous points are divided by the first number of the last coefficient; but those of a single point become this point.
+  static void normalise(Row& powers) {
+    if constexpr (N == 4) {
+      const auto& last = powers.back();
+      const auto is_multiple = [&](const auto& x) {
+        for (int i = 0; i < 3; ++i)
+          if (x[i] * last[3] != last[i] * x[3]) return false;
+        return true;
+      };
+      int i = 0;
+      while (last[i] == Field(0)) ++i;
+      if (last[3] != Field(0) && std::all_of(powers.begin(), powers.end(), is_multiple)) {
+        const typename Row::value_type point = last;
+        powers.assign(1, point);
+        i = 3;
+      }
+      const Field factor = powers.back()[i];
+      for (auto& x : powers) x /= factor;
+    }
   }
 
-  static std::vector<Piece> unit_pieces(const Bspline_surface<Traits>& surface, Patch_edge edge, Work_meter& work) {
+  template <class Surface>
+  static std::vector<Piece> unit_pieces(const Surface& surface, Patch_edge edge, Work_meter& work) {
+    if constexpr (Is_patch<Surface>::value) // row 0 is that of the only piece; no division is needed
+      return {{Field(0), Field(1), row_in_space<Field, N>(surface.template rows<Field>(edge, 0)[0])}};
+    else
+      return pieces_of_spline(surface, edge, work);
+  }
+
+  template <class Surface>
+  static std::vector<Piece> pieces_of_spline(const Surface& surface, Patch_edge edge, Work_meter& work) {
     const Knot_vector<Field> knots = knots_over<Field>(surface.knots_along(edge));
-    const Row rows = bernstein_pieces(knots, row_in_space<Field>(surface.template rows<Field>(edge, 0)[0]), work);
+    const Row rows = bernstein_pieces(knots, row_in_space<Field, N>(surface.template rows<Field>(edge, 0)[0]), work);
     const std::pair<Field, Field> domain = knots.domain();
     const Field length = domain.second - domain.first;
     std::vector<Piece> pieces;
@@ -89,6 +115,7 @@ private:
     Row last;
     for (const Piece& piece : pieces) {
       Row powers = powers_from_bernstein<Field>(piece.row);
+      normalise(powers);
       if (powers == last) continue; // the same polynomial goes on
       result.emplace_back(1, Exact_number<Field>::of(piece.begin));
       for (const auto& a : powers)

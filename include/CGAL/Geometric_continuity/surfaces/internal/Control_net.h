@@ -144,6 +144,15 @@ private:
   }
 };
 
+// The control points b_ij with i and j in two closed ranges.
+template <class Traits>
+std::vector<std::vector<typename Traits::Point>> part_of_net(const Control_net<Traits>& net, int first_i, int last_i,
+                                                             int first_j, int last_j) {
+  std::vector<std::vector<typename Traits::Point>> part;
+  for (int i = first_i; i <= last_i; ++i) part.emplace_back(&net(i, first_j), &net(i, last_j) + 1);
+  return part;
+}
+
 } // namespace internal
 } // namespace Geometric_continuity
 } // namespace CGAL

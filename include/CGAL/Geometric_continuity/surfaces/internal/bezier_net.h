@@ -61,6 +61,27 @@ Surface_jet<Traits> bezier_jet(const Control_net<Traits>& net,
   return jet;
 }
 
+// The rows 0 to k at an edge of degree m of a patch of degree n across it, see `Bezier_patch::rows()`. point(i, j) is the control
+// point number i along the edge in the layer j, in `Field`, with d coordinates.
+template <class Field, int N, class Point>
+std::vector<std::vector<Coordinate_vector<Field, N>>> bezier_rows(int m, int n, int d, int k, Point point) {
+  typedef Coordinate_vector<Field, N> Vector;
+  check_count(k, "Bezier_patch: rows");
+  const int last = (std::min)(k, n);
+  std::vector<std::vector<Vector>> rows(k + 1, std::vector<Vector>(m + 1, Vector(d)));
+  for (int i = 0; i <= m; ++i) {
+    std::vector<Vector> layers;
+    for (int j = 0; j <= last; ++j) layers.push_back(point(i, j));
+    Field factor(1);
+    for (int r = 0; r <= last; ++r) {
+      rows[r][i] = factor * layers[0];
+      difference_step(layers, last - r);
+      factor *= Field(n - r);
+    }
+  }
+  return rows;
+}
+
 // The net of the degree in u raised by `times`.
 template <class Traits> Control_net<Traits> elevate_rows(const Control_net<Traits>& net, int times) {
   const int p = net.rows() - 1, q = net.columns() - 1;

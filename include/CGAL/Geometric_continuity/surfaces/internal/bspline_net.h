@@ -70,25 +70,24 @@ Surface_jet<Traits> bspline_jet(const Control_net<Traits>& net, const Knot_vecto
   return jet;
 }
 
-// The rows 0 to k at a parameter line, see `Bspline_surface::rows_at()`.
-template <class Field, class Traits>
-std::vector<std::vector<Coordinate_vector<Field, dimension_v<Traits>>>>
-bspline_rows_at(const Control_net<Traits>& net, const Knot_vector<typename Traits::FT>& knots_u,
-                const Knot_vector<typename Traits::FT>& knots_v, Parameter_line line,
-                const typename Traits::FT& parameter, Line_side side, int k) {
-  typedef Coordinate_vector<Field, dimension_v<Traits>> Vector;
+// The rows 0 to k at a parameter line, see `Bspline_surface::rows_at()`. point(i, j) is the control point, in `Field`, with d
+// coordinates.
+template <class Field, int N, class FT, class Point>
+std::vector<std::vector<Coordinate_vector<Field, N>>>
+bspline_rows_at(const Knot_vector<FT>& knots_u, const Knot_vector<FT>& knots_v, int d, Parameter_line line,
+                const FT& parameter, Line_side side, int k, Point point) {
+  typedef Coordinate_vector<Field, N> Vector;
   check_count(k, "Bspline_surface: rows");
   const bool along_u = line == Parameter_line::along_u, below = side == Line_side::smaller_parameters;
-  const Knot_vector<typename Traits::FT>& across = along_u ? knots_v : knots_u;
-  const int q = across.degree(), m = along_u ? net.rows() : net.columns(),
+  const Knot_vector<FT>& across = along_u ? knots_v : knots_u;
+  const int q = across.degree(), m = (along_u ? knots_u : knots_v).number_of_coefficients(),
             span = below ? across.left_span(parameter) : across.span(parameter);
   std::vector<Field> knots; // next to the line, with the control points that belong to them
   for (int j = span - q; j <= span + q; ++j) knots.push_back(to_field<Field>(across[j]));
   std::vector<std::vector<Vector>> points(m);
   for (int i = 0; i < m; ++i)
-    for (int j = span - q; j <= span; ++j)
-      points[i].push_back(coordinates<Traits, Field>(along_u ? net(i, j) : net(j, i)));
-  std::vector<std::vector<Vector>> rows(k + 1, std::vector<Vector>(m, Vector(net.dimension())));
+    for (int j = span - q; j <= span; ++j) points[i].push_back(along_u ? point(i, j) : point(j, i));
+  std::vector<std::vector<Vector>> rows(k + 1, std::vector<Vector>(m, Vector(d)));
   derivative_weights(knots, q, q, to_field<Field>(parameter), k, [&](int r, const Spline_weights<Field>& weights) {
     const Field sign(below && r % 2 == 1 ? -1 : 1);
     for (int i = 0; i < m; ++i) rows[r][i] = sign * weights(points[i]);
@@ -124,15 +123,6 @@ template <class Traits> Control_net<Traits> net_of(const Spline_of_rows<Traits>&
     }
   return Control_net<Traits>(static_cast<int>(spline.coefficients().size()), columns, std::move(points),
                              "Bspline_surface");
-}
-
-// The control points b_ij with i and j in two closed ranges.
-template <class Traits>
-std::vector<std::vector<typename Traits::Point>> part_of_net(const Control_net<Traits>& net, int first_i, int last_i,
-                                                             int first_j, int last_j) {
-  std::vector<std::vector<typename Traits::Point>> part;
-  for (int i = first_i; i <= last_i; ++i) part.emplace_back(&net(i, first_j), &net(i, last_j) + 1);
-  return part;
 }
 
 } // namespace internal

@@ -1,0 +1,108 @@
+// Copyright (c) 2026 The Geometric_continuity developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_GEOMETRIC_CONTINUITY_SURFACES_INTERNAL_SURFACE_DENOMINATOR_H
+#define CGAL_GEOMETRIC_CONTINUITY_SURFACES_INTERNAL_SURFACE_DENOMINATOR_H
+
+#include <CGAL/Geometric_continuity/algebra/Coordinate_vector.h>
+#include <CGAL/Geometric_continuity/algebra/bernstein.h>
+#include <CGAL/Geometric_continuity/surfaces/internal/Rational_net.h>
+
+#include <algorithm>
+#include <string>
+#include <utility>
+#include <vector>
+
+/// \file surface_denominator.h
+/// Whether the denominator of a rational surface is positive on the whole rectangle of its parameters.
+
+namespace CGAL {
+namespace Geometric_continuity {
+namespace internal {
+
+// The Bernstein coefficients of a polynomial in two variables, a row for each coefficient in u.
+template <class Field> using Bernstein_rows = std::vector<Coordinate_vector<Field, 0>>;
+
+template <class Field> Bernstein_rows<Field> transposed(const Bernstein_rows<Field>& b) {
+  const int m = static_cast<int>(b.size()), n = b[0].dimension();
+  Bernstein_rows<Field> r(n, Coordinate_vector<Field, 0>(m));
+  for (int i = 0; i < m; ++i)
+    for (int j = 0; j < n; ++j) r[j][i] = b[i][j];
+  return r;
+}
+
+// Decides exactly whether such a polynomial is positive on the closed unit square. On the boundary this is decided as for
+// curves. Inside, the coefficients of ever smaller rectangles are taken until all are positive, or a corner is not. This ends
+// unless the polynomial is zero somewhere inside and negative nowhere.
+// \throws Error `zero_weight` if it is not positive, `work_limit` when it comes too close to zero
+template <class Field> void require_positive(const Bernstein_rows<Field>& b, const char* place) {
+  constexpr int most = 4096;
+  const auto corners_positive = [](const Bernstein_rows<Field>& r) {
+    const int n = r[0].dimension() - 1;
+    return Field(0) < r.front()[0] && Field(0) < r.front()[n] && Field(0) < r.back()[0] && Field(0) < r.back()[n];
+  };
+  const auto positive_coefficients = [](const Bernstein_rows<Field>& r) {
+    return std::all_of(r.begin(), r.end(), [](const auto& row) { return all_positive(row); });
+  };
+  if (positive_coefficients(b)) return;
+  for (const Bernstein_rows<Field>& r : {b, transposed<Field>(b)})
+    for (const auto* row : {&r.front(), &r.back()})
+      check_denominator<Field>(std::vector<Field>(row->begin(), row->end()), place);
+  std::vector<Bernstein_rows<Field>> stack(1, b);
+  for (int taken = 0; !stack.empty(); ++taken) {
+    if (taken == most)
+      throw Error(Error_code::work_limit, std::string(place) + ": the denominator is too close to zero");
+    const Bernstein_rows<Field> rectangle = std::move(stack.back());
+    stack.pop_back();
+    if (!corners_positive(rectangle)) throw Error(Error_code::zero_weight, place);
+    if (positive_coefficients(rectangle)) continue;
+    Bernstein_rows<Field> right = transposed<Field>(rectangle), left = right; // u and v take turns
+    bernstein_split(right, static_cast<int>(right.size()) - 1, Field(Field(1) / Field(2)), left);
+    stack.push_back(std::move(left));
+    stack.push_back(std::move(right));
+  }
+}
+
+// The weights of a Bezier patch.
+template <class Traits> void check_surface_denominator(const Rational_net<Traits>& net, const char* place) {
+  typedef typename Exact_field<typename Traits::FT>::type Field;
+  if (all_positive(net.weights())) return;
+  Bernstein_rows<Field> b(net.rows(), Coordinate_vector<Field, 0>(net.columns()));
+  for (int i = 0; i < net.rows(); ++i)
+    for (int j = 0; j < net.columns(); ++j) b[i][j] = to_field<Field>(net.weight(i, j));
+  require_positive<Field>(b, place);
+}
+
+// The weights of a B-spline surface, on each rectangle of two spans.
+template <class Traits>
+void check_surface_denominator(const Rational_net<Traits>& net, const Knot_vector<typename Traits::FT>& knots_u,
+                               const Knot_vector<typename Traits::FT>& knots_v, const char* place) {
+  typedef typename Exact_field<typename Traits::FT>::type Field;
+  if (all_positive(net.weights())) return;
+  const auto exact = [](const Knot_vector<typename Traits::FT>& knots) {
+    std::vector<Field> u;
+    for (const typename Traits::FT& x : knots) u.push_back(to_field<Field>(x));
+    return Knot_vector<Field>(knots.degree(), std::move(u));
+  };
+  Bernstein_rows<Field> w(net.rows(), Coordinate_vector<Field, 0>(net.columns()));
+  for (int i = 0; i < net.rows(); ++i)
+    for (int j = 0; j < net.columns(); ++j) w[i][j] = to_field<Field>(net.weight(i, j));
+  const Bernstein_rows<Field> strips = bspline_bezier<Field>(exact(knots_u), w);
+  const Bernstein_rows<Field> pieces =
+      transposed<Field>(bspline_bezier<Field>(exact(knots_v), transposed<Field>(strips)));
+  const int m = knots_u.degree() + 1, n = knots_v.degree() + 1;
+  for (int i = 0; i < static_cast<int>(pieces.size()); i += m)
+    for (int j = 0; j < pieces[0].dimension(); j += n) {
+      Bernstein_rows<Field> b(m, Coordinate_vector<Field, 0>(n));
+      for (int k = 0; k < m; ++k)
+        for (int l = 0; l < n; ++l) b[k][l] = pieces[i + k][j + l];
+      require_positive<Field>(b, place);
+    }
+}
+
+} // namespace internal
+} // namespace Geometric_continuity
+} // namespace CGAL
+
+#endif // CGAL_GEOMETRIC_CONTINUITY_SURFACES_INTERNAL_SURFACE_DENOMINATOR_H
