@@ -98,10 +98,10 @@ private:
   }
 
   void append_point() {
-    if (parser_.rational())
-      rows_.push_back(
-          converted<Homogeneous_traits<Traits>>(parser_.read_homogeneous_point(points_read_++, size_.points)));
-    else
+    if (parser_.rational()) {
+      const auto row = parser_.read_homogeneous_point(points_read_++, size_.points);
+      parser_.checked([&] { rows_.push_back(converted<Homogeneous_traits<Traits>>(row)); });
+    } else
       points_.push_back(converted<Traits>(coordinates<Source>(parser_.read_point(points_read_++, size_.points))));
   }
   template <class Target, class Numbers> static typename Target::Point converted(const Numbers& x) {
@@ -129,14 +129,12 @@ private:
   std::vector<Rational_bezier_curve<Traits>> pieces() const {
     const Knot_vector<FT> knots(degree(), std::vector<FT>(knots_.begin(), knots_.end()));
     std::vector<Rational_bezier_curve<Traits>> pieces;
-    if (parser_.rational()) try {
+    if (parser_.rational())
+      parser_.checked([&] {
         for (const auto& piece :
              Bspline_curve<Homogeneous_traits<Traits>>(rows_.begin(), rows_.end(), knots).bezier_pieces(limit_))
           pieces.emplace_back(piece);
-      } catch (const Error& error) {
-        if (error.code() == Error_code::zero_weight) parser_.refuse(error.what());
-        throw;
-      }
+      });
     else
       for (const auto& piece : Bspline_curve<Traits>(points_.begin(), points_.end(), knots).bezier_pieces(limit_))
         pieces.emplace_back(piece);
