@@ -73,7 +73,7 @@ template <class FT> int extend(const Command_line& line) {
   const bool proved = order == Order::tangent                             ? join.g_order >= 1
                       : order == Order::curvature || next.dimension() < 3 ? join.g_order >= 2
                                                                           : join.f_order >= 3;
-  report_stream(line) << next << '\n'
+  report_stream(line) << *next.polynomial() << '\n' // extensions are
                       << join << '\n'
                       << (proved ? "the join is proved in exact arithmetic\n"
                                  : "decided in exact arithmetic: rounding has broken the join\n");

@@ -23,7 +23,6 @@ namespace {
 
 typedef GC::Traits_3<CGAL::Simple_cartesian<CGAL::Exact_rational>> Traits;
 typedef Exact FT;
-typedef GC::Bspline_surface<Traits> Surface;
 typedef GC::Model_edge<FT> Edge;
 typedef GC::Model_knot_line<FT> Line;
 typedef GC::Spline_edge_continuity<FT> Continuity;
@@ -110,7 +109,7 @@ void write_json(std::ostream& os, const std::vector<Edge>& edges, GC::Model_edge
 }
 
 // The decisions on a model, exact and within the tolerance.
-class Model_report {
+template <class Surface> class Model_report {
   const std::vector<Surface>& surfaces_;
   const Report_mode mode_;
   const Demand demand_;
@@ -192,7 +191,7 @@ private:
   }
 };
 
-void Model_report::print_json() const {
+template <class Surface> void Model_report<Surface>::print_json() const {
   std::cout << "{\"edges\":[";
   const char* separator = "\n ";
   for (std::size_t i = 0; i < model_.edges.size(); ++i)
@@ -233,7 +232,7 @@ void Model_report::print_json() const {
   std::cout << "}\n";
 }
 
-void Model_report::print_text() const {
+template <class Surface> void Model_report<Surface>::print_text() const {
   for (std::size_t i = 0; i < edges_.size(); ++i) {
     std::cout << model_.edges[i] << '\n';
     print(edges_[i]);
@@ -255,7 +254,7 @@ void Model_report::print_text() const {
   if (mode_.strict && all.unverified > 0) std::cout << "not met, because not all was verified\n";
 }
 
-void Model_report::print_verdict() const {
+template <class Surface> void Model_report<Surface>::print_verdict() const {
   const Conclusion all = conclusion();
   const std::string order = "G" + std::to_string(*demand_.order) + (demand_.tolerance ? " within the tolerance" : ""),
                     near = near_.empty() ? "" : " and every pair of near edges",
@@ -274,9 +273,11 @@ void Model_report::print_verdict() const {
 
 int verify_surfaces(const Arguments& files, const Report_mode& mode, const std::optional<int>& required_g_order,
                     const std::optional<GC::Edge_tolerance>& tolerance, GC::Work_limit limit) {
-  const std::vector<Surface> surfaces = read_surfaces<Traits>(files);
+  const Surface_model<Traits> model = read_surfaces<Traits>(files);
   return within_work_limit([&] { return files.size() == 1 ? input_name(files[0]) : input_name(files[0]) + ", ..."; },
                            [&] {
-                             return Model_report(surfaces, mode, {required_g_order, tolerance, limit}).print();
+                             return model.visit([&](const auto& surfaces) {
+                               return Model_report(surfaces, mode, {required_g_order, tolerance, limit}).print();
+                             });
                            });
 }

@@ -165,18 +165,31 @@ public:
   /// \throws Error `malformed_input` with a text `name:line: reason` for everything that is no surface of the format,
   ///   and for a text without any surface; `cannot_read_file` when reading fails for another reason
   std::optional<Surface> next() {
-    if (!parser_.next_object()) return std::nullopt;
+    std::optional<Surface> result;
+    visit_next([&](auto&& surface) { result.emplace(std::move(surface)); });
+    return result;
+  }
+
+  /// Reads the next surface, and calls `f` with it: with a polynomial surface as a `Bezier_patch` or `Bspline_surface`, also where
+  /// `Surface` is rational. Returns false, without a call, at the end of the text.
+  /// \throws Error as `next()`
+  template <class Function> bool visit_next(Function f) {
+    if (!parser_.next_object()) return false;
     Direction u = parser_.read_direction(shape, " in u"), v = parser_.read_direction(shape, " in v");
     if constexpr (rational)
-      if (parser_.rational()) return read_rational(u, v);
+      if (parser_.rational()) {
+        f(read_rational(u, v));
+        return true;
+      }
     const long long all = static_cast<long long>(u.points) * v.points;
     std::vector<std::vector<typename Traits::Point>> net(u.points);
     for (long long k = 0; k < all; ++k) net[k % u.points].push_back(parser_.read_point(k, all));
     if constexpr (bezier)
-      return Surface(Bezier_patch<Traits>(net, {u.knots.front(), u.knots.back()}, {v.knots.front(), v.knots.back()}));
+      f(Bezier_patch<Traits>(net, {u.knots.front(), u.knots.back()}, {v.knots.front(), v.knots.back()}));
     else
-      return Surface(Bspline_surface<Traits>(net, Knot_vector<FT>(u.order - 1, std::move(u.knots)),
-                                             Knot_vector<FT>(v.order - 1, std::move(v.knots))));
+      f(Bspline_surface<Traits>(net, Knot_vector<FT>(u.order - 1, std::move(u.knots)),
+                                Knot_vector<FT>(v.order - 1, std::move(v.knots))));
+    return true;
   }
 
 private:
