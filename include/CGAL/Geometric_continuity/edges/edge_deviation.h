@@ -47,9 +47,10 @@ inline Enclosure larger_of(const Enclosure& x, const Enclosure& y) {
 }
 
 // A number that is at least twice the largest value of s/q on [0, 1], of polynomials of one degree. As the coefficients of q are
-// not all positive where some weights are not, it is found on parts of the interval. \pre 0 < q on [0, 1]
+// not all positive where some weights are not, it is found on parts of the interval, after so many halvings.
+// \throws Error `work_limit` when q comes too close to zero
 template <class Polynomial>
-typename Polynomial::NT twice_the_quotient(const Polynomial& s, const Polynomial& q, Work_meter& work) {
+typename Polynomial::NT twice_the_quotient(const Polynomial& s, const Polynomial& q, int halvings, Work_meter& work) {
   typedef typename Polynomial::NT Ring;
   if (q.coefficient_signs() == Sign_pattern::positive) {
     Ring k(1);
@@ -57,10 +58,12 @@ typename Polynomial::NT twice_the_quotient(const Polynomial& s, const Polynomial
       while (Ring(k * q[i]) < Ring(Ring(2) * s[i])) k *= Ring(2);
     return k;
   }
+  if (halvings == 0) throw Error(Error_code::work_limit, "deviation of edges: the denominator is too close to zero");
   charge_bisection(q, work);
   charge_bisection(s, work);
   const std::pair<Polynomial, Polynomial> p = s.halves(), r = q.halves();
-  return (std::max)(twice_the_quotient(p.first, r.first, work), twice_the_quotient(p.second, r.second, work));
+  return (std::max)(twice_the_quotient(p.first, r.first, halvings - 1, work),
+                    twice_the_quotient(p.second, r.second, halvings - 1, work));
 }
 
 // The largest distance of two edges is the root of the largest value of s/q, where s = |C1 - C2|^2 and q = 1, or
@@ -85,7 +88,7 @@ template <class Field, int N> Enclosure largest_distance(const Edge_sides<Field,
     q = product(w, w, work);
   }
   const int degree = (std::max)(s.degree(), q.degree());
-  const Ring k = twice_the_quotient(s.elevated_to(degree), q.elevated_to(degree), work);
+  const Ring k = twice_the_quotient(s.elevated_to(degree), q.elevated_to(degree), 64, work);
   const Polynomial factor(std::vector<Ring>(1, k)), acute(std::vector<Ring>(1, Ring(-1)));
   const Normal_deviation<Exact> largest =
       Largest_measure<Exact>(s.elevated_to(degree), factor * q.elevated_to(degree), acute, work)();

@@ -7,6 +7,7 @@
 
 #include <CGAL/Geometric_continuity/numbers/internal/checked_numbers.h>
 #include <CGAL/Geometric_continuity/surfaces/Bezier_patch.h>
+#include <CGAL/Geometric_continuity/surfaces/Rational_bezier_patch.h>
 #include <CGAL/number_utils.h>
 
 #include <algorithm>
@@ -43,6 +44,14 @@ struct Patch_cells {
 /// \f$ h_u^2 / 4 \f$; the same holds for \f$ v \f$; and by the inequality of Cauchy and Schwarz
 /// \f$ \sum \lambda_k |\delta_k \epsilon_k| \le h_u h_v / 4 \f$. \f$ \Box \f$
 ///
+/// For a rational patch \f$ S = P/w \f$ the claim holds with bounds of its derivatives. Let `c` be a control point, \f$ Q = P - c w \f$,
+/// \f$ R = \max |b_{ij} - c| \f$, `m` the least weight, and let bars denote the bounds above for \f$ Q \f$ and \f$ w \f$, of the
+/// first derivatives as well. From \f$ Q = w (S - c) \f$ by the product rule
+/// \f[ |S_u| \le (\bar Q_u + \bar w_u R) / m, \quad
+///   |S_{uu}| \le (\bar Q_{uu} + 2 \bar w_u |S_u| + \bar w_{uu} R) / m, \quad
+///   |S_{uv}| \le (\bar Q_{uv} + \bar w_u |S_v| + \bar w_v |S_u| + \bar w_{uv} R) / m. \f]
+/// Where not all weights are positive this is done for each of its `positive_parts()`.
+///
 /// The bounds are floating-point numbers, rounded upwards when the field is exact. With floating-point control points the
 /// claim holds up to the rounding of differences and of evaluated points.
 class Patch_flatness {
@@ -52,24 +61,22 @@ public:
   /// Computes the bounds of a patch; they are infinite when second differences overflow. Linear in the number of control
   /// points. It needs `CGAL::to_interval()`.
   template <class Traits> explicit Patch_flatness(const Bezier_patch<Traits>& s) {
-    typedef Geometric_continuity::Coordinates<Traits> Coordinates;
-    const int p = s.degree_u(), q = s.degree_v();
-    const auto raise = [](double& bound, double factor, const Coordinates& difference) {
-      bound = (std::max)(bound, upwards(factor * length(difference)));
+    const Derivatives d = derivatives<2>(s.degree_u(), s.degree_v(), [&](int i, int j) { return s.coordinates(i, j); });
+    uu_ = upwards(d.uu);
+    uv_ = upwards(d.uv);
+    vv_ = upwards(d.vv);
+  }
+
+  /// Computes the bounds of a rational patch; they are infinite when a difference overflows.
+  /// \throws Error `work_limit` as `Rational_bezier_patch::positive_parts()`
+  template <class Traits> explicit Patch_flatness(const Rational_bezier_patch<Traits>& s) {
+    const auto parts_of = [](const auto& whole, const auto& part) { // how many of them there are, or a bit more
+      const std::pair<double, double> n =
+          CGAL::to_interval(typename Traits::FT((whole.second - whole.first) / (part.second - part.first)));
+      return n.second;
     };
-    for (int i = 0; i <= p; ++i)
-      for (int j = 0; j <= q; ++j) {
-        const Coordinates b = s.coordinates(i, j);
-        if (i + 2 <= p)
-          raise(uu_, double(p) * (p - 1),
-                s.coordinates(i + 2, j) - s.coordinates(i + 1, j) + b - s.coordinates(i + 1, j));
-        if (j + 2 <= q)
-          raise(vv_, double(q) * (q - 1),
-                s.coordinates(i, j + 2) - s.coordinates(i, j + 1) + b - s.coordinates(i, j + 1));
-        if (i < p && j < q)
-          raise(uv_, double(p) * q,
-                s.coordinates(i + 1, j + 1) - s.coordinates(i + 1, j) + b - s.coordinates(i, j + 1));
-      }
+    for (const Rational_bezier_patch<Traits>& part : s.positive_parts())
+      include(part, parts_of(s.domain_u(), part.domain_u()), parts_of(s.domain_v(), part.domain_v()));
   }
 
   /// Returns a bound for the distance of the patch from its triangles, when it is cut into equal cells and each triangle
@@ -114,6 +121,59 @@ public:
   }
 
 private:
+  // Bounds of the derivatives of a polynomial patch, up to the second.
+  struct Derivatives {
+    double u = 0, v = 0, uu = 0, uv = 0, vv = 0;
+  };
+
+  // From the order `first` on, 1 or 2; point(i, j) is a column.
+  template <int first, class Point> static Derivatives derivatives(int p, int q, Point point) {
+    Derivatives d;
+    const auto raise = [](double& bound, double factor, const auto& difference) {
+      bound = (std::max)(bound, factor * length(difference));
+    };
+    for (int i = 0; i <= p; ++i)
+      for (int j = 0; j <= q; ++j) {
+        if (first == 1 && i < p) raise(d.u, p, point(i + 1, j) - point(i, j));
+        if (first == 1 && j < q) raise(d.v, q, point(i, j + 1) - point(i, j));
+        if (i + 2 <= p)
+          raise(d.uu, double(p) * (p - 1), point(i + 2, j) - point(i + 1, j) + point(i, j) - point(i + 1, j));
+        if (j + 2 <= q)
+          raise(d.vv, double(q) * (q - 1), point(i, j + 2) - point(i, j + 1) + point(i, j) - point(i, j + 1));
+        if (i < p && j < q)
+          raise(d.uv, double(p) * q, point(i + 1, j + 1) - point(i + 1, j) + point(i, j) - point(i, j + 1));
+      }
+    return d;
+  }
+
+  // A part that is a `u`-th by a `v`-th of the patch. \pre all weights are positive
+  template <class Traits> void include(const Rational_bezier_patch<Traits>& s, double u, double v) {
+    typedef Geometric_continuity::Coordinates<Traits> Coordinates;
+    typedef Coordinate_vector<typename Traits::FT, 1> Number;
+    const int p = s.degree_u(), q = s.degree_v();
+    const Coordinates c = s.coordinates(p / 2, q / 2);
+    const Derivatives Q =
+        derivatives<1>(p, q, [&](int i, int j) { return Coordinates(s.weight(i, j) * (s.coordinates(i, j) - c)); });
+    const Derivatives w = derivatives<1>(p, q, [&](int i, int j) {
+      Number x(1);
+      x[0] = s.weight(i, j);
+      return x;
+    });
+    double R = 0, m = std::numeric_limits<double>::infinity();
+    for (int i = 0; i <= p; ++i)
+      for (int j = 0; j <= q; ++j) {
+        R = (std::max)(R, length(s.coordinates(i, j) - c));
+        m = (std::min)(m, CGAL::to_interval(s.weight(i, j)).first);
+      }
+    const double su = (Q.u + w.u * R) / m, sv = (Q.v + w.v * R) / m;
+    const auto raise = [](double& bound, double x) {
+      bound = (std::max)(bound, std::isfinite(x) ? upwards(x) : std::numeric_limits<double>::infinity());
+    };
+    raise(uu_, u * u * ((Q.uu + 2 * w.u * su + w.uu * R) / m));
+    raise(uv_, u * v * ((Q.uv + w.u * sv + w.v * su + w.uv * R) / m));
+    raise(vv_, v * v * ((Q.vv + 2 * w.v * sv + w.vv * R) / m));
+  }
+
   static void check_tolerance(double tolerance) {
     internal::check_finite(tolerance, "Patch_flatness: the tolerance");
     if (!(tolerance > 0))

@@ -8,6 +8,7 @@
 #include <CGAL/Geometric_continuity/models/internal/Model_mesh.h>
 #include <CGAL/Geometric_continuity/numbers/internal/checked_numbers.h>
 #include <CGAL/Geometric_continuity/surfaces/Bspline_surface.h>
+#include <CGAL/Geometric_continuity/surfaces/Rational_bspline_surface.h>
 
 #include <array>
 #include <cmath>
@@ -49,14 +50,12 @@ inline std::string surface_in_tessellation(std::size_t number) {
   return "tessellate: surface " + std::to_string(number);
 }
 
-template <class Traits>
-Patch_cells cells_of_patch(const Uniform_grid& grid, const Bezier_patch<Traits>&, std::size_t, int) {
+template <class Patch> Patch_cells cells_of_patch(const Uniform_grid& grid, const Patch&, std::size_t, int) {
   return {grid.n, grid.n};
 }
 
-template <class Traits>
-Patch_cells cells_of_patch(const Chord_tolerance& tolerance, const Bezier_patch<Traits>& patch, std::size_t number,
-                           int least) {
+template <class Patch>
+Patch_cells cells_of_patch(const Chord_tolerance& tolerance, const Patch& patch, std::size_t number, int least) {
   constexpr int most = max_cells_in_one_direction;
   const std::optional<Patch_cells> cells = Patch_flatness(patch).cells(tolerance.distance, least, most);
   if (!cells)
@@ -66,11 +65,10 @@ Patch_cells cells_of_patch(const Chord_tolerance& tolerance, const Bezier_patch<
 }
 
 // No fewer cells suffice for a Bezier patch, and for a surface that may have several.
-template <class Traits> double least_cells(const Uniform_grid& grid, const Bezier_patch<Traits>&, std::size_t) {
+template <class Patch> double least_cells(const Uniform_grid& grid, const Patch&, std::size_t) {
   return double(grid.n) * grid.n;
 }
-template <class Traits>
-double least_cells(const Chord_tolerance& tolerance, const Bezier_patch<Traits>& patch, std::size_t number) {
+template <class Patch> double least_cells(const Chord_tolerance& tolerance, const Patch& patch, std::size_t number) {
   const Patch_flatness flatness(patch);
   if (!std::isfinite(flatness.distance({max_cells_in_one_direction, max_cells_in_one_direction})))
     throw Error(Error_code::unreachable_tolerance,
@@ -96,11 +94,12 @@ inline void check_mode(const Chord_tolerance& tolerance) {
 
 // The Bezier patches of one or more surfaces, each with the number of its surface. Before a surface is cut into them, before
 // edges are compared and before the first point is computed, it is known that the triangles are not too many.
-template <class Traits, class Mode> class Numbered_patches {
+template <class Patch, class Mode> class Numbered_patches {
+  typedef typename Patch::Traits Traits;
   const Mode& mode_;
   std::size_t max_triangles_;
   Triangle_budget least_; // of the patches that are there
-  std::vector<Bezier_patch<Traits>> patches_;
+  std::vector<Patch> patches_;
   std::vector<std::size_t> numbers_;
 
 public:
@@ -125,30 +124,35 @@ public:
   }
 
   template <class Report> Tessellation<Traits> operator()(Report report) const {
-    std::vector<const Bezier_patch<Traits>*> pointers;
+    std::vector<const Patch*> pointers;
     pointers.reserve(patches_.size());
-    for (const Bezier_patch<Traits>& patch : patches_) pointers.push_back(&patch);
-    return Model_mesh<Traits>(pointers,
-                              numbers_)([&](const Bezier_patch<Traits>& patch, std::size_t number,
-                                            int least) { return cells_of_patch(mode_, patch, number, least); },
-                                        max_triangles_, report);
+    for (const Patch& patch : patches_) pointers.push_back(&patch);
+    return Model_mesh<Patch>(pointers, numbers_)(
+        [&](const Patch& patch, std::size_t number, int least) { return cells_of_patch(mode_, patch, number, least); },
+        max_triangles_, report);
   }
 
 private:
-  static std::size_t number_of_patches(const Bezier_patch<Traits>&) { return 1; }
-  static std::size_t number_of_patches(const Bspline_surface<Traits>& surface) {
+  static std::size_t number_of_patches(const Patch&) { return 1; }
+  template <class Spline> static std::size_t number_of_patches(const Spline& surface) {
     return static_cast<std::size_t>(surface.knots_u().number_of_spans()) * surface.knots_v().number_of_spans();
   }
 
-  void add(Bezier_patch<Traits> patch, std::size_t number) {
+  void add(Patch patch, std::size_t number) {
     least_.add(2 * least_cells(mode_, patch, number), number);
     patches_.push_back(std::move(patch));
     numbers_.push_back(number);
   }
-  void add(const Bspline_surface<Traits>& surface, std::size_t number) {
-    surface.for_each_bezier_patch([&](Bezier_patch<Traits> patch) { add(std::move(patch), number); });
+  template <class Spline> void add(const Spline& surface, std::size_t number) {
+    surface.for_each_bezier_patch([&](Patch patch) { add(std::move(patch), number); });
   }
 };
+
+// The patches of which a surface consists.
+template <class Surface>
+using Patch_of =
+    std::conditional_t<Is_rational_surface<Surface>::value, Rational_bezier_patch<typename Surface::Traits>,
+                       Bezier_patch<typename Surface::Traits>>;
 
 } // namespace internal
 
@@ -173,7 +177,8 @@ private:
 /// \param max_triangles more triangles are refused. Their number is predicted, up to those at collapsed edges, from the
 ///   numbers of cells, and from the knots even before a surface is cut into patches
 /// \param report is called as `report(n)` with the number of triangles so far, after each Bézier patch
-/// \tparam SurfaceRange a forward range of `Bezier_patch` or of `Bspline_surface`
+/// \tparam SurfaceRange a forward range of `Bezier_patch`, `Bspline_surface`, `Rational_bezier_patch` or
+///   `Rational_bspline_surface`
 /// \tparam Mode `Uniform_grid` or `Chord_tolerance`
 /// \throws Error `unreachable_tolerance` for a tolerance that is not positive, or when the bounds in `Patch_flatness`
 ///   overflow; `not_finite` for a tolerance that is infinite or not a number; `work_limit`, with the number of the surface,
@@ -184,7 +189,7 @@ template <class SurfaceRange, class Mode, class Report>
 auto tessellate(const SurfaceRange& surfaces, const Mode& mode, std::size_t max_triangles, Report report)
     -> Tessellation<typename std::decay_t<decltype(*std::begin(surfaces))>::Traits> {
   typedef std::decay_t<decltype(*std::begin(surfaces))> Surface;
-  internal::Numbered_patches<typename Surface::Traits, Mode> patches(mode, max_triangles);
+  internal::Numbered_patches<internal::Patch_of<Surface>, Mode> patches(mode, max_triangles);
   patches.add_all(surfaces);
   return patches(report);
 }
@@ -214,6 +219,24 @@ template <class Traits, class Mode>
 Tessellation<Traits> tessellate(const Bspline_surface<Traits>& surface, const Mode& mode,
                                 std::size_t max_triangles = max_tessellation_triangles) {
   return tessellate(std::array<Bspline_surface<Traits>, 1>{surface}, mode, max_triangles);
+}
+
+/// \ingroup PkgGeometricContinuitySurfaces
+/// Tessellates a rational patch, welded where it closes up, as a model of one patch.
+/// \throws Error as the function that tessellates a model
+template <class Traits, class Mode>
+Tessellation<Traits> tessellate(const Rational_bezier_patch<Traits>& patch, const Mode& mode,
+                                std::size_t max_triangles = max_tessellation_triangles) {
+  return tessellate(std::array<Rational_bezier_patch<Traits>, 1>{patch}, mode, max_triangles);
+}
+
+/// \ingroup PkgGeometricContinuitySurfaces
+/// Tessellates a rational surface, welded also where it closes up, as a model of one surface.
+/// \throws Error as the function that tessellates a model
+template <class Traits, class Mode>
+Tessellation<Traits> tessellate(const Rational_bspline_surface<Traits>& surface, const Mode& mode,
+                                std::size_t max_triangles = max_tessellation_triangles) {
+  return tessellate(std::array<Rational_bspline_surface<Traits>, 1>{surface}, mode, max_triangles);
 }
 
 } // namespace Geometric_continuity

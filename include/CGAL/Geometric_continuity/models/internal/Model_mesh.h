@@ -47,9 +47,9 @@ public:
   std::size_t triangles() const { return static_cast<std::size_t>(triangles_); }
 };
 
-template <class Traits> class Model_mesh {
+template <class Patch> class Model_mesh {
+  typedef typename Patch::Traits Traits;
   typedef typename Traits::FT FT;
-  typedef Bezier_patch<Traits> Patch;
   static constexpr std::size_t none = static_cast<std::size_t>(-1);
 
   // The points of an edge: those of two corners, and `cells - 1` between them, one after the other.
@@ -64,7 +64,7 @@ template <class Traits> class Model_mesh {
 
   const std::vector<const Patch*>& patches_;
   const std::vector<std::size_t>& numbers_; // of the patches, in the tessellation
-  Model_topology<Traits> topology_;
+  Model_topology<Patch> topology_;
   std::vector<Patch_cells> cells_;
   std::vector<std::size_t> corners_; // their points, by the numbers of the topology
   std::vector<Edge> edges_;          // of the model
@@ -87,10 +87,10 @@ public:
       cells_.push_back(cells_of(*patches_[i], numbers_[i], topology_.simple(i) ? 1 : 4));
     reserve(max_triangles);
     for (const Edge_uses& uses : topology_.edges()) add_edge(uses);
-    typename Patch_triangulation<Traits>::Edges points;
+    typename Patch_triangulation<Patch>::Edges points;
     for (std::size_t i = 0; i < patches_.size(); ++i) {
       for (Patch_edge edge : patch_edges) points_of(i, edge, points[static_cast<std::size_t>(edge)]);
-      Patch_triangulation<Traits>(*patches_[i], numbers_[i], cells_[i], points, mesh_);
+      Patch_triangulation<Patch>(*patches_[i], numbers_[i], cells_[i], points, mesh_);
       report(mesh_.triangles.size());
     }
     return std::move(mesh_);
@@ -154,15 +154,15 @@ private:
 
   void add_inner_points(std::size_t i, Patch_edge edge, std::size_t n) {
     const Patch& s = *patches_[i];
-    std::vector<Coordinates<Traits>> net;
-    for (int k = 0; k <= s.degree_along(edge); ++k) net.push_back(coordinates<Traits>(s.control_point(edge, k, 0)));
+    std::vector<decltype(summand(s, edge, 0))> net;
+    for (int k = 0; k <= s.degree_along(edge); ++k) net.push_back(summand(s, edge, k));
     const std::vector<std::vector<FT>> weights = bernstein_weights<FT>(s.degree_along(edge), n);
     const FT u0 = at_upper_end(edge) ? s.domain_u().second : s.domain_u().first,
              v0 = at_upper_end(edge) ? s.domain_v().second : s.domain_v().first;
     for (std::size_t k = 1; k < n; ++k) {
       const FT t = fraction_of(s.domain(edge), k, n);
       const bool along_u = runs_along_u(edge);
-      add_point(i, to_point<Traits>(weighted_sum(weights[k], net)), along_u ? t : u0, along_u ? v0 : t);
+      add_point(i, point_of_sum(s, weighted_sum(weights[k], net)), along_u ? t : u0, along_u ? v0 : t);
     }
   }
 

@@ -25,8 +25,7 @@ namespace internal {
 // The edges and corners of the patches of a model, those that are the same under one number. Edges are the same as in
 // `model_continuity()`. Corners are the same where they are ends of the same edge, or of a collapsed edge; corners that
 // merely have the same coordinates are not.
-template <class Traits> class Model_topology {
-  typedef Bezier_patch<Traits> Patch;
+template <class Patch> class Model_topology {
   typedef std::pair<std::size_t, std::size_t> Pair;
 
   Edge_groups<Patch> groups_;

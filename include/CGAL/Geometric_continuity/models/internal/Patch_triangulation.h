@@ -7,6 +7,7 @@
 
 #include <CGAL/Geometric_continuity/models/Patch_flatness.h>
 #include <CGAL/Geometric_continuity/models/Tessellation.h>
+#include <CGAL/Geometric_continuity/models/internal/patch_sums.h>
 #include <CGAL/Geometric_continuity/surfaces/internal/bernstein_values.h>
 
 #include <algorithm>
@@ -54,9 +55,9 @@ Coordinates weighted_sum(const std::vector<FT>& weights, const std::vector<Coord
 
 // Cuts the patch into cells, and each cell into triangles. Points on the edges are there before; their number on an edge
 // is a multiple of the number of cells, so that every triangle lies in a cell of its patch.
-template <class Traits> class Patch_triangulation {
+template <class Patch> class Patch_triangulation {
+  typedef typename Patch::Traits Traits;
   typedef typename Traits::FT FT;
-  typedef Bezier_patch<Traits> Patch;
   typedef Tessellation<Traits> Mesh;
 
 public:
@@ -85,14 +86,16 @@ private:
   // The points of the grid inside the patch, row by row: first the control points of the curve with the constant v.
   void add_inner_points() {
     const std::size_t p = static_cast<std::size_t>(patch_.degree_u()), q = static_cast<std::size_t>(patch_.degree_v());
-    std::vector<Coordinates<Traits>> net, row(p + 1);
-    for (const typename Traits::Point& b : patch_) net.push_back(coordinates<Traits>(b));
+    std::vector<decltype(summand(patch_, 0, 0))> net, row;
+    for (int i = 0; i <= patch_.degree_u(); ++i)
+      for (int j = 0; j <= patch_.degree_v(); ++j) net.push_back(summand(patch_, i, j));
+    row.assign(p + 1, net[0]);
     const std::vector<std::vector<FT>> u = bernstein_weights<FT>(patch_.degree_u(), nu_),
                                        v = bernstein_weights<FT>(patch_.degree_v(), nv_);
     for (std::size_t j = 1; j < nv_; ++j) {
       for (std::size_t k = 0; k <= p; ++k) row[k] = weighted_sum(v[j], net, k * (q + 1));
       for (std::size_t i = 1; i < nu_; ++i)
-        add_point(to_point<Traits>(weighted_sum(u[i], row)), fraction_of(patch_.domain_u(), i, nu_),
+        add_point(point_of_sum(patch_, weighted_sum(u[i], row)), fraction_of(patch_.domain_u(), i, nu_),
                   fraction_of(patch_.domain_v(), j, nv_));
     }
   }

@@ -1,0 +1,44 @@
+// Copyright (c) 2026 The Geometric_continuity developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_GEOMETRIC_CONTINUITY_MODELS_INTERNAL_PATCH_SUMS_H
+#define CGAL_GEOMETRIC_CONTINUITY_MODELS_INTERNAL_PATCH_SUMS_H
+
+#include <CGAL/Geometric_continuity/surfaces/Bezier_patch.h>
+#include <CGAL/Geometric_continuity/surfaces/Rational_bezier_patch.h>
+
+/// \file patch_sums.h
+/// What a point of a patch is a sum of: the control points, or the homogeneous points of a rational patch.
+
+namespace CGAL {
+namespace Geometric_continuity {
+namespace internal {
+
+template <class Traits> Coordinates<Traits> summand(const Bezier_patch<Traits>& s, int i, int j) {
+  return s.coordinates(i, j);
+}
+template <class Traits> auto summand(const Rational_bezier_patch<Traits>& s, int i, int j) {
+  return homogeneous_point(s.coordinates(i, j), s.weight(i, j));
+}
+
+// Of the point number k along an edge.
+template <class Patch> auto summand(const Patch& s, Patch_edge edge, int k) {
+  const int across = at_upper_end(edge) ? s.degree_across(edge) : 0;
+  return runs_along_u(edge) ? summand(s, k, across) : summand(s, across, k);
+}
+
+template <class Traits>
+typename Traits::Point point_of_sum(const Bezier_patch<Traits>&, const Coordinates<Traits>& sum) {
+  return to_point<Traits>(sum);
+}
+template <class Traits, class Sum>
+typename Traits::Point point_of_sum(const Rational_bezier_patch<Traits>&, const Sum& sum) {
+  return to_point<Traits>(affine_point(sum));
+}
+
+} // namespace internal
+} // namespace Geometric_continuity
+} // namespace CGAL
+
+#endif // CGAL_GEOMETRIC_CONTINUITY_MODELS_INTERNAL_PATCH_SUMS_H

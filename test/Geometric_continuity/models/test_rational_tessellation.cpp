@@ -1,0 +1,111 @@
+// Copyright (c) 2026 The Geometric_continuity developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+// Triangles of rational surfaces: without cracks, on the surface, and nowhere farther from it than the tolerance.
+
+#define BOOST_TEST_DYN_LINK
+#define BOOST_TEST_MODULE rational_tessellation
+#include <boost/test/unit_test.hpp>
+
+#include "support/rational_surfaces.h"
+
+#include <CGAL/Geometric_continuity/models/tessellate.h>
+#include <CGAL/Geometric_continuity/surfaces/elementary_surfaces.h>
+#include <CGAL/Geometric_continuity/surfaces/swept_patches.h>
+
+namespace {
+
+// Whether the middle of each triangle and of each of its sides is within the distance of the point of the patch with the middle of
+// the parameters.
+void check_distance(const Patch<Exact>& s, double distance) {
+  const GC::Tessellation<Exact> mesh = GC::tessellate(s, GC::Chord_tolerance{distance});
+  const Q bound = Q(distance) * Q(distance);
+  for (const auto& t : mesh.triangles)
+    for (int k = 0; k < 4; ++k) { // without one corner, or with all
+      Q u(0), v(0), n(0);
+      Exact::Vector sum(0, 0, 0);
+      for (int i = 0; i < 3; ++i) {
+        if (i == k) continue;
+        const auto& place = mesh.places[t[i]];
+        u += place.u;
+        v += place.v;
+        n += Q(1);
+        sum = sum + (mesh.points[t[i]] - CGAL::ORIGIN);
+        BOOST_CHECK(mesh.points[t[i]] == s(place.u, place.v));
+      }
+      const Exact::Vector difference = sum / n - (s(Q(u / n), Q(v / n)) - CGAL::ORIGIN);
+      BOOST_CHECK(!(bound < difference.squared_length()));
+    }
+}
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE(triangles_are_within_the_tolerance) {
+  Random random;
+  for (int round = 0; round < 4; ++round) {
+    const int p = random.integer(1, 2), q = random.integer(1, 3);
+    std::vector<std::vector<Exact::Point>> net(p + 1);
+    std::vector<std::vector<Q>> weights(p + 1);
+    for (int i = 0; i <= p; ++i)
+      for (int j = 0; j <= q; ++j) {
+        net[i].emplace_back(4 * i + random.integer(-1, 1), 4 * j + random.integer(-1, 1), random.integer(-3, 3));
+        weights[i].push_back(fraction(random.integer(2, 9), 3));
+      }
+    check_distance(Patch<Exact>(net, weights, {Q(-1), Q(2)}, {Q(0), Q(1)}), 2);
+  }
+  // three quarters of a turn, with a weight that is not positive, far from the origin
+  typedef GC::Revolution_surface_3<GC::Bezier_curve<Exact>> Revolution;
+  const Patch<Exact> ring =
+      bezier_patch(Revolution(GC::Bezier_curve<Exact>({Exact::Point(1001, 0, 7), Exact::Point(1002, 0, 8)}),
+                              Exact::Point(1000, 0, 0), Exact::Vector(0, 0, 1), {Q(-2), Q(2)}));
+  BOOST_CHECK(ring.weight(0, 1) == Q(-3));
+  check_distance(ring, 0.5);
+  // a factor of all weights changes nothing, and the bound is not far from that of the polynomial patch where it is one
+  const GC::Bezier_patch<Exact> saddle(
+      {{Exact::Point(0, 0, 0), Exact::Point(0, 1, 0)}, {Exact::Point(1, 0, 0), Exact::Point(1, 1, 1)}});
+  const double bound = GC::Patch_flatness(saddle).distance({2, 4});
+  for (int factor : {1, 1000})
+    BOOST_CHECK_CLOSE_FRACTION(GC::Patch_flatness(with_factor(Patch<Exact>(saddle), Q(factor))).distance({2, 4}), bound,
+                               1e-12);
+}
+
+BOOST_AUTO_TEST_CASE_TEMPLATE(closed_surfaces_are_manifolds, Traits, All_traits) {
+  typedef typename Traits::Point P;
+  typedef typename Traits::Vector V;
+  typedef typename Traits::FT FT;
+  const P o(0, 0, 0);
+  const V x(1, 0, 0), y(0, 1, 0), z(0, 0, 1);
+  const auto edges = [](const auto& surface) {
+    const auto mesh = GC::tessellate(surface, GC::Chord_tolerance{0.25});
+    BOOST_CHECK(mesh.triangles.size() > 16);
+    return GC::mesh_edges(mesh.triangles);
+  };
+  for (const Spline<Traits>& s :
+       {GC::ellipsoid<Traits>(o, x, y, z), GC::torus<Traits>(o, x, y, z, FT(FT(1) / FT(4)))}) {
+    const GC::Mesh_edges whole = edges(s);
+    BOOST_CHECK(whole.boundary == 0 && whole.irregular == 0);
+    std::vector<Patch<Traits>> patches = s.bezier_patches();
+    int factor = 1;
+    for (Patch<Traits>& patch : patches) patch = with_factor(patch, FT(factor++));
+    const GC::Mesh_edges pieces = edges(patches);
+    if constexpr (!std::is_floating_point_v<FT>) BOOST_CHECK(pieces.boundary == 0 && pieces.irregular == 0);
+  }
+  const GC::Mesh_edges tube = edges(GC::cylinder<Traits>(o, x, y, z));
+  BOOST_CHECK(tube.boundary > 0 && tube.irregular == 0);
+  const auto sphere = GC::tessellate(GC::ellipsoid<Traits>(o, x, y, z), GC::Uniform_grid{3});
+  for (const P& p : sphere.points) {
+    const double square = CGAL::to_double((p - o).squared_length());
+    BOOST_CHECK(std::abs(square - 1) < 1e-14);
+    if constexpr (!std::is_floating_point_v<FT>) BOOST_CHECK((p - o).squared_length() == FT(1));
+  }
+}
+
+BOOST_AUTO_TEST_CASE(refused_tessellations) {
+  const Exact::Point o(0, 0, 0);
+  const Exact::Vector x(1, 0, 0), y(0, 1, 0), z(0, 0, 1);
+  const Spline<Exact> s = GC::ellipsoid<Exact>(o, x, y, z);
+  CHECK_ERROR(GC::tessellate(s, GC::Chord_tolerance{0}), unreachable_tolerance);
+  CHECK_ERROR(GC::tessellate(s, GC::Chord_tolerance{1e-9}), work_limit);
+  CHECK_ERROR(GC::tessellate(s, GC::Uniform_grid{0}), wrong_number_of_points);
+}
