@@ -13,7 +13,7 @@
 
 namespace {
 
-const char* const usage = R"(usage: geometric_continuity plot FILE.g2... -o OUT.svg [OPTIONS]
+const char* const plot_usage = R"(usage: geometric_continuity plot FILE.g2... -o OUT.svg [OPTIONS]
 
 Draws the chain of curves of each file in a panel of its own, with the joins
 marked by their order. With --surfaces it draws all surfaces of the files as
@@ -77,7 +77,7 @@ GC::Svg_panel alternatives(const std::string& file, const GC::Svg_style& style) 
 } // namespace
 
 int plot_command(const Arguments& arguments) {
-  const Command_line line(usage, arguments, [](po::options_description_easy_init add) {
+  const Command_line line(plot_usage, arguments, [](po::options_description_easy_init add) {
     add("output,o", po::value<std::string>(), "write the picture, .svg");
     add("alternatives", "add Hagen's midpoint construction and his line of alternatives");
     add("closed", "the last curve of a file leads back to its first");

@@ -21,7 +21,7 @@
 
 namespace {
 
-const char* const usage = R"(usage: geometric_continuity tessellate MODEL.g2... -o OUT [OPTIONS]
+const char* const tessellate_usage = R"(usage: geometric_continuity tessellate MODEL.g2... -o OUT [OPTIONS]
 
 Writes triangles for the surfaces of the files, without cracks along the edges
 that they have in common. The name of the output tells the format unless
@@ -72,7 +72,7 @@ template <class FT> int write_triangles(const Command_line& line, GC::Mesh_forma
 } // namespace
 
 int tessellate_command(const Arguments& arguments) {
-  const Command_line line(usage, arguments, [](po::options_description_easy_init add) {
+  const Command_line line(tessellate_usage, arguments, [](po::options_description_easy_init add) {
     add("output,o", po::value<std::string>(),
         "write the triangles; the name, with .off, .ply, .obj or .stl, tells the format");
     add("format", po::value<std::string>(), "off, ply, obj or stl, for standard output and devices");

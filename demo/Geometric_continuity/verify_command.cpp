@@ -26,7 +26,7 @@
 
 namespace {
 
-const char* const usage = R"(usage: geometric_continuity verify FILE.g2... | DRAWING.svg... [OPTIONS]
+const char* const verify_usage = R"(usage: geometric_continuity verify FILE.g2... | DRAWING.svg... [OPTIONS]
 
 Decides the continuity of every join of the chain that all curves form in the
 given order. The decision is exact for the numbers of the files.
@@ -82,7 +82,7 @@ GC::Edge_tolerance edge_tolerance(const Command_line& line) {
 }
 
 // What is asked of the joins of a chain.
-struct Demand {
+struct Join_demand {
   int max_order;
   std::optional<Requirement> order;
   std::optional<GC::Join_tolerance> tolerance;
@@ -93,12 +93,12 @@ struct Demand {
 class Chain_report {
   const Report_mode mode_;
   const bool json_ = mode_.format == Report_format::json;
-  const Demand& demand_;
+  const Join_demand& demand_;
   Deferred_output out_;
   std::size_t joins_ = 0, failing_ = 0;
 
 public:
-  Chain_report(const Report_mode& mode, const Demand& demand) : mode_(mode), demand_(demand) {
+  Chain_report(const Report_mode& mode, const Join_demand& demand) : mode_(mode), demand_(demand) {
     out_.write(json_ ? "{\"joins\":[" : table_head());
   }
 
@@ -170,7 +170,7 @@ public:
 };
 
 // Decides the joins of a chain of curves; FT is the type in which their numbers are read.
-template <class FT> int verify(const Command_line& line, const Report_mode& mode, const Demand& demand) {
+template <class FT> int verify(const Command_line& line, const Report_mode& mode, const Join_demand& demand) {
   const bool closed = line.has("closed");
   Chain_report report(mode, demand);
   Progress progress("joins");
@@ -197,7 +197,7 @@ template <class FT> int verify(const Command_line& line, const Report_mode& mode
 } // namespace
 
 int verify_command(const Arguments& arguments) {
-  const Command_line line(usage, arguments, [](po::options_description_easy_init add) {
+  const Command_line line(verify_usage, arguments, [](po::options_description_easy_init add) {
     add("surfaces", "the files hold the patches of a model");
     add("closed", "the last curve leads back to the first");
     add("max-order", po::value<int>()->default_value(3), "the highest order to decide, from 0 to 32");
@@ -235,7 +235,7 @@ int verify_command(const Arguments& arguments) {
     return verify_surfaces(files, mode, required ? std::optional<int>(required->order()) : std::nullopt, tolerance,
                            line.work_limit());
   }
-  Demand demand{line.integer("max-order", 0, 32), required, {}, line.work_limit()};
+  Join_demand demand{line.integer("max-order", 0, 32), required, {}, line.work_limit()};
   if (required) demand.max_order = (std::max)(demand.max_order, required->order());
   if (line.has("within")) demand.tolerance = join_tolerance(line);
   if (required && demand.tolerance && (required->kind() == GC::Continuity_kind::C || required->order() > 3))

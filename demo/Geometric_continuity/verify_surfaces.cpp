@@ -29,7 +29,7 @@ typedef GC::Spline_edge_continuity<FT> Continuity;
 typedef GC::Edge_order_within Within;
 
 // What is asked of the edges of a model.
-struct Demand {
+struct Edge_demand {
   std::optional<int> order;
   std::optional<GC::Edge_tolerance> tolerance;
   GC::Work_limit limit; // for each edge
@@ -112,14 +112,14 @@ void write_json(std::ostream& os, const std::vector<Edge>& edges, GC::Model_edge
 template <class Surface> class Model_report {
   const std::vector<Surface>& surfaces_;
   const Report_mode mode_;
-  const Demand demand_;
+  const Edge_demand demand_;
   const GC::Model_continuity<FT> model_;
   std::vector<std::optional<Within>> edges_, lines_; // as those of the model
   std::vector<GC::Near_edges> near_;
   std::size_t failing_edges_ = 0, failing_lines_ = 0;
 
 public:
-  Model_report(const std::vector<Surface>& surfaces, const Report_mode& mode, const Demand& demand)
+  Model_report(const std::vector<Surface>& surfaces, const Report_mode& mode, const Edge_demand& demand)
       : surfaces_(surfaces), mode_(mode), demand_(demand), model_(decided(surfaces, demand.limit)) {
     Progress progress("edges and knot lines within the tolerance");
     const auto step = [&] {
@@ -164,7 +164,7 @@ private:
   }
 
   static std::vector<GC::Near_edges> near(const std::vector<Surface>& surfaces, const GC::Model_continuity<FT>& model,
-                                          const Demand& demand) {
+                                          const Edge_demand& demand) {
     Progress progress("boundary edges");
     const auto part = [&](std::size_t n) { return double(n) / double(model.summary.boundary); };
     return GC::near_edges(surfaces, model, *demand.tolerance, demand.limit,
