@@ -45,6 +45,8 @@ typedef Coordinate_vector<double, 3> Svg_point; // z = 0 for a planar curve
 // The Bezier points and the style of a curve.
 struct Svg_curve {
   std::vector<Svg_point> points;
+  std::vector<Svg_point> polygon; // of control points, if it is drawn
+  bool continues;                 // it is the next part of the curve before it
   Svg_style style;
   int samples = 0; // parts in which a figure looks at it
 };
@@ -78,7 +80,7 @@ public:
       throw Error(Error_code::wrong_number_of_points, "Svg_panel: only Bézier curves can be drawn");
     std::vector<Coordinate_vector<double, 0>> rows;
     for (int j = 0; j <= curve.degree(); ++j) rows.push_back(to_double(curve.coordinates(j)));
-    return add_rows(rows, style);
+    return add_rows(rows, rows, false, style);
   }
 
   /// Adds a rational Bézier curve of dimension 2 or 3. Where its weights differ, it is drawn as eight polynomial curves that have its
@@ -98,11 +100,15 @@ public:
       for (int k = 0; k <= 2; ++k, factor *= h) jet[k] = to_double(factor * x[k]);
       return internal::points_from_jet(jet, degree, step);
     };
+    std::vector<Coordinate_vector<double, 0>> polygon;
+    for (int j = 0; j <= curve.degree(); ++j)
+      if (curve.weight(j) != FT(0)) polygon.push_back(to_double(curve.coordinates(j)));
     for (int i = 0; i < parts; ++i) {
       std::vector<Coordinate_vector<double, 0>> rows = points_at(i, 1);
       const std::vector<Coordinate_vector<double, 0>> back = points_at(i + 1, -1);
       rows.insert(rows.end(), back.rbegin(), back.rend());
-      add_rows(rows, style);
+      add_rows(rows, polygon, i > 0, style);
+      polygon.clear();
     }
     return *this;
   }
@@ -130,20 +136,26 @@ private:
     return y;
   }
 
-  Svg_panel& add_rows(const std::vector<Coordinate_vector<double, 0>>& rows, const Svg_style& style) {
-    internal::Svg_curve drawn{{}, style, 0};
+  typedef std::vector<Coordinate_vector<double, 0>> Rows;
+
+  std::vector<internal::Svg_point> points_of(const Rows& rows) const {
+    std::vector<internal::Svg_point> points;
     for (const Coordinate_vector<double, 0>& row : rows) {
-      drawn.points.emplace_back(3);
+      points.emplace_back(3);
       for (int i = 0; i < row.dimension(); ++i) {
         if (!std::isfinite(row[i]))
           throw Error(Error_code::not_finite, "Svg_panel: curve " + std::to_string(curves_.size() + 1) +
-                                                  ": control point " + std::to_string(drawn.points.size()) +
+                                                  ": control point " + std::to_string(points.size()) +
                                                   " is too far away to be drawn");
-        drawn.points.back()[i] = row[i];
+        points.back()[i] = row[i];
       }
-      spatial_ = spatial_ || row.dimension() == 3;
     }
-    curves_.push_back(std::move(drawn));
+    return points;
+  }
+
+  Svg_panel& add_rows(const Rows& rows, const Rows& polygon, bool continues, const Svg_style& style) {
+    curves_.push_back({points_of(rows), points_of(style.control_polygon ? polygon : Rows()), continues, style, 0});
+    spatial_ = spatial_ || rows.front().dimension() == 3;
     return *this;
   }
 
