@@ -104,7 +104,7 @@ public:
 
   std::size_t joins() const { return joins_; }
 
-  void operator()(const GC::Chain_join<Exact_curve>& join) {
+  void operator()(const GC::Chain_join<Exact_ends>& join) {
     const int left = static_cast<int>(join.left), right = static_cast<int>(join.right);
     std::optional<GC::Order_within> within;
     if (demand_.tolerance) within = GC::order_within(join.left_curve, join.right_curve, *demand_.tolerance);
@@ -121,7 +121,7 @@ public:
       }
       s << '}';
     } else {
-      s << table_row(join.continuity, left, right, join.left_curve, join.right_curve);
+      s << table_row(join.continuity, left, right, join.left_curve.end_jet(3), join.right_curve.start_jet(3));
       if (within) {
         s << "             within the tolerance: order";
         for (int order = 0; order <= 3; ++order) s << (order > 0 ? ", " : " ") << order << ' ' << (*within)(order);
@@ -174,10 +174,11 @@ template <class FT> int verify(const Command_line& line, const Report_mode& mode
   const bool closed = line.has("closed");
   Chain_report report(mode, demand);
   Progress progress("joins");
-  GC::Chain_analysis<Exact_curve> chain(demand.max_order, demand.limit);
-  Curve_stream<FT, Exact> stream(line.files(), demand.limit);
+  GC::Chain_analysis<Exact_ends> chain(demand.max_order, demand.limit);
+  Curve_stream<GC::G2_end_jet_reader<Program_traits<Exact>, Program_traits<FT>>> stream(
+      line.files(), (std::max)(demand.max_order, 3), demand.limit);
   const auto next = [&] { return within_work_limit([&] { return stream.file(); }, [&] { return stream.next(); }); };
-  while (const std::optional<Exact_curve> curve = next()) {
+  while (const std::optional<Exact_ends> curve = next()) {
     if (demand.order && chain.size() == 0) demand.order->check_dimension(curve->dimension());
     within_work_limit(
         [&] {

@@ -5,17 +5,13 @@
 #ifndef CGAL_GEOMETRIC_CONTINUITY_IO_G2_PIECE_READER_H
 #define CGAL_GEOMETRIC_CONTINUITY_IO_G2_PIECE_READER_H
 
-#include <CGAL/Geometric_continuity/IO/internal/G2_knot_text.h>
-#include <CGAL/Geometric_continuity/IO/internal/G2_parser.h>
+#include <CGAL/Geometric_continuity/IO/internal/G2_spline_parts.h>
 #include <CGAL/Geometric_continuity/curves/Bspline_curve.h>
 
-#include <algorithm>
-#include <deque>
 #include <istream>
 #include <optional>
 #include <string>
 #include <utility>
-#include <vector>
 
 namespace CGAL {
 namespace Geometric_continuity {
@@ -32,89 +28,20 @@ namespace Geometric_continuity {
 /// \tparam Source a model of `GeometricContinuityTraits` of the same dimension. Numbers are read as `Source::FT`, which
 ///   `parse_number()` accepts, and converted to `Traits::FT` before anything is computed
 template <class Traits, class Source = Traits> class G2_piece_reader {
-  typedef typename Traits::FT FT;
-  typedef typename Source::FT Number;
-  static constexpr internal::G2_shape shape = internal::G2_shape::spline;
-  static constexpr int highest_order = 16; // of a curve that is cut span by span
-
-  internal::G2_parser<Source> parser_;
-  internal::G2_size size_{0, 1}; // of the current curve
-  internal::G2_knot_text<Number> text_{1};
-  int points_read_ = 0;
+  internal::G2_spline_parts<Traits, Source, Bezier_curve<Traits>> parts_;
   Work_limit limit_;
-  std::deque<FT> knots_;                      // u_k-p, ..., u_k+p+1, where k is the number of the last point
-  std::deque<typename Traits::Point> points_; // b_k-p, ..., b_k
-  std::vector<Bezier_curve<Traits>> pieces_;  // of a curve that is read as a whole: what is left, the next one last
 
 public:
   /// Reads from `is`, which must outlive the reader. Error messages begin with `name`. The limit is that for each piece.
   /// \throws Error `cannot_read_file` when the stream is not good
   G2_piece_reader(std::istream& is, std::string name, Work_limit limit = Work_limit())
-      : parser_(is, std::move(name), internal::g2_curves), limit_(limit) {}
+      : parts_(is, std::move(name)), limit_(limit) {}
 
   /// Returns the next piece, or nothing at the end of the text. After an error the reader cannot be used any more.
   /// \throws Error as `G2_bspline_reader` does, `work_limit`
   std::optional<Bezier_curve<Traits>> next() {
-    for (;;) {
-      if (!pieces_.empty()) {
-        const Bezier_curve<Traits> piece = std::move(pieces_.back());
-        pieces_.pop_back();
-        return piece;
-      }
-      while (points_read_ < size_.points)
-        if (read_point()) return piece();
-      if (!parser_.next_object()) return std::nullopt;
-      start_curve();
-    }
+    return parts_.next([this](const Bspline_curve<Traits>& curve) { return curve.bezier_pieces(limit_); });
   }
-
-private:
-  int degree() const { return size_.order - 1; }
-
-  void start_curve() {
-    size_ = parser_.read_size(shape);
-    text_ = internal::G2_knot_text<Number>(size_.order);
-    parser_.read_knots(text_, size_, shape);
-    points_read_ = 0;
-    knots_.clear();
-    points_.clear();
-    while (static_cast<int>(knots_.size()) < 2 * degree() + 1) knots_.push_back(FT(text_.take()));
-    if (size_.order > highest_order) read_whole_curve();
-  }
-
-  void read_whole_curve() {
-    while (points_read_ < size_.points) {
-      points_.push_back(next_point());
-      if (points_read_ >= size_.order) knots_.push_back(FT(text_.take()));
-    }
-    pieces_ = curve().bezier_pieces(limit_);
-    std::reverse(pieces_.begin(), pieces_.end());
-  }
-
-  typename Traits::Point next_point() {
-    const Coordinates<Source> x = coordinates<Source>(parser_.read_point(points_read_++, size_.points));
-    Coordinates<Traits> y(x.dimension());
-    for (int i = 0; i < x.dimension(); ++i) y[i] = FT(x[i]);
-    return to_point<Traits>(y);
-  }
-
-  // Returns whether the point belongs to the end of a span, which is then the one in the middle of the knots.
-  bool read_point() {
-    points_.push_back(next_point());
-    if (points_read_ < size_.order) return false;
-    if (points_read_ > size_.order) {
-      knots_.pop_front();
-      points_.pop_front();
-    }
-    knots_.push_back(FT(text_.take()));
-    return knots_[degree()] < knots_[degree() + 1];
-  }
-
-  // The curve of the points and knots that are there.
-  Bspline_curve<Traits> curve() const {
-    return {points_.begin(), points_.end(), Knot_vector<FT>(degree(), std::vector<FT>(knots_.begin(), knots_.end()))};
-  }
-  Bezier_curve<Traits> piece() const { return curve().bezier_pieces(limit_).front(); }
 };
 
 } // namespace Geometric_continuity
