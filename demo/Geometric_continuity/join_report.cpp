@@ -88,10 +88,6 @@ std::string orders(const Join& join) {
   return 'C' + std::to_string(join.c_order) + " G" + std::to_string(join.g_order) + " F" + std::to_string(join.f_order);
 }
 
-std::string remark(const Join& join, const Exact_curve& left, const Exact_curve& right) {
-  return remark(join, left.end_jet(3), right.start_jet(3));
-}
-
 std::string remark(const Join& join, const Jet& x, const Jet& y) {
   if (join.c_order < 0) {
     const GC::Coordinate_vector<Exact, 0> d = y[0] - x[0];
@@ -109,7 +105,7 @@ std::string remark(const Join& join, const Jet& x, const Jet& y) {
   }
   if (!*join.curvature_vector_equal) {
     if (*join.curvature_equal) return "equal curvature " + curvature(x) + ", but the curve bends another way";
-    const Exact_curve::Vector d = *GC::curvature_vector(x) - *GC::curvature_vector(y);
+    const Program_traits<Exact>::Vector d = *GC::curvature_vector(x) - *GC::curvature_vector(y);
     return "curvature jumps " + jump(curvature(x), curvature(y), root(d.squared_length()));
   }
   if (join.torsion_equal && !*join.torsion_equal) {
@@ -121,15 +117,14 @@ std::string remark(const Join& join, const Jet& x, const Jet& y) {
 
 std::string table_head() { return "join         orders      point                     remark\n"; }
 
-std::string table_row(const Join& join, int left, int right, const Exact_curve& left_curve,
-                      const Exact_curve& right_curve) {
+std::string table_row(const Join& join, int left, int right, const Jet& left_jet, const Jet& right_jet) {
   std::string point = "(";
-  const GC::Coordinate_vector<Exact, 0> x = left_curve.coordinates(left_curve.degree());
+  const GC::Coordinate_vector<Exact, 0>& x = left_jet[0];
   for (int i = 0; i < x.dimension(); ++i) point += (i == 0 ? "" : ", ") + four_digits(CGAL::to_double(x[i]));
   const std::string columns[] = {std::to_string(left) + " -> " + std::to_string(right), orders(join), point + ')'};
   const std::size_t widths[] = {12, 11, 25};
   std::string row;
   for (int i = 0; i < 3; ++i)
     row += columns[i] + std::string(columns[i].size() < widths[i] ? widths[i] - columns[i].size() + 1 : 1, ' ');
-  return row + remark(join, left_curve, right_curve) + '\n';
+  return row + remark(join, left_jet, right_jet) + '\n';
 }

@@ -27,7 +27,7 @@ std::string name_without_folder(const std::string& file) { return file.substr(fi
 GC::Svg_panel picture(const std::string& file, const GC::Svg_style& style, bool closed) {
   GC::Svg_panel panel(name_without_folder(file));
   GC::Chain_analysis<Exact_curve> chain;
-  Curve_stream<Exact> stream({file});
+  Curve_stream<GC::G2_piece_reader<Program_traits<Exact>>> stream({file});
   Progress progress("curves read");
   const auto mark = [&](const GC::Chain_join<Exact_curve>& join) {
     panel.join(join.continuity.c_order < 0 ? "gap" : 'G' + std::to_string(join.continuity.g_order));

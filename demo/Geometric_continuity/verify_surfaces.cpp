@@ -116,7 +116,7 @@ template <class Surface> class Model_report {
   const GC::Model_continuity<FT> model_;
   std::vector<std::optional<Within>> edges_, lines_; // as those of the model
   std::vector<GC::Near_edges> near_;
-  std::size_t failing_edges_ = 0, failing_lines_ = 0;
+  std::size_t failing_edges_ = 0, failing_lines_ = 0, undecided_ = 0;
 
 public:
   Model_report(const std::vector<Surface>& surfaces, const Report_mode& mode, const Edge_demand& demand)
@@ -131,6 +131,7 @@ public:
       if (e.kind != GC::Model_edge_kind::shared) continue;
       if (demand_.tolerance) edges_.back() = GC::order_within(e.continuity, *demand_.tolerance);
       failing_edges_ += fails(e.continuity.g_order, edges_.back());
+      undecided_ += is_undecided(edges_.back());
       step();
     }
     for (const Line& l : model_.knot_lines) {
@@ -138,10 +139,14 @@ public:
       if (demand_.tolerance)
         lines_.back() = GC::order_within(surfaces[l.patch], l.line, *demand_.tolerance, demand_.limit);
       failing_lines_ += fails(l.line.continuity.g_order, lines_.back());
+      undecided_ += is_undecided(lines_.back());
       step();
     }
     if (demand_.tolerance && demand_.tolerance->gap > 0) near_ = near(surfaces, model_, demand_);
-    for (const GC::Near_edges& e : near_) failing_edges_ += fails(-1, e.within);
+    for (const GC::Near_edges& e : near_) {
+      failing_edges_ += fails(-1, e.within);
+      undecided_ += is_undecided(e.within);
+    }
   }
 
   // Prints the report and returns the exit code.
@@ -174,12 +179,19 @@ private:
   // Edges that are single points have no tangent planes to compare.
   Conclusion conclusion() const {
     const GC::Model_summary& s = model_.summary;
-    return {s.g2 + s.g1 + s.g0 + lines_.size() + near_.size(), failing_edges_ + failing_lines_, s.collapsed};
+    return {s.g2 + s.g1 + s.g0 + lines_.size() + near_.size(), failing_edges_ + failing_lines_,
+            s.collapsed + undecided_};
   }
 
   bool fails(int exact_order, const std::optional<Within>& within) const {
     return demand_.order && exact_order < *demand_.order &&
            !(within && (*within)(*demand_.order) == GC::Verdict::proved);
+  }
+
+  // Whether an order is undecided within the tolerance. If one is required, it has been proved, or counts as failing.
+  bool is_undecided(const std::optional<Within>& within) const {
+    return !demand_.order && within &&
+           ((*within)(0) == GC::Verdict::undecided || (*within)(1) == GC::Verdict::undecided);
   }
 
   static void print(const std::optional<Within>& within) {
@@ -251,6 +263,7 @@ template <class Surface> void Model_report<Surface>::print_text() const {
   const Conclusion all = conclusion();
   if (all.decided == 0) std::cout << "no shared edge, nothing was decided\n";
   if (demand_.order && all.decided > 0) print_verdict();
+  if (undecided_ > 0) std::cout << "orders that are undecided within the tolerance: " << undecided_ << '\n';
   if (mode_.strict && all.unverified > 0) std::cout << "not met, because not all was verified\n";
 }
 
@@ -261,7 +274,8 @@ template <class Surface> void Model_report<Surface>::print_verdict() const {
                     inside = lines_.empty() ? "" : " and every knot line";
   if (all.failing == 0) {
     std::cout << "every shared edge" << near << inside << " is " << order << ", proved exactly";
-    if (all.unverified > 0) std::cout << "; " << counted(all.unverified, "collapsed edge") << " not verified";
+    if (model_.summary.collapsed > 0)
+      std::cout << "; " << counted(model_.summary.collapsed, "collapsed edge") << " not verified";
     std::cout << '\n';
   }
   if (failing_edges_ > 0) std::cout << failing_edges_ << " of them not " << order << '\n';

@@ -155,7 +155,7 @@ BOOST_AUTO_TEST_CASE(what_is_wrong_is_refused) {
                     "malformed_input: f.g2:2: the rational flag is '2' where an integer from 0 to 1 is expected");
   std::istringstream pieces(head + "0 0 1\n1 1 -1\n1 0 1\n"), polynomial(head + "0 0 1\n1 1 1\n1 0 1\n");
   BOOST_CHECK_EQUAL(error_of([&] { GC::G2_piece_reader<Q2>(pieces, "f.g2").next(); }),
-                    "malformed_input: f.g2:7: zero_weight: Rational_bezier_curve: weights");
+                    "malformed_input: f.g2:7: zero_weight: Rational_bspline_curve: weights");
   BOOST_CHECK_EQUAL(error_of([&] { GC::read_g2_curves<Q2>(polynomial, "f.g2"); }),
                     "malformed_input: f.g2:2: a rational curve where a polynomial one is expected");
   BOOST_CHECK_EQUAL(error_of([&] {
