@@ -11,6 +11,7 @@
 #include "support/errors.h"
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Geometric_continuity/Traits_2.h>
 #include <CGAL/Geometric_continuity/extensions/round_corners.h>
@@ -140,6 +141,51 @@ BOOST_AUTO_TEST_CASE(short_curves) {
   // the same distance on both sides, and the wanted one where it fits
   const Rounded fits = rounded(two, 0.5, false);
   BOOST_CHECK(fits.corners[0].right_cut == Q(1) / 2 && fits.corners[0].left_cut == Q(7) / 8);
+}
+
+// A spline is the chain of its Bezier curves: with a kink at a triple knot, between two that are smooth. Alone, before a
+// line that it meets in a corner, and as segments.
+BOOST_AUTO_TEST_CASE(splines) {
+  typedef GC::Bspline_curve<Traits> Spline;
+  const std::vector<Q> knots = {0, 0, 0, 0, 1, 2, 2, 2, 3, 4, 4, 4, 4};
+  const std::vector<Point> points = {{0, 0}, {1, 0}, {2, 2}, {4, 2}, {5, 0}, {6, 4}, {7, 5}, {8, 4}, {9, 0}};
+  const Spline spline(points.begin(), points.end(), GC::Knot_vector<Q>(3, knots));
+  const Chain pieces = spline.bezier_pieces();
+  BOOST_REQUIRE(pieces.size() == 4);
+  const std::vector<Spline> chain = {spline};
+  const Rounded r = GC::round_corners(chain.begin(), chain.end(), 0.25, GC::Closure::open);
+  check_parts(pieces, r);
+  BOOST_REQUIRE(r.corners.size() == 1 && r.corners[0].join == 1);
+  BOOST_CHECK(least_order(r, false) == 2);
+  const Rounded same_pieces = rounded(pieces, 0.25, false);
+  BOOST_REQUIRE(same_pieces.curves.size() == r.curves.size());
+  for (std::size_t k = 0; k < r.curves.size(); ++k) BOOST_CHECK(same(r.curves[k], same_pieces.curves[k]));
+
+  const std::vector<GC::Composite_bezier_curve<Traits>> segments = {
+      GC::Composite_bezier_curve<Traits>(pieces.begin(), pieces.end())};
+  const Rounded of_segments = GC::round_corners(segments.begin(), segments.end(), 0.25, GC::Closure::open);
+  BOOST_REQUIRE(of_segments.corners.size() == 1 && of_segments.corners[0].join == 1);
+  for (std::size_t k = 0; k < r.curves.size(); ++k) BOOST_CHECK(same(r.curves[k], of_segments.curves[k]));
+
+  // from one spline to the next, and back: corners between them too
+  const std::vector<Q> line_knots = {0, 0, 1, 1};
+  const std::vector<Point> line = {{9, 0}, {0, 0}};
+  const std::vector<Spline> two = {spline, Spline(line.begin(), line.end(), GC::Knot_vector<Q>(1, line_knots))};
+  const Rounded closed = GC::round_corners(two.begin(), two.end(), 0.25, GC::Closure::closed);
+  BOOST_REQUIRE(closed.corners.size() == 3 && closed.corners[1].join == 3 && closed.corners[2].join == 4);
+  BOOST_CHECK(least_order(closed, true) == 2);
+}
+
+// On doubles too a smooth knot is no corner, though the Bezier curves next to it are rounded.
+BOOST_AUTO_TEST_CASE(spline_of_doubles) {
+  typedef GC::Traits_2<CGAL::Exact_predicates_inexact_constructions_kernel> Inexact;
+  const std::vector<double> knots = {0, 0, 0, 0, 0.1, 0.7, 0.7, 0.7, 0.9, 1, 1, 1, 1};
+  const std::vector<Inexact::Point> points = {{0, 0},     {0.1, 0},   {0.2, 0.3}, {0.4, 0.2}, {0.5, 0},
+                                              {0.6, 0.4}, {0.7, 0.5}, {0.8, 0.4}, {0.9, 0}};
+  const std::vector<GC::Bspline_curve<Inexact>> chain = {
+      GC::Bspline_curve<Inexact>(points.begin(), points.end(), GC::Knot_vector<double>(3, knots))};
+  const auto r = GC::round_corners(chain.begin(), chain.end(), 0.05, GC::Closure::open);
+  BOOST_CHECK(r.corners.size() == 1 && r.corners[0].join == 1 && r.curves.size() == 5);
 }
 
 // A drop, of one curve; a lens, of two; a star with a cusp and a tangent that is zero.
