@@ -56,6 +56,12 @@ for i in 0 1 27; do # the rest of the chain stays as it is
   says out "{\"left\":$(((i + 27) % 28)),\"right\":$i,\"c_order\":0,\"g_order\":3"
 done
 run 1 blend "$L" "$R" --strategy fair --kernel double && says out "fair " "iteration"
+# next to a curvature of 10^6 nothing is fair: a curve that stays near, G2 nevertheless, and the report says so
+printf '100 1 0 0\n2 0\n3 3\n0 0 0 1 1 1\n-2 0\n-1 0\n0 1\n' >calm.g2
+printf '100 1 0 0\n2 0\n3 3\n0 0 0 1 1 1\n2 1\n2 3/2\n500002 2\n' >curl.g2
+run 0 blend calm.g2 curl.g2 --strategy fair -o near.g2 && says out "(not converged)" "C0 G2"
+run 0 verify calm.g2 near.g2 curl.g2 --require G2
+holds awk '{ for (i = 1; i <= NF && NR > 4; ++i) { split($i, a, "/"); x = a[1] / (a[2] ? a[2] : 1); if (x * x > 9) exit 1 } }' near.g2
 
 # blends in double are not exact, and the report says so
 run 1 blend "$L" "$R" --kernel double -o double.g2 && says out "rounding has broken a join"
