@@ -94,6 +94,7 @@ auto blend_of_parts(const Left& left, const Right& right, const Strategy& strate
 /// \ingroup PkgGeometricContinuityConstruction
 /// Rounds the corner in which the curve `left` ends and the curve `right` starts: cuts off of both what is nearer to it
 /// than `distance`, along the curve, and puts a blend into the gap. The corner may be a join of any kind, even a smooth one.
+/// Segmented curves and B-splines are rounded by `round_corners()`.
 ///
 /// The arc length between the corner and each cut is `distance` with a relative error of at most 1/1000; in exchange the cuts
 /// have parameters with few binary digits. They are searched in floating-point numbers. The curves are cut, and blended, in
