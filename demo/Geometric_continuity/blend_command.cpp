@@ -50,10 +50,11 @@ where needed rounded to few enough digits, and the blend between them. Numbers
 R are decimals or fractions p/q.
 
 --corner I rounds the join after the curve number I of a chain (counted from 0,
-cyclically): both curves are cut at the arc length R from it, and a fair blend
-with G2 joins is put between. --corners all rounds all joins that are not G2,
---corners kinks those that are not G1; of short curves less than R is cut off,
-so that a quarter of each remains. The output is the whole chain.
+cyclically; a spline counts as its Bezier curves): both curves are cut at the
+arc length R from it, and a fair blend with G2 joins is put between, with
+--order 3 one with G3 joins. --corners all rounds all joins that do not have
+this order, --corners kinks those that are not G1; of short curves less than R
+is cut off, so that a quarter of each remains. The output is the whole chain.
 
 Exit code: 0 when both joins of every blend have the order that is asked for, 1
 when rounding has broken one (--kernel double; the files are written

@@ -185,7 +185,7 @@ Representable_blend<Traits> representable_blend(const Bezier_curve<Traits, M>& p
   };
   if constexpr (internal::Chooses_shape<Strategy, Jet>::value) {
     const auto chosen = strategy.choose(left, right);
-    return blend_with(chosen.strategy, chosen.shape);
+    return blend_with(strategy, chosen.shape);
   } else
     return blend_with(strategy, internal::automatic_shape(left, right));
 }
