@@ -18,7 +18,7 @@
 
 namespace {
 
-const char* const usage = R"(usage: geometric_continuity blend A.g2 B.g2 [OPTIONS]
+const char* const blend_usage = R"(usage: geometric_continuity blend A.g2 B.g2 [OPTIONS]
        geometric_continuity blend CHAIN.g2 --replace I [OPTIONS]
        geometric_continuity blend CHAIN.g2 --corner I --distance R
        geometric_continuity blend CHAIN.g2 --corners all|kinks --distance R
@@ -177,7 +177,7 @@ template <class FT> int blend(const Command_line& line) {
 } // namespace
 
 int blend_command(const Arguments& arguments) {
-  const Command_line line(usage, arguments, [](po::options_description_easy_init add) {
+  const Command_line line(blend_usage, arguments, [](po::options_description_easy_init add) {
     add("strategy", po::value<std::string>(), "one of the strategies, or all: each of them except free");
     add("order", po::value<int>()->default_value(2), "2: quintic, 3: septic");
     add("beta", po::value<std::string>(), "R > 0, the blend starts with beta times the end tangent of A");

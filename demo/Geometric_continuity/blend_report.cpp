@@ -24,7 +24,7 @@ std::optional<GC::Curvature_extrema> extrema(const Exact_curve& curve) {
   }
 }
 
-std::string rounded(double x) { return std::isinf(x) ? "infinite" : ::rounded(x, 6); }
+std::string six_digits(double x) { return std::isinf(x) ? "infinite" : rounded(x, 6); }
 
 // Writes a line of the table.
 void write_row(std::ostream& os, const std::array<std::string, 10>& columns, const std::string& rest) {
@@ -103,10 +103,11 @@ void write_table(std::ostream& os, const std::vector<Blend_report>& reports, int
     proved = proved && r.is_proved(order);
     const std::optional<GC::Curvature_extrema>& c = r.curvature;
     write_row(os,
-              {r.strategy, orders(r.start), orders(r.end), rounded(CGAL::to_double(r.curve.energy(order))),
-               rounded(CGAL::to_double(r.curve.energy(order + 1))), rounded(r.fairness), rounded(r.bending_energy),
-               c ? std::to_string(c->extrema.size()) : "-", c ? std::to_string(c->inflections.size()) : "-",
-               c ? rounded(c->largest().upper) : "-"},
+              {r.strategy, orders(r.start), orders(r.end),
+               six_digits(CGAL::to_double(r.curve.polynomial()->energy(order))),
+               six_digits(CGAL::to_double(r.curve.polynomial()->energy(order + 1))), six_digits(r.fairness),
+               six_digits(r.bending_energy), c ? std::to_string(c->extrema.size()) : "-",
+               c ? std::to_string(c->inflections.size()) : "-", c ? six_digits(c->largest().upper) : "-"},
               r.parameters);
   }
   os << (proved ? "both joins of every blend are proved in exact arithmetic\n"

@@ -96,7 +96,8 @@ template <class FT> class Blender {
 
   template <class Strategy> Blend_result<FT> representable(const std::string& name, const Strategy& strategy) const {
     const GC::Shape_parameters<FT> shape = shape_ ? *shape_ : GC::blend(phi_, psi_, strategy).shape;
-    const GC::Representable_blend<Traits> gamma = GC::representable_blend(phi_, psi_, strategy, shape);
+    const GC::Representable_blend<Traits> gamma = GC::representable_blend(
+        polynomial(phi_, "--representable"), polynomial(psi_, "--representable"), strategy, shape);
     const GC::Shape_parameters<FT> chosen(gamma.start_join.beta, gamma.end_join.beta);
     const double moved = (std::max)(gamma.start_join.moved, gamma.end_join.moved);
     return {name,

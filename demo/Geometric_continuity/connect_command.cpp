@@ -16,7 +16,7 @@
 
 namespace {
 
-const char* const usage = R"(usage: geometric_continuity connect C.g2 C1.g2 C2.g2 [OPTIONS] -o RIBBON.g2
+const char* const connect_usage = R"(usage: geometric_continuity connect C.g2 C1.g2 C2.g2 [OPTIONS] -o RIBBON.g2
 
 Makes two surfaces of degree 6 x 1 that meet with G1 continuity along the cubic
 C. At both ends of C their cross derivatives are C1 - C and C2 - C and their
@@ -67,7 +67,7 @@ int connect(const Command_line& line) {
 } // namespace
 
 int connect_command(const Arguments& arguments) {
-  const Command_line line(usage, arguments, [](po::options_description_easy_init add) {
+  const Command_line line(connect_usage, arguments, [](po::options_description_easy_init add) {
     add("bulge", po::value<std::string>(), "R, bends the surfaces: beta becomes quartic (default 0)");
     add("output,o", po::value<std::string>(), "write both surfaces, .g2");
   });

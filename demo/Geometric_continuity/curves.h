@@ -10,48 +10,72 @@
 #include <CGAL/Cartesian_d.h>
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Geometric_continuity.h>
+#include <CGAL/Geometric_continuity/IO/G2_end_jet_reader.h>
 #include <CGAL/Geometric_continuity/IO/G2_piece_reader.h>
 #include <CGAL/Geometric_continuity/IO/g2.h>
 
+#include <functional>
+#include <istream>
 #include <memory>
 #include <optional>
+#include <stdexcept>
 #include <string>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
 // One instantiation for each number type serves all dimensions.
 template <class FT> using Program_traits = GC::Traits_d<CGAL::Cartesian_d<FT>>;
-template <class FT> using Program_curve = GC::Bezier_curve<Program_traits<FT>>;
+template <class FT>
+using Program_curve = GC::Rational_bezier_curve<Program_traits<FT>>; // polynomial ones have the weights 1
 typedef CGAL::Exact_rational Exact;
 typedef Program_curve<Exact> Exact_curve;
+typedef GC::Curve_end_jets<Program_traits<Exact>> Exact_ends;
 
-// Returns the curve with the same control points and the same domain, as exact numbers.
-template <class FT, int Degree> Exact_curve exact(const GC::Bezier_curve<Program_traits<FT>, Degree>& curve) {
-  std::vector<Exact_curve::Point> points;
-  for (int j = 0; j <= curve.degree(); ++j) {
-    const GC::Coordinate_vector<FT, 0> x = curve.coordinates(j);
-    const std::vector<Exact> c(x.begin(), x.end());
-    points.push_back(Exact_curve::Point(x.dimension(), c.begin(), c.end()));
+// Returns the curve with the same control points, weights and domain, as exact numbers.
+template <class FT> Exact_curve exact(const Program_curve<FT>& curve) {
+  if constexpr (std::is_same_v<FT, Exact>)
+    return curve;
+  else {
+    std::vector<Exact_curve::Homogeneous::Point> rows;
+    for (int j = 0; j <= curve.degree(); ++j) {
+      const GC::Coordinate_vector<FT, 0> x = curve.coordinates(j);
+      GC::Coordinate_vector<Exact, 0> c(x.dimension());
+      for (int i = 0; i < x.dimension(); ++i) c[i] = Exact(x[i]);
+      rows.push_back(GC::homogeneous_point(c, Exact(curve.weight(j))));
+    }
+    return Exact_curve(
+        Exact_curve::Homogeneous(rows.begin(), rows.end(), Exact(curve.domain().first), Exact(curve.domain().second)));
   }
-  return Exact_curve(points.begin(), points.end(), Exact(curve.domain().first), Exact(curve.domain().second));
 }
 
-// Reads the curves of several files, one after the other. A curve with inner knots is cut into its Bezier curves; only one
-// of them is kept in memory. Numbers are read as FT, and converted to Result before anything is computed.
-template <class FT, class Result = FT> class Curve_stream {
+// Returns a curve of which all weights are equal without them. Throws std::invalid_argument for any other, with what needs that.
+template <class FT>
+GC::Bezier_curve<Program_traits<FT>> polynomial(const Program_curve<FT>& curve, const std::string& what) {
+  if (const std::optional<GC::Bezier_curve<Program_traits<FT>>> c = curve.polynomial()) return *c;
+  throw std::invalid_argument(what + " needs polynomial curves, and one of these is rational");
+}
+
+// Reads the curves of several files piece by piece, one file after the other. A curve with inner knots is cut into its spans; only
+// one of them is kept in memory. Reader is `G2_piece_reader` or `G2_end_jet_reader`.
+template <class Reader> class Curve_stream {
+  typedef decltype(std::declval<Reader&>().next()) Piece; // or nothing
+
   std::vector<std::string> files_;
   Reading_position position_;
   std::size_t next_file_ = 0;
   std::unique_ptr<Input> input_;
-  std::optional<GC::G2_piece_reader<Program_traits<Result>, Program_traits<FT>>> reader_;
+  std::function<void(std::optional<Reader>&, std::istream&, const std::string&)> open_;
+  std::optional<Reader> reader_;
   int dimension_ = 0;
-  GC::Work_limit limit_;
 
 public:
-  // The limit is that for each curve.
-  explicit Curve_stream(const std::vector<std::string>& files, GC::Work_limit limit = GC::Work_limit())
-      : files_(files), position_(files), limit_(limit) {}
+  // The options are the last arguments of the readers.
+  template <class... Options>
+  explicit Curve_stream(const std::vector<std::string>& files, Options... options)
+      : files_(files), position_(files),
+        open_([options...](std::optional<Reader>& reader, std::istream& is, const std::string& name) {
+          reader.emplace(is, name, options...);
+        }) {}
 
   // Returns which part of the files has been read, from 0 to 1; 0 when that is not known.
   double part_read() { return input_ ? position_.part(next_file_ - 1, *input_) : 0; }
@@ -59,30 +83,30 @@ public:
   // Returns the file of the last curve.
   std::string file() const { return input_name(files_[next_file_ - 1]); }
 
-  // Returns the next curve, or nothing after the last one.
-  std::optional<Program_curve<Result>> next() {
+  // Returns the next piece, or nothing after the last one.
+  Piece next() {
     for (;;) {
       if (reader_)
-        if (std::optional<Program_curve<Result>> curve = reader_->next()) {
-          if (dimension_ != 0 && curve->dimension() != dimension_)
+        if (Piece piece = reader_->next()) {
+          if (dimension_ != 0 && piece->dimension() != dimension_)
             throw GC::Error(GC::Error_code::dimension_mismatch,
-                            input_name(files_[next_file_ - 1]) + ": dimension " + std::to_string(curve->dimension()) +
+                            file() + ": dimension " + std::to_string(piece->dimension()) +
                                 " after a curve of dimension " + std::to_string(dimension_));
-          dimension_ = curve->dimension();
-          return curve;
+          dimension_ = piece->dimension();
+          return piece;
         }
       if (next_file_ == files_.size()) return std::nullopt;
       const std::string& name = files_[next_file_++];
       reader_.reset();
       input_ = std::make_unique<Input>(name);
-      reader_.emplace(*input_, input_name(name), limit_);
+      open_(reader_, *input_, input_name(name));
     }
   }
 };
 
 // Reads all curves of several files.
 template <class FT> std::vector<Program_curve<FT>> read_curves(const std::vector<std::string>& files) {
-  Curve_stream<FT> stream(files);
+  Curve_stream<GC::G2_piece_reader<Program_traits<FT>>> stream(files);
   std::vector<Program_curve<FT>> curves;
   while (std::optional<Program_curve<FT>> curve = stream.next()) curves.push_back(*curve);
   return curves;

@@ -17,7 +17,7 @@
 
 namespace {
 
-const char* const usage = R"(usage: geometric_continuity extend A.g2 --order ORDER [OPTIONS] -o OUT.g2
+const char* const extend_usage = R"(usage: geometric_continuity extend A.g2 --order ORDER [OPTIONS] -o OUT.g2
 
 Appends a segment of the same degree to the last curve of A. Its first points
 are members of Hagen's families:
@@ -73,7 +73,7 @@ template <class FT> int extend(const Command_line& line) {
   const bool proved = order == Order::tangent                             ? join.g_order >= 1
                       : order == Order::curvature || next.dimension() < 3 ? join.g_order >= 2
                                                                           : join.f_order >= 3;
-  report_stream(line) << next << '\n'
+  report_stream(line) << *next.polynomial() << '\n' // extensions are
                       << join << '\n'
                       << (proved ? "the join is proved in exact arithmetic\n"
                                  : "decided in exact arithmetic: rounding has broken the join\n");
@@ -96,7 +96,7 @@ template <class FT> int extend(const Command_line& line) {
 } // namespace
 
 int extend_command(const Arguments& arguments) {
-  const Command_line line(usage, arguments, [](po::options_description_easy_init add) {
+  const Command_line line(extend_usage, arguments, [](po::options_description_easy_init add) {
     add("order", po::value<std::string>(), "tangent, curvature or torsion: what is continuous");
     add("beta", po::value<std::string>(),
         "R > 0, length of the new parameter interval in terms of the last one (default 1)");

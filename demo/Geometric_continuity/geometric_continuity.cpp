@@ -14,7 +14,7 @@
 
 namespace {
 
-const char* const usage = R"(usage: geometric_continuity COMMAND [ARGUMENTS]
+const char* const program_usage = R"(usage: geometric_continuity COMMAND [ARGUMENTS]
 
   blend A.g2 B.g2           blend the end of A into the start of B, and prove
                             both joins
@@ -46,17 +46,17 @@ int run(const std::string& command, const Arguments& arguments) {
   if (command == "verify") return verify_command(arguments);
   if (command == "plot") return plot_command(arguments);
   if (command == "tessellate") return tessellate_command(arguments);
-  std::cerr << "geometric_continuity: unknown command '" << printable(command) << "'\n" << usage;
+  std::cerr << "geometric_continuity: unknown command '" << printable(command) << "'\n" << program_usage;
   return bad_input;
 }
 
 int run(const Arguments& arguments) {
   if (arguments.empty()) {
-    std::cerr << usage;
+    std::cerr << program_usage;
     return bad_input;
   }
   if (arguments[0] == "--help" || arguments[0] == "-h" || arguments[0] == "help") {
-    std::cout << usage;
+    std::cout << program_usage;
     return requirement_met;
   }
   if (arguments[0] == "--version") {
@@ -77,6 +77,7 @@ int run(const Arguments& arguments) {
 
 int main(int argc, char* argv[]) {
   occupy_standard_descriptors();
+  take_stack();
   end_when_memory_runs_out();
   clean_up_at_signals();
   Standard_output output;

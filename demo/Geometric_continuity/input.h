@@ -133,20 +133,41 @@ public:
   std::string_view beginning(std::size_t size) { return buffer_->beginning(size); }
 };
 
+// The surfaces of a model: all of them as rational ones if one is.
+template <class Traits> class Surface_model {
+  std::vector<GC::Bspline_surface<Traits>> polynomial_;
+  std::vector<GC::Rational_bspline_surface<Traits>> rational_;
+
+public:
+  std::size_t size() const { return polynomial_.size() + rational_.size(); }
+
+  void push_back(GC::Bspline_surface<Traits> surface) {
+    if (rational_.empty())
+      polynomial_.push_back(std::move(surface));
+    else
+      rational_.push_back(std::move(surface));
+  }
+  void push_back(GC::Rational_bspline_surface<Traits> surface) {
+    if (rational_.empty()) rational_.assign(polynomial_.begin(), polynomial_.end());
+    polynomial_.clear();
+    rational_.push_back(std::move(surface));
+  }
+
+  // Returns f(surfaces).
+  template <class Function> auto visit(Function f) const { return rational_.empty() ? f(polynomial_) : f(rational_); }
+};
+
 // Reads the surfaces of several files, which together are one model.
-template <class Traits> std::vector<GC::Bspline_surface<Traits>> read_surfaces(const std::vector<std::string>& files) {
-  std::vector<GC::Bspline_surface<Traits>> model;
+template <class Traits> Surface_model<Traits> read_surfaces(const std::vector<std::string>& files) {
+  Surface_model<Traits> model;
   const Reading_position position(files);
   Progress progress("surfaces read");
   for (std::size_t i = 0; i < files.size(); ++i) {
     Input input(files[i]);
     const auto step = [&] { progress.step(model.size(), [&] { return position.part(i, input); }); };
     input.after_each_block(step); // a surface may be large
-    GC::G2_bspline_surface_reader<Traits> reader(input, input_name(files[i]));
-    while (std::optional<GC::Bspline_surface<Traits>> surface = reader.next()) {
-      model.push_back(*std::move(surface));
-      step();
-    }
+    GC::G2_surface_reader<Traits, GC::Rational_bspline_surface<Traits>> reader(input, input_name(files[i]));
+    while (reader.visit_next([&](auto&& surface) { model.push_back(std::move(surface)); })) step();
   }
   return model;
 }

@@ -16,20 +16,20 @@ namespace {
 
 typedef GC::Curve_jet<Program_traits<Exact>> Jet;
 
-std::string rounded(double x) { return ::rounded(x, 4); }
+std::string four_digits(double x) { return rounded(x, 4); }
 
 // The square root, for reports only.
 double root(const Exact& square) { return std::sqrt(CGAL::to_double(square)); }
 
 std::string curvature(const Jet& jet) {
-  if (jet.dimension() != 2) return rounded(root(*GC::curvature_squared(jet)));
+  if (jet.dimension() != 2) return four_digits(root(*GC::curvature_squared(jet)));
   const GC::Signed_square<Exact> k = *GC::signed_curvature(jet);
-  return rounded(k.sign * root(k.square));
+  return four_digits(k.sign * root(k.square));
 }
 
 // "from x to y", or the size of the jump when it does not show in the rounded numbers.
 std::string jump(const std::string& from, const std::string& to, double size) {
-  return from != to ? "from " + from + " to " + to : "by " + rounded(size) + " at " + from;
+  return from != to ? "from " + from + " to " + to : "by " + four_digits(size) + " at " + from;
 }
 
 // The angle between the tangents in degrees. The sine comes from an exact square, so that the tiny kinks that designers
@@ -88,14 +88,10 @@ std::string orders(const Join& join) {
   return 'C' + std::to_string(join.c_order) + " G" + std::to_string(join.g_order) + " F" + std::to_string(join.f_order);
 }
 
-std::string remark(const Join& join, const Exact_curve& left, const Exact_curve& right) {
-  return remark(join, left.end_jet(3), right.start_jet(3));
-}
-
 std::string remark(const Join& join, const Jet& x, const Jet& y) {
   if (join.c_order < 0) {
     const GC::Coordinate_vector<Exact, 0> d = y[0] - x[0];
-    return "the ends are " + rounded(root(dot(d, d))) + " apart";
+    return "the ends are " + four_digits(root(dot(d, d))) + " apart";
   }
   if (!join.regular) {
     const bool left_zero = is_zero(x[1]), right_zero = is_zero(y[1]);
@@ -105,31 +101,30 @@ std::string remark(const Join& join, const Jet& x, const Jet& y) {
   }
   if (!*join.tangent_equal) {
     const double angle = kink(x, y);
-    return angle == 180 ? "cusp: the curve turns back" : "kink of " + rounded(angle) + " degrees";
+    return angle == 180 ? "cusp: the curve turns back" : "kink of " + four_digits(angle) + " degrees";
   }
   if (!*join.curvature_vector_equal) {
     if (*join.curvature_equal) return "equal curvature " + curvature(x) + ", but the curve bends another way";
-    const Exact_curve::Vector d = *GC::curvature_vector(x) - *GC::curvature_vector(y);
+    const Program_traits<Exact>::Vector d = *GC::curvature_vector(x) - *GC::curvature_vector(y);
     return "curvature jumps " + jump(curvature(x), curvature(y), root(d.squared_length()));
   }
   if (join.torsion_equal && !*join.torsion_equal) {
     const double tx = CGAL::to_double(*GC::torsion(x)), ty = CGAL::to_double(*GC::torsion(y));
-    return "torsion jumps " + jump(rounded(tx), rounded(ty), std::abs(tx - ty));
+    return "torsion jumps " + jump(four_digits(tx), four_digits(ty), std::abs(tx - ty));
   }
   return "smooth";
 }
 
 std::string table_head() { return "join         orders      point                     remark\n"; }
 
-std::string table_row(const Join& join, int left, int right, const Exact_curve& left_curve,
-                      const Exact_curve& right_curve) {
+std::string table_row(const Join& join, int left, int right, const Jet& left_jet, const Jet& right_jet) {
   std::string point = "(";
-  const GC::Coordinate_vector<Exact, 0> x = left_curve.coordinates(left_curve.degree());
-  for (int i = 0; i < x.dimension(); ++i) point += (i == 0 ? "" : ", ") + rounded(CGAL::to_double(x[i]));
+  const GC::Coordinate_vector<Exact, 0>& x = left_jet[0];
+  for (int i = 0; i < x.dimension(); ++i) point += (i == 0 ? "" : ", ") + four_digits(CGAL::to_double(x[i]));
   const std::string columns[] = {std::to_string(left) + " -> " + std::to_string(right), orders(join), point + ')'};
   const std::size_t widths[] = {12, 11, 25};
   std::string row;
   for (int i = 0; i < 3; ++i)
     row += columns[i] + std::string(columns[i].size() < widths[i] ? widths[i] - columns[i].size() + 1 : 1, ' ');
-  return row + remark(join, left_curve, right_curve) + '\n';
+  return row + remark(join, left_jet, right_jet) + '\n';
 }

@@ -57,18 +57,16 @@ std::string rounded(double x, int digits);
 // Returns the orders of a join, e.g. "C1 G2 F2", or "gap".
 std::string orders(const Join& join);
 
-// Returns what a reader wants to know of a join beyond its orders, in words and rounded numbers.
-std::string remark(const Join& join, const Exact_curve& left, const Exact_curve& right);
-
-// Returns what a reader wants to know of a join beyond its orders, from the jets of order 3 on both sides.
+// Returns what a reader wants to know of a join beyond its orders, in words and rounded numbers, from the jets of order 3 on both
+// sides.
 std::string remark(const Join& join, const GC::Curve_jet<Program_traits<Exact>>& left,
                    const GC::Curve_jet<Program_traits<Exact>>& right);
 
 // Returns the first line of a table of joins.
 std::string table_head();
 
-// Returns the line of a join: the numbers of both curves, the orders, the point, the remark.
-std::string table_row(const Join& join, int left, int right, const Exact_curve& left_curve,
-                      const Exact_curve& right_curve);
+// Returns the line of a join: the numbers of both curves, the orders, the point, the remark. The jets are of order 3.
+std::string table_row(const Join& join, int left, int right, const GC::Curve_jet<Program_traits<Exact>>& left_jet,
+                      const GC::Curve_jet<Program_traits<Exact>>& right_jet);
 
 #endif // GEOMETRIC_CONTINUITY_DEMO_JOIN_REPORT_H

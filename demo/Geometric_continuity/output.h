@@ -49,13 +49,20 @@ inline void check_g2_name(const Command_line& line, const std::string& option) {
     if (ending == other) throw std::invalid_argument("--" + option + ": " + name + ": the format is .g2, not " + other);
 }
 
+// Returns the name of what will be written: behind all links, also those that lead to a file that is not there yet.
+inline std::filesystem::path behind_links(std::filesystem::path path) {
+  std::error_code error;
+  for (int links = 0; links < 40 && std::filesystem::is_symlink(path, error); ++links)
+    path = path.parent_path() / std::filesystem::read_symlink(path, error); // an absolute path replaces the other one
+  return std::filesystem::weakly_canonical(std::filesystem::absolute(path, error), error);
+}
+
 // Whether two names of output files lead to one file.
 inline bool lead_to_one_file(const std::string& a, const std::string& b) {
   if (is_standard_output(a) || is_standard_output(b)) return is_standard_output(a) && is_standard_output(b);
   if (has_no_format(a)) return false;
   std::error_code error;
-  return std::filesystem::equivalent(a, b, error) ||
-         std::filesystem::weakly_canonical(a, error) == std::filesystem::weakly_canonical(b, error);
+  return std::filesystem::equivalent(a, b, error) || behind_links(a) == behind_links(b);
 }
 
 // Checks the names that --output gives to curves or surfaces, and --plot to their picture, as far as they are given.

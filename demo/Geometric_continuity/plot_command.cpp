@@ -13,7 +13,7 @@
 
 namespace {
 
-const char* const usage = R"(usage: geometric_continuity plot FILE.g2... -o OUT.svg [OPTIONS]
+const char* const plot_usage = R"(usage: geometric_continuity plot FILE.g2... -o OUT.svg [OPTIONS]
 
 Draws the chain of curves of each file in a panel of its own, with the joins
 marked by their order. With --surfaces it draws all surfaces of the files as
@@ -27,7 +27,7 @@ std::string name_without_folder(const std::string& file) { return file.substr(fi
 GC::Svg_panel picture(const std::string& file, const GC::Svg_style& style, bool closed) {
   GC::Svg_panel panel(name_without_folder(file));
   GC::Chain_analysis<Exact_curve> chain;
-  Curve_stream<Exact> stream({file});
+  Curve_stream<GC::G2_piece_reader<Program_traits<Exact>>> stream({file});
   Progress progress("curves read");
   const auto mark = [&](const GC::Chain_join<Exact_curve>& join) {
     panel.join(join.continuity.c_order < 0 ? "gap" : 'G' + std::to_string(join.continuity.g_order));
@@ -44,7 +44,10 @@ GC::Svg_panel picture(const std::string& file, const GC::Svg_style& style, bool 
 // Draws Hagen's figure 2 for the end of the last curve of a file.
 GC::Svg_panel alternatives(const std::string& file, const GC::Svg_style& style) {
   const std::vector<Exact_curve> curves = read_curves<Exact>({file});
-  const Exact_curve& last = curves.back();
+  typedef GC::Bezier_curve<Program_traits<Exact>> Polynomial;
+  const Exact_curve& curve = curves.back();
+  const Polynomial last =
+      curve.is_polynomial() ? *curve.polynomial() : GC::taylor_polynomial_at_end(curve, (std::max)(curve.degree(), 2));
   const int m = last.degree();
   const GC::Midpoint_construction<Program_traits<Exact>> points = GC::midpoint_construction(last);
   const GC::Curvature_alternatives<Program_traits<Exact>> line = GC::curvature_alternatives(last);
@@ -53,14 +56,14 @@ GC::Svg_panel alternatives(const std::string& file, const GC::Svg_style& style) 
       found{GC::Svg_role::result, false, false, "line of alternatives"};
   for (const Exact_curve& c : curves) panel.add(c, style);
   const auto leg = [&](const Exact_curve::Point& a, const Exact_curve::Point& b) {
-    panel.add(Exact_curve{a, b}, construction);
+    panel.add(Polynomial{a, b}, construction);
   };
   leg(last.control_point(m - 1), points.b1);
   leg(last.control_point(m - 2), points.d0);
   leg(points.d0, points.b2_tilde);
   leg(points.d0, points.b2_bar);
-  panel.add(Exact_curve{line.point_at(0), line.point_at(6)}, found);
-  const auto mark = [&](const Exact_curve::Point& p, const char* label) { panel.add(Exact_curve{p}).join(label); };
+  panel.add(Polynomial{line.point_at(0), line.point_at(6)}, found);
+  const auto mark = [&](const Exact_curve::Point& p, const char* label) { panel.add(Polynomial{p}).join(label); };
   mark(last.control_point(m), "b\u2080");
   mark(last.control_point(m - 1), "b\u208b\u2081");
   mark(last.control_point(m - 2), "b\u208b\u2082");
@@ -74,7 +77,7 @@ GC::Svg_panel alternatives(const std::string& file, const GC::Svg_style& style) 
 } // namespace
 
 int plot_command(const Arguments& arguments) {
-  const Command_line line(usage, arguments, [](po::options_description_easy_init add) {
+  const Command_line line(plot_usage, arguments, [](po::options_description_easy_init add) {
     add("output,o", po::value<std::string>(), "write the picture, .svg");
     add("alternatives", "add Hagen's midpoint construction and his line of alternatives");
     add("closed", "the last curve of a file leads back to its first");

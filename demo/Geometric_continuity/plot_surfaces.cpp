@@ -31,7 +31,9 @@ int plot_surfaces(const Arguments& files, const Surface_picture& picture) {
     if (!(std::abs(style.azimuth) <= 360) || !(std::abs(style.elevation) <= 90))
       throw std::invalid_argument("--view: at most 360 and 90 degrees");
   }
-  const std::vector<GC::Bspline_surface<Traits>> model = read_surfaces<Traits>(files);
-  write_output(picture.output, [&](std::ostream& os) { GC::write_svg_surfaces(os, model, style); });
+  const Surface_model<Traits> model = read_surfaces<Traits>(files);
+  write_output(picture.output, [&](std::ostream& os) {
+    model.visit([&](const auto& surfaces) { GC::write_svg_surfaces(os, surfaces, style); });
+  });
   return requirement_met;
 }

@@ -23,7 +23,7 @@
 
 namespace {
 
-template <class FT> using Chain = std::vector<Program_curve<FT>>;
+template <class FT> using Chain = std::vector<GC::Bezier_curve<Program_traits<FT>>>;
 template <class FT> using Rounded = GC::Rounded_chain<Program_traits<FT>>;
 
 // Returns the chain with the corner after the curve number i rounded, cyclically.
@@ -70,7 +70,7 @@ void write_row(std::ostream& os, const std::array<std::string, 5>& columns) {
 // Prints the corners and their blends. Returns whether both joins of every blend are G2. `given` is the number of given curves.
 template <class FT> bool write_report(std::ostream& os, const Rounded<FT>& result, std::size_t given, bool closed) {
   std::vector<Exact_curve> curves;
-  for (const Program_curve<FT>& c : result.curves) curves.push_back(exact(c));
+  for (const auto& c : result.curves) curves.push_back(exact<FT>(c));
   std::vector<Join> joins; // each after the curve with its number
   closed = closed || (!result.corners.empty() && result.corners.back().join + 1 == given);
   const GC::Chain_summary summary =
@@ -97,7 +97,8 @@ template <class FT> Exit_code round_corners(const Command_line& line) {
   const Arguments files = line.files();
   if (files.size() != 1) throw std::invalid_argument("blend --corner, --corners: one file is needed; see --help");
   const double distance = line.number<double>("distance", 0);
-  const Chain<FT> chain = read_curves<FT>(files);
+  Chain<FT> chain;
+  for (const Program_curve<FT>& c : read_curves<FT>(files)) chain.push_back(polynomial(c, "rounding corners"));
   const Rounded<FT> result = [&] {
     try {
       return rounded_chain(line, chain, distance);
@@ -111,7 +112,7 @@ template <class FT> Exit_code round_corners(const Command_line& line) {
   const bool proved = write_report(report_stream(line), result, chain.size(), line.has("closed"));
   if (line.has("output"))
     write_output(line.text("output"), [&](std::ostream& os) {
-      for (const Program_curve<FT>& c : result.curves) GC::write_g2(os, c);
+      for (const auto& c : result.curves) GC::write_g2(os, c);
     });
   if (figure) write_output(line.text("plot"), [&](std::ostream& os) { figure->write(os); });
   return proved ? requirement_met : requirement_not_met;

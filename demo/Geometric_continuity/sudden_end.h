@@ -11,6 +11,7 @@
 #include <CGAL/Geometric_continuity/IO/atomic_file.h>
 
 #include <csignal>
+#include <cstddef>
 #include <cstdlib>
 #include <new>
 
@@ -49,6 +50,13 @@ inline void clean_up_at_signals() {
 inline void* memory_or_end(void* memory) {
   if (memory == nullptr) end_without_memory();
   return memory;
+}
+
+// Takes the stack that the commands need. Where memory is limited, the system would end the program by a signal when the stack
+// cannot grow later.
+inline void take_stack() {
+  volatile char stack[192 * 1024];
+  for (std::size_t i = 0; i < sizeof stack; i += 4096) stack[sizeof stack - 1 - i] = 0;
 }
 
 // Lets all memory that cannot be had end the program with the exit code of bad input.

@@ -21,7 +21,7 @@
 
 namespace {
 
-const char* const usage = R"(usage: geometric_continuity tessellate MODEL.g2... -o OUT [OPTIONS]
+const char* const tessellate_usage = R"(usage: geometric_continuity tessellate MODEL.g2... -o OUT [OPTIONS]
 
 Writes triangles for the surfaces of the files, without cracks along the edges
 that they have in common. The name of the output tells the format unless
@@ -30,9 +30,8 @@ Exit code: 0 when the triangles are written, 2 on bad input.
 )";
 
 // Names the options by which the work is bounded.
-template <class Traits, class Mode>
-GC::Tessellation<Traits> tessellate(const std::vector<GC::Bspline_surface<Traits>>& model, const Mode& mode,
-                                    std::size_t max_triangles) {
+template <class Traits, class Surface, class Mode>
+GC::Tessellation<Traits> tessellate(const std::vector<Surface>& model, const Mode& mode, std::size_t max_triangles) {
   Progress progress("triangles");
   try {
     return GC::tessellate(model, mode, max_triangles, [&](std::size_t n) { progress.step(n); });
@@ -56,12 +55,14 @@ GC::Mesh_format output_format(const Command_line& line) {
 
 template <class FT> int write_triangles(const Command_line& line, GC::Mesh_format format) {
   typedef GC::Traits_3<CGAL::Simple_cartesian<FT>> Traits;
-  const std::vector<GC::Bspline_surface<Traits>> model = read_surfaces<Traits>(line.files());
+  const Surface_model<Traits> model = read_surfaces<Traits>(line.files());
   const std::size_t most =
       static_cast<std::size_t>(line.integer("max-triangles", 1, (std::numeric_limits<int>::max)()));
-  const GC::Tessellation<Traits> mesh =
-      line.has("grid") ? tessellate(model, GC::Uniform_grid{line.integer("grid")}, most)
-                       : tessellate(model, GC::Chord_tolerance{line.number<double>("tolerance", 0.01)}, most);
+  const GC::Tessellation<Traits> mesh = model.visit([&](const auto& surfaces) {
+    return line.has("grid")
+               ? tessellate<Traits>(surfaces, GC::Uniform_grid{line.integer("grid")}, most)
+               : tessellate<Traits>(surfaces, GC::Chord_tolerance{line.number<double>("tolerance", 0.01)}, most);
+  });
   write_output(line.text("output"), [&](std::ostream& os) { GC::write_mesh(os, mesh, format); });
   report_stream(line) << model.size() << " surfaces: " << mesh.points.size() << " points, " << mesh.triangles.size()
                       << " triangles, " << GC::mesh_edges(mesh.triangles) << '\n';
@@ -71,7 +72,7 @@ template <class FT> int write_triangles(const Command_line& line, GC::Mesh_forma
 } // namespace
 
 int tessellate_command(const Arguments& arguments) {
-  const Command_line line(usage, arguments, [](po::options_description_easy_init add) {
+  const Command_line line(tessellate_usage, arguments, [](po::options_description_easy_init add) {
     add("output,o", po::value<std::string>(),
         "write the triangles; the name, with .off, .ply, .obj or .stl, tells the format");
     add("format", po::value<std::string>(), "off, ply, obj or stl, for standard output and devices");

@@ -26,7 +26,7 @@
 
 namespace {
 
-const char* const usage = R"(usage: geometric_continuity verify FILE.g2... | DRAWING.svg... [OPTIONS]
+const char* const verify_usage = R"(usage: geometric_continuity verify FILE.g2... | DRAWING.svg... [OPTIONS]
 
 Decides the continuity of every join of the chain that all curves form in the
 given order. The decision is exact for the numbers of the files.
@@ -48,7 +48,8 @@ along each edge and the largest gap, and also finds the boundary edges that are
 that near to each other.
 
 What cannot be verified is named: elements of a drawing that cannot be read,
-joins whose tangents are not rational, edges of surfaces that are single points.
+joins whose tangents are not rational, edges of surfaces that are single points,
+orders that are undecided within a tolerance.
 With --strict that counts as not met, also without --require.
 Exact decisions on numbers of thousands of digits, or of high order and degree,
 can take long: --max-work N allows N steps, about N multiplications of machine
@@ -82,7 +83,7 @@ GC::Edge_tolerance edge_tolerance(const Command_line& line) {
 }
 
 // What is asked of the joins of a chain.
-struct Demand {
+struct Join_demand {
   int max_order;
   std::optional<Requirement> order;
   std::optional<GC::Join_tolerance> tolerance;
@@ -93,24 +94,27 @@ struct Demand {
 class Chain_report {
   const Report_mode mode_;
   const bool json_ = mode_.format == Report_format::json;
-  const Demand& demand_;
+  const Join_demand& demand_;
   Deferred_output out_;
-  std::size_t joins_ = 0, failing_ = 0;
+  std::size_t joins_ = 0, failing_ = 0, undecided_ = 0;
 
 public:
-  Chain_report(const Report_mode& mode, const Demand& demand) : mode_(mode), demand_(demand) {
+  Chain_report(const Report_mode& mode, const Join_demand& demand) : mode_(mode), demand_(demand) {
     out_.write(json_ ? "{\"joins\":[" : table_head());
   }
 
   std::size_t joins() const { return joins_; }
 
-  void operator()(const GC::Chain_join<Exact_curve>& join) {
+  void operator()(const GC::Chain_join<Exact_ends>& join) {
     const int left = static_cast<int>(join.left), right = static_cast<int>(join.right);
     std::optional<GC::Order_within> within;
     if (demand_.tolerance) within = GC::order_within(join.left_curve, join.right_curve, *demand_.tolerance);
     if (demand_.order && !demand_.order->met(join.continuity) &&
         !(within && (*within)(demand_.order->order()) == GC::Verdict::proved))
       ++failing_;
+    else if (!demand_.order && within && // else what is required has been proved
+             std::count(within->verdicts.begin(), within->verdicts.end(), GC::Verdict::undecided) > 0)
+      ++undecided_;
     std::ostringstream s;
     if (json_) {
       s << (joins_ == 0 ? "\n {" : ",\n {");
@@ -121,7 +125,7 @@ public:
       }
       s << '}';
     } else {
-      s << table_row(join.continuity, left, right, join.left_curve, join.right_curve);
+      s << table_row(join.continuity, left, right, join.left_curve.end_jet(3), join.right_curve.start_jet(3));
       if (within) {
         s << "             within the tolerance: order";
         for (int order = 0; order <= 3; ++order) s << (order > 0 ? ", " : " ") << order << ' ' << (*within)(order);
@@ -135,7 +139,7 @@ public:
   // Prints the report and returns the exit code.
   int print(std::ostream& os, const GC::Chain_summary& summary) {
     const std::map<int, std::size_t>& counts = summary.counts(GC::Continuity_kind::G);
-    const Conclusion conclusion{joins_, failing_, 0};
+    const Conclusion conclusion{joins_, failing_, undecided_};
     out_.copy_to(os);
     if (json_) {
       os << "],\n \"summary\":{\"joins\":" << joins_;
@@ -164,20 +168,24 @@ public:
         else
           os << failing_ << " of them not " << order << '\n';
       }
+      if (undecided_ > 0)
+        os << counted(undecided_, "join") << " with an order that is undecided within the tolerance\n";
+      if (mode_.strict && undecided_ > 0) os << "not met, because not all was verified\n";
     }
     return conclusion.exit_code(mode_, "join");
   }
 };
 
 // Decides the joins of a chain of curves; FT is the type in which their numbers are read.
-template <class FT> int verify(const Command_line& line, const Report_mode& mode, const Demand& demand) {
+template <class FT> int verify(const Command_line& line, const Report_mode& mode, const Join_demand& demand) {
   const bool closed = line.has("closed");
   Chain_report report(mode, demand);
   Progress progress("joins");
-  GC::Chain_analysis<Exact_curve> chain(demand.max_order, demand.limit);
-  Curve_stream<FT, Exact> stream(line.files(), demand.limit);
+  GC::Chain_analysis<Exact_ends> chain(demand.max_order, demand.limit);
+  Curve_stream<GC::G2_end_jet_reader<Program_traits<Exact>, Program_traits<FT>>> stream(
+      line.files(), (std::max)(demand.max_order, 3), demand.limit);
   const auto next = [&] { return within_work_limit([&] { return stream.file(); }, [&] { return stream.next(); }); };
-  while (const std::optional<Exact_curve> curve = next()) {
+  while (const std::optional<Exact_ends> curve = next()) {
     if (demand.order && chain.size() == 0) demand.order->check_dimension(curve->dimension());
     within_work_limit(
         [&] {
@@ -197,7 +205,7 @@ template <class FT> int verify(const Command_line& line, const Report_mode& mode
 } // namespace
 
 int verify_command(const Arguments& arguments) {
-  const Command_line line(usage, arguments, [](po::options_description_easy_init add) {
+  const Command_line line(verify_usage, arguments, [](po::options_description_easy_init add) {
     add("surfaces", "the files hold the patches of a model");
     add("closed", "the last curve leads back to the first");
     add("max-order", po::value<int>()->default_value(3), "the highest order to decide, from 0 to 32");
@@ -235,7 +243,7 @@ int verify_command(const Arguments& arguments) {
     return verify_surfaces(files, mode, required ? std::optional<int>(required->order()) : std::nullopt, tolerance,
                            line.work_limit());
   }
-  Demand demand{line.integer("max-order", 0, 32), required, {}, line.work_limit()};
+  Join_demand demand{line.integer("max-order", 0, 32), required, {}, line.work_limit()};
   if (required) demand.max_order = (std::max)(demand.max_order, required->order());
   if (line.has("within")) demand.tolerance = join_tolerance(line);
   if (required && demand.tolerance && (required->kind() == GC::Continuity_kind::C || required->order() > 3))

@@ -23,14 +23,13 @@ namespace {
 
 typedef GC::Traits_3<CGAL::Simple_cartesian<CGAL::Exact_rational>> Traits;
 typedef Exact FT;
-typedef GC::Bspline_surface<Traits> Surface;
 typedef GC::Model_edge<FT> Edge;
 typedef GC::Model_knot_line<FT> Line;
 typedef GC::Spline_edge_continuity<FT> Continuity;
 typedef GC::Edge_order_within Within;
 
 // What is asked of the edges of a model.
-struct Demand {
+struct Edge_demand {
   std::optional<int> order;
   std::optional<GC::Edge_tolerance> tolerance;
   GC::Work_limit limit; // for each edge
@@ -110,17 +109,17 @@ void write_json(std::ostream& os, const std::vector<Edge>& edges, GC::Model_edge
 }
 
 // The decisions on a model, exact and within the tolerance.
-class Model_report {
+template <class Surface> class Model_report {
   const std::vector<Surface>& surfaces_;
   const Report_mode mode_;
-  const Demand demand_;
+  const Edge_demand demand_;
   const GC::Model_continuity<FT> model_;
   std::vector<std::optional<Within>> edges_, lines_; // as those of the model
   std::vector<GC::Near_edges> near_;
-  std::size_t failing_edges_ = 0, failing_lines_ = 0;
+  std::size_t failing_edges_ = 0, failing_lines_ = 0, undecided_ = 0;
 
 public:
-  Model_report(const std::vector<Surface>& surfaces, const Report_mode& mode, const Demand& demand)
+  Model_report(const std::vector<Surface>& surfaces, const Report_mode& mode, const Edge_demand& demand)
       : surfaces_(surfaces), mode_(mode), demand_(demand), model_(decided(surfaces, demand.limit)) {
     Progress progress("edges and knot lines within the tolerance");
     const auto step = [&] {
@@ -132,6 +131,7 @@ public:
       if (e.kind != GC::Model_edge_kind::shared) continue;
       if (demand_.tolerance) edges_.back() = GC::order_within(e.continuity, *demand_.tolerance);
       failing_edges_ += fails(e.continuity.g_order, edges_.back());
+      undecided_ += is_undecided(edges_.back());
       step();
     }
     for (const Line& l : model_.knot_lines) {
@@ -139,10 +139,14 @@ public:
       if (demand_.tolerance)
         lines_.back() = GC::order_within(surfaces[l.patch], l.line, *demand_.tolerance, demand_.limit);
       failing_lines_ += fails(l.line.continuity.g_order, lines_.back());
+      undecided_ += is_undecided(lines_.back());
       step();
     }
     if (demand_.tolerance && demand_.tolerance->gap > 0) near_ = near(surfaces, model_, demand_);
-    for (const GC::Near_edges& e : near_) failing_edges_ += fails(-1, e.within);
+    for (const GC::Near_edges& e : near_) {
+      failing_edges_ += fails(-1, e.within);
+      undecided_ += is_undecided(e.within);
+    }
   }
 
   // Prints the report and returns the exit code.
@@ -165,7 +169,7 @@ private:
   }
 
   static std::vector<GC::Near_edges> near(const std::vector<Surface>& surfaces, const GC::Model_continuity<FT>& model,
-                                          const Demand& demand) {
+                                          const Edge_demand& demand) {
     Progress progress("boundary edges");
     const auto part = [&](std::size_t n) { return double(n) / double(model.summary.boundary); };
     return GC::near_edges(surfaces, model, *demand.tolerance, demand.limit,
@@ -175,12 +179,19 @@ private:
   // Edges that are single points have no tangent planes to compare.
   Conclusion conclusion() const {
     const GC::Model_summary& s = model_.summary;
-    return {s.g2 + s.g1 + s.g0 + lines_.size() + near_.size(), failing_edges_ + failing_lines_, s.collapsed};
+    return {s.g2 + s.g1 + s.g0 + lines_.size() + near_.size(), failing_edges_ + failing_lines_,
+            s.collapsed + undecided_};
   }
 
   bool fails(int exact_order, const std::optional<Within>& within) const {
     return demand_.order && exact_order < *demand_.order &&
            !(within && (*within)(*demand_.order) == GC::Verdict::proved);
+  }
+
+  // Whether an order is undecided within the tolerance. If one is required, it has been proved, or counts as failing.
+  bool is_undecided(const std::optional<Within>& within) const {
+    return !demand_.order && within &&
+           ((*within)(0) == GC::Verdict::undecided || (*within)(1) == GC::Verdict::undecided);
   }
 
   static void print(const std::optional<Within>& within) {
@@ -192,7 +203,7 @@ private:
   }
 };
 
-void Model_report::print_json() const {
+template <class Surface> void Model_report<Surface>::print_json() const {
   std::cout << "{\"edges\":[";
   const char* separator = "\n ";
   for (std::size_t i = 0; i < model_.edges.size(); ++i)
@@ -233,7 +244,7 @@ void Model_report::print_json() const {
   std::cout << "}\n";
 }
 
-void Model_report::print_text() const {
+template <class Surface> void Model_report<Surface>::print_text() const {
   for (std::size_t i = 0; i < edges_.size(); ++i) {
     std::cout << model_.edges[i] << '\n';
     print(edges_[i]);
@@ -252,17 +263,19 @@ void Model_report::print_text() const {
   const Conclusion all = conclusion();
   if (all.decided == 0) std::cout << "no shared edge, nothing was decided\n";
   if (demand_.order && all.decided > 0) print_verdict();
+  if (undecided_ > 0) std::cout << "orders that are undecided within the tolerance: " << undecided_ << '\n';
   if (mode_.strict && all.unverified > 0) std::cout << "not met, because not all was verified\n";
 }
 
-void Model_report::print_verdict() const {
+template <class Surface> void Model_report<Surface>::print_verdict() const {
   const Conclusion all = conclusion();
   const std::string order = "G" + std::to_string(*demand_.order) + (demand_.tolerance ? " within the tolerance" : ""),
                     near = near_.empty() ? "" : " and every pair of near edges",
                     inside = lines_.empty() ? "" : " and every knot line";
   if (all.failing == 0) {
     std::cout << "every shared edge" << near << inside << " is " << order << ", proved exactly";
-    if (all.unverified > 0) std::cout << "; " << counted(all.unverified, "collapsed edge") << " not verified";
+    if (model_.summary.collapsed > 0)
+      std::cout << "; " << counted(model_.summary.collapsed, "collapsed edge") << " not verified";
     std::cout << '\n';
   }
   if (failing_edges_ > 0) std::cout << failing_edges_ << " of them not " << order << '\n';
@@ -274,9 +287,11 @@ void Model_report::print_verdict() const {
 
 int verify_surfaces(const Arguments& files, const Report_mode& mode, const std::optional<int>& required_g_order,
                     const std::optional<GC::Edge_tolerance>& tolerance, GC::Work_limit limit) {
-  const std::vector<Surface> surfaces = read_surfaces<Traits>(files);
+  const Surface_model<Traits> model = read_surfaces<Traits>(files);
   return within_work_limit([&] { return files.size() == 1 ? input_name(files[0]) : input_name(files[0]) + ", ..."; },
                            [&] {
-                             return Model_report(surfaces, mode, {required_g_order, tolerance, limit}).print();
+                             return model.visit([&](const auto& surfaces) {
+                               return Model_report(surfaces, mode, {required_g_order, tolerance, limit}).print();
+                             });
                            });
 }

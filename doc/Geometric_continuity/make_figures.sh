@@ -8,3 +8,4 @@ data=$here/../../demo/Geometric_continuity/data
 "$program" blend "$data/space_left.g2" "$data/space_right.g2" --strategy all --plot "$here/fig/space_blends.svg" >/dev/null
 "$program" plot "$data/planar.g2" --alternatives --no-comb -o "$here/fig/alternatives.svg"
 "$program" plot --surfaces "$data/teapot.g2" --title "The teapot: 32 bicubic patches, every edge decided exactly" -o "$here/fig/teapot.svg"
+"$program" plot --surfaces "$data/fillet.g2" --title "Cylinder, fillet, plane" -o "$here/fig/fillet.svg"

@@ -32,6 +32,7 @@
 #include <CGAL/Geometric_continuity/algebra/sign_pattern.h>
 
 #include <CGAL/Geometric_continuity/local/Coordinate_jet.h>
+#include <CGAL/Geometric_continuity/local/Curve_end_jets.h>
 #include <CGAL/Geometric_continuity/local/Curve_jet.h>
 #include <CGAL/Geometric_continuity/local/Frenet_frame.h>
 #include <CGAL/Geometric_continuity/local/Homogeneous_traits.h>

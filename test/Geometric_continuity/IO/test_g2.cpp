@@ -594,7 +594,7 @@ BOOST_AUTO_TEST_CASE(wrong_headers) {
 BOOST_AUTO_TEST_CASE(wrong_dimensions) {
   check_g2_error(with_line(2, "3 0"), 10, "dimension 3 where 2 is expected");
   check_g2_error(with_line(2, "-2 0"), 10, "the dimension is '-2' where an integer from 0 to 2147483647 is expected");
-  check_g2_error(with_line(2, "2 1"), 10, "rational curves are not supported");
+  check_g2_error(with_line(2, "2 1"), 10, "a rational curve where a polynomial one is expected");
   check_g2_error(with_line(2, "2 2"), 10, "the rational flag is '2' where an integer from 0 to 1 is expected");
   const std::string range = " where an integer from 2 to 16 is expected";
   for (const std::string d : {"1", "17", "0", "-3", "2.0", "4000000000"})

@@ -106,7 +106,7 @@ BOOST_AUTO_TEST_CASE(malformed_g2_surfaces_are_refused) {
                 "1: an auxiliary value is '1.5' where an integer from -2147483648 to 2147483647 is expected");
   check_refused(good, "200 1 0 3 1 2", "1: file ends after 2 of 3 auxiliary values");
   check_refused("\n3 0\n", "\n2 0\n", "2: dimension 2 where 3 is expected");
-  check_refused("\n3 0\n", "\n3 1\n", "2: rational surfaces are not supported");
+  check_refused("\n3 0\n", "\n3 1\n", "2: a rational surface where a polynomial one is expected");
   check_refused("\n3 3\n", "\n0 3\n",
                 "3: the number of control points in u is '0' where an integer from 1 to 2147483647 is expected");
   check_refused("\n3 3\n", "\n3 129\n", "3: the order in u is '129' where an integer from 1 to 128 is expected");

@@ -203,7 +203,7 @@ BOOST_AUTO_TEST_CASE(wrong_headers) {
   check_refused(good, "200 1 0 2000000000 5\n 6", 2, "file ends after 2 of 2000000000 auxiliary values");
   check_refused("\n3 0\n", "\n2 0\n", 2, "dimension 2 where 3 is expected");
   check_refused("\n3 0\n", "\n-3 0\n", 2, "the dimension is '-3'" + natural);
-  check_refused("\n3 0\n", "\n3 1\n", 2, "rational surfaces are not supported");
+  check_refused("\n3 0\n", "\n3 1\n", 2, "a rational surface where a polynomial one is expected");
   check_refused("\n3 0\n", "\n3 2\n", 2, "the rational flag is '2' where an integer from 0 to 1 is expected");
   check_refused("3 1 -7", "3 1 -7 5", 14, "5 where a surface (200) is expected"); // a number too many
   BOOST_CHECK_EQUAL(error_of([&] { read<Exact_d>(good + "200 1 0 0\n4 0\n"); }),

@@ -4,6 +4,8 @@
 
 // Hagen 1.7 (b): the curvatures determine a curve up to an isometry.
 
+#define BOOST_TEST_DYN_LINK
+#define BOOST_TEST_MODULE curve_from_curvatures
 #include <boost/test/unit_test.hpp>
 
 #include "support/jets.h"

@@ -40,7 +40,7 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   std::vector<GC::Bspline_curve<Double>> rounded;
   if (accepts([&] { rounded = read<Double>(text); })) round_trip(rounded);
   std::vector<GC::Bspline_curve<Exact>> curves;
-  if (!accepts([&] { curves = read<Exact>(text); }) || has_long_exponent(text)) return 0;
+  if (!accepts([&] { curves = read<Exact>(text); })) return 0;
   round_trip(curves);
   std::vector<GC::Bezier_curve<Exact>> pieces;
   for (const GC::Bspline_curve<Exact>& curve : curves) {

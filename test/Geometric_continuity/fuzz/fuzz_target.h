@@ -43,19 +43,4 @@ template <class Function> bool accepts(Function f) {
   }
 }
 
-// Whether a text has an exponent of three or more digits, so that deciding on its numbers may take long.
-inline bool has_long_exponent(std::string_view text) {
-  std::size_t digits = 0;
-  bool exponent = false;
-  for (const char c : text) {
-    const bool digit = '0' <= c && c <= '9';
-    if (exponent && digit && ++digits > 2) return true;
-    if (!digit && !(exponent && digits == 0 && (c == '+' || c == '-'))) {
-      exponent = c == 'e' || c == 'E';
-      digits = 0;
-    }
-  }
-  return false;
-}
-
 #endif // GEOMETRIC_CONTINUITY_FUZZ_FUZZ_TARGET_H

@@ -22,6 +22,7 @@ fractions() { # ORDER DIGITS: two curves in the plane, with such coordinates
 }
 fractions 24 1900 >huge.g2
 fractions 12 600 >large.g2
+fractions 12 250 >medium.g2
 {
   printf '<svg xmlns="http://www.w3.org/2000/svg"><path d="M0 0'
   for i in $(seq 1000); do printf 'c1 2 %d 4 5 %d' $i $i; done
@@ -67,7 +68,7 @@ memory verify drawing.svg
 memory plot long.g2 --no-comb -o plot.svg
 memory plot --surfaces "$teapot" -o plot.svg
 memory tessellate "$teapot" --grid 20 -o mesh.off
-memory blend large.g2 large.g2 -o blend.g2
+memory blend medium.g2 medium.g2 -o blend.g2
 memory extend large.g2 --order curvature -o blend.g2
 
 # A stack of 256 kB, at the limits of depth: groups in groups, curves of the highest order.

@@ -62,6 +62,10 @@ refused "both are written to -" blend "$L" "$R" -o - --plot -
 echo old >both.svg && ln -s both.svg both.g2
 refused "both are written to both.svg" blend "$L" "$R" -o both.g2 --plot both.svg
 holds [ "$(cat both.svg)" = old ]
+mkdir folder && ln -s missing.svg one.svg && ln -s ../missing.svg folder/two.g2 && ln -s folder/two.g2 three.g2 # nowhere yet
+refused "both are written to one.svg" blend "$L" "$R" -o three.g2 --plot one.svg
+refused "both are written to missing.svg" blend "$L" "$R" -o folder/two.g2 --plot missing.svg
+rm -r folder one.svg three.g2
 refused "--format off|ply|obj|stl is needed" tessellate "$teapot" -o -
 refused "--format: not with no.ply" tessellate "$teapot" -o no.ply --format off
 refused "is none of off, ply, obj, stl" tessellate "$teapot" -o - --format step

@@ -28,6 +28,11 @@ run 1 verify low.g2 high.g2 --surfaces --require G1 --within 0.321 && says out "
 run 0 verify low.g2 high.g2 --surfaces --require G1 --within 0.322 && says out "knot line is G1 within the tolerance, proved exactly"
 run 0 verify low.g2 high.g2 --surfaces --within 0.321 --json && says out '"within":["proved","refuted"],"gap":[0,0],"normal_angle":[0.3217505543966' \
   '"near_edges":[]'
+# a tolerance inside of the bounds
+bound=$(sed -n 's/.*"within":\["proved","refuted"\],"gap":\[0,0\],"normal_angle":\[\([0-9.]*\),.*/\1/p' out | head -n 1)
+run 0 verify low.g2 high.g2 --surfaces --within "$bound" && says out "1 undecided" "undecided within the tolerance: 1"
+run 1 verify low.g2 high.g2 --surfaces --within "$bound" --strict && says out "not met, because not all was verified"
+run 1 verify low.g2 high.g2 --surfaces --within "$bound" --strict --json && run 0 verify low.g2 high.g2 --surfaces --within "$bound" --strict --require G0
 run 1 verify roof.g2 --surfaces --require G1 --within 0.5 && run 0 verify roof.g2 --surfaces --require G1 --within 1.3
 flat $'1 1 2 2\n0 1 1/1073741824\n1 1 1/1073741824\n2 1 1/1073741824\n3 1 1/1073741824\n4 1 1/1073741824\n0 2 0\n1 2 0\n2 2 0\n3 2 0\n4 2 0' >near.g2
 run 0 verify low.g2 near.g2 --surfaces --require G1 --within 1e-8,1e-10 && says out "8 boundary" && holds test -z "$(grep near out)"
@@ -49,6 +54,6 @@ flat $'0 0 1 1\n0 0 0\n1 0 0' >bad.g2 && surface_error "8: file ends after 2 of 
 flat $'0 0 1 -1' >bad.g2 && surface_error "6: the knots in v decrease at '-1'"
 printf '200 1 0 0\n3 0\n5 3\n0 0 0 1 1 1 1 2' >bad.g2 && surface_error "4: knot 7 of 8 in u is repeated more than 3 times"
 printf '200 1 0 0\n3 0\n2 3\n' >bad.g2 && surface_error "3: 2 control points and order 3 in u"
-printf '200 1 0 0\n3 1\n' >bad.g2 && surface_error "2: rational surfaces are not supported"
+printf '200 1 0 0\n3 1\n' >bad.g2 && surface_error "2: a rational surface where a polynomial one is expected"
 printf '200 1 0 0\n2 0\n' >bad.g2 && surface_error "2: dimension 2 where 3 is expected"
 printf '' >bad.g2 && surface_error "1: no surface"

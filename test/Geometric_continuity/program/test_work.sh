@@ -44,8 +44,12 @@ high_order 64 >order64.g2
 bounded 30 0 verify --require G3 order64.g2
 says out "64 joins"
 high_order 128 >order128.g2
+ulimit -S -t 5 # for each program; it takes less than half a second
 bounded 120 0 verify --require G3 order128.g2
+ulimit -S -t "$(ulimit -H -t)"
 says out "128 joins"
+run 0 verify --max-order 32 --json --require C32 order64.g2
+says out '"joins":64,"G32":64'
 run 2 verify --max-work 1000000 order64.g2
 says err "order64.g2: work_limit" "--max-work N"
 
@@ -65,13 +69,40 @@ long_fractions() { # DIGITS
     }
   }'
 }
-long_fractions 40 >fractions.g2
-bounded 60 0 verify --max-order 32 --require G32 fractions.g2
+long_fractions 400 >fractions.g2
+bounded 60 0 verify --max-order 32 --require C32 fractions.g2
 run 2 verify --max-order 32 --max-work 100000 fractions.g2
 says err "fractions.g2: " "--max-work N"
-long_fractions 400 >longer.g2
+
+# The parabola (12 x t, 6 w t^2) until t = 0, and (12 x (t + t^2), 6 w (t + t^2)^2) from there on: the forms of G32 have the
+# degree 64. Digits in pairs, so that multiplication by up to 24 has no carries.
+parabola() { # PAIRS_OF_DIGITS
+  awk -v pairs="$1" '
+    function times(factor, digits, below,   number, i) {
+      for (i = 1; i <= pairs; ++i) number = number sprintf("%02d", factor * substr(digits, i, 1))
+      return number "/" below
+    }
+    BEGIN {
+      srand(7)
+      for (i = 0; i < pairs; ++i) {
+        x = x 1 + int(4 * rand()); w = w 1 + int(4 * rand())
+        below_x = below_x 11 + int(88 * rand()); below_w = below_w 11 + int(88 * rand())
+      }
+      print "100 1 0 0\n2 0\n3 3\n-1 -1 -1 0 0 0"
+      print "-" times(12, x, below_x), times(6, w, below_w), "-" times(6, x, below_x), "0 0 0"
+      print "100 1 0 0\n2 0\n5 5\n0 0 0 0 0 1 1 1 1 1\n0 0", times(3, x, below_x), "0"
+      print times(8, x, below_x), times(1, w, below_w), times(15, x, below_x), times(6, w, below_w)
+      print times(24, x, below_x), times(24, w, below_w)
+    }'
+}
+parabola 20 >parabola.g2
+bounded 60 0 verify --max-order 32 --require G32 parabola.g2
+says out "C1 G32 F2"
+run 2 verify --max-order 32 --max-work 100000 parabola.g2
+says err "join 0 -> 1: work_limit" "--max-work N"
+parabola 1000 >longer.g2
 bounded 60 2 verify --max-order 32 longer.g2
-says err "longer.g2: " "--max-work N"
+says err "join 0 -> 1: work_limit" "--max-work N"
 
 # The option.
 for word in 0 -1 x 1e9 1.5 "" 99999999999999999999999; do

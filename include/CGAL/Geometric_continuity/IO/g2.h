@@ -31,6 +31,8 @@
 #include <CGAL/Geometric_continuity/curves/Rational_bspline_curve.h>
 #include <CGAL/Geometric_continuity/surfaces/Bezier_patch.h>
 #include <CGAL/Geometric_continuity/surfaces/Bspline_surface.h>
+#include <CGAL/Geometric_continuity/surfaces/Rational_bezier_patch.h>
+#include <CGAL/Geometric_continuity/surfaces/Rational_bspline_surface.h>
 
 #include <algorithm>
 #include <istream>
@@ -49,12 +51,14 @@ namespace internal {
 // A rational Bezier or B-spline curve from what has been read.
 template <class Curve, class Points, class Direction> Curve rational_g2_curve(const Points& w, const Direction& u) {
   typedef typename Curve::Homogeneous Homogeneous;
+  const std::vector<typename Homogeneous::Point> rows =
+      w.infinite() ? w.rows() : std::vector<typename Homogeneous::Point>();
   if constexpr (std::is_same_v<Curve, Rational_bspline_curve<typename Curve::Traits>>) {
     const Knot_vector<typename Curve::FT> knots(u.order - 1, u.knots);
-    if (w.infinite()) return Curve(Homogeneous(w.rows.begin(), w.rows.end(), knots));
+    if (w.infinite()) return Curve(Homogeneous(rows.begin(), rows.end(), knots));
     return Curve(w.points.begin(), w.points.end(), w.weights.begin(), w.weights.end(), knots);
   } else {
-    if (w.infinite()) return Curve(Homogeneous(w.rows.begin(), w.rows.end(), u.knots.front(), u.knots.back()));
+    if (w.infinite()) return Curve(Homogeneous(rows.begin(), rows.end(), u.knots.front(), u.knots.back()));
     return Curve(w.points.begin(), w.points.end(), w.weights.begin(), w.weights.end(), u.knots.front(), u.knots.back());
   }
 }
@@ -112,12 +116,11 @@ public:
 private:
   Curve read_rational(const internal::G2_direction<FT>& u) {
     internal::G2_weighted_points<Traits, typename internal::G2_parser<Traits>::Exact> w;
-    for (int j = 0; j < u.points; ++j) w.push_back(parser_.read_homogeneous_point(j, u.points));
-    try {
-      return internal::rational_g2_curve<Curve>(w, u);
-    } catch (const Error& error) { // a denominator that is not positive
-      parser_.refuse(error.what());
+    for (int j = 0; j < u.points; ++j) {
+      const auto row = parser_.read_homogeneous_point(j, u.points);
+      parser_.checked([&] { w.push_back(row); });
     }
+    return parser_.checked([&] { return internal::rational_g2_curve<Curve>(w, u); });
   }
 };
 
@@ -135,10 +138,15 @@ template <class Traits> using G2_bspline_reader = G2_curve_reader<Traits, Bsplin
 /// A byte order mark is treated as for curves.
 ///
 /// \tparam Traits a model of `GeometricContinuityTraits` whose `FT` is accepted by `parse_number()`
-/// \tparam Surface `Bezier_patch<Traits>` (surfaces with inner knots are refused) or `Bspline_surface<Traits>`
+/// \tparam Surface `Rational_bspline_surface<Traits>` or `Bspline_surface<Traits>`, or, for texts without inner knots,
+///   `Rational_bezier_patch<Traits>` or `Bezier_patch<Traits>`. Surfaces with the rational flag are refused where a polynomial type
+///   is read; polynomial surfaces are read as rational ones with the weights 1
 template <class Traits, class Surface = Bezier_patch<Traits>> class G2_surface_reader {
-  static constexpr bool bezier = std::is_same_v<Surface, Bezier_patch<Traits>>;
-  static_assert(bezier || std::is_same_v<Surface, Bspline_surface<Traits>>);
+  static constexpr bool bezier =
+      std::is_same_v<Surface, Bezier_patch<Traits>> || std::is_same_v<Surface, Rational_bezier_patch<Traits>>;
+  static constexpr bool rational = std::is_same_v<Surface, Rational_bezier_patch<Traits>> ||
+                                   std::is_same_v<Surface, Rational_bspline_surface<Traits>>;
+  static_assert(bezier || rational || std::is_same_v<Surface, Bspline_surface<Traits>>);
   static constexpr internal::G2_shape shape = bezier ? internal::G2_shape::bezier : internal::G2_shape::spline;
 
   typedef typename Traits::FT FT;
@@ -149,22 +157,65 @@ template <class Traits, class Surface = Bezier_patch<Traits>> class G2_surface_r
 public:
   /// Reads from `is`, which must outlive the reader. Error messages begin with `name`.
   /// \throws Error `cannot_read_file` when the stream is not good
-  G2_surface_reader(std::istream& is, std::string name) : parser_(is, std::move(name), internal::g2_surfaces) {}
+  G2_surface_reader(std::istream& is, std::string name)
+      : parser_(is, std::move(name), internal::g2_surfaces,
+                rational ? internal::G2_weights::allowed : internal::G2_weights::refused) {}
 
   /// Returns the next surface, or nothing at the end of the text. After an error the reader cannot be used any more.
   /// \throws Error `malformed_input` with a text `name:line: reason` for everything that is no surface of the format,
   ///   and for a text without any surface; `cannot_read_file` when reading fails for another reason
   std::optional<Surface> next() {
-    if (!parser_.next_object()) return std::nullopt;
+    std::optional<Surface> result;
+    visit_next([&](auto&& surface) { result.emplace(std::move(surface)); });
+    return result;
+  }
+
+  /// Reads the next surface, and calls `f` with it: with a polynomial surface as a `Bezier_patch` or `Bspline_surface`, also where
+  /// `Surface` is rational. Returns false, without a call, at the end of the text.
+  /// \throws Error as `next()`
+  template <class Function> bool visit_next(Function f) {
+    if (!parser_.next_object()) return false;
     Direction u = parser_.read_direction(shape, " in u"), v = parser_.read_direction(shape, " in v");
+    if constexpr (rational)
+      if (parser_.rational()) {
+        f(read_rational(u, v));
+        return true;
+      }
     const long long all = static_cast<long long>(u.points) * v.points;
     std::vector<std::vector<typename Traits::Point>> net(u.points);
     for (long long k = 0; k < all; ++k) net[k % u.points].push_back(parser_.read_point(k, all));
     if constexpr (bezier)
-      return Surface(net, {u.knots.front(), u.knots.back()}, {v.knots.front(), v.knots.back()});
+      f(Bezier_patch<Traits>(net, {u.knots.front(), u.knots.back()}, {v.knots.front(), v.knots.back()}));
     else
-      return Surface(net, Knot_vector<FT>(u.order - 1, std::move(u.knots)),
-                     Knot_vector<FT>(v.order - 1, std::move(v.knots)));
+      f(Bspline_surface<Traits>(net, Knot_vector<FT>(u.order - 1, std::move(u.knots)),
+                                Knot_vector<FT>(v.order - 1, std::move(v.knots))));
+    return true;
+  }
+
+private:
+  Surface read_rational(const Direction& u, const Direction& v) {
+    const long long all = static_cast<long long>(u.points) * v.points;
+    internal::G2_weighted_points<Traits, typename internal::G2_parser<Traits>::Exact> w;
+    for (long long k = 0; k < all; ++k) {
+      const auto row = parser_.read_homogeneous_point(k, all);
+      parser_.checked([&] { w.push_back(row); });
+    }
+    const auto net = [&](const auto& all_of_them) { // in rows of constant i
+      std::vector<std::vector<std::decay_t<decltype(all_of_them[0])>>> rows(u.points);
+      for (long long k = 0; k < all; ++k) rows[k % u.points].push_back(all_of_them[k]);
+      return rows;
+    };
+    return parser_.checked([&]() -> Surface {
+      if constexpr (bezier) {
+        const std::pair<FT, FT> a(u.knots.front(), u.knots.back()), b(v.knots.front(), v.knots.back());
+        if (w.infinite()) return Surface(typename Surface::Homogeneous(net(w.rows()), a, b));
+        return Surface(net(w.points), net(w.weights), a, b);
+      } else {
+        const Knot_vector<FT> a(u.order - 1, u.knots), b(v.order - 1, v.knots);
+        if (w.infinite()) return Surface(typename Surface::Homogeneous(net(w.rows()), a, b));
+        return Surface(net(w.points), net(w.weights), a, b);
+      }
+    });
   }
 };
 
@@ -204,6 +255,15 @@ void write_rational_g2_curve(std::ostream& os, const Curve& curve, const Knot_ve
                                       const int i = static_cast<int>(j);
                                       return weighted_row(curve.coordinates(i), curve.weight(i));
                                     });
+}
+
+// A surface over all its knots, with row(i, j) for each control point.
+template <class Surface, class Row_of>
+void write_g2_surface(std::ostream& os, const Surface& surface, bool rational, Row_of row) {
+  const long long m = surface.number_of_points_u(), n = surface.number_of_points_v();
+  write_g2_text<typename Surface::FT>(
+      os, g2_surfaces.number, surface.dimension(), rational, {&surface.knots_u(), &surface.knots_v()}, m * n,
+      [&](long long k) { return row(static_cast<int>(k % m), static_cast<int>(k / m)); });
 }
 
 } // namespace internal
@@ -247,6 +307,16 @@ std::vector<Bspline_surface<Traits>> read_g2_bspline_surfaces(std::istream& is, 
 }
 
 /// \ingroup PkgGeometricContinuityIO
+/// Returns all surfaces of a text in the `.g2` format, rational or not, as rational B-spline surfaces.
+/// \throws Error as `G2_surface_reader` does
+template <class Traits>
+std::vector<Rational_bspline_surface<Traits>> read_g2_rational_bspline_surfaces(std::istream& is,
+                                                                                const std::string& name) {
+  return internal::read_all<Rational_bspline_surface<Traits>>(
+      G2_surface_reader<Traits, Rational_bspline_surface<Traits>>(is, name));
+}
+
+/// \ingroup PkgGeometricContinuityIO
 /// Writes a Bézier curve in the `.g2` format without loss, with an empty line after it. Nothing is written when an
 /// error is thrown. Failures of the stream are seen in its state; `write_file_atomically()` reports them.
 /// \throws Error as `write_number()` does
@@ -287,10 +357,7 @@ template <class Traits> void write_g2(std::ostream& os, const Rational_bspline_c
 /// error is thrown. Failures of the stream are seen in its state; `write_file_atomically()` reports them.
 /// \throws Error as `write_number()` does
 template <class Traits> void write_g2(std::ostream& os, const Bspline_surface<Traits>& surface) {
-  const long long m = surface.number_of_points_u(), n = surface.number_of_points_v();
-  internal::write_g2_text<typename Traits::FT>(
-      os, internal::g2_surfaces.number, surface.dimension(), false, {&surface.knots_u(), &surface.knots_v()}, m * n,
-      [&](long long k) { return surface.coordinates(static_cast<int>(k % m), static_cast<int>(k / m)); });
+  internal::write_g2_surface(os, surface, false, [&](int i, int j) { return surface.coordinates(i, j); });
 }
 
 /// \ingroup PkgGeometricContinuityIO
@@ -299,6 +366,26 @@ template <class Traits> void write_g2(std::ostream& os, const Bspline_surface<Tr
 /// \throws Error as `write_number()` does
 template <class Traits> void write_g2(std::ostream& os, const Bezier_patch<Traits>& patch) {
   write_g2(os, Bspline_surface<Traits>(patch));
+}
+
+/// \ingroup PkgGeometricContinuityIO
+/// Writes a rational B-spline surface in the `.g2` format without loss, with an empty line after it: the products
+/// \f$ w_{ij} b_{ij} \f$ and the weights, as for a rational curve, or a polynomial surface where all weights are 1.
+/// \throws Error as `write_number()` does
+template <class Traits> void write_g2(std::ostream& os, const Rational_bspline_surface<Traits>& surface) {
+  if (internal::has_unit_weights(surface))
+    internal::write_g2_surface(os, surface, false, [&](int i, int j) { return surface.coordinates(i, j); });
+  else
+    internal::write_g2_surface(os, surface, true, [&](int i, int j) {
+      return internal::weighted_row(surface.coordinates(i, j), surface.weight(i, j));
+    });
+}
+
+/// \ingroup PkgGeometricContinuityIO
+/// Writes a rational Bézier patch in the `.g2` format without loss, as a rational B-spline surface.
+/// \throws Error as `write_number()` does
+template <class Traits> void write_g2(std::ostream& os, const Rational_bezier_patch<Traits>& patch) {
+  write_g2(os, Rational_bspline_surface<Traits>(patch));
 }
 
 } // namespace Geometric_continuity

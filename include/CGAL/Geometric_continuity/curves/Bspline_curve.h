@@ -9,6 +9,8 @@
 #include <CGAL/Geometric_continuity/curves/Bspline_polygon.h>
 #include <CGAL/Geometric_continuity/curves/internal/Joined_bezier_curves.h>
 #include <CGAL/Geometric_continuity/curves/internal/point_rows.h>
+#include <CGAL/Geometric_continuity/curves/internal/span_end_jets.h>
+#include <CGAL/Geometric_continuity/local/Curve_end_jets.h>
 #include <CGAL/Geometric_continuity/splines/Bspline_function.h>
 
 #include <cstddef>
@@ -217,6 +219,22 @@ public:
       first += degree() + 1;
     }
     return pieces;
+  }
+
+  /// Returns the jets of order `k` at both ends of each span: those of `bezier_pieces()`, of which with rational numbers and several
+  /// spans only these are computed. \f$ O(p^2) \f$ for each, additions of integers
+  /// \throws Error `negative_count` unless `k >= 0`, `work_limit` as `bezier_pieces()` does
+  std::vector<Curve_end_jets<Traits>> span_end_jets(int k, Work_limit limit = Work_limit()) const {
+    internal::check_count(k, "Bspline_curve::span_end_jets");
+    std::vector<Curve_end_jets<Traits>> result;
+    if constexpr (internal::is_rational_v<FT>)
+      if (knots_.spans().size() > 1) {
+        for (auto& [start, end] : internal::span_end_jets(knots_, function().coefficients(), k, limit))
+          result.emplace_back(std::move(start), std::move(end));
+        return result;
+      }
+    for (const Bezier_curve<Traits>& piece : bezier_pieces(limit)) result.emplace_back(piece, k);
+    return result;
   }
 
   /// @}

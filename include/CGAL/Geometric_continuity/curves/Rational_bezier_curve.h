@@ -95,9 +95,13 @@ public:
   explicit Rational_bezier_curve(const Homogeneous& c)
       : Polygon(affine_rows(c), c.domain().first, c.domain().second), weights_(weights_of(c)) {}
 
-  /// Converts a polynomial curve: all weights are 1.
-  Rational_bezier_curve(const Bezier_curve<Traits, Degree>& c)
-      : Polygon(c.begin(), c.end(), c.domain().first, c.domain().second), weights_(ones(points_.size())) {}
+  /// Converts a polynomial curve, whose degree may be forgotten: all weights are 1.
+  /// \throws Error `wrong_number_of_points` when the curve does not have the degree `Degree`
+  template <int Other>
+  Rational_bezier_curve(const Bezier_curve<Traits, Other>& c)
+      : Polygon(c.begin(), c.end(), c.domain().first, c.domain().second), weights_(ones(points_.size())) {
+    static_assert(Other == Degree || Other == dynamic_degree || Degree == dynamic_degree, "the degrees differ");
+  }
 
   /// Converts a curve by forgetting its degree, or by remembering it.
   /// \throws Error `wrong_number_of_points` when the curve does not have the degree `Degree`

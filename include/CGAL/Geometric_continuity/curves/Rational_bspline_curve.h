@@ -222,6 +222,15 @@ public:
     return pieces;
   }
 
+  /// Returns the jets of order `k` at both ends of each span, those of `bezier_pieces()`; see `Bspline_curve::span_end_jets()`.
+  /// \throws Error `negative_count` unless `k >= 0`, `work_limit`
+  std::vector<Curve_end_jets<Traits>> span_end_jets(int k, Work_limit limit = Work_limit()) const {
+    std::vector<Curve_end_jets<Traits>> result;
+    for (const auto& jets : homogeneous().span_end_jets(k, limit))
+      result.emplace_back(project(jets.template start_jet_over<FT>(k)), project(jets.template end_jet_over<FT>(k)));
+    return result;
+  }
+
   /// @}
 
   /// Returns whether knots, control points and weights are equal.

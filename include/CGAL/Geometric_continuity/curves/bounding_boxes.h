@@ -75,13 +75,15 @@ private:
 namespace internal {
 
 // Halves a Bezier curve over [a, b] k times and calls add(a', b', control points) for each part in order.
-template <class FT, int N, class Function>
-void for_each_part(const std::vector<Coordinate_vector<FT, N>>& rows, const FT& a, const FT& b, int k, Function& add) {
-  if (k == 0) return add(a, b, rows);
+template <class Curve, class Function>
+void for_each_part(const std::vector<Control_row<Curve>>& rows, const typename Curve::FT& a,
+                   const typename Curve::FT& b, int k, Function& add) {
+  typedef typename Curve::FT FT;
+  if (k == 0) return add(a, b, affine_rows<Curve>(rows));
   const auto parts = halves(rows);
   const FT middle = FT(a + (b - a) / FT(2));
-  for_each_part<FT, N>(parts.first, a, middle, k - 1, add);
-  for_each_part<FT, N>(parts.second, middle, b, k - 1, add);
+  for_each_part<Curve>(parts.first, a, middle, k - 1, add);
+  for_each_part<Curve>(parts.second, middle, b, k - 1, add);
 }
 
 } // namespace internal
@@ -94,8 +96,8 @@ void for_each_part(const std::vector<Coordinate_vector<FT, N>>& rows, const FT& 
 /// The boxes are certain with every kernel: those of control points in floating-point numbers are made larger by a bound of all
 /// rounding errors (in degrees up to 200).
 ///
-/// \param curve a `Bezier_curve`, a `Composite_bezier_curve`, a `Bspline_curve`, or what is derived from them; of dimension
-///        2 or 3
+/// \param curve a `Bezier_curve`, a `Composite_bezier_curve`, a `Bspline_curve`, or what is derived from them, or a rational one;
+///        of dimension 2 or 3
 /// \param k how often to halve, between 0 and 20
 /// \param handle is copied into each box, to say which curve it belongs to
 /// \param out takes values of type `Curve_piece_box<Traits, Handle>`
@@ -111,8 +113,8 @@ OutputIterator bounding_boxes(const Curve& curve, int k, const Handle& handle, O
   if (k > 20) throw Error(Error_code::work_limit, "bounding_boxes: " + std::to_string(k) + " halvings");
   int piece = 0;
   internal::for_each_piece(curve, [&](const auto& bezier) {
-    const Rows polygon = internal::control_rows(bezier);
-    const FT allowance = internal::rounding_allowance(polygon);
+    const std::vector<internal::Control_row<Curve>> polygon = internal::control_rows(bezier);
+    const FT allowance = internal::rounding_allowance_of<Curve>(polygon);
     auto add = [&](const FT& a, const FT& b, const Rows& rows) {
       std::array<double, Box::N> low, high;
       for (int i = 0; i < Box::N; ++i) {
@@ -126,7 +128,7 @@ OutputIterator bounding_boxes(const Curve& curve, int k, const Handle& handle, O
       }
       *out++ = Box(handle, piece++, {a, b}, low, high);
     };
-    internal::for_each_part<FT, Curve::N>(polygon, bezier.domain().first, bezier.domain().second, k, add);
+    internal::for_each_part<Curve>(polygon, bezier.domain().first, bezier.domain().second, k, add);
   });
   return out;
 }

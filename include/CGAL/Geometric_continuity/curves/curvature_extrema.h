@@ -71,8 +71,10 @@ template <class NT> class Curvature_walk {
   Signed_square<NT> end_; // the curvature at the end of the last piece
 
 public:
-  template <int N> void add(const std::vector<Coordinate_vector<NT, N>>& rows, const NT& a, const NT& b) {
-    const Curvature_polynomials<NT> curve(rows);
+  // Of a rational curve, the rows are homogeneous.
+  template <int N>
+  void add(const std::vector<Coordinate_vector<NT, N>>& rows, bool rational, const NT& a, const NT& b) {
+    const Curvature_polynomials<NT> curve(rows, rational);
     if (!curve.is_regular()) throw Error(Error_code::zero_tangent, "curvature_extrema");
     const auto parameter = [&](const Isolated_root<NT>& r) -> Enclosure {
       return {enclosure(NT(a + (b - a) * r.begin)).lower, enclosure(NT(a + (b - a) * r.end)).upper};
@@ -185,7 +187,7 @@ private:
 /// A stretch of constant curvature, a straight piece, between rising and falling counts once, with the parameter where it
 /// begins; and the same holds between two bends in opposite directions.
 ///
-/// \param curve a `Bezier_curve`, a `Composite_bezier_curve`, a `Bspline_curve`, or what is derived from them
+/// \param curve a `Bezier_curve`, a `Composite_bezier_curve`, a `Bspline_curve`, or what is derived from them, or a rational one
 /// \throws Error `zero_tangent` when the first derivative vanishes anywhere in the domain, as in a cusp
 /// \throws Error `not_finite` for an infinite or undefined floating-point coordinate, and for a curvature that is larger than all
 ///   floating-point numbers
@@ -193,7 +195,9 @@ private:
 template <class Curve> Curvature_extrema curvature_extrema(const Curve& curve) {
   typedef internal::Decision_number<typename Curve::Traits> NT;
   internal::Curvature_walk<NT> walk;
-  internal::for_each_exact_piece(curve, [&](const auto& rows, const NT& a, const NT& b) { walk.add(rows, a, b); });
+  internal::for_each_exact_piece(curve, [&](const auto& rows, const NT& a, const NT& b) {
+    walk.add(rows, internal::Is_rational<Curve>::value, a, b);
+  });
   return walk.result();
 }
 

@@ -5,10 +5,13 @@
 #ifndef CGAL_GEOMETRIC_CONTINUITY_CURVES_END_CONTROL_POINTS_H
 #define CGAL_GEOMETRIC_CONTINUITY_CURVES_END_CONTROL_POINTS_H
 
+#include <CGAL/Geometric_continuity/curves/Bezier_curve.h>
 #include <CGAL/Geometric_continuity/local/Curve_jet.h>
+#include <CGAL/Geometric_continuity/local/end_jet.h>
 
 #include <algorithm>
 #include <string>
+#include <utility>
 #include <vector>
 
 /// \file end_control_points.h
@@ -84,6 +87,21 @@ std::vector<typename Traits::Point> end_control_points(const Curve_jet<Traits>& 
       internal::to_points<Traits>(internal::finite_points_from_jet(jet, m, FT(-h)));
   std::reverse(points.begin(), points.end());
   return points;
+}
+
+/// \ingroup PkgGeometricContinuityCurves
+/// Returns the Taylor polynomial of degree `m` of a curve at its end: the Bézier curve on the same domain that has the derivatives of
+/// order 0 to `m` of the curve there. What reads the end of a polynomial polygon, as the families of alternatives do, can read that of any curve
+/// by it. \f$ O(m^2) \f$, besides the jet
+/// \tparam Curve a model of `ParametricCurve`
+/// \throws Error `negative_count` unless `m >= 0`, `not_finite` when a result is not finite
+template <class Curve> Bezier_curve<typename Curve::Traits> taylor_polynomial_at_end(const Curve& curve, int m) {
+  typedef typename Curve::Traits Traits;
+  typedef typename Traits::FT FT;
+  const std::pair<FT, FT> domain = curve.domain();
+  const Curve_jet<Traits> jet(end_jet<FT>(curve, m));
+  const std::vector<typename Traits::Point> points = end_control_points(jet, m, FT(domain.second - domain.first));
+  return {points.begin(), points.end(), domain.first, domain.second};
 }
 
 } // namespace Geometric_continuity

@@ -79,8 +79,8 @@ template <class Formula, class Curve> std::array<double, 2> curve_integrals(cons
 /// piece. (Where it vanishes on a straight line the value has no meaning.) A curve of several pieces has the sum of their
 /// integrals; what the curvature jumps between them does not count.
 ///
-/// \param curve a model of `ParametricCurve`. Of a `Bezier_curve`, a `Composite_bezier_curve`, a `Bspline_curve` and what is
-///        derived from them the pieces are known; other curves are asked for jets of order 3 inside of the domain, which are
+/// \param curve a model of `ParametricCurve`. Of a `Bezier_curve`, a `Composite_bezier_curve`, a `Bspline_curve`, what is
+///        derived from them, and the rational ones the pieces are known; other curves are asked for jets of order 3 inside of the domain, which are
 ///        expected to be smooth there.
 /// \throws Error `work_limit` when more intervals are needed, `jet_order_too_low` when the curve has jets of a lower order
 /// \throws Error `not_finite` when differences of floating-point coordinates overflow

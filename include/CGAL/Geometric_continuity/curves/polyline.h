@@ -62,12 +62,14 @@ bool is_near_segment(const Coordinate_vector<FT, N>& x, const Coordinate_vector<
 //
 // (1) is the better bound for a short piece: it is sharp for parabolas. (2) sees that a straight curve is straight, at
 // whatever its speed. All is measured in units of the tolerance, so that squares of doubles do not overflow
-// unnoticed. An undefined number proves nothing.
-template <class FT, int N> bool is_chord_near(const std::vector<Coordinate_vector<FT, N>>& rows, const FT& tolerance) {
+// unnoticed. An undefined number proves nothing. (1) is not asked for a rational curve, which (2) holds for if the weights are
+// positive.
+template <class FT, int N>
+bool is_chord_near(const std::vector<Coordinate_vector<FT, N>>& rows, const FT& tolerance, bool polynomial) {
   typedef Coordinate_vector<FT, N> Coordinates;
   const int m = static_cast<int>(rows.size()) - 1;
   const FT factor = FT(FT(m) * FT(m - 1) / FT(8));
-  bool near_chord = true, slow = true;
+  bool near_chord = true, slow = polynomial;
   const Coordinates start = rows[0] / tolerance, end = rows[m] / tolerance;
   for (int i = 1; i < m && near_chord; ++i) near_chord = is_near_segment<FT, N>(rows[i] / tolerance, start, end);
   for (int i = 1; i < m && slow && !near_chord; ++i) {
@@ -78,12 +80,14 @@ template <class FT, int N> bool is_chord_near(const std::vector<Coordinate_vecto
 }
 
 // Writes the vertices after the first one for a Bezier curve with these control points.
-template <class FT, int N, class Output>
-void add_chords(const std::vector<Coordinate_vector<FT, N>>& rows, const FT& tolerance, Output& output) {
-  if (is_chord_near<FT, N>(rows, tolerance)) return output.add(rows.back());
+template <class Curve, class Output>
+void add_chords(const std::vector<Control_row<Curve>>& rows, const typename Curve::FT& tolerance, Output& output) {
+  const std::vector<Coordinates<typename Curve::Traits>> points = affine_rows<Curve>(rows);
+  if (is_chord_near<typename Curve::FT, Curve::N>(points, tolerance, !Is_rational<Curve>::value))
+    return output.add(points.back());
   const auto parts = halves(rows);
-  add_chords<FT, N>(parts.first, tolerance, output);
-  add_chords<FT, N>(parts.second, tolerance, output);
+  add_chords<Curve>(parts.first, tolerance, output);
+  add_chords<Curve>(parts.second, tolerance, output);
 }
 
 template <class FT> void check_tolerance(const FT& tolerance, const char* place) {
@@ -99,6 +103,12 @@ template <class Traits> void check_continuous(const Bspline_curve<Traits>& curve
     if (knot.multiplicity > curve.degree() && bspline_smoothness(f.knots(), f.coefficients(), knot.value) < 0)
       throw Error(Error_code::curves_do_not_meet, "chord_polyline: the curve jumps at a knot");
 }
+template <class Traits> void check_continuous(const Rational_bspline_curve<Traits>& curve) {
+  if (curve.is_polynomial()) return check_continuous(*curve.polynomial());
+  for (const auto& knot : curve.knots().inner_knots())
+    if (knot.multiplicity > curve.degree() && curve.left_jet(knot.value, 0) != curve.right_jet(knot.value, 0))
+      throw Error(Error_code::curves_do_not_meet, "chord_polyline: the curve jumps at a knot");
+}
 
 } // namespace internal
 
@@ -112,12 +122,13 @@ template <class Traits> void check_continuous(const Bspline_curve<Traits>& curve
 /// With an exact kernel all vertices lie on the curve. With floating-point numbers they do up to rounding, and the tolerance
 /// is kept all the same: a part of it is set aside for all rounding errors (in dimensions up to 16 and degrees up to 200).
 ///
-/// \param curve a `Bezier_curve`, a `Composite_bezier_curve`, a `Bspline_curve`, or what is derived from them
+/// \param curve a `Bezier_curve`, a `Composite_bezier_curve`, a `Bspline_curve`, or what is derived from them, or a rational one; its
+///        parts with positive weights are halved
 /// \param tolerance positive
 /// \param out takes values of type `Traits::Point`
 /// \returns the iterator after the last point
 /// \throws Error `unreachable_tolerance` unless `tolerance > 0`, and when it is below \f$ (m+1) 2^{-42} \f$ of the largest
-///   coordinate of a piece of degree `m` with `double` coordinates
+///   coordinate of a piece of degree `m` with `double` coordinates, for rational curves times the ratio of the weights and 2
 /// \throws Error `not_finite` for an infinite or undefined tolerance
 /// \throws Error `curves_do_not_meet` for a B-spline curve that jumps
 template <class Curve, class OutputIterator>
@@ -126,16 +137,16 @@ OutputIterator chord_polyline(const Curve& curve, const typename Curve::FT& tole
   typedef typename Curve::FT FT;
   internal::check_tolerance<FT>(tolerance, "chord_polyline: tolerance");
   internal::check_continuous(curve);
-  std::vector<std::vector<Geometric_continuity::Coordinates<Traits>>> pieces;
+  std::vector<std::vector<internal::Control_row<Curve>>> pieces;
   internal::for_each_piece(curve, [&](const auto& piece) { pieces.push_back(internal::control_rows(piece)); });
   for (const auto& rows : pieces)
-    if (tolerance < FT(FT(4) * internal::rounding_allowance(rows)))
+    if (tolerance < FT(FT(4) * internal::rounding_allowance_of<Curve>(rows)))
       throw Error(Error_code::unreachable_tolerance,
                   "chord_polyline: rounding errors may be larger than the tolerance");
   internal::Polyline_output<Traits, OutputIterator> output(std::move(out));
-  output.add(pieces.front().front());
+  output.add(internal::affine_rows<Curve>(pieces.front()).front());
   for (const auto& rows : pieces)
-    internal::add_chords<FT, Curve::N>(rows, FT(tolerance - internal::rounding_allowance(rows)), output);
+    internal::add_chords<Curve>(rows, FT(tolerance - internal::rounding_allowance_of<Curve>(rows)), output);
   return output.iterator();
 }
 

@@ -7,12 +7,14 @@
 
 #include <CGAL/Geometric_continuity/curves/Bspline_curve.h>
 #include <CGAL/Geometric_continuity/curves/Composite_bezier_curve.h>
+#include <CGAL/Geometric_continuity/curves/Rational_bspline_curve.h>
 #include <CGAL/Geometric_continuity/curves/end_control_points.h>
 #include <CGAL/Geometric_continuity/extensions/alternatives.h>
 #include <CGAL/Geometric_continuity/numbers/internal/checked_numbers.h>
 
 #include <algorithm>
 #include <optional>
+#include <string>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -139,6 +141,28 @@ Bezier_curve<Traits, Degree> extend(const Bezier_curve<Traits, Degree>& left, Fr
 
 namespace internal {
 
+// What an extension of this order reads of a rational curve: its Taylor polynomial, of its degree or of that order.
+template <class Traits, int Degree>
+Bezier_curve<Traits> polynomial_at_end(const Rational_bezier_curve<Traits, Degree>& left, Frenet_order order) {
+  if (left.is_polynomial()) return *left.polynomial();
+  return taylor_polynomial_at_end(left, (std::max)(left.degree(), static_cast<int>(order)));
+}
+
+} // namespace internal
+
+/// \ingroup PkgGeometricContinuityConstruction
+/// Returns the next segment of a chain behind a rational curve: a polynomial one, which `extend()` makes from the Taylor polynomial of
+/// `left` at its end, see `taylor_polynomial_at_end()`. Its degree is that of `left`, or the order if that is higher. With equal weights
+/// it is that of the polynomial curve.
+/// \throws Error `nonpositive_beta`, `zero_tangent`, `not_finite` as `extend()` of a Bézier curve
+template <class Traits, int Degree>
+Bezier_curve<Traits> extend(const Rational_bezier_curve<Traits, Degree>& left, Frenet_order order,
+                            const Extension_parameters<typename Traits::FT>& parameters = {}) {
+  return extend(internal::polynomial_at_end(left, order), order, parameters);
+}
+
+namespace internal {
+
 template <class Traits, int Degree>
 std::vector<Bezier_curve<Traits>> segments_of(const Composite_bezier_curve<Traits, Degree>& curve) {
   std::vector<Bezier_curve<Traits>> segments;
@@ -173,7 +197,33 @@ Bspline_curve<Traits> with_segment(const Bspline_curve<Traits>& clamped, const B
   return {points.begin(), points.end(), Knot_vector<FT>(clamped.degree(), std::move(knots))};
 }
 
+// A rational curve with a polynomial segment behind its clamped form, raised to the degree of the curve.
+template <class Traits>
+Rational_bspline_curve<Traits> with_segment(const Rational_bspline_curve<Traits>& clamped,
+                                            const Bezier_curve<Traits>& segment, const char* place) {
+  typedef typename Rational_bspline_curve<Traits>::Homogeneous::Point Row;
+  if (segment.degree() > clamped.degree())
+    throw Error(Error_code::wrong_number_of_points,
+                std::string(place) + ": the order exceeds the degree " + std::to_string(clamped.degree()));
+  const typename Traits::FT weight = clamped.weights().back();
+  const auto homogeneous =
+      Rational_bezier_curve<Traits>(segment).homogeneous().transform([&](const Row& p) { return Row(weight * p); });
+  return Rational_bspline_curve<Traits>(with_segment(clamped.homogeneous(), homogeneous));
+}
+
 } // namespace internal
+
+/// \ingroup PkgGeometricContinuityConstruction
+/// Returns the rational B-spline curve with one more segment, a polynomial one, which `extend()` makes from the rational Bézier curve on
+/// the last span; knots as for a B-spline curve.
+/// \throws Error `wrong_number_of_points` when the order exceeds the degree, `nonpositive_beta`, `zero_tangent`, `not_finite` as
+///   `extend()` of a Bézier curve
+template <class Traits>
+Rational_bspline_curve<Traits> extend(const Rational_bspline_curve<Traits>& curve, Frenet_order order,
+                                      const Extension_parameters<typename Traits::FT>& parameters = {}) {
+  const Rational_bspline_curve<Traits> clamped = curve.clamp();
+  return internal::with_segment(clamped, extend(clamped.bezier_pieces().back(), order, parameters), "extend");
+}
 
 /// \ingroup PkgGeometricContinuityConstruction
 /// Returns the B-spline curve with one more segment, which `extend()` makes from the Bézier curve on the last span. It is clamped; its

@@ -101,6 +101,30 @@ Bezier_curve<Traits, Degree> extend_toward(const Bezier_curve<Traits, Degree>& l
 }
 
 /// \ingroup PkgGeometricContinuityConstruction
+/// Returns the next segment of a chain behind a rational curve that leads to a wished point: a polynomial one, which `extend_toward()`
+/// makes from the Taylor polynomial of `left` at its end, as `extend()` of a rational curve.
+/// \throws Error `nonpositive_beta`, `zero_tangent`, `dimension_mismatch`, `not_finite` as `extend_toward()` of a Bézier curve
+template <class Traits, int Degree>
+Bezier_curve<Traits> extend_toward(const Rational_bezier_curve<Traits, Degree>& left, Frenet_order order,
+                                   const typename Traits::Point& wished,
+                                   const typename Traits::FT& beta = typename Traits::FT(1)) {
+  return extend_toward(internal::polynomial_at_end(left, order), order, wished, beta);
+}
+
+/// \ingroup PkgGeometricContinuityConstruction
+/// Returns the rational B-spline curve with one more segment, a polynomial one, which `extend_toward()` makes from the rational Bézier
+/// curve on the last span.
+/// \throws Error `wrong_number_of_points` when the order exceeds the degree, otherwise as `extend_toward()` of a Bézier curve
+template <class Traits>
+Rational_bspline_curve<Traits> extend_toward(const Rational_bspline_curve<Traits>& curve, Frenet_order order,
+                                             const typename Traits::Point& wished,
+                                             const typename Traits::FT& beta = typename Traits::FT(1)) {
+  const Rational_bspline_curve<Traits> clamped = curve.clamp();
+  return internal::with_segment(clamped, extend_toward(clamped.bezier_pieces().back(), order, wished, beta),
+                                "extend_toward");
+}
+
+/// \ingroup PkgGeometricContinuityConstruction
 /// Returns the segmented curve with one more segment, which `extend_toward()` makes from the last one. In the global parameter
 /// \f$ \beta \f$ is the ratio of the lengths of the two parameter intervals.
 /// \throws Error `wrong_number_of_points`, `nonpositive_beta`, `zero_tangent`, `dimension_mismatch`, `not_finite` as

@@ -23,6 +23,8 @@ namespace Geometric_continuity {
 template <class Traits, int Degree> class Bezier_curve;
 template <class Traits, int Degree> class Composite_bezier_curve;
 template <class Traits> class Bspline_curve;
+template <class Traits, int Degree> class Rational_bezier_curve;
+template <class Traits> class Rational_bspline_curve;
 
 /// \ingroup PkgGeometricContinuityContinuity
 /// The two ends of a curve.
@@ -85,13 +87,12 @@ template <class Traits, int Degree> struct Curve_ends<Composite_bezier_curve<Tra
 };
 
 /// \ingroup PkgGeometricContinuityContinuity
-/// The ends of a `Bspline_curve`: those of the polynomials on its first and last span that is not empty. The control points
+/// The `Curve_ends` of a B-spline curve: those of the polynomials on its first and last span that is not empty. The control points
 /// next to the end are Bézier points if the knots outside of the span are equal, and on its other side as many of them as four
 /// points need: at least three, or as many as the degree. Otherwise the Bézier points are combinations of control points, and
 /// the end is read by its jet.
-template <class Traits> struct Curve_ends<Bspline_curve<Traits>> {
-  typedef Bspline_curve<Traits> Curve; ///< the curve
-  typedef typename Traits::FT FT;      ///< its numbers
+template <class Curve> struct Bspline_ends {
+  typedef typename Curve::FT FT; ///< the numbers of the curve
   /// There are control points.
   static constexpr bool have_polygons = true;
   /// Returns whether the control points next to this end are Bézier points. \f$ O(\log n + p) \f$
@@ -120,7 +121,58 @@ private:
   }
 };
 
+/// \ingroup PkgGeometricContinuityContinuity
+/// The ends of a `Bspline_curve`.
+template <class Traits> struct Curve_ends<Bspline_curve<Traits>> : Bspline_ends<Bspline_curve<Traits>> {};
+
 namespace internal {
+
+// Those of the four control points next to an end.
+template <class Curve> bool weights_are_positive(const Curve& c, Curve_end end) {
+  const int first = Curve_ends<Curve>::point_number(c, end), last = (std::min)(c.degree(), 3);
+  for (int j = 0; j <= last; ++j)
+    if (!(typename Curve::FT(0) < c.weight(end == Curve_end::end ? first - j : first + j))) return false;
+  return true;
+}
+
+} // namespace internal
+
+/// \ingroup PkgGeometricContinuityContinuity
+/// The ends of a `Rational_bezier_curve`. If all weights are equal it is the Bézier curve of its control points; otherwise control points
+/// and weights are read where these are positive, and jets where not.
+template <class Traits, int Degree>
+struct Curve_ends<Rational_bezier_curve<Traits, Degree>> : Bezier_ends<Rational_bezier_curve<Traits, Degree>> {
+  /// Returns whether the control points are those of a polynomial curve.
+  static bool has_polygon(const Rational_bezier_curve<Traits, Degree>& c, Curve_end) { return c.is_polynomial(); }
+  /// There are weights.
+  static constexpr bool have_weights = true;
+  /// Returns whether the weights of the four control points next to this end are positive.
+  static bool has_weighted_polygon(const Rational_bezier_curve<Traits, Degree>& c, Curve_end end) {
+    return internal::weights_are_positive(c, end);
+  }
+};
+
+/// \ingroup PkgGeometricContinuityContinuity
+/// The ends of a `Rational_bspline_curve`: as those of a `Bspline_curve` if all weights are equal; otherwise with the weights where
+/// these are positive, or by their jets.
+template <class Traits>
+struct Curve_ends<Rational_bspline_curve<Traits>> : Bspline_ends<Rational_bspline_curve<Traits>> {
+  /// Returns whether the control points next to this end are Bézier points of a polynomial curve.
+  static bool has_polygon(const Rational_bspline_curve<Traits>& c, Curve_end end) {
+    return c.is_polynomial() && Bspline_ends<Rational_bspline_curve<Traits>>::has_polygon(c, end);
+  }
+  /// There are weights.
+  static constexpr bool have_weights = true;
+  /// Returns whether the control points next to this end are Bézier points with positive weights.
+  static bool has_weighted_polygon(const Rational_bspline_curve<Traits>& c, Curve_end end) {
+    return Bspline_ends<Rational_bspline_curve<Traits>>::has_polygon(c, end) && internal::weights_are_positive(c, end);
+  }
+};
+
+namespace internal {
+
+template <class Curve, class = void> struct Has_weights : std::false_type {};
+template <class Curve> struct Has_weights<Curve, std::enable_if_t<Curve_ends<Curve>::have_weights>> : std::true_type {};
 
 // The control points next to an end of a curve: point 0 is at the join. \pre the curve has them there
 template <class Curve, Curve_end which> class Curve_end_view {
@@ -138,9 +190,17 @@ public:
   int dimension() const { return Traits().compute_dimension_object()(curve_.control_point(first_)); }
   std::pair<FT, FT> domain() const { return Ends::domain(curve_, which); }
   FT coordinate(int j, int i) const {
-    return FT(Traits().compute_coordinate_object()(
-        curve_.control_point(which == Curve_end::end ? first_ - j : first_ + j), i));
+    return FT(Traits().compute_coordinate_object()(curve_.control_point(number(j)), i));
   }
+  FT weight(int j) const {
+    if constexpr (Has_weights<Curve>::value)
+      return curve_.weight(number(j));
+    else
+      return FT(1);
+  }
+
+private:
+  int number(int j) const { return which == Curve_end::end ? first_ - j : first_ + j; }
 };
 
 template <class Curve> bool has_polygon(const Curve& curve, Curve_end end) {
@@ -148,6 +208,14 @@ template <class Curve> bool has_polygon(const Curve& curve, Curve_end end) {
     return Curve_ends<Curve>::has_polygon(curve, end);
   else
     return false;
+}
+
+// Whether there are control points with positive weights, all of them 1 where the curve is polynomial.
+template <class Curve> bool has_weighted_polygon(const Curve& curve, Curve_end end) {
+  if constexpr (Has_weights<Curve>::value)
+    return Curve_ends<Curve>::has_weighted_polygon(curve, end);
+  else
+    return has_polygon(curve, end);
 }
 
 template <class Curve, class = void> struct Has_jets : std::false_type {};

@@ -45,24 +45,26 @@ template <class Traits> struct Knot_continuity {
 ///
 /// With `Exact_predicates_inexact_constructions_kernel` the control points, the knots and the parameter are taken over to an
 /// exact field before anything is derived from them, so that the answer is exact for the curve as given.
+/// \tparam Curve `Bspline_curve` or `Rational_bspline_curve`
 /// \throws Error `parameter_outside_domain` also at the ends of the domain, `negative_count` for a negative order
-template <class Traits>
-Join_continuity<Predicate_FT<Traits>> knot_continuity(const Bspline_curve<Traits>& curve,
-                                                      const typename Traits::FT& knot, int max_order = 3) {
+template <class Curve>
+Join_continuity<Predicate_FT<typename Curve::Traits>>
+knot_continuity(const Curve& curve, const typename Curve::FT& knot, int max_order = 3) {
   if (knot == curve.domain().first || knot == curve.domain().second)
     throw Error(Error_code::parameter_outside_domain, "knot_continuity: an end of the domain has one side only");
-  const internal::Cut_curve<Bspline_curve<Traits>> cut{curve, knot};
+  const internal::Cut_curve<Curve> cut{curve, knot};
   return continuity(cut, cut, max_order);
 }
 
 /// \ingroup PkgGeometricContinuityContinuity
 /// Decides the continuity of a B-spline curve at all its inner knots, up to order `max_order`, and returns it in increasing
 /// order of the knots. One call of `knot_continuity()` for each of them.
+/// \tparam Curve `Bspline_curve` or `Rational_bspline_curve`
 /// \throws Error `negative_count` for a negative order
-template <class Traits>
-std::vector<Knot_continuity<Traits>> knot_continuities(const Bspline_curve<Traits>& curve, int max_order = 3) {
-  std::vector<Knot_continuity<Traits>> result;
-  for (const typename Knot_vector<typename Traits::FT>::Knot& knot : curve.knots().inner_knots())
+template <class Curve>
+std::vector<Knot_continuity<typename Curve::Traits>> knot_continuities(const Curve& curve, int max_order = 3) {
+  std::vector<Knot_continuity<typename Curve::Traits>> result;
+  for (const typename Knot_vector<typename Curve::FT>::Knot& knot : curve.knots().inner_knots())
     result.push_back({knot.value, knot.multiplicity, knot_continuity(curve, knot.value, max_order)});
   return result;
 }

@@ -50,7 +50,7 @@ struct Patch_cells {
 /// \f[ |S_u| \le (\bar Q_u + \bar w_u R) / m, \quad
 ///   |S_{uu}| \le (\bar Q_{uu} + 2 \bar w_u |S_u| + \bar w_{uu} R) / m, \quad
 ///   |S_{uv}| \le (\bar Q_{uv} + \bar w_u |S_v| + \bar w_v |S_u| + \bar w_{uv} R) / m. \f]
-/// Where not all weights are positive this is done for each of its `positive_parts()`.
+/// This is done for each of its `positive_parts()`, or for up to 64 parts of each of these where the weights differ much.
 ///
 /// The bounds are floating-point numbers, rounded upwards when the field is exact. With floating-point control points the
 /// claim holds up to the rounding of differences and of evaluated points.
@@ -76,7 +76,7 @@ public:
       return n.second;
     };
     for (const Rational_bezier_patch<Traits>& part : s.positive_parts())
-      include(part, parts_of(s.domain_u(), part.domain_u()), parts_of(s.domain_v(), part.domain_v()));
+      include_parts(part, parts_of(s.domain_u(), part.domain_u()), parts_of(s.domain_v(), part.domain_v()), 3);
   }
 
   /// Returns a bound for the distance of the patch from its triangles, when it is cut into equal cells and each triangle
@@ -144,6 +144,20 @@ private:
           raise(d.uv, double(p) * q, point(i + 1, j + 1) - point(i + 1, j) + point(i, j) - point(i, j + 1));
       }
     return d;
+  }
+
+  // Quarters of a part as long as the weights differ by more than a quarter: the bounds are the closer the less they differ.
+  template <class Traits> void include_parts(const Rational_bezier_patch<Traits>& s, double u, double v, int halvings) {
+    typedef typename Traits::FT FT;
+    const auto ends = std::minmax_element(s.weights().begin(), s.weights().end());
+    if (halvings == 0 || !(FT(5) * *ends.first < FT(4) * *ends.second)) return include(s, u, v);
+    const auto middle = [](const auto& domain) -> FT { return FT(FT(domain.first + domain.second) / FT(2)); };
+    const auto halves = s.split_u(middle(s.domain_u()));
+    for (const Rational_bezier_patch<Traits>& half : {halves.first, halves.second}) {
+      const auto quarters = half.split_v(middle(s.domain_v()));
+      include_parts(quarters.first, 2 * u, 2 * v, halvings - 1);
+      include_parts(quarters.second, 2 * u, 2 * v, halvings - 1);
+    }
   }
 
   // A part that is a `u`-th by a `v`-th of the patch. \pre all weights are positive

@@ -115,8 +115,12 @@ std::vector<typename Coefficients::value_type> bernstein_pieces(const Knot_vecto
       std::vector<FT> column;
       for (const Value& x : c) column.push_back(number(x, d));
       Difference_spans<FT> pieces(knots, std::move(column), work);
-      for (std::size_t s = 0; s < spans.size(); ++s)
-        pieces.next([&](int i, FT b) { number(result[s * (p + 1) + i], d) = std::move(b); });
+      for (std::size_t s = 0; s < spans.size(); ++s) {
+        pieces.start();
+        pieces.finish([&](int i, const auto& x, const auto& y) {
+          number(result[s * (p + 1) + i], d) = Difference_spans<FT>::quotient(x, y);
+        });
+      }
     }
   } else {
     const auto row = [&](int i, FT* x) {

@@ -133,20 +133,21 @@ private:
                     "\" height=\"" + svg_number(view.height()) + "\">\n";
     if (view.spatial()) s += ground(panel, view);
     Svg_label_places places(view.width(), view.height());
-    for (const Svg_curve& c : panel.curves_) {
+    for (std::size_t k = 0; k < panel.curves_.size(); ++k) {
+      const Svg_curve& c = panel.curves_[k];
       const std::vector<Svg_tooth> teeth = view.comb(c, per_tooth);
-      if (c.style.curvature_comb) s += comb(teeth, view);
+      const bool goes_on = k + 1 < panel.curves_.size() && panel.curves_[k + 1].continues;
+      if (c.style.curvature_comb) s += comb(teeth, !c.continues, !goes_on, view);
       keep_free(places, c, teeth, view);
       report();
     }
     for (const Svg_curve& c : panel.curves_)
-      if (c.style.control_polygon) s += svg_stroke(polygon_stroke, svg_polyline(view(c.points)));
+      if (c.polygon.size() > 1) s += svg_stroke(polygon_stroke, svg_polyline(view(c.polygon)));
     for (Svg_role role : {Svg_role::construction, Svg_role::given, Svg_role::result})
       for (const Svg_curve& c : panel.curves_)
         if (c.style.role == role) s += svg_stroke(stroke_of(role), svg_curve_path(view(c.points)));
     for (const Svg_curve& c : panel.curves_)
-      for (std::size_t j = 0; j < c.points.size() && c.style.control_polygon; ++j)
-        s += svg_disk(view(c.points[j]), 2, polygon_stroke);
+      for (const Svg_point& p : c.polygon) s += svg_disk(view(p), 2, polygon_stroke);
     for (const Svg_join& join : panel.joins_)
       s += svg_disk(view(panel.curves_[join.curve].points.back()), 3.4, ring_stroke);
     s += labels(panel, places, view);
@@ -186,14 +187,17 @@ private:
            svg_stroke(shadow_stroke, shadow) + svg_stroke(plumb_stroke, plumb) + svg_stroke(axes_stroke, axes) + names;
   }
 
-  static std::string comb(const std::vector<internal::Svg_tooth>& teeth, const internal::Svg_view& view) {
+  // Whether the curve begins with the first tooth and ends with the last one.
+  static std::string comb(const std::vector<internal::Svg_tooth>& teeth, bool begins, bool ends,
+                          const internal::Svg_view& view) {
     using namespace internal;
     std::string lines, cut, envelope;
     std::vector<Svg_pixel> run; // tips of whole teeth in a row
     Svg_pixel drawn(2);         // the foot of the last tooth
     for (std::size_t i = 0; i < teeth.size(); ++i) {
       const Svg_pixel foot = view(teeth[i].foot), tip = view(teeth[i].tip);
-      const bool end = i == 0 || i + 1 == teeth.size(), visible = svg_length(Svg_pixel(tip - foot)) > 0.5;
+      const bool end = (i == 0 && begins) || (i + 1 == teeth.size() && ends),
+                 visible = svg_length(Svg_pixel(tip - foot)) > 0.5;
       const bool crowded = teeth[i].whole && !end && svg_length(Svg_pixel(foot - drawn)) < 2;
       if (i % per_tooth == 0 && visible && !crowded) {
         (!teeth[i].whole ? cut : end ? envelope : lines) += svg_polyline({foot, tip});
@@ -213,8 +217,8 @@ private:
                         const std::vector<internal::Svg_tooth>& teeth, const internal::Svg_view& view) {
     for (const internal::Svg_tooth& t : teeth)
       places.add_segment(view(t.foot), view(c.style.curvature_comb ? t.tip : t.foot), 4);
-    for (std::size_t j = 1; j < c.points.size() && c.style.control_polygon; ++j)
-      places.add_segment(view(c.points[j - 1]), view(c.points[j]), 20);
+    for (std::size_t j = 1; j < c.polygon.size(); ++j)
+      places.add_segment(view(c.polygon[j - 1]), view(c.polygon[j]), 20);
   }
 
   static std::string labels(const Svg_panel& panel, internal::Svg_label_places& places,

@@ -6,6 +6,8 @@
 #define CGAL_GEOMETRIC_CONTINUITY_IO_FIGURES_SVG_PANEL_H
 
 #include <CGAL/Geometric_continuity/Error.h>
+#include <CGAL/Geometric_continuity/curves/Rational_bezier_curve.h>
+#include <CGAL/Geometric_continuity/curves/end_control_points.h>
 #include <CGAL/Geometric_continuity/local/coordinates.h>
 #include <CGAL/number_utils.h>
 
@@ -43,6 +45,8 @@ typedef Coordinate_vector<double, 3> Svg_point; // z = 0 for a planar curve
 // The Bezier points and the style of a curve.
 struct Svg_curve {
   std::vector<Svg_point> points;
+  std::vector<Svg_point> polygon; // of control points, if it is drawn
+  bool continues;                 // it is the next part of the curve before it
   Svg_style style;
   int samples = 0; // parts in which a figure looks at it
 };
@@ -71,25 +75,41 @@ public:
   ///   the Bézier segments)
   /// \throws Error `not_finite` for a coordinate beyond the range of `double`, with the number of the curve in the panel
   template <class Curve> Svg_panel& add(const Curve& curve, const Svg_style& style = Svg_style()) {
-    const int d = curve.dimension();
-    if (d != 2 && d != 3)
-      throw Error(Error_code::dimension_mismatch,
-                  "Svg_panel: curves of dimension 2 or 3 can be drawn, not " + std::to_string(d));
+    check_dimension(curve.dimension());
     if (std::distance(curve.begin(), curve.end()) != curve.degree() + 1)
       throw Error(Error_code::wrong_number_of_points, "Svg_panel: only Bézier curves can be drawn");
-    internal::Svg_curve drawn{std::vector<internal::Svg_point>(curve.degree() + 1, internal::Svg_point(3)), style, 0};
-    for (int j = 0; j <= curve.degree(); ++j) {
-      const Geometric_continuity::Coordinates<typename Curve::Traits> x = curve.coordinates(j);
-      for (int i = 0; i < d; ++i) {
-        drawn.points[j][i] = CGAL::to_double(x[i]);
-        if (!std::isfinite(drawn.points[j][i]))
-          throw Error(Error_code::not_finite, "Svg_panel: curve " + std::to_string(curves_.size() + 1) +
-                                                  ": control point " + std::to_string(j + 1) +
-                                                  " is too far away to be drawn");
-      }
+    std::vector<Coordinate_vector<double, 0>> rows;
+    for (int j = 0; j <= curve.degree(); ++j) rows.push_back(to_double(curve.coordinates(j)));
+    return add_rows(rows, rows, false, style);
+  }
+
+  /// Adds a rational Bézier curve of dimension 2 or 3. Where its weights differ, it is drawn as eight polynomial curves that have its
+  /// first and second derivatives at their ends: far closer to it than a line is wide.
+  /// \throws Error as for a Bézier curve
+  template <class Traits, int Degree>
+  Svg_panel& add(const Rational_bezier_curve<Traits, Degree>& curve, const Svg_style& style = Svg_style()) {
+    if (curve.is_polynomial()) return add(*curve.polynomial(), style);
+    typedef typename Traits::FT FT;
+    constexpr int parts = 8, degree = 5;
+    check_dimension(curve.dimension());
+    const FT a = curve.domain().first, h = FT(FT(curve.domain().second - a) / FT(parts));
+    const auto points_at = [&](int i, double step) {
+      const Curve_jet<Traits> x = curve.jet(FT(a + FT(i) * h), 2);
+      Coordinate_jet<double, 0> jet(x.dimension(), 2);
+      FT factor(1);
+      for (int k = 0; k <= 2; ++k, factor *= h) jet[k] = to_double(factor * x[k]);
+      return internal::points_from_jet(jet, degree, step);
+    };
+    std::vector<Coordinate_vector<double, 0>> polygon;
+    for (int j = 0; j <= curve.degree(); ++j)
+      if (curve.weight(j) != FT(0)) polygon.push_back(to_double(curve.coordinates(j)));
+    for (int i = 0; i < parts; ++i) {
+      std::vector<Coordinate_vector<double, 0>> rows = points_at(i, 1);
+      const std::vector<Coordinate_vector<double, 0>> back = points_at(i + 1, -1);
+      rows.insert(rows.end(), back.rbegin(), back.rend());
+      add_rows(rows, polygon, i > 0, style);
+      polygon.clear();
     }
-    curves_.push_back(std::move(drawn));
-    spatial_ = spatial_ || d == 3;
     return *this;
   }
 
@@ -103,6 +123,41 @@ public:
 
 private:
   friend class Svg_figure;
+
+  static void check_dimension(int d) {
+    if (d != 2 && d != 3)
+      throw Error(Error_code::dimension_mismatch,
+                  "Svg_panel: curves of dimension 2 or 3 can be drawn, not " + std::to_string(d));
+  }
+
+  template <class FT, int N> static Coordinate_vector<double, 0> to_double(const Coordinate_vector<FT, N>& x) {
+    Coordinate_vector<double, 0> y(x.dimension());
+    for (int i = 0; i < x.dimension(); ++i) y[i] = CGAL::to_double(x[i]);
+    return y;
+  }
+
+  typedef std::vector<Coordinate_vector<double, 0>> Rows;
+
+  std::vector<internal::Svg_point> points_of(const Rows& rows) const {
+    std::vector<internal::Svg_point> points;
+    for (const Coordinate_vector<double, 0>& row : rows) {
+      points.emplace_back(3);
+      for (int i = 0; i < row.dimension(); ++i) {
+        if (!std::isfinite(row[i]))
+          throw Error(Error_code::not_finite, "Svg_panel: curve " + std::to_string(curves_.size() + 1) +
+                                                  ": control point " + std::to_string(points.size()) +
+                                                  " is too far away to be drawn");
+        points.back()[i] = row[i];
+      }
+    }
+    return points;
+  }
+
+  Svg_panel& add_rows(const Rows& rows, const Rows& polygon, bool continues, const Svg_style& style) {
+    curves_.push_back({points_of(rows), points_of(style.control_polygon ? polygon : Rows()), continues, style, 0});
+    spatial_ = spatial_ || rows.front().dimension() == 3;
+    return *this;
+  }
 
   std::string caption_;
   std::vector<internal::Svg_curve> curves_;

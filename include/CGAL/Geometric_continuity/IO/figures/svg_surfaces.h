@@ -11,6 +11,7 @@
 #include <CGAL/Geometric_continuity/models/model_continuity.h>
 #include <CGAL/Geometric_continuity/numbers/internal/checked_numbers.h>
 #include <CGAL/Geometric_continuity/surfaces/Bspline_surface.h>
+#include <CGAL/Geometric_continuity/surfaces/Rational_bspline_surface.h>
 #include <CGAL/Geometric_continuity/surfaces/boundary_curve.h>
 
 #include <algorithm>
@@ -38,8 +39,10 @@ constexpr std::array<Stroke_style, 5> edge_stroke_styles = {
 constexpr std::array<const char*, 5> svg_edge_names = {"edge, G2", "edge, G1", "edge, G1 but where a normal vanishes",
                                                        "edge, only G0: a crease", "boundary"};
 
-class Svg_surface_picture {
-  typedef Bspline_surface<Svg_traits> Surface;
+// `Surface` is `Bspline_surface<Svg_traits>`, or the rational one.
+template <class Surface> class Svg_surface_picture {
+  typedef std::decay_t<decltype(std::declval<const Surface&>().bezier_patches().front())> Svg_patch;
+  static constexpr bool rational = std::is_same_v<Surface, Rational_bspline_surface<Svg_traits>>;
   static constexpr double edge = 24, width = 900; // pixels
 
   std::vector<Surface> surfaces_; // normalised
@@ -53,13 +56,17 @@ public:
     check_finite(style.elevation, "svg_surfaces: elevation");
     Svg_box<3> box;
     for_each_numbered(surfaces, [&](const auto& s) {
-      for (const auto& p : s) box.add(in_doubles<std::decay_t<decltype(s)>>(p));
+      std::size_t k = 0;
+      for (const auto& p : s) {
+        const Svg_point x = in_doubles<std::decay_t<decltype(s)>>(p);
+        if (!is_infinite(s, k++)) box.add(x);
+      }
     });
     for_each_numbered(surfaces, [&](const auto& s) { surfaces_.push_back(normalised(s, box)); });
     const auto model = model_continuity(surfaces);
     for (const auto& e : model.edges)
       if (e.kind != Model_edge_kind::collapsed) {
-        const Bspline_curve<Svg_traits> c = boundary_curve(surfaces_[e.patch_a], e.edge_a);
+        const auto c = boundary_curve(surfaces_[e.patch_a], e.edge_a);
         add_line(e.kind == Model_edge_kind::boundary ? svg_edge_boundary : kind(e.continuity), c.domain(), c);
       }
     for (const auto& l : model.knot_lines) {
@@ -127,24 +134,49 @@ private:
     return y;
   }
 
+  // Whether the control point number k has the weight 0, so that it is a direction.
+  template <class Given> static bool is_infinite(const Given& s, std::size_t k) {
+    if constexpr (rational)
+      return s.weights()[k] == typename Given::FT(0);
+    else
+      return false;
+  }
+
   template <class Traits> static Surface normalised(const Bezier_patch<Traits>& patch, const Svg_box<3>& box) {
     return normalised(Bspline_surface<Traits>(patch), box);
   }
-  template <class Traits> static Surface normalised(const Bspline_surface<Traits>& s, const Svg_box<3>& box) {
+  template <class Traits> static Surface normalised(const Rational_bezier_patch<Traits>& patch, const Svg_box<3>& box) {
+    return normalised(Rational_bspline_surface<Traits>(patch), box);
+  }
+  template <class Given> static Surface normalised(const Given& s, const Svg_box<3>& box) {
     const double radius = (std::max)({box.radius(0), box.radius(1), box.radius(2)});
-    std::vector<std::vector<Svg_traits::Point>> net(s.number_of_points_u());
+    typedef Coordinate_vector<double, rational ? 4 : 3> Row;
+    std::vector<std::vector<Row>> net(s.number_of_points_u());
+    std::size_t k = 0;
     for (int i = 0; i < s.number_of_points_u(); ++i)
-      for (int j = 0; j < s.number_of_points_v(); ++j) {
-        const Svg_point p = in_doubles<Bspline_surface<Traits>>(s.control_point(i, j)) - box.centre(),
+      for (int j = 0; j < s.number_of_points_v(); ++j, ++k) {
+        const Svg_point x = in_doubles<Given>(s.control_point(i, j)), p = is_infinite(s, k) ? x : x - box.centre(),
                         q = radius > 0 ? p / radius : Svg_point(3);
-        net[i].emplace_back(q[0], q[1], q[2]);
+        if constexpr (rational)
+          net[i].push_back(homogeneous_point(q, CGAL::to_double(s.weight(i, j))));
+        else
+          net[i].push_back(q);
       }
-    const auto knots = [](const Knot_vector<typename Traits::FT>& exact) {
+    const auto knots = [](const Knot_vector<typename Given::FT>& exact) {
       std::vector<double> numbers;
       for (const auto& x : exact) numbers.push_back(CGAL::to_double(x));
       return Knot_vector<double>(exact.degree(), std::move(numbers));
     };
-    return Surface(net, knots(s.knots_u()), knots(s.knots_v()));
+    if constexpr (rational)
+      return Surface(typename Surface::Homogeneous(net, knots(s.knots_u()), knots(s.knots_v())));
+    else {
+      std::vector<std::vector<Svg_traits::Point>> points;
+      for (const std::vector<Row>& row : net) {
+        points.emplace_back();
+        for (const Row& q : row) points.back().emplace_back(q[0], q[1], q[2]);
+      }
+      return Surface(points, knots(s.knots_u()), knots(s.knots_v()));
+    }
   }
 
   template <class Continuity> static Svg_edge kind(const Continuity& c) {
@@ -234,13 +266,18 @@ private:
 /// order, which `model_continuity()` decides exactly; then everything is rounded to `double` for the drawing. Both sides of
 /// a surface are lit. Facets that interpenetrate are not cut.
 ///
-/// \tparam SurfaceRange a forward range of `Bezier_patch` or of `Bspline_surface`
+/// \tparam SurfaceRange a forward range of `Bezier_patch`, of `Bspline_surface`, or of the rational ones
 /// \throws Error `dimension_mismatch` unless in dimension 3, `not_finite` for coordinates beyond the range of `double` and for
 ///   angles of the view that are infinite or not a number
 template <class SurfaceRange>
 void write_svg_surfaces(std::ostream& os, const SurfaceRange& surfaces,
                         const Svg_surface_style& style = Svg_surface_style()) {
-  const std::string document = internal::Svg_surface_picture(surfaces, style)();
+  typedef std::decay_t<decltype(*std::begin(surfaces))> Given;
+  typedef internal::Svg_traits Traits;
+  typedef std::conditional_t<internal::Is_rational_surface<Given>::value, Rational_bspline_surface<Traits>,
+                             Bspline_surface<Traits>>
+      Surface;
+  const std::string document = internal::Svg_surface_picture<Surface>(surfaces, style)();
   os.write(document.data(), static_cast<std::streamsize>(document.size()));
 }
 

@@ -140,8 +140,18 @@ public:
     return row;
   }
 
-  // Refuses what is wrong in the object that has been read as a whole.
-  [[noreturn]] void refuse(const std::string& reason) const { tokens_.refuse(reason); }
+  // Returns f(), and refuses what is wrong with the object that has been read: a denominator that is not positive, or a quotient
+  // that is too large.
+  template <class Function> auto checked(Function f) const {
+    try {
+      return f();
+    } catch (const Error& error) {
+      if (error.code() == Error_code::work_limit) throw;
+      tokens_.refuse(error.what());
+    } catch (const Number_error& error) {
+      tokens_.refuse(std::string("a control point: ") + error.what());
+    }
+  }
 
 private:
   // The integer in the current word.

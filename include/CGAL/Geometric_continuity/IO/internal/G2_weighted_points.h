@@ -41,25 +41,30 @@ template <class Traits, class Exact> class G2_weighted_points {
   typedef typename Homogeneous_traits<Traits>::Point Row;
 
 public:
-  std::vector<typename Traits::Point> points; // finite ones
+  std::vector<typename Traits::Point> points; // of the weight 0, directions
   std::vector<FT> weights;
-  std::vector<Row> rows; // (w x, w), of exact numbers, or where a point is infinite
 
+  // Throws Number_error when a number is too large for floating-point numbers.
   template <class Exact_row> void push_back(const Exact_row& exact) {
     const int n = exact.dimension() - 1;
-    Row row(n + 1);
-    for (int i = 0; i <= n; ++i) row[i] = nearest_number<FT>(exact[i]);
-    infinite_ = infinite_ || row[n] == FT(0);
     const auto x = affine_point(exact);
     Coordinates<Traits> point(n);
     for (int i = 0; i < n; ++i) point[i] = nearest_number<FT>(Exact(x[i]));
     points.push_back(to_point<Traits>(point));
-    weights.push_back(row[n]);
-    rows.push_back(std::move(row));
+    weights.push_back(nearest_number<FT>(exact[n]));
+    infinite_ = infinite_ || weights.back() == FT(0);
   }
 
-  // Whether the rows are to be used instead of points and weights.
+  // Whether a point is infinite; then the rows are to be used instead of points and weights.
   bool infinite() const { return infinite_; }
+
+  // (w x, w)
+  std::vector<Row> rows() const {
+    std::vector<Row> rows;
+    for (std::size_t i = 0; i < points.size(); ++i)
+      rows.push_back(homogeneous_point(coordinates<Traits>(points[i]), weights[i]));
+    return rows;
+  }
 
 private:
   bool infinite_ = false;

@@ -29,6 +29,13 @@
 //
 // which for degree m >= 2 are of degree 4m - 7 and 6m - 11: 2 g w' - 3 g' w = 2 (g det(d1, d3) - 3 (d1.d2) det(d1, d2)). The
 // leading coefficients cancel, so that w is of degree 2m - 4 and S of degree 4m - 8.
+//
+// Of a rational curve p / v, with the denominator v, the numerator d1 = p' v - p v' of its derivative takes the place of the derivative,
+// and d2 = d1'. It is v^2 x', and w is v^4 times that of x', x'', so that
+//
+//   kappa^2 = S v^4 / g^3,  in the plane  kappa = w v^2 / g^(3/2),
+//
+// and the derivative of the curvature has the sign of 2 g (w' v + 2 w v') - 3 g' w v, or g (S' v + 4 S v') - 3 g' S v.
 
 namespace CGAL {
 namespace Geometric_continuity {
@@ -40,16 +47,22 @@ template <class NT> class Curvature_polynomials {
   Polynomial g_{NT(0)};
   std::vector<Polynomial> w_;
   Polynomial s_{NT(0)};
+  Polynomial v_{NT(1)};
 
 public:
-  // From the control points of the curve.
-  template <int N> explicit Curvature_polynomials(const std::vector<Coordinate_vector<NT, N>>& rows) {
-    const int dimension = rows.front().dimension();
-    std::vector<Polynomial> d1, d2;
-    for (int i = 0; i < dimension; ++i) {
+  // From the control points of the curve, or the homogeneous ones of a rational curve.
+  template <int N> Curvature_polynomials(const std::vector<Coordinate_vector<NT, N>>& rows, bool rational) {
+    const int dimension = rows.front().dimension() - (rational ? 1 : 0);
+    const auto coordinate = [&](int i) -> Polynomial {
       std::vector<NT> c;
       for (const Coordinate_vector<NT, N>& row : rows) c.push_back(row[i]);
-      d1.push_back(Polynomial(std::move(c)).derivative());
+      return Polynomial(std::move(c));
+    };
+    if (rational) v_ = coordinate(dimension);
+    std::vector<Polynomial> d1, d2;
+    for (int i = 0; i < dimension; ++i) {
+      const Polynomial x = coordinate(i);
+      d1.push_back(rational ? x.derivative() * v_ - x * v_.derivative() : x.derivative());
       d2.push_back(d1.back().derivative());
       g_ = g_ + d1[i] * d1[i];
       for (int j = 0; j < i; ++j) {
@@ -70,8 +83,13 @@ public:
   // A polynomial with the sign of the derivative of the curvature.
   Polynomial slope() const {
     const NT two(2), three(3);
-    if (is_planar()) return Polynomial{two} * g_ * w_[0].derivative() - Polynomial{three} * g_.derivative() * w_[0];
-    return g_ * s_.derivative() - Polynomial{three} * g_.derivative() * s_;
+    const auto times_v = [&](const Polynomial& p) -> Polynomial { return v_.degree() == 0 ? p : p * v_; };
+    const auto derivative = [&](const Polynomial& p, int k) -> Polynomial { // of p v^k, divided by v^(k-1)
+      return v_.degree() == 0 ? p.derivative() : p.derivative() * v_ + Polynomial{NT(k)} * p * v_.derivative();
+    };
+    if (is_planar())
+      return Polynomial{two} * g_ * derivative(w_[0], 2) - Polynomial{three} * g_.derivative() * times_v(w_[0]);
+    return g_ * derivative(s_, 4) - Polynomial{three} * g_.derivative() * times_v(s_);
   }
 
   // The zeros of the curvature. At an inflection d1 ^ d2 changes its direction: it is (t - t0)^k times what is not zero, with an
@@ -98,8 +116,10 @@ public:
   std::optional<Enclosure> curvature(const NT& from, const NT& to) const {
     const std::pair<NT, NT> g = range(g_, from, to), s = range(s_, from, to);
     if (!(NT(0) < g.first)) return std::nullopt;
-    const NT least = s.first < NT(0) ? NT(0) : NT(s.first / (g.second * g.second * g.second)),
-             greatest = s.second / (g.first * g.first * g.first);
+    const std::pair<NT, NT> v = range(v_, from, to);
+    if (!(NT(0) < v.first)) return std::nullopt;
+    const NT least = s.first < NT(0) ? NT(0) : NT(s.first * fourth_power(v.first) / (g.second * g.second * g.second)),
+             greatest = s.second * fourth_power(v.second) / (g.first * g.first * g.first);
     const double low = root_enclosure(least).lower, high = root_enclosure(greatest).upper;
     if (std::isinf(high)) throw Error(Error_code::not_finite, "curvature_extrema: a curvature is too large");
     if (!is_planar()) return Enclosure{low, high};
@@ -119,8 +139,9 @@ private:
   Signed_square<NT> end_curvature(bool end) const {
     const auto at = [end](const Polynomial& p) { return p[end ? p.degree() : 0]; };
     const NT g = at(g_), s = at(s_);
-    return {is_planar() ? sign_of(at(w_[0])) : sign_of(s), NT(s / (g * g * g))};
+    return {is_planar() ? sign_of(at(w_[0])) : sign_of(s), NT(s * fourth_power(at(v_)) / (g * g * g))};
   }
+  static NT fourth_power(const NT& x) { return NT(NT(x * x) * NT(x * x)); }
 
   std::vector<NT> area(bool end) const {
     std::vector<NT> a(w_.size(), NT(0));

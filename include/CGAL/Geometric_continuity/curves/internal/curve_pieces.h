@@ -9,6 +9,8 @@
 #include <CGAL/Geometric_continuity/curves/Bezier_curve.h>
 #include <CGAL/Geometric_continuity/curves/Bspline_curve.h>
 #include <CGAL/Geometric_continuity/curves/Composite_bezier_curve.h>
+#include <CGAL/Geometric_continuity/curves/Rational_bezier_curve.h>
+#include <CGAL/Geometric_continuity/curves/Rational_bspline_curve.h>
 
 #include <algorithm>
 #include <limits>
@@ -33,12 +35,48 @@ template <class Traits, class Function> void for_each_piece(const Bspline_curve<
   for (const Bezier_curve<Traits>& piece : curve.bezier_pieces()) f(piece);
 }
 
-// The coordinates of the control points.
+// Rational curves are given in parts whose weights are positive, so that each lies in the convex hull of its control points.
+template <class Traits, int Degree, class Function>
+void for_each_piece(const Rational_bezier_curve<Traits, Degree>& curve, Function f) {
+  for (const Rational_bezier_curve<Traits, Degree>& part : curve.positive_parts()) f(part);
+}
+template <class Traits, class Function> void for_each_piece(const Rational_bspline_curve<Traits>& curve, Function f) {
+  for (const Rational_bezier_curve<Traits>& piece : curve.bezier_pieces()) for_each_piece(piece, f);
+}
+
+// What the algorithms of Bernstein and de Casteljau are applied to: the coordinates of the control points, or of a rational curve
+// its homogeneous points.
 template <class Traits, int Degree>
 std::vector<Coordinates<Traits>> control_rows(const Bezier_curve<Traits, Degree>& curve) {
   std::vector<Coordinates<Traits>> rows;
   for (int j = 0; j <= curve.degree(); ++j) rows.push_back(curve.coordinates(j));
   return rows;
+}
+template <class Traits, int Degree>
+std::vector<Coordinates<Homogeneous_traits<Traits>>> control_rows(const Rational_bezier_curve<Traits, Degree>& curve) {
+  const typename Rational_bezier_curve<Traits, Degree>::Homogeneous h = curve.homogeneous();
+  return {h.begin(), h.end()};
+}
+
+// Columns of coordinates as points.
+template <class Traits> struct Coordinates_of { typedef Coordinates<Traits> Point; };
+
+template <class Curve, class = void> struct Is_rational : std::false_type {};
+template <class Curve> struct Is_rational<Curve, std::void_t<typename Curve::Homogeneous>> : std::true_type {};
+
+// The type of such a row of a curve.
+template <class Curve>
+using Control_row = typename std::conditional_t<Is_rational<Curve>::value, Homogeneous_traits<typename Curve::Traits>,
+                                                Coordinates_of<typename Curve::Traits>>::Point;
+
+// The coordinates of the control points from such rows.
+template <class Curve, class Rows> std::vector<Coordinates<typename Curve::Traits>> affine_rows(const Rows& rows) {
+  if constexpr (Is_rational<Curve>::value) {
+    std::vector<Coordinates<typename Curve::Traits>> points;
+    for (const auto& row : rows) points.push_back(affine_point(row));
+    return points;
+  } else
+    return rows;
 }
 
 // The control points of both halves.
@@ -63,6 +101,22 @@ template <class FT, int N> FT rounding_allowance(const std::vector<Coordinate_ve
     return FT(256 * std::numeric_limits<FT>::epsilon() * FT(rows.size()) * size);
   } else
     return FT(0);
+}
+
+// The same for the homogeneous rows of a rational curve with positive weights. An error e in w x and in w makes one of 2 e / w in x.
+template <class Curve, class Rows> typename Curve::FT rounding_allowance_of(const Rows& rows) {
+  typedef typename Curve::FT FT;
+  const FT allowance = rounding_allowance(affine_rows<Curve>(rows));
+  if constexpr (Is_rational<Curve>::value && std::is_floating_point_v<FT>) {
+    const int n = rows.front().dimension() - 1;
+    FT least = rows.front()[n], greatest = least;
+    for (const auto& row : rows) {
+      least = (std::min)(least, row[n]);
+      greatest = (std::max)(greatest, row[n]);
+    }
+    return FT(FT(2) * (greatest / least) * allowance);
+  } else
+    return allowance;
 }
 
 } // namespace internal

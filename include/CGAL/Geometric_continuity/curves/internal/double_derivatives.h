@@ -55,6 +55,26 @@ public:
   }
 };
 
+// Of a rational one, from its control points and weights.
+template <int N> class Rational_derivatives {
+  static constexpr int M = N == 0 ? 0 : N + 1;
+  std::vector<Coordinate_vector<double, M>> rows_;
+
+public:
+  Rational_derivatives(const std::vector<Coordinate_vector<double, N>>& points, const std::vector<double>& weights) {
+    for (std::size_t j = 0; j < points.size(); ++j) rows_.push_back(homogeneous_point(points[j], weights[j]));
+  }
+
+  Double_derivatives<N> operator()(double t) const {
+    std::vector<Coordinate_vector<double, M>> rows = rows_;
+    Coordinate_jet<double, M> jet(rows.front().dimension(), 3);
+    bernstein_derivatives(rows, static_cast<int>(rows.size()) - 1, t, 3,
+                          [&](int j, const Coordinate_vector<double, M>& x) { jet[j] = x; });
+    const Coordinate_jet<double, N> x = project(jet);
+    return {x[1], x[2], x[3]};
+  }
+};
+
 // Of any model of ParametricCurve, divided by the length of the first derivative in the middle, if it is not zero.
 template <class Curve> class Curve_derivatives {
   typedef typename Curve::Traits Traits;
@@ -91,8 +111,16 @@ public:
 template <class Curve> auto bezier_derivatives(const Curve& curve) {
   typedef typename Curve::FT FT;
   constexpr int N = Curve::N;
+  constexpr bool rational = Is_rational<Curve>::value;
   std::vector<std::vector<Coordinate_vector<FT, N>>> pieces;
-  for_each_piece(curve, [&](const auto& piece) { pieces.push_back(control_rows(piece)); });
+  std::vector<std::vector<double>> weights;
+  for_each_piece(curve, [&](const auto& piece) {
+    pieces.push_back(affine_rows<Curve>(control_rows(piece)));
+    if constexpr (rational) {
+      weights.emplace_back();
+      for (const FT& w : piece.weights()) weights.back().push_back(CGAL::to_double(FT(w / piece.weights()[0])));
+    }
+  });
   const Coordinate_vector<FT, N> origin = pieces.front().front();
   FT size(0);
   for (std::vector<Coordinate_vector<FT, N>>& rows : pieces)
@@ -104,7 +132,7 @@ template <class Curve> auto bezier_derivatives(const Curve& curve) {
         if (size < -x) size = FT(-x);
       }
     }
-  std::vector<Bezier_derivatives<N>> result;
+  std::vector<std::conditional_t<rational, Rational_derivatives<N>, Bezier_derivatives<N>>> result;
   for (const std::vector<Coordinate_vector<FT, N>>& rows : pieces) {
     std::vector<Coordinate_vector<double, N>> points;
     for (const Coordinate_vector<FT, N>& row : rows) {
@@ -112,7 +140,10 @@ template <class Curve> auto bezier_derivatives(const Curve& curve) {
       for (int i = 0; i < row.dimension(); ++i)
         points.back()[i] = size == FT(0) ? 0 : CGAL::to_double(FT(row[i] / size));
     }
-    result.emplace_back(std::move(points));
+    if constexpr (rational)
+      result.emplace_back(points, weights[result.size()]);
+    else
+      result.emplace_back(std::move(points));
   }
   return result;
 }

@@ -102,6 +102,8 @@ public:
   Join_continuity<FT> operator()() {
     decide_c_order();
     join.regular = jet_order() >= 1 && !is_zero(X[1]) && !is_zero(Y[1]);
+    if constexpr (!rounded)
+      if (join.regular && jets_agree()) return one_curve();
     if (join.regular) {
       if constexpr (rounded) scale_jets();
       g = dot(X[1], X[1]);
@@ -128,6 +130,27 @@ private:
 
   void decide_c_order() {
     while (join.c_order < max_order && X[join.c_order + 1] == Y[join.c_order + 1]) ++join.c_order;
+  }
+
+  bool jets_agree() const {
+    int j = join.c_order + 1;
+    while (j <= jet_order() && X[j] == Y[j]) ++j;
+    return j > jet_order();
+  }
+
+  // The answers for two equal jets, as at most knots of a spline, with beta = (1, 0, ..., 0).
+  Join_continuity<FT> one_curve() {
+    join.g_order = max_order;
+    join.f_order = (std::min)(max_order, X.dimension());
+    std::vector<FT> numerators(max_order + 1, FT(0));
+    std::fill_n(numerators.begin(), (std::min)(max_order + 1, 2), FT(1));
+    join.parameters = Join_parameters<FT>(std::move(numerators), scale);
+    join.tangent_equal = true;
+    if (jet_order() >= 2) join.curvature_equal = join.curvature_vector_equal = true;
+    if (X.dimension() == 3 && jet_order() >= 3)
+      for (int i = 0; i < 3; ++i) // has curvature
+        if (FT(X[1][i] * X[2][(i + 1) % 3]) != FT(X[1][(i + 1) % 3] * X[2][i])) join.torsion_equal = true;
+    return std::move(join);
   }
 
   // V_k = g^(2k-2) Y^(k) - sum_{m=2}^k g^(m-2) B_{k,m}(b_1, b_2, ...) X^(m) must be parallel to X';

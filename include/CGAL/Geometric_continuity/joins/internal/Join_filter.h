@@ -50,9 +50,10 @@ constexpr int join_questions = 10;
 struct Join_rounding {
   std::array<double, join_questions> error{};
 
-  constexpr Join_rounding() {
-    const auto leg = [](double bound) { return Rounding_bound(bound, 0x1p-52 * bound); };
-    const Rounding_bound d1 = leg(1), d2 = leg(0.5) - leg(0.5), d3 = (leg(0.25) - leg(0.25)) - (leg(0.25) - leg(0.25));
+  constexpr Join_rounding()
+      : Join_rounding(leg(1), leg(0.5) - leg(0.5), (leg(0.25) - leg(0.25)) - (leg(0.25) - leg(0.25))) {}
+
+  constexpr Join_rounding(const Rounding_bound& d1, const Rounding_bound& d2, const Rounding_bound& d3) {
     const Differences<Rounding_bound, 3> d{{{d1, d1, d1}, {d2, d2, d2}, {d3, d3, d3}}};
     const Join_weights<int> unit{1, 1, 1, 1, 1};
     const Join_equations<Rounding_bound, 3, Join_weights<int>, Join_rounding> geometric(d, d, unit, *this);
@@ -78,6 +79,14 @@ struct Join_rounding {
     if (e < x.error) e = x.error;
     return true;
   }
+
+private:
+  static constexpr Rounding_bound leg(double bound) { return Rounding_bound(bound, 0x1p-52 * bound); }
+};
+
+// For the differences of polygons.
+struct Rounding_of_differences {
+  static constexpr Join_rounding value() { return Join_rounding(); }
 };
 
 // Bounds of the differences of order 1 to 3, nondecreasing.
@@ -86,7 +95,8 @@ struct Difference_bounds {
 };
 
 // Says of the value of a form in floating-point arithmetic whether the exact value may be zero. \pre `in_range()`
-template <class Weights> struct Join_filter {
+// `Rounding` gives the errors of the differences.
+template <class Weights, class Rounding = Rounding_of_differences> struct Join_filter {
   const Difference_bounds &A, &B;
   const Weights& w;
 
@@ -99,13 +109,13 @@ template <class Weights> struct Join_filter {
 
   static constexpr bool exact = false, pivot_is_first = false;
   BOOST_FORCEINLINE bool operator()(Join_question form, double x) const {
-    constexpr Join_rounding rounding;
+    constexpr Join_rounding rounding = Rounding::value();
     return !(std::abs(x) > rounding.error[static_cast<int>(form)] * largest_product(form));
   }
 
   // The exact value of a form that may be zero is smaller than 2 to this power: at most twice its error.
   BOOST_FORCEINLINE int exponent_of_bound(Join_question form) const {
-    constexpr Join_rounding rounding;
+    constexpr Join_rounding rounding = Rounding::value();
     return binary_exponent(rounding.error[static_cast<int>(form)] * largest_product(form)) + 2;
   }
 

@@ -40,6 +40,8 @@ public:
 
   explicit Common_denominator(Ring multiple_of = Ring(1)) : d_(std::move(multiple_of)) {}
 
+  static Ring denominator_of(const Field& x) { return parts(x).second; }
+
   // Makes the denominator a multiple of that of x.
   void include(const Field& x) {
     if constexpr (clears) {

@@ -9,6 +9,7 @@
 #include <CGAL/Geometric_continuity/numbers/Work_limit.h>
 #include <CGAL/Geometric_continuity/numbers/internal/Common_denominator.h>
 #include <CGAL/Geometric_continuity/splines/Knot_vector.h>
+#include <CGAL/Geometric_continuity/splines/internal/Divided_differences.h>
 #include <CGAL/Geometric_continuity/splines/internal/bspline_spans.h>
 
 #include <algorithm>
@@ -18,8 +19,9 @@
 #include <vector>
 
 /// \file bspline_differences.h
-/// The Bernstein coefficients of the spans of a spline with rational coefficients, by additions of integers. The same
-/// coefficients in convex combinations of numbers of any type are `Bernstein_spans`; test_Bspline_function compares both.
+/// The Bernstein coefficients of the spans of a spline with rational coefficients, and the derivatives at their ends, by additions
+/// of integers. The same coefficients in convex combinations of numbers of any type are `Bernstein_spans`; test_bspline_pieces
+/// compares both.
 
 namespace CGAL {
 namespace Geometric_continuity {
@@ -29,12 +31,12 @@ namespace internal {
 template <class FT>
 constexpr bool is_rational_v = Common_denominator<FT>::clears&& std::is_same_v<typename Exact_number<FT>::type, FT>;
 
-// The Bernstein coefficients b_0, ..., b_p on one span [t, a] after the other, of one coordinate. Knots are multiplied by
-// their common denominator. On a span of length h let f = sum_j g_j binomial(p, j) (x - t)^j. Then h^j g_j is the j-th
-// forward difference of b_0, and so is the backward difference of b_p with the g_j of the same polynomial around a. All
-// Taylor coefficients binomial(p, j) g_j have one common denominator, which is the same around t and a: distances of knots
-// are integers. At a knot of multiplicity m the g_j with j <= p - m stay; the others are quotients of differences of
-// the coefficients of the spline.
+// The polynomials of a spline on one span [t, a] after the other, of one coordinate. Knots are multiplied by their common
+// denominator. On a span of length h let f = sum_j g_j binomial(p, j) (x - t)^j. Then h^j g_j is the j-th
+// forward difference of its Bernstein coefficients b_0, ..., b_p, and so is the backward difference of b_p with the g_j of the
+// same polynomial around a. All Taylor coefficients binomial(p, j) g_j have one common denominator, which is the same around t
+// and a: distances of knots are integers. At a knot of multiplicity m the g_j with j <= p - m stay; the others are quotients of
+// differences of the coefficients of the spline.
 template <class FT> class Difference_spans {
   typedef typename Common_denominator<FT>::Ring Ring;
   struct Span {
@@ -47,21 +49,23 @@ template <class FT> class Difference_spans {
   Ring multiple_ = Ring(1);                 // the least common multiple
   std::vector<Span> spans_;
   std::size_t next_ = 0;
-  std::vector<Ring> terms_; // binomial(p, j) g_j times the denominator, at the beginning of the next span
+  std::vector<Ring> terms_; // binomial(p, j) g_j times the denominator, at the place that has been reached
   Ring denominator_ = Ring(1);
+  FT scale_; // of the knots
   Work_meter& work_;
 
 public:
   // c are the coefficients over the knots.
   Difference_spans(const Knot_vector<FT>& knots, std::vector<FT> c, Work_meter& work)
       : p_(knots.degree()), binomials_(binomial_coefficients<Ring>(p_)), terms_(p_ + 1, Ring(0)), work_(work) {
-    for (const Ring& b : binomials_) multiple_ = Ring(multiple_ * divided(b, Ring(CGAL::gcd(multiple_, b))));
-    for (const Ring& b : binomials_) cofactors_.push_back(divided(multiple_, b));
+    for (const Ring& b : binomials_) multiple_ *= exact_quotient(b, Ring(CGAL::gcd(multiple_, b)));
+    for (const Ring& b : binomials_) cofactors_.push_back(exact_quotient(multiple_, b));
     const std::vector<int> numbers = knots.spans();
     const int begin = numbers[0];
     without_knots_before<1>(&knots[begin], p_, 1, c.data() + (begin - p_));
     Common_denominator<FT> scale;
     for (const FT& x : knots) scale.include(x);
+    scale_ = FT(scale.value());
     std::vector<Ring> u;
     for (int i = 0; i < knots.size(); ++i) u.push_back(scale.numerator(knots[(std::max)(i, begin)]));
     for (int k : numbers) {
@@ -69,24 +73,35 @@ public:
       while (m <= p_ && u[k - m] == u[k]) ++m;
       spans_.push_back({Ring(u[k + 1] - u[k]), std::vector<FT>(spans_.empty() ? p_ + 1 : (std::min)(m, p_ + 1))});
     }
-    for (int j = 0; j <= p_; ++j) { // c_i is coefficient number i of the spline of degree p - j
+    Divided_differences<FT> differences(c, work_);
+    for (int j = 0; j <= p_; ++j) { // number i is coefficient number i of the spline of degree p - j
       for (std::size_t s = 0; s < numbers.size(); ++s) {
         std::vector<FT>& terms = spans_[s].new_terms;
         const int first = p_ + 1 - static_cast<int>(terms.size());
-        if (first <= j) terms[j - first] = c[numbers[s] - (p_ - j)];
+        if (first <= j) terms[j - first] = differences[numbers[s] - (p_ - j)];
       }
-      for (int i = static_cast<int>(c.size()) - 1; i > j; --i) {
-        if (u[i] == u[i + p_ - j]) continue; // the basis function is zero
-        c[i] = FT(FT(c[i] - c[i - 1]) / FT(Ring(u[i + p_ - j] - u[i])));
-        work_.charge_products(2, number_words(c[i]));
-      }
+      if (j < p_) differences.next(j + 1, [&](int i) { return Ring(u[i + p_ - j] - u[i]); });
     }
   }
 
-  // Writes the coefficients on the next span: output(i, b_i).
-  template <class Output> void next(Output output) {
+  // Starts the next span. Returns how many derivatives are new.
+  int start() {
+    const std::vector<FT>& terms = spans_[next_].new_terms;
+    take(terms);
+    return static_cast<int>(terms.size());
+  }
+
+  // The j-th derivative, j <= p, at the start or the end of the span.
+  FT derivative(int j) const {
+    work_.charge_products(1, number_words(denominator_)); // a greatest common divisor
+    FT factor(1);                                         // j! scale^j
+    for (int i = 1; i <= j; ++i) factor *= FT(FT(i) * scale_);
+    return FT(factor * quotient(terms_[j], denominator_));
+  }
+
+  // Goes to the end of the span, with its Bernstein coefficients: output(i, numerator, denominator).
+  template <class Output> void finish(Output output) {
     const Span& span = spans_[next_++];
-    take(span.new_terms);
     const Ring denominator = Ring(denominator_ * multiple_);
     std::vector<Ring> factors; // of the differences
     Ring power(1);
@@ -97,23 +112,22 @@ public:
     }
     work_.charge_sums(p_ * (p_ + 1.) / 2, number_words(denominator));
     work_.charge_products(2. * (p_ + 1), number_words(denominator));
-    output(0, quotient(terms_[0], denominator));
+    output(0, terms_[0], denominator);
     for (int i = 1; i <= p_; ++i) {
       for (int j = 0; j <= p_ - i; ++j) terms_[j] += terms_[j + 1];
-      output(i, quotient(terms_[0], denominator));
+      output(i, terms_[0], denominator);
     }
-    for (int j = 0; j <= p_; ++j) terms_[j] = divided(terms_[j], factors[j]);
+    for (int j = 0; j <= p_; ++j) terms_[j] = exact_quotient(terms_[j], factors[j]);
   }
 
-private:
-  static Ring divided(const Ring& x, const Ring& y) { return Ring(CGAL::integral_division(x, y)); }
   static FT quotient(const Ring& x, const Ring& y) { return FT(FT(x) / FT(y)); }
 
+private:
   // Replaces the last terms, and cancels.
   void take(const std::vector<FT>& g) {
     Common_denominator<FT> denominator(denominator_);
     for (const FT& x : g) denominator.include(x);
-    const Ring factor = divided(denominator.value(), denominator_);
+    const Ring factor = exact_quotient(denominator.value(), denominator_);
     const int first = p_ + 1 - static_cast<int>(g.size());
     for (int j = 0; j < first; ++j) terms_[j] *= factor;
     for (int j = first; j <= p_; ++j) terms_[j] = Ring(binomials_[j] * denominator.numerator(g[j - first]));
@@ -121,8 +135,8 @@ private:
     Ring common = denominator_;
     for (int j = 0; j <= p_ && !(common == Ring(1)); ++j) common = Ring(CGAL::gcd(common, terms_[j]));
     if (common == Ring(1)) return;
-    denominator_ = divided(denominator_, common);
-    for (Ring& x : terms_) x = divided(x, common);
+    denominator_ = exact_quotient(denominator_, common);
+    for (Ring& x : terms_) x = exact_quotient(x, common);
   }
 };
 

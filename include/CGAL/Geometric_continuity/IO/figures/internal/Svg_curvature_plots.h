@@ -28,6 +28,7 @@ class Svg_curvature_plots {
   // The curves of one panel, one after the other.
   struct Line {
     Svg_role role;
+    bool continues;                // the curve before it
     std::vector<Svg_pixel> points; // arc length from the start of the first curve, curvature
   };
   typedef std::vector<Line> Plot;
@@ -71,6 +72,7 @@ public:
     s += svg_stroke(grid_stroke, svg_polyline({pixel(svg_vector({0., 0.})), pixel(svg_vector({length_, 0.}))}));
     std::string joins;
     for (std::size_t j = 1; j < plots_[i].size(); ++j) {
+      if (plots_[i][j].continues) continue;
       const double way = plots_[i][j].points.front()[0];
       joins += svg_polyline({pixel(svg_vector({way, is_signed_ ? -most_ : 0.})), pixel(svg_vector({way, most_}))});
     }
@@ -90,7 +92,7 @@ public:
 private:
   // Samples a curve that begins at the arc length `way`, and adds its length to this.
   Line line(const Svg_curve& curve, double& way, std::vector<std::pair<double, double>>& weighted) const {
-    Line result{curve.style.role, {}};
+    Line result{curve.style.role, curve.continues, {}};
     double speed = 0;
     for (int i = 0; i <= curve.samples; ++i) {
       const Coordinate_jet<double, 3> jet = polygon_jet(curve.points, i / double(curve.samples), 2);

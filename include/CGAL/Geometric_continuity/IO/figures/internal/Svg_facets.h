@@ -30,7 +30,6 @@ namespace Geometric_continuity {
 namespace internal {
 
 typedef Traits_3<Simple_cartesian<double>> Svg_traits;
-typedef Bezier_patch<Svg_traits> Svg_patch;
 
 inline Svg_point svg_point(const Svg_traits::Point& p) { return svg_vector({p.x(), p.y(), p.z()}); }
 
@@ -100,7 +99,7 @@ class Svg_facets {
 public:
   explicit Svg_facets(const Svg_camera& camera) : camera_(camera), light_(camera.direction(-0.55, 0.75, 0.6)) {}
 
-  void add(const Svg_patch& s) {
+  template <class Patch> void add(const Patch& s) {
     const int m = cells(s, Parameter_line::along_u), n = cells(s, Parameter_line::along_v);
     std::vector<Vertex> vertices;
     for (int i = 0; i <= m; ++i)
@@ -180,7 +179,7 @@ private:
   static int band(double angle) { return (std::min)(bands - 1, static_cast<int>(angle * bands)); }
 
   // Enough that a cell has the size of a few pixels.
-  int cells(const Svg_patch& s, Parameter_line line) const {
+  template <class Patch> int cells(const Patch& s, Parameter_line line) const {
     const bool along_u = line == Parameter_line::along_u;
     double most = 0;
     const int p = along_u ? s.degree_u() : s.degree_v(), q = along_u ? s.degree_v() : s.degree_u();
@@ -197,7 +196,7 @@ private:
   }
 
   // Where the normal vanishes, that of a point nearby is taken.
-  static Vertex vertex(const Svg_patch& s, double u, double v) {
+  template <class Patch> static Vertex vertex(const Patch& s, double u, double v) {
     const Surface_jet<Svg_traits> jet = s.jet(u, v, 1);
     Svg_point n = svg_unit(svg_cross(jet(1, 0), jet(0, 1)));
     if (!(svg_length(svg_cross(jet(1, 0), jet(0, 1))) > 1e-9)) {

@@ -70,11 +70,13 @@ template <int N> struct Svg_box {
 inline void svg_normalise(const std::vector<Svg_curve*>& curves) {
   Svg_box<3> box;
   for (const Svg_curve* c : curves)
-    for (const Svg_point& p : c->points) box.add(p);
+    for (const std::vector<Svg_point>* points : {&c->points, &c->polygon})
+      for (const Svg_point& p : *points) box.add(p);
   const Svg_point centre = box.centre();
   const double radius = (std::max)({box.radius(0), box.radius(1), box.radius(2)});
   for (Svg_curve* c : curves)
-    for (Svg_point& p : c->points) p = radius > 0 ? (p - centre) / radius : Svg_point(3);
+    for (std::vector<Svg_point>* points : {&c->points, &c->polygon})
+      for (Svg_point& p : *points) p = radius > 0 ? (p - centre) / radius : Svg_point(3);
 }
 
 // 256 samples of each curve, in a figure of up to 256 curves; of more curves fewer, but more of those that are longer.
@@ -232,8 +234,8 @@ private:
         for (int j : {0, cells(1)}) picture.add(project(grid_point(i, j)));
     const Svg_box<2> core = picture;
     for (const Svg_curve* c : curves)
-      for (std::size_t j = 0; j < c->points.size() && c->style.control_polygon; ++j) {
-        const Svg_pixel p = project(c->points[j]);
+      for (std::size_t j = 0; j < c->polygon.size(); ++j) {
+        const Svg_pixel p = project(c->polygon[j]);
         bool near = true;
         for (int i : {0, 1}) near = near && std::abs(p[i] - core.centre()[i]) <= core.radius(i) + 0.1 * size_;
         if (near) picture.add(p);

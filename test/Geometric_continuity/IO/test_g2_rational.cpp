@@ -1,0 +1,166 @@
+// Copyright (c) 2026 The Geometric_continuity developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+// Rational curves and surfaces in .g2 files: written and read without loss, and refused where the text or the type does not allow
+// them.
+
+#define BOOST_TEST_DYN_LINK
+#define BOOST_TEST_MODULE g2_rational
+#include <boost/test/unit_test.hpp>
+
+#include "support/errors.h"
+
+#include <CGAL/Cartesian_d.h>
+#include <CGAL/Exact_rational.h>
+#include <CGAL/Geometric_continuity/IO/G2_piece_reader.h>
+#include <CGAL/Geometric_continuity/IO/g2.h>
+#include <CGAL/Geometric_continuity/Traits_2.h>
+#include <CGAL/Geometric_continuity/Traits_3.h>
+#include <CGAL/Geometric_continuity/Traits_d.h>
+#include <CGAL/Geometric_continuity/curves/arcs.h>
+#include <CGAL/Geometric_continuity/surfaces/elementary_surfaces.h>
+#include <CGAL/Simple_cartesian.h>
+
+#include <cmath>
+#include <iostream>
+#include <random>
+#include <sstream>
+#include <string>
+#include <tuple>
+#include <vector>
+
+namespace GC = CGAL::Geometric_continuity;
+
+typedef CGAL::Exact_rational Q;
+typedef GC::Traits_2<CGAL::Simple_cartesian<Q>> Q2;
+typedef GC::Traits_3<CGAL::Simple_cartesian<Q>> Q3;
+typedef GC::Traits_2<CGAL::Simple_cartesian<double>> D2;
+typedef GC::Traits_3<CGAL::Simple_cartesian<double>> D3;
+typedef std::tuple<Q2, D2> Planar;
+typedef std::tuple<Q3, D3> Space;
+
+namespace {
+
+constexpr unsigned seed = 2026;
+
+template <class Object> std::string text_of(const Object& object) {
+  std::ostringstream os;
+  GC::write_g2(os, object);
+  return os.str();
+}
+template <class Traits> std::vector<GC::Rational_bspline_curve<Traits>> curves_in(const std::string& text) {
+  std::istringstream is(text);
+  return GC::read_g2_rational_bsplines<Traits>(is, "f.g2");
+}
+template <class Traits> std::vector<GC::Rational_bspline_surface<Traits>> surfaces_in(const std::string& text) {
+  std::istringstream is(text);
+  return GC::read_g2_rational_bspline_surfaces<Traits>(is, "f.g2");
+}
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE_TEMPLATE(curves_are_kept, Traits, Planar) {
+  typedef typename Traits::FT FT;
+  typedef typename Traits::Point Point;
+  typedef GC::Rational_bspline_curve<Traits> Curve;
+  const GC::Rational_bezier_curve<Traits> arc = GC::circular_arc<Traits>(
+                                              Point(0, 0), Point(FT(1) / FT(3), FT(1) / FT(7)), FT(3) / FT(7)),
+                                          half = GC::circular_arc<Traits>(Point(1, 2), Point(3, 5), FT(1)),
+                                          most = GC::circular_arc<Traits>(Point(1, 2), Point(3, 5), FT(2)),
+                                          line(GC::Bezier_curve<Traits>{Point(0, 0), Point(1, 1)});
+  const Curve circle = GC::ellipse<Traits>(Point(1, 2), {3, 1}, {-1, 3});
+  const std::string text = text_of(circle) + text_of(arc) + text_of(half) + text_of(most) + text_of(line);
+  const std::vector<Curve> read = curves_in<Traits>(text);
+  BOOST_REQUIRE(read.size() == 5);
+  BOOST_CHECK(read[0] == circle && read[1] == Curve(arc) && read[2] == Curve(half) && read[3] == Curve(most));
+  BOOST_CHECK(read[4].is_polynomial() && text_of(line).substr(0, 14) == "100 1 0 0\n2 0\n");
+  BOOST_CHECK(text_of(read[2]) == text_of(half));
+  // piece by piece
+  std::istringstream is(text);
+  GC::G2_piece_reader<Traits> reader(is, "f.g2");
+  std::vector<GC::Rational_bezier_curve<Traits>> pieces, expected = circle.bezier_pieces();
+  while (const auto piece = reader.next()) pieces.push_back(*piece);
+  BOOST_REQUIRE(pieces.size() == 8);
+  for (int i = 0; i < 4; ++i) BOOST_CHECK(pieces[i] == expected[i]);
+  BOOST_CHECK(pieces[5] == half && pieces[7] == line);
+}
+
+// The products are read back as the points of which they were made, whatever their size.
+BOOST_AUTO_TEST_CASE(doubles_are_kept) {
+  std::cout << "seed " << seed << '\n';
+  std::mt19937_64 engine(seed);
+  std::uniform_real_distribution<double> uniform(-1, 1);
+  for (int n = 0; n < 300; ++n) {
+    std::vector<D3::Point> points;
+    std::vector<double> weights;
+    for (int j = 0; j < 5; ++j) {
+      const double scale = std::pow(2., 30 * uniform(engine)), x = uniform(engine), y = uniform(engine);
+      points.emplace_back(scale * x, y, uniform(engine) / scale);
+      weights.push_back((uniform(engine) + 1.01) * std::pow(2., 30 * uniform(engine)));
+    }
+    const GC::Rational_bezier_curve<D3> c(points.begin(), points.end(), weights.begin(), weights.end());
+    const std::string text = text_of(c);
+    BOOST_CHECK(text.find('/') == std::string::npos); // decimals
+    BOOST_CHECK(curves_in<D3>(text).front() == GC::Rational_bspline_curve<D3>(c));
+  }
+  // and where a product overflows or underflows
+  const std::vector<D2::Point> far = {{0, 1e300}, {1e-300, 1}};
+  const std::vector<double> heavy = {1e200, 1e-100};
+  const GC::Rational_bspline_curve<D2> c(far.begin(), far.end(), heavy.begin(), heavy.end(),
+                                         GC::Knot_vector<double>(1, 0., 1.));
+  BOOST_CHECK(curves_in<D2>(text_of(c)).front() == c);
+}
+
+BOOST_AUTO_TEST_CASE_TEMPLATE(surfaces_are_kept, Traits, Space) {
+  typedef typename Traits::FT FT;
+  typedef typename Traits::Point Point;
+  std::vector<std::vector<Point>> net(3);
+  std::vector<std::vector<FT>> weights(3);
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 4; ++j) {
+      net[i].push_back(Point(i, j, FT(i * j) / FT(7)));
+      weights[i].push_back(FT(1 + i + 2 * j) / FT(3));
+    }
+  const GC::Rational_bspline_surface<Traits> s(
+      net, weights, GC::Knot_vector<FT>(1, {FT(0), FT(0), FT(1), FT(2), FT(2)}), GC::Knot_vector<FT>(3, FT(0), FT(1)));
+  const std::string text = text_of(s);
+  BOOST_CHECK(text.substr(0, 14) == "200 1 0 0\n3 1\n");
+  BOOST_CHECK(surfaces_in<Traits>(text).front() == s);
+  const GC::Rational_bezier_patch<Traits> patch(net, weights);
+  BOOST_CHECK(surfaces_in<Traits>(text_of(patch)).front() == GC::Rational_bspline_surface<Traits>(patch));
+  const GC::Bspline_surface<Traits> plain(net, s.knots_u(), s.knots_v());
+  BOOST_CHECK(*surfaces_in<Traits>(text_of(plain)).front().polynomial() == plain);
+  BOOST_CHECK(text_of(GC::Rational_bspline_surface<Traits>(plain)) == text_of(plain));
+}
+
+// The products as other programs write them.
+BOOST_AUTO_TEST_CASE(products_are_divided) {
+  const auto c = curves_in<Q2>("100 1 0 0\n2 1\n3 3\n0 0 0 1 1 1\n2 0 2\n.5 .5 .5\n0 4 4\n").front();
+  BOOST_CHECK(c.control_point(0) == Q2::Point(1, 0) && c.control_point(1) == Q2::Point(1, 1) &&
+              c.weight(1) == Q(1) / Q(2));
+  const auto d =
+      curves_in<D2>("100 1 0 0\n2 1\n2 2\n0 0 1 1\n.1 .3 .3\n1 0 1\n").front(); // divided before anything is rounded
+  BOOST_CHECK(d.control_point(0) == D2::Point(1. / 3, 1));
+}
+
+BOOST_AUTO_TEST_CASE(what_is_wrong_is_refused) {
+  const auto error = [](const std::string& text) { return error_of([&] { curves_in<Q2>(text); }); };
+  const std::string head = "100 1 0 0\n2 1\n3 3\n0 0 0 1 1 1\n";
+  BOOST_CHECK_EQUAL(error(head + "0 0 1\n1 1 -1\n1 0 1\n"),
+                    "malformed_input: f.g2:7: zero_weight: Rational_bspline_curve: weights");
+  BOOST_CHECK_EQUAL(error(head + "0 0 1\n1 1 1\n1 0\n"),
+                    "malformed_input: f.g2:7: file ends after 2 of 3 control points");
+  BOOST_CHECK_EQUAL(error("100 1 0 0\n2 2\n"),
+                    "malformed_input: f.g2:2: the rational flag is '2' where an integer from 0 to 1 is expected");
+  std::istringstream pieces(head + "0 0 1\n1 1 -1\n1 0 1\n"), polynomial(head + "0 0 1\n1 1 1\n1 0 1\n");
+  BOOST_CHECK_EQUAL(error_of([&] { GC::G2_piece_reader<Q2>(pieces, "f.g2").next(); }),
+                    "malformed_input: f.g2:7: zero_weight: Rational_bspline_curve: weights");
+  BOOST_CHECK_EQUAL(error_of([&] { GC::read_g2_curves<Q2>(polynomial, "f.g2"); }),
+                    "malformed_input: f.g2:2: a rational curve where a polynomial one is expected");
+  BOOST_CHECK_EQUAL(error_of([&] {
+                      surfaces_in<Q3>(
+                          "200 1 0 0\n3 1\n2 2\n0 0 1 1\n2 2\n0 0 1 1\n0 0 0 1\n1 0 0 -1\n0 1 0 1\n1 1 0 1\n");
+                    }).substr(0, 41),
+                    "malformed_input: f.g2:10: zero_weight: Ra");
+}

@@ -1,0 +1,147 @@
+// Copyright (c) 2026 The Geometric_continuity developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+// Joins of rational curves: what is decided on control points and weights agrees with what is decided on jets in an exact field, for
+// parts of one curve in other rational parameters, and with one control point or weight altered.
+
+#define BOOST_TEST_DYN_LINK
+#define BOOST_TEST_MODULE rational_joins
+#include <boost/test/unit_test.hpp>
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Exact_rational.h>
+#include <CGAL/Geometric_continuity/Traits_2.h>
+#include <CGAL/Geometric_continuity/Traits_3.h>
+#include <CGAL/Geometric_continuity/curves/Rational_bspline_curve.h>
+#include <CGAL/Geometric_continuity/joins/join_predicates.h>
+#include <CGAL/Geometric_continuity/joins/knot_continuity.h>
+#include <CGAL/Simple_cartesian.h>
+
+#include <algorithm>
+#include <iostream>
+#include <random>
+#include <tuple>
+#include <vector>
+
+namespace GC = CGAL::Geometric_continuity;
+
+typedef CGAL::Exact_rational Q;
+typedef GC::Traits_2<CGAL::Simple_cartesian<Q>> Q2;
+typedef GC::Traits_3<CGAL::Simple_cartesian<Q>> Q3;
+typedef std::tuple<Q2, Q3, GC::Traits_2<CGAL::Simple_cartesian<double>>, GC::Traits_3<CGAL::Epick>> All;
+
+namespace {
+
+constexpr unsigned seed = 2026;
+std::mt19937 engine(seed);
+
+int below(int n) { return static_cast<int>(engine() % static_cast<unsigned>(n)); }
+
+// Multiples of 1/64, so that halving a polynomial curve of doubles is exact.
+template <class Traits> typename Traits::Point point() {
+  GC::Coordinates<Traits> x(GC::dimension_v<Traits>);
+  for (int i = 0; i < x.dimension(); ++i) x[i] = typename Traits::FT((below(2001) - 1000) / 64.);
+  return GC::to_point<Traits>(x);
+}
+
+// Counts how often an answer is yes, besides the comparison.
+struct Counts {
+  int g1 = 0, g2 = 0, g3 = 0, f3 = 0, curvature = 0, torsion = 0;
+};
+
+// The predicates against the decision on the exact jets, which the curves are converted to here.
+template <class Traits, class Left, class Right> void compare(const Left& left, const Right& right, Counts& n) {
+  constexpr int N = GC::dimension_v<Traits>;
+  typedef Q Field;
+  const GC::Coordinate_jet<Field, N> x = left.template end_jet_over<Field>(3),
+                                     y = right.template start_jet_over<Field>(3);
+  typedef std::conditional_t<N == 2, Q2, Q3> Exact;
+  const auto join = GC::continuity(GC::Curve_jet<Exact>(x), GC::Curve_jet<Exact>(y), 3);
+  const bool g1 = GC::is_g1_join(left, right), g2 = GC::is_g2_join(left, right), g3 = GC::is_g3_join(left, right),
+             f3 = GC::is_f3_join(left, right);
+  BOOST_CHECK_EQUAL(g1, join.g_order >= 1);
+  BOOST_CHECK_EQUAL(g2, join.g_order >= 2);
+  BOOST_CHECK_EQUAL(g3, join.g_order >= 3);
+  BOOST_CHECK_EQUAL(f3, join.f_order >= 3);
+  BOOST_CHECK(GC::has_equal_curvature_vector(left, right) == join.curvature_vector_equal);
+  BOOST_CHECK(GC::has_equal_torsion(left, right) == join.torsion_equal);
+  BOOST_CHECK_EQUAL(GC::is_c_join<0>(left, right), join.c_order >= 0);
+  BOOST_CHECK_EQUAL(GC::is_c_join<2>(left, right), join.c_order >= 2);
+  n.g1 += g1;
+  n.g2 += g2;
+  n.g3 += g3;
+  n.f3 += f3;
+  n.curvature += join.curvature_vector_equal.value_or(false);
+  n.torsion += join.torsion_equal.value_or(false);
+}
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE_TEMPLATE(points_and_weights_decide_as_jets_do, Traits, All) {
+  typedef typename Traits::FT FT;
+  typedef GC::Rational_bezier_curve<Traits> Curve;
+  std::cout << "seed " << seed << '\n';
+  Counts n;
+  for (int i = 0; i < 300; ++i) {
+    const int m = 1 + below(5), altered = below(6);
+    std::vector<typename Traits::Point> p;
+    for (int j = 0; j <= m; ++j) p.push_back(point<Traits>());
+    std::vector<FT> w(m + 1, FT(1));
+    if (std::is_same_v<FT, Q> && i % 2 == 0) // doubles have to be those of a polynomial curve at first
+      for (FT& x : w) x = FT((1 + below(64)) / 16.);
+    const auto parts = Curve(p.begin(), p.end(), w.begin(), w.end()).split(FT(0.5));
+    const Curve other = parts.second.reparametrised(FT(std::ldexp(1., below(7) - 3)));
+    std::vector<typename Traits::Point> q(other.begin(), other.end());
+    std::vector<FT> v(other.weights().begin(), other.weights().end());
+    if (altered >= 1 && altered <= (std::min)(m, 3)) q[altered] = point<Traits>();
+    if (altered >= 4) v[(std::min)(m, altered - 2)] *= FT(1.25);
+    const Curve right(q.begin(), q.end(), v.begin(), v.end(), FT(0.5), FT(1 + below(2)));
+    compare<Traits>(parts.first.reparametrised(FT(2)), right, n);
+    compare<Traits>(GC::Rational_bspline_curve<Traits>(parts.first), GC::Rational_bspline_curve<Traits>(right), n);
+    if (parts.first.is_polynomial()) compare<Traits>(*parts.first.polynomial(), right, n);
+  }
+  // both answers are common
+  BOOST_CHECK_GT(n.g1, 300);
+  BOOST_CHECK_GT(n.g2, 200);
+  BOOST_CHECK_GT(n.g2, n.g3);
+  BOOST_CHECK_GT(n.g3, 100);
+  BOOST_CHECK_GE(n.curvature, n.g2);
+  if (GC::dimension_v<Traits> == 3) BOOST_CHECK(n.f3 > 100 && n.torsion >= n.f3 / 2);
+}
+
+// Where rounded weights decide nothing: huge, tiny, and very different ones.
+BOOST_AUTO_TEST_CASE(weights_of_any_size) {
+  typedef GC::Traits_3<CGAL::Epick> Traits;
+  typedef GC::Rational_bezier_curve<Traits> Curve;
+  Counts n;
+  for (int i = 0; i < 40; ++i) {
+    std::vector<Traits::Point> p;
+    for (int j = 0; j <= 3; ++j) p.push_back(point<Traits>());
+    const auto parts = GC::Bezier_curve<Traits>(p.begin(), p.end()).split(0.5);
+    const Curve right = Curve(parts.second).reparametrised(std::ldexp(1., 10 * (below(41) - 20)));
+    std::vector<double> v(right.weights().begin(), right.weights().end());
+    if (i % 4 == 0) v[2] = std::nextafter(v[2], 2 * v[2]); // by one unit in the last place
+    compare<Traits>(parts.first, Curve(right.begin(), right.end(), v.begin(), v.end()), n);
+  }
+  BOOST_CHECK_EQUAL(n.g1, 40);
+  BOOST_CHECK_EQUAL(n.g2, 30);
+}
+
+// Other ends than those of four positive weights are read by their jets.
+BOOST_AUTO_TEST_CASE(other_ends) {
+  Counts n;
+  std::vector<Q3::Point> p;
+  for (int j = 0; j <= 4; ++j) p.push_back(point<Q3>());
+  for (const std::vector<Q>& w : {std::vector<Q>{1, 1, 1, Q(-1) / 8, 1}, {1, 1, 1, 0, 1}, {2, 3, 4, 5, 6}}) {
+    const auto parts = GC::Rational_bezier_curve<Q3>(p.begin(), p.end(), w.begin(), w.end()).split(Q(7) / 8);
+    compare<Q3>(parts.first, parts.second.reparametrised(Q(3)), n);
+    compare<Q3>(parts.second, parts.first, n);
+    // an unclamped end
+    const std::vector<Q> knots = {0, 1, 2, 3, 4, 5, 6, 7, 8};
+    const GC::Rational_bspline_curve<Q3> spline(p.begin(), p.end(), w.begin(), w.end(), GC::Knot_vector<Q>(3, knots));
+    compare<Q3>(spline, spline.reverse(), n);
+    BOOST_CHECK(GC::knot_continuity(spline, Q(4)).c_order == 2);
+  }
+  BOOST_CHECK_GE(n.g3, 3);
+}
