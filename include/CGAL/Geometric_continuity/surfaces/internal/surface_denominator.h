@@ -101,6 +101,19 @@ void check_surface_denominator(const Rational_net<Traits>& net, const Knot_vecto
     }
 }
 
+// Halves a rational patch, in u and v in turn, until all weights are positive, see add_positive_parts().
+template <class Patch> void add_positive_parts_of_patch(const Patch& s, int halvings, std::vector<Patch>& parts) {
+  typedef typename Patch::FT FT;
+  if (all_positive(s.weights())) return parts.push_back(s);
+  if (halvings == 0) throw Error(Error_code::work_limit, "positive_parts: the denominator is too close to zero");
+  const bool in_u = halvings % 2 == 0;
+  const typename Patch::Interval domain = in_u ? s.domain_u() : s.domain_v();
+  const FT middle = FT(FT(domain.first + domain.second) / FT(2));
+  const std::pair<Patch, Patch> halves = in_u ? s.split_u(middle) : s.split_v(middle);
+  add_positive_parts_of_patch(halves.first, halvings - 1, parts);
+  add_positive_parts_of_patch(halves.second, halvings - 1, parts);
+}
+
 } // namespace internal
 } // namespace Geometric_continuity
 } // namespace CGAL
