@@ -11,6 +11,8 @@
 #include <CGAL/Geometric_continuity/algebra/sign_pattern.h>
 #include <CGAL/Geometric_continuity/local/curvatures.h>
 #include <CGAL/Geometric_continuity/numbers/Enclosure.h>
+#include <CGAL/Geometric_continuity/numbers/Work_limit.h>
+#include <CGAL/Geometric_continuity/numbers/internal/common_words.h>
 
 #include <algorithm>
 #include <cmath>
@@ -40,11 +42,16 @@ template <class NT> class Curvature_polynomials {
   Polynomial g_{NT(0)};
   std::vector<Polynomial> w_;
   Polynomial s_{NT(0)};
+  const Work_limit limit_;
 
 public:
-  // From the control points of the curve.
-  template <int N> explicit Curvature_polynomials(const std::vector<Coordinate_vector<NT, N>>& rows) {
+  // From the control points of the curve. The limit is that for each question.
+  template <int N>
+  Curvature_polynomials(const std::vector<Coordinate_vector<NT, N>>& rows, Work_limit limit) : limit_(limit) {
     const int dimension = rows.front().dimension();
+    Work_meter work(limit, "curvature_extrema");
+    const double n = static_cast<double>(rows.size()); // S is of degree 4 in them, and the degree below 4n
+    work.charge_products(16 * n * n * dimension * dimension, 4 * common_words<NT>(rows, work));
     std::vector<Polynomial> d1, d2;
     for (int i = 0; i < dimension; ++i) {
       std::vector<NT> c;
@@ -60,12 +67,17 @@ public:
   }
 
   // Whether the curve has a tangent everywhere.
-  bool is_regular() const { return sign_pattern(g_) == Sign_pattern::positive; }
+  bool is_regular() const { return sign_pattern(g_, limit_) == Sign_pattern::positive; }
 
   // Whether the curvature is zero everywhere.
   bool is_straight() const { return Power_polynomial<NT>(s_).is_zero(); }
 
   bool is_planar() const { return w_.size() == 1; }
+
+  // The places where the derivative of the curvature is zero.
+  std::vector<Isolated_root<NT>> flat_places(const NT& width) const {
+    return isolate_roots(slope(), width, default_bisections, limit_);
+  }
 
   // A polynomial with the sign of the derivative of the curvature.
   Polynomial slope() const {
@@ -77,7 +89,7 @@ public:
   // The zeros of the curvature. At an inflection d1 ^ d2 changes its direction: it is (t - t0)^k times what is not zero, with an
   // odd k.
   std::vector<Isolated_root<NT>> inflections(const NT& width) const {
-    std::vector<Isolated_root<NT>> roots = isolate_roots(is_planar() ? w_[0] : s_, width);
+    std::vector<Isolated_root<NT>> roots = isolate_roots(is_planar() ? w_[0] : s_, width, default_bisections, limit_);
     const int even = is_planar() ? 1 : 2; // the multiplicity is k times this
     roots.erase(std::remove_if(roots.begin(), roots.end(),
                                [even](const Isolated_root<NT>& r) { return r.multiplicity / even % 2 == 0; }),
