@@ -181,6 +181,17 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(denominators, Traits, All_traits) {
   for (int i = 0; i < 3; ++i)
     for (int j = 0; j < 3; ++j) touching[i].push_back(FT(square[i] + square[j]));
   CHECK_ERROR(Patch<Traits>(net, touching), work_limit);
+  // (u-v)^2 + epsilon needs the more rectangles the smaller epsilon is, along the whole diagonal
+  const auto near_diagonal = [&](const FT& epsilon) {
+    std::vector<std::vector<FT>> weights(3);
+    for (int i = 0; i < 3; ++i)
+      for (int j = 0; j < 3; ++j) weights[i].push_back(FT(FT((i == 2) + (j == 2)) - FT(i * j) / FT(2) + epsilon));
+    return Patch<Traits>(net, weights);
+  };
+  BOOST_CHECK(!near_diagonal(weight(1, 1024)).is_polynomial());
+  CHECK_ERROR(near_diagonal(weight(0, 1)), zero_weight);
+  CHECK_ERROR(near_diagonal(FT(weight(1, 1 << 30) * weight(1, 1 << 30))), work_limit);
+  CHECK_ERROR(near_diagonal(FT(-weight(1, 1 << 30) * weight(1, 1 << 30))), zero_weight);
   // knots: the denominator of the second span only is negative
   typedef GC::Knot_vector<FT> Knots;
   const Knots two(1, {FT(0), FT(0), FT(1), FT(2), FT(2)}), one(1, {FT(0), FT(0), FT(1), FT(1)});
