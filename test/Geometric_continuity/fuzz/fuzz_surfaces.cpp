@@ -12,11 +12,12 @@
 #include <CGAL/Geometric_continuity/models/model_continuity.h>
 #include <CGAL/Simple_cartesian.h>
 
+#include <algorithm>
 #include <sstream>
 #include <vector>
 
 typedef GC::Traits_3<CGAL::Simple_cartesian<CGAL::Exact_rational>> Traits;
-typedef GC::Bspline_surface<Traits> Surface;
+typedef GC::Rational_bspline_surface<Traits> Surface;
 
 namespace {
 
@@ -25,7 +26,7 @@ constexpr int max_degree = 3, max_points = 6;
 
 std::vector<Surface> read(std::string_view text) {
   std::istringstream is{std::string(text)};
-  return GC::read_g2_bspline_surfaces<Traits>(is, "fuzz.g2");
+  return GC::read_g2_rational_bspline_surfaces<Traits>(is, "fuzz.g2");
 }
 
 bool is_small(const Surface& s) {
@@ -45,9 +46,15 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   if (surfaces.size() > max_surfaces) return 0;
   for (const Surface& surface : surfaces)
     if (!is_small(surface)) return 0;
-  accepts([&] {
-    const auto model = GC::model_continuity(surfaces);
-    for (const auto& edge : model.edges) require(edge.patch_a < surfaces.size(), "an edge belongs to a patch");
-  });
+  const auto decide = [](const auto& model) {
+    for (const auto& edge : GC::model_continuity(model).edges)
+      require(edge.patch_a < model.size(), "an edge belongs to a patch");
+  };
+  if (std::all_of(surfaces.begin(), surfaces.end(), [](const Surface& s) { return s.is_polynomial(); })) {
+    std::vector<GC::Bspline_surface<Traits>> polynomials;
+    for (const Surface& surface : surfaces) polynomials.push_back(*surface.polynomial());
+    accepts([&] { decide(polynomials); });
+  }
+  accepts([&] { decide(surfaces); });
   return 0;
 }
