@@ -152,12 +152,12 @@ public:
     return false;
   }
 
-  // Fewer digits of c, then a coarser grid.
+  // No more digits of c than plenty, then fewer, then a coarser grid, where there are none to spare.
   void simplify() {
     if (digits_ > fewest_digits)
-      --digits_;
+      digits_ = (std::min)(digits_ - 1, plenty);
     else {
-      digits_ = plenty; // on a coarser grid there are none to spare
+      digits_ = plenty;
       for (std::size_t x = 0; x < grid_.size(); ++x) grid_[x] += failed_[x];
       round();
     }
