@@ -5,9 +5,6 @@
 // All corners of a chain are rounded: which joins are corners, how near they are cut where curves are short, what stays as it
 // is, and what is refused.
 
-#define BOOST_TEST_MODULE round_corners
-#define BOOST_TEST_DYN_LINK
-
 #include "support/errors.h"
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
@@ -26,6 +23,8 @@
 #include <random>
 #include <type_traits>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(round_corners)
 
 namespace GC = CGAL::Geometric_continuity;
 
@@ -219,3 +218,5 @@ BOOST_AUTO_TEST_CASE(refused) {
                     "zero_tangent: round_corners: join after curve 1: the curves turn back on one line, where every "
                     "blend has a cusp");
 }
+
+BOOST_AUTO_TEST_SUITE_END()
