@@ -7,6 +7,7 @@
 #include "command_line.h"
 #include "output.h"
 #include "round_corners.h"
+#include "work_limit.h"
 
 #include <CGAL/Geometric_continuity/IO/figures/Svg_figure.h>
 
@@ -50,10 +51,14 @@ where needed rounded to few enough digits, and the blend between them. Numbers
 R are decimals or fractions p/q.
 
 --corner I rounds the join after the curve number I of a chain (counted from 0,
-cyclically): both curves are cut at the arc length R from it, and a fair blend
-with G2 joins is put between. --corners all rounds all joins that are not G2,
---corners kinks those that are not G1; of short curves less than R is cut off,
-so that a quarter of each remains. The output is the whole chain.
+cyclically; a spline counts as its Bezier curves): both curves are cut at the
+arc length R from it, and a fair blend with G2 joins is put between, with
+--order 3 one with G3 joins. --corners all rounds all joins that do not have
+this order, --corners kinks those that are not G1; of short curves less than R
+is cut off, so that a quarter of each remains. The output is the whole chain.
+
+Exact arithmetic on numbers of thousands of digits can take long: --max-work N
+allows N steps, about N multiplications of machine words, instead of 4000000000.
 
 Exit code: 0 when both joins of every blend have the order that is asked for, 1
 when rounding has broken one (--kernel double; the files are written
@@ -146,7 +151,7 @@ template <class FT> int blend(const Command_line& line) {
     const bool moved = !r.neighbours.empty();
     reports.push_back({r.strategy, exact(r.curve), exact(moved ? r.neighbours[0] : phi),
                        exact(moved ? r.neighbours[1] : psi), Exact(r.shape.beta), Exact(r.shape.eta),
-                       r.parameters + r.fallback, r.report});
+                       r.parameters + r.fallback, r.report, line.work_limit()});
   }
   const bool proved =
       std::all_of(reports.begin(), reports.end(), [order](const Blend_report& r) { return r.is_proved(order); });
@@ -195,6 +200,7 @@ int blend_command(const Arguments& arguments) {
         "exact: construct in exact numbers; double: in floating-point numbers");
     add("representable", "control points that are doubles, joins that are exactly G2");
     add("json", "print the report as JSON");
+    add("max-work", po::value<std::string>(), "the steps of work that are allowed for each blend");
     add("output,o", po::value<std::string>(), "write the result, .g2");
     add("plot", po::value<std::string>(), "draw the result, .svg");
     add("title", po::value<std::string>(), "title of the picture");
@@ -202,12 +208,20 @@ int blend_command(const Arguments& arguments) {
   if (line.help()) return requirement_met;
   check_outputs(line);
   if (!line.has("plot")) line.refuse({"title"}, "only with --plot");
-  if (line.has("corner") || line.has("corners")) return round_corners(line);
+  if (line.has("corner") || line.has("corners")) {
+    line.refuse({"max-work"}, "not with --corner or --corners");
+    return round_corners(line);
+  }
+  const auto bounded = [&](auto work) {
+    return within_work_limit([&] { return line.files().empty() ? "blend" : input_name(line.files().front()); }, work);
+  };
   line.refuse({"distance", "closed"}, "only with --corner or --corners");
   if (line.has("representable")) {
     if (line.integer("order") != 2) throw std::invalid_argument("--representable: blends of order 2 only");
     line.refuse({"replace", "kernel"}, "not with --representable");
-    return blend<double>(line);
+    return bounded([&] { return blend<double>(line); });
   }
-  return line.choice("kernel", {"exact", "double"}) == "exact" ? blend<Exact>(line) : blend<double>(line);
+  return bounded([&] {
+    return line.choice("kernel", {"exact", "double"}) == "exact" ? blend<Exact>(line) : blend<double>(line);
+  });
 }

@@ -15,9 +15,9 @@
 
 namespace {
 
-std::optional<GC::Curvature_extrema> extrema(const Exact_curve& curve) {
+std::optional<GC::Curvature_extrema> extrema(const Exact_curve& curve, GC::Work_limit limit) {
   try {
-    return GC::curvature_extrema(curve);
+    return GC::curvature_extrema(curve, limit);
   } catch (const GC::Error& e) {
     if (e.code() != GC::Error_code::zero_tangent) throw;
     return std::nullopt;
@@ -82,10 +82,11 @@ void write_members(std::ostream& os, const GC::Fair_report& search) {
 
 Blend_report::Blend_report(const std::string& strategy, const Exact_curve& gamma, const Exact_curve& phi,
                            const Exact_curve& psi, const Exact& beta, const Exact& eta, const std::string& parameters,
-                           const std::optional<GC::Fair_report>& search)
-    : strategy(strategy), curve(gamma), start(GC::continuity(phi, gamma)), end(GC::continuity(gamma, psi)), beta(beta),
-      eta(eta), parameters(parameters), fairness(GC::fairness(gamma)), bending_energy(GC::bending_energy(gamma)),
-      curvature(extrema(gamma)), search(search) {}
+                           const std::optional<GC::Fair_report>& search, GC::Work_limit limit)
+    : strategy(strategy), curve(gamma), start(GC::continuity(phi, gamma, 3, limit)),
+      end(GC::continuity(gamma, psi, 3, limit)), beta(beta), eta(eta), parameters(parameters),
+      fairness(GC::fairness(gamma)), bending_energy(GC::bending_energy(gamma)), curvature(extrema(gamma, limit)),
+      search(search) {}
 
 bool Blend_report::is_proved(int order) const {
   const bool smooth = order == 2 || curve.dimension() < 3;

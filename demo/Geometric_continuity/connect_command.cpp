@@ -5,6 +5,7 @@
 #include "command_line.h"
 #include "input.h"
 #include "output.h"
+#include "work_limit.h"
 
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Geometric_continuity/Traits_3.h>
@@ -24,6 +25,8 @@ twists are C1' - C' and C2' - C', if these lie in the plane of C1 - C2 and C';
 otherwise they are as near to that as possible. The three curves have the same
 knots, with inner knots at most double. G1 is decided exactly on the result,
 along the whole of C.
+Exact arithmetic on numbers of thousands of digits can take long: --max-work N
+allows N steps, about N multiplications of machine words, instead of 4000000000.
 Exit code: 0 when the result is G1, 1 when it is not, e.g. because of a fold, 2
 on bad input.
 )";
@@ -44,13 +47,13 @@ Curve read_curve(const std::string& name) {
 
 int connect(const Command_line& line) {
   const Arguments files = line.files();
-  const GC::G1_ribbon<Traits> ribbon =
-      connect_g1(read_curve(files[0]), read_curve(files[1]), read_curve(files[2]), line.number("bulge", FT(0)));
+  const GC::G1_ribbon<Traits> ribbon = connect_g1(read_curve(files[0]), read_curve(files[1]), read_curve(files[2]),
+                                                  line.number("bulge", FT(0)), line.work_limit());
   std::ostream& report = report_stream(line);
   report << ribbon << '\n';
   bool g1 = true;
   const std::vector<int> spans = ribbon.side1.knots_u().spans();
-  const std::vector<GC::Edge_continuity<FT>> continuity = ribbon.continuity();
+  const std::vector<GC::Edge_continuity<FT>> continuity = ribbon.continuity(line.work_limit());
   for (std::size_t i = 0; i < spans.size(); ++i) {
     report << "on [" << ribbon.side1.knots_u()[spans[i]] << ", " << ribbon.side1.knots_u()[spans[i] + 1]
            << "]: " << continuity[i] << '\n';
@@ -69,11 +72,12 @@ int connect(const Command_line& line) {
 int connect_command(const Arguments& arguments) {
   const Command_line line(connect_usage, arguments, [](po::options_description_easy_init add) {
     add("bulge", po::value<std::string>(), "R, bends the surfaces: beta becomes quartic (default 0)");
+    add("max-work", po::value<std::string>(), "the steps of work that are allowed");
     add("output,o", po::value<std::string>(), "write both surfaces, .g2");
   });
   if (line.help()) return requirement_met;
   if (line.files().size() != 3) throw std::invalid_argument("connect: three files are needed; see --help");
   if (!line.has("output")) throw std::invalid_argument("connect: -o RIBBON.g2 is needed");
   check_outputs(line);
-  return connect(line);
+  return within_work_limit([&] { return input_name(line.files()[0]) + ", ..."; }, [&] { return connect(line); });
 }

@@ -5,6 +5,7 @@
 #include "command_line.h"
 #include "join_report.h"
 #include "output.h"
+#include "work_limit.h"
 
 #include <CGAL/Geometric_continuity/IO/figures/Svg_figure.h>
 #include <CGAL/Geometric_continuity/extensions/extend.h>
@@ -29,6 +30,8 @@ smoothly as possible. With --toward the segment ends at the point, or as near
 to it as possible, with the least energy. The join is decided exactly on the
 result. Of a curve with inner knots the last span counts; all curves are
 written as Bezier curves. Numbers R are decimals or fractions p/q.
+Exact arithmetic on numbers of thousands of digits can take long: --max-work N
+allows N steps, about N multiplications of machine words, instead of 4000000000.
 Exit code: 0 when the join has the order that is asked for, 1 when rounding has
 broken it (--kernel double; the files are written nevertheless), 2 on bad input.
 )";
@@ -52,7 +55,8 @@ Program_curve<FT> next_segment(const Command_line& line, const Program_curve<FT>
   if (!line.has("toward"))
     return GC::extend(
         last, order,
-        {beta, optional_number<FT>(line, "c0"), optional_number<FT>(line, "c1"), optional_number<FT>(line, "c2")});
+        {beta, optional_number<FT>(line, "c0"), optional_number<FT>(line, "c1"), optional_number<FT>(line, "c2")},
+        line.work_limit());
   for (const char* option : {"c0", "c1", "c2"})
     if (line.has(option)) throw std::invalid_argument(std::string("--toward chooses --") + option + " itself");
   return GC::extend_toward(last, order, end_point<FT>(line, last.dimension()), beta);
@@ -69,7 +73,7 @@ template <class FT> int extend(const Command_line& line) {
   const std::vector<Program_curve<FT>> curves = read_curves<FT>(line.files());
   const Program_curve<FT>& last = curves.back();
   const Program_curve<FT> next = next_segment(line, last, order);
-  const Join join = GC::continuity(exact(last), exact(next));
+  const Join join = GC::continuity(exact(last), exact(next), 3, line.work_limit());
   const bool proved = order == Order::tangent                             ? join.g_order >= 1
                       : order == Order::curvature || next.dimension() < 3 ? join.g_order >= 2
                                                                           : join.f_order >= 3;
@@ -106,6 +110,7 @@ int extend_command(const Arguments& arguments) {
     add("toward", po::value<std::string>(), "X,Y[,Z], where the segment shall end");
     add("kernel", po::value<std::string>()->default_value("exact"),
         "exact: construct in exact numbers; double: in floating-point numbers");
+    add("max-work", po::value<std::string>(), "the steps of work that are allowed");
     add("output,o", po::value<std::string>(), "write all curves of A and the new one, .g2");
     add("plot", po::value<std::string>(), "draw the result, .svg");
   });
@@ -114,5 +119,9 @@ int extend_command(const Arguments& arguments) {
   if (!line.has("order")) throw std::invalid_argument("extend: --order is needed; see --help");
   if (!line.has("output")) throw std::invalid_argument("extend: -o OUT.g2 is needed");
   check_outputs(line);
-  return line.choice("kernel", {"exact", "double"}) == "exact" ? extend<Exact>(line) : extend<double>(line);
+  return within_work_limit(
+      [&] { return input_name(line.files()[0]); },
+      [&] {
+        return line.choice("kernel", {"exact", "double"}) == "exact" ? extend<Exact>(line) : extend<double>(line);
+      });
 }

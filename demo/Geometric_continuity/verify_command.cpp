@@ -108,7 +108,8 @@ public:
   void operator()(const GC::Chain_join<Exact_ends>& join) {
     const int left = static_cast<int>(join.left), right = static_cast<int>(join.right);
     std::optional<GC::Order_within> within;
-    if (demand_.tolerance) within = GC::order_within(join.left_curve, join.right_curve, *demand_.tolerance);
+    if (demand_.tolerance)
+      within = GC::order_within(join.left_curve, join.right_curve, *demand_.tolerance, demand_.limit);
     if (demand_.order && !demand_.order->met(join.continuity) &&
         !(within && (*within)(demand_.order->order()) == GC::Verdict::proved))
       ++failing_;

@@ -165,4 +165,31 @@ BOOST_AUTO_TEST_CASE(what_is_wrong_is_refused) {
                     "malformed_input: f.g2:10: zero_weight: Ra");
 }
 
+// Elementary classes: lines with ends are curves of degree 1, all others are refused with their name and a way out.
+BOOST_AUTO_TEST_CASE(elementary_classes) {
+  const std::string line = "120 1 0 0\n2\n1 2\n3 1/2\n1\n-1 4\n";
+  for (const auto& c :
+       {curves_in<Q2>(line).front(), curves_in<Q2>(line + text_of(curves_in<Q2>(line).front())).back()}) {
+    BOOST_CHECK(c.degree() == 1 && c.domain() == std::make_pair(Q(-1), Q(4)) && c.is_polynomial());
+    BOOST_CHECK(c(Q(2)) == Q2::Point(7, 3));
+  }
+  BOOST_CHECK(curves_in<D2>("120 1 0 0\n2\n0 0\n1 .1\n1\n0 3\n").front().end_jet(0).point() ==
+              D2::Point(3, 0.3)); // rounded once
+  std::istringstream pieces(line + line);
+  GC::G2_piece_reader<Q2> reader(pieces, "f.g2");
+  BOOST_CHECK(reader.next()->degree() == 1 && reader.next()->control_point(1) == Q2::Point(13, 4) && !reader.next());
+  const auto error = [](const std::string& text) { return error_of([&] { curves_in<Q2>(text); }); };
+  BOOST_CHECK_EQUAL(error("120 1 0 0\n2\n1 2\n3 1\n0\n"),
+                    "malformed_input: f.g2:5: a line without ends; a curve has two");
+  BOOST_CHECK_EQUAL(error("120 1 0 0\n2\n1 2\n3 1\n1\n2 2\n"),
+                    "malformed_input: f.g2:6: the ends of a line do not increase: empty domain");
+  BOOST_CHECK_EQUAL(
+      error("130 1 0 0\n2\n"),
+      "malformed_input: f.g2:1: 130 (circle) where a curve (100) is expected; its numbers, such as angles in "
+      "radians, are not exact: write it as a rational spline");
+  BOOST_CHECK(error("250 1 0 0\n").find("250 (plane) where a curve (100) is expected; its") != std::string::npos);
+  BOOST_CHECK_EQUAL(error_of([] { surfaces_in<Q3>("120 1 0 0\n3\n"); }),
+                    "malformed_input: f.g2:1: 120 (line) where a surface (200) is expected");
+}
+
 BOOST_AUTO_TEST_SUITE_END()

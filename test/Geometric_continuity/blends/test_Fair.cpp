@@ -133,36 +133,40 @@ double quantile(std::vector<double> x, double part) {
   return x[static_cast<std::size_t>(part * static_cast<double>(x.size() - 1))];
 }
 
-template <class Traits> void compare_with_optimum(unsigned seed, int pairs) {
-  BOOST_TEST_MESSAGE("seed " << seed);
-  std::mt19937_64 random(seed);
+// On pairs with seeds for which a search from the automatic blend alone ends in space at 1.9 to 2.4 times the optimum, and in the
+// plane at 1.6 times.
+template <class Traits> void compare_with_optimum() {
+  constexpr int pairs_of_a_seed = 160;
   std::vector<double> ratio;
   int converged = 0;
-  for (int i = 0; i < pairs; ++i) {
-    const Pair<Traits> p(random, false);
-    const auto gamma = GC::blend(p.phi, p.psi, GC::Fair());
-    const double e = fairness(gamma), automatic = fairness(GC::blend(p.phi, p.psi));
-    BOOST_CHECK_LE(e, automatic * 1.0001);
-    BOOST_CHECK_CLOSE(e, gamma.report.fairness, 1);
-    BOOST_CHECK_GE(gamma.report.iterations, 0);
-    converged += gamma.report.converged;
-    ratio.push_back(e / independent_optimum(p.phi, p.psi));
+  for (unsigned seed : {1U, 2U, 3U, 6U}) {
+    std::mt19937_64 random(seed);
+    for (int i = 0; i < pairs_of_a_seed; ++i) {
+      BOOST_TEST_CONTEXT("seed " << seed << ", pair " << i) {
+        const Pair<Traits> p(random, false);
+        const auto gamma = GC::blend(p.phi, p.psi, GC::Fair());
+        const double e = fairness(gamma), automatic = fairness(GC::blend(p.phi, p.psi));
+        BOOST_CHECK_LE(e, automatic * 1.0001);
+        BOOST_CHECK_CLOSE(e, gamma.report.fairness, 1);
+        BOOST_CHECK_GE(gamma.report.iterations, 0);
+        converged += gamma.report.converged;
+        ratio.push_back(e / independent_optimum(p.phi, p.psi));
+        BOOST_CHECK_LE(ratio.back(), 1.5);
+      }
+    }
   }
+  const std::size_t pairs = ratio.size();
   BOOST_TEST_MESSAGE("E / optimum: median " << quantile(ratio, 0.5) << ", 95 % " << quantile(ratio, 0.95)
                                             << ", largest " << quantile(ratio, 1) << "; converged " << converged
                                             << " of " << pairs);
   BOOST_CHECK_LE(quantile(ratio, 0.5), 1.005);
   BOOST_CHECK_LE(quantile(ratio, 0.95), 1.02);
-  BOOST_CHECK_LE(quantile(ratio, 1), 1.5);
-  BOOST_CHECK_GE(converged, pairs * 0.98);
+  BOOST_CHECK_GE(converged, 0.98 * static_cast<double>(pairs));
 }
 
 } // namespace
 
-// With most other seeds about one pair in 300 in space lies above the bound (up to 2.3 times): there the reference has gone on to
-// another minimum. In the plane none was found above 1.26.
-BOOST_AUTO_TEST_CASE(optimum_in_the_plane) { compare_with_optimum<Plane>(2, 300); }
-BOOST_AUTO_TEST_CASE(optimum_in_space) { compare_with_optimum<Space>(10, 300); }
+BOOST_AUTO_TEST_CASE_TEMPLATE(optimum, Traits, Traits_classes) { compare_with_optimum<Traits>(); }
 
 // Where nothing good may exist: never worse than the automatic shape, and the same again.
 BOOST_AUTO_TEST_CASE_TEMPLATE(wild_pairs, Traits, Traits_classes) {

@@ -201,9 +201,9 @@ BOOST_AUTO_TEST_CASE(lines) {
     BOOST_CHECK(line.control_point(j)[0] == 2 * line.control_point(j)[1]);
     if (j > 0) BOOST_CHECK(line.control_point(j - 1)[0] < line.control_point(j)[0]);
   }
-  // backwards on one line, and tangents that point away from each other: there is a cusp, or almost
-  for (const Numbers& phi : {Numbers{{0, 0}, {-1, 0}}, Numbers{{0, 0}, {-1, 0.3}}})
-    BOOST_CHECK(!sensible(phi, {{3, 0}, {-1, 0}}, GC::Fair(), 30).report.converged);
+  // backwards on one line there is a cusp, and with tangents that point away from each other almost one
+  BOOST_CHECK(!sensible({{0, 0}, {-1, 0}}, {{3, 0}, {-1, 0}}, GC::Fair(), 30).report.converged);
+  BOOST_CHECK_GE(sensible({{0, 0}, {-1, 0.3}}, {{3, 0}, {-1, 0}}, GC::Fair(), 30).report.fairness, 1e6);
 }
 
 BOOST_AUTO_TEST_CASE(curvatures) {
@@ -217,9 +217,11 @@ BOOST_AUTO_TEST_CASE(curvatures) {
   BOOST_CHECK(sensible({{0, 0}, {1, 1}}, {{1, 0}, {1, -3}}, GC::Fair(), 5).report.converged);
   BOOST_CHECK(sensible({{0, 0}, {1, 0}}, {{2, 1}, {0, 1}, {-2, 0}}, GC::Fair(), 5).report.converged);
   BOOST_CHECK(sensible({{0, 0}, {1, 0}, {0, 1e-6}}, {{2, 1}, {0, 1}, {-1, 0}}, GC::Fair(), 5).report.converged);
-  for (double curvature : {1e6, -1e6}) {
+  // next to which the chord is long: a curve that does not go far away, and is reported as not converged
+  for (double curvature : {1e6, -1e6, 1e9, -1e9, 1e12, -1e12}) {
     const auto curl = sensible({{0, 0}, {1, 0}, {0, 1}}, {{2, 1}, {0, 1}, {curvature, 0}}, GC::Fair(), 10);
-    BOOST_CHECK_LE(curl.report.fairness, curl.report.automatic_fairness / 1000);
+    BOOST_CHECK(!curl.report.converged);
+    if (std::abs(curvature) < 1e7) BOOST_CHECK_LE(curl.report.fairness, curl.report.automatic_fairness / 1000);
   }
 }
 

@@ -48,20 +48,22 @@ template <class Traits> GC::Bezier_curve<Traits> cubic(std::mt19937_64& random, 
 } // namespace
 
 BOOST_AUTO_TEST_CASE_TEMPLATE(almost_as_fair, Traits, Traits_classes) {
-  constexpr unsigned seed = 7;
-  BOOST_TEST_MESSAGE("seed " << seed);
-  std::mt19937_64 random(seed);
   double largest = 0;
-  for (int i = 0; i < 102; ++i) {
-    const int grid = 20 + i % 17;
-    const GC::Bezier_curve<Traits> phi = cubic<Traits>(random, -3, grid), psi = cubic<Traits>(random, 2, grid);
-    const GC::Representable_blend<Traits> gamma = GC::representable_blend(phi, psi, GC::Fair());
-    BOOST_CHECK(GC::is_g2_join(gamma.phi, gamma) && GC::is_g2_join(gamma, gamma.psi));
-    BOOST_CHECK(!gamma.start_join.is_moved() && !gamma.end_join.is_moved());
-    const double ratio =
-        fairness(static_cast<const GC::Bezier_curve<Traits, 5>&>(gamma)) / fairness(GC::blend(phi, psi, GC::Fair()));
-    largest = (std::max)(largest, ratio);
-    BOOST_CHECK_LE(ratio, 1.1);
+  for (unsigned seed : {1U, 4U, 5U, 7U}) { // with blends that need a precise shape
+    std::mt19937_64 random(seed);
+    for (int i = 0; i < 102; ++i) {
+      BOOST_TEST_CONTEXT("seed " << seed << ", pair " << i) {
+        const int grid = 20 + i % 17;
+        const GC::Bezier_curve<Traits> phi = cubic<Traits>(random, -3, grid), psi = cubic<Traits>(random, 2, grid);
+        const GC::Representable_blend<Traits> gamma = GC::representable_blend(phi, psi, GC::Fair());
+        BOOST_CHECK(GC::is_g2_join(gamma.phi, gamma) && GC::is_g2_join(gamma, gamma.psi));
+        if (grid < 36) BOOST_CHECK(!gamma.start_join.is_moved() && !gamma.end_join.is_moved());
+        const double ratio = fairness(static_cast<const GC::Bezier_curve<Traits, 5>&>(gamma)) /
+                             fairness(GC::blend(phi, psi, GC::Fair()));
+        largest = (std::max)(largest, ratio);
+        BOOST_CHECK_LE(ratio, 1.1);
+      }
+    }
   }
   BOOST_TEST_MESSAGE("E / E of the fair blend: largest " << largest);
 }

@@ -512,4 +512,32 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(polylines_and_boxes, Traits, Planar) {
     }
 }
 
+// The next segment behind a rational curve is polynomial and has its jet there.
+BOOST_AUTO_TEST_CASE_TEMPLATE(extensions, Traits, Exact_traits) {
+  typedef typename Traits::FT FT;
+  for (int m = 1; m <= 4; ++m) {
+    const GC::Rational_bezier_curve<Traits> c = curve<Traits>(m);
+    const GC::Rational_bspline_curve<Traits> s(c);
+    for (GC::Frenet_order order : {GC::Frenet_order::tangent, GC::Frenet_order::curvature, GC::Frenet_order::torsion}) {
+      const int k = static_cast<int>(order);
+      const GC::Bezier_curve<Traits> next = extend(c, order, {FT(2), FT(FT(1) / FT(3))});
+      BOOST_CHECK(next.degree() == (std::max)(m, k));
+      BOOST_CHECK_GE(GC::continuity(c, next).f_order, (std::min)(k, dimension<Traits>()));
+      const auto wished = point<Traits>();
+      const GC::Bezier_curve<Traits> toward = extend_toward(c, order, wished);
+      BOOST_CHECK_GE(GC::continuity(c, toward).f_order, (std::min)(k, dimension<Traits>()));
+      if (m > k) BOOST_CHECK(toward.control_point(m) == wished);
+      if (m < k) {
+        CHECK_ERROR(extend(s, order), wrong_number_of_points);
+        continue;
+      }
+      const GC::Rational_bspline_curve<Traits> longer = extend(s, order, {FT(2), FT(FT(1) / FT(3))});
+      BOOST_CHECK(longer.left_jet(c.domain().second, 4) == c.end_jet(4));
+      BOOST_CHECK(longer.right_jet(c.domain().second, 3) == next.start_jet(3));
+      BOOST_CHECK(longer.end_jet(2) == next.end_jet(2));
+      BOOST_CHECK(extend_toward(s, order, wished).end_jet(2) == toward.end_jet(2));
+    }
+  }
+}
+
 BOOST_AUTO_TEST_SUITE_END()

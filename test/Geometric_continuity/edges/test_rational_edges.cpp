@@ -166,7 +166,18 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(polynomial_surfaces_as_rational_ones, Traits, All_
   for (int round = 0; round < 4; ++round) {
     const GC::Bezier_patch<Traits> a(net(1, round)), b(net(-1, -round));
     const auto expected = edge_continuity(a, v0, b, v0);
-    const Patch<Traits> p = with_factor(Patch<Traits>(a), FT(3)), q = with_factor(Patch<Traits>(b), FT(FT(1) / FT(4)));
+    // with another weight in the last row: otherwise they would be decided as polynomials
+    const auto rational = [](const GC::Bezier_patch<Traits>& s, const FT& factor) {
+      std::vector<std::vector<FT>> weights(4, std::vector<FT>(3, factor));
+      weights[2][2] = FT(factor * FT(2));
+      std::vector<std::vector<P>> points(4);
+      for (int i = 0; i < 4; ++i)
+        for (int j = 0; j < 3; ++j) points[i].push_back(s.control_point(i, j));
+      points[2][2] = P(8, points[2][2].y(), points[2][2].z());
+      return Patch<Traits>(points, weights);
+    };
+    const Patch<Traits> p = rational(a, FT(3)), q = rational(b, FT(FT(1) / FT(4)));
+    BOOST_CHECK(!p.is_polynomial());
     const auto compare = [&](const auto& found) {
       BOOST_CHECK_EQUAL(found.g_order, expected.g_order);
       BOOST_CHECK(found.defect == expected.defect && found.side == expected.side &&
@@ -175,9 +186,11 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(polynomial_surfaces_as_rational_ones, Traits, All_
                   expected.deviation->lower <= found.deviation->upper);
     };
     compare(edge_continuity(p, v0, q, v0));
+    compare(edge_continuity(with_factor(Patch<Traits>(a), FT(5)), v0, q, v0));
+    compare(edge_continuity(with_factor(Patch<Traits>(a), FT(5)), v0, Spline<Traits>(Patch<Traits>(b)), v0));
     compare(edge_continuity(a, v0, q, v0));
     compare(edge_continuity(Spline<Traits>(p), v0, GC::Bspline_surface<Traits>(b), v0));
-    const GC::Edge_deviation x = deviation(a, v0, b, v1), y = deviation(p, v0, q, v1);
+    const GC::Edge_deviation x = deviation(a, v0, b, u0), y = deviation(p, v0, q, u0);
     BOOST_CHECK(x.gap.lower <= y.gap.upper && y.gap.lower <= x.gap.upper && x.reversed == y.reversed);
     BOOST_CHECK(x.normal_angle->lower <= y.normal_angle->upper && y.normal_angle->lower <= x.normal_angle->upper);
   }

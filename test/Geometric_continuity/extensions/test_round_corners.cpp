@@ -8,8 +8,10 @@
 #include "support/errors.h"
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Geometric_continuity/Traits_2.h>
+#include <CGAL/Geometric_continuity/curves/arcs.h>
 #include <CGAL/Geometric_continuity/extensions/round_corners.h>
 #include <CGAL/Geometric_continuity/joins/chain_continuity.h>
 #include <CGAL/Geometric_continuity/joins/join_predicates.h>
@@ -35,7 +37,7 @@ typedef GC::Traits_2<CGAL::Simple_cartesian<Q>> Traits;
 typedef Traits::Point Point;
 typedef GC::Bezier_curve<Traits> Curve;
 typedef std::vector<Curve> Chain;
-typedef GC::Rounded_chain<Traits> Rounded;
+typedef GC::Rounded_chain<Curve> Rounded;
 
 const Chain square = {
     {Point(0, 0), Point(8, 0)}, {Point(8, 0), Point(8, 8)}, {Point(8, 8), Point(0, 8)}, {Point(0, 8), Point(0, 0)}};
@@ -141,6 +143,51 @@ BOOST_AUTO_TEST_CASE(short_curves) {
   BOOST_CHECK(fits.corners[0].right_cut == Q(1) / 2 && fits.corners[0].left_cut == Q(7) / 8);
 }
 
+// A spline is the chain of its Bezier curves: with a kink at a triple knot, between two that are smooth. Alone, before a
+// line that it meets in a corner, and as segments.
+BOOST_AUTO_TEST_CASE(splines) {
+  typedef GC::Bspline_curve<Traits> Spline;
+  const std::vector<Q> knots = {0, 0, 0, 0, 1, 2, 2, 2, 3, 4, 4, 4, 4};
+  const std::vector<Point> points = {{0, 0}, {1, 0}, {2, 2}, {4, 2}, {5, 0}, {6, 4}, {7, 5}, {8, 4}, {9, 0}};
+  const Spline spline(points.begin(), points.end(), GC::Knot_vector<Q>(3, knots));
+  const Chain pieces = spline.bezier_pieces();
+  BOOST_REQUIRE(pieces.size() == 4);
+  const std::vector<Spline> chain = {spline};
+  const Rounded r = GC::round_corners(chain.begin(), chain.end(), 0.25, GC::Closure::open);
+  check_parts(pieces, r);
+  BOOST_REQUIRE(r.corners.size() == 1 && r.corners[0].join == 1);
+  BOOST_CHECK(least_order(r, false) == 2);
+  const Rounded same_pieces = rounded(pieces, 0.25, false);
+  BOOST_REQUIRE(same_pieces.curves.size() == r.curves.size());
+  for (std::size_t k = 0; k < r.curves.size(); ++k) BOOST_CHECK(same(r.curves[k], same_pieces.curves[k]));
+
+  const std::vector<GC::Composite_bezier_curve<Traits>> segments = {
+      GC::Composite_bezier_curve<Traits>(pieces.begin(), pieces.end())};
+  const Rounded of_segments = GC::round_corners(segments.begin(), segments.end(), 0.25, GC::Closure::open);
+  BOOST_REQUIRE(of_segments.corners.size() == 1 && of_segments.corners[0].join == 1);
+  for (std::size_t k = 0; k < r.curves.size(); ++k) BOOST_CHECK(same(r.curves[k], of_segments.curves[k]));
+
+  // from one spline to the next, and back: corners between them too
+  const std::vector<Q> line_knots = {0, 0, 1, 1};
+  const std::vector<Point> line = {{9, 0}, {0, 0}};
+  const std::vector<Spline> two = {spline, Spline(line.begin(), line.end(), GC::Knot_vector<Q>(1, line_knots))};
+  const Rounded closed = GC::round_corners(two.begin(), two.end(), 0.25, GC::Closure::closed);
+  BOOST_REQUIRE(closed.corners.size() == 3 && closed.corners[1].join == 3 && closed.corners[2].join == 4);
+  BOOST_CHECK(least_order(closed, true) == 2);
+}
+
+// On doubles too a smooth knot is no corner, though the Bezier curves next to it are rounded.
+BOOST_AUTO_TEST_CASE(spline_of_doubles) {
+  typedef GC::Traits_2<CGAL::Exact_predicates_inexact_constructions_kernel> Inexact;
+  const std::vector<double> knots = {0, 0, 0, 0, 0.1, 0.7, 0.7, 0.7, 0.9, 1, 1, 1, 1};
+  const std::vector<Inexact::Point> points = {{0, 0},     {0.1, 0},   {0.2, 0.3}, {0.4, 0.2}, {0.5, 0},
+                                              {0.6, 0.4}, {0.7, 0.5}, {0.8, 0.4}, {0.9, 0}};
+  const std::vector<GC::Bspline_curve<Inexact>> chain = {
+      GC::Bspline_curve<Inexact>(points.begin(), points.end(), GC::Knot_vector<double>(3, knots))};
+  const auto r = GC::round_corners(chain.begin(), chain.end(), 0.05, GC::Closure::open);
+  BOOST_CHECK(r.corners.size() == 1 && r.corners[0].join == 1 && r.curves.size() == 5);
+}
+
 // A drop, of one curve; a lens, of two; a star with a cusp and a tangent that is zero.
 BOOST_AUTO_TEST_CASE(outlines) {
   const Chain drop = {{Point(0, 0), Point(9, 6), Point(-9, 6), Point(0, 0)}},
@@ -217,6 +264,38 @@ BOOST_AUTO_TEST_CASE(refused) {
   BOOST_CHECK_EQUAL(error_of([&] { round(back, 1, false); }),
                     "zero_tangent: round_corners: join after curve 1: the curves turn back on one line, where every "
                     "blend has a cusp");
+}
+
+// A half moon: an arc of more than half a circle, with a negative weight, and its chord; and half a circle, with an infinite control
+// point.
+BOOST_AUTO_TEST_CASE(rational_chains) {
+  typedef GC::Rational_bezier_curve<Traits> Rational;
+  for (const Q& r : {Q(1), Q(2), Q(1) / Q(3)}) {
+    const Rational arc = GC::circular_arc<Traits>(Point(0, 0), Point(4, 0), r),
+                   chord = Curve{arc.end_jet(0).point(), Point(4, 0)};
+    const std::vector<Rational> moon = {arc, chord};
+    const auto rounded = GC::round_corners(moon.begin(), moon.end(), 0.5, GC::Closure::closed);
+    BOOST_REQUIRE(rounded.curves.size() == 4 && rounded.corners.size() == 2);
+    BOOST_CHECK(GC::chain_continuity(rounded.curves.begin(), rounded.curves.end(), 2, true)
+                    .least_order(GC::Continuity_kind::G) == 2);
+    for (const auto& corner : rounded.corners) BOOST_CHECK_EQUAL(corner.distance, 0.5);
+    // the cuts have that distance along the circle of the radius 4, and what remains of it lies on it
+    const Point cut = rounded.curves[0].end_jet(0).point(), end = arc.end_jet(0).point();
+    BOOST_CHECK(cut.x() * cut.x() + cut.y() * cut.y() == 16);
+    const double half_chord = std::sqrt(CGAL::to_double((cut - end).squared_length())) / 2;
+    BOOST_CHECK_CLOSE_FRACTION(8 * std::asin(half_chord / 4), 0.5, 1e-3);
+    BOOST_CHECK(arc(rounded.corners[0].left_cut) == cut);
+  }
+  // the same as one B-spline curve with a kink at a knot
+  const Rational arc = GC::circular_arc<Traits>(Point(0, 0), Point(4, 0), Q(1) / Q(2)),
+                 line = Curve{arc.end_jet(0).point(), Point(-9, 9)};
+  const std::vector<Rational> parts = {arc, line};
+  const std::vector<GC::Rational_bspline_curve<Traits>> spline = {
+      GC::Rational_bspline_curve<Traits>(parts.begin(), parts.end())};
+  const auto rounded = GC::round_corners(spline.begin(), spline.end(), 0.25, GC::Closure::open);
+  BOOST_REQUIRE(rounded.curves.size() == 3);
+  BOOST_CHECK(GC::is_g2_join(rounded.curves[0], rounded.curves[1]) &&
+              GC::is_g2_join(rounded.curves[1], rounded.curves[2]));
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -9,6 +9,7 @@
 #include "support/rational_surfaces.h"
 
 #include <CGAL/Geometric_continuity/curves/arcs.h>
+#include <CGAL/Geometric_continuity/edges/common_edges.h>
 #include <CGAL/Geometric_continuity/models/model_continuity.h>
 #include <CGAL/Geometric_continuity/models/near_edges.h>
 #include <CGAL/Geometric_continuity/surfaces/elementary_surfaces.h>
@@ -128,6 +129,10 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(fillets, Traits, All_traits) {
   const Patch<Traits> corner = turned(arc);
   const Patch<Traits> ring = turned(Curve({P(-1, 0, 1), P(0, 0, 1)}, {FT(1), FT(1)})),
                       wall = turned(Curve({P(1, 0, 0), P(1, 0, -4)}, {FT(1), FT(1)}));
+  const std::vector<GC::Common_edge> common = GC::common_edges(with_factor(fillet, FT(3)), corner);
+  BOOST_REQUIRE_EQUAL(common.size(), 1u);
+  BOOST_CHECK(common[0].edge_a == v0 && common[0].edge_b == v1 && !common[0].reversed);
+  BOOST_CHECK(GC::common_edges(fillet, fillet).empty() && GC::common_edges(fillet.reverse_u(), corner)[0].reversed);
   const auto model = GC::model_continuity(with_factors<Traits>({fillet, corner, ring, wall, side}));
   BOOST_CHECK_EQUAL(text(model.summary), "0 G2, 5 G1, 0 G0, 10 boundary, 0 collapsed");
   BOOST_CHECK(model.has_order(1) && !model.has_order(2));

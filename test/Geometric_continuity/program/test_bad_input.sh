@@ -21,7 +21,7 @@ curve $'3 0\n4 4\n0 0 0 0 1 1 1 1\n0 0 0\n1 1e999999999 1\n2 2 2\n3 3 3' >bad.g2
 bad "bad.g2:6"
 curve $'3 0\n4000000000 4\n0 0 0 0 1 1 1 1\n0 0 0' >bad.g2
 bad "bad.g2:3"
-curve $'3 1\n4 4\n0 0 0 0 1 1 1 1\n0 0 0' >bad.g2
+curve $'3 2\n4 4\n0 0 0 0 1 1 1 1\n0 0 0' >bad.g2
 bad "bad.g2:2"
 curve $'3 0\n4 4\n0 0 0 0 1 1 1 1\n0 0 0\n1 1 1\n2 2 2\n3 3 3\n4 4 4' >bad.g2
 bad "bad.g2:9"

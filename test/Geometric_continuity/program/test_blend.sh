@@ -46,8 +46,22 @@ run 0 blend "$L" "$R" --strategy fair --beta 1 --eta 1 && says out "beta = 1, et
 run 0 blend "$L" "$R" --strategy fair --representable -o chain.g2 && says out "proved in exact arithmetic"
 run 0 verify chain.g2 --require G2 --kernel double
 run 0 blend "$S" --replace 1 --strategy fair -o S.g2 --plot S.svg
-run 0 verify --closed S.g2 --json && says out '{"left":0,"right":1,"c_order":0,"g_order":2'
+run 0 verify --closed S.g2 --json
+says out '{"left":0,"right":1,"c_order":0,"g_order":2' '{"left":1,"right":2,"c_order":0,"g_order":2'
+for i in 0 1 27; do # the rest of the chain stays as it is
+  run 0 blend "$S" --replace $i --strategy fair -o S.g2
+  holds [ "$(grep -cx '6 6' S.g2)" -eq 1 ] && holds [ "$(grep -c '^100 ' S.g2)" -eq 28 ]
+  run 0 blend S.g2 --replace $i --order 3 --strategy fair_g3 -o S3.g2 && run 0 verify --closed S3.g2 --json
+  says out "{\"left\":$i,\"right\":$(((i + 1) % 28)),\"c_order\":0,\"g_order\":3"
+  says out "{\"left\":$(((i + 27) % 28)),\"right\":$i,\"c_order\":0,\"g_order\":3"
+done
 run 1 blend "$L" "$R" --strategy fair --kernel double && says out "fair " "iteration"
+# next to a curvature of 10^6 nothing is fair: a curve that stays near, G2 nevertheless, and the report says so
+printf '100 1 0 0\n2 0\n3 3\n0 0 0 1 1 1\n-2 0\n-1 0\n0 1\n' >calm.g2
+printf '100 1 0 0\n2 0\n3 3\n0 0 0 1 1 1\n2 1\n2 3/2\n500002 2\n' >curl.g2
+run 0 blend calm.g2 curl.g2 --strategy fair -o near.g2 && says out "(not converged)" "C0 G2"
+run 0 verify calm.g2 near.g2 curl.g2 --require G2
+holds awk '{ for (i = 1; i <= NF && NR > 4; ++i) { split($i, a, "/"); x = a[1] / (a[2] ? a[2] : 1); if (x * x > 9) exit 1 } }' near.g2
 
 # blends in double are not exact, and the report says so
 run 1 blend "$L" "$R" --kernel double -o double.g2 && says out "rounding has broken a join"

@@ -30,6 +30,22 @@ for corner in 0 2 4 6; do # each blend makes the chain longer by one curve
 done
 run 0 verify --closed step.g2 --require G2 && says out "8 joins"
 
+# G3 joins
+run 0 blend square.g2 --corners all --closed --order 3 --distance 2 -o g3.g2 --strategy fair_g3
+says out "0 -> 1            1          2  C0 G3 F2     C0 G3 F2" "4 corners are rounded, both joins of every blend are proved"
+run 0 verify --closed g3.g2 --require G3
+holds [ "$(grep -c '^8 8$' g3.g2)" -eq 4 ]
+run 0 blend round.g2 --corners all --closed --order 3 --distance 1/2 -o again.g2 && says out "8 corners are rounded"
+run 0 verify --closed again.g2 --require G3
+run 0 blend square.g2 --corner 1 --order 3 --distance 2 -o - && says err "1 corner is rounded, both joins"
+
+# a spline with a kink at the triple knot 2 and a smooth knot on both sides: the chain of its Bezier curves
+printf '100 1 0 0\n2 0\n9 4\n0 0 0 0 1 2 2 2 3 4 4 4 4\n0 0\n1 0\n2 2\n4 2\n5 0\n6 4\n7 5\n8 4\n9 0\n' >spline.g2
+run 0 blend spline.g2 --corners all --distance 1/4 -o round_spline.g2 && says out "1 -> 2" "1 corner is rounded"
+run 0 verify round_spline.g2 --require G2 && says out "4 joins"
+run 0 blend spline.g2 --corner 1 --distance 1/4 -o one.g2 && holds cmp -s one.g2 round_spline.g2
+run 1 verify spline.g2 --require G1
+
 # an outline of a letter
 for which in all kinks; do
   run 0 blend "$S" --corners $which --closed --distance 15 -o S_$which.g2 --plot S_$which.svg --title "Round S" --strategy fair
@@ -77,6 +93,8 @@ refused "--closed: only with --corners" blend square.g2 --corner 0 --distance 1 
 refused "--replace: not with --corner or --corners" blend square.g2 --corner 0 --distance 1 --replace 1
 refused "--beta: not with --corner or --corners" blend square.g2 --corners all --distance 1 --beta 1
 refused "--strategy: 'c2' is none of fair" blend square.g2 --corner 0 --distance 1 --strategy c2
+refused "--strategy: 'fair' is none of fair_g3" blend square.g2 --corner 0 --distance 1 --order 3 --strategy fair
+refused "--order: 4 is not from 2 to 3" blend square.g2 --corner 0 --distance 1 --order 4
 refused "one file is needed" blend "$L" "$R" --corner 0 --distance 1
 refused "square.g2: parameter_outside_domain: round_corner: the distance 8 is not less than the length 8 of the left curve" \
   blend square.g2 --corner 0 --distance 8

@@ -54,6 +54,6 @@ flat $'0 0 1 1\n0 0 0\n1 0 0' >bad.g2 && surface_error "8: file ends after 2 of 
 flat $'0 0 1 -1' >bad.g2 && surface_error "6: the knots in v decrease at '-1'"
 printf '200 1 0 0\n3 0\n5 3\n0 0 0 1 1 1 1 2' >bad.g2 && surface_error "4: knot 7 of 8 in u is repeated more than 3 times"
 printf '200 1 0 0\n3 0\n2 3\n' >bad.g2 && surface_error "3: 2 control points and order 3 in u"
-printf '200 1 0 0\n3 1\n' >bad.g2 && surface_error "2: a rational surface where a polynomial one is expected"
+printf '200 1 0 0\n3 2\n' >bad.g2 && surface_error "2: the rational flag is '2'"
 printf '200 1 0 0\n2 0\n' >bad.g2 && surface_error "2: dimension 2 where 3 is expected"
 printf '' >bad.g2 && surface_error "1: no surface"

@@ -104,9 +104,50 @@ parabola 1000 >longer.g2
 bounded 60 2 verify --max-order 32 longer.g2
 says err "join 0 -> 1: work_limit" "--max-work N"
 
+# Constructions with long numbers.
+random_curve() { # ORDER DIGITS SEED
+  awk -v k="$1" -v digits="$2" -v seed="$3" 'BEGIN {
+    srand(seed)
+    print "100 1 0 0\n2 0\n" k, k
+    for (i = 0; i < 2 * k; ++i) printf "%d ", (i >= k)
+    print ""
+    for (i = 0; i < 2 * k; ++i) {
+      number = ""
+      for (j = 0; j < 2 * digits; ++j) number = number (j == digits ? "/" : "") 1 + int(9 * rand())
+      printf "%s%s", number, i % 2 ? "\n" : " "
+    }
+  }'
+}
+random_curve 128 2 1 >short.g2
+bounded 60 0 extend short.g2 --order curvature -o extended.g2
+run 2 extend short.g2 --order curvature --max-work 1000 -o none.g2
+says err "short.g2: work_limit: extend" "--max-work N"
+random_curve 128 2000 1 >long.g2
+bounded 60 2 extend long.g2 --order curvature -o none.g2
+random_curve 4 3 1 >left.g2
+random_curve 4 3 2 >right.g2
+bounded 60 0 blend left.g2 right.g2
+run 2 blend left.g2 right.g2 --max-work 1000
+says err "left.g2: work_limit" "--max-work N"
+random_curve 4 2000 1 >long_left.g2
+random_curve 4 2000 2 >long_right.g2
+bounded 60 2 blend long_left.g2 long_right.g2 -o none.g2
+says err "curvature_extrema" "--max-work N"
+run 2 blend left.g2 --corner 0 --distance 1 --max-work 1000
+says err "--max-work: not with --corner"
+for y in 0 1 -1; do cubic "0 $y 0"$'\n'"1 $y 0"$'\n'"2 $y 0"$'\n'"3 $y 0" >"line$y.g2"; done
+run 0 connect line0.g2 line1.g2 line-1.g2 -o ribbon.g2
+run 2 connect line0.g2 line1.g2 line-1.g2 --max-work 100 -o none.g2
+says err "line0.g2, ...: work_limit: connect_g1" "--max-work N"
+run 2 verify left.g2 right.g2 --within 1,1,1 --max-work 100
+says err "join 0 -> 1: work_limit: " "--max-work N"
+holds test ! -e none.g2
+
 # The option.
 for word in 0 -1 x 1e9 1.5 "" 99999999999999999999999; do
   run 2 verify --max-work "$word" "$S"
+  says err "--max-work: '$word'"
+  run 2 blend left.g2 right.g2 --max-work "$word"
   says err "--max-work: '$word'"
 done
 run 0 verify --max-work 18446744073709551615 "$S"

@@ -10,7 +10,9 @@
 
 #include <CGAL/Aff_transformation_3.h>
 #include <CGAL/Geometric_continuity/surfaces/boundary_curve.h>
+#include <CGAL/Geometric_continuity/surfaces/evaluate_grid.h>
 
+#include <algorithm>
 #include <limits>
 #include <sstream>
 
@@ -179,6 +181,17 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(denominators, Traits, All_traits) {
   for (int i = 0; i < 3; ++i)
     for (int j = 0; j < 3; ++j) touching[i].push_back(FT(square[i] + square[j]));
   CHECK_ERROR(Patch<Traits>(net, touching), work_limit);
+  // (u-v)^2 + epsilon needs the more rectangles the smaller epsilon is, along the whole diagonal
+  const auto near_diagonal = [&](const FT& epsilon) {
+    std::vector<std::vector<FT>> weights(3);
+    for (int i = 0; i < 3; ++i)
+      for (int j = 0; j < 3; ++j) weights[i].push_back(FT(FT((i == 2) + (j == 2)) - FT(i * j) / FT(2) + epsilon));
+    return Patch<Traits>(net, weights);
+  };
+  BOOST_CHECK(!near_diagonal(weight(1, 1024)).is_polynomial());
+  CHECK_ERROR(near_diagonal(weight(0, 1)), zero_weight);
+  CHECK_ERROR(near_diagonal(FT(weight(1, 1 << 30) * weight(1, 1 << 30))), work_limit);
+  CHECK_ERROR(near_diagonal(FT(-weight(1, 1 << 30) * weight(1, 1 << 30))), zero_weight);
   // knots: the denominator of the second span only is negative
   typedef GC::Knot_vector<FT> Knots;
   const Knots two(1, {FT(0), FT(0), FT(1), FT(2), FT(2)}), one(1, {FT(0), FT(0), FT(1), FT(1)});
@@ -214,6 +227,46 @@ BOOST_AUTO_TEST_CASE(infinite_control_points) {
   const Patch<Exact> t({{Exact::Point(1, 0, 0)}, {Exact::Point(7, 7, 7)}, {Exact::Point(-1, 0, 0)}},
                        {{Q(1)}, {Q(0)}, {Q(1)}});
   BOOST_CHECK(t.control_point(1, 0) == Exact::Point(0, 0, 0) && t(fraction(1, 2), Q(0)) == Exact::Point(0, 0, 0));
+}
+
+BOOST_AUTO_TEST_CASE(grids) {
+  typedef GC::Surface_grid<double> Grid;
+  Random random;
+  std::vector<std::vector<Double::Point>> net(8);
+  std::vector<std::vector<double>> weights(8);
+  for (int p : {1, 2, 7}) { // unrolled and not
+    const std::size_t n = static_cast<std::size_t>(p) + 1;
+    for (std::size_t i = 0; i < n; ++i) {
+      net[i].clear();
+      weights[i].clear();
+      for (int j = 0; j <= p; ++j) {
+        net[i].emplace_back(static_cast<double>(i), j, random.integer(-9, 9));
+        weights[i].push_back(random.integer(1, 9) / 4.);
+      }
+    }
+    const Patch<Double> patch(std::vector<std::vector<Double::Point>>(net.begin(), net.begin() + p + 1),
+                              std::vector<std::vector<double>>(weights.begin(), weights.begin() + p + 1), {1, 3},
+                              {0, 2});
+    const std::vector<double> u{1, 1.25, 2, 3}, v{0, 0.3, 1, 1.7, 2};
+    const auto compare = [&](const auto& surface) {
+      Grid unit, plain;
+      evaluate_grid(surface, u, v, unit);
+      GC::evaluate_grid<GC::Grid_normals::unnormalised>(surface, u, v, plain);
+      for (std::size_t i = 0; i < u.size(); ++i)
+        for (std::size_t j = 0; j < v.size(); ++j) {
+          const std::size_t at = i * v.size() + j;
+          const Double::Point x = surface(u[i], v[j]);
+          const Double::Vector normal = surface.normal(u[i], v[j]), direction = *surface.unit_normal(u[i], v[j]);
+          for (int k = 0; k < 3; ++k) {
+            BOOST_CHECK_SMALL(plain.points(k)[at] - x[k], 1e-12);
+            BOOST_CHECK_SMALL(plain.normals(k)[at] - normal[k], 1e-9);
+            BOOST_CHECK_SMALL(unit.normals(k)[at] - direction[k], 1e-12);
+          }
+        }
+    };
+    compare(patch);
+    compare(Spline<Double>(patch).insert_u(1.5).insert_v(0.3).insert_v(1, std::min(p, 2)));
+  }
 }
 
 BOOST_AUTO_TEST_CASE_TEMPLATE(refused_input, Traits, All_traits) {

@@ -17,6 +17,10 @@
 /// - the control points; with the flag 1 the products \f$ w x \f$ of the coordinates and the weight, and then the weight
 ///   \f$ w \f$.
 ///
+/// A line, `120`, with its dimension, location, direction, 1 and the parameters of its two ends, is read as a curve of degree 1.
+/// Circles, planes and other elementary classes are refused: their angles in radians and normalised directions are not exact
+/// numbers. As rational splines they are.
+///
 /// A surface has the class `200`, and in place of the third line the same numbers for `u` and then for `v`. Its control
 /// points are \f$ b_{00}, b_{10}, \dots, b_{m-1,0}, b_{01}, \dots, b_{m-1,n-1} \f$: the index that belongs to `u` runs
 /// fastest.

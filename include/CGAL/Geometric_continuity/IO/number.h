@@ -102,6 +102,17 @@ template <class FT> FT nearest_floating_point(const Exact_rational& x) {
   return number(twice_x < sum ? low : high);
 }
 
+// An exact number as the nearest one of a floating-point type, or as it is.
+template <class FT, class Exact> FT nearest_number(const Exact& x) {
+  if constexpr (std::is_same_v<FT, Exact>)
+    return x;
+  else if constexpr (std::is_floating_point_v<FT>) {
+    const FT size = nearest_floating_point<FT>(x < Exact(0) ? Exact(-x) : x);
+    return x < Exact(0) ? -size : size;
+  } else
+    return FT(x);
+}
+
 template <class FT> FT floating_point_value(std::string_view text, const Number_parts& parts) {
   FT value(0);
   if (!parts.denominator.empty()) {

@@ -29,10 +29,12 @@ namespace Geometric_continuity {
 /// \ingroup PkgGeometricContinuityStrategies
 /// What the search for a fair blend has done.
 struct Fair_report {
-  int iterations = 0;            ///< how many steps were tried
-  double automatic_fairness = 0; ///< `E` of the blend of least energy with the automatic shape, where the search starts
-  double fairness = 0;           ///< `E` of the blend that was found; never more than `automatic_fairness`
-  bool converged = false;        ///< whether the search ended in a local minimum
+  int iterations = 0; ///< how many steps were tried
+  /// `E` of the blend of least energy with the automatic shape, where the search starts; where that has almost a cusp, as
+  /// much of it as a quadrature sees
+  double automatic_fairness = 0;
+  double fairness = 0;    ///< `E` of the blend that was found; never more than `automatic_fairness`
+  bool converged = false; ///< whether the search ended in a local minimum
 };
 
 namespace internal {
@@ -130,9 +132,9 @@ private:
 /// \ingroup PkgGeometricContinuityStrategies
 /// Chooses the fairest blend of degree 5 with \f$ G^2 \f$ joins: the least `E` over \f$ \beta, \eta, s_1, s_2 \f$, near the
 /// blend of least energy with the automatic shape, and with \f$ \beta, \eta \f$ within a factor of 4 of it (or shorter tangents,
-/// where the diameter of the circle of curvature is less than the chord). Where `E` is more than 1000 there, which nobody would
-/// draw, the search starts again from the best four of a coarse grid of blends. Where the caller gives the shape parameters, over
-/// \f$ s_1, s_2 \f$ only.
+/// where the diameter of the circle of curvature is less than the chord). Where `E` is more than 400 there, the search starts
+/// again from four blends with long tangents, and where it is more than 5000 even then, which nobody would draw, from the best
+/// four of a coarse grid of blends. Where the caller gives the shape parameters, over \f$ s_1, s_2 \f$ only.
 ///
 /// The search is made in floating-point numbers. What it finds is rounded to short binary fractions, with which the blend is
 /// constructed in the field of the kernel: with an exact kernel its joins are exactly \f$ G^2 \f$, whatever was found. Before this

@@ -110,7 +110,7 @@ template <class Traits> Coordinates<Traits> rounded(const Coordinate_vector<Exac
 /// With \f$ p = b_0 - b_{-1} \f$ and \f$ q = b_0 - 2b_{-1} + b_{-2} \f$ at the end of a curve of degree \f$ m \f$,
 /// \f[ B = A + c\,p, \qquad C = 2B - A + c^2\,\frac{5(m-1)}{4m}\,q + e\,p \f]
 /// with \f$ \beta = 5c/m \f$, and mirrored at the start of \f$ \psi \f$. Here `c` is close to \f$ \beta m/5 \f$ for the
-/// \f$ \beta \f$ of `shape` (within 1/8 of it, by 3 to 5 binary digits) and a multiple of the odd part of
+/// \f$ \beta \f$ of `shape` (within 1/8 of it, by 3 to 8 binary digits) and a multiple of the odd part of
 /// \f$ m/\gcd(m,5) \f$, so that no division by it remains; and `e` is close to what the strategy chooses, as near as the
 /// remaining digits allow (at least to 1/32, as a part of the leg `p`).
 ///

@@ -62,6 +62,7 @@ namespace internal {
 
 // Goes along a curve piece by piece.
 template <class NT> class Curvature_walk {
+  const Work_limit limit_; // for each question about a piece
   Curvature_extrema result_{{}, {}, {{0, 0}, {0, 0}}, {{0, 0}, {0, 0}}};
   bool started_ = false;
   int direction_ = 0;     // in which the curvature changed last: 1 rising, -1 falling
@@ -71,10 +72,12 @@ template <class NT> class Curvature_walk {
   Signed_square<NT> end_; // the curvature at the end of the last piece
 
 public:
+  explicit Curvature_walk(Work_limit limit) : limit_(limit) {}
+
   // Of a rational curve, the rows are homogeneous.
   template <int N>
   void add(const std::vector<Coordinate_vector<NT, N>>& rows, bool rational, const NT& a, const NT& b) {
-    const Curvature_polynomials<NT> curve(rows, rational);
+    const Curvature_polynomials<NT> curve(rows, rational, limit_);
     if (!curve.is_regular()) throw Error(Error_code::zero_tangent, "curvature_extrema");
     const auto parameter = [&](const Isolated_root<NT>& r) -> Enclosure {
       return {enclosure(NT(a + (b - a) * r.begin)).lower, enclosure(NT(a + (b - a) * r.end)).upper};
@@ -93,7 +96,7 @@ public:
       const Bernstein_polynomial<NT> slope = curve.slope();
       int direction = 0; // at the start
       for (int k = 0; direction == 0; ++k) direction = sign_of(slope[k]);
-      for (const Isolated_root<NT>& root : changes(curve, slope)) {
+      for (const Isolated_root<NT>& root : changes(curve)) {
         go(direction, place(root));
         consider(turn_);
         direction = -direction;
@@ -116,10 +119,9 @@ private:
   static NT width() { return NT(NT(1) / NT(1 << 20)) / NT(1 << 20); }
 
   // The places inside where the slope changes its sign, each so short that the curvature has bounds there.
-  static std::vector<Isolated_root<NT>> changes(const Curvature_polynomials<NT>& curve,
-                                                const Bernstein_polynomial<NT>& slope) {
+  static std::vector<Isolated_root<NT>> changes(const Curvature_polynomials<NT>& curve) {
     for (NT w = width();; w *= w) {
-      std::vector<Isolated_root<NT>> roots = inside(isolate_roots(slope, w));
+      std::vector<Isolated_root<NT>> roots = inside(curve.flat_places(w));
       roots.erase(std::remove_if(roots.begin(), roots.end(),
                                  [](const Isolated_root<NT>& r) { return r.multiplicity % 2 == 0; }),
                   roots.end());
@@ -191,10 +193,12 @@ private:
 /// \throws Error `zero_tangent` when the first derivative vanishes anywhere in the domain, as in a cusp
 /// \throws Error `not_finite` for an infinite or undefined floating-point coordinate, and for a curvature that is larger than all
 ///   floating-point numbers
-/// \throws Error `work_limit` when roots are so close to each other that `isolate_roots()` refuses to separate them
-template <class Curve> Curvature_extrema curvature_extrema(const Curve& curve) {
+/// \param limit the work that is allowed for each polynomial of a piece
+/// \throws Error `work_limit` when roots are so close to each other that `isolate_roots()` refuses to separate them, and when exact
+///   numbers are so long that more work is needed
+template <class Curve> Curvature_extrema curvature_extrema(const Curve& curve, Work_limit limit = Work_limit()) {
   typedef internal::Decision_number<typename Curve::Traits> NT;
-  internal::Curvature_walk<NT> walk;
+  internal::Curvature_walk<NT> walk(limit);
   internal::for_each_exact_piece(curve, [&](const auto& rows, const NT& a, const NT& b) {
     walk.add(rows, internal::Is_rational<Curve>::value, a, b);
   });

@@ -81,6 +81,20 @@ template <class Traits> struct Is_patch<Rational_bezier_patch<Traits>> : std::tr
 template <class Surface_a, class Surface_b = Surface_a>
 constexpr int row_dimension = Is_rational_surface<Surface_a>::value || Is_rational_surface<Surface_b>::value ? 4 : 3;
 
+// Rational surfaces with equal weights are decided as polynomial ones, which is faster.
+template <class Surface> bool has_equal_weights(const Surface& surface) {
+  if constexpr (Is_rational_surface<Surface>::value)
+    return surface.is_polynomial();
+  else
+    return true;
+}
+template <class Surface> decltype(auto) without_weights(const Surface& surface) {
+  if constexpr (Is_rational_surface<Surface>::value)
+    return std::decay_t<decltype(*surface.polynomial())>(*surface.polynomial());
+  else
+    return (surface);
+}
+
 // How the second of two edges runs that are the same curve.
 enum class Edge_direction { same, opposite };
 

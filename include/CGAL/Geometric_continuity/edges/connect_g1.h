@@ -8,9 +8,13 @@
 #include <CGAL/Geometric_continuity/algebra/determinant.h>
 #include <CGAL/Geometric_continuity/curves/Bspline_curve.h>
 #include <CGAL/Geometric_continuity/edges/G1_ribbon.h>
+#include <CGAL/Geometric_continuity/numbers/Work_limit.h>
 #include <CGAL/Geometric_continuity/numbers/internal/checked_numbers.h>
+#include <CGAL/Geometric_continuity/numbers/internal/common_words.h>
 #include <CGAL/number_utils.h>
 
+#include <array>
+#include <cstddef>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -150,17 +154,25 @@ void check_ribbon_input(const Bspline_curve<Traits>& c, const Bspline_curve<Trai
 /// \throws Error `wrong_number_of_points` unless the curves are cubic, `parameter_outside_domain` when their domains differ,
 ///   `knot_multiplicity` when their knots differ, or for an inner knot of multiplicity 3 or more, where \f$ C' \f$ may jump
 /// \throws Error `singular_frame` when at an end \f$ D \f$ and \f$ C' \f$ are linearly dependent, e.g. \f$ C_1 = C_2 \f$
-/// \throws Error `dimension_mismatch` unless in dimension 3, `not_finite` also when rounded numbers overflow
+/// \throws Error `dimension_mismatch` unless in dimension 3, `not_finite` also when rounded numbers overflow, `work_limit` when
+///   exact numbers are so long that the limit does not suffice
 template <class Traits>
 G1_ribbon<Traits> connect_g1(const Bspline_curve<Traits>& C, const Bspline_curve<Traits>& C1,
-                             const Bspline_curve<Traits>& C2,
-                             const typename Traits::FT& bulge = typename Traits::FT(0)) {
+                             const Bspline_curve<Traits>& C2, const typename Traits::FT& bulge = typename Traits::FT(0),
+                             Work_limit limit = Work_limit()) {
   typedef typename Traits::FT FT;
   typedef Edge_field<Traits> Field;
   typedef typename Bspline_curve<Traits>::Function Function;
   typedef Bernstein_polynomial<Field> Polynomial;
   typedef typename Traits::Point Point;
   internal::check_ribbon_input(C, C1, C2);
+  internal::Work_meter work(limit, "connect_g1");
+  for (const Bspline_curve<Traits>* curve : {&C, &C1, &C2}) {
+    const std::size_t words = internal::common_words<FT>(curve->function().coefficients(), work) +
+                              internal::common_words<FT>(std::array<const Knot_vector<FT>, 1>{curve->knots()}, work);
+    work.charge_products(500, 8 * words); // alpha and beta at the ends, of about this degree
+    work.charge_products(300. * curve->number_of_points(), 4 * words);
+  }
 
   const internal::Ribbon_end_conditions<Field, dimension_v<Traits>> start(
       C.template start_jet_over<Field>(2), C1.template start_jet_over<Field>(1), C2.template start_jet_over<Field>(1),

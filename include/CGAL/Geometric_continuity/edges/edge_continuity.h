@@ -72,6 +72,9 @@ auto decide_surfaces(const Surface_a& a, Patch_edge edge_a, const Surface_b& b, 
   typedef Edge_field<typename Surface_a::Traits> Field;
   constexpr int N = row_dimension<Surface_a, Surface_b>;
   require_space(a, b, "edge_continuity");
+  if constexpr (N == 4)
+    if (has_equal_weights(a) && has_equal_weights(b))
+      return decide_surfaces(without_weights(a), edge_a, without_weights(b), edge_b, find_match, limit);
   std::optional<Edge_direction> direction;
   if constexpr (N == 3) {
     Edge_layers x, y;
@@ -177,7 +180,7 @@ edge_continuity(const Spline_edge_rows<FT, N>& a, const Spline_edge_rows<FT, N>&
   internal::Work_meter work(limit, "edge_continuity");
   const std::vector<internal::Edge_piece<Field, N>> pieces_a = internal::edge_pieces<Field>(a, work),
                                                     pieces_b = internal::edge_pieces<Field>(b, work);
-  return internal::decide_spans(pieces_a, pieces_b, internal::Common_edge_part<Field, N>(pieces_a, pieces_b, work)(),
+  return internal::decide_spans(pieces_a, pieces_b, internal::common_edge_part(pieces_a, pieces_b, work),
                                 internal::decide_edge<Field, N>, work);
 }
 
@@ -196,7 +199,8 @@ edge_continuity(const Spline_edge_rows<FT, N>& a, const Spline_edge_rows<FT, N>&
 /// Smooth edges of degree 7 or less are proved with integers of fixed length where the coordinates are `double`, or rational
 /// numbers with short numerators over one denominator; see edge_predicates.h. Otherwise a number of operations with integers
 /// that is quadratic in the degree and linear in the number of knots, plus the search for the largest angle where the surfaces
-/// are not \f$ G^1 \f$. Rational surfaces are decided with integers of any length.
+/// are not \f$ G^1 \f$. Rational surfaces are decided with integers of any length, unless all
+/// weights of a surface are equal.
 /// \tparam Surface_a, Surface_b `Bezier_patch`, `Bspline_surface`, `Rational_bezier_patch` or `Rational_bspline_surface`, in any
 ///   combination, with one traits class
 /// \throws Error `dimension_mismatch` unless in dimension 3, `work_limit`
@@ -204,12 +208,10 @@ template <class Surface_a, class Surface_b>
 auto edge_continuity(const Surface_a& a, Patch_edge edge_a, const Surface_b& b, Patch_edge edge_b,
                      Work_limit limit = Work_limit())
     -> Spline_edge_continuity<Edge_field<typename Surface_a::Traits>> {
-  typedef Edge_field<typename Surface_a::Traits> Field;
   return internal::decide_surfaces(
       a, edge_a, b, edge_b,
       [](const auto& pieces_a, const auto& pieces_b, internal::Work_meter& work) {
-        return internal::Common_edge_part<Field, internal::row_dimension<Surface_a, Surface_b>>(pieces_a, pieces_b,
-                                                                                                work)();
+        return internal::common_edge_part(pieces_a, pieces_b, work);
       },
       limit);
 }

@@ -58,6 +58,9 @@ bool edge_has_order(const Surface_a& a, Patch_edge edge_a, const Surface_b& b, P
   typedef Edge_field<typename Surface_a::Traits> Field;
   constexpr int N = row_dimension<Surface_a, Surface_b>;
   require_space(a, b, "edge predicate");
+  if constexpr (N == 4)
+    if (has_equal_weights(a) && has_equal_weights(b))
+      return edge_has_order<order>(without_weights(a), edge_a, without_weights(b), edge_b, stages, limit);
   if constexpr (N == 3) {
     Edge_layers x, y;
     if (edge_layers(a, edge_a, b, edge_b, order, x, y))

@@ -10,9 +10,12 @@
 #include <CGAL/Geometric_continuity/curves/Rational_bspline_curve.h>
 #include <CGAL/Geometric_continuity/curves/end_control_points.h>
 #include <CGAL/Geometric_continuity/extensions/alternatives.h>
+#include <CGAL/Geometric_continuity/numbers/Work_limit.h>
 #include <CGAL/Geometric_continuity/numbers/internal/checked_numbers.h>
+#include <CGAL/Geometric_continuity/numbers/internal/common_words.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <type_traits>
@@ -74,10 +77,15 @@ namespace internal {
 // The polygon of the polynomial `left` itself on the interval behind its domain that is beta times as long.
 template <class Traits, int Degree>
 std::vector<Coordinates<Traits>> continued_polygon(const Bezier_curve<Traits, Degree>& left,
-                                                   const typename Traits::FT& beta) {
+                                                   const typename Traits::FT& beta, Work_limit limit) {
   typedef typename Traits::FT FT;
   std::vector<Coordinates<Traits>> b, before;
   for (int j = 0; j <= left.degree(); ++j) b.push_back(left.coordinates(j));
+  Work_meter work(limit, "extend");
+  const double p = left.degree();
+  const std::size_t words = common_words<FT>(b, work);
+  if (words > 0) // two products in p^2/2 combinations, each with common divisors to cancel
+    work.charge_products(3 * p * p * left.dimension(), words + left.degree() * number_words(beta));
   before.resize(b.size());
   bernstein_split<FT>(b, left.degree(), FT(FT(1) + beta), before); // b: from 1 + beta back to 1
   std::reverse(b.begin(), b.end());
@@ -114,13 +122,15 @@ Bezier_curve<Traits, Degree> next_segment(const Bezier_curve<Traits, Degree>& le
 /// \throws Error `nonpositive_beta` unless \f$ \beta > 0 \f$
 /// \throws Error `zero_tangent` when the last two control points are equal
 /// \throws Error `not_finite` when a parameter is infinite or not a number, or the result overflows the number type
+/// \throws Error `work_limit` when exact numbers are so long that the limit does not suffice
 template <class Traits, int Degree>
 Bezier_curve<Traits, Degree> extend(const Bezier_curve<Traits, Degree>& left, Frenet_order order,
-                                    const Extension_parameters<typename Traits::FT>& parameters = {}) {
+                                    const Extension_parameters<typename Traits::FT>& parameters = {},
+                                    Work_limit limit = Work_limit()) {
   typedef typename Traits::FT FT;
   const FT& beta = parameters.beta;
   const Tangent_alternative<Traits> tangent = tangent_alternative(left, beta);
-  std::vector<Geometric_continuity::Coordinates<Traits>> b = internal::continued_polygon(left, beta);
+  std::vector<Geometric_continuity::Coordinates<Traits>> b = internal::continued_polygon(left, beta, limit);
   const auto move = [&b](int j, const typename Traits::Point& place) {
     internal::move_point(b, j, Geometric_continuity::coordinates<Traits>(place));
   };
@@ -175,12 +185,14 @@ std::vector<Bezier_curve<Traits>> segments_of(const Composite_bezier_curve<Trait
 /// \ingroup PkgGeometricContinuityConstruction
 /// Returns the segmented curve with one more segment, which `extend()` makes from the last one. In the global parameter
 /// \f$ \beta \f$ is the ratio of the lengths of the two parameter intervals.
-/// \throws Error `wrong_number_of_points`, `nonpositive_beta`, `zero_tangent`, `not_finite` as `extend()` of a Bézier curve
+/// \throws Error `wrong_number_of_points`, `nonpositive_beta`, `zero_tangent`, `not_finite`, `work_limit` as `extend()` of a Bézier
+///   curve
 template <class Traits, int Degree>
 Composite_bezier_curve<Traits, Degree> extend(const Composite_bezier_curve<Traits, Degree>& curve, Frenet_order order,
-                                              const Extension_parameters<typename Traits::FT>& parameters = {}) {
+                                              const Extension_parameters<typename Traits::FT>& parameters = {},
+                                              Work_limit limit = Work_limit()) {
   std::vector<Bezier_curve<Traits>> segments = internal::segments_of(curve);
-  segments.push_back(extend(segments.back(), order, parameters));
+  segments.push_back(extend(segments.back(), order, parameters, limit));
   return Composite_bezier_curve<Traits, Degree>(segments.begin(), segments.end());
 }
 
@@ -231,12 +243,14 @@ Rational_bspline_curve<Traits> extend(const Rational_bspline_curve<Traits>& curv
 /// knot of multiplicity `p`, because a join with geometric continuity is in general no smoother in the parameter;
 /// `Bspline_curve::remove_superfluous_knots()` leaves those that are needed. A clamped curve keeps its control points. For
 /// the Bézier curve on the last span \f$ O(n p^3) \f$.
-/// \throws Error `wrong_number_of_points`, `nonpositive_beta`, `zero_tangent`, `not_finite` as `extend()` of a Bézier curve
+/// \throws Error `wrong_number_of_points`, `nonpositive_beta`, `zero_tangent`, `not_finite`, `work_limit` as `extend()` of a Bézier
+///   curve
 template <class Traits>
 Bspline_curve<Traits> extend(const Bspline_curve<Traits>& curve, Frenet_order order,
-                             const Extension_parameters<typename Traits::FT>& parameters = {}) {
+                             const Extension_parameters<typename Traits::FT>& parameters = {},
+                             Work_limit limit = Work_limit()) {
   const Bspline_curve<Traits> clamped = curve.clamp();
-  return internal::with_segment(clamped, extend(clamped.bezier_pieces().back(), order, parameters));
+  return internal::with_segment(clamped, extend(clamped.bezier_pieces(limit).back(), order, parameters, limit));
 }
 
 } // namespace Geometric_continuity

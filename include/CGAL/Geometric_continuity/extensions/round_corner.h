@@ -27,7 +27,7 @@ namespace Geometric_continuity {
 
 /// \ingroup PkgGeometricContinuityConstruction
 /// A rounded corner: three curves, one after the other.
-/// \tparam Left, Right `Bezier_curve`, as given \tparam Blend what `blend()` returns for the strategy
+/// \tparam Left, Right `Bezier_curve` or `Rational_bezier_curve`, as given \tparam Blend what `blend()` returns for the strategy
 template <class Left, class Right, class Blend> struct Rounded_corner {
   typedef typename Left::FT FT; ///< the field
 
@@ -94,6 +94,7 @@ auto blend_of_parts(const Left& left, const Right& right, const Strategy& strate
 /// \ingroup PkgGeometricContinuityConstruction
 /// Rounds the corner in which the curve `left` ends and the curve `right` starts: cuts off of both what is nearer to it
 /// than `distance`, along the curve, and puts a blend into the gap. The corner may be a join of any kind, even a smooth one.
+/// Segmented curves and B-splines are rounded by `round_corners()`.
 ///
 /// The arc length between the corner and each cut is `distance` with a relative error of at most 1/1000; in exchange the cuts
 /// have parameters with few binary digits. They are searched in floating-point numbers. The curves are cut, and blended, in
@@ -104,6 +105,7 @@ auto blend_of_parts(const Left& left, const Right& right, const Strategy& strate
 /// the more a curve bends.
 ///
 /// \param distance positive, and less than the length of each curve
+/// \tparam Left, Right `Bezier_curve` or `Rational_bezier_curve`, with one traits class
 /// \tparam Strategy a model of `BlendStrategy` that is called without shape parameters
 /// \returns a `Rounded_corner`
 /// \throws Error `not_finite` when the distance, or a curve as numbers of type `double`, is infinite or undefined
@@ -112,12 +114,9 @@ auto blend_of_parts(const Left& left, const Right& right, const Strategy& strate
 /// \throws Error `zero_tangent` when a first derivative is zero at a cut, and when the curves meet in a cusp and both
 ///   lie on one line; `zero_direction` when both cuts lie in one point, e.g. where one curve is the other one reversed
 /// \throws Error `dimension_mismatch`, `not_representable` when a cut has no parameter of type `double`
-template <class Traits, int Left_degree, int Right_degree, class Strategy = Fair>
-auto round_corner(const Bezier_curve<Traits, Left_degree>& left, const Bezier_curve<Traits, Right_degree>& right,
-                  double distance, const Strategy& strategy = Strategy()) {
-  typedef Bezier_curve<Traits, Left_degree> Left;
-  typedef Bezier_curve<Traits, Right_degree> Right;
-  typedef typename Traits::FT FT;
+template <class Left, class Right, class Strategy = Fair>
+auto round_corner(const Left& left, const Right& right, double distance, const Strategy& strategy = Strategy()) {
+  typedef typename Left::FT FT;
   const char* const place = "round_corner";
   internal::check_distance(distance, place);
   if (left.dimension() != right.dimension()) throw Error(Error_code::dimension_mismatch, place);

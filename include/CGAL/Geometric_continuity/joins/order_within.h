@@ -73,9 +73,10 @@ template <class Field, int N> Field curvature_derivative(const Coordinate_jet<Fi
 /// curvature agrees as well, by which \f$ G^3 \f$ and \f$ G^2 \f$ differ.
 /// \tparam Left, Right models of `ParametricCurve` with one traits class
 /// \throws Error `unreachable_tolerance` for a negative tolerance or one that is not a number; `dimension_mismatch` when
-///   the dimensions differ
+///   the dimensions differ; `work_limit` when exact numbers are so long that the limit does not suffice
 template <class Left, class Right, class = std::void_t<typename Left::Traits, typename Right::Traits>>
-Order_within order_within(const Left& left, const Right& right, const Join_tolerance& tolerance) {
+Order_within order_within(const Left& left, const Right& right, const Join_tolerance& tolerance,
+                          Work_limit limit = Work_limit()) {
   typedef typename Exact_field<Predicate_FT<typename Left::Traits>>::type Field;
   constexpr int N = dimension_v<typename Left::Traits>;
   for (double bound :
@@ -83,9 +84,9 @@ Order_within order_within(const Left& left, const Right& right, const Join_toler
     if (!(0 <= bound)) throw Error(Error_code::unreachable_tolerance, "order_within: " + std::to_string(bound));
   const Coordinate_jet<Field, N> x = end_jet<Field>(left, 3), y = start_jet<Field>(right, 3);
   const bool planar = x.dimension() == 2;
-  const Join_continuity<Field> exact = internal::Join_decision<Field, N>(x, y, 3)();
+  const Join_continuity<Field> exact = internal::Join_decision<Field, N>(x, y, 3, limit)();
   const int exact_order = planar ? exact.g_order : exact.f_order;
-  Order_within result{internal::join_deviation(x, y), {}};
+  Order_within result{internal::join_deviation(x, y, limit), {}};
   const Join_deviation& d = result.deviation;
   const auto verdict = [](const std::optional<Enclosure>& e, double bound, Verdict undefined) {
     return e ? at_most(*e, bound) : undefined;

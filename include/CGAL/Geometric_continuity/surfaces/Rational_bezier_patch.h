@@ -243,7 +243,7 @@ public:
   /// \throws Error `work_limit` where the denominator is so close to zero that 64 halvings in a row do not suffice
   std::vector<Rational_bezier_patch> positive_parts() const {
     std::vector<Rational_bezier_patch> parts;
-    add_positive_parts(*this, 64, parts);
+    internal::add_positive_parts_of_patch(*this, 64, parts);
     return parts;
   }
 
@@ -288,18 +288,6 @@ private:
   std::pair<int, int> index(Patch_edge edge, int i, int j) const {
     const int inward = at_upper_end(edge) ? degree_across(edge) - j : j;
     return runs_along_u(edge) ? std::make_pair(i, inward) : std::make_pair(inward, i);
-  }
-
-  static void add_positive_parts(const Rational_bezier_patch& s, int halvings,
-                                 std::vector<Rational_bezier_patch>& parts) {
-    if (internal::all_positive(s.weights())) return parts.push_back(s);
-    if (halvings == 0) throw Error(Error_code::work_limit, "positive_parts: the denominator is too close to zero");
-    const bool in_u = halvings % 2 == 0;
-    const Interval& domain = in_u ? s.u_ : s.v_;
-    const FT middle = FT(FT(domain.first + domain.second) / FT(2));
-    const auto halves = in_u ? s.split_u(middle) : s.split_v(middle);
-    add_positive_parts(halves.first, halvings - 1, parts);
-    add_positive_parts(halves.second, halvings - 1, parts);
   }
 };
 

@@ -8,8 +8,10 @@
 #include <CGAL/Geometric_continuity/internal/for_each_block.h>
 #include <CGAL/Geometric_continuity/internal/independent_iterations.h>
 #include <CGAL/Geometric_continuity/surfaces/Bspline_surface.h>
+#include <CGAL/Geometric_continuity/surfaces/Rational_bspline_surface.h>
 #include <CGAL/Geometric_continuity/surfaces/Surface_grid.h>
 #include <CGAL/Geometric_continuity/surfaces/internal/bernstein_values.h>
+#include <CGAL/Geometric_continuity/surfaces/internal/patch_sums.h>
 
 #include <algorithm>
 #include <array>
@@ -56,17 +58,18 @@ template <class FT> struct Basis_arrays {
   }
 };
 
-// One line of the grid, u constant: the coefficients in v of S and S_u are c and d. The degree is q, or v.n if q is -1.
-template <int q, Grid_normals kind, class FT>
+// One line of the grid, u constant: the coefficients in v of S and S_u are c and d, of M coordinates: 3, or 4 for homogeneous
+// points (p, w), where S = p/w and S_u = (p_u - w_u S)/w. The degree is q, or v.n if q is -1.
+template <int q, int M, Grid_normals kind, class FT>
 void evaluate_grid_line(const std::vector<FT>& c, const std::vector<FT>& d, const Basis_arrays<FT>& v,
                         const std::array<FT*, 3>& points, const std::array<FT*, 3>& normals) {
   constexpr bool fixed = q >= 0;
   const int n = fixed ? q : v.n;
-  std::conditional_t<fixed, std::array<FT, 3 * (q + 1) + !fixed>, std::vector<FT>> cc, dd;
+  std::conditional_t<fixed, std::array<FT, M*(q + 1) + !fixed>, std::vector<FT>> cc, dd;
   std::conditional_t<fixed, std::array<const FT*, q + 1 + !fixed>, std::vector<const FT*>> w, dw;
   if constexpr (!fixed) {
-    cc.resize(3 * (n + 1));
-    dd.resize(3 * (n + 1));
+    cc.resize(M * (n + 1));
+    dd.resize(M * (n + 1));
     w.resize(n + 1);
     dw.resize(n + 1);
   }
@@ -78,15 +81,23 @@ void evaluate_grid_line(const std::vector<FT>& c, const std::vector<FT>& d, cons
   }
   CGAL_GEOMETRIC_CONTINUITY_INDEPENDENT_ITERATIONS
   for (std::size_t l = 0; l < v.size; ++l) {
-    FT p[3], pu[3], pv[3];
-    for (int i = 0; i < 3; ++i) {
+    FT p[M], pu[M], pv[M];
+    for (int i = 0; i < M; ++i) {
       p[i] = cc[i] * w[0][l];
       pu[i] = dd[i] * w[0][l];
       pv[i] = cc[i] * dw[0][l];
       for (int j = 1; j <= n; ++j) {
-        p[i] += cc[3 * j + i] * w[j][l];
-        pu[i] += dd[3 * j + i] * w[j][l];
-        pv[i] += cc[3 * j + i] * dw[j][l];
+        p[i] += cc[M * j + i] * w[j][l];
+        pu[i] += dd[M * j + i] * w[j][l];
+        pv[i] += cc[M * j + i] * dw[j][l];
+      }
+    }
+    if constexpr (M == 4) {
+      const FT inverse = FT(1) / p[3];
+      for (int i = 0; i < 3; ++i) {
+        p[i] *= inverse;
+        pu[i] = (pu[i] - pu[3] * p[i]) * inverse;
+        pv[i] = (pv[i] - pv[3] * p[i]) * inverse;
       }
     }
     FT x = pu[1] * pv[2] - pu[2] * pv[1], y = pu[2] * pv[0] - pu[0] * pv[2], z = pu[0] * pv[1] - pu[1] * pv[0];
@@ -104,45 +115,44 @@ void evaluate_grid_line(const std::vector<FT>& c, const std::vector<FT>& d, cons
   }
 }
 
-template <int q, Grid_normals kind, class FT>
+template <int q, int M, Grid_normals kind, class FT>
 void evaluate_grid_line_of_degree(const std::vector<FT>& c, const std::vector<FT>& d, const Basis_arrays<FT>& v,
                                   const std::array<FT*, 3>& points, const std::array<FT*, 3>& normals) {
   constexpr int most_unrolled = 5;
   if constexpr (q > most_unrolled)
-    evaluate_grid_line<-1, kind>(c, d, v, points, normals);
+    evaluate_grid_line<-1, M, kind>(c, d, v, points, normals);
   else if (v.n == q)
-    evaluate_grid_line<q, kind>(c, d, v, points, normals);
+    evaluate_grid_line<q, M, kind>(c, d, v, points, normals);
   else
-    evaluate_grid_line_of_degree<q + 1, kind>(c, d, v, points, normals);
+    evaluate_grid_line_of_degree<q + 1, M, kind>(c, d, v, points, normals);
 }
 
 // The vertices of a patch: the rows from `row` on, and in each of them the numbers from `column` on.
-template <class Concurrency_tag, Grid_normals kind, class Traits>
-void evaluate_patch(const Bezier_patch<Traits>& patch, const typename Traits::FT* u, std::size_t size_u,
-                    const typename Traits::FT* v, std::size_t size_v, std::size_t row, std::size_t column,
-                    Surface_grid<typename Traits::FT>& grid) {
-  typedef typename Traits::FT FT;
+template <int M, class Concurrency_tag, Grid_normals kind, class Patch>
+void evaluate_patch(const Patch& patch, const typename Patch::FT* u, std::size_t size_u, const typename Patch::FT* v,
+                    std::size_t size_v, std::size_t row, std::size_t column, Surface_grid<typename Patch::FT>& grid) {
+  typedef typename Patch::FT FT;
   const Basis_arrays<FT> basis_u(patch.degree_u(), patch.domain_u(), u, size_u),
       basis_v(patch.degree_v(), patch.domain_v(), v, size_v);
   for_each_block<Concurrency_tag>(size_u, [&](std::size_t begin, std::size_t end) {
-    std::vector<FT> c(3 * (patch.degree_v() + 1)), d(c.size());
+    std::vector<FT> c(M * (patch.degree_v() + 1)), d(c.size());
     for (std::size_t l = begin; l < end; ++l) {
       std::fill(c.begin(), c.end(), FT(0));
       std::fill(d.begin(), d.end(), FT(0));
       for (int i = 0; i <= patch.degree_u(); ++i) {
         const FT w = basis_u.values[i * size_u + l], dw = basis_u.derivatives[i * size_u + l];
         for (int j = 0; j <= patch.degree_v(); ++j) {
-          const Coordinates<Traits> b = patch.coordinates(i, j);
-          for (int x = 0; x < 3; ++x) {
-            c[3 * j + x] += w * b[x];
-            d[3 * j + x] += dw * b[x];
+          const auto& b = summand(patch, i, j);
+          for (int x = 0; x < M; ++x) {
+            c[M * j + x] += w * b[x];
+            d[M * j + x] += dw * b[x];
           }
         }
       }
       const std::size_t at = (row + l) * grid.size_v() + column;
       const std::array<FT*, 3> points{grid.points(0) + at, grid.points(1) + at, grid.points(2) + at},
           normals{grid.normals(0) + at, grid.normals(1) + at, grid.normals(2) + at};
-      evaluate_grid_line_of_degree<0, kind>(c, d, basis_v, points, normals);
+      evaluate_grid_line_of_degree<0, M, kind>(c, d, basis_v, points, normals);
     }
   });
 }
@@ -170,6 +180,22 @@ std::vector<std::size_t> parameters_of_spans(const Knot_vector<FT>& knots, const
   return starts;
 }
 
+// The vertices of a surface, from those of its patches.
+template <int M, class Concurrency_tag, Grid_normals kind, class Surface, class Range>
+void evaluate_spline(const Surface& surface, const Range& u, const Range& v, Surface_grid<typename Surface::FT>& grid) {
+  check_grid(surface, u, v);
+  const std::vector<std::size_t> rows = parameters_of_spans(surface.knots_u(), u),
+                                 columns = parameters_of_spans(surface.knots_v(), v);
+  grid.resize(u.size(), v.size());
+  const auto patches = surface.bezier_patches();
+  std::size_t patch = 0;
+  for (std::size_t i = 0; i + 1 < rows.size(); ++i)
+    for (std::size_t j = 0; j + 1 < columns.size(); ++j, ++patch)
+      evaluate_patch<M, Concurrency_tag, kind>(patches[patch], u.data() + rows[i], rows[i + 1] - rows[i],
+                                               v.data() + columns[j], columns[j + 1] - columns[j], rows[i], columns[j],
+                                               grid);
+}
+
 } // namespace internal
 
 /// \ingroup PkgGeometricContinuitySurfaces
@@ -190,7 +216,19 @@ void evaluate_grid(const Bezier_patch<Traits>& patch, const Range& u, const Rang
                    Surface_grid<typename Traits::FT>& grid) {
   internal::check_grid(patch, u, v);
   grid.resize(u.size(), v.size());
-  internal::evaluate_patch<Concurrency_tag, kind>(patch, u.data(), u.size(), v.data(), v.size(), 0, 0, grid);
+  internal::evaluate_patch<3, Concurrency_tag, kind>(patch, u.data(), u.size(), v.data(), v.size(), 0, 0, grid);
+}
+
+/// \ingroup PkgGeometricContinuitySurfaces
+/// Computes the points and normals of a rational Bézier patch at all pairs of a parameter `u` and a parameter `v`, see the function
+/// for `Bezier_patch`. Where the denominator is zero, outside of the domain, they are infinite or NaN.
+/// \throws Error `dimension_mismatch` unless in dimension 3, `not_finite` for a parameter that is infinite or not a number
+template <Grid_normals kind = Grid_normals::unit, class Concurrency_tag = Sequential_tag, class Traits, class Range>
+void evaluate_grid(const Rational_bezier_patch<Traits>& patch, const Range& u, const Range& v,
+                   Surface_grid<typename Traits::FT>& grid) {
+  internal::check_grid(patch, u, v);
+  grid.resize(u.size(), v.size());
+  internal::evaluate_patch<4, Concurrency_tag, kind>(patch, u.data(), u.size(), v.data(), v.size(), 0, 0, grid);
 }
 
 /// \ingroup PkgGeometricContinuitySurfaces
@@ -211,17 +249,17 @@ void evaluate_grid(const Bezier_patch<Traits>& patch, const Range& u, const Rang
 template <Grid_normals kind = Grid_normals::unit, class Concurrency_tag = Sequential_tag, class Traits, class Range>
 void evaluate_grid(const Bspline_surface<Traits>& surface, const Range& u, const Range& v,
                    Surface_grid<typename Traits::FT>& grid) {
-  internal::check_grid(surface, u, v);
-  const std::vector<std::size_t> rows = internal::parameters_of_spans(surface.knots_u(), u),
-                                 columns = internal::parameters_of_spans(surface.knots_v(), v);
-  grid.resize(u.size(), v.size());
-  const std::vector<Bezier_patch<Traits>> patches = surface.bezier_patches();
-  std::size_t patch = 0;
-  for (std::size_t i = 0; i + 1 < rows.size(); ++i)
-    for (std::size_t j = 0; j + 1 < columns.size(); ++j, ++patch)
-      internal::evaluate_patch<Concurrency_tag, kind>(patches[patch], u.data() + rows[i], rows[i + 1] - rows[i],
-                                                      v.data() + columns[j], columns[j + 1] - columns[j], rows[i],
-                                                      columns[j], grid);
+  internal::evaluate_spline<3, Concurrency_tag, kind>(surface, u, v, grid);
+}
+
+/// \ingroup PkgGeometricContinuitySurfaces
+/// Computes the points and normals of a rational B-spline surface at all pairs of a parameter `u` and a parameter `v`, see the
+/// function for `Bspline_surface`.
+/// \throws Error as the function for `Bspline_surface`
+template <Grid_normals kind = Grid_normals::unit, class Concurrency_tag = Sequential_tag, class Traits, class Range>
+void evaluate_grid(const Rational_bspline_surface<Traits>& surface, const Range& u, const Range& v,
+                   Surface_grid<typename Traits::FT>& grid) {
+  internal::evaluate_spline<4, Concurrency_tag, kind>(surface, u, v, grid);
 }
 
 } // namespace Geometric_continuity

@@ -675,3 +675,28 @@ BOOST_AUTO_TEST_CASE(numbers_that_are_not_finite_are_refused) {
                         data << ": " << message(data));
   BOOST_CHECK(message("M0 0A1e200 1e200 0 0 1 1 0").find("path data, character ") != std::string::npos);
 }
+
+// Arcs with rational ends as rational curves: on all four arcs of an ellipse through two points, and on its halves.
+BOOST_AUTO_TEST_CASE(arcs_are_rational_curves) {
+  const auto on_ellipse = [](const GC::Rational_bezier_curve<Exact, 2>& c, const Exact::Point& centre, const Q& rx,
+                             const Q& ry) {
+    for (int i = 0; i <= 8; ++i) {
+      const Exact::Vector x = c(Q(i) / 8) - centre;
+      if (x.x() * x.x() / (rx * rx) + x.y() * x.y() / (ry * ry) != 1) return false;
+    }
+    return true;
+  };
+  for (const std::string flags : {"0 0", "0 1", "1 0", "1 1"})
+    for (const std::string radii : {"5 10", "4 7"}) {
+      const GC::Svg_arc<Exact> a = arc("M0 0A" + radii + " 0 " + flags + " 8 0");
+      const GC::Rational_bezier_curve<Exact, 2> c = *a.curve();
+      BOOST_CHECK(c.start_jet(0).point() == a.start() && c.end_jet(0).point() == a.end());
+      BOOST_CHECK(GC::continuity(GC::Curve_jet<Exact>(c.start_jet(4)), *a.start_jet(4)).g_order == 4);
+      BOOST_CHECK(GC::continuity(GC::Curve_jet<Exact>(c.end_jet(4)), *a.end_jet(4)).g_order == 4);
+      const bool half = radii == "4 7";
+      const int side = flags == "0 0" || flags == "1 1" ? 1 : -1; // of the centre
+      BOOST_CHECK(on_ellipse(c, Exact::Point(4, half ? Q(0) : Q(-6 * side)), half ? 4 : 5, half ? 7 : 10));
+      BOOST_CHECK_EQUAL(c.weight(1) < 0, !half && flags[0] == '1');
+    }
+  BOOST_CHECK(!arc("M0 0A5 5 0 0 0 7 0").curve()); // the centre is irrational
+}

@@ -35,6 +35,28 @@ struct G2_class {
 constexpr G2_class g2_curves{100, "curve", "Bezier curves"};
 constexpr G2_class g2_surfaces{200, "surface", "Bezier patches"};
 
+// Other classes of the format, for messages.
+struct G2_other_class {
+  int number;
+  const char* name;
+};
+constexpr G2_other_class g2_other_classes[] = {{110, "curve on a surface"},
+                                               {130, "circle"},
+                                               {140, "ellipse"},
+                                               {150, "bounded curve"},
+                                               {160, "hyperbola"},
+                                               {170, "parabola"},
+                                               {210, "bounded surface"},
+                                               {250, "plane"},
+                                               {260, "cylinder"},
+                                               {261, "extrusion"},
+                                               {270, "sphere"},
+                                               {280, "cone"},
+                                               {290, "torus"},
+                                               {291, "surface of revolution"},
+                                               {292, "disc"}};
+constexpr int g2_line = 120;
+
 // Which knots are allowed.
 enum class G2_shape {
   bezier, // two, each repeated as often as the order says
@@ -70,7 +92,9 @@ template <class Traits> class G2_parser {
   G2_class class_;
   G2_weights weights_;
   int dimension_ = 0; // of the first object
-  bool empty_ = true, rational_ = false;
+  bool empty_ = true, rational_ = false, is_line_ = false;
+  std::vector<FT> line_knots_;                      // of a line, which is read as a whole: a spline of order 2
+  std::vector<typename Traits::Point> line_points_; // and its ends
 
 public:
   // A point with its weight, in homogeneous coordinates (w x, w), as exact numbers.
@@ -92,12 +116,17 @@ public:
     empty_ = false;
     read_header();
     read_dimension();
+    if (is_line_)
+      read_line();
+    else
+      read_rational_flag();
     return true;
   }
 
   // Reads the number of points and the order; for Bezier shapes they are equal. `in` names the parameter of a surface,
   // e.g. " in u".
   G2_size read_size(G2_shape shape, const std::string& in = "") {
+    if (is_line_) return {2, 2};
     const bool bezier = shape == G2_shape::bezier;
     const int points = read_integer("number of control points" + in, 1),
               order = read_integer("order" + in, 1, max_g2_order);
@@ -113,6 +142,8 @@ public:
   template <class Knots>
   void read_knots(Knots& knots, const G2_size& size, G2_shape shape, const std::string& in = "") {
     const std::size_t all = static_cast<std::size_t>(size.points) + size.order;
+    if (is_line_)
+      for (const FT& knot : line_knots_) append_knot(knots, knot, number_text(knot));
     while (knots.size() < all) {
       const FT knot = read_knot(knots, size, all, shape, in);
       append_knot(knots, knot, tokens_.token());
@@ -128,6 +159,7 @@ public:
 
   // Reads the control point after `done` of `all`.
   typename Traits::Point read_point(long long done, long long all) {
+    if (is_line_) return line_points_[static_cast<std::size_t>(done)];
     Coordinates<Traits> x(dimension_);
     for (int i = 0; i < dimension_; ++i) x[i] = read_number<FT>(done, all, "control points");
     return to_point<Traits>(x);
@@ -186,12 +218,19 @@ private:
 
   void read_header() {
     const int number = integer("the class of the object", 0, (std::numeric_limits<int>::max)());
-    if (number != class_.number) {
-      std::string known;
+    is_line_ = number == g2_line && class_.number == g2_curves.number;
+    if (number != class_.number && !is_line_) {
+      std::string known, way_out;
       for (const G2_class& other : {g2_curves, g2_surfaces})
         if (number == other.number) known = std::string(" (spline ") + other.name + ")";
+      if (number == g2_line) known = " (line)";
+      for (const G2_other_class& other : g2_other_classes)
+        if (number == other.number) {
+          known = std::string(" (") + other.name + ")";
+          way_out = "; its numbers, such as angles in radians, are not exact: write it as a rational spline";
+        }
       tokens_.refuse(std::to_string(number) + known + " where a " + class_.name + " (" + std::to_string(class_.number) +
-                     ") is expected");
+                     ") is expected" + way_out);
     }
     read_integer("major version", 1, 1);
     read_integer("minor version", 0, 0);
@@ -213,6 +252,30 @@ private:
       tokens_.refuse("dimension " + std::to_string(dimension) + " after a " + class_.name + " of dimension " +
                      std::to_string(dimension_));
     dimension_ = dimension;
+  }
+
+  // The location, the direction, 1 for a line with ends, and the parameters of these.
+  void read_line() {
+    rational_ = false;
+    std::vector<Exact> location, direction, ends;
+    for (std::vector<Exact>* row : {&location, &direction})
+      for (int i = 0; i < dimension_; ++i) row->push_back(read_number<Exact>(0, 1, "lines"));
+    if (read_integer("flag of the ends of a line", 0, 1) == 0) tokens_.refuse("a line without ends; a curve has two");
+    for (int i = 0; i < 2; ++i) ends.push_back(read_number<Exact>(0, 1, "lines"));
+    if (!(ends[0] < ends[1])) tokens_.refuse("the ends of a line do not increase: empty domain");
+    checked([&] {
+      line_knots_.clear();
+      line_points_.clear();
+      for (const Exact& t : ends) {
+        Coordinates<Traits> x(dimension_);
+        for (int i = 0; i < dimension_; ++i) x[i] = nearest_number<FT>(Exact(location[i] + t * direction[i]));
+        line_points_.push_back(to_point<Traits>(x));
+        for (int k = 0; k < 2; ++k) line_knots_.push_back(nearest_number<FT>(t));
+      }
+    });
+  }
+
+  void read_rational_flag() {
     rational_ = read_integer("rational flag", 0, 1) == 1;
     if (rational_ && weights_ == G2_weights::refused)
       tokens_.refuse(std::string("a rational ") + class_.name + " where a polynomial one is expected");

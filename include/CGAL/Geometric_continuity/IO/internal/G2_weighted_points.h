@@ -25,16 +25,6 @@ namespace CGAL {
 namespace Geometric_continuity {
 namespace internal {
 
-template <class FT, class Exact> FT nearest_number(const Exact& x) {
-  if constexpr (std::is_same_v<FT, Exact>)
-    return x;
-  else if constexpr (std::is_floating_point_v<FT>) {
-    const FT size = nearest_floating_point<FT>(x < Exact(0) ? Exact(-x) : x);
-    return x < Exact(0) ? -size : size;
-  } else
-    return FT(x);
-}
-
 // The control points and weights of a rational object, as they are read one after the other.
 template <class Traits, class Exact> class G2_weighted_points {
   typedef typename Traits::FT FT;

@@ -7,11 +7,13 @@
 
 #include <CGAL/Geometric_continuity/Error.h>
 #include <CGAL/Geometric_continuity/IO/svg/internal/svg_angle.h>
+#include <CGAL/Geometric_continuity/curves/Rational_bezier_curve.h>
 #include <CGAL/Geometric_continuity/local/Curve_jet.h>
 #include <CGAL/Geometric_continuity/local/coordinates.h>
 #include <CGAL/Geometric_continuity/numbers/internal/checked_numbers.h>
 #include <CGAL/Geometric_continuity/numbers/rational_square_root.h>
 
+#include <array>
 #include <cmath>
 #include <optional>
 #include <string>
@@ -131,6 +133,29 @@ public:
   std::optional<Curve_jet<Traits>> end_jet(int order) const {
     if (!root_) return std::nullopt;
     return Curve_jet<Traits>(end_jet_over<FT>(order, *root_));
+  }
+
+  /// Returns the arc as a rational curve, exactly; empty unless `is_rational()`. With \f$ U = x(0) - c \f$ and its quarter turn
+  /// \f$ V \f$ in the direction of the arc it is \f$ c + ((a^2-b^2) U + 2ab V) / (a^2+b^2) \f$, \f$ b = t \f$,
+  /// \f$ a = 1 - t \pm st \f$, because \f$ \tan(\theta/2) = \pm 1/s \f$ for its angle. Its middle weight is \f$ \pm s \f$: infinite
+  /// for half an ellipse, negative for more.
+  std::optional<Rational_bezier_curve<Traits, 2>> curve() const {
+    if (!root_) return std::nullopt;
+    typedef typename Homogeneous_traits<Traits>::Point Row;
+    const Coordinates h = half_chord();
+    const FT s = same_flags_ ? FT(FT(0) - *root_) : *root_, a = sweep_ ? s : FT(FT(0) - s);
+    const Coordinates u = h + s * k_, turned = k_ - s * h, v = sweep_ ? turned : FT(-1) * turned, c = start_ - u;
+    const auto row = [&](const FT& weight, const FT& in_u, const FT& in_v) -> Row {
+      const Coordinates p = weight * c + in_u * u + in_v * v;
+      Row r(3);
+      r[0] = p[0];
+      r[1] = p[1];
+      r[2] = weight;
+      return r;
+    };
+    const std::array<Row, 3> rows{row(FT(1), FT(1), FT(0)), row(a, a, FT(1)),
+                                  row(FT(a * a + FT(1)), FT(a * a - FT(1)), FT(FT(2) * a))};
+    return Rational_bezier_curve<Traits, 2>(typename Rational_bezier_curve<Traits, 2>::Homogeneous(rows));
   }
 
   /// Returns the image under an affine map of points, which is an arc of an ellipse again. Whether the map is affine

@@ -82,8 +82,9 @@ public:
   typedef Coordinate_vector<Exact_rational, N> Vector;
 
 private:
-  static constexpr int most_digits = 5, fewest_digits = 3; // of c / n
+  static constexpr int most_digits = 8, fewest_digits = 3; // of c / n
   static constexpr int finest_e = 16, coarsest_e = 4;      // e is a multiple of 2^-finest, ..., 2^-coarsest
+  static constexpr int plenty = 5, plenty_e = 10;          // more digits of c / n only where e has so many
 
   const std::array<Coordinate_vector<Float, N>, 3> given_; // b_0, b_1, b_2
   const int sign_;                                         // of the leg p = sign (b_0 - b_1)
@@ -142,7 +143,7 @@ public:
     if (!representable(second_point())) return false;
     const Exact_rational exact = dot(Vector(wish - base()), p_) / dot(p_, p_);
     const double approximation = CGAL::to_double(exact);
-    for (int digits = finest_e; digits >= coarsest_e; --digits) {
+    for (int digits = finest_e; digits >= (digits_ > plenty ? plenty_e : coarsest_e); --digits) {
       if (!std::isfinite(approximation) || overflows(approximation, digits))
         refuse("the strategy chooses a point that is too far away");
       e_ = Exact_rational(nearest_integer(std::ldexp(approximation, digits))) * exact_power_of_two(-digits);
@@ -156,7 +157,7 @@ public:
     if (digits_ > fewest_digits)
       --digits_;
     else {
-      digits_ = most_digits;
+      digits_ = plenty; // on a coarser grid there are none to spare
       for (std::size_t x = 0; x < grid_.size(); ++x) grid_[x] += failed_[x];
       round();
     }

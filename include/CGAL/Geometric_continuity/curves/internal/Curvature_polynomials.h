@@ -11,6 +11,8 @@
 #include <CGAL/Geometric_continuity/algebra/sign_pattern.h>
 #include <CGAL/Geometric_continuity/local/curvatures.h>
 #include <CGAL/Geometric_continuity/numbers/Enclosure.h>
+#include <CGAL/Geometric_continuity/numbers/Work_limit.h>
+#include <CGAL/Geometric_continuity/numbers/internal/common_words.h>
 
 #include <algorithm>
 #include <cmath>
@@ -48,11 +50,18 @@ template <class NT> class Curvature_polynomials {
   std::vector<Polynomial> w_;
   Polynomial s_{NT(0)};
   Polynomial v_{NT(1)};
+  const Work_limit limit_;
 
 public:
-  // From the control points of the curve, or the homogeneous ones of a rational curve.
-  template <int N> Curvature_polynomials(const std::vector<Coordinate_vector<NT, N>>& rows, bool rational) {
+  // From the control points of the curve, or the homogeneous ones of a rational curve. The limit is that for each question.
+  template <int N>
+  Curvature_polynomials(const std::vector<Coordinate_vector<NT, N>>& rows, bool rational, Work_limit limit)
+      : limit_(limit) {
     const int dimension = rows.front().dimension() - (rational ? 1 : 0);
+    Work_meter work(limit, "curvature_extrema");
+    // S is of degree 4 in the points, and the degree below 4n; with a denominator both are twice as high
+    const double n = static_cast<double>(rows.size()) * (rational ? 2 : 1);
+    work.charge_products(16 * n * n * dimension * dimension, (rational ? 8 : 4) * common_words<NT>(rows, work));
     const auto coordinate = [&](int i) -> Polynomial {
       std::vector<NT> c;
       for (const Coordinate_vector<NT, N>& row : rows) c.push_back(row[i]);
@@ -73,12 +82,17 @@ public:
   }
 
   // Whether the curve has a tangent everywhere.
-  bool is_regular() const { return sign_pattern(g_) == Sign_pattern::positive; }
+  bool is_regular() const { return sign_pattern(g_, limit_) == Sign_pattern::positive; }
 
   // Whether the curvature is zero everywhere.
   bool is_straight() const { return Power_polynomial<NT>(s_).is_zero(); }
 
   bool is_planar() const { return w_.size() == 1; }
+
+  // The places where the derivative of the curvature is zero.
+  std::vector<Isolated_root<NT>> flat_places(const NT& width) const {
+    return isolate_roots(slope(), width, default_bisections, limit_);
+  }
 
   // A polynomial with the sign of the derivative of the curvature.
   Polynomial slope() const {
@@ -95,7 +109,7 @@ public:
   // The zeros of the curvature. At an inflection d1 ^ d2 changes its direction: it is (t - t0)^k times what is not zero, with an
   // odd k.
   std::vector<Isolated_root<NT>> inflections(const NT& width) const {
-    std::vector<Isolated_root<NT>> roots = isolate_roots(is_planar() ? w_[0] : s_, width);
+    std::vector<Isolated_root<NT>> roots = isolate_roots(is_planar() ? w_[0] : s_, width, default_bisections, limit_);
     const int even = is_planar() ? 1 : 2; // the multiplicity is k times this
     roots.erase(std::remove_if(roots.begin(), roots.end(),
                                [even](const Isolated_root<NT>& r) { return r.multiplicity / even % 2 == 0; }),

@@ -247,6 +247,12 @@ private:
   }
 };
 
+template <class Field, int N>
+Edge_match<Field> common_edge_part(const std::vector<Edge_piece<Field, N>>& a,
+                                   const std::vector<Edge_piece<Field, N>>& b, Work_meter& work) {
+  return Common_edge_part<Field, N>(a, b, work)();
+}
+
 } // namespace internal
 } // namespace Geometric_continuity
 } // namespace CGAL

@@ -8,7 +8,9 @@
 #include <CGAL/Geometric_continuity/Error.h>
 #include <CGAL/Geometric_continuity/algebra/Coordinate_vector.h>
 #include <CGAL/Geometric_continuity/algebra/bernstein.h>
+#include <CGAL/Geometric_continuity/curves/internal/curve_pieces.h>
 #include <CGAL/Geometric_continuity/joins/Curve_ends.h>
+#include <CGAL/Geometric_continuity/local/Homogeneous_traits.h>
 #include <CGAL/number_utils.h>
 
 #include <algorithm>
@@ -17,7 +19,7 @@
 #include <string>
 #include <vector>
 
-// The arc length of a Bézier curve from one of its ends on, in floating-point numbers. The length of a curve lies between that of
+// The arc length of a Bézier curve, rational or not, from one of its ends on, in floating-point numbers. The length of a curve lies between that of
 // its chord c and that of its polygon p. Halves are halved until c and p are near each other; then the length of a curve of
 // degree m is nearly (2c + (m-1)p) / (m+1): Gravesen, "Adaptive subdivision and the length and energy of Bézier curves", 1997.
 
@@ -26,9 +28,11 @@ namespace Geometric_continuity {
 namespace internal {
 
 template <int N> class Measured_polygon {
-  typedef std::vector<Coordinate_vector<double, N>> Rows;
+  typedef Coordinate_vector<double, N> Vector;
+  typedef std::vector<Coordinate_vector<double, (N == 0 ? 0 : N + 1)>> Rows;
 
-  Rows rows_;        // from that end on, which is the origin; scaled so that the largest coordinate is near 1
+  Rows
+      rows_; // homogeneous points from that end on, which is the origin; scaled so that the largest coordinate is near 1
   int exponent_ = 0; // of the scale
 
   static constexpr double precision = 0x1p-12; // relative, of a length
@@ -41,20 +45,27 @@ public:
     typedef typename Curve::FT FT;
     const int m = curve.degree();
     double largest = 0;
+    std::vector<Vector> legs;
+    std::vector<double> weights(m + 1, 1.);
     for (int j = 0; j <= m; ++j) {
-      const Coordinate_vector<FT, N> leg =
-          curve.coordinates(end == Curve_end::start ? j : m - j) - curve.coordinates(end == Curve_end::start ? 0 : m);
-      Coordinate_vector<double, N> row(leg.dimension());
+      const int number = end == Curve_end::start ? j : m - j;
+      Coordinate_vector<FT, N> leg = curve.coordinates(number);
+      if constexpr (Is_rational<Curve>::value)
+        weights[j] = CGAL::to_double(FT(curve.weight(number) / curve.weight(end == Curve_end::start ? 0 : m)));
+      if (weights[j] != 0) leg -= curve.coordinates(end == Curve_end::start ? 0 : m); // else it is a direction
+      Vector row(leg.dimension());
       for (int i = 0; i < leg.dimension(); ++i) {
         row[i] = CGAL::to_double(leg[i]);
         largest = (std::max)(largest, std::abs(row[i]));
       }
-      rows_.push_back(row);
+      legs.push_back(row);
     }
     if (!(largest <= (std::numeric_limits<double>::max)())) throw Error(Error_code::not_finite, "length of a curve");
     if (largest > 0) exponent_ = std::ilogb(largest);
-    for (Coordinate_vector<double, N>& row : rows_)
-      for (int i = 0; i < row.dimension(); ++i) row[i] = std::ldexp(row[i], -exponent_);
+    for (int j = 0; j <= m; ++j) {
+      for (int i = 0; i < legs[j].dimension(); ++i) legs[j][i] = std::ldexp(legs[j][i], -exponent_);
+      rows_.push_back(homogeneous_point(legs[j], weights[j]));
+    }
   }
 
   // Returns the arc length, with a relative error of at most 2^-12.
@@ -91,19 +102,24 @@ private:
   // The rows are overwritten.
   double length_of(Rows& rows, int depth) const {
     const int m = degree();
+    std::vector<Vector> points;
+    bool positive = true; // else the curve need not be between its chord and its polygon
+    for (const auto& row : rows) {
+      points.push_back(affine_point(row));
+      positive = positive && row[row.dimension() - 1] > 0;
+    }
     double polygon = 0;
-    for (int j = 0; j < m; ++j) polygon += distance(rows[j], rows[j + 1]);
-    const double chord = distance(rows[0], rows[m]);
-    if (polygon - chord <= precision * polygon || depth == deepest) return (2 * chord + (m - 1) * polygon) / (m + 1);
+    for (int j = 0; j < m; ++j) polygon += distance(points[j], points[j + 1]);
+    const double chord = distance(points[0], points[m]);
+    if ((positive && polygon - chord <= precision * polygon) || depth == deepest)
+      return (2 * chord + (m - 1) * polygon) / (m + 1);
     Rows left = rows;
     bernstein_split(rows, m, 0.5, left);
     const double length = length_of(left, depth + 1);
     return length + length_of(rows, depth + 1);
   }
 
-  static double distance(const Coordinate_vector<double, N>& a, const Coordinate_vector<double, N>& b) {
-    return std::sqrt(dot(b - a, b - a));
-  }
+  static double distance(const Vector& a, const Vector& b) { return std::sqrt(dot(b - a, b - a)); }
 };
 
 } // namespace internal

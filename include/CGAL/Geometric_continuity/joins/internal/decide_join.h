@@ -252,7 +252,8 @@ BOOST_FORCEINLINE Join_answer decide_join(const Left& left, const Right& right, 
       const Curve_end_view<Right, Curve_end::start> y(right);
       return decide_polygons<question>(x, y, stages);
     }
-  if constexpr (Has_weights<Left>::value || Has_weights<Right>::value)
+  if constexpr (Curve_ends<Left>::have_polygons && Curve_ends<Right>::have_polygons &&
+                (Has_weights<Left>::value || Has_weights<Right>::value))
     if (has_weighted_polygon(left, Curve_end::end) && has_weighted_polygon(right, Curve_end::start)) {
       const Curve_end_view<Left, Curve_end::end> x(left);
       const Curve_end_view<Right, Curve_end::start> y(right);

@@ -7,6 +7,7 @@
 
 #include <CGAL/Geometric_continuity/local/coordinates.h>
 #include <CGAL/Geometric_continuity/models/internal/Edge_key.h>
+#include <CGAL/Geometric_continuity/models/internal/Edge_use.h>
 #include <CGAL/Geometric_continuity/models/internal/name_work_limit.h>
 
 #include <algorithm>
@@ -24,30 +25,6 @@ namespace CGAL {
 namespace Geometric_continuity {
 namespace internal {
 
-// An edge of a patch as one use of an edge of the model.
-struct Edge_use {
-  std::size_t patch;
-  Patch_edge edge;
-  bool backwards; // against the direction of the first use
-
-  friend bool operator<(const Edge_use& a, const Edge_use& b) {
-    return std::make_pair(a.patch, a.edge) < std::make_pair(b.patch, b.edge);
-  }
-};
-
-// The uses of one edge.
-class Edge_uses {
-  const Edge_use *first_, *last_;
-
-public:
-  Edge_uses(const Edge_use* first, const Edge_use* last) : first_(first), last_(last) {}
-
-  const Edge_use* begin() const { return first_; }
-  const Edge_use* end() const { return last_; }
-  std::size_t size() const { return static_cast<std::size_t>(last_ - first_); }
-  const Edge_use& operator[](std::size_t i) const { return first_[i]; }
-};
-
 // Whether the control points at the corners are points of the surface, and those of the edges belong to these alone.
 template <class Surface> bool has_corner_points(const Surface& s) {
   if constexpr (Is_patch<Surface>::value)
@@ -62,14 +39,6 @@ template <class Surface> const typename Surface::Point& corner_point(const Surfa
     return s.control_point(u ? s.degree_u() : 0, v ? s.degree_v() : 0);
   else
     return s.control_point(u ? s.number_of_points_u() - 1 : 0, v ? s.number_of_points_v() - 1 : 0);
-}
-
-// The numbers of the two corners where an edge begins and ends; a corner has the number 4 * patch + 2 * (at the end of u) +
-// (at the end of v).
-inline std::pair<std::size_t, std::size_t> corners_of(std::size_t patch, Patch_edge edge) {
-  const std::size_t side = at_upper_end(edge), first = 4 * patch;
-  return runs_along_u(edge) ? std::make_pair(first + side, first + 2 + side)
-                            : std::make_pair(first + 2 * side, first + 2 * side + 1);
 }
 
 // Coordinate by coordinate: negative, zero or positive.

@@ -7,8 +7,8 @@
 
 #include <CGAL/Geometric_continuity/models/Patch_flatness.h>
 #include <CGAL/Geometric_continuity/models/Tessellation.h>
-#include <CGAL/Geometric_continuity/models/internal/patch_sums.h>
 #include <CGAL/Geometric_continuity/surfaces/internal/bernstein_values.h>
+#include <CGAL/Geometric_continuity/surfaces/internal/patch_sums.h>
 
 #include <algorithm>
 #include <array>

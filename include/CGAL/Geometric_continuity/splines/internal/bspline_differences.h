@@ -8,6 +8,7 @@
 #include <CGAL/Geometric_continuity/algebra/bernstein.h>
 #include <CGAL/Geometric_continuity/numbers/Work_limit.h>
 #include <CGAL/Geometric_continuity/numbers/internal/Common_denominator.h>
+#include <CGAL/Geometric_continuity/numbers/internal/common_words.h>
 #include <CGAL/Geometric_continuity/splines/Knot_vector.h>
 #include <CGAL/Geometric_continuity/splines/internal/Divided_differences.h>
 #include <CGAL/Geometric_continuity/splines/internal/bspline_spans.h>
@@ -26,10 +27,6 @@
 namespace CGAL {
 namespace Geometric_continuity {
 namespace internal {
-
-// Rational numbers that are not evaluated on demand.
-template <class FT>
-constexpr bool is_rational_v = Common_denominator<FT>::clears&& std::is_same_v<typename Exact_number<FT>::type, FT>;
 
 // The polynomials of a spline on one span [t, a] after the other, of one coordinate. Knots are multiplied by their common
 // denominator. On a span of length h let f = sum_j g_j binomial(p, j) (x - t)^j. Then h^j g_j is the j-th

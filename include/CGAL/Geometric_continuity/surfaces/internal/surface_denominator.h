@@ -34,10 +34,10 @@ template <class Field> Bernstein_rows<Field> transposed(const Bernstein_rows<Fie
 
 // Decides exactly whether such a polynomial is positive on the closed unit square. On the boundary this is decided as for
 // curves. Inside, the coefficients of ever smaller rectangles are taken until all are positive, or a corner is not. This ends
-// unless the polynomial is zero somewhere inside and negative nowhere.
+// unless the polynomial is zero somewhere inside and negative nowhere, and is given up after 64 halvings, as in
+// add_positive_parts_of_patch(), or when no rectangle is left of the number that is allowed for a whole surface.
 // \throws Error `zero_weight` if it is not positive, `work_limit` when it comes too close to zero
-template <class Field> void require_positive(const Bernstein_rows<Field>& b, const char* place) {
-  constexpr int most = 4096;
+template <class Field> void require_positive(const Bernstein_rows<Field>& b, int& allowed, const char* place) {
   const auto corners_positive = [](const Bernstein_rows<Field>& r) {
     const int n = r[0].dimension() - 1;
     return Field(0) < r.front()[0] && Field(0) < r.front()[n] && Field(0) < r.back()[0] && Field(0) < r.back()[n];
@@ -49,20 +49,23 @@ template <class Field> void require_positive(const Bernstein_rows<Field>& b, con
   for (const Bernstein_rows<Field>& r : {b, transposed<Field>(b)})
     for (const auto* row : {&r.front(), &r.back()})
       check_denominator<Field>(std::vector<Field>(row->begin(), row->end()), place);
-  std::vector<Bernstein_rows<Field>> stack(1, b);
-  for (int taken = 0; !stack.empty(); ++taken) {
-    if (taken == most)
-      throw Error(Error_code::work_limit, std::string(place) + ": the denominator is too close to zero");
-    const Bernstein_rows<Field> rectangle = std::move(stack.back());
-    stack.pop_back();
-    if (!corners_positive(rectangle)) throw Error(Error_code::zero_weight, place);
-    if (positive_coefficients(rectangle)) continue;
-    Bernstein_rows<Field> right = transposed<Field>(rectangle), left = right; // u and v take turns
-    bernstein_split(right, static_cast<int>(right.size()) - 1, Field(Field(1) / Field(2)), left);
-    stack.push_back(std::move(left));
-    stack.push_back(std::move(right));
+  std::vector<Bernstein_rows<Field>> rectangles(1, b);
+  for (int halvings = 0; !rectangles.empty(); ++halvings) {
+    std::vector<Bernstein_rows<Field>> halves;
+    for (const Bernstein_rows<Field>& r : rectangles) {
+      if (!corners_positive(r)) throw Error(Error_code::zero_weight, place);
+      if (positive_coefficients(r)) continue;
+      if (halvings == 64 || --allowed < 0)
+        throw Error(Error_code::work_limit, std::string(place) + ": the denominator is too close to zero");
+      Bernstein_rows<Field> right = transposed<Field>(r), left = right; // u and v take turns
+      bernstein_split(right, static_cast<int>(right.size()) - 1, Field(Field(1) / Field(2)), left);
+      halves.push_back(std::move(left));
+      halves.push_back(std::move(right));
+    }
+    rectangles.swap(halves);
   }
 }
+constexpr int most_halved_rectangles = 4096;
 
 // The weights of a Bezier patch.
 template <class Traits> void check_surface_denominator(const Rational_net<Traits>& net, const char* place) {
@@ -71,7 +74,8 @@ template <class Traits> void check_surface_denominator(const Rational_net<Traits
   Bernstein_rows<Field> b(net.rows(), Coordinate_vector<Field, 0>(net.columns()));
   for (int i = 0; i < net.rows(); ++i)
     for (int j = 0; j < net.columns(); ++j) b[i][j] = to_field<Field>(net.weight(i, j));
-  require_positive<Field>(b, place);
+  int allowed = most_halved_rectangles;
+  require_positive<Field>(b, allowed, place);
 }
 
 // The weights of a B-spline surface, on each rectangle of two spans.
@@ -92,13 +96,27 @@ void check_surface_denominator(const Rational_net<Traits>& net, const Knot_vecto
   const Bernstein_rows<Field> pieces =
       transposed<Field>(bspline_bezier<Field>(exact(knots_v), transposed<Field>(strips)));
   const int m = knots_u.degree() + 1, n = knots_v.degree() + 1;
+  int allowed = most_halved_rectangles;
   for (int i = 0; i < static_cast<int>(pieces.size()); i += m)
     for (int j = 0; j < pieces[0].dimension(); j += n) {
       Bernstein_rows<Field> b(m, Coordinate_vector<Field, 0>(n));
       for (int k = 0; k < m; ++k)
         for (int l = 0; l < n; ++l) b[k][l] = pieces[i + k][j + l];
-      require_positive<Field>(b, place);
+      require_positive<Field>(b, allowed, place);
     }
+}
+
+// Halves a rational patch, in u and v in turn, until all weights are positive, see add_positive_parts().
+template <class Patch> void add_positive_parts_of_patch(const Patch& s, int halvings, std::vector<Patch>& parts) {
+  typedef typename Patch::FT FT;
+  if (all_positive(s.weights())) return parts.push_back(s);
+  if (halvings == 0) throw Error(Error_code::work_limit, "positive_parts: the denominator is too close to zero");
+  const bool in_u = halvings % 2 == 0;
+  const typename Patch::Interval domain = in_u ? s.domain_u() : s.domain_v();
+  const FT middle = FT(FT(domain.first + domain.second) / FT(2));
+  const std::pair<Patch, Patch> halves = in_u ? s.split_u(middle) : s.split_v(middle);
+  add_positive_parts_of_patch(halves.first, halvings - 1, parts);
+  add_positive_parts_of_patch(halves.second, halvings - 1, parts);
 }
 
 } // namespace internal

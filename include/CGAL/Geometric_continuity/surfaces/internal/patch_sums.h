@@ -2,8 +2,8 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-#ifndef CGAL_GEOMETRIC_CONTINUITY_MODELS_INTERNAL_PATCH_SUMS_H
-#define CGAL_GEOMETRIC_CONTINUITY_MODELS_INTERNAL_PATCH_SUMS_H
+#ifndef CGAL_GEOMETRIC_CONTINUITY_SURFACES_INTERNAL_PATCH_SUMS_H
+#define CGAL_GEOMETRIC_CONTINUITY_SURFACES_INTERNAL_PATCH_SUMS_H
 
 #include <CGAL/Geometric_continuity/surfaces/Bezier_patch.h>
 #include <CGAL/Geometric_continuity/surfaces/Rational_bezier_patch.h>
@@ -41,4 +41,4 @@ typename Traits::Point point_of_sum(const Rational_bezier_patch<Traits>&, const 
 } // namespace Geometric_continuity
 } // namespace CGAL
 
-#endif // CGAL_GEOMETRIC_CONTINUITY_MODELS_INTERNAL_PATCH_SUMS_H
+#endif // CGAL_GEOMETRIC_CONTINUITY_SURFACES_INTERNAL_PATCH_SUMS_H
