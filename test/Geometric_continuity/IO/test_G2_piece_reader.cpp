@@ -4,8 +4,6 @@
 
 // Curves in .g2 files that are read piece by piece.
 
-#define BOOST_TEST_DYN_LINK
-#define BOOST_TEST_MODULE G2_piece_reader
 #include <boost/test/unit_test.hpp>
 
 #include "support/errors.h"
@@ -22,6 +20,8 @@
 #include <sstream>
 #include <string>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(G2_piece_reader)
 
 namespace GC = CGAL::Geometric_continuity;
 
@@ -124,3 +124,5 @@ BOOST_AUTO_TEST_CASE(refused_as_whole_curves) {
       error_of([&] { read_pieces<Rounded>(far_apart); }),
       "malformed_input: f.g2:4: the difference of the knots is outside the range of floating-point numbers");
 }
+
+BOOST_AUTO_TEST_SUITE_END()

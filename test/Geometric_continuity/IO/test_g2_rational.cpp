@@ -5,8 +5,6 @@
 // Rational curves and surfaces in .g2 files: written and read without loss, and refused where the text or the type does not allow
 // them.
 
-#define BOOST_TEST_DYN_LINK
-#define BOOST_TEST_MODULE g2_rational
 #include <boost/test/unit_test.hpp>
 
 #include "support/errors.h"
@@ -29,6 +27,8 @@
 #include <string>
 #include <tuple>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(g2_rational)
 
 namespace GC = CGAL::Geometric_continuity;
 
@@ -191,3 +191,5 @@ BOOST_AUTO_TEST_CASE(elementary_classes) {
   BOOST_CHECK_EQUAL(error_of([] { surfaces_in<Q3>("120 1 0 0\n3\n"); }),
                     "malformed_input: f.g2:1: 120 (line) where a surface (200) is expected");
 }
+
+BOOST_AUTO_TEST_SUITE_END()

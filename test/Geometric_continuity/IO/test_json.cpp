@@ -2,8 +2,6 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-#define BOOST_TEST_MODULE json
-#define BOOST_TEST_DYN_LINK
 #include <boost/test/unit_test.hpp>
 
 #include <CGAL/Exact_rational.h>
@@ -19,6 +17,8 @@
 #include <optional>
 #include <sstream>
 #include <string>
+
+BOOST_AUTO_TEST_SUITE(json)
 
 namespace GC = CGAL::Geometric_continuity;
 
@@ -144,3 +144,5 @@ BOOST_AUTO_TEST_CASE(streams_and_locales_do_not_matter) {
   BOOST_CHECK_EQUAL(os.str().substr(0, 31), "{\"left\":12345,\"right\":1234567,\"");
   BOOST_CHECK_EQUAL(os.str().substr(os.str().find('}')), "}[1234.5,1234567]");
 }
+
+BOOST_AUTO_TEST_SUITE_END()

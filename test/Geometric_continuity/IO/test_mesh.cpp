@@ -2,8 +2,6 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-#define BOOST_TEST_MODULE mesh
-#define BOOST_TEST_DYN_LINK
 #include <boost/test/unit_test.hpp>
 
 #include <CGAL/Geometric_continuity/IO/mesh.h>
@@ -13,6 +11,8 @@
 
 #include <cmath>
 #include <sstream>
+
+BOOST_AUTO_TEST_SUITE(mesh)
 
 namespace GC = CGAL::Geometric_continuity;
 
@@ -77,3 +77,5 @@ BOOST_AUTO_TEST_CASE(points_of_the_plane_are_refused) {
   t.triangles = {{0, 1, 2}};
   check_refused(t, GC::Error_code::dimension_mismatch);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -2,8 +2,6 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-#define BOOST_TEST_MODULE printable
-#define BOOST_TEST_DYN_LINK
 #include <boost/test/unit_test.hpp>
 
 #include <CGAL/Geometric_continuity/IO/printable.h>
@@ -13,6 +11,8 @@
 #include <random>
 #include <string>
 #include <string_view>
+
+BOOST_AUTO_TEST_SUITE(printable)
 
 namespace GC = CGAL::Geometric_continuity;
 
@@ -49,3 +49,5 @@ BOOST_AUTO_TEST_CASE(random_bytes) {
     BOOST_CHECK((shown == text) == (shown.size() == text.size()));
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -4,8 +4,6 @@
 
 // Power polynomials: the Bernstein form and back, division, greatest common divisors; and sets of signs.
 
-#define BOOST_TEST_DYN_LINK
-#define BOOST_TEST_MODULE Power_polynomial
 #include <boost/test/unit_test.hpp>
 
 #include "support/errors.h"
@@ -21,6 +19,8 @@
 #include <iostream>
 #include <random>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(Power_polynomial)
 
 namespace GC = CGAL::Geometric_continuity;
 typedef CGAL::Exact_rational Q;
@@ -177,3 +177,5 @@ BOOST_AUTO_TEST_CASE(homogeneous_polynomials) {
     BOOST_CHECK_EQUAL(GC::joint_pattern(signs, some.pattern()), signs);
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

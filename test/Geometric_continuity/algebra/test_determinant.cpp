@@ -4,8 +4,6 @@
 
 // Determinants of many rows, which are computed by elimination.
 
-#define BOOST_TEST_DYN_LINK
-#define BOOST_TEST_MODULE determinant
 #include <boost/test/unit_test.hpp>
 
 #include "support/errors.h"
@@ -16,6 +14,8 @@
 #include <tuple>
 #include <utility>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(determinant)
 
 namespace GC = CGAL::Geometric_continuity;
 typedef CGAL::Exact_rational Q;
@@ -73,3 +73,5 @@ BOOST_AUTO_TEST_CASE(numbers_of_rows) {
   BOOST_CHECK(GC::determinant<Q>(0, none) == Q(1));
   CHECK_ERROR(GC::determinant<Q>(-1, none), negative_count);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

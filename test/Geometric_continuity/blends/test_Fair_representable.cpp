@@ -4,8 +4,6 @@
 
 // Representable blends that aim at the fair one: exactly G2, and almost as fair.
 
-#define BOOST_TEST_DYN_LINK
-#define BOOST_TEST_MODULE Fair_representable
 #include <boost/test/unit_test.hpp>
 
 #include "support/fairness.h"
@@ -22,6 +20,8 @@
 #include <random>
 #include <tuple>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(Fair_representable)
 
 typedef GC::Traits_2<CGAL::Epick> Plane;
 typedef GC::Traits_3<CGAL::Epick> Space;
@@ -67,3 +67,5 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(almost_as_fair, Traits, Traits_classes) {
   }
   BOOST_TEST_MESSAGE("E / E of the fair blend: largest " << largest);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -4,8 +4,6 @@
 
 // The shape parameters by the chord: rounded exactly, the same on every kernel, and defined for every chord.
 
-#define BOOST_TEST_DYN_LINK
-#define BOOST_TEST_MODULE automatic_shape
 #include <boost/test/unit_test.hpp>
 
 #include "support/errors.h"
@@ -25,6 +23,8 @@
 #include <limits>
 #include <random>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(automatic_shape)
 
 namespace GC = CGAL::Geometric_continuity;
 
@@ -174,3 +174,5 @@ BOOST_AUTO_TEST_CASE(errors) {
     CHECK_ERROR(GC::automatic_shape(jet<Double, double>({0, 0}, {bad, 0}), x), not_finite);
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

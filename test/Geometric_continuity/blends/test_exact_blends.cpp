@@ -5,9 +5,6 @@
 // Blends of rational numbers are computed on unreduced fractions, blends of lazy numbers as one lazy construction: the same
 // numbers as the formulas give with the operators of the number type.
 
-#define BOOST_TEST_MODULE exact_blends
-#define BOOST_TEST_DYN_LINK
-
 #include <CGAL/Cartesian_d.h>
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Geometric_continuity/Traits_2.h>
@@ -25,6 +22,8 @@
 #include <boost/multiprecision/gmp.hpp>
 #include <boost/test/unit_test.hpp>
 
+#include "support/errors.h"
+
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -33,14 +32,12 @@
 #include <utility>
 #include <vector>
 
+BOOST_AUTO_TEST_SUITE(exact_blends)
+
 namespace GC = CGAL::Geometric_continuity;
 typedef CGAL::Exact_rational Exact;
 typedef CGAL::Exact_predicates_exact_constructions_kernel Lazy_kernel;
 typedef Lazy_kernel::FT Lazy;
-
-#define CHECK_ERROR(expression, expected)                                                                              \
-  BOOST_CHECK_EXCEPTION((void)(expression), GC::Error,                                                                 \
-                        [](const GC::Error& e) { return e.code() == GC::Error_code::expected; })
 
 namespace {
 
@@ -254,7 +251,11 @@ struct Foreign_strategy : Slide_of_the_user<false> {};
 
 } // namespace
 
-template <> constexpr bool CGAL::Geometric_continuity::works_in_every_field_v<Foreign_strategy> = true;
+BOOST_AUTO_TEST_SUITE_END()
+
+template <> constexpr bool CGAL::Geometric_continuity::works_in_every_field_v<exact_blends::Foreign_strategy> = true;
+
+BOOST_AUTO_TEST_SUITE(exact_blends)
 
 namespace {
 
@@ -475,3 +476,5 @@ BOOST_AUTO_TEST_CASE(laziness) {
   check_number(p.s1.exact(), exact.s1);
   BOOST_CHECK(Exact(before.inf()) <= exact.s1 && exact.s1 <= Exact(before.sup()));
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -4,15 +4,14 @@
 
 // Blends whose control points are floating-point numbers and whose joins are exactly G2.
 
-#define BOOST_TEST_MODULE representable_blend
-#define BOOST_TEST_DYN_LINK
-
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Geometric_continuity.h>
 #include <CGAL/Geometric_continuity/IO/g2.h>
 #include <CGAL/Geometric_continuity/blends/representable_blend.h>
 
 #include <boost/test/unit_test.hpp>
+
+#include "support/errors.h"
 
 #include <cfenv>
 #include <cmath>
@@ -23,15 +22,13 @@
 #include <sstream>
 #include <vector>
 
+BOOST_AUTO_TEST_SUITE(representable_blend)
+
 namespace GC = CGAL::Geometric_continuity;
 typedef GC::Traits_2<CGAL::Epick> Plane;
 typedef GC::Traits_3<CGAL::Epick> Space;
 typedef GC::Bezier_curve<Space> Curve;
 typedef GC::Representable_blend<Space> Blend;
-
-#define CHECK_ERROR(expression, expected)                                                                              \
-  BOOST_CHECK_EXCEPTION((void)(expression), GC::Error,                                                                 \
-                        [](const GC::Error& e) { return e.code() == GC::Error_code::expected; })
 
 namespace {
 
@@ -330,3 +327,5 @@ BOOST_AUTO_TEST_CASE(automatic_shape) {
       BOOST_CHECK(std::abs(b.end_join.beta / shape.eta - 1) <= 1.0 / 8);
     }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

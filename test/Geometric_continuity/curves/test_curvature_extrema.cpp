@@ -4,8 +4,6 @@
 
 // Extrema of curvature and inflections: of curves where they are known, and of random ones, where dense sampling finds them.
 
-#define BOOST_TEST_DYN_LINK
-#define BOOST_TEST_MODULE curvature_extrema
 #include <boost/test/unit_test.hpp>
 
 #include "support/errors.h"
@@ -26,6 +24,8 @@
 #include <sstream>
 #include <tuple>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(curvature_extrema)
 
 namespace GC = CGAL::Geometric_continuity;
 
@@ -328,3 +328,5 @@ BOOST_AUTO_TEST_CASE(pieces_in_space) {
   BOOST_CHECK(c.inflections.size() == 1 && (c.inflections[0] == GC::Enclosure{0.5, 0.5}));
   BOOST_CHECK(c.extrema.size() == 3);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

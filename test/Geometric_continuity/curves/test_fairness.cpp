@@ -4,8 +4,6 @@
 
 // The variation of curvature and the bending energy, against closed formulas and independent sums.
 
-#define BOOST_TEST_DYN_LINK
-#define BOOST_TEST_MODULE fairness
 #include <boost/test/unit_test.hpp>
 
 #include "support/errors.h"
@@ -27,6 +25,8 @@
 #include <tuple>
 #include <utility>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(fairness)
 
 namespace GC = CGAL::Geometric_continuity;
 
@@ -198,3 +198,5 @@ BOOST_AUTO_TEST_CASE(nearly_cusps) {
     last = e;
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

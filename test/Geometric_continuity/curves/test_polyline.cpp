@@ -5,9 +5,9 @@
 // Polylines and boxes of curves. That they are near enough, or contain the curve, is checked in rational numbers without any
 // square root, on curves with `double` coordinates as well: a double is a rational number.
 
-#define BOOST_TEST_DYN_LINK
-#define BOOST_TEST_MODULE polylines
 #include <boost/test/unit_test.hpp>
+
+#include "support/errors.h"
 
 #include <CGAL/Cartesian_d.h>
 #include <CGAL/Exact_rational.h>
@@ -26,6 +26,8 @@
 #include <tuple>
 #include <vector>
 
+BOOST_AUTO_TEST_SUITE(polylines)
+
 namespace GC = CGAL::Geometric_continuity;
 
 typedef CGAL::Exact_rational Q;
@@ -40,10 +42,6 @@ template <class Traits> using Curve = GC::Bezier_curve<Traits>;
 template <class Traits> using Column = GC::Coordinate_vector<Q, Curve<Traits>::N>; // always of rational numbers
 template <class Traits> constexpr bool is_exact = !std::is_floating_point_v<typename Traits::FT>;
 template <class Traits> constexpr int test_dimension = Curve<Traits>::N == 0 ? 4 : Curve<Traits>::N;
-
-#define CHECK_ERROR(expression, expected)                                                                              \
-  BOOST_CHECK_EXCEPTION((void)(expression), GC::Error,                                                                 \
-                        [](const GC::Error& e) { return e.code() == GC::Error_code::expected; })
 
 namespace {
 
@@ -405,3 +403,5 @@ BOOST_AUTO_TEST_CASE(numbers_of_halvings_that_are_refused) {
   CHECK_ERROR(GC::bounding_boxes(c, 21, 0, std::back_inserter(boxes)), work_limit);
   BOOST_CHECK(boxes.empty());
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -5,8 +5,6 @@
 // Rational Bezier and B-spline curves and arcs of conics: on random curves with big rational numbers, where an identity that holds
 // is one, on doubles within the bound of their roundings, and where weights are negative or zero.
 
-#define BOOST_TEST_DYN_LINK
-#define BOOST_TEST_MODULE rational_curves
 #include <boost/test/unit_test.hpp>
 
 #include "support/errors.h"
@@ -24,6 +22,8 @@
 #include <random>
 #include <tuple>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(rational_curves)
 
 namespace GC = CGAL::Geometric_continuity;
 
@@ -49,11 +49,11 @@ template <class Traits> constexpr bool rounded = std::is_floating_point_v<typena
 
 // Between -1 and 1; an exact one has 62 random bits.
 template <class FT> FT number() {
-  const long long x = static_cast<long long>(engine() >> 2) - (1LL << 61);
+  const long x = static_cast<long>(engine() >> 2) - (1L << 61);
   if constexpr (std::is_floating_point_v<FT>)
     return static_cast<double>(x) * 0x1p-61;
   else
-    return FT(Q(x) / Q(1LL << 61));
+    return FT(Q(x) / Q(1L << 61));
 }
 template <class FT> FT weight() { return FT(number<FT>() + FT(5) / FT(4)); } // in [1/4, 9/4]
 template <class FT> FT parameter() { return FT(FT(number<FT>() + FT(1)) / FT(2)); }
@@ -371,7 +371,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(arcs_lie_on_their_circles, Traits, Exact_traits) {
 
 BOOST_AUTO_TEST_CASE(arcs_about_a_centre_and_an_axis) {
   const Q2::Point centre(1, 2), start(Q(1) / Q(3), 5);
-  for (const Q& r : {Q(1) / Q(9), Q(2), Q(1), Q(-3) / Q(7)}) {
+  for (const Q& r : std::vector<Q>{Q(1) / Q(9), Q(2), Q(1), Q(-3) / Q(7)}) {
     const auto arc = GC::circular_arc<Q2>(centre, start, r);
     BOOST_CHECK(arc(Q(0)) == start);
     const Q2::Vector x = arc(Q(1)) - centre, a = start - centre;
@@ -387,7 +387,7 @@ BOOST_AUTO_TEST_CASE(arcs_about_a_centre_and_an_axis) {
 
   const Q3::Vector axis(1, 2, 3);
   const Q3::Point foot(4, 5, 6), from(1, 1, 7);
-  for (const Q& r : {Q(1) / Q(9), Q(2), Q(-3) / Q(7)}) {
+  for (const Q& r : std::vector<Q>{Q(1) / Q(9), Q(2), Q(-3) / Q(7)}) {
     const auto arc = GC::circular_arc<Q3>(foot, from, axis, r);
     const Q height = (from - foot) * axis;
     BOOST_CHECK(arc(Q(0)) == from);
@@ -539,3 +539,5 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(extensions, Traits, Exact_traits) {
     }
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -4,9 +4,9 @@
 
 // Counts, domains and numbers that curves refuse, and what large degrees and large coordinates do not disturb.
 
-#define BOOST_TEST_DYN_LINK
-#define BOOST_TEST_MODULE refused_curves
 #include <boost/test/unit_test.hpp>
+
+#include "support/errors.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Exact_rational.h>
@@ -30,6 +30,8 @@
 #include <random>
 #include <vector>
 
+BOOST_AUTO_TEST_SUITE(refused_curves)
+
 namespace GC = CGAL::Geometric_continuity;
 typedef CGAL::Exact_rational Q;
 typedef GC::Traits_3<CGAL::Simple_cartesian<Q>> Exact;
@@ -38,10 +40,6 @@ typedef GC::Traits_3<CGAL::Exact_predicates_inexact_constructions_kernel> Epick;
 typedef GC::Bezier_curve<Double> Curve;
 typedef GC::Bezier_curve<Double, 3> Cubic;
 typedef Double::Point Point;
-
-#define CHECK_ERROR(expression, expected)                                                                              \
-  BOOST_CHECK_EXCEPTION((void)(expression), GC::Error,                                                                 \
-                        [](const GC::Error& e) { return e.code() == GC::Error_code::expected; })
 
 namespace {
 
@@ -201,3 +199,5 @@ BOOST_AUTO_TEST_CASE(numbers_that_enter) {
         not_finite);
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

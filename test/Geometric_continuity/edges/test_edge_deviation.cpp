@@ -5,8 +5,6 @@
 // The certified deviation along edges: the enclosures contain the exact value, are at most four units in the last place
 // wide on well-scaled numbers, and lead to honest verdicts.
 
-#define BOOST_TEST_MODULE edge_deviation
-#define BOOST_TEST_DYN_LINK
 #include <boost/test/unit_test.hpp>
 
 #include "support/enclosures.h"
@@ -24,6 +22,8 @@
 #include <sstream>
 #include <string>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(edge_deviation)
 
 namespace GC = CGAL::Geometric_continuity;
 typedef CGAL::Exact_rational Exact;
@@ -306,3 +306,5 @@ BOOST_AUTO_TEST_CASE(knot_lines_within_a_tolerance) {
   BOOST_CHECK_EQUAL(GC::order_within(kink, kinks[0], {0.125, 0}).proved_order(), 1);
   BOOST_CHECK_EQUAL(GC::order_within(kink, kinks[0], {0.124, 0}).proved_order(), 0);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -5,8 +5,6 @@
 // Joins and edges that other programs are known to judge wrongly. Each test writes down the rule that is led astray, shows
 // that it is, and checks the exact answer.
 
-#define BOOST_TEST_DYN_LINK
-#define BOOST_TEST_MODULE known_wrong_answers
 #include <boost/test/unit_test.hpp>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -27,6 +25,8 @@
 #include <tuple>
 #include <utility>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(known_wrong_answers)
 
 namespace GC = CGAL::Geometric_continuity;
 typedef CGAL::Exact_rational Q;
@@ -284,3 +284,5 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(bumps_between_samples, K, Kernels) {
     BOOST_CHECK(Q(e.deviation->end) <= Q(1) / Q(n) || Q(e.deviation->begin) >= Q(n - 1) / Q(n));
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

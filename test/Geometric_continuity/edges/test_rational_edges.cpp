@@ -4,8 +4,6 @@
 
 // Continuity along edges of rational surfaces, of all types and mixes.
 
-#define BOOST_TEST_DYN_LINK
-#define BOOST_TEST_MODULE rational_edges
 #include <boost/test/unit_test.hpp>
 
 #include "support/rational_surfaces.h"
@@ -18,6 +16,8 @@
 
 #include <sstream>
 #include <string>
+
+BOOST_AUTO_TEST_SUITE(rational_edges)
 
 namespace {
 
@@ -330,3 +330,5 @@ BOOST_AUTO_TEST_CASE(bounded_work_and_bad_rows) {
   bad.rows.edge[2][3] = Q(-100000000);
   CHECK_ERROR(deviation(rows, bad), work_limit);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -5,9 +5,6 @@
 // What extensions refuse: numbers that are not finite, wherever they enter, and degrees without alternatives. What they make is
 // tested on every kernel, in kernels/typed/alternatives.h.
 
-#define BOOST_TEST_MODULE extend
-#define BOOST_TEST_DYN_LINK
-
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Exact_rational.h>
@@ -20,14 +17,14 @@
 
 #include <boost/test/unit_test.hpp>
 
+#include "support/errors.h"
+
 #include <limits>
 #include <optional>
 
-namespace GC = CGAL::Geometric_continuity;
+BOOST_AUTO_TEST_SUITE(extend)
 
-#define CHECK_ERROR(expression, expected)                                                                              \
-  BOOST_CHECK_EXCEPTION((void)(expression), GC::Error,                                                                 \
-                        [](const GC::Error& e) { return e.code() == GC::Error_code::expected; })
+namespace GC = CGAL::Geometric_continuity;
 
 namespace {
 
@@ -108,3 +105,5 @@ BOOST_AUTO_TEST_CASE(degrees_without_alternatives) {
   }
   BOOST_CHECK(GC::connection_beta2<Exact>(2, 1, 5) == Exact(1));
 }
+
+BOOST_AUTO_TEST_SUITE_END()

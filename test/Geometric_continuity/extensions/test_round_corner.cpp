@@ -5,9 +5,6 @@
 // One corner is rounded: the distance of the cuts, the parts, which are exactly parts of the given curves, the joins, and what is
 // refused.
 
-#define BOOST_TEST_MODULE round_corner
-#define BOOST_TEST_DYN_LINK
-
 #include "support/errors.h"
 
 #include <CGAL/Cartesian_d.h>
@@ -29,6 +26,8 @@
 #include <random>
 #include <type_traits>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(round_corner)
 
 namespace GC = CGAL::Geometric_continuity;
 
@@ -264,3 +263,5 @@ BOOST_AUTO_TEST_CASE(refused) {
                     "zero_tangent: round_corner: at the cut of the right curve");
   BOOST_CHECK(GC::round_corner(cusp, out, half / 2).left_cut > Q(1) / 2); // beside it
 }
+
+BOOST_AUTO_TEST_SUITE_END()

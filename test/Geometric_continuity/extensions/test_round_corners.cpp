@@ -5,9 +5,6 @@
 // All corners of a chain are rounded: which joins are corners, how near they are cut where curves are short, what stays as it
 // is, and what is refused.
 
-#define BOOST_TEST_MODULE round_corners
-#define BOOST_TEST_DYN_LINK
-
 #include "support/errors.h"
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
@@ -28,6 +25,8 @@
 #include <random>
 #include <type_traits>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(round_corners)
 
 namespace GC = CGAL::Geometric_continuity;
 
@@ -298,3 +297,5 @@ BOOST_AUTO_TEST_CASE(rational_chains) {
   BOOST_CHECK(GC::is_g2_join(rounded.curves[0], rounded.curves[1]) &&
               GC::is_g2_join(rounded.curves[1], rounded.curves[2]));
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -4,8 +4,6 @@
 
 // Joins of curves of several segments, and of the user's own: the decisions read the ends where they are.
 
-#define BOOST_TEST_DYN_LINK
-#define BOOST_TEST_MODULE Curve_ends
 #include <boost/test/unit_test.hpp>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -25,6 +23,8 @@
 #include <utility>
 #include <vector>
 
+BOOST_AUTO_TEST_SUITE(curve_ends)
+
 namespace GC = CGAL::Geometric_continuity;
 
 typedef CGAL::Exact_rational Q;
@@ -38,22 +38,27 @@ typedef GC::Bezier_curve<Exact_traits> Exact_bezier;
 
 // A Bézier curve of the user's own that opts in.
 struct Own_bezier {
-  typedef ::Traits Traits;
+  typedef curve_ends::Traits Traits;
   Bezier curve;
 
   int degree() const { return curve.degree(); }
   const Point& control_point(int i) const { return curve.control_point(i); }
   std::pair<double, double> domain() const { return curve.domain(); }
 };
+
+BOOST_AUTO_TEST_SUITE_END()
+
 namespace CGAL {
 namespace Geometric_continuity {
-template <> struct Curve_ends<Own_bezier> : Bezier_ends<Own_bezier> {};
+template <> struct Curve_ends<curve_ends::Own_bezier> : Bezier_ends<curve_ends::Own_bezier> {};
 } // namespace Geometric_continuity
 } // namespace CGAL
 
+BOOST_AUTO_TEST_SUITE(curve_ends)
+
 // A model of ParametricCurve that has no control points.
 struct Own_curve {
-  typedef ::Traits Traits;
+  typedef curve_ends::Traits Traits;
   Bezier curve;
 
   std::pair<double, double> domain() const { return curve.domain(); }
@@ -225,3 +230,5 @@ BOOST_AUTO_TEST_CASE(own_curves) {
   BOOST_CHECK(GC::is_g2_join(End::at_end(Own_curve{left}), End::at_start(Own_bezier{right})));
   BOOST_CHECK(GC::continuity(Own_curve{left}, Own_curve{right}).g_order == GC::continuity(left, right).g_order);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -5,8 +5,6 @@
 // The certified deviation of joins: the enclosures contain the exact value, are at most four units in the last place wide
 // on well-scaled numbers, and lead to honest verdicts.
 
-#define BOOST_TEST_MODULE deviation
-#define BOOST_TEST_DYN_LINK
 #include <boost/test/unit_test.hpp>
 
 #include "support/enclosures.h"
@@ -22,6 +20,8 @@
 #include <limits>
 #include <random>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(deviation)
 
 namespace GC = CGAL::Geometric_continuity;
 typedef CGAL::Exact_rational Exact;
@@ -222,3 +222,5 @@ BOOST_AUTO_TEST_CASE(rounded_blend) {
   BOOST_CHECK_EQUAL(within(2), Verdict::proved);
   BOOST_CHECK_EQUAL(GC::order_within(left, blend, {1e-14, 1e-20, 0})(2), Verdict::refuted);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

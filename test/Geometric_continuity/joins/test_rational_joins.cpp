@@ -5,8 +5,6 @@
 // Joins of rational curves: what is decided on control points and weights agrees with what is decided on jets in an exact field, for
 // parts of one curve in other rational parameters, and with one control point or weight altered.
 
-#define BOOST_TEST_DYN_LINK
-#define BOOST_TEST_MODULE rational_joins
 #include <boost/test/unit_test.hpp>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -23,6 +21,8 @@
 #include <random>
 #include <tuple>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(rational_joins)
 
 namespace GC = CGAL::Geometric_continuity;
 
@@ -145,3 +145,5 @@ BOOST_AUTO_TEST_CASE(other_ends) {
   }
   BOOST_CHECK_GE(n.g3, 3);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

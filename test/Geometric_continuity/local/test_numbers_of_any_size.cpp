@@ -5,9 +5,9 @@
 // Curvatures, frames and congruence of jets with very large and very small coordinates, in many dimensions, and what is
 // refused: nothing returns an undefined number.
 
-#define BOOST_TEST_DYN_LINK
-#define BOOST_TEST_MODULE numbers_of_any_size
 #include <boost/test/unit_test.hpp>
+
+#include "support/errors.h"
 
 #include <CGAL/Cartesian_d.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -30,6 +30,8 @@
 #include <random>
 #include <vector>
 
+BOOST_AUTO_TEST_SUITE(numbers_of_any_size)
+
 namespace GC = CGAL::Geometric_continuity;
 typedef CGAL::Exact_rational Q;
 typedef CGAL::Exact_predicates_inexact_constructions_kernel Epick;
@@ -39,10 +41,6 @@ typedef GC::Traits_d<CGAL::Cartesian_d<double>> Double_d;
 typedef GC::Traits_3<Epick> Epick_3;
 typedef GC::Traits_d<CGAL::Cartesian_d<Q>> Exact_d;
 template <class Traits> using Jet = GC::Curve_jet<Traits>;
-
-#define CHECK_ERROR(expression, expected)                                                                              \
-  BOOST_CHECK_EXCEPTION((void)(expression), GC::Error,                                                                 \
-                        [](const GC::Error& e) { return e.code() == GC::Error_code::expected; })
 
 namespace {
 
@@ -344,3 +342,5 @@ BOOST_AUTO_TEST_CASE(refused_counts_and_dimensions) {
   CHECK_ERROR(GC::Isometry<Double_d>({one, one}, bad), not_finite);
   CHECK_ERROR(GC::Isometry<Double_d>({one, one}, one)(Jet<Double_d>(3, 1)), dimension_mismatch);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -4,8 +4,6 @@
 
 // Models of rational surfaces: spheres, tori, fillets; and the patches from which they are made.
 
-#define BOOST_TEST_DYN_LINK
-#define BOOST_TEST_MODULE rational_models
 #include <boost/test/unit_test.hpp>
 
 #include "support/rational_surfaces.h"
@@ -19,6 +17,8 @@
 
 #include <sstream>
 #include <string>
+
+BOOST_AUTO_TEST_SUITE(rational_models)
 
 namespace {
 
@@ -195,3 +195,5 @@ BOOST_AUTO_TEST_CASE(swept_patches) {
   }
   CHECK_ERROR(full_revolution(d, a, Exact::Vector(0, 0, 0)), zero_direction);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -4,8 +4,6 @@
 
 // Triangles of rational surfaces: without cracks, on the surface, and nowhere farther from it than the tolerance.
 
-#define BOOST_TEST_DYN_LINK
-#define BOOST_TEST_MODULE rational_tessellation
 #include <boost/test/unit_test.hpp>
 
 #include "support/rational_surfaces.h"
@@ -13,6 +11,8 @@
 #include <CGAL/Geometric_continuity/models/tessellate.h>
 #include <CGAL/Geometric_continuity/surfaces/elementary_surfaces.h>
 #include <CGAL/Geometric_continuity/surfaces/swept_patches.h>
+
+BOOST_AUTO_TEST_SUITE(rational_tessellation)
 
 namespace {
 
@@ -109,3 +109,5 @@ BOOST_AUTO_TEST_CASE(refused_tessellations) {
   CHECK_ERROR(GC::tessellate(s, GC::Chord_tolerance{1e-9}), work_limit);
   CHECK_ERROR(GC::tessellate(s, GC::Uniform_grid{0}), wrong_number_of_points);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

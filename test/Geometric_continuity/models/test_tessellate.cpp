@@ -4,9 +4,9 @@
 
 // Tessellation of patches, surfaces and models, face graphs and files of triangles.
 
-#define BOOST_TEST_DYN_LINK
-#define BOOST_TEST_MODULE tessellate
 #include <boost/test/unit_test.hpp>
+
+#include "support/errors.h"
 
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Geometric_continuity/IO/mesh.h>
@@ -35,6 +35,8 @@
 #include <utility>
 #include <vector>
 
+BOOST_AUTO_TEST_SUITE(tessellate)
+
 namespace GC = CGAL::Geometric_continuity;
 
 typedef CGAL::Exact_rational Q;
@@ -47,10 +49,6 @@ template <class K> using Net = std::vector<std::vector<typename K::Point_3>>;
 typedef Patch<Exact_kernel> Exact_patch;
 typedef std::vector<Exact_patch> Exact_model;
 typedef Exact_kernel::Point_3 Exact_point;
-
-#define CHECK_ERROR(expression, expected)                                                                              \
-  BOOST_CHECK_EXCEPTION((void)(expression), GC::Error,                                                                 \
-                        [](const GC::Error& e) { return e.code() == GC::Error_code::expected; })
 
 namespace {
 
@@ -762,3 +760,5 @@ BOOST_AUTO_TEST_CASE(files) {
                              GC::Mesh_format::off),
               not_finite);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -4,8 +4,6 @@
 
 // Limits of the work: what is too much is refused by a typed error that names the place, and what is enclosed stays enclosed.
 
-#define BOOST_TEST_DYN_LINK
-#define BOOST_TEST_MODULE work_limits
 #include <boost/test/unit_test.hpp>
 
 #include "support/errors.h"
@@ -24,6 +22,8 @@
 #include <random>
 #include <utility>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(work_limits)
 
 namespace GC = CGAL::Geometric_continuity;
 typedef CGAL::Exact_rational Q;
@@ -169,3 +169,5 @@ BOOST_AUTO_TEST_CASE(near_edges_are_found) {
   }
   CHECK_ERROR(GC::near_edges(model, decided, {0, 1}, one_step), work_limit);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

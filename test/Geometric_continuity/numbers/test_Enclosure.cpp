@@ -5,8 +5,6 @@
 // Enclosures of square roots and of angles: they hold, proved by exact numbers, in every rounding mode, and are narrow. Rational
 // square roots.
 
-#define BOOST_TEST_DYN_LINK
-#define BOOST_TEST_MODULE Enclosure
 #include <boost/test/unit_test.hpp>
 
 #include "support/enclosures.h"
@@ -27,6 +25,8 @@
 #include <sstream>
 #include <string>
 #include <utility>
+
+BOOST_AUTO_TEST_SUITE(Enclosure)
 
 namespace GC = CGAL::Geometric_continuity;
 typedef CGAL::Exact_rational Q;
@@ -191,3 +191,5 @@ BOOST_AUTO_TEST_CASE(flags_and_locales_do_not_matter) {
   os << std::fixed << std::showpos << GC::Enclosure{0.25, 0.5};
   BOOST_CHECK_EQUAL(os.str(), "[0.25, 0.5]");
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -5,8 +5,6 @@
 // The Bernstein coefficients of the spans: from differences of rational numbers, against refinement by blossoms; of high
 // degree; and within a limit of the work.
 
-#define BOOST_TEST_DYN_LINK
-#define BOOST_TEST_MODULE bspline_pieces
 #include <boost/test/unit_test.hpp>
 
 #include "support/errors.h"
@@ -22,6 +20,8 @@
 #include <cstddef>
 #include <random>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(bspline_pieces)
 
 namespace GC = CGAL::Geometric_continuity;
 typedef CGAL::Exact_rational Q;
@@ -124,3 +124,5 @@ BOOST_AUTO_TEST_CASE(pieces_of_high_degree) {
   CHECK_ERROR(GC::bspline_bezier(knots, c, GC::Work_limit(1)), work_limit);
   CHECK_ERROR(GC::bspline_bezier(knots, c, GC::Work_limit(1000000)), work_limit);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -4,8 +4,6 @@
 
 // Rational patches and B-spline surfaces: what they evaluate, how they are cut and refined, and which weights they refuse.
 
-#define BOOST_TEST_DYN_LINK
-#define BOOST_TEST_MODULE rational_surfaces
 #include <boost/test/unit_test.hpp>
 
 #include "support/rational_surfaces.h"
@@ -17,6 +15,8 @@
 #include <algorithm>
 #include <limits>
 #include <sstream>
+
+BOOST_AUTO_TEST_SUITE(rational_surfaces)
 
 namespace {
 
@@ -301,3 +301,5 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(refused_input, Traits, All_traits) {
     CHECK_ERROR(big.homogeneous(), not_finite);
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -4,9 +4,9 @@
 
 // Figures of curves and pictures of surfaces: what the legend says, and what is refused.
 
-#define BOOST_TEST_DYN_LINK
-#define BOOST_TEST_MODULE Svg_figure
 #include <boost/test/unit_test.hpp>
+
+#include "support/errors.h"
 
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Geometric_continuity/IO/figures/Svg_figure.h>
@@ -22,6 +22,8 @@
 #include <string>
 #include <vector>
 
+BOOST_AUTO_TEST_SUITE(Svg_figure)
+
 namespace GC = CGAL::Geometric_continuity;
 
 typedef CGAL::Simple_cartesian<double> Kernel;
@@ -33,10 +35,6 @@ typedef Plane::Point P;
 typedef Space::Point Q;
 using GC::Svg_role;
 using GC::Svg_style;
-
-#define CHECK_ERROR(expression, expected)                                                                              \
-  BOOST_CHECK_EXCEPTION((void)(expression), GC::Error,                                                                 \
-                        [](const GC::Error& e) { return e.code() == GC::Error_code::expected; })
 
 namespace {
 
@@ -202,3 +200,5 @@ BOOST_AUTO_TEST_CASE(pictures_of_surfaces) {
     BOOST_CHECK(os.str().empty());
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

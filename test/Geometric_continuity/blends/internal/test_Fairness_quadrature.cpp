@@ -4,8 +4,6 @@
 
 // The fairness of blends at fixed nodes against that of their curves to a precision.
 
-#define BOOST_TEST_DYN_LINK
-#define BOOST_TEST_MODULE fairness_quadrature
 #include <boost/test/unit_test.hpp>
 
 #include <CGAL/Geometric_continuity/Traits_2.h>
@@ -18,6 +16,8 @@
 #include <cmath>
 #include <random>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(fairness_quadrature)
 
 namespace GC = CGAL::Geometric_continuity;
 
@@ -66,3 +66,5 @@ BOOST_AUTO_TEST_CASE(quintic_blends) {
 }
 
 BOOST_AUTO_TEST_CASE(septic_blends) { compare<GC::internal::Blend_kind::g3, GC::Traits_2<K>>(); }
+
+BOOST_AUTO_TEST_SUITE_END()

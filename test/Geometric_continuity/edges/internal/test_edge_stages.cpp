@@ -7,8 +7,6 @@
 //
 // Set GEOMETRIC_CONTINUITY_EDGES for the number of edges of each class and GEOMETRIC_CONTINUITY_SEED for other numbers.
 
-#define BOOST_TEST_DYN_LINK
-#define BOOST_TEST_MODULE filtered_edges
 #include <boost/test/unit_test.hpp>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -32,6 +30,8 @@
 #include <type_traits>
 #include <utility>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(filtered_edges)
 
 namespace GC = CGAL::Geometric_continuity;
 using GC::Patch_edge;
@@ -678,3 +678,5 @@ BOOST_AUTO_TEST_CASE(exact_kernels) {
       c({{Point(0, third, 0), Point(0, 1, 0)}, {Point(third, third, 0), Point(third, 1, third)}});
   BOOST_CHECK(GC::is_g2_edge(a, v1, b, v0) && GC::is_g0_edge(a, v1, c, v0) && !GC::is_g1_edge(a, v1, c, v0));
 }
+
+BOOST_AUTO_TEST_SUITE_END()

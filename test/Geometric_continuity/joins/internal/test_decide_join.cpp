@@ -7,9 +7,9 @@
 //
 // Set GEOMETRIC_CONTINUITY_JOINS for the number of joins of each class and GEOMETRIC_CONTINUITY_SEED for other numbers.
 
-#define BOOST_TEST_DYN_LINK
-#define BOOST_TEST_MODULE filtered_joins
 #include <boost/test/unit_test.hpp>
+
+#include "support/errors.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Exact_rational.h>
@@ -33,6 +33,8 @@
 #include <type_traits>
 #include <utility>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(filtered_joins)
 
 namespace GC = CGAL::Geometric_continuity;
 using GC::internal::Join_answer;
@@ -660,10 +662,6 @@ BOOST_AUTO_TEST_CASE(exact_kernel) {
   }
 }
 
-#define CHECK_ERROR(expression, expected)                                                                              \
-  BOOST_CHECK_EXCEPTION((void)(expression), GC::Error,                                                                 \
-                        [](const GC::Error& e) { return e.code() == GC::Error_code::expected; })
-
 BOOST_AUTO_TEST_CASE(prepared_end_refuses) {
   typedef GC::Prepared_end<Space> End;
   std::vector<Space::Point> p = {Space::Point(0, 0, 0), Space::Point(1, 0, 0), Space::Point(2, 1, 0)};
@@ -677,3 +675,5 @@ BOOST_AUTO_TEST_CASE(prepared_end_refuses) {
   p[1] = Space::Point(0, std::numeric_limits<double>::infinity(), 0);
   CHECK_ERROR(End(2, p.begin(), p.end()), not_finite);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

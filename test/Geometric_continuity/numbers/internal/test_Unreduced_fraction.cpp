@@ -4,9 +4,6 @@
 
 // The integers and fractions with which exact blends are computed: the same numbers as by the operators of each number type.
 
-#define BOOST_TEST_MODULE Unreduced_fraction
-#define BOOST_TEST_DYN_LINK
-
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Geometric_continuity/numbers/internal/Unreduced_fraction.h>
@@ -20,6 +17,8 @@
 
 #include <cstdlib>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(Unreduced_fraction)
 
 namespace GC = CGAL::Geometric_continuity;
 
@@ -103,3 +102,5 @@ BOOST_AUTO_TEST_CASE(numbers_without_parts) {
   static_assert(!GC::internal::Rational_parts<CGAL::Quotient<CGAL::Gmpz>>::value);
   static_assert(!GC::internal::Rational_parts<double>::value && !GC::internal::Rational_parts<Lazy>::value);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

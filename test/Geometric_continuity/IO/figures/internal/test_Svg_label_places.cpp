@@ -4,8 +4,6 @@
 
 // The places of labels in a picture, compared with those that a search through all points finds.
 
-#define BOOST_TEST_DYN_LINK
-#define BOOST_TEST_MODULE Svg_label_places
 #include <boost/test/unit_test.hpp>
 
 #include <CGAL/Geometric_continuity/IO/figures/internal/Svg_label_places.h>
@@ -15,6 +13,8 @@
 #include <cmath>
 #include <random>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(Svg_label_places)
 
 namespace GC = CGAL::Geometric_continuity;
 using GC::internal::Svg_label_places;
@@ -91,3 +91,5 @@ BOOST_AUTO_TEST_CASE(crowds) {
     BOOST_CHECK(segment.place(p, 12) == same.place(p, 12));
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END()
