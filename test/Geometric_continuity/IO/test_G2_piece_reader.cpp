@@ -28,7 +28,7 @@ namespace GC = CGAL::Geometric_continuity;
 typedef CGAL::Exact_rational Q;
 typedef GC::Traits_2<CGAL::Simple_cartesian<Q>> Exact;
 typedef GC::Traits_2<CGAL::Simple_cartesian<double>> Rounded;
-typedef std::vector<GC::Bezier_curve<Exact>> Pieces;
+typedef std::vector<GC::Rational_bezier_curve<Exact>> Pieces;
 
 namespace {
 
@@ -36,7 +36,7 @@ template <class Source> Pieces read_pieces(const std::string& text) {
   std::istringstream is(text);
   GC::G2_piece_reader<Exact, Source> reader(is, "f.g2");
   Pieces pieces;
-  while (const std::optional<GC::Bezier_curve<Exact>> piece = reader.next()) pieces.push_back(*piece);
+  while (const std::optional<GC::Rational_bezier_curve<Exact>> piece = reader.next()) pieces.push_back(*piece);
   return pieces;
 }
 
@@ -44,7 +44,7 @@ template <class Source> Pieces read_pieces(const std::string& text) {
 template <class Source> bool reads_ends(const std::string& text, int order, const Pieces& pieces) {
   std::istringstream is(text);
   GC::G2_end_jet_reader<Exact, Source> reader(is, "f.g2", order);
-  for (const GC::Bezier_curve<Exact>& piece : pieces) {
+  for (const GC::Rational_bezier_curve<Exact>& piece : pieces) {
     const std::optional<GC::Curve_end_jets<Exact>> ends = reader.next();
     if (!ends || ends->start_jet(order) != piece.start_jet(order) || ends->end_jet(order) != piece.end_jet(order))
       return false;
@@ -57,7 +57,7 @@ Pieces pieces_of_curves(const std::string& text) {
   std::istringstream is(text);
   Pieces pieces;
   for (const GC::Bspline_curve<Exact>& curve : GC::read_g2_bsplines<Exact>(is, "f.g2"))
-    for (const GC::Bezier_curve<Exact>& piece : curve.bezier_pieces()) pieces.push_back(piece);
+    for (const GC::Rational_bezier_curve<Exact>& piece : curve.bezier_pieces()) pieces.push_back(piece);
   return pieces;
 }
 
