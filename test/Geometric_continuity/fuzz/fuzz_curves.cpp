@@ -13,6 +13,7 @@
 #include <CGAL/Geometric_continuity/joins/join_continuity.h>
 #include <CGAL/Simple_cartesian.h>
 
+#include <cstddef>
 #include <sstream>
 #include <vector>
 
@@ -46,7 +47,14 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   for (const GC::Bspline_curve<Exact>& curve : curves) {
     if (curve.degree() > max_degree || curve.number_of_points() > max_points) return 0;
     accepts([&] {
-      for (const GC::Bezier_curve<Exact>& piece : curve.bezier_pieces()) pieces.push_back(piece);
+      const std::vector<GC::Curve_end_jets<Exact>> ends = curve.span_end_jets(3);
+      std::size_t span = 0;
+      for (const GC::Bezier_curve<Exact>& piece : curve.bezier_pieces()) {
+        require(ends[span].start_jet(3) == piece.start_jet(3) && ends[span].end_jet(3) == piece.end_jet(3),
+                "jets of spans are those of the pieces");
+        pieces.push_back(piece);
+        ++span;
+      }
     });
   }
   for (std::size_t i = 1; i < pieces.size(); ++i)
