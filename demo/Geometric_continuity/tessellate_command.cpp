@@ -15,6 +15,7 @@
 
 #include <cstddef>
 #include <limits>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -32,9 +33,17 @@ Exit code: 0 when the triangles are written, 2 on bad input.
 // Names the options by which the work is bounded.
 template <class Traits, class Surface, class Mode>
 GC::Tessellation<Traits> tessellate(const std::vector<Surface>& model, const Mode& mode, std::size_t max_triangles) {
-  Progress progress("triangles");
+  Progress patches("patches cut");
+  std::optional<Progress> triangles;
   try {
-    return GC::tessellate(model, mode, max_triangles, [&](std::size_t n) { progress.step(n); });
+    return GC::tessellate(model, mode, max_triangles, [&](GC::Tessellation_stage stage, std::size_t n) {
+      if (stage == GC::Tessellation_stage::patches) return patches.step(n);
+      if (!triangles) {
+        patches.clear();
+        triangles.emplace("triangles");
+      }
+      triangles->step(n);
+    });
   } catch (const GC::Error& error) {
     if (error.code() != GC::Error_code::work_limit) throw;
     throw std::runtime_error(std::string(error.what()) + "; see --grid, --tolerance and --max-triangles");

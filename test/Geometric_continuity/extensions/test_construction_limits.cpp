@@ -77,12 +77,11 @@ BOOST_AUTO_TEST_CASE(exact_numbers) {
   const GC::Curvature_extrema extrema = GC::curvature_extrema(c, default_limit);
   BOOST_CHECK_EQUAL(extrema.extrema.size(), GC::curvature_extrema(c).extrema.size());
   CHECK_ERROR(GC::curvature_extrema(c, one_step), work_limit);
-  CHECK_ERROR(GC::curvature_extrema(c, GC::Work_limit(100000)), work_limit); // while roots are isolated
   CHECK_ERROR(GC::curvature_extrema(longer), work_limit);
 
   const Bezier<Q> right = GC::extend(c, GC::Frenet_order::tangent, {Q(1), {}, {}, {}});
   BOOST_CHECK_EQUAL(GC::deviation(c, right, default_limit).gap.upper, 0);
-  CHECK_ERROR(GC::deviation(c, right, one_step), work_limit);
+  CHECK_ERROR(GC::deviation(c, right, GC::Work_limit(10000)), work_limit);
   BOOST_CHECK_EQUAL(GC::order_within(c, c, {4, 2, 1e9, 1e9}, default_limit).verdicts[2], GC::Verdict::proved);
   CHECK_ERROR(GC::order_within(c, c, {4, 2, 1e9, 1e9}, one_step), work_limit);
 

@@ -14,6 +14,7 @@
 #include <CGAL/Simple_cartesian.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <sstream>
 #include <type_traits>
 #include <vector>
@@ -53,7 +54,14 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   for (const GC::Rational_bspline_curve<Exact>& curve : curves) {
     if (curve.degree() > max_degree || curve.number_of_points() > max_points) return 0;
     accepts([&] {
-      for (const GC::Rational_bezier_curve<Exact>& piece : curve.bezier_pieces()) pieces.push_back(piece);
+      const std::vector<GC::Curve_end_jets<Exact>> ends = curve.span_end_jets(3);
+      std::size_t span = 0;
+      for (const GC::Rational_bezier_curve<Exact>& piece : curve.bezier_pieces()) {
+        require(ends[span].start_jet(3) == piece.start_jet(3) && ends[span].end_jet(3) == piece.end_jet(3),
+                "jets of spans are those of the pieces");
+        pieces.push_back(piece);
+        ++span;
+      }
     });
   }
   for (std::size_t i = 1; i < pieces.size(); ++i)

@@ -545,6 +545,25 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(refused, K, Kernels) {
   }
 }
 
+// The patches are reported one by one while surfaces are cut, and then the triangles.
+BOOST_AUTO_TEST_CASE(reports) {
+  typedef CGAL::Simple_cartesian<double> K;
+  typedef GC::Bspline_surface<GC::Traits_3<K>> Surface;
+  const GC::Knot_vector<double> u(1, {0., 0., 1., 2., 2.}), v(1, {0., 0., 1., 1.});
+  const Surface surface(Net<K>{{{0, 0, 0}, {0, 1, 0}}, {{1, 0, 1}, {1, 1, 2}}, {{2, 0, 0}, {2, 1, 0}}}, u, v);
+  std::vector<std::size_t> patches, triangles;
+  const Mesh<K> mesh = GC::tessellate(
+      std::vector<Surface>{surface,
+                           surface.transform(K::Aff_transformation_3(CGAL::TRANSLATION, K::Vector_3(0, 0, 9)))},
+      grid(2), GC::max_tessellation_triangles, [&](GC::Tessellation_stage stage, std::size_t n) {
+        if (stage == GC::Tessellation_stage::patches) BOOST_CHECK(triangles.empty());
+        (stage == GC::Tessellation_stage::patches ? patches : triangles).push_back(n);
+      });
+  BOOST_CHECK((patches == std::vector<std::size_t>{1, 2, 3, 4}));
+  BOOST_CHECK((triangles == std::vector<std::size_t>{8, 16, 24, 32}));
+  BOOST_CHECK_EQUAL(mesh.triangles.size(), 32);
+}
+
 // The triangles are counted before they are made: of surfaces, of patches with edges in common, and by a tolerance.
 BOOST_AUTO_TEST_CASE(limit_of_triangles) {
   typedef CGAL::Simple_cartesian<double> K;

@@ -44,6 +44,13 @@ struct Chord_tolerance {
   double distance; ///< positive, in the unit of the coordinates
 };
 
+/// \ingroup PkgGeometricContinuitySurfaces
+/// What `tessellate()` counts when it reports how far it is.
+enum class Tessellation_stage {
+  patches,  ///< the Bézier patches into which the surfaces have been cut
+  triangles ///< the triangles that have been made
+};
+
 namespace internal {
 
 inline std::string surface_in_tessellation(std::size_t number) {
@@ -108,7 +115,7 @@ public:
     check_mode(mode);
   }
 
-  template <class SurfaceRange> void add_all(const SurfaceRange& surfaces) {
+  template <class SurfaceRange, class Report> void add_all(const SurfaceRange& surfaces, Report& report) {
     Triangle_budget least(max_triangles_);
     std::size_t number = 0, all = 0;
     for (const auto& surface : surfaces) {
@@ -120,16 +127,16 @@ public:
     patches_.reserve(all);
     numbers_.reserve(all);
     number = 0;
-    for (const auto& surface : surfaces) add(surface, number++);
+    for (const auto& surface : surfaces) add(surface, number++, report);
   }
 
-  template <class Report> Tessellation<Traits> operator()(Report report) const {
+  template <class Report> Tessellation<Traits> operator()(Report& report) const {
     std::vector<const Patch*> pointers;
     pointers.reserve(patches_.size());
     for (const Patch& patch : patches_) pointers.push_back(&patch);
     return Model_mesh<Patch>(pointers, numbers_)(
         [&](const Patch& patch, std::size_t number, int least) { return cells_of_patch(mode_, patch, number, least); },
-        max_triangles_, report);
+        max_triangles_, [&](std::size_t n) { report(Tessellation_stage::triangles, n); });
   }
 
 private:
@@ -138,13 +145,14 @@ private:
     return static_cast<std::size_t>(surface.knots_u().number_of_spans()) * surface.knots_v().number_of_spans();
   }
 
-  void add(Patch patch, std::size_t number) {
+  template <class Report> void add(Patch patch, std::size_t number, Report& report) {
     least_.add(2 * least_cells(mode_, patch, number), number);
     patches_.push_back(std::move(patch));
     numbers_.push_back(number);
+    report(Tessellation_stage::patches, patches_.size());
   }
-  template <class Spline> void add(const Spline& surface, std::size_t number) {
-    surface.for_each_bezier_patch([&](Patch patch) { add(std::move(patch), number); });
+  template <class Spline, class Report> void add(const Spline& surface, std::size_t number, Report& report) {
+    surface.for_each_bezier_patch([&](Patch patch) { add(std::move(patch), number, report); });
   }
 };
 
@@ -176,7 +184,8 @@ using Patch_of =
 /// \param mode how fine the triangles are
 /// \param max_triangles more triangles are refused. Their number is predicted, up to those at collapsed edges, from the
 ///   numbers of cells, and from the knots even before a surface is cut into patches
-/// \param report is called as `report(n)` with the number of triangles so far, after each Bézier patch
+/// \param report is called as `report(stage, n)` with a `Tessellation_stage`: with the number of Bézier patches so far after each
+///   that has been cut, and then with the number of triangles so far after each whose triangles have been made
 /// \tparam SurfaceRange a forward range of `Bezier_patch`, `Bspline_surface`, `Rational_bezier_patch` or
 ///   `Rational_bspline_surface`
 /// \tparam Mode `Uniform_grid` or `Chord_tolerance`
@@ -190,7 +199,7 @@ auto tessellate(const SurfaceRange& surfaces, const Mode& mode, std::size_t max_
     -> Tessellation<typename std::decay_t<decltype(*std::begin(surfaces))>::Traits> {
   typedef std::decay_t<decltype(*std::begin(surfaces))> Surface;
   internal::Numbered_patches<internal::Patch_of<Surface>, Mode> patches(mode, max_triangles);
-  patches.add_all(surfaces);
+  patches.add_all(surfaces, report);
   return patches(report);
 }
 
@@ -200,7 +209,7 @@ auto tessellate(const SurfaceRange& surfaces, const Mode& mode, std::size_t max_
 template <class SurfaceRange, class Mode>
 auto tessellate(const SurfaceRange& surfaces, const Mode& mode, std::size_t max_triangles = max_tessellation_triangles)
     -> Tessellation<typename std::decay_t<decltype(*std::begin(surfaces))>::Traits> {
-  return tessellate(surfaces, mode, max_triangles, [](std::size_t) {});
+  return tessellate(surfaces, mode, max_triangles, [](Tessellation_stage, std::size_t) {});
 }
 
 /// \ingroup PkgGeometricContinuitySurfaces
