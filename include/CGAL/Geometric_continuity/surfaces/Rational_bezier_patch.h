@@ -31,8 +31,8 @@ template <class Traits> class Rational_bspline_surface;
 /// Numerator and denominator are a polynomial patch of the homogeneous points \f$ (w_{ij} b_{ij}, w_{ij}) \f$, see
 /// `homogeneous()`, and all that is done with this patch is done with that one. A common factor of all weights changes nothing.
 ///
-/// A weight may be negative or zero as long as the denominator is positive on the whole domain. On the edges and at isolated
-/// parameters inside this is decided exactly; see `Rational_bezier_curve` for the control points of the weight 0.
+/// A weight may be negative or zero as long as the denominator is positive on the whole domain, which is decided exactly; see
+/// `Rational_bezier_curve` for the control points of the weight 0.
 ///
 /// The patch is a value: operations return new patches. With an exact kernel they are exact.
 ///
@@ -94,9 +94,8 @@ public:
   const Point& control_point(int i, int j) const { return net_.points()(i, j); }
   /// Returns the coordinates of \f$ b_{ij} \f$. \pre `0 <= i <= degree_u()`, `0 <= j <= degree_v()`
   Geometric_continuity::Coordinates<Traits> coordinates(int i, int j) const { return net_.points().coordinates(i, j); }
-  /// Returns the begin of \f$ b_{00}, b_{01}, \dots, b_{pq} \f$.
-  const_iterator begin() const { return net_.points().begin(); }
-  const_iterator end() const { return net_.points().end(); } ///< Returns the end of the control points.
+  const_iterator begin() const { return net_.points().begin(); } ///< Returns the begin of the control points.
+  const_iterator end() const { return net_.points().end(); }     ///< Returns the end of the control points.
 
   /// \name Weights
   /// @{
@@ -127,7 +126,11 @@ public:
   Point operator()(const FT& u, const FT& v) const { return jet(u, v, 0).point(); }
 
   /// Returns the jet of order `k >= 0` at (`u`, `v`). \f$ O(pq^2 + kp^2 + pk^3 + k^4) \f$
-  Surface_jet<Traits> jet(const FT& u, const FT& v, int k) const { return project<Traits>(homogeneous().jet(u, v, k)); }
+  Surface_jet<Traits> jet(const FT& u, const FT& v, int k) const {
+    return project<Traits>(internal::bezier_jet<Homogeneous_traits<Traits>>(
+        degree_u(), degree_v(), dimension() + 1, u_, v_, u, v, k,
+        [&](int i, int j, int x) { return net_.homogeneous_coordinate(i, j, x); }));
+  }
 
   /// Returns the derivative of order `i >= 0` in `u` and `j >= 0` in `v`; for `i = j = 0` the position vector.
   /// \throws Error `negative_count` for a negative order
@@ -249,7 +252,7 @@ public:
 
   /// @}
 
-  /// Tells whether domains, degrees, control points and weights are equal.
+  /// Tells whether all of them are equal: domains, degrees, control points and weights.
   friend bool operator==(const Rational_bezier_patch& s, const Rational_bezier_patch& t) {
     return s.u_ == t.u_ && s.v_ == t.v_ && s.net_ == t.net_;
   }

@@ -64,6 +64,13 @@ public:
     return homogeneous_point(Geometric_continuity::coordinates<Traits, Field>(points_(i, j)),
                              to_field<Field>(weight(i, j)));
   }
+  // The coordinate number x of it.
+  FT homogeneous_coordinate(int i, int j, int x) const {
+    const FT& w = weight(i, j);
+    if (x == points_.dimension()) return w;
+    const FT y = FT(Traits().compute_coordinate_object()(points_(i, j), x));
+    return w == FT(0) ? y : FT(w * y);
+  }
   std::vector<std::vector<typename Homogeneous_traits<Traits>::Point>> homogeneous() const {
     std::vector<std::vector<typename Homogeneous_traits<Traits>::Point>> net(rows());
     for (int i = 0; i < rows(); ++i)

@@ -27,16 +27,14 @@ template <class FT> FT local_parameter(const FT& u, const std::pair<FT, FT>& int
   return FT((u - interval.first) / (interval.second - interval.first));
 }
 
-// The jet of order k at (u, v) of the patch on the rectangle `domain_u` x `domain_v`: first the derivatives in v of the
-// control points of all rows, then those in u.
-template <class Traits>
-Surface_jet<Traits> bezier_jet(const Control_net<Traits>& net,
-                               const std::pair<typename Traits::FT, typename Traits::FT>& domain_u,
+// The jet of order k at (u, v) of the patch of degree p x q on the rectangle `domain_u` x `domain_v`: first the derivatives in v
+// of the control points of all rows, then those in u. coordinate(i, j, x) is the coordinate number x < d of a control point.
+template <class Traits, class Coordinate>
+Surface_jet<Traits> bezier_jet(int p, int q, int d, const std::pair<typename Traits::FT, typename Traits::FT>& domain_u,
                                const std::pair<typename Traits::FT, typename Traits::FT>& domain_v,
-                               const typename Traits::FT& u, const typename Traits::FT& v, int k) {
+                               const typename Traits::FT& u, const typename Traits::FT& v, int k,
+                               Coordinate coordinate) {
   typedef typename Traits::FT FT;
-  const Traits traits;
-  const int p = net.rows() - 1, q = net.columns() - 1, d = net.dimension();
   Surface_jet<Traits> jet(d, k);
   const FT s = local_parameter(u, domain_u), t = local_parameter(v, domain_v);
   const FT hu = FT(domain_u.second - domain_u.first), hv = FT(domain_v.second - domain_v.first);
@@ -44,7 +42,7 @@ Surface_jet<Traits> bezier_jet(const Control_net<Traits>& net,
     std::vector<std::vector<FT>> columns(k + 1, std::vector<FT>(p + 1)); // derivatives with respect to v
     for (int i = 0; i <= p; ++i) {
       std::vector<FT> row;
-      for (int j = 0; j <= q; ++j) row.push_back(FT(traits.compute_coordinate_object()(net(i, j), x)));
+      for (int j = 0; j <= q; ++j) row.push_back(coordinate(i, j, x));
       bernstein_derivatives(row, q, t, k, [&](int j, const FT& value) { columns[j][i] = value; });
     }
     FT scale_v(1);

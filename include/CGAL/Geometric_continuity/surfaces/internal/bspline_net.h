@@ -46,19 +46,19 @@ template <class FT> void check_insertion(const Knot_vector<FT>& knots, int times
 }
 
 // The jet of order k at (u, v), from the spans to the right of the parameters: first the derivatives in v of the control
-// points of all rows that matter, then those in u.
-template <class Traits>
-Surface_jet<Traits> bspline_jet(const Control_net<Traits>& net, const Knot_vector<typename Traits::FT>& knots_u,
+// points of all rows that matter, then those in u. point(i, j) is a control point as a column of d coordinates.
+template <class Traits, class Point>
+Surface_jet<Traits> bspline_jet(int d, const Knot_vector<typename Traits::FT>& knots_u,
                                 const Knot_vector<typename Traits::FT>& knots_v, const typename Traits::FT& u,
-                                const typename Traits::FT& v, int k) {
+                                const typename Traits::FT& v, int k, Point point) {
   typedef typename Traits::FT FT;
-  Surface_jet<Traits> jet(net.dimension(), k);
+  Surface_jet<Traits> jet(d, k);
   const int p = knots_u.degree(), q = knots_v.degree(), span_u = knots_u.span(u), span_v = knots_v.span(v);
   std::vector<std::vector<Coordinates<Traits>>> columns(k + 1); // derivatives with respect to v
   derivative_weights(knots_v, q, span_v, v, k, [&](int j, const Spline_weights<FT>& weights) {
     for (int i = span_u - p; i <= span_u; ++i) {
-      Coordinates<Traits> sum(net.dimension());
-      for (int l = 0; l <= q; ++l) sum += weights.w[l] * net.coordinates(i, weights.first + l);
+      Coordinates<Traits> sum(d);
+      for (int l = 0; l <= q; ++l) sum += weights.w[l] * point(i, weights.first + l);
       columns[j].push_back(sum);
     }
   });
