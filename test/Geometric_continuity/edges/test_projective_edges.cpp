@@ -5,8 +5,6 @@
 // The orders G^k are those of the points in projective space: they do not change under a projective map, which makes rational
 // patches from polynomial ones that are connected in all ways.
 
-#define BOOST_TEST_DYN_LINK
-#define BOOST_TEST_MODULE projective_edges
 #include <boost/test/unit_test.hpp>
 
 #include "support/nets.h"
@@ -14,6 +12,8 @@
 #include <CGAL/Geometric_continuity/edges/edge_predicates.h>
 
 #include <iostream>
+
+BOOST_AUTO_TEST_SUITE(projective_edges)
 
 namespace {
 
@@ -66,3 +66,5 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(orders_are_projective, K, Exact_kernels) {
     check(fold, 0);
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

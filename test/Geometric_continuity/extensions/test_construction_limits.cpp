@@ -5,8 +5,6 @@
 // Limits of the work of constructions, and of what is said about their results: ordinary input is far below the default, long
 // numbers are refused by a typed error, and floating-point numbers are never.
 
-#define BOOST_TEST_DYN_LINK
-#define BOOST_TEST_MODULE construction_limits
 #include <boost/test/unit_test.hpp>
 
 #include "support/errors.h"
@@ -22,6 +20,8 @@
 
 #include <random>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(construction_limits)
 
 namespace GC = CGAL::Geometric_continuity;
 typedef CGAL::Exact_rational Q;
@@ -99,3 +99,5 @@ BOOST_AUTO_TEST_CASE(floating_point_numbers) {
   BOOST_CHECK_EQUAL(GC::extend(c, GC::Frenet_order::curvature, {}, one_step).degree(), 5);
   BOOST_CHECK(GC::connect_g1(straight<double>(0), straight<double>(1), straight<double>(-1), 0., one_step).g1());
 }
+
+BOOST_AUTO_TEST_SUITE_END()
