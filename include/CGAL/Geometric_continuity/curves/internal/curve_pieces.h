@@ -11,6 +11,7 @@
 #include <CGAL/Geometric_continuity/curves/Composite_bezier_curve.h>
 #include <CGAL/Geometric_continuity/curves/Rational_bezier_curve.h>
 #include <CGAL/Geometric_continuity/curves/Rational_bspline_curve.h>
+#include <CGAL/Geometric_continuity/curves/internal/Is_rational.h>
 
 #include <algorithm>
 #include <limits>
@@ -60,9 +61,6 @@ std::vector<Coordinates<Homogeneous_traits<Traits>>> control_rows(const Rational
 
 // Columns of coordinates as points.
 template <class Traits> struct Coordinates_of { typedef Coordinates<Traits> Point; };
-
-template <class Curve, class = void> struct Is_rational : std::false_type {};
-template <class Curve> struct Is_rational<Curve, std::void_t<typename Curve::Homogeneous>> : std::true_type {};
 
 // The type of such a row of a curve.
 template <class Curve>
