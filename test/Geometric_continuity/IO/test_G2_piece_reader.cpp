@@ -57,7 +57,7 @@ Pieces pieces_of_curves(const std::string& text) {
   std::istringstream is(text);
   Pieces pieces;
   for (const GC::Bspline_curve<Exact>& curve : GC::read_g2_bsplines<Exact>(is, "f.g2"))
-    for (const GC::Rational_bezier_curve<Exact>& piece : curve.bezier_pieces()) pieces.push_back(piece);
+    for (const auto& piece : curve.bezier_pieces()) pieces.push_back(piece);
   return pieces;
 }
 

@@ -164,11 +164,12 @@ Bezier_curve<Traits> polynomial_at_end(const Rational_bezier_curve<Traits, Degre
 /// Returns the next segment of a chain behind a rational curve: a polynomial one, which `extend()` makes from the Taylor polynomial of
 /// `left` at its end, see `taylor_polynomial_at_end()`. Its degree is that of `left`, or the order if that is higher. With equal weights
 /// it is that of the polynomial curve.
-/// \throws Error `nonpositive_beta`, `zero_tangent`, `not_finite` as `extend()` of a Bézier curve
+/// \throws Error `nonpositive_beta`, `zero_tangent`, `not_finite`, `work_limit` as `extend()` of a Bézier curve
 template <class Traits, int Degree>
 Bezier_curve<Traits> extend(const Rational_bezier_curve<Traits, Degree>& left, Frenet_order order,
-                            const Extension_parameters<typename Traits::FT>& parameters = {}) {
-  return extend(internal::polynomial_at_end(left, order), order, parameters);
+                            const Extension_parameters<typename Traits::FT>& parameters = {},
+                            Work_limit limit = Work_limit()) {
+  return extend(internal::polynomial_at_end(left, order), order, parameters, limit);
 }
 
 namespace internal {
@@ -232,9 +233,11 @@ Rational_bspline_curve<Traits> with_segment(const Rational_bspline_curve<Traits>
 ///   `extend()` of a Bézier curve
 template <class Traits>
 Rational_bspline_curve<Traits> extend(const Rational_bspline_curve<Traits>& curve, Frenet_order order,
-                                      const Extension_parameters<typename Traits::FT>& parameters = {}) {
+                                      const Extension_parameters<typename Traits::FT>& parameters = {},
+                                      Work_limit limit = Work_limit()) {
   const Rational_bspline_curve<Traits> clamped = curve.clamp();
-  return internal::with_segment(clamped, extend(clamped.bezier_pieces().back(), order, parameters), "extend");
+  return internal::with_segment(clamped, extend(clamped.bezier_pieces(limit).back(), order, parameters, limit),
+                                "extend");
 }
 
 /// \ingroup PkgGeometricContinuityConstruction
