@@ -113,7 +113,8 @@ public:
   /// \f$ O(\log m + \log n + kpq) \f$ multiplications of a point, in addition to the weights of the derivatives in `u` and
   /// in `v`.
   Surface_jet<Traits> jet(const FT& u, const FT& v, int k) const {
-    return internal::bspline_jet(net_, u_, v_, u, v, k);
+    return internal::bspline_jet<Traits>(u_, v_, dimension(), u, v, k,
+                                         [&](int i, int j) { return net_.coordinates(i, j); });
   }
 
   /// Returns the derivative of order `i >= 0` in `u` and `j >= 0` in `v`; for `i = j = 0` the position vector.

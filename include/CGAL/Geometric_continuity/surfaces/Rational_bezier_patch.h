@@ -127,7 +127,11 @@ public:
   Point operator()(const FT& u, const FT& v) const { return jet(u, v, 0).point(); }
 
   /// Returns the jet of order `k >= 0` at (`u`, `v`). \f$ O(pq^2 + kp^2 + pk^3 + k^4) \f$
-  Surface_jet<Traits> jet(const FT& u, const FT& v, int k) const { return project<Traits>(homogeneous().jet(u, v, k)); }
+  Surface_jet<Traits> jet(const FT& u, const FT& v, int k) const {
+    return project<Traits>(
+        internal::bezier_jet<Homogeneous_traits<Traits>>(degree_u(), degree_v(), dimension() + 1, u_, v_, u, v, k,
+                                                         [&](int i, int j) { return net_.homogeneous(i, j); }));
+  }
 
   /// Returns the derivative of order `i >= 0` in `u` and `j >= 0` in `v`; for `i = j = 0` the position vector.
   /// \throws Error `negative_count` for a negative order

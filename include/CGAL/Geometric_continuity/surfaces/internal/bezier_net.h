@@ -10,6 +10,8 @@
 #include <CGAL/Geometric_continuity/numbers/internal/checked_numbers.h>
 #include <CGAL/Geometric_continuity/surfaces/internal/Control_net.h>
 
+#include <boost/container/small_vector.hpp>
+
 #include <algorithm>
 #include <cstddef>
 #include <utility>
@@ -27,35 +29,32 @@ template <class FT> FT local_parameter(const FT& u, const std::pair<FT, FT>& int
   return FT((u - interval.first) / (interval.second - interval.first));
 }
 
-// The jet of order k at (u, v) of the patch on the rectangle `domain_u` x `domain_v`: first the derivatives in v of the
-// control points of all rows, then those in u.
-template <class Traits>
-Surface_jet<Traits> bezier_jet(const Control_net<Traits>& net,
+// The jet of order k at (u, v) of the patch of degree p x q on the rectangle `domain_u` x `domain_v`: first the derivatives in v of
+// the control points of all rows, then those in u. point(i, j) is a control point in coordinates.
+template <class Traits, class Point>
+Surface_jet<Traits> bezier_jet(int p, int q, int dimension,
                                const std::pair<typename Traits::FT, typename Traits::FT>& domain_u,
                                const std::pair<typename Traits::FT, typename Traits::FT>& domain_v,
-                               const typename Traits::FT& u, const typename Traits::FT& v, int k) {
+                               const typename Traits::FT& u, const typename Traits::FT& v, int k, const Point& point) {
   typedef typename Traits::FT FT;
-  const Traits traits;
-  const int p = net.rows() - 1, q = net.columns() - 1, d = net.dimension();
-  Surface_jet<Traits> jet(d, k);
+  typedef boost::container::small_vector<Coordinates<Traits>, 8> Row;
+  Surface_jet<Traits> jet(dimension, k);
   const FT s = local_parameter(u, domain_u), t = local_parameter(v, domain_v);
   const FT hu = FT(domain_u.second - domain_u.first), hv = FT(domain_v.second - domain_v.first);
-  for (int x = 0; x < d; ++x) {
-    std::vector<std::vector<FT>> columns(k + 1, std::vector<FT>(p + 1)); // derivatives with respect to v
-    for (int i = 0; i <= p; ++i) {
-      std::vector<FT> row;
-      for (int j = 0; j <= q; ++j) row.push_back(FT(traits.compute_coordinate_object()(net(i, j), x)));
-      bernstein_derivatives(row, q, t, k, [&](int j, const FT& value) { columns[j][i] = value; });
-    }
-    FT scale_v(1);
-    for (int j = 0; j <= k; ++j) {
-      FT scale = scale_v;
-      bernstein_derivatives(columns[j], p, s, k - j, [&](int i, const FT& value) {
-        jet(i, j)[x] = value / scale;
-        scale *= hu;
-      });
-      scale_v *= hv;
-    }
+  boost::container::small_vector<Row, 4> columns(k + 1); // derivatives with respect to v
+  for (int i = 0; i <= p; ++i) {
+    Row row;
+    for (int j = 0; j <= q; ++j) row.push_back(point(i, j));
+    bernstein_derivatives(row, q, t, k, [&](int j, const Coordinates<Traits>& x) { columns[j].push_back(x); });
+  }
+  FT scale_v(1);
+  for (int j = 0; j <= k; ++j) {
+    FT scale = scale_v;
+    bernstein_derivatives(columns[j], p, s, k - j, [&](int i, const Coordinates<Traits>& x) {
+      jet(i, j) = x / scale;
+      scale *= hu;
+    });
+    scale_v *= hv;
   }
   check_jet(jet, "Bezier_patch: jet");
   return jet;

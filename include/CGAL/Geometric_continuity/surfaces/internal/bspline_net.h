@@ -11,6 +11,10 @@
 #include <CGAL/Geometric_continuity/surfaces/Patch_edge.h>
 #include <CGAL/Geometric_continuity/surfaces/internal/Control_net.h>
 
+#include <boost/container/small_vector.hpp>
+
+#include <algorithm>
+#include <cstddef>
 #include <iterator>
 #include <string>
 #include <utility>
@@ -46,25 +50,26 @@ template <class FT> void check_insertion(const Knot_vector<FT>& knots, int times
 }
 
 // The jet of order k at (u, v), from the spans to the right of the parameters: first the derivatives in v of the control
-// points of all rows that matter, then those in u.
-template <class Traits>
-Surface_jet<Traits> bspline_jet(const Control_net<Traits>& net, const Knot_vector<typename Traits::FT>& knots_u,
-                                const Knot_vector<typename Traits::FT>& knots_v, const typename Traits::FT& u,
-                                const typename Traits::FT& v, int k) {
+// points of all rows that matter, then those in u. point(i, j) is a control point in coordinates.
+template <class Traits, class Point>
+Surface_jet<Traits> bspline_jet(const Knot_vector<typename Traits::FT>& knots_u,
+                                const Knot_vector<typename Traits::FT>& knots_v, int dimension,
+                                const typename Traits::FT& u, const typename Traits::FT& v, int k, const Point& point) {
   typedef typename Traits::FT FT;
-  Surface_jet<Traits> jet(net.dimension(), k);
+  Surface_jet<Traits> jet(dimension, k);
   const int p = knots_u.degree(), q = knots_v.degree(), span_u = knots_u.span(u), span_v = knots_v.span(v);
-  std::vector<std::vector<Coordinates<Traits>>> columns(k + 1); // derivatives with respect to v
-  derivative_weights(knots_v, q, span_v, v, k, [&](int j, const Spline_weights<FT>& weights) {
-    for (int i = span_u - p; i <= span_u; ++i) {
-      Coordinates<Traits> sum(net.dimension());
-      for (int l = 0; l <= q; ++l) sum += weights.w[l] * net.coordinates(i, weights.first + l);
-      columns[j].push_back(sum);
-    }
-  });
-  derivative_weights(knots_u, p, span_u, u, k, [&](int i, const Spline_weights<FT>& weights) {
-    for (int j = 0; j <= k - i; ++j)
-      for (int l = 0; l <= p && !columns[j].empty(); ++l) jet(i, j) += weights.w[l] * columns[j][l];
+  boost::container::small_vector<Spline_weights<FT>, 4> weights_v((std::min)(k, q) + 1);
+  derivative_weights(knots_v, q, span_v, v, k,
+                     [&](int j, const Spline_weights<FT>& weights) { weights_v[j].w = weights.w; });
+  boost::container::small_vector<Span_vector<Coordinates<Traits>>, 4> columns(weights_v.size()); // derivatives in v
+  for (int i = span_u - p; i <= span_u; ++i) {
+    Span_vector<Coordinates<Traits>> row;
+    for (int l = span_v - q; l <= span_v; ++l) row.push_back(point(i, l));
+    for (std::size_t j = 0; j < columns.size(); ++j) columns[j].push_back(weights_v[j](row));
+  }
+  derivative_weights(knots_u, p, span_u, u, k, [&](int i, Spline_weights<FT> weights) {
+    weights.first = 0; // of the columns
+    for (int j = 0; j <= k - i && j < static_cast<int>(columns.size()); ++j) jet(i, j) = weights(columns[j]);
   });
   check_jet(jet, "Bspline_surface: jet");
   return jet;
