@@ -38,15 +38,23 @@ template <class FT> void require_denominator(const FT& w, const char* place) {
 
 constexpr int binomial(int k, int j) { return j == 0 ? 1 : binomial(k - 1, j - 1) * k / j; }
 
-// Replaces the derivatives p_0, ..., p_k of a coordinate in x by those of x = p / w, for an order known at compile time. w holds
-// w_1, ..., w_k at their places, and the inverse is 1 / w_0.
-template <int k, class FT> BOOST_FORCEINLINE void divide_derivatives(FT* x, const FT* w, const FT& inverse) {
-  for_each_index<k + 1>([&](int l) {
-    for_each_index<k>([&](int j) {
-      if (j < l) x[l] -= FT(FT(binomial(l, j + 1)) * w[j + 1]) * x[l - j - 1];
-    });
+// x_l -= sum_{i=j}^l C(l,i) w_i x_{l-i}
+template <int l, int j, class FT> BOOST_FORCEINLINE void subtract_products(FT* x, const FT* w) {
+  if constexpr (j <= l) {
+    constexpr int factor = binomial(l, j);
+    x[l] -= FT(FT(factor) * w[j]) * x[l - j];
+    subtract_products<l, j + 1>(x, w);
+  }
+}
+// Replaces the derivatives p_0, ..., p_k of a coordinate in x by those of x = p / w, for an order known at compile time, from
+// l = 0 on. w holds w_1, ..., w_k at their places, and the inverse is 1 / w_0. Recursion, since a compiler may refuse to
+// inline long chains of lambda expressions.
+template <int k, int l = 0, class FT> BOOST_FORCEINLINE void divide_derivatives(FT* x, const FT* w, const FT& inverse) {
+  if constexpr (l <= k) {
+    subtract_products<l, 1>(x, w);
     x[l] *= inverse;
-  });
+    divide_derivatives<k, l + 1>(x, w, inverse);
+  }
 }
 
 template <int k, class FT, int M, class Jet> void project_order(const Coordinate_jet<FT, M>& p, Jet& x) {
