@@ -2,15 +2,19 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// Rational curves and surfaces of doubles: jets, one at a time and in batches, grids of points and normals, and knot insertion,
-// against OpenCASCADE and SISL where they were found. Results are compared before anything is timed.
+// Rational curves and surfaces of doubles: jets, one at a time and in batches, and knot insertion, against OpenCASCADE and SISL
+// where they were found, and the price of exact decisions against those on polynomials. Results are compared before anything is
+// timed.
 
 #include "Ratio_table.h"
 #include "measure.h"
 #include "peers.h"
 
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Geometric_continuity/Traits_3.h>
 #include <CGAL/Geometric_continuity/curves/evaluate_batch.h>
+#include <CGAL/Geometric_continuity/edges/edge_continuity.h>
+#include <CGAL/Geometric_continuity/joins/join_predicates.h>
 #include <CGAL/Geometric_continuity/surfaces/evaluate_grid.h>
 #include <CGAL/Simple_cartesian.h>
 
@@ -19,6 +23,7 @@
 #include <GeomAdaptor_Surface.hxx>
 #endif
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <memory>
@@ -266,6 +271,68 @@ void register_insertion(int degree, int spans) {
 #endif
 }
 
+// ---------------------------------------------------------------- the price of exact decisions
+
+typedef GC::Traits_3<CGAL::Epick> Filtered;
+
+// Multiples of 1/64, so that halving is exact.
+Filtered::Point grid_point() {
+  const auto number = [] { return std::floor(between(-1024, 1024)) / 64; };
+  const double x = number(), y = number(), z = number();
+  return Filtered::Point(x, y, z);
+}
+
+// is_join(left, right) of polynomial curves, and of the same points in another rational parametrisation.
+template <class Predicate> void register_join(const std::string& name, Predicate is_join) {
+  typedef GC::Bezier_curve<Filtered, 5> Quintic;
+  typedef GC::Rational_bezier_curve<Filtered, 5> Rational;
+  std::array<Filtered::Point, 6> points;
+  for (Filtered::Point& p : points) p = grid_point();
+  const std::pair<Quintic, Quintic> halves = Quintic(points.begin(), points.end()).split(0.5);
+  std::copy(halves.second.begin(), halves.second.end(), points.begin());
+  points[1] = Filtered::Point(points[1].x() + 1, points[1].y(), points[1].z());
+  const Quintic other(points.begin(), points.end());
+  for (bool holds : {true, false}) {
+    const std::string title = name + (holds ? ", holds | " : ", does not hold | ");
+    const Quintic left = halves.first, right = holds ? halves.second : other;
+    const Rational rational_left = Rational(left).reparametrised(2), rational_right = Rational(right).reparametrised(4);
+    check(is_join(left, right) == holds && is_join(rational_left, rational_right) == holds, name.c_str());
+    at_once((title + "polynomial").c_str(), 1, [=] { benchmark::DoNotOptimize(is_join(left, right)); });
+    at_once((title + "rational").c_str(), 1, [=] { benchmark::DoNotOptimize(is_join(rational_left, rational_right)); });
+    at_once((title + "rational and polynomial").c_str(), 1,
+            [=] { benchmark::DoNotOptimize(is_join(rational_left, right)); });
+  }
+}
+
+void register_edge() {
+  typedef GC::Bezier_patch<Filtered> Patch;
+  typedef GC::Rational_bezier_patch<Filtered> Rational;
+  std::vector<std::vector<Filtered::Point>> net(4);
+  for (std::vector<Filtered::Point>& row : net)
+    for (int j = 0; j < 4; ++j) row.push_back(grid_point());
+  const std::pair<Patch, Patch> halves = Patch(net).split_v(0.5);
+  const auto rational = [](const Patch& s, double c) {
+    std::vector<std::vector<Filtered::Point>> net(4);
+    std::vector<std::vector<double>> weights(4);
+    for (int i = 0; i < 4; ++i)
+      for (int j = 0; j < 4; ++j) {
+        net[i].push_back(s.control_point(i, j));
+        weights[i].push_back(std::pow(c, j));
+      }
+    return Rational(net, weights);
+  };
+  const Patch a = halves.first, b = halves.second;
+  const Rational c = rational(a, 2), d = rational(b, 4);
+  const auto order = [](const auto& s, const auto& t) {
+    return GC::edge_continuity(s, GC::Patch_edge::v1, t, GC::Patch_edge::v0).g_order;
+  };
+  check(order(a, b) == 2 && order(c, d) == 2 && order(c, b) == 2, "edge_continuity");
+  const std::string title = "edge_continuity, degree 3 x 3, G2 | ";
+  at_once((title + "polynomial").c_str(), 1, [=] { benchmark::DoNotOptimize(order(a, b)); });
+  at_once((title + "rational").c_str(), 1, [=] { benchmark::DoNotOptimize(order(c, d)); });
+  at_once((title + "rational and polynomial").c_str(), 1, [=] { benchmark::DoNotOptimize(order(c, b)); });
+}
+
 } // namespace
 
 int main(int argc, char** argv) {
@@ -283,5 +350,10 @@ int main(int argc, char** argv) {
   }
   for (int spans : {1, 8}) register_surface(3, spans);
   register_insertion(3, 16);
+  register_join("is_g1_join", [](const auto& x, const auto& y) { return GC::is_g1_join(x, y); });
+  register_join("is_g2_join", [](const auto& x, const auto& y) { return GC::is_g2_join(x, y); });
+  register_join("is_g3_join", [](const auto& x, const auto& y) { return GC::is_g3_join(x, y); });
+  register_join("is_f3_join", [](const auto& x, const auto& y) { return GC::is_f3_join(x, y); });
+  register_edge();
   return run_benchmarks(argc, argv);
 }
