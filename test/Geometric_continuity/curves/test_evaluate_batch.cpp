@@ -12,11 +12,13 @@
 #include <CGAL/Geometric_continuity/Traits_d.h>
 #include <CGAL/Geometric_continuity/curves/Bezier_curve.h>
 #include <CGAL/Geometric_continuity/curves/Jet_polynomials.h>
+#include <CGAL/Geometric_continuity/curves/Rational_bezier_curve.h>
 #include <CGAL/Geometric_continuity/curves/evaluate_batch.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <tuple>
 #include <type_traits>
 #include <vector>
 
@@ -149,4 +151,32 @@ BOOST_AUTO_TEST_CASE(jets) {
   const double x[] = {1, 2, 3};
   const Any::Point p(3, x, x + 3);
   CHECK_ERROR(GC::evaluate(GC::Bezier_curve<Any>{p, p}, x, 3, plane), dimension_mismatch);
+}
+
+// Against the jets one by one: exactly, and with doubles up to roundings that grow with 2^m as Jet_polynomials says.
+typedef std::tuple<double, Exact> Field_types;
+BOOST_AUTO_TEST_CASE_TEMPLATE(rational_curves_one_by_one_or_together, FT, Field_types) {
+  typedef GC::Rational_bezier_curve<Traits<FT>> Curve;
+  for (int m = 0; m <= 11; ++m) {
+    const std::vector<Point<FT>> p = points<FT>(m + 1);
+    std::vector<FT> weights;
+    for (int j = 0; j <= m; ++j) weights.push_back(FT(number<FT>() + FT(2)));
+    const Curve curve = Curve(p.begin(), p.end(), weights.begin(), weights.end()).with_domain(FT(1), FT(3));
+    std::vector<FT> parameters;
+    for (int l = 0; l < 300; ++l) parameters.push_back(FT(FT(1) + FT(FT(2 * l) / FT(299))));
+    GC::Jet_arrays<FT, 3, 3> jets;
+    GC::evaluate(curve, parameters.data(), parameters.size(), jets);
+    BOOST_REQUIRE_EQUAL(jets.size(), parameters.size());
+    for (std::size_t l = 0; l < parameters.size(); l += 7) {
+      const GC::Curve_jet<Traits<FT>> one = curve.jet(parameters[l], 3);
+      const GC::Coordinate_jet<FT, 3> many = jets.jet(l);
+      for (int j = 0; j <= 3; ++j)
+        for (int i = 0; i < 3; ++i) BOOST_CHECK(same(one[j][i], many[j][i], std::pow(2 * m + 2, j) * std::ldexp(1, m)));
+    }
+  }
+  // the denominator 2 - u is zero at a parameter outside of the domain
+  const GC::Rational_bezier_curve<Traits<FT>, 1> line({Point<FT>(0, 0, 0), Point<FT>(1, 0, 0)}, {FT(2), FT(1)});
+  const FT outside[] = {FT(0), FT(2)};
+  GC::Jet_arrays<FT, 3, 1> jets;
+  CHECK_ERROR(GC::evaluate(line, outside, 2, jets), zero_weight);
 }

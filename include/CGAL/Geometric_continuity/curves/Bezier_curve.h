@@ -6,9 +6,8 @@
 #define CGAL_GEOMETRIC_CONTINUITY_CURVES_BEZIER_CURVE_H
 
 #include <CGAL/Geometric_continuity/curves/Bezier_polygon.h>
-#include <CGAL/Geometric_continuity/curves/internal/bernstein_jet.h>
 #include <CGAL/Geometric_continuity/curves/internal/bezier_energy.h>
-#include <CGAL/Geometric_continuity/internal/independent_iterations.h>
+#include <CGAL/Geometric_continuity/curves/internal/bezier_jet.h>
 #include <CGAL/Geometric_continuity/local/Curve_jet.h>
 
 #include <algorithm>
@@ -17,8 +16,6 @@
 #include <type_traits>
 #include <utility>
 #include <vector>
-
-CGAL_GEOMETRIC_CONTINUITY_LOOP_WARNINGS_OFF
 
 namespace CGAL {
 namespace Geometric_continuity {
@@ -235,40 +232,20 @@ private:
   }
 
   template <int k> Curve_jet<Traits> jet_of_order(const FT& u) const {
-    const FT h = FT(b_ - a_), t = FT((u - a_) / h), s = FT(FT(1) - t);
-    const std::array<FT, k + 1> factors = internal::derivative_factors<k>(Degree, h);
-    const int n = N == 0 ? dimension() : N;
-    Curve_jet<Traits> jet(n, k, internal::Unspecified());
-    CGAL_GEOMETRIC_CONTINUITY_INDEPENDENT_ITERATIONS
-    for (int i = 0; i < n; ++i) {
-      Coefficients<FT> c = this->coefficients(i);
-      std::array<FT, k + 1> d;
-      internal::bernstein_jet<Degree, k>(c, s, t, d.data());
-      jet[0][i] = d[0];
-      internal::for_each_index<k>([&](int j) { jet[j + 1][i] = FT(factors[j + 1] * d[j + 1]); });
-    }
+    const Traits traits;
+    Curve_jet<Traits> jet(dimension(), k, internal::Unspecified());
+    internal::bezier_jet<Degree, k, N>(
+        dimension(), u, a_, b_, [&](int j, int i) { return FT(traits.compute_coordinate_object()(points_[j], i)); },
+        jet);
     return jet;
   }
 
-  // All coordinates together where their number is known to the compiler, otherwise one after the other.
   Curve_jet<Traits> jet_of_any_order(const FT& u, int k) const {
-    constexpr int width = N == 0 ? 1 : N;
-    typedef Coordinate_vector<FT, width> Block;
     const Traits traits;
     Curve_jet<Traits> jet(dimension(), k);
-    const FT t = local_parameter(u), inverse = FT(FT(1) / FT(b_ - a_));
-    for (int first = 0; first < dimension(); first += width) {
-      Coefficients<Block> c;
-      if constexpr (Degree == dynamic_degree) c.resize(points_.size());
-      this->for_each_point([&](int j) {
-        for (int i = 0; i < width; ++i) c[j][i] = FT(traits.compute_coordinate_object()(points_[j], first + i));
-      });
-      FT scale(1);
-      bernstein_derivatives(c, degree(), t, k, [&](int j, const Block& x) {
-        for (int i = 0; i < width; ++i) jet[j][first + i] = scale * x[i];
-        scale *= inverse;
-      });
-    }
+    internal::bezier_jet_of_any_order<Degree, N>(
+        dimension(), degree(), u, a_, b_, k,
+        [&](int j, int i) { return FT(traits.compute_coordinate_object()(points_[j], i)); }, jet);
     return jet;
   }
 
@@ -290,7 +267,5 @@ private:
 
 } // namespace Geometric_continuity
 } // namespace CGAL
-
-CGAL_GEOMETRIC_CONTINUITY_LOOP_WARNINGS_ON
 
 #endif // CGAL_GEOMETRIC_CONTINUITY_CURVES_BEZIER_CURVE_H

@@ -161,18 +161,35 @@ public:
 
   /// Returns the point at `u`, which may lie outside the domain. \f$ O(m^2) \f$
   /// \throws Error `zero_weight` when the denominator is zero there
-  Point operator()(const FT& u) const {
-    return Geometric_continuity::to_point<Traits>(project(homogeneous().template jet<0>(u))[0]);
-  }
+  Point operator()(const FT& u) const { return jet<0>(u).point(); }
 
   /// Returns the jet of order `k` at `u`, which may lie outside the domain. \f$ O(m^2 + k^3) \f$
   /// \throws Error `negative_count` unless `k >= 0`, `zero_weight` when the denominator is zero there
-  Curve_jet<Traits> jet(const FT& u, int k) const { return Curve_jet<Traits>(project(homogeneous().jet(u, k))); }
+  Curve_jet<Traits> jet(const FT& u, int k) const {
+    if constexpr (Degree != dynamic_degree) switch (k) {
+      case 0: return jet<0>(u);
+      case 1: return jet<1>(u);
+      case 2: return jet<2>(u);
+      case 3: return jet<3>(u);
+      default: break;
+      }
+    return Curve_jet<Traits>(project(homogeneous_jet(u, k)));
+  }
 
   /// Returns the jet of an order `k >= 0` that is known at compile time, at `u`, which may lie outside the domain.
   /// \f$ O(m^2 + k^3) \f$ \throws Error `zero_weight` when the denominator is zero there
   template <int k> Curve_jet<Traits> jet(const FT& u) const {
-    return Curve_jet<Traits>(project(homogeneous().template jet<k>(u)));
+    static_assert(k >= 0);
+    if constexpr (Degree == dynamic_degree)
+      return Curve_jet<Traits>(project(homogeneous_jet(u, k)));
+    else {
+      const Traits traits;
+      Curve_jet<Traits> x(dimension(), k, internal::Unspecified());
+      internal::rational_bezier_jet<Degree, k, N>(
+          dimension(), u, a_, b_, weights_,
+          [&](int j, int i) { return FT(traits.compute_coordinate_object()(points_[j], i)); }, x);
+      return x;
+    }
   }
 
   /// Returns the jet of order `k` at the start of the domain, from the first `k + 1` control points. \f$ O(k^2) \f$
@@ -344,6 +361,22 @@ private:
     if constexpr (Degree == dynamic_degree) rows.resize(c.control_points().size());
     for (int j = 0; j <= c.degree(); ++j) rows[j] = affine_point(c.control_point(j));
     return rows;
+  }
+
+  // Of the homogeneous points, see homogeneous_point().
+  Coordinate_jet<FT, (N == 0 ? 0 : N + 1)> homogeneous_jet(const FT& u, int k) const {
+    const Traits traits;
+    const int n = dimension();
+    Coordinate_jet<FT, (N == 0 ? 0 : N + 1)> jet(n + 1, k);
+    internal::bezier_jet_of_any_order<Degree, (N == 0 ? 0 : N + 1)>(
+        n + 1, degree(), u, a_, b_, k,
+        [&](int j, int i) -> FT {
+          if (i == n) return weights_[j];
+          const FT x = FT(traits.compute_coordinate_object()(points_[j], i));
+          return weights_[j] == FT(0) ? x : FT(weights_[j] * x);
+        },
+        jet);
+    return jet;
   }
 
   template <class Field> Field length_over() const {

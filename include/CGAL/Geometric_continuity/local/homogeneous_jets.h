@@ -5,11 +5,13 @@
 #ifndef CGAL_GEOMETRIC_CONTINUITY_LOCAL_HOMOGENEOUS_JETS_H
 #define CGAL_GEOMETRIC_CONTINUITY_LOCAL_HOMOGENEOUS_JETS_H
 
+#include <CGAL/Geometric_continuity/internal/for_each_index.h>
 #include <CGAL/Geometric_continuity/local/Curve_jet.h>
 #include <CGAL/Geometric_continuity/local/Homogeneous_traits.h>
 
 #include <boost/container/small_vector.hpp>
 
+#include <array>
 #include <utility>
 
 /// \file homogeneous_jets.h
@@ -34,6 +36,40 @@ template <class FT> void require_denominator(const FT& w, const char* place) {
   if (w == FT(0)) throw Error(Error_code::zero_weight, place);
 }
 
+constexpr int binomial(int k, int j) { return j == 0 ? 1 : binomial(k - 1, j - 1) * k / j; }
+
+// x_l -= sum_{i=j}^l C(l,i) w_i x_{l-i}
+template <int l, int j, class FT> BOOST_FORCEINLINE void subtract_products(FT* x, const FT* w) {
+  if constexpr (j <= l) {
+    constexpr int factor = binomial(l, j);
+    x[l] -= FT(FT(factor) * w[j]) * x[l - j];
+    subtract_products<l, j + 1>(x, w);
+  }
+}
+// Replaces the derivatives p_0, ..., p_k of a coordinate in x by those of x = p / w, for an order known at compile time, from
+// l = 0 on. w holds w_1, ..., w_k at their places, and the inverse is 1 / w_0. Recursion, since a compiler may refuse to
+// inline long chains of lambda expressions.
+template <int k, int l = 0, class FT> BOOST_FORCEINLINE void divide_derivatives(FT* x, const FT* w, const FT& inverse) {
+  if constexpr (l <= k) {
+    subtract_products<l, 1>(x, w);
+    x[l] *= inverse;
+    divide_derivatives<k, l + 1>(x, w, inverse);
+  }
+}
+
+template <int k, class FT, int M, class Jet> void project_order(const Coordinate_jet<FT, M>& p, Jet& x) {
+  const int n = p.dimension() - 1;
+  std::array<FT, k + 1> w, c;
+  for_each_index<k + 1>([&](int j) { w[j] = p[j][n]; });
+  require_denominator(w[0], "the denominator of a rational curve");
+  const FT inverse = FT(FT(1) / w[0]);
+  for (int i = 0; i < n; ++i) {
+    for_each_index<k + 1>([&](int j) { c[j] = p[j][i]; });
+    divide_derivatives<k>(c.data(), w.data(), inverse);
+    for_each_index<k + 1>([&](int j) { x[j][i] = c[j]; });
+  }
+}
+
 } // namespace internal
 
 /// \ingroup PkgGeometricContinuityLocal
@@ -44,9 +80,16 @@ template <class FT> void require_denominator(const FT& w, const char* place) {
 template <class FT, int M> Coordinate_jet<FT, (M == 0 ? 0 : M - 1)> project(const Coordinate_jet<FT, M>& p) {
   if (p.order() < 0) throw Error(Error_code::jet_order_too_low, "project");
   const int n = p.dimension() - 1;
+  Coordinate_jet<FT, (M == 0 ? 0 : M - 1)> x(n, p.order(), internal::Unspecified());
+  switch (p.order()) {
+  case 0: return internal::project_order<0>(p, x), x;
+  case 1: return internal::project_order<1>(p, x), x;
+  case 2: return internal::project_order<2>(p, x), x;
+  case 3: return internal::project_order<3>(p, x), x;
+  default: break;
+  }
   internal::require_denominator(p[0][n], "the denominator of a rational curve");
   const FT inverse = FT(FT(1) / p[0][n]);
-  Coordinate_jet<FT, (M == 0 ? 0 : M - 1)> x(n, p.order());
   internal::for_each_binomial_row<FT>(p.order(), [&](int k, const auto& binomial) {
     for (int i = 0; i < n; ++i) {
       FT sum = p[k][i];

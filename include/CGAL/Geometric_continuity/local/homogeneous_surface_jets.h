@@ -8,7 +8,7 @@
 #include <CGAL/Geometric_continuity/local/Surface_jet.h>
 #include <CGAL/Geometric_continuity/local/homogeneous_jets.h>
 
-#include <vector>
+#include <boost/container/small_vector.hpp>
 
 /// \file homogeneous_surface_jets.h
 /// From the derivatives of homogeneous points \f$ (P, w) = (w S, w) \f$ of a surface to those of \f$ S = P / w \f$.
@@ -26,7 +26,7 @@ template <class Traits> Surface_jet<Traits> project(const Surface_jet<Homogeneou
   const int n = p.dimension() - 1, order = p.order();
   internal::require_denominator(p(0, 0)[n], "the denominator of a rational surface");
   const FT inverse = FT(FT(1) / p(0, 0)[n]);
-  std::vector<std::vector<FT>> binomial;
+  boost::container::small_vector<boost::container::small_vector<FT, 4>, 4> binomial;
   internal::for_each_binomial_row<FT>(
       order, [&](int k, const auto& row) { binomial.emplace_back(row.begin(), row.begin() + k + 1); });
   Surface_jet<Traits> s(n, order);
@@ -36,7 +36,7 @@ template <class Traits> Surface_jet<Traits> project(const Surface_jet<Homogeneou
         FT sum = p(k, l)[x];
         for (int i = 0; i <= k; ++i)
           for (int j = 0; j <= l; ++j)
-            if (i + j > 0) sum -= binomial[k][i] * binomial[l][j] * p(i, j)[n] * s(k - i, l - j)[x];
+            if (i + j > 0) sum -= FT(binomial[k][i] * binomial[l][j]) * p(i, j)[n] * s(k - i, l - j)[x];
         s(k, l)[x] = FT(sum * inverse);
       }
   internal::check_jet(s, "the jet of a rational surface");
