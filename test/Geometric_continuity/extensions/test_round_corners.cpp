@@ -270,7 +270,7 @@ BOOST_AUTO_TEST_CASE(refused) {
 // point.
 BOOST_AUTO_TEST_CASE(rational_chains) {
   typedef GC::Rational_bezier_curve<Traits> Rational;
-  for (const Q& r : {Q(1), Q(2), Q(1) / Q(3)}) {
+  for (const Q& r : std::vector<Q>{Q(1), Q(2), Q(1) / Q(3)}) {
     const Rational arc = GC::circular_arc<Traits>(Point(0, 0), Point(4, 0), r),
                    chord = Curve{arc.end_jet(0).point(), Point(4, 0)};
     const std::vector<Rational> moon = {arc, chord};
