@@ -20,6 +20,7 @@
 #include <cmath>
 #include <iostream>
 #include <random>
+#include <string>
 #include <tuple>
 #include <vector>
 
