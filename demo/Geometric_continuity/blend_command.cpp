@@ -151,7 +151,8 @@ template <class FT> int blend(const Command_line& line) {
     const bool moved = !r.neighbours.empty();
     reports.push_back({r.strategy, exact(r.curve), exact(moved ? r.neighbours[0] : phi),
                        exact(moved ? r.neighbours[1] : psi), Exact(r.shape.beta), Exact(r.shape.eta),
-                       r.parameters + r.fallback, r.report, line.work_limit()});
+                       r.parameters + r.fallback, r.report,
+                       line.has("max-work") ? std::optional<GC::Work_limit>(line.work_limit()) : std::nullopt});
   }
   const bool proved =
       std::all_of(reports.begin(), reports.end(), [order](const Blend_report& r) { return r.is_proved(order); });

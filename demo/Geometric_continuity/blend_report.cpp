@@ -15,11 +15,13 @@
 
 namespace {
 
-std::optional<GC::Curvature_extrema> extrema(const Exact_curve& curve, GC::Work_limit limit) {
+// Empty where there are none, and where they cost more than the limit, unless the user has set it.
+std::optional<GC::Curvature_extrema> extrema(const Exact_curve& curve, const std::optional<GC::Work_limit>& limit) {
   try {
-    return GC::curvature_extrema(curve, limit);
+    return GC::curvature_extrema(curve, limit.value_or(GC::Work_limit()));
   } catch (const GC::Error& e) {
-    if (e.code() != GC::Error_code::zero_tangent) throw;
+    const bool left_out = !limit && e.code() == GC::Error_code::work_limit;
+    if (e.code() != GC::Error_code::zero_tangent && !left_out) throw;
     return std::nullopt;
   }
 }
@@ -82,11 +84,11 @@ void write_members(std::ostream& os, const GC::Fair_report& search) {
 
 Blend_report::Blend_report(const std::string& strategy, const Exact_curve& gamma, const Exact_curve& phi,
                            const Exact_curve& psi, const Exact& beta, const Exact& eta, const std::string& parameters,
-                           const std::optional<GC::Fair_report>& search, GC::Work_limit limit)
-    : strategy(strategy), curve(gamma), start(GC::continuity(phi, gamma, 3, limit)),
-      end(GC::continuity(gamma, psi, 3, limit)), beta(beta), eta(eta), parameters(parameters),
-      fairness(GC::fairness(gamma)), bending_energy(GC::bending_energy(gamma)), curvature(extrema(gamma, limit)),
-      search(search) {}
+                           const std::optional<GC::Fair_report>& search, const std::optional<GC::Work_limit>& limit)
+    : strategy(strategy), curve(gamma), start(GC::continuity(phi, gamma, 3, limit.value_or(GC::Work_limit()))),
+      end(GC::continuity(gamma, psi, 3, limit.value_or(GC::Work_limit()))), beta(beta), eta(eta),
+      parameters(parameters), fairness(GC::fairness(gamma)), bending_energy(GC::bending_energy(gamma)),
+      curvature(extrema(gamma, limit)), search(search) {}
 
 bool Blend_report::is_proved(int order) const {
   const bool smooth = order == 2 || curve.dimension() < 3;

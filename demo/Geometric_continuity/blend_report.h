@@ -20,7 +20,7 @@
 struct Blend_report {
   Blend_report(const std::string& strategy, const Exact_curve& gamma, const Exact_curve& phi, const Exact_curve& psi,
                const Exact& beta, const Exact& eta, const std::string& parameters,
-               const std::optional<GC::Fair_report>& search, GC::Work_limit limit);
+               const std::optional<GC::Fair_report>& search, const std::optional<GC::Work_limit>& limit);
 
   std::string strategy;
   Exact_curve curve;

@@ -96,7 +96,10 @@ BOOST_AUTO_TEST_CASE(g2_surfaces_are_read) {
 BOOST_AUTO_TEST_CASE(malformed_g2_surfaces_are_refused) {
   check_refused(good, "", "1: no surface");
   check_refused("200", "100", "1: 100 (spline curve) where a surface (200) is expected");
-  check_refused("200", "210", "1: 210 where a surface (200) is expected");
+  check_refused(
+      "200", "210",
+      "1: 210 (bounded surface) where a surface (200) is expected; its numbers, such as angles in radians, are not "
+      "exact: write it as a rational spline");
   check_refused("200", "2x0", "1: the class of the object is '2x0' where an integer from 0 to 2147483647 is expected");
   check_refused("200 1", "200 2", "1: the major version is '2' where 1 is expected");
   check_refused("200 1 0", "200 1 1", "1: the minor version is '1' where 0 is expected");

@@ -22,7 +22,7 @@ fractions() { # ORDER DIGITS: two curves in the plane, with such coordinates
 }
 fractions 24 1900 >huge.g2
 fractions 12 600 >large.g2
-fractions 12 250 >medium.g2
+fractions 12 100 >medium.g2
 {
   printf '<svg xmlns="http://www.w3.org/2000/svg"><path d="M0 0'
   for i in $(seq 1000); do printf 'c1 2 %d 4 5 %d' $i $i; done

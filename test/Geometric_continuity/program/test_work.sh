@@ -131,7 +131,7 @@ run 2 blend left.g2 right.g2 --max-work 1000
 says err "left.g2: work_limit" "--max-work N"
 random_curve 4 2000 1 >long_left.g2
 random_curve 4 2000 2 >long_right.g2
-bounded 60 2 blend long_left.g2 long_right.g2 -o none.g2
+bounded 60 2 blend long_left.g2 long_right.g2 --max-work 4000000000 -o none.g2
 says err "curvature_extrema" "--max-work N"
 run 2 blend left.g2 --corner 0 --distance 1 --max-work 1000
 says err "--max-work: not with --corner"
