@@ -157,6 +157,7 @@ public:
 
   /// @}
   /// \name Evaluation
+  /// With floating-point numbers results are not checked: products of weights and coordinates, and derivatives, must not overflow.
   /// @{
 
   /// Returns the point at `u`, which may lie outside the domain. \f$ O(m^2) \f$
