@@ -54,7 +54,8 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     std::vector<GC::Bspline_surface<Traits>> polynomials;
     for (const Surface& surface : surfaces) polynomials.push_back(*surface.polynomial());
     accepts([&] { decide(polynomials); });
+  } else {
+    accepts([&] { decide(surfaces); });
   }
-  accepts([&] { decide(surfaces); });
   return 0;
 }
