@@ -9,11 +9,13 @@
 // errors are expected, everything else that escapes is a mistake, and so is a property that does not hold.
 
 #include <CGAL/Geometric_continuity/Error.h>
+#include <CGAL/Geometric_continuity/IO/limits.h>
 
 #include <cstddef>
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
+#include <sstream>
 #include <string>
 #include <string_view>
 
@@ -30,6 +32,14 @@ inline void require(bool property, const char* what) {
   if (property) return;
   std::fprintf(stderr, "not true: %s\n", what);
   std::abort();
+}
+
+// Whether a text that was written holds a number longer than what is read: exact numbers can be.
+inline bool has_long_number(const std::string& text) {
+  std::istringstream is(text);
+  for (std::string word; is >> word;)
+    if (word.size() > GC::max_number_length) return true;
+  return false;
 }
 
 // Calls f and returns whether it ended without a typed error, which must have a text.
