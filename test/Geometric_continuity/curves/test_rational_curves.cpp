@@ -336,7 +336,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(arcs_lie_on_their_circles, Traits, Exact_traits) {
     BOOST_CHECK(at(arc(FT(0))) == at(p) && at(arc(FT(FT(1) / FT(2)))) == at(q) && at(arc(FT(1))) == at(r));
     // the centre from the end: p + the multiple of the curvature vector
     const auto k = GC::coordinates<Traits>(*GC::curvature_vector(arc.start_jet(2)));
-    const auto centre = at(p) + k / FT(dot(k, k));
+    const GC::Coordinates<Traits> centre = at(p) + k / FT(dot(k, k));
     BOOST_CHECK(on_circle(arc, centre, FT(FT(1) / FT(dot(k, k)))));
     const auto t = vector<Traits>();
     const auto with_tangent = GC::circular_arc_with_tangent<Traits>(p, t, r);
@@ -350,7 +350,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(arcs_lie_on_their_circles, Traits, Exact_traits) {
     const FT angle = FT(number<FT>() * FT(8));
     const auto e = GC::elliptical_arc<Traits>(p, u, v, angle);
     for (int j = 0; j <= 4; ++j) {
-      const auto x = at(e(FT(FT(j) / FT(4)))) - at(p);
+      const GC::Coordinates<Traits> x = at(e(FT(FT(j) / FT(4)))) - at(p);
       const FT uu = dot(at(u), at(u)), uv = dot(at(u), at(v)), vv = dot(at(v), at(v)), ux = dot(at(u), x),
                vx = dot(at(v), x), det = FT(uu * vv - uv * uv);
       const FT a = FT((ux * vv - vx * uv) / det), b = FT((vx * uu - ux * uv) / det);
