@@ -91,7 +91,7 @@ template <class Traits, class Curve = Bezier_curve<Traits>> class G2_curve_reade
 
   typedef typename Traits::FT FT;
 
-  internal::G2_parser<Traits> parser_;
+  internal::G2_parser<FT, dimension_v<Traits>> parser_;
 
 public:
   /// Reads from `is`, which must outlive the reader. Error messages begin with `name`.
@@ -109,7 +109,7 @@ public:
     if constexpr (rational)
       if (parser_.rational()) return read_rational(u);
     std::vector<typename Traits::Point> points;
-    for (int j = 0; j < u.points; ++j) points.push_back(parser_.read_point(j, u.points));
+    for (int j = 0; j < u.points; ++j) points.push_back(to_point<Traits>(parser_.read_point(j, u.points)));
     if constexpr (bezier)
       return Curve(Bezier_curve<Traits>(points.begin(), points.end(), u.knots.front(), u.knots.back()));
     else
@@ -119,7 +119,7 @@ public:
 
 private:
   Curve read_rational(const internal::G2_direction<FT>& u) {
-    internal::G2_weighted_points<Traits, typename internal::G2_parser<Traits>::Exact> w;
+    internal::G2_weighted_points<Traits, typename Exact_field<FT>::type> w;
     for (int j = 0; j < u.points; ++j) {
       const auto row = parser_.read_homogeneous_point(j, u.points);
       parser_.checked([&] { w.push_back(row); });
@@ -156,7 +156,7 @@ template <class Traits, class Surface = Bezier_patch<Traits>> class G2_surface_r
   typedef typename Traits::FT FT;
   typedef internal::G2_direction<FT> Direction;
 
-  internal::G2_parser<Traits> parser_;
+  internal::G2_parser<FT, dimension_v<Traits>> parser_;
 
 public:
   /// Reads from `is`, which must outlive the reader. Error messages begin with `name`.
@@ -187,7 +187,7 @@ public:
       }
     const long long all = static_cast<long long>(u.points) * v.points;
     std::vector<std::vector<typename Traits::Point>> net(u.points);
-    for (long long k = 0; k < all; ++k) net[k % u.points].push_back(parser_.read_point(k, all));
+    for (long long k = 0; k < all; ++k) net[k % u.points].push_back(to_point<Traits>(parser_.read_point(k, all)));
     if constexpr (bezier)
       f(Bezier_patch<Traits>(net, {u.knots.front(), u.knots.back()}, {v.knots.front(), v.knots.back()}));
     else
@@ -199,7 +199,7 @@ public:
 private:
   Surface read_rational(const Direction& u, const Direction& v) {
     const long long all = static_cast<long long>(u.points) * v.points;
-    internal::G2_weighted_points<Traits, typename internal::G2_parser<Traits>::Exact> w;
+    internal::G2_weighted_points<Traits, typename Exact_field<FT>::type> w;
     for (long long k = 0; k < all; ++k) {
       const auto row = parser_.read_homogeneous_point(k, all);
       parser_.checked([&] { w.push_back(row); });

@@ -179,53 +179,51 @@ template <int N, class Left, class Right> bool curvatures_differ(const Left& lef
   return !Interval(a * h * h * h).do_overlap(Interval(b * g * g * g));
 }
 
-// Whether the answer is yes. Nothing is asked any more once one answer has been unknown.
-template <Join_question question, int N, class Left, class Right>
-bool holds(const Left& left, const Right& right, bool& unknown) {
-  if (unknown) return false;
-  const All_join_stages stages;
-  const Join_answer answer = decide_on_doubles<question, N>(left, right, stages);
-  unknown = answer == Join_answer::unknown;
-  return answer == Join_answer::yes;
-}
+template <Join_question question> struct Question : std::integral_constant<Join_question, question> {};
 
-// Everything that Join_continuity says, for two ends with double coordinates and orders up to 3. Returns false when some of it
-// needs multi-precision numbers; then `join` is unspecified.
-template <int N, class Left, class Right, class Result>
-bool decide_all_on_doubles(const Left& left, const Right& right, int max_order, Result& join) {
-  const End_polygon<double, N> p = points_of<1, N>(left), q = points_of<1, N>(right);
+// Everything that Join_continuity says but the shape parameters, for a join in the plane or in space and orders up to 3; if only the
+// orders are wanted, the flags are left as they are where they are not decided by the way. `Questions` answers questions about the two
+// ends. Returns false when some of it needs multi-precision numbers; then `join` is unspecified.
+template <class Questions, class Result>
+bool decide_all_questions(const Questions& questions, int max_order, Result& join, bool only_orders = false) {
+  constexpr int N = Questions::dimension;
   bool unknown = false;
+  const auto holds = [&](auto question) { // nothing is asked any more once one answer has been unknown
+    if (unknown) return false;
+    const Join_answer answer = questions.template decide<decltype(question)::value>();
+    unknown = answer == Join_answer::unknown;
+    return answer == Join_answer::yes;
+  };
   int contact = 0; // of the curves, wherever their ends are
-  join.regular = p[0] != p[1] && q[0] != q[1];
-  if (join.regular) {
-    if (max_order >= 3 && holds<Join_question::g3, N>(left, right, unknown))
+  join.regular = questions.regular();
+  const bool meet = questions.ends_meet();
+  if (join.regular && (meet || !only_orders)) {
+    if (max_order >= 3 && holds(Question<Join_question::g3>()))
       contact = 3;
     else
-      contact = holds<Join_question::g2, N>(left, right, unknown)   ? 2
-                : holds<Join_question::g1, N>(left, right, unknown) ? 1
-                                                                    : 0;
+      contact = holds(Question<Join_question::g2>()) ? 2 : holds(Question<Join_question::g1>()) ? 1 : 0;
     join.tangent_equal = contact >= 1;
-    join.curvature_vector_equal =
-        contact >= 2 || (contact == 0 && holds<Join_question::curvature_vector, N>(left, right, unknown));
+  }
+  if (join.regular && !only_orders) {
+    join.curvature_vector_equal = contact >= 2 || (contact == 0 && holds(Question<Join_question::curvature_vector>()));
     join.curvature_equal = *join.curvature_vector_equal;
-    if (!*join.curvature_vector_equal && !curvatures_differ<N>(left, right)) return false;
+    if (!*join.curvature_vector_equal && !questions.curvatures_differ()) return false;
     if constexpr (N == 3) {
       if (unknown) return false;
-      const All_join_stages stages;
-      const Join_answer answer = decide_on_doubles<Join_question::torsion, N>(left, right, stages);
+      const Join_answer answer = questions.template decide<Join_question::torsion>();
       if (answer == Join_answer::unknown) return false;
       if (answer != Join_answer::undefined) join.torsion_equal = answer == Join_answer::yes;
     }
   }
   if (unknown) return false;
-  if (p[0] != q[0]) return true;
+  if (!meet) return true;
 
   join.c_order = join.g_order = join.f_order = 0;
-  if (max_order >= 1 && holds<Join_question::c1, N>(left, right, unknown)) {
+  if (max_order >= 1 && holds(Question<Join_question::c1>())) {
     join.c_order = 1;
-    if (max_order >= 3 && holds<Join_question::c3, N>(left, right, unknown))
+    if (max_order >= 3 && holds(Question<Join_question::c3>()))
       join.c_order = 3;
-    else if (max_order >= 2 && holds<Join_question::c2, N>(left, right, unknown))
+    else if (max_order >= 2 && holds(Question<Join_question::c2>()))
       join.c_order = 2;
   }
   if (contact >= 1 && max_order >= 1) {
@@ -233,21 +231,52 @@ bool decide_all_on_doubles(const Left& left, const Right& right, int max_order, 
     join.f_order = (std::min)(join.g_order, 2);
     if constexpr (N == 3)
       if (join.f_order == 2 && max_order >= 3 &&
-          (join.torsion_equal ? *join.torsion_equal : holds<Join_question::f3, N>(left, right, unknown)))
+          (join.torsion_equal ? *join.torsion_equal : holds(Question<Join_question::f3>())))
         join.f_order = 3;
-    const int i = largest_coordinate(legs_of<1>(p)[0]);
-    const auto along = [i](const auto& end) {
-      const int m = end.degree();
-      const auto [a, b] = end.domain();
-      return Double_end{{end.coordinate(0, i), end.coordinate((std::min)(m, 1), i), end.coordinate((std::min)(m, 2), i),
-                         end.coordinate((std::min)(m, 3), i)},
-                        a,
-                        b,
-                        m};
-    };
-    join.parameters = Join_parameters<typename Result::Number>(along(left), along(right));
   }
   return !unknown;
+}
+
+// The join of two ends with double coordinates.
+template <int N, class Left, class Right> struct Double_join {
+  static constexpr int dimension = N;
+  const Left& left;
+  const Right& right;
+
+  bool regular() const {
+    const End_polygon<double, N> p = points_of<1, N>(left), q = points_of<1, N>(right);
+    return p[0] != p[1] && q[0] != q[1];
+  }
+  bool ends_meet() const { return points_of<0, N>(left)[0] == points_of<0, N>(right)[0]; }
+  template <Join_question question> Join_answer decide() const {
+    const All_join_stages stages;
+    return decide_on_doubles<question, N>(left, right, stages);
+  }
+  bool curvatures_differ() const { return internal::curvatures_differ<N>(left, right); }
+};
+
+// The shape parameters of such a join, which are to be computed when someone asks for them.
+template <class FT, int N, class Left, class Right>
+Join_parameters<FT> parameters_of(const Left& left, const Right& right) {
+  const int i = largest_coordinate(legs_of<1>(points_of<1, N>(left))[0]);
+  const auto along = [i](const auto& end) {
+    const int m = end.degree();
+    const auto [a, b] = end.domain();
+    return Double_end{{end.coordinate(0, i), end.coordinate((std::min)(m, 1), i), end.coordinate((std::min)(m, 2), i),
+                       end.coordinate((std::min)(m, 3), i)},
+                      a,
+                      b,
+                      m};
+  };
+  return Join_parameters<FT>(along(left), along(right));
+}
+
+// Everything that Join_continuity says, for two ends with double coordinates and orders up to 3; see decide_all_questions().
+template <int N, class Left, class Right, class Result>
+bool decide_all_on_doubles(const Left& left, const Right& right, int max_order, Result& join) {
+  if (!decide_all_questions(Double_join<N, Left, Right>{left, right}, max_order, join)) return false;
+  if (join.g_order >= 1) join.parameters = parameters_of<typename Result::Number, N>(left, right);
+  return true;
 }
 
 } // namespace internal
