@@ -89,9 +89,9 @@ public:
       if (reader_)
         if (const int dimension = read(*reader_, piece)) {
           if (dimension_ != 0 && dimension != dimension_)
-            throw GC::Error(GC::Error_code::dimension_mismatch,
-                            file() + ": dimension " + std::to_string(dimension) + " after a curve of dimension " +
-                                std::to_string(dimension_));
+            throw GC::Error(GC::Error_code::dimension_mismatch, file() + ": dimension " + std::to_string(dimension) +
+                                                                    " after a curve of dimension " +
+                                                                    std::to_string(dimension_));
           dimension_ = dimension;
           return true;
         }

@@ -284,7 +284,7 @@ void append_table_row(std::string& table, const Join& join, std::size_t left, st
   (table += columns) += '\n';
 }
 
-template void append_table_row(std::string&, const Join&, std::size_t, std::size_t, const Program_span<GC::Text_number>&,
-                               const Program_span<GC::Text_number>&);
+template void append_table_row(std::string&, const Join&, std::size_t, std::size_t,
+                               const Program_span<GC::Text_number>&, const Program_span<GC::Text_number>&);
 template void append_table_row(std::string&, const Join&, std::size_t, std::size_t, const Program_span<double>&,
                                const Program_span<double>&);

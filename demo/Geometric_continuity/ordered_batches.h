@@ -11,15 +11,15 @@
 #include <vector>
 
 #ifdef CGAL_LINKED_WITH_TBB
+#include <tbb/global_control.h>
 #include <tbb/parallel_pipeline.h>
-#include <tbb/task_arena.h>
 #endif
 
 // Calls read(batch), work(batch) and take(batch) for one batch after the other, until read() returns false: read() and take() in
 // order, and work(), where TBB is there, on all cores. The memory of a batch is used again. No function may throw but take().
 template <class Batch, class Read, class Work, class Take> void for_batches(Read read, Work work, Take take) {
 #ifdef CGAL_LINKED_WITH_TBB
-  const std::size_t cores = static_cast<std::size_t>(tbb::this_task_arena::max_concurrency());
+  const std::size_t cores = tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism);
   if (cores > 1) {
     std::mutex mutex;
     std::vector<std::unique_ptr<Batch>> batches;

@@ -99,11 +99,11 @@ template <class Span> struct Span_batch {
   static constexpr std::size_t most_spans = 1024;
 
   std::vector<Span> spans;
-  std::size_t size = 0;     // of the spans that count; the others are memory
-  std::size_t first = 0;    // the number of the first one in the chain
+  std::size_t size = 0;                                   // of the spans that count; the others are memory
+  std::size_t first = 0;                                  // the number of the first one in the chain
   std::vector<std::pair<std::size_t, std::string>> files; // which one begins at which of these spans
   double part_read = 0;                                   // of all files
-  std::exception_ptr error; // of reading behind these spans, or of a decision
+  std::exception_ptr error;                               // of reading behind these spans, or of a decision
   Decided_joins joins;
 
   Span& add() {
@@ -271,7 +271,8 @@ int verify_spans(const Arguments& files, bool closed, const Report_mode& mode, c
 
 } // namespace
 
-int verify_chain(const Arguments& files, bool rounded, bool closed, const Report_mode& mode, const Join_demand& demand) {
+int verify_chain(const Arguments& files, bool rounded, bool closed, const Report_mode& mode,
+                 const Join_demand& demand) {
   return rounded ? verify_spans<double>(files, closed, mode, demand)
                  : verify_spans<GC::Text_number>(files, closed, mode, demand);
 }

@@ -86,7 +86,8 @@ int verify_command(const Arguments& arguments) {
         "A,K,T or A,K,T,GAP: the tolerance for a join; with --surfaces A or A,GAP for an edge");
     add("strict", "what cannot be verified counts as not met");
     add("allow-empty", "accept that there is no join");
-    add("summary", "print only the counts and what does not meet the requirement; so it is on a terminal for more than 5000 joins");
+    add("summary", "print only the counts and what does not meet the requirement; so it is on a terminal for more than "
+                   "5000 joins");
     add("json", "print JSON");
     add("max-work", po::value<std::string>(), "the steps of work that are allowed for one join, edge or curve");
     add("kernel", po::value<std::string>()->default_value("exact"),

@@ -30,8 +30,10 @@ template <class Traits, class Number = Text_number, class Concurrency_tag = Sequ
 
   internal::G2_spline_parts<Number, dimension_v<Traits>, Concurrency_tag> parts_;
   int order_;
+  int degree_ = 0; // of the last part
   Work_limit limit_;
-  std::vector<Curve_end_jets<Traits>> jets_; // of the spans of the last part that was not cut: what is left, the next one last
+  std::vector<Curve_end_jets<Traits>>
+      jets_; // of the spans of the last part that was not cut: what is left, the next one last
 
 public:
   /// Reads from `is`, which must outlive the reader. Error messages begin with `name`. Joins of the spans can be decided up to
@@ -53,12 +55,15 @@ public:
       span.jets_.reset();
       span.has_one_span_ = !part.rational && part.degree < highest_order;
       if (span.has_one_span_) return true;
-      jets_ = part.rational ? parts_.checked([&] {
-        return internal::rational_curve<Traits>(part).span_end_jets(order_, limit_);
-      })
-                            : internal::polynomial_curve<Traits>(part).span_end_jets(order_, limit_);
+      degree_ = part.degree;
+      jets_ = part.rational
+                  ? parts_.checked([&] { return internal::rational_curve<Traits>(part).span_end_jets(order_, limit_); })
+                  : internal::polynomial_curve<Traits>(part).span_end_jets(order_, limit_);
       std::reverse(jets_.begin(), jets_.end());
     }
+    span.has_one_span_ = false;
+    span.part_.degree = degree_;
+    span.part_.dimension = jets_.back().dimension();
     span.jets_ = std::make_shared<const Curve_end_jets<Traits>>(std::move(jets_.back()));
     jets_.pop_back();
     return true;

@@ -31,14 +31,16 @@ public:
   /// Constructs 0.
   Text_number() = default;
   /// Constructs `digits` \f$ \cdot 10^{exponent} \f$. \pre at most 18 digits, and an exponent of at most `max_decimal_exponent`
-  explicit Text_number(std::int64_t digits, int exponent = 0) : digits_(digits), exponent_(digits == 0 ? 0 : exponent) {}
+  explicit Text_number(std::int64_t digits, int exponent = 0)
+      : digits_(digits), exponent_(digits == 0 ? 0 : exponent) {}
   /// Constructs any rational number.
   explicit Text_number(const Exact_rational& x) : exact_(std::make_shared<const Exact_rational>(x)) {}
   /// Reads a number. \throws Error `malformed_input` as `parse_number()` does
   explicit Text_number(std::string_view text) {
     internal::Short_decimal decimal;
-    if (!text.empty() && internal::read_short_decimal(text.data(), text.data() + text.size(), decimal) ==
-                             text.data() + text.size() && decimal.exists())
+    if (!text.empty() &&
+        internal::read_short_decimal(text.data(), text.data() + text.size(), decimal) == text.data() + text.size() &&
+        decimal.exists())
       *this = Text_number(decimal.digits, decimal.exponent);
     else
       *this = Text_number(parse_number<Exact_rational>(text));

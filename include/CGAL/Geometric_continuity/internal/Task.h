@@ -7,9 +7,11 @@
 
 #include <CGAL/tags.h>
 
+#include <optional>
 #include <type_traits>
 
 #ifdef CGAL_LINKED_WITH_TBB
+#include <tbb/global_control.h>
 #include <tbb/task_group.h>
 #endif
 
@@ -29,18 +31,29 @@ public:
 };
 
 #ifdef CGAL_LINKED_WITH_TBB
+// At once also where TBB is told to use one core: then it need not be started, which takes memory.
 template <class Concurrency_tag>
 class Task<Concurrency_tag, std::enable_if_t<std::is_convertible_v<Concurrency_tag, Parallel_tag>>> {
-  tbb::task_group group_;
+  std::optional<tbb::task_group> group_;
 
 public:
   static constexpr bool concurrent = true;
+  Task() = default;
+  Task(const Task&) = delete;
+  Task& operator=(const Task&) = delete;
   ~Task() {
-    group_.cancel();
-    group_.wait();
+    if (!group_) return;
+    group_->cancel();
+    group_->wait();
   }
-  template <class Function> void run(Function f) { group_.run(f); }
-  void wait() { group_.wait(); }
+  template <class Function> void run(Function f) {
+    if (tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism) == 1) return f();
+    if (!group_) group_.emplace();
+    group_->run(f);
+  }
+  void wait() {
+    if (group_) group_->wait();
+  }
 };
 #endif
 

@@ -124,7 +124,8 @@ public:
     const int points = read_integer("number of control points", 1, (std::numeric_limits<int>::max)(), in),
               order = read_integer("order", 1, max_g2_order, in);
     const auto refuse = [&](const std::string& reason) {
-      tokens_.refuse(std::to_string(points) + " control points and order " + std::to_string(order) + in + ": " + reason);
+      tokens_.refuse(std::to_string(points) + " control points and order " + std::to_string(order) + in + ": " +
+                     reason);
     };
     if (points < order)
       refuse(std::string("there must be ") + (bezier ? "" : "at least ") + "as many control points as the order says");
@@ -133,8 +134,7 @@ public:
   }
 
   // Appends all knots, as `Knot_vector` takes them, to an empty sequence; for Bezier shapes there are no inner knots.
-  template <class Knots>
-  void read_knots(Knots& knots, const G2_size& size, G2_shape shape, const char* in = "") {
+  template <class Knots> void read_knots(Knots& knots, const G2_size& size, G2_shape shape, const char* in = "") {
     const std::size_t all = static_cast<std::size_t>(size.points) + size.order;
     if (is_line_)
       for (const FT& knot : line_knots_) knots.push_back(typename Knots::value_type(knot));
@@ -199,8 +199,8 @@ private:
     const std::from_chars_result result = std::from_chars(token.data(), end, value);
     if (result.ec != std::errc() || result.ptr != end || value < low || high < value) {
       const std::string range = "an integer from " + std::to_string(low) + " to " + std::to_string(high);
-      tokens_.refuse(std::string(article) + what + in + " is " + quoted_token(token) + " where " + (low == high ? std::to_string(low) : range) +
-                     " is expected");
+      tokens_.refuse(std::string(article) + what + in + " is " + quoted_token(token) + " where " +
+                     (low == high ? std::to_string(low) : range) + " is expected");
     }
     return value;
   }
@@ -298,18 +298,21 @@ private:
     };
     const Knot knot = read_number<Knot>(i, all, "knots", in);
     if (i > 0 && !(knot == knots.back())) {
-      if (knot < knots.back()) tokens_.refuse(std::string("the knots") + in + " decrease at " + quoted_token(tokens_.token()));
+      if (knot < knots.back())
+        tokens_.refuse(std::string("the knots") + in + " decrease at " + quoted_token(tokens_.token()));
       first = i;
     }
     if constexpr (std::is_floating_point_v<Knot>)
       if (i > 0 && !std::isfinite(knot - knots.front()))
-        tokens_.refuse(std::string("the difference of the knots") + in + " is outside the range of floating-point numbers");
+        tokens_.refuse(std::string("the difference of the knots") + in +
+                       " is outside the range of floating-point numbers");
     if (i == static_cast<std::size_t>(size.points) && first < order)
       tokens_.refuse((bezier ? std::string("the first and the last knots") + in + " are equal"
                              : name(order) + in + " is equal to knot " + std::to_string(i + 1)) +
                      ": empty domain");
     if (bezier && i % order != 0 && first == i)
-      tokens_.refuse(std::string("the knots") + in + " are not clamped: " + name(i + 1) + " must be equal to the one before it");
+      tokens_.refuse(std::string("the knots") + in + " are not clamped: " + name(i + 1) +
+                     " must be equal to the one before it");
     if (i >= order && first + order <= i)
       tokens_.refuse(name(i + 1) + in + " is repeated more than " + std::to_string(order) + " times");
     return knot;

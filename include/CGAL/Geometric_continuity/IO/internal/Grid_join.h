@@ -8,6 +8,7 @@
 #include <CGAL/Geometric_continuity/IO/Text_number.h>
 #include <CGAL/Geometric_continuity/IO/internal/G2_spline_parts.h>
 #include <CGAL/Geometric_continuity/joins/internal/join_on_long_integers.h>
+#include <CGAL/Geometric_continuity/joins/join_continuity.h>
 #include <CGAL/Geometric_continuity/local/Curve_jet.h>
 #include <CGAL/Interval_nt.h>
 
@@ -84,7 +85,8 @@ public:
   template <class FT> bool decide(int max_order, Join_continuity<FT>& join, bool only_orders) const {
     if (!decide_all_questions(*this, max_order, join, only_orders)) return false;
     if (join.g_order >= 1 && !only_orders) {
-      join.parameters = has_integers_ ? parameters_of<FT>(left_, right_) : parameters_of<FT, N>(double_left_, double_right_);
+      join.parameters =
+          has_integers_ ? parameters_of<FT>(left_, right_) : parameters_of<FT, N>(double_left_, double_right_);
       join.parameters.set_unit(unit_of_parameters_, exponent_of_parameters_);
     }
     return true;
@@ -114,7 +116,8 @@ public:
   std::pair<Jet, Jet> enclosed_jets() const {
     Interval unit(1);
     for (int e = exponent_; e < 0; e += 22) unit /= Interval(e < -22 ? 1e22 : power_of_ten(-e));
-    if (has_integers_) return {jet<true>(left_.points, left_.degree, unit), jet<false>(right_.points, right_.degree, unit)};
+    if (has_integers_)
+      return {jet<true>(left_.points, left_.degree, unit), jet<false>(right_.points, right_.degree, unit)};
     return {jet<true>(double_left_.points, left_.degree, unit), jet<false>(double_right_.points, right_.degree, unit)};
   }
 
@@ -128,7 +131,8 @@ private:
   static Interval interval(double x) { return Interval(x); }
   static Interval interval(std::int64_t x) {
     const double infinity = std::numeric_limits<double>::infinity(), near = static_cast<double>(x);
-    return is_exact_double(x) ? Interval(near) : Interval(std::nextafter(near, -infinity), std::nextafter(near, infinity));
+    return is_exact_double(x) ? Interval(near)
+                              : Interval(std::nextafter(near, -infinity), std::nextafter(near, infinity));
   }
   static Interval interval(const Interval& x) { return x; }
 

@@ -79,7 +79,7 @@ BOOST_FORCEINLINE Join_answer decide_on_long_integers(const Long_end<N>& left, c
                                   y = converted<k, Integer>(differences_of<k, false>(rotated<k>(legs_b, pivot), n));
     const Modular_zero zero;
     const Join_equations<Integer, N, Join_weights_of<question, std::int64_t>, const Modular_zero> residues(x, y, w,
-                                                                                                          zero);
+                                                                                                           zero);
     if constexpr (question == Join_question::torsion)
       if (!residues.both_have_curvature()) return decided(Join_stage::bounded_residue, Join_answer::undefined);
     if constexpr (question == Join_question::f3)
