@@ -5,12 +5,14 @@
 #ifndef CGAL_GEOMETRIC_CONTINUITY_IO_INTERNAL_G2_PARSER_H
 #define CGAL_GEOMETRIC_CONTINUITY_IO_INTERNAL_G2_PARSER_H
 
+#include <CGAL/Geometric_continuity/IO/internal/G2_elementary.h>
 #include <CGAL/Geometric_continuity/IO/internal/Token_reader.h>
 #include <CGAL/Geometric_continuity/IO/limits.h>
 #include <CGAL/Geometric_continuity/IO/number.h>
 #include <CGAL/Geometric_continuity/local/coordinates.h>
 #include <CGAL/Geometric_continuity/numbers/Exact_field.h>
 
+#include <array>
 #include <charconv>
 #include <cmath>
 #include <cstddef>
@@ -47,7 +49,6 @@ constexpr G2_other_class g2_other_classes[] = {{110, "curve on a surface"},
                                                {160, "hyperbola"},
                                                {170, "parabola"},
                                                {210, "bounded surface"},
-                                               {250, "plane"},
                                                {260, "cylinder"},
                                                {261, "extrusion"},
                                                {270, "sphere"},
@@ -92,9 +93,10 @@ template <class Traits> class G2_parser {
   G2_class class_;
   G2_weights weights_;
   int dimension_ = 0; // of the first object
-  bool empty_ = true, rational_ = false, is_line_ = false;
-  std::vector<FT> line_knots_;                      // of a line, which is read as a whole: a spline of order 2
-  std::vector<typename Traits::Point> line_points_; // and its ends
+  bool empty_ = true, rational_ = false, is_line_ = false, is_plane_ = false;
+  bool at_header_ = false;                          // whether the current word is the first of the next object
+  std::vector<FT> line_knots_;                      // of a line or plane, which is read as a whole: a spline of order 2
+  std::vector<typename Traits::Point> line_points_; // and its ends or corners
 
 public:
   // A point with its weight, in homogeneous coordinates (w x, w), as exact numbers.
@@ -109,15 +111,17 @@ public:
 
   // Reads the header and the dimension of the next object. Returns false at the end of the text.
   bool next_object() {
-    if (!tokens_.advance()) {
+    if (!at_header_ && !tokens_.advance()) {
       if (empty_) tokens_.refuse(std::string("no ") + class_.name);
       return false;
     }
-    empty_ = false;
+    empty_ = at_header_ = false;
     read_header();
     read_dimension();
     if (is_line_)
       read_line();
+    else if (is_plane_)
+      read_plane();
     else
       read_rational_flag();
     return true;
@@ -126,7 +130,7 @@ public:
   // Reads the number of points and the order; for Bezier shapes they are equal. `in` names the parameter of a surface,
   // e.g. " in u".
   G2_size read_size(G2_shape shape, const std::string& in = "") {
-    if (is_line_) return {2, 2};
+    if (is_line_ || is_plane_) return {2, 2};
     const bool bezier = shape == G2_shape::bezier;
     const int points = read_integer("number of control points" + in, 1),
               order = read_integer("order" + in, 1, max_g2_order);
@@ -142,8 +146,10 @@ public:
   template <class Knots>
   void read_knots(Knots& knots, const G2_size& size, G2_shape shape, const std::string& in = "") {
     const std::size_t all = static_cast<std::size_t>(size.points) + size.order;
-    if (is_line_)
-      for (const FT& knot : line_knots_) append_knot(knots, knot, number_text(knot));
+    if (is_line_ || is_plane_) {
+      for (int i = 0; i < 4; ++i) append_knot(knots, line_knots_[i], number_text(line_knots_[i]));
+      line_knots_.erase(line_knots_.begin(), line_knots_.begin() + 4);
+    }
     while (knots.size() < all) {
       const FT knot = read_knot(knots, size, all, shape, in);
       append_knot(knots, knot, tokens_.token());
@@ -159,7 +165,7 @@ public:
 
   // Reads the control point after `done` of `all`.
   typename Traits::Point read_point(long long done, long long all) {
-    if (is_line_) return line_points_[static_cast<std::size_t>(done)];
+    if (is_line_ || is_plane_) return line_points_[static_cast<std::size_t>(done)];
     Coordinates<Traits> x(dimension_);
     for (int i = 0; i < dimension_; ++i) x[i] = read_number<FT>(done, all, "control points");
     return to_point<Traits>(x);
@@ -219,11 +225,13 @@ private:
   void read_header() {
     const int number = integer("the class of the object", 0, (std::numeric_limits<int>::max)());
     is_line_ = number == g2_line && class_.number == g2_curves.number;
-    if (number != class_.number && !is_line_) {
+    is_plane_ = number == g2_plane && class_.number == g2_surfaces.number;
+    if (number != class_.number && !is_line_ && !is_plane_) {
       std::string known, way_out;
       for (const G2_class& other : {g2_curves, g2_surfaces})
         if (number == other.number) known = std::string(" (spline ") + other.name + ")";
       if (number == g2_line) known = " (line)";
+      if (number == g2_plane) known = " (plane)";
       for (const G2_other_class& other : g2_other_classes)
         if (number == other.number) {
           known = std::string(" (") + other.name + ")";
@@ -273,6 +281,50 @@ private:
         for (int k = 0; k < 2; ++k) line_knots_.push_back(nearest_number<FT>(t));
       }
     });
+  }
+
+  // The location, the normal, an axis, 1 for a plane with bounds, and these; or 11, the bounds, and the domain. Then 1 if the
+  // parameters change places, or 0, or neither.
+  void read_plane() {
+    rational_ = false;
+    if (dimension_ != 3) tokens_.refuse("a plane of dimension " + std::to_string(dimension_) + " where 3 is expected");
+    G2_plane<Exact> plane;
+    for (auto* row : {&plane.location, &plane.normal, &plane.axis})
+      for (Exact& x : *row) x = read_number<Exact>(0, 1, "planes");
+    if (!plane.corners())
+      tokens_.refuse(
+          "a plane whose axes are no unit vectors at right angles in exact numbers: write it as a spline surface "
+          "of the orders 2");
+    const int flag = read_integer("flag of the bounds of a plane", 0, 11);
+    if (flag == 0) tokens_.refuse("a plane without bounds; a surface has four edges");
+    if (flag != 1 && flag != 11) tokens_.refuse("the flag of the bounds of a plane is neither 0 nor 1 nor 11");
+    for (Exact& x : plane.bounds) x = read_number<Exact>(0, 1, "planes");
+    plane.domain = plane.bounds;
+    if (flag == 11)
+      for (Exact& x : plane.domain) x = read_number<Exact>(0, 1, "planes");
+    for (const auto* x : {&plane.bounds, &plane.domain})
+      if (!((*x)[0] < (*x)[1] && (*x)[2] < (*x)[3]))
+        tokens_.refuse("the bounds of a plane do not increase: empty domain");
+    at_header_ = tokens_.advance();
+    if (at_header_ && (tokens_.token() == "0" || tokens_.token() == "1")) {
+      plane.swapped = tokens_.token() == "1";
+      at_header_ = false;
+    }
+    checked([&] {
+      line_knots_.clear();
+      line_points_.clear();
+      for (const std::pair<Exact, Exact>& ends : plane.intervals())
+        for (const Exact& t : {ends.first, ends.first, ends.second, ends.second})
+          line_knots_.push_back(nearest_number<FT>(t));
+      const std::vector<std::array<Exact, 3>> corners = *plane.corners();
+      for (const std::array<Exact, 3>& corner : corners) {
+        Coordinates<Traits> x(3);
+        for (int i = 0; i < 3; ++i) x[i] = nearest_number<FT>(corner[i]);
+        line_points_.push_back(to_point<Traits>(x));
+      }
+    });
+    if (!(line_knots_[1] < line_knots_[2] && line_knots_[5] < line_knots_[6]))
+      tokens_.refuse("the ends of the domain of a plane are the same floating-point number");
   }
 
   void read_rational_flag() {
