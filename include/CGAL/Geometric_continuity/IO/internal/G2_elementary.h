@@ -67,6 +67,29 @@ private:
   }
 };
 
+// Reads the location, the normal, an axis, 1 for a plane with bounds, and these; or 11, the bounds, and the domain. number() and
+// integer(what, low, high) read a word, refuse(reason) refuses the text.
+template <class Exact, class Number, class Integer, class Refuse>
+G2_plane<Exact> read_g2_plane(Number number, Integer integer, Refuse refuse) {
+  G2_plane<Exact> plane;
+  for (auto* row : {&plane.location, &plane.normal, &plane.axis})
+    for (Exact& x : *row) x = number();
+  if (!plane.corners())
+    refuse(
+        "a plane whose axes are no unit vectors at right angles in exact numbers: write it as a spline surface of the "
+        "orders 2");
+  const int flag = integer("flag of the bounds of a plane", 0, 11);
+  if (flag == 0) refuse("a plane without bounds; a surface has four edges");
+  if (flag != 1 && flag != 11) refuse("the flag of the bounds of a plane is neither 0 nor 1 nor 11");
+  for (Exact& x : plane.bounds) x = number();
+  plane.domain = plane.bounds;
+  if (flag == 11)
+    for (Exact& x : plane.domain) x = number();
+  for (const auto* x : {&plane.bounds, &plane.domain})
+    if (!((*x)[0] < (*x)[1] && (*x)[2] < (*x)[3])) refuse("the bounds of a plane do not increase: empty domain");
+  return plane;
+}
+
 } // namespace internal
 } // namespace Geometric_continuity
 } // namespace CGAL

@@ -283,28 +283,14 @@ private:
     });
   }
 
-  // The location, the normal, an axis, 1 for a plane with bounds, and these; or 11, the bounds, and the domain. Then 1 if the
-  // parameters change places, or 0, or neither.
+  // A plane, and 1 if its parameters change places, or 0, or neither.
   void read_plane() {
     rational_ = false;
     if (dimension_ != 3) tokens_.refuse("a plane of dimension " + std::to_string(dimension_) + " where 3 is expected");
-    G2_plane<Exact> plane;
-    for (auto* row : {&plane.location, &plane.normal, &plane.axis})
-      for (Exact& x : *row) x = read_number<Exact>(0, 1, "planes");
-    if (!plane.corners())
-      tokens_.refuse(
-          "a plane whose axes are no unit vectors at right angles in exact numbers: write it as a spline surface "
-          "of the orders 2");
-    const int flag = read_integer("flag of the bounds of a plane", 0, 11);
-    if (flag == 0) tokens_.refuse("a plane without bounds; a surface has four edges");
-    if (flag != 1 && flag != 11) tokens_.refuse("the flag of the bounds of a plane is neither 0 nor 1 nor 11");
-    for (Exact& x : plane.bounds) x = read_number<Exact>(0, 1, "planes");
-    plane.domain = plane.bounds;
-    if (flag == 11)
-      for (Exact& x : plane.domain) x = read_number<Exact>(0, 1, "planes");
-    for (const auto* x : {&plane.bounds, &plane.domain})
-      if (!((*x)[0] < (*x)[1] && (*x)[2] < (*x)[3]))
-        tokens_.refuse("the bounds of a plane do not increase: empty domain");
+    G2_plane<Exact> plane =
+        read_g2_plane<Exact>([this] { return read_number<Exact>(0, 1, "planes"); },
+                             [this](const char* what, int low, int high) { return read_integer(what, low, high); },
+                             [this](const char* reason) { tokens_.refuse(reason); });
     at_header_ = tokens_.advance();
     if (at_header_ && (tokens_.token() == "0" || tokens_.token() == "1")) {
       plane.swapped = tokens_.token() == "1";
