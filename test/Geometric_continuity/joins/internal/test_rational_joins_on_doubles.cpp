@@ -132,12 +132,29 @@ void check_question(const Curve<N>& left, const Curve<N>& right, const GC::Join_
                                                  << right);
 }
 
+// The orders C^k, which are refuted on doubles and otherwise decided on jets.
+template <Join_question question, int N>
+void check_order_c(const Curve<N>& left, const Curve<N>& right, const GC::Join_continuity<Q>& join, Counter& counter) {
+  const bool truth = join.c_order >= highest_difference(question);
+  Stages all{(1u << number_of_stages) - 1};
+  const bool agrees =
+      GC::internal::decide_join<question>(left, right, all) == (truth ? Join_answer::yes : Join_answer::no);
+  constexpr int q = static_cast<int>(question);
+  ++counter.answers[q][truth];
+  for (int s = 0; s < number_of_stages; ++s) counter.stages[q][s] += all.count[s];
+  BOOST_CHECK_MESSAGE(agrees, "C" << highest_difference(question) << ", expected " << truth << "\n"
+                                  << left << "\n"
+                                  << right);
+}
+
 template <int N> void check(const Join<N>& join, Counter& counter) {
   const Curve<N> left = curve<N>(join.left, true), right = curve<N>(join.right, false);
   if (left.is_polynomial() && right.is_polynomial()) return;
   ++counter.joins;
   const GC::Join_continuity<Q> truth =
       GC::internal::Join_decision<Q, N>(left.template end_jet_over<Q>(3), right.template start_jet_over<Q>(3), 3)();
+  check_order_c<Join_question::c1, N>(left, right, truth, counter);
+  check_order_c<Join_question::c2, N>(left, right, truth, counter);
   check_question<Join_question::g2, N>(left, right, truth, counter);
   check_question<Join_question::g3, N>(left, right, truth, counter);
   check_question<Join_question::curvature_vector, N>(left, right, truth, counter);
@@ -320,6 +337,9 @@ template <int N> void check_counts(const Counter& counter) {
                         "question " << static_cast<int>(q) << ", stage " << static_cast<int>(s) << ": "
                                     << counter.stages[static_cast<int>(q)][static_cast<int>(s)]);
   };
+  BOOST_CHECK(counter.answers[static_cast<int>(Join_question::c1)][true] >= 4 * joins);
+  at_least(Join_question::c1, Join_stage::floating_point, joins);
+  at_least(Join_question::c1, Join_stage::multiprecision, 4 * joins);
   for (Join_question q : {Join_question::g2, Join_question::g3, Join_question::f3, Join_question::curvature_vector,
                           Join_question::torsion}) {
     if (N == 2 && (q == Join_question::f3 || q == Join_question::torsion)) continue;

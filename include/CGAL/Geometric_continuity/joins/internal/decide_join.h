@@ -166,9 +166,16 @@ Join_answer decide_weighted_polygons(const Left& left, const Right& right, Stage
   if constexpr (question == Join_question::c0) {
     stages.decided(Join_stage::comparison, Join_answer::yes);
     return Join_answer::yes;
-  } else if constexpr (is_parametric(question) || !(N == 2 || N == 3))
+  } else if constexpr (!(N == 2 || N == 3))
     return Join_answer::unknown;
-  else if constexpr (question == Join_question::g1 || planar_by_definition<question, N>)
+  else if constexpr (is_parametric(question)) {
+    if constexpr (is_double<typename Traits::FT>)
+      if (stages.uses(Join_stage::floating_point) && rational_first_derivatives_differ<N>(left, right)) {
+        stages.decided(Join_stage::floating_point, Join_answer::no);
+        return Join_answer::no;
+      }
+    return Join_answer::unknown;
+  } else if constexpr (question == Join_question::g1 || planar_by_definition<question, N>)
     return decide_legs<question>(left, right, stages);
   else {
     if constexpr (is_double<typename Traits::FT>) {

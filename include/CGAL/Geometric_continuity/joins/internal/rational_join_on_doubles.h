@@ -15,6 +15,7 @@
 #include <array>
 #include <cstdint>
 #include <type_traits>
+#include <utility>
 
 namespace CGAL {
 namespace Geometric_continuity {
@@ -52,6 +53,24 @@ public:
     return unit;
   }
 };
+
+// As first_derivatives_differ(), for ends with weights: the factors w_1/w_0 of the first derivatives bring two more roundings, and an
+// underflow that is too small to count.
+template <int N, class Left, class Right> bool rational_first_derivatives_differ(const Left& left, const Right& right) {
+  const auto factor = [](const auto& end) { return end.weight((std::min)(1, end.degree())) / end.weight(0); };
+  const auto first_derivative = [](const auto& end, double factor) {
+    const End_polygon<double, N> x = points_of<1, N>(end);
+    std::array<double, N> d = internal::minus(x[1], x[0]);
+    for (double& di : d) di *= factor;
+    return d;
+  };
+  const std::pair<double, double> h = left.domain(), l = right.domain();
+  const int m = left.degree(), n = right.degree();
+  const double r = factor(left), s = factor(right);
+  const bool in_range = 0x1p-500 <= (std::min)(r, s) && (std::max)(r, s) <= 0x1p500 &&
+                        (std::max)(m * (l.second - l.first), n * (h.second - h.first)) <= 0x1p500;
+  return in_range && first_derivatives_differ<N>(first_derivative(left, r), m, h, first_derivative(right, s), n, l);
+}
 
 // Factors that are products of at most seven weights and four degrees, each of them rounded.
 struct Rounding_of_rational_ends {
