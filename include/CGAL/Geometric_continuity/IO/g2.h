@@ -18,8 +18,11 @@
 ///   \f$ w \f$.
 ///
 /// A line, `120`, with its dimension, location, direction, 1 and the parameters of its two ends, is read as a curve of degree 1.
-/// Circles, planes and other elementary classes are refused: their angles in radians and normalised directions are not exact
-/// numbers. As rational splines they are.
+/// A plane, `250`, with its dimension 3, location, normal, axis, 1 and the bounds of both parameters, is read as a surface of degree
+/// 1 by 1 if its normal and its axis are orthogonal and have rational lengths, by which they are divided; so are planes with the
+/// flag 11, the bounds and the domain, and those with the flag, 0 or 1, that says whether the parameters change places.
+/// Circles, cylinders and other elementary classes are refused: their angles in radians are not exact numbers. As rational
+/// splines they are.
 ///
 /// A surface has the class `200`, and in place of the third line the same numbers for `u` and then for `v`. Its control
 /// points are \f$ b_{00}, b_{10}, \dots, b_{m-1,0}, b_{01}, \dots, b_{m-1,n-1} \f$: the index that belongs to `u` runs

@@ -168,7 +168,9 @@ Edge_continuity<typename Exact_field<FT>::type> edge_continuity(const Edge_rows<
 /// Rows of homogeneous points, `N = 4`, are those of rational surfaces. Then edges are the same curve where their homogeneous
 /// points differ by a constant factor on each span, and the conditions are those of the tangent planes in homogeneous space, with
 /// \f$ C \wedge C' \wedge T \f$ in place of \f$ C' \times T \f$. Edges that are the same points in another rational
-/// parametrisation, or with a factor that is not constant, are not recognised as the same, unless they are collapsed.
+/// parametrisation, or with a factor that is not constant, are not recognised as the same, unless they are collapsed. With
+/// one degree and the same knots this happens where the weights of one edge are those of the other times \f$ c^i \f$, and where the
+/// homogeneous points of both have been multiplied by different polynomials: both curves are then of less degree than they seem.
 /// \tparam FT a field number type; for floating-point numbers all is exact in the numbers as given
 /// \tparam N the number of coordinates: 3, or 4 for homogeneous points
 /// \throws Error `wrong_number_of_points` when the rows do not fit the knots, `not_finite`, `work_limit`; `zero_weight` where

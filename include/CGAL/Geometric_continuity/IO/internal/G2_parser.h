@@ -5,12 +5,14 @@
 #ifndef CGAL_GEOMETRIC_CONTINUITY_IO_INTERNAL_G2_PARSER_H
 #define CGAL_GEOMETRIC_CONTINUITY_IO_INTERNAL_G2_PARSER_H
 
+#include <CGAL/Geometric_continuity/IO/internal/G2_elementary.h>
 #include <CGAL/Geometric_continuity/IO/internal/Token_reader.h>
 #include <CGAL/Geometric_continuity/IO/limits.h>
 #include <CGAL/Geometric_continuity/IO/number.h>
 #include <CGAL/Geometric_continuity/local/coordinates.h>
 #include <CGAL/Geometric_continuity/numbers/Exact_field.h>
 
+#include <array>
 #include <charconv>
 #include <cmath>
 #include <cstddef>
@@ -48,7 +50,6 @@ constexpr G2_other_class g2_other_classes[] = {{110, "curve on a surface"},
                                                {160, "hyperbola"},
                                                {170, "parabola"},
                                                {210, "bounded surface"},
-                                               {250, "plane"},
                                                {260, "cylinder"},
                                                {261, "extrusion"},
                                                {270, "sphere"},
@@ -84,9 +85,10 @@ template <class FT, int N, class Concurrency_tag = Sequential_tag> class G2_pars
   G2_class class_;
   G2_weights weights_;
   int dimension_ = 0; // of the first object
-  bool empty_ = true, rational_ = false, is_line_ = false;
-  std::vector<FT> line_knots_;  // of a line, which is read as a whole: a spline of order 2
-  std::vector<FT> line_points_; // and the coordinates of its ends
+  bool empty_ = true, rational_ = false, is_line_ = false, is_plane_ = false;
+  bool at_header_ = false;      // whether the current word is the first of the next object
+  std::vector<FT> line_knots_;  // of a line or plane, which is read as a whole: a spline of order 2
+  std::vector<FT> line_points_; // and the coordinates of its ends or corners
 
 public:
   // A point, and a point with its weight, in homogeneous coordinates (w x, w), as exact numbers.
@@ -102,15 +104,17 @@ public:
 
   // Reads the header and the dimension of the next object. Returns false at the end of the text.
   bool next_object() {
-    if (!tokens_.advance()) {
+    if (!at_header_ && !tokens_.advance()) {
       if (empty_) tokens_.refuse(std::string("no ") + class_.name);
       return false;
     }
-    empty_ = false;
+    empty_ = at_header_ = false;
     read_header();
     read_dimension();
     if (is_line_)
       read_line();
+    else if (is_plane_)
+      read_plane();
     else
       read_rational_flag();
     return true;
@@ -119,7 +123,7 @@ public:
   // Reads the number of points and the order; for Bezier shapes they are equal. `in` names the parameter of a surface,
   // e.g. " in u".
   G2_size read_size(G2_shape shape, const char* in = "") {
-    if (is_line_) return {2, 2};
+    if (is_line_ || is_plane_) return {2, 2};
     const bool bezier = shape == G2_shape::bezier;
     const int points = read_integer("number of control points", 1, (std::numeric_limits<int>::max)(), in),
               order = read_integer("order", 1, max_g2_order, in);
@@ -136,8 +140,10 @@ public:
   // Appends all knots, as `Knot_vector` takes them, to an empty sequence; for Bezier shapes there are no inner knots.
   template <class Knots> void read_knots(Knots& knots, const G2_size& size, G2_shape shape, const char* in = "") {
     const std::size_t all = static_cast<std::size_t>(size.points) + size.order;
-    if (is_line_)
-      for (const FT& knot : line_knots_) knots.push_back(typename Knots::value_type(knot));
+    if (is_line_ || is_plane_) {
+      for (int i = 0; i < 4; ++i) knots.push_back(typename Knots::value_type(line_knots_[i]));
+      line_knots_.erase(line_knots_.begin(), line_knots_.begin() + 4);
+    }
     for (std::size_t first = 0; knots.size() < all;) // the number of the first knot that is equal to the last one
       knots.push_back(read_knot(knots, first, size, all, shape, in));
   }
@@ -161,8 +167,8 @@ public:
 
   // Reads one coordinate of the control point after `done` of `all`.
   FT read_coordinate(int i, long long done, long long all) {
-    return is_line_ ? line_points_[static_cast<std::size_t>(done * dimension_ + i)]
-                    : read_number<FT>(done, all, "control points");
+    return is_line_ || is_plane_ ? line_points_[static_cast<std::size_t>(done * dimension_ + i)]
+                                 : read_number<FT>(done, all, "control points");
   }
 
   // Reads one homogeneous coordinate of the control point after `done` of `all` of a rational object.
@@ -224,11 +230,13 @@ private:
   void read_header() {
     const int number = integer("the ", "class of the object", 0, (std::numeric_limits<int>::max)());
     is_line_ = number == g2_line && class_.number == g2_curves.number;
-    if (number != class_.number && !is_line_) {
+    is_plane_ = number == g2_plane && class_.number == g2_surfaces.number;
+    if (number != class_.number && !is_line_ && !is_plane_) {
       std::string known, way_out;
       for (const G2_class& other : {g2_curves, g2_surfaces})
         if (number == other.number) known = std::string(" (spline ") + other.name + ")";
       if (number == g2_line) known = " (line)";
+      if (number == g2_plane) known = " (plane)";
       for (const G2_other_class& other : g2_other_classes)
         if (number == other.number) {
           known = std::string(" (") + other.name + ")";
@@ -259,9 +267,13 @@ private:
     dimension_ = dimension;
   }
 
+  // In which the coordinates of lines and planes are computed.
+  typedef std::conditional_t<std::is_same_v<FT, Text_number>, Exact_rational, typename Exact_field<FT>::type>
+      Elementary_number;
+
   // The location, the direction, 1 for a line with ends, and the parameters of these.
   void read_line() {
-    typedef std::conditional_t<std::is_same_v<FT, Text_number>, Exact_rational, Exact> Number;
+    typedef Elementary_number Number;
     rational_ = false;
     std::vector<Number> location, direction, ends;
     for (std::vector<Number>* row : {&location, &direction})
@@ -278,6 +290,34 @@ private:
         for (int k = 0; k < 2; ++k) line_knots_.push_back(nearest_number<FT>(t));
       }
     });
+  }
+
+  // A plane, and 1 if its parameters change places, or 0, or neither.
+  void read_plane() {
+    typedef Elementary_number Number;
+    rational_ = false;
+    if (dimension_ != 3) tokens_.refuse("a plane of dimension " + std::to_string(dimension_) + " where 3 is expected");
+    G2_plane<Number> plane =
+        read_g2_plane<Number>([this] { return read_number<Number>(0, 1, "planes"); },
+                              [this](const char* what, int low, int high) { return read_integer(what, low, high); },
+                              [this](const char* reason) { tokens_.refuse(reason); });
+    at_header_ = tokens_.advance();
+    if (at_header_ && (tokens_.token() == "0" || tokens_.token() == "1")) {
+      plane.swapped = tokens_.token() == "1";
+      at_header_ = false;
+    }
+    checked([&] {
+      line_knots_.clear();
+      line_points_.clear();
+      for (const std::pair<Number, Number>& ends : plane.intervals())
+        for (const Number& t : {ends.first, ends.first, ends.second, ends.second})
+          line_knots_.push_back(nearest_number<FT>(t));
+      const std::vector<std::array<Number, 3>> corners = *plane.corners();
+      for (const std::array<Number, 3>& corner : corners)
+        for (const Number& x : corner) line_points_.push_back(nearest_number<FT>(x));
+    });
+    if (!(line_knots_[1] < line_knots_[2] && line_knots_[5] < line_knots_[6]))
+      tokens_.refuse("the ends of the domain of a plane are the same floating-point number");
   }
 
   void read_rational_flag() {

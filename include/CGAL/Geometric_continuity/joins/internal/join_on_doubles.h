@@ -75,6 +75,16 @@ template <int k, int N, class Points> BOOST_FORCEINLINE End_polygon<double, N> p
     return {point(0), point((std::min)(m, 1)), point((std::min)(m, 2)), point((std::min)(m, 3))};
 }
 
+// The decision by the signs of the first differences a1 and b1, of which the largest coordinate of a1 is the pivot, or `unknown`: the
+// signs of rounded differences are exact.
+template <Join_question question, std::size_t N>
+BOOST_FORCEINLINE Join_answer decide_by_signs(const std::array<double, N>& a1, const std::array<double, N>& b1,
+                                              int pivot) {
+  const double x = coordinate_at(a1, pivot), y = coordinate_at(b1, pivot);
+  if (is_geometric(question)) return (x < 0 && y < 0) || (0 < x && 0 < y) ? Join_answer::unknown : Join_answer::no;
+  return x == 0 || largest(b1) == 0 ? Join_answer::undefined : Join_answer::unknown;
+}
+
 // The decision on two ends with double coordinates, exact or `unknown`. That the ends meet is not asked here.
 template <Join_question question, int N, class Left, class Right, class Stages>
 BOOST_FORCEINLINE Join_answer decide_on_doubles(const Left& left, const Right& right, Stages& stages) {
@@ -90,12 +100,9 @@ BOOST_FORCEINLINE Join_answer decide_on_doubles(const Left& left, const Right& r
   const Legs<double, N> legs_a = legs_of<k>(p), legs_b = legs_of<k>(q);
   const int pivot = is_parametric(question) ? 0 : largest_coordinate(legs_a[0]);
   if constexpr (!is_parametric(question)) {
-    // the signs of rounded differences are exact
-    const double x = coordinate_at(legs_a[0], pivot), y = coordinate_at(legs_b[0], pivot);
-    if constexpr (is_geometric(question)) {
-      if (!((x < 0 && 0 < y) || (0 < x && y < 0))) return decided(Join_stage::comparison, Join_answer::no);
-    } else if (x == 0 || largest(legs_b[0]) == 0)
-      return decided(Join_stage::comparison, Join_answer::undefined);
+    const std::array<double, N> zero{};
+    const Join_answer by_signs = decide_by_signs<question>(internal::minus(zero, legs_a[0]), legs_b[0], pivot);
+    if (by_signs != Join_answer::unknown) return decided(Join_stage::comparison, by_signs);
   }
 
   Join_weights_of<question, std::int64_t> w;
@@ -123,8 +130,10 @@ BOOST_FORCEINLINE Join_answer decide_on_doubles(const Left& left, const Right& r
       const Join_equations<double, N, Weights, const Filter> equations(a, b, weights, filter, pivot);
       if (!all_hold<question>(equations)) return decided(Join_stage::floating_point, Join_answer::no);
 #ifdef CGAL_GEOMETRIC_CONTINUITY_HAS_FIXED_INTEGER
-      if (stages.uses(Join_stage::bounded_residue)) {
-        const Join_answer answer = decide_modulo<question, N>(p, q, a, b, pivot, w, filter, stages);
+      if (stages.uses(Join_stage::bounded_residue) && take_up<question>(w, 0)) {
+        const auto no_unit = [](Join_question) { return 0; };
+        const Join_answer answer =
+            decide_modulo<question, N, Residue<residue_limbs(question)>>(p, q, a, b, pivot, w, filter, no_unit, stages);
         if (answer != Join_answer::unknown) return answer;
       }
 #endif
