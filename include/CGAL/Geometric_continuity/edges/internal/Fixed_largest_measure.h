@@ -5,13 +5,11 @@
 #ifndef CGAL_GEOMETRIC_CONTINUITY_EDGES_INTERNAL_FIXED_LARGEST_MEASURE_H
 #define CGAL_GEOMETRIC_CONTINUITY_EDGES_INTERNAL_FIXED_LARGEST_MEASURE_H
 
-#include <CGAL/Geometric_continuity/algebra/Homogeneous_polynomial.h>
 #include <CGAL/Geometric_continuity/edges/Spline_edge_continuity.h>
+#include <CGAL/Geometric_continuity/edges/internal/Rounded_polynomial.h>
 #include <CGAL/Geometric_continuity/numbers/Work_limit.h>
 #include <CGAL/Geometric_continuity/numbers/internal/Common_denominator.h>
 #include <CGAL/Geometric_continuity/numbers/internal/Fixed_integer.h>
-
-#include <CGAL/number_utils.h>
 
 #include <boost/multiprecision/cpp_int.hpp>
 
@@ -20,7 +18,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
-#include <numeric>
 #include <optional>
 #include <vector>
 
@@ -33,84 +30,12 @@ namespace internal {
 
 #ifdef CGAL_GEOMETRIC_CONTINUITY_HAS_FIXED_INTEGER
 
-// A polynomial on [0, 1] whose Bernstein coefficients lie between c[k] and c[k] + error, in units of 2^exponent.
-struct Rounded_polynomial {
-  static constexpr int most_degree = 40;
-
-  int degree, exponent;
-  Signed_128 error;
-  Signed_128 c[most_degree + 1];
-
-  // Of the numbers times `factor`, which makes integers of the quotients c_k / binomial(n, k). Returns nothing if they are too long.
-  template <class Ring> static std::optional<Rounded_polynomial> of(const Homogeneous_polynomial<Ring>& p) {
-    Rounded_polynomial r;
-    r.degree = p.degree();
-    if (r.degree > most_degree) return std::nullopt;
-    std::int64_t binomials[most_degree + 1], factor = 1;
-    binomials[0] = 1;
-    for (int k = 1; k <= r.degree; ++k) binomials[k] = binomials[k - 1] * (r.degree - k + 1) / k;
-    for (int k = 1; k <= r.degree; ++k) factor = std::lcm(factor, binomials[k]);
-    constexpr int parts = 3;
-    double part[most_degree + 1][parts], size = 0;
-    for (int k = 0; k <= r.degree; ++k) {
-      Ring rest = Ring(p[k] * Ring(static_cast<double>(factor / binomials[k])));
-      for (double& x : part[k]) {
-        x = CGAL::to_double(rest);
-        if (!std::isfinite(x)) return std::nullopt;
-        rest -= Ring(x);
-      }
-      size = (std::max)(size, std::abs(part[k][0]));
-    }
-    if (size == 0) return std::nullopt;
-    r.exponent = std::ilogb(size) - 124;
-    for (int k = 0; k <= r.degree; ++k) {
-      r.c[k] = -4; // each part is rounded by less than a unit, and so is what is left after them
-      for (double x : part[k]) r.c[k] += in_units(x, r.exponent);
-    }
-    r.error = 8;
-    return r;
-  }
-
-  // Makes this the part on [0, 1/2] and returns that on [1/2, 1]. Means are rounded downwards, by half a unit.
-  Rounded_polynomial split() {
-    Rounded_polynomial right;
-    right.degree = degree;
-    right.exponent = exponent;
-    right.error = error = error + (degree + 1) / 2;
-    for (int i = degree; i >= 0; --i) {
-      right.c[i] = c[degree];
-      for (int k = degree; k > degree - i; --k) c[k] = (c[k - 1] + c[k]) >> 1;
-    }
-    return right;
-  }
-
-  // A number that is not less than c[k] / q.c[k] for what they stand for, but for the factor 2^(exponent - q.exponent); and one that
-  // is not larger. \pre the divisor is positive
-  static double ratio_above(const Rounded_polynomial& s, const Rounded_polynomial& p, int k) {
-    return static_cast<double>(s.c[k] + s.error) / static_cast<double>(p.c[k]) * (1 + 0x1p-49);
-  }
-  static double ratio_below(const Rounded_polynomial& s, const Rounded_polynomial& p, int k) {
-    return static_cast<double>(s.c[k]) / static_cast<double>(p.c[k] + p.error) * (1 - 0x1p-49);
-  }
-
-private:
-  static Signed_128 in_units(double x, int exponent) {
-    int e;
-    const std::int64_t mantissa = static_cast<std::int64_t>(std::ldexp(std::frexp(x, &e), 53));
-    const int shift = e - 53 - exponent;
-    return shift <= -64 ? 0
-           : shift < 0  ? Signed_128(mantissa >> -shift)
-                        : Signed_128(mantissa) * (Signed_128(1) << shift);
-  }
-};
-
 // Branch and bound as in Largest_measure, where all angles are acute, so that their measure is s/p: all pieces that may have the
 // largest angle are halved until the bounds of it are close enough. They are rounded outwards to 62 digits; at an end of the edge
 // they are exact.
-template <class Field> class Fixed_largest_measure {
+template <class Field, class Polynomial> class Fixed_largest_measure {
   typedef typename Common_denominator<Field>::Ring Ring;
   typedef typename Common_denominator<Field>::Exact Exact;
-  typedef Homogeneous_polynomial<Ring> Polynomial;
   typedef boost::multiprecision::int256_t Wide;
 
   struct Piece { // of length 2^-level, from 2^-level * index on
@@ -136,7 +61,7 @@ public:
   Fixed_largest_measure(const Polynomial& s, const Polynomial& p, Work_meter& work)
       : exact_s_(s), exact_p_(p), work_(work) {}
 
-  // Returns nothing where this does not get on, or the meter does not allow more.
+  // Returns nothing where it does not get on, or the meter does not allow more.
   std::optional<Normal_deviation<Field>> operator()() {
     const std::optional<Rounded_polynomial> s = Rounded_polynomial::of(exact_s_), p = Rounded_polynomial::of(exact_p_);
     if (!s || !p) return std::nullopt;
@@ -149,13 +74,28 @@ public:
       if (level_ < least_level) continue;
       if (std::all_of(pieces_.begin(), pieces_.end(), [](const Piece& x) { return x.largest_at_0 || x.largest_at_1; }))
         return at_ends();
-      if (upper() <= lower_ * (1 + 0x1p-44))
+      if (upper() <= lower_ * (1 + 0x1p-47))
         if (const std::optional<Normal_deviation<Field>> result = rounded()) return result;
     }
     return std::nullopt;
   }
 
 private:
+  static double to_double(Signed_128 x) {
+    constexpr std::int64_t mask = (std::numeric_limits<std::int64_t>::max)();
+    return static_cast<double>(static_cast<std::int64_t>(x >> 63)) * 0x1p63 +
+           static_cast<double>(static_cast<std::int64_t>(x) & mask);
+  }
+
+  // A number that is not less than 2^-shift s/p for the coefficients number k, and one that is not larger, for a positive divisor:
+  // three to five roundings by 2^-52.
+  static double ratio_above(const Rounded_polynomial& s, const Rounded_polynomial& p, int k) {
+    return to_double(s.c[k] + s.error) / to_double(p.c[k]) * (1 + 0x1p-49);
+  }
+  static double ratio_below(const Rounded_polynomial& s, const Rounded_polynomial& p, int k) {
+    return to_double(s.c[k]) / to_double(p.c[k] + p.error) * (1 - 0x1p-49);
+  }
+
   double upper() const {
     double most = 0;
     for (const Piece& x : pieces_) most = (std::max)(most, x.upper);
@@ -185,19 +125,18 @@ private:
     const int n = x.p.degree;
     const bool at_0 = x.index == 0, at_1 = x.index + 1 == std::int64_t(1) << level_;
     double inside = 0, ends[2] = {0, 0};
-    for (int k = 0; k <= n; ++k) {
-      if (x.p.c[k] <= 0) inside = std::numeric_limits<double>::infinity();
-    }
+    if (std::any_of(x.p.c, x.p.c + n + 1, [](Signed_128 y) { return y <= 0; }))
+      inside = std::numeric_limits<double>::infinity();
     for (int k : {0, n})
-      if (x.s.c[k] > 0 && x.p.c[k] > 0) lower_ = (std::max)(lower_, Rounded_polynomial::ratio_below(x.s, x.p, k));
+      if (x.s.c[k] > 0 && x.p.c[k] > 0) lower_ = (std::max)(lower_, ratio_below(x.s, x.p, k));
     if (inside == 0) {
-      for (int k = at_0; k <= n - at_1; ++k) inside = (std::max)(inside, Rounded_polynomial::ratio_above(x.s, x.p, k));
-      if (at_0) ends[0] = Rounded_polynomial::ratio_above(x.s, x.p, 0);
-      if (at_1) ends[1] = Rounded_polynomial::ratio_above(x.s, x.p, n);
+      for (int k = at_0; k <= n - at_1; ++k) inside = (std::max)(inside, ratio_above(x.s, x.p, k));
+      if (at_0) ends[0] = ratio_above(x.s, x.p, 0);
+      if (at_1) ends[1] = ratio_above(x.s, x.p, n);
     }
     x.upper = (std::max)({inside, ends[0], ends[1]});
-    x.largest_at_0 = at_0 && (std::max)(inside, ends[1]) < Rounded_polynomial::ratio_below(x.s, x.p, 0);
-    x.largest_at_1 = at_1 && (std::max)(inside, ends[0]) < Rounded_polynomial::ratio_below(x.s, x.p, n);
+    x.largest_at_0 = at_0 && (std::max)(inside, ends[1]) < ratio_below(x.s, x.p, 0);
+    x.largest_at_1 = at_1 && (std::max)(inside, ends[0]) < ratio_below(x.s, x.p, n);
     pieces_.push_back(x);
   }
 
@@ -206,8 +145,8 @@ private:
     const Piece* best = nullptr;
     Exact largest(0);
     for (const Piece& x : pieces_) {
-      const int k = x.largest_at_0 ? 0 : exact_p_.degree();
-      const Exact measure = Exact(Exact(exact_s_[k]) / Exact(exact_p_[k]));
+      const int k = x.largest_at_0 ? 0 : x.p.degree;
+      const Exact measure = Exact(Exact(coefficient_in<Ring>(exact_s_, k)) / Exact(coefficient_in<Ring>(exact_p_, k)));
       if (best != nullptr && !(largest < measure)) continue;
       best = &x;
       largest = measure;
@@ -220,36 +159,50 @@ private:
     const double most = upper();
     const int m = 61 - std::ilogb(most) - shift_;
     if (!(62 <= m && m <= 900)) return std::nullopt; // a right angle, or almost none
-    std::int64_t low = 0, high = 0;
-    const Piece* worst = nullptr;
+    const Piece& worst = *std::max_element(pieces_.begin(), pieces_.end(),
+                                           [](const Piece& x, const Piece& y) { return x.upper < y.upper; });
+    Largest_quotient low(m + shift_), high(m + shift_);
     for (const Piece& x : pieces_) {
       const int n = x.p.degree;
       for (int k : {0, n})
-        if (x.s.c[k] > 0) low = (std::max)(low, quotient(x.s.c[k], x.p.c[k] + x.p.error, m + shift_, false));
-      if (worst == nullptr || worst->upper < x.upper) worst = &x;
-      for (int k = 0; k <= n; ++k)
-        if (most * (1 - 0x1p-47) <= Rounded_polynomial::ratio_above(x.s, x.p, k))
-          high = (std::max)(high, quotient(x.s.c[k] + x.s.error, x.p.c[k], m + shift_, true));
+        if (x.s.c[k] > 0) low.include(x.s.c[k], x.p.c[k] + x.p.error);
+      for (int k = 0; k <= n; ++k) high.include(x.s.c[k] + x.s.error, x.p.c[k]);
     }
+    ++high.value;                                                 // it was rounded downwards
     const std::int64_t one = m == 62 ? std::int64_t(1) << 62 : 0; // otherwise the measure is less than a half
-    const double width = static_cast<double>(high - low) * 0x1p53;
-    for (std::int64_t x : {low, high}) {
+    const double width = static_cast<double>(high.value - low.value) * 0x1p53;
+    for (std::int64_t x : {low.value, high.value}) {
       const double cosine_squared = one == 0 ? 0.5 : static_cast<double>(one - x) * 0x1p-62;
       if (!(width <= 0.99 * static_cast<double>(x) * cosine_squared)) return std::nullopt;
     }
-    return result(scaled(low, m), scaled(high, m), *worst);
+    return result(scaled(low.value, m), scaled(high.value, m), worst);
   }
 
-  // x/y in units of 2^-m
-  static std::int64_t quotient(Signed_128 x, Signed_128 y, int m, bool upwards) {
-    Wide dividend(x), divisor(y);
-    if (m >= 0)
-      dividend <<= m;
-    else
-      divisor <<= -m;
-    const Wide q = Wide(dividend / divisor);
-    return static_cast<std::int64_t>(q) + upwards;
-  }
+  // The largest of several quotients, in units of 2^-m and rounded downwards.
+  struct Largest_quotient {
+    int m;
+    std::int64_t value = 0;
+    std::uint64_t dividend = 0, divisor = 1; // in units of 2^63; their quotient is not larger than the largest one
+
+    explicit Largest_quotient(int m) : m(m) {}
+
+    // \pre the divisor is positive
+    void include(Signed_128 x, Signed_128 y) {
+      if (x <= 0) return;
+      const std::uint64_t high_x = static_cast<std::uint64_t>(x >> 63), high_y = static_cast<std::uint64_t>(y >> 63);
+      if (static_cast<Unsigned_128>(high_x + 1) * divisor <= static_cast<Unsigned_128>(dividend) * high_y) return;
+      Wide wide_x(x), wide_y(y);
+      if (m >= 0)
+        wide_x <<= m;
+      else
+        wide_y <<= -m;
+      const std::int64_t quotient = static_cast<std::int64_t>(Wide(wide_x / wide_y));
+      if (quotient < value) return;
+      value = quotient;
+      dividend = high_x;
+      divisor = high_y + 1;
+    }
+  };
 
   static Field scaled(std::int64_t x, int m) {
     const Ring half_word(0x1p31), high(static_cast<double>(x >> 31)), low(static_cast<double>(x & 0x7fffffff));

@@ -249,7 +249,7 @@ Normal_deviation<Field> largest_measure(Polynomial s, Polynomial p, Polynomial s
 #ifdef CGAL_GEOMETRIC_CONTINUITY_HAS_FIXED_INTEGER
   if constexpr (Common_denominator<Field>::clears)
     if (is_acute(side))
-      if (const std::optional<Normal_deviation<Field>> found = Fixed_largest_measure<Field>(s, p, work)())
+      if (const std::optional<Normal_deviation<Field>> found = Fixed_largest_measure<Field, Polynomial>(s, p, work)())
         return *found;
 #endif
   return Largest_measure<Field>(std::move(s), std::move(p), std::move(side), work)();
