@@ -27,6 +27,7 @@ struct Report_mode {
   Report_format format = Report_format::text;
   bool strict = false;      // what could not be verified counts as not met
   bool allow_empty = false; // nothing to decide is no error
+  bool summary = false;     // print the counts, and what fails
 };
 
 typedef std::vector<std::string> Arguments;
