@@ -47,7 +47,7 @@ template <class Field, class Polynomial> class Fixed_largest_measure {
   };
 
   static constexpr int least_level = 5; // as in Largest_measure
-  static constexpr int most_level = 50;
+  static constexpr int most_level = 50, last_level_of_place = 10;
   static constexpr std::size_t most_pieces = 32;
 
   const Polynomial &exact_s_, &exact_p_;
@@ -159,8 +159,6 @@ private:
     const double most = upper();
     const int m = 61 - std::ilogb(most) - shift_;
     if (!(62 <= m && m <= 900)) return std::nullopt; // a right angle, or almost none
-    const Piece& worst = *std::max_element(pieces_.begin(), pieces_.end(),
-                                           [](const Piece& x, const Piece& y) { return x.upper < y.upper; });
     Largest_quotient low(m + shift_), high(m + shift_);
     for (const Piece& x : pieces_) {
       const int n = x.p.degree;
@@ -175,7 +173,7 @@ private:
       const double cosine_squared = one == 0 ? 0.5 : static_cast<double>(one - x) * 0x1p-62;
       if (!(width <= 0.99 * static_cast<double>(x) * cosine_squared)) return std::nullopt;
     }
-    return result(scaled(low.value, m), scaled(high.value, m), worst);
+    return result(scaled(low.value, m), scaled(high.value, m), pieces_[0]);
   }
 
   // The largest of several quotients, in units of 2^-m and rounded downwards.
@@ -209,10 +207,13 @@ private:
     return Field(Exact(Exact(Ring(high * half_word + low)) / Exact(Ring(std::ldexp(1.0, m)))));
   }
 
-  Normal_deviation<Field> result(const Field& lower, const Field& upper, const Piece& worst) const {
-    const Field length = Field(Field(1) / Field(Exact(Ring(std::ldexp(1.0, level_)))));
-    const Field begin = Field(Field(Exact(Ring(static_cast<double>(worst.index)))) * length);
-    return {lower, upper, begin, Field(begin + length)};
+  // The place is a longer interval, so that it does not depend on roundings where several short ones are equally good.
+  Normal_deviation<Field> result(const Field& lower, const Field& upper, const Piece& place) const {
+    const int level = (std::min)(level_, last_level_of_place);
+    const std::int64_t index = place.index >> (level_ - level);
+    const Field parts(1 << level);
+    return {lower, upper, Field(Field(static_cast<int>(index)) / parts),
+            Field(Field(static_cast<int>(index + 1)) / parts)};
   }
 };
 

@@ -36,7 +36,7 @@ std::optional<Edge_continuity<Field>> crease_on_grid(const Edge_layers& a, const
   constexpr int most_along = 5;
   if constexpr (Common_denominator<Field>::clears) {
     const double size = (std::max)(size_of(a), size_of(b));
-    if (a.along > most_along || !std::isfinite(size)) return std::nullopt;
+    if (a.along > most_along || is_collapsed(a) || !std::isfinite(size)) return std::nullopt;
     Grid grid(size);
     if (!grid.valid()) return std::nullopt;
     const Grid_layers x = on_grid(a, grid), y = on_grid(b, grid);
