@@ -11,6 +11,7 @@
 #include <CGAL/Geometric_continuity/edges/internal/Edge_decision.h>
 #include <CGAL/Geometric_continuity/edges/internal/Largest_measure.h>
 
+#include <cmath>
 #include <optional>
 #include <vector>
 
@@ -106,7 +107,8 @@ BOOST_AUTO_TEST_CASE(creases_in_fixed_length_and_multiprecision) {
                  Q(a[i][0][2] + random.integer(-steep, steep))};
     }
     typedef CGAL::Simple_cartesian<Q> K;
-    const Patch<K> p = patch<K>(a), q = patch<K>(b);
+    const std::vector<Patch<K>> both = patches<K>({a, b});
+    const Patch<K>&p = both[0], &q = both[1];
     const GC::Edge_rows<Q> rows = GC::edge_rows(p, v0), other = GC::edge_rows(q, v0);
     GC::internal::Edge_layers x, y;
     BOOST_REQUIRE((GC::internal::edge_layers(p, v0, q, v0, 2, x, y)));

@@ -67,13 +67,12 @@ public:
     if (!s || !p) return std::nullopt;
     shift_ = s->exponent - p->exponent;
     add({*s, *p, 0, 0, false, false});
-    if (upper() <= lower_ * (1 + 0x1p-40))
+    if (!is_at_an_end(pieces_[0]) && upper() <= lower_ * (1 + 0x1p-40))
       return std::nullopt; // constant, or nearly: the bounds come close only slowly
     while (level_ < most_level) {
       if (!halve()) return std::nullopt;
       if (level_ < least_level) continue;
-      if (std::all_of(pieces_.begin(), pieces_.end(), [](const Piece& x) { return x.largest_at_0 || x.largest_at_1; }))
-        return at_ends();
+      if (std::all_of(pieces_.begin(), pieces_.end(), is_at_an_end)) return at_ends();
       if (upper() <= lower_ * (1 + 0x1p-47))
         if (const std::optional<Normal_deviation<Field>> result = rounded()) return result;
     }
@@ -95,6 +94,8 @@ private:
   static double ratio_below(const Rounded_polynomial& s, const Rounded_polynomial& p, int k) {
     return to_double(s.c[k]) / to_double(p.c[k] + p.error) * (1 - 0x1p-49);
   }
+
+  static bool is_at_an_end(const Piece& x) { return x.largest_at_0 || x.largest_at_1; }
 
   double upper() const {
     double most = 0;
