@@ -84,6 +84,10 @@ public:
     z.remove_leading_zeros();
     return z;
   }
+  friend Inline_integer operator+(Inline_integer x, const Inline_integer& y) {
+    x += y;
+    return x;
+  }
   friend bool operator==(const Inline_integer& x, const Inline_integer& y) {
     return x.negative_ == y.negative_ && x.limbs_ == y.limbs_;
   }
