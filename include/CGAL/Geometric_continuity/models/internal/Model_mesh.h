@@ -77,14 +77,12 @@ public:
       : patches_(patches), numbers_(numbers), topology_(patches), corners_(4 * patches.size(), none),
         sides_(patches.size()) {}
 
-  // `cells_of(patch, number, least)` is the number of cells of a patch, which has this number in the tessellation, if
-  // possible at least `least` in each direction: four cells make the triangles of patches a manifold that close up, or meet
-  // more than once. Where two patches have an edge, one of their numbers along it must divide the other. After each patch
+  // `cells_of(i, least)` is the number of cells of patch number i, if possible at least `least` in each direction: four cells
+  // make the triangles of patches a manifold that close up, or meet more than once. Where two patches have an edge, one of their numbers along it must divide the other. After each patch
   // `report(n)` is called with the number of triangles so far.
   template <class Cells_of, class Report>
   Tessellation<Traits> operator()(Cells_of cells_of, std::size_t max_triangles, Report report) {
-    for (std::size_t i = 0; i < patches_.size(); ++i)
-      cells_.push_back(cells_of(*patches_[i], numbers_[i], topology_.simple(i) ? 1 : 4));
+    for (std::size_t i = 0; i < patches_.size(); ++i) cells_.push_back(cells_of(i, topology_.simple(i) ? 1 : 4));
     reserve(max_triangles);
     for (const Edge_uses& uses : topology_.edges()) add_edge(uses);
     typename Patch_triangulation<Patch>::Edges points;
