@@ -261,7 +261,20 @@ int verify_surfaces_on(const Surface_model<Surface_traits<FT>>& model, const std
 
 int verify_surfaces(const Arguments& files, const Report_mode& mode, const std::optional<int>& required_g_order,
                     const std::optional<GC::Edge_tolerance>& tolerance, GC::Work_limit limit) {
+  typedef Surface_traits<Exact> Exact_traits;
+  typedef Surface_traits<double> Double_traits;
   const std::string name = files.size() == 1 ? input_name(files[0]) : input_name(files[0]) + ", ...";
-  return verify_surfaces_on<Exact>(read_surfaces<Surface_traits<Exact>>(files), name, mode,
-                                   {required_g_order, tolerance, limit}, Exact(1));
+  const Edge_demand demand{required_g_order, tolerance, limit};
+  Surface_texts<Exact_traits> texts = read_surface_texts<Exact_traits>(files);
+  if (!tolerance) { // which is in the units of the files
+    GC::G2_grid grid;
+    std::vector<GC::Bspline_surface<Double_traits>> surfaces;
+    if (texts.on_grid(grid, surfaces)) {
+      Exact unit(1);
+      for (int e = grid.exponent_of_knots(); e < 0; ++e) unit /= Exact(10);
+      Surface_model<Double_traits> model(std::move(surfaces));
+      return verify_surfaces_on<double>(model, name, mode, demand, unit);
+    }
+  }
+  return verify_surfaces_on<Exact>(texts.model(), name, mode, demand, Exact(1));
 }

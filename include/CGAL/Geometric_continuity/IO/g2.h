@@ -42,6 +42,7 @@
 #include <CGAL/Geometric_continuity/surfaces/Rational_bspline_surface.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <istream>
 #include <optional>
 #include <ostream>
@@ -67,6 +68,29 @@ template <class Curve, class Points, class Direction> Curve rational_g2_curve(co
   } else {
     if (w.infinite()) return Curve(Homogeneous(rows.begin(), rows.end(), u.knots.front(), u.knots.back()));
     return Curve(w.points.begin(), w.points.end(), w.weights.begin(), w.weights.end(), u.knots.front(), u.knots.back());
+  }
+}
+
+// The control points that have been read one after the other, in rows of constant i.
+template <class T, class Direction>
+std::vector<std::vector<T>> g2_net(const std::vector<T>& points, const Direction& u) {
+  std::vector<std::vector<T>> rows(u.points);
+  for (std::size_t k = 0; k < points.size(); ++k) rows[k % static_cast<std::size_t>(u.points)].push_back(points[k]);
+  return rows;
+}
+
+// A rational Bezier or B-spline surface from what has been read.
+template <class Surface, class Points, class Direction>
+Surface rational_g2_surface(const Points& w, const Direction& u, const Direction& v) {
+  typedef typename Surface::FT FT;
+  if constexpr (std::is_same_v<Surface, Rational_bspline_surface<typename Surface::Traits>>) {
+    const Knot_vector<FT> a(u.order - 1, u.knots), b(v.order - 1, v.knots);
+    if (w.infinite()) return Surface(typename Surface::Homogeneous(g2_net(w.rows(), u), a, b));
+    return Surface(g2_net(w.points, u), g2_net(w.weights, u), a, b);
+  } else {
+    const std::pair<FT, FT> a(u.knots.front(), u.knots.back()), b(v.knots.front(), v.knots.back());
+    if (w.infinite()) return Surface(typename Surface::Homogeneous(g2_net(w.rows(), u), a, b));
+    return Surface(g2_net(w.points, u), g2_net(w.weights, u), a, b);
   }
 }
 
@@ -207,22 +231,7 @@ private:
       const auto row = parser_.read_homogeneous_point(k, all);
       parser_.checked([&] { w.push_back(row); });
     }
-    const auto net = [&](const auto& all_of_them) { // in rows of constant i
-      std::vector<std::vector<std::decay_t<decltype(all_of_them[0])>>> rows(u.points);
-      for (long long k = 0; k < all; ++k) rows[k % u.points].push_back(all_of_them[k]);
-      return rows;
-    };
-    return parser_.checked([&]() -> Surface {
-      if constexpr (bezier) {
-        const std::pair<FT, FT> a(u.knots.front(), u.knots.back()), b(v.knots.front(), v.knots.back());
-        if (w.infinite()) return Surface(typename Surface::Homogeneous(net(w.rows()), a, b));
-        return Surface(net(w.points), net(w.weights), a, b);
-      } else {
-        const Knot_vector<FT> a(u.order - 1, u.knots), b(v.order - 1, v.knots);
-        if (w.infinite()) return Surface(typename Surface::Homogeneous(net(w.rows()), a, b));
-        return Surface(net(w.points), net(w.weights), a, b);
-      }
-    });
+    return parser_.checked([&] { return internal::rational_g2_surface<Surface>(w, u, v); });
   }
 };
 
