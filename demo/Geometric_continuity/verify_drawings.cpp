@@ -19,6 +19,7 @@
 #include <functional>
 #include <iostream>
 #include <map>
+#include <optional>
 #include <sstream>
 #include <vector>
 
@@ -102,8 +103,10 @@ class Drawing_report : public Drawing_handler {
     if (!decision) return s + "undecided, " + undecided;
     s += 'G' + std::to_string(decision->g_order);
     if (decision->g_order == max_order_) s += " or more";
-    return s + ", " + remark(*decision, rounded_end_jet(left), rounded_start_jet(right)) +
-           explanation(*decision, left, right);
+    std::optional<std::string> words;
+    GC::visit_enclosures(left, right, [&](const auto& x, const auto& y) { words = remark(*decision, x, y); });
+    if (!words) words = remark(*decision, rounded_end_jet(left), rounded_start_jet(right));
+    return s + ", " + *words + explanation(*decision, left, right);
   }
 
   std::string json(std::size_t left_number, std::size_t right_number, const Segment& left, const Segment& right,

@@ -10,12 +10,14 @@
 #include <CGAL/Geometric_continuity/joins/internal/join_on_long_integers.h>
 #include <CGAL/Geometric_continuity/joins/join_continuity.h>
 #include <CGAL/Geometric_continuity/local/Curve_jet.h>
+#include <CGAL/Geometric_continuity/numbers/internal/Rational_parts.h>
 #include <CGAL/Interval_nt.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <cstdlib>
 #include <limits>
 #include <numeric>
 #include <type_traits>
@@ -59,6 +61,8 @@ template <int N> class Grid_join {
   bool has_integers_ = false, has_doubles_ = true;
   double unit_of_parameters_ = 1;
   int exponent_ = 0, exponent_of_parameters_ = 0;
+  std::int64_t denominator_ = 1; // of the unit of the points
+  static constexpr std::int64_t largest = (std::int64_t(1) << 60) - 1;
 
 public:
   static constexpr int dimension = N;
@@ -78,6 +82,37 @@ public:
     left_.degree = double_left_.degree_ = x.degree;
     right_.degree = double_right_.degree_ = y.degree;
     return bring_on_grid(numbers, parameters);
+  }
+
+  // Brings the join of two Bezier curves with rational coordinates over domains with integers as ends on grids. Returns false if the
+  // numbers are too long.
+  template <class Curve> bool set_rationals(const Curve& x, const Curve& y) {
+    typedef Rational_parts<typename Curve::FT> Parts;
+    std::int64_t numerators[8 * N], denominators[8 * N], ends[4], one;
+    const auto [a, b] = x.domain();
+    const auto [c, d] = y.domain();
+    int i = 0;
+    for (const auto* end : {&a, &b, &c, &d})
+      if (!Parts::short_parts(*end, ends[i++], one) || one != 1) return false;
+    denominator_ = 1;
+    for (int k = 0; k < 8 * N; ++k) {
+      const int j = k / N, degree = j < 4 ? x.degree() : y.degree();
+      const typename Curve::Point& point =
+          j < 4 ? x.control_point(degree - (std::min)(degree, j)) : y.control_point((std::min)(degree, j - 4));
+      const typename Curve::FT& coordinate = typename Curve::Traits().compute_coordinate_object()(point, k % N);
+      if (!Parts::short_parts(coordinate, numerators[k], denominators[k])) return false;
+      const std::int64_t factor = denominators[k] / std::gcd(denominator_, denominators[k]);
+      if (factor > largest / denominator_) return false;
+      denominator_ *= factor;
+    }
+    for (int k = 0; k < 8 * N; ++k) {
+      const std::int64_t factor = denominator_ / denominators[k];
+      if (std::abs(numerators[k]) > largest / factor) return false;
+      numerators[k] *= factor;
+    }
+    left_.degree = double_left_.degree_ = x.degree();
+    right_.degree = double_right_.degree_ = y.degree();
+    return set_integers(numerators, ends);
   }
 
   // Everything that Join_continuity says, or only the orders, for orders up to 3. Returns false when some of it needs multi-precision
@@ -115,6 +150,7 @@ public:
   typedef Coordinate_jet<Interval, N> Jet;
   std::pair<Jet, Jet> enclosed_jets() const {
     Interval unit(1);
+    unit /= interval(denominator_);
     for (int e = exponent_; e < 0; e += 22) unit /= Interval(e < -22 ? 1e22 : power_of_ten(-e));
     if (has_integers_)
       return {jet<true>(left_.points, left_.degree, unit), jet<false>(right_.points, right_.degree, unit)};
@@ -177,6 +213,10 @@ private:
     if (!integers_on_grid<8 * N>(numbers, integers, exponent_) ||
         !integers_on_grid<4>(parameters, ends, exponent_of_parameters_))
       return false;
+    return set_integers(integers, ends);
+  }
+
+  bool set_integers(const std::int64_t* integers, const std::int64_t* ends) {
     const std::int64_t length = ends[1] - ends[0], other = ends[3] - ends[2],
                        unit = length == other ? length : std::gcd(length, other);
     left_.length = length / unit;
