@@ -167,7 +167,8 @@ Spline_edge_continuity<Field> continuity_at_same_parameters(const Spline_edge_ro
 ///
 /// When the surfaces are not \f$ G^1 \f$, the largest angle between their normals \f$ n_i = C' \times T_i \f$ is enclosed by
 /// branch and bound on the Bernstein coefficients of \f$ \sin^2\theta = 1 - (n_1 \cdot n_2)^2 / (|n_1|^2 |n_2|^2) \f$, in
-/// exact arithmetic. Where the limit of the work does not suffice for a close enclosure, it is a wider one; what is decided
+/// integers of fixed length that are rounded outwards or, where these do not suffice, in exact arithmetic. Where the limit of
+/// the work does not suffice for a close enclosure, it is a wider one; what is decided
 /// is decided, or refused by an error.
 ///
 /// \tparam FT a field number type; for floating-point numbers all is exact in the numbers as given
@@ -231,7 +232,9 @@ edge_continuity(const Spline_edge_rows<FT, N>& a, const Spline_edge_rows<FT, N>&
 /// surfaces have `extrusion_continuity()` and `revolution_continuity()`.
 ///
 /// Smooth edges of degree 7 or less are proved with integers of fixed length where the coordinates are `double`, or rational
-/// numbers with short numerators over one denominator; see edge_predicates.h. Otherwise a number of operations with integers
+/// numbers with short numerators over one denominator; see edge_predicates.h. So are most creases of degree 5 or less, and with
+/// `double` also edges of B-spline surfaces over inner knots where the derivatives across them are the same but for the speed of
+/// the parameter. Otherwise a number of operations with integers
 /// that is quadratic in the degree and linear in the number of knots, plus the search for the largest angle where the surfaces
 /// are not \f$ G^1 \f$. Rational surfaces are decided with integers of any length, unless all
 /// weights of a surface are equal.
