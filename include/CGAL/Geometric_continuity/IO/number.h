@@ -11,8 +11,10 @@
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Geometric_continuity/Error.h>
 #include <CGAL/Geometric_continuity/IO/internal/Number_parts.h>
+#include <CGAL/Geometric_continuity/IO/internal/short_decimal.h>
 #include <CGAL/Geometric_continuity/IO/limits.h>
 #include <CGAL/Geometric_continuity/IO/quoted_token.h>
+#include <CGAL/Geometric_continuity/numbers/internal/Rational_parts.h>
 #include <CGAL/Geometric_continuity/numbers/internal/checked_numbers.h>
 
 #include <algorithm>
@@ -131,8 +133,28 @@ template <class FT> FT floating_point_value(std::string_view text, const Number_
   return value;
 }
 
+// The value of a short decimal with at most 18 places, as nearly all numbers are; returns false for others.
+template <class FT> bool short_decimal_value(const Short_decimal& decimal, FT& value) {
+  if constexpr (Rational_parts<FT>::value) {
+    if (!decimal.exists() || decimal.exponent < -Short_decimal::max_digits || decimal.exponent > 0) return false;
+    std::int64_t denominator = 1;
+    for (int e = decimal.exponent; e < 0; ++e) denominator *= 10;
+    value = Rational_parts<FT>::make_short(decimal.digits, denominator);
+    return true;
+  } else
+    return false;
+}
+
 // The value of a text. Throws Number_error, so that the caller can say where the text stands.
 template <class FT> FT number_value(std::string_view text) {
+  if constexpr (Rational_parts<typename Evaluated<FT>::type>::value) {
+    Short_decimal decimal;
+    typename Evaluated<FT>::type value;
+    const char* const end = text.data() + text.size();
+    if (text.size() <= max_number_length && read_short_decimal(text.data(), end, decimal) == end &&
+        short_decimal_value(decimal, value))
+      return FT(value);
+  }
   check_number_length(text);
   const Number_parts parts = number_parts(text);
   if constexpr (std::is_floating_point_v<FT>)
