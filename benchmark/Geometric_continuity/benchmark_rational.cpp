@@ -292,16 +292,41 @@ template <class Predicate> void register_join(const std::string& name, Predicate
   std::copy(halves.second.begin(), halves.second.end(), points.begin());
   points[1] = Filtered::Point(points[1].x() + 1, points[1].y(), points[1].z());
   const Quintic other(points.begin(), points.end());
-  for (bool holds : {true, false}) {
-    const std::string title = name + (holds ? ", holds | " : ", does not hold | ");
-    const Quintic left = halves.first, right = holds ? halves.second : other;
-    const Rational rational_left = Rational(left).reparametrised(2), rational_right = Rational(right).reparametrised(4);
+  points[1] = halves.second.control_point(1);
+  points[2] = Filtered::Point(points[2].x() + 1, points[2].y(), points[2].z());
+  const Quintic touching(points.begin(), points.end());
+  const auto time = [&](const std::string& title, const Quintic& left, const Quintic& right,
+                        const Rational& rational_left, const Rational& rational_right, bool holds) {
     check(is_join(left, right) == holds && is_join(rational_left, rational_right) == holds, name.c_str());
     at_once((title + "polynomial").c_str(), 1, [=] { benchmark::DoNotOptimize(is_join(left, right)); });
     at_once((title + "rational").c_str(), 1, [=] { benchmark::DoNotOptimize(is_join(rational_left, rational_right)); });
-    at_once((title + "rational and polynomial").c_str(), 1,
-            [=] { benchmark::DoNotOptimize(is_join(rational_left, right)); });
+    if (is_join(rational_left, right) == holds)
+      at_once((title + "rational and polynomial").c_str(), 1,
+              [=] { benchmark::DoNotOptimize(is_join(rational_left, right)); });
+  };
+  const Quintic left = halves.first;
+  for (const Quintic& right : {halves.second, other, touching}) {
+    const bool holds = is_join(left, right);
+    const std::string title = name + (holds                          ? ", holds | "
+                                      : !GC::is_g1_join(left, right) ? ", no common tangent | "
+                                                                     : ", common tangent, does not hold | ");
+    time(title, left, right, Rational(left).reparametrised(2), Rational(right).reparametrised(4), holds);
   }
+  // With weights of 53 bits: one half, and the same turned by pi about an axis in its osculating plane, normal to its tangent.
+  std::array<double, 6> weights;
+  for (double& w : weights) w = between(1, 2);
+  for (Filtered::Point& p : points) p = grid_point();
+  points[0] = Filtered::Point(0, points[0].y(), 0);
+  points[1] = Filtered::Point(points[1].x(), points[0].y(), 0);
+  points[2] = Filtered::Point(points[2].x(), points[2].y(), 0);
+  std::array<Filtered::Point, 6> turned;
+  for (int j = 0; j < 6; ++j) turned[5 - j] = Filtered::Point(-points[j].x(), points[j].y(), -points[j].z());
+  const Quintic half(points.begin(), points.end()), turned_half(turned.begin(), turned.end());
+  const Rational long_half(points.begin(), points.end(), weights.begin(), weights.end()),
+      long_turned_half(turned.begin(), turned.end(), weights.rbegin(), weights.rend());
+  const bool holds = is_join(turned_half, half);
+  if (holds)
+    time(name + ", symmetric, weights of 53 bits, holds | ", turned_half, half, long_turned_half, long_half, holds);
 }
 
 void register_edge() {

@@ -27,6 +27,7 @@ struct Report_mode {
   Report_format format = Report_format::text;
   bool strict = false;      // what could not be verified counts as not met
   bool allow_empty = false; // nothing to decide is no error
+  bool summary = false;     // only the counts and what does not meet the requirement
 };
 
 typedef std::vector<std::string> Arguments;

@@ -10,8 +10,8 @@
 #include <CGAL/Cartesian_d.h>
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Geometric_continuity.h>
-#include <CGAL/Geometric_continuity/IO/G2_end_jet_reader.h>
 #include <CGAL/Geometric_continuity/IO/G2_piece_reader.h>
+#include <CGAL/Geometric_continuity/IO/G2_span_reader.h>
 #include <CGAL/Geometric_continuity/IO/g2.h>
 
 #include <functional>
@@ -30,6 +30,7 @@ using Program_curve = GC::Rational_bezier_curve<Program_traits<FT>>; // polynomi
 typedef CGAL::Exact_rational Exact;
 typedef Program_curve<Exact> Exact_curve;
 typedef GC::Curve_end_jets<Program_traits<Exact>> Exact_ends;
+template <class Number> using Program_span = GC::G2_span<Program_traits<Exact>, Number>;
 
 // Returns the curve with the same control points, weights and domain, as exact numbers.
 template <class FT> Exact_curve exact(const Program_curve<FT>& curve) {
@@ -56,10 +57,8 @@ GC::Bezier_curve<Program_traits<FT>> polynomial(const Program_curve<FT>& curve, 
 }
 
 // Reads the curves of several files piece by piece, one file after the other. A curve with inner knots is cut into its spans; only
-// one of them is kept in memory. Reader is `G2_piece_reader` or `G2_end_jet_reader`.
+// one of them is kept in memory. Reader is `G2_piece_reader` or `G2_span_reader`.
 template <class Reader> class Curve_stream {
-  typedef decltype(std::declval<Reader&>().next()) Piece; // or nothing
-
   std::vector<std::string> files_;
   Reading_position position_;
   std::size_t next_file_ = 0;
@@ -80,27 +79,38 @@ public:
   // Returns which part of the files has been read, from 0 to 1; 0 when that is not known.
   double part_read() { return input_ ? position_.part(next_file_ - 1, *input_) : 0; }
 
-  // Returns the file of the last curve.
+  // Returns the number of the file of the last piece, from 1 on, and its name.
+  std::size_t file_number() const { return next_file_; }
   std::string file() const { return input_name(files_[next_file_ - 1]); }
 
-  // Returns the next piece, or nothing after the last one.
-  Piece next() {
+  // Reads the next piece: an optional curve, or a span. Returns false after the last one.
+  template <class Piece> bool next(Piece& piece) {
     for (;;) {
       if (reader_)
-        if (Piece piece = reader_->next()) {
-          if (dimension_ != 0 && piece->dimension() != dimension_)
-            throw GC::Error(GC::Error_code::dimension_mismatch,
-                            file() + ": dimension " + std::to_string(piece->dimension()) +
-                                " after a curve of dimension " + std::to_string(dimension_));
-          dimension_ = piece->dimension();
-          return piece;
+        if (const int dimension = read(*reader_, piece)) {
+          if (dimension_ != 0 && dimension != dimension_)
+            throw GC::Error(GC::Error_code::dimension_mismatch, file() + ": dimension " + std::to_string(dimension) +
+                                                                    " after a curve of dimension " +
+                                                                    std::to_string(dimension_));
+          dimension_ = dimension;
+          return true;
         }
-      if (next_file_ == files_.size()) return std::nullopt;
+      if (next_file_ == files_.size()) return false;
       const std::string& name = files_[next_file_++];
       reader_.reset();
       input_ = std::make_unique<Input>(name);
       open_(reader_, *input_, input_name(name));
     }
+  }
+
+private:
+  // These return the dimension, or 0 at the end.
+  template <class Curve> static int read(Reader& reader, std::optional<Curve>& curve) {
+    curve = reader.next();
+    return curve ? curve->dimension() : 0;
+  }
+  template <class Traits, class Number> static int read(Reader& reader, GC::G2_span<Traits, Number>& span) {
+    return reader.next(span) ? span.dimension() : 0;
   }
 };
 
@@ -108,7 +118,7 @@ public:
 template <class FT> std::vector<Program_curve<FT>> read_curves(const std::vector<std::string>& files) {
   Curve_stream<GC::G2_piece_reader<Program_traits<FT>>> stream(files);
   std::vector<Program_curve<FT>> curves;
-  while (std::optional<Program_curve<FT>> curve = stream.next()) curves.push_back(*curve);
+  for (std::optional<Program_curve<FT>> curve; stream.next(curve);) curves.push_back(*curve);
   return curves;
 }
 

@@ -3,6 +3,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
 #include "commands.h"
+#include "cores.h"
 #include "standard_streams.h"
 #include "sudden_end.h"
 
@@ -80,6 +81,7 @@ int main(int argc, char* argv[]) {
   take_stack();
   end_when_memory_runs_out();
   clean_up_at_signals();
+  const Cores cores;
   Standard_output output;
   return output.finish(run(Arguments(argv + (argc > 0 ? 1 : 0), argv + argc)));
 }

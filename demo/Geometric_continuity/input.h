@@ -8,6 +8,7 @@
 #include "progress.h"
 
 #include <CGAL/Geometric_continuity/Error.h>
+#include <CGAL/Geometric_continuity/IO/G2_grid.h>
 #include <CGAL/Geometric_continuity/IO/g2.h>
 
 #include <algorithm>
@@ -139,6 +140,9 @@ template <class Traits> class Surface_model {
   std::vector<GC::Rational_bspline_surface<Traits>> rational_;
 
 public:
+  Surface_model() = default;
+  explicit Surface_model(std::vector<GC::Bspline_surface<Traits>> surfaces) : polynomial_(std::move(surfaces)) {}
+
   std::size_t size() const { return polynomial_.size() + rational_.size(); }
 
   void push_back(GC::Bspline_surface<Traits> surface) {
@@ -157,19 +161,56 @@ public:
   template <class Function> auto visit(Function f) const { return rational_.empty() ? f(polynomial_) : f(rational_); }
 };
 
-// Reads the surfaces of several files, which together are one model.
-template <class Traits> Surface_model<Traits> read_surfaces(const std::vector<std::string>& files) {
-  Surface_model<Traits> model;
+// The surfaces of a model with the numbers as they are written, in their order; those with weights over exact numbers.
+template <class Exact_traits> class Surface_texts {
+  typedef GC::Rational_bspline_surface<Exact_traits> Rational;
+  std::vector<GC::G2_surface_text> texts_;
+  std::vector<std::pair<std::size_t, Rational>> rational_; // behind so many texts
+
+public:
+  std::size_t size() const { return texts_.size() + rational_.size(); }
+  void push_back(GC::G2_surface_text text) { texts_.push_back(std::move(text)); }
+  void push_back(Rational surface) { rational_.emplace_back(texts_.size(), std::move(surface)); }
+
+  // Brings all surfaces on a grid. Returns false if that is not possible.
+  template <class Traits> bool on_grid(GC::G2_grid& grid, std::vector<GC::Bspline_surface<Traits>>& surfaces) const {
+    if (!rational_.empty()) return false;
+    for (const GC::G2_surface_text& text : texts_) grid.include(text);
+    return grid.append(texts_, surfaces);
+  }
+
+  Surface_model<Exact_traits> model() const {
+    Surface_model<Exact_traits> model;
+    auto next = rational_.begin();
+    for (std::size_t i = 0; i <= texts_.size(); ++i) {
+      for (; next != rational_.end() && next->first == i; ++next) model.push_back(next->second);
+      if (i < texts_.size()) model.push_back(texts_[i].surface<Exact_traits>());
+    }
+    return model;
+  }
+};
+
+// Reads the surfaces of several files, which together are one model, with a reader for each file.
+template <class Reader, class Model> void read_surfaces(const std::vector<std::string>& files, Model& model) {
   const Reading_position position(files);
   Progress progress("surfaces read");
   for (std::size_t i = 0; i < files.size(); ++i) {
     Input input(files[i]);
     const auto step = [&] { progress.step(model.size(), [&] { return position.part(i, input); }); };
     input.after_each_block(step); // a surface may be large
-    GC::G2_surface_reader<Traits, GC::Rational_bspline_surface<Traits>> reader(input, input_name(files[i]));
+    Reader reader(input, input_name(files[i]));
     while (reader.visit_next([&](auto&& surface) { model.push_back(std::move(surface)); })) step();
   }
+}
+template <class Traits> Surface_model<Traits> read_surfaces(const std::vector<std::string>& files) {
+  Surface_model<Traits> model;
+  read_surfaces<GC::G2_surface_reader<Traits, GC::Rational_bspline_surface<Traits>>>(files, model);
   return model;
+}
+template <class Exact_traits> Surface_texts<Exact_traits> read_surface_texts(const std::vector<std::string>& files) {
+  Surface_texts<Exact_traits> texts;
+  read_surfaces<GC::G2_surface_text_reader<Exact_traits>>(files, texts);
+  return texts;
 }
 
 #endif // GEOMETRIC_CONTINUITY_DEMO_INPUT_H

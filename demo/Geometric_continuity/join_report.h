@@ -65,8 +65,9 @@ std::string remark(const Join& join, const GC::Curve_jet<Program_traits<Exact>>&
 // Returns the first line of a table of joins.
 std::string table_head();
 
-// Returns the line of a join: the numbers of both curves, the orders, the point, the remark. The jets are of order 3.
-std::string table_row(const Join& join, int left, int right, const GC::Curve_jet<Program_traits<Exact>>& left_jet,
-                      const GC::Curve_jet<Program_traits<Exact>>& right_jet);
+// Appends the line of a join: the numbers of both curves, the orders, the point, the remark.
+template <class Span>
+void append_table_row(std::string& table, const Join& join, std::size_t left, std::size_t right, const Span& left_span,
+                      const Span& right_span);
 
 #endif // GEOMETRIC_CONTINUITY_DEMO_JOIN_REPORT_H

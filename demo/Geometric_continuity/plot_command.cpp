@@ -32,7 +32,7 @@ GC::Svg_panel picture(const std::string& file, const GC::Svg_style& style, bool 
   const auto mark = [&](const GC::Chain_join<Exact_curve>& join) {
     panel.join(join.continuity.c_order < 0 ? "gap" : 'G' + std::to_string(join.continuity.g_order));
   };
-  while (const std::optional<Exact_curve> curve = stream.next()) {
+  for (std::optional<Exact_curve> curve; stream.next(curve);) {
     chain.add(*curve, mark); // at the end of the curve before
     panel.add(*curve, style);
     progress.step(chain.size());

@@ -3,23 +3,15 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
 #include "command_line.h"
-#include "deferred_output.h"
-#include "join_report.h"
-#include "progress.h"
 #include "svg_drawing.h"
+#include "verify_chain.h"
 #include "verify_drawings.h"
-#include "work_limit.h"
 
-#include <CGAL/Geometric_continuity/IO/json.h>
 #include <CGAL/Geometric_continuity/edges/edge_order_within.h>
-#include <CGAL/Geometric_continuity/joins/order_within.h>
 
 #include <algorithm>
 #include <cstddef>
-#include <iostream>
-#include <map>
 #include <optional>
-#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -82,127 +74,6 @@ GC::Edge_tolerance edge_tolerance(const Command_line& line) {
   return {x[0], x[1]};
 }
 
-// What is asked of the joins of a chain.
-struct Join_demand {
-  int max_order;
-  std::optional<Requirement> order;
-  std::optional<GC::Join_tolerance> tolerance;
-  GC::Work_limit limit; // for each join, and for the pieces of each curve
-};
-
-// Collects the reports on the joins, and prints them when all are decided.
-class Chain_report {
-  const Report_mode mode_;
-  const bool json_ = mode_.format == Report_format::json;
-  const Join_demand& demand_;
-  Deferred_output out_;
-  std::size_t joins_ = 0, failing_ = 0, undecided_ = 0;
-
-public:
-  Chain_report(const Report_mode& mode, const Join_demand& demand) : mode_(mode), demand_(demand) {
-    out_.write(json_ ? "{\"joins\":[" : table_head());
-  }
-
-  std::size_t joins() const { return joins_; }
-
-  void operator()(const GC::Chain_join<Exact_ends>& join) {
-    const int left = static_cast<int>(join.left), right = static_cast<int>(join.right);
-    std::optional<GC::Order_within> within;
-    if (demand_.tolerance)
-      within = GC::order_within(join.left_curve, join.right_curve, *demand_.tolerance, demand_.limit);
-    if (demand_.order && !demand_.order->met(join.continuity) &&
-        !(within && (*within)(demand_.order->order()) == GC::Verdict::proved))
-      ++failing_;
-    else if (!demand_.order && within && // else what is required has been proved
-             std::count(within->verdicts.begin(), within->verdicts.end(), GC::Verdict::undecided) > 0)
-      ++undecided_;
-    std::ostringstream s;
-    if (json_) {
-      s << (joins_ == 0 ? "\n {" : ",\n {");
-      GC::write_json_members(s, join.continuity, left, right);
-      if (within) {
-        s << ',';
-        GC::write_json_members(s, *within);
-      }
-      s << '}';
-    } else {
-      s << table_row(join.continuity, left, right, join.left_curve.end_jet(3), join.right_curve.start_jet(3));
-      if (within) {
-        s << "             within the tolerance: order";
-        for (int order = 0; order <= 3; ++order) s << (order > 0 ? ", " : " ") << order << ' ' << (*within)(order);
-        s << "; " << within->deviation << '\n';
-      }
-    }
-    out_.write(s.str());
-    ++joins_;
-  }
-
-  // Prints the report and returns the exit code.
-  int print(std::ostream& os, const GC::Chain_summary& summary) {
-    const std::map<int, std::size_t>& counts = summary.counts(GC::Continuity_kind::G);
-    const Conclusion conclusion{joins_, failing_, undecided_};
-    out_.copy_to(os);
-    if (json_) {
-      os << "],\n \"summary\":{\"joins\":" << joins_;
-      for (const auto& [order, count] : counts)
-        os << ",\"" << (order < 0 ? "gap" : 'G' + std::to_string(order)) << "\":" << count;
-      if (joins_ > 0)
-        os << ",\"c_order\":" << *summary.least_order(GC::Continuity_kind::C)
-           << ",\"g_order\":" << *summary.least_order(GC::Continuity_kind::G)
-           << ",\"f_order\":" << *summary.least_order(GC::Continuity_kind::F);
-      os << '}';
-      if (demand_.order)
-        os << ",\n \"required\":\"" << demand_.order->text() << "\",\"met\":" << conclusion.json_met(mode_);
-      os << "}\n";
-    } else {
-      os << counted(joins_, "join");
-      for (const auto& [order, count] : counts)
-        os << (order == counts.begin()->first ? ": " : ", ") << count << ' '
-           << (order < 0 ? "gap" : 'G' + std::to_string(order) + (order == demand_.max_order ? " or more" : ""));
-      os << '\n';
-      if (joins_ == 0)
-        os << "no join, nothing was decided\n";
-      else if (demand_.order) {
-        const std::string order = demand_.order->text() + (demand_.tolerance ? " within the tolerance" : "");
-        if (failing_ == 0)
-          os << "every join is " << order << ", proved exactly\n";
-        else
-          os << failing_ << " of them not " << order << '\n';
-      }
-      if (undecided_ > 0)
-        os << counted(undecided_, "join") << " with an order that is undecided within the tolerance\n";
-      if (mode_.strict && undecided_ > 0) os << "not met, because not all was verified\n";
-    }
-    return conclusion.exit_code(mode_, "join");
-  }
-};
-
-// Decides the joins of a chain of curves; FT is the type in which their numbers are read.
-template <class FT> int verify(const Command_line& line, const Report_mode& mode, const Join_demand& demand) {
-  const bool closed = line.has("closed");
-  Chain_report report(mode, demand);
-  Progress progress("joins");
-  GC::Chain_analysis<Exact_ends> chain(demand.max_order, demand.limit);
-  Curve_stream<GC::G2_end_jet_reader<Program_traits<Exact>, Program_traits<FT>>> stream(
-      line.files(), (std::max)(demand.max_order, 3), demand.limit);
-  const auto next = [&] { return within_work_limit([&] { return stream.file(); }, [&] { return stream.next(); }); };
-  while (const std::optional<Exact_ends> curve = next()) {
-    if (demand.order && chain.size() == 0) demand.order->check_dimension(curve->dimension());
-    within_work_limit(
-        [&] {
-          return stream.file() + ": join " + std::to_string(chain.size() - 1) + " -> " + std::to_string(chain.size());
-        },
-        [&] { chain.add(*curve, report); });
-    progress.step(report.joins(), [&] { return stream.part_read(); });
-  }
-  progress.clear();
-  if (chain.size() == 1 && !closed && !mode.allow_empty)
-    throw std::invalid_argument("a single curve has no join; --closed asks for the join of its end and its start");
-  if (closed)
-    within_work_limit([] { return std::string("the join that closes the chain"); }, [&] { chain.close(report); });
-  return report.print(std::cout, chain.summary());
-}
-
 } // namespace
 
 int verify_command(const Arguments& arguments) {
@@ -215,6 +86,8 @@ int verify_command(const Arguments& arguments) {
         "A,K,T or A,K,T,GAP: the tolerance for a join; with --surfaces A or A,GAP for an edge");
     add("strict", "what cannot be verified counts as not met");
     add("allow-empty", "accept that there is no join");
+    add("summary", "print only the counts and what does not meet the requirement; so it is on a terminal for more than "
+                   "5000 joins");
     add("json", "print JSON");
     add("max-work", po::value<std::string>(), "the steps of work that are allowed for one join, edge or curve");
     add("kernel", po::value<std::string>()->default_value("exact"),
@@ -226,7 +99,7 @@ int verify_command(const Arguments& arguments) {
   if (line.has("require")) required = Requirement(line.text("require"));
   const Arguments files = line.files();
   const Report_mode mode{line.has("json") ? Report_format::json : Report_format::text, line.has("strict"),
-                         line.has("allow-empty")};
+                         line.has("allow-empty"), line.has("summary")};
   const auto drawings = std::count_if(files.begin(), files.end(), is_svg_file);
   if (drawings != 0) {
     if (drawings != static_cast<std::ptrdiff_t>(files.size()))
@@ -250,6 +123,6 @@ int verify_command(const Arguments& arguments) {
   if (required && demand.tolerance && (required->kind() == GC::Continuity_kind::C || required->order() > 3))
     throw std::invalid_argument("--require " + required->text() + ": within a tolerance, G or F up to 3 are decided");
   if (drawings != 0) return verify_drawings(files, demand.max_order, demand.limit, mode, required);
-  return line.choice("kernel", {"exact", "double"}) == "exact" ? verify<Exact>(line, mode, demand)
-                                                               : verify<double>(line, mode, demand);
+  const bool rounded = line.choice("kernel", {"exact", "double"}) == "double";
+  return verify_chain(files, rounded, line.has("closed"), mode, demand);
 }

@@ -4,11 +4,12 @@
 
 #include "input.h"
 #include "join_report.h"
+#include "model_json.h"
 #include "progress.h"
 #include "work_limit.h"
 
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Exact_rational.h>
-#include <CGAL/Geometric_continuity/IO/json.h>
 #include <CGAL/Geometric_continuity/Traits_3.h>
 #include <CGAL/Geometric_continuity/models/model_continuity.h>
 #include <CGAL/Geometric_continuity/models/near_edges.h>
@@ -17,16 +18,16 @@
 #include <iostream>
 #include <optional>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 namespace {
 
-typedef GC::Traits_3<CGAL::Simple_cartesian<CGAL::Exact_rational>> Traits;
-typedef Exact FT;
-typedef GC::Model_edge<FT> Edge;
-typedef GC::Model_knot_line<FT> Line;
-typedef GC::Spline_edge_continuity<FT> Continuity;
-typedef GC::Edge_order_within Within;
+// Surfaces with exact numbers, or with floating-point numbers, about which everything is decided exactly as well.
+template <class FT>
+using Surface_traits =
+    GC::Traits_3<std::conditional_t<std::is_same_v<FT, double>, CGAL::Exact_predicates_inexact_constructions_kernel,
+                                    CGAL::Simple_cartesian<FT>>>;
 
 // What is asked of the edges of a model.
 struct Edge_demand {
@@ -35,91 +36,27 @@ struct Edge_demand {
   GC::Work_limit limit; // for each edge
 };
 
-const char* boolean(bool b) { return b ? "true" : "false"; }
-
-std::string order(const GC::Edge_continuity<FT>& e) {
-  return e.g_order < 0 ? to_string(e.defect) : "G" + std::to_string(e.g_order);
-}
-
-// Writes the members that edges, knot lines and spans have in common.
-void write_verdict(std::ostream& os, const GC::Edge_continuity<FT>& e) {
-  os << "\"order\":\"" << order(e) << "\",\"reason\":\"" << e.defect << "\",\"side\":\"" << e.side << '"';
-  if (e.deviation) GC::write_number(os << ",\"angle_at_most\":", e.deviation->largest_angle());
-}
-
-void write_verdict(std::ostream& os, const Continuity& e) {
-  write_verdict(os, static_cast<const GC::Edge_continuity<FT>&>(e));
-  if (e.spans.size() == 1) return;
-  const char* separator = ",\"spans\":[";
-  for (const GC::Edge_span<FT>& span : e.spans) {
-    os << separator << "{\"begin\":\"" << span.begin << "\",\"end\":\"" << span.end << "\",";
-    write_verdict(os, span.continuity);
-    os << '}';
-    separator = ",";
+// Multiplies the parameters that are printed.
+void scale_parameters(Continuity& e, const Exact& factor) {
+  for (GC::Edge_span<Exact>& span : e.spans) {
+    span.begin *= factor;
+    span.end *= factor;
   }
-  os << ']';
 }
 
-void write_json(std::ostream& os, const Within& within) {
-  os << ",\"within\":[\"" << within(0) << "\",\"" << within(1) << "\"]";
-  os << ",\"gap\":";
-  GC::write_json(os, within.deviation.gap);
-  os << ",\"normal_angle\":";
-  GC::write_json(os, within.deviation.normal_angle);
-}
-
-template <class A, class B>
-void write_names(std::ostream& os, std::size_t patch_a, const A& edge_a, std::size_t patch_b, const B& edge_b) {
-  os << "{\"patch_a\":" << patch_a << ",\"edge_a\":\"" << edge_a << "\",\"patch_b\":" << patch_b << ",\"edge_b\":\""
-     << edge_b << '"';
-}
-
-void write_json(std::ostream& os, const Edge& e, const std::optional<Within>& within) {
-  write_names(os, e.patch_a, e.edge_a, *e.patch_b, *e.edge_b);
-  os << ',';
-  write_verdict(os, e.continuity);
-  os << ",\"reversed\":" << boolean(e.continuity.reversed) << ",\"non_manifold\":" << boolean(e.non_manifold);
-  if (within) write_json(os, *within);
-  os << '}';
-}
-
-void write_json(std::ostream& os, const Line& l, const std::optional<Within>& within) {
-  os << "{\"patch\":" << l.patch << ",\"direction\":\"" << (l.line.constant_u ? 'u' : 'v') << "\",\"knot\":\""
-     << l.line.knot << "\",\"multiplicity\":" << l.line.multiplicity << ',';
-  write_verdict(os, l.line.continuity);
-  if (within) write_json(os, *within);
-  os << '}';
-}
-
-void write_json(std::ostream& os, const GC::Near_edges& e) {
-  write_names(os, e.patch_a, e.edge_a, e.patch_b, e.edge_b);
-  os << ",\"reversed\":" << boolean(e.within.deviation.reversed);
-  write_json(os, e.within);
-  os << '}';
-}
-
-// Writes the edges of one kind that are not shared.
-void write_json(std::ostream& os, const std::vector<Edge>& edges, GC::Model_edge_kind kind) {
-  const char* separator = "";
-  for (const Edge& e : edges)
-    if (e.kind == kind) {
-      os << separator << "{\"patch\":" << e.patch_a << ",\"edge\":\"" << e.edge_a << "\"}";
-      separator = ",";
-    }
-}
-
-// The decisions on a model, exact and within the tolerance.
+// The decisions on a model, exact and within the tolerance. Parameters are printed times `parameter_unit`.
 template <class Surface> class Model_report {
   const std::vector<Surface>& surfaces_;
   const Report_mode mode_;
   const Edge_demand demand_;
-  const GC::Model_continuity<FT> model_;
+  GC::Model_continuity<Exact> model_;
   std::vector<std::optional<Within>> edges_, lines_; // as those of the model
   std::vector<GC::Near_edges> near_;
   std::size_t failing_edges_ = 0, failing_lines_ = 0, undecided_ = 0;
 
 public:
-  Model_report(const std::vector<Surface>& surfaces, const Report_mode& mode, const Edge_demand& demand)
+  Model_report(const std::vector<Surface>& surfaces, const Report_mode& mode, const Edge_demand& demand,
+               const Exact& parameter_unit)
       : surfaces_(surfaces), mode_(mode), demand_(demand), model_(decided(surfaces, demand.limit)) {
     Progress progress("edges and knot lines within the tolerance");
     const auto step = [&] {
@@ -147,6 +84,13 @@ public:
       failing_edges_ += fails(-1, e.within);
       undecided_ += is_undecided(e.within);
     }
+    if (parameter_unit != 1) {
+      for (Edge& e : model_.edges) scale_parameters(e.continuity, parameter_unit);
+      for (Line& l : model_.knot_lines) {
+        scale_parameters(l.line.continuity, parameter_unit);
+        l.line.knot *= parameter_unit;
+      }
+    }
   }
 
   // Prints the report and returns the exit code.
@@ -163,13 +107,14 @@ private:
   void print_text() const;
   void print_verdict() const;
 
-  static GC::Model_continuity<FT> decided(const std::vector<Surface>& surfaces, GC::Work_limit limit) {
+  static GC::Model_continuity<Exact> decided(const std::vector<Surface>& surfaces, GC::Work_limit limit) {
     Progress progress("edges and knot lines");
-    return GC::model_continuity(surfaces, limit, [&](std::size_t n) { progress.step(n); });
+    return GC::model_continuity<CGAL::Parallel_if_available_tag>(surfaces, limit,
+                                                                 [&](std::size_t n) { progress.step(n); });
   }
 
-  static std::vector<GC::Near_edges> near(const std::vector<Surface>& surfaces, const GC::Model_continuity<FT>& model,
-                                          const Edge_demand& demand) {
+  static std::vector<GC::Near_edges> near(const std::vector<Surface>& surfaces,
+                                          const GC::Model_continuity<Exact>& model, const Edge_demand& demand) {
     Progress progress("boundary edges");
     const auto part = [&](std::size_t n) { return double(n) / double(model.summary.boundary); };
     return GC::near_edges(surfaces, model, *demand.tolerance, demand.limit,
@@ -194,6 +139,15 @@ private:
            ((*within)(0) == GC::Verdict::undecided || (*within)(1) == GC::Verdict::undecided);
   }
 
+  // What is printed: everything, or only what fails.
+  bool is_printed(const Edge& e, const std::optional<Within>& within) const {
+    return !mode_.summary || (e.kind == GC::Model_edge_kind::shared && fails(e.continuity.g_order, within));
+  }
+  bool is_printed(const Line& l, const std::optional<Within>& within) const {
+    return !mode_.summary || fails(l.line.continuity.g_order, within);
+  }
+  bool is_printed(const GC::Near_edges& e) const { return !mode_.summary || fails(-1, e.within); }
+
   static void print(const std::optional<Within>& within) {
     if (within) print(*within);
   }
@@ -207,7 +161,7 @@ template <class Surface> void Model_report<Surface>::print_json() const {
   std::cout << "{\"edges\":[";
   const char* separator = "\n ";
   for (std::size_t i = 0; i < model_.edges.size(); ++i)
-    if (model_.edges[i].kind == GC::Model_edge_kind::shared) {
+    if (model_.edges[i].kind == GC::Model_edge_kind::shared && is_printed(model_.edges[i], edges_[i])) {
       std::cout << separator;
       write_json(std::cout, model_.edges[i], edges_[i]);
       separator = ",\n ";
@@ -215,6 +169,7 @@ template <class Surface> void Model_report<Surface>::print_json() const {
   std::cout << "],\n \"knot_lines\":[";
   separator = "\n ";
   for (std::size_t i = 0; i < lines_.size(); ++i) {
+    if (!is_printed(model_.knot_lines[i], lines_[i])) continue;
     std::cout << separator;
     write_json(std::cout, model_.knot_lines[i], lines_[i]);
     separator = ",\n ";
@@ -223,15 +178,18 @@ template <class Surface> void Model_report<Surface>::print_json() const {
     std::cout << "],\n \"near_edges\":[";
     separator = "\n ";
     for (const GC::Near_edges& e : near_) {
+      if (!is_printed(e)) continue;
       std::cout << separator;
       write_json(std::cout, e);
       separator = ",\n ";
     }
   }
-  std::cout << "],\n \"boundary_edges\":[";
-  write_json(std::cout, model_.edges, GC::Model_edge_kind::boundary);
-  std::cout << "],\n \"collapsed_edges\":[";
-  write_json(std::cout, model_.edges, GC::Model_edge_kind::collapsed);
+  if (!mode_.summary) {
+    std::cout << "],\n \"boundary_edges\":[";
+    write_json(std::cout, model_.edges, GC::Model_edge_kind::boundary);
+    std::cout << "],\n \"collapsed_edges\":[";
+    write_json(std::cout, model_.edges, GC::Model_edge_kind::collapsed);
+  }
   const GC::Model_summary& s = model_.summary;
   std::cout << "],\n \"summary\":{\"G2\":" << s.g2 << ",\"G1\":" << s.g1 << ",\"G0\":" << s.g0
             << ",\"boundary\":" << s.boundary << ",\"collapsed\":" << s.collapsed
@@ -246,14 +204,17 @@ template <class Surface> void Model_report<Surface>::print_json() const {
 
 template <class Surface> void Model_report<Surface>::print_text() const {
   for (std::size_t i = 0; i < edges_.size(); ++i) {
+    if (!is_printed(model_.edges[i], edges_[i])) continue;
     std::cout << model_.edges[i] << '\n';
     print(edges_[i]);
   }
   for (std::size_t i = 0; i < lines_.size(); ++i) {
+    if (!is_printed(model_.knot_lines[i], lines_[i])) continue;
     std::cout << model_.knot_lines[i] << '\n';
     print(lines_[i]);
   }
   for (const GC::Near_edges& e : near_) {
+    if (!is_printed(e)) continue;
     std::cout << e << '\n';
     print(e.within);
   }
@@ -283,15 +244,37 @@ template <class Surface> void Model_report<Surface>::print_verdict() const {
     std::cout << failing_lines_ << (failing_lines_ == 1 ? " knot line not " : " knot lines not ") << order << '\n';
 }
 
+// Decides the edges of surfaces with numbers FT, whose parameters are those of the files divided by `parameter_unit`. With a
+// tolerance the coordinates are those of the files.
+template <class FT>
+int verify_surfaces_on(const Surface_model<Surface_traits<FT>>& model, const std::string& name, const Report_mode& mode,
+                       const Edge_demand& demand, const Exact& parameter_unit) {
+  return within_work_limit([&] { return name; },
+                           [&] {
+                             return model.visit([&](const auto& surfaces) {
+                               return Model_report(surfaces, mode, demand, parameter_unit).print();
+                             });
+                           });
+}
+
 } // namespace
 
 int verify_surfaces(const Arguments& files, const Report_mode& mode, const std::optional<int>& required_g_order,
                     const std::optional<GC::Edge_tolerance>& tolerance, GC::Work_limit limit) {
-  const Surface_model<Traits> model = read_surfaces<Traits>(files);
-  return within_work_limit([&] { return files.size() == 1 ? input_name(files[0]) : input_name(files[0]) + ", ..."; },
-                           [&] {
-                             return model.visit([&](const auto& surfaces) {
-                               return Model_report(surfaces, mode, {required_g_order, tolerance, limit}).print();
-                             });
-                           });
+  typedef Surface_traits<Exact> Exact_traits;
+  typedef Surface_traits<double> Double_traits;
+  const std::string name = files.size() == 1 ? input_name(files[0]) : input_name(files[0]) + ", ...";
+  const Edge_demand demand{required_g_order, tolerance, limit};
+  Surface_texts<Exact_traits> texts = read_surface_texts<Exact_traits>(files);
+  if (!tolerance) { // which is in the units of the files
+    GC::G2_grid grid;
+    std::vector<GC::Bspline_surface<Double_traits>> surfaces;
+    if (texts.on_grid(grid, surfaces)) {
+      Exact unit(1);
+      for (int e = grid.exponent_of_knots(); e < 0; ++e) unit /= Exact(10);
+      Surface_model<Double_traits> model(std::move(surfaces));
+      return verify_surfaces_on<double>(model, name, mode, demand, unit);
+    }
+  }
+  return verify_surfaces_on<Exact>(texts.model(), name, mode, demand, Exact(1));
 }

@@ -9,8 +9,8 @@
 #include "support/errors.h"
 
 #include <CGAL/Exact_rational.h>
-#include <CGAL/Geometric_continuity/IO/G2_end_jet_reader.h>
 #include <CGAL/Geometric_continuity/IO/G2_piece_reader.h>
+#include <CGAL/Geometric_continuity/IO/G2_span_reader.h>
 #include <CGAL/Geometric_continuity/IO/g2.h>
 #include <CGAL/Geometric_continuity/Traits_2.h>
 #include <CGAL/Simple_cartesian.h>
@@ -41,15 +41,16 @@ template <class Source> Pieces read_pieces(const std::string& text) {
 }
 
 // Whether the jets at the ends of these pieces are read.
-template <class Source> bool reads_ends(const std::string& text, int order, const Pieces& pieces) {
+template <class Number> bool reads_ends(const std::string& text, int order, const Pieces& pieces) {
   std::istringstream is(text);
-  GC::G2_end_jet_reader<Exact, Source> reader(is, "f.g2", order);
+  GC::G2_span_reader<Exact, Number> reader(is, "f.g2", order);
+  GC::G2_span<Exact, Number> span;
   for (const GC::Rational_bezier_curve<Exact>& piece : pieces) {
-    const std::optional<GC::Curve_end_jets<Exact>> ends = reader.next();
-    if (!ends || ends->start_jet(order) != piece.start_jet(order) || ends->end_jet(order) != piece.end_jet(order))
-      return false;
+    if (!reader.next(span)) return false;
+    const GC::Curve_end_jets<Exact>& ends = span.jets();
+    if (ends.start_jet(order) != piece.start_jet(order) || ends.end_jet(order) != piece.end_jet(order)) return false;
   }
-  return !reader.next();
+  return !reader.next(span);
 }
 
 // The pieces of the curves that are read as a whole.
@@ -87,10 +88,10 @@ BOOST_AUTO_TEST_CASE(the_pieces_are_those_of_the_curves) {
   BOOST_CHECK_GT(expected.size(), 400);
   BOOST_CHECK(read_pieces<Exact>(text.str()) == expected);
   BOOST_CHECK(read_pieces<Rounded>(text.str()) == expected);
-  for (int order : {0, 3, 20}) BOOST_CHECK(reads_ends<Exact>(text.str(), order, expected));
-  BOOST_CHECK(reads_ends<Rounded>(text.str(), 3, expected));
+  for (int order : {0, 3, 20}) BOOST_CHECK(reads_ends<GC::Text_number>(text.str(), order, expected));
+  BOOST_CHECK(reads_ends<double>(text.str(), 3, expected));
   std::istringstream is(text.str());
-  CHECK_ERROR((GC::G2_end_jet_reader<Exact>(is, "f.g2", -1)), negative_count);
+  CHECK_ERROR((GC::G2_span_reader<Exact>(is, "f.g2", -1)), negative_count);
 }
 
 // Numbers are rounded where the source says so, and before anything is computed.

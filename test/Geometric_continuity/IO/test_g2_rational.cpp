@@ -187,9 +187,64 @@ BOOST_AUTO_TEST_CASE(elementary_classes) {
       error("130 1 0 0\n2\n"),
       "malformed_input: f.g2:1: 130 (circle) where a curve (100) is expected; its numbers, such as angles in "
       "radians, are not exact: write it as a rational spline");
-  BOOST_CHECK(error("250 1 0 0\n").find("250 (plane) where a curve (100) is expected; its") != std::string::npos);
+  BOOST_CHECK_EQUAL(error("250 1 0 0\n"), "malformed_input: f.g2:1: 250 (plane) where a curve (100) is expected");
   BOOST_CHECK_EQUAL(error_of([] { surfaces_in<Q3>("120 1 0 0\n3\n"); }),
                     "malformed_input: f.g2:1: 120 (line) where a surface (200) is expected");
+}
+
+// A plane with exact axes is a surface of degree 1 by 1.
+BOOST_AUTO_TEST_CASE(planes) {
+  const std::string axes = "250 1 0 0\n3\n1 2 3\n0 0 1\n3/5 4/5 0\n";
+  const auto corners = [](const auto& s) {
+    return std::vector<Q3::Point>{s.control_point(0, 0), s.control_point(1, 0), s.control_point(0, 1),
+                                  s.control_point(1, 1)};
+  };
+  const auto interval = [](int a, int b) { return std::make_pair(Q(a), Q(b)); };
+  // (1, 2, 3) + u (3, 4, 0)/5 + v (-4, 3, 0)/5
+  const std::vector<Q3::Point> points = {{1, 2, 3}, {7, 10, 3}, {-3, 5, 3}, {3, 13, 3}};
+  std::string all;
+  for (const std::string end : {"1\n0 10\n0 5\n", "1\n0 10 0 5\n0\n", "11\n0 10\n0 5\n2 3\n-1 1\n0\n",
+                                "11 0 10 0 5 2 3 -1 1", "1 0 10 0 5 1\n"}) {
+    const GC::Rational_bspline_surface<Q3> s = surfaces_in<Q3>(axes + end).front();
+    const bool swapped = end.back() == '\n' && end[end.size() - 2] == '1' && end[0] == '1' && end[1] == ' ';
+    std::vector<Q3::Point> expected = points;
+    if (swapped) std::swap(expected[1], expected[2]);
+    BOOST_CHECK(corners(s) == expected && s.is_polynomial() && s.degree_u() == 1 && s.degree_v() == 1);
+    const bool domain = end[1] == '1';
+    BOOST_CHECK(s.domain_u() == (domain ? interval(2, 3) : swapped ? interval(0, 5) : interval(0, 10)));
+    BOOST_CHECK(s.domain_v() == (domain ? interval(-1, 1) : swapped ? interval(0, 10) : interval(0, 5)));
+    all += axes + end + "\n" + text_of(s);
+  }
+  BOOST_CHECK_EQUAL(surfaces_in<Q3>(all).size(), 10u); // what follows is read as well
+  // axes of rational lengths, as rational and as floating-point numbers
+  const std::string longer = "250 1 0 0\n3\n0 0 0\n2 -2 1\n.1 .2 .2\n1\n0 3\n0 3\n";
+  BOOST_CHECK((corners(surfaces_in<Q3>(longer).front()) ==
+               std::vector<Q3::Point>{{0, 0, 0}, {1, 2, 2}, {-2, -1, 2}, {-1, 1, 4}}));
+  BOOST_CHECK(surfaces_in<D3>(longer).front().control_point(1, 1) == D3::Point(-1, 1, 4));
+  std::istringstream patches(longer);
+  BOOST_CHECK_EQUAL(GC::read_g2_surfaces<Q3>(patches, "f.g2").size(), 1u); // as a Bezier_patch
+
+  const auto error = [](const std::string& text) { return error_of([&] { surfaces_in<Q3>(text); }); };
+  const std::string not_exact =
+      ": a plane whose axes are no unit vectors at right angles in exact numbers: write it as a "
+      "spline surface of the orders 2";
+  for (const std::string wrong :
+       {"0 0 1\n1 0 1e-9", "1 1 0\n0 0 1", "0 0 0\n1 0 0", "0 0 1\n0.7071067811865475 0.7071067811865475 0"})
+    BOOST_CHECK_EQUAL(error("250 1 0 0\n3\n0 0 0\n" + wrong + "\n1\n0 1\n0 1\n"),
+                      "malformed_input: f.g2:5" + not_exact);
+  BOOST_CHECK_EQUAL(error(axes + "0\n"), "malformed_input: f.g2:6: a plane without bounds; a surface has four edges");
+  BOOST_CHECK_EQUAL(error(axes + "7\n"),
+                    "malformed_input: f.g2:6: the flag of the bounds of a plane is neither 0 nor 1 nor 11");
+  BOOST_CHECK_EQUAL(error(axes + "1\n0 1\n2 2\n\n100"),
+                    "malformed_input: f.g2:8: the bounds of a plane do not increase: empty domain");
+  BOOST_CHECK_EQUAL(error(axes + "11\n0 1\n1 2\n3 3 0 1"),
+                    "malformed_input: f.g2:9: the bounds of a plane do not increase: empty domain");
+  BOOST_CHECK_EQUAL(error(axes + "1\n0 1 0 1\n2\n"), "malformed_input: f.g2:8: 2 where a surface (200) is expected");
+  BOOST_CHECK_EQUAL(error(axes + "1\n0 1 0"), "malformed_input: f.g2:7: file ends after 0 of 1 planes");
+  BOOST_CHECK_EQUAL(error_of([] { surfaces_in<Q2>("250 1 0 0\n2\n"); }),
+                    "malformed_input: f.g2:2: a plane of dimension 2 where 3 is expected");
+  BOOST_CHECK_EQUAL(error_of([&] { surfaces_in<D3>(axes + "1\n1 1.00000000000000000001 0 1\n"); }),
+                    "malformed_input: f.g2:7: the ends of the domain of a plane are the same floating-point number");
 }
 
 BOOST_AUTO_TEST_SUITE_END()

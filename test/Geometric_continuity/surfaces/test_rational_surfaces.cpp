@@ -180,7 +180,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(denominators, Traits, All_traits) {
   std::vector<std::vector<FT>> touching(3);
   for (int i = 0; i < 3; ++i)
     for (int j = 0; j < 3; ++j) touching[i].push_back(FT(square[i] + square[j]));
-  CHECK_ERROR(Patch<Traits>(net, touching), work_limit);
+  CHECK_ERROR(Patch<Traits>(net, touching), zero_weight);
   // (u-v)^2 + epsilon needs the more rectangles the smaller epsilon is, along the whole diagonal
   const auto near_diagonal = [&](const FT& epsilon) {
     std::vector<std::vector<FT>> weights(3);

@@ -8,6 +8,7 @@
 #include <CGAL/Geometric_continuity/IO/internal/G2_spline_parts.h>
 #include <CGAL/Geometric_continuity/curves/Rational_bspline_curve.h>
 
+#include <algorithm>
 #include <istream>
 #include <optional>
 #include <string>
@@ -30,23 +31,38 @@ namespace Geometric_continuity {
 /// \tparam Source a model of `GeometricContinuityTraits` of the same dimension. Numbers are read as `Source::FT`, which
 ///   `parse_number()` accepts, and converted to `Traits::FT` before anything is computed
 template <class Traits, class Source = Traits> class G2_piece_reader {
-  internal::G2_spline_parts<Traits, Source, Rational_bezier_curve<Traits>> parts_;
+  static constexpr int highest_order = 16; // of a curve that is cut span by span
+
+  internal::G2_spline_parts<typename Source::FT, dimension_v<Traits>> parts_;
   Work_limit limit_;
+  std::vector<Rational_bezier_curve<Traits>> pieces_; // of the last part: what is left, the next one last
 
 public:
   /// Reads from `is`, which must outlive the reader. Error messages begin with `name`. The limit is that for each piece.
   /// \throws Error `cannot_read_file` when the stream is not good
   G2_piece_reader(std::istream& is, std::string name, Work_limit limit = Work_limit())
-      : parts_(is, std::move(name)), limit_(limit) {}
+      : parts_(is, std::move(name), highest_order), limit_(limit) {}
 
   /// Returns the next piece, or nothing at the end of the text. After an error the reader cannot be used any more.
   /// \throws Error as `G2_bspline_reader` does, `work_limit`
   std::optional<Rational_bezier_curve<Traits>> next() {
-    return parts_.next([this](const auto& curve) {
-      std::vector<Rational_bezier_curve<Traits>> pieces;
-      for (const auto& piece : curve.bezier_pieces(limit_)) pieces.emplace_back(piece);
-      return pieces;
-    });
+    while (pieces_.empty()) {
+      internal::G2_spline_part<typename Source::FT> part;
+      if (!parts_.next(part)) return std::nullopt;
+      if (part.rational)
+        parts_.checked([&] { add_pieces(internal::rational_curve<Traits>(part)); });
+      else
+        add_pieces(internal::polynomial_curve<Traits>(part));
+    }
+    std::optional<Rational_bezier_curve<Traits>> piece(std::move(pieces_.back()));
+    pieces_.pop_back();
+    return piece;
+  }
+
+private:
+  template <class Curve> void add_pieces(const Curve& curve) {
+    for (const auto& piece : curve.bezier_pieces(limit_)) pieces_.emplace_back(piece);
+    std::reverse(pieces_.begin(), pieces_.end());
   }
 };
 

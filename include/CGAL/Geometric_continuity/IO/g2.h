@@ -18,8 +18,11 @@
 ///   \f$ w \f$.
 ///
 /// A line, `120`, with its dimension, location, direction, 1 and the parameters of its two ends, is read as a curve of degree 1.
-/// Circles, planes and other elementary classes are refused: their angles in radians and normalised directions are not exact
-/// numbers. As rational splines they are.
+/// A plane, `250`, with its dimension 3, location, normal, axis, 1 and the bounds of both parameters, is read as a surface of degree
+/// 1 by 1 if its normal and its axis are orthogonal and have rational lengths, by which they are divided; so are planes with the
+/// flag 11, the bounds and the domain, and those with the flag, 0 or 1, that says whether the parameters change places.
+/// Circles, cylinders and other elementary classes are refused: their angles in radians are not exact numbers. As rational
+/// splines they are.
 ///
 /// A surface has the class `200`, and in place of the third line the same numbers for `u` and then for `v`. Its control
 /// points are \f$ b_{00}, b_{10}, \dots, b_{m-1,0}, b_{01}, \dots, b_{m-1,n-1} \f$: the index that belongs to `u` runs
@@ -39,6 +42,7 @@
 #include <CGAL/Geometric_continuity/surfaces/Rational_bspline_surface.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <istream>
 #include <optional>
 #include <ostream>
@@ -67,6 +71,29 @@ template <class Curve, class Points, class Direction> Curve rational_g2_curve(co
   }
 }
 
+// The control points that have been read one after the other, in rows of constant i.
+template <class T, class Direction>
+std::vector<std::vector<T>> g2_net(const std::vector<T>& points, const Direction& u) {
+  std::vector<std::vector<T>> rows(u.points);
+  for (std::size_t k = 0; k < points.size(); ++k) rows[k % static_cast<std::size_t>(u.points)].push_back(points[k]);
+  return rows;
+}
+
+// A rational Bezier or B-spline surface from what has been read.
+template <class Surface, class Points, class Direction>
+Surface rational_g2_surface(const Points& w, const Direction& u, const Direction& v) {
+  typedef typename Surface::FT FT;
+  if constexpr (std::is_same_v<Surface, Rational_bspline_surface<typename Surface::Traits>>) {
+    const Knot_vector<FT> a(u.order - 1, u.knots), b(v.order - 1, v.knots);
+    if (w.infinite()) return Surface(typename Surface::Homogeneous(g2_net(w.rows(), u), a, b));
+    return Surface(g2_net(w.points, u), g2_net(w.weights, u), a, b);
+  } else {
+    const std::pair<FT, FT> a(u.knots.front(), u.knots.back()), b(v.knots.front(), v.knots.back());
+    if (w.infinite()) return Surface(typename Surface::Homogeneous(g2_net(w.rows(), u), a, b));
+    return Surface(g2_net(w.points, u), g2_net(w.weights, u), a, b);
+  }
+}
+
 } // namespace internal
 
 /// \ingroup PkgGeometricContinuityIO
@@ -91,7 +118,7 @@ template <class Traits, class Curve = Bezier_curve<Traits>> class G2_curve_reade
 
   typedef typename Traits::FT FT;
 
-  internal::G2_parser<Traits> parser_;
+  internal::G2_parser<FT, dimension_v<Traits>> parser_;
 
 public:
   /// Reads from `is`, which must outlive the reader. Error messages begin with `name`.
@@ -109,7 +136,7 @@ public:
     if constexpr (rational)
       if (parser_.rational()) return read_rational(u);
     std::vector<typename Traits::Point> points;
-    for (int j = 0; j < u.points; ++j) points.push_back(parser_.read_point(j, u.points));
+    for (int j = 0; j < u.points; ++j) points.push_back(to_point<Traits>(parser_.read_point(j, u.points)));
     if constexpr (bezier)
       return Curve(Bezier_curve<Traits>(points.begin(), points.end(), u.knots.front(), u.knots.back()));
     else
@@ -119,7 +146,7 @@ public:
 
 private:
   Curve read_rational(const internal::G2_direction<FT>& u) {
-    internal::G2_weighted_points<Traits, typename internal::G2_parser<Traits>::Exact> w;
+    internal::G2_weighted_points<Traits, typename Exact_field<FT>::type> w;
     for (int j = 0; j < u.points; ++j) {
       const auto row = parser_.read_homogeneous_point(j, u.points);
       parser_.checked([&] { w.push_back(row); });
@@ -156,7 +183,7 @@ template <class Traits, class Surface = Bezier_patch<Traits>> class G2_surface_r
   typedef typename Traits::FT FT;
   typedef internal::G2_direction<FT> Direction;
 
-  internal::G2_parser<Traits> parser_;
+  internal::G2_parser<FT, dimension_v<Traits>> parser_;
 
 public:
   /// Reads from `is`, which must outlive the reader. Error messages begin with `name`.
@@ -187,7 +214,7 @@ public:
       }
     const long long all = static_cast<long long>(u.points) * v.points;
     std::vector<std::vector<typename Traits::Point>> net(u.points);
-    for (long long k = 0; k < all; ++k) net[k % u.points].push_back(parser_.read_point(k, all));
+    for (long long k = 0; k < all; ++k) net[k % u.points].push_back(to_point<Traits>(parser_.read_point(k, all)));
     if constexpr (bezier)
       f(Bezier_patch<Traits>(net, {u.knots.front(), u.knots.back()}, {v.knots.front(), v.knots.back()}));
     else
@@ -199,27 +226,12 @@ public:
 private:
   Surface read_rational(const Direction& u, const Direction& v) {
     const long long all = static_cast<long long>(u.points) * v.points;
-    internal::G2_weighted_points<Traits, typename internal::G2_parser<Traits>::Exact> w;
+    internal::G2_weighted_points<Traits, typename Exact_field<FT>::type> w;
     for (long long k = 0; k < all; ++k) {
       const auto row = parser_.read_homogeneous_point(k, all);
       parser_.checked([&] { w.push_back(row); });
     }
-    const auto net = [&](const auto& all_of_them) { // in rows of constant i
-      std::vector<std::vector<std::decay_t<decltype(all_of_them[0])>>> rows(u.points);
-      for (long long k = 0; k < all; ++k) rows[k % u.points].push_back(all_of_them[k]);
-      return rows;
-    };
-    return parser_.checked([&]() -> Surface {
-      if constexpr (bezier) {
-        const std::pair<FT, FT> a(u.knots.front(), u.knots.back()), b(v.knots.front(), v.knots.back());
-        if (w.infinite()) return Surface(typename Surface::Homogeneous(net(w.rows()), a, b));
-        return Surface(net(w.points), net(w.weights), a, b);
-      } else {
-        const Knot_vector<FT> a(u.order - 1, u.knots), b(v.order - 1, v.knots);
-        if (w.infinite()) return Surface(typename Surface::Homogeneous(net(w.rows()), a, b));
-        return Surface(net(w.points), net(w.weights), a, b);
-      }
-    });
+    return parser_.checked([&] { return internal::rational_g2_surface<Surface>(w, u, v); });
   }
 };
 

@@ -47,14 +47,14 @@ Spline_edge_continuity<Field> decide_spans(const std::vector<Edge_piece<Field, N
   return result;
 }
 
-// Of two whole edges along which the surfaces have an order of 1 or 2 and are one polynomial each.
+// Of two whole edges along which the surfaces are one polynomial each, from the verdict in the parameters of the first.
 template <class Field>
-Spline_edge_continuity<Field> whole_smooth_edge(int order, Edge_direction direction,
-                                                const std::pair<Field, Field>& domain_a,
-                                                const std::pair<Field, Field>& domain_b) {
+Spline_edge_continuity<Field> verdict_on_whole_edge(Edge_continuity<Field> verdict, Edge_direction direction,
+                                                    const std::pair<Field, Field>& domain_a,
+                                                    const std::pair<Field, Field>& domain_b) {
   Spline_edge_continuity<Field> result;
   Edge_continuity<Field>& e = result;
-  e = smooth_continuity<Field>(order, domain_a);
+  e = std::move(verdict);
   e.reversed = direction == Edge_direction::opposite;
   result.spans.push_back({domain_a.first, domain_a.second, e});
   result.part_a = domain_a;
@@ -75,17 +75,21 @@ auto decide_surfaces(const Surface_a& a, Patch_edge edge_a, const Surface_b& b, 
   if constexpr (N == 4)
     if (has_equal_weights(a) && has_equal_weights(b))
       return decide_surfaces(without_weights(a), edge_a, without_weights(b), edge_b, find_match, limit);
+  Work_meter work(limit, "edge_continuity");
   std::optional<Edge_direction> direction;
   if constexpr (N == 3) {
     Edge_layers x, y;
     if (edge_layers(a, edge_a, b, edge_b, 2, x, y)) direction = common_direction(x, y);
     if (direction) {
       if (*direction == Edge_direction::opposite) y.reverse();
+      const std::pair<Field, Field> domain_a = edge_domain<Field>(a, edge_a), domain_b = edge_domain<Field>(b, edge_b);
       if (const std::optional<int> order = smooth_order(x, y))
-        return whole_smooth_edge(*order, *direction, edge_domain<Field>(a, edge_a), edge_domain<Field>(b, edge_b));
+        return verdict_on_whole_edge(smooth_continuity<Field>(*order, domain_a), *direction, domain_a, domain_b);
+      if (std::optional<Edge_continuity<Field>> crease = crease_on_grid<Field>(x, y, work))
+        return verdict_on_whole_edge(on_interval(domain_a.first, domain_a.second, *std::move(crease)).continuity,
+                                     *direction, domain_a, domain_b);
     }
   }
-  Work_meter work(limit, "edge_continuity");
   const std::vector<Edge_piece<Field, N>> pieces_a = edge_pieces_in<N>(a, edge_a, work),
                                           pieces_b = edge_pieces_in<N>(b, edge_b, work);
   if (direction) // and the stages of fixed length have been tried
@@ -168,7 +172,9 @@ Edge_continuity<typename Exact_field<FT>::type> edge_continuity(const Edge_rows<
 /// Rows of homogeneous points, `N = 4`, are those of rational surfaces. Then edges are the same curve where their homogeneous
 /// points differ by a constant factor on each span, and the conditions are those of the tangent planes in homogeneous space, with
 /// \f$ C \wedge C' \wedge T \f$ in place of \f$ C' \times T \f$. Edges that are the same points in another rational
-/// parametrisation, or with a factor that is not constant, are not recognised as the same, unless they are collapsed.
+/// parametrisation, or with a factor that is not constant, are not recognised as the same, unless they are collapsed. With
+/// one degree and the same knots this happens where the weights of one edge are those of the other times \f$ c^i \f$, and where the
+/// homogeneous points of both have been multiplied by different polynomials: both curves are then of less degree than they seem.
 /// \tparam FT a field number type; for floating-point numbers all is exact in the numbers as given
 /// \tparam N the number of coordinates: 3, or 4 for homogeneous points
 /// \throws Error `wrong_number_of_points` when the rows do not fit the knots, `not_finite`, `work_limit`; `zero_weight` where

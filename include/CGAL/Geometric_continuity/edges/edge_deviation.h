@@ -91,7 +91,7 @@ template <class Field, int N> Enclosure largest_distance(const Edge_sides<Field,
   const Ring k = twice_the_quotient(s.elevated_to(degree), q.elevated_to(degree), 64, work);
   const Polynomial factor(std::vector<Ring>(1, k)), acute(std::vector<Ring>(1, Ring(-1)));
   const Normal_deviation<Exact> largest =
-      Largest_measure<Exact>(s.elevated_to(degree), factor * q.elevated_to(degree), acute, work)();
+      largest_measure<Exact>(s.elevated_to(degree), factor * q.elevated_to(degree), acute, work);
   const auto distance = [&](const Exact& measure) { // of homogeneous points the common denominator cancels out
     return root_enclosure(sides.denominator.divided(Exact(measure * Exact(k)), N == 4 ? 0 : 2));
   };

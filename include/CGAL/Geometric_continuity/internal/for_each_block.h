@@ -19,11 +19,12 @@ namespace CGAL {
 namespace Geometric_continuity {
 namespace internal {
 
-// Calls work(begin, end) for consecutive parts of [0, n), on several cores with Parallel_tag.
-template <class Concurrency_tag, class Work> void for_each_block(std::size_t n, const Work& work) {
+// Calls work(begin, end) for consecutive parts of [0, n), on several cores with Parallel_tag, where they are halved while they
+// are larger than `grain`.
+template <class Concurrency_tag, class Work>
+void for_each_block(std::size_t n, const Work& work, [[maybe_unused]] std::size_t grain = 1024) {
 #ifdef CGAL_LINKED_WITH_TBB
   if constexpr (std::is_convertible_v<Concurrency_tag, Parallel_tag>) {
-    constexpr std::size_t grain = 1024;
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, n, grain),
                       [&](const tbb::blocked_range<std::size_t>& r) { work(r.begin(), r.end()); });
     return;

@@ -50,6 +50,14 @@ public:
       ++counts_[static_cast<int>(kind)][order_of(join, kind)];
   }
 
+  /// Counts the joins of another part of the chain.
+  Chain_summary& operator+=(const Chain_summary& other) {
+    joins_ += other.joins_;
+    for (std::size_t kind = 0; kind < counts_.size(); ++kind)
+      for (const auto& [order, count] : other.counts_[kind]) counts_[kind][order] += count;
+    return *this;
+  }
+
   /// Returns the number of joins.
   std::size_t joins() const { return joins_; }
 

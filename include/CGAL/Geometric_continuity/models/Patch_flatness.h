@@ -15,6 +15,7 @@
 #include <limits>
 #include <optional>
 #include <utility>
+#include <vector>
 
 namespace CGAL {
 namespace Geometric_continuity {
@@ -61,7 +62,7 @@ public:
   /// Computes the bounds of a patch; they are infinite when second differences overflow. Linear in the number of control
   /// points. It needs `CGAL::to_interval()`.
   template <class Traits> explicit Patch_flatness(const Bezier_patch<Traits>& s) {
-    const Derivatives d = derivatives<2>(s.degree_u(), s.degree_v(), [&](int i, int j) { return s.coordinates(i, j); });
+    const Derivatives d = derivatives<2>(s.degree_u(), s.degree_v(), columns(s));
     uu_ = upwards(d.uu);
     uv_ = upwards(d.uv);
     vv_ = upwards(d.vv);
@@ -126,9 +127,19 @@ private:
     double u = 0, v = 0, uu = 0, uv = 0, vv = 0;
   };
 
-  // From the order `first` on, 1 or 2; point(i, j) is a column.
-  template <int first, class Point> static Derivatives derivatives(int p, int q, Point point) {
+  // The control points.
+  template <class Patch> static std::vector<Coordinates<typename Patch::Traits>> columns(const Patch& s) {
+    std::vector<Coordinates<typename Patch::Traits>> net;
+    net.reserve(static_cast<std::size_t>(s.degree_u() + 1) * (s.degree_v() + 1));
+    for (int i = 0; i <= s.degree_u(); ++i)
+      for (int j = 0; j <= s.degree_v(); ++j) net.push_back(s.coordinates(i, j));
+    return net;
+  }
+
+  // From the order `first` on, 1 or 2, of a polynomial with these coefficients.
+  template <int first, class Column> static Derivatives derivatives(int p, int q, const std::vector<Column>& net) {
     Derivatives d;
+    const auto point = [&](int i, int j) -> const Column& { return net[static_cast<std::size_t>(i) * (q + 1) + j]; };
     const auto raise = [](double& bound, double factor, const auto& difference) {
       bound = (std::max)(bound, factor * length(difference));
     };
@@ -162,23 +173,22 @@ private:
 
   // A part that is a `u`-th by a `v`-th of the patch. \pre all weights are positive
   template <class Traits> void include(const Rational_bezier_patch<Traits>& s, double u, double v) {
-    typedef Geometric_continuity::Coordinates<Traits> Coordinates;
     typedef Coordinate_vector<typename Traits::FT, 1> Number;
     const int p = s.degree_u(), q = s.degree_v();
-    const Coordinates c = s.coordinates(p / 2, q / 2);
-    const Derivatives Q =
-        derivatives<1>(p, q, [&](int i, int j) { return Coordinates(s.weight(i, j) * (s.coordinates(i, j) - c)); });
-    const Derivatives w = derivatives<1>(p, q, [&](int i, int j) {
-      Number x(1);
-      x[0] = s.weight(i, j);
-      return x;
-    });
+    std::vector<Coordinates<Traits>> net = columns(s);
+    const Coordinates<Traits> c = s.coordinates(p / 2, q / 2);
+    std::vector<Number> weights;
     double R = 0, m = std::numeric_limits<double>::infinity();
-    for (int i = 0; i <= p; ++i)
-      for (int j = 0; j <= q; ++j) {
-        R = (std::max)(R, length(s.coordinates(i, j) - c));
-        m = (std::min)(m, CGAL::to_interval(s.weight(i, j)).first);
-      }
+    auto weight = s.weights().begin();
+    for (Coordinates<Traits>& x : net) { // becomes Q
+      x -= c;
+      R = (std::max)(R, length(x));
+      m = (std::min)(m, CGAL::to_interval(*weight).first);
+      x *= *weight;
+      weights.emplace_back(1);
+      weights.back()[0] = *weight++;
+    }
+    const Derivatives Q = derivatives<1>(p, q, net), w = derivatives<1>(p, q, weights);
     const double su = (Q.u + w.u * R) / m, sv = (Q.v + w.v * R) / m;
     const auto raise = [](double& bound, double x) {
       bound = (std::max)(bound, std::isfinite(x) ? upwards(x) : std::numeric_limits<double>::infinity());
@@ -209,7 +219,7 @@ private:
     return x > 0 ? (std::max)(x * (1 + 0x1p-46), (std::numeric_limits<double>::min)()) : x;
   }
 
-  template <class Coordinates> static double length(const Coordinates& x) {
+  template <class Column> static double length(const Column& x) {
     double result = 0;
     for (const auto& c : x) {
       const std::pair<double, double> interval = CGAL::to_interval(c);

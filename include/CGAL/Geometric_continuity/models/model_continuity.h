@@ -5,12 +5,14 @@
 #ifndef CGAL_GEOMETRIC_CONTINUITY_MODELS_MODEL_CONTINUITY_H
 #define CGAL_GEOMETRIC_CONTINUITY_MODELS_MODEL_CONTINUITY_H
 
+#include <CGAL/Geometric_continuity/internal/for_each_number.h>
 #include <CGAL/Geometric_continuity/models/Model_edge.h>
 #include <CGAL/Geometric_continuity/models/internal/Edge_groups.h>
 
 #include <algorithm>
 #include <cstddef>
 #include <iterator>
+#include <mutex>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -21,22 +23,21 @@ namespace Geometric_continuity {
 
 namespace internal {
 
-template <class Surface, class Report>
-std::vector<Knot_line<Edge_field<typename Surface::Traits>>> knot_lines_in_model(const Surface& surface,
-                                                                                 Work_limit limit, Report report) {
-  if constexpr (Is_patch<Surface>::value)
-    return {};
-  else
-    return knot_lines(surface, limit, report);
-}
-
-template <class Surface, class Report> class Model_analysis {
+// Decides one edge or knot line after the other, on several cores with Parallel_tag.
+template <class Concurrency_tag, class Surface, class Report> class Model_analysis {
   typedef Edge_field<typename Surface::Traits> Field;
+
+  struct Row { // of the table of edges
+    Model_edge_kind kind;
+    Edge_use a, b; // b of a shared edge
+    bool non_manifold;
+  };
 
   const std::vector<const Surface*>& patches_;
   const Work_limit limit_;
   Report& report_;
   std::size_t decided_ = 0;
+  std::mutex mutex_; // for the two above
   Model_continuity<Field> model_;
 
 public:
@@ -45,50 +46,62 @@ public:
 
   Model_continuity<Field> operator()() {
     for (const Surface* patch : patches_) require_space(*patch, "model_continuity");
-    for (std::size_t i = 0; i < patches_.size(); ++i) add_knot_lines(i);
-    const Edge_groups<Surface> groups(patches_, limit_);
-    for (const Edge_use& use : groups.collapsed()) add(Model_edge_kind::collapsed, use);
-    for (const Edge_uses& uses : groups.edges()) {
-      if (uses.size() == 1) add(Model_edge_kind::boundary, uses[0]);
-      for (std::size_t i = 1; i < uses.size(); ++i) share(uses[i - 1], uses[i], uses.size() > 2);
-    }
-    std::sort(model_.edges.begin(), model_.edges.end(), [](const Model_edge<Field>& a, const Model_edge<Field>& b) {
-      return std::make_pair(a.patch_a, a.edge_a) < std::make_pair(b.patch_a, b.edge_a);
-    });
+    if constexpr (!Is_patch<Surface>::value) decide_knot_lines();
+    decide_edges(Edge_groups<Surface>(patches_, limit_));
     count_edges();
     return std::move(model_);
   }
 
 private:
-  Model_edge<Field>& add(Model_edge_kind kind, const Edge_use& a) {
-    model_.edges.push_back(Model_edge<Field>{kind, a.patch, a.edge, {}, {}, false, {}});
-    return model_.edges.back();
+  void one_more() {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    report_(++decided_);
   }
 
-  void add_knot_lines(std::size_t i) {
+  void decide_knot_lines() {
+    std::vector<std::vector<Knot_line<Field>>> lines(patches_.size());
+    for_each_number<Concurrency_tag>(patches_.size(), [&](std::size_t i) {
+      name_work_limit([&] { return "patch " + std::to_string(i); },
+                      [&] { lines[i] = knot_lines(*patches_[i], limit_, [this] { one_more(); }); });
+    });
     Model_summary& s = model_.summary;
-    std::vector<Knot_line<Field>> lines;
-    name_work_limit([&] { return "patch " + std::to_string(i); },
-                    [&] { lines = knot_lines_in_model(*patches_[i], limit_, [this] { report_(++decided_); }); });
-    for (Knot_line<Field>& line : lines) {
-      const int order = line.continuity.g_order;
-      ++(order == 2 ? s.knot_lines_g2 : order == 1 ? s.knot_lines_g1 : s.knot_lines_g0);
-      model_.knot_lines.push_back({i, std::move(line)});
-    }
+    for (std::size_t i = 0; i < lines.size(); ++i)
+      for (Knot_line<Field>& line : lines[i]) {
+        const int order = line.continuity.g_order;
+        ++(order == 2 ? s.knot_lines_g2 : order == 1 ? s.knot_lines_g1 : s.knot_lines_g0);
+        model_.knot_lines.push_back({i, std::move(line)});
+      }
   }
 
-  void share(const Edge_use& a, const Edge_use& b, bool non_manifold) {
-    Model_edge<Field>& row = add(Model_edge_kind::shared, a);
-    row.patch_b = b.patch;
-    row.edge_b = b.edge;
-    row.non_manifold = non_manifold;
+  void decide_edges(const Edge_groups<Surface>& groups) {
+    std::vector<Row> rows;
+    for (const Edge_use& use : groups.collapsed()) rows.push_back({Model_edge_kind::collapsed, use, use, false});
+    for (const Edge_uses& uses : groups.edges()) {
+      if (uses.size() == 1) rows.push_back({Model_edge_kind::boundary, uses[0], uses[0], false});
+      for (std::size_t i = 1; i < uses.size(); ++i)
+        rows.push_back({Model_edge_kind::shared, uses[i - 1], uses[i], uses.size() > 2});
+    }
+    std::sort(rows.begin(), rows.end(), [](const Row& x, const Row& y) { return x.a < y.a; });
+    model_.edges.resize(rows.size());
+    for_each_number<Concurrency_tag>(rows.size(), [&](std::size_t i) { decide(rows[i], model_.edges[i]); });
+  }
+
+  void decide(const Row& row, Model_edge<Field>& edge) {
+    const Edge_use &a = row.a, &b = row.b;
+    edge.kind = row.kind;
+    edge.patch_a = a.patch;
+    edge.edge_a = a.edge;
+    if (row.kind != Model_edge_kind::shared) return;
+    edge.patch_b = b.patch;
+    edge.edge_b = b.edge;
+    edge.non_manifold = row.non_manifold;
     name_work_limit([&] { return edge_name(a.patch, a.edge) + " - " + edge_name(b.patch, b.edge); },
                     [&] {
-                      row.continuity = continuity_of_same_edge(
+                      edge.continuity = continuity_of_same_edge(
                           *patches_[a.patch], a.edge, *patches_[b.patch], b.edge,
                           a.backwards == b.backwards ? Edge_direction::same : Edge_direction::opposite, limit_);
                     });
-    report_(++decided_);
+    one_more();
   }
 
   void count_edges() {
@@ -124,25 +137,29 @@ private:
 /// given where edges with the same ends have one degree and the same knots. Then each shared edge is decided once, smooth
 /// edges with integers of fixed length where `edge_continuity()` takes them.
 ///
+/// \tparam Concurrency_tag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`: edges and knot lines are decided on
+///   several cores, with the same result, on number types that may be copied concurrently, see failing_joins.h
 /// \tparam PatchRange a forward range of `Bezier_patch`, `Bspline_surface`, `Rational_bezier_patch` or
 ///   `Rational_bspline_surface`; polynomial surfaces can be converted to rational ones
 /// \param patches of the model, which must outlive the call
 /// \param limit the work that is allowed for each edge, to recognise and to decide it, and for each knot line
-/// \param report is called as `report(n)` with the number of shared edges and knot lines decided so far, after each
+/// \param report is called as `report(n)` with the number of shared edges and knot lines decided so far, after each,
+///   by one core at a time
 /// \throws Error `dimension_mismatch` unless in dimension 3; `work_limit`, with the patch and the edge
-template <class PatchRange, class Report>
+template <class Concurrency_tag = Sequential_tag, class PatchRange, class Report>
 auto model_continuity(const PatchRange& patches, Work_limit limit, Report report) {
   typedef std::decay_t<decltype(*std::begin(patches))> Patch;
   std::vector<const Patch*> pointers;
   for (const Patch& patch : patches) pointers.push_back(&patch);
-  return internal::Model_analysis<Patch, Report>(pointers, limit, report)();
+  return internal::Model_analysis<Concurrency_tag, Patch, Report>(pointers, limit, report)();
 }
 
 /// \ingroup PkgGeometricContinuitySurfaces
 /// Decides the continuity along all edges of a model, without reports.
 /// \throws Error as the function that reports
-template <class PatchRange> auto model_continuity(const PatchRange& patches, Work_limit limit = Work_limit()) {
-  return model_continuity(patches, limit, [](std::size_t) {});
+template <class Concurrency_tag = Sequential_tag, class PatchRange>
+auto model_continuity(const PatchRange& patches, Work_limit limit = Work_limit()) {
+  return model_continuity<Concurrency_tag>(patches, limit, [](std::size_t) {});
 }
 
 } // namespace Geometric_continuity

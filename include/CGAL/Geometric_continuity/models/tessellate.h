@@ -17,6 +17,7 @@
 #include <optional>
 #include <string>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -57,14 +58,23 @@ inline std::string surface_in_tessellation(std::size_t number) {
   return "tessellate: surface " + std::to_string(number);
 }
 
-template <class Patch> Patch_cells cells_of_patch(const Uniform_grid& grid, const Patch&, std::size_t, int) {
+// What is known of a Bezier patch before its edges are compared with those of others.
+template <class Patch> Patch_cells bounds_of_patch(const Uniform_grid& grid, const Patch&, std::size_t) {
   return {grid.n, grid.n};
 }
+template <class Patch> Patch_flatness bounds_of_patch(const Chord_tolerance&, const Patch& patch, std::size_t number) {
+  const Patch_flatness flatness(patch);
+  if (!std::isfinite(flatness.distance({max_cells_in_one_direction, max_cells_in_one_direction})))
+    throw Error(Error_code::unreachable_tolerance,
+                surface_in_tessellation(number) + ": the second derivatives of a patch overflow");
+  return flatness;
+}
 
-template <class Patch>
-Patch_cells cells_of_patch(const Chord_tolerance& tolerance, const Patch& patch, std::size_t number, int least) {
+inline Patch_cells cells_of_patch(const Uniform_grid&, const Patch_cells& cells, std::size_t, int) { return cells; }
+inline Patch_cells cells_of_patch(const Chord_tolerance& tolerance, const Patch_flatness& flatness, std::size_t number,
+                                  int least) {
   constexpr int most = max_cells_in_one_direction;
-  const std::optional<Patch_cells> cells = Patch_flatness(patch).cells(tolerance.distance, least, most);
+  const std::optional<Patch_cells> cells = flatness.cells(tolerance.distance, least, most);
   if (!cells)
     throw Error(Error_code::work_limit, surface_in_tessellation(number) + " needs more than " + std::to_string(most) +
                                             " cells of a patch in one direction");
@@ -72,14 +82,8 @@ Patch_cells cells_of_patch(const Chord_tolerance& tolerance, const Patch& patch,
 }
 
 // No fewer cells suffice for a Bezier patch, and for a surface that may have several.
-template <class Patch> double least_cells(const Uniform_grid& grid, const Patch&, std::size_t) {
-  return double(grid.n) * grid.n;
-}
-template <class Patch> double least_cells(const Chord_tolerance& tolerance, const Patch& patch, std::size_t number) {
-  const Patch_flatness flatness(patch);
-  if (!std::isfinite(flatness.distance({max_cells_in_one_direction, max_cells_in_one_direction})))
-    throw Error(Error_code::unreachable_tolerance,
-                surface_in_tessellation(number) + ": the second derivatives of a patch overflow");
+inline double least_cells(const Uniform_grid&, const Patch_cells& cells) { return double(cells.u) * cells.v; }
+inline double least_cells(const Chord_tolerance& tolerance, const Patch_flatness& flatness) {
   return flatness.least_cells(tolerance.distance);
 }
 inline double least_cells_of_any_patch(const Uniform_grid& grid) { return double(grid.n) * grid.n; }
@@ -103,11 +107,13 @@ inline void check_mode(const Chord_tolerance& tolerance) {
 // edges are compared and before the first point is computed, it is known that the triangles are not too many.
 template <class Patch, class Mode> class Numbered_patches {
   typedef typename Patch::Traits Traits;
+  typedef decltype(bounds_of_patch(std::declval<const Mode&>(), std::declval<const Patch&>(), 0)) Bounds;
   const Mode& mode_;
   std::size_t max_triangles_;
   Triangle_budget least_; // of the patches that are there
   std::vector<Patch> patches_;
   std::vector<std::size_t> numbers_;
+  std::vector<Bounds> bounds_;
 
 public:
   Numbered_patches(const Mode& mode, std::size_t max_triangles)
@@ -126,6 +132,7 @@ public:
     }
     patches_.reserve(all);
     numbers_.reserve(all);
+    bounds_.reserve(all);
     number = 0;
     for (const auto& surface : surfaces) add(surface, number++, report);
   }
@@ -135,8 +142,8 @@ public:
     pointers.reserve(patches_.size());
     for (const Patch& patch : patches_) pointers.push_back(&patch);
     return Model_mesh<Patch>(pointers, numbers_)(
-        [&](const Patch& patch, std::size_t number, int least) { return cells_of_patch(mode_, patch, number, least); },
-        max_triangles_, [&](std::size_t n) { report(Tessellation_stage::triangles, n); });
+        [&](std::size_t i, int least) { return cells_of_patch(mode_, bounds_[i], numbers_[i], least); }, max_triangles_,
+        [&](std::size_t n) { report(Tessellation_stage::triangles, n); });
   }
 
 private:
@@ -146,7 +153,8 @@ private:
   }
 
   template <class Report> void add(Patch patch, std::size_t number, Report& report) {
-    least_.add(2 * least_cells(mode_, patch, number), number);
+    bounds_.push_back(bounds_of_patch(mode_, patch, number));
+    least_.add(2 * least_cells(mode_, bounds_.back()), number);
     patches_.push_back(std::move(patch));
     numbers_.push_back(number);
     report(Tessellation_stage::patches, patches_.size());
@@ -213,39 +221,13 @@ auto tessellate(const SurfaceRange& surfaces, const Mode& mode, std::size_t max_
 }
 
 /// \ingroup PkgGeometricContinuitySurfaces
-/// Tessellates a patch, welded where it closes up, as a model of one patch.
+/// Tessellates a patch or a surface, Bézier patch by Bézier patch, as a model of one: welded also where it closes up.
+/// \tparam Surface `Bezier_patch`, `Bspline_surface`, `Rational_bezier_patch` or `Rational_bspline_surface`
 /// \throws Error as the function that tessellates a model
-template <class Traits, class Mode>
-Tessellation<Traits> tessellate(const Bezier_patch<Traits>& patch, const Mode& mode,
-                                std::size_t max_triangles = max_tessellation_triangles) {
-  return tessellate(std::array<Bezier_patch<Traits>, 1>{patch}, mode, max_triangles);
-}
-
-/// \ingroup PkgGeometricContinuitySurfaces
-/// Tessellates a surface, Bézier patch by Bézier patch, welded also where it closes up, as a model of one surface.
-/// \throws Error as the function that tessellates a model
-template <class Traits, class Mode>
-Tessellation<Traits> tessellate(const Bspline_surface<Traits>& surface, const Mode& mode,
-                                std::size_t max_triangles = max_tessellation_triangles) {
-  return tessellate(std::array<Bspline_surface<Traits>, 1>{surface}, mode, max_triangles);
-}
-
-/// \ingroup PkgGeometricContinuitySurfaces
-/// Tessellates a rational patch, welded where it closes up, as a model of one patch.
-/// \throws Error as the function that tessellates a model
-template <class Traits, class Mode>
-Tessellation<Traits> tessellate(const Rational_bezier_patch<Traits>& patch, const Mode& mode,
-                                std::size_t max_triangles = max_tessellation_triangles) {
-  return tessellate(std::array<Rational_bezier_patch<Traits>, 1>{patch}, mode, max_triangles);
-}
-
-/// \ingroup PkgGeometricContinuitySurfaces
-/// Tessellates a rational surface, welded also where it closes up, as a model of one surface.
-/// \throws Error as the function that tessellates a model
-template <class Traits, class Mode>
-Tessellation<Traits> tessellate(const Rational_bspline_surface<Traits>& surface, const Mode& mode,
-                                std::size_t max_triangles = max_tessellation_triangles) {
-  return tessellate(std::array<Rational_bspline_surface<Traits>, 1>{surface}, mode, max_triangles);
+template <class Surface, class Mode>
+Tessellation<typename Surface::Traits> tessellate(const Surface& surface, const Mode& mode,
+                                                  std::size_t max_triangles = max_tessellation_triangles) {
+  return tessellate(std::array<Surface, 1>{surface}, mode, max_triangles);
 }
 
 } // namespace Geometric_continuity

@@ -60,8 +60,8 @@ public:
   /// Constructs a patch from a control net, a net of as many weights and the domain [a, b] x [c, d]. `net[i]` is the range
   /// \f$ b_{i0}, \dots, b_{iq} \f$, and `weights[i]` that of the weights.
   /// \throws Error `wrong_number_of_points` for a net without points, with rows of different lengths, or with other numbers of
-  ///   weights; `zero_weight` unless the denominator is positive on the whole domain, `work_limit` when it comes too close to zero
-  ///   inside for that to be decided; `dimension_mismatch`, `empty_domain` and `not_finite` as for `Bezier_patch`
+  ///   weights; `zero_weight` unless the denominator is positive on the whole domain, `work_limit` when it is positive but comes too
+  ///   close to zero inside, or has too high degrees; `dimension_mismatch`, `empty_domain`, `not_finite` as for `Bezier_patch`
   template <class Points, class Weights>
   Rational_bezier_patch(const Points& net, const Weights& weights, const Interval& u = unit_interval(),
                         const Interval& v = unit_interval())

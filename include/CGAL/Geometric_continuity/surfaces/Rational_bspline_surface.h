@@ -52,8 +52,8 @@ public:
   /// Constructs a surface from a control net, a net of as many weights and the knots. `net[i]` is the range
   /// \f$ b_{i0}, \dots, b_{i,n-1} \f$, and `weights[i]` that of the weights.
   /// \throws Error `wrong_number_of_points` unless there are `m` rows of `n` points and weights; `zero_weight` unless the
-  ///   denominator is positive on the whole domain, `work_limit` when it comes too close to zero inside for that to be decided;
-  ///   `dimension_mismatch`, `not_finite` as for `Bspline_surface`
+  ///   denominator is positive on the whole domain, `work_limit` when it is positive but comes too close to zero inside, or has too
+  ///   high degrees for that to be decided there; `dimension_mismatch`, `not_finite` as for `Bspline_surface`
   template <class Points, class Weights>
   Rational_bspline_surface(const Points& net, const Weights& weights, Knot_vector<FT> knots_u, Knot_vector<FT> knots_v)
       : Rational_bspline_surface(Net(internal::spline_net<Traits>(net, knots_u, knots_v), weights, place), knots_u,

@@ -42,13 +42,13 @@ template <class FT> struct Basis_arrays {
     const FT h = FT(domain.second - domain.first);
     std::vector<FT> b(n + 2), lower(n + 2); // degrees n and n-1, with a zero in front
     for (std::size_t l = 0; l < size; ++l) {
-      const FT t = FT((parameters[l] - domain.first) / h);
+      const FT t = FT((parameters[l] - domain.first) / h), s = FT(FT(1) - t);
       std::fill(b.begin(), b.end(), FT(0));
       std::fill(lower.begin(), lower.end(), FT(0));
       b[1] = FT(1);
       for (int m = 1; m <= n; ++m) {
         lower = b;
-        raise_bernstein_values(b, m, t);
+        raise_bernstein_values(b, m, s, t);
       }
       for (int j = 0; j <= n; ++j) {
         values[j * size + l] = b[j + 1];

@@ -6,32 +6,73 @@
 #define CGAL_GEOMETRIC_CONTINUITY_IO_INTERNAL_TOKEN_READER_H
 
 #include <CGAL/Geometric_continuity/Error.h>
+#include <CGAL/Geometric_continuity/IO/Text_number.h>
+#include <CGAL/Geometric_continuity/IO/internal/Text_blocks.h>
 #include <CGAL/Geometric_continuity/IO/limits.h>
+#include <CGAL/Geometric_continuity/IO/number.h>
 #include <CGAL/Geometric_continuity/IO/quoted_token.h>
 
+#include <cstddef>
 #include <exception>
 #include <istream>
-#include <streambuf>
 #include <string>
+#include <string_view>
 #include <system_error>
+#include <type_traits>
 #include <utility>
 
 namespace CGAL {
 namespace Geometric_continuity {
 namespace internal {
 
-// The words of a text file in UTF-8, with the lines in which they begin, one at a time. It reads the buffer of the stream,
-// so that neither the locale nor the flags of the stream matter.
-class Token_reader {
-  std::streambuf* buffer_;
-  std::string name_, token_;
-  long long line_ = 1, token_line_ = 1;
-  bool begun_ = false;
+// The words of a text file in UTF-8, one at a time, with the lines in which they begin. With Parallel_tag they are found on several
+// cores.
+template <class Concurrency_tag = Sequential_tag> class Token_reader {
+  Text_blocks<Concurrency_tag> blocks_;
+  std::string name_;
+  Text_block block_;
+  const Word *word_ = nullptr, *next_ = nullptr, *end_ = nullptr; // of the block
+  long long line_ = 1;                                            // in which the block begins
 
-  int next_character() {
+public:
+  Token_reader(std::istream& is, std::string name) : blocks_(is), name_(std::move(name)) {
+    if (!is) throw Error(Error_code::cannot_read_file, name_ + ": the stream cannot be read");
+  }
+  Token_reader(const Token_reader&) = delete;
+  Token_reader& operator=(const Token_reader&) = delete;
+
+  // Moves to the next word. Returns false at the end of the text, and stays at the last word.
+  bool advance() {
+    if (next_ == end_ && !next_block()) return false;
+    word_ = next_++;
+    if (word_->size > max_number_length)
+      refuse("more than " + std::to_string(max_number_length) +
+             " characters without a space: " + quoted_token(token()));
+    return true;
+  }
+
+  // The current word.
+  std::string_view token() const { return block_.text(*word_); }
+
+  // The number that the current word is. Throws Number_error.
+  template <class FT> FT number() const {
+    const Short_decimal& decimal = word_->decimal;
+    if constexpr (std::is_same_v<FT, Text_number>)
+      return decimal.exists() ? FT(decimal.digits, decimal.exponent) : FT(number_value<Exact_rational>(token()));
+    else
+      return number_value<FT>(token());
+  }
+
+  // Refuses the text because of the current word.
+  [[noreturn]] void refuse(const std::string& reason) const {
+    const long long line = line_ + (word_ == nullptr ? 0 : block_.newlines_before(*word_));
+    throw Error(Error_code::malformed_input, name_ + ":" + std::to_string(line) + ": " + reason);
+  }
+
+private:
+  bool next_block() {
     try {
-      const std::streambuf::int_type c = buffer_->sbumpc();
-      return c == std::streambuf::traits_type::eof() ? -1 : static_cast<unsigned char>(c);
+      if (!blocks_.next(block_, line_)) return false;
     } catch (const Error&) {
       throw;
     } catch (const std::system_error& error) {
@@ -39,52 +80,19 @@ class Token_reader {
     } catch (const std::exception& error) {
       throw Error(Error_code::cannot_read_file, name_ + ": " + error.what());
     }
-  }
-
-  // Reads a byte order mark, if there is one. Returns the first character after it.
-  int first_character() {
-    int c = next_character();
-    if (c == 0xFE || c == 0xFF) refuse_utf16();
-    if (c != 0xEF) return c;
-    for (const int expected : {0xBB, 0xBF})
-      if (next_character() != expected) refuse("the text begins with half a byte order mark");
-    return next_character();
-  }
-
-  [[noreturn]] void refuse_utf16() const { refuse("the text is UTF-16 where UTF-8 is expected"); }
-
-public:
-  Token_reader(std::istream& is, std::string name) : buffer_(is.rdbuf()), name_(std::move(name)) {
-    if (!is) throw Error(Error_code::cannot_read_file, name_ + ": the stream cannot be read");
-  }
-
-  // Moves to the next word. Returns false at the end of the text.
-  bool advance() {
-    const auto is_space = [](int c) { return c == ' ' || ('\t' <= c && c <= '\r'); };
-    token_.clear();
-    const bool first = !begun_;
-    int c = first ? first_character() : next_character();
-    begun_ = true;
-    for (; is_space(c); c = next_character()) line_ += c == '\n';
-    if (c == -1) return false;
-    token_line_ = line_;
-    for (; c != -1 && !is_space(c); c = next_character()) {
-      token_ += static_cast<char>(c);
-      if (token_.size() > max_number_length)
-        refuse("more than " + std::to_string(max_number_length) +
-               " characters without a space: " + quoted_token(token_));
-    }
-    line_ += c == '\n';
-    if (first && token_.size() > 1 && (token_[0] == '\0') != (token_[1] == '\0')) refuse_utf16();
+    const bool first = word_ == nullptr;
+    word_ = next_ = block_.words().data();
+    end_ = next_ + block_.words().size();
+    if (first) check_encoding();
     return true;
   }
 
-  // The current word.
-  const std::string& token() const { return token_; }
-
-  // Refuses the text because of the current word.
-  [[noreturn]] void refuse(const std::string& reason) const {
-    throw Error(Error_code::malformed_input, name_ + ":" + std::to_string(token_line_) + ": " + reason);
+  // By the first word.
+  void check_encoding() const {
+    const std::string_view text = token();
+    if (text[0] == '\xEF') refuse("the text begins with half a byte order mark");
+    if (text[0] == '\xFE' || text[0] == '\xFF' || (text.size() > 1 && (text[0] == '\0') != (text[1] == '\0')))
+      refuse("the text is UTF-16 where UTF-8 is expected");
   }
 };
 

@@ -9,6 +9,7 @@
 #include <CGAL/Geometric_continuity/edges/Spline_edge_continuity.h>
 #include <CGAL/Geometric_continuity/edges/internal/Edge_normals.h>
 #include <CGAL/Geometric_continuity/edges/internal/Largest_measure.h>
+#include <CGAL/Geometric_continuity/edges/internal/crease_on_grid.h>
 #include <CGAL/Geometric_continuity/edges/internal/edge_stages.h>
 
 #include <algorithm>
@@ -103,9 +104,11 @@ template <class Field, int N>
 Edge_continuity<Field> decide_edge(const Edge_rows<Field, N>& a, const Edge_rows<Field, N>& b, Work_meter& work) {
   if constexpr (N == 3) {
     Edge_layers x, y;
-    if (edge_layers(a, b, x, y))
+    if (edge_layers(a, b, x, y)) {
       if (const std::optional<int> order = smooth_order(x, y))
         return smooth_continuity<Field>(*order, {Field(0), Field(1)});
+      if (std::optional<Edge_continuity<Field>> crease = crease_on_grid<Field>(x, y, work)) return *std::move(crease);
+    }
   }
   return decide_rough_edge(a, b, work);
 }

@@ -8,8 +8,10 @@
 #include <CGAL/Geometric_continuity/algebra/sign_pattern.h>
 #include <CGAL/Geometric_continuity/edges/Spline_edge_continuity.h>
 #include <CGAL/Geometric_continuity/edges/internal/Edge_normals.h>
+#include <CGAL/Geometric_continuity/edges/internal/Fixed_largest_measure.h>
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -97,6 +99,12 @@ private:
     return all.divide(odd_factors(g, work));
   }
 };
+
+// Whether coefficients prove that an angle is nowhere obtuse, whose cosine has the sign of -side.
+template <class Polynomial> bool is_acute(const Polynomial& side) {
+  const Sign_pattern signs = side.coefficient_signs();
+  return signs == Sign_pattern::negative || signs == Sign_pattern::nonpositive || signs == Sign_pattern::zero;
+}
 
 // Branch and bound for the largest measure of the quotients s/p of two polynomials, 0 <= s <= p and 0 < p on [0, 1], with
 // s/p = sin^2 and a cosine that has the sign of -side. As s and p have one degree, s/p lies between the least and the largest
@@ -211,9 +219,7 @@ private:
   }
 
   static Fraction upper_bound(const Piece& piece) {
-    const Sign_pattern side = piece.side.coefficient_signs();
-    const bool acute =
-        side == Sign_pattern::negative || side == Sign_pattern::nonpositive || side == Sign_pattern::zero;
+    const bool acute = is_acute(piece.side);
     const Fraction right_angle{Ring(1), Ring(1)}, straight_angle{Ring(2), Ring(1)};
     const Fraction most = acute ? right_angle : straight_angle;
     Fraction bound = acute ? Fraction{Ring(0), Ring(1)} : right_angle;
@@ -237,13 +243,25 @@ private:
   static Exact exact(const Fraction& x) { return Exact(Exact(x.numerator) / Exact(x.denominator)); }
 };
 
+// The same, in integers of fixed length where they do.
+template <class Field, class Polynomial>
+Normal_deviation<Field> largest_measure(Polynomial s, Polynomial p, Polynomial side, Work_meter& work) {
+#ifdef CGAL_GEOMETRIC_CONTINUITY_HAS_FIXED_INTEGER
+  if constexpr (Common_denominator<Field>::clears)
+    if (is_acute(side))
+      if (const std::optional<Normal_deviation<Field>> found = Fixed_largest_measure<Field, Polynomial>(s, p, work)())
+        return *found;
+#endif
+  return Largest_measure<Field>(std::move(s), std::move(p), std::move(side), work)();
+}
+
 // The largest angle between two normals along an edge. \pre neither vanishes identically
 template <class Field>
 Normal_deviation<Field> largest_angle(const Homogeneous_vector<typename Edge_sides<Field>::Ring>& n1,
                                       const Homogeneous_vector<typename Edge_sides<Field>::Ring>& n2, bool vanishing,
                                       Work_meter& work) {
   Edge_measure<Field> m(n1, n2, vanishing, work);
-  return Largest_measure<Field>(std::move(m.s), std::move(m.p), std::move(m.side), work)();
+  return largest_measure<Field>(std::move(m.s), std::move(m.p), std::move(m.side), work);
 }
 
 // A sub-interval in which the polynomial has a zero or comes close to one: a point if it is zero at an end, otherwise of

@@ -138,9 +138,13 @@ public:
     return std::nullopt;
   }
 
+  // N and n2
+  Short_vector<2> normal() const { return normal_to(a_); }
+  Short_vector<2> second_normal() const { return normal_to(leg(s2_)); }
+
 private:
-  Short_vector<2> normal() const {
-    return {cross_coordinate(d_, a_, 0), cross_coordinate(d_, a_, 1), cross_coordinate(d_, a_, 2)};
+  Short_vector<2> normal_to(const Short_vector<1>& across) const {
+    return {cross_coordinate(d_, across, 0), cross_coordinate(d_, across, 1), cross_coordinate(d_, across, 2)};
   }
 
   bool second_order(const Short_vector<2>& n1, const Short_polynomial<2>& n2, const Short_polynomial<2>& n3,

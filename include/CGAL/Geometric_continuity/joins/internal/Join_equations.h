@@ -23,7 +23,8 @@ template <class T> struct Join_ratio {
   T q, p;
   constexpr BOOST_FORCEINLINE Square square(const T& x) const { return Square(x * x); }
   constexpr BOOST_FORCEINLINE Cube cube(const T& x) const { return Cube(square(x) * x); }
-  template <class V, class W> constexpr BOOST_FORCEINLINE Product<V, T> p_times(const V& v, const W& w) const {
+  template <class V, class W>
+  constexpr BOOST_FORCEINLINE Scaled<Product<V, T>, W> p_times(const V& v, const W& w) const {
     return scaled(Product<V, T>(v * p), w);
   }
 };
@@ -91,21 +92,23 @@ public:
   }
 
   // The condition for G3 besides G2: q^3 a1_0 b3 - p^3 a1_0 a3 - 3 p V_0 a2 is a multiple of a1, where 0 is the pivot; here
-  // beta_2 is V_0 / (q^2 a1_0).
+  // beta_2 is V_0 / (q^2 a1_0). The second derivatives of rational curves have -b1 and +a1 added, so V has -(q^2 p + p^2 q).
   template <class Ratio> constexpr BOOST_FORCEINLINE bool g3(const Ratio& r) const {
-    typedef Product<typename Ratio::Cube, T> Fourth;
+    typedef typename Ratio::Square Square;
+    typedef Product<Scaled<typename Ratio::Cube, decltype(w.b3)>, T> Fourth;
+    typedef Product<Scaled<Square, decltype(w.b2)>, T> Third;
     const Fourth x = Fourth(scaled(r.cube(r.q), w.b3) * at_pivot(a1)),
-                 y = Fourth(scaled(r.cube(r.p), w.a3) * at_pivot(a1)),
-                 z = r.p_times(difference_form(scaled(r.square(r.q), w.b2), at_pivot(b2), scaled(r.square(r.p), w.a2),
-                                               at_pivot(a2)),
-                               w.mix);
+                 y = Fourth(scaled(r.cube(r.p), w.a3) * at_pivot(a1));
+    Third v = difference_form(scaled(r.square(r.q), w.b2), at_pivot(b2), scaled(r.square(r.p), w.a2), at_pivot(a2));
+    if constexpr (Weights::rational) v = Third(v - Third(scaled(Square(r.q * r.p), w.first) * T(r.q + r.p)));
+    const Fourth z = r.p_times(v, w.mix);
     return is_parallel(Join_question::g3, internal::minus(difference_vector(x, b3, y, a3), multiplied(z, a2)));
   }
 
   // The condition for F3 besides G2: q^3 b3 - p^3 a3 lies in the span of a1 and a2, which has the normal n = a1 x a2; when
   // this is zero, in that of a1.
   template <class Ratio> constexpr BOOST_FORCEINLINE bool f3(const Ratio& r) const {
-    typedef typename Ratio::Cube Cube;
+    typedef Scaled<typename Ratio::Cube, decltype(w.b3)> Cube;
     const Cube x = scaled(r.cube(r.q), w.b3), y = scaled(r.cube(r.p), w.a3);
     const std::array<Product<T, T>, 3> n = cross_form(a1, a2);
     if constexpr (Zero::exact)
@@ -117,8 +120,9 @@ public:
   constexpr BOOST_FORCEINLINE bool curvature_vectors_equal() const {
     typedef Product<T, T> Second;
     typedef Product<Second, Second> Fourth;
+    typedef Scaled<Fourth, decltype(w.b2)> Factor;
     const Second g = dot_form(a1, a1), h = dot_form(b1, b1);
-    const Fourth x = scaled(Fourth(h * h), w.a2), y = scaled(Fourth(g * g), w.b2);
+    const Factor x = scaled(Fourth(h * h), w.a2), y = scaled(Fourth(g * g), w.b2);
     return is_zero_vector(Join_question::curvature_vector,
                           difference_vector(x, difference_vector(g, a2, dot_form(a1, a2), a1), y,
                                             difference_vector(h, b2, dot_form(b1, b2), b1)));

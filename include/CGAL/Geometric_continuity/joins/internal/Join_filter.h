@@ -50,27 +50,23 @@ constexpr int join_questions = 10;
 struct Join_rounding {
   std::array<double, join_questions> error{};
 
-  constexpr Join_rounding()
-      : Join_rounding(leg(1), leg(0.5) - leg(0.5), (leg(0.25) - leg(0.25)) - (leg(0.25) - leg(0.25))) {}
-
-  constexpr Join_rounding(const Rounding_bound& d1, const Rounding_bound& d2, const Rounding_bound& d3) {
+  constexpr Join_rounding() {
+    const Rounding_bound d1 = leg(1), d2 = leg(0.5) - leg(0.5), d3 = (leg(0.25) - leg(0.25)) - (leg(0.25) - leg(0.25));
     const Differences<Rounding_bound, 3> d{{{d1, d1, d1}, {d2, d2, d2}, {d3, d3, d3}}};
-    const Join_weights<int> unit{1, 1, 1, 1, 1};
-    const Join_equations<Rounding_bound, 3, Join_weights<int>, Join_rounding> geometric(d, d, unit, *this);
-    const Join_ratio<Rounding_bound> ratio = geometric.ratio();
-    (void)geometric.tangents_parallel();
-    (void)geometric.g2(ratio);
-    (void)geometric.g3(ratio);
-    (void)geometric.f3(ratio);
-    (void)geometric.curvature_vectors_equal();
-    (void)geometric.torsions_equal();
+    record_geometric(d, Join_weights<int>{1, 1, 1, 1, 1});
     const Parametric_join_weights<int> units{1, 1, 1, 1, 1, 1};
     const Join_equations<Rounding_bound, 3, Parametric_join_weights<int>, Join_rounding> parametric(d, d, units, *this);
     (void)parametric.derivatives_equal<1>();
     (void)parametric.derivatives_equal<2>();
     (void)parametric.derivatives_equal<3>();
-    // for the roundings in the bounds themselves and for underflow, see Join_filter
-    for (double& e : error) e *= 1 + 0x1p-20;
+    add_margin();
+  }
+
+  // For ends with weights: differences that are rounded once, and rounded factors.
+  template <class Weights> constexpr explicit Join_rounding(const Weights& w) {
+    const Rounding_bound x = leg(1);
+    record_geometric(Differences<Rounding_bound, 3>{{{x, x, x}, {x, x, x}, {x, x, x}}}, w);
+    add_margin();
   }
 
   static constexpr bool exact = false, pivot_is_first = false;
@@ -81,6 +77,20 @@ struct Join_rounding {
   }
 
 private:
+  template <class Weights> constexpr void record_geometric(const Differences<Rounding_bound, 3>& d, const Weights& w) {
+    const Join_equations<Rounding_bound, 3, Weights, Join_rounding> geometric(d, d, w, *this);
+    const Join_ratio<Rounding_bound> ratio = geometric.ratio();
+    (void)geometric.tangents_parallel();
+    (void)geometric.g2(ratio);
+    (void)geometric.g3(ratio);
+    (void)geometric.f3(ratio);
+    (void)geometric.curvature_vectors_equal();
+    (void)geometric.torsions_equal();
+  }
+  // for the roundings in the bounds themselves and for underflow, see Join_filter
+  constexpr void add_margin() {
+    for (double& e : error) e *= 1 + 0x1p-20;
+  }
   static constexpr Rounding_bound leg(double bound) { return Rounding_bound(bound, 0x1p-52 * bound); }
 };
 
@@ -132,9 +142,12 @@ private:
       switch (form) {
       case Join_question::g1: return a * b;
       case Join_question::g2: return a * second;
-      case Join_question::g3:
+      case Join_question::g3: {
+        double v = second;
+        if constexpr (Weights::rational) v = (std::max)(v, w.first * (a * b) * (std::max)(a, b));
         return a * (std::max)((std::max)(w.b3 * (a * a * a * a) * B.d3, w.a3 * (a * b * b * b) * A.d3),
-                              w.mix * (b * A.d2) * second);
+                              w.mix * (b * A.d2) * v);
+      }
       case Join_question::f3: return a * A.d2 * (std::max)(w.b3 * (a * a * a) * B.d3, w.a3 * (b * b * b) * A.d3);
       case Join_question::curvature_vector: return a * a * b * b * second;
       default: return a * A.d2 * (b * B.d2) * (std::max)(w.a3 * A.d3 * (b * B.d2), w.b3 * B.d3 * (a * A.d2));

@@ -27,6 +27,7 @@ struct Double_end {
   double points[4];
   double start, end; // of the domain
   int degree = -1;
+  double rests[4] = {0, 0, 0, 0}; // what the points are larger than these doubles
 };
 
 // What the shape parameters beta_1, beta_2, ... of a join are computed from, when someone asks for them. Either from the
@@ -36,11 +37,19 @@ template <class FT> class Join_parameters {
   std::vector<FT> forms_; // g, b_1, b_2, ...
   Parameter_scale scale_;
   Double_end left_, right_;
+  double unit_ = 1; // of the parameters: unit_ * 10^exponent_
+  int exponent_ = 0;
 
 public:
   Join_parameters() = default;
   Join_parameters(std::vector<FT> forms, Parameter_scale scale) : forms_(std::move(forms)), scale_(scale) {}
   Join_parameters(const Double_end& left, const Double_end& right) : left_(left), right_(right) {}
+
+  // Says that the parameters of both curves are those of the ends times unit * 10^exponent.
+  void set_unit(double unit, int exponent) {
+    unit_ = unit;
+    exponent_ = exponent;
+  }
 
   // The first `count` parameters; none if nothing has been given.
   std::vector<FT> operator()(int count) const {
@@ -73,13 +82,16 @@ public:
 
 private:
   // m!/(m-k)! / h^k times the k-th difference, k = 0, ..., 3; odd ones point outwards at an end.
-  static std::vector<FT> derivatives(const Double_end& end, bool at_end) {
+  std::vector<FT> derivatives(const Double_end& end, bool at_end) const {
     std::vector<FT> d;
-    for (const double x : end.points) d.push_back(FT(x));
+    for (int j = 0; j <= 3; ++j)
+      d.push_back(end.rests[j] == 0 ? FT(end.points[j]) : FT(FT(end.points[j]) + FT(end.rests[j])));
     for (int k = 1; k <= 3; ++k)
       for (int j = 3; j >= k; --j) d[j] -= d[j - 1];
     FT h = FT(FT(end.end) - FT(end.start));
     if (at_end) h = FT(-h);
+    if (unit_ != 1) h *= FT(unit_);
+    for (int e = exponent_; e < 0; ++e) h /= FT(10);
     FT factor(1);
     for (int k = 1; k <= 3; ++k) {
       factor *= FT(FT(end.degree - k + 1 > 0 ? end.degree - k + 1 : 0) / h);

@@ -17,6 +17,12 @@
 //   decide_on_grids     join_on_integers.h   residues modulo 2^64, then integers of fixed length
 //   decide_in_ring      decide_join.h        multi-precision, or the numbers of an exact kernel
 //
+// for ends with weights
+//
+//   decide_weighted_polygons    decide_join.h                 tangents as above; otherwise
+//   decide_rational_on_doubles  rational_join_on_doubles.h    comparison of signs; the filter; decide_modulo
+//   decide_rational_exactly     rational_join_in_ring.h       residues modulo 2^64, then multi-precision
+//
 // and continuity() of join_continuity.h asks decide_on_doubles several questions (decide_all_on_doubles). Ends without control
 // points and dimensions above 3 are decided by Join_decision. All stages evaluate one text, Join_equations. It is a template
 // with four axes:
@@ -26,7 +32,8 @@
 //   2^64 is not 0 the number is not; otherwise nothing. Modular_zero: the number is smaller than the modulus, so it is 0 if
 //   and only if its residue is. Join_rounding: nothing is known, the bound of the error is recorded.
 // - `Weights` are the factors of the differences by which degrees and domains enter. Parametric_join_weights (both, for C^k) or
-//   Join_weights (degrees, for all others), in the integers or doubles in which the stage computes.
+//   Join_weights (degrees, for all others), in the integers or doubles in which the stage computes. Rational_join_weights has the
+//   weights of rational curves besides the degrees.
 // - `Ratio` is beta_1 as a fraction p/q of numbers in which the forms are homogeneous. Join_ratio takes a coordinate of the
 //   differences themselves; Short_join_ratio a reduced fraction of at most 12 bits, which makes the forms shorter.
 // - `Stages` says which stages are taken, and is told what each of them decides. All_join_stages takes all of them and records

@@ -24,6 +24,7 @@ namespace internal {
 //   a3 : b3 = (m-1)(m-2)/m^2 : (n-1)(n-2)/n^2          of the third derivatives, for the torsion (m-2)/m : (n-2)/n,
 //   mix                                                of 3 beta_2 x'' in G3, in units of a3 and of the form for G2.
 template <class W> struct Join_weights {
+  static constexpr bool rational = false;
   W a2, b2, a3, b3, mix;
 
   template <Join_question question> static BOOST_FORCEINLINE Join_weights geometric(int m, int n) {
@@ -42,6 +43,7 @@ template <class W> struct Join_weights {
 
 // The factors of the differences 1 to 3 for C^k, for domains whose lengths are as h to l.
 template <class W> struct Parametric_join_weights {
+  static constexpr bool rational = false;
   W a1, b1, a2, b2, a3, b3;
 
   static BOOST_FORCEINLINE Parametric_join_weights of(int m, int n, const W& h, const W& l) {

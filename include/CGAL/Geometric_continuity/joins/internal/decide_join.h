@@ -7,8 +7,10 @@
 
 #include <CGAL/Geometric_continuity/joins/Curve_ends.h>
 #include <CGAL/Geometric_continuity/joins/internal/Join_decision.h>
-#include <CGAL/Geometric_continuity/joins/internal/Weighted_derivatives.h>
+#include <CGAL/Geometric_continuity/joins/internal/decide_equations.h>
 #include <CGAL/Geometric_continuity/joins/internal/join_on_doubles.h>
+#include <CGAL/Geometric_continuity/joins/internal/rational_join_in_ring.h>
+#include <CGAL/Geometric_continuity/joins/internal/rational_join_on_doubles.h>
 #include <CGAL/Geometric_continuity/joins/join_continuity.h>
 #include <CGAL/Geometric_continuity/numbers/Exact_field.h>
 #include <CGAL/Geometric_continuity/numbers/internal/Common_denominator.h>
@@ -24,8 +26,6 @@ namespace CGAL {
 namespace Geometric_continuity {
 namespace internal {
 
-template <class View> using Join_field = typename Exact_field<Predicate_FT<typename View::Traits>>::type;
-
 // Whether the question is about the points as well.
 constexpr bool asks_for_contact(Join_question question) { return is_parametric(question) || is_geometric(question); }
 
@@ -37,28 +37,6 @@ template <class Left, class Right> BOOST_FORCEINLINE bool ends_meet(const Left& 
   for (int i = 0; i < left.dimension(); ++i)
     if (left.coordinate(0, i) != right.coordinate(0, i)) return false;
   return true;
-}
-
-// The index of the first coordinate that is not zero.
-template <class T, std::size_t N> int first_nonzero(const std::array<T, N>& x) {
-  int i = 0;
-  while (i < static_cast<int>(N) && x[i] == T(0)) ++i;
-  return i;
-}
-
-// The equations in exact numbers. Unless the question is parametric, the first coordinate of the first difference on the left is not
-// zero, and neither is the first difference on the right.
-template <Join_question question, class T, std::size_t N, class Weights>
-Join_answer decide_equations(const std::array<std::array<T, N>, 3>& a, const std::array<std::array<T, N>, 3>& b,
-                             const Weights& w) {
-  Exact_zero<T> zero;
-  const Join_equations<T, static_cast<int>(N), Weights, Exact_zero<T>> equations(a, b, w, zero);
-  if constexpr (is_geometric(question))
-    if ((T(0) < a[0][0]) != (T(0) < b[0][0]) || b[0][0] == T(0) || !equations.tangents_parallel())
-      return Join_answer::no;
-  if constexpr (question == Join_question::torsion)
-    if (!equations.both_have_curvature()) return Join_answer::undefined;
-  return equations_hold<question>(equations, equations.ratio()) ? Join_answer::yes : Join_answer::no;
 }
 
 // In dimension 2 and 3: the equations in the ring of the common denominators.
@@ -105,38 +83,6 @@ Join_answer decide_in_ring(const Left& left, const Right& right) {
   } else
     w = Join_weights<Ring>::template geometric<question>(m, n);
   return decide_equations<question>(a, b, w);
-}
-
-// The same for two ends with weights.
-template <Join_question question, int N, class Left, class Right>
-Join_answer decide_weights_in_ring(const Left& left, const Right& right) {
-  typedef Join_field<Left> Field;
-  typedef typename Common_denominator<Field>::Ring Ring;
-  constexpr int k = highest_difference(question);
-  Common_denominator<Field> scale;
-  const auto include = [&](const auto& end) {
-    for (int j = 0; j <= k; ++j)
-      for (int i = 0; i < N; ++i) scale.include(to_field<Field>(end.coordinate((std::min)(j, end.degree()), i)));
-  };
-  include(left);
-  include(right);
-  const auto derivatives = [&](const auto& end) -> Differences<Ring, N> {
-    Common_denominator<Field> weights;
-    for (int j = 0; j <= k; ++j) weights.include(to_field<Field>(end.weight((std::min)(j, end.degree()))));
-    End_polygon<Ring, N> x;
-    std::array<Ring, 4> w;
-    for (int j = 0; j <= k; ++j) {
-      const int l = (std::min)(j, end.degree());
-      for (int i = 0; i < N; ++i) x[j][i] = scale.numerator(to_field<Field>(end.coordinate(l, i)));
-      w[j] = weights.numerator(to_field<Field>(end.weight(l)));
-    }
-    return Weighted_derivatives<Ring, N>::template of<k>(x, w, end.degree());
-  };
-  const Differences<Ring, N> a = backwards<k>(derivatives(left)), b = derivatives(right);
-  const int pivot = first_nonzero(a[0]);
-  if (pivot == N || first_nonzero(b[0]) == N) return is_geometric(question) ? Join_answer::no : Join_answer::undefined;
-  const Join_weights<Ring> w{Ring(1), Ring(1), Ring(1), Ring(1), Ring(3)};
-  return decide_equations<question>(rotated<k>(a, pivot), rotated<k>(b, pivot), w);
 }
 
 // From jets of order 3, that the ends meet included.
@@ -206,7 +152,7 @@ BOOST_FORCEINLINE Join_answer decide_polygons(const Left& left, const Right& rig
 }
 
 // The decision on two ends with positive weights, or `unknown` where the question is left to the jets. Tangents do not depend on the
-// weights; what is of higher order is asked of the derivatives of Weighted_derivatives.
+// weights; into what is of higher order they enter by Rational_join_weights.
 template <Join_question question, class Left, class Right, class Stages>
 Join_answer decide_weighted_polygons(const Left& left, const Right& right, Stages& stages) {
   typedef typename Left::Traits Traits;
@@ -220,23 +166,23 @@ Join_answer decide_weighted_polygons(const Left& left, const Right& right, Stage
   if constexpr (question == Join_question::c0) {
     stages.decided(Join_stage::comparison, Join_answer::yes);
     return Join_answer::yes;
-  } else if constexpr (is_parametric(question) || !(N == 2 || N == 3))
+  } else if constexpr (!(N == 2 || N == 3))
     return Join_answer::unknown;
-  else if constexpr (question == Join_question::g1 || planar_by_definition<question, N>)
-    return decide_legs<question>(left, right, stages);
-  else {
-    if constexpr (is_geometric(question)) {
-      const Join_answer tangents = decide_legs<Join_question::g1>(left, right, stages);
-      if (tangents != Join_answer::yes) return tangents;
-    }
+  else if constexpr (is_parametric(question)) {
     if constexpr (is_double<typename Traits::FT>)
-      if (stages.uses(Join_stage::floating_point) && weighted_forms_exclude<question, N>(left, right)) {
+      if (stages.uses(Join_stage::floating_point) && rational_first_derivatives_differ<N>(left, right)) {
         stages.decided(Join_stage::floating_point, Join_answer::no);
         return Join_answer::no;
       }
-    const Join_answer answer = decide_weights_in_ring<question, N>(left, right);
-    stages.decided(Join_stage::multiprecision, answer);
-    return answer;
+    return Join_answer::unknown;
+  } else if constexpr (question == Join_question::g1 || planar_by_definition<question, N>)
+    return decide_legs<question>(left, right, stages);
+  else {
+    if constexpr (is_double<typename Traits::FT>) {
+      const Join_answer answer = decide_rational_on_doubles<question, N>(left, right, stages);
+      if (answer != Join_answer::unknown) return answer;
+    }
+    return decide_rational_exactly<question, N>(left, right, stages);
   }
 }
 

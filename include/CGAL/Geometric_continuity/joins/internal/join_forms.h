@@ -38,8 +38,21 @@ template <class X, class... Y> struct Product_of {
 template <class X> struct Product_of<X> { typedef X type; };
 template <class... X> using Product = typename Product_of<X...>::type;
 
-// x w without a longer type; w is a small integer
+// x w without a longer type; w is a small integer, or a factor of the same type
 template <class T, class W> constexpr BOOST_FORCEINLINE T scaled(const T& x, const W& w) { return T(x * T(w)); }
+
+// The type of x w: longer when w is an integer of fixed length.
+template <class T, class W> struct Scaled_type { typedef T type; };
+#ifdef CGAL_GEOMETRIC_CONTINUITY_HAS_FIXED_INTEGER
+template <int m, int n, int most>
+BOOST_FORCEINLINE Fixed_product<m, n, most> scaled(const Fixed_integer<m, most>& x, const Fixed_integer<n, most>& w) {
+  return x * w;
+}
+template <int m, int n, int most> struct Scaled_type<Fixed_integer<m, most>, Fixed_integer<n, most>> {
+  typedef Fixed_product<m, n, most> type;
+};
+#endif
+template <class T, class W> using Scaled = typename Scaled_type<T, W>::type;
 
 // Three differences in N coordinates. Vectors of two and three coordinates are written out: a loop that the compiler leaves
 // as it is, or turns into other loads than stores, costs more than the arithmetic.

@@ -75,6 +75,16 @@ template <int k, int N, class Points> BOOST_FORCEINLINE End_polygon<double, N> p
     return {point(0), point((std::min)(m, 1)), point((std::min)(m, 2)), point((std::min)(m, 3))};
 }
 
+// The decision by the signs of the first differences a1 and b1, of which the largest coordinate of a1 is the pivot, or `unknown`: the
+// signs of rounded differences are exact.
+template <Join_question question, std::size_t N>
+BOOST_FORCEINLINE Join_answer decide_by_signs(const std::array<double, N>& a1, const std::array<double, N>& b1,
+                                              int pivot) {
+  const double x = coordinate_at(a1, pivot), y = coordinate_at(b1, pivot);
+  if (is_geometric(question)) return (x < 0 && y < 0) || (0 < x && 0 < y) ? Join_answer::unknown : Join_answer::no;
+  return x == 0 || largest(b1) == 0 ? Join_answer::undefined : Join_answer::unknown;
+}
+
 // The decision on two ends with double coordinates, exact or `unknown`. That the ends meet is not asked here.
 template <Join_question question, int N, class Left, class Right, class Stages>
 BOOST_FORCEINLINE Join_answer decide_on_doubles(const Left& left, const Right& right, Stages& stages) {
@@ -90,12 +100,9 @@ BOOST_FORCEINLINE Join_answer decide_on_doubles(const Left& left, const Right& r
   const Legs<double, N> legs_a = legs_of<k>(p), legs_b = legs_of<k>(q);
   const int pivot = is_parametric(question) ? 0 : largest_coordinate(legs_a[0]);
   if constexpr (!is_parametric(question)) {
-    // the signs of rounded differences are exact
-    const double x = coordinate_at(legs_a[0], pivot), y = coordinate_at(legs_b[0], pivot);
-    if constexpr (is_geometric(question)) {
-      if (!((x < 0 && 0 < y) || (0 < x && y < 0))) return decided(Join_stage::comparison, Join_answer::no);
-    } else if (x == 0 || largest(legs_b[0]) == 0)
-      return decided(Join_stage::comparison, Join_answer::undefined);
+    const std::array<double, N> zero{};
+    const Join_answer by_signs = decide_by_signs<question>(internal::minus(zero, legs_a[0]), legs_b[0], pivot);
+    if (by_signs != Join_answer::unknown) return decided(Join_stage::comparison, by_signs);
   }
 
   Join_weights_of<question, std::int64_t> w;
@@ -123,8 +130,10 @@ BOOST_FORCEINLINE Join_answer decide_on_doubles(const Left& left, const Right& r
       const Join_equations<double, N, Weights, const Filter> equations(a, b, weights, filter, pivot);
       if (!all_hold<question>(equations)) return decided(Join_stage::floating_point, Join_answer::no);
 #ifdef CGAL_GEOMETRIC_CONTINUITY_HAS_FIXED_INTEGER
-      if (stages.uses(Join_stage::bounded_residue)) {
-        const Join_answer answer = decide_modulo<question, N>(p, q, a, b, pivot, w, filter, stages);
+      if (stages.uses(Join_stage::bounded_residue) && take_up<question>(w, 0)) {
+        const auto no_unit = [](Join_question) { return 0; };
+        const Join_answer answer =
+            decide_modulo<question, N, Residue<residue_limbs(question)>>(p, q, a, b, pivot, w, filter, no_unit, stages);
         if (answer != Join_answer::unknown) return answer;
       }
 #endif
@@ -179,53 +188,51 @@ template <int N, class Left, class Right> bool curvatures_differ(const Left& lef
   return !Interval(a * h * h * h).do_overlap(Interval(b * g * g * g));
 }
 
-// Whether the answer is yes. Nothing is asked any more once one answer has been unknown.
-template <Join_question question, int N, class Left, class Right>
-bool holds(const Left& left, const Right& right, bool& unknown) {
-  if (unknown) return false;
-  const All_join_stages stages;
-  const Join_answer answer = decide_on_doubles<question, N>(left, right, stages);
-  unknown = answer == Join_answer::unknown;
-  return answer == Join_answer::yes;
-}
+template <Join_question question> struct Question : std::integral_constant<Join_question, question> {};
 
-// Everything that Join_continuity says, for two ends with double coordinates and orders up to 3. Returns false when some of it
-// needs multi-precision numbers; then `join` is unspecified.
-template <int N, class Left, class Right, class Result>
-bool decide_all_on_doubles(const Left& left, const Right& right, int max_order, Result& join) {
-  const End_polygon<double, N> p = points_of<1, N>(left), q = points_of<1, N>(right);
+// Everything that Join_continuity says but the shape parameters, for a join in the plane or in space and orders up to 3; if only the
+// orders are wanted, the flags are left as they are where they are not decided by the way. `Questions` answers questions about the two
+// ends. Returns false when some of it needs multi-precision numbers; then `join` is unspecified.
+template <class Questions, class Result>
+bool decide_all_questions(const Questions& questions, int max_order, Result& join, bool only_orders = false) {
+  constexpr int N = Questions::dimension;
   bool unknown = false;
+  const auto holds = [&](auto question) { // nothing is asked any more once one answer has been unknown
+    if (unknown) return false;
+    const Join_answer answer = questions.template decide<decltype(question)::value>();
+    unknown = answer == Join_answer::unknown;
+    return answer == Join_answer::yes;
+  };
   int contact = 0; // of the curves, wherever their ends are
-  join.regular = p[0] != p[1] && q[0] != q[1];
-  if (join.regular) {
-    if (max_order >= 3 && holds<Join_question::g3, N>(left, right, unknown))
+  join.regular = questions.regular();
+  const bool meet = questions.ends_meet();
+  if (join.regular && (meet || !only_orders)) {
+    if (max_order >= 3 && holds(Question<Join_question::g3>()))
       contact = 3;
     else
-      contact = holds<Join_question::g2, N>(left, right, unknown)   ? 2
-                : holds<Join_question::g1, N>(left, right, unknown) ? 1
-                                                                    : 0;
+      contact = holds(Question<Join_question::g2>()) ? 2 : holds(Question<Join_question::g1>()) ? 1 : 0;
     join.tangent_equal = contact >= 1;
-    join.curvature_vector_equal =
-        contact >= 2 || (contact == 0 && holds<Join_question::curvature_vector, N>(left, right, unknown));
+  }
+  if (join.regular && !only_orders) {
+    join.curvature_vector_equal = contact >= 2 || (contact == 0 && holds(Question<Join_question::curvature_vector>()));
     join.curvature_equal = *join.curvature_vector_equal;
-    if (!*join.curvature_vector_equal && !curvatures_differ<N>(left, right)) return false;
+    if (!*join.curvature_vector_equal && !questions.curvatures_differ()) return false;
     if constexpr (N == 3) {
       if (unknown) return false;
-      const All_join_stages stages;
-      const Join_answer answer = decide_on_doubles<Join_question::torsion, N>(left, right, stages);
+      const Join_answer answer = questions.template decide<Join_question::torsion>();
       if (answer == Join_answer::unknown) return false;
       if (answer != Join_answer::undefined) join.torsion_equal = answer == Join_answer::yes;
     }
   }
   if (unknown) return false;
-  if (p[0] != q[0]) return true;
+  if (!meet) return true;
 
   join.c_order = join.g_order = join.f_order = 0;
-  if (max_order >= 1 && holds<Join_question::c1, N>(left, right, unknown)) {
+  if (max_order >= 1 && holds(Question<Join_question::c1>())) {
     join.c_order = 1;
-    if (max_order >= 3 && holds<Join_question::c3, N>(left, right, unknown))
+    if (max_order >= 3 && holds(Question<Join_question::c3>()))
       join.c_order = 3;
-    else if (max_order >= 2 && holds<Join_question::c2, N>(left, right, unknown))
+    else if (max_order >= 2 && holds(Question<Join_question::c2>()))
       join.c_order = 2;
   }
   if (contact >= 1 && max_order >= 1) {
@@ -233,21 +240,52 @@ bool decide_all_on_doubles(const Left& left, const Right& right, int max_order, 
     join.f_order = (std::min)(join.g_order, 2);
     if constexpr (N == 3)
       if (join.f_order == 2 && max_order >= 3 &&
-          (join.torsion_equal ? *join.torsion_equal : holds<Join_question::f3, N>(left, right, unknown)))
+          (join.torsion_equal ? *join.torsion_equal : holds(Question<Join_question::f3>())))
         join.f_order = 3;
-    const int i = largest_coordinate(legs_of<1>(p)[0]);
-    const auto along = [i](const auto& end) {
-      const int m = end.degree();
-      const auto [a, b] = end.domain();
-      return Double_end{{end.coordinate(0, i), end.coordinate((std::min)(m, 1), i), end.coordinate((std::min)(m, 2), i),
-                         end.coordinate((std::min)(m, 3), i)},
-                        a,
-                        b,
-                        m};
-    };
-    join.parameters = Join_parameters<typename Result::Number>(along(left), along(right));
   }
   return !unknown;
+}
+
+// The join of two ends with double coordinates.
+template <int N, class Left, class Right> struct Double_join {
+  static constexpr int dimension = N;
+  const Left& left;
+  const Right& right;
+
+  bool regular() const {
+    const End_polygon<double, N> p = points_of<1, N>(left), q = points_of<1, N>(right);
+    return p[0] != p[1] && q[0] != q[1];
+  }
+  bool ends_meet() const { return points_of<0, N>(left)[0] == points_of<0, N>(right)[0]; }
+  template <Join_question question> Join_answer decide() const {
+    const All_join_stages stages;
+    return decide_on_doubles<question, N>(left, right, stages);
+  }
+  bool curvatures_differ() const { return internal::curvatures_differ<N>(left, right); }
+};
+
+// The shape parameters of such a join, which are to be computed when someone asks for them.
+template <class FT, int N, class Left, class Right>
+Join_parameters<FT> parameters_of(const Left& left, const Right& right) {
+  const int i = largest_coordinate(legs_of<1>(points_of<1, N>(left))[0]);
+  const auto along = [i](const auto& end) {
+    const int m = end.degree();
+    const auto [a, b] = end.domain();
+    return Double_end{{end.coordinate(0, i), end.coordinate((std::min)(m, 1), i), end.coordinate((std::min)(m, 2), i),
+                       end.coordinate((std::min)(m, 3), i)},
+                      a,
+                      b,
+                      m};
+  };
+  return Join_parameters<FT>(along(left), along(right));
+}
+
+// Everything that Join_continuity says, for two ends with double coordinates and orders up to 3; see decide_all_questions().
+template <int N, class Left, class Right, class Result>
+bool decide_all_on_doubles(const Left& left, const Right& right, int max_order, Result& join) {
+  if (!decide_all_questions(Double_join<N, Left, Right>{left, right}, max_order, join)) return false;
+  if (join.g_order >= 1) join.parameters = parameters_of<typename Result::Number, N>(left, right);
+  return true;
 }
 
 } // namespace internal

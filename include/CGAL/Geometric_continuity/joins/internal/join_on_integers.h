@@ -25,6 +25,11 @@ constexpr int residue_limbs(Join_question question) {
   return form_degree(question) <= 2 ? 2 : form_degree(question) <= 4 ? 3 : 4;
 }
 
+// A number of one limb of which products are residues modulo 2^(64 limbs).
+template <int limbs> using Residue = Fixed_integer<1, limbs>;
+template <class Integer> constexpr int bits_of_residue = 0;
+template <int limbs> constexpr int bits_of_residue<Residue<limbs>> = 64 * limbs;
+
 // The decision on differences a and b of the points p and q that have passed the filter, exact or `unknown`: a whole number
 // that is divisible by 2^s and smaller than 2^s is 0.
 //
@@ -32,30 +37,32 @@ constexpr int residue_limbs(Join_question question) {
 // multiple of the unit and at most 2^53 units long, hence a double, so it was computed without rounding. In units they are
 // whole numbers |a1| <= 2^51, |a2| <= 2^52, |a3| <= 2^53, and what is shorter than the residues stays within its limbs, as in
 // decide_on_grids(). The bound that the filter proves for a form of degree d is divided by 2^(g d); forms of degree at most 2,
-// and with four limbs the one for G2, are shorter than the residues anyway.
-template <Join_question question, int N, class Filter, class Stages>
+// and with four limbs and polynomials the one for G2, are shorter than the residues anyway.
+//
+// The factors are whole numbers w; in the filter those of a form are 2^unit_of_factors(form) times these.
+template <Join_question question, int N, class Integer, class Weights, class Filter, class Unit, class Stages>
 BOOST_FORCEINLINE Join_answer decide_modulo(const End_polygon<double, N>& p, const End_polygon<double, N>& q,
                                             const Differences<double, N>& a, const Differences<double, N>& b, int pivot,
-                                            Join_weights_of<question, std::int64_t> w, const Filter& filter,
+                                            const Weights& w, const Filter& filter, const Unit& unit_of_factors,
                                             Stages& stages) {
-  constexpr int k = highest_difference(question), limbs = residue_limbs(question);
-  typedef Fixed_integer<1, limbs> Integer;
+  constexpr int k = highest_difference(question), bits = bits_of_residue<Integer>;
   Common_grid grid((std::max)(largest_coordinate_of<k>(p), largest_coordinate_of<k>(q)));
   if (!grid.valid()) return Join_answer::unknown;
   grid.include<k>(p);
   grid.include<k>(q);
   const int g = grid.exponent();
   if (!grid.valid() || (std::max)(filter.A.d3, filter.B.d3) > 0x1p53 * power_of_two(g)) return Join_answer::unknown;
-  if (form_degree(question) > 2 && filter.exponent_of_bound(question) - g * form_degree(question) > 64 * limbs)
-    return Join_answer::unknown;
-  if (!take_up<question>(w, 0)) return Join_answer::unknown;
+  const auto fits = [&](Join_question form) {
+    return filter.exponent_of_bound(form) - g * form_degree(form) - unit_of_factors(form) <= bits;
+  };
+  if (form_degree(question) > 2 && !fits(question)) return Join_answer::unknown;
+  if (Weights::rational && is_geometric(question) && !fits(Join_question::g2)) return Join_answer::unknown;
 
   const double units = power_of_two(-g);
   const Differences<Integer, N> x = in_units<k, Integer>(rotated<k>(a, pivot), units),
                                 y = in_units<k, Integer>(rotated<k>(b, pivot), units);
   const Modular_zero zero;
-  const Join_equations<Integer, N, Join_weights_of<question, std::int64_t>, const Modular_zero> equations(x, y, w,
-                                                                                                          zero);
+  const Join_equations<Integer, N, Weights, const Modular_zero> equations(x, y, w, zero);
   const auto decided = [&](Join_answer answer) {
     stages.decided(Join_stage::bounded_residue, answer);
     return answer;

@@ -7,6 +7,7 @@
 
 #include <CGAL/Geometric_continuity/local/coordinates.h>
 #include <CGAL/Geometric_continuity/models/internal/Edge_key.h>
+#include <CGAL/Geometric_continuity/models/internal/Edge_polygon.h>
 #include <CGAL/Geometric_continuity/models/internal/Edge_use.h>
 #include <CGAL/Geometric_continuity/models/internal/name_work_limit.h>
 
@@ -41,87 +42,12 @@ template <class Surface> const typename Surface::Point& corner_point(const Surfa
     return s.control_point(u ? s.number_of_points_u() - 1 : 0, v ? s.number_of_points_v() - 1 : 0);
 }
 
-// Coordinate by coordinate: negative, zero or positive.
-template <class Coordinates> int compare_coordinates(const Coordinates& p, const Coordinates& q) {
-  for (int i = 0; i < p.dimension(); ++i) {
-    if (p[i] < q[i]) return -1;
-    if (q[i] < p[i]) return 1;
-  }
-  return 0;
-}
-
-// The control points of an edge over its knots, in the direction that makes them smaller. Edges of one form, i.e. of one degree
-// over the same knots, are the same if and only if their points are; other edges are compared by Edge_key.
-// \pre has_corner_points()
-template <class Traits> class Edge_polygon {
-  typedef Edge_field<Traits> Field;
-  typedef typename Traits::FT FT;
-
-  std::vector<Coordinates<Traits>> points_;
-  std::vector<Field> knots_; // the inner knots, where the domain is [0, 1]
-  int degree_;
-  bool turned_ = false;
-
-public:
-  Edge_polygon(const Bezier_patch<Traits>& s, Patch_edge edge) : degree_(s.degree_along(edge)) {
-    for (int i = 0; i <= degree_; ++i) add(s.control_point(edge, i, 0));
-    turn();
-  }
-  Edge_polygon(const Bspline_surface<Traits>& s, Patch_edge edge) : degree_(s.knots_along(edge).degree()) {
-    const Knot_vector<FT>&along = s.knots_along(edge), &across = s.knots_across(edge);
-    const int side = at_upper_end(edge) ? across.number_of_coefficients() - 1 : 0;
-    for (int i = 0; i < along.number_of_coefficients(); ++i)
-      add(runs_along_u(edge) ? s.control_point(i, side) : s.control_point(side, i));
-    const Field begin = to_field<Field>(along.domain().first), length = to_field<Field>(along.domain().second) - begin;
-    for (int i = degree_ + 1; i < along.number_of_coefficients(); ++i)
-      knots_.push_back(Field((to_field<Field>(along[i]) - begin) / length));
-    turn();
-  }
-
-  // See Edge_key.
-  bool turned() const { return turned_; }
-  bool single_point() const {
-    return std::all_of(points_.begin(), points_.end(), [&](const auto& p) { return p == points_[0]; });
-  }
-
-  // Whether equality of the points decides. Over inner knots the direction of a closed edge may be that of its points, but
-  // not that of the curve.
-  bool has_form_of(const Edge_polygon& other) const {
-    return degree_ == other.degree_ && knots_ == other.knots_ &&
-           (knots_.empty() || !(points_.front() == points_.back()));
-  }
-
-  // By all points. \pre both have one form
-  friend bool operator<(const Edge_polygon& x, const Edge_polygon& y) { return before(x.points_, y.points_); }
-
-private:
-  typedef std::vector<Coordinates<Traits>> Points;
-
-  void add(const typename Traits::Point& p) { points_.push_back(Geometric_continuity::coordinates<Traits>(p)); }
-
-  void turn() {
-    const Points points(points_.rbegin(), points_.rend());
-    std::vector<Field> knots;
-    for (auto k = knots_.rbegin(); k != knots_.rend(); ++k) knots.push_back(Field(Field(1) - *k));
-    turned_ = before(points, points_) || (points == points_ && knots < knots_);
-    if (!turned_) return;
-    points_ = points;
-    knots_.swap(knots);
-  }
-
-  static bool before(const Points& x, const Points& y) {
-    return std::lexicographical_compare(x.begin(), x.end(), y.begin(), y.end(),
-                                        [](const auto& p, const auto& q) { return compare_coordinates(p, q) < 0; });
-  }
-};
-
 // Recognises each edge of a model once, by sorting: first by the points at its ends, which have been numbered; then those
-// with the same ends by their control points, if they have one degree and the same knots, otherwise by Edge_key; those of rational
-// surfaces always by Edge_key.
+// with the same ends by their control points and weights, if they have one degree and the same knots, otherwise by Edge_key.
 template <class Surface> class Edge_groups {
   typedef typename Surface::Traits Traits;
   typedef Edge_key<Traits, row_dimension<Surface>> Key;
-  typedef Edge_polygon<Traits> Polygon;
+  typedef Edge_polygon<Surface> Polygon;
 
   const std::vector<const Surface*>& surfaces_;
   const Work_limit limit_;
@@ -212,13 +138,6 @@ private:
       edges_.emplace_back(uses_.data() + uses_.size() - 1, uses_.data() + uses_.size());
       return;
     }
-    if constexpr (Is_rational_surface<Surface>::value)
-      group_by_keys(uses);
-    else
-      group_polynomials(uses, closed);
-  }
-
-  void group_polynomials(const std::vector<Edge_use>& uses, bool closed) {
     std::vector<Edge_use> open;
     std::vector<Polygon> polygons;
     for (const Edge_use& use : uses) {

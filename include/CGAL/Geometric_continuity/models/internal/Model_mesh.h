@@ -77,14 +77,12 @@ public:
       : patches_(patches), numbers_(numbers), topology_(patches), corners_(4 * patches.size(), none),
         sides_(patches.size()) {}
 
-  // `cells_of(patch, number, least)` is the number of cells of a patch, which has this number in the tessellation, if
-  // possible at least `least` in each direction: four cells make the triangles of patches a manifold that close up, or meet
-  // more than once. Where two patches have an edge, one of their numbers along it must divide the other. After each patch
+  // `cells_of(i, least)` is the number of cells of patch number i, if possible at least `least` in each direction: four cells
+  // make the triangles of patches a manifold that close up, or meet more than once. Where two patches have an edge, one of their numbers along it must divide the other. After each patch
   // `report(n)` is called with the number of triangles so far.
   template <class Cells_of, class Report>
   Tessellation<Traits> operator()(Cells_of cells_of, std::size_t max_triangles, Report report) {
-    for (std::size_t i = 0; i < patches_.size(); ++i)
-      cells_.push_back(cells_of(*patches_[i], numbers_[i], topology_.simple(i) ? 1 : 4));
+    for (std::size_t i = 0; i < patches_.size(); ++i) cells_.push_back(cells_of(i, topology_.simple(i) ? 1 : 4));
     reserve(max_triangles);
     for (const Edge_uses& uses : topology_.edges()) add_edge(uses);
     typename Patch_triangulation<Patch>::Edges points;
@@ -97,14 +95,19 @@ public:
   }
 
 private:
-  // A point that is added to an edge of a cell adds a triangle.
+  // A point that is added to an edge of a cell adds a triangle. Points in the middle of a cell are not foreseen.
   void reserve(std::size_t max_triangles) {
     Triangle_budget budget(max_triangles);
     for (std::size_t i = 0; i < patches_.size(); ++i) budget.add(2.0 * cells_[i].u * cells_[i].v, numbers_[i]);
+    std::size_t points = corners_.size();
+    for (const Patch_cells& cells : cells_) points += static_cast<std::size_t>(cells.u - 1) * (cells.v - 1);
     for (const Edge_uses& uses : topology_.edges()) {
       const std::size_t n = cells_along(uses);
+      points += n - 1;
       for (const Edge_use& use : uses) budget.add(static_cast<double>(n - number_of_cells(use)), numbers_[use.patch]);
     }
+    mesh_.points.reserve(points);
+    mesh_.places.reserve(points);
     mesh_.triangles.reserve(budget.triangles());
     mesh_.patches.reserve(budget.triangles());
     edges_.reserve(topology_.edges().size());
@@ -121,8 +124,8 @@ private:
     return n;
   }
 
-  std::size_t add_point(std::size_t patch, const typename Traits::Point& point, const FT& u, const FT& v) {
-    mesh_.points.push_back(point);
+  std::size_t add_point(std::size_t patch, typename Traits::Point point, const FT& u, const FT& v) {
+    mesh_.points.push_back(std::move(point));
     mesh_.places.push_back({numbers_[patch], u, v});
     return mesh_.points.size() - 1;
   }
@@ -156,13 +159,14 @@ private:
     const Patch& s = *patches_[i];
     std::vector<decltype(summand(s, edge, 0))> net;
     for (int k = 0; k <= s.degree_along(edge); ++k) net.push_back(summand(s, edge, k));
-    const std::vector<std::vector<FT>> weights = bernstein_weights<FT>(s.degree_along(edge), n);
+    Point_sums<Patch> sums(s, net);
+    const auto weights = sums.weights(s.degree_along(edge), n);
     const FT u0 = at_upper_end(edge) ? s.domain_u().second : s.domain_u().first,
              v0 = at_upper_end(edge) ? s.domain_v().second : s.domain_v().first;
     for (std::size_t k = 1; k < n; ++k) {
       const FT t = fraction_of(s.domain(edge), k, n);
       const bool along_u = runs_along_u(edge);
-      add_point(i, point_of_sum(s, weighted_sum(weights[k], net)), along_u ? t : u0, along_u ? v0 : t);
+      add_point(i, sums.point(weighted_sum(weights[k], sums.net())), along_u ? t : u0, along_u ? v0 : t);
     }
   }
 

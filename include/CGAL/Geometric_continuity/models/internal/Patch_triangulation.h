@@ -7,8 +7,8 @@
 
 #include <CGAL/Geometric_continuity/models/Patch_flatness.h>
 #include <CGAL/Geometric_continuity/models/Tessellation.h>
-#include <CGAL/Geometric_continuity/surfaces/internal/bernstein_values.h>
-#include <CGAL/Geometric_continuity/surfaces/internal/patch_sums.h>
+#include <CGAL/Geometric_continuity/models/internal/Cell_diagonals.h>
+#include <CGAL/Geometric_continuity/models/internal/Point_sums.h>
 
 #include <algorithm>
 #include <array>
@@ -32,25 +32,12 @@ template <class FT> FT fraction_of(const std::pair<FT, FT>& interval, std::size_
             FT(interval.second - interval.first) * FT(FT(static_cast<int>(i)) / FT(static_cast<int>(n))));
 }
 
-// For each k from 0 to n, the values of the Bernstein polynomials of a degree at k/n.
-template <class FT> std::vector<std::vector<FT>> bernstein_weights(int degree, std::size_t n) {
-  std::vector<std::vector<FT>> weights(n + 1);
-  for (std::size_t k = 0; k <= n; ++k) {
-    const FT t = fraction_of<FT>({FT(0), FT(1)}, k, n);
-    std::vector<FT> b(degree + 2, FT(0)); // with a zero in front
-    b[1] = FT(1);
-    for (int m = 1; m <= degree; ++m) raise_bernstein_values(b, m, t);
-    weights[k].assign(b.begin() + 1, b.end());
-  }
-  return weights;
-}
-
-// The sum of the points `net[first]`, `net[first + 1]`, ... with weights.
-template <class FT, class Coordinates>
-Coordinates weighted_sum(const std::vector<FT>& weights, const std::vector<Coordinates>& net, std::size_t first = 0) {
-  Coordinates sum = weights[0] * net[first];
-  for (std::size_t i = 1; i < weights.size(); ++i) sum += weights[i] * net[first + i];
-  return sum;
+// The ends of n equal parts of an interval.
+template <class FT> std::vector<FT> ends_of_parts(const std::pair<FT, FT>& interval, std::size_t n) {
+  std::vector<FT> ends;
+  ends.reserve(n + 1);
+  for (std::size_t i = 0; i <= n; ++i) ends.push_back(fraction_of(interval, i, n));
+  return ends;
 }
 
 // Cuts the patch into cells, and each cell into triangles. Points on the edges are there before; their number on an edge
@@ -72,36 +59,39 @@ private:
   std::size_t nu_, nv_;
   Mesh& mesh_;
   std::size_t first_inner_;
+  Cell_diagonals<Traits> diagonals_;
 
 public:
   Patch_triangulation(const Patch& patch, std::size_t number, const Patch_cells& cells, const Edges& edges, Mesh& mesh)
       : patch_(patch), number_(number), edges_(edges), nu_(cells.u), nv_(cells.v), mesh_(mesh),
-        first_inner_(mesh.points.size()) {
+        first_inner_(mesh.points.size()), diagonals_(mesh.points) {
     add_inner_points();
-    for (std::size_t i = 0; i < nu_; ++i)
-      for (std::size_t j = 0; j < nv_; ++j) triangulate(i, j);
+    for (std::size_t i = 0; i <= nu_; ++i) {
+      diagonals_.next_row(nv_ + 1, [&](std::size_t j) { return grid_point(i, j); });
+      for (std::size_t j = 0; i > 0 && j < nv_; ++j) triangulate(i - 1, j);
+    }
   }
 
 private:
   // The points of the grid inside the patch, row by row: first the control points of the curve with the constant v.
   void add_inner_points() {
-    const std::size_t p = static_cast<std::size_t>(patch_.degree_u()), q = static_cast<std::size_t>(patch_.degree_v());
-    std::vector<decltype(summand(patch_, 0, 0))> net, row;
-    for (int i = 0; i <= patch_.degree_u(); ++i)
-      for (int j = 0; j <= patch_.degree_v(); ++j) net.push_back(summand(patch_, i, j));
-    row.assign(p + 1, net[0]);
-    const std::vector<std::vector<FT>> u = bernstein_weights<FT>(patch_.degree_u(), nu_),
-                                       v = bernstein_weights<FT>(patch_.degree_v(), nv_);
+    const int p = patch_.degree_u(), q = patch_.degree_v();
+    std::vector<decltype(summand(patch_, 0, 0))> net;
+    for (int i = 0; i <= p; ++i)
+      for (int j = 0; j <= q; ++j) net.push_back(summand(patch_, i, j));
+    typedef Point_sums<Patch> Sums;
+    Sums sums(patch_, net);
+    const std::vector<std::vector<typename Sums::Number>> u = sums.weights(p, nu_), v = sums.weights(q, nv_);
+    const std::vector<FT> s = ends_of_parts(patch_.domain_u(), nu_), t = ends_of_parts(patch_.domain_v(), nv_);
+    std::vector<typename Sums::Vector> row(p + 1, sums.net()[0]);
     for (std::size_t j = 1; j < nv_; ++j) {
-      for (std::size_t k = 0; k <= p; ++k) row[k] = weighted_sum(v[j], net, k * (q + 1));
-      for (std::size_t i = 1; i < nu_; ++i)
-        add_point(point_of_sum(patch_, weighted_sum(u[i], row)), fraction_of(patch_.domain_u(), i, nu_),
-                  fraction_of(patch_.domain_v(), j, nv_));
+      for (int k = 0; k <= p; ++k) row[k] = weighted_sum(v[j], sums.net(), static_cast<std::size_t>(k) * (q + 1));
+      for (std::size_t i = 1; i < nu_; ++i) add_point(sums.point(weighted_sum(u[i], row)), s[i], t[j]);
     }
   }
 
-  std::size_t add_point(const typename Traits::Point& point, const FT& u, const FT& v) {
-    mesh_.points.push_back(point);
+  std::size_t add_point(typename Traits::Point point, const FT& u, const FT& v) {
+    mesh_.points.push_back(std::move(point));
     mesh_.places.push_back({number_, u, v});
     return mesh_.points.size() - 1;
   }
@@ -148,7 +138,7 @@ private:
         polygon.push_back(grid_point(i + (side == 1 || side == 2), j + (side >= 2)));
     }
     corner[4] = polygon.size();
-    if (const std::optional<int> apex = fan_apex(polygon, corner, outer))
+    if (const std::optional<int> apex = fan_apex(corner, outer, j))
       fan(polygon, corner[*apex]);
     else {
       const FT s = centre(patch_.domain_u(), i, nu_), t = centre(patch_.domain_v(), j, nv_);
@@ -164,26 +154,25 @@ private:
 
   // The corner from which a fan of triangles covers the cell: no other point may lie on the two sides at it, and it should
   // not be on an edge of the patch. Corner number k is where side k begins and side k - 1 ends.
-  std::optional<int> fan_apex(const std::vector<std::size_t>& polygon, const std::array<std::size_t, 5>& corner,
-                              const std::array<bool, 4>& outer) const {
+  std::optional<int> fan_apex(const std::array<std::size_t, 5>& corner, const std::array<bool, 4>& outer,
+                              std::size_t j) const {
     const auto whole = [&](int side) { return corner[side + 1] - corner[side] == 1; };
+    std::optional<Comparison_result> order; // of the diagonals from the corners 0 and 2, and 1 and 3
+    const auto has_shorter_diagonal = [&](int k, int than) {
+      if ((k - than) % 2 == 0) return false;
+      if (!order) order = diagonals_(j);
+      return *order == (k % 2 == 0 ? SMALLER : LARGER);
+    };
     std::optional<int> best;
     int best_sides = 3;
     for (int k = 0; k < 4; ++k) {
       const int before = (k + 3) % 4, outer_sides = outer[k] + outer[before];
       if (!whole(k) || !whole(before) || outer_sides > best_sides) continue;
-      if (outer_sides == best_sides && !(diagonal(polygon, corner, k) < diagonal(polygon, corner, *best))) continue;
+      if (outer_sides == best_sides && !has_shorter_diagonal(k, *best)) continue;
       best = k;
       best_sides = outer_sides;
     }
     return best;
-  }
-
-  // The square of the length of the diagonal from a corner.
-  FT diagonal(const std::vector<std::size_t>& polygon, const std::array<std::size_t, 5>& corner, int k) const {
-    const Coordinates<Traits> d = coordinates<Traits>(mesh_.points[polygon[corner[k]]]) -
-                                  coordinates<Traits>(mesh_.points[polygon[corner[(k + 2) % 4]]]);
-    return dot(d, d);
   }
 
   void fan(const std::vector<std::size_t>& polygon, std::size_t apex) {

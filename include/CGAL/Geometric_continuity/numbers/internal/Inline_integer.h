@@ -84,10 +84,18 @@ public:
     z.remove_leading_zeros();
     return z;
   }
+  friend Inline_integer operator+(Inline_integer x, const Inline_integer& y) { return std::move(x += y); }
+  friend Inline_integer operator-(Inline_integer x, const Inline_integer& y) { return std::move(x -= y); }
   friend bool operator==(const Inline_integer& x, const Inline_integer& y) {
     return x.negative_ == y.negative_ && x.limbs_ == y.limbs_;
   }
   friend bool operator!=(const Inline_integer& x, const Inline_integer& y) { return !(x == y); }
+
+  friend bool operator<(const Inline_integer& x, const Inline_integer& y) {
+    if (x.sign() != y.sign()) return x.sign() < y.sign();
+    const int order = compare_absolute(x, y);
+    return x.negative_ ? order > 0 : order < 0;
+  }
 
   // The order of the absolute values: negative, 0, positive.
   friend int compare_absolute(const Inline_integer& x, const Inline_integer& y) {

@@ -8,6 +8,7 @@
 #include <CGAL/Geometric_continuity/algebra/Coordinate_vector.h>
 #include <CGAL/Geometric_continuity/algebra/bernstein.h>
 #include <CGAL/Geometric_continuity/surfaces/internal/Rational_net.h>
+#include <CGAL/Geometric_continuity/surfaces/internal/zeros_on_square.h>
 
 #include <algorithm>
 #include <string>
@@ -32,10 +33,23 @@ template <class Field> Bernstein_rows<Field> transposed(const Bernstein_rows<Fie
   return r;
 }
 
+// has_zero_on_square() for such a polynomial. \throws Error `work_limit`
+template <class Field> bool has_zero_inside(const Bernstein_rows<Field>& b) {
+  typedef typename Exact_number<Field>::type Exact;
+  const bool turned = static_cast<int>(b.size()) < b[0].dimension(); // it is easier with the lower degree in v
+  const Bernstein_rows<Field> powers_of_u = powers_from_bernstein<Field>(turned ? transposed<Field>(b) : b),
+                              powers = powers_from_bernstein<Field>(transposed<Field>(powers_of_u));
+  std::vector<std::vector<Exact>> coefficients(powers[0].dimension());
+  for (const Coordinate_vector<Field, 0>& row : powers)
+    for (int i = 0; i < row.dimension(); ++i) coefficients[i].push_back(Exact_number<Field>::of(row[i]));
+  return has_zero_on_square(coefficients, Work_limit());
+}
+
 // Decides exactly whether such a polynomial is positive on the closed unit square. On the boundary this is decided as for
 // curves. Inside, the coefficients of ever smaller rectangles are taken until all are positive, or a corner is not. This ends
 // unless the polynomial is zero somewhere inside and negative nowhere, and is given up after 64 halvings, as in
-// add_positive_parts_of_patch(), or when no rectangle is left of the number that is allowed for a whole surface.
+// add_positive_parts_of_patch(), or when no rectangle is left of the number that is allowed for a whole surface. Then it is decided
+// whether there is a zero; if not, it is still too close to zero for all that is to be done with the surface.
 // \throws Error `zero_weight` if it is not positive, `work_limit` when it comes too close to zero
 template <class Field> void require_positive(const Bernstein_rows<Field>& b, int& allowed, const char* place) {
   const auto corners_positive = [](const Bernstein_rows<Field>& r) {
@@ -55,8 +69,10 @@ template <class Field> void require_positive(const Bernstein_rows<Field>& b, int
     for (const Bernstein_rows<Field>& r : rectangles) {
       if (!corners_positive(r)) throw Error(Error_code::zero_weight, place);
       if (positive_coefficients(r)) continue;
-      if (halvings == 64 || --allowed < 0)
+      if (halvings == 64 || --allowed < 0) {
+        if (has_zero_inside(b)) throw Error(Error_code::zero_weight, place);
         throw Error(Error_code::work_limit, std::string(place) + ": the denominator is too close to zero");
+      }
       Bernstein_rows<Field> right = transposed<Field>(r), left = right; // u and v take turns
       bernstein_split(right, static_cast<int>(right.size()) - 1, Field(Field(1) / Field(2)), left);
       halves.push_back(std::move(left));

@@ -1,0 +1,76 @@
+// Copyright (c) 2026 The Geometric_continuity developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_GEOMETRIC_CONTINUITY_IO_G2_SPAN_READER_H
+#define CGAL_GEOMETRIC_CONTINUITY_IO_G2_SPAN_READER_H
+
+#include <CGAL/Geometric_continuity/IO/G2_span.h>
+#include <CGAL/Geometric_continuity/IO/internal/G2_spline_parts.h>
+
+#include <algorithm>
+#include <istream>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Geometric_continuity {
+
+/// \ingroup PkgGeometricContinuityIO
+/// Reads the curves of a text in the `.g2` format span by span, as `G2_piece_reader` does, but keeps the numbers as they are written:
+/// `continuity()` of two spans decides most joins from them at once, exactly. That is the fastest way from a file to
+/// verdicts. Of a curve, only the knots and what belongs to one span are kept; curves of an order above 16 are read as a whole.
+///
+/// \tparam Traits a model of `GeometricContinuityTraits` over an exact field, in which the other joins are decided
+/// \tparam Number `Text_number`, or a floating-point type to which numbers are rounded when they are read
+/// \tparam Concurrency_tag with `Parallel_tag`, or `Parallel_if_available_tag` and TBB, the numbers are read on several cores
+template <class Traits, class Number = Text_number, class Concurrency_tag = Sequential_tag> class G2_span_reader {
+  static constexpr int highest_order = 16; // of a curve that is cut span by span
+
+  internal::G2_spline_parts<Number, dimension_v<Traits>, Concurrency_tag> parts_;
+  int order_;
+  int degree_ = 0; // of the last part
+  Work_limit limit_;
+  std::vector<Curve_end_jets<Traits>>
+      jets_; // of the spans of the last part that was not cut: what is left, the next one last
+
+public:
+  /// Reads from `is`, which must outlive the reader. Error messages begin with `name`. Joins of the spans can be decided up to
+  /// this order. The limit is that for the jets of each span.
+  /// \throws Error `negative_count` for a negative order, `cannot_read_file` when the stream is not good
+  G2_span_reader(std::istream& is, std::string name, int order, Work_limit limit = Work_limit())
+      : parts_(is, std::move(name), highest_order), order_(order), limit_(limit) {
+    internal::check_count(order, "G2_span_reader");
+  }
+
+  /// Reads the next span. Returns false at the end of the text. After an error the reader cannot be used any more.
+  /// \throws Error as `G2_bspline_reader` does, `work_limit`
+  bool next(G2_span<Traits, Number>& span) {
+    if (jets_.empty()) {
+      if (!parts_.next(span.part_)) return false;
+      const internal::G2_spline_part<Number>& part = span.part_;
+      span.order_ = order_;
+      span.limit_ = limit_;
+      span.jets_.reset();
+      span.has_one_span_ = !part.rational && part.degree < highest_order;
+      if (span.has_one_span_) return true;
+      degree_ = part.degree;
+      jets_ = part.rational
+                  ? parts_.checked([&] { return internal::rational_curve<Traits>(part).span_end_jets(order_, limit_); })
+                  : internal::polynomial_curve<Traits>(part).span_end_jets(order_, limit_);
+      std::reverse(jets_.begin(), jets_.end());
+    }
+    span.has_one_span_ = false;
+    span.part_.degree = degree_;
+    span.part_.dimension = jets_.back().dimension();
+    span.jets_ = std::make_shared<const Curve_end_jets<Traits>>(std::move(jets_.back()));
+    jets_.pop_back();
+    return true;
+  }
+};
+
+} // namespace Geometric_continuity
+} // namespace CGAL
+
+#endif // CGAL_GEOMETRIC_CONTINUITY_IO_G2_SPAN_READER_H

@@ -1,0 +1,125 @@
+// Copyright (c) 2026 The Geometric_continuity developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_GEOMETRIC_CONTINUITY_IO_TEXT_NUMBER_H
+#define CGAL_GEOMETRIC_CONTINUITY_IO_TEXT_NUMBER_H
+
+#include <CGAL/Exact_rational.h>
+#include <CGAL/Geometric_continuity/IO/internal/short_decimal.h>
+#include <CGAL/Geometric_continuity/IO/number.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <string_view>
+
+namespace CGAL {
+namespace Geometric_continuity {
+
+/// \ingroup PkgGeometricContinuityIO
+/// A number as it stands in a text, exactly: a decimal with at most 18 digits as an integer times a power of ten, for which no
+/// memory is allocated, and everything else that `parse_number()` accepts as a rational number. It is for storing and comparing;
+/// whoever computes takes `value()`, or brings several numbers on a common grid with `on_grid()`.
+class Text_number {
+  std::int64_t digits_ = 0;
+  int exponent_ = 0;
+  std::shared_ptr<const Exact_rational> exact_; // in place of the decimal
+
+public:
+  /// Constructs 0.
+  Text_number() = default;
+  /// Constructs `digits` \f$ \cdot 10^{exponent} \f$. \pre at most 18 digits, and an exponent of at most `max_decimal_exponent`
+  explicit Text_number(std::int64_t digits, int exponent = 0)
+      : digits_(digits), exponent_(digits == 0 ? 0 : exponent) {}
+  /// Constructs any rational number.
+  explicit Text_number(const Exact_rational& x) : exact_(std::make_shared<const Exact_rational>(x)) {}
+  /// Reads a number. \throws Error `malformed_input` as `parse_number()` does
+  explicit Text_number(std::string_view text) {
+    internal::Short_decimal decimal;
+    if (!text.empty() &&
+        internal::read_short_decimal(text.data(), text.data() + text.size(), decimal) == text.data() + text.size() &&
+        decimal.exists())
+      *this = Text_number(decimal.digits, decimal.exponent);
+    else
+      *this = Text_number(parse_number<Exact_rational>(text));
+  }
+
+  /// Returns whether the number is kept as a decimal.
+  bool is_decimal() const { return !exact_; }
+
+  /// Returns the exponent of the power of ten of which the number is a multiple; 0 for the number 0. \pre `is_decimal()`
+  int exponent() const { return exponent_; }
+
+  /// Returns the number.
+  Exact_rational value() const {
+    if (exact_) return *exact_;
+    internal::Number_parts parts;
+    const std::string digits = std::to_string(digits_ < 0 ? -digits_ : digits_);
+    parts.negative = digits_ < 0;
+    parts.integer = digits;
+    parts.exponent = exponent_;
+    return internal::exact_value<Exact_rational>(parts);
+  }
+
+  /// Computes the integer `x` with the number \f$ x \cdot 10^{exponent} \f$. Returns false, and leaves `x`, if there is none below
+  /// \f$ 2^{60} \f$ in absolute value, and for a number that is not kept as a decimal.
+  bool on_grid(int exponent, std::int64_t& x) const {
+    if (exact_) return false;
+    if (digits_ == 0) {
+      x = 0;
+      return true;
+    }
+    if (exponent > exponent_ || exponent_ - exponent > 18) return false;
+    const std::int64_t power = powers[exponent_ - exponent], largest = ((std::int64_t(1) << 60) - 1) / power;
+    if (digits_ > largest || digits_ < -largest) return false;
+    x = digits_ * power;
+    return true;
+  }
+
+  friend bool operator==(const Text_number& x, const Text_number& y) {
+    if (x.exponent_ == y.exponent_ && !x.exact_ && !y.exact_) return x.digits_ == y.digits_;
+    return x.compare(y) == 0;
+  }
+  friend bool operator!=(const Text_number& x, const Text_number& y) { return !(x == y); }
+  friend bool operator<(const Text_number& x, const Text_number& y) {
+    if (x.exponent_ == y.exponent_ && !x.exact_ && !y.exact_) return x.digits_ < y.digits_;
+    return x.compare(y) < 0;
+  }
+
+private:
+  static constexpr std::int64_t powers[19] = {1,
+                                              10,
+                                              100,
+                                              1000,
+                                              10000,
+                                              100000,
+                                              1000000,
+                                              10000000,
+                                              100000000,
+                                              1000000000,
+                                              10000000000,
+                                              100000000000,
+                                              1000000000000,
+                                              10000000000000,
+                                              100000000000000,
+                                              1000000000000000,
+                                              10000000000000000,
+                                              100000000000000000,
+                                              1000000000000000000};
+
+  // The sign of the difference.
+  int compare(const Text_number& other) const {
+    std::int64_t x, y;
+    const int exponent = (std::min)(exponent_, other.exponent_);
+    if (on_grid(exponent, x) && other.on_grid(exponent, y)) return x < y ? -1 : y < x ? 1 : 0;
+    const Exact_rational a = value(), b = other.value();
+    return a < b ? -1 : b < a ? 1 : 0;
+  }
+};
+
+} // namespace Geometric_continuity
+} // namespace CGAL
+
+#endif // CGAL_GEOMETRIC_CONTINUITY_IO_TEXT_NUMBER_H

@@ -1,0 +1,218 @@
+// Copyright (c) 2026 The Geometric_continuity developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_GEOMETRIC_CONTINUITY_IO_INTERNAL_GRID_JOIN_H
+#define CGAL_GEOMETRIC_CONTINUITY_IO_INTERNAL_GRID_JOIN_H
+
+#include <CGAL/Geometric_continuity/IO/Text_number.h>
+#include <CGAL/Geometric_continuity/IO/internal/G2_spline_parts.h>
+#include <CGAL/Geometric_continuity/joins/internal/join_on_long_integers.h>
+#include <CGAL/Geometric_continuity/joins/join_continuity.h>
+#include <CGAL/Geometric_continuity/local/Curve_jet.h>
+#include <CGAL/Interval_nt.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <numeric>
+#include <type_traits>
+#include <utility>
+
+/// \file Grid_join.h
+/// Decimals become integers when they are multiplied by a power of ten. No order of continuity changes when all points are multiplied
+/// by one factor and all parameters by another one. So the stages for doubles decide the joins of curves that are given by
+/// decimals, exactly, if the integers are doubles.
+
+namespace CGAL {
+namespace Geometric_continuity {
+namespace internal {
+
+// Whether the control points next to an end of a part that has one span are Bezier points; see Bspline_ends.
+template <class Part> bool has_bezier_points(const Part& part, bool at_end) {
+  const int p = part.degree, few = (std::min)(p, 3), before = at_end ? few : p, after = at_end ? p : few;
+  for (int i = 1; i < before; ++i)
+    if (!(part.knots[p - i] == part.knots[p])) return false;
+  for (int i = 1; i < after; ++i)
+    if (!(part.knots[p + 1 + i] == part.knots[p + 1])) return false;
+  return true;
+}
+
+// The end of a curve with given doubles.
+template <int N> struct Double_grid_end {
+  End_polygon<double, N> points;
+  std::pair<double, double> parameters;
+  int degree_;
+
+  int degree() const { return degree_; }
+  std::pair<double, double> domain() const { return parameters; }
+  double coordinate(int j, int i) const { return points[j][i]; }
+};
+
+// A join on grids: the points and parameters of the curves are these times powers of ten. It answers questions as
+// decide_all_questions() asks them.
+template <int N> class Grid_join {
+  Long_end<N> left_, right_;
+  Double_grid_end<N> double_left_, double_right_; // the same rounded, or what is given
+  bool has_integers_ = false, has_doubles_ = true;
+  double unit_of_parameters_ = 1;
+  int exponent_ = 0, exponent_of_parameters_ = 0;
+
+public:
+  static constexpr int dimension = N;
+
+  // Brings the join of two parts on grids. Returns false if that is not possible.
+  template <class Part> bool set(const Part& x, const Part& y) {
+    if (x.rational || y.rational || !has_bezier_points(x, true) || !has_bezier_points(y, false)) return false;
+    typedef std::decay_t<decltype(x.coordinates[0])> Number;
+    const Number* numbers[8 * N];
+    for (int j = 0; j <= 3; ++j)
+      for (int i = 0; i < N; ++i) {
+        numbers[j * N + i] = &x.coordinates[(x.degree - (std::min)(x.degree, j)) * N + i];
+        numbers[(4 + j) * N + i] = &y.coordinates[(std::min)(y.degree, j) * N + i];
+      }
+    const Number* const parameters[4] = {&x.knots[x.degree], &x.knots[x.degree + 1], &y.knots[y.degree],
+                                         &y.knots[y.degree + 1]};
+    left_.degree = double_left_.degree_ = x.degree;
+    right_.degree = double_right_.degree_ = y.degree;
+    return bring_on_grid(numbers, parameters);
+  }
+
+  // Everything that Join_continuity says, or only the orders, for orders up to 3. Returns false when some of it needs multi-precision
+  // numbers; then `join` is unspecified.
+  template <class FT> bool decide(int max_order, Join_continuity<FT>& join, bool only_orders) const {
+    if (!decide_all_questions(*this, max_order, join, only_orders)) return false;
+    if (join.g_order >= 1 && !only_orders) {
+      join.parameters =
+          has_integers_ ? parameters_of<FT>(left_, right_) : parameters_of<FT, N>(double_left_, double_right_);
+      join.parameters.set_unit(unit_of_parameters_, exponent_of_parameters_);
+    }
+    return true;
+  }
+
+  bool regular() const {
+    return has_integers_ ? differ(left_.points) && differ(right_.points)
+                         : differ(double_left_.points) && differ(double_right_.points);
+  }
+  bool ends_meet() const {
+    return has_integers_ ? left_.points[0] == right_.points[0] : double_left_.points[0] == double_right_.points[0];
+  }
+  template <Join_question question> Join_answer decide() const {
+    const All_join_stages stages;
+    return has_doubles_ ? decide_on_doubles<question, N>(double_left_, double_right_, stages)
+                        : decide_on_long_integers<question, N>(left_, right_, stages);
+  }
+  bool curvatures_differ() const {
+    return has_integers_ ? internal::curvatures_differ<N>(left_, right_)
+                         : internal::curvatures_differ<N>(double_left_, double_right_);
+  }
+
+  // Enclosures of the jets of order 3 on both sides, with respect to parameters of the domain [0, 1]. \pre rounding upwards, as in
+  // the scope of Protect_FPU_rounding
+  typedef Interval_nt<false> Interval;
+  typedef Coordinate_jet<Interval, N> Jet;
+  std::pair<Jet, Jet> enclosed_jets() const {
+    Interval unit(1);
+    for (int e = exponent_; e < 0; e += 22) unit /= Interval(e < -22 ? 1e22 : power_of_ten(-e));
+    if (has_integers_)
+      return {jet<true>(left_.points, left_.degree, unit), jet<false>(right_.points, right_.degree, unit)};
+    return {jet<true>(double_left_.points, left_.degree, unit), jet<false>(double_right_.points, right_.degree, unit)};
+  }
+
+private:
+  static double power_of_ten(int e) {
+    double power = 1;
+    for (; e > 0; --e) power *= 10; // exact up to 10^22
+    return power;
+  }
+
+  static Interval interval(double x) { return Interval(x); }
+  static Interval interval(std::int64_t x) {
+    const double infinity = std::numeric_limits<double>::infinity(), near = static_cast<double>(x);
+    return is_exact_double(x) ? Interval(near)
+                              : Interval(std::nextafter(near, -infinity), std::nextafter(near, infinity));
+  }
+  static Interval interval(const Interval& x) { return x; }
+
+  // Differences of integers are exact, those of doubles are enclosed.
+  static const End_polygon<std::int64_t, N>& numbers(const End_polygon<std::int64_t, N>& points) { return points; }
+  static End_polygon<Interval, N> numbers(const End_polygon<double, N>& points) {
+    End_polygon<Interval, N> x;
+    for (int j = 0; j <= 3; ++j)
+      for (int i = 0; i < N; ++i) x[j][i] = Interval(points[j][i]);
+    return x;
+  }
+
+  template <bool left, class Points> static Jet jet(const Points& points, int degree, const Interval& unit) {
+    const auto& x = numbers(points);
+    typedef std::decay_t<decltype(x[0][0])> Number;
+    const Differences<Number, N> d = differences_of<3, left>(legs_of<3>(x), degree);
+    Jet jet(N, 3);
+    double factor = 1; // m!/(m-k)!
+    for (int i = 0; i < N; ++i) jet[0][i] = interval(x[0][i]) * unit;
+    for (int k = 1; k <= 3; ++k) {
+      factor *= (std::max)(degree - k + 1, 0);
+      for (int i = 0; i < N; ++i) jet[k][i] = interval(d[k - 1][i]) * (Interval(factor) * unit);
+    }
+    return jet;
+  }
+
+  template <class Points> static bool differ(const Points& points) { return points[0] != points[1]; }
+
+  bool bring_on_grid(const double* const* numbers, const double* const* parameters) {
+    for (int j = 0; j <= 3; ++j)
+      for (int i = 0; i < N; ++i) {
+        double_left_.points[j][i] = *numbers[j * N + i];
+        double_right_.points[j][i] = *numbers[(4 + j) * N + i];
+      }
+    double_left_.parameters = {*parameters[0], *parameters[1]};
+    double_right_.parameters = {*parameters[2], *parameters[3]};
+    return true;
+  }
+
+  bool bring_on_grid(const Text_number* const* numbers, const Text_number* const* parameters) {
+    std::int64_t integers[8 * N], ends[4];
+    if (!integers_on_grid<8 * N>(numbers, integers, exponent_) ||
+        !integers_on_grid<4>(parameters, ends, exponent_of_parameters_))
+      return false;
+    const std::int64_t length = ends[1] - ends[0], other = ends[3] - ends[2],
+                       unit = length == other ? length : std::gcd(length, other);
+    left_.length = length / unit;
+    right_.length = other / unit;
+    if (!is_exact_double(left_.length) || !is_exact_double(right_.length) || !is_exact_double(unit)) return false;
+    unit_of_parameters_ = static_cast<double>(unit);
+    has_integers_ = true;
+    double_left_.parameters = {0, static_cast<double>(left_.length)};
+    double_right_.parameters = {0, static_cast<double>(right_.length)};
+    for (int j = 0; j <= 3; ++j)
+      for (int i = 0; i < N; ++i) {
+        const std::int64_t x = integers[j * N + i], y = integers[(4 + j) * N + i];
+        left_.points[j][i] = x;
+        right_.points[j][i] = y;
+        double_left_.points[j][i] = static_cast<double>(x);
+        double_right_.points[j][i] = static_cast<double>(y);
+        has_doubles_ = has_doubles_ && is_exact_double(x) && is_exact_double(y);
+      }
+    return true;
+  }
+
+  static bool is_exact_double(std::int64_t x) { return static_cast<std::int64_t>(static_cast<double>(x)) == x; }
+
+  // The numbers as integers below 2^60 times 10^exponent.
+  template <int n>
+  static bool integers_on_grid(const Text_number* const* numbers, std::int64_t* integers, int& exponent) {
+    exponent = 0; // integers stay as they are
+    for (int i = 0; i < n; ++i) exponent = (std::min)(exponent, numbers[i]->exponent());
+    for (int i = 0; i < n; ++i)
+      if (!numbers[i]->on_grid(exponent, integers[i])) return false;
+    return true;
+  }
+};
+
+} // namespace internal
+} // namespace Geometric_continuity
+} // namespace CGAL
+
+#endif // CGAL_GEOMETRIC_CONTINUITY_IO_INTERNAL_GRID_JOIN_H

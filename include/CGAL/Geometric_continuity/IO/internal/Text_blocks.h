@@ -1,0 +1,196 @@
+// Copyright (c) 2026 The Geometric_continuity developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_GEOMETRIC_CONTINUITY_IO_INTERNAL_TEXT_BLOCKS_H
+#define CGAL_GEOMETRIC_CONTINUITY_IO_INTERNAL_TEXT_BLOCKS_H
+
+#include <CGAL/Geometric_continuity/IO/internal/short_decimal.h>
+#include <CGAL/Geometric_continuity/IO/limits.h>
+#include <CGAL/Geometric_continuity/internal/Task.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <deque>
+#include <exception>
+#include <istream>
+#include <memory>
+#include <streambuf>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Geometric_continuity {
+namespace internal {
+
+inline bool is_white_space(char c) { return c == ' ' || ('\t' <= c && c <= '\r'); }
+
+// A word of a text: where it is in its block, and its value where it is a short decimal.
+struct Word {
+  Short_decimal decimal;
+  std::uint32_t begin, size;
+};
+
+// A part of a text that begins and ends between words, with its words.
+class Text_block {
+  std::vector<char> text_;
+  std::vector<Word> words_;
+  long long newlines_ = 0;
+
+public:
+  // The characters, which are to be replaced before split().
+  std::vector<char>& characters() { return text_; }
+
+  // Finds the words.
+  void split() {
+    const char *const begin = text_.data(), *const end = begin + text_.size(), *p = begin;
+    words_.clear();
+    for (;;) {
+      while (p != end && is_white_space(*p)) ++p;
+      if (p == end) break;
+      const char* const first = p;
+      Short_decimal decimal;
+      p = read_short_decimal(p, end, decimal);
+      if (p != end && !is_white_space(*p)) {
+        decimal = {};
+        while (p != end && !is_white_space(*p)) ++p;
+      }
+      words_.push_back({decimal, static_cast<std::uint32_t>(first - begin), static_cast<std::uint32_t>(p - first)});
+    }
+    newlines_ = std::count(text_.begin(), text_.end(), '\n');
+  }
+
+  const std::vector<Word>& words() const { return words_; }
+  std::string_view text(const Word& word) const { return {text_.data() + word.begin, word.size}; }
+
+  // The number of lines that end in the block, and of those before a word.
+  long long newlines() const { return newlines_; }
+  long long newlines_before(const Word& word) const {
+    return std::count(text_.begin(), text_.begin() + word.begin, '\n');
+  }
+};
+
+// Cuts the text of a stream into blocks between words. It reads the buffer of the stream, so that neither the locale nor the flags
+// of the stream matter, and does not wait for more than the buffer has at hand.
+class Text_source {
+  static constexpr std::size_t block_size = std::size_t(1) << 18;
+
+  std::streambuf* buffer_;
+  std::vector<char> rest_; // the beginning of a word at the end of the last block
+  bool begun_ = false, ended_ = false;
+  std::exception_ptr error_; // why the text ended
+
+public:
+  explicit Text_source(std::istream& is) : buffer_(is.rdbuf()) {}
+
+  // Reads the next block, the first one without a byte order mark; an empty one at the end. Throws what the buffer of the stream throws, after the blocks before.
+  void next(std::vector<char>& text) {
+    text.swap(rest_);
+    rest_.clear();
+    std::size_t end = 0; // of the last complete word
+    while (!ended_ && (end == 0 || text.size() < 4) && text.size() <= max_number_length) {
+      read_more(text);
+      end = text.size();
+      while (end > 0 && !is_white_space(text[end - 1])) --end;
+    }
+    if (!begun_) skip_byte_order_mark(text, end);
+    if (text.empty() && error_) std::rethrow_exception(std::exchange(error_, nullptr));
+    if (!ended_ && end > 0) {
+      rest_.assign(text.begin() + static_cast<std::ptrdiff_t>(end), text.end());
+      text.resize(end);
+    } else if (error_)
+      text.resize(end); // not the half of a word
+  }
+
+private:
+  void skip_byte_order_mark(std::vector<char>& text, std::size_t& end) {
+    begun_ = true;
+    if (std::string_view(text.data(), text.size()).substr(0, 3) != "\xEF\xBB\xBF") return;
+    text.erase(text.begin(), text.begin() + 3);
+    end -= (std::min)(end, std::size_t(3));
+  }
+
+  void read_more(std::vector<char>& text) {
+    try {
+      typedef std::streambuf::traits_type Characters;
+      if (Characters::eq_int_type(buffer_->sgetc(), Characters::eof())) {
+        ended_ = true;
+        return;
+      }
+      const std::size_t before = text.size();
+      const std::streamsize at_hand = (std::max)(std::streamsize(1), buffer_->in_avail());
+      text.resize(before + (std::min)(static_cast<std::size_t>(at_hand), block_size));
+      const std::streamsize n =
+          buffer_->sgetn(text.data() + before, static_cast<std::streamsize>(text.size() - before));
+      text.resize(before + static_cast<std::size_t>(n));
+    } catch (...) {
+      error_ = std::current_exception();
+      ended_ = true;
+    }
+  }
+};
+
+// The blocks of a text with their words, one after the other; with Parallel_tag some are split ahead, on other cores.
+template <class Concurrency_tag> class Text_blocks {
+  typedef Task<Concurrency_tag> Splitting;
+  static constexpr std::size_t blocks_ahead = Splitting::concurrent ? 8 : 1;
+
+  struct Ahead {
+    Text_block block;
+    std::exception_ptr error;
+    Splitting splitting; // the last member: what it works on lives longer
+  };
+
+  Text_source source_;
+  std::deque<std::unique_ptr<Ahead>> ahead_;
+  std::unique_ptr<Ahead> spare_; // its memory is used again
+  bool ended_ = false;
+
+public:
+  explicit Text_blocks(std::istream& is) : source_(is) {}
+
+  // Reads the next block that has words, and adds the lines that are passed over, those of the old block and of empty ones. Returns
+  // false at the end of the text, and leaves the old block.
+  bool next(Text_block& block, long long& lines) {
+    for (long long passed = block.newlines();;) {
+      while (!ended_ && ahead_.size() < blocks_ahead) read_ahead();
+      if (ahead_.empty()) return false;
+      std::unique_ptr<Ahead> first = std::move(ahead_.front());
+      ahead_.pop_front();
+      first->splitting.wait();
+      if (first->error) std::rethrow_exception(first->error);
+      if (first->block.words().empty()) {
+        passed += first->block.newlines();
+        continue;
+      }
+      lines += passed;
+      std::swap(block, first->block);
+      spare_ = std::move(first);
+      return true;
+    }
+  }
+
+private:
+  void read_ahead() {
+    std::unique_ptr<Ahead> next = spare_ ? std::move(spare_) : std::make_unique<Ahead>();
+    Text_block& block = next->block;
+    try {
+      source_.next(block.characters());
+      ended_ = block.characters().empty();
+    } catch (...) {
+      next->error = std::current_exception();
+      block.characters().clear();
+      ended_ = true;
+    }
+    next->splitting.run([&block] { block.split(); });
+    ahead_.push_back(std::move(next));
+  }
+};
+
+} // namespace internal
+} // namespace Geometric_continuity
+} // namespace CGAL
+
+#endif // CGAL_GEOMETRIC_CONTINUITY_IO_INTERNAL_TEXT_BLOCKS_H

@@ -1,0 +1,220 @@
+// Copyright (c) 2026 The Geometric_continuity developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_GEOMETRIC_CONTINUITY_SURFACES_INTERNAL_ZEROS_ON_SQUARE_H
+#define CGAL_GEOMETRIC_CONTINUITY_SURFACES_INTERNAL_ZEROS_ON_SQUARE_H
+
+#include <CGAL/Geometric_continuity/algebra/Power_polynomial.h>
+#include <CGAL/Geometric_continuity/algebra/isolate_roots.h>
+#include <CGAL/Geometric_continuity/algebra/sign_pattern.h>
+#include <CGAL/Geometric_continuity/numbers/Work_limit.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+/// \file zeros_on_square.h
+/// Whether a polynomial f(u, v) that is not zero on the boundary of the unit square is zero inside, also where it is nowhere
+/// negative and its zeros are no rational numbers.
+///
+/// The zeros inside are a closed set. Where one of them has the least u, f_v is zero too, if f has no multiple factors: otherwise the
+/// zero would go on to the left. So f has zeros if and only if f(u, .) has one in (0, 1) for a root u of the last polynomial of Euclid's
+/// algorithm for f and f_v, or of one of the factors in u alone that are divided out on the way. Such a u is an algebraic number, known by
+/// an interval; the zeros of f(u, .) are counted by Sturm's theorem. See Basu, Pollack, Roy, "Algorithms in Real Algebraic Geometry",
+/// chapters 2 and 11.
+
+namespace CGAL {
+namespace Geometric_continuity {
+namespace internal {
+
+template <class FT> Power_polynomial<FT> constant(const FT& c) { return Power_polynomial<FT>(std::vector<FT>{c}); }
+
+// a b - c d
+template <class FT>
+Power_polynomial<FT> difference_of_products(const Power_polynomial<FT>& a, const Power_polynomial<FT>& b,
+                                            const Power_polynomial<FT>& c, const Power_polynomial<FT>& d,
+                                            Work_meter& work) {
+  std::vector<FT> r((std::max)({a.degree() + b.degree(), c.degree() + d.degree(), 0}) + 1, FT(0));
+  work.charge_products((a.degree() + 1.) * (b.degree() + 1), most_words(a), most_words(b));
+  work.charge_products((c.degree() + 1.) * (d.degree() + 1), most_words(c), most_words(d));
+  for (int i = 0; i <= a.degree(); ++i)
+    for (int j = 0; j <= b.degree(); ++j) r[i + j] += a[i] * b[j];
+  for (int i = 0; i <= c.degree(); ++i)
+    for (int j = 0; j <= d.degree(); ++j) r[i + j] -= c[i] * d[j];
+  return Power_polynomial<FT>(std::move(r));
+}
+
+// A polynomial in v: its coefficients are polynomials in u, the last of them not zero.
+template <class FT> using Polynomial_in_v = std::vector<Power_polynomial<FT>>;
+
+template <class FT> Polynomial_in_v<FT> derivative_in_v(const Polynomial_in_v<FT>& f, Work_meter& work) {
+  Polynomial_in_v<FT> d;
+  for (std::size_t k = 1; k < f.size(); ++k)
+    d.push_back(difference_of_products(f[k], constant(FT(static_cast<int>(k))), {}, {}, work));
+  return d;
+}
+
+// Leaves the remainder of l^k f divided by g, where l is the leading coefficient of g and k even, and returns the quotient.
+template <class FT>
+Polynomial_in_v<FT> pseudo_remainder(Polynomial_in_v<FT>& f, const Polynomial_in_v<FT>& g, Work_meter& work) {
+  Polynomial_in_v<FT> q(f.size() < g.size() ? 0 : f.size() - g.size() + 1);
+  const Power_polynomial<FT> leading = g.back(), zero;
+  const auto multiply = [&](Polynomial_in_v<FT>& h) {
+    for (Power_polynomial<FT>& c : h) c = difference_of_products(c, leading, zero, zero, work);
+  };
+  bool odd = false;
+  for (; f.size() >= g.size(); odd = !odd) {
+    const std::size_t shift = f.size() - g.size();
+    const Power_polynomial<FT> last = f.back();
+    multiply(q);
+    q[shift] = last;
+    for (std::size_t i = 0; i < f.size(); ++i)
+      f[i] = i < shift ? difference_of_products(f[i], leading, zero, zero, work)
+                       : difference_of_products(f[i], leading, last, g[i - shift], work);
+    while (!f.empty() && f.back().is_zero()) f.pop_back();
+  }
+  if (odd) {
+    multiply(f);
+    multiply(q);
+  }
+  return q;
+}
+
+// An algebraic number: the only root of a polynomial without multiple roots in an interval.
+template <class FT> class Algebraic_number {
+  Power_polynomial<FT> s_;
+  FT begin_, end_;
+
+public:
+  Algebraic_number(Power_polynomial<FT> s, FT begin, FT end)
+      : s_(std::move(s)), begin_(std::move(begin)), end_(std::move(end)) {
+    if (begin_ == end_) s_ = Power_polynomial<FT>(std::vector<FT>{FT(-begin_), FT(1)});
+  }
+
+  // Leaves a polynomial of less degree with the same value at the number.
+  void reduce(Power_polynomial<FT>& p, Work_meter& work) const {
+    work.charge_products((std::max)(p.degree() - s_.degree() + 1, 0) * (s_.degree() + 1.),
+                         (std::max)(most_words(p), most_words(s_)));
+    p.divide(s_);
+  }
+
+  // The sign of p at the number; the interval becomes shorter.
+  int sign(Power_polynomial<FT> p, Work_meter& work) {
+    reduce(p, work);
+    if (p.degree() <= 0) return p.is_zero() ? 0 : sign_of(p[0]);
+    const Bernstein_polynomial<FT> common = greatest_common_divisor(p, s_, work).bernstein(), s = s_.bernstein();
+    if (sign_of(common(begin_)) * sign_of(common(end_)) < 0) return 0;
+    const Bernstein_polynomial<FT> b = p.bernstein();
+    for (;;) {
+      const Sign_pattern pattern = sign_pattern(b, begin_, end_);
+      if (pattern == Sign_pattern::positive) return 1;
+      if (pattern == Sign_pattern::negative) return -1;
+      const FT middle = FT((begin_ + end_) / FT(2));
+      work.charge_products(s.degree() * (s.degree() + 1.), most_words(s_), number_words(middle));
+      const int side = sign_of(s(middle));
+      if (side == 0) {
+        *this = Algebraic_number({}, middle, middle);
+        return sign(std::move(p), work);
+      }
+      (side == sign_of(s(begin_)) ? begin_ : end_) = middle;
+    }
+  }
+
+  // The polynomial in v at this u: zeros at the end are dropped, and the numbers are made shorter by a positive factor.
+  void simplify(Polynomial_in_v<FT>& f, Work_meter& work) {
+    for (Power_polynomial<FT>& c : f) reduce(c, work);
+    while (!f.empty() && sign(f.back(), work) == 0) f.pop_back();
+    if (f.empty()) return;
+    const FT& leading = f.back()[f.back().degree()];
+    const Power_polynomial<FT> factor = constant(FT(FT(1) / (leading < FT(0) ? FT(-leading) : leading)));
+    for (Power_polynomial<FT>& c : f) c = difference_of_products(c, factor, {}, {}, work);
+  }
+
+  // The number of zeros of f at this u for v in (0, 1). \pre none is at 0 or 1
+  int zeros(Polynomial_in_v<FT> f, Work_meter& work) {
+    Polynomial_in_v<FT> g = derivative_in_v(f, work);
+    simplify(f, work);
+    simplify(g, work);
+    int zeros = 0, last[2] = {0, 0};
+    for (; !f.empty(); f.swap(g)) {
+      Power_polynomial<FT> sum;
+      for (const Power_polynomial<FT>& c : f)
+        sum = difference_of_products(sum, constant(FT(1)), c, constant(FT(-1)), work);
+      const int signs[2] = {sign(f.front(), work), sign(sum, work)};
+      for (int end = 0; end < 2; ++end)
+        if (signs[end] != 0) {
+          if (signs[end] == -last[end]) zeros += end == 0 ? 1 : -1;
+          last[end] = signs[end];
+        }
+      if (g.empty()) break;
+      pseudo_remainder(f, g, work);
+      for (Power_polynomial<FT>& c : f) c = difference_of_products({}, {}, c, constant(FT(1)), work);
+      simplify(f, work);
+    }
+    return zeros;
+  }
+};
+
+// Divides by the greatest common divisor of the coefficients, which is returned.
+template <class FT> Power_polynomial<FT> divide_by_content(Polynomial_in_v<FT>& f, Work_meter& work) {
+  Power_polynomial<FT> content;
+  for (const Power_polynomial<FT>& c : f) content = greatest_common_divisor(c, content, work);
+  content.make_monic();
+  const Power_polynomial<FT> leading = constant(f.back()[f.back().degree()]); // for shorter numbers
+  for (Power_polynomial<FT>& c : f) {
+    c = c.divide(content);
+    c = c.divide(leading);
+  }
+  return content;
+}
+
+// Polynomials in u of which one is zero at the least u of the zeros of f, see above. The first factor of f, of which f_v is a multiple,
+// is divided out.
+template <class FT> std::vector<Power_polynomial<FT>> ends_of_zeros(Polynomial_in_v<FT> f, Work_meter& work) {
+  for (;;) {
+    std::vector<Power_polynomial<FT>> ends;
+    divide_by_content(f, work);
+    Polynomial_in_v<FT> a = f, b = derivative_in_v(f, work);
+    while (!b.empty()) {
+      pseudo_remainder(a, b, work);
+      if (!a.empty()) ends.push_back(divide_by_content(a, work));
+      a.swap(b);
+    }
+    if (a.size() == 1) {
+      ends.push_back(a[0]);
+      return ends;
+    }
+    f = pseudo_remainder(f, a, work);
+  }
+}
+
+// Whether f, given by the coefficients of u^i v^j in row i, has a zero on the unit square. \pre it has none on the boundary
+// \throws Error `work_limit`
+template <class FT> bool has_zero_on_square(const std::vector<std::vector<FT>>& coefficients, Work_limit limit) {
+  Work_meter work(limit, "zeros of a denominator");
+  Polynomial_in_v<FT> f;
+  for (std::size_t j = 0; j < coefficients[0].size(); ++j) {
+    std::vector<FT> c;
+    for (const std::vector<FT>& row : coefficients) c.push_back(row[j]);
+    f.emplace_back(std::move(c));
+  }
+  while (!f.empty() && f.back().is_zero()) f.pop_back();
+  if (f.size() <= 1) return false;
+  for (const Power_polynomial<FT>& end : ends_of_zeros(f, work)) {
+    if (end.degree() < 1) continue;
+    const Bernstein_polynomial<FT> s = square_free_part(end.bernstein(), work);
+    for (const Isolated_root<FT>& root : isolate_roots(s)) {
+      if (root.begin == root.end && (root.begin == FT(0) || root.begin == FT(1))) continue;
+      if (Algebraic_number<FT>(Power_polynomial<FT>(s), root.begin, root.end).zeros(f, work) > 0) return true;
+    }
+  }
+  return false;
+}
+
+} // namespace internal
+} // namespace Geometric_continuity
+} // namespace CGAL
+
+#endif // CGAL_GEOMETRIC_CONTINUITY_SURFACES_INTERNAL_ZEROS_ON_SQUARE_H

@@ -1,0 +1,191 @@
+// Copyright (c) 2026 The Geometric_continuity developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+// Joins of curves in .g2 files: the answers from decimals are those from rational numbers. With an argument, that many joins of each
+// class.
+
+#define BOOST_TEST_MODULE G2_span_reader
+#include <boost/test/unit_test.hpp>
+
+#include "support/errors.h"
+
+#include <CGAL/Exact_rational.h>
+#include <CGAL/Geometric_continuity/IO/G2_span_reader.h>
+#include <CGAL/Geometric_continuity/IO/number.h>
+#include <CGAL/Geometric_continuity/Traits_2.h>
+#include <CGAL/Geometric_continuity/Traits_3.h>
+#include <CGAL/Simple_cartesian.h>
+
+#include <array>
+#include <cstdint>
+#include <map>
+#include <random>
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace GC = CGAL::Geometric_continuity;
+
+typedef CGAL::Exact_rational Q;
+typedef GC::Traits_2<CGAL::Simple_cartesian<Q>> Exact_2;
+typedef GC::Traits_3<CGAL::Simple_cartesian<Q>> Exact_3;
+
+namespace {
+
+std::mt19937 random_bits;
+
+int below(int n) { return static_cast<int>(random_bits() % static_cast<unsigned>(n)); }
+
+// A decimal, as an integer and the number of its digits behind the point.
+struct Decimal {
+  std::int64_t digits;
+  int places;
+};
+
+Q value(const Decimal& d) {
+  Q x = GC::parse_number<Q>(std::to_string(d.digits));
+  for (int i = 0; i < d.places; ++i) x /= Q(10);
+  return x;
+}
+
+// A decimal in one of the forms that files have.
+std::string text(const Q& x) {
+  Q scaled = x;
+  int places = 0;
+  while (places < 60 && GC::internal::number_text(scaled).find('/') != std::string::npos) {
+    scaled *= Q(10);
+    ++places;
+  }
+  std::string digits = GC::internal::number_text(scaled);
+  if (digits.find('/') != std::string::npos) return GC::internal::number_text(x);
+  const bool negative = digits[0] == '-';
+  if (negative) digits.erase(0, 1);
+  const std::string sign = negative ? "-" : below(20) == 0 ? "+" : "";
+  if (places > 0 && below(4) == 0) return sign + digits + (below(2) == 0 ? "e-" : "E-") + std::to_string(places);
+  if (static_cast<int>(digits.size()) <= places)
+    digits.insert(0, static_cast<std::size_t>(places) + 1 - digits.size(), '0');
+  std::string result = digits.substr(0, digits.size() - static_cast<std::size_t>(places));
+  if (places > 0)
+    result += '.' + digits.substr(digits.size() - static_cast<std::size_t>(places)) + (below(8) == 0 ? "000" : "");
+  return sign + result;
+}
+
+enum Join_class { gap, points_only, tangents, curvatures, third_derivatives, frenet, one_unit_off, classes };
+
+// Two cubic curves with this kind of join, in the format .g2. Numbers have up to so many digits.
+template <int N> std::string join(Join_class kind, int digits) {
+  typedef std::array<Q, N> Vector;
+  const auto number = [digits] {
+    std::int64_t largest = 1;
+    for (int i = 0; i < digits; ++i) largest *= 10;
+    const std::int64_t x = static_cast<std::int64_t>((std::uint64_t(random_bits()) << 32 | random_bits()) %
+                                                     static_cast<std::uint64_t>(2 * largest - 1)) -
+                           largest + 1;
+    return value({x, below(6) == 0 ? below(digits + 3) : digits / 2});
+  };
+  const auto point = [&] {
+    Vector x;
+    for (Q& c : x) c = number();
+    return x;
+  };
+  const auto combination = [](const Q& r, const Vector& x, const Q& s, const Vector& y) {
+    Vector z;
+    for (int i = 0; i < N; ++i) z[i] = Q(r * x[i] + s * y[i]);
+    return z;
+  };
+  std::array<Vector, 4> p, q;
+  for (Vector& x : p) x = point();
+  if (below(10) == 0) p[2] = p[3];
+  if (below(10) == 0) p[1] = p[2];
+  for (Vector& x : q) x = point();
+  const Q factors[] = {Q(1), Q(2), Q(3), value({5, 1}), value({125, 2})}, beta = factors[below(5)],
+          second = below(2) == 0 ? Q(0) : factors[below(5)], third = below(2) == 0 ? Q(0) : factors[below(5)];
+  // divided by the factors 3, 6 and 6 of the derivatives
+  const Vector x1 = combination(Q(1), p[3], Q(-1), p[2]), step = combination(Q(1), p[2], Q(-1), p[1]),
+               x2 = combination(Q(1), x1, Q(-1), step),
+               x3 = combination(Q(1), x2, Q(-1), combination(Q(1), step, Q(-1), combination(Q(1), p[1], Q(-1), p[0])));
+  const Vector y1 = combination(beta, x1, Q(0), x1), y2 = combination(Q(beta * beta), x2, second, x1);
+  Vector y3 = combination(Q(beta * beta * beta), x3, Q(Q(6) * beta * second), x2);
+  y3 = combination(Q(1), y3, third, x1);
+  if (kind == frenet) y3 = combination(Q(1), y3, Q(7), x2);
+  if (kind > gap) q[0] = p[3];
+  if (kind >= tangents) q[1] = combination(Q(1), q[0], Q(1), y1);
+  if (kind >= curvatures) q[2] = combination(Q(1), combination(Q(2), q[1], Q(-1), q[0]), Q(1), y2);
+  if (kind >= third_derivatives)
+    q[3] = combination(Q(1), combination(Q(3), q[2], Q(-3), q[1]), Q(1), combination(Q(1), q[0], Q(1), y3));
+  if (kind == one_unit_off) {
+    Q& x = q[below(4)][below(N)];
+    x += value({1, digits});
+  }
+  std::string file;
+  for (const auto& points : {p, q}) {
+    const Q start = below(2) == 0 ? Q(0) : value({below(1000000000) - 500000000, below(9)}),
+            length = below(2) == 0 ? Q(1) : factors[below(5)];
+    file += "100 1 0 0 " + std::to_string(N) + " 0\n4 4\n";
+    for (int i = 0; i < 4; ++i) file += text(start) + ' ';
+    for (int i = 0; i < 4; ++i) file += text(Q(start + length)) + ' ';
+    for (const Vector& x : points)
+      for (const Q& c : x) file += text(c) + (below(3) == 0 ? "\n" : " ");
+    file += '\n';
+  }
+  return file;
+}
+
+template <class Join> std::string answers(const Join& join) {
+  std::ostringstream s;
+  const auto flag = [](const std::optional<bool>& b) { return !b ? "-" : *b ? "y" : "n"; };
+  s << join << ' ' << join.regular << flag(join.tangent_equal) << flag(join.curvature_equal)
+    << flag(join.curvature_vector_equal) << flag(join.torsion_equal);
+  return s.str();
+}
+
+template <class Traits, class Number> std::vector<GC::G2_span<Traits, Number>> read_spans(const std::string& text) {
+  std::istringstream is(text);
+  GC::G2_span_reader<Traits, Number> reader(is, "f.g2", 3);
+  std::vector<GC::G2_span<Traits, Number>> spans(1);
+  while (reader.next(spans.back())) spans.emplace_back();
+  spans.pop_back();
+  return spans;
+}
+
+// Returns the order of geometric continuity.
+template <class Traits, class Number> int check_roads(const std::string& file) {
+  const auto spans = read_spans<Traits, Number>(file);
+  BOOST_REQUIRE_EQUAL(spans.size(), 2);
+  int order = 0;
+  for (int max_order : {3, below(3)}) {
+    const auto expected = GC::continuity(spans[0].jets(), spans[1].jets(), max_order),
+               join = continuity(spans[0], spans[1], max_order),
+               orders = continuity_orders(spans[0], spans[1], max_order);
+    BOOST_CHECK_MESSAGE(answers(join) == answers(expected), answers(join) << " is not " << answers(expected) << '\n'
+                                                                          << file);
+    BOOST_CHECK_MESSAGE(orders.c_order == expected.c_order && orders.g_order == expected.g_order &&
+                            orders.f_order == expected.f_order,
+                        "orders of " << answers(expected) << '\n'
+                                     << file);
+    if (max_order == 3) order = expected.g_order;
+  }
+  return order;
+}
+
+template <int N, class Traits> void check_all_classes() {
+  const unsigned seed = 20261122;
+  const auto& suite = boost::unit_test::framework::master_test_suite();
+  const int repetitions = suite.argc > 1 ? std::stoi(suite.argv[1]) : 300;
+  BOOST_TEST_MESSAGE("seed " << seed << ", " << repetitions << " joins of each class");
+  random_bits.seed(seed + N);
+  std::map<int, int> counts;
+  for (int kind = 0; kind < classes; ++kind)
+    for (int i = 0; i < repetitions; ++i) {
+      const std::string file = join<N>(static_cast<Join_class>(kind), 1 + below(18));
+      ++counts[check_roads<Traits, GC::Text_number>(file)];
+      if (i % 3 == 0) check_roads<Traits, double>(file);
+    }
+  for (int order = -1; order <= 3; ++order) BOOST_CHECK_GT(counts[order], repetitions / 4); // each class occurs
+}
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE(decimals_in_the_plane) { check_all_classes<2, Exact_2>(); }
+BOOST_AUTO_TEST_CASE(decimals_in_space) { check_all_classes<3, Exact_3>(); }

@@ -1,0 +1,140 @@
+// Copyright (c) 2026 The Geometric_continuity developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+// The search for the largest angle in integers of fixed length, against known largest values, and against multi-precision.
+
+#include <boost/test/unit_test.hpp>
+
+#include "support/nets.h"
+
+#include <CGAL/Geometric_continuity/edges/internal/Edge_decision.h>
+#include <CGAL/Geometric_continuity/edges/internal/Largest_measure.h>
+
+#include <cmath>
+#include <optional>
+#include <vector>
+
+#ifdef CGAL_GEOMETRIC_CONTINUITY_HAS_FIXED_INTEGER
+
+namespace {
+
+typedef GC::internal::Common_denominator<Q>::Ring Ring;
+typedef GC::Homogeneous_polynomial<Ring> Whole;
+typedef GC::internal::Fixed_largest_measure<Q, Whole> Fixed;
+
+// a t^i (1-t)^j, of degree n
+Whole bump(const Ring& a, int i, int j, int n) {
+  std::vector<Ring> c(i + j + 1, Ring(0));
+  c[i] = a;
+  return Whole(c).elevated_to(n);
+}
+
+Q power(const Q& x, int n) {
+  Q y(1);
+  for (; n > 0; --n) y *= x;
+  return y;
+}
+
+// Its largest value, at i/(i+j).
+Q largest_value(const Ring& a, int i, int j) { return Q(Q(a) * power(i, i) * power(j, j) / power(i + j, i + j)); }
+
+// Whether the angle is at most four units in the last place wide.
+bool is_accurate(const GC::Normal_deviation<Q>& d) {
+  const GC::Enclosure angle = d.angle();
+  double x = angle.lower;
+  for (int i = 0; i < 4; ++i) x = std::nextafter(x, 4);
+  return angle.upper <= x;
+}
+
+std::optional<GC::Normal_deviation<Q>> search(const Whole& s, const Whole& p, GC::Work_limit limit = GC::Work_limit()) {
+  GC::internal::Work_meter work(limit, "test");
+  return Fixed(s, p, work)();
+}
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE(known_largest_values) {
+  Random random;
+  int found = 0;
+  for (int k = 0; k < 300; ++k) {
+    const int i = random.integer(0, 8), j = random.integer(i == 0 ? 1 : 0, 8), n = random.integer(i + j, 40);
+    Ring a(random.integer(1, 999999)), b(a * Ring(random.integer(2, 99)));
+    for (int l = random.integer(0, 30); l > 0; --l) b *= Ring(10); // small angles, too
+    for (int l = random.integer(0, 30); l > 0; --l) {
+      a *= Ring(7);
+      b *= Ring(7);
+    }
+    const std::optional<GC::Normal_deviation<Q>> d = search(bump(a, i, j, n), bump(b, 0, 0, n));
+    if (!d) continue;
+    ++found;
+    const Q largest = Q(largest_value(a, i, j) / Q(b)), place = Q(i) / Q(i + j);
+    BOOST_CHECK(d->lower <= largest && largest <= d->upper);
+    BOOST_CHECK(is_accurate(*d));
+    BOOST_CHECK(d->begin <= place && place <= d->end && Q(d->end - d->begin) <= Q(1) / Q(32));
+    if (i == 0 || j == 0) BOOST_CHECK(d->lower == largest && d->upper == largest);
+  }
+  BOOST_CHECK_GT(found, 250);
+}
+
+BOOST_AUTO_TEST_CASE(what_fixed_length_leaves_open) {
+  const auto one = [](int n) { return bump(Ring(1), 0, 0, n); };
+  BOOST_CHECK(!search(one(4), bump(Ring(3), 0, 0, 4)));                     // constant
+  BOOST_CHECK(!search(bump(Ring(4), 1, 1, 2), one(2)));                     // a right angle
+  BOOST_CHECK(!search(bump(Ring(1), 1, 1, 41), one(41)));                   // the degree
+  BOOST_CHECK(!search(bump(Ring(1), 1, 1, 4), one(4), GC::Work_limit(50))); // the work
+  BOOST_CHECK(search(bump(Ring(1), 1, 1, 4), one(4)).has_value());
+  Ring huge(1);
+  for (int i = 0; i < 400; ++i) huge *= Ring(10);
+  BOOST_CHECK(!search(bump(Ring(1), 1, 1, 4), bump(huge, 0, 0, 4)));  // a tiny angle
+  BOOST_CHECK(!search(bump(huge, 1, 1, 4), bump(huge * 2, 0, 0, 4))); // numbers beyond the largest double
+  BOOST_CHECK(!search(Whole(std::vector<Ring>(5, Ring(0))), one(4))); // no angle
+}
+
+// Two patches of degree n along their edge with random points, whose angles are less than 90 degrees for small `steep`.
+BOOST_AUTO_TEST_CASE(creases_in_fixed_length_and_multiprecision) {
+  Random random;
+  int decided = 0;
+  for (int k = 0; k < 120; ++k) {
+    const int n = random.integer(1, 5), size = k % 3 == 0 ? 9 : 9999, steep = k % 7 == 0 ? size : size / 9;
+    Net a(n + 1, std::vector<Column>(2)), b = a;
+    for (int i = 0; i <= n; ++i) {
+      a[i][0] = {Q(10 * size * i + random.integer(0, size)), Q(random.integer(0, size)), Q(random.integer(0, size))};
+      b[i][0] = a[i][0];
+      a[i][1] = {Q(a[i][0][0] + random.integer(0, size)), Q(a[i][0][1] - 10 * size),
+                 Q(a[i][0][2] + random.integer(-steep, steep))};
+      b[i][1] = {Q(a[i][0][0] + random.integer(0, size)), Q(a[i][0][1] + 10 * size),
+                 Q(a[i][0][2] + random.integer(-steep, steep))};
+    }
+    typedef CGAL::Simple_cartesian<Q> K;
+    const std::vector<Patch<K>> both = patches<K>({a, b});
+    const Patch<K>&p = both[0], &q = both[1];
+    const GC::Edge_rows<Q> rows = GC::edge_rows(p, v0), other = GC::edge_rows(q, v0);
+    GC::internal::Edge_layers x, y;
+    BOOST_REQUIRE((GC::internal::edge_layers(p, v0, q, v0, 2, x, y)));
+    GC::internal::Work_meter work(GC::Work_limit(), "test");
+    const std::optional<GC::Edge_continuity<Q>> found = GC::internal::crease_on_grid<Q>(x, y, work);
+    const GC::Edge_continuity<Q> expected = GC::internal::decide_rough_edge(rows, other, work);
+    if (!found) continue;
+    ++decided;
+    BOOST_CHECK(found->g_order == expected.g_order && found->defect == expected.defect &&
+                found->coplanar == expected.coplanar && found->side == expected.side &&
+                found->collapsed == expected.collapsed && found->normal_vanishes == expected.normal_vanishes &&
+                found->vanishing == expected.vanishing);
+    BOOST_REQUIRE(found->deviation && expected.deviation);
+    BOOST_CHECK(
+        found->deviation->lower == expected.deviation->lower && found->deviation->upper == expected.deviation->upper &&
+        found->deviation->begin == expected.deviation->begin && found->deviation->end == expected.deviation->end);
+    // the search in multi-precision
+    const GC::internal::Edge_sides<Q> sides(rows, other, work);
+    const GC::internal::Edge_normals<Q> normals(sides, work);
+    GC::internal::Edge_measure<Q> m(normals.n1, normals.n2, false, work);
+    const GC::Normal_deviation<Q> d = GC::internal::Largest_measure<Q>(m.s, m.p, m.side, work)();
+    BOOST_CHECK(d.lower <= found->deviation->upper && found->deviation->lower <= d.upper);
+    BOOST_CHECK(is_accurate(d) && is_accurate(*found->deviation));
+    BOOST_CHECK(d.begin <= found->deviation->end && found->deviation->begin <= d.end);
+  }
+  BOOST_CHECK_GT(decided, 80);
+}
+
+#endif // CGAL_GEOMETRIC_CONTINUITY_HAS_FIXED_INTEGER

@@ -1,0 +1,250 @@
+// Copyright (c) 2026 The Geometric_continuity developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+// The numbers in which a model is given, and the cores that decide it, make no difference: decimals, and the same model in whole
+// numbers that are doubles, are decided alike, edge by edge.
+
+#define BOOST_TEST_MODULE parallel_models
+#include <boost/test/unit_test.hpp>
+
+#include "support/errors.h"
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Exact_rational.h>
+#include <CGAL/Geometric_continuity/Traits_3.h>
+#include <CGAL/Geometric_continuity/models/model_continuity.h>
+#include <CGAL/Simple_cartesian.h>
+
+#include <cstddef>
+#include <iostream>
+#include <random>
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace GC = CGAL::Geometric_continuity;
+
+namespace {
+
+typedef CGAL::Exact_rational Q;
+typedef GC::Traits_3<CGAL::Simple_cartesian<Q>> Exact;
+typedef GC::Traits_3<CGAL::Epick> Filtered;
+
+class Random {
+  std::mt19937 engine_;
+
+public:
+  explicit Random(unsigned seed) : engine_(seed) {}
+  int integer(int low, int high) { return low + static_cast<int>(engine_() % static_cast<unsigned>(high - low + 1)); }
+};
+
+// The control points of a bicubic surface in whole numbers, those of a spline in its Bezier form: point (i, j) belongs to the
+// patches i / 3 and j / 3. Some inner points are lifted, or lie next to an edge on the wrong side of it, and some rows collapse.
+struct Grid_of_points {
+  int n; // n x n patches
+  std::vector<std::vector<std::vector<int>>> p;
+
+  Grid_of_points(int n, Random& random) : n(n), p(3 * n + 1, std::vector<std::vector<int>>(3 * n + 1)) {
+    const int m = n + 3, sixths[4][4] = {{1, 4, 1, 0}, {0, 4, 2, 0}, {0, 2, 4, 0}, {0, 1, 4, 1}};
+    std::vector<std::vector<std::vector<int>>> spline(m, std::vector<std::vector<int>>(m));
+    for (int i = 0; i < m; ++i)
+      for (int j = 0; j < m; ++j)
+        spline[i][j] = {10000 * i + random.integer(0, 3000), 10000 * j + random.integer(0, 3000),
+                        random.integer(-9999, 9999)};
+    for (int i = 0; i <= 3 * n; ++i)
+      for (int j = 0; j <= 3 * n; ++j) {
+        const int a = i == 3 * n ? n - 1 : i / 3, b = j == 3 * n ? n - 1 : j / 3;
+        p[i][j].assign(3, 0);
+        for (int k = 0; k < 4; ++k)
+          for (int l = 0; l < 4; ++l)
+            for (int x = 0; x < 3; ++x)
+              p[i][j][x] += sixths[i - 3 * a][k] * sixths[j - 3 * b][l] * spline[a + k][b + l][x];
+      }
+    for (int k = 0; k < n * n / 4; ++k) {
+      const int i = 3 * random.integer(0, n - 1), j = 3 * random.integer(0, n - 1);
+      if (k % 3 == 0)
+        p[i + 1][j + 1][2] += 36 * random.integer(1, 5000); // two creases
+      else if (k % 3 == 1)
+        p[i + 1][j + 2][0] += 36 * 60000; // folds, or angles that are not acute
+      else
+        for (int l = 1; l <= 3; ++l) p[i][j + l] = p[i][j]; // a collapsed edge
+    }
+  }
+};
+
+// The number x 10^-6 or 10^-6 times its nearest fraction of two, or x itself as a double.
+template <class Traits> typename Traits::FT number(int x) {
+  if constexpr (std::is_same_v<Traits, Exact>)
+    return Q(x) / Q(1000000);
+  else
+    return x;
+}
+
+template <class Traits> typename Traits::Point point(const std::vector<int>& x) {
+  return typename Traits::Point(number<Traits>(x[0]), number<Traits>(x[1]), number<Traits>(x[2]));
+}
+
+// The patch (i, j), possibly turned.
+template <class Traits> std::vector<std::vector<typename Traits::Point>> net(const Grid_of_points& grid, int i, int j) {
+  std::vector<std::vector<typename Traits::Point>> points(4);
+  for (int k = 0; k < 4; ++k)
+    for (int l = 0; l < 4; ++l) {
+      const int turn = (i + 2 * j) % 3, a = turn == 1 ? 3 - k : k, b = turn == 2 ? 3 - l : l;
+      points[k].push_back(point<Traits>(grid.p[3 * i + a][3 * j + b]));
+    }
+  return points;
+}
+
+template <class Traits> GC::Knot_vector<typename Traits::FT> unit_knots() {
+  typedef typename Traits::FT FT;
+  return GC::Knot_vector<FT>(3, FT(0), FT(1));
+}
+
+struct Patches {
+  template <class Traits> static auto model(const Grid_of_points& grid, Random&) {
+    std::vector<GC::Bezier_patch<Traits>> patches;
+    for (int i = 0; i < grid.n; ++i)
+      for (int j = 0; j < grid.n; ++j) patches.emplace_back(net<Traits>(grid, i, j));
+    return patches;
+  }
+};
+struct Surfaces_without_inner_knots {
+  template <class Traits> static auto model(const Grid_of_points& grid, Random&) {
+    std::vector<GC::Bspline_surface<Traits>> surfaces;
+    for (int i = 0; i < grid.n; ++i)
+      for (int j = 0; j < grid.n; ++j)
+        surfaces.emplace_back(net<Traits>(grid, i, j), unit_knots<Traits>(), unit_knots<Traits>());
+    return surfaces;
+  }
+};
+// Strips of several patches, over triple knots.
+struct Surfaces_with_inner_knots {
+  template <class Traits> static auto model(const Grid_of_points& grid, Random&) {
+    typedef typename Traits::FT FT;
+    const int length = 2;
+    std::vector<GC::Bspline_surface<Traits>> surfaces;
+    for (int i = 0; i + length <= grid.n; i += length)
+      for (int j = 0; j < grid.n; ++j) {
+        std::vector<std::vector<typename Traits::Point>> points(3 * length + 1);
+        for (int k = 0; k <= 3 * length; ++k)
+          for (int l = 0; l < 4; ++l) points[k].push_back(point<Traits>(grid.p[3 * i + k][3 * j + l]));
+        surfaces.emplace_back(points, GC::Knot_vector<FT>(3, FT(0), FT(length), {{FT(1), 3}}), unit_knots<Traits>());
+      }
+    return surfaces;
+  }
+};
+// All weights of a patch are equal, but not those of two of them.
+struct Rational_patches_with_equal_weights {
+  template <class Traits> static auto model(const Grid_of_points& grid, Random& random) {
+    typedef typename Traits::FT FT;
+    std::vector<GC::Rational_bezier_patch<Traits>> patches;
+    for (int i = 0; i < grid.n; ++i)
+      for (int j = 0; j < grid.n; ++j)
+        patches.emplace_back(net<Traits>(grid, i, j),
+                             std::vector<std::vector<FT>>(4, std::vector<FT>(4, FT(random.integer(1, 9)))));
+    return patches;
+  }
+};
+// Weights that are symmetric in each patch, times a number for each patch; a few differ from those of their neighbours.
+struct Rational_surfaces {
+  template <class Traits> static auto model(const Grid_of_points& grid, Random& random) {
+    typedef typename Traits::FT FT;
+    std::vector<GC::Rational_bspline_surface<Traits>> surfaces;
+    for (int i = 0; i < grid.n; ++i)
+      for (int j = 0; j < grid.n; ++j) {
+        const int factor = random.integer(1, 9), inner = random.integer(0, 9) == 0 ? 3 : 2;
+        std::vector<std::vector<FT>> weights(4, std::vector<FT>(4, FT(factor)));
+        for (int k = 0; k < 4; ++k)
+          for (int l = 0; l < 4; ++l) weights[k][l] *= FT((k % 3 == 0 ? 1 : inner) * (l % 3 == 0 ? 1 : 3));
+        surfaces.emplace_back(net<Traits>(grid, i, j), weights, unit_knots<Traits>(), unit_knots<Traits>());
+      }
+    return surfaces;
+  }
+};
+typedef boost::mpl::list<Patches, Surfaces_without_inner_knots, Surfaces_with_inner_knots,
+                         Rational_patches_with_equal_weights, Rational_surfaces>
+    Classes;
+
+void print(std::ostream& os, const GC::Edge_continuity<Q>& e) {
+  os << e << ' ' << e.coplanar << e.side << e.collapsed << e.normal_vanishes;
+  if (e.vanishing) os << " vanishing in " << e.vanishing->first << ' ' << e.vanishing->second;
+  if (e.deviation)
+    os << " deviation " << e.deviation->lower << ' ' << e.deviation->upper << " in " << e.deviation->begin << ' '
+       << e.deviation->end;
+}
+void print(std::ostream& os, const GC::Spline_edge_continuity<Q>& e) {
+  print(os, static_cast<const GC::Edge_continuity<Q>&>(e));
+  os << " worst " << e.worst << ", " << e.part_a.first << ' ' << e.part_a.second << ' ' << e.part_b.first << ' '
+     << e.part_b.second << ' ' << e.whole_a << e.whole_b;
+  for (const GC::Edge_span<Q>& span : e.spans) {
+    os << "; " << span.begin << ' ' << span.end << ' ';
+    print(os, span.continuity);
+  }
+}
+
+// All that has been decided, in lines.
+std::vector<std::string> lines(const GC::Model_continuity<Q>& model) {
+  std::vector<std::string> result;
+  const auto add = [&](const auto& row, const GC::Spline_edge_continuity<Q>& e) {
+    std::ostringstream os;
+    os << row << " | ";
+    print(os, e);
+    result.push_back(os.str());
+  };
+  for (const auto& edge : model.edges) add(edge, edge.continuity);
+  for (const auto& line : model.knot_lines) add(line, line.line.continuity);
+  std::ostringstream os;
+  os << model.summary;
+  result.push_back(os.str());
+  return result;
+}
+
+void check_equal(const std::vector<std::string>& x, const std::vector<std::string>& y, unsigned seed) {
+  BOOST_REQUIRE_EQUAL(x.size(), y.size());
+  for (std::size_t i = 0; i < x.size(); ++i)
+    BOOST_CHECK_MESSAGE(x[i] == y[i], "seed " << seed << "\n" << x[i] << "\n" << y[i]);
+}
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE_TEMPLATE(decimals_and_doubles, Class, Classes) {
+  for (unsigned seed = 1; seed <= 3; ++seed) {
+    Random random(seed);
+    const Grid_of_points grid(6, random);
+    Random weights(seed), same_weights(seed);
+    const auto decimals = Class::template model<Exact>(grid, weights);
+    const auto doubles = Class::template model<Filtered>(grid, same_weights);
+    const GC::Model_continuity<Q> expected = GC::model_continuity(decimals);
+    BOOST_CHECK(expected.summary.g2 > 0 && expected.summary.creases > 0 && expected.summary.collapsed > 0);
+    const std::vector<std::string> text = lines(expected);
+    check_equal(text, lines(GC::model_continuity(doubles)), seed);
+    std::size_t last = 0, wrong = 0;
+    check_equal(text,
+                lines(GC::model_continuity<CGAL::Parallel_if_available_tag>(
+                    doubles, GC::Work_limit(), [&](std::size_t n) { wrong += n != ++last; })),
+                seed);
+    BOOST_CHECK_EQUAL(wrong, 0);
+    const GC::Model_summary& s = expected.summary;
+    BOOST_CHECK_EQUAL(last, s.g2 + s.g1 + s.g0 + s.knot_lines_g2 + s.knot_lines_g1 + s.knot_lines_g0);
+    check_equal(text, lines(GC::model_continuity<CGAL::Parallel_if_available_tag>(decimals)), seed);
+  }
+}
+
+// The first edge that is refused is named, whatever was done first.
+BOOST_AUTO_TEST_CASE(errors_on_several_cores) {
+  Random random(2026);
+  const Grid_of_points grid(8, random);
+  const auto model = Patches::model<Exact>(grid, random);
+  const auto message = [&](auto tag) {
+    try {
+      GC::model_continuity<decltype(tag)>(model, GC::Work_limit(1));
+    } catch (const GC::Error& e) {
+      return std::string(e.what());
+    }
+    return std::string();
+  };
+  const std::string expected = message(CGAL::Sequential_tag());
+  BOOST_CHECK(expected.find("work_limit") != std::string::npos);
+  for (int i = 0; i < 20; ++i) BOOST_CHECK_EQUAL(message(CGAL::Parallel_if_available_tag()), expected);
+}
