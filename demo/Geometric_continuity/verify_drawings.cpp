@@ -191,7 +191,7 @@ private:
     return GC::printable((several_ ? element.file + ": " : "") + element.text());
   }
 
-  const std::map<int, std::size_t>& counts() const { return summary_.counts(GC::Continuity_kind::G); }
+  std::map<int, std::size_t> counts() const { return summary_.counts(GC::Continuity_kind::G); }
 
   void print_summary(std::ostream& os) const {
     for (const std::string& line : not_read_) os << line << '\n';

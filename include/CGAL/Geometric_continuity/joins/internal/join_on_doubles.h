@@ -175,7 +175,8 @@ template <int N, class Left, class Right> bool curvatures_differ(const Left& lef
     b *= g * g * g;
     if (units < 0 ? (a << -2 * units) != b : a != (b << 2 * units)) return true;
   }
-  typedef Interval_nt<> Interval;
+  typedef Interval_nt<false> Interval;
+  const Interval::Protector rounding;
   const auto legs = [](const End_polygon<double, N>& points) {
     End_polygon<Interval, N> x;
     for (int j = 0; j <= 2; ++j)
@@ -282,9 +283,10 @@ Join_parameters<FT> parameters_of(const Left& left, const Right& right) {
 
 // Everything that Join_continuity says, for two ends with double coordinates and orders up to 3; see decide_all_questions().
 template <int N, class Left, class Right, class Result>
-bool decide_all_on_doubles(const Left& left, const Right& right, int max_order, Result& join) {
-  if (!decide_all_questions(Double_join<N, Left, Right>{left, right}, max_order, join)) return false;
-  if (join.g_order >= 1) join.parameters = parameters_of<typename Result::Number, N>(left, right);
+bool decide_all_on_doubles(const Left& left, const Right& right, int max_order, Result& join,
+                           bool only_orders = false) {
+  if (!decide_all_questions(Double_join<N, Left, Right>{left, right}, max_order, join, only_orders)) return false;
+  if (join.g_order >= 1 && !only_orders) join.parameters = parameters_of<typename Result::Number, N>(left, right);
   return true;
 }
 
