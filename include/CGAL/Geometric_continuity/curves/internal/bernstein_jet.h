@@ -6,6 +6,7 @@
 #define CGAL_GEOMETRIC_CONTINUITY_CURVES_INTERNAL_BERNSTEIN_JET_H
 
 #include <CGAL/Geometric_continuity/internal/for_each_index.h>
+#include <CGAL/Geometric_continuity/internal/force_inline.h>
 
 #include <array>
 
@@ -17,7 +18,7 @@ namespace internal {
 // coefficients in registers, and vectorises a loop over many parameters around it.
 
 // The forward difference of order m of c_0, ..., c_m; c is overwritten.
-template <int m, class FT> BOOST_FORCEINLINE FT forward_difference(FT* c) {
+template <int m, class FT> CGAL_GC_FORCEINLINE FT forward_difference(FT* c) {
   if constexpr (m > 0) {
     for_each_index<m>([&](int i) { c[i] = c[i + 1] - c[i]; });
     return forward_difference<m - 1, FT>(c);
@@ -28,7 +29,8 @@ template <int m, class FT> BOOST_FORCEINLINE FT forward_difference(FT* c) {
 // The differences of order j of the level of de Casteljau's algorithm with j+1 coefficients, for j = k, ..., 0. c holds the
 // level with m+1. The next level is reckoned from the differences, on the left side as c_i + t(c_(i+1) - c_i) and on the
 // right side as c_(i+1) - s(c_(i+1) - c_i): rounded numbers give c_0 for t = 0 and c_m for t = 1, exactly.
-template <int m, int k, class FT> BOOST_FORCEINLINE void bernstein_differences(FT* c, const FT& s, const FT& t, FT* d) {
+template <int m, int k, class FT>
+CGAL_GC_FORCEINLINE void bernstein_differences(FT* c, const FT& s, const FT& t, FT* d) {
   if constexpr (m == 0)
     d[0] = c[0];
   else if constexpr (m == 1) {
@@ -51,14 +53,14 @@ template <int m, int k, class FT> BOOST_FORCEINLINE void bernstein_differences(F
 // The derivatives at t = 1-s up to order k of the polynomial with the Bernstein coefficients c, each divided by n!/(n-j)!;
 // those of higher order than n are zero. c is overwritten.
 template <int n, int k, class FT>
-BOOST_FORCEINLINE void bernstein_jet(std::array<FT, n + 1>& c, const FT& s, const FT& t, FT* d) {
+CGAL_GC_FORCEINLINE void bernstein_jet(std::array<FT, n + 1>& c, const FT& s, const FT& t, FT* d) {
   for (int j = n + 1; j <= k; ++j) d[j] = FT(0);
   bernstein_differences<n, (k < n ? k : n)>(c.data(), s, t, d);
 }
 
 // The factors n!/(n-j)! / h^j of the derivatives of order j = 0, ..., k with respect to a parameter on an interval of
 // length h.
-template <int k, class FT> BOOST_FORCEINLINE std::array<FT, k + 1> derivative_factors(int n, const FT& h) {
+template <int k, class FT> CGAL_GC_FORCEINLINE std::array<FT, k + 1> derivative_factors(int n, const FT& h) {
   const FT inverse = FT(FT(1) / h);
   std::array<FT, k + 1> f;
   f[0] = FT(1);

@@ -8,6 +8,7 @@
 #include <CGAL/Geometric_continuity/algebra/Coordinate_vector.h>
 #include <CGAL/Geometric_continuity/algebra/bernstein.h>
 #include <CGAL/Geometric_continuity/curves/internal/bernstein_jet.h>
+#include <CGAL/Geometric_continuity/internal/force_inline.h>
 #include <CGAL/Geometric_continuity/internal/independent_iterations.h>
 #include <CGAL/Geometric_continuity/local/homogeneous_jets.h>
 #include <CGAL/Geometric_continuity/local/internal/jet_of_legs.h>
@@ -26,8 +27,8 @@ namespace internal {
 
 // Degree and order are known at compile time. N is n, or 0 when it is known at run time only.
 template <int Degree, int k, int N, class FT, class Coordinate, class Jet>
-BOOST_FORCEINLINE void bezier_jet(int dimension, const FT& u, const FT& a, const FT& b, const Coordinate& coordinate,
-                                  Jet& jet) {
+CGAL_GC_FORCEINLINE void bezier_jet(int dimension, const FT& u, const FT& a, const FT& b, const Coordinate& coordinate,
+                                    Jet& jet) {
   const FT h = FT(b - a), t = FT((u - a) / h), s = FT(FT(1) - t);
   const std::array<FT, k + 1> factors = derivative_factors<k>(Degree, h);
   const int n = N == 0 ? dimension : N;
@@ -44,9 +45,9 @@ BOOST_FORCEINLINE void bezier_jet(int dimension, const FT& u, const FT& a, const
 
 // The same for a rational curve: its homogeneous points are (w_j b_j, w_j), or (b_j, 0) for the weight 0.
 template <int Degree, int k, int N, class FT, class Coordinate, class Jet>
-BOOST_FORCEINLINE void rational_bezier_jet(int dimension, const FT& u, const FT& a, const FT& b,
-                                           const std::array<FT, Degree + 1>& weights, const Coordinate& coordinate,
-                                           Jet& jet) {
+CGAL_GC_FORCEINLINE void rational_bezier_jet(int dimension, const FT& u, const FT& a, const FT& b,
+                                             const std::array<FT, Degree + 1>& weights, const Coordinate& coordinate,
+                                             Jet& jet) {
   const FT h = FT(b - a), t = FT((u - a) / h), s = FT(FT(1) - t);
   const std::array<FT, k + 1> factors = derivative_factors<k>(Degree, h);
   const int n = N == 0 ? dimension : N;
