@@ -8,6 +8,7 @@
 #include <CGAL/Geometric_continuity/curves/Bezier_polygon.h>
 #include <CGAL/Geometric_continuity/curves/internal/bezier_energy.h>
 #include <CGAL/Geometric_continuity/curves/internal/bezier_jet.h>
+#include <CGAL/Geometric_continuity/internal/force_inline.h>
 #include <CGAL/Geometric_continuity/local/Curve_jet.h>
 
 #include <algorithm>
@@ -70,7 +71,8 @@ public:
 
   /// Takes the coordinates of the control points, and the domain.
   /// \throws Error `wrong_number_of_points` without points, `dimension_mismatch`, `empty_domain`, `not_finite` as for points
-  BOOST_FORCEINLINE explicit Bezier_curve(const Per_point<Coordinates>& rows, const FT& a = FT(0), const FT& b = FT(1))
+  CGAL_GC_FORCEINLINE explicit Bezier_curve(const Per_point<Coordinates>& rows, const FT& a = FT(0),
+                                            const FT& b = FT(1))
       : Polygon(rows, a, b) {}
 
   /// Takes a list of control points, on [0, 1].
@@ -234,7 +236,7 @@ private:
   }
 
   // x[0], ..., x[order], unrolled for the order k or less
-  template <int k, class Jet> BOOST_FORCEINLINE void write_jet(const FT& u, int order, Jet&& x) const {
+  template <int k, class Jet> CGAL_GC_FORCEINLINE void write_jet(const FT& u, int order, Jet&& x) const {
     const Traits traits;
     internal::with_constant_level<Degree, N>(
         dimension(), degree(), u, a_, b_,

@@ -8,6 +8,7 @@
 #include <CGAL/Geometric_continuity/curves/Bezier_curve.h>
 #include <CGAL/Geometric_continuity/curves/internal/denominator.h>
 #include <CGAL/Geometric_continuity/curves/internal/positive_parts.h>
+#include <CGAL/Geometric_continuity/internal/force_inline.h>
 #include <CGAL/Geometric_continuity/local/homogeneous_jets.h>
 
 #include <algorithm>
@@ -368,7 +369,7 @@ private:
   }
 
   // The i-th coordinate of the j-th homogeneous point, see homogeneous_point(). \tparam Field the numbers of the result
-  template <class Field = FT> BOOST_FORCEINLINE Field homogeneous_coordinate(int j, int i) const {
+  template <class Field = FT> CGAL_GC_FORCEINLINE Field homogeneous_coordinate(int j, int i) const {
     const Field w = internal::to_field<Field>(weights_[j]);
     if (i == dimension()) return w;
     const Field x = internal::to_field<Field>(FT(Traits().compute_coordinate_object()(points_[j], i)));
@@ -380,18 +381,18 @@ private:
     const Rational_bezier_curve& curve;
     internal::Bezier_coefficients<Degree, FT> factors; // 1 for infinite points
 
-    BOOST_FORCEINLINE explicit Homogeneous_coordinates(const Rational_bezier_curve& c) : curve(c) {
+    CGAL_GC_FORCEINLINE explicit Homogeneous_coordinates(const Rational_bezier_curve& c) : curve(c) {
       if constexpr (Degree == dynamic_degree) factors.resize(c.weights_.size());
       c.for_each_point([&](int j) { factors[j] = c.weights_[j] == FT(0) ? FT(1) : c.weights_[j]; });
     }
-    BOOST_FORCEINLINE FT operator()(int j, int i) const {
+    CGAL_GC_FORCEINLINE FT operator()(int j, int i) const {
       if (i == curve.dimension()) return curve.weights_[j];
       return FT(factors[j] * FT(Traits().compute_coordinate_object()(curve.points_[j], i)));
     }
   };
 
   // x[0], ..., x[order], unrolled for the order k or less
-  template <int k, class Jet> BOOST_FORCEINLINE void write_jet(const FT& u, int order, Jet&& x) const {
+  template <int k, class Jet> CGAL_GC_FORCEINLINE void write_jet(const FT& u, int order, Jet&& x) const {
     internal::with_constant_level<Degree, (N == 0 ? 0 : N + 1)>(
         dimension() + 1, degree(), u, a_, b_, Homogeneous_coordinates(*this), [&](auto level, const auto& coordinate) {
           internal::rational_bezier_jet<level, k, N>(dimension(), degree(), u, a_, b_, coordinate, order, x);

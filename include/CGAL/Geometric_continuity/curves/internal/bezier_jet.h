@@ -8,6 +8,7 @@
 #include <CGAL/Geometric_continuity/algebra/Coordinate_vector.h>
 #include <CGAL/Geometric_continuity/algebra/bernstein.h>
 #include <CGAL/Geometric_continuity/curves/internal/bernstein_jet.h>
+#include <CGAL/Geometric_continuity/internal/force_inline.h>
 #include <CGAL/Geometric_continuity/internal/independent_iterations.h>
 #include <CGAL/Geometric_continuity/local/homogeneous_jets.h>
 #include <CGAL/Geometric_continuity/local/internal/jet_of_legs.h>
@@ -33,8 +34,8 @@ template <class FT, int Degree> constexpr bool unrolls_jets = Degree >= 0 || std
 // those of the level of de Casteljau's algorithm at u with Level + 1 points; the first one of a curve has Level == degree. The
 // jet has the given order, which is not higher than k.
 template <int Level, int k, int N, class FT, class Coordinate, class Jet>
-BOOST_FORCEINLINE void bezier_jet(int dimension, int degree, const FT& u, const FT& a, const FT& b,
-                                  const Coordinate& coordinate, int order, Jet& jet) {
+CGAL_GC_FORCEINLINE void bezier_jet(int dimension, int degree, const FT& u, const FT& a, const FT& b,
+                                    const Coordinate& coordinate, int order, Jet& jet) {
   const FT h = FT(b - a), t = FT((u - a) / h), s = FT(FT(1) - t);
   const std::array<FT, k + 1> factors = derivative_factors<k>(degree, h);
   const int n = N == 0 ? dimension : N;
@@ -53,8 +54,8 @@ BOOST_FORCEINLINE void bezier_jet(int dimension, int degree, const FT& u, const 
 
 // The same for a rational curve, from its homogeneous points of dimension n + 1, see homogeneous_point().
 template <int Level, int k, int N, class FT, class Coordinate, class Jet>
-BOOST_FORCEINLINE void rational_bezier_jet(int dimension, int degree, const FT& u, const FT& a, const FT& b,
-                                           const Coordinate& coordinate, int order, Jet& jet) {
+CGAL_GC_FORCEINLINE void rational_bezier_jet(int dimension, int degree, const FT& u, const FT& a, const FT& b,
+                                             const Coordinate& coordinate, int order, Jet& jet) {
   const FT h = FT(b - a), t = FT((u - a) / h), s = FT(FT(1) - t);
   const std::array<FT, k + 1> factors = derivative_factors<k>(degree, h);
   const int n = N == 0 ? dimension : N;
@@ -82,8 +83,8 @@ BOOST_FORCEINLINE void rational_bezier_jet(int dimension, int degree, const FT& 
 // Calls f(level, coordinate) for one of the two functions above, for points of dimension M, where level is the degree as a
 // constant. Of a degree known at run time only, f is compiled for 0 to 9; of higher ones, the level of degree 9 is computed first.
 template <int Degree, int M, class FT, class Coordinate, class Function>
-BOOST_FORCEINLINE void with_constant_level(int dimension, int degree, const FT& u, const FT& a, const FT& b,
-                                           const Coordinate& coordinate, const Function& f) {
+CGAL_GC_FORCEINLINE void with_constant_level(int dimension, int degree, const FT& u, const FT& a, const FT& b,
+                                             const Coordinate& coordinate, const Function& f) {
   if constexpr (Degree >= 0)
     f(std::integral_constant<int, Degree>(), coordinate);
   else

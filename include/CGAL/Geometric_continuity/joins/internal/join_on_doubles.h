@@ -5,11 +5,10 @@
 #ifndef CGAL_GEOMETRIC_CONTINUITY_JOINS_INTERNAL_JOIN_ON_DOUBLES_H
 #define CGAL_GEOMETRIC_CONTINUITY_JOINS_INTERNAL_JOIN_ON_DOUBLES_H
 
+#include <CGAL/Geometric_continuity/internal/force_inline.h>
 #include <CGAL/Geometric_continuity/joins/internal/Join_parameters.h>
 #include <CGAL/Geometric_continuity/joins/internal/join_on_integers.h>
 #include <CGAL/Interval_nt.h>
-
-#include <boost/config.hpp>
 
 #include <algorithm>
 #include <array>
@@ -57,7 +56,7 @@ bool first_derivatives_differ(const std::array<double, N>& a1, int m, const std:
 
 // The end of a curve with double coordinates, or its start, as given. `Points` is something with degree(), domain() and
 // coordinate(j, i).
-template <int k, int N, class Points> BOOST_FORCEINLINE End_polygon<double, N> points_of(const Points& end) {
+template <int k, int N, class Points> CGAL_GC_FORCEINLINE End_polygon<double, N> points_of(const Points& end) {
   const int m = end.degree();
   const auto point = [&](int j) -> std::array<double, N> {
     if constexpr (N == 2)
@@ -78,8 +77,8 @@ template <int k, int N, class Points> BOOST_FORCEINLINE End_polygon<double, N> p
 // The decision by the signs of the first differences a1 and b1, of which the largest coordinate of a1 is the pivot, or `unknown`: the
 // signs of rounded differences are exact.
 template <Join_question question, std::size_t N>
-BOOST_FORCEINLINE Join_answer decide_by_signs(const std::array<double, N>& a1, const std::array<double, N>& b1,
-                                              int pivot) {
+CGAL_GC_FORCEINLINE Join_answer decide_by_signs(const std::array<double, N>& a1, const std::array<double, N>& b1,
+                                                int pivot) {
   const double x = coordinate_at(a1, pivot), y = coordinate_at(b1, pivot);
   if (is_geometric(question)) return (x < 0 && y < 0) || (0 < x && 0 < y) ? Join_answer::unknown : Join_answer::no;
   return x == 0 || largest(b1) == 0 ? Join_answer::undefined : Join_answer::unknown;
@@ -87,7 +86,7 @@ BOOST_FORCEINLINE Join_answer decide_by_signs(const std::array<double, N>& a1, c
 
 // The decision on two ends with double coordinates, exact or `unknown`. That the ends meet is not asked here.
 template <Join_question question, int N, class Left, class Right, class Stages>
-BOOST_FORCEINLINE Join_answer decide_on_doubles(const Left& left, const Right& right, Stages& stages) {
+CGAL_GC_FORCEINLINE Join_answer decide_on_doubles(const Left& left, const Right& right, Stages& stages) {
   constexpr int k = highest_difference(question);
   static_assert(k > 0, "the points are compared before");
   const auto decided = [&](Join_stage stage, Join_answer answer) {
