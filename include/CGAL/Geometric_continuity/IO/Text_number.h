@@ -7,6 +7,7 @@
 
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Geometric_continuity/IO/internal/short_decimal.h>
+#include <CGAL/Geometric_continuity/IO/limits.h>
 #include <CGAL/Geometric_continuity/IO/number.h>
 
 #include <algorithm>
@@ -38,7 +39,7 @@ public:
   /// Reads a number. \throws Error `malformed_input` as `parse_number()` does
   explicit Text_number(std::string_view text) {
     internal::Short_decimal decimal;
-    if (!text.empty() &&
+    if (!text.empty() && text.size() <= max_number_length &&
         internal::read_short_decimal(text.data(), text.data() + text.size(), decimal) == text.data() + text.size() &&
         decimal.exists())
       *this = Text_number(decimal.digits, decimal.exponent);
@@ -66,7 +67,8 @@ public:
   }
 
   /// Computes the integer `x` with the number \f$ x \cdot 10^{exponent} \f$. Returns false, and leaves `x`, if there is none below
-  /// \f$ 2^{60} \f$ in absolute value, and for a number that is not kept as a decimal.
+  /// \f$ 2^{60} \f$ in absolute value, for an exponent above `exponent()` unless the number is 0, and for a number that is not kept as
+  /// a decimal.
   bool on_grid(int exponent, std::int64_t& x) const {
     if (exact_) return false;
     if (digits_ == 0) {
