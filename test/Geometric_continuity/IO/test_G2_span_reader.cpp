@@ -49,16 +49,22 @@ Q value(const Decimal& d) {
   return x;
 }
 
+std::string plain_text(const Q& x) {
+  std::ostringstream os;
+  GC::write_number(os, x);
+  return os.str();
+}
+
 // A decimal in one of the forms that files have.
 std::string text(const Q& x) {
   Q scaled = x;
   int places = 0;
-  while (places < 60 && GC::internal::number_text(scaled).find('/') != std::string::npos) {
+  while (places < 60 && plain_text(scaled).find('/') != std::string::npos) {
     scaled *= Q(10);
     ++places;
   }
-  std::string digits = GC::internal::number_text(scaled);
-  if (digits.find('/') != std::string::npos) return GC::internal::number_text(x);
+  std::string digits = plain_text(scaled);
+  if (digits.find('/') != std::string::npos) return plain_text(x);
   const bool negative = digits[0] == '-';
   if (negative) digits.erase(0, 1);
   const std::string sign = negative ? "-" : below(20) == 0 ? "+" : "";
