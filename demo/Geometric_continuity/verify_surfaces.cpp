@@ -108,13 +108,10 @@ private:
   void print_text() const;
   void print_verdict() const;
 
-  // Few surfaces are decided on one core: that needs no memory for the others.
   static GC::Model_continuity<Exact> decided(const std::vector<Surface>& surfaces, GC::Work_limit limit) {
-    constexpr std::size_t few = 256;
     Progress progress("edges and knot lines");
-    const auto step = [&](std::size_t n) { progress.step(n); };
-    return surfaces.size() < few ? GC::model_continuity(surfaces, limit, step)
-                                 : GC::model_continuity<CGAL::Parallel_if_available_tag>(surfaces, limit, step);
+    return GC::model_continuity<CGAL::Parallel_if_available_tag>(surfaces, limit,
+                                                                 [&](std::size_t n) { progress.step(n); });
   }
 
   static std::vector<GC::Near_edges> near(const std::vector<Surface>& surfaces,
