@@ -206,11 +206,23 @@ bool decide_all_questions(const Questions& questions, int max_order, Result& joi
   int contact = 0; // of the curves, wherever their ends are
   join.regular = questions.regular();
   const bool meet = questions.ends_meet();
+  if (meet) { // C^k is asked first, since it costs least, and curves that are regular and C^k are G^k
+    join.c_order = join.g_order = join.f_order = 0;
+    if (max_order >= 1 && holds(Question<Join_question::c1>())) {
+      join.c_order = 1;
+      if (max_order >= 3 && holds(Question<Join_question::c3>()))
+        join.c_order = 3;
+      else if (max_order >= 2 && holds(Question<Join_question::c2>()))
+        join.c_order = 2;
+    }
+  }
   if (join.regular && (meet || !only_orders)) {
-    if (max_order >= 3 && holds(Question<Join_question::g3>()))
+    if (max_order >= 3 && (join.c_order == 3 || holds(Question<Join_question::g3>())))
       contact = 3;
     else
-      contact = holds(Question<Join_question::g2>()) ? 2 : holds(Question<Join_question::g1>()) ? 1 : 0;
+      contact = join.c_order >= 2 || holds(Question<Join_question::g2>())   ? 2
+                : join.c_order == 1 || holds(Question<Join_question::g1>()) ? 1
+                                                                            : 0;
     join.tangent_equal = contact >= 1;
   }
   if (join.regular && !only_orders) {
@@ -225,22 +237,12 @@ bool decide_all_questions(const Questions& questions, int max_order, Result& joi
     }
   }
   if (unknown) return false;
-  if (!meet) return true;
-
-  join.c_order = join.g_order = join.f_order = 0;
-  if (max_order >= 1 && holds(Question<Join_question::c1>())) {
-    join.c_order = 1;
-    if (max_order >= 3 && holds(Question<Join_question::c3>()))
-      join.c_order = 3;
-    else if (max_order >= 2 && holds(Question<Join_question::c2>()))
-      join.c_order = 2;
-  }
-  if (contact >= 1 && max_order >= 1) {
+  if (meet && contact >= 1 && max_order >= 1) {
     join.g_order = (std::min)(contact, max_order);
     join.f_order = (std::min)(join.g_order, 2);
     if constexpr (N == 3)
       if (join.f_order == 2 && max_order >= 3 &&
-          (join.torsion_equal ? *join.torsion_equal : holds(Question<Join_question::f3>())))
+          (join.c_order == 3 || (join.torsion_equal ? *join.torsion_equal : holds(Question<Join_question::f3>()))))
         join.f_order = 3;
   }
   return !unknown;
