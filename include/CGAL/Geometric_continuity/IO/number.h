@@ -169,9 +169,27 @@ template <class FT> std::string floating_point_text(FT x) {
   return std::string(text, std::to_chars(text, text + sizeof text, x).ptr);
 }
 
+// The text of a rational number whose numerator and denominator are short; empty for others.
+template <class FT> std::string short_rational_text(const FT& x) {
+  if constexpr (Rational_parts<FT>::value) {
+    std::int64_t n, d;
+    if (!Rational_parts<FT>::short_parts(x, n, d)) return {};
+    char text[64];
+    char* end = std::to_chars(text, text + sizeof text, n).ptr;
+    if (d != 1) {
+      *end++ = '/';
+      end = std::to_chars(end, text + sizeof text, d).ptr;
+    }
+    return std::string(text, end);
+  } else
+    return {};
+}
+
 // What the number type itself prints, with the sign in front and without a denominator 1. It is read back, because
 // some number types print approximations only.
 template <class FT> std::string exact_text(const FT& x) {
+  const std::string short_text = short_rational_text(x);
+  if (!short_text.empty()) return short_text;
   std::ostringstream os;
   os.imbue(std::locale::classic());
   os << x;
