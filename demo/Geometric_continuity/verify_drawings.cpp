@@ -21,6 +21,7 @@
 #include <map>
 #include <optional>
 #include <sstream>
+#include <utility>
 #include <vector>
 
 namespace {
@@ -93,6 +94,7 @@ class Drawing_report : public Drawing_handler {
   std::vector<std::string> not_read_;
   GC::Chain_summary summary_; // of what is decided
   std::size_t joins_ = 0, undecided_ = 0, failing_ = 0, subpaths_ = 0, segments_ = 0;
+  bool has_row_ = false;
 
   typedef std::optional<GC::Join_continuity<Exact>> Decision;
 
@@ -153,12 +155,14 @@ public:
         summary_.add(*decision);
       else
         ++undecided_;
-      if (required_ && !(decision && required_->met(*decision))) ++failing_;
-      if (json_)
-        out_.write((joins_ == 0 ? "\n " : ",\n ") +
+      const bool fails = required_ && !(decision && required_->met(*decision));
+      failing_ += fails;
+      const bool printed = !mode_.summary || fails;
+      if (printed && json_)
+        out_.write((std::exchange(has_row_, true) ? ",\n " : "\n ") +
                    json(segments_ + i, segments_ + (i + 1) % n, left, right, decision) + ',' + json_element(element) +
                    ",\"subpath\":" + std::to_string(number) + '}');
-      else
+      else if (printed)
         out_.write(name(element) + ", subpath " + std::to_string(number) + ", " + text(left, right, decision) + '\n');
       ++joins_;
       show_progress_();
