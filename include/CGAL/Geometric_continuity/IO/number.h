@@ -174,13 +174,10 @@ template <class FT> std::string short_rational_text(const FT& x) {
   if constexpr (Rational_parts<FT>::value) {
     std::int64_t n, d;
     if (!Rational_parts<FT>::short_parts(x, n, d)) return {};
-    char text[64];
-    char* end = std::to_chars(text, text + sizeof text, n).ptr;
-    if (d != 1) {
-      *end++ = '/';
-      end = std::to_chars(end, text + sizeof text, d).ptr;
-    }
-    return std::string(text, end);
+    char digits[32];
+    std::string text(digits, std::to_chars(digits, digits + sizeof digits, n).ptr);
+    if (d != 1) (text += '/').append(digits, std::to_chars(digits, digits + sizeof digits, d).ptr);
+    return text;
   } else
     return {};
 }
