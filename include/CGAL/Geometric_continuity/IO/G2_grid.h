@@ -65,18 +65,24 @@ public:
 /// \ingroup PkgGeometricContinuityIO
 /// The powers of ten that make integers of all coordinates and of all knots of some surfaces.
 class G2_grid {
-  // Of coordinates, or of knots: the exponent, and bounds of what has been included.
+  // The unit of coordinates, or of knots.
   struct Axis {
     int exponent = 0;
-    bool decimals = true;
 
     void include(const Text_number& x) {
-      decimals = decimals && x.is_decimal();
-      if (decimals) exponent = (std::min)(exponent, x.exponent());
+      if (x.is_decimal()) exponent = (std::min)(exponent, x.exponent());
     }
-    double operator()(const Text_number& x, bool& exact) const {
+    // Whether this is an integer that is a double.
+    bool has(const Text_number& x) const {
       std::int64_t n = 0;
-      exact = exact && x.on_grid(exponent, n) && -limit <= n && n <= limit;
+      return x.on_grid(exponent, n) && -limit <= n && n <= limit;
+    }
+    bool has(const std::vector<Text_number>& numbers) const {
+      return std::all_of(numbers.begin(), numbers.end(), [this](const Text_number& x) { return has(x); });
+    }
+    double operator()(const Text_number& x) const {
+      std::int64_t n = 0;
+      x.on_grid(exponent, n);
       return static_cast<double>(n);
     }
   };
@@ -101,15 +107,12 @@ public:
   /// \tparam Traits a model of `GeometricContinuityTraits` of dimension 3 over `double`
   template <class Traits>
   bool append(const std::vector<G2_surface_text>& texts, std::vector<Bspline_surface<Traits>>& surfaces) const {
-    if (!coordinates_.decimals || !knots_.decimals) return false;
+    for (const G2_surface_text& text : texts)
+      if (!coordinates_.has(text.coordinates_) || !knots_.has(text.u_.knots) || !knots_.has(text.v_.knots))
+        return false;
     std::vector<Bspline_surface<Traits>> result;
     result.reserve(texts.size());
-    for (const G2_surface_text& text : texts) {
-      bool exact = true;
-      result.push_back(text.surface<Traits>([&](const Text_number& x) { return coordinates_(x, exact); },
-                                            [&](const Text_number& x) { return knots_(x, exact); }));
-      if (!exact) return false;
-    }
+    for (const G2_surface_text& text : texts) result.push_back(text.surface<Traits>(coordinates_, knots_));
     surfaces.insert(surfaces.end(), result.begin(), result.end());
     return true;
   }

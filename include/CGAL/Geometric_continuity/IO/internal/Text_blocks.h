@@ -96,12 +96,13 @@ public:
       while (end > 0 && !is_white_space(text[end - 1])) --end;
     }
     if (!begun_) skip_byte_order_mark(text, end);
-    if (text.empty() && error_) std::rethrow_exception(std::exchange(error_, nullptr));
-    if (!ended_ && end > 0) {
+    if (error_) {
+      text.resize(end); // not the half of a word
+      if (text.empty()) std::rethrow_exception(std::exchange(error_, nullptr));
+    } else if (!ended_ && end > 0) {
       rest_.assign(text.begin() + static_cast<std::ptrdiff_t>(end), text.end());
       text.resize(end);
-    } else if (error_)
-      text.resize(end); // not the half of a word
+    }
   }
 
 private:
