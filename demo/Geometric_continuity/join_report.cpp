@@ -217,8 +217,9 @@ template <class Numbers> std::string last_columns(const Join& join, int dimensio
 } // namespace
 
 std::string rounded(double x, int digits) {
-  char text[64]; // as printf() does with %g
-  return std::string(text, std::to_chars(text, text + sizeof text, x, std::chars_format::general, digits).ptr);
+  char text[64]; // as printf() does with %g, but zero has no sign
+  return std::string(text,
+                     std::to_chars(text, text + sizeof text, x == 0 ? 0.0 : x, std::chars_format::general, digits).ptr);
 }
 
 std::string counted(std::size_t n, const std::string& noun) {

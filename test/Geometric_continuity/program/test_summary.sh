@@ -74,6 +74,12 @@ for x in 0.5 1/2 +.50 500000000000000000000000000000e-30 5E-1 2/4; do
 done
 holds [ "$(sort halves.txt | uniq -c | grep -cv '^ *6 ')" -eq 0 ]
 
+# zero has no sign: a straight line to the left and a parabola
+for x in 1 1/1; do
+  { curve $'2 0\n2 2\n0 0 1 1\n'"$x"$' 1\n0 0' && curve $'2 0\n3 3\n0 0 0 1 1 1\n0 0\n-1 -1\n-2 -3'; } >line.g2
+  run 0 verify line.g2 && says out "curvature jumps from 0 to 0.1768"
+done
+
 # The rows of --summary are those of the full table that fail.
 run 1 verify decimal.g2 --require G2 && mv out full.txt
 run 1 verify decimal.g2 --require G2 --summary && mv out summary.txt
