@@ -12,6 +12,7 @@
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Geometric_continuity/Traits_3.h>
 #include <CGAL/Geometric_continuity/curves/Bezier_curve.h>
+#include <CGAL/Geometric_continuity/joins/chain_continuity.h>
 #include <CGAL/Geometric_continuity/joins/failing_joins.h>
 #include <CGAL/Geometric_continuity/joins/join_continuity.h>
 #include <CGAL/Geometric_continuity/joins/join_predicates.h>
@@ -262,6 +263,84 @@ void register_passes() {
 #endif
 }
 
+// Joins of each class for the same left curves: the right one continues the left one as C3, and then one control point is moved,
+// that of the first order that shall not hold.
+void register_all_orders() {
+  static const char* const names[] = {"gap", "C0", "C1 G1", "C2 G2", "C3 G3 F3"};
+  static std::array<std::vector<Curve>, 5> right;
+  const std::vector<Curve>& left = input().left;
+  for (int order = -1; order <= 3; ++order)
+    for (const Curve& x : left) {
+      std::array<std::array<double, 3>, 6> y{};
+      for (int i = 0; i < 3; ++i) {
+        const double a = x.control_point(5)[i], b = x.control_point(4)[i], c = x.control_point(3)[i],
+                     d = x.control_point(2)[i];
+        y[0][i] = a;
+        y[1][i] = 2 * a - b;
+        y[2][i] = 4 * a - 4 * b + c;
+        y[3][i] = 8 * a - 12 * b + 6 * c - d;
+      }
+      if (order < 3) y[order + 1][1] += 0x1p-10;
+      std::array<Point, 6> points;
+      for (int j = 0; j < 6; ++j) points[j] = Point(y[j][0], y[j][1], y[j][2]);
+      right[order + 1].push_back(Curve(points.begin(), points.end()));
+    }
+  for (int order = -1; order <= 3; ++order) {
+    const std::vector<Curve>& y = right[order + 1];
+    for (std::size_t k = 0; k < left.size(); ++k) {
+      const auto join = GC::continuity(left[k], y[k]);
+      if (join.c_order != order || join.g_order != order || join.f_order != order) {
+        std::cerr << "continuity: wrong answer, " << names[order + 1] << ", join " << k << ": " << join << '\n';
+        std::exit(1);
+      }
+    }
+    const std::string title = std::string("all orders and flags, ") + names[order + 1] + " | ";
+    benchmark::RegisterBenchmark((title + "is_f3_join and is_g3_join").c_str(), [&](benchmark::State& state) {
+      time_joins(state, [&](std::size_t k) {
+        return GC::is_f3_join(input().left[k], y[k]) + 2 * GC::is_g3_join(input().left[k], y[k]);
+      });
+    });
+    benchmark::RegisterBenchmark((title + "continuity").c_str(), [&](benchmark::State& state) {
+      time_joins(state, [&](std::size_t k) { return GC::continuity(input().left[k], y[k]).g_order; });
+    });
+  }
+}
+
+// 10^6 cubics in space that meet C2, the pieces of a uniform B-spline curve, or C1.
+void register_chains() {
+  typedef GC::Bezier_curve<Traits, 3> Cubic;
+  constexpr int size = 1000000;
+  for (const int order : {1, 2}) {
+    const auto run = [order](benchmark::State& state) {
+      std::mt19937_64 engine(2026);
+      const auto random = [&] { return 6 * 0x1p-40 * static_cast<double>(engine() >> 24); };
+      std::array<std::array<double, 3>, 4> d;
+      for (std::array<double, 3>& x : d) x = {random(), random(), random()};
+      std::vector<Cubic> chain;
+      for (int k = 0; k < size; ++k) {
+        std::array<std::array<double, 3>, 4> x;
+        for (int i = 0; i < 3; ++i) {
+          x[0][i] = (d[0][i] + 4 * d[1][i] + d[2][i]) / 6;
+          x[1][i] = order == 2 ? (2 * d[1][i] + d[2][i]) / 3 : x[0][i] + (d[2][i] - d[0][i]) / 2;
+          x[3][i] = (d[1][i] + 4 * d[2][i] + d[3][i]) / 6;
+          x[2][i] = order == 2 ? (d[1][i] + 2 * d[2][i]) / 3 : x[3][i] - (d[3][i] - d[1][i]) / 2;
+        }
+        std::array<Point, 4> points;
+        for (int j = 0; j < 4; ++j) points[j] = Point(x[j][0], x[j][1], x[j][2]);
+        chain.push_back(Cubic(points.begin(), points.end()));
+        std::rotate(d.begin(), d.begin() + 1, d.end());
+        d[3] = {random(), random(), random()};
+      }
+      for (auto _ : state)
+        if (GC::chain_continuity(chain.begin(), chain.end()).counts(GC::Continuity_kind::C).at(order) != size - 1)
+          state.SkipWithError("wrong answer");
+      state.SetItemsProcessed(static_cast<std::int64_t>(state.iterations() * (size - 1)));
+    };
+    const std::string name = "a chain of 10^6 cubics, C" + std::to_string(order) + " | chain_continuity, up to order 3";
+    benchmark::RegisterBenchmark(name.c_str(), run)->Unit(benchmark::kMillisecond);
+  }
+}
+
 #ifdef GEOMETRIC_CONTINUITY_WITH_OCCT
 // What OpenCASCADE offers for G2, with tolerances: it accepts the joins that are off by one unit as well.
 struct Occt_curves {
@@ -333,6 +412,8 @@ int main(int argc, char** argv) {
         });
 #endif
     }
+  register_all_orders();
+  register_chains();
   register_passes();
   return run_benchmarks(argc, argv);
 }

@@ -267,6 +267,13 @@ std::string remark(const Join& join, const Jet& left, const Jet& right) {
   return remark_of(join, Exact_numbers(left, right));
 }
 
+std::optional<std::string> remark(const Join& join, const GC::Coordinate_jet<Interval, 2>& left,
+                                  const GC::Coordinate_jet<Interval, 2>& right) {
+  const Enclosed_numbers<2> numbers(left, right);
+  const std::string text = remark_of(join, numbers);
+  return numbers.certain() ? std::optional<std::string>(text) : std::nullopt;
+}
+
 std::string table_head() { return "join         orders      point                     remark\n"; }
 
 template <class Span>

@@ -9,8 +9,10 @@
 #include "curves.h"
 
 #include <CGAL/Geometric_continuity/joins/chain_continuity.h>
+#include <CGAL/Interval_nt.h>
 
 #include <cstddef>
+#include <optional>
 #include <string>
 
 typedef GC::Join_continuity<Exact> Join;
@@ -61,6 +63,10 @@ std::string orders(const Join& join);
 // sides.
 std::string remark(const Join& join, const GC::Curve_jet<Program_traits<Exact>>& left,
                    const GC::Curve_jet<Program_traits<Exact>>& right);
+
+// The same from enclosures of the jets in the plane, while rounding is upwards; empty where they do not tell the rounded numbers.
+std::optional<std::string> remark(const Join& join, const GC::Coordinate_jet<CGAL::Interval_nt<false>, 2>& left,
+                                  const GC::Coordinate_jet<CGAL::Interval_nt<false>, 2>& right);
 
 // Returns the first line of a table of joins.
 std::string table_head();

@@ -30,8 +30,9 @@ namespace {
 struct Decided_joins {
   GC::Chain_summary summary;
   std::size_t failing = 0, undecided = 0;
-  std::string rows;         // of all joins, unless only the summary is wanted
-  std::string failing_rows; // of those that do not meet the requirement
+  std::string rows;          // of all joins, unless only the summary is wanted
+  std::string failing_rows;  // of those that do not meet the requirement
+  std::ostringstream stream; // for parts of a row
 };
 
 // Decides the joins of spans and writes the rows of a report.
@@ -62,7 +63,7 @@ public:
     std::string& rows = only_failing_ ? joins.failing_rows : joins.rows;
     const std::size_t begin = rows.size();
     if (json_)
-      append_json_row(rows, join, left, right, within);
+      append_json_row(rows, join, left, right, within, joins.stream);
     else
       append_row(rows, join, left, right, left_span, right_span, within);
     if (fails && !only_failing_) joins.failing_rows.append(rows, begin, std::string::npos);
@@ -70,8 +71,8 @@ public:
 
 private:
   static void append_json_row(std::string& rows, const Join& join, std::size_t left, std::size_t right,
-                              const std::optional<GC::Order_within>& within) {
-    std::ostringstream s;
+                              const std::optional<GC::Order_within>& within, std::ostringstream& s) {
+    s.str("");
     s << ",\n {";
     GC::write_json_members(s, join, static_cast<int>(left), static_cast<int>(right));
     if (within) {

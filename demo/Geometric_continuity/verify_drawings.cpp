@@ -19,7 +19,9 @@
 #include <functional>
 #include <iostream>
 #include <map>
+#include <optional>
 #include <sstream>
+#include <utility>
 #include <vector>
 
 namespace {
@@ -92,6 +94,7 @@ class Drawing_report : public Drawing_handler {
   std::vector<std::string> not_read_;
   GC::Chain_summary summary_; // of what is decided
   std::size_t joins_ = 0, undecided_ = 0, failing_ = 0, subpaths_ = 0, segments_ = 0;
+  bool has_row_ = false;
 
   typedef std::optional<GC::Join_continuity<Exact>> Decision;
 
@@ -102,8 +105,10 @@ class Drawing_report : public Drawing_handler {
     if (!decision) return s + "undecided, " + undecided;
     s += 'G' + std::to_string(decision->g_order);
     if (decision->g_order == max_order_) s += " or more";
-    return s + ", " + remark(*decision, rounded_end_jet(left), rounded_start_jet(right)) +
-           explanation(*decision, left, right);
+    std::optional<std::string> words;
+    GC::visit_enclosures(left, right, [&](const auto& x, const auto& y) { words = remark(*decision, x, y); });
+    if (!words) words = remark(*decision, rounded_end_jet(left), rounded_start_jet(right));
+    return s + ", " + *words + explanation(*decision, left, right);
   }
 
   std::string json(std::size_t left_number, std::size_t right_number, const Segment& left, const Segment& right,
@@ -150,12 +155,14 @@ public:
         summary_.add(*decision);
       else
         ++undecided_;
-      if (required_ && !(decision && required_->met(*decision))) ++failing_;
-      if (json_)
-        out_.write((joins_ == 0 ? "\n " : ",\n ") +
+      const bool fails = required_ && !(decision && required_->met(*decision));
+      failing_ += fails;
+      const bool printed = !mode_.summary || fails;
+      if (printed && json_)
+        out_.write((std::exchange(has_row_, true) ? ",\n " : "\n ") +
                    json(segments_ + i, segments_ + (i + 1) % n, left, right, decision) + ',' + json_element(element) +
                    ",\"subpath\":" + std::to_string(number) + '}');
-      else
+      else if (printed)
         out_.write(name(element) + ", subpath " + std::to_string(number) + ", " + text(left, right, decision) + '\n');
       ++joins_;
       show_progress_();
@@ -188,7 +195,7 @@ private:
     return GC::printable((several_ ? element.file + ": " : "") + element.text());
   }
 
-  const std::map<int, std::size_t>& counts() const { return summary_.counts(GC::Continuity_kind::G); }
+  std::map<int, std::size_t> counts() const { return summary_.counts(GC::Continuity_kind::G); }
 
   void print_summary(std::ostream& os) const {
     for (const std::string& line : not_read_) os << line << '\n';

@@ -15,6 +15,7 @@
 #include <CGAL/Geometric_continuity/models/near_edges.h>
 #include <CGAL/Simple_cartesian.h>
 
+#include <cstddef>
 #include <iostream>
 #include <optional>
 #include <string>

@@ -49,16 +49,22 @@ Q value(const Decimal& d) {
   return x;
 }
 
+std::string plain_text(const Q& x) {
+  std::ostringstream os;
+  GC::write_number(os, x);
+  return os.str();
+}
+
 // A decimal in one of the forms that files have.
 std::string text(const Q& x) {
   Q scaled = x;
   int places = 0;
-  while (places < 60 && GC::internal::number_text(scaled).find('/') != std::string::npos) {
+  while (places < 60 && plain_text(scaled).find('/') != std::string::npos) {
     scaled *= Q(10);
     ++places;
   }
-  std::string digits = GC::internal::number_text(scaled);
-  if (digits.find('/') != std::string::npos) return GC::internal::number_text(x);
+  std::string digits = plain_text(scaled);
+  if (digits.find('/') != std::string::npos) return plain_text(x);
   const bool negative = digits[0] == '-';
   if (negative) digits.erase(0, 1);
   const std::string sign = negative ? "-" : below(20) == 0 ? "+" : "";
@@ -149,15 +155,12 @@ template <class Traits, class Number> std::vector<GC::G2_span<Traits, Number>> r
   return spans;
 }
 
-// Returns the order of geometric continuity.
-template <class Traits, class Number> int check_roads(const std::string& file) {
-  const auto spans = read_spans<Traits, Number>(file);
-  BOOST_REQUIRE_EQUAL(spans.size(), 2);
+// Returns the order of geometric continuity of the join of two spans.
+template <class Span> int check_join(const Span& left, const Span& right, const std::string& file) {
   int order = 0;
   for (int max_order : {3, below(3)}) {
-    const auto expected = GC::continuity(spans[0].jets(), spans[1].jets(), max_order),
-               join = continuity(spans[0], spans[1], max_order),
-               orders = continuity_orders(spans[0], spans[1], max_order);
+    const auto expected = GC::continuity(left.jets(), right.jets(), max_order),
+               join = continuity(left, right, max_order), orders = continuity_orders(left, right, max_order);
     BOOST_CHECK_MESSAGE(answers(join) == answers(expected), answers(join) << " is not " << answers(expected) << '\n'
                                                                           << file);
     BOOST_CHECK_MESSAGE(orders.c_order == expected.c_order && orders.g_order == expected.g_order &&
@@ -167,6 +170,40 @@ template <class Traits, class Number> int check_roads(const std::string& file) {
     if (max_order == 3) order = expected.g_order;
   }
   return order;
+}
+
+template <class Traits, class Number> int check_roads(const std::string& file) {
+  const auto spans = read_spans<Traits, Number>(file);
+  BOOST_REQUIRE_EQUAL(spans.size(), 2);
+  return check_join(spans[0], spans[1], file);
+}
+
+// A B-spline curve with knots of all multiplicities; every point or knot with a few digits.
+std::string spline(int dimension) {
+  const int order = 1 + below(6), points = order + below(8), places = below(4);
+  std::vector<int> knots(points + order);
+  for (int j = 0; j < points + order; ++j) {
+    knots[j] = j == 0 ? below(20) - 10 : knots[j - 1] + (below(2) == 0 ? below(5) : 0);
+    if (j >= order && knots[j] == knots[j - order]) ++knots[j];
+    if (j == points && knots[j] == knots[order - 1]) ++knots[j];
+  }
+  std::string file =
+      "100 1 0 0 " + std::to_string(dimension) + " 0\n" + std::to_string(points) + ' ' + std::to_string(order) + '\n';
+  for (int knot : knots) file += text(value({knot, places})) + ' ';
+  const int size = below(5) == 0 ? 3 : 100000;
+  for (int j = 0; j < dimension * points; ++j) file += '\n' + text(value({below(size) - size / 2, below(7)}));
+  return file + '\n';
+}
+
+template <int N, class Traits> void check_splines() {
+  random_bits.seed(20261123 + N);
+  int inner_knots = 0;
+  for (int i = 0; i < 300; ++i) {
+    const std::string file = spline(N);
+    const auto spans = read_spans<Traits, GC::Text_number>(file);
+    for (std::size_t j = 1; j < spans.size(); ++j, ++inner_knots) check_join(spans[j - 1], spans[j], file);
+  }
+  BOOST_CHECK_GT(inner_knots, 300);
 }
 
 template <int N, class Traits> void check_all_classes() {
@@ -189,3 +226,7 @@ template <int N, class Traits> void check_all_classes() {
 
 BOOST_AUTO_TEST_CASE(decimals_in_the_plane) { check_all_classes<2, Exact_2>(); }
 BOOST_AUTO_TEST_CASE(decimals_in_space) { check_all_classes<3, Exact_3>(); }
+BOOST_AUTO_TEST_CASE(inner_knots) {
+  check_splines<2, Exact_2>();
+  check_splines<3, Exact_3>();
+}

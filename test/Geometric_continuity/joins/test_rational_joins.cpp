@@ -29,7 +29,9 @@ namespace GC = CGAL::Geometric_continuity;
 typedef CGAL::Exact_rational Q;
 typedef GC::Traits_2<CGAL::Simple_cartesian<Q>> Q2;
 typedef GC::Traits_3<CGAL::Simple_cartesian<Q>> Q3;
-typedef std::tuple<Q2, Q3, GC::Traits_2<CGAL::Simple_cartesian<double>>, GC::Traits_3<CGAL::Epick>> All;
+typedef std::tuple<Q2, Q3, GC::Traits_2<CGAL::Simple_cartesian<double>>, GC::Traits_3<CGAL::Epick>,
+                   GC::Traits_3<CGAL::Simple_cartesian<float>>>
+    All;
 
 namespace {
 
@@ -126,6 +128,21 @@ BOOST_AUTO_TEST_CASE(weights_of_any_size) {
   }
   BOOST_CHECK_EQUAL(n.g1, 40);
   BOOST_CHECK_EQUAL(n.g2, 30);
+}
+
+// A derivative with the factor 1/3, which no floating-point number is.
+BOOST_AUTO_TEST_CASE_TEMPLATE(c1_join_with_a_rounded_factor, Traits, All) {
+  typedef typename Traits::FT FT;
+  typedef GC::Rational_bezier_curve<Traits> Curve;
+  const auto on_axis = [](int x) {
+    GC::Coordinates<Traits> c(GC::dimension_v<Traits>);
+    c[0] = FT(x);
+    return GC::to_point<Traits>(c);
+  };
+  const std::vector<typename Traits::Point> p{on_axis(-3), on_axis(0)}, q{on_axis(0), on_axis(1)};
+  const std::vector<FT> w{FT(1), FT(3)}, v{FT(1), FT(1)};
+  const Curve left(p.begin(), p.end(), w.begin(), w.end()), right(q.begin(), q.end(), v.begin(), v.end());
+  BOOST_CHECK(GC::is_c_join<1>(left, right) && !GC::is_c_join<2>(left, right) && GC::is_g3_join(left, right));
 }
 
 // Other ends than those of four positive weights are read by their jets.

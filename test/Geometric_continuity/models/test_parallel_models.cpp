@@ -21,6 +21,7 @@
 #include <random>
 #include <sstream>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 namespace GC = CGAL::Geometric_continuity;
@@ -73,7 +74,7 @@ struct Grid_of_points {
   }
 };
 
-// The number x 10^-6 or 10^-6 times its nearest fraction of two, or x itself as a double.
+// The decimal x 10^-6, or x itself as a double.
 template <class Traits> typename Traits::FT number(int x) {
   if constexpr (std::is_same_v<Traits, Exact>)
     return Q(x) / Q(1000000);
@@ -228,6 +229,101 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(decimals_and_doubles, Class, Classes) {
     const GC::Model_summary& s = expected.summary;
     BOOST_CHECK_EQUAL(last, s.g2 + s.g1 + s.g0 + s.knot_lines_g2 + s.knot_lines_g1 + s.knot_lines_g0);
     check_equal(text, lines(GC::model_continuity<CGAL::Parallel_if_available_tag>(decimals)), seed);
+  }
+}
+
+// One spline over simple knots, cut into surfaces with the same knots, some of them turned, over other domains, with other speeds
+// across their edges, or lifted: in fixed length all spans of an edge are decided at once, or none.
+BOOST_AUTO_TEST_CASE(splines_over_simple_knots) {
+  typedef GC::Bspline_surface<Exact> Surface;
+  typedef GC::Knot_vector<Q> Knots;
+  for (unsigned seed = 1; seed <= 2; ++seed) {
+    Random random(seed);
+    const int parts = 4, spans = 3;
+    const auto knots = [](int first, int last) {
+      std::vector<Q> u(4, Q(first));
+      for (int k = first + 1; k < last; ++k) u.emplace_back(k);
+      u.insert(u.end(), 4, Q(last));
+      return Knots(3, u);
+    };
+    const Knots all = knots(0, parts * spans);
+    const int m = all.number_of_coefficients();
+    std::vector<std::vector<Exact::Point>> net(m);
+    for (int i = 0; i < m; ++i)
+      for (int j = 0; j < m; ++j)
+        net[i].emplace_back(Q(1296 * (100 * i + random.integer(0, 30))), Q(1296 * (100 * j + random.integer(0, 30))),
+                            Q(1296 * random.integer(0, 50)));
+    Surface whole(net, all, all);
+    for (int k = 1; k < parts; ++k) whole = whole.insert_u(Q(spans * k), 2).insert_v(Q(spans * k), 2);
+    std::vector<Surface> exact;
+    std::vector<GC::Bspline_surface<Filtered>> doubles;
+    const int step = spans + 2; // six control points in each direction
+    for (int i = 0; i < parts; ++i)
+      for (int j = 0; j < parts; ++j) {
+        std::vector<std::vector<Exact::Point>> part(step + 1);
+        const int kind = (i + 2 * j) % 5;
+        for (int k = 0; k <= step; ++k)
+          for (int l = 0; l <= step; ++l) {
+            Exact::Point x = whole.control_point(step * i + k, step * j + l);
+            if (kind == 4 && 0 < k && k < step && 0 < l && l < step) x = Exact::Point(x.x(), x.y(), Q(x.z() + 36));
+            if (kind == 3 && k == 2 && 0 < l && l < step) x = Exact::Point(x.x(), x.y(), Q(x.z() + 36)); // only G1
+            part[k].push_back(x);
+          }
+        const int factor = kind == 2 ? 2 : 1;
+        const auto own_knots = [&](int a) {
+          std::vector<Q> u;
+          for (const Q& x : knots(spans * a, spans * a + spans)) u.push_back(Q(x * factor));
+          return Knots(3, u);
+        };
+        Surface s(part, own_knots(i), own_knots(j));
+        if (kind == 1) s = s.reverse_u();
+        if (kind == 2) s = s.swap_parameters().reverse_v();
+        exact.push_back(s);
+        const auto rounded = [](const Knots& u) {
+          std::vector<double> x;
+          for (const Q& y : u) x.push_back(CGAL::to_double(y));
+          return GC::Knot_vector<double>(u.degree(), x);
+        };
+        std::vector<std::vector<Filtered::Point>> points(s.number_of_points_u());
+        for (int k = 0; k < s.number_of_points_u(); ++k)
+          for (int l = 0; l < s.number_of_points_v(); ++l) {
+            const Exact::Point& x = s.control_point(k, l);
+            BOOST_REQUIRE(Q(CGAL::to_double(x.z())) == x.z());
+            points[k].emplace_back(CGAL::to_double(x.x()), CGAL::to_double(x.y()), CGAL::to_double(x.z()));
+          }
+        doubles.emplace_back(points, rounded(s.knots_u()), rounded(s.knots_v()));
+      }
+    const GC::Model_continuity<Q> expected = GC::model_continuity(exact);
+    BOOST_TEST_MESSAGE(expected.summary);
+    BOOST_CHECK(expected.summary.g2 > 5 && expected.summary.g1 > 0 && expected.summary.creases > 5);
+    check_equal(lines(expected), lines(GC::model_continuity(doubles)), seed);
+    check_equal(lines(expected), lines(GC::model_continuity<CGAL::Parallel_if_available_tag>(doubles)), seed);
+  }
+}
+
+// Edges with the same control points are the same if their weights are, up to a factor.
+BOOST_AUTO_TEST_CASE(weights_of_edges) {
+  typedef GC::Rational_bezier_patch<Filtered> Patch;
+  const auto patch = [](int side, std::vector<double> weights) {
+    std::vector<std::vector<Filtered::Point>> points(3);
+    std::vector<std::vector<double>> w;
+    for (int i = 0; i < 3; ++i) {
+      points[i] = {Filtered::Point(i, 0, i * i), Filtered::Point(i, side, i)};
+      w.push_back({weights[i], 1});
+    }
+    return Patch(points, w);
+  };
+  const auto shared = [&](const std::vector<double>& a, const std::vector<double>& b, bool turned) {
+    const Patch p = patch(1, a), q = patch(-1, b);
+    const auto model = GC::model_continuity(std::vector<Patch>{p, turned ? q.reverse_u() : q});
+    return model.summary.g0 + model.summary.g1 + model.summary.g2;
+  };
+  for (bool turned : {false, true}) {
+    BOOST_CHECK_EQUAL(shared({1, 2, 4}, {3, 6, 12}, turned), 1);
+    BOOST_CHECK_EQUAL(shared({1, 2, 4}, {1, 2, 5}, turned), 0);
+    BOOST_CHECK_EQUAL(shared({1, 2, 1}, {1, 1, 1}, turned), 0);
+    BOOST_CHECK_EQUAL(shared({1, 1, 1}, {7, 7, 7}, turned), 1);
+    BOOST_CHECK_EQUAL(shared({1, 0, 1}, {3, 0, 3}, turned), 1); // nothing but keys decides
   }
 }
 

@@ -49,8 +49,8 @@ public:
     return *jets_;
   }
 
-  /// Decides the join of two spans as `continuity()` of two curves does: in the plane and in space up to order 3, where the control
-  /// points next to it are Bézier points and all numbers short decimals, on integers, otherwise from `jets()`.
+  /// Decides the join of two spans as `continuity()` of two curves does: in the plane and in space up to order 3, where all
+  /// numbers are short decimals, on integers, otherwise from `jets()`.
   /// \throws Error as `continuity()` does
   friend Join_continuity<Predicate_FT<Traits_>> continuity(const G2_span& left, const G2_span& right, int max_order = 3,
                                                            Work_limit limit = Work_limit()) {

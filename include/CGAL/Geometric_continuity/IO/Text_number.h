@@ -56,6 +56,8 @@ public:
   /// Returns the number.
   Exact_rational value() const {
     if (exact_) return *exact_;
+    Exact_rational value;
+    if (internal::short_decimal_value(internal::Short_decimal{digits_, exponent_}, value)) return value;
     internal::Number_parts parts;
     const std::string digits = std::to_string(digits_ < 0 ? -digits_ : digits_);
     parts.negative = digits_ < 0;

@@ -16,6 +16,7 @@
 #include <CGAL/Geometric_continuity/joins/join_continuity.h>
 #include <CGAL/Geometric_continuity/joins/order_within.h>
 
+#include <charconv>
 #include <cmath>
 #include <cstddef>
 #include <optional>
@@ -51,19 +52,30 @@ inline std::string json_text(const std::optional<Enclosure>& e) {
 }
 
 template <class FT> std::string json_members(const Join_continuity<FT>& join, int left, int right) {
-  std::string json = "\"left\":" + std::to_string(left) + ",\"right\":" + std::to_string(right) +
-                     ",\"c_order\":" + std::to_string(join.c_order) + ",\"g_order\":" + std::to_string(join.g_order) +
-                     ",\"f_order\":" + std::to_string(join.f_order) + ",\"betas\":[";
+  std::string json;
+  json.reserve(256);
+  const auto number = [&json](const char* name, int x) {
+    char text[16];
+    (json += name).append(text, std::to_chars(text, text + sizeof text, x).ptr);
+  };
+  number("\"left\":", left);
+  number(",\"right\":", right);
+  number(",\"c_order\":", join.c_order);
+  number(",\"g_order\":", join.g_order);
+  number(",\"f_order\":", join.f_order);
+  json += ",\"betas\":[";
   const char* separator = "\"";
   for (const FT& beta : join.betas()) {
-    json += separator + number_text(beta) + '"';
+    (json += separator) += number_text(beta);
+    json += '"';
     separator = ",\"";
   }
-  return json + "],\"regular\":" + json_text(std::optional<bool>(join.regular)) +
-         ",\"tangent_equal\":" + json_text(join.tangent_equal) +
-         ",\"curvature_equal\":" + json_text(join.curvature_equal) +
-         ",\"curvature_vector_equal\":" + json_text(join.curvature_vector_equal) +
-         ",\"torsion_equal\":" + json_text(join.torsion_equal);
+  (json += "],\"regular\":") += json_text(std::optional<bool>(join.regular));
+  (json += ",\"tangent_equal\":") += json_text(join.tangent_equal);
+  (json += ",\"curvature_equal\":") += json_text(join.curvature_equal);
+  (json += ",\"curvature_vector_equal\":") += json_text(join.curvature_vector_equal);
+  (json += ",\"torsion_equal\":") += json_text(join.torsion_equal);
+  return json;
 }
 
 inline std::string json_members(const Order_within& within) {

@@ -11,8 +11,10 @@
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Geometric_continuity/Error.h>
 #include <CGAL/Geometric_continuity/IO/internal/Number_parts.h>
+#include <CGAL/Geometric_continuity/IO/internal/short_decimal.h>
 #include <CGAL/Geometric_continuity/IO/limits.h>
 #include <CGAL/Geometric_continuity/IO/quoted_token.h>
+#include <CGAL/Geometric_continuity/numbers/internal/Rational_parts.h>
 #include <CGAL/Geometric_continuity/numbers/internal/checked_numbers.h>
 
 #include <algorithm>
@@ -131,8 +133,28 @@ template <class FT> FT floating_point_value(std::string_view text, const Number_
   return value;
 }
 
+// The value of a short decimal with at most 18 places, as nearly all numbers are; returns false for others.
+template <class FT> bool short_decimal_value(const Short_decimal& decimal, FT& value) {
+  if constexpr (Rational_parts<FT>::value) {
+    if (!decimal.exists() || decimal.exponent < -Short_decimal::max_digits || decimal.exponent > 0) return false;
+    std::int64_t denominator = 1;
+    for (int e = decimal.exponent; e < 0; ++e) denominator *= 10;
+    value = Rational_parts<FT>::make_short(decimal.digits, denominator);
+    return true;
+  } else
+    return false;
+}
+
 // The value of a text. Throws Number_error, so that the caller can say where the text stands.
 template <class FT> FT number_value(std::string_view text) {
+  if constexpr (Rational_parts<typename Evaluated<FT>::type>::value) {
+    Short_decimal decimal;
+    typename Evaluated<FT>::type value;
+    const char* const end = text.data() + text.size();
+    if (text.size() <= max_number_length && read_short_decimal(text.data(), end, decimal) == end &&
+        short_decimal_value(decimal, value))
+      return FT(value);
+  }
   check_number_length(text);
   const Number_parts parts = number_parts(text);
   if constexpr (std::is_floating_point_v<FT>)
@@ -147,9 +169,24 @@ template <class FT> std::string floating_point_text(FT x) {
   return std::string(text, std::to_chars(text, text + sizeof text, x).ptr);
 }
 
+// The text of a rational number whose numerator and denominator are short; empty for others.
+template <class FT> std::string short_rational_text(const FT& x) {
+  if constexpr (Rational_parts<FT>::value) {
+    std::int64_t n, d;
+    if (!Rational_parts<FT>::short_parts(x, n, d)) return {};
+    char digits[32];
+    std::string text(digits, std::to_chars(digits, digits + sizeof digits, n).ptr);
+    if (d != 1) (text += '/').append(digits, std::to_chars(digits, digits + sizeof digits, d).ptr);
+    return text;
+  } else
+    return {};
+}
+
 // What the number type itself prints, with the sign in front and without a denominator 1. It is read back, because
 // some number types print approximations only.
 template <class FT> std::string exact_text(const FT& x) {
+  const std::string short_text = short_rational_text(x);
+  if (!short_text.empty()) return short_text;
   std::ostringstream os;
   os.imbue(std::locale::classic());
   os << x;

@@ -7,9 +7,8 @@
 
 #include <CGAL/Geometric_continuity/Error.h>
 #include <CGAL/Geometric_continuity/internal/for_each_index.h>
+#include <CGAL/Geometric_continuity/internal/force_inline.h>
 #include <CGAL/Uncertain.h>
-
-#include <boost/config.hpp>
 
 #include <algorithm>
 #include <array>
@@ -135,7 +134,7 @@ private:
   }
 
   // f(i) for each coordinate number i
-  template <class Function> BOOST_FORCEINLINE void for_each(const Function& f) const {
+  template <class Function> CGAL_GC_FORCEINLINE void for_each(const Function& f) const {
     if constexpr (N == 0)
       for (int i = 0; i < dimension(); ++i) f(i);
     else

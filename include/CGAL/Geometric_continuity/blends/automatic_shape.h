@@ -7,8 +7,8 @@
 
 #include <CGAL/Geometric_continuity/blends/blend_ends.h>
 #include <CGAL/Geometric_continuity/local/Curve_jet.h>
-#include <CGAL/Geometric_continuity/numbers/Exact_field.h>
 #include <CGAL/Geometric_continuity/numbers/internal/short_double.h>
+#include <CGAL/MP_Float.h>
 #include <CGAL/number_utils.h>
 
 #include <cmath>
@@ -84,7 +84,7 @@ ET exact_squared_distance(const Coordinate_vector<FT, N>& a, const Coordinate_ve
 // The ratio |a2 - a1| / |d| of a chord and a tangent as a short number, decided exactly: in floating-point numbers with a
 // bound of the error, and in exact numbers when that leaves two choices.
 template <class FT, int N> class Chord_ratio {
-  typedef typename Exact_field<FT>::type ET;
+  typedef std::conditional_t<std::is_floating_point_v<FT>, MP_Float, FT> ET; // no quotients are needed
   typedef Coordinate_vector<FT, N> Vector;
 
   const Vector &a1_, &a2_;

@@ -9,6 +9,7 @@
 #include <CGAL/Geometric_continuity/blends/internal/exact_blend.h>
 #include <CGAL/Geometric_continuity/blends/quintic_strategies.h>
 #include <CGAL/Geometric_continuity/curves/Bezier_curve.h>
+#include <CGAL/Geometric_continuity/internal/force_inline.h>
 #include <CGAL/Geometric_continuity/local/end_jet.h>
 
 #include <boost/config.hpp>
@@ -74,7 +75,7 @@ namespace internal {
 }
 
 // Whether the square of a tangent, by which the formulas divide, is zero. Exact numbers need not be multiplied for this.
-template <class FT, int N> BOOST_FORCEINLINE bool is_zero_tangent(const Coordinate_vector<FT, N>& v) {
+template <class FT, int N> CGAL_GC_FORCEINLINE bool is_zero_tangent(const Coordinate_vector<FT, N>& v) {
   if constexpr (Rational_parts<FT>::value)
     return is_zero(v);
   else
@@ -88,8 +89,8 @@ template <class ET, int N> bool is_zero_tangent(const Coordinate_vector<Lazy_exa
 
 // Called for each blend, and small when the shape parameters are constants: written out at the place of the call.
 template <class FT, int N>
-BOOST_FORCEINLINE void check_blend_input(const Coordinate_jet<FT, N>& phi, const Coordinate_jet<FT, N>& psi, int order,
-                                         const Shape_parameters<FT>& shape) {
+CGAL_GC_FORCEINLINE void check_blend_input(const Coordinate_jet<FT, N>& phi, const Coordinate_jet<FT, N>& psi,
+                                           int order, const Shape_parameters<FT>& shape) {
   if (!(FT(0) < shape.beta)) refuse_blend(Error_code::nonpositive_beta, "beta, at the end of the first curve");
   if (!(FT(0) < shape.eta)) refuse_blend(Error_code::nonpositive_beta, "eta, at the start of the second curve");
   check_finite(shape.beta, "blend: beta");
@@ -105,8 +106,8 @@ BOOST_FORCEINLINE void check_blend_input(const Coordinate_jet<FT, N>& phi, const
 
 // The one road of all blends: Ends is Quintic_ends or Septic_ends, Blend the type of the result.
 template <class Blend, template <class, int> class Ends, class FT, int N, class Strategy>
-BOOST_FORCEINLINE Blend blend_of_jets(const Coordinate_jet<FT, N>& phi, const Coordinate_jet<FT, N>& psi,
-                                      const Strategy& strategy, const Shape_parameters<FT>& shape) {
+CGAL_GC_FORCEINLINE Blend blend_of_jets(const Coordinate_jet<FT, N>& phi, const Coordinate_jet<FT, N>& psi,
+                                        const Strategy& strategy, const Shape_parameters<FT>& shape) {
   check_blend_input(phi, psi, Ends<FT, N>::order, shape);
   if constexpr (is_blended_on_fractions<Ends, FT, N, Strategy>()) {
     const Exact_blend<Ends, FT, N> r = blend_on_fractions<Ends>(phi, psi, strategy, shape);
@@ -128,8 +129,8 @@ struct Chooses_shape<Strategy, Jet,
 
 // The shape parameters are those of the strategy, if it chooses them, or those of automatic_shape().
 template <class Blend, template <class, int> class Ends, class FT, int N, class Strategy>
-BOOST_FORCEINLINE auto blend_of_jets(const Coordinate_jet<FT, N>& phi, const Coordinate_jet<FT, N>& psi,
-                                     const Strategy& strategy) {
+CGAL_GC_FORCEINLINE auto blend_of_jets(const Coordinate_jet<FT, N>& phi, const Coordinate_jet<FT, N>& psi,
+                                       const Strategy& strategy) {
   check_blend_input(phi, psi, Ends<FT, N>::order, Shape_parameters<FT>());
   if constexpr (Chooses_shape<Strategy, Coordinate_jet<FT, N>>::value) {
     const auto chosen = strategy.choose(phi, psi);
@@ -141,9 +142,9 @@ BOOST_FORCEINLINE auto blend_of_jets(const Coordinate_jet<FT, N>& phi, const Coo
 
 // `shape` is one argument, or none.
 template <class Traits, class Strategy, class... Shape>
-BOOST_FORCEINLINE auto blend_of_jets(const Coordinate_jet<typename Traits::FT, dimension_v<Traits>>& phi,
-                                     const Coordinate_jet<typename Traits::FT, dimension_v<Traits>>& psi,
-                                     const Strategy& strategy, const Shape&... shape) {
+CGAL_GC_FORCEINLINE auto blend_of_jets(const Coordinate_jet<typename Traits::FT, dimension_v<Traits>>& phi,
+                                       const Coordinate_jet<typename Traits::FT, dimension_v<Traits>>& psi,
+                                       const Strategy& strategy, const Shape&... shape) {
   if constexpr (is_quintic_strategy_v<Strategy, Traits>)
     return blend_of_jets<Quintic_blend<Traits>, Quintic_ends>(phi, psi, strategy, shape...);
   else { // asked only now, so that a quintic strategy may be a generic lambda
@@ -183,8 +184,8 @@ auto blend_of_curves(const Left& phi, const Right& psi, const Strategy& strategy
 /// \throws Error `zero_tangent` when a first derivative is zero
 /// \throws Error `not_finite` when a shape parameter is infinite, or the result overflows the number type
 template <class Traits, class Strategy>
-BOOST_FORCEINLINE auto blend(const Curve_jet<Traits>& phi, const Curve_jet<Traits>& psi, const Strategy& strategy,
-                             const Shape_parameters<typename Traits::FT>& shape) {
+CGAL_GC_FORCEINLINE auto blend(const Curve_jet<Traits>& phi, const Curve_jet<Traits>& psi, const Strategy& strategy,
+                               const Shape_parameters<typename Traits::FT>& shape) {
   return internal::blend_of_jets<Traits>(phi, psi, strategy, shape);
 }
 
@@ -195,7 +196,7 @@ BOOST_FORCEINLINE auto blend(const Curve_jet<Traits>& phi, const Curve_jet<Trait
 /// \tparam Strategy a model of `BlendStrategy`
 /// \throws Error `dimension_mismatch`, `jet_order_too_low`, `zero_tangent`, `not_finite` when the result overflows
 template <class Traits, class Strategy>
-BOOST_FORCEINLINE auto blend(const Curve_jet<Traits>& phi, const Curve_jet<Traits>& psi, const Strategy& strategy) {
+CGAL_GC_FORCEINLINE auto blend(const Curve_jet<Traits>& phi, const Curve_jet<Traits>& psi, const Strategy& strategy) {
   return internal::blend_of_jets<Traits>(phi, psi, strategy);
 }
 

@@ -6,10 +6,9 @@
 #define CGAL_GEOMETRIC_CONTINUITY_BLENDS_BLEND_ENDS_H
 
 #include <CGAL/Geometric_continuity/algebra/Coordinate_vector.h>
+#include <CGAL/Geometric_continuity/internal/force_inline.h>
 #include <CGAL/Geometric_continuity/local/coordinates.h>
 #include <CGAL/Geometric_continuity/numbers/internal/checked_numbers.h>
-
-#include <boost/config.hpp>
 
 #include <array>
 #include <type_traits>
@@ -94,7 +93,7 @@ template <class FT, int N> struct Quintic_ends {
   /// Computes the vectors from the jets at the end of \f$ \varphi \f$ and at the start of \f$ \psi \f$: `phi[j]` and `psi[j]`
   /// are the derivatives of order `j`, 0 to 2. The tangents must not be zero.
   template <class Jet>
-  BOOST_FORCEINLINE Quintic_ends(const Jet& phi, const Jet& psi, const Shape_parameters<FT>& shape)
+  CGAL_GC_FORCEINLINE Quintic_ends(const Jet& phi, const Jet& psi, const Shape_parameters<FT>& shape)
       : Quintic_ends(phi[0], psi[0], shape.beta * phi[1], shape.eta * psi[1], FT(shape.beta * shape.beta) * phi[2],
                      FT(shape.eta * shape.eta) * psi[2]) {}
 
@@ -122,7 +121,7 @@ template <class FT, int N> struct Quintic_ends {
   /// Returns the control points between the first and the last, \f$ B_1, C_1, C_2, B_2 \f$, for what the strategy chose.
   std::array<Vector, 4> inner_points(const Parameters& p) const { return {b1(), c1(p.s1), c2(p.s2), b2()}; }
   /// Returns the control points \f$ A_1, B_1, C_1, C_2, B_2, A_2 \f$ for what the strategy chose.
-  BOOST_FORCEINLINE std::array<Vector, 6> control_points(const Parameters& p) const {
+  CGAL_GC_FORCEINLINE std::array<Vector, 6> control_points(const Parameters& p) const {
     return {a1, b1(), c1(p.s1), c2(p.s2), b2(), a2};
   }
 };

@@ -6,10 +6,9 @@
 #define CGAL_GEOMETRIC_CONTINUITY_BLENDS_QUINTIC_STRATEGIES_H
 
 #include <CGAL/Geometric_continuity/blends/blend_ends.h>
+#include <CGAL/Geometric_continuity/internal/force_inline.h>
 
 #include <CGAL/tags.h>
-
-#include <boost/config.hpp>
 
 #include <type_traits>
 #include <utility>
@@ -95,7 +94,7 @@ template <int k> struct Minimal_energy {
   typedef Tag_true Works_in_every_field;
 
   /// Chooses \f$ s_1 \f$ and \f$ s_2 \f$.
-  template <class FT, int N> BOOST_FORCEINLINE Quintic_parameters<FT> operator()(const Quintic_ends<FT, N>& e) const {
+  template <class FT, int N> CGAL_GC_FORCEINLINE Quintic_parameters<FT> operator()(const Quintic_ends<FT, N>& e) const {
     const Coordinate_vector<FT, N>&a1 = e.a1, &a2 = e.a2, &u = e.u, &v = e.v;
     const Coordinate_vector<FT, N> b1 = e.b1(), b2 = e.b2(), c1 = e.c1(FT(0)), c2 = e.c2(FT(0));
     if constexpr (k == 2) // [12u.u, 2u.v; 2u.v, 12v.v] s = r

@@ -8,6 +8,7 @@
 #include <CGAL/Geometric_continuity/curves/Bezier_polygon.h>
 #include <CGAL/Geometric_continuity/curves/internal/bezier_energy.h>
 #include <CGAL/Geometric_continuity/curves/internal/bezier_jet.h>
+#include <CGAL/Geometric_continuity/internal/force_inline.h>
 #include <CGAL/Geometric_continuity/local/Curve_jet.h>
 
 #include <algorithm>
@@ -28,7 +29,8 @@ namespace Geometric_continuity {
 ///
 /// With a degree fixed at compile time, construction, evaluation, jets up to order 5, derivative, split, elevation by a
 /// fixed number, reversal, transformation and bounding box allocate no memory (provided that the numbers and points of the
-/// kernel do not).
+/// kernel do not). With a degree known at run time only and floating-point numbers, points and jets up to order 3 are the same
+/// ones and cost about the same; up to degree 9, where the code is unrolled, they allocate no memory either.
 ///
 /// With floating-point numbers, evaluation does not check its results: parameters must be finite, and the derivatives, which
 /// grow with \f$ (b-a)^{-k} \f$, must not overflow.
@@ -69,7 +71,8 @@ public:
 
   /// Takes the coordinates of the control points, and the domain.
   /// \throws Error `wrong_number_of_points` without points, `dimension_mismatch`, `empty_domain`, `not_finite` as for points
-  BOOST_FORCEINLINE explicit Bezier_curve(const Per_point<Coordinates>& rows, const FT& a = FT(0), const FT& b = FT(1))
+  CGAL_GC_FORCEINLINE explicit Bezier_curve(const Per_point<Coordinates>& rows, const FT& a = FT(0),
+                                            const FT& b = FT(1))
       : Polygon(rows, a, b) {}
 
   /// Takes a list of control points, on [0, 1].
@@ -90,14 +93,15 @@ public:
   /// Returns the point at `u`, which may lie outside the domain: the polynomial is extended. \f$ O(m^2) \f$
   Point operator()(const FT& u) const {
     Coordinates x(dimension());
-    const FT t = local_parameter(u);
-    this->for_each_coordinate([&](int i) {
-      Coefficients<FT> c = this->coefficients(i);
-      if constexpr (Degree == dynamic_degree)
+    if constexpr (internal::unrolls_jets<FT, Degree>)
+      write_jet<0>(u, 0, &x);
+    else {
+      const FT t = local_parameter(u);
+      this->for_each_coordinate([&](int i) {
+        Coefficients<FT> c = this->coefficients(i);
         x[i] = bernstein_value(c, degree(), t);
-      else
-        internal::bernstein_jet<Degree, 0>(c, FT(FT(1) - t), t, &x[i]);
-    });
+      });
+    }
     return Geometric_continuity::to_point<Traits>(x);
   }
 
@@ -105,7 +109,7 @@ public:
   /// \f$ O(m^2 + k^3) \f$ \throws Error `negative_count` unless `k >= 0`
   Curve_jet<Traits> jet(const FT& u, int k) const {
     if constexpr (Degree == dynamic_degree)
-      return jet_of_any_order(u, k);
+      return k <= 3 ? jet_of_order<3>(u, k) : jet_of_any_order(u, k);
     else
       switch (k) {
       case 0: return jet<0>(u);
@@ -121,9 +125,9 @@ public:
   template <int k> Curve_jet<Traits> jet(const FT& u) const {
     static_assert(k >= 0);
     if constexpr (Degree == dynamic_degree)
-      return jet_of_any_order(u, k);
+      return jet(u, k);
     else
-      return jet_of_order<k>(u);
+      return jet_of_order<k>(u, k);
   }
 
   /// Returns the jet of order `k` at the start of the domain, from the first `k + 1` control points. \f$ O(k^2) \f$
@@ -231,13 +235,24 @@ private:
     return Field(internal::to_field<Field>(b_) - internal::to_field<Field>(a_));
   }
 
-  template <int k> Curve_jet<Traits> jet_of_order(const FT& u) const {
+  // x[0], ..., x[order], unrolled for the order k or less
+  template <int k, class Jet> CGAL_GC_FORCEINLINE void write_jet(const FT& u, int order, Jet&& x) const {
     const Traits traits;
-    Curve_jet<Traits> jet(dimension(), k, internal::Unspecified());
-    internal::bezier_jet<Degree, k, N>(
-        dimension(), u, a_, b_, [&](int j, int i) { return FT(traits.compute_coordinate_object()(points_[j], i)); },
-        jet);
-    return jet;
+    internal::with_constant_level<Degree, N>(
+        dimension(), degree(), u, a_, b_,
+        [&](int j, int i) { return FT(traits.compute_coordinate_object()(points_[j], i)); },
+        [&](auto level, const auto& coordinate) {
+          internal::bezier_jet<level, k, N>(dimension(), degree(), u, a_, b_, coordinate, order, x);
+        });
+  }
+
+  template <int k> Curve_jet<Traits> jet_of_order(const FT& u, int order) const {
+    if constexpr (internal::unrolls_jets<FT, Degree>) {
+      Curve_jet<Traits> jet(dimension(), order, internal::Unspecified());
+      write_jet<k>(u, order, jet);
+      return jet;
+    } else
+      return jet_of_any_order(u, order);
   }
 
   Curve_jet<Traits> jet_of_any_order(const FT& u, int k) const {

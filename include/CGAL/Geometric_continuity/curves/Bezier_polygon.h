@@ -7,6 +7,7 @@
 
 #include <CGAL/Geometric_continuity/algebra/Bernstein_polynomial.h>
 #include <CGAL/Geometric_continuity/internal/for_each_index.h>
+#include <CGAL/Geometric_continuity/internal/force_inline.h>
 #include <CGAL/Geometric_continuity/local/coordinates.h>
 #include <CGAL/Geometric_continuity/local/internal/jet_of_legs.h>
 #include <CGAL/Geometric_continuity/numbers/internal/checked_numbers.h>
@@ -119,27 +120,27 @@ protected:
     }
     check();
   }
-  BOOST_FORCEINLINE Bezier_polygon(const Per_point<Coordinates>& rows, const FT& a, const FT& b)
+  CGAL_GC_FORCEINLINE Bezier_polygon(const Per_point<Coordinates>& rows, const FT& a, const FT& b)
       : points_(points_of(rows)), a_(a), b_(b) {
     check();
   }
 
   // f(i) for each coordinate number i
-  template <class Function> BOOST_FORCEINLINE void for_each_coordinate(const Function& f) const {
+  template <class Function> CGAL_GC_FORCEINLINE void for_each_coordinate(const Function& f) const {
     if constexpr (N == 0)
       for (int i = 0; i < dimension(); ++i) f(i);
     else
       internal::for_each_index<N>(f);
   }
   // f(j) for each control point number j
-  template <class Function> BOOST_FORCEINLINE void for_each_point(const Function& f) const {
+  template <class Function> CGAL_GC_FORCEINLINE void for_each_point(const Function& f) const {
     if constexpr (Degree == dynamic_degree)
       for (int j = 0; j <= degree(); ++j) f(j);
     else
       internal::for_each_index<Degree + 1>(f);
   }
   // the i-th coordinates of all control points
-  BOOST_FORCEINLINE Coefficients<FT> coefficients(int i) const {
+  CGAL_GC_FORCEINLINE Coefficients<FT> coefficients(int i) const {
     const Traits traits;
     Coefficients<FT> c;
     if constexpr (Degree == dynamic_degree) c.resize(points_.size());
@@ -161,7 +162,7 @@ private:
                                                                    std::to_string(Degree + 1) + " control points"));
   }
 
-  BOOST_FORCEINLINE void check() const {
+  CGAL_GC_FORCEINLINE void check() const {
     if (points_.empty()) refuse_number_of_points();
     if (!(a_ < b_)) throw Error(Error_code::empty_domain, "Bezier_curve");
     if constexpr (N == 0)

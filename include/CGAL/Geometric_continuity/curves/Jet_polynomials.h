@@ -6,6 +6,7 @@
 #define CGAL_GEOMETRIC_CONTINUITY_CURVES_JET_POLYNOMIALS_H
 
 #include <CGAL/Geometric_continuity/curves/Bezier_curve.h>
+#include <CGAL/Geometric_continuity/internal/force_inline.h>
 #include <CGAL/Geometric_continuity/internal/independent_iterations.h>
 #include <CGAL/Geometric_continuity/local/Jet_arrays.h>
 
@@ -86,7 +87,7 @@ private:
   FT local_parameter(const FT& u) const { return FT(FT(u - start_) * scale_ - FT(1)); }
 
   // the i-th coordinate of the derivative of order j, by Horner's rule
-  BOOST_FORCEINLINE static FT value(const Polynomials& p, int j, int i, const FT& x) {
+  CGAL_GC_FORCEINLINE static FT value(const Polynomials& p, int j, int i, const FT& x) {
     if (j > degree) return FT(0);
     FT sum = p[degree - j][i];
     internal::for_each_index<degree>([&](int l) {

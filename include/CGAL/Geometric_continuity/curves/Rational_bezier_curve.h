@@ -8,6 +8,7 @@
 #include <CGAL/Geometric_continuity/curves/Bezier_curve.h>
 #include <CGAL/Geometric_continuity/curves/internal/denominator.h>
 #include <CGAL/Geometric_continuity/curves/internal/positive_parts.h>
+#include <CGAL/Geometric_continuity/internal/force_inline.h>
 #include <CGAL/Geometric_continuity/local/homogeneous_jets.h>
 
 #include <algorithm>
@@ -162,19 +163,28 @@ public:
 
   /// Returns the point at `u`, which may lie outside the domain. \f$ O(m^2) \f$
   /// \throws Error `zero_weight` when the denominator is zero there
-  Point operator()(const FT& u) const { return jet<0>(u).point(); }
+  Point operator()(const FT& u) const {
+    if constexpr (internal::unrolls_jets<FT, Degree>) {
+      Coordinates x(dimension());
+      write_jet<0>(u, 0, &x);
+      return Geometric_continuity::to_point<Traits>(x);
+    } else
+      return jet_of_any_order(u, 0).point();
+  }
 
   /// Returns the jet of order `k` at `u`, which may lie outside the domain. \f$ O(m^2 + k^3) \f$
   /// \throws Error `negative_count` unless `k >= 0`, `zero_weight` when the denominator is zero there
   Curve_jet<Traits> jet(const FT& u, int k) const {
-    if constexpr (Degree != dynamic_degree) switch (k) {
+    if constexpr (Degree == dynamic_degree)
+      return k <= 3 ? jet_of_order<3>(u, k) : jet_of_any_order(u, k);
+    else
+      switch (k) {
       case 0: return jet<0>(u);
       case 1: return jet<1>(u);
       case 2: return jet<2>(u);
       case 3: return jet<3>(u);
-      default: break;
+      default: return jet_of_any_order(u, k);
       }
-    return Curve_jet<Traits>(project(homogeneous_jet(u, k)));
   }
 
   /// Returns the jet of an order `k >= 0` that is known at compile time, at `u`, which may lie outside the domain.
@@ -182,15 +192,9 @@ public:
   template <int k> Curve_jet<Traits> jet(const FT& u) const {
     static_assert(k >= 0);
     if constexpr (Degree == dynamic_degree)
-      return Curve_jet<Traits>(project(homogeneous_jet(u, k)));
-    else {
-      const Traits traits;
-      Curve_jet<Traits> x(dimension(), k, internal::Unspecified());
-      internal::rational_bezier_jet<Degree, k, N>(
-          dimension(), u, a_, b_, weights_,
-          [&](int j, int i) { return FT(traits.compute_coordinate_object()(points_[j], i)); }, x);
-      return x;
-    }
+      return jet(u, k);
+    else
+      return jet_of_order<k>(u, k);
   }
 
   /// Returns the jet of order `k` at the start of the domain, from the first `k + 1` control points. \f$ O(k^2) \f$
@@ -364,20 +368,52 @@ private:
     return rows;
   }
 
-  // Of the homogeneous points, see homogeneous_point().
-  Coordinate_jet<FT, (N == 0 ? 0 : N + 1)> homogeneous_jet(const FT& u, int k) const {
-    const Traits traits;
-    const int n = dimension();
-    Coordinate_jet<FT, (N == 0 ? 0 : N + 1)> jet(n + 1, k);
-    internal::bezier_jet_of_any_order<Degree, (N == 0 ? 0 : N + 1)>(
-        n + 1, degree(), u, a_, b_, k,
-        [&](int j, int i) -> FT {
-          if (i == n) return weights_[j];
-          const FT x = FT(traits.compute_coordinate_object()(points_[j], i));
-          return weights_[j] == FT(0) ? x : FT(weights_[j] * x);
-        },
-        jet);
-    return jet;
+  // The i-th coordinate of the j-th homogeneous point, see homogeneous_point(). \tparam Field the numbers of the result
+  template <class Field = FT> CGAL_GC_FORCEINLINE Field homogeneous_coordinate(int j, int i) const {
+    const Field w = internal::to_field<Field>(weights_[j]);
+    if (i == dimension()) return w;
+    const Field x = internal::to_field<Field>(FT(Traits().compute_coordinate_object()(points_[j], i)));
+    return w == Field(0) ? x : Field(w * x);
+  }
+
+  // The coordinates of the homogeneous points as floating-point code wants them, without a branch.
+  struct Homogeneous_coordinates {
+    const Rational_bezier_curve& curve;
+    internal::Bezier_coefficients<Degree, FT> factors; // 1 for infinite points
+
+    CGAL_GC_FORCEINLINE explicit Homogeneous_coordinates(const Rational_bezier_curve& c) : curve(c) {
+      if constexpr (Degree == dynamic_degree) factors.resize(c.weights_.size());
+      c.for_each_point([&](int j) { factors[j] = c.weights_[j] == FT(0) ? FT(1) : c.weights_[j]; });
+    }
+    CGAL_GC_FORCEINLINE FT operator()(int j, int i) const {
+      if (i == curve.dimension()) return curve.weights_[j];
+      return FT(factors[j] * FT(Traits().compute_coordinate_object()(curve.points_[j], i)));
+    }
+  };
+
+  // x[0], ..., x[order], unrolled for the order k or less
+  template <int k, class Jet> CGAL_GC_FORCEINLINE void write_jet(const FT& u, int order, Jet&& x) const {
+    internal::with_constant_level<Degree, (N == 0 ? 0 : N + 1)>(
+        dimension() + 1, degree(), u, a_, b_, Homogeneous_coordinates(*this), [&](auto level, const auto& coordinate) {
+          internal::rational_bezier_jet<level, k, N>(dimension(), degree(), u, a_, b_, coordinate, order, x);
+        });
+  }
+
+  template <int k> Curve_jet<Traits> jet_of_order(const FT& u, int order) const {
+    if constexpr (internal::unrolls_jets<FT, Degree>) {
+      Curve_jet<Traits> x(dimension(), order, internal::Unspecified());
+      write_jet<k>(u, order, x);
+      return x;
+    } else
+      return jet_of_any_order(u, order);
+  }
+
+  Curve_jet<Traits> jet_of_any_order(const FT& u, int k) const {
+    constexpr int M = N == 0 ? 0 : N + 1;
+    Coordinate_jet<FT, M> jet(dimension() + 1, k);
+    internal::bezier_jet_of_any_order<Degree, M>(
+        dimension() + 1, degree(), u, a_, b_, k, [&](int j, int i) { return homogeneous_coordinate(j, i); }, jet);
+    return Curve_jet<Traits>(project(jet));
   }
 
   template <class Field> Field length_over() const {
@@ -386,15 +422,9 @@ private:
 
   template <class Field, class Index>
   Coordinate_jet<Field, N> jet_of_legs(int k, const Field& step, const Index& index) const {
-    const Traits traits;
-    const int n = dimension();
-    return project(
-        internal::jet_of_legs<Field, (N == 0 ? 0 : N + 1), Degree>(n + 1, degree(), k, step, [&](int j, int i) {
-          const Field w = internal::to_field<Field>(weights_[index(j)]);
-          if (i == n) return w;
-          const Field x = internal::to_field<Field>(FT(traits.compute_coordinate_object()(points_[index(j)], i)));
-          return w == Field(0) ? x : Field(w * x);
-        }));
+    constexpr int M = N == 0 ? 0 : N + 1;
+    return project(internal::jet_of_legs<Field, M, Degree>(
+        dimension() + 1, degree(), k, step, [&](int j, int i) { return homogeneous_coordinate<Field>(index(j), i); }));
   }
 };
 

@@ -9,9 +9,11 @@
 #include <CGAL/Geometric_continuity/edges/Spline_edge_continuity.h>
 #include <CGAL/Geometric_continuity/edges/internal/Common_edge_part.h>
 #include <CGAL/Geometric_continuity/edges/internal/Edge_decision.h>
+#include <CGAL/Geometric_continuity/edges/internal/spline_edge_on_grid.h>
 #include <CGAL/Geometric_continuity/numbers/Exact_field.h>
 
 #include <optional>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -63,6 +65,28 @@ Spline_edge_continuity<Field> verdict_on_whole_edge(Edge_continuity<Field> verdi
   return result;
 }
 
+// Whether a surface is a polynomial one over floating-point knots.
+template <class Surface>
+constexpr bool has_double_knots =
+    std::is_same_v<Surface, Bspline_surface<typename Surface::Traits>>&& std::is_same_v<typename Surface::FT, double>;
+
+// Of two whole edges along which the surfaces have the order 2 on all spans, which are those of the knots of the first.
+template <class Field, class FT>
+Spline_edge_continuity<Field> smooth_on_all_spans(const Knot_vector<FT>& knots, Edge_direction direction,
+                                                  const std::pair<Field, Field>& domain_b) {
+  Spline_edge_continuity<Field> result;
+  for (int k : knots.spans()) {
+    const std::pair<Field, Field> span(to_field<Field>(knots[k]), to_field<Field>(knots[k + 1]));
+    result.spans.push_back({span.first, span.second, smooth_continuity<Field>(2, span)});
+    result.spans.back().continuity.reversed = direction == Edge_direction::opposite;
+  }
+  summarise(result);
+  result.part_a = {result.spans.front().begin, result.spans.back().end};
+  result.part_b = domain_b;
+  result.whole_a = result.whole_b = true;
+  return result;
+}
+
 // The stages of fixed length for surfaces that are one patch each, then those for pieces, where find_match(pieces, pieces,
 // work) finds what the edges have in common.
 template <class Surface_a, class Surface_b, class Find_match>
@@ -90,6 +114,12 @@ auto decide_surfaces(const Surface_a& a, Patch_edge edge_a, const Surface_b& b, 
                                      *direction, domain_a, domain_b);
     }
   }
+#ifdef CGAL_GEOMETRIC_CONTINUITY_HAS_FIXED_INTEGER
+  if constexpr (has_double_knots<Surface_a> && has_double_knots<Surface_b>)
+    if (!direction)
+      if (const std::optional<Edge_direction> smooth = smooth_spline_edge(a, edge_a, b, edge_b))
+        return smooth_on_all_spans<Field>(a.knots_along(edge_a), *smooth, edge_domain<Field>(b, edge_b));
+#endif
   const std::vector<Edge_piece<Field, N>> pieces_a = edge_pieces_in<N>(a, edge_a, work),
                                           pieces_b = edge_pieces_in<N>(b, edge_b, work);
   if (direction) // and the stages of fixed length have been tried
@@ -137,7 +167,8 @@ Spline_edge_continuity<Field> continuity_at_same_parameters(const Spline_edge_ro
 ///
 /// When the surfaces are not \f$ G^1 \f$, the largest angle between their normals \f$ n_i = C' \times T_i \f$ is enclosed by
 /// branch and bound on the Bernstein coefficients of \f$ \sin^2\theta = 1 - (n_1 \cdot n_2)^2 / (|n_1|^2 |n_2|^2) \f$, in
-/// exact arithmetic. Where the limit of the work does not suffice for a close enclosure, it is a wider one; what is decided
+/// integers of fixed length that are rounded outwards or, where these do not suffice, in exact arithmetic. Where the limit of
+/// the work does not suffice for a close enclosure, it is a wider one; what is decided
 /// is decided, or refused by an error.
 ///
 /// \tparam FT a field number type; for floating-point numbers all is exact in the numbers as given
@@ -203,7 +234,9 @@ edge_continuity(const Spline_edge_rows<FT, N>& a, const Spline_edge_rows<FT, N>&
 /// surfaces have `extrusion_continuity()` and `revolution_continuity()`.
 ///
 /// Smooth edges of degree 7 or less are proved with integers of fixed length where the coordinates are `double`, or rational
-/// numbers with short numerators over one denominator; see edge_predicates.h. Otherwise a number of operations with integers
+/// numbers with short numerators over one denominator; see edge_predicates.h. So are most creases of degree 5 or less, and with
+/// `double` also edges of B-spline surfaces over inner knots where the derivatives across them are the same but for the speed of
+/// the parameter. Otherwise a number of operations with integers
 /// that is quadratic in the degree and linear in the number of knots, plus the search for the largest angle where the surfaces
 /// are not \f$ G^1 \f$. Rational surfaces are decided with integers of any length, unless all
 /// weights of a surface are equal.

@@ -5,13 +5,13 @@
 #ifndef CGAL_GEOMETRIC_CONTINUITY_INTERNAL_TASK_H
 #define CGAL_GEOMETRIC_CONTINUITY_INTERNAL_TASK_H
 
+#include <CGAL/Geometric_continuity/internal/several_cores.h>
 #include <CGAL/tags.h>
 
 #include <optional>
 #include <type_traits>
 
 #ifdef CGAL_LINKED_WITH_TBB
-#include <tbb/global_control.h>
 #include <tbb/task_group.h>
 #endif
 
@@ -31,7 +31,7 @@ public:
 };
 
 #ifdef CGAL_LINKED_WITH_TBB
-// At once also where TBB is told to use one core: then it need not be started, which takes memory.
+// At once also where TBB may use one core only.
 template <class Concurrency_tag>
 class Task<Concurrency_tag, std::enable_if_t<std::is_convertible_v<Concurrency_tag, Parallel_tag>>> {
   std::optional<tbb::task_group> group_;
@@ -47,7 +47,7 @@ public:
     group_->wait();
   }
   template <class Function> void run(Function f) {
-    if (tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism) == 1) return f();
+    if (!several_cores()) return f();
     if (!group_) group_.emplace();
     group_->run(f);
   }

@@ -5,7 +5,7 @@
 #ifndef CGAL_GEOMETRIC_CONTINUITY_INTERNAL_FOR_EACH_INDEX_H
 #define CGAL_GEOMETRIC_CONTINUITY_INTERNAL_FOR_EACH_INDEX_H
 
-#include <boost/config.hpp>
+#include <CGAL/Geometric_continuity/internal/force_inline.h>
 
 #include <cstddef>
 #include <utility>
@@ -16,10 +16,10 @@ namespace internal {
 
 // f(0), ..., f(n-1), written out: then a compiler keeps the elements of an array in registers.
 template <class Function, std::size_t... i>
-BOOST_FORCEINLINE void for_each_index(const Function& f, std::index_sequence<i...>) {
+CGAL_GC_FORCEINLINE void for_each_index(const Function& f, std::index_sequence<i...>) {
   (f(static_cast<int>(i)), ...);
 }
-template <int n, class Function> BOOST_FORCEINLINE void for_each_index(const Function& f) {
+template <int n, class Function> CGAL_GC_FORCEINLINE void for_each_index(const Function& f) {
   for_each_index(f, std::make_index_sequence<n>());
 }
 

@@ -16,6 +16,7 @@
 #include <map>
 #include <optional>
 #include <ostream>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -40,21 +41,21 @@ template <class FT> int order_of(const Join_continuity<FT>& join, Continuity_kin
 /// How many joins of a chain have which order. The size does not depend on the length of the chain.
 class Chain_summary {
   std::size_t joins_ = 0;
-  std::array<std::map<int, std::size_t>, 3> counts_;
+  std::array<std::vector<std::size_t>, 3> counts_; // of the orders -1, 0, 1, ...
 
 public:
   /// Counts one more join.
   template <class FT> void add(const Join_continuity<FT>& join) {
     ++joins_;
     for (Continuity_kind kind : {Continuity_kind::C, Continuity_kind::G, Continuity_kind::F})
-      ++counts_[static_cast<int>(kind)][order_of(join, kind)];
+      add(kind, order_of(join, kind), 1);
   }
 
   /// Counts the joins of another part of the chain.
   Chain_summary& operator+=(const Chain_summary& other) {
     joins_ += other.joins_;
-    for (std::size_t kind = 0; kind < counts_.size(); ++kind)
-      for (const auto& [order, count] : other.counts_[kind]) counts_[kind][order] += count;
+    for (Continuity_kind kind : {Continuity_kind::C, Continuity_kind::G, Continuity_kind::F})
+      for (const auto& [order, count] : other.counts(kind)) add(kind, order, count);
     return *this;
   }
 
@@ -63,7 +64,15 @@ public:
 
   /// Returns for each order that occurs the number of joins of exactly this order; -1 stands for a gap. Joins of the highest order
   /// that was asked for may be smoother than that.
-  const std::map<int, std::size_t>& counts(Continuity_kind kind) const { return counts_[static_cast<int>(kind)]; }
+  std::map<int, std::size_t> counts(Continuity_kind kind) const {
+    std::map<int, std::size_t> counts;
+    int order = -1;
+    for (const std::size_t count : counts_[static_cast<int>(kind)]) {
+      if (count > 0) counts[order] = count;
+      ++order;
+    }
+    return counts;
+  }
 
   /// Returns the least order of all joins: the chain as a whole has this continuity. Empty for a chain without joins.
   std::optional<int> least_order(Continuity_kind kind) const {
@@ -85,6 +94,13 @@ public:
     if (*s.least_order(Continuity_kind::C) < 0) return os << ", " << s.failing(Continuity_kind::C, 0) << " with a gap";
     return os << ", C" << *s.least_order(Continuity_kind::C) << " G" << *s.least_order(Continuity_kind::G) << " F"
               << *s.least_order(Continuity_kind::F) << " or more";
+  }
+
+private:
+  void add(Continuity_kind kind, int order, std::size_t count) {
+    std::vector<std::size_t>& counts = counts_[static_cast<int>(kind)];
+    if (counts.size() < static_cast<std::size_t>(order + 2)) counts.resize(order + 2);
+    counts[order + 1] += count;
   }
 };
 
@@ -140,7 +156,10 @@ public:
 
   /// Appends a curve and decides its join with the one before it, if there is one, without a report.
   /// \throws Error as `continuity()` does; then the chain is as it was before
-  void add(Curve curve) { add(std::move(curve), No_report()); }
+  void add(Curve curve) {
+    No_report no_report;
+    add(std::move(curve), no_report);
+  }
 
   /// Decides the join that closes the chain, from the end of the last curve to the start of the first, which may be the
   /// same: `report` is called with a `Chain_join<Curve>`, then the join is counted. Nothing happens in an empty chain.
@@ -150,7 +169,10 @@ public:
   }
 
   /// Decides the join that closes the chain, without a report. \throws Error as `continuity()` does
-  void close() { close(No_report()); }
+  void close() {
+    No_report no_report;
+    close(no_report);
+  }
 
   /// Returns the number of curves so far.
   std::size_t size() const { return size_; }
@@ -161,6 +183,10 @@ public:
 private:
   template <class Report>
   void decide(std::size_t left, std::size_t right, const Curve& left_curve, const Curve& right_curve, Report& report) {
+    if constexpr (std::is_same_v<Report, No_report>) {
+      summary_.add(internal::decide_continuity(left_curve, right_curve, max_order_, limit_, true));
+      return;
+    }
     const Chain_join<Curve> join{left, right, left_curve, right_curve,
                                  Geometric_continuity::continuity(left_curve, right_curve, max_order_, limit_)};
     report(join);
@@ -184,12 +210,15 @@ Chain_summary chain_continuity(InputIterator first, InputIterator last, int max_
 
 /// \ingroup PkgGeometricContinuityContinuity
 /// Decides all joins of a chain of curves up to order `max_order`, with the closing one if `closed`, and returns the counts.
-/// One call of `continuity()` for each join.
+/// Only the orders of each join are decided, which takes less time than `continuity()`.
 /// \tparam InputIterator its value type is a copyable model of `ParametricCurve`
 /// \throws Error as `continuity()` does
 template <class InputIterator>
 Chain_summary chain_continuity(InputIterator first, InputIterator last, int max_order = 3, bool closed = false) {
-  return chain_continuity(first, last, max_order, closed, [](const auto&) {});
+  Chain_analysis<typename std::iterator_traits<InputIterator>::value_type> chain(max_order);
+  for (; first != last; ++first) chain.add(*first);
+  if (closed) chain.close();
+  return chain.summary();
 }
 
 /// \ingroup PkgGeometricContinuityContinuity

@@ -90,6 +90,30 @@ template <class Field, int N> void clear_denominators(Coordinate_jet<Field, N>& 
   }
 }
 
+// Everything about the join of two curves, see continuity(); if only the orders are wanted, flags and shape parameters may be missing.
+template <class Left, class Right>
+Join_continuity<Predicate_FT<typename Left::Traits>>
+decide_continuity(const Left& left, const Right& right, int max_order, Work_limit limit, bool only_orders) {
+  typedef typename Left::Traits Traits;
+  static_assert(std::is_same_v<Traits, typename Right::Traits>, "both curves must have the same traits class");
+  typedef Predicate_FT<Traits> Field;
+  constexpr int N = dimension_v<Traits>;
+  if (max_order < 0) throw Error(Error_code::negative_count, "continuity: order");
+  if constexpr (is_double<typename Traits::FT> && !std::is_floating_point_v<Field> && (N == 2 || N == 3) &&
+                Curve_ends<Left>::have_polygons && Curve_ends<Right>::have_polygons)
+    if (max_order <= 3 && has_polygon(left, Curve_end::end) && has_polygon(right, Curve_end::start)) {
+      Join_continuity<Field> join;
+      if (decide_all_on_doubles<N>(Curve_end_view<Left, Curve_end::end>(left),
+                                   Curve_end_view<Right, Curve_end::start>(right), max_order, join, only_orders))
+        return join;
+    }
+  const int order = (std::max)(max_order, 3); // curvature and torsion are reported for every max_order
+  Coordinate_jet<Field, N> x = jet_at<Field, Curve_end::end>(left, order),
+                           y = jet_at<Field, Curve_end::start>(right, order);
+  if (max_order > 3) clear_denominators(x, y);
+  return Join_decision<Field, N>(x, y, max_order, limit)();
+}
+
 } // namespace internal
 
 /// \ingroup PkgGeometricContinuityContinuity
@@ -140,25 +164,7 @@ Join_continuity<Predicate_FT<Traits>> continuity(const Curve_jet<Traits>& left, 
 template <class Left, class Right>
 Join_continuity<Predicate_FT<typename Left::Traits>> continuity(const Left& left, const Right& right, int max_order = 3,
                                                                 Work_limit limit = Work_limit()) {
-  typedef typename Left::Traits Traits;
-  static_assert(std::is_same_v<Traits, typename Right::Traits>, "both curves must have the same traits class");
-  typedef Predicate_FT<Traits> Field;
-  constexpr int N = dimension_v<Traits>;
-  if (max_order < 0) throw Error(Error_code::negative_count, "continuity: order");
-  if constexpr (internal::is_double<typename Traits::FT> && !std::is_floating_point_v<Field> && (N == 2 || N == 3) &&
-                Curve_ends<Left>::have_polygons && Curve_ends<Right>::have_polygons)
-    if (max_order <= 3 && internal::has_polygon(left, Curve_end::end) &&
-        internal::has_polygon(right, Curve_end::start)) {
-      Join_continuity<Field> join;
-      if (internal::decide_all_on_doubles<N>(internal::Curve_end_view<Left, Curve_end::end>(left),
-                                             internal::Curve_end_view<Right, Curve_end::start>(right), max_order, join))
-        return join;
-    }
-  const int order = (std::max)(max_order, 3); // curvature and torsion are reported for every max_order
-  Coordinate_jet<Field, N> x = internal::jet_at<Field, Curve_end::end>(left, order),
-                           y = internal::jet_at<Field, Curve_end::start>(right, order);
-  if (max_order > 3) internal::clear_denominators(x, y);
-  return internal::Join_decision<Field, N>(x, y, max_order, limit)();
+  return internal::decide_continuity(left, right, max_order, limit, false);
 }
 
 } // namespace Geometric_continuity

@@ -6,6 +6,7 @@
 #define CGAL_GEOMETRIC_CONTINUITY_LOCAL_COORDINATE_JET_H
 
 #include <CGAL/Geometric_continuity/algebra/Coordinate_vector.h>
+#include <CGAL/Geometric_continuity/internal/force_inline.h>
 #include <CGAL/Geometric_continuity/numbers/internal/checked_numbers.h>
 
 #include <array>
@@ -77,7 +78,7 @@ private:
   std::array<Vector_type, inlined> inlined_;
   std::vector<Vector_type> more_;
 
-  BOOST_FORCEINLINE static void check(int d, int k) {
+  CGAL_GC_FORCEINLINE static void check(int d, int k) {
     internal::check_count(k, "jet: order");
     internal::check_count(d, "jet: dimension");
   }

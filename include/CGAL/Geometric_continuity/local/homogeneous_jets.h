@@ -6,6 +6,7 @@
 #define CGAL_GEOMETRIC_CONTINUITY_LOCAL_HOMOGENEOUS_JETS_H
 
 #include <CGAL/Geometric_continuity/internal/for_each_index.h>
+#include <CGAL/Geometric_continuity/internal/force_inline.h>
 #include <CGAL/Geometric_continuity/local/Curve_jet.h>
 #include <CGAL/Geometric_continuity/local/Homogeneous_traits.h>
 
@@ -39,7 +40,7 @@ template <class FT> void require_denominator(const FT& w, const char* place) {
 constexpr int binomial(int k, int j) { return j == 0 ? 1 : binomial(k - 1, j - 1) * k / j; }
 
 // x_l -= sum_{i=j}^l C(l,i) w_i x_{l-i}
-template <int l, int j, class FT> BOOST_FORCEINLINE void subtract_products(FT* x, const FT* w) {
+template <int l, int j, class FT> CGAL_GC_FORCEINLINE void subtract_products(FT* x, const FT* w) {
   if constexpr (j <= l) {
     constexpr int factor = binomial(l, j);
     x[l] -= FT(FT(factor) * w[j]) * x[l - j];
@@ -49,7 +50,8 @@ template <int l, int j, class FT> BOOST_FORCEINLINE void subtract_products(FT* x
 // Replaces the derivatives p_0, ..., p_k of a coordinate in x by those of x = p / w, for an order known at compile time, from
 // l = 0 on. w holds w_1, ..., w_k at their places, and the inverse is 1 / w_0. Recursion, since a compiler may refuse to
 // inline long chains of lambda expressions.
-template <int k, int l = 0, class FT> BOOST_FORCEINLINE void divide_derivatives(FT* x, const FT* w, const FT& inverse) {
+template <int k, int l = 0, class FT>
+CGAL_GC_FORCEINLINE void divide_derivatives(FT* x, const FT* w, const FT& inverse) {
   if constexpr (l <= k) {
     subtract_products<l, 1>(x, w);
     x[l] *= inverse;

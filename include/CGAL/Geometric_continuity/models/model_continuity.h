@@ -134,8 +134,8 @@ private:
 /// rows and not \f$ k(k-1)/2 \f$ are decided.
 ///
 /// Each edge is recognised once, by sorting: \f$ O(n \log n) \f$ comparisons for `n` patches, of the control points as they are
-/// given where edges with the same ends have one degree and the same knots. Then each shared edge is decided once, smooth
-/// edges with integers of fixed length where `edge_continuity()` takes them.
+/// given, and of the quotients of weights, where edges with the same ends have one degree and the same knots. Then each shared
+/// edge is decided once, with integers of fixed length where `edge_continuity()` takes them.
 ///
 /// \tparam Concurrency_tag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`: edges and knot lines are decided on
 ///   several cores, with the same result, on number types that may be copied concurrently, see failing_joins.h

@@ -6,16 +6,9 @@
 #define CGAL_GEOMETRIC_CONTINUITY_NUMBERS_EXACT_FIELD_H
 
 #include <CGAL/Exact_rational.h>
-
-#include <boost/version.hpp>
-
-#if !defined(CGAL_USE_GMP) && !defined(CGAL_USE_LEDA) && BOOST_VERSION <= 107800
-#include <CGAL/boost_mp.h>
-#define CGAL_GEOMETRIC_CONTINUITY_EXACT_FIELD_OF_BOOST
-#endif
+#include <CGAL/Geometric_continuity/numbers/internal/Exact_number.h>
 
 #include <type_traits>
-#include <utility>
 
 /// \file Exact_field.h
 /// The numbers in which the package decides.
@@ -24,15 +17,7 @@ namespace CGAL {
 namespace Geometric_continuity {
 
 namespace internal {
-
-#ifdef CGAL_GEOMETRIC_CONTINUITY_EXACT_FIELD_OF_BOOST
-// Here `Exact_rational` is a `Quotient`, which some versions of CGAL never cancel, so that numbers grow with each
-// operation.
-typedef boost::multiprecision::cpp_rational Exact_field_of_doubles;
-#else
-typedef Exact_rational Exact_field_of_doubles;
-#endif
-
+typedef Exact_field_of_floating_point<double>::type Exact_field_of_doubles;
 } // namespace internal
 
 /// \ingroup PkgGeometricContinuityTraits
@@ -43,21 +28,6 @@ template <class FT> struct Exact_field {
   /// The exact field.
   typedef std::conditional_t<std::is_floating_point_v<FT>, internal::Exact_field_of_doubles, FT> type;
 };
-
-namespace internal {
-
-// The type of the exact values of a field, and how to read them: numbers that are evaluated on demand, which have a
-// member exact(), are evaluated; all others are exact themselves.
-template <class Field, class = void> struct Exact_number {
-  typedef Field type;
-  static const type& of(const Field& x) { return x; }
-};
-template <class Field> struct Exact_number<Field, std::void_t<decltype(std::declval<const Field&>().exact())>> {
-  typedef std::decay_t<decltype(std::declval<const Field&>().exact())> type;
-  static const type& of(const Field& x) { return x.exact(); }
-};
-
-} // namespace internal
 
 } // namespace Geometric_continuity
 } // namespace CGAL

@@ -116,6 +116,11 @@ BOOST_AUTO_TEST_CASE(closed_curves) {
   BOOST_CHECK(has_zero(ellipse(Q(0))) && has_zero(squared(ellipse(Q(0)))));
   BOOST_CHECK(!has_zero(ellipse(Q(-1) / 1000)) && !has_zero(squared(ellipse(Q(-1) / 1000))));
   CHECK_ERROR(patch(squared(ellipse(Q(1) / 3))), zero_weight);
+  // several factors, some of them multiple
+  const Polynomial point = squared(ellipse(Q(0))),
+                   shifted = sum(squared(minus(squared(u), Q(1) / 2)), squared(minus(v, Q(1) / 7)));
+  BOOST_CHECK(has_zero(product(squared(shifted), ellipse(Q(-1)))) && has_zero(product(point, ellipse(Q(-1)))));
+  BOOST_CHECK(!has_zero(product(squared(ellipse(Q(-1))), ellipse(Q(-2)))));
   // a factor in u alone with roots outside
   BOOST_CHECK(!has_zero(product(minus(u, Q(2)), ellipse(Q(-1)))));
   BOOST_CHECK(has_zero(product(minus(u, Q(2)), ellipse(Q(1) / 5))));

@@ -7,19 +7,23 @@
 
 #include <CGAL/Geometric_continuity/IO/Text_number.h>
 #include <CGAL/Geometric_continuity/IO/internal/G2_spline_parts.h>
+#include <CGAL/Geometric_continuity/IO/internal/short_blossom.h>
 #include <CGAL/Geometric_continuity/joins/internal/join_on_long_integers.h>
 #include <CGAL/Geometric_continuity/joins/join_continuity.h>
 #include <CGAL/Geometric_continuity/local/Curve_jet.h>
+#include <CGAL/Geometric_continuity/numbers/internal/Rational_parts.h>
 #include <CGAL/Interval_nt.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <cstdlib>
 #include <limits>
 #include <numeric>
 #include <type_traits>
 #include <utility>
+#include <vector>
 
 /// \file Grid_join.h
 /// Decimals become integers when they are multiplied by a power of ten. No order of continuity changes when all points are multiplied
@@ -59,14 +63,24 @@ template <int N> class Grid_join {
   bool has_integers_ = false, has_doubles_ = true;
   double unit_of_parameters_ = 1;
   int exponent_ = 0, exponent_of_parameters_ = 0;
+  std::int64_t denominator_ = 1; // of the unit of the points
+  static constexpr std::int64_t largest = (std::int64_t(1) << 60) - 1;
 
 public:
   static constexpr int dimension = N;
 
   // Brings the join of two parts on grids. Returns false if that is not possible.
   template <class Part> bool set(const Part& x, const Part& y) {
-    if (x.rational || y.rational || !has_bezier_points(x, true) || !has_bezier_points(y, false)) return false;
+    if (x.rational || y.rational) return false;
+    left_.degree = double_left_.degree_ = x.degree;
+    right_.degree = double_right_.degree_ = y.degree;
     typedef std::decay_t<decltype(x.coordinates[0])> Number;
+    if (!has_bezier_points(x, true) || !has_bezier_points(y, false)) {
+      if constexpr (std::is_same_v<Number, Text_number>)
+        return set_spans(x, y);
+      else
+        return false;
+    }
     const Number* numbers[8 * N];
     for (int j = 0; j <= 3; ++j)
       for (int i = 0; i < N; ++i) {
@@ -75,9 +89,29 @@ public:
       }
     const Number* const parameters[4] = {&x.knots[x.degree], &x.knots[x.degree + 1], &y.knots[y.degree],
                                          &y.knots[y.degree + 1]};
-    left_.degree = double_left_.degree_ = x.degree;
-    right_.degree = double_right_.degree_ = y.degree;
     return bring_on_grid(numbers, parameters);
+  }
+
+  // Brings the join of two Bezier curves with rational coordinates over domains with integers as ends on grids. Returns false if the
+  // numbers are too long.
+  template <class Curve> bool set_rationals(const Curve& x, const Curve& y) {
+    typedef Rational_parts<typename Curve::FT> Parts;
+    std::int64_t numerators[8 * N], denominators[8 * N], ends[4], one;
+    const auto [a, b] = x.domain();
+    const auto [c, d] = y.domain();
+    int i = 0;
+    for (const auto* end : {&a, &b, &c, &d})
+      if (!Parts::short_parts(*end, ends[i++], one) || one != 1) return false;
+    for (int k = 0; k < 8 * N; ++k) {
+      const int j = k / N, degree = j < 4 ? x.degree() : y.degree();
+      const typename Curve::Point& point =
+          j < 4 ? x.control_point(degree - (std::min)(degree, j)) : y.control_point((std::min)(degree, j - 4));
+      const typename Curve::FT& coordinate = typename Curve::Traits().compute_coordinate_object()(point, k % N);
+      if (!Parts::short_parts(coordinate, numerators[k], denominators[k])) return false;
+    }
+    left_.degree = double_left_.degree_ = x.degree();
+    right_.degree = double_right_.degree_ = y.degree();
+    return set_fractions(numerators, denominators, ends);
   }
 
   // Everything that Join_continuity says, or only the orders, for orders up to 3. Returns false when some of it needs multi-precision
@@ -115,6 +149,7 @@ public:
   typedef Coordinate_jet<Interval, N> Jet;
   std::pair<Jet, Jet> enclosed_jets() const {
     Interval unit(1);
+    unit /= interval(denominator_);
     for (int e = exponent_; e < 0; e += 22) unit /= Interval(e < -22 ? 1e22 : power_of_ten(-e));
     if (has_integers_)
       return {jet<true>(left_.points, left_.degree, unit), jet<false>(right_.points, right_.degree, unit)};
@@ -177,6 +212,60 @@ private:
     if (!integers_on_grid<8 * N>(numbers, integers, exponent_) ||
         !integers_on_grid<4>(parameters, ends, exponent_of_parameters_))
       return false;
+    return set_integers(integers, ends);
+  }
+
+  // Spans of B-spline curves without Bezier points at the join: these are computed.
+  template <class Part> bool set_spans(const Part& x, const Part& y) {
+    std::int64_t numerators[8 * N], denominators[8 * N];
+    for (const Part* part : {&x, &y}) {
+      for (const Text_number& number : part->coordinates) exponent_ = (std::min)(exponent_, number.exponent());
+      for (const Text_number& knot : part->knots)
+        exponent_of_parameters_ = (std::min)(exponent_of_parameters_, knot.exponent());
+    }
+    std::int64_t ends[4];
+    for (const bool at_end : {true, false}) {
+      const Part& part = at_end ? x : y;
+      const int p = part.degree;
+      std::vector<std::int64_t> knots(part.knots.size());
+      for (std::size_t i = 0; i < knots.size(); ++i)
+        if (!part.knots[i].on_grid(exponent_of_parameters_, knots[i])) return false;
+      std::vector<Short_point<N>> points(p + 1);
+      for (int j = 0; j <= p; ++j)
+        for (int i = 0; i < N; ++i)
+          if (!part.coordinates[j * N + i].on_grid(exponent_, points[j].numerators[i])) return false;
+      for (int j = 0; j <= 3; ++j) {
+        const int from_end = (std::min)(p, j);
+        Short_point<N> point;
+        if (!short_bezier_point(knots, points, at_end ? from_end : p - from_end, point)) return false;
+        for (int i = 0; i < N; ++i) {
+          const int k = (at_end ? j : 4 + j) * N + i;
+          numerators[k] = point.numerators[i];
+          denominators[k] = point.denominator;
+        }
+      }
+      ends[at_end ? 0 : 2] = knots[p];
+      ends[at_end ? 1 : 3] = knots[p + 1];
+    }
+    return set_fractions(numerators, denominators, ends);
+  }
+
+  // Numbers with their denominators.
+  bool set_fractions(std::int64_t* numerators, const std::int64_t* denominators, const std::int64_t* ends) {
+    for (int k = 0; k < 8 * N; ++k) {
+      const std::int64_t factor = denominators[k] / std::gcd(denominator_, denominators[k]);
+      if (factor > largest / denominator_) return false;
+      denominator_ *= factor;
+    }
+    for (int k = 0; k < 8 * N; ++k) {
+      const std::int64_t factor = denominator_ / denominators[k];
+      if (std::abs(numerators[k]) > largest / factor) return false;
+      numerators[k] *= factor;
+    }
+    return set_integers(numerators, ends);
+  }
+
+  bool set_integers(const std::int64_t* integers, const std::int64_t* ends) {
     const std::int64_t length = ends[1] - ends[0], other = ends[3] - ends[2],
                        unit = length == other ? length : std::gcd(length, other);
     left_.length = length / unit;

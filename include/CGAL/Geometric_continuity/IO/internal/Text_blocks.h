@@ -46,9 +46,10 @@ public:
   // Finds the words.
   void split() {
     const char *const begin = text_.data(), *const end = begin + text_.size(), *p = begin;
+    long long newlines = 0;
     words_.clear();
     for (;;) {
-      while (p != end && is_white_space(*p)) ++p;
+      for (; p != end && is_white_space(*p); ++p) newlines += *p == '\n';
       if (p == end) break;
       const char* const first = p;
       Short_decimal decimal;
@@ -59,7 +60,7 @@ public:
       }
       words_.push_back({decimal, static_cast<std::uint32_t>(first - begin), static_cast<std::uint32_t>(p - first)});
     }
-    newlines_ = std::count(text_.begin(), text_.end(), '\n');
+    newlines_ = newlines;
   }
 
   const std::vector<Word>& words() const { return words_; }

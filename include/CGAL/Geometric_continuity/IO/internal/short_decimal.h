@@ -8,7 +8,6 @@
 #include <CGAL/Geometric_continuity/IO/limits.h>
 
 #include <cstdint>
-#include <cstring>
 
 /// \file short_decimal.h
 /// Numbers in a text as integers times powers of ten. Nearly all numbers of files are such decimals with few digits, which

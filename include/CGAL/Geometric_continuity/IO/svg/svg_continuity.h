@@ -5,6 +5,7 @@
 #ifndef CGAL_GEOMETRIC_CONTINUITY_IO_SVG_SVG_CONTINUITY_H
 #define CGAL_GEOMETRIC_CONTINUITY_IO_SVG_SVG_CONTINUITY_H
 
+#include <CGAL/Geometric_continuity/IO/internal/Grid_join.h>
 #include <CGAL/Geometric_continuity/IO/svg/Svg_segment.h>
 #include <CGAL/Geometric_continuity/joins/join_continuity.h>
 #include <CGAL/Sqrt_extension.h>
@@ -49,6 +50,12 @@ std::optional<Join_continuity<typename Traits::FT>> continuity(const Svg_segment
                                                                Work_limit limit = Work_limit()) {
   typedef typename Traits::FT FT;
   if (!left.is_known() || !right.is_known()) return std::nullopt;
+  if constexpr (internal::Rational_parts<FT>::value)
+    if (0 <= max_order && max_order <= 3 && left.bezier() && right.bezier()) {
+      internal::Grid_join<2> grid;
+      Join_continuity<FT> join;
+      if (grid.set_rationals(*left.bezier(), *right.bezier()) && grid.decide(max_order, join, false)) return join;
+    }
   const int order = (std::max)(max_order, 3); // curvature is reported for every max_order
   const auto decide = [&](const auto& left_root, const auto& right_root) {
     typedef std::decay_t<decltype(left_root)> Field;
@@ -68,6 +75,24 @@ std::optional<Join_continuity<typename Traits::FT>> continuity(const Svg_segment
     const Tower right_root = q ? Tower(Field(*q)) : Tower(Field(FT(0)), Field(FT(1)), e);
     return internal::drop_irrational_betas<FT>(decide(left_root, right_root));
   }
+}
+
+/// \ingroup PkgGeometricContinuityIO
+/// Calls `f(x, y)` with enclosures of the jets of order 3 at the end of `left` and at the start of `right`, `Coordinate_jet`s of
+/// `Interval_nt<false>`, with which `f` can compute. Returns false, without a call, unless both are Bézier curves whose coordinates are
+/// short rational numbers.
+template <class Traits, class Function>
+bool visit_enclosures(const Svg_segment<Traits>& left, const Svg_segment<Traits>& right, Function f) {
+  if constexpr (internal::Rational_parts<typename Traits::FT>::value)
+    if (left.bezier() && right.bezier()) {
+      internal::Grid_join<2> grid;
+      if (!grid.set_rationals(*left.bezier(), *right.bezier())) return false;
+      const Protect_FPU_rounding<true> rounding_upwards;
+      const auto jets = grid.enclosed_jets();
+      f(jets.first, jets.second);
+      return true;
+    }
+  return false;
 }
 
 } // namespace Geometric_continuity

@@ -8,11 +8,14 @@
 #include <CGAL/Geometric_continuity/algebra/Coordinate_vector.h>
 #include <CGAL/Geometric_continuity/algebra/bernstein.h>
 #include <CGAL/Geometric_continuity/curves/internal/bernstein_jet.h>
+#include <CGAL/Geometric_continuity/internal/force_inline.h>
 #include <CGAL/Geometric_continuity/internal/independent_iterations.h>
 #include <CGAL/Geometric_continuity/local/homogeneous_jets.h>
 #include <CGAL/Geometric_continuity/local/internal/jet_of_legs.h>
 
 #include <array>
+#include <type_traits>
+#include <vector>
 
 CGAL_GEOMETRIC_CONTINUITY_LOOP_WARNINGS_OFF
 
@@ -24,49 +27,88 @@ namespace CGAL {
 namespace Geometric_continuity {
 namespace internal {
 
-// Degree and order are known at compile time. N is n, or 0 when it is known at run time only.
-template <int Degree, int k, int N, class FT, class Coordinate, class Jet>
-BOOST_FORCEINLINE void bezier_jet(int dimension, const FT& u, const FT& a, const FT& b, const Coordinate& coordinate,
-                                  Jet& jet) {
+// Whether jets of low order are unrolled: for a degree known at compile time, and else for numbers with which that pays.
+template <class FT, int Degree> constexpr bool unrolls_jets = Degree >= 0 || std::is_floating_point_v<FT>;
+
+// Of the curves below, Level and k are known at compile time, and N is n, or 0 when it is known at run time only. The coordinates are
+// those of the level of de Casteljau's algorithm at u with Level + 1 points; the first one of a curve has Level == degree. The
+// jet has the given order, which is not higher than k.
+template <int Level, int k, int N, class FT, class Coordinate, class Jet>
+CGAL_GC_FORCEINLINE void bezier_jet(int dimension, int degree, const FT& u, const FT& a, const FT& b,
+                                    const Coordinate& coordinate, int order, Jet& jet) {
   const FT h = FT(b - a), t = FT((u - a) / h), s = FT(FT(1) - t);
-  const std::array<FT, k + 1> factors = derivative_factors<k>(Degree, h);
+  const std::array<FT, k + 1> factors = derivative_factors<k>(degree, h);
   const int n = N == 0 ? dimension : N;
   CGAL_GEOMETRIC_CONTINUITY_INDEPENDENT_ITERATIONS
   for (int i = 0; i < n; ++i) {
-    std::array<FT, Degree + 1> c;
-    for_each_index<Degree + 1>([&](int j) { c[j] = coordinate(j, i); });
+    std::array<FT, Level + 1> c;
+    for_each_index<Level + 1>([&](int j) { c[j] = coordinate(j, i); });
     std::array<FT, k + 1> d;
-    bernstein_jet<Degree, k>(c, s, t, d.data());
+    bernstein_jet<Level, k>(c, s, t, d.data());
     jet[0][i] = d[0];
-    for_each_index<k>([&](int j) { jet[j + 1][i] = FT(factors[j + 1] * d[j + 1]); });
+    for_each_index<k>([&](int j) {
+      if (j < order) jet[j + 1][i] = FT(factors[j + 1] * d[j + 1]);
+    });
   }
 }
 
-// The same for a rational curve: its homogeneous points are (w_j b_j, w_j), or (b_j, 0) for the weight 0.
-template <int Degree, int k, int N, class FT, class Coordinate, class Jet>
-BOOST_FORCEINLINE void rational_bezier_jet(int dimension, const FT& u, const FT& a, const FT& b,
-                                           const std::array<FT, Degree + 1>& weights, const Coordinate& coordinate,
-                                           Jet& jet) {
+// The same for a rational curve, from its homogeneous points of dimension n + 1, see homogeneous_point().
+template <int Level, int k, int N, class FT, class Coordinate, class Jet>
+CGAL_GC_FORCEINLINE void rational_bezier_jet(int dimension, int degree, const FT& u, const FT& a, const FT& b,
+                                             const Coordinate& coordinate, int order, Jet& jet) {
   const FT h = FT(b - a), t = FT((u - a) / h), s = FT(FT(1) - t);
-  const std::array<FT, k + 1> factors = derivative_factors<k>(Degree, h);
+  const std::array<FT, k + 1> factors = derivative_factors<k>(degree, h);
   const int n = N == 0 ? dimension : N;
-  std::array<FT, Degree + 1> c = weights, scales;
-  for_each_index<Degree + 1>([&](int j) { scales[j] = weights[j] == FT(0) ? FT(1) : weights[j]; });
+  std::array<FT, Level + 1> c;
+  for_each_index<Level + 1>([&](int j) { c[j] = coordinate(j, n); });
   std::array<FT, k + 1> w;
-  bernstein_jet<Degree, k>(c, s, t, w.data());
+  bernstein_jet<Level, k>(c, s, t, w.data());
   for_each_index<k>([&](int j) { w[j + 1] *= factors[j + 1]; });
   require_denominator(w[0], "the denominator of a rational curve");
   const FT inverse = FT(FT(1) / w[0]);
   CGAL_GEOMETRIC_CONTINUITY_INDEPENDENT_ITERATIONS
   for (int i = 0; i < n; ++i) {
-    std::array<FT, Degree + 1> p;
-    for_each_index<Degree + 1>([&](int j) { p[j] = FT(scales[j] * coordinate(j, i)); });
+    std::array<FT, Level + 1> p;
+    for_each_index<Level + 1>([&](int j) { p[j] = coordinate(j, i); });
     std::array<FT, k + 1> x;
-    bernstein_jet<Degree, k>(p, s, t, x.data());
+    bernstein_jet<Level, k>(p, s, t, x.data());
     for_each_index<k>([&](int j) { x[j + 1] *= factors[j + 1]; });
     divide_derivatives<k>(x.data(), w.data(), inverse);
-    for_each_index<k + 1>([&](int j) { jet[j][i] = x[j]; });
+    for_each_index<k + 1>([&](int j) {
+      if (j <= order) jet[j][i] = x[j];
+    });
   }
+}
+
+// Calls f(level, coordinate) for one of the two functions above, for points of dimension M, where level is the degree as a
+// constant. Of a degree known at run time only, f is compiled for 0 to 9; of higher ones, the level of degree 9 is computed first.
+template <int Degree, int M, class FT, class Coordinate, class Function>
+CGAL_GC_FORCEINLINE void with_constant_level(int dimension, int degree, const FT& u, const FT& a, const FT& b,
+                                             const Coordinate& coordinate, const Function& f) {
+  if constexpr (Degree >= 0)
+    f(std::integral_constant<int, Degree>(), coordinate);
+  else
+    switch (degree) {
+    case 0: return f(std::integral_constant<int, 0>(), coordinate);
+    case 1: return f(std::integral_constant<int, 1>(), coordinate);
+    case 2: return f(std::integral_constant<int, 2>(), coordinate);
+    case 3: return f(std::integral_constant<int, 3>(), coordinate);
+    case 4: return f(std::integral_constant<int, 4>(), coordinate);
+    case 5: return f(std::integral_constant<int, 5>(), coordinate);
+    case 6: return f(std::integral_constant<int, 6>(), coordinate);
+    case 7: return f(std::integral_constant<int, 7>(), coordinate);
+    case 8: return f(std::integral_constant<int, 8>(), coordinate);
+    case 9: return f(std::integral_constant<int, 9>(), coordinate);
+    default: {
+      const FT t = FT((u - a) / FT(b - a)), s = FT(FT(1) - t);
+      std::vector<Coordinate_vector<FT, M>> c(degree + 1, Coordinate_vector<FT, M>(dimension));
+      for (int j = 0; j <= degree; ++j)
+        for (int i = 0; i < dimension; ++i) c[j][i] = coordinate(j, i);
+      for (int m = degree; m > 9; --m)
+        for (int i = 0; i < m; ++i) step_to_next_level(c.data(), i, m, s, t, c[i + 1] - c[i]);
+      f(std::integral_constant<int, 9>(), [&](int j, int i) { return c[j][i]; });
+    }
+    }
 }
 
 // All coordinates together where their number is known to the compiler, otherwise one after the other.

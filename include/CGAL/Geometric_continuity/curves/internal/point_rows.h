@@ -5,10 +5,9 @@
 #ifndef CGAL_GEOMETRIC_CONTINUITY_CURVES_INTERNAL_POINT_ROWS_H
 #define CGAL_GEOMETRIC_CONTINUITY_CURVES_INTERNAL_POINT_ROWS_H
 
+#include <CGAL/Geometric_continuity/internal/force_inline.h>
 #include <CGAL/Geometric_continuity/local/coordinates.h>
 #include <CGAL/Geometric_continuity/splines/Bspline_function.h>
-
-#include <boost/config.hpp>
 
 #include <vector>
 
@@ -39,7 +38,7 @@ template <class Traits> struct Write_points {
   typename Traits::Point* next;
   Finite_rows<row_length_v<FT, N>, FT> finite = {};
 
-  BOOST_FORCEINLINE void operator()(const FT* row) {
+  CGAL_GC_FORCEINLINE void operator()(const FT* row) {
     *next++ = Traits().construct_point_object()(N > 0 ? N : dimension, row, row + (N > 0 ? N : dimension));
     finite.add(row, dimension);
   }

@@ -183,7 +183,7 @@ private:
     std::int64_t value = 0;
     std::uint64_t dividend = 0, divisor = 1; // in units of 2^63; their quotient is not larger than the largest one
 
-    explicit Largest_quotient(int m) : m(m) {}
+    explicit Largest_quotient(int digits) : m(digits) {}
 
     // \pre the divisor is positive
     void include(Signed_128 x, Signed_128 y) {

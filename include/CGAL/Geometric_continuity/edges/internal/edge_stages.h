@@ -7,10 +7,9 @@
 
 #include <CGAL/Geometric_continuity/edges/internal/edge_layers.h>
 #include <CGAL/Geometric_continuity/edges/internal/edge_on_grid.h>
+#include <CGAL/Geometric_continuity/internal/force_inline.h>
 #include <CGAL/Geometric_continuity/local/coordinates.h>
 #include <CGAL/Geometric_continuity/numbers/internal/Common_denominator.h>
-
-#include <boost/config.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -83,7 +82,7 @@ std::optional<bool> decide_on_same_edge(const Edge_layers& a, const Edge_layers&
 
 // The decision on whole edges that may differ, or run in opposite directions; then the second is turned.
 template <int order, class Stages>
-BOOST_FORCEINLINE std::optional<bool> decide_on_layers(const Edge_layers& a, Edge_layers& b, Stages& stages) {
+CGAL_GC_FORCEINLINE std::optional<bool> decide_on_layers(const Edge_layers& a, Edge_layers& b, Stages& stages) {
   if (a.along != b.along) return std::nullopt;
   const std::optional<Edge_direction> direction = common_direction(a, b);
   if (!direction) {
@@ -120,7 +119,7 @@ template <class Traits> bool is_one_patch(const Bspline_surface<Traits>& s) {
 // along the edge in each layer j. Returns whether the degrees are among those that are decided in numbers of fixed length.
 // Most edges that are not smooth are refused soon after this: it is written out where it is called.
 template <class Field, class Surface, class Function>
-BOOST_FORCEINLINE bool for_each_layer(const Surface& s, Patch_edge edge, int order, Edge_layers& layers, Function f) {
+CGAL_GC_FORCEINLINE bool for_each_layer(const Surface& s, Patch_edge edge, int order, Edge_layers& layers, Function f) {
   const bool along_u = runs_along_u(edge);
   const int along = along_u ? s.degree_u() : s.degree_v(), across = along_u ? s.degree_v() : s.degree_u();
   layers.along = along;

@@ -5,6 +5,7 @@
 #ifndef CGAL_GEOMETRIC_CONTINUITY_JOINS_INTERNAL_END_POLYGON_H
 #define CGAL_GEOMETRIC_CONTINUITY_JOINS_INTERNAL_END_POLYGON_H
 
+#include <CGAL/Geometric_continuity/internal/force_inline.h>
 #include <CGAL/Geometric_continuity/joins/internal/Join_filter.h>
 
 #include <algorithm>
@@ -26,7 +27,7 @@ template <class T, int N> using Legs = std::array<std::array<T, N>, 3>;
 
 // As many legs as the order k needs.
 template <int k, class T, std::size_t N>
-BOOST_FORCEINLINE Legs<T, N> legs_of(const std::array<std::array<T, N>, 4>& x) {
+CGAL_GC_FORCEINLINE Legs<T, N> legs_of(const std::array<std::array<T, N>, 4>& x) {
   if constexpr (k == 1)
     return {internal::minus(x[1], x[0])};
   else if constexpr (k == 2)
@@ -38,7 +39,7 @@ BOOST_FORCEINLINE Legs<T, N> legs_of(const std::array<std::array<T, N>, 4>& x) {
 // The differences a_k (left) or b_k (right) from the legs: from the join inwards, those of odd order point backwards on the
 // left.
 template <int k, bool left, class T, std::size_t N>
-BOOST_FORCEINLINE Differences<T, N> differences_of(const std::array<std::array<T, N>, 3>& legs, int degree) {
+CGAL_GC_FORCEINLINE Differences<T, N> differences_of(const std::array<std::array<T, N>, 3>& legs, int degree) {
   std::array<T, N> zero;
   zero.fill(T(0));
   Differences<T, N> d{};
@@ -56,15 +57,15 @@ BOOST_FORCEINLINE Differences<T, N> differences_of(const std::array<std::array<T
 }
 
 // The coordinates in cyclic order from `first`.
-template <class T> BOOST_FORCEINLINE std::array<T, 2> rotated(const std::array<T, 2>& x, int first) {
+template <class T> CGAL_GC_FORCEINLINE std::array<T, 2> rotated(const std::array<T, 2>& x, int first) {
   return {x[first], x[1 - first]};
 }
-template <class T> BOOST_FORCEINLINE std::array<T, 3> rotated(const std::array<T, 3>& x, int first) {
+template <class T> CGAL_GC_FORCEINLINE std::array<T, 3> rotated(const std::array<T, 3>& x, int first) {
   const int second = first == 2 ? 0 : first + 1;
   return {x[first], x[second], x[3 - first - second]};
 }
 template <int k, class T, std::size_t N>
-BOOST_FORCEINLINE Legs<T, N> rotated(const std::array<std::array<T, N>, 3>& legs, int first) {
+CGAL_GC_FORCEINLINE Legs<T, N> rotated(const std::array<std::array<T, N>, 3>& legs, int first) {
   if constexpr (k == 1)
     return {rotated(legs[0], first)};
   else if constexpr (k == 2)
@@ -74,23 +75,23 @@ BOOST_FORCEINLINE Legs<T, N> rotated(const std::array<std::array<T, N>, 3>& legs
 }
 
 // The index of the first coordinate with the largest absolute value.
-template <class T> BOOST_FORCEINLINE int largest_coordinate(const std::array<T, 2>& x) {
+template <class T> CGAL_GC_FORCEINLINE int largest_coordinate(const std::array<T, 2>& x) {
   return std::abs(x[0]) < std::abs(x[1]) ? 1 : 0;
 }
-template <class T> BOOST_FORCEINLINE int largest_coordinate(const std::array<T, 3>& x) {
+template <class T> CGAL_GC_FORCEINLINE int largest_coordinate(const std::array<T, 3>& x) {
   const int i = std::abs(x[0]) < std::abs(x[1]) ? 1 : 0;
   return (std::max)(std::abs(x[0]), std::abs(x[1])) < std::abs(x[2]) ? 2 : i;
 }
 
 // The numbers in another type.
-template <class T, class S> BOOST_FORCEINLINE std::array<T, 2> converted(const std::array<S, 2>& x) {
+template <class T, class S> CGAL_GC_FORCEINLINE std::array<T, 2> converted(const std::array<S, 2>& x) {
   return {static_cast<T>(x[0]), static_cast<T>(x[1])};
 }
-template <class T, class S> BOOST_FORCEINLINE std::array<T, 3> converted(const std::array<S, 3>& x) {
+template <class T, class S> CGAL_GC_FORCEINLINE std::array<T, 3> converted(const std::array<S, 3>& x) {
   return {static_cast<T>(x[0]), static_cast<T>(x[1]), static_cast<T>(x[2])};
 }
 template <int k, class T, class S, std::size_t N>
-BOOST_FORCEINLINE Differences<T, N> converted(const std::array<std::array<S, N>, 3>& x) {
+CGAL_GC_FORCEINLINE Differences<T, N> converted(const std::array<std::array<S, N>, 3>& x) {
   if constexpr (k == 1)
     return {converted<T>(x[0])};
   else if constexpr (k == 2)
@@ -100,15 +101,15 @@ BOOST_FORCEINLINE Differences<T, N> converted(const std::array<std::array<S, N>,
 }
 
 // Multiples of the inverse of `units` as whole numbers.
-template <class T> BOOST_FORCEINLINE std::array<T, 2> in_units(const std::array<double, 2>& x, double units) {
+template <class T> CGAL_GC_FORCEINLINE std::array<T, 2> in_units(const std::array<double, 2>& x, double units) {
   return {T(static_cast<std::int64_t>(x[0] * units)), T(static_cast<std::int64_t>(x[1] * units))};
 }
-template <class T> BOOST_FORCEINLINE std::array<T, 3> in_units(const std::array<double, 3>& x, double units) {
+template <class T> CGAL_GC_FORCEINLINE std::array<T, 3> in_units(const std::array<double, 3>& x, double units) {
   return {T(static_cast<std::int64_t>(x[0] * units)), T(static_cast<std::int64_t>(x[1] * units)),
           T(static_cast<std::int64_t>(x[2] * units))};
 }
 template <int k, class T, std::size_t N>
-BOOST_FORCEINLINE Differences<T, N> in_units(const std::array<std::array<double, N>, 3>& x, double units) {
+CGAL_GC_FORCEINLINE Differences<T, N> in_units(const std::array<std::array<double, N>, 3>& x, double units) {
   if constexpr (k == 1)
     return {in_units<T>(x[0], units)};
   else if constexpr (k == 2)
@@ -119,7 +120,7 @@ BOOST_FORCEINLINE Differences<T, N> in_units(const std::array<std::array<double,
 
 // The largest absolute value of a coordinate.
 template <int k, std::size_t N>
-BOOST_FORCEINLINE double largest_coordinate_of(const std::array<std::array<double, N>, 4>& x) {
+CGAL_GC_FORCEINLINE double largest_coordinate_of(const std::array<std::array<double, N>, 4>& x) {
   double size = (std::max)(largest(x[0]), largest(x[1]));
   if constexpr (k >= 2) size = (std::max)(size, largest(x[2]));
   if constexpr (k >= 3) size = (std::max)(size, largest(x[3]));
@@ -128,7 +129,7 @@ BOOST_FORCEINLINE double largest_coordinate_of(const std::array<std::array<doubl
 
 // Bounds of the differences from the legs; of the second one also if it is zero.
 template <int k, std::size_t N>
-BOOST_FORCEINLINE Difference_bounds bounds_of_differences(const std::array<std::array<double, N>, 3>& legs) {
+CGAL_GC_FORCEINLINE Difference_bounds bounds_of_differences(const std::array<std::array<double, N>, 3>& legs) {
   const double first = largest(legs[0]), second = k >= 2 ? (std::max)(first, largest(legs[1])) : first,
                third = k >= 3 ? (std::max)(second, largest(legs[2])) : second;
   return {first, 2 * second, 4 * third};

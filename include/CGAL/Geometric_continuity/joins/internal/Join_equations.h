@@ -5,6 +5,7 @@
 #ifndef CGAL_GEOMETRIC_CONTINUITY_JOINS_INTERNAL_JOIN_EQUATIONS_H
 #define CGAL_GEOMETRIC_CONTINUITY_JOINS_INTERNAL_JOIN_EQUATIONS_H
 
+#include <CGAL/Geometric_continuity/internal/force_inline.h>
 #include <CGAL/Geometric_continuity/joins/internal/Join_weights.h>
 #include <CGAL/Geometric_continuity/joins/internal/join_forms.h>
 
@@ -21,10 +22,10 @@ template <class T> struct Join_ratio {
   typedef Product<T, T> Square;
   typedef Product<T, T, T> Cube;
   T q, p;
-  constexpr BOOST_FORCEINLINE Square square(const T& x) const { return Square(x * x); }
-  constexpr BOOST_FORCEINLINE Cube cube(const T& x) const { return Cube(square(x) * x); }
+  constexpr CGAL_GC_FORCEINLINE Square square(const T& x) const { return Square(x * x); }
+  constexpr CGAL_GC_FORCEINLINE Cube cube(const T& x) const { return Cube(square(x) * x); }
   template <class V, class W>
-  constexpr BOOST_FORCEINLINE Scaled<Product<V, T>, W> p_times(const V& v, const W& w) const {
+  constexpr CGAL_GC_FORCEINLINE Scaled<Product<V, T>, W> p_times(const V& v, const W& w) const {
     return scaled(Product<V, T>(v * p), w);
   }
 };
@@ -65,15 +66,15 @@ template <class T, int N, class Weights, class Zero> class Join_equations {
   int pivot;
 
 public:
-  constexpr BOOST_FORCEINLINE Join_equations(const Differences<T, N>& a, const Differences<T, N>& b,
-                                             const Weights& weights, Zero& z, int pivot_index = 0)
+  constexpr CGAL_GC_FORCEINLINE Join_equations(const Differences<T, N>& a, const Differences<T, N>& b,
+                                               const Weights& weights, Zero& z, int pivot_index = 0)
       : a1(a[0]), a2(a[1]), a3(a[2]), b1(b[0]), b2(b[1]), b3(b[2]), w(weights), zero(z), pivot(pivot_index) {}
 
   // (q, p)
-  constexpr BOOST_FORCEINLINE Join_ratio<T> ratio() const { return {at_pivot(a1), at_pivot(b1)}; }
+  constexpr CGAL_GC_FORCEINLINE Join_ratio<T> ratio() const { return {at_pivot(a1), at_pivot(b1)}; }
 
   // The k-th derivatives are equal.
-  template <int k> constexpr BOOST_FORCEINLINE bool derivatives_equal() const {
+  template <int k> constexpr CGAL_GC_FORCEINLINE bool derivatives_equal() const {
     if constexpr (k == 1)
       return is_zero_vector(Join_question::c1, difference_vector(T(w.a1), a1, T(w.b1), b1));
     else if constexpr (k == 2)
@@ -83,17 +84,17 @@ public:
   }
 
   // b1 is a multiple of a1.
-  constexpr BOOST_FORCEINLINE bool tangents_parallel() const { return is_parallel(Join_question::g1, b1); }
+  constexpr CGAL_GC_FORCEINLINE bool tangents_parallel() const { return is_parallel(Join_question::g1, b1); }
 
   // The condition for G2 besides G1: V = q^2 b2 - p^2 a2 is a multiple of a1.
-  template <class Ratio> constexpr BOOST_FORCEINLINE bool g2(const Ratio& r) const {
+  template <class Ratio> constexpr CGAL_GC_FORCEINLINE bool g2(const Ratio& r) const {
     return is_parallel(Join_question::g2,
                        difference_vector(scaled(r.square(r.q), w.b2), b2, scaled(r.square(r.p), w.a2), a2));
   }
 
   // The condition for G3 besides G2: q^3 a1_0 b3 - p^3 a1_0 a3 - 3 p V_0 a2 is a multiple of a1, where 0 is the pivot; here
   // beta_2 is V_0 / (q^2 a1_0). The second derivatives of rational curves have -b1 and +a1 added, so V has -(q^2 p + p^2 q).
-  template <class Ratio> constexpr BOOST_FORCEINLINE bool g3(const Ratio& r) const {
+  template <class Ratio> constexpr CGAL_GC_FORCEINLINE bool g3(const Ratio& r) const {
     typedef typename Ratio::Square Square;
     typedef Product<Scaled<typename Ratio::Cube, decltype(w.b3)>, T> Fourth;
     typedef Product<Scaled<Square, decltype(w.b2)>, T> Third;
@@ -107,7 +108,7 @@ public:
 
   // The condition for F3 besides G2: q^3 b3 - p^3 a3 lies in the span of a1 and a2, which has the normal n = a1 x a2; when
   // this is zero, in that of a1.
-  template <class Ratio> constexpr BOOST_FORCEINLINE bool f3(const Ratio& r) const {
+  template <class Ratio> constexpr CGAL_GC_FORCEINLINE bool f3(const Ratio& r) const {
     typedef Scaled<typename Ratio::Cube, decltype(w.b3)> Cube;
     const Cube x = scaled(r.cube(r.q), w.b3), y = scaled(r.cube(r.p), w.a3);
     const std::array<Product<T, T>, 3> n = cross_form(a1, a2);
@@ -117,7 +118,7 @@ public:
   }
 
   // Not for parallel tangents only: K = (g a2 - (a1.a2) a1) / g^2 with g = a1.a1, and the same of b on the right.
-  constexpr BOOST_FORCEINLINE bool curvature_vectors_equal() const {
+  constexpr CGAL_GC_FORCEINLINE bool curvature_vectors_equal() const {
     typedef Product<T, T> Second;
     typedef Product<Second, Second> Fourth;
     typedef Scaled<Fourth, decltype(w.b2)> Factor;
@@ -129,21 +130,21 @@ public:
   }
 
   // (n.a3) / n.n is the torsion, with n = a1 x a2. \pre neither normal is zero; a proof of `false` holds without
-  constexpr BOOST_FORCEINLINE bool torsions_equal() const {
+  constexpr CGAL_GC_FORCEINLINE bool torsions_equal() const {
     const std::array<Product<T, T>, 3> n = cross_form(a1, a2), o = cross_form(b1, b2);
     return zero(Join_question::torsion, difference_form(scaled(dot_form(n, a3), w.a3), dot_form(o, o),
                                                         scaled(dot_form(o, b3), w.b3), dot_form(n, n)));
   }
 
-  constexpr BOOST_FORCEINLINE bool left_has_curvature() const {
+  constexpr CGAL_GC_FORCEINLINE bool left_has_curvature() const {
     return !is_zero_vector(Join_question::g2, cross_form(a1, a2));
   }
-  constexpr BOOST_FORCEINLINE bool both_have_curvature() const {
+  constexpr CGAL_GC_FORCEINLINE bool both_have_curvature() const {
     return left_has_curvature() && !is_zero_vector(Join_question::g2, cross_form(b1, b2));
   }
 
 private:
-  template <class X> constexpr BOOST_FORCEINLINE const X& at_pivot(const std::array<X, N>& v) const {
+  template <class X> constexpr CGAL_GC_FORCEINLINE const X& at_pivot(const std::array<X, N>& v) const {
     if constexpr (Zero::pivot_is_first)
       return v[0];
     else
@@ -151,14 +152,15 @@ private:
   }
 
   template <class X>
-  constexpr BOOST_FORCEINLINE bool is_zero_vector(Join_question form, const std::array<X, N>& v) const {
+  constexpr CGAL_GC_FORCEINLINE bool is_zero_vector(Join_question form, const std::array<X, N>& v) const {
     if constexpr (N == 2)
       return zero(form, v[0]) && zero(form, v[1]);
     else
       return zero(form, v[0]) && zero(form, v[1]) && zero(form, v[2]);
   }
 
-  template <class X> constexpr BOOST_FORCEINLINE bool is_parallel(Join_question form, const std::array<X, N>& v) const {
+  template <class X>
+  constexpr CGAL_GC_FORCEINLINE bool is_parallel(Join_question form, const std::array<X, N>& v) const {
     if constexpr (N == 2)
       return zero(form, parallel_form(v[0], v[1], a1[0], a1[1]));
     else if constexpr (Zero::pivot_is_first)
@@ -168,7 +170,7 @@ private:
   }
 
   template <class X>
-  static constexpr BOOST_FORCEINLINE std::array<Product<X, T>, N> multiplied(const X& x, const Vector& v) {
+  static constexpr CGAL_GC_FORCEINLINE std::array<Product<X, T>, N> multiplied(const X& x, const Vector& v) {
     if constexpr (N == 2)
       return {Product<X, T>(x * v[0]), Product<X, T>(x * v[1])};
     else
@@ -178,7 +180,7 @@ private:
 
 // What the equations of one question say, given the ratio; for the geometric questions once the tangents are parallel.
 template <Join_question question, class Equations, class Ratio>
-constexpr BOOST_FORCEINLINE bool equations_hold(const Equations& e, const Ratio& r) {
+constexpr CGAL_GC_FORCEINLINE bool equations_hold(const Equations& e, const Ratio& r) {
   if constexpr (is_parametric(question)) {
     if constexpr (highest_difference(question) >= 2)
       if (!e.template derivatives_equal<2>()) return false;
@@ -201,7 +203,7 @@ constexpr BOOST_FORCEINLINE bool equations_hold(const Equations& e, const Ratio&
 }
 
 // All equations of one question.
-template <Join_question question, class Equations> constexpr BOOST_FORCEINLINE bool all_hold(const Equations& e) {
+template <Join_question question, class Equations> constexpr CGAL_GC_FORCEINLINE bool all_hold(const Equations& e) {
   return (!is_geometric(question) || e.tangents_parallel()) && equations_hold<question>(e, e.ratio());
 }
 

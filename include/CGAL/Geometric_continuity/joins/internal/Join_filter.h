@@ -5,6 +5,7 @@
 #ifndef CGAL_GEOMETRIC_CONTINUITY_JOINS_INTERNAL_JOIN_FILTER_H
 #define CGAL_GEOMETRIC_CONTINUITY_JOINS_INTERNAL_JOIN_FILTER_H
 
+#include <CGAL/Geometric_continuity/internal/force_inline.h>
 #include <CGAL/Geometric_continuity/joins/internal/Join_equations.h>
 #include <CGAL/Geometric_continuity/numbers/internal/common_grid.h>
 
@@ -113,24 +114,24 @@ template <class Weights, class Rounding = Rounding_of_differences> struct Join_f
   // All bounds lie within 2^-100 and 2^100, the factors within 1 (or 0) and 2^40. No product of at most seven differences
   // and the factors overflows. A product x y that underflows brings an error of at most 2^-1074, less than 2^-300 times the
   // error 2^-52 X Y that is allowed for, since X Y >= 2^-700.
-  BOOST_FORCEINLINE bool in_range() const {
+  CGAL_GC_FORCEINLINE bool in_range() const {
     return 0x1p-100 <= A.d1 && 0x1p-100 <= B.d1 && A.d3 <= 0x1p100 && B.d3 <= 0x1p100;
   }
 
   static constexpr bool exact = false, pivot_is_first = false;
-  BOOST_FORCEINLINE bool operator()(Join_question form, double x) const {
+  CGAL_GC_FORCEINLINE bool operator()(Join_question form, double x) const {
     constexpr Join_rounding rounding = Rounding::value();
     return !(std::abs(x) > rounding.error[static_cast<int>(form)] * largest_product(form));
   }
 
   // The exact value of a form that may be zero is smaller than 2 to this power: at most twice its error.
-  BOOST_FORCEINLINE int exponent_of_bound(Join_question form) const {
+  CGAL_GC_FORCEINLINE int exponent_of_bound(Join_question form) const {
     constexpr Join_rounding rounding = Rounding::value();
     return binary_exponent(rounding.error[static_cast<int>(form)] * largest_product(form)) + 2;
   }
 
 private:
-  BOOST_FORCEINLINE double largest_product(Join_question form) const {
+  CGAL_GC_FORCEINLINE double largest_product(Join_question form) const {
     const double a = A.d1, b = B.d1;
     if constexpr (std::is_same_v<Weights, Parametric_join_weights<double>>) switch (form) {
       case Join_question::c1: return (std::max)(w.a1 * A.d1, w.b1 * B.d1);

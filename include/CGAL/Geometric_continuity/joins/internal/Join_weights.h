@@ -5,9 +5,8 @@
 #ifndef CGAL_GEOMETRIC_CONTINUITY_JOINS_INTERNAL_JOIN_WEIGHTS_H
 #define CGAL_GEOMETRIC_CONTINUITY_JOINS_INTERNAL_JOIN_WEIGHTS_H
 
+#include <CGAL/Geometric_continuity/internal/force_inline.h>
 #include <CGAL/Geometric_continuity/joins/internal/Join_question.h>
-
-#include <boost/config.hpp>
 
 #include <algorithm>
 #include <cstdint>
@@ -27,7 +26,7 @@ template <class W> struct Join_weights {
   static constexpr bool rational = false;
   W a2, b2, a3, b3, mix;
 
-  template <Join_question question> static BOOST_FORCEINLINE Join_weights geometric(int m, int n) {
+  template <Join_question question> static CGAL_GC_FORCEINLINE Join_weights geometric(int m, int n) {
     if (m == n) {
       if (question == Join_question::g3) // those below divided by m^2 (m-1)
         return {W(1), W(1), W((std::max)(m - 2, 0)), W((std::max)(m - 2, 0)), W(3 * (std::max)(m - 1, 0))};
@@ -46,7 +45,7 @@ template <class W> struct Parametric_join_weights {
   static constexpr bool rational = false;
   W a1, b1, a2, b2, a3, b3;
 
-  static BOOST_FORCEINLINE Parametric_join_weights of(int m, int n, const W& h, const W& l) {
+  static CGAL_GC_FORCEINLINE Parametric_join_weights of(int m, int n, const W& h, const W& l) {
     const W a1(W(m) * l), a2(W(a1 * W((std::max)(m - 1, 0))) * l), a3(W(a2 * W((std::max)(m - 2, 0))) * l);
     const W b1(W(n) * h), b2(W(b1 * W((std::max)(n - 1, 0))) * h), b3(W(b2 * W((std::max)(n - 2, 0))) * h);
     return {a1, b1, a2, b2, a3, b3};
@@ -56,16 +55,16 @@ template <class W> struct Parametric_join_weights {
 template <Join_question question, class W>
 using Join_weights_of = std::conditional_t<is_parametric(question), Parametric_join_weights<W>, Join_weights<W>>;
 
-template <class V, class W> BOOST_FORCEINLINE Join_weights<V> converted(const Join_weights<W>& w) {
+template <class V, class W> CGAL_GC_FORCEINLINE Join_weights<V> converted(const Join_weights<W>& w) {
   return {V(w.a2), V(w.b2), V(w.a3), V(w.b3), V(w.mix)};
 }
 template <class V, class W>
-BOOST_FORCEINLINE Parametric_join_weights<V> converted(const Parametric_join_weights<W>& w) {
+CGAL_GC_FORCEINLINE Parametric_join_weights<V> converted(const Parametric_join_weights<W>& w) {
   return {V(w.a1), V(w.b1), V(w.a2), V(w.b2), V(w.a3), V(w.b3)};
 }
 
 // At most 2^40: exact as doubles, and with room for 20 bits more.
-template <int k> BOOST_FORCEINLINE bool weights_fit(const Parametric_join_weights<std::int64_t>& w) {
+template <int k> CGAL_GC_FORCEINLINE bool weights_fit(const Parametric_join_weights<std::int64_t>& w) {
   std::int64_t largest = (std::max)(w.a1, w.b1);
   if (k >= 2) largest = (std::max)(largest, (std::max)(w.a2, w.b2));
   if (k >= 3) largest = (std::max)(largest, (std::max)(w.a3, w.b3));
@@ -74,7 +73,7 @@ template <int k> BOOST_FORCEINLINE bool weights_fit(const Parametric_join_weight
 
 // Differences in units of 2^d (left) to 1 (right): the factors take the power of two up, by the degrees of the terms.
 // Returns false unless all of them stay within the room that the integers of fixed length leave them.
-template <Join_question question> BOOST_FORCEINLINE bool take_up(Join_weights<std::int64_t>& w, int d) {
+template <Join_question question> CGAL_GC_FORCEINLINE bool take_up(Join_weights<std::int64_t>& w, int d) {
   if (highest_difference(question) < 2) return true;
   constexpr int power = question == Join_question::torsion ? 1 : 2;
   constexpr std::int64_t second = std::int64_t(1) << 19, third = std::int64_t(1) << (power == 1 ? 19 : 28),
@@ -84,7 +83,7 @@ template <Join_question question> BOOST_FORCEINLINE bool take_up(Join_weights<st
   w = {w.a2 << down, w.b2 << up, w.a3 << power * down, w.b3 << power * up, w.mix << down};
   return (w.a2 | w.b2) < second && (highest_difference(question) < 3 || ((w.a3 | w.b3) < third && w.mix < mixed));
 }
-template <Join_question question> BOOST_FORCEINLINE bool take_up(Parametric_join_weights<std::int64_t>& w, int d) {
+template <Join_question question> CGAL_GC_FORCEINLINE bool take_up(Parametric_join_weights<std::int64_t>& w, int d) {
   if (d < -20 || 20 < d) return false;
   const int up = (std::max)(d, 0), down = (std::max)(-d, 0);
   w = {w.a1 << up, w.b1 << down, w.a2 << up, w.b2 << down, w.a3 << up, w.b3 << down};

@@ -5,9 +5,8 @@
 #ifndef CGAL_GEOMETRIC_CONTINUITY_JOINS_INTERNAL_PREPARED_DOUBLE_END_H
 #define CGAL_GEOMETRIC_CONTINUITY_JOINS_INTERNAL_PREPARED_DOUBLE_END_H
 
+#include <CGAL/Geometric_continuity/internal/force_inline.h>
 #include <CGAL/Geometric_continuity/joins/internal/join_on_doubles.h>
-
-#include <boost/config.hpp>
 
 #include <algorithm>
 #include <cstdint>
@@ -40,8 +39,8 @@ public:
 
   // Exact or `unknown`. \pre the ends meet, if the question asks for contact
   template <Join_question question, class Stages>
-  static BOOST_FORCEINLINE Join_answer decide(const Prepared_double_end& left, const Prepared_double_end& right,
-                                              Stages& stages) {
+  static CGAL_GC_FORCEINLINE Join_answer decide(const Prepared_double_end& left, const Prepared_double_end& right,
+                                                Stages& stages) {
     if constexpr (is_parametric(question))
       return decide_on_doubles<question, N>(left, right, stages);
     else {

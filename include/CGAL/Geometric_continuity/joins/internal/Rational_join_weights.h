@@ -8,7 +8,7 @@
 #include <CGAL/Geometric_continuity/joins/internal/End_polygon.h>
 #include <CGAL/Geometric_continuity/joins/internal/join_forms.h>
 
-#include <boost/config.hpp>
+#include <CGAL/Geometric_continuity/internal/force_inline.h>
 
 #include <algorithm>
 #include <array>
@@ -55,8 +55,8 @@ template <Join_question question, class X> struct Rational_join_weights {
   Mix mix;
 
   // From the weights w of the left end and v of the right one, as many as the question needs.
-  static BOOST_FORCEINLINE Rational_join_weights of(const std::array<X, 4>& w, int m, const std::array<X, 4>& v,
-                                                    int n) {
+  static CGAL_GC_FORCEINLINE Rational_join_weights of(const std::array<X, 4>& w, int m, const std::array<X, 4>& v,
+                                                      int n) {
     typedef Product<X, X> Square;
     const int m1 = (std::max)(m - 1, 0), n1 = (std::max)(n - 1, 0), m2 = (std::max)(m - 2, 0),
               n2 = (std::max)(n - 2, 0);
@@ -93,10 +93,10 @@ template <Join_question question, class X> struct Rational_join_weights {
 
 private:
   // x i j, without a longer type
-  template <class T> static BOOST_FORCEINLINE T times(const T& x, int i, int j) { return scaled(scaled(x, i), j); }
+  template <class T> static CGAL_GC_FORCEINLINE T times(const T& x, int i, int j) { return scaled(scaled(x, i), j); }
 #ifdef CGAL_GEOMETRIC_CONTINUITY_HAS_FIXED_INTEGER
   template <int limbs, int most>
-  static BOOST_FORCEINLINE Fixed_integer<limbs, most> times(const Fixed_integer<limbs, most>& x, int i, int j) {
+  static CGAL_GC_FORCEINLINE Fixed_integer<limbs, most> times(const Fixed_integer<limbs, most>& x, int i, int j) {
     return scaled(x, static_cast<std::int64_t>(i) * j);
   }
 #endif
@@ -104,7 +104,7 @@ private:
 
 // The differences b_i - b_0 from the end point inwards, in the direction of the curve, for k = 1, 2, 3.
 template <int k, bool left, class T, std::size_t N>
-BOOST_FORCEINLINE Differences<T, N> fan_of(const std::array<std::array<T, N>, 4>& x) {
+CGAL_GC_FORCEINLINE Differences<T, N> fan_of(const std::array<std::array<T, N>, 4>& x) {
   Differences<T, N> d{};
   d[0] = left ? internal::minus(x[0], x[1]) : internal::minus(x[1], x[0]);
   if constexpr (k >= 2) d[1] = internal::minus(x[2], x[0]);
@@ -114,7 +114,7 @@ BOOST_FORCEINLINE Differences<T, N> fan_of(const std::array<std::array<T, N>, 4>
 
 // Bounds of these.
 template <int k, std::size_t N>
-BOOST_FORCEINLINE Difference_bounds bounds_of_fan(const std::array<std::array<double, N>, 3>& d) {
+CGAL_GC_FORCEINLINE Difference_bounds bounds_of_fan(const std::array<std::array<double, N>, 3>& d) {
   const double first = largest(d[0]), second = k >= 2 ? (std::max)(first, largest(d[1])) : first;
   return {first, second, k >= 3 ? (std::max)(second, largest(d[2])) : second};
 }

@@ -5,6 +5,7 @@
 #ifndef CGAL_GEOMETRIC_CONTINUITY_JOINS_INTERNAL_DECIDE_JOIN_H
 #define CGAL_GEOMETRIC_CONTINUITY_JOINS_INTERNAL_DECIDE_JOIN_H
 
+#include <CGAL/Geometric_continuity/internal/force_inline.h>
 #include <CGAL/Geometric_continuity/joins/Curve_ends.h>
 #include <CGAL/Geometric_continuity/joins/internal/Join_decision.h>
 #include <CGAL/Geometric_continuity/joins/internal/decide_equations.h>
@@ -33,7 +34,7 @@ template <class Left, class Right> void check_dimensions(const Left& left, const
   if (left.dimension() != right.dimension()) throw Error(Error_code::dimension_mismatch, "join of two curves");
 }
 
-template <class Left, class Right> BOOST_FORCEINLINE bool ends_meet(const Left& left, const Right& right) {
+template <class Left, class Right> CGAL_GC_FORCEINLINE bool ends_meet(const Left& left, const Right& right) {
   for (int i = 0; i < left.dimension(); ++i)
     if (left.coordinate(0, i) != right.coordinate(0, i)) return false;
   return true;
@@ -123,7 +124,7 @@ BOOST_NOINLINE Join_answer decide_exactly(const Left& left, const Right& right, 
 
 // All stages on control points. \pre the ends meet, if the question asks for contact
 template <Join_question question, class Left, class Right, class Stages>
-BOOST_FORCEINLINE Join_answer decide_legs(const Left& left, const Right& right, Stages& stages) {
+CGAL_GC_FORCEINLINE Join_answer decide_legs(const Left& left, const Right& right, Stages& stages) {
   typedef typename Left::Traits Traits;
   constexpr int N = dimension_v<Traits>;
   if constexpr (is_double<typename Traits::FT> && (N == 2 || N == 3) && !planar_by_definition<question, N>) {
@@ -135,7 +136,7 @@ BOOST_FORCEINLINE Join_answer decide_legs(const Left& left, const Right& right, 
 
 // The decision on two ends that are given by control points.
 template <Join_question question, class Left, class Right, class Stages>
-BOOST_FORCEINLINE Join_answer decide_polygons(const Left& left, const Right& right, Stages& stages) {
+CGAL_GC_FORCEINLINE Join_answer decide_polygons(const Left& left, const Right& right, Stages& stages) {
   static_assert(std::is_same_v<typename Left::Traits, typename Right::Traits>,
                 "both curves must have the same traits class");
   check_dimensions(left, right);
@@ -189,7 +190,7 @@ Join_answer decide_weighted_polygons(const Left& left, const Right& right, Stage
 // The decision on two curves: on control points where both curves have them, or on control points with weights, otherwise on jets in
 // an exact field.
 template <Join_question question, class Left, class Right, class Stages>
-BOOST_FORCEINLINE Join_answer decide_join(const Left& left, const Right& right, Stages& stages) {
+CGAL_GC_FORCEINLINE Join_answer decide_join(const Left& left, const Right& right, Stages& stages) {
   static_assert(std::is_same_v<typename Left::Traits, typename Right::Traits>,
                 "both curves must have the same traits class");
   if constexpr (Curve_ends<Left>::have_polygons && Curve_ends<Right>::have_polygons)

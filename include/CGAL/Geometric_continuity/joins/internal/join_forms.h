@@ -7,7 +7,7 @@
 
 #include <CGAL/Geometric_continuity/numbers/internal/Fixed_integer.h>
 
-#include <boost/config.hpp>
+#include <CGAL/Geometric_continuity/internal/force_inline.h>
 
 #include <array>
 #include <type_traits>
@@ -39,13 +39,13 @@ template <class X> struct Product_of<X> { typedef X type; };
 template <class... X> using Product = typename Product_of<X...>::type;
 
 // x w without a longer type; w is a small integer, or a factor of the same type
-template <class T, class W> constexpr BOOST_FORCEINLINE T scaled(const T& x, const W& w) { return T(x * T(w)); }
+template <class T, class W> constexpr CGAL_GC_FORCEINLINE T scaled(const T& x, const W& w) { return T(x * T(w)); }
 
 // The type of x w: longer when w is an integer of fixed length.
 template <class T, class W> struct Scaled_type { typedef T type; };
 #ifdef CGAL_GEOMETRIC_CONTINUITY_HAS_FIXED_INTEGER
 template <int m, int n, int most>
-BOOST_FORCEINLINE Fixed_product<m, n, most> scaled(const Fixed_integer<m, most>& x, const Fixed_integer<n, most>& w) {
+CGAL_GC_FORCEINLINE Fixed_product<m, n, most> scaled(const Fixed_integer<m, most>& x, const Fixed_integer<n, most>& w) {
   return x * w;
 }
 template <int m, int n, int most> struct Scaled_type<Fixed_integer<m, most>, Fixed_integer<n, most>> {
@@ -60,58 +60,58 @@ template <class T, int N> using Differences = std::array<std::array<T, N>, 3>;
 
 // x_0 y_1 - x_1 y_0
 template <class X, class Y>
-constexpr BOOST_FORCEINLINE Product<X, Y> parallel_form(const X& x0, const X& x1, const Y& y0, const Y& y1) {
+constexpr CGAL_GC_FORCEINLINE Product<X, Y> parallel_form(const X& x0, const X& x1, const Y& y0, const Y& y1) {
   return Product<X, Y>(Product<X, Y>(x0 * y1) - Product<X, Y>(x1 * y0));
 }
 
 // s x - t y
 template <class S, class X>
-constexpr BOOST_FORCEINLINE Product<S, X> difference_form(const S& s, const X& x, const S& t, const X& y) {
+constexpr CGAL_GC_FORCEINLINE Product<S, X> difference_form(const S& s, const X& x, const S& t, const X& y) {
   return Product<S, X>(Product<S, X>(s * x) - Product<S, X>(t * y));
 }
 template <class S, class X>
-constexpr BOOST_FORCEINLINE std::array<Product<S, X>, 2> difference_vector(const S& s, const std::array<X, 2>& x,
-                                                                           const S& t, const std::array<X, 2>& y) {
+constexpr CGAL_GC_FORCEINLINE std::array<Product<S, X>, 2> difference_vector(const S& s, const std::array<X, 2>& x,
+                                                                             const S& t, const std::array<X, 2>& y) {
   return {difference_form(s, x[0], t, y[0]), difference_form(s, x[1], t, y[1])};
 }
 template <class S, class X>
-constexpr BOOST_FORCEINLINE std::array<Product<S, X>, 3> difference_vector(const S& s, const std::array<X, 3>& x,
-                                                                           const S& t, const std::array<X, 3>& y) {
+constexpr CGAL_GC_FORCEINLINE std::array<Product<S, X>, 3> difference_vector(const S& s, const std::array<X, 3>& x,
+                                                                             const S& t, const std::array<X, 3>& y) {
   return {difference_form(s, x[0], t, y[0]), difference_form(s, x[1], t, y[1]), difference_form(s, x[2], t, y[2])};
 }
 
 template <class X, class Y>
-constexpr BOOST_FORCEINLINE Product<X, Y> dot_form(const std::array<X, 2>& x, const std::array<Y, 2>& y) {
+constexpr CGAL_GC_FORCEINLINE Product<X, Y> dot_form(const std::array<X, 2>& x, const std::array<Y, 2>& y) {
   typedef Product<X, Y> P;
   return P(P(x[0] * y[0]) + P(x[1] * y[1]));
 }
 template <class X, class Y>
-constexpr BOOST_FORCEINLINE Product<X, Y> dot_form(const std::array<X, 3>& x, const std::array<Y, 3>& y) {
+constexpr CGAL_GC_FORCEINLINE Product<X, Y> dot_form(const std::array<X, 3>& x, const std::array<Y, 3>& y) {
   typedef Product<X, Y> P;
   return P(P(P(x[0] * y[0]) + P(x[1] * y[1])) + P(x[2] * y[2]));
 }
 
 template <class X, class Y>
-constexpr BOOST_FORCEINLINE std::array<Product<X, Y>, 3> cross_form(const std::array<X, 3>& x,
-                                                                    const std::array<Y, 3>& y) {
+constexpr CGAL_GC_FORCEINLINE std::array<Product<X, Y>, 3> cross_form(const std::array<X, 3>& x,
+                                                                      const std::array<Y, 3>& y) {
   return {parallel_form(x[1], x[2], y[1], y[2]), parallel_form(x[2], x[0], y[2], y[0]),
           parallel_form(x[0], x[1], y[0], y[1])};
 }
 
 template <class T>
-constexpr BOOST_FORCEINLINE std::array<T, 2> minus(const std::array<T, 2>& x, const std::array<T, 2>& y) {
+constexpr CGAL_GC_FORCEINLINE std::array<T, 2> minus(const std::array<T, 2>& x, const std::array<T, 2>& y) {
   return {T(x[0] - y[0]), T(x[1] - y[1])};
 }
 template <class T>
-constexpr BOOST_FORCEINLINE std::array<T, 3> minus(const std::array<T, 3>& x, const std::array<T, 3>& y) {
+constexpr CGAL_GC_FORCEINLINE std::array<T, 3> minus(const std::array<T, 3>& x, const std::array<T, 3>& y) {
   return {T(x[0] - y[0]), T(x[1] - y[1]), T(x[2] - y[2])};
 }
 
 // The coordinate with this index, chosen without a jump.
-template <class T> constexpr BOOST_FORCEINLINE const T& coordinate_at(const std::array<T, 2>& x, int i) {
+template <class T> constexpr CGAL_GC_FORCEINLINE const T& coordinate_at(const std::array<T, 2>& x, int i) {
   return i == 0 ? x[0] : x[1];
 }
-template <class T> constexpr BOOST_FORCEINLINE const T& coordinate_at(const std::array<T, 3>& x, int i) {
+template <class T> constexpr CGAL_GC_FORCEINLINE const T& coordinate_at(const std::array<T, 3>& x, int i) {
   return i == 0 ? x[0] : i == 1 ? x[1] : x[2];
 }
 

@@ -5,11 +5,10 @@
 #ifndef CGAL_GEOMETRIC_CONTINUITY_JOINS_INTERNAL_JOIN_ON_DOUBLES_H
 #define CGAL_GEOMETRIC_CONTINUITY_JOINS_INTERNAL_JOIN_ON_DOUBLES_H
 
+#include <CGAL/Geometric_continuity/internal/force_inline.h>
 #include <CGAL/Geometric_continuity/joins/internal/Join_parameters.h>
 #include <CGAL/Geometric_continuity/joins/internal/join_on_integers.h>
 #include <CGAL/Interval_nt.h>
-
-#include <boost/config.hpp>
 
 #include <algorithm>
 #include <array>
@@ -57,7 +56,7 @@ bool first_derivatives_differ(const std::array<double, N>& a1, int m, const std:
 
 // The end of a curve with double coordinates, or its start, as given. `Points` is something with degree(), domain() and
 // coordinate(j, i).
-template <int k, int N, class Points> BOOST_FORCEINLINE End_polygon<double, N> points_of(const Points& end) {
+template <int k, int N, class Points> CGAL_GC_FORCEINLINE End_polygon<double, N> points_of(const Points& end) {
   const int m = end.degree();
   const auto point = [&](int j) -> std::array<double, N> {
     if constexpr (N == 2)
@@ -78,8 +77,8 @@ template <int k, int N, class Points> BOOST_FORCEINLINE End_polygon<double, N> p
 // The decision by the signs of the first differences a1 and b1, of which the largest coordinate of a1 is the pivot, or `unknown`: the
 // signs of rounded differences are exact.
 template <Join_question question, std::size_t N>
-BOOST_FORCEINLINE Join_answer decide_by_signs(const std::array<double, N>& a1, const std::array<double, N>& b1,
-                                              int pivot) {
+CGAL_GC_FORCEINLINE Join_answer decide_by_signs(const std::array<double, N>& a1, const std::array<double, N>& b1,
+                                                int pivot) {
   const double x = coordinate_at(a1, pivot), y = coordinate_at(b1, pivot);
   if (is_geometric(question)) return (x < 0 && y < 0) || (0 < x && 0 < y) ? Join_answer::unknown : Join_answer::no;
   return x == 0 || largest(b1) == 0 ? Join_answer::undefined : Join_answer::unknown;
@@ -87,7 +86,7 @@ BOOST_FORCEINLINE Join_answer decide_by_signs(const std::array<double, N>& a1, c
 
 // The decision on two ends with double coordinates, exact or `unknown`. That the ends meet is not asked here.
 template <Join_question question, int N, class Left, class Right, class Stages>
-BOOST_FORCEINLINE Join_answer decide_on_doubles(const Left& left, const Right& right, Stages& stages) {
+CGAL_GC_FORCEINLINE Join_answer decide_on_doubles(const Left& left, const Right& right, Stages& stages) {
   constexpr int k = highest_difference(question);
   static_assert(k > 0, "the points are compared before");
   const auto decided = [&](Join_stage stage, Join_answer answer) {
@@ -175,7 +174,8 @@ template <int N, class Left, class Right> bool curvatures_differ(const Left& lef
     b *= g * g * g;
     if (units < 0 ? (a << -2 * units) != b : a != (b << 2 * units)) return true;
   }
-  typedef Interval_nt<> Interval;
+  typedef Interval_nt<false> Interval;
+  const Interval::Protector rounding;
   const auto legs = [](const End_polygon<double, N>& points) {
     End_polygon<Interval, N> x;
     for (int j = 0; j <= 2; ++j)
@@ -206,11 +206,23 @@ bool decide_all_questions(const Questions& questions, int max_order, Result& joi
   int contact = 0; // of the curves, wherever their ends are
   join.regular = questions.regular();
   const bool meet = questions.ends_meet();
+  if (meet) { // C^k is asked first, since it costs least, and curves that are regular and C^k are G^k
+    join.c_order = join.g_order = join.f_order = 0;
+    if (max_order >= 1 && holds(Question<Join_question::c1>())) {
+      join.c_order = 1;
+      if (max_order >= 3 && holds(Question<Join_question::c3>()))
+        join.c_order = 3;
+      else if (max_order >= 2 && holds(Question<Join_question::c2>()))
+        join.c_order = 2;
+    }
+  }
   if (join.regular && (meet || !only_orders)) {
-    if (max_order >= 3 && holds(Question<Join_question::g3>()))
+    if (max_order >= 3 && (join.c_order == 3 || holds(Question<Join_question::g3>())))
       contact = 3;
     else
-      contact = holds(Question<Join_question::g2>()) ? 2 : holds(Question<Join_question::g1>()) ? 1 : 0;
+      contact = join.c_order >= 2 || holds(Question<Join_question::g2>())   ? 2
+                : join.c_order == 1 || holds(Question<Join_question::g1>()) ? 1
+                                                                            : 0;
     join.tangent_equal = contact >= 1;
   }
   if (join.regular && !only_orders) {
@@ -225,22 +237,12 @@ bool decide_all_questions(const Questions& questions, int max_order, Result& joi
     }
   }
   if (unknown) return false;
-  if (!meet) return true;
-
-  join.c_order = join.g_order = join.f_order = 0;
-  if (max_order >= 1 && holds(Question<Join_question::c1>())) {
-    join.c_order = 1;
-    if (max_order >= 3 && holds(Question<Join_question::c3>()))
-      join.c_order = 3;
-    else if (max_order >= 2 && holds(Question<Join_question::c2>()))
-      join.c_order = 2;
-  }
-  if (contact >= 1 && max_order >= 1) {
+  if (meet && contact >= 1 && max_order >= 1) {
     join.g_order = (std::min)(contact, max_order);
     join.f_order = (std::min)(join.g_order, 2);
     if constexpr (N == 3)
       if (join.f_order == 2 && max_order >= 3 &&
-          (join.torsion_equal ? *join.torsion_equal : holds(Question<Join_question::f3>())))
+          (join.c_order == 3 || (join.torsion_equal ? *join.torsion_equal : holds(Question<Join_question::f3>()))))
         join.f_order = 3;
   }
   return !unknown;
@@ -282,9 +284,10 @@ Join_parameters<FT> parameters_of(const Left& left, const Right& right) {
 
 // Everything that Join_continuity says, for two ends with double coordinates and orders up to 3; see decide_all_questions().
 template <int N, class Left, class Right, class Result>
-bool decide_all_on_doubles(const Left& left, const Right& right, int max_order, Result& join) {
-  if (!decide_all_questions(Double_join<N, Left, Right>{left, right}, max_order, join)) return false;
-  if (join.g_order >= 1) join.parameters = parameters_of<typename Result::Number, N>(left, right);
+bool decide_all_on_doubles(const Left& left, const Right& right, int max_order, Result& join,
+                           bool only_orders = false) {
+  if (!decide_all_questions(Double_join<N, Left, Right>{left, right}, max_order, join, only_orders)) return false;
+  if (join.g_order >= 1 && !only_orders) join.parameters = parameters_of<typename Result::Number, N>(left, right);
   return true;
 }
 

@@ -5,6 +5,7 @@
 #ifndef CGAL_GEOMETRIC_CONTINUITY_JOINS_INTERNAL_JOIN_ON_INTEGERS_H
 #define CGAL_GEOMETRIC_CONTINUITY_JOINS_INTERNAL_JOIN_ON_INTEGERS_H
 
+#include <CGAL/Geometric_continuity/internal/force_inline.h>
 #include <CGAL/Geometric_continuity/joins/internal/End_polygon.h>
 #include <CGAL/Geometric_continuity/numbers/internal/common_grid.h>
 
@@ -41,10 +42,10 @@ template <int limbs> constexpr int bits_of_residue<Residue<limbs>> = 64 * limbs;
 //
 // The factors are whole numbers w; in the filter those of a form are 2^unit_of_factors(form) times these.
 template <Join_question question, int N, class Integer, class Weights, class Filter, class Unit, class Stages>
-BOOST_FORCEINLINE Join_answer decide_modulo(const End_polygon<double, N>& p, const End_polygon<double, N>& q,
-                                            const Differences<double, N>& a, const Differences<double, N>& b, int pivot,
-                                            const Weights& w, const Filter& filter, const Unit& unit_of_factors,
-                                            Stages& stages) {
+CGAL_GC_FORCEINLINE Join_answer decide_modulo(const End_polygon<double, N>& p, const End_polygon<double, N>& q,
+                                              const Differences<double, N>& a, const Differences<double, N>& b,
+                                              int pivot, const Weights& w, const Filter& filter,
+                                              const Unit& unit_of_factors, Stages& stages) {
   constexpr int k = highest_difference(question), bits = bits_of_residue<Integer>;
   Common_grid grid((std::max)(largest_coordinate_of<k>(p), largest_coordinate_of<k>(q)));
   if (!grid.valid()) return Join_answer::unknown;
@@ -85,7 +86,7 @@ struct Short_join_ratio {
 };
 
 // b/a, if it is a fraction with denominator 2^8 and a numerator of at most 12 bits
-BOOST_FORCEINLINE bool short_ratio(std::int64_t a, std::int64_t b, Short_join_ratio& r) {
+CGAL_GC_FORCEINLINE bool short_ratio(std::int64_t a, std::int64_t b, Short_join_ratio& r) {
   const double x = 256 * (static_cast<double>(b) / static_cast<double>(a));
   if (!(std::abs(x) < 4096)) return false;
   std::int64_t p = static_cast<std::int64_t>(x), q = 256;
@@ -95,7 +96,7 @@ BOOST_FORCEINLINE bool short_ratio(std::int64_t a, std::int64_t b, Short_join_ra
   return true;
 }
 
-BOOST_FORCEINLINE bool weights_are_short(const Join_weights<std::int64_t>& w) {
+CGAL_GC_FORCEINLINE bool weights_are_short(const Join_weights<std::int64_t>& w) {
   return (w.a2 | w.b2 | w.a3 | w.b3 | w.mix) < (std::int64_t(1) << 16);
 }
 
@@ -106,8 +107,9 @@ BOOST_FORCEINLINE bool weights_are_short(const Join_weights<std::int64_t>& w) {
 // < 2^312, its product with a1 < 2^367; curvature vector: (b1.b1)^2 w2 < 2^(220+19), times 2^167; torsion: (n.a3) w < 2^188, times
 // 2^222.
 template <Join_question question, int N, class Weights, class Stages>
-BOOST_FORCEINLINE Join_answer decide_on_grids(const Differences<std::int64_t, N>& a,
-                                              const Differences<std::int64_t, N>& b, const Weights& w, Stages& stages) {
+CGAL_GC_FORCEINLINE Join_answer decide_on_grids(const Differences<std::int64_t, N>& a,
+                                                const Differences<std::int64_t, N>& b, const Weights& w,
+                                                Stages& stages) {
   typedef Fixed_integer<1> Integer;
   constexpr int k = highest_difference(question);
   const auto decided = [&](Join_stage stage, Join_answer answer) {
@@ -150,8 +152,8 @@ template <int N> struct Grid_legs {
   bool valid;
 };
 
-BOOST_FORCEINLINE std::int64_t any_bits(const std::array<std::int64_t, 2>& x) { return x[0] | x[1]; }
-BOOST_FORCEINLINE std::int64_t any_bits(const std::array<std::int64_t, 3>& x) { return x[0] | x[1] | x[2]; }
+CGAL_GC_FORCEINLINE std::int64_t any_bits(const std::array<std::int64_t, 2>& x) { return x[0] | x[1]; }
+CGAL_GC_FORCEINLINE std::int64_t any_bits(const std::array<std::int64_t, 3>& x) { return x[0] | x[1] | x[2]; }
 
 // The number of trailing zeros of a number below 2^54, 53 for zero.
 inline int trailing_zeros(std::int64_t x) {
@@ -160,14 +162,15 @@ inline int trailing_zeros(std::int64_t x) {
 }
 
 // The legs without `shift` trailing zeros.
-BOOST_FORCEINLINE std::array<std::int64_t, 2> without_zeros(const std::array<std::int64_t, 2>& x, int shift) {
+CGAL_GC_FORCEINLINE std::array<std::int64_t, 2> without_zeros(const std::array<std::int64_t, 2>& x, int shift) {
   return {x[0] >> shift, x[1] >> shift};
 }
-BOOST_FORCEINLINE std::array<std::int64_t, 3> without_zeros(const std::array<std::int64_t, 3>& x, int shift) {
+CGAL_GC_FORCEINLINE std::array<std::int64_t, 3> without_zeros(const std::array<std::int64_t, 3>& x, int shift) {
   return {x[0] >> shift, x[1] >> shift, x[2] >> shift};
 }
 template <int k, std::size_t N>
-BOOST_FORCEINLINE Legs<std::int64_t, N> without_zeros(const std::array<std::array<std::int64_t, N>, 3>& x, int shift) {
+CGAL_GC_FORCEINLINE Legs<std::int64_t, N> without_zeros(const std::array<std::array<std::int64_t, N>, 3>& x,
+                                                        int shift) {
   if constexpr (k == 1)
     return {without_zeros(x[0], shift)};
   else if constexpr (k == 2)
@@ -177,7 +180,7 @@ BOOST_FORCEINLINE Legs<std::int64_t, N> without_zeros(const std::array<std::arra
 }
 
 template <int k, std::size_t N>
-BOOST_FORCEINLINE Grid_legs<N> grid_legs_of(const std::array<std::array<double, N>, 4>& points) {
+CGAL_GC_FORCEINLINE Grid_legs<N> grid_legs_of(const std::array<std::array<double, N>, 4>& points) {
   Grid grid(largest_coordinate_of<k>(points));
   if (!grid.valid()) return {{}, 0, 0, false};
   End_polygon<std::int64_t, N> x;
@@ -194,8 +197,8 @@ BOOST_FORCEINLINE Grid_legs<N> grid_legs_of(const std::array<std::array<double, 
 
 // The decision on legs on grids, or `unknown`.
 template <Join_question question, int N, class Weights, class Stages>
-BOOST_FORCEINLINE Join_answer decide_on_grid_legs(const Grid_legs<N>& left, int m, const Grid_legs<N>& right, int n,
-                                                  int pivot, Weights w, Stages& stages) {
+CGAL_GC_FORCEINLINE Join_answer decide_on_grid_legs(const Grid_legs<N>& left, int m, const Grid_legs<N>& right, int n,
+                                                    int pivot, Weights w, Stages& stages) {
 #ifdef CGAL_GEOMETRIC_CONTINUITY_HAS_FIXED_INTEGER
   constexpr int k = highest_difference(question);
   if (!left.valid || !right.valid) return Join_answer::unknown;

@@ -5,6 +5,7 @@
 #ifndef CGAL_GEOMETRIC_CONTINUITY_JOINS_INTERNAL_JOIN_ON_LONG_INTEGERS_H
 #define CGAL_GEOMETRIC_CONTINUITY_JOINS_INTERNAL_JOIN_ON_LONG_INTEGERS_H
 
+#include <CGAL/Geometric_continuity/internal/force_inline.h>
 #include <CGAL/Geometric_continuity/joins/internal/join_on_doubles.h>
 
 #include <algorithm>
@@ -34,8 +35,8 @@ constexpr int long_residue_limbs(Join_question question) {
 // ends meet is not asked here. Legs are below 2^61, the differences below 2^61, 2^62 and 2^63, and legs become doubles by one
 // rounding, as the filter expects.
 template <Join_question question, int N, class Stages>
-BOOST_FORCEINLINE Join_answer decide_on_long_integers(const Long_end<N>& left, const Long_end<N>& right,
-                                                      Stages& stages) {
+CGAL_GC_FORCEINLINE Join_answer decide_on_long_integers(const Long_end<N>& left, const Long_end<N>& right,
+                                                        Stages& stages) {
   constexpr int k = highest_difference(question);
   typedef Join_weights_of<question, double> Weights;
   typedef Join_filter<Weights> Filter;

@@ -5,6 +5,7 @@
 #ifndef CGAL_GEOMETRIC_CONTINUITY_JOINS_INTERNAL_RATIONAL_JOIN_ON_DOUBLES_H
 #define CGAL_GEOMETRIC_CONTINUITY_JOINS_INTERNAL_RATIONAL_JOIN_ON_DOUBLES_H
 
+#include <CGAL/Geometric_continuity/internal/force_inline.h>
 #include <CGAL/Geometric_continuity/joins/internal/Rational_join_weights.h>
 #include <CGAL/Geometric_continuity/joins/internal/join_on_doubles.h>
 #include <CGAL/Geometric_continuity/joins/internal/join_on_integers.h>
@@ -28,7 +29,7 @@ template <int k> class End_weights {
   bool valid_ = true;
 
 public:
-  template <class End> BOOST_FORCEINLINE explicit End_weights(const End& end) {
+  template <class End> CGAL_GC_FORCEINLINE explicit End_weights(const End& end) {
     const int m = end.degree();
     for (int j = 0; j <= k; ++j) w_[j] = end.weight((std::min)(j, m));
     const int e = binary_exponent(w_[0]), f = binary_exponent(w_[1]) - e;
@@ -40,11 +41,11 @@ public:
     }
   }
 
-  BOOST_FORCEINLINE bool valid() const { return valid_; }
-  BOOST_FORCEINLINE const std::array<double, 4>& operator()() const { return w_; }
+  CGAL_GC_FORCEINLINE bool valid() const { return valid_; }
+  CGAL_GC_FORCEINLINE const std::array<double, 4>& operator()() const { return w_; }
 
   // The largest power of two of which all weights are multiples is 2 to this power. \pre they are valid
-  BOOST_FORCEINLINE int exponent_of_unit() const {
+  CGAL_GC_FORCEINLINE int exponent_of_unit() const {
     int unit = 20;
     for (int j = 0; j <= k; ++j) {
       const std::uint64_t bits = bits_of(w_[j]) | std::uint64_t(1) << 52;
@@ -57,7 +58,10 @@ public:
 // As first_derivatives_differ(), for ends with weights: the factors w_1/w_0 of the first derivatives bring two more roundings, and an
 // underflow that is too small to count.
 template <int N, class Left, class Right> bool rational_first_derivatives_differ(const Left& left, const Right& right) {
-  const auto factor = [](const auto& end) { return end.weight((std::min)(1, end.degree())) / end.weight(0); };
+  const auto factor = [](const auto& end) -> double {
+    const double first = end.weight(0), second = end.weight((std::min)(1, end.degree())); // of shorter types, too
+    return second / first;
+  };
   const auto first_derivative = [](const auto& end, double factor) {
     const End_polygon<double, N> x = points_of<1, N>(end);
     std::array<double, N> d = internal::minus(x[1], x[0]);
@@ -72,7 +76,8 @@ template <int N, class Left, class Right> bool rational_first_derivatives_differ
   return in_range && first_derivatives_differ<N>(first_derivative(left, r), m, h, first_derivative(right, s), n, l);
 }
 
-// Factors that are products of at most seven weights and four degrees, each of them rounded.
+// Factors that are products of at most seven weights and four degrees, each of them rounded. With those of End_weights and degrees up to
+// 1000 they lie within 2^-40 (or 0) and 2^70: Join_filter has room for these, too.
 struct Rounding_of_rational_ends {
   static constexpr Join_rounding value() {
     constexpr Rounding_bound w(1, 16 * 0x1p-52);
@@ -84,7 +89,7 @@ struct Rounding_of_rational_ends {
 
 // Whole numbers that are at most 2^56, so that products of them with the degrees have room in as many limbs as factors.
 template <int k, class Integer>
-BOOST_FORCEINLINE bool weights_in_units(const End_weights<k>& weights, int unit, std::array<Integer, 4>& w) {
+CGAL_GC_FORCEINLINE bool weights_in_units(const End_weights<k>& weights, int unit, std::array<Integer, 4>& w) {
   for (int j = 0; j <= k; ++j) {
     const double x = weights()[j] * power_of_two(-unit);
     if (!(x <= 0x1p56)) return false;

@@ -7,7 +7,7 @@
 
 #include <CGAL/Algebraic_structure_traits.h>
 #include <CGAL/Fraction_traits.h>
-#include <CGAL/Geometric_continuity/numbers/Exact_field.h>
+#include <CGAL/Geometric_continuity/numbers/internal/Exact_number.h>
 #include <CGAL/Geometric_continuity/numbers/internal/number_words.h>
 #include <CGAL/number_utils.h>
 

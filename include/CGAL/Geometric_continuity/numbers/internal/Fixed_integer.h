@@ -5,7 +5,7 @@
 #ifndef CGAL_GEOMETRIC_CONTINUITY_NUMBERS_INTERNAL_FIXED_INTEGER_H
 #define CGAL_GEOMETRIC_CONTINUITY_NUMBERS_INTERNAL_FIXED_INTEGER_H
 
-#include <boost/config.hpp>
+#include <CGAL/Geometric_continuity/internal/force_inline.h>
 
 #include <cstdint>
 
@@ -30,7 +30,7 @@ __extension__ typedef unsigned __int128 Unsigned_128;
 // x + y + carry modulo 2^64, and x - y - borrow, with the carry or borrow that goes out. Other ways to write this make
 // some compilers branch on the carry.
 typedef unsigned char Carry;
-BOOST_FORCEINLINE std::uint64_t add_with_carry(std::uint64_t x, std::uint64_t y, Carry& carry) {
+CGAL_GC_FORCEINLINE std::uint64_t add_with_carry(std::uint64_t x, std::uint64_t y, Carry& carry) {
   unsigned long long sum;
 #ifdef CGAL_GEOMETRIC_CONTINUITY_X86_CARRY
   carry = __builtin_ia32_addcarryx_u64(carry, x, y, &sum);
@@ -40,7 +40,7 @@ BOOST_FORCEINLINE std::uint64_t add_with_carry(std::uint64_t x, std::uint64_t y,
 #endif
   return sum;
 }
-BOOST_FORCEINLINE std::uint64_t subtract_with_borrow(std::uint64_t x, std::uint64_t y, Carry& borrow) {
+CGAL_GC_FORCEINLINE std::uint64_t subtract_with_borrow(std::uint64_t x, std::uint64_t y, Carry& borrow) {
   unsigned long long difference;
 #ifdef CGAL_GEOMETRIC_CONTINUITY_X86_CARRY
   borrow = __builtin_ia32_sbb_u64(borrow, x, y, &difference);
@@ -63,49 +63,49 @@ template <int limbs, int most = unlimited> struct Fixed_integer {
   std::uint64_t limb[limbs];
 
   Fixed_integer() = default;
-  BOOST_FORCEINLINE Fixed_integer(std::int64_t x) { fill<0>(x); }
+  CGAL_GC_FORCEINLINE Fixed_integer(std::int64_t x) { fill<0>(x); }
 
-  BOOST_FORCEINLINE std::int64_t top() const { return static_cast<std::int64_t>(limb[limbs - 1]); }
+  CGAL_GC_FORCEINLINE std::int64_t top() const { return static_cast<std::int64_t>(limb[limbs - 1]); }
 
   // all ones when negative, otherwise 0
-  BOOST_FORCEINLINE std::uint64_t sign_mask() const { return static_cast<std::uint64_t>(top() >> 63); }
+  CGAL_GC_FORCEINLINE std::uint64_t sign_mask() const { return static_cast<std::uint64_t>(top() >> 63); }
 
-  friend BOOST_FORCEINLINE bool is_zero(const Fixed_integer& x) { return x.template any<0>() == 0; }
+  friend CGAL_GC_FORCEINLINE bool is_zero(const Fixed_integer& x) { return x.template any<0>() == 0; }
 
-  friend BOOST_FORCEINLINE Fixed_integer operator+(const Fixed_integer& x, const Fixed_integer& y) {
+  friend CGAL_GC_FORCEINLINE Fixed_integer operator+(const Fixed_integer& x, const Fixed_integer& y) {
     Fixed_integer sum;
     sum.template add<0>(x, y, 0);
     return sum;
   }
-  friend BOOST_FORCEINLINE Fixed_integer operator-(const Fixed_integer& x, const Fixed_integer& y) {
+  friend CGAL_GC_FORCEINLINE Fixed_integer operator-(const Fixed_integer& x, const Fixed_integer& y) {
     Fixed_integer difference;
     difference.template subtract<0>(x, y, 0);
     return difference;
   }
 
 private:
-  template <int k> BOOST_FORCEINLINE void fill(std::int64_t x) {
+  template <int k> CGAL_GC_FORCEINLINE void fill(std::int64_t x) {
     limb[k] = static_cast<std::uint64_t>(k == 0 ? x : x >> 63);
     if constexpr (k + 1 < limbs) fill<k + 1>(x);
   }
-  template <int k> BOOST_FORCEINLINE std::uint64_t any() const {
+  template <int k> CGAL_GC_FORCEINLINE std::uint64_t any() const {
     if constexpr (k + 1 < limbs)
       return limb[k] | any<k + 1>();
     else
       return limb[k];
   }
-  template <int k> BOOST_FORCEINLINE void add(const Fixed_integer& x, const Fixed_integer& y, Carry carry) {
+  template <int k> CGAL_GC_FORCEINLINE void add(const Fixed_integer& x, const Fixed_integer& y, Carry carry) {
     limb[k] = add_with_carry(x.limb[k], y.limb[k], carry);
     if constexpr (k + 1 < limbs) add<k + 1>(x, y, carry);
   }
-  template <int k> BOOST_FORCEINLINE void subtract(const Fixed_integer& x, const Fixed_integer& y, Carry borrow) {
+  template <int k> CGAL_GC_FORCEINLINE void subtract(const Fixed_integer& x, const Fixed_integer& y, Carry borrow) {
     limb[k] = subtract_with_borrow(x.limb[k], y.limb[k], borrow);
     if constexpr (k + 1 < limbs) subtract<k + 1>(x, y, borrow);
   }
 };
 
 // x y for 0 <= x < 2^64, which is in absolute value at most 2^127 - 2^63
-BOOST_FORCEINLINE Signed_128 unsigned_times_signed(std::uint64_t x, std::int64_t y) {
+CGAL_GC_FORCEINLINE Signed_128 unsigned_times_signed(std::uint64_t x, std::int64_t y) {
   const Unsigned_128 product = static_cast<Unsigned_128>(x) * static_cast<std::uint64_t>(y);
   const std::uint64_t excess = x & static_cast<std::uint64_t>(y >> 63); // y stands for y + 2^64 when negative
   return static_cast<Signed_128>(product - (static_cast<Unsigned_128>(excess) << 64));
@@ -117,8 +117,8 @@ template <int m, int n, int most> using Fixed_product = Fixed_integer<(m + n < m
 // Limb by limb with a signed carry: -2^127 <= x_k y + carry < 2^127. The last limb of a product that is not longer than
 // x is taken modulo 2^64.
 template <int k, int m, int n, int most>
-BOOST_FORCEINLINE void multiply(const Fixed_integer<m, most>& x, std::int64_t y, Signed_128 carry,
-                                Fixed_integer<n, most>& product) {
+CGAL_GC_FORCEINLINE void multiply(const Fixed_integer<m, most>& x, std::int64_t y, Signed_128 carry,
+                                  Fixed_integer<n, most>& product) {
   if constexpr (k + 1 == n)
     product.limb[k] = x.limb[k] * static_cast<std::uint64_t>(y) + static_cast<std::uint64_t>(carry);
   else if constexpr (k + 1 < m) {
@@ -133,8 +133,8 @@ BOOST_FORCEINLINE void multiply(const Fixed_integer<m, most>& x, std::int64_t y,
 }
 
 template <int m, int most>
-BOOST_FORCEINLINE Fixed_product<m, 1, most> operator*(const Fixed_integer<m, most>& x,
-                                                      const Fixed_integer<1, most>& y) {
+CGAL_GC_FORCEINLINE Fixed_product<m, 1, most> operator*(const Fixed_integer<m, most>& x,
+                                                        const Fixed_integer<1, most>& y) {
   Fixed_product<m, 1, most> product;
   multiply<0>(x, y.top(), 0, product);
   return product;
@@ -142,8 +142,8 @@ BOOST_FORCEINLINE Fixed_product<m, 1, most> operator*(const Fixed_integer<m, mos
 
 // Limbs i, i + 1, ... of the sum become those of sum + x y_i; in the first row the sum is 0.
 template <int i, int k, int m, int n, int most>
-BOOST_FORCEINLINE void add_row(const Fixed_integer<m, most>& x, std::uint64_t y, std::uint64_t carry,
-                               Fixed_integer<n, most>& sum) {
+CGAL_GC_FORCEINLINE void add_row(const Fixed_integer<m, most>& x, std::uint64_t y, std::uint64_t carry,
+                                 Fixed_integer<n, most>& sum) {
   if constexpr (i + k + 1 == n) { // modulo 2^(64 n)
     const std::uint64_t last = x.limb[k] * y + carry;
     if constexpr (i > 0)
@@ -161,16 +161,16 @@ BOOST_FORCEINLINE void add_row(const Fixed_integer<m, most>& x, std::uint64_t y,
   }
 }
 template <int i, int m, int n, int most, int l>
-BOOST_FORCEINLINE void add_rows(const Fixed_integer<m, most>& x, const Fixed_integer<n, most>& y,
-                                Fixed_integer<l, most>& sum) {
+CGAL_GC_FORCEINLINE void add_rows(const Fixed_integer<m, most>& x, const Fixed_integer<n, most>& y,
+                                  Fixed_integer<l, most>& sum) {
   add_row<i, 0>(x, y.limb[i], 0, sum);
   if constexpr (i + 1 < n) add_rows<i + 1>(x, y, sum);
 }
 
 // x - (y and mask) 2^(64 i), modulo 2^(64 m)
 template <int i, int k, int m, int n, int most>
-BOOST_FORCEINLINE void subtract_masked(Fixed_integer<m, most>& x, const Fixed_integer<n, most>& y, std::uint64_t mask,
-                                       Carry borrow) {
+CGAL_GC_FORCEINLINE void subtract_masked(Fixed_integer<m, most>& x, const Fixed_integer<n, most>& y, std::uint64_t mask,
+                                         Carry borrow) {
   if constexpr (k < n && i + k < m) {
     x.limb[i + k] = subtract_with_borrow(x.limb[i + k], y.limb[k] & mask, borrow);
     subtract_masked<i, k + 1>(x, y, mask, borrow);
@@ -179,8 +179,8 @@ BOOST_FORCEINLINE void subtract_masked(Fixed_integer<m, most>& x, const Fixed_in
 
 // The product of the limbs read as nonnegative numbers, corrected: a negative x stands for x + 2^(64 m).
 template <int m, int n, int most>
-BOOST_FORCEINLINE Fixed_product<m, n, most> operator*(const Fixed_integer<m, most>& x,
-                                                      const Fixed_integer<n, most>& y) {
+CGAL_GC_FORCEINLINE Fixed_product<m, n, most> operator*(const Fixed_integer<m, most>& x,
+                                                        const Fixed_integer<n, most>& y) {
   Fixed_product<m, n, most> product;
   add_rows<0>(x, y, product);
   subtract_masked<m, 0>(product, y, x.sign_mask(), 0);
@@ -190,7 +190,7 @@ BOOST_FORCEINLINE Fixed_product<m, n, most> operator*(const Fixed_integer<m, mos
 
 // x w, which must fit, or modulo 2^(64 m)
 template <int m, int most>
-BOOST_FORCEINLINE Fixed_integer<m, most> scaled(const Fixed_integer<m, most>& x, std::int64_t w) {
+CGAL_GC_FORCEINLINE Fixed_integer<m, most> scaled(const Fixed_integer<m, most>& x, std::int64_t w) {
   Fixed_integer<m, most> product;
   multiply<0>(x, w, 0, product);
   return product;

@@ -11,6 +11,7 @@
 #include <CGAL/Geometric_continuity/numbers/internal/Inline_integer.h>
 #endif
 
+#include <cstdint>
 #include <type_traits>
 #include <utility>
 
@@ -21,6 +22,8 @@ namespace internal {
 // How a rational number type is taken apart and put together: value is false for other number types.
 //   split(x, n, d): x = n / d in lowest terms, d > 0
 //   make(n, d, k): the reduced number n / (d 2^k), d > 0
+//   make_short(n, d): the reduced number n / d, d > 0
+//   short_parts(x, n, d): as split(), if both are below 2^60 in absolute value, otherwise false
 // The types are known by their members, so that none of their headers is needed here. Without GMP there are none.
 template <class FT, class = void> struct Rational_parts : std::false_type {};
 
@@ -56,7 +59,34 @@ struct Rational_parts<FT, std::void_t<decltype(internal::gmp_rational(std::declv
     return x;
   }
 
+  static FT make_short(std::int64_t n, std::int64_t d) {
+    FT x;
+    const mpq_ptr q = internal::gmp_rational(x);
+    copy_short(n, mpq_numref(q));
+    if (d != 1) {
+      copy_short(d, mpq_denref(q));
+      mpq_canonicalize(q);
+    }
+    return x;
+  }
+  static bool short_parts(const FT& x, std::int64_t& n, std::int64_t& d) {
+    const mpq_srcptr q = internal::gmp_rational(x);
+    return short_integer(mpq_numref(q), n) && short_integer(mpq_denref(q), d);
+  }
+
 private:
+  static void copy_short(std::int64_t x, mpz_ptr z) {
+    static_assert(sizeof(mp_limb_t) == sizeof x);
+    if (x != 0) *mpz_limbs_write(z, 1) = static_cast<mp_limb_t>(x < 0 ? -x : x);
+    mpz_limbs_finish(z, x < 0 ? -1 : x > 0);
+  }
+  static bool short_integer(mpz_srcptr z, std::int64_t& x) {
+    if (mpz_size(z) > 1) return false;
+    const mp_limb_t size = mpz_getlimbn(z, 0);
+    if (size >> 60 != 0) return false;
+    x = mpz_sgn(z) < 0 ? -static_cast<std::int64_t>(size) : static_cast<std::int64_t>(size);
+    return true;
+  }
   static void copy(mpz_srcptr z, Inline_integer& x) { x.assign(mpz_limbs_read(z), mpz_size(z), mpz_sgn(z) < 0); }
   static void copy(const Inline_integer& x, mpz_ptr z) {
     const mp_size_t size = static_cast<mp_size_t>(x.size());
@@ -84,7 +114,19 @@ struct Rational_parts<
     return FT(num, den);
   }
 
+  static FT make_short(std::int64_t n, std::int64_t d) { return FT(Integer(n), Integer(d)); }
+  static bool short_parts(const FT& x, std::int64_t& n, std::int64_t& d) {
+    return short_integer(numerator(x), n) && short_integer(denominator(x), d);
+  }
+
 private:
+  static bool short_integer(const Integer& z, std::int64_t& x) {
+    if (z.backend().size() > 1) return false;
+    const mp_limb_t size = z.backend().limbs()[0];
+    if (size >> 60 != 0) return false;
+    x = z.sign() < 0 ? -static_cast<std::int64_t>(size) : static_cast<std::int64_t>(size);
+    return true;
+  }
   static void copy(const Integer& z, Inline_integer& x) {
     x.assign(z.backend().limbs(), z.backend().size(), z.sign() < 0);
   }

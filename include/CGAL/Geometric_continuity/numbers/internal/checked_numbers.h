@@ -6,6 +6,7 @@
 #define CGAL_GEOMETRIC_CONTINUITY_NUMBERS_INTERNAL_CHECKED_NUMBERS_H
 
 #include <CGAL/Geometric_continuity/Error.h>
+#include <CGAL/Geometric_continuity/internal/force_inline.h>
 
 #include <boost/config.hpp>
 
@@ -27,7 +28,7 @@ namespace internal {
 
 // Refuses a negative number of derivatives, of elevations, of halvings, ... `place` names the function. The message is put
 // together out of line, so that the check is one comparison.
-BOOST_FORCEINLINE void check_count(int n, const char* place) {
+CGAL_GC_FORCEINLINE void check_count(int n, const char* place) {
   if (n < 0) refuse_count(n, place);
 }
 

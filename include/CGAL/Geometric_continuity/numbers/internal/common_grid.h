@@ -5,7 +5,7 @@
 #ifndef CGAL_GEOMETRIC_CONTINUITY_NUMBERS_INTERNAL_COMMON_GRID_H
 #define CGAL_GEOMETRIC_CONTINUITY_NUMBERS_INTERNAL_COMMON_GRID_H
 
-#include <boost/config.hpp>
+#include <CGAL/Geometric_continuity/internal/force_inline.h>
 
 #include <algorithm>
 #include <array>
@@ -19,24 +19,26 @@ namespace Geometric_continuity {
 namespace internal {
 
 // 2^e for -1022 <= e <= 1023
-BOOST_FORCEINLINE double power_of_two(int e) {
+CGAL_GC_FORCEINLINE double power_of_two(int e) {
   const std::uint64_t bits = static_cast<std::uint64_t>(e + 1023) << 52;
   double x;
   std::memcpy(&x, &bits, sizeof x);
   return x;
 }
 
-BOOST_FORCEINLINE std::uint64_t bits_of(double x) {
+CGAL_GC_FORCEINLINE std::uint64_t bits_of(double x) {
   std::uint64_t bits;
   std::memcpy(&bits, &x, sizeof x);
   return bits;
 }
 
 // floor(log2(x)) for a finite x >= 2^-1022; less than that for a smaller one
-BOOST_FORCEINLINE int binary_exponent(double x) { return static_cast<int>(bits_of(x) >> 52) - 1023; }
+CGAL_GC_FORCEINLINE int binary_exponent(double x) { return static_cast<int>(bits_of(x) >> 52) - 1023; }
 
-BOOST_FORCEINLINE double largest(const std::array<double, 2>& x) { return (std::max)(std::abs(x[0]), std::abs(x[1])); }
-BOOST_FORCEINLINE double largest(const std::array<double, 3>& x) {
+CGAL_GC_FORCEINLINE double largest(const std::array<double, 2>& x) {
+  return (std::max)(std::abs(x[0]), std::abs(x[1]));
+}
+CGAL_GC_FORCEINLINE double largest(const std::array<double, 3>& x) {
   return (std::max)((std::max)(std::abs(x[0]), std::abs(x[1])), std::abs(x[2]));
 }
 
@@ -48,7 +50,7 @@ class Grid {
 
 public:
   // For numbers up to `largest`; not valid beyond 2^500 or below 2^-400.
-  BOOST_FORCEINLINE explicit Grid(double largest) {
+  CGAL_GC_FORCEINLINE explicit Grid(double largest) {
     const int e = binary_exponent(largest);
     valid_ = -400 <= e && e <= 500;
     exponent_ = valid_ ? e - 52 : 0;
@@ -56,20 +58,20 @@ public:
     unit_ = power_of_two(exponent_);
   }
 
-  BOOST_FORCEINLINE int exponent() const { return exponent_; }
+  CGAL_GC_FORCEINLINE int exponent() const { return exponent_; }
   // All numbers that have been converted lie on the grid.
-  BOOST_FORCEINLINE bool valid() const { return valid_; }
+  CGAL_GC_FORCEINLINE bool valid() const { return valid_; }
 
   // \pre the number is not larger than `largest`, and the grid was valid for this
-  BOOST_FORCEINLINE std::int64_t operator()(double x) {
+  CGAL_GC_FORCEINLINE std::int64_t operator()(double x) {
     const std::int64_t n = static_cast<std::int64_t>(x * units_); // at most 2^53
     valid_ &= static_cast<double>(n) * unit_ == x;
     return n;
   }
-  BOOST_FORCEINLINE std::array<std::int64_t, 2> operator()(const std::array<double, 2>& x) {
+  CGAL_GC_FORCEINLINE std::array<std::int64_t, 2> operator()(const std::array<double, 2>& x) {
     return {(*this)(x[0]), (*this)(x[1])};
   }
-  BOOST_FORCEINLINE std::array<std::int64_t, 3> operator()(const std::array<double, 3>& x) {
+  CGAL_GC_FORCEINLINE std::array<std::int64_t, 3> operator()(const std::array<double, 3>& x) {
     return {(*this)(x[0]), (*this)(x[1]), (*this)(x[2])};
   }
 };
@@ -87,7 +89,7 @@ class Common_grid {
 
 public:
   // Not valid beyond 2^500 or below 2^-400.
-  BOOST_FORCEINLINE explicit Common_grid(double largest) {
+  CGAL_GC_FORCEINLINE explicit Common_grid(double largest) {
     const int e = binary_exponent(largest);
     wrong_ = !(-400 <= e && e <= 500);
     if (wrong_) return;
@@ -96,7 +98,7 @@ public:
   }
 
   // The points of an end. \pre no coordinate is larger than `largest`
-  template <int k, std::size_t N> BOOST_FORCEINLINE void include(const std::array<std::array<double, N>, 4>& x) {
+  template <int k, std::size_t N> CGAL_GC_FORCEINLINE void include(const std::array<std::array<double, N>, 4>& x) {
     include(x[0]);
     include(x[1]);
     if constexpr (k >= 2) include(x[2]);
@@ -104,16 +106,16 @@ public:
   }
 
   // All coordinates lie on a grid of 52 bits.
-  BOOST_FORCEINLINE bool valid() const { return wrong_ == 0; }
-  BOOST_FORCEINLINE int exponent() const { return first_exponent_ + __builtin_ctzll(bits_ | std::uint64_t(1) << 51); }
+  CGAL_GC_FORCEINLINE bool valid() const { return wrong_ == 0; }
+  CGAL_GC_FORCEINLINE int exponent() const { return first_exponent_ + __builtin_ctzll(bits_ | std::uint64_t(1) << 51); }
 
 private:
-  template <std::size_t N> BOOST_FORCEINLINE void include(const std::array<double, N>& x) {
+  template <std::size_t N> CGAL_GC_FORCEINLINE void include(const std::array<double, N>& x) {
     include(x[0]);
     include(x[1]);
     if constexpr (N == 3) include(x[2]);
   }
-  BOOST_FORCEINLINE void include(double x) {
+  CGAL_GC_FORCEINLINE void include(double x) {
     const double size = std::abs(x), sum = offset_ + size;
     bits_ |= bits_of(sum);
     wrong_ |= bits_of(sum - offset_) ^ bits_of(size);

@@ -5,7 +5,7 @@
 #ifndef CGAL_GEOMETRIC_CONTINUITY_NUMBERS_INTERNAL_KERNEL_ACCESS_H
 #define CGAL_GEOMETRIC_CONTINUITY_NUMBERS_INTERNAL_KERNEL_ACCESS_H
 
-#include <CGAL/Geometric_continuity/numbers/Exact_field.h>
+#include <CGAL/Geometric_continuity/numbers/internal/Exact_number.h>
 
 #include <type_traits>
 
@@ -28,7 +28,9 @@ template <class K, bool filtered = (K::Has_filtered_predicates && std::is_floati
 struct Kernel_predicate_field {
   typedef typename K::FT type;
 };
-template <class K> struct Kernel_predicate_field<K, true> { typedef typename Exact_field<typename K::FT>::type type; };
+template <class K> struct Kernel_predicate_field<K, true> {
+  typedef typename Exact_field_of_floating_point<typename K::FT>::type type;
+};
 
 } // namespace internal
 } // namespace Geometric_continuity

@@ -5,7 +5,7 @@
 #ifndef CGAL_GEOMETRIC_CONTINUITY_NUMBERS_INTERNAL_NUMBER_ROWS_H
 #define CGAL_GEOMETRIC_CONTINUITY_NUMBERS_INTERNAL_NUMBER_ROWS_H
 
-#include <boost/config.hpp>
+#include <CGAL/Geometric_continuity/internal/force_inline.h>
 
 #include <cstring>
 #include <type_traits>
@@ -33,15 +33,15 @@ template <class FT> struct Row_vector {
   typedef FT Vector __attribute__((vector_size(4 * sizeof(FT))));
   Vector v;
 
-  BOOST_FORCEINLINE explicit Row_vector(const FT* row) { std::memcpy(&v, row, sizeof(v)); }
-  BOOST_FORCEINLINE void store(FT* row) const { std::memcpy(row, &v, sizeof(v)); }
+  CGAL_GC_FORCEINLINE explicit Row_vector(const FT* row) { std::memcpy(&v, row, sizeof(v)); }
+  CGAL_GC_FORCEINLINE void store(FT* row) const { std::memcpy(row, &v, sizeof(v)); }
 };
 #else
 template <class FT, int N> constexpr bool row_is_vector_v = false;
 template <class FT> struct Row_vector;
 #endif
 
-template <int N, class FT> BOOST_FORCEINLINE void copy_row(const FT* x, int n, FT* result) {
+template <int N, class FT> CGAL_GC_FORCEINLINE void copy_row(const FT* x, int n, FT* result) {
   if constexpr (row_is_vector_v<FT, N>)
     Row_vector<FT>(x).store(result);
   else
@@ -50,7 +50,7 @@ template <int N, class FT> BOOST_FORCEINLINE void copy_row(const FT* x, int n, F
 
 // result = (1 - ratio) x + ratio y
 template <int N, class FT>
-BOOST_FORCEINLINE void mix_rows(const FT* x, const FT* y, const FT& ratio, int n, FT* result) {
+CGAL_GC_FORCEINLINE void mix_rows(const FT* x, const FT* y, const FT& ratio, int n, FT* result) {
   const FT rest(FT(1) - ratio);
   if constexpr (row_is_vector_v<FT, N>) {
     Row_vector<FT> a(x);
@@ -64,7 +64,7 @@ BOOST_FORCEINLINE void mix_rows(const FT* x, const FT* y, const FT& ratio, int n
 // result = a x, or result += a x
 enum class Row_update { assign, add };
 template <int N, Row_update update, class FT>
-BOOST_FORCEINLINE void multiply_row(const FT& a, const FT* x, int n, FT* result) {
+CGAL_GC_FORCEINLINE void multiply_row(const FT& a, const FT* x, int n, FT* result) {
   if constexpr (row_is_vector_v<FT, N>) {
     Row_vector<FT> product(x);
     product.v = a * product.v;
@@ -84,7 +84,7 @@ template <int N, class FT> class Finite_rows {
   std::conditional_t<std::is_floating_point_v<FT>, FT, bool> zero_[N > 0 ? N : 1] = {};
 
 public:
-  BOOST_FORCEINLINE void add(const FT* row, int n) {
+  CGAL_GC_FORCEINLINE void add(const FT* row, int n) {
     if constexpr (row_is_vector_v<FT, N>)
       multiply_row<N, Row_update::add>(FT(0), row, n, zero_);
     else if constexpr (std::is_floating_point_v<FT>)

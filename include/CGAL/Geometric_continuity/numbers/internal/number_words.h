@@ -5,7 +5,7 @@
 #ifndef CGAL_GEOMETRIC_CONTINUITY_NUMBERS_INTERNAL_NUMBER_WORDS_H
 #define CGAL_GEOMETRIC_CONTINUITY_NUMBERS_INTERNAL_NUMBER_WORDS_H
 
-#include <CGAL/Geometric_continuity/numbers/Exact_field.h>
+#include <CGAL/Geometric_continuity/numbers/internal/Exact_number.h>
 
 #include <CGAL/config.h>
 

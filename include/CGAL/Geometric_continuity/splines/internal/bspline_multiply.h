@@ -7,6 +7,7 @@
 
 #include <CGAL/Geometric_continuity/Error.h>
 #include <CGAL/Geometric_continuity/algebra/Coordinate_vector.h>
+#include <CGAL/Geometric_continuity/internal/force_inline.h>
 #include <CGAL/Geometric_continuity/numbers/internal/number_rows.h>
 #include <CGAL/Geometric_continuity/splines/Knot_vector.h>
 #include <CGAL/Geometric_continuity/splines/internal/bspline_spans.h>
@@ -78,7 +79,7 @@ template <class FT, class Value> struct Write_coefficients {
   int dimension;
   Value* next;
 
-  BOOST_FORCEINLINE void operator()(const FT* row) {
+  CGAL_GC_FORCEINLINE void operator()(const FT* row) {
     if constexpr (std::is_same_v<Value, FT>)
       *next = *row;
     else
@@ -112,7 +113,7 @@ template <int N, class FT> void multiply_on_span(const FT* weighted, const FT* b
 
 // The product on a span, written out: term number I of the coefficient K, and those that follow.
 template <int P, int Q, int N, int K = 0, int I = 0, class FT>
-BOOST_FORCEINLINE void multiply_on_span(const FT* weighted, const FT* b, FT* rows) {
+CGAL_GC_FORCEINLINE void multiply_on_span(const FT* weighted, const FT* b, FT* rows) {
   constexpr int first = K > Q ? K - Q : 0, last = K < P ? K : P;
   if constexpr (I < first)
     multiply_on_span<P, Q, N, K, first>(weighted, b, rows);

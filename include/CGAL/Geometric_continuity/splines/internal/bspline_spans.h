@@ -5,6 +5,7 @@
 #ifndef CGAL_GEOMETRIC_CONTINUITY_SPLINES_INTERNAL_BSPLINE_SPANS_H
 #define CGAL_GEOMETRIC_CONTINUITY_SPLINES_INTERNAL_BSPLINE_SPANS_H
 
+#include <CGAL/Geometric_continuity/internal/force_inline.h>
 #include <CGAL/Geometric_continuity/numbers/internal/number_rows.h>
 #include <CGAL/Geometric_continuity/splines/Knot_vector.h>
 
@@ -129,7 +130,7 @@ private:
   }
 
   // The rounds of step(), written out: the first row is number M in b.
-  template <int M, int I = 0> BOOST_FORCEINLINE void rounds() {
+  template <int M, int I = 0> CGAL_GC_FORCEINLINE void rounds() {
     if constexpr (I < Degree - M) {
       mix_rows<N>(w(I), w(I + 1), ratios_[I], N, w(I));
       rounds<M, I + 1>();
@@ -151,7 +152,7 @@ template <class FT> struct Distinct_knots {
 
   // With room for as many knots.
   Distinct_knots(int degree, int capacity) : degree(degree) { knots.resize(capacity, boost::container::default_init); }
-  BOOST_FORCEINLINE void append(const FT& value, int multiplicity) {
+  CGAL_GC_FORCEINLINE void append(const FT& value, int multiplicity) {
     Knot& knot = knots[number++];
     knot.value = value;
     knot.multiplicity = multiplicity;
@@ -183,7 +184,7 @@ template <class FT> struct Bernstein_pieces {
 // result_i = (1 - ratio) row_i + ratio row_{i+1} for as many i: one more argument of the blossom, which divides the
 // span in this ratio.
 template <int N, class FT>
-BOOST_FORCEINLINE void blossom_round(const FT* rows, int count, const FT& ratio, int n, FT* result) {
+CGAL_GC_FORCEINLINE void blossom_round(const FT* rows, int count, const FT& ratio, int n, FT* result) {
   for (int i = 0; i < count; ++i) mix_rows<N>(rows + n * i, rows + n * (i + 1), ratio, n, result + n * i);
 }
 
@@ -214,8 +215,8 @@ BOOST_NOINLINE void straddling_coefficient(const Bernstein_pieces<FT>& pieces, i
 // The value of the blossom from the spans on the left and on the right of a knot, with `rest` copies of the knot after
 // it, which is the usual case of the function above. `piece` are the rows of the first span.
 template <int N, class FT>
-BOOST_FORCEINLINE void straddling_coefficient(const typename Knot_vector<FT>::Knot* knots, const FT* piece, int d,
-                                              int n, int copies, int rest, FT* local) {
+CGAL_GC_FORCEINLINE void straddling_coefficient(const typename Knot_vector<FT>::Knot* knots, const FT* piece, int d,
+                                                int n, int copies, int rest, FT* local) {
   const FT &u = knots[0].value, &a = knots[1].value, &v = knots[2].value;
   const FT left(a - u), right(v - a);
   const bool on_right = left < right;

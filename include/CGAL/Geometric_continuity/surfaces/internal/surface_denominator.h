@@ -7,6 +7,7 @@
 
 #include <CGAL/Geometric_continuity/algebra/Coordinate_vector.h>
 #include <CGAL/Geometric_continuity/algebra/bernstein.h>
+#include <CGAL/Geometric_continuity/numbers/Exact_field.h>
 #include <CGAL/Geometric_continuity/surfaces/internal/Rational_net.h>
 #include <CGAL/Geometric_continuity/surfaces/internal/zeros_on_square.h>
 

@@ -19,11 +19,11 @@
 /// Whether a polynomial f(u, v) that is not zero on the boundary of the unit square is zero inside, also where it is nowhere
 /// negative and its zeros are no rational numbers.
 ///
-/// The zeros inside are a closed set. Where one of them has the least u, f_v is zero too, if f has no multiple factors: otherwise the
-/// zero would go on to the left. So f has zeros if and only if f(u, .) has one in (0, 1) for a root u of the last polynomial of Euclid's
-/// algorithm for f and f_v, or of one of the factors in u alone that are divided out on the way. Such a u is an algebraic number, known by
-/// an interval; the zeros of f(u, .) are counted by Sturm's theorem. See Basu, Pollack, Roy, "Algorithms in Real Algebraic Geometry",
-/// chapters 2 and 11.
+/// The zeros inside are a closed set. Where one of them has the least u, a factor of f and its derivative are zero: otherwise the zero
+/// would go on to the left. So are f and f_v, divided by their greatest common divisor, and with them all that Euclid's algorithm makes
+/// of these two, up to factors in u alone that are divided out on the way; the last of it is 1. So f has zeros if and only if f(u, .)
+/// has one in (0, 1) for a root u of one of those factors. Such a u is an algebraic number, known by an interval; the zeros of f(u, .) are
+/// counted by Sturm's theorem. See Basu, Pollack, Roy, "Algorithms in Real Algebraic Geometry", chapters 2 and 11.
 
 namespace CGAL {
 namespace Geometric_continuity {
@@ -56,30 +56,19 @@ template <class FT> Polynomial_in_v<FT> derivative_in_v(const Polynomial_in_v<FT
   return d;
 }
 
-// Leaves the remainder of l^k f divided by g, where l is the leading coefficient of g and k even, and returns the quotient.
-template <class FT>
-Polynomial_in_v<FT> pseudo_remainder(Polynomial_in_v<FT>& f, const Polynomial_in_v<FT>& g, Work_meter& work) {
-  Polynomial_in_v<FT> q(f.size() < g.size() ? 0 : f.size() - g.size() + 1);
+// Leaves the remainder of l^k f divided by g, where l is the leading coefficient of g and k even.
+template <class FT> void pseudo_remainder(Polynomial_in_v<FT>& f, const Polynomial_in_v<FT>& g, Work_meter& work) {
   const Power_polynomial<FT> leading = g.back(), zero;
-  const auto multiply = [&](Polynomial_in_v<FT>& h) {
-    for (Power_polynomial<FT>& c : h) c = difference_of_products(c, leading, zero, zero, work);
-  };
   bool odd = false;
   for (; f.size() >= g.size(); odd = !odd) {
     const std::size_t shift = f.size() - g.size();
     const Power_polynomial<FT> last = f.back();
-    multiply(q);
-    q[shift] = last;
     for (std::size_t i = 0; i < f.size(); ++i)
-      f[i] = i < shift ? difference_of_products(f[i], leading, zero, zero, work)
-                       : difference_of_products(f[i], leading, last, g[i - shift], work);
+      f[i] = difference_of_products(f[i], leading, last, i < shift ? zero : g[i - shift], work);
     while (!f.empty() && f.back().is_zero()) f.pop_back();
   }
-  if (odd) {
-    multiply(f);
-    multiply(q);
-  }
-  return q;
+  if (odd)
+    for (Power_polynomial<FT>& c : f) c = difference_of_products(c, leading, zero, zero, work);
 }
 
 // An algebraic number: the only root of a polynomial without multiple roots in an interval.
@@ -170,24 +159,16 @@ template <class FT> Power_polynomial<FT> divide_by_content(Polynomial_in_v<FT>& 
   return content;
 }
 
-// Polynomials in u of which one is zero at the least u of the zeros of f, see above. The first factor of f, of which f_v is a multiple,
-// is divided out.
+// Polynomials in u of which one is zero at the least u of the zeros of f, see above.
 template <class FT> std::vector<Power_polynomial<FT>> ends_of_zeros(Polynomial_in_v<FT> f, Work_meter& work) {
-  for (;;) {
-    std::vector<Power_polynomial<FT>> ends;
-    divide_by_content(f, work);
-    Polynomial_in_v<FT> a = f, b = derivative_in_v(f, work);
-    while (!b.empty()) {
-      pseudo_remainder(a, b, work);
-      if (!a.empty()) ends.push_back(divide_by_content(a, work));
-      a.swap(b);
-    }
-    if (a.size() == 1) {
-      ends.push_back(a[0]);
-      return ends;
-    }
-    f = pseudo_remainder(f, a, work);
+  std::vector<Power_polynomial<FT>> ends;
+  Polynomial_in_v<FT> g = derivative_in_v(f, work);
+  divide_by_content(f, work);
+  for (; !g.empty(); f.swap(g)) {
+    pseudo_remainder(f, g, work);
+    if (!f.empty()) ends.push_back(divide_by_content(f, work));
   }
+  return ends;
 }
 
 // Whether f, given by the coefficients of u^i v^j in row i, has a zero on the unit square. \pre it has none on the boundary

@@ -1,0 +1,81 @@
+// Copyright (c) 2026 The Geometric_continuity developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+// Edges of B-spline surfaces that are proved to be smooth on all spans at once.
+
+#include <boost/test/unit_test.hpp>
+
+#include "support/nets.h"
+
+#include <CGAL/Geometric_continuity/edges/edge_continuity.h>
+#include <CGAL/Geometric_continuity/edges/internal/spline_edge_on_grid.h>
+
+#include <optional>
+#include <vector>
+
+#ifdef CGAL_GEOMETRIC_CONTINUITY_HAS_FIXED_INTEGER
+
+BOOST_AUTO_TEST_CASE(parts_of_one_spline) {
+  typedef GC::Traits_3<CGAL::Simple_cartesian<Q>> Exact;
+  typedef GC::Traits_3<CGAL::Epick> Filtered;
+  typedef GC::Bspline_surface<Exact> Surface;
+  typedef GC::Bspline_surface<Filtered> Given;
+  typedef GC::Knot_vector<Q> Knots;
+  using GC::internal::Edge_direction;
+
+  Random random;
+  const Knots u(3, Q(0), Q(10), {{Q(1), 1}, {Q(3), 1}, {Q(4), 1}, {Q(6), 1}}), v(3, Q(0), Q(3), {{Q(2), 1}});
+  const Q unit(64 * 729 * 125 * 49); // so that all that is cut from the spline is whole
+  std::vector<std::vector<Exact::Point>> net(u.number_of_coefficients());
+  for (int i = 0; i < u.number_of_coefficients(); ++i)
+    for (int j = 0; j < v.number_of_coefficients(); ++j)
+      net[i].emplace_back(Q(unit * Q(20 * i + random.integer(0, 5))), Q(unit * Q(20 * j + random.integer(0, 5))),
+                          Q(unit * Q(random.integer(0, 9))));
+  const Surface whole = Surface(net, u, v).insert_u(Q(4), 2);
+  // Control points first, ..., last over knots; one of them may be lifted, and knots be multiplied.
+  const auto part = [&](int first, int last, const Knots& knots, int lifted, int factor) {
+    std::vector<std::vector<Filtered::Point>> points;
+    for (int i = first; i <= last; ++i) {
+      points.emplace_back();
+      for (int j = 0; j < v.number_of_coefficients(); ++j) {
+        const Exact::Point& x = whole.control_point(i, j);
+        for (const Q& y : {x.x(), x.y(), x.z()}) BOOST_REQUIRE(Q(CGAL::to_double(y)) == y);
+        points.back().emplace_back(CGAL::to_double(x.x()), CGAL::to_double(x.y()),
+                                   CGAL::to_double(x.z()) + (i == lifted && j == 2));
+      }
+    }
+    const auto rounded = [](const Knots& t, double by) {
+      std::vector<double> result;
+      for (const Q& x : t) result.push_back(by * CGAL::to_double(x));
+      return GC::Knot_vector<double>(t.degree(), result);
+    };
+    return Given(points, rounded(knots, factor), rounded(v, 1));
+  };
+  const Knots before(3, Q(0), Q(4), {{Q(1), 1}, {Q(3), 1}}), after(3, Q(4), Q(10), {{Q(6), 1}});
+  const auto left = [&](int lifted) { return part(0, 5, before, lifted, 1); };
+  const Given right = part(5, 9, after, -1, 1), faster = part(5, 9, after, -1, 4);
+  const auto found = [](const Given& a, Patch_edge edge_a, const Given& b, Patch_edge edge_b) {
+    return GC::internal::smooth_spline_edge(a, edge_a, b, edge_b);
+  };
+  const auto order = [](const Given& a, Patch_edge edge_a, const Given& b, Patch_edge edge_b) {
+    return GC::edge_continuity(a, edge_a, b, edge_b).g_order;
+  };
+  for (const Given& b : {right, faster}) {
+    BOOST_CHECK(found(left(-1), u1, b, u0) == Edge_direction::same);
+    BOOST_CHECK(found(b, u0, left(-1), u1) == Edge_direction::same);
+    BOOST_CHECK(found(left(-1), u1, b.reverse_v(), u0) == Edge_direction::opposite);
+    BOOST_CHECK(found(left(-1).reverse_u(), u0, b.swap_parameters(), v0) == Edge_direction::same);
+    BOOST_CHECK_EQUAL(order(left(-1), u1, b, u0), 2);
+    BOOST_CHECK(!found(left(5), u1, b, u0)); // another edge
+    BOOST_CHECK(!found(left(4), u1, b, u0));
+    BOOST_CHECK_EQUAL(order(left(4), u1, b, u0), 0);
+    BOOST_CHECK(!found(left(3), u1, b, u0));
+    BOOST_CHECK_EQUAL(order(left(3), u1, b, u0), 1);
+    BOOST_CHECK(found(left(2), u1, b, u0) == Edge_direction::same); // beyond the second derivative
+    BOOST_CHECK(!found(left(-1), u0, b, u0));
+    BOOST_CHECK(!found(left(-1), u1, left(-1), u1)); // a fold
+  }
+}
+
+#endif // CGAL_GEOMETRIC_CONTINUITY_HAS_FIXED_INTEGER
