@@ -105,9 +105,12 @@ public:
 
   std::string angle() const {
     const Interval sine = length(cross(x_[1], y_[1])), cosine = dot(x_[1], y_[1]);
+    const double least = (std::max)(0.0, sine.inf()), largest = sine.sup(); // 0 without a sign
+    // the angle falls with the cosine; with the sine it grows up to a right angle, and falls beyond
+    const double low = std::atan2(cosine.sup() < 0 ? largest : least, cosine.sup()),
+                 high = std::atan2(cosine.inf() < 0 ? least : largest, cosine.inf());
     const double rounding = 1e-14; // of atan2() in any rounding mode
-    return text(Interval(std::atan2(sine.inf(), cosine.sup()) * degrees * (1 - rounding),
-                         std::atan2(sine.sup(), cosine.inf()) * degrees * (1 + rounding)));
+    return text(Interval(low * degrees * (1 - rounding), high * degrees * (1 + rounding)));
   }
 
   bool is_cusp() const {
@@ -217,8 +220,9 @@ template <class Numbers> std::string last_columns(const Join& join, int dimensio
 } // namespace
 
 std::string rounded(double x, int digits) {
-  char text[64]; // as printf() does with %g
-  return std::string(text, std::to_chars(text, text + sizeof text, x, std::chars_format::general, digits).ptr);
+  char text[64]; // as printf() does with %g, but zero has no sign
+  return std::string(text,
+                     std::to_chars(text, text + sizeof text, x == 0 ? 0.0 : x, std::chars_format::general, digits).ptr);
 }
 
 std::string counted(std::size_t n, const std::string& noun) {

@@ -74,6 +74,22 @@ for x in 0.5 1/2 +.50 500000000000000000000000000000e-30 5E-1 2/4; do
 done
 holds [ "$(sort halves.txt | uniq -c | grep -cv '^ *6 ')" -eq 0 ]
 
+# shape parameters, in the units of the parameters
+for x in 0.5 1/2 500000000000000000000000000000e-30; do
+  { spline $'4 4\n0 0 0 0 .3 .3 .3 .3\n0 0 0\n1 0 0\n2 0 0\n3 0 0' && spline "4 4"$'\n'"0 0 0 0 $x $x $x $x"$'\n3 0 0\n4 0 0\n5.5 0 0\n7 1 0'; } >half.g2
+  run 0 verify half.g2 --json && says out '"betas":["3/5","6/5"'
+done
+# zero has no sign: a straight line to the left and a parabola
+for x in 1 1/1; do
+  { curve $'2 0\n2 2\n0 0 1 1\n'"$x"$' 1\n0 0' && curve $'2 0\n3 3\n0 0 0 1 1 1\n0 0\n-1 -1\n-2 -3'; } >line.g2
+  run 0 verify line.g2 && says out "curvature jumps from 0 to 0.1768"
+done
+# an angle of which few digits are known without the exact numbers
+for x in -1e-160 "-1/1$(printf '%0160d' 0)"; do
+  { curve $'2 0\n2 2\n0 0 1 1\n'"$x"$' 0\n0 0' && curve $'2 0\n2 2\n0 0 1 1\n0 0\n-9.928249e-162 9.883783e-162'; } >line.g2
+  run 0 verify line.g2 && says out "kink of 135.1 degrees"
+done
+
 # The rows of --summary are those of the full table that fail.
 run 1 verify decimal.g2 --require G2 && mv out full.txt
 run 1 verify decimal.g2 --require G2 --summary && mv out summary.txt

@@ -91,7 +91,7 @@ public:
     text.swap(rest_);
     rest_.clear();
     std::size_t end = 0; // of the last complete word
-    while (!ended_ && (end == 0 || text.size() < 4) && text.size() <= max_number_length) {
+    while (!ended_ && end == 0 && text.size() <= max_number_length) {
       read_more(text);
       end = text.size();
       while (end > 0 && !is_white_space(text[end - 1])) --end;
