@@ -24,11 +24,16 @@ CGAL_GEOMETRIC_CONTINUITY_LOOP_WARNINGS_OFF
 /// point. They are written to `jet`, which has the dimension n.
 
 namespace CGAL {
+template <bool is_protected> class Interval_nt;
+
 namespace Geometric_continuity {
 namespace internal {
 
-// Whether jets of low order are unrolled: for a degree known at compile time, and else for numbers with which that pays.
-template <class FT, int Degree> constexpr bool unrolls_jets = Degree >= 0 || std::is_floating_point_v<FT>;
+// Whether jets of low order are unrolled: for a degree known at compile time, and else for numbers with which that pays; for
+// intervals as for the floating-point numbers whose rounding errors they enclose.
+template <class FT> struct Is_floating_point_or_interval : std::is_floating_point<FT> {};
+template <bool is_protected> struct Is_floating_point_or_interval<Interval_nt<is_protected>> : std::true_type {};
+template <class FT, int Degree> constexpr bool unrolls_jets = Degree >= 0 || Is_floating_point_or_interval<FT>::value;
 
 // Of the curves below, Level and k are known at compile time, and N is n, or 0 when it is known at run time only. The coordinates are
 // those of the level of de Casteljau's algorithm at u with Level + 1 points; the first one of a curve has Level == degree. The

@@ -47,7 +47,7 @@ template <class Field, class Polynomial> class Fixed_largest_measure {
   };
 
   static constexpr int least_level = 5; // as in Largest_measure
-  static constexpr int most_level = 50, last_level_of_place = 10;
+  static constexpr int most_level = 50, last_level_of_place = 16;
   static constexpr std::size_t most_pieces = 32;
 
   const Polynomial &exact_s_, &exact_p_;
