@@ -20,9 +20,12 @@
 #include <array>
 #include <cstdint>
 #include <map>
+#include <numeric>
 #include <random>
 #include <sstream>
 #include <string>
+#include <tuple>
+#include <utility>
 #include <vector>
 
 namespace GC = CGAL::Geometric_continuity;
@@ -229,4 +232,38 @@ BOOST_AUTO_TEST_CASE(decimals_in_space) { check_all_classes<3, Exact_3>(); }
 BOOST_AUTO_TEST_CASE(inner_knots) {
   check_splines<2, Exact_2>();
   check_splines<3, Exact_3>();
+}
+
+// Coordinates that are no doubles, with legs that are multiples of 2^32: the form for G2 is a multiple of 2^128, so that short residues
+// of it are 0, and smaller than the rounding errors, but not always 0.
+BOOST_AUTO_TEST_CASE(residues_that_vanish) {
+  random_bits.seed(20261124);
+  const std::int64_t offset = (std::int64_t(1) << 58) - 1, unit = std::int64_t(1) << 32;
+  for (int i = 0; i < 50; ++i) {
+    const std::int64_t a = 4096 + below(4096), b = 4096 + below(4096);
+    if (a == b || std::gcd(a, b) != 1) continue;
+    // a^2 x - b^2 y = 1, by Euclid's algorithm
+    std::int64_t r = a * a, s = b * b, x = 1, next = 0;
+    while (s != 0) {
+      const std::int64_t q = r / s;
+      std::tie(r, s) = std::make_pair(s, r - q * s);
+      std::tie(x, next) = std::make_pair(next, x - q * next);
+    }
+    if (x < 0) x += b * b;
+    for (const bool holds : {false, true}) {
+      const std::int64_t right = holds ? b * b : x, left = holds ? a * a : (a * a * x - 1) / (b * b);
+      BOOST_REQUIRE_EQUAL(a * a * right - b * b * left, holds ? 0 : 1);
+      const std::int64_t points[2][4][2] = {{{-3 * a, 7}, {-2 * a, left}, {-a, 0}, {0, 0}},
+                                            {{0, 0}, {b, 0}, {2 * b, right}, {3 * b, 5}}};
+      std::string file;
+      for (const auto& curve : points) {
+        file += "100 1 0 0 2 0\n4 4\n0 0 0 0 1 1 1 1\n";
+        for (const auto& point : curve)
+          for (const std::int64_t coordinate : point) file += std::to_string(offset + unit * coordinate) + ' ';
+        file += '\n';
+      }
+      const auto spans = read_spans<Exact_2, GC::Text_number>(file);
+      BOOST_CHECK_EQUAL(check_join(spans[0], spans[1], file) >= 2, holds);
+    }
+  }
 }
