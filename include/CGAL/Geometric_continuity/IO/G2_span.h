@@ -10,7 +10,6 @@
 #include <CGAL/Geometric_continuity/joins/join_continuity.h>
 #include <CGAL/Geometric_continuity/local/Curve_end_jets.h>
 
-#include <algorithm>
 #include <memory>
 
 namespace CGAL {

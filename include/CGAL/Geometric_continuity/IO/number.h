@@ -137,9 +137,7 @@ template <class FT> FT floating_point_value(std::string_view text, const Number_
 template <class FT> bool short_decimal_value(const Short_decimal& decimal, FT& value) {
   if constexpr (Rational_parts<FT>::value) {
     if (!decimal.exists() || decimal.exponent < -Short_decimal::max_digits || decimal.exponent > 0) return false;
-    std::int64_t denominator = 1;
-    for (int e = decimal.exponent; e < 0; ++e) denominator *= 10;
-    value = Rational_parts<FT>::make_short(decimal.digits, denominator);
+    value = Rational_parts<FT>::make_short(decimal.digits, power_of_ten<std::int64_t>(-decimal.exponent));
     return true;
   } else
     return false;

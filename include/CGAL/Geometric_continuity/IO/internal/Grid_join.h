@@ -150,19 +150,14 @@ public:
   std::pair<Jet, Jet> enclosed_jets() const {
     Interval unit(1);
     unit /= interval(denominator_);
-    for (int e = exponent_; e < 0; e += 22) unit /= Interval(e < -22 ? 1e22 : power_of_ten(-e));
+    for (int e = exponent_; e < 0; e += 22) // exact up to 10^22
+      unit /= Interval(power_of_ten<double>((std::min)(-e, 22)));
     if (has_integers_)
       return {jet<true>(left_.points, left_.degree, unit), jet<false>(right_.points, right_.degree, unit)};
     return {jet<true>(double_left_.points, left_.degree, unit), jet<false>(double_right_.points, right_.degree, unit)};
   }
 
 private:
-  static double power_of_ten(int e) {
-    double power = 1;
-    for (; e > 0; --e) power *= 10; // exact up to 10^22
-    return power;
-  }
-
   static Interval interval(double x) { return Interval(x); }
   static Interval interval(std::int64_t x) {
     const double infinity = std::numeric_limits<double>::infinity(), near = static_cast<double>(x);

@@ -47,12 +47,11 @@ CGAL_GC_FORCEINLINE Join_answer decide_on_long_integers(const Long_end<N>& left,
   const int m = left.degree, n = right.degree;
   const Legs<std::int64_t, N> legs_a = legs_of<k>(left.points), legs_b = legs_of<k>(right.points);
   const int pivot = is_parametric(question) ? 0 : largest_coordinate(legs_a[0]);
+  const Legs<double, N> rounded_a = converted<k, double>(legs_a), rounded_b = converted<k, double>(legs_b);
   if constexpr (!is_parametric(question)) {
-    const std::int64_t x = coordinate_at(legs_a[0], pivot), y = coordinate_at(legs_b[0], pivot);
-    if constexpr (is_geometric(question)) {
-      if (!((x < 0 && 0 < y) || (0 < x && y < 0))) return decided(Join_stage::comparison, Join_answer::no);
-    } else if (x == 0 || any_bits(legs_b[0]) == 0)
-      return decided(Join_stage::comparison, Join_answer::undefined);
+    const std::array<double, N> zero{};
+    const Join_answer by_signs = decide_by_signs<question>(internal::minus(zero, rounded_a[0]), rounded_b[0], pivot);
+    if (by_signs != Join_answer::unknown) return decided(Join_stage::comparison, by_signs);
   }
   if ((std::max)(m, n) > 1000) return Join_answer::unknown;
   Join_weights_of<question, std::int64_t> w;
@@ -62,7 +61,6 @@ CGAL_GC_FORCEINLINE Join_answer decide_on_long_integers(const Long_end<N>& left,
     if (!weights_fit<k>(w)) return Join_answer::unknown;
   } else
     w = Join_weights<std::int64_t>::template geometric<question>(m, n);
-  const Legs<double, N> rounded_a = converted<k, double>(legs_a), rounded_b = converted<k, double>(legs_b);
   const Difference_bounds A = bounds_of_differences<k>(rounded_a), B = bounds_of_differences<k>(rounded_b);
   const Weights weights = converted<double>(w);
   const Filter filter{A, B, weights};
