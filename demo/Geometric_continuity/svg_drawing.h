@@ -24,6 +24,7 @@ struct Drawing_element {
   std::string file, name, id; // the id may be empty
   long long line;
   GC::Svg_transform<Drawing_traits> transform = {}; // from its own coordinates to those of the drawing
+  int decimals = -1; // of the numbers of a path or a polygon as they are written, at most; otherwise -1
 
   // Returns the name, the id and the line, e.g. path "leaf" (line 12).
   std::string text() const;

@@ -119,8 +119,8 @@ class Drawing_report : public Drawing_handler {
     return *grade == GC::Join_grade::corner || drawn;
   }
 
-  std::string text(const Segment& left, const Segment& right, const Decision& decision, const Grade& grade,
-                   const Drawing_kink& kink) const {
+  std::string text(const Drawing_kink_words& words, const Segment& left, const Segment& right, const Decision& decision,
+                   const Grade& grade) const {
     const std::string point = "(" + rounded(CGAL::to_double(right.start().x()), 6) + ", " +
                               rounded(CGAL::to_double(right.start().y()), 6) + ')';
     std::string s = "commands " + command(left) + " - " + command(right) + " at " + point + ": ";
@@ -128,16 +128,16 @@ class Drawing_report : public Drawing_handler {
     s += 'G' + std::to_string(decision->g_order);
     if (decision->g_order == max_order_) s += " or more";
     if (decision->regular && !*decision->tangent_equal)
-      return s + ", " + kink.text(left, right, *grade) + explanation(*decision, left, right);
-    std::optional<std::string> words;
-    GC::visit_enclosures(left, right, [&](const auto& x, const auto& y) { words = remark(*decision, x, y); });
-    if (!words) words = remark(*decision, rounded_end_jet(left), rounded_start_jet(right));
-    s += ", " + *words + explanation(*decision, left, right);
-    return decision->regular || !grade ? s : s + ", drawn as " + kink.text(left, right, *grade);
+      return s + ", " + words(left, right, *grade) + explanation(*decision, left, right);
+    std::optional<std::string> remark_text;
+    GC::visit_enclosures(left, right, [&](const auto& x, const auto& y) { remark_text = remark(*decision, x, y); });
+    if (!remark_text) remark_text = remark(*decision, rounded_end_jet(left), rounded_start_jet(right));
+    s += ", " + *remark_text + explanation(*decision, left, right);
+    return decision->regular || !grade ? s : s + ", drawn as " + words(left, right, *grade);
   }
 
   std::string json(std::size_t left_number, std::size_t right_number, const Segment& left, const Segment& right,
-                   const Decision& decision, const Grade& grade, const Drawing_kink& kink) const {
+                   const Decision& decision, const Grade& grade) const {
     std::ostringstream s;
     if (decision)
       GC::write_json_members(s << '{', *decision, static_cast<int>(left_number), static_cast<int>(right_number));
@@ -146,7 +146,7 @@ class Drawing_report : public Drawing_handler {
         << ",\"c_order\":null,\"g_order\":null,\"f_order\":null,\"betas\":[],\"undecided\":" << json_string(undecided);
     s << ",\"left_command\":" << left.command << ",\"left_letter\":\"" << left.letter
       << "\",\"right_command\":" << right.command << ",\"right_letter\":\"" << right.letter << '"';
-    kink.write_json(s, left, right, grade);
+    write_drawing_kink(s, left, right, grade);
     return s.str();
   }
 
@@ -172,7 +172,7 @@ public:
 
   void subpath(const Drawing_element& element, int number, const Drawing_subpath& path) override {
     const std::size_t n = path.segments.size();
-    const Drawing_kink kink(element, path);
+    const Drawing_kink_words words(element);
     for (std::size_t i = 0; i < (path.closed ? n : n - 1); ++i) {
       const Segment &left = path.segments[i], &right = path.segments[(i + 1) % n];
       const Decision decision = within_work_limit(
@@ -189,11 +189,11 @@ public:
       const bool printed = !mode_.summary || fails;
       if (printed && json_)
         out_.write((std::exchange(has_row_, true) ? ",\n " : "\n ") +
-                   json(segments_ + i, segments_ + (i + 1) % n, left, right, decision, grade, kink) + ',' +
+                   json(segments_ + i, segments_ + (i + 1) % n, left, right, decision, grade) + ',' +
                    json_element(element) + ",\"subpath\":" + std::to_string(number) + '}');
       else if (printed)
         out_.write(name(element) + ", subpath " + std::to_string(number) + ", " +
-                   text(left, right, decision, grade, kink) + '\n');
+                   text(words, left, right, decision, grade) + '\n');
       ++joins_;
       show_progress_();
     }

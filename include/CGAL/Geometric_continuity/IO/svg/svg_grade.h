@@ -80,8 +80,17 @@ template <class Traits>
 std::optional<Join_grade> join_grade(const Svg_segment<Traits>& left, const Svg_segment<Traits>& right,
                                      const Kink_bound& bound = internal::usual_kink_bound(),
                                      Work_limit limit = Work_limit()) {
-  if (left.bezier() && right.bezier()) return join_grade(*left.bezier(), *right.bezier(), bound);
   std::optional<bool> corner;
+  if (left.bezier() && right.bezier()) {
+    // The first derivatives are multiples of the handles, or zero.
+    visit_enclosures(left, right, [&](const auto& x, const auto& y) {
+      const auto c = x[1][0] * y[1][1] - x[1][1] * y[1][0], d = x[1][0] * y[1][0] + x[1][1] * y[1][1];
+      if (0 < c.inf() || c.sup() < 0)
+        corner = bound.is_exceeded(c.inf(), d.inf(), (c.sup() - c.inf()) + (d.sup() - d.inf()));
+    });
+    if (corner && left.end() == right.start()) return *corner ? Join_grade::corner : Join_grade::kink;
+    return join_grade(*left.bezier(), *right.bezier(), bound);
+  }
   const bool directed = internal::visit_direction_products(left, right, [&](const auto& p) {
     typedef std::decay_t<decltype(p.dot)> Field;
     if (p.cross != Field(0) || p.dot < Field(0)) corner = bound.is_exceeded(p.cross, p.dot);
