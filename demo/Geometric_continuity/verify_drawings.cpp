@@ -238,8 +238,7 @@ private:
     if (undecided_ != 0) os << separator << undecided_ << " undecided";
     const std::string unverified =
         not_read_.empty() ? "" : "; " + counted(not_read_.size(), "element") + " not verified";
-    os << unverified << '\n';
-    if (joins_ != 0) print_grades(os);
+    os << unverified << grades() << '\n';
     if (joins_ == 0)
       os << "no join, nothing was decided\n";
     else if (required_ && failing_ == 0)
@@ -255,10 +254,12 @@ private:
     return found == grades_.end() ? 0 : found->second;
   }
 
-  void print_grades(std::ostream& os) const {
-    os << "drawn as " << counted(count(GC::Join_grade::corner), "corner") << ", "
-       << counted(count(GC::Join_grade::kink), "kink") << " of at most " << kinks_.degrees << " degrees, "
-       << count(GC::Join_grade::g1) << " G1, " << count(GC::Join_grade::g2) << " G2 or more\n";
+  std::string grades() const {
+    if (joins_ == 0) return "";
+    return "; drawn as " + counted(count(GC::Join_grade::corner), "corner") + ", " +
+           counted(count(GC::Join_grade::kink), "kink") + " of at most " + kinks_.degrees + " degrees, " +
+           std::to_string(count(GC::Join_grade::g1)) + " G1, " + std::to_string(count(GC::Join_grade::g2)) +
+           " G2 or more";
   }
 
   void print_json_summary(std::ostream& os) const {
