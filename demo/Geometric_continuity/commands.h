@@ -20,7 +20,7 @@ class Work_limit;
 enum Exit_code { requirement_met = 0, requirement_not_met = 1, bad_input = 2 };
 
 // How `verify` prints what it decided.
-enum class Report_format { text, json };
+enum class Report_format { text, json, sarif, junit };
 
 // How `verify` reports and judges what it decided.
 struct Report_mode {
