@@ -24,6 +24,21 @@ enum class Finding_rule {
   not_verified // what cannot be read or compared
 };
 
+// The name of a rule in reports.
+inline std::string rule_id(Finding_rule rule) {
+  switch (rule) {
+  case Finding_rule::gap: return "gap";
+  case Finding_rule::corner: return "corner";
+  case Finding_rule::kink: return "kink";
+  case Finding_rule::tangent: return "tangent";
+  case Finding_rule::curvature: return "curvature";
+  case Finding_rule::derivative: return "derivative";
+  case Finding_rule::undecided: return "undecided";
+  case Finding_rule::not_verified: break;
+  }
+  return "not-verified";
+}
+
 // note: nothing is required. warning: not all could be verified. error: the requirement is not met.
 enum class Finding_level { note, warning, error };
 
@@ -47,14 +62,20 @@ public:
 
   virtual void add(const Finding& finding) = 0;
 
-  // Tells that so many places of a file are as they should be. A file is named in the report also when there are none.
-  virtual void add_passed(const std::string& file, std::size_t places) = 0;
+  // Tells that so many more places of a file, e.g. "joins", are as they should be. So that a file is named in the report, it is
+  // called for each file, also with 0.
+  virtual void add_passed(const std::string& file, std::size_t number, const std::string& places) = 0;
 
   // Writes the report. The summary consists of members of a JSON object, e.g. `"joins":3,"met":true`.
   virtual void print(std::ostream& os, const std::string& summary) = 0;
 };
 
+std::unique_ptr<Finding_writer> sarif_writer();
+std::unique_ptr<Finding_writer> junit_writer();
+
 // Returns a writer for Report_format::sarif or Report_format::junit.
-std::unique_ptr<Finding_writer> finding_writer(Report_format format);
+inline std::unique_ptr<Finding_writer> finding_writer(Report_format format) {
+  return format == Report_format::sarif ? sarif_writer() : junit_writer();
+}
 
 #endif // GEOMETRIC_CONTINUITY_DEMO_FINDING_H
