@@ -28,6 +28,9 @@ struct Report_mode {
   bool strict = false;      // what could not be verified counts as not met
   bool allow_empty = false; // nothing to decide is no error
   bool summary = false;     // only the counts and what does not meet the requirement
+
+  // Whether the report consists of findings.
+  bool has_findings() const { return format == Report_format::sarif || format == Report_format::junit; }
 };
 
 typedef std::vector<std::string> Arguments;
