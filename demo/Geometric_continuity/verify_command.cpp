@@ -28,7 +28,9 @@ The inner knots of a curve are joins as well.
 With --surfaces it finds all edges that the surfaces of the files share, and
 decides G1 and G2 along each whole edge and along the knot lines inside
 B-spline surfaces. For SVG drawings it decides the joins of every path and
-basic shape, and names the element and the commands.
+basic shape, and names the element and the commands. It tells what they look
+like: a corner, a kink, which is an angle of at most 5 degrees, G1 or G2. With
+--kink-angle corners are meant, and need not meet --require.
 
 --within 0.001,0.01deg,2% also tells how far each join is from continuous, in
 guaranteed bounds, and which orders it has when the ends may be apart by this
@@ -72,6 +74,17 @@ Report_format report_format(const Command_line& line) {
   return Report_format::json;
 }
 
+// The largest angle that is a kink.
+Kink_rule kink_rule(const Command_line& line) {
+  const bool given = line.has("kink-angle");
+  const std::string degrees = given ? line.text("kink-angle") : "5";
+  try {
+    return {degrees, GC::Kink_bound(line.number<Exact>("kink-angle", Exact(5))), given};
+  } catch (const GC::Error&) {
+    throw std::invalid_argument("--kink-angle: " + degrees + " is not between 0 and 180 degrees");
+  }
+}
+
 } // namespace
 
 int verify_command(const Arguments& arguments) {
@@ -82,6 +95,9 @@ int verify_command(const Arguments& arguments) {
     add("require", po::value<std::string>(), "the order that every join must have: C1, G2, F3, ...");
     add("within", po::value<std::string>(),
         "the tolerance: GAP,ANGLEdeg,CURVATURE%[,TORSION], or a preset; with --surfaces GAP,ANGLEdeg");
+    add("kink-angle", po::value<std::string>(),
+        "for drawings: the largest angle that is a kink, in degrees, instead of 5; what is larger is a corner, which "
+        "need not meet the requirement then");
     add("strict", "what cannot be verified counts as not met");
     add("allow-empty", "accept that there is no join");
     add("summary", "print only the counts and what does not meet the requirement; so it is on a terminal for more than "
@@ -105,7 +121,8 @@ int verify_command(const Arguments& arguments) {
     if (drawings != static_cast<std::ptrdiff_t>(files.size()))
       throw std::invalid_argument("drawings (.svg) and curves (.g2) cannot be verified together");
     line.refuse({"surfaces", "closed", "within", "kernel"}, "not for drawings");
-  }
+  } else
+    line.refuse({"kink-angle"}, "only for drawings");
   if (line.has("surfaces")) {
     line.refuse({"closed", "max-order", "kernel"}, "not with --surfaces");
     std::optional<GC::Edge_tolerance> tolerance;
@@ -122,7 +139,7 @@ int verify_command(const Arguments& arguments) {
   if (line.has("within")) demand.tolerance = parse_tolerances(line.text("within"), false);
   if (required && demand.tolerance && (required->kind() == GC::Continuity_kind::C || required->order() > 3))
     throw std::invalid_argument("--require " + required->text() + ": within a tolerance, G or F up to 3 are decided");
-  if (drawings != 0) return verify_drawings(files, demand.max_order, demand.limit, mode, required);
+  if (drawings != 0) return verify_drawings(files, demand.max_order, demand.limit, mode, required, kink_rule(line));
   const bool rounded = line.choice("kernel", {"exact", "double"}) == "double";
   return verify_chain(files, rounded, line.has("closed"), mode, demand);
 }
