@@ -9,6 +9,7 @@
 #include <CGAL/Geometric_continuity/joins/Join_grade.h>
 #include <CGAL/Geometric_continuity/joins/Kink_size.h>
 
+#include <algorithm>
 #include <array>
 #include <optional>
 #include <type_traits>
@@ -50,6 +51,24 @@ bool visit_direction_products(const Svg_segment<Traits>& left, const Svg_segment
   });
 }
 
+// The angle with these products. With square roots, the tangent or cotangent that is at most 1 is enclosed before it is squared: the roots
+// in its square would cancel, and leave the more of an error the smaller it is.
+template <class FT, class Field> Enclosure angle_of_products(const Leg_products<Field>& p) {
+  if constexpr (std::is_same_v<FT, Field>)
+    return angle_enclosure(FT(p.cross * p.cross), p.dot);
+  else {
+    const Field zero(0), c = p.cross < zero ? Field(-p.cross) : p.cross, d = p.dot < zero ? Field(-p.dot) : p.dot;
+    const bool steep = d < c;
+    const Enclosure q = enclosure(steep ? Field(d / c) : Field(c / d));
+    const auto angle = [&](double x) -> Enclosure {
+      const FT one(1), t((std::max)(x, 0.)), cosine = steep ? t : one;
+      return angle_enclosure(steep ? one : FT(t * t), p.dot < zero ? FT(-cosine) : cosine);
+    };
+    const Enclosure first = angle(q.lower), second = angle(q.upper);
+    return {(std::min)(first.lower, second.lower), (std::max)(first.upper, second.upper)};
+  }
+}
+
 } // namespace internal
 
 /// \ingroup PkgGeometricContinuityIO
@@ -81,10 +100,8 @@ std::optional<Join_grade> join_grade(const Svg_segment<Traits>& left, const Svg_
 template <class Traits>
 std::optional<Enclosure> tangent_angle(const Svg_segment<Traits>& left, const Svg_segment<Traits>& right) {
   std::optional<Enclosure> angle;
-  internal::visit_direction_products(left, right, [&](const auto& p) {
-    typedef std::decay_t<decltype(p.dot)> Field;
-    angle = angle_enclosure(Field(p.cross * p.cross), p.dot);
-  });
+  internal::visit_direction_products(
+      left, right, [&](const auto& p) { angle = internal::angle_of_products<typename Traits::FT>(p); });
   return angle;
 }
 
