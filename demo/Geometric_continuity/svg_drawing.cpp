@@ -18,6 +18,7 @@
 #include <expat.h>
 
 #include <algorithm>
+#include <charconv>
 #include <exception>
 #include <memory>
 #include <optional>
@@ -42,6 +43,30 @@ const std::set<std::string> skipped{"defs",     "symbol", "clipPath",       "mas
                                     "pattern",  "style",  "linearGradient", "radialGradient", "filter",
                                     "script",   "title",  "desc",           "metadata",       "foreignObject",
                                     "flowRoot", "font",   "text",           "image"};
+
+// The largest number of digits behind the point, when exponents are written out.
+int most_decimals(std::string_view text) {
+  int most = 0;
+  const char *p = text.data(), *const end = p + text.size();
+  const auto digit = [&] { return p != end && '0' <= *p && *p <= '9'; };
+  while (p != end) {
+    if (!digit() && *p != '.') {
+      ++p;
+      continue;
+    }
+    int decimals = 0, exponent = 0;
+    while (digit()) ++p;
+    if (p != end && *p == '.')
+      for (++p; digit(); ++p) ++decimals;
+    if (p != end && (*p == 'e' || *p == 'E')) {
+      ++p;
+      if (p != end && *p == '+') ++p;
+      p = std::from_chars(p, end, exponent).ptr;
+    }
+    most = (std::max)(most, decimals - exponent);
+  }
+  return most;
+}
 
 // The text of an error without its code.
 std::string reason(const GC::Error& error) {
@@ -161,6 +186,9 @@ class Drawing_reader {
                                                (element.id.empty() ? "" : " \"" + element.id + '"'));
     transforms_.push_back(transforms_.empty() ? Transform() : transforms_.back());
     if (attributes.has("transform") && attributes.text("transform") != "none") transform(attributes);
+    element.transform = transforms_.back();
+    for (const char* numbers : {"d", "points"})
+      if (attributes.has(numbers)) element.decimals = most_decimals(attributes.text(numbers));
     try {
       draw(element, attributes);
     } catch (const Relative_length& length) {
@@ -230,7 +258,9 @@ class Drawing_reader {
   void draw(const Drawing_element& element, int number, const Drawing_subpath& subpath) {
     if (subpath.segments.empty()) return;
     const Transform& map = transforms_.back();
-    if (map.determinant() != 0)
+    if (map.matrix() == Transform().matrix())
+      handler_.subpath(element, number, subpath);
+    else if (map.determinant() != 0)
       handler_.subpath(element, number, subpath.transform(map));
     else if (number == 1)
       handler_.not_read(element, "it is not drawn, because its transform is not invertible");

@@ -248,6 +248,7 @@ private:
   // Numbers with their denominators.
   bool set_fractions(std::int64_t* numerators, const std::int64_t* denominators, const std::int64_t* ends) {
     for (int k = 0; k < 8 * N; ++k) {
+      if (denominator_ % denominators[k] == 0) continue;
       const std::int64_t factor = denominators[k] / std::gcd(denominator_, denominators[k]);
       if (factor > largest / denominator_) return false;
       denominator_ *= factor;

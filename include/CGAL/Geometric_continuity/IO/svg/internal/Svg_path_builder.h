@@ -11,6 +11,7 @@
 #include <CGAL/Geometric_continuity/IO/svg/internal/svg_size.h>
 
 #include <initializer_list>
+#include <iterator>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -59,10 +60,12 @@ private:
   void add(std::vector<Coordinates> points) {
     if (points.size() > 2 && is_line_with_retracted_handle(points)) points.erase(points.begin() + 1, points.end() - 1);
     std::vector<typename Traits::Point> control_points;
+    control_points.reserve(points.size());
     for (const Coordinates& x : points) control_points.push_back(to_point<Traits>(x));
-    const Bezier_curve<Traits> curve(control_points.begin(), control_points.end());
-    subpath_.segments.push_back({curve, commands_, letter_});
-    current_ = points.back();
+    Bezier_curve<Traits> curve(std::make_move_iterator(control_points.begin()),
+                               std::make_move_iterator(control_points.end()));
+    subpath_.segments.push_back({std::move(curve), commands_, letter_});
+    current_ = std::move(points.back());
   }
 
 public:
@@ -87,7 +90,9 @@ public:
 
   // With the inner control points and the end of a curve of degree 2 or 3.
   void curve_to(const std::vector<Coordinates>& points) {
-    std::vector<Coordinates> all{current_};
+    std::vector<Coordinates> all;
+    all.reserve(points.size() + 1);
+    all.push_back(current_);
     all.insert(all.end(), points.begin(), points.end());
     control_ = all[all.size() - 2];
     control_degree_ = static_cast<int>(points.size());

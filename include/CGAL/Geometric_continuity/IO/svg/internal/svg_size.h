@@ -34,6 +34,11 @@ template <int bits, class FT> bool is_svg_short(const FT& x) {
   typedef CGAL::Fraction_traits<Exact> Fraction;
   if constexpr (std::is_same_v<typename Fraction::Is_fraction, CGAL::Tag_true> && !is_quotient<Exact>) {
     typedef typename Fraction::Numerator_type Integer;
+    static_assert(bits >= 60, "the numbers of Rational_parts are short");
+    if constexpr (Rational_parts<Exact>::value) {
+      std::int64_t n, d;
+      if (Rational_parts<Exact>::short_parts(Exact_number<FT>::of(x), n, d)) return true;
+    }
     static const Integer bound = power_of_two<Integer>(bits);
     Integer numerator;
     typename Fraction::Denominator_type denominator;
