@@ -38,7 +38,7 @@ inline void scale_parameters(Continuity& e, const Exact& factor) {
 // The decisions on a model, exact and within the tolerance. Parameters are printed times `parameter_unit`.
 template <class Surface> class Model_report {
   const std::vector<Surface>& surfaces_;
-  const Patch_files& files_;
+  const Patch_places& places_;
   const Report_mode mode_;
   const Edge_demand demand_;
   GC::Model_continuity<Exact> model_;
@@ -47,9 +47,9 @@ template <class Surface> class Model_report {
   std::size_t failing_edges_ = 0, failing_lines_ = 0, undecided_ = 0;
 
 public:
-  Model_report(const std::vector<Surface>& surfaces, const Patch_files& files, const Report_mode& mode,
+  Model_report(const std::vector<Surface>& surfaces, const Patch_places& places, const Report_mode& mode,
                const Edge_demand& demand, const Exact& parameter_unit)
-      : surfaces_(surfaces), files_(files), mode_(mode), demand_(demand), model_(decided(surfaces, demand.limit)) {
+      : surfaces_(surfaces), places_(places), mode_(mode), demand_(demand), model_(decided(surfaces, demand.limit)) {
     Progress progress("edges and knot lines within the tolerance");
     const auto step = [&] {
       const std::size_t done = edges_.size() + lines_.size();
@@ -167,7 +167,7 @@ private:
 };
 
 template <class Surface> void Model_report<Surface>::print_findings() const {
-  Model_findings findings(files_, mode_, required());
+  Model_findings findings(places_, mode_, required());
   for (std::size_t i = 0; i < edges_.size(); ++i) {
     const Edge& e = model_.edges[i];
     if (e.kind == GC::Model_edge_kind::shared) findings.add(e, edges_[i], state(e.continuity.g_order, edges_[i]));

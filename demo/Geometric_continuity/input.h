@@ -161,16 +161,27 @@ public:
   template <class Function> auto visit(Function f) const { return rational_.empty() ? f(polynomial_) : f(rational_); }
 };
 
+// Where a surface stands: in which file, by its number, and where it begins.
+struct Surface_place {
+  std::size_t file;
+  long long line;
+};
+
 // The surfaces of a model with the numbers as they are written, in their order; those with weights over exact numbers.
 template <class Exact_traits> class Surface_texts {
   typedef GC::Rational_bspline_surface<Exact_traits> Rational;
   std::vector<GC::G2_surface_text> texts_;
   std::vector<std::pair<std::size_t, Rational>> rational_; // behind so many texts
+  std::vector<Surface_place> places_;
 
 public:
   std::size_t size() const { return texts_.size() + rational_.size(); }
   void push_back(GC::G2_surface_text text) { texts_.push_back(std::move(text)); }
   void push_back(Rational surface) { rational_.emplace_back(texts_.size(), std::move(surface)); }
+
+  // Tells where the last surface stands.
+  void set_place(const Surface_place& place) { places_.push_back(place); }
+  const std::vector<Surface_place>& places() const { return places_; }
 
   // Brings all surfaces on a grid. Returns false if that is not possible.
   template <class Traits> bool on_grid(GC::G2_grid& grid, std::vector<GC::Bspline_surface<Traits>>& surfaces) const {
@@ -190,31 +201,37 @@ public:
   }
 };
 
-// Reads the surfaces of several files, which together are one model, with a reader for each file. Returns how many there are up
-// to the end of each file.
-template <class Reader, class Model>
-std::vector<std::size_t> read_surfaces(const std::vector<std::string>& files, Model& model) {
+// Reads the surfaces of several files, which together are one model, with a reader for each file. Calls note(file, reader) behind
+// each surface, with the number of the file.
+template <class Reader, class Model, class Note>
+void read_surfaces(const std::vector<std::string>& files, Model& model, Note note) {
   const Reading_position position(files);
   Progress progress("surfaces read");
-  std::vector<std::size_t> ends;
   for (std::size_t i = 0; i < files.size(); ++i) {
     Input input(files[i]);
     const auto step = [&] { progress.step(model.size(), [&] { return position.part(i, input); }); };
     input.after_each_block(step); // a surface may be large
     Reader reader(input, input_name(files[i]));
-    while (reader.visit_next([&](auto&& surface) { model.push_back(std::move(surface)); })) step();
-    ends.push_back(model.size());
+    while (reader.visit_next([&](auto&& surface) { model.push_back(std::move(surface)); })) {
+      note(i, reader);
+      step();
+    }
   }
-  return ends;
 }
 template <class Traits> Surface_model<Traits> read_surfaces(const std::vector<std::string>& files) {
+  typedef GC::G2_surface_reader<Traits, GC::Rational_bspline_surface<Traits>> Reader;
   Surface_model<Traits> model;
-  read_surfaces<GC::G2_surface_reader<Traits, GC::Rational_bspline_surface<Traits>>>(files, model);
+  read_surfaces<Reader>(files, model, [](std::size_t, const Reader&) {});
   return model;
 }
-template <class Exact_traits>
-std::vector<std::size_t> read_surface_texts(const std::vector<std::string>& files, Surface_texts<Exact_traits>& texts) {
-  return read_surfaces<GC::G2_surface_text_reader<Exact_traits>>(files, texts);
+
+template <class Exact_traits> Surface_texts<Exact_traits> read_surface_texts(const std::vector<std::string>& files) {
+  typedef GC::G2_surface_text_reader<Exact_traits> Reader;
+  Surface_texts<Exact_traits> texts;
+  read_surfaces<Reader>(files, texts, [&](std::size_t file, const Reader& reader) {
+    texts.set_place({file, reader.line()});
+  });
+  return texts;
 }
 
 #endif // GEOMETRIC_CONTINUITY_DEMO_INPUT_H

@@ -9,7 +9,6 @@
 #include "input.h"
 #include "model_json.h"
 
-#include <algorithm>
 #include <cstddef>
 #include <memory>
 #include <optional>
@@ -18,20 +17,19 @@
 #include <utility>
 #include <vector>
 
-// Which patches of a model are from which file.
-class Patch_files {
-  std::vector<std::string> names_;
-  std::vector<std::size_t> ends_; // how many patches there are up to the end of each file
+// Where the patches of a model stand.
+class Patch_places {
+  std::vector<std::string> names_; // of the files
+  std::vector<Surface_place> places_;
 
 public:
-  Patch_files(const Arguments& files, std::vector<std::size_t> ends) : ends_(std::move(ends)) {
+  Patch_places(const Arguments& files, std::vector<Surface_place> places) : places_(std::move(places)) {
     for (const std::string& file : files) names_.push_back(input_name(file));
   }
 
   const std::vector<std::string>& names() const { return names_; }
-  const std::string& name(std::size_t patch) const {
-    return names_[static_cast<std::size_t>(std::upper_bound(ends_.begin(), ends_.end(), patch) - ends_.begin())];
-  }
+  const std::string& name(std::size_t patch) const { return names_[places_[patch].file]; }
+  long long line(std::size_t patch) const { return places_[patch].line; }
 };
 
 // How an edge, a knot line or a pair of near edges does.
@@ -43,7 +41,7 @@ struct Edge_state {
 
 // The findings of a model.
 class Model_findings {
-  const Patch_files& files_;
+  const Patch_places& places_;
   const bool strict_;
   const std::string required_; // what a finding that fails is not, e.g. "G1"
   std::unique_ptr<Finding_writer> writer_;
@@ -72,11 +70,12 @@ class Model_findings {
            const std::string& verdict, const std::optional<Within>& within, const Edge_state& state, const Row& row,
            const More&... more) {
     if (!state.fails && !state.is_undecided && !state.is_noted) {
-      writer_->add_passed(files_.name(patch), 1, "edges and knot lines");
+      writer_->add_passed(places_.name(patch), 1, "edges and knot lines");
       return;
     }
     Finding f;
-    f.file = files_.name(patch);
+    f.file = places_.name(patch);
+    f.line = places_.line(patch);
     f.kind = kind;
     f.place = place;
     f.rule = state.is_undecided ? Finding_rule::undecided : rule(defect);
@@ -104,9 +103,9 @@ class Model_findings {
   }
 
 public:
-  Model_findings(const Patch_files& files, const Report_mode& mode, std::string required)
-      : files_(files), strict_(mode.strict), required_(std::move(required)), writer_(finding_writer(mode.format)) {
-    for (const std::string& name : files.names()) writer_->add_passed(name, 0, "edges and knot lines");
+  Model_findings(const Patch_places& places, const Report_mode& mode, std::string required)
+      : places_(places), strict_(mode.strict), required_(std::move(required)), writer_(finding_writer(mode.format)) {
+    for (const std::string& name : places.names()) writer_->add_passed(name, 0, "edges and knot lines");
   }
 
   void add(const Edge& e, const std::optional<Within>& within, const Edge_state& state) {
@@ -127,7 +126,8 @@ public:
 
   void add_collapsed(const Edge& e) {
     Finding f;
-    f.file = files_.name(e.patch_a);
+    f.file = places_.name(e.patch_a);
+    f.line = places_.line(e.patch_a);
     f.kind = "edge";
     f.place = edge_name(e.patch_a, e.edge_a);
     f.rule = Finding_rule::not_verified;

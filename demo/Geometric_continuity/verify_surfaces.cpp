@@ -27,12 +27,12 @@ using Surface_traits =
 // Decides the edges of surfaces with numbers FT, whose parameters are those of the files divided by `parameter_unit`. With a
 // tolerance the coordinates are those of the files.
 template <class FT>
-int verify_surfaces_on(const Surface_model<Surface_traits<FT>>& model, const Patch_files& files,
+int verify_surfaces_on(const Surface_model<Surface_traits<FT>>& model, const Patch_places& places,
                        const Report_mode& mode, const Edge_demand& demand, const Exact& parameter_unit) {
-  return within_work_limit([&] { return files.names().size() == 1 ? files.names()[0] : files.names()[0] + ", ..."; },
+  return within_work_limit([&] { return places.names().size() == 1 ? places.names()[0] : places.names()[0] + ", ..."; },
                            [&] {
                              return model.visit([&](const auto& surfaces) {
-                               return Model_report(surfaces, files, mode, demand, parameter_unit).print();
+                               return Model_report(surfaces, places, mode, demand, parameter_unit).print();
                              });
                            });
 }
@@ -44,8 +44,8 @@ int verify_surfaces(const Arguments& files, const Report_mode& mode, const std::
   typedef Surface_traits<Exact> Exact_traits;
   typedef Surface_traits<double> Double_traits;
   const Edge_demand demand{required_g_order, tolerance, limit};
-  Surface_texts<Exact_traits> texts;
-  const Patch_files patch_files(files, read_surface_texts(files, texts));
+  Surface_texts<Exact_traits> texts = read_surface_texts<Exact_traits>(files);
+  const Patch_places places(files, texts.places());
   if (!tolerance) { // which is in the units of the files
     GC::G2_grid grid;
     std::vector<GC::Bspline_surface<Double_traits>> surfaces;
@@ -53,8 +53,8 @@ int verify_surfaces(const Arguments& files, const Report_mode& mode, const std::
       Exact unit(1);
       for (int e = grid.exponent_of_knots(); e < 0; ++e) unit /= Exact(10);
       Surface_model<Double_traits> model(std::move(surfaces));
-      return verify_surfaces_on<double>(model, patch_files, mode, demand, unit);
+      return verify_surfaces_on<double>(model, places, mode, demand, unit);
     }
   }
-  return verify_surfaces_on<Exact>(texts.model(), patch_files, mode, demand, Exact(1));
+  return verify_surfaces_on<Exact>(texts.model(), places, mode, demand, Exact(1));
 }

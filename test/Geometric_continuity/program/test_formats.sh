@@ -78,10 +78,11 @@ formats drawings 1 1 0 0 1 drawing.svg --require G1 --kink-angle 5 && says sarif
 # surfaces
 formats surfaces 0 0 0 16 44 --surfaces "$teapot"
 formats surfaces 1 28 0 8 24 --surfaces "$teapot" --require G2 && says sarif '"ruleId":"tangent"' '"ruleId":"curvature"' '"kind":"edge"'
+holds [ "$(count '"startLine":' sarif)" -eq 36 ]
 formats surfaces 1 16 0 0 44 --surfaces "$teapot" --require G1 --strict
 flat "$flat_points" >low.g2
 flat $'1 1 2 2\n0 1 0\n1 1 0\n2 1 0\n3 1 0\n4 1 0\n0 2 0\n1 2 0\n2 2 0\n3 2 0\n4 2 1/3' >high.g2
-formats surfaces 1 2 0 0 1 --surfaces low.g2 high.g2 --require G2 && says sarif '"patch 0 v1 - patch 1 v0"' '"patch 1 u = 1","kind":"knot line"'
+formats surfaces 1 2 0 0 1 --surfaces low.g2 high.g2 --require G2 && says sarif '"uri":"low.g2"},"region":{"startLine":2}}' '"uri":"high.g2"},"region":{"startLine":2}}' '"patch 0 v1 - patch 1 v0"' '"patch 1 u = 1","kind":"knot line"'
 formats surfaces 0 0 0 1 2 --surfaces low.g2 high.g2 --within 0.1,18deg && says junit '<testsuite name="high.g2" tests="1"'
 formats surfaces 0 0 0 0 3 --surfaces low.g2 high.g2 --within 0.1,18.5deg
 flat $'1 1 2 2\n0 1 1/1024\n1 1 1/1024\n2 1 1/1024\n3 1 1/1024\n4 1 1/1024\n0 2 0\n1 2 0\n2 2 0\n3 2 0\n4 2 0' >near.g2

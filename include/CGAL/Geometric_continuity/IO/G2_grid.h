@@ -125,6 +125,7 @@ template <class Traits> class G2_surface_text_reader {
   typedef typename Traits::FT FT;
 
   internal::G2_parser<Text_number, 3> parser_;
+  long long line_ = 0;
 
 public:
   /// Reads from `is`, which must outlive the reader. Error messages begin with `name`.
@@ -137,6 +138,7 @@ public:
   /// \throws Error as `G2_surface_reader` does
   template <class Function> bool visit_next(Function f) {
     if (!parser_.next_object()) return false;
+    line_ = parser_.line();
     G2_surface_text text;
     text.u_ = parser_.read_direction(internal::G2_shape::spline, " in u");
     text.v_ = parser_.read_direction(internal::G2_shape::spline, " in v");
@@ -150,6 +152,9 @@ public:
     f(std::move(text));
     return true;
   }
+
+  /// Returns the line of the text, from 1 on, behind the header of the last surface.
+  long long line() const { return line_; }
 
 private:
   Rational_bspline_surface<Traits> read_rational(const G2_surface_text& text, long long all) {
