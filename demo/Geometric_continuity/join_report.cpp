@@ -209,12 +209,11 @@ template <class Numbers> std::string remark_of(const Join& join, const Numbers& 
   return "smooth";
 }
 
-// The point and the remark as columns of a table.
-template <class Numbers> std::string last_columns(const Join& join, int dimension, const Numbers& numbers) {
-  std::string point = "(";
-  for (int i = 0; i < dimension; ++i) (point += i == 0 ? "" : ", ") += numbers.coordinate(i);
-  point += ')';
-  return padded(std::move(point), 25) + remark_of(join, numbers);
+template <class Numbers> Join_words words_of(const Join& join, int dimension, const Numbers& numbers) {
+  Join_words words{"(", remark_of(join, numbers)};
+  for (int i = 0; i < dimension; ++i) (words.point += i == 0 ? "" : ", ") += numbers.coordinate(i);
+  words.point += ')';
+  return words;
 }
 
 } // namespace
@@ -274,6 +273,19 @@ std::optional<std::string> remark(const Join& join, const GC::Coordinate_jet<Int
   return numbers.certain() ? std::optional<std::string>(text) : std::nullopt;
 }
 
+template <class Span> Join_words join_words(const Join& join, const Span& left, const Span& right) {
+  Join_words words;
+  bool certain = false;
+  Span::visit_enclosures(left, right, [&](const auto& x, const auto& y) {
+    const Enclosed_numbers numbers(x, y);
+    words = words_of(join, x.dimension(), numbers);
+    certain = numbers.certain();
+  });
+  if (certain) return words;
+  const Jet x = left.jets().end_jet(3), y = right.jets().start_jet(3);
+  return words_of(join, x.dimension(), Exact_numbers(x, y));
+}
+
 std::string table_head() { return "join         orders      point                     remark\n"; }
 
 template <class Span>
@@ -281,20 +293,13 @@ void append_table_row(std::string& table, const Join& join, std::size_t left, st
                       const Span& right_span) {
   table += padded(std::to_string(left) + " -> " + std::to_string(right), 12);
   table += padded(orders(join), 11);
-  std::string columns;
-  bool certain = false;
-  Span::visit_enclosures(left_span, right_span, [&](const auto& x, const auto& y) {
-    const Enclosed_numbers numbers(x, y);
-    columns = last_columns(join, x.dimension(), numbers);
-    certain = numbers.certain();
-  });
-  if (!certain) {
-    const Jet x = left_span.jets().end_jet(3), y = right_span.jets().start_jet(3);
-    columns = last_columns(join, x.dimension(), Exact_numbers(x, y));
-  }
-  (table += columns) += '\n';
+  Join_words words = join_words(join, left_span, right_span);
+  table += padded(std::move(words.point), 25);
+  (table += words.remark) += '\n';
 }
 
+template Join_words join_words(const Join&, const Program_span<GC::Text_number>&, const Program_span<GC::Text_number>&);
+template Join_words join_words(const Join&, const Program_span<double>&, const Program_span<double>&);
 template void append_table_row(std::string&, const Join&, std::size_t, std::size_t,
                                const Program_span<GC::Text_number>&, const Program_span<GC::Text_number>&);
 template void append_table_row(std::string&, const Join&, std::size_t, std::size_t, const Program_span<double>&,

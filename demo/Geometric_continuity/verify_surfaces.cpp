@@ -4,6 +4,7 @@
 
 #include "input.h"
 #include "join_report.h"
+#include "model_findings.h"
 #include "model_json.h"
 #include "progress.h"
 #include "work_limit.h"
@@ -18,6 +19,7 @@
 #include <cstddef>
 #include <iostream>
 #include <optional>
+#include <sstream>
 #include <string>
 #include <type_traits>
 #include <vector>
@@ -48,6 +50,7 @@ void scale_parameters(Continuity& e, const Exact& factor) {
 // The decisions on a model, exact and within the tolerance. Parameters are printed times `parameter_unit`.
 template <class Surface> class Model_report {
   const std::vector<Surface>& surfaces_;
+  const Patch_files& files_;
   const Report_mode mode_;
   const Edge_demand demand_;
   GC::Model_continuity<Exact> model_;
@@ -56,9 +59,9 @@ template <class Surface> class Model_report {
   std::size_t failing_edges_ = 0, failing_lines_ = 0, undecided_ = 0;
 
 public:
-  Model_report(const std::vector<Surface>& surfaces, const Report_mode& mode, const Edge_demand& demand,
-               const Exact& parameter_unit)
-      : surfaces_(surfaces), mode_(mode), demand_(demand), model_(decided(surfaces, demand.limit)) {
+  Model_report(const std::vector<Surface>& surfaces, const Patch_files& files, const Report_mode& mode,
+               const Edge_demand& demand, const Exact& parameter_unit)
+      : surfaces_(surfaces), files_(files), mode_(mode), demand_(demand), model_(decided(surfaces, demand.limit)) {
     Progress progress("edges and knot lines within the tolerance");
     const auto step = [&] {
       const std::size_t done = edges_.size() + lines_.size();
@@ -80,7 +83,7 @@ public:
       undecided_ += is_undecided(lines_.back());
       step();
     }
-    if (demand_.tolerance && demand_.tolerance->gap > 0) near_ = near(surfaces, model_, demand_);
+    if (demand_.tolerance && demand_.tolerance->gap.upper() > 0) near_ = near(surfaces, model_, demand_);
     for (const GC::Near_edges& e : near_) {
       failing_edges_ += fails(-1, e.within);
       undecided_ += is_undecided(e.within);
@@ -96,7 +99,9 @@ public:
 
   // Prints the report and returns the exit code.
   int print() const {
-    if (mode_.format == Report_format::json)
+    if (mode_.has_findings())
+      print_findings();
+    else if (mode_.format == Report_format::json)
       print_json();
     else
       print_text();
@@ -104,7 +109,9 @@ public:
   }
 
 private:
+  void print_findings() const;
   void print_json() const;
+  void write_summary(std::ostream& os) const;
   void print_text() const;
   void print_verdict() const;
 
@@ -140,6 +147,19 @@ private:
            ((*within)(0) == GC::Verdict::undecided || (*within)(1) == GC::Verdict::undecided);
   }
 
+  Edge_state state(int exact_order, const std::optional<Within>& within) const {
+    const bool fails = this->fails(exact_order, within),
+               fails_undecided = fails && within && (*within)(*demand_.order) == GC::Verdict::undecided,
+               is_smooth = 1 <= exact_order || (within && (*within)(1) == GC::Verdict::proved);
+    return {fails, fails_undecided || is_undecided(within), !demand_.order && !is_smooth};
+  }
+
+  // "G1" or "G1 within the tolerance"; empty when nothing is required
+  std::string required() const {
+    return demand_.order ? "G" + std::to_string(*demand_.order) + (demand_.tolerance ? " within the tolerance" : "")
+                         : "";
+  }
+
   // What is printed: everything, or only what fails.
   bool is_printed(const Edge& e, const std::optional<Within>& within) const {
     return !mode_.summary || (e.kind == GC::Model_edge_kind::shared && fails(e.continuity.g_order, within));
@@ -157,6 +177,21 @@ private:
               << '\n';
   }
 };
+
+template <class Surface> void Model_report<Surface>::print_findings() const {
+  Model_findings findings(files_, mode_, required());
+  for (std::size_t i = 0; i < edges_.size(); ++i) {
+    const Edge& e = model_.edges[i];
+    if (e.kind == GC::Model_edge_kind::shared) findings.add(e, edges_[i], state(e.continuity.g_order, edges_[i]));
+    if (e.kind == GC::Model_edge_kind::collapsed) findings.add_collapsed(e);
+  }
+  for (std::size_t i = 0; i < lines_.size(); ++i)
+    findings.add(model_.knot_lines[i], lines_[i], state(model_.knot_lines[i].line.continuity.g_order, lines_[i]));
+  for (const GC::Near_edges& e : near_) findings.add(e, state(-1, e.within));
+  std::ostringstream summary;
+  write_summary(summary);
+  findings.print(std::cout, summary.str());
+}
 
 template <class Surface> void Model_report<Surface>::print_json() const {
   std::cout << "{\"edges\":[";
@@ -191,16 +226,19 @@ template <class Surface> void Model_report<Surface>::print_json() const {
     std::cout << "],\n \"collapsed_edges\":[";
     write_json(std::cout, model_.edges, GC::Model_edge_kind::collapsed);
   }
-  const GC::Model_summary& s = model_.summary;
-  std::cout << "],\n \"summary\":{\"G2\":" << s.g2 << ",\"G1\":" << s.g1 << ",\"G0\":" << s.g0
-            << ",\"boundary\":" << s.boundary << ",\"collapsed\":" << s.collapsed
-            << ",\"vanishing_normals\":" << s.vanishing_normals << ",\"creases\":" << s.creases
-            << ",\"folds\":" << s.folds << ",\"non_manifold\":" << s.non_manifold
-            << ",\"knot_lines\":{\"G2\":" << s.knot_lines_g2 << ",\"G1\":" << s.knot_lines_g1
-            << ",\"G0\":" << s.knot_lines_g0 << "}}";
-  if (demand_.order)
-    std::cout << ",\n \"required\":\"G" << *demand_.order << "\",\"met\":" << conclusion().json_met(mode_);
+  std::cout << "],\n ";
+  write_summary(std::cout);
   std::cout << "}\n";
+}
+
+template <class Surface> void Model_report<Surface>::write_summary(std::ostream& os) const {
+  const GC::Model_summary& s = model_.summary;
+  os << "\"summary\":{\"G2\":" << s.g2 << ",\"G1\":" << s.g1 << ",\"G0\":" << s.g0 << ",\"boundary\":" << s.boundary
+     << ",\"collapsed\":" << s.collapsed << ",\"vanishing_normals\":" << s.vanishing_normals
+     << ",\"creases\":" << s.creases << ",\"folds\":" << s.folds << ",\"non_manifold\":" << s.non_manifold
+     << ",\"knot_lines\":{\"G2\":" << s.knot_lines_g2 << ",\"G1\":" << s.knot_lines_g1 << ",\"G0\":" << s.knot_lines_g0
+     << "}}";
+  if (demand_.order) os << ",\n \"required\":\"G" << *demand_.order << "\",\"met\":" << conclusion().json_met(mode_);
 }
 
 template <class Surface> void Model_report<Surface>::print_text() const {
@@ -231,8 +269,7 @@ template <class Surface> void Model_report<Surface>::print_text() const {
 
 template <class Surface> void Model_report<Surface>::print_verdict() const {
   const Conclusion all = conclusion();
-  const std::string order = "G" + std::to_string(*demand_.order) + (demand_.tolerance ? " within the tolerance" : ""),
-                    near = near_.empty() ? "" : " and every pair of near edges",
+  const std::string order = required(), near = near_.empty() ? "" : " and every pair of near edges",
                     inside = lines_.empty() ? "" : " and every knot line";
   if (all.failing == 0) {
     std::cout << "every shared edge" << near << inside << " is " << order << ", proved exactly";
@@ -248,12 +285,12 @@ template <class Surface> void Model_report<Surface>::print_verdict() const {
 // Decides the edges of surfaces with numbers FT, whose parameters are those of the files divided by `parameter_unit`. With a
 // tolerance the coordinates are those of the files.
 template <class FT>
-int verify_surfaces_on(const Surface_model<Surface_traits<FT>>& model, const std::string& name, const Report_mode& mode,
-                       const Edge_demand& demand, const Exact& parameter_unit) {
-  return within_work_limit([&] { return name; },
+int verify_surfaces_on(const Surface_model<Surface_traits<FT>>& model, const Patch_files& files,
+                       const Report_mode& mode, const Edge_demand& demand, const Exact& parameter_unit) {
+  return within_work_limit([&] { return files.names().size() == 1 ? files.names()[0] : files.names()[0] + ", ..."; },
                            [&] {
                              return model.visit([&](const auto& surfaces) {
-                               return Model_report(surfaces, mode, demand, parameter_unit).print();
+                               return Model_report(surfaces, files, mode, demand, parameter_unit).print();
                              });
                            });
 }
@@ -264,9 +301,9 @@ int verify_surfaces(const Arguments& files, const Report_mode& mode, const std::
                     const std::optional<GC::Edge_tolerance>& tolerance, GC::Work_limit limit) {
   typedef Surface_traits<Exact> Exact_traits;
   typedef Surface_traits<double> Double_traits;
-  const std::string name = files.size() == 1 ? input_name(files[0]) : input_name(files[0]) + ", ...";
   const Edge_demand demand{required_g_order, tolerance, limit};
-  Surface_texts<Exact_traits> texts = read_surface_texts<Exact_traits>(files);
+  Surface_texts<Exact_traits> texts;
+  const Patch_files patch_files(files, read_surface_texts(files, texts));
   if (!tolerance) { // which is in the units of the files
     GC::G2_grid grid;
     std::vector<GC::Bspline_surface<Double_traits>> surfaces;
@@ -274,8 +311,8 @@ int verify_surfaces(const Arguments& files, const Report_mode& mode, const std::
       Exact unit(1);
       for (int e = grid.exponent_of_knots(); e < 0; ++e) unit /= Exact(10);
       Surface_model<Double_traits> model(std::move(surfaces));
-      return verify_surfaces_on<double>(model, name, mode, demand, unit);
+      return verify_surfaces_on<double>(model, patch_files, mode, demand, unit);
     }
   }
-  return verify_surfaces_on<Exact>(texts.model(), name, mode, demand, Exact(1));
+  return verify_surfaces_on<Exact>(texts.model(), patch_files, mode, demand, Exact(1));
 }

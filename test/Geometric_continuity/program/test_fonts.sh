@@ -174,8 +174,8 @@ run 0 verify fonts --summary
 says out "B.TTF" "deep/er/a.otf" "deep/c.Woff" "fonts/deep/broken.ttf: not verified, " "3 fonts, " "; 1 not verified"
 lacks out link.ttf curves
 run 1 verify fonts --summary --strict
-run 0 verify fonts --json && says out '{"fonts":[' '"not_verified":[{"file":"fonts/deep/broken.ttf","reason":"' '"summary":{"fonts":3,'
-run 2 verify none && says err "no font in this folder"
+run 0 verify fonts --json && says out '{"fonts":[' '{"file":"fonts/deep/broken.ttf","reason":"' '"summary":{"fonts":3,'
+run 2 verify none && says err "cannot_read_file: none: Is a directory, and no name in it ends with .ttf"
 run 2 verify fonts/deep/broken.ttf && says err "malformed_input: fonts/deep/broken.ttf: " && holds [ ! -s out ]
 mkdir broken && cp fonts/deep/broken.ttf broken
 run 2 verify broken --json && says out '{"fonts":[' '"fonts":0' && says err "no join"
