@@ -114,7 +114,7 @@ done
 run 2 "$name" && says err "$visible" && run 2 verify "--$name" "$L" && plain err 1
 element='<path d="M0 0h1v1" id="p&#10;every join is G9&#x9b;31m&#x202e;&#xfffe;"/>'
 svg "${element/&#xfffe;/}<use id=\"u&#10;3 joins\"/>" && cp drawing.svg "$name.svg"
-run 0 verify "$name.svg" drawing.svg && plain out 5
+run 0 verify "$name.svg" drawing.svg && plain out 6
 says out "$visible.svg: path \"p\\nevery join is G9\\u009b31m\\u202e\" (line 2)" 'use "u\n3 joins"'
 svg "$element" && run 2 verify drawing.svg # a character that XML does not allow
 cubic $'0 0 0\n1 0 0\n2 0 0\n3 0 0' >"$name.g2"
