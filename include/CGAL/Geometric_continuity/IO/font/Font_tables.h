@@ -55,7 +55,8 @@ public:
       bytes.skip(4); // a checksum
       const std::size_t begin = bytes.u32(), size = bytes.u32();
       if (font.size() < begin || font.size() - begin < size) bytes.refuse("its table '" + tag + "' lies outside of it");
-      if (!tables_.emplace(tag, font.substr(begin, size)).second) bytes.refuse("its table '" + tag + "' is there twice");
+      if (!tables_.emplace(tag, font.substr(begin, size)).second)
+        bytes.refuse("its table '" + tag + "' is there twice");
     }
   }
 

@@ -86,7 +86,8 @@ public:
     const int all_points = point_count + 4;
     const std::size_t count = static_cast<std::size_t>(flags & count_mask);
     if (max_movements / static_cast<std::size_t>(all_points) < count)
-      throw Error(Error_code::work_limit, name + ": more than " + std::to_string(max_movements) + " movements of points");
+      throw Error(Error_code::work_limit,
+                  name + ": more than " + std::to_string(max_movements) + " movements of points");
     std::optional<std::vector<int>> shared;
     if ((flags & has_shared_points) != 0) shared = internal::read_packed_points(data, all_points);
     for (std::size_t i = 0; i < count; ++i) {

@@ -99,7 +99,10 @@ private:
     for (int count = 1;; ++count) {
       const int flags = bytes.u16();
       bytes.skip(2 + ((flags & words) != 0 ? 4 : 2) +
-                 ((flags & scale) != 0 ? 2 : (flags & two_scales) != 0 ? 4 : (flags & matrix) != 0 ? 8 : 0));
+                 ((flags & scale) != 0        ? 2
+                  : (flags & two_scales) != 0 ? 4
+                  : (flags & matrix) != 0     ? 8
+                                              : 0));
       if ((flags & more) == 0) return count;
     }
   }

@@ -54,8 +54,7 @@ public:
 
   /// Reads what all glyphs have in common. \throws Error `malformed_input`, also for a font that `is_variable()` denies
   explicit Variable_font(const Font_tables& font)
-      : axes_(read_variation_axes(font)), outlines_(font),
-        variations_(font, axes_.size(), outlines_.glyph_count()) {}
+      : axes_(read_variation_axes(font)), outlines_(font), variations_(font, axes_.size(), outlines_.glyph_count()) {}
 
   /// Returns the axes.
   const std::vector<Variation_axis>& axes() const { return axes_; }

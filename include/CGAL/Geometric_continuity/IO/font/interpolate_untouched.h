@@ -37,7 +37,8 @@ inline CGAL::Exact_rational interpolated_shift(int x, int a, int b, int p, int q
   if (a == b) return CGAL::Exact_rational(p == q ? p : 0);
   if (x <= a) return CGAL::Exact_rational(p);
   if (b <= x) return CGAL::Exact_rational(q);
-  return CGAL::Exact_rational(p) + CGAL::Exact_rational(x - a) * CGAL::Exact_rational(q - p) / CGAL::Exact_rational(b - a);
+  return CGAL::Exact_rational(p) +
+         CGAL::Exact_rational(x - a) * CGAL::Exact_rational(q - p) / CGAL::Exact_rational(b - a);
 }
 
 } // namespace internal

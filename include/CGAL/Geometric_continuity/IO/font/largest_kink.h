@@ -72,7 +72,8 @@ inline Largest_kink largest_kink(const Variable_join& join, const std::vector<Va
     throw Error(Error_code::parameter_outside_domain, "largest_kink: a bound that is not less than 90 degrees");
   const internal::Variation_cells cells(join, regions, axes);
   if (cells.variables() > max_variable_axes)
-    throw Error(Error_code::work_limit, "largest_kink: a join that depends on " + std::to_string(cells.variables()) + " axes");
+    throw Error(Error_code::work_limit,
+                "largest_kink: a join that depends on " + std::to_string(cells.variables()) + " axes");
   internal::Kink_boxes boxes(cells.variables());
   if (cells.size() > static_cast<double>(search.max_boxes))
     return {Verdict::undecided, {0, internal::Kink_boxes::half_turn}, std::vector<FT>(axes.size(), FT(0)), false};
@@ -91,7 +92,8 @@ inline Largest_kink largest_kink(const Variable_join& join, const std::vector<Va
   std::vector<FT> t; // in the unit cube of the cell
   for (double x : boxes.place()) t.push_back(FT(x));
   const std::pair<FT, FT> products = cells.products_at(boxes.cell(), t);
-  Largest_kink result{Verdict::undecided, {0, internal::Kink_boxes::half_turn}, cells.instance(boxes.cell(), t), boxes.vanishes()};
+  Largest_kink result{
+      Verdict::undecided, {0, internal::Kink_boxes::half_turn}, cells.instance(boxes.cell(), t), boxes.vanishes()};
   const double upper = boxes.upper();
   if (std::isfinite(upper)) result.angle.upper = angle_enclosure(FT(FT(upper) * FT(upper)), FT(1)).upper;
   if (products.first == 0 && products.second == 0) return result; // no corner of a cell has an angle

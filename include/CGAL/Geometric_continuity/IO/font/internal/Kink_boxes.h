@@ -88,7 +88,9 @@ public:
 
   // The place where the angle is at least as large as lower() says.
   std::size_t cell() const { return cell_; }
-  std::vector<double> place() const { return {place_.begin(), place_.begin() + static_cast<std::ptrdiff_t>(variables_)}; }
+  std::vector<double> place() const {
+    return {place_.begin(), place_.begin() + static_cast<std::ptrdiff_t>(variables_)};
+  }
 
   // Whether both polynomials are certainly zero at the corner of a box.
   bool vanishes() const { return vanishes_; }

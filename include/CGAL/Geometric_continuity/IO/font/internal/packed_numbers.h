@@ -48,8 +48,7 @@ inline std::vector<int> read_packed_deltas(Font_bytes& bytes, std::size_t count)
     const std::size_t run = static_cast<std::size_t>(control & 0x3f) + 1;
     if (count - deltas.size() < run) bytes.refuse("a run of movements is too long");
     if (form == 0xc0) bytes.refuse("a run of movements is of an unknown form");
-    for (std::size_t i = 0; i < run; ++i)
-      deltas.push_back(form == 0x80 ? 0 : form == 0x40 ? bytes.i16() : bytes.i8());
+    for (std::size_t i = 0; i < run; ++i) deltas.push_back(form == 0x80 ? 0 : form == 0x40 ? bytes.i16() : bytes.i8());
   }
   return deltas;
 }
