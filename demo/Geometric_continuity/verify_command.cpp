@@ -8,6 +8,7 @@
 #include "verify_chain.h"
 #include "verify_drawings.h"
 #include "verify_fonts.h"
+#include "verify_instances.h"
 
 #include <CGAL/Geometric_continuity/edges/edge_order_within.h>
 
@@ -44,6 +45,10 @@ The worst kinks come first: those of the largest angle times the shorter handle.
 --require G1 and G2 leave corners alone. --glyphs a-z,U+00E9,ampersand,#12 takes
 characters and ranges of them, names and numbers of glyphs.
 
+--all-instances encloses the largest kink of each join over all instances of a
+variable TrueType font, of joins that are no corners at the default instance:
+proved between the masters as well, with the axis values of the largest one.
+
 --within 1e-9,1e-6,1e-6 also tells how far each join is from continuous, in
 guaranteed bounds, and the order that it has within this angle of the tangents
 (radians), relative jump of the curvature vectors and jump of the torsions.
@@ -74,17 +79,33 @@ std::vector<double> bounds(const Command_line& line, std::size_t least, const ch
   return x;
 }
 
+// A bound of kinks, in degrees less than `largest`.
+GC::Kink_bound kink_bound(const Command_line& line, const std::string& option, const Exact& otherwise, int largest) {
+  const Exact degrees = line.number<Exact>(option, otherwise);
+  if (!(Exact(0) < degrees && degrees < Exact(largest)))
+    throw std::invalid_argument("--" + option + ": " + line.text(option) + " is not between 0 and " +
+                                std::to_string(largest) + " degrees");
+  return GC::Kink_bound(degrees);
+}
+
+// The demand for all instances of variable fonts.
+Instance_demand instance_demand(const Command_line& line) {
+  line.refuse({"surfaces", "closed", "within", "kernel", "max-order", "max-work", "require"},
+              "not with --all-instances");
+  return {line.has("glyphs") ? Glyph_selection(line.text("glyphs")) : Glyph_selection(),
+          {kink_bound(line, "kink-angle", Exact(5), 180), kink_bound(line, "max-kink", Exact(1) / Exact(2), 90)},
+          line.has("max-kink") ? line.text("max-kink") : "0.5",
+          line.has("max-kink"),
+          static_cast<std::size_t>(line.integer("worst", 0, 1000000))};
+}
+
 // The demand for fonts.
 Font_demand font_demand(const Command_line& line, const std::optional<Requirement>& required) {
   line.refuse({"surfaces", "closed", "within", "kernel", "max-order", "max-work"}, "not for fonts");
   Font_demand demand;
   if (line.has("glyphs")) demand.glyphs = Glyph_selection(line.text("glyphs"));
   demand.worst = static_cast<std::size_t>(line.integer("worst", 0, 1000000));
-  try {
-    demand.bound = GC::Kink_bound(line.number<Exact>("kink-angle", Exact(5)));
-  } catch (const GC::Error&) {
-    throw std::invalid_argument("--kink-angle: " + line.text("kink-angle") + " is not between 0 and 180 degrees");
-  }
+  demand.bound = kink_bound(line, "kink-angle", Exact(5), 180);
   if (required) {
     if (required->text() != "G1" && required->text() != "G2")
       throw std::invalid_argument("--require " + required->text() + ": of fonts G1 and G2 are decided");
@@ -117,6 +138,9 @@ int verify_command(const Arguments& arguments) {
         "A,K,T or A,K,T,GAP: the tolerance for a join; with --surfaces A or A,GAP for an edge");
     add("kink-angle", po::value<std::string>(), "the largest angle of a kink in degrees: 5 if not given; fonts only");
     add("glyphs", po::value<std::string>(), "the glyphs to verify, e.g. a-z,U+00E9,ampersand; fonts only");
+    add("all-instances", "of variable fonts: enclose the largest kink of each join over all instances");
+    add("max-kink", po::value<std::string>(),
+        "with --all-instances: the angle in degrees that no instance may exceed; 0.5 in the report if not given");
     add("worst", po::value<int>()->default_value(10),
         "how many joins to show of a font, in JSON of a glyph; fonts only");
     add("strict", "what cannot be verified counts as not met");
@@ -135,6 +159,11 @@ int verify_command(const Arguments& arguments) {
   const Arguments files = line.files();
   const Report_mode mode{line.has("json") ? Report_format::json : Report_format::text, line.has("strict"),
                          line.has("allow-empty"), line.has("summary")};
+  if (line.has("all-instances")) {
+    if (!are_fonts(files)) throw std::invalid_argument("--all-instances: only for fonts");
+    return verify_instances(files, mode, instance_demand(line));
+  }
+  line.refuse({"max-kink"}, "only with --all-instances");
   if (are_fonts(files)) return verify_fonts(files, mode, font_demand(line, required));
   line.refuse({"glyphs", "kink-angle", "worst"}, "only for fonts");
   const auto drawings = std::count_if(files.begin(), files.end(), is_svg_file);
