@@ -32,11 +32,18 @@ GC::Enclosure angle_at(const GC::Variable_join& join, const std::vector<Exact>& 
   return GC::angle_enclosure(Exact(cross * cross), dot);
 }
 
+GC::Enclosure degrees(const GC::Enclosure& angle) {
+  const GC::Enclosure x = GC::in_degrees(angle);
+  return {x.lower, (std::min)(x.upper, 180.)};
+}
+
 // In degrees, rounded outwards.
 std::string degrees_text(const GC::Enclosure& angle) {
+  const GC::Enclosure x = degrees(angle);
+  if (x.upper == 180) return "at least " + std::to_string(static_cast<int>(x.lower));
   std::ostringstream os;
   os.precision(3);
-  os << GC::in_degrees(angle);
+  os << x;
   return os.str();
 }
 
@@ -156,7 +163,7 @@ std::string kinks_json(const std::vector<Instance_kink>& kinks, const std::vecto
     os << std::exchange(separator, ",") << "{\"contour\":" << kink.contour << ",\"outline_point\":" << kink.point
        << ",\"point\":[" << rounded(kink.x, 9) << ',' << rounded(kink.y, 9) << "],\"verdict\":\"" << kink.kink.verdict
        << "\",\"angle_degrees\":";
-    GC::write_json(os, std::optional<GC::Enclosure>(GC::in_degrees(kink.kink.angle)));
+    GC::write_json(os, std::optional<GC::Enclosure>(degrees(kink.kink.angle)));
     os << ",\"instance\":{";
     for (std::size_t k = 0; k < axes.size(); ++k) {
       os << (k == 0 ? "" : ",");
@@ -165,7 +172,7 @@ std::string kinks_json(const std::vector<Instance_kink>& kinks, const std::vecto
       os << '"';
     }
     os << "},\"default_angle_degrees\":";
-    GC::write_json(os, std::optional<GC::Enclosure>(GC::in_degrees(kink.initial_angle)));
+    GC::write_json(os, std::optional<GC::Enclosure>(degrees(kink.initial_angle)));
     os << ",\"vanishing_handle\":" << (kink.kink.vanishes ? "true" : "false")
        << ",\"per_mille\":" << rounded(1000 * kink.severity, 6) << '}';
   }

@@ -171,8 +171,13 @@ struct Font_writer {
     gvar += places;
     for (const std::vector<int>& peak : shared_peaks) put16(gvar, peak);
     gvar += data;
-    std::vector<std::pair<std::string, std::string>> all{{"head", head}, {"maxp", maxp}, {"loca", loca},
-                                                         {"glyf", glyf}, {"fvar", fvar}, {"gvar", gvar}};
+    std::string hhea("\0\1\0\0", 4); // without which programs do not open a font
+    hhea.append(30, '\0');
+    put16(hhea, 1);
+    const std::string hmtx(2 + 2 * glyphs.size(), '\0');
+    std::vector<std::pair<std::string, std::string>> all{{"head", head}, {"hhea", hhea}, {"hmtx", hmtx},
+                                                         {"maxp", maxp}, {"loca", loca}, {"glyf", glyf},
+                                                         {"fvar", fvar}, {"gvar", gvar}};
     if (has_map) all.emplace_back("avar", avar);
     return all;
   }

@@ -150,6 +150,20 @@ BOOST_AUTO_TEST_CASE(exactly_the_bound) { // 45 degrees at the end; the bound it
   BOOST_CHECK(checked(legs, axes(1, 1), Q(45) + Q(1) / 1000000000).verdict == Verdict::proved);
 }
 
+BOOST_AUTO_TEST_CASE(regions_that_jump) { // a kink of 45 degrees from 1/2 on, up to 1/2, or there only
+  for (const GC::Region_axis& axis : {GC::Region_axis{one / 2, one / 2, one},
+                                      {0, one / 2, one / 2},
+                                      {one / 2, one / 2, one / 2},
+                                      {one, one, one},
+                                      {-one, -one, -one}}) {
+    const Legs legs{{0, 0, {{1, 0}, {{0, 0}}}, {{1, 0}, {{0, 1}}}}, {GC::Variation_region({axis})}};
+    const GC::Largest_kink kink = checked(legs, axes(1), 5);
+    BOOST_CHECK(kink.verdict == Verdict::refuted);
+    BOOST_CHECK(kink.instance[0] == GC::Variation_region::value(axis.peak));
+    BOOST_CHECK(44.9 * degree < kink.angle.lower && kink.angle.upper < 45.1 * degree);
+  }
+}
+
 BOOST_AUTO_TEST_CASE(random_joins_against_samples) {
   std::cout << "seed " << seed << '\n';
   int proved = 0, refuted = 0, undecided = 0;

@@ -26,7 +26,7 @@ namespace Geometric_continuity {
 struct Kink_search {
   double tolerance = 0.01;      ///< the search ends when the bounds of the tangent of the angle agree up to this ratio
   double floor = 1e-5;          ///< angles (radians) below this one are not told apart
-  std::size_t max_boxes = 4096; ///< how many parts of the space of instances may be looked at
+  std::size_t max_boxes = 4096; ///< how many parts of the space may be looked at; with many regions they count more
 };
 
 /// \ingroup PkgGeometricContinuityIO
@@ -74,9 +74,9 @@ inline Largest_kink largest_kink(const Variable_join& join, const std::vector<Va
   if (cells.variables() > max_variable_axes)
     throw Error(Error_code::work_limit,
                 "largest_kink: a join that depends on " + std::to_string(cells.variables()) + " axes");
-  internal::Kink_boxes boxes(cells.variables());
-  if (cells.size() > static_cast<double>(search.max_boxes))
+  if (cells.work() > static_cast<double>(search.max_boxes))
     return {Verdict::undecided, {0, internal::Kink_boxes::half_turn}, std::vector<FT>(axes.size(), FT(0)), false};
+  internal::Kink_boxes boxes(cells.variables());
   for (std::size_t cell = 0; static_cast<double>(cell) < cells.size(); ++cell) {
     const internal::Variation_cells::Products products = cells.products(cell);
     boxes.push(cell, products.cross, products.dot);

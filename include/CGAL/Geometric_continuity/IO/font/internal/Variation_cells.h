@@ -37,7 +37,7 @@ public:
     for (std::size_t r = 0; r < regions.size(); ++r)
       if (moves(join.incoming.shifts[r]) || moves(join.outgoing.shifts[r])) moving_.push_back(r);
     for (std::size_t k = 0; k < axes.size(); ++k) {
-      std::vector<FT> breaks{FT(axes[k].lowest()), FT(0), FT(axes[k].highest())};
+      std::vector<FT> breaks{FT(axes[k].lowest()), FT(0), FT(axes[k].highest())}, single;
       bool counts = false;
       for (std::size_t r : moving_) {
         const Region_axis& axis = regions[r].axes()[k];
@@ -45,12 +45,15 @@ public:
         counts = true;
         for (int units : {axis.start, axis.peak, axis.end}) {
           const FT x = Variation_region::value(units);
-          if (breaks.front() < x && x < breaks[2]) breaks.push_back(x);
+          if (breaks[0] < x && x < breaks[2]) breaks.push_back(x);
+          if (axis.start == axis.end && breaks[0] <= x && x <= breaks[2]) single.push_back(x);
         }
       }
-      std::sort(breaks.begin(), breaks.end());
-      breaks.erase(std::unique(breaks.begin(), breaks.end()), breaks.end());
+      sort(breaks);
       if (!counts || breaks.size() == 1) continue;
+      sort(single); // values that are a cell of their own, where a scalar is 1 and 0 on both sides
+      breaks.insert(breaks.end(), single.begin(), single.end());
+      std::sort(breaks.begin(), breaks.end());
       active_.push_back(k);
       size_ *= static_cast<double>(breaks.size() - 1);
       breaks_.push_back(std::move(breaks));
@@ -62,6 +65,9 @@ public:
 
   // How many cells there are; there can be very many.
   double size() const { return size_; }
+
+  // How much work they are, where 1 is a box of the search.
+  double work() const { return size_ * (1 + static_cast<double>(moving_.size()) / 16); }
 
   // The products on a cell, whose unit cube has the least values at its origin.
   Products products(std::size_t cell) const {
@@ -101,6 +107,12 @@ private:
   struct Legs {
     std::vector<Polynomial> a, b;
   };
+
+  // In order, each once.
+  static void sort(std::vector<FT>& x) {
+    std::sort(x.begin(), x.end());
+    x.erase(std::unique(x.begin(), x.end()), x.end());
+  }
 
   static bool moves(const Outline_vector& v) { return v[0] != FT(0) || v[1] != FT(0); }
 
