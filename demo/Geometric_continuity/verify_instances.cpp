@@ -37,6 +37,11 @@ std::string json_array(const Arguments& values) {
   return '[' + text + ']';
 }
 
+// What an error says behind its code.
+std::string reason_of(const GC::Error& error) {
+  return std::string(error.what()).substr(to_string(error.code()).size() + 2);
+}
+
 // Why a file cannot be covered, as far as its first bytes tell; empty if they do not.
 std::string uncovered_form(std::string_view bytes) {
   const std::string_view begin = bytes.substr(0, 4);
@@ -59,7 +64,7 @@ class Instances_report {
   const bool required_;
   const std::size_t most_;
   Glyph_selection selection_;
-  Arguments not_read_; // names and reasons
+  std::vector<Unread_file> not_read_; // folders and fonts
   std::vector<Font_file> files_;
   bool one_font_; // the only argument is the only font of a file
   Deferred_output out_;
@@ -98,13 +103,11 @@ class Instances_report {
       refuse(file, e.what());
     } catch (const GC::Error& e) {
       if (e.code() == GC::Error_code::cannot_read_file && !file.from_folder) throw;
-      refuse(file, e.what());
+      refuse(file, reason_of(e));
     }
   }
 
-  void skip(const Font_file& file, const std::string& reason) {
-    not_read_.push_back(input_name(file.name) + ": " + reason);
-  }
+  void skip(const Font_file& file, const std::string& reason) { not_read_.push_back({input_name(file.name), reason}); }
 
   void refuse(const Font_file& file, const std::string& reason) {
     if (!file.from_folder) throw GC::Error(GC::Error_code::malformed_input, input_name(file.name) + ": " + reason);
@@ -132,8 +135,8 @@ class Instances_report {
       } catch (const GC::Error& e) {
         const std::string glyph = face.glyph_name(index);
         reasons.push_back(json_ ? "{\"index\":" + std::to_string(index) + ",\"name\":" + json_string(glyph) +
-                                      ",\"reason\":" + json_string(e.what()) + '}'
-                                : "glyph " + glyph + ": not verified, " + e.what());
+                                      ",\"reason\":" + json_string(reason_of(e)) + '}'
+                                : "glyph " + glyph + ": not verified, " + reason_of(e));
         continue;
       }
       counts += joins;
@@ -242,7 +245,7 @@ private:
   }
 
   void print_summary(std::ostream& os) const {
-    for (const std::string& line : not_read_) os << GC::printable(line) << '\n';
+    for (const Unread_file& file : not_read_) os << GC::printable(file.name + ": " + file.reason) << '\n';
     if (fonts_ > 1)
       os << counted(fonts_, "font") << ", " << counts_text(counts_, max_kink_) << '\n' << kinks_table(worst_, "    ");
     const Conclusion end = conclusion();
@@ -257,8 +260,11 @@ private:
   }
 
   void print_json_end(std::ostream& os) const {
+    Arguments not_read;
+    for (const Unread_file& file : not_read_)
+      not_read.push_back("{\"file\":" + json_string(file.name) + ",\"reason\":" + json_string(file.reason) + '}');
     if (!one_font_ || fonts_ == 0)
-      os << (fonts_ == 0 ? "{\"fonts\":[" : "") << "],\n\"not_verified\":" << json_names(not_read_)
+      os << (fonts_ == 0 ? "{\"fonts\":[" : "") << "],\n\"not_verified\":" << json_array(not_read)
          << ",\n\"summary\":{\"fonts\":" << fonts_ << ',' << counts_json(counts_) << '}';
     os << ",\n\"max_kink\":\"" << max_kink_ << '"';
     if (required_) os << ",\"met\":" << conclusion().json_met(mode_);

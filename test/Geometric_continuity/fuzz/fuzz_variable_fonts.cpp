@@ -26,19 +26,26 @@ void check(const GC::Variable_join& join, const GC::Variable_outline& glyph, con
   const GC::Largest_kink kink = GC::largest_kink(join, glyph.regions, font.axes(), bound, search);
   require(0 <= kink.angle.lower && kink.angle.lower <= kink.angle.upper && kink.angle.upper < 3.2,
           "bounds are in order");
-  for (int i = -3; i <= 3; ++i) {
+  const auto check_at = [&](const std::vector<Exact>& wanted) {
     std::vector<Exact> instance, scalars;
-    for (const GC::Variation_axis& axis : font.axes()) {
-      instance.push_back(Exact((std::max)(axis.lowest() * 3, (std::min)(axis.highest() * 3, i))) / 3);
-      require(axis.minimum <= axis.user_value(instance.back()) && axis.user_value(instance.back()) <= axis.maximum,
-              "an instance has values for users");
+    for (std::size_t k = 0; k < font.axes().size(); ++k) {
+      const GC::Variation_axis& axis = font.axes()[k];
+      instance.push_back((std::max)(Exact(axis.lowest()), (std::min)(Exact(axis.highest()), wanted[k])));
+      const Exact value = axis.user_value(instance.back());
+      require(axis.minimum <= value && value <= axis.maximum, "an instance has values for users");
     }
     for (const GC::Variation_region& region : glyph.regions) scalars.push_back(region.scalar(instance));
     const GC::Outline_vector a = join.incoming(scalars), b = join.outgoing(scalars);
     const Exact cross = a[0] * b[1] - a[1] * b[0], dot = a[0] * b[0] + a[1] * b[1];
-    if (cross == 0 && dot == 0) continue;
+    if (cross == 0 && dot == 0) return;
     require(GC::angle_enclosure(Exact(cross * cross), dot).lower <= kink.angle.upper, "no angle is above the bound");
     require(kink.verdict != GC::Verdict::proved || !bound.is_exceeded(cross, dot), "what is proved is true");
+  };
+  for (int i = -3; i <= 3; ++i) check_at(std::vector<Exact>(font.axes().size(), Exact(i) / 3));
+  for (std::size_t r = 0; r < (std::min)(glyph.regions.size(), std::size_t(4)); ++r) {
+    std::vector<Exact> peaks;
+    for (const GC::Region_axis& axis : glyph.regions[r].axes()) peaks.push_back(GC::Variation_region::value(axis.peak));
+    check_at(peaks);
   }
 }
 
