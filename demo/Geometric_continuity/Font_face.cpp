@@ -113,6 +113,7 @@ private:
 void Font_face::Close::operator()(FT_FaceRec_* face) const { FT_Done_Face(face); }
 
 Font_face::Font_face(std::string_view bytes, int index) {
+  if (bytes.empty()) throw Font_error("no bytes");
   FT_Open_Args arguments{};
   arguments.flags = FT_OPEN_MEMORY;
   arguments.memory_base = reinterpret_cast<const FT_Byte*>(bytes.data());

@@ -24,15 +24,18 @@ BEGIN {
 /^glyph/ { name[glyphs] = $2; code[glyphs++] = $3 }
 /^contour/ { # points behind points
   g = glyphs - 1
+  n = points[g] + 0
   for (i = 2; i <= NF; ++i) {
     split($i, xy, ",")
-    on[g, points[g]] = xy[2] !~ /\*/
-    px[g, points[g]] = xy[1] + 0
-    py[g, points[g]++] = xy[2] + 0
+    on[g, n] = xy[2] !~ /\*/
+    px[g, n] = xy[1] + 0
+    py[g, n++] = xy[2] + 0
   }
-  last[g, contours[g]++] = points[g] - 1
+  points[g] = n
+  last[g, contours[g] + 0] = n - 1
+  ++contours[g]
 }
-/^component/ { g = glyphs - 1; components[g, count[g]++] = $0 }
+/^component/ { g = glyphs - 1; components[g, count[g] + 0] = $0; ++count[g] }
 
 function simple_glyph(g, i) {
   u16(contours[g]); for (i = 0; i < 4; ++i) u16(0)
