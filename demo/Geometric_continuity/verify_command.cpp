@@ -9,6 +9,7 @@
 #include "verify_chain.h"
 #include "verify_drawings.h"
 #include "verify_fonts.h"
+#include "verify_instances.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -43,6 +44,10 @@ grades the joins of each glyph, on the integers of the font:
 The worst kinks come first: those of the largest angle times the shorter handle.
 --require G1 and G2 leave corners alone. --glyphs a-z,U+00E9,ampersand,#12 takes
 characters and ranges of them, names and numbers of glyphs.
+
+--all-instances encloses the largest kink of each join over all instances of a
+variable TrueType font, of joins that are no corners at the default instance:
+proved between the masters as well, with the axis values of the largest one.
 
 --within 0.001,0.01deg,2% also tells how far each join is from continuous, in
 guaranteed bounds, and which orders it has when the ends may be apart by this
@@ -97,6 +102,22 @@ Kink_rule kink_rule(const Command_line& line) {
   }
 }
 
+// What is asked of all instances of variable fonts.
+Instance_demand instance_demand(const Command_line& line) {
+  line.refuse({"surfaces", "closed", "within", "kernel", "max-order", "max-work", "require"},
+              "not with --all-instances");
+  const bool required = line.has("max-kink");
+  const std::string max_kink = required ? line.text("max-kink") : "0.5";
+  const Exact degrees = line.number<Exact>("max-kink", Exact(1) / Exact(2));
+  if (!(Exact(0) < degrees && degrees < Exact(90)))
+    throw std::invalid_argument("--max-kink: " + max_kink + " is not between 0 and 90 degrees");
+  return {line.has("glyphs") ? Glyph_selection(line.text("glyphs")) : Glyph_selection(),
+          {kink_rule(line).bound, GC::Kink_bound(degrees)},
+          max_kink,
+          required,
+          static_cast<std::size_t>(line.integer("worst", 0, 1000000))};
+}
+
 // What is asked of fonts.
 Font_demand font_demand(const Command_line& line, const std::optional<Requirement>& required) {
   line.refuse({"surfaces", "closed", "within", "kernel", "max-order", "max-work"}, "not for fonts");
@@ -126,6 +147,9 @@ int verify_command(const Arguments& arguments) {
         "for drawings and fonts: the largest angle that is a kink, in degrees, instead of 5; what is larger is a "
         "corner, which "
         "need not meet the requirement then, in fonts never");
+    add("all-instances", "of variable fonts: enclose the largest kink of each join over all instances");
+    add("max-kink", po::value<std::string>(),
+        "with --all-instances: the angle in degrees that no instance may exceed; 0.5 in the report if not given");
     add("glyphs", po::value<std::string>(), "for fonts: the glyphs to verify, e.g. a-z,U+00E9,ampersand");
     add("worst", po::value<int>()->default_value(10),
         "for fonts: how many joins to show of each, in JSON of each glyph");
@@ -147,6 +171,13 @@ int verify_command(const Arguments& arguments) {
   if (line.has("require")) required = Requirement(line.text("require"));
   const Arguments files = line.files();
   const Report_mode mode{report_format(line), line.has("strict"), line.has("allow-empty"), line.has("summary")};
+  if (line.has("all-instances")) {
+    if (!are_fonts(files)) throw std::invalid_argument("--all-instances: only for fonts");
+    if (mode.format != Report_format::text && mode.format != Report_format::json)
+      throw std::invalid_argument("--format " + line.text("format") + ": not with --all-instances");
+    return verify_instances(files, mode, instance_demand(line));
+  }
+  line.refuse({"max-kink"}, "only with --all-instances");
   if (are_fonts(files)) return verify_fonts(files, mode, font_demand(line, required));
   line.refuse({"glyphs", "worst"}, "only for fonts");
   const auto drawings = std::count_if(files.begin(), files.end(), is_svg_file);
