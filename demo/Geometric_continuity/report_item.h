@@ -28,19 +28,23 @@ struct Report_curve {
   std::size_t group;           // the number of the contour or chain to which it belongs
 };
 
+// The curves of a contour or chain, which are drawn around its joins.
+typedef std::vector<std::shared_ptr<const Report_curve>> Report_outline;
+constexpr std::size_t most_curves_of_outline = 2000;
+
 struct Report_item {
   std::size_t number = 0;     // in the order of the files, from 1 on
   std::string place, verdict; // in words
   Report_grade grade = Report_grade::undecided;
-  std::optional<GC::Enclosure> angle;           // degrees
-  std::optional<GC::Enclosure> curvature_jump;  // percent of the larger curvature
-  std::optional<GC::Enclosure> gap;             // in the units of the file
-  std::optional<GC::Enclosure> offset;          // how far a handle is off, in these units
-  double severity = 0;                          // what the eye sees, among joins of one grade
-  std::optional<double> weight;                 // per mille of the whole
-  std::vector<std::string> point;               // coordinates of the join
+  std::optional<GC::Enclosure> angle;              // degrees
+  std::optional<GC::Enclosure> curvature_jump;     // percent of the larger curvature
+  std::optional<GC::Enclosure> gap;                // in the units of the file
+  std::optional<GC::Enclosure> offset;             // how far a handle is off, in these units
+  double severity = 0;                             // what the eye sees, among joins of one grade
+  std::vector<std::string> point;                  // coordinates of the join
   std::shared_ptr<const Report_curve> left, right; // that meet there; none for an edge of a model
-  std::size_t edge = 0;                         // the number of an edge of the model
+  std::shared_ptr<const Report_outline> outline;   // if it is not too long
+  std::size_t edge = 0;                            // the number of an edge of the model
 };
 
 // Whether `a` is shown before `b`, when the worst come first.

@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <iomanip>
 #include <map>
 #include <sstream>
 #include <string_view>
@@ -21,7 +22,8 @@ namespace {
 
 const char* const grade_names[number_of_report_grades] = {"gap", "kink", "corner", "undecided", "G1", "G2"};
 
-const char* name(Report_grade grade) { return grade_names[static_cast<std::size_t>(grade)]; }
+// More curves are not drawn around the joins.
+constexpr std::size_t most_curves = 100000;
 
 // A text from outside as a JSON string that stands inside of HTML: nothing in it ends the block, and nothing is shown that
 // is no text.
@@ -29,8 +31,7 @@ std::string page_string(const std::string& text) {
   std::ostringstream os;
   GC::write_json(os, std::string_view(GC::printable(text)));
   std::string json;
-  for (char c : os.str())
-    switch (c) {
+  for (char c : os.str()) switch (c) {
     case '<': json += "\\u003c"; break;
     case '>': json += "\\u003e"; break;
     case '&': json += "\\u0026"; break;
@@ -69,6 +70,7 @@ class Curve_numbers {
   std::map<const Report_curve*, std::size_t> numbers_;
 
 public:
+  std::size_t size() const { return numbers_.size(); }
   std::size_t operator()(const Report_curve& curve) { return numbers_.emplace(&curve, numbers_.size()).first->second; }
   std::vector<const Report_curve*> curves() const {
     std::vector<const Report_curve*> result(numbers_.size());
@@ -77,8 +79,8 @@ public:
   }
 };
 
-std::string page_item(const Report_item& item, Curve_numbers& curves) {
-  std::string json = "{\"number\":" + std::to_string(item.number) + ",\"grade\":\"" + name(item.grade) +
+std::string page_item(const Report_item& item, const std::optional<double>& extent, Curve_numbers& curves) {
+  std::string json = "{\"number\":" + std::to_string(item.number) + ",\"grade\":\"" + report_grade_name(item.grade) +
                      "\",\"place\":" + page_string(item.place) + ",\"verdict\":" + page_string(item.verdict) +
                      ",\"angle\":" + page_bounds(item.angle);
   if (item.left) {
@@ -88,7 +90,11 @@ std::string page_item(const Report_item& item, Curve_numbers& curves) {
     json += ",\"edge\":" + std::to_string(item.edge);
   if (item.gap) json += ",\"gap\":" + page_bounds(item.gap);
   if (item.offset) json += ",\"offset\":" + page_bounds(item.offset);
-  if (item.weight) json += ",\"weight\":\"" + page_number(*item.weight, item.place) + '"';
+  if (extent && item.offset) {
+    std::ostringstream os;
+    os << std::setprecision(3) << 1000 * item.severity / *extent;
+    json += ",\"severity\":\"" + os.str() + '"';
+  }
   if (!item.point.empty()) {
     const char* separator = ",\"at\":[";
     for (const std::string& x : item.point) {
@@ -123,6 +129,8 @@ void write_model(std::ostream& os, const Report_model& model) {
 
 } // namespace
 
+const char* report_grade_name(Report_grade grade) { return grade_names[static_cast<std::size_t>(grade)]; }
+
 bool Report_page::count(Report_grade grade, double severity) {
   ++counts_[static_cast<std::size_t>(grade)];
   Report_item item;
@@ -148,6 +156,10 @@ void Report_page::finish() {
                                     std::to_string(total_) + "; " + std::to_string(left_out()) + " are left out.");
 }
 
+void Report_page::number_edges() {
+  for (std::size_t i = 0; i < items_.size(); ++i) items_[i].edge = i;
+}
+
 void Report_page::write(std::ostream& os) const {
   os << page_before_data << "{\"title\":" << page_string(title) << ",\"summary\":" << page_string(summary)
      << ",\n\"notes\":[";
@@ -160,9 +172,12 @@ void Report_page::write(std::ostream& os) const {
   Curve_numbers curves;
   const char* separator = "\n";
   for (const Report_item& item : items_) {
-    os << separator << page_item(item, curves);
+    os << separator << page_item(item, extent, curves);
     separator = ",\n";
   }
+  for (const Report_item& item : items_)
+    if (item.outline && curves.size() + item.outline->size() <= most_curves)
+      for (const std::shared_ptr<const Report_curve>& curve : *item.outline) curves(*curve);
   os << "],\n\"curves\":[";
   separator = "\n";
   for (const Report_curve* curve : curves.curves()) {

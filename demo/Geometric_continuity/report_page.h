@@ -14,6 +14,9 @@
 #include <string>
 #include <vector>
 
+// E.g. "G1".
+const char* report_grade_name(Report_grade grade);
+
 // The page of `report`: what is counted, the worst joins, and what is drawn.
 class Report_page {
   const std::size_t most_;
@@ -25,7 +28,8 @@ public:
   std::string title, summary;
   std::vector<std::string> notes; // what could not be verified, and the like
   int dimension = 2;
-  bool down = false; // the second coordinate grows downwards
+  bool down = false;            // the second coordinate grows downwards
+  std::optional<double> extent; // of the whole, of which severities of kinks are given in per mille
   std::optional<Report_model> model;
 
   // A page that shows at most so many joins.
@@ -42,6 +46,9 @@ public:
 
   // Sorts the joins, the worst first, and states in the notes how many are left out.
   void finish();
+
+  // Numbers the edges of the items in their order.
+  void number_edges();
 
   // Writes the page, one file of HTML that needs no other. Texts are escaped.
   // Throws GC::Error `not_finite`, with the place, for coordinates that are no finite floating-point numbers.

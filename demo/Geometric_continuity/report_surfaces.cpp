@@ -3,6 +3,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
 #include "input.h"
+#include "join_report.h"
 #include "model_json.h"
 #include "progress.h"
 #include "report_inputs.h"
@@ -16,7 +17,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <set>
+#include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -128,7 +129,7 @@ private:
     if (e.g_order > 0)
       angle = GC::Enclosure{0, 0};
     else if (e.deviation)
-      angle = degrees(e.deviation->angle());
+      angle = GC::in_degrees(e.deviation->angle());
     const Report_grade grade = this->grade(e, angle);
     const double severity = angle ? angle->upper : 0;
     if (!page_.count(grade, severity)) return;
@@ -190,8 +191,8 @@ private:
     const Surface& s = surfaces_[e.patch_a];
     const bool along_u = runs_along_u(e.edge_a);
     const std::pair<FT, FT> across = along_u ? s.domain_v() : s.domain_u();
-    Report_model::Edge result{grade, {e.patch_a},
-                              line(s, !along_u, at_upper_end(e.edge_a) ? across.second : across.first)};
+    Report_model::Edge result{
+        grade, {e.patch_a}, line(s, !along_u, at_upper_end(e.edge_a) ? across.second : across.first)};
     if (e.patch_b && *e.patch_b != e.patch_a) result.patches.push_back(*e.patch_b);
     return result;
   }
@@ -200,13 +201,13 @@ private:
 template <class Surface>
 void show_model(const std::vector<Surface>& surfaces, const std::string& name, const Report_demand& demand,
                 Report_page& page) {
-  const GC::Model_continuity<Exact> model = within_work_limit(
-      [&] { return name; },
-      [&] {
-        Progress progress("edges and knot lines");
-        return GC::model_continuity<CGAL::Parallel_if_available_tag>(surfaces, demand.limit,
-                                                                     [&](std::size_t n) { progress.step(n); });
-      });
+  const GC::Model_continuity<Exact> model =
+      within_work_limit([&] { return name; },
+                        [&] {
+                          Progress progress("edges and knot lines");
+                          return GC::model_continuity<CGAL::Parallel_if_available_tag>(
+                              surfaces, demand.limit, [&](std::size_t n) { progress.step(n); });
+                        });
   Model_page<Surface> gatherer(surfaces, model, GC::enclosure(demand.kink_bound.degrees()), page);
   gatherer.gather();
   page.finish();
