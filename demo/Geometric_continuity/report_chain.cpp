@@ -118,13 +118,14 @@ void report_chain(const Arguments& files, const Report_demand& demand, Report_pa
   std::size_t size = 0;
   for (std::optional<Exact_curve> curve; stream.next(curve); ++size) {
     auto piece = std::make_unique<Chain_piece>(size, *curve, stream.file());
+    page.dimension = curve->dimension();
+    page.include(piece->drawing()->points);
     if (size < most_curves_of_outline)
       outline->push_back(piece->drawing());
     else
       outline->clear();
     if (last) show_join(*last, *piece, files.size() > 1, outline, demand, page);
     if (size == 0) {
-      page.dimension = curve->dimension();
       first = std::make_unique<Chain_piece>(*piece);
     }
     last = std::move(piece);

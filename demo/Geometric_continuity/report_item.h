@@ -18,8 +18,8 @@
 namespace GC = CGAL::Geometric_continuity;
 
 // The worst first.
-enum class Report_grade { gap, kink, corner, undecided, g1, g2 };
-constexpr std::size_t number_of_report_grades = 6;
+enum class Report_grade { gap, kink, corner, g0, undecided, g1, g2 };
+constexpr std::size_t number_of_report_grades = 7;
 
 // A curve as it is drawn: rounded numbers.
 struct Report_curve {

@@ -29,8 +29,9 @@ Report_grade report_grade(const std::optional<GC::Join_grade>& grade) {
 const char* report_words(Report_grade grade, bool retracted) {
   switch (grade) {
   case Report_grade::gap: return "the ends are apart";
-  case Report_grade::kink: return "the tangents differ, by less than a corner that is meant";
-  case Report_grade::corner: return "a corner";
+  case Report_grade::kink: return "the tangents differ by a small angle";
+  case Report_grade::corner: return "the tangents differ";
+  case Report_grade::g0: return "the ends meet";
   case Report_grade::undecided: return "not decided";
   case Report_grade::g1: return retracted ? "one tangent, and a handle lies on the node" : "the curvature jumps";
   case Report_grade::g2: return "smooth: tangent and curvature agree";
@@ -55,10 +56,11 @@ Report_item measured_join(const Plane_curve& left, const Plane_curve& right, con
   case Report_grade::corner: {
     const GC::Kink_size size = *GC::kink_size(left, right);
     item.angle = GC::in_degrees(size.angle);
-    item.offset = size.handle_offset;
+    if (item.grade == Report_grade::kink) item.offset = size.handle_offset;
     item.severity = size.severity.upper;
     break;
   }
+  case Report_grade::g0:
   case Report_grade::undecided: item.angle.reset(); break;
   case Report_grade::g1: {
     const GC::Join_deviation d = GC::deviation(left, right, demand.limit);

@@ -20,7 +20,7 @@
 
 namespace {
 
-const char* const grade_names[number_of_report_grades] = {"gap", "kink", "corner", "undecided", "G1", "G2"};
+const char* const grade_names[number_of_report_grades] = {"gap", "kink", "corner", "G0", "undecided", "G1", "G2"};
 
 // More curves are not drawn around the joins.
 constexpr std::size_t most_curves = 100000;
@@ -79,7 +79,7 @@ public:
   }
 };
 
-std::string page_item(const Report_item& item, const std::optional<double>& extent, Curve_numbers& curves) {
+std::string page_item(const Report_item& item, double extent, Curve_numbers& curves) {
   std::string json = "{\"number\":" + std::to_string(item.number) + ",\"grade\":\"" + report_grade_name(item.grade) +
                      "\",\"place\":" + page_string(item.place) + ",\"verdict\":" + page_string(item.verdict) +
                      ",\"angle\":" + page_bounds(item.angle);
@@ -90,9 +90,9 @@ std::string page_item(const Report_item& item, const std::optional<double>& exte
     json += ",\"edge\":" + std::to_string(item.edge);
   if (item.gap) json += ",\"gap\":" + page_bounds(item.gap);
   if (item.offset) json += ",\"offset\":" + page_bounds(item.offset);
-  if (extent && item.offset) {
+  if (item.offset && extent > 0) {
     std::ostringstream os;
-    os << std::setprecision(3) << 1000 * item.severity / *extent;
+    os << std::setprecision(3) << 1000 * item.severity / extent;
     json += ",\"severity\":\"" + os.str() + '"';
   }
   if (!item.point.empty()) {
@@ -149,6 +149,22 @@ void Report_page::add(Report_item item) {
   std::push_heap(items_.begin(), items_.end(), is_worse);
 }
 
+void Report_page::include(const std::vector<double>& points) {
+  const std::size_t d = static_cast<std::size_t>(dimension);
+  if (low_.empty() && points.size() >= d)
+    low_ = high_ = std::vector<double>(points.begin(), points.begin() + dimension);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    low_[i % d] = (std::min)(low_[i % d], points[i]);
+    high_[i % d] = (std::max)(high_[i % d], points[i]);
+  }
+}
+
+double Report_page::extent() const {
+  double sum = 0;
+  for (std::size_t i = 0; i < low_.size(); ++i) sum += (high_[i] - low_[i]) * (high_[i] - low_[i]);
+  return std::sqrt(sum);
+}
+
 void Report_page::finish() {
   std::sort_heap(items_.begin(), items_.end(), is_worse);
   if (left_out() > 0)
@@ -172,7 +188,7 @@ void Report_page::write(std::ostream& os) const {
   Curve_numbers curves;
   const char* separator = "\n";
   for (const Report_item& item : items_) {
-    os << separator << page_item(item, extent, curves);
+    os << separator << page_item(item, extent(), curves);
     separator = ",\n";
   }
   for (const Report_item& item : items_)

@@ -23,13 +23,13 @@ class Report_page {
   std::vector<Report_item> items_; // a heap with the least bad one in front, as soon as there are as many as allowed
   std::array<std::size_t, number_of_report_grades> counts_{};
   std::size_t total_ = 0;
+  std::vector<double> low_, high_; // of all points
 
 public:
   std::string title, summary;
   std::vector<std::string> notes; // what could not be verified, and the like
   int dimension = 2;
-  bool down = false;            // the second coordinate grows downwards
-  std::optional<double> extent; // of the whole, of which severities of kinks are given in per mille
+  bool down = false; // the second coordinate grows downwards
   std::optional<Report_model> model;
 
   // A page that shows at most so many joins.
@@ -39,6 +39,10 @@ public:
   // its item is to be passed to add().
   bool count(Report_grade grade, double severity);
   void add(Report_item item);
+
+  // Includes points in the whole, of the extent of which the severities of kinks are given in per mille.
+  void include(const std::vector<double>& points);
+  double extent() const;
 
   std::size_t total() const { return total_; }
   std::size_t left_out() const { return total_ - items_.size(); }

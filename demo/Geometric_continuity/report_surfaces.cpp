@@ -119,7 +119,7 @@ private:
     if (e.g_order < 0) return Report_grade::gap;
     if (e.g_order > 0) return e.g_order > 1 ? Report_grade::g2 : Report_grade::g1;
     if (e.defect == GC::Edge_defect::fold) return Report_grade::corner;
-    if (e.defect != GC::Edge_defect::crease || !angle) return Report_grade::undecided;
+    if (e.defect != GC::Edge_defect::crease || !angle) return Report_grade::g0;
     if (angle->upper <= kink_bound_.lower) return Report_grade::kink;
     return kink_bound_.upper < angle->lower ? Report_grade::corner : Report_grade::undecided;
   }

@@ -1,6 +1,6 @@
 // The list of joins: filtered, sorted, and only those rows are in the page that can be seen.
 
-const gradeNames = ['gap', 'kink', 'corner', 'undecided', 'G1', 'G2'];
+const gradeNames = ['gap', 'kink', 'corner', 'G0', 'undecided', 'G1', 'G2'];
 
 // An element with a class and children; texts become text nodes, so that nothing from a file is ever read as markup.
 function element(name, className, ...children) {
@@ -12,7 +12,7 @@ function element(name, className, ...children) {
 
 // Bounds [lower, upper] are texts, rounded outwards where they were computed; equal ones are the number itself.
 function boundTexts(bounds, unit) {
-  if (!bounds) return ['not defined', ''];
+  if (!bounds) return ['not known', ''];
   const [lower, upper] = bounds;
   return lower === upper ? [upper + unit, ''] : ['\u2264 ' + upper + unit, '\u2265 ' + lower + unit];
 }
@@ -27,11 +27,11 @@ function numbersOf(item) {
     list.append(element('dt', '', name), dd);
   };
   add('Angle', boundTexts(item.angle, '\u00b0'));
-  if (item.jump !== undefined) add('Curvature jump', boundTexts(item.jump, ' %'));
+  if (item.jump) add('Curvature jump', boundTexts(item.jump, ' %'));
   if (item.gap) add('Gap', boundTexts(item.gap, ''));
   if (item.offset) add('Handle is off by', boundTexts(item.offset, ''));
   if (item.at) add('At', ['(' + item.at.join(', ') + ')', '']);
-  if (item.weight) add('Weight', [item.weight + ' \u2030', 'angle times the shorter handle']);
+  if (item.severity) add('Severity', ['about ' + item.severity + ' \u2030', 'angle times the shorter handle, of the whole']);
   return list;
 }
 

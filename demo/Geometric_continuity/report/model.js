@@ -4,7 +4,10 @@
 class Model {
   constructor(data) {
     this.patches = data.patches.map((p) => ({ facets: facetsOf(p), points: triples(p.points) }));
-    this.edges = data.edges.map((e) => ({ ...e, points: triples(e.points) }));
+    for (const p of this.patches) p.cell = Math.max(0, ...p.facets.map((f) => length(subtract(f.corners[2], f.corners[0]))));
+    // an edge lies in front of the cells that have it
+    this.edges = data.edges.map((e) => ({ ...e, points: triples(e.points),
+      bias: 0.55 * Math.max(0, ...e.patches.map((i) => this.patches[i].cell)) }));
     this.all = this.patches.map((_, i) => i);
     this.frame = frameOf(this.patches.flatMap((p) => p.points).concat(this.edges.flatMap((e) => e.points)));
   }
@@ -72,13 +75,12 @@ function drawModel(canvas, model, options) {
       parts.push({ depth, draw: () => drawFacet(context, p, light, options.fill) });
     }
   }
-  const bias = 0.012 * radius; // an edge lies in front of the facets that have it
   const numbers = options.edges || model.edges.map((_, i) => i);
   for (const i of numbers) {
     const edge = model.edges[i], p = edge.points.map(project), chosen = i === options.chosen;
     for (let j = 0; j + 1 < p.length; ++j)
       parts.push({
-        depth: (p[j][2] + p[j + 1][2]) / 2 + bias * (chosen ? 2 : 1),
+        depth: (p[j][2] + p[j + 1][2]) / 2 + edge.bias * (chosen ? 1.1 : 1),
         draw: () => drawSegment(context, p[j], p[j + 1], edge.grade, chosen),
       });
   }
@@ -91,7 +93,7 @@ function drawFacet(context, p, light, fill) {
   context.closePath();
   context.lineWidth = 0.6;
   if (fill) {
-    context.fillStyle = context.strokeStyle = mixed(colours.shade, colours.card, 0.15 + 0.75 * light);
+    context.fillStyle = context.strokeStyle = mixed(colours.shade, colours.card, 0.05 + 0.9 * light * light);
     context.fill();
   } else
     context.strokeStyle = colours.line;
@@ -102,12 +104,10 @@ const thinGrades = new Set(['boundary', 'collapsed', 'G2']);
 
 function drawSegment(context, a, b, grade, chosen) {
   if (chosen) {
-    context.strokeStyle = colours.focus;
-    context.globalAlpha = 0.35;
-    context.lineWidth = 11;
+    context.strokeStyle = mixed(colours.focus, colours.card, 0.6);
+    context.lineWidth = 10;
     polyline(context, [a, b]);
     context.stroke();
-    context.globalAlpha = 1;
   }
   context.strokeStyle = colours[grade];
   context.lineWidth = chosen ? 3.5 : thinGrades.has(grade) ? 1.4 : 2.6;

@@ -1,13 +1,13 @@
 // Draws a join: both curves with their curvature combs and handles, and grey what lies around.
 
-const teeth = 36;
+const teeth = 48;
 
 // The colours of the theme, read once for each theme.
 let colours = {};
 function readColours() {
   const style = getComputedStyle(document.documentElement);
   for (const name of ['card', 'ink', 'soft', 'line', 'shade', 'left', 'right', 'handle', 'context', 'gap', 'corner', 'kink',
-    'undecided', 'G1', 'G2', 'boundary', 'collapsed', 'focus'])
+    'G0', 'undecided', 'G1', 'G2', 'boundary', 'collapsed', 'focus'])
     colours[name] = style.getPropertyValue('--' + name).trim();
 }
 
@@ -45,20 +45,23 @@ class View {
     const reach = (curve) => Math.max(0, ...curveBox(curve).map((p) => length(subtract(p, this.centre))));
     const a = reach(item.left), b = reach(item.right), least = Math.min(a, b) || Math.max(a, b) || 1;
     this.radius = Math.min(Math.max(a, b) || 1, 2 * least) / zoom;
-    this.scale = 0.42 * Math.min(width * 0.8, height) / this.radius;
-    this.origin = [width / 2 + shift[0], height / 2 + shift[1]];
     this.up = down ? 1 : -1;
-    this.recentre(item, zoom, width, height);
+    this.scale = 1;
+    this.fit(item, width, height, Math.min(zoom, 1), zoom);
+    this.origin[0] += shift[0];
+    this.origin[1] += shift[1];
   }
-  // Without a zoom, what is drawn stands in the middle, as far as the join stays well inside.
-  recentre(item, zoom, width, height) {
-    if (zoom > 1) return;
-    const points = [item.left, item.right].flatMap(curveBox)
-      .filter((p) => length(subtract(p, this.centre)) <= this.radius * 1.01).map((p) => this.vector(subtract(p, this.centre)));
-    for (const [i, size] of [[0, width], [1, height]]) {
-      const x = points.map((p) => p[i]), middle = x.length === 0 ? 0 : (Math.min(...x) + Math.max(...x)) / 2;
-      this.origin[i] -= Math.max(-0.3 * size, Math.min(0.3 * size, middle));
-    }
+  // Leaves space for the comb. With a zoom the join moves into the middle.
+  fit(item, width, height, smaller, zoom) {
+    const margin = 0.19 * Math.min(width, height), most = this.radius * Math.max(zoom, 1);
+    const points = [[0, 0], ...[item.left, item.right].flatMap(curveBox).map((p) => subtract(p, this.centre))
+      .filter((v) => length(v) <= most * 1.001).map((v) => this.vector(v))];
+    const range = [0, 1].map((i) => [Math.min(...points.map((p) => p[i])), Math.max(...points.map((p) => p[i]))]);
+    const scales = [width, height].map((size, i) => (size - 2 * margin) / (range[i][1] - range[i][0]));
+    const fitting = Math.min(...scales, 0.5 * width / most, 1.2 * height / most) * smaller;
+    this.scale = fitting * Math.max(zoom, 1);
+    const weight = 1 / Math.max(zoom, 1);
+    this.origin = [width, height].map((size, i) => size / 2 - weight * fitting * (range[i][0] + range[i][1]) / 2);
   }
   vector(v) { return [this.scale * dot(v, this.directions[0]), this.up * this.scale * dot(v, this.directions[1])]; }
   point(p) {
@@ -71,6 +74,16 @@ function curveBox(curve) {
   const points = [];
   for (let i = 0; i <= degreeOf(curve); ++i) points.push(controlPoint(curve, i));
   return points;
+}
+
+// A ball that contains the control points.
+function ballOf(curve) {
+  if (!curve.ball) {
+    const points = curveBox(curve);
+    const low = points.reduce((a, p) => a.map((x, i) => Math.min(x, p[i]))), high = points.reduce((a, p) => a.map((x, i) => Math.max(x, p[i])));
+    curve.ball = { centre: combine(low, 0.5, high, 0.5), radius: length(subtract(high, low)) / 2 };
+  }
+  return curve.ball;
 }
 
 // The curvature to which the longest teeth belong: that at the join, where it is not much less than elsewhere.
@@ -137,10 +150,11 @@ function dotAt(context, p, radius, colour) {
 function drawContext(context, view, item, curves, width, height) {
   context.strokeStyle = colours.context;
   context.lineWidth = 1.5;
+  const reach = (Math.hypot(width, height) + Math.hypot(view.origin[0] - width / 2, view.origin[1] - height / 2)) / view.scale;
   for (const curve of curves) {
     if (curve === item.left || curve === item.right) continue;
-    const box = curveBox(curve).map((p) => view.point(p)), x = box.map((p) => p[0]), y = box.map((p) => p[1]);
-    if (Math.max(...x) < 0 || Math.max(...y) < 0 || Math.min(...x) > width || Math.min(...y) > height) continue;
+    const ball = ballOf(curve);
+    if (length(subtract(ball.centre, view.centre)) > ball.radius + reach) continue;
     polyline(context, samples(curve, degreeOf(curve) < 2 && !curve.weights ? 1 : 24).map((s) => view.point(s.x)));
     context.stroke();
   }
