@@ -4,8 +4,6 @@
 
 #include "Font_face.h"
 
-#include <CGAL/Geometric_continuity/Error.h>
-
 #include <cstdio>
 #include <cstdlib>
 
@@ -15,8 +13,6 @@
 
 namespace {
 
-namespace GC = CGAL::Geometric_continuity;
-
 constexpr FT_Pos max_coordinate = FT_Pos(1) << 20; // units of the font
 
 // What FreeType says about an error. Its header lists the texts for whoever defines these macros.
@@ -24,7 +20,8 @@ std::string freetype_message(FT_Error error) {
   switch (FT_ERROR_BASE(error)) {
 #undef FTERRORS_H_
 #define FT_ERRORDEF(name, value, text)                                                                                 \
-  case value: return text;
+  case value:                                                                                                          \
+    return text;
 #define FT_ERROR_START_LIST
 #define FT_ERROR_END_LIST
 #include FT_ERRORS_H
@@ -33,8 +30,7 @@ std::string freetype_message(FT_Error error) {
 }
 
 void check(FT_Error error) {
-  if (error == FT_Err_Out_Of_Memory) throw GC::Error(GC::Error_code::malformed_input, "needs more memory than there is");
-  if (error != 0) throw GC::Error(GC::Error_code::malformed_input, freetype_message(error));
+  if (error != 0) throw Font_error(freetype_message(error));
 }
 
 // FreeType itself, opened once.
@@ -86,7 +82,8 @@ public:
                                         [](P to, void* self) { return receiver(self).line(*to); },
                                         [](P a, P to, void* self) { return receiver(self).conic(*a, *to); },
                                         [](P a, P b, P to, void* self) { return receiver(self).cubic(*a, *b, *to); },
-                                        1, 0}; // all coordinates are multiplied by 2
+                                        1,
+                                        0}; // all coordinates are multiplied by 2
     return table;
   }
 
@@ -146,13 +143,11 @@ void Font_face::read(int glyph, Glyph_outline& outline) const {
   outline.clear();
   check(FT_Load_Glyph(face_.get(), static_cast<FT_UInt>(glyph), FT_LOAD_NO_SCALE | FT_LOAD_IGNORE_TRANSFORM));
   FT_GlyphSlot slot = face_->glyph;
-  if (slot->format != FT_GLYPH_FORMAT_OUTLINE)
-    throw GC::Error(GC::Error_code::malformed_input, "a picture without an outline");
+  if (slot->format != FT_GLYPH_FORMAT_OUTLINE) throw Font_error("a picture without an outline");
   Outline_receiver receiver(outline);
   check(FT_Outline_Decompose(&slot->outline, &Outline_receiver::functions(), &receiver));
   receiver.end_contour();
   if (receiver.good()) return;
   outline.clear();
-  throw GC::Error(GC::Error_code::malformed_input,
-                  "a coordinate beyond " + std::to_string(max_coordinate) + " units of the font");
+  throw Font_error("a coordinate beyond " + std::to_string(max_coordinate) + " units of the font");
 }

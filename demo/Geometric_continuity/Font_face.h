@@ -8,10 +8,16 @@
 #include "Glyph_outline.h"
 
 #include <memory>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 
 struct FT_FaceRec_;
+
+// Why a font or a glyph cannot be read, in the words of FreeType where it has some.
+struct Font_error : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
 
 // A font of a file, read by FreeType: TrueType, OpenType with TrueType or CFF outlines, Type 1, WOFF. Of a variable font it
 // is the default instance. The points are what FreeType says in units of the font: those of scaled or rotated components, and
@@ -24,8 +30,8 @@ class Font_face {
   bool has_names_;
 
 public:
-  // Opens font number `index` of a file, whose bytes must stay as long as this object. Throws GC::Error `malformed_input` with
-  // the reason of FreeType.
+  // Opens font number `index` of a file, whose bytes must stay as long as this object. Throws
+  // Font_error.
   explicit Font_face(std::string_view bytes, int index = 0);
 
   // The number of fonts in the file.
@@ -50,8 +56,8 @@ public:
       take(character, glyph);
   }
 
-  // Reads the outline of a glyph. Throws GC::Error `malformed_input` with the reason of FreeType, or when the glyph has no
-  // outline but a picture, or points that no font needs.
+  // Reads the outline of a glyph. Throws Font_error, also when the glyph has no outline but a picture, or coordinates that no
+  // font needs.
   void read(int glyph, Glyph_outline& outline) const;
 
 private:

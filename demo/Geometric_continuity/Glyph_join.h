@@ -7,12 +7,18 @@
 
 #include "Glyph_outline.h"
 
+#include <CGAL/Exact_rational.h>
+#include <CGAL/Geometric_continuity/Traits_2.h>
 #include <CGAL/Geometric_continuity/joins/Join_grade.h>
+#include <CGAL/Geometric_continuity/joins/Kink_size.h>
+#include <CGAL/Simple_cartesian.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+
+namespace GC = CGAL::Geometric_continuity;
 
 // The joins of a glyph, graded as GC::join_grade() does, whose text is for all curves and numbers. This one is for the integers of
 // a font, none of which is larger than 2^21: a test compares both.
@@ -86,7 +92,8 @@ class Glyph_join {
   bool curvatures_agree() const {
     const bool by_x = a_.x != 0;
     const Integer a = cube(std::abs(by_x ? a_.x : a_.y)), b = cube(std::abs(by_x ? b_.x : b_.y));
-    const std::int64_t left = left_.is_retracted() ? 0 : -left_.bend(), right = right_.is_retracted() ? 0 : right_.bend();
+    const std::int64_t left = left_.is_retracted() ? 0 : -left_.bend(),
+                       right = right_.is_retracted() ? 0 : right_.bend();
     return b * left * right_.degree() == a * right * left_.degree();
   }
 
@@ -96,19 +103,32 @@ public:
         b_(right_.handle()) {}
 
   const Glyph_point& node() const { return right_.node(); }
-  std::int64_t sine() const { return cross(a_, b_); }  // times the lengths of the handles
+  std::int64_t sine() const { return cross(a_, b_); } // times the lengths of the handles
   std::int64_t cosine() const { return dot(a_, b_); }
 
   GC::Join_grade grade(const GC::Kink_bound& bound) const {
-    if (sine() != 0 || cosine() < 0) return bound.is_exceeded(sine(), cosine()) ? GC::Join_grade::corner : GC::Join_grade::kink;
+    if (sine() != 0 || cosine() < 0)
+      return bound.is_exceeded(sine(), cosine()) ? GC::Join_grade::corner : GC::Join_grade::kink;
     const auto has_no_curvature = [](const Glyph_segment_end& end) { return end.is_retracted() && !end.is_line(); };
     if (has_no_curvature(left_) || has_no_curvature(right_)) return GC::Join_grade::g1;
     return curvatures_agree() ? GC::Join_grade::g2 : GC::Join_grade::g1;
   }
 
-  // How far, in units of the font, the tip of one of the handles is at least off the line on that the other one lies.
-  double handle_offset() const {
-    return static_cast<double>(std::abs(sine())) / (2 * (std::max)(a_.length(), b_.length()));
+  // Whether a handle is off by more than one unit of the font, see GC::Kink_size: too much to come from rounding alone.
+  bool is_off_by_more_than_one_unit() const {
+    const std::int64_t aa = dot(a_, a_), bb = dot(b_, b_);
+    if (cosine() <= 0) return (std::min)(aa, bb) > 4;
+    return Integer(sine()) * sine() > Integer(4) * (std::max)(aa, bb);
+  }
+
+  // The angle, the offset of a handle and the severity, enclosed, in halves of units.
+  GC::Kink_size size() const {
+    typedef CGAL::Simple_cartesian<CGAL::Exact_rational> Kernel;
+    const auto line = [](const Glyph_leg& a) {
+      return GC::Bezier_curve<GC::Traits_2<Kernel>, 1>(
+          {Kernel::Point_2(0, 0), Kernel::Point_2(static_cast<double>(a.x), static_cast<double>(a.y))});
+    };
+    return *GC::kink_size(line(a_), line(b_));
   }
 
   // What the eye sees of a kink, in units of the font: the angle in radians times the shorter handle.

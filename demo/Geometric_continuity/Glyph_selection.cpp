@@ -61,7 +61,8 @@ Glyph_selection::Item Glyph_selection::parsed(const std::string& text) {
     const std::optional<char32_t> first = number(rest.substr(1, dash - 1), 10);
     std::optional<char32_t> last = first;
     if (dash < text.size()) last = rest.substr(dash, 2) == "-#" ? number(rest.substr(dash + 2), 10) : std::nullopt;
-    if (!first || !last || *last < *first) refuse(text, "is no number of a glyph, such as #12, nor a range such as #12-#20");
+    if (!first || !last || *last < *first)
+      refuse(text, "is no number of a glyph, such as #12, nor a range such as #12-#20");
     return {text, Kind::numbers, *first, *last};
   }
   const bool is_code = rest.substr(0, 2) == "U+";

@@ -22,7 +22,7 @@ namespace fs = std::filesystem;
 constexpr std::size_t max_font_size = std::size_t(1) << 30;
 
 bool has_font_ending(const std::string& file) {
-  static const std::set<std::string> endings{".ttf", ".otf", ".ttc",  ".otc",   ".pfb",
+  static const std::set<std::string> endings{".ttf", ".otf",  ".ttc",   ".otc",  ".pfb",
                                              ".pfa", ".woff", ".woff2", ".dfont"};
   return endings.count(extension(file)) != 0;
 }
@@ -65,7 +65,8 @@ public:
     std::error_code error;
     if (!is_new(folder)) return;
     std::vector<fs::path> entries;
-    for (fs::directory_iterator i(folder, error), end; !error && i != end; i.increment(error)) entries.push_back(i->path());
+    for (fs::directory_iterator i(folder, error), end; !error && i != end; i.increment(error))
+      entries.push_back(i->path());
     if (error) not_read_.push_back(folder.string() + ": " + error.message());
     std::sort(entries.begin(), entries.end());
     for (const fs::path& entry : entries)
@@ -89,7 +90,7 @@ bool is_font_file(const std::string& file) {
 
 bool are_fonts(const std::vector<std::string>& arguments) {
   const auto fonts = std::count_if(arguments.begin(), arguments.end(),
-                                   [](const std::string& a) { return !is_folder(a) && is_font_file(a); }),
+                                   [](const std::string&a) { return !is_folder(a) && is_font_file(a); }),
              folders = std::count_if(arguments.begin(), arguments.end(), is_folder),
              others = static_cast<std::ptrdiff_t>(arguments.size()) - fonts - folders;
   if (fonts != 0 && others != 0)
@@ -109,8 +110,9 @@ std::vector<Font_file> font_files(const std::vector<std::string>& arguments, std
     if (search.found().size() == before && not_read.size() > unread)
       throw GC::Error(GC::Error_code::cannot_read_file, not_read.back());
     if (search.found().empty())
-      throw std::invalid_argument(argument + ": there is no font in this folder, whose name ends with .ttf, .otf, .ttc, .otc, "
-                                             ".pfb, .pfa, .woff, .woff2 or .dfont");
+      throw std::invalid_argument(argument +
+                                  ": there is no font in this folder, whose name ends with .ttf, .otf, .ttc, .otc, "
+                                  ".pfb, .pfa, .woff, .woff2 or .dfont");
   }
   return search.found();
 }
@@ -125,7 +127,8 @@ std::string read_bytes(const std::string& file) {
     read = static_cast<std::size_t>(input.rdbuf()->sgetn(bytes.data() + size, static_cast<std::streamsize>(block)));
     bytes.resize(size + read);
     if (bytes.size() > max_font_size)
-      throw GC::Error(GC::Error_code::malformed_input, input_name(file) + ": larger than any font, which has at most 1 GiB");
+      throw GC::Error(GC::Error_code::malformed_input,
+                      input_name(file) + ": larger than any font, which has at most 1 GiB");
   }
   return bytes;
 }

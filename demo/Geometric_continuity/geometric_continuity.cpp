@@ -27,9 +27,9 @@ const char* const program_usage = R"(usage: geometric_continuity COMMAND [ARGUME
                             a drawing (.svg), exactly
   plot FILE.g2...           draw curves, control polygons and curvature combs,
                             or surfaces
-  report FILE.g2... -o OUT.html
-                            show the joins of a chain, a drawing or a model, the
-                            worst first, on a page
+  report FILE... -o OUT.html
+                            show the joins of chains, drawings, fonts or models,
+                            the worst first, on a page
   tessellate MODEL.g2...    write triangles for surfaces, without cracks, as
                             OFF, PLY, OBJ or STL
 

@@ -3,6 +3,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
 #include "command_line.h"
+#include "font_files.h"
 #include "output.h"
 #include "report_inputs.h"
 #include "svg_drawing.h"
@@ -14,13 +15,13 @@
 
 namespace {
 
-const char* const report_usage = R"(usage: geometric_continuity report FILE.g2... | DRAWING.svg... -o REPORT.html
-       [OPTIONS]
+const char* const report_usage = R"(usage: geometric_continuity report FILE.g2... | DRAWING.svg... | FONT...
+       -o REPORT.html [OPTIONS]
 
-Decides the joins of a chain or of drawings, or with --surfaces the edges of a
-model, as verify does, and writes a page that shows them: the worst first, each
-drawn large with its curvature comb, its handles and the numbers, which are
-guaranteed bounds. The page filters and sorts, is one file, and needs no
+Decides the joins of a chain, of drawings or of fonts, or with --surfaces the
+edges of a model, as verify does, and writes a page that shows them: the worst
+first, each drawn large with its curvature comb, its handles and the numbers,
+which are guaranteed bounds. The page filters and sorts, is one file, and needs no
 network.
   gap     the ends are apart
   kink    the tangents differ, by at most --kink-angle
@@ -49,6 +50,15 @@ std::string names(const Arguments& files) {
   return files.size() > 3 ? text + " and " + std::to_string(files.size() - 3) + " more" : text;
 }
 
+// Writes the page.
+int written(const Report_page& page, const std::string& output) {
+  write_output(output, [&](std::ostream& os) { page.write(os); });
+  if (page.left_out() > 0)
+    std::cerr << "geometric_continuity: report: the page shows the worst " << page.items().size() << " of "
+              << page.total() << "; --worst N shows more\n";
+  return requirement_met;
+}
+
 } // namespace
 
 int report_command(const Arguments& arguments) {
@@ -58,6 +68,7 @@ int report_command(const Arguments& arguments) {
     add("worst", po::value<int>()->default_value(10000), "show so many joins at most, from 1 to 50000");
     add("kink-angle", po::value<std::string>()->default_value("5"),
         "the largest angle, in degrees, that is a kink and not a corner");
+    add("glyphs", po::value<std::string>(), "the glyphs of fonts, e.g. a-z,U+00E9,ampersand");
     add("closed", "the last curve leads back to the first");
     add("surfaces", "the files hold the patches of a model");
     add("max-work", po::value<std::string>(), "the steps of work that are allowed for one join, edge or curve");
@@ -75,6 +86,13 @@ int report_command(const Arguments& arguments) {
   demand.closed = line.has("closed");
   Report_page page(static_cast<std::size_t>(line.integer("worst", 1, 50000)));
   page.title = line.has("title") ? line.text("title") : "Continuity of " + names(files);
+  if (are_fonts(files)) {
+    line.refuse({"surfaces", "closed"}, "not for fonts");
+    if (line.has("glyphs")) demand.glyphs = Glyph_selection(line.text("glyphs"));
+    report_fonts(files, demand, page);
+    return written(page, output);
+  }
+  line.refuse({"glyphs"}, "only for fonts");
   const auto drawings = std::count_if(files.begin(), files.end(), is_svg_file);
   if (drawings != 0) {
     if (drawings != static_cast<std::ptrdiff_t>(files.size()))
@@ -86,9 +104,5 @@ int report_command(const Arguments& arguments) {
     report_surfaces(files, demand, page);
   } else
     report_chain(files, demand, page);
-  write_output(output, [&](std::ostream& os) { page.write(os); });
-  if (page.left_out() > 0)
-    std::cerr << "geometric_continuity: report: the page shows the worst " << page.items().size() << " of "
-              << page.total() << "; --worst N shows more\n";
-  return requirement_met;
+  return written(page, output);
 }

@@ -160,6 +160,7 @@ void Report_page::include(const std::vector<double>& points) {
 }
 
 double Report_page::extent() const {
+  if (whole_is_em) return 1;
   double sum = 0;
   for (std::size_t i = 0; i < low_.size(); ++i) sum += (high_[i] - low_[i]) * (high_[i] - low_[i]);
   return std::sqrt(sum);
@@ -180,8 +181,8 @@ void Report_page::write(std::ostream& os) const {
   os << page_before_data << "{\"title\":" << page_string(title) << ",\"summary\":" << page_string(summary)
      << ",\n\"notes\":[";
   for (std::size_t i = 0; i < notes.size(); ++i) os << (i == 0 ? "\n" : ",\n") << page_string(notes[i]);
-  os << "],\n\"dimension\":" << dimension << ",\"down\":" << (down ? "true" : "false") << ",\"total\":" << total_
-     << ",\"counts\":{";
+  os << "],\n\"dimension\":" << dimension << ",\"down\":" << (down ? "true" : "false") << ",\"whole\":\""
+     << (whole_is_em ? "em" : "whole") << '"' << ",\"total\":" << total_ << ",\"counts\":{";
   for (std::size_t i = 0; i < counts_.size(); ++i)
     os << (i == 0 ? "\"" : ",\"") << grade_names[i] << "\":" << counts_[i];
   os << "},\n\"joins\":[";

@@ -29,7 +29,8 @@ public:
   std::string title, summary;
   std::vector<std::string> notes; // what could not be verified, and the like
   int dimension = 2;
-  bool down = false; // the second coordinate grows downwards
+  bool down = false;        // the second coordinate grows downwards
+  bool whole_is_em = false; // severities are already in parts of the whole, an em
   std::optional<Report_model> model;
 
   // A page that shows at most so many joins.

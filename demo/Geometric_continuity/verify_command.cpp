@@ -3,9 +3,11 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
 #include "command_line.h"
+#include "font_files.h"
 #include "svg_drawing.h"
 #include "verify_chain.h"
 #include "verify_drawings.h"
+#include "verify_fonts.h"
 
 #include <CGAL/Geometric_continuity/edges/edge_order_within.h>
 
@@ -18,7 +20,7 @@
 
 namespace {
 
-const char* const verify_usage = R"(usage: geometric_continuity verify FILE.g2... | DRAWING.svg... [OPTIONS]
+const char* const verify_usage = R"(usage: geometric_continuity verify FILE.g2... | DRAWING.svg... | FONT... [OPTIONS]
 
 Decides the continuity of every join of the chain that all curves form in the
 given order. The decision is exact for the numbers of the files.
@@ -31,6 +33,16 @@ With --surfaces it finds all edges that the surfaces of the files share, and
 decides G1 and G2 along each whole edge and along the knot lines inside
 B-spline surfaces. For SVG drawings it decides the joins of every path and
 basic shape, and names the element and the commands.
+
+Of fonts (TrueType, OpenType, Type 1, WOFF; folders with all that is in them) it
+grades the joins of each glyph, on the integers of the font:
+  corner  the direction changes by more than --kink-angle, which is meant
+  kink    it changes by less: a handle is off; one unit can come from rounding
+  G1      no change of direction, but of curvature; a handle at its node
+  G2      nor of curvature
+The worst kinks come first: those of the largest angle times the shorter handle.
+--require G1 and G2 leave corners alone. --glyphs a-z,U+00E9,ampersand,#12 takes
+characters and ranges of them, names and numbers of glyphs.
 
 --within 1e-9,1e-6,1e-6 also tells how far each join is from continuous, in
 guaranteed bounds, and the order that it has within this angle of the tangents
@@ -62,6 +74,25 @@ std::vector<double> bounds(const Command_line& line, std::size_t least, const ch
   return x;
 }
 
+// The demand for fonts.
+Font_demand font_demand(const Command_line& line, const std::optional<Requirement>& required) {
+  line.refuse({"surfaces", "closed", "within", "kernel", "max-order", "max-work"}, "not for fonts");
+  Font_demand demand;
+  if (line.has("glyphs")) demand.glyphs = Glyph_selection(line.text("glyphs"));
+  demand.worst = static_cast<std::size_t>(line.integer("worst", 0, 1000000));
+  try {
+    demand.bound = GC::Kink_bound(line.number<Exact>("kink-angle", Exact(5)));
+  } catch (const GC::Error&) {
+    throw std::invalid_argument("--kink-angle: " + line.text("kink-angle") + " is not between 0 and 180 degrees");
+  }
+  if (required) {
+    if (required->text() != "G1" && required->text() != "G2")
+      throw std::invalid_argument("--require " + required->text() + ": of fonts G1 and G2 are decided");
+    demand.required = required->order() == 1 ? GC::Join_grade::g1 : GC::Join_grade::g2;
+  }
+  return demand;
+}
+
 // A,K,T or A,K,T,GAP
 GC::Join_tolerance join_tolerance(const Command_line& line) {
   const std::vector<double> x = bounds(line, 3, "an angle, a relative curvature and a torsion are");
@@ -84,6 +115,10 @@ int verify_command(const Arguments& arguments) {
     add("require", po::value<std::string>(), "the order that every join must have: C1, G2, F3, ...");
     add("within", po::value<std::string>(),
         "A,K,T or A,K,T,GAP: the tolerance for a join; with --surfaces A or A,GAP for an edge");
+    add("kink-angle", po::value<std::string>(), "the largest angle of a kink in degrees: 5 if not given; fonts only");
+    add("glyphs", po::value<std::string>(), "the glyphs to verify, e.g. a-z,U+00E9,ampersand; fonts only");
+    add("worst", po::value<int>()->default_value(10),
+        "how many joins to show of a font, in JSON of a glyph; fonts only");
     add("strict", "what cannot be verified counts as not met");
     add("allow-empty", "accept that there is no join");
     add("summary", "print only the counts and what does not meet the requirement; so it is on a terminal for more than "
@@ -100,6 +135,8 @@ int verify_command(const Arguments& arguments) {
   const Arguments files = line.files();
   const Report_mode mode{line.has("json") ? Report_format::json : Report_format::text, line.has("strict"),
                          line.has("allow-empty"), line.has("summary")};
+  if (are_fonts(files)) return verify_fonts(files, mode, font_demand(line, required));
+  line.refuse({"glyphs", "kink-angle", "worst"}, "only for fonts");
   const auto drawings = std::count_if(files.begin(), files.end(), is_svg_file);
   if (drawings != 0) {
     if (drawings != static_cast<std::ptrdiff_t>(files.size()))

@@ -2,6 +2,8 @@
 
 const gradeNames = ['gap', 'kink', 'corner', 'G0', 'undecided', 'G1', 'G2'];
 
+let wholeName = 'whole';
+
 // An element with a class and children; texts become text nodes, so that nothing from a file is ever read as markup.
 function element(name, className, ...children) {
   const node = document.createElement(name);
@@ -31,7 +33,7 @@ function numbersOf(item) {
   if (item.gap) add('Gap', boundTexts(item.gap, ''));
   if (item.offset) add('Handle is off by', boundTexts(item.offset, ''));
   if (item.at) add('At', ['(' + item.at.join(', ') + ')', '']);
-  if (item.severity) add('Severity', ['about ' + item.severity + ' \u2030', 'angle times the shorter handle, of the whole']);
+  if (item.severity) add('Severity', ['about ' + item.severity + ' \u2030', 'angle times the shorter handle, of the ' + wholeName]);
   return list;
 }
 

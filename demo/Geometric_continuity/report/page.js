@@ -1,6 +1,7 @@
 // Puts the page together: the data, the tools, the keys, the large drawing.
 
 const data = JSON.parse(document.getElementById('data').textContent);
+wholeName = data.whole;
 const byId = (id) => document.getElementById(id);
 
 const curves = data.curves.map((c) => ({ dimension: data.dimension, points: c.points, weights: c.weights, group: c.group }));
