@@ -33,7 +33,7 @@ function numbersOf(item) {
   if (item.gap) add('Gap', boundTexts(item.gap, ''));
   if (item.offset) add('Handle is off by', boundTexts(item.offset, ''));
   if (item.at) add('At', ['(' + item.at.join(', ') + ')', '']);
-  if (item.severity) add('Severity', ['about ' + item.severity + ' \u2030', 'angle times the shorter handle, of the ' + wholeName]);
+  if (item.severity) add('Severity', ['about ' + item.severity + ' \u2030', 'of the ' + wholeName + ': angle times the shorter handle']);
   return list;
 }
 

@@ -30,7 +30,8 @@ function frameOf(points) {
   let low = [Infinity, Infinity, Infinity], high = [-Infinity, -Infinity, -Infinity];
   for (const p of points) { low = low.map((x, i) => Math.min(x, p[i])); high = high.map((x, i) => Math.max(x, p[i])); }
   if (points.length === 0) return { centre: [0, 0, 0], radius: 1 };
-  return { centre: combine(low, 0.5, high, 0.5), radius: length(subtract(high, low)) / 2 || 1 };
+  const centre = combine(low, 0.5, high, 0.5);
+  return { centre, radius: points.reduce((most, p) => Math.max(most, length(subtract(p, centre))), 0) || 1 };
 }
 
 function facetsOf({ m, n, points }) {
@@ -61,7 +62,7 @@ function drawModel(canvas, model, options) {
   const { context, width, height } = prepared(canvas);
   if (width === 0) return;
   const rows = cameraRows(options.camera), { centre, radius } = options.frame;
-  const scale = (0.46 * Math.min(width, height) / radius) * options.camera.zoom * (options.zoom || 1);
+  const scale = (0.48 * Math.min(width, height) / radius) * options.camera.zoom * (options.zoom || 1);
   const project = (p) => {
     const q = subtract(p, centre);
     return [width / 2 + scale * dot(q, rows[0]), height / 2 - scale * dot(q, rows[1]), dot(q, rows[2])];
@@ -79,10 +80,11 @@ function drawModel(canvas, model, options) {
   for (const i of numbers) {
     const edge = model.edges[i], p = edge.points.map(project), chosen = i === options.chosen;
     for (let j = 0; j + 1 < p.length; ++j)
-      parts.push({
-        depth: (p[j][2] + p[j + 1][2]) / 2 + edge.bias * (chosen ? 1.1 : 1),
-        draw: () => drawSegment(context, p[j], p[j + 1], edge.grade, chosen),
-      });
+      for (const halo of chosen ? [true, false] : [false])
+        parts.push({
+          depth: (p[j][2] + p[j + 1][2]) / 2 + edge.bias * (chosen && !halo ? 1.6 : 1),
+          draw: () => drawSegment(context, p[j], p[j + 1], edge.grade, chosen, halo),
+        });
   }
   parts.sort((a, b) => a.depth - b.depth);
   for (const part of parts) part.draw();
@@ -102,15 +104,9 @@ function drawFacet(context, p, light, fill) {
 
 const thinGrades = new Set(['boundary', 'collapsed', 'G2']);
 
-function drawSegment(context, a, b, grade, chosen) {
-  if (chosen) {
-    context.strokeStyle = mixed(colours.focus, colours.card, 0.6);
-    context.lineWidth = 10;
-    polyline(context, [a, b]);
-    context.stroke();
-  }
-  context.strokeStyle = colours[grade];
-  context.lineWidth = chosen ? 3.5 : thinGrades.has(grade) ? 1.4 : 2.6;
+function drawSegment(context, a, b, grade, chosen, halo) {
+  context.strokeStyle = halo ? mixed(colours.focus, colours.card, 0.6) : colours[grade];
+  context.lineWidth = halo ? 10 : chosen ? 3.5 : thinGrades.has(grade) ? 1.4 : 2.6;
   polyline(context, [a, b]);
   context.stroke();
 }

@@ -54,8 +54,10 @@ class View {
   // Leaves space for the comb. With a zoom the join moves into the middle.
   fit(item, width, height, smaller, zoom) {
     const margin = 0.19 * Math.min(width, height), most = this.radius * Math.max(zoom, 1);
-    const points = [[0, 0], ...[item.left, item.right].flatMap(curveBox).map((p) => subtract(p, this.centre))
-      .filter((v) => length(v) <= most * 1.001).map((v) => this.vector(v))];
+    const points = [this.centre.map(() => 0), ...offsetsWithin(curveBox(item.left).reverse(), this.centre, most, false),
+      ...offsetsWithin(curveBox(item.right), this.centre, most, false),
+      ...offsetsWithin(samples(item.left, 24).map((s) => s.x).reverse(), this.centre, most, true),
+      ...offsetsWithin(samples(item.right, 24).map((s) => s.x), this.centre, most, true)].map((v) => this.vector(v));
     const range = [0, 1].map((i) => [Math.min(...points.map((p) => p[i])), Math.max(...points.map((p) => p[i]))]);
     const scales = [width, height].map((size, i) => (size - 2 * margin) / (range[i][1] - range[i][0]));
     const fitting = Math.min(...scales, 0.5 * width / most, 1.2 * height / most) * smaller;
@@ -68,6 +70,21 @@ class View {
     const v = this.vector(subtract(p, this.centre));
     return [this.origin[0] + v[0], this.origin[1] + v[1]];
   }
+}
+
+// The offsets from the centre of those points that lie within the distance `most`, and, on the way out, of the place where it is
+// reached.
+function offsetsWithin(points, centre, most, wayOut) {
+  const result = [];
+  for (const p of points) {
+    const v = subtract(p, centre), distance = length(v);
+    if (distance <= most * 1.001) result.push(v);
+    else if (wayOut) {
+      result.push(v.map((x) => x * most / distance));
+      break;
+    }
+  }
+  return result;
 }
 
 function curveBox(curve) {
