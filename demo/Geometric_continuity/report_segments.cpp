@@ -5,8 +5,9 @@
 #include "join_report.h"
 #include "report_joins.h"
 
-#include <CGAL/Geometric_continuity/IO/svg/svg_continuity.h>
+#include <CGAL/Geometric_continuity/IO/svg/svg_grade.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -35,6 +36,8 @@ Report_curve drawn_arc(const std::array<double, 2>& c, const std::array<double, 
   return curve;
 }
 
+double chord(const Segment& s) { return std::sqrt(CGAL::to_double((s.end() - s.start()).squared_length())); }
+
 } // namespace
 
 std::shared_ptr<const Report_curve> drawn_curve(const Segment& segment, std::size_t group) {
@@ -56,9 +59,23 @@ std::shared_ptr<const Report_curve> drawn_curve(const Segment& segment, std::siz
   return std::make_shared<const Report_curve>(drawn_arc(c, u, v, angle, group));
 }
 
+// Of a join with an arc there are no bounds of the curvatures.
 Report_item measured_join(const Segment& left, const Segment& right, const Report_demand& demand) {
   if (left.bezier() && right.bezier()) return measured_join(*left.bezier(), *right.bezier(), demand);
   Report_item item;
-  item.verdict = "an arc";
+  item.grade = report_grade(GC::join_grade(left, right, demand.kink_bound, demand.limit));
+  item.gap = GC::Enclosure{0, 0}; // segments of a path
+  const std::optional<GC::Enclosure> angle = GC::tangent_angle(left, right);
+  if (angle) item.angle = GC::in_degrees(*angle);
+  if (item.grade == Report_grade::kink || item.grade == Report_grade::corner)
+    item.severity = angle->upper * (std::min)(chord(left), chord(right)) / 3;
+  const Plane_curve *const a = left.bezier(), *const b = right.bezier();
+  const bool retracted =
+      (a && a->control_point(a->degree() - 1) == left.end()) || (b && b->control_point(1) == right.start());
+  item.verdict = report_words(item.grade, retracted);
+  if (item.grade == Report_grade::undecided)
+    item.verdict = left.is_known() && right.is_known() ? "a segment has no length, hence no direction"
+                                                       : "a rotated ellipse, whose tangents are not rational";
+  item.point = {rounded(CGAL::to_double(right.start().x()), 9), rounded(CGAL::to_double(right.start().y()), 9)};
   return item;
 }

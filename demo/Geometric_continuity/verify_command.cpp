@@ -32,7 +32,9 @@ The inner knots of a curve are joins as well.
 With --surfaces it finds all edges that the surfaces of the files share, and
 decides G1 and G2 along each whole edge and along the knot lines inside
 B-spline surfaces. For SVG drawings it decides the joins of every path and
-basic shape, and names the element and the commands.
+basic shape, and names the element and the commands. It tells what they look
+like: a corner, a kink, which is an angle of at most 5 degrees, G1 or G2. With
+--kink-angle corners are meant, and need not meet --require.
 
 Of fonts (TrueType, OpenType, Type 1, WOFF; folders with all that is in them) it
 grades the joins of each glyph, on the integers of the font:
@@ -74,17 +76,24 @@ std::vector<double> bounds(const Command_line& line, std::size_t least, const ch
   return x;
 }
 
+// The largest angle that is a kink.
+Kink_rule kink_rule(const Command_line& line) {
+  const bool given = line.has("kink-angle");
+  const std::string degrees = given ? line.text("kink-angle") : "5";
+  try {
+    return {degrees, GC::Kink_bound(line.number<Exact>("kink-angle", Exact(5))), given};
+  } catch (const GC::Error&) {
+    throw std::invalid_argument("--kink-angle: " + degrees + " is not between 0 and 180 degrees");
+  }
+}
+
 // The demand for fonts.
 Font_demand font_demand(const Command_line& line, const std::optional<Requirement>& required) {
   line.refuse({"surfaces", "closed", "within", "kernel", "max-order", "max-work"}, "not for fonts");
   Font_demand demand;
   if (line.has("glyphs")) demand.glyphs = Glyph_selection(line.text("glyphs"));
   demand.worst = static_cast<std::size_t>(line.integer("worst", 0, 1000000));
-  try {
-    demand.bound = GC::Kink_bound(line.number<Exact>("kink-angle", Exact(5)));
-  } catch (const GC::Error&) {
-    throw std::invalid_argument("--kink-angle: " + line.text("kink-angle") + " is not between 0 and 180 degrees");
-  }
+  demand.bound = kink_rule(line).bound;
   if (required) {
     if (required->text() != "G1" && required->text() != "G2")
       throw std::invalid_argument("--require " + required->text() + ": of fonts G1 and G2 are decided");
@@ -115,7 +124,10 @@ int verify_command(const Arguments& arguments) {
     add("require", po::value<std::string>(), "the order that every join must have: C1, G2, F3, ...");
     add("within", po::value<std::string>(),
         "A,K,T or A,K,T,GAP: the tolerance for a join; with --surfaces A or A,GAP for an edge");
-    add("kink-angle", po::value<std::string>(), "the largest angle of a kink in degrees: 5 if not given; fonts only");
+    add("kink-angle", po::value<std::string>(),
+        "for drawings and fonts: the largest angle that is a kink, in degrees, instead of 5; what is larger is a "
+        "corner, which in "
+        "drawings need not meet the requirement then");
     add("glyphs", po::value<std::string>(), "the glyphs to verify, e.g. a-z,U+00E9,ampersand; fonts only");
     add("worst", po::value<int>()->default_value(10),
         "how many joins to show of a font, in JSON of a glyph; fonts only");
@@ -136,13 +148,14 @@ int verify_command(const Arguments& arguments) {
   const Report_mode mode{line.has("json") ? Report_format::json : Report_format::text, line.has("strict"),
                          line.has("allow-empty"), line.has("summary")};
   if (are_fonts(files)) return verify_fonts(files, mode, font_demand(line, required));
-  line.refuse({"glyphs", "kink-angle", "worst"}, "only for fonts");
+  line.refuse({"glyphs", "worst"}, "only for fonts");
   const auto drawings = std::count_if(files.begin(), files.end(), is_svg_file);
   if (drawings != 0) {
     if (drawings != static_cast<std::ptrdiff_t>(files.size()))
       throw std::invalid_argument("drawings (.svg) and curves (.g2) cannot be verified together");
     line.refuse({"surfaces", "closed", "within", "kernel"}, "not for drawings");
-  }
+  } else
+    line.refuse({"kink-angle"}, "only for drawings and fonts");
   if (line.has("surfaces")) {
     line.refuse({"closed", "max-order", "kernel"}, "not with --surfaces");
     std::optional<GC::Edge_tolerance> tolerance;
@@ -159,7 +172,7 @@ int verify_command(const Arguments& arguments) {
   if (line.has("within")) demand.tolerance = join_tolerance(line);
   if (required && demand.tolerance && (required->kind() == GC::Continuity_kind::C || required->order() > 3))
     throw std::invalid_argument("--require " + required->text() + ": within a tolerance, G or F up to 3 are decided");
-  if (drawings != 0) return verify_drawings(files, demand.max_order, demand.limit, mode, required);
+  if (drawings != 0) return verify_drawings(files, demand.max_order, demand.limit, mode, required, kink_rule(line));
   const bool rounded = line.choice("kernel", {"exact", "double"}) == "double";
   return verify_chain(files, rounded, line.has("closed"), mode, demand);
 }

@@ -5,6 +5,7 @@
 #include "verify_drawings.h"
 
 #include "deferred_output.h"
+#include "drawing_kink.h"
 #include "input.h"
 #include "progress.h"
 #include "svg_drawing.h"
@@ -13,6 +14,7 @@
 #include <CGAL/Geometric_continuity/IO/json.h>
 #include <CGAL/Geometric_continuity/IO/printable.h>
 #include <CGAL/Geometric_continuity/IO/svg/svg_continuity.h>
+#include <CGAL/Geometric_continuity/IO/svg/svg_grade.h>
 
 #include <algorithm>
 #include <cmath>
@@ -88,31 +90,54 @@ class Drawing_report : public Drawing_handler {
   const bool json_ = mode_.format == Report_format::json;
   const bool several_; // there are several files, so that each line names its own
   const std::optional<Requirement> required_;
+  const Kink_rule kinks_;
   Deferred_output out_;
   Progress progress_{"joins"};
   std::function<void()> show_progress_ = [] {};
   std::vector<std::string> not_read_;
   GC::Chain_summary summary_; // of what is decided
+  std::map<GC::Join_grade, std::size_t> grades_;
   std::size_t joins_ = 0, undecided_ = 0, failing_ = 0, subpaths_ = 0, segments_ = 0;
   bool has_row_ = false;
 
   typedef std::optional<GC::Join_continuity<Exact>> Decision;
+  typedef std::optional<GC::Join_grade> Grade; // empty where a segment has no length or a join is undecided
 
-  std::string text(const Segment& left, const Segment& right, const Decision& decision) const {
+  Grade grade(const Segment& left, const Segment& right, const Decision& decision) const {
+    if (!decision) return std::nullopt;
+    if (decision->regular && *decision->tangent_equal)
+      return *decision->curvature_vector_equal ? GC::Join_grade::g2 : GC::Join_grade::g1;
+    return GC::join_grade(left, right, kinks_.bound, limit_);
+  }
+
+  bool meets(const Decision& decision, const Grade& grade) const {
+    if (decision && required_->met(*decision)) return true;
+    if (!kinks_.corners_are_meant || !grade) return false;
+    // what is drawn, also where a handle is retracted
+    const bool drawn =
+        *grade == GC::Join_grade::g1 && required_->kind() == GC::Continuity_kind::G && required_->order() <= 1;
+    return *grade == GC::Join_grade::corner || drawn;
+  }
+
+  std::string text(const Segment& left, const Segment& right, const Decision& decision, const Grade& grade,
+                   const Drawing_kink& kink) const {
     const std::string point = "(" + rounded(CGAL::to_double(right.start().x()), 6) + ", " +
                               rounded(CGAL::to_double(right.start().y()), 6) + ')';
     std::string s = "commands " + command(left) + " - " + command(right) + " at " + point + ": ";
     if (!decision) return s + "undecided, " + undecided;
     s += 'G' + std::to_string(decision->g_order);
     if (decision->g_order == max_order_) s += " or more";
+    if (decision->regular && !*decision->tangent_equal)
+      return s + ", " + kink.text(left, right, *grade) + explanation(*decision, left, right);
     std::optional<std::string> words;
     GC::visit_enclosures(left, right, [&](const auto& x, const auto& y) { words = remark(*decision, x, y); });
     if (!words) words = remark(*decision, rounded_end_jet(left), rounded_start_jet(right));
-    return s + ", " + *words + explanation(*decision, left, right);
+    s += ", " + *words + explanation(*decision, left, right);
+    return decision->regular || !grade ? s : s + ", drawn as " + kink.text(left, right, *grade);
   }
 
   std::string json(std::size_t left_number, std::size_t right_number, const Segment& left, const Segment& right,
-                   const Decision& decision) const {
+                   const Decision& decision, const Grade& grade, const Drawing_kink& kink) const {
     std::ostringstream s;
     if (decision)
       GC::write_json_members(s << '{', *decision, static_cast<int>(left_number), static_cast<int>(right_number));
@@ -121,13 +146,14 @@ class Drawing_report : public Drawing_handler {
         << ",\"c_order\":null,\"g_order\":null,\"f_order\":null,\"betas\":[],\"undecided\":" << json_string(undecided);
     s << ",\"left_command\":" << left.command << ",\"left_letter\":\"" << left.letter
       << "\",\"right_command\":" << right.command << ",\"right_letter\":\"" << right.letter << '"';
+    kink.write_json(s, left, right, grade);
     return s.str();
   }
 
 public:
   Drawing_report(int max_order, GC::Work_limit limit, const Report_mode& mode, bool several,
-                 const std::optional<Requirement>& required)
-      : max_order_(max_order), limit_(limit), mode_(mode), several_(several), required_(required) {
+                 const std::optional<Requirement>& required, const Kink_rule& kinks)
+      : max_order_(max_order), limit_(limit), mode_(mode), several_(several), required_(required), kinks_(kinks) {
     if (json_) out_.write("{\"joins\":[");
   }
 
@@ -146,6 +172,7 @@ public:
 
   void subpath(const Drawing_element& element, int number, const Drawing_subpath& path) override {
     const std::size_t n = path.segments.size();
+    const Drawing_kink kink(element, path);
     for (std::size_t i = 0; i < (path.closed ? n : n - 1); ++i) {
       const Segment &left = path.segments[i], &right = path.segments[(i + 1) % n];
       const Decision decision = within_work_limit(
@@ -155,15 +182,18 @@ public:
         summary_.add(*decision);
       else
         ++undecided_;
-      const bool fails = required_ && !(decision && required_->met(*decision));
+      const Grade grade = this->grade(left, right, decision);
+      if (grade) ++grades_[*grade];
+      const bool fails = required_ && !meets(decision, grade);
       failing_ += fails;
       const bool printed = !mode_.summary || fails;
       if (printed && json_)
         out_.write((std::exchange(has_row_, true) ? ",\n " : "\n ") +
-                   json(segments_ + i, segments_ + (i + 1) % n, left, right, decision) + ',' + json_element(element) +
-                   ",\"subpath\":" + std::to_string(number) + '}');
+                   json(segments_ + i, segments_ + (i + 1) % n, left, right, decision, grade, kink) + ',' +
+                   json_element(element) + ",\"subpath\":" + std::to_string(number) + '}');
       else if (printed)
-        out_.write(name(element) + ", subpath " + std::to_string(number) + ", " + text(left, right, decision) + '\n');
+        out_.write(name(element) + ", subpath " + std::to_string(number) + ", " +
+                   text(left, right, decision, grade, kink) + '\n');
       ++joins_;
       show_progress_();
     }
@@ -209,13 +239,26 @@ private:
     const std::string unverified =
         not_read_.empty() ? "" : "; " + counted(not_read_.size(), "element") + " not verified";
     os << unverified << '\n';
+    if (joins_ != 0) print_grades(os);
     if (joins_ == 0)
       os << "no join, nothing was decided\n";
     else if (required_ && failing_ == 0)
-      os << "every join is " << required_->text() << ", proved exactly" << unverified << '\n';
+      os << "every join" << (kinks_.corners_are_meant ? " but the corners" : "") << " is " << required_->text()
+         << ", proved exactly" << unverified << '\n';
     else if (required_)
       os << failing_ << " of them not " << (undecided_ == 0 ? "" : "proved to be ") << required_->text() << '\n';
     if (mode_.strict && conclusion().unverified > 0) os << "not met, because not all was verified\n";
+  }
+
+  std::size_t count(GC::Join_grade grade) const {
+    const auto found = grades_.find(grade);
+    return found == grades_.end() ? 0 : found->second;
+  }
+
+  void print_grades(std::ostream& os) const {
+    os << "drawn as " << counted(count(GC::Join_grade::corner), "corner") << ", "
+       << counted(count(GC::Join_grade::kink), "kink") << " of at most " << kinks_.degrees << " degrees, "
+       << count(GC::Join_grade::g1) << " G1, " << count(GC::Join_grade::g2) << " G2 or more\n";
   }
 
   void print_json_summary(std::ostream& os) const {
@@ -223,7 +266,8 @@ private:
     for (std::size_t i = 0; i < not_read_.size(); ++i) os << (i == 0 ? "\n " : ",\n ") << not_read_[i];
     os << "],\n \"summary\":{\"joins\":" << joins_ << ",\"subpaths\":" << subpaths_;
     for (const auto& [order, count] : counts()) os << ",\"G" << order << "\":" << count;
-    os << ",\"undecided\":" << undecided_ << '}';
+    os << ",\"undecided\":" << undecided_ << ",\"corners\":" << count(GC::Join_grade::corner)
+       << ",\"kinks\":" << count(GC::Join_grade::kink) << '}';
     if (required_) os << ",\n \"required\":\"" << required_->text() << "\",\"met\":" << conclusion().json_met(mode_);
     os << "}\n";
   }
@@ -232,9 +276,9 @@ private:
 } // namespace
 
 int verify_drawings(const Arguments& files, int max_order, GC::Work_limit limit, const Report_mode& mode,
-                    const std::optional<Requirement>& required) {
+                    const std::optional<Requirement>& required, const Kink_rule& kinks) {
   if (required) required->check_dimension(2);
-  Drawing_report report(max_order, limit, mode, files.size() > 1, required);
+  Drawing_report report(max_order, limit, mode, files.size() > 1, required, kinks);
   report.read(files);
   return report.print(std::cout);
 }

@@ -106,7 +106,7 @@ std::optional<Join_grade> join_grade(const Bezier_curve<Traits, Left>& left, con
   if (const std::optional<bool> corner = internal::exceeds(a, b, bound))
     return *corner ? Join_grade::corner : Join_grade::kink;
   const bool left_line = a.is_retracted() && a.is_line(), right_line = b.is_retracted() && b.is_line();
-  if ((a.is_retracted() && !left_line) || (b.is_retracted() && !right_line)) return Join_grade::g1;
+  // A zero first leg is never that of a G2 join.
   const bool curvature_agrees = left_line && right_line ? true
                                 : left_line             ? is_g2_join(a.curve(), right)
                                 : right_line            ? is_g2_join(left, b.curve())
