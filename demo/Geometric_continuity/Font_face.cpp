@@ -9,7 +9,10 @@
 
 #include <ft2build.h>
 #include FT_FREETYPE_H
+#include FT_FONT_FORMATS_H
 #include FT_OUTLINE_H
+#include FT_TRUETYPE_TABLES_H
+#include FT_TRUETYPE_TAGS_H
 
 namespace {
 
@@ -31,6 +34,15 @@ std::string freetype_message(FT_Error error) {
 
 void check(FT_Error error) {
   if (error != 0) throw Font_error(freetype_message(error));
+}
+
+// The bytes of a table, none if there is no such table.
+std::string table(FT_Face face, FT_ULong tag) {
+  FT_ULong size = 0;
+  if (FT_Load_Sfnt_Table(face, tag, 0, nullptr, &size) != 0) return "";
+  std::string bytes(size, '\0');
+  check(FT_Load_Sfnt_Table(face, tag, 0, reinterpret_cast<FT_Byte*>(bytes.data()), &size));
+  return bytes;
 }
 
 // FreeType itself, opened once.
@@ -101,6 +113,7 @@ private:
 void Font_face::Close::operator()(FT_FaceRec_* face) const { FT_Done_Face(face); }
 
 Font_face::Font_face(std::string_view bytes, int index) {
+  if (bytes.empty()) throw Font_error("no bytes");
   FT_Open_Args arguments{};
   arguments.flags = FT_OPEN_MEMORY;
   arguments.memory_base = reinterpret_cast<const FT_Byte*>(bytes.data());
@@ -109,6 +122,13 @@ Font_face::Font_face(std::string_view bytes, int index) {
   check(FT_Open_Face(library(), &arguments, index, &face));
   face_.reset(face);
   has_names_ = FT_HAS_GLYPH_NAMES(face);
+  const std::string_view format = FT_Get_Font_Format(face);
+  if (format == "TrueType") {
+    const TT_Header* const head = static_cast<TT_Header*>(FT_Get_Sfnt_Table(face, FT_SFNT_HEAD));
+    components_ = Glyph_components(table(face, TTAG_glyf), table(face, TTAG_loca),
+                                   head == nullptr || head->Index_To_Loc_Format != 0);
+  } else if (format != "CFF" && format != "Type 1" && format != "CID Type 1")
+    throw Font_error("fonts of the format " + std::string(format) + " are not read");
 }
 
 int Font_face::fonts_of_file() const { return static_cast<int>(face_->num_faces); }
@@ -141,6 +161,7 @@ int Font_face::glyph_from(char32_t& character) const {
 
 void Font_face::read(int glyph, Glyph_outline& outline) const {
   outline.clear();
+  if (components_.are_too_many(glyph)) throw Font_error("more components than any letter needs");
   check(FT_Load_Glyph(face_.get(), static_cast<FT_UInt>(glyph), FT_LOAD_NO_SCALE | FT_LOAD_IGNORE_TRANSFORM));
   FT_GlyphSlot slot = face_->glyph;
   if (slot->format != FT_GLYPH_FORMAT_OUTLINE) throw Font_error("a picture without an outline");

@@ -5,6 +5,7 @@
 #ifndef GEOMETRIC_CONTINUITY_DEMO_FONT_FACE_H
 #define GEOMETRIC_CONTINUITY_DEMO_FONT_FACE_H
 
+#include "Glyph_components.h"
 #include "Glyph_outline.h"
 
 #include <memory>
@@ -28,6 +29,7 @@ class Font_face {
   };
   std::unique_ptr<FT_FaceRec_, Close> face_;
   bool has_names_;
+  Glyph_components components_;
 
 public:
   // Opens font number `index` of a file, whose bytes must stay as long as this object. Throws

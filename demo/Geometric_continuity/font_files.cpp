@@ -22,8 +22,8 @@ namespace fs = std::filesystem;
 constexpr std::size_t max_font_size = std::size_t(1) << 30;
 
 bool has_font_ending(const std::string& file) {
-  static const std::set<std::string> endings{".ttf", ".otf",  ".ttc",   ".otc",  ".pfb",
-                                             ".pfa", ".woff", ".woff2", ".dfont"};
+  static const std::set<std::string> endings{".ttf", ".otf", ".ttc",  ".otc",   ".pfb",
+                                             ".pfa", ".t1",  ".woff", ".woff2", ".dfont"};
   return endings.count(extension(file)) != 0;
 }
 
@@ -42,7 +42,7 @@ bool is_folder(const std::string& name) {
 
 // Finds the fonts of folders.
 class Font_search {
-  std::vector<std::string>& not_read_;
+  std::vector<Unread_file>& not_read_;
   std::set<fs::path> seen_; // folders and files, behind all links
   std::vector<Font_file> found_;
 
@@ -53,7 +53,7 @@ class Font_search {
   }
 
 public:
-  explicit Font_search(std::vector<std::string>& not_read) : not_read_(not_read) {}
+  explicit Font_search(std::vector<Unread_file>& not_read) : not_read_(not_read) {}
 
   void add_file(const std::string& file) {
     std::error_code error;
@@ -67,7 +67,7 @@ public:
     std::vector<fs::path> entries;
     for (fs::directory_iterator i(folder, error), end; !error && i != end; i.increment(error))
       entries.push_back(i->path());
-    if (error) not_read_.push_back(folder.string() + ": " + error.message());
+    if (error) not_read_.push_back({folder.string(), error.message()});
     std::sort(entries.begin(), entries.end());
     for (const fs::path& entry : entries)
       if (fs::is_directory(entry, error))
@@ -98,7 +98,7 @@ bool are_fonts(const std::vector<std::string>& arguments) {
   return others == 0;
 }
 
-std::vector<Font_file> font_files(const std::vector<std::string>& arguments, std::vector<std::string>& not_read) {
+std::vector<Font_file> font_files(const std::vector<std::string>& arguments, std::vector<Unread_file>& not_read) {
   Font_search search(not_read);
   for (const std::string& argument : arguments) {
     const std::size_t before = search.found().size(), unread = not_read.size();
@@ -108,11 +108,11 @@ std::vector<Font_file> font_files(const std::vector<std::string>& arguments, std
     }
     search.add_folder(argument);
     if (search.found().size() == before && not_read.size() > unread)
-      throw GC::Error(GC::Error_code::cannot_read_file, not_read.back());
+      throw GC::Error(GC::Error_code::cannot_read_file, not_read.back().name + ": " + not_read.back().reason);
     if (search.found().empty())
       throw std::invalid_argument(argument +
                                   ": there is no font in this folder, whose name ends with .ttf, .otf, .ttc, .otc, "
-                                  ".pfb, .pfa, .woff, .woff2 or .dfont");
+                                  ".pfb, .pfa, .t1, .woff, .woff2 or .dfont");
   }
   return search.found();
 }

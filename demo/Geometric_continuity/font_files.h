@@ -22,10 +22,15 @@ struct Font_file {
   std::uintmax_t bytes = 0; // 0 if not known
 };
 
+// What could not be read, and why.
+struct Unread_file {
+  std::string name, reason;
+};
+
 // Returns the files that the arguments name, and those with the endings of fonts in the folders that they name and in all folders
 // of these, in alphabetical order and each once. What cannot be looked into is appended to `not_read`, with the reason. Throws
 // GC::Error when an argument cannot be read, and std::invalid_argument when there is no font in a folder.
-std::vector<Font_file> font_files(const std::vector<std::string>& arguments, std::vector<std::string>& not_read);
+std::vector<Font_file> font_files(const std::vector<std::string>& arguments, std::vector<Unread_file>& not_read);
 
 // Returns the bytes of a file, or of standard input. Throws GC::Error with the reason when it cannot be read, or has more
 // bytes than a font needs.

@@ -28,7 +28,8 @@ Row row(const Shown_join& join) {
   if (join.grade == GC::Join_grade::kink) {
     const GC::Kink_size size = Glyph_join(join.left, join.right).size();
     cells.push_back(rounded(GC::in_degrees(size.angle).upper, 3) + " degrees");
-    cells.push_back(rounded(size.handle_offset.upper / 2, 2) + " units");
+    const std::string offset = rounded(size.handle_offset.upper / 2, 2);
+    cells.push_back(offset + (offset == "1" ? " unit" : " units"));
     cells.push_back(rounded(1000 * join.severity, 3));
   } else {
     cells.push_back("none, " + to_string(join.grade));

@@ -51,7 +51,7 @@ class Fonts_report {
   const GC::Kink_bound bound_;
   Glyph_selection selection_;
   std::vector<Font_file> files_;
-  Arguments not_read_; // folders and fonts: names and reasons
+  std::vector<Unread_file> not_read_; // folders and fonts
   Deferred_output out_;
   Progress progress_{"joins"};
   const std::size_t most_;
@@ -83,14 +83,13 @@ class Fonts_report {
       refuse(file, font_number + e.what());
     } catch (const GC::Error& e) {
       if (!file.from_folder) throw;
-      not_read_.push_back(e.what());
+      not_read_.push_back({file.name, e.what()});
     }
   }
 
   void refuse(const Font_file& file, const std::string& reason) {
-    const std::string text = input_name(file.name) + ": " + reason;
-    if (!file.from_folder) throw GC::Error(GC::Error_code::malformed_input, text);
-    not_read_.push_back(text);
+    if (!file.from_folder) throw GC::Error(GC::Error_code::malformed_input, input_name(file.name) + ": " + reason);
+    not_read_.push_back({file.name, reason});
   }
 
   void read_font(const Font_file& file, const Font_face& font, std::optional<int> index) {
@@ -138,7 +137,8 @@ class Fonts_report {
                  ",\n \"summary\":{" + json_summary(counts) + "},\"name\":" + json_string(font.name()) +
                  ",\"units_per_em\":" + std::to_string(font.units_per_em()) + (one_font_ ? "" : "}"));
     else
-      write_text(file, font, counts, missing, reasons);
+      write_text(input_name(file.name) + (index ? ", font " + std::to_string(*index) : ""), font, counts, missing,
+                 reasons);
     counts_ += counts;
     unverified_ += reasons.size() + missing.size();
     ++fonts_;
@@ -166,9 +166,9 @@ class Fonts_report {
            counts_json(counts.joins);
   }
 
-  void write_text(const Font_file& file, const Font_face& font, const Font_counts& counts, const Arguments& missing,
+  void write_text(const std::string& place, const Font_face& font, const Font_counts& counts, const Arguments& missing,
                   const Arguments& reasons) {
-    const std::string name = font.name(), place = input_name(file.name);
+    const std::string name = font.name();
     std::string text = GC::printable(name.empty() ? place : name + ", " + place) + "\n  " + counts_text(counts) + '\n';
     for (std::size_t i = 0; i < (std::min)(reasons.size(), most_reasons); ++i)
       text += "  " + GC::printable(reasons[i]) + '\n';
@@ -220,7 +220,7 @@ private:
   }
 
   void print_summary(std::ostream& os) {
-    for (const std::string& line : not_read_) os << GC::printable(line) << ": not verified\n";
+    for (const Unread_file& file : not_read_) os << GC::printable(file.name + ": not verified, " + file.reason) << '\n';
     if (fonts_ != 1 || !not_read_.empty()) {
       os << counted(fonts_, "font") << ", " << counts_text(counts_);
       if (!not_read_.empty()) os << "; " << not_read_.size() << " not verified";
@@ -238,9 +238,13 @@ private:
   }
 
   void print_json_end(std::ostream& os) const {
-    if (!one_font_)
-      os << (fonts_ == 0 ? "{\"fonts\":[" : "") << "],\n\"not_verified\":" << json_array(not_read_)
-         << ",\n\"summary\":{\"fonts\":" << fonts_ << ',' << json_summary(counts_) << '}';
+    if (!one_font_) {
+      Arguments unread;
+      for (const Unread_file& file : not_read_)
+        unread.push_back("{\"file\":" + json_string(file.name) + ",\"reason\":" + json_string(file.reason) + '}');
+      os << (fonts_ == 0 ? "{\"fonts\":[" : "") << "],\n\"not_verified\":[" << joined(unread, ",\n ")
+         << "],\n\"summary\":{\"fonts\":" << fonts_ << ',' << json_summary(counts_) << '}';
+    }
     if (required_) os << ",\n\"required\":\"" << *required_ << "\",\"met\":" << conclusion().json_met(mode_);
     os << "}\n";
   }
