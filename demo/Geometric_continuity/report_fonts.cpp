@@ -123,7 +123,9 @@ public:
   Fonts_page(const Report_demand& demand, Report_page& page) : demand_(demand), page_(page) {}
 
   void read(const Arguments& arguments) {
-    const std::vector<Font_file> files = font_files(arguments, page_.notes);
+    std::vector<Unread_file> unread;
+    const std::vector<Font_file> files = font_files(arguments, unread);
+    for (const Unread_file& file : unread) note(file.name + ": not verified, " + file.reason);
     std::uintmax_t bytes = 0, done = 0;
     for (const Font_file& file : files) bytes += file.bytes;
     several_ = files.size() > 1;

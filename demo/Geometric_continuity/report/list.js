@@ -68,9 +68,9 @@ class JoinList {
 
   get item() { return this.items[this.shown[this.position]]; }
 
-  // Applies filter and order; the chosen join stays chosen where it is still shown.
-  update() {
-    const before = this.shown[this.position];
+  // Applies filter and order. The chosen join stays chosen where it is still shown and `keep` says so, otherwise it is the first.
+  update(keep = true) {
+    const before = keep ? this.shown[this.position] : undefined;
     this.shown = this.items.map((_, i) => i).filter((i) =>
       !this.hidden.has(this.items[i].grade) && this.words.every((w) => this.texts[i].includes(w)));
     const key = {

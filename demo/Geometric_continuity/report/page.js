@@ -126,7 +126,7 @@ byId('filter').addEventListener('input', (e) => {
   list.words = e.target.value.toLowerCase().split(/\s+/).filter((w) => w !== '');
   list.update();
 });
-byId('sort').addEventListener('change', (e) => { list.order = e.target.value; list.update(); });
+byId('sort').addEventListener('change', (e) => { list.order = e.target.value; list.update(false); });
 byId('theme').addEventListener('click', switchTheme);
 byId('help').addEventListener('click', () => byId('keys').showModal());
 systemDark.addEventListener('change', () => { applyTheme(); list.redraw(); showModel(); });
@@ -170,7 +170,7 @@ const keys = {
   '/': () => byId('filter').focus(),
   s: () => {
     byId('sort').value = list.order = orders[(orders.indexOf(list.order) + 1) % orders.length];
-    list.update();
+    list.update(false);
   },
   t: switchTheme,
   '?': () => byId('keys').showModal(),
