@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
 # report: what stands in the page, and that nothing of the input is more than text.
+generator=$(realpath "$(dirname "$0")")/make_font.awk
 . "$(dirname "$0")/functions.sh"
 
 # data FILE: the block of data of a page; script FILE, style FILE: what their hashes are for
@@ -68,6 +69,28 @@ page --surfaces flat.g2 kink.g2 && says data.json '"grade":"kink","place":"surfa
 page --surfaces flat.g2 kink.g2 --kink-angle 0.5 && says data.json '"grade":"corner","place":"surface 0, edge u1 - surface 1, edge u0"'
 page "$data/leaf_inkscape.svg" && says data.json '"down":true' 'use \"use1\" (line 97): not verified'
 
+run 0 verify "$data/leaf_inkscape.svg" && says out "drawn as 2 corners, 1 kink of at most 5 degrees, 12 G1, 9 G2 or more"
+says data.json '"counts":{"gap":0,"kink":1,"corner":2,"G0":0,"undecided":0,"G1":12,"G2":9}'
+page "$data/badge_illustrator.svg" && says data.json "a rotated ellipse, whose tangents are not rational" '"undecided":2'
+svg '<path d="M0 0h1a1 1 0 0 1 2 0M0 5h20a1000 10 0 0 1 10 10"/>' && page drawing.svg # a half circle, and a large arc that is flat
+says data.json '"grade":"corner","place":"path (line 2), subpath 1, commands 2 h - 3 a"' '"angle":["89.9999","90.0001"]'
+
+# fonts: in parts of an em, and by glyphs
+cat >glyphs.txt <<'END'
+glyph .notdef
+glyph <script>alert(1)</script> 65
+contour 0,0 100,0 200,1 200,300 0,300
+glyph smooth 66
+contour 0,1* 101,0* 200,101* 103,200*
+END
+printf "$(LC_ALL=C awk -f "$generator" glyphs.txt)" >test.ttf
+page test.ttf && says data.json '"whole":"em"' '"kink":1,"corner":4,"G0":0,"undecided":0,"G1":4,"G2":0}'
+says data.json '"grade":"kink","place":"glyph \u003cscript\u003ealert(1)\u003c/script\u003e, contour 0, node 1"' '"severity":"1"'
+says data.json '"angle":["0.572938","0.572939"]' '"summary":"9 joins in 3 glyphs of 1 font"'
+page test.ttf --glyphs smooth && says data.json '"kink":0,"corner":0,"G0":0,"undecided":0,"G1":4,"G2":0}'
+run 2 report test.ttf --glyphs none -o no.html && says err "none" && no_page
+head -c 300 test.ttf >broken.ttf && run 2 report broken.ttf -o no.html && says err "malformed_input: broken.ttf" && no_page
+
 # texts are texts: names, titles, files
 evil='</script><script>alert(1)</script><!--'
 name='<img src=x onerror=alert(1)>&.svg'
@@ -82,7 +105,7 @@ holds [ "$(count '<script' page.html)" -eq 2 ] && holds [ "$(count '</script' pa
 holds has_no 'alert\(1\)<' page.html
 page "$name" drawing.svg && says data.json '"place":"\u003cimg src=x onerror=alert(1)\u003e\u0026.svg: path'
 if command -v python3 >/dev/null; then
-  for arguments in "grades.g2" "circle.g2" "--surfaces $teapot" "$data/leaf_inkscape.svg" "drawing.svg"; do
+  for arguments in "grades.g2" "circle.g2" "--surfaces $teapot" "$data/leaf_inkscape.svg" "drawing.svg" "test.ttf"; do
     page $arguments
     holds python3 -c 'import json,sys; d = json.load(open("data.json")); n = len(d["curves"])
 assert all("edge" in j and j["edge"] < len(d["model"]["edges"]) or j["left"] < n and j["right"] < n for j in d["joins"])
