@@ -47,6 +47,13 @@ page grades.g2 --closed && says data.json '"gap":2' '"place":"curve 5 - curve 0"
 page grades.g2 --worst 2 && says err "the page shows the worst 2 of 5; --worst N shows more"
 says data.json '"gap":1,"kink":1,"corner":1' "The page shows the worst 2 of 5; 3 are left out."
 holds [ "$(grep -c '"number":' data.json)" -eq 2 ]
+# the worst of many kinks, which come in any order: handles of 10 that are off by 1, 2, 3 and so on
+order="3 9 1 7 5 8 2 6 4"
+for k in $order; do cubic_2 $'0 0\n10 0\n20 0\n30 0' && cubic_2 "30 0"$'\n'"130 $k"$'\n230 0\n0 0'; done >many.g2
+numbers() { grep -o '"number":[0-9]*,"grade":"kink"' data.json | tr -dc '0-9\n' | tr '\n' ' '; }
+expected() { for k in 9 8 7 6 5 4 3 2 1; do echo $order | tr ' ' '\n' | grep -n $k; done | sed 's/:.*//' | awk '{ print 2 * $1 - 1 }' | head -n "$1" | tr '\n' ' '; }
+page many.g2 --kink-angle 9 && holds [ "$(numbers)" = "$(expected 9)" ]
+page many.g2 --kink-angle 9 --worst 4 && holds [ "$(numbers)" = "$(expected 4)" ] && holds [ "$(grep -c '"number":' data.json)" -eq 4 ]
 run 0 report grades.g2 -o - && cp out standard.html && run 0 report grades.g2 -o page.html && holds cmp -s standard.html page.html
 holds [ ! -s err ]
 
