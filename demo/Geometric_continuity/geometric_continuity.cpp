@@ -27,6 +27,9 @@ const char* const program_usage = R"(usage: geometric_continuity COMMAND [ARGUME
                             drawing (.svg) or of a font, exactly
   plot FILE.g2...           draw curves, control polygons and curvature combs,
                             or surfaces
+  report FILE... -o OUT.html
+                            show the joins of chains, drawings, fonts or models,
+                            the worst first, on a page
   tessellate MODEL.g2...    write triangles for surfaces, without cracks, as
                             OFF, PLY, OBJ or STL
 
@@ -46,6 +49,7 @@ int run(const std::string& command, const Arguments& arguments) {
   if (command == "extend") return extend_command(arguments);
   if (command == "verify") return verify_command(arguments);
   if (command == "plot") return plot_command(arguments);
+  if (command == "report") return report_command(arguments);
   if (command == "tessellate") return tessellate_command(arguments);
   std::cerr << "geometric_continuity: unknown command '" << printable(command) << "'\n" << program_usage;
   return bad_input;
