@@ -78,6 +78,9 @@
 #include <CGAL/Geometric_continuity/curves/polyline.h>
 
 #include <CGAL/Geometric_continuity/joins/Curve_ends.h>
+#include <CGAL/Geometric_continuity/joins/Join_grade.h>
+#include <CGAL/Geometric_continuity/joins/Kink_bound.h>
+#include <CGAL/Geometric_continuity/joins/Kink_size.h>
 #include <CGAL/Geometric_continuity/joins/Prepared_end.h>
 #include <CGAL/Geometric_continuity/joins/Verdict.h>
 #include <CGAL/Geometric_continuity/joins/chain_continuity.h>

@@ -11,6 +11,7 @@
 #include <CGAL/Geometric_continuity/numbers/internal/decimal_bound.h>
 #include <CGAL/number_utils.h>
 
+#include <algorithm>
 #include <cmath>
 #include <ostream>
 #include <string>
@@ -73,6 +74,12 @@ template <class FT> Enclosure angle_of_squares(const FT& sine_squared, const FT&
   return falling ? Enclosure{second.below(), first.above()} : Enclosure{first.below(), second.above()};
 }
 
+// The product of two numbers that are not negative. In every rounding mode the rounded one is a neighbour of the exact one.
+inline Enclosure nonnegative_product(const Enclosure& x, const Enclosure& y) {
+  if (x.upper == 0 || y.upper == 0) return {0, 0};
+  return {(std::max)(0., next_below(x.lower * y.lower)), next_above(x.upper * y.upper)};
+}
+
 } // namespace internal
 
 /// \ingroup PkgGeometricContinuityAlgebra
@@ -101,6 +108,13 @@ template <class FT> Enclosure root_enclosure(const FT& x) {
 /// \throws Error `not_finite` for an infinite or undefined floating-point number
 template <class FT> Enclosure angle_enclosure(const FT& sine_squared, const FT& cosine) {
   return internal::angle_of_squares(sine_squared, FT(cosine * cosine), cosine < FT(0));
+}
+
+/// \ingroup PkgGeometricContinuityAlgebra
+/// Returns an enclosure, in degrees, of an angle that is not negative and given in radians.
+inline Enclosure in_degrees(const Enclosure& angle) {
+  // 180/pi = 57.2957795130823208... lies between these neighbours
+  return internal::nonnegative_product(angle, {57.29577951308232 - 0x1p-47, 57.29577951308232});
 }
 
 } // namespace Geometric_continuity
