@@ -6,6 +6,7 @@
 #include "command_line.h"
 #include "g2_curves_text.h"
 #include "output.h"
+#include "progress.h"
 #include "repair_contour.h"
 #include "repair_report.h"
 #include "svg_drawing.h"
@@ -165,7 +166,10 @@ std::string repaired_drawing(const std::string& text, const std::string& name, c
   std::string result;
   std::vector<std::string> data; // of each path
   std::size_t read = 0;
-  for (const Svg_path_attribute& path : svg_path_attributes(text, name)) {
+  Progress progress("paths");
+  const std::vector<Svg_path_attribute> paths = svg_path_attributes(text, name);
+  for (const Svg_path_attribute& path : paths) {
+    progress.step(data.size(), [&] { return static_cast<double>(data.size()) / static_cast<double>(paths.size()); });
     const Repaired_path repaired = repair_path(path, options, report);
     for (const Svg_path_text::Edit& edit : repaired.edits) {
       result.append(text, read, path.position[edit.begin] - read) += edit.text;

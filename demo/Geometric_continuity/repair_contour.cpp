@@ -15,6 +15,7 @@
 #include <cmath>
 #include <set>
 #include <sstream>
+#include <utility>
 
 namespace {
 
@@ -96,12 +97,21 @@ class Contour_mender {
     return os.str();
   }
 
-  // Moves control points unless one of them moves by more than the bound, the join does not become smooth by it, or another join is
-  // smooth no more. Returns why not.
   struct Move {
     std::size_t curve, point;
     Vector to;
   };
+
+  // Returns the moves back.
+  std::vector<Move> execute(const std::vector<Move>& moves) {
+    std::vector<Move> back;
+    for (const Move& m : moves)
+      back.push_back({m.curve, m.point, std::exchange(contour_.curves[m.curve].points[m.point], m.to)});
+    return back;
+  }
+
+  // Moves control points unless one of them moves by more than the bound, the join does not become smooth by it, or another join is
+  // smooth no more. Returns why not.
   std::string moved(std::size_t join, const std::vector<Move>& moves, const CGAL::Exact_rational& bound) {
     std::vector<std::size_t> joins;
     for (const Move& m : moves) {
@@ -113,13 +123,12 @@ class Contour_mender {
     }
     std::vector<std::optional<GC::Join_grade>> before;
     for (std::size_t j : joins) before.push_back(grade(j));
-    const std::vector<Grid_curve> kept = contour_.curves;
-    for (const Move& m : moves) contour_.curves[m.curve].points[m.point] = m.to;
+    const std::vector<Move> back = execute(moves);
     bool smooth = grade(join) >= GC::Join_grade::g1;
     for (std::size_t i = 0; i < joins.size(); ++i)
       smooth = smooth && (!before[i] || grade(joins[i]) >= (std::min)(*before[i], GC::Join_grade::g1));
     if (smooth) return "";
-    contour_.curves = kept;
+    execute(back);
     return "another join would be smooth no more";
   }
 
@@ -252,11 +261,12 @@ class Contour_mender {
     if (a.movable) moves.push_back({left, points(left).size() - 2, node - legs->left});
     if (b.movable) moves.push_back({right, 1, node + legs->right});
     const double before = sum_of_jumps(moves);
-    const std::vector<Grid_curve> kept = contour_.curves;
+    std::vector<Move> back;
+    for (const Move& m : moves) back.push_back({m.curve, m.point, points(m.curve)[m.point]});
     const std::string reason = moved(join, moves, bound);
     if (!reason.empty() || sum_of_jumps(moves) < before) return reason;
-    contour_.curves = kept;
-    return "the jumps next to it would grow by more";
+    execute(back);
+    return ""; // the jumps next to it would grow by more
   }
 
   // Returns how many kinks are left.

@@ -25,7 +25,7 @@ class Repair_report {
   std::vector<std::string> moves_, unrepaired_, jumps_; // lines, or JSON objects
   Grade_counts before_, after_;
   std::map<std::string, std::size_t> undecided_;
-  std::size_t curvatures_ = 0, exact_ = 0;
+  std::size_t curvatures_ = 0, harmonised_ = 0, exact_ = 0;
   GC::Enclosure largest_{0, 0}, largest_jump_{0, 0};
   std::string largest_place_;
 
@@ -125,6 +125,7 @@ public:
     for (const Curvature_jump& x : done.jumps) {
       ++curvatures_;
       exact_ += x.after.upper == 0;
+      harmonised_ += x.reason.empty();
       if (x.reason.empty() && x.after.upper > largest_jump_.upper) largest_jump_ = x.after;
       jumps_.push_back(json_ ? object(x.join, "\"before_percent\":" + json_text(in_percent(x.before)) +
                                                   ",\"after_percent\":" + json_text(in_percent(x.after)) +
@@ -176,9 +177,8 @@ public:
       os << "largest move: " << upper(largest_.upper) << " units of the last decimal, " << GC::printable(largest_place_)
          << '\n';
     if (curvatures_ != 0)
-      os << "curvatures: " << exact_ << " of " << curvatures_
-         << " joins became G2 exactly; where handles could be harmonised, the "
-         << "largest jump is " << percent(largest_jump_) << '\n';
+      os << "curvatures: of " << curvatures_ << " joins that were not G2, " << harmonised_ << " are harmonised, "
+         << exact_ << " of them exactly; the largest jump of these is " << percent(largest_jump_) << '\n';
   }
 };
 

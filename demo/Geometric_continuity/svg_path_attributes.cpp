@@ -72,12 +72,12 @@ class Path_finder {
 
   // Finds the attribute in the text of the tag.
   void locate(Svg_path_attribute& path) const {
-    const std::size_t size = static_cast<std::size_t>(XML_GetCurrentByteCount(parser_.get()));
-    if (size == 0) {
+    const std::size_t size = static_cast<std::size_t>(XML_GetCurrentByteCount(parser_.get())),
+                      tag = static_cast<std::size_t>(XML_GetCurrentByteIndex(parser_.get()));
+    if (size == 0 || text_[tag] != '<') {
       path.refusal = "it stands in an entity";
       return;
     }
-    const std::size_t tag = static_cast<std::size_t>(XML_GetCurrentByteIndex(parser_.get()));
     const std::string_view raw = raw_attribute(std::string_view(text_).substr(tag, size), "d");
     if (raw.data() == nullptr) {
       path.refusal = "its data is a default value of the document type";

@@ -168,9 +168,12 @@ void Svg_path_text::draw() {
 }
 
 std::size_t Svg_path_text::command(std::size_t subpath, std::size_t curve) const {
-  for (const Origin& origin : origins_)
-    if (origin.subpath == subpath && origin.curve == curve) return origin.command + 1;
-  return 0;
+  const auto found = std::lower_bound(origins_.begin(), origins_.end(), std::pair(subpath, curve),
+                                      [](const Origin& origin, const std::pair<std::size_t, std::size_t>& place) {
+                                        return std::pair(origin.subpath, origin.curve) < place;
+                                      });
+  const bool is_curve = found != origins_.end() && found->subpath == subpath && found->curve == curve;
+  return is_curve ? found->command + 1 : 0;
 }
 
 std::vector<Svg_path_text::Edit> Svg_path_text::edits(const std::vector<Grid_contour>& subpaths) const {
