@@ -25,7 +25,7 @@ const char* const program_usage = R"(usage: geometric_continuity COMMAND [ARGUME
                             or torsion
   verify FILE.g2...         decide the continuity of every join of a chain or of
                             a drawing (.svg), exactly
-  repair FILE -o FILE       make the kinks of a drawing or a chain exactly smooth,
+  repair FILE -o FILE       make kinks of a drawing or a chain exactly smooth,
                             on its own grid
   plot FILE.g2...           draw curves, control polygons and curvature combs,
                             or surfaces
