@@ -40,6 +40,7 @@ int blend_command(const Arguments& arguments);
 int connect_command(const Arguments& arguments);
 int extend_command(const Arguments& arguments);
 int plot_command(const Arguments& arguments);
+int repair_command(const Arguments& arguments);
 int report_command(const Arguments& arguments);
 int tessellate_command(const Arguments& arguments);
 int verify_command(const Arguments& arguments);

@@ -25,6 +25,8 @@ const char* const program_usage = R"(usage: geometric_continuity COMMAND [ARGUME
                             or torsion
   verify FILE.g2...         decide the continuity of every join of a chain, of a
                             drawing (.svg) or of a font, exactly
+  repair FILE -o FILE       make kinks of a drawing or a chain exactly smooth,
+                            on its own grid
   plot FILE.g2...           draw curves, control polygons and curvature combs,
                             or surfaces
   report FILE... -o OUT.html
@@ -48,6 +50,7 @@ int run(const std::string& command, const Arguments& arguments) {
   if (command == "connect") return connect_command(arguments);
   if (command == "extend") return extend_command(arguments);
   if (command == "verify") return verify_command(arguments);
+  if (command == "repair") return repair_command(arguments);
   if (command == "plot") return plot_command(arguments);
   if (command == "report") return report_command(arguments);
   if (command == "tessellate") return tessellate_command(arguments);

@@ -102,11 +102,14 @@
 #include <CGAL/Geometric_continuity/blends/representable_blend.h>
 #include <CGAL/Geometric_continuity/blends/septic_strategies.h>
 
+#include <CGAL/Geometric_continuity/extensions/Grid_vector.h>
+#include <CGAL/Geometric_continuity/extensions/align_handles.h>
 #include <CGAL/Geometric_continuity/extensions/alternatives.h>
 #include <CGAL/Geometric_continuity/extensions/close.h>
 #include <CGAL/Geometric_continuity/extensions/connection_coefficients.h>
 #include <CGAL/Geometric_continuity/extensions/extend.h>
 #include <CGAL/Geometric_continuity/extensions/extend_toward.h>
+#include <CGAL/Geometric_continuity/extensions/harmonise_handles.h>
 #include <CGAL/Geometric_continuity/extensions/midpoint_construction.h>
 #include <CGAL/Geometric_continuity/extensions/round_corner.h>
 #include <CGAL/Geometric_continuity/extensions/round_corners.h>

@@ -6,7 +6,7 @@ narrow() { # the file out fits into a terminal of 80 columns
   holds [ -z "$(awk 'length > 80' out)" ]
 }
 run 0 --help && says out "blend" "extend" "verify" "plot" && narrow
-for command in blend connect extend report verify plot tessellate; do
+for command in blend connect extend verify repair plot report tessellate; do
   run 0 $command --help && says out "usage: geometric_continuity $command" && narrow
 done
 run 2 && run 2 nonsense && says err "unknown command"

@@ -1,0 +1,199 @@
+// Copyright (c) 2026 The Geometric_continuity developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+// Kinks are repaired on the grid: no pair of parallel vectors is nearer, for random and for special legs.
+
+#include "support/errors.h"
+
+#include <CGAL/Geometric_continuity/Traits_2.h>
+#include <CGAL/Geometric_continuity/curves/Bezier_curve.h>
+#include <CGAL/Geometric_continuity/extensions/align_handles.h>
+#include <CGAL/Geometric_continuity/joins/join_predicates.h>
+#include <CGAL/Simple_cartesian.h>
+
+#include <boost/test/unit_test.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <optional>
+#include <random>
+#include <utility>
+
+BOOST_AUTO_TEST_SUITE(align_handles)
+
+namespace GC = CGAL::Geometric_continuity;
+
+namespace {
+
+typedef GC::Grid_vector Vector;
+typedef std::pair<std::int64_t, std::int64_t> Cost; // the squares of the larger and of the smaller move
+
+Cost cost(const Vector& a, const Vector& b, const Vector& x, const Vector& y) {
+  const std::int64_t left = squared_length(x - a), right = squared_length(y - b);
+  return {(std::max)(left, right), (std::min)(left, right)};
+}
+
+bool have_one_direction(const Vector& x, const Vector& y) { return cross(x, y) == 0 && dot(x, y) > 0; }
+
+template <class Action> void for_each_near(const Vector& v, int r, Action f) {
+  for (std::int64_t i = -r; i <= r; ++i)
+    for (std::int64_t j = -r; j <= r; ++j)
+      if (i * i + j * j <= r * r) f(Vector{v.x + i, v.y + j});
+}
+
+// The least cost of all pairs that move by at most r units.
+Cost least_cost(const Vector& a, const Vector& b, int r) {
+  Cost best(std::int64_t(1) << 60, 0);
+  for_each_near(a, r, [&](const Vector& x) {
+    for_each_near(b, r, [&](const Vector& y) {
+      if (have_one_direction(x, y)) best = (std::min)(best, cost(a, b, x, y));
+    });
+  });
+  return best;
+}
+
+bool is_kink(const Vector& a, const Vector& b) {
+  const Vector zero{0, 0};
+  return a != zero && b != zero && dot(a, b) >= (std::abs)(cross(a, b));
+}
+
+// The result is a pair of one direction, and none is nearer as far as r units.
+void check(const Vector& a, const Vector& b, int r) {
+  const std::optional<GC::Aligned_handles> handles = GC::align_handles(a, b);
+  BOOST_REQUIRE(handles);
+  const Cost found = cost(a, b, handles->left, handles->right);
+  BOOST_CHECK_MESSAGE(have_one_direction(handles->left, handles->right), a << ' ' << b);
+  const Cost best = least_cost(a, b, (std::min)(r, 1 + static_cast<int>(std::sqrt(found.first))));
+  BOOST_CHECK_MESSAGE(found <= best, a << ' ' << b << " -> " << handles->left << ' ' << handles->right);
+  const std::optional<GC::Aligned_handles> mirrored = GC::align_handles(b, a);
+  BOOST_CHECK(cost(b, a, mirrored->left, mirrored->right) == found);
+}
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE(random_kinks_against_all_pairs) {
+  const unsigned seed = 20817;
+  BOOST_TEST_MESSAGE("seed " << seed);
+  std::mt19937 random(seed);
+  int checked = 0;
+  while (checked < 400) {
+    const int size = std::uniform_int_distribution<int>(1, 70)(random);
+    std::uniform_int_distribution<int> coordinate(-size, size), near(-2, 2);
+    std::uniform_real_distribution<double> ratio(0.1, 3);
+    const Vector a{coordinate(random), coordinate(random)};
+    const double f = ratio(random);
+    const auto scaled = [&](std::int64_t x) { return std::llround(f * static_cast<double>(x)) + near(random); };
+    const Vector b =
+        checked % 2 == 0 ? Vector{scaled(a.x), scaled(a.y)} : Vector{coordinate(random), coordinate(random)};
+    if (!is_kink(a, b)) continue;
+    check(a, b, 3);
+    ++checked;
+  }
+}
+
+BOOST_AUTO_TEST_CASE(all_small_legs) {
+  const auto for_each = [](auto f) { for_each_near(Vector{0, 0}, 4, f); };
+  for_each([&](const Vector& a) {
+    for_each([&](const Vector& b) {
+      if (a.x >= 0 && a.y >= 0 && is_kink(a, b)) check(a, b, 3);
+    });
+  });
+}
+
+// A node on the long side of which only one direction is near: the first leg is a multiple of a long primitive vector.
+BOOST_AUTO_TEST_CASE(long_primitive_directions) {
+  const Vector d{987, 610};
+  for (const std::int64_t sign : {1, -1})
+    for (int turn = 0; turn < 2; ++turn) {
+      const Vector base = turn == 0 ? sign * d : sign * Vector{-d.y, d.x};
+      const Vector a = 1000 * base, b = 1307 * base + Vector{1, 0};
+      const std::optional<GC::Aligned_handles> handles = GC::align_handles(a, b);
+      BOOST_REQUIRE(handles);
+      BOOST_CHECK(handles->left == a && handles->right == 1307 * base);
+    }
+  check({1000, 1}, {1000, 0}, 3);
+  check({12345, 6789}, {12344, 6790}, 3);
+}
+
+BOOST_AUTO_TEST_CASE(a_short_handle_beside_a_long_one) {
+  check({1, 0}, {20, 1}, 3);
+  check({3, 1}, {250, 70}, 5);
+  for (const std::int64_t n : {1000, 100000, 100000000}) { // the best direction is short, and found at once
+    const std::optional<GC::Aligned_handles> handles = GC::align_handles({2, 1}, {2 * n, n + 1});
+    BOOST_REQUIRE(handles);
+    BOOST_CHECK(cost({2, 1}, {2 * n, n + 1}, handles->left, handles->right).first <= 1);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(smooth_legs_stay) {
+  const std::optional<GC::Aligned_handles> handles = GC::align_handles({6, -4}, {-3 * -5, -10});
+  BOOST_REQUIRE(handles);
+  BOOST_CHECK((handles->left == Vector{6, -4} && handles->right == Vector{15, -10}));
+}
+
+BOOST_AUTO_TEST_CASE(corners_and_bad_legs) {
+  BOOST_CHECK(!GC::align_handles({5, 0}, {5, 6}));
+  BOOST_CHECK(!GC::align_handles({5, 0}, {-5, 0}));
+  BOOST_CHECK(GC::align_handles({5, 0}, {5, 5}));
+  CHECK_ERROR(GC::align_handles({0, 0}, {1, 0}), zero_tangent);
+  CHECK_ERROR(GC::align_handles({1, 0}, {GC::max_leg + 1, 0}), work_limit);
+  CHECK_ERROR(GC::align_handle({1, -GC::max_leg - 1}, {1, 0}), work_limit);
+  CHECK_ERROR(GC::align_handle({1, 1}, {0, 0}), zero_tangent);
+}
+
+BOOST_AUTO_TEST_CASE(the_longest_legs) {
+  const std::int64_t n = GC::max_leg;
+  for (const auto& [a, b] : {std::pair(Vector{n, n - 1}, Vector{n - 3, n}),
+                             {Vector{-n, 17}, Vector{-n, 12345}},
+                             {Vector{n / 3, -n}, Vector{n / 3 + 1000, -n}},
+                             {Vector{n, n}, Vector{n - n / 8, n}}}) {
+    const std::optional<GC::Aligned_handles> handles = GC::align_handles(a, b);
+    BOOST_REQUIRE(handles);
+    BOOST_CHECK(have_one_direction(handles->left, handles->right));
+    const double moved = std::sqrt(static_cast<double>(cost(a, b, handles->left, handles->right).first)),
+                 least = (std::abs)(static_cast<double>(cross(a, b))) / std::sqrt(double(squared_length(a + b)));
+    BOOST_CHECK_GE(moved, least * (1 - 1e-12));
+    BOOST_CHECK_LE(moved, least + 60); // the grid costs little
+  }
+}
+
+BOOST_AUTO_TEST_CASE(one_handle_is_fixed) {
+  BOOST_CHECK((GC::align_handle({7, 1}, {300, 0}) == Vector{7, 0}));
+  BOOST_CHECK((GC::align_handle({-7, 1}, {-20, -10}) == Vector{-6, -3} ||
+               GC::align_handle({-7, 1}, {-20, -10}) == Vector{-4, -2}));
+  BOOST_CHECK((GC::align_handle({1, 0}, {-13, 0}) == Vector{-1, 0})); // the nearest that points there
+  BOOST_CHECK((GC::align_handle({10, 9}, {101, 97}) == Vector{101, 97}));
+  const unsigned seed = 4711;
+  BOOST_TEST_MESSAGE("seed " << seed);
+  std::mt19937 random(seed);
+  std::uniform_int_distribution<int> coordinate(-40, 40);
+  for (int i = 0; i < 2000; ++i) {
+    const Vector leg{coordinate(random), coordinate(random)}, d{coordinate(random), coordinate(random)};
+    if (leg == Vector{0, 0} || d == Vector{0, 0}) continue;
+    const Vector x = GC::align_handle(leg, d), unit = GC::primitive(d);
+    BOOST_CHECK(have_one_direction(x, d));
+    for (std::int64_t k = 1; k <= 60; ++k) BOOST_CHECK_LE(squared_length(x - leg), squared_length(k * unit - leg));
+  }
+}
+
+// Cubics with the legs are G1 by the predicate of joins.
+BOOST_AUTO_TEST_CASE(joins_become_smooth) {
+  typedef GC::Traits_2<CGAL::Simple_cartesian<double>> Traits;
+  typedef Traits::Point Point;
+  const auto point = [](const Vector& v) { return Point(static_cast<double>(v.x), static_cast<double>(v.y)); };
+  const auto smooth = [&](const Vector& a, const Vector& b) {
+    const Vector node{431, 250};
+    const Point left[] = {Point(0, 0), Point(100, 30), point(node - a), point(node)},
+                right[] = {point(node), point(node + b), Point(700, 300), Point(800, 250)};
+    return GC::is_g1_join(GC::Bezier_curve<Traits>(left, left + 4), GC::Bezier_curve<Traits>(right, right + 4));
+  };
+  const Vector a{97, 31}, b{143, 44};
+  const std::optional<GC::Aligned_handles> handles = GC::align_handles(a, b);
+  BOOST_REQUIRE(handles);
+  BOOST_CHECK(!smooth(a, b));
+  BOOST_CHECK(smooth(handles->left, handles->right));
+}
+
+BOOST_AUTO_TEST_SUITE_END()
