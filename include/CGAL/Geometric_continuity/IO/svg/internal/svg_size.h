@@ -9,6 +9,7 @@
 #include <CGAL/Geometric_continuity/numbers/Exact_field.h>
 #include <CGAL/Quotient.h>
 
+#include <cstdint>
 #include <type_traits>
 
 namespace CGAL {
