@@ -7,6 +7,8 @@
 
 #include <CGAL/Fraction_traits.h>
 #include <CGAL/Geometric_continuity/numbers/Exact_field.h>
+#include <CGAL/Geometric_continuity/numbers/internal/Exact_number.h>
+#include <CGAL/Geometric_continuity/numbers/internal/Rational_parts.h>
 #include <CGAL/Quotient.h>
 
 #include <cstdint>
