@@ -133,7 +133,7 @@ public:
     b[5] = psi[0];
     end(phi, 1, b, 1, 2);
     end(psi, -1, b, 4, 3);
-    return {b, {Exact(0), Exact(0), false, false}};
+    return {b, {Exact(0), Exact(0), false, false}, GC::Shape_parameters<Exact>()};
   }
 };
 #endif

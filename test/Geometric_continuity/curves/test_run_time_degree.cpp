@@ -60,6 +60,12 @@ template <int Degree> void compare_degree() {
   const GC::Bezier_curve<Traits<double>, Degree> curve(p.begin(), p.end(), -0.7, 1.9);
   const GC::Bezier_curve<Traits<double>> dynamic(curve);
   compare(curve, dynamic);
+  const auto parts = dynamic.split(0.6); // unrolled, up to degree 9
+  for (int i = 0; i < 3; ++i) {
+    const auto expected = dynamic.coordinate_polynomial(i).split((0.6 + 0.7) / (1.9 + 0.7));
+    BOOST_CHECK(parts.first.coordinate_polynomial(i) == expected.first);
+    BOOST_CHECK(parts.second.coordinate_polynomial(i) == expected.second);
+  }
   std::vector<double> weights;
   for (int j = 0; j <= Degree; ++j) weights.push_back(1.5 + number<double>());
   const GC::Rational_bezier_curve<Traits<double>, Degree> rational(p.begin(), p.end(), weights.begin(), weights.end(),

@@ -4,9 +4,6 @@
 
 // Many joins at once: the same answers as one by one, on one core and on several.
 
-#define BOOST_TEST_MODULE join_batch
-#define BOOST_TEST_DYN_LINK
-
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Geometric_continuity/Traits_2.h>
 #include <CGAL/Geometric_continuity/curves/Bezier_curve.h>
@@ -23,6 +20,8 @@
 #include <set>
 #include <stdexcept>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(failing_joins)
 
 namespace GC = CGAL::Geometric_continuity;
 typedef std::vector<std::size_t> Indices;
@@ -120,3 +119,5 @@ BOOST_AUTO_TEST_CASE(exceptions) {
   check_exception<CGAL::Sequential_tag>();
   check_exception<CGAL::Parallel_if_available_tag>();
 }
+
+BOOST_AUTO_TEST_SUITE_END()

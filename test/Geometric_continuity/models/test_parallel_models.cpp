@@ -5,7 +5,6 @@
 // The numbers in which a model is given, and the cores that decide it, make no difference: decimals, and the same model in whole
 // numbers that are doubles, are decided alike, edge by edge.
 
-#define BOOST_TEST_MODULE parallel_models
 #include <boost/test/unit_test.hpp>
 
 #include "support/errors.h"
@@ -23,6 +22,8 @@
 #include <string>
 #include <type_traits>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(parallel_models)
 
 namespace GC = CGAL::Geometric_continuity;
 
@@ -344,3 +345,5 @@ BOOST_AUTO_TEST_CASE(errors_on_several_cores) {
   BOOST_CHECK(expected.find("work_limit") != std::string::npos);
   for (int i = 0; i < 20; ++i) BOOST_CHECK_EQUAL(message(CGAL::Parallel_if_available_tag()), expected);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -156,7 +156,7 @@ public:
   /// \throws Error `negative_count` unless `k >= 0`, `not_finite` when a floating-point number overflows
   FT energy(int k) const {
     internal::check_count(k, "Bezier_curve::energy");
-    const Per_point<Coordinates> rows = this->coordinate_rows();
+    const Coefficients<Coordinates> rows = this->coordinate_rows();
     const FT energy =
         internal::energy_of_rows<FT, N>(std::vector<Coordinates>(rows.begin(), rows.end()), k, FT(b_ - a_));
     internal::check_finite(energy, "Bezier_curve::energy");
@@ -187,9 +187,9 @@ public:
   std::pair<Bezier_curve, Bezier_curve> split(const FT& u) const {
     if (!(a_ < u && u < b_)) throw Error(Error_code::parameter_outside_domain, "Bezier_curve::split");
     const FT t = local_parameter(u);
-    Per_point<Coordinates> right = this->coordinate_rows(), left = right;
-    bernstein_split(right, degree(), t, left);
-    return {Bezier_curve(left, a_, u), Bezier_curve(right, u, b_)};
+    Coefficients<Coordinates> right = this->coordinate_rows(), left = right;
+    internal::bezier_split<Degree>(right, degree(), t, left);
+    return {Bezier_curve(internal::Unspecified(), left, a_, u), Bezier_curve(internal::Unspecified(), right, u, b_)};
   }
 
   /// Returns this curve with the degree raised by `times`. \f$ O(times (m + times)) \f$
@@ -229,6 +229,10 @@ public:
   /// @}
 
 private:
+  CGAL_GC_FORCEINLINE Bezier_curve(internal::Unspecified, const Coefficients<Coordinates>& rows, const FT& a,
+                                   const FT& b)
+      : Polygon(rows, a, b) {}
+
   FT local_parameter(const FT& u) const { return FT((u - a_) / (b_ - a_)); }
 
   template <class Field> Field length_over() const {

@@ -120,7 +120,8 @@ protected:
     }
     check();
   }
-  CGAL_GC_FORCEINLINE Bezier_polygon(const Per_point<Coordinates>& rows, const FT& a, const FT& b)
+  template <class Rows> // a container of the coordinates of the control points
+  CGAL_GC_FORCEINLINE Bezier_polygon(const Rows& rows, const FT& a, const FT& b)
       : points_(points_of(rows)), a_(a), b_(b) {
     check();
   }
@@ -147,8 +148,8 @@ protected:
     for_each_point([&](int j) { c[j] = FT(traits.compute_coordinate_object()(points_[j], i)); });
     return c;
   }
-  Per_point<Coordinates> coordinate_rows() const {
-    Per_point<Coordinates> rows;
+  Coefficients<Coordinates> coordinate_rows() const {
+    Coefficients<Coordinates> rows;
     if constexpr (Degree == dynamic_degree) rows.resize(points_.size());
     for (int j = 0; j <= degree(); ++j) rows[j] = coordinates(j);
     return rows;
@@ -190,7 +191,7 @@ private:
       for (const FT& x : coordinates(j)) internal::check_finite(x, "Bezier_curve: control points");
   }
 
-  static Per_point<Point> points_of(const Per_point<Coordinates>& rows) {
+  template <class Rows> static Per_point<Point> points_of(const Rows& rows) {
     if constexpr (Degree == dynamic_degree) {
       std::vector<Point> points;
       points.reserve(rows.size());
@@ -199,8 +200,8 @@ private:
     } else
       return points_of(rows, std::make_index_sequence<Degree + 1>());
   }
-  template <std::size_t... j>
-  static Per_point<Point> points_of(const Per_point<Coordinates>& rows, std::index_sequence<j...>) {
+  template <class Rows, std::size_t... j>
+  static Per_point<Point> points_of(const Rows& rows, std::index_sequence<j...>) {
     return {{Geometric_continuity::to_point<Traits>(rows[j])...}};
   }
 };

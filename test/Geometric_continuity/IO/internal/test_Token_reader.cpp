@@ -4,7 +4,6 @@
 
 // The words of a text, their lines and numbers: the same however the stream cuts it, on one core and on several.
 
-#define BOOST_TEST_MODULE Token_reader
 #include <boost/test/unit_test.hpp>
 
 #include "support/errors.h"
@@ -31,6 +30,8 @@
 #include <system_error>
 #include <utility>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(token_reader)
 
 namespace GC = CGAL::Geometric_continuity;
 
@@ -319,3 +320,5 @@ BOOST_AUTO_TEST_CASE(failing_streams) {
   bad.setstate(std::ios_base::badbit);
   CHECK_ERROR(GC::internal::Token_reader<>(bad, "f.g2"), cannot_read_file);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

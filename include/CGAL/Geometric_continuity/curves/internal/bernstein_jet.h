@@ -72,6 +72,16 @@ CGAL_GC_FORCEINLINE void bernstein_jet(std::array<FT, n + 1>& c, const FT& s, co
   bernstein_differences<n, (k < n ? k : n)>(c.data(), s, t, d);
 }
 
+// Splits the polynomial of degree n with the Bernstein coefficients c at t = 1-s: c becomes the right part. The numbers are those of
+// bernstein_split() for a degree known at run time only, algebra/bernstein.h.
+template <int n, class FT> CGAL_GC_FORCEINLINE void bernstein_split(FT* c, const FT& s, const FT& t, FT* left) {
+  left[0] = c[0];
+  if constexpr (n > 0) {
+    for_each_index<n>([&](int j) { c[j] = s * c[j] + t * c[j + 1]; });
+    bernstein_split<n - 1>(c, s, t, left + 1);
+  }
+}
+
 // The factors n!/(n-j)! / h^j of the derivatives of order j = 0, ..., k with respect to a parameter on an interval of
 // length h.
 template <int k, class FT> CGAL_GC_FORCEINLINE std::array<FT, k + 1> derivative_factors(int n, const FT& h) {

@@ -85,35 +85,59 @@ CGAL_GC_FORCEINLINE void rational_bezier_jet(int dimension, int degree, const FT
   }
 }
 
+// Calls f with the degree as a constant. Of a degree known at run time only, f is compiled for 0 to 9; returns false, without a
+// call, for higher ones.
+template <int Degree, class Function> CGAL_GC_FORCEINLINE bool with_constant_degree(int degree, const Function& f) {
+  if constexpr (Degree >= 0)
+    return f(std::integral_constant<int, Degree>()), true;
+  else
+    switch (degree) {
+    case 0: return f(std::integral_constant<int, 0>()), true;
+    case 1: return f(std::integral_constant<int, 1>()), true;
+    case 2: return f(std::integral_constant<int, 2>()), true;
+    case 3: return f(std::integral_constant<int, 3>()), true;
+    case 4: return f(std::integral_constant<int, 4>()), true;
+    case 5: return f(std::integral_constant<int, 5>()), true;
+    case 6: return f(std::integral_constant<int, 6>()), true;
+    case 7: return f(std::integral_constant<int, 7>()), true;
+    case 8: return f(std::integral_constant<int, 8>()), true;
+    case 9: return f(std::integral_constant<int, 9>()), true;
+    default: return false;
+    }
+}
+
 // Calls f(level, coordinate) for one of the two functions above, for points of dimension M, where level is the degree as a
-// constant. Of a degree known at run time only, f is compiled for 0 to 9; of higher ones, the level of degree 9 is computed first.
+// constant; for a degree above 9 that is known at run time only, the level of degree 9 is computed first.
 template <int Degree, int M, class FT, class Coordinate, class Function>
 CGAL_GC_FORCEINLINE void with_constant_level(int dimension, int degree, const FT& u, const FT& a, const FT& b,
                                              const Coordinate& coordinate, const Function& f) {
-  if constexpr (Degree >= 0)
-    f(std::integral_constant<int, Degree>(), coordinate);
-  else
-    switch (degree) {
-    case 0: return f(std::integral_constant<int, 0>(), coordinate);
-    case 1: return f(std::integral_constant<int, 1>(), coordinate);
-    case 2: return f(std::integral_constant<int, 2>(), coordinate);
-    case 3: return f(std::integral_constant<int, 3>(), coordinate);
-    case 4: return f(std::integral_constant<int, 4>(), coordinate);
-    case 5: return f(std::integral_constant<int, 5>(), coordinate);
-    case 6: return f(std::integral_constant<int, 6>(), coordinate);
-    case 7: return f(std::integral_constant<int, 7>(), coordinate);
-    case 8: return f(std::integral_constant<int, 8>(), coordinate);
-    case 9: return f(std::integral_constant<int, 9>(), coordinate);
-    default: {
-      const FT t = FT((u - a) / FT(b - a)), s = FT(FT(1) - t);
-      std::vector<Coordinate_vector<FT, M>> c(degree + 1, Coordinate_vector<FT, M>(dimension));
-      for (int j = 0; j <= degree; ++j)
-        for (int i = 0; i < dimension; ++i) c[j][i] = coordinate(j, i);
-      for (int m = degree; m > 9; --m)
-        for (int i = 0; i < m; ++i) step_to_next_level(c.data(), i, m, s, t, c[i + 1] - c[i]);
-      f(std::integral_constant<int, 9>(), [&](int j, int i) { return c[j][i]; });
-    }
-    }
+  if (with_constant_degree<Degree>(degree, [&](auto level) { f(level, coordinate); })) return;
+  const FT t = FT((u - a) / FT(b - a)), s = FT(FT(1) - t);
+  std::vector<Coordinate_vector<FT, M>> c(degree + 1, Coordinate_vector<FT, M>(dimension));
+  for (int j = 0; j <= degree; ++j)
+    for (int i = 0; i < dimension; ++i) c[j][i] = coordinate(j, i);
+  for (int m = degree; m > 9; --m)
+    for (int i = 0; i < m; ++i) step_to_next_level(c.data(), i, m, s, t, c[i + 1] - c[i]);
+  f(std::integral_constant<int, 9>(), [&](int j, int i) { return c[j][i]; });
+}
+
+// Splits a curve with the points `right` at the local parameter t, which become those of the right part.
+template <int Degree, class FT, class Rows>
+CGAL_GC_FORCEINLINE void bezier_split(Rows& right, int degree, const FT& t, Rows& left) {
+  if constexpr (Is_floating_point_or_interval<FT>::value) {
+    const FT s = FT(FT(1) - t);
+    if (with_constant_degree<Degree>(degree, [&](auto m) {
+          for (int i = 0; i < right[0].dimension(); ++i) {
+            std::array<FT, m + 1> c, d;
+            for_each_index<m + 1>([&](int j) { c[j] = right[j][i]; });
+            bernstein_split<m>(c.data(), s, t, d.data());
+            for_each_index<m + 1>([&](int j) { left[j][i] = d[j]; });
+            for_each_index<m + 1>([&](int j) { right[j][i] = c[j]; });
+          }
+        }))
+      return;
+  }
+  bernstein_split(right, degree, t, left);
 }
 
 // All coordinates together where their number is known to the compiler, otherwise one after the other.
