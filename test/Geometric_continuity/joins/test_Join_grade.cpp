@@ -99,6 +99,10 @@ BOOST_AUTO_TEST_CASE(angles_that_are_the_bound) {
     BOOST_CHECK(Bound(90).is_exceeded(size, -std::numeric_limits<double>::denorm_min()));
     BOOST_CHECK(!Bound(90).is_exceeded(size, std::numeric_limits<double>::denorm_min()));
   }
+  const Bound tiny(Q(1) / (Q(1e300) * Q(1e300) * Q(1e300)));
+  BOOST_CHECK(!tiny.is_exceeded(0., 1e300) && !tiny.is_exceeded(Q(0), Q(1)) && tiny.is_exceeded(0., -1.));
+  BOOST_CHECK(tiny.is_exceeded(1e-300, 1e300) && tiny.is_exceeded(1e-308, 1e308));
+  BOOST_CHECK(tiny.is_exceeded(Q(1), Q(57 / tiny.degrees())) && !tiny.is_exceeded(Q(1), Q(58 / tiny.degrees())));
   const std::int64_t large = std::numeric_limits<std::int64_t>::max();
   BOOST_CHECK(!Bound(45).is_exceeded(large, large));
   BOOST_CHECK(!Bound(45).is_exceeded(-large, large));

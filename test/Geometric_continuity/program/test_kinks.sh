@@ -38,6 +38,12 @@ run 0 verify drawing.svg --require G1 --kink-angle 179
 # how far a handle is off: in the drawing and in units of the last decimal that is written
 svg '<path d="M0 0h30l40 .1"/>' && run 0 verify drawing.svg && says out "a handle is off by 0.075 (0.75 units of the last decimal)"
 svg '<path d="M0 0h40l40 .03"/>' && run 0 verify drawing.svg && says out "a handle is off by 0.03 (3 units of the last decimal)"
+for end in "4e1 3e-2" "4E+1.3e-1" "40.0 .03" "40,300e-4"; do
+  svg "<path d=\"M0 0h40l$end\"/>" && run 0 verify drawing.svg && says out "a handle is off by 0.03 (3"
+done
+says out "(300 units of the last decimal)"
+svg '<polyline points="0 0 40 0 80 .03"/>' && run 0 verify drawing.svg && says out "a handle is off by 0.03 (3 units"
+svg '<path d="M0 0h40l40 3e-30"/>' && run 0 verify drawing.svg && says out "a handle is off by 3e-30" && holds [ "$(grep -c decimal out)" = 0 ]
 svg '<g transform="scale(4)"><path transform="rotate(17) translate(.123456789)" d="M0 0h40l40 .03"/></g>'
 run 0 verify drawing.svg && says out "a handle is off by 0.12 (3 units of the last decimal)" "kink of 0.04297 degrees"
 svg '<path d="M0 0h4000c10 1 20 8 30 8" transform="scale(2 1)"/>'

@@ -140,6 +140,7 @@ private:
     const NT zero(0), c = cross < zero ? NT(-cross) : cross;
     if (c == zero && dot == zero)
       throw Error(Error_code::zero_direction, "Kink_bound: the angle of a vector of no length");
+    if (c == zero) return dot < zero; // an angle of 0 or of 180 degrees
     const NT size = c + (dot < zero ? NT(-dot) : dot);
     for (int bits = 128;; bits *= 2) {
       const Rotation r = rotation_bounds(bits);

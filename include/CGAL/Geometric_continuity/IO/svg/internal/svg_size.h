@@ -7,8 +7,11 @@
 
 #include <CGAL/Fraction_traits.h>
 #include <CGAL/Geometric_continuity/numbers/Exact_field.h>
+#include <CGAL/Geometric_continuity/numbers/internal/Exact_number.h>
+#include <CGAL/Geometric_continuity/numbers/internal/Rational_parts.h>
 #include <CGAL/Quotient.h>
 
+#include <cstdint>
 #include <type_traits>
 
 namespace CGAL {
