@@ -3,10 +3,12 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
 #include "command_line.h"
+#include "font_files.h"
 #include "svg_drawing.h"
 #include "tolerances.h"
 #include "verify_chain.h"
 #include "verify_drawings.h"
+#include "verify_fonts.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -16,7 +18,7 @@
 
 namespace {
 
-const char* const verify_usage = R"(usage: geometric_continuity verify FILE.g2... | DRAWING.svg... [OPTIONS]
+const char* const verify_usage = R"(usage: geometric_continuity verify FILE.g2... | FILE.svg... | FONT... [OPTIONS]
 
 Decides the continuity of every join of the chain that all curves form in the
 given order. The decision is exact for the numbers of the files.
@@ -31,6 +33,16 @@ B-spline surfaces. For SVG drawings it decides the joins of every path and
 basic shape, and names the element and the commands. It tells what they look
 like: a corner, a kink, which is an angle of at most 5 degrees, G1 or G2. With
 --kink-angle corners are meant, and need not meet --require.
+
+Of fonts (TrueType, OpenType, Type 1, WOFF; folders with all that is in them) it
+grades the joins of each glyph, on the integers of the font:
+  corner  the direction changes by more than --kink-angle, which is meant
+  kink    it changes by less: a handle is off; one unit can come from rounding
+  G1      no change of direction, but of curvature; a handle at its node
+  G2      nor of curvature
+The worst kinks come first: those of the largest angle times the shorter handle.
+--require G1 and G2 leave corners alone. --glyphs a-z,U+00E9,ampersand,#12 takes
+characters and ranges of them, names and numbers of glyphs.
 
 --within 0.001,0.01deg,2% also tells how far each join is from continuous, in
 guaranteed bounds, and which orders it has when the ends may be apart by this
@@ -85,6 +97,21 @@ Kink_rule kink_rule(const Command_line& line) {
   }
 }
 
+// What is asked of fonts.
+Font_demand font_demand(const Command_line& line, const std::optional<Requirement>& required) {
+  line.refuse({"surfaces", "closed", "within", "kernel", "max-order", "max-work"}, "not for fonts");
+  Font_demand demand;
+  if (line.has("glyphs")) demand.glyphs = Glyph_selection(line.text("glyphs"));
+  demand.worst = static_cast<std::size_t>(line.integer("worst", 0, 1000000));
+  demand.bound = kink_rule(line).bound;
+  if (required) {
+    if (required->text() != "G1" && required->text() != "G2")
+      throw std::invalid_argument("--require " + required->text() + ": of fonts G1 and G2 are decided");
+    demand.required = required->order() == 1 ? GC::Join_grade::g1 : GC::Join_grade::g2;
+  }
+  return demand;
+}
+
 } // namespace
 
 int verify_command(const Arguments& arguments) {
@@ -96,8 +123,12 @@ int verify_command(const Arguments& arguments) {
     add("within", po::value<std::string>(),
         "the tolerance: GAP,ANGLEdeg,CURVATURE%[,TORSION], or a preset; with --surfaces GAP,ANGLEdeg");
     add("kink-angle", po::value<std::string>(),
-        "for drawings: the largest angle that is a kink, in degrees, instead of 5; what is larger is a corner, which "
-        "need not meet the requirement then");
+        "for drawings and fonts: the largest angle that is a kink, in degrees, instead of 5; what is larger is a "
+        "corner, which "
+        "need not meet the requirement then, in fonts never");
+    add("glyphs", po::value<std::string>(), "for fonts: the glyphs to verify, e.g. a-z,U+00E9,ampersand");
+    add("worst", po::value<int>()->default_value(10),
+        "for fonts: how many joins to show of each, in JSON of each glyph");
     add("strict", "what cannot be verified counts as not met");
     add("allow-empty", "accept that there is no join");
     add("summary", "print only the counts and what does not meet the requirement; so it is on a terminal for more than "
@@ -116,13 +147,15 @@ int verify_command(const Arguments& arguments) {
   if (line.has("require")) required = Requirement(line.text("require"));
   const Arguments files = line.files();
   const Report_mode mode{report_format(line), line.has("strict"), line.has("allow-empty"), line.has("summary")};
+  if (are_fonts(files)) return verify_fonts(files, mode, font_demand(line, required));
+  line.refuse({"glyphs", "worst"}, "only for fonts");
   const auto drawings = std::count_if(files.begin(), files.end(), is_svg_file);
   if (drawings != 0) {
     if (drawings != static_cast<std::ptrdiff_t>(files.size()))
       throw std::invalid_argument("drawings (.svg) and curves (.g2) cannot be verified together");
     line.refuse({"surfaces", "closed", "within", "kernel"}, "not for drawings");
   } else
-    line.refuse({"kink-angle"}, "only for drawings");
+    line.refuse({"kink-angle"}, "only for drawings and fonts");
   if (line.has("surfaces")) {
     line.refuse({"closed", "max-order", "kernel"}, "not with --surfaces");
     std::optional<GC::Edge_tolerance> tolerance;
