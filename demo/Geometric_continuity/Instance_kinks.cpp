@@ -155,27 +155,34 @@ std::string kinks_table(const std::vector<Instance_kink>& kinks, const std::stri
   return text;
 }
 
-std::string kinks_json(const std::vector<Instance_kink>& kinks, const std::vector<GC::Variation_axis>& axes) {
+std::string kink_json(const Instance_kink& kink, const std::vector<GC::Variation_axis>& axes) {
   std::ostringstream os;
-  os << '[';
-  const char* separator = "";
-  for (const Instance_kink& kink : kinks) {
-    os << std::exchange(separator, ",") << "{\"contour\":" << kink.contour << ",\"outline_point\":" << kink.point
-       << ",\"point\":[" << rounded(kink.x, 9) << ',' << rounded(kink.y, 9) << "],\"verdict\":\"" << kink.kink.verdict
-       << "\",\"angle_degrees\":";
-    GC::write_json(os, std::optional<GC::Enclosure>(degrees(kink.kink.angle)));
-    os << ",\"instance\":{";
-    for (std::size_t k = 0; k < axes.size(); ++k) {
-      os << (k == 0 ? "" : ",");
-      GC::write_json(os, axes[k].tag);
-      GC::write_number(os << ":\"", axes[k].user_value(kink.kink.instance[k]));
-      os << '"';
-    }
-    os << "},\"default_angle_degrees\":";
-    GC::write_json(os, std::optional<GC::Enclosure>(degrees(kink.initial_angle)));
-    os << ",\"vanishing_handle\":" << (kink.kink.vanishes ? "true" : "false")
-       << ",\"per_mille\":" << rounded(1000 * kink.severity, 6) << '}';
+  os << "\"contour\":" << kink.contour << ",\"outline_point\":" << kink.point << ",\"point\":[" << rounded(kink.x, 9)
+     << ',' << rounded(kink.y, 9) << "],\"verdict\":\"" << kink.kink.verdict << "\",\"angle_degrees\":";
+  GC::write_json(os, std::optional<GC::Enclosure>(degrees(kink.kink.angle)));
+  os << ",\"instance\":{";
+  for (std::size_t k = 0; k < axes.size(); ++k) {
+    os << (k == 0 ? "" : ",");
+    GC::write_json(os, axes[k].tag);
+    GC::write_number(os << ":\"", axes[k].user_value(kink.kink.instance[k]));
+    os << '"';
   }
-  os << ']';
+  os << "},\"default_angle_degrees\":";
+  GC::write_json(os, std::optional<GC::Enclosure>(degrees(kink.initial_angle)));
+  os << ",\"vanishing_handle\":" << (kink.kink.vanishes ? "true" : "false")
+     << ",\"per_mille\":" << rounded(1000 * kink.severity, 6);
   return os.str();
+}
+
+std::string kinks_json(const std::vector<Instance_kink>& kinks, const std::vector<GC::Variation_axis>& axes) {
+  std::string json;
+  for (const Instance_kink& kink : kinks) json += (json.empty() ? "{" : ",{") + kink_json(kink, axes) + '}';
+  return '[' + json + ']';
+}
+
+std::string kink_text(const Instance_kink& kink) {
+  std::string text = "largest kink " + degrees_text(kink.kink.angle) + " degrees at";
+  for (const std::string& value : kink.instance) text += ' ' + value;
+  return text + ", by default " + degrees_text(kink.initial_angle) + " degrees, " + rounded(1000 * kink.severity, 3) +
+         " per mille of the em";
 }

@@ -59,10 +59,16 @@ std::string counts_text(const Instance_counts& counts, const std::string& max_ki
 // The members of a JSON object.
 std::string counts_json(const Instance_counts& counts);
 
+// A sentence without the place.
+std::string kink_text(const Instance_kink& kink);
+
 // A table for people.
 std::string kinks_table(const std::vector<Instance_kink>& kinks, const std::string& indentation);
 
-// An array of JSON objects.
+// The members of a JSON object.
+std::string kink_json(const Instance_kink& kink, const std::vector<GC::Variation_axis>& axes);
+
+// An array of such objects.
 std::string kinks_json(const std::vector<Instance_kink>& kinks, const std::vector<GC::Variation_axis>& axes);
 
 #endif // GEOMETRIC_CONTINUITY_DEMO_INSTANCE_KINKS_H

@@ -5,6 +5,7 @@
 #include "verify_instances.h"
 
 #include "Font_face.h"
+#include "Instance_findings.h"
 #include "deferred_output.h"
 #include "font_files.h"
 #include "input.h"
@@ -17,6 +18,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <iostream>
+#include <memory>
 #include <sstream>
 #include <utility>
 #include <vector>
@@ -66,7 +68,8 @@ class Instances_report {
   Glyph_selection selection_;
   std::vector<Unread_file> not_read_; // folders and fonts
   std::vector<Font_file> files_;
-  bool one_font_; // the only argument is the only font of a file
+  bool one_font_;                               // the only argument is the only font of a file
+  std::unique_ptr<Instance_findings> findings_; // for SARIF and JUnit
   Deferred_output out_;
   Progress progress_{"joins"};
   std::vector<Instance_kink> worst_;
@@ -161,6 +164,9 @@ class Instances_report {
                  ",\n \"summary\":{\"glyphs\":" + std::to_string(glyphs.size() - reasons.size()) + ',' +
                  counts_json(counts) + "},\"name\":" + json_string(face.name()) +
                  ",\"units_per_em\":" + std::to_string(font.units_per_em()) + (one_font_ ? "" : "}"));
+    else if (findings_)
+      add_findings(input_name(file.name), faces == 1 ? "" : "font " + std::to_string(face_number) + ", ", font, counts,
+                   missing, reasons, worst);
     else
       write_text(name + ", " + input_name(file.name), font, glyphs.size(), composites, counts, missing, reasons, worst);
     for (Instance_kink& kink : worst) {
@@ -197,6 +203,15 @@ class Instances_report {
                (faces == 1 ? "" : ",\"font\":" + std::to_string(face)) + ",\"glyphs\":[");
   }
 
+  void add_findings(const std::string& file, const std::string& place, const GC::Variable_font& font,
+                    const Instance_counts& counts, const Arguments& missing, const Arguments& reasons,
+                    const std::vector<Instance_kink>& worst) {
+    findings_->add_font(file, place, counts, worst, font.axes());
+    for (const std::string& reason : reasons) findings_->not_verified(file, "glyph", place + "a glyph", reason);
+    for (const std::string& name : missing)
+      findings_->not_verified(file, "glyph", place + "glyph " + name, "not in this font");
+  }
+
   void write_text(const std::string& title, const GC::Variable_font& font, std::size_t glyphs, std::size_t composites,
                   const Instance_counts& counts, const Arguments& missing, const Arguments& reasons,
                   const std::vector<Instance_kink>& worst) {
@@ -218,6 +233,7 @@ public:
   Instances_report(const Arguments& arguments, const Report_mode& mode, const Instance_demand& demand)
       : mode_(mode), bounds_(demand.bounds), max_kink_(demand.max_kink), required_(demand.required),
         most_(demand.worst), selection_(demand.glyphs), files_(font_files(arguments, not_read_)) {
+    if (!json_ && mode.format != Report_format::text) findings_ = std::make_unique<Instance_findings>(mode, required_);
     std::error_code none;
     one_font_ = files_.size() == 1 && arguments.size() == 1 && !fs::is_directory(arguments[0], none);
   }
@@ -233,6 +249,8 @@ public:
     out_.copy_to(os);
     if (json_)
       print_json_end(os);
+    else if (findings_)
+      print_findings(os);
     else
       print_summary(os);
     return conclusion().exit_code(mode_, "join");
@@ -257,6 +275,12 @@ private:
       os << counts_.refuted << " of them not within " << max_kink_ << " degrees, and " << counts_.undecided
          << " not proved to be\n";
     if (mode_.strict && end.unverified > 0) os << "not met, because not all was verified\n";
+  }
+
+  void print_findings(std::ostream& os) const {
+    for (const Unread_file& file : not_read_) findings_->not_verified(file.name, "font", "font", file.reason);
+    findings_->print(os, "\"fonts\":" + std::to_string(fonts_) + ',' + counts_json(counts_) + ",\"max_kink\":\"" +
+                             max_kink_ + '"' + (required_ ? ",\"met\":" + conclusion().json_met(mode_) : ""));
   }
 
   void print_json_end(std::ostream& os) const {

@@ -55,6 +55,19 @@ says out '{"fonts":[' '"file":"kink.ttf"' '"not_verified":[{"file":"not_variable
   '"summary":{"fonts":1,"joins":3,'
 if command -v python3 >/dev/null; then holds python3 -m json.tool out /dev/null; fi
 
+# SARIF and JUnit, which test_formats.sh validates for other files.
+run 1 verify kink.ttf not_variable.ttf --all-instances --max-kink 2 --format sarif
+says out '"ruleId":"kink"' '"level":"error"' "largest kink [3.0" "glyph glyph00001, contour 0, point 2" "not covered: not a variable font" \
+  '"instance":{"wght":"1700/3"}'
+if command -v python3 >/dev/null; then holds python3 -m json.tool out /dev/null; fi
+run 0 verify kink.ttf --all-instances --max-kink 4 --format sarif
+lacks out '"ruleId":"kink"'
+run 1 verify kink.ttf --all-instances --max-kink 2 --format junit
+says out '<failure' "glyph00001"
+run 1 verify kink.ttf --all-instances --max-kink 2 --format junit --worst 0
+says out "1 more join not proved to stay within the bound"
+if command -v xmllint >/dev/null; then holds xmllint --noout out; fi
+
 # What is not covered is named, and is not met with --strict.
 run 2 verify not_variable.ttf --all-instances
 says out "not_variable.ttf: not covered: not a variable font" "no join, nothing was decided"
