@@ -92,6 +92,21 @@ Instance_counts judge_instances(int index, const GC::Variable_outline& glyph, co
   return counts;
 }
 
+std::string axis_text(const GC::Variation_axis& axis, const Exact& normalised) {
+  return rounded(CGAL::to_double(axis.user_value(normalised)), 6);
+}
+
+std::string axes_json(const std::vector<GC::Variation_axis>& axes) {
+  std::ostringstream os;
+  const char* separator = "[";
+  for (const GC::Variation_axis& axis : axes) {
+    GC::write_json(os << std::exchange(separator, ",") << "{\"tag\":", axis.tag);
+    os << ",\"minimum\":" << axis_text(axis, axis.lowest()) << ",\"default\":" << axis_text(axis, 0)
+       << ",\"maximum\":" << axis_text(axis, axis.highest()) << '}';
+  }
+  return os.str() + (axes.empty() ? "[]" : "]");
+}
+
 bool shown_before(const Instance_kink& x, const Instance_kink& y) {
   const auto order = [](const Instance_kink& k) { return std::make_tuple(-k.severity, k.glyph, k.contour, k.point); };
   return order(x) < order(y);

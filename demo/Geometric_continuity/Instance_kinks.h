@@ -50,6 +50,12 @@ struct Instance_kink {
 Instance_counts judge_instances(int index, const GC::Variable_outline& glyph, const GC::Variable_font& font,
                                 const Instance_bounds& bounds, std::vector<Instance_kink>& kinks);
 
+// The value of an axis for people.
+std::string axis_text(const GC::Variation_axis& axis, const GC::Variation_axis::FT& normalised);
+
+// The axes as an array of JSON objects.
+std::string axes_json(const std::vector<GC::Variation_axis>& axes);
+
 // Whether a kink is to be shown before another one: first by what the eye sees.
 bool shown_before(const Instance_kink& x, const Instance_kink& y);
 

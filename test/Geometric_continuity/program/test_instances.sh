@@ -84,6 +84,16 @@ says out "kink.ttf" "packed.woff: not covered: a packed font (WOFF)" "not_variab
 run 0 verify fonts --all-instances --json
 if command -v python3 >/dev/null; then holds python3 -m json.tool out /dev/null; fi
 
+# A glyph that is malformed does not hide the others.
+LC_ALL=C sed 's/\x82\x40\x00\xc8/\xc2\x40\x00\xc8/' kink.ttf >unread.ttf
+holds [ "$(cmp -l kink.ttf unread.ttf | wc -l)" -eq 1 ]
+run 1 verify unread.ttf --all-instances --strict --allow-empty
+says out "glyph glyph00001: not verified, table 'gvar', glyph 1: a run of movements is of an unknown form"
+run 0 verify unread.ttf --all-instances --json --allow-empty
+says out '"not_verified":[{"index":1,"name":"glyph00001","reason":"table ' '"summary":{"glyphs":2,'
+run 0 verify unread.ttf --all-instances --format sarif --allow-empty
+says out "glyph glyph00001" "a run of movements" '"level":"warning"'
+
 # Bad input.
 run 2 verify fonts/cut.ttf --all-instances
 says err "malformed_input: fonts/cut.ttf: font: its table"
