@@ -56,7 +56,7 @@ public:
 
   void print(std::ostream& os, const Fonts_result& all) override {
     for (const Unread_file& file : all.unread) not_verified(file.name, "font", "font", file.reason);
-    std::string summary = "\"fonts\":" + std::to_string(all.fonts) + ',' + json_members(all.counts);
+    std::string summary = "\"summary\":{\"fonts\":" + std::to_string(all.fonts) + ',' + json_members(all.counts) + '}';
     if (required_)
       summary += ",\"required\":\"" + to_string(*required_) + "\",\"met\":" + conclusion(all).json_met(mode_);
     writer_->print(os, summary);
