@@ -92,6 +92,21 @@ Instance_counts judge_instances(int index, const GC::Variable_outline& glyph, co
   return counts;
 }
 
+std::string axis_text(const GC::Variation_axis& axis, const Exact& normalised) {
+  return rounded(CGAL::to_double(axis.user_value(normalised)), 6);
+}
+
+std::string axes_json(const std::vector<GC::Variation_axis>& axes) {
+  std::ostringstream os;
+  const char* separator = "[";
+  for (const GC::Variation_axis& axis : axes) {
+    GC::write_json(os << std::exchange(separator, ",") << "{\"tag\":", axis.tag);
+    os << ",\"minimum\":" << axis_text(axis, axis.lowest()) << ",\"default\":" << axis_text(axis, 0)
+       << ",\"maximum\":" << axis_text(axis, axis.highest()) << '}';
+  }
+  return os.str() + (axes.empty() ? "[]" : "]");
+}
+
 bool shown_before(const Instance_kink& x, const Instance_kink& y) {
   const auto order = [](const Instance_kink& k) { return std::make_tuple(-k.severity, k.glyph, k.contour, k.point); };
   return order(x) < order(y);
@@ -155,27 +170,34 @@ std::string kinks_table(const std::vector<Instance_kink>& kinks, const std::stri
   return text;
 }
 
-std::string kinks_json(const std::vector<Instance_kink>& kinks, const std::vector<GC::Variation_axis>& axes) {
+std::string kink_json(const Instance_kink& kink, const std::vector<GC::Variation_axis>& axes) {
   std::ostringstream os;
-  os << '[';
-  const char* separator = "";
-  for (const Instance_kink& kink : kinks) {
-    os << std::exchange(separator, ",") << "{\"contour\":" << kink.contour << ",\"outline_point\":" << kink.point
-       << ",\"point\":[" << rounded(kink.x, 9) << ',' << rounded(kink.y, 9) << "],\"verdict\":\"" << kink.kink.verdict
-       << "\",\"angle_degrees\":";
-    GC::write_json(os, std::optional<GC::Enclosure>(degrees(kink.kink.angle)));
-    os << ",\"instance\":{";
-    for (std::size_t k = 0; k < axes.size(); ++k) {
-      os << (k == 0 ? "" : ",");
-      GC::write_json(os, axes[k].tag);
-      GC::write_number(os << ":\"", axes[k].user_value(kink.kink.instance[k]));
-      os << '"';
-    }
-    os << "},\"default_angle_degrees\":";
-    GC::write_json(os, std::optional<GC::Enclosure>(degrees(kink.initial_angle)));
-    os << ",\"vanishing_handle\":" << (kink.kink.vanishes ? "true" : "false")
-       << ",\"per_mille\":" << rounded(1000 * kink.severity, 6) << '}';
+  os << "\"contour\":" << kink.contour << ",\"outline_point\":" << kink.point << ",\"point\":[" << rounded(kink.x, 9)
+     << ',' << rounded(kink.y, 9) << "],\"verdict\":\"" << kink.kink.verdict << "\",\"angle_degrees\":";
+  GC::write_json(os, std::optional<GC::Enclosure>(degrees(kink.kink.angle)));
+  os << ",\"instance\":{";
+  for (std::size_t k = 0; k < axes.size(); ++k) {
+    os << (k == 0 ? "" : ",");
+    GC::write_json(os, axes[k].tag);
+    GC::write_number(os << ":\"", axes[k].user_value(kink.kink.instance[k]));
+    os << '"';
   }
-  os << ']';
+  os << "},\"default_angle_degrees\":";
+  GC::write_json(os, std::optional<GC::Enclosure>(degrees(kink.initial_angle)));
+  os << ",\"vanishing_handle\":" << (kink.kink.vanishes ? "true" : "false")
+     << ",\"per_mille\":" << rounded(1000 * kink.severity, 6);
   return os.str();
+}
+
+std::string kinks_json(const std::vector<Instance_kink>& kinks, const std::vector<GC::Variation_axis>& axes) {
+  std::string json;
+  for (const Instance_kink& kink : kinks) json += (json.empty() ? "{" : ",{") + kink_json(kink, axes) + '}';
+  return '[' + json + ']';
+}
+
+std::string kink_text(const Instance_kink& kink) {
+  std::string text = "largest kink " + degrees_text(kink.kink.angle) + " degrees at";
+  for (const std::string& value : kink.instance) text += ' ' + value;
+  return text + ", by default " + degrees_text(kink.initial_angle) + " degrees, " + rounded(1000 * kink.severity, 3) +
+         " per mille of the em";
 }

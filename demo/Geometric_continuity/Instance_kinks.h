@@ -50,6 +50,12 @@ struct Instance_kink {
 Instance_counts judge_instances(int index, const GC::Variable_outline& glyph, const GC::Variable_font& font,
                                 const Instance_bounds& bounds, std::vector<Instance_kink>& kinks);
 
+// The value of an axis for people.
+std::string axis_text(const GC::Variation_axis& axis, const GC::Variation_axis::FT& normalised);
+
+// The axes as an array of JSON objects.
+std::string axes_json(const std::vector<GC::Variation_axis>& axes);
+
 // Whether a kink is to be shown before another one: first by what the eye sees.
 bool shown_before(const Instance_kink& x, const Instance_kink& y);
 
@@ -59,10 +65,16 @@ std::string counts_text(const Instance_counts& counts, const std::string& max_ki
 // The members of a JSON object.
 std::string counts_json(const Instance_counts& counts);
 
+// A sentence without the place.
+std::string kink_text(const Instance_kink& kink);
+
 // A table for people.
 std::string kinks_table(const std::vector<Instance_kink>& kinks, const std::string& indentation);
 
-// An array of JSON objects.
+// The members of a JSON object.
+std::string kink_json(const Instance_kink& kink, const std::vector<GC::Variation_axis>& axes);
+
+// An array of such objects.
 std::string kinks_json(const std::vector<Instance_kink>& kinks, const std::vector<GC::Variation_axis>& axes);
 
 #endif // GEOMETRIC_CONTINUITY_DEMO_INSTANCE_KINKS_H

@@ -173,8 +173,6 @@ int verify_command(const Arguments& arguments) {
   const Report_mode mode{report_format(line), line.has("strict"), line.has("allow-empty"), line.has("summary")};
   if (line.has("all-instances")) {
     if (!are_fonts(files)) throw std::invalid_argument("--all-instances: only for fonts");
-    if (mode.format != Report_format::text && mode.format != Report_format::json)
-      throw std::invalid_argument("--format " + line.text("format") + ": not with --all-instances");
     return verify_instances(files, mode, instance_demand(line));
   }
   line.refuse({"max-kink"}, "only with --all-instances");

@@ -5,11 +5,13 @@
 #include "verify_instances.h"
 
 #include "Font_face.h"
+#include "Instance_findings.h"
 #include "deferred_output.h"
 #include "font_files.h"
 #include "input.h"
 #include "join_report.h"
 #include "progress.h"
+#include "uncovered_font.h"
 
 #include <CGAL/Geometric_continuity/IO/json.h>
 #include <CGAL/Geometric_continuity/IO/printable.h>
@@ -17,6 +19,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <iostream>
+#include <memory>
 #include <sstream>
 #include <utility>
 #include <vector>
@@ -42,18 +45,11 @@ std::string reason_of(const GC::Error& error) {
   return std::string(error.what()).substr(to_string(error.code()).size() + 2);
 }
 
-// Why a file cannot be covered, as far as its first bytes tell; empty if they do not.
-std::string uncovered_form(std::string_view bytes) {
-  const std::string_view begin = bytes.substr(0, 4);
-  if (begin == "wOFF" || begin == "wOF2") return "not covered: a packed font (WOFF)";
-  if (begin == "ttcf" || begin == "true" || begin == "OTTO" || begin == std::string_view("\0\1\0\0", 4)) return "";
-  return "not covered: no OpenType or TrueType font";
-}
-
-std::string uncovered_tables(const GC::Font_tables& font) {
-  if (!font.has("fvar")) return "not covered: not a variable font";
-  return GC::Variable_font::is_variable(font) ? "" : "not covered: a variable font without TrueType outlines";
-}
+// A glyph that could not be read, and why.
+struct Unread {
+  int index;
+  std::string name, reason;
+};
 
 // Reads variable fonts, decides their joins and keeps what the report says.
 class Instances_report {
@@ -66,12 +62,13 @@ class Instances_report {
   Glyph_selection selection_;
   std::vector<Unread_file> not_read_; // folders and fonts
   std::vector<Font_file> files_;
-  bool one_font_; // the only argument is the only font of a file
+  bool one_font_;                               // the only argument is the only font of a file
+  std::unique_ptr<Instance_findings> findings_; // for SARIF and JUnit
   Deferred_output out_;
   Progress progress_{"joins"};
   std::vector<Instance_kink> worst_;
   Instance_counts counts_;
-  std::size_t fonts_ = 0, unverified_ = 0;
+  std::size_t fonts_ = 0, unverified_ = 0, files_done_ = 0;
 
   bool fails(const Instance_counts& counts) const { return counts.refuted + counts.undecided != 0; }
 
@@ -117,7 +114,8 @@ class Instances_report {
   void read_font(const Font_file& file, const std::string& bytes, std::size_t face_number, std::size_t faces,
                  const GC::Variable_font& font) {
     const Font_face face(bytes, static_cast<int>(face_number)); // for names
-    Arguments missing, reasons;
+    Arguments missing;
+    std::vector<Unread> unread;
     const std::vector<int> glyphs = selection_.glyphs(face, missing);
     const std::string name = face.name().empty() ? input_name(file.name) : face.name();
     Instance_counts counts;
@@ -133,10 +131,7 @@ class Instances_report {
         composites += glyph.outline.components != 0;
         joins = judge_instances(index, glyph, font, bounds_, kinks);
       } catch (const GC::Error& e) {
-        const std::string glyph = face.glyph_name(index);
-        reasons.push_back(json_ ? "{\"index\":" + std::to_string(index) + ",\"name\":" + json_string(glyph) +
-                                      ",\"reason\":" + json_string(reason_of(e)) + '}'
-                                : "glyph " + glyph + ": not verified, " + reason_of(e));
+        unread.push_back({index, face.glyph_name(index), reason_of(e)});
         continue;
       }
       counts += joins;
@@ -147,34 +142,44 @@ class Instances_report {
       else
         worst.insert(worst.end(), kinks.begin(), kinks.end());
       if (worst.size() > 2 * most_ + 1000) worst = worst_of(std::move(worst));
-      progress_.step(counts_.joins + counts.joins);
+      progress_.step(counts_.joins + counts.joins, [&] {
+        const double part = static_cast<double>(index) / font.glyph_count();
+        return (static_cast<double>(files_done_) + part) / static_cast<double>(files_.size());
+      });
     }
     worst = worst_of(std::move(worst));
     for (Instance_kink& kink : worst) {
       kink.glyph_name = face.glyph_name(kink.glyph);
       for (std::size_t k = 0; k < font.axes().size(); ++k)
-        kink.instance.push_back(font.axes()[k].tag + ' ' + user_text(font.axes()[k], kink.kink.instance[k]));
+        kink.instance.push_back(font.axes()[k].tag + ' ' + axis_text(font.axes()[k], kink.kink.instance[k]));
     }
     if (json_)
-      out_.write("],\n \"not_verified\":" + json_array(reasons) + ",\"not_found\":" + json_names(missing) +
+      out_.write("],\n \"not_verified\":" + json_unread(unread) + ",\"not_found\":" + json_names(missing) +
                  ",\"composites\":" + std::to_string(composites) + ",\n \"axes\":" + axes_json(font.axes()) +
-                 ",\n \"summary\":{\"glyphs\":" + std::to_string(glyphs.size() - reasons.size()) + ',' +
+                 ",\n \"summary\":{\"glyphs\":" + std::to_string(glyphs.size() - unread.size()) + ',' +
                  counts_json(counts) + "},\"name\":" + json_string(face.name()) +
                  ",\"units_per_em\":" + std::to_string(font.units_per_em()) + (one_font_ ? "" : "}"));
+    else if (findings_)
+      add_findings(input_name(file.name), faces == 1 ? "" : "font " + std::to_string(face_number) + ", ", font, counts,
+                   missing, unread, worst);
     else
-      write_text(name + ", " + input_name(file.name), font, glyphs.size(), composites, counts, missing, reasons, worst);
+      write_text(name + ", " + input_name(file.name), font, glyphs.size(), composites, counts, missing, unread, worst);
     for (Instance_kink& kink : worst) {
       kink.font_name = name;
       worst_.push_back(std::move(kink));
     }
     worst_ = worst_of(std::move(worst_));
     counts_ += counts;
-    unverified_ += reasons.size() + missing.size();
+    unverified_ += unread.size() + missing.size();
     ++fonts_;
   }
 
-  static std::string user_text(const GC::Variation_axis& axis, const Exact& normalised) {
-    return rounded(CGAL::to_double(axis.user_value(normalised)), 6);
+  static std::string json_unread(const std::vector<Unread>& glyphs) {
+    Arguments objects;
+    for (const Unread& glyph : glyphs)
+      objects.push_back("{\"index\":" + std::to_string(glyph.index) + ",\"name\":" + json_string(glyph.name) +
+                        ",\"reason\":" + json_string(glyph.reason) + '}');
+    return json_array(objects);
   }
 
   static std::string json_names(const Arguments& names) {
@@ -183,32 +188,35 @@ class Instances_report {
     return json_array(texts);
   }
 
-  static std::string axes_json(const std::vector<GC::Variation_axis>& axes) {
-    Arguments objects;
-    for (const GC::Variation_axis& axis : axes)
-      objects.push_back("{\"tag\":" + json_string(axis.tag) + ",\"minimum\":" + user_text(axis, axis.lowest()) +
-                        ",\"default\":" + user_text(axis, 0) + ",\"maximum\":" + user_text(axis, axis.highest()) + '}');
-    return json_array(objects);
-  }
-
   void begin_json(const Font_file& file, std::size_t face, std::size_t faces) {
     if (one_font_) return out_.write("{\"glyphs\":[");
     out_.write((fonts_ == 0 ? "{\"fonts\":[\n{\"file\":" : ",\n{\"file\":") + json_string(input_name(file.name)) +
                (faces == 1 ? "" : ",\"font\":" + std::to_string(face)) + ",\"glyphs\":[");
   }
 
+  void add_findings(const std::string& file, const std::string& place, const GC::Variable_font& font,
+                    const Instance_counts& counts, const Arguments& missing, const std::vector<Unread>& unread,
+                    const std::vector<Instance_kink>& worst) {
+    findings_->add_font(file, place, counts, worst, font.axes());
+    for (const Unread& glyph : unread)
+      findings_->not_verified(file, "glyph", place + "glyph " + glyph.name, glyph.reason);
+    for (const std::string& name : missing)
+      findings_->not_verified(file, "glyph", place + "glyph " + name, "not in this font");
+  }
+
   void write_text(const std::string& title, const GC::Variable_font& font, std::size_t glyphs, std::size_t composites,
-                  const Instance_counts& counts, const Arguments& missing, const Arguments& reasons,
+                  const Instance_counts& counts, const Arguments& missing, const std::vector<Unread>& unread,
                   const std::vector<Instance_kink>& worst) {
     std::string text = GC::printable(title) + "\n  axes:";
     const char* separator = " ";
     for (const GC::Variation_axis& axis : font.axes())
-      text += std::exchange(separator, ", ") + GC::printable(axis.tag) + " from " + user_text(axis, axis.lowest()) +
-              " to " + user_text(axis, axis.highest()) + " (" + user_text(axis, 0) + ')';
+      text += std::exchange(separator, ", ") + GC::printable(axis.tag) + " from " + axis_text(axis, axis.lowest()) +
+              " to " + axis_text(axis, axis.highest()) + " (" + axis_text(axis, 0) + ')';
     text += "\n  " + counted(glyphs, "glyph");
     if (composites != 0) text += " (" + std::to_string(composites) + " of them composed of other ones)";
     text += ", " + counts_text(counts, max_kink_) + '\n';
-    for (const std::string& reason : reasons) text += "  " + GC::printable(reason) + '\n';
+    for (const Unread& glyph : unread)
+      text += "  " + GC::printable("glyph " + glyph.name + ": not verified, " + glyph.reason) + '\n';
     for (const std::string& name : missing) text += "  not in this font: " + GC::printable(name) + '\n';
     if (!mode_.summary || fails(counts)) text += kinks_table(worst, "    ");
     out_.write(text);
@@ -218,12 +226,13 @@ public:
   Instances_report(const Arguments& arguments, const Report_mode& mode, const Instance_demand& demand)
       : mode_(mode), bounds_(demand.bounds), max_kink_(demand.max_kink), required_(demand.required),
         most_(demand.worst), selection_(demand.glyphs), files_(font_files(arguments, not_read_)) {
+    if (!json_ && mode.format != Report_format::text) findings_ = std::make_unique<Instance_findings>(mode, required_);
     std::error_code none;
     one_font_ = files_.size() == 1 && arguments.size() == 1 && !fs::is_directory(arguments[0], none);
   }
 
   void read() {
-    for (const Font_file& file : files_) read_file(file);
+    for (; files_done_ < files_.size(); ++files_done_) read_file(files_[files_done_]);
     progress_.clear();
     if (fonts_ != 0) selection_.check_all_found();
   }
@@ -233,6 +242,8 @@ public:
     out_.copy_to(os);
     if (json_)
       print_json_end(os);
+    else if (findings_)
+      print_findings(os);
     else
       print_summary(os);
     return conclusion().exit_code(mode_, "join");
@@ -257,6 +268,12 @@ private:
       os << counts_.refuted << " of them not within " << max_kink_ << " degrees, and " << counts_.undecided
          << " not proved to be\n";
     if (mode_.strict && end.unverified > 0) os << "not met, because not all was verified\n";
+  }
+
+  void print_findings(std::ostream& os) const {
+    for (const Unread_file& file : not_read_) findings_->not_verified(file.name, "font", "font", file.reason);
+    findings_->print(os, "\"fonts\":" + std::to_string(fonts_) + ',' + counts_json(counts_) + ",\"max_kink\":\"" +
+                             max_kink_ + '"' + (required_ ? ",\"met\":" + conclusion().json_met(mode_) : ""));
   }
 
   void print_json_end(std::ostream& os) const {

@@ -1,7 +1,14 @@
 #!/usr/bin/env bash
 # verify --all-instances: the largest kinks of variable fonts between the masters, and what is not covered.
+schemas=$(cd "$(dirname "$0")" && pwd)/schemas
 . "$(dirname "$0")/functions.sh"
 
+# valid FILE: the file is JSON as the schema says, where python3 and its jsonschema are there
+valid() {
+  python3 -c "import jsonschema" 2>/dev/null || return
+  holds python3 -c 'import json, sys; from jsonschema import Draft7Validator as V; V(json.load(open(sys.argv[1]))).validate(json.load(open(sys.argv[2])))' \
+    "$schemas/instances.json" "$1"
+}
 bytes() { printf '%b' "$(tr -d '\n' | sed 's/../\\x&/g')"; } # from hexadecimal digits
 lacks() { for text in "${@:2}"; do holds [ "$(grep -cF -- "$text" "$1")" -eq 0 ]; done; }
 
@@ -47,13 +54,27 @@ run 0 verify kink.ttf --all-instances --kink-angle 3.5 --max-kink 89
 
 # JSON: of one font, and of several.
 run 1 verify kink.ttf --all-instances --max-kink 2 --json
+valid out
 says out '"summary":{"glyphs":3,"joins":3,"corners":2,"no_direction":0,"not_covered":0,"proved":0,"refuted":1,' \
   '"verdict":"refuted","angle_degrees":[3.0' '"instance":{"wght":"1700/3"}' '"default_angle_degrees":[0,0]' '"composites":1' \
   '"axes":[{"tag":"wght","minimum":100,"default":100,"maximum":900}]' '"max_kink":"2","met":false' '"outline_point":2'
 run 0 verify kink.ttf not_variable.ttf --all-instances --json
+valid out
 says out '{"fonts":[' '"file":"kink.ttf"' '"not_verified":[{"file":"not_variable.ttf","reason":"not covered: not a variable font"}]' \
   '"summary":{"fonts":1,"joins":3,'
+
+# SARIF and JUnit, which test_formats.sh validates for other files.
+run 1 verify kink.ttf not_variable.ttf --all-instances --max-kink 2 --format sarif
+says out '"ruleId":"kink"' '"level":"error"' "largest kink [3.0" "glyph glyph00001, contour 0, point 2" "not covered: not a variable font" \
+  '"instance":{"wght":"1700/3"}'
 if command -v python3 >/dev/null; then holds python3 -m json.tool out /dev/null; fi
+run 0 verify kink.ttf --all-instances --max-kink 4 --format sarif
+lacks out '"ruleId":"kink"'
+run 1 verify kink.ttf --all-instances --max-kink 2 --format junit
+says out '<failure' "glyph00001"
+run 1 verify kink.ttf --all-instances --max-kink 2 --format junit --worst 0
+says out "1 more join not proved to stay within the bound"
+if command -v xmllint >/dev/null; then holds xmllint --noout out; fi
 
 # What is not covered is named, and is not met with --strict.
 run 2 verify not_variable.ttf --all-instances
@@ -69,7 +90,18 @@ mkdir fonts && cp kink.ttf not_variable.ttf fonts && printf 'wOFF' >fonts/packed
 run 0 verify fonts --all-instances
 says out "kink.ttf" "packed.woff: not covered: a packed font (WOFF)" "not_variable.ttf: not covered" "cut.ttf: font: its table"
 run 0 verify fonts --all-instances --json
-if command -v python3 >/dev/null; then holds python3 -m json.tool out /dev/null; fi
+valid out
+
+# A glyph that is malformed does not hide the others.
+LC_ALL=C sed 's/\x82\x40\x00\xc8/\xc2\x40\x00\xc8/' kink.ttf >unread.ttf
+holds [ "$(cmp -l kink.ttf unread.ttf | wc -l)" -eq 1 ]
+run 1 verify unread.ttf --all-instances --strict --allow-empty
+says out "glyph glyph00001: not verified, table 'gvar', glyph 1: a run of movements is of an unknown form"
+run 0 verify unread.ttf --all-instances --json --allow-empty
+valid out
+says out '"not_verified":[{"index":1,"name":"glyph00001","reason":"table ' '"summary":{"glyphs":2,'
+run 0 verify unread.ttf --all-instances --format sarif --allow-empty
+says out "glyph glyph00001" "a run of movements" '"level":"warning"'
 
 # Bad input.
 run 2 verify fonts/cut.ttf --all-instances

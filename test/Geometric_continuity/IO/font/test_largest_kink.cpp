@@ -237,6 +237,12 @@ BOOST_AUTO_TEST_CASE(joins_of_a_font) {
   BOOST_CHECK(kink.instance[0] > 0 && kink.instance[0] < 1);
   const Q weight = font.axes()[0].user_value(kink.instance[0]);
   BOOST_CHECK(weight > 300 && weight < 700);
+  // two control points that coincide across the end of the contour are a point on the curve
+  w.glyphs[0] = {{{{0, 0, false}, {100, 0}, {100, 100}, {0, 0, false}}}};
+  const std::string round = w.font();
+  const GC::Variable_outline closed = GC::Variable_font(GC::Font_tables(round)).glyph(0);
+  BOOST_REQUIRE_EQUAL(GC::variable_joins(closed).size(), 3u);
+  BOOST_CHECK(*GC::is_corner(GC::variable_joins(closed)[0], {}, GC::Kink_bound()));
   // a leg without length at one instance only
   GC::Variable_join join = joins[1];
   join.incoming.constant = {0, 0};
