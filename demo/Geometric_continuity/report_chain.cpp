@@ -38,12 +38,16 @@ struct Chain_piece {
     }
   }
 
+  // An infinite control point is none of the curve with a higher degree.
   const std::shared_ptr<const Report_curve>& drawing() {
     if (!drawn) {
-      Report_curve c = *drawn_curve(curve, 0);
-      if (!curve.is_polynomial())
-        for (int i = 0; i <= curve.degree(); ++i) c.weights.push_back(CGAL::to_double(curve.weight(i)));
-      drawn = std::make_shared<const Report_curve>(std::move(c));
+      Exact_curve c = curve;
+      const auto is_positive = [](const Exact& w) { return w > 0; };
+      while (!std::all_of(c.weights().begin(), c.weights().end(), is_positive) && c.degree() < 128) c = c.elevate();
+      Report_curve rounded = *drawn_curve(c, 0);
+      if (!c.is_polynomial())
+        for (const Exact& w : c.weights()) rounded.weights.push_back(CGAL::to_double(w));
+      drawn = std::make_shared<const Report_curve>(std::move(rounded));
     }
     return drawn;
   }
