@@ -110,9 +110,10 @@ std::vector<Font_file> font_files(const std::vector<std::string>& arguments, std
     if (search.found().size() == before && not_read.size() > unread)
       throw GC::Error(GC::Error_code::cannot_read_file, not_read.back().name + ": " + not_read.back().reason);
     if (search.found().empty())
-      throw std::invalid_argument(argument +
-                                  ": there is no font in this folder, whose name ends with .ttf, .otf, .ttc, .otc, "
-                                  ".pfb, .pfa, .t1, .woff, .woff2 or .dfont");
+      throw GC::Error(GC::Error_code::cannot_read_file,
+                      argument +
+                          ": Is a directory, and no name in it ends with .ttf, .otf, .ttc, .otc, .pfb, .pfa, .t1, "
+                          ".woff, .woff2 or .dfont");
   }
   return search.found();
 }

@@ -29,7 +29,7 @@ struct Unread_file {
 
 // Returns the files that the arguments name, and those with the endings of fonts in the folders that they name and in all folders
 // of these, in alphabetical order and each once. What cannot be looked into is appended to `not_read`, with the reason. Throws
-// GC::Error when an argument cannot be read, and std::invalid_argument when there is no font in a folder.
+// GC::Error when an argument cannot be read, or is a folder without fonts.
 std::vector<Font_file> font_files(const std::vector<std::string>& arguments, std::vector<Unread_file>& not_read);
 
 // Returns the bytes of a file, or of standard input. Throws GC::Error with the reason when it cannot be read, or has more

@@ -23,8 +23,8 @@ const char* const program_usage = R"(usage: geometric_continuity COMMAND [ARGUME
                             a cubic spline
   extend A.g2               append a segment with continuous tangent, curvature
                             or torsion
-  verify FILE.g2...         decide the continuity of every join of a chain or of
-                            a drawing (.svg), exactly
+  verify FILE.g2...         decide the continuity of every join of a chain, of a
+                            drawing (.svg) or of a font, exactly
   plot FILE.g2...           draw curves, control polygons and curvature combs,
                             or surfaces
   report FILE... -o OUT.html

@@ -9,6 +9,7 @@
 #include "work_limit.h"
 
 #include <CGAL/Geometric_continuity/joins/deviation.h>
+#include <CGAL/Geometric_continuity/numbers/units.h>
 #include <CGAL/Sqrt_extension.h>
 
 #include <algorithm>
@@ -81,7 +82,7 @@ Report_item measured_exactly(const Exact_curve& left, const Exact_curve& right, 
     item.severity = d.tangent_angle->upper * handle;
   } else {
     item.grade = join.g_order < 2 ? Report_grade::g1 : Report_grade::g2;
-    item.curvature_jump = relative_percent(*d.curvature_jump);
+    item.curvature_jump = GC::in_percent(*d.curvature_jump);
     item.severity = item.curvature_jump->upper;
   }
   item.verdict = item.grade == Report_grade::undecided ? "a tangent is zero" : report_words(item.grade, false);

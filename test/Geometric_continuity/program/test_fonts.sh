@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # verify for fonts, which are generated here: what is read, how joins are graded, which glyphs, reports, and broken fonts.
-generator=$(realpath "$(dirname "$0")")/make_font.awk
+here=$(realpath "$(dirname "$0")")
+generator=$here/make_font.awk
 . "$(dirname "$0")/functions.sh"
 
 # font FILE [AWK_OPTIONS...]: a font of the glyphs on standard input
@@ -174,25 +175,62 @@ run 0 verify fonts --summary
 says out "B.TTF" "deep/er/a.otf" "deep/c.Woff" "fonts/deep/broken.ttf: not verified, " "3 fonts, " "; 1 not verified"
 lacks out link.ttf curves
 run 1 verify fonts --summary --strict
-run 0 verify fonts --json && says out '{"fonts":[' '"not_verified":[{"file":"fonts/deep/broken.ttf","reason":"' '"summary":{"fonts":3,'
-run 2 verify none && says err "no font in this folder"
+run 0 verify fonts --json && says out '{"fonts":[' '{"file":"fonts/deep/broken.ttf","reason":"' '"summary":{"fonts":3,'
+run 2 verify none && says err "cannot_read_file: none: Is a directory, and no name in it ends with .ttf"
 run 2 verify fonts/deep/broken.ttf && says err "malformed_input: fonts/deep/broken.ttf: " && holds [ ! -s out ]
 mkdir broken && cp fonts/deep/broken.ttf broken
 run 2 verify broken --json && says out '{"fonts":[' '"fonts":0' && says err "no join"
+# Other formats: as many findings of each level as the text has rows and lines of what is not verified
+count() { grep -o -- "$1" "$2" | wc -l; }
+findings() { # findings CODE ERRORS WARNINGS NOTES ARGUMENTS...
+  local code=$1 errors=$2 warnings=$3 notes=$4
+  shift 4
+  run "$code" verify "$@" --format sarif && cp out "sarif_$((++reports)).json"
+  holds [ "$(count '"level":"error"' out) $(count '"level":"warning"' out) $(count '"level":"note"' out)" = "$errors $warnings $notes" ]
+  run "$code" verify "$@" --format junit
+  holds [ "$(count '<failure ' out) $(count '<skipped ' out) $(count '<system-out>' out)" = "$errors $warnings $notes" ]
+  if command -v xmllint >/dev/null; then holds xmllint --noout --schema "$here/schemas/junit.xsd" out 2>/dev/null; fi
+}
+reports=0
+findings 0 0 0 4 test.ttf
+says out 'name="test.ttf"' "glyph kinks, contour 0, node 1: kink of 3.81 degrees at (300, 20), a handle is off by 20 units"
+findings 1 4 0 0 test.ttf --require G1
+findings 1 2 0 0 test.ttf --require G1 --worst 1
+says out "4 more joins not G1; --worst N tells N of them"
+findings 0 0 1 8 fonts
+findings 1 1 0 8 fonts --strict
+findings 0 0 2 0 test.ttf test.otf --glyphs square,halves
+says out 'name="glyph square"' "not verified, not in this font"
+findings 0 0 0 8 test.ttc
+says out "font 1, glyph kinks"
+
 if command -v python3 >/dev/null; then
-  for arguments in fonts test.ttf test.ttc "test.ttf --require G2" "fonts --summary --require G1" "broken --allow-empty"; do
-    "$program" verify $arguments --json >out 2>err
-    holds python3 -c 'import json
-d = json.load(open("out"))
+  for arguments in fonts test.ttf test.ttc "test.ttf --require G2" "fonts --summary --require G1" "broken --allow-empty" "test.ttf test.otf --glyphs square,halves"; do
+    reports=$((reports + 1))
+    "$program" verify $arguments --json >"json_$reports.json" 2>err
+    holds python3 -c 'import json, sys
+d = json.load(open(sys.argv[1]))
 fonts = d.get("fonts", [d])
 for f in fonts:
   for g in f["glyphs"] + [f["summary"]]:
     assert g["joins"] == g["corners"] + g["kinks"] + g["G1"] + g["G2"]
   for g in f["glyphs"]:
     for w in g["worst"]:
-      assert w["angle_degrees"][0] <= w["angle_degrees"][1] and w["grade"] in ("kink", "G1") and len(w["point"]) == 2
-assert d["summary"]["joins"] == sum(f["summary"]["joins"] for f in fonts)'
+      assert w["angle_degrees"][0] <= w["angle_degrees"][1]
+assert d["summary"]["joins"] == sum(f["summary"]["joins"] for f in fonts)' "json_$reports.json"
   done
+  if python3 -c "import jsonschema" 2>/dev/null; then
+    holds python3 -c 'import glob, json, sys
+from jsonschema import Draft7Validator
+def validate(names, schema):
+  for name in glob.glob(names):
+    for error in Draft7Validator(json.load(open(sys.argv[1] + schema))).iter_errors(json.load(open(name))):
+      sys.exit("%s: %s %s" % (name, list(error.absolute_path), error.message[:500]))
+validate("json_*.json", "/schemas/fonts.json")
+validate("sarif_*.json", "/schemas/sarif.json")' "$here"
+  else
+    echo "skipped: JSON is not validated, python3-jsonschema is missing"
+  fi
 fi
 
 # Names from outside are not taken for lines or markup
