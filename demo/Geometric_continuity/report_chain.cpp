@@ -9,6 +9,7 @@
 #include "work_limit.h"
 
 #include <CGAL/Geometric_continuity/joins/deviation.h>
+#include <CGAL/Geometric_continuity/numbers/units.h>
 #include <CGAL/Sqrt_extension.h>
 
 #include <algorithm>
@@ -38,12 +39,16 @@ struct Chain_piece {
     }
   }
 
+  // An infinite control point is none of the curve with a higher degree.
   const std::shared_ptr<const Report_curve>& drawing() {
     if (!drawn) {
-      Report_curve c = *drawn_curve(curve, 0);
-      if (!curve.is_polynomial())
-        for (int i = 0; i <= curve.degree(); ++i) c.weights.push_back(CGAL::to_double(curve.weight(i)));
-      drawn = std::make_shared<const Report_curve>(std::move(c));
+      Exact_curve c = curve;
+      const auto is_positive = [](const Exact& w) { return w > 0; };
+      while (!std::all_of(c.weights().begin(), c.weights().end(), is_positive) && c.degree() < 128) c = c.elevate();
+      Report_curve rounded = *drawn_curve(c, 0);
+      if (!c.is_polynomial())
+        for (const Exact& w : c.weights()) rounded.weights.push_back(CGAL::to_double(w));
+      drawn = std::make_shared<const Report_curve>(std::move(rounded));
     }
     return drawn;
   }
@@ -77,7 +82,7 @@ Report_item measured_exactly(const Exact_curve& left, const Exact_curve& right, 
     item.severity = d.tangent_angle->upper * handle;
   } else {
     item.grade = join.g_order < 2 ? Report_grade::g1 : Report_grade::g2;
-    item.curvature_jump = relative_percent(*d.curvature_jump);
+    item.curvature_jump = GC::in_percent(*d.curvature_jump);
     item.severity = item.curvature_jump->upper;
   }
   item.verdict = item.grade == Report_grade::undecided ? "a tangent is zero" : report_words(item.grade, false);

@@ -8,11 +8,7 @@
 
 #include <CGAL/Geometric_continuity/joins/Kink_size.h>
 #include <CGAL/Geometric_continuity/joins/deviation.h>
-
-GC::Enclosure relative_percent(const GC::Enclosure& ratio) { // which is at most 2
-  const auto times_100 = [](double x) { return GC::enclosure(Exact(Exact(x) * 100)); };
-  return {times_100(ratio.lower).lower, times_100(ratio.upper).upper};
-}
+#include <CGAL/Geometric_continuity/numbers/units.h>
 
 Report_grade report_grade(const std::optional<GC::Join_grade>& grade) {
   if (!grade) return Report_grade::undecided;
@@ -65,7 +61,7 @@ Report_item measured_join(const Plane_curve& left, const Plane_curve& right, con
   case Report_grade::g1: {
     const GC::Join_deviation d = GC::deviation(left, right, demand.limit);
     retracted = !d.curvature_jump;
-    if (!retracted) item.curvature_jump = relative_percent(*d.curvature_jump);
+    if (!retracted) item.curvature_jump = GC::in_percent(*d.curvature_jump);
     item.severity = retracted ? 0 : item.curvature_jump->upper;
     break;
   }

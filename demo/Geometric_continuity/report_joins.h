@@ -16,9 +16,6 @@
 
 typedef GC::Bezier_curve<Drawing_traits> Plane_curve;
 
-// A relative jump of curvature in percent.
-GC::Enclosure relative_percent(const GC::Enclosure& ratio);
-
 // The grade of the page; an empty one is that of curves without length.
 Report_grade report_grade(const std::optional<GC::Join_grade>& grade);
 

@@ -171,7 +171,8 @@ function drawContext(context, view, item, curves, width, height) {
   for (const curve of curves) {
     if (curve === item.left || curve === item.right) continue;
     const ball = ballOf(curve);
-    if (length(subtract(ball.centre, view.centre)) > ball.radius + reach) continue;
+    if (Math.abs(ball.centre[0] - view.centre[0]) > ball.radius + reach || length(subtract(ball.centre, view.centre)) > ball.radius + reach)
+      continue;
     polyline(context, samples(curve, degreeOf(curve) < 2 && !curve.weights ? 1 : 24).map((s) => view.point(s.x)));
     context.stroke();
   }

@@ -28,7 +28,8 @@ all_commands() { # CHECK ARGUMENTS...
   "$@" extend "$L" --order curvature -o out.g2 && "$@" connect c.g2 c1.g2 c2.g2 -o out.g2
   "$@" tessellate "$teapot" --grid 2 -o out.off && "$@" blend "$L" "$R" -o - && "$@" plot "$S" -o -
   "$@" tessellate "$teapot" --grid 9 -o - --format ply && "$@" plot --surfaces "$teapot" -o -
-  for command in blend connect extend verify plot tessellate; do "$@" $command --help; done
+  "$@" report "$S" -o -
+  for command in blend connect extend report verify plot tessellate; do "$@" $command --help; done
 }
 to_full() { ends 2 to_full_device "$@" && says err "cannot_write_file: standard output: No space left on device"; }
 to_closed() { ends 2 to_closed_output "$@" && says err "cannot_write_file: standard output: Bad file descriptor"; }

@@ -65,6 +65,12 @@ page space.g2 --kink-angle 0.5729386976834859 && says data.json '"grade":"corner
 page space.g2 --kink-angle 0.5729386976834860 && says data.json '"grade":"kink"'
 printf '100 1 0 0\n2 1\n3 3\n0 0 0 1 1 1\n1 0 1\n1 1 1\n0 2 2\n100 1 0 0\n2 1\n3 3\n0 0 0 1 1 1\n0 1 1\n-1 1 1\n-2 0 2\n' >circle.g2
 page circle.g2 && says data.json '"grade":"G2"' '"weights":[1,1,2]'
+printf '100 1 0 0\n2 1\n3 3\n0 0 0 1 1 1\n1 0 1\n0 1 0\n-1 0 1\n100 1 0 0\n2 1\n3 3\n0 0 0 1 1 1\n-1 0 1\n0 -1 0\n1 0 1\n' >halves.g2
+page halves.g2 && says data.json '"points":[1,0,1,2,-1,2,-1,0],"weights":[1,0.333' # an infinite control point, with the degree 3
+{ cubic_2 $'0 0\n1 0\n2 0\n3 0' && cubic_2 $'3 0\n3 0\n4 1\n5 5'; } >retracted.g2
+page retracted.g2 && says data.json '"grade":"corner"' '"angle":["44.9999","45.0001"]' # the first leg that is not zero
+{ cubic_2 $'0 0\n1 0\n2 0\n3 0' && cubic_2 $'3 0\n3 0\n4 0\n5 5'; } >retracted.g2
+page retracted.g2 && says data.json '"grade":"G1"' "one tangent, and a handle lies on the node"
 
 # the same decisions as those of verify
 summary_of_teapot="24 G2, 20 G1, 8 G0 (8 vanishing normals), 16 boundary, 8 collapsed"
