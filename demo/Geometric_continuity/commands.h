@@ -20,7 +20,7 @@ class Work_limit;
 enum Exit_code { requirement_met = 0, requirement_not_met = 1, bad_input = 2 };
 
 // How `verify` prints what it decided.
-enum class Report_format { text, json };
+enum class Report_format { text, json, sarif, junit };
 
 // How `verify` reports and judges what it decided.
 struct Report_mode {
@@ -28,6 +28,9 @@ struct Report_mode {
   bool strict = false;      // what could not be verified counts as not met
   bool allow_empty = false; // nothing to decide is no error
   bool summary = false;     // only the counts and what does not meet the requirement
+
+  // Whether the report consists of findings.
+  bool has_findings() const { return format == Report_format::sarif || format == Report_format::junit; }
 };
 
 typedef std::vector<std::string> Arguments;

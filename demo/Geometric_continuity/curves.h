@@ -83,6 +83,9 @@ public:
   std::size_t file_number() const { return next_file_; }
   std::string file() const { return input_name(files_[next_file_ - 1]); }
 
+  // Returns the line of the file in which the last number of the last piece stands.
+  long long line() const { return reader_->line(); }
+
   // Reads the next piece: an optional curve, or a span. Returns false after the last one.
   template <class Piece> bool next(Piece& piece) {
     for (;;) {

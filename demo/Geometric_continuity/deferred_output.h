@@ -7,6 +7,7 @@
 
 #include <CGAL/Geometric_continuity/Error.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <csignal>
 #include <cstddef>
@@ -24,6 +25,7 @@
 class Deferred_output {
   static constexpr std::size_t max_in_memory = std::size_t(4) << 20;
   std::string text_; // behind what is in the file
+  std::size_t size_in_file_ = 0;
   std::string path_ = folder() + "/geometric_continuity_XXXXXX";
   int file_ = -1;
 
@@ -57,6 +59,7 @@ class Deferred_output {
       if (n < 0) refuse(CGAL::Geometric_continuity::Error_code::cannot_write_file);
       done += static_cast<std::size_t>(n);
     }
+    size_in_file_ += text_.size();
     text_.clear();
   }
 
@@ -73,17 +76,23 @@ public:
     if (text_.size() > max_in_memory) move_to_file();
   }
 
+  // How much was written.
+  std::size_t size() const { return size_in_file_ + text_.size(); }
+
   // Copies everything that was written.
-  void copy_to(std::ostream& os) {
-    if (file_ >= 0) {
-      if (::lseek(file_, 0, SEEK_SET) != 0) refuse(CGAL::Geometric_continuity::Error_code::cannot_read_file);
-      std::string block(std::size_t(1) << 16, '\0');
-      while (const ssize_t n = ::read(file_, block.data(), block.size())) {
-        if (n < 0) refuse(CGAL::Geometric_continuity::Error_code::cannot_read_file);
-        os.write(block.data(), n);
-      }
+  void copy_to(std::ostream& os) const { copy_to(os, 0, size()); }
+
+  // Copies what was written from one size to another.
+  void copy_to(std::ostream& os, std::size_t begin, std::size_t end) const {
+    std::string block((std::min)(std::size_t(1) << 16, size_in_file_), '\0');
+    while (begin < (std::min)(end, size_in_file_)) {
+      const std::size_t wanted = (std::min)(block.size(), (std::min)(end, size_in_file_) - begin);
+      const ssize_t n = ::pread(file_, block.data(), wanted, static_cast<off_t>(begin));
+      if (n <= 0) refuse(CGAL::Geometric_continuity::Error_code::cannot_read_file);
+      os.write(block.data(), n);
+      begin += static_cast<std::size_t>(n);
     }
-    os << text_;
+    if (begin < end) os.write(text_.data() + (begin - size_in_file_), static_cast<std::streamsize>(end - begin));
   }
 };
 

@@ -23,10 +23,10 @@ const char* const program_usage = R"(usage: geometric_continuity COMMAND [ARGUME
                             a cubic spline
   extend A.g2               append a segment with continuous tangent, curvature
                             or torsion
-  verify FILE.g2...         decide the continuity of every join of a chain or of
-                            a drawing (.svg), exactly
-  repair FILE -o FILE       make kinks of a drawing or a chain exactly smooth,
-                            on its own grid
+  verify FILE.g2...         decide the continuity of every join of a chain, of a
+                            drawing (.svg) or of a font, exactly
+  repair FILE -o FILE       make kinks of a drawing, a chain or a font exactly
+                            smooth, on its own grid
   plot FILE.g2...           draw curves, control polygons and curvature combs,
                             or surfaces
   tessellate MODEL.g2...    write triangles for surfaces, without cracks, as

@@ -190,27 +190,31 @@ public:
   }
 };
 
-// Reads the surfaces of several files, which together are one model, with a reader for each file.
-template <class Reader, class Model> void read_surfaces(const std::vector<std::string>& files, Model& model) {
+// Reads the surfaces of several files, which together are one model, with a reader for each file. Returns how many there are up
+// to the end of each file.
+template <class Reader, class Model>
+std::vector<std::size_t> read_surfaces(const std::vector<std::string>& files, Model& model) {
   const Reading_position position(files);
   Progress progress("surfaces read");
+  std::vector<std::size_t> ends;
   for (std::size_t i = 0; i < files.size(); ++i) {
     Input input(files[i]);
     const auto step = [&] { progress.step(model.size(), [&] { return position.part(i, input); }); };
     input.after_each_block(step); // a surface may be large
     Reader reader(input, input_name(files[i]));
     while (reader.visit_next([&](auto&& surface) { model.push_back(std::move(surface)); })) step();
+    ends.push_back(model.size());
   }
+  return ends;
 }
 template <class Traits> Surface_model<Traits> read_surfaces(const std::vector<std::string>& files) {
   Surface_model<Traits> model;
   read_surfaces<GC::G2_surface_reader<Traits, GC::Rational_bspline_surface<Traits>>>(files, model);
   return model;
 }
-template <class Exact_traits> Surface_texts<Exact_traits> read_surface_texts(const std::vector<std::string>& files) {
-  Surface_texts<Exact_traits> texts;
-  read_surfaces<GC::G2_surface_text_reader<Exact_traits>>(files, texts);
-  return texts;
+template <class Exact_traits>
+std::vector<std::size_t> read_surface_texts(const std::vector<std::string>& files, Surface_texts<Exact_traits>& texts) {
+  return read_surfaces<GC::G2_surface_text_reader<Exact_traits>>(files, texts);
 }
 
 #endif // GEOMETRIC_CONTINUITY_DEMO_INPUT_H

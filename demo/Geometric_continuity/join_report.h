@@ -68,6 +68,13 @@ std::string remark(const Join& join, const GC::Curve_jet<Program_traits<Exact>>&
 std::optional<std::string> remark(const Join& join, const GC::Coordinate_jet<CGAL::Interval_nt<false>, 2>& left,
                                   const GC::Coordinate_jet<CGAL::Interval_nt<false>, 2>& right);
 
+// The point and the remark of a join, for a table and for findings.
+struct Join_words {
+  std::string point, remark;
+};
+
+template <class Span> Join_words join_words(const Join& join, const Span& left, const Span& right);
+
 // Returns the first line of a table of joins.
 std::string table_head();
 

@@ -37,7 +37,10 @@ inline std::string order(const GC::Edge_continuity<Exact>& e) {
 // Writes the members that edges, knot lines and spans have in common.
 inline void write_verdict(std::ostream& os, const GC::Edge_continuity<Exact>& e) {
   os << "\"order\":\"" << order(e) << "\",\"reason\":\"" << e.defect << "\",\"side\":\"" << e.side << '"';
-  if (e.deviation) GC::write_number(os << ",\"angle_at_most\":", e.deviation->largest_angle());
+  if (!e.deviation) return;
+  const double angle = e.deviation->largest_angle();
+  GC::write_number(os << ",\"angle_at_most\":", angle);
+  GC::write_number(os << ",\"angle_at_most_degrees\":", GC::in_degrees({angle, angle}).upper);
 }
 
 inline void write_verdict(std::ostream& os, const Continuity& e) {
@@ -59,6 +62,10 @@ inline void write_json(std::ostream& os, const Within& within) {
   GC::write_json(os, within.deviation.gap);
   os << ",\"normal_angle\":";
   GC::write_json(os, within.deviation.normal_angle);
+  std::optional<GC::Enclosure> degrees;
+  if (within.deviation.normal_angle) degrees = GC::in_degrees(*within.deviation.normal_angle);
+  os << ",\"angle_degrees\":";
+  GC::write_json(os, degrees);
 }
 
 template <class A, class B>

@@ -161,6 +161,7 @@ class Drawing_reader {
                                                (element.id.empty() ? "" : " \"" + element.id + '"'));
     transforms_.push_back(transforms_.empty() ? Transform() : transforms_.back());
     if (attributes.has("transform") && attributes.text("transform") != "none") transform(attributes);
+    element.transform = transforms_.back();
     try {
       draw(element, attributes);
     } catch (const Relative_length& length) {

@@ -7,6 +7,7 @@
 
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Geometric_continuity/IO/svg/Svg_segment.h>
+#include <CGAL/Geometric_continuity/IO/svg/Svg_transform.h>
 #include <CGAL/Geometric_continuity/Traits_2.h>
 #include <CGAL/Simple_cartesian.h>
 
@@ -22,6 +23,7 @@ typedef GC::Svg_subpath<Drawing_traits> Drawing_subpath;
 struct Drawing_element {
   std::string file, name, id; // the id may be empty
   long long line;
+  GC::Svg_transform<Drawing_traits> transform = {}; // from its own coordinates to those of the drawing
 
   // Returns the name, the id and the line, e.g. path "leaf" (line 12).
   std::string text() const;

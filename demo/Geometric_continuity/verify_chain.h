@@ -7,8 +7,7 @@
 
 #include "commands.h"
 #include "join_report.h"
-
-#include <CGAL/Geometric_continuity/joins/order_within.h>
+#include "tolerances.h"
 
 #include <optional>
 
@@ -16,7 +15,7 @@
 struct Join_demand {
   int max_order;
   std::optional<Requirement> order;
-  std::optional<GC::Join_tolerance> tolerance;
+  std::optional<Tolerances> tolerance;
   GC::Work_limit limit; // for each join, and for the pieces of each curve
 };
 

@@ -2,24 +2,18 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
+#include "Model_report.h"
 #include "input.h"
-#include "join_report.h"
-#include "model_json.h"
-#include "progress.h"
 #include "work_limit.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Geometric_continuity/Traits_3.h>
-#include <CGAL/Geometric_continuity/models/model_continuity.h>
-#include <CGAL/Geometric_continuity/models/near_edges.h>
 #include <CGAL/Simple_cartesian.h>
 
-#include <cstddef>
-#include <iostream>
 #include <optional>
-#include <string>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace {
@@ -30,230 +24,15 @@ using Surface_traits =
     GC::Traits_3<std::conditional_t<std::is_same_v<FT, double>, CGAL::Exact_predicates_inexact_constructions_kernel,
                                     CGAL::Simple_cartesian<FT>>>;
 
-// What is asked of the edges of a model.
-struct Edge_demand {
-  std::optional<int> order;
-  std::optional<GC::Edge_tolerance> tolerance;
-  GC::Work_limit limit; // for each edge
-};
-
-// Multiplies the parameters that are printed.
-void scale_parameters(Continuity& e, const Exact& factor) {
-  for (GC::Edge_span<Exact>& span : e.spans) {
-    span.begin *= factor;
-    span.end *= factor;
-  }
-}
-
-// The decisions on a model, exact and within the tolerance. Parameters are printed times `parameter_unit`.
-template <class Surface> class Model_report {
-  const std::vector<Surface>& surfaces_;
-  const Report_mode mode_;
-  const Edge_demand demand_;
-  GC::Model_continuity<Exact> model_;
-  std::vector<std::optional<Within>> edges_, lines_; // as those of the model
-  std::vector<GC::Near_edges> near_;
-  std::size_t failing_edges_ = 0, failing_lines_ = 0, undecided_ = 0;
-
-public:
-  Model_report(const std::vector<Surface>& surfaces, const Report_mode& mode, const Edge_demand& demand,
-               const Exact& parameter_unit)
-      : surfaces_(surfaces), mode_(mode), demand_(demand), model_(decided(surfaces, demand.limit)) {
-    Progress progress("edges and knot lines within the tolerance");
-    const auto step = [&] {
-      const std::size_t done = edges_.size() + lines_.size();
-      progress.step(done, [&] { return double(done) / double(model_.edges.size() + model_.knot_lines.size()); });
-    };
-    for (const Edge& e : model_.edges) {
-      edges_.emplace_back();
-      if (e.kind != GC::Model_edge_kind::shared) continue;
-      if (demand_.tolerance) edges_.back() = GC::order_within(e.continuity, *demand_.tolerance);
-      failing_edges_ += fails(e.continuity.g_order, edges_.back());
-      undecided_ += is_undecided(edges_.back());
-      step();
-    }
-    for (const Line& l : model_.knot_lines) {
-      lines_.emplace_back();
-      if (demand_.tolerance)
-        lines_.back() = GC::order_within(surfaces[l.patch], l.line, *demand_.tolerance, demand_.limit);
-      failing_lines_ += fails(l.line.continuity.g_order, lines_.back());
-      undecided_ += is_undecided(lines_.back());
-      step();
-    }
-    if (demand_.tolerance && demand_.tolerance->gap > 0) near_ = near(surfaces, model_, demand_);
-    for (const GC::Near_edges& e : near_) {
-      failing_edges_ += fails(-1, e.within);
-      undecided_ += is_undecided(e.within);
-    }
-    if (parameter_unit != 1) {
-      for (Edge& e : model_.edges) scale_parameters(e.continuity, parameter_unit);
-      for (Line& l : model_.knot_lines) {
-        scale_parameters(l.line.continuity, parameter_unit);
-        l.line.knot *= parameter_unit;
-      }
-    }
-  }
-
-  // Prints the report and returns the exit code.
-  int print() const {
-    if (mode_.format == Report_format::json)
-      print_json();
-    else
-      print_text();
-    return conclusion().exit_code(mode_, "shared edge");
-  }
-
-private:
-  void print_json() const;
-  void print_text() const;
-  void print_verdict() const;
-
-  static GC::Model_continuity<Exact> decided(const std::vector<Surface>& surfaces, GC::Work_limit limit) {
-    Progress progress("edges and knot lines");
-    return GC::model_continuity<CGAL::Parallel_if_available_tag>(surfaces, limit,
-                                                                 [&](std::size_t n) { progress.step(n); });
-  }
-
-  static std::vector<GC::Near_edges> near(const std::vector<Surface>& surfaces,
-                                          const GC::Model_continuity<Exact>& model, const Edge_demand& demand) {
-    Progress progress("boundary edges");
-    const auto part = [&](std::size_t n) { return double(n) / double(model.summary.boundary); };
-    return GC::near_edges(surfaces, model, *demand.tolerance, demand.limit,
-                          [&](std::size_t n) { progress.step(n, [&] { return part(n); }); });
-  }
-
-  // Edges that are single points have no tangent planes to compare.
-  Conclusion conclusion() const {
-    const GC::Model_summary& s = model_.summary;
-    return {s.g2 + s.g1 + s.g0 + lines_.size() + near_.size(), failing_edges_ + failing_lines_,
-            s.collapsed + undecided_};
-  }
-
-  bool fails(int exact_order, const std::optional<Within>& within) const {
-    return demand_.order && exact_order < *demand_.order &&
-           !(within && (*within)(*demand_.order) == GC::Verdict::proved);
-  }
-
-  // Whether an order is undecided within the tolerance. If one is required, it has been proved, or counts as failing.
-  bool is_undecided(const std::optional<Within>& within) const {
-    return !demand_.order && within &&
-           ((*within)(0) == GC::Verdict::undecided || (*within)(1) == GC::Verdict::undecided);
-  }
-
-  // What is printed: everything, or only what fails.
-  bool is_printed(const Edge& e, const std::optional<Within>& within) const {
-    return !mode_.summary || (e.kind == GC::Model_edge_kind::shared && fails(e.continuity.g_order, within));
-  }
-  bool is_printed(const Line& l, const std::optional<Within>& within) const {
-    return !mode_.summary || fails(l.line.continuity.g_order, within);
-  }
-  bool is_printed(const GC::Near_edges& e) const { return !mode_.summary || fails(-1, e.within); }
-
-  static void print(const std::optional<Within>& within) {
-    if (within) print(*within);
-  }
-  static void print(const Within& within) {
-    std::cout << "  within the tolerance: order 0 " << within(0) << ", 1 " << within(1) << "; " << within.deviation
-              << '\n';
-  }
-};
-
-template <class Surface> void Model_report<Surface>::print_json() const {
-  std::cout << "{\"edges\":[";
-  const char* separator = "\n ";
-  for (std::size_t i = 0; i < model_.edges.size(); ++i)
-    if (model_.edges[i].kind == GC::Model_edge_kind::shared && is_printed(model_.edges[i], edges_[i])) {
-      std::cout << separator;
-      write_json(std::cout, model_.edges[i], edges_[i]);
-      separator = ",\n ";
-    }
-  std::cout << "],\n \"knot_lines\":[";
-  separator = "\n ";
-  for (std::size_t i = 0; i < lines_.size(); ++i) {
-    if (!is_printed(model_.knot_lines[i], lines_[i])) continue;
-    std::cout << separator;
-    write_json(std::cout, model_.knot_lines[i], lines_[i]);
-    separator = ",\n ";
-  }
-  if (demand_.tolerance) {
-    std::cout << "],\n \"near_edges\":[";
-    separator = "\n ";
-    for (const GC::Near_edges& e : near_) {
-      if (!is_printed(e)) continue;
-      std::cout << separator;
-      write_json(std::cout, e);
-      separator = ",\n ";
-    }
-  }
-  if (!mode_.summary) {
-    std::cout << "],\n \"boundary_edges\":[";
-    write_json(std::cout, model_.edges, GC::Model_edge_kind::boundary);
-    std::cout << "],\n \"collapsed_edges\":[";
-    write_json(std::cout, model_.edges, GC::Model_edge_kind::collapsed);
-  }
-  const GC::Model_summary& s = model_.summary;
-  std::cout << "],\n \"summary\":{\"G2\":" << s.g2 << ",\"G1\":" << s.g1 << ",\"G0\":" << s.g0
-            << ",\"boundary\":" << s.boundary << ",\"collapsed\":" << s.collapsed
-            << ",\"vanishing_normals\":" << s.vanishing_normals << ",\"creases\":" << s.creases
-            << ",\"folds\":" << s.folds << ",\"non_manifold\":" << s.non_manifold
-            << ",\"knot_lines\":{\"G2\":" << s.knot_lines_g2 << ",\"G1\":" << s.knot_lines_g1
-            << ",\"G0\":" << s.knot_lines_g0 << "}}";
-  if (demand_.order)
-    std::cout << ",\n \"required\":\"G" << *demand_.order << "\",\"met\":" << conclusion().json_met(mode_);
-  std::cout << "}\n";
-}
-
-template <class Surface> void Model_report<Surface>::print_text() const {
-  for (std::size_t i = 0; i < edges_.size(); ++i) {
-    if (!is_printed(model_.edges[i], edges_[i])) continue;
-    std::cout << model_.edges[i] << '\n';
-    print(edges_[i]);
-  }
-  for (std::size_t i = 0; i < lines_.size(); ++i) {
-    if (!is_printed(model_.knot_lines[i], lines_[i])) continue;
-    std::cout << model_.knot_lines[i] << '\n';
-    print(lines_[i]);
-  }
-  for (const GC::Near_edges& e : near_) {
-    if (!is_printed(e)) continue;
-    std::cout << e << '\n';
-    print(e.within);
-  }
-  std::cout << surfaces_.size() << " patches: " << model_.summary;
-  if (!near_.empty()) std::cout << "; near edges: " << near_.size();
-  std::cout << '\n';
-  const Conclusion all = conclusion();
-  if (all.decided == 0) std::cout << "no shared edge, nothing was decided\n";
-  if (demand_.order && all.decided > 0) print_verdict();
-  if (undecided_ > 0) std::cout << "orders that are undecided within the tolerance: " << undecided_ << '\n';
-  if (mode_.strict && all.unverified > 0) std::cout << "not met, because not all was verified\n";
-}
-
-template <class Surface> void Model_report<Surface>::print_verdict() const {
-  const Conclusion all = conclusion();
-  const std::string order = "G" + std::to_string(*demand_.order) + (demand_.tolerance ? " within the tolerance" : ""),
-                    near = near_.empty() ? "" : " and every pair of near edges",
-                    inside = lines_.empty() ? "" : " and every knot line";
-  if (all.failing == 0) {
-    std::cout << "every shared edge" << near << inside << " is " << order << ", proved exactly";
-    if (model_.summary.collapsed > 0)
-      std::cout << "; " << counted(model_.summary.collapsed, "collapsed edge") << " not verified";
-    std::cout << '\n';
-  }
-  if (failing_edges_ > 0) std::cout << failing_edges_ << " of them not " << order << '\n';
-  if (failing_lines_ > 0)
-    std::cout << failing_lines_ << (failing_lines_ == 1 ? " knot line not " : " knot lines not ") << order << '\n';
-}
-
 // Decides the edges of surfaces with numbers FT, whose parameters are those of the files divided by `parameter_unit`. With a
 // tolerance the coordinates are those of the files.
 template <class FT>
-int verify_surfaces_on(const Surface_model<Surface_traits<FT>>& model, const std::string& name, const Report_mode& mode,
-                       const Edge_demand& demand, const Exact& parameter_unit) {
-  return within_work_limit([&] { return name; },
+int verify_surfaces_on(const Surface_model<Surface_traits<FT>>& model, const Patch_files& files,
+                       const Report_mode& mode, const Edge_demand& demand, const Exact& parameter_unit) {
+  return within_work_limit([&] { return files.names().size() == 1 ? files.names()[0] : files.names()[0] + ", ..."; },
                            [&] {
                              return model.visit([&](const auto& surfaces) {
-                               return Model_report(surfaces, mode, demand, parameter_unit).print();
+                               return Model_report(surfaces, files, mode, demand, parameter_unit).print();
                              });
                            });
 }
@@ -264,9 +43,9 @@ int verify_surfaces(const Arguments& files, const Report_mode& mode, const std::
                     const std::optional<GC::Edge_tolerance>& tolerance, GC::Work_limit limit) {
   typedef Surface_traits<Exact> Exact_traits;
   typedef Surface_traits<double> Double_traits;
-  const std::string name = files.size() == 1 ? input_name(files[0]) : input_name(files[0]) + ", ...";
   const Edge_demand demand{required_g_order, tolerance, limit};
-  Surface_texts<Exact_traits> texts = read_surface_texts<Exact_traits>(files);
+  Surface_texts<Exact_traits> texts;
+  const Patch_files patch_files(files, read_surface_texts(files, texts));
   if (!tolerance) { // which is in the units of the files
     GC::G2_grid grid;
     std::vector<GC::Bspline_surface<Double_traits>> surfaces;
@@ -274,8 +53,8 @@ int verify_surfaces(const Arguments& files, const Report_mode& mode, const std::
       Exact unit(1);
       for (int e = grid.exponent_of_knots(); e < 0; ++e) unit /= Exact(10);
       Surface_model<Double_traits> model(std::move(surfaces));
-      return verify_surfaces_on<double>(model, name, mode, demand, unit);
+      return verify_surfaces_on<double>(model, patch_files, mode, demand, unit);
     }
   }
-  return verify_surfaces_on<Exact>(texts.model(), name, mode, demand, Exact(1));
+  return verify_surfaces_on<Exact>(texts.model(), patch_files, mode, demand, Exact(1));
 }

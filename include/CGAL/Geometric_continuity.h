@@ -16,6 +16,7 @@
 #include <CGAL/Geometric_continuity/numbers/Enclosure.h>
 #include <CGAL/Geometric_continuity/numbers/Exact_field.h>
 #include <CGAL/Geometric_continuity/numbers/rational_square_root.h>
+#include <CGAL/Geometric_continuity/numbers/units.h>
 
 #include <CGAL/Geometric_continuity/algebra/Basis_matrix.h>
 #include <CGAL/Geometric_continuity/algebra/Bell_polynomials.h>

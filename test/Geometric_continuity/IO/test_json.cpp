@@ -116,11 +116,17 @@ BOOST_AUTO_TEST_CASE(orders_within_a_tolerance) {
   const Curve left{Point(0, 0), Point(1, 0)}, right{Point(1, 0), Point(2, 0)};
   GC::Order_within within = GC::order_within(left, right, {});
   const std::string members = "\"within\":[\"proved\",\"proved\",\"proved\",\"undecided\"],\"gap\":[0,0],"
-                              "\"tangent_angle\":[0,0],\"curvature_jump\":[0,0],\"torsion_jump\":null";
+                              "\"tangent_angle\":[0,0],\"curvature_jump\":[0,0],\"torsion_jump\":null,"
+                              "\"angle_degrees\":[0,0],\"curvature_percent\":[0,0]";
   within.verdicts[3] = GC::Verdict::undecided;
   within.deviation.torsion_jump.reset();
   BOOST_CHECK_EQUAL(json(within), '{' + members + '}');
   BOOST_CHECK_EQUAL(written([&](std::ostream& os) { GC::write_json_members(os, within); }), members);
+  within.deviation.curvature_jump = GC::Enclosure{0.25, 0.5};
+  within.deviation.tangent_angle.reset();
+  BOOST_CHECK_EQUAL(written([&](std::ostream& os) { GC::write_json_members(os, within.deviation); }),
+                    "\"gap\":[0,0],\"tangent_angle\":null,\"curvature_jump\":[0.25,0.5],\"torsion_jump\":null,"
+                    "\"angle_degrees\":null,\"curvature_percent\":[25,50]");
   within.deviation.torsion_jump = GC::Enclosure{0, std::nan("")};
   check_not_finite([&](std::ostream& os) { GC::write_json(os, within); });
   check_not_finite([&](std::ostream& os) { GC::write_json_members(os, within); });

@@ -158,6 +158,12 @@ BOOST_AUTO_TEST_CASE(verdicts) {
   BOOST_CHECK_EQUAL(order({e.lower})(1), Verdict::undecided);
   BOOST_CHECK_EQUAL(order({e.upper})(1), Verdict::proved);
   BOOST_CHECK_EQUAL(order({std::nextafter(e.lower, 0)})(1), Verdict::refuted);
+  // a bound that is itself only enclosed: its lower end proves, its upper end refutes
+  const double above = std::nextafter(e.upper, 4), below = std::nextafter(e.lower, 0);
+  BOOST_CHECK_EQUAL(order({GC::Enclosure{e.upper, above}})(1), Verdict::proved);
+  BOOST_CHECK_EQUAL(order({GC::Enclosure{e.lower, above}})(1), Verdict::undecided);
+  BOOST_CHECK_EQUAL(order({GC::Enclosure{below, e.lower}})(1), Verdict::undecided);
+  BOOST_CHECK_EQUAL(order({GC::Enclosure{0, below}})(1), Verdict::refuted);
 
   // what holds exactly is proved with the tolerance 0, also the torsion of straight lines
   const Space_curve next{Space::Point(8, 0, 0), Space::Point(9, 0, 0)};
@@ -172,7 +178,8 @@ BOOST_AUTO_TEST_CASE(verdicts) {
 
   for (const GC::Join_tolerance& bad :
        {GC::Join_tolerance{-1, 0, 0, 0}, GC::Join_tolerance{0, -1, 0, 0},
-        GC::Join_tolerance{0, 0, std::numeric_limits<double>::quiet_NaN(), 0}, GC::Join_tolerance{0, 0, 0, -1}})
+        GC::Join_tolerance{0, 0, std::numeric_limits<double>::quiet_NaN(), 0}, GC::Join_tolerance{0, 0, 0, -1},
+        GC::Join_tolerance{GC::Enclosure{2, 1}}, GC::Join_tolerance{GC::Enclosure{-1, 1}}})
     BOOST_CHECK_EXCEPTION(order(bad), GC::Error,
                           [](const GC::Error& x) { return x.code() == GC::Error_code::unreachable_tolerance; });
   BOOST_CHECK_EQUAL(Verdict::proved && Verdict::undecided, Verdict::undecided);

@@ -4,7 +4,7 @@
 
 leaf=$data/leaf_inkscape.svg badge=$data/badge_illustrator.svg
 run 0 verify "$leaf" && says out "24 joins in 8 subpaths: 3 G0, 12 G1, 1 G2, 8 G3 or more" \
-  'path "leaf" (line 50), subpath 1, commands 3 c - 4 c at (28.5, 6.25): G0, kink of 93.1 degrees' \
+  'path "leaf" (line 50), subpath 1, commands 3 c - 4 c at (28.5, 6.25): G0, corner of 93.1 degrees' \
   'commands 2 c - 3 s at (37.1946, 48.6223): G1, curvature jumps' 'use "use1" (line 97): not verified'
 run 0 verify "$badge" && says out "31 joins in 8 subpaths: 12 G0, 11 G1, 6 G3 or more, 2 undecided" \
   "the closing line is 27.7 long" "a handle is at the node" "undecided, a rotated ellipse"
@@ -18,7 +18,7 @@ run 2 verify "$leaf" --kernel double && run 2 verify "$leaf" "$S" && says err "c
 if command -v python3 >/dev/null; then
   run 1 verify "$badge" --json --require G1
   holds python3 -c "import json; d = json.load(open('out')); j = d['joins']; assert len(j) == 31 and not d['met'] and \
-    d['summary'] == {'joins': 31, 'subpaths': 8, 'G0': 12, 'G1': 11, 'G3': 6, 'undecided': 2} and \
+    d['summary'] == {'joins': 31, 'subpaths': 8, 'G0': 12, 'G1': 11, 'G3': 6, 'undecided': 2, 'corners': 12, 'kinks': 0} and \
     [x for x in j if x['id'] == 'banner'][2]['right_letter'] == 'l' and j[11]['left'] == 11 and j[11]['right'] == 2"
 fi
 svg '<path id="a&quot;b&#10;\" d="M0 0h1v1"/>'
@@ -26,7 +26,7 @@ run 0 verify drawing.svg --json && says out '"id":"a\"b\u000a\\"'
 svg '<g transform="scale(0)"><path d="M0 0h1v1"/></g><rect width="100%" height="3"/><rect width="1e1mm" height="1in" ry="1"/>'
 run 0 verify drawing.svg && says out "its transform is not invertible" 'width="100%" is relative' "8 joins in 1 subpath: 8 G1"
 svg '<path d="M0 0h1v1h-1.001z"/>'
-run 0 verify drawing.svg && says out "kink of 89.94 degrees, the closing line is 1 long" "at (-0.001, 1)"
+run 0 verify drawing.svg && says out "corner of 89.94 degrees, the closing line is 1 long" "at (-0.001, 1)"
 cp drawing.svg DRAWING.SVG && cp drawing.svg drawing
 run 0 verify DRAWING.SVG && run 0 verify drawing
 svg '' && run 0 verify drawing.svg --allow-empty && says out "0 joins"
@@ -168,8 +168,8 @@ right_angle='<path d="M0 0h1v1"/>'
 svg "<g transform=\"$(repeat 'rotate(1)' 4000)\">$right_angle</g>" && bounded 0 verify drawing.svg && says out "at (0.766044, 0.642788)"
 svg "<g transform=\"rotate(40)\">$right_angle</g>" && run 0 verify drawing.svg && says out "at (0.766044, 0.642788)"
 svg "$(repeat '<g transform="rotate(1)">' 200)$right_angle$(repeat '</g>' 200)" && bounded 0 verify drawing.svg
-says out "at (-0.939693, -0.34202)" "kink of 90 degrees"
-svg "<g transform=\"$(repeat 'rotate(1 1 1)rotate(1 2 1)' 2000)\">$right_angle</g>" && bounded 0 verify drawing.svg && says out "kink of 90 degrees"
+says out "at (-0.939693, -0.34202)" "corner of 90 degrees"
+svg "<g transform=\"$(repeat 'rotate(1 1 1)rotate(1 2 1)' 2000)\">$right_angle</g>" && bounded 0 verify drawing.svg && says out "corner of 90 degrees"
 svg "<g transform=\"$(repeat 'translate(1 -1)' 20000)\">$right_angle</g>" && bounded 0 verify drawing.svg && says out "at (20001, -20000)"
 svg "<g transform=\"$(repeat 'skewX(1)skewX(-1)' 10000)\">$right_angle</g>" && bounded 0 verify drawing.svg && says out "1 G0"
 many=$(printf '1%.0s' $(seq 4090))

@@ -58,8 +58,8 @@ if command -v python3 >/dev/null; then
 import decimal, json, re, sys
 from fractions import Fraction
 text, report = open(sys.argv[1]).read(), json.load(open(sys.argv[2]), parse_float=str, parse_int=str)
-names = {"gap": "gap", "tangent angle": "tangent_angle", "curvature jump": "curvature_jump", "torsion jump": "torsion_jump",
-         "normal angle": "normal_angle"}
+names = {"gap": "gap", "curvature jump": "curvature_percent", "torsion jump": "torsion_jump",
+         "normal angle" if "edges" in report else "tangent angle": "angle_degrees"}
 exact = lambda word: Fraction(decimal.Decimal(word))
 decided = [x for key in ("joins", "edges", "knot_lines", "near_edges") for x in report.get(key, [])]
 checks = 0
@@ -67,7 +67,7 @@ lines = re.findall("within the tolerance: order.*; (gap.*)", text)
 assert len(lines) == len(decided), (len(lines), len(decided))
 for line, x in zip(lines, decided):
     for name, key in names.items():
-        found = re.search(name + r" (?:\[([^],]*), ([^]]*)\]|([^ ,]*))", line)
+        found = re.search(name + r" (?:\[([^],]*), ([^]]*)\]|([^ ,%]*))", line)
         if not found:
             assert x.get(key) is None, (line, key)
             continue
@@ -77,7 +77,7 @@ for line, x in zip(lines, decided):
             assert exact(low) <= Fraction(float(bound)) <= exact(high), (line, x)
             checks += 1
 angles = re.findall(r"(?<=angle <= )[-+.e0-9]+", text)
-bounds = [x["angle_at_most"] for x in decided if float(x.get("angle_at_most", 0)) > 0]
+bounds = [x["angle_at_most_degrees"] for x in decided if float(x.get("angle_at_most", 0)) > 0]
 assert len(angles) == len(bounds), (angles, bounds)
 assert not bounds or max(map(len, bounds)) > 14, bounds # not rounded to the precision of the stream
 for angle, bound in zip(angles, bounds):
@@ -114,7 +114,7 @@ done
 run 2 "$name" && says err "$visible" && run 2 verify "--$name" "$L" && plain err 1
 element='<path d="M0 0h1v1" id="p&#10;every join is G9&#x9b;31m&#x202e;&#xfffe;"/>'
 svg "${element/&#xfffe;/}<use id=\"u&#10;3 joins\"/>" && cp drawing.svg "$name.svg"
-run 0 verify "$name.svg" drawing.svg && plain out 5
+run 0 verify "$name.svg" drawing.svg && plain out 6
 says out "$visible.svg: path \"p\\nevery join is G9\\u009b31m\\u202e\" (line 2)" 'use "u\n3 joins"'
 svg "$element" && run 2 verify drawing.svg # a character that XML does not allow
 cubic $'0 0 0\n1 0 0\n2 0 0\n3 0 0' >"$name.g2"

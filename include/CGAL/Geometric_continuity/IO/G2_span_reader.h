@@ -68,6 +68,10 @@ public:
     jets_.pop_back();
     return true;
   }
+
+  /// Returns the line of the text, from 1 on, in which the last number stands that was read for the last span: its last control
+  /// point. When it is asked for each span, each character of the text is looked at once more.
+  long long line() const { return parts_.line(); }
 };
 
 } // namespace Geometric_continuity

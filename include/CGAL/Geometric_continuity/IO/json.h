@@ -78,13 +78,19 @@ template <class FT> std::string json_members(const Join_continuity<FT>& join, in
   return json;
 }
 
+inline std::string json_members(const Join_deviation& d) {
+  std::optional<Enclosure> degrees, percent;
+  if (d.tangent_angle) degrees = in_degrees(*d.tangent_angle);
+  if (d.curvature_jump) percent = in_percent(*d.curvature_jump);
+  return "\"gap\":" + json_text(std::optional<Enclosure>(d.gap)) + ",\"tangent_angle\":" + json_text(d.tangent_angle) +
+         ",\"curvature_jump\":" + json_text(d.curvature_jump) + ",\"torsion_jump\":" + json_text(d.torsion_jump) +
+         ",\"angle_degrees\":" + json_text(degrees) + ",\"curvature_percent\":" + json_text(percent);
+}
+
 inline std::string json_members(const Order_within& within) {
   std::string json = "\"within\":[";
   for (int order = 0; order <= 3; ++order) json += (order == 0 ? "\"" : ",\"") + to_string(within(order)) + '"';
-  const Join_deviation& d = within.deviation;
-  return json + "],\"gap\":" + json_text(std::optional<Enclosure>(d.gap)) +
-         ",\"tangent_angle\":" + json_text(d.tangent_angle) + ",\"curvature_jump\":" + json_text(d.curvature_jump) +
-         ",\"torsion_jump\":" + json_text(d.torsion_jump);
+  return json + "]," + json_members(within.deviation);
 }
 
 } // namespace internal
@@ -126,6 +132,14 @@ inline void write_json_members(std::ostream& os, const Order_within& within) {
 }
 
 /// \ingroup PkgGeometricContinuityIO
+/// Writes the enclosures of a deviation as the members of a JSON object, without braces: those of `write_json(os, within)` behind
+/// the verdicts.
+/// \throws Error `not_finite` for an enclosure with a bound that is not a number
+inline void write_json_members(std::ostream& os, const Join_deviation& deviation) {
+  internal::write_text(os, internal::json_members(deviation));
+}
+
+/// \ingroup PkgGeometricContinuityIO
 /// Writes what was decided about the join of the curves number `left` and `right` as a JSON object
 /// `{"left":…,"right":…,"c_order":…,"g_order":…,"f_order":…,"betas":["p/q",…],"regular":…,"tangent_equal":…,
 /// "curvature_equal":…,"curvature_vector_equal":…,"torsion_equal":…}`. A gap between the end points is `c_order` -1.
@@ -136,7 +150,8 @@ template <class FT> void write_json(std::ostream& os, const Join_continuity<FT>&
 
 /// \ingroup PkgGeometricContinuityIO
 /// Writes the verdicts for the orders 0 to 3 and the enclosures of a deviation as a JSON object
-/// `{"within":["proved",…],"gap":[…,…],"tangent_angle":[…,…],"curvature_jump":[…,…],"torsion_jump":[…,…]}`.
+/// `{"within":["proved",…],"gap":[…,…],"tangent_angle":[…,…],"curvature_jump":[…,…],"torsion_jump":[…,…],
+/// "angle_degrees":[…,…],"curvature_percent":[…,…]}`, where `tangent_angle` is in radians and `curvature_jump` a ratio.
 /// \throws Error `not_finite` for an enclosure with a bound that is not a number
 inline void write_json(std::ostream& os, const Order_within& within) {
   internal::write_text(os, '{' + internal::json_members(within) + '}');

@@ -124,15 +124,19 @@ template <class FT> struct Edge_continuity {
   /// first edge. Empty without a common edge, and where one normal vanishes identically.
   std::optional<Normal_deviation<FT>> deviation;
 
-  /// Writes the order, the defect and the upper bound of the angle, rounded upwards to the precision of the stream, e.g.
-  /// `G1 (curvature)` or `G0 (crease), angle <= 0.3`.
+  /// Writes the order, the defect and the upper bound of the angle in degrees, rounded upwards to the precision of the
+  /// stream, e.g. `G1 (curvature)` or `G0 (crease), angle <= 17.2 degrees`.
   friend std::ostream& operator<<(std::ostream& os, const Edge_continuity& e) {
     if (e.g_order < 0) return os << "gap";
     os << 'G' << e.g_order;
     if (e.defect != Edge_defect::none) os << " (" << e.defect << ')';
     if (e.reversed) os << ", reversed";
-    if (e.deviation && FT(0) < e.deviation->upper)
-      os << ", angle <= " << internal::decimal_above(e.deviation->largest_angle(), static_cast<int>(os.precision()));
+    if (e.deviation && FT(0) < e.deviation->upper) {
+      const double largest = e.deviation->largest_angle();
+      os << ", angle <= "
+         << internal::decimal_above(in_degrees({largest, largest}).upper, static_cast<int>(os.precision()))
+         << " degrees";
+    }
     return os;
   }
 };

@@ -31,10 +31,10 @@ struct Edge_deviation {
   bool normal_vanishes = false; ///< a normal vanishes somewhere on the closed edges
   bool reversed = false;        ///< the second edge runs backwards
 
-  /// Writes what there is, e.g. `gap 0, normal angle [0.1, 0.1]`.
+  /// Writes what there is, the angle in degrees, e.g. `gap 0, normal angle [0.5, 0.50001] degrees`.
   friend std::ostream& operator<<(std::ostream& os, const Edge_deviation& d) {
     os << "gap " << d.gap;
-    if (d.normal_angle) os << ", normal angle " << *d.normal_angle;
+    if (d.normal_angle) os << ", normal angle " << in_degrees(*d.normal_angle) << " degrees";
     if (d.normal_vanishes) os << ", a normal vanishes";
     return os;
   }

@@ -19,8 +19,8 @@ namespace Geometric_continuity {
 /// \ingroup PkgGeometricContinuityContinuity
 /// What is tolerated along an edge; see `Edge_deviation` for the quantities.
 struct Edge_tolerance {
-  double angle = 0; ///< of the normals, in radians
-  double gap = 0;   ///< in units of the coordinates
+  Bound angle = 0; ///< of the normals, in radians
+  Bound gap = 0;   ///< in units of the coordinates
 };
 
 /// \ingroup PkgGeometricContinuityContinuity
@@ -46,8 +46,7 @@ struct Edge_order_within {
 namespace internal {
 
 inline void check_tolerance(const Edge_tolerance& tolerance) {
-  for (double bound : {tolerance.angle, tolerance.gap})
-    if (!(0 <= bound)) throw Error(Error_code::unreachable_tolerance, "order_within: " + std::to_string(bound));
+  for (const Bound& bound : {tolerance.angle, tolerance.gap}) check_bound(bound);
 }
 
 } // namespace internal

@@ -39,10 +39,39 @@ inline Verdict operator&&(Verdict x, Verdict y) {
 }
 
 /// \ingroup PkgGeometricContinuityContinuity
-/// Returns whether the number in an enclosure is at most `bound`.
-inline Verdict at_most(const Enclosure& x, double bound) {
-  return x.upper <= bound ? Verdict::proved : bound < x.lower ? Verdict::refuted : Verdict::undecided;
+/// A bound of a tolerance: a floating-point number, or a real number of which an enclosure is known, such as a decimal or an
+/// angle that is given in degrees, see `in_radians()`.
+class Bound {
+  Enclosure value_;
+
+public:
+  /// Makes a bound of a number, 0 if none is given.
+  Bound(double value = 0) : value_{value, value} {}
+  /// Makes a bound of the number in an enclosure.
+  Bound(const Enclosure& value) : value_(value) {}
+
+  /// Returns a number that is not larger than the bound.
+  double lower() const { return value_.lower; }
+  /// Returns a number that is not less than the bound.
+  double upper() const { return value_.upper; }
+};
+
+/// \ingroup PkgGeometricContinuityContinuity
+/// Returns whether the number in an enclosure is at most `bound`. Neither answer can be wrong: the enclosure is compared with the
+/// lower end of the bound to prove it, and with the upper end to refute it.
+inline Verdict at_most(const Enclosure& x, const Bound& bound) {
+  return x.upper <= bound.lower() ? Verdict::proved : bound.upper() < x.lower ? Verdict::refuted : Verdict::undecided;
 }
+
+namespace internal {
+
+// Refuses a tolerance that is negative or not a number.
+inline void check_bound(const Bound& bound) {
+  if (!(0 <= bound.lower() && bound.lower() <= bound.upper()))
+    throw Error(Error_code::unreachable_tolerance, "order_within: " + std::to_string(bound.lower()));
+}
+
+} // namespace internal
 
 } // namespace Geometric_continuity
 } // namespace CGAL

@@ -11,6 +11,7 @@
 #include <CGAL/Geometric_continuity/numbers/Exact_field.h>
 #include <CGAL/Geometric_continuity/numbers/Work_limit.h>
 #include <CGAL/Geometric_continuity/numbers/internal/common_words.h>
+#include <CGAL/Geometric_continuity/numbers/units.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -36,11 +37,12 @@ struct Join_deviation {
   /// curvature on both sides.
   std::optional<Enclosure> torsion_jump;
 
-  /// Writes what there is, e.g. `gap 0, tangent angle [0.1, 0.1], curvature jump 0`.
+  /// Writes what there is, angles in degrees and ratios in percent, e.g. `gap 0, tangent angle [0.5, 0.50001] degrees,
+  /// curvature jump 2%`.
   friend std::ostream& operator<<(std::ostream& os, const Join_deviation& d) {
     os << "gap " << d.gap;
-    if (d.tangent_angle) os << ", tangent angle " << *d.tangent_angle;
-    if (d.curvature_jump) os << ", curvature jump " << *d.curvature_jump;
+    if (d.tangent_angle) os << ", tangent angle " << in_degrees(*d.tangent_angle) << " degrees";
+    if (d.curvature_jump) os << ", curvature jump " << in_percent(*d.curvature_jump) << '%';
     if (d.torsion_jump) os << ", torsion jump " << *d.torsion_jump;
     return os;
   }

@@ -11,7 +11,6 @@
 
 #include <array>
 #include <optional>
-#include <string>
 #include <type_traits>
 
 namespace CGAL {
@@ -20,11 +19,11 @@ namespace Geometric_continuity {
 /// \ingroup PkgGeometricContinuityContinuity
 /// What is tolerated at a join; see `Join_deviation` for the quantities and their units.
 struct Join_tolerance {
-  double angle = 0;                ///< of the tangents, in radians
-  double curvature = 0;            ///< relative, of the curvature vectors
-  double torsion = 0;              ///< in space, in units of 1/length
-  double gap = 0;                  ///< in units of the coordinates
-  double curvature_derivative = 0; ///< in the plane, of \f$ d\kappa/ds \f$, in units of 1/length^2
+  Bound angle = 0;                ///< of the tangents, in radians
+  Bound curvature = 0;            ///< relative, of the curvature vectors
+  Bound torsion = 0;              ///< in space, in units of 1/length
+  Bound gap = 0;                  ///< in units of the coordinates
+  Bound curvature_derivative = 0; ///< in the plane, of \f$ d\kappa/ds \f$, in units of 1/length^2
 };
 
 /// \ingroup PkgGeometricContinuityContinuity
@@ -79,16 +78,16 @@ Order_within order_within(const Left& left, const Right& right, const Join_toler
                           Work_limit limit = Work_limit()) {
   typedef typename Exact_field<Predicate_FT<typename Left::Traits>>::type Field;
   constexpr int N = dimension_v<typename Left::Traits>;
-  for (double bound :
+  for (const Bound& bound :
        {tolerance.angle, tolerance.curvature, tolerance.torsion, tolerance.gap, tolerance.curvature_derivative})
-    if (!(0 <= bound)) throw Error(Error_code::unreachable_tolerance, "order_within: " + std::to_string(bound));
+    internal::check_bound(bound);
   const Coordinate_jet<Field, N> x = end_jet<Field>(left, 3), y = start_jet<Field>(right, 3);
   const bool planar = x.dimension() == 2;
   const Join_continuity<Field> exact = internal::Join_decision<Field, N>(x, y, 3, limit)();
   const int exact_order = planar ? exact.g_order : exact.f_order;
   Order_within result{internal::join_deviation(x, y, limit), {}};
   const Join_deviation& d = result.deviation;
-  const auto verdict = [](const std::optional<Enclosure>& e, double bound, Verdict undefined) {
+  const auto verdict = [](const std::optional<Enclosure>& e, const Bound& bound, Verdict undefined) {
     return e ? at_most(*e, bound) : undefined;
   };
   result.verdicts = {at_most(d.gap, tolerance.gap), verdict(d.tangent_angle, tolerance.angle, Verdict::refuted),

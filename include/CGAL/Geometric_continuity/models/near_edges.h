@@ -131,8 +131,8 @@ std::vector<Near_edges> near_edges(const PatchRange& patches, const Model_contin
   typedef std::decay_t<decltype(*std::begin(patches))> Surface;
   typedef internal::Boundary_edge<FT, internal::row_dimension<Surface>> Edge;
   internal::check_tolerance(tolerance);
-  internal::check_finite(tolerance.gap, "near_edges: gap");
-  const double gap = tolerance.gap;
+  const double gap = tolerance.gap.upper();
+  internal::check_finite(gap, "near_edges: gap");
   const FT squared_gap = FT(gap) * FT(gap);
   std::vector<Edge> edges;
   std::size_t number = 0;

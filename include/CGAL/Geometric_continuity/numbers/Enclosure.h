@@ -111,10 +111,11 @@ template <class FT> Enclosure angle_enclosure(const FT& sine_squared, const FT& 
 }
 
 /// \ingroup PkgGeometricContinuityAlgebra
-/// Returns an enclosure, in degrees, of an angle that is not negative and given in radians.
+/// Returns an enclosure, in degrees, of an angle in \f$ [0, \pi] \f$ that is given in radians. Its upper end is at most 180.
 inline Enclosure in_degrees(const Enclosure& angle) {
   // 180/pi = 57.2957795130823208... lies between these neighbours
-  return internal::nonnegative_product(angle, {57.29577951308232 - 0x1p-47, 57.29577951308232});
+  const Enclosure degrees = internal::nonnegative_product(angle, {57.29577951308232 - 0x1p-47, 57.29577951308232});
+  return {degrees.lower, (std::min)(degrees.upper, 180.)};
 }
 
 } // namespace Geometric_continuity

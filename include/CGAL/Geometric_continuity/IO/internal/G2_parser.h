@@ -99,6 +99,9 @@ public:
   G2_parser(std::istream& is, std::string name, const G2_class& object_class, G2_weights weights = G2_weights::refused)
       : tokens_(is, std::move(name)), class_(object_class), weights_(weights) {}
 
+  // The line of the last word that was read.
+  long long line() const { return tokens_.line(); }
+
   // Whether the current object has weights.
   bool rational() const { return rational_; }
 

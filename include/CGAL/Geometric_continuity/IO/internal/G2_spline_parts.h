@@ -67,6 +67,9 @@ public:
     }
   }
 
+  // The line of the last number that was read.
+  long long line() const { return parser_.line(); }
+
   // Calls f(), and refuses what is wrong with the part that has been read.
   template <class Function> auto checked(Function f) const { return parser_.checked(f); }
 

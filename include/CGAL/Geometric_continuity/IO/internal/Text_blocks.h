@@ -66,10 +66,10 @@ public:
   const std::vector<Word>& words() const { return words_; }
   std::string_view text(const Word& word) const { return {text_.data() + word.begin, word.size}; }
 
-  // The number of lines that end in the block, and of those before a word.
+  // The number of lines that end in the block, and of those before a word, behind an earlier one if it is given.
   long long newlines() const { return newlines_; }
-  long long newlines_before(const Word& word) const {
-    return std::count(text_.begin(), text_.begin() + word.begin, '\n');
+  long long newlines_before(const Word& word, const Word* behind = nullptr) const {
+    return std::count(text_.begin() + (behind == nullptr ? 0 : behind->begin), text_.begin() + word.begin, '\n');
   }
 };
 

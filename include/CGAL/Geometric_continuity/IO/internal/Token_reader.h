@@ -33,6 +33,8 @@ template <class Concurrency_tag = Sequential_tag> class Token_reader {
   Text_block block_;
   const Word *word_ = nullptr, *next_ = nullptr, *end_ = nullptr; // of the block
   long long line_ = 1;                                            // in which the block begins
+  mutable const Word* counted_ = nullptr;                         // the last word of the block whose line was asked for
+  mutable long long newlines_ = 0;                                // before it
 
 public:
   Token_reader(std::istream& is, std::string name) : blocks_(is), name_(std::move(name)) {
@@ -63,10 +65,17 @@ public:
       return number_value<FT>(token());
   }
 
+  // The line of the current word. To find it for one word after the other each character is looked at once.
+  long long line() const {
+    if (word_ == nullptr) return line_;
+    newlines_ = (counted_ == nullptr ? 0 : newlines_) + block_.newlines_before(*word_, counted_);
+    counted_ = word_;
+    return line_ + newlines_;
+  }
+
   // Refuses the text because of the current word.
   [[noreturn]] void refuse(const std::string& reason) const {
-    const long long line = line_ + (word_ == nullptr ? 0 : block_.newlines_before(*word_));
-    throw Error(Error_code::malformed_input, name_ + ":" + std::to_string(line) + ": " + reason);
+    throw Error(Error_code::malformed_input, name_ + ":" + std::to_string(line()) + ": " + reason);
   }
 
 private:
@@ -81,6 +90,7 @@ private:
       throw Error(Error_code::cannot_read_file, name_ + ": " + error.what());
     }
     const bool first = word_ == nullptr;
+    counted_ = nullptr;
     word_ = next_ = block_.words().data();
     end_ = next_ + block_.words().size();
     if (first) check_encoding();

@@ -33,6 +33,25 @@ template <class FT, class Field> Join_continuity<FT> drop_irrational_betas(const
   return r;
 }
 
+// Calls f(p, q) with the roots of the radicands of both segments, in the numbers of the traits class or in a field that is extended by one
+// or two roots.
+template <class Traits, class Function>
+auto visit_roots(const Svg_segment<Traits>& left, const Svg_segment<Traits>& right, Function f) {
+  typedef typename Traits::FT FT;
+  const FT d = left.radicand(), e = right.radicand();
+  const std::optional<FT> p = rational_square_root(d), q = rational_square_root(e);
+  if constexpr (std::is_floating_point_v<FT>)
+    return f(*p, *q);
+  else {
+    if (p && q) return f(*p, *q);
+    typedef Sqrt_extension<FT, FT> Field;    // a + b sqrt(d)
+    typedef Sqrt_extension<Field, FT> Tower; // a + b sqrt(e), also when one root lies in the field of the other
+    const Tower left_root(p ? Field(*p) : Field(FT(0), FT(1), d));
+    const Tower right_root = q ? Tower(Field(*q)) : Tower(Field(FT(0)), Field(FT(1)), e);
+    return f(left_root, right_root);
+  }
+}
+
 } // namespace internal
 
 /// \ingroup PkgGeometricContinuityIO
@@ -61,20 +80,13 @@ std::optional<Join_continuity<typename Traits::FT>> continuity(const Svg_segment
     typedef std::decay_t<decltype(left_root)> Field;
     const Coordinate_jet<Field, 2> x = left.template end_jet_over<Field>(order, left_root),
                                    y = right.template start_jet_over<Field>(order, right_root);
-    return internal::Join_decision<Field, 2>(x, y, max_order, limit)();
+    const Join_continuity<Field> join = internal::Join_decision<Field, 2>(x, y, max_order, limit)();
+    if constexpr (std::is_same_v<Field, FT>)
+      return join;
+    else
+      return internal::drop_irrational_betas<FT>(join);
   };
-  const FT d = left.radicand(), e = right.radicand();
-  const std::optional<FT> p = rational_square_root(d), q = rational_square_root(e);
-  if constexpr (std::is_floating_point_v<FT>)
-    return decide(*p, *q);
-  else {
-    if (p && q) return decide(*p, *q);
-    typedef Sqrt_extension<FT, FT> Field;    // a + b sqrt(d)
-    typedef Sqrt_extension<Field, FT> Tower; // a + b sqrt(e), also when one root lies in the field of the other
-    const Tower left_root(p ? Field(*p) : Field(FT(0), FT(1), d));
-    const Tower right_root = q ? Tower(Field(*q)) : Tower(Field(FT(0)), Field(FT(1)), e);
-    return internal::drop_irrational_betas<FT>(decide(left_root, right_root));
-  }
+  return internal::visit_roots(left, right, decide);
 }
 
 /// \ingroup PkgGeometricContinuityIO

@@ -1,0 +1,228 @@
+#!/usr/bin/env bash
+# verify for fonts, which are generated here: what is read, how joins are graded, which glyphs, reports, and broken fonts.
+generator=$(realpath "$(dirname "$0")")/make_font.awk
+. "$(dirname "$0")/functions.sh"
+
+# font FILE [AWK_OPTIONS...]: a font of the glyphs on standard input
+font() {
+  local file=$1
+  shift
+  printf "$(LC_ALL=C awk "$@" -f "$generator")" >"$file"
+}
+lacks() { # lacks FILE TEXT...: the file contains none of the texts
+  local file=$1 text
+  shift
+  for text in "$@"; do holds [ "$(grep -cF -- "$text" "$file")" -eq 0 ]; done
+}
+same() { holds cmp -s "$1" "$2"; }
+# glyph FONT NAME COUNTS: what --json says about a glyph, as joins corners kinks G1 G2
+glyph() {
+  run 0 verify "$1" --json --glyphs "$2" --allow-empty
+  local counts
+  counts=$(sed -n 's/.*"joins":\([0-9]*\),"corners":\([0-9]*\),"kinks":\([0-9]*\),"kinks_off[a-z_]*":[0-9]*,"G1":\([0-9]*\),"G2":\([0-9]*\),"worst".*/\1 \2 \3 \4 \5/p' out)
+  checks=$((checks + 1))
+  [ "$counts" = "$3" ] && return
+  failures=$((failures + 1))
+  echo "glyph $2 of $1: $counts instead of $3"
+}
+
+# TrueType: an implied point with an odd sum, contours that begin with control points, with one, and with control points alone;
+# repeated points; a single point.
+cat >quadratic.txt <<'END'
+glyph .notdef
+glyph space 32
+glyph square 65
+contour 0,0 300,0 300,300 0,300
+glyph odd 66
+contour 0,0 101,0* 200,101* 200,300 0,300
+glyph begins 67
+contour 101,0* 200,101* 200,300 0,300 0,0
+glyph between 68
+contour 101,0* 200,101* 200,300 0,300 0,1*
+glyph circle 69
+contour 0,1* 101,0* 200,101* 103,200*
+glyph repeated 70
+contour 0,0 0,0 300,0 300,0* 300,0 300,300 0,300 0,0
+contour 7,7
+contour 8,8 8,8 8,8*
+glyph kink 71
+contour 0,0 100,0 200,1 200,300 0,300
+glyph kinks 72
+contour 0,0 300,20 600,20 900,0 600,-500 300,-500
+contour 2000,0 2100,0 2200,7* 2300,300 2000,300
+glyph composite 73
+component 2 10 20
+component 6 1000 0
+component 8 -500 -30
+glyph scaled 74
+component 3 0 0 0.5
+glyph angles 75
+contour 0,0 100,0 200,100 200,300
+END
+font test.ttf <quadratic.txt
+glyph test.ttf space "0 0 0 0 0"
+glyph test.ttf square "4 4 0 0 0"
+glyph test.ttf odd "4 3 0 1 0"
+glyph test.ttf begins "4 3 0 1 0"
+glyph test.ttf between "4 2 0 2 0"
+glyph test.ttf circle "4 0 0 4 0"
+glyph test.ttf repeated "4 4 0 0 0"
+glyph test.ttf kink "5 4 1 0 0"
+glyph test.ttf composite "13 8 1 4 0"
+glyph test.ttf scaled "4 3 0 1 0"
+run 0 verify test.ttf --summary
+says out "Test Regular, test.ttf" "13 glyphs (2 empty), " " joins: "
+holds [ "$(wc -l <out)" -eq 2 ]
+run 0 verify test.ttf --json
+says out '{"glyphs":[' '{"index":1,"name":"space","joins":0,' '"name":"Test Regular","units_per_em":1000' '"not_verified":[]' '"empty":2,'
+# the implied point lies between units, and no kink comes from that
+run 1 verify test.ttf --json --glyphs odd --require G2
+says out '"point":[150.5,50.5],"grade":"G1","angle_degrees":[0,0]' '"required":"G2","met":false'
+run 0 verify test.ttf --json --glyphs odd --require G1
+says out '"kinks":0' '"required":"G1","met":true' '"worst":[]'
+
+# The size of a kink: a unit in a hundred, and one in a table
+run 0 verify test.ttf --json --glyphs kink
+says out '"contour":0,"node":1,"point":[100,0],"grade":"kink","angle_degrees":[0.57293869768348' '"units":0.99995,"per_mille":0.999967' '"kinks_off_by_more_than_one_unit":0'
+run 0 verify test.ttf --glyphs kink
+says out "kink   0        1     (100, 0)  0.573 degrees  1 unit         1" "per mille of the em"
+# the worst one first: 3.8 degrees of 300 units, then 4 degrees of 100
+run 0 verify test.ttf --json --glyphs kinks
+says out '"worst":[{"contour":0,"node":1,"point":[300,20],' '"kinks_off_by_more_than_one_unit":3'
+holds [ "$(grep -o '"point":[^"]*' out | tr '\n' ' ')" = '"point":[300,20], "point":[600,20], "point":[2100,0], ' ]
+run 0 verify test.ttf --json --glyphs kinks --worst 1 && holds [ "$(grep -o '"point"' out | wc -l)" -eq 1 ] && says out '"kinks":3'
+run 0 verify test.ttf --worst 0 && lacks out contour && says out " kinks "
+# copies are shown once
+run 0 verify test.ttf --glyphs kink,kinks,composite
+says out "kink and 1 more"
+# the angle that still is a kink, exactly
+for angle in 45 45.0 45.000000000000000000000000001 90/2; do
+  run 0 verify test.ttf --glyphs angles --kink-angle $angle --summary && says out "2 corners, 2 kinks"
+done
+run 0 verify test.ttf --glyphs angles --kink-angle 44.999999999999999999999999999 --summary && says out "4 corners, 0 kinks"
+run 0 verify test.ttf --glyphs angles --kink-angle 179.9 --summary && says out "0 corners, 4 kinks"
+for angle in 0 180 -5 x 5deg ""; do run 2 verify test.ttf --kink-angle "$angle" && says err "kink-angle"; done
+
+# Cubic curves: two halves of one, G2 inside; handles at nodes; a line as a curve; a curve that ends as it began.
+cat >cubic.txt <<'END'
+glyph .notdef
+glyph halves 65
+contour 0,0 40,80* 100,120* 160,120 220,120* 280,80* 320,0
+glyph retracted 66
+contour -100,-100 0,0 0,0* 100,100* 200,100 0,-300
+glyph line 67
+contour 0,0 0,0* 90,0* 100,0 150,0* 300,0* 300,0 300,200
+glyph loop 68
+contour 0,0 300,0* 0,300* 0,0
+glyph cusp 69
+contour 0,0 100,0* 200,0* 300,0 200,0* 100,-50* 0,-100
+END
+for options in "" "-v container=woff" "-v names=no"; do
+  font test.otf -v outlines=cff $options <cubic.txt
+  glyph test.otf halves "3 2 0 0 1"
+  glyph test.otf retracted "4 3 0 1 0"
+  glyph test.otf line "4 3 0 0 1"
+  glyph test.otf loop "1 1 0 0 0"
+  glyph test.otf cusp "3 3 0 0 0"
+done
+
+# Containers and names
+font test.ttc -v container=ttc <quadratic.txt && font test.woff -v container=woff <quadratic.txt && font nameless.ttf -v names=no <quadratic.txt
+run 0 verify test.ttf --json --summary && grep -o '"summary":.*' out >expected.txt
+run 0 verify test.woff --json --summary && grep -o '"summary":.*' out >is.txt && same is.txt expected.txt
+run 0 verify nameless.ttf --json --glyphs A && says out '"index":2,"name":"glyph00002"'
+run 0 verify nameless.ttf --json --glyphs glyph00002 && says out '"index":2,'
+run 0 verify test.ttc && says out "test.ttc, font 0" "test.ttc, font 1" "2 fonts, 26 glyphs"
+run 0 verify test.ttc --json --summary
+says out '{"fonts":[' '{"file":"test.ttc","font":0,"glyphs":[]' '{"file":"test.ttc","font":1,"glyphs":[]' '"summary":{"fonts":2,"glyphs":26,'
+# what a file is, its first bytes tell as well
+cp test.ttf letters && run 0 verify letters --glyphs A && says out "4 corners"
+"$program" verify - --glyphs A <test.otf >out && says out "standard input" "1 glyph, 3 joins"
+
+# Which glyphs
+run 0 verify test.ttf --glyphs A-C,U+0044-U+0045,square,#7 --json --summary && says out '"glyphs":6,'
+run 0 verify test.ttf --glyphs '#0-#99999' --json --summary && says out '"glyphs":13,'
+run 0 verify test.ttf --glyphs U+0-U+10FFFF --json --summary && says out '"glyphs":12,'
+run 2 verify test.ttf --glyphs A,nothing,U+00E9,é,#13 && says err "no font has 'nothing', 'U+00E9', 'é', '#13'" && holds [ ! -s out ]
+for glyphs in "" "A,,B" "U+" "U+110000" "U+41-" "U+42-U+41" "B-A" "#" "#x" "#5-#4" "#1-2" "U+41x"; do
+  run 2 verify test.ttf --glyphs "$glyphs" && says err glyphs
+done
+run 0 verify test.ttf test.otf --glyphs square,halves --summary && says out "not in this font: halves" "not in this font: square"
+run 1 verify test.ttf test.otf --glyphs square,halves --summary --strict && says out "not all was verified"
+
+# Requirements
+run 1 verify test.ttf --require G1 --summary && says out "5 of them not G1" "kink of" && mv out text.txt
+run 1 verify test.ttf --require G1 --summary --json && holds [ "$(grep -c '"index"' out)" -eq 3 ] && says out '"met":false'
+run 1 verify test.ttf --require G2 && says out "of them not G2" "none, G1"
+run 0 verify test.ttf --glyphs square,circle --require G1 && says out "every join that is no corner is G1, proved exactly"
+run 0 verify test.otf --glyphs halves --require G2 && says out "every join that is no corner is G2, proved exactly"
+for order in G0 G3 C1 F2 X; do run 2 verify test.ttf --require $order; done
+run 2 verify test.ttf --glyphs space && says err "there is no join"
+run 0 verify test.ttf --glyphs space --allow-empty && says out "no join, nothing was decided"
+for option in --surfaces --closed "--within 1,1,1" "--kernel double" "--max-order 2" "--max-work 9"; do
+  run 2 verify test.ttf $option && says err "not for fonts"
+done
+for option in "--glyphs a" "--worst 3"; do run 2 verify "$S" $option && says err "only for fonts"; done
+run 2 verify test.ttf "$S" && says err "cannot be verified together"
+run 2 verify test.ttf missing.ttf && says err "missing.ttf" && holds [ ! -s out ]
+
+# Folders: all fonts in them, each once, and what is broken is named
+mkdir -p fonts/deep/er fonts/empty none
+cp test.ttf fonts/B.TTF && cp test.otf fonts/deep/er/a.otf && cp test.woff fonts/deep/c.Woff && cp "$S" fonts/curves.g2
+head -c 400 test.ttf >fonts/deep/broken.ttf && ln -s ../../B.TTF fonts/deep/er/link.ttf && ln -s .. fonts/deep/loop
+run 0 verify fonts --summary
+says out "B.TTF" "deep/er/a.otf" "deep/c.Woff" "fonts/deep/broken.ttf: not verified, " "3 fonts, " "; 1 not verified"
+lacks out link.ttf curves
+run 1 verify fonts --summary --strict
+run 0 verify fonts --json && says out '{"fonts":[' '{"file":"fonts/deep/broken.ttf","reason":"' '"summary":{"fonts":3,'
+run 2 verify none && says err "cannot_read_file: none: Is a directory, and no name in it ends with .ttf"
+run 2 verify fonts/deep/broken.ttf && says err "malformed_input: fonts/deep/broken.ttf: " && holds [ ! -s out ]
+mkdir broken && cp fonts/deep/broken.ttf broken
+run 2 verify broken --json && says out '{"fonts":[' '"fonts":0' && says err "no join"
+if command -v python3 >/dev/null; then
+  for arguments in fonts test.ttf test.ttc "test.ttf --require G2" "fonts --summary --require G1" "broken --allow-empty"; do
+    "$program" verify $arguments --json >out 2>err
+    holds python3 -c 'import json
+d = json.load(open("out"))
+fonts = d.get("fonts", [d])
+for f in fonts:
+  for g in f["glyphs"] + [f["summary"]]:
+    assert g["joins"] == g["corners"] + g["kinks"] + g["G1"] + g["G2"]
+  for g in f["glyphs"]:
+    for w in g["worst"]:
+      assert w["angle_degrees"][0] <= w["angle_degrees"][1] and w["grade"] in ("kink", "G1") and len(w["point"]) == 2
+assert d["summary"]["joins"] == sum(f["summary"]["joins"] for f in fonts)'
+  done
+fi
+
+# Names from outside are not taken for lines or markup
+printf 'glyph .notdef\nglyph a"\\<b 65\ncontour 0,0 100,0 200,1 200,300\n' | font names.ttf -v family='<script>"&'
+run 0 verify names.ttf --json && says out '"name":"a\"\\<b"' '"name":"<script>\"& Regular"'
+
+# Hostile fonts end, and in good time: cut off, with changed bytes, with endless components
+mkdir cut
+for file in test.ttf test.otf test.ttc test.woff; do
+  size=$(wc -c <$file)
+  for ((n = 0; n < size; n += 13)); do head -c $n $file >cut/$n-$file; done
+done
+random=20261122
+for ((i = 0; i < 400; ++i)); do
+  files=(test.ttf test.otf test.ttc test.woff)
+  file=${files[i % 4]}
+  cp $file cut/changed-$i-$file
+  for ((k = 0; k < 1 + i % 3; ++k)); do
+    random=$(((69069 * random + 1) % 2147483648))
+    printf "\\$(printf %03o $((random / 4096 % 256)))" |
+      dd of=cut/changed-$i-$file bs=1 seek=$((random / 65536 % $(wc -c <$file))) conv=notrunc status=none
+  done
+done
+code=0 && timeout 60 "$program" verify cut --summary >out 2>err || code=$?
+holds [ $code -eq 0 ] && says out "not verified"
+holds [ "$(grep -c 'not verified, ' out)" -gt 50 ]
+awk 'BEGIN {
+  print "glyph .notdef\nglyph leaf"
+  for (i = 2; i < 60; ++i) print "glyph g" i "\ncomponent " i - 1 " 0 0\ncomponent " i - 1 " 5 0"
+  print "glyph self\ncomponent 60 0 0\nglyph good\ncomponent 62 0 0\nglyph square\ncontour 0,0 9,0 9,9"
+}' | font endless.ttf
+code=0 && timeout 20 "$program" verify endless.ttf --json >out 2>err || code=$?
+holds [ $code -eq 0 ] && says out '"reason":"more components than any letter needs"' '"name":"good","joins":3,' '"name":"g9",'
