@@ -150,9 +150,14 @@ Repaired_path repair_path(const Svg_path_attribute& path, const Repair_options& 
   }
   written.append(path.value, read, std::string::npos);
   const std::vector<Grid_contour> again = Svg_path_text(written).subpaths();
+  // The number of decimals may have become smaller.
   const auto same = [](const Grid_contour& x, const Grid_contour& y) {
     return std::equal(x.curves.begin(), x.curves.end(), y.curves.begin(), y.curves.end(),
-                      [](const Grid_curve& c, const Grid_curve& d) { return c.points.size() == d.points.size(); });
+                      [&](const Grid_curve& c, const Grid_curve& d) {
+                        return std::equal(
+                            c.points.begin(), c.points.end(), d.points.begin(), d.points.end(),
+                            [&](const GC::Grid_vector& p, const GC::Grid_vector& q) { return x.text(p) == y.text(q); });
+                      });
   };
   const Grade_counts after = path_grades(written, where, options.bound);
   Grade_counts expected;

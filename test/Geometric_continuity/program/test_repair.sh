@@ -29,7 +29,8 @@ cp "$leaf" same.svg && run 0 repair same.svg -o same.svg && holds cmp -s same.sv
 run 0 repair "$leaf" -o - && holds cmp -s out leaf.svg && says err "largest move: 1 units"
 run 0 repair "$badge" -o badge.svg && holds cmp -s "$badge" badge.svg && says out "not decided: 12 joins: an arc"
 run 0 repair "$badge" -o badge.svg --to G2 && says out "13.89 %" "2 are harmonised, 0 of them exactly; the largest jump of these is 0.02709 %"
-holds [ "$(diff "$badge" badge.svg | grep -c '^[<>]')" -eq 2 ]
+sed 's/18.6-9.5,28.1-9.5S70,90.1,79.5,90.1s13.6/19.1-9.5,28.1-9.5C58.3 86.5 69.8,90.1,79.5,90.1c9 0 13.6/' "$badge" >expected
+holds cmp -s expected badge.svg
 # A letter on its grid.
 run 1 repair "$S" -o S.g2 --closed && says out "10 kinks" "5 kinks" "a handle lies at the node" "(109, 355) -> (109, 354), 1 units"
 holds [ "$(diff "$S" S.g2 | grep -c '^<')" -gt 5 ] && holds [ "$(wc -l <"$S")" -eq "$(wc -l <S.g2)" ]
