@@ -6,7 +6,7 @@
 #define GEOMETRIC_CONTINUITY_DEMO_G2_CURVES_TEXT_H
 
 #include "grid_number.h"
-#include "repair_contour.h"
+#include "grid_contour.h"
 
 #include <algorithm>
 #include <array>

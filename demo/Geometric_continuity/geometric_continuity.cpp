@@ -25,8 +25,8 @@ const char* const program_usage = R"(usage: geometric_continuity COMMAND [ARGUME
                             or torsion
   verify FILE.g2...         decide the continuity of every join of a chain, of a
                             drawing (.svg) or of a font, exactly
-  repair FILE -o FILE       make kinks of a drawing or a chain exactly smooth,
-                            on its own grid
+  repair FILE -o FILE       make kinks of a drawing, a chain or a font exactly
+                            smooth, on its own grid
   plot FILE.g2...           draw curves, control polygons and curvature combs,
                             or surfaces
   report FILE... -o OUT.html

@@ -5,7 +5,7 @@
 #ifndef GEOMETRIC_CONTINUITY_DEMO_GRID_NUMBER_H
 #define GEOMETRIC_CONTINUITY_DEMO_GRID_NUMBER_H
 
-#include "repair_contour.h"
+#include "grid_contour.h"
 
 #include <algorithm>
 #include <cstddef>

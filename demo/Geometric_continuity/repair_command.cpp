@@ -4,10 +4,12 @@
 
 #include "Unpacked_bytes.h"
 #include "command_line.h"
+#include "font_files.h"
 #include "g2_curves_text.h"
 #include "output.h"
 #include "progress.h"
 #include "repair_contour.h"
+#include "repair_font.h"
 #include "repair_report.h"
 #include "svg_drawing.h"
 #include "svg_path_attributes.h"
@@ -29,7 +31,7 @@
 
 namespace {
 
-const char* const repair_usage = R"(usage: geometric_continuity repair FILE.svg|FILE.g2 -o FILE [OPTIONS]
+const char* const repair_usage = R"(usage: geometric_continuity repair FILE.svg|FILE.g2|FONT -o FILE [OPTIONS]
 
 Makes the kinks of a drawing, or of a chain of plane curves, exactly G1 by
 moving handles, not nodes, on the grid of the file: the decimals of each path,
@@ -48,6 +50,11 @@ paths, in which a shorthand S or T becomes C or Q where its handle moves. What
 is written is read and decided again before it replaces FILE, which may be the
 input. A drawing that is packed by gzip is refused. Transforms are not applied:
 angles and units are those of each path.
+
+A font is not changed: -o FILE.json is the list of moves in its units, which
+scripts of font editors can apply, {"moves":[{"glyph":"S","contour":0,"point":7,
+"from":[x,y],"to":[x,y]},...]}. Where TrueType leaves out nodes between two
+handles, these handles do not move.
 
 Exit code: 0 when no kink is left, 1 when one is, 2 on bad input.
 )";
@@ -143,9 +150,14 @@ Repaired_path repair_path(const Svg_path_attribute& path, const Repair_options& 
   }
   written.append(path.value, read, std::string::npos);
   const std::vector<Grid_contour> again = Svg_path_text(written).subpaths();
+  // The number of decimals may have become smaller.
   const auto same = [](const Grid_contour& x, const Grid_contour& y) {
     return std::equal(x.curves.begin(), x.curves.end(), y.curves.begin(), y.curves.end(),
-                      [](const Grid_curve& c, const Grid_curve& d) { return c.points.size() == d.points.size(); });
+                      [&](const Grid_curve& c, const Grid_curve& d) {
+                        return std::equal(
+                            c.points.begin(), c.points.end(), d.points.begin(), d.points.end(),
+                            [&](const GC::Grid_vector& p, const GC::Grid_vector& q) { return x.text(p) == y.text(q); });
+                      });
   };
   const Grade_counts after = path_grades(written, where, options.bound);
   Grade_counts expected;
@@ -205,6 +217,18 @@ std::string repaired_chain(const std::string& text, const std::string& name, boo
   return result;
 }
 
+// Writes the moves that would repair a font.
+int repair_font(const Command_line& line, const Repair_options& options) {
+  line.refuse({"closed", "json"}, "not with fonts");
+  const std::string file = line.files()[0], output = line.text("output");
+  if (!is_standard_output(output) && !is_standard_input(file) && lead_to_one_file(file, output))
+    throw std::invalid_argument("--output: the font itself, which is not changed; the moves are written as JSON");
+  const Font_repair done = repair_font(read_bytes(file), input_name(file), options);
+  write_output(output, [&](std::ostream& os) { os << done.moves; });
+  report_stream(line) << done.text;
+  return done.after.count(GC::Join_grade::kink) == 0 ? requirement_met : requirement_not_met;
+}
+
 } // namespace
 
 int repair_command(const Arguments& arguments) {
@@ -234,6 +258,7 @@ int repair_command(const Arguments& arguments) {
   }
   const std::string file = line.files()[0], name = input_name(file), output = line.text("output");
   if (output.empty()) throw std::invalid_argument("--output: the name is empty");
+  if (is_font_file(file)) return repair_font(line, options);
   const bool drawing = is_svg_file(file);
   if (drawing) line.refuse({"closed"}, "not with drawings");
   if (!drawing) check_g2_name(line, "output");

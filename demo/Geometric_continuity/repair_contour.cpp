@@ -4,12 +4,9 @@
 
 #include "repair_contour.h"
 
-#include <CGAL/Geometric_continuity/Traits_2.h>
-#include <CGAL/Geometric_continuity/curves/Bezier_curve.h>
 #include <CGAL/Geometric_continuity/extensions/align_handles.h>
 #include <CGAL/Geometric_continuity/extensions/harmonise_handles.h>
 #include <CGAL/Geometric_continuity/joins/deviation.h>
-#include <CGAL/Simple_cartesian.h>
 
 #include <algorithm>
 #include <cmath>
@@ -21,16 +18,8 @@ namespace {
 
 typedef GC::Grid_vector Vector;
 typedef std::vector<Vector> Points;
-typedef GC::Traits_2<CGAL::Simple_cartesian<double>> Traits; // whose predicates are exact
-typedef GC::Bezier_curve<Traits> Bezier;
 
 constexpr int passes = 8; // over the joins to be harmonised: each changes the curvatures next to it
-
-Bezier bezier(const Points& points) {
-  std::vector<Traits::Point> p;
-  for (const Vector& v : points) p.emplace_back(static_cast<double>(v.x), static_cast<double>(v.y));
-  return Bezier(p.begin(), p.end());
-}
 
 CGAL::Exact_rational exact(std::int64_t x) {
   return CGAL::Exact_rational(static_cast<double>(x)); // of at most 2^51
@@ -39,22 +28,6 @@ CGAL::Exact_rational exact(std::int64_t x) {
 CGAL::Exact_rational squared_distance(const Vector& p, const Vector& q) {
   const CGAL::Exact_rational x = exact(p.x - q.x), y = exact(p.y - q.y);
   return CGAL::Exact_rational(x * x + y * y);
-}
-
-// Whether products of the coordinates are exact.
-bool is_short(const Vector& v) { return (std::max)((std::abs)(v.x), (std::abs)(v.y)) <= GC::max_harmonised_leg * 8; }
-
-// Whether the control points lie on the chord, in order.
-bool is_line(const Points& points) {
-  const Vector chord = points.back() - points.front();
-  std::int64_t before = 0;
-  for (const Vector& p : points) {
-    if (!is_short(p - points.front())) return points.size() == 2;
-    const std::int64_t along = dot(p - points.front(), chord);
-    if (cross(p - points.front(), chord) != 0 || along < before) return false;
-    before = along;
-  }
-  return true;
 }
 
 class Contour_mender {
@@ -223,7 +196,7 @@ class Contour_mender {
 
   // Nothing where a handle lies at the node.
   std::optional<GC::Enclosure> jump(std::size_t join) const {
-    return GC::deviation(bezier(points(join)), bezier(points(next(join)))).curvature_jump;
+    return GC::deviation(grid_bezier(points(join)), grid_bezier(points(next(join)))).curvature_jump;
   }
 
   // The sum over all joins of the curves that moves change. As only what lessens it is accepted, the sum over all joins decreases.
@@ -319,32 +292,7 @@ public:
 
 } // namespace
 
-std::string Grid_contour::text(std::int64_t coordinate) const {
-  std::string digits = std::to_string((std::abs)(coordinate));
-  const std::size_t behind = static_cast<std::size_t>(decimals);
-  if (digits.size() <= behind) digits.insert(0, behind + 1 - digits.size(), '0');
-  if (behind > 0) {
-    digits.insert(digits.size() - behind, ".");
-    digits.erase(digits.find_last_not_of('0') + 1);
-    if (digits.back() == '.') digits.pop_back();
-  }
-  return (coordinate < 0 ? "-" : "") + digits;
-}
-
 GC::Enclosure Handle_move::distance() const { return GC::root_enclosure(squared_distance(from, to)); }
-
-std::optional<GC::Join_grade> grade(const Grid_contour& contour, std::size_t join, const GC::Kink_bound& bound) {
-  const Points &left = contour.curves[join].points, &right = contour.curves[(join + 1) % contour.curves.size()].points;
-  if (left.empty() || right.empty()) return std::nullopt;
-  return GC::join_grade(bezier(left), bezier(right), bound);
-}
-
-Grade_counts grades(const Grid_contour& contour, const GC::Kink_bound& bound) {
-  Grade_counts counts;
-  for (std::size_t j = 0; j < contour.number_of_joins(); ++j)
-    if (const std::optional<GC::Join_grade> g = grade(contour, j, bound)) ++counts[*g];
-  return counts;
-}
 
 Contour_repair repair(Grid_contour& contour, const Repair_options& options) {
   return Contour_mender(contour, options).repair();

@@ -5,7 +5,7 @@
 #ifndef GEOMETRIC_CONTINUITY_DEMO_SVG_PATH_TEXT_H
 #define GEOMETRIC_CONTINUITY_DEMO_SVG_PATH_TEXT_H
 
-#include "repair_contour.h"
+#include "grid_contour.h"
 
 #include <cstddef>
 #include <optional>

@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
 # repair: kinks become exactly smooth, nothing but the numbers that must change changes, and bad input leaves the target alone.
+generator=$(realpath "$(dirname "$0")")/make_font.awk
 . "$(dirname "$0")/functions.sh"
 
 leaf=$data/leaf_inkscape.svg badge=$data/badge_illustrator.svg
@@ -28,7 +29,8 @@ cp "$leaf" same.svg && run 0 repair same.svg -o same.svg && holds cmp -s same.sv
 run 0 repair "$leaf" -o - && holds cmp -s out leaf.svg && says err "largest move: 1 units"
 run 0 repair "$badge" -o badge.svg && holds cmp -s "$badge" badge.svg && says out "not decided: 12 joins: an arc"
 run 0 repair "$badge" -o badge.svg --to G2 && says out "13.89 %" "2 are harmonised, 0 of them exactly; the largest jump of these is 0.02709 %"
-holds [ "$(diff "$badge" badge.svg | grep -c '^[<>]')" -eq 2 ]
+sed 's/18.6-9.5,28.1-9.5S70,90.1,79.5,90.1s13.6/19.1-9.5,28.1-9.5C58.3 86.5 69.8,90.1,79.5,90.1c9 0 13.6/' "$badge" >expected
+holds cmp -s expected badge.svg
 # A letter on its grid.
 run 1 repair "$S" -o S.g2 --closed && says out "10 kinks" "5 kinks" "a handle lies at the node" "(109, 355) -> (109, 354), 1 units"
 holds [ "$(diff "$S" S.g2 | grep -c '^<')" -gt 5 ] && holds [ "$(wc -l <"$S")" -eq "$(wc -l <S.g2)" ]
@@ -84,6 +86,21 @@ sed 's/^20 2/20 1e-16/' chain.g2 >fine.g2 && run 0 repair fine.g2 -o fine2.g2 &&
 cubic $'0 0 0\n1 0 0\n2 1 0\n3 0 0' >space.g2 && run 2 repair space.g2 -o none.g2 && says err "only curves in the plane"
 holds [ ! -e none.g2 ]
 run 2 repair "$teapot" -o none.g2 && run 2 repair chain.g2 -o none.svg && says err "the format is .g2"
+
+# Fonts: a list of moves. A node between two handles may be one that TrueType leaves out; with halves of units nothing moves.
+printf "$(LC_ALL=C awk -f "$generator" <<'END'
+glyph .notdef
+glyph mended 65
+contour 0,0 100,0 200,7* 300,300 0,300
+glyph implied 66
+contour 0,0 100,0 200,6* 300,100* 300,300 0,300
+END
+)" >font.ttf
+cp font.ttf given.ttf && run 1 repair font.ttf -o moves.json && holds cmp -s font.ttf given.ttf
+says out "3 glyphs, 2 with kinks, of which 1 are repaired" "kinks: 2 before, 1 after" "1 handles, at most 7 units, in the glyph mended"
+says moves.json '{"glyph":"mended","contour":0,"point":2,"from":[200,7],"to":[200,0]}' '"reason":"no handle can move"'
+run 2 repair font.ttf -o font.ttf && says err "the font itself" && holds cmp -s font.ttf given.ttf
+head -c 100 font.ttf >cut.ttf && run 2 repair cut.ttf -o none.json && holds [ ! -e none.json ]
 
 # Bad input and bad targets: nothing is lost.
 refused() { # refused REASON ARGUMENTS...
