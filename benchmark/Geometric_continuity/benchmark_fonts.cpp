@@ -8,8 +8,8 @@
 
 #include "measured_process.h"
 
-#include "Font_face.h"
-#include "font_files.h"
+#include "fonts/Font_face.h"
+#include "fonts/font_files.h"
 
 #include <cstddef>
 #include <cstdint>

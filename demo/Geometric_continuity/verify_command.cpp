@@ -2,14 +2,14 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
+#include "chains/verify_chain.h"
 #include "command_line.h"
-#include "font_files.h"
-#include "svg_drawing.h"
+#include "drawings/svg_drawing.h"
+#include "drawings/verify_drawings.h"
+#include "fonts/font_files.h"
+#include "fonts/verify_fonts.h"
+#include "fonts/verify_instances.h"
 #include "tolerances.h"
-#include "verify_chain.h"
-#include "verify_drawings.h"
-#include "verify_fonts.h"
-#include "verify_instances.h"
 
 #include <algorithm>
 #include <cstddef>

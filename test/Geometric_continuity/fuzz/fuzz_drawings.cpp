@@ -6,7 +6,7 @@
 
 #include "fuzz_target.h"
 
-#include "svg_drawing.h"
+#include "drawings/svg_drawing.h"
 
 #include <sstream>
 

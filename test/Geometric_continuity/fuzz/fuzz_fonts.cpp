@@ -6,10 +6,10 @@
 
 #include "fuzz_target.h"
 
-#include "Font_face.h"
-#include "Glyph_join.h"
-#include "Glyph_selection.h"
-#include "Graded_joins.h"
+#include "fonts/Font_face.h"
+#include "fonts/Glyph_join.h"
+#include "fonts/Glyph_selection.h"
+#include "fonts/Graded_joins.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Geometric_continuity/Traits_2.h>

@@ -1,0 +1,209 @@
+// Copyright (c) 2026 The Geometric_continuity developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#include "reports/report_page.h"
+
+#include "report_page_text.h"
+
+#include <CGAL/Geometric_continuity/IO/json.h>
+#include <CGAL/Geometric_continuity/IO/printable.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <iomanip>
+#include <map>
+#include <sstream>
+#include <string_view>
+#include <utility>
+
+namespace {
+
+const char* const grade_names[number_of_report_grades] = {"gap", "kink", "corner", "G0", "undecided", "G1", "G2"};
+
+// More curves are not drawn around the joins.
+constexpr std::size_t most_curves = 100000;
+
+// A text from outside as a JSON string that stands inside of HTML: nothing in it ends the block, and nothing is shown that
+// is no text.
+std::string page_string(const std::string& text) {
+  std::ostringstream os;
+  GC::write_json(os, std::string_view(GC::printable(text)));
+  std::string json;
+  for (char c : os.str()) switch (c) {
+    case '<': json += "\\u003c"; break;
+    case '>': json += "\\u003e"; break;
+    case '&': json += "\\u0026"; break;
+    default: json += c;
+    }
+  return json;
+}
+
+// The shortest decimal that is read as this number.
+std::string page_number(double x, const std::string& place) {
+  if (!std::isfinite(x))
+    throw GC::Error(GC::Error_code::not_finite, place + ": too large to be drawn with floating-point numbers");
+  char text[32];
+  return std::string(text, std::to_chars(text, text + sizeof text, x).ptr);
+}
+
+std::string page_numbers(const std::vector<double>& numbers, const std::string& place) {
+  std::string json = "[";
+  for (double x : numbers) (json += json.size() == 1 ? "" : ",") += page_number(x, place);
+  return json + ']';
+}
+
+// Both bounds as texts of six digits, which enclose the number as well.
+std::string page_bounds(const std::optional<GC::Enclosure>& enclosure) {
+  if (!enclosure) return "null";
+  std::ostringstream os;
+  os << *enclosure;
+  const std::string text = os.str();
+  if (text[0] != '[') return "[\"" + text + "\",\"" + text + "\"]";
+  const std::size_t comma = text.find(", ");
+  return "[\"" + text.substr(1, comma - 1) + "\",\"" + text.substr(comma + 2, text.size() - comma - 3) + "\"]";
+}
+
+// The curves of all joins, each once.
+class Curve_numbers {
+  std::map<const Report_curve*, std::size_t> numbers_;
+
+public:
+  std::size_t size() const { return numbers_.size(); }
+  std::size_t operator()(const Report_curve& curve) { return numbers_.emplace(&curve, numbers_.size()).first->second; }
+  std::vector<const Report_curve*> curves() const {
+    std::vector<const Report_curve*> result(numbers_.size());
+    for (const auto& [curve, number] : numbers_) result[number] = curve;
+    return result;
+  }
+};
+
+std::string page_item(const Report_item& item, double extent, Curve_numbers& curves) {
+  std::string json = "{\"number\":" + std::to_string(item.number) + ",\"grade\":\"" + report_grade_name(item.grade) +
+                     "\",\"place\":" + page_string(item.place) + ",\"verdict\":" + page_string(item.verdict) +
+                     ",\"angle\":" + page_bounds(item.angle);
+  if (item.left) {
+    json += ",\"jump\":" + page_bounds(item.curvature_jump) + ",\"left\":" + std::to_string(curves(*item.left)) +
+            ",\"right\":" + std::to_string(curves(*item.right));
+  } else
+    json += ",\"edge\":" + std::to_string(item.edge);
+  if (item.gap) json += ",\"gap\":" + page_bounds(item.gap);
+  if (item.offset) json += ",\"offset\":" + page_bounds(item.offset);
+  if (item.offset && extent > 0) {
+    std::ostringstream os;
+    os << std::setprecision(3) << 1000 * item.severity / extent;
+    json += ",\"severity\":\"" + os.str() + '"';
+  }
+  if (!item.point.empty()) {
+    const char* separator = ",\"at\":[";
+    for (const std::string& x : item.point) {
+      json += separator + page_string(x);
+      separator = ",";
+    }
+    json += ']';
+  }
+  return json + '}';
+}
+
+void write_model(std::ostream& os, const Report_model& model) {
+  os << ",\n\"model\":{\"patches\":[";
+  const char* separator = "\n";
+  for (std::size_t i = 0; i < model.patches.size(); ++i) {
+    const Report_model::Patch& p = model.patches[i];
+    os << separator << "{\"m\":" << p.m << ",\"n\":" << p.n
+       << ",\"points\":" << page_numbers(p.points, "surface " + std::to_string(i)) << '}';
+    separator = ",\n";
+  }
+  os << "],\n\"edges\":[";
+  separator = "\n";
+  for (std::size_t i = 0; i < model.edges.size(); ++i) {
+    const Report_model::Edge& e = model.edges[i];
+    os << separator << "{\"grade\":\"" << e.grade << "\",\"patches\":[";
+    for (std::size_t j = 0; j < e.patches.size(); ++j) os << (j == 0 ? "" : ",") << e.patches[j];
+    os << "],\"points\":" << page_numbers(e.points, "edge " + std::to_string(i)) << '}';
+    separator = ",\n";
+  }
+  os << "]}";
+}
+
+} // namespace
+
+const char* report_grade_name(Report_grade grade) { return grade_names[static_cast<std::size_t>(grade)]; }
+
+bool Report_page::count(Report_grade grade, double severity) {
+  ++counts_[static_cast<std::size_t>(grade)];
+  Report_item item;
+  item.number = ++total_;
+  item.grade = grade;
+  item.severity = severity;
+  return items_.size() < most_ || is_worse(item, items_.front());
+}
+
+void Report_page::add(Report_item item) {
+  if (items_.size() == most_) { // the front is the least bad one
+    std::pop_heap(items_.begin(), items_.end(), is_worse);
+    items_.pop_back();
+  }
+  items_.push_back(std::move(item));
+  std::push_heap(items_.begin(), items_.end(), is_worse);
+}
+
+void Report_page::include(const std::vector<double>& points) {
+  const std::size_t d = static_cast<std::size_t>(dimension);
+  if (low_.empty() && points.size() >= d)
+    low_ = high_ = std::vector<double>(points.begin(), points.begin() + dimension);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    low_[i % d] = (std::min)(low_[i % d], points[i]);
+    high_[i % d] = (std::max)(high_[i % d], points[i]);
+  }
+}
+
+double Report_page::extent() const {
+  if (whole_is_em) return 1;
+  double sum = 0;
+  for (std::size_t i = 0; i < low_.size(); ++i) sum += (high_[i] - low_[i]) * (high_[i] - low_[i]);
+  return std::sqrt(sum);
+}
+
+void Report_page::finish() {
+  std::sort_heap(items_.begin(), items_.end(), is_worse);
+  if (left_out() > 0)
+    notes.insert(notes.begin(), "The page shows the worst " + std::to_string(items_.size()) + " of " +
+                                    std::to_string(total_) + "; " + std::to_string(left_out()) + " are left out.");
+}
+
+void Report_page::number_edges() {
+  for (std::size_t i = 0; i < items_.size(); ++i) items_[i].edge = i;
+}
+
+void Report_page::write(std::ostream& os) const {
+  os << page_before_data << "{\"title\":" << page_string(title) << ",\"summary\":" << page_string(summary)
+     << ",\n\"notes\":[";
+  for (std::size_t i = 0; i < notes.size(); ++i) os << (i == 0 ? "\n" : ",\n") << page_string(notes[i]);
+  os << "],\n\"dimension\":" << dimension << ",\"down\":" << (down ? "true" : "false") << ",\"whole\":\""
+     << (whole_is_em ? "em" : "whole") << '"' << ",\"total\":" << total_ << ",\"counts\":{";
+  for (std::size_t i = 0; i < counts_.size(); ++i)
+    os << (i == 0 ? "\"" : ",\"") << grade_names[i] << "\":" << counts_[i];
+  os << "},\n\"joins\":[";
+  Curve_numbers curves;
+  const char* separator = "\n";
+  for (const Report_item& item : items_) {
+    os << separator << page_item(item, extent(), curves);
+    separator = ",\n";
+  }
+  for (const Report_item& item : items_)
+    if (item.outline && curves.size() + item.outline->size() <= most_curves)
+      for (const std::shared_ptr<const Report_curve>& curve : *item.outline) curves(*curve);
+  os << "],\n\"curves\":[";
+  separator = "\n";
+  for (const Report_curve* curve : curves.curves()) {
+    os << separator << "{\"group\":" << curve->group << ",\"points\":" << page_numbers(curve->points, "a curve");
+    if (!curve->weights.empty()) os << ",\"weights\":" << page_numbers(curve->weights, "a curve");
+    os << '}';
+    separator = ",\n";
+  }
+  os << ']';
+  if (model) write_model(os, *model);
+  os << '}' << page_behind_data;
+}
