@@ -126,7 +126,12 @@ Repaired_path repair_path(const Svg_path_attribute& path, const Repair_options& 
   if (!path.refusal.empty()) return unread(path.refusal);
   const std::string where = path.element.file + ':' + std::to_string(path.element.line) + ": " + path.element.name +
                             (path.element.id.empty() ? "" : " \"" + path.element.id + '"') + ", d";
-  const Grade_counts before = path_grades(path.value, where, options.bound);
+  Grade_counts before;
+  try {
+    before = path_grades(path.value, where, options.bound);
+  } catch (const GC::Error& error) { // of a path that is not drawn: others have been read
+    return unread(error.what());
+  }
   const Svg_path_text text(path.value);
   if (!text.refusal().empty()) {
     report.add_grades(before, before);

@@ -60,6 +60,10 @@ run 0 repair entity.svg -o entity2.svg && holds cmp -s entity.svg entity2.svg &&
 # Transforms stay as they are.
 svg '<g transform="matrix(2 1 0 3 5 6)"><path transform="scale(.1)" d="M0 0C10 0 20 2 40 0 70-4 80 0 90 0"/></g>'
 run 0 repair drawing.svg -o repaired.svg && sed 's/70-4/70-3/' drawing.svg >expected && holds cmp -s expected repaired.svg
+# What is defined and not drawn is repaired as well, or named.
+svg '<defs><path d="M0 0X"/><path d="M0 0C10 0 20 2 40 0 70-4 80 0 90 0"/></defs>'
+run 0 repair drawing.svg -o repaired.svg && says out "'X' is not a command" "1 kink" && sed 's/70-4/70-3/' drawing.svg >expected
+holds cmp -s expected repaired.svg
 # Bounds, corners, and what is left.
 path 'M0 0C10 0 20 2 40 0 70-4 80 0 90 0' 1 --max-move 1/2 && says out "the handle may move by 0.5" "1 kink"
 path 'M0 0C10 0 20 9 40 0 70-4 80 0 90 0' 0 && becomes 'M0 0C10 0 20 9 40 0 70-4 80 0 90 0' && says out "1 corner"
