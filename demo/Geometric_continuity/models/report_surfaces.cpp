@@ -224,8 +224,7 @@ void report_surfaces(const Arguments& files, const Report_demand& demand, Report
   typedef GC::Traits_3<CGAL::Simple_cartesian<Exact>> Exact_traits;
   typedef GC::Traits_3<CGAL::Exact_predicates_inexact_constructions_kernel> Double_traits;
   const std::string name = files.size() == 1 ? input_name(files[0]) : input_name(files[0]) + ", ...";
-  Surface_texts<Exact_traits> texts;
-  read_surface_texts(files, texts);
+  Surface_texts<Exact_traits> texts = read_surface_texts<Exact_traits>(files);
   GC::G2_grid grid;
   std::vector<GC::Bspline_surface<Double_traits>> surfaces;
   page.dimension = 3;
