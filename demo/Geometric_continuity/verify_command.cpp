@@ -145,8 +145,7 @@ int verify_command(const Arguments& arguments) {
         "the tolerance: GAP,ANGLEdeg,CURVATURE%[,TORSION], or a preset; with --surfaces GAP,ANGLEdeg");
     add("kink-angle", po::value<std::string>(),
         "for drawings and fonts: the largest angle that is a kink, in degrees, instead of 5; what is larger is a "
-        "corner, which "
-        "need not meet the requirement then, in fonts never");
+        "corner, which need not meet the requirement then, in fonts never");
     add("all-instances", "of variable fonts: enclose the largest kink of each join over all instances");
     add("max-kink", po::value<std::string>(),
         "with --all-instances: the angle in degrees that no instance may exceed; 0.5 in the report if not given");

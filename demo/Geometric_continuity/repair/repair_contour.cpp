@@ -63,13 +63,6 @@ class Contour_mender {
     return CGAL::Exact_rational((std::max)(1., std::floor(shortest / 10)));
   }
 
-  static std::string distance(const Vector& from, const Vector& to) {
-    std::ostringstream os;
-    os.precision(4);
-    os << GC::root_enclosure(squared_distance(from, to)).upper;
-    return os.str();
-  }
-
   struct Move {
     std::size_t curve, point;
     Vector to;
@@ -90,8 +83,9 @@ class Contour_mender {
     for (const Move& m : moves) {
       const Vector& from = given_.curves[m.curve].points[m.point];
       if (!is_within(from, m.to, bound))
-        return "not on this grid: the nearest position, " + contour_.text(m.to) + ", is " + distance(from, m.to) +
-               " units away, and the handle may move by " + bound_text(bound);
+        return "not on this grid: the nearest position, " + contour_.text(m.to) + ", is " +
+               units(GC::root_enclosure(squared_distance(from, m.to))) + " away, and the handle may move by " +
+               bound_text(bound);
       for (std::size_t j : joins_of(m.curve)) joins.push_back(j);
     }
     std::vector<std::optional<GC::Join_grade>> before;
@@ -293,6 +287,20 @@ public:
 } // namespace
 
 GC::Enclosure Handle_move::distance() const { return GC::root_enclosure(squared_distance(from, to)); }
+
+std::string rounded_up(double x) {
+  std::ostringstream os;
+  os.precision(4);
+  os << GC::Enclosure{x, x}; // is rounded outwards
+  const std::string text = os.str();
+  const std::size_t comma = text.find(", ");
+  return comma == std::string::npos ? text : text.substr(comma + 2, text.size() - comma - 3);
+}
+
+std::string units(const GC::Enclosure& distance) {
+  const std::string number = rounded_up(distance.upper);
+  return number + (number == "1" ? " unit" : " units");
+}
 
 Contour_repair repair(Grid_contour& contour, const Repair_options& options) {
   return Contour_mender(contour, options).repair();

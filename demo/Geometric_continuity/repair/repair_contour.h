@@ -33,6 +33,12 @@ struct Handle_move {
   GC::Enclosure distance() const;
 };
 
+// Returns a number of four digits that is not less than x.
+std::string rounded_up(double x);
+
+// Returns a distance, rounded up, e.g. "1 unit".
+std::string units(const GC::Enclosure& distance);
+
 // The join behind a curve that was not repaired.
 struct Unrepaired_join {
   std::size_t join;

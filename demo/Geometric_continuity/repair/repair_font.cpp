@@ -4,6 +4,7 @@
 
 #include "repair/repair_font.h"
 
+#include "chains/join_report.h"
 #include "fonts/Font_face.h"
 #include "progress.h"
 
@@ -25,7 +26,7 @@ class Font_mender {
   const Repair_options& options_;
   std::ostringstream moves_, unrepaired_;
   std::size_t moved_ = 0, glyphs_ = 0, glyphs_with_kinks_ = 0, repaired_glyphs_ = 0, unread_ = 0, left_ = 0;
-  double largest_ = 0;
+  GC::Enclosure largest_{0, 0};
   std::string largest_glyph_;
   Grade_counts before_, after_;
   std::string font_; // a member of the objects of JSON, where there are several fonts
@@ -63,8 +64,8 @@ class Font_mender {
     for (const Handle_move& m : done.moves) {
       begin(moves_, moved_++, name, number) << ",\"point\":" << first[m.curve] + m.point << ",\"from\":" << pair(m.from)
                                             << ",\"to\":" << pair(m.to) << '}';
-      if (largest_ < m.distance().upper) {
-        largest_ = m.distance().upper;
+      if (largest_.upper < m.distance().upper) {
+        largest_ = m.distance();
         largest_glyph_ = name;
       }
     }
@@ -101,12 +102,12 @@ public:
 
   Font_repair result() const {
     std::ostringstream text;
-    text << glyphs_ << " glyphs, " << glyphs_with_kinks_ << " with kinks, of which " << repaired_glyphs_
-         << " are repaired as a whole";
+    text << counted(glyphs_, "glyph") << ", " << glyphs_with_kinks_ << " with kinks, of which " << repaired_glyphs_
+         << (repaired_glyphs_ == 1 ? " is" : " are") << " repaired as a whole";
     if (unread_ != 0) text << "; " << unread_ << " cannot be read";
     text << "\nkinks: " << kinks(before_) << " before, " << kinks(after_)
-         << " after the moves, decided exactly\nmoves: " << moved_ << " handles";
-    if (moved_ != 0) text << ", at most " << largest_ << " units, in the glyph " << largest_glyph_;
+         << " after the moves, decided exactly\nmoves: " << counted(moved_, "handle");
+    if (moved_ != 0) text << ", at most " << units(largest_) << ", in the glyph " << largest_glyph_;
     text << '\n';
     return {"{\"moves\":[" + moves_.str() + "],\n \"not_repaired\":[" + unrepaired_.str() + "]}\n", text.str(), after_};
   }

@@ -39,16 +39,7 @@ class Repair_report {
     GC::write_json(os, std::optional<GC::Enclosure>(x));
     return os.str();
   }
-  // Not less than the number.
-  static std::string upper(double x, int digits = 4) {
-    std::ostringstream os;
-    os.precision(digits);
-    os << GC::Enclosure{x, x};
-    const std::string text = os.str();
-    const std::size_t comma = text.find(", ");
-    return comma == std::string::npos ? text : text.substr(comma + 2, text.size() - comma - 3);
-  }
-  static std::string percent(const GC::Enclosure& x) { return upper(x.upper * 100 * (1 + 1e-15)) + " %"; }
+  static std::string percent(const GC::Enclosure& x) { return rounded_up(x.upper * 100 * (1 + 1e-15)) + " %"; }
   static GC::Enclosure in_percent(const GC::Enclosure& x) {
     return {x.lower * 100 * (1 - 1e-15), x.upper * 100 * (1 + 1e-15)};
   }
@@ -116,7 +107,7 @@ public:
       moves_.push_back(json_ ? object(m.curve, "\"point\":" + std::to_string(m.point) + ",\"from\":" + pair(m.from) +
                                                    ",\"to\":" + pair(m.to) + ",\"units\":" + json_text(distance))
                              : where + ": " + contour.text(m.from) + " -> " + contour.text(m.to) + ", " +
-                                   upper(distance.upper) + " units");
+                                   units(distance));
     }
     for (const auto& [reason, count] : done.undecided) undecided_[reason] += count;
     for (const Unrepaired_join& x : done.unrepaired)
@@ -174,8 +165,7 @@ public:
     write_counts(os, after_, false);
     os << ", proved exactly on what is written\n";
     if (!moves_.empty())
-      os << "largest move: " << upper(largest_.upper) << " units of the last decimal, " << GC::printable(largest_place_)
-         << '\n';
+      os << "largest move: " << units(largest_) << " of the last decimal, " << GC::printable(largest_place_) << '\n';
     if (curvatures_ != 0)
       os << "curvatures: of " << curvatures_ << " joins that were not G2, " << harmonised_ << " are harmonised, "
          << exact_ << " of them exactly; the largest jump of these is " << percent(largest_jump_) << '\n';

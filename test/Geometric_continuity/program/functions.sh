@@ -48,6 +48,20 @@ holds() {
   fi
 }
 
+limited() { # KILOBYTES ARGUMENTS...: a run with no more memory
+  (
+    ulimit -v "$1"
+    shift
+    "$program" "$@" >out 2>err
+  )
+}
+# Prints how many kilobytes the program needs to start, with its libraries.
+memory_to_start() {
+  local starts=4000
+  until limited $starts --version 2>/dev/null; do starts=$((starts + 500)); done
+  echo $starts
+}
+
 # Texts of the format .g2 after what they have in common: any curve, a curve of dimension 3, a cubic on [0, 1] by its
 # points, a biquadratic surface with a double knot in u by its knots in v and its points.
 curve() { printf '100 1 0 0\n%s\n' "$1"; }

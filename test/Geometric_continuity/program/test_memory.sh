@@ -35,16 +35,8 @@ fractions 12 100 >medium.g2
 } >long.g2
 run 0 verify huge.g2 && run 0 verify large.g2 && run 0 verify drawing.svg
 
-limited() { # KILOBYTES ARGUMENTS...
-  (
-    ulimit -v "$1"
-    shift
-    "$program" "$@" >out 2>err
-  )
-}
 # Limits of memory between what the program needs to start and what it needs to finish.
-starts=4000
-until limited $starts --version 2>/dev/null; do starts=$((starts + 500)); done
+starts=$(memory_to_start)
 memory() { # ARGUMENTS...
   local suffices=$starts code=0 refusals=0
   until limited $suffices "$@" || [ $suffices -gt 400000 ]; do suffices=$((suffices + suffices / 4)); done

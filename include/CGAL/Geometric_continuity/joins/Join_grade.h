@@ -78,10 +78,9 @@ std::optional<bool> exceeds(const Left_end& a, const Right_end& b, const Kink_bo
 
 /// \ingroup PkgGeometricContinuityContinuity
 /// Returns what the join between the end of `left` and the start of `right` looks like; empty when the ends meet and one of the curves has
-/// no length, hence no direction.
+/// no length, hence no direction. The bound is 5 degrees unless another one is given.
 ///
 /// It is decided exactly on the control points as given, with every kernel, and about the curves as they are drawn:
-/// The bound is 5 degrees unless another one is given.
 /// - A curve whose control points lie on its chord, in order, is that line, also where handles are retracted.
 /// - Of other curves with a retracted handle, a first leg that is zero, the first leg that is not zero is the direction in which the curve
 ///   leaves the node. Such a join is `g1` at most, because the curvature at the node is infinite or not told by the second differences.
