@@ -1,0 +1,139 @@
+// Copyright (c) 2026 The Geometric_continuity developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_GEOMETRIC_CONTINUITY_TRIMMED_PARAMETRIC_GEOMETRY_H
+#define CGAL_GEOMETRIC_CONTINUITY_TRIMMED_PARAMETRIC_GEOMETRY_H
+
+#include <array>
+#include <memory>
+#include <variant>
+#include <vector>
+
+/// \file Parametric_geometry.h
+/// The curves and surfaces of models that other systems have made, by the floating-point numbers that these hold.
+
+namespace CGAL {
+namespace Geometric_continuity {
+
+/// \ingroup PkgGeometricContinuityTrimmed
+/// Coordinates in the space of dimension `D`.
+template <int D> using Given_point = std::array<double, D>;
+
+/// \ingroup PkgGeometricContinuityTrimmed
+/// \f$ o + t\,d \f$
+template <int D> struct Given_line { Given_point<D> origin, direction; };
+
+/// \ingroup PkgGeometricContinuityTrimmed
+/// A conic with the axes \f$ x, y \f$ as given, which are orthogonal unit vectors up to rounding only: the ellipse
+/// \f$ o + a \cos t\,x + b \sin t\,y \f$, the hyperbola \f$ o + a \cosh t\,x + b \sinh t\,y \f$, or the parabola
+/// \f$ o + t^2/(4a)\,x + t\,y \f$ of the focal length \f$ a \f$.
+template <int D> struct Given_conic {
+  enum class Kind { ellipse, hyperbola, parabola };
+  Kind kind;
+  Given_point<D> centre, x_axis, y_axis;
+  double a, b; ///< the radii; of a parabola the focal length, and 0
+};
+
+/// \ingroup PkgGeometricContinuityTrimmed
+/// A B-spline curve, rational if it has weights. It has as many knots as control points plus the degree plus one, clamped or not; its
+/// domain is that between the knots of the numbers `degree` and `points.size()`. Bézier curves are such curves.
+template <int D> struct Given_spline_curve {
+  int degree;
+  std::vector<double> knots;
+  std::vector<Given_point<D>> points; ///< not multiplied by the weights
+  std::vector<double> weights;        ///< empty, or as many as points
+};
+
+template <int D> struct Given_offset_curve;
+
+/// \ingroup PkgGeometricContinuityTrimmed
+/// Any curve.
+template <int D>
+using Given_curve = std::variant<Given_line<D>, Given_conic<D>, Given_spline_curve<D>, Given_offset_curve<D>>;
+
+/// \ingroup PkgGeometricContinuityTrimmed
+/// In the plane \f$ c + d\,(c'_y, -c'_x) / |c'| \f$; in space \f$ c + d\,(c' \times r) / |c' \times r| \f$ for a reference direction.
+template <int D> struct Given_offset_curve {
+  std::shared_ptr<const Given_curve<D>> basis;
+  double distance;
+  Given_point<D> reference;
+};
+
+/// \ingroup PkgGeometricContinuityTrimmed
+/// A point and three axes as given, which are orthogonal unit vectors up to rounding only.
+struct Given_frame {
+  Given_point<3> origin, x_axis, y_axis, z_axis;
+};
+
+/// \ingroup PkgGeometricContinuityTrimmed
+/// A surface that rotates a curve about an axis of its frame, by numbers. With \f$ R = \cos u\,x + \sin u\,y \f$:
+/// plane \f$ o + u\,x + v\,y \f$, cylinder \f$ o + r\,R + v\,z \f$, cone \f$ o + (r + v \sin\alpha) R + v \cos\alpha\,z \f$,
+/// sphere \f$ o + r \cos v\,R + r \sin v\,z \f$, torus \f$ o + (r + q \cos v) R + q \sin v\,z \f$.
+struct Given_elementary_surface {
+  enum class Kind { plane, cylinder, cone, sphere, torus };
+  Kind kind;
+  Given_frame frame;
+  double radius = 0; ///< \f$ r \f$
+  double other = 0;  ///< the angle \f$ \alpha \f$ of a cone in radians, the small radius \f$ q \f$ of a torus
+};
+
+/// \ingroup PkgGeometricContinuityTrimmed
+/// A B-spline surface, rational if it has weights; knots as in `Given_spline_curve`. The point of the indices `i` in \f$ u \f$ and `j` in
+/// \f$ v \f$ is `points[i * v_points + j]`.
+struct Given_spline_surface {
+  int u_degree, v_degree;
+  std::vector<double> u_knots, v_knots;
+  std::vector<Given_point<3>> points;
+  std::vector<double> weights;
+
+  int v_points() const { return static_cast<int>(v_knots.size()) - v_degree - 1; }
+};
+
+/// \ingroup PkgGeometricContinuityTrimmed
+/// \f$ c(u) + v\,d \f$
+struct Given_extrusion {
+  Given_curve<3> profile;
+  Given_point<3> direction;
+};
+
+/// \ingroup PkgGeometricContinuityTrimmed
+/// The curve \f$ c(v) \f$, rotated by the angle \f$ u \f$ about the axis through `origin` in the direction \f$ d \f$, a unit vector up to
+/// rounding: with \f$ w = c - o \f$ the point \f$ o + (w \cdot d)\,d + \cos u\,(w - (w \cdot d)\,d) + \sin u\,(d \times w) \f$.
+struct Given_revolution {
+  Given_curve<3> profile;
+  Given_point<3> origin, direction;
+};
+
+struct Given_offset_surface;
+
+/// \ingroup PkgGeometricContinuityTrimmed
+/// Any surface.
+using Given_surface = std::variant<Given_elementary_surface, Given_spline_surface, Given_extrusion, Given_revolution,
+                                   Given_offset_surface>;
+
+/// \ingroup PkgGeometricContinuityTrimmed
+/// \f$ S + d\,N / |N| \f$ with \f$ N = S_u \times S_v \f$
+struct Given_offset_surface {
+  std::shared_ptr<const Given_surface> basis;
+  double distance;
+};
+
+/// \ingroup PkgGeometricContinuityTrimmed
+/// The map \f$ x \mapsto M x + t \f$ by its rows \f$ (M, t) \f$: a placement.
+typedef std::array<std::array<double, 4>, 3> Given_placement;
+
+/// \ingroup PkgGeometricContinuityTrimmed
+/// One side of an edge: the surface of a face, where it is placed, and the edge as a curve in its parameter plane. The edge is the image
+/// \f$ P(S(c(t))) \f$ of the interval of both sides.
+struct Edge_side {
+  std::shared_ptr<const Given_surface> surface;
+  std::shared_ptr<const Given_curve<2>> curve;
+  Given_placement placement;
+  bool reversed; ///< the normal of the face is that of the surface times -1 (a mirror in the placement is not counted)
+};
+
+} // namespace Geometric_continuity
+} // namespace CGAL
+
+#endif // CGAL_GEOMETRIC_CONTINUITY_TRIMMED_PARAMETRIC_GEOMETRY_H
