@@ -131,6 +131,9 @@ struct Edge_side {
   std::shared_ptr<const Given_curve<2>> curve;
   Given_placement placement;
   bool reversed; ///< the normal of the face is that of the surface times -1 (a mirror in the placement is not counted)
+  /// On which side of the curve the face lies in the parameter plane: 1 left of it (where the normal (-c'_y, c'_x) points), -1 right of
+  /// it, 0 not known. It matters where the curve runs along a knot line on which the surface is not smooth.
+  int face_side = 0;
 };
 
 } // namespace Geometric_continuity
