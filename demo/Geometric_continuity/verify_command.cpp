@@ -2,6 +2,8 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
+#include "cad/read_cad.h"
+#include "cad/verify_cad.h"
 #include "chains/verify_chain.h"
 #include "command_line.h"
 #include "drawings/svg_drawing.h"
@@ -19,7 +21,8 @@
 
 namespace {
 
-const char* const verify_usage = R"(usage: geometric_continuity verify FILE.g2... | FILE.svg... | FONT... [OPTIONS]
+const char* const verify_usage =
+    R"(usage: geometric_continuity verify FILE.g2... | FILE.svg... | FONT... | MODEL.step... [OPTIONS]
 
 Decides the continuity of every join of the chain that all curves form in the
 given order. The decision is exact for the numbers of the files.
@@ -48,6 +51,15 @@ characters and ranges of them, names and numbers of glyphs.
 --all-instances encloses the largest kink of each join over all instances of a
 variable TrueType font, of joins that are no corners at the default instance:
 proved between the masters as well, with the axis values of the largest one.
+
+Of CAD models (.step, .stp, .iges, .igs, .brep, .brp; where the program is built
+with OpenCASCADE) it encloses, over each whole edge that two faces share and each
+seam, the largest gap of both faces, the largest angle of their normals and the
+largest jump of the curvature across the edge, in mm, degrees and percent, and
+decides G0, G1 and G2 within --within GAP,ANGLEdeg,CURVATURE%, or vda-4955 when
+it is not given. Geometry is taken as it is in the file; shapes are not healed.
+An edge where the angle exceeds --kink-angle is a corner, of which --require asks
+only G0. What cannot be compared is undecided, and does not meet --require.
 
 --within 0.001,0.01deg,2% also tells how far each join is from continuous, in
 guaranteed bounds, and which orders it has when the ends may be apart by this
@@ -133,6 +145,25 @@ Font_demand font_demand(const Command_line& line, const std::optional<Requiremen
   return demand;
 }
 
+// What is asked of CAD models: without --within the rule of VDA 4955, because computed edges never meet exactly.
+Cad_demand cad_demand(const Command_line& line, const std::optional<Requirement>& required) {
+  line.refuse({"surfaces", "closed", "kernel", "max-order", "max-work"}, "not for CAD models");
+  Cad_demand demand;
+  demand.tolerance = line.has("within") ? line.text("within") : "vda-4955";
+  const Tolerances tolerances = parse_tolerances(demand.tolerance, false);
+  if (tolerances.order > 2) throw std::invalid_argument("--within: of CAD models GAP,ANGLEdeg,CURVATURE% are compared");
+  demand.bounds = tolerances.joins;
+  demand.kink = GC::in_radians(kink_rule(line).bound.degrees());
+  if (!required) return demand;
+  if (required->kind() != GC::Continuity_kind::G || required->order() > 2)
+    throw std::invalid_argument("--require " + required->text() + ": of CAD models G0, G1 and G2 are decided");
+  if (required->order() > tolerances.order)
+    throw std::invalid_argument("--require " + required->text() + ": needs more bounds than --within " +
+                                demand.tolerance + " has; for G2 e.g. 0.02,0.1deg,5%");
+  demand.order = required->order();
+  return demand;
+}
+
 } // namespace
 
 int verify_command(const Arguments& arguments) {
@@ -144,8 +175,9 @@ int verify_command(const Arguments& arguments) {
     add("within", po::value<std::string>(),
         "the tolerance: GAP,ANGLEdeg,CURVATURE%[,TORSION], or a preset; with --surfaces GAP,ANGLEdeg");
     add("kink-angle", po::value<std::string>(),
-        "for drawings and fonts: the largest angle that is a kink, in degrees, instead of 5; what is larger is a "
-        "corner, which need not meet the requirement then, in fonts never");
+        "for drawings, fonts and CAD models: the largest angle that is a kink, in degrees, instead of 5; what is "
+        "larger "
+        "is a corner, which need not meet the requirement then, in fonts and CAD models never");
     add("all-instances", "of variable fonts: enclose the largest kink of each join over all instances");
     add("max-kink", po::value<std::string>(),
         "with --all-instances: the angle in degrees that no instance may exceed; 0.5 in the report if not given");
@@ -177,13 +209,14 @@ int verify_command(const Arguments& arguments) {
   line.refuse({"max-kink"}, "only with --all-instances");
   if (are_fonts(files)) return verify_fonts(files, mode, font_demand(line, required));
   line.refuse({"glyphs", "worst"}, "only for fonts");
+  if (are_cad_files(files)) return verify_cad(files, mode, cad_demand(line, required));
   const auto drawings = std::count_if(files.begin(), files.end(), is_svg_file);
   if (drawings != 0) {
     if (drawings != static_cast<std::ptrdiff_t>(files.size()))
       throw std::invalid_argument("drawings (.svg) and curves (.g2) cannot be verified together");
     line.refuse({"surfaces", "closed", "within", "kernel"}, "not for drawings");
   } else
-    line.refuse({"kink-angle"}, "only for drawings and fonts");
+    line.refuse({"kink-angle"}, "only for drawings, fonts and CAD models");
   if (line.has("surfaces")) {
     line.refuse({"closed", "max-order", "kernel"}, "not with --surfaces");
     std::optional<GC::Edge_tolerance> tolerance;

@@ -1,0 +1,22 @@
+// Copyright (c) 2026 The Geometric_continuity developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef GEOMETRIC_CONTINUITY_DEMO_CAD_OPENCASCADE_READ_MODEL_H
+#define GEOMETRIC_CONTINUITY_DEMO_CAD_OPENCASCADE_READ_MODEL_H
+
+#include "cad/Cad_model.h"
+
+#include <TopoDS_Shape.hxx>
+
+#include <string>
+#include <vector>
+
+// Returns what a STEP, IGES or BREP file holds, by its extension: the geometry as given, nothing healed. Appends what of it could not be
+// translated. Throws std::runtime_error with the reason, without the name of the file, and what OpenCASCADE throws.
+TopoDS_Shape read_shape(const std::string& file, std::vector<std::string>& lost);
+
+// Returns the faces and edges of a shape. Curves in the parameter planes that it lacks are added to it: projections of those in space.
+Cad_model cad_model(const TopoDS_Shape& shape);
+
+#endif // GEOMETRIC_CONTINUITY_DEMO_CAD_OPENCASCADE_READ_MODEL_H

@@ -1,0 +1,14 @@
+// Copyright (c) 2026 The Geometric_continuity developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef GEOMETRIC_CONTINUITY_DEMO_CAD_VERIFY_CAD_H
+#define GEOMETRIC_CONTINUITY_DEMO_CAD_VERIFY_CAD_H
+
+#include "cad/Cad_verdict.h"
+#include "commands.h"
+
+// Runs `verify` for CAD models: prints the verdicts on all edges, and returns the exit code.
+int verify_cad(const Arguments& files, const Report_mode& mode, const Cad_demand& demand);
+
+#endif // GEOMETRIC_CONTINUITY_DEMO_CAD_VERIFY_CAD_H
