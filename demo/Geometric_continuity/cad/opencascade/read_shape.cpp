@@ -24,6 +24,8 @@
 #include <XSControl_WorkSession.hxx>
 
 #include <algorithm>
+#include <fstream>
+#include <ios>
 #include <memory>
 #include <stdexcept>
 
@@ -107,8 +109,15 @@ TopoDS_Shape read_shape(const std::string& file, std::vector<std::string>& lost)
   }
   case Cad_format::brep: break;
   }
+  // OpenCASCADE would go on reading behind the end of the file, for ever.
   TopoDS_Shape shape;
-  if (!BRepTools::Read(shape, file.c_str(), BRep_Builder()) || shape.IsNull())
+  try {
+    std::ifstream stream(file, std::ios::binary);
+    stream.exceptions(std::ios::failbit | std::ios::badbit);
+    BRepTools::Read(shape, stream, BRep_Builder());
+  } catch (const std::ios_base::failure&) {
     throw failure(*reported, "not a complete BREP file");
+  }
+  if (shape.IsNull()) throw failure(*reported, "no shape in this BREP file");
   return shape;
 }

@@ -1,0 +1,168 @@
+// Copyright (c) 2026 The Geometric_continuity developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+// Writes CAD models whose edges are known, with OpenCASCADE, to the current folder.
+
+#include <BRepBuilderAPI_MakeEdge.hxx>
+#include <BRepBuilderAPI_MakeFace.hxx>
+#include <BRepBuilderAPI_MakePolygon.hxx>
+#include <BRepBuilderAPI_MakeWire.hxx>
+#include <BRepFilletAPI_MakeFillet.hxx>
+#include <BRepPrimAPI_MakeBox.hxx>
+#include <BRepPrimAPI_MakeCone.hxx>
+#include <BRepPrimAPI_MakeCylinder.hxx>
+#include <BRepPrimAPI_MakePrism.hxx>
+#include <BRepPrimAPI_MakeRevol.hxx>
+#include <BRepPrimAPI_MakeSphere.hxx>
+#include <BRepPrimAPI_MakeTorus.hxx>
+#include <BRepTools.hxx>
+#include <BRep_Builder.hxx>
+#include <GeomAPI_Interpolate.hxx>
+#include <GeomConvert.hxx>
+#include <Geom_BSplineCurve.hxx>
+#include <Geom_BSplineSurface.hxx>
+#include <Geom_BezierSurface.hxx>
+#include <Geom_OffsetSurface.hxx>
+#include <Geom_ToroidalSurface.hxx>
+#include <IGESControl_Controller.hxx>
+#include <IGESControl_Writer.hxx>
+#include <Message.hxx>
+#include <Message_Messenger.hxx>
+#include <STEPControl_Writer.hxx>
+#include <TColgp_Array2OfPnt.hxx>
+#include <TColgp_HArray1OfPnt.hxx>
+#include <TopExp.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopLoc_Location.hxx>
+#include <TopoDS.hxx>
+#include <TopoDS_Compound.hxx>
+#include <gp_Ax1.hxx>
+#include <gp_Ax2.hxx>
+#include <gp_Trsf.hxx>
+
+#include <cmath>
+#include <cstdlib>
+#include <iostream>
+#include <string>
+#include <vector>
+
+namespace {
+
+void require(bool condition, const std::string& what) {
+  if (condition) return;
+  std::cerr << "make_models: " << what << '\n';
+  std::exit(1);
+}
+
+// Writes a shape in the format that the extension tells.
+void write(const TopoDS_Shape& shape, const std::string& file) {
+  if (file.find(".brep") != std::string::npos)
+    require(BRepTools::Write(shape, file.c_str()), file);
+  else if (file.find(".step") != std::string::npos) {
+    STEPControl_Writer writer;
+    require(writer.Transfer(shape, STEPControl_AsIs) == IFSelect_RetDone &&
+                writer.Write(file.c_str()) == IFSelect_RetDone,
+            file);
+  } else {
+    IGESControl_Writer writer("MM", 1); // with the faces of solids connected
+    require(writer.AddShape(shape) && writer.Write(file.c_str()), file);
+  }
+}
+
+TopoDS_Compound compound(const std::vector<TopoDS_Shape>& shapes) {
+  BRep_Builder builder;
+  TopoDS_Compound result;
+  builder.MakeCompound(result);
+  for (const TopoDS_Shape& shape : shapes) builder.Add(result, shape);
+  return result;
+}
+
+// A box with one edge rounded.
+TopoDS_Shape filleted(const TopoDS_Shape& box, double radius) {
+  BRepFilletAPI_MakeFillet fillet(box);
+  fillet.Add(radius, TopoDS::Edge(TopExp_Explorer(box, TopAbs_EDGE).Current()));
+  return fillet.Shape();
+}
+
+// The wall above a polyline through points (x, y).
+TopoDS_Shape wall(const std::vector<gp_Pnt>& points) {
+  BRepBuilderAPI_MakePolygon polygon;
+  for (const gp_Pnt& p : points) polygon.Add(p);
+  return BRepPrimAPI_MakePrism(polygon.Wire(), gp_Vec(0, 0, 5)).Shape();
+}
+
+// A smooth closed spline of a period.
+Handle(Geom_BSplineCurve) periodic_spline() {
+  const Handle(TColgp_HArray1OfPnt) points = new TColgp_HArray1OfPnt(1, 7);
+  for (int i = 0; i < 7; ++i) {
+    const double angle = 2 * M_PI * i / 7, radius = 4 + std::cos(3. * i);
+    points->SetValue(i + 1, gp_Pnt(radius * std::cos(angle), radius * std::sin(angle), 0));
+  }
+  GeomAPI_Interpolate interpolation(points, true, 1e-9);
+  interpolation.Perform();
+  require(interpolation.IsDone() && interpolation.Curve()->IsPeriodic(), "periodic spline");
+  return interpolation.Curve();
+}
+
+TopoDS_Shape face(const Handle(Geom_Surface) & surface) { return BRepBuilderAPI_MakeFace(surface, 1e-7).Shape(); }
+
+// Three faces that share an edge.
+TopoDS_Shape three_faces() {
+  const TopoDS_Edge shared = BRepBuilderAPI_MakeEdge(gp_Pnt(0, 0, 0), gp_Pnt(0, 0, 1));
+  const TopoDS_Vertex low = TopExp::FirstVertex(shared), high = TopExp::LastVertex(shared);
+  std::vector<TopoDS_Shape> faces;
+  for (const gp_Pnt& p : {gp_Pnt(1, 0, 0), gp_Pnt(-1, 2, 0), gp_Pnt(-1, -1, 0)}) {
+    const TopoDS_Edge up = BRepBuilderAPI_MakeEdge(p, gp_Pnt(p.X(), p.Y(), 1));
+    const TopoDS_Edge a = BRepBuilderAPI_MakeEdge(low, TopExp::FirstVertex(up)),
+                      b = BRepBuilderAPI_MakeEdge(TopExp::LastVertex(up), high);
+    BRepBuilderAPI_MakeWire wire(shared, a, up, b);
+    faces.push_back(BRepBuilderAPI_MakeFace(wire.Wire(), true).Shape());
+  }
+  return compound(faces);
+}
+
+TopoDS_Shape moved(const TopoDS_Shape& shape) {
+  gp_Trsf rotation, translation;
+  rotation.SetRotation(gp_Ax1(gp_Pnt(1, 2, 3), gp_Dir(1, 1, 3)), 0.7);
+  translation.SetTranslation(gp_Vec(100, -20, 3));
+  return shape.Moved(TopLoc_Location(translation * rotation));
+}
+
+} // namespace
+
+int main() {
+  Message::DefaultMessenger()->ChangePrinters().Clear();
+  IGESControl_Controller::Init();
+  const TopoDS_Shape fillet = filleted(BRepPrimAPI_MakeBox(10, 20, 30).Shape(), 2);
+  for (const char* name : {"fillet.brep", "fillet.step", "fillet.igs"}) write(fillet, name);
+  write(compound({fillet, moved(fillet)}), "moved.brep");
+  const TopoDS_Shape cylinder = BRepPrimAPI_MakeCylinder(3, 10).Shape();
+  for (const char* name : {"cylinder.brep", "cylinder.step"}) write(cylinder, name);
+  // The radius 5, cut 2.5 above the centre: the normals there are 60 degrees apart.
+  const TopoDS_Shape sphere = BRepPrimAPI_MakeSphere(gp_Ax2(), 5, -M_PI / 2, M_PI / 6).Shape();
+  for (const char* name : {"sphere.brep", "sphere.step"}) write(sphere, name);
+  const TopoDS_Shape cone = BRepPrimAPI_MakeCone(3, 0, 4).Shape();
+  for (const char* name : {"cone.brep", "cone.step"}) write(cone, name);
+  const TopoDS_Shape torus = BRepPrimAPI_MakeTorus(5, 2).Shape();
+  for (const char* name : {"torus.brep", "torus.step"}) write(torus, name);
+  write(wall({gp_Pnt(0, 0, 0), gp_Pnt(1, 0, 0), gp_Pnt(2, std::tan(M_PI / 180), 0), gp_Pnt(2, 3, 0)}), "wall.brep");
+  write(three_faces(), "three.brep");
+  const Handle(Geom_BSplineCurve) spline = periodic_spline();
+  const TopoDS_Edge ring = BRepBuilderAPI_MakeEdge(spline);
+  const TopoDS_Shape disc = BRepBuilderAPI_MakeFace(BRepBuilderAPI_MakeWire(ring).Wire(), true).Shape();
+  const TopoDS_Shape prism = BRepPrimAPI_MakePrism(disc, gp_Vec(0, 0, 5)).Shape();
+  for (const char* name : {"prism.brep", "prism.step"}) write(prism, name);
+  write(BRepPrimAPI_MakeRevol(disc, gp_Ax1(gp_Pnt(9, 0, 0), gp_Dir(0, 1, 0))).Shape(), "revolution.brep");
+  write(face(GeomConvert::SurfaceToBSplineSurface(new Geom_ToroidalSurface(gp_Ax3(), 5, 2))), "periodic.brep");
+  write(face(new Geom_OffsetSurface(new Geom_ToroidalSurface(gp_Ax3(), 5, 2), 0.5)), "offset.brep");
+  TColgp_Array2OfPnt points(1, 3, 1, 4);
+  for (int i = 1; i <= 3; ++i)
+    for (int j = 1; j <= 4; ++j) points.SetValue(i, j, gp_Pnt(i, j + 0.1 * i * i, (i * j) % 3));
+  write(face(new Geom_BezierSurface(points)), "bezier.brep");
+  write(ring, "wire.brep");
+  // What cannot be compared at equal parameters.
+  TopoDS_Shape differing = BRepPrimAPI_MakeCylinder(3, 10).Shape();
+  BRep_Builder().SameParameter(TopoDS::Edge(TopExp_Explorer(differing, TopAbs_EDGE).Current()), false);
+  write(differing, "differing.brep");
+}
