@@ -120,10 +120,13 @@ public:
     const double margin = (last - first) * 0x1p-40;
     for (const Edge_side* side : given_) {
       const std::array<std::vector<double>, 2> knots = inner_knots(*side->surface);
+      const std::array<Given_domain, 2> domain = given_domain(*side->surface);
+      for (double t : {first, last}) given_domain(*side->curve).check(t, "the range of an edge");
       for (int axis = 0; axis < 2; ++axis) {
         const auto coordinate = [&](double t) {
           return middle(given_curve_jet(*side->curve, Interval(t), 0).c[0][axis]);
         };
+        for (std::size_t i = 0; i < pieces; ++i) domain[axis].check(coordinate(ends[i]), "an edge on a surface");
         for (std::size_t i = 0; i + 1 < pieces && !knots[axis].empty(); ++i) {
           const double from = coordinate(ends[i]), to = coordinate(ends[i + 1]);
           for (double knot : knots[axis]) {

@@ -13,6 +13,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
+#include <string>
 #include <variant>
 #include <vector>
 
@@ -217,7 +219,25 @@ template <int D> struct Check_given_curve {
   }
 };
 
-// The inner knots of a curve, each once, and its domain when it is a spline.
+// A domain of parameters. \throws Error `parameter_outside_domain` for a number that lies outside by more than rounding
+struct Given_domain {
+  double first = -(std::numeric_limits<double>::infinity)(), last = -first;
+
+  void check(double t, const char* place) const {
+    const double margin = (last - first) * 1e-4;
+    if (t < first - margin || last + margin < t)
+      throw Error(Error_code::parameter_outside_domain, std::string(place) + ": " + std::to_string(t) + " in [" +
+                                                            std::to_string(first) + ", " + std::to_string(last) + ']');
+  }
+};
+template <int D> Given_domain given_domain(const Given_curve<D>& curve) {
+  if (const auto* offset = std::get_if<Given_offset_curve<D>>(&curve)) return given_domain(*offset->basis);
+  if (const auto* s = std::get_if<Given_spline_curve<D>>(&curve))
+    return {s->knots[s->degree], s->knots[s->points.size()]};
+  return {};
+}
+
+// The inner knots of a curve, each once.
 template <int D> std::vector<double> inner_knots(const Given_curve<D>& curve) {
   if (const auto* offset = std::get_if<Given_offset_curve<D>>(&curve)) return inner_knots(*offset->basis);
   std::vector<double> knots;

@@ -184,6 +184,18 @@ struct Check_given_surface {
   }
 };
 
+// The domain of a surface in u and v.
+inline std::array<Given_domain, 2> given_domain(const Given_surface& surface) {
+  if (const auto* offset = std::get_if<Given_offset_surface>(&surface)) return given_domain(*offset->basis);
+  std::array<Given_domain, 2> domain;
+  if (const auto* extrusion = std::get_if<Given_extrusion>(&surface)) domain[0] = given_domain(extrusion->profile);
+  if (const auto* revolution = std::get_if<Given_revolution>(&surface)) domain[1] = given_domain(revolution->profile);
+  if (const auto* s = std::get_if<Given_spline_surface>(&surface))
+    domain = {Given_domain{s->u_knots[s->u_degree], s->u_knots[s->u_knots.size() - s->u_degree - 1]},
+              Given_domain{s->v_knots[s->v_degree], s->v_knots[s->v_knots.size() - s->v_degree - 1]}};
+  return domain;
+}
+
 // The inner knots of a surface in u and v.
 inline std::array<std::vector<double>, 2> inner_knots(const Given_surface& surface) {
   if (const auto* offset = std::get_if<Given_offset_surface>(&surface)) return inner_knots(*offset->basis);
