@@ -8,7 +8,10 @@
 #include <CGAL/Geometric_continuity/Error.h>
 #include <CGAL/Geometric_continuity/numbers/Enclosure.h>
 #include <CGAL/Geometric_continuity/trimmed/Parametric_geometry.h>
+#include <CGAL/Geometric_continuity/trimmed/internal/edge_bounds.h>
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
 #include <optional>
 #include <utility>
@@ -35,9 +38,13 @@ struct Edge_enclosure {
   /// The largest relative jump \f$ |\kappa_1 - \kappa_2| / \max(|\kappa_1|, |\kappa_2|, \varepsilon) \f$, in [0, 2], of the normal curvatures
   /// across the edge; \f$ \varepsilon \f$ is `Edge_precision::flat_curvature`. Empty when not asked for, or undefined on the whole edge.
   std::optional<Edge_maximum> curvature_jump;
-  /// Ranges of parameters, most of them tiny, in which a normal vanishes, or cannot be told from zero: apices, poles, collapsed
-  /// edges. Angle and curvature jump leave them out.
+  /// Ranges of parameters in which a normal vanishes, or cannot be told from zero: apices, poles, collapsed edges. The angle leaves them
+  /// out. Unless the work did not suffice they are shorter than the \f$ 2^{-19} \f$-th part of the edge.
   std::vector<std::pair<double, double>> singular;
+  /// Ranges of parameters that the curvature jump leaves out: such as before, those where the direction of the edge vanishes, and, less
+  /// than the \f$ 2^{-35} \f$-th part of the edge each, those in which the edge crosses a knot line where the curvature of a surface itself
+  /// jumps. (What it jumps to is compared on both sides of it.)
+  std::vector<std::pair<double, double>> curvature_undefined;
   int boxes = 0; ///< the number of ranges that have been evaluated
 };
 
@@ -54,6 +61,21 @@ struct Edge_precision {
   bool with_curvature = true;   ///< whether the curvature jump is wanted
 };
 
+namespace internal {
+
+// The angle of two unit vectors whose difference has the square e in [0, 4]: the square of the tangent of its half is e / (4 - e).
+inline Enclosure angle_of_chord_square(double e) {
+  const Interval exact = (std::min)((std::max)(e, 0.), 4.), rest = 4 - exact;
+  const bool steep = exact.inf() > 2;
+  const Interval square = steep ? rest / exact : exact / rest;
+  const Angle_of_square::Function function = steep ? Angle_of_square::cotangent : Angle_of_square::tangent;
+  const double x = Angle_of_square{function, false, steep ? square.sup() : square.inf()}.below(),
+               y = Angle_of_square{function, false, steep ? square.inf() : square.sup()}.above();
+  return {2 * x, (std::min)(2 * y, 3.1415926535897936)};
+}
+
+} // namespace internal
+
 /// \ingroup PkgGeometricContinuityTrimmed
 /// Encloses how far two faces are from being continuous along the edge that both have over the range `[first, last]` of their common
 /// parameter. The numbers that describe curves and surfaces are taken exactly.
@@ -62,13 +84,40 @@ struct Edge_precision {
 ///   `singular_frame` when a placement is not invertible
 inline Edge_enclosure edge_enclosure(const Edge_side& a, const Edge_side& b, double first, double last,
                                      const Edge_precision& precision = Edge_precision()) {
-  (void)a, (void)b, (void)last;
-  const auto all = [&](double upper) { return Edge_maximum{{0, upper}, first, {}}; };
-  Edge_enclosure e;
-  e.gap = all((std::numeric_limits<double>::infinity)());
-  e.angle = all(3.1415926535897936);
-  if (precision.with_curvature) e.curvature_jump = all(2);
-  return e;
+  using namespace internal;
+  check_finite({first, last}, "edge_enclosure: the range");
+  if (!(first <= last)) throw Error(Error_code::empty_domain, "edge_enclosure: the range");
+  const Protect_FPU_rounding<true> rounding_upwards;
+  const Edge_bounds bounds(a, b, last - first);
+  const std::vector<double> ends = bounds.divided(first, last);
+  Edge_enclosure result{};
+  const auto largest = [&](Edge_quantity quantity, double floor, double (*measure)(double)) {
+    Largest_on_ranges l(ends, {precision.relative, floor, measure, precision.boxes}, [&](double lower, double upper) {
+      return bounds(lower, upper, quantity, precision.flat_curvature);
+    });
+    result.boxes += l.evaluated;
+    return l;
+  };
+  const auto maximum = [&](const Largest_on_ranges& l, const Enclosure& value) {
+    return Edge_maximum{value, l.parameter, bounds.point(l.parameter)};
+  };
+
+  const Largest_on_ranges gap = largest(Edge_quantity::gap, precision.gap, [](double x) { return std::sqrt(x); });
+  const bool bounded = gap.undefined.empty() && std::isfinite(gap.upper);
+  result.gap = maximum(gap, {gap.defined ? root_below(gap.lower) : 0,
+                             bounded ? root_above(gap.upper) : (std::numeric_limits<double>::infinity)()});
+  const Largest_on_ranges angle = largest(Edge_quantity::angle, precision.angle,
+                                          [](double x) { return 2 * std::asin((std::min)(1., std::sqrt(x) / 2)); });
+  if (angle.defined)
+    result.angle = maximum(angle, {angle_of_chord_square(angle.lower).lower, angle_of_chord_square(angle.upper).upper});
+  if (precision.with_curvature) {
+    const Largest_on_ranges jump =
+        largest(Edge_quantity::curvature, precision.curvature_jump, [](double x) { return x; });
+    if (jump.defined) result.curvature_jump = maximum(jump, {jump.lower, jump.upper});
+    result.curvature_undefined = united(jump.undefined);
+  }
+  result.singular = united(angle.undefined);
+  return result;
 }
 
 } // namespace Geometric_continuity

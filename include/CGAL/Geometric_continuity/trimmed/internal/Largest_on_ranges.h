@@ -1,0 +1,132 @@
+// Copyright (c) 2026 The Geometric_continuity developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_GEOMETRIC_CONTINUITY_TRIMMED_INTERNAL_LARGEST_ON_RANGES_H
+#define CGAL_GEOMETRIC_CONTINUITY_TRIMMED_INTERNAL_LARGEST_ON_RANGES_H
+
+#include <CGAL/Geometric_continuity/trimmed/internal/Placed_side.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <limits>
+#include <utility>
+#include <vector>
+
+/// \file Largest_on_ranges.h
+/// The largest value of a function on a range of parameters by branch and bound: always the part with the largest upper bound is halved.
+
+namespace CGAL {
+namespace Geometric_continuity {
+namespace internal {
+
+// Bounds of a function on a range, and a parameter where it is at least `lower`.
+struct Bounds_on_range {
+  double lower, upper, parameter;
+  bool defined;       // otherwise nothing is known
+  bool noisy = false; // at that parameter alone the bounds are not much closer, and not because of knots in the range
+};
+
+// When bounds are narrow enough, see `Edge_precision`: by a function that rises, such as the root of a square.
+struct Largest_options {
+  double relative, floor;
+  double (*measure)(double);
+  int ranges; // the most that are evaluated
+
+  bool narrow(double lower, double upper) const {
+    const double y = measure(upper);
+    return y <= floor || y - measure(lower) <= relative * y;
+  }
+};
+
+class Largest_on_ranges {
+  struct Part {
+    double lower, upper; // of the parameter
+    double bound;
+    bool defined;
+    int idle; // so many halvings in succession have gained little: rounding errors prevail
+    bool operator<(const Part& other) const {
+      return bound != other.bound ? bound < other.bound : upper - lower < other.upper - other.lower;
+    }
+  };
+  std::vector<Part> heap_;
+  double settled_ = 0; // the largest bound of parts that are not halved any more
+
+public:
+  double lower = 0, upper = 0, parameter;
+  bool defined = false; // somewhere
+  int evaluated = 0;
+  std::vector<std::pair<double, double>> undefined; // where nothing is known
+
+  // On the ranges between successive numbers of `ends`. Parts where the function is not defined are halved until they are tiny.
+  template <class Evaluate>
+  Largest_on_ranges(const std::vector<double>& ends, const Largest_options& options, const Evaluate& evaluate)
+      : parameter(ends.front()) {
+    const auto add = [&](double from, double to, const Part* parent) {
+      const Bounds_on_range b = evaluate(from, to);
+      ++evaluated;
+      if (b.defined && (!defined || lower < b.lower)) {
+        lower = b.lower;
+        parameter = b.parameter;
+      }
+      defined = defined || b.defined;
+      Part part{from, to, b.defined ? b.upper : (std::numeric_limits<double>::infinity)(), b.defined, 0};
+      if (parent && parent->defined && part.defined) {
+        part.bound = (std::min)(part.bound, parent->bound);
+        part.idle = b.noisy && part.bound - lower > 0.9 * (parent->bound - lower) ? parent->idle + 1 : 0;
+      }
+      heap_.push_back(part);
+      std::push_heap(heap_.begin(), heap_.end());
+    };
+    for (std::size_t i = 0; i + 1 < ends.size(); ++i) add(ends[i], ends[i + 1], nullptr);
+    if (ends.size() == 1) add(ends[0], ends[0], nullptr);
+    const double tiny = (ends.back() - ends.front()) * 0x1p-20;
+    int undefined_halvings = 0;
+    while (!heap_.empty()) {
+      const Part part = heap_.front();
+      if (part.defined && (part.bound <= settled_ || options.narrow(lower, part.bound))) break;
+      if (evaluated >= options.ranges) break;
+      std::pop_heap(heap_.begin(), heap_.end());
+      heap_.pop_back();
+      const double middle = part.lower / 2 + part.upper / 2;
+      const bool divisible = part.lower < middle && middle < part.upper;
+      if (!part.defined &&
+          (!divisible || part.upper - part.lower <= tiny || undefined_halvings >= options.ranges / 8)) {
+        undefined.emplace_back(part.lower, part.upper);
+        continue;
+      }
+      if (!divisible || part.idle >= 6) {
+        settled_ = (std::max)(settled_, part.bound);
+        continue;
+      }
+      undefined_halvings += !part.defined;
+      add(part.lower, middle, &part);
+      add(middle, part.upper, &part);
+    }
+    upper = settled_;
+    for (const Part& part : heap_)
+      if (part.defined)
+        upper = (std::max)(upper, part.bound);
+      else
+        undefined.emplace_back(part.lower, part.upper);
+    upper = (std::max)(upper, lower);
+  }
+};
+
+// Ranges in order, those that touch as one.
+inline std::vector<std::pair<double, double>> united(std::vector<std::pair<double, double>> ranges) {
+  std::sort(ranges.begin(), ranges.end());
+  std::vector<std::pair<double, double>> result;
+  for (const std::pair<double, double>& r : ranges)
+    if (!result.empty() && r.first <= result.back().second)
+      result.back().second = (std::max)(result.back().second, r.second);
+    else
+      result.push_back(r);
+  return result;
+}
+
+} // namespace internal
+} // namespace Geometric_continuity
+} // namespace CGAL
+
+#endif // CGAL_GEOMETRIC_CONTINUITY_TRIMMED_INTERNAL_LARGEST_ON_RANGES_H

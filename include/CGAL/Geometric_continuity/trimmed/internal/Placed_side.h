@@ -1,0 +1,234 @@
+// Copyright (c) 2026 The Geometric_continuity developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_GEOMETRIC_CONTINUITY_TRIMMED_INTERNAL_PLACED_SIDE_H
+#define CGAL_GEOMETRIC_CONTINUITY_TRIMMED_INTERNAL_PLACED_SIDE_H
+
+#include <CGAL/Geometric_continuity/trimmed/internal/Taylor_model.h>
+#include <CGAL/Geometric_continuity/trimmed/internal/surface_jets.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+/// \file Placed_side.h
+/// Point, normal and normal curvature of one side of an edge, as Taylor models over a range of the parameter.
+
+namespace CGAL {
+namespace Geometric_continuity {
+namespace internal {
+
+// A range of the parameter: its points are middle + s half, s in [-1, 1].
+struct Edge_range {
+  Interval t;
+  double middle, half;
+
+  Edge_range(double lower, double upper) : t(lower, upper), middle(internal::middle(t)), half(magnitude(t - middle)) {}
+  // Where the parameter x of the range lies in [-1, 1].
+  Interval place(double x) const {
+    return half == 0 ? Interval(0) : common_part((Interval(x) - Interval(middle)) / Interval(half), symmetric(1));
+  }
+};
+
+enum class Edge_quantity { gap, angle, curvature };
+
+struct Side_models {
+  Taylor_vector point, normal;        // the normal of unit length
+  Taylor_model curvature;             // in the direction of the tangent plane that is orthogonal to the edge
+  int continuity = smooth_everywhere; // of the surface where the edge may be
+};
+
+// The curve in the parameter plane on a range: one coordinate and its derivative.
+struct Coordinate_models {
+  Taylor_model value, derivative;
+  Interval range; // of the value; a point when the coordinate is constant
+
+  // From the Taylor coefficients about the middle, and of the next order on all of the range (Lagrange's form of the remainder). Where
+  // the coordinate rises or falls its range is that between its ends, so that it does not reach beyond a knot that it ends on.
+  Coordinate_models(const Given_curve_jet<2>& about_middle, const Given_curve_jet<2>& on_range, const Interval& at_ends,
+                    int i, double half) {
+    constexpr int n = Taylor_model::size;
+    bool constant = on_range.c[0][i].is_point();
+    for (int k = 1; k <= n + 1; ++k) constant = constant && is_exact_zero(on_range.c[k][i]);
+    Interval power = 1;
+    for (int k = 0; k <= n; ++k, power *= Interval(half)) {
+      const Interval x = (k < n ? about_middle : on_range).c[k][i] * power,
+                     y = (k + 1) * (k < n ? about_middle : on_range).c[k + 1][i] * power;
+      add(value, k, x);
+      add(derivative, k, y);
+    }
+    if (constant)
+      range = on_range.c[0][i];
+    else if (on_range.c[1][i].inf() > 0 || on_range.c[1][i].sup() < 0)
+      range = hull(value.c[0], at_ends);
+    else
+      range = hull(value.c[0], common_part(value.range(), on_range.c[0][i]));
+  }
+
+private:
+  static void add(Taylor_model& f, int k, const Interval& x) {
+    double rest = magnitude(x);
+    if (k < Taylor_model::size) {
+      f.c[k] = internal::middle(x);
+      rest = magnitude(x - Interval(f.c[k]));
+    }
+    f.r = (f.r + rest) * Taylor_model::enlarged;
+  }
+};
+
+// An `Edge_side` whose numbers have been checked.
+class Placed_side {
+  const Edge_side& side_;
+  bool identity_ = true, flipped_; // whether the normal is that of the placed surface times -1
+
+public:
+  explicit Placed_side(const Edge_side& side) : side_(side), flipped_(side.reversed) {
+    std::visit(Check_given_surface(), *side.surface);
+    std::visit(Check_given_curve<2>(), *side.curve);
+    const Given_placement& p = side.placement;
+    std::array<Interval_vector<3>, 3> m;
+    for (int i = 0; i < 3; ++i)
+      for (int j = 0; j < 4; ++j) {
+        check_finite({p[i][j]}, "a placement");
+        if (j < 3) m[i][j] = p[i][j];
+        identity_ = identity_ && p[i][j] == (i == j ? 1 : 0);
+      }
+    const Interval determinant = m[0][0] * (m[1][1] * m[2][2] - m[1][2] * m[2][1]) -
+                                 m[0][1] * (m[1][0] * m[2][2] - m[1][2] * m[2][0]) +
+                                 m[0][2] * (m[1][0] * m[2][1] - m[1][1] * m[2][0]);
+    if (!(determinant.inf() > 0) && !(determinant.sup() < 0))
+      throw Error(Error_code::singular_frame, "a placement is not invertible");
+    if (determinant.sup() < 0)
+      flipped_ = !flipped_; // a mirror: the image of the normal is opposite to that of the images
+  }
+
+  // On each range the quantity asked for and those before it. \pre the range lies between the knots of the curve
+  Side_models models(const Edge_range& range, Edge_quantity quantity) const {
+    constexpr int n = Taylor_model::size;
+    const Given_curve_jet<2> about_middle = given_curve_jet(*side_.curve, Interval(range.middle), n),
+                             on_range = given_curve_jet(*side_.curve, range.t, n + 1);
+    const Given_curve_jet<2> first = given_curve_jet(*side_.curve, Interval(range.t.inf()), 0, 1),
+                             last = given_curve_jet(*side_.curve, Interval(range.t.sup()), 0, -1);
+    const Coordinate_models u(about_middle, on_range, hull(first.c[0][0], last.c[0][0]), 0, range.half),
+        v(about_middle, on_range, hull(first.c[0][1], last.c[0][1]), 1, range.half);
+    if (!u.value.known() || !v.value.known()) return unknown();
+    Parameter_box box{u.range, v.range}, middle{Interval(u.value.c[0]), Interval(v.value.c[0])};
+    // the face lies towards face_side (-v', u'): for curves along a knot line
+    const auto sign = [](const Interval& x) { return x.inf() > 0 ? 1 : x.sup() < 0 ? -1 : 0; };
+    if (u.range.is_point()) box.u_side = middle.u_side = -sign(on_range.c[1][1]) * side_.face_side;
+    if (v.range.is_point()) box.v_side = middle.v_side = sign(on_range.c[1][0]) * side_.face_side;
+    const int order = n + static_cast<int>(quantity);
+    const Given_surface_jet about_point = given_surface_jet(*side_.surface, middle, order),
+                            on_box = given_surface_jet(*side_.surface, box, order);
+
+    Taylor_model du = u.value, dv = v.value;
+    du.c[0] = dv.c[0] = 0;
+    const Composition compose{about_point, on_box, powers(du, on_box.u_degree), powers(dv, on_box.v_degree)};
+    Side_models m;
+    m.continuity = on_box.continuity;
+    m.point = placed(compose(0, 0), true);
+    if (quantity == Edge_quantity::gap) return m;
+    const Taylor_vector su = placed(compose(1, 0), false), sv = placed(compose(0, 1), false), normal = cross(su, sv);
+    const Taylor_model root = reciprocal_root(dot(normal, normal));
+    m.normal = normal * (flipped_ ? -root : root);
+    if (quantity == Edge_quantity::curvature) {
+      const Taylor_vector suu = placed(compose(2, 0), false), suv = placed(compose(1, 1), false),
+                          svv = placed(compose(0, 2), false);
+      // With the first fundamental form (e, f; f, g) the direction a S_u + b S_v is orthogonal to the edge's S_u u' + S_v v',
+      // and its square is (e g - f^2) times that of the edge's, with e g - f^2 = |N|^2.
+      const Taylor_model e = dot(su, su), f = dot(su, sv), g = dot(sv, sv);
+      const Taylor_model b = e * u.derivative + f * v.derivative, a = -(f * u.derivative + g * v.derivative);
+      const Taylor_model square = b * u.derivative - a * v.derivative;
+      m.curvature =
+          (dot(m.normal, suu) * a * a + Taylor_model(2) * (dot(m.normal, suv) * a * b) + dot(m.normal, svv) * b * b) *
+          (root * root) * reciprocal(square);
+    }
+    return m;
+  }
+
+private:
+  static Side_models unknown() {
+    Side_models m;
+    m.point.fill(Taylor_model::unknown());
+    m.normal = m.point;
+    m.curvature = m.point[0];
+    return m;
+  }
+
+  struct Powers {
+    std::vector<Taylor_model> f;
+    std::vector<double> norm;
+  };
+  static Powers powers(const Taylor_model& f, int degree) {
+    Powers p{{Taylor_model(1)}, {1}};
+    if (f.norm() == 0 && f.r == 0) return p;
+    for (int i = 1; i <= (std::min)(degree, Taylor_model::size); ++i) {
+      p.f.push_back(i == 1 ? f : p.f.back() * f);
+      p.norm.push_back(p.f.back().norm() * Taylor_model::enlarged);
+    }
+    return p;
+  }
+
+  // A derivative of S by u and v along the curve: its Taylor polynomial about the point in the middle, where the coefficients of the
+  // last order are those of all points of the box. When S is only r times continuously differentiable, as the box
+  // contains knots, the last order is that in which S has r + 1 derivatives: these have jumps, and Taylor's theorem with the remainder as an
+  // integral holds for functions whose derivative of the order r is continuous and piecewise differentiable. An order below 0 means: only
+  // the hull of all pieces.
+  struct Composition {
+    const Given_surface_jet &about_point, &on_box;
+    const Powers u, v;
+
+    Taylor_vector operator()(int by_u, int by_v) const {
+      const int by = by_u + by_v, order = (std::max)(0, (std::min)(+Taylor_model::size, on_box.continuity + 1 - by));
+      std::array<Taylor_sum, 3> sums;
+      Taylor_vector first{};
+      for (int i = 0; i <= order && i < static_cast<int>(u.f.size()) && i + by_u <= on_box.u_degree; ++i)
+        for (int j = 0; i + j <= order && j < static_cast<int>(v.f.size()) && j + by_v <= on_box.v_degree; ++j) {
+          const Interval_vector<3>& x = (i + j < order ? about_point : on_box).s(i + by_u, j + by_v);
+          const double factor = (by_u == 2   ? (i + 2) * (i + 1)
+                                 : by_u == 1 ? i + 1
+                                             : 1) *
+                                (by_v == 2   ? (j + 2) * (j + 1)
+                                 : by_v == 1 ? j + 1
+                                             : 1);
+          if (i + j == 0) {
+            for (int k = 0; k < 3; ++k) {
+              const Interval constant = Interval(factor) * x[k];
+              first[k].c[0] = constant.inf() / 2 + constant.sup() / 2;
+              first[k].r = magnitude(constant - Interval(first[k].c[0]));
+            }
+            continue;
+          }
+          if (is_exact_zero(x[0]) && is_exact_zero(x[1]) && is_exact_zero(x[2])) continue;
+          const bool both = i > 0 && j > 0;
+          const Taylor_model f = both ? u.f[i] * v.f[j] : i > 0 ? u.f[i] : v.f[j];
+          const double norm = both ? f.norm() * Taylor_model::enlarged : i > 0 ? u.norm[i] : v.norm[j];
+          for (int k = 0; k < 3; ++k)
+            sums[k].add(Interval(factor) * x[k], f, norm, (std::min)(i + j, +Taylor_model::size));
+        }
+      for (int k = 0; k < 3; ++k) first[k] = sums[k].value() + first[k];
+      return first;
+    }
+  };
+
+  Taylor_vector placed(const Taylor_vector& x, bool is_point) const {
+    if (identity_) return x;
+    Taylor_vector y;
+    const std::array<double, 3> norm{x[0].norm() * Taylor_model::enlarged, x[1].norm() * Taylor_model::enlarged,
+                                     x[2].norm() * Taylor_model::enlarged};
+    for (int i = 0; i < 3; ++i) {
+      Taylor_sum sum;
+      for (int j = 0; j < 3; ++j) sum.add(Interval(side_.placement[i][j]), x[j], norm[j]);
+      y[i] = sum.value();
+      if (is_point) y[i] = y[i] + Taylor_model(side_.placement[i][3]);
+    }
+    return y;
+  }
+};
+
+} // namespace internal
+} // namespace Geometric_continuity
+} // namespace CGAL
+
+#endif // CGAL_GEOMETRIC_CONTINUITY_TRIMMED_INTERNAL_PLACED_SIDE_H

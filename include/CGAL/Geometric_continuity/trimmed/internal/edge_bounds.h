@@ -1,0 +1,156 @@
+// Copyright (c) 2026 The Geometric_continuity developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_GEOMETRIC_CONTINUITY_TRIMMED_INTERNAL_EDGE_BOUNDS_H
+#define CGAL_GEOMETRIC_CONTINUITY_TRIMMED_INTERNAL_EDGE_BOUNDS_H
+
+#include <CGAL/Geometric_continuity/trimmed/internal/Largest_on_ranges.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <vector>
+
+/// \file edge_bounds.h
+/// Bounds of gap, angle and curvature jump of two sides on a range of the parameter; where an edge is divided first.
+
+namespace CGAL {
+namespace Geometric_continuity {
+namespace internal {
+
+// The parameter among some of a range where a function, without care, is largest.
+template <class Function> double likely_maximum(const Edge_range& range, const Function& f) {
+  double best = range.t.inf(), largest = -1;
+  for (int i = 0; i <= 8; ++i) {
+    const double t = i == 8 ? range.t.sup() : range.t.inf() + i * 0.125 * (range.t.sup() - range.t.inf());
+    if (t < range.t.inf() || range.t.sup() < t) continue;
+    const double value = f(range.half == 0 ? 0. : (t - range.middle) / range.half);
+    if (value > largest) largest = value, best = t;
+  }
+  return best;
+}
+inline double rounded_value(const Taylor_model& f, double s) {
+  double y = 0;
+  for (int k = Taylor_model::size - 1; k >= 0; --k) y = y * s + f.c[k];
+  return y;
+}
+
+// Bounds of |d|^2.
+inline Bounds_on_range square_on(const Edge_range& range, const Taylor_vector& d) {
+  const Taylor_model square = dot(d, d);
+  if (!square.known()) return {0, 0, range.middle, false};
+  const double t = likely_maximum(range, [&](double s) { return rounded_value(square, s); });
+  const Interval s = range.place(t);
+  Interval at_point = 0; // by the coordinates: their remainders are squared
+  for (const Taylor_model& x : d) at_point += CGAL::square(x(s));
+  double by_coordinates = 0; // closer where rounding errors prevail
+  for (const Taylor_model& x : d) {
+    const double m = magnitude(x.range());
+    by_coordinates += m * m;
+  }
+  const double upper = (std::min)(square.range().sup(), by_coordinates * Taylor_model::enlarged);
+  return {(std::max)(0., at_point.inf()), (std::max)(upper, at_point.inf()), t, true,
+          upper - at_point.inf() <= 4 * (at_point.sup() - at_point.inf())};
+}
+
+// Bounds of |k1 - k2| / max(|k1|, |k2|, flat).
+inline Bounds_on_range jump_on(const Edge_range& range, const Taylor_model& k1, const Taylor_model& k2, double flat) {
+  const Taylor_model difference = k1 - k2;
+  if (!difference.known()) return {0, 0, range.middle, false};
+  const double t = likely_maximum(range, [&](double s) {
+    const double x = rounded_value(k1, s), y = rounded_value(k2, s);
+    return std::fabs(x - y) / (std::max)({std::fabs(x), std::fabs(y), flat, Taylor_model::tiny});
+  });
+  const auto smallest = [](const Interval& x) { return (std::max)({0., x.inf(), -x.sup()}); };
+  const auto jump = [&](const Interval& d, const Interval& x, const Interval& y) {
+    const Interval divisor((std::max)({smallest(x), smallest(y), flat}),
+                           (std::max)({magnitude(x), magnitude(y), flat}));
+    if (magnitude(d) == 0) return Interval(0);
+    if (!(divisor.inf() > 0)) return Interval(0, 2);
+    const Interval quotient = Interval(smallest(d), magnitude(d)) / divisor;
+    return Interval((std::min)(quotient.inf(), 2.), (std::min)(quotient.sup(), 2.));
+  };
+  const Interval s = range.place(t), at_point = jump(difference(s), k1(s), k2(s));
+  const double upper = (std::max)(jump(difference.range(), k1.range(), k2.range()).sup(), at_point.inf());
+  return {at_point.inf(), upper, t, true, upper - at_point.inf() <= 4 * (at_point.sup() - at_point.inf())};
+}
+
+// Both sides of an edge over a range of the parameter.
+class Edge_bounds {
+  std::array<Placed_side, 2> sides_;
+  std::array<const Edge_side*, 2> given_;
+  double length_; // of the range of all
+
+public:
+  Edge_bounds(const Edge_side& a, const Edge_side& b, double length)
+      : sides_{Placed_side(a), Placed_side(b)}, given_{&a, &b}, length_(length) {}
+
+  Bounds_on_range operator()(double lower, double upper, Edge_quantity quantity, double flat) const {
+    const Edge_range range(lower, upper);
+    const Side_models a = sides_[0].models(range, quantity), b = sides_[1].models(range, quantity);
+    const int continuity = (std::min)(a.continuity, b.continuity);
+    Bounds_on_range bounds{0, 0, range.middle, false};
+    if (quantity == Edge_quantity::gap)
+      bounds = square_on(range, a.point - b.point);
+    else if (quantity == Edge_quantity::angle)
+      bounds = square_on(range, a.normal - b.normal);
+    else if (continuity >= 2 || upper - lower > length_ * 0x1p-36) // otherwise a curvature itself jumps here
+      bounds = jump_on(range, a.curvature, b.curvature, flat);
+    bounds.noisy = bounds.noisy && continuity == smooth_everywhere;
+    return bounds;
+  }
+
+  // The point of the first side, rounded.
+  Given_point<3> point(double t) const {
+    const Taylor_vector p = sides_[0].models(Edge_range(t, t), Edge_quantity::gap).point;
+    return {p[0].c[0], p[1].c[0], p[2].c[0]};
+  }
+
+  // The range, divided at the knots of both curves, and on both sides of the parameters near which a curve crosses a knot line of its
+  // surface. (What is not found here will be found by halving.) \throws Error `parameter_outside_domain`
+  std::vector<double> divided(double first, double last) const {
+    std::vector<double> ends{first, last};
+    for (const Edge_side* side : given_)
+      for (double k : inner_knots(*side->curve))
+        if (first < k && k < last) ends.push_back(k);
+    std::sort(ends.begin(), ends.end());
+    ends.erase(std::unique(ends.begin(), ends.end()), ends.end());
+    const std::size_t pieces = ends.size();
+    const double margin = (last - first) * 0x1p-40;
+    for (const Edge_side* side : given_) {
+      const std::array<std::vector<double>, 2> knots = inner_knots(*side->surface);
+      const std::array<Given_domain, 2> domain = given_domain(*side->surface);
+      for (double t : {first, last}) given_domain(*side->curve).check(t, "the range of an edge");
+      for (int axis = 0; axis < 2; ++axis) {
+        const auto coordinate = [&](double t) {
+          return middle(given_curve_jet(*side->curve, Interval(t), 0).c[0][axis]);
+        };
+        for (std::size_t i = 0; i < pieces; ++i) domain[axis].check(coordinate(ends[i]), "an edge on a surface");
+        for (std::size_t i = 0; i + 1 < pieces && !knots[axis].empty(); ++i) {
+          const double from = coordinate(ends[i]), to = coordinate(ends[i + 1]);
+          for (double knot : knots[axis]) {
+            if (!((std::min)(from, to) < knot && knot < (std::max)(from, to))) continue;
+            double below = ends[i], above = ends[i + 1];
+            for (int k = 0; k < 60; ++k) {
+              const double t = below / 2 + above / 2;
+              (coordinate(t) != knot && (coordinate(t) < knot) == (from < to) ? below : above) = t;
+            }
+            const bool exact = given_curve_jet(*side->curve, Interval(above), 0).c[0][axis].is_same(Interval(knot));
+            for (double t : {exact ? above : below - margin, exact ? above : above + margin})
+              if (first < t && t < last) ends.push_back(t);
+          }
+        }
+      }
+    }
+    std::sort(ends.begin(), ends.end());
+    ends.erase(std::unique(ends.begin(), ends.end()), ends.end());
+    return ends;
+  }
+};
+
+} // namespace internal
+} // namespace Geometric_continuity
+} // namespace CGAL
+
+#endif // CGAL_GEOMETRIC_CONTINUITY_TRIMMED_INTERNAL_EDGE_BOUNDS_H

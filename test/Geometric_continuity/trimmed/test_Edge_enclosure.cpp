@@ -1,0 +1,337 @@
+// Copyright (c) 2026 The Geometric_continuity developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+// Enclosures over whole edges: of shapes with known answers, and of random ones against samples.
+
+#define BOOST_TEST_DYN_LINK
+#define BOOST_TEST_MODULE Edge_enclosure
+#include <boost/test/unit_test.hpp>
+
+#include "support/errors.h"
+#include "support/sampled_edges.h"
+
+#include <CGAL/Exact_rational.h>
+#include <CGAL/Geometric_continuity/trimmed/Edge_enclosure.h>
+
+#include <cmath>
+#include <iostream>
+#include <limits>
+#include <memory>
+#include <random>
+#include <utility>
+#include <vector>
+
+namespace GC = CGAL::Geometric_continuity;
+typedef CGAL::Exact_rational Q;
+typedef GC::Given_elementary_surface Elementary;
+typedef Elementary::Kind Kind;
+typedef GC::Given_point<3> P3;
+typedef GC::Given_point<2> P2;
+
+namespace {
+
+const double pi = 3.141592653589793;
+const GC::Given_placement unmoved{{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}}};
+const GC::Given_frame standard{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+
+template <class Surface, class Curve>
+GC::Edge_side side(const Surface& surface, const Curve& curve, bool reversed = false,
+                   const GC::Given_placement& placement = unmoved) {
+  return {std::make_shared<GC::Given_surface>(surface), std::make_shared<GC::Given_curve<2>>(curve), placement,
+          reversed};
+}
+GC::Given_line<2> line(double u, double v, double du, double dv) { return {{u, v}, {du, dv}}; }
+Elementary plane(const GC::Given_frame& frame = standard) { return {Kind::plane, frame}; }
+
+GC::Given_conic<2> circle(double radius) {
+  return {GC::Given_conic<2>::Kind::ellipse, {0, 0}, {1, 0}, {0, 1}, radius, radius};
+}
+
+// The value lies in the enclosure, up to a rounding error of its own, and the enclosure is narrow.
+void check_is(const GC::Enclosure& e, double value, double floor, double relative = 0.01) {
+  BOOST_TEST_CONTEXT("enclosure " << e << " of " << value) {
+    BOOST_TEST(e.lower <= value + 4e-16 * (1 + value));
+    BOOST_TEST(value <= e.upper + 4e-16 * (1 + value));
+    BOOST_TEST((e.upper <= floor || e.upper - e.lower <= relative * e.upper));
+  }
+}
+
+// No sample exceeds the upper end, and where the lower end is said to be attained it is.
+void check_samples(const GC::Edge_side& a, const GC::Edge_side& b, double first, double last,
+                   const GC::Edge_enclosure& e, int samples = 1000, bool exact = false) {
+  const long double slack = 1e-15L;
+  const auto singular = [&](double t) {
+    for (const auto& r : e.curvature_undefined)
+      if (r.first <= t && t <= r.second) return true;
+    return false;
+  };
+  int wrong = 0;
+  for (int i = 0; i <= samples; ++i) {
+    const double t = i == samples ? last : first + i * ((last - first) / samples);
+    if (t > last) continue;
+    if (exact) {
+      const Q upper(e.gap.value.upper);
+      wrong += sampled_edges::gap_square<Q>(a, b, t) > upper * upper;
+    } else {
+      wrong += std::sqrt(sampled_edges::gap_square<long double>(a, b, t)) > e.gap.value.upper + slack;
+    }
+    if (singular(t)) continue;
+    if (e.angle) wrong += sampled_edges::angle(a, b, t) > e.angle->value.upper + slack;
+    if (e.curvature_jump)
+      wrong += sampled_edges::curvature_jump(a, b, t, 1e-6L) > e.curvature_jump->value.upper + 1e-12L;
+  }
+  BOOST_TEST(wrong == 0);
+  const Q lower(e.gap.value.lower);
+  if (exact)
+    BOOST_TEST((sampled_edges::gap_square<Q>(a, b, e.gap.parameter) >= lower * lower));
+  else
+    BOOST_TEST(std::sqrt(sampled_edges::gap_square<long double>(a, b, e.gap.parameter)) >= e.gap.value.lower - slack);
+  if (e.angle) BOOST_TEST(sampled_edges::angle(a, b, e.angle->parameter) >= e.angle->value.lower - slack);
+  if (e.curvature_jump)
+    BOOST_TEST(sampled_edges::curvature_jump(a, b, e.curvature_jump->parameter, 1e-6L) >=
+               e.curvature_jump->value.lower - 1e-12L);
+}
+
+// A plane and a cylinder that touches it along the axis of y: the normal of both points down.
+std::pair<GC::Edge_side, GC::Edge_side> fillet(double radius) {
+  const GC::Given_frame frame{{0, 0, radius}, {0, 0, -1}, {1, 0, 0}, {0, -1, 0}};
+  return {side(plane(), line(0, 0, 0, 1), true), side(Elementary{Kind::cylinder, frame, radius}, line(0, 0, 0, -1))};
+}
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE(fillets) {
+  for (double radius : {0.1, 3., 1e4}) {
+    const auto [a, b] = fillet(radius);
+    const GC::Edge_enclosure e = GC::edge_enclosure(a, b, -1, 5);
+    check_is(e.gap.value, 0, 1e-9);
+    check_is(e.angle->value, 0, 1e-8);
+    check_is(e.curvature_jump->value, 1, 0);
+    BOOST_TEST(e.singular.empty());
+    check_samples(a, b, -1, 5, e);
+    for (double other : {0.5, 7.}) { // of another radius
+      const auto [c, d] = fillet(other);
+      const double jump = 1 - (std::min)(radius, other) / (std::max)(radius, other);
+      check_is(GC::edge_enclosure(b, d, -1, 5).curvature_jump->value, jump, 1e-4);
+    }
+    GC::Edge_side opposite = b; // the faces fold onto each other
+    opposite.reversed = true;
+    check_is(GC::edge_enclosure(a, opposite, -1, 5).angle->value, pi, 0);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(sphere_cut_by_a_plane) {
+  const double radius = 2.5;
+  for (double latitude : {-1.2, -0.1, 0.3, 1.5}) {
+    const double height = radius * std::sin(latitude);
+    const GC::Given_frame frame{{0, 0, height}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+    const GC::Edge_side sphere = side(Elementary{Kind::sphere, standard, radius}, line(0, latitude, 1, 0)),
+                        cut = side(plane(frame), circle(radius * std::cos(latitude)));
+    const GC::Edge_enclosure e = GC::edge_enclosure(sphere, cut, 0, 2 * pi);
+    check_is(e.gap.value, 0, 1e-9);
+    check_is(e.angle->value, pi / 2 - latitude, 0);
+    check_is(e.curvature_jump->value, 1, 0);
+    check_samples(sphere, cut, 0, 2 * pi, e);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(cones_cylinders_and_tori) {
+  const double half_angle = 0.4, radius = 3, small = 0.75;
+  const GC::Edge_side cylinder = side(Elementary{Kind::cylinder, standard, radius}, line(0, 0, 1, 0)),
+                      cone = side(Elementary{Kind::cone, standard, radius, half_angle}, line(0, 0, 1, 0));
+  const GC::Edge_enclosure e = GC::edge_enclosure(cylinder, cone, 0.5, 6);
+  check_is(e.gap.value, 0, 1e-9);
+  check_is(e.angle->value, half_angle, 0);
+  check_is(e.curvature_jump->value, 0, 1e-4); // both are straight across the circle
+  const GC::Given_frame top{{0, 0, small}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  const GC::Edge_side torus = side(Elementary{Kind::torus, standard, radius, small}, line(0, pi / 2, 1, 0)),
+                      cap = side(plane(top), circle(radius));
+  const GC::Edge_enclosure f = GC::edge_enclosure(torus, cap, 0, 2 * pi);
+  check_is(f.gap.value, 0, 1e-9);
+  check_is(f.angle->value, 0, 1e-8);
+  check_is(f.curvature_jump->value, 1, 0);
+  check_samples(torus, cap, 0, 2 * pi, f);
+  // a torus that touches a cylinder on its outside
+  const GC::Edge_side outer = side(Elementary{Kind::torus, standard, radius - small, small}, line(0, 0, 1, 0));
+  const GC::Edge_enclosure g = GC::edge_enclosure(outer, cylinder, 0, 2 * pi);
+  check_is(g.angle->value, 0, 1e-8);
+  check_is(g.curvature_jump->value, 1, 0);
+}
+
+namespace {
+
+std::vector<double> clamped(int degree, const std::vector<double>& inner) {
+  std::vector<double> k(degree + 1, 0.);
+  k.insert(k.end(), inner.begin(), inner.end());
+  k.insert(k.end(), degree + 1, 1.);
+  return k;
+}
+
+// (x(u), v, v w(u)) by the abscissas of Greville and the control values of w.
+GC::Given_spline_surface tilted(const std::vector<double>& u_knots, const std::vector<double>& w) {
+  GC::Given_spline_surface s{3, 1, u_knots, {0, 0, 1, 1}, {}, {}};
+  for (std::size_t i = 0; i < w.size(); ++i) {
+    const double x = (u_knots[i + 1] + u_knots[i + 2] + u_knots[i + 3]) / 3;
+    s.points.push_back({x, 0, 0});
+    s.points.push_back({x, 1, w[i]});
+  }
+  return s;
+}
+
+} // namespace
+
+// The normal turns by 1e-7 within a thousandth of the edge.
+BOOST_AUTO_TEST_CASE(kink_between_samples) {
+  const double step = 0x1p-12, at = 0.34375;
+  const std::vector<double> knots = clamped(3, {at, at + step, at + 2 * step, at + 3 * step, at + 4 * step});
+  std::vector<double> flat(9, 0.), bump = flat;
+  bump[4] = 1.5e-7; // the basis function of those five knots, 2/3 at the third
+  const GC::Edge_side a = side(tilted(knots, flat), line(0, 0, 1, 0)), b = side(tilted(knots, bump), line(0, 0, 1, 0));
+  const GC::Edge_enclosure e = GC::edge_enclosure(a, b, 0, 1);
+  check_is(e.gap.value, 0, 1e-9);
+  check_is(e.angle->value, std::atan(1e-7), 1e-9);
+  BOOST_TEST(e.angle->value.lower > 0.99e-7);
+  BOOST_TEST(std::fabs(e.angle->parameter - (at + 2 * step)) < step);
+  BOOST_TEST(std::fabs(e.angle->point[0] - e.angle->parameter) < 1e-12);
+  check_samples(a, b, 0, 1, e);
+}
+
+BOOST_AUTO_TEST_CASE(known_gaps) {
+  GC::Given_frame above = standard;
+  for (double height : {1e-6, 1e-3, 7.}) {
+    above.origin[2] = height;
+    const GC::Edge_enclosure e =
+        GC::edge_enclosure(side(plane(), line(1, 2, 3, 4)), side(plane(above), line(1, 2, 3, 4)), 0, 1);
+    check_is(e.gap.value, height, 0, 1e-6);
+    check_is(e.angle->value, 0, 1e-8);
+    check_is(e.curvature_jump->value, 0, 1e-4);
+  }
+  // a parabola above a plane: the gap t^2 is largest at an end
+  const GC::Given_spline_surface s{
+      2, 1, {0, 0, 0, 1, 1, 1}, {0, 0, 1, 1}, {{0, 0, 0}, {0, 1, 0}, {0.5, 0, 0}, {0.5, 1, 0}, {1, 0, 1}, {1, 1, 1}},
+      {}};
+  const GC::Edge_enclosure e = GC::edge_enclosure(side(s, line(0, 0, 1, 0)), side(plane(), line(0, 0, 1, 0)), 0, 0.75);
+  check_is(e.gap.value, 0.5625, 0);
+  BOOST_TEST(e.gap.parameter == 0.75);
+  check_is(e.angle->value, std::atan(1.5), 0);
+}
+
+// The same surfaces in different representations.
+BOOST_AUTO_TEST_CASE(representations_of_one_surface) {
+  const double radius = 2, height = 3, r = std::sqrt(0.5);
+  const GC::Edge_side cylinder = side(Elementary{Kind::cylinder, standard, radius}, line(0.5, 1, 1, 0.25));
+  const GC::Given_conic<3> base{GC::Given_conic<3>::Kind::ellipse, {0, 0, 0}, {1, 0, 0}, {0, 1, 0}, radius, radius};
+  const GC::Edge_side extruded = side(GC::Given_extrusion{base, {0, 0, 1}}, line(0.5, 1, 1, 0.25)),
+                      turned =
+                          side(GC::Given_revolution{GC::Given_line<3>{{radius, 0, 0}, {0, 0, 1}}, {0, 0, 0}, {0, 0, 1}},
+                               line(0.5, 1, 1, 0.25));
+  for (const GC::Edge_side& other : {extruded, turned}) {
+    const GC::Edge_enclosure e = GC::edge_enclosure(cylinder, other, 0, 4);
+    check_is(e.gap.value, 0, 1e-9);
+    BOOST_TEST(e.gap.value.upper < 1e-9);
+    check_is(e.angle->value, 0, 1e-8);
+    check_is(e.curvature_jump->value, 0, 1e-4);
+    check_samples(cylinder, other, 0, 4, e, 100);
+  }
+  // a quarter of the cylinder by a rational surface, and a plane through its upper circle by a rational curve
+  GC::Given_spline_surface rational{2, 1, {0, 0, 0, 1, 1, 1}, {0, 0, 1, 1}, {}, {1, 1, r, r, 1, 1}};
+  for (const P2& p : {P2{radius, 0}, P2{radius, radius}, P2{0, radius}})
+    for (double z : {0., height}) rational.points.push_back({p[0], p[1], z});
+  const GC::Given_spline_curve<2> arc{2, {0, 0, 0, 1, 1, 1}, {{radius, 0}, {radius, radius}, {0, radius}}, {1, r, 1}};
+  const GC::Given_frame top{{0, 0, height}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  const GC::Edge_side quarter = side(rational, line(0, 1, 1, 0)), lid = side(plane(top), arc);
+  const GC::Edge_enclosure e = GC::edge_enclosure(quarter, lid, 0, 1);
+  BOOST_TEST(e.gap.value.upper < 1e-9);
+  check_is(e.angle->value, pi / 2, 0);
+  check_samples(quarter, lid, 0, 1, e);
+  // and the analytic cylinder along a common ruling
+  const GC::Edge_side at_start = side(rational, line(0, 0, 0, 1 / height)),
+                      ruling = side(Elementary{Kind::cylinder, standard, radius}, line(0, 0, 0, 1));
+  const GC::Edge_enclosure f = GC::edge_enclosure(at_start, ruling, 0, height);
+  BOOST_TEST(f.gap.value.upper < 1e-9);
+  check_is(f.angle->value, 0, 1e-8);
+  check_is(f.curvature_jump->value, 0, 1e-4);
+  // offsets: of a cylinder and of a torus
+  for (const auto& [kind, first, second, distance] :
+       {std::tuple{Kind::cylinder, 2., 0., 0.5}, std::tuple{Kind::torus, 5., 1., -0.25}}) {
+    const auto basis = std::make_shared<GC::Given_surface>(Elementary{kind, standard, first, second});
+    const GC::Edge_side offset = side(GC::Given_offset_surface{basis, distance}, line(0.25, 0.5, 1, 0.5)),
+                        direct = side(kind == Kind::torus ? Elementary{kind, standard, first, second + distance}
+                                                          : Elementary{kind, standard, first + distance},
+                                      line(0.25, 0.5, 1, 0.5));
+    const GC::Edge_enclosure g = GC::edge_enclosure(offset, direct, 0, 1);
+    BOOST_TEST(g.gap.value.upper < 1e-9);
+    check_is(g.angle->value, 0, 1e-8);
+    check_is(g.curvature_jump->value, 0, 1e-4);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(placements) {
+  // a rotation by 3-4-5 about z with a shift, and a mirror at x = 0
+  const GC::Given_placement turned{{{0.6, -0.8, 0, 5}, {0.8, 0.6, 0, -2}, {0, 0, 1, 9}}},
+      mirrored{{{-1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}}};
+  auto [a, b] = fillet(2);
+  a.placement = b.placement = turned;
+  GC::Edge_enclosure e = GC::edge_enclosure(a, b, -1, 5);
+  BOOST_TEST(e.gap.value.upper < 1e-9);
+  check_is(e.angle->value, 0, 1e-8);
+  check_is(e.curvature_jump->value, 1, 0);
+  // a half of a shape that is mirrored to the other half: the planes and cylinders continue each other
+  auto [c, d] = fillet(2);
+  GC::Edge_side image = d;
+  image.placement = mirrored;
+  e = GC::edge_enclosure(d, image, -1, 5);
+  BOOST_TEST(e.gap.value.upper < 1e-9);
+  check_is(e.angle->value, 0, 1e-8);
+  check_is(e.curvature_jump->value, 0, 1e-4);
+  e = GC::edge_enclosure(c, image, -1, 5);
+  check_is(e.angle->value, 0, 1e-8);
+  check_is(e.curvature_jump->value, 1, 0);
+  check_samples(c, image, -1, 5, e, 100);
+}
+
+namespace {
+
+template <class Random> GC::Given_spline_surface random_surface(Random& random, bool rational) {
+  std::uniform_real_distribution<double> noise(-0.1, 0.1), weight(0.5, 2);
+  GC::Given_spline_surface s{3, 2, clamped(3, {0.25, 0.5, 0.5, 0.875}), clamped(2, {0.375}), {}, {}};
+  for (int i = 0; i < 8; ++i)
+    for (int j = 0; j < 4; ++j) {
+      s.points.push_back({i + noise(random), j + noise(random), 5 * noise(random)});
+      if (rational) s.weights.push_back(weight(random));
+    }
+  return s;
+}
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE(random_splines) {
+  const unsigned seed = std::random_device()();
+  BOOST_TEST_MESSAGE("seed " << seed);
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> unit(0.05, 0.95), tiny(-1e-5, 1e-5);
+  for (int round = 0; round < 12; ++round) {
+    const bool rational = round % 3 == 2;
+    const GC::Given_spline_surface s = random_surface(random, rational);
+    GC::Given_spline_surface t = round % 2 ? random_surface(random, rational) : s;
+    for (P3& p : t.points)
+      for (double& x : p) x += tiny(random);
+    GC::Given_spline_curve<2> c{3, clamped(3, {0.5}), {}, {}};
+    for (int i = 0; i < 5; ++i) c.points.push_back({(i + unit(random)) / 5, unit(random)});
+    const GC::Edge_side a = side(s, c), b = side(t, c, round % 4 == 1);
+    const GC::Edge_enclosure e = GC::edge_enclosure(a, b, 0, 1);
+    BOOST_TEST_CONTEXT("seed " << seed << ", round " << round << ": gap " << e.gap.value << ", angle " << e.angle->value
+                               << ", jump " << e.curvature_jump->value << ", " << e.boxes << " boxes") {
+      check_samples(a, b, 0, 1, e, 200, true);
+      const auto narrow = [](const GC::Enclosure& x, double floor) {
+        return x.upper <= floor || x.upper - x.lower <= 0.0101 * x.upper;
+      };
+      BOOST_TEST(narrow(e.gap.value, 1e-9));
+      BOOST_TEST(narrow(e.angle->value, 1e-8));
+      BOOST_TEST(narrow(e.curvature_jump->value, 1e-4));
+      std::cout << "gap " << e.gap.value << ", angle " << e.angle->value << ", jump " << e.curvature_jump->value << ", "
+                << e.boxes << " boxes\n";
+    }
+  }
+}
