@@ -15,10 +15,10 @@
 #include <CGAL/Geometric_continuity/trimmed/Edge_enclosure.h>
 
 #include <cmath>
-#include <iostream>
 #include <limits>
 #include <memory>
 #include <random>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -59,7 +59,7 @@ void check_is(const GC::Enclosure& e, double value, double floor, double relativ
 
 // No sample exceeds the upper end, and where the lower end is said to be attained it is.
 void check_samples(const GC::Edge_side& a, const GC::Edge_side& b, double first, double last,
-                   const GC::Edge_enclosure& e, int samples = 1000, bool exact = false) {
+                   const GC::Edge_enclosure& e, int samples = 1000, bool exact = false) { // a tenth of them exactly
   const long double slack = 1e-15L;
   const auto singular = [&](double t) {
     for (const auto& r : e.curvature_undefined)
@@ -70,8 +70,8 @@ void check_samples(const GC::Edge_side& a, const GC::Edge_side& b, double first,
   for (int i = 0; i <= samples; ++i) {
     const double t = i == samples ? last : first + i * ((last - first) / samples);
     if (t > last) continue;
-    if (exact) {
-      const Q upper(e.gap.value.upper);
+    if (exact && i % 10 == 0) {
+      const Q upper((std::min)(e.gap.value.upper, 1e300));
       wrong += sampled_edges::gap_square<Q>(a, b, t) > upper * upper;
     } else {
       wrong += std::sqrt(sampled_edges::gap_square<long double>(a, b, t)) > e.gap.value.upper + slack;
@@ -323,15 +323,153 @@ BOOST_AUTO_TEST_CASE(random_splines) {
     const GC::Edge_enclosure e = GC::edge_enclosure(a, b, 0, 1);
     BOOST_TEST_CONTEXT("seed " << seed << ", round " << round << ": gap " << e.gap.value << ", angle " << e.angle->value
                                << ", jump " << e.curvature_jump->value << ", " << e.boxes << " boxes") {
-      check_samples(a, b, 0, 1, e, 200, true);
+      check_samples(a, b, 0, 1, e, 1000, true);
       const auto narrow = [](const GC::Enclosure& x, double floor) {
         return x.upper <= floor || x.upper - x.lower <= 0.0101 * x.upper;
       };
       BOOST_TEST(narrow(e.gap.value, 1e-9));
       BOOST_TEST(narrow(e.angle->value, 1e-8));
       BOOST_TEST(narrow(e.curvature_jump->value, 1e-4));
-      std::cout << "gap " << e.gap.value << ", angle " << e.angle->value << ", jump " << e.curvature_jump->value << ", "
-                << e.boxes << " boxes\n";
     }
+  }
+}
+
+// Meridians that end in a pole, rulings that end in an apex, a side of a patch that is one point: near these the normals are left out.
+BOOST_AUTO_TEST_CASE(singular_points) {
+  const auto tiny_at = [](const std::vector<std::pair<double, double>>& ranges, double t, double length) {
+    return ranges.size() == 1 && ranges[0].first <= t && t <= ranges[0].second &&
+           ranges[0].second - ranges[0].first <= length * 0x1p-19;
+  };
+  const double tilt = 0.25, apex = -1 / std::sin(0.5);
+  const GC::Given_frame turned{
+      {0, 0, 0}, {std::cos(tilt), 0, std::sin(tilt)}, {0, 1, 0}, {-std::sin(tilt), 0, std::cos(tilt)}};
+  const Elementary sphere{Kind::sphere, standard, 2}, cone{Kind::cone, standard, 1, 0.5};
+  // the same meridian of the same sphere, by two frames
+  GC::Edge_enclosure e =
+      GC::edge_enclosure(side(sphere, line(0, 0.5, 0, 1)),
+                         side(Elementary{Kind::sphere, turned, 2}, line(0, 0.5 - tilt, 0, 1)), 0, pi / 2 - 0.5);
+  BOOST_TEST(e.gap.value.upper < 1e-9);
+  check_is(e.angle->value, 0, 1e-8);
+  check_is(e.curvature_jump->value, 0, 1e-4);
+  BOOST_TEST(tiny_at(e.singular, pi / 2 - 0.5, 1));
+  BOOST_TEST(tiny_at(e.curvature_undefined, pi / 2 - 0.5, 1));
+  e = GC::edge_enclosure(side(cone, line(0.5, apex, 0, 1)), side(cone, line(0.5, apex, 0, 1), true), 0, 1);
+  BOOST_TEST(e.gap.value.upper < 1e-9);
+  check_is(e.angle->value, pi, 0);
+  BOOST_TEST(tiny_at(e.singular, 0, 1));
+  GC::Given_spline_surface corner{2, 2, clamped(2, {}), clamped(2, {}), {}, {}};
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j) corner.points.push_back({0.5 * j, 0.25 * j * i, 0.25 * j * (j - 1) + 0.125 * i * j});
+  e = GC::edge_enclosure(side(corner, line(0, 0, 0, 1)), side(corner, line(0, 0, 0, 1)), 0, 1);
+  check_is(e.angle->value, 0, 1e-8);
+  BOOST_TEST(tiny_at(e.singular, 0, 1));
+  // the whole edge is a point
+  e = GC::edge_enclosure(side(corner, line(0, 0, 1, 0)), side(corner, line(0, 0, 1, 0)), 0, 1);
+  BOOST_TEST(e.gap.value.upper < 1e-9);
+  BOOST_TEST(!e.angle);
+  BOOST_TEST(!e.curvature_jump);
+  BOOST_TEST(e.singular == (std::vector<std::pair<double, double>>{{0, 1}}));
+  BOOST_TEST(e.boxes <= 3 * GC::Edge_precision().boxes);
+  // no length
+  e = GC::edge_enclosure(side(sphere, line(0, 0.5, 0, 1)), side(cone, line(0.5, 0, 0, 1)), 0.25, 0.25);
+  check_samples(side(sphere, line(0, 0.5, 0, 1)), side(cone, line(0.5, 0, 0, 1)), 0.25, 0.25, e, 1);
+  BOOST_TEST(e.gap.value.upper - e.gap.value.lower < 1e-12);
+}
+
+// A surface with a fold along a knot line, and one whose curvature jumps there.
+BOOST_AUTO_TEST_CASE(knot_lines) {
+  GC::Given_spline_surface roof{1, 1, {0, 0, 0.5, 1, 1}, {0, 0, 1, 1}, {}, {}}; // z = |x|, x = 2u - 1
+  for (double x : {-1., 0., 1.})
+    for (double y : {0., 1.}) roof.points.push_back({x, y, std::fabs(x)});
+  GC::Edge_side a = side(roof, line(0.5, 0, 0, 1));
+  const GC::Edge_side b = side(plane(), line(0, 0, 0, 1));
+  // along the fold either side of it may be meant, unless it is known where the face lies
+  GC::Edge_side falling = b, rising = b;
+  const double r = std::sqrt(0.5);
+  rising.placement = {{{r, 0, -r, 0}, {0, 1, 0, 0}, {r, 0, r, 0}}};
+  falling.placement = {{{r, 0, r, 0}, {0, 1, 0, 0}, {-r, 0, r, 0}}};
+  for (const auto& [face_side, same, other] : {std::tuple{1, falling, rising}, std::tuple{-1, rising, falling}}) {
+    a.face_side = face_side; // left of the line towards larger v are smaller u
+    check_is(GC::edge_enclosure(a, same, 0, 1).angle->value, 0, 1e-8);
+    check_is(GC::edge_enclosure(a, other, 0, 1).angle->value, pi / 2, 0);
+  }
+  a.face_side = 0;
+  BOOST_TEST(GC::edge_enclosure(a, rising, 0, 1).angle->value.upper >= pi / 2);
+  // an edge that crosses the fold, at a parameter that is not rounded and at one that is
+  for (double slope : {1., 0.7}) {
+    const GC::Edge_side across = side(roof, line(0, 0.5, slope, 0)), below = side(plane(), line(-1, 0.5, 2 * slope, 0));
+    const GC::Edge_enclosure e = GC::edge_enclosure(across, below, 0, 1);
+    check_is(e.gap.value, 1, 0);
+    check_is(e.angle->value, pi / 4, 0);
+  }
+  // the curvature across the edge is 0 on the left and 2 on the right of x = 1/2
+  GC::Given_spline_surface bend{2, 2, {0, 0, 0, 0.5, 1, 1, 1}, {0, 0, 0, 1, 1, 1}, {}, {}};
+  const double x[4] = {0, 0.25, 0.75, 1}, z[4] = {0, 0, 0, 0.25};
+  for (int i = 0; i < 4; ++i)
+    for (int j = 0; j < 3; ++j) bend.points.push_back({0.5 * j, x[i], z[i]});
+  const GC::Edge_side crossing = side(bend, line(0.125, 0.1, 0.7, 0.3)),
+                      flat = side(plane(), line(0.125, 0.1, 0.7, 0.3));
+  const GC::Edge_enclosure e = GC::edge_enclosure(crossing, flat, 0, 1);
+  check_is(e.curvature_jump->value, 1, 0);
+  BOOST_TEST(e.curvature_undefined.size() == 1u);
+  BOOST_TEST(std::fabs(e.curvature_undefined.at(0).first - 0.375 / 0.7) < 1e-10);
+  const GC::Edge_enclosure own = GC::edge_enclosure(crossing, crossing, 0, 1);
+  check_is(own.curvature_jump->value, 0, 1e-4);
+}
+
+// A budget of one range gives wide enclosures, which are still true.
+BOOST_AUTO_TEST_CASE(limited_work) {
+  std::mt19937 random(7);
+  const GC::Given_spline_surface s = random_surface(random, true), t = random_surface(random, true);
+  const GC::Given_spline_curve<2> c{2, clamped(2, {}), {{0, 0.1}, {0.5, 0.9}, {1, 0.2}}, {}};
+  const GC::Edge_side a = side(s, c), b = side(t, c);
+  GC::Edge_precision precision;
+  int before = 0;
+  for (int boxes : {1, 20, 100}) {
+    precision.boxes = boxes;
+    const GC::Edge_enclosure e = GC::edge_enclosure(a, b, 0, 1, precision);
+    BOOST_TEST(e.boxes >= before);
+    before = e.boxes;
+    check_samples(a, b, 0, 1, e, 50, true);
+  }
+  precision.with_curvature = false;
+  BOOST_TEST(!GC::edge_enclosure(a, b, 0, 1, precision).curvature_jump);
+}
+
+BOOST_AUTO_TEST_CASE(refused_and_huge_numbers) {
+  const double infinite = (std::numeric_limits<double>::infinity)();
+  const GC::Edge_side good = side(plane(), line(0, 0, 1, 0));
+  const auto enclose = [&](const GC::Edge_side& a) { return GC::edge_enclosure(a, good, 0, 1); };
+  CHECK_ERROR(GC::edge_enclosure(good, good, 1, 0), empty_domain);
+  CHECK_ERROR(GC::edge_enclosure(good, good, 0, infinite), not_finite);
+  CHECK_ERROR(enclose(side(plane(), line(0, 0, std::nan(""), 0))), not_finite);
+  CHECK_ERROR(enclose(side(Elementary{Kind::sphere, standard, infinite}, line(0, 0, 1, 0))), not_finite);
+  CHECK_ERROR(enclose(side(plane(), line(0, 0, 1, 0), false, {{{1, 0, 0, 0}, {0, 1, 0, 0}, {1, 1, 0, 0}}})),
+              singular_frame);
+  GC::Given_spline_surface s{1, 1, {0, 0, 1, 1}, {0, 0, 1, 1}, {{0, 0, 0}, {0, 1, 0}, {1, 0, 0}, {1, 1, 0}}, {}};
+  CHECK_ERROR(enclose(side(s, line(0.5, 0, 1, 0))), parameter_outside_domain);
+  enclose(side(s, line(-1e-9, 0, 1, 0)));
+  GC::Given_spline_surface bad = s;
+  bad.points.pop_back();
+  CHECK_ERROR(enclose(side(bad, line(0, 0, 1, 0))), wrong_number_of_points);
+  bad = s;
+  bad.u_degree = -1;
+  CHECK_ERROR(enclose(side(bad, line(0, 0, 1, 0))), wrong_number_of_points);
+  bad = s;
+  bad.v_knots = {0, 1, 0, 1};
+  CHECK_ERROR(enclose(side(bad, line(0, 0, 1, 0))), knot_multiplicity);
+  bad = s;
+  bad.weights = {1, 1, 0, 1};
+  CHECK_ERROR(enclose(side(bad, line(0, 0, 1, 0))), zero_weight);
+  // numbers so large or small that nothing is known are no errors, and there is no NaN
+  for (double scale : {1e-300, 1e-160, 1e150, 1e300}) {
+    GC::Given_spline_surface huge = s;
+    for (P3& p : huge.points)
+      for (double& x : p) x *= scale;
+    const GC::Edge_enclosure e = enclose(side(huge, line(0, 0, 1, 0)));
+    BOOST_TEST(e.gap.value.lower <= e.gap.value.upper);
+    if (e.angle) BOOST_TEST((0 <= e.angle->value.lower && e.angle->value.upper <= 3.1416));
+    if (e.curvature_jump) BOOST_TEST((0 <= e.curvature_jump->value.lower && e.curvature_jump->value.upper <= 2));
+    if (scale < 1) BOOST_TEST(e.gap.value.upper >= 1 - scale);
   }
 }

@@ -38,8 +38,9 @@ struct Edge_enclosure {
   /// The largest relative jump \f$ |\kappa_1 - \kappa_2| / \max(|\kappa_1|, |\kappa_2|, \varepsilon) \f$, in [0, 2], of the normal curvatures
   /// across the edge; \f$ \varepsilon \f$ is `Edge_precision::flat_curvature`. Empty when not asked for, or undefined on the whole edge.
   std::optional<Edge_maximum> curvature_jump;
-  /// Ranges of parameters in which a normal vanishes, or cannot be told from zero: apices, poles, collapsed edges. The angle leaves them
-  /// out. Unless the work did not suffice they are shorter than the \f$ 2^{-19} \f$-th part of the edge.
+  /// Ranges of parameters in which a normal vanishes, or cannot be told from zero: apices, poles, collapsed edges; and, less than the
+  /// \f$ 2^{-35} \f$-th part of the edge each, those in which the edge crosses a knot line where a surface itself has a fold. The angle
+  /// leaves them out. Unless the work did not suffice they are shorter than the \f$ 2^{-19} \f$-th part of the edge.
   std::vector<std::pair<double, double>> singular;
   /// Ranges of parameters that the curvature jump leaves out: such as before, those where the direction of the edge vanishes, and, less
   /// than the \f$ 2^{-35} \f$-th part of the edge each, those in which the edge crosses a knot line where the curvature of a surface itself
@@ -113,7 +114,7 @@ inline Edge_enclosure edge_enclosure(const Edge_side& a, const Edge_side& b, dou
   if (precision.with_curvature) {
     const Largest_on_ranges jump =
         largest(Edge_quantity::curvature, precision.curvature_jump, [](double x) { return x; });
-    if (jump.defined) result.curvature_jump = maximum(jump, {jump.lower, jump.upper});
+    if (jump.defined) result.curvature_jump = maximum(jump, {jump.lower, (std::min)(jump.upper, 2.)});
     result.curvature_undefined = united(jump.undefined);
   }
   result.singular = united(angle.undefined);

@@ -66,6 +66,7 @@ inline Cosine_and_sine cosine_and_sine(double x) {
 
 // Of an interval m + d: cos m cos d - sin m sin d and so on, with 1 - d^2/2 <= cos d <= 1 and |sin d| <= |d|.
 inline Cosine_and_sine cosine_and_sine(const Interval& x) {
+  if (!(magnitude(x) <= 0x1p19)) return {symmetric(1), symmetric(1)};
   const double m = x.inf() / 2 + x.sup() / 2;
   Cosine_and_sine c = cosine_and_sine(m);
   if (!x.is_point()) {

@@ -70,7 +70,8 @@ public:
         parameter = b.parameter;
       }
       defined = defined || b.defined;
-      Part part{from, to, b.defined ? b.upper : (std::numeric_limits<double>::infinity)(), b.defined, 0};
+      Part part{from, to, b.defined && b.upper >= 0 ? b.upper : (std::numeric_limits<double>::infinity)(), b.defined,
+                0};
       if (parent && parent->defined && part.defined) {
         part.bound = (std::min)(part.bound, parent->bound);
         part.idle = b.noisy && part.bound - lower > 0.9 * (parent->bound - lower) ? parent->idle + 1 : 0;

@@ -37,6 +37,7 @@ struct Side_models {
   Taylor_vector point, normal;        // the normal of unit length
   Taylor_model curvature;             // in the direction of the tangent plane that is orthogonal to the edge
   int continuity = smooth_everywhere; // of the surface where the edge may be
+  bool along_knots = false;           // the edge is a knot line, and on which side of it the face lies is not known
 };
 
 // The curve in the parameter plane on a range: one coordinate and its derivative.
@@ -58,7 +59,9 @@ struct Coordinate_models {
       add(value, k, x);
       add(derivative, k, y);
     }
-    if (constant)
+    if (!value.known())
+      range = Interval::largest();
+    else if (constant)
       range = on_range.c[0][i];
     else if (on_range.c[1][i].inf() > 0 || on_range.c[1][i].sup() < 0)
       range = hull(value.c[0], at_ends);
@@ -69,7 +72,7 @@ struct Coordinate_models {
 private:
   static void add(Taylor_model& f, int k, const Interval& x) {
     double rest = magnitude(x);
-    if (k < Taylor_model::size) {
+    if (k < Taylor_model::size && rest <= Taylor_model::largest) {
       f.c[k] = internal::middle(x);
       rest = magnitude(x - Interval(f.c[k]));
     }
@@ -112,7 +115,7 @@ public:
                              last = given_curve_jet(*side_.curve, Interval(range.t.sup()), 0, -1);
     const Coordinate_models u(about_middle, on_range, hull(first.c[0][0], last.c[0][0]), 0, range.half),
         v(about_middle, on_range, hull(first.c[0][1], last.c[0][1]), 1, range.half);
-    if (!u.value.known() || !v.value.known()) return unknown();
+    if (!(magnitude(u.range) <= Taylor_model::largest && magnitude(v.range) <= Taylor_model::largest)) return unknown();
     Parameter_box box{u.range, v.range}, middle{Interval(u.value.c[0]), Interval(v.value.c[0])};
     // the face lies towards face_side (-v', u'): for curves along a knot line
     const auto sign = [](const Interval& x) { return x.inf() > 0 ? 1 : x.sup() < 0 ? -1 : 0; };
@@ -127,6 +130,7 @@ public:
     const Composition compose{about_point, on_box, powers(du, on_box.u_degree), powers(dv, on_box.v_degree)};
     Side_models m;
     m.continuity = on_box.continuity;
+    m.along_knots = m.continuity < smooth_everywhere && (u.range.is_point() || v.range.is_point());
     m.point = placed(compose(0, 0), true);
     if (quantity == Edge_quantity::gap) return m;
     const Taylor_vector su = placed(compose(1, 0), false), sv = placed(compose(0, 1), false), normal = cross(su, sv);
@@ -195,6 +199,10 @@ private:
           if (i + j == 0) {
             for (int k = 0; k < 3; ++k) {
               const Interval constant = Interval(factor) * x[k];
+              if (!(magnitude(constant) <= Taylor_model::largest)) {
+                first[k] = Taylor_model::unknown();
+                continue;
+              }
               first[k].c[0] = constant.inf() / 2 + constant.sup() / 2;
               first[k].r = magnitude(constant - Interval(first[k].c[0]));
             }

@@ -27,7 +27,8 @@ namespace internal {
 // enlarged by that.
 struct Taylor_model {
   static constexpr int size = 8;
-  static constexpr double epsilon = 0x1p-52, tiny = 1e-300 /* more than all underflow */, enlarged = 1 + 0x1p-44;
+  static constexpr double epsilon = 0x1p-52, tiny = 1e-300 /* more than all underflow */, enlarged = 1 + 0x1p-44,
+                          largest = 1e300; // with which sums and quotients of intervals are still finite
   std::array<double, size> c{};
   double r = 0;
 
@@ -39,7 +40,7 @@ struct Taylor_model {
     return f;
   }
 
-  bool known() const { return r <= (std::numeric_limits<double>::max)(); }
+  bool known() const { return r <= largest; }
   // Of the polynomial.
   double norm() const {
     double sum = 0;
@@ -84,9 +85,10 @@ struct Taylor_model {
   Interval range() const;
   // Encloses the value at the parameters in a subset of [-1, 1].
   Interval operator()(const Interval& s) const {
+    if (!known()) return Interval::largest();
     Interval y = c[size - 1];
     for (int k = size - 2; k >= 0; --k) y = y * s + Interval(c[k]);
-    return known() ? y + symmetric(r) : Interval::largest();
+    return y + symmetric(r);
   }
 };
 
@@ -115,7 +117,7 @@ inline const std::array<std::array<double, Taylor_model::size>, Taylor_model::si
 
 // The range of a polynomial lies between its smallest and its largest Bernstein coefficient.
 inline Interval Taylor_model::range() const {
-  if (!known()) return Interval::largest();
+  if (!known() || !(norm() <= largest)) return Interval::largest();
   const auto& m = bernstein_of_powers();
   double lower = c[0], upper = c[0];
   std::array<double, size> b{};

@@ -93,11 +93,13 @@ public:
     Bounds_on_range bounds{0, 0, range.middle, false};
     if (quantity == Edge_quantity::gap)
       bounds = square_on(range, a.point - b.point);
-    else if (quantity == Edge_quantity::angle)
-      bounds = square_on(range, a.normal - b.normal);
-    else if (continuity >= 2 || upper - lower > length_ * 0x1p-36) // otherwise a curvature itself jumps here
-      bounds = jump_on(range, a.curvature, b.curvature, flat);
-    bounds.noisy = bounds.noisy && continuity == smooth_everywhere;
+    else if (continuity >= static_cast<int>(quantity) || upper - lower > length_ * 0x1p-36) {
+      // otherwise the edge crosses a knot line where a normal or a curvature itself jumps
+      const bool of_angle = quantity == Edge_quantity::angle;
+      bounds = of_angle ? square_on(range, a.normal - b.normal) : jump_on(range, a.curvature, b.curvature, flat);
+      if (!bounds.defined && continuity < 1) bounds = {0, of_angle ? 4. : 2., range.middle, true, true};
+    }
+    bounds.noisy = bounds.noisy && (continuity == smooth_everywhere || a.along_knots || b.along_knots);
     return bounds;
   }
 
