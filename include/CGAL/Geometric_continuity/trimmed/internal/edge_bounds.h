@@ -74,7 +74,16 @@ inline Bounds_on_range jump_on(const Edge_range& range, const Taylor_model& k1, 
     return Interval((std::min)(quotient.inf(), 2.), (std::min)(quotient.sup(), 2.));
   };
   const Interval s = range.place(t), at_point = jump(difference(s), k1(s), k2(s));
-  const double upper = (std::max)(jump(difference.range(), k1.range(), k2.range()).sup(), at_point.inf());
+  double upper = jump(difference.range(), k1.range(), k2.range()).sup();
+  // where both change along the edge it is closer as |d| / max(1, |1 - d|), d = (k1 - k2) / k1, or (k2 - k1) / k2 if k2 is larger
+  const bool second = std::fabs(k1.c[0]) < std::fabs(k2.c[0]);
+  const Taylor_model d = (second ? -difference : difference) * reciprocal(second ? k2 : k1);
+  if (d.known()) {
+    const Interval of_larger = d.range();
+    const double divisor = (std::max)(1., smallest(1 - of_larger));
+    upper = (std::min)(upper, (Interval(0, magnitude(of_larger)) / Interval(divisor)).sup());
+  }
+  upper = (std::max)(upper, at_point.inf());
   return {at_point.inf(), upper, t, true, upper - at_point.inf() <= 4 * (at_point.sup() - at_point.inf())};
 }
 
