@@ -190,7 +190,8 @@ private:
   static int sign_of_rho(const Given_elementary_surface& surface, const Interval& v) {
     typedef Given_elementary_surface::Kind Kind;
     if (surface.kind == Kind::sphere)
-      return magnitude(v) <= 1.5707963267948968 && surface.radius != 0 ? (surface.radius > 0 ? 1 : -1) : 0;
+      return magnitude(v) <= 1.57079633 /* pi/2, and 1e-8 more */ && surface.radius != 0 ? (surface.radius > 0 ? 1 : -1)
+                                                                                         : 0;
     if (surface.kind != Kind::cone) return 0;
     const Interval rho = Interval(surface.radius) + v * cosine_and_sine(Interval(surface.other)).sine;
     const double rounding = 1e-12 * (std::fabs(surface.radius) + magnitude(rho));
