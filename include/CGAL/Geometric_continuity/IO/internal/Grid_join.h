@@ -12,6 +12,7 @@
 #include <CGAL/Geometric_continuity/joins/join_continuity.h>
 #include <CGAL/Geometric_continuity/local/Curve_jet.h>
 #include <CGAL/Geometric_continuity/numbers/internal/Rational_parts.h>
+#include <CGAL/Geometric_continuity/numbers/internal/kernel_access.h>
 #include <CGAL/Interval_nt.h>
 
 #include <algorithm>
