@@ -12,6 +12,7 @@
 #include <CGAL/Geometric_continuity/joins/join_continuity.h>
 #include <CGAL/Geometric_continuity/local/Curve_jet.h>
 #include <CGAL/Geometric_continuity/numbers/internal/Rational_parts.h>
+#include <CGAL/Geometric_continuity/numbers/internal/kernel_access.h>
 #include <CGAL/Interval_nt.h>
 
 #include <algorithm>
@@ -106,8 +107,8 @@ public:
       const int j = k / N, degree = j < 4 ? x.degree() : y.degree();
       const typename Curve::Point& point =
           j < 4 ? x.control_point(degree - (std::min)(degree, j)) : y.control_point((std::min)(degree, j - 4));
-      const typename Curve::FT& coordinate = typename Curve::Traits().compute_coordinate_object()(point, k % N);
-      if (!Parts::short_parts(coordinate, numerators[k], denominators[k])) return false;
+      const auto split = [&](const auto& c) { return Parts::short_parts(c, numerators[k], denominators[k]); };
+      if (!with_coordinate<typename Curve::Traits>(point, k % N, split)) return false;
     }
     left_.degree = double_left_.degree_ = x.degree();
     right_.degree = double_right_.degree_ = y.degree();

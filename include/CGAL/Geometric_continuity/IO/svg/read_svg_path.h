@@ -97,10 +97,10 @@ private:
     case 'L': return builder_.line_to(point(origin));
     case 'H': return builder_.line_to(coordinate(0, origin));
     case 'V': return builder_.line_to(coordinate(1, origin));
-    case 'C': return builder_.curve_to(points(origin, {}, 3));
-    case 'S': return builder_.curve_to(points(origin, {reflected(3)}, 2));
-    case 'Q': return builder_.curve_to(points(origin, {}, 2));
-    case 'T': return builder_.curve_to(points(origin, {reflected(2)}, 1));
+    case 'C': return builder_.curve_to(points(origin, std::nullopt, 3));
+    case 'S': return builder_.curve_to(points(origin, reflected(3), 2));
+    case 'Q': return builder_.curve_to(points(origin, std::nullopt, 2));
+    case 'T': return builder_.curve_to(points(origin, reflected(2), 1));
     case 'A': return arc(origin);
     default: return builder_.close();
     }
@@ -140,9 +140,14 @@ private:
     return x;
   }
 
-  std::vector<Coordinates> points(const Coordinates& origin, std::vector<Coordinates> first, int more) {
-    for (int j = 0; j < more; ++j) first.push_back(point(origin));
-    return first;
+  // The current point, possibly a reflected handle, and the points that follow.
+  std::vector<Coordinates> points(const Coordinates& origin, std::optional<Coordinates> handle, int more) {
+    std::vector<Coordinates> result;
+    result.reserve(4);
+    result.push_back(builder_.current());
+    if (handle) result.push_back(std::move(*handle));
+    for (int j = 0; j < more; ++j) result.push_back(point(origin));
+    return result;
   }
 
   void arc(const Coordinates& origin) {

@@ -8,18 +8,35 @@
 #include <CGAL/Geometric_continuity/numbers/internal/Exact_number.h>
 
 #include <type_traits>
+#include <utility>
 
 namespace CGAL {
 namespace Geometric_continuity {
 namespace internal {
 
+// Whether a kernel keeps the coordinates of a point or a vector in an array.
+template <class Point_or_vector, class = void> constexpr bool has_array_of_coordinates = false;
+template <class Point_or_vector>
+constexpr bool has_array_of_coordinates<
+    Point_or_vector,
+    std::enable_if_t<std::is_pointer_v<decltype(std::declval<const Point_or_vector&>().cartesian_begin())>>> = true;
+
 // The i-th coordinate of a point or a vector of a kernel. A kernel that keeps them in an array is read there, without
 // the branches of cartesian(i), which would keep a compiler from computing several coordinates at a time.
 template <class FT, class Point_or_vector> FT kernel_coordinate(const Point_or_vector& p, int i) {
-  if constexpr (std::is_pointer_v<decltype(p.cartesian_begin())>)
+  if constexpr (has_array_of_coordinates<Point_or_vector>)
     return p.cartesian_begin()[i];
   else
     return p.cartesian(i);
+}
+
+// Returns f(x) for the i-th coordinate x of a point of a traits class: where the kernel keeps it, not a copy, if it has an array.
+template <class Traits, class Point, class Function>
+decltype(auto) with_coordinate(const Point& p, int i, const Function& f) {
+  if constexpr (has_array_of_coordinates<Point>)
+    return f(p.cartesian_begin()[i]);
+  else
+    return f(typename Traits::FT(Traits().compute_coordinate_object()(p, i)));
 }
 
 // The field in which predicates are decided: the exact field of the numbers of a kernel that filters predicates on

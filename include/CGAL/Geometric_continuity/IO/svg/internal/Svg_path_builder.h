@@ -10,6 +10,7 @@
 #include <CGAL/Geometric_continuity/IO/svg/Svg_segment.h>
 #include <CGAL/Geometric_continuity/IO/svg/internal/svg_size.h>
 
+#include <deque>
 #include <initializer_list>
 #include <iterator>
 #include <optional>
@@ -25,8 +26,9 @@ namespace internal {
 template <class FT> bool is_line_with_retracted_handle(const std::vector<Coordinate_vector<FT, 2>>& points) {
   typedef Coordinate_vector<FT, 2> Coordinates;
   const std::size_t m = points.size() - 1;
+  if (points[1] != points[0] && points[m - 1] != points[m]) return false;
   const Coordinates chord = points[m] - points[0];
-  if (is_zero(chord) || !(points[1] == points[0] || points[m - 1] == points[m])) return false;
+  if (is_zero(chord)) return false;
   for (std::size_t j = 1; j < m; ++j) {
     const Coordinates handle = points[j] - points[0];
     const FT along = dot(chord, handle);
@@ -44,7 +46,7 @@ public:
   typedef Coordinate_vector<FT, 2> Coordinates;
 
 private:
-  Svg_subpath<Traits> subpath_;
+  std::deque<Svg_segment<Traits>> segments_; // which are not copied when there are more of them
   std::optional<Svg_subpath<Traits>> complete_;
   Coordinates start_{2}, current_{2}, control_{2}; // control_: the last handle
   int control_degree_ = 1;                         // of the curve to which it belongs
@@ -52,9 +54,11 @@ private:
   char letter_ = 'M';
 
   void finish(bool closed) {
-    subpath_.closed = closed;
-    if (closed || !subpath_.segments.empty()) complete_ = std::move(subpath_);
-    subpath_ = Svg_subpath<Traits>();
+    if (!closed && segments_.empty()) return;
+    complete_.emplace();
+    complete_->closed = closed;
+    complete_->segments.assign(std::make_move_iterator(segments_.begin()), std::make_move_iterator(segments_.end()));
+    segments_.clear();
   }
 
   void add(std::vector<Coordinates> points) {
@@ -64,7 +68,7 @@ private:
     for (const Coordinates& x : points) control_points.push_back(to_point<Traits>(x));
     Bezier_curve<Traits> curve(std::make_move_iterator(control_points.begin()),
                                std::make_move_iterator(control_points.end()));
-    subpath_.segments.push_back({std::move(curve), commands_, letter_});
+    segments_.push_back({std::move(curve), commands_, letter_});
     current_ = std::move(points.back());
   }
 
@@ -88,15 +92,11 @@ public:
     control_degree_ = 1;
   }
 
-  // With the inner control points and the end of a curve of degree 2 or 3.
-  void curve_to(const std::vector<Coordinates>& points) {
-    std::vector<Coordinates> all;
-    all.reserve(points.size() + 1);
-    all.push_back(current_);
-    all.insert(all.end(), points.begin(), points.end());
-    control_ = all[all.size() - 2];
-    control_degree_ = static_cast<int>(points.size());
-    add(std::move(all));
+  // With the current point, the inner control points and the end of a curve of degree 2 or 3.
+  void curve_to(std::vector<Coordinates> points) {
+    control_ = points[points.size() - 2];
+    control_degree_ = static_cast<int>(points.size()) - 1;
+    add(std::move(points));
   }
 
   // The last handle reflected at the current point, when the last command drew a curve of this degree.
@@ -113,7 +113,7 @@ public:
     if (!is_svg_short<max_svg_radicand_bits>(arc.radicand()) ||
         !is_svg_short<max_svg_ratio_bits>(FT(parameters.rx / parameters.ry)))
       throw Error(Error_code::work_limit, "the sizes of an arc differ too much");
-    subpath_.segments.push_back({arc, commands_, letter_});
+    segments_.push_back({arc, commands_, letter_});
     current_ = x;
   }
 
