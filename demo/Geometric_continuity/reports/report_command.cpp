@@ -20,10 +20,10 @@ const char* const report_usage = R"(usage: geometric_continuity report FILE.g2..
        | MODEL.step... -o REPORT.html [OPTIONS]
 
 Decides the joins of a chain, of drawings or of fonts, the edges of CAD models
-within vda-4955, or with --surfaces those of a model, as verify does, and writes a page that shows them: the worst
-first, each drawn large with its curvature comb, its handles and the numbers,
-which are guaranteed bounds. The page filters and sorts. It is one file, and
-needs no network.
+within vda-4955, or with --surfaces those of a model, as verify does, and writes
+a page that shows them: the worst first, each drawn large with its curvature
+comb, its handles and the numbers, which are guaranteed bounds. The page filters
+and sorts. It is one file, and needs no network.
   gap     the ends are apart
   kink    the tangents differ, by at most --kink-angle
   corner  they differ by more
