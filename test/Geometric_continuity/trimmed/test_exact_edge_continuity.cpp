@@ -18,6 +18,8 @@
 #include <memory>
 #include <random>
 #include <string>
+#include <tuple>
+#include <utility>
 #include <vector>
 
 namespace GC = CGAL::Geometric_continuity;
@@ -171,6 +173,47 @@ BOOST_AUTO_TEST_CASE(lines_inside_splines) {
     BOOST_TEST(verdict(side(s, line(0.25, 0, 0, 1), 1), side(s, line(0.25, 0, 0, 1), -1)) == "G2");
     BOOST_TEST(verdict(side(s, line(0.5, 0, 0, 1), 1), side(s, line(0.5, 0, 0, 1), -1)) == "G1 curvature");
   }
+}
+
+// A face on one side of a knot line is compared, not that on the other side.
+BOOST_AUTO_TEST_CASE(sides_of_knot_lines) {
+  std::mt19937 random(seed() + 6);
+  const GC::Given_spline_surface s = random_surface(random, {0.5, 0.5, 0.5});
+  GC::Given_spline_surface above{3, 3, s.u_knots, clamped(3, {}), {}, {}}, below = above;
+  for (std::size_t i = 0; i < 8; ++i) {
+    below.points.insert(below.points.end(), s.points.begin() + i * 7, s.points.begin() + i * 7 + 4);
+    above.points.insert(above.points.end(), s.points.begin() + i * 7 + 3, s.points.begin() + i * 7 + 7);
+  }
+  for (const auto& [sign, same, other] : {std::tuple{1, &above, &below}, std::tuple{-1, &below, &above}}) {
+    const GC::Edge_side a = side(s, line(0, 0.5, 1, 0), sign);
+    const auto along = [&](const GC::Given_spline_surface* t) { return side(*t, line(0, t == &above ? 0 : 1, 1, 0)); };
+    BOOST_TEST(verdict(a, along(same)) == "G2");
+    BOOST_TEST(verdict(a, along(other)) == "G0 crease");
+  }
+}
+
+// x(t) is odd about t = 1/2 and vanishes at multiples of 1/4, y(t) is even: the edges agree at these, and as a whole when one is reversed.
+BOOST_AUTO_TEST_CASE(edges_that_agree_backwards_only) {
+  const double x[] = {0, 3, -6.5, 6.5, -3, 0}, y[] = {5, 1, -1, -1, 1, 5};
+  GC::Given_spline_surface a{5, 1, clamped(5, {}), clamped(1, {}), {}, {}}, b = a;
+  for (int i = 0; i < 6; ++i)
+    for (double z : {0., 1.}) {
+      a.points.push_back({x[i], y[i], z});
+      b.points.push_back({-x[i], y[i], -z});
+    }
+  BOOST_TEST(verdict(side(a, line(0, 0, 1, 0)), side(b, line(1, 0, -1, 0))) == "G2");
+  BOOST_TEST(verdict(side(a, line(0, 0, 1, 0)), side(b, line(0, 0, 1, 0))) == "undecided");
+}
+
+// A half of a shape and its mirror image, which is the other half.
+BOOST_AUTO_TEST_CASE(mirrored_splines) {
+  std::mt19937 random(seed() + 7);
+  const GC::Given_spline_surface s = random_surface(random, {});
+  GC::Given_spline_surface t = continuation(s);
+  for (P3& p : t.points) p[0] = -p[0];
+  for (bool reversed : {false, true})
+    BOOST_TEST(verdict(side(s, line(0, 1, 1, 0)), side(t, line(0, 0, 1, 0), 0, reversed, mirrored)) ==
+               (reversed ? "G2" : "G0 fold"));
 }
 
 BOOST_AUTO_TEST_CASE(seam_of_a_closed_spline) {
