@@ -14,6 +14,8 @@
 #include <array>
 #include <optional>
 #include <string>
+#include <utility>
+#include <vector>
 
 // The tolerance unless one is given: the edges of CAD models are computed, and never meet exactly.
 constexpr const char* default_cad_tolerance = "vda-4955";
@@ -76,6 +78,13 @@ struct Cad_verdict {
   }
 };
 
+// Whether the ranges that an enclosure leaves out are as short as singular points need: then it holds apart from these points.
+inline bool are_points(const std::vector<std::pair<double, double>>& ranges, double length) {
+  for (const auto& [begin, end] : ranges)
+    if (!(end - begin <= length * 0x1p-18)) return false;
+  return true;
+}
+
 // Returns the verdict on an edge that has two sides.
 inline Cad_verdict cad_verdict(const Cad_edge& edge, const Cad_demand& demand) {
   Cad_verdict result;
@@ -90,13 +99,16 @@ inline Cad_verdict cad_verdict(const Cad_edge& edge, const Cad_demand& demand) {
     return result;
   }
   const GC::Edge_enclosure& e = *result.enclosure;
-  const auto within = [](const std::optional<GC::Edge_maximum>& x, const GC::Bound& bound) {
-    return x ? GC::at_most(x->value, bound) : GC::Verdict::undecided;
+  typedef std::vector<std::pair<double, double>> Ranges;
+  const auto within = [&](const std::optional<GC::Edge_maximum>& x, const GC::Bound& bound, const Ranges& left_out) {
+    const GC::Verdict all = are_points(left_out, edge.end - edge.begin) ? GC::Verdict::proved : GC::Verdict::undecided;
+    return x ? GC::at_most(x->value, bound) && all : GC::Verdict::undecided;
   };
   result.within[0] = GC::at_most(e.gap.value, demand.bounds.gap);
-  result.within[1] = result.within[0] && within(e.angle, demand.bounds.angle);
-  result.within[2] = result.within[1] && within(e.curvature_jump, demand.bounds.curvature);
-  const GC::Verdict is_kink = within(e.angle, demand.kink), is_smooth = within(e.angle, demand.bounds.angle);
+  result.within[1] = result.within[0] && within(e.angle, demand.bounds.angle, e.singular);
+  result.within[2] = result.within[1] && within(e.curvature_jump, demand.bounds.curvature, e.curvature_undefined);
+  const GC::Verdict is_kink = within(e.angle, demand.kink, e.singular),
+                    is_smooth = within(e.angle, demand.bounds.angle, e.singular);
   if (result.within[0] == GC::Verdict::refuted)
     result.shape = Cad_shape::gap;
   else if (is_smooth == GC::Verdict::proved)
