@@ -145,11 +145,11 @@ Font_demand font_demand(const Command_line& line, const std::optional<Requiremen
   return demand;
 }
 
-// What is asked of CAD models: without --within the rule of VDA 4955, because computed edges never meet exactly.
+// What is asked of CAD models.
 Cad_demand cad_demand(const Command_line& line, const std::optional<Requirement>& required) {
   line.refuse({"surfaces", "closed", "kernel", "max-order", "max-work"}, "not for CAD models");
   Cad_demand demand;
-  demand.tolerance = line.has("within") ? line.text("within") : "vda-4955";
+  demand.tolerance = line.has("within") ? line.text("within") : default_cad_tolerance;
   const Tolerances tolerances = parse_tolerances(demand.tolerance, false);
   if (tolerances.order > 2) throw std::invalid_argument("--within: of CAD models GAP,ANGLEdeg,CURVATURE% are compared");
   demand.bounds = tolerances.joins;

@@ -15,6 +15,9 @@
 #include <optional>
 #include <string>
 
+// The tolerance unless one is given: the edges of CAD models are computed, and never meet exactly.
+constexpr const char* default_cad_tolerance = "vda-4955";
+
 // What is asked of the edges of CAD models.
 struct Cad_demand {
   std::optional<int> order;  // that is required

@@ -2,6 +2,7 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
+#include "cad/read_cad.h"
 #include "command_line.h"
 #include "drawings/svg_drawing.h"
 #include "fonts/font_files.h"
@@ -16,10 +17,10 @@
 namespace {
 
 const char* const report_usage = R"(usage: geometric_continuity report FILE.g2... | DRAWING.svg... | FONT...
-       -o REPORT.html [OPTIONS]
+       | MODEL.step... -o REPORT.html [OPTIONS]
 
-Decides the joins of a chain, of drawings or of fonts, or with --surfaces the
-edges of a model, as verify does, and writes a page that shows them: the worst
+Decides the joins of a chain, of drawings or of fonts, the edges of CAD models
+within vda-4955, or with --surfaces those of a model, as verify does, and writes a page that shows them: the worst
 first, each drawn large with its curvature comb, its handles and the numbers,
 which are guaranteed bounds. The page filters and sorts. It is one file, and
 needs no network.
@@ -93,6 +94,11 @@ int report_command(const Arguments& arguments) {
     return written(page, output);
   }
   line.refuse({"glyphs"}, "only for fonts");
+  if (are_cad_files(files)) {
+    line.refuse({"surfaces", "closed", "max-work"}, "not for CAD models");
+    report_cad(files, demand, page);
+    return written(page, output);
+  }
   const auto drawings = std::count_if(files.begin(), files.end(), is_svg_file);
   if (drawings != 0) {
     if (drawings != static_cast<std::ptrdiff_t>(files.size()))

@@ -21,6 +21,7 @@ struct Report_demand {
 };
 
 // Each of these reads files, decides about their joins, and puts these on the page.
+void report_cad(const Arguments& files, const Report_demand& demand, Report_page& page);
 void report_chain(const Arguments& files, const Report_demand& demand, Report_page& page);
 void report_drawings(const Arguments& files, const Report_demand& demand, Report_page& page);
 void report_fonts(const Arguments& files, const Report_demand& demand, Report_page& page);

@@ -411,10 +411,27 @@ BOOST_AUTO_TEST_CASE(knot_lines) {
                       flat = side(plane(), line(0.125, 0.1, 0.7, 0.3));
   const GC::Edge_enclosure e = GC::edge_enclosure(crossing, flat, 0, 1);
   check_is(e.curvature_jump->value, 1, 0);
-  BOOST_TEST(e.curvature_undefined.size() == 1u);
-  BOOST_TEST(std::fabs(e.curvature_undefined.at(0).first - 0.375 / 0.7) < 1e-10);
+  BOOST_TEST(e.curvature_undefined.empty());
+  // with itself it agrees on both sides of the knot line, which both must be known to cross at once
   const GC::Edge_enclosure own = GC::edge_enclosure(crossing, crossing, 0, 1);
   check_is(own.curvature_jump->value, 0, 1e-4);
+  BOOST_TEST(own.singular.empty());
+  BOOST_TEST(own.curvature_undefined.size() == 1u);
+  BOOST_TEST(std::fabs(own.curvature_undefined.at(0).first - 0.375 / 0.7) < 1e-10);
+  const GC::Edge_side over = side(roof, line(0.125, 0.1, 0.7, 0.3));
+  const GC::Edge_enclosure folded = GC::edge_enclosure(over, over, 0, 1);
+  check_is(folded.angle->value, 0, 1e-8);
+  BOOST_TEST(folded.singular.size() == 1u);
+  BOOST_TEST(folded.gap.value.upper < 1e-9);
+  // where the knot is met exactly nothing is left out, nor where the surface is smooth across a knot of full multiplicity
+  BOOST_TEST(GC::edge_enclosure(side(roof, line(0, 0.5, 1, 0)), side(roof, line(0, 0.5, 1, 0)), 0, 1).singular.empty());
+  GC::Given_spline_surface smooth = roof;
+  for (P3& p : smooth.points) p[2] = p[0];
+  const GC::Edge_side on_smooth = side(smooth, line(0.125, 0.1, 0.7, 0.3));
+  const GC::Edge_enclosure f = GC::edge_enclosure(on_smooth, on_smooth, 0, 1);
+  BOOST_TEST(f.singular.empty());
+  BOOST_TEST(f.curvature_undefined.empty());
+  check_is(f.angle->value, 0, 1e-8);
 }
 
 // A budget of one range gives wide enclosures, which are still true.

@@ -5,6 +5,7 @@
 #include "cad/opencascade/given_surface.h"
 #include "cad/opencascade/read_model.h"
 
+#include <BRepAdaptor_Curve.hxx>
 #include <BRep_Tool.hxx>
 #include <BndLib_Add2dCurve.hxx>
 #include <Bnd_Box2d.hxx>
@@ -170,6 +171,24 @@ class Model_builder {
     e.sides = {side(uses[0], false), side(uses[1], true)};
   }
 
+  // Points to draw an edge.
+  static std::vector<GC::Given_point<3>> points(const TopoDS_Edge& edge) {
+    std::vector<GC::Given_point<3>> result;
+    try {
+      const BRepAdaptor_Curve curve(edge);
+      const int n = curve.GetType() == GeomAbs_Line ? 1 : 24;
+      const double begin = curve.FirstParameter(), end = curve.LastParameter();
+      if (!(std::abs(begin) < infinite && std::abs(end) < infinite)) return {};
+      for (int i = 0; i <= n; ++i) {
+        const gp_Pnt p = curve.Value(i == n ? end : begin + (end - begin) * i / n);
+        result.push_back({p.X(), p.Y(), p.Z()});
+      }
+    } catch (const Standard_Failure&) { // it cannot be drawn
+      result.clear();
+    }
+    return result;
+  }
+
   void add_edge(std::size_t number) {
     const TopoDS_Edge edge = this->edge(number);
     const std::vector<Edge_use>& uses = uses_[number];
@@ -180,6 +199,7 @@ class Model_builder {
     e.kind = kind(edge, uses);
     e.closed = !first.IsNull() && first.IsSame(last);
     e.tolerance = BRep_Tool::Tolerance(edge);
+    if (e.kind != Cad_edge_kind::degenerate) e.points = points(edge);
     for (const Edge_use& use : uses)
       if (e.faces.empty() || e.faces.back() != use.face) e.faces.push_back(use.face);
     try {

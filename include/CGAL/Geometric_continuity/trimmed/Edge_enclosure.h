@@ -89,7 +89,7 @@ inline Edge_enclosure edge_enclosure(const Edge_side& a, const Edge_side& b, dou
   check_finite({first, last}, "edge_enclosure: the range");
   if (!(first <= last)) throw Error(Error_code::empty_domain, "edge_enclosure: the range");
   const Protect_FPU_rounding<true> rounding_upwards;
-  const Edge_bounds bounds(a, b, last - first);
+  const Edge_bounds bounds(a, b);
   const std::vector<double> ends = bounds.divided(first, last);
   Edge_enclosure result{};
   const auto largest = [&](Edge_quantity quantity, double floor, double (*measure)(double)) {

@@ -17,10 +17,10 @@ namespace CGAL {
 namespace Geometric_continuity {
 namespace internal {
 
-// A rectangle of parameters; the sides of knots for parameters that are points, see `Spline_pieces`.
+// A rectangle of parameters, and a piece of a surface by the numbers of its spans in u and v.
 struct Parameter_box {
   Interval u, v;
-  int u_side = 0, v_side = 0;
+  int u_span, v_span;
 };
 
 // Numbers with two indices of a sum that is not too large.
@@ -33,11 +33,11 @@ public:
   const Number& operator()(int i, int j) const { return x_[(i + j) * (i + j + 1) / 2 + j]; }
 };
 
-// Encloses the derivatives of S by u and v, i and j times, divided by i! j!, at all parameters of a box, on each piece that it touches.
+// Encloses the derivatives of S by u and v, i and j times, divided by i! j!, at all parameters of a box, of one piece
+// of the surface, which is continued beyond its ends.
 struct Given_surface_jet {
   Triangle<Interval_vector<3>> s;
   int u_degree = highest_order, v_degree = highest_order; // those of higher numbers are zero
-  int continuity = smooth_everywhere;                     // S is so often continuously differentiable
 
   // Adds a multiple of a vector.
   void add(int i, int j, const Interval& factor, const Given_point<3>& v) {
@@ -89,10 +89,9 @@ inline Given_surface_jet jet_of(const Given_elementary_surface& surface, const P
 }
 
 inline Given_surface_jet jet_of(const Given_extrusion& surface, const Parameter_box& box, int order) {
-  const Given_curve_jet<3> c = given_curve_jet(surface.profile, box.u, order, box.u_side);
+  const Given_curve_jet<3> c = given_curve_jet(surface.profile, box.u, order, box.u_span);
   Given_surface_jet jet;
   jet.v_degree = 1;
-  jet.continuity = c.continuity;
   for (int i = 0; i <= order; ++i) jet.s(i, 0) = c.c[i];
   jet.add(0, 0, box.v, surface.direction);
   jet.add(0, 1, Interval(1), surface.direction);
@@ -100,11 +99,10 @@ inline Given_surface_jet jet_of(const Given_extrusion& surface, const Parameter_
 }
 
 inline Given_surface_jet jet_of(const Given_revolution& surface, const Parameter_box& box, int order) {
-  const Given_curve_jet<3> c = given_curve_jet(surface.profile, box.v, order, box.v_side);
+  const Given_curve_jet<3> c = given_curve_jet(surface.profile, box.v, order, box.v_span);
   const auto u = circle_jet(box.u);
   const Given_point<3>& d = surface.direction;
   Given_surface_jet jet;
-  jet.continuity = c.continuity;
   for (int j = 0; j <= order; ++j) {
     Interval_vector<3> w = c.c[j], along, across;
     if (j == 0)

@@ -24,7 +24,8 @@ namespace internal {
 struct Bounds_on_range {
   double lower, upper, parameter;
   bool defined;       // otherwise nothing is known
-  bool noisy = false; // at that parameter alone the bounds are not much closer, and not because of knots in the range
+  bool noisy = false; // at that parameter alone the bounds are not much closer
+  bool knots = false; // a surface may have a knot line within the range
 };
 
 // When bounds are narrow enough, see `Edge_precision`: by a function that rises, such as the root of a square.
@@ -43,7 +44,7 @@ class Largest_on_ranges {
   struct Part {
     double lower, upper; // of the parameter
     double bound;
-    bool defined;
+    bool defined, knots;
     int idle; // so many halvings in succession have gained little: rounding errors prevail
     bool operator<(const Part& other) const {
       return bound != other.bound ? bound < other.bound : upper - lower < other.upper - other.lower;
@@ -58,7 +59,9 @@ public:
   int evaluated = 0;
   std::vector<std::pair<double, double>> undefined; // where nothing is known
 
-  // On the ranges between successive numbers of `ends`. Parts where the function is not defined are halved until they are tiny.
+  // On the ranges between successive numbers of `ends`. Parts where the function is not defined are halved until they are tiny. So are
+  // those with knot lines, unless the bounds are narrow with them: where a surface itself is not smooth, which of its pieces meets
+  // which of the other is not known.
   template <class Evaluate>
   Largest_on_ranges(const std::vector<double>& ends, const Largest_options& options, const Evaluate& evaluate)
       : parameter(ends.front()) {
@@ -70,8 +73,8 @@ public:
         parameter = b.parameter;
       }
       defined = defined || b.defined;
-      Part part{from, to, b.defined && b.upper >= 0 ? b.upper : (std::numeric_limits<double>::infinity)(), b.defined,
-                0};
+      Part part{from,      to,      b.defined && b.upper >= 0 ? b.upper : (std::numeric_limits<double>::infinity)(),
+                b.defined, b.knots, 0};
       if (parent && parent->defined && part.defined) {
         part.bound = (std::min)(part.bound, parent->bound);
         part.idle = b.noisy && part.bound - lower > 0.9 * (parent->bound - lower) ? parent->idle + 1 : 0;
@@ -81,7 +84,7 @@ public:
     };
     for (std::size_t i = 0; i + 1 < ends.size(); ++i) add(ends[i], ends[i + 1], nullptr);
     if (ends.size() == 1) add(ends[0], ends[0], nullptr);
-    const double tiny = (ends.back() - ends.front()) * 0x1p-20;
+    const double tiny = (ends.back() - ends.front()) * 0x1p-20, crossing = (ends.back() - ends.front()) * 0x1p-36;
     int undefined_halvings = 0;
     while (!heap_.empty()) {
       const Part part = heap_.front();
@@ -91,6 +94,10 @@ public:
       heap_.pop_back();
       const double middle = part.lower / 2 + part.upper / 2;
       const bool divisible = part.lower < middle && middle < part.upper;
+      if (part.knots && part.upper - part.lower <= crossing) {
+        undefined.emplace_back(part.lower, part.upper);
+        continue;
+      }
       if (!part.defined &&
           (!divisible || part.upper - part.lower <= tiny || undefined_halvings >= options.ranges / 8)) {
         undefined.emplace_back(part.lower, part.upper);

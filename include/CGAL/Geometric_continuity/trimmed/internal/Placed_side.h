@@ -34,10 +34,9 @@ struct Edge_range {
 enum class Edge_quantity { gap, angle, curvature };
 
 struct Side_models {
-  Taylor_vector point, normal;        // the normal of unit length
-  Taylor_model curvature;             // in the direction of the tangent plane that is orthogonal to the edge
-  int continuity = smooth_everywhere; // of the surface where the edge may be
-  bool along_knots = false;           // the edge is a knot line, and on which side of it the face lies is not known
+  Taylor_vector point, normal; // the normal of unit length
+  Taylor_model curvature;      // in the direction of the tangent plane that is orthogonal to the edge
+  bool along_knots = false;    // the edge is a knot line, and on which side of it the face lies is not known
 };
 
 // The curve in the parameter plane on a range: one coordinate and its derivative.
@@ -106,31 +105,47 @@ public:
       flipped_ = !flipped_; // a mirror: the image of the normal is opposite to that of the images
   }
 
-  // On each range the quantity asked for and those before it. \pre the range lies between the knots of the curve
-  Side_models models(const Edge_range& range, Edge_quantity quantity) const {
+  // On each range the quantity asked for and those before it, by the formula of each piece of the surface that the edge may touch there,
+  // continued to all of the range: at each parameter one of these is the surface. None when nothing is known, or when there
+  // are too many. \pre the range lies between the knots of the curve
+  std::vector<Side_models> models(const Edge_range& range, Edge_quantity quantity) const {
     constexpr int n = Taylor_model::size;
-    const Given_curve_jet<2> about_middle = given_curve_jet(*side_.curve, Interval(range.middle), n),
-                             on_range = given_curve_jet(*side_.curve, range.t, n + 1);
-    const Given_curve_jet<2> first = given_curve_jet(*side_.curve, Interval(range.t.inf()), 0, 1),
-                             last = given_curve_jet(*side_.curve, Interval(range.t.sup()), 0, -1);
+    const Given_curve<2>& curve = *side_.curve;
+    const int span = touched_pieces(curve, range.t, 1).front();
+    const Given_curve_jet<2> about_middle = given_curve_jet(curve, Interval(range.middle), n, span),
+                             on_range = given_curve_jet(curve, range.t, n + 1, span),
+                             first = given_curve_jet(curve, Interval(range.t.inf()), 0, span),
+                             last = given_curve_jet(curve, Interval(range.t.sup()), 0, span);
     const Coordinate_models u(about_middle, on_range, hull(first.c[0][0], last.c[0][0]), 0, range.half),
         v(about_middle, on_range, hull(first.c[0][1], last.c[0][1]), 1, range.half);
-    if (!(magnitude(u.range) <= Taylor_model::largest && magnitude(v.range) <= Taylor_model::largest)) return unknown();
-    Parameter_box box{u.range, v.range}, middle{Interval(u.value.c[0]), Interval(v.value.c[0])};
+    std::vector<Side_models> result;
+    if (!(magnitude(u.range) <= Taylor_model::largest && magnitude(v.range) <= Taylor_model::largest)) return result;
     // the face lies towards face_side (-v', u'): for curves along a knot line
     const auto sign = [](const Interval& x) { return x.inf() > 0 ? 1 : x.sup() < 0 ? -1 : 0; };
-    if (u.range.is_point()) box.u_side = middle.u_side = -sign(on_range.c[1][1]) * side_.face_side;
-    if (v.range.is_point()) box.v_side = middle.v_side = sign(on_range.c[1][0]) * side_.face_side;
-    const int order = n + static_cast<int>(quantity);
-    const Given_surface_jet about_point = given_surface_jet(*side_.surface, middle, order),
-                            on_box = given_surface_jet(*side_.surface, box, order);
+    const std::array<std::vector<int>, 2> spans =
+        touched_pieces(*side_.surface, u.range, v.range, -sign(on_range.c[1][1]) * side_.face_side,
+                       sign(on_range.c[1][0]) * side_.face_side);
+    if (spans[0].size() * spans[1].size() > 6) return result;
+    for (int u_span : spans[0])
+      for (int v_span : spans[1]) {
+        result.push_back(piece_models(u, v, u_span, v_span, quantity));
+        result.back().along_knots =
+            (u.range.is_point() && spans[0].size() > 1) || (v.range.is_point() && spans[1].size() > 1);
+      }
+    return result;
+  }
 
+private:
+  Side_models piece_models(const Coordinate_models& u, const Coordinate_models& v, int u_span, int v_span,
+                           Edge_quantity quantity) const {
+    const int order = Taylor_model::size + static_cast<int>(quantity);
+    const Given_surface_jet about_point =
+                                given_surface_jet(*side_.surface, {u.value.c[0], v.value.c[0], u_span, v_span}, order),
+                            on_box = given_surface_jet(*side_.surface, {u.range, v.range, u_span, v_span}, order);
     Taylor_model du = u.value, dv = v.value;
     du.c[0] = dv.c[0] = 0;
     const Composition compose{about_point, on_box, powers(du, on_box.u_degree), powers(dv, on_box.v_degree)};
     Side_models m;
-    m.continuity = on_box.continuity;
-    m.along_knots = m.continuity < smooth_everywhere && (u.range.is_point() || v.range.is_point());
     m.point = placed(compose(0, 0), true);
     if (quantity == Edge_quantity::gap) return m;
     const Taylor_vector su = placed(compose(1, 0), false), sv = placed(compose(0, 1), false), normal = cross(su, sv);
@@ -151,15 +166,6 @@ public:
     return m;
   }
 
-private:
-  static Side_models unknown() {
-    Side_models m;
-    m.point.fill(Taylor_model::unknown());
-    m.normal = m.point;
-    m.curvature = m.point[0];
-    return m;
-  }
-
   struct Powers {
     std::vector<Taylor_model> f;
     std::vector<double> norm;
@@ -175,16 +181,13 @@ private:
   }
 
   // A derivative of S by u and v along the curve: its Taylor polynomial about the point in the middle, where the coefficients of the
-  // last order are those of all points of the box. When S is only r times continuously differentiable, as the box
-  // contains knots, the last order is that in which S has r + 1 derivatives: these have jumps, and Taylor's theorem with the remainder as an
-  // integral holds for functions whose derivative of the order r is continuous and piecewise differentiable. An order below 0 means: only
-  // the hull of all pieces.
+  // last order are those of all points of the box.
   struct Composition {
     const Given_surface_jet &about_point, &on_box;
     const Powers u, v;
 
     Taylor_vector operator()(int by_u, int by_v) const {
-      const int by = by_u + by_v, order = (std::max)(0, (std::min)(+Taylor_model::size, on_box.continuity + 1 - by));
+      constexpr int order = Taylor_model::size;
       std::array<Taylor_sum, 3> sums;
       Taylor_vector first{};
       for (int i = 0; i <= order && i < static_cast<int>(u.f.size()) && i + by_u <= on_box.u_degree; ++i)
@@ -212,8 +215,7 @@ private:
           const bool both = i > 0 && j > 0;
           const Taylor_model f = both ? u.f[i] * v.f[j] : i > 0 ? u.f[i] : v.f[j];
           const double norm = both ? f.norm() * Taylor_model::enlarged : i > 0 ? u.norm[i] : v.norm[j];
-          for (int k = 0; k < 3; ++k)
-            sums[k].add(Interval(factor) * x[k], f, norm, (std::min)(i + j, +Taylor_model::size));
+          for (int k = 0; k < 3; ++k) sums[k].add(Interval(factor) * x[k], f, norm, i + j);
         }
       for (int k = 0; k < 3; ++k) first[k] = sums[k].value() + first[k];
       return first;

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <vector>
 
 /// \file edge_bounds.h
@@ -36,11 +37,11 @@ inline double rounded_value(const Taylor_model& f, double s) {
   return y;
 }
 
-// Bounds of |d|^2.
-inline Bounds_on_range square_on(const Edge_range& range, const Taylor_vector& d) {
+// Bounds of |d|^2, from below those at a parameter that may be given.
+inline Bounds_on_range square_on(const Edge_range& range, const Taylor_vector& d, const std::optional<double>& at) {
   const Taylor_model square = dot(d, d);
   if (!square.known()) return {0, 0, range.middle, false};
-  const double t = likely_maximum(range, [&](double s) { return rounded_value(square, s); });
+  const double t = at ? *at : likely_maximum(range, [&](double s) { return rounded_value(square, s); });
   const Interval s = range.place(t);
   Interval at_point = 0; // by the coordinates: their remainders are squared
   for (const Taylor_model& x : d) at_point += CGAL::square(x(s));
@@ -55,10 +56,11 @@ inline Bounds_on_range square_on(const Edge_range& range, const Taylor_vector& d
 }
 
 // Bounds of |k1 - k2| / max(|k1|, |k2|, flat).
-inline Bounds_on_range jump_on(const Edge_range& range, const Taylor_model& k1, const Taylor_model& k2, double flat) {
+inline Bounds_on_range jump_on(const Edge_range& range, const Taylor_model& k1, const Taylor_model& k2, double flat,
+                               const std::optional<double>& at) {
   const Taylor_model difference = k1 - k2;
   if (!difference.known()) return {0, 0, range.middle, false};
-  const double t = likely_maximum(range, [&](double s) {
+  const double t = at ? *at : likely_maximum(range, [&](double s) {
     const double x = rounded_value(k1, s), y = rounded_value(k2, s);
     return std::fabs(x - y) / (std::max)({std::fabs(x), std::fabs(y), flat, Taylor_model::tiny});
   });
@@ -72,7 +74,16 @@ inline Bounds_on_range jump_on(const Edge_range& range, const Taylor_model& k1, 
     return Interval((std::min)(quotient.inf(), 2.), (std::min)(quotient.sup(), 2.));
   };
   const Interval s = range.place(t), at_point = jump(difference(s), k1(s), k2(s));
-  const double upper = (std::max)(jump(difference.range(), k1.range(), k2.range()).sup(), at_point.inf());
+  double upper = jump(difference.range(), k1.range(), k2.range()).sup();
+  // where both change along the edge it is closer as |d| / max(1, |1 - d|), d = (k1 - k2) / k1, or (k2 - k1) / k2 if k2 is larger
+  const bool second = std::fabs(k1.c[0]) < std::fabs(k2.c[0]);
+  const Taylor_model d = (second ? -difference : difference) * reciprocal(second ? k2 : k1);
+  if (d.known()) {
+    const Interval of_larger = d.range();
+    const double divisor = (std::max)(1., smallest(1 - of_larger));
+    upper = (std::min)(upper, (Interval(0, magnitude(of_larger)) / Interval(divisor)).sup());
+  }
+  upper = (std::max)(upper, at_point.inf());
   return {at_point.inf(), upper, t, true, upper - at_point.inf() <= 4 * (at_point.sup() - at_point.inf())};
 }
 
@@ -80,32 +91,38 @@ inline Bounds_on_range jump_on(const Edge_range& range, const Taylor_model& k1, 
 class Edge_bounds {
   std::array<Placed_side, 2> sides_;
   std::array<const Edge_side*, 2> given_;
-  double length_; // of the range of all
 
 public:
-  Edge_bounds(const Edge_side& a, const Edge_side& b, double length)
-      : sides_{Placed_side(a), Placed_side(b)}, given_{&a, &b}, length_(length) {}
+  Edge_bounds(const Edge_side& a, const Edge_side& b) : sides_{Placed_side(a), Placed_side(b)}, given_{&a, &b} {}
 
   Bounds_on_range operator()(double lower, double upper, Edge_quantity quantity, double flat) const {
     const Edge_range range(lower, upper);
-    const Side_models a = sides_[0].models(range, quantity), b = sides_[1].models(range, quantity);
-    const int continuity = (std::min)(a.continuity, b.continuity);
+    const std::vector<Side_models> a = sides_[0].models(range, quantity), b = sides_[1].models(range, quantity);
     Bounds_on_range bounds{0, 0, range.middle, false};
-    if (quantity == Edge_quantity::gap)
-      bounds = square_on(range, a.point - b.point);
-    else if (continuity >= static_cast<int>(quantity) || upper - lower > length_ * 0x1p-36) {
-      // otherwise the edge crosses a knot line where a normal or a curvature itself jumps
-      const bool of_angle = quantity == Edge_quantity::angle;
-      bounds = of_angle ? square_on(range, a.normal - b.normal) : jump_on(range, a.curvature, b.curvature, flat);
-      if (!bounds.defined && continuity < 1) bounds = {0, of_angle ? 4. : 2., range.middle, true, true};
-    }
-    bounds.noisy = bounds.noisy && (continuity == smooth_everywhere || a.along_knots || b.along_knots);
+    const bool several = a.size() * b.size() > 1, may_jump = several && quantity != Edge_quantity::gap;
+    std::optional<double> at;
+    for (const Side_models& x : a) // the largest of what all combinations of pieces allow, at one parameter the least
+      for (const Side_models& y : b) {
+        const Bounds_on_range of_pieces = quantity == Edge_quantity::gap ? square_on(range, x.point - y.point, at)
+                                          : quantity == Edge_quantity::angle
+                                              ? square_on(range, x.normal - y.normal, at)
+                                              : jump_on(range, x.curvature, y.curvature, flat, at);
+        if (!of_pieces.defined) return {0, 0, range.middle, false, false, may_jump};
+        bounds = !at ? of_pieces
+                     : Bounds_on_range{(std::min)(bounds.lower, of_pieces.lower),
+                                       (std::max)(bounds.upper, of_pieces.upper), *at, true};
+        at = bounds.parameter;
+      }
+    if (several) bounds.noisy = a[0].along_knots || b[0].along_knots;
+    bounds.knots = may_jump && !bounds.noisy;
     return bounds;
   }
 
   // The point of the first side, rounded.
   Given_point<3> point(double t) const {
-    const Taylor_vector p = sides_[0].models(Edge_range(t, t), Edge_quantity::gap).point;
+    const std::vector<Side_models> models = sides_[0].models(Edge_range(t, t), Edge_quantity::gap);
+    if (models.empty()) return {};
+    const Taylor_vector& p = models[0].point;
     return {p[0].c[0], p[1].c[0], p[2].c[0]};
   }
 
@@ -125,9 +142,11 @@ public:
       const std::array<Given_domain, 2> domain = given_domain(*side->surface);
       for (double t : {first, last}) given_domain(*side->curve).check(t, "the range of an edge");
       for (int axis = 0; axis < 2; ++axis) {
-        const auto coordinate = [&](double t) {
-          return middle(given_curve_jet(*side->curve, Interval(t), 0).c[0][axis]);
+        const auto enclosed = [&](double t) {
+          const int span = touched_pieces(*side->curve, Interval(t), 1).front();
+          return given_curve_jet(*side->curve, Interval(t), 0, span).c[0][axis];
         };
+        const auto coordinate = [&](double t) { return middle(enclosed(t)); };
         for (std::size_t i = 0; i < pieces; ++i) domain[axis].check(coordinate(ends[i]), "an edge on a surface");
         for (std::size_t i = 0; i + 1 < pieces && !knots[axis].empty(); ++i) {
           const double from = coordinate(ends[i]), to = coordinate(ends[i + 1]);
@@ -138,7 +157,7 @@ public:
               const double t = below / 2 + above / 2;
               (coordinate(t) != knot && (coordinate(t) < knot) == (from < to) ? below : above) = t;
             }
-            const bool exact = given_curve_jet(*side->curve, Interval(above), 0).c[0][axis].is_same(Interval(knot));
+            const bool exact = enclosed(above).is_same(Interval(knot));
             for (double t : {exact ? above : below - margin, exact ? above : above + margin})
               if (first < t && t < last) ends.push_back(t);
           }

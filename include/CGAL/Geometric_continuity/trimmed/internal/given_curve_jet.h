@@ -32,15 +32,19 @@ template <int D> struct Interval_vector : std::array<Interval, D> {
   Interval_vector() { this->fill(Interval(0)); }
 };
 
-// Encloses the derivatives c^(k)(t) / k!, k <= order, at all t of an interval, on each piece that it touches. The curve is so often
-// continuously differentiable on it.
-template <int D> struct Given_curve_jet {
-  std::array<Interval_vector<D>, highest_order + 1> c;
-  int continuity = smooth_everywhere;
-};
+// Encloses the derivatives c^(k)(t) / k!, k <= order, at all t of an interval, of one piece of the curve, which is continued beyond its
+// ends.
+template <int D> struct Given_curve_jet { std::array<Interval_vector<D>, highest_order + 1> c; };
 
 template <int D>
-Given_curve_jet<D> given_curve_jet(const Given_curve<D>& curve, const Interval& t, int order, int side = 0);
+Given_curve_jet<D> given_curve_jet(const Given_curve<D>& curve, const Interval& t, int order, int span);
+
+// The pieces of a curve that an interval of parameters touches.
+template <int D> std::vector<int> touched_pieces(const Given_curve<D>& curve, const Interval& t, int side) {
+  if (const auto* offset = std::get_if<Given_offset_curve<D>>(&curve)) return touched_pieces(*offset->basis, t, side);
+  if (const auto* s = std::get_if<Given_spline_curve<D>>(&curve)) return touched_pieces(s->knots, s->degree, t, side);
+  return {0};
+}
 
 // cos^(k)(t) / k! and sin^(k)(t) / k!.
 inline std::array<Cosine_and_sine, highest_order + 1> circle_jet(const Interval& t) {
@@ -92,52 +96,41 @@ template <int D> Given_curve_jet<D> jet_of(const Given_conic<D>& conic, const In
   return jet;
 }
 
-// On each piece the polynomials of the points, relative to one of them so that what is constant stays exact, and of the weights, about
-// the middle, moved to all of the interval; the series of a quotient.
+// The polynomials of the points, relative to one of them so that what is constant stays exact, and of the weights, about the middle,
+// moved to all of the interval; the series of a quotient.
 template <int D>
-Given_curve_jet<D> jet_of(const Given_spline_curve<D>& spline, const Interval& t, int order, int side) {
+Given_curve_jet<D> jet_of(const Given_spline_curve<D>& spline, const Interval& t, int order, int span) {
   const int n = spline.degree;
   const bool rational = !spline.weights.empty();
-  const Spline_pieces pieces(spline.knots, n, t, side);
-  Given_curve_jet<D> jet;
-  jet.continuity = pieces.continuity;
-  std::vector<Interval_vector<D + 1>> h;
-  for (std::size_t p = 0; p < pieces.spans.size(); ++p) {
-    const int span = pieces.spans[p];
-    const Interval part = part_in_piece(spline.knots, n, span, t);
-    const double m = middle(part);
-    const Basis_polynomials basis(spline.knots, n, span, m);
-    const Given_point<D>& origin = spline.points[span];
-    h.assign((std::max)(n, order) + 1, {});
-    for (int a = 0; a <= n; ++a) {
-      Interval_vector<D + 1> point;
-      point[D] = rational ? spline.weights[span - n + a] : 1;
-      for (int i = 0; i < D; ++i)
-        point[i] = (Interval(spline.points[span - n + a][i]) - Interval(origin[i])) * point[D];
-      for (int k = 0; k <= n; ++k)
-        for (int i = 0; i < D + rational; ++i) h[k][i] += basis(a, k) * point[i];
-    }
-    for (int i = 0; i < D + rational && !part.is_point(); ++i)
-      move_centre(n, part - Interval(m), [&](int k) -> Interval& { return h[k][i]; });
-    if (rational) {
-      for (int k = 0; k <= order; ++k)
-        for (int i = 0; i < D; ++i) {
-          for (int j = 1; j <= k; ++j) h[k][i] -= h[j][D] * h[k - j][i];
-          h[k][i] /= h[0][D];
-        }
-    }
-    for (int i = 0; i < D; ++i) h[0][i] += Interval(origin[i]);
-    for (int k = 0; k <= order; ++k)
-      for (int i = 0; i < D; ++i) jet.c[k][i] = p == 0 ? h[k][i] : hull(jet.c[k][i], h[k][i]);
+  const double m = middle(t);
+  const Basis_polynomials basis(spline.knots, n, span, m);
+  const Given_point<D>& origin = spline.points[span];
+  std::vector<Interval_vector<D + 1>> h((std::max)(n, order) + 1);
+  for (int a = 0; a <= n; ++a) {
+    Interval_vector<D + 1> point;
+    point[D] = rational ? spline.weights[span - n + a] : 1;
+    for (int i = 0; i < D; ++i) point[i] = (Interval(spline.points[span - n + a][i]) - Interval(origin[i])) * point[D];
+    for (int k = 0; k <= n; ++k)
+      for (int i = 0; i < D + rational; ++i) h[k][i] += basis(a, k) * point[i];
   }
+  for (int i = 0; i < D + rational && !t.is_point(); ++i)
+    move_centre(n, t - Interval(m), [&](int k) -> Interval& { return h[k][i]; });
+  if (rational)
+    for (int k = 0; k <= order; ++k)
+      for (int i = 0; i < D; ++i) {
+        for (int j = 1; j <= k; ++j) h[k][i] -= h[j][D] * h[k - j][i];
+        h[k][i] /= h[0][D];
+      }
+  Given_curve_jet<D> jet;
+  for (int k = 0; k <= order; ++k)
+    for (int i = 0; i < D; ++i) jet.c[k][i] = k == 0 ? h[k][i] + Interval(origin[i]) : h[k][i];
   return jet;
 }
 
 // The series of c + d q / |q| with q = (c'_y, -c'_x) or c' x r.
 template <int D>
-Given_curve_jet<D> jet_of(const Given_offset_curve<D>& offset, const Interval& t, int order, int side) {
-  Given_curve_jet<D> jet = given_curve_jet(*offset.basis, t, (std::min)(order + 1, highest_order), side);
-  if (jet.continuity < smooth_everywhere) --jet.continuity;
+Given_curve_jet<D> jet_of(const Given_offset_curve<D>& offset, const Interval& t, int order, int span) {
+  Given_curve_jet<D> jet = given_curve_jet(*offset.basis, t, (std::min)(order + 1, highest_order), span);
   std::array<Interval_vector<D>, highest_order + 1> q;
   Interval_vector<highest_order + 1> f; // |q|
   if (order + 1 > highest_order) throw Error(Error_code::jet_order_too_low, "an offset of an offset curve");
@@ -175,8 +168,8 @@ Given_curve_jet<D> jet_of(const Given_offset_curve<D>& offset, const Interval& t
 }
 
 template <int D>
-Given_curve_jet<D> given_curve_jet(const Given_curve<D>& curve, const Interval& t, int order, int side) {
-  return std::visit([&](const auto& c) { return jet_of(c, t, order, side); }, curve);
+Given_curve_jet<D> given_curve_jet(const Given_curve<D>& curve, const Interval& t, int order, int span) {
+  return std::visit([&](const auto& c) { return jet_of(c, t, order, span); }, curve);
 }
 
 inline void check_finite(std::initializer_list<double> numbers, const char* place) {

@@ -21,8 +21,6 @@ namespace CGAL {
 namespace Geometric_continuity {
 namespace internal {
 
-constexpr int smooth_everywhere = 1000; // the order of continuity of what has no knots inside of an interval
-
 // The numbers of a knot vector, checked. \throws Error `not_finite`, `wrong_number_of_points`, `knot_multiplicity`
 inline void check_knots(const std::vector<double>& knots, int degree, std::size_t points) {
   if (degree < 1 || degree > 60 || points < static_cast<std::size_t>(degree) + 1 ||
@@ -40,42 +38,27 @@ inline void check_knots(const std::vector<double>& knots, int degree, std::size_
 // The pieces [knots[s], knots[s + 1]] that an interval of parameters touches in more than an end, by the numbers s. The first and the
 // last piece are continued beyond the domain: parameters leave it by rounding. A point on a knot touches the pieces on both sides, or
 // the one below (`side` < 0) or above (`side` > 0).
-struct Spline_pieces {
-  std::vector<int> spans;
-  int continuity = smooth_everywhere; // the lowest at the knots between them
-
-  Spline_pieces(const std::vector<double>& knots, int degree, const Interval& t, int side) {
-    const int points = static_cast<int>(knots.size()) - degree - 1;
-    const double first = knots[degree], last = knots[points];
-    const double lower = (std::min)((std::max)(t.inf(), first), last),
-                 upper = (std::max)((std::min)(t.sup(), last), first);
-    // the nonempty span that ends at x or contains it, and the one that starts at x or contains it
-    const auto below = [&](double x) {
-      return static_cast<int>(std::lower_bound(knots.begin() + degree + 1, knots.begin() + points, x) - knots.begin()) -
-             1;
-    };
-    const auto above = [&](double x) {
-      return static_cast<int>(std::upper_bound(knots.begin() + degree + 1, knots.begin() + points, x) - knots.begin()) -
-             1;
-    };
-    int from = above(lower), to = below(upper);
-    if (lower == upper) {
-      from = side > 0 ? above(lower) : below(lower);
-      to = side < 0 ? below(lower) : above(lower);
-    }
-    while (from > degree && !(knots[from] < knots[from + 1])) --from; // at the end of the domain
-    while (to < points - 1 && !(knots[to] < knots[to + 1])) ++to;
-    if (to < from) to = from;
-    int multiplicity = 1;
-    for (int s = from; s <= to; ++s) {
-      if (s > from) {
-        multiplicity = knots[s] == knots[s - 1] ? multiplicity + 1 : 1;
-        continuity = (std::min)(continuity, degree - multiplicity);
-      }
-      if (knots[s] < knots[s + 1]) spans.push_back(s);
-    }
+inline std::vector<int> touched_pieces(const std::vector<double>& knots, int degree, const Interval& t, int side) {
+  const int points = static_cast<int>(knots.size()) - degree - 1;
+  const double first = knots[degree], last = knots[points];
+  const double lower = (std::min)((std::max)(t.inf(), first), last),
+               upper = (std::max)((std::min)(t.sup(), last), first);
+  const auto inner = knots.begin() + degree + 1, end = knots.begin() + points;
+  // the span that ends at x or contains it, and the one that starts at x or contains it
+  const auto below = [&](double x) { return static_cast<int>(std::lower_bound(inner, end, x) - knots.begin()) - 1; };
+  const auto above = [&](double x) { return static_cast<int>(std::upper_bound(inner, end, x) - knots.begin()) - 1; };
+  int from = above(lower), to = below(upper);
+  if (lower == upper) {
+    from = side > 0 ? above(lower) : below(lower);
+    to = side < 0 ? below(lower) : above(lower);
   }
-};
+  while (from > degree && !(knots[from] < knots[from + 1])) --from; // at the end of the domain
+  while (to < points - 1 && !(knots[to] < knots[to + 1])) ++to;
+  std::vector<int> spans;
+  for (int s = from; s <= (std::max)(from, to); ++s)
+    if (knots[s] < knots[s + 1]) spans.push_back(s);
+  return spans;
+}
 
 // The Taylor coefficients of the degree+1 basis functions that do not vanish on a piece, about a point m: the function of the number
 // s - degree + a is the sum of coefficient(a, i) d^i at m + d. By the recurrence of Cox and de Boor on polynomials in d.
@@ -117,15 +100,6 @@ public:
 template <class Coefficient> void move_centre(int degree, const Interval& d, Coefficient x) {
   for (int i = 0; i < degree; ++i)
     for (int k = degree - 1; k >= i; --k) x(k) += d * x(k + 1);
-}
-
-// The part of an interval of parameters in a piece, where the first and the last piece have no end.
-inline Interval part_in_piece(const std::vector<double>& knots, int degree, int span, const Interval& t) {
-  const int points = static_cast<int>(knots.size()) - degree - 1;
-  double lower = t.inf(), upper = t.sup();
-  if (knots[degree] < knots[span]) lower = (std::max)(lower, knots[span]);
-  if (knots[span + 1] < knots[points]) upper = (std::min)(upper, knots[span + 1]);
-  return Interval((std::min)(lower, upper), (std::max)(lower, upper));
 }
 
 inline double middle(const Interval& t) {

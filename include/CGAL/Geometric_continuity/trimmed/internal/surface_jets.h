@@ -28,11 +28,11 @@ class Spline_piece_polynomial {
 public:
   Interval& operator()(int k, int i, int j) { return c_[(k * (p_ + 1) + i) * (q_ + 1) + j]; }
 
-  Spline_piece_polynomial(const Given_spline_surface& s, int u_span, int v_span, const Parameter_box& box)
-      : p_(s.u_degree), q_(s.v_degree) {
+  Spline_piece_polynomial(const Given_spline_surface& s, const Parameter_box& box) : p_(s.u_degree), q_(s.v_degree) {
     const int coordinates = s.weights.empty() ? 3 : 4, v_points = s.v_points();
     c_.assign(static_cast<std::size_t>(coordinates) * (p_ + 1) * (q_ + 1), Interval(0));
-    const Interval u = part_in_piece(s.u_knots, p_, u_span, box.u), v = part_in_piece(s.v_knots, q_, v_span, box.v);
+    const Interval &u = box.u, &v = box.v;
+    const int u_span = box.u_span, v_span = box.v_span;
     const Basis_polynomials in_u(s.u_knots, p_, u_span, middle(u)), in_v(s.v_knots, q_, v_span, middle(v));
     const Given_point<3>& origin = s.points[u_span * v_points + v_span];
     std::vector<Interval> row(q_ + 1);
@@ -61,36 +61,26 @@ public:
 inline Given_surface_jet jet_of(const Given_spline_surface& surface, const Parameter_box& box, int order) {
   const int p = surface.u_degree, q = surface.v_degree;
   const bool rational = !surface.weights.empty();
-  const Spline_pieces u(surface.u_knots, p, box.u, box.u_side), v(surface.v_knots, q, box.v, box.v_side);
   Given_surface_jet jet;
   if (!rational) {
     jet.u_degree = (std::min)(p, highest_order);
     jet.v_degree = (std::min)(q, highest_order);
   }
-  jet.continuity = (std::min)(u.continuity, v.continuity);
-  bool first = true;
-  for (int u_span : u.spans)
-    for (int v_span : v.spans) {
-      Spline_piece_polynomial h(surface, u_span, v_span, box);
-      const Given_point<3>& origin = surface.points[u_span * surface.v_points() + v_span];
-      const Interval w = rational ? h(3, 0, 0) : Interval(1);
-      for (int k = 0; k < 3; ++k) {
-        Triangle<Interval> x;
-        for (int i = 0; i <= order && i <= jet.u_degree; ++i)
-          for (int j = 0; i + j <= order && j <= jet.v_degree; ++j) {
-            Interval sum = i <= p && j <= q ? h(k, i, j) : Interval(0);
-            if (rational) { // the series of a quotient
-              for (int a = 0; a <= (std::min)(i, p); ++a)
-                for (int b = a == 0 ? 1 : 0; b <= (std::min)(j, q); ++b) sum -= h(3, a, b) * x(i - a, j - b);
-              sum /= w;
-            }
-            x(i, j) = sum;
-            if (i == 0 && j == 0) sum += Interval(origin[k]);
-            jet.s(i, j)[k] = first ? sum : hull(jet.s(i, j)[k], sum);
-          }
+  Spline_piece_polynomial h(surface, box);
+  const Given_point<3>& origin = surface.points[box.u_span * surface.v_points() + box.v_span];
+  for (int k = 0; k < 3; ++k) {
+    for (int i = 0; i <= order && i <= jet.u_degree; ++i)
+      for (int j = 0; i + j <= order && j <= jet.v_degree; ++j) {
+        Interval x = i <= p && j <= q ? h(k, i, j) : Interval(0);
+        if (rational) { // the series of a quotient
+          for (int a = 0; a <= (std::min)(i, p); ++a)
+            for (int b = a == 0 ? 1 : 0; b <= (std::min)(j, q); ++b) x -= h(3, a, b) * jet.s(i - a, j - b)[k];
+          x /= h(3, 0, 0);
+        }
+        jet.s(i, j)[k] = x;
       }
-      first = false;
-    }
+    jet.s(0, 0)[k] += Interval(origin[k]);
+  }
   return jet;
 }
 
@@ -144,12 +134,28 @@ inline Given_surface_jet jet_of(const Given_offset_surface& offset, const Parame
         jet.s(i, j)[k] += Interval(offset.distance) * x;
       }
   jet.u_degree = jet.v_degree = highest_order;
-  if (jet.continuity < smooth_everywhere) --jet.continuity;
   return jet;
 }
 
 inline Given_surface_jet given_surface_jet(const Given_surface& surface, const Parameter_box& box, int order) {
   return std::visit([&](const auto& s) { return jet_of(s, box, order); }, surface);
+}
+
+// The pieces of a surface that ranges of parameters touch, by their spans in u and v; sides of knots as for curves.
+inline std::array<std::vector<int>, 2> touched_pieces(const Given_surface& surface, const Interval& u,
+                                                      const Interval& v, int u_side, int v_side) {
+  std::array<std::vector<int>, 2> spans{{{0}, {0}}};
+  if (const auto* offset = std::get_if<Given_offset_surface>(&surface))
+    return touched_pieces(*offset->basis, u, v, u_side, v_side);
+  if (const auto* s = std::get_if<Given_spline_surface>(&surface)) {
+    spans[0] = touched_pieces(s->u_knots, s->u_degree, u, u_side);
+    spans[1] = touched_pieces(s->v_knots, s->v_degree, v, v_side);
+  }
+  if (const auto* extrusion = std::get_if<Given_extrusion>(&surface))
+    spans[0] = touched_pieces(extrusion->profile, u, u_side);
+  if (const auto* revolution = std::get_if<Given_revolution>(&surface))
+    spans[1] = touched_pieces(revolution->profile, v, v_side);
+  return spans;
 }
 
 // \throws Error when the numbers of a surface do not fit or are not finite
