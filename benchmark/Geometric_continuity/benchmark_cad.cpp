@@ -13,6 +13,7 @@
 #include "tolerances.h"
 
 #include <CGAL/Exact_rational.h>
+#include <CGAL/Geometric_continuity/trimmed/exact_edge_continuity.h>
 
 // behind CGAL's headers, whose Handle is no macro
 #include "cad/opencascade/read_model.h"
@@ -40,8 +41,8 @@ namespace {
 // Of a model, or of all. What has two sides is decided, seams as well. Missed: the largest angle exceeds all those at the samples by
 // more than a tenth, and a thousandth of a degree. Seconds of the processor.
 struct Row {
-  std::size_t edges, decided, proved, refuted, undecided, wide, differing, missed;
-  double reading, deciding, slowest, sampling;
+  std::size_t edges, decided, proved, refuted, undecided, wide, exact, differing, missed;
+  double reading, deciding, slowest, deciding_exactly, sampling;
 
   void add(const Row& x) {
     edges += x.edges;
@@ -50,11 +51,13 @@ struct Row {
     refuted += x.refuted;
     undecided += x.undecided;
     wide += x.wide;
+    exact += x.exact;
     differing += x.differing;
     missed += x.missed;
     reading += x.reading;
     deciding += x.deciding;
     slowest = (std::max)(slowest, x.slowest);
+    deciding_exactly += x.deciding_exactly;
     sampling += x.sampling;
   }
 };
@@ -118,6 +121,10 @@ const char* reason(bool sampled_g1, const Cad_verdict& verdict, double at_sample
                                     : "the derivatives that are compared differ less than the tangent planes";
 }
 
+bool has_two_sides(const Cad_edge& edge) {
+  return edge.kind == Cad_edge_kind::inner || edge.kind == Cad_edge_kind::seam;
+}
+
 class Cad_benchmark {
   const std::string file_;
   const Cad_demand demand_ = demand();
@@ -126,9 +133,8 @@ class Cad_benchmark {
   void decide(const Cad_model& model, std::vector<Cad_verdict>& verdicts) {
     for (const Cad_edge& edge : model.edges) {
       const double start = processor_seconds();
-      const bool is_decided = edge.kind == Cad_edge_kind::inner || edge.kind == Cad_edge_kind::seam;
-      verdicts.push_back(is_decided ? cad_verdict(edge, demand_) : Cad_verdict{});
-      if (!is_decided) continue;
+      verdicts.push_back(has_two_sides(edge) ? cad_verdict(edge, demand_) : Cad_verdict{});
+      if (!has_two_sides(edge)) continue;
       const Cad_verdict& verdict = verdicts.back();
       const double seconds = processor_seconds() - start;
       row_.deciding += seconds;
@@ -137,6 +143,23 @@ class Cad_benchmark {
       ++(verdict.within[1] == GC::Verdict::proved    ? row_.proved
          : verdict.within[1] == GC::Verdict::refuted ? row_.refuted
                                                      : row_.undecided);
+    }
+  }
+
+  // Decides without tolerance what can be decided so, and compares.
+  void decide_exactly(const Cad_model& model, const std::vector<Cad_verdict>& verdicts) {
+    for (std::size_t i = 0; i < model.edges.size(); ++i) {
+      const Cad_edge& edge = model.edges[i];
+      if (!verdicts[i].enclosure) continue;
+      const double start = processor_seconds();
+      const auto exact = GC::exact_edge_continuity((*edge.sides)[0], (*edge.sides)[1], edge.begin, edge.end);
+      row_.deciding_exactly += processor_seconds() - start;
+      if (!exact) continue;
+      ++row_.exact;
+      const GC::Edge_enclosure& e = *verdicts[i].enclosure;
+      if ((exact->g_order >= 0 && e.gap.value.lower > 0) ||
+          (exact->g_order >= 1 && e.angle && e.angle->value.lower > 0))
+        throw std::runtime_error(file_ + ": " + cad_place(i, edge, model) + ": enclosure and exact verdict contradict");
     }
   }
 
@@ -157,7 +180,7 @@ class Cad_benchmark {
 
   void compare(std::size_t number, const Cad_model& model, const Cad_verdict& verdict, bool sampled_g1) {
     const Cad_edge& edge = model.edges[number];
-    if (edge.kind != Cad_edge_kind::inner && edge.kind != Cad_edge_kind::seam) return;
+    if (!has_two_sides(edge)) return;
     const double at_samples = edge.sides ? angle_at_samples(edge) : 0,
                  angle = verdict.enclosure && verdict.enclosure->angle ? verdict.enclosure->angle->value.lower : 0;
     const bool differs = verdict.within[1] != (sampled_g1 ? GC::Verdict::proved : GC::Verdict::refuted);
@@ -189,6 +212,7 @@ public:
     for (const std::string& what : lost) std::cout << file_ << ": not read: " << what << '\n';
     std::vector<Cad_verdict> verdicts;
     decide(model, verdicts);
+    decide_exactly(model, verdicts);
     sample(model, sampled_edges(shape), verdicts);
     return row_;
   }
@@ -196,11 +220,12 @@ public:
 
 void print(const std::string& name, const Row& x, double mebibytes) {
   std::cout << std::fixed << std::setw(6) << x.edges << std::setw(8) << x.decided << std::setw(7) << x.proved
-            << std::setw(8) << x.refuted << std::setw(10) << x.undecided << std::setw(6) << x.wide << std::setw(8)
-            << x.differing << std::setw(7) << x.missed << std::setprecision(2) << std::setw(8) << x.reading
-            << std::setw(8) << x.deciding << std::setw(8) << x.slowest << std::setprecision(1) << std::setw(9)
-            << 1000 * x.sampling << std::setprecision(0) << std::setw(7)
-            << (x.sampling > 0 ? x.deciding / x.sampling : 0) << std::setw(6) << mebibytes << "  " << name << std::endl;
+            << std::setw(8) << x.refuted << std::setw(10) << x.undecided << std::setw(6) << x.wide << std::setw(6)
+            << x.exact << std::setw(8) << x.differing << std::setw(7) << x.missed << std::setprecision(2)
+            << std::setw(8) << x.reading << std::setw(8) << x.deciding << std::setw(8) << x.slowest << std::setw(7)
+            << x.deciding_exactly << std::setprecision(1) << std::setw(9) << 1000 * x.sampling << std::setprecision(0)
+            << std::setw(7) << (x.sampling > 0 ? x.deciding / x.sampling : 0) << std::setw(6) << mebibytes << "  "
+            << name << std::endl;
 }
 
 // Prints where verdicts differ, and then the table.
@@ -230,7 +255,8 @@ void run(const std::vector<std::string>& files) {
                "OpenCASCADE's\n"
             << "samples milliseconds; ratio: deciding to sampling; missed: an angle between samples that is larger by "
                "a tenth\n"
-            << " edges decided proved refuted undecided  wide differs missed    read  decide slowest sampling  ratio   "
+            << " edges decided proved refuted undecided  wide exact differs missed    read  decide slowest  exact "
+               "sampling  ratio   "
                "MiB  model\n";
   Row total{};
   double mebibytes = 0;
