@@ -111,14 +111,16 @@ double angle_at_samples(const Cad_edge& edge) {
 }
 
 // Why samples and proof differ. OpenCASCADE compares derivatives of both surfaces: at each sample that orthogonal to the edge in the
-// parameter plane, hence along the tangent plane in a direction that depends on the parametrisation. They must be parallel.
+// parameter plane, hence along the tangent plane in a direction that depends on the parametrisation. They must be parallel there,
+// or else where the curve on the second surface is next to the point on the first one.
 const char* reason(bool sampled_g1, const Cad_verdict& verdict, double at_samples, const GC::Bound& angle) {
   if (!verdict.enclosure) return "not covered";
   if (verdict.within[1] == GC::Verdict::undecided) return "the enclosure holds the tolerance";
   if (!sampled_g1) return "the derivatives that are compared differ in direction within the common tangent plane";
   if (verdict.shape == Cad_shape::gap) return "samples ignore the gap";
-  return at_samples < angle.lower() ? "the angle is too large between the samples only"
-                                    : "the derivatives that are compared differ less than the tangent planes";
+  return at_samples < angle.lower()
+             ? "the angle is too large between the samples only"
+             : "the derivatives that are compared differ less than the tangent planes at equal parameters";
 }
 
 bool has_two_sides(const Cad_edge& edge) {
