@@ -10,6 +10,7 @@
 #include <CGAL/Geometric_continuity/joins/Verdict.h>
 #include <CGAL/Geometric_continuity/joins/order_within.h>
 #include <CGAL/Geometric_continuity/trimmed/Edge_enclosure.h>
+#include <CGAL/Geometric_continuity/trimmed/exact_edge_continuity.h>
 
 #include <array>
 #include <optional>
@@ -46,6 +47,7 @@ inline const char* name(Cad_shape shape) {
 struct Cad_verdict {
   std::optional<GC::Edge_enclosure> enclosure; // if the edge is an inner one or a seam, and its sides can be compared
   std::string reason;                          // why they cannot
+  std::optional<int> exact;                    // the order with no tolerance, -1 for a gap, where it can be decided
   // For each order: the edges are the same; in addition the tangent planes agree; the curvatures across the edge.
   std::array<GC::Verdict, 3> within{GC::Verdict::undecided, GC::Verdict::undecided, GC::Verdict::undecided};
   Cad_shape shape = Cad_shape::undecided;
@@ -61,6 +63,12 @@ struct Cad_verdict {
   std::string order_name() const {
     if (order() >= 0) return 'G' + std::to_string(order());
     return within[0] == GC::Verdict::refuted ? "gap" : "undecided";
+  }
+
+  // Returns the order that holds with no tolerance: "G2", "G1", "G0" or "gap"; nothing where it cannot be decided.
+  std::optional<std::string> exact_name() const {
+    if (!exact) return std::nullopt;
+    return *exact < 0 ? "gap" : 'G' + std::to_string(*exact);
   }
 
   // A corner is meant: its faces need to meet only.
@@ -92,8 +100,10 @@ inline Cad_verdict cad_verdict(const Cad_edge& edge, const Cad_demand& demand) {
     result.reason = edge.reason;
     return result;
   }
+  const GC::Edge_side &a = (*edge.sides)[0], &b = (*edge.sides)[1];
   try {
-    result.enclosure = GC::edge_enclosure((*edge.sides)[0], (*edge.sides)[1], edge.begin, edge.end);
+    result.enclosure = GC::edge_enclosure(a, b, edge.begin, edge.end);
+    if (const auto verdict = GC::exact_edge_continuity(a, b, edge.begin, edge.end)) result.exact = verdict->g_order;
   } catch (const GC::Error& e) {
     result.reason = e.what();
     return result;
@@ -107,6 +117,7 @@ inline Cad_verdict cad_verdict(const Cad_edge& edge, const Cad_demand& demand) {
   result.within[0] = GC::at_most(e.gap.value, demand.bounds.gap);
   result.within[1] = result.within[0] && within(e.angle, demand.bounds.angle, e.singular);
   result.within[2] = result.within[1] && within(e.curvature_jump, demand.bounds.curvature, e.curvature_undefined);
+  for (int i = 0; i <= result.exact.value_or(-1); ++i) result.within[static_cast<std::size_t>(i)] = GC::Verdict::proved;
   const GC::Verdict is_kink = within(e.angle, demand.kink, e.singular),
                     is_smooth = within(e.angle, demand.bounds.angle, e.singular);
   if (result.within[0] == GC::Verdict::refuted)

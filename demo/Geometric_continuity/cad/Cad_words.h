@@ -32,11 +32,12 @@ inline std::string cad_kind(const Cad_edge& edge) {
   return std::string(name(edge.kind)) + (edge.closed ? ", closed" : "");
 }
 
-// Returns the order and the shape, e.g. "G0, corner".
+// Returns the order and the shape, e.g. "G0, corner", and the order that holds with no tolerance.
 inline std::string cad_order(const Cad_verdict& verdict) {
   const std::string order = verdict.order_name();
   const bool has_shape = verdict.shape == Cad_shape::kink || verdict.shape == Cad_shape::corner;
-  return has_shape ? order + ", " + name(verdict.shape) : order;
+  const std::string text = has_shape ? order + ", " + name(verdict.shape) : order;
+  return verdict.exact.value_or(-1) < 0 ? text : text + ", exactly " + *verdict.exact_name();
 }
 
 // Returns the enclosures, and the places of those that exceed the tolerance.

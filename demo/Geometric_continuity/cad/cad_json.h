@@ -48,6 +48,7 @@ inline void write_members(std::ostream& os, std::size_t number, const Cad_edge& 
      << "\",\"shape\":\"" << name(verdict.shape) << "\",\"within\":[";
   for (std::size_t i = 0; i < 3; ++i) os << (i == 0 ? "\"" : ",\"") << verdict.within[i] << '"';
   os << ']';
+  os << ",\"exact\":" << (verdict.exact ? '"' + *verdict.exact_name() + '"' : "null");
   if (!verdict.reason.empty()) GC::write_json(os << ",\"reason\":", verdict.reason);
   std::optional<GC::Edge_maximum> gap, angle, curvature;
   if (verdict.enclosure) {
@@ -78,8 +79,8 @@ inline void write_json(std::ostream& os, const Cad_summary& s) {
      << ",\"boundary\":" << s.boundary << ",\"non_manifold\":" << s.non_manifold << ",\"degenerate\":" << s.degenerate
      << ",\"G2\":" << s.g2 << ",\"G1\":" << s.g1 << ",\"G0\":" << s.g0 << ",\"gap\":" << s.gaps
      << ",\"undecided\":" << s.undecided << ",\"kinks\":" << s.kinks << ",\"corners\":" << s.corners
-     << ",\"not_compared\":" << s.not_compared << ",\"projected\":" << s.projected << ",\"lost\":" << s.lost
-     << ",\"length_unit\":\"mm\"}";
+     << ",\"exact\":" << s.exact << ",\"not_compared\":" << s.not_compared << ",\"projected\":" << s.projected
+     << ",\"lost\":" << s.lost << ",\"length_unit\":\"mm\"}";
 }
 
 #endif // GEOMETRIC_CONTINUITY_DEMO_CAD_CAD_JSON_H
