@@ -16,7 +16,8 @@
 // translated. Throws std::runtime_error with the reason, without the name of the file, and what OpenCASCADE throws.
 TopoDS_Shape read_shape(const std::string& file, std::vector<std::string>& lost);
 
-// Returns the faces and edges of a shape. Curves in the parameter planes that it lacks are added to it: projections of those in space.
-Cad_model cad_model(const TopoDS_Shape& shape);
+// Returns the faces and edges of a shape. Curves in the parameter planes that it lacks are added to it: projections of those in space. To be drawn,
+// faces are divided into triangles at the end.
+Cad_model cad_model(const TopoDS_Shape& shape, Cad_drawing drawing);
 
 #endif // GEOMETRIC_CONTINUITY_DEMO_CAD_OPENCASCADE_READ_MODEL_H
