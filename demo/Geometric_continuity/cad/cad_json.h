@@ -78,7 +78,7 @@ inline void write_json(std::ostream& os, const Cad_summary& s) {
      << ",\"boundary\":" << s.boundary << ",\"non_manifold\":" << s.non_manifold << ",\"degenerate\":" << s.degenerate
      << ",\"G2\":" << s.g2 << ",\"G1\":" << s.g1 << ",\"G0\":" << s.g0 << ",\"gap\":" << s.gaps
      << ",\"undecided\":" << s.undecided << ",\"kinks\":" << s.kinks << ",\"corners\":" << s.corners
-     << ",\"not_covered\":" << s.not_covered << ",\"projected\":" << s.projected << ",\"lost\":" << s.lost
+     << ",\"not_compared\":" << s.not_compared << ",\"projected\":" << s.projected << ",\"lost\":" << s.lost
      << ",\"length_unit\":\"mm\"}";
 }
 

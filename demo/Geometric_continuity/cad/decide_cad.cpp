@@ -69,7 +69,7 @@ void Cad_summary::add(const Decided_cad_file& file, const Cad_demand& demand) {
                                                    : undecided);
     kinks += verdict.shape == Cad_shape::kink;
     corners += verdict.shape == Cad_shape::corner;
-    not_covered += !verdict.enclosure;
+    not_compared += !verdict.enclosure;
     failing += verdict.fails(demand);
     open += verdict.is_undecided(demand);
     projected += edge.projected;

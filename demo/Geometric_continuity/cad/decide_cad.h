@@ -31,11 +31,11 @@ struct Cad_summary {
   std::size_t faces = 0, inner = 0, seams = 0, boundary = 0, non_manifold = 0, degenerate = 0;
   std::size_t g2 = 0, g1 = 0, g0 = 0, gaps = 0, undecided = 0; // by the order that is proved
   std::size_t kinks = 0, corners = 0;
-  std::size_t not_covered = 0; // of those that are undecided
-  std::size_t failing = 0;     // of those with verdicts: they do not meet the requirement
-  std::size_t open = 0;        // of those with verdicts: what is asked is undecided
-  std::size_t projected = 0;   // edges with curves that are not in the file
-  std::size_t lost = 0;        // things that could not be read
+  std::size_t not_compared = 0; // of those that are undecided
+  std::size_t failing = 0;      // of those with verdicts: they do not meet the requirement
+  std::size_t open = 0;         // of those with verdicts: what is asked is undecided
+  std::size_t projected = 0;    // edges with curves that are not in the file
+  std::size_t lost = 0;         // things that could not be read
 
   std::size_t decided() const { return inner + seams; }
 

@@ -66,17 +66,24 @@ class Cad_page {
   std::vector<Report_model::Edge> edges_, others_; // those of two sides, and the boundaries
   std::vector<Report_model::Patch> faces_;
 
+  // The coordinates of points to draw; none when one is not finite.
+  static std::vector<double> coordinates(const std::vector<GC::Given_point<3>>& points) {
+    std::vector<double> result;
+    for (const GC::Given_point<3>& p : points) result.insert(result.end(), p.begin(), p.end());
+    if (!std::all_of(result.begin(), result.end(), [](double x) { return std::isfinite(x); })) result.clear();
+    return result;
+  }
+
   static Report_model::Edge drawn(const Cad_edge& edge, const std::string& grade, std::size_t first_face) {
-    Report_model::Edge result{grade, {}, {}};
+    Report_model::Edge result{grade, {}, coordinates(edge.points)};
     for (const std::size_t face : edge.faces) result.patches.push_back(first_face + face);
-    for (const GC::Given_point<3>& p : edge.points) result.points.insert(result.points.end(), p.begin(), p.end());
     return result;
   }
 
   static Report_model::Patch drawn(const Cad_mesh& mesh) {
-    Report_model::Patch result{0, 0, {}};
-    for (const GC::Given_point<3>& p : mesh.points) result.points.insert(result.points.end(), p.begin(), p.end());
-    for (const auto& t : mesh.triangles) result.triangles.insert(result.triangles.end(), t.begin(), t.end());
+    Report_model::Patch result{0, 0, coordinates(mesh.points)};
+    if (!result.points.empty())
+      for (const auto& t : mesh.triangles) result.triangles.insert(result.triangles.end(), t.begin(), t.end());
     return result;
   }
 

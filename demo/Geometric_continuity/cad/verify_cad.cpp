@@ -62,7 +62,8 @@ class Cad_report {
     if (s.projected > 0)
       std::cout << counted(s.projected, "edge") << " with curves in parameter planes that are not in the file, but"
                 << " projections of those in space\n";
-    if (s.not_covered > 0) std::cout << counted(s.not_covered, "edge") << " not covered, hence undecided\n";
+    if (s.not_compared > 0)
+      std::cout << counted(s.not_compared, "edge") << " that cannot be compared, hence undecided\n";
     if (demand_.order && s.decided() > 0) {
       if (s.failing == 0)
         std::cout << "every edge of two sides is " << required() << " or a corner, proved\n";

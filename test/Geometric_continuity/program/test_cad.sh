@@ -68,7 +68,6 @@ done
 for file in cone.brep cone.step; do
   run 0 verify models/$file && encloses angle 126.86989765 "$(grep '^edge.* inner' out)" && encloses angle 0 "$(grep '^edge.* seam' out)"
 done
-run 0 verify models/cone.brep && says out "a normal vanishes near t"
 for file in torus.brep torus.step periodic.brep revolution.brep offset.brep prism.brep; do
   run 0 verify models/$file --require G1
   while read -r line; do encloses gap 0 "$line" && encloses angle 0 "$line"; done < <(grep '^edge.* seam' out)
@@ -94,7 +93,7 @@ run 1 verify models/wall.brep --require G1 --format junit && says out '<failure'
 run 0 verify models/wall.brep --format sarif && says out '"level":"note"'
 
 # what cannot be compared is named, is undecided, and does not meet a requirement
-run 0 verify models/differing.brep && says out "curves of different parameters" "1 edge not covered, hence undecided"
+run 0 verify models/differing.brep && says out "curves of different parameters" "1 edge that cannot be compared, hence undecided"
 run 1 verify models/differing.brep --require G0 && says out "1 of them not G0 within the tolerance"
 run 0 verify models/three.brep --allow-empty && run 1 verify models/three.brep --allow-empty --strict
 says out "not met, because not all was verified"
@@ -134,4 +133,14 @@ for extension in step stp iges igs brep brp; do
   cp junk "junk.$extension" && run 2 verify "junk.$extension" && says err "junk.$extension: "
   : >"empty.$extension" && run 2 verify "empty.$extension" && says err "empty.$extension: "
   run 2 verify "none.$extension" && says err "none.$extension: No such file"
+done
+# a library that crashes does not end the program by a signal: an extrusion of a curve of no kind
+sed '/^Surfaces/{n;n;s/^7 /9 /}' models/prism.brep >crash.brep
+run 2 verify crash.brep && says err "crash.brep: the library that reads it crashes: the file is damaged"
+# huge numbers, and no numbers
+sed 's/-4\.44089[0-9]*E-16/-4.4E716/' models/fillet.step >huge.step
+sed 's/^1 0 /1 nan /' models/fillet.brep >odd.brep
+for file in huge.step odd.brep; do
+  "$program" verify $file --json >out 2>err
+  holds [ $? -ne 1 ] && holds [ "$(grep -ciE '\bnan\b|-?inf\b' out)" -eq 0 ]
 done

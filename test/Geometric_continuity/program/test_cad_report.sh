@@ -78,7 +78,21 @@ run 2 report models/wall.brep -o page.svg
 head -c 2000 models/fillet.step >cut.step
 run 2 report cut.step -o page.html && says err "cut.step: not a complete STEP file"
 run 2 report models/wall.brep cut.step -o page.html
+sed '/^Surfaces/{n;n;s/^7 /9 /}' models/prism.brep >crash.brep
+run 2 report crash.brep -o page.html && says err "crash.brep: the library that reads it crashes: the file is damaged"
 holds [ ! -e page.html ]
+
+# huge numbers, and no numbers: soon an error or a page, and in it numbers only
+sed 's/-4\.44089[0-9]*E-16/-4.4E716/' models/fillet.step >huge.step
+sed 's/^1 0 /1 nan /' models/fillet.brep >odd.brep
+sed 's/^1 10 /1 1e30 /' models/fillet.brep >large.brep
+for file in huge.step odd.brep large.brep; do
+  rm -f page.html
+  timeout 20 "$program" report $file -o page.html >out 2>err
+  code=$?
+  holds [ $code -eq 2 -o $code -eq 0 ] && holds [ $((code == 0)) -eq "$(ls page.html 2>/dev/null | wc -l)" ]
+  [ $code -ne 0 ] || holds [ "$(sed -n '/id="data"/,/<script>/p' page.html | grep -ciE '[[,:](-?nan|-?inf)')" -eq 0 ]
+done
 
 # verify draws nothing: the edges are the same
 run 0 verify models/fillet.step --json && says out '"edge":14'

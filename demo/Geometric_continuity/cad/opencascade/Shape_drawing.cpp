@@ -4,6 +4,8 @@
 
 #include "cad/opencascade/Shape_drawing.h"
 
+#include "cad/opencascade/read_model.h"
+
 #include <BRepAdaptor_Curve.hxx>
 #include <BRepBndLib.hxx>
 #include <BRepBuilderAPI_Copy.hxx>
@@ -27,7 +29,7 @@
 namespace {
 
 // How far triangles are from their face, in parts of the extent of the shape, and how far their normals turn, in radians.
-constexpr double drawn_distance = 1e-3, drawn_angle = 0.35;
+constexpr double drawn_distance = 1e-3, drawn_angle = 0.2;
 
 GC::Given_point<3> node(const Poly_Triangulation& triangles, int i, const TopLoc_Location& location) {
   const gp_Pnt p = triangles.Node(i).Transformed(location.Transformation());
@@ -41,7 +43,7 @@ std::vector<GC::Given_point<3>> curve_points(const TopoDS_Edge& edge) {
   const BRepAdaptor_Curve curve(edge);
   const int n = curve.GetType() == GeomAbs_Line ? 1 : drawn_segments;
   const double begin = curve.FirstParameter(), end = curve.LastParameter();
-  if (!(std::abs(begin) < 1e99 && std::abs(end) < 1e99)) return {};
+  if (!is_finite(begin, end)) return {};
   std::vector<GC::Given_point<3>> result;
   for (int i = 0; i <= n; ++i) {
     const gp_Pnt p = curve.Value(i == n ? end : begin + (end - begin) * i / n);
@@ -50,11 +52,16 @@ std::vector<GC::Given_point<3>> curve_points(const TopoDS_Edge& edge) {
   return result;
 }
 
-// Whether a shape is finite; includes it in a box then.
-bool include(const TopoDS_Shape& shape, Bnd_Box& all) {
+// Whether the edges of a face have finite parameters, and the face a finite extent; includes it in a box then.
+bool include(const TopoDS_Shape& face, Bnd_Box& all) {
+  for (TopExp_Explorer i(face, TopAbs_EDGE); i.More(); i.Next()) {
+    double begin, end;
+    BRep_Tool::Range(TopoDS::Edge(i.Current()), begin, end);
+    if (!is_finite(begin, end)) return false;
+  }
   Bnd_Box box;
-  BRepBndLib::Add(shape, box);
-  if (box.IsVoid() || box.IsOpen() || !(box.SquareExtent() < 1e99)) return false;
+  BRepBndLib::Add(face, box);
+  if (box.IsVoid() || box.IsOpen() || !(box.SquareExtent() < infinite * infinite)) return false;
   all.Add(box);
   return true;
 }

@@ -25,7 +25,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -45,8 +44,6 @@ struct Edge_use {
   TopAbs_Orientation orientation;
   std::optional<Plane_curve> curve;
 };
-
-constexpr double infinite = 1e99; // for OpenCASCADE from 2e100 on
 
 GC::Given_placement placement(const TopLoc_Location& location) {
   const gp_Trsf& transformation = location.Transformation();
@@ -91,9 +88,13 @@ class Model_builder {
   // in a file.
   static std::optional<Plane_curve> plane_curve(const TopoDS_Edge& edge, const TopoDS_Face& face, bool is_seam) {
     Plane_curve result{nullptr, 0, 0, false};
+    double begin, end;
+    const bool has_curve = !BRep_Tool::Curve(edge, begin, end).IsNull();
+    if (has_curve && !is_finite(begin, end)) return std::nullopt;
     const auto look = [&] { result.curve = BRep_Tool::CurveOnSurface(edge, face, result.begin, result.end); };
     look();
     if (result.curve.IsNull()) {
+      if (!has_curve || BRep_Tool::Surface(face).IsNull()) return std::nullopt;
       result.projected = true;
       ShapeFix_Edge().FixAddPCurve(edge, face, is_seam, Precision::Confusion());
       look();
@@ -113,7 +114,7 @@ class Model_builder {
         }
         if (!use.curve) continue;
         const Plane_curve& c = *use.curve;
-        if (std::abs(c.begin) < infinite && std::abs(c.end) < infinite)
+        if (is_finite(c.begin, c.end))
           BndLib_Add2dCurve::Add(Geom2dAdaptor_Curve(c.curve), c.begin, c.end, 0, boxes_[use.face]);
       }
     }
@@ -164,8 +165,7 @@ class Model_builder {
     const Plane_curve &a = *uses[0].curve, &b = *uses[1].curve;
     if (!BRep_Tool::SameParameter(edge) || !BRep_Tool::SameRange(edge) || a.begin != b.begin || a.end != b.end)
       throw Not_covered("curves of different parameters");
-    if (!(std::abs(a.begin) < infinite && std::abs(a.end) < infinite && a.begin < a.end))
-      throw Not_covered("an empty or infinite range of parameters");
+    if (!is_finite(a.begin, a.end) || !(a.begin < a.end)) throw Not_covered("an empty or infinite range of parameters");
     e.begin = a.begin;
     e.end = a.end;
     e.sides = {side(uses[0], false), side(uses[1], true)};

@@ -9,8 +9,13 @@
 
 #include <TopoDS_Shape.hxx>
 
+#include <cmath>
 #include <string>
 #include <vector>
+
+// From here on parameters and lengths count as infinite: for OpenCASCADE from 2e100 on, but it counts periods one by one.
+constexpr double infinite = 1e9;
+inline bool is_finite(double begin, double end) { return std::abs(begin) < infinite && std::abs(end) < infinite; }
 
 // Returns what a STEP, IGES or BREP file holds, by its extension: the geometry as given, nothing healed. Appends what of it could not be
 // translated. Throws std::runtime_error with the reason, without the name of the file, and what OpenCASCADE throws.

@@ -62,10 +62,10 @@ void append_lost(XSControl_Reader& reader, std::vector<std::string>& lost) {
     const Handle(Interface_Check) check = checks.Value();
     if (!check->HasFailed()) continue;
     std::string text;
-    const Handle(Standard_Transient) entity = model->Value(checks.Number());
-    if (checks.Number() > 0) {
+    if (1 <= checks.Number() && checks.Number() <= model->NbEntities()) {
+      const Handle(Standard_Transient) entity = model->Value(checks.Number());
       const Handle(TCollection_HAsciiString) label = model->StringLabel(entity);
-      if (!label.IsNull()) text = std::string(label->ToCString()) + ": ";
+      text = (label.IsNull() ? "" : label->ToCString()) + std::string(" ") + model->TypeName(entity, false) + ": ";
     }
     lost.push_back(text + check->CFail(1));
   }
@@ -83,6 +83,7 @@ TopoDS_Shape translated(XSControl_Reader& reader, const std::string& file, const
                         const First_failure& reported, std::vector<std::string>& lost) {
   XSAlgo::SetAlgoContainer(new No_healing);
   Interface_Static::SetCVal("xstep.cascade.unit", "MM");
+  Interface_Static::SetRVal("read.encoderegularity.angle", 0); // what is decided from samples is of no use here
   if (reader.ReadFile(file.c_str()) != IFSelect_RetDone)
     throw failure(reported, std::string("not a complete ") + format + " file");
   reader.TransferRoots();

@@ -11,7 +11,8 @@ class Model {
       this.patches[i].cell = this.patches[i].facets.reduce((most, f) => Math.max(most, length(subtract(f.corners[2], f.corners[0]))), 0);
     });
     // an edge lies in front of the cells that have it
-    this.edges = data.edges.map((e) => ({ ...e, points: triples(e.points),
+    const most = data.patches.some((p) => p.triangles) ? size : Infinity;
+    this.edges = data.edges.map((e) => ({ ...e, points: refined(triples(e.points), most),
       bias: 0.55 * Math.max(0, ...e.patches.map((i) => this.patches[i].cell)) }));
     this.all = this.patches.map((_, i) => i);
     this.frame = frameOf(this.patches.flatMap((p) => p.points).concat(this.edges.flatMap((e) => e.points)));
@@ -70,6 +71,14 @@ function sizeOfTriangles(data, patches) {
   const pieces = () => boxes.reduce((sum, [a, , c]) => sum + Math.ceil(a / size) * Math.ceil(c / size), 0);
   for (const most = 40000 + 2 * boxes.length; pieces() > most;) size *= 1.4;
   return size;
+}
+
+// The points of a polyline, and so many between them that its segments are no longer than this size.
+function refined(points, size) {
+  return points.flatMap((p, i) => {
+    const n = i === 0 ? 1 : Math.max(1, Math.ceil(length(subtract(p, points[i - 1])) / size));
+    return Array.from({ length: n }, (_, j) => (j + 1 === n ? p : combine(points[i - 1], 1 - (j + 1) / n, p, (j + 1) / n)));
+  });
 }
 
 function trianglesOf(data, points, size) {
