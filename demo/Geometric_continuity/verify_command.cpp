@@ -2,6 +2,7 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
+#include "cad/decide_cad.h"
 #include "cad/read_cad.h"
 #include "cad/verify_cad.h"
 #include "chains/verify_chain.h"
@@ -150,16 +151,12 @@ Font_demand font_demand(const Command_line& line, const std::optional<Requiremen
 // What is asked of CAD models.
 Cad_demand cad_demand(const Command_line& line, const std::optional<Requirement>& required) {
   line.refuse({"surfaces", "closed", "kernel", "max-order", "max-work"}, "not for CAD models");
-  Cad_demand demand;
-  demand.tolerance = line.has("within") ? line.text("within") : default_cad_tolerance;
-  const Tolerances tolerances = parse_tolerances(demand.tolerance, false);
-  if (tolerances.order > 2) throw std::invalid_argument("--within: of CAD models GAP,ANGLEdeg,CURVATURE% are compared");
-  demand.bounds = tolerances.joins;
-  demand.kink = GC::in_radians(kink_rule(line).bound.degrees());
+  Cad_demand demand =
+      demand_within(line.has("within") ? line.text("within") : default_cad_tolerance, kink_rule(line).bound);
   if (!required) return demand;
   if (required->kind() != GC::Continuity_kind::G || required->order() > 2)
     throw std::invalid_argument("--require " + required->text() + ": of CAD models G0, G1 and G2 are decided");
-  if (required->order() > tolerances.order)
+  if (required->order() > demand.most)
     throw std::invalid_argument("--require " + required->text() + ": needs more bounds than --within " +
                                 demand.tolerance + " has; for G2 e.g. 0.02,0.1deg,5%");
   demand.order = required->order();

@@ -47,12 +47,22 @@ struct Cad_edge {
   double begin = 0, end = 0;      // the common parameters
   std::optional<std::array<GC::Edge_side, 2>> sides; // if they can be compared
   std::string reason;                                // why they cannot be compared, if there are two
-  std::vector<GC::Given_point<3>> points;            // on the edge, to draw it; rounded
+  std::vector<GC::Given_point<3>> points;            // on the edge, if it is to be drawn and can be; rounded
 };
+
+// A face as it is drawn: rounded points, and triangles by their numbers. Empty if it cannot be drawn.
+struct Cad_mesh {
+  std::vector<GC::Given_point<3>> points;
+  std::vector<std::array<std::size_t, 3>> triangles;
+};
+
+// What is read of it beyond what decides.
+enum class Cad_drawing { none, faces_and_edges };
 
 struct Cad_model {
   std::vector<std::string> faces; // what their surfaces are, e.g. "cylinder"
   std::vector<Cad_edge> edges;
+  std::vector<Cad_mesh> meshes;  // of the faces, if they are to be drawn
   std::vector<std::string> lost; // what of the file could not be read, with the reason
 };
 

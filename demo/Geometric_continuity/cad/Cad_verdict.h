@@ -24,6 +24,7 @@ constexpr const char* default_cad_tolerance = "vda-4955";
 // What is asked of the edges of CAD models.
 struct Cad_demand {
   std::optional<int> order;  // that is required
+  int most = 0;              // up to this order there are bounds
   GC::Join_tolerance bounds; // of the gap in mm, the angle in radians and the relative jump of the curvature
   std::string tolerance;     // as it is written
   GC::Bound kink;            // the largest angle that is a kink and not a corner, in radians

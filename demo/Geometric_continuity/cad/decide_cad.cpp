@@ -7,7 +7,10 @@
 #include "cad/read_cad.h"
 #include "chains/ordered_batches.h"
 #include "progress.h"
+#include "tolerances.h"
 
+#include <optional>
+#include <stdexcept>
 #include <utility>
 
 namespace {
@@ -20,8 +23,14 @@ struct Edge_batch {
 
 } // namespace
 
-Decided_cad_file decide_cad(const std::string& file, const Cad_demand& demand) {
-  Decided_cad_file result{file, read_cad(file), {}};
+Cad_demand demand_within(const std::string& tolerance, const GC::Kink_bound& kink) {
+  const Tolerances tolerances = parse_tolerances(tolerance, false);
+  if (tolerances.order > 2) throw std::invalid_argument("--within: of CAD models GAP,ANGLEdeg,CURVATURE% are compared");
+  return {std::nullopt, tolerances.order, tolerances.joins, tolerance, GC::in_radians(kink.degrees())};
+}
+
+Decided_cad_file decide_cad(const std::string& file, const Cad_demand& demand, Cad_drawing drawing) {
+  Decided_cad_file result{file, read_cad(file, drawing), {}};
   const std::vector<Cad_edge>& edges = result.model.edges;
   Progress progress("edges");
   std::size_t next = 0;

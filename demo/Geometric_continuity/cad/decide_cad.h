@@ -7,9 +7,14 @@
 
 #include "cad/Cad_verdict.h"
 
+#include <CGAL/Geometric_continuity/joins/Kink_bound.h>
+
 #include <cstddef>
 #include <string>
 #include <vector>
+
+// Returns what is asked within a tolerance as it is written, without a requirement. Throws std::invalid_argument.
+Cad_demand demand_within(const std::string& tolerance, const GC::Kink_bound& kink);
 
 // A CAD file and the verdicts on its edges.
 struct Decided_cad_file {
@@ -19,7 +24,7 @@ struct Decided_cad_file {
 };
 
 // Reads a CAD file and decides its edges, on all cores.
-Decided_cad_file decide_cad(const std::string& file, const Cad_demand& demand);
+Decided_cad_file decide_cad(const std::string& file, const Cad_demand& demand, Cad_drawing drawing);
 
 // How many edges there are of each kind, and how they do. Only inner edges and seams have verdicts.
 struct Cad_summary {

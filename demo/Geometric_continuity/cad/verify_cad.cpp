@@ -167,7 +167,7 @@ class Cad_report {
 public:
   Cad_report(const Arguments& files, const Report_mode& mode, const Cad_demand& demand) : mode_(mode), demand_(demand) {
     for (const std::string& file : files) {
-      files_.push_back(decide_cad(file, demand));
+      files_.push_back(decide_cad(file, demand, Cad_drawing::none));
       summary_.add(files_.back(), demand);
       for (Cad_edge& edge : files_.back().model.edges) edge.sides.reset(); // to save memory
     }

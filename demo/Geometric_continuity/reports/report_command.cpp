@@ -20,10 +20,11 @@ const char* const report_usage = R"(usage: geometric_continuity report FILE.g2..
        | MODEL.step... -o REPORT.html [OPTIONS]
 
 Decides the joins of a chain, of drawings or of fonts, the edges of CAD models
-within vda-4955, or with --surfaces those of a model, as verify does, and writes
+within --within, or with --surfaces those of a model, as verify does, and writes
 a page that shows them: the worst first, each drawn large with its curvature
-comb, its handles and the numbers, which are guaranteed bounds. The page filters
-and sorts. It is one file, and needs no network.
+comb, its handles and the numbers, which are guaranteed bounds; or with its two
+faces, and the whole model to be turned. The page filters and sorts. It is one
+file, and needs no network.
   gap     the ends are apart
   kink    the tangents differ, by at most --kink-angle
   corner  they differ by more
@@ -69,6 +70,8 @@ int report_command(const Arguments& arguments) {
     add("worst", po::value<int>()->default_value(10000), "show so many joins at most, from 1 to 50000");
     add("kink-angle", po::value<std::string>()->default_value("5"),
         "the largest angle, in degrees, that is a kink and not a corner");
+    add("within", po::value<std::string>(),
+        "for CAD models: the tolerance GAP,ANGLEdeg,CURVATURE% or a preset, vda-4955 if not given; see verify --help");
     add("glyphs", po::value<std::string>(), "the glyphs of fonts, e.g. a-z,U+00E9,ampersand");
     add("closed", "the last curve leads back to the first");
     add("surfaces", "the files hold the patches of a model");
@@ -88,7 +91,7 @@ int report_command(const Arguments& arguments) {
   Report_page page(static_cast<std::size_t>(line.integer("worst", 1, 50000)));
   page.title = line.has("title") ? line.text("title") : "Continuity of " + names(files);
   if (are_fonts(files)) {
-    line.refuse({"surfaces", "closed"}, "not for fonts");
+    line.refuse({"surfaces", "closed", "within"}, "not for fonts");
     if (line.has("glyphs")) demand.glyphs = Glyph_selection(line.text("glyphs"));
     report_fonts(files, demand, page);
     return written(page, output);
@@ -96,9 +99,11 @@ int report_command(const Arguments& arguments) {
   line.refuse({"glyphs"}, "only for fonts");
   if (are_cad_files(files)) {
     line.refuse({"surfaces", "closed", "max-work"}, "not for CAD models");
+    if (line.has("within")) demand.tolerance = line.text("within");
     report_cad(files, demand, page);
     return written(page, output);
   }
+  line.refuse({"within"}, "only for CAD models");
   const auto drawings = std::count_if(files.begin(), files.end(), is_svg_file);
   if (drawings != 0) {
     if (drawings != static_cast<std::ptrdiff_t>(files.size()))

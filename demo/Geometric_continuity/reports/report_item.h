@@ -42,6 +42,7 @@ struct Report_item {
   std::optional<GC::Enclosure> offset;             // how far a handle is off, in these units
   double severity = 0;                             // what the eye sees, among joins of one grade
   std::vector<std::string> point;                  // coordinates of the join
+  std::string parameter;                           // of this point of an edge, if it has one
   std::shared_ptr<const Report_curve> left, right; // that meet there; none for an edge of a model
   std::shared_ptr<const Report_outline> outline;   // if it is not too long
   std::size_t edge = 0;                            // the number of an edge of the model
@@ -57,8 +58,9 @@ inline bool is_worse(const Report_item& a, const Report_item& b) {
 // A model as it is drawn.
 struct Report_model {
   struct Patch {
-    int m, n;                   // cells in both directions
-    std::vector<double> points; // (m + 1) (n + 1) in space, the first index runs fastest
+    int m, n;                                // cells in both directions
+    std::vector<double> points;              // (m + 1) (n + 1) in space, the first index runs fastest
+    std::vector<std::size_t> triangles = {}; // if any, the points are theirs: three numbers each, and no cells
   };
   struct Edge {
     std::string grade;

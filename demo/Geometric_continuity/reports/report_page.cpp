@@ -83,10 +83,10 @@ std::string page_item(const Report_item& item, double extent, Curve_numbers& cur
   std::string json = "{\"number\":" + std::to_string(item.number) + ",\"grade\":\"" + report_grade_name(item.grade) +
                      "\",\"place\":" + page_string(item.place) + ",\"verdict\":" + page_string(item.verdict) +
                      ",\"angle\":" + page_bounds(item.angle);
-  if (item.left) {
-    json += ",\"jump\":" + page_bounds(item.curvature_jump) + ",\"left\":" + std::to_string(curves(*item.left)) +
-            ",\"right\":" + std::to_string(curves(*item.right));
-  } else
+  if (item.left || item.curvature_jump) json += ",\"jump\":" + page_bounds(item.curvature_jump);
+  if (item.left)
+    json += ",\"left\":" + std::to_string(curves(*item.left)) + ",\"right\":" + std::to_string(curves(*item.right));
+  else
     json += ",\"edge\":" + std::to_string(item.edge);
   if (item.gap) json += ",\"gap\":" + page_bounds(item.gap);
   if (item.offset) json += ",\"offset\":" + page_bounds(item.offset);
@@ -103,6 +103,7 @@ std::string page_item(const Report_item& item, double extent, Curve_numbers& cur
     }
     json += ']';
   }
+  if (!item.parameter.empty()) json += ",\"parameter\":" + page_string(item.parameter);
   return json + '}';
 }
 
@@ -112,7 +113,9 @@ void write_model(std::ostream& os, const Report_model& model) {
   for (std::size_t i = 0; i < model.patches.size(); ++i) {
     const Report_model::Patch& p = model.patches[i];
     os << separator << "{\"m\":" << p.m << ",\"n\":" << p.n
-       << ",\"points\":" << page_numbers(p.points, "surface " + std::to_string(i)) << '}';
+       << ",\"points\":" << page_numbers(p.points, "surface " + std::to_string(i));
+    for (std::size_t j = 0; j < p.triangles.size(); ++j) os << (j == 0 ? ",\"triangles\":[" : ",") << p.triangles[j];
+    os << (p.triangles.empty() ? "}" : "]}");
     separator = ",\n";
   }
   os << "],\n\"edges\":[";

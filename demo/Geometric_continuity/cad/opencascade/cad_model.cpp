@@ -2,10 +2,10 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
+#include "cad/opencascade/Shape_drawing.h"
 #include "cad/opencascade/given_surface.h"
 #include "cad/opencascade/read_model.h"
 
-#include <BRepAdaptor_Curve.hxx>
 #include <BRep_Tool.hxx>
 #include <BndLib_Add2dCurve.hxx>
 #include <Bnd_Box2d.hxx>
@@ -25,7 +25,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -45,10 +44,6 @@ struct Edge_use {
   TopAbs_Orientation orientation;
   std::optional<Plane_curve> curve;
 };
-
-constexpr double infinite = 1e9; // for OpenCASCADE from 2e100 on, but it counts periods one by one
-
-bool is_finite(double begin, double end) { return std::abs(begin) < infinite && std::abs(end) < infinite; }
 
 GC::Given_placement placement(const TopLoc_Location& location) {
   const gp_Trsf& transformation = location.Transformation();
@@ -176,24 +171,6 @@ class Model_builder {
     e.sides = {side(uses[0], false), side(uses[1], true)};
   }
 
-  // Points to draw an edge.
-  static std::vector<GC::Given_point<3>> points(const TopoDS_Edge& edge) {
-    std::vector<GC::Given_point<3>> result;
-    try {
-      const BRepAdaptor_Curve curve(edge);
-      const int n = curve.GetType() == GeomAbs_Line ? 1 : 24;
-      const double begin = curve.FirstParameter(), end = curve.LastParameter();
-      if (!is_finite(begin, end)) return {};
-      for (int i = 0; i <= n; ++i) {
-        const gp_Pnt p = curve.Value(i == n ? end : begin + (end - begin) * i / n);
-        result.push_back({p.X(), p.Y(), p.Z()});
-      }
-    } catch (const Standard_Failure&) { // it cannot be drawn
-      result.clear();
-    }
-    return result;
-  }
-
   void add_edge(std::size_t number) {
     const TopoDS_Edge edge = this->edge(number);
     const std::vector<Edge_use>& uses = uses_[number];
@@ -204,7 +181,6 @@ class Model_builder {
     e.kind = kind(edge, uses);
     e.closed = !first.IsNull() && first.IsSame(last);
     e.tolerance = BRep_Tool::Tolerance(edge);
-    if (e.kind != Cad_edge_kind::degenerate) e.points = points(edge);
     for (const Edge_use& use : uses)
       if (e.faces.empty() || e.faces.back() != use.face) e.faces.push_back(use.face);
     try {
@@ -215,6 +191,15 @@ class Model_builder {
     model_.edges.push_back(std::move(e));
   }
 
+  // Faces and edges with uses, in the order of the model.
+  void draw(const TopoDS_Shape& shape) {
+    const Shape_drawing drawing(shape);
+    for (std::size_t i = 0; i < boxes_.size(); ++i) model_.meshes.push_back(drawing.mesh(face(i)));
+    std::size_t next = 0;
+    for (std::size_t i = 0; i < uses_.size(); ++i)
+      if (!uses_[i].empty()) model_.edges[next++].points = drawing.points(edge(i));
+  }
+
 public:
   explicit Model_builder(const TopoDS_Shape& shape) {
     TopExp::MapShapes(shape, TopAbs_FACE, faces_);
@@ -223,14 +208,17 @@ public:
     add_uses();
   }
 
-  Cad_model build() {
+  Cad_model build(const TopoDS_Shape& shape, Cad_drawing drawing) {
     add_curves();
     for (std::size_t i = 0; i < boxes_.size(); ++i) add_face(i);
     for (std::size_t i = 0; i < uses_.size(); ++i) add_edge(i);
+    if (drawing == Cad_drawing::faces_and_edges) draw(shape);
     return std::move(model_);
   }
 };
 
 } // namespace
 
-Cad_model cad_model(const TopoDS_Shape& shape) { return Model_builder(shape).build(); }
+Cad_model cad_model(const TopoDS_Shape& shape, Cad_drawing drawing) {
+  return Model_builder(shape).build(shape, drawing);
+}

@@ -27,11 +27,11 @@ public:
 
 } // namespace
 
-void geometric_continuity_read_cad(const std::string& file, Cad_model& model) {
+void geometric_continuity_read_cad(const std::string& file, Cad_drawing drawing, Cad_model& model) {
   const Silent_output silence;
   try {
     std::vector<std::string> lost;
-    model = cad_model(read_shape(file, lost));
+    model = cad_model(read_shape(file, lost), drawing);
     model.lost = std::move(lost);
   } catch (const Standard_OutOfMemory&) {
     throw std::bad_alloc();

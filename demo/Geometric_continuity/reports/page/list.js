@@ -32,7 +32,7 @@ function numbersOf(item) {
   if (item.jump) add('Curvature jump', boundTexts(item.jump, ' %'));
   if (item.gap) add('Gap', boundTexts(item.gap, ''));
   if (item.offset) add('Handle is off by', boundTexts(item.offset, ''));
-  if (item.at) add('At', ['(' + item.at.join(', ') + ')', '']);
+  if (item.at) add('At', ['(' + item.at.join(', ') + ')', item.parameter ? 'parameter ' + item.parameter : '']);
   if (item.severity) add('Severity', ['about ' + item.severity + ' \u2030', 'of the ' + wholeName + ': angle times the shorter handle']);
   return list;
 }

@@ -1,12 +1,18 @@
 // Draws surfaces with their edges coloured by grade, from far to near, as seen along a direction that the user turns.
 
-// A model is {patches: [{m, n, points}], edges: [{points, grade, patches}]}: each patch a grid of (m + 1) (n + 1) points.
+// A model is {patches: [{m, n, points}], edges: [{points, grade, patches}]}: each patch a grid of (m + 1) (n + 1) points, or with
+// triangles, by threes the numbers of its points.
 class Model {
   constructor(data) {
-    this.patches = data.patches.map((p) => ({ facets: facetsOf(p), points: triples(p.points) }));
-    for (const p of this.patches) p.cell = Math.max(0, ...p.facets.map((f) => length(subtract(f.corners[2], f.corners[0]))));
+    this.patches = data.patches.map((p) => ({ points: triples(p.points) }));
+    const size = sizeOfTriangles(data.patches, this.patches);
+    data.patches.forEach((p, i) => {
+      this.patches[i].facets = p.triangles ? trianglesOf(p, this.patches[i].points, size) : facetsOf(p);
+      this.patches[i].cell = this.patches[i].facets.reduce((most, f) => Math.max(most, length(subtract(f.corners[2], f.corners[0]))), 0);
+    });
     // an edge lies in front of the cells that have it
-    this.edges = data.edges.map((e) => ({ ...e, points: triples(e.points),
+    const most = data.patches.some((p) => p.triangles) ? size : Infinity;
+    this.edges = data.edges.map((e) => ({ ...e, points: refined(triples(e.points), most),
       bias: 0.55 * Math.max(0, ...e.patches.map((i) => this.patches[i].cell)) }));
     this.all = this.patches.map((_, i) => i);
     this.frame = frameOf(this.patches.flatMap((p) => p.points).concat(this.edges.flatMap((e) => e.points)));
@@ -39,10 +45,54 @@ function facetsOf({ m, n, points }) {
   for (let j = 0; j < n; ++j)
     for (let i = 0; i < m; ++i) {
       const corners = [at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)];
-      const a = subtract(corners[2], corners[0]), b = subtract(corners[3], corners[1]);
-      const normal = [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]], size = length(normal);
-      facets.push({ corners, normal: size > 0 ? normal.map((x) => x / size) : null });
+      facets.push(facetOf(corners, subtract(corners[2], corners[0]), subtract(corners[3], corners[1])));
     }
+  return facets;
+}
+
+// A facet with its unit normal, which is across a and b.
+function facetOf(corners, a, b) {
+  const normal = [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]], size = length(normal);
+  return { corners, normal: size > 0 ? normal.map((x) => x / size) : null };
+}
+
+const cornersOf = ({ triangles }, points) => Array.from({ length: triangles.length / 3 }, (_, i) =>
+  [0, 1, 2].map((j) => points[triangles[3 * i + j]]));
+const sidesOf = (corners) => corners.map((p, i) => length(subtract(corners[(i + 1) % 3], p)));
+
+// The length beyond which sides of triangles are halved, so that the middle of each tells what lies in front of what; but not so
+// short that the pieces are too many to be drawn.
+function sizeOfTriangles(data, patches) {
+  const boxes = [];
+  data.forEach((p, i) => {
+    if (p.triangles) for (const corners of cornersOf(p, patches[i].points)) boxes.push(sidesOf(corners).sort((a, b) => b - a));
+  });
+  let size = frameOf(patches.flatMap((p) => p.points)).radius / 12;
+  const pieces = () => boxes.reduce((sum, [a, , c]) => sum + Math.ceil(a / size) * Math.ceil(c / size), 0);
+  for (const most = 40000 + 2 * boxes.length; pieces() > most;) size *= 1.4;
+  return size;
+}
+
+// The points of a polyline, and so many between them that its segments are no longer than this size.
+function refined(points, size) {
+  return points.flatMap((p, i) => {
+    const n = i === 0 ? 1 : Math.max(1, Math.ceil(length(subtract(p, points[i - 1])) / size));
+    return Array.from({ length: n }, (_, j) => (j + 1 === n ? p : combine(points[i - 1], 1 - (j + 1) / n, p, (j + 1) / n)));
+  });
+}
+
+function trianglesOf(data, points, size) {
+  const facets = [];
+  const add = (corners) => {
+    const sides = sidesOf(corners), longest = sides.indexOf(Math.max(...sides));
+    const [a, b, c] = [0, 1, 2].map((i) => corners[(longest + i) % 3]);
+    if (sides[longest] > size) {
+      const middle = combine(a, 0.5, b, 0.5);
+      add([a, middle, c]);
+      add([middle, b, c]);
+    } else facets.push(facetOf([a, c, b], subtract(b, a), subtract(c, a))); // the longest side is that from the first to the third
+  };
+  cornersOf(data, points).forEach(add);
   return facets;
 }
 
@@ -71,7 +121,7 @@ function drawModel(canvas, model, options) {
   for (const i of options.patches) {
     if (!model.patches[i]) continue;
     for (const facet of model.patches[i].facets) {
-      const p = facet.corners.map(project), depth = (p[0][2] + p[1][2] + p[2][2] + p[3][2]) / 4;
+      const p = facet.corners.map(project), depth = p.reduce((sum, q) => sum + q[2], 0) / p.length;
       const light = facet.normal ? Math.abs(0.35 * dot(facet.normal, rows[1]) + 0.9 * dot(facet.normal, rows[2])) : 0.5;
       parts.push({ depth, draw: () => drawFacet(context, p, light, options.fill) });
     }

@@ -39,6 +39,7 @@
 #include <TopoDS_Compound.hxx>
 #include <gp_Ax1.hxx>
 #include <gp_Ax2.hxx>
+#include <gp_Pln.hxx>
 #include <gp_Trsf.hxx>
 
 #include <cmath>
@@ -161,6 +162,12 @@ int main() {
     for (int j = 1; j <= 4; ++j) points.SetValue(i, j, gp_Pnt(i, j + 0.1 * i * i, (i * j) % 3));
   write(face(new Geom_BezierSurface(points)), "bezier.brep");
   write(ring, "wire.brep");
+  // A face that cannot be divided into triangles: it has a boundary that crosses itself.
+  BRepBuilderAPI_MakePolygon crossing(gp_Pnt(0, 0, 0), gp_Pnt(2, 2, 0), gp_Pnt(2, 0, 0), gp_Pnt(0, 2, 0), true);
+  const TopoDS_Shape crossed = BRepBuilderAPI_MakeFace(gp_Pln(), crossing.Wire()).Shape();
+  write(compound({moved(fillet), crossed}), "crossed.brep");
+  // An infinite face.
+  write(compound({moved(fillet), BRepBuilderAPI_MakeFace(gp_Pln()).Shape()}), "infinite.brep");
   // What cannot be compared at equal parameters.
   TopoDS_Shape differing = BRepPrimAPI_MakeCylinder(3, 10).Shape();
   BRep_Builder().SameParameter(TopoDS::Edge(TopExp_Explorer(differing, TopAbs_EDGE).Current()), false);

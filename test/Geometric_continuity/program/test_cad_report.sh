@@ -1,0 +1,120 @@
+#!/usr/bin/env bash
+# The page of `report` for CAD models: its edges, the faces that are drawn, options, and the page in a browser.
+. "$(dirname "$0")/functions.sh"
+
+# Without the module the program says what is missing, and writes no page.
+printf 'ISO-10303-21;\n' >any.step
+cp "$program" alone
+"$PWD/alone" report any.step -o any.html >out 2>err
+holds [ $? -eq 2 ] && says err "any.step: STEP, IGES and BREP are read by an optional part of this program" "libocct-data-exchange-dev"
+holds [ ! -e any.html ]
+if [ -z "${MAKE_CAD_MODELS-}" ]; then
+  echo "skipped: built without OpenCASCADE"
+  exit 77
+fi
+mkdir models && (cd models && "$MAKE_CAD_MODELS") || exit 1
+
+# counts PAGE TEXT...: how many edges have which grade
+counts() { says "$1" "\"counts\":{$2}"; }
+# drawn PAGE FACES ITEMS EDGES: so many faces with triangles, cards, and edges of the model
+drawn() {
+  holds [ "$(grep -c '"triangles":\[[0-9]' "$1")" -eq "$2" ]
+  holds [ "$(grep -c '"number":[0-9]*,"grade"' "$1")" -eq "$3" ]
+  holds [ "$(sed -n '/^"edges":\[/,$p' "$1" | grep -c '"grade":"[^"]*","patches":\[')" -eq "$4" ]
+}
+for file in fillet.brep fillet.step fillet.igs; do
+  run 0 report models/$file -o page.html && holds [ ! -s err ]
+  counts page.html '"gap":0,"kink":0,"corner":13,"G0":0,"undecided":0,"G1":2,"G2":0'
+  drawn page.html 7 15 15
+  says page.html "Continuity of $file" '7 faces, 15 edges of two sides within vda-4955; lengths in mm' '"notes":[]' '"dimension":3'
+done
+# each card: bounds of all three, and the point and the parameter of the worst
+holds [ "$(grep -cE '"number":.*"angle":\["[^"]*","[^"]*"\],"jump":.*"edge":[0-9]+,"gap":\[.*"at":\["[^"]*","[^"]*","[^"]*"\],"parameter":"' page.html)" -eq 15 ]
+says page.html '"grade":"G1","place":"edge ' '"verdict":"G0, corner"' '- cylinder'
+run 0 report models/wall.brep -o page.html && drawn page.html 3 2 10
+counts page.html '"gap":0,"kink":1,"corner":1,"G0":0,"undecided":0,"G1":0,"G2":0'
+says page.html '"grade":"boundary"' '"verdict":"G0, kink"'
+holds [ "$(grep -n '"number":' page.html | head -n 1 | grep -c '"grade":"kink"')" -eq 1 ] # the worst first
+holds grep -qE '"grade":"kink".*"angle":\["(1|0\.99999[0-9]*)","1(\.0*[0-9]*)?"\]' page.html
+run 0 report models/wall.brep -o page.html --kink-angle 0.9
+counts page.html '"gap":0,"kink":0,"corner":2,"G0":0,"undecided":0,"G1":0,"G2":0'
+run 0 report models/wall.brep -o page.html --within 0.01,1.1deg --worst 1
+counts page.html '"gap":0,"kink":0,"corner":1,"G0":0,"undecided":0,"G1":1,"G2":0'
+says page.html 'within 0.01,1.1deg; lengths in mm' 'The page shows the worst 1 of 2' && says err "the worst 1 of 2"
+run 0 report models/fillet.step -o page.html --within 0.01,0.1deg,101%
+counts page.html '"gap":0,"kink":0,"corner":13,"G0":0,"undecided":0,"G1":0,"G2":2'
+
+# seams, poles, several faces at an edge, what cannot be compared, and no edge of two sides
+run 0 report models/sphere.brep -o page.html && drawn page.html 2 2 2
+run 0 report models/torus.step -o page.html && drawn page.html 1 2 2
+run 0 report models/three.brep -o page.html && drawn page.html 3 0 10
+says page.html '1 edge of three faces or more: drawn as boundary, not decided.'
+run 0 report models/differing.brep -o page.html && says page.html '"grade":"undecided"' '"verdict":"curves of different parameters","angle":null'
+run 0 report models/bezier.brep -o page.html && drawn page.html 1 0 4
+run 0 report models/wire.brep -o page.html && drawn page.html 0 0 0
+
+# faces that cannot be divided into triangles: the others are drawn, and no edge is lost
+for file in crossed.brep infinite.brep; do
+  run 0 report models/$file -o page.html && says page.html '1 face cannot be drawn.'
+  holds [ "$(grep -c '"number":[0-9]*,"grade"' page.html)" -eq 15 ]
+  holds [ "$(grep -c '"triangles":\[[0-9]' page.html)" -ge 7 ]
+done
+
+# several files, and names that are no markup
+odd='<script>alert(1)<\script>&".brep'
+cp models/wall.brep "$odd"
+run 0 report "$odd" models/cone.brep -o page.html && drawn page.html 5 4 12
+says page.html '\u003cscript\u003ealert(1)' 'models/cone.brep: edge '
+holds [ "$(grep -cF 'alert(1)' page.html)" -eq "$(grep -cF '\u003cscript\u003ealert(1)' page.html)" ]
+
+# what is refused, and what cannot be read: no page
+rm -f page.html
+for option in --surfaces --closed --max-work=5 --glyphs=a; do run 2 report models/wall.brep -o page.html $option; done
+run 2 report models/wall.brep -o page.html --within 0.01,0.1deg,1%,0.1 && says err "GAP,ANGLEdeg,CURVATURE%"
+run 2 report models/wall.brep -o page.html --within class-x && run 2 report models/wall.brep -o page.html --kink-angle 0
+run 2 report $S -o page.html --within 1,1deg && says err "--within" "only for CAD models"
+run 2 report models/wall.brep $S -o page.html && says err "cannot be read together"
+run 2 report models/wall.brep -o page.svg
+head -c 2000 models/fillet.step >cut.step
+run 2 report cut.step -o page.html && says err "cut.step: not a complete STEP file"
+run 2 report models/wall.brep cut.step -o page.html
+sed '/^Surfaces/{n;n;s/^7 /9 /}' models/prism.brep >crash.brep
+run 2 report crash.brep -o page.html && says err "crash.brep: the library that reads it crashes: the file is damaged"
+holds [ ! -e page.html ]
+
+# huge numbers, and no numbers: soon an error or a page, and in it numbers only
+sed 's/-4\.44089[0-9]*E-16/-4.4E716/' models/fillet.step >huge.step
+sed 's/^1 0 /1 nan /' models/fillet.brep >odd.brep
+sed 's/^1 10 /1 1e30 /' models/fillet.brep >large.brep
+for file in huge.step odd.brep large.brep; do
+  rm -f page.html
+  timeout 20 "$program" report $file -o page.html >out 2>err
+  code=$?
+  holds [ $code -eq 2 -o $code -eq 0 ] && holds [ $((code == 0)) -eq "$(ls page.html 2>/dev/null | wc -l)" ]
+  [ $code -ne 0 ] || holds [ "$(sed -n '/id="data"/,/<script>/p' page.html | grep -ciE '[[,:](-?nan|-?inf)')" -eq 0 ]
+done
+
+# verify draws nothing: the edges are the same
+run 0 verify models/fillet.step --json && says out '"edge":14'
+
+browser=$(command -v chromium || command -v chromium-browser || command -v google-chrome) || {
+  echo "no page is opened: there is no Chromium"
+  exit
+}
+run 0 report models/moved.brep models/wall.brep "$odd" -o page.html
+{ sed "s|script-src '[^']*'|script-src 'unsafe-inline'|" page.html && cat <<END; } >asked.html
+<pre id="answers"></pre>
+<script>
+const inked = (canvas) => canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height).data.filter((x, i) => i % 4 === 3 && x > 0).length;
+const canvas = document.querySelector('#model canvas');
+drawModel(canvas, model, { camera, frame: model.frame, patches: model.all, chosen: 0, fill: true });
+byId('answers').textContent = 'inked ' + (inked(canvas) > 2000) + [...document.querySelectorAll('.join canvas')].every((c) => inked(c) > 1000) +
+  ', facets ' + model.patches.every((p) => p.facets.length > 0 && p.facets.length < 5000 && p.facets.every((f) => f.corners.length === 3));
+</script>
+END
+timeout 60 "$browser" --headless --no-sandbox --disable-gpu --disable-extensions --no-first-run --user-data-dir="$PWD/profile" \
+  --host-resolver-rules='MAP * ~NOTFOUND' --window-size=1400,950 --enable-logging=stderr --virtual-time-budget=5000 --dump-dom \
+  "file://$PWD/asked.html" >dom 2>log </dev/null
+holds [ $? -eq 0 ] && holds [ "$(grep -c CONSOLE log)" -eq 0 ]
+says dom 'inked truetrue, facets true' 'aria-setsize="34"' 'class="with-model"' 'Curvature jump' '<small>parameter '
+rm -rf profile
