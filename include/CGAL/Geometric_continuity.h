@@ -149,5 +149,7 @@
 #include <CGAL/Geometric_continuity/models/model_continuity.h>
 #include <CGAL/Geometric_continuity/models/near_edges.h>
 #include <CGAL/Geometric_continuity/models/tessellate.h>
+#include <CGAL/Geometric_continuity/trimmed/Edge_enclosure.h>
+#include <CGAL/Geometric_continuity/trimmed/Parametric_geometry.h>
 
 #endif // CGAL_GEOMETRIC_CONTINUITY_H

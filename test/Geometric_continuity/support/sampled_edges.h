@@ -49,15 +49,20 @@ template <class FT> struct Dual {
 template <class FT> Dual<FT> cosine(const Dual<FT>& t) { return t.of(std::cos(t.f), -std::sin(t.f), -std::cos(t.f)); }
 template <class FT> Dual<FT> sine(const Dual<FT>& t) { return t.of(std::sin(t.f), std::cos(t.f), -std::sin(t.f)); }
 
-// The recursive definition; `t` lies in the piece `span`, also where it is its end.
-template <class FT> Dual<FT> basis(const std::vector<double>& k, int span, int j, int d, const Dual<FT>& t) {
-  if (d == 0) return Dual<FT>(FT(j == span ? 1 : 0));
-  Dual<FT> sum;
-  if (k[j] < k[j + d]) sum = (t - Dual<FT>(FT(k[j]))) / Dual<FT>(FT(k[j + d]) - FT(k[j])) * basis(k, span, j, d - 1, t);
-  if (k[j + 1] < k[j + d + 1])
-    sum = sum + (Dual<FT>(FT(k[j + d + 1])) - t) / Dual<FT>(FT(k[j + d + 1]) - FT(k[j + 1])) *
-                    basis(k, span, j + 1, d - 1, t);
-  return sum;
+// The functions of the numbers span-degree to span by their recursive definition; `t` lies in the piece `span`, also where it is its end.
+template <class FT> std::vector<Dual<FT>> basis(const std::vector<double>& k, int span, int degree, const Dual<FT>& t) {
+  std::vector<Dual<FT>> b(degree + 2);
+  b[degree] = Dual<FT>(FT(1));
+  for (int d = 1; d <= degree; ++d)
+    for (int i = degree - d; i <= degree; ++i) {
+      const int j = span - degree + i;
+      Dual<FT> sum;
+      if (k[j] < k[j + d]) sum = (t - Dual<FT>(FT(k[j]))) / Dual<FT>(FT(k[j + d]) - FT(k[j])) * b[i];
+      if (k[j + 1] < k[j + d + 1])
+        sum = sum + (Dual<FT>(FT(k[j + d + 1])) - t) / Dual<FT>(FT(k[j + d + 1]) - FT(k[j + 1])) * b[i + 1];
+      b[i] = sum;
+    }
+  return b;
 }
 template <class FT> int span_of(const std::vector<double>& k, int degree, const FT& t) {
   int span = degree;
@@ -75,12 +80,13 @@ template <class FT, int D> Vector<FT, D> curve_point(const GC::Given_curve<D>& c
     for (int i = 0; i < D; ++i) p[i] = Dual<FT>(line->origin[i]) + t * Dual<FT>(line->direction[i]);
   } else if (const auto* s = std::get_if<GC::Given_spline_curve<D>>(&curve)) {
     const int span = span_of(s->knots, s->degree, t.f);
+    const std::vector<Dual<FT>> functions = basis(s->knots, span, s->degree, t);
     Dual<FT> w;
-    for (int j = span - s->degree; j <= span; ++j) {
-      const Dual<FT> b =
-          basis(s->knots, span, j, s->degree, t) * Dual<FT>(s->weights.empty() ? FT(1) : FT(s->weights[j]));
+    for (int i = 0; i <= s->degree; ++i) {
+      const int j = span - s->degree + i;
+      const Dual<FT> b = functions[i] * Dual<FT>(s->weights.empty() ? FT(1) : FT(s->weights[j]));
       w = w + b;
-      for (int i = 0; i < D; ++i) p[i] = p[i] + b * Dual<FT>(s->points[j][i]);
+      for (int k = 0; k < D; ++k) p[k] = p[k] + b * Dual<FT>(s->points[j][k]);
     }
     for (int i = 0; i < D; ++i) p[i] = p[i] / w;
   } else if constexpr (std::is_floating_point_v<FT>) {
@@ -109,12 +115,13 @@ Vector<FT, 3> surface_point(const GC::Given_surface& surface, const Dual<FT>& u,
   };
   if (const auto* s = std::get_if<GC::Given_spline_surface>(&surface)) {
     const int us = span_of(s->u_knots, s->u_degree, u.f), vs = span_of(s->v_knots, s->v_degree, v.f);
+    const std::vector<Dual<FT>> in_u = basis(s->u_knots, us, s->u_degree, u),
+                                in_v = basis(s->v_knots, vs, s->v_degree, v);
     Dual<FT> w;
-    for (int i = us - s->u_degree; i <= us; ++i)
-      for (int j = vs - s->v_degree; j <= vs; ++j) {
-        const int index = i * s->v_points() + j;
-        const Dual<FT> b = basis(s->u_knots, us, i, s->u_degree, u) * basis(s->v_knots, vs, j, s->v_degree, v) *
-                           Dual<FT>(s->weights.empty() ? FT(1) : FT(s->weights[index]));
+    for (int i = 0; i <= s->u_degree; ++i)
+      for (int j = 0; j <= s->v_degree; ++j) {
+        const int index = (us - s->u_degree + i) * s->v_points() + vs - s->v_degree + j;
+        const Dual<FT> b = in_u[i] * in_v[j] * Dual<FT>(s->weights.empty() ? FT(1) : FT(s->weights[index]));
         w = w + b;
         add(b, s->points[index]);
       }

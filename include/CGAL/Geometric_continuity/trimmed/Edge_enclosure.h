@@ -80,6 +80,15 @@ inline Enclosure angle_of_chord_square(double e) {
 /// \ingroup PkgGeometricContinuityTrimmed
 /// Encloses how far two faces are from being continuous along the edge that both have over the range `[first, last]` of their common
 /// parameter. The numbers that describe curves and surfaces are taken exactly.
+///
+/// On parts of the range both sides become Taylor models: polynomials of degree 7 with a bound of what they leave out, roundings included
+/// (K. Makino, M. Berz: Taylor models and other validated functional inclusion methods, 2003). In their difference what agrees cancels, so
+/// that its bounds are as narrow as the difference is small. The part with the largest upper bound is halved until that and the
+/// largest value found at a parameter are close. Points where a normal vanishes are left out, except for the poles of
+/// spheres and the apices of cones on the edge: there the normal is the limit along the edge. Splines are continued beyond their domain by
+/// their first and last pieces, which rounded curves need.
+///
+/// The cost is linear in the number of parts, each of which takes some ten microseconds. Smooth edges take a few, others some hundred.
 /// \throws Error `empty_domain` when `first > last`; `not_finite`; `wrong_number_of_points` and `knot_multiplicity` for splines whose
 ///   numbers do not fit; `zero_weight`; `parameter_outside_domain` when a curve leaves the domain of a spline by more than rounding;
 ///   `singular_frame` when a placement is not invertible

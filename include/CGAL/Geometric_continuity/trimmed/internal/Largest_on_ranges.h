@@ -8,6 +8,7 @@
 #include <CGAL/Geometric_continuity/trimmed/internal/Placed_side.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <utility>
@@ -36,7 +37,7 @@ struct Largest_options {
 
   bool narrow(double lower, double upper) const {
     const double y = measure(upper);
-    return y <= floor || y - measure(lower) <= relative * y;
+    return y <= floor || (std::isfinite(y) && y - measure(lower) <= relative * y);
   }
 };
 

@@ -148,22 +148,65 @@ private:
     Side_models m;
     m.point = placed(compose(0, 0), true);
     if (quantity == Edge_quantity::gap) return m;
-    const Taylor_vector su = placed(compose(1, 0), false), sv = placed(compose(0, 1), false), normal = cross(su, sv);
-    const Taylor_model root = reciprocal_root(dot(normal, normal));
-    m.normal = normal * (flipped_ ? -root : root);
+    const Taylor_vector sv = placed(compose(0, 1), false);
+    Taylor_vector su = placed(compose(1, 0), false);
+    // On spheres and cones S_u = rho(v) R'(u), and rho is zero at poles and apices, where R' x S_v is still a normal.
+    const auto* elementary = std::get_if<Given_elementary_surface>(&*side_.surface);
+    const int sign = elementary ? sign_of_rho(*elementary, v.range) : 0;
+    const bool sphere = sign != 0 && elementary->kind == Given_elementary_surface::Kind::sphere;
+    const bool reduced = sphere || (sign != 0 && quantity == Edge_quantity::angle);
+    Taylor_model u_derivative = u.derivative;
+    if (reduced) {
+      const Given_elementary_surface cylinder{Given_elementary_surface::Kind::cylinder, elementary->frame, 1, 0};
+      const Given_surface_jet r_about_point = jet_of(cylinder, {u.value.c[0], v.value.c[0], 0, 0}, order),
+                              r_on_box = jet_of(cylinder, {u.range, v.range, 0, 0}, order);
+      const Taylor_vector r = placed(Composition{r_about_point, r_on_box, compose.u, compose.v}(1, 0), false);
+      if (sphere) u_derivative = u.derivative * dot(su, r) * reciprocal(dot(r, r)); // rho u'
+      su = r;
+    }
+    const Taylor_vector normal = cross(su, sv);
+    const Taylor_model root = reciprocal_root(dot(normal, normal)),
+                       signed_root = flipped_ != (sign < 0 && reduced) ? -root : root;
+    m.normal = normal * signed_root;
     if (quantity == Edge_quantity::curvature) {
-      const Taylor_vector suu = placed(compose(2, 0), false), suv = placed(compose(1, 1), false),
-                          svv = placed(compose(0, 2), false);
+      // The second fundamental form, with its first two numbers over rho^2 and rho for a sphere of the axes x, y, z: there
+      // R'' . (R' x S_v) / rho = -(x, y, z) and R' . (R' x S_v) = 0.
+      Taylor_model l, m_, n = dot(m.normal, placed(compose(0, 2), false));
+      if (sphere)
+        l = -frame_determinant(*elementary) * signed_root;
+      else
+        l = dot(m.normal, placed(compose(2, 0), false)), m_ = dot(m.normal, placed(compose(1, 1), false));
       // With the first fundamental form (e, f; f, g) the direction a S_u + b S_v is orthogonal to the edge's S_u u' + S_v v',
       // and its square is (e g - f^2) times that of the edge's, with e g - f^2 = |N|^2.
       const Taylor_model e = dot(su, su), f = dot(su, sv), g = dot(sv, sv);
-      const Taylor_model b = e * u.derivative + f * v.derivative, a = -(f * u.derivative + g * v.derivative);
-      const Taylor_model square = b * u.derivative - a * v.derivative;
-      m.curvature =
-          (dot(m.normal, suu) * a * a + Taylor_model(2) * (dot(m.normal, suv) * a * b) + dot(m.normal, svv) * b * b) *
-          (root * root) * reciprocal(square);
+      const Taylor_model b = e * u_derivative + f * v.derivative, a = -(f * u_derivative + g * v.derivative);
+      const Taylor_model square = b * u_derivative - a * v.derivative;
+      m.curvature = (l * a * a + Taylor_model(2) * (m_ * a * b) + n * b * b) * (root * root) * reciprocal(square);
     }
     return m;
+  }
+
+  // The sign of rho where it has one in a range of v, but for roundings at a pole or an apex; 0 for other surfaces.
+  static int sign_of_rho(const Given_elementary_surface& surface, const Interval& v) {
+    typedef Given_elementary_surface::Kind Kind;
+    if (surface.kind == Kind::sphere)
+      return magnitude(v) <= 1.57079633 /* pi/2, and 1e-8 more */ && surface.radius != 0 ? (surface.radius > 0 ? 1 : -1)
+                                                                                         : 0;
+    if (surface.kind != Kind::cone) return 0;
+    const Interval rho = Interval(surface.radius) + v * cosine_and_sine(Interval(surface.other)).sine;
+    const double rounding = 1e-12 * (std::fabs(surface.radius) + magnitude(rho));
+    return rho.sup() > rounding && rho.inf() >= -rounding ? 1 : rho.inf() < -rounding && rho.sup() <= rounding ? -1 : 0;
+  }
+  // Of the placed axes of a frame.
+  Taylor_model frame_determinant(const Given_elementary_surface& surface) const {
+    const Given_frame& f = surface.frame;
+    Taylor_vector axes[3];
+    for (int i = 0; i < 3; ++i) {
+      axes[0][i] = f.x_axis[i];
+      axes[1][i] = f.y_axis[i];
+      axes[2][i] = f.z_axis[i];
+    }
+    return dot(cross(placed(axes[0], false), placed(axes[1], false)), placed(axes[2], false));
   }
 
   struct Powers {
