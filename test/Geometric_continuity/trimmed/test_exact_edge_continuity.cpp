@@ -262,6 +262,8 @@ const GC::Edge_side ground = side(plane(), line(0, 0, 0, 1), 0, true),
 
 BOOST_AUTO_TEST_CASE(planes_and_cylinders) {
   BOOST_TEST(verdict(ground, fillet, -1, 5) == "G1 curvature");
+  const GC::Given_spline_curve<2> straight{1, {-8, -8, 8, 8}, {{0, 8}, {0, -8}}, {}};
+  BOOST_TEST(verdict(ground, side(Elementary{Kind::cylinder, lying, 2}, straight), -1, 5) == "G1 curvature");
   BOOST_TEST(verdict(fillet, fillet) == "G2");
   BOOST_TEST(verdict(ground, side(Elementary{Kind::cylinder, lying, next(2)}, line(0, 0, 0, -1))) == "gap");
   BOOST_TEST(verdict(ground, side(Elementary{Kind::cylinder, lying, 2}, line(1e-300, 0, 0, -1))) == "gap");

@@ -31,7 +31,7 @@ namespace Geometric_continuity {
 /// - two spline surfaces, rational or not, on each of which the edge is a parameter line, boundary or not, or a part of it, run through
 ///   linearly: as `edge_continuity()` decides;
 /// - two elementary surfaces, extrusions or surfaces of revolution with lines or ellipses as profiles, where the curves in the parameter
-///   planes are lines, on planes also ellipses. Then points and derivatives are sums of terms \f$ c\,t^n e^{i (w + f t)} \f$ with rational
+///   planes are lines, or splines that are, on planes also ellipses. Then points and derivatives are sums of terms \f$ c\,t^n e^{i (w + f t)} \f$ with rational
 ///   numbers, and continuity means identities between such sums, which hold if and only if each coefficient agrees (Lindemann and
 ///   Weierstrass).
 ///

@@ -9,8 +9,11 @@
 #include <CGAL/Geometric_continuity/edges/internal/Edge_decision.h>
 #include <CGAL/Geometric_continuity/trimmed/internal/Exponential_sum.h>
 #include <CGAL/Geometric_continuity/trimmed/internal/Given_map.h>
+#include <CGAL/Geometric_continuity/trimmed/internal/straight_line.h>
 
+#include <array>
 #include <optional>
+#include <utility>
 #include <variant>
 
 /// \file exact_analytic_edge.h
@@ -78,13 +81,12 @@ struct Exponential_jet {
 
 private:
   bool take(const Given_surface& surface, const Given_curve<2>& curve) {
-    const auto* line = std::get_if<Given_line<2>>(&curve);
     const auto* elementary = std::get_if<Given_elementary_surface>(&surface);
     if (elementary && elementary->kind == Given_elementary_surface::Kind::plane)
       return take_plane(elementary->frame, curve);
+    const std::optional<std::array<Linear_function, 2>> line = straight_line(curve);
     if (!line) return false;
-    const Linear_function s{Model_number(line->origin[0]), Model_number(line->direction[0])},
-        t{Model_number(line->origin[1]), Model_number(line->direction[1])};
+    const Linear_function &s = (*line)[0], &t = (*line)[1];
     if (elementary) {
       take_elementary(*elementary, s, t);
       return true;
@@ -107,9 +109,8 @@ private:
 
   bool take_plane(const Given_frame& f, const Given_curve<2>& curve) {
     std::array<Exponential_sum, 2> p;
-    if (const auto* line = std::get_if<Given_line<2>>(&curve)) {
-      for (int i = 0; i < 2; ++i)
-        p[i] = Linear_function{Model_number(line->origin[i]), Model_number(line->direction[i])};
+    if (const std::optional<std::array<Linear_function, 2>> line = straight_line(curve)) {
+      for (int i = 0; i < 2; ++i) p[i] = (*line)[i];
     } else {
       const auto* conic = std::get_if<Given_conic<2>>(&curve);
       if (!conic || conic->kind != Given_conic<2>::Kind::ellipse) return false;
