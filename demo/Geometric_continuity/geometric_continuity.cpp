@@ -24,7 +24,8 @@ const char* const program_usage = R"(usage: geometric_continuity COMMAND [ARGUME
   extend A.g2               append a segment with continuous tangent, curvature
                             or torsion
   verify FILE.g2...         decide the continuity of every join of a chain, of a
-                            drawing (.svg) or of a font, exactly
+                            drawing (.svg) or of a font, exactly, and enclose
+                            that of every edge of a CAD model (.step, .iges)
   repair FILE -o FILE       make kinks of a drawing, a chain or a font exactly
                             smooth, on its own grid
   plot FILE.g2...           draw curves, control polygons and curvature combs,

@@ -23,7 +23,8 @@
 namespace {
 
 const char* const verify_usage =
-    R"(usage: geometric_continuity verify FILE.g2... | FILE.svg... | FONT... | MODEL.step... [OPTIONS]
+    R"(usage: geometric_continuity verify FILE.g2... | FILE.svg... | FONT...
+       | MODEL.step... [OPTIONS]
 
 Decides the continuity of every join of the chain that all curves form in the
 given order. The decision is exact for the numbers of the files.
@@ -53,14 +54,15 @@ characters and ranges of them, names and numbers of glyphs.
 variable TrueType font, of joins that are no corners at the default instance:
 proved between the masters as well, with the axis values of the largest one.
 
-Of CAD models (.step, .stp, .iges, .igs, .brep, .brp; where the program is built
-with OpenCASCADE) it encloses, over each whole edge that two faces share and each
-seam, the largest gap of both faces, the largest angle of their normals and the
-largest jump of the curvature across the edge, in mm, degrees and percent, and
-decides G0, G1 and G2 within --within GAP,ANGLEdeg,CURVATURE%, or vda-4955 when
-it is not given. Geometry is taken as it is in the file; shapes are not healed.
-An edge where the angle exceeds --kink-angle is a corner, of which --require asks
-only G0. What cannot be compared is undecided, and does not meet --require.
+Of CAD models (.step, .stp, .iges, .igs, .brep, .brp; where the program is
+built with OpenCASCADE) it encloses, over each whole edge that two faces share
+and each seam, the largest gap of both faces, the largest angle of their
+normals and the largest jump of the curvature across the edge, in mm, degrees
+and percent, and decides G0, G1 and G2 within --within GAP,ANGLEdeg,CURVATURE%,
+or within vda-4955 when it is not given. Geometry is taken as it is in the
+file; shapes are not healed. An edge where the angle exceeds --kink-angle is a
+corner, of which --require asks only G0. What cannot be compared is undecided,
+and does not meet --require.
 
 --within 0.001,0.01deg,2% also tells how far each join is from continuous, in
 guaranteed bounds, and which orders it has when the ends may be apart by this

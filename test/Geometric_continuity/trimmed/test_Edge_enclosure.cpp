@@ -267,6 +267,23 @@ BOOST_AUTO_TEST_CASE(representations_of_one_surface) {
   }
 }
 
+// Offsets of circles are circles, in the parameter plane and in space.
+BOOST_AUTO_TEST_CASE(offset_curves) {
+  const auto basis = std::make_shared<GC::Given_curve<2>>(circle(2));
+  const GC::Edge_side offset = side(plane(), GC::Given_offset_curve<2>{basis, 0.5, {}}),
+                      direct = side(plane(), circle(2.5));
+  check_is(GC::edge_enclosure(offset, direct, 0, 6).gap.value, 0, 1e-9);
+  check_is(GC::edge_enclosure(offset, side(plane(), circle(2)), 0, 6).gap.value, 0.5, 0);
+  const GC::Given_conic<3> base{GC::Given_conic<3>::Kind::ellipse, {0, 0, 0}, {1, 0, 0}, {0, 1, 0}, 3, 3};
+  const GC::Given_offset_curve<3> inner{std::make_shared<GC::Given_curve<3>>(base), -1, {0, 0, 1}};
+  const GC::Edge_enclosure e =
+      GC::edge_enclosure(side(GC::Given_extrusion{inner, {0, 0, 1}}, line(0, 0, 1, 0.5)),
+                         side(Elementary{Kind::cylinder, standard, 2}, line(0, 0, 1, 0.5)), 0, 3);
+  check_is(e.gap.value, 0, 1e-9);
+  check_is(e.angle->value, 0, 1e-8);
+  check_is(e.curvature_jump->value, 0, 1e-4);
+}
+
 BOOST_AUTO_TEST_CASE(placements) {
   // a rotation by 3-4-5 about z with a shift, and a mirror at x = 0
   const GC::Given_placement turned{{{0.6, -0.8, 0, 5}, {0.8, 0.6, 0, -2}, {0, 0, 1, 9}}},
