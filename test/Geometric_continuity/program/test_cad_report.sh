@@ -47,6 +47,9 @@ counts page.html '"gap":0,"kink":0,"corner":13,"G0":0,"undecided":0,"G1":0,"G2":
 # seams, poles, several faces at an edge, what cannot be compared, and no edge of two sides
 run 0 report models/sphere.brep -o page.html && drawn page.html 2 2 2
 run 0 report models/torus.step -o page.html && drawn page.html 1 2 2
+# faces without curves in their parameter planes, which are divided after healing
+run 0 report models/sphere.step -o page.html && drawn page.html 2 2 2
+run 0 report models/prism.step -o page.html && drawn page.html 3 3 3
 run 0 report models/three.brep -o page.html && drawn page.html 3 0 10
 says page.html '1 edge of three faces or more: drawn as boundary, not decided.'
 run 0 report models/differing.brep -o page.html && says page.html '"grade":"undecided"' '"verdict":"curves of different parameters","angle":null'
