@@ -73,6 +73,7 @@ int run(const Arguments& arguments) {
     return requirement_met;
   }
   try {
+    const Cores cores;
     return run(arguments[0], Arguments(arguments.begin() + 1, arguments.end()));
   } catch (const std::bad_alloc&) { // more than any system could give
     std::cerr << "geometric_continuity: out of memory\n";
@@ -89,7 +90,6 @@ int main(int argc, char* argv[]) {
   take_stack();
   end_when_memory_runs_out();
   clean_up_at_signals();
-  const Cores cores;
   Standard_output output;
   return output.finish(run(Arguments(argv + (argc > 0 ? 1 : 0), argv + argc)));
 }

@@ -30,7 +30,7 @@ spline() { # POINTS ORDER
 }
 spline 20000 2 >polyline.g2
 spline 10000 5 >spline.g2
-bounded $((starts + 10000)) 60
+bounded $((starts + 12000)) 60
 for kernel in exact double; do
   run 0 verify polyline.g2 --kernel $kernel && says out "19998 joins"
   run 0 verify spline.g2 --kernel $kernel --require C3 && says out "9995 joins: 9995 G3 or more"

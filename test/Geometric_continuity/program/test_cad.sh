@@ -49,10 +49,10 @@ encloses() { # NAME NUMBER LINE: NAME is gap, angle or jump, in the line of an e
 fillet_edges() { grep -E '\((plane [0-9]+ - cylinder|cylinder [0-9]+ - plane)' out; }
 for file in fillet.brep fillet.step fillet.igs moved.brep; do
   run 0 verify models/$file --require G1 && says out "every edge of two sides is G1 within the tolerance or a corner, proved"
-  holds [ "$(fillet_edges | grep -c ': G1;')" -eq "$(($(fillet_edges | wc -l) / 2))" ]
+  holds [ "$(fillet_edges | grep -c ': G1[,;]')" -eq "$(($(fillet_edges | wc -l) / 2))" ]
   while read -r line; do # from flat to the radius 2 the curvature jumps by all of it
     encloses gap 0 "$line" && encloses angle 0 "$line" && encloses jump 100 "$line"
-  done < <(fillet_edges | grep ': G1;')
+  done < <(fillet_edges | grep ': G1[,;]')
   while read -r line; do encloses angle 90 "$line"; done < <(grep -E 'plane [0-9]+ - plane' out)
   run 1 verify models/$file --require G2 --within 0.01,0.1deg,99% && says out "not G2 within the tolerance"
   run 0 verify models/$file --require G2 --within 0.01,0.1deg,101%
@@ -72,6 +72,9 @@ for file in torus.brep torus.step periodic.brep revolution.brep offset.brep pris
   run 0 verify models/$file --require G1
   while read -r line; do encloses gap 0 "$line" && encloses angle 0 "$line"; done < <(grep '^edge.* seam' out)
 done
+# what is exact is said so, and then needs no tolerance
+run 0 verify models/fillet.brep --json && says out '"exact":"G1"' '"exact":"G0"'
+run 0 verify models/periodic.brep --json && holds [ "$(grep -c '"exact":' out)" -gt 0 ]
 # a kink of 1 degree is none that is meant, and one of 70 degrees is a corner
 run 1 verify models/wall.brep --require G1 && says out "1 of them not G1 within the tolerance" "G0, kink" "G0, corner"
 encloses angle 1 "$(grep kink out | head -n 1)"

@@ -33,7 +33,7 @@ holds [ "$(grep -cE '"number":.*"angle":\["[^"]*","[^"]*"\],"jump":.*"edge":[0-9
 says page.html '"grade":"G1","place":"edge ' '"verdict":"G0, corner"' '- cylinder'
 run 0 report models/wall.brep -o page.html && drawn page.html 3 2 10
 counts page.html '"gap":0,"kink":1,"corner":1,"G0":0,"undecided":0,"G1":0,"G2":0'
-says page.html '"grade":"boundary"' '"verdict":"G0, kink"'
+says page.html '"grade":"boundary"' '"verdict":"G0, kink, exactly G0"'
 holds [ "$(grep -n '"number":' page.html | head -n 1 | grep -c '"grade":"kink"')" -eq 1 ] # the worst first
 holds grep -qE '"grade":"kink".*"angle":\["(1|0\.99999[0-9]*)","1(\.0*[0-9]*)?"\]' page.html
 run 0 report models/wall.brep -o page.html --kink-angle 0.9

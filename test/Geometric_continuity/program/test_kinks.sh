@@ -95,5 +95,5 @@ refused() { # refused REASON OPTIONS...
 }
 for bad in 0 180 -1 1e9; do refused "--kink-angle: $bad is not between 0 and 180 degrees" --kink-angle=$bad; done
 for bad in x 5deg nan; do refused "--kink-angle: " --kink-angle="$bad"; done
-run 2 verify "$S" --kink-angle 5 && says err "--kink-angle: only for drawings and fonts"
-run 2 verify "$teapot" --surfaces --kink-angle 5 && says err "--kink-angle: only for drawings and fonts"
+run 2 verify "$S" --kink-angle 5 && says err "--kink-angle: only for drawings, fonts and CAD models"
+run 2 verify "$teapot" --surfaces --kink-angle 5 && says err "--kink-angle: only for drawings, fonts and CAD models"
