@@ -208,7 +208,7 @@ public:
     const double start = processor_seconds();
     std::vector<std::string> lost;
     const TopoDS_Shape shape = read_shape(file_, lost);
-    const Cad_model model = cad_model(shape);
+    const Cad_model model = cad_model(shape, Cad_drawing::none);
     row_.reading = processor_seconds() - start;
     row_.edges = model.edges.size();
     for (const std::string& what : lost) std::cout << file_ << ": not read: " << what << '\n';
