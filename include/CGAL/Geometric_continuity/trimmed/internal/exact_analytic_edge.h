@@ -9,12 +9,14 @@
 #include <CGAL/Geometric_continuity/edges/internal/Edge_decision.h>
 #include <CGAL/Geometric_continuity/trimmed/internal/Exponential_sum.h>
 #include <CGAL/Geometric_continuity/trimmed/internal/Given_map.h>
+#include <CGAL/Geometric_continuity/trimmed/internal/edge_bounds.h>
 #include <CGAL/Geometric_continuity/trimmed/internal/straight_line.h>
 
 #include <array>
 #include <optional>
 #include <utility>
 #include <variant>
+#include <vector>
 
 /// \file exact_analytic_edge.h
 /// Continuity along edges on which both surfaces are sums of exponential functions: the gap, the tangent planes and the curvatures agree
@@ -55,6 +57,7 @@ struct Exponential_curve {
 // The derivatives of a placed surface along a curve in its parameter plane.
 struct Exponential_jet {
   Exponential_vector point, u, v, uu, uv, vv;
+  Exponential_sum rho = Model_number(1); // of an elementary surface, whose normal vanishes where it does
 
   bool take(const Edge_side& side) {
     if (!take(*side.surface, *side.curve)) return false;
@@ -131,7 +134,8 @@ private:
   void take_elementary(const Given_elementary_surface& surface, const Linear_function& s, const Linear_function& t) {
     typedef Given_elementary_surface::Kind Kind;
     const Model_number r(surface.radius), q(surface.other);
-    Exponential_sum rho = r, z, rho_1, z_1, rho_2, z_2;
+    Exponential_sum z, rho_1, z_1, rho_2, z_2;
+    rho = r;
     if (surface.kind == Kind::cylinder || surface.kind == Kind::cone) {
       const Linear_function angle{surface.kind == Kind::cone ? q : Model_number(0), Model_number(0)};
       rho_1 = Exponential_sum::sine(angle);
@@ -176,6 +180,28 @@ private:
   }
 };
 
+// The sign of the product of two oriented normals that are parallel on the whole range; empty when one vanishes there, or so nearly that it
+// is not found out. It is the same everywhere: the square of the difference of the unit normals is 0 or 4.
+inline std::optional<int> sign_of_parallel_normals(const Edge_side& a, const Edge_side& b, double first, double last) {
+  const Protect_FPU_rounding<true> rounding_upwards;
+  const Edge_bounds bounds(a, b);
+  std::optional<int> sign;
+  std::vector<std::array<double, 2>> ranges{{first, last}};
+  for (int evaluated = 0; !ranges.empty(); ++evaluated) {
+    const auto [lower, upper] = ranges.back();
+    ranges.pop_back();
+    const Bounds_on_range square = bounds(lower, upper, Edge_quantity::angle, 0);
+    if (square.defined && square.lower > 0) sign = -1;
+    if (square.defined && square.upper < 4) sign = 1;
+    if (square.defined && sign) continue;
+    const double middle = lower / 2 + upper / 2;
+    if (evaluated == 1000 || !(lower < middle && middle < upper)) return std::nullopt;
+    ranges.push_back({middle, upper});
+    ranges.push_back({lower, middle});
+  }
+  return sign;
+}
+
 // The verdict where points at equal parameters are compared and angles are those of the oriented normals.
 //
 // G2 where the tangent planes agree: both shape operators map the direction of the edge to the derivative of the same unit normal. Their
@@ -200,9 +226,9 @@ inline std::optional<Edge_continuity<Model_number>> exact_analytic_edge(const Ed
     return e;
   }
   e.coplanar = true;
-  std::optional<int> sign = dot(n, m).sign_on(first, last);
+  if (!x.rho.sign_on(first, last) || !y.rho.sign_on(first, last)) return std::nullopt;
+  const std::optional<int> sign = sign_of_parallel_normals(a, b, first, last);
   if (!sign) return std::nullopt;
-  if (is_flipped(a) != is_flipped(b)) *sign = -*sign;
   const std::pair<Model_number, Model_number> range{Model_number(first), Model_number(last)};
   if (*sign < 0) {
     e.defect = Edge_defect::fold;
