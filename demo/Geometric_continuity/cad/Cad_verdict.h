@@ -27,7 +27,7 @@ struct Cad_demand {
   int most = 0;              // up to this order there are bounds
   GC::Join_tolerance bounds; // of the gap in mm, the angle in radians and the relative jump of the curvature
   std::string tolerance;     // as it is written
-  GC::Bound kink;            // the largest angle that is a kink and not a corner, in radians
+  GC::Bound kink;            // the angle that is exceeded all along a corner, in radians
 };
 
 // How two faces meet along an edge.
@@ -125,8 +125,9 @@ inline Cad_verdict cad_verdict(const Cad_edge& edge, const Cad_demand& demand) {
     result.shape = Cad_shape::gap;
   else if (is_smooth == GC::Verdict::proved)
     result.shape = Cad_shape::smooth;
-  else if (is_kink == GC::Verdict::refuted)
-    result.shape = Cad_shape::corner;
+  else if (is_kink == GC::Verdict::refuted) // a corner is sharp everywhere
+    result.shape = GC::is_sharp_edge(a, b, edge.begin, edge.end, demand.kink) == GC::Verdict::proved ? Cad_shape::corner
+                                                                                                     : Cad_shape::kink;
   else if (is_smooth == GC::Verdict::refuted && is_kink == GC::Verdict::proved)
     result.shape = Cad_shape::kink;
   return result;

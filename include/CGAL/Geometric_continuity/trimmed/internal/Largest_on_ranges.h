@@ -27,6 +27,7 @@ struct Bounds_on_range {
   bool defined;       // otherwise nothing is known
   bool noisy = false; // at that parameter alone the bounds are not much closer
   bool knots = false; // a surface may have a knot line within the range
+  double least = 0;   // a lower bound on the whole range
 };
 
 // When bounds are narrow enough, see `Edge_precision`: by a function that rises, such as the root of a square.

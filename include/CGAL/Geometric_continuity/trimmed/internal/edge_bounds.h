@@ -51,8 +51,13 @@ inline Bounds_on_range square_on(const Edge_range& range, const Taylor_vector& d
     by_coordinates += m * m;
   }
   const double upper = (std::min)(square.range().sup(), by_coordinates * Taylor_model::enlarged);
-  return {(std::max)(0., at_point.inf()), (std::max)(upper, at_point.inf()), t, true,
-          upper - at_point.inf() <= 4 * (at_point.sup() - at_point.inf())};
+  return {(std::max)(0., at_point.inf()),
+          (std::max)(upper, at_point.inf()),
+          t,
+          true,
+          upper - at_point.inf() <= 4 * (at_point.sup() - at_point.inf()),
+          false,
+          (std::max)(0., square.range().inf())};
 }
 
 // Bounds of |k1 - k2| / max(|k1|, |k2|, flat).
@@ -108,9 +113,13 @@ public:
                                               ? square_on(range, x.normal - y.normal, at)
                                               : jump_on(range, x.curvature, y.curvature, flat, at);
         if (!of_pieces.defined) return {0, 0, range.middle, false, false, may_jump};
-        bounds = !at ? of_pieces
-                     : Bounds_on_range{(std::min)(bounds.lower, of_pieces.lower),
-                                       (std::max)(bounds.upper, of_pieces.upper), *at, true};
+        bounds = !at ? of_pieces : Bounds_on_range{(std::min)(bounds.lower, of_pieces.lower),
+                                                   (std::max)(bounds.upper, of_pieces.upper),
+                                                   *at,
+                                                   true,
+                                                   false,
+                                                   false,
+                                                   (std::min)(bounds.least, of_pieces.least)};
         at = bounds.parameter;
       }
     if (several) bounds.noisy = a[0].along_knots || b[0].along_knots;
