@@ -11,6 +11,7 @@
 #include <CGAL/Geometric_continuity/joins/order_within.h>
 #include <CGAL/Geometric_continuity/trimmed/Edge_enclosure.h>
 #include <CGAL/Geometric_continuity/trimmed/exact_edge_continuity.h>
+#include <CGAL/Geometric_continuity/trimmed/is_sharp_edge.h>
 
 #include <array>
 #include <optional>
@@ -30,14 +31,15 @@ struct Cad_demand {
   GC::Bound kink;            // the angle that is exceeded all along a corner, in radians
 };
 
-// How two faces meet along an edge.
-enum class Cad_shape { smooth, kink, corner, gap, undecided };
+// How two faces meet along an edge. A corner is sharp everywhere, a fading one in places only, which may not be meant.
+enum class Cad_shape { smooth, kink, corner, fading_corner, gap, undecided };
 
 inline const char* name(Cad_shape shape) {
   switch (shape) {
   case Cad_shape::smooth: return "smooth";
   case Cad_shape::kink: return "kink";
   case Cad_shape::corner: return "corner";
+  case Cad_shape::fading_corner: return "fading corner";
   case Cad_shape::gap: return "gap";
   case Cad_shape::undecided: break;
   }
@@ -125,9 +127,10 @@ inline Cad_verdict cad_verdict(const Cad_edge& edge, const Cad_demand& demand) {
     result.shape = Cad_shape::gap;
   else if (is_smooth == GC::Verdict::proved)
     result.shape = Cad_shape::smooth;
-  else if (is_kink == GC::Verdict::refuted) // a corner is sharp everywhere
-    result.shape = GC::is_sharp_edge(a, b, edge.begin, edge.end, demand.kink) == GC::Verdict::proved ? Cad_shape::corner
-                                                                                                     : Cad_shape::kink;
+  else if (is_kink == GC::Verdict::refuted)
+    result.shape = GC::is_sharp_edge(a, b, edge.begin, edge.end, demand.kink) == GC::Verdict::proved
+                       ? Cad_shape::corner
+                       : Cad_shape::fading_corner;
   else if (is_smooth == GC::Verdict::refuted && is_kink == GC::Verdict::proved)
     result.shape = Cad_shape::kink;
   return result;

@@ -35,7 +35,8 @@ inline std::string cad_kind(const Cad_edge& edge) {
 // Returns the order and the shape, e.g. "G0, corner", and the order that holds with no tolerance.
 inline std::string cad_order(const Cad_verdict& verdict) {
   const std::string order = verdict.order_name();
-  const bool has_shape = verdict.shape == Cad_shape::kink || verdict.shape == Cad_shape::corner;
+  const bool has_shape = verdict.shape == Cad_shape::kink || verdict.shape == Cad_shape::corner ||
+                         verdict.shape == Cad_shape::fading_corner;
   const std::string text = has_shape ? order + ", " + name(verdict.shape) : order;
   return verdict.exact.value_or(-1) < 0 ? text : text + ", exactly " + *verdict.exact_name();
 }

@@ -69,6 +69,7 @@ void Cad_summary::add(const Decided_cad_file& file, const Cad_demand& demand) {
                                                    : undecided);
     kinks += verdict.shape == Cad_shape::kink;
     corners += verdict.shape == Cad_shape::corner;
+    fading_corners += verdict.shape == Cad_shape::fading_corner;
     exact += verdict.exact.has_value();
     not_compared += !verdict.enclosure;
     failing += verdict.fails(demand);

@@ -30,7 +30,7 @@ Decided_cad_file decide_cad(const std::string& file, const Cad_demand& demand, C
 struct Cad_summary {
   std::size_t faces = 0, inner = 0, seams = 0, boundary = 0, non_manifold = 0, degenerate = 0;
   std::size_t g2 = 0, g1 = 0, g0 = 0, gaps = 0, undecided = 0; // by the order that is proved
-  std::size_t kinks = 0, corners = 0;
+  std::size_t kinks = 0, corners = 0, fading_corners = 0;
   std::size_t exact = 0;        // decided with no tolerance as well
   std::size_t not_compared = 0; // of those that are undecided
   std::size_t failing = 0;      // of those with verdicts: they do not meet the requirement

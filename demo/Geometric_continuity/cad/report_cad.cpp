@@ -24,7 +24,8 @@ Report_grade grade(const Cad_verdict& verdict) {
   switch (verdict.shape) {
   case Cad_shape::gap: return Report_grade::gap;
   case Cad_shape::kink: return Report_grade::kink;
-  case Cad_shape::corner: return Report_grade::corner;
+  case Cad_shape::corner:
+  case Cad_shape::fading_corner: return Report_grade::corner;
   case Cad_shape::smooth:
     if (verdict.order() > 0) return verdict.order() == 2 ? Report_grade::g2 : Report_grade::g1;
     break; // the gap is undecided

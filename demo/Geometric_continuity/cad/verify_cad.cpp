@@ -52,13 +52,14 @@ class Cad_report {
 
   void print_summary() const {
     const Cad_summary& s = summary_;
-    std::cout << counted(s.faces, "face") << "; edges: " << s.inner << " inner, " << s.seams << " seams, " << s.boundary
-              << " boundary, " << s.degenerate << " degenerate, " << s.non_manifold << " non-manifold\n";
+    std::cout << counted(s.faces, "face") << "; edges: " << s.inner << " inner, " << counted(s.seams, "seam") << ", "
+              << s.boundary << " boundary, " << s.degenerate << " degenerate, " << s.non_manifold << " non-manifold\n";
     if (s.decided() == 0) std::cout << "no edge of two sides, nothing was decided\n";
     if (s.decided() > 0)
       std::cout << "within " << demand_.tolerance << " (lengths in mm): " << s.g2 << " G2, " << s.g1 << " G1, " << s.g0
-                << " G0, " << s.gaps << " gaps, " << s.undecided << " undecided; " << s.corners << " corners, "
-                << s.kinks << " kinks\n";
+                << " G0, " << counted(s.gaps, "gap") << ", " << s.undecided << " undecided; "
+                << counted(s.corners, "corner") << ", " << counted(s.fading_corners, "fading corner") << ", "
+                << counted(s.kinks, "kink") << '\n';
     if (s.projected > 0)
       std::cout << counted(s.projected, "edge") << " with curves in parameter planes that are not in the file, but"
                 << " projections of those in space\n";
@@ -106,7 +107,8 @@ class Cad_report {
   static Finding_rule rule(const Cad_verdict& verdict) {
     switch (verdict.shape) {
     case Cad_shape::gap: return Finding_rule::gap;
-    case Cad_shape::corner: return Finding_rule::corner;
+    case Cad_shape::corner:
+    case Cad_shape::fading_corner: return Finding_rule::corner;
     case Cad_shape::kink: return Finding_rule::kink;
     case Cad_shape::smooth: return Finding_rule::curvature;
     case Cad_shape::undecided: break;
@@ -121,7 +123,8 @@ class Cad_report {
     const bool is_compared = has_verdict(edge), fails = is_compared && verdict.fails(demand_),
                is_open = is_compared && verdict.is_undecided(demand_),
                is_noted = is_compared && !demand_.order &&
-                          (verdict.shape == Cad_shape::gap || verdict.shape == Cad_shape::kink),
+                          (verdict.shape == Cad_shape::gap || verdict.shape == Cad_shape::kink ||
+                           verdict.shape == Cad_shape::fading_corner),
                is_unverified = edge.kind == Cad_edge_kind::non_manifold || (is_compared && !verdict.enclosure);
     if (!fails && !is_open && !is_noted && !is_unverified) {
       if (is_compared) writer.add_passed(file.file, 1, "edges");

@@ -22,9 +22,9 @@ kinds() {
 }
 kinds "7 faces; edges: 15 inner, 0 seams, 0 boundary, 0 degenerate, 0 non-manifold" fillet.brep fillet.step fillet.igs
 kinds "14 faces; edges: 30 inner, 0 seams, 0 boundary, 0 degenerate, 0 non-manifold" moved.brep
-kinds "3 faces; edges: 2 inner, 1 seams, 0 boundary, 0 degenerate, 0 non-manifold" cylinder.brep cylinder.step prism.brep prism.step
-kinds "2 faces; edges: 1 inner, 1 seams, 0 boundary, 1 degenerate, 0 non-manifold" sphere.brep cone.brep
-kinds "2 faces; edges: 1 inner, 1 seams, 0 boundary, 0 degenerate, 0 non-manifold" sphere.step cone.step
+kinds "3 faces; edges: 2 inner, 1 seam, 0 boundary, 0 degenerate, 0 non-manifold" cylinder.brep cylinder.step prism.brep prism.step
+kinds "2 faces; edges: 1 inner, 1 seam, 0 boundary, 1 degenerate, 0 non-manifold" sphere.brep cone.brep
+kinds "2 faces; edges: 1 inner, 1 seam, 0 boundary, 0 degenerate, 0 non-manifold" sphere.step cone.step
 kinds "1 face; edges: 0 inner, 2 seams, 0 boundary, 0 degenerate, 0 non-manifold" torus.brep torus.step periodic.brep revolution.brep offset.brep
 kinds "3 faces; edges: 2 inner, 0 seams, 8 boundary, 0 degenerate, 0 non-manifold" wall.brep
 kinds "3 faces; edges: 0 inner, 0 seams, 9 boundary, 0 degenerate, 1 non-manifold" three.brep
@@ -58,7 +58,7 @@ for file in fillet.brep fillet.step fillet.igs moved.brep; do
   run 0 verify models/$file --require G2 --within 0.01,0.1deg,101%
 done
 for file in cylinder.brep cylinder.step; do
-  run 0 verify models/$file && says out "2 corners, 0 kinks" "seam: G" "inner, closed: G0, corner"
+  run 0 verify models/$file && says out "2 corners, 0 fading corners, 0 kinks" "seam: G" "inner, closed: G0, corner"
   while read -r line; do encloses angle 90 "$line"; done < <(grep '^edge.* inner' out)
   while read -r line; do encloses angle 0 "$line" && encloses jump 0 "$line"; done < <(grep '^edge.* seam' out)
 done
@@ -78,7 +78,13 @@ says out '"order":"G1","shape":"smooth","within":["proved","proved","refuted"],"
 # a kink of 1 degree is none that is meant, and one of 70 degrees is a corner
 run 1 verify models/wall.brep --require G1 && says out "1 of them not G1 within the tolerance" "G0, kink" "G0, corner"
 encloses angle 1 "$(grep kink out | head -n 1)"
-run 0 verify models/wall.brep --require G1 --kink-angle 0.9 && says out "2 corners, 0 kinks"
+run 0 verify models/wall.brep --require G1 --kink-angle 0.9 && says out "2 corners, 0 fading corners, 0 kinks"
+# that of 45 degrees which fades away is none of both, and is not taken for one that is meant
+run 1 verify models/fading.brep --require G1 && says out "G0, fading corner" "0 corners, 1 fading corner, 0 kinks"
+encloses angle 45 "$(grep fading out | head -n 1)"
+run 0 verify models/fading.brep --require G0 && run 0 verify models/fading.brep --require G1 --kink-angle 46 --within 0.01,45.1deg
+run 0 verify models/fading.brep --json && says out '"shape":"fading corner"' '"corners":0,"fading_corners":1'
+run 0 verify models/fading.brep --format sarif && says out '"ruleId":"corner"' '"level":"note"'
 run 0 verify models/wall.brep --require G0 && run 0 verify models/wall.brep --require G1 --within 0.01,1.1deg
 run 1 verify models/wall.brep --require G1 --summary && holds [ "$(grep -c '^edge' out)" -eq 1 ]
 run 2 verify models/wall.brep --kink-angle 0 && says err "--kink-angle"

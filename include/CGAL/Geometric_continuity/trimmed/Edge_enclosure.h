@@ -6,14 +6,12 @@
 #define CGAL_GEOMETRIC_CONTINUITY_TRIMMED_EDGE_ENCLOSURE_H
 
 #include <CGAL/Geometric_continuity/Error.h>
-#include <CGAL/Geometric_continuity/joins/Verdict.h>
 #include <CGAL/Geometric_continuity/numbers/Enclosure.h>
 #include <CGAL/Geometric_continuity/trimmed/Parametric_geometry.h>
 #include <CGAL/Geometric_continuity/trimmed/internal/edge_bounds.h>
 
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
 #include <limits>
 #include <optional>
 #include <utility>
@@ -130,46 +128,6 @@ inline Edge_enclosure edge_enclosure(const Edge_side& a, const Edge_side& b, dou
   }
   result.singular = united(angle.undefined);
   return result;
-}
-
-/// \ingroup PkgGeometricContinuityTrimmed
-/// Decides whether the angle between the oriented normals of two faces is larger than `bound`, in radians, on the *whole* edge, as it is
-/// along an edge that is meant to be sharp: proved, refuted when it is not on some part, or undecided. Points where a normal vanishes are
-/// left out, as by `edge_enclosure()`; at most `boxes` parts of the range are evaluated.
-/// \throws Error as `edge_enclosure()`
-inline Verdict is_sharp_edge(const Edge_side& a, const Edge_side& b, double first, double last, const Bound& bound,
-                             int boxes = Edge_precision().boxes) {
-  using namespace internal;
-  check_finite({first, last}, "is_sharp_edge: the range");
-  if (!(first <= last)) throw Error(Error_code::empty_domain, "is_sharp_edge: the range");
-  const Protect_FPU_rounding<true> rounding_upwards;
-  const Edge_bounds bounds(a, b);
-  const std::vector<double> ends = bounds.divided(first, last);
-  std::vector<std::pair<double, double>> parts;
-  for (std::size_t i = ends.size() - 1; i-- > 0;) parts.emplace_back(ends[i], ends[i + 1]);
-  if (ends.size() == 1) parts.emplace_back(first, last);
-  bool defined = false;
-  for (int evaluated = 0; !parts.empty(); ++evaluated) {
-    if (evaluated == boxes) return Verdict::undecided;
-    const auto [lower, upper] = parts.back();
-    parts.pop_back();
-    const Bounds_on_range square = bounds(lower, upper, Edge_quantity::angle, 0);
-    const Verdict is_small =
-        square.defined
-            ? at_most({angle_of_chord_square(square.least).lower, angle_of_chord_square(square.upper).upper}, bound)
-            : Verdict::undecided;
-    if (is_small == Verdict::proved) return Verdict::refuted;
-    defined = defined || square.defined;
-    if (is_small == Verdict::refuted) continue;
-    const double middle = lower / 2 + upper / 2;
-    if (!(lower < middle && middle < upper) || upper - lower <= (last - first) * 0x1p-20) {
-      if (square.defined && !square.knots) return Verdict::undecided;
-      continue; // about a point without a normal, or on a fold of a surface itself
-    }
-    parts.emplace_back(middle, upper);
-    parts.emplace_back(lower, middle);
-  }
-  return defined ? Verdict::proved : Verdict::undecided;
 }
 
 } // namespace Geometric_continuity

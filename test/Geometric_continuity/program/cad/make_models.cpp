@@ -8,6 +8,7 @@
 #include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRepBuilderAPI_MakePolygon.hxx>
 #include <BRepBuilderAPI_MakeWire.hxx>
+#include <BRepBuilderAPI_Sewing.hxx>
 #include <BRepFilletAPI_MakeFillet.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCone.hxx>
@@ -123,6 +124,21 @@ TopoDS_Shape three_faces() {
   return compound(faces);
 }
 
+// The faces z = 0 and z = -x y: the angle along the axis of x grows from 0 to 45 degrees.
+TopoDS_Shape fading_crease() {
+  BRepBuilderAPI_Sewing sewing;
+  for (const double y : {1., -1.}) {
+    TColgp_Array2OfPnt points(1, 2, 1, 2);
+    for (const int x : {0, 1}) {
+      points.SetValue(x + 1, y > 0 ? 1 : 2, gp_Pnt(x, 0, 0));
+      points.SetValue(x + 1, y > 0 ? 2 : 1, gp_Pnt(x, y, y < 0 ? x : 0));
+    }
+    sewing.Add(face(new Geom_BezierSurface(points)));
+  }
+  sewing.Perform();
+  return sewing.SewedShape();
+}
+
 TopoDS_Shape moved(const TopoDS_Shape& shape) {
   gp_Trsf rotation, translation;
   rotation.SetRotation(gp_Ax1(gp_Pnt(1, 2, 3), gp_Dir(1, 1, 3)), 0.7);
@@ -149,6 +165,7 @@ int main() {
   for (const char* name : {"torus.brep", "torus.step"}) write(torus, name);
   write(wall({gp_Pnt(0, 0, 0), gp_Pnt(1, 0, 0), gp_Pnt(2, std::tan(M_PI / 180), 0), gp_Pnt(2, 3, 0)}), "wall.brep");
   write(three_faces(), "three.brep");
+  write(fading_crease(), "fading.brep");
   const Handle(Geom_BSplineCurve) spline = periodic_spline();
   const TopoDS_Edge ring = BRepBuilderAPI_MakeEdge(spline);
   const TopoDS_Shape disc = BRepBuilderAPI_MakeFace(BRepBuilderAPI_MakeWire(ring).Wire(), true).Shape();

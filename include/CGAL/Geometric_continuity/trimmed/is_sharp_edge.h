@@ -1,0 +1,67 @@
+// Copyright (c) 2026 The Geometric_continuity developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_GEOMETRIC_CONTINUITY_TRIMMED_IS_SHARP_EDGE_H
+#define CGAL_GEOMETRIC_CONTINUITY_TRIMMED_IS_SHARP_EDGE_H
+
+#include <CGAL/Geometric_continuity/Error.h>
+#include <CGAL/Geometric_continuity/joins/Verdict.h>
+#include <CGAL/Geometric_continuity/trimmed/Edge_enclosure.h>
+#include <CGAL/Geometric_continuity/trimmed/Parametric_geometry.h>
+#include <CGAL/Geometric_continuity/trimmed/internal/edge_bounds.h>
+
+#include <cstddef>
+#include <deque>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Geometric_continuity {
+
+/// \ingroup PkgGeometricContinuityTrimmed
+/// Decides whether the angle between the oriented normals of two faces is larger than `bound`, in radians, on the *whole* edge, as it is
+/// along an edge that is meant to be sharp: proved, refuted when it is not on some part, or undecided. Points where a normal vanishes are
+/// left out, as by `edge_enclosure()`; at most `boxes` parts of the range are evaluated.
+/// \throws Error as `edge_enclosure()`
+inline Verdict is_sharp_edge(const Edge_side& a, const Edge_side& b, double first, double last, const Bound& bound,
+                             int boxes = Edge_precision().boxes) {
+  using namespace internal;
+  check_finite({first, last}, "is_sharp_edge: the range");
+  if (!(first <= last)) throw Error(Error_code::empty_domain, "is_sharp_edge: the range");
+  const Protect_FPU_rounding<true> rounding_upwards;
+  const Edge_bounds bounds(a, b);
+  const std::vector<double> ends = bounds.divided(first, last);
+  std::deque<std::pair<double, double>> parts; // the longest first
+  for (std::size_t i = 0; i + 1 < ends.size(); ++i) parts.emplace_back(ends[i], ends[i + 1]);
+  if (ends.size() == 1) parts.emplace_back(first, last);
+  bool defined = false, settled = true;
+  int undefined_halvings = 0;
+  for (int evaluated = 0; !parts.empty(); ++evaluated) {
+    if (evaluated == boxes) return Verdict::undecided;
+    const auto [lower, upper] = parts.front();
+    parts.pop_front();
+    const Bounds_on_range square = bounds(lower, upper, Edge_quantity::angle, 0);
+    if (square.defined) {
+      const Verdict is_small =
+          at_most({angle_of_chord_square(square.least).lower, angle_of_chord_square(square.upper).upper}, bound);
+      if (is_small == Verdict::proved) return Verdict::refuted;
+      defined = true;
+      if (is_small == Verdict::refuted) continue;
+    }
+    const double middle = lower / 2 + upper / 2;
+    if (!(lower < middle && middle < upper) || upper - lower <= (last - first) * (square.defined ? 0x1p-32 : 0x1p-20)) {
+      settled = settled && (!square.defined || square.knots); // else without a normal, or on a fold of a surface itself
+      continue;
+    }
+    if (!square.defined && ++undefined_halvings > boxes / 8) return Verdict::undecided;
+    parts.emplace_back(lower, middle);
+    parts.emplace_back(middle, upper);
+  }
+  return defined && settled ? Verdict::proved : Verdict::undecided;
+}
+
+} // namespace Geometric_continuity
+} // namespace CGAL
+
+#endif // CGAL_GEOMETRIC_CONTINUITY_TRIMMED_IS_SHARP_EDGE_H
