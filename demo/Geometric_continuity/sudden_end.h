@@ -54,7 +54,7 @@ inline void* memory_or_end(void* memory) {
 
 // Takes the stack that the commands need. Where memory is limited, the system would end the program by a signal when the stack
 // cannot grow later.
-inline void take_stack() {
+[[gnu::noinline]] inline void take_stack() { // and gives it back
   volatile char stack[192 * 1024];
   for (std::size_t i = 0; i < sizeof stack; i += 4096) stack[sizeof stack - 1 - i] = 0;
 }

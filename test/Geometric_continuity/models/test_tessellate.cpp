@@ -435,15 +435,15 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(patches_that_meet_more_than_once, K, Kernels) {
 // One common edge with other degrees, other directions and other numbers of cells on the two sides.
 BOOST_AUTO_TEST_CASE_TEMPLATE(sides_of_an_edge, K, Kernels) {
   std::mt19937 random(44);
-  const Exact_patch a = scaled(random_patch(random, 2, 2), 256 * 12 * 4);
-  Exact_patch b = a.reverse_v().elevate(2, 1); // its v1 is the v0 of a
+  const Exact_patch a = scaled(random_patch(random, 2, 2), 256 * 36 * 4);
+  Exact_patch b = a.reverse_v().elevate(2, 1); // its v1 is the v0 of a; multiples of 1/36 of it
   Net<Exact_kernel> net(b.degree_u() + 1);
   for (int i = 0; i <= b.degree_u(); ++i)
     for (int j = 0; j <= b.degree_v(); ++j) {
       const Exact_point p = b.control_point(i, j);
       const int away = b.degree_v() - j;
-      const Q wave(i % 2 == 0 ? 100000 : -100000);
-      net[i].push_back(away == 0 ? p : Exact_point(p.x(), Q(Q(-12288) * Q(away)), wave)); // bends more
+      const Q wave(i % 2 == 0 ? 300000 : -300000);
+      net[i].push_back(away == 0 ? p : Exact_point(p.x(), Q(Q(-36864) * Q(away)), wave)); // bends more
     }
   b = Exact_patch(net);
   for (int turn = 0; turn < 8; ++turn) {
@@ -451,11 +451,11 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(sides_of_an_edge, K, Kernels) {
     if (turn & 2) c = c.reverse_v();
     if (turn & 4) c = c.swap_parameters();
     const std::vector<Patch<K>> model = in_kernel<K>({a, c});
-    const Mesh<K> mesh = GC::tessellate(model, within(500));
+    const Mesh<K> mesh = GC::tessellate(model, within(1500));
     check_points<K>(model, mesh);
     BOOST_CHECK_EQUAL(euler_characteristic<K>(mesh), 1); // a disk: they are joined along one edge
-    const std::size_t a_alone = GC::tessellate(model[0], within(500)).triangles.size(),
-                      c_alone = GC::tessellate(model[1], within(500)).triangles.size();
+    const std::size_t a_alone = GC::tessellate(model[0], within(1500)).triangles.size(),
+                      c_alone = GC::tessellate(model[1], within(1500)).triangles.size();
     BOOST_CHECK(mesh.triangles.size() > a_alone + c_alone); // a takes points of c into its outermost cells
     const bool same_orientation = turn == 0 || turn == 3 || turn == 5 || turn == 6;
     BOOST_CHECK_EQUAL(GC::mesh_edges(mesh.triangles).irregular == 0, same_orientation);
