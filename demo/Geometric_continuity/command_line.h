@@ -17,6 +17,7 @@
 #include <charconv>
 #include <cstdint>
 #include <iostream>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <system_error>
@@ -85,6 +86,15 @@ public:
   // The number that an option gives, or `otherwise` when it is not given.
   template <class FT> FT number(const std::string& option, const FT& otherwise) const {
     return has(option) ? parsed<FT>(option, text(option)) : otherwise;
+  }
+
+  // The length that an option gives, if it is given, rounded.
+  std::optional<double> length(const std::string& option) const {
+    if (!has(option)) return std::nullopt;
+    const double value = parsed<double>(option, text(option));
+    if (!(value > 0 && value < 1e9))
+      throw std::invalid_argument("--" + option + ": '" + text(option) + "' is not a positive length");
+    return value;
   }
 
   // The numbers that an option gives, separated by commas.

@@ -60,9 +60,11 @@ and each seam, the largest gap of both faces, the largest angle of their
 normals and the largest jump of the curvature across the edge, in mm, degrees
 and percent, and decides G0, G1 and G2 within --within GAP,ANGLEdeg,CURVATURE%,
 or within vda-4955 when it is not given. Geometry is taken as it is in the
-file; shapes are not healed. An edge where the angle exceeds --kink-angle is a
-corner, of which --require asks only G0. What cannot be compared is undecided,
-and does not meet --require.
+file; shapes are not healed, unless --sew DISTANCE lets OpenCASCADE join the
+boundary edges that are within this distance (in mm), as most IGES files need.
+An edge where the angle exceeds --kink-angle everywhere is a corner, of which
+--require asks only G0; in places only, it is a fading corner, and may not be
+meant. What cannot be compared is undecided, and does not meet --require.
 
 --within 0.001,0.01deg,2% also tells how far each join is from continuous, in
 guaranteed bounds, and which orders it has when the ends may be apart by this
@@ -119,7 +121,7 @@ Kink_rule kink_rule(const Command_line& line) {
 
 // What is asked of all instances of variable fonts.
 Instance_demand instance_demand(const Command_line& line) {
-  line.refuse({"surfaces", "closed", "within", "kernel", "max-order", "max-work", "require"},
+  line.refuse({"surfaces", "closed", "within", "sew", "kernel", "max-order", "max-work", "require"},
               "not with --all-instances");
   const bool required = line.has("max-kink");
   const std::string max_kink = required ? line.text("max-kink") : "0.5";
@@ -135,7 +137,7 @@ Instance_demand instance_demand(const Command_line& line) {
 
 // What is asked of fonts.
 Font_demand font_demand(const Command_line& line, const std::optional<Requirement>& required) {
-  line.refuse({"surfaces", "closed", "within", "kernel", "max-order", "max-work"}, "not for fonts");
+  line.refuse({"surfaces", "closed", "within", "sew", "kernel", "max-order", "max-work"}, "not for fonts");
   Font_demand demand;
   if (line.has("glyphs")) demand.glyphs = Glyph_selection(line.text("glyphs"));
   demand.worst = static_cast<std::size_t>(line.integer("worst", 0, 1000000));
@@ -177,6 +179,7 @@ int verify_command(const Arguments& arguments) {
         "for drawings, fonts and CAD models: the largest angle that is a kink, in degrees, instead of 5; what is "
         "larger "
         "is a corner, which need not meet the requirement then, in fonts and CAD models never");
+    add("sew", po::value<std::string>(), "for CAD models: join boundary edges that are within this distance, in mm");
     add("all-instances", "of variable fonts: enclose the largest kink of each join over all instances");
     add("max-kink", po::value<std::string>(),
         "with --all-instances: the angle in degrees that no instance may exceed; 0.5 in the report if not given");
@@ -208,7 +211,8 @@ int verify_command(const Arguments& arguments) {
   line.refuse({"max-kink"}, "only with --all-instances");
   if (are_fonts(files)) return verify_fonts(files, mode, font_demand(line, required));
   line.refuse({"glyphs", "worst"}, "only for fonts");
-  if (are_cad_files(files)) return verify_cad(files, mode, cad_demand(line, required));
+  if (are_cad_files(files)) return verify_cad(files, mode, cad_demand(line, required), line.length("sew"));
+  line.refuse({"sew"}, "only for CAD models");
   const auto drawings = std::count_if(files.begin(), files.end(), is_svg_file);
   if (drawings != 0) {
     if (drawings != static_cast<std::ptrdiff_t>(files.size()))

@@ -59,11 +59,18 @@ struct Cad_mesh {
 // What is read of it beyond what decides.
 enum class Cad_drawing { none, faces_and_edges };
 
+// How a file is read.
+struct Cad_reading {
+  Cad_drawing drawing = Cad_drawing::none;
+  std::optional<double> sewing; // boundary edges of two faces that are so near to each other become one, in mm
+};
+
 struct Cad_model {
   std::vector<std::string> faces; // what their surfaces are, e.g. "cylinder"
   std::vector<Cad_edge> edges;
   std::vector<Cad_mesh> meshes;  // of the faces, if they are to be drawn
   std::vector<std::string> lost; // what of the file could not be read, with the reason
+  std::size_t sewn = 0;          // edges that sewing made of two
 };
 
 #endif // GEOMETRIC_CONTINUITY_DEMO_CAD_CAD_MODEL_H

@@ -6,6 +6,7 @@
 #define GEOMETRIC_CONTINUITY_DEMO_CAD_CAD_WORDS_H
 
 #include "cad/decide_cad.h"
+#include "chains/join_report.h"
 
 #include <CGAL/Geometric_continuity/numbers/units.h>
 
@@ -39,6 +40,12 @@ inline std::string cad_order(const Cad_verdict& verdict) {
                          verdict.shape == Cad_shape::fading_corner;
   const std::string text = has_shape ? order + ", " + name(verdict.shape) : order;
   return verdict.exact.value_or(-1) < 0 ? text : text + ", exactly " + *verdict.exact_name();
+}
+
+// Returns what sewing has done.
+inline std::string sewn_words(std::size_t edges) {
+  return counted(edges, "edge") + " sewn by OpenCASCADE of two boundary edges: curves in parameter planes are adapted, "
+                                  "surfaces stay as they are";
 }
 
 // Returns the enclosures, and the places of those that exceed the tolerance.

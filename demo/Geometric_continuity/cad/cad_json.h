@@ -80,7 +80,8 @@ inline void write_json(std::ostream& os, const Cad_summary& s) {
      << ",\"G2\":" << s.g2 << ",\"G1\":" << s.g1 << ",\"G0\":" << s.g0 << ",\"gap\":" << s.gaps
      << ",\"undecided\":" << s.undecided << ",\"kinks\":" << s.kinks << ",\"corners\":" << s.corners
      << ",\"fading_corners\":" << s.fading_corners << ",\"exact\":" << s.exact << ",\"not_compared\":" << s.not_compared
-     << ",\"projected\":" << s.projected << ",\"lost\":" << s.lost << ",\"length_unit\":\"mm\"}";
+     << ",\"projected\":" << s.projected << ",\"sewn\":" << s.sewn << ",\"lost\":" << s.lost
+     << ",\"length_unit\":\"mm\"}";
 }
 
 #endif // GEOMETRIC_CONTINUITY_DEMO_CAD_CAD_JSON_H

@@ -11,6 +11,6 @@
 
 // What the module `geometric_continuity_cad` offers, which alone needs OpenCASCADE: the program loads it when there is a CAD file to
 // read. Throws std::runtime_error with the reason, without the name of the file, and std::bad_alloc.
-extern "C" void geometric_continuity_read_cad(const std::string& file, Cad_drawing drawing, Cad_model& model);
+extern "C" void geometric_continuity_read_cad(const std::string& file, const Cad_reading& reading, Cad_model& model);
 
 #endif // GEOMETRIC_CONTINUITY_DEMO_CAD_CAD_READER_H

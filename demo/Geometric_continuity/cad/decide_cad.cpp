@@ -29,8 +29,8 @@ Cad_demand demand_within(const std::string& tolerance, const GC::Kink_bound& kin
   return {std::nullopt, tolerances.order, tolerances.joins, tolerance, GC::in_radians(kink.degrees())};
 }
 
-Decided_cad_file decide_cad(const std::string& file, const Cad_demand& demand, Cad_drawing drawing) {
-  Decided_cad_file result{file, read_cad(file, drawing), {}};
+Decided_cad_file decide_cad(const std::string& file, const Cad_demand& demand, const Cad_reading& reading) {
+  Decided_cad_file result{file, read_cad(file, reading), {}};
   const std::vector<Cad_edge>& edges = result.model.edges;
   Progress progress("edges");
   std::size_t next = 0;
@@ -51,6 +51,7 @@ Decided_cad_file decide_cad(const std::string& file, const Cad_demand& demand, C
 void Cad_summary::add(const Decided_cad_file& file, const Cad_demand& demand) {
   faces += file.model.faces.size();
   lost += file.model.lost.size();
+  sewn += file.model.sewn;
   for (std::size_t i = 0; i < file.verdicts.size(); ++i) {
     const Cad_edge& edge = file.model.edges[i];
     const Cad_verdict& verdict = file.verdicts[i];

@@ -24,7 +24,7 @@ struct Decided_cad_file {
 };
 
 // Reads a CAD file and decides its edges, on all cores.
-Decided_cad_file decide_cad(const std::string& file, const Cad_demand& demand, Cad_drawing drawing);
+Decided_cad_file decide_cad(const std::string& file, const Cad_demand& demand, const Cad_reading& reading);
 
 // How many edges there are of each kind, and how they do. Only inner edges and seams have verdicts.
 struct Cad_summary {
@@ -36,6 +36,7 @@ struct Cad_summary {
   std::size_t failing = 0;      // of those with verdicts: they do not meet the requirement
   std::size_t open = 0;         // of those with verdicts: what is asked is undecided
   std::size_t projected = 0;    // edges with curves that are not in the file
+  std::size_t sewn = 0;         // edges that sewing made of two
   std::size_t lost = 0;         // things that could not be read
 
   std::size_t decided() const { return inner + seams; }

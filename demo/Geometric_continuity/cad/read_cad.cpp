@@ -38,13 +38,13 @@ bool are_cad_files(const Arguments& files) {
   return number != 0;
 }
 
-Cad_model read_cad(const std::string& file, Cad_drawing drawing) {
+Cad_model read_cad(const std::string& file, const Cad_reading& reading) {
   Input(file).beginning(1); // tells why it cannot be read
   const auto read = load_reader(file);
   const Crash_guard guard(file);
   Cad_model model;
   try {
-    read(file, drawing, model);
+    read(file, reading, model);
   } catch (const std::runtime_error& e) {
     throw std::runtime_error(file + ": " + e.what());
   }

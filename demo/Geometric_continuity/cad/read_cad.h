@@ -14,6 +14,6 @@
 bool are_cad_files(const Arguments& files);
 
 // Reads a STEP, IGES or BREP file. Throws with its name and the reason: also when the program has been built without OpenCASCADE.
-Cad_model read_cad(const std::string& file, Cad_drawing drawing);
+Cad_model read_cad(const std::string& file, const Cad_reading& reading);
 
 #endif // GEOMETRIC_CONTINUITY_DEMO_CAD_READ_CAD_H

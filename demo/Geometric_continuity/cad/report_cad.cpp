@@ -11,6 +11,7 @@
 #include <cmath>
 #include <cstddef>
 #include <iterator>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -62,6 +63,7 @@ Report_item item_of(std::size_t number, const Cad_edge& edge, const Cad_verdict&
 // Gathers the edges of CAD models, and draws the faces.
 class Cad_page {
   const Cad_demand demand_;
+  const Cad_reading reading_;
   Report_page& page_;
   Cad_summary summary_;
   std::vector<Report_model::Edge> edges_, others_; // those of two sides, and the boundaries
@@ -126,11 +128,12 @@ class Cad_page {
   }
 
 public:
-  Cad_page(const Cad_demand& demand, Report_page& page) : demand_(demand), page_(page) {}
+  Cad_page(const Cad_demand& demand, std::optional<double> sewing, Report_page& page)
+      : demand_(demand), reading_{Cad_drawing::faces_and_edges, sewing}, page_(page) {}
 
   // Reads a file and gathers its edges. Their places begin so.
   void gather(const std::string& file, const std::string& before) {
-    const Decided_cad_file decided = decide_cad(file, demand_, Cad_drawing::faces_and_edges);
+    const Decided_cad_file decided = decide_cad(file, demand_, reading_);
     summary_.add(decided, demand_);
     const std::size_t first_face = faces_.size();
     for (const Cad_mesh& mesh : decided.model.meshes) faces_.push_back(drawn(mesh));
@@ -164,6 +167,7 @@ public:
     if (summary_.non_manifold > 0)
       page_.notes.push_back(counted(summary_.non_manifold, "edge") +
                             " of three faces or more: drawn as boundary, not decided.");
+    if (summary_.sewn > 0) page_.notes.push_back(sewn_words(summary_.sewn) + '.');
     if (summary_.projected > 0)
       page_.notes.push_back(
           counted(summary_.projected, "edge") +
@@ -178,7 +182,8 @@ public:
 void report_cad(const Arguments& files, const Report_demand& demand, Report_page& page) {
   page.dimension = 3;
   Cad_page gatherer(
-      demand_within(demand.tolerance.empty() ? default_cad_tolerance : demand.tolerance, demand.kink_bound), page);
+      demand_within(demand.tolerance.empty() ? default_cad_tolerance : demand.tolerance, demand.kink_bound),
+      demand.sewing, page);
   for (const std::string& file : files) gatherer.gather(file, files.size() > 1 ? file + ": " : "");
   gatherer.finish();
 }

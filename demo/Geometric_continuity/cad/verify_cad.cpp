@@ -12,6 +12,7 @@
 
 #include <iostream>
 #include <memory>
+#include <optional>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -54,7 +55,10 @@ class Cad_report {
     const Cad_summary& s = summary_;
     std::cout << counted(s.faces, "face") << "; edges: " << s.inner << " inner, " << counted(s.seams, "seam") << ", "
               << s.boundary << " boundary, " << s.degenerate << " degenerate, " << s.non_manifold << " non-manifold\n";
-    if (s.decided() == 0) std::cout << "no edge of two sides, nothing was decided\n";
+    if (s.sewn > 0) std::cout << sewn_words(s.sewn) << '\n';
+    if (s.decided() == 0)
+      std::cout << "no edge of two sides, nothing was decided"
+                << (s.boundary > 0 ? "; --sew DISTANCE joins boundary edges that coincide\n" : "\n");
     if (s.decided() > 0)
       std::cout << "within " << demand_.tolerance << " (lengths in mm): " << s.g2 << " G2, " << s.g1 << " G1, " << s.g0
                 << " G0, " << counted(s.gaps, "gap") << ", " << s.undecided << " undecided; "
@@ -168,9 +172,10 @@ class Cad_report {
   }
 
 public:
-  Cad_report(const Arguments& files, const Report_mode& mode, const Cad_demand& demand) : mode_(mode), demand_(demand) {
+  Cad_report(const Arguments& files, const Report_mode& mode, const Cad_demand& demand, const Cad_reading& reading)
+      : mode_(mode), demand_(demand) {
     for (const std::string& file : files) {
-      files_.push_back(decide_cad(file, demand, Cad_drawing::none));
+      files_.push_back(decide_cad(file, demand, reading));
       summary_.add(files_.back(), demand);
       for (Cad_edge& edge : files_.back().model.edges) edge.sides.reset(); // to save memory
     }
@@ -190,6 +195,7 @@ public:
 
 } // namespace
 
-int verify_cad(const Arguments& files, const Report_mode& mode, const Cad_demand& demand) {
-  return Cad_report(files, mode, demand).print();
+int verify_cad(const Arguments& files, const Report_mode& mode, const Cad_demand& demand,
+               std::optional<double> sewing) {
+  return Cad_report(files, mode, demand, {Cad_drawing::none, sewing}).print();
 }

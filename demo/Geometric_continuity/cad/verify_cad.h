@@ -8,7 +8,9 @@
 #include "cad/Cad_verdict.h"
 #include "commands.h"
 
-// Runs `verify` for CAD models: prints the verdicts on all edges, and returns the exit code.
-int verify_cad(const Arguments& files, const Report_mode& mode, const Cad_demand& demand);
+#include <optional>
+
+// Runs `verify` for CAD models, whose edges are sewn if a distance is given: prints the verdicts on all edges, and returns the exit code.
+int verify_cad(const Arguments& files, const Report_mode& mode, const Cad_demand& demand, std::optional<double> sewing);
 
 #endif // GEOMETRIC_CONTINUITY_DEMO_CAD_VERIFY_CAD_H

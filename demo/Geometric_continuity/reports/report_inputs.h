@@ -12,15 +12,17 @@
 #include <CGAL/Geometric_continuity/joins/Kink_bound.h>
 #include <CGAL/Geometric_continuity/numbers/Work_limit.h>
 
+#include <optional>
 #include <string>
 
 // What `report` asks of its inputs.
 struct Report_demand {
   GC::Kink_bound kink_bound;
-  GC::Work_limit limit;   // for each join, edge or curve
-  bool closed = false;    // the last curve of a chain leads back to its first
-  Glyph_selection glyphs; // of fonts
-  std::string tolerance;  // of CAD models, as it is written; empty for that of `verify`
+  GC::Work_limit limit;         // for each join, edge or curve
+  bool closed = false;          // the last curve of a chain leads back to its first
+  Glyph_selection glyphs;       // of fonts
+  std::string tolerance;        // of CAD models, as it is written; empty for that of `verify`
+  std::optional<double> sewing; // of CAD models, see `Cad_reading`
 };
 
 // Each of these reads files, decides about their joins, and puts these on the page.

@@ -72,7 +72,21 @@ for file in torus.brep torus.step periodic.brep revolution.brep offset.brep pris
   run 0 verify models/$file --require G1
   while read -r line; do encloses gap 0 "$line" && encloses angle 0 "$line"; done < <(grep '^edge.* seam' out)
 done
-# the verdict with no tolerance stands beside it
+# faces that share no edges, sewn: the same edges
+for file in separated.brep separated.igs; do
+  run 2 verify models/$file && says out "0 inner, 0 seams, 30 boundary" "--sew DISTANCE joins boundary edges that coincide"
+  run 0 verify models/$file --sew 0.001 --require G1
+  says out "7 faces; edges: 15 inner, 0 seams, 0 boundary" "15 edges sewn by OpenCASCADE" "is G1 within the tolerance or a corner, proved"
+  holds [ "$(fillet_edges | grep -c ': G1[,;]')" -eq 2 ]
+  while read -r line; do
+    encloses gap 0 "$line" && encloses angle 0 "$line" && encloses jump 100 "$line"
+  done < <(fillet_edges | grep ': G1[,;]')
+  run 0 verify models/$file --sew 0.001 --json && says out '"sewn":15'
+done
+run 0 verify models/fillet.step --sew 0.001 && says out "15 inner" && holds [ "$(grep -c sewn out)" -eq 0 ]
+run 0 verify models/separated.brep --sew 1e-300 && says out "15 inner" # those that coincide
+for distance in 0 -1 x 1e9; do run 2 verify models/fillet.step --sew=$distance && says err "--sew"; done
+run 2 verify $S --sew 0.1 && says err "only for CAD models"
 run 0 verify models/fillet.brep --json && says out '"order":"G0","shape":"corner","within":["proved","refuted","refuted"],"exact":"G0"' '"exact":15'
 says out '"order":"G1","shape":"smooth","within":["proved","proved","refuted"],"exact":"gap"'
 # a kink of 1 degree is none that is meant, and one of 70 degrees is a corner

@@ -43,6 +43,16 @@ counts page.html '"gap":0,"kink":0,"corner":1,"G0":0,"undecided":0,"G1":1,"G2":0
 says page.html 'within 0.01,1.1deg; lengths in mm' 'The page shows the worst 1 of 2' && says err "the worst 1 of 2"
 run 0 report models/fillet.step -o page.html --within 0.01,0.1deg,101%
 counts page.html '"gap":0,"kink":0,"corner":13,"G0":0,"undecided":0,"G1":0,"G2":2'
+run 0 report models/fading.brep -o page.html && says page.html '"corner":1' '"verdict":"G0, fading corner'
+run 0 report models/separated.brep -o page.html --sew 0.001 && says page.html '15 edges sewn by OpenCASCADE of two boundary edges'
+counts page.html '"gap":0,"kink":0,"corner":13,"G0":0,"undecided":0,"G1":2,"G2":0'
+run 2 report models/separated.brep -o page.html --sew 0 && says err "--sew"
+# edges that gape, and the order of the worst
+run 0 report models/apart.brep -o page.html --sew 0.1 && says page.html '"grade":"gap"' '"verdict":"gap"'
+counts page.html '"gap":2,"kink":0,"corner":0,"G0":0,"undecided":0,"G1":0,"G2":0'
+holds [ "$(grep '"number":' page.html | sed 's/.*"gap":\["0.0\([0-9]\).*/\1/' | tr '\n' ' ')" = "4 2 " ] # from 0.05 and 0.03 rounded down
+run 0 report models/kinks.brep -o page.html && counts page.html '"gap":0,"kink":2,"corner":0,"G0":0,"undecided":0,"G1":0,"G2":0'
+holds [ "$(grep '"number":' page.html | sed 's/.*"angle":\["\([0-9]\).*/\1/' | tr '\n' ' ')" = "3 0 " ] # the lower ends, the last one rounded down from 1
 
 # seams, poles, several faces at an edge, what cannot be compared, and no edge of two sides
 run 0 report models/sphere.brep -o page.html && drawn page.html 2 2 2
@@ -62,6 +72,12 @@ for file in crossed.brep infinite.brep; do
   holds [ "$(grep -c '"number":[0-9]*,"grade"' page.html)" -eq 15 ]
   holds [ "$(grep -c '"triangles":\[[0-9]' page.html)" -ge 7 ]
 done
+# of many triangles those of the first faces; the numbers that are drawn have seven digits
+run 0 report models/tori.brep -o page.html && says page.html ' faces not drawn: there are too many triangles.'
+holds [ "$(sed -n 's/.*"triangles":\[\([0-9][^]]*\)\].*/\1/p' page.html | tr ',' '\n' | wc -l)" -le 120000 ]
+holds [ "$(grep -c '"triangles":\[[0-9]' page.html)" -ge 4 ]
+run 0 report models/fillet.brep -o page.html
+holds [ "$(grep '"triangles":\[[0-9]' page.html | grep -oE '\.[0-9]+' | awk '{ print length($0) - 1 }' | sort -n | tail -n 1)" -eq 5 ]
 
 # several files, and names that are no markup
 odd='<script>alert(1)<\script>&".brep'

@@ -27,12 +27,15 @@ public:
 
 } // namespace
 
-void geometric_continuity_read_cad(const std::string& file, Cad_drawing drawing, Cad_model& model) {
+void geometric_continuity_read_cad(const std::string& file, const Cad_reading& reading, Cad_model& model) {
   const Silent_output silence;
   try {
     std::vector<std::string> lost;
-    model = cad_model(read_shape(file, lost), drawing);
+    TopoDS_Shape shape = read_shape(file, lost);
+    const std::size_t sewn = reading.sewing ? sew(shape, *reading.sewing, lost) : 0;
+    model = cad_model(shape, reading.drawing);
     model.lost = std::move(lost);
+    model.sewn = sewn;
   } catch (const Standard_OutOfMemory&) {
     throw std::bad_alloc();
   } catch (const Standard_Failure& e) {

@@ -10,6 +10,7 @@
 #include <TopoDS_Shape.hxx>
 
 #include <cmath>
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -20,6 +21,10 @@ inline bool is_finite(double begin, double end) { return std::abs(begin) < infin
 // Returns what a STEP, IGES or BREP file holds, by its extension: the geometry as given, nothing healed. Appends what of it could not be
 // translated. Throws std::runtime_error with the reason, without the name of the file, and what OpenCASCADE throws.
 TopoDS_Shape read_shape(const std::string& file, std::vector<std::string>& lost);
+
+// Joins boundary edges that are at most `distance` mm apart, and returns how many edges there are of two. Surfaces stay as they are; of a joined
+// edge one curve in space remains, and its curves in the parameter planes are adapted to that. Appends faces that disappear.
+std::size_t sew(TopoDS_Shape& shape, double distance, std::vector<std::string>& lost);
 
 // Returns the faces and edges of a shape. Curves in the parameter planes that it lacks are added to it: projections of those in space. To be drawn,
 // faces are divided into triangles at the end.

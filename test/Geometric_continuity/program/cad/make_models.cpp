@@ -4,6 +4,7 @@
 
 // Writes CAD models whose edges are known, with OpenCASCADE, to the current folder.
 
+#include <BRepBuilderAPI_Copy.hxx>
 #include <BRepBuilderAPI_MakeEdge.hxx>
 #include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRepBuilderAPI_MakePolygon.hxx>
@@ -80,6 +81,14 @@ TopoDS_Compound compound(const std::vector<TopoDS_Shape>& shapes) {
   return result;
 }
 
+// The faces of a shape, each with edges of its own.
+TopoDS_Compound separated(const TopoDS_Shape& shape) {
+  std::vector<TopoDS_Shape> faces;
+  for (TopExp_Explorer i(shape, TopAbs_FACE); i.More(); i.Next())
+    faces.push_back(BRepBuilderAPI_Copy(i.Current()).Shape());
+  return compound(faces);
+}
+
 // A box with one edge rounded.
 TopoDS_Shape filleted(const TopoDS_Shape& box, double radius) {
   BRepFilletAPI_MakeFillet fillet(box);
@@ -154,6 +163,7 @@ int main() {
   const TopoDS_Shape fillet = filleted(BRepPrimAPI_MakeBox(10, 20, 30).Shape(), 2);
   for (const char* name : {"fillet.brep", "fillet.step", "fillet.igs"}) write(fillet, name);
   write(compound({fillet, moved(fillet)}), "moved.brep");
+  for (const char* name : {"separated.brep", "separated.igs"}) write(separated(fillet), name);
   const TopoDS_Shape cylinder = BRepPrimAPI_MakeCylinder(3, 10).Shape();
   for (const char* name : {"cylinder.brep", "cylinder.step"}) write(cylinder, name);
   // The radius 5, cut 2.5 above the centre: the normals there are 60 degrees apart.
@@ -164,6 +174,15 @@ int main() {
   const TopoDS_Shape torus = BRepPrimAPI_MakeTorus(5, 2).Shape();
   for (const char* name : {"torus.brep", "torus.step"}) write(torus, name);
   write(wall({gp_Pnt(0, 0, 0), gp_Pnt(1, 0, 0), gp_Pnt(2, std::tan(M_PI / 180), 0), gp_Pnt(2, 3, 0)}), "wall.brep");
+  const gp_Pnt kinks[] = {gp_Pnt(0, 0, 0), gp_Pnt(1, 0, 0), gp_Pnt(2, std::tan(M_PI / 180), 0), gp_Pnt(3, 0.1, 0)};
+  write(wall({kinks[0], kinks[1], kinks[2], kinks[3]}), "kinks.brep"); // 1 degree, and nearly 4
+  // Next to each other but for 0.03 and 0.05, each with edges of its own.
+  const auto piece = [](double begin, double end) { return wall({gp_Pnt(begin, 0, 0), gp_Pnt(end, 0, 0)}); };
+  write(compound({piece(0, 1), piece(1.03, 2), piece(2.05, 3)}), "apart.brep");
+  std::vector<TopoDS_Shape> tori; // too many to be drawn
+  for (int i = 0; i < 25; ++i)
+    tori.push_back(BRepPrimAPI_MakeTorus(gp_Ax2(gp_Pnt(20 * i, 0, 0), gp_Dir(0, 0, 1)), 5, 2).Shape());
+  write(compound(tori), "tori.brep");
   write(three_faces(), "three.brep");
   write(fading_crease(), "fading.brep");
   const Handle(Geom_BSplineCurve) spline = periodic_spline();
