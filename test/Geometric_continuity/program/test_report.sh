@@ -127,6 +127,7 @@ assert len(d["joins"]) == d["total"] == sum(d["counts"].values())'
 fi
 
 # the page needs nothing else, and executes nothing else
+page "$data/leaf_inkscape.svg"
 holds has_no '(src|href) *=|https?:|url\(|@import|fetch\(|XMLHttpRequest|WebSocket|innerHTML|eval\(' page.html
 says page.html "default-src 'none'"
 hash() { # TEXT: SHA-256 in base 64, as policies have it
