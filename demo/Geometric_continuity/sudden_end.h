@@ -10,6 +10,8 @@
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Geometric_continuity/IO/atomic_file.h>
 
+#include <boost/config.hpp>
+
 #include <csignal>
 #include <cstddef>
 #include <cstdlib>
@@ -54,7 +56,7 @@ inline void* memory_or_end(void* memory) {
 
 // Takes the stack that the commands need. Where memory is limited, the system would end the program by a signal when the stack
 // cannot grow later.
-[[gnu::noinline]] inline void take_stack() { // and gives it back
+BOOST_NOINLINE inline void take_stack() { // and gives it back
   volatile char stack[192 * 1024];
   for (std::size_t i = 0; i < sizeof stack; i += 4096) stack[sizeof stack - 1 - i] = 0;
 }

@@ -87,6 +87,7 @@ run 0 verify models/fillet.step --sew 0.001 && says out "15 inner" && holds [ "$
 run 0 verify models/separated.brep --sew 1e-300 && says out "15 inner" # those that coincide
 for distance in 0 -1 x 1e9; do run 2 verify models/fillet.step --sew=$distance && says err "--sew"; done
 run 2 verify $S --sew 0.1 && says err "only for CAD models"
+# the verdict with no tolerance stands beside it
 run 0 verify models/fillet.brep --json && says out '"order":"G0","shape":"corner","within":["proved","refuted","refuted"],"exact":"G0"' '"exact":15'
 says out '"order":"G1","shape":"smooth","within":["proved","proved","refuted"],"exact":"gap"'
 # a kink of 1 degree is none that is meant, and one of 70 degrees is a corner

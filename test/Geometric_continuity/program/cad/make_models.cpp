@@ -174,8 +174,9 @@ int main() {
   const TopoDS_Shape torus = BRepPrimAPI_MakeTorus(5, 2).Shape();
   for (const char* name : {"torus.brep", "torus.step"}) write(torus, name);
   write(wall({gp_Pnt(0, 0, 0), gp_Pnt(1, 0, 0), gp_Pnt(2, std::tan(M_PI / 180), 0), gp_Pnt(2, 3, 0)}), "wall.brep");
-  const gp_Pnt kinks[] = {gp_Pnt(0, 0, 0), gp_Pnt(1, 0, 0), gp_Pnt(2, std::tan(M_PI / 180), 0), gp_Pnt(3, 0.1, 0)};
-  write(wall({kinks[0], kinks[1], kinks[2], kinks[3]}), "kinks.brep"); // 1 degree, and nearly 4
+  const std::vector<gp_Pnt> kinks{gp_Pnt(0, 0, 0), gp_Pnt(1, 0, 0), gp_Pnt(2, std::tan(M_PI / 180), 0),
+                                  gp_Pnt(3, 0.1, 0)};
+  write(wall(kinks), "kinks.brep"); // 1 degree, and nearly 4
   // Next to each other but for 0.03 and 0.05, each with edges of its own.
   const auto piece = [](double begin, double end) { return wall({gp_Pnt(begin, 0, 0), gp_Pnt(end, 0, 0)}); };
   write(compound({piece(0, 1), piece(1.03, 2), piece(2.05, 3)}), "apart.brep");

@@ -51,13 +51,10 @@ inline Bounds_on_range square_on(const Edge_range& range, const Taylor_vector& d
     by_coordinates += m * m;
   }
   const double upper = (std::min)(square.range().sup(), by_coordinates * Taylor_model::enlarged);
-  return {(std::max)(0., at_point.inf()),
-          (std::max)(upper, at_point.inf()),
-          t,
-          true,
-          upper - at_point.inf() <= 4 * (at_point.sup() - at_point.inf()),
-          false,
-          (std::max)(0., square.range().inf())};
+  Bounds_on_range bounds{(std::max)(0., at_point.inf()), (std::max)(upper, at_point.inf()), t, true,
+                         upper - at_point.inf() <= 4 * (at_point.sup() - at_point.inf())};
+  bounds.least = (std::max)(0., square.range().inf());
+  return bounds;
 }
 
 // Bounds of |k1 - k2| / max(|k1|, |k2|, flat).
@@ -108,18 +105,17 @@ public:
     std::optional<double> at;
     for (const Side_models& x : a) // the largest of what all combinations of pieces allow, at one parameter the least
       for (const Side_models& y : b) {
-        const Bounds_on_range of_pieces = quantity == Edge_quantity::gap ? square_on(range, x.point - y.point, at)
-                                          : quantity == Edge_quantity::angle
-                                              ? square_on(range, x.normal - y.normal, at)
-                                              : jump_on(range, x.curvature, y.curvature, flat, at);
+        Bounds_on_range of_pieces = quantity == Edge_quantity::gap ? square_on(range, x.point - y.point, at)
+                                    : quantity == Edge_quantity::angle
+                                        ? square_on(range, x.normal - y.normal, at)
+                                        : jump_on(range, x.curvature, y.curvature, flat, at);
         if (!of_pieces.defined) return {0, 0, range.middle, false, false, may_jump};
-        bounds = !at ? of_pieces : Bounds_on_range{(std::min)(bounds.lower, of_pieces.lower),
-                                                   (std::max)(bounds.upper, of_pieces.upper),
-                                                   *at,
-                                                   true,
-                                                   false,
-                                                   false,
-                                                   (std::min)(bounds.least, of_pieces.least)};
+        if (at) {
+          of_pieces.lower = (std::min)(bounds.lower, of_pieces.lower);
+          of_pieces.upper = (std::max)(bounds.upper, of_pieces.upper);
+          of_pieces.least = (std::min)(bounds.least, of_pieces.least);
+        }
+        bounds = of_pieces;
         at = bounds.parameter;
       }
     if (several) bounds.noisy = a[0].along_knots || b[0].along_knots;
