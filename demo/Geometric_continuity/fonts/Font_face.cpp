@@ -4,19 +4,20 @@
 
 #include "fonts/Font_face.h"
 
+#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
+#include <vector>
 
 #include <ft2build.h>
 #include FT_FREETYPE_H
 #include FT_FONT_FORMATS_H
 #include FT_OUTLINE_H
-#include FT_TRUETYPE_TABLES_H
-#include FT_TRUETYPE_TAGS_H
 
 namespace {
 
 constexpr FT_Pos max_coordinate = FT_Pos(1) << 20; // units of the font
+constexpr int max_components = 1000;               // of a glyph, those of its components included
 
 // What FreeType says about an error. Its header lists the texts for whoever defines these macros.
 std::string freetype_message(FT_Error error) {
@@ -34,15 +35,6 @@ std::string freetype_message(FT_Error error) {
 
 void check(FT_Error error) {
   if (error != 0) throw Font_error(freetype_message(error));
-}
-
-// The bytes of a table, none if there is no such table.
-std::string table(FT_Face face, FT_ULong tag) {
-  FT_ULong size = 0;
-  if (FT_Load_Sfnt_Table(face, tag, 0, nullptr, &size) != 0) return "";
-  std::string bytes(size, '\0');
-  check(FT_Load_Sfnt_Table(face, tag, 0, reinterpret_cast<FT_Byte*>(bytes.data()), &size));
-  return bytes;
 }
 
 // FreeType itself, opened once.
@@ -123,11 +115,9 @@ Font_face::Font_face(std::string_view bytes, int index) {
   face_.reset(face);
   has_names_ = FT_HAS_GLYPH_NAMES(face);
   const std::string_view format = FT_Get_Font_Format(face);
-  if (format == "TrueType") {
-    const TT_Header* const head = static_cast<TT_Header*>(FT_Get_Sfnt_Table(face, FT_SFNT_HEAD));
-    components_ = Glyph_components(table(face, TTAG_glyf), table(face, TTAG_loca),
-                                   head == nullptr || head->Index_To_Loc_Format != 0);
-  } else if (format != "CFF" && format != "Type 1" && format != "CID Type 1")
+  const bool is_true_type = format == "TrueType";
+  is_simple_.assign(static_cast<std::size_t>(face->num_glyphs), !is_true_type);
+  if (!is_true_type && format != "CFF" && format != "Type 1" && format != "CID Type 1")
     throw Font_error("fonts of the format " + std::string(format) + " are not read");
 }
 
@@ -159,10 +149,40 @@ int Font_face::glyph_from(char32_t& character) const {
   return static_cast<int>(glyph);
 }
 
+bool Font_face::load_components(int glyph) const {
+  check(FT_Load_Glyph(face_.get(), static_cast<FT_UInt>(glyph), FT_LOAD_NO_RECURSE));
+  const bool has_components = face_->glyph->format == FT_GLYPH_FORMAT_COMPOSITE;
+  if (!has_components) is_simple_[static_cast<std::size_t>(glyph)] = true;
+  return has_components;
+}
+
+void Font_face::count_components(int& number) const {
+  std::vector<FT_Int> components((std::min)(face_->glyph->num_subglyphs, FT_UInt{max_components} + 1));
+  for (std::size_t i = 0; i < components.size(); ++i) {
+    FT_Int x, y;
+    FT_UInt flags;
+    FT_Matrix scale;
+    check(FT_Get_SubGlyph_Info(face_->glyph, static_cast<FT_UInt>(i), &components[i], &flags, &x, &y, &scale));
+  }
+  for (const int component : components) {
+    if (++number > max_components) throw Font_error("more components than any letter needs");
+    if (component >= glyphs()) throw Font_error("a component that the font does not have");
+    if (!is_simple_[static_cast<std::size_t>(component)] && load_components(component)) count_components(number);
+  }
+}
+
+void Font_face::load(int glyph) const {
+  if (!is_simple_[static_cast<std::size_t>(glyph)]) {
+    if (!load_components(glyph)) return;
+    int number = 0;
+    count_components(number);
+  }
+  check(FT_Load_Glyph(face_.get(), static_cast<FT_UInt>(glyph), FT_LOAD_NO_SCALE | FT_LOAD_IGNORE_TRANSFORM));
+}
+
 void Font_face::read(int glyph, Glyph_outline& outline) const {
   outline.clear();
-  if (components_.are_too_many(glyph)) throw Font_error("more components than any letter needs");
-  check(FT_Load_Glyph(face_.get(), static_cast<FT_UInt>(glyph), FT_LOAD_NO_SCALE | FT_LOAD_IGNORE_TRANSFORM));
+  load(glyph);
   FT_GlyphSlot slot = face_->glyph;
   if (slot->format != FT_GLYPH_FORMAT_OUTLINE) throw Font_error("a picture without an outline");
   Outline_receiver receiver(outline);

@@ -5,13 +5,13 @@
 #ifndef GEOMETRIC_CONTINUITY_DEMO_FONTS_FONT_FACE_H
 #define GEOMETRIC_CONTINUITY_DEMO_FONTS_FONT_FACE_H
 
-#include "fonts/Glyph_components.h"
 #include "fonts/Glyph_outline.h"
 
 #include <memory>
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <vector>
 
 struct FT_FaceRec_;
 
@@ -29,7 +29,7 @@ class Font_face {
   };
   std::unique_ptr<FT_FaceRec_, Close> face_;
   bool has_names_;
-  Glyph_components components_;
+  mutable std::vector<bool> is_simple_; // glyphs that are known to have no components
 
 public:
   // Opens font number `index` of a file, whose bytes must stay as long as this object. Throws
@@ -65,6 +65,18 @@ public:
 private:
   // Moves on to the first character from this one on that the font has, and returns its glyph, or 0.
   int glyph_from(char32_t& character) const;
+
+  // Loads a glyph. FreeType reads a component as often as it is used, so that a TrueType font of a few hundred bytes can keep it
+  // busy for ever: components are counted before, those of components included. What damaged tables say depends on the reader;
+  // so FreeType itself is asked for them.
+  void load(int glyph) const;
+
+  // Loads a glyph without components, or the list of its components, and returns whether it has some.
+  bool load_components(int glyph) const;
+
+  // Adds the number of components that the composite glyph has whose list has been loaded. Throws Font_error when there are
+  // too many.
+  void count_components(int& number) const;
 };
 
 #endif // GEOMETRIC_CONTINUITY_DEMO_FONTS_FONT_FACE_H
