@@ -458,6 +458,7 @@ BOOST_AUTO_TEST_CASE(what_is_not_decided) {
   bad.placement[0][0] = 0;
   CHECK_ERROR(GC::exact_edge_continuity(bad, fillet, 0, 1), singular_frame);
   CHECK_ERROR(GC::exact_edge_continuity(ground, fillet, 0, std::numeric_limits<double>::infinity()), not_finite);
+  CHECK_ERROR(GC::exact_edge_continuity(ground, fillet, 1, 0), empty_domain);
   GC::Given_spline_surface s = random_surface(random, {});
   s.points.pop_back();
   CHECK_ERROR(GC::exact_edge_continuity(side(s, line(0, 0, 1, 0)), spline, 0, 1), wrong_number_of_points);

@@ -95,8 +95,7 @@ inline Enclosure angle_of_chord_square(double e) {
 inline Edge_enclosure edge_enclosure(const Edge_side& a, const Edge_side& b, double first, double last,
                                      const Edge_precision& precision = Edge_precision()) {
   using namespace internal;
-  check_finite({first, last}, "edge_enclosure: the range");
-  if (!(first <= last)) throw Error(Error_code::empty_domain, "edge_enclosure: the range");
+  check_range(first, last, "edge_enclosure: the range");
   const Protect_FPU_rounding<true> rounding_upwards;
   const Edge_bounds bounds(a, b);
   const std::vector<double> ends = bounds.divided(first, last);

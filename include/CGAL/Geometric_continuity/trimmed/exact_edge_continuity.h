@@ -42,12 +42,12 @@ namespace Geometric_continuity {
 /// `Edge_side::face_side` is not known; for analytic surfaces also where a normal vanishes on the edge, and for rational ones when a common
 /// factor that is not constant may hide that the edges are the same; and when the work on splines would exceed the limit. Sums of the
 /// analytic surfaces have some hundred terms at most and take up to half a second, on ordinary models milliseconds.
-/// \throws Error `not_finite`; `wrong_number_of_points`, `knot_multiplicity` and `empty_domain` for splines whose numbers do not fit;
-///   `zero_weight`; `singular_frame` when a placement is not invertible
+/// \throws Error `not_finite`; `empty_domain` when `first` is larger than `last`; `wrong_number_of_points`, `knot_multiplicity` and
+///   `empty_domain` for splines whose numbers do not fit; `zero_weight`; `singular_frame` when a placement is not invertible
 inline std::optional<Edge_continuity<Exact_field<double>::type>>
 exact_edge_continuity(const Edge_side& a, const Edge_side& b, double first, double last,
                       Work_limit limit = Work_limit()) {
-  internal::check_finite({first, last}, "exact_edge_continuity: the range");
+  internal::check_range(first, last, "exact_edge_continuity: the range");
   for (const Edge_side* side : {&a, &b}) {
     std::visit(internal::Check_given_surface(), *side->surface);
     std::visit(internal::Check_given_curve<2>(), *side->curve);

@@ -27,8 +27,7 @@ namespace Geometric_continuity {
 inline Verdict is_sharp_edge(const Edge_side& a, const Edge_side& b, double first, double last, const Bound& bound,
                              int boxes = Edge_precision().boxes) {
   using namespace internal;
-  check_finite({first, last}, "is_sharp_edge: the range");
-  if (!(first <= last)) throw Error(Error_code::empty_domain, "is_sharp_edge: the range");
+  check_range(first, last, "is_sharp_edge: the range");
   const Protect_FPU_rounding<true> rounding_upwards;
   const Edge_bounds bounds(a, b);
   const std::vector<double> ends = bounds.divided(first, last);

@@ -212,6 +212,12 @@ template <int D> struct Check_given_curve {
   }
 };
 
+// \throws Error `not_finite`, `empty_domain` when the ends of the range of an edge are not two numbers in order
+inline void check_range(double first, double last, const char* place) {
+  check_finite({first, last}, place);
+  if (!(first <= last)) throw Error(Error_code::empty_domain, place);
+}
+
 // A domain of parameters. \throws Error `parameter_outside_domain` for a number that lies outside by more than rounding
 struct Given_domain {
   double first = -(std::numeric_limits<double>::infinity)(), last = -first;
