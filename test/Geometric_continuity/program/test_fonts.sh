@@ -270,3 +270,5 @@ loca=$(grep -abom1 loca short.ttf) && loca=${loca%%:*}
 printf '\0\0\0\1' | dd of=short.ttf bs=1 seek=$((loca + 12)) conv=notrunc status=none
 code=0 && timeout 20 "$program" verify short.ttf --json >out_short 2>err || code=$?
 holds [ $code -eq 0 ] && holds cmp -s <(sed 's/short.ttf/endless.ttf/' out_short) out
+printf 'glyph .notdef\nglyph lost\ncomponent 2 0 0\n' | font lost.ttf
+run 0 verify lost.ttf --allow-empty && says out "glyph lost: not verified, invalid composite glyph"
