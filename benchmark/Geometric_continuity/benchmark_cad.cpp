@@ -8,15 +8,15 @@
 // Each model has a process of its own on one core, which reads it and decides its edges with the code of the program. Then, in the same
 // process, OpenCASCADE takes its samples. The tolerances are those of VDA 4955.
 
-#include "cad/Cad_words.h"
+#include "commands/cad/Cad_words.h"
+#include "commands/tolerances.h"
 #include "measured_process.h"
-#include "tolerances.h"
 
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Geometric_continuity/trimmed/exact_edge_continuity.h>
 
 // behind CGAL's headers, whose Handle is no macro
-#include "cad/opencascade/read_model.h"
+#include "formats/cad/opencascade/read_model.h"
 #include "sampled_continuity.h"
 
 #include <Standard_Failure.hxx>

@@ -8,8 +8,8 @@
 
 #include "measured_process.h"
 
-#include "fonts/Font_face.h"
-#include "fonts/font_files.h"
+#include "formats/font/Font_face.h"
+#include "formats/font/font_files.h"
 
 #include <cstddef>
 #include <cstdint>

@@ -15,6 +15,7 @@
 
 #include <CGAL/Geometric_continuity/numbers/Enclosure.h>
 #include <CGAL/Geometric_continuity/numbers/Exact_field.h>
+#include <CGAL/Geometric_continuity/numbers/Verdict.h>
 #include <CGAL/Geometric_continuity/numbers/rational_square_root.h>
 #include <CGAL/Geometric_continuity/numbers/units.h>
 
@@ -83,7 +84,6 @@
 #include <CGAL/Geometric_continuity/joins/Kink_bound.h>
 #include <CGAL/Geometric_continuity/joins/Kink_size.h>
 #include <CGAL/Geometric_continuity/joins/Prepared_end.h>
-#include <CGAL/Geometric_continuity/joins/Verdict.h>
 #include <CGAL/Geometric_continuity/joins/chain_continuity.h>
 #include <CGAL/Geometric_continuity/joins/deviation.h>
 #include <CGAL/Geometric_continuity/joins/failing_joins.h>

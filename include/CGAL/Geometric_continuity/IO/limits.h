@@ -29,23 +29,6 @@ constexpr int max_g2_order = 128;
 /// The highest dimension of a curve or surface that is read from a `.g2` file.
 constexpr int max_g2_dimension = 16;
 
-/// \ingroup PkgGeometricContinuityIO
-/// The longest numerator or denominator, in bits, of a number or a coordinate in the path data, lengths and transforms
-/// of SVG. Every finite `double` is shorter.
-constexpr int max_svg_number_bits = 1280;
-
-/// \ingroup PkgGeometricContinuityIO
-/// The longest numerator or denominator, in bits, of the ratio of the radii of an arc of SVG.
-constexpr int max_svg_ratio_bits = 640;
-
-/// \ingroup PkgGeometricContinuityIO
-/// The longest numerator or denominator, in bits, of the number `Svg_arc::radicand()` of an arc of SVG.
-constexpr int max_svg_radicand_bits = 1536;
-
-/// \ingroup PkgGeometricContinuityIO
-/// The longest numerator or denominator, in bits, in an exact product of transforms of SVG; see `Svg_transform`.
-constexpr int max_svg_transform_bits = 1024;
-
 } // namespace Geometric_continuity
 } // namespace CGAL
 

@@ -8,7 +8,7 @@
 /// \file IO/mesh.h
 /// Triangles of surfaces as files that other programs read.
 
-#include <CGAL/Geometric_continuity/IO/atomic_file.h>
+#include "files/atomic_file.h"
 #include <CGAL/Geometric_continuity/local/coordinates.h>
 #include <CGAL/Geometric_continuity/models/Tessellation.h>
 #include <CGAL/Geometric_continuity/numbers/internal/checked_numbers.h>
@@ -89,15 +89,6 @@ void write_mesh(std::ostream& os, const Tessellation<Traits>& tessellation, Mesh
   }
   os.precision(precision);
   os.imbue(locale);
-}
-
-/// \ingroup PkgGeometricContinuityIO
-/// Writes a tessellation to a file as a whole or not at all, see `write_file_atomically()`, in the format that the name
-/// of the file says.
-/// \throws Error as `mesh_format()`, `write_file_atomically()` and the function for streams do
-template <class Traits> void write_mesh(const std::string& path, const Tessellation<Traits>& tessellation) {
-  const Mesh_format format = mesh_format(path);
-  write_file_atomically(path, [&](std::ostream& os) { write_mesh(os, tessellation, format); });
 }
 
 } // namespace Geometric_continuity

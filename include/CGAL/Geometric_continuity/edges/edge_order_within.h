@@ -8,7 +8,7 @@
 #include <CGAL/Geometric_continuity/edges/edge_continuity.h>
 #include <CGAL/Geometric_continuity/edges/edge_deviation.h>
 #include <CGAL/Geometric_continuity/edges/knot_line_continuity.h>
-#include <CGAL/Geometric_continuity/joins/Verdict.h>
+#include <CGAL/Geometric_continuity/numbers/Verdict.h>
 
 #include <array>
 #include <string>

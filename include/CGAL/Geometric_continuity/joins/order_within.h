@@ -5,9 +5,9 @@
 #ifndef CGAL_GEOMETRIC_CONTINUITY_JOINS_ORDER_WITHIN_H
 #define CGAL_GEOMETRIC_CONTINUITY_JOINS_ORDER_WITHIN_H
 
-#include <CGAL/Geometric_continuity/joins/Verdict.h>
 #include <CGAL/Geometric_continuity/joins/deviation.h>
 #include <CGAL/Geometric_continuity/numbers/Exact_field.h>
+#include <CGAL/Geometric_continuity/numbers/Verdict.h>
 
 #include <array>
 #include <optional>

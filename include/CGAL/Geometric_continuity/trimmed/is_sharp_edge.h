@@ -6,7 +6,7 @@
 #define CGAL_GEOMETRIC_CONTINUITY_TRIMMED_IS_SHARP_EDGE_H
 
 #include <CGAL/Geometric_continuity/Error.h>
-#include <CGAL/Geometric_continuity/joins/Verdict.h>
+#include <CGAL/Geometric_continuity/numbers/Verdict.h>
 #include <CGAL/Geometric_continuity/trimmed/Edge_enclosure.h>
 #include <CGAL/Geometric_continuity/trimmed/Parametric_geometry.h>
 #include <CGAL/Geometric_continuity/trimmed/internal/edge_bounds.h>

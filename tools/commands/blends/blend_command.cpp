@@ -1,0 +1,228 @@
+// Copyright (c) 2026 The Geometric_continuity developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#include "commands/blends/blend_report.h"
+#include "commands/blends/blend_strategies.h"
+#include "commands/blends/round_corners.h"
+#include "commands/command_line.h"
+#include "commands/work_limit.h"
+#include "files/output.h"
+
+#include <CGAL/Geometric_continuity/IO/figures/Svg_figure.h>
+
+#include <algorithm>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace {
+
+const char* const blend_usage = R"(usage: geometric_continuity blend A.g2 B.g2 [OPTIONS]
+       geometric_continuity blend CHAIN.g2 --replace I [OPTIONS]
+       geometric_continuity blend CHAIN.g2 --corner I --distance R
+       geometric_continuity blend CHAIN.g2 --corners all|kinks --distance R
+
+Blends the end of the last curve of A into the start of the first curve of B,
+or replaces the curve number I of a chain (counted from 0, cyclically) by a
+blend of its neighbours. Both joins are decided exactly on the result. The
+output is the blends, or the chain with its curve replaced when one strategy is
+asked for.
+
+strategies of order 2 (degree 5, G2):
+  c2, normal, min_second, near_line, energy2, energy3 (default),
+  fair (the least variation of curvature), free (--s1 --s2)
+strategies of order 3 (degree 7, G3 or F3):
+  c3, seq_g3, seq_f3, joint_g3, energy3_g3, energy4_g3 (default),
+  fair_g3, fair_f3, free (--start --end)
+The tangents at both ends are as long as the chord, or as fair chooses them,
+unless --beta or --eta is given; where one is given, the other is that of the
+chord.
+
+The table and --json tell how fair each blend is: the variation of curvature
+L^3 int |dK/ds|^2, the bending energy L int |K|^2 (both for a curve of any
+size), how often the curvature turns from rising to falling or back, how often
+the curve inflects, and the largest curvature. The counts are exact.
+
+--representable makes blends of order 2 with control points that are doubles
+and joins that are exactly G2 nevertheless; with -o it writes both curves,
+where needed rounded to few enough digits, and the blend between them. Numbers
+R are decimals or fractions p/q.
+
+--corner I rounds the join after the curve number I of a chain (counted from 0,
+cyclically; a spline counts as its Bezier curves): both curves are cut at the
+arc length R from it, and a fair blend with G2 joins is put between, with
+--order 3 one with G3 joins. --corners all rounds all joins that do not have
+this order, --corners kinks those that are not G1; of short curves less than R
+is cut off, so that a quarter of each remains. The output is the whole chain.
+
+Exact arithmetic on numbers of thousands of digits can take long: --max-work N
+allows N steps, about N multiplications of machine words, instead of 4000000000.
+
+Exit code: 0 when both joins of every blend have the order that is asked for, 1
+when rounding has broken one (--kernel double; the files are written
+nevertheless), 2 on bad input.
+)";
+
+// The given curves around the blend: all of A, or the curves after the replaced one; then those after the blend.
+template <class FT> struct Scene { std::vector<Program_curve<FT>> before, after; };
+
+template <class FT> Scene<FT> read_scene(const Command_line& line) {
+  const Arguments files = line.files();
+  if (!line.has("replace")) {
+    if (files.size() != 2) throw std::invalid_argument("blend: two files are needed; see --help");
+    Scene<FT> scene{read_curves<FT>({files[0]}), read_curves<FT>({files[1]})};
+    if (scene.before.front().dimension() != scene.after.front().dimension())
+      throw GC::Error(GC::Error_code::dimension_mismatch,
+                      "blend: " + input_name(files[0]) + " and " + input_name(files[1]));
+    return scene;
+  }
+  if (files.size() != 1) throw std::invalid_argument("blend --replace: one file is needed; see --help");
+  const std::vector<Program_curve<FT>> chain = read_curves<FT>(files);
+  const int n = static_cast<int>(chain.size()), i = line.integer("replace");
+  const std::string text = "--replace " + std::to_string(i) + ": " + input_name(files[0]) + " has " +
+                           std::to_string(n) + (n == 1 ? " curve" : " curves");
+  if (n < 3) throw std::invalid_argument(text + "; at least 3 are needed");
+  if (i < 0 || i >= n) throw std::invalid_argument(text + ", number 0 to " + std::to_string(n - 1));
+  return {{chain.begin(), chain.begin() + i}, {chain.begin() + i + 1, chain.end()}};
+}
+
+template <class FT> std::string plot_join(const Program_curve<FT>& left, const Program_curve<FT>& right) {
+  const Join join = GC::continuity(exact(left), exact(right));
+  return join.c_order < 0
+             ? "gap"
+             : (join.f_order > join.g_order ? 'F' + std::to_string(join.f_order) : 'G' + std::to_string(join.g_order));
+}
+
+// Draws one panel for each result. Throws GC::Error `not_finite` for coordinates that are too large to be drawn.
+template <class FT>
+GC::Svg_figure picture(const std::string& title, const Scene<FT>& scene, const std::vector<Blend_result<FT>>& results,
+                       const Program_curve<FT>& phi, const Program_curve<FT>& psi) {
+  const bool chain = scene.before.size() + scene.after.size() > 2;
+  GC::Svg_figure figure(title, 3);
+  for (const Blend_result<FT>& r : results) {
+    GC::Svg_panel panel(r.strategy + r.fallback);
+    const GC::Svg_style given{GC::Svg_role::given, false, !chain}, neighbour{GC::Svg_role::given, false, true},
+        blend{GC::Svg_role::result, true, true, "blend"};
+    // the neighbours of the blend are drawn with it, the rest of a chain without details
+    for (const std::vector<Program_curve<FT>>* part : {&scene.before, &scene.after})
+      for (const Program_curve<FT>& c : *part)
+        if (&c != &phi && &c != &psi) panel.add(c, given);
+    panel.add(phi, neighbour).join(plot_join(phi, r.curve));
+    panel.add(r.curve, blend).join(plot_join(r.curve, psi));
+    panel.add(psi, neighbour);
+    figure.add(panel);
+  }
+  return figure;
+}
+
+// Refuses the parameters of the free strategies where they have no meaning.
+void check_parameters(const Command_line& line, int order, bool free) {
+  const Arguments quintic = {"s1", "s2"}, septic = {"start", "end"};
+  if (!free) {
+    line.refuse(quintic, "only with --strategy free");
+    line.refuse(septic, "only with --strategy free");
+  }
+  line.refuse(order == 2 ? septic : quintic, "not with --order " + std::to_string(order));
+}
+
+// Blends by the strategies that are asked for, prints a table and writes the files.
+template <class FT> int blend(const Command_line& line) {
+  const int order = line.integer("order", 2, 3);
+  const Arguments& names = order == 2 ? quintic_names : septic_names;
+  Arguments choices = names;
+  choices.insert(choices.end(), {"free", "all"});
+  const std::string chosen = line.has("strategy") ? line.choice("strategy", choices)
+                             : order == 2         ? "energy3"
+                                                  : "energy4_g3";
+  check_parameters(line, order, chosen == "free");
+
+  const Scene<FT> scene = read_scene<FT>(line);
+  const Program_curve<FT>& phi = scene.before.empty() ? scene.after.back() : scene.before.back();
+  const Program_curve<FT>& psi = scene.after.empty() ? scene.before.front() : scene.after.front();
+  const Blender<FT> blender(line, phi, psi);
+  std::vector<Blend_result<FT>> results;
+  for (const std::string& name : chosen == "all" ? names : Arguments{chosen})
+    results.push_back(order == 2 ? blender.quintic(name) : blender.septic(name));
+
+  std::vector<Blend_report> reports;
+  for (const Blend_result<FT>& r : results) {
+    const bool moved = !r.neighbours.empty();
+    reports.push_back({r.strategy, exact(r.curve), exact(moved ? r.neighbours[0] : phi),
+                       exact(moved ? r.neighbours[1] : psi), Exact(r.shape.beta), Exact(r.shape.eta),
+                       r.parameters + r.fallback, r.report,
+                       line.has("max-work") ? std::optional<GC::Work_limit>(line.work_limit()) : std::nullopt});
+  }
+  const bool proved =
+      std::all_of(reports.begin(), reports.end(), [order](const Blend_report& r) { return r.is_proved(order); });
+  if (line.has("json"))
+    write_json(report_stream(line), reports, order);
+  else
+    write_table(report_stream(line), reports, order);
+
+  std::optional<GC::Svg_figure> figure;
+  if (line.has("plot")) figure = picture(line.text("title"), scene, results, phi, psi);
+  if (line.has("output"))
+    write_output(line.text("output"), [&](std::ostream& os) {
+      const bool chain = line.has("replace") && results.size() == 1;
+      if (chain)
+        for (const Program_curve<FT>& c : scene.before) GC::write_g2(os, c);
+      for (const Blend_result<FT>& r : results)
+        if (r.neighbours.empty())
+          GC::write_g2(os, r.curve);
+        else // as fractions, which are the same numbers in every arithmetic
+          for (const Program_curve<FT>& c : {r.neighbours[0], r.curve, r.neighbours[1]}) GC::write_g2(os, exact(c));
+      if (chain)
+        for (const Program_curve<FT>& c : scene.after) GC::write_g2(os, c);
+    });
+  if (figure) write_output(line.text("plot"), [&](std::ostream& os) { figure->write(os); });
+  return proved ? requirement_met : requirement_not_met;
+}
+
+} // namespace
+
+int blend_command(const Arguments& arguments) {
+  const Command_line line(blend_usage, arguments, [](po::options_description_easy_init add) {
+    add("strategy", po::value<std::string>(), "one of the strategies, or all: each of them except free");
+    add("order", po::value<int>()->default_value(2), "2: quintic, 3: septic");
+    add("beta", po::value<std::string>(), "R > 0, the blend starts with beta times the end tangent of A");
+    add("eta", po::value<std::string>(), "R > 0, the blend ends with eta times the start tangent of B");
+    add("s1", po::value<std::string>(), "R, free scalar at the start (free, order 2)");
+    add("s2", po::value<std::string>(), "R, free scalar at the end (free, order 2)");
+    add("start", po::value<std::string>(), "R,R,R = beta2,mu,beta3 at the start (free, order 3)");
+    add("end", po::value<std::string>(), "R,R,R = beta2,mu,beta3 at the end (free, order 3)");
+    add("replace", po::value<int>(), "I, replace this curve of a chain");
+    add("corner", po::value<int>(), "I, round the join after this curve of a chain");
+    add("corners", po::value<std::string>(), "all or kinks, round these joins of a chain");
+    add("distance", po::value<std::string>(), "R > 0, from a corner to where its curves are cut");
+    add("closed", "with --corners: the last curve leads back to the first");
+    add("kernel", po::value<std::string>()->default_value("exact"),
+        "exact: construct in exact numbers; double: in floating-point numbers");
+    add("representable", "control points that are doubles, joins that are exactly G2");
+    add("json", "print the report as JSON");
+    add("max-work", po::value<std::string>(), "the steps of work that are allowed for each blend");
+    add("output,o", po::value<std::string>(), "write the result, .g2");
+    add("plot", po::value<std::string>(), "draw the result, .svg");
+    add("title", po::value<std::string>(), "title of the picture");
+  });
+  if (line.help()) return requirement_met;
+  check_outputs(line);
+  if (!line.has("plot")) line.refuse({"title"}, "only with --plot");
+  if (line.has("corner") || line.has("corners")) {
+    line.refuse({"max-work"}, "not with --corner or --corners");
+    return round_corners(line);
+  }
+  const auto bounded = [&](auto work) {
+    return within_work_limit([&] { return line.files().empty() ? "blend" : input_name(line.files().front()); }, work);
+  };
+  line.refuse({"distance", "closed"}, "only with --corner or --corners");
+  if (line.has("representable")) {
+    if (line.integer("order") != 2) throw std::invalid_argument("--representable: blends of order 2 only");
+    line.refuse({"replace", "kernel"}, "not with --representable");
+    return bounded([&] { return blend<double>(line); });
+  }
+  return bounded([&] {
+    return line.choice("kernel", {"exact", "double"}) == "exact" ? blend<Exact>(line) : blend<double>(line);
+  });
+}

@@ -1,0 +1,138 @@
+// Copyright (c) 2026 The Geometric_continuity developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#include "commands/blends/blend_report.h"
+
+#include <CGAL/Geometric_continuity/IO/json.h>
+#include <CGAL/Geometric_continuity/IO/number.h>
+#include <CGAL/Geometric_continuity/curves/fairness.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <iomanip>
+
+namespace {
+
+// Empty where there are none, and where they cost more than the limit, unless the user has set it.
+std::optional<GC::Curvature_extrema> extrema(const Exact_curve& curve, const std::optional<GC::Work_limit>& limit) {
+  try {
+    return GC::curvature_extrema(curve, limit.value_or(GC::Work_limit()));
+  } catch (const GC::Error& e) {
+    const bool left_out = !limit && e.code() == GC::Error_code::work_limit;
+    if (e.code() != GC::Error_code::zero_tangent && !left_out) throw;
+    return std::nullopt;
+  }
+}
+
+std::string six_digits(double x) { return std::isinf(x) ? "infinite" : rounded(x, 6); }
+
+// Writes a line of the table.
+void write_row(std::ostream& os, const std::array<std::string, 10>& columns, const std::string& rest) {
+  constexpr std::array<int, 10> widths = {11, 12, 12, 12, 12, 12, 12, 7, 11, 12};
+  for (std::size_t i = 0; i < columns.size(); ++i)
+    os << (i < 3 ? std::left : std::right) << std::setw(widths[i]) << columns[i] << ' ';
+  os << ' ' << rest << '\n';
+}
+
+// A number that is written without loss; null if it is infinite.
+void write_value(std::ostream& os, double x) {
+  if (std::isinf(x))
+    os << "null";
+  else
+    GC::write_number(os, x);
+}
+
+void write_members(std::ostream& os, const GC::Curvature_at& x) {
+  GC::write_json(os << "\"parameter\":", x.parameter);
+  GC::write_json(os << ",\"curvature\":", x.curvature);
+}
+
+void write_members(std::ostream& os, const std::optional<GC::Curvature_extrema>& curvature) {
+  if (!curvature) {
+    os << R"("curvature_extrema":null,"inflections":null,"least_curvature":null,"greatest_curvature":null,)"
+       << R"("largest_curvature":null)";
+    return;
+  }
+  const char* separator = "";
+  os << "\"curvature_extrema\":[";
+  for (const GC::Curvature_extremum& x : curvature->extrema) {
+    write_members(os << separator << '{', x);
+    os << ",\"maximum\":" << (x.maximum ? "true" : "false") << '}';
+    separator = ",";
+  }
+  separator = "";
+  os << "],\"inflections\":[";
+  for (const GC::Enclosure& x : curvature->inflections) {
+    GC::write_json(os << separator, x);
+    separator = ",";
+  }
+  write_members(os << "],\"least_curvature\":{", curvature->least);
+  write_members(os << "},\"greatest_curvature\":{", curvature->greatest);
+  GC::write_json(os << "},\"largest_curvature\":", curvature->largest());
+}
+
+void write_members(std::ostream& os, const GC::Fair_report& search) {
+  os << "\"iterations\":" << search.iterations << ",\"fairness_before\":";
+  write_value(os, search.automatic_fairness);
+  write_value(os << ",\"fairness_after\":", search.fairness);
+  os << ",\"converged\":" << (search.converged ? "true" : "false");
+}
+
+} // namespace
+
+Blend_report::Blend_report(const std::string& strategy, const Exact_curve& gamma, const Exact_curve& phi,
+                           const Exact_curve& psi, const Exact& beta, const Exact& eta, const std::string& parameters,
+                           const std::optional<GC::Fair_report>& search, const std::optional<GC::Work_limit>& limit)
+    : strategy(strategy), curve(gamma), start(GC::continuity(phi, gamma, 3, limit.value_or(GC::Work_limit()))),
+      end(GC::continuity(gamma, psi, 3, limit.value_or(GC::Work_limit()))), beta(beta), eta(eta),
+      parameters(parameters), fairness(GC::fairness(gamma)), bending_energy(GC::bending_energy(gamma)),
+      curvature(extrema(gamma, limit)), search(search) {}
+
+bool Blend_report::is_proved(int order) const {
+  const bool smooth = order == 2 || curve.dimension() < 3;
+  return smooth ? start.g_order >= 2 && end.g_order >= 2 : start.f_order >= 3 && end.f_order >= 3;
+}
+
+void write_table(std::ostream& os, const std::vector<Blend_report>& reports, int order) {
+  write_row(os,
+            {"strategy", "start join", "end join", order == 2 ? "int |x''|^2" : "int |x'''|^2",
+             order == 2 ? "int |x'''|^2" : "int |x''''|^2", "fairness", "bending", "extrema", "inflections",
+             "curvature"},
+            "parameters");
+  bool proved = true;
+  for (const Blend_report& r : reports) {
+    proved = proved && r.is_proved(order);
+    const std::optional<GC::Curvature_extrema>& c = r.curvature;
+    write_row(os,
+              {r.strategy, orders(r.start), orders(r.end),
+               six_digits(CGAL::to_double(r.curve.polynomial()->energy(order))),
+               six_digits(CGAL::to_double(r.curve.polynomial()->energy(order + 1))), six_digits(r.fairness),
+               six_digits(r.bending_energy), c ? std::to_string(c->extrema.size()) : "-",
+               c ? std::to_string(c->inflections.size()) : "-", c ? six_digits(c->largest().upper) : "-"},
+              r.parameters);
+  }
+  os << (proved ? "both joins of every blend are proved in exact arithmetic\n"
+                : "decided in exact arithmetic: rounding has broken a join\n");
+}
+
+void write_json(std::ostream& os, const std::vector<Blend_report>& reports, int order) {
+  os << "{\"blends\":[";
+  const char* separator = "\n";
+  for (const Blend_report& r : reports) {
+    GC::write_json(os << separator << "{\"strategy\":", r.strategy);
+    GC::write_number(os << ",\"beta\":\"", r.beta);
+    GC::write_number(os << "\",\"eta\":\"", r.eta);
+    GC::write_json(os << "\",\"start_join\":", r.start, 0, 1);
+    GC::write_json(os << ",\"end_join\":", r.end, 1, 2);
+    os << ",\"proved\":" << (r.is_proved(order) ? "true" : "false") << ",\"fairness\":";
+    write_value(os, r.fairness);
+    write_value(os << ",\"bending_energy\":", r.bending_energy);
+    write_members(os << ',', r.curvature);
+    if (r.search) write_members(os << ',', *r.search);
+    os << '}';
+    separator = ",\n";
+  }
+  os << "\n]}\n";
+}

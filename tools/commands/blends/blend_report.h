@@ -1,0 +1,42 @@
+// Copyright (c) 2026 The Geometric_continuity developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef GEOMETRIC_CONTINUITY_TOOLS_COMMANDS_BLENDS_BLEND_REPORT_H
+#define GEOMETRIC_CONTINUITY_TOOLS_COMMANDS_BLENDS_BLEND_REPORT_H
+
+#include "commands/chains/join_report.h"
+#include "formats/g2_text/curves.h"
+
+#include <CGAL/Geometric_continuity/blends/Fair.h>
+#include <CGAL/Geometric_continuity/curves/curvature_extrema.h>
+
+#include <optional>
+#include <ostream>
+#include <string>
+#include <vector>
+
+// What is reported about a blend: its joins, decided in exact arithmetic, and how fair it is.
+struct Blend_report {
+  Blend_report(const std::string& strategy, const Exact_curve& gamma, const Exact_curve& phi, const Exact_curve& psi,
+               const Exact& beta, const Exact& eta, const std::string& parameters,
+               const std::optional<GC::Fair_report>& search, const std::optional<GC::Work_limit>& limit);
+
+  std::string strategy;
+  Exact_curve curve;
+  Join start, end;
+  Exact beta, eta;
+  std::string parameters; // in words
+  double fairness, bending_energy;
+  std::optional<GC::Curvature_extrema> curvature; // empty where the blend has a cusp
+  std::optional<GC::Fair_report> search;          // of the strategies that search
+
+  // Whether both joins have the order 2 or 3 that was asked for.
+  bool is_proved(int order) const;
+};
+
+// Write the reports on blends of order 2 or 3 as a table, and as JSON.
+void write_table(std::ostream& os, const std::vector<Blend_report>& reports, int order);
+void write_json(std::ostream& os, const std::vector<Blend_report>& reports, int order);
+
+#endif // GEOMETRIC_CONTINUITY_TOOLS_COMMANDS_BLENDS_BLEND_REPORT_H

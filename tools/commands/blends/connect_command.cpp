@@ -1,0 +1,83 @@
+// Copyright (c) 2026 The Geometric_continuity developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#include "commands/command_line.h"
+#include "commands/work_limit.h"
+#include "files/input.h"
+#include "files/output.h"
+
+#include <CGAL/Exact_rational.h>
+#include <CGAL/Geometric_continuity/Traits_3.h>
+#include <CGAL/Geometric_continuity/edges/connect_g1.h>
+#include <CGAL/Simple_cartesian.h>
+
+#include <stdexcept>
+#include <vector>
+
+namespace {
+
+const char* const connect_usage = R"(usage: geometric_continuity connect C.g2 C1.g2 C2.g2 [OPTIONS] -o RIBBON.g2
+
+Makes two surfaces of degree 6 x 1 that meet with G1 continuity along the cubic
+C. At both ends of C their cross derivatives are C1 - C and C2 - C and their
+twists are C1' - C' and C2' - C', if these lie in the plane of C1 - C2 and C';
+otherwise they are as near to that as possible. The three curves have the same
+knots, with inner knots at most double. G1 is decided exactly on the result,
+along the whole of C.
+Exact arithmetic on numbers of thousands of digits can take long: --max-work N
+allows N steps, about N multiplications of machine words, instead of 4000000000.
+Exit code: 0 when the result is G1, 1 when it is not, e.g. because of a fold, 2
+on bad input.
+)";
+
+typedef CGAL::Exact_rational FT;
+typedef GC::Traits_3<CGAL::Simple_cartesian<FT>> Traits;
+typedef GC::Bspline_curve<Traits> Curve;
+
+// Reads the only curve of a file.
+Curve read_curve(const std::string& name) {
+  Input input(name);
+  const std::vector<Curve> curves = GC::read_g2_bsplines<Traits>(input, input_name(name));
+  if (curves.size() != 1)
+    throw GC::Error(GC::Error_code::malformed_input,
+                    input_name(name) + ": " + std::to_string(curves.size()) + " curves where one is expected");
+  return curves[0];
+}
+
+int connect(const Command_line& line) {
+  const Arguments files = line.files();
+  const GC::G1_ribbon<Traits> ribbon = connect_g1(read_curve(files[0]), read_curve(files[1]), read_curve(files[2]),
+                                                  line.number("bulge", FT(0)), line.work_limit());
+  std::ostream& report = report_stream(line);
+  report << ribbon << '\n';
+  bool g1 = true;
+  const std::vector<int> spans = ribbon.side1.knots_u().spans();
+  const std::vector<GC::Edge_continuity<FT>> continuity = ribbon.continuity(line.work_limit());
+  for (std::size_t i = 0; i < spans.size(); ++i) {
+    report << "on [" << ribbon.side1.knots_u()[spans[i]] << ", " << ribbon.side1.knots_u()[spans[i] + 1]
+           << "]: " << continuity[i] << '\n';
+    g1 = g1 && continuity[i].g_order >= 1;
+  }
+  report << (g1 ? "G1 along the whole edge, proved exactly\n" : "not G1 along the whole edge\n");
+  write_output(line.text("output"), [&](std::ostream& os) {
+    GC::write_g2(os, ribbon.side1);
+    GC::write_g2(os, ribbon.side2);
+  });
+  return g1 ? requirement_met : requirement_not_met;
+}
+
+} // namespace
+
+int connect_command(const Arguments& arguments) {
+  const Command_line line(connect_usage, arguments, [](po::options_description_easy_init add) {
+    add("bulge", po::value<std::string>(), "R, bends the surfaces: beta becomes quartic (default 0)");
+    add("max-work", po::value<std::string>(), "the steps of work that are allowed");
+    add("output,o", po::value<std::string>(), "write both surfaces, .g2");
+  });
+  if (line.help()) return requirement_met;
+  if (line.files().size() != 3) throw std::invalid_argument("connect: three files are needed; see --help");
+  if (!line.has("output")) throw std::invalid_argument("connect: -o RIBBON.g2 is needed");
+  check_outputs(line);
+  return within_work_limit([&] { return input_name(line.files()[0]) + ", ..."; }, [&] { return connect(line); });
+}

@@ -1,0 +1,87 @@
+// Copyright (c) 2026 The Geometric_continuity developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef GEOMETRIC_CONTINUITY_TOOLS_COMMANDS_CAD_CAD_JSON_H
+#define GEOMETRIC_CONTINUITY_TOOLS_COMMANDS_CAD_CAD_JSON_H
+
+#include "commands/cad/decide_cad.h"
+
+#include <CGAL/Geometric_continuity/IO/json.h>
+#include <CGAL/Geometric_continuity/IO/number.h>
+#include <CGAL/Geometric_continuity/numbers/units.h>
+
+#include <cstddef>
+#include <optional>
+#include <ostream>
+#include <string>
+
+// What `verify` writes about the edges of CAD models.
+
+inline GC::Enclosure in_length(const GC::Enclosure& x) { return x; }
+
+// Writes an enclosure in a unit, and where its lower end is attained.
+template <class Unit>
+void write_maximum(std::ostream& os, const char* name, const std::optional<GC::Edge_maximum>& x, Unit unit) {
+  GC::write_json(os << ",\"" << name << "\":",
+                 x ? std::optional<GC::Enclosure>(unit(x->value)) : std::optional<GC::Enclosure>());
+}
+inline void write_place(std::ostream& os, const char* name, const std::optional<GC::Edge_maximum>& x) {
+  if (!x) return;
+  GC::write_number(os << ",\"" << name << "_at\":{\"parameter\":", x->parameter);
+  os << ",\"point\":";
+  for (std::size_t i = 0; i < 3; ++i) GC::write_number(os << (i == 0 ? '[' : ','), x->point[i]);
+  os << "]}";
+}
+
+// Writes the members of an edge.
+inline void write_members(std::ostream& os, std::size_t number, const Cad_edge& edge, const Cad_verdict& verdict) {
+  os << "\"edge\":" << number << ",\"faces\":";
+  for (std::size_t i = 0; i < edge.faces.size(); ++i) os << (i == 0 ? '[' : ',') << edge.faces[i];
+  os << "],\"kind\":\"" << name(edge.kind) << "\",\"closed\":" << (edge.closed ? "true" : "false");
+  GC::write_number(os << ",\"tolerance\":", edge.tolerance);
+  if (edge.kind != Cad_edge_kind::inner && edge.kind != Cad_edge_kind::seam) {
+    os << ",\"order\":null";
+    return;
+  }
+  os << ",\"projected\":" << (edge.projected ? "true" : "false") << ",\"order\":\"" << verdict.order_name()
+     << "\",\"shape\":\"" << name(verdict.shape) << "\",\"within\":[";
+  for (std::size_t i = 0; i < 3; ++i) os << (i == 0 ? "\"" : ",\"") << verdict.within[i] << '"';
+  os << ']';
+  os << ",\"exact\":" << (verdict.exact ? '"' + *verdict.exact_name() + '"' : "null");
+  if (!verdict.reason.empty()) GC::write_json(os << ",\"reason\":", verdict.reason);
+  std::optional<GC::Edge_maximum> gap, angle, curvature;
+  if (verdict.enclosure) {
+    gap = verdict.enclosure->gap;
+    angle = verdict.enclosure->angle;
+    curvature = verdict.enclosure->curvature_jump;
+  }
+  write_maximum(os, "gap", gap, in_length);
+  write_maximum(os, "angle_degrees", angle, GC::in_degrees);
+  write_maximum(os, "curvature_percent", curvature, GC::in_percent);
+  write_place(os, "gap", gap);
+  write_place(os, "angle", angle);
+  write_place(os, "curvature", curvature);
+  if (!verdict.enclosure || verdict.enclosure->singular.empty()) return;
+  os << ",\"singular\":";
+  char separator = '[';
+  for (const auto& [begin, end] : verdict.enclosure->singular) {
+    GC::write_number(os << separator << '[', begin);
+    GC::write_number(os << ',', end);
+    os << ']';
+    separator = ',';
+  }
+  os << ']';
+}
+
+inline void write_json(std::ostream& os, const Cad_summary& s) {
+  os << "{\"faces\":" << s.faces << ",\"inner\":" << s.inner << ",\"seam\":" << s.seams
+     << ",\"boundary\":" << s.boundary << ",\"non_manifold\":" << s.non_manifold << ",\"degenerate\":" << s.degenerate
+     << ",\"G2\":" << s.g2 << ",\"G1\":" << s.g1 << ",\"G0\":" << s.g0 << ",\"gap\":" << s.gaps
+     << ",\"undecided\":" << s.undecided << ",\"kinks\":" << s.kinks << ",\"corners\":" << s.corners
+     << ",\"fading_corners\":" << s.fading_corners << ",\"exact\":" << s.exact << ",\"not_compared\":" << s.not_compared
+     << ",\"projected\":" << s.projected << ",\"sewn\":" << s.sewn << ",\"lost\":" << s.lost
+     << ",\"length_unit\":\"mm\"}";
+}
+
+#endif // GEOMETRIC_CONTINUITY_TOOLS_COMMANDS_CAD_CAD_JSON_H

@@ -1,0 +1,189 @@
+// Copyright (c) 2026 The Geometric_continuity developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#include "commands/cad/Cad_words.h"
+#include "commands/cad/decide_cad.h"
+#include "commands/chains/join_report.h"
+#include "commands/report_inputs.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <iterator>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace {
+
+// So many triangles are drawn.
+constexpr std::size_t most_drawn_triangles = 40000;
+
+Report_grade grade(const Cad_verdict& verdict) {
+  switch (verdict.shape) {
+  case Cad_shape::gap: return Report_grade::gap;
+  case Cad_shape::kink: return Report_grade::kink;
+  case Cad_shape::corner:
+  case Cad_shape::fading_corner: return Report_grade::corner;
+  case Cad_shape::smooth:
+    if (verdict.order() > 0) return verdict.order() == 2 ? Report_grade::g2 : Report_grade::g1;
+    break; // the gap is undecided
+  case Cad_shape::undecided: break;
+  }
+  return Report_grade::undecided;
+}
+
+// What is worst of an edge: the gap, the angle, or of smooth faces the jump of the curvature.
+const GC::Edge_maximum& worst(const GC::Edge_enclosure& e, Report_grade grade) {
+  if (grade == Report_grade::gap || !e.angle) return e.gap;
+  return grade >= Report_grade::g1 && e.curvature_jump ? *e.curvature_jump : *e.angle;
+}
+
+// The edge as a card of the page, without what is drawn.
+Report_item item_of(std::size_t number, const Cad_edge& edge, const Cad_verdict& verdict, const Cad_model& model) {
+  Report_item item;
+  item.place = cad_place(number, edge, model) + ' ' + cad_kind(edge);
+  item.verdict = verdict.enclosure ? cad_order(verdict) : verdict.reason;
+  item.grade = grade(verdict);
+  if (!verdict.enclosure) return item;
+  const GC::Edge_enclosure& e = *verdict.enclosure;
+  item.gap = e.gap.value;
+  if (e.angle) item.angle = GC::in_degrees(e.angle->value);
+  if (e.curvature_jump) item.curvature_jump = GC::in_percent(e.curvature_jump->value);
+  if (!e.singular.empty()) item.verdict += ", a normal vanishes near the parameter " + rounded(e.singular[0].first, 6);
+  const GC::Edge_maximum& worst = ::worst(e, item.grade);
+  for (const double x : worst.point) item.point.push_back(rounded(x, 6));
+  item.parameter = rounded(worst.parameter, 6);
+  item.severity = worst.value.upper;
+  return item;
+}
+
+// Gathers the edges of CAD models, and draws the faces.
+class Cad_page {
+  const Cad_demand demand_;
+  const Cad_reading reading_;
+  Report_page& page_;
+  Cad_summary summary_;
+  std::vector<Report_model::Edge> edges_, others_; // those of two sides, and the boundaries
+  std::vector<Report_model::Patch> faces_;
+
+  // The coordinates of points to draw; none when one is not finite.
+  static std::vector<double> coordinates(const std::vector<GC::Given_point<3>>& points) {
+    std::vector<double> result;
+    for (const GC::Given_point<3>& p : points) result.insert(result.end(), p.begin(), p.end());
+    if (!std::all_of(result.begin(), result.end(), [](double x) { return std::isfinite(x); })) result.clear();
+    return result;
+  }
+
+  static Report_model::Edge drawn(const Cad_edge& edge, const std::string& grade, std::size_t first_face) {
+    Report_model::Edge result{grade, {}, coordinates(edge.points)};
+    for (const std::size_t face : edge.faces) result.patches.push_back(first_face + face);
+    return result;
+  }
+
+  static Report_model::Patch drawn(const Cad_mesh& mesh) {
+    Report_model::Patch result{0, 0, coordinates(mesh.points)};
+    if (!result.points.empty())
+      for (const auto& t : mesh.triangles) result.triangles.insert(result.triangles.end(), t.begin(), t.end());
+    return result;
+  }
+
+  // Leaves out faces as soon as there are too many triangles: those of the worst edges come first.
+  void limit_faces(const std::vector<Report_model::Edge>& shown) {
+    std::vector<Report_model::Patch> all(faces_.size(), {0, 0, {}});
+    all.swap(faces_);
+    std::size_t drawn = 0, left_out = 0, failed = 0;
+    const auto keep = [&](std::size_t face) {
+      const std::size_t triangles = all[face].triangles.size() / 3;
+      if (triangles == 0 || drawn + triangles > most_drawn_triangles) return;
+      drawn += triangles;
+      faces_[face] = std::move(all[face]);
+      all[face] = {0, 0, {}};
+    };
+    for (const Report_model::Edge& edge : shown) std::for_each(edge.patches.begin(), edge.patches.end(), keep);
+    for (std::size_t face = 0; face < all.size(); ++face) {
+      keep(face);
+      left_out += !all[face].triangles.empty();
+      failed += all[face].triangles.empty() && faces_[face].triangles.empty();
+    }
+    if (failed > 0) page_.notes.push_back(counted(failed, "face") + " cannot be drawn.");
+    if (left_out > 0) page_.notes.push_back(counted(left_out, "face") + " not drawn: there are too many triangles.");
+  }
+
+  // Rounds what is drawn to a part of the extent that nobody sees, which makes the page small.
+  static void round(Report_model& model) {
+    double extent = 0;
+    const auto for_coordinates = [&](const auto& work) {
+      for (Report_model::Patch& face : model.patches) std::for_each(face.points.begin(), face.points.end(), work);
+      for (Report_model::Edge& edge : model.edges) std::for_each(edge.points.begin(), edge.points.end(), work);
+    };
+    for_coordinates([&](double& x) { extent = (std::max)(extent, std::abs(x)); });
+    if (!(extent > 1e-100 && extent < 1e100)) return;
+    const int digits = 6 - static_cast<int>(std::floor(std::log10(extent)));
+    const double factor = std::pow(10., std::abs(digits));
+    for_coordinates(
+        [&](double& x) { x = digits < 0 ? std::round(x / factor) * factor : std::round(x * factor) / factor; });
+  }
+
+public:
+  Cad_page(const Cad_demand& demand, std::optional<double> sewing, Report_page& page)
+      : demand_(demand), reading_{Cad_drawing::faces_and_edges, sewing}, page_(page) {}
+
+  // Reads a file and gathers its edges. Their places begin so.
+  void gather(const std::string& file, const std::string& before) {
+    const Decided_cad_file decided = decide_cad(file, demand_, reading_);
+    summary_.add(decided, demand_);
+    const std::size_t first_face = faces_.size();
+    for (const Cad_mesh& mesh : decided.model.meshes) faces_.push_back(drawn(mesh));
+    for (const std::string& lost : decided.model.lost) page_.notes.push_back(file + ": not read: " + lost);
+    for (std::size_t i = 0; i < decided.verdicts.size(); ++i) {
+      const Cad_edge& edge = decided.model.edges[i];
+      if (edge.kind != Cad_edge_kind::inner && edge.kind != Cad_edge_kind::seam) {
+        if (edge.kind != Cad_edge_kind::degenerate) others_.push_back(drawn(edge, "boundary", first_face));
+        continue;
+      }
+      Report_item item = item_of(i, edge, decided.verdicts[i], decided.model);
+      item.place = before + item.place;
+      if (!page_.count(item.grade, item.severity)) continue;
+      item.number = page_.total();
+      item.edge = edges_.size();
+      edges_.push_back(drawn(edge, report_grade_name(item.grade), first_face));
+      page_.add(std::move(item));
+    }
+  }
+
+  // Fills the page when all is gathered.
+  void finish() {
+    page_.finish();
+    Report_model& model = page_.model.emplace();
+    for (const Report_item& item : page_.items()) model.edges.push_back(std::move(edges_[item.edge]));
+    page_.number_edges();
+    limit_faces(model.edges);
+    model.patches = std::move(faces_);
+    std::move(others_.begin(), others_.end(), std::back_inserter(model.edges));
+    round(model);
+    if (summary_.non_manifold > 0)
+      page_.notes.push_back(counted(summary_.non_manifold, "edge") +
+                            " of three faces or more: drawn as boundary, not decided.");
+    if (summary_.sewn > 0) page_.notes.push_back(sewn_words(summary_.sewn) + '.');
+    if (summary_.projected > 0)
+      page_.notes.push_back(
+          counted(summary_.projected, "edge") +
+          " with curves in parameter planes that are not in the file, but projections of those in space.");
+    page_.summary = counted(summary_.faces, "face") + ", " + counted(summary_.decided(), "edge") +
+                    " of two sides within " + demand_.tolerance + "; lengths in mm";
+  }
+};
+
+} // namespace
+
+void report_cad(const Arguments& files, const Report_demand& demand, Report_page& page) {
+  page.dimension = 3;
+  Cad_page gatherer(
+      demand_within(demand.tolerance.empty() ? default_cad_tolerance : demand.tolerance, demand.kink_bound),
+      demand.sewing, page);
+  for (const std::string& file : files) gatherer.gather(file, files.size() > 1 ? file + ": " : "");
+  gatherer.finish();
+}

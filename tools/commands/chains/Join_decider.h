@@ -1,0 +1,142 @@
+// Copyright (c) 2026 The Geometric_continuity developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef GEOMETRIC_CONTINUITY_TOOLS_COMMANDS_CHAINS_JOIN_DECIDER_H
+#define GEOMETRIC_CONTINUITY_TOOLS_COMMANDS_CHAINS_JOIN_DECIDER_H
+
+#include "commands/chains/Chain_report.h"
+
+#include <CGAL/Geometric_continuity/IO/json.h>
+#include <CGAL/Geometric_continuity/joins/deviation.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <optional>
+#include <sstream>
+#include <string>
+
+// A join of a chain: the numbers of the spans, and where the left one ends.
+struct Join_place {
+  std::size_t left, right;
+  const std::string& file;
+  long long line; // 0 where it was not asked for
+};
+
+// Decides the joins of spans and writes the rows of a report, or its findings.
+template <class Span> class Join_decider {
+  const Join_demand& demand_;
+  const Report_mode mode_;
+
+public:
+  Join_decider(const Report_mode& mode, const Join_demand& demand) : demand_(demand), mode_(mode) {}
+
+  void operator()(const Join_place& place, const Span& left, const Span& right, Decided_joins& joins) const {
+    std::optional<GC::Order_within> within;
+    if (demand_.tolerance)
+      within = GC::order_within(left.jets(), right.jets(), demand_.tolerance->joins, demand_.limit);
+    const bool only_orders = mode_.summary || mode_.has_findings();
+    Join join = only_orders ? continuity_orders(left, right, demand_.max_order, demand_.limit)
+                            : continuity(left, right, demand_.max_order, demand_.limit);
+    joins.summary.add(join);
+    const bool fails = demand_.order && !demand_.order->met(join) &&
+                       !(within && (*within)(demand_.order->order()) == GC::Verdict::proved);
+    joins.failing += fails;
+    const bool is_undecided =
+        !demand_.order && within && has_undecided_order(*within); // else what is required is proved
+    joins.undecided += is_undecided;
+    const bool is_found = fails || is_undecided || (mode_.has_findings() && is_noted(join, within));
+    if (only_orders && is_found) join = continuity(left, right, demand_.max_order, demand_.limit);
+    if (mode_.has_findings()) {
+      if (is_found)
+        joins.findings.push_back(finding(place, join, left, right, within, fails, is_undecided));
+      else if (joins.passed.empty() || joins.passed.back().first != place.file)
+        joins.passed.emplace_back(place.file, 1);
+      else
+        ++joins.passed.back().second;
+      return;
+    }
+    if (mode_.summary && !fails) return;
+    std::string& rows = mode_.summary ? joins.failing_rows : joins.rows;
+    const std::size_t begin = rows.size();
+    if (mode_.format == Report_format::json)
+      append_json_row(rows, place, join, within, joins.stream);
+    else
+      append_row(rows, place, join, left, right, within);
+    if (fails && !mode_.summary) joins.failing_rows.append(rows, begin, std::string::npos);
+  }
+
+private:
+  bool has_undecided_order(const GC::Order_within& within) const {
+    return std::count(within.verdicts.begin(), within.verdicts.begin() + demand_.tolerance->order + 1,
+                      GC::Verdict::undecided) > 0;
+  }
+
+  // Whether a join is worth a note where nothing is required: a gap or a kink.
+  bool is_noted(const Join& join, const std::optional<GC::Order_within>& within) const {
+    const int smooth = (std::min)(demand_.max_order, 1);
+    return !demand_.order && join.g_order < smooth && !(within && (*within)(smooth) == GC::Verdict::proved);
+  }
+
+  static void append_json_row(std::string& rows, const Join_place& place, const Join& join,
+                              const std::optional<GC::Order_within>& within, std::ostringstream& s) {
+    s.str("");
+    s << ",\n {";
+    GC::write_json_members(s, join, static_cast<int>(place.left), static_cast<int>(place.right));
+    if (within) {
+      s << ',';
+      GC::write_json_members(s, *within);
+    }
+    s << '}';
+    rows += s.str();
+  }
+
+  void append_row(std::string& rows, const Join_place& place, const Join& join, const Span& left, const Span& right,
+                  const std::optional<GC::Order_within>& within) const {
+    append_table_row(rows, join, place.left, place.right, left, right);
+    if (!within) return;
+    std::ostringstream s;
+    s << "             within the tolerance: order";
+    for (int order = 0; order <= demand_.tolerance->order; ++order)
+      s << (order > 0 ? ", " : " ") << order << ' ' << (*within)(order);
+    s << "; " << within->deviation << '\n';
+    rows += s.str();
+  }
+
+  static Finding_rule rule(const Join& join) {
+    if (join.c_order < 0) return Finding_rule::gap;
+    if (!join.regular) return Finding_rule::tangent;
+    if (!*join.tangent_equal) return Finding_rule::kink;
+    return *join.curvature_vector_equal ? Finding_rule::derivative : Finding_rule::curvature;
+  }
+
+  Finding finding(const Join_place& place, const Join& join, const Span& left, const Span& right,
+                  const std::optional<GC::Order_within>& within, bool fails, bool is_undecided) const {
+    const GC::Join_deviation deviation =
+        within ? within->deviation : GC::deviation(left.jets(), right.jets(), demand_.limit);
+    Finding f;
+    f.file = place.file;
+    f.line = place.line;
+    f.kind = "join";
+    f.place = "join " + std::to_string(place.left) + " -> " + std::to_string(place.right);
+    is_undecided = is_undecided || (fails && within && (*within)(demand_.order->order()) == GC::Verdict::undecided);
+    f.rule = is_undecided ? Finding_rule::undecided : rule(join);
+    f.level = fails || (is_undecided && mode_.strict) ? Finding_level::error
+              : is_undecided                          ? Finding_level::warning
+                                                      : Finding_level::note;
+    const Join_words words = join_words(join, left, right);
+    std::ostringstream message, properties;
+    if (fails)
+      message << "not " << demand_.order->text() << (within ? " within the tolerance" : "") << ", ";
+    else if (is_undecided)
+      message << "an order is undecided within the tolerance, ";
+    message << words.remark << " at " << words.point << "; " << deviation;
+    f.message = message.str();
+    GC::write_json_members(properties, join, static_cast<int>(place.left), static_cast<int>(place.right));
+    GC::write_json_members(properties << ',', deviation);
+    f.properties = properties.str();
+    return f;
+  }
+};
+
+#endif // GEOMETRIC_CONTINUITY_TOOLS_COMMANDS_CHAINS_JOIN_DECIDER_H

@@ -1,0 +1,144 @@
+// Copyright (c) 2026 The Geometric_continuity developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#include "commands/chains/join_report.h"
+
+#include "commands/chains/remark_numbers.h"
+
+#include <algorithm>
+#include <charconv>
+#include <iostream>
+#include <stdexcept>
+#include <utility>
+
+namespace {
+
+// A column of a table.
+std::string padded(std::string text, std::size_t width) {
+  text.append(text.size() < width ? width - text.size() + 1 : 1, ' ');
+  return text;
+}
+
+// "from x to y", or the size of the jump when it does not show in the rounded numbers.
+template <class Size> std::string jump(const std::string& from, const std::string& to, Size size) {
+  return from != to ? "from " + from + " to " + to : "by " + size() + " at " + from;
+}
+
+template <class Numbers> std::string remark_of(const Join& join, const Numbers& numbers) {
+  if (join.c_order < 0) return "the ends are " + numbers.gap() + " apart";
+  if (!join.regular) {
+    const bool left_zero = numbers.left_is_zero(), right_zero = numbers.right_is_zero();
+    return std::string("zero tangent ") + (left_zero && right_zero ? "on both sides"
+                                           : left_zero             ? "at the end of the left curve"
+                                                                   : "at the start of the right curve");
+  }
+  if (!*join.tangent_equal)
+    return numbers.is_cusp() ? "cusp: the curve turns back" : "kink of " + numbers.angle() + " degrees";
+  if (!*join.curvature_vector_equal) {
+    if (*join.curvature_equal)
+      return "equal curvature " + numbers.left_curvature() + ", but the curve bends another way";
+    return "curvature jumps " +
+           jump(numbers.left_curvature(), numbers.right_curvature(), [&] { return numbers.curvature_jump(); });
+  }
+  if (join.torsion_equal && !*join.torsion_equal)
+    return "torsion jumps " +
+           jump(numbers.left_torsion(), numbers.right_torsion(), [&] { return numbers.torsion_jump(); });
+  return "smooth";
+}
+
+template <class Numbers> Join_words words_of(const Join& join, int dimension, const Numbers& numbers) {
+  Join_words words{"(", remark_of(join, numbers)};
+  for (int i = 0; i < dimension; ++i) (words.point += i == 0 ? "" : ", ") += numbers.coordinate(i);
+  words.point += ')';
+  return words;
+}
+
+} // namespace
+
+std::string rounded(double x, int digits) {
+  char text[64]; // as printf() does with %g, but zero has no sign
+  return std::string(text,
+                     std::to_chars(text, text + sizeof text, x == 0 ? 0.0 : x, std::chars_format::general, digits).ptr);
+}
+
+std::string counted(std::size_t n, const std::string& noun) {
+  return std::to_string(n) + ' ' + noun + (n == 1 ? "" : "s");
+}
+
+int Conclusion::exit_code(const Report_mode& mode, const std::string& what) const {
+  if (decided == 0 && !mode.allow_empty) {
+    std::cerr << "geometric_continuity: verify: there is no " << what
+              << ", so that nothing was decided; --allow-empty accepts that\n";
+    return bad_input;
+  }
+  return met(mode) ? requirement_met : requirement_not_met;
+}
+
+Requirement::Requirement(const std::string& text) : order_(-1) {
+  const std::size_t kind = std::string("CGF").find(text.substr(0, 1));
+  const std::string digits = text.substr((std::min<std::size_t>)(1, text.size()));
+  if (!text.empty() && kind != std::string::npos && !digits.empty() && digits.size() <= 2 &&
+      digits.find_first_not_of("0123456789") == std::string::npos) {
+    kind_ = static_cast<GC::Continuity_kind>(kind);
+    order_ = std::stoi(digits);
+  }
+  if (order_ < 0 || order_ > 32)
+    throw std::invalid_argument("--require: '" + text + "' is not C, G or F with an order from 0 to 32, such as G2");
+}
+
+void Requirement::check_dimension(int dimension) const {
+  if (kind_ == GC::Continuity_kind::F && order_ > dimension)
+    throw std::invalid_argument("--require " + text() + ": the F order is at most the dimension, which is " +
+                                std::to_string(dimension));
+}
+
+std::string Requirement::text() const { return "CGF"[static_cast<int>(kind_)] + std::to_string(order_); }
+
+std::string orders(const Join& join) {
+  if (join.c_order < 0) return "gap";
+  return 'C' + std::to_string(join.c_order) + " G" + std::to_string(join.g_order) + " F" + std::to_string(join.f_order);
+}
+
+std::string remark(const Join& join, const Jet& left, const Jet& right) {
+  return remark_of(join, Exact_numbers(left, right));
+}
+
+std::optional<std::string> remark(const Join& join, const GC::Coordinate_jet<Interval, 2>& left,
+                                  const GC::Coordinate_jet<Interval, 2>& right) {
+  const Enclosed_numbers<2> numbers(left, right);
+  const std::string text = remark_of(join, numbers);
+  return numbers.certain() ? std::optional<std::string>(text) : std::nullopt;
+}
+
+template <class Span> Join_words join_words(const Join& join, const Span& left, const Span& right) {
+  Join_words words;
+  bool certain = false;
+  Span::visit_enclosures(left, right, [&](const auto& x, const auto& y) {
+    const Enclosed_numbers numbers(x, y);
+    words = words_of(join, x.dimension(), numbers);
+    certain = numbers.certain();
+  });
+  if (certain) return words;
+  const Jet x = left.jets().end_jet(3), y = right.jets().start_jet(3);
+  return words_of(join, x.dimension(), Exact_numbers(x, y));
+}
+
+std::string table_head() { return "join         orders      point                     remark\n"; }
+
+template <class Span>
+void append_table_row(std::string& table, const Join& join, std::size_t left, std::size_t right, const Span& left_span,
+                      const Span& right_span) {
+  table += padded(std::to_string(left) + " -> " + std::to_string(right), 12);
+  table += padded(orders(join), 11);
+  Join_words words = join_words(join, left_span, right_span);
+  table += padded(std::move(words.point), 25);
+  (table += words.remark) += '\n';
+}
+
+template Join_words join_words(const Join&, const Program_span<GC::Text_number>&, const Program_span<GC::Text_number>&);
+template Join_words join_words(const Join&, const Program_span<double>&, const Program_span<double>&);
+template void append_table_row(std::string&, const Join&, std::size_t, std::size_t,
+                               const Program_span<GC::Text_number>&, const Program_span<GC::Text_number>&);
+template void append_table_row(std::string&, const Join&, std::size_t, std::size_t, const Program_span<double>&,
+                               const Program_span<double>&);

@@ -1,0 +1,86 @@
+// Copyright (c) 2026 The Geometric_continuity developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef GEOMETRIC_CONTINUITY_TOOLS_COMMANDS_CHAINS_JOIN_REPORT_H
+#define GEOMETRIC_CONTINUITY_TOOLS_COMMANDS_CHAINS_JOIN_REPORT_H
+
+#include "commands/commands.h"
+#include "formats/g2_text/curves.h"
+
+#include <CGAL/Geometric_continuity/joins/chain_continuity.h>
+#include <CGAL/Interval_nt.h>
+
+#include <cstddef>
+#include <optional>
+#include <string>
+
+typedef GC::Join_continuity<Exact> Join;
+
+// An order of continuity that is asked for, e.g. "G2".
+class Requirement {
+  GC::Continuity_kind kind_;
+  int order_;
+
+public:
+  // Throws std::invalid_argument unless the text is C, G or F with a number from 0 to 32.
+  explicit Requirement(const std::string& text);
+  GC::Continuity_kind kind() const { return kind_; }
+  int order() const { return order_; }
+  bool met(const Join& join) const { return GC::order_of(join, kind_) >= order_; }
+
+  // Throws std::invalid_argument for an F order that no join has in this dimension, such as F3 in the plane.
+  void check_dimension(int dimension) const;
+
+  std::string text() const;
+};
+
+// What a report comes to.
+struct Conclusion {
+  std::size_t decided;    // joins, edges and knot lines
+  std::size_t failing;    // those that do not meet the requirement
+  std::size_t unverified; // what could not be verified and is not counted above
+
+  bool met(const Report_mode& mode) const { return failing == 0 && !(mode.strict && unverified > 0); }
+
+  // Returns `true` or `false`, or `null` when nothing was decided.
+  std::string json_met(const Report_mode& mode) const { return decided == 0 ? "null" : met(mode) ? "true" : "false"; }
+
+  // Returns the exit code. When nothing was decided and that is not allowed, says on standard error that there is no `what`.
+  int exit_code(const Report_mode& mode, const std::string& what) const;
+};
+
+// Returns a number and its noun, e.g. "1 join" or "2 joins".
+std::string counted(std::size_t n, const std::string& noun);
+
+// Returns a number with this many significant digits.
+std::string rounded(double x, int digits);
+
+// Returns the orders of a join, e.g. "C1 G2 F2", or "gap".
+std::string orders(const Join& join);
+
+// Returns what a reader wants to know of a join beyond its orders, in words and rounded numbers, from the jets of order 3 on both
+// sides.
+std::string remark(const Join& join, const GC::Curve_jet<Program_traits<Exact>>& left,
+                   const GC::Curve_jet<Program_traits<Exact>>& right);
+
+// The same from enclosures of the jets in the plane, while rounding is upwards; empty where they do not tell the rounded numbers.
+std::optional<std::string> remark(const Join& join, const GC::Coordinate_jet<CGAL::Interval_nt<false>, 2>& left,
+                                  const GC::Coordinate_jet<CGAL::Interval_nt<false>, 2>& right);
+
+// The point and the remark of a join, for a table and for findings.
+struct Join_words {
+  std::string point, remark;
+};
+
+template <class Span> Join_words join_words(const Join& join, const Span& left, const Span& right);
+
+// Returns the first line of a table of joins.
+std::string table_head();
+
+// Appends the line of a join: the numbers of both curves, the orders, the point, the remark.
+template <class Span>
+void append_table_row(std::string& table, const Join& join, std::size_t left, std::size_t right, const Span& left_span,
+                      const Span& right_span);
+
+#endif // GEOMETRIC_CONTINUITY_TOOLS_COMMANDS_CHAINS_JOIN_REPORT_H

@@ -1,0 +1,26 @@
+// Copyright (c) 2026 The Geometric_continuity developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef GEOMETRIC_CONTINUITY_TOOLS_COMMANDS_CHAINS_VERIFY_CHAIN_H
+#define GEOMETRIC_CONTINUITY_TOOLS_COMMANDS_CHAINS_VERIFY_CHAIN_H
+
+#include "commands/chains/join_report.h"
+#include "commands/commands.h"
+#include "commands/tolerances.h"
+
+#include <optional>
+
+// What is asked of the joins of a chain.
+struct Join_demand {
+  int max_order;
+  std::optional<Requirement> order;
+  std::optional<Tolerances> tolerance;
+  GC::Work_limit limit; // for each join, and for the pieces of each curve
+};
+
+// Decides the joins of the chain that the curves of the files form, and of its end and its start when it is closed, and prints a
+// report. The numbers are those of the files, or these rounded to doubles.
+int verify_chain(const Arguments& files, bool rounded, bool closed, const Report_mode& mode, const Join_demand& demand);
+
+#endif // GEOMETRIC_CONTINUITY_TOOLS_COMMANDS_CHAINS_VERIFY_CHAIN_H

@@ -1,0 +1,143 @@
+// Copyright (c) 2026 The Geometric_continuity developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef GEOMETRIC_CONTINUITY_TOOLS_COMMANDS_COMMAND_LINE_H
+#define GEOMETRIC_CONTINUITY_TOOLS_COMMANDS_COMMAND_LINE_H
+
+#include "commands/commands.h"
+#include "files/input.h"
+
+#include <CGAL/Geometric_continuity/IO/number.h>
+#include <CGAL/Geometric_continuity/numbers/Work_limit.h>
+
+#include <boost/program_options.hpp>
+
+#include <algorithm>
+#include <charconv>
+#include <cstdint>
+#include <iostream>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <system_error>
+#include <vector>
+
+namespace po = boost::program_options;
+
+// The arguments of one command: named options and files. Prints the help itself when it is asked for.
+class Command_line {
+  po::options_description options_;
+  po::variables_map values_;
+
+public:
+  // Parses the arguments; `describe(add)` adds the options of the command, each by a call of `add`.
+  template <class Describe>
+  Command_line(const std::string& usage, const Arguments& arguments, Describe describe) : options_("options") {
+    describe(options_.add_options()("help,h", "print this text"));
+    po::options_description all;
+    all.add(options_).add_options()("file", po::value<Arguments>());
+    po::positional_options_description positional;
+    positional.add("file", -1);
+    namespace style = po::command_line_style;
+    po::store(po::command_line_parser(arguments)
+                  .options(all)
+                  .positional(positional)
+                  .style(style::unix_style & ~style::allow_guessing)
+                  .run(),
+              values_);
+    if (help()) std::cout << usage << '\n' << options_;
+    const Arguments names = files();
+    if (std::count_if(names.begin(), names.end(), is_standard_input) > 1)
+      throw std::invalid_argument("standard input is to be read twice");
+  }
+
+  // Whether the help was printed, so that nothing else is to be done.
+  bool help() const { return values_.count("help") != 0; }
+
+  // Whether an option is given; its default value does not count.
+  bool has(const std::string& option) const { return values_.count(option) != 0 && !values_[option].defaulted(); }
+
+  // Refuses options that have no meaning here, with the reason, e.g. "not with --surfaces".
+  void refuse(const Arguments& options, const std::string& reason) const {
+    for (const std::string& option : options)
+      if (has(option)) throw std::invalid_argument("--" + option + ": " + reason);
+  }
+
+  // The arguments that are no options.
+  Arguments files() const { return has("file") ? values_["file"].as<Arguments>() : Arguments(); }
+
+  // The value of an option, or its default value; empty when there is none.
+  std::string text(const std::string& option) const {
+    return values_.count(option) != 0 ? values_[option].as<std::string>() : "";
+  }
+
+  int integer(const std::string& option) const { return values_[option].as<int>(); }
+
+  // The value of an option that must not lie outside of these bounds.
+  int integer(const std::string& option, int low, int high) const {
+    const int value = integer(option);
+    if (value < low || high < value)
+      throw std::invalid_argument("--" + option + ": " + std::to_string(value) + " is not from " + std::to_string(low) +
+                                  " to " + std::to_string(high));
+    return value;
+  }
+
+  // The number that an option gives, or `otherwise` when it is not given.
+  template <class FT> FT number(const std::string& option, const FT& otherwise) const {
+    return has(option) ? parsed<FT>(option, text(option)) : otherwise;
+  }
+
+  // The length that an option gives, if it is given, rounded.
+  std::optional<double> length(const std::string& option) const {
+    if (!has(option)) return std::nullopt;
+    const double value = parsed<double>(option, text(option));
+    if (!(value > 0 && value < 1e9))
+      throw std::invalid_argument("--" + option + ": '" + text(option) + "' is not a positive length");
+    return value;
+  }
+
+  // The numbers that an option gives, separated by commas.
+  template <class FT> std::vector<FT> numbers(const std::string& option) const {
+    const std::string words = text(option);
+    std::vector<FT> result;
+    for (std::size_t begin = 0, end; begin <= words.size(); begin = end + 1) {
+      end = (std::min)(words.find(',', begin), words.size());
+      result.push_back(parsed<FT>(option, words.substr(begin, end - begin)));
+    }
+    return result;
+  }
+
+  // What --max-work gives; the default of the library when it is not given.
+  CGAL::Geometric_continuity::Work_limit work_limit() const {
+    if (!has("max-work")) return {};
+    const std::string word = text("max-work");
+    std::uint64_t steps = 0;
+    const std::from_chars_result end = std::from_chars(word.data(), word.data() + word.size(), steps);
+    if (end.ec != std::errc() || end.ptr != word.data() + word.size() || steps == 0)
+      throw std::invalid_argument("--max-work: '" + word + "' is not a number of steps, such as 4000000000");
+    return CGAL::Geometric_continuity::Work_limit(steps);
+  }
+
+  // The value of an option that must be one of the given words.
+  std::string choice(const std::string& option, const Arguments& words) const {
+    const std::string word = text(option);
+    std::string known;
+    for (const std::string& w : words) {
+      if (w == word) return word;
+      known += (known.empty() ? "" : ", ") + w;
+    }
+    throw std::invalid_argument("--" + option + ": '" + word + "' is none of " + known);
+  }
+
+private:
+  template <class FT> static FT parsed(const std::string& option, const std::string& word) {
+    try {
+      return CGAL::Geometric_continuity::parse_number<FT>(word);
+    } catch (const std::exception& e) {
+      throw std::invalid_argument("--" + option + ": " + e.what());
+    }
+  }
+};
+
+#endif // GEOMETRIC_CONTINUITY_TOOLS_COMMANDS_COMMAND_LINE_H

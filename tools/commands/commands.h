@@ -1,0 +1,64 @@
+// Copyright (c) 2026 The Geometric_continuity developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef GEOMETRIC_CONTINUITY_TOOLS_COMMANDS_COMMANDS_H
+#define GEOMETRIC_CONTINUITY_TOOLS_COMMANDS_COMMANDS_H
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace CGAL {
+namespace Geometric_continuity {
+struct Edge_tolerance;
+class Work_limit;
+} // namespace Geometric_continuity
+} // namespace CGAL
+
+// What the program returns to the shell.
+enum Exit_code { requirement_met = 0, requirement_not_met = 1, bad_input = 2 };
+
+// How `verify` prints what it decided.
+enum class Report_format { text, json, sarif, junit };
+
+// How `verify` reports and judges what it decided.
+struct Report_mode {
+  Report_format format = Report_format::text;
+  bool strict = false;      // what could not be verified counts as not met
+  bool allow_empty = false; // nothing to decide is no error
+  bool summary = false;     // only the counts and what does not meet the requirement
+
+  // Whether the report consists of findings.
+  bool has_findings() const { return format == Report_format::sarif || format == Report_format::junit; }
+};
+
+typedef std::vector<std::string> Arguments;
+
+// Each command parses its own arguments, returns an Exit_code, and throws on bad input.
+int blend_command(const Arguments& arguments);
+int connect_command(const Arguments& arguments);
+int extend_command(const Arguments& arguments);
+int plot_command(const Arguments& arguments);
+int repair_command(const Arguments& arguments);
+int report_command(const Arguments& arguments);
+int tessellate_command(const Arguments& arguments);
+int verify_command(const Arguments& arguments);
+
+// A picture of surfaces, as its options describe it.
+struct Surface_picture {
+  std::string output, title;
+  std::string view;    // "AZIMUTH,ELEVATION" in degrees; empty for the default
+  bool shaded = false; // otherwise in strips that show kinks
+};
+
+// Runs `plot --surfaces`: draws the surfaces of the files as one model.
+int plot_surfaces(const Arguments& files, const Surface_picture& picture);
+
+// Runs `verify --surfaces`: decides the edges of the model that the files form, and prints a report. With a tolerance
+// an edge meets the requirement also when it does so within the tolerance.
+int verify_surfaces(const Arguments& files, const Report_mode& mode, const std::optional<int>& required_g_order,
+                    const std::optional<CGAL::Geometric_continuity::Edge_tolerance>& tolerance,
+                    CGAL::Geometric_continuity::Work_limit limit);
+
+#endif // GEOMETRIC_CONTINUITY_TOOLS_COMMANDS_COMMANDS_H

@@ -1,0 +1,142 @@
+// Copyright (c) 2026 The Geometric_continuity developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#include "commands/drawings/drawing_kink.h"
+
+#include "commands/chains/join_report.h"
+
+#include "formats/svg/svg_grade.h"
+#include <CGAL/Geometric_continuity/IO/json.h>
+#include <CGAL/Geometric_continuity/joins/Kink_size.h>
+
+#include <array>
+#include <cmath>
+#include <sstream>
+
+namespace {
+
+typedef GC::Svg_segment<Drawing_traits> Segment;
+typedef GC::Svg_transform<Drawing_traits> Transform;
+typedef Drawing_traits::FT Number;
+typedef CGAL::Interval_nt<false> Interval;
+
+constexpr int most_units = 18; // decimals of which the last one is spoken of
+
+// What is said of a kink: enclosures.
+struct Kink_numbers {
+  GC::Enclosure degrees;
+  std::optional<GC::Enclosure> offset,
+      units; // of the handle: not at corners, not of arcs, and not where there are no decimals
+};
+
+// (x, y) -> (ax + cy + e, bx + dy + f) is inverted by Cramer's rule.
+std::optional<Transform> to_units(const Drawing_element& element) {
+  if (element.decimals < 0 || most_units < element.decimals) return std::nullopt;
+  const std::array<Number, 6>& m = element.transform.matrix();
+  Number det = element.transform.determinant();
+  for (int i = 0; i < element.decimals; ++i) det /= 10;
+  const Number a = m[3] / det, b = -m[1] / det, c = -m[2] / det, d = m[0] / det;
+  return Transform({a, b, c, d, Number(-a * m[4] - c * m[5]), Number(-b * m[4] - d * m[5])});
+}
+
+Kink_numbers exact_numbers(const std::optional<Transform>& to_units, const Segment& left, const Segment& right,
+                           GC::Join_grade grade) {
+  Kink_numbers n{GC::in_degrees(*GC::tangent_angle(left, right)), {}, {}};
+  if (grade == GC::Join_grade::corner || !left.bezier() || !right.bezier()) return n;
+  const auto offset = [](const Segment& x, const Segment& y) {
+    return GC::kink_size(*x.bezier(), *y.bezier())->handle_offset;
+  };
+  n.offset = offset(left, right);
+  if (to_units) n.units = offset(left.transform(*to_units), right.transform(*to_units));
+  return n;
+}
+
+struct Enclosed_vector {
+  Interval x, y;
+};
+Interval cross(const Enclosed_vector& a, const Enclosed_vector& b) { return a.x * b.y - a.y * b.x; }
+Interval dot(const Enclosed_vector& a, const Enclosed_vector& b) { return a.x * b.x + a.y * b.y; }
+
+// |a x b| / max(|a|, |b|), for an acute angle.
+GC::Enclosure enclosed_offset(const Enclosed_vector& a, const Enclosed_vector& b) {
+  const Interval offset = CGAL::abs(cross(a, b)) / CGAL::sqrt((CGAL::max)(dot(a, a), dot(b, b)));
+  return {offset.inf(), offset.sup()};
+}
+
+GC::Enclosure enclosed_degrees(const Enclosed_vector& a, const Enclosed_vector& b) {
+  const Interval sine = CGAL::abs(cross(a, b)), cosine = dot(a, b);
+  const double degree = 57.29577951308232, rounding = 1e-14; // of atan2() in any rounding mode
+  // the angle falls with the cosine; with the sine it grows up to a right angle, and falls beyond
+  const double low = std::atan2(cosine.sup() < 0 ? sine.sup() : sine.inf(), cosine.sup()),
+               high = std::atan2(cosine.inf() < 0 ? sine.inf() : sine.sup(), cosine.inf());
+  return {low * degree * (1 - rounding), high * degree * (1 + rounding)};
+}
+
+// The same from enclosures of the jets, where both segments are short Bezier curves whose handles are not parallel, at a kink with an
+// acute angle.
+std::optional<Kink_numbers> enclosed_numbers(const std::optional<Transform>& to_units, const Segment& left,
+                                             const Segment& right, GC::Join_grade grade) {
+  std::optional<Kink_numbers> numbers;
+  GC::visit_enclosures(left, right, [&](const auto& x, const auto& y) {
+    const Interval m(left.bezier()->degree()), n(right.bezier()->degree());
+    const Enclosed_vector a{x[1][0] / m, x[1][1] / m}, b{y[1][0] / n, y[1][1] / n};
+    if (!(0 < CGAL::abs(cross(a, b)).inf())) return;
+    if (grade == GC::Join_grade::kink && !(0 < dot(a, b).inf())) return;
+    numbers = Kink_numbers{enclosed_degrees(a, b), {}, {}};
+    if (grade == GC::Join_grade::corner) return;
+    numbers->offset = enclosed_offset(a, b);
+    if (!to_units) return;
+    const auto entry = [&](int i) { return Interval(CGAL::to_interval(to_units->matrix()[i])); };
+    const auto image = [&](const Enclosed_vector& v) -> Enclosed_vector {
+      return {entry(0) * v.x + entry(2) * v.y, entry(1) * v.x + entry(3) * v.y};
+    };
+    numbers->units = enclosed_offset(image(a), image(b));
+  });
+  return numbers;
+}
+
+// Whether four digits of the number are known.
+bool is_certain(const GC::Enclosure& x) { return rounded(x.lower, 4) == rounded(x.upper, 4); }
+bool is_certain(const Kink_numbers& n) {
+  return is_certain(n.degrees) && (!n.offset || is_certain(*n.offset)) && (!n.units || is_certain(*n.units));
+}
+
+std::string text(const GC::Enclosure& x) {
+  if (is_certain(x)) return rounded(x.lower, 4);
+  std::ostringstream bounds;
+  bounds.precision(4);
+  bounds << x;
+  return bounds.str();
+}
+
+} // namespace
+
+Drawing_kink_words::Drawing_kink_words(const Drawing_element& element) : to_units_(to_units(element)) {}
+
+std::string Drawing_kink_words::operator()(const Segment& left, const Segment& right, GC::Join_grade grade) const {
+  if (grade != GC::Join_grade::corner && grade != GC::Join_grade::kink) return to_string(grade);
+  std::optional<Kink_numbers> n = enclosed_numbers(to_units_, left, right, grade);
+  if (!n || !is_certain(*n)) n = exact_numbers(to_units_, left, right, grade);
+  std::string s = to_string(grade) + " of " + text(n->degrees) + " degrees";
+  if (n->offset) s += ", a handle is off by " + text(*n->offset);
+  if (n->units) s += " (" + text(*n->units) + (text(*n->units) == "1" ? " unit" : " units") + " of the last decimal)";
+  return s;
+}
+
+void write_drawing_kink(std::ostream& os, const Segment& left, const Segment& right,
+                        const std::optional<GC::Join_grade>& grade) {
+  if (!grade) {
+    os << ",\"grade\":null,\"angle_degrees\":null";
+    return;
+  }
+  os << ",\"grade\":\"" << *grade << "\",\"angle_degrees\":";
+  if (*grade == GC::Join_grade::g1 || *grade == GC::Join_grade::g2) {
+    os << "[0,0]";
+    return;
+  }
+  GC::write_json(os, std::optional<GC::Enclosure>(GC::in_degrees(*GC::tangent_angle(left, right))));
+  if (*grade == GC::Join_grade::kink && left.bezier() && right.bezier())
+    GC::write_json(os << ",\"handle_offset\":",
+                   std::optional<GC::Enclosure>(GC::kink_size(*left.bezier(), *right.bezier())->handle_offset));
+}

@@ -1,0 +1,33 @@
+// Copyright (c) 2026 The Geometric_continuity developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef GEOMETRIC_CONTINUITY_TOOLS_COMMANDS_DRAWINGS_DRAWING_KINK_H
+#define GEOMETRIC_CONTINUITY_TOOLS_COMMANDS_DRAWINGS_DRAWING_KINK_H
+
+#include "formats/svg/svg_drawing.h"
+
+#include <CGAL/Geometric_continuity/joins/Join_grade.h>
+
+#include <optional>
+#include <ostream>
+#include <string>
+
+// Says how the joins of an element are drawn, e.g. "corner of 90 degrees" or "kink of 0.573 degrees, a handle is off by 0.2 (2 units of
+// the last decimal)". Of each number four digits are certain; where they are not, both bounds are given.
+class Drawing_kink_words {
+  // From the drawing to the coordinates of the element in units of their last decimal; empty where there are no decimals.
+  std::optional<GC::Svg_transform<Drawing_traits>> to_units_;
+
+public:
+  explicit Drawing_kink_words(const Drawing_element& element);
+
+  std::string operator()(const GC::Svg_segment<Drawing_traits>& left, const GC::Svg_segment<Drawing_traits>& right,
+                         GC::Join_grade grade) const;
+};
+
+// Writes `,"grade":…,"angle_degrees":[…,…]`, and for a kink `"handle_offset":[…,…]` in units of the drawing.
+void write_drawing_kink(std::ostream& os, const GC::Svg_segment<Drawing_traits>& left,
+                        const GC::Svg_segment<Drawing_traits>& right, const std::optional<GC::Join_grade>& grade);
+
+#endif // GEOMETRIC_CONTINUITY_TOOLS_COMMANDS_DRAWINGS_DRAWING_KINK_H

@@ -1,0 +1,91 @@
+// Copyright (c) 2026 The Geometric_continuity developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#include "commands/chains/join_report.h"
+#include "commands/work_limit.h"
+#include "files/input.h"
+#include "files/progress.h"
+#include "reports/report_joins.h"
+
+#include <cstddef>
+#include <functional>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace {
+
+// Measures the joins of all subpaths that it receives.
+class Drawing_page : public Drawing_handler {
+  typedef GC::Svg_segment<Drawing_traits> Segment;
+  const Report_demand& demand_;
+  Report_page& page_;
+  const bool several_;
+  std::size_t subpaths_ = 0, not_read_ = 0;
+  Progress progress_{"joins"};
+  std::function<void()> show_progress_ = [] {};
+
+  static std::string command(const Segment& s) { return std::to_string(s.command) + ' ' + s.letter; }
+
+public:
+  Drawing_page(const Report_demand& demand, Report_page& page, bool several)
+      : demand_(demand), page_(page), several_(several) {}
+
+  void read(const Arguments& files) {
+    const Reading_position position(files);
+    for (std::size_t i = 0; i < files.size(); ++i) {
+      Input input(files[i]);
+      show_progress_ = [&] { progress_.step(page_.total(), [&] { return position.part(i, input); }); };
+      input.after_each_block(show_progress_);
+      read_svg_drawing(input, input_name(files[i]), *this);
+      show_progress_ = [] {};
+    }
+    page_.summary = counted(page_.total(), "join") + " in " + counted(subpaths_, "subpath");
+    if (not_read_ > 0) page_.summary += ", " + counted(not_read_, "element") + " not verified";
+  }
+
+  void subpath(const Drawing_element& element, int number, const Drawing_subpath& path) override {
+    const std::size_t n = path.segments.size(), group = subpaths_++;
+    Report_outline drawn(n);
+    const auto drawing = [&](std::size_t i) {
+      if (!drawn[i]) drawn[i] = drawn_curve(path.segments[i], group);
+      return drawn[i];
+    };
+    std::shared_ptr<const Report_outline> outline;
+    for (const Segment& s : path.segments) page_.include({CGAL::to_double(s.end().x()), CGAL::to_double(s.end().y())});
+    for (std::size_t i = 0; i < (path.closed ? n : n - 1); ++i) {
+      const Segment &left = path.segments[i], &right = path.segments[(i + 1) % n];
+      Report_item item = within_work_limit([&] { return "commands " + command(left) + " and " + command(right); },
+                                           [&] { return measured_join(left, right, demand_); });
+      show_progress_();
+      if (!page_.count(item.grade, item.severity)) continue;
+      item.number = page_.total();
+      item.place = (several_ ? element.file + ": " : "") + element.text() + ", subpath " + std::to_string(number) +
+                   ", commands " + command(left) + " - " + command(right);
+      if (!outline && n <= most_curves_of_outline) {
+        for (std::size_t j = 0; j < n; ++j) drawing(j);
+        outline = std::make_shared<const Report_outline>(drawn);
+      }
+      item.outline = outline;
+      item.left = drawing(i);
+      item.right = drawing((i + 1) % n);
+      page_.add(std::move(item));
+    }
+  }
+
+  void not_read(const Drawing_element& element, const std::string& reason) override {
+    ++not_read_;
+    page_.notes.push_back((several_ ? element.file + ": " : "") + element.text() + ": not verified, " + reason);
+  }
+};
+
+} // namespace
+
+void report_drawings(const Arguments& files, const Report_demand& demand, Report_page& page) {
+  page.down = true;
+  Drawing_page drawing(demand, page, files.size() > 1);
+  drawing.read(files);
+  page.finish();
+}

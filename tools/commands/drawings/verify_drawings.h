@@ -1,0 +1,27 @@
+// Copyright (c) 2026 The Geometric_continuity developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef GEOMETRIC_CONTINUITY_TOOLS_COMMANDS_DRAWINGS_VERIFY_DRAWINGS_H
+#define GEOMETRIC_CONTINUITY_TOOLS_COMMANDS_DRAWINGS_VERIFY_DRAWINGS_H
+
+#include "commands/chains/join_report.h"
+#include "commands/commands.h"
+
+#include <CGAL/Geometric_continuity/joins/Kink_bound.h>
+
+#include <optional>
+#include <string>
+
+// The largest angle that is a kink, and whether corners, which are larger, are meant and need not meet a requirement.
+struct Kink_rule {
+  std::string degrees; // as it is written
+  GC::Kink_bound bound;
+  bool corners_are_meant;
+};
+
+// Runs `verify` for SVG drawings: prints the joins of all paths and basic shapes, and returns the exit code.
+int verify_drawings(const Arguments& files, int max_order, GC::Work_limit limit, const Report_mode& mode,
+                    const std::optional<Requirement>& required, const Kink_rule& kinks);
+
+#endif // GEOMETRIC_CONTINUITY_TOOLS_COMMANDS_DRAWINGS_VERIFY_DRAWINGS_H

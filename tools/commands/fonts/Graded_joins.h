@@ -1,0 +1,145 @@
+// Copyright (c) 2026 The Geometric_continuity developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef GEOMETRIC_CONTINUITY_TOOLS_COMMANDS_FONTS_GRADED_JOINS_H
+#define GEOMETRIC_CONTINUITY_TOOLS_COMMANDS_FONTS_GRADED_JOINS_H
+
+#include "commands/fonts/Glyph_join.h"
+#include "formats/font/Glyph_outline.h"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <numeric>
+#include <string>
+#include <utility>
+#include <vector>
+
+// How many joins of a glyph or of a font there are of each grade.
+class Join_counts {
+  std::array<std::size_t, 5> of_grade_{};
+  std::size_t off_ = 0;
+
+public:
+  void add(GC::Join_grade grade, const Glyph_join& join) {
+    ++of_grade_[static_cast<std::size_t>(grade)];
+    if (grade == GC::Join_grade::kink) off_ += join.is_off_by_more_than_one_unit();
+  }
+  std::size_t operator[](GC::Join_grade grade) const { return of_grade_[static_cast<std::size_t>(grade)]; }
+  std::size_t joins() const { return std::accumulate(of_grade_.begin(), of_grade_.end(), std::size_t(0)); }
+
+  // The kinks where a handle is off by more than one unit of the font.
+  std::size_t off_by_more_than_one_unit() const { return off_; }
+
+  // Those that are no corners, and not of the grade at least.
+  std::size_t below(GC::Join_grade required) const {
+    std::size_t sum = 0;
+    for (std::size_t i = static_cast<std::size_t>(GC::Join_grade::kink); i < static_cast<std::size_t>(required); ++i)
+      sum += of_grade_[i];
+    return sum;
+  }
+
+  Join_counts& operator+=(const Join_counts& x) {
+    for (std::size_t i = 0; i < of_grade_.size(); ++i) of_grade_[i] += x.of_grade_[i];
+    off_ += x.off_;
+    return *this;
+  }
+};
+
+// A join that a report shows.
+struct Shown_join {
+  int glyph;
+  std::size_t contour, node;
+  GC::Join_grade grade;
+  double severity; // in parts of an em
+  Glyph_segment left, right;
+  std::size_t copies = 0; // of the same two segments, moved
+  std::string glyph_name = {}, font_name = {};
+};
+
+// The worst joins of a glyph, of a font or of all fonts: kinks by severity, then those that are G1, in the order in which they
+// were added. Copies of a kink, as letters with accents have them, are counted once if that is wanted.
+class Worst_joins {
+  std::size_t most_;
+  bool unites_copies_;
+  std::vector<Shown_join> joins_; // more than there may be, so that they need not be sorted each time
+
+  // The coordinates of both segments from the node on.
+  static std::array<std::int64_t, 16> shape(const Shown_join& join) {
+    std::array<std::int64_t, 16> result{};
+    std::size_t i = 0;
+    for (const Glyph_segment* segment : {&join.left, &join.right})
+      for (std::size_t k = 0; k < 4; ++k, i += 2)
+        if (k <= static_cast<std::size_t>(segment->degree)) {
+          const Glyph_leg leg = segment->points[k] - join.right.start();
+          result[i] = leg.x;
+          result[i + 1] = leg.y;
+        }
+    return result;
+  }
+  static bool is_worse(const Shown_join& x, const Shown_join& y) {
+    return x.grade != y.grade ? x.grade < y.grade : x.severity > y.severity;
+  }
+  bool are_copies(const Shown_join& x, const Shown_join& y) const {
+    return x.grade == GC::Join_grade::kink && y.grade == GC::Join_grade::kink && x.severity == y.severity &&
+           x.font_name == y.font_name && x.left.degree == y.left.degree && x.right.degree == y.right.degree &&
+           shape(x) == shape(y);
+  }
+
+  void sort() {
+    std::stable_sort(joins_.begin(), joins_.end(), is_worse);
+    if (unites_copies_) unite_copies();
+    if (joins_.size() > most_) joins_.resize(most_);
+  }
+  void unite_copies() {
+    std::size_t size = 0;
+    for (Shown_join& join : joins_) {
+      std::size_t i = size; // looks back among those that are as bad, but not for ever
+      while (i > 0 && size - i < 100 && !is_worse(joins_[i - 1], join) && !are_copies(joins_[i - 1], join)) --i;
+      if (i > 0 && size - i < 100 && are_copies(joins_[i - 1], join))
+        joins_[i - 1].copies += 1 + join.copies;
+      else if (&joins_[size++] != &join)
+        joins_[size - 1] = std::move(join);
+    }
+    joins_.resize(size);
+  }
+
+public:
+  Worst_joins(std::size_t most, bool unites_copies) : most_(most), unites_copies_(unites_copies) {}
+
+  void add(const Shown_join& join) {
+    if (most_ == 0) return;
+    joins_.push_back(join);
+    if (joins_.size() >= 2 * most_ + 64) sort();
+  }
+
+  void clear() { joins_.clear(); }
+
+  // Returns them, the worst one first.
+  const std::vector<Shown_join>& sorted() {
+    sort();
+    return joins_;
+  }
+};
+
+// Grades the joins of a glyph. Calls show(contour, node, grade, join, left, right) for kinks, and for those that are G1 when G2 is
+// required.
+template <class Show>
+Join_counts grade_joins(const Glyph_outline& outline, const GC::Kink_bound& bound, GC::Join_grade required, Show show) {
+  Join_counts counts;
+  for (std::size_t contour = 0; contour < outline.contours(); ++contour) {
+    const Glyph_segment *const begin = outline.begin(contour), *const end = outline.end(contour), *left = end - 1;
+    for (const Glyph_segment* right = begin; right != end; left = right++) {
+      const Glyph_join join(*left, *right);
+      const GC::Join_grade grade = join.grade(bound);
+      counts.add(grade, join);
+      if (grade == GC::Join_grade::kink || (grade == GC::Join_grade::g1 && required == GC::Join_grade::g2))
+        show(contour, static_cast<std::size_t>(right - begin), grade, join, *left, *right);
+    }
+  }
+  return counts;
+}
+
+#endif // GEOMETRIC_CONTINUITY_TOOLS_COMMANDS_FONTS_GRADED_JOINS_H

@@ -1,0 +1,80 @@
+// Copyright (c) 2026 The Geometric_continuity developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef GEOMETRIC_CONTINUITY_TOOLS_COMMANDS_FONTS_INSTANCE_KINKS_H
+#define GEOMETRIC_CONTINUITY_TOOLS_COMMANDS_FONTS_INSTANCE_KINKS_H
+
+#include "formats/font/largest_kink.h"
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace GC = CGAL::Geometric_continuity;
+
+// What is asked of the joins of variable fonts.
+struct Instance_bounds {
+  GC::Kink_bound corner;   // above it an angle of the default instance is a corner, which is meant
+  GC::Kink_bound max_kink; // which no instance of the other joins should exceed
+};
+
+// What was found out about joins over all instances.
+struct Instance_counts {
+  std::size_t joins = 0;
+  std::size_t corners = 0;      // at the default instance
+  std::size_t no_direction = 0; // a leg has no length at the default instance
+  std::size_t not_covered = 0;  // more axes than can be covered
+  std::size_t proved = 0, refuted = 0, undecided = 0;
+  std::size_t smooth = 0;   // of the proved ones: the angle is 0 in every instance
+  std::size_t vanishes = 0; // of these three: a leg has no length at some instance
+
+  Instance_counts& operator+=(const Instance_counts& other);
+
+  std::size_t decided() const { return proved + refuted + undecided; }
+  std::size_t unverified() const { return no_direction + not_covered; }
+};
+
+// A join whose angle is not zero in every instance.
+struct Instance_kink {
+  int glyph, contour, point;
+  double x, y; // at the default instance
+  GC::Largest_kink kink;
+  GC::Enclosure initial_angle; // at the default instance, in radians
+  double severity;             // at the instance of the kink: the angle times the shorter leg over the em
+  std::string glyph_name = {}, font_name = {};
+  std::vector<std::string> instance = {}; // one text for each axis, e.g. "wght 650"
+};
+
+// Decides the joins of a glyph, and appends those whose angle is not zero in every instance.
+Instance_counts judge_instances(int index, const GC::Variable_outline& glyph, const GC::Variable_font& font,
+                                const Instance_bounds& bounds, std::vector<Instance_kink>& kinks);
+
+// The value of an axis for people.
+std::string axis_text(const GC::Variation_axis& axis, const GC::Variation_axis::FT& normalised);
+
+// The axes as an array of JSON objects.
+std::string axes_json(const std::vector<GC::Variation_axis>& axes);
+
+// Whether a kink is to be shown before another one: first by what the eye sees.
+bool shown_before(const Instance_kink& x, const Instance_kink& y);
+
+// E.g. "12 joins: 4 corners, ...".
+std::string counts_text(const Instance_counts& counts, const std::string& max_kink);
+
+// The members of a JSON object.
+std::string counts_json(const Instance_counts& counts);
+
+// A sentence without the place.
+std::string kink_text(const Instance_kink& kink);
+
+// A table for people.
+std::string kinks_table(const std::vector<Instance_kink>& kinks, const std::string& indentation);
+
+// The members of a JSON object.
+std::string kink_json(const Instance_kink& kink, const std::vector<GC::Variation_axis>& axes);
+
+// An array of such objects.
+std::string kinks_json(const std::vector<Instance_kink>& kinks, const std::vector<GC::Variation_axis>& axes);
+
+#endif // GEOMETRIC_CONTINUITY_TOOLS_COMMANDS_FONTS_INSTANCE_KINKS_H

@@ -1,0 +1,29 @@
+// Copyright (c) 2026 The Geometric_continuity developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef GEOMETRIC_CONTINUITY_TOOLS_COMMANDS_FONTS_VERIFY_FONTS_H
+#define GEOMETRIC_CONTINUITY_TOOLS_COMMANDS_FONTS_VERIFY_FONTS_H
+
+#include "commands/commands.h"
+#include "formats/font/Glyph_selection.h"
+
+#include <CGAL/Geometric_continuity/joins/Join_grade.h>
+#include <CGAL/Geometric_continuity/joins/Kink_bound.h>
+
+#include <cstddef>
+#include <optional>
+
+// What is asked of the joins of fonts.
+struct Font_demand {
+  Glyph_selection glyphs;
+  CGAL::Geometric_continuity::Kink_bound bound;                   // between kinks and corners
+  std::optional<CGAL::Geometric_continuity::Join_grade> required; // g1 or g2, of all joins but corners
+  std::size_t worst; // how many joins to show of each font, in JSON of each glyph
+};
+
+// Grades the joins of all glyphs of fonts, which are files and those in folders, prints a report and returns the exit code. Only
+// one font is in memory at a time.
+int verify_fonts(const Arguments& files, const Report_mode& mode, const Font_demand& demand);
+
+#endif // GEOMETRIC_CONTINUITY_TOOLS_COMMANDS_FONTS_VERIFY_FONTS_H

@@ -1,0 +1,39 @@
+// Copyright (c) 2026 The Geometric_continuity developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#include "commands/commands.h"
+#include "files/input.h"
+#include "files/output.h"
+
+#include <CGAL/Exact_rational.h>
+#include <CGAL/Geometric_continuity/IO/figures/svg_surfaces.h>
+#include <CGAL/Geometric_continuity/IO/number.h>
+#include <CGAL/Geometric_continuity/Traits_3.h>
+#include <CGAL/Simple_cartesian.h>
+
+#include <cmath>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+typedef GC::Traits_3<CGAL::Simple_cartesian<CGAL::Exact_rational>> Traits;
+
+int plot_surfaces(const Arguments& files, const Surface_picture& picture) {
+  GC::Svg_surface_style style;
+  style.title = picture.title;
+  if (picture.shaded) style.shading = GC::Svg_shading::smooth;
+  if (!picture.view.empty()) {
+    const std::size_t comma = picture.view.find(',');
+    if (comma == std::string::npos) throw std::invalid_argument("--view: AZIMUTH,ELEVATION is expected");
+    style.azimuth = GC::parse_number<double>(picture.view.substr(0, comma));
+    style.elevation = GC::parse_number<double>(picture.view.substr(comma + 1));
+    if (!(std::abs(style.azimuth) <= 360) || !(std::abs(style.elevation) <= 90))
+      throw std::invalid_argument("--view: at most 360 and 90 degrees");
+  }
+  const Surface_model<Traits> model = read_surfaces<Traits>(files);
+  write_output(picture.output, [&](std::ostream& os) {
+    model.visit([&](const auto& surfaces) { GC::write_svg_surfaces(os, surfaces, style); });
+  });
+  return requirement_met;
+}

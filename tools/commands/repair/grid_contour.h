@@ -1,0 +1,63 @@
+// Copyright (c) 2026 The Geometric_continuity developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef GEOMETRIC_CONTINUITY_TOOLS_COMMANDS_REPAIR_GRID_CONTOUR_H
+#define GEOMETRIC_CONTINUITY_TOOLS_COMMANDS_REPAIR_GRID_CONTOUR_H
+
+#include <CGAL/Geometric_continuity/Traits_2.h>
+#include <CGAL/Geometric_continuity/curves/Bezier_curve.h>
+#include <CGAL/Geometric_continuity/extensions/Grid_vector.h>
+#include <CGAL/Geometric_continuity/joins/Join_grade.h>
+#include <CGAL/Geometric_continuity/joins/Kink_bound.h>
+#include <CGAL/Simple_cartesian.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace GC = CGAL::Geometric_continuity;
+
+// The largest coordinate of a contour on its grid.
+constexpr std::int64_t max_grid_coordinate = std::int64_t(1) << 50;
+
+// One curve of a contour by its control points, in whole units of a grid: 2 for a line.
+struct Grid_curve {
+  std::vector<GC::Grid_vector> points; // none for what is no Bezier curve on the grid
+  std::string reason;                  // why there are none
+  bool fixed = false;                  // its handles do not move
+};
+
+// Curves of some length, each of which starts where the one before it ends. Glyphs, paths and chains are such contours.
+struct Grid_contour {
+  std::vector<Grid_curve> curves;
+  bool closed = false; // the last one leads back to the first
+  int decimals = 0;    // the unit is 10^-decimals
+
+  // Returns a coordinate as a decimal, and a point, e.g. "(0.5, -2)".
+  std::string text(std::int64_t coordinate) const;
+  std::string text(const GC::Grid_vector& point) const { return '(' + text(point.x) + ", " + text(point.y) + ')'; }
+
+  std::size_t number_of_joins() const { return curves.empty() || closed ? curves.size() : curves.size() - 1; }
+};
+
+// A curve on the grid in floating-point numbers, which hold its coordinates exactly.
+typedef GC::Bezier_curve<GC::Traits_2<CGAL::Simple_cartesian<double>>> Grid_bezier;
+Grid_bezier grid_bezier(const std::vector<GC::Grid_vector>& points);
+
+// Whether the control points lie on the chord, in order.
+bool is_line(const std::vector<GC::Grid_vector>& points);
+
+// How many joins have each grade.
+typedef std::map<GC::Join_grade, std::size_t> Grade_counts;
+
+// Returns the grade of a join, the one behind this curve; nothing where a curve is unknown.
+std::optional<GC::Join_grade> grade(const Grid_contour& contour, std::size_t join, const GC::Kink_bound& bound);
+
+// Counts the grades of all joins that are known.
+Grade_counts grades(const Grid_contour& contour, const GC::Kink_bound& bound);
+
+#endif // GEOMETRIC_CONTINUITY_TOOLS_COMMANDS_REPAIR_GRID_CONTOUR_H

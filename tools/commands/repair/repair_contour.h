@@ -1,0 +1,67 @@
+// Copyright (c) 2026 The Geometric_continuity developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef GEOMETRIC_CONTINUITY_TOOLS_COMMANDS_REPAIR_REPAIR_CONTOUR_H
+#define GEOMETRIC_CONTINUITY_TOOLS_COMMANDS_REPAIR_REPAIR_CONTOUR_H
+
+#include "commands/repair/grid_contour.h"
+
+#include <CGAL/Exact_rational.h>
+#include <CGAL/Geometric_continuity/numbers/Enclosure.h>
+
+#include <cstddef>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+// What to repair, and how.
+struct Repair_options {
+  GC::Kink_bound bound; // kinks are angles up to this one
+  std::optional<CGAL::Exact_rational>
+      max_move;           // in units; a tenth of the shorter handle, at least 1, unless it is given
+  bool harmonise = false; // the curvatures, too
+};
+
+// A control point that has moved.
+struct Handle_move {
+  std::size_t curve, point;
+  GC::Grid_vector from, to;
+
+  // The distance.
+  GC::Enclosure distance() const;
+};
+
+// Returns a number of four digits that is not less than x.
+std::string rounded_up(double x);
+
+// Returns a distance, rounded up, e.g. "1 unit".
+std::string units(const GC::Enclosure& distance);
+
+// The join behind a curve that was not repaired.
+struct Unrepaired_join {
+  std::size_t join;
+  std::string reason;
+};
+
+// The curvatures at a join that were to agree.
+struct Curvature_jump {
+  std::size_t join;
+  GC::Enclosure before, after; // relative; 0 is exact
+  std::string reason;          // why it is not harmonised; empty when it is
+};
+
+// What was done with a contour.
+struct Contour_repair {
+  std::vector<Handle_move> moves;
+  std::vector<Unrepaired_join> unrepaired;
+  std::map<std::string, std::size_t> undecided; // how many joins have no grade, for each reason
+  std::vector<Curvature_jump> jumps;
+};
+
+// Makes each kink exactly G1 by moving handles, not nodes, as little as possible, and harmonises the curvatures when that is asked for.
+// A move that would make another join a kink or a corner is not made. What is said to be repaired is so by the exact predicates.
+Contour_repair repair(Grid_contour& contour, const Repair_options& options);
+
+#endif // GEOMETRIC_CONTINUITY_TOOLS_COMMANDS_REPAIR_REPAIR_CONTOUR_H

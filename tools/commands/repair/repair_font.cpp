@@ -1,0 +1,156 @@
+// Copyright (c) 2026 The Geometric_continuity developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#include "commands/repair/repair_font.h"
+
+#include "commands/chains/join_report.h"
+#include "files/progress.h"
+#include "formats/font/Font_face.h"
+
+#include <CGAL/Geometric_continuity/Error.h>
+#include <CGAL/Geometric_continuity/IO/json.h>
+
+#include <algorithm>
+#include <sstream>
+#include <vector>
+
+namespace {
+
+GC::Grid_vector grid_point(const Glyph_point& p, int unit) { return {p.x / unit, p.y / unit}; }
+
+std::string pair(const GC::Grid_vector& p) { return '[' + std::to_string(p.x) + ',' + std::to_string(p.y) + ']'; }
+
+// Repairs glyph after glyph.
+class Font_mender {
+  const Repair_options& options_;
+  std::ostringstream moves_, unrepaired_;
+  std::size_t moved_ = 0, glyphs_ = 0, glyphs_with_kinks_ = 0, repaired_glyphs_ = 0, unread_ = 0, left_ = 0;
+  GC::Enclosure largest_{0, 0};
+  std::string largest_glyph_;
+  Grade_counts before_, after_;
+  std::string font_; // a member of the objects of JSON, where there are several fonts
+
+  std::ostream& begin(std::ostringstream& os, std::size_t number, const std::string& glyph, std::size_t contour) const {
+    os << (number == 0 ? "\n {" : ",\n {") << font_ << "\"glyph\":";
+    GC::write_json(os, glyph);
+    return os << ",\"contour\":" << contour;
+  }
+
+  void repair_glyph(const std::string& name, const Glyph_outline& outline) {
+    bool kinks = false, all = true;
+    for (std::size_t i = 0; i < outline.contours(); ++i) {
+      Grid_contour contour = grid_contour(outline, i);
+      const Grade_counts before = grades(contour, options_.bound);
+      const bool has_kinks = before.count(GC::Join_grade::kink) != 0;
+      add(before_, before);
+      if (has_kinks || options_.harmonise) note(name, i, contour, ::repair(contour, options_));
+      const Grade_counts after = grades(contour, options_.bound);
+      add(after_, after);
+      kinks = kinks || has_kinks;
+      all = all && after.count(GC::Join_grade::kink) == 0;
+    }
+    glyphs_with_kinks_ += kinks;
+    repaired_glyphs_ += kinks && all;
+  }
+
+  static void add(Grade_counts& sum, const Grade_counts& counts) {
+    for (const auto& [grade, count] : counts) sum[grade] += count;
+  }
+
+  void note(const std::string& name, std::size_t number, const Grid_contour& contour, const Contour_repair& done) {
+    std::vector<std::size_t> first{0}; // the number of the first point of each curve among those of the contour
+    for (const Grid_curve& curve : contour.curves) first.push_back(first.back() + curve.points.size() - 1);
+    for (const Handle_move& m : done.moves) {
+      begin(moves_, moved_++, name, number) << ",\"point\":" << first[m.curve] + m.point << ",\"from\":" << pair(m.from)
+                                            << ",\"to\":" << pair(m.to) << '}';
+      if (largest_.upper < m.distance().upper) {
+        largest_ = m.distance();
+        largest_glyph_ = name;
+      }
+    }
+    for (const Unrepaired_join& x : done.unrepaired) {
+      begin(unrepaired_, left_++, name, number)
+          << ",\"node\":" << pair(contour.curves[x.join].points.back()) << ",\"reason\":";
+      GC::write_json(unrepaired_, x.reason);
+      unrepaired_ << '}';
+    }
+  }
+
+  static std::size_t kinks(const Grade_counts& counts) {
+    return counts.count(GC::Join_grade::kink) != 0 ? counts.at(GC::Join_grade::kink) : 0;
+  }
+
+public:
+  explicit Font_mender(const Repair_options& options) : options_(options) {}
+
+  void repair(const Font_face& font, const std::string& member) {
+    font_ = member;
+    Progress progress("glyphs");
+    Glyph_outline outline;
+    for (int glyph = 0; glyph < font.glyphs(); ++glyph) {
+      try {
+        font.read(glyph, outline);
+        ++glyphs_;
+        repair_glyph(font.glyph_name(glyph), outline);
+      } catch (const Font_error&) {
+        ++unread_;
+      }
+      progress.step(static_cast<std::size_t>(glyph), [&] { return double(glyph) / font.glyphs(); });
+    }
+  }
+
+  Font_repair result() const {
+    std::ostringstream text;
+    text << counted(glyphs_, "glyph") << ", " << glyphs_with_kinks_ << " with kinks, of which " << repaired_glyphs_
+         << (repaired_glyphs_ == 1 ? " is" : " are") << " repaired as a whole";
+    if (unread_ != 0) text << "; " << unread_ << " cannot be read";
+    text << "\nkinks: " << kinks(before_) << " before, " << kinks(after_)
+         << " after the moves, decided exactly\nmoves: " << counted(moved_, "handle");
+    if (moved_ != 0) text << ", at most " << units(largest_) << ", in the glyph " << largest_glyph_;
+    text << '\n';
+    return {"{\"moves\":[" + moves_.str() + "],\n \"not_repaired\":[" + unrepaired_.str() + "]}\n", text.str(), after_};
+  }
+};
+
+} // namespace
+
+Grid_contour grid_contour(const Glyph_outline& outline, std::size_t contour) {
+  const Glyph_segment *const begin = outline.begin(contour), *const end = outline.end(contour);
+  const auto is_odd = [](const Glyph_point& p) { return p.x % 2 != 0 || p.y % 2 != 0; };
+  const bool halves = std::any_of(begin, end, [&](const Glyph_segment& s) {
+    return std::any_of(s.points.begin(), s.points.begin() + s.degree + 1, is_odd);
+  });
+  // a node in the middle of two handles may be one that is left out
+  const auto may_be_implied = [&](const Glyph_segment& left, const Glyph_segment& right) {
+    return left.degree == 2 && right.degree == 2 && left.points[1].x + right.points[1].x == 2 * left.end().x &&
+           left.points[1].y + right.points[1].y == 2 * left.end().y;
+  };
+  Grid_contour result;
+  result.closed = true;
+  for (const Glyph_segment* s = begin; s != end; ++s) {
+    Grid_curve curve;
+    for (int i = 0; i <= s->degree; ++i)
+      curve.points.push_back(grid_point(s->points[static_cast<std::size_t>(i)], halves ? 1 : 2));
+    const Glyph_segment &before = s == begin ? end[-1] : s[-1], &after = s + 1 == end ? *begin : s[1];
+    curve.fixed = halves || may_be_implied(before, *s) || may_be_implied(*s, after);
+    result.curves.push_back(curve);
+  }
+  result.decimals = 0;
+  return result;
+}
+
+Font_repair repair_font(const std::string& bytes, const std::string& name, const Repair_options& options) {
+  Font_mender mender(options);
+  try {
+    for (int i = 0, fonts = 1; i < fonts; ++i) {
+      const Font_face font(bytes, i);
+      fonts = font.fonts_of_file();
+      if (!font.has_outlines()) throw Font_error("pictures of letters (bitmaps), no outlines");
+      mender.repair(font, fonts == 1 ? "" : "\"font\":" + std::to_string(i) + ',');
+    }
+  } catch (const Font_error& error) {
+    throw GC::Error(GC::Error_code::malformed_input, name + ": " + error.what());
+  }
+  return mender.result();
+}

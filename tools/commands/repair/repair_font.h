@@ -1,0 +1,29 @@
+// Copyright (c) 2026 The Geometric_continuity developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef GEOMETRIC_CONTINUITY_TOOLS_COMMANDS_REPAIR_REPAIR_FONT_H
+#define GEOMETRIC_CONTINUITY_TOOLS_COMMANDS_REPAIR_REPAIR_FONT_H
+
+#include "commands/repair/repair_contour.h"
+#include "formats/font/Glyph_outline.h"
+
+#include <cstddef>
+#include <string>
+
+// A contour of a glyph on the grid of the font. Where TrueType leaves out nodes between two handles, these lie on halves of a unit,
+// and move with the handles: then the curves next to them are fixed, and with halves all curves.
+Grid_contour grid_contour(const Glyph_outline& outline, std::size_t contour);
+
+// What was done with the fonts of a file.
+struct Font_repair {
+  std::string moves; // {"moves":[…],"not_repaired":[…]}, the moves of handles in units of the font
+  std::string text;  // the summary for people
+  Grade_counts after;
+};
+
+// Repairs all glyphs of a font, given the bytes of its file, but does not change it. Throws GC::Error `malformed_input` for what is
+// no font with outlines.
+Font_repair repair_font(const std::string& bytes, const std::string& name, const Repair_options& options);
+
+#endif // GEOMETRIC_CONTINUITY_TOOLS_COMMANDS_REPAIR_REPAIR_FONT_H

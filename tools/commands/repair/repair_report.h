@@ -1,0 +1,175 @@
+// Copyright (c) 2026 The Geometric_continuity developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef GEOMETRIC_CONTINUITY_TOOLS_COMMANDS_REPAIR_REPAIR_REPORT_H
+#define GEOMETRIC_CONTINUITY_TOOLS_COMMANDS_REPAIR_REPAIR_REPORT_H
+
+#include "commands/repair/repair_contour.h"
+
+#include <CGAL/Geometric_continuity/IO/json.h>
+#include <CGAL/Geometric_continuity/IO/printable.h>
+#include <CGAL/Geometric_continuity/numbers/Enclosure.h>
+
+#include <cstddef>
+#include <map>
+#include <ostream>
+#include <sstream>
+#include <string>
+#include <utility>
+#include <vector>
+
+// What `repair` has done with a file, for people and for machines.
+class Repair_report {
+  const bool json_;
+  std::vector<std::string> moves_, unrepaired_, jumps_; // lines, or JSON objects
+  Grade_counts before_, after_;
+  std::map<std::string, std::size_t> undecided_;
+  std::size_t curvatures_ = 0, harmonised_ = 0, exact_ = 0;
+  GC::Enclosure largest_{0, 0}, largest_jump_{0, 0};
+  std::string largest_place_;
+
+  static std::string json_text(const std::string& text) {
+    std::ostringstream os;
+    GC::write_json(os, text);
+    return os.str();
+  }
+  static std::string json_text(const GC::Enclosure& x) {
+    std::ostringstream os;
+    GC::write_json(os, std::optional<GC::Enclosure>(x));
+    return os.str();
+  }
+  static std::string percent(const GC::Enclosure& x) { return rounded_up(x.upper * 100 * (1 + 1e-15)) + " %"; }
+  static GC::Enclosure in_percent(const GC::Enclosure& x) {
+    return {x.lower * 100 * (1 - 1e-15), x.upper * 100 * (1 + 1e-15)};
+  }
+
+  static void write_counts(std::ostream& os, const Grade_counts& counts, bool json) {
+    std::size_t all = 0;
+    for (const auto& [grade, count] : counts) all += count;
+    const auto count = [&](GC::Join_grade grade) { return counts.count(grade) != 0 ? counts.at(grade) : 0; };
+    const std::pair<const char*, GC::Join_grade> names[] = {{"gaps", GC::Join_grade::gap},
+                                                            {"corners", GC::Join_grade::corner},
+                                                            {"kinks", GC::Join_grade::kink},
+                                                            {"G1", GC::Join_grade::g1},
+                                                            {"G2", GC::Join_grade::g2}};
+    if (json) os << "{\"joins\":" << all;
+    const char* separator = "";
+    for (const auto& [name, grade] : names)
+      if (json)
+        os << ",\"" << name << "\":" << count(grade);
+      else if (grade != GC::Join_grade::gap || count(grade) != 0) {
+        os << separator << count(grade) << ' '
+           << (count(grade) == 1 && name[0] >= 'a' ? std::string(name, std::char_traits<char>::length(name) - 1)
+                                                   : name);
+        separator = ", ";
+      }
+    if (json) os << '}';
+  }
+
+  static void write_array(std::ostream& os, const char* name, const std::vector<std::string>& objects) {
+    os << '"' << name << "\":[";
+    for (std::size_t i = 0; i < objects.size(); ++i) os << (i == 0 ? "\n " : ",\n ") << objects[i];
+    os << "],\n ";
+  }
+
+public:
+  explicit Repair_report(bool json) : json_(json) {}
+
+  // The joins before and after, as they are read.
+  void add_grades(const Grade_counts& before, const Grade_counts& after) {
+    for (const auto& [grade, count] : before) before_[grade] += count;
+    for (const auto& [grade, count] : after) after_[grade] += count;
+  }
+
+  // What was done with a contour. `place` is where it is, in words, and `members` the same as members of JSON objects; `curve_name(i)`
+  // is the name of a curve, e.g. "command 3".
+  template <class Name>
+  void add(const std::string& place, const std::string& members, const Grid_contour& contour,
+           const Contour_repair& done, Name curve_name) {
+    const auto behind = [&](std::size_t join) {
+      const std::vector<GC::Grid_vector>& points = contour.curves[join].points;
+      return place + ", behind " + curve_name(join) + (points.empty() ? "" : " at " + contour.text(points.back()));
+    };
+    const auto object = [&](std::size_t curve, const std::string& more) {
+      return '{' + members + ",\"curve\":" + std::to_string(curve + 1) + ',' + more + '}';
+    };
+    for (const Handle_move& m : done.moves) {
+      const std::string where = place + ", " + curve_name(m.curve) + ", point " + std::to_string(m.point);
+      const GC::Enclosure distance = m.distance();
+      if (distance.upper > largest_.upper) {
+        largest_ = distance;
+        largest_place_ = where;
+      }
+      const auto pair = [&](const GC::Grid_vector& p) {
+        return "[\"" + contour.text(p.x) + "\",\"" + contour.text(p.y) + "\"]";
+      };
+      moves_.push_back(json_ ? object(m.curve, "\"point\":" + std::to_string(m.point) + ",\"from\":" + pair(m.from) +
+                                                   ",\"to\":" + pair(m.to) + ",\"units\":" + json_text(distance))
+                             : where + ": " + contour.text(m.from) + " -> " + contour.text(m.to) + ", " +
+                                   units(distance));
+    }
+    for (const auto& [reason, count] : done.undecided) undecided_[reason] += count;
+    for (const Unrepaired_join& x : done.unrepaired)
+      unrepaired_.push_back(json_ ? object(x.join, "\"reason\":" + json_text(x.reason))
+                                  : behind(x.join) + ": " + x.reason);
+    for (const Curvature_jump& x : done.jumps) {
+      ++curvatures_;
+      exact_ += x.after.upper == 0;
+      harmonised_ += x.reason.empty();
+      if (x.reason.empty() && x.after.upper > largest_jump_.upper) largest_jump_ = x.after;
+      jumps_.push_back(json_ ? object(x.join, "\"before_percent\":" + json_text(in_percent(x.before)) +
+                                                  ",\"after_percent\":" + json_text(in_percent(x.after)) +
+                                                  ",\"reason\":" + (x.reason.empty() ? "null" : json_text(x.reason)))
+                             : behind(x.join) + ": the curvature jumps by " +
+                                   (x.after.upper == 0 ? "nothing, G2" : percent(x.after)) + " instead of " +
+                                   percent(x.before) + (x.reason.empty() ? "" : "; " + x.reason));
+    }
+  }
+
+  // What could not be read as a whole.
+  void add_unread(const std::string& place, const std::string& members, const std::string& reason) {
+    unrepaired_.push_back(json_ ? '{' + members + ",\"reason\":" + json_text(reason) + '}' : place + ": " + reason);
+  }
+
+  // Whether a kink is left.
+  bool has_kinks() const { return after_.count(GC::Join_grade::kink) != 0 && after_.at(GC::Join_grade::kink) != 0; }
+
+  void print(std::ostream& os, const std::string& file) const {
+    if (json_) {
+      os << "{\"file\":" << json_text(file) << ",\n ";
+      write_array(os, "moves", moves_);
+      write_array(os, "curvatures", jumps_);
+      write_array(os, "not_repaired", unrepaired_);
+      os << "\"undecided\":{";
+      const char* separator = "";
+      for (const auto& [reason, count] : undecided_) {
+        os << separator << json_text(reason) << ':' << count;
+        separator = ",";
+      }
+      os << "},\n \"largest_move\":" << json_text(largest_) << ",\n \"before\":";
+      write_counts(os, before_, true);
+      os << ",\n \"after\":";
+      write_counts(os, after_, true);
+      os << ",\n \"met\":" << (has_kinks() ? "false" : "true") << "}\n";
+      return;
+    }
+    for (const std::string& line : moves_) os << "moved: " << GC::printable(line) << '\n';
+    for (const std::string& line : jumps_) os << GC::printable(line) << '\n';
+    for (const std::string& line : unrepaired_) os << "not repaired: " << GC::printable(line) << '\n';
+    for (const auto& [reason, count] : undecided_)
+      os << "not decided: " << count << (count == 1 ? " join: " : " joins: ") << GC::printable(reason) << '\n';
+    os << "before: ";
+    write_counts(os, before_, false);
+    os << "\nafter:  ";
+    write_counts(os, after_, false);
+    os << ", proved exactly on what is written\n";
+    if (!moves_.empty())
+      os << "largest move: " << units(largest_) << " of the last decimal, " << GC::printable(largest_place_) << '\n';
+    if (curvatures_ != 0)
+      os << "curvatures: of " << curvatures_ << " joins that were not G2, " << harmonised_ << " are harmonised, "
+         << exact_ << " of them exactly; the largest jump of these is " << percent(largest_jump_) << '\n';
+  }
+};
+
+#endif // GEOMETRIC_CONTINUITY_TOOLS_COMMANDS_REPAIR_REPAIR_REPORT_H

@@ -1,0 +1,121 @@
+// Copyright (c) 2026 The Geometric_continuity developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#include "commands/command_line.h"
+#include "commands/report_inputs.h"
+#include "files/output.h"
+#include "formats/cad/read_cad.h"
+#include "formats/font/font_files.h"
+#include "formats/svg/svg_drawing.h"
+
+#include <algorithm>
+#include <iostream>
+#include <stdexcept>
+#include <string>
+
+namespace {
+
+const char* const report_usage = R"(usage: geometric_continuity report FILE.g2... | DRAWING.svg... | FONT...
+       | MODEL.step... -o REPORT.html [OPTIONS]
+
+Decides the joins of a chain, of drawings or of fonts, the edges of CAD models
+within --within, or with --surfaces those of a model, as verify does, and writes
+a page that shows them: the worst first, each drawn large with its curvature
+comb, its handles and the numbers, which are guaranteed bounds; or with its two
+faces, and the whole model to be turned. The page filters and sorts. It is one
+file, and needs no network.
+  gap     the ends are apart
+  kink    the tangents differ, by at most --kink-angle
+  corner  they differ by more
+  G1      the tangents agree, the curvatures do not
+  G2      the curvatures agree as well
+Exit code: 0 when the page is written, 2 on bad input.
+)";
+
+GC::Kink_bound kink_bound(const Command_line& line) {
+  const std::string text = line.text("kink-angle");
+  try {
+    return GC::Kink_bound(GC::parse_number<CGAL::Exact_rational>(text));
+  } catch (const std::exception&) {
+    throw std::invalid_argument("--kink-angle: '" + text + "' is not a number of degrees between 0 and 180");
+  }
+}
+
+// The names without folders.
+std::string names(const Arguments& files) {
+  std::string text;
+  for (std::size_t i = 0; i < files.size() && i < 3; ++i) {
+    const std::string name = input_name(files[i]);
+    text += (i == 0 ? "" : ", ") + name.substr(name.find_last_of('/') + 1);
+  }
+  return files.size() > 3 ? text + " and " + std::to_string(files.size() - 3) + " more" : text;
+}
+
+// Writes the page.
+int written(const Report_page& page, const std::string& output) {
+  write_output(output, [&](std::ostream& os) { page.write(os); });
+  if (page.left_out() > 0)
+    std::cerr << "geometric_continuity: report: the page shows the worst " << page.items().size() << " of "
+              << page.total() << "; --worst N shows more\n";
+  return requirement_met;
+}
+
+} // namespace
+
+int report_command(const Arguments& arguments) {
+  const Command_line line(report_usage, arguments, [](po::options_description_easy_init add) {
+    add("output,o", po::value<std::string>(), "write the page, .html");
+    add("title", po::value<std::string>(), "title of the page");
+    add("worst", po::value<int>()->default_value(10000), "show so many joins at most, from 1 to 50000");
+    add("kink-angle", po::value<std::string>()->default_value("5"),
+        "the largest angle, in degrees, that is a kink and not a corner");
+    add("within", po::value<std::string>(),
+        "for CAD models: the tolerance GAP,ANGLEdeg,CURVATURE% or a preset, vda-4955 if not given; see verify --help");
+    add("sew", po::value<std::string>(), "for CAD models: join boundary edges that are within this distance, in mm");
+    add("glyphs", po::value<std::string>(), "the glyphs of fonts, e.g. a-z,U+00E9,ampersand");
+    add("closed", "the last curve leads back to the first");
+    add("surfaces", "the files hold the patches of a model");
+    add("max-work", po::value<std::string>(), "the steps of work that are allowed for one join, edge or curve");
+  });
+  if (line.help()) return requirement_met;
+  const Arguments files = line.files();
+  if (files.empty()) throw std::invalid_argument("report: no file is given; see --help");
+  if (!line.has("output")) throw std::invalid_argument("report: -o REPORT.html is needed");
+  const std::string output = line.text("output");
+  if (!has_no_format(output) && extension(output) != ".html" && extension(output) != ".htm")
+    throw std::invalid_argument("--output: " + output + ": the page is HTML, and the name must end with .html");
+  Report_demand demand;
+  demand.kink_bound = kink_bound(line);
+  demand.limit = line.work_limit();
+  demand.closed = line.has("closed");
+  Report_page page(static_cast<std::size_t>(line.integer("worst", 1, 50000)));
+  page.title = line.has("title") ? line.text("title") : "Continuity of " + names(files);
+  if (are_fonts(files)) {
+    line.refuse({"surfaces", "closed", "within", "sew"}, "not for fonts");
+    if (line.has("glyphs")) demand.glyphs = Glyph_selection(line.text("glyphs"));
+    report_fonts(files, demand, page);
+    return written(page, output);
+  }
+  line.refuse({"glyphs"}, "only for fonts");
+  if (are_cad_files(files)) {
+    line.refuse({"surfaces", "closed", "max-work"}, "not for CAD models");
+    if (line.has("within")) demand.tolerance = line.text("within");
+    demand.sewing = line.length("sew");
+    report_cad(files, demand, page);
+    return written(page, output);
+  }
+  line.refuse({"within", "sew"}, "only for CAD models");
+  const auto drawings = std::count_if(files.begin(), files.end(), is_svg_file);
+  if (drawings != 0) {
+    if (drawings != static_cast<std::ptrdiff_t>(files.size()))
+      throw std::invalid_argument("drawings (.svg) and curves (.g2) are not shown on one page");
+    line.refuse({"surfaces", "closed"}, "not for drawings");
+    report_drawings(files, demand, page);
+  } else if (line.has("surfaces")) {
+    line.refuse({"closed"}, "not with --surfaces");
+    report_surfaces(files, demand, page);
+  } else
+    report_chain(files, demand, page);
+  return written(page, output);
+}

@@ -1,0 +1,35 @@
+// Copyright (c) 2026 The Geometric_continuity developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef GEOMETRIC_CONTINUITY_TOOLS_COMMANDS_REPORT_INPUTS_H
+#define GEOMETRIC_CONTINUITY_TOOLS_COMMANDS_REPORT_INPUTS_H
+
+#include "commands/commands.h"
+#include "formats/font/Glyph_selection.h"
+#include "reports/report_page.h"
+
+#include <CGAL/Geometric_continuity/joins/Kink_bound.h>
+#include <CGAL/Geometric_continuity/numbers/Work_limit.h>
+
+#include <optional>
+#include <string>
+
+// What `report` asks of its inputs.
+struct Report_demand {
+  GC::Kink_bound kink_bound;
+  GC::Work_limit limit;         // for each join, edge or curve
+  bool closed = false;          // the last curve of a chain leads back to its first
+  Glyph_selection glyphs;       // of fonts
+  std::string tolerance;        // of CAD models, as it is written; empty for that of `verify`
+  std::optional<double> sewing; // of CAD models, see `Cad_reading`
+};
+
+// Each of these reads files, decides about their joins, and puts these on the page.
+void report_cad(const Arguments& files, const Report_demand& demand, Report_page& page);
+void report_chain(const Arguments& files, const Report_demand& demand, Report_page& page);
+void report_drawings(const Arguments& files, const Report_demand& demand, Report_page& page);
+void report_fonts(const Arguments& files, const Report_demand& demand, Report_page& page);
+void report_surfaces(const Arguments& files, const Report_demand& demand, Report_page& page);
+
+#endif // GEOMETRIC_CONTINUITY_TOOLS_COMMANDS_REPORT_INPUTS_H

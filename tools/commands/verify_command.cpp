@@ -1,0 +1,242 @@
+// Copyright (c) 2026 The Geometric_continuity developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#include "commands/cad/decide_cad.h"
+#include "commands/cad/verify_cad.h"
+#include "commands/chains/verify_chain.h"
+#include "commands/command_line.h"
+#include "commands/drawings/verify_drawings.h"
+#include "commands/fonts/verify_fonts.h"
+#include "commands/fonts/verify_instances.h"
+#include "commands/tolerances.h"
+#include "formats/cad/read_cad.h"
+#include "formats/font/font_files.h"
+#include "formats/svg/svg_drawing.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <optional>
+#include <stdexcept>
+#include <string>
+
+namespace {
+
+const char* const verify_usage =
+    R"(usage: geometric_continuity verify FILE.g2... | FILE.svg... | FONT...
+       | MODEL.step... [OPTIONS]
+
+Decides the continuity of every join of the chain that all curves form in the
+given order. The decision is exact for the numbers of the files.
+  C: equal derivatives
+  G: equal derivatives with respect to arc length
+  F: equal Frenet frame and curvatures
+The inner knots of a curve are joins as well.
+
+With --surfaces it finds all edges that the surfaces of the files share, and
+decides G1 and G2 along each whole edge and along the knot lines inside
+B-spline surfaces. For SVG drawings it decides the joins of every path and
+basic shape, and names the element and the commands. It tells what they look
+like: a corner, a kink, which is an angle of at most 5 degrees, G1 or G2. With
+--kink-angle corners are meant, and need not meet --require.
+
+Of fonts (TrueType, OpenType, Type 1, WOFF; folders with all that is in them) it
+grades the joins of each glyph, on the integers of the font:
+  corner  the direction changes by more than --kink-angle, which is meant
+  kink    it changes by less: a handle is off; one unit can come from rounding
+  G1      no change of direction, but of curvature; a handle at its node
+  G2      nor of curvature
+The worst kinks come first: those of the largest angle times the shorter handle.
+--require G1 and G2 leave corners alone. --glyphs a-z,U+00E9,ampersand,#12 takes
+characters and ranges of them, names and numbers of glyphs.
+
+--all-instances encloses the largest kink of each join over all instances of a
+variable TrueType font, of joins that are no corners at the default instance:
+proved between the masters as well, with the axis values of the largest one.
+
+Of CAD models (.step, .stp, .iges, .igs, .brep, .brp; where the program is
+built with OpenCASCADE) it encloses, over each whole edge that two faces share
+and each seam, the largest gap of both faces, the largest angle of their
+normals and the largest jump of the curvature across the edge, in mm, degrees
+and percent, and decides G0, G1 and G2 within --within GAP,ANGLEdeg,CURVATURE%,
+or within vda-4955 when it is not given. Geometry is taken as it is in the
+file; shapes are not healed, unless --sew DISTANCE lets OpenCASCADE join the
+boundary edges that are within this distance (in mm), as most IGES files need.
+An edge where the angle exceeds --kink-angle everywhere is a corner, of which
+--require asks only G0; in places only, it is a fading corner, and may not be
+meant. What cannot be compared is undecided, and does not meet --require.
+
+--within 0.001,0.01deg,2% also tells how far each join is from continuous, in
+guaranteed bounds, and which orders it has when the ends may be apart by this
+gap (in the units of the coordinates), the tangents by this angle (deg or rad)
+and the curvature vectors by this part of the larger one; a fourth number is
+the jump of the torsions. What is left out at the end must hold exactly.
+--surfaces --within 0.001,0.01deg does so for the largest gap and the largest
+angle of the normals along each edge, and also finds the boundary edges that
+are that near to each other.
+Numbers without units are an angle in radians, a relative curvature, a torsion
+and possibly a gap, A,K,T[,GAP]; for surfaces A[,GAP].
+Presets are published rules, with lengths in millimetres: class-a is
+0.01,0.1deg, class-b 0.02,0.2deg, class-c 0.05,0.5deg, vda-4955 0.02,0.1deg,
+mil-std-31000a 0.01,2deg.
+
+With --format sarif and junit, what does not meet the requirement is an error;
+without one, gaps and kinks are notes. What is not verified is a warning, with
+--strict an error.
+
+What cannot be verified is named: elements of a drawing that cannot be read,
+joins whose tangents are not rational, edges of surfaces that are single points,
+orders that are undecided within a tolerance.
+With --strict that counts as not met, also without --require.
+Exact decisions on numbers of thousands of digits, or of high order and degree,
+can take long: --max-work N allows N steps, about N multiplications of machine
+words, for each join, edge or curve, instead of 4000000000.
+
+Exit code: 0 when every join meets the requirement, 1 when one does not, 2 on
+bad input, and when there is no join, unless --allow-empty accepts that.
+)";
+
+// The format that --format or --json asks for.
+Report_format report_format(const Command_line& line) {
+  const std::string name = line.choice("format", {"text", "json", "sarif", "junit"});
+  if (!line.has("json"))
+    return name == "text"    ? Report_format::text
+           : name == "json"  ? Report_format::json
+           : name == "sarif" ? Report_format::sarif
+                             : Report_format::junit;
+  if (line.has("format") && name != "json") throw std::invalid_argument("--json: not with --format " + name);
+  return Report_format::json;
+}
+
+// The largest angle that is a kink.
+Kink_rule kink_rule(const Command_line& line) {
+  const bool given = line.has("kink-angle");
+  const std::string degrees = given ? line.text("kink-angle") : "5";
+  try {
+    return {degrees, GC::Kink_bound(line.number<Exact>("kink-angle", Exact(5))), given};
+  } catch (const GC::Error&) {
+    throw std::invalid_argument("--kink-angle: " + degrees + " is not between 0 and 180 degrees");
+  }
+}
+
+// What is asked of all instances of variable fonts.
+Instance_demand instance_demand(const Command_line& line) {
+  line.refuse({"surfaces", "closed", "within", "sew", "kernel", "max-order", "max-work", "require"},
+              "not with --all-instances");
+  const bool required = line.has("max-kink");
+  const std::string max_kink = required ? line.text("max-kink") : "0.5";
+  const Exact degrees = line.number<Exact>("max-kink", Exact(1) / Exact(2));
+  if (!(Exact(0) < degrees && degrees < Exact(90)))
+    throw std::invalid_argument("--max-kink: " + max_kink + " is not between 0 and 90 degrees");
+  return {line.has("glyphs") ? Glyph_selection(line.text("glyphs")) : Glyph_selection(),
+          {kink_rule(line).bound, GC::Kink_bound(degrees)},
+          max_kink,
+          required,
+          static_cast<std::size_t>(line.integer("worst", 0, 1000000))};
+}
+
+// What is asked of fonts.
+Font_demand font_demand(const Command_line& line, const std::optional<Requirement>& required) {
+  line.refuse({"surfaces", "closed", "within", "sew", "kernel", "max-order", "max-work"}, "not for fonts");
+  Font_demand demand;
+  if (line.has("glyphs")) demand.glyphs = Glyph_selection(line.text("glyphs"));
+  demand.worst = static_cast<std::size_t>(line.integer("worst", 0, 1000000));
+  demand.bound = kink_rule(line).bound;
+  if (required) {
+    if (required->text() != "G1" && required->text() != "G2")
+      throw std::invalid_argument("--require " + required->text() + ": of fonts G1 and G2 are decided");
+    demand.required = required->order() == 1 ? GC::Join_grade::g1 : GC::Join_grade::g2;
+  }
+  return demand;
+}
+
+// What is asked of CAD models.
+Cad_demand cad_demand(const Command_line& line, const std::optional<Requirement>& required) {
+  line.refuse({"surfaces", "closed", "kernel", "max-order", "max-work"}, "not for CAD models");
+  Cad_demand demand =
+      demand_within(line.has("within") ? line.text("within") : default_cad_tolerance, kink_rule(line).bound);
+  if (!required) return demand;
+  if (required->kind() != GC::Continuity_kind::G || required->order() > 2)
+    throw std::invalid_argument("--require " + required->text() + ": of CAD models G0, G1 and G2 are decided");
+  if (required->order() > demand.most)
+    throw std::invalid_argument("--require " + required->text() + ": needs more bounds than --within " +
+                                demand.tolerance + " has; for G2 e.g. 0.02,0.1deg,5%");
+  demand.order = required->order();
+  return demand;
+}
+
+} // namespace
+
+int verify_command(const Arguments& arguments) {
+  const Command_line line(verify_usage, arguments, [](po::options_description_easy_init add) {
+    add("surfaces", "the files hold the patches of a model");
+    add("closed", "the last curve leads back to the first");
+    add("max-order", po::value<int>()->default_value(3), "the highest order to decide, from 0 to 32");
+    add("require", po::value<std::string>(), "the order that every join must have: C1, G2, F3, ...");
+    add("within", po::value<std::string>(),
+        "the tolerance: GAP,ANGLEdeg,CURVATURE%[,TORSION], or a preset; with --surfaces GAP,ANGLEdeg");
+    add("kink-angle", po::value<std::string>(),
+        "for drawings, fonts and CAD models: the largest angle that is a kink, in degrees, instead of 5; what is "
+        "larger "
+        "is a corner, which need not meet the requirement then, in fonts and CAD models never");
+    add("sew", po::value<std::string>(), "for CAD models: join boundary edges that are within this distance, in mm");
+    add("all-instances", "of variable fonts: enclose the largest kink of each join over all instances");
+    add("max-kink", po::value<std::string>(),
+        "with --all-instances: the angle in degrees that no instance may exceed; 0.5 in the report if not given");
+    add("glyphs", po::value<std::string>(), "for fonts: the glyphs to verify, e.g. a-z,U+00E9,ampersand");
+    add("worst", po::value<int>()->default_value(10),
+        "for fonts: how many joins to show of each, in JSON of each glyph");
+    add("strict", "what cannot be verified counts as not met");
+    add("allow-empty", "accept that there is no join");
+    add("summary", "print only the counts and what does not meet the requirement; so it is on a terminal for more than "
+                   "5000 joins");
+    add("format", po::value<std::string>()->default_value("text"),
+        "text; json: for programs; sarif: SARIF 2.1.0, for code scanning; junit: JUnit's XML, for continuous "
+        "integration");
+    add("json", "the same as --format json");
+    add("max-work", po::value<std::string>(), "the steps of work that are allowed for one join, edge or curve");
+    add("kernel", po::value<std::string>()->default_value("exact"),
+        "exact: the numbers as written; double: each number is first rounded to a double, then all is exact");
+  });
+  if (line.help()) return requirement_met;
+  if (line.files().empty()) throw std::invalid_argument("verify: no file is given; see --help");
+  std::optional<Requirement> required;
+  if (line.has("require")) required = Requirement(line.text("require"));
+  const Arguments files = line.files();
+  const Report_mode mode{report_format(line), line.has("strict"), line.has("allow-empty"), line.has("summary")};
+  if (line.has("all-instances")) {
+    if (!are_fonts(files)) throw std::invalid_argument("--all-instances: only for fonts");
+    return verify_instances(files, mode, instance_demand(line));
+  }
+  line.refuse({"max-kink"}, "only with --all-instances");
+  if (are_fonts(files)) return verify_fonts(files, mode, font_demand(line, required));
+  line.refuse({"glyphs", "worst"}, "only for fonts");
+  if (are_cad_files(files)) return verify_cad(files, mode, cad_demand(line, required), line.length("sew"));
+  line.refuse({"sew"}, "only for CAD models");
+  const auto drawings = std::count_if(files.begin(), files.end(), is_svg_file);
+  if (drawings != 0) {
+    if (drawings != static_cast<std::ptrdiff_t>(files.size()))
+      throw std::invalid_argument("drawings (.svg) and curves (.g2) cannot be verified together");
+    line.refuse({"surfaces", "closed", "within", "kernel"}, "not for drawings");
+  } else
+    line.refuse({"kink-angle"}, "only for drawings, fonts and CAD models");
+  if (line.has("surfaces")) {
+    line.refuse({"closed", "max-order", "kernel"}, "not with --surfaces");
+    std::optional<GC::Edge_tolerance> tolerance;
+    if (line.has("within")) tolerance = parse_tolerances(line.text("within"), true).edges();
+    if (required && (required->kind() != GC::Continuity_kind::G || required->order() > 2))
+      throw std::invalid_argument("--require " + required->text() + ": along an edge G0, G1 and G2 are decided");
+    if (tolerance && required && required->order() > 1)
+      throw std::invalid_argument("--require " + required->text() + ": within a tolerance, G0 and G1 are decided");
+    return verify_surfaces(files, mode, required ? std::optional<int>(required->order()) : std::nullopt, tolerance,
+                           line.work_limit());
+  }
+  Join_demand demand{line.integer("max-order", 0, 32), required, {}, line.work_limit()};
+  if (required) demand.max_order = (std::max)(demand.max_order, required->order());
+  if (line.has("within")) demand.tolerance = parse_tolerances(line.text("within"), false);
+  if (required && demand.tolerance && (required->kind() == GC::Continuity_kind::C || required->order() > 3))
+    throw std::invalid_argument("--require " + required->text() + ": within a tolerance, G or F up to 3 are decided");
+  if (drawings != 0) return verify_drawings(files, demand.max_order, demand.limit, mode, required, kink_rule(line));
+  const bool rounded = line.choice("kernel", {"exact", "double"}) == "double";
+  return verify_chain(files, rounded, line.has("closed"), mode, demand);
+}

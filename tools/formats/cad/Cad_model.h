@@ -1,0 +1,76 @@
+// Copyright (c) 2026 The Geometric_continuity developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef GEOMETRIC_CONTINUITY_TOOLS_FORMATS_CAD_CAD_MODEL_H
+#define GEOMETRIC_CONTINUITY_TOOLS_FORMATS_CAD_CAD_MODEL_H
+
+#include <CGAL/Geometric_continuity/trimmed/Parametric_geometry.h>
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+// What a CAD file holds, without anything of the library that reads it.
+
+namespace GC = CGAL::Geometric_continuity;
+
+// Where an edge of a model lies.
+enum class Cad_edge_kind {
+  inner,        // two faces share it
+  seam,         // both sides are the same face
+  boundary,     // one face has it
+  non_manifold, // three faces or more share it
+  degenerate    // it is a point, such as an apex or a pole
+};
+
+inline const char* name(Cad_edge_kind kind) {
+  switch (kind) {
+  case Cad_edge_kind::inner: return "inner";
+  case Cad_edge_kind::seam: return "seam";
+  case Cad_edge_kind::boundary: return "boundary";
+  case Cad_edge_kind::non_manifold: return "non-manifold";
+  case Cad_edge_kind::degenerate: break;
+  }
+  return "degenerate";
+}
+
+// Numbers of edges and faces count from 0, in the order of the file.
+struct Cad_edge {
+  Cad_edge_kind kind;
+  bool closed;                    // it begins where it ends
+  bool projected = false;         // a curve in a parameter plane is not in the file, but the projection of one in space
+  std::vector<std::size_t> faces; // which have it, in order; both sides of a seam are one face
+  double tolerance;               // how far its curves may be apart, as the file says
+  double begin = 0, end = 0;      // the common parameters
+  std::optional<std::array<GC::Edge_side, 2>> sides; // if they can be compared
+  std::string reason;                                // why they cannot be compared, if there are two
+  std::vector<GC::Given_point<3>> points;            // on the edge, if it is to be drawn and can be; rounded
+};
+
+// A face as it is drawn: rounded points, and triangles by their numbers. Empty if it cannot be drawn.
+struct Cad_mesh {
+  std::vector<GC::Given_point<3>> points;
+  std::vector<std::array<std::size_t, 3>> triangles;
+};
+
+// What is read of it beyond what decides.
+enum class Cad_drawing { none, faces_and_edges };
+
+// How a file is read.
+struct Cad_reading {
+  Cad_drawing drawing = Cad_drawing::none;
+  std::optional<double> sewing; // boundary edges of two faces that are so near to each other become one, in mm
+};
+
+struct Cad_model {
+  std::vector<std::string> faces; // what their surfaces are, e.g. "cylinder"
+  std::vector<Cad_edge> edges;
+  std::vector<Cad_mesh> meshes;  // of the faces, if they are to be drawn
+  std::vector<std::string> lost; // what of the file could not be read, with the reason
+  std::size_t sewn = 0;          // edges that sewing made of two
+};
+
+#endif // GEOMETRIC_CONTINUITY_TOOLS_FORMATS_CAD_CAD_MODEL_H

@@ -1,0 +1,224 @@
+// Copyright (c) 2026 The Geometric_continuity developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#include "formats/cad/opencascade/Shape_drawing.h"
+#include "formats/cad/opencascade/given_surface.h"
+#include "formats/cad/opencascade/read_model.h"
+
+#include <BRep_Tool.hxx>
+#include <BndLib_Add2dCurve.hxx>
+#include <Bnd_Box2d.hxx>
+#include <Geom2dAdaptor_Curve.hxx>
+#include <Geom2d_Curve.hxx>
+#include <Precision.hxx>
+#include <ShapeFix_Edge.hxx>
+#include <Standard_Failure.hxx>
+#include <TopExp.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopLoc_Location.hxx>
+#include <TopTools_IndexedMapOfShape.hxx>
+#include <TopoDS.hxx>
+#include <TopoDS_Edge.hxx>
+#include <TopoDS_Face.hxx>
+#include <TopoDS_Vertex.hxx>
+
+#include <algorithm>
+#include <array>
+#include <memory>
+#include <optional>
+#include <utility>
+
+namespace {
+
+// The curve of an edge in the parameter plane of a face.
+struct Plane_curve {
+  Handle(Geom2d_Curve) curve;
+  double begin, end;
+  bool projected; // onto a surface that is no plane
+};
+
+// An edge in the boundary of a face whose own orientation is not counted.
+struct Edge_use {
+  std::size_t face;
+  TopAbs_Orientation orientation;
+  std::optional<Plane_curve> curve;
+};
+
+GC::Given_placement placement(const TopLoc_Location& location) {
+  const gp_Trsf& transformation = location.Transformation();
+  GC::Given_placement result;
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 4; ++j)
+      result[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)] = transformation.Value(i + 1, j + 1);
+  return result;
+}
+
+class Model_builder {
+  TopTools_IndexedMapOfShape faces_, edges_; // numbered from 1 on
+  std::vector<std::vector<Edge_use>> uses_;  // of each edge
+  std::vector<std::shared_ptr<const GC::Given_surface>> surfaces_;
+  std::vector<std::string> reasons_; // why a surface is not covered
+  std::vector<Bnd_Box2d> boxes_;     // of what the edges of a face use
+  Cad_model model_;
+
+  TopoDS_Face face(std::size_t i) const {
+    return TopoDS::Face(faces_(static_cast<int>(i) + 1).Oriented(TopAbs_FORWARD));
+  }
+  TopoDS_Edge edge(std::size_t i) const {
+    return TopoDS::Edge(edges_(static_cast<int>(i) + 1).Oriented(TopAbs_FORWARD));
+  }
+
+  void add_uses() {
+    uses_.resize(static_cast<std::size_t>(edges_.Extent()));
+    for (std::size_t f = 0; f < static_cast<std::size_t>(faces_.Extent()); ++f)
+      for (TopExp_Explorer i(face(f), TopAbs_EDGE); i.More(); i.Next()) {
+        std::vector<Edge_use>& uses = uses_[static_cast<std::size_t>(edges_.FindIndex(i.Current()) - 1)];
+        const TopAbs_Orientation orientation = i.Current().Orientation();
+        if (orientation == TopAbs_FORWARD || orientation == TopAbs_REVERSED)
+          uses.push_back({f, orientation, std::nullopt});
+        else { // inside of the face
+          uses.push_back({f, TopAbs_FORWARD, std::nullopt});
+          uses.push_back({f, TopAbs_REVERSED, std::nullopt});
+        }
+      }
+  }
+
+  // The curve of an edge in the parameter plane of a face, if there is one. Where it is missing it is computed; that on a plane is never
+  // in a file.
+  static std::optional<Plane_curve> plane_curve(const TopoDS_Edge& edge, const TopoDS_Face& face, bool is_seam) {
+    Plane_curve result{nullptr, 0, 0, false};
+    double begin, end;
+    const bool has_curve = !BRep_Tool::Curve(edge, begin, end).IsNull();
+    if (has_curve && !is_finite(begin, end)) return std::nullopt;
+    const auto look = [&] { result.curve = BRep_Tool::CurveOnSurface(edge, face, result.begin, result.end); };
+    look();
+    if (result.curve.IsNull()) {
+      if (!has_curve || BRep_Tool::Surface(face).IsNull()) return std::nullopt;
+      result.projected = true;
+      ShapeFix_Edge().FixAddPCurve(edge, face, is_seam, Precision::Confusion());
+      look();
+    }
+    if (result.curve.IsNull()) return std::nullopt;
+    return result;
+  }
+
+  void add_curves() {
+    for (std::size_t i = 0; i < uses_.size(); ++i) {
+      std::vector<Edge_use>& uses = uses_[i];
+      const bool is_seam = uses.size() == 2 && uses[0].face == uses[1].face;
+      for (Edge_use& use : uses) {
+        try {
+          use.curve = plane_curve(TopoDS::Edge(edge(i).Oriented(use.orientation)), face(use.face), is_seam);
+        } catch (const Standard_Failure&) { // none can be computed
+        }
+        if (!use.curve) continue;
+        const Plane_curve& c = *use.curve;
+        if (is_finite(c.begin, c.end))
+          BndLib_Add2dCurve::Add(Geom2dAdaptor_Curve(c.curve), c.begin, c.end, 0, boxes_[use.face]);
+      }
+    }
+  }
+
+  // Reads the surface of a face for the parameters that its edges use.
+  void add_face(std::size_t number) {
+    surfaces_.emplace_back();
+    reasons_.emplace_back();
+    TopLoc_Location location;
+    const Handle(Geom_Surface) surface = BRep_Tool::Surface(face(number), location);
+    model_.faces.push_back(surface.IsNull() ? "triangles" : surface_name(surface));
+    Used_range u{0, 0}, v{0, 0};
+    if (!boxes_[number].IsVoid()) boxes_[number].Get(u.begin, v.begin, u.end, v.end);
+    try {
+      if (surface.IsNull()) throw Not_covered("a face of triangles");
+      surfaces_.back() = std::make_shared<const GC::Given_surface>(given_surface(surface, u, v));
+    } catch (const Not_covered& e) {
+      reasons_.back() = e.what();
+    }
+  }
+
+  Cad_edge_kind kind(const TopoDS_Edge& edge, const std::vector<Edge_use>& uses) const {
+    if (BRep_Tool::Degenerated(edge)) return Cad_edge_kind::degenerate;
+    if (uses.size() == 1) return Cad_edge_kind::boundary;
+    if (uses.size() > 2) return Cad_edge_kind::non_manifold;
+    return uses[0].face == uses[1].face ? Cad_edge_kind::seam : Cad_edge_kind::inner;
+  }
+
+  GC::Edge_side side(const Edge_use& use, bool is_second) const {
+    TopLoc_Location location;
+    BRep_Tool::Surface(face(use.face), location);
+    const bool is_left = use.orientation == TopAbs_FORWARD; // the face lies left of the curve
+    const Used_range range{use.curve->begin, use.curve->end};
+    // The faces continue each other when one lies left of the edge and the other one right, as seen on the same side of both.
+    return {surfaces_[use.face], std::make_shared<const GC::Given_curve<2>>(given_curve(use.curve->curve, range)),
+            placement(location), is_left == is_second, is_left ? 1 : -1};
+  }
+
+  // Adds the sides of an edge. Throws Not_covered with the reason why they cannot be compared.
+  void add_sides(Cad_edge& e, const TopoDS_Edge& edge, const std::vector<Edge_use>& uses) const {
+    for (const Edge_use& use : uses) {
+      const std::string face = "face " + std::to_string(use.face) + ": ";
+      if (!surfaces_[use.face]) throw Not_covered(face + reasons_[use.face]);
+      if (!use.curve) throw Not_covered(face + "no curve in the parameter plane");
+      e.projected = e.projected || use.curve->projected;
+    }
+    const Plane_curve &a = *uses[0].curve, &b = *uses[1].curve;
+    if (!BRep_Tool::SameParameter(edge) || !BRep_Tool::SameRange(edge) || a.begin != b.begin || a.end != b.end)
+      throw Not_covered("curves of different parameters");
+    if (!is_finite(a.begin, a.end) || !(a.begin < a.end)) throw Not_covered("an empty or infinite range of parameters");
+    e.begin = a.begin;
+    e.end = a.end;
+    e.sides = {side(uses[0], false), side(uses[1], true)};
+  }
+
+  void add_edge(std::size_t number) {
+    const TopoDS_Edge edge = this->edge(number);
+    const std::vector<Edge_use>& uses = uses_[number];
+    if (uses.empty()) return; // a wire without face
+    TopoDS_Vertex first, last;
+    TopExp::Vertices(edge, first, last);
+    Cad_edge e;
+    e.kind = kind(edge, uses);
+    e.closed = !first.IsNull() && first.IsSame(last);
+    e.tolerance = BRep_Tool::Tolerance(edge);
+    for (const Edge_use& use : uses)
+      if (e.faces.empty() || e.faces.back() != use.face) e.faces.push_back(use.face);
+    try {
+      if (e.kind == Cad_edge_kind::inner || e.kind == Cad_edge_kind::seam) add_sides(e, edge, uses);
+    } catch (const Not_covered& reason) {
+      e.reason = reason.what();
+    }
+    model_.edges.push_back(std::move(e));
+  }
+
+  // Faces and edges with uses, in the order of the model.
+  void draw(const TopoDS_Shape& shape) {
+    const Shape_drawing drawing(shape);
+    for (std::size_t i = 0; i < boxes_.size(); ++i) model_.meshes.push_back(drawing.mesh(face(i)));
+    std::size_t next = 0;
+    for (std::size_t i = 0; i < uses_.size(); ++i)
+      if (!uses_[i].empty()) model_.edges[next++].points = drawing.points(edge(i));
+  }
+
+public:
+  explicit Model_builder(const TopoDS_Shape& shape) {
+    TopExp::MapShapes(shape, TopAbs_FACE, faces_);
+    TopExp::MapShapes(shape, TopAbs_EDGE, edges_);
+    boxes_.resize(static_cast<std::size_t>(faces_.Extent()));
+    add_uses();
+  }
+
+  Cad_model build(const TopoDS_Shape& shape, Cad_drawing drawing) {
+    add_curves();
+    for (std::size_t i = 0; i < boxes_.size(); ++i) add_face(i);
+    for (std::size_t i = 0; i < uses_.size(); ++i) add_edge(i);
+    if (drawing == Cad_drawing::faces_and_edges) draw(shape);
+    return std::move(model_);
+  }
+};
+
+} // namespace
+
+Cad_model cad_model(const TopoDS_Shape& shape, Cad_drawing drawing) {
+  return Model_builder(shape).build(shape, drawing);
+}

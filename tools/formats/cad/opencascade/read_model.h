@@ -1,0 +1,33 @@
+// Copyright (c) 2026 The Geometric_continuity developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef GEOMETRIC_CONTINUITY_TOOLS_FORMATS_CAD_OPENCASCADE_READ_MODEL_H
+#define GEOMETRIC_CONTINUITY_TOOLS_FORMATS_CAD_OPENCASCADE_READ_MODEL_H
+
+#include "formats/cad/Cad_model.h"
+
+#include <TopoDS_Shape.hxx>
+
+#include <cmath>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+// From here on parameters and lengths count as infinite: for OpenCASCADE from 2e100 on, but it counts periods one by one.
+constexpr double infinite = 1e9;
+inline bool is_finite(double begin, double end) { return std::abs(begin) < infinite && std::abs(end) < infinite; }
+
+// Returns what a STEP, IGES or BREP file holds, by its extension: the geometry as given, nothing healed. Appends what of it could not be
+// translated. Throws std::runtime_error with the reason, without the name of the file, and what OpenCASCADE throws.
+TopoDS_Shape read_shape(const std::string& file, std::vector<std::string>& lost);
+
+// Joins boundary edges that are at most `distance` mm apart, and returns how many edges there are of two. Surfaces stay as they are; of a joined
+// edge one curve in space remains, and its curves in the parameter planes are adapted to that. Appends faces that disappear.
+std::size_t sew(TopoDS_Shape& shape, double distance, std::vector<std::string>& lost);
+
+// Returns the faces and edges of a shape. Curves in the parameter planes that it lacks are added to it: projections of those in space. To be drawn,
+// faces are divided into triangles at the end.
+Cad_model cad_model(const TopoDS_Shape& shape, Cad_drawing drawing);
+
+#endif // GEOMETRIC_CONTINUITY_TOOLS_FORMATS_CAD_OPENCASCADE_READ_MODEL_H

@@ -1,0 +1,19 @@
+// Copyright (c) 2026 The Geometric_continuity developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef GEOMETRIC_CONTINUITY_TOOLS_FORMATS_CAD_READ_CAD_H
+#define GEOMETRIC_CONTINUITY_TOOLS_FORMATS_CAD_READ_CAD_H
+
+#include "commands/commands.h"
+#include "formats/cad/Cad_model.h"
+
+#include <string>
+
+// Whether these are CAD models, by their extensions. Throws std::invalid_argument when only some are.
+bool are_cad_files(const Arguments& files);
+
+// Reads a STEP, IGES or BREP file. Throws with its name and the reason: also when the program has been built without OpenCASCADE.
+Cad_model read_cad(const std::string& file, const Cad_reading& reading);
+
+#endif // GEOMETRIC_CONTINUITY_TOOLS_FORMATS_CAD_READ_CAD_H

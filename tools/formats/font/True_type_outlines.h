@@ -1,0 +1,144 @@
+// Copyright (c) 2026 The Geometric_continuity developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef GEOMETRIC_CONTINUITY_TOOLS_FORMATS_FONT_TRUE_TYPE_OUTLINES_H
+#define GEOMETRIC_CONTINUITY_TOOLS_FORMATS_FONT_TRUE_TYPE_OUTLINES_H
+
+#include "formats/font/Font_tables.h"
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+/// The outlines of TrueType glyphs, as they are written. OpenType specification, tables 'head', 'maxp', 'loca' and 'glyf'.
+
+namespace CGAL {
+namespace Geometric_continuity {
+
+/// A point of an outline in units of the font: on the curve, or the control point of a quadratic curve.
+struct Outline_point {
+  int x, y;      ///< the coordinates
+  bool on_curve; ///< between two control points in succession their midpoint is on the curve
+
+  /// Decides whether both are equal.
+  friend bool operator==(const Outline_point& p, const Outline_point& q) {
+    return p.x == q.x && p.y == q.y && p.on_curve == q.on_curve;
+  }
+};
+
+/// The outline of a glyph. That of a composite glyph is not resolved: it has no points.
+struct True_type_outline {
+  std::vector<Outline_point> points;
+  std::vector<int> contour_ends; ///< the points of a contour end before this one
+  int components = 0;            ///< how many other glyphs a composite glyph consists of
+};
+
+/// The outlines of a TrueType font. It refers to the bytes of the font.
+class True_type_outlines {
+  std::string_view glyphs_, places_;
+  bool long_places_;
+  int units_per_em_;
+  int count_;
+
+public:
+  /// Reads what all glyphs have in common. \throws Error `malformed_input`, also when the font has no TrueType outlines
+  explicit True_type_outlines(const Font_tables& font) : glyphs_(font.table("glyf")), places_(font.table("loca")) {
+    Font_bytes head(font.table("head"), "table 'head'"), profile(font.table("maxp"), "table 'maxp'"),
+        places(places_, "table 'loca'");
+    units_per_em_ = head.seek(18).u16();
+    if (units_per_em_ == 0) head.refuse("the em has no units");
+    const int format = head.seek(50).u16();
+    if (format > 1) head.refuse("the format " + std::to_string(format) + " of the table 'loca' is unknown");
+    long_places_ = format == 1;
+    count_ = profile.seek(4).u16();
+    if (places.size() / (long_places_ ? 4 : 2) < static_cast<std::size_t>(count_) + 1)
+      places.refuse("it is too short for " + std::to_string(count_) + " glyphs");
+  }
+
+  /// Returns the number of glyphs.
+  int glyph_count() const { return count_; }
+  /// Returns the number of units of which the em consists.
+  int units_per_em() const { return units_per_em_; }
+
+  /// Reads a glyph; one without an outline has no points. Takes memory in proportion to the glyph's bytes only.
+  /// \throws Error `malformed_input`, `parameter_outside_domain` when there is no such glyph
+  True_type_outline glyph(int index) const {
+    if (index < 0 || count_ <= index)
+      throw Error(Error_code::parameter_outside_domain, "there is no glyph " + std::to_string(index));
+    const std::string name = "table 'glyf', glyph " + std::to_string(index);
+    const std::size_t begin = place(index), end = place(index + 1);
+    Font_bytes whole(glyphs_, name);
+    if (end < begin || glyphs_.size() < end) whole.refuse("it lies outside of the table");
+    True_type_outline outline;
+    if (begin == end) return outline;
+    Font_bytes bytes(glyphs_.substr(begin, end - begin), name);
+    const int contours = bytes.i16();
+    bytes.skip(8); // a bounding box
+    if (contours < 0)
+      outline.components = components(bytes);
+    else
+      read_points(bytes, contours, outline);
+    return outline;
+  }
+
+private:
+  std::size_t place(int index) const {
+    Font_bytes bytes(places_, "table 'loca'");
+    const std::size_t i = static_cast<std::size_t>(index);
+    return long_places_ ? bytes.seek(4 * i).u32() : 2 * static_cast<std::size_t>(bytes.seek(2 * i).u16());
+  }
+
+  static int components(Font_bytes& bytes) {
+    enum { words = 1, scale = 8, more = 0x20, two_scales = 0x40, matrix = 0x80 };
+    for (int count = 1;; ++count) {
+      const int flags = bytes.u16();
+      bytes.skip(2 + ((flags & words) != 0 ? 4 : 2) +
+                 ((flags & scale) != 0        ? 2
+                  : (flags & two_scales) != 0 ? 4
+                  : (flags & matrix) != 0     ? 8
+                                              : 0));
+      if ((flags & more) == 0) return count;
+    }
+  }
+
+  static void read_points(Font_bytes& bytes, int contours, True_type_outline& outline) {
+    for (int i = 0, before = 0; i < contours; ++i) {
+      const int end = bytes.u16() + 1;
+      if (end <= before) bytes.refuse("contour " + std::to_string(i) + " ends before it begins");
+      outline.contour_ends.push_back(before = end);
+    }
+    if (contours == 0) return;
+    bytes.skip(static_cast<std::size_t>(bytes.u16())); // instructions
+    const std::size_t count = static_cast<std::size_t>(outline.contour_ends.back());
+    enum { on_curve = 1, short_x = 2, short_y = 4, repeated = 8, same_x = 16, same_y = 32 };
+    std::vector<unsigned char> flags;
+    while (flags.size() < count) {
+      const int flag = bytes.u8(), times = (flag & repeated) != 0 ? bytes.u8() + 1 : 1;
+      flags.insert(flags.end(), static_cast<std::size_t>(times), static_cast<unsigned char>(flag));
+    }
+    if (flags.size() != count) bytes.refuse("there are more flags than points");
+    const auto coordinates = [&](int short_flag, int same_flag, auto set) {
+      int x = 0;
+      for (std::size_t i = 0; i < count; ++i) {
+        const bool same = (flags[i] & same_flag) != 0;
+        if ((flags[i] & short_flag) != 0)
+          x += same ? bytes.u8() : -bytes.u8();
+        else if (!same)
+          x += bytes.i16();
+        if (x < -0x8000 || 0x7fff < x) bytes.refuse("point " + std::to_string(i) + " has more than 16 bits");
+        set(i, x);
+      }
+    };
+    outline.points.resize(count);
+    for (std::size_t i = 0; i < count; ++i) outline.points[i].on_curve = (flags[i] & on_curve) != 0;
+    coordinates(short_x, same_x, [&](std::size_t i, int x) { outline.points[i].x = x; });
+    coordinates(short_y, same_y, [&](std::size_t i, int y) { outline.points[i].y = y; });
+  }
+};
+
+} // namespace Geometric_continuity
+} // namespace CGAL
+
+#endif // GEOMETRIC_CONTINUITY_TOOLS_FORMATS_FONT_TRUE_TYPE_OUTLINES_H

@@ -1,0 +1,241 @@
+// Copyright (c) 2026 The Geometric_continuity developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef GEOMETRIC_CONTINUITY_TOOLS_FORMATS_SVG_SVG_TRANSFORM_H
+#define GEOMETRIC_CONTINUITY_TOOLS_FORMATS_SVG_SVG_TRANSFORM_H
+
+#include "formats/svg/Svg_scanner.h"
+#include "formats/svg/svg_angle.h"
+#include "formats/svg/svg_size.h"
+#include <CGAL/Geometric_continuity/Error.h>
+#include <CGAL/Geometric_continuity/local/coordinates.h>
+#include <CGAL/Geometric_continuity/numbers/internal/checked_numbers.h>
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace CGAL {
+namespace Geometric_continuity {
+
+/// An affine map of the plane, \f$ (x, y) \mapsto (ax + cy + e, bx + dy + f) \f$, as in SVG's `matrix(a b c d e f)`.
+/// \tparam Traits a model of `GeometricContinuityTraits` of dimension 2
+template <class Traits> class Svg_transform {
+public:
+  typedef typename Traits::FT FT;
+  typedef typename Traits::Point Point;
+
+private:
+  std::array<FT, 6> m_{{FT(1), FT(0), FT(0), FT(1), FT(0), FT(0)}};
+
+public:
+  /// Makes the identity.
+  Svg_transform() = default;
+
+  /// Makes the map of the numbers `a, b, c, d, e, f`.
+  /// \throws Error `not_finite` for a number that is not finite
+  explicit Svg_transform(const std::array<FT, 6>& matrix) : m_(matrix) {
+    for (const FT& x : m_) internal::check_finite(x, "Svg_transform");
+  }
+
+  /// Returns the numbers `a, b, c, d, e, f`.
+  const std::array<FT, 6>& matrix() const { return m_; }
+
+  /// Returns \f$ ad - bc \f$; the map is invertible unless this is zero.
+  FT determinant() const { return FT(m_[0] * m_[3] - m_[1] * m_[2]); }
+
+  /// Returns the image of a point.
+  Point operator()(const Point& p) const {
+    const Geometric_continuity::Coordinates<Traits> x = Geometric_continuity::coordinates<Traits>(p);
+    Geometric_continuity::Coordinates<Traits> y(2);
+    y[0] = FT(m_[0] * x[0] + m_[2] * x[1] + m_[4]);
+    y[1] = FT(m_[1] * x[0] + m_[3] * x[1] + m_[5]);
+    return Geometric_continuity::to_point<Traits>(y);
+  }
+
+  /// Returns the map that applies first `inner`, then `outer`. In an exact field it is exact as long as no numerator or
+  /// denominator has more than `max_svg_transform_bits` bits; otherwise all six numbers are rounded to `double`, so that
+  /// products of many maps stay short. No order of continuity depends on that, see `parse_svg_transform()`.
+  /// \throws Error `not_finite` when the product is outside the range of floating-point numbers; `work_limit` when its
+  ///   numbers are too long, and rounded ones would be infinite or make an invertible map singular or vice versa
+  friend Svg_transform operator*(const Svg_transform& outer, const Svg_transform& inner) {
+    const std::array<FT, 6>&m = outer.m_, &n = inner.m_;
+    return Svg_transform({FT(m[0] * n[0] + m[2] * n[1]), FT(m[1] * n[0] + m[3] * n[1]), FT(m[0] * n[2] + m[2] * n[3]),
+                          FT(m[1] * n[2] + m[3] * n[3]), FT(m[0] * n[4] + m[2] * n[5] + m[4]),
+                          FT(m[1] * n[4] + m[3] * n[5] + m[5])})
+        .shortened();
+  }
+
+private:
+  Svg_transform shortened() const {
+    bool is_short = true;
+    for (const FT& x : m_) is_short = is_short && internal::is_svg_short<max_svg_transform_bits>(x);
+    if (is_short) return *this;
+    std::array<FT, 6> rounded;
+    bool faithful = true;
+    for (std::size_t i = 0; i < 6; ++i) {
+      const double x = CGAL::to_double(m_[i]);
+      faithful = faithful && std::isfinite(x);
+      rounded[i] = std::isfinite(x) ? FT(x) : FT(0);
+    }
+    const Svg_transform result(rounded);
+    faithful = faithful && (result.determinant() == FT(0)) == (determinant() == FT(0));
+    if (!faithful)
+      throw Error(Error_code::work_limit,
+                  "Svg_transform: numbers of more than " + std::to_string(max_svg_transform_bits) + " bits");
+    return result;
+  }
+};
+
+namespace internal {
+
+// The rational rotation next to the given one: cos = (1 - t^2)/(1 + t^2), sin = 2t/(1 + t^2) with t = tan(angle/2)
+// rounded to double, after the quarter turns, which are exact.
+template <class Traits> Svg_transform<Traits> svg_rotation(const typename Traits::FT& degrees) {
+  typedef typename Traits::FT FT;
+  const Quarter_turns<FT> turns(degrees);
+  const FT t = turns.rest == FT(0) ? FT(0) : FT(std::tan(svg_radians(CGAL::to_double(turns.rest)) / 2));
+  const FT length = FT(FT(1) + t * t);
+  FT cosine = FT((FT(1) - t * t) / length), sine = FT((t + t) / length);
+  for (int i = 0; i < turns.count; ++i) {
+    const FT old = cosine;
+    cosine = FT(FT(0) - sine);
+    sine = old;
+  }
+  return Svg_transform<Traits>({cosine, sine, FT(FT(0) - sine), cosine, FT(0), FT(0)});
+}
+
+// Reads a list of transforms. Consecutive rotations about one centre are one rotation, by the sum of the angles: the
+// numbers do not grow with the list.
+template <class Traits> class Svg_transform_reader {
+  typedef typename Traits::FT FT;
+  typedef Svg_transform<Traits> Transform;
+
+  struct Rotation {
+    FT degrees, x, y; // around (x, y)
+  };
+
+  Svg_scanner scanner_;
+  Transform result_;                 // of what was read before the rotation
+  std::optional<Rotation> rotation_; // that was read last
+
+public:
+  Svg_transform_reader(std::string_view text, const std::string& name) : scanner_(text, name) {}
+
+  Transform operator()() {
+    scanner_.skip_space();
+    while (!scanner_.at_end()) {
+      read_transform();
+      scanner_.skip_separator();
+    }
+    scanner_.refuse_comma();
+    apply_rotation();
+    return result_;
+  }
+
+private:
+  static Transform translation(const FT& x, const FT& y) { return Transform({FT(1), FT(0), FT(0), FT(1), x, y}); }
+
+  // The tangent is exact at 0 and 45 degrees, otherwise rounded to double.
+  FT tangent(const FT& degrees) const {
+    const Quarter_turns<FT> turns(degrees);
+    if (turns.rest == FT(0) && turns.count % 2 != 0) scanner_.refuse("a skew by a right angle");
+    FT t = turns.rest == FT(0)     ? FT(0)
+           : turns.rest == FT(45)  ? FT(1)
+           : turns.rest == FT(-45) ? FT(-1)
+                                   : FT(std::tan(svg_radians(CGAL::to_double(turns.rest))));
+    return turns.count % 2 == 0 ? t : FT(FT(-1) / t);
+  }
+
+  void apply(const Transform& map) {
+    apply_rotation();
+    multiply(map);
+  }
+
+  void multiply(const Transform& map) {
+    try {
+      result_ = result_ * map;
+    } catch (const Error& error) {
+      if (error.code() != Error_code::work_limit) throw;
+      scanner_.refuse(error.what());
+    }
+  }
+
+  void rotate(const FT& degrees, const FT& x, const FT& y) {
+    const FT angle = less_than_a_turn(degrees);
+    if (rotation_ && rotation_->x == x && rotation_->y == y) {
+      rotation_->degrees = less_than_a_turn(FT(rotation_->degrees + angle));
+      return;
+    }
+    apply_rotation();
+    rotation_ = Rotation{angle, x, y};
+  }
+
+  void apply_rotation() {
+    if (!rotation_) return;
+    const Rotation r = *rotation_;
+    rotation_.reset();
+    const Transform turn = svg_rotation<Traits>(r.degrees);
+    if (r.x == FT(0) && r.y == FT(0)) return multiply(turn);
+    multiply(translation(r.x, r.y) * turn * translation(FT(FT(0) - r.x), FT(FT(0) - r.y)));
+  }
+
+  static FT less_than_a_turn(const FT& degrees) {
+    const Quarter_turns<FT> turns(degrees);
+    return FT(FT(90 * turns.count) + turns.rest);
+  }
+
+  void read_transform() {
+    const std::string name(scanner_.word());
+    if (name != "matrix" && name != "translate" && name != "scale" && name != "rotate" && name != "skewX" &&
+        name != "skewY")
+      scanner_.refuse(name.empty() ? scanner_.found() + " where a transform is expected"
+                                   : "'" + name + "' is not a transform");
+    const bool turns = name == "rotate" || name == "skewX" || name == "skewY";
+    scanner_.expect('(');
+    std::vector<FT> x(1, turns ? scanner_.template angle<FT>() : scanner_.template number<FT>());
+    while (x.size() < 6 && scanner_.at_number()) x.push_back(scanner_.template number<FT>());
+    scanner_.refuse_comma();
+    scanner_.expect(')');
+    const std::size_t n = x.size();
+    if (name == "matrix" && n == 6) return apply(Transform({x[0], x[1], x[2], x[3], x[4], x[5]}));
+    if (name == "translate" && n <= 2) return apply(translation(x[0], n == 2 ? x[1] : FT(0)));
+    if (name == "scale" && n <= 2) return apply(Transform({x[0], FT(0), FT(0), n == 2 ? x[1] : x[0], FT(0), FT(0)}));
+    if (name == "rotate" && n == 1) return rotate(x[0], FT(0), FT(0));
+    if (name == "rotate" && n == 3) return rotate(x[0], x[1], x[2]);
+    if (name == "skewX" && n == 1) return apply(Transform({FT(1), FT(0), tangent(x[0]), FT(1), FT(0), FT(0)}));
+    if (name == "skewY" && n == 1) return apply(Transform({FT(1), tangent(x[0]), FT(0), FT(1), FT(0), FT(0)}));
+    scanner_.refuse(name + " with " + std::to_string(n) + (n == 1 ? " number" : " numbers"));
+  }
+};
+
+} // namespace internal
+
+/// Returns the map of a list of transforms, the attribute `transform`: `matrix`, `translate`, `scale`, `rotate`,
+/// `skewX`, `skewY`, with the numbers of `parse_number()`. The last one is applied first.
+///
+/// In an exact field the map is exact for all but angles: a rotation by other than a multiple of 90 degrees is replaced
+/// by a rotation with rational cosine and sine, and a skew by other than a multiple of 45 degrees by one with a
+/// rational tangent, at an angle that differs by the error of `std::tan()` in `double`. No order of continuity depends
+/// on that: C, G and F orders are the same before and after any invertible affine map, and the rotation does not change
+/// any angle or curvature.
+///
+/// Consecutive rotations about one centre are one rotation, by the sum of the angles. Products whose numbers are longer
+/// than `max_svg_transform_bits` are rounded to `double`: not even then does an order of continuity change.
+///
+/// \throws Error `malformed_input` with a text `name, character N: reason`, also for products that cannot be rounded;
+///   `not_finite` when the product of the transforms is outside the range of floating-point numbers
+template <class Traits>
+Svg_transform<Traits> parse_svg_transform(std::string_view text, const std::string& name = "transform") {
+  return internal::Svg_transform_reader<Traits>(text, name)();
+}
+
+} // namespace Geometric_continuity
+} // namespace CGAL
+
+#endif // GEOMETRIC_CONTINUITY_TOOLS_FORMATS_SVG_SVG_TRANSFORM_H

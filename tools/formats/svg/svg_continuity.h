@@ -1,0 +1,111 @@
+// Copyright (c) 2026 The Geometric_continuity developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef GEOMETRIC_CONTINUITY_TOOLS_FORMATS_SVG_SVG_CONTINUITY_H
+#define GEOMETRIC_CONTINUITY_TOOLS_FORMATS_SVG_SVG_CONTINUITY_H
+
+#include "formats/svg/Svg_segment.h"
+#include <CGAL/Geometric_continuity/IO/internal/Grid_join.h>
+#include <CGAL/Geometric_continuity/joins/join_continuity.h>
+#include <CGAL/Sqrt_extension.h>
+
+#include <algorithm>
+#include <optional>
+#include <type_traits>
+#include <utility>
+
+namespace CGAL {
+namespace Geometric_continuity {
+
+namespace internal {
+
+// The decision in a field extended by one or two square roots, without the betas that are not in FT.
+template <class FT, class Field> Join_continuity<FT> drop_irrational_betas(const Join_continuity<Field>& join) {
+  Join_continuity<FT> r;
+  r.c_order = join.c_order;
+  r.g_order = join.g_order;
+  r.f_order = join.f_order;
+  r.regular = join.regular;
+  r.tangent_equal = join.tangent_equal;
+  r.curvature_equal = join.curvature_equal;
+  r.curvature_vector_equal = join.curvature_vector_equal;
+  return r;
+}
+
+// Calls f(p, q) with the roots of the radicands of both segments, in the numbers of the traits class or in a field that is extended by one
+// or two roots.
+template <class Traits, class Function>
+auto visit_roots(const Svg_segment<Traits>& left, const Svg_segment<Traits>& right, Function f) {
+  typedef typename Traits::FT FT;
+  const FT d = left.radicand(), e = right.radicand();
+  const std::optional<FT> p = rational_square_root(d), q = rational_square_root(e);
+  if constexpr (std::is_floating_point_v<FT>)
+    return f(*p, *q);
+  else {
+    if (p && q) return f(*p, *q);
+    typedef Sqrt_extension<FT, FT> Field;    // a + b sqrt(d)
+    typedef Sqrt_extension<Field, FT> Tower; // a + b sqrt(e), also when one root lies in the field of the other
+    const Tower left_root(p ? Field(*p) : Field(FT(0), FT(1), d));
+    const Tower right_root = q ? Tower(Field(*q)) : Tower(Field(FT(0)), Field(FT(1)), e);
+    return f(left_root, right_root);
+  }
+}
+
+} // namespace internal
+
+/// Decides the continuity of the join between the end of `left` and the start of `right`, which are segments of SVG
+/// paths, up to order `max_order`; empty when it cannot be decided because one of them is an arc whose derivatives are
+/// not known.
+///
+/// Arcs are taken with respect to the eccentric angle; only the C order and the shape parameters depend on that. Where
+/// the centre of an arc is not rational, the decision is made in the field extended by its square root, exactly, and no
+/// shape parameters are given. In `double` it is plain floating point.
+/// \throws Error `negative_count` for a negative `max_order`, `work_limit`
+template <class Traits>
+std::optional<Join_continuity<typename Traits::FT>> continuity(const Svg_segment<Traits>& left,
+                                                               const Svg_segment<Traits>& right, int max_order = 3,
+                                                               Work_limit limit = Work_limit()) {
+  typedef typename Traits::FT FT;
+  if (!left.is_known() || !right.is_known()) return std::nullopt;
+  if constexpr (internal::Rational_parts<FT>::value)
+    if (0 <= max_order && max_order <= 3 && left.bezier() && right.bezier()) {
+      internal::Grid_join<2> grid;
+      Join_continuity<FT> join;
+      if (grid.set_rationals(*left.bezier(), *right.bezier()) && grid.decide(max_order, join, false)) return join;
+    }
+  const int order = (std::max)(max_order, 3); // curvature is reported for every max_order
+  const auto decide = [&](const auto& left_root, const auto& right_root) {
+    typedef std::decay_t<decltype(left_root)> Field;
+    const Coordinate_jet<Field, 2> x = left.template end_jet_over<Field>(order, left_root),
+                                   y = right.template start_jet_over<Field>(order, right_root);
+    const Join_continuity<Field> join = internal::Join_decision<Field, 2>(x, y, max_order, limit)();
+    if constexpr (std::is_same_v<Field, FT>)
+      return join;
+    else
+      return internal::drop_irrational_betas<FT>(join);
+  };
+  return internal::visit_roots(left, right, decide);
+}
+
+/// Calls `f(x, y)` with enclosures of the jets of order 3 at the end of `left` and at the start of `right`, `Coordinate_jet`s of
+/// `Interval_nt<false>`, with which `f` can compute. Returns false, without a call, unless both are Bézier curves whose coordinates are
+/// short rational numbers.
+template <class Traits, class Function>
+bool visit_enclosures(const Svg_segment<Traits>& left, const Svg_segment<Traits>& right, Function f) {
+  if constexpr (internal::Rational_parts<typename Traits::FT>::value)
+    if (left.bezier() && right.bezier()) {
+      internal::Grid_join<2> grid;
+      if (!grid.set_rationals(*left.bezier(), *right.bezier())) return false;
+      const Protect_FPU_rounding<true> rounding_upwards;
+      const auto jets = grid.enclosed_jets();
+      f(jets.first, jets.second);
+      return true;
+    }
+  return false;
+}
+
+} // namespace Geometric_continuity
+} // namespace CGAL
+
+#endif // GEOMETRIC_CONTINUITY_TOOLS_FORMATS_SVG_SVG_CONTINUITY_H

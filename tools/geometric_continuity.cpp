@@ -1,0 +1,95 @@
+// Copyright (c) 2026 The Geometric_continuity developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#include "commands/commands.h"
+#include "files/cores.h"
+#include "files/standard_streams.h"
+#include "files/sudden_end.h"
+
+#include <CGAL/Geometric_continuity/IO/printable.h>
+
+#include <exception>
+#include <iostream>
+#include <new>
+
+namespace {
+
+const char* const program_usage = R"(usage: geometric_continuity COMMAND [ARGUMENTS]
+
+  blend A.g2 B.g2           blend the end of A into the start of B, and prove
+                            both joins
+  connect C.g2 C1.g2 C2.g2  make two surfaces that meet with G1 continuity along
+                            a cubic spline
+  extend A.g2               append a segment with continuous tangent, curvature
+                            or torsion
+  verify FILE.g2...         decide the continuity of every join of a chain, of a
+                            drawing (.svg) or of a font, exactly, and enclose
+                            that of every edge of a CAD model (.step, .iges)
+  repair FILE -o FILE       make kinks of a drawing, a chain or a font exactly
+                            smooth, on its own grid
+  plot FILE.g2...           draw curves, control polygons and curvature combs,
+                            or surfaces
+  report FILE... -o OUT.html
+                            show the joins of chains, drawings, fonts or models,
+                            the worst first, on a page
+  tessellate MODEL.g2...    write triangles for surfaces, without cracks, as
+                            OFF, PLY, OBJ or STL
+
+A curve with inner knots is taken as the chain of its Bezier curves, so that
+its knots are joins. The name - is standard input, and standard output.
+geometric_continuity COMMAND --help explains a command; --version tells the
+version.
+Exit code: 0 when the requirement is met, 1 when it is not, 2 on bad input and
+when the output cannot be written.
+)";
+
+using CGAL::Geometric_continuity::printable;
+
+int run(const std::string& command, const Arguments& arguments) {
+  if (command == "blend") return blend_command(arguments);
+  if (command == "connect") return connect_command(arguments);
+  if (command == "extend") return extend_command(arguments);
+  if (command == "verify") return verify_command(arguments);
+  if (command == "repair") return repair_command(arguments);
+  if (command == "plot") return plot_command(arguments);
+  if (command == "report") return report_command(arguments);
+  if (command == "tessellate") return tessellate_command(arguments);
+  std::cerr << "geometric_continuity: unknown command '" << printable(command) << "'\n" << program_usage;
+  return bad_input;
+}
+
+int run(const Arguments& arguments) {
+  if (arguments.empty()) {
+    std::cerr << program_usage;
+    return bad_input;
+  }
+  if (arguments[0] == "--help" || arguments[0] == "-h" || arguments[0] == "help") {
+    std::cout << program_usage;
+    return requirement_met;
+  }
+  if (arguments[0] == "--version") {
+    std::cout << "geometric_continuity " << GEOMETRIC_CONTINUITY_VERSION << '\n';
+    return requirement_met;
+  }
+  try {
+    [[maybe_unused]] const Cores cores;
+    return run(arguments[0], Arguments(arguments.begin() + 1, arguments.end()));
+  } catch (const std::bad_alloc&) { // more than any system could give
+    std::cerr << "geometric_continuity: out of memory\n";
+  } catch (const std::exception& e) {
+    std::cerr << "geometric_continuity: " << printable(e.what()) << '\n';
+  }
+  return bad_input;
+}
+
+} // namespace
+
+int main(int argc, char* argv[]) {
+  occupy_standard_descriptors();
+  take_stack();
+  end_when_memory_runs_out();
+  clean_up_at_signals();
+  Standard_output output;
+  return output.finish(run(Arguments(argv + (argc > 0 ? 1 : 0), argv + argc)));
+}

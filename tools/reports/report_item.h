@@ -1,0 +1,74 @@
+// Copyright (c) 2026 The Geometric_continuity developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef GEOMETRIC_CONTINUITY_TOOLS_REPORTS_REPORT_ITEM_H
+#define GEOMETRIC_CONTINUITY_TOOLS_REPORTS_REPORT_ITEM_H
+
+#include <CGAL/Geometric_continuity/numbers/Enclosure.h>
+
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+// What a page of `report` shows of one join or edge. It is filled where things are decided; the page decides nothing.
+
+namespace GC = CGAL::Geometric_continuity;
+
+// The worst first.
+enum class Report_grade { gap, kink, corner, g0, undecided, g1, g2 };
+constexpr std::size_t number_of_report_grades = 7;
+
+// A curve as it is drawn: rounded numbers.
+struct Report_curve {
+  std::vector<double> points;  // the coordinates of the control points, one point after the other
+  std::vector<double> weights; // empty when all are equal
+  std::size_t group;           // the number of the contour or chain to which it belongs
+};
+
+// The curves of a contour or chain, which are drawn around its joins.
+typedef std::vector<std::shared_ptr<const Report_curve>> Report_outline;
+constexpr std::size_t most_curves_of_outline = 2000;
+
+struct Report_item {
+  std::size_t number = 0;     // in the order of the files, from 1 on
+  std::string place, verdict; // in words
+  Report_grade grade = Report_grade::undecided;
+  std::optional<GC::Enclosure> angle;              // degrees
+  std::optional<GC::Enclosure> curvature_jump;     // percent of the larger curvature
+  std::optional<GC::Enclosure> gap;                // in the units of the file
+  std::optional<GC::Enclosure> offset;             // how far a handle is off, in these units
+  double severity = 0;                             // what the eye sees, among joins of one grade
+  std::vector<std::string> point;                  // coordinates of the join
+  std::string parameter;                           // of this point of an edge, if it has one
+  std::shared_ptr<const Report_curve> left, right; // that meet there; none for an edge of a model
+  std::shared_ptr<const Report_outline> outline;   // if it is not too long
+  std::size_t edge = 0;                            // the number of an edge of the model
+};
+
+// Whether `a` is shown before `b`, when the worst come first.
+inline bool is_worse(const Report_item& a, const Report_item& b) {
+  if (a.grade != b.grade) return a.grade < b.grade;
+  if (a.severity != b.severity) return a.severity > b.severity;
+  return a.number < b.number;
+}
+
+// A model as it is drawn.
+struct Report_model {
+  struct Patch {
+    int m, n;                                // cells in both directions
+    std::vector<double> points;              // (m + 1) (n + 1) in space, the first index runs fastest
+    std::vector<std::size_t> triangles = {}; // if any, the points are theirs: three numbers each, and no cells
+  };
+  struct Edge {
+    std::string grade;
+    std::vector<std::size_t> patches; // which have it
+    std::vector<double> points;       // in space
+  };
+  std::vector<Patch> patches;
+  std::vector<Edge> edges;
+};
+
+#endif // GEOMETRIC_CONTINUITY_TOOLS_REPORTS_REPORT_ITEM_H

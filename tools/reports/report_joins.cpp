@@ -1,0 +1,74 @@
+// Copyright (c) 2026 The Geometric_continuity developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#include "reports/report_joins.h"
+
+#include "commands/chains/join_report.h"
+
+#include <CGAL/Geometric_continuity/joins/Kink_size.h>
+#include <CGAL/Geometric_continuity/joins/deviation.h>
+#include <CGAL/Geometric_continuity/numbers/units.h>
+
+Report_grade report_grade(const std::optional<GC::Join_grade>& grade) {
+  if (!grade) return Report_grade::undecided;
+  switch (*grade) {
+  case GC::Join_grade::gap: return Report_grade::gap;
+  case GC::Join_grade::corner: return Report_grade::corner;
+  case GC::Join_grade::kink: return Report_grade::kink;
+  case GC::Join_grade::g1: return Report_grade::g1;
+  case GC::Join_grade::g2: return Report_grade::g2;
+  }
+  return Report_grade::undecided;
+}
+
+const char* report_words(Report_grade grade, bool retracted) {
+  switch (grade) {
+  case Report_grade::gap: return "the ends are apart";
+  case Report_grade::kink: return "the tangents differ by a small angle";
+  case Report_grade::corner: return "the tangents differ";
+  case Report_grade::g0: return "the ends meet";
+  case Report_grade::undecided: return "not decided";
+  case Report_grade::g1: return retracted ? "one tangent, and a handle lies on the node" : "the curvature jumps";
+  case Report_grade::g2: return "smooth: tangent and curvature agree";
+  }
+  return "";
+}
+
+Report_item measured_join(const Plane_curve& left, const Plane_curve& right, const Report_demand& demand) {
+  Report_item item;
+  item.grade = report_grade(GC::join_grade(left, right, demand.kink_bound));
+  item.gap = item.angle = GC::Enclosure{0, 0};
+  bool retracted = false;
+  switch (item.grade) {
+  case Report_grade::gap: {
+    const GC::Join_deviation d = GC::deviation(left, right, demand.limit);
+    item.gap = d.gap;
+    item.angle = d.tangent_angle ? std::optional<GC::Enclosure>(GC::in_degrees(*d.tangent_angle)) : std::nullopt;
+    item.severity = d.gap.upper;
+    break;
+  }
+  case Report_grade::kink:
+  case Report_grade::corner: {
+    const GC::Kink_size size = *GC::kink_size(left, right);
+    item.angle = GC::in_degrees(size.angle);
+    if (item.grade == Report_grade::kink) item.offset = size.handle_offset;
+    item.severity = size.severity.upper;
+    break;
+  }
+  case Report_grade::g0:
+  case Report_grade::undecided: item.angle.reset(); break;
+  case Report_grade::g1: {
+    const GC::Join_deviation d = GC::deviation(left, right, demand.limit);
+    retracted = !d.curvature_jump;
+    if (!retracted) item.curvature_jump = GC::in_percent(*d.curvature_jump);
+    item.severity = retracted ? 0 : item.curvature_jump->upper;
+    break;
+  }
+  case Report_grade::g2: item.curvature_jump = GC::Enclosure{0, 0}; break;
+  }
+  item.verdict = item.grade == Report_grade::undecided ? "a curve has no length, hence no direction"
+                                                       : report_words(item.grade, retracted);
+  for (int i = 0; i < 2; ++i) item.point.push_back(rounded(CGAL::to_double(right.coordinates(0)[i]), 9));
+  return item;
+}

@@ -1,0 +1,63 @@
+// Copyright (c) 2026 The Geometric_continuity developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef GEOMETRIC_CONTINUITY_TOOLS_REPORTS_REPORT_PAGE_H
+#define GEOMETRIC_CONTINUITY_TOOLS_REPORTS_REPORT_PAGE_H
+
+#include "reports/report_item.h"
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <ostream>
+#include <string>
+#include <vector>
+
+// E.g. "G1".
+const char* report_grade_name(Report_grade grade);
+
+// The page of `report`: what is counted, the worst joins, and what is drawn.
+class Report_page {
+  const std::size_t most_;
+  std::vector<Report_item> items_; // a heap with the least bad one in front, as soon as there are as many as allowed
+  std::array<std::size_t, number_of_report_grades> counts_{};
+  std::size_t total_ = 0;
+  std::vector<double> low_, high_; // of all points
+
+public:
+  std::string title, summary;
+  std::vector<std::string> notes; // what could not be verified, and the like
+  int dimension = 2;
+  bool down = false;        // the second coordinate grows downwards
+  bool whole_is_em = false; // severities are already in parts of the whole, an em
+  std::optional<Report_model> model;
+
+  // A page that shows at most so many joins.
+  explicit Report_page(std::size_t most) : most_(most) {}
+
+  // Takes note of one more join, the number of which is total() + 1. Returns whether it may be among those that are shown: then
+  // its item is to be passed to add().
+  bool count(Report_grade grade, double severity);
+  void add(Report_item item);
+
+  // Includes points in the whole, of the extent of which the severities of kinks are given in per mille.
+  void include(const std::vector<double>& points);
+  double extent() const;
+
+  std::size_t total() const { return total_; }
+  std::size_t left_out() const { return total_ - items_.size(); }
+  const std::vector<Report_item>& items() const { return items_; }
+
+  // Sorts the joins, the worst first, and states in the notes how many are left out.
+  void finish();
+
+  // Numbers the edges of the items in their order.
+  void number_edges();
+
+  // Writes the page, one file of HTML that needs no other. Texts are escaped.
+  // Throws GC::Error `not_finite`, with the place, for coordinates that are no finite floating-point numbers.
+  void write(std::ostream& os) const;
+};
+
+#endif // GEOMETRIC_CONTINUITY_TOOLS_REPORTS_REPORT_PAGE_H

@@ -1,0 +1,110 @@
+// Copyright (c) 2026 The Geometric_continuity developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#include "files/deferred_output.h"
+#include "reports/finding.h"
+
+#include <CGAL/Geometric_continuity/IO/json.h>
+
+#include <iterator>
+#include <sstream>
+#include <utility>
+
+// SARIF 2.1.0, the Static Analysis Results Interchange Format of OASIS: one run, the rules first, then a result for each finding.
+
+namespace {
+
+struct Rule {
+  Finding_rule rule; // as they follow each other there
+  const char *name, *summary, *description;
+};
+const Rule rules[] = {
+    {Finding_rule::gap, "Gap", "Ends that do not meet",
+     "The end of one curve and the start of the next one, or two edges of surfaces, are apart."},
+    {Finding_rule::corner, "Corner", "A corner",
+     "The tangents of two curves, or the normals of two surfaces, differ by more than the angle of a kink."},
+    {Finding_rule::kink, "Kink", "A kink",
+     "The tangents of two curves differ where they meet, or the normals of two surfaces somewhere along an edge."},
+    {Finding_rule::tangent, "NoTangent", "No tangent",
+     "A curve has no tangent at the join, or a surface no normal somewhere on the edge."},
+    {Finding_rule::curvature, "CurvatureJump", "A jump of the curvature",
+     "The tangents agree, the curvatures do not: reflections break here."},
+    {Finding_rule::derivative, "DerivativeJump", "A jump of a higher derivative",
+     "Tangents and curvatures agree, but not what is required besides: torsions, derivatives of higher order, or those "
+     "with "
+     "respect to the parameter."},
+    {Finding_rule::undecided, "Undecided", "Not decided",
+     "The tolerance lies between the guaranteed bounds, or the numbers do not allow a decision."},
+    {Finding_rule::not_verified, "NotVerified", "Not verified", "What the file has here cannot be read or compared."}};
+
+std::string json(const std::string& text) {
+  std::ostringstream os;
+  CGAL::Geometric_continuity::write_json(os, text);
+  return os.str();
+}
+
+// A message, in which braces would stand for arguments.
+std::string json_message(const std::string& text) {
+  std::string escaped;
+  for (const char c : text) escaped.append(c == '{' || c == '}' ? 2 : 1, c);
+  return "{\"text\":" + json(escaped) + '}';
+}
+
+// The name of a file as a reference: relative as it is, or absolute.
+std::string uri(const std::string& file) {
+  constexpr char hex[] = "0123456789ABCDEF";
+  std::string result = file.substr(0, 1) == "/" ? "file://" : "";
+  for (const char c : file) {
+    const auto between = [c](char first, char last) { return first <= c && c <= last; };
+    if (between('a', 'z') || between('A', 'Z') || between('0', '9') ||
+        std::string("-._~/").find(c) != std::string::npos)
+      result += c;
+    else
+      result += {'%', hex[static_cast<unsigned char>(c) / 16], hex[static_cast<unsigned char>(c) % 16]};
+  }
+  return result;
+}
+
+class Sarif_writer : public Finding_writer {
+  Deferred_output results_;
+
+public:
+  void add(const Finding& f) override {
+    const std::size_t rule = static_cast<std::size_t>(f.rule);
+    std::string result = results_.size() == 0 ? "\n  {\"ruleId\":\"" : ",\n  {\"ruleId\":\"";
+    ((result += rule_id(f.rule)) += "\",\"ruleIndex\":") += std::to_string(rule);
+    (result += ",\"level\":\"") += f.level == Finding_level::error     ? "error"
+                                   : f.level == Finding_level::warning ? "warning"
+                                                                       : "note";
+    (result += "\",\"message\":") += json_message(f.place + ": " + f.message);
+    (result += ",\n   \"locations\":[{\"physicalLocation\":{\"artifactLocation\":{\"uri\":\"") += uri(f.file) + "\"}";
+    if (f.line > 0) result += ",\"region\":{\"startLine\":" + std::to_string(f.line) + '}';
+    ((result += "},\"logicalLocations\":[{\"fullyQualifiedName\":") += json(f.place)) +=
+        ",\"kind\":" + json(f.kind) + "}]}]";
+    if (!f.properties.empty()) result += ",\n   \"properties\":{" + f.properties + '}';
+    results_.write(result + '}');
+  }
+
+  void add_passed(const std::string&, std::size_t, const std::string&) override {}
+
+  void print(std::ostream& os, const std::string& summary) override {
+    os << "{\"$schema\":\"https://docs.oasis-open.org/sarif/sarif/v2.1.0/errata01/os/schemas/"
+          "sarif-schema-2.1.0.json\",\n"
+          " \"version\":\"2.1.0\",\n"
+          " \"runs\":[{\"tool\":{\"driver\":{\"name\":\"geometric_continuity\",\"version\":"
+          "\"" GEOMETRIC_CONTINUITY_VERSION "\",\"rules\":[";
+    for (const Rule& rule : rules)
+      os << (&rule == std::begin(rules) ? "\n  " : ",\n  ") << "{\"id\":\"" << rule_id(rule.rule) << "\",\"name\":\""
+         << rule.name << "\",\"shortDescription\":{\"text\":\"" << rule.summary
+         << "\"},\"fullDescription\":{\"text\":\"" << rule.description << "\"},\"help\":{\"text\":\""
+         << rule.description << "\"}}";
+    os << "]}},\n \"columnKind\":\"unicodeCodePoints\",\n \"results\":[";
+    results_.copy_to(os);
+    os << "],\n \"properties\":{" << summary << "}}]}\n";
+  }
+};
+
+} // namespace
+
+std::unique_ptr<Finding_writer> sarif_writer() { return std::make_unique<Sarif_writer>(); }
