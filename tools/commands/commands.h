@@ -25,9 +25,10 @@ enum class Report_format { text, json, sarif, junit };
 // How `verify` reports and judges what it decided.
 struct Report_mode {
   Report_format format = Report_format::text;
-  bool strict = false;      // what could not be verified counts as not met
-  bool allow_empty = false; // nothing to decide is no error
-  bool summary = false;     // only the counts and what does not meet the requirement
+  bool allow_undecided = false; // what is undecided does not count
+  bool allow_uncovered = false; // what is not covered does not count
+  bool allow_empty = false;     // nothing to decide is no error
+  bool summary = false;         // only the counts, and what is not met and not decided
 
   // Whether the report consists of findings.
   bool has_findings() const { return format == Report_format::sarif || format == Report_format::junit; }

@@ -81,19 +81,21 @@ Presets are published rules, with lengths in millimetres: class-a is
 mil-std-31000a 0.01,2deg.
 
 With --format sarif and junit, what does not meet the requirement is an error;
-without one, gaps and kinks are notes. What is not verified is a warning, with
---strict an error.
+without one, gaps and kinks are notes.
 
-What cannot be verified is named: elements of a drawing that cannot be read,
-joins whose tangents are not rational, edges of surfaces that are single points,
-orders that are undecided within a tolerance.
-With --strict that counts as not met, also without --require.
+Everything that is given is decided, undecided (the tolerance lies between the
+guaranteed bounds, a limit was reached) or not covered (elements of a drawing
+that cannot be read, edges of surfaces that are single points, ...), and the
+report says how much and why. "proved" and exit code 0 mean that all of it is
+decided, unless --allow-undecided and --allow-uncovered leave out the rest.
+
 Exact decisions on numbers of thousands of digits, or of high order and degree,
 can take long: --max-work N allows N steps, about N multiplications of machine
 words, for each join, edge or curve, instead of 4000000000.
 
-Exit code: 0 when every join meets the requirement, 1 when one does not, 2 on
-bad input, and when there is no join, unless --allow-empty accepts that.
+Exit code: 0 when every join meets the requirement, 1 when one does not, or
+is not decided, 2 on bad input, and when there is no join, unless --allow-empty
+accepts that.
 )";
 
 // The format that --format or --json asks for.
@@ -186,7 +188,8 @@ int verify_command(const Arguments& arguments) {
     add("glyphs", po::value<std::string>(), "for fonts: the glyphs to verify, e.g. a-z,U+00E9,ampersand");
     add("worst", po::value<int>()->default_value(10),
         "for fonts: how many joins to show of each, in JSON of each glyph");
-    add("strict", "what cannot be verified counts as not met");
+    add("allow-undecided", "what is undecided does not count as not met");
+    add("allow-uncovered", "what is not covered does not count as not met");
     add("allow-empty", "accept that there is no join");
     add("summary", "print only the counts and what does not meet the requirement; so it is on a terminal for more than "
                    "5000 joins");
@@ -203,7 +206,8 @@ int verify_command(const Arguments& arguments) {
   std::optional<Requirement> required;
   if (line.has("require")) required = Requirement(line.text("require"));
   const Arguments files = line.files();
-  const Report_mode mode{report_format(line), line.has("strict"), line.has("allow-empty"), line.has("summary")};
+  const Report_mode mode{report_format(line), line.has("allow-undecided"), line.has("allow-uncovered"),
+                         line.has("allow-empty"), line.has("summary")};
   if (line.has("all-instances")) {
     if (!are_fonts(files)) throw std::invalid_argument("--all-instances: only for fonts");
     return verify_instances(files, mode, instance_demand(line));

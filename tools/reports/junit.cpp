@@ -3,7 +3,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
 #include "files/deferred_output.h"
-#include "reports/finding.h"
+#include "reports/Report.h"
 
 #include <CGAL/Geometric_continuity/IO/printable.h>
 
@@ -31,9 +31,9 @@ std::string xml(const std::string& text) {
   return result;
 }
 
-class Junit_writer : public Finding_writer {
+class Junit_writer : public Report::Writer {
   struct Suite {
-    std::string file, places;
+    std::string file;
     std::size_t passed = 0, tests = 0, failures = 0, skipped = 0;
     std::vector<std::pair<std::size_t, std::size_t>> parts; // of the test cases: where they begin and end
   };
@@ -44,7 +44,7 @@ class Junit_writer : public Finding_writer {
   Suite& suite(const std::string& file) {
     if (!suites_.empty() && suites_.back().file == file) return suites_.back();
     const auto [number, is_new] = numbers_.emplace(file, suites_.size());
-    if (is_new) suites_.push_back({file, {}, 0, 0, 0, 0, {}});
+    if (is_new) suites_.push_back({file, 0, 0, 0, 0, {}});
     return suites_[number->second];
   }
 
@@ -58,7 +58,9 @@ class Junit_writer : public Finding_writer {
   }
 
 public:
-  void add(const Finding& f) override {
+  void row(const std::string&, const std::string&, const std::string&) override {}
+
+  void find(const Finding& f) override {
     Suite& s = suite(f.file);
     ++s.tests;
     const std::string place = f.file + (f.line > 0 ? ':' + std::to_string(f.line) : "") + ": " + f.place;
@@ -80,25 +82,22 @@ public:
       s.parts.emplace_back(begin, cases_.size());
   }
 
-  void add_passed(const std::string& file, std::size_t number, const std::string& places) override {
-    Suite& s = suite(file);
-    s.passed += number;
-    s.places = places;
-  }
+  void pass(const std::string& file, std::size_t n) override { suite(file).passed += n; }
 
-  void print(std::ostream& os, const std::string&) override {
+  void print(std::ostream& os, const std::string&, const Conclusion& end) override {
     Suite all;
     for (const Suite& s : suites_) {
       all.tests += s.tests + (s.passed > 0);
       all.failures += s.failures;
       all.skipped += s.skipped;
     }
+    const std::string places = end.subject().noun + 's';
     os << "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites name=\"geometric_continuity verify\"" << counts(all);
     for (const Suite& s : suites_) {
       os << " <testsuite name=\"" << xml(s.file) << '"' << counts(s);
       for (const auto& [begin, end] : s.parts) cases_.copy_to(os, begin, end);
       if (s.passed > 0)
-        os << test_case(s.file, s.places + " without a finding") << " assertions=\"" << s.passed << "\"/>\n";
+        os << test_case(s.file, places + " without a finding") << " assertions=\"" << s.passed << "\"/>\n";
       os << " </testsuite>\n";
     }
     os << "</testsuites>\n";
@@ -107,4 +106,4 @@ public:
 
 } // namespace
 
-std::unique_ptr<Finding_writer> junit_writer() { return std::make_unique<Junit_writer>(); }
+std::unique_ptr<Report::Writer> junit_writer() { return std::make_unique<Junit_writer>(); }

@@ -3,12 +3,16 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
 #include "files/deferred_output.h"
-#include "reports/finding.h"
+#include "reports/Report.h"
+#include "reports/words.h"
 
-#include <CGAL/Geometric_continuity/IO/json.h>
-
+#include <cstdint>
+#include <filesystem>
+#include <iomanip>
 #include <iterator>
 #include <sstream>
+#include <system_error>
+#include <unordered_map>
 #include <utility>
 
 // SARIF 2.1.0, the Static Analysis Results Interchange Format of OASIS: one run, the rules first, then a result for each finding.
@@ -38,39 +42,57 @@ const Rule rules[] = {
      "The tolerance lies between the guaranteed bounds, or the numbers do not allow a decision."},
     {Finding_rule::not_verified, "NotVerified", "Not verified", "What the file has here cannot be read or compared."}};
 
-std::string json(const std::string& text) {
-  std::ostringstream os;
-  CGAL::Geometric_continuity::write_json(os, text);
-  return os.str();
-}
-
-// A message, in which braces would stand for arguments.
+// A message in plain text: braces would stand for arguments, brackets for links.
 std::string json_message(const std::string& text) {
   std::string escaped;
-  for (const char c : text) escaped.append(c == '{' || c == '}' ? 2 : 1, c);
-  return "{\"text\":" + json(escaped) + '}';
+  for (const char c : text) {
+    if (c == '[' || c == ']' || c == '\\') escaped += '\\';
+    escaped.append(c == '{' || c == '}' ? 2 : 1, c);
+  }
+  return "{\"text\":" + json_text(escaped) + '}';
 }
 
-// The name of a file as a reference: relative as it is, or absolute.
-std::string uri(const std::string& file) {
+// The place of a file: relative to the folder in which the program runs, which is the root of a checkout in continuous integration.
+std::string json_location(const std::string& file) {
   constexpr char hex[] = "0123456789ABCDEF";
-  std::string result = file.substr(0, 1) == "/" ? "file://" : "";
-  for (const char c : file) {
+  std::error_code error;
+  std::string path = file;
+  if (file.substr(0, 1) == "/") {
+    const std::filesystem::path relative =
+        std::filesystem::path(file).lexically_relative(std::filesystem::current_path(error));
+    if (!error && !relative.empty() && *relative.begin() != "..") path = relative.string();
+  }
+  const bool is_relative = path.substr(0, 1) != "/";
+  std::string uri = is_relative ? "" : "file://";
+  for (const char c : path) {
     const auto between = [c](char first, char last) { return first <= c && c <= last; };
     if (between('a', 'z') || between('A', 'Z') || between('0', '9') ||
         std::string("-._~/").find(c) != std::string::npos)
-      result += c;
+      uri += c;
     else
-      result += {'%', hex[static_cast<unsigned char>(c) / 16], hex[static_cast<unsigned char>(c) % 16]};
+      uri += {'%', hex[static_cast<unsigned char>(c) / 16], hex[static_cast<unsigned char>(c) % 16]};
   }
-  return result;
+  return "{\"uri\":\"" + uri + '"' + (is_relative ? ",\"uriBaseId\":\"%SRCROOT%\"}" : "}");
 }
 
-class Sarif_writer : public Finding_writer {
+class Sarif_writer : public Report::Writer {
   Deferred_output results_;
+  std::unordered_map<std::string, std::size_t> known_; // fingerprints
+
+  // The same for the same defect at the same place in another version of a file, and another for each result.
+  std::string fingerprint(const Finding& f) {
+    std::uint64_t hash = 14695981039346656037u; // FNV-1a
+    for (const std::string& text : {rule_id(f.rule), f.file, f.place})
+      for (const char c : text + '\n') hash = (hash ^ static_cast<unsigned char>(c)) * 1099511628211u;
+    std::ostringstream hex;
+    hex << std::hex << std::setw(16) << std::setfill('0') << hash;
+    return hex.str() + ':' + std::to_string(++known_[hex.str()]);
+  }
 
 public:
-  void add(const Finding& f) override {
+  void row(const std::string&, const std::string&, const std::string&) override {}
+
+  void find(const Finding& f) override {
     const std::size_t rule = static_cast<std::size_t>(f.rule);
     std::string result = results_.size() == 0 ? "\n  {\"ruleId\":\"" : ",\n  {\"ruleId\":\"";
     ((result += rule_id(f.rule)) += "\",\"ruleIndex\":") += std::to_string(rule);
@@ -78,22 +100,24 @@ public:
                                    : f.level == Finding_level::warning ? "warning"
                                                                        : "note";
     (result += "\",\"message\":") += json_message(f.place + ": " + f.message);
-    (result += ",\n   \"locations\":[{\"physicalLocation\":{\"artifactLocation\":{\"uri\":\"") += uri(f.file) + "\"}";
-    if (f.line > 0) result += ",\"region\":{\"startLine\":" + std::to_string(f.line) + '}';
-    ((result += "},\"logicalLocations\":[{\"fullyQualifiedName\":") += json(f.place)) +=
-        ",\"kind\":" + json(f.kind) + "}]}]";
+    (result += ",\n   \"locations\":[{\"physicalLocation\":{\"artifactLocation\":") += json_location(f.file);
+    result += ",\"region\":{\"startLine\":" + std::to_string(f.line > 0 ? f.line : 1) +
+              '}'; // of a file without lines the first
+    ((result += "},\"logicalLocations\":[{\"fullyQualifiedName\":") += json_text(f.place)) +=
+        ",\"kind\":" + json_text(f.kind) + "}]}],\n   \"partialFingerprints\":{\"ruleFilePlace/v1\":\"" +
+        fingerprint(f) + "\"}";
     if (!f.properties.empty()) result += ",\n   \"properties\":{" + f.properties + '}';
     results_.write(result + '}');
   }
 
-  void add_passed(const std::string&, std::size_t, const std::string&) override {}
+  void pass(const std::string&, std::size_t) override {}
 
-  void print(std::ostream& os, const std::string& summary) override {
+  void print(std::ostream& os, const std::string& summary, const Conclusion& end) override {
     os << "{\"$schema\":\"https://docs.oasis-open.org/sarif/sarif/v2.1.0/errata01/os/schemas/"
           "sarif-schema-2.1.0.json\",\n"
           " \"version\":\"2.1.0\",\n"
           " \"runs\":[{\"tool\":{\"driver\":{\"name\":\"geometric_continuity\",\"version\":"
-          "\"" GEOMETRIC_CONTINUITY_VERSION "\",\"rules\":[";
+          "\"" GEOMETRIC_CONTINUITY_VERSION "\",\"informationUri\":\"urn:geometric_continuity\",\"rules\":[";
     for (const Rule& rule : rules)
       os << (&rule == std::begin(rules) ? "\n  " : ",\n  ") << "{\"id\":\"" << rule_id(rule.rule) << "\",\"name\":\""
          << rule.name << "\",\"shortDescription\":{\"text\":\"" << rule.summary
@@ -101,10 +125,10 @@ public:
          << rule.description << "\"}}";
     os << "]}},\n \"columnKind\":\"unicodeCodePoints\",\n \"results\":[";
     results_.copy_to(os);
-    os << "],\n \"properties\":{" << summary << "}}]}\n";
+    os << "],\n \"properties\":{" << summary << ",\n " << end.json() << "}}]}\n";
   }
 };
 
 } // namespace
 
-std::unique_ptr<Finding_writer> sarif_writer() { return std::make_unique<Sarif_writer>(); }
+std::unique_ptr<Report::Writer> sarif_writer() { return std::make_unique<Sarif_writer>(); }

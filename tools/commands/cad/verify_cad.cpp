@@ -8,7 +8,7 @@
 #include "commands/cad/cad_json.h"
 #include "commands/cad/decide_cad.h"
 #include "commands/chains/join_report.h"
-#include "reports/finding.h"
+#include "reports/Finding_writer.h"
 
 #include <iostream>
 #include <memory>
@@ -27,7 +27,7 @@ class Cad_report {
   std::vector<Decided_cad_file> files_;
   Cad_summary summary_;
 
-  Conclusion conclusion() const { return {summary_.decided(), summary_.failing, summary_.unverified(demand_)}; }
+  Old_conclusion conclusion() const { return {summary_.decided(), summary_.failing, summary_.unverified(demand_)}; }
 
   std::string required() const { return "G" + std::to_string(*demand_.order) + " within the tolerance"; }
 
@@ -76,7 +76,8 @@ class Cad_report {
         std::cout << s.failing << " of them not " << required() << '\n';
     }
     if (!demand_.order && s.open > 0) std::cout << "undecided within the tolerance: " << s.open << '\n';
-    if (mode_.strict && summary_.unverified(demand_) > 0) std::cout << "not met, because not all was verified\n";
+    if (!mode_.allow_undecided && summary_.unverified(demand_) > 0)
+      std::cout << "not met, because not all was verified\n";
   }
 
   void write_summary(std::ostream& os) const {
@@ -139,9 +140,9 @@ class Cad_report {
     f.kind = "edge";
     f.place = cad_place(number, edge, file.model);
     f.rule = is_unverified ? Finding_rule::not_verified : is_open ? Finding_rule::undecided : rule(verdict);
-    f.level = fails || (mode_.strict && (is_open || is_unverified)) ? Finding_level::error
-              : is_open || is_unverified                            ? Finding_level::warning
-                                                                    : Finding_level::note;
+    f.level = fails || (!mode_.allow_undecided && (is_open || is_unverified)) ? Finding_level::error
+              : is_open || is_unverified                                      ? Finding_level::warning
+                                                                              : Finding_level::note;
     f.message = (fails ? "not " + required() + ", " : "") + cad_kind(edge) +
                 (is_compared ? ": " + cad_order(verdict) + "; " + cad_numbers(verdict, demand_) : "");
     std::ostringstream properties;
@@ -161,7 +162,7 @@ class Cad_report {
         f.kind = "element";
         f.place = lost.substr(0, lost.find(':'));
         f.rule = Finding_rule::not_verified;
-        f.level = mode_.strict ? Finding_level::error : Finding_level::warning;
+        f.level = !mode_.allow_undecided ? Finding_level::error : Finding_level::warning;
         f.message = "not read: " + lost;
         writer->add(f);
       }

@@ -39,34 +39,34 @@ public:
     Join join = only_orders ? continuity_orders(left, right, demand_.max_order, demand_.limit)
                             : continuity(left, right, demand_.max_order, demand_.limit);
     joins.summary.add(join);
-    const bool fails = demand_.order && !demand_.order->met(join) &&
-                       !(within && (*within)(demand_.order->order()) == GC::Verdict::proved);
-    joins.failing += fails;
-    const bool is_undecided =
-        !demand_.order && within && has_undecided_order(*within); // else what is required is proved
-    joins.undecided += is_undecided;
-    const bool is_found = fails || is_undecided || (mode_.has_findings() && is_noted(join, within));
-    if (only_orders && is_found) join = continuity(left, right, demand_.max_order, demand_.limit);
-    if (mode_.has_findings()) {
-      if (is_found)
-        joins.findings.push_back(finding(place, join, left, right, within, fails, is_undecided));
-      else if (joins.passed.empty() || joins.passed.back().first != place.file)
-        joins.passed.emplace_back(place.file, 1);
-      else
-        ++joins.passed.back().second;
-      return;
-    }
-    if (mode_.summary && !fails) return;
-    std::string& rows = mode_.summary ? joins.failing_rows : joins.rows;
+    const Claim claim = this->claim(join, within);
+    const bool fails = claim != Claim::met, is_noted = this->is_noted(join, within);
+    if (only_orders && (fails || (mode_.has_findings() && is_noted)))
+      join = continuity(left, right, demand_.max_order, demand_.limit);
+    joins.part.add(place.file, {claim, "join", "the tolerance lies between the bounds"}, is_noted,
+                   [&] { return finding(place, join, left, right, within, claim); });
+    if (mode_.has_findings() || (mode_.summary && !fails)) return;
+    std::string& rows = mode_.summary ? joins.part.failing_rows : joins.part.rows;
     const std::size_t begin = rows.size();
     if (mode_.format == Report_format::json)
       append_json_row(rows, place, join, within, joins.stream);
     else
       append_row(rows, place, join, left, right, within);
-    if (fails && !mode_.summary) joins.failing_rows.append(rows, begin, std::string::npos);
+    if (fails && !mode_.summary) joins.part.failing_rows.append(rows, begin, std::string::npos);
   }
 
 private:
+  // What is required, exactly or within the tolerance; where nothing is required, all orders within the tolerance.
+  Claim claim(const Join& join, const std::optional<GC::Order_within>& within) const {
+    if (!demand_.order) return within && has_undecided_order(*within) ? Claim::undecided : Claim::met;
+    if (demand_.order->met(join)) return Claim::met;
+    if (!within) return Claim::not_met;
+    const GC::Verdict verdict = (*within)(demand_.order->order());
+    return verdict == GC::Verdict::proved      ? Claim::met
+           : verdict == GC::Verdict::undecided ? Claim::undecided
+                                               : Claim::not_met;
+  }
+
   bool has_undecided_order(const GC::Order_within& within) const {
     return std::count(within.verdicts.begin(), within.verdicts.begin() + demand_.tolerance->order + 1,
                       GC::Verdict::undecided) > 0;
@@ -111,7 +111,7 @@ private:
   }
 
   Finding finding(const Join_place& place, const Join& join, const Span& left, const Span& right,
-                  const std::optional<GC::Order_within>& within, bool fails, bool is_undecided) const {
+                  const std::optional<GC::Order_within>& within, Claim claim) const {
     const GC::Join_deviation deviation =
         within ? within->deviation : GC::deviation(left.jets(), right.jets(), demand_.limit);
     Finding f;
@@ -119,16 +119,12 @@ private:
     f.line = place.line;
     f.kind = "join";
     f.place = "join " + std::to_string(place.left) + " -> " + std::to_string(place.right);
-    is_undecided = is_undecided || (fails && within && (*within)(demand_.order->order()) == GC::Verdict::undecided);
-    f.rule = is_undecided ? Finding_rule::undecided : rule(join);
-    f.level = fails || (is_undecided && mode_.strict) ? Finding_level::error
-              : is_undecided                          ? Finding_level::warning
-                                                      : Finding_level::note;
+    f.rule = claim == Claim::undecided ? Finding_rule::undecided : rule(join);
     const Join_words words = join_words(join, left, right);
     std::ostringstream message, properties;
-    if (fails)
+    if (claim == Claim::not_met)
       message << "not " << demand_.order->text() << (within ? " within the tolerance" : "") << ", ";
-    else if (is_undecided)
+    else if (claim == Claim::undecided)
       message << "an order is undecided within the tolerance, ";
     message << words.remark << " at " << words.point << "; " << deviation;
     f.message = message.str();

@@ -56,25 +56,6 @@ template <class Numbers> Join_words words_of(const Join& join, int dimension, co
 
 } // namespace
 
-std::string rounded(double x, int digits) {
-  char text[64]; // as printf() does with %g, but zero has no sign
-  return std::string(text,
-                     std::to_chars(text, text + sizeof text, x == 0 ? 0.0 : x, std::chars_format::general, digits).ptr);
-}
-
-std::string counted(std::size_t n, const std::string& noun) {
-  return std::to_string(n) + ' ' + noun + (n == 1 ? "" : "s");
-}
-
-int Conclusion::exit_code(const Report_mode& mode, const std::string& what) const {
-  if (decided == 0 && !mode.allow_empty) {
-    std::cerr << "geometric_continuity: verify: there is no " << what
-              << ", so that nothing was decided; --allow-empty accepts that\n";
-    return bad_input;
-  }
-  return met(mode) ? requirement_met : requirement_not_met;
-}
-
 Requirement::Requirement(const std::string& text) : order_(-1) {
   const std::size_t kind = std::string("CGF").find(text.substr(0, 1));
   const std::string digits = text.substr((std::min<std::size_t>)(1, text.size()));

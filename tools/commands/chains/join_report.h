@@ -7,6 +7,7 @@
 
 #include "commands/commands.h"
 #include "formats/g2_text/curves.h"
+#include "reports/words.h"
 
 #include <CGAL/Geometric_continuity/joins/chain_continuity.h>
 #include <CGAL/Interval_nt.h>
@@ -34,27 +35,6 @@ public:
 
   std::string text() const;
 };
-
-// What a report comes to.
-struct Conclusion {
-  std::size_t decided;    // joins, edges and knot lines
-  std::size_t failing;    // those that do not meet the requirement
-  std::size_t unverified; // what could not be verified and is not counted above
-
-  bool met(const Report_mode& mode) const { return failing == 0 && !(mode.strict && unverified > 0); }
-
-  // Returns `true` or `false`, or `null` when nothing was decided.
-  std::string json_met(const Report_mode& mode) const { return decided == 0 ? "null" : met(mode) ? "true" : "false"; }
-
-  // Returns the exit code. When nothing was decided and that is not allowed, says on standard error that there is no `what`.
-  int exit_code(const Report_mode& mode, const std::string& what) const;
-};
-
-// Returns a number and its noun, e.g. "1 join" or "2 joins".
-std::string counted(std::size_t n, const std::string& noun);
-
-// Returns a number with this many significant digits.
-std::string rounded(double x, int digits);
 
 // Returns the orders of a join, e.g. "C1 G2 F2", or "gap".
 std::string orders(const Join& join);

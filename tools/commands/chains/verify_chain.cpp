@@ -97,7 +97,7 @@ int verify_spans(const Arguments& files, bool closed, const Report_mode& mode, c
     return true;
   };
   const auto work = [&](Batch& batch) {
-    batch.joins = {};
+    batch.joins = Decided_joins{Report_part(mode)};
     try {
       for (std::size_t i = 1; i < batch.size; ++i) {
         const std::size_t left = batch.first + i - 1;
@@ -125,7 +125,7 @@ int verify_spans(const Arguments& files, bool closed, const Report_mode& mode, c
   if (size == 1 && !closed && !mode.allow_empty)
     throw std::invalid_argument("a single curve has no join; --closed asks for the join of its end and its start");
   if (closed && size > 0) {
-    Decided_joins joins;
+    Decided_joins joins{Report_part(mode)};
     within_work_limit([] { return std::string("the join that closes the chain"); },
                       [&] {
                         decide({size - 1, 0, names[last_end.file], last_end.line}, *last, *first, joins);

@@ -11,7 +11,7 @@
 #include "files/input.h"
 #include "files/progress.h"
 #include "formats/svg/svg_drawing.h"
-#include "reports/finding.h"
+#include "reports/Finding_writer.h"
 
 #include "formats/svg/svg_continuity.h"
 #include "formats/svg/svg_grade.h"
@@ -180,7 +180,8 @@ public:
   void not_read(const Drawing_element& element, const std::string& reason) override {
     if (findings_)
       findings_->add({element.file, element.line, "element", element.text(), Finding_rule::not_verified,
-                      mode_.strict ? Finding_level::error : Finding_level::warning, "not verified, " + reason, ""});
+                      !mode_.allow_undecided ? Finding_level::error : Finding_level::warning, "not verified, " + reason,
+                      "", Claim::not_covered});
     not_read_.push_back(json_ ? '{' + json_element(element) + ",\"reason\":" + json_string(reason) + '}'
                               : name(element) + ": not verified, " + GC::printable(reason));
   }
@@ -214,16 +215,16 @@ private:
       findings_->add_passed(element.file, 1, "joins");
       return;
     }
-    const Finding_level level = fails || (!decision && mode_.strict) ? Finding_level::error
-                                : decision                           ? Finding_level::note
-                                                                     : Finding_level::warning;
+    const Finding_level level = fails || (!decision && !mode_.allow_undecided) ? Finding_level::error
+                                : decision                                     ? Finding_level::note
+                                                                               : Finding_level::warning;
     const auto [message, properties] = words(fails ? "not " + required_->text() + ", " : "");
     findings_->add({element.file, element.line, "join", element.text() + place(number, left, right),
-                    rule(decision, grade), level, message, properties});
+                    rule(decision, grade), level, message, properties, Claim::met});
   }
 
   // Joins that are undecided fail when an order is asked for.
-  Conclusion conclusion() const { return {joins_, failing_, not_read_.size() + (required_ ? 0 : undecided_)}; }
+  Old_conclusion conclusion() const { return {joins_, failing_, not_read_.size() + (required_ ? 0 : undecided_)}; }
 
   // What the lines of an element begin with: names from outside must not look like lines.
   std::string name(const Drawing_element& element) const {
@@ -251,7 +252,7 @@ private:
          << ", proved exactly" << unverified << '\n';
     else if (required_)
       os << failing_ << " of them not " << (undecided_ == 0 ? "" : "proved to be ") << required_->text() << '\n';
-    if (mode_.strict && conclusion().unverified > 0) os << "not met, because not all was verified\n";
+    if (!mode_.allow_undecided && conclusion().unverified > 0) os << "not met, because not all was verified\n";
   }
 
   std::size_t count(GC::Join_grade grade) const {

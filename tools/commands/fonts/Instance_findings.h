@@ -8,7 +8,7 @@
 #include "commands/chains/join_report.h"
 #include "commands/commands.h"
 #include "commands/fonts/Instance_kinks.h"
-#include "reports/finding.h"
+#include "reports/Finding_writer.h"
 
 #include <cstddef>
 #include <memory>
@@ -25,7 +25,8 @@ class Instance_findings {
 
 public:
   Instance_findings(const Report_mode& mode, bool required)
-      : writer_(finding_writer(mode.format)), unverified_(mode.strict ? Finding_level::error : Finding_level::warning),
+      : writer_(finding_writer(mode.format)),
+        unverified_(!mode.allow_undecided ? Finding_level::error : Finding_level::warning),
         level_(required ? Finding_level::error : Finding_level::note) {}
 
   // What is in a font; `place` begins the places in it, e.g. "font 1, ".

@@ -3,14 +3,14 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
 #include "commands/fonts/font_report.h"
-#include "reports/finding.h"
+#include "reports/Finding_writer.h"
 
 namespace {
 
 // The worst joins of each font as findings; how many more there are, one finding tells.
 class Font_findings : public Font_report {
   const std::unique_ptr<Finding_writer> writer_ = finding_writer(mode_.format);
-  const Finding_level unverified_ = mode_.strict ? Finding_level::error : Finding_level::warning;
+  const Finding_level unverified_ = !mode_.allow_undecided ? Finding_level::error : Finding_level::warning;
   const Finding_level level_ = required_ ? Finding_level::error : Finding_level::note;
 
   static std::string message(const Shown_join& join, const Join_numbers& numbers) {

@@ -9,6 +9,7 @@
 #include "commands/commands.h"
 #include "commands/fonts/Graded_joins.h"
 #include "formats/font/font_files.h"
+#include "reports/Finding_writer.h"
 
 #include <cstddef>
 #include <memory>
@@ -71,7 +72,7 @@ public:
       : mode_(mode), required_(required) {}
   virtual ~Font_report() = default;
 
-  Conclusion conclusion(const Fonts_result& all) const {
+  Old_conclusion conclusion(const Fonts_result& all) const {
     return {all.counts.joins.joins(), required_ ? all.counts.joins.below(*required_) : 0,
             all.unread.size() + all.unread_glyphs + all.missing};
   }

@@ -97,14 +97,14 @@ public:
       os << '\n';
       if (!mode_.summary || fails(all.counts.joins)) os << table(all.worst, true);
     }
-    const Conclusion end = conclusion(all);
+    const Old_conclusion end = conclusion(all);
     if (end.decided == 0)
       os << "no join, nothing was decided\n";
     else if (required_ && end.failing == 0)
       os << "every join that is no corner is " << *required_ << ", proved exactly\n";
     else if (required_)
       os << end.failing << " of them not " << *required_ << '\n';
-    if (mode_.strict && end.unverified > 0) os << "not met, because not all was verified\n";
+    if (!mode_.allow_undecided && end.unverified > 0) os << "not met, because not all was verified\n";
   }
 };
 

@@ -250,7 +250,7 @@ public:
   }
 
 private:
-  Conclusion conclusion() const {
+  Old_conclusion conclusion() const {
     return {counts_.decided() + counts_.corners, required_ ? counts_.refuted + counts_.undecided : 0,
             not_read_.size() + unverified_ + counts_.unverified() + (required_ ? 0 : counts_.undecided)};
   }
@@ -259,7 +259,7 @@ private:
     for (const Unread_file& file : not_read_) os << GC::printable(file.name + ": " + file.reason) << '\n';
     if (fonts_ > 1)
       os << counted(fonts_, "font") << ", " << counts_text(counts_, max_kink_) << '\n' << kinks_table(worst_, "    ");
-    const Conclusion end = conclusion();
+    const Old_conclusion end = conclusion();
     if (end.decided == 0)
       os << "no join, nothing was decided\n";
     else if (required_ && end.failing == 0)
@@ -267,7 +267,7 @@ private:
     else if (required_)
       os << counts_.refuted << " of them not within " << max_kink_ << " degrees, and " << counts_.undecided
          << " not proved to be\n";
-    if (mode_.strict && end.unverified > 0) os << "not met, because not all was verified\n";
+    if (!mode_.allow_undecided && end.unverified > 0) os << "not met, because not all was verified\n";
   }
 
   void print_findings(std::ostream& os) const {

@@ -1,0 +1,120 @@
+// Copyright (c) 2026 The Geometric_continuity developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#include "reports/Report.h"
+
+#include "files/deferred_output.h"
+
+#include <utility>
+#include <vector>
+
+#include <unistd.h>
+
+namespace {
+
+// Lines in the order in which they come, then the summary and what follows. On a terminal only those of what is not met and not decided,
+// if there are too many to be read.
+class Text_writer : public Report::Writer {
+  static constexpr std::size_t most_things_on_terminal = 5000;
+  const bool summary_, may_be_short_;
+  Deferred_output rows_, failing_rows_;
+
+public:
+  explicit Text_writer(bool summary) : summary_(summary), may_be_short_(!summary && isatty(STDOUT_FILENO) != 0) {}
+
+  void row(const std::string&, const std::string& rows, const std::string& failing_rows) override {
+    if (!summary_) rows_.write(rows);
+    if (summary_ || may_be_short_) failing_rows_.write(failing_rows);
+  }
+  void find(const Finding&) override {}
+  void pass(const std::string&, std::size_t) override {}
+  void print(std::ostream& os, const std::string& summary, const Conclusion& end) override {
+    const bool is_short = may_be_short_ && end.claims().given() > most_things_on_terminal;
+    const Deferred_output& rows = is_short || summary_ ? failing_rows_ : rows_;
+    if (rows.size() > 0) os << end.subject().table_head;
+    rows.copy_to(os);
+    os << summary << end.text();
+    if (is_short) os << "the others are listed when the output is not a terminal\n";
+  }
+};
+
+// An object with the arrays, in the order in which they are named, and the members of the summary.
+class Json_writer : public Report::Writer {
+  struct Array {
+    std::string name;
+    Deferred_output rows = {};
+    bool is_empty = true;
+  };
+  const bool summary_;
+  std::vector<std::unique_ptr<Array>> arrays_;
+
+  Array& array(const std::string& name) {
+    for (const std::unique_ptr<Array>& a : arrays_)
+      if (a->name == name) return *a;
+    arrays_.push_back(std::unique_ptr<Array>(new Array{name}));
+    return *arrays_.back();
+  }
+
+public:
+  explicit Json_writer(bool summary) : summary_(summary) {}
+
+  void row(const std::string& name, const std::string& rows, const std::string& failing_rows) override {
+    Array& a = array(name);
+    const std::string& text = summary_ ? failing_rows : rows;
+    if (!text.empty())
+      a.rows.write(std::exchange(a.is_empty, false) ? text.substr(1) : text); // no comma before the first one
+  }
+  void find(const Finding&) override {}
+  void pass(const std::string&, std::size_t) override {}
+  void print(std::ostream& os, const std::string& summary, const Conclusion& end) override {
+    os << '{';
+    for (const std::unique_ptr<Array>& a : arrays_) {
+      os << '"' << a->name << "\":[";
+      a->rows.copy_to(os);
+      os << "],\n ";
+    }
+    os << summary << ",\n " << end.json() << "}\n";
+  }
+};
+
+Finding_level level(Claim claim, const Report_mode& mode) {
+  switch (claim) {
+  case Claim::met: return Finding_level::note;
+  case Claim::not_met: break;
+  case Claim::undecided: return mode.allow_undecided ? Finding_level::warning : Finding_level::error;
+  case Claim::not_covered: return mode.allow_uncovered ? Finding_level::warning : Finding_level::error;
+  }
+  return Finding_level::error;
+}
+
+} // namespace
+
+std::unique_ptr<Report::Writer> report_writer(const Report_mode& mode) {
+  switch (mode.format) {
+  case Report_format::text: break;
+  case Report_format::json: return std::make_unique<Json_writer>(mode.summary);
+  case Report_format::sarif: return sarif_writer();
+  case Report_format::junit: return junit_writer();
+  }
+  return std::make_unique<Text_writer>(mode.summary);
+}
+
+Report::Report(const Report_mode& mode, Report_subject subject)
+    : mode_(mode), subject_(std::move(subject)), writer_(report_writer(mode)) {}
+
+void Report::add(const Report_part& part, const std::string& array) {
+  claims_ += part.claims_;
+  if (!part.rows.empty() || !part.failing_rows.empty()) writer_->row(array, part.rows, part.failing_rows);
+  for (Finding finding : part.findings_) {
+    finding.level = level(finding.claim, mode_);
+    writer_->find(finding);
+  }
+  for (const auto& [file, n] : part.passed_) writer_->pass(file, n);
+}
+
+int Report::print(std::ostream& os, const std::string& summary) const {
+  const Conclusion end(claims_, mode_, subject_);
+  writer_->print(os, summary, end);
+  return end.exit_code();
+}
