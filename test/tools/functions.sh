@@ -47,6 +47,12 @@ holds() {
     echo "not true: $*"
   fi
 }
+# lacks FILE TEXT...: the file contains none of the texts
+lacks() {
+  local file=$1 text
+  shift
+  for text in "$@"; do holds [ "$(grep -cF -- "$text" "$file")" -eq 0 ]; done
+}
 
 limited() { # KILOBYTES ARGUMENTS...: a run with no more memory
   (

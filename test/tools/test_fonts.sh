@@ -10,11 +10,6 @@ font() {
   shift
   printf "$(LC_ALL=C awk "$@" -f "$generator")" >"$file"
 }
-lacks() { # lacks FILE TEXT...: the file contains none of the texts
-  local file=$1 text
-  shift
-  for text in "$@"; do holds [ "$(grep -cF -- "$text" "$file")" -eq 0 ]; done
-}
 same() { holds cmp -s "$1" "$2"; }
 # glyph FONT NAME COUNTS: what --json says about a glyph, as joins corners kinks G1 G2
 glyph() {

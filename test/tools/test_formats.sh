@@ -46,11 +46,11 @@ cubic $'0 0 0\n8 0 0\n16 0 0\n24 0 0' >line.g2
 cubic $'24 0 0\n25 1 0\n26 2 0\n27 3 0' >diagonal.g2
 cubic $'27 3 1\n28 3 1\n29 3 1\n30 4 1' >away.g2
 cubic $'30 4 1\n30 4 1\n29 3 1\n30 4 1' >cusp.g2
-formats chains 0 0 1 0 0 line.g2 diagonal.g2 --within 0,45deg
-formats chains 1 1 0 0 0 line.g2 diagonal.g2 --within 0,45deg --strict && says sarif '"ruleId":"undecided"'
+formats chains 0 0 1 0 0 line.g2 diagonal.g2 --within 0,45deg --allow-undecided
+formats chains 1 1 0 0 0 line.g2 diagonal.g2 --within 0,45deg && says sarif '"ruleId":"undecided"'
 formats chains 1 1 0 0 0 line.g2 diagonal.g2 --within 0,45deg --require G1 && says sarif '"ruleId":"undecided"'
 formats chains 0 0 0 3 0 line.g2 diagonal.g2 away.g2 cusp.g2
-says sarif '"ruleId":"kink"' '"ruleId":"gap"' '"ruleId":"tangent"' '"uri":"line.g2"},"region":{"startLine":8}' '"uri":"diagonal.g2"' \
+says sarif '"ruleId":"kink"' '"ruleId":"gap"' '"ruleId":"tangent"' '"uri":"line.g2","uriBaseId":"%SRCROOT%"},"region":{"startLine":8}' '"uri":"diagonal.g2"' \
   '"fullyQualifiedName":"join 1 -> 2","kind":"join"' '"text":"join 1 -> 2: the ends are 1 apart at (27, 3, 0); gap 1, tangent angle' \
   '"angle_degrees":[44.99999999' '"summary":{"joins":3,'
 says junit '<testsuite name="cusp.g2" tests="0"' '<testcase classname="line.g2" name="join 0 -&gt; 1">' \
@@ -76,13 +76,13 @@ formats drawings 0 0 0 1 1 drawing.svg
 formats drawings 1 1 0 0 1 drawing.svg --require G1 --kink-angle 5 && says sarif '"ruleId":"kink"' 'path \"almost\" (line 2)'
 
 # surfaces
-formats surfaces 0 0 0 16 44 --surfaces "$teapot"
-formats surfaces 1 28 0 8 24 --surfaces "$teapot" --require G2 && says sarif '"ruleId":"tangent"' '"ruleId":"curvature"' '"kind":"edge"'
+formats surfaces 0 0 8 8 44 --surfaces "$teapot" --allow-uncovered
+formats surfaces 1 36 0 0 24 --surfaces "$teapot" --require G2 && says sarif '"ruleId":"tangent"' '"ruleId":"curvature"' '"kind":"edge"'
 holds [ "$(count '"startLine":' sarif)" -eq 36 ]
-formats surfaces 1 16 0 0 44 --surfaces "$teapot" --require G1 --strict
+formats surfaces 1 16 0 0 44 --surfaces "$teapot" --require G1
 flat "$flat_points" >low.g2
 flat $'1 1 2 2\n0 1 0\n1 1 0\n2 1 0\n3 1 0\n4 1 0\n0 2 0\n1 2 0\n2 2 0\n3 2 0\n4 2 1/3' >high.g2
-formats surfaces 1 2 0 0 1 --surfaces low.g2 high.g2 --require G2 && says sarif '"uri":"low.g2"},"region":{"startLine":2}}' '"uri":"high.g2"},"region":{"startLine":2}}' '"patch 0 v1 - patch 1 v0"' '"patch 1 u = 1","kind":"knot line"'
+formats surfaces 1 2 0 0 1 --surfaces low.g2 high.g2 --require G2 && says sarif '"uri":"low.g2","uriBaseId":"%SRCROOT%"},"region":{"startLine":2}}' '"uri":"high.g2","uriBaseId":"%SRCROOT%"},"region":{"startLine":2}}' '"patch 0 v1 - patch 1 v0"' '"patch 1 u = 1","kind":"knot line"'
 formats surfaces 0 0 0 1 2 --surfaces low.g2 high.g2 --within 0.1,18deg && says junit '<testsuite name="high.g2" tests="1"'
 formats surfaces 0 0 0 0 3 --surfaces low.g2 high.g2 --within 0.1,18.5deg
 flat $'1 1 2 2\n0 1 1/1024\n1 1 1/1024\n2 1 1/1024\n3 1 1/1024\n4 1 1/1024\n0 2 0\n1 2 0\n2 2 0\n3 2 0\n4 2 0' >near.g2
@@ -103,7 +103,8 @@ says sarif '"uri":"a%20b%25%01%FF%EF%BF%BE%3C%26%22%7B0%7D%3A%23%3F.g2"'
 says junit '<testsuite name="a b%\x01\xff'$'\xef\xbf\xbd''&lt;&amp;&quot;{0}:#?.g2"'
 svg '<path id="&lt;/failure&gt;{0}]]&gt;&#10;&amp;" d="M0 0h1v1"/>'
 formats drawings 1 1 0 0 0 drawing.svg --require G1 && says junit '&lt;/failure&gt;{0}]]&gt;' && says sarif '</failure>{{0}}]]>'
-run 1 verify "$PWD/drawing.svg" --require G1 --format sarif && valid sarif out && says out '"uri":"file:///'
+run 1 verify "$PWD/drawing.svg" --require G1 --format sarif && valid sarif out && says out '"uri":"drawing.svg","uriBaseId":"%SRCROOT%"'
+mkdir -p sub && (cd sub && run 1 verify "$PWD/../drawing.svg" --require G1 --format sarif && says out '"uri":"file:///')
 
 # nothing to report, and nothing at all
 cubic $'0 0 0\n1 0 0\n2 0 0\n3 0 0' >alone.g2

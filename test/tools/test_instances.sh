@@ -10,7 +10,6 @@ valid() {
     "$schemas/instances.json" "$1"
 }
 bytes() { printf '%b' "$(tr -d '\n' | sed 's/../\\x&/g')"; } # from hexadecimal digits
-lacks() { for text in "${@:2}"; do holds [ "$(grep -cF -- "$text" "$1")" -eq 0 ]; done; }
 
 # An axis wght from 100 to 900 whose upper half is stretched by 'avar'. Glyph 1 has the points (0, -50), (0, 0) off the curve,
 # (100, 0), (200, 0) off, (200, -50); at 900 the second moves by (0, -20) and the fourth by (200, 60): the handles at the third
