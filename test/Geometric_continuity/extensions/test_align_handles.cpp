@@ -20,6 +20,7 @@
 #include <optional>
 #include <random>
 #include <utility>
+#include <vector>
 
 BOOST_AUTO_TEST_SUITE(align_handles)
 
@@ -57,6 +58,29 @@ Cost least_cost(const Vector& a, const Vector& b, int r) {
 bool is_kink(const Vector& a, const Vector& b) {
   const Vector zero{0, 0};
   return a != zero && b != zero && dot(a, b) >= (std::abs)(cross(a, b));
+}
+
+// The convergents of the direction of v, and those between them.
+std::vector<Vector> convergents(const Vector& v) {
+  std::vector<Vector> result;
+  Vector low{v.x < 0 ? -1 : 1, 0}, high{0, v.y < 0 ? -1 : 1};
+  const auto add = [&](Vector& changed, const Vector& other) { // as long as v is not passed
+    const std::int64_t rest = (std::abs)(cross(changed, v)), by = (std::abs)(cross(other, v));
+    const std::int64_t steps = by == 0 ? 1 : rest / by;
+    for (const std::int64_t k : {std::int64_t(1), steps / 2, steps})
+      if (k > 0) result.push_back(changed + k * other);
+    changed = changed + steps * other;
+    return rest != 0 && by != 0;
+  };
+  while (add(low, high) && add(high, low) && result.size() < 200) {
+  }
+  return result;
+}
+
+// The multiple of d that is nearest to v.
+Vector nearest(const Vector& v, const Vector& d) {
+  const std::int64_t k = std::llround(static_cast<double>(dot(v, d)) / static_cast<double>(squared_length(d)));
+  return (std::max)(std::int64_t(1), k) * d;
 }
 
 // The result is a pair of one direction, and none is nearer as far as r units.
@@ -125,6 +149,63 @@ BOOST_AUTO_TEST_CASE(a_short_handle_beside_a_long_one) {
     BOOST_REQUIRE(handles);
     BOOST_CHECK(cost({2, 1}, {2 * n, n + 1}, handles->left, handles->right).first <= 1);
   }
+}
+
+// The search takes as many steps as the shorter leg admits, however long the other one is: an hour would not do if not.
+BOOST_AUTO_TEST_CASE(short_handles_beside_the_longest_ones) {
+  const std::int64_t n = GC::max_leg;
+  check({10, 0}, {n, n - 1}, 8);
+  check({-7, 3}, {-n, 5}, 6);
+  const unsigned seed = 60461;
+  BOOST_TEST_MESSAGE("seed " << seed);
+  std::mt19937 random(seed);
+  for (int checked = 0; checked < 300;) {
+    const std::int64_t size = std::int64_t(1) << std::uniform_int_distribution<int>(5, 28)(random);
+    std::uniform_int_distribution<std::int64_t> small(-12, 12), large(-size, size);
+    const Vector a{small(random), small(random)}, b{large(random), large(random)};
+    if (!is_kink(a, b)) continue;
+    check(a, b, 6);
+    ++checked;
+  }
+  // of all lengths and angles: not worse than the legs that a continued fraction of the direction in the middle gives
+  for (int checked = 0; checked < 2000;) {
+    const auto leg = [&] {
+      const std::int64_t size = std::int64_t(1) << std::uniform_int_distribution<int>(1, 28)(random);
+      std::uniform_int_distribution<std::int64_t> coordinate(-size, size);
+      return Vector{coordinate(random), coordinate(random)};
+    };
+    const Vector a = leg(), b = leg();
+    if (!is_kink(a, b)) continue;
+    const std::optional<GC::Aligned_handles> handles = GC::align_handles(a, b);
+    BOOST_REQUIRE(handles);
+    BOOST_CHECK(have_one_direction(handles->left, handles->right));
+    const std::int64_t moved = cost(a, b, handles->left, handles->right).first;
+    for (const Vector& d : convergents(a + b)) BOOST_CHECK_LE(moved, cost(a, b, nearest(a, d), nearest(b, d)).first);
+    ++checked;
+  }
+}
+
+// A bound changes nothing but whether there is a result.
+BOOST_AUTO_TEST_CASE(allowed_moves) {
+  const unsigned seed = 3391;
+  BOOST_TEST_MESSAGE("seed " << seed);
+  std::mt19937 random(seed);
+  int within = 0, beyond = 0;
+  while (within < 300 || beyond < 300) {
+    const std::int64_t size = std::int64_t(1) << std::uniform_int_distribution<int>(2, 28)(random);
+    std::uniform_int_distribution<std::int64_t> coordinate(-size, size), step(-size / 8, size / 8);
+    const Vector a{coordinate(random), coordinate(random)}, b{a.x + step(random), a.y + step(random)};
+    if (!is_kink(a, b) || cross(a, b) == 0 || (std::max)((std::abs)(b.x), (std::abs)(b.y)) > GC::max_leg) continue;
+    const GC::Aligned_handles best = GC::align_handles(a, b).value();
+    const std::int64_t moved = cost(a, b, best.left, best.right).first;
+    const std::int64_t bound = std::uniform_int_distribution<std::int64_t>(moved - moved / 8 - 2, moved + 2)(random);
+    const std::optional<GC::Aligned_handles> bounded = GC::align_handles(a, b, bound);
+    BOOST_REQUIRE_EQUAL(bounded.has_value(), moved <= bound);
+    if (bounded) BOOST_CHECK(cost(a, b, bounded->left, bounded->right) == cost(a, b, best.left, best.right));
+    ++(bounded ? within : beyond);
+  }
+  BOOST_CHECK(!GC::align_handles({5, 1}, {5, 2}, 0) && !GC::align_handles({5, 1}, {5, 2}, -1));
+  BOOST_CHECK(GC::align_handles({5, 1}, {5, 1}, 0));
 }
 
 BOOST_AUTO_TEST_CASE(smooth_legs_stay) {

@@ -10,6 +10,7 @@
 #include <CGAL/Geometric_continuity/extensions/internal/Grid_alignment.h>
 
 #include <cstdint>
+#include <limits>
 #include <optional>
 
 /// \file align_handles.h
@@ -56,21 +57,30 @@ struct Octant {
 /// \ingroup PkgGeometricContinuityExtensions
 /// Returns legs of one direction as near as possible to those given: among all pairs of parallel whole vectors of one
 /// direction, the larger of both moves is the least, and of those pairs the smaller move is the least. That is proved, see
-/// the comments of the search, which visits about \f$ \sqrt{|a|} \f$ directions; no rounding decides. For legs of length `L` in a
-/// general direction the moves are about \f$ L^{1/3} \f$ units, even where the kink is much smaller.
+/// the comments of the search; no rounding decides. For legs of length `L` in a general direction the moves are about
+/// \f$ L^{1/3} \f$ units, even where the kink is much smaller.
 ///
-/// Empty for legs that form an angle of more than 45 degrees, which is no kink.
+/// The search takes about \f$ \sqrt{L} \f$ steps, where `L` is the length of the shorter leg, and looks no farther than
+/// \f$ \sqrt{\mathrm{bound}} \f$ units, with `bound = max_squared_move`. For legs of letters that is a few
+/// microseconds; for the longest ones, some milliseconds.
+///
+/// Empty for legs that form an angle of more than 45 degrees, which is no kink, and where a handle would have to move
+/// farther than the bound.
 /// \throws Error `zero_tangent` for a leg of no length, `work_limit` for one with a coordinate of more than `max_leg`
-inline std::optional<Aligned_handles> align_handles(const Grid_vector& left, const Grid_vector& right) {
+inline std::optional<Aligned_handles>
+align_handles(const Grid_vector& left, const Grid_vector& right,
+              std::int64_t max_squared_move = (std::numeric_limits<std::int64_t>::max)()) {
   internal::check_leg(left, "align_handles: on the left");
   internal::check_leg(right, "align_handles: on the right");
   const std::int64_t sine = cross(left, right), cosine = dot(left, right);
   if (cosine < (std::abs)(sine)) return std::nullopt;
   if (sine == 0) return Aligned_handles{left, right};
+  if (max_squared_move < 1) return std::nullopt;
   const bool left_is_longer = squared_length(right) < squared_length(left);
   const Grid_vector &a = left_is_longer ? right : left, &b = left_is_longer ? left : right;
   const internal::Octant turn(b);
-  const internal::Grid_alignment best(turn(a), turn(b));
+  const internal::Grid_alignment best(turn(a), turn(b), max_squared_move);
+  if (!best.found()) return std::nullopt;
   const Grid_vector x = turn(best.left()), y = turn(best.right());
   return left_is_longer ? Aligned_handles{y, x} : Aligned_handles{x, y};
 }
