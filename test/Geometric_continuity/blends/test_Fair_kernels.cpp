@@ -24,6 +24,7 @@
 #include <CGAL/Simple_cartesian.h>
 
 #include <array>
+#include <cfenv>
 #include <cmath>
 #include <limits>
 #include <random>
@@ -118,6 +119,46 @@ BOOST_AUTO_TEST_CASE(exact_and_the_same_on_all_kernels) {
     BOOST_CHECK(check_exact<Gmp_3>(space) == y);
   }
   for (int dimension : {2, 3, 4, 5}) check_exact<Exact_d>(Curves(random, dimension));
+}
+
+// What the caller left set does not matter to exact kernels.
+BOOST_AUTO_TEST_CASE(rounding_modes) {
+  constexpr unsigned seed = 14;
+  BOOST_TEST_MESSAGE("seed " << seed);
+  std::mt19937_64 random(seed);
+  const auto in_every_mode = [](const auto& phi, const auto& psi, const auto& strategy) {
+    const auto nearest = GC::blend(phi, psi, strategy);
+    for (const int mode : {FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO}) {
+      std::fesetround(mode);
+      const auto gamma = GC::blend(phi, psi, strategy);
+      const bool kept = std::fegetround() == mode;
+      std::fesetround(FE_TONEAREST);
+      BOOST_CHECK(kept);
+      bool equal = true;
+      for (int j = 0; j <= gamma.degree(); ++j) equal = equal && gamma.control_point(j) == nearest.control_point(j);
+      BOOST_CHECK(equal);
+    }
+  };
+  // of all sizes, so that many searches are long
+  const auto derivatives = [&](int dimension) {
+    Numbers d(4, std::vector<double>(dimension));
+    for (std::vector<double>& v : d)
+      for (double& x : v) {
+        const int size = static_cast<int>(random() % 20) - 10;
+        x = std::ldexp(static_cast<double>(random() >> 40) - 0x1p23, size - 23);
+      }
+    return d;
+  };
+  for (int i = 0; i < 60; ++i) {
+    const Numbers phi = derivatives(2), psi = derivatives(2), phi_3 = derivatives(3), psi_3 = derivatives(3);
+    in_every_mode(jet<Exact>(phi), jet<Exact>(psi), GC::Fair());
+    in_every_mode(jet<Lazy>(phi), jet<Lazy>(psi), GC::Fair());
+    in_every_mode(jet<Gmp_3>(phi_3), jet<Gmp_3>(psi_3), GC::Fair());
+    if (i % 3 != 0) continue;
+    in_every_mode(jet<Exact>(phi), jet<Exact>(psi), GC::Fair_g3());
+    in_every_mode(jet<Exact_3>(phi_3), jet<Exact_3>(psi_3), GC::Fair_f3());
+    in_every_mode(jet<Exact_d>(derivatives(4)), jet<Exact_d>(derivatives(4)), GC::Fair());
+  }
 }
 
 BOOST_AUTO_TEST_CASE(exact_when_read_again) {

@@ -11,6 +11,8 @@
 #include <CGAL/Geometric_continuity/blends/internal/fair_minimum.h>
 #include <CGAL/Geometric_continuity/numbers/internal/short_double.h>
 
+#include <CGAL/FPU.h>
+
 #include <array>
 #include <cmath>
 #include <type_traits>
@@ -52,11 +54,13 @@ template <Blend_kind kind> struct Fair_numbers {
   Fair_report report;
 };
 
-// Minimises over the free numbers, and rounds them. `beta` and `eta` are the given shape, or where the search starts.
+// Minimises over the free numbers, and rounds them, in the same way whatever rounding mode the caller has set. `beta` and `eta` are
+// the given shape, or where the search starts.
 template <Blend_kind kind, class FT, int N, class Jet>
 Fair_numbers<kind> fair_numbers(const Jet& phi, const Jet& psi, double beta, double eta, Shape_choice shape) {
   constexpr int M = fair_dimension<N, Fair_end<kind, 2>::order>, second = Fair_end<kind, M>::unknowns;
   typedef Fair_family<kind, M> Family;
+  const Protect_FPU_rounding<true> to_nearest(CGAL_FE_TONEAREST);
   const Family family = fair_family<kind, FT, N>(phi, psi, beta, eta);
   const auto shape_parameter = [&](double given, double logarithm) {
     return shape == Shape_choice::given ? given : short_double<ratio_digits + 2>(given * std::exp(logarithm));
@@ -137,7 +141,8 @@ private:
 /// four of a coarse grid of blends. Where the caller gives the shape parameters, over \f$ s_1, s_2 \f$ only.
 ///
 /// The search is made in floating-point numbers. What it finds is rounded to short binary fractions, with which the blend is
-/// constructed in the field of the kernel: with an exact kernel its joins are exactly \f$ G^2 \f$, whatever was found. Before this
+/// constructed in the field of the kernel: with an exact kernel its joins are exactly \f$ G^2 \f$, whatever was found, and it is the
+/// same in every rounding mode. Before this
 /// rounding `E` is at most that of the blend of least energy with the automatic shape. Where both ends lie on one line, one
 /// after the other, the blend is a part of that line. Ends whose blends all have a cusp get the automatic shape, or one with
 /// tangents no longer than the diameters of the circles of curvature, which is reported as not converged.
