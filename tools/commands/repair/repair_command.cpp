@@ -206,7 +206,7 @@ std::string repaired_drawing(const std::string& text, const std::string& name, c
 std::string repaired_chain(const std::string& text, const std::string& name, bool closed, const Repair_options& options,
                            Repair_report& report) {
   check_curves(text, name);
-  const G2_curves_text curves(text);
+  const G2_curves_text curves(text, name);
   if (!curves.refusal().empty()) throw GC::Error(GC::Error_code::malformed_input, name + ": " + curves.refusal());
   Grid_contour contour = curves.contour();
   contour.closed = closed;
@@ -216,7 +216,7 @@ std::string repaired_chain(const std::string& text, const std::string& name, boo
              [](std::size_t curve) { return "curve " + std::to_string(curve + 1); });
   std::string result = curves.with(contour);
   check_curves(result, name);
-  Grid_contour again = G2_curves_text(result).contour();
+  Grid_contour again = G2_curves_text(result, name).contour();
   again.closed = closed;
   report.add_grades(before, grades(again, options.bound));
   return result;

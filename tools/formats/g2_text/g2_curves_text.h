@@ -8,11 +8,14 @@
 #include "commands/repair/grid_contour.h"
 #include "commands/repair/grid_number.h"
 
+#include <CGAL/Geometric_continuity/IO/G2_text_reader.h>
+
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <cstdlib>
+#include <cstdint>
 #include <optional>
+#include <sstream>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -20,48 +23,32 @@
 // The plane curves of a .g2 text as one contour, and where their coordinates stand. The grid is that of the decimals with the most digits
 // behind the point among all coordinates.
 class G2_curves_text {
-  struct Word {
-    std::size_t begin, end;
-  };
-
   const std::string& text_;
-  std::vector<Word> words_;
-  std::vector<std::size_t> first_coordinate_; // of each curve, as the number of a word
+  std::vector<GC::G2_curve_text> curves_;
   Grid_contour contour_;
   std::string refusal_;
 
-  std::string_view word(std::size_t i) const {
-    return std::string_view(text_).substr(words_[i].begin, words_[i].end - words_[i].begin);
-  }
-  std::size_t integer(std::size_t i) const { return std::strtoul(std::string(word(i)).c_str(), nullptr, 10); }
-
-  void split() {
-    const std::string_view space = " \t\n\v\f\r", mark = "\xEF\xBB\xBF";
-    std::size_t i = text_.compare(0, mark.size(), mark) == 0 ? mark.size() : 0;
-    while ((i = text_.find_first_not_of(space, i)) != std::string::npos) {
-      const std::size_t end = (std::min)(text_.find_first_of(space, i), text_.size());
-      words_.push_back({i, end});
-      i = end;
-    }
+  std::string_view word(const GC::G2_curve_text::Written_number& x) const {
+    return std::string_view(text_).substr(x.begin, x.end - x.begin);
   }
 
   // The decimals of a curve, or why it has none.
-  std::string read_decimals(std::size_t first, std::size_t count) {
-    for (std::size_t i = first; i < first + count; ++i) {
-      const std::optional<Grid_number> x = Grid_number::read(word(i));
+  std::string read_decimals(const GC::G2_curve_text& curve) {
+    for (const GC::G2_curve_text::Written_number& c : curve.coordinates) {
+      const std::optional<Grid_number> x = Grid_number::read(word(c));
       if (!x || x->decimals > Grid_number::max_decimals)
-        return "a coordinate that is no decimal of at most 15 digits: " + std::string(word(i).substr(0, 30));
+        return "a coordinate that is no decimal of at most 15 digits: " + std::string(word(c).substr(0, 30));
       contour_.decimals = (std::max)(contour_.decimals, x->decimals);
     }
     return "";
   }
 
-  void read_points(Grid_curve& curve, std::size_t first, std::size_t points) {
-    for (std::size_t k = 0; k < points; ++k) {
+  void read_points(Grid_curve& curve, const GC::G2_curve_text& read) {
+    for (std::size_t k = 0; k < read.coordinates.size(); k += 2) {
       const auto coordinate = [&](std::size_t i) {
-        return Grid_number::read(word(first + 2 * k + i))->on_grid(contour_.decimals);
+        return Grid_number::read(word(read.coordinates[i]))->on_grid(contour_.decimals);
       };
-      const std::optional<std::int64_t> x = coordinate(0), y = coordinate(1);
+      const std::optional<std::int64_t> x = coordinate(k), y = coordinate(k + 1);
       if (!x || !y) {
         curve.points.clear();
         curve.reason = "a coordinate is too large for the decimals of the file";
@@ -72,36 +59,23 @@ class G2_curves_text {
   }
 
 public:
-  // Takes a text that the reader of curves accepts and that outlives this.
-  explicit G2_curves_text(const std::string& text) : text_(text) {
-    split();
-    std::vector<std::size_t> numbers_of_points;
-    for (std::size_t i = 0; i < words_.size() && refusal_.empty();) {
-      if (integer(i) != 100) {
-        refusal_ = "only splines, of class 100, are repaired, and there is one of class " + std::string(word(i));
-        break;
-      }
-      i += 4 + integer(i + 3); // the class, its version, and words that are not used
-      const std::size_t dimension = integer(i), n = integer(i + 2), order = integer(i + 3);
-      const bool rational = integer(i + 1) != 0;
-      if (dimension != 2)
-        refusal_ = "only curves in the plane are repaired, and these have dimension " + std::to_string(dimension);
-      i += 4 + n + order;
-      contour_.curves.push_back({{},
-                                 rational     ? "a rational curve"
-                                 : n != order ? "a curve with inner knots"
-                                              : "",
-                                 false});
-      first_coordinate_.push_back(i);
-      numbers_of_points.push_back(n);
-      const std::size_t count = n * (dimension + rational);
-      std::string& reason = contour_.curves.back().reason;
-      if (reason.empty()) reason = read_decimals(i, count);
-      i += count;
+  // Takes a text, which outlives this. Throws GC::Error as the reader of `.g2` does.
+  G2_curves_text(const std::string& text, const std::string& name) : text_(text) {
+    std::istringstream is(text);
+    GC::G2_text_reader reader(is, name);
+    for (GC::G2_curve_text curve; refusal_.empty() && reader.next(curve); curves_.push_back(curve)) {
+      if (curve.is_line)
+        refusal_ = "only splines, of class 100, are repaired, and there is one of class 120";
+      else if (curve.dimension != 2)
+        refusal_ = "only curves in the plane are repaired, and these have dimension " + std::to_string(curve.dimension);
+      const char* const reason = curve.rational                ? "a rational curve"
+                                 : curve.points != curve.order ? "a curve with inner knots"
+                                                               : "";
+      contour_.curves.push_back({{}, reason, false});
+      if (contour_.curves.back().reason.empty()) contour_.curves.back().reason = read_decimals(curve);
     }
-    for (std::size_t k = 0; k < contour_.curves.size() && refusal_.empty(); ++k)
-      if (contour_.curves[k].reason.empty())
-        read_points(contour_.curves[k], first_coordinate_[k], numbers_of_points[k]);
+    for (std::size_t k = 0; k < curves_.size() && refusal_.empty(); ++k)
+      if (contour_.curves[k].reason.empty()) read_points(contour_.curves[k], curves_[k]);
   }
 
   // Why nothing can be repaired; empty otherwise.
@@ -117,7 +91,7 @@ public:
         const GC::Grid_vector &p = contour.curves[c].points[k], &old = contour_.curves[c].points[k];
         for (const auto& [x, before, i] : {std::array<std::int64_t, 3>{p.x, old.x, 0}, {p.y, old.y, 1}}) {
           if (x == before) continue;
-          const Word& w = words_[first_coordinate_[c] + 2 * k + static_cast<std::size_t>(i)];
+          const GC::G2_curve_text::Written_number& w = curves_[c].coordinates[2 * k + static_cast<std::size_t>(i)];
           result.append(text_, done, w.begin - done) += contour_.text(x);
           done = w.end;
         }

@@ -102,6 +102,14 @@ public:
   // The line of the last word that was read.
   long long line() const { return tokens_.line(); }
 
+  // The last word that was read: where it begins in the text, in bytes, and where it ends.
+  std::pair<std::size_t, std::size_t> place() const {
+    return {tokens_.place(), tokens_.place() + tokens_.token().size()};
+  }
+
+  // Whether the current object is a line, whose control points are not in the text.
+  bool is_line() const { return is_line_; }
+
   // Whether the current object has weights.
   bool rational() const { return rational_; }
 

@@ -38,10 +38,12 @@ class Text_block {
   std::vector<char> text_;
   std::vector<Word> words_;
   long long newlines_ = 0;
+  std::size_t place_ = 0; // of the first character in the whole text
 
 public:
-  // The characters, which are to be replaced before split().
+  // The characters, which are to be replaced before split(), and where they stand.
   std::vector<char>& characters() { return text_; }
+  void set_place(std::size_t place) { place_ = place; }
 
   // Finds the words.
   void split() {
@@ -65,6 +67,7 @@ public:
 
   const std::vector<Word>& words() const { return words_; }
   std::string_view text(const Word& word) const { return {text_.data() + word.begin, word.size}; }
+  std::size_t place(const Word& word) const { return place_ + word.begin; }
 
   // The number of lines that end in the block, and of those before a word, behind an earlier one if it is given.
   long long newlines() const { return newlines_; }
@@ -80,14 +83,16 @@ class Text_source {
 
   std::streambuf* buffer_;
   std::vector<char> rest_; // the beginning of a word at the end of the last block
+  std::size_t place_ = 0;  // of the next block
   bool begun_ = false, ended_ = false;
   std::exception_ptr error_; // why the text ended
 
 public:
   explicit Text_source(std::istream& is) : buffer_(is.rdbuf()) {}
 
-  // Reads the next block, the first one without a byte order mark; an empty one at the end. Throws what the buffer of the stream throws, after the blocks before.
-  void next(std::vector<char>& text) {
+  // Reads the next block, the first one without a byte order mark; an empty one at the end. Returns where it begins in the whole text, in bytes.
+  // Throws what the buffer of the stream throws, after the blocks before.
+  std::size_t next(std::vector<char>& text) {
     text.swap(rest_);
     rest_.clear();
     std::size_t end = 0; // of the last complete word
@@ -104,6 +109,9 @@ public:
       rest_.assign(text.begin() + static_cast<std::ptrdiff_t>(end), text.end());
       text.resize(end);
     }
+    const std::size_t place = place_;
+    place_ += text.size();
+    return place;
   }
 
 private:
@@ -112,6 +120,7 @@ private:
     if (std::string_view(text.data(), text.size()).substr(0, 3) != "\xEF\xBB\xBF") return;
     text.erase(text.begin(), text.begin() + 3);
     end -= (std::min)(end, std::size_t(3));
+    place_ = 3;
   }
 
   void read_more(std::vector<char>& text) {
@@ -179,7 +188,7 @@ private:
     std::unique_ptr<Ahead> next = spare_ ? std::move(spare_) : std::make_unique<Ahead>();
     Text_block& block = next->block;
     try {
-      source_.next(block.characters());
+      block.set_place(source_.next(block.characters()));
       ended_ = block.characters().empty();
     } catch (...) {
       next->error = std::current_exception();

@@ -53,8 +53,9 @@ public:
     return true;
   }
 
-  // The current word.
+  // The current word, and the place of its first character in the text, in bytes.
   std::string_view token() const { return block_.text(*word_); }
+  std::size_t place() const { return block_.place(*word_); }
 
   // The number that the current word is. Throws Number_error.
   template <class FT> FT number() const {
