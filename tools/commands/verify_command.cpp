@@ -90,8 +90,8 @@ report says how much and why. "proved" and exit code 0 mean that all of it is
 decided, unless --allow-undecided and --allow-uncovered leave out the rest.
 
 Exact decisions on numbers of thousands of digits, or of high order and degree,
-can take long: --max-work N allows N steps, about N multiplications of machine
-words, for each join, edge or curve, instead of 4000000000.
+can take long: --max-work N allows N steps, about N nanoseconds, for each join,
+edge or curve, instead of 4000000000.
 
 Exit code: 0 when every join meets the requirement, 1 when one does not, or
 is not decided, 2 on bad input, and when there is no join, unless --allow-empty

@@ -12,9 +12,13 @@
 #include <CGAL/Geometric_continuity/IO/figures/Svg_figure.h>
 
 #include <algorithm>
+#include <cstddef>
+#include <filesystem>
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <system_error>
+#include <type_traits>
 #include <vector>
 
 namespace {
@@ -26,9 +30,9 @@ const char* const blend_usage = R"(usage: geometric_continuity blend A.g2 B.g2 [
 
 Blends the end of the last curve of A into the start of the first curve of B,
 or replaces the curve number I of a chain (counted from 0, cyclically) by a
-blend of its neighbours. Both joins are decided exactly on the result. The
-output is the blends, or the chain with its curve replaced when one strategy is
-asked for.
+blend of its neighbours. Both joins are decided exactly on the numbers that are
+written, as verify reads them. The output is the blends, or the chain with its
+curve replaced when one strategy is asked for.
 
 strategies of order 2 (degree 5, G2):
   c2, normal, min_second, near_line, energy2, energy3 (default),
@@ -58,7 +62,7 @@ this order, --corners kinks those that are not G1; of short curves less than R
 is cut off, so that a quarter of each remains. The output is the whole chain.
 
 Exact arithmetic on numbers of thousands of digits can take long: --max-work N
-allows N steps, about N multiplications of machine words, instead of 4000000000.
+allows N steps, about N nanoseconds, instead of 4000000000.
 
 Exit code: 0 when both joins of every blend have the order that is asked for, 1
 when rounding has broken one (--kernel double; the files are written
@@ -67,6 +71,14 @@ nevertheless), 2 on bad input.
 
 // The given curves around the blend: all of A, or the curves after the replaced one; then those after the blend.
 template <class FT> struct Scene { std::vector<Program_curve<FT>> before, after; };
+
+// The curves that end and start where the blend does.
+template <class FT> const Program_curve<FT>& left_of_blend(const Scene<FT>& scene) {
+  return scene.before.empty() ? scene.after.back() : scene.before.back();
+}
+template <class FT> const Program_curve<FT>& right_of_blend(const Scene<FT>& scene) {
+  return scene.after.empty() ? scene.before.front() : scene.after.front();
+}
 
 template <class FT> Scene<FT> read_scene(const Command_line& line) {
   const Arguments files = line.files();
@@ -88,8 +100,7 @@ template <class FT> Scene<FT> read_scene(const Command_line& line) {
   return {{chain.begin(), chain.begin() + i}, {chain.begin() + i + 1, chain.end()}};
 }
 
-template <class FT> std::string plot_join(const Program_curve<FT>& left, const Program_curve<FT>& right) {
-  const Join join = GC::continuity(exact(left), exact(right));
+std::string plot_join(const Join& join) {
   return join.c_order < 0
              ? "gap"
              : (join.f_order > join.g_order ? 'F' + std::to_string(join.f_order) : 'G' + std::to_string(join.g_order));
@@ -98,10 +109,12 @@ template <class FT> std::string plot_join(const Program_curve<FT>& left, const P
 // Draws one panel for each result. Throws GC::Error `not_finite` for coordinates that are too large to be drawn.
 template <class FT>
 GC::Svg_figure picture(const std::string& title, const Scene<FT>& scene, const std::vector<Blend_result<FT>>& results,
-                       const Program_curve<FT>& phi, const Program_curve<FT>& psi) {
+                       const std::vector<Blend_report>& reports, const Program_curve<FT>& phi,
+                       const Program_curve<FT>& psi) {
   const bool chain = scene.before.size() + scene.after.size() > 2;
   GC::Svg_figure figure(title, 3);
-  for (const Blend_result<FT>& r : results) {
+  for (std::size_t i = 0; i < results.size(); ++i) {
+    const Blend_result<FT>& r = results[i];
     GC::Svg_panel panel(r.strategy + r.fallback);
     const GC::Svg_style given{GC::Svg_role::given, false, !chain}, neighbour{GC::Svg_role::given, false, true},
         blend{GC::Svg_role::result, true, true, "blend"};
@@ -109,8 +122,8 @@ GC::Svg_figure picture(const std::string& title, const Scene<FT>& scene, const s
     for (const std::vector<Program_curve<FT>>* part : {&scene.before, &scene.after})
       for (const Program_curve<FT>& c : *part)
         if (&c != &phi && &c != &psi) panel.add(c, given);
-    panel.add(phi, neighbour).join(plot_join(phi, r.curve));
-    panel.add(r.curve, blend).join(plot_join(r.curve, psi));
+    panel.add(phi, neighbour).join(plot_join(reports[i].start));
+    panel.add(r.curve, blend).join(plot_join(reports[i].end));
     panel.add(psi, neighbour);
     figure.add(panel);
   }
@@ -139,33 +152,47 @@ template <class FT> int blend(const Command_line& line) {
   check_parameters(line, order, chosen == "free");
 
   const Scene<FT> scene = read_scene<FT>(line);
-  const Program_curve<FT>& phi = scene.before.empty() ? scene.after.back() : scene.before.back();
-  const Program_curve<FT>& psi = scene.after.empty() ? scene.before.front() : scene.after.front();
+  const Program_curve<FT>&phi = left_of_blend(scene), &psi = right_of_blend(scene);
   const Blender<FT> blender(line, phi, psi);
   std::vector<Blend_result<FT>> results;
-  for (const std::string& name : chosen == "all" ? names : Arguments{chosen})
+  for (const std::string& name : chosen == "all" ? names : Arguments{chosen}) {
+    const GC::Work_scope scope(line.work_limit(), "blend");
     results.push_back(order == 2 ? blender.quintic(name) : blender.septic(name));
+  }
 
+  const bool chain = line.has("replace") && results.size() == 1; // is written
+  const std::optional<GC::Work_limit> limit =
+      line.has("max-work") ? std::optional<GC::Work_limit>(line.work_limit()) : std::nullopt;
+  // the neighbours as they are given, if they can be read again, unless they are written with the blend
+  std::optional<Scene<Exact>> given;
+  if constexpr (!std::is_same_v<FT, Exact>) {
+    const auto can_be_read_again = [](const std::string& file) {
+      std::error_code ignored;
+      return std::filesystem::is_regular_file(file, ignored);
+    };
+    const Arguments files = line.files();
+    if (!chain && std::all_of(files.begin(), files.end(), can_be_read_again)) given = read_scene<Exact>(line);
+  }
+  const Exact_curve left = given ? left_of_blend(*given) : as_written(phi),
+                    right = given ? right_of_blend(*given) : as_written(psi);
   std::vector<Blend_report> reports;
   for (const Blend_result<FT>& r : results) {
     const bool moved = !r.neighbours.empty();
-    reports.push_back({r.strategy, exact(r.curve), exact(moved ? r.neighbours[0] : phi),
-                       exact(moved ? r.neighbours[1] : psi), Exact(r.shape.beta), Exact(r.shape.eta),
-                       r.parameters + r.fallback, r.report,
-                       line.has("max-work") ? std::optional<GC::Work_limit>(line.work_limit()) : std::nullopt});
+    reports.push_back({r.strategy, moved ? exact(r.curve) : as_written(r.curve), moved ? exact(r.neighbours[0]) : left,
+                       moved ? exact(r.neighbours[1]) : right, Exact(r.shape.beta), Exact(r.shape.eta),
+                       r.parameters + r.fallback, r.report, limit});
   }
   const bool proved =
       std::all_of(reports.begin(), reports.end(), [order](const Blend_report& r) { return r.is_proved(order); });
   if (line.has("json"))
     write_json(report_stream(line), reports, order);
   else
-    write_table(report_stream(line), reports, order);
+    write_table(report_stream(line), reports, order, limit);
 
   std::optional<GC::Svg_figure> figure;
-  if (line.has("plot")) figure = picture(line.text("title"), scene, results, phi, psi);
+  if (line.has("plot")) figure = picture(line.text("title"), scene, results, reports, phi, psi);
   if (line.has("output"))
     write_output(line.text("output"), [&](std::ostream& os) {
-      const bool chain = line.has("replace") && results.size() == 1;
       if (chain)
         for (const Program_curve<FT>& c : scene.before) GC::write_g2(os, c);
       for (const Blend_result<FT>& r : results)

@@ -15,18 +15,33 @@
 
 namespace {
 
-// Empty where there are none, and where they cost more than the limit, unless the user has set it.
+// Whether what costs more than the limit is left out.
+bool is_left_out(const GC::Error& e, const std::optional<GC::Work_limit>& limit) {
+  return !limit && e.code() == GC::Error_code::work_limit;
+}
+
+// Empty where there are none, and where they are left out.
 std::optional<GC::Curvature_extrema> extrema(const Exact_curve& curve, const std::optional<GC::Work_limit>& limit) {
   try {
     return GC::curvature_extrema(curve, limit.value_or(GC::Work_limit()));
   } catch (const GC::Error& e) {
-    const bool left_out = !limit && e.code() == GC::Error_code::work_limit;
-    if (e.code() != GC::Error_code::zero_tangent && !left_out) throw;
+    if (e.code() != GC::Error_code::zero_tangent && !is_left_out(e, limit)) throw;
     return std::nullopt;
   }
 }
 
 std::string six_digits(double x) { return std::isinf(x) ? "infinite" : rounded(x, 6); }
+
+// The energy of a blend, as it stands in the table.
+std::string energy(const Blend_report& r, int order, const std::optional<GC::Work_limit>& limit) {
+  try {
+    const GC::Work_scope scope(limit.value_or(GC::Work_limit()), "the energy of a blend");
+    return six_digits(CGAL::to_double(r.curve.polynomial()->energy(order)));
+  } catch (const GC::Error& e) {
+    if (!is_left_out(e, limit)) throw;
+    return "-";
+  }
+}
 
 // Writes a line of the table.
 void write_row(std::ostream& os, const std::array<std::string, 10>& columns, const std::string& rest) {
@@ -95,7 +110,8 @@ bool Blend_report::is_proved(int order) const {
   return smooth ? start.g_order >= 2 && end.g_order >= 2 : start.f_order >= 3 && end.f_order >= 3;
 }
 
-void write_table(std::ostream& os, const std::vector<Blend_report>& reports, int order) {
+void write_table(std::ostream& os, const std::vector<Blend_report>& reports, int order,
+                 const std::optional<GC::Work_limit>& limit) {
   write_row(os,
             {"strategy", "start join", "end join", order == 2 ? "int |x''|^2" : "int |x'''|^2",
              order == 2 ? "int |x'''|^2" : "int |x''''|^2", "fairness", "bending", "extrema", "inflections",
@@ -106,10 +122,8 @@ void write_table(std::ostream& os, const std::vector<Blend_report>& reports, int
     proved = proved && r.is_proved(order);
     const std::optional<GC::Curvature_extrema>& c = r.curvature;
     write_row(os,
-              {r.strategy, orders(r.start), orders(r.end),
-               six_digits(CGAL::to_double(r.curve.polynomial()->energy(order))),
-               six_digits(CGAL::to_double(r.curve.polynomial()->energy(order + 1))), six_digits(r.fairness),
-               six_digits(r.bending_energy), c ? std::to_string(c->extrema.size()) : "-",
+              {r.strategy, orders(r.start), orders(r.end), energy(r, order, limit), energy(r, order + 1, limit),
+               six_digits(r.fairness), six_digits(r.bending_energy), c ? std::to_string(c->extrema.size()) : "-",
                c ? std::to_string(c->inflections.size()) : "-", c ? six_digits(c->largest().upper) : "-"},
               r.parameters);
   }

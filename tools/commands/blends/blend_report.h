@@ -35,8 +35,10 @@ struct Blend_report {
   bool is_proved(int order) const;
 };
 
-// Write the reports on blends of order 2 or 3 as a table, and as JSON.
-void write_table(std::ostream& os, const std::vector<Blend_report>& reports, int order);
+// Write the reports on blends of order 2 or 3 as a table, and as JSON. Energies that cost more than the limit are left out, unless the
+// user has set it.
+void write_table(std::ostream& os, const std::vector<Blend_report>& reports, int order,
+                 const std::optional<GC::Work_limit>& limit);
 void write_json(std::ostream& os, const std::vector<Blend_report>& reports, int order);
 
 #endif // GEOMETRIC_CONTINUITY_TOOLS_COMMANDS_BLENDS_BLEND_REPORT_H

@@ -26,7 +26,7 @@ otherwise they are as near to that as possible. The three curves have the same
 knots, with inner knots at most double. G1 is decided exactly on the result,
 along the whole of C.
 Exact arithmetic on numbers of thousands of digits can take long: --max-work N
-allows N steps, about N multiplications of machine words, instead of 4000000000.
+allows N steps, about N nanoseconds, instead of 4000000000.
 Exit code: 0 when the result is G1, 1 when it is not, e.g. because of a fold, 2
 on bad input.
 )";

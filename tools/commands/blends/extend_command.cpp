@@ -28,10 +28,10 @@ are members of Hagen's families:
 with p = b0 - b-1 and r = b-2 - b-1. What is not given continues the curve as
 smoothly as possible. With --toward the segment ends at the point, or as near
 to it as possible, with the least energy. The join is decided exactly on the
-result. Of a curve with inner knots the last span counts; all curves are
+numbers that are written, as verify reads them. Of a curve with inner knots the last span counts; all curves are
 written as Bezier curves. Numbers R are decimals or fractions p/q.
 Exact arithmetic on numbers of thousands of digits can take long: --max-work N
-allows N steps, about N multiplications of machine words, instead of 4000000000.
+allows N steps, about N nanoseconds, instead of 4000000000.
 Exit code: 0 when the join has the order that is asked for, 1 when rounding has
 broken it (--kernel double; the files are written nevertheless), 2 on bad input.
 )";
@@ -72,8 +72,11 @@ template <class FT> int extend(const Command_line& line) {
       throw std::invalid_argument(std::string("--") + option + " has no meaning for --order " + name);
   const std::vector<Program_curve<FT>> curves = read_curves<FT>(line.files());
   const Program_curve<FT>& last = curves.back();
-  const Program_curve<FT> next = next_segment(line, last, order);
-  const Join join = GC::continuity(exact(last), exact(next), 3, line.work_limit());
+  const Program_curve<FT> next = [&] {
+    const GC::Work_scope scope(line.work_limit(), "extend");
+    return next_segment(line, last, order);
+  }();
+  const Join join = GC::continuity(as_written(last), as_written(next), 3, line.work_limit());
   const bool proved = order == Order::tangent                             ? join.g_order >= 1
                       : order == Order::curvature || next.dimension() < 3 ? join.g_order >= 2
                                                                           : join.f_order >= 3;

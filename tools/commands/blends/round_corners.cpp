@@ -75,7 +75,7 @@ void write_row(std::ostream& os, const std::array<std::string, 5>& columns) {
 template <class FT>
 bool write_report(std::ostream& os, const Rounded<FT>& result, std::size_t given, bool closed, int order) {
   std::vector<Exact_curve> curves;
-  for (const Program_curve<FT>& c : result.curves) curves.push_back(exact(c));
+  for (const Program_curve<FT>& c : result.curves) curves.push_back(as_written(c));
   std::vector<Join> joins; // each after the curve with its number
   closed = closed || (!result.corners.empty() && result.corners.back().join + 1 == given);
   const GC::Chain_summary summary =

@@ -18,6 +18,7 @@
 #include <istream>
 #include <memory>
 #include <optional>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -46,6 +47,18 @@ template <class FT> Exact_curve exact(const Program_curve<FT>& curve) {
     }
     return Exact_curve(
         Exact_curve::Homogeneous(rows.begin(), rows.end(), Exact(curve.domain().first), Exact(curve.domain().second)));
+  }
+}
+
+// Returns the curve that a reader of the file has before him to which this one is written: floating-point numbers are written as
+// the shortest decimals that lead back to them, which are other numbers.
+template <class FT> Exact_curve as_written(const Program_curve<FT>& curve) {
+  if constexpr (std::is_same_v<FT, Exact>)
+    return curve;
+  else {
+    std::stringstream text;
+    GC::write_g2(text, curve);
+    return *GC::G2_piece_reader<Program_traits<Exact>>(text, "what is written").next();
   }
 }
 

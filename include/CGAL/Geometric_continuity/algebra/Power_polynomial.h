@@ -145,7 +145,7 @@ Power_polynomial<FT> greatest_common_divisor(Power_polynomial<FT> a, Power_polyn
   static_assert(!std::is_floating_point_v<FT>, "divisibility is decided in an exact field");
   while (!b.is_zero()) {
     const double quotients = (std::max)(a.degree() - b.degree() + 1, 1);
-    work.charge_products(quotients * (b.degree() + 1), (std::max)(most_words(a), most_words(b)));
+    work.charge_fractions(quotients * (b.degree() + 1), (std::max)(most_words(a), most_words(b)));
     b.make_monic();
     a.divide(b);
     std::swap(a, b);

@@ -76,10 +76,10 @@ inline std::optional<Sign_pattern> decided_by_coefficients(Sign_pattern coeffici
 // The work of halves(): about n^2 sums of numbers that are by n digits longer than the coefficients.
 template <class NT> double bisection_steps(const Homogeneous_polynomial<NT>& p) {
   const double n = p.degree() + 1;
-  return n * n * (std::max)(number_words(p[0]), number_words(p[p.degree() / 2]));
+  return n * n * Work_meter::sum_steps((std::max)(number_words(p[0]), number_words(p[p.degree() / 2])));
 }
 template <class NT> void charge_bisection(const Homogeneous_polynomial<NT>& p, Work_meter& work) {
-  work.charge_sums(bisection_steps(p), 1);
+  work.charge_sums(bisection_steps(p) / Work_meter::sum_steps(1), 1);
 }
 
 // Positive, negative or zero if bisection proves that, otherwise mixed.

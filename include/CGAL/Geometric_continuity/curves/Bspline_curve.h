@@ -227,6 +227,7 @@ public:
   std::vector<Curve_end_jets<Traits>> span_end_jets(int k, Work_limit limit = Work_limit()) const {
     internal::check_count(k, "Bspline_curve::span_end_jets");
     std::vector<Curve_end_jets<Traits>> result;
+    const Work_scope scope(limit, "derivatives of a spline");
     if constexpr (internal::is_rational_v<FT>)
       if (knots_.spans().size() > 1) {
         for (auto& [start, end] : internal::span_end_jets(knots_, function().coefficients(), k, limit))

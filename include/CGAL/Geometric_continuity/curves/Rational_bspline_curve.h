@@ -226,6 +226,7 @@ public:
   /// \throws Error `negative_count` unless `k >= 0`, `work_limit`
   std::vector<Curve_end_jets<Traits>> span_end_jets(int k, Work_limit limit = Work_limit()) const {
     std::vector<Curve_end_jets<Traits>> result;
+    const Work_scope scope(limit, "derivatives of a spline");
     for (const auto& jets : homogeneous().span_end_jets(k, limit))
       result.emplace_back(project(jets.template start_jet_over<FT>(k)), project(jets.template end_jet_over<FT>(k)));
     return result;

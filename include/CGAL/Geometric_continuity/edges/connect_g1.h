@@ -170,8 +170,8 @@ G1_ribbon<Traits> connect_g1(const Bspline_curve<Traits>& C, const Bspline_curve
   for (const Bspline_curve<Traits>* curve : {&C, &C1, &C2}) {
     const std::size_t words = internal::common_words<FT>(curve->function().coefficients(), work) +
                               internal::common_words<FT>(std::array<const Knot_vector<FT>, 1>{curve->knots()}, work);
-    work.charge_products(500, 8 * words); // alpha and beta at the ends, of about this degree
-    work.charge_products(300. * curve->number_of_points(), 4 * words);
+    work.charge_fractions(100, 8 * words); // alpha and beta at the ends, of about this degree
+    work.charge_fractions(60. * curve->number_of_points(), 4 * words);
   }
 
   const internal::Ribbon_end_conditions<Field, dimension_v<Traits>> start(

@@ -84,8 +84,8 @@ std::vector<Coordinates<Traits>> continued_polygon(const Bezier_curve<Traits, De
   Work_meter work(limit, "extend");
   const double p = left.degree();
   const std::size_t words = common_words<FT>(b, work);
-  if (words > 0) // two products in p^2/2 combinations, each with common divisors to cancel
-    work.charge_products(3 * p * p * left.dimension(), words + left.degree() * number_words(beta));
+  if (words > 0) // p^2/2 combinations of two
+    work.charge_fractions(p * p / 2 * left.dimension(), words + left.degree() * number_words(beta));
   before.resize(b.size());
   bernstein_split<FT>(b, left.degree(), FT(FT(1) + beta), before); // b: from 1 + beta back to 1
   std::reverse(b.begin(), b.end());

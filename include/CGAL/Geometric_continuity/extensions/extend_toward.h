@@ -7,6 +7,7 @@
 
 #include <CGAL/Geometric_continuity/algebra/internal/solve_positive_definite.h>
 #include <CGAL/Geometric_continuity/extensions/extend.h>
+#include <CGAL/Geometric_continuity/numbers/internal/common_words.h>
 
 #include <cstddef>
 #include <utility>
@@ -34,16 +35,21 @@ template <class FT, int N>
 void minimize_energy(std::vector<Coordinate_vector<FT, N>>& b,
                      const std::vector<Freedom<Coordinate_vector<FT, N>>>& free) {
   const int m = static_cast<int>(b.size()) - 1;
-  std::vector<std::vector<FT>> products(m + 1, std::vector<FT>(m + 1)), a(free.size());
-  for (int i = 2; i <= m; ++i)
-    for (int j = 0; j <= m; ++j) products[i][j] = second_derivative_product<FT>(m, i, j);
+  const Second_derivative_products<FT> products(m);
+  Work_meter* const work = scope_of<FT>();
+  std::vector<std::vector<FT>> a(free.size());
   std::vector<FT> rhs;
   for (std::size_t k = 0; k < free.size(); ++k) {
-    const std::vector<FT>& row = products[free[k].index];
+    const std::vector<FT> row = products.row(free[k].index);
+    const std::size_t words = work ? most_words(free[k].direction) : 0;
+    if (work) work->charge_fractions(static_cast<double>(free.size()) * free[k].direction.dimension(), 2 * words);
     for (const Freedom<Coordinate_vector<FT, N>>& other : free)
       a[k].push_back(FT(row[other.index] * dot(free[k].direction, other.direction)));
     FT sum(0);
-    for (int j = 0; j <= m; ++j) sum -= row[j] * dot(free[k].direction, b[j]);
+    for (int j = 0; j <= m; ++j) {
+      sum -= row[j] * dot(free[k].direction, b[j]);
+      if (work) work->charge_fractions(b[j].dimension() + 1., number_words(sum), most_words(b[j]) + words);
+    }
     rhs.push_back(sum);
   }
   const std::vector<FT> x = solve_positive_definite(std::move(a), std::move(rhs));
@@ -59,7 +65,8 @@ void minimize_energy(std::vector<Coordinate_vector<FT, N>>& b,
 /// families and the points between, has the least energy \f$ \int |\gamma''|^2 \f$: an exact linear system in at most
 /// `3 + n (m - k - 1)` unknowns in dimension `n`, never singular, solved by elimination.
 /// \throws Error `wrong_number_of_points` when `m < k`, `nonpositive_beta` unless \f$ \beta > 0 \f$, `zero_tangent` when the last
-///   two control points are equal, `dimension_mismatch`, `not_finite` when the result overflows the number type
+///   two control points are equal, `dimension_mismatch`, `not_finite` when the result overflows the number type; `work_limit` in a
+///   `Work_scope`
 template <class Traits, int Degree>
 Bezier_curve<Traits, Degree> extend_toward(const Bezier_curve<Traits, Degree>& left, Frenet_order order,
                                            const typename Traits::Point& wished,

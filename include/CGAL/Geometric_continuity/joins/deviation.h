@@ -58,7 +58,7 @@ void charge_invariants(const Coordinate_jet<Field, N>& x, const Coordinate_jet<F
   for (const Coordinate_jet<Field, N>* jet : {&x, &y})
     for (int j = 0; j <= jet->order(); ++j) vectors.push_back((*jet)[j]);
   const std::size_t words = common_words<Field>(vectors, work);
-  work.charge_products(100. * x.dimension(), 6 * words);
+  work.charge_fractions(20. * x.dimension(), 6 * words);
 }
 
 // The deviation of two jets in an exact field.
@@ -100,6 +100,7 @@ Join_deviation deviation(const Left& left, const Right& right, Work_limit limit 
   typedef typename Exact_field<Predicate_FT<typename Left::Traits>>::type Field;
   static_assert(std::is_same_v<typename Left::Traits, typename Right::Traits>,
                 "both curves must have the same traits class");
+  const Work_scope jets_and_invariants(limit, "deviation");
   return internal::join_deviation(end_jet<Field>(left, 3), start_jet<Field>(right, 3), limit);
 }
 

@@ -108,6 +108,7 @@ decide_continuity(const Left& left, const Right& right, int max_order, Work_limi
         return join;
     }
   const int order = (std::max)(max_order, 3); // curvature and torsion are reported for every max_order
+  const Work_scope jets_and_decision(limit, "continuity");
   Coordinate_jet<Field, N> x = jet_at<Field, Curve_end::end>(left, order),
                            y = jet_at<Field, Curve_end::start>(right, order);
   if (max_order > 3) clear_denominators(x, y);

@@ -81,6 +81,7 @@ Order_within order_within(const Left& left, const Right& right, const Join_toler
   for (const Bound& bound :
        {tolerance.angle, tolerance.curvature, tolerance.torsion, tolerance.gap, tolerance.curvature_derivative})
     internal::check_bound(bound);
+  const Work_scope jets_and_decision(limit, "order_within");
   const Coordinate_jet<Field, N> x = end_jet<Field>(left, 3), y = start_jet<Field>(right, 3);
   const bool planar = x.dimension() == 2;
   const Join_continuity<Field> exact = internal::Join_decision<Field, N>(x, y, 3, limit)();

@@ -9,10 +9,13 @@
 #include <CGAL/Geometric_continuity/internal/force_inline.h>
 #include <CGAL/Geometric_continuity/local/Curve_jet.h>
 #include <CGAL/Geometric_continuity/local/Homogeneous_traits.h>
+#include <CGAL/Geometric_continuity/numbers/internal/common_words.h>
 
 #include <boost/container/small_vector.hpp>
 
+#include <algorithm>
 #include <array>
+#include <cstddef>
 #include <utility>
 
 /// \file homogeneous_jets.h
@@ -83,6 +86,12 @@ template <class FT, int M> Coordinate_jet<FT, (M == 0 ? 0 : M - 1)> project(cons
   if (p.order() < 0) throw Error(Error_code::jet_order_too_low, "project");
   const int n = p.dimension() - 1;
   Coordinate_jet<FT, (M == 0 ? 0 : M - 1)> x(n, p.order(), internal::Unspecified());
+  internal::Work_meter* const work = internal::scope_of<FT>();
+  std::size_t words = 1; // of the denominators
+  if (work) {
+    for (int k = 0; k <= p.order(); ++k) words = (std::max)(words, internal::number_words(p[k][n]));
+    work->charge_fractions(n * (p.order() + 1.), words); // the first of each of the sums
+  }
   switch (p.order()) {
   case 0: return internal::project_order<0>(p, x), x;
   case 1: return internal::project_order<1>(p, x), x;
@@ -94,6 +103,7 @@ template <class FT, int M> Coordinate_jet<FT, (M == 0 ? 0 : M - 1)> project(cons
   const FT inverse = FT(FT(1) / p[0][n]);
   internal::for_each_binomial_row<FT>(p.order(), [&](int k, const auto& binomial) {
     for (int i = 0; i < n; ++i) {
+      if (work && k > 0) work->charge_fractions(k / 2., internal::number_words(x[k - 1][i]), words);
       FT sum = p[k][i];
       for (int j = 1; j <= k; ++j) sum -= binomial[j] * p[j][n] * x[k - j][i];
       x[k][i] = FT(sum * inverse);

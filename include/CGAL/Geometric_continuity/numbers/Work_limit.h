@@ -12,17 +12,21 @@
 #include <cstddef>
 #include <cstdint>
 #include <string>
+#include <utility>
 
 /// \file Work_limit.h
-/// How much work a decision in multi-precision may be: the size of exact numbers is that of the input, without a bound.
+/// How much work a decision or a construction in multi-precision may be: the size of exact numbers is that of the input, without
+/// a bound.
 
 namespace CGAL {
 namespace Geometric_continuity {
 
 /// \ingroup PkgGeometricContinuityAlgebra
-/// The work that is allowed for one object: a join, an edge, a knot line, the pieces of a spline. A step is about one
-/// multiplication of machine words: a product or a quotient of numbers of `w` words counts as \f$ w^2 \f$ steps, above 512 words
-/// as 512 `w`, for fast multiplication; a sum of integers as `w`. The limit is checked in the stages that work in multi-precision only; those of fixed length are short.
+/// The work that is allowed for one object: a join, an edge, a knot line, the pieces of a spline. A step is about a nanosecond,
+/// the time of one or two multiplications of machine words. With integers of `w` words, a sum counts as \f$ 4 + w \f$ steps and
+/// a product as \f$ 8 + w^2 \f$; with fractions, a product and a sum as \f$ 450 w + 5 w^2 \f$, most of it for greatest common
+/// divisors; above 512 words \f$ 512 w \f$ stands for \f$ w^2 \f$, for fast multiplication. The limit is checked in the stages that
+/// work in multi-precision only; those of fixed length are short.
 class Work_limit {
   std::uint64_t steps_ = default_steps;
 
@@ -41,11 +45,12 @@ public:
 
 namespace internal {
 
-// Counts the steps on one object.
+// Counts the steps on one object, and all of them for the scope in which it is constructed.
 class Work_meter {
   const Work_limit limit_;
   const char* const place_;
   const double allowed_;
+  Work_meter* const scope_ = current();
   double steps_ = 0, search_steps_ = 0;
 
 public:
@@ -53,22 +58,41 @@ public:
   Work_meter(Work_limit limit, const char* place, double factor = 1)
       : limit_(limit), place_(place), allowed_(static_cast<double>(limit.steps()) * factor) {}
 
-  // Takes note of as many sums or products of numbers of so many words. \throws Error `work_limit`
-  void charge_sums(double number, std::size_t words) { charge(number * words); }
+  // That of the innermost Work_scope of this thread, if there is one.
+  static Work_meter*& current() {
+    static thread_local Work_meter* meter = nullptr;
+    return meter;
+  }
+
+  // Takes note of as many sums, products or greatest common divisors of integers of so many words, or of as many products with
+  // sums of fractions.
+  // \throws Error `work_limit`
+  void charge_sums(double number, std::size_t words) { charge(number * sum_steps(words)); }
   void charge_products(double number, std::size_t words) { charge_products(number, words, words); }
   void charge_products(double number, std::size_t words, std::size_t other_words) {
     charge(number * product_steps(words, other_words));
   }
+  void charge_divisors(double number, std::size_t words, std::size_t other_words) {
+    const double shorter = static_cast<double>((std::min)(words, other_words));
+    charge(number * (120 * shorter + 1.6 * product_steps(words, other_words)));
+  }
+  void charge_fractions(double number, std::size_t words) { charge_fractions(number, words, words); }
+  void charge_fractions(double number, std::size_t words, std::size_t other_words) {
+    charge(number * (225 * static_cast<double>(words + other_words) + 5 * product_steps(words, other_words)));
+  }
 
+  static double sum_steps(std::size_t words) { return 4 + static_cast<double>(words); }
   static double product_steps(std::size_t words, std::size_t other_words) {
     constexpr std::size_t fast = 512;
-    return static_cast<double>((std::max)(words, other_words)) * (std::min)({words, other_words, fast});
+    if (words == 0 || other_words == 0) return 0; // numbers whose work is not counted
+    return 8 + static_cast<double>((std::max)(words, other_words)) * (std::min)({words, other_words, fast});
   }
 
   // Whether a search that may be stopped at any time, and has taken `done` steps, may take so many more; then takes note of them.
   // Each may take a quarter of the limit, and all together half of it more than the limit.
   bool allows_search(double done, double steps) {
     if (!(done + steps <= allowed_ / 4 && search_steps_ + steps <= allowed_ / 2)) return false;
+    if (scope_ && !scope_->allows_search(done, steps)) return false;
     search_steps_ += steps;
     return true;
   }
@@ -79,10 +103,34 @@ private:
     if (!(steps_ <= allowed_))
       throw Error(Error_code::work_limit,
                   std::string(place_) + ": more than " + std::to_string(limit_.steps()) + " steps of work");
+    if (scope_) scope_->charge(steps);
   }
 };
 
 } // namespace internal
+
+/// \ingroup PkgGeometricContinuityAlgebra
+/// A limit for all that this thread does while an object of this class lives: what is decided or constructed in rational numbers
+/// also counts here, in addition to a limit of its own. So it bounds what takes no `Work_limit`, too: jets of rational
+/// curves, blends, energies, segments that lead to a point, triangles.
+/// \code{.cpp}
+/// const GC::Work_scope scope(GC::Work_limit(1000000), "my blend");
+/// const auto gamma = GC::blend(phi, psi); // may throw Error_code::work_limit, "my blend: more than ..."
+/// \endcode
+class Work_scope {
+  internal::Work_meter meter_;
+  internal::Work_meter* const before_;
+
+public:
+  /// Starts to count. The place is named by the errors and must live as long as the object.
+  Work_scope(Work_limit limit, const char* place)
+      : meter_(limit, place), before_(std::exchange(internal::Work_meter::current(), &meter_)) {}
+  Work_scope(const Work_scope&) = delete;
+  Work_scope& operator=(const Work_scope&) = delete;
+  /// Goes back to the scope before.
+  ~Work_scope() { internal::Work_meter::current() = before_; }
+};
+
 } // namespace Geometric_continuity
 } // namespace CGAL
 

@@ -7,7 +7,10 @@
 
 #include <CGAL/Geometric_continuity/algebra/Coordinate_vector.h>
 #include <CGAL/Geometric_continuity/algebra/bernstein.h>
+#include <CGAL/Geometric_continuity/numbers/internal/common_words.h>
 
+#include <algorithm>
+#include <cstddef>
 #include <vector>
 
 namespace CGAL {
@@ -23,6 +26,11 @@ namespace internal {
 // large, and from the diagonal outwards, where they become smaller.
 template <class FT, int N> FT squared_norm(const std::vector<Coordinate_vector<FT, N>>& c) {
   const int n = static_cast<int>(c.size()) - 1;
+  Work_meter* const work = scope_of<FT>();
+  std::size_t words = 1;
+  if (work)
+    for (const Coordinate_vector<FT, N>& x : c)
+      for (const FT& y : x) words = (std::max)(words, number_words(y));
   FT sum(0), diagonal(1); // w_ii
   for (int i = 0; i <= n; ++i) {
     sum += diagonal * dot(c[i], c[i]);
@@ -30,9 +38,11 @@ template <class FT, int N> FT squared_norm(const std::vector<Coordinate_vector<F
     for (int j = i; j < n; ++j) { // from w_ij to w_i,j+1
       w *= FT(FT(n - j) * FT(i + j + 1)) / FT(FT(j + 1) * FT(2 * n - i - j));
       if (w == FT(0)) break; // by underflow
+      if (work) work->charge_fractions(c[i].dimension() + 1., number_words(row), 2 * words);
       row += w * dot(c[i], c[j + 1]);
       if (j == i) diagonal = w; // w_i,i+1 for the moment
     }
+    if (work) work->charge_fractions(2, number_words(sum), number_words(row));
     sum += FT(2) * row;
     if (i < n) diagonal *= FT(FT(2) * FT(n - i)) / FT(2 * n - 2 * i - 1);
   }
@@ -44,6 +54,9 @@ template <class FT, int N> FT energy_of_rows(std::vector<Coordinate_vector<FT, N
   const int m = static_cast<int>(rows.size()) - 1;
   if (k > m) return FT(0);
   for (int j = 0; j < k; ++j) {
+    if (Work_meter* const work = scope_of<FT>())
+      for (const Coordinate_vector<FT, N>& row : rows)
+        for (const FT& x : row) work->charge_fractions(2, number_words(x));
     difference_step(rows, m - j);
     rows.pop_back();
     const FT factor = FT(m - j) / h;

@@ -82,7 +82,7 @@ template <class Field, int N = 3> struct Edge_sides {
           for (int i = 0; i < N; ++i) {
             const Field number = to_field<Field>(x[i]);
             denominator.include(number);
-            work.charge_products(2, denominator.words(), number_words(number)); // here, and for the numerator
+            work.charge_divisors(2, denominator.words(), number_words(number)); // here, and for the numerator
           }
       }
     int side = 0;

@@ -30,7 +30,7 @@ template <class Field, class Row> void charge_powers(const Row& row, Work_meter&
   for (const auto& p : row)
     for (const Field& x : p) {
       denominator.include(x);
-      work.charge_products(1, denominator.words(), number_words(x));
+      work.charge_divisors(1, denominator.words(), number_words(x));
     }
   const double n = static_cast<double>(row.size());
   work.charge_products(n * n, denominator.words());

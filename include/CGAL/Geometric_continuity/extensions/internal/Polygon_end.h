@@ -7,8 +7,11 @@
 
 #include <CGAL/Geometric_continuity/curves/Bezier_curve.h>
 #include <CGAL/Geometric_continuity/numbers/internal/checked_numbers.h>
+#include <CGAL/Geometric_continuity/numbers/internal/common_words.h>
 
+#include <algorithm>
 #include <array>
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <utility>
@@ -36,15 +39,44 @@ std::optional<std::pair<FT, FT>> coefficients(const Coordinate_vector<FT, N>& v,
   return std::pair<FT, FT>(FT(c1 / det), FT(c2 / det));
 }
 
-// The integral over [0,1] of (B_i^m)'' (B_j^m)''. \pre m >= 2
-template <class FT> FT second_derivative_product(int m, int i, int j) {
-  const auto second_derivative = [m](int index) {
-    std::vector<FT> c(m + 1, FT(0));
-    c[index] = FT(1);
-    return Bernstein_polynomial<FT>(c).derivative().derivative();
-  };
-  return (second_derivative(i) * second_derivative(j)).integral();
-}
+// The integrals over [0, 1] of (B_i^m)'' (B_j^m)''. With n = m - 2 the second derivative is m (m-1) times the second difference of
+// the Bernstein polynomials of degree n, and the integral of B_k^n B_l^n is w_kl / (2n+1), w_kl = C(n,k) C(n,l) / C(2n,k+l), see
+// squared_norm(). \pre m >= 2
+template <class FT> class Second_derivative_products {
+  const int m_, n_ = m_ - 2;
+  std::vector<std::vector<FT>> w_; // w_kl for l >= k at [k][l - k]
+
+public:
+  explicit Second_derivative_products(int m) : m_(m) {
+    if (Work_meter* const work =
+            scope_of<FT>()) // the numbers have about 2 n digits in base 2, and each is used nine times
+      work->charge_fractions(12. * m * m, static_cast<std::size_t>(1 + m / 32));
+    FT diagonal(1);
+    for (int k = 0; k <= n_; ++k) {
+      w_.emplace_back(1, diagonal);
+      for (int l = k; l < n_; ++l)
+        w_[k].push_back(FT(w_[k].back() * FT(FT(FT(n_ - l) * FT(k + l + 1)) / FT(FT(l + 1) * FT(2 * n_ - k - l)))));
+      if (k < n_) diagonal = FT(w_[k][1] * FT(FT(FT(2) * FT(n_ - k)) / FT(2 * n_ - 2 * k - 1)));
+    }
+  }
+
+  // Those of i with all j from 0 to m.
+  std::vector<FT> row(int i) const {
+    const FT leading = FT(FT(m_) * FT(m_ - 1)), factor = FT(leading * leading / FT(2 * n_ + 1));
+    std::vector<FT> products;
+    for (int j = 0; j <= m_; ++j) {
+      FT sum(0);
+      for (int k = (std::max)(i - 2, 0); k <= (std::min)(i, n_); ++k)
+        for (int l = (std::max)(j - 2, 0); l <= (std::min)(j, n_); ++l) {
+          const FT& w = k <= l ? w_[k][l - k] : w_[l][k - l];
+          const int c = (i - k == 1 ? -2 : 1) * (j - l == 1 ? -2 : 1);
+          sum += FT(c) * w;
+        }
+      products.push_back(FT(factor * sum));
+    }
+    return products;
+  }
+};
 
 // The last n points of the polygon, in its order.
 template <std::size_t n, class Traits, int Degree>
@@ -125,8 +157,9 @@ protected:
       throw Error(Error_code::wrong_number_of_points,
                   std::string(place_) + ": " + std::to_string(m_ - k) + " points must be given");
     Coordinates sum(points_[0].dimension());
-    for (int j = 0; j <= m_; ++j) sum -= second_derivative_product<FT>(m_, k, j) * b[j];
-    return sum / second_derivative_product<FT>(m_, k, k);
+    const std::vector<FT> products = Second_derivative_products<FT>(m_).row(k);
+    for (int j = 0; j <= m_; ++j) sum -= products[j] * b[j];
+    return sum / products[k];
   }
 
 private:

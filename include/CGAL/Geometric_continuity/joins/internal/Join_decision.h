@@ -11,6 +11,7 @@
 #include <CGAL/Geometric_continuity/local/Curve_jet.h>
 #include <CGAL/Geometric_continuity/local/internal/Scaled_vector.h>
 #include <CGAL/Geometric_continuity/numbers/Work_limit.h>
+#include <CGAL/Geometric_continuity/numbers/internal/Common_denominator.h>
 
 #include <algorithm>
 #include <cmath>
@@ -120,10 +121,24 @@ public:
   }
 
 private:
-  // So many products of numbers as long as these. Those with 0 cost nothing.
+  // So many products of numbers as long as these, with sums. Those with 0 cost nothing.
   void charge(double number, const FT& x, const FT& y) {
-    if constexpr (!rounded)
-      if (x != FT(0) && y != FT(0)) work.charge_products(number, number_words(x), number_words(y));
+    if constexpr (!rounded) {
+      if (x == FT(0) || y == FT(0)) return;
+      const std::size_t words = number_words(x), other_words = number_words(y);
+      if (is_whole(x, words) && is_whole(y, other_words))
+        work.charge_products(number, words, other_words);
+      else
+        work.charge_fractions(number, words, other_words);
+    }
+  }
+  // Of long numbers only; others are taken for fractions.
+  static bool is_whole(const FT& x, std::size_t words) {
+    constexpr std::size_t few = 8;
+    if constexpr (Common_denominator<FT>::clears)
+      return words > few && number_words(Common_denominator<FT>::denominator_of(x)) == 1;
+    else
+      return true;
   }
 
   int jet_order() const { return (std::min)(X.order(), Y.order()); }
@@ -204,6 +219,8 @@ private:
     const FT h = dot(Y[1], Y[1]), gg = g * g, hh = h * h;
     const Vector kx = g * X[2] - dot(X[1], X[2]) * X[1], ky = h * Y[2] - dot(Y[1], Y[2]) * Y[1];
     const FT kx2 = dot(kx, kx), ky2 = dot(ky, ky);
+    charge(4. * X.dimension(), kx2, hh);
+    charge(4. * X.dimension(), ky2, gg);
     join.curvature_equal = FT(kx2 * hh * hh) == FT(ky2 * gg * gg);
     join.curvature_vector_equal = hh * kx == gg * ky;
     if (X.dimension() != 3 || jet_order() < 3 || kx2 == FT(0) || ky2 == FT(0)) return;

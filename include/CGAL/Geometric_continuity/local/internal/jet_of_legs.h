@@ -7,11 +7,13 @@
 
 #include <CGAL/Geometric_continuity/algebra/bernstein.h>
 #include <CGAL/Geometric_continuity/local/Coordinate_jet.h>
+#include <CGAL/Geometric_continuity/numbers/internal/common_words.h>
 
 #include <boost/container/small_vector.hpp>
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
 #include <type_traits>
 
 namespace CGAL {
@@ -34,6 +36,11 @@ Coordinate_jet<Field, N> jet_of_legs(int dimension, int m, int k, const Field& h
     Bezier_coefficients<Degree, Field> c;
     if constexpr (Degree < 0) c.resize(used);
     for (int j = 0; j < used; ++j) c[j] = coordinate(j, i);
+    if (Work_meter* const work = scope_of<Field>()) {
+      std::size_t words = 0; // of the last difference
+      for (int j = 0; j < used; ++j) words += number_words(c[j]);
+      work->charge_fractions(used * used / 4., words, words / used + number_words(h));
+    }
     Field scale(1);
     bernstein_end_derivatives<Field>(c, m, k, [&](int j, const Field& x) {
       jet[j][i] = x / scale;

@@ -166,6 +166,7 @@ private:
     for (std::size_t k = 1; k < n; ++k) {
       const FT t = fraction_of(s.domain(edge), k, n);
       const bool along_u = runs_along_u(edge);
+      sums.charge(static_cast<double>(weights[k].size()));
       add_point(i, sums.point(weighted_sum(weights[k], sums.net())), along_u ? t : u0, along_u ? v0 : t);
     }
   }

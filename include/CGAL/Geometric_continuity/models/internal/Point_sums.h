@@ -13,6 +13,7 @@
 #include <CGAL/Geometric_continuity/algebra/internal/Unreduced_vector.h>
 #endif
 
+#include <algorithm>
 #include <cstddef>
 #include <type_traits>
 #include <utility>
@@ -70,6 +71,9 @@ public:
   }
 
   typename Patch::Point point(const Vector& sum) const { return point_of_sum(patch_, sum); }
+
+  // Takes note of as many products of weights and control points.
+  void charge(double) const {}
 };
 
 #ifdef CGAL_USE_GMP
@@ -92,6 +96,7 @@ private:
   int dimension_;           // of the points; homogeneous ones have a coordinate more
   std::vector<Vector> net_; // the numerators
   Unreduced_denominator denominator_;
+  std::size_t words_ = 1, weight_words_ = 1; // of the longest numerator and weight
 
 public:
   Point_sums(const Patch& patch, const std::vector<Summand>& net) : dimension_(patch.dimension()) {
@@ -103,6 +108,7 @@ public:
     for (std::size_t i = 0; i < net.size(); ++i) {
       net_.emplace_back(m);
       for (int x = 0; x < m; ++x) net_[i][x] = cleared[static_cast<int>(i) * m + x].numerator();
+      for (const Number& x : net_[i]) words_ = (std::max)(words_, x.size());
     }
     denominator_ = cleared[0].denominator();
   }
@@ -111,8 +117,17 @@ public:
 
   std::vector<std::vector<Number>> weights(int degree, std::size_t n) {
     std::vector<std::vector<Number>> w;
-    for (std::size_t k = 0; k <= n; ++k)
+    std::size_t words = 1; // all weights for a k have the sum n^degree
+    for (std::size_t i = n; i > 1; i /= 2) words += static_cast<std::size_t>(degree);
+    words = 1 + words / 64;
+    weight_words_ += words;
+    for (std::size_t k = 0; k <= n; ++k) {
+      if (Work_meter* const work = Work_meter::current()) {
+        work->charge_products(degree * (degree + 1.), words, 1);
+        work->charge_sums(16. * degree, words); // memory
+      }
       w.push_back(bernstein_weights(degree, Number(static_cast<int>(n - k)), Number(static_cast<int>(k))));
+    }
     Unreduced_denominator d{Number(static_cast<int>(n)), 0};
     d.k = d.d.remove_twos();
     for (int i = 0; i < degree; ++i) denominator_ *= d;
@@ -126,6 +141,11 @@ public:
       x[i] = homogeneous ? Rational_parts<FT>::make(sum[i], sum[dimension_], 0)
                          : Rational_parts<FT>::make(sum[i], denominator_.d, denominator_.k);
     return to_point<Traits>(x);
+  }
+
+  void charge(double number) const {
+    if (Work_meter* const work = Work_meter::current())
+      work->charge_products(number * net_[0].dimension(), words_, weight_words_);
   }
 };
 

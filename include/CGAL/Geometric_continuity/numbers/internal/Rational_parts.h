@@ -5,6 +5,8 @@
 #ifndef CGAL_GEOMETRIC_CONTINUITY_NUMBERS_INTERNAL_RATIONAL_PARTS_H
 #define CGAL_GEOMETRIC_CONTINUITY_NUMBERS_INTERNAL_RATIONAL_PARTS_H
 
+#include <CGAL/Geometric_continuity/numbers/Work_limit.h>
+
 #include <CGAL/config.h>
 
 #ifdef CGAL_USE_GMP
@@ -29,6 +31,13 @@ template <class FT, class = void> struct Rational_parts : std::false_type {};
 
 #ifdef CGAL_USE_GMP
 
+// Numbers that were not cancelled until now count in a Work_scope with all that was done before; short ones do not.
+inline void charge_cancellation(std::size_t words, std::size_t other_words) {
+  constexpr std::size_t few = 8;
+  if (words + other_words > few)
+    if (Work_meter* const work = Work_meter::current()) work->charge_fractions(0.6, words, other_words);
+}
+
 // The number of GMP in a Gmpq, in an mpq_class, and in a gmp_rational of Boost.
 template <class FT> auto gmp_rational(FT& x) -> decltype(mpq_ptr(x.mpq())) { return x.mpq(); }
 template <class FT> auto gmp_rational(const FT& x) -> decltype(mpq_srcptr(x.mpq())) { return x.mpq(); }
@@ -49,6 +58,7 @@ struct Rational_parts<FT, std::void_t<decltype(internal::gmp_rational(std::declv
   static FT make(const Inline_integer& n, const Inline_integer& d, long k) {
     FT x;
     const mpq_ptr q = internal::gmp_rational(x);
+    charge_cancellation(n.size(), d.size());
     copy(n, mpq_numref(q));
     if (!d.is_one()) {
       copy(d, mpq_denref(q));
@@ -109,6 +119,7 @@ struct Rational_parts<
   static FT make(const Inline_integer& n, const Inline_integer& d, long k) {
     Integer num = integer(n), den = integer(d);
     if (num.is_zero()) return FT(0);
+    charge_cancellation(n.size(), d.size());
     if (k > 0) den <<= k;
     if (k < 0) num <<= -k;
     return FT(num, den);

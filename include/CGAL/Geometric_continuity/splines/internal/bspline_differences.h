@@ -90,8 +90,9 @@ public:
 
   // The j-th derivative, j <= p, at the start or the end of the span.
   FT derivative(int j) const {
-    work_.charge_products(1, number_words(denominator_)); // a greatest common divisor
-    FT factor(1);                                         // j! scale^j
+    const std::size_t words = number_words(denominator_);
+    work_.charge_divisors(2, words, words);
+    FT factor(1); // j! scale^j
     for (int i = 1; i <= j; ++i) factor *= FT(FT(i) * scale_);
     return FT(factor * quotient(terms_[j], denominator_));
   }
@@ -129,6 +130,7 @@ private:
     for (int j = 0; j < first; ++j) terms_[j] *= factor;
     for (int j = first; j <= p_; ++j) terms_[j] = Ring(binomials_[j] * denominator.numerator(g[j - first]));
     denominator_ = denominator.value();
+    work_.charge_divisors(p_ + 1, number_words(denominator_), number_words(denominator_));
     Ring common = denominator_;
     for (int j = 0; j <= p_ && !(common == Ring(1)); ++j) common = Ring(CGAL::gcd(common, terms_[j]));
     if (common == Ring(1)) return;
