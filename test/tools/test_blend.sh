@@ -32,6 +32,13 @@ holds [ "$(cmp -s automatic.g2 unit.g2 && echo same)" = "" ]
 eta=$(run 0 blend "$L" "$R"; sed -n 's/.*\(eta = [^,]*\),.*/\1/p' out)
 run 0 blend "$L" "$R" --beta 3/2 && says out "beta = 1.5, $eta,"
 
+# smooth joins are not all: a blend that leaves the neighbourhood of its chord, or turns back, is named
+run 0 blend "$S" --replace 1 --strategy all && holds [ "$(grep -c 'warning: goes .* times the length of its chord away from its ends' out)" -eq 1 ]
+holds grep -q '^near_line .*warning: goes' out
+run 0 blend "$S" --replace 1 --strategy near_line --json && says out '"warning":"goes '
+run 0 blend "$S" --replace 1 --json && says out '"warning":null'
+run 0 blend "$L" "$R" --beta 4 --eta 4 && says out "warning: turns back"
+
 # how fair the blends are: fair is the fairest
 run 0 blend "$L" "$R" --strategy all && says out "fairness" "bending" "extrema" "inflections" "iteration" "->"
 run 0 blend "$L" "$R" --strategy all --json

@@ -12,6 +12,8 @@
 #include <array>
 #include <cmath>
 #include <iomanip>
+#include <numeric>
+#include <vector>
 
 namespace {
 
@@ -41,6 +43,51 @@ std::string energy(const Blend_report& r, int order, const std::optional<GC::Wor
     if (!is_left_out(e, limit)) throw;
     return "-";
   }
+}
+
+// Why a curve is hardly what is wanted, however smooth its joins are: it goes far away from its chord, or turns back. Empty otherwise. Samples
+// are enough for a warning.
+std::string warning_of(const Exact_curve& curve) {
+  constexpr int samples = 128;
+  constexpr double far = 4; // chords
+  const int n = curve.degree(), dimension = curve.dimension();
+  typedef std::vector<double> Vector;
+  std::vector<Vector> points;
+  for (int j = 0; j <= n; ++j) {
+    points.emplace_back();
+    for (int i = 0; i < dimension; ++i) points.back().push_back(CGAL::to_double(curve.coordinates(j)[i]));
+  }
+  const auto difference = [](Vector a, const Vector& b) {
+    for (std::size_t i = 0; i < a.size(); ++i) a[i] -= b[i];
+    return a;
+  };
+  const auto product = [](const Vector& a, const Vector& b) {
+    return std::inner_product(a.begin(), a.end(), b.begin(), 0.);
+  };
+  const Vector chord = difference(points.back(), points.front());
+  const double length = std::sqrt(product(chord, chord));
+  if (!(length > 0)) return ""; // closed
+  const bool ends_forwards =
+      product(difference(points[1], points[0]), chord) >= 0 &&
+      product(difference(points[static_cast<std::size_t>(n)], points[static_cast<std::size_t>(n) - 1]), chord) >= 0;
+  double farthest = 0;
+  bool turns_back = false;
+  Vector last = points[0];
+  for (int k = 1; k <= samples; ++k) {
+    std::vector<Vector> row = points; // de Casteljau
+    for (int r = n; r > 0; --r)
+      for (std::size_t j = 0; j < static_cast<std::size_t>(r); ++j)
+        for (std::size_t i = 0; i < row[j].size(); ++i) row[j][i] += (row[j + 1][i] - row[j][i]) * k / samples;
+    const auto distance = [&](const Vector& p) {
+      const Vector d = difference(row[0], p);
+      return std::sqrt(product(d, d)) / length;
+    };
+    farthest = (std::max)(farthest, (std::min)(distance(points.front()), distance(points.back())));
+    turns_back = turns_back || product(difference(row[0], last), chord) < 0;
+    last = row[0];
+  }
+  if (!(farthest <= far)) return "goes " + rounded(farthest, 2) + " times the length of its chord away from its ends";
+  return turns_back && ends_forwards ? "turns back" : "";
 }
 
 // Writes a line of the table.
@@ -103,7 +150,7 @@ Blend_report::Blend_report(const std::string& strategy, const Exact_curve& gamma
     : strategy(strategy), curve(gamma), start(GC::continuity(phi, gamma, 3, limit.value_or(GC::Work_limit()))),
       end(GC::continuity(gamma, psi, 3, limit.value_or(GC::Work_limit()))), beta(beta), eta(eta),
       parameters(parameters), fairness(GC::fairness(gamma)), bending_energy(GC::bending_energy(gamma)),
-      curvature(extrema(gamma, limit)), search(search) {}
+      curvature(extrema(gamma, limit)), search(search), warning(warning_of(gamma)) {}
 
 bool Blend_report::is_proved(int order) const {
   const bool smooth = order == 2 || curve.dimension() < 3;
@@ -125,7 +172,7 @@ void write_table(std::ostream& os, const std::vector<Blend_report>& reports, int
               {r.strategy, orders(r.start), orders(r.end), energy(r, order, limit), energy(r, order + 1, limit),
                six_digits(r.fairness), six_digits(r.bending_energy), c ? std::to_string(c->extrema.size()) : "-",
                c ? std::to_string(c->inflections.size()) : "-", c ? six_digits(c->largest().upper) : "-"},
-              r.parameters);
+              r.parameters + (r.warning.empty() ? "" : "  warning: " + r.warning));
   }
   os << (proved ? "both joins of every blend are proved in exact arithmetic\n"
                 : "decided in exact arithmetic: rounding has broken a join\n");
@@ -140,7 +187,12 @@ void write_json(std::ostream& os, const std::vector<Blend_report>& reports, int 
     GC::write_number(os << "\",\"eta\":\"", r.eta);
     GC::write_json(os << "\",\"start_join\":", r.start, 0, 1);
     GC::write_json(os << ",\"end_join\":", r.end, 1, 2);
-    os << ",\"proved\":" << (r.is_proved(order) ? "true" : "false") << ",\"fairness\":";
+    os << ",\"proved\":" << (r.is_proved(order) ? "true" : "false") << ",\"warning\":";
+    if (r.warning.empty())
+      os << "null";
+    else
+      GC::write_json(os, r.warning);
+    os << ",\"fairness\":";
     write_value(os, r.fairness);
     write_value(os << ",\"bending_energy\":", r.bending_energy);
     write_members(os << ',', r.curvature);

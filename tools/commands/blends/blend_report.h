@@ -30,6 +30,7 @@ struct Blend_report {
   double fairness, bending_energy;
   std::optional<GC::Curvature_extrema> curvature; // empty where the blend has a cusp
   std::optional<GC::Fair_report> search;          // of the strategies that search
+  std::string warning;                            // why it is hardly what is wanted, smooth as it is; may be empty
 
   // Whether both joins have the order 2 or 3 that was asked for.
   bool is_proved(int order) const;
