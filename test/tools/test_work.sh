@@ -135,6 +135,12 @@ bounded 60 2 blend long_left.g2 long_right.g2 --max-work 4000000000 -o none.g2
 says err "curvature_extrema" "--max-work N"
 run 2 blend left.g2 --corner 0 --distance 1 --max-work 1000
 says err "--max-work: not with --corner"
+run 2 blend left.g2 right.g2 --order 3 --max-work 10000
+says err "left.g2: work_limit" "--max-work N"
+run 2 extend short.g2 --order curvature --toward 3,4 --max-work 1000000 -o none.g2
+says err "short.g2: work_limit: extend: more than 1000000 steps" "--max-work N"
+bounded 60 2 extend short.g2 --order curvature --toward 3,4 -o none.g2
+run 0 extend left.g2 --order curvature --toward 3,4 --max-work 1000000 -o extended.g2
 for y in 0 1 -1; do cubic "0 $y 0"$'\n'"1 $y 0"$'\n'"2 $y 0"$'\n'"3 $y 0" >"line$y.g2"; done
 run 0 connect line0.g2 line1.g2 line-1.g2 -o ribbon.g2
 run 2 connect line0.g2 line1.g2 line-1.g2 --max-work 100 -o none.g2
@@ -142,6 +148,85 @@ says err "line0.g2, ...: work_limit: connect_g1" "--max-work N"
 run 2 verify left.g2 right.g2 --within 1,1,1 --max-work 100
 says err "join 0 -> 1: work_limit: " "--max-work N"
 holds test ! -e none.g2
+
+# Orders up to 32 of rational curves with long fractions: their jets count.
+rational() { # DIGITS
+  awk -v digits="$1" '
+    function number(   text, j) {
+      for (j = 0; j < 2 * digits; ++j) text = text (j == digits ? "/" : "") 1 + int(9 * rand())
+      return text
+    }
+    BEGIN {
+      srand(3)
+      for (i = 0; i <= 20; ++i) point[i] = number() " " number() " " number()
+      for (first = 0; first <= 10; first += 10) {
+        print "100 1 0 0\n2 1\n11 11\n0 0 0 0 0 0 0 0 0 0 0 1 1 1 1 1 1 1 1 1 1 1"
+        for (i = 0; i <= 10; ++i) print point[first + i]
+      }
+    }'
+}
+rational 4 >rational.g2
+run 0 verify --max-order 32 rational.g2
+rational 1000 >rational.g2
+bounded 10 2 verify --max-order 32 --max-work 1000000 rational.g2
+says err "work_limit" "more than 1000000 steps" "--max-work N"
+
+# The default takes some seconds also where the numbers are short: two rational patches of the degrees 39 and 2 with one-digit numbers
+# that meet with one tangent plane, so that the zeros of a polynomial of degree 234 are separated.
+awk 'BEGIN {
+  srand(5)
+  for (i = 0; i < 40; ++i)
+    for (k = 0; k < 4; ++k) {
+      edge[i, k] = int(9 * rand()) - 4 + (k == 3) * 7
+      near[i, k] = k == 3 ? edge[i, k] : int(9 * rand()) - 4
+      far[1, i, k] = int(9 * rand()) - 4 + (k == 3) * 7
+      far[2, i, k] = int(9 * rand()) - 4 + (k == 3) * 7
+    }
+  for (side = 1; side <= 2; ++side) {
+    print "200 1 0 0\n3 1\n40 40"
+    for (i = 0; i < 80; ++i) printf "%d ", (i >= 40)
+    print "\n3 3\n0 0 0 1 1 1"
+    for (j = 0; j < 3; ++j)
+      for (i = 0; i < 40; ++i) {
+        for (k = 0; k < 4; ++k) {
+          row = side == 1 ? j : 2 - j # from far to the edge
+          x = row == 0 ? far[side, i, k] : row == 2 ? edge[i, k] : side == 1 ? near[i, k] : 2 * edge[i, k] - near[i, k]
+          printf "%d ", x
+        }
+        print ""
+      }
+  }
+}' >rational_patches.g2
+ulimit -S -t 10 # for each program; it takes about three seconds, and took thirteen
+bounded 120 2 verify --surfaces rational_patches.g2
+ulimit -S -t "$(ulimit -H -t)"
+says err "patch 0 v1 - patch 1 v0: edge_continuity: more than 4000000000 steps" "--max-work N"
+
+# Triangles in exact numbers.
+awk 'BEGIN {
+  srand(9)
+  print "200 1 0 0\n3 0\n3 3\n0 0 0 1 1 1\n3 3\n0 0 0 1 1 1"
+  for (i = 0; i < 27; ++i) {
+    number = ""
+    for (j = 0; j < 4000; ++j) number = number (j == 2000 ? "/" : "") 1 + int(9 * rand())
+    printf "%s%s", number, i % 3 == 2 ? "\n" : " "
+  }
+}' >long_patch.g2
+run 2 tessellate --kernel exact --max-work 1000000 long_patch.g2 -o none.off
+says err "work_limit: tessellate: more than 1000000 steps" "--max-work"
+bounded 60 2 tessellate --kernel exact --grid 512 long_patch.g2 -o none.off
+run 0 tessellate --max-work 1 long_patch.g2 -o patch.off
+run 0 tessellate --kernel exact --grid 4 long_patch.g2 -o patch.off
+awk 'BEGIN {
+  srand(9)
+  print "200 1 0 0\n3 0\n128 128"
+  for (i = 0; i < 256; ++i) printf "%d ", (i >= 128)
+  print "\n2 2\n0 0 1 1"
+  for (i = 0; i < 256; ++i) printf "%d/%d %d/%d %d/%d\n", 999 * rand(), 1 + 998 * rand(), 999 * rand(), 1 + 998 * rand(), 999 * rand(), 1 + 998 * rand()
+}' >high_patch.g2
+bounded 60 2 tessellate --kernel exact --tolerance 0.0001 high_patch.g2 -o none.off
+run 2 tessellate --kernel exact --max-work 10000000 --grid 64 high_patch.g2 -o none.off
+holds test ! -e none.off
 
 # The option.
 for word in 0 -1 x 1e9 1.5 "" 99999999999999999999999; do

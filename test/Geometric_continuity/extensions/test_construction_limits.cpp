@@ -12,13 +12,20 @@
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Geometric_continuity/Traits_3.h>
 #include <CGAL/Geometric_continuity/algebra/isolate_roots.h>
+#include <CGAL/Geometric_continuity/blends/blend.h>
+#include <CGAL/Geometric_continuity/blends/septic_strategies.h>
 #include <CGAL/Geometric_continuity/curves/curvature_extrema.h>
 #include <CGAL/Geometric_continuity/edges/connect_g1.h>
 #include <CGAL/Geometric_continuity/extensions/extend.h>
+#include <CGAL/Geometric_continuity/extensions/extend_toward.h>
 #include <CGAL/Geometric_continuity/joins/order_within.h>
+#include <CGAL/Geometric_continuity/models/tessellate.h>
+#include <CGAL/Geometric_continuity/numbers/Work_limit.h>
 #include <CGAL/Simple_cartesian.h>
 
+#include <cstdint>
 #include <random>
+#include <thread>
 #include <vector>
 
 BOOST_AUTO_TEST_SUITE(construction_limits)
@@ -94,10 +101,56 @@ BOOST_AUTO_TEST_CASE(exact_numbers) {
   CHECK_ERROR(GC::connect_g1(straight<Q>(0), straight<Q>(1), straight<Q>(-1), Q(0), one_step), work_limit);
 }
 
+// What takes no limit of its own counts in a scope, and what takes one counts there as well.
+BOOST_AUTO_TEST_CASE(scopes) {
+  const Bezier<Q> left = random_curve<Q>(5, 8), long_left = random_curve<Q>(5, 600);
+  const Bezier<Q> right = left.reverse(), long_right = long_left.reverse();
+  const GC::Rational_bezier_curve<Space<Q>> rational(long_left);
+  const Space<Q>::Point wished(1, 2, 3);
+  const auto within = [](GC::Work_limit limit, auto work) {
+    const GC::Work_scope scope(limit, "a scope");
+    work();
+  };
+  const auto is_counted = [&](auto work, std::uint64_t steps) {
+    within(default_limit, work);
+    CHECK_ERROR(within(GC::Work_limit(steps), work), work_limit);
+    work(); // the scope has ended
+  };
+  is_counted([&] { GC::blend(long_left, long_right); }, 1000000);
+  is_counted([&] { GC::blend(long_left, long_right, GC::Minimal_energy_g3<4>()); }, 1000000);
+  is_counted([&] { GC::blend(left, right).energy(3); }, 1000);
+  is_counted([&] { GC::extend_toward(left, GC::Frenet_order::curvature, wished); }, 1000);
+  is_counted([&] { rational.end_jet(32); }, 1000000);
+  is_counted([&] { long_left.end_jet(3); }, 100000);
+  is_counted([&] { GC::continuity(long_left, long_right); }, 1000000);
+  is_counted([&] { GC::extend(left, GC::Frenet_order::curvature, {}, default_limit); }, 1000);
+  const std::vector<Space<Q>::Point> points(left.control_points().begin(), left.control_points().end());
+  const std::vector<std::vector<Space<Q>::Point>> net = {{points[0], points[1], points[2]},
+                                                         {points[3], points[4], points[5]}};
+  const GC::Bezier_patch<Space<Q>> patch(net);
+  is_counted([&] { GC::tessellate(patch, GC::Uniform_grid{64}); }, 100000);
+  // the jets count within the limit of a decision, in one sum with it
+  CHECK_ERROR(GC::continuity(rational, rational, 32, GC::Work_limit(1000000)), work_limit);
+
+  // of two scopes the inner one may end first, and both count
+  within(default_limit, [&] {
+    CHECK_ERROR(within(one_step, [&] { GC::blend(long_left, long_right); }), work_limit);
+    GC::blend(long_left, long_right);
+  });
+  CHECK_ERROR(
+      within(GC::Work_limit(1000000), [&] { within(default_limit, [&] { GC::blend(long_left, long_right); }); }),
+      work_limit);
+  // another thread has scopes of its own
+  within(one_step, [&] { std::thread([&] { GC::blend(long_left, long_right); }).join(); });
+}
+
 BOOST_AUTO_TEST_CASE(floating_point_numbers) {
   const Bezier<double> c = random_curve<double>(5, 3);
   BOOST_CHECK_EQUAL(GC::extend(c, GC::Frenet_order::curvature, {}, one_step).degree(), 5);
   BOOST_CHECK(GC::connect_g1(straight<double>(0), straight<double>(1), straight<double>(-1), 0., one_step).g1());
+  const GC::Work_scope scope(one_step, "floating-point numbers");
+  BOOST_CHECK_EQUAL(GC::blend(c, c.reverse(), GC::Minimal_energy_g3<4>()).degree(), 7);
+  BOOST_CHECK_GT(GC::extend_toward(c, GC::Frenet_order::curvature, c.control_point(0)).energy(2), 0);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

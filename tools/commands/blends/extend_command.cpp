@@ -28,8 +28,9 @@ are members of Hagen's families:
 with p = b0 - b-1 and r = b-2 - b-1. What is not given continues the curve as
 smoothly as possible. With --toward the segment ends at the point, or as near
 to it as possible, with the least energy. The join is decided exactly on the
-numbers that are written, as verify reads them. Of a curve with inner knots the last span counts; all curves are
-written as Bezier curves. Numbers R are decimals or fractions p/q.
+numbers that are written, as verify reads them. Of a curve with inner knots the
+last span counts; all curves are written as Bezier curves. Numbers R are
+decimals or fractions p/q.
 Exact arithmetic on numbers of thousands of digits can take long: --max-work N
 allows N steps, about N nanoseconds, instead of 4000000000.
 Exit code: 0 when the join has the order that is asked for, 1 when rounding has

@@ -68,7 +68,7 @@ private:
     const Ring common(CGAL::gcd(a, b));
     x.a = exact_quotient(a, common);
     x.b = exact_quotient(b, common);
-    work_.charge_divisors(2, number_words(a), number_words(b));
+    work_.charge_divisors(1, number_words(a), number_words(b));
   }
 };
 

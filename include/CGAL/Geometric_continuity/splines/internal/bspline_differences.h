@@ -91,7 +91,7 @@ public:
   // The j-th derivative, j <= p, at the start or the end of the span.
   FT derivative(int j) const {
     const std::size_t words = number_words(denominator_);
-    work_.charge_divisors(2, words, words);
+    work_.charge_divisors(1, number_words(terms_[j]), words);
     FT factor(1); // j! scale^j
     for (int i = 1; i <= j; ++i) factor *= FT(FT(i) * scale_);
     return FT(factor * quotient(terms_[j], denominator_));
@@ -130,9 +130,11 @@ private:
     for (int j = 0; j < first; ++j) terms_[j] *= factor;
     for (int j = first; j <= p_; ++j) terms_[j] = Ring(binomials_[j] * denominator.numerator(g[j - first]));
     denominator_ = denominator.value();
-    work_.charge_divisors(p_ + 1, number_words(denominator_), number_words(denominator_));
     Ring common = denominator_;
-    for (int j = 0; j <= p_ && !(common == Ring(1)); ++j) common = Ring(CGAL::gcd(common, terms_[j]));
+    for (int j = 0; j <= p_ && !(common == Ring(1)); ++j) {
+      work_.charge_divisors(1, number_words(common), number_words(terms_[j]));
+      common = Ring(CGAL::gcd(common, terms_[j]));
+    }
     if (common == Ring(1)) return;
     denominator_ = exact_quotient(denominator_, common);
     for (Ring& x : terms_) x = exact_quotient(x, common);
