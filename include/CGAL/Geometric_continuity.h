@@ -85,12 +85,15 @@
 #include <CGAL/Geometric_continuity/joins/Kink_bound.h>
 #include <CGAL/Geometric_continuity/joins/Kink_size.h>
 #include <CGAL/Geometric_continuity/joins/Prepared_end.h>
+#include <CGAL/Geometric_continuity/joins/Variable_join.h>
+#include <CGAL/Geometric_continuity/joins/Variation_region.h>
 #include <CGAL/Geometric_continuity/joins/chain_continuity.h>
 #include <CGAL/Geometric_continuity/joins/deviation.h>
 #include <CGAL/Geometric_continuity/joins/failing_joins.h>
 #include <CGAL/Geometric_continuity/joins/join_continuity.h>
 #include <CGAL/Geometric_continuity/joins/join_predicates.h>
 #include <CGAL/Geometric_continuity/joins/knot_continuity.h>
+#include <CGAL/Geometric_continuity/joins/largest_kink.h>
 #include <CGAL/Geometric_continuity/joins/order_within.h>
 #include <CGAL/Geometric_continuity/joins/polygon_tests.h>
 

@@ -51,8 +51,9 @@ The worst kinks come first: those of the largest angle times the shorter handle.
 characters and ranges of them, names and numbers of glyphs.
 
 --all-instances encloses the largest kink of each join over all instances of a
-variable TrueType font, of joins that are no corners at the default instance:
-proved between the masters as well, with the axis values of the largest one.
+variable font (TrueType or CFF2 outlines), of joins that are no corners at the
+default instance: proved between the masters as well, with the axis values of
+the largest one. --max-work is 50000000 for each join then.
 
 Of CAD models (.step, .stp, .iges, .igs, .brep, .brp; where the program is
 built with OpenCASCADE) it encloses, over each whole edge that two faces share
@@ -123,15 +124,15 @@ Kink_rule kink_rule(const Command_line& line) {
 
 // What is asked of all instances of variable fonts.
 Instance_demand instance_demand(const Command_line& line) {
-  line.refuse({"surfaces", "closed", "within", "sew", "kernel", "max-order", "max-work", "require"},
-              "not with --all-instances");
+  line.refuse({"surfaces", "closed", "within", "sew", "kernel", "max-order", "require"}, "not with --all-instances");
   const bool required = line.has("max-kink");
   const std::string max_kink = required ? line.text("max-kink") : "0.5";
   const Exact degrees = line.number<Exact>("max-kink", Exact(1) / Exact(2));
   if (!(Exact(0) < degrees && degrees < Exact(90)))
     throw std::invalid_argument("--max-kink: " + max_kink + " is not between 0 and 90 degrees");
   return {line.has("glyphs") ? Glyph_selection(line.text("glyphs")) : Glyph_selection(),
-          {kink_rule(line).bound, GC::Kink_bound(degrees)},
+          {kink_rule(line).bound, GC::Kink_bound(degrees),
+           line.has("max-work") ? line.work_limit() : GC::Kink_search().limit},
           max_kink,
           required,
           static_cast<std::size_t>(line.integer("worst", 0, 1000000))};

@@ -20,15 +20,8 @@ namespace {
 
 double length(const GC::Outline_vector& v) { return std::hypot(CGAL::to_double(v[0]), CGAL::to_double(v[1])); }
 
-std::vector<Exact> scalars_at(const GC::Variable_outline& glyph, const std::vector<Exact>& instance) {
-  std::vector<Exact> scalars;
-  for (const GC::Variation_region& region : glyph.regions) scalars.push_back(region.scalar(instance));
-  return scalars;
-}
-
 GC::Enclosure angle_at(const GC::Variable_join& join, const std::vector<Exact>& scalars) {
-  const GC::Outline_vector a = join.incoming(scalars), b = join.outgoing(scalars);
-  const Exact cross = a[0] * b[1] - a[1] * b[0], dot = a[0] * b[0] + a[1] * b[1];
+  const auto [cross, dot] = join.products(scalars);
   return GC::angle_enclosure(Exact(cross * cross), dot);
 }
 
@@ -51,29 +44,30 @@ std::string degrees_text(const GC::Enclosure& angle) {
 
 Instance_counts& Instance_counts::operator+=(const Instance_counts& other) {
   for (std::size_t Instance_counts::*count :
-       {&Instance_counts::joins, &Instance_counts::corners, &Instance_counts::no_direction,
-        &Instance_counts::not_covered, &Instance_counts::proved, &Instance_counts::refuted, &Instance_counts::undecided,
-        &Instance_counts::smooth, &Instance_counts::vanishes})
+       {&Instance_counts::joins, &Instance_counts::corners, &Instance_counts::no_direction, &Instance_counts::proved,
+        &Instance_counts::refuted, &Instance_counts::undecided, &Instance_counts::smooth, &Instance_counts::vanishes})
     this->*count += other.*count;
   return *this;
 }
 
-Instance_counts judge_instances(int index, const GC::Variable_outline& glyph, const GC::Variable_font& font,
-                                const Instance_bounds& bounds, std::vector<Instance_kink>& kinks) {
-  Instance_counts counts;
-  const std::vector<Exact> initial(font.axes().size(), Exact(0)), initial_scalars = scalars_at(glyph, initial);
-  for (const GC::Variable_join& join : GC::variable_joins(glyph)) {
+void judge_instances(int glyph, int part, const GC::Variable_outline& outline,
+                     const std::vector<GC::Outline_join>& joins, const GC::Variable_font& font,
+                     const Instance_bounds& bounds, Instance_joins& result) {
+  Instance_counts& counts = result.counts;
+  GC::Kink_search search;
+  search.limit = bounds.limit;
+  const std::vector<Exact> initial(font.axes().size(), Exact(0)),
+      initial_scalars = GC::region_scalars(outline.regions, initial);
+  for (const GC::Outline_join& place : joins) {
+    const GC::Variable_join& join = place.join;
     ++counts.joins;
     const std::optional<bool> corner = GC::is_corner(join, initial_scalars, bounds.corner);
     if (!corner || *corner) {
       ++(corner ? counts.corners : counts.no_direction);
+      if (!corner) result.without_length.push_back(place);
       continue;
     }
-    if (GC::axes_of(join, glyph.regions, font.axes()) > GC::max_variable_axes) {
-      ++counts.not_covered;
-      continue;
-    }
-    GC::Largest_kink kink = GC::largest_kink(join, glyph.regions, font.axes(), bounds.max_kink);
+    GC::Largest_kink kink = GC::largest_kink(join, outline.regions, font.ranges(), bounds.max_kink, search);
     ++(kink.verdict == GC::Verdict::proved    ? counts.proved
        : kink.verdict == GC::Verdict::refuted ? counts.refuted
                                               : counts.undecided);
@@ -82,14 +76,20 @@ Instance_counts judge_instances(int index, const GC::Variable_outline& glyph, co
       ++counts.smooth;
       continue;
     }
-    const std::vector<Exact> scalars = scalars_at(glyph, kink.instance);
+    const std::vector<Exact> scalars = GC::region_scalars(outline.regions, kink.instance);
     const double leg = (std::min)(length(join.incoming(scalars)), length(join.outgoing(scalars))),
                  severity = kink.angle.lower * leg / font.units_per_em();
-    const GC::Outline_vector point = glyph.point(static_cast<std::size_t>(join.point), initial);
-    kinks.push_back({index, join.contour, join.point, CGAL::to_double(point[0]), CGAL::to_double(point[1]),
-                     std::move(kink), angle_at(join, initial_scalars), severity});
+    const GC::Variable_point& point = outline.points[static_cast<std::size_t>(place.point)];
+    result.kinks.push_back({glyph, part, place.contour, place.point, point.x, point.y, std::move(kink),
+                            angle_at(join, initial_scalars), severity});
   }
-  return counts;
+}
+
+std::vector<std::string> instance_texts(const std::vector<GC::Variation_axis>& axes, const GC::Largest_kink& kink) {
+  std::vector<std::string> texts;
+  for (std::size_t k = 0; k < axes.size(); ++k)
+    texts.push_back(axes[k].tag + ' ' + axis_text(axes[k], kink.instance[k]));
+  return texts;
 }
 
 std::string axis_text(const GC::Variation_axis& axis, const Exact& normalised) {
@@ -101,14 +101,16 @@ std::string axes_json(const std::vector<GC::Variation_axis>& axes) {
   const char* separator = "[";
   for (const GC::Variation_axis& axis : axes) {
     GC::write_json(os << std::exchange(separator, ",") << "{\"tag\":", axis.tag);
-    os << ",\"minimum\":" << axis_text(axis, axis.lowest()) << ",\"default\":" << axis_text(axis, 0)
-       << ",\"maximum\":" << axis_text(axis, axis.highest()) << '}';
+    os << ",\"minimum\":" << axis_text(axis, axis.range().lowest) << ",\"default\":" << axis_text(axis, 0)
+       << ",\"maximum\":" << axis_text(axis, axis.range().highest) << '}';
   }
   return os.str() + (axes.empty() ? "[]" : "]");
 }
 
 bool shown_before(const Instance_kink& x, const Instance_kink& y) {
-  const auto order = [](const Instance_kink& k) { return std::make_tuple(-k.severity, k.glyph, k.contour, k.point); };
+  const auto order = [](const Instance_kink& k) {
+    return std::make_tuple(-k.severity, k.glyph, k.part, k.contour, k.point);
+  };
   return order(x) < order(y);
 }
 
@@ -120,9 +122,6 @@ std::string counts_text(const Instance_counts& counts, const std::string& max_ki
                      std::to_string(counts.undecided) + " undecided";
   if (counts.no_direction != 0)
     text += ", " + std::to_string(counts.no_direction) + " with a handle of no length at the default instance";
-  if (counts.not_covered != 0)
-    text += ", " + std::to_string(counts.not_covered) + " not covered: more than " +
-            std::to_string(GC::max_variable_axes) + " axes";
   return text;
 }
 
@@ -131,7 +130,7 @@ std::string counts_json(const Instance_counts& counts) {
   for (const auto& [name, count] : {std::pair<const char*, std::size_t>("joins", counts.joins),
                                     {"corners", counts.corners},
                                     {"no_direction", counts.no_direction},
-                                    {"not_covered", counts.not_covered},
+                                    {"not_covered", counts.no_direction}, // of all joins
                                     {"proved", counts.proved},
                                     {"refuted", counts.refuted},
                                     {"undecided", counts.undecided},
@@ -148,7 +147,8 @@ std::string kinks_table(const std::vector<Instance_kink>& kinks, const std::stri
   for (const Instance_kink& kink : kinks) {
     std::string instance;
     for (const std::string& value : kink.instance) instance += (instance.empty() ? "" : ", ") + value;
-    rows.push_back({kink.glyph_name, std::to_string(kink.contour), std::to_string(kink.point),
+    rows.push_back({kink.glyph_name + (kink.part_name.empty() ? "" : ", part " + kink.part_name),
+                    std::to_string(kink.contour), std::to_string(kink.point),
                     '(' + rounded(kink.x, 6) + ", " + rounded(kink.y, 6) + ')',
                     degrees_text(kink.kink.angle) + " degrees" + (kink.kink.vanishes ? ", a handle vanishes" : ""),
                     instance, degrees_text(kink.initial_angle), rounded(1000 * kink.severity, 3), kink.font_name});
@@ -186,6 +186,7 @@ std::string kink_json(const Instance_kink& kink, const std::vector<GC::Variation
   GC::write_json(os, std::optional<GC::Enclosure>(degrees(kink.initial_angle)));
   os << ",\"vanishing_handle\":" << (kink.kink.vanishes ? "true" : "false")
      << ",\"per_mille\":" << rounded(1000 * kink.severity, 6);
+  if (!kink.part_name.empty()) GC::write_json(os << ",\"part\":", kink.part_name);
   return os.str();
 }
 

@@ -5,7 +5,10 @@
 #ifndef GEOMETRIC_CONTINUITY_TOOLS_COMMANDS_FONTS_INSTANCE_KINKS_H
 #define GEOMETRIC_CONTINUITY_TOOLS_COMMANDS_FONTS_INSTANCE_KINKS_H
 
-#include "formats/font/largest_kink.h"
+#include "formats/font/Variable_font.h"
+#include "reports/Report.h"
+
+#include <CGAL/Geometric_continuity/joins/largest_kink.h>
 
 #include <cstddef>
 #include <string>
@@ -17,41 +20,50 @@ namespace GC = CGAL::Geometric_continuity;
 struct Instance_bounds {
   GC::Kink_bound corner;   // above it an angle of the default instance is a corner, which is meant
   GC::Kink_bound max_kink; // which no instance of the other joins should exceed
+  GC::Work_limit limit;    // for each join
 };
 
 // What was found out about joins over all instances.
 struct Instance_counts {
   std::size_t joins = 0;
   std::size_t corners = 0;      // at the default instance
-  std::size_t no_direction = 0; // a leg has no length at the default instance
-  std::size_t not_covered = 0;  // more axes than can be covered
+  std::size_t no_direction = 0; // a leg has no length at the default instance: not covered
   std::size_t proved = 0, refuted = 0, undecided = 0;
   std::size_t smooth = 0;   // of the proved ones: the angle is 0 in every instance
   std::size_t vanishes = 0; // of these three: a leg has no length at some instance
 
   Instance_counts& operator+=(const Instance_counts& other);
-
-  std::size_t decided() const { return proved + refuted + undecided; }
-  std::size_t unverified() const { return no_direction + not_covered; }
 };
 
 // A join whose angle is not zero in every instance.
 struct Instance_kink {
-  int glyph, contour, point;
+  int glyph, part; // the glyph of which the outline is: another one where that is stretched
+  int contour, point;
   double x, y; // at the default instance
   GC::Largest_kink kink;
   GC::Enclosure initial_angle; // at the default instance, in radians
   double severity;             // at the instance of the kink: the angle times the shorter leg over the em
-  std::string glyph_name = {}, font_name = {};
+  std::string glyph_name = {}, part_name = {}, font_name = {};
   std::vector<std::string> instance = {}; // one text for each axis, e.g. "wght 650"
 };
 
-// Decides the joins of a glyph, and appends those whose angle is not zero in every instance.
-Instance_counts judge_instances(int index, const GC::Variable_outline& glyph, const GC::Variable_font& font,
-                                const Instance_bounds& bounds, std::vector<Instance_kink>& kinks);
+// What was found out about the joins of a glyph.
+struct Instance_joins {
+  Instance_counts counts;
+  std::vector<Instance_kink> kinks;             // those whose angle is not zero in every instance
+  std::vector<GC::Outline_join> without_length; // which are not covered
+};
+
+// Decides joins of a glyph, which are those of an outline that is the glyph's or a part of it.
+void judge_instances(int glyph, int part, const GC::Variable_outline& outline,
+                     const std::vector<GC::Outline_join>& joins, const GC::Variable_font& font,
+                     const Instance_bounds& bounds, Instance_joins& result);
 
 // The value of an axis for people.
 std::string axis_text(const GC::Variation_axis& axis, const GC::Variation_axis::FT& normalised);
+
+// The values of the axes, e.g. "wght 650".
+std::vector<std::string> instance_texts(const std::vector<GC::Variation_axis>& axes, const GC::Largest_kink& kink);
 
 // The axes as an array of JSON objects.
 std::string axes_json(const std::vector<GC::Variation_axis>& axes);

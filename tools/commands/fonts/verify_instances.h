@@ -21,7 +21,7 @@ struct Instance_demand {
   std::size_t worst;    // how many joins to show of each font, in JSON of each glyph
 };
 
-// Encloses the largest kink of each join over all instances of variable TrueType fonts, which are files and those in folders,
+// Encloses the largest kink of each join over all instances of variable fonts, which are files and those in folders,
 // prints a report and returns the exit code. Fonts of other kinds are named as not covered.
 int verify_instances(const Arguments& files, const Report_mode& mode, const Instance_demand& demand);
 

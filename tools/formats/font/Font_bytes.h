@@ -59,6 +59,7 @@ public:
   std::uint32_t u32() { return unsigned_number(4); }
   int i8() { return (u8() ^ 0x80) - 0x80; }
   int i16() { return (u16() ^ 0x8000) - 0x8000; }
+  double f2dot14() { return static_cast<double>(i16()) / 0x4000; } // exact
   std::int64_t i32() { return (std::int64_t(u32()) ^ 0x80000000) - 0x80000000; }
 };
 

@@ -13,6 +13,7 @@
 #include FT_FREETYPE_H
 #include FT_FONT_FORMATS_H
 #include FT_OUTLINE_H
+#include FT_TRUETYPE_TABLES_H
 
 namespace {
 
@@ -129,6 +130,14 @@ std::string Font_face::name() const {
   const std::string family = face_->family_name == nullptr ? "" : face_->family_name,
                     style = face_->style_name == nullptr ? "" : face_->style_name;
   return family + (family.empty() || style.empty() ? "" : " ") + style;
+}
+
+std::string Font_face::unpacked() const {
+  FT_ULong size = 0;
+  check(FT_Load_Sfnt_Table(face_.get(), 0, 0, nullptr, &size));
+  std::string bytes(size, '\0');
+  check(FT_Load_Sfnt_Table(face_.get(), 0, 0, reinterpret_cast<FT_Byte*>(bytes.data()), &size));
+  return bytes;
 }
 
 int Font_face::units_per_em() const { return face_->units_per_EM; }

@@ -45,6 +45,9 @@ public:
   // The names of family and style, e.g. "DejaVu Sans Bold".
   std::string name() const;
 
+  // The bytes of this font without the container that packs it (WOFF, WOFF2). Throws Font_error.
+  std::string unpacked() const;
+
   int units_per_em() const;
   int glyphs() const;
 

@@ -6,8 +6,8 @@
 #define GEOMETRIC_CONTINUITY_TOOLS_FORMATS_FONT_GLYPH_VARIATIONS_H
 
 #include "formats/font/Font_tables.h"
-#include "formats/font/Variation_region.h"
 #include "formats/font/packed_numbers.h"
+#include <CGAL/Geometric_continuity/joins/Variation_region.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -111,14 +111,14 @@ private:
     return long_places_ ? bytes.seek(20 + 4 * i).u32() : 2 * static_cast<std::size_t>(bytes.seek(20 + 2 * i).u16());
   }
 
-  std::vector<int> read_point(Font_bytes& bytes) const {
-    std::vector<int> point;
-    for (std::size_t k = 0; k < axes_; ++k) point.push_back(bytes.i16());
+  std::vector<double> read_point(Font_bytes& bytes) const {
+    std::vector<double> point;
+    for (std::size_t k = 0; k < axes_; ++k) point.push_back(bytes.f2dot14());
     return point;
   }
 
   Variation_region read_region(Font_bytes& headers, int form) const {
-    std::vector<int> peak;
+    std::vector<double> peak;
     if ((form & has_peak) != 0)
       peak = read_point(headers);
     else {
@@ -128,9 +128,9 @@ private:
       peak = read_point(bytes.seek(shared_begin_ + 2 * axes_ * number));
     }
     std::vector<Region_axis> axes;
-    for (int p : peak) axes.push_back({(std::min)(p, 0), p, (std::max)(p, 0)});
+    for (double p : peak) axes.push_back({(std::min)(p, 0.), p, (std::max)(p, 0.)});
     if ((form & is_intermediate) != 0) {
-      const std::vector<int> start = read_point(headers), end = read_point(headers);
+      const std::vector<double> start = read_point(headers), end = read_point(headers);
       for (std::size_t k = 0; k < axes_; ++k) axes[k] = {start[k], peak[k], end[k]};
     }
     return Variation_region(std::move(axes));

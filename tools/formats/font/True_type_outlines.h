@@ -7,6 +7,8 @@
 
 #include "formats/font/Font_tables.h"
 
+#include <algorithm>
+#include <array>
 #include <cstddef>
 #include <string>
 #include <string_view>
@@ -28,11 +30,17 @@ struct Outline_point {
   }
 };
 
+/// Another glyph of which a composite glyph consists, and how it is transformed, apart from where it stands.
+struct Glyph_component {
+  int glyph;
+  std::array<int, 4> matrix; ///< `(x, y)` becomes `(m[0] x + m[2] y, m[1] x + m[3] y)`, in units of 2^-14
+};
+
 /// The outline of a glyph. That of a composite glyph is not resolved: it has no points.
 struct True_type_outline {
   std::vector<Outline_point> points;
-  std::vector<int> contour_ends; ///< the points of a contour end before this one
-  int components = 0;            ///< how many other glyphs a composite glyph consists of
+  std::vector<int> contour_ends;           ///< the points of a contour end before this one
+  std::vector<Glyph_component> components; ///< of a composite glyph
 };
 
 /// The outlines of a TrueType font. It refers to the bytes of the font.
@@ -68,7 +76,9 @@ public:
     if (index < 0 || count_ <= index)
       throw Error(Error_code::parameter_outside_domain, "there is no glyph " + std::to_string(index));
     const std::string name = "table 'glyf', glyph " + std::to_string(index);
-    const std::size_t begin = place(index), end = place(index + 1);
+    const std::size_t begin = place(index), next = place(index + 1);
+    // FreeType, which unpacks WOFF2, may write a wrong end of the last glyph, and reads to the end of the table itself
+    const std::size_t end = index + 1 == count_ ? (std::min)(next, glyphs_.size()) : next;
     Font_bytes whole(glyphs_, name);
     if (end < begin || glyphs_.size() < end) whole.refuse("it lies outside of the table");
     True_type_outline outline;
@@ -90,17 +100,23 @@ private:
     return long_places_ ? bytes.seek(4 * i).u32() : 2 * static_cast<std::size_t>(bytes.seek(2 * i).u16());
   }
 
-  static int components(Font_bytes& bytes) {
+  static std::vector<Glyph_component> components(Font_bytes& bytes) {
     enum { words = 1, scale = 8, more = 0x20, two_scales = 0x40, matrix = 0x80 };
-    for (int count = 1;; ++count) {
-      const int flags = bytes.u16();
-      bytes.skip(2 + ((flags & words) != 0 ? 4 : 2) +
-                 ((flags & scale) != 0        ? 2
-                  : (flags & two_scales) != 0 ? 4
-                  : (flags & matrix) != 0     ? 8
-                                              : 0));
-      if ((flags & more) == 0) return count;
+    std::vector<Glyph_component> components;
+    for (int flags = more; (flags & more) != 0;) {
+      flags = bytes.u16();
+      Glyph_component component{bytes.u16(), {0x4000, 0, 0, 0x4000}};
+      bytes.skip((flags & words) != 0 ? 4 : 2);
+      std::array<int, 4>& m = component.matrix;
+      if ((flags & scale) != 0)
+        m[0] = m[3] = bytes.i16();
+      else if ((flags & two_scales) != 0)
+        for (std::size_t i : {0, 3}) m[i] = bytes.i16();
+      else if ((flags & matrix) != 0)
+        for (int& x : m) x = bytes.i16();
+      components.push_back(component);
     }
+    return components;
   }
 
   static void read_points(Font_bytes& bytes, int contours, True_type_outline& outline) {

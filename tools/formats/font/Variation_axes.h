@@ -7,6 +7,7 @@
 
 #include "formats/font/Font_tables.h"
 #include <CGAL/Exact_rational.h>
+#include <CGAL/Geometric_continuity/joins/Variation_region.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -30,10 +31,8 @@ struct Variation_axis {
   /// What 'avar' gives: the pairs of normalised values before and after, ascending; none for the identity.
   std::vector<std::pair<FT, FT>> map;
 
-  /// Returns the least normalised value: -1, or 0 when the default is the minimum.
-  int lowest() const { return minimum < initial ? -1 : 0; }
-  /// Returns the largest normalised value: 1, or 0 when the default is the maximum.
-  int highest() const { return initial < maximum ? 1 : 0; }
+  /// Returns the least normalised value, -1 or 0 when the default is the minimum, and the largest one, 1 or 0.
+  Variation_range range() const { return {minimum < initial ? -1. : 0., initial < maximum ? 1. : 0.}; }
 
   /// Returns the value for users whose normalised value this is, from -1 to 1: exact, not rounded to the 14 bits that a
   /// rasteriser may keep. It is the least one where several have the same normalised value.
@@ -66,6 +65,11 @@ inline std::vector<std::pair<CGAL::Exact_rational, CGAL::Exact_rational>> read_a
   for (const std::pair<int, int>& pair : units)
     map.emplace_back(CGAL::Exact_rational(pair.first) / 0x4000, CGAL::Exact_rational(pair.second) / 0x4000);
   return map;
+}
+
+/// Returns the version of the table 'avar', of which 1 can be read; 1 without that table. \throws Error `malformed_input`
+inline int axis_map_version(const Font_tables& font) {
+  return font.has("avar") ? Font_bytes(font.table("avar"), "table 'avar'").u16() : 1;
 }
 
 /// Reads the axes of a font; there are none when it is not a variable one. \f$ O(k) \f$ for `k` bytes

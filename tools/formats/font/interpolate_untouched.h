@@ -7,9 +7,9 @@
 
 #include "formats/font/Glyph_variations.h"
 #include "formats/font/True_type_outlines.h"
+#include "formats/font/Variable_outline.h"
 #include <CGAL/Exact_rational.h>
 
-#include <array>
 #include <cstddef>
 #include <utility>
 #include <vector>
@@ -19,9 +19,6 @@
 
 namespace CGAL {
 namespace Geometric_continuity {
-
-/// A vector of an outline in units of the font.
-typedef std::array<CGAL::Exact_rational, 2> Outline_vector;
 
 // The movement of a coordinate x between those of the touched points at a and b, which move by p and q: linear between them, and
 // that of the nearer one outside. Where both are at one place and do not move alike, no movement.

@@ -12,6 +12,7 @@
 #include "tools/formats/font/variable_fonts.h"
 
 #include "formats/font/Variable_font.h"
+#include "formats/font/glyph_parts.h"
 
 #include <cstddef>
 #include <iostream>
@@ -44,7 +45,7 @@ void read_all(const std::string& bytes) {
     const GC::Variable_font font(GC::Font_tables(bytes, face));
     for (int i = 0; i < font.glyph_count(); ++i) {
       const GC::Variable_outline glyph = font.glyph(i);
-      for (std::size_t p = 0; p < glyph.outline.points.size(); ++p)
+      for (std::size_t p = 0; p < glyph.points.size(); ++p)
         glyph.point(p, std::vector<Q>(font.axes().size(), Q(1) / 3));
     }
   }
@@ -90,7 +91,8 @@ BOOST_AUTO_TEST_CASE(axes_and_their_user_values) {
     BOOST_CHECK_EQUAL(font.units_per_em(), 1000);
     const GC::Variation_axis &weight = font.axes()[0], &width = font.axes()[1];
     BOOST_CHECK(weight.tag == "wght" && weight.minimum == 100 && weight.initial == 400 && weight.maximum == 900);
-    BOOST_CHECK(weight.lowest() == -1 && weight.highest() == 1 && width.lowest() == -1 && width.highest() == 0);
+    BOOST_CHECK(weight.range().lowest == -1 && weight.range().highest == 1 && width.range().lowest == -1 &&
+                width.range().highest == 0);
     BOOST_CHECK(weight.user_value(-1) == 100 && weight.user_value(0) == 400 && weight.user_value(1) == 900);
     BOOST_CHECK(weight.user_value(Q(1) / 4) == 650 && weight.user_value(Q(1) / 8) == 525); // by 'avar'
     BOOST_CHECK(weight.user_value(Q(5) / 8) == 775 && weight.user_value(Q(-1) / 3) == 300);
@@ -135,10 +137,10 @@ BOOST_AUTO_TEST_CASE(outlines) {
   for (bool long_places : {true, false}) {
     w.long_places = long_places;
     const GC::Variable_font font = open(w.font());
-    BOOST_CHECK_EQUAL(font.glyph(1).outline.components, 2);
-    BOOST_CHECK(font.glyph(1).outline.points.empty());
-    BOOST_CHECK(font.glyph(2).outline.points.empty() && font.glyph(2).outline.components == 0);
-    BOOST_CHECK_EQUAL(font.glyph(0).outline.points.size(), 4u);
+    BOOST_CHECK_EQUAL(font.glyph(1).components.size(), 2u);
+    BOOST_CHECK(font.glyph(1).points.empty());
+    BOOST_CHECK(font.glyph(2).points.empty() && font.glyph(2).components.empty());
+    BOOST_CHECK_EQUAL(font.glyph(0).points.size(), 4u);
   }
 }
 
@@ -178,7 +180,7 @@ BOOST_AUTO_TEST_CASE(regions) {
   BOOST_CHECK(middle.scalar({Q(3) / 8, -1}) == Q(1) / 2 && middle.scalar({Q(5) / 8, Q(-1) / 3}) == Q(1) / 4);
   BOOST_CHECK(middle.scalar({Q(1), -1}) == 0 && middle.scalar({Q(1) / 2, 0}) == 0);
   // axes that do not count: no peak, not in order, of two signs
-  for (const GC::Region_axis& axis : {GC::Region_axis{-one, 0, one}, {one, one / 2, one}, {-one, one / 2, one}}) {
+  for (const GC::Region_axis& axis : {GC::Region_axis{-1, 0, 1}, {1, 0.5, 1}, {-1, 0.5, 1}}) {
     BOOST_CHECK(!axis.counts());
     BOOST_CHECK(GC::Variation_region({axis}).scalar({Q(-1) / 5}) == 1);
   }
@@ -201,6 +203,197 @@ BOOST_AUTO_TEST_CASE(many_points) { // numbers of two bytes, and runs
   for (std::size_t i = 0; i < points.size(); ++i)
     BOOST_CHECK(is(glyph.shifts[0][static_cast<std::size_t>(points[i])], dx[i], dy[i]));
   BOOST_CHECK(is(glyph.shifts[1][17], 12, 13));
+}
+
+BOOST_AUTO_TEST_CASE(joins_of_a_font) {
+  // 0 on, 1 control, 2 on with a kink between the masters, 3 control, 4 on; 5 and 6 coincide with 4 and 0
+  Font_writer w;
+  w.axes = {{"wght", 100, 100, 900}};
+  Font_writer::Glyph glyph{{{{0, -50}, {0, 0, false}, {100, 0}, {200, 0, false}, {200, -50}, {200, -50, false}}}};
+  Font_writer::Tuple tuple{{one}, {0, 0, 0, 200, 0, 0, 0, 0, 0, 0}, {0, -20, 0, 60, 0, 0, 0, 0, 0, 0}};
+  glyph.tuples = {tuple};
+  w.glyphs = {glyph};
+  const std::string bytes = w.font();
+  const GC::Variable_font font{GC::Font_tables(bytes)};
+  const GC::Variable_outline outline = font.glyph(0);
+  const std::vector<GC::Outline_join> joins = GC::outline_joins(outline);
+  BOOST_REQUIRE_EQUAL(joins.size(), 3u); // at 0, 2 and 5, which is 4
+  BOOST_CHECK(joins[0].point == 0 && joins[1].point == 2 && joins[2].point == 5);
+  const std::vector<Q> initial{Q(0)};
+  BOOST_CHECK(*GC::is_corner(joins[0].join, initial, GC::Kink_bound()));
+  BOOST_CHECK(!*GC::is_corner(joins[1].join, initial, GC::Kink_bound()));
+  for (int i = 0; i <= 4; ++i) { // the legs (100, 20 t) and (100 + 200 t, 60 t)
+    const Q t = Q(i) / 4;
+    const std::pair<Q, Q> expected{Q(100 * 60 * t - 20 * t * (100 + 200 * t)), Q(100 * (100 + 200 * t) + 1200 * t * t)};
+    BOOST_CHECK(joins[1].join.products(GC::region_scalars(outline.regions, {t})) == expected);
+  }
+  // two control points that coincide across the end of the contour are a point on the curve
+  w.glyphs[0] = {{{{0, 0, false}, {100, 0}, {100, 100}, {0, 0, false}}}};
+  const std::string round = w.font();
+  const GC::Variable_outline closed = GC::Variable_font(GC::Font_tables(round)).glyph(0);
+  BOOST_REQUIRE_EQUAL(GC::outline_joins(closed).size(), 3u);
+  BOOST_CHECK(*GC::is_corner(GC::outline_joins(closed)[0].join, {}, GC::Kink_bound()));
+  // of one cubic curve they are not: there is no point on the curve between them
+  GC::Variable_outline cubic{true, {{0, 0, true}, {50, 50, false}, {50, 50, false}, {100, 0, true}}, {4}};
+  BOOST_REQUIRE_EQUAL(GC::outline_joins(cubic).size(), 2u);
+  BOOST_CHECK(GC::outline_joins(cubic)[1].point == 3);
+  cubic.points[1] = {0, 0, false}; // a retracted handle is at the node
+  BOOST_REQUIRE_EQUAL(GC::outline_joins(cubic).size(), 2u);
+  BOOST_CHECK(GC::outline_joins(cubic)[0].join.outgoing.constant == (GC::Outline_vector{50, 50}));
+  // a leg without length at one instance only
+  GC::Variable_join join = joins[1].join;
+  join.incoming.constant = {0, 0};
+  BOOST_CHECK(!GC::is_corner(join, initial, GC::Kink_bound()));
+  BOOST_CHECK(GC::is_corner(join, {Q(1)}, GC::Kink_bound()).has_value());
+}
+
+namespace {
+
+// Operators of charstrings.
+enum { hstem = 1001, vmove = 1004, line = 1005, hline = 1006, vline = 1007, curve = 1008, subroutine = 1010 };
+enum { set = 1015, blend = 1016, hintmask = 1019, move = 1021, hmove = 1022, curve_line = 1024, line_curve = 1025 };
+enum { vvcurve = 1026, hhcurve = 1027, global = 1029, vhcurve = 1030, hvcurve = 1031 };
+enum { hflex = 1000 + 0x0c22, flex = 1000 + 0x0c23, hflex1 = 1000 + 0x0c24, flex1 = 1000 + 0x0c25 };
+
+Font_writer cubic_font(const std::vector<std::vector<int>>& glyphs) {
+  Font_writer w;
+  w.axes = {{"wght", 100, 100, 900}, {"opsz", 8, 12, 72}};
+  w.region_peaks = {{one, 0}, {one / 2, -one}};
+  for (const std::vector<int>& glyph : glyphs) w.charstrings.push_back(Font_writer::charstring(glyph));
+  return w;
+}
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE(operators_of_cubic_outlines) {
+  typedef std::vector<std::pair<int, int>> Points; // of control points with 1000 taken from y
+  const auto off = [](int x, int y) { return std::make_pair(x, y - 1000); };
+  const std::vector<std::pair<std::vector<int>, Points>> cases{
+      {{}, {}},
+      {{10, 20, move, 1, 2, 3, 4, line}, {{10, 20}, {11, 22}, {14, 26}}},
+      {{5, hmove, 1, 2, 3, hline}, {{5, 0}, {6, 0}, {6, 2}, {9, 2}}},
+      {{5, vmove, 1, 2, 3, vline}, {{0, 5}, {0, 6}, {2, 6}, {2, 9}}},
+      {{0, hmove, 1, 2, 3, 4, 5, 6, curve}, {{0, 0}, off(1, 2), off(4, 6), {9, 12}}},
+      {{0, hmove, 1, 2, 3, 4, 5, 6, 7, 8, curve_line}, {{0, 0}, off(1, 2), off(4, 6), {9, 12}, {16, 20}}},
+      {{0, hmove, 7, 8, 1, 2, 3, 4, 5, 6, line_curve}, {{0, 0}, {7, 8}, off(8, 10), off(11, 14), {16, 20}}},
+      {{0, hmove, 9, 1, 2, 3, 4, vvcurve}, {{0, 0}, off(9, 1), off(11, 4), {11, 8}}},
+      {{0, hmove, 9, 1, 2, 3, 4, 1, 2, 3, 4, hhcurve},
+       {{0, 0}, off(1, 9), off(3, 12), {7, 12}, off(8, 12), off(10, 15), {14, 15}}},
+      {{0, hmove, 1, 2, 3, 4, 9, hvcurve}, {{0, 0}, off(1, 0), off(3, 3), {12, 7}}},
+      {{0, hmove, 1, 2, 3, 4, 1, 2, 3, 4, 9, vhcurve},
+       {{0, 0}, off(0, 1), off(2, 4), {6, 4}, off(7, 4), off(9, 7), {18, 11}}},
+      {{0, hmove, 1, 2, 3, 4, 5, 6, 7, hflex}, {{0, 0}, off(1, 0), off(3, 3), {7, 3}, off(12, 3), off(18, 0), {25, 0}}},
+      {{0, hmove, 1, 2, 3, 4, 5, 6, 1, 2, 3, 4, 5, 6, 50, flex},
+       {{0, 0}, off(1, 2), off(4, 6), {9, 12}, off(10, 14), off(13, 18), {18, 24}}},
+      {{0, hmove, 1, 2, 3, 4, 5, 6, 7, 8, 9, hflex1},
+       {{0, 0}, off(1, 2), off(4, 6), {9, 6}, off(15, 6), off(22, 14), {31, 0}}},
+      {{0, hmove, 1, 2, 3, 4, 5, 6, 1, 2, 3, 4, 9, flex1},
+       {{0, 0}, off(1, 2), off(4, 6), {9, 12}, off(10, 14), off(13, 18), {0, 27}}},
+      {{0, hmove, 9, 2, 9, 4, 9, 6, 1, 2, 3, 4, 9, flex1},
+       {{0, 0}, off(9, 2), off(18, 6), {27, 12}, off(28, 14), off(31, 18), {40, 0}}},
+      // hints, and subroutines that call each other
+      {{1, 2, 3, 4, hstem, 5, 6, hintmask, 1000 + 0xe0, 7, hmove, -107, subroutine}, {{7, 0}, {8, 2}, {8, 5}}},
+      {{7, hmove, -106, global}, {{7, 0}, {8, 2}, {8, 5}}},
+  };
+  std::vector<std::vector<int>> glyphs;
+  for (const auto& c : cases) glyphs.push_back(c.first);
+  Font_writer w = cubic_font(glyphs);
+  w.local_subroutines = {Font_writer::charstring({1, 2, line, -107, global})};
+  w.global_subroutines = {Font_writer::charstring({3, vline}), Font_writer::charstring({-107, subroutine})};
+  const std::string bytes = w.font();
+  const GC::Variable_font font = open(bytes);
+  BOOST_CHECK_EQUAL(font.units_per_em(), 1000);
+  BOOST_REQUIRE_EQUAL(font.glyph_count(), static_cast<int>(cases.size()));
+  for (std::size_t i = 0; i < cases.size(); ++i) {
+    const GC::Variable_outline glyph = font.glyph(static_cast<int>(i));
+    const Points& expected = cases[i].second;
+    BOOST_CHECK(glyph.cubic);
+    BOOST_REQUIRE_EQUAL(glyph.points.size(), expected.size());
+    BOOST_CHECK(glyph.contour_ends == (expected.empty() ? std::vector<int>{} : std::vector<int>{int(expected.size())}));
+    for (std::size_t p = 0; p < expected.size(); ++p) {
+      const bool on_curve = expected[p].second > -500;
+      BOOST_CHECK_EQUAL(glyph.points[p].x, expected[p].first);
+      BOOST_CHECK_EQUAL(glyph.points[p].y, expected[p].second + (on_curve ? 0 : 1000));
+      BOOST_CHECK_EQUAL(glyph.points[p].on_curve, on_curve);
+    }
+  }
+  CHECK_ERROR(font.glyph(static_cast<int>(cases.size())), parameter_outside_domain);
+}
+
+BOOST_AUTO_TEST_CASE(cubic_outlines_vary) {
+  // the first point by (20, -6) in the first region and (0, 5) in the second; the second point by what is added to that
+  Font_writer w = cubic_font({{10, 0, 20, 0, -6, 5, 2, blend, move, 30, 4, 8, 1, blend, 40, line},
+                              {0, set, 1, 0, 0, 1, blend, hmove, 0, set}});
+  w.charstrings[0] += std::string("\xff\0\1\x80\0", 5) + Font_writer::charstring({hline}); // 1.5
+  const GC::Variable_font font = open(w.font());
+  const GC::Variable_outline glyph = font.glyph(0);
+  BOOST_REQUIRE_EQUAL(glyph.points.size(), 3u);
+  const auto at = [&](std::size_t i, const Q& weight, const Q& size) { return glyph.point(i, {weight, size}); };
+  BOOST_CHECK(is(at(0, 0, 0), 10, 0) && is(at(1, 0, 0), 40, 40) && is(at(2, 0, 0), Q(83) / 2, 40));
+  BOOST_CHECK(is(at(0, 1, 0), 30, -6) && is(at(1, 1, 0), 64, 34));
+  BOOST_CHECK(is(at(0, Q(1) / 2, -1), 20, 2) && is(at(1, Q(1) / 2, -1), 60, 42));
+  BOOST_CHECK(is(at(2, Q(1) / 4, Q(-1) / 2), Q(83) / 2 + 6 + 2, Q(40) - Q(3) / 2 + Q(5) / 4));
+  CHECK_ERROR(font.glyph(1), malformed_input); // other regions after a blend
+}
+
+BOOST_AUTO_TEST_CASE(cubic_outlines_that_are_malformed) {
+  const auto says = [](const std::vector<int>& glyph, const std::string& expected) {
+    Font_writer w = cubic_font({glyph});
+    w.local_subroutines = {Font_writer::charstring({-107, subroutine})};
+    const std::string error = outline_error(w.font());
+    BOOST_CHECK_MESSAGE(error.find("table 'CFF2', glyph 0: " + expected) != std::string::npos,
+                        error + " does not say: " + expected);
+  };
+  says({1, move}, "operands are missing");
+  says({0, hmove, 1, 2, 3, line}, "operands are missing");
+  says({1, 2, 3, 4, blend}, "operands of a blend are missing");
+  says({1, 2, 3, 1, blend, 4, 5, 1, blend}, "a blend of blends");
+  says({7, set}, "there is no set 7");
+  says({5, subroutine}, "there is no such subroutine");
+  says({-107, subroutine}, "its subroutines call each other more than 10 times");
+  says({1014}, "the operator 14 is unknown");
+  says(std::vector<int>(514, 1), "it has more than 513 operands");
+  says({0, hmove, 1, 2, 3, 4, 5, 6, 1, 2, 3, 7, 0, 0, 1, blend, 9, flex1},
+       "the direction of 'flex1' may depend on the instance");
+  // ten subroutines that call the next one a hundred times
+  Font_writer w = cubic_font({{-107, subroutine}});
+  for (int i = 0; i < 9; ++i) {
+    std::string calls;
+    for (int n = 0; n < 100; ++n) calls += Font_writer::charstring({i - 106, subroutine});
+    w.local_subroutines.push_back(calls);
+  }
+  w.local_subroutines.push_back("");
+  BOOST_CHECK(outline_error(w.font()).find("work_limit: table 'CFF2', glyph 0: more than") == 0);
+}
+
+BOOST_AUTO_TEST_CASE(parts_of_composite_glyphs) {
+  // glyph 2 is glyph 1 turned by a quarter; that is glyph 0 twice, once stretched
+  const auto composite = [](const std::vector<int>& words) {
+    Glyph glyph;
+    Font_writer::put16(glyph.bytes, -1);
+    glyph.bytes.append(8, '\0');
+    Font_writer::put16(glyph.bytes, words);
+    return glyph;
+  };
+  Font_writer w = one_axis({Tuple{{one}, {8}, {6}, {{2}}}});
+  w.glyphs.push_back(composite({1 + 0x20, 0, 300, 0, 1 + 0x40, 0, 0, 0, one / 2, one}));
+  w.glyphs.push_back(composite({1 + 0x80, 1, 0, 0, 0, one, -one, 0}));
+  GC::Variable_font font = open(w.font());
+  std::vector<GC::Glyph_part> parts = GC::glyph_parts(font, font.components(2));
+  BOOST_REQUIRE_EQUAL(parts.size(), 2u);
+  int stretched = 0;
+  for (const GC::Glyph_part& part : parts) {
+    BOOST_CHECK_EQUAL(part.glyph, 0);
+    const GC::Variable_join join{{{3, 5}, {{8, 6}}}, {{7, -2}, {{1, 0}}}}, moved = part(join);
+    if (part.is_stretched()) ++stretched;
+    const Q half = part.is_stretched() ? Q(1) / 2 : Q(1); // (x, y) becomes (-y, x / 2) or (-y, x)
+    BOOST_CHECK(is(moved.incoming.constant, -5, 3 * half) && is(moved.incoming.shifts[0], -6, 8 * half));
+    BOOST_CHECK(is(moved.outgoing.constant, 2, 7 * half) && is(moved.outgoing.shifts[0], 0, half));
+  }
+  BOOST_CHECK_EQUAL(stretched, 1);
+  w.glyphs[1] = composite({1, 2, 0, 0}); // glyphs that consist of each other
+  font = open(w.font());
+  CHECK_ERROR(GC::glyph_parts(font, font.components(1)), work_limit);
 }
 
 BOOST_AUTO_TEST_CASE(what_is_malformed_is_named) {
@@ -270,4 +463,12 @@ BOOST_AUTO_TEST_CASE(damaged_fonts) {
     refused += outline_error(s) != "no error";
   }
   BOOST_CHECK_GT(refused, whole.size() + 1000);
+  const std::string cubic = cubic_font({{10, 0, 20, 0, -6, 5, 2, blend, move, 30, 4, 8, 1, blend, 40, line}}).font();
+  BOOST_CHECK_EQUAL(outline_error(cubic), "no error");
+  for (std::size_t size = 0; size < cubic.size(); ++size) outline_error(std::string(cubic.data(), size));
+  for (int i = 0; i < 3000; ++i) {
+    std::string s = cubic;
+    for (unsigned n = engine() % 3 + 1; n > 0; --n) s[engine() % s.size()] = static_cast<char>(engine());
+    outline_error(s);
+  }
 }

@@ -44,6 +44,9 @@ struct Font_writer {
   std::vector<std::vector<int>> shared_peaks = {};
   int units_per_em = 1000;
   bool long_places = true;
+  // With charstrings the outlines are those of 'CFF2'; peaks of regions, one set of all of them.
+  std::vector<std::string> charstrings = {}, global_subroutines = {}, local_subroutines = {};
+  std::vector<std::vector<int>> region_peaks = {};
 
   static void put(std::string& s, std::size_t size, std::uint32_t x) {
     while (size-- > 0) s += static_cast<char>(x >> 8 * size & 0xff);
@@ -138,6 +141,59 @@ struct Font_writer {
     return {s, places};
   }
 
+  // A charstring or dictionary: operators from 1000 on, e.g. 1021 for rmoveto.
+  static std::string charstring(const std::vector<int>& items) {
+    std::string s;
+    for (int x : items)
+      if (x >= 1000)
+        s += (x - 1000) >= 0x0c00 ? std::string{'\x0c', static_cast<char>(x - 1000 - 0x0c00)}
+                                  : std::string(1, static_cast<char>(x - 1000));
+      else {
+        s += '\x1c';
+        put16(s, x);
+      }
+    return s;
+  }
+
+  static std::string index(const std::vector<std::string>& entries) {
+    std::string s;
+    put32(s, entries.size());
+    if (entries.empty()) return s;
+    s += '\2';
+    std::size_t end = 1;
+    put16(s, 1);
+    for (const std::string& entry : entries) put16(s, static_cast<int>(end += entry.size()));
+    for (const std::string& entry : entries) s += entry;
+    return s;
+  }
+
+  // An entry of a dictionary, whose numbers have five bytes.
+  static std::string entry(const std::vector<std::size_t>& numbers, const std::string& key) {
+    std::string s;
+    for (std::size_t x : numbers) put32(s += '\x1d', x);
+    return s + key;
+  }
+
+  std::string cff2() const {
+    const std::size_t top = 3 * 5 + 4;
+    std::string store, regions, head("\2\0\5", 3);
+    put16(regions, {static_cast<int>(axes.size()), static_cast<int>(region_peaks.size())});
+    for (const std::vector<int>& peaks : region_peaks)
+      for (int p : peaks) put16(regions, {p < 0 ? p : 0, p, p > 0 ? p : 0});
+    put16(store, {0, 1, 0, 12, 1});
+    put32(store, 12 + regions.size());
+    store += regions;
+    put16(store, {0, 0, static_cast<int>(region_peaks.size())});
+    for (std::size_t r = 0; r < region_peaks.size(); ++r) put16(store, static_cast<int>(r));
+    put16(head, static_cast<int>(top));
+    const std::string subroutines = index(global_subroutines), glyphs = index(charstrings),
+                      local = index(local_subroutines), private_part = entry({6}, "\x13");
+    const std::size_t begin = head.size() + top + subroutines.size(), store_at = begin + glyphs.size(),
+                      private_at = store_at + store.size(), parts_at = private_at + private_part.size() + local.size();
+    return head + entry({begin}, "\x11") + entry({store_at}, "\x18") + entry({parts_at}, "\x0c\x24") + subroutines +
+           glyphs + store + private_part + local + index({entry({private_part.size(), private_at}, "\x12")});
+  }
+
   std::vector<std::pair<std::string, std::string>> tables() const {
     std::vector<std::string> outlines, movements;
     for (const Glyph& glyph : glyphs) {
@@ -151,7 +207,8 @@ struct Font_writer {
     head.append(30, '\0');
     put16(head, long_places);
     head.append(2, '\0');
-    put16(maxp, static_cast<int>(glyphs.size()));
+    const std::size_t count = charstrings.empty() ? glyphs.size() : charstrings.size();
+    put16(maxp, static_cast<int>(count));
     maxp.append(26, '\0');
     for (int x : {1, 0, 16, 2, static_cast<int>(axes.size()), 20, 0, 8}) put16(fvar, x);
     for (int x : {1, 0, 0, static_cast<int>(axes.size())}) put16(avar, x);
@@ -174,10 +231,13 @@ struct Font_writer {
     std::string hhea("\0\1\0\0", 4); // without which programs do not open a font
     hhea.append(30, '\0');
     put16(hhea, 1);
-    const std::string hmtx(2 + 2 * glyphs.size(), '\0');
-    std::vector<std::pair<std::string, std::string>> all{{"head", head}, {"hhea", hhea}, {"hmtx", hmtx},
-                                                         {"maxp", maxp}, {"loca", loca}, {"glyf", glyf},
-                                                         {"fvar", fvar}, {"gvar", gvar}};
+    const std::string hmtx(2 + 2 * count, '\0');
+    std::vector<std::pair<std::string, std::string>> all{
+        {"head", head}, {"hhea", hhea}, {"hmtx", hmtx}, {"maxp", maxp}, {"fvar", fvar}};
+    if (charstrings.empty())
+      all.insert(all.end(), {{"loca", loca}, {"glyf", glyf}, {"gvar", gvar}});
+    else
+      all.emplace_back("CFF2", cff2());
     if (has_map) all.emplace_back("avar", avar);
     return all;
   }
