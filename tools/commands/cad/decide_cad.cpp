@@ -61,6 +61,7 @@ void Cad_summary::add(const Decided_cad_file& file, const Cad_demand& demand) {
     case Cad_edge_kind::boundary: ++boundary; continue;
     case Cad_edge_kind::non_manifold: ++non_manifold; continue;
     case Cad_edge_kind::degenerate: ++degenerate; continue;
+    case Cad_edge_kind::knot_line: ++knot_lines; break;
     }
     const int order = verdict.order();
     ++(order == 2                                  ? g2

@@ -28,7 +28,7 @@ Decided_cad_file decide_cad(const std::string& file, const Cad_demand& demand, c
 
 // How many edges there are of each kind, and how they do. Only inner edges and seams have verdicts.
 struct Cad_summary {
-  std::size_t faces = 0, inner = 0, seams = 0, boundary = 0, non_manifold = 0, degenerate = 0;
+  std::size_t faces = 0, inner = 0, seams = 0, boundary = 0, non_manifold = 0, degenerate = 0, knot_lines = 0;
   std::size_t g2 = 0, g1 = 0, g0 = 0, gaps = 0, undecided = 0; // by the order that is proved
   std::size_t kinks = 0, corners = 0, fading_corners = 0;
   std::size_t exact = 0;        // decided with no tolerance as well

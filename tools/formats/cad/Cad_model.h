@@ -23,7 +23,8 @@ enum class Cad_edge_kind {
   seam,         // both sides are the same face
   boundary,     // one face has it
   non_manifold, // three faces or more share it
-  degenerate    // it is a point, such as an apex or a pole
+  degenerate,   // it is said to be a point, such as an apex or a pole
+  knot_line // none of the file: a line inside of a face where the formula of its surface changes and need not be smooth
 };
 
 inline const char* name(Cad_edge_kind kind) {
@@ -32,12 +33,13 @@ inline const char* name(Cad_edge_kind kind) {
   case Cad_edge_kind::seam: return "seam";
   case Cad_edge_kind::boundary: return "boundary";
   case Cad_edge_kind::non_manifold: return "non-manifold";
-  case Cad_edge_kind::degenerate: break;
+  case Cad_edge_kind::degenerate: return "degenerate";
+  case Cad_edge_kind::knot_line: break;
   }
-  return "degenerate";
+  return "knot line";
 }
 
-// Numbers of edges and faces count from 0, in the order of the file.
+// Numbers of edges and faces count from 0, in the order of the file; knot lines come last.
 struct Cad_edge {
   Cad_edge_kind kind;
   bool closed;                    // it begins where it ends
@@ -45,9 +47,12 @@ struct Cad_edge {
   std::vector<std::size_t> faces; // which have it, in order; both sides of a seam are one face
   double tolerance;               // how far its curves may be apart, as the file says
   double begin = 0, end = 0;      // the common parameters
-  std::optional<std::array<GC::Edge_side, 2>> sides; // if they can be compared
+  std::optional<std::array<GC::Edge_side, 2>> sides; // if they can be compared; of a degenerate edge twice the same
   std::string reason;                                // why they cannot be compared, if there are two
   std::vector<GC::Given_point<3>> points;            // on the edge, if it is to be drawn and can be; rounded
+  std::array<bool, 2> projections{};                 // which of the sides have curves that are projections
+  std::optional<GC::Edge_curve> space; // the curve in space, if there is one; of a degenerate edge its vertex
+  bool inside_out = false;             // the faces are oriented as if one were turned inside out
 };
 
 // A face as it is drawn: rounded points, and triangles by their numbers. Empty if it cannot be drawn.

@@ -136,6 +136,13 @@ struct Edge_side {
   int face_side = 0;
 };
 
+/// \ingroup PkgGeometricContinuityTrimmed
+/// An edge as a curve in space, \f$ P(C(t)) \f$ at the parameters of its sides.
+struct Edge_curve {
+  std::shared_ptr<const Given_curve<3>> curve;
+  Given_placement placement;
+};
+
 } // namespace Geometric_continuity
 } // namespace CGAL
 

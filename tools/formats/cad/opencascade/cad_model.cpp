@@ -6,11 +6,17 @@
 #include "formats/cad/opencascade/given_surface.h"
 #include "formats/cad/opencascade/read_model.h"
 
+#include <CGAL/Geometric_continuity/trimmed/surface_knot_lines.h>
+
+#include <BRepClass_FaceClassifier.hxx>
 #include <BRep_Tool.hxx>
 #include <BndLib_Add2dCurve.hxx>
 #include <Bnd_Box2d.hxx>
+#include <Geom2dAPI_InterCurveCurve.hxx>
 #include <Geom2dAdaptor_Curve.hxx>
 #include <Geom2d_Curve.hxx>
+#include <Geom2d_Line.hxx>
+#include <Geom2d_TrimmedCurve.hxx>
 #include <Precision.hxx>
 #include <ShapeFix_Edge.hxx>
 #include <Standard_Failure.hxx>
@@ -22,6 +28,9 @@
 #include <TopoDS_Edge.hxx>
 #include <TopoDS_Face.hxx>
 #include <TopoDS_Vertex.hxx>
+#include <gp_Dir2d.hxx>
+#include <gp_Pnt.hxx>
+#include <gp_Pnt2d.hxx>
 
 #include <algorithm>
 #include <array>
@@ -54,12 +63,17 @@ GC::Given_placement placement(const TopLoc_Location& location) {
   return result;
 }
 
+// A placement that mirrors turns the images of normals around.
+bool is_mirror(const TopLoc_Location& location) { return location.Transformation().IsNegative(); }
+
 class Model_builder {
   TopTools_IndexedMapOfShape faces_, edges_; // numbered from 1 on
   std::vector<std::vector<Edge_use>> uses_;  // of each edge
   std::vector<std::shared_ptr<const GC::Given_surface>> surfaces_;
-  std::vector<std::string> reasons_; // why a surface is not covered
-  std::vector<Bnd_Box2d> boxes_;     // of what the edges of a face use
+  std::vector<std::string> reasons_;                         // why a surface is not covered
+  std::vector<Bnd_Box2d> boxes_;                             // of what the edges of a face use
+  std::vector<std::vector<const Plane_curve*>> face_curves_; // those of finite length
+  std::vector<bool> inside_out_;                             // whether the faces of an edge are, as a shell has them
   Cad_model model_;
 
   TopoDS_Face face(std::size_t i) const {
@@ -82,6 +96,23 @@ class Model_builder {
           uses.push_back({f, TopAbs_REVERSED, std::nullopt});
         }
       }
+  }
+
+  // In a shell an edge of two faces is run through in both directions.
+  void compare_orientations(const TopoDS_Shape& shape) {
+    inside_out_.assign(uses_.size(), false);
+    for (TopExp_Explorer shell(shape, TopAbs_SHELL); shell.More(); shell.Next()) {
+      std::vector<std::array<int, 3>> found(uses_.size(), {0, 0, 0}); // forward, reversed, otherwise
+      for (TopExp_Explorer i(shell.Current(), TopAbs_EDGE); i.More(); i.Next()) {
+        const TopAbs_Orientation orientation = i.Current().Orientation();
+        ++found[static_cast<std::size_t>(edges_.FindIndex(i.Current()) - 1)][orientation == TopAbs_FORWARD    ? 0
+                                                                             : orientation == TopAbs_REVERSED ? 1
+                                                                                                              : 2];
+      }
+      for (std::size_t i = 0; i < found.size(); ++i)
+        if (found[i][2] == 0 && (found[i][0] == 2) != (found[i][1] == 2) && found[i][0] + found[i][1] == 2)
+          inside_out_[i] = true;
+    }
   }
 
   // The curve of an edge in the parameter plane of a face, if there is one. Where it is missing it is computed; that on a plane is never
@@ -114,8 +145,9 @@ class Model_builder {
         }
         if (!use.curve) continue;
         const Plane_curve& c = *use.curve;
-        if (is_finite(c.begin, c.end))
-          BndLib_Add2dCurve::Add(Geom2dAdaptor_Curve(c.curve), c.begin, c.end, 0, boxes_[use.face]);
+        if (!is_finite(c.begin, c.end)) continue;
+        BndLib_Add2dCurve::Add(Geom2dAdaptor_Curve(c.curve), c.begin, c.end, 0, boxes_[use.face]);
+        if (c.begin < c.end) face_curves_[use.face].push_back(&c);
       }
     }
   }
@@ -151,24 +183,44 @@ class Model_builder {
     const Used_range range{use.curve->begin, use.curve->end};
     // The faces continue each other when one lies left of the edge and the other one right, as seen on the same side of both.
     return {surfaces_[use.face], std::make_shared<const GC::Given_curve<2>>(given_curve(use.curve->curve, range)),
-            placement(location), is_left == is_second, is_left ? 1 : -1};
+            placement(location), (is_left == is_second) != is_mirror(location), is_left ? 1 : -1};
+  }
+
+  // Adds the curve in space, if there is one: a degenerate edge should be its vertex.
+  static void add_space_curve(Cad_edge& e, const TopoDS_Edge& edge) {
+    TopLoc_Location location;
+    double begin, end;
+    const Handle(Geom_Curve) curve = BRep_Tool::Curve(edge, location, begin, end);
+    if (!curve.IsNull()) {
+      if (begin != e.begin || end != e.end) throw Not_covered("curves of different parameters");
+      e.space = {std::make_shared<const GC::Given_curve<3>>(given_curve(curve, {begin, end})), placement(location)};
+    } else if (e.kind == Cad_edge_kind::degenerate) {
+      const TopoDS_Vertex vertex = TopExp::FirstVertex(edge);
+      if (vertex.IsNull()) throw Not_covered("a degenerate edge without a vertex");
+      const gp_Pnt p = BRep_Tool::Pnt(vertex);
+      const GC::Given_line<3> point{{p.X(), p.Y(), p.Z()}, {0, 0, 0}};
+      e.space = {std::make_shared<const GC::Given_curve<3>>(point), placement(TopLoc_Location())};
+    }
   }
 
   // Adds the sides of an edge. Throws Not_covered with the reason why they cannot be compared.
   void add_sides(Cad_edge& e, const TopoDS_Edge& edge, const std::vector<Edge_use>& uses) const {
-    for (const Edge_use& use : uses) {
+    for (std::size_t i = 0; i < uses.size() && i < 2; ++i) {
+      const Edge_use& use = uses[i];
       const std::string face = "face " + std::to_string(use.face) + ": ";
       if (!surfaces_[use.face]) throw Not_covered(face + reasons_[use.face]);
       if (!use.curve) throw Not_covered(face + "no curve in the parameter plane");
+      e.projections[i] = use.curve->projected;
       e.projected = e.projected || use.curve->projected;
     }
-    const Plane_curve &a = *uses[0].curve, &b = *uses[1].curve;
+    const Plane_curve &a = *uses[0].curve, &b = *uses[uses.size() > 1 ? 1 : 0].curve;
     if (!BRep_Tool::SameParameter(edge) || !BRep_Tool::SameRange(edge) || a.begin != b.begin || a.end != b.end)
       throw Not_covered("curves of different parameters");
     if (!is_finite(a.begin, a.end) || !(a.begin < a.end)) throw Not_covered("an empty or infinite range of parameters");
     e.begin = a.begin;
     e.end = a.end;
-    e.sides = {side(uses[0], false), side(uses[1], true)};
+    add_space_curve(e, edge);
+    e.sides = {side(uses[0], false), side(uses[uses.size() > 1 ? 1 : 0], true)};
   }
 
   void add_edge(std::size_t number) {
@@ -183,10 +235,82 @@ class Model_builder {
     e.tolerance = BRep_Tool::Tolerance(edge);
     for (const Edge_use& use : uses)
       if (e.faces.empty() || e.faces.back() != use.face) e.faces.push_back(use.face);
+    e.inside_out = inside_out_[number];
     try {
-      if (e.kind == Cad_edge_kind::inner || e.kind == Cad_edge_kind::seam) add_sides(e, edge, uses);
+      if (e.kind != Cad_edge_kind::boundary && e.kind != Cad_edge_kind::non_manifold) add_sides(e, edge, uses);
     } catch (const Not_covered& reason) {
       e.reason = reason.what();
+    }
+    model_.edges.push_back(std::move(e));
+  }
+
+  // Adds the lines inside of a face where the formula of its surface changes, without those parts that lie outside.
+  void add_knot_lines(std::size_t number, Cad_drawing drawing) {
+    if (!surfaces_[number] || boxes_[number].IsVoid()) return;
+    const TopoDS_Face face = this->face(number);
+    double low[2], high[2];
+    boxes_[number].Get(low[0], low[1], high[0], high[1]);
+    for (const GC::Surface_knot_line& line : GC::surface_knot_lines(*surfaces_[number])) {
+      const int across = line.constant_u ? 0 : 1, along = 1 - across;
+      const double margin = 1e-9 * (high[across] - low[across]); // on it the line is a boundary
+      if (!(low[across] + margin < line.knot && line.knot < high[across] - margin)) continue;
+      const std::vector<double> ends = parts_of_line(number, line, low[along], high[along]);
+      for (std::size_t i = 0; i + 1 < ends.size(); ++i) {
+        const double middle = ends[i] / 2 + ends[i + 1] / 2;
+        if (!(ends[i + 1] - ends[i] > 1e-9 * (high[along] - low[along]))) continue;
+        const gp_Pnt2d point = line.constant_u ? gp_Pnt2d(line.knot, middle) : gp_Pnt2d(middle, line.knot);
+        if (BRepClass_FaceClassifier(face, point, Precision::PConfusion()).State() != TopAbs_IN) continue;
+        add_knot_line(number, line, ends[i], ends[i + 1], drawing);
+      }
+    }
+  }
+
+  // Where a knot line of a face can enter or leave it, in order.
+  std::vector<double> parts_of_line(std::size_t number, const GC::Surface_knot_line& line, double begin,
+                                    double end) const {
+    std::vector<double> ends{begin, end};
+    const gp_Pnt2d origin = line.constant_u ? gp_Pnt2d(line.knot, 0) : gp_Pnt2d(0, line.knot);
+    const Handle(Geom2d_Curve) straight =
+        new Geom2d_TrimmedCurve(new Geom2d_Line(origin, line.constant_u ? gp_Dir2d(0, 1) : gp_Dir2d(1, 0)), begin, end);
+    for (const Plane_curve* c : face_curves_[number]) {
+      const Geom2dAPI_InterCurveCurve meeting(straight, new Geom2d_TrimmedCurve(c->curve, c->begin, c->end));
+      const auto add = [&](const gp_Pnt2d& p) { ends.push_back(line.constant_u ? p.Y() : p.X()); };
+      for (int i = 1; i <= meeting.NbPoints(); ++i) add(meeting.Point(i));
+      for (double t : {c->begin, c->end}) add(c->curve->Value(t)); // it can end on the line
+    }
+    ends.erase(std::remove_if(ends.begin(), ends.end(), [=](double t) { return !(begin <= t && t <= end); }),
+               ends.end());
+    std::sort(ends.begin(), ends.end());
+    ends.erase(std::unique(ends.begin(), ends.end()), ends.end());
+    return ends;
+  }
+
+  void add_knot_line(std::size_t number, const GC::Surface_knot_line& line, double begin, double end,
+                     Cad_drawing drawing) {
+    TopLoc_Location location;
+    BRep_Tool::Surface(face(number), location);
+    const GC::Given_line<2> straight =
+        line.constant_u ? GC::Given_line<2>{{line.knot, 0}, {0, 1}} : GC::Given_line<2>{{0, line.knot}, {1, 0}};
+    const GC::Edge_side left{surfaces_[number], std::make_shared<const GC::Given_curve<2>>(straight),
+                             placement(location), false, 1};
+    GC::Edge_side right = left;
+    right.face_side = -1;
+    Cad_edge e;
+    e.kind = Cad_edge_kind::knot_line;
+    e.closed = false;
+    e.faces = {number};
+    e.tolerance = 0;
+    e.begin = begin;
+    e.end = end;
+    e.sides = {left, right};
+    if (drawing == Cad_drawing::faces_and_edges) {
+      const Handle(Geom_Surface) surface = BRep_Tool::Surface(face(number));
+      constexpr int steps = 32;
+      for (int i = 0; i <= steps; ++i) {
+        const double t = begin + (end - begin) * i / steps;
+        const gp_Pnt p = line.constant_u ? surface->Value(line.knot, t) : surface->Value(t, line.knot);
+        e.points.push_back({p.X(), p.Y(), p.Z()});
+      }
     }
     model_.edges.push_back(std::move(e));
   }
@@ -205,7 +329,9 @@ public:
     TopExp::MapShapes(shape, TopAbs_FACE, faces_);
     TopExp::MapShapes(shape, TopAbs_EDGE, edges_);
     boxes_.resize(static_cast<std::size_t>(faces_.Extent()));
+    face_curves_.resize(boxes_.size());
     add_uses();
+    compare_orientations(shape);
   }
 
   Cad_model build(const TopoDS_Shape& shape, Cad_drawing drawing) {
@@ -213,6 +339,7 @@ public:
     for (std::size_t i = 0; i < boxes_.size(); ++i) add_face(i);
     for (std::size_t i = 0; i < uses_.size(); ++i) add_edge(i);
     if (drawing == Cad_drawing::faces_and_edges) draw(shape);
+    for (std::size_t i = 0; i < boxes_.size(); ++i) add_knot_lines(i, drawing);
     return std::move(model_);
   }
 };
