@@ -6,7 +6,7 @@
 #define GEOMETRIC_CONTINUITY_TOOLS_COMMANDS_CAD_CAD_WORDS_H
 
 #include "commands/cad/decide_cad.h"
-#include "commands/chains/join_report.h"
+#include "reports/words.h"
 
 #include <CGAL/Geometric_continuity/numbers/units.h>
 
@@ -14,6 +14,8 @@
 #include <optional>
 #include <sstream>
 #include <string>
+#include <utility>
+#include <vector>
 
 // The words in which reports speak of an edge of a CAD model.
 
@@ -36,10 +38,18 @@ inline std::string cad_kind(const Cad_edge& edge) {
 // Returns the order and the shape, e.g. "G0, corner", and the order that holds with no tolerance.
 inline std::string cad_order(const Cad_verdict& verdict) {
   const std::string order = verdict.order_name();
-  const bool has_shape = verdict.shape == Cad_shape::kink || verdict.shape == Cad_shape::corner ||
-                         verdict.shape == Cad_shape::fading_corner;
+  const bool has_shape =
+      verdict.shape != Cad_shape::smooth && verdict.shape != Cad_shape::gap && verdict.shape != Cad_shape::undecided;
   const std::string text = has_shape ? order + ", " + name(verdict.shape) : order;
   return verdict.exact.value_or(-1) < 0 ? text : text + ", exactly " + *verdict.exact_name();
+}
+
+// Returns why an edge that is said to be a point may be none.
+inline std::string cad_no_point(const Cad_verdict& verdict) {
+  if (!verdict.deviation) return "said to be a point, which is not verified: " + verdict.reason;
+  std::ostringstream os;
+  os << "said to be a point, but " << verdict.deviation->value << " mm long at least";
+  return os.str();
 }
 
 // Returns what sewing has done.
@@ -48,8 +58,33 @@ inline std::string sewn_words(std::size_t edges) {
                                   "surfaces stay as they are";
 }
 
+// Writes the parameters where ranges begin.
+inline void write_ranges(std::ostream& os, const char* text, const std::vector<std::pair<double, double>>& ranges) {
+  if (ranges.empty()) return;
+  os << text;
+  for (std::size_t i = 0; i < ranges.size() && i < 4; ++i) os << ' ' << ranges[i].first;
+  if (ranges.size() > 4) os << " ...";
+}
+
+// Returns where the curves in parameter planes come from if they are not in the file, and how far the curve in space is from its faces if that
+// matters; empty otherwise.
+inline std::string cad_projection(const Cad_edge& edge, const Cad_verdict& verdict, const Cad_demand& demand) {
+  if (!verdict.deviation) return edge.projected ? "; projected" : "";
+  const bool is_far = GC::at_most(verdict.deviation->value, demand.bounds.gap) != GC::Verdict::proved;
+  std::ostringstream os;
+  if (edge.projected)
+    os << "; projected, deviation " << verdict.deviation->value << " mm";
+  else if (verdict.computed)
+    os << "; the curves in the parameter planes are not close to that in space: projected anew, deviation "
+       << verdict.deviation->value << " mm";
+  else if (is_far)
+    os << "; the curve in space is " << verdict.deviation->value << " mm off the faces";
+  if (verdict.in_doubt) os << ", which leaves open what is wrong";
+  return os.str();
+}
+
 // Returns the enclosures, and the places of those that exceed the tolerance.
-inline std::string cad_numbers(const Cad_verdict& verdict, const Cad_demand& demand) {
+inline std::string cad_numbers(const Cad_edge& edge, const Cad_verdict& verdict, const Cad_demand& demand) {
   if (!verdict.enclosure) return verdict.reason;
   const GC::Edge_enclosure& e = *verdict.enclosure;
   std::ostringstream os;
@@ -65,12 +100,19 @@ inline std::string cad_numbers(const Cad_verdict& verdict, const Cad_demand& dem
   } else
     os << ", no normal";
   if (e.curvature_jump) os << ", curvature jump " << GC::in_percent(e.curvature_jump->value) << " %";
-  if (!e.singular.empty()) {
-    os << "; a normal vanishes near t =";
-    for (std::size_t i = 0; i < e.singular.size() && i < 4; ++i) os << ' ' << e.singular[i].first;
-    if (e.singular.size() > 4) os << " ...";
-  }
+  os << cad_projection(edge, verdict, demand);
+  write_ranges(os, "; a normal vanishes near t =", e.singular);
+  write_ranges(os,
+               e.exhausted ? "; not resolved, for which the work did not suffice, from t =" : "; not resolved near t =",
+               e.unresolved);
   return os.str();
+}
+
+// Returns all that is said of an edge behind its place.
+inline std::string cad_sentence(const Cad_edge& edge, const Cad_verdict& verdict, const Cad_demand& demand) {
+  if (has_verdict(edge))
+    return cad_kind(edge) + ": " + cad_order(verdict) + "; " + cad_numbers(edge, verdict, demand);
+  return cad_kind(edge) + (is_no_point(edge, verdict) ? ": " + cad_no_point(verdict) : "");
 }
 
 #endif // GEOMETRIC_CONTINUITY_TOOLS_COMMANDS_CAD_CAD_WORDS_H

@@ -15,6 +15,8 @@
 #include <optional>
 #include <ostream>
 #include <string>
+#include <utility>
+#include <vector>
 
 // What `verify` writes about the edges of CAD models.
 
@@ -34,14 +36,29 @@ inline void write_place(std::ostream& os, const char* name, const std::optional<
   os << "]}";
 }
 
+inline void write_ranges_json(std::ostream& os, const char* name,
+                              const std::vector<std::pair<double, double>>& ranges) {
+  if (ranges.empty()) return;
+  os << ",\"" << name << "\":";
+  char separator = '[';
+  for (const auto& [begin, end] : ranges) {
+    GC::write_number(os << separator << '[', begin);
+    GC::write_number(os << ',', end);
+    os << ']';
+    separator = ',';
+  }
+  os << ']';
+}
+
 // Writes the members of an edge.
 inline void write_members(std::ostream& os, std::size_t number, const Cad_edge& edge, const Cad_verdict& verdict) {
   os << "\"edge\":" << number << ",\"faces\":";
   for (std::size_t i = 0; i < edge.faces.size(); ++i) os << (i == 0 ? '[' : ',') << edge.faces[i];
   os << "],\"kind\":\"" << name(edge.kind) << "\",\"closed\":" << (edge.closed ? "true" : "false");
   GC::write_number(os << ",\"tolerance\":", edge.tolerance);
-  if (edge.kind != Cad_edge_kind::inner && edge.kind != Cad_edge_kind::seam) {
+  if (!has_verdict(edge)) {
     os << ",\"order\":null";
+    if (edge.kind == Cad_edge_kind::degenerate) write_maximum(os, "deviation", verdict.deviation, in_length);
     return;
   }
   os << ",\"projected\":" << (edge.projected ? "true" : "false") << ",\"order\":\"" << verdict.order_name()
@@ -56,32 +73,30 @@ inline void write_members(std::ostream& os, std::size_t number, const Cad_edge& 
     angle = verdict.enclosure->angle;
     curvature = verdict.enclosure->curvature_jump;
   }
+  if (edge.inside_out) os << ",\"inside_out\":true";
+  write_maximum(os, "deviation", verdict.deviation, in_length);
+  write_place(os, "deviation", verdict.deviation);
+  if (verdict.computed) os << ",\"projected_anew\":true";
   write_maximum(os, "gap", gap, in_length);
   write_maximum(os, "angle_degrees", angle, GC::in_degrees);
   write_maximum(os, "curvature_percent", curvature, GC::in_percent);
   write_place(os, "gap", gap);
   write_place(os, "angle", angle);
   write_place(os, "curvature", curvature);
-  if (!verdict.enclosure || verdict.enclosure->singular.empty()) return;
-  os << ",\"singular\":";
-  char separator = '[';
-  for (const auto& [begin, end] : verdict.enclosure->singular) {
-    GC::write_number(os << separator << '[', begin);
-    GC::write_number(os << ',', end);
-    os << ']';
-    separator = ',';
-  }
-  os << ']';
+  if (!verdict.enclosure) return;
+  write_ranges_json(os, "singular", verdict.enclosure->singular);
+  write_ranges_json(os, "unresolved", verdict.enclosure->unresolved);
 }
 
 inline void write_json(std::ostream& os, const Cad_summary& s) {
   os << "{\"faces\":" << s.faces << ",\"inner\":" << s.inner << ",\"seam\":" << s.seams
      << ",\"boundary\":" << s.boundary << ",\"non_manifold\":" << s.non_manifold << ",\"degenerate\":" << s.degenerate
-     << ",\"G2\":" << s.g2 << ",\"G1\":" << s.g1 << ",\"G0\":" << s.g0 << ",\"gap\":" << s.gaps
-     << ",\"undecided\":" << s.undecided << ",\"kinks\":" << s.kinks << ",\"corners\":" << s.corners
-     << ",\"fading_corners\":" << s.fading_corners << ",\"exact\":" << s.exact << ",\"not_compared\":" << s.not_compared
-     << ",\"projected\":" << s.projected << ",\"sewn\":" << s.sewn << ",\"lost\":" << s.lost
-     << ",\"length_unit\":\"mm\"}";
+     << ",\"knot_lines\":" << s.knot_lines << ",\"not_points\":" << s.no_points << ",\"G2\":" << s.g2
+     << ",\"G1\":" << s.g1 << ",\"G0\":" << s.g0 << ",\"gap\":" << s.gaps << ",\"undecided\":" << s.undecided
+     << ",\"kinks\":" << s.kinks << ",\"corners\":" << s.corners << ",\"fading_corners\":" << s.fading_corners
+     << ",\"kinks_or_corners\":" << s.bent << ",\"folds\":" << s.folds << ",\"inside_out\":" << s.inside_out
+     << ",\"exact\":" << s.exact << ",\"not_compared\":" << s.not_compared << ",\"projected\":" << s.projected
+     << ",\"sewn\":" << s.sewn << ",\"lost\":" << s.lost << ",\"length_unit\":\"mm\"}";
 }
 
 #endif // GEOMETRIC_CONTINUITY_TOOLS_COMMANDS_CAD_CAD_JSON_H

@@ -26,7 +26,8 @@ struct Edge_batch {
 Cad_demand demand_within(const std::string& tolerance, const GC::Kink_bound& kink) {
   const Tolerances tolerances = parse_tolerances(tolerance, false);
   if (tolerances.order > 2) throw std::invalid_argument("--within: of CAD models GAP,ANGLEdeg,CURVATURE% are compared");
-  return {std::nullopt, tolerances.order, tolerances.joins, tolerance, GC::in_radians(kink.degrees())};
+  return {std::nullopt,    tolerances.order, tolerances.joins, tolerance, GC::in_radians(kink.degrees()),
+          GC::Work_limit()};
 }
 
 Decided_cad_file decide_cad(const std::string& file, const Cad_demand& demand, const Cad_reading& reading) {
@@ -48,7 +49,7 @@ Decided_cad_file decide_cad(const std::string& file, const Cad_demand& demand, c
   return result;
 }
 
-void Cad_summary::add(const Decided_cad_file& file, const Cad_demand& demand) {
+void Cad_summary::add(const Decided_cad_file& file) {
   faces += file.model.faces.size();
   lost += file.model.lost.size();
   sewn += file.model.sewn;
@@ -60,7 +61,10 @@ void Cad_summary::add(const Decided_cad_file& file, const Cad_demand& demand) {
     case Cad_edge_kind::seam: ++seams; break;
     case Cad_edge_kind::boundary: ++boundary; continue;
     case Cad_edge_kind::non_manifold: ++non_manifold; continue;
-    case Cad_edge_kind::degenerate: ++degenerate; continue;
+    case Cad_edge_kind::degenerate:
+      ++degenerate;
+      no_points += is_no_point(edge, verdict);
+      continue;
     case Cad_edge_kind::knot_line: ++knot_lines; break;
     }
     const int order = verdict.order();
@@ -73,9 +77,10 @@ void Cad_summary::add(const Decided_cad_file& file, const Cad_demand& demand) {
     corners += verdict.shape == Cad_shape::corner;
     fading_corners += verdict.shape == Cad_shape::fading_corner;
     exact += verdict.exact.has_value();
+    bent += verdict.shape == Cad_shape::bent;
+    folds += verdict.shape == Cad_shape::fold;
+    inside_out += verdict.shape == Cad_shape::inside_out;
     not_compared += !verdict.enclosure;
-    failing += verdict.fails(demand);
-    open += verdict.is_undecided(demand);
     projected += edge.projected;
   }
 }

@@ -26,25 +26,21 @@ struct Decided_cad_file {
 // Reads a CAD file and decides its edges, on all cores.
 Decided_cad_file decide_cad(const std::string& file, const Cad_demand& demand, const Cad_reading& reading);
 
-// How many edges there are of each kind, and how they do. Only inner edges and seams have verdicts.
+// How many edges there are of each kind, and how they do. Only inner edges, seams and knot lines have verdicts.
 struct Cad_summary {
   std::size_t faces = 0, inner = 0, seams = 0, boundary = 0, non_manifold = 0, degenerate = 0, knot_lines = 0;
   std::size_t g2 = 0, g1 = 0, g0 = 0, gaps = 0, undecided = 0; // by the order that is proved
-  std::size_t kinks = 0, corners = 0, fading_corners = 0;
+  std::size_t kinks = 0, corners = 0, fading_corners = 0, bent = 0, folds = 0, inside_out = 0;
+  std::size_t no_points = 0;    // of those that are degenerate: it is not proved that they are points
   std::size_t exact = 0;        // decided with no tolerance as well
   std::size_t not_compared = 0; // of those that are undecided
-  std::size_t failing = 0;      // of those with verdicts: they do not meet the requirement
-  std::size_t open = 0;         // of those with verdicts: what is asked is undecided
   std::size_t projected = 0;    // edges with curves that are not in the file
   std::size_t sewn = 0;         // edges that sewing made of two
   std::size_t lost = 0;         // things that could not be read
 
-  std::size_t decided() const { return inner + seams; }
+  std::size_t decided() const { return inner + seams + knot_lines; }
 
-  // Without a requirement, what is undecided is unverified; with one it fails.
-  std::size_t unverified(const Cad_demand& demand) const { return non_manifold + lost + (demand.order ? 0 : open); }
-
-  void add(const Decided_cad_file& file, const Cad_demand& demand);
+  void add(const Decided_cad_file& file);
 };
 
 #endif // GEOMETRIC_CONTINUITY_TOOLS_COMMANDS_CAD_DECIDE_CAD_H

@@ -4,8 +4,8 @@
 
 #include "commands/cad/Cad_words.h"
 #include "commands/cad/decide_cad.h"
-#include "commands/chains/join_report.h"
 #include "commands/report_inputs.h"
+#include "reports/words.h"
 
 #include <algorithm>
 #include <cmath>
@@ -24,7 +24,10 @@ constexpr std::size_t most_drawn_triangles = 40000;
 Report_grade grade(const Cad_verdict& verdict) {
   switch (verdict.shape) {
   case Cad_shape::gap: return Report_grade::gap;
-  case Cad_shape::kink: return Report_grade::kink;
+  case Cad_shape::kink:
+  case Cad_shape::bent:
+  case Cad_shape::fold:
+  case Cad_shape::inside_out: return Report_grade::kink;
   case Cad_shape::corner:
   case Cad_shape::fading_corner: return Report_grade::corner;
   case Cad_shape::smooth:
@@ -134,13 +137,13 @@ public:
   // Reads a file and gathers its edges. Their places begin so.
   void gather(const std::string& file, const std::string& before) {
     const Decided_cad_file decided = decide_cad(file, demand_, reading_);
-    summary_.add(decided, demand_);
+    summary_.add(decided);
     const std::size_t first_face = faces_.size();
     for (const Cad_mesh& mesh : decided.model.meshes) faces_.push_back(drawn(mesh));
     for (const std::string& lost : decided.model.lost) page_.notes.push_back(file + ": not read: " + lost);
     for (std::size_t i = 0; i < decided.verdicts.size(); ++i) {
       const Cad_edge& edge = decided.model.edges[i];
-      if (edge.kind != Cad_edge_kind::inner && edge.kind != Cad_edge_kind::seam) {
+      if (!has_verdict(edge)) {
         if (edge.kind != Cad_edge_kind::degenerate) others_.push_back(drawn(edge, "boundary", first_face));
         continue;
       }

@@ -51,7 +51,7 @@ struct Cad_edge {
   std::string reason;                                // why they cannot be compared, if there are two
   std::vector<GC::Given_point<3>> points;            // on the edge, if it is to be drawn and can be; rounded
   std::array<bool, 2> projections{};                 // which of the sides have curves that are projections
-  std::optional<GC::Edge_curve> space; // the curve in space, if there is one; of a degenerate edge its vertex
+  std::optional<GC::Edge_curve> space; // the curve in space, if there is one; of a degenerate edge its first point
   bool inside_out = false;             // the faces are oriented as if one were turned inside out
 };
 

@@ -38,15 +38,21 @@ struct Edge_enclosure {
   /// The largest relative jump \f$ |\kappa_1 - \kappa_2| / \max(|\kappa_1|, |\kappa_2|, \varepsilon) \f$, in [0, 2], of the normal curvatures
   /// across the edge; \f$ \varepsilon \f$ is `Edge_precision::flat_curvature`. Empty when not asked for, or undefined on the whole edge.
   std::optional<Edge_maximum> curvature_jump;
-  /// Ranges of parameters in which a normal vanishes, or cannot be told from zero: apices, poles, collapsed edges; and, less than the
+  /// Ranges of parameters in which a normal is proved to vanish: apices, poles, collapsed edges; and, less than the
   /// \f$ 2^{-35} \f$-th part of the edge each, those in which the edge crosses a knot line where a surface itself has a fold. The angle
-  /// leaves them out. Unless the work did not suffice they are shorter than the \f$ 2^{-19} \f$-th part of the edge.
+  /// leaves them out. They are not longer than the \f$ 2^{-18} \f$-th part of the edge.
   std::vector<std::pair<double, double>> singular;
+  /// Ranges of parameters of which the angle says nothing: those where a normal can be told neither from zero nor to be zero, and those for
+  /// which the work did not suffice.
+  std::vector<std::pair<double, double>> unresolved;
   /// Ranges of parameters that the curvature jump leaves out: such as before, those where the direction of the edge vanishes, and, less
   /// than the \f$ 2^{-35} \f$-th part of the edge each, those in which the edge crosses a knot line where the curvature of a surface itself
   /// jumps. (What it jumps to is compared on both sides of it.)
   std::vector<std::pair<double, double>> curvature_undefined;
-  int boxes = 0; ///< the number of ranges that have been evaluated
+  /// Ranges of parameters of which the curvature jump says nothing.
+  std::vector<std::pair<double, double>> curvature_unresolved;
+  bool exhausted = false; ///< whether the work did not suffice
+  int boxes = 0;          ///< the number of ranges that have been evaluated
 };
 
 /// \ingroup PkgGeometricContinuityTrimmed
@@ -58,7 +64,8 @@ struct Edge_precision {
   double angle = 1e-8;          ///< floor of angles, in radians
   double curvature_jump = 1e-4; ///< floor of relative jumps
   double flat_curvature = 1e-6; ///< normal curvatures below it count as flat, in units of 1/length
-  int boxes = 4000;             ///< so many ranges are evaluated at most for each of the three
+  int boxes = 4000;             ///< so many ranges are evaluated at most for each of the three, and 8 for each piece
+  int most_boxes = 1'000'000;   ///< but not more than these, whatever the number of pieces
   bool with_curvature = true;   ///< whether the curvature jump is wanted
 };
 
@@ -84,7 +91,7 @@ inline Enclosure angle_of_chord_square(double e) {
 /// On parts of the range both sides become Taylor models: polynomials of degree 7 with a bound of what they leave out, roundings included
 /// (K. Makino, M. Berz: Taylor models and other validated functional inclusion methods, 2003). In their difference what agrees cancels, so
 /// that its bounds are as narrow as the difference is small. The part with the largest upper bound is halved until that and the
-/// largest value found at a parameter are close. Points where a normal vanishes are left out, except for the poles of
+/// largest value found at a parameter are close. Points where a normal is proved to vanish are left out, except for the poles of
 /// spheres and the apices of cones on the edge: there the normal is the limit along the edge. Splines are continued beyond their domain by
 /// their first and last pieces, which rounded curves need.
 ///
@@ -101,10 +108,12 @@ inline Edge_enclosure edge_enclosure(const Edge_side& a, const Edge_side& b, dou
   const std::vector<double> ends = bounds.divided(first, last);
   Edge_enclosure result{};
   const auto largest = [&](Edge_quantity quantity, double floor, double (*measure)(double)) {
-    Largest_on_ranges l(ends, {precision.relative, floor, measure, precision.boxes}, [&](double lower, double upper) {
-      return bounds(lower, upper, quantity, precision.flat_curvature);
-    });
+    Largest_on_ranges l(
+        ends, {precision.relative, floor, measure, precision.boxes, precision.most_boxes},
+        [&](double lower, double upper) { return bounds(lower, upper, quantity, precision.flat_curvature); },
+        [&](double lower, double upper) { return bounds.is_undefined(lower, upper, quantity); });
     result.boxes += l.evaluated;
+    result.exhausted = result.exhausted || l.exhausted;
     return l;
   };
   const auto maximum = [&](const Largest_on_ranges& l, const Enclosure& value) {
@@ -112,7 +121,7 @@ inline Edge_enclosure edge_enclosure(const Edge_side& a, const Edge_side& b, dou
   };
 
   const Largest_on_ranges gap = largest(Edge_quantity::gap, precision.gap, [](double x) { return std::sqrt(x); });
-  const bool bounded = gap.undefined.empty() && std::isfinite(gap.upper);
+  const bool bounded = gap.undefined.empty() && gap.unresolved.empty() && std::isfinite(gap.upper);
   result.gap = maximum(gap, {gap.defined ? root_below(gap.lower) : 0,
                              bounded ? root_above(gap.upper) : (std::numeric_limits<double>::infinity)()});
   const Largest_on_ranges angle = largest(Edge_quantity::angle, precision.angle,
@@ -123,9 +132,11 @@ inline Edge_enclosure edge_enclosure(const Edge_side& a, const Edge_side& b, dou
     const Largest_on_ranges jump =
         largest(Edge_quantity::curvature, precision.curvature_jump, [](double x) { return x; });
     if (jump.defined) result.curvature_jump = maximum(jump, {jump.lower, (std::min)(jump.upper, 2.)});
-    result.curvature_undefined = united(jump.undefined);
+    result.curvature_undefined = jump.undefined;
+    result.curvature_unresolved = jump.unresolved;
   }
-  result.singular = united(angle.undefined);
+  result.singular = angle.undefined;
+  result.unresolved = angle.unresolved;
   return result;
 }
 

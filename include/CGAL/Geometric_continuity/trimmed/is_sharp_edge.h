@@ -21,8 +21,8 @@ namespace Geometric_continuity {
 
 /// \ingroup PkgGeometricContinuityTrimmed
 /// Decides whether the angle between the oriented normals of two faces is larger than `bound`, in radians, on the *whole* edge, as it is
-/// along an edge that is meant to be sharp: proved, refuted when it is not on some part, or undecided. Points where a normal vanishes are
-/// left out, as by `edge_enclosure()`; at most `boxes` parts of the range are evaluated.
+/// along an edge that is meant to be sharp: proved, refuted when it is not on some part, or undecided. Points where a normal is proved to
+/// vanish are left out, as by `edge_enclosure()`; at most `boxes` parts of the range are evaluated, and 8 for each piece.
 /// \throws Error as `edge_enclosure()`
 inline Verdict is_sharp_edge(const Edge_side& a, const Edge_side& b, double first, double last, const Bound& bound,
                              int boxes = Edge_precision().boxes) {
@@ -36,8 +36,9 @@ inline Verdict is_sharp_edge(const Edge_side& a, const Edge_side& b, double firs
   if (ends.size() == 1) parts.emplace_back(first, last);
   bool defined = false, settled = true;
   int undefined_halvings = 0;
-  for (int evaluated = 0; !parts.empty(); ++evaluated) {
-    if (evaluated == boxes) return Verdict::undecided;
+  const double ranges = double(boxes) + 8 * static_cast<double>(ends.size());
+  for (double evaluated = 0; !parts.empty(); ++evaluated) {
+    if (evaluated >= ranges) return Verdict::undecided;
     const auto [lower, upper] = parts.front();
     parts.pop_front();
     const Bounds_on_range square = bounds(lower, upper, Edge_quantity::angle, 0);
@@ -48,12 +49,16 @@ inline Verdict is_sharp_edge(const Edge_side& a, const Edge_side& b, double firs
       defined = true;
       if (is_small == Verdict::refuted) continue;
     }
-    const double middle = lower / 2 + upper / 2;
-    if (!(lower < middle && middle < upper) || upper - lower <= (last - first) * (square.defined ? 0x1p-32 : 0x1p-20)) {
-      settled = settled && (!square.defined || square.knots); // else without a normal, or on a fold of a surface itself
+    const double middle = lower / 2 + upper / 2, length = upper - lower;
+    const bool divisible = lower < middle && middle < upper;
+    if (!square.defined && (!divisible || length <= (last - first) * 0x1p-20) &&
+        bounds.is_undefined(lower, upper, Edge_quantity::angle))
+      continue; // without a normal
+    if (!divisible || length <= (last - first) * (square.defined ? 0x1p-32 : 0x1p-48)) {
+      settled = settled && square.defined && square.knots; // on a fold of a surface itself
       continue;
     }
-    if (!square.defined && ++undefined_halvings > boxes / 8) return Verdict::undecided;
+    if (!square.defined && ++undefined_halvings > ranges / 8) return Verdict::undecided;
     parts.emplace_back(lower, middle);
     parts.emplace_back(middle, upper);
   }

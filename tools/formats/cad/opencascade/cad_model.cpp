@@ -5,6 +5,7 @@
 #include "formats/cad/opencascade/Shape_drawing.h"
 #include "formats/cad/opencascade/given_surface.h"
 #include "formats/cad/opencascade/read_model.h"
+#include "formats/cad/opencascade/spline_numbers.h"
 
 #include <CGAL/Geometric_continuity/trimmed/surface_knot_lines.h>
 
@@ -186,8 +187,8 @@ class Model_builder {
             placement(location), (is_left == is_second) != is_mirror(location), is_left ? 1 : -1};
   }
 
-  // Adds the curve in space, if there is one: a degenerate edge should be its vertex.
-  static void add_space_curve(Cad_edge& e, const TopoDS_Edge& edge) {
+  // Adds the curve in space, if there is one: of a degenerate edge its first point.
+  void add_space_curve(Cad_edge& e, const TopoDS_Edge& edge, const Edge_use& use) const {
     TopLoc_Location location;
     double begin, end;
     const Handle(Geom_Curve) curve = BRep_Tool::Curve(edge, location, begin, end);
@@ -195,10 +196,9 @@ class Model_builder {
       if (begin != e.begin || end != e.end) throw Not_covered("curves of different parameters");
       e.space = {std::make_shared<const GC::Given_curve<3>>(given_curve(curve, {begin, end})), placement(location)};
     } else if (e.kind == Cad_edge_kind::degenerate) {
-      const TopoDS_Vertex vertex = TopExp::FirstVertex(edge);
-      if (vertex.IsNull()) throw Not_covered("a degenerate edge without a vertex");
-      const gp_Pnt p = BRep_Tool::Pnt(vertex);
-      const GC::Given_line<3> point{{p.X(), p.Y(), p.Z()}, {0, 0, 0}};
+      const gp_Pnt2d at = use.curve->curve->Value(e.begin);
+      const gp_Pnt p = BRep_Tool::Surface(face(use.face))->Value(at.X(), at.Y());
+      const GC::Given_line<3> point{checked(p.XYZ()), {0, 0, 0}};
       e.space = {std::make_shared<const GC::Given_curve<3>>(point), placement(TopLoc_Location())};
     }
   }
@@ -219,7 +219,7 @@ class Model_builder {
     if (!is_finite(a.begin, a.end) || !(a.begin < a.end)) throw Not_covered("an empty or infinite range of parameters");
     e.begin = a.begin;
     e.end = a.end;
-    add_space_curve(e, edge);
+    add_space_curve(e, edge, uses[0]);
     e.sides = {side(uses[0], false), side(uses[uses.size() > 1 ? 1 : 0], true)};
   }
 

@@ -39,14 +39,15 @@ struct Side_models {
   bool along_knots = false;    // the edge is a knot line, and on which side of it the face lies is not known
 };
 
-// The curve in the parameter plane on a range: one coordinate and its derivative.
+// A curve on a range: one coordinate and its derivative.
 struct Coordinate_models {
   Taylor_model value, derivative;
   Interval range; // of the value; a point when the coordinate is constant
 
   // From the Taylor coefficients about the middle, and of the next order on all of the range (Lagrange's form of the remainder). Where
   // the coordinate rises or falls its range is that between its ends, so that it does not reach beyond a knot that it ends on.
-  Coordinate_models(const Given_curve_jet<2>& about_middle, const Given_curve_jet<2>& on_range, const Interval& at_ends,
+  template <int D>
+  Coordinate_models(const Given_curve_jet<D>& about_middle, const Given_curve_jet<D>& on_range, const Interval& at_ends,
                     int i, double half) {
     constexpr int n = Taylor_model::size;
     bool constant = on_range.c[0][i].is_point();
@@ -79,31 +80,102 @@ private:
   }
 };
 
-// An `Edge_side` whose numbers have been checked.
-class Placed_side {
-  const Edge_side& side_;
-  bool identity_ = true, flipped_; // whether the normal is that of the placed surface times -1
+// A placement whose numbers have been checked. \throws Error `not_finite`, `singular_frame`
+class Checked_placement {
+  const Given_placement& m_;
+  bool identity_ = true, mirror_;
 
 public:
-  explicit Placed_side(const Edge_side& side) : side_(side), flipped_(side.reversed) {
-    std::visit(Check_given_surface(), *side.surface);
-    std::visit(Check_given_curve<2>(), *side.curve);
-    const Given_placement& p = side.placement;
+  explicit Checked_placement(const Given_placement& placement) : m_(placement) {
     std::array<Interval_vector<3>, 3> m;
     for (int i = 0; i < 3; ++i)
       for (int j = 0; j < 4; ++j) {
-        check_finite({p[i][j]}, "a placement");
-        if (j < 3) m[i][j] = p[i][j];
-        identity_ = identity_ && p[i][j] == (i == j ? 1 : 0);
+        check_finite({m_[i][j]}, "a placement");
+        if (j < 3) m[i][j] = m_[i][j];
+        identity_ = identity_ && m_[i][j] == (i == j ? 1 : 0);
       }
     const Interval determinant = m[0][0] * (m[1][1] * m[2][2] - m[1][2] * m[2][1]) -
                                  m[0][1] * (m[1][0] * m[2][2] - m[1][2] * m[2][0]) +
                                  m[0][2] * (m[1][0] * m[2][1] - m[1][1] * m[2][0]);
     if (!(determinant.inf() > 0) && !(determinant.sup() < 0))
       throw Error(Error_code::singular_frame, "a placement is not invertible");
-    if (determinant.sup() < 0)
-      flipped_ = !flipped_; // a mirror: the image of the normal is opposite to that of the images
+    mirror_ = determinant.sup() < 0;
   }
+
+  bool is_mirror() const { return mirror_; }
+
+  Interval_vector<3> operator()(const Interval_vector<3>& x, bool is_point) const {
+    if (identity_) return x;
+    Interval_vector<3> y;
+    for (int i = 0; i < 3; ++i) {
+      if (is_point) y[i] = m_[i][3];
+      for (int j = 0; j < 3; ++j) y[i] += Interval(m_[i][j]) * x[j];
+    }
+    return y;
+  }
+
+  Taylor_vector operator()(const Taylor_vector& x, bool is_point) const {
+    if (identity_) return x;
+    Taylor_vector y;
+    const std::array<double, 3> norm{x[0].norm() * Taylor_model::enlarged, x[1].norm() * Taylor_model::enlarged,
+                                     x[2].norm() * Taylor_model::enlarged};
+    for (int i = 0; i < 3; ++i) {
+      Taylor_sum sum;
+      for (int j = 0; j < 3; ++j) sum.add(Interval(m_[i][j]), x[j], norm[j]);
+      y[i] = sum.value();
+      if (is_point) y[i] = y[i] + Taylor_model(m_[i][3]);
+    }
+    return y;
+  }
+};
+
+// An `Edge_curve` whose numbers have been checked.
+class Placed_curve {
+  const Edge_curve& given_;
+  Checked_placement placed_;
+
+public:
+  explicit Placed_curve(const Edge_curve& given) : given_(given), placed_(given.placement) {
+    std::visit(Check_given_curve<3>(), *given.curve);
+  }
+
+  // The point on a range. \pre the range lies between the knots
+  Taylor_vector models(const Edge_range& range) const {
+    constexpr int n = Taylor_model::size;
+    const Given_curve<3>& curve = *given_.curve;
+    const int span = touched_pieces(curve, range.t, 1).front();
+    const Given_curve_jet<3> about_middle = given_curve_jet(curve, Interval(range.middle), n, span),
+                             on_range = given_curve_jet(curve, range.t, n + 1, span);
+    Taylor_vector point;
+    for (int i = 0; i < 3; ++i)
+      point[i] = Coordinate_models(about_middle, on_range, on_range.c[0][i], i, range.half).value;
+    return placed_(point, true);
+  }
+
+  // The point and the derivative at a parameter.
+  std::array<Interval_vector<3>, 2> jet(double t) const {
+    const Given_curve_jet<3> jet =
+        given_curve_jet(*given_.curve, Interval(t), 1, touched_pieces(*given_.curve, Interval(t), 1).front());
+    return {placed_(jet.c[0], true), placed_(jet.c[1], false)};
+  }
+};
+
+// An `Edge_side` whose numbers have been checked.
+class Placed_side {
+  const Edge_side& side_;
+  Checked_placement placed_;
+  bool flipped_; // whether the normal is that of the placed surface times -1
+
+public:
+  explicit Placed_side(const Edge_side& side)
+      : side_(side), placed_(side.placement), flipped_(side.reversed != placed_.is_mirror()) {
+    std::visit(Check_given_surface(), *side.surface);
+    std::visit(Check_given_curve<2>(), *side.curve);
+  }
+
+  const Edge_side& given() const { return side_; }
+  const Checked_placement& placed() const { return placed_; }
+  bool is_flipped() const { return flipped_; }
 
   // On each range the quantity asked for and those before it, by the formula of each piece of the surface that the edge may touch there,
   // continued to all of the range: at each parameter one of these is the surface. None when nothing is known, or when there
@@ -146,10 +218,10 @@ private:
     du.c[0] = dv.c[0] = 0;
     const Composition compose{about_point, on_box, powers(du, on_box.u_degree), powers(dv, on_box.v_degree)};
     Side_models m;
-    m.point = placed(compose(0, 0), true);
+    m.point = placed_(compose(0, 0), true);
     if (quantity == Edge_quantity::gap) return m;
-    const Taylor_vector sv = placed(compose(0, 1), false);
-    Taylor_vector su = placed(compose(1, 0), false);
+    const Taylor_vector sv = placed_(compose(0, 1), false);
+    Taylor_vector su = placed_(compose(1, 0), false);
     // On spheres and cones S_u = rho(v) R'(u), and rho is zero at poles and apices, where R' x S_v is still a normal.
     const auto* elementary = std::get_if<Given_elementary_surface>(&*side_.surface);
     const int sign = elementary ? sign_of_rho(*elementary, v.range) : 0;
@@ -160,7 +232,7 @@ private:
       const Given_elementary_surface cylinder{Given_elementary_surface::Kind::cylinder, elementary->frame, 1, 0};
       const Given_surface_jet r_about_point = jet_of(cylinder, {u.value.c[0], v.value.c[0], 0, 0}, order),
                               r_on_box = jet_of(cylinder, {u.range, v.range, 0, 0}, order);
-      const Taylor_vector r = placed(Composition{r_about_point, r_on_box, compose.u, compose.v}(1, 0), false);
+      const Taylor_vector r = placed_(Composition{r_about_point, r_on_box, compose.u, compose.v}(1, 0), false);
       if (sphere) u_derivative = u.derivative * dot(su, r) * reciprocal(dot(r, r)); // rho u'
       su = r;
     }
@@ -171,11 +243,11 @@ private:
     if (quantity == Edge_quantity::curvature) {
       // The second fundamental form, with its first two numbers over rho^2 and rho for a sphere of the axes x, y, z: there
       // R'' . (R' x S_v) / rho = -(x, y, z) and R' . (R' x S_v) = 0.
-      Taylor_model l, m_, n = dot(m.normal, placed(compose(0, 2), false));
+      Taylor_model l, m_, n = dot(m.normal, placed_(compose(0, 2), false));
       if (sphere)
         l = -frame_determinant(*elementary) * signed_root;
       else
-        l = dot(m.normal, placed(compose(2, 0), false)), m_ = dot(m.normal, placed(compose(1, 1), false));
+        l = dot(m.normal, placed_(compose(2, 0), false)), m_ = dot(m.normal, placed_(compose(1, 1), false));
       // With the first fundamental form (e, f; f, g) the direction a S_u + b S_v is orthogonal to the edge's S_u u' + S_v v',
       // and its square is (e g - f^2) times that of the edge's, with e g - f^2 = |N|^2.
       const Taylor_model e = dot(su, su), f = dot(su, sv), g = dot(sv, sv);
@@ -206,7 +278,7 @@ private:
       axes[1][i] = f.y_axis[i];
       axes[2][i] = f.z_axis[i];
     }
-    return dot(cross(placed(axes[0], false), placed(axes[1], false)), placed(axes[2], false));
+    return dot(cross(placed_(axes[0], false), placed_(axes[1], false)), placed_(axes[2], false));
   }
 
   struct Powers {
@@ -264,20 +336,6 @@ private:
       return first;
     }
   };
-
-  Taylor_vector placed(const Taylor_vector& x, bool is_point) const {
-    if (identity_) return x;
-    Taylor_vector y;
-    const std::array<double, 3> norm{x[0].norm() * Taylor_model::enlarged, x[1].norm() * Taylor_model::enlarged,
-                                     x[2].norm() * Taylor_model::enlarged};
-    for (int i = 0; i < 3; ++i) {
-      Taylor_sum sum;
-      for (int j = 0; j < 3; ++j) sum.add(Interval(side_.placement[i][j]), x[j], norm[j]);
-      y[i] = sum.value();
-      if (is_point) y[i] = y[i] + Taylor_model(side_.placement[i][3]);
-    }
-    return y;
-  }
 };
 
 } // namespace internal

@@ -6,6 +6,7 @@
 #define CGAL_GEOMETRIC_CONTINUITY_TRIMMED_INTERNAL_EDGE_BOUNDS_H
 
 #include <CGAL/Geometric_continuity/trimmed/internal/Largest_on_ranges.h>
+#include <CGAL/Geometric_continuity/trimmed/internal/Vanishing_normal.h>
 
 #include <algorithm>
 #include <array>
@@ -93,9 +94,20 @@ inline Bounds_on_range jump_on(const Edge_range& range, const Taylor_model& k1, 
 class Edge_bounds {
   std::array<Placed_side, 2> sides_;
   std::array<const Edge_side*, 2> given_;
+  std::array<Vanishing_normal, 2> vanishing_;
 
 public:
-  Edge_bounds(const Edge_side& a, const Edge_side& b) : sides_{Placed_side(a), Placed_side(b)}, given_{&a, &b} {}
+  Edge_bounds(const Edge_side& a, const Edge_side& b)
+      : sides_{Placed_side(a), Placed_side(b)}, given_{&a, &b}, vanishing_{Vanishing_normal(a), Vanishing_normal(b)} {}
+
+  // Whether it is proved that a normal vanishes at a point of the range, or for curvatures the direction of the edge.
+  bool is_undefined(double lower, double upper, Edge_quantity quantity) const {
+    const Edge_range range(lower, upper);
+    return quantity != Edge_quantity::gap &&
+           std::any_of(vanishing_.begin(), vanishing_.end(), [&](const Vanishing_normal& normal) {
+             return normal.is_on(range, quantity == Edge_quantity::curvature);
+           });
+  }
 
   Bounds_on_range operator()(double lower, double upper, Edge_quantity quantity, double flat) const {
     const Edge_range range(lower, upper);
@@ -120,6 +132,23 @@ public:
       }
     if (several) bounds.noisy = a[0].along_knots || b[0].along_knots;
     bounds.knots = may_jump && !bounds.noisy;
+    return bounds;
+  }
+
+  // The square of the distance of the first side from points that are given.
+  Bounds_on_range distance(const Edge_range& range, const Taylor_vector& points) const {
+    Bounds_on_range bounds{0, 0, range.middle, false};
+    std::optional<double> at;
+    for (const Side_models& x : sides_[0].models(range, Edge_quantity::gap)) {
+      Bounds_on_range of_piece = square_on(range, x.point - points, at);
+      if (!of_piece.defined) return of_piece;
+      if (at) {
+        of_piece.lower = (std::min)(bounds.lower, of_piece.lower);
+        of_piece.upper = (std::max)(bounds.upper, of_piece.upper);
+      }
+      bounds = of_piece;
+      at = bounds.parameter;
+    }
     return bounds;
   }
 

@@ -1,0 +1,202 @@
+// Copyright (c) 2026 The Geometric_continuity developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#include "commands/cad/Cad_verdict.h"
+
+#include <CGAL/Geometric_continuity/numbers/Enclosure.h>
+#include <CGAL/Geometric_continuity/numbers/units.h>
+
+namespace {
+
+// A step of work is about a multiplication of machine words, see `Work_limit`; a part of an edge takes so many.
+constexpr std::uint64_t steps_of_box = 4000;
+
+// What an angle may be less than that of a corner, relatively: the numbers in files are rounded.
+constexpr double rounded_angle = 1e-9;
+
+GC::Bound times(const GC::Bound& x, double factor) { return GC::Enclosure{x.lower() * factor, x.upper() * factor}; }
+
+// One edge, with the curves in the parameter planes that it has or that are computed for it.
+class Edge_decision {
+  const Cad_edge& edge_;
+  const Cad_demand& demand_;
+  std::array<GC::Edge_side, 2> sides_;
+  std::array<bool, 2> is_projected_;
+  GC::Edge_precision precision_;
+
+  typedef std::vector<std::pair<double, double>> Ranges;
+
+  static GC::Verdict within(const std::optional<GC::Edge_maximum>& x, const GC::Bound& bound,
+                            const Ranges& unresolved) {
+    return x ? GC::at_most(x->value, bound) && (unresolved.empty() ? GC::Verdict::proved : GC::Verdict::undecided)
+             : GC::Verdict::undecided;
+  }
+
+  // What is proved at a parameter whatever the projections are.
+  std::optional<GC::Foot_comparison> feet(double t, const std::array<bool, 2>& is_projected) const {
+    return GC::compare_at_feet(sides_[0], sides_[1], is_projected, *edge_.space, t, precision_.flat_curvature);
+  }
+  bool has_projections() const { return edge_.space && (is_projected_[0] || is_projected_[1]); }
+
+  // A lower bound that is refuted may be an error of projections, unless it is refuted for the foot points as well.
+  void doubt(Cad_verdict& result, std::size_t order, const GC::Edge_maximum& worst, const GC::Bound& bound,
+             double GC::Foot_comparison::*measure) const {
+    if (result.within[order] != GC::Verdict::refuted || !has_projections()) return;
+    const std::optional<GC::Foot_comparison> f = feet(worst.parameter, is_projected_);
+    if (f && (*f).*measure > bound.upper()) return;
+    result.within[order] = GC::Verdict::undecided;
+    result.in_doubt = result.in_doubt || static_cast<int>(order) <= demand_.most; // otherwise nobody asks
+  }
+
+  // Compares the curve in space with both sides.
+  void compare_curve(Cad_verdict& result) const {
+    GC::Edge_precision precision = precision_;
+    if (!has_projections()) precision.gap = (std::max)(precision.gap, demand_.bounds.gap.lower() / 4);
+    std::size_t farther = 0;
+    for (std::size_t i = 0; i < 2; ++i) {
+      if (i == 1 && edge_.kind == Cad_edge_kind::degenerate) break; // twice the same
+      const GC::Edge_maximum d = GC::curve_deviation(sides_[i], *edge_.space, edge_.begin, edge_.end, precision);
+      if (result.deviation && d.value.upper <= result.deviation->value.upper) continue;
+      result.deviation = d;
+      farther = i;
+    }
+    GC::Verdict is_near = GC::at_most(result.deviation->value, demand_.bounds.gap);
+    if (edge_.kind != Cad_edge_kind::degenerate && is_near == GC::Verdict::refuted) {
+      const std::optional<GC::Foot_comparison> f = feet(result.deviation->parameter, {true, true});
+      if (!f || !(f->distances[farther] > demand_.bounds.gap.upper())) is_near = GC::Verdict::undecided;
+    }
+    result.in_doubt = result.in_doubt || is_near == GC::Verdict::undecided;
+    result.within[0] = result.within[0] && is_near;
+  }
+
+  void decide_shape(Cad_verdict& result) const {
+    const GC::Edge_enclosure& e = *result.enclosure;
+    const GC::Verdict is_smooth = result.within[0] == GC::Verdict::proved
+                                      ? result.within[1]
+                                      : within(e.angle, demand_.bounds.angle, e.unresolved);
+    if (result.within[0] == GC::Verdict::refuted)
+      result.shape = Cad_shape::gap;
+    else if (edge_.inside_out)
+      result.shape = Cad_shape::inside_out;
+    else if (is_smooth == GC::Verdict::proved)
+      result.shape = Cad_shape::smooth;
+    if (result.shape != Cad_shape::undecided || is_smooth != GC::Verdict::refuted || result.in_doubt) return;
+    const GC::Bound least = times(demand_.kink, 1 - rounded_angle);
+    static const GC::Enclosure straight = GC::in_radians(180);
+    const GC::Bound folded =
+        GC::Enclosure{straight.lower - demand_.bounds.angle.upper(), straight.upper - demand_.bounds.angle.lower()};
+    const GC::Verdict is_open = within(e.angle, folded, e.unresolved), is_kink = within(e.angle, least, e.unresolved);
+    result.shape = Cad_shape::bent;
+    if (is_open == GC::Verdict::refuted)
+      result.shape = Cad_shape::fold;
+    else if (is_kink == GC::Verdict::proved ||
+             edge_.kind == Cad_edge_kind::knot_line) // inside of a face nothing is meant
+      result.shape = Cad_shape::kink;
+    else if (is_open == GC::Verdict::proved) {
+      result.is_corner = GC::is_sharp_edge(sides_[0], sides_[1], edge_.begin, edge_.end, least, precision_.boxes);
+      if (result.is_corner == GC::Verdict::proved)
+        result.shape = Cad_shape::corner;
+      else if (result.is_corner == GC::Verdict::refuted && is_kink == GC::Verdict::refuted)
+        result.shape = Cad_shape::fading_corner;
+    }
+  }
+
+public:
+  Edge_decision(const Cad_edge& edge, const Cad_demand& demand)
+      : edge_(edge), demand_(demand), sides_(*edge.sides), is_projected_(edge.projections) {
+    const std::uint64_t boxes = (std::max)(demand.work.steps() / steps_of_box, std::uint64_t(1));
+    precision_.most_boxes = static_cast<int>((std::min)(boxes, std::uint64_t(1'000'000)));
+    precision_.boxes = (std::min)(precision_.boxes, precision_.most_boxes);
+  }
+
+  // Takes the foot points of the curve in space, at so many parameters, in place of the curves that are there.
+  void project(int pieces, const std::array<bool, 2>& which) {
+    is_projected_ = which;
+    for (std::size_t i = 0; i < 2; ++i)
+      if (which[i]) sides_[i] = GC::projected_side(sides_[i], *edge_.space, edge_.begin, edge_.end, pieces);
+  }
+
+  Cad_verdict decide() const {
+    Cad_verdict result;
+    if (edge_.kind == Cad_edge_kind::degenerate) {
+      result.within[0] = GC::Verdict::proved;
+      compare_curve(result);
+      return result;
+    }
+    result.enclosure = GC::edge_enclosure(sides_[0], sides_[1], edge_.begin, edge_.end, precision_);
+    const GC::Edge_enclosure& e = *result.enclosure;
+    result.within[0] = GC::at_most(e.gap.value, demand_.bounds.gap);
+    doubt(result, 0, e.gap, demand_.bounds.gap, &GC::Foot_comparison::gap);
+    if (edge_.space) compare_curve(result);
+    result.within[1] = within(e.angle, demand_.bounds.angle, e.unresolved);
+    if (e.angle) doubt(result, 1, *e.angle, demand_.bounds.angle, &GC::Foot_comparison::angle);
+    result.within[2] = within(e.curvature_jump, demand_.bounds.curvature, e.curvature_unresolved);
+    if (e.curvature_jump)
+      doubt(result, 2, *e.curvature_jump, demand_.bounds.curvature, &GC::Foot_comparison::curvature_jump);
+    if (!has_projections() && !result.in_doubt && result.within[0] != GC::Verdict::refuted) {
+      if (const auto exact = GC::exact_edge_continuity(sides_[0], sides_[1], edge_.begin, edge_.end, demand_.work))
+        result.exact = exact->g_order;
+      for (int i = 0; i <= result.exact.value_or(-1); ++i)
+        result.within[static_cast<std::size_t>(i)] = GC::Verdict::proved;
+    }
+    result.within[1] = result.within[0] && result.within[1];
+    result.within[2] = result.within[1] && result.within[2];
+    if (edge_.inside_out) {
+      result.within[1] = result.within[2] = GC::Verdict::refuted;
+      if (result.exact) result.exact = (std::min)(*result.exact, 0);
+    }
+    decide_shape(result);
+    return result;
+  }
+};
+
+// Why an edge is undecided.
+const char* open_reason(const Cad_verdict& verdict) {
+  if (verdict.in_doubt) return "how far the curve in space is from the faces leaves it open";
+  if (verdict.enclosure->exhausted) return "the work did not suffice, see --max-work";
+  if (!verdict.enclosure->unresolved.empty()) return "a normal can be told neither from zero nor to be zero";
+  return "the tolerance lies between the bounds";
+}
+
+} // namespace
+
+std::optional<Given> claim_of(const Cad_edge& edge, const Cad_verdict& verdict, const Cad_demand& demand) {
+  if (edge.kind == Cad_edge_kind::non_manifold)
+    return Given{Claim::not_covered, "edge", "three faces or more share it"};
+  if (is_no_point(edge, verdict))
+    return Given{Claim::not_covered, "edge", "it is said to be a point, and is not proved to be one"};
+  if (!has_verdict(edge)) return std::nullopt;
+  if (!verdict.enclosure) return Given{Claim::not_covered, "edge", verdict.reason};
+  switch (verdict.meets(demand.order.value_or(1))) {
+  case GC::Verdict::proved: return Given{Claim::met, "edge"};
+  case GC::Verdict::refuted: return Given{demand.order ? Claim::not_met : Claim::met, "edge"};
+  case GC::Verdict::undecided: break;
+  }
+  return Given{Claim::undecided, "edge", open_reason(verdict)};
+}
+
+Cad_verdict cad_verdict(const Cad_edge& edge, const Cad_demand& demand) {
+  Cad_verdict result;
+  if (!edge.sides) {
+    result.reason = edge.reason;
+    return result;
+  }
+  try {
+    Edge_decision decision(edge, demand);
+    result = decision.decide();
+    const bool is_far =
+        result.deviation && GC::at_most(result.deviation->value, demand.bounds.gap) != GC::Verdict::proved;
+    for (int pieces : {64, 256, 1024}) {
+      if (!result.in_doubt || !edge.space) break;
+      decision.project(pieces, is_far ? std::array<bool, 2>{true, true} : edge.projections);
+      Cad_verdict better = decision.decide();
+      better.computed = true;
+      result = std::move(better);
+    }
+  } catch (const GC::Error& e) {
+    result = Cad_verdict();
+    result.reason = e.what();
+  }
+  return result;
+}
