@@ -155,9 +155,10 @@ Font_demand font_demand(const Command_line& line, const std::optional<Requiremen
 
 // What is asked of CAD models.
 Cad_demand cad_demand(const Command_line& line, const std::optional<Requirement>& required) {
-  line.refuse({"surfaces", "closed", "kernel", "max-order", "max-work"}, "not for CAD models");
+  line.refuse({"surfaces", "closed", "kernel", "max-order"}, "not for CAD models");
   Cad_demand demand =
       demand_within(line.has("within") ? line.text("within") : default_cad_tolerance, kink_rule(line).bound);
+  demand.work = line.work_limit();
   if (!required) return demand;
   if (required->kind() != GC::Continuity_kind::G || required->order() > 2)
     throw std::invalid_argument("--require " + required->text() + ": of CAD models G0, G1 and G2 are decided");

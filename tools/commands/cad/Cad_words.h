@@ -110,8 +110,7 @@ inline std::string cad_numbers(const Cad_edge& edge, const Cad_verdict& verdict,
 
 // Returns all that is said of an edge behind its place.
 inline std::string cad_sentence(const Cad_edge& edge, const Cad_verdict& verdict, const Cad_demand& demand) {
-  if (has_verdict(edge))
-    return cad_kind(edge) + ": " + cad_order(verdict) + "; " + cad_numbers(edge, verdict, demand);
+  if (has_verdict(edge)) return cad_kind(edge) + ": " + cad_order(verdict) + "; " + cad_numbers(edge, verdict, demand);
   return cad_kind(edge) + (is_no_point(edge, verdict) ? ": " + cad_no_point(verdict) : "");
 }
 

@@ -33,18 +33,28 @@ class Edge_decision {
              : GC::Verdict::undecided;
   }
 
-  // What is proved at a parameter whatever the projections are.
-  std::optional<GC::Foot_comparison> feet(double t, const std::array<bool, 2>& is_projected) const {
-    return GC::compare_at_feet(sides_[0], sides_[1], is_projected, *edge_.space, t, precision_.flat_curvature);
-  }
   bool has_projections() const { return edge_.space && (is_projected_[0] || is_projected_[1]); }
+
+  // Whether a measure of foot points is proved to be larger than a bound at a parameter, or beside it: at knots of surfaces nothing is proved.
+  template <class Measure>
+  bool exceeds_at_feet(double t, const std::array<bool, 2>& is_projected, const GC::Bound& bound,
+                       Measure measure) const {
+    for (double distance : {0., 0x1p-12, -0x1p-12, 0x1p-6, -0x1p-6}) {
+      const double at = t + distance * (edge_.end - edge_.begin);
+      if (!(edge_.begin <= at && at <= edge_.end)) continue;
+      const std::optional<GC::Foot_comparison> f =
+          GC::compare_at_feet(sides_[0], sides_[1], is_projected, *edge_.space, at, precision_.flat_curvature);
+      if (f && measure(*f) > bound.upper()) return true;
+    }
+    return false;
+  }
 
   // A lower bound that is refuted may be an error of projections, unless it is refuted for the foot points as well.
   void doubt(Cad_verdict& result, std::size_t order, const GC::Edge_maximum& worst, const GC::Bound& bound,
              double GC::Foot_comparison::*measure) const {
     if (result.within[order] != GC::Verdict::refuted || !has_projections()) return;
-    const std::optional<GC::Foot_comparison> f = feet(worst.parameter, is_projected_);
-    if (f && (*f).*measure > bound.upper()) return;
+    const auto measured = [measure](const GC::Foot_comparison& f) { return f.*measure; };
+    if (exceeds_at_feet(worst.parameter, is_projected_, bound, measured)) return;
     result.within[order] = GC::Verdict::undecided;
     result.in_doubt = result.in_doubt || static_cast<int>(order) <= demand_.most; // otherwise nobody asks
   }
@@ -62,10 +72,10 @@ class Edge_decision {
       farther = i;
     }
     GC::Verdict is_near = GC::at_most(result.deviation->value, demand_.bounds.gap);
-    if (edge_.kind != Cad_edge_kind::degenerate && is_near == GC::Verdict::refuted) {
-      const std::optional<GC::Foot_comparison> f = feet(result.deviation->parameter, {true, true});
-      if (!f || !(f->distances[farther] > demand_.bounds.gap.upper())) is_near = GC::Verdict::undecided;
-    }
+    const auto distance = [farther](const GC::Foot_comparison& f) { return f.distances[farther]; };
+    if (edge_.kind != Cad_edge_kind::degenerate && is_near == GC::Verdict::refuted &&
+        !exceeds_at_feet(result.deviation->parameter, {true, true}, demand_.bounds.gap, distance))
+      is_near = GC::Verdict::undecided;
     result.in_doubt = result.in_doubt || is_near == GC::Verdict::undecided;
     result.within[0] = result.within[0] && is_near;
   }
@@ -90,11 +100,11 @@ class Edge_decision {
     result.shape = Cad_shape::bent;
     if (is_open == GC::Verdict::refuted)
       result.shape = Cad_shape::fold;
-    else if (is_kink == GC::Verdict::proved ||
-             edge_.kind == Cad_edge_kind::knot_line) // inside of a face nothing is meant
+    else if (is_kink == GC::Verdict::proved || edge_.kind == Cad_edge_kind::knot_line) // in a face nothing is meant
       result.shape = Cad_shape::kink;
-    else if (is_open == GC::Verdict::proved) {
+    else {
       result.is_corner = GC::is_sharp_edge(sides_[0], sides_[1], edge_.begin, edge_.end, least, precision_.boxes);
+      if (result.is_corner == GC::Verdict::proved) result.is_corner = is_open; // undecided when it may be a fold
       if (result.is_corner == GC::Verdict::proved)
         result.shape = Cad_shape::corner;
       else if (result.is_corner == GC::Verdict::refuted && is_kink == GC::Verdict::refuted)
@@ -108,6 +118,11 @@ public:
     const std::uint64_t boxes = (std::max)(demand.work.steps() / steps_of_box, std::uint64_t(1));
     precision_.most_boxes = static_cast<int>((std::min)(boxes, std::uint64_t(1'000'000)));
     precision_.boxes = (std::min)(precision_.boxes, precision_.most_boxes);
+    if (edge.kind != Cad_edge_kind::knot_line) return;
+    // There are many of these, and most are smooth up to roundings: what nobody asks for is not computed.
+    precision_.with_curvature = demand.most > 1;
+    precision_.gap = (std::max)(precision_.gap, demand.bounds.gap.lower() / 4);
+    precision_.angle = (std::max)(precision_.angle, demand.bounds.angle.lower() / 4);
   }
 
   // Takes the foot points of the curve in space, at so many parameters, in place of the curves that are there.
@@ -134,7 +149,8 @@ public:
     result.within[2] = within(e.curvature_jump, demand_.bounds.curvature, e.curvature_unresolved);
     if (e.curvature_jump)
       doubt(result, 2, *e.curvature_jump, demand_.bounds.curvature, &GC::Foot_comparison::curvature_jump);
-    if (!has_projections() && !result.in_doubt && result.within[0] != GC::Verdict::refuted) {
+    if (edge_.kind != Cad_edge_kind::knot_line && !has_projections() && !result.in_doubt &&
+        result.within[0] != GC::Verdict::refuted) {
       if (const auto exact = GC::exact_edge_continuity(sides_[0], sides_[1], edge_.begin, edge_.end, demand_.work))
         result.exact = exact->g_order;
       for (int i = 0; i <= result.exact.value_or(-1); ++i)
@@ -187,12 +203,16 @@ Cad_verdict cad_verdict(const Cad_edge& edge, const Cad_demand& demand) {
     result = decision.decide();
     const bool is_far =
         result.deviation && GC::at_most(result.deviation->value, demand.bounds.gap) != GC::Verdict::proved;
-    for (int pieces : {64, 256, 1024}) {
+    for (int pieces : {32, 128, 512}) {
       if (!result.in_doubt || !edge.space) break;
+      const bool was_computed = result.computed;
+      const double before = result.deviation ? result.deviation->value.lower : 0;
       decision.project(pieces, is_far ? std::array<bool, 2>{true, true} : edge.projections);
       Cad_verdict better = decision.decide();
       better.computed = true;
+      const bool is_stuck = was_computed && better.deviation && better.deviation->value.upper > before / 2;
       result = std::move(better);
+      if (is_stuck) break; // more foot points bring the curves no nearer
     }
   } catch (const GC::Error& e) {
     result = Cad_verdict();

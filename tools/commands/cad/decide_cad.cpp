@@ -9,6 +9,7 @@
 #include "files/progress.h"
 #include "formats/cad/read_cad.h"
 
+#include <algorithm>
 #include <optional>
 #include <stdexcept>
 #include <utility>
@@ -31,7 +32,9 @@ Cad_demand demand_within(const std::string& tolerance, const GC::Kink_bound& kin
 }
 
 Decided_cad_file decide_cad(const std::string& file, const Cad_demand& demand, const Cad_reading& reading) {
-  Decided_cad_file result{file, read_cad(file, reading), {}};
+  Cad_reading with_order = reading;
+  with_order.order = (std::max)(1, demand.most);
+  Decided_cad_file result{file, read_cad(file, with_order), {}};
   const std::vector<Cad_edge>& edges = result.model.edges;
   Progress progress("edges");
   std::size_t next = 0;

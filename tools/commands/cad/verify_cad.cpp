@@ -60,8 +60,8 @@ class Cad_report {
     const std::optional<Given> given = claim_of(edge, verdict, demand_);
     add_row(number, edge, verdict, file, given ? given->claim : Claim::met);
     if (!given) return;
-    const bool is_noted = has_verdict(edge) && !demand_.order && verdict.shape != Cad_shape::smooth &&
-                          verdict.shape != Cad_shape::corner;
+    const bool is_noted =
+        has_verdict(edge) && !demand_.order && verdict.shape != Cad_shape::smooth && verdict.shape != Cad_shape::corner;
     report_.add(file.file, *given, is_noted, [&] {
       Finding f;
       f.file = file.file;

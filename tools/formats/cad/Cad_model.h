@@ -11,6 +11,7 @@
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 // What a CAD file holds, without anything of the library that reads it.
@@ -68,14 +69,16 @@ enum class Cad_drawing { none, faces_and_edges };
 struct Cad_reading {
   Cad_drawing drawing = Cad_drawing::none;
   std::optional<double> sewing; // boundary edges of two faces that are so near to each other become one, in mm
+  int order = 1; // knot lines are those where a surface need not be continuously differentiable so many times
 };
 
 struct Cad_model {
   std::vector<std::string> faces; // what their surfaces are, e.g. "cylinder"
   std::vector<Cad_edge> edges;
-  std::vector<Cad_mesh> meshes;  // of the faces, if they are to be drawn
-  std::vector<std::string> lost; // what of the file could not be read, with the reason
-  std::size_t sewn = 0;          // edges that sewing made of two
+  std::vector<Cad_mesh> meshes;                                 // of the faces, if they are to be drawn
+  std::vector<std::string> lost;                                // what of the file could not be read, with the reason
+  std::size_t sewn = 0;                                         // edges that sewing made of two
+  std::vector<std::pair<std::size_t, std::string>> not_covered; // faces whose surfaces could not be read, and why
 };
 
 #endif // GEOMETRIC_CONTINUITY_TOOLS_FORMATS_CAD_CAD_MODEL_H

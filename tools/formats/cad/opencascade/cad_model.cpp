@@ -167,6 +167,7 @@ class Model_builder {
       surfaces_.back() = std::make_shared<const GC::Given_surface>(given_surface(surface, u, v));
     } catch (const Not_covered& e) {
       reasons_.back() = e.what();
+      model_.not_covered.emplace_back(number, e.what());
     }
   }
 
@@ -189,18 +190,19 @@ class Model_builder {
 
   // Adds the curve in space, if there is one: of a degenerate edge its first point.
   void add_space_curve(Cad_edge& e, const TopoDS_Edge& edge, const Edge_use& use) const {
-    TopLoc_Location location;
-    double begin, end;
-    const Handle(Geom_Curve) curve = BRep_Tool::Curve(edge, location, begin, end);
-    if (!curve.IsNull()) {
-      if (begin != e.begin || end != e.end) throw Not_covered("curves of different parameters");
-      e.space = {std::make_shared<const GC::Given_curve<3>>(given_curve(curve, {begin, end})), placement(location)};
-    } else if (e.kind == Cad_edge_kind::degenerate) {
+    if (e.kind == Cad_edge_kind::degenerate) {
       const gp_Pnt2d at = use.curve->curve->Value(e.begin);
       const gp_Pnt p = BRep_Tool::Surface(face(use.face))->Value(at.X(), at.Y());
       const GC::Given_line<3> point{checked(p.XYZ()), {0, 0, 0}};
       e.space = {std::make_shared<const GC::Given_curve<3>>(point), placement(TopLoc_Location())};
+      return;
     }
+    TopLoc_Location location;
+    double begin, end;
+    const Handle(Geom_Curve) curve = BRep_Tool::Curve(edge, location, begin, end);
+    if (curve.IsNull()) return;
+    if (begin != e.begin || end != e.end) throw Not_covered("curves of different parameters");
+    e.space = {std::make_shared<const GC::Given_curve<3>>(given_curve(curve, {begin, end})), placement(location)};
   }
 
   // Adds the sides of an edge. Throws Not_covered with the reason why they cannot be compared.
@@ -245,12 +247,12 @@ class Model_builder {
   }
 
   // Adds the lines inside of a face where the formula of its surface changes, without those parts that lie outside.
-  void add_knot_lines(std::size_t number, Cad_drawing drawing) {
+  void add_knot_lines(std::size_t number, const Cad_reading& reading) {
     if (!surfaces_[number] || boxes_[number].IsVoid()) return;
     const TopoDS_Face face = this->face(number);
     double low[2], high[2];
     boxes_[number].Get(low[0], low[1], high[0], high[1]);
-    for (const GC::Surface_knot_line& line : GC::surface_knot_lines(*surfaces_[number])) {
+    for (const GC::Surface_knot_line& line : GC::surface_knot_lines(*surfaces_[number], reading.order)) {
       const int across = line.constant_u ? 0 : 1, along = 1 - across;
       const double margin = 1e-9 * (high[across] - low[across]); // on it the line is a boundary
       if (!(low[across] + margin < line.knot && line.knot < high[across] - margin)) continue;
@@ -260,7 +262,7 @@ class Model_builder {
         if (!(ends[i + 1] - ends[i] > 1e-9 * (high[along] - low[along]))) continue;
         const gp_Pnt2d point = line.constant_u ? gp_Pnt2d(line.knot, middle) : gp_Pnt2d(middle, line.knot);
         if (BRepClass_FaceClassifier(face, point, Precision::PConfusion()).State() != TopAbs_IN) continue;
-        add_knot_line(number, line, ends[i], ends[i + 1], drawing);
+        add_knot_line(number, line, ends[i], ends[i + 1], reading.drawing);
       }
     }
   }
@@ -334,18 +336,18 @@ public:
     compare_orientations(shape);
   }
 
-  Cad_model build(const TopoDS_Shape& shape, Cad_drawing drawing) {
+  Cad_model build(const TopoDS_Shape& shape, const Cad_reading& reading) {
     add_curves();
     for (std::size_t i = 0; i < boxes_.size(); ++i) add_face(i);
     for (std::size_t i = 0; i < uses_.size(); ++i) add_edge(i);
-    if (drawing == Cad_drawing::faces_and_edges) draw(shape);
-    for (std::size_t i = 0; i < boxes_.size(); ++i) add_knot_lines(i, drawing);
+    if (reading.drawing == Cad_drawing::faces_and_edges) draw(shape);
+    for (std::size_t i = 0; i < boxes_.size(); ++i) add_knot_lines(i, reading);
     return std::move(model_);
   }
 };
 
 } // namespace
 
-Cad_model cad_model(const TopoDS_Shape& shape, Cad_drawing drawing) {
-  return Model_builder(shape).build(shape, drawing);
+Cad_model cad_model(const TopoDS_Shape& shape, const Cad_reading& reading) {
+  return Model_builder(shape).build(shape, reading);
 }

@@ -33,7 +33,7 @@ void geometric_continuity_read_cad(const std::string& file, const Cad_reading& r
     std::vector<std::string> lost;
     TopoDS_Shape shape = read_shape(file, lost);
     const std::size_t sewn = reading.sewing ? sew(shape, *reading.sewing, lost) : 0;
-    model = cad_model(shape, reading.drawing);
+    model = cad_model(shape, reading);
     model.lost = std::move(lost);
     model.sewn = sewn;
   } catch (const Standard_OutOfMemory&) {

@@ -28,6 +28,6 @@ std::size_t sew(TopoDS_Shape& shape, double distance, std::vector<std::string>& 
 
 // Returns the faces and edges of a shape. Curves in the parameter planes that it lacks are added to it: projections of those in space. To be drawn,
 // faces are divided into triangles at the end.
-Cad_model cad_model(const TopoDS_Shape& shape, Cad_drawing drawing);
+Cad_model cad_model(const TopoDS_Shape& shape, const Cad_reading& reading);
 
 #endif // GEOMETRIC_CONTINUITY_TOOLS_FORMATS_CAD_OPENCASCADE_READ_MODEL_H

@@ -134,7 +134,7 @@ private:
   bool is_in_domain(const Box& x) const {
     for (std::size_t i = 0; i < 2; ++i) {
       const double margin = 1e-9 * (domain_[i].last - domain_[i].first);
-      if (x[i].sup() < domain_[i].first - margin || domain_[i].last + margin < x[i].inf()) return false;
+      if (x[i].inf() < domain_[i].first - margin || domain_[i].last + margin < x[i].sup()) return false;
     }
     return true;
   }
@@ -181,27 +181,60 @@ private:
     return {(c * f - b * g) / d, (a * g - b * f) / d};
   }
 
-  // A box in which there is one foot point, by Krawczyk's test. \pre x is close to it
+  // Which parameters of a foot point are at an end of the domain: -1 at the first, 1 at the last.
+  std::array<int, 2> at_ends(const Given_point<2>& x) const {
+    std::array<int, 2> at{};
+    for (std::size_t i = 0; i < 2; ++i) at[i] = x[i] == domain_[i].first ? -1 : x[i] == domain_[i].last ? 1 : 0;
+    return at;
+  }
+
+  // A box in which there is one foot point, by Krawczyk's test. At an end of the domain the distance must fall beyond the end, or the foot
+  // point may lie beyond it by rounding. \pre x is close to it
   std::optional<Box> foot_box(const Given_point<2>& x, const Interval_vector<3>& point) const {
+    const std::array<int, 2> at = at_ends(x);
+    if (const std::optional<Box> box = foot_box(x, point, {true, true}); box && is_in_domain(*box)) return box;
+    for (const std::array<bool, 2>& is_free :
+         {std::array<bool, 2>{at[0] == 0, at[1] == 0}, std::array<bool, 2>{at[0] == 0, true},
+          std::array<bool, 2>{true, at[1] == 0}}) {
+      if (is_free[0] && is_free[1]) continue;
+      const std::optional<Box> box = foot_box(x, point, is_free);
+      if (!box || !is_in_domain(*box)) continue;
+      const Equations e = equations(*box, point);
+      bool falls = true; // the gradient of half the square of the distance is f
+      for (std::size_t i = 0; i < 2; ++i)
+        falls = falls && (is_free[i] || (at[i] > 0 ? e.f[i].sup() < 0 : e.f[i].inf() > 0));
+      if (falls) return box;
+    }
+    return std::nullopt;
+  }
+
+  // The same among the points with the given values of the parameters that are not free.
+  std::optional<Box> foot_box(const Given_point<2>& x, const Interval_vector<3>& point,
+                              const std::array<bool, 2>& is_free) const {
     const Equations at = equations({Interval(x[0]), Interval(x[1])}, point);
     const double a = middle(at.a), b = middle(at.b), c = middle(at.c), d = a * c - b * b;
-    if (!(d > 0 && a > 0 && std::isfinite(d))) return std::nullopt;
-    const std::array<double, 3> y{c / d, -b / d, a / d}; // about the inverse
+    std::array<double, 3> y{c / d, -b / d, a / d}; // about the inverse
+    if (!is_free[0] || !is_free[1]) y = {is_free[0] ? 1 / a : 0, 0, is_free[1] ? 1 / c : 0};
+    for (double n : y)
+      if (!std::isfinite(n)) return std::nullopt;
+    if (!(a > 0 && c > 0) || (is_free[0] && is_free[1] && !(d > 0))) return std::nullopt;
     const Box step{Interval(y[0]) * at.f[0] + Interval(y[1]) * at.f[1],
                    Interval(y[1]) * at.f[0] + Interval(y[2]) * at.f[1]};
-    std::array<double, 2> radius;
-    for (std::size_t i = 0; i < 2; ++i) radius[i] = 2 * magnitude(step[i]) + 1e-15 * (1 + std::fabs(x[i]));
+    std::array<double, 2> radius{};
+    for (std::size_t i = 0; i < 2; ++i)
+      if (is_free[i]) radius[i] = 2 * magnitude(step[i]) + 1e-15 * (1 + std::fabs(x[i]));
     for (int attempt = 0; attempt < 12; ++attempt) {
       const Box delta{symmetric(radius[0]), symmetric(radius[1])},
           box{Interval(x[0]) + delta[0], Interval(x[1]) + delta[1]};
+      if (!is_in_one_piece(box)) return std::nullopt;
       const Equations e = equations(box, point);
       const Box moved{(1 - (Interval(y[0]) * e.a + Interval(y[1]) * e.b)) * delta[0] -
                           (Interval(y[0]) * e.b + Interval(y[1]) * e.c) * delta[1] - step[0],
                       (1 - (Interval(y[1]) * e.b + Interval(y[2]) * e.c)) * delta[1] -
                           (Interval(y[1]) * e.a + Interval(y[2]) * e.b) * delta[0] - step[1]};
-      if (!is_in_one_piece(box)) return std::nullopt;
-      if (magnitude(moved[0]) < radius[0] && magnitude(moved[1]) < radius[1])
-        return is_in_domain(box) ? std::optional<Box>(box) : std::nullopt;
+      if ((!is_free[0] || magnitude(moved[0]) < radius[0]) && (!is_free[1] || magnitude(moved[1]) < radius[1]))
+        return Box{Interval(x[0]) + (is_free[0] ? moved[0] : Interval(0)),
+                   Interval(x[1]) + (is_free[1] ? moved[1] : Interval(0))};
       for (double& r : radius) r *= 4;
     }
     return std::nullopt;
