@@ -63,7 +63,9 @@ BOOST_AUTO_TEST_CASE(slopes) {
   BOOST_TEST(GC::is_sharp_edge(ground, ramp(0, 1), 0.5, 1, 26 * degree) == Verdict::proved); // a part
   BOOST_TEST(GC::is_sharp_edge(ground, ramp(0, 1), 0.5, 1, 27 * degree) == Verdict::refuted);
   BOOST_TEST(GC::is_sharp_edge(ground, ramp(0, 1), 0.5, 0.5, 26 * degree) == Verdict::proved); // a point
-  BOOST_TEST(GC::is_sharp_edge(ground, ramp(1, 0.0875), 0, 1, 5 * degree, 3) == Verdict::undecided);
+  GC::Edge_precision little;
+  little.most_boxes = 3;
+  BOOST_TEST(GC::is_sharp_edge(ground, ramp(1, 0.0875), 0, 1, 5 * degree, little) == Verdict::undecided);
   GC::Edge_side turned = ramp(0, 0.01);
   turned.reversed = true;
   BOOST_TEST(GC::is_sharp_edge(ground, turned, 0, 1, 170 * degree) == Verdict::proved); // folded

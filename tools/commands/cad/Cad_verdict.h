@@ -74,7 +74,8 @@ struct Cad_verdict {
   std::optional<GC::Edge_maximum> deviation;      // of the curve in space from the side that is farther from it
   bool computed =
       false; // the curves in the parameter planes are foot points of that in space, which the program has computed
-  bool in_doubt = false; // what is wrong may be wrong with projections only
+  bool is_exhausted = false; // the work did not suffice
+  bool in_doubt = false;     // what is wrong may be wrong with projections only
 
   // Returns the highest order that is proved, or -1.
   int order() const {

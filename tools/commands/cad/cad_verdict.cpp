@@ -7,6 +7,8 @@
 #include <CGAL/Geometric_continuity/numbers/Enclosure.h>
 #include <CGAL/Geometric_continuity/numbers/units.h>
 
+#include <cmath>
+
 namespace {
 
 // A step of work is about a multiplication of machine words, see `Work_limit`; a part of an edge takes so many.
@@ -76,7 +78,10 @@ class Edge_decision {
     if (edge_.kind != Cad_edge_kind::degenerate && is_near == GC::Verdict::refuted &&
         !exceeds_at_feet(result.deviation->parameter, {true, true}, demand_.bounds.gap, distance))
       is_near = GC::Verdict::undecided;
-    result.in_doubt = result.in_doubt || is_near == GC::Verdict::undecided;
+    if (is_near == GC::Verdict::undecided && !std::isfinite(result.deviation->value.upper))
+      result.is_exhausted = true;
+    else
+      result.in_doubt = result.in_doubt || is_near == GC::Verdict::undecided;
     result.within[0] = result.within[0] && is_near;
   }
 
@@ -103,7 +108,7 @@ class Edge_decision {
     else if (is_kink == GC::Verdict::proved || edge_.kind == Cad_edge_kind::knot_line) // in a face nothing is meant
       result.shape = Cad_shape::kink;
     else {
-      result.is_corner = GC::is_sharp_edge(sides_[0], sides_[1], edge_.begin, edge_.end, least, precision_.boxes);
+      result.is_corner = GC::is_sharp_edge(sides_[0], sides_[1], edge_.begin, edge_.end, least, precision_);
       if (result.is_corner == GC::Verdict::proved) result.is_corner = is_open; // undecided when it may be a fold
       if (result.is_corner == GC::Verdict::proved)
         result.shape = Cad_shape::corner;
@@ -141,6 +146,7 @@ public:
     }
     result.enclosure = GC::edge_enclosure(sides_[0], sides_[1], edge_.begin, edge_.end, precision_);
     const GC::Edge_enclosure& e = *result.enclosure;
+    result.is_exhausted = e.exhausted;
     result.within[0] = GC::at_most(e.gap.value, demand_.bounds.gap);
     doubt(result, 0, e.gap, demand_.bounds.gap, &GC::Foot_comparison::gap);
     if (edge_.space) compare_curve(result);
@@ -169,8 +175,8 @@ public:
 
 // Why an edge is undecided.
 const char* open_reason(const Cad_verdict& verdict) {
+  if (verdict.is_exhausted) return "the work did not suffice, see --max-work";
   if (verdict.in_doubt) return "how far the curve in space is from the faces leaves it open";
-  if (verdict.enclosure->exhausted) return "the work did not suffice, see --max-work";
   if (!verdict.enclosure->unresolved.empty()) return "a normal can be told neither from zero nor to be zero";
   return "the tolerance lies between the bounds";
 }

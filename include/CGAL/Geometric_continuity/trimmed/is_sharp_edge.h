@@ -11,6 +11,7 @@
 #include <CGAL/Geometric_continuity/trimmed/Parametric_geometry.h>
 #include <CGAL/Geometric_continuity/trimmed/internal/edge_bounds.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <deque>
 #include <utility>
@@ -22,10 +23,11 @@ namespace Geometric_continuity {
 /// \ingroup PkgGeometricContinuityTrimmed
 /// Decides whether the angle between the oriented normals of two faces is larger than `bound`, in radians, on the *whole* edge, as it is
 /// along an edge that is meant to be sharp: proved, refuted when it is not on some part, or undecided. Points where a normal is proved to
-/// vanish are left out, as by `edge_enclosure()`; at most `boxes` parts of the range are evaluated, and 8 for each piece.
+/// vanish are left out, as by `edge_enclosure()`; so many parts of the range are evaluated at most as for one of its
+/// three numbers.
 /// \throws Error as `edge_enclosure()`
 inline Verdict is_sharp_edge(const Edge_side& a, const Edge_side& b, double first, double last, const Bound& bound,
-                             int boxes = Edge_precision().boxes) {
+                             const Edge_precision& precision = Edge_precision()) {
   using namespace internal;
   check_range(first, last, "is_sharp_edge: the range");
   const Protect_FPU_rounding<true> rounding_upwards;
@@ -36,7 +38,8 @@ inline Verdict is_sharp_edge(const Edge_side& a, const Edge_side& b, double firs
   if (ends.size() == 1) parts.emplace_back(first, last);
   bool defined = false, settled = true;
   int undefined_halvings = 0;
-  const double ranges = double(boxes) + 8 * static_cast<double>(ends.size());
+  const double ranges =
+      (std::min)(double(precision.most_boxes), precision.boxes + 8 * static_cast<double>(ends.size()));
   for (double evaluated = 0; !parts.empty(); ++evaluated) {
     if (evaluated >= ranges) return Verdict::undecided;
     const auto [lower, upper] = parts.front();
