@@ -63,9 +63,13 @@ and percent, and decides G0, G1 and G2 within --within GAP,ANGLEdeg,CURVATURE%,
 or within vda-4955 when it is not given. Geometry is taken as it is in the
 file; shapes are not healed, unless --sew DISTANCE lets OpenCASCADE join the
 boundary edges that are within this distance (in mm), as most IGES files need.
-An edge where the angle exceeds --kink-angle everywhere is a corner, of which
---require asks only G0; in places only, it is a fading corner, and may not be
-meant. What cannot be compared is undecided, and does not meet --require.
+An edge where the angle is at least --kink-angle everywhere is a corner, of
+which --require asks only G0; in places only, it is a fading corner, and may not
+be meant. Creases inside of faces are kinks, whatever their angle; a face that
+comes back below the other is a fold, one whose outside is inside fails as well.
+Curves in parameter planes that the file does not have are projections of those
+in space: how far they are from these is said, and what is only wrong with the
+projection does not count.
 
 --within 0.001,0.01deg,2% also tells how far each join is from continuous, in
 guaranteed bounds, and which orders it has when the ends may be apart by this

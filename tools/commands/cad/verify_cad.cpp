@@ -40,12 +40,11 @@ class Cad_report {
   bool names_files_; // in text
 
   static Report_subject subject(const Cad_demand& demand) {
-    Report_subject s{"edge of two sides", "every edge of two sides"};
+    Report_subject s{"edge of two sides", "every edge of two sides and every knot line"};
     s.proof = "proved";
     if (!demand.order) return s;
     const std::string order = 'G' + std::to_string(*demand.order);
     s.required = order + " within the tolerance";
-    if (*demand.order > 0) s.every = "every edge of two sides and every knot line";
     if (*demand.order > 0) s.required += " or a corner";
     s.required_in_json = "\"required\":\"" + order + '"';
     return s;
