@@ -61,13 +61,24 @@ class Edge_decision {
     result.in_doubt = result.in_doubt || static_cast<int>(order) <= demand_.most; // otherwise nobody asks
   }
 
+  // Whether the distance of the second side is bounded by that of the first one and the gap as well as is needed. Then the bound holds for both.
+  bool bounds_second_side(Cad_verdict& result) const {
+    if (edge_.kind == Cad_edge_kind::degenerate) return true; // twice the same
+    if (has_projections()) return false;                      // it is told
+    double& upper = result.deviation->value.upper;
+    const double both = (upper + result.enclosure->gap.value.upper) * (1 + 0x1p-40); // whatever the rounding
+    if (!(both <= demand_.bounds.gap.lower())) return false;
+    upper = both;
+    return true;
+  }
+
   // Compares the curve in space with both sides.
   void compare_curve(Cad_verdict& result) const {
     GC::Edge_precision precision = precision_;
     if (!has_projections()) precision.gap = (std::max)(precision.gap, demand_.bounds.gap.lower() / 4);
     std::size_t farther = 0;
     for (std::size_t i = 0; i < 2; ++i) {
-      if (i == 1 && edge_.kind == Cad_edge_kind::degenerate) break; // twice the same
+      if (i == 1 && bounds_second_side(result)) break;
       const GC::Edge_maximum d = GC::curve_deviation(sides_[i], *edge_.space, edge_.begin, edge_.end, precision);
       if (result.deviation && d.value.upper <= result.deviation->value.upper) continue;
       result.deviation = d;
@@ -209,8 +220,10 @@ Cad_verdict cad_verdict(const Cad_edge& edge, const Cad_demand& demand) {
     result = decision.decide();
     const bool is_far =
         result.deviation && GC::at_most(result.deviation->value, demand.bounds.gap) != GC::Verdict::proved;
-    for (int pieces : {32, 128, 512}) {
-      if (!result.in_doubt || !edge.space) break;
+    // What is wrong with a projection is measured with a better one.
+    const bool is_wrong = edge.projected && result.within[1] == GC::Verdict::refuted;
+    for (int pieces : {32, 256}) {
+      if (!edge.space || !(result.in_doubt || (is_wrong && !result.computed))) break;
       const bool was_computed = result.computed;
       const double before = result.deviation ? result.deviation->value.lower : 0;
       decision.project(pieces, is_far ? std::array<bool, 2>{true, true} : edge.projections);
