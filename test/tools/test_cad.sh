@@ -127,6 +127,13 @@ run 2 verify models/three.brep && run 1 verify models/three.brep --allow-empty
 says out "not covered: 1 edge, three faces or more share it" "not met, because not all was decided"
 run 0 verify models/three.brep --allow-empty --allow-uncovered
 
+# so is a face that could not be read: the others are decided, but not all is proved
+sed 's/CYLINDRICAL_SURFACE(/CYLINDRIC_SURFACE(/' models/fillet.step >lost.step
+run 1 verify lost.step --require G1 && says out "6 faces" "not read: #" "not covered: 1 element, it cannot be read" "not met, because"
+holds [ "$(grep -c ', proved' out)" -eq 0 ]
+run 1 verify lost.step --require G1 --json && says out '"met":false' '"not_covered":[{"what":"element"'
+run 0 verify lost.step --require G1 --allow-uncovered && says out "that was decided is G1"
+
 # options and names
 cp models/fillet.step UPPER.STP
 run 0 verify UPPER.STP && says out "7 faces"
