@@ -211,7 +211,8 @@ public:
   Row run() {
     const double start = processor_seconds();
     std::vector<std::string> lost;
-    const TopoDS_Shape shape = read_shape(file_, lost);
+    Shape_labels labels;
+    const TopoDS_Shape shape = read_shape(file_, lost, labels);
     const Cad_model model = cad_model(shape, Cad_reading());
     row_.reading = processor_seconds() - start;
     row_.edges = model.edges.size();

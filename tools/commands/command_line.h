@@ -97,6 +97,14 @@ public:
     return value;
   }
 
+  // The seconds that an option gives, or `otherwise` when it is not given.
+  double seconds(const std::string& option, double otherwise) const {
+    const double value = number(option, otherwise);
+    if (!(value > 0 && value < 1e6))
+      throw std::invalid_argument("--" + option + ": '" + text(option) + "' is not a positive number of seconds");
+    return value;
+  }
+
   // The numbers that an option gives, separated by commas.
   template <class FT> std::vector<FT> numbers(const std::string& option) const {
     const std::string words = text(option);

@@ -73,6 +73,8 @@ int report_command(const Arguments& arguments) {
     add("within", po::value<std::string>(),
         "for CAD models: the tolerance GAP,ANGLEdeg,CURVATURE% or a preset, vda-4955 if not given; see verify --help");
     add("sew", po::value<std::string>(), "for CAD models: join boundary edges that are within this distance, in mm");
+    add("time-limit", po::value<std::string>(),
+        "for CAD models: the seconds that reading one file may take, 60 if not given");
     add("glyphs", po::value<std::string>(), "the glyphs of fonts, e.g. a-z,U+00E9,ampersand");
     add("closed", "the last curve leads back to the first");
     add("surfaces", "the files hold the patches of a model");
@@ -92,20 +94,20 @@ int report_command(const Arguments& arguments) {
   Report_page page(static_cast<std::size_t>(line.integer("worst", 1, 50000)));
   page.title = line.has("title") ? line.text("title") : "Continuity of " + names(files);
   if (are_fonts(files)) {
-    line.refuse({"surfaces", "closed", "within", "sew"}, "not for fonts");
+    line.refuse({"surfaces", "closed", "within", "sew", "time-limit"}, "not for fonts");
     if (line.has("glyphs")) demand.glyphs = Glyph_selection(line.text("glyphs"));
     report_fonts(files, demand, page);
     return written(page, output);
   }
   line.refuse({"glyphs"}, "only for fonts");
   if (are_cad_files(files)) {
-    line.refuse({"surfaces", "closed", "max-work"}, "not for CAD models");
+    line.refuse({"surfaces", "closed"}, "not for CAD models");
     if (line.has("within")) demand.tolerance = line.text("within");
-    demand.sewing = line.length("sew");
+    demand.reading = {Cad_drawing::faces_and_edges, line.length("sew"), line.seconds("time-limit", 60)};
     report_cad(files, demand, page);
     return written(page, output);
   }
-  line.refuse({"within", "sew"}, "only for CAD models");
+  line.refuse({"within", "sew", "time-limit"}, "only for CAD models");
   const auto drawings = std::count_if(files.begin(), files.end(), is_svg_file);
   if (drawings != 0) {
     if (drawings != static_cast<std::ptrdiff_t>(files.size()))

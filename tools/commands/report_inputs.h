@@ -6,23 +6,23 @@
 #define GEOMETRIC_CONTINUITY_TOOLS_COMMANDS_REPORT_INPUTS_H
 
 #include "commands/commands.h"
+#include "formats/cad/Cad_reading.h"
 #include "formats/font/Glyph_selection.h"
 #include "reports/report_page.h"
 
 #include <CGAL/Geometric_continuity/joins/Kink_bound.h>
 #include <CGAL/Geometric_continuity/numbers/Work_limit.h>
 
-#include <optional>
 #include <string>
 
 // What `report` asks of its inputs.
 struct Report_demand {
   GC::Kink_bound kink_bound;
-  GC::Work_limit limit;         // for each join, edge or curve
-  bool closed = false;          // the last curve of a chain leads back to its first
-  Glyph_selection glyphs;       // of fonts
-  std::string tolerance;        // of CAD models, as it is written; empty for that of `verify`
-  std::optional<double> sewing; // of CAD models, see `Cad_reading`
+  GC::Work_limit limit;   // for each join, edge or curve
+  bool closed = false;    // the last curve of a chain leads back to its first
+  Glyph_selection glyphs; // of fonts
+  std::string tolerance;  // of CAD models, as it is written; empty for that of `verify`
+  Cad_reading reading;    // of CAD models
 };
 
 // Each of these reads files, decides about their joins, and puts these on the page.

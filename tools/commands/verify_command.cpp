@@ -63,6 +63,7 @@ and percent, and decides G0, G1 and G2 within --within GAP,ANGLEdeg,CURVATURE%,
 or within vda-4955 when it is not given. Geometry is taken as it is in the
 file; shapes are not healed, unless --sew DISTANCE lets OpenCASCADE join the
 boundary edges that are within this distance (in mm), as most IGES files need.
+Each file is read by a process of its own, within --time-limit seconds.
 An edge where the angle is at least --kink-angle everywhere is a corner, of
 which --require asks only G0; in places only, it is a fading corner, and may not
 be meant. Creases inside of faces are kinks, whatever their angle; a face that
@@ -128,7 +129,8 @@ Kink_rule kink_rule(const Command_line& line) {
 
 // What is asked of all instances of variable fonts.
 Instance_demand instance_demand(const Command_line& line) {
-  line.refuse({"surfaces", "closed", "within", "sew", "kernel", "max-order", "require"}, "not with --all-instances");
+  line.refuse({"surfaces", "closed", "within", "sew", "time-limit", "kernel", "max-order", "require"},
+              "not with --all-instances");
   const bool required = line.has("max-kink");
   const std::string max_kink = required ? line.text("max-kink") : "0.5";
   const Exact degrees = line.number<Exact>("max-kink", Exact(1) / Exact(2));
@@ -144,7 +146,8 @@ Instance_demand instance_demand(const Command_line& line) {
 
 // What is asked of fonts.
 Font_demand font_demand(const Command_line& line, const std::optional<Requirement>& required) {
-  line.refuse({"surfaces", "closed", "within", "sew", "kernel", "max-order", "max-work"}, "not for fonts");
+  line.refuse({"surfaces", "closed", "within", "sew", "time-limit", "kernel", "max-order", "max-work"},
+              "not for fonts");
   Font_demand demand;
   if (line.has("glyphs")) demand.glyphs = Glyph_selection(line.text("glyphs"));
   demand.worst = static_cast<std::size_t>(line.integer("worst", 0, 1000000));
@@ -188,6 +191,8 @@ int verify_command(const Arguments& arguments) {
         "larger "
         "is a corner, which need not meet the requirement then, in fonts and CAD models never");
     add("sew", po::value<std::string>(), "for CAD models: join boundary edges that are within this distance, in mm");
+    add("time-limit", po::value<std::string>(),
+        "for CAD models: the seconds that reading one file may take, 60 if not given");
     add("all-instances", "of variable fonts: enclose the largest kink of each join over all instances");
     add("max-kink", po::value<std::string>(),
         "with --all-instances: the angle in degrees that no instance may exceed; 0.5 in the report if not given");
@@ -221,8 +226,10 @@ int verify_command(const Arguments& arguments) {
   line.refuse({"max-kink"}, "only with --all-instances");
   if (are_fonts(files)) return verify_fonts(files, mode, font_demand(line, required));
   line.refuse({"glyphs", "worst"}, "only for fonts");
-  if (are_cad_files(files)) return verify_cad(files, mode, cad_demand(line, required), line.length("sew"));
-  line.refuse({"sew"}, "only for CAD models");
+  if (are_cad_files(files))
+    return verify_cad(files, mode, cad_demand(line, required),
+                      {Cad_drawing::none, line.length("sew"), line.seconds("time-limit", 60)});
+  line.refuse({"sew", "time-limit"}, "only for CAD models");
   const auto drawings = std::count_if(files.begin(), files.end(), is_svg_file);
   if (drawings != 0) {
     if (drawings != static_cast<std::ptrdiff_t>(files.size()))

@@ -33,8 +33,9 @@ typedef std::vector<std::shared_ptr<const Report_curve>> Report_outline;
 constexpr std::size_t most_curves_of_outline = 2000;
 
 struct Report_item {
-  std::size_t number = 0;     // in the order of the files, from 1 on
-  std::string place, verdict; // in words
+  std::size_t number = 0;         // in the order of the files, from 1 on
+  std::string place, verdict;     // in words
+  std::vector<std::string> marks; // what is to be known of it at first sight, e.g. "projected"
   Report_grade grade = Report_grade::undecided;
   std::optional<GC::Enclosure> angle;              // degrees
   std::optional<GC::Enclosure> curvature_jump;     // percent of the larger curvature
@@ -61,6 +62,7 @@ struct Report_model {
     int m, n;                                // cells in both directions
     std::vector<double> points;              // (m + 1) (n + 1) in space, the first index runs fastest
     std::vector<std::size_t> triangles = {}; // if any, the points are theirs: three numbers each, and no cells
+    std::string colour = {};                 // that it has in the file, "#rrggbb"
   };
   struct Edge {
     std::string grade;

@@ -79,10 +79,16 @@ public:
   }
 };
 
+std::string page_marks(const std::vector<std::string>& marks) {
+  std::string json;
+  for (const std::string& mark : marks) json += (json.empty() ? ",\"marks\":[" : ",") + page_string(mark);
+  return json.empty() ? json : json + ']';
+}
+
 std::string page_item(const Report_item& item, double extent, Curve_numbers& curves) {
   std::string json = "{\"number\":" + std::to_string(item.number) + ",\"grade\":\"" + report_grade_name(item.grade) +
                      "\",\"place\":" + page_string(item.place) + ",\"verdict\":" + page_string(item.verdict) +
-                     ",\"angle\":" + page_bounds(item.angle);
+                     page_marks(item.marks) + ",\"angle\":" + page_bounds(item.angle);
   if (item.left || item.curvature_jump) json += ",\"jump\":" + page_bounds(item.curvature_jump);
   if (item.left)
     json += ",\"left\":" + std::to_string(curves(*item.left)) + ",\"right\":" + std::to_string(curves(*item.right));
@@ -112,8 +118,9 @@ void write_model(std::ostream& os, const Report_model& model) {
   const char* separator = "\n";
   for (std::size_t i = 0; i < model.patches.size(); ++i) {
     const Report_model::Patch& p = model.patches[i];
-    os << separator << "{\"m\":" << p.m << ",\"n\":" << p.n
-       << ",\"points\":" << page_numbers(p.points, "surface " + std::to_string(i));
+    os << separator << "{\"m\":" << p.m << ",\"n\":" << p.n;
+    if (!p.colour.empty()) os << ",\"colour\":\"" << p.colour << '"';
+    os << ",\"points\":" << page_numbers(p.points, "surface " + std::to_string(i));
     for (std::size_t j = 0; j < p.triangles.size(); ++j) os << (j == 0 ? ",\"triangles\":[" : ",") << p.triangles[j];
     os << (p.triangles.empty() ? "}" : "]}");
     separator = ",\n";
@@ -185,7 +192,8 @@ void Report_page::write(std::ostream& os) const {
      << ",\n\"notes\":[";
   for (std::size_t i = 0; i < notes.size(); ++i) os << (i == 0 ? "\n" : ",\n") << page_string(notes[i]);
   os << "],\n\"dimension\":" << dimension << ",\"down\":" << (down ? "true" : "false") << ",\"whole\":\""
-     << (whole_is_em ? "em" : "whole") << '"' << ",\"total\":" << total_ << ",\"counts\":{";
+     << (whole_is_em ? "em" : "whole") << "\",\"numbered\":" << (is_numbered ? "true" : "false")
+     << ",\"total\":" << total_ << ",\"counts\":{";
   for (std::size_t i = 0; i < counts_.size(); ++i)
     os << (i == 0 ? "\"" : ",\"") << grade_names[i] << "\":" << counts_[i];
   os << "},\n\"joins\":[";

@@ -31,6 +31,7 @@ public:
   int dimension = 2;
   bool down = false;        // the second coordinate grows downwards
   bool whole_is_em = false; // severities are already in parts of the whole, an em
+  bool is_numbered = true;  // the numbers of the items are shown; otherwise their places have numbers
   std::optional<Report_model> model;
 
   // A page that shows at most so many joins.

@@ -29,9 +29,12 @@
 #include <Geom_ToroidalSurface.hxx>
 #include <IGESControl_Controller.hxx>
 #include <IGESControl_Writer.hxx>
+#include <Interface_Static.hxx>
 #include <Message.hxx>
 #include <Message_Messenger.hxx>
 #include <STEPControl_Writer.hxx>
+#include <TColStd_Array1OfInteger.hxx>
+#include <TColStd_Array1OfReal.hxx>
 #include <TColgp_Array2OfPnt.hxx>
 #include <TColgp_HArray1OfPnt.hxx>
 #include <TopExp.hxx>
@@ -155,6 +158,42 @@ TopoDS_Shape moved(const TopoDS_Shape& shape) {
   return shape.Moved(TopLoc_Location(translation * rotation));
 }
 
+// Ground that has been measured, as it were: a bicubic spline surface of many knots, up and down.
+TopoDS_Shape rough() {
+  constexpr int n = 90;
+  TColgp_Array2OfPnt points(1, n, 1, n);
+  for (int i = 1; i <= n; ++i)
+    for (int j = 1; j <= n; ++j) points(i, j) = gp_Pnt(i, j, 3 * std::sin(double(i * i + 3 * j * j)));
+  TColStd_Array1OfReal knots(1, n - 2);
+  TColStd_Array1OfInteger multiplicities(1, n - 2);
+  for (int i = 1; i <= n - 2; ++i) {
+    knots(i) = i;
+    multiplicities(i) = i == 1 || i == n - 2 ? 4 : 1;
+  }
+  const Handle(Geom_BSplineSurface) surface =
+      new Geom_BSplineSurface(points, knots, knots, multiplicities, multiplicities, 3, 3);
+  return BRepBuilderAPI_MakeFace(surface, 1e-7).Shape();
+}
+
+// A part at eleven places, and another one; in STEP with the structure of the assembly.
+void write_assembly(const TopoDS_Shape& part, const TopoDS_Shape& other) {
+  TopoDS_Compound assembly;
+  BRep_Builder().MakeCompound(assembly);
+  BRep_Builder().Add(assembly, other);
+  TopoDS_Shape next = part;
+  for (int i = 0; i < 11; ++i) {
+    BRep_Builder().Add(assembly, next);
+    next = moved(next);
+  }
+  write(assembly, "assembly.brep");
+  STEPControl_Writer writer;
+  Interface_Static::SetIVal("write.step.assembly", 1);
+  require(writer.Transfer(assembly, STEPControl_AsIs) == IFSelect_RetDone &&
+              writer.Write("assembly.step") == IFSelect_RetDone,
+          "assembly.step");
+  Interface_Static::SetIVal("write.step.assembly", 0);
+}
+
 } // namespace
 
 int main() {
@@ -165,6 +204,8 @@ int main() {
   write(compound({fillet, moved(fillet)}), "moved.brep");
   for (const char* name : {"separated.brep", "separated.igs"}) write(separated(fillet), name);
   const TopoDS_Shape cylinder = BRepPrimAPI_MakeCylinder(3, 10).Shape();
+  write_assembly(fillet, cylinder);
+  write(rough(), "rough.brep");
   for (const char* name : {"cylinder.brep", "cylinder.step"}) write(cylinder, name);
   // The radius 5, cut 2.5 above the centre: the normals there are 60 degrees apart.
   const TopoDS_Shape sphere = BRepPrimAPI_MakeSphere(gp_Ax2(), 5, -M_PI / 2, M_PI / 6).Shape();

@@ -19,7 +19,15 @@
 
 // The words in which reports speak of an edge of a CAD model.
 
-// Returns e.g. "edge 7 (plane 3 - cylinder 4)": the numbers of the faces behind what they are.
+// Returns what the file says of a face, e.g. `#123 "top"`; empty if it says nothing.
+inline std::string cad_label(std::size_t face, const Cad_model& model) {
+  if (face >= model.labels.size()) return "";
+  const Cad_label& label = model.labels[face];
+  return label.name.empty() ? label.id : label.id + (label.id.empty() ? "\"" : " \"") + label.name + '"';
+}
+
+// Returns e.g. `edge 7 (plane 3 - cylinder 4; #123, #140 "bore") of bolt:1`: the numbers of the faces behind what they are, what the file says of
+// them, and the placed part, if there are several.
 inline std::string cad_place(std::size_t number, const Cad_edge& edge, const Cad_model& model) {
   std::string text = "edge " + std::to_string(number);
   const char* separator = " (";
@@ -27,7 +35,15 @@ inline std::string cad_place(std::size_t number, const Cad_edge& edge, const Cad
     text += separator + model.faces[face] + ' ' + std::to_string(face);
     separator = " - ";
   }
-  return text + ')';
+  separator = "; ";
+  for (const std::size_t face : edge.faces)
+    if (const std::string label = cad_label(face, model); !label.empty()) {
+      text += separator + label;
+      separator = ", ";
+    }
+  text += ')';
+  if (model.instances.empty() || edge.faces.empty()) return text;
+  return text + " of " + model.instances[model.labels[edge.faces[0]].instance];
 }
 
 // Returns "inner", "seam, closed" and the like.
@@ -50,6 +66,12 @@ inline std::string cad_no_point(const Cad_verdict& verdict) {
   std::ostringstream os;
   os << "said to be a point, but " << verdict.deviation->value << " mm long at least";
   return os.str();
+}
+
+// Returns e.g. "100 placed parts, 2 different ones".
+inline std::string parts_words(std::size_t instances, std::size_t shapes) {
+  return std::to_string(instances) + " placed parts, " + std::to_string(shapes) +
+         " different: what is equal is decided once";
 }
 
 // Returns what sewing has done.

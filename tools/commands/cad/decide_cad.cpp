@@ -10,6 +10,7 @@
 #include "formats/cad/read_cad.h"
 
 #include <algorithm>
+#include <map>
 #include <optional>
 #include <stdexcept>
 #include <utility>
@@ -21,6 +22,52 @@ struct Edge_batch {
   std::size_t edge;
   Cad_verdict verdict;
 };
+
+// What decides about an edge, apart from where its part is placed: curves and surfaces that are shared are the same.
+std::string key_of(const Cad_edge& edge) {
+  std::string key;
+  const auto add = [&](const auto& x) { key.append(reinterpret_cast<const char*>(&x), sizeof x); };
+  add(edge.kind);
+  add(edge.inside_out);
+  add(edge.projections);
+  add(edge.begin);
+  add(edge.end);
+  for (const GC::Edge_side& side : *edge.sides) {
+    add(side.surface.get());
+    add(side.curve.get());
+    add(side.placement);
+    add(side.reversed);
+    add(side.face_side);
+  }
+  if (edge.space) {
+    add(edge.space->curve.get());
+    add(edge.space->placement);
+  }
+  return key;
+}
+
+// For each edge the first one that has the same verdict.
+std::vector<std::size_t> equal_edges(const std::vector<Cad_edge>& edges) {
+  std::vector<std::size_t> result;
+  std::map<std::string, std::size_t> known;
+  for (std::size_t i = 0; i < edges.size(); ++i)
+    result.push_back(edges[i].sides ? known.emplace(key_of(edges[i]), i).first->second : i);
+  return result;
+}
+
+// Moves the points of a verdict from the part to where it is placed.
+void move(Cad_verdict& verdict, const GC::Given_placement& place) {
+  const auto move_point = [&](GC::Edge_maximum& x) {
+    const GC::Given_point<3> p = x.point;
+    for (std::size_t i = 0; i < 3; ++i)
+      x.point[i] = place[i][0] * p[0] + place[i][1] * p[1] + place[i][2] * p[2] + place[i][3];
+  };
+  if (verdict.deviation) move_point(*verdict.deviation);
+  if (!verdict.enclosure) return;
+  move_point(verdict.enclosure->gap);
+  if (verdict.enclosure->angle) move_point(*verdict.enclosure->angle);
+  if (verdict.enclosure->curvature_jump) move_point(*verdict.enclosure->curvature_jump);
+}
 
 } // namespace
 
@@ -37,18 +84,23 @@ Decided_cad_file decide_cad(const std::string& file, const Cad_demand& demand, c
   Decided_cad_file result{file, read_cad(file, with_order), {}};
   const std::vector<Cad_edge>& edges = result.model.edges;
   Progress progress("edges");
+  const std::vector<std::size_t> first = equal_edges(edges);
   std::size_t next = 0;
   const auto read = [&](Edge_batch& batch) {
     batch.edge = next++;
     return batch.edge < edges.size();
   };
-  const auto work = [&](Edge_batch& batch) { batch.verdict = cad_verdict(edges[batch.edge], demand); };
+  const auto work = [&](Edge_batch& batch) {
+    if (first[batch.edge] == batch.edge) batch.verdict = cad_verdict(edges[batch.edge], demand);
+  };
   const auto take = [&](Edge_batch& batch) {
-    result.verdicts.push_back(std::move(batch.verdict));
+    const std::size_t same = first[batch.edge];
+    result.verdicts.push_back(same == batch.edge ? std::move(batch.verdict) : result.verdicts[same]);
     const std::size_t done = result.verdicts.size();
     progress.step(done, [&] { return double(done) / double(edges.size()); });
   };
   for_batches<Edge_batch>(read, work, take);
+  for (std::size_t i = 0; i < edges.size(); ++i) move(result.verdicts[i], edges[i].place);
   return result;
 }
 
@@ -56,6 +108,8 @@ void Cad_summary::add(const Decided_cad_file& file) {
   faces += file.model.faces.size();
   lost += file.model.lost.size();
   sewn += file.model.sewn;
+  instances += file.model.instances.size();
+  shapes += file.model.shapes;
   for (std::size_t i = 0; i < file.verdicts.size(); ++i) {
     const Cad_edge& edge = file.model.edges[i];
     const Cad_verdict& verdict = file.verdicts[i];

@@ -6,6 +6,7 @@
 #define GEOMETRIC_CONTINUITY_TOOLS_COMMANDS_CAD_DECIDE_CAD_H
 
 #include "commands/cad/Cad_verdict.h"
+#include "formats/cad/Cad_reading.h"
 
 #include <CGAL/Geometric_continuity/joins/Kink_bound.h>
 
@@ -31,12 +32,13 @@ struct Cad_summary {
   std::size_t faces = 0, inner = 0, seams = 0, boundary = 0, non_manifold = 0, degenerate = 0, knot_lines = 0;
   std::size_t g2 = 0, g1 = 0, g0 = 0, gaps = 0, undecided = 0; // by the order that is proved
   std::size_t kinks = 0, corners = 0, fading_corners = 0, bent = 0, folds = 0, inside_out = 0;
-  std::size_t no_points = 0;    // of those that are degenerate: it is not proved that they are points
-  std::size_t exact = 0;        // decided with no tolerance as well
-  std::size_t not_compared = 0; // of those that are undecided
-  std::size_t projected = 0;    // edges with curves that are not in the file
-  std::size_t sewn = 0;         // edges that sewing made of two
-  std::size_t lost = 0;         // things that could not be read
+  std::size_t no_points = 0;             // of those that are degenerate: it is not proved that they are points
+  std::size_t exact = 0;                 // decided with no tolerance as well
+  std::size_t not_compared = 0;          // of those that are undecided
+  std::size_t projected = 0;             // edges with curves that are not in the file
+  std::size_t sewn = 0;                  // edges that sewing made of two
+  std::size_t instances = 0, shapes = 0; // placed parts, if there are several, and the different ones among them
+  std::size_t lost = 0;                  // things that could not be read
 
   std::size_t decided() const { return inner + seams + knot_lines; }
 

@@ -5,9 +5,11 @@
 #include "commands/cad/Cad_words.h"
 #include "commands/cad/decide_cad.h"
 #include "commands/report_inputs.h"
+#include "commands/tolerances.h"
 #include "reports/words.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <iterator>
@@ -44,20 +46,39 @@ const GC::Edge_maximum& worst(const GC::Edge_enclosure& e, Report_grade grade) {
   return grade >= Report_grade::g1 && e.curvature_jump ? *e.curvature_jump : *e.angle;
 }
 
+// The page tells G1 from G2 also within a tolerance that has no bound of curvatures: then the relative jump of G2 is at most this.
+constexpr const char* page_curvature = "0.1%";
+
+Cad_demand page_demand(const std::string& tolerance, const Report_demand& asked) {
+  Cad_demand demand = demand_within(tolerance, asked.kink_bound);
+  demand.work = asked.limit;
+  if (demand.most > 1) return demand;
+  demand.bounds.curvature = parse_tolerances(std::string("1,1deg,") + page_curvature, false).joins.curvature;
+  demand.tolerance += std::string(", and G2 within a curvature jump of ") + page_curvature;
+  return demand;
+}
+
+// The same bounds, rounded outwards where they are so near to zero that nobody needs to know how near.
+GC::Enclosure readable(const GC::Enclosure& x) {
+  const double least = std::nextafter(1e-9, 0.); // mm, degrees or percent; not above the decimal
+  return {x.lower < least ? 0 : x.lower, x.upper > 0 && x.upper < least ? least : x.upper};
+}
+
 // The edge as a card of the page, without what is drawn.
 Report_item item_of(std::size_t number, const Cad_edge& edge, const Cad_verdict& verdict, const Cad_model& model) {
   Report_item item;
   item.place = cad_place(number, edge, model) + ' ' + cad_kind(edge);
   item.verdict = verdict.enclosure ? cad_order(verdict) : verdict.reason;
   item.grade = grade(verdict);
+  if (edge.projected) item.marks.push_back("projected");
   if (!verdict.enclosure) return item;
   const GC::Edge_enclosure& e = *verdict.enclosure;
-  item.gap = e.gap.value;
-  if (e.angle) item.angle = GC::in_degrees(e.angle->value);
-  if (e.curvature_jump) item.curvature_jump = GC::in_percent(e.curvature_jump->value);
+  item.gap = readable(e.gap.value);
+  if (e.angle) item.angle = readable(GC::in_degrees(e.angle->value));
+  if (e.curvature_jump) item.curvature_jump = readable(GC::in_percent(e.curvature_jump->value));
   if (!e.singular.empty()) item.verdict += ", a normal vanishes near the parameter " + rounded(e.singular[0].first, 6);
   const GC::Edge_maximum& worst = ::worst(e, item.grade);
-  for (const double x : worst.point) item.point.push_back(rounded(x, 6));
+  for (const double x : worst.point) item.point.push_back(rounded(std::abs(x) < 1e-9 ? 0 : x, 6));
   item.parameter = rounded(worst.parameter, 6);
   item.severity = worst.value.upper;
   return item;
@@ -69,6 +90,8 @@ class Cad_page {
   const Cad_reading reading_;
   Report_page& page_;
   Cad_summary summary_;
+  std::size_t healed_ = 0;                         // faces that are drawn so
+  double healed_distance_ = 0;                     // of their edges
   std::vector<Report_model::Edge> edges_, others_; // those of two sides, and the boundaries
   std::vector<Report_model::Patch> faces_;
 
@@ -86,8 +109,15 @@ class Cad_page {
     return result;
   }
 
-  static Report_model::Patch drawn(const Cad_mesh& mesh) {
+  static Report_model::Patch drawn(const Cad_mesh& mesh, const std::optional<std::array<double, 3>>& colour) {
     Report_model::Patch result{0, 0, coordinates(mesh.points)};
+    if (colour) {
+      result.colour = "#";
+      for (const double x : *colour) {
+        const int value = x > 0 ? x < 1 ? static_cast<int>(std::lround(255 * x)) : 255 : 0;
+        result.colour += {"0123456789abcdef"[value / 16], "0123456789abcdef"[value % 16]};
+      }
+    }
     if (!result.points.empty())
       for (const auto& t : mesh.triangles) result.triangles.insert(result.triangles.end(), t.begin(), t.end());
     return result;
@@ -98,14 +128,19 @@ class Cad_page {
     std::vector<Report_model::Patch> all(faces_.size(), {0, 0, {}});
     all.swap(faces_);
     std::size_t drawn = 0, left_out = 0, failed = 0;
+    bool is_worst = true; // the faces of the worst edge are drawn in any case
     const auto keep = [&](std::size_t face) {
       const std::size_t triangles = all[face].triangles.size() / 3;
-      if (triangles == 0 || drawn + triangles > most_drawn_triangles) return;
+      if (triangles == 0 || (!is_worst && drawn + triangles > most_drawn_triangles)) return;
       drawn += triangles;
       faces_[face] = std::move(all[face]);
       all[face] = {0, 0, {}};
     };
-    for (const Report_model::Edge& edge : shown) std::for_each(edge.patches.begin(), edge.patches.end(), keep);
+    for (const Report_model::Edge& edge : shown) {
+      std::for_each(edge.patches.begin(), edge.patches.end(), keep);
+      is_worst = false;
+    }
+    is_worst = false;
     for (std::size_t face = 0; face < all.size(); ++face) {
       keep(face);
       left_out += !all[face].triangles.empty();
@@ -131,15 +166,23 @@ class Cad_page {
   }
 
 public:
-  Cad_page(const Cad_demand& demand, std::optional<double> sewing, Report_page& page)
-      : demand_(demand), reading_{Cad_drawing::faces_and_edges, sewing}, page_(page) {}
+  Cad_page(const Cad_demand& demand, const Cad_reading& reading, Report_page& page)
+      : demand_(demand), reading_(reading), page_(page) {}
 
   // Reads a file and gathers its edges. Their places begin so.
   void gather(const std::string& file, const std::string& before) {
     const Decided_cad_file decided = decide_cad(file, demand_, reading_);
     summary_.add(decided);
     const std::size_t first_face = faces_.size();
-    for (const Cad_mesh& mesh : decided.model.meshes) faces_.push_back(drawn(mesh));
+    for (std::size_t i = 0; i < decided.model.meshes.size(); ++i) {
+      const Cad_mesh& mesh = decided.model.meshes[i];
+      faces_.push_back(drawn(mesh, decided.model.labels[i].colour));
+      if (!mesh.healed || mesh.triangles.empty()) continue;
+      ++healed_;
+      healed_distance_ = (std::max)(healed_distance_, *mesh.healed);
+    }
+    for (const auto& [face, reason] : decided.model.not_covered)
+      page_.notes.push_back(file + ": not covered: face " + std::to_string(face) + ": " + reason);
     for (const std::string& lost : decided.model.lost) page_.notes.push_back(file + ": not read: " + lost);
     for (std::size_t i = 0; i < decided.verdicts.size(); ++i) {
       const Cad_edge& edge = decided.model.edges[i];
@@ -151,6 +194,8 @@ public:
       item.place = before + item.place;
       if (!page_.count(item.grade, item.severity)) continue;
       item.number = page_.total();
+      for (const std::size_t face : edge.faces)
+        if (decided.model.meshes[face].healed && item.marks.size() < 2) item.marks.push_back("healed drawing");
       item.edge = edges_.size();
       edges_.push_back(drawn(edge, report_grade_name(item.grade), first_face));
       page_.add(std::move(item));
@@ -170,6 +215,11 @@ public:
     if (summary_.non_manifold > 0)
       page_.notes.push_back(counted(summary_.non_manifold, "edge") +
                             " of three faces or more: drawn as boundary, not decided.");
+    if (healed_ > 0)
+      page_.notes.push_back(counted(healed_, "face") + " drawn after OpenCASCADE has healed the boundary, up to " +
+                            rounded(healed_distance_, 2) +
+                            " mm from the edges: what was decided is the face as it is given.");
+    if (summary_.instances > 0) page_.notes.push_back(parts_words(summary_.instances, summary_.shapes) + '.');
     if (summary_.sewn > 0) page_.notes.push_back(sewn_words(summary_.sewn) + '.');
     if (summary_.projected > 0)
       page_.notes.push_back(
@@ -184,9 +234,9 @@ public:
 
 void report_cad(const Arguments& files, const Report_demand& demand, Report_page& page) {
   page.dimension = 3;
-  Cad_page gatherer(
-      demand_within(demand.tolerance.empty() ? default_cad_tolerance : demand.tolerance, demand.kink_bound),
-      demand.sewing, page);
+  page.is_numbered = false; // the places have numbers
+  Cad_page gatherer(page_demand(demand.tolerance.empty() ? default_cad_tolerance : demand.tolerance, demand),
+                    demand.reading, page);
   for (const std::string& file : files) gatherer.gather(file, files.size() > 1 ? file + ": " : "");
   gatherer.finish();
 }

@@ -127,6 +127,7 @@ class Cad_report {
        << s.boundary << " boundary, " << s.degenerate << " degenerate, " << s.non_manifold << " non-manifold";
     if (s.knot_lines > 0) os << "; " << counted(s.knot_lines, "knot line") << " inside of faces";
     os << '\n';
+    if (s.instances > 0) os << parts_words(s.instances, s.shapes) << '\n';
     if (s.sewn > 0) os << sewn_words(s.sewn) << '\n';
     if (s.decided() == 0 && s.boundary > 0) os << "--sew DISTANCE joins boundary edges that coincide\n";
     if (s.decided() > 0) {
@@ -165,7 +166,6 @@ public:
 
 } // namespace
 
-int verify_cad(const Arguments& files, const Report_mode& mode, const Cad_demand& demand,
-               std::optional<double> sewing) {
-  return Cad_report(files, mode, demand, {Cad_drawing::none, sewing}).print();
+int verify_cad(const Arguments& files, const Report_mode& mode, const Cad_demand& demand, const Cad_reading& reading) {
+  return Cad_report(files, mode, demand, reading).print();
 }

@@ -54,22 +54,24 @@ struct Cad_edge {
   std::array<bool, 2> projections{};                 // which of the sides have curves that are projections
   std::optional<GC::Edge_curve> space; // the curve in space, if there is one; of a degenerate edge its first point
   bool inside_out = false;             // the faces are oriented as if one were turned inside out
+  // Where the sides, and the curve in space, are placed in the model: a part has the same ones wherever it is placed.
+  GC::Given_placement place = {{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}}};
+};
+
+// What a file says of a face.
+struct Cad_label {
+  std::string id;                              // of its entity, e.g. "#123"
+  std::string name;                            // empty if it has none
+  std::optional<std::array<double, 3>> colour; // red, green and blue from 0 to 1
+  std::size_t instance = 0;                    // the number of the placed part that has it
 };
 
 // A face as it is drawn: rounded points, and triangles by their numbers. Empty if it cannot be drawn.
 struct Cad_mesh {
   std::vector<GC::Given_point<3>> points;
   std::vector<std::array<std::size_t, 3>> triangles;
-};
-
-// What is read of it beyond what decides.
-enum class Cad_drawing { none, faces_and_edges };
-
-// How a file is read.
-struct Cad_reading {
-  Cad_drawing drawing = Cad_drawing::none;
-  std::optional<double> sewing; // boundary edges of two faces that are so near to each other become one, in mm
-  int order = 1; // knot lines are those where a surface need not be continuously differentiable so many times
+  // Of a face whose boundary has been healed, which is not the one that is decided: how far the edges are from the triangles, rounded.
+  std::optional<double> healed;
 };
 
 struct Cad_model {
@@ -79,6 +81,10 @@ struct Cad_model {
   std::vector<std::string> lost;                                // what of the file could not be read, with the reason
   std::size_t sewn = 0;                                         // edges that sewing made of two
   std::vector<std::pair<std::size_t, std::string>> not_covered; // faces whose surfaces could not be read, and why
+  std::vector<Cad_label> labels;                                // of the faces
+  std::vector<std::string>
+      instances; // the names of the placed parts, if there are several and a part is placed again or has a name
+  std::size_t shapes = 0; // the different parts among them
 };
 
 #endif // GEOMETRIC_CONTINUITY_TOOLS_FORMATS_CAD_CAD_MODEL_H

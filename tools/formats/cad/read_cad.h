@@ -7,6 +7,7 @@
 
 #include "commands/commands.h"
 #include "formats/cad/Cad_model.h"
+#include "formats/cad/Cad_reading.h"
 
 #include <string>
 

@@ -7,9 +7,11 @@
 #include "formats/cad/opencascade/read_model.h"
 
 #include <BRepAdaptor_Curve.hxx>
+#include <BRepAdaptor_Surface.hxx>
 #include <BRepBndLib.hxx>
 #include <BRepBuilderAPI_Copy.hxx>
 #include <BRepMesh_IncrementalMesh.hxx>
+#include <BRepTools.hxx>
 #include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
 #include <Bnd_Box.hxx>
@@ -22,14 +24,57 @@
 #include <TopoDS.hxx>
 #include <TopoDS_Compound.hxx>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <vector>
 
 namespace {
 
 // How far triangles are from their face, in parts of the extent of the shape, and how far their normals turn, in radians.
 constexpr double drawn_distance = 1e-3, drawn_angle = 0.2;
+
+// A spline with more knots than this, such as measured ground, would be divided for minutes: the sides of its triangles are no shorter
+// than this part of its extent. A face has no more triangles than this.
+constexpr int most_fine_knots = 1000, most_triangles = 15000;
+constexpr double coarse_side = 0.02;
+
+// Divides a shape into triangles the sides of which are no shorter than `least`, or as short as is needed for 0.
+void divide(const TopoDS_Shape& shape, double distance, double least) {
+  IMeshTools_Parameters parameters;
+  parameters.Deflection = distance;
+  parameters.Angle = drawn_angle;
+  if (least > 0) parameters.MinSize = least;
+  BRepMesh_IncrementalMesh(shape, parameters);
+}
+
+double extent(const TopoDS_Shape& shape) {
+  Bnd_Box box;
+  BRepBndLib::Add(shape, box);
+  return box.IsVoid() ? 0 : std::sqrt(box.SquareExtent());
+}
+
+bool has_many_knots(const TopoDS_Face& face) {
+  const BRepAdaptor_Surface surface(face, false);
+  return surface.GetType() == GeomAbs_BSplineSurface && surface.NbUKnots() * surface.NbVKnots() > most_fine_knots;
+}
+
+bool has_many_triangles(const TopoDS_Face& face) {
+  TopLoc_Location location;
+  const Handle(Poly_Triangulation) triangles = BRep_Tool::Triangulation(face, location);
+  return !triangles.IsNull() && triangles->NbTriangles() > most_triangles;
+}
+
+// Divides a face that has many knots, or again, more coarsely, one that has become too many triangles.
+void divide_coarsely(const TopoDS_Face& face, double distance) {
+  const double size = extent(face);
+  for (double part = coarse_side; part < 1; part *= 2) {
+    BRepTools::Clean(face);
+    divide(face, distance, part * size);
+    if (!has_many_triangles(face)) return;
+  }
+}
 
 GC::Given_point<3> node(const Poly_Triangulation& triangles, int i, const TopLoc_Location& location) {
   const gp_Pnt p = triangles.Node(i).Transformed(location.Transformation());
@@ -80,6 +125,38 @@ void append_triangles(const TopoDS_Face& face, Cad_mesh& mesh) {
   }
 }
 
+// The point of a triangle that is nearest to the origin, by its squared distance: inside, or on a side.
+double square_from_origin(const gp_XYZ& a, const gp_XYZ& b, const gp_XYZ& c) {
+  const gp_XYZ normal = (b - a).Crossed(c - a);
+  const auto is_inside = [&](const gp_XYZ& p, const gp_XYZ& q) { return p.Crossed(q).Dot(normal) >= 0; };
+  if (normal.SquareModulus() > 0 && is_inside(a, b) && is_inside(b, c) && is_inside(c, a))
+    return a.Dot(normal) * a.Dot(normal) / normal.SquareModulus();
+  const auto from_side = [](const gp_XYZ& p, const gp_XYZ& q) {
+    const double length = (q - p).SquareModulus();
+    const double t = length > 0 ? (std::min)(1., (std::max)(0., -p.Dot(q - p) / length)) : 0;
+    return (p + (q - p) * t).SquareModulus();
+  };
+  return (std::min)({from_side(a, b), from_side(b, c), from_side(c, a)});
+}
+
+// How far the edges of a face are from triangles, at some points.
+double distance(const TopoDS_Face& face, const Cad_mesh& mesh) {
+  const auto vector = [](const GC::Given_point<3>& p) { return gp_XYZ(p[0], p[1], p[2]); };
+  double most = 0;
+  for (TopExp_Explorer i(face, TopAbs_EDGE); i.More(); i.Next()) {
+    if (BRep_Tool::Degenerated(TopoDS::Edge(i.Current()))) continue;
+    for (const GC::Given_point<3>& point : curve_points(TopoDS::Edge(i.Current()))) {
+      double least = infinite * infinite;
+      for (const auto& [a, b, c] : mesh.triangles)
+        least = (std::min)(least, square_from_origin(vector(mesh.points[a]) - vector(point),
+                                                     vector(mesh.points[b]) - vector(point),
+                                                     vector(mesh.points[c]) - vector(point)));
+      most = (std::max)(most, least);
+    }
+  }
+  return mesh.triangles.empty() ? 0 : std::sqrt(most);
+}
+
 // A copy of a face with its boundary repaired, e.g. moved by periods of its surface.
 TopoDS_Shape healed(const TopoDS_Face& face) {
   ShapeFix_Face fix(TopoDS::Face(BRepBuilderAPI_Copy(face).Shape()));
@@ -95,11 +172,17 @@ Shape_drawing::Shape_drawing(const TopoDS_Shape& shape) {
     TopoDS_Compound finite;
     builder.MakeCompound(finite);
     Bnd_Box all;
+    std::vector<TopoDS_Face> faces;
     for (TopExp_Explorer i(shape, TopAbs_FACE); i.More(); i.Next())
-      if (include(i.Current(), all)) builder.Add(finite, i.Current());
+      if (include(i.Current(), all)) {
+        faces.push_back(TopoDS::Face(i.Current()));
+        if (!has_many_knots(faces.back())) builder.Add(finite, i.Current());
+      }
     if (all.IsVoid()) return;
     distance_ = drawn_distance * std::sqrt(all.SquareExtent());
-    BRepMesh_IncrementalMesh(finite, distance_, false, drawn_angle);
+    divide(finite, distance_, 0);
+    for (const TopoDS_Face& face : faces)
+      if (has_many_knots(face) || has_many_triangles(face)) divide_coarsely(face, distance_);
   } catch (const Standard_Failure&) { // what has been divided until now is drawn
   }
 }
@@ -112,8 +195,9 @@ Cad_mesh Shape_drawing::mesh(const TopoDS_Face& face) const {
     Bnd_Box box;
     if (!include(face, box) || BRep_Tool::Surface(face).IsNull()) return result;
     const TopoDS_Shape copy = healed(face);
-    BRepMesh_IncrementalMesh(copy, distance_, false, drawn_angle);
+    divide(copy, distance_, has_many_knots(face) ? coarse_side * extent(face) : 0);
     for (TopExp_Explorer i(copy, TopAbs_FACE); i.More(); i.Next()) append_triangles(TopoDS::Face(i.Current()), result);
+    result.healed = distance(face, result);
   } catch (const Standard_Failure&) { // it cannot be drawn
   }
   return result;

@@ -2,6 +2,7 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
+#include "formats/cad/model_bytes.h"
 #include "formats/cad/opencascade/Shape_drawing.h"
 #include "formats/cad/opencascade/given_surface.h"
 #include "formats/cad/opencascade/read_model.h"
@@ -35,6 +36,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <map>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -76,6 +79,34 @@ class Model_builder {
   std::vector<std::vector<const Plane_curve*>> face_curves_; // those of finite length
   std::vector<bool> inside_out_;                             // whether the faces of an edge are, as a shell has them
   Cad_model model_;
+  // What has been read: where a part is placed again, it is the same. Surfaces by that of the file and the ranges that are used, curves by
+  // their numbers, since those in planes are computed anew for each place.
+  typedef std::array<double, 4> Ranges;
+  std::map<std::pair<const Standard_Transient*, Ranges>, std::shared_ptr<const GC::Given_surface>> surfaces_of_file_;
+  template <int D> using Curves = std::map<std::string, std::shared_ptr<const GC::Given_curve<D>>>;
+  Curves<2> plane_curves_;
+  Curves<3> space_curves_;
+  TopLoc_Location place_; // of the part to which the faces of an edge belong
+
+  template <int D> static std::shared_ptr<const GC::Given_curve<D>> shared(Curves<D>& known, GC::Given_curve<D> curve) {
+    Byte_writer bytes;
+    bytes(curve);
+    std::shared_ptr<const GC::Given_curve<D>>& result = known[bytes.bytes()];
+    if (!result) result = std::make_shared<const GC::Given_curve<D>>(std::move(curve));
+    return result;
+  }
+
+  // A rigid motion that both faces of an edge have in common changes nothing of how they meet.
+  void set_place(const std::vector<Edge_use>& uses, Cad_edge& e) {
+    place_ = TopLoc_Location();
+    const TopLoc_Location& first = faces_(static_cast<int>(uses[0].face) + 1).Location();
+    for (const Edge_use& use : uses)
+      if (!faces_(static_cast<int>(use.face) + 1).Location().IsEqual(first)) return;
+    if (!(std::abs(first.Transformation().ScaleFactor() - 1) < 1e-12)) return; // 1 up to rounding in files
+    place_ = first;
+    e.place = placement(first);
+  }
+  TopLoc_Location in_part(const TopLoc_Location& location) const { return location.Predivided(place_); }
 
   TopoDS_Face face(std::size_t i) const {
     return TopoDS::Face(faces_(static_cast<int>(i) + 1).Oriented(TopAbs_FORWARD));
@@ -164,7 +195,10 @@ class Model_builder {
     if (!boxes_[number].IsVoid()) boxes_[number].Get(u.begin, v.begin, u.end, v.end);
     try {
       if (surface.IsNull()) throw Not_covered("a face of triangles");
-      surfaces_.back() = std::make_shared<const GC::Given_surface>(given_surface(surface, u, v));
+      std::shared_ptr<const GC::Given_surface>& result =
+          surfaces_of_file_[{surface.get(), {u.begin, u.end, v.begin, v.end}}];
+      if (!result) result = std::make_shared<const GC::Given_surface>(given_surface(surface, u, v));
+      surfaces_.back() = result;
     } catch (const Not_covered& e) {
       reasons_.back() = e.what();
       model_.not_covered.emplace_back(number, e.what());
@@ -178,18 +212,19 @@ class Model_builder {
     return uses[0].face == uses[1].face ? Cad_edge_kind::seam : Cad_edge_kind::inner;
   }
 
-  GC::Edge_side side(const Edge_use& use, bool is_second) const {
+  GC::Edge_side side(const Edge_use& use, bool is_second) {
     TopLoc_Location location;
     BRep_Tool::Surface(face(use.face), location);
+    location = in_part(location);
     const bool is_left = use.orientation == TopAbs_FORWARD; // the face lies left of the curve
     const Used_range range{use.curve->begin, use.curve->end};
     // The faces continue each other when one lies left of the edge and the other one right, as seen on the same side of both.
-    return {surfaces_[use.face], std::make_shared<const GC::Given_curve<2>>(given_curve(use.curve->curve, range)),
-            placement(location), (is_left == is_second) != is_mirror(location), is_left ? 1 : -1};
+    return {surfaces_[use.face], shared(plane_curves_, given_curve(use.curve->curve, range)), placement(location),
+            (is_left == is_second) != is_mirror(location), is_left ? 1 : -1};
   }
 
   // Adds the curve in space, if there is one: of a degenerate edge its first point.
-  void add_space_curve(Cad_edge& e, const TopoDS_Edge& edge, const Edge_use& use) const {
+  void add_space_curve(Cad_edge& e, const TopoDS_Edge& edge, const Edge_use& use) {
     if (e.kind == Cad_edge_kind::degenerate) {
       const gp_Pnt2d at = use.curve->curve->Value(e.begin);
       const gp_Pnt p = BRep_Tool::Surface(face(use.face))->Value(at.X(), at.Y());
@@ -202,11 +237,11 @@ class Model_builder {
     const Handle(Geom_Curve) curve = BRep_Tool::Curve(edge, location, begin, end);
     if (curve.IsNull()) return;
     if (begin != e.begin || end != e.end) throw Not_covered("curves of different parameters");
-    e.space = {std::make_shared<const GC::Given_curve<3>>(given_curve(curve, {begin, end})), placement(location)};
+    e.space = {shared(space_curves_, given_curve(curve, {begin, end})), placement(in_part(location))};
   }
 
   // Adds the sides of an edge. Throws Not_covered with the reason why they cannot be compared.
-  void add_sides(Cad_edge& e, const TopoDS_Edge& edge, const std::vector<Edge_use>& uses) const {
+  void add_sides(Cad_edge& e, const TopoDS_Edge& edge, const std::vector<Edge_use>& uses) {
     for (std::size_t i = 0; i < uses.size() && i < 2; ++i) {
       const Edge_use& use = uses[i];
       const std::string face = "face " + std::to_string(use.face) + ": ";
@@ -221,6 +256,10 @@ class Model_builder {
     if (!is_finite(a.begin, a.end) || !(a.begin < a.end)) throw Not_covered("an empty or infinite range of parameters");
     e.begin = a.begin;
     e.end = a.end;
+    if (e.kind == Cad_edge_kind::degenerate)
+      place_ = TopLoc_Location();
+    else
+      set_place(uses, e);
     add_space_curve(e, edge, uses[0]);
     e.sides = {side(uses[0], false), side(uses[uses.size() > 1 ? 1 : 0], true)};
   }
@@ -289,15 +328,16 @@ class Model_builder {
 
   void add_knot_line(std::size_t number, const GC::Surface_knot_line& line, double begin, double end,
                      Cad_drawing drawing) {
+    Cad_edge e;
+    set_place({{number, TopAbs_FORWARD, std::nullopt}}, e);
     TopLoc_Location location;
     BRep_Tool::Surface(face(number), location);
     const GC::Given_line<2> straight =
         line.constant_u ? GC::Given_line<2>{{line.knot, 0}, {0, 1}} : GC::Given_line<2>{{0, line.knot}, {1, 0}};
-    const GC::Edge_side left{surfaces_[number], std::make_shared<const GC::Given_curve<2>>(straight),
-                             placement(location), false, 1};
+    const GC::Edge_side left{surfaces_[number], shared(plane_curves_, GC::Given_curve<2>(straight)),
+                             placement(in_part(location)), false, 1};
     GC::Edge_side right = left;
     right.face_side = -1;
-    Cad_edge e;
     e.kind = Cad_edge_kind::knot_line;
     e.closed = false;
     e.faces = {number};

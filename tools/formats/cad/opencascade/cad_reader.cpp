@@ -2,45 +2,116 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-#include "formats/cad/cad_reader.h"
+#include "formats/cad/Cad_answer.h"
+#include "formats/cad/model_bytes.h"
 #include "formats/cad/opencascade/read_model.h"
 
 #include <Standard_Failure.hxx>
 #include <Standard_OutOfMemory.hxx>
 
+#include <algorithm>
+#include <cstdlib>
+#include <fstream>
 #include <iostream>
 #include <new>
 #include <stdexcept>
+#include <thread>
+
+#include <fcntl.h>
+#include <sys/resource.h>
+#include <unistd.h>
+
+// The program that reads STEP, IGES and BREP for `geometric_continuity`, see Cad_answer.h. A damaged file can lead OpenCASCADE astray: to
+// a crash, to a loop without end, to any amount of memory. Then only this process ends.
 
 namespace {
 
-// As long as it lives, what is written to std::cout is lost.
-class Silent_output {
-  std::streambuf* const buffer_ = std::cout.rdbuf(nullptr);
+// Limits the memory to what is taken already and so many bytes more; no crash leaves a file.
+void limit_memory(rlim_t bytes) {
+  rlim_t pages = 0; // that are taken
+  std::ifstream("/proc/self/statm") >> pages;
+  rlimit limit;
+  if (::getrlimit(RLIMIT_AS, &limit) == 0) {
+    limit.rlim_cur = (std::min)(limit.rlim_max, pages * static_cast<rlim_t>(::sysconf(_SC_PAGESIZE)) + bytes);
+    ::setrlimit(RLIMIT_AS, &limit);
+  }
+  limit = {0, 0};
+  ::setrlimit(RLIMIT_CORE, &limit);
+}
 
-public:
-  Silent_output() = default;
-  Silent_output(const Silent_output&) = delete;
-  Silent_output& operator=(const Silent_output&) = delete;
-  ~Silent_output() { std::cout.rdbuf(buffer_); } // which clears the state
-};
+// Ends this process when the other end of its standard input is closed: whoever asked is no longer there.
+void end_with_parent() {
+  std::thread([] {
+    char c;
+    while (::read(STDIN_FILENO, &c, 1) > 0) {
+    }
+    ::_exit(EXIT_FAILURE);
+  }).detach();
+}
+
+// Takes the standard output for the answer: what others write there is lost.
+int answer_descriptor() {
+  const int result = ::dup(STDOUT_FILENO), nowhere = ::open("/dev/null", O_WRONLY);
+  ::dup2(nowhere, STDOUT_FILENO);
+  return result;
+}
+
+void write(int descriptor, std::string_view text) {
+  while (!text.empty()) {
+    const ssize_t n = ::write(descriptor, text.data(), text.size());
+    if (n < 0) ::_exit(EXIT_FAILURE); // there is nobody to whom it could be told
+    text.remove_prefix(static_cast<std::size_t>(n));
+  }
+}
+
+Cad_model read(const std::string& file, const Cad_reading& reading) {
+  std::vector<std::string> lost;
+  Shape_labels labels;
+  TopoDS_Shape shape = read_shape(file, lost, labels);
+  const std::size_t sewn = reading.sewing ? sew(shape, *reading.sewing, lost, labels) : 0;
+  Cad_model model = cad_model(shape, reading);
+  add_labels(shape, labels, model);
+  model.lost = std::move(lost);
+  model.sewn = sewn;
+  return model;
+}
+
+// Writes the answer, and ends the process without giving back what it holds.
+[[noreturn]] void answer(int descriptor, Cad_answer answer, std::string_view text) {
+  write(descriptor, cad_build);
+  write(descriptor, std::string(1, static_cast<char>(answer)));
+  write(descriptor, text);
+  ::_exit(EXIT_SUCCESS);
+}
 
 } // namespace
 
-void geometric_continuity_read_cad(const std::string& file, const Cad_reading& reading, Cad_model& model) {
-  const Silent_output silence;
+int main(int argc, char** argv) {
+  if (argc != 4) {
+    std::cerr << "geometric_continuity_cad: reads CAD models for geometric_continuity\n";
+    return EXIT_FAILURE;
+  }
+  const int descriptor = answer_descriptor();
+  end_with_parent();
+  limit_memory(std::strtoull(argv[3], nullptr, 10));
   try {
-    std::vector<std::string> lost;
-    TopoDS_Shape shape = read_shape(file, lost);
-    const std::size_t sewn = reading.sewing ? sew(shape, *reading.sewing, lost) : 0;
-    model = cad_model(shape, reading);
-    model.lost = std::move(lost);
-    model.sewn = sewn;
+    Cad_reading reading;
+    const std::string request = from_hexadecimal(argv[2]);
+    Byte_reader bytes_of_request(request);
+    bytes_of_request(reading);
+    Byte_writer bytes;
+    bytes(read(argv[1], reading));
+    answer(descriptor, Cad_answer::model, bytes.bytes());
   } catch (const Standard_OutOfMemory&) {
-    throw std::bad_alloc();
+    answer(descriptor, Cad_answer::no_memory, "");
+  } catch (const std::bad_alloc&) {
+    answer(descriptor, Cad_answer::no_memory, "");
   } catch (const Standard_Failure& e) {
     const char* const text = e.GetMessageString();
-    throw std::runtime_error(std::string("OpenCASCADE: ") + e.DynamicType()->Name() +
-                             (text == nullptr || *text == '\0' ? "" : std::string(": ") + text));
+    answer(descriptor, Cad_answer::bad_file,
+           std::string("OpenCASCADE: ") + e.DynamicType()->Name() +
+               (text == nullptr || *text == '\0' ? "" : std::string(": ") + text));
+  } catch (const std::exception& e) {
+    answer(descriptor, Cad_answer::bad_file, e.what());
   }
 }

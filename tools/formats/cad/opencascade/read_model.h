@@ -6,6 +6,8 @@
 #define GEOMETRIC_CONTINUITY_TOOLS_FORMATS_CAD_OPENCASCADE_READ_MODEL_H
 
 #include "formats/cad/Cad_model.h"
+#include "formats/cad/Cad_reading.h"
+#include "formats/cad/opencascade/labels.h"
 
 #include <TopoDS_Shape.hxx>
 
@@ -19,12 +21,14 @@ constexpr double infinite = 1e9;
 inline bool is_finite(double begin, double end) { return std::abs(begin) < infinite && std::abs(end) < infinite; }
 
 // Returns what a STEP, IGES or BREP file holds, by its extension: the geometry as given, nothing healed. Appends what of it could not be
-// translated. Throws std::runtime_error with the reason, without the name of the file, and what OpenCASCADE throws.
-TopoDS_Shape read_shape(const std::string& file, std::vector<std::string>& lost);
+// translated, and says what is known of its faces and parts. Throws std::runtime_error with the reason, without the name of the file, and
+// what OpenCASCADE throws.
+TopoDS_Shape read_shape(const std::string& file, std::vector<std::string>& lost, Shape_labels& labels);
 
 // Joins boundary edges that are at most `distance` mm apart, and returns how many edges there are of two. Surfaces stay as they are; of a joined
-// edge one curve in space remains, and its curves in the parameter planes are adapted to that. Appends faces that disappear.
-std::size_t sew(TopoDS_Shape& shape, double distance, std::vector<std::string>& lost);
+// edge one curve in space remains, and its curves in the parameter planes are adapted to that. Appends faces that disappear;
+// the others keep their labels.
+std::size_t sew(TopoDS_Shape& shape, double distance, std::vector<std::string>& lost, Shape_labels& labels);
 
 // Returns the faces and edges of a shape. Curves in the parameter planes that it lacks are added to it: projections of those in space. To be drawn,
 // faces are divided into triangles at the end.

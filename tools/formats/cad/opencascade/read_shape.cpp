@@ -80,7 +80,7 @@ std::runtime_error failure(const First_failure& reported, const std::string& wor
 }
 
 TopoDS_Shape translated(XSControl_Reader& reader, const std::string& file, const char* format,
-                        const First_failure& reported, std::vector<std::string>& lost) {
+                        const First_failure& reported, std::vector<std::string>& lost, Shape_labels& labels) {
   XSAlgo::SetAlgoContainer(new No_healing);
   Interface_Static::SetCVal("xstep.cascade.unit", "MM");
   Interface_Static::SetRVal("read.encoderegularity.angle", 0); // what is decided from samples is of no use here
@@ -88,6 +88,7 @@ TopoDS_Shape translated(XSControl_Reader& reader, const std::string& file, const
     throw failure(reported, std::string("not a complete ") + format + " file");
   reader.TransferRoots();
   append_lost(reader, lost);
+  labels = read_labels(reader);
   const TopoDS_Shape shape = reader.OneShape();
   if (shape.IsNull()) throw failure(reported, std::string("no shape in this ") + format + " file");
   return shape;
@@ -95,18 +96,18 @@ TopoDS_Shape translated(XSControl_Reader& reader, const std::string& file, const
 
 } // namespace
 
-TopoDS_Shape read_shape(const std::string& file, std::vector<std::string>& lost) {
+TopoDS_Shape read_shape(const std::string& file, std::vector<std::string>& lost, Shape_labels& labels) {
   const Handle(First_failure) reported = new First_failure;
   Message::DefaultMessenger()->ChangePrinters().Clear();
   Message::DefaultMessenger()->AddPrinter(reported);
   switch (*cad_format(file)) {
   case Cad_format::step: {
     STEPControl_Reader reader;
-    return translated(reader, file, "STEP", *reported, lost);
+    return translated(reader, file, "STEP", *reported, lost, labels);
   }
   case Cad_format::iges: {
     IGESControl_Reader reader;
-    return translated(reader, file, "IGES", *reported, lost);
+    return translated(reader, file, "IGES", *reported, lost, labels);
   }
   case Cad_format::brep: break;
   }

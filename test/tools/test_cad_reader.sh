@@ -1,0 +1,76 @@
+#!/usr/bin/env bash
+# The process that reads CAD models: its limits, its bad ends, and what becomes of it when the program ends.
+endless=$(realpath "$(dirname "$0")")/cad/data/endless.step # a coordinate is inf: OpenCASCADE does not find an end
+. "$(dirname "$0")/functions.sh"
+
+if [ -z "${MAKE_CAD_MODELS-}" ]; then
+  echo "skipped: built without OpenCASCADE"
+  exit 77
+fi
+reader=$(dirname "$(realpath "$program")")/geometric_continuity_cad
+mkdir models && (cd models && "$MAKE_CAD_MODELS") || exit 1
+
+# with SCRIPT ARGUMENTS...: the program with this script in place of its reader, which is called $reader in it
+with() {
+  mkdir -p fake && cp "$program" fake/geometric_continuity
+  printf '#!/usr/bin/env bash\nreader=%q\n%s\n' "$reader" "$1" >fake/geometric_continuity_cad && chmod +x fake/geometric_continuity_cad
+  shift
+  fake/geometric_continuity "$@" >out 2>err </dev/null
+}
+# fails TEXT SCRIPT: the program says that it cannot read the file, for this reason, and writes nothing
+fails() {
+  with "$2" report models/fillet.step -o page.html --time-limit 5
+  holds [ $? -eq 2 ] && says err "models/fillet.step: $1" && holds [ ! -s out ] && holds [ ! -e page.html ]
+}
+
+# the model is what the reader answers
+run 0 verify models/fillet.step --json && mv out expected.json
+with 'exec "$reader" "$@"' verify models/fillet.step --json
+holds [ $? -eq 0 ] && holds cmp -s out expected.json
+
+# crashes, no answer, half an answer, more than an answer, that of another build
+fails 'the library that reads it crashes: the file is damaged' 'kill -SEGV $$'
+fails 'the library that reads it crashes: the file is damaged' '"$reader" "$@"; kill -ABRT $$'
+fails 'the library that reads it fails: the file is damaged' 'exit 0'
+fails 'the library that reads it fails: the file is damaged' '"$reader" "$@" | head -c 64'
+fails 'the program and its part that reads CAD models are not of one build' 'yes garbage | head -c 100000'
+for bytes in 65 66 100 1000 5000; do
+  fails 'damaged bytes of a model' '"$reader" "$@" | head -c '$bytes
+done
+fails 'damaged bytes of a model' '"$reader" "$@"; echo more'
+fails 'not read within 5 seconds' 'exec sleep 1000'
+fails 'not read within 5 seconds' 'exec >&-; exec sleep 1000'
+sed '/^Surfaces/{n;n;s/^7 /9 /}' models/prism.brep >crash.brep # an extrusion of a curve of no kind
+run 2 verify crash.brep && says err "crash.brep: the library that reads it crashes: the file is damaged" && holds [ ! -s out ]
+
+# the time, also of OpenCASCADE itself
+run 2 verify "$endless" --time-limit 1 && says err "endless.step: not read within 1 seconds, the limit of --time-limit" && holds [ ! -s out ]
+run 2 verify models/fillet.step "$endless" --time-limit 3 --json && holds [ ! -s out ]
+run 2 verify models/fillet.step --time-limit 0.0001
+for bad in 0 -1 x nan 1e9 ''; do run 2 verify models/fillet.step --time-limit="$bad" && says err "--time-limit"; done
+run 2 verify $S --time-limit 1 && says err "--time-limit: only for CAD models"
+
+# the memory: what is asked for does not fit
+with 'ulimit -v 60000; exec "$reader" "$@"' verify models/fillet.step
+holds [ $? -eq 2 ] && says err "models/fillet.step: "
+
+# the reader ends with the program, however that ends
+for signal in KILL TERM; do
+  "$program" verify "$endless" --time-limit 100 >out 2>err &
+  process=$!
+  child=""
+  for ((i = 0; i < 100; ++i)); do
+    child=$(cat "/proc/$process/task/$process/children" 2>/dev/null)
+    [ -n "$child" ] && break
+    sleep 0.1
+  done
+  holds [ -n "$child" ]
+  sleep 0.3
+  kill -$signal $process
+  wait $process 2>/dev/null
+  for ((i = 0; i < 50; ++i)); do
+    [ -d "/proc/${child% }" ] || break
+    sleep 0.1
+  done
+  holds [ ! -d "/proc/${child% }" ]
+done

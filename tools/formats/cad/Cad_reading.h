@@ -1,0 +1,21 @@
+// Copyright (c) 2026 The Geometric_continuity developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef GEOMETRIC_CONTINUITY_TOOLS_FORMATS_CAD_CAD_READING_H
+#define GEOMETRIC_CONTINUITY_TOOLS_FORMATS_CAD_CAD_READING_H
+
+#include <optional>
+
+// What is read of a CAD file beyond what decides.
+enum class Cad_drawing { none, faces_and_edges };
+
+// How a file is read.
+struct Cad_reading {
+  Cad_drawing drawing = Cad_drawing::none;
+  std::optional<double> sewing; // boundary edges of two faces that are so near to each other become one, in mm
+  double time_limit = 60;       // seconds
+  int order = 1; // knot lines are those where a surface need not be continuously differentiable so many times
+};
+
+#endif // GEOMETRIC_CONTINUITY_TOOLS_FORMATS_CAD_CAD_READING_H
