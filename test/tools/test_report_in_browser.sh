@@ -56,6 +56,18 @@ log("first by order " + items[list.shown[0]].number + " " + items[list.shown[999
 says answers '[few true]' '[last true]' '[scrolled true]' '[first by order 1 10000]'
 holds few_rows
 
+# the buttons of the grades count what the list holds, and say what it does not
+run 0 report long.g2 -o few.html --worst 20
+counted=$(sed -n 's/.*"corner":\([0-9]*\),.*"G1":\([0-9]*\),.*/\1 \2/p' few.html) corners=${counted% *} g1=${counted#* }
+asks few.html '
+const plain = (text) => text.replace(/\u202f/g, "");
+for (const b of document.querySelectorAll("#grades button")) log(plain(b.textContent) + (b.disabled ? " off" : "") + " " + plain(b.title));
+log("shown " + byId("shown").textContent);
+'
+says answers "[corner20of $corners $((corners - 20)) of them are not in the list]" "[G10of $g1 off $g1 of them are not in the list]" '[shown 20 shown]'
+asks long.html 'log([...document.querySelectorAll("#grades button")].every((b) => !b.disabled && !b.title && !b.querySelector("small")));'
+says answers '[true]'
+
 # drawings, keys, filter and sort
 svg '<path id="&lt;script>alert(1)&lt;/script>" d="M0 0C100 0 200 0 300 0C400 1 500 100 600 200V400L0 400z"/>
 <path id="round" d="M10 10a50 50 0 1 1 100 0C110 60 80 90 60 90"/>'

@@ -2,7 +2,7 @@
 
 const gradeNames = ['gap', 'kink', 'corner', 'G0', 'undecided', 'G1', 'G2'];
 
-let wholeName = 'whole';
+let wholeName = 'whole', numbered = true;
 
 // An element with a class and children; texts become text nodes, so that nothing from a file is ever read as markup.
 function element(name, className, ...children) {
@@ -39,7 +39,8 @@ function numbersOf(item) {
 
 function textOf(item) {
   const top = element('div', 'topline', element('span', 'grade ' + item.grade, item.grade),
-    element('span', 'number', '#' + item.number));
+    ...(item.marks || []).map((m) => element('span', 'mark', m)));
+  if (numbered) top.append(element('span', 'number', '#' + item.number));
   const place = element('div', 'place', item.place);
   place.title = item.place;
   return element('div', 'text', top, place, element('div', 'verdict', item.verdict), numbersOf(item));
@@ -61,7 +62,7 @@ class JoinList {
     this.position = 0;
     this.rows = new Map();
     this.pitch = 300;
-    this.texts = items.map((i) => [i.grade, i.place, i.verdict, '#' + i.number].join('\n').toLowerCase());
+    this.texts = items.map((i) => [i.grade, i.place, i.verdict, ...(i.marks || []), ...(numbered ? ['#' + i.number] : [])].join('\n').toLowerCase());
     this.box.addEventListener('scroll', () => this.render(), { passive: true });
     new ResizeObserver(() => this.measure()).observe(this.box);
   }

@@ -4,7 +4,7 @@
 // triangles, by threes the numbers of its points.
 class Model {
   constructor(data) {
-    this.patches = data.patches.map((p) => ({ points: triples(p.points) }));
+    this.patches = data.patches.map((p) => ({ points: triples(p.points), colour: p.colour && softened(p.colour) }));
     const size = sizeOfTriangles(data.patches, this.patches);
     data.patches.forEach((p, i) => {
       this.patches[i].facets = p.triangles ? trianglesOf(p, this.patches[i].points, size) : facetsOf(p);
@@ -102,6 +102,11 @@ function cameraRows({ azimuth, elevation }) {
   return [[-sa, ca, 0], [-se * ca, -se * sa, ce], [ce * ca, ce * sa, se]];
 }
 
+// A colour of the file, so light that the edges stand out.
+function softened(colour) {
+  return '#' + [1, 3, 5].map((i) => Math.round(0.6 * parseInt(colour.slice(i, i + 2), 16) + 0.4 * 255).toString(16).padStart(2, '0')).join('');
+}
+
 function mixed(a, b, t) {
   const parse = (c) => [1, 3, 5].map((i) => parseInt(c.slice(i, i + 2), 16)), x = parse(a), y = parse(b);
   return `rgb(${x.map((v, i) => Math.round(v + (y[i] - v) * t)).join(' ')})`;
@@ -120,10 +125,11 @@ function drawModel(canvas, model, options) {
   const parts = []; // {depth, draw}
   for (const i of options.patches) {
     if (!model.patches[i]) continue;
+    const { colour } = model.patches[i];
     for (const facet of model.patches[i].facets) {
       const p = facet.corners.map(project), depth = p.reduce((sum, q) => sum + q[2], 0) / p.length;
       const light = facet.normal ? Math.abs(0.35 * dot(facet.normal, rows[1]) + 0.9 * dot(facet.normal, rows[2])) : 0.5;
-      parts.push({ depth, draw: () => drawFacet(context, p, light, options.fill) });
+      parts.push({ depth, draw: () => drawFacet(context, p, light, options.fill, colour) });
     }
   }
   const numbers = options.edges || model.edges.map((_, i) => i);
@@ -140,12 +146,13 @@ function drawModel(canvas, model, options) {
   for (const part of parts) part.draw();
 }
 
-function drawFacet(context, p, light, fill) {
+function drawFacet(context, p, light, fill, colour) {
   polyline(context, p);
   context.closePath();
   context.lineWidth = 0.6;
   if (fill) {
-    context.fillStyle = context.strokeStyle = mixed(colours.shade, colours.card, 0.05 + 0.9 * light * light);
+    context.fillStyle = context.strokeStyle = colour ? mixed('#000000', colour, 0.6 + 0.4 * light * light)
+      : mixed(colours.shade, colours.card, 0.05 + 0.9 * light * light);
     context.fill();
   } else
     context.strokeStyle = colours.line;

@@ -2,6 +2,7 @@
 
 const data = JSON.parse(document.getElementById('data').textContent);
 wholeName = data.whole;
+numbered = data.numbered;
 const byId = (id) => document.getElementById(id);
 
 const curves = data.curves.map((c) => ({ dimension: data.dimension, points: c.points, weights: c.weights, group: c.group }));
@@ -111,7 +112,13 @@ byId('notes').hidden = data.notes.length === 0;
 byId('empty').textContent = items.length === 0 ? 'There is no join.' : 'No join passes the filter.';
 for (const grade of gradeNames) {
   if (!data.counts[grade]) continue;
-  const button = element('button', 'grade ' + grade, grade, element('b', '', count(data.counts[grade])));
+  const here = items.filter((i) => i.grade === grade).length; // the list holds the worst ones only
+  const button = element('button', 'grade ' + grade, grade, element('b', '', count(here)));
+  if (here < data.counts[grade]) {
+    button.append(element('small', '', `of ${count(data.counts[grade])}`));
+    button.title = `${count(data.counts[grade] - here)} of them are not in the list`;
+  }
+  if (here === 0) button.disabled = true;
   button.type = 'button';
   button.setAttribute('aria-pressed', 'true');
   button.addEventListener('click', () => {
