@@ -15,8 +15,10 @@
 
 #include <CGAL/Geometric_continuity/numbers/Enclosure.h>
 #include <CGAL/Geometric_continuity/numbers/Exact_field.h>
+#include <CGAL/Geometric_continuity/numbers/Quarter_turns.h>
 #include <CGAL/Geometric_continuity/numbers/Verdict.h>
 #include <CGAL/Geometric_continuity/numbers/Work_limit.h>
+#include <CGAL/Geometric_continuity/numbers/has_short_parts.h>
 #include <CGAL/Geometric_continuity/numbers/rational_square_root.h>
 #include <CGAL/Geometric_continuity/numbers/units.h>
 
@@ -64,7 +66,9 @@
 #include <CGAL/Geometric_continuity/curves/Composite_bezier_curve.h>
 #include <CGAL/Geometric_continuity/curves/Composite_bezier_polygon.h>
 #include <CGAL/Geometric_continuity/curves/Cubic_blended_curve.h>
+#include <CGAL/Geometric_continuity/curves/Elliptical_arc.h>
 #include <CGAL/Geometric_continuity/curves/Jet_polynomials.h>
+#include <CGAL/Geometric_continuity/curves/Path_segment.h>
 #include <CGAL/Geometric_continuity/curves/Rational_bezier_curve.h>
 #include <CGAL/Geometric_continuity/curves/Rational_bspline_curve.h>
 #include <CGAL/Geometric_continuity/curves/arcs.h>
@@ -95,6 +99,8 @@
 #include <CGAL/Geometric_continuity/joins/knot_continuity.h>
 #include <CGAL/Geometric_continuity/joins/largest_kink.h>
 #include <CGAL/Geometric_continuity/joins/order_within.h>
+#include <CGAL/Geometric_continuity/joins/path_continuity.h>
+#include <CGAL/Geometric_continuity/joins/path_grade.h>
 #include <CGAL/Geometric_continuity/joins/polygon_tests.h>
 
 #include <CGAL/Geometric_continuity/blends/Fair.h>

@@ -14,7 +14,7 @@ namespace {
 
 struct Checking_handler : Drawing_handler {
   void subpath(const Drawing_element& element, int number, const Drawing_subpath& subpath) override {
-    require(!subpath.segments.empty(), "a subpath that is drawn has segments");
+    require(!subpath.segments.empty() || subpath.left_out > 0, "a subpath that is drawn has segments");
     require(element.line > 0 && number > 0, "lines and subpaths are numbered from 1");
     for (std::size_t i = 1; i < subpath.segments.size(); ++i)
       require(subpath.segments[i - 1].end() == subpath.segments[i].start(),

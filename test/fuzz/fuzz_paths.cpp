@@ -9,10 +9,10 @@
 
 #include "formats/svg/Svg_transform.h"
 #include "formats/svg/read_svg_path.h"
-#include "formats/svg/svg_continuity.h"
 #include "formats/svg/svg_shapes.h"
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Geometric_continuity/Traits_2.h>
+#include <CGAL/Geometric_continuity/joins/path_continuity.h>
 #include <CGAL/Simple_cartesian.h>
 
 #include <algorithm>
@@ -47,6 +47,23 @@ void check_orders(const Subpath& path, const GC::Svg_transform<Exact>& map) {
   }
 }
 
+// Commands and numbers stand where the reader says, from the first character to the last one.
+void check_places(std::string_view text) {
+  GC::Svg_path_places places;
+  GC::Svg_path_reader<Double> reader(text, "path data", &places);
+  while (const auto subpath = reader.next())
+    for (const auto& segment : subpath->segments) {
+      const GC::Svg_command& command = places.commands[static_cast<std::size_t>(segment.command - 1)];
+      require(segment.place == command.begin && segment.letter == command.letter, "a segment knows its command");
+    }
+  std::size_t end = 0;
+  for (const GC::Text_range& range : places.numbers) {
+    require(end <= range.begin && range.begin < range.end && range.end <= text.size(), "numbers follow each other");
+    end = range.end;
+    GC::parse_number<CGAL::Exact_rational>(text.substr(range.begin, range.end - range.begin));
+  }
+}
+
 template <class Traits> void read_everything(std::string_view text) {
   accepts([&] { GC::read_svg_path<Traits>(text); });
   accepts([&] { GC::parse_svg_transform<Traits>(text); });
@@ -61,6 +78,7 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string_view text = fuzz_text(data, size);
   read_everything<Exact>(text);
   read_everything<Double>(text);
+  accepts([&] { check_places(text); });
   const std::size_t end = (std::min)(text.find('\n'), text.size());
   accepts([&] {
     const GC::Svg_transform<Exact> map = GC::parse_svg_transform<Exact>(text.substr(0, end));

@@ -37,8 +37,9 @@ With --surfaces it finds all edges that the surfaces of the files share, and
 decides G1 and G2 along each whole edge and along the knot lines inside
 B-spline surfaces. For SVG drawings it decides the joins of every path and
 basic shape, and names the element and the commands. It tells what they look
-like: a corner, a kink, which is an angle of at most 5 degrees, G1 or G2. With
---kink-angle corners are meant, and need not meet --require.
+like: a corner, a kink, which is an angle of at most --kink-angle degrees, G1
+or G2. Corners are meant, and need not meet --require G1, G2, ... Segments of no
+length are left out.
 
 Of fonts (TrueType, OpenType, Type 1, WOFF; folders with all that is in them) it
 grades the joins of each glyph, on the integers of the font:
@@ -118,10 +119,9 @@ Report_format report_format(const Command_line& line) {
 
 // The largest angle that is a kink.
 Kink_rule kink_rule(const Command_line& line) {
-  const bool given = line.has("kink-angle");
-  const std::string degrees = given ? line.text("kink-angle") : "5";
+  const std::string degrees = line.has("kink-angle") ? line.text("kink-angle") : "5";
   try {
-    return {degrees, GC::Kink_bound(line.number<Exact>("kink-angle", Exact(5))), given};
+    return {degrees, GC::Kink_bound(line.number<Exact>("kink-angle", Exact(5)))};
   } catch (const GC::Error&) {
     throw std::invalid_argument("--kink-angle: " + degrees + " is not between 0 and 180 degrees");
   }
@@ -188,8 +188,7 @@ int verify_command(const Arguments& arguments) {
         "the tolerance: GAP,ANGLEdeg,CURVATURE%[,TORSION], or a preset; with --surfaces GAP,ANGLEdeg");
     add("kink-angle", po::value<std::string>(),
         "for drawings, fonts and CAD models: the largest angle that is a kink, in degrees, instead of 5; what is "
-        "larger "
-        "is a corner, which need not meet the requirement then, in fonts and CAD models never");
+        "larger is a corner, which is meant and need not meet a requirement of G orders");
     add("sew", po::value<std::string>(), "for CAD models: join boundary edges that are within this distance, in mm");
     add("time-limit", po::value<std::string>(),
         "for CAD models: the seconds that reading one file may take, 60 if not given");

@@ -6,9 +6,9 @@
 
 #include "commands/chains/join_report.h"
 
-#include "formats/svg/svg_grade.h"
 #include <CGAL/Geometric_continuity/IO/json.h>
 #include <CGAL/Geometric_continuity/joins/Kink_size.h>
+#include <CGAL/Geometric_continuity/joins/path_grade.h>
 
 #include <array>
 #include <cmath>

@@ -8,9 +8,8 @@
 #include "commands/chains/join_report.h"
 #include "formats/svg/svg_drawing.h"
 
-#include "formats/svg/svg_continuity.h"
+#include <CGAL/Geometric_continuity/joins/path_continuity.h>
 
-#include <algorithm>
 #include <cmath>
 #include <optional>
 #include <string>
@@ -44,16 +43,11 @@ inline double length(const Drawing_segment& line) {
   return std::sqrt(CGAL::to_double((line.end() - line.start()).squared_length()));
 }
 
-inline bool has_no_length(const Drawing_segment& s) {
-  return s.bezier() && std::count(s.bezier()->begin(), s.bezier()->end(), s.start()) > s.bezier()->degree();
-}
-
 // Says what the segments of a join are, as far as that explains a remark.
 inline std::string explanation(const GC::Join_continuity<Exact>& join, const Drawing_segment& left,
                                const Drawing_segment& right) {
   std::string s;
-  if (!join.regular)
-    s += has_no_length(left) || has_no_length(right) ? ", a segment has no length" : ", a handle is at the node";
+  if (!join.regular) s += ", a handle is at the node";
   for (const Drawing_segment* segment : {&left, &right})
     if (segment->letter == 'Z' || segment->letter == 'z')
       s += ", the closing line is " + rounded(length(*segment), 4) + " long";

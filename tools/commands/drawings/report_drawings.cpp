@@ -55,7 +55,7 @@ public:
     };
     std::shared_ptr<const Report_outline> outline;
     for (const Segment& s : path.segments) page_.include({CGAL::to_double(s.end().x()), CGAL::to_double(s.end().y())});
-    for (std::size_t i = 0; i < (path.closed ? n : n - 1); ++i) {
+    for (std::size_t i = 0; i < path.joins(); ++i) {
       const Segment &left = path.segments[i], &right = path.segments[(i + 1) % n];
       Report_item item = within_work_limit([&] { return "commands " + command(left) + " and " + command(right); },
                                            [&] { return measured_join(left, right, demand_); });

@@ -13,11 +13,10 @@
 #include <optional>
 #include <string>
 
-// The largest angle that is a kink, and whether corners, which are larger, are meant and need not meet a requirement.
+// The largest angle that is a kink. Corners, which are larger, are meant, and need not meet a requirement of G orders.
 struct Kink_rule {
   std::string degrees; // as it is written
   GC::Kink_bound bound;
-  bool corners_are_meant;
 };
 
 // Runs `verify` for SVG drawings: prints the joins of all paths and basic shapes, and returns the exit code.

@@ -4,7 +4,12 @@
 
 #include "commands/repair/grid_contour.h"
 
+#include <CGAL/Fraction_traits.h>
+#include <CGAL/Geometric_continuity/extensions/align_handles.h>
+#include <CGAL/Geometric_continuity/joins/path_grade.h>
+
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 
 namespace {
@@ -46,11 +51,42 @@ std::string Grid_contour::text(std::int64_t coordinate) const {
   return (coordinate < 0 ? "-" : "") + digits;
 }
 
+std::optional<GC::Grid_vector> arc_direction(const Exact_segment& arc, bool at_end) {
+  typedef Drawing_traits::FT Number;
+  typedef CGAL::Fraction_traits<Number> Fraction;
+  if (!arc.arc()->is_rational()) return std::nullopt;
+  const auto jet = at_end ? arc.arc()->end_jet(1) : arc.arc()->start_jet(1);
+  const Number x = (*jet)[1][0], y = (*jet)[1][1];
+  const bool steep = x == 0;
+  Fraction::Numerator_type p;
+  Fraction::Denominator_type q;
+  Fraction::Decompose()(steep ? Number(0) : Number(y / x), p, q);
+  const double along = CGAL::to_double(q), up = CGAL::to_double(p); // exact where they are short
+  if ((std::max)(std::abs(along), std::abs(up)) > static_cast<double>(GC::max_leg)) return std::nullopt;
+  GC::Grid_vector d{static_cast<std::int64_t>(along), static_cast<std::int64_t>(up)};
+  if (steep) d = {0, 1};
+  return (steep ? y < 0 : x < 0) ? -1 * d : d;
+}
+
+namespace {
+
+Exact_segment exact_segment(const Grid_curve& curve) {
+  if (curve.arc) return *curve.arc;
+  std::vector<Drawing_traits::Point> p;
+  for (const GC::Grid_vector& v : curve.points) p.emplace_back(static_cast<double>(v.x), static_cast<double>(v.y));
+  return {GC::Bezier_curve<Drawing_traits>(p.begin(), p.end())};
+}
+
+} // namespace
+
 std::optional<GC::Join_grade> grade(const Grid_contour& contour, std::size_t join, const GC::Kink_bound& bound) {
-  const std::vector<GC::Grid_vector>&left = contour.curves[join].points,
-        &right = contour.curves[(join + 1) % contour.curves.size()].points;
-  if (left.empty() || right.empty()) return std::nullopt;
-  return GC::join_grade(grid_bezier(left), grid_bezier(right), bound);
+  const Grid_curve &left = contour.curves[join], &right = contour.curves[contour.next(join)];
+  const bool beziers = !left.points.empty() && !right.points.empty();
+  if (beziers && !contour.map) return GC::join_grade(grid_bezier(left.points), grid_bezier(right.points), bound);
+  if (!beziers && ((left.points.empty() && !left.arc) || (right.points.empty() && !right.arc))) return std::nullopt;
+  const Exact_segment x = exact_segment(left), y = exact_segment(right);
+  return contour.map ? GC::join_grade(x.transform(*contour.map), y.transform(*contour.map), bound)
+                     : GC::join_grade(x, y, bound);
 }
 
 Grade_counts grades(const Grid_contour& contour, const GC::Kink_bound& bound) {

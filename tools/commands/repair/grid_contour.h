@@ -5,8 +5,11 @@
 #ifndef GEOMETRIC_CONTINUITY_TOOLS_COMMANDS_REPAIR_GRID_CONTOUR_H
 #define GEOMETRIC_CONTINUITY_TOOLS_COMMANDS_REPAIR_GRID_CONTOUR_H
 
+#include "formats/svg/svg_drawing.h"
+
 #include <CGAL/Geometric_continuity/Traits_2.h>
 #include <CGAL/Geometric_continuity/curves/Bezier_curve.h>
+#include <CGAL/Geometric_continuity/curves/Path_segment.h>
 #include <CGAL/Geometric_continuity/extensions/Grid_vector.h>
 #include <CGAL/Geometric_continuity/joins/Join_grade.h>
 #include <CGAL/Geometric_continuity/joins/Kink_bound.h>
@@ -15,6 +18,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -24,24 +28,30 @@ namespace GC = CGAL::Geometric_continuity;
 // The largest coordinate of a contour on its grid.
 constexpr std::int64_t max_grid_coordinate = std::int64_t(1) << 50;
 
+typedef GC::Path_segment<Drawing_traits> Exact_segment;
+typedef GC::Svg_transform<Drawing_traits> Drawing_transform;
+
 // One curve of a contour by its control points, in whole units of a grid: 2 for a line.
 struct Grid_curve {
-  std::vector<GC::Grid_vector> points; // none for what is no Bezier curve on the grid
-  std::string reason;                  // why there are none
-  bool fixed = false;                  // its handles do not move
+  std::vector<GC::Grid_vector> points;                // none for what is no Bezier curve on the grid
+  std::string reason;                                 // why there are none
+  bool fixed = false;                                 // its handles do not move
+  std::shared_ptr<const Exact_segment> arc = nullptr; // an arc of an ellipse, in units of the grid
 };
 
 // Curves of some length, each of which starts where the one before it ends. Glyphs, paths and chains are such contours.
 struct Grid_contour {
   std::vector<Grid_curve> curves;
-  bool closed = false; // the last one leads back to the first
-  int decimals = 0;    // the unit is 10^-decimals
+  bool closed = false;                                 // the last one leads back to the first
+  int decimals = 0;                                    // the unit is 10^-decimals
+  std::optional<Drawing_transform> map = std::nullopt; // by which it is drawn, where that changes angles
 
   // Returns a coordinate as a decimal, and a point, e.g. "(0.5, -2)".
   std::string text(std::int64_t coordinate) const;
   std::string text(const GC::Grid_vector& point) const { return '(' + text(point.x) + ", " + text(point.y) + ')'; }
 
   std::size_t number_of_joins() const { return curves.empty() || closed ? curves.size() : curves.size() - 1; }
+  std::size_t next(std::size_t curve) const { return curve + 1 == curves.size() ? 0 : curve + 1; }
 };
 
 // A curve on the grid in floating-point numbers, which hold its coordinates exactly.
@@ -51,10 +61,13 @@ Grid_bezier grid_bezier(const std::vector<GC::Grid_vector>& points);
 // Whether the control points lie on the chord, in order.
 bool is_line(const std::vector<GC::Grid_vector>& points);
 
+// The direction of an arc at an end, as the shortest whole vector; nothing where that is too long or irrational.
+std::optional<GC::Grid_vector> arc_direction(const Exact_segment& arc, bool at_end);
+
 // How many joins have each grade.
 typedef std::map<GC::Join_grade, std::size_t> Grade_counts;
 
-// Returns the grade of a join, the one behind this curve; nothing where a curve is unknown.
+// Returns the grade of a join, the one behind this curve, as it is drawn; nothing where it is not known.
 std::optional<GC::Join_grade> grade(const Grid_contour& contour, std::size_t join, const GC::Kink_bound& bound);
 
 // Counts the grades of all joins that are known.

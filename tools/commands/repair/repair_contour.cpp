@@ -6,12 +6,14 @@
 
 #include <CGAL/Geometric_continuity/extensions/align_handles.h>
 #include <CGAL/Geometric_continuity/extensions/harmonise_handles.h>
+#include <CGAL/Geometric_continuity/joins/Kink_size.h>
 #include <CGAL/Geometric_continuity/joins/deviation.h>
 
 #include <algorithm>
 #include <cmath>
 #include <set>
 #include <sstream>
+#include <tuple>
 #include <utility>
 
 namespace {
@@ -30,13 +32,23 @@ CGAL::Exact_rational squared_distance(const Vector& p, const Vector& q) {
   return CGAL::Exact_rational(x * x + y * y);
 }
 
+// What moves leave behind: what is better is less.
+struct Harm {
+  std::size_t kinks = 0; // that are left next to them
+  std::size_t lost = 0;  // joins that are G2 no more
+  double change = 0; // the square of the largest distance between old and new points of the curves at equal parameters
+  friend bool operator<(const Harm& x, const Harm& y) {
+    return std::tie(x.kinks, x.lost, x.change) < std::tie(y.kinks, y.lost, y.change);
+  }
+};
+
 class Contour_mender {
   Grid_contour& contour_;
   const Repair_options& options_;
   const Grid_contour given_ = contour_;
   Contour_repair result_;
 
-  std::size_t next(std::size_t curve) const { return curve + 1 == contour_.curves.size() ? 0 : curve + 1; }
+  std::size_t next(std::size_t curve) const { return contour_.next(curve); }
   std::size_t previous(std::size_t curve) const { return (curve == 0 ? contour_.curves.size() : curve) - 1; }
   const Points& points(std::size_t curve) const { return contour_.curves[curve].points; }
   std::optional<GC::Join_grade> grade(std::size_t join) const { return ::grade(contour_, join, options_.bound); }
@@ -45,7 +57,7 @@ class Contour_mender {
   std::vector<std::size_t> joins_of(std::size_t curve) const {
     std::vector<std::size_t> joins;
     if (contour_.closed || curve > 0) joins.push_back(previous(curve));
-    if (contour_.closed || curve + 1 < contour_.curves.size()) joins.push_back(curve);
+    if ((contour_.closed || curve + 1 < contour_.curves.size()) && contour_.curves.size() > 1) joins.push_back(curve);
     return joins;
   }
 
@@ -55,55 +67,118 @@ class Contour_mender {
     return squared_distance(from, to) <= CGAL::Exact_rational(bound * bound);
   }
 
-  // A tenth of the shorter one of these handles as they were given.
-  CGAL::Exact_rational max_move(std::initializer_list<Vector> legs) const {
-    if (options_.max_move) return *options_.max_move;
-    double shortest = 1e300;
-    for (const Vector& leg : legs) shortest = (std::min)(shortest, std::hypot(double(leg.x), double(leg.y)));
-    return CGAL::Exact_rational((std::max)(1., std::floor(shortest / 10)));
-  }
-
   struct Move {
     std::size_t curve, point;
     Vector to;
   };
+  typedef std::vector<Move> Moves;
 
   // Returns the moves back.
-  std::vector<Move> execute(const std::vector<Move>& moves) {
-    std::vector<Move> back;
+  Moves execute(const Moves& moves) {
+    Moves back;
     for (const Move& m : moves)
       back.push_back({m.curve, m.point, std::exchange(contour_.curves[m.curve].points[m.point], m.to)});
     return back;
   }
 
-  // Moves control points unless one of them moves by more than the bound, the join does not become smooth by it, or another join is
-  // smooth no more. Returns why not.
-  std::string moved(std::size_t join, const std::vector<Move>& moves, const CGAL::Exact_rational& bound) {
-    std::vector<std::size_t> joins;
+  // The square of the largest value of n t (1-t)^(n-1), by which a handle of a curve of degree n moves its points, times that of the move.
+  double change(const Moves& moves) const {
+    double most = 0;
+    for (const Move& m : moves) {
+      const Vector v = m.to - points(m.curve)[m.point];
+      const double n = static_cast<double>(points(m.curve).size() - 1), weight = std::pow((n - 1) / n, n - 1),
+                   x = static_cast<double>(v.x), y = static_cast<double>(v.y);
+      most = (std::max)(most, weight * weight * (x * x + y * y));
+    }
+    return most;
+  }
+
+  // What is to stay at a join next to a move.
+  struct State {
+    std::size_t join;
+    std::optional<GC::Join_grade> grade;
+    std::optional<GC::Enclosure> angle; // of a kink
+  };
+  State state(std::size_t join) const {
+    State s{join, grade(join), std::nullopt};
+    if (s.grade == GC::Join_grade::kink && !points(join).empty() && !points(next(join)).empty())
+      s.angle = GC::kink_size(grid_bezier(points(join)), grid_bezier(points(next(join))))->angle;
+    return s;
+  }
+
+  // Whether a join is harmed by moves from the contour that was; it has changed to this state.
+  bool is_harmed(const State& before, const State& after, const Moves& back) const {
+    if (!before.grade) { // an arc that is not known: directions next to it stay as they are
+      for (const Move& m : back) {
+        const std::size_t n = points(m.curve).size() - 1;
+        const bool at_end = m.curve == before.join;
+        const Vector node = points(m.curve)[at_end ? n : 0], now = points(m.curve)[m.point];
+        const bool next_to_node = m.point == (at_end ? n - 1 : 1);
+        const Vector u = m.to - node, v = now - node;
+        if (next_to_node && (cross(u, v) != 0 || dot(u, v) <= 0)) return true;
+      }
+      return false;
+    }
+    switch (*before.grade) {
+    case GC::Join_grade::gap: return false;
+    case GC::Join_grade::corner: return after.grade != GC::Join_grade::corner;
+    case GC::Join_grade::kink:
+      return after.grade < GC::Join_grade::kink ||
+             (before.angle && after.angle && after.angle->upper > before.angle->upper);
+    default: return after.grade < GC::Join_grade::g1;
+    }
+  }
+
+  // Decides what moves would do: nothing where they are allowed and make the join smooth, otherwise why they are not made.
+  std::string objection(std::size_t join, const Moves& moves, const CGAL::Exact_rational& bound, Harm& harm) {
+    std::set<std::size_t> joins;
     for (const Move& m : moves) {
       const Vector& from = given_.curves[m.curve].points[m.point];
       if (!is_within(from, m.to, bound))
         return "not on this grid: the nearest position, " + contour_.text(m.to) + ", is " +
                units(GC::root_enclosure(squared_distance(from, m.to))) + " away, and the handle may move by " +
                bound_text(bound);
-      for (std::size_t j : joins_of(m.curve)) joins.push_back(j);
+      for (std::size_t j : joins_of(m.curve)) joins.insert(j);
     }
-    std::vector<std::optional<GC::Join_grade>> before;
-    for (std::size_t j : joins) before.push_back(grade(j));
-    const std::vector<Move> back = execute(moves);
+    harm = {0, 0, change(moves)};
+    std::vector<State> before;
+    for (std::size_t j : joins) before.push_back(state(j));
+    const Moves back = execute(moves);
     bool smooth = grade(join) >= GC::Join_grade::g1;
-    for (std::size_t i = 0; i < joins.size(); ++i)
-      smooth = smooth && (!before[i] || grade(joins[i]) >= (std::min)(*before[i], GC::Join_grade::g1));
-    if (smooth) return "";
+    for (const State& x : before) {
+      const State after = state(x.join);
+      smooth = smooth && (x.join == join || !is_harmed(x, after, back));
+      harm.kinks += after.grade == GC::Join_grade::kink;
+      harm.lost += x.grade == GC::Join_grade::g2 && after.grade == GC::Join_grade::g1;
+    }
     execute(back);
-    return "another join would be smooth no more";
+    return smooth ? "" : "another join would be harmed";
   }
 
-  static std::string bound_text(const CGAL::Exact_rational& bound) {
-    std::ostringstream os;
-    os << CGAL::to_double(bound);
-    return os.str();
+  // What would mend a kink.
+  struct Proposal {
+    std::size_t join;
+    Moves moves = {}; // none where there is a reason
+    std::string reason = {};
+    CGAL::Exact_rational bound = 0; // of the moves
+    Harm harm = {};
+  };
+
+  // Takes those of the moves that harm least, of equal ones the first.
+  void choose(const std::vector<Moves>& choices, Proposal& proposal) {
+    for (const Moves& moves : choices) {
+      Harm harm;
+      const std::string objection = this->objection(proposal.join, moves, proposal.bound, harm);
+      if (proposal.moves.empty() && proposal.reason.empty()) proposal.reason = objection;
+      if (!objection.empty() || (!proposal.moves.empty() && !(harm < proposal.harm))) continue;
+      proposal.moves = moves;
+      proposal.harm = harm;
+      proposal.reason.clear();
+    }
+    if (proposal.moves.empty() && proposal.reason.empty()) proposal.reason = "no handle can move";
   }
+
+  static std::string bound_text(const CGAL::Exact_rational& bound) { return rounded_up(CGAL::to_double(bound)); }
 
   // Whether the handle of a curve belongs to one node.
   bool is_free(std::size_t curve) const {
@@ -115,65 +190,163 @@ class Contour_mender {
     return !c.fixed && c.points.size() == 3 && !is_line(c.points);
   }
 
-  // The direction in which a curve ends or starts: that of the chord for a line.
-  Vector leg(std::size_t curve, bool at_end) const {
-    const Points& p = points(curve);
+  bool is_movable(std::size_t curve) const { return is_free(curve) || is_free_quadratic(curve); }
+
+  // The direction in which a curve ends or starts: that of the chord for a line. Zero where a handle lies at the node, nothing where no
+  // vector of the grid has it.
+  std::optional<Vector> leg(std::size_t curve, bool at_end) const {
+    const Grid_curve& c = contour_.curves[curve];
+    if (c.arc) return arc_direction(*c.arc, at_end);
+    const Points& p = c.points;
     if (is_line(p)) return p.back() - p.front();
     return at_end ? p.back() - p[p.size() - 2] : p[1] - p[0];
   }
 
-  void repair_kink(std::size_t join) {
-    const std::size_t left = join, right = next(join);
-    const Vector zero{0, 0}, node = points(right).front(), a = leg(left, true), b = leg(right, false);
-    if (a == zero || b == zero) return leave(join, "a handle lies at the node");
-    for (const Vector& v : {a, b})
-      if ((std::max)((std::abs)(v.x), (std::abs)(v.y)) > GC::max_leg)
-        return leave(join, "a handle is longer than 2^28 units of the grid");
-    const std::size_t end = points(left).size() - 2;
-    std::string reason;
-    if (is_free(left) && is_free(right)) {
-      const std::optional<GC::Aligned_handles> legs = GC::align_handles(a, b);
-      if (!legs) return leave(join, "the angle is more than 45 degrees");
-      reason = moved(join, {{left, end, node - legs->left}, {right, 1, node + legs->right}}, max_move({a, b}));
-    } else if (is_free(left))
-      reason = moved(join, {{left, end, node - GC::align_handle(a, b)}}, max_move({a}));
-    else if (is_free(right))
-      reason = moved(join, {{right, 1, node + GC::align_handle(b, a)}}, max_move({b}));
-    else if (is_free_quadratic(left))
-      reason = repair_quadratic(join, left, b);
-    else if (is_free_quadratic(right))
-      reason = repair_quadratic(join, right, a);
-    else
-      reason = "no handle can move";
-    if (!reason.empty()) leave(join, reason);
+  static bool is_short(const Vector& v) { return (std::max)((std::abs)(v.x), (std::abs)(v.y)) <= GC::max_leg; }
+
+  // How far a handle may move for a kink between these legs: twice what it is off and one unit.
+  CGAL::Exact_rational max_move(std::size_t join, const Vector& a, const Vector& b) const {
+    if (options_.max_move) return *options_.max_move;
+    const Grid_curve &left = contour_.curves[join], &right = contour_.curves[next(join)];
+    double off = 0;
+    if (left.arc || right.arc) { // the distance of the tip of the handle from the tangent
+      const CGAL::Exact_rational c = exact(cross(a, b));
+      const Vector& tangent = left.arc ? a : b;
+      off = GC::root_enclosure(CGAL::Exact_rational(c * c / exact(squared_length(tangent)))).lower;
+    } else
+      off = GC::kink_size(grid_bezier(left.points), grid_bezier(right.points))->handle_offset.lower;
+    return CGAL::Exact_rational(2 * CGAL::Exact_rational(off) + 1);
   }
 
-  // The handle of a quadratic belongs to both of its nodes: it moves along its leg at the other node if the join there is smooth.
-  std::string repair_quadratic(std::size_t join, std::size_t curve, const Vector& direction) {
+  Proposal propose(std::size_t join) {
+    const std::size_t left = join, right = next(join);
+    const std::optional<Vector> in = leg(left, true), out = leg(right, false);
+    if (!in || !out) return {join, {}, "no point of the grid lies in the direction of the arc"};
+    const Vector zero{0, 0}, a = *in, b = *out;
+    if (a == zero || b == zero) return {join, {}, "a handle lies at the node"};
+    if (!is_short(a) || !is_short(b)) return {join, {}, "a handle is longer than 2^28 units of the grid"};
+    if (dot(a, b) < (std::abs)(cross(a, b))) return {join, {}, "the angle is more than 45 degrees"};
+    Proposal proposal{join, {}, "", max_move(join, a, b)};
+    std::vector<Moves> choices;
+    const std::size_t degree = points(left).size();
+    const bool are_alike = is_movable(left) && is_movable(right) && degree == points(right).size();
+    if (const std::optional<Moves> moves = are_alike ? symmetric(join, a, b) : std::nullopt) {
+      choose({*moves}, proposal);
+      return proposal;
+    }
+    if (is_free(left) && is_free(right)) {
+      if (const std::optional<GC::Aligned_handles> legs = aligned(a, b, proposal.bound))
+        choices.push_back({to_left(join, legs->left), to_right(join, legs->right)});
+      choices.push_back({to_left(join, GC::align_handle(a, b))});
+      choices.push_back({to_right(join, GC::align_handle(b, a))});
+      if (rank(a) < rank(b)) std::swap(choices[choices.size() - 1], choices[choices.size() - 2]);
+    } else if (is_free(left))
+      choices = {{to_left(join, GC::align_handle(a, b))}};
+    else if (is_free(right))
+      choices = {{to_right(join, GC::align_handle(b, a))}};
+    std::string reason;
+    const bool right_first = rank(a) < rank(b);
+    for (const bool of_right : {right_first, !right_first}) {
+      const std::size_t curve = of_right ? right : left;
+      if (is_free_quadratic(curve)) add_quadratic(join, curve, of_right ? a : b, choices, reason);
+    }
+    if (choices.empty() && !reason.empty())
+      proposal.reason = reason;
+    else
+      choose(choices, proposal);
+    return proposal;
+  }
+
+  // What distinguishes legs that are no mirror images of each other, whichever way the contour is run through.
+  static std::pair<std::int64_t, std::int64_t> rank(const Vector& v) {
+    return {squared_length(v), (std::max)((std::abs)(v.x), (std::abs)(v.y))};
+  }
+
+  Move to_left(std::size_t join, const Vector& leg) const {
+    const std::size_t n = points(join).size() - 1;
+    return {join, n - 1, points(join)[n] - leg};
+  }
+  Move to_right(std::size_t join, const Vector& leg) const { return {next(join), 1, points(next(join))[0] + leg}; }
+
+  // Legs that are mirror images of each other stay so: on a line of the grid at a right angle to the axis. Nothing for other legs.
+  std::optional<Moves> symmetric(std::size_t join, const Vector& a, const Vector& b) const {
+    for (const Vector& d : {Vector{1, 0}, Vector{0, 1}, Vector{1, 1}, Vector{1, -1}}) {
+      if (cross(d, a) != -cross(d, b) || dot(d, a) != dot(d, b)) continue;
+      const Vector direction = dot(d, a) < 0 ? -1 * d : d;
+      const Vector leg = GC::align_handle(a, direction);
+      return Moves{to_left(join, leg), to_right(join, leg)};
+    }
+    return std::nullopt;
+  }
+
+  // align_handles() in coordinates in which mirror images are one: in the first octant with the longer leg first, seen from there to the
+  // left. So their handles move to mirror images, also where several positions are equally near.
+  static std::optional<GC::Aligned_handles> aligned(const Vector& a, const Vector& b,
+                                                    const CGAL::Exact_rational& most) {
+    const bool turned = rank(a) < rank(b);
+    const Vector &first = turned ? b : a, &second = turned ? a : b;
+    for (const bool swap : {false, true})
+      for (const std::int64_t sx : {1, -1})
+        for (const std::int64_t sy : {1, -1}) {
+          const auto image = [&](const Vector& v) -> Vector {
+            return swap ? Vector{sy * v.y, sx * v.x} : Vector{sx * v.x, sy * v.y};
+          };
+          const auto preimage = [&](const Vector& v) -> Vector {
+            return swap ? Vector{sx * v.y, sy * v.x} : Vector{sx * v.x, sy * v.y};
+          };
+          const Vector u = image(first), v = image(second);
+          const bool on_axis = u.y == 0 || u.x == u.y;
+          if (u.y < 0 || u.x < u.y || (on_axis && cross(u, v) < 0) || (u.y == 0 && u.x <= 0)) continue;
+          const double squared = (std::min)(CGAL::to_double(most * most), 1e18);
+          const std::optional<GC::Aligned_handles> legs = GC::align_handles(u, v, static_cast<std::int64_t>(squared));
+          if (!legs) return std::nullopt;
+          const Vector x = preimage(legs->left), y = preimage(legs->right);
+          return turned ? GC::Aligned_handles{y, x} : GC::Aligned_handles{x, y};
+        }
+    return std::nullopt;
+  }
+
+  // The handle of a quadratic belongs to both of its nodes: it moves to where the tangents at both intersect, or, where the other join is not
+  // to be smooth, along that at this node.
+  void add_quadratic(std::size_t join, std::size_t curve, const Vector& direction, std::vector<Moves>& choices,
+                     std::string& reason) const {
     const bool at_end = curve == join;
     const Points& p = points(curve);
     const Vector &node = at_end ? p[2] : p[0], &other = at_end ? p[0] : p[2], handle = p[1];
     const std::size_t other_join = at_end ? previous(curve) : curve;
     const std::vector<std::size_t> joins = joins_of(curve);
-    const bool bound = std::count(joins.begin(), joins.end(), other_join) != 0 && other_join != join &&
-                       grade(other_join) >= GC::Join_grade::g1;
+    std::optional<GC::Join_grade> there;
+    const bool has_other = std::count(joins.begin(), joins.end(), other_join) != 0 && other_join != join;
+    if (has_other) there = grade(other_join);
+    const bool bound = has_other && (!there || *there >= GC::Join_grade::g1);
     const Vector leg = at_end ? node - handle : handle - node, d = GC::primitive(direction);
-    const auto at = [&](std::int64_t k) { return at_end ? node - k * d : node + k * d; };
-    const CGAL::Exact_rational most = max_move({leg, other - handle});
-    if (!bound)
-      return moved(join, {{curve, 1, at_end ? node - GC::align_handle(leg, d) : node + GC::align_handle(leg, d)}},
-                   most);
-    // node -+ k d = other + t e
-    const Vector e = handle - other, to_other = at_end ? node - other : other - node;
-    const CGAL::Exact_rational numerator = CGAL::Exact_rational(exact(to_other.x) * exact(e.y) -
-                                                                exact(to_other.y) * exact(e.x)),
-                               denominator = CGAL::Exact_rational(exact(d.x) * exact(e.y) - exact(d.y) * exact(e.x));
-    if (denominator == 0) return "both nodes of a quadratic bind its handle to parallel lines";
-    const CGAL::Exact_rational k = CGAL::Exact_rational(numerator / denominator);
+    if (!bound) {
+      const Vector nearest = GC::align_handle(leg, d);
+      choices.push_back({{curve, 1, at_end ? node - nearest : node + nearest}});
+      if (there != GC::Join_grade::kink) return;
+    }
+    // node -+ k d = other + t e, where e is the tangent at the other node
+    Vector e = handle - other;
+    if (!bound) {
+      const std::optional<Vector> neighbour = at_end ? this->leg(previous(curve), true) : this->leg(next(curve), false);
+      if (!neighbour || *neighbour == Vector{0, 0}) return;
+      e = at_end ? *neighbour : -1 * *neighbour;
+    }
+    const Vector to_other = at_end ? node - other : other - node;
+    const CGAL::Exact_rational denominator = CGAL::Exact_rational(exact(d.x) * exact(e.y) - exact(d.y) * exact(e.x));
+    if (denominator == 0) {
+      if (bound) reason = "both nodes of a quadratic bind its handle to parallel lines";
+      return;
+    }
+    const CGAL::Exact_rational k = CGAL::Exact_rational(
+        CGAL::Exact_rational(exact(to_other.x) * exact(e.y) - exact(to_other.y) * exact(e.x)) / denominator);
     const double rounded = std::round(CGAL::to_double(k));
-    if (!(1 <= rounded && rounded < double(GC::max_leg)) || CGAL::Exact_rational(rounded) != k)
-      return "both nodes bind the handle of a quadratic, and the only place for it is not on this grid";
-    return moved(join, {{curve, 1, at(static_cast<std::int64_t>(rounded))}}, most);
+    if (!(1 <= rounded && rounded < double(GC::max_leg)) || CGAL::Exact_rational(rounded) != k) {
+      if (bound) reason = "both nodes bind the handle of a quadratic, and the only place for it is not on this grid";
+      return;
+    }
+    const std::int64_t steps = static_cast<std::int64_t>(rounded);
+    choices.push_back({{curve, 1, at_end ? node - steps * d : node + steps * d}});
   }
 
   // The side of a node for harmonising. A handle of a cubic moves the curvature at the other end, too: it stays where that is G2.
@@ -214,7 +387,7 @@ class Contour_mender {
     const Vector zero{0, 0}, node = points(right).front();
     if (a.leg == zero || b.leg == zero) return "a handle lies at the node";
     if (!a.movable && !b.movable) return "no handle can move without harm to a join that is G2";
-    const CGAL::Exact_rational bound = max_move({a.leg, b.leg});
+    const CGAL::Exact_rational bound = max_change({a.leg, b.leg});
     std::optional<GC::Aligned_handles> legs;
     try {
       const double squared = (std::min)(CGAL::to_double(bound * bound), 1e15);
@@ -230,31 +403,80 @@ class Contour_mender {
     const double before = sum_of_jumps(moves);
     std::vector<Move> back;
     for (const Move& m : moves) back.push_back({m.curve, m.point, points(m.curve)[m.point]});
-    const std::string reason = moved(join, moves, bound);
-    if (!reason.empty() || sum_of_jumps(moves) < before) return reason;
+    Harm harm;
+    const std::string reason = objection(join, moves, bound, harm);
+    if (!reason.empty()) return reason;
+    execute(moves);
+    if (sum_of_jumps(moves) < before) return "";
     execute(back);
     return ""; // the jumps next to it would grow by more
   }
 
-  // Returns how many kinks are left.
-  std::size_t repair_kinks() {
-    result_ = Contour_repair();
-    for (std::size_t j = 0; j < contour_.number_of_joins(); ++j) {
-      const std::optional<GC::Join_grade> g = grade(j);
-      if (!g) {
+  // A tenth of the shorter one of these handles as they were given.
+  CGAL::Exact_rational max_change(std::initializer_list<Vector> legs) const {
+    if (options_.max_move) return *options_.max_move;
+    double shortest = 1e300;
+    for (const Vector& leg : legs) shortest = (std::min)(shortest, std::hypot(double(leg.x), double(leg.y)));
+    return CGAL::Exact_rational((std::max)(1., std::floor(shortest / 10)));
+  }
+
+  // Whether a proposal waits for that of a join next to it, with which it shares the handle of a quadratic: what harms less comes first,
+  // and of what is equal nothing unless both agree on the handle.
+  bool waits(const Proposal& x, const Proposal& y) const {
+    const std::size_t shared = next(x.join) == y.join ? y.join : x.join;
+    if (x.join == y.join || points(shared).size() != 3 || y.moves.empty() || x.harm < y.harm) return false;
+    if (y.harm < x.harm) return true;
+    const auto place_of_handle = [&](const Proposal& p) -> std::optional<Vector> {
+      for (const Move& m : p.moves)
+        if (m.curve == shared) return m.to;
+      return std::nullopt;
+    };
+    return place_of_handle(x) != place_of_handle(y);
+  }
+
+  // Mends what the proposals say, unless they contradict each other. Returns whether a kink was mended.
+  bool mend(const std::vector<Proposal>& proposals) {
+    const auto at = [&](std::size_t join) {
+      const auto found = std::lower_bound(proposals.begin(), proposals.end(), join,
+                                          [](const Proposal& p, std::size_t j) { return p.join < j; });
+      return found != proposals.end() && found->join == join ? &*found : nullptr;
+    };
+    bool any = false;
+    for (const Proposal& p : proposals) {
+      const Proposal *const before = at(previous(p.join)), *const after = at(next(p.join));
+      if (p.moves.empty() || (before && waits(p, *before)) || (after && waits(p, *after))) continue;
+      Harm harm;
+      if (grade(p.join) != GC::Join_grade::kink || !objection(p.join, p.moves, p.bound, harm).empty()) continue;
+      execute(p.moves);
+      any = true;
+    }
+    return any;
+  }
+
+  void repair_kinks() {
+    std::vector<Proposal> proposals;
+    do {
+      proposals.clear();
+      for (std::size_t j = 0; j < contour_.number_of_joins(); ++j)
+        if (grade(j) == GC::Join_grade::kink) proposals.push_back(propose(j));
+    } while (mend(proposals)); // one repair may make room for another
+    for (const Proposal& p : proposals)
+      leave(p.join, p.reason.empty() ? "the handle would have to move to two places" : p.reason);
+  }
+
+  void count_undecided() {
+    for (std::size_t j = 0; j < contour_.number_of_joins(); ++j)
+      if (!grade(j)) {
         const Grid_curve &left = contour_.curves[j], &right = contour_.curves[next(j)];
         const std::string& reason = left.reason.empty() ? right.reason : left.reason;
         ++result_.undecided[reason.empty() ? "a curve has no length" : reason];
-      } else if (*g == GC::Join_grade::kink)
-        repair_kink(j);
-    }
-    return result_.unrepaired.size();
+      }
   }
 
   void harmonise_all() {
     std::vector<Curvature_jump> jumps;
     for (std::size_t j = 0; j < contour_.number_of_joins(); ++j)
-      if (grade(j) == GC::Join_grade::g1)
+      if (is_bezier_join(j) && grade(j) == GC::Join_grade::g1)
         if (const std::optional<GC::Enclosure> before = jump(j)) jumps.push_back({j, *before, *before, ""});
     for (int pass = 0; pass < passes; ++pass)
       for (Curvature_jump& x : jumps)
@@ -266,23 +488,68 @@ class Contour_mender {
     result_.jumps = std::move(jumps);
   }
 
+  bool is_bezier_join(std::size_t join) const { return !points(join).empty() && !points(next(join)).empty(); }
+
 public:
   Contour_mender(Grid_contour& contour, const Repair_options& options) : contour_(contour), options_(options) {}
 
-  Contour_repair repair() {
-    std::size_t left = repair_kinks();
-    for (std::size_t before = left + 1; left != 0 && left < before;) { // one repair may make room for another
-      before = left;
-      left = repair_kinks();
-    }
-    if (options_.harmonise) harmonise_all();
-    for (std::size_t i = 0; i < contour_.curves.size(); ++i)
-      for (std::size_t k = 0; k < points(i).size(); ++k)
-        if (points(i)[k] != given_.curves[i].points[k])
-          result_.moves.push_back({i, k, given_.curves[i].points[k], points(i)[k]});
-    return result_;
+  // Makes the kinks smooth.
+  Contour_repair mend() {
+    repair_kinks();
+    count_undecided();
+    return std::move(result_);
+  }
+
+  // Makes the curvatures of smooth joins agree.
+  std::vector<Curvature_jump> harmonise() {
+    harmonise_all();
+    return std::move(result_.jumps);
   }
 };
+
+bool same_points(const Grid_contour& x, const Grid_contour& y) {
+  return std::equal(x.curves.begin(), x.curves.end(), y.curves.begin(), y.curves.end(),
+                    [](const Grid_curve& c, const Grid_curve& d) { return c.points == d.points; });
+}
+
+bool moves_within(const Grid_contour& from, const Grid_contour& to, const CGAL::Exact_rational& bound) {
+  const CGAL::Exact_rational squared = CGAL::Exact_rational(bound * bound);
+  for (std::size_t i = 0; i < from.curves.size(); ++i)
+    for (std::size_t k = 0; k < from.curves[i].points.size(); ++k)
+      if (squared < squared_distance(from.curves[i].points[k], to.curves[i].points[k])) return false;
+  return true;
+}
+
+// Makes the curvatures agree such that doing it again would change nothing. Where handles would go on and on, beyond how far they may, they
+// all stay.
+std::vector<Curvature_jump> harmonised(Grid_contour& contour, const Repair_options& options) {
+  constexpr int most_rounds = 16;
+  Grid_contour result = contour;
+  std::vector<Curvature_jump> jumps = Contour_mender(result, options).harmonise();
+  Grid_contour again = result;
+  for (int round = 0; round < most_rounds; ++round) {
+    Contour_mender(again, options).mend();
+    Contour_mender(again, options).harmonise();
+    if (same_points(again, result)) {
+      contour = result;
+      return jumps;
+    }
+    if (options.max_move && !moves_within(contour, again, *options.max_move)) break;
+    result = again;
+    for (Curvature_jump& x : jumps) {
+      const std::size_t next = result.next(x.join);
+      x.after = grade(result, x.join, options.bound) == GC::Join_grade::g2
+                    ? GC::Enclosure{0, 0}
+                    : *GC::deviation(grid_bezier(result.curves[x.join].points), grid_bezier(result.curves[next].points))
+                           .curvature_jump;
+    }
+  }
+  for (Curvature_jump& x : jumps) {
+    x.after = x.before;
+    x.reason = "the lengths of the handles find no rest within the allowed moves";
+  }
+  return jumps;
+}
 
 } // namespace
 
@@ -303,5 +570,31 @@ std::string units(const GC::Enclosure& distance) {
 }
 
 Contour_repair repair(Grid_contour& contour, const Repair_options& options) {
-  return Contour_mender(contour, options).repair();
+  const Grid_contour given = contour;
+  Contour_repair result = Contour_mender(contour, options).mend();
+  // What was left may be possible now; a limit that is given holds for all of it.
+  for (bool more = !same_points(contour, given) && !result.unrepaired.empty(); more;) {
+    Grid_contour again = contour;
+    Contour_repair next = Contour_mender(again, options).mend();
+    more = next.unrepaired.size() < result.unrepaired.size() &&
+           (!options.max_move || moves_within(given, again, *options.max_move));
+    if (!more) break;
+    contour = std::move(again);
+    result = std::move(next);
+  }
+  if (options.harmonise) result.jumps = harmonised(contour, options);
+  std::set<std::size_t> touched;
+  for (std::size_t i = 0; i < contour.curves.size(); ++i)
+    for (std::size_t k = 0; k < contour.curves[i].points.size(); ++k) {
+      const GC::Grid_vector &from = given.curves[i].points[k], &to = contour.curves[i].points[k];
+      if (from == to) continue;
+      result.moves.push_back({i, k, from, to});
+      touched.insert(i);
+      touched.insert(i == 0 ? contour.curves.size() - 1 : i - 1);
+    }
+  for (std::size_t j : touched)
+    if (j < contour.number_of_joins() && grade(given, j, options.bound) == GC::Join_grade::g2 &&
+        grade(contour, j, options.bound) == GC::Join_grade::g1)
+      result.lost.push_back(j);
+  return result;
 }

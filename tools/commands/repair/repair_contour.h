@@ -20,7 +20,7 @@
 struct Repair_options {
   GC::Kink_bound bound; // kinks are angles up to this one
   std::optional<CGAL::Exact_rational>
-      max_move;           // in units; a tenth of the shorter handle, at least 1, unless it is given
+      max_move; // in units; unless it is given, twice what the kink is off and one more, for curvatures a tenth of the shorter handle
   bool harmonise = false; // the curvatures, too
 };
 
@@ -58,10 +58,13 @@ struct Contour_repair {
   std::vector<Unrepaired_join> unrepaired;
   std::map<std::string, std::size_t> undecided; // how many joins have no grade, for each reason
   std::vector<Curvature_jump> jumps;
+  std::vector<std::size_t> lost; // the joins that were G2 and now are G1
 };
 
-// Makes each kink exactly G1 by moving handles, not nodes, as little as possible, and harmonises the curvatures when that is asked for.
-// A move that would make another join a kink or a corner is not made. What is said to be repaired is so by the exact predicates.
+// Makes each kink exactly G1 by moving handles, not nodes, so that the curves change as little as possible, and harmonises the curvatures
+// when that is asked for. A move that would harm another join is not made: a smooth one stays smooth, a corner stays a corner, a kink does
+// not grow, and a direction next to an arc that is not known stays as it is; a join that is G2 falls to G1 only where no other move does.
+// Mirror images are repaired to mirror images. What is said to be repaired is so by the exact predicates. Repairing again changes nothing.
 Contour_repair repair(Grid_contour& contour, const Repair_options& options);
 
 #endif // GEOMETRIC_CONTINUITY_TOOLS_COMMANDS_REPAIR_REPAIR_CONTOUR_H

@@ -4,14 +4,17 @@
 
 #include "commands/repair/repair_font.h"
 
-#include "commands/chains/join_report.h"
 #include "files/progress.h"
 #include "formats/font/Font_face.h"
+#include "reports/words.h"
 
 #include <CGAL/Geometric_continuity/Error.h>
 #include <CGAL/Geometric_continuity/IO/json.h>
+#include <CGAL/Geometric_continuity/IO/printable.h>
 
 #include <algorithm>
+#include <map>
+#include <set>
 #include <sstream>
 #include <vector>
 
@@ -25,26 +28,49 @@ std::string pair(const GC::Grid_vector& p) { return '[' + std::to_string(p.x) + 
 class Font_mender {
   const Repair_options& options_;
   std::ostringstream moves_, unrepaired_;
-  std::size_t moved_ = 0, glyphs_ = 0, glyphs_with_kinks_ = 0, repaired_glyphs_ = 0, unread_ = 0, left_ = 0;
+  std::size_t moved_ = 0, glyphs_ = 0, glyphs_with_kinks_ = 0, repaired_glyphs_ = 0, unread_ = 0, left_ = 0, lost_ = 0;
   GC::Enclosure largest_{0, 0};
   std::string largest_glyph_;
   Grade_counts before_, after_;
-  std::string font_; // a member of the objects of JSON, where there are several fonts
+  std::string font_;                              // a member of the objects of JSON, where there are several fonts
+  std::map<int, std::vector<std::string>> users_; // of components: the glyphs that consist of them
+  std::size_t composites_ = 0;
+  Claims claims_; // of glyphs that cannot be read
 
-  std::ostream& begin(std::ostringstream& os, std::size_t number, const std::string& glyph, std::size_t contour) const {
-    os << (number == 0 ? "\n {" : ",\n {") << font_ << "\"glyph\":";
-    GC::write_json(os, glyph);
-    return os << ",\"contour\":" << contour;
+  // A contour of a glyph, and the glyphs in which it is drawn as well.
+  struct Place {
+    std::string glyph;
+    std::size_t contour;
+    std::vector<std::string> users;
+  };
+
+  std::ostream& begin(std::ostringstream& os, std::size_t number, const Place& place) const {
+    os << (number == 0 ? "\n {" : ",\n {") << font_ << "\"glyph\":" << json_text(place.glyph);
+    if (!place.users.empty()) {
+      std::vector<std::string> names;
+      for (const std::string& name : place.users) names.push_back(json_text(name));
+      os << ",\"used_by\":" << json_array(names);
+    }
+    return os << ",\"contour\":" << place.contour;
   }
 
-  void repair_glyph(const std::string& name, const Glyph_outline& outline) {
+  // The components of a glyph, each once; none of one that cannot be read.
+  static std::set<int> components(const Font_face& font, int glyph) {
+    try {
+      return font.components(glyph);
+    } catch (const Font_error&) {
+      return {};
+    }
+  }
+
+  void repair_glyph(const std::string& name, const std::vector<std::string>& users, const Glyph_outline& outline) {
     bool kinks = false, all = true;
     for (std::size_t i = 0; i < outline.contours(); ++i) {
       Grid_contour contour = grid_contour(outline, i);
       const Grade_counts before = grades(contour, options_.bound);
       const bool has_kinks = before.count(GC::Join_grade::kink) != 0;
       add(before_, before);
-      if (has_kinks || options_.harmonise) note(name, i, contour, ::repair(contour, options_));
+      if (has_kinks || options_.harmonise) note({name, i, users}, contour, ::repair(contour, options_));
       const Grade_counts after = grades(contour, options_.bound);
       add(after_, after);
       kinks = kinks || has_kinks;
@@ -58,20 +84,21 @@ class Font_mender {
     for (const auto& [grade, count] : counts) sum[grade] += count;
   }
 
-  void note(const std::string& name, std::size_t number, const Grid_contour& contour, const Contour_repair& done) {
+  void note(const Place& place, const Grid_contour& contour, const Contour_repair& done) {
     std::vector<std::size_t> first{0}; // the number of the first point of each curve among those of the contour
     for (const Grid_curve& curve : contour.curves) first.push_back(first.back() + curve.points.size() - 1);
     for (const Handle_move& m : done.moves) {
-      begin(moves_, moved_++, name, number) << ",\"point\":" << first[m.curve] + m.point << ",\"from\":" << pair(m.from)
-                                            << ",\"to\":" << pair(m.to) << '}';
+      begin(moves_, moved_++, place) << ",\"point\":" << first[m.curve] + m.point << ",\"from\":" << pair(m.from)
+                                     << ",\"to\":" << pair(m.to) << '}';
       if (largest_.upper < m.distance().upper) {
         largest_ = m.distance();
-        largest_glyph_ = name;
+        largest_glyph_ = place.glyph;
       }
     }
+    lost_ += done.lost.size();
     for (const Unrepaired_join& x : done.unrepaired) {
-      begin(unrepaired_, left_++, name, number)
-          << ",\"node\":" << pair(contour.curves[x.join].points.back()) << ",\"reason\":";
+      begin(unrepaired_, left_++, place) << ",\"node\":" << pair(contour.curves[x.join].points.back())
+                                         << ",\"reason\":";
       GC::write_json(unrepaired_, x.reason);
       unrepaired_ << '}';
     }
@@ -86,15 +113,22 @@ public:
 
   void repair(const Font_face& font, const std::string& member) {
     font_ = member;
+    users_.clear();
+    for (int glyph = 0; glyph < font.glyphs(); ++glyph)
+      for (const int component : components(font, glyph)) users_[component].push_back(font.glyph_name(glyph));
     Progress progress("glyphs");
     Glyph_outline outline;
     for (int glyph = 0; glyph < font.glyphs(); ++glyph) {
       try {
         font.read(glyph, outline);
         ++glyphs_;
-        repair_glyph(font.glyph_name(glyph), outline);
-      } catch (const Font_error&) {
+        if (components(font, glyph).empty())
+          repair_glyph(font.glyph_name(glyph), users_[glyph], outline);
+        else
+          ++composites_;
+      } catch (const Font_error& error) {
         ++unread_;
+        claims_.add({Claim::not_covered, "glyph", error.what()});
       }
       progress.step(static_cast<std::size_t>(glyph), [&] { return double(glyph) / font.glyphs(); });
     }
@@ -104,12 +138,16 @@ public:
     std::ostringstream text;
     text << counted(glyphs_, "glyph") << ", " << glyphs_with_kinks_ << " with kinks, of which " << repaired_glyphs_
          << (repaired_glyphs_ == 1 ? " is" : " are") << " repaired as a whole";
-    if (unread_ != 0) text << "; " << unread_ << " cannot be read";
+    if (composites_ != 0) text << "; " << composites_ << " consist of components, which are decided once";
     text << "\nkinks: " << kinks(before_) << " before, " << kinks(after_)
-         << " after the moves, decided exactly\nmoves: " << counted(moved_, "handle");
-    if (moved_ != 0) text << ", at most " << units(largest_) << ", in the glyph " << largest_glyph_;
+         << " after the moves\nmoves: " << counted(moved_, "handle");
+    if (moved_ != 0) text << ", at most " << units(largest_) << ", in the glyph " << GC::printable(largest_glyph_);
     text << '\n';
-    return {"{\"moves\":[" + moves_.str() + "],\n \"not_repaired\":[" + unrepaired_.str() + "]}\n", text.str(), after_};
+    if (lost_ != 0) text << counted(lost_, "join") << (lost_ == 1 ? " falls" : " fall") << " from G2 to G1\n";
+    Claims claims = claims_;
+    for (const auto& [grade, count] : after_)
+      claims.add({grade == GC::Join_grade::kink ? Claim::not_met : Claim::met, "join"}, count);
+    return {"{\"moves\":[" + moves_.str() + "],\n \"not_repaired\":[" + unrepaired_.str() + "]}\n", text.str(), claims};
   }
 };
 

@@ -7,6 +7,7 @@
 
 #include "commands/repair/repair_contour.h"
 #include "formats/font/Glyph_outline.h"
+#include "reports/Claims.h"
 
 #include <cstddef>
 #include <string>
@@ -19,7 +20,7 @@ Grid_contour grid_contour(const Glyph_outline& outline, std::size_t contour);
 struct Font_repair {
   std::string moves; // {"moves":[…],"not_repaired":[…]}, the moves of handles in units of the font
   std::string text;  // the summary for people
-  Grade_counts after;
+  Claims claims;
 };
 
 // Repairs all glyphs of a font, given the bytes of its file, but does not change it. Throws GC::Error `malformed_input` for what is

@@ -6,6 +6,8 @@
 #define GEOMETRIC_CONTINUITY_TOOLS_COMMANDS_REPAIR_REPAIR_REPORT_H
 
 #include "commands/repair/repair_contour.h"
+#include "reports/Conclusion.h"
+#include "reports/words.h"
 
 #include <CGAL/Geometric_continuity/IO/json.h>
 #include <CGAL/Geometric_continuity/IO/printable.h>
@@ -19,25 +21,28 @@
 #include <utility>
 #include <vector>
 
+// What the reports of `repair` are about.
+inline Report_subject repair_subject() {
+  return {"join", "every join", "free of kinks", {}, "proved exactly on what is written", {}};
+}
+
 // What `repair` has done with a file, for people and for machines.
 class Repair_report {
-  const bool json_;
-  std::vector<std::string> moves_, unrepaired_, jumps_; // lines, or JSON objects
-  Grade_counts before_, after_;
+  const Report_mode mode_;
+  const bool json_ = mode_.format == Report_format::json;
+  std::vector<std::string> moves_, unrepaired_, jumps_, lost_; // lines, or JSON objects
+  Grade_counts before_, after_, defined_before_, defined_after_;
   std::map<std::string, std::size_t> undecided_;
+  Claims claims_; // but for the joins that have grades
   std::size_t curvatures_ = 0, harmonised_ = 0, exact_ = 0;
   GC::Enclosure largest_{0, 0}, largest_jump_{0, 0};
   std::string largest_place_;
 
-  static std::string json_text(const std::string& text) {
-    std::ostringstream os;
-    GC::write_json(os, text);
-    return os.str();
-  }
-  static std::string json_text(const GC::Enclosure& x) {
-    std::ostringstream os;
-    GC::write_json(os, std::optional<GC::Enclosure>(x));
-    return os.str();
+  static std::string json_text(const GC::Enclosure& x) { return ::json_text(std::optional<GC::Enclosure>(x)); }
+  static std::string json_text(const std::string& x) { return ::json_text(x); }
+  static std::size_t kinks(const Grade_counts& counts) {
+    const auto found = counts.find(GC::Join_grade::kink);
+    return found == counts.end() ? 0 : found->second;
   }
   static std::string percent(const GC::Enclosure& x) { return rounded_up(x.upper * 100 * (1 + 1e-15)) + " %"; }
   static GC::Enclosure in_percent(const GC::Enclosure& x) {
@@ -74,7 +79,7 @@ class Repair_report {
   }
 
 public:
-  explicit Repair_report(bool json) : json_(json) {}
+  explicit Repair_report(const Report_mode& mode) : mode_(mode) {}
 
   // The joins before and after, as they are read.
   void add_grades(const Grade_counts& before, const Grade_counts& after) {
@@ -113,6 +118,9 @@ public:
     for (const Unrepaired_join& x : done.unrepaired)
       unrepaired_.push_back(json_ ? object(x.join, "\"reason\":" + json_text(x.reason))
                                   : behind(x.join) + ": " + x.reason);
+    for (const std::size_t join : done.lost)
+      lost_.push_back(json_ ? object(join, "\"before\":\"G2\",\"after\":\"G1\"")
+                            : behind(join) + ": G2 before, now G1");
     for (const Curvature_jump& x : done.jumps) {
       ++curvatures_;
       exact_ += x.after.upper == 0;
@@ -127,48 +135,78 @@ public:
     }
   }
 
+  // The joins of what is defined and not drawn.
+  void add_definitions(const Grade_counts& before, const Grade_counts& after) {
+    defined_before_ = before;
+    defined_after_ = after;
+  }
+
+  // The joins with a rotated ellipse.
+  void add_undecided(std::size_t joins) {
+    if (joins != 0) undecided_["an arc of a rotated ellipse, whose tangents are not rational"] += joins;
+  }
+
   // What could not be read as a whole.
   void add_unread(const std::string& place, const std::string& members, const std::string& reason) {
     unrepaired_.push_back(json_ ? '{' + members + ",\"reason\":" + json_text(reason) + '}' : place + ": " + reason);
   }
 
-  // Whether a kink is left.
-  bool has_kinks() const { return after_.count(GC::Join_grade::kink) != 0 && after_.at(GC::Join_grade::kink) != 0; }
+  // An element that is not covered, with a reason.
+  void add_uncovered(const std::string& place, const std::string& members, const std::string& reason) {
+    add_unread(place, members, reason);
+    claims_.add({Claim::not_covered, "element", reason});
+  }
 
-  void print(std::ostream& os, const std::string& file) const {
+  // Prints the report and returns the exit code.
+  int print(std::ostream& os, const std::string& file) const {
+    Claims claims = claims_;
+    for (const Grade_counts* counts : {&after_, &defined_after_})
+      for (const auto& [grade, count] : *counts)
+        claims.add({grade == GC::Join_grade::kink ? Claim::not_met : Claim::met, "join"}, count);
+    for (const auto& [reason, count] : undecided_) claims.add({Claim::undecided, "join", reason}, count);
+    const Report_subject subject = repair_subject();
+    const Conclusion end(claims, mode_, subject);
+    print(os, file, end);
+    return end.exit_code();
+  }
+
+private:
+  void print(std::ostream& os, const std::string& file, const Conclusion& end) const {
     if (json_) {
       os << "{\"file\":" << json_text(file) << ",\n ";
       write_array(os, "moves", moves_);
       write_array(os, "curvatures", jumps_);
+      write_array(os, "lost", lost_);
       write_array(os, "not_repaired", unrepaired_);
-      os << "\"undecided\":{";
-      const char* separator = "";
-      for (const auto& [reason, count] : undecided_) {
-        os << separator << json_text(reason) << ':' << count;
-        separator = ",";
-      }
-      os << "},\n \"largest_move\":" << json_text(largest_) << ",\n \"before\":";
+      os << "\"largest_move\":" << json_text(largest_) << ",\n \"before\":";
       write_counts(os, before_, true);
       os << ",\n \"after\":";
       write_counts(os, after_, true);
-      os << ",\n \"met\":" << (has_kinks() ? "false" : "true") << "}\n";
+      os << ",\n \"not_drawn\":{\"before\":";
+      write_counts(os, defined_before_, true);
+      os << ",\"after\":";
+      write_counts(os, defined_after_, true);
+      os << "},\n " << end.json() << "}\n";
       return;
     }
     for (const std::string& line : moves_) os << "moved: " << GC::printable(line) << '\n';
+    for (const std::string& line : lost_) os << GC::printable(line) << '\n';
     for (const std::string& line : jumps_) os << GC::printable(line) << '\n';
     for (const std::string& line : unrepaired_) os << "not repaired: " << GC::printable(line) << '\n';
-    for (const auto& [reason, count] : undecided_)
-      os << "not decided: " << count << (count == 1 ? " join: " : " joins: ") << GC::printable(reason) << '\n';
     os << "before: ";
     write_counts(os, before_, false);
     os << "\nafter:  ";
     write_counts(os, after_, false);
-    os << ", proved exactly on what is written\n";
+    os << '\n';
+    if (kinks(defined_before_) + kinks(defined_after_) != 0)
+      os << "defined and not drawn: " << kinks(defined_before_) << " kinks before, " << kinks(defined_after_)
+         << " after\n";
     if (!moves_.empty())
       os << "largest move: " << units(largest_) << " of the last decimal, " << GC::printable(largest_place_) << '\n';
     if (curvatures_ != 0)
       os << "curvatures: of " << curvatures_ << " joins that were not G2, " << harmonised_ << " are harmonised, "
          << exact_ << " of them exactly; the largest jump of these is " << percent(largest_jump_) << '\n';
+    os << end.text();
   }
 };
 

@@ -179,6 +179,28 @@ void Font_face::count_components(int& number) const {
   }
 }
 
+std::set<int> Font_face::components(int glyph) const {
+  std::set<int> leaves, open{glyph}, known;
+  while (!open.empty()) {
+    const int next = *open.begin();
+    open.erase(open.begin());
+    if (!known.insert(next).second) continue;
+    if (known.size() > std::size_t{max_components}) throw Font_error("more components than any letter needs");
+    if (!load_components(next)) {
+      if (next != glyph) leaves.insert(next);
+      continue;
+    }
+    for (FT_UInt i = 0; i < face_->glyph->num_subglyphs; ++i) {
+      FT_Int component, x, y;
+      FT_UInt flags;
+      FT_Matrix scale;
+      check(FT_Get_SubGlyph_Info(face_->glyph, i, &component, &flags, &x, &y, &scale));
+      open.insert(component);
+    }
+  }
+  return leaves;
+}
+
 void Font_face::load(int glyph) const {
   if (!is_simple_[static_cast<std::size_t>(glyph)]) {
     if (!load_components(glyph)) return;

@@ -8,6 +8,7 @@
 #include "formats/font/Glyph_outline.h"
 
 #include <memory>
+#include <set>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -64,6 +65,9 @@ public:
   // Reads the outline of a glyph. Throws Font_error, also when the glyph has no outline but a picture, or coordinates that no
   // font needs.
   void read(int glyph, Glyph_outline& outline) const;
+
+  // The glyphs without components of which a glyph consists; none if it has no components. Throws Font_error.
+  std::set<int> components(int glyph) const;
 
 private:
   // Moves on to the first character from this one on that the font has, and returns its glyph, or 0.

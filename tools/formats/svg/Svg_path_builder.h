@@ -5,10 +5,12 @@
 #ifndef GEOMETRIC_CONTINUITY_TOOLS_FORMATS_SVG_SVG_PATH_BUILDER_H
 #define GEOMETRIC_CONTINUITY_TOOLS_FORMATS_SVG_SVG_PATH_BUILDER_H
 
-#include "formats/svg/Svg_segment.h"
+#include "formats/svg/Svg_subpath.h"
 #include "formats/svg/svg_size.h"
 #include <CGAL/Geometric_continuity/Error.h>
+#include <CGAL/Geometric_continuity/numbers/has_short_parts.h>
 
+#include <cstddef>
 #include <deque>
 #include <initializer_list>
 #include <iterator>
@@ -18,7 +20,6 @@
 
 namespace CGAL {
 namespace Geometric_continuity {
-namespace internal {
 
 // A straight cubic or quadratic with a handle that is retracted into its node, as editors write lines: all control
 // points lie between the ends. Its first derivative vanishes at the node, that of the line does not.
@@ -51,6 +52,7 @@ private:
   int control_degree_ = 1;                         // of the curve to which it belongs
   long long commands_ = 0;
   char letter_ = 'M';
+  std::size_t place_ = 0;
 
   void finish(bool closed) {
     if (!closed && segments_.empty()) return;
@@ -67,14 +69,15 @@ private:
     for (const Coordinates& x : points) control_points.push_back(to_point<Traits>(x));
     Bezier_curve<Traits> curve(std::make_move_iterator(control_points.begin()),
                                std::make_move_iterator(control_points.end()));
-    segments_.push_back({std::move(curve), commands_, letter_});
+    segments_.push_back({{std::move(curve)}, commands_, letter_, place_});
     current_ = std::move(points.back());
   }
 
 public:
   // Each command is announced, also when it draws nothing.
-  void begin_command(char letter) {
+  void begin_command(char letter, std::size_t place) {
     letter_ = letter;
+    place_ = place;
     ++commands_;
   }
 
@@ -104,15 +107,15 @@ public:
   }
 
   // An arc without a radius is a line, and one between equal points is nothing.
-  void arc_to(const Svg_arc_parameters<FT>& parameters, const Coordinates& x) {
+  void arc_to(const Elliptical_arc_parameters<FT>& parameters, const Coordinates& x) {
     control_degree_ = 1;
     if (x == current_) return;
     if (parameters.rx == FT(0) || parameters.ry == FT(0)) return add({current_, x});
-    const Svg_arc<Traits> arc(to_point<Traits>(current_), to_point<Traits>(x), parameters);
-    if (!is_svg_short<max_svg_radicand_bits>(arc.radicand()) ||
-        !is_svg_short<max_svg_ratio_bits>(FT(parameters.rx / parameters.ry)))
+    const Elliptical_arc<Traits> arc(to_point<Traits>(current_), to_point<Traits>(x), parameters);
+    if (!has_short_parts<max_svg_radicand_bits>(arc.radicand()) ||
+        !has_short_parts<max_svg_ratio_bits>(FT(parameters.rx / parameters.ry)))
       throw Error(Error_code::work_limit, "the sizes of an arc differ too much");
-    segments_.push_back({arc, commands_, letter_});
+    segments_.push_back({{arc}, commands_, letter_, place_});
     current_ = x;
   }
 
@@ -134,7 +137,6 @@ public:
   }
 };
 
-} // namespace internal
 } // namespace Geometric_continuity
 } // namespace CGAL
 

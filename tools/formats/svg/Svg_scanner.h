@@ -5,12 +5,13 @@
 #ifndef GEOMETRIC_CONTINUITY_TOOLS_FORMATS_SVG_SVG_SCANNER_H
 #define GEOMETRIC_CONTINUITY_TOOLS_FORMATS_SVG_SVG_SCANNER_H
 
-#include "formats/svg/svg_angle.h"
 #include "formats/svg/svg_size.h"
 #include <CGAL/Geometric_continuity/Error.h>
 #include <CGAL/Geometric_continuity/IO/limits.h>
 #include <CGAL/Geometric_continuity/IO/number.h>
 #include <CGAL/Geometric_continuity/IO/quoted_token.h>
+#include <CGAL/Geometric_continuity/numbers/Quarter_turns.h>
+#include <CGAL/Geometric_continuity/numbers/has_short_parts.h>
 
 #include <cstddef>
 #include <string>
@@ -19,7 +20,16 @@
 
 namespace CGAL {
 namespace Geometric_continuity {
-namespace internal {
+
+// A piece of a text, from one character to behind another one.
+struct Text_range {
+  std::size_t begin, end;
+};
+
+/// Returns the text of an error without its code.
+inline std::string svg_reason(const Error& error) {
+  return std::string(error.what()).substr(to_string(error.code()).size() + 2);
+}
 
 // Reads numbers, flags and names from the text of an attribute, by the grammar of SVG: white space and one comma may
 // separate numbers, and need not where the next number cannot be a part of the one before. The text must outlive it.
@@ -27,6 +37,7 @@ class Svg_scanner {
   std::string_view text_;
   std::string name_;
   std::size_t position_ = 0, token_ = 0; // of what comes next and of what was read last
+  Text_range number_{0, 0};              // the number or the flag that was read last
   bool comma_ = false;                   // a comma has been skipped, so that something must follow
 
   static bool is_digit(char c) { return '0' <= c && c <= '9'; }
@@ -61,6 +72,10 @@ public:
   // Messages begin with `name`, e.g. "path data".
   Svg_scanner(std::string_view text, std::string name) : text_(text), name_(std::move(name)) {}
 
+  // Where the next character stands, and the number or the flag that was read last.
+  std::size_t position() const { return position_; }
+  Text_range last_number() const { return number_; }
+
   bool at_end() const { return position_ == text_.size(); }
 
   // The next character, 0 at the end.
@@ -94,15 +109,17 @@ public:
     token_ = position_;
     if (!at_number()) refuse(found() + " where a number is expected");
     skip_number();
+    number_ = {token_, position_};
     const std::string_view token = text_.substr(token_, position_ - token_);
+    FT value(0);
     try {
-      const FT value = number_value<FT>(token);
-      if (!is_svg_short<max_svg_number_bits>(value))
-        throw Number_error("number of more than " + std::to_string(max_svg_number_bits) + " bits");
-      return value;
-    } catch (const Number_error& error) {
-      refuse(error.what() + (": " + quoted_token(token)));
+      value = parse_number<FT>(token);
+    } catch (const Error& error) {
+      refuse(svg_reason(error));
     }
+    if (!has_short_parts<max_svg_number_bits>(value))
+      refuse("number of more than " + std::to_string(max_svg_number_bits) + " bits: " + quoted_token(token));
+    return value;
   }
 
   // Reads a number and what separates it from the next one.
@@ -115,7 +132,7 @@ public:
   // Reads a number of degrees.
   template <class FT> FT angle() {
     const FT degrees = number<FT>();
-    if (!is_svg_angle(degrees)) refuse("an angle beyond 10^9 degrees");
+    if (!Quarter_turns<FT>::is_allowed(degrees)) refuse("an angle beyond 10^9 degrees");
     return degrees;
   }
 
@@ -124,6 +141,7 @@ public:
     token_ = position_;
     if (at_end() || (peek() != '0' && peek() != '1')) refuse(found() + " where a flag, 0 or 1, is expected");
     const bool value = text_[position_++] == '1';
+    number_ = {token_, position_};
     skip_separator();
     return value;
   }
@@ -170,7 +188,6 @@ public:
   }
 };
 
-} // namespace internal
 } // namespace Geometric_continuity
 } // namespace CGAL
 

@@ -6,11 +6,11 @@
 #define GEOMETRIC_CONTINUITY_TOOLS_FORMATS_SVG_SVG_TRANSFORM_H
 
 #include "formats/svg/Svg_scanner.h"
-#include "formats/svg/svg_angle.h"
 #include "formats/svg/svg_size.h"
 #include <CGAL/Geometric_continuity/Error.h>
 #include <CGAL/Geometric_continuity/local/coordinates.h>
-#include <CGAL/Geometric_continuity/numbers/internal/checked_numbers.h>
+#include <CGAL/Geometric_continuity/numbers/Quarter_turns.h>
+#include <CGAL/Geometric_continuity/numbers/has_short_parts.h>
 
 #include <array>
 #include <cmath>
@@ -40,7 +40,7 @@ public:
   /// Makes the map of the numbers `a, b, c, d, e, f`.
   /// \throws Error `not_finite` for a number that is not finite
   explicit Svg_transform(const std::array<FT, 6>& matrix) : m_(matrix) {
-    for (const FT& x : m_) internal::check_finite(x, "Svg_transform");
+    for (const FT& x : m_) check_svg_finite(x, "Svg_transform");
   }
 
   /// Returns the numbers `a, b, c, d, e, f`.
@@ -74,7 +74,7 @@ public:
 private:
   Svg_transform shortened() const {
     bool is_short = true;
-    for (const FT& x : m_) is_short = is_short && internal::is_svg_short<max_svg_transform_bits>(x);
+    for (const FT& x : m_) is_short = is_short && has_short_parts<max_svg_transform_bits>(x);
     if (is_short) return *this;
     std::array<FT, 6> rounded;
     bool faithful = true;
@@ -92,14 +92,12 @@ private:
   }
 };
 
-namespace internal {
-
 // The rational rotation next to the given one: cos = (1 - t^2)/(1 + t^2), sin = 2t/(1 + t^2) with t = tan(angle/2)
 // rounded to double, after the quarter turns, which are exact.
 template <class Traits> Svg_transform<Traits> svg_rotation(const typename Traits::FT& degrees) {
   typedef typename Traits::FT FT;
   const Quarter_turns<FT> turns(degrees);
-  const FT t = turns.rest == FT(0) ? FT(0) : FT(std::tan(svg_radians(CGAL::to_double(turns.rest)) / 2));
+  const FT t = turns.rest == FT(0) ? FT(0) : FT(std::tan(CGAL::to_double(turns.rest) * (std::acos(-1.0) / 360)));
   const FT length = FT(FT(1) + t * t);
   FT cosine = FT((FT(1) - t * t) / length), sine = FT((t + t) / length);
   for (int i = 0; i < turns.count; ++i) {
@@ -148,7 +146,7 @@ private:
     FT t = turns.rest == FT(0)     ? FT(0)
            : turns.rest == FT(45)  ? FT(1)
            : turns.rest == FT(-45) ? FT(-1)
-                                   : FT(std::tan(svg_radians(CGAL::to_double(turns.rest))));
+                                   : FT(std::tan(CGAL::to_double(turns.rest) * (std::acos(-1.0) / 180)));
     return turns.count % 2 == 0 ? t : FT(FT(-1) / t);
   }
 
@@ -214,8 +212,6 @@ private:
   }
 };
 
-} // namespace internal
-
 /// Returns the map of a list of transforms, the attribute `transform`: `matrix`, `translate`, `scale`, `rotate`,
 /// `skewX`, `skewY`, with the numbers of `parse_number()`. The last one is applied first.
 ///
@@ -232,7 +228,7 @@ private:
 ///   `not_finite` when the product of the transforms is outside the range of floating-point numbers
 template <class Traits>
 Svg_transform<Traits> parse_svg_transform(std::string_view text, const std::string& name = "transform") {
-  return internal::Svg_transform_reader<Traits>(text, name)();
+  return Svg_transform_reader<Traits>(text, name)();
 }
 
 } // namespace Geometric_continuity

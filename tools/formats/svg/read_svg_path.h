@@ -8,8 +8,10 @@
 #include "formats/svg/Svg_path_builder.h"
 #include "formats/svg/Svg_scanner.h"
 #include "formats/svg/svg_size.h"
+#include <CGAL/Geometric_continuity/numbers/has_short_parts.h>
 
 #include <cmath>
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -19,12 +21,37 @@
 namespace CGAL {
 namespace Geometric_continuity {
 
+/// One command of path data, and where it stands.
+struct Svg_command {
+  char letter;              ///< that is in force; that of L and l for what follows a point of M and m
+  bool is_given;            ///< whether the letter is written, as the first character of the command
+  std::size_t begin;        ///< where the command begins
+  std::size_t first_number; ///< the index of its first number in `Svg_path_places::numbers`
+};
+
+/// Where the commands of path data and their numbers stand.
+struct Svg_path_places {
+  long long first_command = 1; ///< the number of the first one of `commands`
+  std::vector<Svg_command> commands;
+  std::vector<Text_range> numbers; ///< of these commands; flags are numbers, too
+
+  /// Forgets the commands before the one of this number.
+  void forget_before(long long command) {
+    const auto end = commands.begin() + static_cast<std::ptrdiff_t>(command - first_command);
+    const std::size_t used = end == commands.end() ? numbers.size() : end->first_number;
+    commands.erase(commands.begin(), end);
+    numbers.erase(numbers.begin(), numbers.begin() + static_cast<std::ptrdiff_t>(used));
+    for (Svg_command& c : commands) c.first_number -= used;
+    first_command = command;
+  }
+};
+
 /// Reads the subpaths of SVG path data, the attribute `d`, one after the other: the commands M, L, H, V, C, S, Q, T, A
 /// and Z, absolute and relative, with implicit repetitions, and numbers with as few separators as the grammar of SVG
 /// allows.
 ///
 /// Coordinates are read by `parse_number()`, so that in an exact field the decimals are taken exactly, and sums of
-/// relative coordinates are exact too. Arcs stay arcs of ellipses, see `Svg_arc`. As SVG says, an arc with a zero
+/// relative coordinates are exact too. Arcs stay arcs of ellipses, see `Elliptical_arc`. As SVG says, an arc with a zero
 /// radius is a line, one with equal ends is omitted, and Z draws a line unless the subpath is already at its start.
 ///
 /// A cubic or a quadratic with a handle at its node has a zero tangent there. When all its control points lie between
@@ -38,31 +65,36 @@ template <class Traits> class Svg_path_reader {
   typedef typename Traits::FT FT;
   typedef Coordinate_vector<FT, 2> Coordinates;
 
-  internal::Svg_scanner scanner_;
-  internal::Svg_path_builder<Traits> builder_;
+  Svg_scanner scanner_;
+  Svg_path_builder<Traits> builder_;
   char letter_ = '\0';
   bool ended_ = false;
+  Svg_path_places* const places_;
 
 public:
-  /// Reads `text`, which must outlive the reader. Error messages begin with `name`.
-  explicit Svg_path_reader(std::string_view text, std::string name = "path data") : scanner_(text, std::move(name)) {
+  /// Reads `text`, which must outlive the reader. Error messages begin with `name`. Each command that is read is added to `places`.
+  explicit Svg_path_reader(std::string_view text, std::string name = "path data", Svg_path_places* places = nullptr)
+      : scanner_(text, std::move(name)), places_(places) {
     scanner_.skip_space();
   }
 
   /// Returns the next subpath, or nothing at the end. A subpath without segments is left out unless it is closed. After
   /// an error the reader cannot be used any more.
   /// \throws Error `malformed_input` with a text `name, character N: reason`, where `N` counts from 1, for everything
-  ///   that is no path data, for numbers that `double` cannot hold or `Svg_arc` refuses, and in an exact field for
+  ///   that is no path data, for numbers that `double` cannot hold or `Elliptical_arc` refuses, and in an exact field for
   ///   numbers and coordinates of more than `max_svg_number_bits` bits and for arcs with a ratio of the radii of more
-  ///   than `max_svg_ratio_bits` or an `Svg_arc::radicand()` of more than `max_svg_radicand_bits`
+  ///   than `max_svg_ratio_bits` or an `Elliptical_arc::radicand()` of more than `max_svg_radicand_bits`
   std::optional<Svg_subpath<Traits>> next() {
     while (!ended_) {
       if (scanner_.at_end()) {
         scanner_.refuse_comma();
         builder_.end();
         ended_ = true;
-      } else
-        execute(next_command());
+      } else {
+        const std::size_t begin = scanner_.position();
+        const bool repeated = is_repeated();
+        execute(repeated ? repeated_letter() : next_letter(), begin, !repeated);
+      }
       if (std::optional<Svg_subpath<Traits>> subpath = builder_.take_complete()) return subpath;
     }
     return std::nullopt;
@@ -71,24 +103,24 @@ public:
 private:
   static char upper(char c) { return 'a' <= c && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; }
 
-  // The letter of the next command; numbers behind a command repeat it, and those behind M are lines.
-  char next_command() {
-    const bool repeated = letter_ != '\0' && upper(letter_) != 'Z' && scanner_.at_number();
-    if (!repeated) {
-      scanner_.refuse_comma();
-      const char letter = scanner_.letter(letter_ == '\0' ? "the command M" : "a command");
-      if (letter_ == '\0' && upper(letter) != 'M') scanner_.refuse("the path does not begin with the command M");
-      if (std::string_view("MLHVCSQTAZ").find(upper(letter)) == std::string_view::npos)
-        scanner_.refuse(std::string("'") + letter + "' is not a command");
-      return letter;
-    }
-    return letter_ == 'M' ? 'L' : letter_ == 'm' ? 'l' : letter_;
+  // Numbers behind a command repeat it, and those behind M are lines.
+  bool is_repeated() const { return letter_ != '\0' && upper(letter_) != 'Z' && scanner_.at_number(); }
+  char repeated_letter() const { return letter_ == 'M' ? 'L' : letter_ == 'm' ? 'l' : letter_; }
+
+  char next_letter() {
+    scanner_.refuse_comma();
+    const char letter = scanner_.letter(letter_ == '\0' ? "the command M" : "a command");
+    if (letter_ == '\0' && upper(letter) != 'M') scanner_.refuse("the path does not begin with the command M");
+    if (std::string_view("MLHVCSQTAZ").find(upper(letter)) == std::string_view::npos)
+      scanner_.refuse(std::string("'") + letter + "' is not a command");
+    return letter;
   }
 
-  void execute(char letter) {
+  void execute(char letter, std::size_t begin, bool is_given) {
     const bool relative = upper(letter) != letter;
     letter_ = letter;
-    builder_.begin_command(letter);
+    builder_.begin_command(letter, begin);
+    if (places_ != nullptr) places_->commands.push_back({letter, is_given, begin, places_->numbers.size()});
     const Coordinates origin = relative ? builder_.current() : Coordinates(2);
     switch (upper(letter)) {
     case 'M': return builder_.move_to(point(origin));
@@ -104,6 +136,21 @@ private:
     }
   }
 
+  // The next number, whose place is noted.
+  FT number() {
+    const FT x = scanner_.template number<FT>();
+    note_place();
+    return x;
+  }
+  bool flag() {
+    const bool x = scanner_.flag();
+    note_place();
+    return x;
+  }
+  void note_place() {
+    if (places_ != nullptr) places_->numbers.push_back(scanner_.last_number());
+  }
+
   Coordinates point(const Coordinates& origin) {
     Coordinates x(2);
     for (int i = 0; i < 2; ++i) x[i] = moved(origin[i]);
@@ -112,7 +159,7 @@ private:
 
   // The next number, added to a coordinate of the origin.
   FT moved(const FT& origin) {
-    const FT x = FT(origin + scanner_.template number<FT>());
+    const FT x = FT(origin + number());
     check(x);
     return x;
   }
@@ -120,7 +167,7 @@ private:
   void check(const FT& x) const {
     if constexpr (std::is_floating_point_v<FT>)
       if (!std::isfinite(x)) scanner_.refuse("a coordinate outside the range of floating-point numbers");
-    if (!internal::is_svg_short<max_svg_number_bits>(x))
+    if (!has_short_parts<max_svg_number_bits>(x))
       scanner_.refuse("a coordinate of more than " + std::to_string(max_svg_number_bits) + " bits");
   }
 
@@ -149,12 +196,13 @@ private:
   }
 
   void arc(const Coordinates& origin) {
-    Svg_arc_parameters<FT> parameters;
-    parameters.rx = scanner_.template number<FT>();
-    parameters.ry = scanner_.template number<FT>();
+    Elliptical_arc_parameters<FT> parameters;
+    parameters.rx = number();
+    parameters.ry = number();
     parameters.rotation = scanner_.template angle<FT>();
-    parameters.large = scanner_.flag();
-    parameters.sweep = scanner_.flag();
+    note_place();
+    parameters.large = flag();
+    parameters.sweep = flag();
     const Coordinates end = point(origin);
     try {
       builder_.arc_to(parameters, end);

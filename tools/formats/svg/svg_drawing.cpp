@@ -68,11 +68,6 @@ int most_decimals(std::string_view text) {
   return most;
 }
 
-// The text of an error without its code.
-std::string reason(const GC::Error& error) {
-  return std::string(error.what()).substr(to_string(error.code()).size() + 2);
-}
-
 // Reads a drawing with Expat: keeps the transforms of the open elements, and hands on the subpaths of each.
 class Drawing_reader {
   const std::string file_;
@@ -173,17 +168,14 @@ class Drawing_reader {
     ++depth_;
     if (has_doctype_) refuse_if(entities_.refusal_in(piece())); // in attributes, Expat skips them in silence
     if (depth_ > max_depth) refuse("elements are nested deeper than " + std::to_string(max_depth));
-    if (skipped_from_ != 0) return;
+    if (skipped_from_ != 0) return define(name, pairs);
     if (depth_ == 1 && name != "svg") refuse("the root element is " + GC::quoted_token(name) + ", not svg");
     if (skipped.count(name) != 0 || name.find(' ') != std::string::npos) {
       skipped_from_ = depth_;
       return;
     }
     Drawing_element element{file_, name, "", line()};
-    Drawing_attributes attributes(pairs, "");
-    element.id = attributes.text("id");
-    attributes = Drawing_attributes(pairs, file_ + ':' + std::to_string(element.line) + ": " + name +
-                                               (element.id.empty() ? "" : " \"" + element.id + '"'));
+    const Drawing_attributes attributes = read(element, pairs);
     transforms_.push_back(transforms_.empty() ? Transform() : transforms_.back());
     if (attributes.has("transform") && attributes.text("transform") != "none") transform(attributes);
     element.transform = transforms_.back();
@@ -195,8 +187,30 @@ class Drawing_reader {
       handler_.not_read(element, length.text + " is relative to something that is not known here");
     } catch (const GC::Error& error) {
       if (error.code() != GC::Error_code::work_limit) throw;
-      throw GC::Error(error.code(), attributes.place() + ": " + reason(error));
+      throw GC::Error(error.code(), attributes.place() + ": " + GC::svg_reason(error));
     }
+  }
+
+  // The attributes of an element, and its id.
+  Drawing_attributes read(Drawing_element& element, const char** pairs) const {
+    for (const char** p = pairs; *p != nullptr && element.id.empty(); p += 2)
+      if (std::string_view(*p) == "id") element.id = p[1];
+    return Drawing_attributes(pairs, file_ + ':' + std::to_string(element.line) + ": " + element.name +
+                                         (element.id.empty() ? "" : " \"" + element.id + '"'));
+  }
+
+  // An element that is defined and not drawn.
+  void define(const std::string& name, const char** pairs) {
+    if (name != "path" || !handler_.takes_paths()) return;
+    Drawing_element element{file_, name, "", line()};
+    const Drawing_attributes attributes = read(element, pairs);
+    if (attributes.has("d")) hand_on(element, attributes, attributes.text("d"), false);
+  }
+
+  void hand_on(const Drawing_element& element, const Drawing_attributes& attributes, const std::string& value,
+               bool is_drawn) const {
+    const Attribute_text text(piece(), static_cast<std::size_t>(XML_GetCurrentByteIndex(parser_.get())), "d", value);
+    handler_.path(element, {value, attributes.place("d"), text, is_drawn});
   }
 
   void transform(const Drawing_attributes& attributes) {
@@ -205,7 +219,7 @@ class Drawing_reader {
     try {
       transforms_.back() = transforms_.back() * inner;
     } catch (const GC::Error& error) {
-      throw GC::Error(error.code(), place + ", with the groups around: " + reason(error));
+      throw GC::Error(error.code(), place + ", with the groups around: " + GC::svg_reason(error));
     }
   }
 
@@ -237,11 +251,17 @@ class Drawing_reader {
       handler_.not_read(element, "the element that it repeats is not followed");
   }
 
-  void draw_path(const Drawing_element& element, const Drawing_attributes& a) {
-    const std::string data = a.text("d");
-    GC::Svg_path_reader<Drawing_traits> reader(data, a.place("d"));
+  void draw_path(Drawing_element element, const Drawing_attributes& a) {
+    const std::string value = a.text("d");
+    if (handler_.takes_paths()) {
+      if (a.has("d")) hand_on(element, a, value, transforms_.back().determinant() != 0);
+      return;
+    }
+    Attribute_lines lines(piece(), element.line, "d", value);
+    element.lines = &lines;
+    GC::Svg_path_reader<Drawing_traits> reader(value, a.place("d"));
     int number = 0;
-    while (const std::optional<Drawing_subpath> subpath = reader.next()) draw(element, ++number, *subpath);
+    while (std::optional<Drawing_subpath> subpath = reader.next()) draw(element, ++number, *std::move(subpath));
   }
 
   // When one radius is missing, it is equal to the other one.
@@ -255,8 +275,9 @@ class Drawing_reader {
                                            rounded ? a.size(ry) : Drawing_number(0)));
   }
 
-  void draw(const Drawing_element& element, int number, const Drawing_subpath& subpath) {
-    if (subpath.segments.empty()) return;
+  void draw(const Drawing_element& element, int number, Drawing_subpath subpath) {
+    subpath.leave_out_points();
+    if (subpath.segments.empty() && subpath.left_out == 0) return;
     const Transform& map = transforms_.back();
     if (map.matrix() == Transform().matrix())
       handler_.subpath(element, number, subpath);

@@ -5,7 +5,8 @@
 #ifndef GEOMETRIC_CONTINUITY_TOOLS_FORMATS_SVG_SVG_DRAWING_H
 #define GEOMETRIC_CONTINUITY_TOOLS_FORMATS_SVG_SVG_DRAWING_H
 
-#include "formats/svg/Svg_segment.h"
+#include "formats/svg/Attribute_text.h"
+#include "formats/svg/Svg_subpath.h"
 #include "formats/svg/Svg_transform.h"
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Geometric_continuity/Traits_2.h>
@@ -24,10 +25,24 @@ struct Drawing_element {
   std::string file, name, id; // the id may be empty
   long long line;
   GC::Svg_transform<Drawing_traits> transform = {}; // from its own coordinates to those of the drawing
+  Attribute_lines* lines = nullptr;                 // of the data of a path, while it is handed on
   int decimals = -1; // of the numbers of a path or a polygon as they are written, at most; otherwise -1
 
   // Returns the name, the id and the line, e.g. path "leaf" (line 12).
   std::string text() const;
+
+  // Returns the line on which a command of the path begins; that of the element for shapes.
+  long long line_of(const GC::Svg_segment<Drawing_traits>& segment) const {
+    return lines == nullptr ? line : (*lines)[segment.place];
+  }
+};
+
+// The attribute d of a path.
+struct Path_data {
+  const std::string& value;
+  const std::string place;   // for messages
+  const Attribute_text text; // where the value stands
+  const bool is_drawn;       // not only defined, and not by a transform that is not invertible
 };
 
 // Receives what is found in a drawing.
@@ -35,12 +50,17 @@ class Drawing_handler {
 public:
   virtual ~Drawing_handler() = default;
 
-  // Receives a subpath of a path or of a basic shape, in the coordinates of the drawing. The subpaths of an element are
-  // numbered from 1 on.
+  // Receives a subpath of a path or of a basic shape, in the coordinates of the drawing, without its segments of no length, of which there
+  // may be no other. The
+  // subpaths of an element are numbered from 1 on.
   virtual void subpath(const Drawing_element& element, int number, const Drawing_subpath& subpath) = 0;
 
   // Receives an element that would draw something, but cannot be read.
   virtual void not_read(const Drawing_element& element, const std::string& reason) = 0;
+
+  // Whether path() is to receive all paths, also those that are defined and not drawn, in place of the subpaths of those that are.
+  virtual bool takes_paths() const { return false; }
+  virtual void path(const Drawing_element&, const Path_data&) {}
 };
 
 // Reads all paths and basic shapes that the SVG file draws, in order; at no time more than one element and one subpath

@@ -9,9 +9,9 @@
 
 #include "formats/svg/Svg_path_builder.h"
 #include "formats/svg/Svg_scanner.h"
+#include "formats/svg/svg_size.h"
 #include <CGAL/Geometric_continuity/Error.h>
 #include <CGAL/Geometric_continuity/IO/quoted_token.h>
-#include <CGAL/Geometric_continuity/numbers/internal/checked_numbers.h>
 
 #include <algorithm>
 #include <cmath>
@@ -22,8 +22,6 @@
 
 namespace CGAL {
 namespace Geometric_continuity {
-
-namespace internal {
 
 // The path of a basic shape of SVG, by the equivalent commands that SVG gives.
 template <class Traits> class Svg_shape_builder {
@@ -36,26 +34,26 @@ template <class Traits> class Svg_shape_builder {
     Coordinates p(2);
     p[0] = x;
     p[1] = y;
-    for (int i = 0; i < 2; ++i) check_finite(p[i], "shape of SVG");
+    for (int i = 0; i < 2; ++i) check_svg_finite(p[i], "shape of SVG");
     return p;
   }
 
 public:
   void move_to(const FT& x, const FT& y) {
-    builder_.begin_command('M');
+    builder_.begin_command('M', 0);
     builder_.move_to(point(x, y));
   }
   void line_to(const FT& x, const FT& y) {
-    builder_.begin_command('L');
+    builder_.begin_command('L', 0);
     builder_.line_to(point(x, y));
   }
   // Draws a quarter of an ellipse, with growing angle.
   void quarter_to(const FT& rx, const FT& ry, const FT& x, const FT& y) {
-    builder_.begin_command('A');
+    builder_.begin_command('A', 0);
     builder_.arc_to({rx, ry, FT(0), false, true}, point(x, y));
   }
   Svg_subpath<Traits> close() {
-    builder_.begin_command('Z');
+    builder_.begin_command('Z', 0);
     builder_.close();
     return *builder_.take_complete();
   }
@@ -66,7 +64,7 @@ public:
 };
 
 template <class FT> void require_not_negative(const FT& x, const char* what) {
-  check_finite(x, what);
+  check_svg_finite(x, what);
   if (x < FT(0)) throw Error(Error_code::malformed_input, std::string("negative ") + what);
 }
 
@@ -91,8 +89,6 @@ Svg_subpath<Traits> read_svg_points(std::string_view points, Svg_outline outline
   return outline == Svg_outline::closed && !empty ? path.close() : path.end();
 }
 
-} // namespace internal
-
 /// Returns a length, the text of an attribute such as `width`, in user units: a number as `parse_number()` reads it,
 /// directly followed by nothing or by one of CSS's units `px`, `in`, `cm`, `mm`, `q`, `pt` and `pc`, in capital or small
 /// letters, of which 96 `px` are one `in`; white space may surround both. The result is empty for a length that has no
@@ -101,7 +97,7 @@ Svg_subpath<Traits> read_svg_points(std::string_view points, Svg_outline outline
 /// \throws Error `malformed_input` with a text `name, character N: reason`; in an exact field for a number of more than
 ///   `max_svg_number_bits` bits, too
 template <class FT> std::optional<FT> parse_svg_length(std::string_view text, const std::string& name = "length") {
-  internal::Svg_scanner scanner(text, name);
+  Svg_scanner scanner(text, name);
   scanner.skip_space();
   const FT x = scanner.leading_number<FT>();
   const std::string given(scanner.rest());
@@ -131,7 +127,7 @@ template <class FT> std::optional<FT> parse_svg_length(std::string_view text, co
 template <class Traits>
 Svg_subpath<Traits> svg_line(const typename Traits::FT& x1, const typename Traits::FT& y1,
                              const typename Traits::FT& x2, const typename Traits::FT& y2) {
-  internal::Svg_shape_builder<Traits> path;
+  Svg_shape_builder<Traits> path;
   path.move_to(x1, y1);
   path.line_to(x2, y2);
   return path.end();
@@ -141,14 +137,14 @@ Svg_subpath<Traits> svg_line(const typename Traits::FT& x1, const typename Trait
 /// \throws Error `malformed_input` with a text `name, character N: reason`
 template <class Traits>
 Svg_subpath<Traits> read_svg_polyline(std::string_view points, const std::string& name = "points") {
-  return internal::read_svg_points<Traits>(points, internal::Svg_outline::open, name);
+  return read_svg_points<Traits>(points, Svg_outline::open, name);
 }
 
 /// Returns the path M L ... Z of a polygon, from the text of the attribute `points`.
 /// \throws Error `malformed_input` with a text `name, character N: reason`
 template <class Traits>
 Svg_subpath<Traits> read_svg_polygon(std::string_view points, const std::string& name = "points") {
-  return internal::read_svg_points<Traits>(points, internal::Svg_outline::closed, name);
+  return read_svg_points<Traits>(points, Svg_outline::closed, name);
 }
 
 /// Returns the path of an ellipse, or of a circle: M, four quarters A, Z, from the point with the largest `x` on. It is
@@ -158,10 +154,10 @@ template <class Traits>
 Svg_subpath<Traits> svg_ellipse(const typename Traits::FT& cx, const typename Traits::FT& cy,
                                 const typename Traits::FT& rx, const typename Traits::FT& ry) {
   typedef typename Traits::FT FT;
-  internal::require_not_negative(rx, "radius");
-  internal::require_not_negative(ry, "radius");
+  require_not_negative(rx, "radius");
+  require_not_negative(ry, "radius");
   if (rx == FT(0) || ry == FT(0)) return Svg_subpath<Traits>();
-  internal::Svg_shape_builder<Traits> path;
+  Svg_shape_builder<Traits> path;
   path.move_to(FT(cx + rx), cy);
   path.quarter_to(rx, ry, cx, FT(cy + ry));
   path.quarter_to(rx, ry, FT(cx - rx), cy);
@@ -178,17 +174,17 @@ Svg_subpath<Traits> svg_rectangle(const typename Traits::FT& x, const typename T
                                   const typename Traits::FT& width, const typename Traits::FT& height,
                                   const typename Traits::FT& corner_x, const typename Traits::FT& corner_y) {
   typedef typename Traits::FT FT;
-  internal::require_not_negative(width, "width");
-  internal::require_not_negative(height, "height");
-  internal::require_not_negative(corner_x, "radius");
-  internal::require_not_negative(corner_y, "radius");
+  require_not_negative(width, "width");
+  require_not_negative(height, "height");
+  require_not_negative(corner_x, "radius");
+  require_not_negative(corner_y, "radius");
   if (width == FT(0) || height == FT(0)) return Svg_subpath<Traits>();
   const bool sharp = corner_x == FT(0) || corner_y == FT(0);
   const FT right = FT(x + width), bottom = FT(y + height);
   const FT rx = sharp ? FT(0) : (std::min)(corner_x, FT(width / FT(2)));
   const FT ry = sharp ? FT(0) : (std::min)(corner_y, FT(height / FT(2)));
   const FT x1 = FT(x + rx), x2 = FT(right - rx), y1 = FT(y + ry), y2 = FT(bottom - ry);
-  internal::Svg_shape_builder<Traits> path;
+  Svg_shape_builder<Traits> path;
   const auto side = [&](const FT& from, const FT& to, const FT& u, const FT& v) {
     if (from != to) path.line_to(u, v);
   };

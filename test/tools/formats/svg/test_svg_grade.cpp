@@ -9,9 +9,9 @@
 #include <boost/test/unit_test.hpp>
 
 #include "formats/svg/read_svg_path.h"
-#include "formats/svg/svg_grade.h"
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Geometric_continuity/Traits_2.h>
+#include <CGAL/Geometric_continuity/joins/path_grade.h>
 #include <CGAL/Simple_cartesian.h>
 
 #include <cmath>

@@ -8,10 +8,10 @@
 
 #include "formats/svg/Svg_transform.h"
 #include "formats/svg/read_svg_path.h"
-#include "formats/svg/svg_continuity.h"
 #include "formats/svg/svg_shapes.h"
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Geometric_continuity/Traits_2.h>
+#include <CGAL/Geometric_continuity/joins/path_continuity.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Sqrt_extension.h>
 
@@ -68,7 +68,7 @@ std::string text(const std::vector<Subpath>& path) {
 std::string read(const std::string& data) { return text(GC::read_svg_path<Exact>(data)); }
 
 // The only arc of a path.
-GC::Svg_arc<Exact> arc(const std::string& data) {
+GC::Elliptical_arc<Exact> arc(const std::string& data) {
   const std::vector<Subpath> path = GC::read_svg_path<Exact>(data);
   BOOST_REQUIRE_EQUAL(path.size(), 1u);
   BOOST_REQUIRE_EQUAL(path[0].segments.size(), 1u);
@@ -215,7 +215,7 @@ BOOST_AUTO_TEST_CASE(arc_flags_may_be_glued) {
 BOOST_AUTO_TEST_CASE(the_four_arcs_between_two_points) {
   const Point p(3, -4), q(3, 4);
   const auto both = [&](const std::string& flags) {
-    const GC::Svg_arc<Exact> a = arc("M3-4A5 5 0 " + flags + " 3 4");
+    const GC::Elliptical_arc<Exact> a = arc("M3-4A5 5 0 " + flags + " 3 4");
     BOOST_REQUIRE(a.is_rational());
     return std::array<GC::Curve_jet<Exact>, 2>{*a.start_jet(2), *a.end_jet(2)};
   };
@@ -288,8 +288,8 @@ BOOST_AUTO_TEST_CASE(random_arcs_of_one_ellipse) {
     std::vector<Segment> segments;
     for (int j = 0; j < 2; ++j) {
       const Q sine_sign = (t[j + 1] - t[j]) * (1 + t[j] * t[j + 1]); // of the angle between the points
-      const GC::Svg_arc_parameters<Q> parameters{rx, ry, Q(0), sine_sign < 0, true};
-      segments.push_back({GC::Svg_arc<Exact>(point(t[j]), point(t[j + 1]), parameters), j, 'A'});
+      const GC::Elliptical_arc_parameters<Q> parameters{rx, ry, Q(0), sine_sign < 0, true};
+      segments.push_back({{GC::Elliptical_arc<Exact>(point(t[j]), point(t[j + 1]), parameters)}, j, 'A', 0});
       const GC::Curve_jet<Exact> x = *segments[j].arc()->end_jet(2);
       BOOST_REQUIRE_MESSAGE(x[2][0] == cx - x[0][0] && x[2][1] == cy - x[0][1], "seed " << seed << ", case " << i);
     }
@@ -635,7 +635,7 @@ template <class Function> void check_code(Function f, GC::Error_code code) {
 } // namespace
 
 BOOST_AUTO_TEST_CASE(what_is_no_arc_is_refused) {
-  typedef GC::Svg_arc<Exact> Arc;
+  typedef GC::Elliptical_arc<Exact> Arc;
   const Point p(0, 0), q(1, 0);
   check_code([&] { Arc(p, p, {1, 1}); }, GC::Error_code::zero_direction);
   check_code([&] { Arc(p, q, {0, 1}); }, GC::Error_code::parameter_outside_domain);
@@ -651,7 +651,7 @@ BOOST_AUTO_TEST_CASE(what_is_no_arc_is_refused) {
 }
 
 BOOST_AUTO_TEST_CASE(numbers_that_are_not_finite_are_refused) {
-  typedef GC::Svg_arc<Double> Arc;
+  typedef GC::Elliptical_arc<Double> Arc;
   const Double::Point p(0, 0), q(1, 0);
   for (const double bad : {std::nan(""), HUGE_VAL, -HUGE_VAL}) {
     check_code([&] { Arc(p, Double::Point(bad, 0), {1, 1}); }, GC::Error_code::not_finite);
@@ -688,7 +688,7 @@ BOOST_AUTO_TEST_CASE(arcs_are_rational_curves) {
   };
   for (const std::string flags : {"0 0", "0 1", "1 0", "1 1"})
     for (const std::string radii : {"5 10", "4 7"}) {
-      const GC::Svg_arc<Exact> a = arc("M0 0A" + radii + " 0 " + flags + " 8 0");
+      const GC::Elliptical_arc<Exact> a = arc("M0 0A" + radii + " 0 " + flags + " 8 0");
       const GC::Rational_bezier_curve<Exact, 2> c = *a.curve();
       BOOST_CHECK(c.start_jet(0).point() == a.start() && c.end_jet(0).point() == a.end());
       BOOST_CHECK(GC::continuity(GC::Curve_jet<Exact>(c.start_jet(4)), *a.start_jet(4)).g_order == 4);
@@ -699,4 +699,49 @@ BOOST_AUTO_TEST_CASE(arcs_are_rational_curves) {
       BOOST_CHECK_EQUAL(c.weight(1) < 0, !half && flags[0] == '1');
     }
   BOOST_CHECK(!arc("M0 0A5 5 0 0 0 7 0").curve()); // the centre is irrational
+}
+
+// Where commands and numbers stand.
+BOOST_AUTO_TEST_CASE(places) {
+  const std::string data = " M0,0 1.5-2e1h.5.5zm 3 , 4a1 2 3 01.5 6\nC 1 2,3 4 5 6";
+  GC::Svg_path_places places;
+  GC::Svg_path_reader<Exact> reader(data, "path data", &places);
+  const auto texts = [&](std::size_t command) {
+    std::string s;
+    const std::size_t end =
+        command + 1 < places.commands.size() ? places.commands[command + 1].first_number : places.numbers.size();
+    for (std::size_t k = places.commands[command].first_number; k < end; ++k)
+      s += data.substr(places.numbers[k].begin, places.numbers[k].end - places.numbers[k].begin) + ' ';
+    return s;
+  };
+  const auto first = reader.next();
+  BOOST_CHECK_EQUAL(first->segments.size(), 4u);
+  BOOST_CHECK_EQUAL(places.commands.size(), 5u);
+  BOOST_CHECK_EQUAL(texts(0) + '|' + texts(1) + '|' + texts(2) + '|' + texts(3) + '|' + texts(4),
+                    "0 0 |1.5 -2e1 |.5 |.5 |");
+  BOOST_CHECK(places.commands[0].is_given && !places.commands[1].is_given && !places.commands[3].is_given);
+  BOOST_CHECK_EQUAL(places.commands[1].letter, 'L');
+  for (const auto& segment : first->segments)
+    BOOST_CHECK_EQUAL(segment.place, places.commands[static_cast<std::size_t>(segment.command - 1)].begin);
+  BOOST_CHECK_EQUAL(data[first->segments[1].place], 'h');
+  places.forget_before(6);
+  BOOST_CHECK(places.commands.empty() && places.numbers.empty());
+  const auto second = reader.next();
+  BOOST_CHECK_EQUAL(second->segments.size(), 2u);
+  BOOST_CHECK_EQUAL(second->segments[0].command, 7);
+  BOOST_CHECK_EQUAL(texts(0) + '|' + texts(1) + '|' + texts(2), "3 4 |1 2 3 0 1 .5 6 |1 2 3 4 5 6 ");
+  places.forget_before(8);
+  BOOST_CHECK_EQUAL(texts(0), "1 2 3 4 5 6 ");
+}
+
+BOOST_AUTO_TEST_CASE(segments_of_no_length) {
+  GC::Svg_subpath<Exact> s = GC::read_svg_path<Exact>("M0 0h1h0c0 0 0 0 0 0v1l0 0z").at(0);
+  BOOST_CHECK_EQUAL(s.segments.size(), 6u);
+  s.leave_out_points();
+  BOOST_CHECK_EQUAL(s.segments.size(), 3u);
+  BOOST_CHECK_EQUAL(s.left_out, 3u);
+  BOOST_CHECK(s.segments[0].end() == s.segments[1].start());
+  s = GC::read_svg_path<Exact>("M0 0c1 1 2 2 0 0").at(0); // there and back
+  s.leave_out_points();
+  BOOST_CHECK_EQUAL(s.left_out, 0u);
 }

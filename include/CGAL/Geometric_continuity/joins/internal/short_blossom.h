@@ -2,8 +2,8 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-#ifndef CGAL_GEOMETRIC_CONTINUITY_IO_INTERNAL_SHORT_BLOSSOM_H
-#define CGAL_GEOMETRIC_CONTINUITY_IO_INTERNAL_SHORT_BLOSSOM_H
+#ifndef CGAL_GEOMETRIC_CONTINUITY_JOINS_INTERNAL_SHORT_BLOSSOM_H
+#define CGAL_GEOMETRIC_CONTINUITY_JOINS_INTERNAL_SHORT_BLOSSOM_H
 
 #include <CGAL/Geometric_continuity/numbers/internal/Fixed_integer.h>
 
@@ -91,4 +91,4 @@ bool short_bezier_point(const std::vector<std::int64_t>&, std::vector<Short_poin
 } // namespace Geometric_continuity
 } // namespace CGAL
 
-#endif // CGAL_GEOMETRIC_CONTINUITY_IO_INTERNAL_SHORT_BLOSSOM_H
+#endif // CGAL_GEOMETRIC_CONTINUITY_JOINS_INTERNAL_SHORT_BLOSSOM_H

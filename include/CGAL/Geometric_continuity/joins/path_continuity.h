@@ -2,11 +2,11 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-#ifndef GEOMETRIC_CONTINUITY_TOOLS_FORMATS_SVG_SVG_CONTINUITY_H
-#define GEOMETRIC_CONTINUITY_TOOLS_FORMATS_SVG_SVG_CONTINUITY_H
+#ifndef CGAL_GEOMETRIC_CONTINUITY_JOINS_PATH_CONTINUITY_H
+#define CGAL_GEOMETRIC_CONTINUITY_JOINS_PATH_CONTINUITY_H
 
-#include "formats/svg/Svg_segment.h"
-#include <CGAL/Geometric_continuity/IO/internal/Grid_join.h>
+#include <CGAL/Geometric_continuity/curves/Path_segment.h>
+#include <CGAL/Geometric_continuity/joins/internal/Grid_join.h>
 #include <CGAL/Geometric_continuity/joins/join_continuity.h>
 #include <CGAL/Sqrt_extension.h>
 
@@ -36,7 +36,7 @@ template <class FT, class Field> Join_continuity<FT> drop_irrational_betas(const
 // Calls f(p, q) with the roots of the radicands of both segments, in the numbers of the traits class or in a field that is extended by one
 // or two roots.
 template <class Traits, class Function>
-auto visit_roots(const Svg_segment<Traits>& left, const Svg_segment<Traits>& right, Function f) {
+auto visit_roots(const Path_segment<Traits>& left, const Path_segment<Traits>& right, Function f) {
   typedef typename Traits::FT FT;
   const FT d = left.radicand(), e = right.radicand();
   const std::optional<FT> p = rational_square_root(d), q = rational_square_root(e);
@@ -54,7 +54,8 @@ auto visit_roots(const Svg_segment<Traits>& left, const Svg_segment<Traits>& rig
 
 } // namespace internal
 
-/// Decides the continuity of the join between the end of `left` and the start of `right`, which are segments of SVG
+/// \ingroup PkgGeometricContinuityContinuity
+/// Decides the continuity of the join between the end of `left` and the start of `right`, which are segments of
 /// paths, up to order `max_order`; empty when it cannot be decided because one of them is an arc whose derivatives are
 /// not known.
 ///
@@ -63,8 +64,8 @@ auto visit_roots(const Svg_segment<Traits>& left, const Svg_segment<Traits>& rig
 /// shape parameters are given. In `double` it is plain floating point.
 /// \throws Error `negative_count` for a negative `max_order`, `work_limit`
 template <class Traits>
-std::optional<Join_continuity<typename Traits::FT>> continuity(const Svg_segment<Traits>& left,
-                                                               const Svg_segment<Traits>& right, int max_order = 3,
+std::optional<Join_continuity<typename Traits::FT>> continuity(const Path_segment<Traits>& left,
+                                                               const Path_segment<Traits>& right, int max_order = 3,
                                                                Work_limit limit = Work_limit()) {
   typedef typename Traits::FT FT;
   if (!left.is_known() || !right.is_known()) return std::nullopt;
@@ -88,11 +89,12 @@ std::optional<Join_continuity<typename Traits::FT>> continuity(const Svg_segment
   return internal::visit_roots(left, right, decide);
 }
 
+/// \ingroup PkgGeometricContinuityContinuity
 /// Calls `f(x, y)` with enclosures of the jets of order 3 at the end of `left` and at the start of `right`, `Coordinate_jet`s of
 /// `Interval_nt<false>`, with which `f` can compute. Returns false, without a call, unless both are Bézier curves whose coordinates are
 /// short rational numbers.
 template <class Traits, class Function>
-bool visit_enclosures(const Svg_segment<Traits>& left, const Svg_segment<Traits>& right, Function f) {
+bool visit_enclosures(const Path_segment<Traits>& left, const Path_segment<Traits>& right, Function f) {
   if constexpr (internal::Rational_parts<typename Traits::FT>::value)
     if (left.bezier() && right.bezier()) {
       internal::Grid_join<2> grid;
@@ -108,4 +110,4 @@ bool visit_enclosures(const Svg_segment<Traits>& left, const Svg_segment<Traits>
 } // namespace Geometric_continuity
 } // namespace CGAL
 
-#endif // GEOMETRIC_CONTINUITY_TOOLS_FORMATS_SVG_SVG_CONTINUITY_H
+#endif // CGAL_GEOMETRIC_CONTINUITY_JOINS_PATH_CONTINUITY_H

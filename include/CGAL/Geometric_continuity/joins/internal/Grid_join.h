@@ -2,13 +2,11 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-#ifndef CGAL_GEOMETRIC_CONTINUITY_IO_INTERNAL_GRID_JOIN_H
-#define CGAL_GEOMETRIC_CONTINUITY_IO_INTERNAL_GRID_JOIN_H
+#ifndef CGAL_GEOMETRIC_CONTINUITY_JOINS_INTERNAL_GRID_JOIN_H
+#define CGAL_GEOMETRIC_CONTINUITY_JOINS_INTERNAL_GRID_JOIN_H
 
-#include <CGAL/Geometric_continuity/IO/Text_number.h>
-#include <CGAL/Geometric_continuity/IO/internal/G2_spline_parts.h>
-#include <CGAL/Geometric_continuity/IO/internal/short_blossom.h>
 #include <CGAL/Geometric_continuity/joins/internal/join_on_long_integers.h>
+#include <CGAL/Geometric_continuity/joins/internal/short_blossom.h>
 #include <CGAL/Geometric_continuity/joins/join_continuity.h>
 #include <CGAL/Geometric_continuity/local/Curve_jet.h>
 #include <CGAL/Geometric_continuity/numbers/internal/Rational_parts.h>
@@ -77,10 +75,10 @@ public:
     right_.degree = double_right_.degree_ = y.degree;
     typedef std::decay_t<decltype(x.coordinates[0])> Number;
     if (!has_bezier_points(x, true) || !has_bezier_points(y, false)) {
-      if constexpr (std::is_same_v<Number, Text_number>)
-        return set_spans(x, y);
-      else
+      if constexpr (std::is_floating_point_v<Number>)
         return false;
+      else
+        return set_spans(x, y);
     }
     const Number* numbers[8 * N];
     for (int j = 0; j <= 3; ++j)
@@ -151,8 +149,11 @@ public:
   std::pair<Jet, Jet> enclosed_jets() const {
     Interval unit(1);
     unit /= interval(denominator_);
-    for (int e = exponent_; e < 0; e += 22) // exact up to 10^22
-      unit /= Interval(power_of_ten<double>((std::min)(-e, 22)));
+    for (int e = exponent_; e < 0;) {
+      double power = 1; // exact up to 10^22
+      for (int last = (std::min)(e + 22, 0); e < last; ++e) power *= 10;
+      unit /= Interval(power);
+    }
     if (has_integers_)
       return {jet<true>(left_.points, left_.degree, unit), jet<false>(right_.points, right_.degree, unit)};
     return {jet<true>(double_left_.points, left_.degree, unit), jet<false>(double_right_.points, right_.degree, unit)};
@@ -203,7 +204,8 @@ private:
     return true;
   }
 
-  bool bring_on_grid(const Text_number* const* numbers, const Text_number* const* parameters) {
+  // Numbers that know by exponent() and on_grid() of which power of ten they are multiples, such as Text_number.
+  template <class Number> bool bring_on_grid(const Number* const* numbers, const Number* const* parameters) {
     std::int64_t integers[8 * N], ends[4];
     if (!integers_on_grid<8 * N>(numbers, integers, exponent_) ||
         !integers_on_grid<4>(parameters, ends, exponent_of_parameters_))
@@ -215,8 +217,8 @@ private:
   template <class Part> bool set_spans(const Part& x, const Part& y) {
     std::int64_t numerators[8 * N], denominators[8 * N];
     for (const Part* part : {&x, &y}) {
-      for (const Text_number& number : part->coordinates) exponent_ = (std::min)(exponent_, number.exponent());
-      for (const Text_number& knot : part->knots)
+      for (const auto& number : part->coordinates) exponent_ = (std::min)(exponent_, number.exponent());
+      for (const auto& knot : part->knots)
         exponent_of_parameters_ = (std::min)(exponent_of_parameters_, knot.exponent());
     }
     std::int64_t ends[4];
@@ -287,8 +289,8 @@ private:
   static bool is_exact_double(std::int64_t x) { return static_cast<std::int64_t>(static_cast<double>(x)) == x; }
 
   // The numbers as integers below 2^60 times 10^exponent.
-  template <int n>
-  static bool integers_on_grid(const Text_number* const* numbers, std::int64_t* integers, int& exponent) {
+  template <int n, class Number>
+  static bool integers_on_grid(const Number* const* numbers, std::int64_t* integers, int& exponent) {
     exponent = 0; // integers stay as they are
     for (int i = 0; i < n; ++i) exponent = (std::min)(exponent, numbers[i]->exponent());
     for (int i = 0; i < n; ++i)
@@ -301,4 +303,4 @@ private:
 } // namespace Geometric_continuity
 } // namespace CGAL
 
-#endif // CGAL_GEOMETRIC_CONTINUITY_IO_INTERNAL_GRID_JOIN_H
+#endif // CGAL_GEOMETRIC_CONTINUITY_JOINS_INTERNAL_GRID_JOIN_H

@@ -2,14 +2,14 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-#ifndef GEOMETRIC_CONTINUITY_TOOLS_FORMATS_SVG_SVG_ARC_H
-#define GEOMETRIC_CONTINUITY_TOOLS_FORMATS_SVG_SVG_ARC_H
+#ifndef CGAL_GEOMETRIC_CONTINUITY_CURVES_ELLIPTICAL_ARC_H
+#define CGAL_GEOMETRIC_CONTINUITY_CURVES_ELLIPTICAL_ARC_H
 
-#include "formats/svg/svg_angle.h"
 #include <CGAL/Geometric_continuity/Error.h>
 #include <CGAL/Geometric_continuity/curves/Rational_bezier_curve.h>
 #include <CGAL/Geometric_continuity/local/Curve_jet.h>
 #include <CGAL/Geometric_continuity/local/coordinates.h>
+#include <CGAL/Geometric_continuity/numbers/Quarter_turns.h>
 #include <CGAL/Geometric_continuity/numbers/internal/checked_numbers.h>
 #include <CGAL/Geometric_continuity/numbers/rational_square_root.h>
 
@@ -23,8 +23,9 @@
 namespace CGAL {
 namespace Geometric_continuity {
 
-/// What the command A of SVG's path data says of an arc of an ellipse, beyond its start and end.
-template <class FT> struct Svg_arc_parameters {
+/// \ingroup PkgGeometricContinuityCurves
+/// What describes an arc of an ellipse beyond its start and end, as the command A of SVG's path data does.
+template <class FT> struct Elliptical_arc_parameters {
   FT rx;               ///< the first radius, not zero; its sign does not matter
   FT ry;               ///< the second radius, not zero; its sign does not matter
   FT rotation = FT(0); ///< the angle from the x-axis to the first radius, in degrees
@@ -32,6 +33,7 @@ template <class FT> struct Svg_arc_parameters {
   bool sweep = false;  ///< with growing angle: it turns from the x-axis to the y-axis
 };
 
+/// \ingroup PkgGeometricContinuityCurves
 /// An arc of an ellipse as SVG describes it, by its ends, with exact derivatives at the ends with respect to the
 /// eccentric angle. All orders of continuity but C are those of the arc in any parametrisation.
 ///
@@ -45,7 +47,7 @@ template <class FT> struct Svg_arc_parameters {
 /// degrees only; with another angle nothing but the ends is known.
 ///
 /// \tparam Traits a model of `GeometricContinuityTraits` of dimension 2
-template <class Traits_> class Svg_arc {
+template <class Traits_> class Elliptical_arc {
 public:
   typedef Traits_ Traits;
   typedef typename Traits::FT FT;
@@ -66,14 +68,15 @@ public:
   /// \throws Error `zero_direction` when the ends coincide; `parameter_outside_domain` for a zero radius, for a
   ///   rotation by more than 10^9 degrees, and when the sizes differ so much that \f$ D \f$ is no finite floating-point
   ///   number; `not_finite` for a number that is not finite
-  Svg_arc(const Point& start, const Point& end, const Svg_arc_parameters<FT>& parameters)
+  Elliptical_arc(const Point& start, const Point& end, const Elliptical_arc_parameters<FT>& parameters)
       : start_(Geometric_continuity::coordinates<Traits>(start)), end_(Geometric_continuity::coordinates<Traits>(end)),
         same_flags_(parameters.large == parameters.sweep), sweep_(parameters.sweep) {
     for (const FT& x : {start_[0], start_[1], end_[0], end_[1], parameters.rx, parameters.ry, parameters.rotation})
-      internal::check_finite(x, "Svg_arc");
-    if (start_ == end_) throw Error(Error_code::zero_direction, "Svg_arc: the ends coincide");
+      internal::check_finite(x, "Elliptical_arc");
+    if (start_ == end_) throw Error(Error_code::zero_direction, "Elliptical_arc: the ends coincide");
     FT rx = absolute(parameters.rx), ry = absolute(parameters.ry);
-    if (rx == FT(0) || ry == FT(0)) throw Error(Error_code::parameter_outside_domain, "Svg_arc: a radius is zero");
+    if (rx == FT(0) || ry == FT(0))
+      throw Error(Error_code::parameter_outside_domain, "Elliptical_arc: a radius is zero");
     if (rx != ry) {
       const std::optional<bool> swapped = quarter_turned(parameters.rotation);
       known_ = swapped.has_value();
@@ -87,7 +90,7 @@ public:
     if constexpr (std::is_floating_point_v<FT>)
       if (!(FT(0) < lambda) || !std::isfinite(radicand_) || !std::isfinite(k_[0]) || !std::isfinite(k_[1]))
         throw Error(Error_code::parameter_outside_domain,
-                    "Svg_arc: the sizes differ too much for floating-point numbers");
+                    "Elliptical_arc: the sizes differ too much for floating-point numbers");
     if (known_) root_ = rational_square_root(radicand_);
   }
 
@@ -158,11 +161,11 @@ public:
 
   /// Returns the image under an affine map of points, which is an arc of an ellipse again. Whether the map is affine
   /// and invertible is not checked.
-  template <class Transformation> Svg_arc transform(const Transformation& map) const {
+  template <class Transformation> Elliptical_arc transform(const Transformation& map) const {
     const auto image = [&](const Coordinates& x) {
       return Geometric_continuity::coordinates<Traits>(map(Geometric_continuity::to_point<Traits>(x)));
     };
-    Svg_arc r = *this;
+    Elliptical_arc r = *this;
     r.k_ = image(start_ + k_) - image(start_);
     r.start_ = image(start_);
     r.end_ = image(end_);
@@ -176,7 +179,7 @@ private:
 
   // Whether the rotation is an odd multiple of 90 degrees; empty when it is no multiple.
   static std::optional<bool> quarter_turned(const FT& rotation) {
-    const internal::Quarter_turns<FT> turns(rotation);
+    const Quarter_turns<FT> turns(rotation);
     if (turns.rest != FT(0)) return std::nullopt;
     return turns.count % 2 != 0;
   }
@@ -186,9 +189,9 @@ private:
   template <class Field>
   Coordinate_jet<Field, 2> jet(int order, const Field& root, const Coordinates& x, const Coordinates& h,
                                const Coordinates& k) const {
-    if (order < 0) throw Error(Error_code::negative_count, "Svg_arc: order " + std::to_string(order));
+    if (order < 0) throw Error(Error_code::negative_count, "Elliptical_arc: order " + std::to_string(order));
     if (!known_)
-      throw Error(Error_code::parameter_outside_domain, "Svg_arc: the rotation of the ellipse is not rational");
+      throw Error(Error_code::parameter_outside_domain, "Elliptical_arc: the rotation of the ellipse is not rational");
     const Coordinates c = half_chord();
     const Field s = same_flags_ ? Field(Field(0) - root) : root;
     Coordinate_jet<Field, 2> jet(2, order);
@@ -209,4 +212,4 @@ private:
 } // namespace Geometric_continuity
 } // namespace CGAL
 
-#endif // GEOMETRIC_CONTINUITY_TOOLS_FORMATS_SVG_SVG_ARC_H
+#endif // CGAL_GEOMETRIC_CONTINUITY_CURVES_ELLIPTICAL_ARC_H

@@ -2,34 +2,38 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-#ifndef GEOMETRIC_CONTINUITY_TOOLS_FORMATS_SVG_SVG_SEGMENT_H
-#define GEOMETRIC_CONTINUITY_TOOLS_FORMATS_SVG_SVG_SEGMENT_H
+#ifndef CGAL_GEOMETRIC_CONTINUITY_CURVES_PATH_SEGMENT_H
+#define CGAL_GEOMETRIC_CONTINUITY_CURVES_PATH_SEGMENT_H
 
-#include "formats/svg/Svg_arc.h"
 #include <CGAL/Geometric_continuity/curves/Bezier_curve.h>
+#include <CGAL/Geometric_continuity/curves/Elliptical_arc.h>
 
+#include <algorithm>
 #include <string>
 #include <variant>
-#include <vector>
 
 namespace CGAL {
 namespace Geometric_continuity {
 
-/// One segment of an SVG path, and the command that draws it.
+/// \ingroup PkgGeometricContinuityCurves
+/// One segment of a path in the plane, as drawings have them: a line, another Bézier curve, or an arc of an ellipse.
 /// \tparam Traits a model of `GeometricContinuityTraits` of dimension 2
-template <class Traits> struct Svg_segment {
+template <class Traits> struct Path_segment {
   typedef typename Traits::FT FT;
   typedef typename Traits::Point Point;
 
-  std::variant<Bezier_curve<Traits>, Svg_arc<Traits>> curve; ///< a line is a Bézier curve of degree 1
-  long long command; ///< the number of the command in the path data, from 1 on; each implicit repetition counts
-  char letter;       ///< the letter of the command, as written
+  std::variant<Bezier_curve<Traits>, Elliptical_arc<Traits>> curve; ///< a line is a Bézier curve of degree 1
 
   /// Returns the arc, or a null pointer for a Bézier curve.
-  const Svg_arc<Traits>* arc() const { return std::get_if<Svg_arc<Traits>>(&curve); }
+  const Elliptical_arc<Traits>* arc() const { return std::get_if<Elliptical_arc<Traits>>(&curve); }
 
   /// Returns the Bézier curve, or a null pointer for an arc.
   const Bezier_curve<Traits>* bezier() const { return std::get_if<Bezier_curve<Traits>>(&curve); }
+
+  /// Returns whether the segment has a length: not a Bézier curve all of whose control points coincide.
+  bool has_length() const {
+    return arc() || std::count(bezier()->begin(), bezier()->end(), start()) <= bezier()->degree();
+  }
 
   /// Returns the point where the segment starts.
   Point start() const { return arc() ? arc()->start() : bezier()->control_point(0); }
@@ -40,7 +44,7 @@ template <class Traits> struct Svg_segment {
   /// Returns whether the derivatives at the ends are known: not those of an ellipse with an irrational rotation.
   bool is_known() const { return !arc() || arc()->is_known(); }
 
-  /// Returns the number whose square root appears in the derivatives, see `Svg_arc::radicand()`; 0 for a Bézier curve.
+  /// Returns the number whose square root appears in the derivatives, see `Elliptical_arc::radicand()`; 0 for a Bézier curve.
   FT radicand() const { return arc() ? arc()->radicand() : FT(0); }
 
   /// Returns the jet at the start in a field, given the root of `radicand()` in it. An arc is taken with respect to the
@@ -60,14 +64,14 @@ template <class Traits> struct Svg_segment {
   }
 
   /// Returns the image under an invertible affine map of points.
-  template <class Transformation> Svg_segment transform(const Transformation& map) const {
-    if (arc()) return {arc()->transform(map), command, letter};
-    return {bezier()->transform(map), command, letter};
+  template <class Transformation> Path_segment transform(const Transformation& map) const {
+    if (arc()) return {arc()->transform(map)};
+    return {bezier()->transform(map)};
   }
 
 private:
   static int checked(int order) {
-    if (order < 0) throw Error(Error_code::negative_count, "Svg_segment: order " + std::to_string(order));
+    if (order < 0) throw Error(Error_code::negative_count, "Path_segment: order " + std::to_string(order));
     return order;
   }
 
@@ -79,21 +83,7 @@ private:
   }
 };
 
-/// What a path draws from one command M, or from the end of a closed subpath, to the next.
-template <class Traits> struct Svg_subpath {
-  std::vector<Svg_segment<Traits>> segments; ///< each starts where the one before it ends
-  bool closed = false;                       ///< by the command Z: the end of the last one is the start of the first
-
-  /// Returns the image under an invertible affine map of points.
-  template <class Transformation> Svg_subpath transform(const Transformation& map) const {
-    Svg_subpath r;
-    r.closed = closed;
-    for (const Svg_segment<Traits>& segment : segments) r.segments.push_back(segment.transform(map));
-    return r;
-  }
-};
-
 } // namespace Geometric_continuity
 } // namespace CGAL
 
-#endif // GEOMETRIC_CONTINUITY_TOOLS_FORMATS_SVG_SVG_SEGMENT_H
+#endif // CGAL_GEOMETRIC_CONTINUITY_CURVES_PATH_SEGMENT_H

@@ -2,19 +2,20 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-#ifndef GEOMETRIC_CONTINUITY_TOOLS_FORMATS_SVG_SVG_GRADE_H
-#define GEOMETRIC_CONTINUITY_TOOLS_FORMATS_SVG_SVG_GRADE_H
+#ifndef CGAL_GEOMETRIC_CONTINUITY_JOINS_PATH_GRADE_H
+#define CGAL_GEOMETRIC_CONTINUITY_JOINS_PATH_GRADE_H
 
-#include "formats/svg/svg_continuity.h"
 #include <CGAL/Geometric_continuity/joins/Join_grade.h>
 #include <CGAL/Geometric_continuity/joins/Kink_size.h>
+#include <CGAL/Geometric_continuity/joins/path_continuity.h>
 
 #include <algorithm>
 #include <array>
 #include <optional>
 #include <type_traits>
 
-/// What the joins of SVG paths look like: corners, kinks and smooth joins.
+/// \file path_grade.h
+/// What the joins of paths look like, which may have arcs of ellipses: corners, kinks and smooth joins.
 
 namespace CGAL {
 namespace Geometric_continuity {
@@ -23,7 +24,7 @@ namespace internal {
 
 // The direction at an end of a segment, of which the root of radicand() is given; zero for a curve of no length.
 template <Curve_end which, class Traits, class Field>
-std::array<Field, 2> svg_direction(const Svg_segment<Traits>& segment, const Field& root) {
+std::array<Field, 2> path_direction(const Path_segment<Traits>& segment, const Field& root) {
   if (segment.bezier()) {
     const Image_end<Traits, dynamic_degree, which> end(*segment.bezier());
     if (!end.has_length()) return {Field(0), Field(0)};
@@ -37,12 +38,12 @@ std::array<Field, 2> svg_direction(const Svg_segment<Traits>& segment, const Fie
 
 // Calls f(p) with the products of the directions at a join, in a field of exact numbers; returns whether both have a direction that is known.
 template <class Traits, class Function>
-bool visit_direction_products(const Svg_segment<Traits>& left, const Svg_segment<Traits>& right, Function f) {
+bool visit_direction_products(const Path_segment<Traits>& left, const Path_segment<Traits>& right, Function f) {
   if (!left.is_known() || !right.is_known()) return false;
   return visit_roots(left, right, [&](const auto& left_root, const auto& right_root) -> bool {
     typedef std::decay_t<decltype(left_root)> Field;
-    const std::array<Field, 2> a = svg_direction<Curve_end::end>(left, left_root),
-                               b = svg_direction<Curve_end::start>(right, right_root);
+    const std::array<Field, 2> a = path_direction<Curve_end::end>(left, left_root),
+                               b = path_direction<Curve_end::start>(right, right_root);
     for (const std::array<Field, 2>& v : {a, b})
       if (v[0] == Field(0) && v[1] == Field(0)) return false;
     f(Leg_products<Field>(a, b));
@@ -70,12 +71,13 @@ template <class FT, class Field> Enclosure angle_of_products(const Leg_products<
 
 } // namespace internal
 
+/// \ingroup PkgGeometricContinuityContinuity
 /// Returns what the join between the end of `left` and the start of `right` looks like, see `join_grade()` of Bézier curves; empty when one
 /// of them has no length, or is an arc whose derivatives are not known. Directions of arcs are compared in the field of their square roots.
 /// Exact, except in `double`
 /// \throws Error `not_finite`, `work_limit`
 template <class Traits>
-std::optional<Join_grade> join_grade(const Svg_segment<Traits>& left, const Svg_segment<Traits>& right,
+std::optional<Join_grade> join_grade(const Path_segment<Traits>& left, const Path_segment<Traits>& right,
                                      const Kink_bound& bound = internal::usual_kink_bound(),
                                      Work_limit limit = Work_limit()) {
   std::optional<bool> corner;
@@ -100,11 +102,12 @@ std::optional<Join_grade> join_grade(const Svg_segment<Traits>& left, const Svg_
   return continuity(left, right, 2, limit)->g_order >= 2 ? Join_grade::g2 : Join_grade::g1;
 }
 
+/// \ingroup PkgGeometricContinuityContinuity
 /// Returns the angle in \f$ [0, \pi] \f$ between the directions in which the segments are drawn, in radians; empty when one of them has no
 /// length, or is an arc whose derivatives are not known. A retracted handle is taken as `join_grade()` takes it.
 /// \throws Error `not_finite`
 template <class Traits>
-std::optional<Enclosure> tangent_angle(const Svg_segment<Traits>& left, const Svg_segment<Traits>& right) {
+std::optional<Enclosure> tangent_angle(const Path_segment<Traits>& left, const Path_segment<Traits>& right) {
   std::optional<Enclosure> angle;
   internal::visit_direction_products(
       left, right, [&](const auto& p) { angle = internal::angle_of_products<typename Traits::FT>(p); });
@@ -114,4 +117,4 @@ std::optional<Enclosure> tangent_angle(const Svg_segment<Traits>& left, const Sv
 } // namespace Geometric_continuity
 } // namespace CGAL
 
-#endif // GEOMETRIC_CONTINUITY_TOOLS_FORMATS_SVG_SVG_GRADE_H
+#endif // CGAL_GEOMETRIC_CONTINUITY_JOINS_PATH_GRADE_H

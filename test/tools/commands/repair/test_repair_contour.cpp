@@ -1,0 +1,202 @@
+// Copyright (c) 2026 The Geometric_continuity developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+// Repair of contours: what stays, how far handles move, mirror images, and that repairing again changes nothing.
+
+#define BOOST_TEST_DYN_LINK
+#define BOOST_TEST_MODULE repair_contour
+#include <boost/test/unit_test.hpp>
+
+#include "commands/repair/repair_contour.h"
+
+#include <CGAL/Geometric_continuity/joins/Kink_size.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iostream>
+#include <optional>
+#include <random>
+#include <vector>
+
+typedef GC::Grid_vector Vector;
+typedef std::vector<Vector> Points;
+
+namespace {
+
+const GC::Kink_bound bound;
+
+Grid_contour contour(const std::vector<Points>& curves, bool closed) {
+  Grid_contour c;
+  c.closed = closed;
+  for (const Points& p : curves) c.curves.push_back({p, "", false, nullptr});
+  return c;
+}
+
+// A contour with lines, quadratics and cubics about a circle, whose handles are off by some units.
+Grid_contour random_contour(std::mt19937& random, double radius) {
+  const int n = 3 + static_cast<int>(random() % 6);
+  const double turn = 2 * std::acos(-1.) / n;
+  const auto noise = [&] { return static_cast<double>(static_cast<int>(random() % 5) - 2); };
+  const auto at = [&](double r, double angle) -> Vector {
+    return {std::llround(r * std::cos(angle)), std::llround(r * std::sin(angle))};
+  };
+  std::vector<Vector> nodes;
+  for (int i = 0; i < n; ++i) nodes.push_back(at(radius + 3 * noise(), i * turn));
+  std::vector<Points> curves;
+  for (int i = 0; i < n; ++i) {
+    const Vector p = nodes[static_cast<std::size_t>(i)], q = nodes[static_cast<std::size_t>((i + 1) % n)];
+    const double length = radius * (0.3 + 0.01 * (random() % 20));
+    const auto handle = [&](const Vector& node, double angle) -> Vector {
+      const Vector v = at(length, angle);
+      return {node.x + v.x + std::llround(noise()), node.y + v.y + std::llround(noise())};
+    };
+    const double quarter = std::acos(-1.) / 2;
+    switch (random() % 4) {
+    case 0: curves.push_back({p, q}); break;
+    case 1: curves.push_back({p, at(radius / std::cos(turn / 2), (i + .5) * turn), q}); break;
+    default: curves.push_back({p, handle(p, i * turn + quarter), handle(q, (i + 1) * turn - quarter), q});
+    }
+  }
+  return contour(curves, true);
+}
+
+// The image under a symmetry of the square, run through in reverse.
+Grid_contour mirrored(const Grid_contour& c, int symmetry) {
+  Grid_contour image = c;
+  std::reverse(image.curves.begin(), image.curves.end());
+  for (Grid_curve& curve : image.curves) {
+    std::reverse(curve.points.begin(), curve.points.end());
+    for (Vector& v : curve.points) {
+      if (symmetry & 1) v.x = -v.x;
+      if (symmetry & 2) v.y = -v.y;
+      if (symmetry & 4) std::swap(v.x, v.y);
+    }
+  }
+  return image;
+}
+
+bool same(const Grid_contour& x, const Grid_contour& y) {
+  return std::equal(x.curves.begin(), x.curves.end(), y.curves.begin(), y.curves.end(),
+                    [](const Grid_curve& c, const Grid_curve& d) { return c.points == d.points; });
+}
+
+// Three in a row, whose handles may depend on each other.
+bool has_chain_of_quadratics(const Grid_contour& c) {
+  const auto is_quadratic = [&](std::size_t i) { return c.curves[i % c.curves.size()].points.size() == 3; };
+  for (std::size_t i = 0; i < c.curves.size(); ++i)
+    if (is_quadratic(i) && is_quadratic(i + 1) && is_quadratic(i + 2)) return true;
+  return false;
+}
+
+double squared(const Vector& v) { return static_cast<double>(v.x * v.x + v.y * v.y); }
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE(nothing_is_harmed) {
+  const unsigned seed = 27;
+  std::cout << "seed " << seed << '\n';
+  std::mt19937 random(seed);
+  std::size_t mended = 0, kinks = 0;
+  for (int i = 0; i < 400; ++i) {
+    const Grid_contour given = random_contour(random, i % 2 == 0 ? 60 : 700);
+    for (const bool harmonise : {false, true}) {
+      Repair_options options{bound, std::nullopt, harmonise};
+      Grid_contour repaired = given;
+      const Contour_repair done = repair(repaired, options);
+      std::vector<std::size_t> lost;
+      for (std::size_t j = 0; j < given.number_of_joins(); ++j) {
+        const auto before = *grade(given, j, bound), after = *grade(repaired, j, bound);
+        BOOST_CHECK(after >= (std::min)(before, GC::Join_grade::g1));
+        BOOST_CHECK((before == GC::Join_grade::corner) == (after == GC::Join_grade::corner));
+        kinks += before == GC::Join_grade::kink;
+        mended += before == GC::Join_grade::kink && after >= GC::Join_grade::g1;
+        if (before == GC::Join_grade::g2 && after == GC::Join_grade::g1) lost.push_back(j);
+        if (after == GC::Join_grade::kink)
+          BOOST_CHECK(std::any_of(done.unrepaired.begin(), done.unrepaired.end(),
+                                  [&](const Unrepaired_join& u) { return u.join == j && !u.reason.empty(); }));
+      }
+      BOOST_CHECK(lost == done.lost);
+      Grid_contour again = repaired;
+      BOOST_CHECK(repair(again, options).moves.empty());
+      BOOST_CHECK(same(again, repaired));
+      if (harmonise) continue;
+      // twice what one of the kinks next to it was off, and one unit
+      for (const Handle_move& m : done.moves) {
+        const std::size_t n = given.curves.size(), left = (m.curve + n - 1) % n;
+        double off = 0;
+        for (const std::size_t j : {left, m.curve})
+          if (grade(given, j, bound) == GC::Join_grade::kink)
+            off = (std::max)(
+                off, GC::kink_size(grid_bezier(given.curves[j].points), grid_bezier(given.curves[given.next(j)].points))
+                         ->handle_offset.upper);
+        BOOST_CHECK(m.distance().lower <= 2 * off + 1);
+      }
+    }
+  }
+  std::cout << mended << " of " << kinks << " kinks mended\n";
+  BOOST_CHECK(mended > kinks / 4);
+}
+
+BOOST_AUTO_TEST_CASE(mirror_images) {
+  const unsigned seed = 28;
+  std::cout << "seed " << seed << '\n';
+  std::mt19937 random(seed);
+  int contours = 0;
+  for (int i = 0; i < 300; ++i) {
+    const Grid_contour given = random_contour(random, i % 2 == 0 ? 60 : 700);
+    if (has_chain_of_quadratics(given)) continue;
+    const int symmetry = 1 + static_cast<int>(random() % 7);
+    Grid_contour repaired = given, image = mirrored(given, symmetry);
+    ++contours;
+    repair(repaired, {bound, std::nullopt, false});
+    repair(image, {bound, std::nullopt, false});
+    BOOST_CHECK(same(image, mirrored(repaired, symmetry)));
+  }
+  BOOST_CHECK(contours > 100);
+}
+
+// Of two cubics: against all positions of both handles.
+BOOST_AUTO_TEST_CASE(least_change) {
+  const unsigned seed = 29;
+  std::cout << "seed " << seed << '\n';
+  std::mt19937 random(seed);
+  int mended = 0;
+  for (int i = 0; i < 400; ++i) {
+    const Vector a{8 + static_cast<int>(random() % 14), static_cast<int>(random() % 9) - 4},
+        b{a.x + static_cast<int>(random() % 9) - 4, a.y + static_cast<int>(random() % 3) - 1};
+    const Grid_contour given =
+        contour({{{-60, 30}, {-50, 20}, -1 * a, {0, 0}}, {{0, 0}, b, {50, 20}, {60, -30}}}, false);
+    if (grade(given, 0, bound) != GC::Join_grade::kink) continue;
+    if (a.y == -b.y && a.x == b.x) continue; // mirror images stay so
+    const double off = GC::kink_size(grid_bezier(given.curves[0].points), grid_bezier(given.curves[1].points))
+                           ->handle_offset.lower,
+                 most = 2 * off + 1;
+    double least = 1e300;
+    const int r = static_cast<int>(most) + 1;
+    for (int x = -r; x <= r; ++x)
+      for (int y = -r; y <= r; ++y)
+        for (int u = -r; u <= r; ++u)
+          for (int v = -r; v <= r; ++v) {
+            const Vector p{a.x + x, a.y + y}, q{b.x + u, b.y + v}, left{x, y}, right{u, v};
+            const double larger = (std::max)(squared(left), squared(right));
+            if (larger <= most * most && p.x * q.y == p.y * q.x && p.x * q.x + p.y * q.y > 0)
+              least = (std::min)(least, larger);
+          }
+    Grid_contour repaired = given;
+    const Contour_repair done = repair(repaired, {bound, std::nullopt, false});
+    double larger = 0;
+    for (const Handle_move& m : done.moves) larger = (std::max)(larger, squared(m.to - m.from));
+    BOOST_CHECK_EQUAL(done.unrepaired.empty(), least < 1e300);
+    if (done.unrepaired.empty()) BOOST_CHECK_EQUAL(larger, least);
+    mended += done.unrepaired.empty();
+  }
+  BOOST_CHECK(mended > 100);
+}
+
+BOOST_AUTO_TEST_CASE(symmetric_handles_stay_so) {
+  Grid_contour c = contour({{{-60, 0}, {-60, 20}, {-21, 50}, {0, 52}}, {{0, 52}, {21, 50}, {60, 20}, {60, 0}}}, false);
+  const Contour_repair done = repair(c, {GC::Kink_bound(12), std::nullopt, false});
+  BOOST_CHECK(done.unrepaired.empty());
+  BOOST_CHECK(c.curves[0].points[2] == (Vector{-21, 52}) && c.curves[1].points[1] == (Vector{21, 52}));
+}

@@ -1,0 +1,36 @@
+#!/usr/bin/env bash
+# The moves that repair writes for a font, applied by FontForge: what is generated has no kinks where none are left. Skipped without it.
+generator=$(realpath "$(dirname "$0")")/make_font.awk script=$(realpath "$(dirname "$0")/../../tools/fontforge/apply_moves.py")
+command -v fontforge >/dev/null && fontforge -lang=py -c 'import fontforge' >/dev/null 2>&1 || exit 77
+. "$(dirname "$0")/functions.sh"
+
+font() { printf "$(LC_ALL=C awk -f "$generator" "$@")"; }
+apply() { fontforge -script "$script" "$@" >applied 2>&1; }
+
+font >given.ttf <<'END'
+glyph .notdef
+glyph base 65
+contour 0,0 100,0 200,3* 300,300 0,300
+glyph composed 66
+component 1 400 0
+component 1 900 50
+END
+run 1 verify given.ttf --require G1
+run 0 repair given.ttf -o moves.json && says out "1 consist of components" "every join is free of kinks, proved exactly"
+says moves.json '{"glyph":"base","used_by":["composed"],"contour":0,"point":2,"from":[200,3],"to":[200,0]}'
+holds [ "$(grep -c '"glyph"' moves.json)" = 1 ]
+holds apply given.ttf moves.json mended.ttf && says applied "1 handles of 1 glyphs are moved"
+run 0 verify mended.ttf --require G1 && says out "0 kinks"
+# another font than the one that was repaired is left alone
+apply mended.ttf moves.json again.ttf && holds false
+says applied "there is no handle at" && holds [ ! -e again.ttf ]
+
+# cubic curves, and names that the font does not have
+font -v outlines=cff >given.otf <<'END'
+glyph .notdef
+glyph curve 65
+contour 0,0 100,0 150,3* 260,100* 300,300 0,300
+END
+run 1 verify given.otf --require G1
+run 0 repair given.otf -o moves.json && holds apply given.otf moves.json mended.otf
+run 0 verify mended.otf --require G1 && says out "0 kinks"

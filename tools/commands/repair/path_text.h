@@ -1,0 +1,65 @@
+// Copyright (c) 2026 The Geometric_continuity developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef GEOMETRIC_CONTINUITY_TOOLS_COMMANDS_REPAIR_PATH_TEXT_H
+#define GEOMETRIC_CONTINUITY_TOOLS_COMMANDS_REPAIR_PATH_TEXT_H
+
+#include "commands/repair/grid_contour.h"
+#include "formats/svg/read_svg_path.h"
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+// A piece of text that takes the place of another one.
+struct Text_edit {
+  GC::Text_range range;
+  std::string text;
+};
+
+// The decimals of the coordinates of path data.
+struct Path_decimals {
+  int most = 0;           // digits behind the point
+  std::size_t finest = 0; // how many coordinates have that many
+  std::string refusal;    // why they are not on a grid; empty when they are
+
+  void add(std::string_view data, const GC::Svg_path_places& places);
+};
+
+// Path data as contours on its grid, one subpath after the other: the text stays as it is but for the numbers that must change. The grid
+// is that of the decimals with the most digits behind the point among the coordinates.
+class Path_text {
+  const std::string_view data_;
+  Path_decimals decimals_; // as they will be
+  const std::optional<Drawing_transform> map_;
+  GC::Svg_path_places places_;
+  GC::Svg_path_reader<Drawing_traits> reader_;
+  Drawing_subpath subpath_;
+  Grid_contour contour_;
+
+  std::optional<GC::Grid_vector> on_grid(const Drawing_traits::Point& point) const;
+  Grid_curve curve(const GC::Svg_segment<Drawing_traits>& segment) const;
+  void forget();
+
+public:
+  // Takes path data, whose places are named `place` in messages, with its decimals, and the map by which it is drawn.
+  Path_text(std::string_view data, const std::string& place, const Path_decimals& decimals,
+            const std::optional<Drawing_transform>& map)
+      : data_(data), decimals_(decimals), map_(map), reader_(data, place, &places_) {}
+
+  // Reads the next subpath. Returns false at the end.
+  bool next();
+
+  // The subpath, without segments of no length, and the same on the grid.
+  const Drawing_subpath& subpath() const { return subpath_; }
+  Grid_contour contour() const;
+
+  // Returns the edits, in order, that move the handles of the subpath from where they are in one contour to where they are in another one.
+  // The path keeps its grid: the last number with the most decimals keeps them.
+  std::vector<Text_edit> edits(const Grid_contour& from, const Grid_contour& to);
+};
+
+#endif // GEOMETRIC_CONTINUITY_TOOLS_COMMANDS_REPAIR_PATH_TEXT_H

@@ -1,0 +1,276 @@
+// Copyright (c) 2026 The Geometric_continuity developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#include "commands/repair/repair_drawing.h"
+
+#include "commands/repair/path_text.h"
+#include "files/progress.h"
+#include "formats/svg/svg_drawing.h"
+
+#include <CGAL/Geometric_continuity/IO/json.h>
+#include <CGAL/Geometric_continuity/joins/path_grade.h>
+
+#include <algorithm>
+#include <sstream>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+namespace {
+
+// Calls f(i, grade) for each join of a subpath, behind the segment i; the grade is empty where it is not known.
+template <class Function> void for_each_join(const Drawing_subpath& path, const GC::Kink_bound& bound, Function f) {
+  const std::size_t n = path.segments.size();
+  for (std::size_t i = 0; i < path.joins(); ++i)
+    f(i, GC::join_grade(path.segments[i], path.segments[(i + 1) % n], bound));
+}
+
+// The joins of a drawing.
+struct Drawing_joins {
+  Grade_counts drawn, defined; // the latter are not drawn
+  std::size_t undecided = 0;
+
+  void add(const Drawing_subpath& path, bool is_drawn, const GC::Kink_bound& bound) {
+    for_each_join(path, bound, [&](std::size_t, const std::optional<GC::Join_grade>& grade) {
+      if (grade)
+        ++(is_drawn ? drawn : defined)[*grade];
+      else
+        ++undecided;
+    });
+  }
+
+  void operator+=(const Drawing_joins& more) {
+    for (const auto& [grade, count] : more.drawn) drawn[grade] += count;
+    for (const auto& [grade, count] : more.defined) defined[grade] += count;
+    undecided += more.undecided;
+  }
+};
+
+// The map by which an element is drawn, where that changes angles.
+std::optional<Drawing_transform> skewing_map(const Drawing_element& element, bool is_drawn) {
+  const auto& m = element.transform.matrix();
+  const bool is_similarity = m[0] * m[0] + m[1] * m[1] == m[2] * m[2] + m[3] * m[3] && m[0] * m[2] + m[1] * m[3] == 0;
+  return is_drawn && !is_similarity ? std::optional<Drawing_transform>(element.transform) : std::nullopt;
+}
+
+// Whether a curve is read as it was computed. One that has become straight by a handle at its node is read as a line.
+bool is_read_as(const Grid_curve& read, const Grid_curve& computed) {
+  return read.points == computed.points ||
+         (read.points.size() == 2 && is_line(computed.points) && read.points.front() == computed.points.front() &&
+          read.points.back() == computed.points.back());
+}
+
+[[noreturn]] void refuse_to_write(const std::string& place) {
+  throw std::logic_error(place + ": what would be written is not what was computed; nothing is written");
+}
+
+// What a reader of drawings for repair does with shapes and paths: counts joins.
+class Counting_handler : public Drawing_handler {
+protected:
+  const GC::Kink_bound& bound_;
+
+public:
+  Drawing_joins joins;
+
+  explicit Counting_handler(const GC::Kink_bound& bound) : bound_(bound) {}
+
+  bool takes_paths() const override { return true; }
+  void subpath(const Drawing_element&, int, const Drawing_subpath& path) override { joins.add(path, true, bound_); }
+  void not_read(const Drawing_element&, const std::string&) override {}
+};
+
+// Repairs the paths of a drawing.
+class Drawing_mender : public Counting_handler {
+  const std::string& text_;
+  const Repair_options& options_;
+  Repair_report& report_;
+  std::string result_;
+  std::size_t read_ = 0, paths_ = 0;
+  Progress progress_{"paths"};
+
+public:
+  std::vector<std::string> data; // of each path, as it will be
+
+  Drawing_mender(const std::string& text, const Repair_options& options, Repair_report& report)
+      : Counting_handler(options.bound), text_(text), options_(options), report_(report) {}
+
+  std::string result() {
+    result_.append(text_, read_, std::string::npos);
+    return std::move(result_);
+  }
+
+  void subpath(const Drawing_element& element, int number, const Drawing_subpath& path) override {
+    Counting_handler::subpath(element, number, path);
+    for_each_join(path, bound_, [&](std::size_t i, const std::optional<GC::Join_grade>& grade) {
+      const std::string command = std::to_string(path.segments[i].command);
+      if (grade == GC::Join_grade::kink)
+        report_.add_unread(element.text() + ", behind command " + command,
+                           members(element) + ",\"curve\":" + std::to_string(i + 1), "no handle can move");
+    });
+  }
+
+  void not_read(const Drawing_element& element, const std::string& reason) override {
+    report_.add_uncovered(element.text(), members(element), reason);
+  }
+
+  void path(const Drawing_element& element, const Path_data& path) override {
+    progress_.step(paths_++, [&] { return path.text.refusal().empty() ? part(path.text[0]) : 0; });
+    data.push_back(path.value);
+    std::string refusal = path.text.refusal();
+    Path_decimals decimals;
+    bool has_kinks = false;
+    const std::optional<Drawing_transform> map = skewing_map(element, path.is_drawn);
+    try {
+      has_kinks = read(path, map, decimals);
+    } catch (const GC::Error& error) { // of a path that is not drawn: others must be right
+      if (path.is_drawn) throw;
+      return report_.add_uncovered(element.text(), members(element), error.what());
+    }
+    if (!has_kinks && !options_.harmonise && refusal.empty()) return;
+    if (refusal.empty()) refusal = decimals.refusal;
+    if (!refusal.empty()) return report_.add_unread(element.text(), members(element), refusal);
+    const std::vector<Text_edit> edits = repair(element, path, map, decimals);
+    for (const Text_edit& edit : edits) {
+      result_.append(text_, read_, path.text[edit.range.begin] - read_) += edit.text;
+      read_ = path.text[edit.range.end];
+    }
+  }
+
+private:
+  double part(std::size_t position) const {
+    return text_.empty() ? 0 : static_cast<double>(position) / static_cast<double>(text_.size());
+  }
+
+  static std::string members(const Drawing_element& element) {
+    std::ostringstream os;
+    GC::write_json(os << "\"element\":", element.name);
+    GC::write_json(os << ",\"id\":", element.id);
+    os << ",\"line\":" << element.line;
+    return os.str();
+  }
+
+  // Counts the joins of a path, and finds its decimals. Returns whether there are kinks.
+  bool read(const Path_data& path, const std::optional<Drawing_transform>& map, Path_decimals& decimals) {
+    GC::Svg_path_places places;
+    GC::Svg_path_reader<Drawing_traits> reader(path.value, path.place, &places);
+    Drawing_joins here;
+    while (std::optional<Drawing_subpath> subpath = reader.next()) {
+      decimals.add(path.value, places);
+      places.commands.clear();
+      places.numbers.clear();
+      subpath->leave_out_points();
+      here.add(map ? subpath->transform(*map) : *subpath, path.is_drawn, bound_);
+    }
+    decimals.add(path.value, places);
+    joins += here;
+    return here.drawn.count(GC::Join_grade::kink) + here.defined.count(GC::Join_grade::kink) != 0;
+  }
+
+  // Returns the edits of the data, after which they are data.back().
+  std::vector<Text_edit> repair(const Drawing_element& element, const Path_data& path,
+                                const std::optional<Drawing_transform>& map, const Path_decimals& decimals) {
+    std::vector<Text_edit> all;
+    std::vector<std::pair<std::size_t, Grid_contour>> changed; // with the number of the subpath
+    Path_text text(path.value, path.place, decimals, map);
+    for (std::size_t number = 1; text.next(); ++number) {
+      bool has_kinks = options_.harmonise;
+      if (!has_kinks)
+        for_each_join(map ? text.subpath().transform(*map) : text.subpath(), bound_,
+                      [&](std::size_t, const auto& grade) { has_kinks = has_kinks || grade == GC::Join_grade::kink; });
+      if (!has_kinks) continue;
+      const Grid_contour given = text.contour();
+      const std::string place = element.text() + ", subpath " + std::to_string(number),
+                        place_members = members(element) + ",\"subpath\":" + std::to_string(number);
+      const auto unknown = std::find_if(given.curves.begin(), given.curves.end(),
+                                        [](const Grid_curve& c) { return c.points.empty() && !c.arc; });
+      if (unknown != given.curves.end()) {
+        report_.add_unread(place, place_members, unknown->reason);
+        continue;
+      }
+      Grid_contour contour = given;
+      Contour_repair done = ::repair(contour, options_);
+      done.undecided.clear(); // all joins of the drawing are counted in the end
+      const auto& segments = text.subpath().segments;
+      report_.add(place, place_members, contour, done,
+                  [&](std::size_t curve) { return "command " + std::to_string(segments[curve].command); });
+      if (done.moves.empty()) continue;
+      for (Text_edit& edit : text.edits(given, contour)) all.push_back(std::move(edit));
+      changed.emplace_back(number, std::move(contour));
+    }
+    if (all.empty()) return all;
+    std::string written;
+    std::size_t read = 0;
+    for (const Text_edit& edit : all) {
+      written.append(path.value, read, edit.range.begin - read) += edit.text;
+      read = edit.range.end;
+    }
+    written.append(path.value, read, std::string::npos);
+    check(written, path.place, decimals, changed);
+    data.back() = std::move(written);
+    return all;
+  }
+
+  // Whether what is written draws what was computed.
+  static void check(const std::string& written, const std::string& place, const Path_decimals& decimals,
+                    const std::vector<std::pair<std::size_t, Grid_contour>>& changed) {
+    Path_text text(written, place, decimals, std::nullopt);
+    auto expected = changed.begin();
+    for (std::size_t number = 1; text.next(); ++number)
+      if (expected != changed.end() && expected->first == number) {
+        const std::vector<Grid_curve> read = text.contour().curves, &computed = expected->second.curves;
+        if (!std::equal(read.begin(), read.end(), computed.begin(), computed.end(), is_read_as)) refuse_to_write(place);
+        ++expected;
+      }
+    if (expected != changed.end()) refuse_to_write(place);
+  }
+};
+
+// Counts the joins of what is to be written, whose path data must be as expected.
+class Result_reader : public Counting_handler {
+  const std::vector<std::string>& expected_;
+  std::size_t paths_ = 0;
+
+public:
+  Result_reader(const GC::Kink_bound& bound, const std::vector<std::string>& expected)
+      : Counting_handler(bound), expected_(expected) {}
+
+  void path(const Drawing_element& element, const Path_data& path) override {
+    if (paths_ == expected_.size() || path.value != expected_[paths_++]) refuse_to_write(path.place);
+    GC::Svg_path_reader<Drawing_traits> reader(path.value, path.place);
+    Drawing_joins here;
+    try {
+      while (std::optional<Drawing_subpath> subpath = reader.next()) {
+        subpath->leave_out_points();
+        here.add(path.is_drawn ? subpath->transform(element.transform) : *subpath, path.is_drawn, bound_);
+      }
+    } catch (const GC::Error&) {
+      if (path.is_drawn) throw;
+      return;
+    }
+    joins += here;
+  }
+
+  bool has_read_all() const { return paths_ == expected_.size(); }
+};
+
+} // namespace
+
+std::string repaired_drawing(const std::string& text, const std::string& name, const Repair_options& options,
+                             Repair_report& report) {
+  if (text.find('\0') != std::string::npos)
+    throw GC::Error(GC::Error_code::malformed_input,
+                    name + ": a drawing in UTF-16 is not repaired; convert it to UTF-8");
+  Drawing_mender mender(text, options, report);
+  std::istringstream given(text);
+  read_svg_drawing(given, name, mender);
+  std::string result = mender.result();
+  Result_reader reader(options.bound, mender.data);
+  std::istringstream written(result);
+  read_svg_drawing(written, name, reader);
+  if (!reader.has_read_all()) refuse_to_write(name);
+  report.add_grades(mender.joins.drawn, reader.joins.drawn);
+  report.add_definitions(mender.joins.defined, reader.joins.defined);
+  report.add_undecided(reader.joins.undecided);
+  return result;
+}
