@@ -132,7 +132,9 @@ says err "left.g2: work_limit" "--max-work N"
 random_curve 4 2000 1 >long_left.g2
 random_curve 4 2000 2 >long_right.g2
 bounded 60 2 blend long_left.g2 long_right.g2 --max-work 4000000000 -o none.g2
-says err "curvature_extrema" "--max-work N"
+says err "work_limit" "--max-work N"
+bounded 60 2 blend long_left.g2 long_right.g2 --order 3 -o none.g2
+says err "work_limit: blend: more than 4000000000 steps" "--max-work N"
 run 2 blend left.g2 --corner 0 --distance 1 --max-work 1000
 says err "--max-work: not with --corner"
 run 2 blend left.g2 right.g2 --order 3 --max-work 10000
@@ -224,7 +226,8 @@ awk 'BEGIN {
   print "\n2 2\n0 0 1 1"
   for (i = 0; i < 256; ++i) printf "%d/%d %d/%d %d/%d\n", 999 * rand(), 1 + 998 * rand(), 999 * rand(), 1 + 998 * rand(), 999 * rand(), 1 + 998 * rand()
 }' >high_patch.g2
-bounded 60 2 tessellate --kernel exact --tolerance 0.0001 high_patch.g2 -o none.off
+bounded 60 2 tessellate --kernel exact --tolerance 1 high_patch.g2 -o none.off
+says err "work_limit: tessellate: more than 4000000000 steps"
 run 2 tessellate --kernel exact --max-work 10000000 --grid 64 high_patch.g2 -o none.off
 holds test ! -e none.off
 

@@ -154,13 +154,7 @@ template <class FT> int blend(const Command_line& line) {
   const Scene<FT> scene = read_scene<FT>(line);
   const Program_curve<FT>&phi = left_of_blend(scene), &psi = right_of_blend(scene);
   const Blender<FT> blender(line, phi, psi);
-  std::vector<Blend_result<FT>> results;
-  for (const std::string& name : chosen == "all" ? names : Arguments{chosen}) {
-    const GC::Work_scope scope(line.work_limit(), "blend");
-    results.push_back(order == 2 ? blender.quintic(name) : blender.septic(name));
-  }
-
-  const bool chain = line.has("replace") && results.size() == 1; // is written
+  const bool chain = line.has("replace") && chosen != "all"; // is written
   const std::optional<GC::Work_limit> limit =
       line.has("max-work") ? std::optional<GC::Work_limit>(line.work_limit()) : std::nullopt;
   // the neighbours as they are given, if they can be read again, unless they are written with the blend
@@ -175,8 +169,12 @@ template <class FT> int blend(const Command_line& line) {
   }
   const Exact_curve left = given ? left_of_blend(*given) : as_written(phi),
                     right = given ? right_of_blend(*given) : as_written(psi);
+  std::vector<Blend_result<FT>> results;
   std::vector<Blend_report> reports;
-  for (const Blend_result<FT>& r : results) {
+  for (const std::string& name : chosen == "all" ? names : Arguments{chosen}) {
+    const GC::Work_scope blend_and_joins(line.work_limit(), "blend");
+    results.push_back(order == 2 ? blender.quintic(name) : blender.septic(name));
+    const Blend_result<FT>& r = results.back();
     const bool moved = !r.neighbours.empty();
     reports.push_back({r.strategy, moved ? exact(r.curve) : as_written(r.curve), moved ? exact(r.neighbours[0]) : left,
                        moved ? exact(r.neighbours[1]) : right, Exact(r.shape.beta), Exact(r.shape.eta),

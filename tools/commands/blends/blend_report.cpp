@@ -34,15 +34,16 @@ std::optional<GC::Curvature_extrema> extrema(const Exact_curve& curve, const std
 
 std::string six_digits(double x) { return std::isinf(x) ? "infinite" : rounded(x, 6); }
 
-// The energy of a blend, as it stands in the table.
-std::string energy(const Blend_report& r, int order, const std::optional<GC::Work_limit>& limit) {
+// The energies of a blend, as they stand in the table.
+std::array<std::string, 2> energies(const Blend_report& r, int order, const std::optional<GC::Work_limit>& limit) {
+  std::array<std::string, 2> result{"-", "-"};
   try {
-    const GC::Work_scope scope(limit.value_or(GC::Work_limit()), "the energy of a blend");
-    return six_digits(CGAL::to_double(r.curve.polynomial()->energy(order)));
+    const GC::Work_scope scope(limit.value_or(GC::Work_limit()), "the energies of a blend");
+    for (int k = 0; k < 2; ++k) result[k] = six_digits(CGAL::to_double(r.curve.polynomial()->energy(order + k)));
   } catch (const GC::Error& e) {
     if (!is_left_out(e, limit)) throw;
-    return "-";
   }
+  return result;
 }
 
 // Why a curve is hardly what is wanted, however smooth its joins are: it goes far away from its chord, or turns back. Empty otherwise. Samples
@@ -168,9 +169,10 @@ void write_table(std::ostream& os, const std::vector<Blend_report>& reports, int
   for (const Blend_report& r : reports) {
     proved = proved && r.is_proved(order);
     const std::optional<GC::Curvature_extrema>& c = r.curvature;
+    const std::array<std::string, 2> energy = energies(r, order, limit);
     write_row(os,
-              {r.strategy, orders(r.start), orders(r.end), energy(r, order, limit), energy(r, order + 1, limit),
-               six_digits(r.fairness), six_digits(r.bending_energy), c ? std::to_string(c->extrema.size()) : "-",
+              {r.strategy, orders(r.start), orders(r.end), energy[0], energy[1], six_digits(r.fairness),
+               six_digits(r.bending_energy), c ? std::to_string(c->extrema.size()) : "-",
                c ? std::to_string(c->inflections.size()) : "-", c ? six_digits(c->largest().upper) : "-"},
               r.parameters + (r.warning.empty() ? "" : "  warning: " + r.warning));
   }
