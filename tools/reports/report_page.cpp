@@ -4,6 +4,9 @@
 
 #include "reports/report_page.h"
 
+#include "reports/Conclusion.h"
+#include "reports/words.h"
+
 #include "report_page_text.h"
 
 #include <CGAL/Geometric_continuity/IO/json.h>
@@ -25,20 +28,20 @@ const char* const grade_names[number_of_report_grades] = {"gap", "kink", "corner
 // More curves are not drawn around the joins.
 constexpr std::size_t most_curves = 100000;
 
-// A text from outside as a JSON string that stands inside of HTML: nothing in it ends the block, and nothing is shown that
-// is no text.
-std::string page_string(const std::string& text) {
-  std::ostringstream os;
-  GC::write_json(os, std::string_view(GC::printable(text)));
-  std::string json;
-  for (char c : os.str()) switch (c) {
-    case '<': json += "\\u003c"; break;
-    case '>': json += "\\u003e"; break;
-    case '&': json += "\\u0026"; break;
-    default: json += c;
+// JSON that stands inside of HTML: no text in it ends the block.
+std::string without_markup(const std::string& json) {
+  std::string result;
+  for (const char c : json) switch (c) {
+    case '<': result += "\\u003c"; break;
+    case '>': result += "\\u003e"; break;
+    case '&': result += "\\u0026"; break;
+    default: result += c;
     }
-  return json;
+  return result;
 }
+
+// A text from outside as such a string, in which nothing is shown that is no text.
+std::string page_string(const std::string& text) { return without_markup(json_text(GC::printable(text))); }
 
 // The shortest decimal that is read as this number.
 std::string page_number(double x, const std::string& place) {
@@ -143,6 +146,10 @@ const char* report_grade_name(Report_grade grade) { return grade_names[static_ca
 
 bool Report_page::count(Report_grade grade, double severity) {
   ++counts_[static_cast<std::size_t>(grade)];
+  if (grade == Report_grade::undecided)
+    claims_.add({Claim::undecided, "join", "no grade could be proved"});
+  else
+    claims_.add({Claim::met, "join"});
   Report_item item;
   item.number = ++total_;
   item.grade = grade;
@@ -157,6 +164,11 @@ void Report_page::add(Report_item item) {
   }
   items_.push_back(std::move(item));
   std::push_heap(items_.begin(), items_.end(), is_worse);
+}
+
+void Report_page::leave_out(const char* noun, const std::string& reason, const std::string& note) {
+  claims_.add({Claim::not_covered, noun, reason});
+  if (!note.empty()) notes.push_back(note);
 }
 
 void Report_page::include(const std::vector<double>& points) {
@@ -188,8 +200,14 @@ void Report_page::number_edges() {
 }
 
 void Report_page::write(std::ostream& os) const {
-  os << page_before_data << "{\"title\":" << page_string(title) << ",\"summary\":" << page_string(summary)
-     << ",\n\"notes\":[";
+  std::string classes;
+  if (claims_.undecided() > 0) classes += "; " + std::to_string(claims_.undecided()) + " undecided";
+  if (claims_.not_covered() > 0) classes += "; " + std::to_string(claims_.not_covered()) + " not covered";
+  const Report_mode mode;
+  const Report_subject subject{"join", "every join"};
+  os << page_before_data << "{\"title\":" << page_string(title) << ",\"summary\":" << page_string(summary + classes)
+     << ",\n"
+     << without_markup(Conclusion(claims_, mode, subject).json()) << ",\n\"notes\":[";
   for (std::size_t i = 0; i < notes.size(); ++i) os << (i == 0 ? "\n" : ",\n") << page_string(notes[i]);
   os << "],\n\"dimension\":" << dimension << ",\"down\":" << (down ? "true" : "false") << ",\"whole\":\""
      << (whole_is_em ? "em" : "whole") << "\",\"numbered\":" << (is_numbered ? "true" : "false")

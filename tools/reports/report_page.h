@@ -5,6 +5,7 @@
 #ifndef GEOMETRIC_CONTINUITY_TOOLS_REPORTS_REPORT_PAGE_H
 #define GEOMETRIC_CONTINUITY_TOOLS_REPORTS_REPORT_PAGE_H
 
+#include "reports/Claims.h"
 #include "reports/report_item.h"
 
 #include <array>
@@ -23,11 +24,12 @@ class Report_page {
   std::vector<Report_item> items_; // a heap with the least bad one in front, as soon as there are as many as allowed
   std::array<std::size_t, number_of_report_grades> counts_{};
   std::size_t total_ = 0;
+  Claims claims_;
   std::vector<double> low_, high_; // of all points
 
 public:
   std::string title, summary;
-  std::vector<std::string> notes; // what could not be verified, and the like
+  std::vector<std::string> notes; // what is not covered, and the like
   int dimension = 2;
   bool down = false;        // the second coordinate grows downwards
   bool whole_is_em = false; // severities are already in parts of the whole, an em
@@ -41,6 +43,11 @@ public:
   // its item is to be passed to add().
   bool count(Report_grade grade, double severity);
   void add(Report_item item);
+
+  // Takes note of a thing that was given and is not covered, and of its place in words, if that is to be shown.
+  void leave_out(const char* noun, const std::string& reason, const std::string& note);
+
+  const Claims& claims() const { return claims_; }
 
   // Includes points in the whole, of the extent of which the severities of kinks are given in per mille.
   void include(const std::vector<double>& points);

@@ -182,11 +182,13 @@ public:
       healed_distance_ = (std::max)(healed_distance_, *mesh.healed);
     }
     for (const auto& [face, reason] : decided.model.not_covered)
-      page_.notes.push_back(file + ": not covered: face " + std::to_string(face) + ": " + reason);
-    for (const std::string& lost : decided.model.lost) page_.notes.push_back(file + ": not read: " + lost);
+      page_.leave_out("face", reason, file + ": not covered: face " + std::to_string(face) + ": " + reason);
+    for (const std::string& lost : decided.model.lost)
+      page_.leave_out("element", "cannot be read", file + ": not read: " + lost);
     for (std::size_t i = 0; i < decided.verdicts.size(); ++i) {
       const Cad_edge& edge = decided.model.edges[i];
       if (!has_verdict(edge)) {
+        if (edge.kind == Cad_edge_kind::non_manifold) page_.leave_out("edge", "three faces or more meet there", "");
         if (edge.kind != Cad_edge_kind::degenerate) others_.push_back(drawn(edge, "boundary", first_face));
         continue;
       }

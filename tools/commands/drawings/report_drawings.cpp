@@ -77,7 +77,8 @@ public:
 
   void not_read(const Drawing_element& element, const std::string& reason) override {
     ++not_read_;
-    page_.notes.push_back((several_ ? element.file + ": " : "") + element.text() + ": not verified, " + reason);
+    page_.leave_out("element", reason,
+                    (several_ ? element.file + ": " : "") + element.text() + ": not verified, " + reason);
   }
 };
 
