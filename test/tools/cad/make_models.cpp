@@ -218,9 +218,9 @@ int main() {
   const std::vector<gp_Pnt> kinks{gp_Pnt(0, 0, 0), gp_Pnt(1, 0, 0), gp_Pnt(2, std::tan(M_PI / 180), 0),
                                   gp_Pnt(3, 0.1, 0)};
   write(wall(kinks), "kinks.brep"); // 1 degree, and nearly 4
-  // Next to each other but for 0.03 and 0.05, each with edges of its own.
-  const auto piece = [](double begin, double end) { return wall({gp_Pnt(begin, 0, 0), gp_Pnt(end, 0, 0)}); };
-  write(compound({piece(0, 1), piece(1.03, 2), piece(2.05, 3)}), "apart.brep");
+  // Beside each other, 0.03 and 0.05 off their planes, each with edges of its own.
+  const auto piece = [](double begin, double off) { return wall({gp_Pnt(begin, off, 0), gp_Pnt(begin + 1, off, 0)}); };
+  write(compound({piece(0, 0), piece(1, 0.03), piece(2, 0.08)}), "apart.brep");
   std::vector<TopoDS_Shape> tori; // too many to be drawn
   for (int i = 0; i < 25; ++i)
     tori.push_back(BRepPrimAPI_MakeTorus(gp_Ax2(gp_Pnt(20 * i, 0, 0), gp_Dir(0, 0, 1)), 5, 2).Shape());
