@@ -334,7 +334,7 @@ std::vector<Rational_bspline_surface<Traits>> read_g2_rational_bspline_surfaces(
 
 /// \ingroup PkgGeometricContinuityIO
 /// Writes a Bézier curve in the `.g2` format without loss, with an empty line after it. Nothing is written when an
-/// error is thrown. Failures of the stream are seen in its state; `write_file_atomically()` reports them.
+/// error is thrown. Failures of the stream are seen in its state.
 /// \throws Error as `write_number()` does
 template <class Traits, int Degree> void write_g2(std::ostream& os, const Bezier_curve<Traits, Degree>& curve) {
   const std::pair<typename Traits::FT, typename Traits::FT> domain = curve.domain();
@@ -343,7 +343,7 @@ template <class Traits, int Degree> void write_g2(std::ostream& os, const Bezier
 
 /// \ingroup PkgGeometricContinuityIO
 /// Writes a B-spline curve in the `.g2` format without loss, with an empty line after it. Nothing is written when an
-/// error is thrown. Failures of the stream are seen in its state; `write_file_atomically()` reports them.
+/// error is thrown. Failures of the stream are seen in its state.
 /// \throws Error as `write_number()` does
 template <class Traits> void write_g2(std::ostream& os, const Bspline_curve<Traits>& curve) {
   internal::write_g2_curve(os, curve, curve.knots());
@@ -370,7 +370,7 @@ template <class Traits> void write_g2(std::ostream& os, const Rational_bspline_c
 
 /// \ingroup PkgGeometricContinuityIO
 /// Writes a B-spline surface in the `.g2` format without loss, with an empty line after it. Nothing is written when an
-/// error is thrown. Failures of the stream are seen in its state; `write_file_atomically()` reports them.
+/// error is thrown. Failures of the stream are seen in its state.
 /// \throws Error as `write_number()` does
 template <class Traits> void write_g2(std::ostream& os, const Bspline_surface<Traits>& surface) {
   internal::write_g2_surface(os, surface, false, [&](int i, int j) { return surface.coordinates(i, j); });
@@ -378,7 +378,7 @@ template <class Traits> void write_g2(std::ostream& os, const Bspline_surface<Tr
 
 /// \ingroup PkgGeometricContinuityIO
 /// Writes a Bézier patch in the `.g2` format without loss, with an empty line after it. Nothing is written when an
-/// error is thrown. Failures of the stream are seen in its state; `write_file_atomically()` reports them.
+/// error is thrown. Failures of the stream are seen in its state.
 /// \throws Error as `write_number()` does
 template <class Traits> void write_g2(std::ostream& os, const Bezier_patch<Traits>& patch) {
   write_g2(os, Bspline_surface<Traits>(patch));

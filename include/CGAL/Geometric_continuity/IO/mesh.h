@@ -8,7 +8,7 @@
 /// \file IO/mesh.h
 /// Triangles of surfaces as files that other programs read.
 
-#include "files/atomic_file.h"
+#include <CGAL/Geometric_continuity/Error.h>
 #include <CGAL/Geometric_continuity/local/coordinates.h>
 #include <CGAL/Geometric_continuity/models/Tessellation.h>
 #include <CGAL/Geometric_continuity/numbers/internal/checked_numbers.h>
