@@ -28,7 +28,7 @@ Curve curve(const Glyph_segment& segment) {
   std::vector<Kernel::Point_2> points;
   for (int i = 0; i <= segment.degree; ++i) {
     const Glyph_point& p = segment.points[static_cast<std::size_t>(i)];
-    points.emplace_back(p.x, p.y);
+    points.emplace_back(static_cast<double>(p.x), static_cast<double>(p.y)); // below 2^52
   }
   return Curve(points.begin(), points.end());
 }
@@ -41,15 +41,19 @@ void check_outline(const Glyph_outline& outline, const GC::Kink_bound& bound) {
     for (const Glyph_segment* right = begin; right != end; left = right++, ++joins) {
       require(!right->has_no_length(), "a segment has a length");
       require(left->end() == right->start(), "a segment starts where the one before it ends");
-      const Glyph_join join(*left, *right);
+      const Glyph_join join(*left, *right, outline.steps());
       if (joins < 200) // which are many for one input
         require(GC::join_grade(curve(*left), curve(*right), bound) == join.grade(bound),
                 "the grade is that of the library");
     }
   }
   require(joins == outline.size(), "a contour has as many joins as segments");
-  const Join_counts counts = grade_joins(outline, bound, GC::Join_grade::g2, [](auto&&...) {});
-  require(counts.joins() == joins && counts[GC::Join_grade::gap] == 0, "each join is counted");
+  Join_rule rule;
+  rule.corner = bound;
+  rule.required = GC::Join_grade::g2;
+  const Join_counts counts = grade_joins(outline, rule, [](auto&&...) {});
+  require(counts.joins() == joins, "each join is counted");
+  require(counts.failing() == counts[Glyph_grade::kink] + counts[Glyph_grade::g1], "what is not G2 fails");
 }
 
 void check_font(std::string_view bytes, int index, int& fonts) {

@@ -54,7 +54,9 @@ function composite_glyph(g, i, part) {
     if (part[5] != "") u16(int(part[5] * 16384))
   }
 }
-function number(x) { byte(28); u16(x) } # of a charstring
+function number(x) { # of a charstring
+  if (x == int(x)) { byte(28); u16(x) } else { byte(255); u32(x < 0 ? x * 65536 + 4294967296 : x * 65536) }
+}
 function offset(x) { byte(29); u32(x) } # of a dictionary
 function charstring(g, c, i, j, k, n, x, y) {
   begin_table()

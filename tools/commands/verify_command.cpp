@@ -44,11 +44,14 @@ length are left out.
 Of fonts (TrueType, OpenType, Type 1, WOFF; folders with all that is in them) it
 grades the joins of each glyph, on the integers of the font:
   corner  the direction changes by more than --kink-angle, which is meant
-  kink    it changes by less: a handle is off; one unit can come from rounding
+  kink    it changes by less: a handle is off
+  bend    it changes by less between two straight lines
+  rounding  the same, by at most one unit of the font, or --off-by units
   G1      no change of direction, but of curvature; a handle at its node
   G2      nor of curvature
-The worst kinks come first: those of the largest angle times the shorter handle.
---require G1 and G2 leave corners alone. --glyphs a-z,U+00E9,ampersand,#12 takes
+The worst kinks come first, those that are off by the most units, then bends.
+--require G1 and G2 leave corners, bends and rounding alone, and so does
+--max-kink, the largest angle that a kink may have. --glyphs a-z,U+00E9,ampersand,#12 takes
 characters and ranges of them, names and numbers of glyphs.
 
 --all-instances encloses the largest kink of each join over all instances of a
@@ -127,19 +130,22 @@ Kink_rule kink_rule(const Command_line& line) {
   }
 }
 
+// The angle that no kink may exceed.
+GC::Kink_bound max_kink(const Command_line& line) {
+  const Exact degrees = line.number<Exact>("max-kink", Exact(1) / Exact(2));
+  if (!(Exact(0) < degrees && degrees < Exact(90)))
+    throw std::invalid_argument("--max-kink: " + line.text("max-kink") + " is not between 0 and 90 degrees");
+  return GC::Kink_bound(degrees);
+}
+
 // What is asked of all instances of variable fonts.
 Instance_demand instance_demand(const Command_line& line) {
   line.refuse({"surfaces", "closed", "within", "sew", "time-limit", "kernel", "max-order", "require"},
               "not with --all-instances");
   const bool required = line.has("max-kink");
-  const std::string max_kink = required ? line.text("max-kink") : "0.5";
-  const Exact degrees = line.number<Exact>("max-kink", Exact(1) / Exact(2));
-  if (!(Exact(0) < degrees && degrees < Exact(90)))
-    throw std::invalid_argument("--max-kink: " + max_kink + " is not between 0 and 90 degrees");
   return {line.has("glyphs") ? Glyph_selection(line.text("glyphs")) : Glyph_selection(),
-          {kink_rule(line).bound, GC::Kink_bound(degrees),
-           line.has("max-work") ? line.work_limit() : GC::Kink_search().limit},
-          max_kink,
+          {kink_rule(line).bound, max_kink(line), line.has("max-work") ? line.work_limit() : GC::Kink_search().limit},
+          required ? line.text("max-kink") : "0.5",
           required,
           static_cast<std::size_t>(line.integer("worst", 0, 1000000))};
 }
@@ -151,11 +157,21 @@ Font_demand font_demand(const Command_line& line, const std::optional<Requiremen
   Font_demand demand;
   if (line.has("glyphs")) demand.glyphs = Glyph_selection(line.text("glyphs"));
   demand.worst = static_cast<std::size_t>(line.integer("worst", 0, 1000000));
-  demand.bound = kink_rule(line).bound;
+  demand.rule.corner = kink_rule(line).bound;
+  if (line.has("off-by")) {
+    demand.off_by = line.text("off-by");
+    const Exact units = line.number<Exact>("off-by", Exact(1));
+    if (units < Exact(0)) throw std::invalid_argument("--off-by: " + demand.off_by + " is negative");
+    demand.rule.rounding = Rounding_bound(units);
+  }
+  if (line.has("max-kink")) {
+    demand.max_kink = line.text("max-kink");
+    demand.rule.max_kink = max_kink(line);
+  }
   if (required) {
     if (required->text() != "G1" && required->text() != "G2")
       throw std::invalid_argument("--require " + required->text() + ": of fonts G1 and G2 are decided");
-    demand.required = required->order() == 1 ? GC::Join_grade::g1 : GC::Join_grade::g2;
+    demand.rule.required = required->order() == 1 ? GC::Join_grade::g1 : GC::Join_grade::g2;
   }
   return demand;
 }
@@ -194,7 +210,11 @@ int verify_command(const Arguments& arguments) {
         "for CAD models: the seconds that reading one file may take, 60 if not given");
     add("all-instances", "of variable fonts: enclose the largest kink of each join over all instances");
     add("max-kink", po::value<std::string>(),
-        "with --all-instances: the angle in degrees that no instance may exceed; 0.5 in the report if not given");
+        "for fonts: the angle in degrees that no kink may exceed, with --all-instances in no instance; 0.5 in its "
+        "report if not given");
+    add("off-by", po::value<std::string>(),
+        "for fonts: up to so many units a handle may be off because of rounding, which meets each requirement; 1 "
+        "if not given");
     add("glyphs", po::value<std::string>(), "for fonts: the glyphs to verify, e.g. a-z,U+00E9,ampersand");
     add("worst", po::value<int>()->default_value(10),
         "for fonts: how many joins to show of each, in JSON of each glyph");
@@ -222,9 +242,8 @@ int verify_command(const Arguments& arguments) {
     if (!are_fonts(files)) throw std::invalid_argument("--all-instances: only for fonts");
     return verify_instances(files, mode, instance_demand(line));
   }
-  line.refuse({"max-kink"}, "only with --all-instances");
   if (are_fonts(files)) return verify_fonts(files, mode, font_demand(line, required));
-  line.refuse({"glyphs", "worst"}, "only for fonts");
+  line.refuse({"glyphs", "worst", "max-kink", "off-by"}, "only for fonts");
   if (are_cad_files(files))
     return verify_cad(files, mode, cad_demand(line, required),
                       {Cad_drawing::none, line.length("sew"), line.seconds("time-limit", 60)});

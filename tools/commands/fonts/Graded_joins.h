@@ -13,54 +13,64 @@
 #include <cstddef>
 #include <cstdint>
 #include <numeric>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
+// What is asked of joins, and which of them are what.
+struct Join_rule {
+  GC::Kink_bound corner = GC::Kink_bound();    // between kinks and corners
+  Rounding_bound rounding = Rounding_bound();  // between kinks and rounding
+  std::optional<GC::Join_grade> required = {}; // g1 or g2, of all joins but corners, bends and rounding
+  std::optional<GC::Kink_bound> max_kink = {}; // which no kink may exceed
+
+  bool requires_something() const { return required || max_kink; }
+};
+
 // How many joins of a glyph or of a font there are of each grade.
 class Join_counts {
-  std::array<std::size_t, 5> of_grade_{};
-  std::size_t off_ = 0;
+  std::array<std::size_t, 6> of_grade_{};
+  std::size_t off_ = 0, failing_ = 0;
 
 public:
-  void add(GC::Join_grade grade, const Glyph_join& join) {
+  void add(Glyph_grade grade, bool is_off_by_more_than_one_unit, bool fails) {
     ++of_grade_[static_cast<std::size_t>(grade)];
-    if (grade == GC::Join_grade::kink) off_ += join.is_off_by_more_than_one_unit();
+    off_ += is_off_by_more_than_one_unit;
+    failing_ += fails;
   }
-  std::size_t operator[](GC::Join_grade grade) const { return of_grade_[static_cast<std::size_t>(grade)]; }
+  std::size_t operator[](Glyph_grade grade) const { return of_grade_[static_cast<std::size_t>(grade)]; }
   std::size_t joins() const { return std::accumulate(of_grade_.begin(), of_grade_.end(), std::size_t(0)); }
 
-  // The kinks where a handle is off by more than one unit of the font.
+  // The kinks and bends where a handle or a line is off by more than one unit of the font.
   std::size_t off_by_more_than_one_unit() const { return off_; }
 
-  // Those that are no corners, and not of the grade at least.
-  std::size_t below(GC::Join_grade required) const {
-    std::size_t sum = 0;
-    for (std::size_t i = static_cast<std::size_t>(GC::Join_grade::kink); i < static_cast<std::size_t>(required); ++i)
-      sum += of_grade_[i];
-    return sum;
-  }
+  // Those that are not what is required.
+  std::size_t failing() const { return failing_; }
 
   Join_counts& operator+=(const Join_counts& x) {
     for (std::size_t i = 0; i < of_grade_.size(); ++i) of_grade_[i] += x.of_grade_[i];
     off_ += x.off_;
+    failing_ += x.failing_;
     return *this;
   }
 };
 
 // A join that a report shows.
 struct Shown_join {
-  int glyph;
+  int glyph, part; // the glyph, and the component whose contour it is
   std::size_t contour, node;
-  GC::Join_grade grade;
-  double severity; // in parts of an em
+  Glyph_grade grade;
+  bool fails;
+  double units_off, severity; // in units, and in parts of an em
   Glyph_segment left, right;
+  std::int64_t steps;     // of their points
   std::size_t copies = 0; // of the same two segments, moved
-  std::string glyph_name = {}, font_name = {};
+  std::string glyph_name = {}, part_name = {}, font_name = {};
 };
 
-// The worst joins of a glyph, of a font or of all fonts: kinks by severity, then those that are G1, in the order in which they
-// were added. Copies of a kink, as letters with accents have them, are counted once if that is wanted.
+// The worst joins of a glyph, of a font or of all fonts: kinks and then bends by how far they are off, then those that are G1, in the
+// order in which they were added. Copies of a kink, as letters with accents have them, are counted once if that is wanted.
 class Worst_joins {
   std::size_t most_;
   bool unites_copies_;
@@ -80,10 +90,10 @@ class Worst_joins {
     return result;
   }
   static bool is_worse(const Shown_join& x, const Shown_join& y) {
-    return x.grade != y.grade ? x.grade < y.grade : x.severity > y.severity;
+    return x.grade != y.grade ? x.grade < y.grade : x.units_off > y.units_off;
   }
   bool are_copies(const Shown_join& x, const Shown_join& y) const {
-    return x.grade == GC::Join_grade::kink && y.grade == GC::Join_grade::kink && x.severity == y.severity &&
+    return x.grade != Glyph_grade::g1 && y.grade == x.grade && x.units_off == y.units_off && x.steps == y.steps &&
            x.font_name == y.font_name && x.left.degree == y.left.degree && x.right.degree == y.right.degree &&
            shape(x) == shape(y);
   }
@@ -124,19 +134,21 @@ public:
   }
 };
 
-// Grades the joins of a glyph. Calls show(contour, node, grade, join, left, right) for kinks, and for those that are G1 when G2 is
-// required.
-template <class Show>
-Join_counts grade_joins(const Glyph_outline& outline, const GC::Kink_bound& bound, GC::Join_grade required, Show show) {
+// Grades the joins of a glyph. Calls show(contour, node, grade, fails, join, left, right) for kinks and bends, and for what fails.
+template <class Show> Join_counts grade_joins(const Glyph_outline& outline, const Join_rule& rule, Show show) {
+  static const Rounding_bound one_unit;
+  const bool wants_g2 = rule.required == GC::Join_grade::g2;
   Join_counts counts;
   for (std::size_t contour = 0; contour < outline.contours(); ++contour) {
     const Glyph_segment *const begin = outline.begin(contour), *const end = outline.end(contour), *left = end - 1;
     for (const Glyph_segment* right = begin; right != end; left = right++) {
-      const Glyph_join join(*left, *right);
-      const GC::Join_grade grade = join.grade(bound);
-      counts.add(grade, join);
-      if (grade == GC::Join_grade::kink || (grade == GC::Join_grade::g1 && required == GC::Join_grade::g2))
-        show(contour, static_cast<std::size_t>(right - begin), grade, join, *left, *right);
+      const Glyph_join join(*left, *right, outline.steps());
+      const Glyph_grade grade = join.grade(rule.corner, rule.rounding);
+      const bool is_kink = grade == Glyph_grade::kink, is_off = is_kink || grade == Glyph_grade::bend;
+      const bool fails = (is_kink && (rule.required || (rule.max_kink && join.exceeds(*rule.max_kink)))) ||
+                         (wants_g2 && grade == Glyph_grade::g1);
+      counts.add(grade, is_off && join.is_off_by_more_than(one_unit), fails);
+      if (is_off || fails) show(contour, static_cast<std::size_t>(right - begin), grade, fails, join, *left, *right);
     }
   }
   return counts;

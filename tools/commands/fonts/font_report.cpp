@@ -4,16 +4,195 @@
 
 #include "commands/fonts/font_report.h"
 
+#include <CGAL/Geometric_continuity/IO/printable.h>
+
+#include <algorithm>
+
+namespace {
+
+Report_subject subject(const Font_requirement& required) {
+  Report_subject subject{"join", "every join but corners, bends of two lines and what is off by at most " +
+                                     required.off_by + (required.off_by == "1" ? " unit" : " units")};
+  subject.required = required.text;
+  subject.required_in_json = required.json;
+  return subject;
+}
+
+Finding finding(const std::string& file, const std::string& place, Finding_rule rule, const std::string& message,
+                const std::string& properties) {
+  Finding f{};
+  f.file = file;
+  f.kind = "glyph";
+  f.place = place;
+  f.rule = rule;
+  f.message = message;
+  f.properties = properties;
+  return f;
+}
+
+Given not_covered(const char* noun, const std::string& reason) {
+  const std::string prefix = "not covered: ";
+  return {Claim::not_covered, noun, reason.rfind(prefix, 0) == 0 ? reason.substr(prefix.size()) : reason};
+}
+
+std::string message(const Shown_join& join, const Join_numbers& numbers) {
+  const std::string at = " at (" + numbers.x + ", " + numbers.y + ")",
+                    more = join.copies == 0 ? "" : "; and " + std::to_string(join.copies) + " more like this";
+  if (join.grade == Glyph_grade::g1) return to_string(join.grade) + at + ", the curvature jumps" + more;
+  const bool is_kink = join.grade == Glyph_grade::kink;
+  return (is_kink ? "kink of " : "bend of two lines of ") + rounded(numbers.degrees.upper, 3) + " degrees" + at +
+         (is_kink ? ", a handle is off by " : ", off by ") + rounded(numbers.units, 2) + " units, " +
+         rounded(numbers.per_mille, 3) + " per mille of the em" + more;
+}
+
+} // namespace
+
 Join_numbers::Join_numbers(const Shown_join& join)
-    : x(rounded(join.right.start().x / 2.0, 10)), y(rounded(join.right.start().y / 2.0, 10)) {
-  const GC::Kink_size size = Glyph_join(join.left, join.right).size();
+    : x(rounded(static_cast<double>(join.right.start().x) / static_cast<double>(join.steps), 10)),
+      y(rounded(static_cast<double>(join.right.start().y) / static_cast<double>(join.steps), 10)) {
+  const GC::Kink_size size = Glyph_join(join.left, join.right, join.steps).size();
   degrees = GC::in_degrees(size.angle);
-  units = size.handle_offset.upper / 2;
+  units = size.handle_offset.upper / static_cast<double>(join.steps);
   per_mille = 1000 * join.severity;
 }
 
-std::unique_ptr<Font_report> font_report(const Report_mode& mode, const std::optional<GC::Join_grade>& required) {
-  return mode.has_findings()                  ? font_findings(mode, required)
-         : mode.format == Report_format::json ? font_json(mode, required)
-                                              : font_text(mode, required);
+Font_report::Font_report(const Report_mode& mode, const Font_requirement& required)
+    : is_json_(mode.format == Report_format::json), is_short_(mode.summary), required_(required.text),
+      report_(mode, subject(required)) {}
+
+void Font_report::begin_font(const Font_result& font) {
+  is_alone_ = font.is_alone;
+  has_glyph_ = false;
+  glyphs_.clear();
+  report_.begin_file(font.file);
+  if (is_json_) report_.row(is_alone_ ? "glyphs" : "fonts");
+}
+
+void Font_report::glyph(int index, const std::string& name, const Join_counts& joins,
+                        const std::vector<Shown_join>& worst) {
+  if (is_short_ && joins.failing() == 0) return;
+  std::vector<std::string> objects;
+  for (const Shown_join& join : worst) objects.push_back('{' + json_members(join) + '}');
+  const std::string row = "{\"index\":" + std::to_string(index) + ",\"name\":" + json_text(name) + ',' +
+                          json_members(joins) + ",\"worst\":" + json_array(objects) + '}';
+  if (is_alone_)
+    report_.row("glyphs", ",\n " + row);
+  else
+    glyphs_ += (std::exchange(has_glyph_, true) ? ",\n " : "\n ") + row;
+}
+
+void Font_report::end_font(const Font_result& font) {
+  const Join_counts& joins = font.counts.joins;
+  if (report_.mode().has_findings())
+    add_findings(font, font.number ? "font " + std::to_string(*font.number) + ", " : "");
+  else {
+    report_.add(font.file, {Claim::met, "join"}, joins.joins() - joins.failing());
+    report_.add(font.file, {Claim::not_met, "join"}, joins.failing());
+    for (const Unread_glyph& glyph : font.unread) report_.add(font.file, not_covered("glyph", glyph.reason));
+    for (std::size_t i = 0; i < font.missing.size(); ++i)
+      report_.add(font.file, not_covered("glyph", "not in this font"));
+    add_rows(font);
+  }
+}
+
+// Joins that are equal have one finding; how many more there are, another one tells.
+void Font_report::add_findings(const Font_result& font, const std::string& place) {
+  const Join_counts& joins = font.counts.joins;
+  std::size_t told = 0, told_failing = 0;
+  for (const Shown_join& join : font.worst) {
+    const Join_numbers numbers(join);
+    const Given given{join.fails ? Claim::not_met : Claim::met, "join"};
+    const std::string part = join.part_name.empty() ? "" : ", in its component " + join.part_name;
+    report_.add(font.file, given, true, [&] {
+      return finding(font.file,
+                     place + "glyph " + join.glyph_name + part + ", contour " + std::to_string(join.contour) +
+                         ", node " + std::to_string(join.node),
+                     join.grade == Glyph_grade::g1 ? Finding_rule::curvature : Finding_rule::kink,
+                     message(join, numbers), json_members(join));
+    });
+    // the copies have the finding of the first one
+    if (join.copies != 0) report_.add(font.file, given, join.copies);
+    told += 1 + join.copies;
+    told_failing += join.fails ? 1 + join.copies : 0;
+  }
+  const std::size_t more = joins.failing() - told_failing;
+  if (more > 0) {
+    report_.add(font.file, {Claim::not_met, "join"}, true, [&] {
+      return finding(font.file, place + font.name, Finding_rule::kink,
+                     counted(more, "more join") + " not " + required_ + "; --worst N tells N of them",
+                     "\"joins\":" + std::to_string(more));
+    });
+    report_.add(font.file, {Claim::not_met, "join"}, more - 1);
+  }
+  report_.add(font.file, {Claim::met, "join"}, joins.joins() - told - more);
+  const auto not_verified = [&](const std::string& glyph, const std::string& reason) {
+    report_.add(font.file, not_covered("glyph", reason), true, [&] {
+      return finding(font.file, place + "glyph " + glyph, Finding_rule::not_verified, "not verified, " + reason, "");
+    });
+  };
+  for (const Unread_glyph& glyph : font.unread) not_verified(glyph.name, glyph.reason);
+  for (const std::string& glyph : font.missing) not_verified(glyph, "not in this font");
+}
+
+void Font_report::add_rows(const Font_result& font) {
+  if (is_json_ && is_alone_) {
+    report_.row("not_verified", font.unread.empty() ? "" : ',' + json_unread(font.unread));
+    std::string missing;
+    for (const std::string& name : font.missing) missing += ',' + json_text(name);
+    report_.row("not_found", missing);
+    alone_ = json_members(font);
+    return;
+  }
+  if (is_json_) {
+    std::vector<std::string> missing;
+    for (const std::string& name : font.missing) missing.push_back(json_text(name));
+    report_.row("fonts", ",\n{\"file\":" + json_text(font.file) +
+                             (font.number ? ",\"font\":" + std::to_string(*font.number) : "") + ",\"glyphs\":[" +
+                             glyphs_ + "],\n \"not_verified\":[" + json_unread(font.unread) +
+                             "],\"not_found\":" + json_array(missing) + ",\n " + json_members(font) + '}');
+    return;
+  }
+  constexpr std::size_t most_reasons = 10; // for the glyphs of one font
+  const std::string file = font.file + (font.number ? ", font " + std::to_string(*font.number) : "");
+  std::string text =
+      GC::printable(font.name.empty() ? file : font.name + ", " + file) + "\n  " + counts_text(font.counts) + '\n';
+  for (std::size_t i = 0; i < (std::min)(font.unread.size(), most_reasons); ++i)
+    text += "  " + GC::printable("glyph " + font.unread[i].name + ": not verified, " + font.unread[i].reason) + '\n';
+  if (font.unread.size() > most_reasons)
+    text += "  " + counted(font.unread.size() - most_reasons, "more glyph") + " not verified\n";
+  for (const std::string& glyph : font.missing) text += "  " + GC::printable("not in this font: " + glyph) + '\n';
+  if (!is_short_ || font.counts.joins.failing() != 0) text += joins_table(font.worst, false);
+  report_.row("", text);
+}
+
+int Font_report::print(std::ostream& os, const Fonts_result& all) {
+  for (const Unread_file& file : all.unread)
+    report_.add(file.name, not_covered("font", file.reason), true, [&] {
+      Finding f = finding(file.name, "font", Finding_rule::not_verified, "not verified, " + file.reason, "");
+      f.kind = "font";
+      return f;
+    });
+  std::string summary;
+  if (is_json_ && is_alone_)
+    summary = alone_;
+  else if (is_json_ || report_.mode().has_findings()) {
+    if (is_json_) {
+      report_.row("fonts");
+      report_.row("not_verified");
+      for (const Unread_file& file : all.unread)
+        report_.row("not_verified",
+                    ",\n {\"file\":" + json_text(file.name) + ",\"reason\":" + json_text(file.reason) + '}');
+    }
+    summary = "\"summary\":{\"fonts\":" + std::to_string(all.fonts) + ',' + json_members(all.counts) + '}';
+  } else {
+    for (const Unread_file& file : all.unread)
+      summary += GC::printable(file.name + ": not verified, " + file.reason) + '\n';
+    if (all.fonts != 1 || !all.unread.empty()) {
+      summary += counted(all.fonts, "font") + ", " + counts_text(all.counts);
+      if (!all.unread.empty()) summary += "; " + std::to_string(all.unread.size()) + " not verified";
+      summary += '\n';
+      if (!is_short_ || all.counts.joins.failing() != 0) summary += joins_table(all.worst, true);
+    }
+  }
+  return report_.print(os, summary);
 }

@@ -5,17 +5,17 @@
 #ifndef GEOMETRIC_CONTINUITY_TOOLS_COMMANDS_FONTS_FONT_REPORT_H
 #define GEOMETRIC_CONTINUITY_TOOLS_COMMANDS_FONTS_FONT_REPORT_H
 
-#include "commands/chains/join_report.h"
 #include "commands/commands.h"
 #include "commands/fonts/Graded_joins.h"
 #include "formats/font/font_files.h"
-#include "reports/Finding_writer.h"
+#include "reports/Report.h"
+#include "reports/words.h"
 
 #include <cstddef>
-#include <memory>
 #include <optional>
 #include <ostream>
 #include <string>
+#include <utility>
 #include <vector>
 
 // How much was found in a font, or in several.
@@ -53,47 +53,45 @@ struct Font_result {
 
 // What was found in all fonts.
 struct Fonts_result {
-  std::size_t fonts = 0, unread_glyphs = 0, missing = 0;
+  std::size_t fonts = 0;
   Font_counts counts = {};
   std::vector<Unread_file> unread = {};
   std::vector<Shown_join> worst = {};
 };
 
-// Writes what was found, in one of the formats of reports, when all fonts have been read.
-class Font_report {
-protected:
-  const Report_mode mode_;
-  const std::optional<GC::Join_grade> required_;
-
-  bool fails(const Join_counts& joins) const { return required_ && joins.below(*required_) != 0; }
-
-public:
-  Font_report(const Report_mode& mode, const std::optional<GC::Join_grade>& required)
-      : mode_(mode), required_(required) {}
-  virtual ~Font_report() = default;
-
-  Old_conclusion conclusion(const Fonts_result& all) const {
-    return {all.counts.joins.joins(), required_ ? all.counts.joins.below(*required_) : 0,
-            all.unread.size() + all.unread_glyphs + all.missing};
-  }
-
-  // Whether glyph() wants the worst joins of each glyph; otherwise end_font() wants those of the font.
-  virtual bool is_by_glyph() const { return false; }
-
-  virtual void begin_font(const Font_result&) {}
-  virtual void glyph(int /*index*/, const std::string& /*name*/, const Join_counts&,
-                     const std::vector<Shown_join>& /*worst*/) {}
-  virtual void end_font(const Font_result&) = 0;
-  virtual void print(std::ostream& os, const Fonts_result& all) = 0;
+// What is required of the joins of fonts, in words.
+struct Font_requirement {
+  std::string text, json; // e.g. "G1", `"required":"G1"`; empty when nothing is required
+  std::string off_by;     // as it was given: up to so many units it is rounding
 };
 
-// Returns the report in the format of the mode.
-std::unique_ptr<Font_report> font_report(const Report_mode& mode, const std::optional<GC::Join_grade>& required);
+// The report about fonts. Where many joins are equal, one row or finding tells of all.
+class Font_report {
+  const bool is_json_, is_short_;
+  bool is_alone_ = false;
+  const std::string required_;
+  Report report_;
+  std::string glyphs_; // in JSON, the rows of a font among several
+  std::string alone_;  // the members of the only font
+  bool has_glyph_ = false;
 
-// The reports of the formats.
-std::unique_ptr<Font_report> font_text(const Report_mode& mode, const std::optional<GC::Join_grade>& required);
-std::unique_ptr<Font_report> font_json(const Report_mode& mode, const std::optional<GC::Join_grade>& required);
-std::unique_ptr<Font_report> font_findings(const Report_mode& mode, const std::optional<GC::Join_grade>& required);
+public:
+  Font_report(const Report_mode& mode, const Font_requirement& required);
+
+  // Whether glyph() wants the worst joins of each glyph; otherwise end_font() wants those of the font.
+  bool is_by_glyph() const { return is_json_; }
+
+  void begin_font(const Font_result& font);
+  void glyph(int index, const std::string& name, const Join_counts& joins, const std::vector<Shown_join>& worst);
+  void end_font(const Font_result& font);
+
+  // Prints the report and returns the exit code.
+  int print(std::ostream& os, const Fonts_result& all);
+
+private:
+  void add_findings(const Font_result& font, const std::string& place);
+  void add_rows(const Font_result& font);
+};
 
 // What the numbers of a join are in a report: coordinates and offset in units of the font.
 struct Join_numbers {
@@ -109,6 +107,12 @@ std::string json_members(const Join_counts& counts);
 std::string json_members(const Font_counts& counts);
 std::string json_members(const Shown_join& join);
 
-std::string json_string(const std::string& text);
+// Returns the members of the object of a font behind its glyphs, with the arrays of what could not be verified, if it is one among several.
+std::string json_unread(const std::vector<Unread_glyph>& glyphs);
+std::string json_members(const Font_result& font);
+
+// Returns lines for people: about a font, and the table of the worst joins, which names fonts if they are several.
+std::string counts_text(const Font_counts& counts);
+std::string joins_table(const std::vector<Shown_join>& joins, bool names_fonts);
 
 #endif // GEOMETRIC_CONTINUITY_TOOLS_COMMANDS_FONTS_FONT_REPORT_H

@@ -24,11 +24,11 @@ namespace {
 constexpr std::size_t most_notes = 20;
 
 // A segment of a glyph in units of the font.
-Plane_curve plane_curve(const Glyph_segment& s) {
+Plane_curve plane_curve(const Glyph_segment& s, std::int64_t steps) {
   std::vector<Drawing_traits::Point> points;
   for (int i = 0; i <= s.degree; ++i) {
     const Glyph_point& p = s.points[static_cast<std::size_t>(i)];
-    points.emplace_back(Exact(p.x) / 2, Exact(p.y) / 2);
+    points.emplace_back(Exact(p.x) / Exact(steps), Exact(p.y) / Exact(steps));
   }
   return Plane_curve(points.begin(), points.end());
 }
@@ -54,12 +54,13 @@ class Fonts_page {
       const Glyph_segment *const begin = outline_.begin(contour), *const end = outline_.end(contour), *left = end - 1;
       std::shared_ptr<const Report_outline> drawn; // of this contour, as soon as one of its joins is shown
       for (const Glyph_segment* right = begin; right != end; left = right++) {
-        const Glyph_join join(*left, *right);
+        const Glyph_join join(*left, *right, outline_.steps());
         const Report_grade grade = report_grade(join.grade(demand_.kink_bound));
         const bool has_angle = grade == Report_grade::kink || grade == Report_grade::corner;
         if (!page_.count(grade, has_angle ? join.severity() / font.units_per_em() : 0)) continue;
         if (!drawn) drawn = drawing(begin, end);
-        Report_item item = measured_join(plane_curve(*left), plane_curve(*right), demand_);
+        Report_item item =
+            measured_join(plane_curve(*left, outline_.steps()), plane_curve(*right, outline_.steps()), demand_);
         item.number = page_.total();
         item.severity = has_angle ? item.severity / font.units_per_em() : 0;
         item.place = (several_ ? font_name + ": " : "") + "glyph " + font.glyph_name(glyph) + ", contour " +
@@ -74,12 +75,13 @@ class Fonts_page {
 
   std::shared_ptr<const Report_outline> drawing(const Glyph_segment* begin, const Glyph_segment* end) const {
     auto outline = std::make_shared<Report_outline>();
+    const double steps = static_cast<double>(outline_.steps());
     for (const Glyph_segment* s = begin; s != end; ++s) {
       Report_curve curve{{}, {}, contours_};
       for (int i = 0; i <= s->degree; ++i) {
         const Glyph_point& p = s->points[static_cast<std::size_t>(i)];
-        curve.points.push_back(p.x / 2.0);
-        curve.points.push_back(p.y / 2.0);
+        curve.points.push_back(static_cast<double>(p.x) / steps);
+        curve.points.push_back(static_cast<double>(p.y) / steps);
       }
       outline->push_back(std::make_shared<const Report_curve>(std::move(curve)));
     }

@@ -23,8 +23,7 @@ namespace {
 
 // Reads fonts and grades their joins.
 class Font_grader {
-  const std::optional<GC::Join_grade> required_;
-  const GC::Kink_bound bound_;
+  const Join_rule rule_;
   Glyph_selection selection_;
   Font_report& report_;
   Fonts_result all_;
@@ -79,32 +78,38 @@ class Font_grader {
     worst_of_font_.clear();
     for (Shown_join& join : result.worst) {
       join.glyph_name = font.glyph_name(join.glyph);
+      join.part_name = part_name(font, join);
       join.font_name = result.name.empty() ? result.file : result.name;
       worst_.add(join);
     }
     report_.end_font(result);
     ++all_.fonts;
     all_.counts += result.counts;
-    all_.unread_glyphs += result.unread.size();
-    all_.missing += result.missing.size();
   }
 
   void grade(const Font_face& font, int glyph, Font_result& result) {
     const double em = font.units_per_em();
     Worst_joins& worst = report_.is_by_glyph() ? worst_of_glyph_ : worst_of_font_;
-    const Join_counts joins =
-        grade_joins(outline_, bound_, required_.value_or(GC::Join_grade::g1),
-                    [&](std::size_t contour, std::size_t node, GC::Join_grade grade, const Glyph_join& join,
-                        const Glyph_segment& left, const Glyph_segment& right) {
-                      const double severity = grade == GC::Join_grade::kink ? join.severity() / em : 0;
-                      worst.add({glyph, contour, node, grade, severity, left, right});
-                    });
+    const Join_counts joins = grade_joins(
+        outline_, rule_,
+        [&](std::size_t contour, std::size_t node, Glyph_grade grade, bool fails, const Glyph_join& join,
+            const Glyph_segment& left, const Glyph_segment& right) {
+          const bool is_smooth = grade == Glyph_grade::g1;
+          worst.add({glyph, outline_.part(contour), contour, node, grade, fails, is_smooth ? 0 : join.units_off(),
+                     is_smooth ? 0 : join.severity() / em, left, right, outline_.steps()});
+        });
     ++result.counts.glyphs;
     result.counts.empty += outline_.size() == 0;
     result.counts.joins += joins;
     if (!report_.is_by_glyph()) return;
-    report_.glyph(glyph, font.glyph_name(glyph), joins, worst.sorted());
+    std::vector<Shown_join> shown = worst.sorted();
+    for (Shown_join& join : shown) join.part_name = part_name(font, join);
+    report_.glyph(glyph, font.glyph_name(glyph), joins, shown);
     worst.clear();
+  }
+
+  static std::string part_name(const Font_face& font, const Shown_join& join) {
+    return join.part == Glyph_outline::own ? std::string() : font.glyph_name(join.part);
   }
 
   // `part` is that of the font, from 0 to 1.
@@ -116,9 +121,8 @@ class Font_grader {
 
 public:
   Font_grader(const Arguments& arguments, const Font_demand& demand, Font_report& report)
-      : required_(demand.required), bound_(demand.bound), selection_(demand.glyphs), report_(report),
-        files_(font_files(arguments, all_.unread)), worst_(demand.worst, true), worst_of_font_(demand.worst, true),
-        worst_of_glyph_(demand.worst, false) {
+      : rule_(demand.rule), selection_(demand.glyphs), report_(report), files_(font_files(arguments, all_.unread)),
+        worst_(demand.worst, true), worst_of_font_(demand.worst, true), worst_of_glyph_(demand.worst, false) {
     std::error_code none;
     is_alone_ = arguments.size() == 1 && !std::filesystem::is_directory(arguments[0], none);
     for (const Font_file& file : files_) bytes_ += file.bytes;
@@ -139,9 +143,14 @@ public:
 } // namespace
 
 int verify_fonts(const Arguments& files, const Report_mode& mode, const Font_demand& demand) {
-  const std::unique_ptr<Font_report> report = font_report(mode, demand.required);
-  Font_grader grader(files, demand, *report);
-  const Fonts_result& all = grader.read();
-  report->print(std::cout, all);
-  return report->conclusion(all).exit_code(mode, "join");
+  const std::optional<GC::Join_grade>& required = demand.rule.required;
+  Font_requirement requirement{{}, {}, demand.off_by};
+  if (required) requirement = {to_string(*required), "\"required\":\"" + to_string(*required) + '"', demand.off_by};
+  if (!demand.max_kink.empty()) {
+    requirement.text += (required ? " and " : "") + ("within " + demand.max_kink + " degrees");
+    requirement.json += (required ? "," : "") + ("\"max_kink\":\"" + demand.max_kink + '"');
+  }
+  Font_report report(mode, requirement);
+  Font_grader grader(files, demand, report);
+  return report.print(std::cout, grader.read());
 }

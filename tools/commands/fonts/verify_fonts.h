@@ -6,20 +6,18 @@
 #define GEOMETRIC_CONTINUITY_TOOLS_COMMANDS_FONTS_VERIFY_FONTS_H
 
 #include "commands/commands.h"
+#include "commands/fonts/Graded_joins.h"
 #include "formats/font/Glyph_selection.h"
 
-#include <CGAL/Geometric_continuity/joins/Join_grade.h>
-#include <CGAL/Geometric_continuity/joins/Kink_bound.h>
-
 #include <cstddef>
-#include <optional>
+#include <string>
 
 // What is asked of the joins of fonts.
 struct Font_demand {
   Glyph_selection glyphs;
-  CGAL::Geometric_continuity::Kink_bound bound;                   // between kinks and corners
-  std::optional<CGAL::Geometric_continuity::Join_grade> required; // g1 or g2, of all joins but corners
-  std::size_t worst; // how many joins to show of each font, in JSON of each glyph
+  Join_rule rule;
+  std::string off_by = "1", max_kink = {}; // of the rule, as they were given
+  std::size_t worst = 0;                   // how many joins to show of each font, in JSON of each glyph
 };
 
 // Grades the joins of all glyphs of fonts, which are files and those in folders, prints a report and returns the exit code. Only

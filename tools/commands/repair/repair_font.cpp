@@ -121,6 +121,7 @@ public:
     for (int glyph = 0; glyph < font.glyphs(); ++glyph) {
       try {
         font.read(glyph, outline);
+        if (outline.steps() != 2) throw Font_error("fractions of a unit"); // no grid on which handles could move
         ++glyphs_;
         if (components(font, glyph).empty())
           repair_glyph(font.glyph_name(glyph), users_[glyph], outline);

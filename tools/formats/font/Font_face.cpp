@@ -4,21 +4,30 @@
 
 #include "formats/font/Font_face.h"
 
+#include "files/max_unpacked.h"
+#include "formats/font/Cff_outlines.h"
+#include "formats/font/Type_1_charstring.h"
+
 #include <algorithm>
+#include <cstddef>
 #include <cstdio>
 #include <cstdlib>
-#include <vector>
+#include <cstring>
+#include <utility>
 
 #include <ft2build.h>
 #include FT_FREETYPE_H
 #include FT_FONT_FORMATS_H
+#include FT_MODULE_H
 #include FT_OUTLINE_H
 #include FT_TRUETYPE_TABLES_H
+#include FT_TRUETYPE_TAGS_H
+#include FT_TYPE1_TABLES_H
 
 namespace {
 
-constexpr FT_Pos max_coordinate = FT_Pos(1) << 20; // units of the font
-constexpr int max_components = 1000;               // of a glyph, those of its components included
+constexpr FT_Pos max_coordinate = Glyph_outline::max_coordinate;
+constexpr std::size_t max_components = 1000; // of a glyph, those of its components included
 
 // What FreeType says about an error. Its header lists the texts for whoever defines these macros.
 std::string freetype_message(FT_Error error) {
@@ -34,15 +43,67 @@ std::string freetype_message(FT_Error error) {
   return "error " + std::to_string(error);
 }
 
+// The memory of FreeType, which unpacks fonts in many ways: WOFF, WOFF2, suitcases, pictures packed by gzip, bzip2 or compress. What
+// it takes in all is limited, and so is what any of them can unpack to.
+class Font_memory {
+  struct alignas(std::max_align_t) Head {
+    std::size_t size;
+  };
+  std::size_t size_ = 0;
+  bool refused_ = false;
+  FT_MemoryRec_ functions_{this, &Font_memory::allocate, &Font_memory::release, &Font_memory::resize};
+
+  static Font_memory& self(FT_Memory memory) { return *static_cast<Font_memory*>(memory->user); }
+
+  void* resized(Head* block, std::size_t size) {
+    const std::size_t before = block == nullptr ? 0 : block->size;
+    refused_ = refused_ || size > max_unpacked - (std::min)(max_unpacked, size_ - before);
+    if (refused_) return nullptr;
+    Head* const result = static_cast<Head*>(std::realloc(block, sizeof(Head) + size));
+    if (result == nullptr) return nullptr;
+    size_ += size - before;
+    result->size = size;
+    return result + 1;
+  }
+  static void* allocate(FT_Memory memory, long size) {
+    return self(memory).resized(nullptr, static_cast<std::size_t>(size));
+  }
+  static void release(FT_Memory memory, void* block) {
+    if (block == nullptr) return;
+    Head* const head = static_cast<Head*>(block) - 1;
+    self(memory).size_ -= head->size;
+    std::free(head);
+  }
+  static void* resize(FT_Memory memory, long, long size, void* block) {
+    return self(memory).resized(block == nullptr ? nullptr : static_cast<Head*>(block) - 1,
+                                static_cast<std::size_t>(size));
+  }
+
+public:
+  FT_Memory functions() { return &functions_; }
+
+  // Whether the limit was reached since the last call.
+  bool take_refused() { return std::exchange(refused_, false); }
+};
+
+Font_memory& font_memory() {
+  static Font_memory memory;
+  return memory;
+}
+
 void check(FT_Error error) {
-  if (error != 0) throw Font_error(freetype_message(error));
+  const bool refused = font_memory().take_refused();
+  if (error == 0) return;
+  if (refused) throw Font_error("more than " + std::to_string(max_unpacked >> 20) + " MiB when unpacked");
+  throw Font_error(freetype_message(error));
 }
 
 // FreeType itself, opened once.
 FT_Library library() {
   static const FT_Library opened = [] {
     FT_Library result;
-    check(FT_Init_FreeType(&result));
+    check(FT_New_Library(font_memory().functions(), &result));
+    FT_Add_Default_Modules(result);
     return result;
   }();
   return opened;
@@ -51,15 +112,21 @@ FT_Library library() {
 // Receives the pieces of an outline. Nothing here may throw, because FreeType calls it.
 class Outline_receiver {
   Glyph_outline& outline_;
+  const std::vector<std::pair<int, int>>* parts_; // glyphs, and before which contour each ends; or null
+  std::size_t part_ = 0;
+  int contour_ = -1;
   bool inside_ = false, good_ = true;
   FT_Vector position_{0, 0};
 
   Glyph_point point(const FT_Vector& p) {
     good_ = good_ && std::labs(p.x) <= 2 * max_coordinate && std::labs(p.y) <= 2 * max_coordinate;
-    return good_ ? Glyph_point{static_cast<std::int32_t>(p.x), static_cast<std::int32_t>(p.y)} : Glyph_point{0, 0};
+    return good_ ? Glyph_point{p.x, p.y} : Glyph_point{0, 0};
   }
   int move(const FT_Vector& to) {
     end_contour();
+    ++contour_;
+    while (parts_ != nullptr && part_ < parts_->size() && (*parts_)[part_].second <= contour_) ++part_;
+    if (parts_ != nullptr && part_ < parts_->size()) outline_.begin_part((*parts_)[part_].first);
     position_ = to;
     inside_ = true;
     return 0;
@@ -71,7 +138,8 @@ class Outline_receiver {
   }
 
 public:
-  explicit Outline_receiver(Glyph_outline& outline) : outline_(outline) {}
+  explicit Outline_receiver(Glyph_outline& outline, const std::vector<std::pair<int, int>>* parts = nullptr)
+      : outline_(outline), parts_(parts) {}
 
   void end_contour() {
     if (inside_) outline_.end_contour();
@@ -101,7 +169,74 @@ private:
   }
 };
 
+// Reads the outline that has been loaded.
+void receive(FT_GlyphSlot slot, Glyph_outline& outline, const std::vector<std::pair<int, int>>* parts = nullptr) {
+  if (slot->format != FT_GLYPH_FORMAT_OUTLINE) throw Font_error("a picture without an outline");
+  Outline_receiver receiver(outline, parts);
+  check(FT_Outline_Decompose(&slot->outline, &Outline_receiver::functions(), &receiver));
+  receiver.end_contour();
+  if (!receiver.good())
+    throw Font_error("a coordinate beyond " + std::to_string(max_coordinate) + " units of the font");
+}
+
+// A value of the dictionary of a Type 1 font; empty where there is none.
+std::string dictionary_value(FT_Face face, PS_Dict_Keys key, int index) {
+  const FT_Long size = FT_Get_PS_Font_Value(face, key, static_cast<FT_UInt>(index), nullptr, 0);
+  if (size <= 0) return {};
+  std::string value(static_cast<std::size_t>(size), '\0');
+  FT_Get_PS_Font_Value(face, key, static_cast<FT_UInt>(index), value.data(), size);
+  value.pop_back(); // the zero at the end
+  return value;
+}
+
+template <class Value> Value dictionary_number(FT_Face face, PS_Dict_Keys key, int index = 0) {
+  Value value = 0;
+  FT_Get_PS_Font_Value(face, key, static_cast<FT_UInt>(index), &value, sizeof value);
+  return value;
+}
+
+// The subroutines of a Type 1 font.
+std::vector<std::string> type_1_subroutines(FT_Face face) {
+  const FT_Fixed xx = dictionary_number<FT_Fixed>(face, PS_DICT_FONT_MATRIX, 0);
+  for (int i = 1; i < 4; ++i)
+    if (dictionary_number<FT_Fixed>(face, PS_DICT_FONT_MATRIX, i) != (i == 3 ? xx : 0))
+      throw Font_error("not covered: a matrix of the font that does more than scale");
+  std::vector<std::string> result(static_cast<std::size_t>(dictionary_number<FT_Int>(face, PS_DICT_NUM_SUBRS)));
+  for (std::size_t i = 0; i < result.size(); ++i) result[i] = dictionary_value(face, PS_DICT_SUBR, static_cast<int>(i));
+  return result;
+}
+
+// A matrix of integers over a power of two.
+struct Matrix {
+  std::int64_t xx = 1, xy = 0, yx = 0, yy = 1;
+  int shift = 0;
+
+  bool is_identity() const { return xx == 1 && xy == 0 && yx == 0 && yy == 1 && shift == 0; }
+
+  Matrix reduced() const {
+    Matrix m = *this;
+    for (; m.shift > 0 && ((m.xx | m.xy | m.yx | m.yy) & 1) == 0; --m.shift)
+      m = {m.xx / 2, m.xy / 2, m.yx / 2, m.yy / 2, m.shift};
+    return m;
+  }
+
+  Matrix operator*(const Matrix& m) const { // both with few digits
+    return Matrix{xx * m.xx + xy * m.yx, xx * m.xy + xy * m.yy, yx * m.xx + yy * m.yx, yx * m.xy + yy * m.yy,
+                  shift + m.shift}
+        .reduced();
+  }
+  Glyph_point operator()(const Glyph_point& p) const { return {xx * p.x + xy * p.y, yx * p.x + yy * p.y}; }
+};
+
 } // namespace
+
+// A glyph without components that is part of another one, and its matrix there.
+struct Font_face::Component {
+  int glyph;
+  Matrix matrix;
+};
+
+Font_face::~Font_face() = default;
 
 void Font_face::Close::operator()(FT_FaceRec_* face) const { FT_Done_Face(face); }
 
@@ -116,9 +251,21 @@ Font_face::Font_face(std::string_view bytes, int index) {
   face_.reset(face);
   has_names_ = FT_HAS_GLYPH_NAMES(face);
   const std::string_view format = FT_Get_Font_Format(face);
-  const bool is_true_type = format == "TrueType";
-  is_simple_.assign(static_cast<std::size_t>(face->num_glyphs), !is_true_type);
-  if (!is_true_type && format != "CFF" && format != "Type 1" && format != "CID Type 1")
+  if (format == "TrueType")
+    simple_.assign(static_cast<std::size_t>(face->num_glyphs), -1);
+  else if (format == "CFF" && FT_IS_SCALABLE(face)) {
+    std::string table(bytes);
+    if (FT_IS_SFNT(face)) {
+      FT_ULong size = 0;
+      const FT_ULong tag = FT_Load_Sfnt_Table(face, TTAG_CFF2, 0, nullptr, &size) == 0 ? TTAG_CFF2 : TTAG_CFF;
+      check(FT_Load_Sfnt_Table(face, tag, 0, nullptr, &(size = 0)));
+      table.resize(size);
+      check(FT_Load_Sfnt_Table(face, tag, 0, reinterpret_cast<FT_Byte*>(table.data()), &size));
+    }
+    cff_ = std::make_unique<const Cff_outlines>(std::move(table));
+  } else if (format == "Type 1")
+    type_1_ = std::make_unique<std::vector<std::string>>(type_1_subroutines(face));
+  else if (format != "CFF")
     throw Font_error("fonts of the format " + std::string(format) + " are not read");
 }
 
@@ -161,32 +308,40 @@ int Font_face::glyph_from(char32_t& character) const {
 bool Font_face::load_components(int glyph) const {
   check(FT_Load_Glyph(face_.get(), static_cast<FT_UInt>(glyph), FT_LOAD_NO_RECURSE));
   const bool has_components = face_->glyph->format == FT_GLYPH_FORMAT_COMPOSITE;
-  if (!has_components) is_simple_[static_cast<std::size_t>(glyph)] = true;
+  if (!has_components) simple_[static_cast<std::size_t>(glyph)] = face_->glyph->outline.n_contours;
   return has_components;
 }
 
-void Font_face::count_components(int& number) const {
-  std::vector<FT_Int> components((std::min)(face_->glyph->num_subglyphs, FT_UInt{max_components} + 1));
+void Font_face::list_components(const Component& moved, std::size_t& number, std::vector<Component>& leaves) const {
+  std::vector<Component> components((std::min<std::size_t>)(face_->glyph->num_subglyphs, max_components + 1));
   for (std::size_t i = 0; i < components.size(); ++i) {
     FT_Int x, y;
     FT_UInt flags;
-    FT_Matrix scale;
-    check(FT_Get_SubGlyph_Info(face_->glyph, static_cast<FT_UInt>(i), &components[i], &flags, &x, &y, &scale));
+    FT_Matrix m; // multiples of 2^-14 in 2^-16
+    check(FT_Get_SubGlyph_Info(face_->glyph, static_cast<FT_UInt>(i), &components[i].glyph, &flags, &x, &y, &m));
+    if ((flags & (FT_SUBGLYPH_FLAG_SCALE | FT_SUBGLYPH_FLAG_XY_SCALE | FT_SUBGLYPH_FLAG_2X2)) != 0)
+      components[i].matrix = Matrix{m.xx, m.xy, m.yx, m.yy, 16}.reduced();
   }
-  for (const int component : components) { // a glyph of the font, or FreeType would have refused the list
+  for (Component& component : components) { // a glyph of the font, or FreeType would have refused the list
     if (++number > max_components) throw Font_error("more components than any letter needs");
-    if (!is_simple_[static_cast<std::size_t>(component)] && load_components(component)) count_components(number);
+    if (moved.matrix.shift + component.matrix.shift > Glyph_outline::max_shift - 1)
+      throw Font_error("not covered: a component that is scaled too often");
+    component.matrix = moved.matrix * component.matrix;
+    if (simple_[static_cast<std::size_t>(component.glyph)] < 0 && load_components(component.glyph))
+      list_components(component, number, leaves);
+    else
+      leaves.push_back(component);
   }
 }
 
 std::set<int> Font_face::components(int glyph) const {
   std::set<int> leaves, open{glyph}, known;
-  while (!open.empty()) {
+  while (!open.empty() && !simple_.empty()) { // only TrueType glyphs have components
     const int next = *open.begin();
     open.erase(open.begin());
     if (!known.insert(next).second) continue;
-    if (known.size() > std::size_t{max_components}) throw Font_error("more components than any letter needs");
-    if (!load_components(next)) {
+    if (known.size() > max_components) throw Font_error("more components than any letter needs");
+    if (simple_[static_cast<std::size_t>(next)] >= 0 || !load_components(next)) {
       if (next != glyph) leaves.insert(next);
       continue;
     }
@@ -201,24 +356,103 @@ std::set<int> Font_face::components(int glyph) const {
   return leaves;
 }
 
-void Font_face::load(int glyph) const {
-  if (!is_simple_[static_cast<std::size_t>(glyph)]) {
-    if (!load_components(glyph)) return;
-    int number = 0;
-    count_components(number);
+void Font_face::read_true_type(int glyph, Glyph_outline& outline) const {
+  std::vector<Component> leaves;
+  if (simple_[static_cast<std::size_t>(glyph)] < 0) {
+    if (!load_components(glyph)) return receive(face_->glyph, outline);
+    std::size_t number = 0;
+    list_components({glyph, {}}, number, leaves);
   }
   check(FT_Load_Glyph(face_.get(), static_cast<FT_UInt>(glyph), FT_LOAD_NO_SCALE | FT_LOAD_IGNORE_TRANSFORM));
+  if (leaves.empty()) return receive(face_->glyph, outline);
+  if (std::any_of(leaves.begin(), leaves.end(), [](const Component& c) { return !c.matrix.is_identity(); }))
+    return transform(leaves, outline);
+  std::vector<std::pair<int, int>> parts;
+  int contours = 0;
+  for (const Component& leaf : leaves)
+    parts.emplace_back(leaf.glyph, contours += simple_[static_cast<std::size_t>(leaf.glyph)]);
+  receive(face_->glyph, outline, &parts);
+}
+
+void Font_face::transform(const std::vector<Component>& leaves, Glyph_outline& outline) const {
+  const FT_Outline& all = face_->glyph->outline;
+  const std::vector<FT_Vector> rounded(all.points, all.points + all.n_points);
+  int shift = 1;
+  for (const Component& leaf : leaves) shift = (std::max)(shift, leaf.matrix.shift + 1);
+  const auto in_steps = [shift](const FT_Vector& p) {
+    return Glyph_point{p.x * (std::int64_t(1) << shift), p.y * (std::int64_t(1) << shift)};
+  };
+  Glyph_outline part;
+  std::size_t points = 0;
+  for (const Component& leaf : leaves) {
+    part.clear();
+    check(FT_Load_Glyph(face_.get(), static_cast<FT_UInt>(leaf.glyph), FT_LOAD_NO_RECURSE));
+    receive(face_->glyph, part);
+    const FT_Outline& own = face_->glyph->outline;
+    if (own.n_points == 0) continue;
+    if (rounded.size() < points + static_cast<std::size_t>(own.n_points)) throw Font_error("components that change");
+    // It is placed as by FreeType.
+    const Matrix& m = leaf.matrix;
+    FT_Vector first = own.points[0];
+    const auto fixed = [&m](std::int64_t x) { return FT_Fixed(x * 0x10000 / (std::int64_t(1) << m.shift)); };
+    const FT_Matrix matrix{fixed(m.xx), fixed(m.xy), fixed(m.yx), fixed(m.yy)};
+    FT_Vector_Transform(&first, &matrix);
+    const Glyph_point offset = in_steps({rounded[points].x - first.x, rounded[points].y - first.y});
+    const std::int64_t factor = std::int64_t(1) << (shift - 1 - m.shift); // the part is in halves of a unit
+    points += static_cast<std::size_t>(own.n_points);
+    outline.begin_part(leaf.glyph);
+    outline.append(part, [&](const Glyph_point& p) {
+      const Glyph_point q = m(p);
+      return Glyph_point{factor * q.x + offset.x, factor * q.y + offset.y};
+    });
+  }
+  if (points != rounded.size()) throw Font_error("components that change");
+  outline.set_shift(shift);
+}
+
+std::string Font_face::charstring(int glyph) const { return dictionary_value(face_.get(), PS_DICT_CHAR_STRING, glyph); }
+
+int Font_face::glyph_of_code(std::int64_t code) const {
+  static const char* const accents[] = {"grave",   "acute",     "circumflex",   "tilde",  "macron",
+                                        "breve",   "dotaccent", "dieresis",     "",       "ring",
+                                        "cedilla", "",          "hungarumlaut", "ogonek", "caron"}; // from 193 on
+  char letter[] = "?";
+  letter[0] = static_cast<char>(code);
+  const bool is_letter = ('A' <= code && code <= 'Z') || ('a' <= code && code <= 'z');
+  const char* name = is_letter                   ? letter
+                     : code == 245               ? "dotlessi"
+                     : 193 <= code && code < 208 ? accents[code - 193]
+                                                 : "";
+  const FT_UInt glyph = *name == '\0' ? 0 : FT_Get_Name_Index(face_.get(), const_cast<char*>(name));
+  if (glyph == 0) throw Font_error("not covered: a part of an accented letter, code " + std::to_string(code));
+  return static_cast<int>(glyph);
+}
+
+void Font_face::read_type_1(int glyph, Glyph_outline& outline) const {
+  const std::string own = charstring(glyph);
+  if (const auto accented = Type_1_charstring(*type_1_, outline).draw(own)) {
+    for (const std::int64_t code : {accented->letter, accented->accent}) {
+      const int part = glyph_of_code(code);
+      outline.begin_part(part);
+      if (Type_1_charstring(*type_1_, outline)
+              .draw(charstring(part), code == accented->accent ? accented->at : Glyph_point{0, 0}))
+        throw Font_error("an accented letter of accented letters");
+    }
+  }
+  outline.set_shift(Charstring_pen::shift);
 }
 
 void Font_face::read(int glyph, Glyph_outline& outline) const {
   outline.clear();
-  load(glyph);
-  FT_GlyphSlot slot = face_->glyph;
-  if (slot->format != FT_GLYPH_FORMAT_OUTLINE) throw Font_error("a picture without an outline");
-  Outline_receiver receiver(outline);
-  check(FT_Outline_Decompose(&slot->outline, &Outline_receiver::functions(), &receiver));
-  receiver.end_contour();
-  if (receiver.good()) return;
-  outline.clear();
-  throw Font_error("a coordinate beyond " + std::to_string(max_coordinate) + " units of the font");
+  try {
+    if (cff_)
+      cff_->read(glyph, outline, [this](std::int64_t code) { return glyph_of_code(code); });
+    else if (type_1_)
+      read_type_1(glyph, outline);
+    else
+      read_true_type(glyph, outline);
+  } catch (const Font_error&) {
+    outline.clear();
+    throw;
+  }
 }

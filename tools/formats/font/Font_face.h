@@ -5,37 +5,40 @@
 #ifndef GEOMETRIC_CONTINUITY_TOOLS_FORMATS_FONT_FONT_FACE_H
 #define GEOMETRIC_CONTINUITY_TOOLS_FORMATS_FONT_FONT_FACE_H
 
+#include "formats/font/Font_error.h"
 #include "formats/font/Glyph_outline.h"
 
+#include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <set>
-#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <vector>
 
 struct FT_FaceRec_;
 
-// Why a font or a glyph cannot be read, in the words of FreeType where it has some.
-struct Font_error : std::runtime_error {
-  using std::runtime_error::runtime_error;
-};
+class Cff_outlines;
 
 // A font of a file, read by FreeType: TrueType, OpenType with TrueType or CFF outlines, Type 1, WOFF. Of a variable font it
-// is the default instance. The points are what FreeType says in units of the font: those of scaled or rotated components, and
-// fractions in CFF, are rounded to integers there, as they are for every program that reads outlines by FreeType.
+// is the default instance. The points are exactly those of the font: what FreeType rounds to integers is read again, charstrings with
+// fractions of a unit and components that are scaled or rotated.
 class Font_face {
   struct Close {
     void operator()(FT_FaceRec_* face) const;
   };
+  struct Component;
   std::unique_ptr<FT_FaceRec_, Close> face_;
   bool has_names_;
-  mutable std::vector<bool> is_simple_; // glyphs that are known to have no components
+  std::unique_ptr<const Cff_outlines> cff_;          // of a font with charstrings of type 2
+  std::unique_ptr<std::vector<std::string>> type_1_; // the subroutines of a font with charstrings of type 1
+  mutable std::vector<int> simple_; // how many contours glyphs have that are known to have no components, or -1
 
 public:
   // Opens font number `index` of a file, whose bytes must stay as long as this object. Throws
   // Font_error.
   explicit Font_face(std::string_view bytes, int index = 0);
+  ~Font_face();
 
   // The number of fonts in the file.
   int fonts_of_file() const;
@@ -73,17 +76,25 @@ private:
   // Moves on to the first character from this one on that the font has, and returns its glyph, or 0.
   int glyph_from(char32_t& character) const;
 
-  // Loads a glyph. FreeType reads a component as often as it is used, so that a TrueType font of a few hundred bytes can keep it
-  // busy for ever: components are counted before, those of components included. What damaged tables say depends on the reader;
-  // so FreeType itself is asked for them.
-  void load(int glyph) const;
+  // Reads a TrueType glyph. FreeType reads a component as often as it is used, so that a font of a few hundred bytes can keep it busy
+  // for ever: components are counted before, those of components included. What damaged tables say depends on the reader; so FreeType
+  // itself is asked for them.
+  void read_true_type(int glyph, Glyph_outline& outline) const;
+  void read_type_1(int glyph, Glyph_outline& outline) const;
+  std::string charstring(int glyph) const;
+
+  // The glyph of a letter or an accent in Adobe's standard encoding.
+  int glyph_of_code(std::int64_t code) const;
 
   // Loads a glyph without components, or the list of its components, and returns whether it has some.
   bool load_components(int glyph) const;
 
-  // Adds the number of components that the composite glyph has whose list has been loaded. Throws Font_error when there are
-  // too many.
-  void count_components(int& number) const;
+  // Appends the glyphs without components of which the composite glyph consists whose list has been loaded, each moved as `moved` says,
+  // and adds to the number of components. Throws Font_error when there are too many.
+  void list_components(const Component& moved, std::size_t& number, std::vector<Component>& leaves) const;
+
+  // Replaces an outline whose components were rounded by the exact one.
+  void transform(const std::vector<Component>& leaves, Glyph_outline& outline) const;
 };
 
 #endif // GEOMETRIC_CONTINUITY_TOOLS_FORMATS_FONT_FONT_FACE_H

@@ -5,6 +5,8 @@
 #ifndef GEOMETRIC_CONTINUITY_TOOLS_FORMATS_SVG_UNPACKED_BYTES_H
 #define GEOMETRIC_CONTINUITY_TOOLS_FORMATS_SVG_UNPACKED_BYTES_H
 
+#include "files/max_unpacked.h"
+
 #include <CGAL/Geometric_continuity/Error.h>
 
 #include <cstddef>
@@ -21,8 +23,7 @@ namespace GC = CGAL::Geometric_continuity;
 // The bytes of a stream, unpacked while they are read when they are packed by gzip. That is told by the first byte, which
 // begins no text.
 class Unpacked_bytes {
-  static constexpr int first_byte = 0x1F;           // of what gzip has packed
-  static constexpr std::size_t longest = 256 << 20; // bytes that are unpacked: a few packed ones can become a thousand
+  static constexpr int first_byte = 0x1F; // of what gzip has packed
 
   std::istream& stream_;
   const std::string name_;
@@ -62,8 +63,8 @@ class Unpacked_bytes {
     }
     const std::size_t n = size - inflater_.avail_out;
     unpacked_ += n;
-    if (longest < unpacked_)
-      refuse(GC::Error_code::work_limit, "more than " + std::to_string(longest >> 20) + " MiB when unpacked");
+    if (max_unpacked < unpacked_)
+      refuse(GC::Error_code::work_limit, "more than " + std::to_string(max_unpacked >> 20) + " MiB when unpacked");
     return n;
   }
 
