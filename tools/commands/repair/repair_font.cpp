@@ -121,12 +121,13 @@ public:
     for (int glyph = 0; glyph < font.glyphs(); ++glyph) {
       try {
         font.read(glyph, outline);
-        if (outline.steps() != 2) throw Font_error("fractions of a unit"); // no grid on which handles could move
+        const bool is_composite = !components(font, glyph).empty();
+        if (!is_composite && outline.steps() != 2) throw Font_error("fractions of a unit, no grid to move handles on");
         ++glyphs_;
-        if (components(font, glyph).empty())
-          repair_glyph(font.glyph_name(glyph), users_[glyph], outline);
-        else
+        if (is_composite)
           ++composites_;
+        else
+          repair_glyph(font.glyph_name(glyph), users_[glyph], outline);
       } catch (const Font_error& error) {
         ++unread_;
         claims_.add({Claim::not_covered, "glyph", error.what()});
