@@ -43,8 +43,9 @@ class Fonts_page {
   std::size_t fonts_ = 0, glyphs_ = 0, not_verified_ = 0, contours_ = 0;
   bool several_ = false;
 
-  void note(const std::string& text) {
-    if (not_verified_++ < most_notes) page_.notes.push_back(text);
+  void leave_out(const char* noun, const std::string& place, const std::string& reason) {
+    const bool is_shown = not_verified_++ < most_notes;
+    page_.leave_out(noun, reason, is_shown ? place + ": not verified, " + reason : "");
   }
 
   void read_glyph(const Font_face& font, const std::string& font_name, int glyph) {
@@ -96,7 +97,7 @@ class Fonts_page {
       try {
         read_glyph(font, name, glyph);
       } catch (const Font_error& e) {
-        note(name + ", glyph " + font.glyph_name(glyph) + ": not verified, " + e.what());
+        leave_out("glyph", name + ", glyph " + font.glyph_name(glyph), e.what());
       }
       progress_.step(page_.total(), [&] { return part_read; });
     }
@@ -114,10 +115,10 @@ class Fonts_page {
       }
     } catch (const Font_error& e) {
       if (!file.from_folder) throw GC::Error(GC::Error_code::malformed_input, input_name(file.name) + ": " + e.what());
-      note(input_name(file.name) + ": not verified, " + e.what());
+      leave_out("font", input_name(file.name), e.what());
     } catch (const GC::Error& e) {
       if (!file.from_folder) throw;
-      note(e.what());
+      leave_out("font", input_name(file.name), e.what());
     }
   }
 
@@ -127,7 +128,7 @@ public:
   void read(const Arguments& arguments) {
     std::vector<Unread_file> unread;
     const std::vector<Font_file> files = font_files(arguments, unread);
-    for (const Unread_file& file : unread) note(file.name + ": not verified, " + file.reason);
+    for (const Unread_file& file : unread) leave_out("font", file.name, file.reason);
     std::uintmax_t bytes = 0, done = 0;
     for (const Font_file& file : files) bytes += file.bytes;
     several_ = files.size() > 1;
