@@ -23,7 +23,7 @@ class Drawing_page : public Drawing_handler {
   const Report_demand& demand_;
   Report_page& page_;
   const bool several_;
-  std::size_t subpaths_ = 0, not_read_ = 0;
+  std::size_t subpaths_ = 0;
   Progress progress_{"joins"};
   std::function<void()> show_progress_ = [] {};
 
@@ -43,7 +43,6 @@ public:
       show_progress_ = [] {};
     }
     page_.summary = counted(page_.total(), "join") + " in " + counted(subpaths_, "subpath");
-    if (not_read_ > 0) page_.summary += ", " + counted(not_read_, "element") + " not verified";
   }
 
   void subpath(const Drawing_element& element, int number, const Drawing_subpath& path) override {
@@ -76,7 +75,6 @@ public:
   }
 
   void not_read(const Drawing_element& element, const std::string& reason) override {
-    ++not_read_;
     page_.leave_out("element", reason,
                     (several_ ? element.file + ": " : "") + element.text() + ": not verified, " + reason);
   }

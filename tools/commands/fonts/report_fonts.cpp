@@ -142,7 +142,6 @@ public:
       page_.notes.push_back(std::to_string(not_verified_ - most_notes) + " more are not verified.");
     page_.summary =
         counted(page_.total(), "join") + " in " + counted(glyphs_, "glyph") + " of " + counted(fonts_, "font");
-    if (not_verified_ > 0) page_.summary += "; " + std::to_string(not_verified_) + " not verified";
   }
 };
 
