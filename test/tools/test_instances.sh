@@ -199,8 +199,8 @@ run 2 verify fonts/cut.ttf --all-instances
 says err "malformed_input: fonts/cut.ttf: font: its table"
 run 2 verify "$S" --all-instances
 says err "--all-instances: only for fonts"
-run 2 verify kink.ttf --max-kink 1
-says err "--max-kink: only with --all-instances"
+run 2 verify "$S" --max-kink 1
+says err "--max-kink: only for fonts"
 for angle in 0 90 -1 x; do
   run 2 verify kink.ttf --all-instances --max-kink=$angle
   says err "--max-kink: "

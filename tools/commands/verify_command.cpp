@@ -50,8 +50,8 @@ grades the joins of each glyph, on the integers of the font:
   G1      no change of direction, but of curvature; a handle at its node
   G2      nor of curvature
 The worst kinks come first, those that are off by the most units, then bends.
---require G1 and G2 leave corners, bends and rounding alone, and so does
---max-kink, the largest angle that a kink may have. --glyphs a-z,U+00E9,ampersand,#12 takes
+--require G1 and G2 leave corners, bends and rounding alone; so does the largest
+angle that a kink may have, --max-kink. --glyphs a-z,U+00E9,ampersand,#12 takes
 characters and ranges of them, names and numbers of glyphs.
 
 --all-instances encloses the largest kink of each join over all instances of a
