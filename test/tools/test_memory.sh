@@ -55,7 +55,7 @@ memory() { # ARGUMENTS...
 }
 memory verify huge.g2
 memory verify large.g2 huge.g2 --within 1,1,1
-memory verify --surfaces "$teapot" "$teapot" "$teapot" "$teapot"
+memory verify --allow-uncovered --surfaces "$teapot" "$teapot" "$teapot" "$teapot"
 memory verify drawing.svg
 memory plot long.g2 --no-comb -o plot.svg
 memory plot --surfaces "$teapot" -o plot.svg
