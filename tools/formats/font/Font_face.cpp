@@ -206,8 +206,10 @@ std::vector<std::string> type_1_subroutines(FT_Face face) {
   return result;
 }
 
+} // namespace
+
 // A matrix of integers over a power of two.
-struct Matrix {
+struct Font_face::Matrix {
   std::int64_t xx = 1, xy = 0, yx = 0, yy = 1;
   int shift = 0;
 
@@ -227,8 +229,6 @@ struct Matrix {
   }
   Glyph_point operator()(const Glyph_point& p) const { return {xx * p.x + xy * p.y, yx * p.x + yy * p.y}; }
 };
-
-} // namespace
 
 // A glyph without components that is part of another one, and its matrix there.
 struct Font_face::Component {

@@ -27,6 +27,7 @@ class Font_face {
   struct Close {
     void operator()(FT_FaceRec_* face) const;
   };
+  struct Matrix;
   struct Component;
   std::unique_ptr<FT_FaceRec_, Close> face_;
   bool has_names_;
