@@ -5,6 +5,7 @@ endless=$(realpath "$(dirname "$0")")/cad/data/endless.step # a coordinate is in
 
 if [ -z "${MAKE_CAD_MODELS-}" ]; then
   echo "skipped: built without OpenCASCADE"
+  trap - EXIT
   exit 77
 fi
 reader=$(dirname "$(realpath "$program")")/geometric_continuity_cad

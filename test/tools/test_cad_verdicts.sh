@@ -4,6 +4,7 @@ models=$(cd "$(dirname "$0")/cad/data" && pwd)
 . "$(dirname "$0")/functions.sh"
 if [ -z "${MAKE_CAD_MODELS-}" ]; then
   echo "skipped: built without OpenCASCADE"
+  trap - EXIT
   exit 77
 fi
 
