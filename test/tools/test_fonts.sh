@@ -347,6 +347,10 @@ packed += bytes(-len(packed) % 4)
 head = struct.pack(">4sIIHHIHHIIIII", b"wOFF", 0x10000, 64 + len(packed), 1, 0, 28 + size, 1, 0, 0, 0, 0, 0, 0)
 table = struct.pack(">4sIIII", b"glyf", 64, len(packed), size, 0)
 open("bomb.woff", "wb").write(head + table + packed)'
-  if limited $(($(memory_to_start) + 300000)) verify bomb.woff; then failures=$((failures + 1)); fi
+  if grep -qa __asan_init "$program"; then # reserves more memory than any limit
+    "$program" verify bomb.woff >out 2>err && failures=$((failures + 1))
+  elif limited $(($(memory_to_start) + 300000)) verify bomb.woff; then
+    failures=$((failures + 1))
+  fi
   says err "bomb.woff: more than 256 MiB when unpacked"
 fi
