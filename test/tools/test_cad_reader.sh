@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # The process that reads CAD models: its limits, its bad ends, and what becomes of it when the program ends.
-endless=$(realpath "$(dirname "$0")")/cad/data/endless.step # a coordinate is inf: OpenCASCADE does not find an end
+infinite=$(realpath "$(dirname "$0")")/cad/data/infinite.step # a coordinate is inf
 . "$(dirname "$0")/functions.sh"
 
 if [ -z "${MAKE_CAD_MODELS-}" ]; then
@@ -44,24 +44,32 @@ fails 'not read within 5 seconds' 'exec >&-; exec sleep 1000'
 sed '/^Surfaces/{n;n;s/^7 /9 /}' models/prism.brep >crash.brep # an extrusion of a curve of no kind
 run 2 verify crash.brep && says err "crash.brep: the library that reads it crashes: the file is damaged" && holds [ ! -s out ]
 
-# the time, also of OpenCASCADE itself
-run 2 verify "$endless" --time-limit 1 && says err "endless.step: not read within 1 seconds, the limit of --time-limit" && holds [ ! -s out ]
-run 2 verify models/fillet.step "$endless" --time-limit 3 --json && holds [ ! -s out ]
+# the time, also of OpenCASCADE itself: it waits for a file into which nobody writes
+mkfifo blocked.step
+waits='exec "$reader" "${@/models\/fillet.step/blocked.step}"'
+with "$waits" verify models/fillet.step --time-limit 1
+holds [ $? -eq 2 ] && says err "models/fillet.step: not read within 1 seconds, the limit of --time-limit" && holds [ ! -s out ]
+with "$waits" verify models/fillet.brep models/fillet.step --time-limit 3 --json
+holds [ $? -eq 2 ] && holds [ ! -s out ]
 run 2 verify models/fillet.step --time-limit 0.0001
 for bad in 0 -1 x nan 1e9 ''; do run 2 verify models/fillet.step --time-limit="$bad" && says err "--time-limit"; done
 run 2 verify $S --time-limit 1 && says err "--time-limit: only for CAD models"
+
+# A number that is not finite is found before OpenCASCADE computes with it, which would not end.
+run 1 verify "$infinite" --time-limit 20 && says out "a number that is not finite"
 
 # the memory: what is asked for does not fit
 with 'ulimit -v 60000; exec "$reader" "$@"' verify models/fillet.step
 holds [ $? -eq 2 ] && says err "models/fillet.step: "
 
 # the reader ends with the program, however that ends
+with "$waits" verify models/fillet.step --time-limit 0.1
 for signal in KILL TERM; do
-  "$program" verify "$endless" --time-limit 100 >out 2>err &
+  fake/geometric_continuity verify models/fillet.step --time-limit 100 >out 2>err &
   process=$!
   child=""
   for ((i = 0; i < 100; ++i)); do
-    child=$(cat "/proc/$process/task/$process/children" 2>/dev/null)
+    child=$(cat /proc/"$process"/task/*/children 2>/dev/null)
     [ -n "$child" ] && break
     sleep 0.1
   done

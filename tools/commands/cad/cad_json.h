@@ -97,7 +97,7 @@ inline void write_json(std::ostream& os, const Cad_summary& s) {
      << ",\"kinks_or_corners\":" << s.bent << ",\"folds\":" << s.folds << ",\"inside_out\":" << s.inside_out
      << ",\"exact\":" << s.exact << ",\"not_compared\":" << s.not_compared << ",\"projected\":" << s.projected
      << ",\"sewn\":" << s.sewn << ",\"placed_parts\":" << s.instances << ",\"different_parts\":" << s.shapes
-     << ",\"lost\":" << s.lost << ",\"length_unit\":\"mm\"}";
+     << ",\"compared\":" << s.compared << ",\"lost\":" << s.lost << ",\"length_unit\":\"mm\"}";
 }
 
 #endif // GEOMETRIC_CONTINUITY_TOOLS_COMMANDS_CAD_CAD_JSON_H

@@ -10,6 +10,7 @@
 #include "formats/cad/read_cad.h"
 
 #include <algorithm>
+#include <future>
 #include <map>
 #include <optional>
 #include <stdexcept>
@@ -69,19 +70,8 @@ void move(Cad_verdict& verdict, const GC::Given_placement& place) {
   if (verdict.enclosure->curvature_jump) move_point(*verdict.enclosure->curvature_jump);
 }
 
-} // namespace
-
-Cad_demand demand_within(const std::string& tolerance, const GC::Kink_bound& kink) {
-  const Tolerances tolerances = parse_tolerances(tolerance, false);
-  if (tolerances.order > 2) throw std::invalid_argument("--within: of CAD models GAP,ANGLEdeg,CURVATURE% are compared");
-  return {std::nullopt,    tolerances.order, tolerances.joins, tolerance, GC::in_radians(kink.degrees()),
-          GC::Work_limit()};
-}
-
-Decided_cad_file decide_cad(const std::string& file, const Cad_demand& demand, const Cad_reading& reading) {
-  Cad_reading with_order = reading;
-  with_order.order = (std::max)(1, demand.most);
-  Decided_cad_file result{file, read_cad(file, with_order), {}};
+Decided_cad_file decided(const std::string& file, Cad_model model, const Cad_demand& demand) {
+  Decided_cad_file result{file, std::move(model), {}, 0};
   const std::vector<Cad_edge>& edges = result.model.edges;
   Progress progress("edges");
   const std::vector<std::size_t> first = equal_edges(edges);
@@ -100,8 +90,36 @@ Decided_cad_file decide_cad(const std::string& file, const Cad_demand& demand, c
     progress.step(done, [&] { return double(done) / double(edges.size()); });
   };
   for_batches<Edge_batch>(read, work, take);
-  for (std::size_t i = 0; i < edges.size(); ++i) move(result.verdicts[i], edges[i].place);
+  for (std::size_t i = 0; i < edges.size(); ++i) {
+    move(result.verdicts[i], edges[i].place);
+    result.compared += edges[i].sides && first[i] == i;
+  }
   return result;
+}
+
+} // namespace
+
+Cad_demand demand_within(const std::string& tolerance, const GC::Kink_bound& kink) {
+  const Tolerances tolerances = parse_tolerances(tolerance, false);
+  if (tolerances.order > 2) throw std::invalid_argument("--within: of CAD models GAP,ANGLEdeg,CURVATURE% are compared");
+  return {std::nullopt,    tolerances.order, tolerances.joins, tolerance, GC::in_radians(kink.degrees()),
+          GC::Work_limit()};
+}
+
+void decide_cad_files(const Arguments& files, const Cad_demand& demand, const Cad_reading& reading,
+                      const std::function<void(const Decided_cad_file&)>& take) {
+  Cad_reading with_order = reading;
+  with_order.order = (std::max)(1, demand.most);
+  std::future<Cad_model> next;
+  const auto read = [&](std::size_t i) {
+    if (i < files.size()) next = std::async(std::launch::async, read_cad, files[i], with_order);
+  };
+  read(0);
+  for (std::size_t i = 0; i < files.size(); ++i) {
+    Cad_model model = next.get();
+    read(i + 1);
+    take(decided(files[i], std::move(model), demand));
+  }
 }
 
 void Cad_summary::add(const Decided_cad_file& file) {
@@ -110,6 +128,7 @@ void Cad_summary::add(const Decided_cad_file& file) {
   sewn += file.model.sewn;
   instances += file.model.instances.size();
   shapes += file.model.shapes;
+  compared += file.compared;
   for (std::size_t i = 0; i < file.verdicts.size(); ++i) {
     const Cad_edge& edge = file.model.edges[i];
     const Cad_verdict& verdict = file.verdicts[i];

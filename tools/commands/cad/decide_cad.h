@@ -6,11 +6,13 @@
 #define GEOMETRIC_CONTINUITY_TOOLS_COMMANDS_CAD_DECIDE_CAD_H
 
 #include "commands/cad/Cad_verdict.h"
+#include "commands/commands.h"
 #include "formats/cad/Cad_reading.h"
 
 #include <CGAL/Geometric_continuity/joins/Kink_bound.h>
 
 #include <cstddef>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -22,10 +24,12 @@ struct Decided_cad_file {
   std::string file;
   Cad_model model;
   std::vector<Cad_verdict> verdicts; // of each edge
+  std::size_t compared = 0; // edges with two sides, each as often as it is decided: once for all that are equal
 };
 
-// Reads a CAD file and decides its edges, on all cores.
-Decided_cad_file decide_cad(const std::string& file, const Cad_demand& demand, const Cad_reading& reading);
+// Reads CAD files and decides their edges, on all cores; meanwhile the next file is read. Each is passed on in turn.
+void decide_cad_files(const Arguments& files, const Cad_demand& demand, const Cad_reading& reading,
+                      const std::function<void(const Decided_cad_file&)>& take);
 
 // How many edges there are of each kind, and how they do. Only inner edges, seams and knot lines have verdicts.
 struct Cad_summary {
@@ -38,6 +42,7 @@ struct Cad_summary {
   std::size_t projected = 0;             // edges with curves that are not in the file
   std::size_t sewn = 0;                  // edges that sewing made of two
   std::size_t instances = 0, shapes = 0; // placed parts, if there are several, and the different ones among them
+  std::size_t compared = 0;              // edges, what is equal once
   std::size_t lost = 0;                  // things that could not be read
 
   std::size_t decided() const { return inner + seams + knot_lines; }

@@ -169,9 +169,16 @@ public:
   Cad_page(const Cad_demand& demand, const Cad_reading& reading, Report_page& page)
       : demand_(demand), reading_(reading), page_(page) {}
 
-  // Reads a file and gathers its edges. Their places begin so.
-  void gather(const std::string& file, const std::string& before) {
-    const Decided_cad_file decided = decide_cad(file, demand_, reading_);
+  // Reads files and gathers their edges.
+  void gather(const Arguments& files) {
+    decide_cad_files(files, demand_, reading_, [&](const Decided_cad_file& decided) {
+      gather(decided, files.size() > 1 ? decided.file + ": " : "");
+    });
+  }
+
+  // Gathers the edges of a file. Their places begin so.
+  void gather(const Decided_cad_file& decided, const std::string& before) {
+    const std::string& file = decided.file;
     summary_.add(decided);
     const std::size_t first_face = faces_.size();
     for (std::size_t i = 0; i < decided.model.meshes.size(); ++i) {
@@ -239,6 +246,6 @@ void report_cad(const Arguments& files, const Report_demand& demand, Report_page
   page.is_numbered = false; // the places have numbers
   Cad_page gatherer(page_demand(demand.tolerance.empty() ? default_cad_tolerance : demand.tolerance, demand),
                     demand.reading, page);
-  for (const std::string& file : files) gatherer.gather(file, files.size() > 1 ? file + ": " : "");
+  gatherer.gather(files);
   gatherer.finish();
 }

@@ -157,7 +157,7 @@ public:
       : demand_(demand), report_(mode, subject(demand)), names_files_(files.size() > 1) {
     report_.row("edges");
     report_.row("not_read");
-    for (const std::string& file : files) add(decide_cad(file, demand, reading));
+    decide_cad_files(files, demand, reading, [this](const Decided_cad_file& file) { add(file); });
   }
 
   // Prints the report and returns the exit code.

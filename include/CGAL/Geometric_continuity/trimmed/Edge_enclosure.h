@@ -8,7 +8,7 @@
 #include <CGAL/Geometric_continuity/Error.h>
 #include <CGAL/Geometric_continuity/numbers/Enclosure.h>
 #include <CGAL/Geometric_continuity/trimmed/Parametric_geometry.h>
-#include <CGAL/Geometric_continuity/trimmed/internal/edge_bounds.h>
+#include <CGAL/Geometric_continuity/trimmed/internal/Edge_bounds.h>
 
 #include <algorithm>
 #include <cmath>
@@ -104,8 +104,9 @@ inline Edge_enclosure edge_enclosure(const Edge_side& a, const Edge_side& b, dou
   using namespace internal;
   check_range(first, last, "edge_enclosure: the range");
   const Protect_FPU_rounding<true> rounding_upwards;
-  const Edge_bounds bounds(a, b);
-  const std::vector<double> ends = bounds.divided(first, last);
+  const Edge_bounds bounds(a, b, first, last,
+                           precision.with_curvature ? Edge_quantity::curvature : Edge_quantity::angle);
+  const std::vector<double>& ends = bounds.ends();
   Edge_enclosure result{};
   const auto largest = [&](Edge_quantity quantity, double floor, double (*measure)(double)) {
     Largest_on_ranges l(

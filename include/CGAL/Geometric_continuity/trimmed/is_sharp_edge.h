@@ -9,7 +9,7 @@
 #include <CGAL/Geometric_continuity/numbers/Verdict.h>
 #include <CGAL/Geometric_continuity/trimmed/Edge_enclosure.h>
 #include <CGAL/Geometric_continuity/trimmed/Parametric_geometry.h>
-#include <CGAL/Geometric_continuity/trimmed/internal/edge_bounds.h>
+#include <CGAL/Geometric_continuity/trimmed/internal/Edge_bounds.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -31,8 +31,8 @@ inline Verdict is_sharp_edge(const Edge_side& a, const Edge_side& b, double firs
   using namespace internal;
   check_range(first, last, "is_sharp_edge: the range");
   const Protect_FPU_rounding<true> rounding_upwards;
-  const Edge_bounds bounds(a, b);
-  const std::vector<double> ends = bounds.divided(first, last);
+  const Edge_bounds bounds(a, b, first, last, Edge_quantity::angle);
+  const std::vector<double>& ends = bounds.ends();
   std::deque<std::pair<double, double>> parts; // the longest first
   for (std::size_t i = 0; i + 1 < ends.size(); ++i) parts.emplace_back(ends[i], ends[i + 1]);
   if (ends.size() == 1) parts.emplace_back(first, last);

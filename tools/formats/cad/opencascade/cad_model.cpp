@@ -56,6 +56,7 @@ struct Edge_use {
   std::size_t face;
   TopAbs_Orientation orientation;
   std::optional<Plane_curve> curve;
+  std::string reason = "no curve in the parameter plane"; // if there is none
 };
 
 GC::Given_placement placement(const TopLoc_Location& location) {
@@ -148,16 +149,20 @@ class Model_builder {
   }
 
   // The curve of an edge in the parameter plane of a face, if there is one. Where it is missing it is computed; that on a plane is never
-  // in a file.
+  // in a file. Throws Not_covered for numbers that are not finite, with which the computation would not end.
   static std::optional<Plane_curve> plane_curve(const TopoDS_Edge& edge, const TopoDS_Face& face, bool is_seam) {
     Plane_curve result{nullptr, 0, 0, false};
     double begin, end;
-    const bool has_curve = !BRep_Tool::Curve(edge, begin, end).IsNull();
+    const Handle(Geom_Curve) curve = BRep_Tool::Curve(edge, begin, end);
+    const bool has_curve = !curve.IsNull();
     if (has_curve && !is_finite(begin, end)) return std::nullopt;
     const auto look = [&] { result.curve = BRep_Tool::CurveOnSurface(edge, face, result.begin, result.end); };
     look();
     if (result.curve.IsNull()) {
-      if (!has_curve || BRep_Tool::Surface(face).IsNull()) return std::nullopt;
+      const Handle(Geom_Surface) surface = BRep_Tool::Surface(face);
+      if (!has_curve || surface.IsNull()) return std::nullopt;
+      given_curve(curve, {begin, end});
+      given_surface(surface, {0, 0}, {0, 0});
       result.projected = true;
       ShapeFix_Edge().FixAddPCurve(edge, face, is_seam, Precision::Confusion());
       look();
@@ -173,6 +178,8 @@ class Model_builder {
       for (Edge_use& use : uses) {
         try {
           use.curve = plane_curve(TopoDS::Edge(edge(i).Oriented(use.orientation)), face(use.face), is_seam);
+        } catch (const Not_covered& e) {
+          use.reason = e.what();
         } catch (const Standard_Failure&) { // none can be computed
         }
         if (!use.curve) continue;
@@ -246,7 +253,7 @@ class Model_builder {
       const Edge_use& use = uses[i];
       const std::string face = "face " + std::to_string(use.face) + ": ";
       if (!surfaces_[use.face]) throw Not_covered(face + reasons_[use.face]);
-      if (!use.curve) throw Not_covered(face + "no curve in the parameter plane");
+      if (!use.curve) throw Not_covered(face + use.reason);
       e.projections[i] = use.curve->projected;
       e.projected = e.projected || use.curve->projected;
     }

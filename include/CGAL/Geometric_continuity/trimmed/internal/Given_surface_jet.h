@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <array>
+#include <type_traits>
 
 /// \file Given_surface_jet.h
 /// The Taylor coefficients of surfaces at all parameters of a rectangle: what they are, and those of surfaces with a formula.
@@ -28,9 +29,20 @@ template <class Number> class Triangle {
   std::array<Number, (highest_order + 1) * (highest_order + 2) / 2> x_;
 
 public:
-  Triangle() { x_.fill(Number()); }
+  Triangle() {
+    if constexpr (std::is_same_v<Number, Interval>) x_.fill(Interval(0)); // vectors start as 0
+  }
   Number& operator()(int i, int j) { return x_[(i + j) * (i + j + 1) / 2 + j]; }
   const Number& operator()(int i, int j) const { return x_[(i + j) * (i + j + 1) / 2 + j]; }
+};
+
+// Which derivatives are wanted: i times by u and j times by v, i + j at most `sum`.
+struct Surface_orders {
+  int u, v, sum;
+
+  Surface_orders(int u, int v, int sum) : u(u), v(v), sum(sum) {}
+  Surface_orders(int sum) : Surface_orders(sum, sum, sum) {}
+  bool contains(int i, int j) const { return i <= u && j <= v && i + j <= sum; }
 };
 
 // Encloses the derivatives of S by u and v, i and j times, divided by i! j!, at all parameters of a box, of one piece
@@ -45,7 +57,8 @@ struct Given_surface_jet {
   }
 };
 
-inline Given_surface_jet jet_of(const Given_elementary_surface& surface, const Parameter_box& box, int order) {
+inline Given_surface_jet jet_of(const Given_elementary_surface& surface, const Parameter_box& box,
+                                const Surface_orders& order) {
   typedef Given_elementary_surface::Kind Kind;
   const Given_frame& f = surface.frame;
   const Interval r = surface.radius, q = surface.other;
@@ -72,15 +85,15 @@ inline Given_surface_jet jet_of(const Given_elementary_surface& surface, const P
   } else {
     const auto v = circle_jet(box.v);
     const Interval& radius = surface.kind == Kind::sphere ? r : q;
-    for (int j = 0; j <= order; ++j) {
+    for (int j = 0; j <= order.v; ++j) {
       rho[j] = radius * v[j].cosine;
       z[j] = radius * v[j].sine;
     }
     if (surface.kind == Kind::torus) rho[0] += r;
   }
   const auto u = circle_jet(box.u);
-  for (int i = 0; i <= order; ++i)
-    for (int j = 0; i + j <= order && j <= jet.v_degree; ++j) {
+  for (int i = 0; i <= order.u; ++i)
+    for (int j = 0; order.contains(i, j) && j <= jet.v_degree; ++j) {
       jet.add(i, j, rho[j] * u[i].cosine, f.x_axis);
       jet.add(i, j, rho[j] * u[i].sine, f.y_axis);
       if (i == 0) jet.add(0, j, z[j], f.z_axis);
@@ -88,22 +101,23 @@ inline Given_surface_jet jet_of(const Given_elementary_surface& surface, const P
   return jet;
 }
 
-inline Given_surface_jet jet_of(const Given_extrusion& surface, const Parameter_box& box, int order) {
-  const Given_curve_jet<3> c = given_curve_jet(surface.profile, box.u, order, box.u_span);
+inline Given_surface_jet jet_of(const Given_extrusion& surface, const Parameter_box& box, const Surface_orders& order) {
+  const Given_curve_jet<3> c = given_curve_jet(surface.profile, box.u, order.u, box.u_span);
   Given_surface_jet jet;
   jet.v_degree = 1;
-  for (int i = 0; i <= order; ++i) jet.s(i, 0) = c.c[i];
+  for (int i = 0; i <= order.u; ++i) jet.s(i, 0) = c.c[i];
   jet.add(0, 0, box.v, surface.direction);
   jet.add(0, 1, Interval(1), surface.direction);
   return jet;
 }
 
-inline Given_surface_jet jet_of(const Given_revolution& surface, const Parameter_box& box, int order) {
-  const Given_curve_jet<3> c = given_curve_jet(surface.profile, box.v, order, box.v_span);
+inline Given_surface_jet jet_of(const Given_revolution& surface, const Parameter_box& box,
+                                const Surface_orders& order) {
+  const Given_curve_jet<3> c = given_curve_jet(surface.profile, box.v, order.v, box.v_span);
   const auto u = circle_jet(box.u);
   const Given_point<3>& d = surface.direction;
   Given_surface_jet jet;
-  for (int j = 0; j <= order; ++j) {
+  for (int j = 0; j <= order.v; ++j) {
     Interval_vector<3> w = c.c[j], along, across;
     if (j == 0)
       for (int k = 0; k < 3; ++k) w[k] -= Interval(surface.origin[k]);
@@ -112,7 +126,7 @@ inline Given_surface_jet jet_of(const Given_revolution& surface, const Parameter
       along[k] = height * Interval(d[k]);
       across[k] = Interval(d[(k + 1) % 3]) * w[(k + 2) % 3] - Interval(d[(k + 2) % 3]) * w[(k + 1) % 3];
     }
-    for (int i = 0; i + j <= order; ++i)
+    for (int i = 0; order.contains(i, j); ++i)
       for (int k = 0; k < 3; ++k)
         jet.s(i, j)[k] = u[i].cosine * (w[k] - along[k]) + u[i].sine * across[k] + (i == 0 ? along[k] : Interval(0));
     if (j == 0)

@@ -210,13 +210,13 @@ public:
 private:
   Side_models piece_models(const Coordinate_models& u, const Coordinate_models& v, int u_span, int v_span,
                            Edge_quantity quantity) const {
-    const int order = Taylor_model::size + static_cast<int>(quantity);
-    const Given_surface_jet about_point =
-                                given_surface_jet(*side_.surface, {u.value.c[0], v.value.c[0], u_span, v_span}, order),
-                            on_box = given_surface_jet(*side_.surface, {u.range, v.range, u_span, v_span}, order);
     Taylor_model du = u.value, dv = v.value;
     du.c[0] = dv.c[0] = 0;
-    const Composition compose{about_point, on_box, powers(du, on_box.u_degree), powers(dv, on_box.v_degree)};
+    const int derivatives = static_cast<int>(quantity), order = Taylor_model::size + derivatives;
+    const Surface_orders orders(is_zero(du) ? derivatives : order, is_zero(dv) ? derivatives : order, order);
+    const Surface_jets jets =
+        surface_jets(*side_.surface, u.value.c[0], v.value.c[0], {u.range, v.range, u_span, v_span}, orders);
+    const Composition compose{jets, powers(du, jets.on_box.u_degree), powers(dv, jets.on_box.v_degree)};
     Side_models m;
     m.point = placed_(compose(0, 0), true);
     if (quantity == Edge_quantity::gap) return m;
@@ -226,37 +226,50 @@ private:
     const auto* elementary = std::get_if<Given_elementary_surface>(&*side_.surface);
     const int sign = elementary ? sign_of_rho(*elementary, v.range) : 0;
     const bool sphere = sign != 0 && elementary->kind == Given_elementary_surface::Kind::sphere;
-    const bool reduced = sphere || (sign != 0 && quantity == Edge_quantity::angle);
-    Taylor_model u_derivative = u.derivative;
-    if (reduced) {
+    Taylor_vector in_u = su; // or R'
+    if (sign != 0) {
       const Given_elementary_surface cylinder{Given_elementary_surface::Kind::cylinder, elementary->frame, 1, 0};
-      const Given_surface_jet r_about_point = jet_of(cylinder, {u.value.c[0], v.value.c[0], 0, 0}, order),
-                              r_on_box = jet_of(cylinder, {u.range, v.range, 0, 0}, order);
-      const Taylor_vector r = placed_(Composition{r_about_point, r_on_box, compose.u, compose.v}(1, 0), false);
-      if (sphere) u_derivative = u.derivative * dot(su, r) * reciprocal(dot(r, r)); // rho u'
-      su = r;
+      const Surface_jets of_cylinder =
+          surface_jets(cylinder, u.value.c[0], v.value.c[0], {u.range, v.range, 0, 0}, orders);
+      in_u = placed_(Composition{of_cylinder, compose.u, compose.v}(1, 0), false);
     }
-    const Taylor_vector normal = cross(su, sv);
-    const Taylor_model root = reciprocal_root(dot(normal, normal)),
-                       signed_root = flipped_ != (sign < 0 && reduced) ? -root : root;
-    m.normal = normal * signed_root;
-    if (quantity == Edge_quantity::curvature) {
-      // The second fundamental form, with its first two numbers over rho^2 and rho for a sphere of the axes x, y, z: there
-      // R'' . (R' x S_v) / rho = -(x, y, z) and R' . (R' x S_v) = 0.
-      Taylor_model l, m_, n = dot(m.normal, placed_(compose(0, 2), false));
-      if (sphere)
-        l = -frame_determinant(*elementary) * signed_root;
-      else
-        l = dot(m.normal, placed_(compose(2, 0), false)), m_ = dot(m.normal, placed_(compose(1, 1), false));
-      // With the first fundamental form (e, f; f, g) the direction a S_u + b S_v is orthogonal to the edge's S_u u' + S_v v',
-      // and its square is (e g - f^2) times that of the edge's, with e g - f^2 = |N|^2.
-      const Taylor_model e = dot(su, su), f = dot(su, sv), g = dot(sv, sv);
-      const Taylor_model b = e * u_derivative + f * v.derivative, a = -(f * u_derivative + g * v.derivative);
-      const Taylor_model square = b * u_derivative - a * v.derivative;
-      m.curvature = (l * a * a + Taylor_model(2) * (m_ * a * b) + n * b * b) * (root * root) * reciprocal(square);
+    const Unit_normal normal(in_u, sv, flipped_ != (sign < 0));
+    m.normal = normal.vector;
+    if (quantity == Edge_quantity::angle) return m;
+    Taylor_model u_derivative = u.derivative;
+    if (sphere) {
+      u_derivative = u.derivative * dot(su, in_u) * reciprocal(dot(in_u, in_u)); // rho u'
+      su = in_u;
     }
+    const Unit_normal of_forms = sign != 0 && !sphere ? Unit_normal(su, sv, flipped_) : normal;
+    // The second fundamental form, with its first two numbers over rho^2 and rho for a sphere of the axes x, y, z: there
+    // R'' . (R' x S_v) / rho = -(x, y, z) and R' . (R' x S_v) = 0.
+    Taylor_model l, m_, n = dot(of_forms.vector, placed_(compose(0, 2), false));
+    if (sphere)
+      l = -frame_determinant(*elementary) * of_forms.factor;
+    else
+      l = dot(of_forms.vector, placed_(compose(2, 0), false)), m_ = dot(of_forms.vector, placed_(compose(1, 1), false));
+    // With the first fundamental form (e, f; f, g) the direction a S_u + b S_v is orthogonal to the edge's S_u u' + S_v v',
+    // and its square is (e g - f^2) times that of the edge's, with e g - f^2 = |N|^2.
+    const Taylor_model e = dot(su, su), f = dot(su, sv), g = dot(sv, sv);
+    const Taylor_model b = e * u_derivative + f * v.derivative, a = -(f * u_derivative + g * v.derivative);
+    const Taylor_model square = b * u_derivative - a * v.derivative;
+    m.curvature = (l * a * a + Taylor_model(2) * (m_ * a * b) + n * b * b) * (of_forms.factor * of_forms.factor) *
+                  reciprocal(square);
     return m;
   }
+
+  // The cross product of two vectors, or the opposite one, divided by its length.
+  struct Unit_normal {
+    Taylor_model factor; // with its sign
+    Taylor_vector vector;
+
+    Unit_normal(const Taylor_vector& u, const Taylor_vector& v, bool flipped) : vector(cross(u, v)) {
+      factor = reciprocal_root(dot(vector, vector));
+      if (flipped) factor = -factor;
+      vector = vector * factor;
+    }
+  };
 
   // The sign of rho where it has one in a range of v, but for roundings at a pole or an apex; 0 for other surfaces.
   static int sign_of_rho(const Given_elementary_surface& surface, const Interval& v) {
@@ -281,13 +294,14 @@ private:
     return dot(cross(placed_(axes[0], false), placed_(axes[1], false)), placed_(axes[2], false));
   }
 
+  static bool is_zero(const Taylor_model& f) { return f.norm() == 0 && f.r == 0; }
   struct Powers {
     std::vector<Taylor_model> f;
     std::vector<double> norm;
   };
   static Powers powers(const Taylor_model& f, int degree) {
     Powers p{{Taylor_model(1)}, {1}};
-    if (f.norm() == 0 && f.r == 0) return p;
+    if (is_zero(f)) return p;
     for (int i = 1; i <= (std::min)(degree, Taylor_model::size); ++i) {
       p.f.push_back(i == 1 ? f : p.f.back() * f);
       p.norm.push_back(p.f.back().norm() * Taylor_model::enlarged);
@@ -298,16 +312,16 @@ private:
   // A derivative of S by u and v along the curve: its Taylor polynomial about the point in the middle, where the coefficients of the
   // last order are those of all points of the box.
   struct Composition {
-    const Given_surface_jet &about_point, &on_box;
+    const Surface_jets& jets;
     const Powers u, v;
 
     Taylor_vector operator()(int by_u, int by_v) const {
       constexpr int order = Taylor_model::size;
       std::array<Taylor_sum, 3> sums;
       Taylor_vector first{};
-      for (int i = 0; i <= order && i < static_cast<int>(u.f.size()) && i + by_u <= on_box.u_degree; ++i)
-        for (int j = 0; i + j <= order && j < static_cast<int>(v.f.size()) && j + by_v <= on_box.v_degree; ++j) {
-          const Interval_vector<3>& x = (i + j < order ? about_point : on_box).s(i + by_u, j + by_v);
+      for (int i = 0; i <= order && i < static_cast<int>(u.f.size()) && i + by_u <= jets.on_box.u_degree; ++i)
+        for (int j = 0; i + j <= order && j < static_cast<int>(v.f.size()) && j + by_v <= jets.on_box.v_degree; ++j) {
+          const Interval_vector<3>& x = (i + j < order ? jets.about_point : jets.on_box).s(i + by_u, j + by_v);
           const double factor = (by_u == 2   ? (i + 2) * (i + 1)
                                  : by_u == 1 ? i + 1
                                              : 1) *

@@ -7,9 +7,9 @@
 
 #include <CGAL/Geometric_continuity/edges/Spline_edge_continuity.h>
 #include <CGAL/Geometric_continuity/edges/internal/Edge_decision.h>
+#include <CGAL/Geometric_continuity/trimmed/internal/Edge_bounds.h>
 #include <CGAL/Geometric_continuity/trimmed/internal/Exponential_sum.h>
 #include <CGAL/Geometric_continuity/trimmed/internal/Given_map.h>
-#include <CGAL/Geometric_continuity/trimmed/internal/edge_bounds.h>
 #include <CGAL/Geometric_continuity/trimmed/internal/straight_line.h>
 
 #include <array>

@@ -18,70 +18,107 @@ namespace CGAL {
 namespace Geometric_continuity {
 namespace internal {
 
-inline Given_surface_jet given_surface_jet(const Given_surface& surface, const Parameter_box& box, int order);
+inline Given_surface_jet given_surface_jet(const Given_surface& surface, const Parameter_box& box,
+                                           const Surface_orders& order);
 
-// The coefficients on one piece, times the denominator if rational, relative to one of its points.
+// The coefficients on one piece about a point, times the denominator if rational, relative to one of its control points.
 class Spline_piece_polynomial {
-  int p_, q_;
+  int p_, q_; // the highest powers that are kept
+  int coordinates_;
+  std::array<int, 2> degree_;
+  const Given_point<3>& origin_;
   std::vector<Interval> c_; // by coordinate, then i, then j
 
-public:
   Interval& operator()(int k, int i, int j) { return c_[(k * (p_ + 1) + i) * (q_ + 1) + j]; }
+  const Interval& operator()(int k, int i, int j) const { return c_[(k * (p_ + 1) + i) * (q_ + 1) + j]; }
 
-  Spline_piece_polynomial(const Given_spline_surface& s, const Parameter_box& box) : p_(s.u_degree), q_(s.v_degree) {
-    const int coordinates = s.weights.empty() ? 3 : 4, v_points = s.v_points();
-    c_.assign(static_cast<std::size_t>(coordinates) * (p_ + 1) * (q_ + 1), Interval(0));
-    const Interval &u = box.u, &v = box.v;
-    const int u_span = box.u_span, v_span = box.v_span;
-    const Basis_polynomials in_u(s.u_knots, p_, u_span, middle(u)), in_v(s.v_knots, q_, v_span, middle(v));
-    const Given_point<3>& origin = s.points[u_span * v_points + v_span];
-    std::vector<Interval> row(q_ + 1);
-    for (int a = 0; a <= p_; ++a)
-      for (int k = 0; k < coordinates; ++k) {
+public:
+  // All coefficients up to the powers that are asked for.
+  Spline_piece_polynomial(const Given_spline_surface& s, int u_span, int v_span, double u, double v, int u_powers,
+                          int v_powers)
+      : p_((std::min)(s.u_degree, u_powers)), q_((std::min)(s.v_degree, v_powers)),
+        coordinates_(s.weights.empty() ? 3 : 4), degree_{s.u_degree, s.v_degree},
+        origin_(s.points[u_span * s.v_points() + v_span]),
+        c_(static_cast<std::size_t>(coordinates_) * (p_ + 1) * (q_ + 1), Interval(0)) {
+    const int v_points = s.v_points();
+    const Basis_polynomials in_u(s.u_knots, s.u_degree, u_span, u), in_v(s.v_knots, s.v_degree, v_span, v);
+    std::vector<Interval> row((std::max)(p_, q_) + 1);
+    const auto coordinate = [&](int k, int a, int b) {
+      const int index = (u_span - s.u_degree + a) * v_points + v_span - s.v_degree + b;
+      Interval x = k == 3 ? Interval(s.weights[index]) : Interval(s.points[index][k]) - Interval(origin_[k]);
+      if (k < 3 && coordinates_ == 4) x *= Interval(s.weights[index]);
+      return x;
+    };
+    // The sum over the control points in the direction of which fewer powers are kept comes first.
+    const bool u_first = p_ < q_;
+    const int outer = u_first ? s.v_degree : s.u_degree, inner = u_first ? s.u_degree : s.v_degree;
+    const int inner_powers = u_first ? p_ : q_, outer_powers = u_first ? q_ : p_;
+    const Basis_polynomials &of_inner = u_first ? in_u : in_v, &of_outer = u_first ? in_v : in_u;
+    for (int k = 0; k < coordinates_; ++k)
+      for (int a = 0; a <= outer; ++a) {
         std::fill(row.begin(), row.end(), Interval(0));
-        for (int b = 0; b <= q_; ++b) {
-          const int index = (u_span - p_ + a) * v_points + v_span - q_ + b;
-          Interval x = k == 3 ? Interval(s.weights[index]) : Interval(s.points[index][k]) - Interval(origin[k]);
-          if (k < 3 && coordinates == 4) x *= Interval(s.weights[index]);
+        for (int b = 0; b <= inner; ++b) {
+          const Interval x = u_first ? coordinate(k, b, a) : coordinate(k, a, b);
           if (is_exact_zero(x)) continue;
-          for (int j = 0; j <= q_; ++j) row[j] += x * in_v(b, j);
+          for (int j = 0; j <= inner_powers; ++j) row[j] += x * of_inner(b, j);
         }
-        for (int i = 0; i <= p_; ++i)
-          for (int j = 0; j <= q_; ++j) (*this)(k, i, j) += in_u(a, i) * row[j];
+        for (int i = 0; i <= outer_powers; ++i)
+          for (int j = 0; j <= inner_powers; ++j)
+            (u_first ? (*this)(k, j, i) : (*this)(k, i, j)) += of_outer(a, i) * row[j];
       }
-    for (int k = 0; k < coordinates; ++k) {
-      for (int j = 0; j <= q_ && !u.is_point(); ++j)
-        move_centre(p_, u - Interval(middle(u)), [&](int i) -> Interval& { return (*this)(k, i, j); });
-      for (int i = 0; i <= p_ && !v.is_point(); ++i)
-        move_centre(q_, v - Interval(middle(v)), [&](int j) -> Interval& { return (*this)(k, i, j); });
+  }
+
+  // Takes the coefficients about all points at the distances in du and dv. \pre of directions in which one is not zero all powers are kept
+  const Spline_piece_polynomial& move(const Interval& du, const Interval& dv) {
+    for (int k = 0; k < coordinates_; ++k) {
+      for (int j = 0; j <= q_ && !is_exact_zero(du); ++j)
+        move_centre(p_, du, [&](int i) -> Interval& { return (*this)(k, i, j); });
+      for (int i = 0; i <= p_ && !is_exact_zero(dv); ++i)
+        move_centre(q_, dv, [&](int j) -> Interval& { return (*this)(k, i, j); });
     }
+    return *this;
+  }
+
+  // \pre all powers are kept that the order asks for
+  Given_surface_jet jet(const Surface_orders& order) const {
+    const bool rational = coordinates_ == 4;
+    Given_surface_jet jet;
+    if (!rational) {
+      jet.u_degree = (std::min)(degree_[0], highest_order);
+      jet.v_degree = (std::min)(degree_[1], highest_order);
+    }
+    for (int i = 0; i <= order.u && i <= jet.u_degree; ++i)
+      for (int j = 0; order.contains(i, j) && j <= jet.v_degree; ++j) {
+        Interval_vector<3>& x = jet.s(i, j);
+        for (int k = 0; k < 3 && i <= p_ && j <= q_; ++k) x[k] = (*this)(k, i, j);
+        if (!rational) continue;
+        for (int a = 0; a <= (std::min)(i, p_); ++a) // the series of a quotient
+          for (int b = a == 0 ? 1 : 0; b <= (std::min)(j, q_); ++b) {
+            const Interval& weight = (*this)(3, a, b);
+            const Interval_vector<3>& y = jet.s(i - a, j - b);
+            for (int k = 0; k < 3; ++k) x[k] -= weight * y[k];
+          }
+        for (int k = 0; k < 3; ++k) x[k] /= (*this)(3, 0, 0);
+      }
+    for (int k = 0; k < 3; ++k) jet.s(0, 0)[k] += Interval(origin_[k]);
+    return jet;
   }
 };
 
-inline Given_surface_jet jet_of(const Given_spline_surface& surface, const Parameter_box& box, int order) {
-  const int p = surface.u_degree, q = surface.v_degree;
-  const bool rational = !surface.weights.empty();
-  Given_surface_jet jet;
-  if (!rational) {
-    jet.u_degree = (std::min)(p, highest_order);
-    jet.v_degree = (std::min)(q, highest_order);
-  }
-  Spline_piece_polynomial h(surface, box);
-  const Given_point<3>& origin = surface.points[box.u_span * surface.v_points() + box.v_span];
-  for (int k = 0; k < 3; ++k) {
-    for (int i = 0; i <= order && i <= jet.u_degree; ++i)
-      for (int j = 0; i + j <= order && j <= jet.v_degree; ++j) {
-        Interval x = i <= p && j <= q ? h(k, i, j) : Interval(0);
-        if (rational) { // the series of a quotient
-          for (int a = 0; a <= (std::min)(i, p); ++a)
-            for (int b = a == 0 ? 1 : 0; b <= (std::min)(j, q); ++b) x -= h(3, a, b) * jet.s(i - a, j - b)[k];
-          x /= h(3, 0, 0);
-        }
-        jet.s(i, j)[k] = x;
-      }
-    jet.s(0, 0)[k] += Interval(origin[k]);
-  }
-  return jet;
+// About a point, with the powers that are needed to move it, and for the derivatives that are wanted.
+inline Spline_piece_polynomial spline_polynomial(const Given_spline_surface& s, const Parameter_box& box, double u,
+                                                 double v, const Interval& du, const Interval& dv,
+                                                 const Surface_orders& order) {
+  return Spline_piece_polynomial(s, box.u_span, box.v_span, u, v, is_exact_zero(du) ? order.u : s.u_degree,
+                                 is_exact_zero(dv) ? order.v : s.v_degree);
+}
+
+inline Given_surface_jet jet_of(const Given_spline_surface& surface, const Parameter_box& box,
+                                const Surface_orders& order) {
+  const double u = middle(box.u), v = middle(box.v);
+  const Interval du = box.u - Interval(u), dv = box.v - Interval(v);
+  Spline_piece_polynomial polynomial = spline_polynomial(surface, box, u, v, du, dv, order);
+  return polynomial.move(du, dv).jet(order);
 }
 
 // The product of two series.
@@ -94,20 +131,22 @@ inline Interval product_coefficient(const Triangle<Interval>& x, const Triangle<
 }
 
 // The series of S + d N / |N|: f with f^2 = N . N, and the quotients by f.
-inline Given_surface_jet jet_of(const Given_offset_surface& offset, const Parameter_box& box, int order) {
-  if (order + 1 > highest_order) throw Error(Error_code::jet_order_too_low, "an offset of an offset surface");
-  Given_surface_jet jet = given_surface_jet(*offset.basis, box, order + 1);
+inline Given_surface_jet jet_of(const Given_offset_surface& offset, const Parameter_box& box,
+                                const Surface_orders& order) {
+  if (order.sum + 1 > highest_order) throw Error(Error_code::jet_order_too_low, "an offset of an offset surface");
+  Given_surface_jet jet = given_surface_jet(*offset.basis, box, {order.u + 1, order.v + 1, order.sum + 1});
   std::array<Triangle<Interval>, 3> su, sv, n;
   Triangle<Interval> f;
-  for (int i = 0; i <= order; ++i)
-    for (int j = 0; i + j <= order; ++j)
+  for (int i = 0; i <= order.u; ++i)
+    for (int j = 0; order.contains(i, j); ++j)
       for (int k = 0; k < 3; ++k) {
         su[k](i, j) = (i + 1) * jet.s(i + 1, j)[k];
         sv[k](i, j) = (j + 1) * jet.s(i, j + 1)[k];
       }
-  for (int sum = 0; sum <= order; ++sum)
+  for (int sum = 0; sum <= order.sum; ++sum)
     for (int j = 0; j <= sum; ++j) {
       const int i = sum - j;
+      if (!order.contains(i, j)) continue;
       for (int k = 0; k < 3; ++k)
         n[k](i, j) = product_coefficient(su[(k + 1) % 3], sv[(k + 2) % 3], i, j) -
                      product_coefficient(su[(k + 2) % 3], sv[(k + 1) % 3], i, j);
@@ -123,9 +162,10 @@ inline Given_surface_jet jet_of(const Given_offset_surface& offset, const Parame
       f(i, j) = square / (2 * f(0, 0));
     }
   for (int k = 0; k < 3; ++k)
-    for (int sum = 0; sum <= order; ++sum)
+    for (int sum = 0; sum <= order.sum; ++sum)
       for (int j = 0; j <= sum; ++j) {
         const int i = sum - j;
+        if (!order.contains(i, j)) continue;
         Interval& x = n[k](i, j); // becomes the coefficient of N / |N|
         for (int a = 0; a <= i; ++a)
           for (int b = 0; b <= j; ++b)
@@ -137,8 +177,23 @@ inline Given_surface_jet jet_of(const Given_offset_surface& offset, const Parame
   return jet;
 }
 
-inline Given_surface_jet given_surface_jet(const Given_surface& surface, const Parameter_box& box, int order) {
+inline Given_surface_jet given_surface_jet(const Given_surface& surface, const Parameter_box& box,
+                                           const Surface_orders& order) {
   return std::visit([&](const auto& s) { return jet_of(s, box, order); }, surface);
+}
+
+// The coefficients about a point of a box, and those about all of its points.
+struct Surface_jets {
+  Given_surface_jet about_point, on_box;
+};
+inline Surface_jets surface_jets(const Given_surface& surface, double u, double v, const Parameter_box& box,
+                                 const Surface_orders& order) {
+  if (const auto* spline = std::get_if<Given_spline_surface>(&surface)) { // its polynomial once
+    const Interval du = box.u - Interval(u), dv = box.v - Interval(v);
+    Spline_piece_polynomial polynomial = spline_polynomial(*spline, box, u, v, du, dv, order);
+    return {polynomial.jet(order), polynomial.move(du, dv).jet(order)};
+  }
+  return {given_surface_jet(surface, {u, v, box.u_span, box.v_span}, order), given_surface_jet(surface, box, order)};
 }
 
 // The pieces of a surface that ranges of parameters touch, by their spans in u and v; sides of knots as for curves.

@@ -11,10 +11,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <initializer_list>
 #include <optional>
+#include <utility>
 #include <vector>
 
-/// \file edge_bounds.h
+/// \file Edge_bounds.h
 /// Bounds of gap, angle and curvature jump of two sides on a range of the parameter; where an edge is divided first.
 
 namespace CGAL {
@@ -90,15 +92,87 @@ inline Bounds_on_range jump_on(const Edge_range& range, const Taylor_model& k1, 
   return {at_point.inf(), upper, t, true, upper - at_point.inf() <= 4 * (at_point.sup() - at_point.inf())};
 }
 
-// Both sides of an edge over a range of the parameter.
+// The range of an edge, divided at the knots of the curves of its sides, and on both sides of the parameters near which a curve crosses a
+// knot line of its surface. (What is not found here will be found by halving.) \pre the numbers of the sides have been checked. \throws Error `parameter_outside_domain`
+inline std::vector<double> divided_range(std::initializer_list<const Edge_side*> sides, double first, double last) {
+  std::vector<double> ends{first, last};
+  for (const Edge_side* side : sides)
+    for (double k : inner_knots(*side->curve))
+      if (first < k && k < last) ends.push_back(k);
+  std::sort(ends.begin(), ends.end());
+  ends.erase(std::unique(ends.begin(), ends.end()), ends.end());
+  const std::size_t pieces = ends.size();
+  const double margin = (last - first) * 0x1p-40;
+  for (const Edge_side* side : sides) {
+    const std::array<std::vector<double>, 2> knots = inner_knots(*side->surface);
+    const std::array<Given_domain, 2> domain = given_domain(*side->surface);
+    for (double t : {first, last}) given_domain(*side->curve).check(t, "the range of an edge");
+    for (int axis = 0; axis < 2; ++axis) {
+      const auto enclosed = [&](double t) {
+        const int span = touched_pieces(*side->curve, Interval(t), 1).front();
+        return given_curve_jet(*side->curve, Interval(t), 0, span).c[0][axis];
+      };
+      const auto coordinate = [&](double t) { return middle(enclosed(t)); };
+      for (std::size_t i = 0; i < pieces; ++i) domain[axis].check(coordinate(ends[i]), "an edge on a surface");
+      for (std::size_t i = 0; i + 1 < pieces && !knots[axis].empty(); ++i) {
+        const double from = coordinate(ends[i]), to = coordinate(ends[i + 1]);
+        for (double knot : knots[axis]) {
+          if (!((std::min)(from, to) < knot && knot < (std::max)(from, to))) continue;
+          double below = ends[i], above = ends[i + 1];
+          for (int k = 0; k < 60; ++k) {
+            const double t = below / 2 + above / 2;
+            (coordinate(t) != knot && (coordinate(t) < knot) == (from < to) ? below : above) = t;
+          }
+          const bool exact = enclosed(above).is_same(Interval(knot));
+          for (double t : {exact ? above : below - margin, exact ? above : above + margin})
+            if (first < t && t < last) ends.push_back(t);
+        }
+      }
+    }
+  }
+  std::sort(ends.begin(), ends.end());
+  ends.erase(std::unique(ends.begin(), ends.end()), ends.end());
+  return ends;
+}
+
+// Both sides of an edge over ranges of the parameter.
 class Edge_bounds {
+  typedef std::array<std::vector<Side_models>, 2> Models;
   std::array<Placed_side, 2> sides_;
-  std::array<const Edge_side*, 2> given_;
   std::array<Vanishing_normal, 2> vanishing_;
+  std::vector<double> ends_;
+  Edge_quantity most_ = Edge_quantity::gap;
+  mutable std::vector<std::optional<Models>> first_models_; // from each end to the next
+
+  Models models(const Edge_range& range, Edge_quantity quantity) const {
+    return {sides_[0].models(range, quantity), sides_[1].models(range, quantity)};
+  }
+
+  // On the ranges with which each question begins there is one answer to all of them.
+  const Models& models(double lower, double upper, const Edge_range& range, Edge_quantity quantity,
+                       std::optional<Models>& other) const {
+    const std::size_t i = static_cast<std::size_t>(std::lower_bound(ends_.begin(), ends_.end(), lower) - ends_.begin());
+    const bool is_first = i < ends_.size() && ends_[i] == lower && ends_[(std::min)(i + 1, ends_.size() - 1)] == upper;
+    std::optional<Models>& known = is_first ? first_models_[i] : other;
+    if (!known) known = models(range, is_first ? most_ : quantity);
+    return *known;
+  }
 
 public:
+  // \throws Error for numbers that do not fit or are not finite
   Edge_bounds(const Edge_side& a, const Edge_side& b)
-      : sides_{Placed_side(a), Placed_side(b)}, given_{&a, &b}, vanishing_{Vanishing_normal(a), Vanishing_normal(b)} {}
+      : sides_{Placed_side(a), Placed_side(b)}, vanishing_{Vanishing_normal(a), Vanishing_normal(b)} {}
+
+  // For questions about quantities up to `most` that begin with the parts of a range. \throws Error as divided_range()
+  Edge_bounds(const Edge_side& a, const Edge_side& b, double first, double last, Edge_quantity most)
+      : Edge_bounds(a, b) {
+    most_ = most;
+    ends_ = divided_range({&a, &b}, first, last);
+    first_models_.resize(ends_.size());
+  }
+
+  // Of the parts of the range.
+  const std::vector<double>& ends() const { return ends_; }
 
   // Whether it is proved that a normal vanishes at a point of the range, or for curvatures the direction of the edge.
   bool is_undefined(double lower, double upper, Edge_quantity quantity) const {
@@ -111,7 +185,8 @@ public:
 
   Bounds_on_range operator()(double lower, double upper, Edge_quantity quantity, double flat) const {
     const Edge_range range(lower, upper);
-    const std::vector<Side_models> a = sides_[0].models(range, quantity), b = sides_[1].models(range, quantity);
+    std::optional<Models> other;
+    const auto& [a, b] = models(lower, upper, range, quantity, other);
     Bounds_on_range bounds{0, 0, range.middle, false};
     const bool several = a.size() * b.size() > 1, may_jump = several && quantity != Edge_quantity::gap;
     std::optional<double> at;
@@ -135,72 +210,12 @@ public:
     return bounds;
   }
 
-  // The square of the distance of the first side from points that are given.
-  Bounds_on_range distance(const Edge_range& range, const Taylor_vector& points) const {
-    Bounds_on_range bounds{0, 0, range.middle, false};
-    std::optional<double> at;
-    for (const Side_models& x : sides_[0].models(range, Edge_quantity::gap)) {
-      Bounds_on_range of_piece = square_on(range, x.point - points, at);
-      if (!of_piece.defined) return of_piece;
-      if (at) {
-        of_piece.lower = (std::min)(bounds.lower, of_piece.lower);
-        of_piece.upper = (std::max)(bounds.upper, of_piece.upper);
-      }
-      bounds = of_piece;
-      at = bounds.parameter;
-    }
-    return bounds;
-  }
-
   // The point of the first side, rounded.
   Given_point<3> point(double t) const {
     const std::vector<Side_models> models = sides_[0].models(Edge_range(t, t), Edge_quantity::gap);
     if (models.empty()) return {};
     const Taylor_vector& p = models[0].point;
     return {p[0].c[0], p[1].c[0], p[2].c[0]};
-  }
-
-  // The range, divided at the knots of both curves, and on both sides of the parameters near which a curve crosses a knot line of its
-  // surface. (What is not found here will be found by halving.) \throws Error `parameter_outside_domain`
-  std::vector<double> divided(double first, double last) const {
-    std::vector<double> ends{first, last};
-    for (const Edge_side* side : given_)
-      for (double k : inner_knots(*side->curve))
-        if (first < k && k < last) ends.push_back(k);
-    std::sort(ends.begin(), ends.end());
-    ends.erase(std::unique(ends.begin(), ends.end()), ends.end());
-    const std::size_t pieces = ends.size();
-    const double margin = (last - first) * 0x1p-40;
-    for (const Edge_side* side : given_) {
-      const std::array<std::vector<double>, 2> knots = inner_knots(*side->surface);
-      const std::array<Given_domain, 2> domain = given_domain(*side->surface);
-      for (double t : {first, last}) given_domain(*side->curve).check(t, "the range of an edge");
-      for (int axis = 0; axis < 2; ++axis) {
-        const auto enclosed = [&](double t) {
-          const int span = touched_pieces(*side->curve, Interval(t), 1).front();
-          return given_curve_jet(*side->curve, Interval(t), 0, span).c[0][axis];
-        };
-        const auto coordinate = [&](double t) { return middle(enclosed(t)); };
-        for (std::size_t i = 0; i < pieces; ++i) domain[axis].check(coordinate(ends[i]), "an edge on a surface");
-        for (std::size_t i = 0; i + 1 < pieces && !knots[axis].empty(); ++i) {
-          const double from = coordinate(ends[i]), to = coordinate(ends[i + 1]);
-          for (double knot : knots[axis]) {
-            if (!((std::min)(from, to) < knot && knot < (std::max)(from, to))) continue;
-            double below = ends[i], above = ends[i + 1];
-            for (int k = 0; k < 60; ++k) {
-              const double t = below / 2 + above / 2;
-              (coordinate(t) != knot && (coordinate(t) < knot) == (from < to) ? below : above) = t;
-            }
-            const bool exact = enclosed(above).is_same(Interval(knot));
-            for (double t : {exact ? above : below - margin, exact ? above : above + margin})
-              if (first < t && t < last) ends.push_back(t);
-          }
-        }
-      }
-    }
-    std::sort(ends.begin(), ends.end());
-    ends.erase(std::unique(ends.begin(), ends.end()), ends.end());
-    return ends;
   }
 };
 
