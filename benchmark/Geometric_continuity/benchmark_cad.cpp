@@ -13,7 +13,7 @@
 #include "measured_process.h"
 
 #include <CGAL/Exact_rational.h>
-#include <CGAL/Geometric_continuity/trimmed/exact_edge_continuity.h>
+#include <CGAL/Geometric_continuity/edges/cad_edge_continuity.h>
 
 // behind CGAL's headers, whose Handle is no macro
 #include "formats/cad/opencascade/read_model.h"
@@ -155,7 +155,7 @@ class Cad_benchmark {
       const Cad_edge& edge = model.edges[i];
       if (!verdicts[i].enclosure || !has_two_sides(edge) || verdicts[i].computed) continue;
       const double start = processor_seconds();
-      const auto exact = GC::exact_edge_continuity((*edge.sides)[0], (*edge.sides)[1], edge.begin, edge.end);
+      const auto exact = GC::edge_continuity((*edge.sides)[0], (*edge.sides)[1], edge.begin, edge.end);
       row_.deciding_exactly += processor_seconds() - start;
       if (!exact) continue;
       ++row_.exact;

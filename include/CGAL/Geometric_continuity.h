@@ -6,7 +6,7 @@
 #define CGAL_GEOMETRIC_CONTINUITY_H
 
 /// \file Geometric_continuity.h
-/// Everything but input and output and what needs Boost.Odeint (curves/curve_from_curvatures.h).
+/// Everything but input and output, edges of CAD models (Edge_enclosure.h, ...) and what needs Boost.Odeint (curves/curve_from_curvatures.h).
 
 #include <CGAL/Geometric_continuity/Error.h>
 #include <CGAL/Geometric_continuity/Traits_2.h>

@@ -8,7 +8,7 @@
 // Gap, angle and curvature jump of two sides at one parameter, by numbers that carry their first and second derivatives by two
 // variables: the formulas of the surfaces as they are documented, and the recursive definition of B-splines.
 
-#include <CGAL/Geometric_continuity/trimmed/Parametric_geometry.h>
+#include <CGAL/Geometric_continuity/edges/Cad_geometry.h>
 
 #include <array>
 #include <cmath>
@@ -74,11 +74,11 @@ template <class FT> int span_of(const std::vector<double>& k, int degree, const 
 
 template <class FT, int D> using Vector = std::array<Dual<FT>, D>;
 
-template <class FT, int D> Vector<FT, D> curve_point(const GC::Given_curve<D>& curve, const Dual<FT>& t) {
+template <class FT, int D> Vector<FT, D> curve_point(const GC::Cad_curve<D>& curve, const Dual<FT>& t) {
   Vector<FT, D> p;
-  if (const auto* line = std::get_if<GC::Given_line<D>>(&curve)) {
+  if (const auto* line = std::get_if<GC::Cad_line<D>>(&curve)) {
     for (int i = 0; i < D; ++i) p[i] = Dual<FT>(line->origin[i]) + t * Dual<FT>(line->direction[i]);
-  } else if (const auto* s = std::get_if<GC::Given_spline_curve<D>>(&curve)) {
+  } else if (const auto* s = std::get_if<GC::Cad_spline_curve<D>>(&curve)) {
     const int span = span_of(s->knots, s->degree, t.f);
     const std::vector<Dual<FT>> functions = basis(s->knots, span, s->degree, t);
     Dual<FT> w;
@@ -90,8 +90,8 @@ template <class FT, int D> Vector<FT, D> curve_point(const GC::Given_curve<D>& c
     }
     for (int i = 0; i < D; ++i) p[i] = p[i] / w;
   } else if constexpr (std::is_floating_point_v<FT>) {
-    const auto& c = std::get<GC::Given_conic<D>>(curve);
-    typedef typename GC::Given_conic<D>::Kind Kind;
+    const auto& c = std::get<GC::Cad_conic<D>>(curve);
+    typedef typename GC::Cad_conic<D>::Kind Kind;
     Dual<FT> x = Dual<FT>(c.a) * cosine(t), y = Dual<FT>(c.b) * sine(t);
     if (c.kind == Kind::hyperbola) {
       x = Dual<FT>(c.a) * t.of(std::cosh(t.f), std::sinh(t.f), std::cosh(t.f));
@@ -107,13 +107,12 @@ template <class FT, int D> Vector<FT, D> curve_point(const GC::Given_curve<D>& c
   return p;
 }
 
-template <class FT>
-Vector<FT, 3> surface_point(const GC::Given_surface& surface, const Dual<FT>& u, const Dual<FT>& v) {
+template <class FT> Vector<FT, 3> surface_point(const GC::Cad_surface& surface, const Dual<FT>& u, const Dual<FT>& v) {
   Vector<FT, 3> p;
-  const auto add = [&](const Dual<FT>& factor, const GC::Given_point<3>& x) {
+  const auto add = [&](const Dual<FT>& factor, const GC::Cad_point<3>& x) {
     for (int i = 0; i < 3; ++i) p[i] = p[i] + factor * Dual<FT>(x[i]);
   };
-  if (const auto* s = std::get_if<GC::Given_spline_surface>(&surface)) {
+  if (const auto* s = std::get_if<GC::Cad_spline_surface>(&surface)) {
     const int us = span_of(s->u_knots, s->u_degree, u.f), vs = span_of(s->v_knots, s->v_degree, v.f);
     const std::vector<Dual<FT>> in_u = basis(s->u_knots, us, s->u_degree, u),
                                 in_v = basis(s->v_knots, vs, s->v_degree, v);
@@ -126,12 +125,12 @@ Vector<FT, 3> surface_point(const GC::Given_surface& surface, const Dual<FT>& u,
         add(b, s->points[index]);
       }
     for (int i = 0; i < 3; ++i) p[i] = p[i] / w;
-  } else if (const auto* x = std::get_if<GC::Given_extrusion>(&surface)) {
+  } else if (const auto* x = std::get_if<GC::Cad_extrusion>(&surface)) {
     p = curve_point<FT, 3>(x->profile, u);
     add(v, x->direction);
   } else if constexpr (std::is_floating_point_v<FT>) {
-    if (const auto* r = std::get_if<GC::Given_revolution>(&surface)) {
-      const GC::Given_point<3>& d = r->direction;
+    if (const auto* r = std::get_if<GC::Cad_revolution>(&surface)) {
+      const GC::Cad_point<3>& d = r->direction;
       Vector<FT, 3> w = curve_point<FT, 3>(r->profile, v);
       for (int i = 0; i < 3; ++i) w[i] = w[i] - Dual<FT>(r->origin[i]);
       const Dual<FT> h = w[0] * Dual<FT>(d[0]) + w[1] * Dual<FT>(d[1]) + w[2] * Dual<FT>(d[2]);
@@ -142,8 +141,8 @@ Vector<FT, 3> surface_point(const GC::Given_surface& surface, const Dual<FT>& u,
       }
       return p;
     }
-    const auto& e = std::get<GC::Given_elementary_surface>(surface);
-    typedef GC::Given_elementary_surface::Kind Kind;
+    const auto& e = std::get<GC::Cad_elementary_surface>(surface);
+    typedef GC::Cad_elementary_surface::Kind Kind;
     const Dual<FT> r(e.radius), q(e.other);
     Dual<FT> rho = r, z = v;
     add(Dual<FT>(1), e.frame.origin);

@@ -6,7 +6,7 @@
 // parameters, also in other periods.
 // Usage: check_conversion FILE...
 
-#include "formats/cad/opencascade/given_surface.h"
+#include "formats/cad/opencascade/cad_surface.h"
 #include "formats/cad/opencascade/read_model.h"
 #include "tools/cad/evaluate.h"
 
@@ -59,8 +59,8 @@ void check_surface(const std::string& file, const TopoDS_Face& face) {
       u = {u.begin + a * du, u.end + b * du};
       v = {v.begin + b * dv, v.end + b * dv};
     }
-    const GC::Given_surface given = given_surface(surface, u, v);
-    const bool is_offset = std::holds_alternative<GC::Given_offset_surface>(given);
+    const GC::Cad_surface given = cad_surface(surface, u, v);
+    const bool is_offset = std::holds_alternative<GC::Cad_offset_surface>(given);
     for (int i = 0; i < 20; ++i) {
       const double s = between(u.begin, u.end), t = between(v.begin, v.end);
       const gp_Pnt p = surface->Value(s, t);
@@ -75,7 +75,7 @@ void check_curves(const std::string& file, const TopoDS_Face& face) {
     double begin = 0, end = 0;
     const Handle(Geom2d_Curve) plane_curve = BRep_Tool::CurveOnSurface(edge, face, begin, end);
     if (!plane_curve.IsNull()) {
-      const GC::Given_curve<2> given = given_curve(plane_curve, {begin, end});
+      const GC::Cad_curve<2> given = cad_curve(plane_curve, {begin, end});
       for (int k = 0; k < 10; ++k) {
         const double t = between(begin, end);
         const gp_Pnt2d p = plane_curve->Value(t);
@@ -88,7 +88,7 @@ void check_curves(const std::string& file, const TopoDS_Face& face) {
     const double period = curve->IsPeriodic() ? curve->Period() : 0;
     begin -= period;
     end += 2 * period;
-    const GC::Given_curve<3> given = given_curve(curve, {begin, end});
+    const GC::Cad_curve<3> given = cad_curve(curve, {begin, end});
     for (int k = 0; k < 10; ++k) {
       const double t = between(begin, end);
       const gp_Pnt p = curve->Value(t);

@@ -5,14 +5,14 @@
 #ifndef GEOMETRIC_CONTINUITY_TEST_PROGRAM_CAD_EVALUATE_H
 #define GEOMETRIC_CONTINUITY_TEST_PROGRAM_CAD_EVALUATE_H
 
-#include <CGAL/Geometric_continuity/trimmed/Parametric_geometry.h>
+#include <CGAL/Geometric_continuity/edges/Cad_geometry.h>
 
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <vector>
 
-// Plain floating-point evaluation of curves and surfaces by the formulas of Parametric_geometry.h.
+// Plain floating-point evaluation of curves and surfaces by the formulas of Cad_geometry.h.
 
 namespace GC = CGAL::Geometric_continuity;
 
@@ -20,7 +20,7 @@ template <std::size_t D> std::array<double, D> plus(std::array<double, D> p, dou
   for (std::size_t i = 0; i < D; ++i) p[i] += s * d[i];
   return p;
 }
-inline GC::Given_point<3> cross(const GC::Given_point<3>& a, const GC::Given_point<3>& b) {
+inline GC::Cad_point<3> cross(const GC::Cad_point<3>& a, const GC::Cad_point<3>& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 template <std::size_t D> double dot(const std::array<double, D>& a, const std::array<double, D>& b) {
@@ -47,13 +47,13 @@ inline std::vector<double> basis(int degree, const std::vector<double>& knots, d
   return b;
 }
 
-template <int D> GC::Given_point<D> value(const GC::Given_curve<D>& curve, double t);
+template <int D> GC::Cad_point<D> value(const GC::Cad_curve<D>& curve, double t);
 
-template <int D> GC::Given_point<D> value_of(const GC::Given_line<D>& c, double t) {
+template <int D> GC::Cad_point<D> value_of(const GC::Cad_line<D>& c, double t) {
   return plus(c.origin, t, c.direction);
 }
-template <int D> GC::Given_point<D> value_of(const GC::Given_conic<D>& c, double t) {
-  typedef typename GC::Given_conic<D>::Kind Kind;
+template <int D> GC::Cad_point<D> value_of(const GC::Cad_conic<D>& c, double t) {
+  typedef typename GC::Cad_conic<D>::Kind Kind;
   const double x = c.kind == Kind::ellipse     ? c.a * std::cos(t)
                    : c.kind == Kind::hyperbola ? c.a * std::cosh(t)
                                                : t * t / (4 * c.a),
@@ -62,9 +62,9 @@ template <int D> GC::Given_point<D> value_of(const GC::Given_conic<D>& c, double
                                                : t;
   return plus(plus(c.centre, x, c.x_axis), y, c.y_axis);
 }
-template <int D> GC::Given_point<D> value_of(const GC::Given_spline_curve<D>& c, double t) {
+template <int D> GC::Cad_point<D> value_of(const GC::Cad_spline_curve<D>& c, double t) {
   const std::vector<double> b = basis(c.degree, c.knots, t);
-  GC::Given_point<D> sum{};
+  GC::Cad_point<D> sum{};
   double weight = 0;
   for (std::size_t i = 0; i < b.size(); ++i) {
     const double w = b[i] * (c.weights.empty() ? 1 : c.weights[i]);
@@ -75,25 +75,25 @@ template <int D> GC::Given_point<D> value_of(const GC::Given_spline_curve<D>& c,
   return sum;
 }
 // The derivative by a difference, which is good enough for offsets here.
-template <int D> GC::Given_point<D> value_of(const GC::Given_offset_curve<D>& c, double t) {
+template <int D> GC::Cad_point<D> value_of(const GC::Cad_offset_curve<D>& c, double t) {
   const double h = 1e-5;
-  const GC::Given_point<D> d = plus(value<D>(*c.basis, t + h), -1, value<D>(*c.basis, t - h));
-  GC::Given_point<D> n{};
+  const GC::Cad_point<D> d = plus(value<D>(*c.basis, t + h), -1, value<D>(*c.basis, t - h));
+  GC::Cad_point<D> n{};
   if constexpr (D == 2)
     n = {d[1], -d[0]};
   else
     n = cross(d, c.reference);
   return plus(value<D>(*c.basis, t), c.distance / std::sqrt(dot(n, n)), n);
 }
-template <int D> GC::Given_point<D> value(const GC::Given_curve<D>& curve, double t) {
+template <int D> GC::Cad_point<D> value(const GC::Cad_curve<D>& curve, double t) {
   return std::visit([t](const auto& c) { return value_of(c, t); }, curve);
 }
 
-inline GC::Given_point<3> value(const GC::Given_surface& surface, double u, double v);
+inline GC::Cad_point<3> value(const GC::Cad_surface& surface, double u, double v);
 
-inline GC::Given_point<3> value_of(const GC::Given_elementary_surface& s, double u, double v) {
-  typedef GC::Given_elementary_surface::Kind Kind;
-  const GC::Given_frame& f = s.frame;
+inline GC::Cad_point<3> value_of(const GC::Cad_elementary_surface& s, double u, double v) {
+  typedef GC::Cad_elementary_surface::Kind Kind;
+  const GC::Cad_frame& f = s.frame;
   if (s.kind == Kind::plane) return plus(plus(f.origin, u, f.x_axis), v, f.y_axis);
   const double r = s.radius, q = s.other,
                distance = s.kind == Kind::cylinder ? r
@@ -107,9 +107,9 @@ inline GC::Given_point<3> value_of(const GC::Given_elementary_surface& s, double
   return plus(plus(plus(f.origin, distance * std::cos(u), f.x_axis), distance * std::sin(u), f.y_axis), height,
               f.z_axis);
 }
-inline GC::Given_point<3> value_of(const GC::Given_spline_surface& s, double u, double v) {
+inline GC::Cad_point<3> value_of(const GC::Cad_spline_surface& s, double u, double v) {
   const std::vector<double> a = basis(s.u_degree, s.u_knots, u), b = basis(s.v_degree, s.v_knots, v);
-  GC::Given_point<3> sum{};
+  GC::Cad_point<3> sum{};
   double weight = 0;
   for (std::size_t i = 0; i < a.size(); ++i)
     for (std::size_t j = 0; j < b.size(); ++j) {
@@ -120,22 +120,22 @@ inline GC::Given_point<3> value_of(const GC::Given_spline_surface& s, double u, 
   for (double& x : sum) x /= weight;
   return sum;
 }
-inline GC::Given_point<3> value_of(const GC::Given_extrusion& s, double u, double v) {
+inline GC::Cad_point<3> value_of(const GC::Cad_extrusion& s, double u, double v) {
   return plus(value<3>(s.profile, u), v, s.direction);
 }
-inline GC::Given_point<3> value_of(const GC::Given_revolution& s, double u, double v) {
-  const GC::Given_point<3> w = plus(value<3>(s.profile, v), -1, s.origin);
+inline GC::Cad_point<3> value_of(const GC::Cad_revolution& s, double u, double v) {
+  const GC::Cad_point<3> w = plus(value<3>(s.profile, v), -1, s.origin);
   const double along = dot(w, s.direction);
-  const GC::Given_point<3> across = plus(w, -along, s.direction);
+  const GC::Cad_point<3> across = plus(w, -along, s.direction);
   return plus(plus(plus(s.origin, along, s.direction), std::cos(u), across), std::sin(u), cross(s.direction, w));
 }
-inline GC::Given_point<3> value_of(const GC::Given_offset_surface& s, double u, double v) {
+inline GC::Cad_point<3> value_of(const GC::Cad_offset_surface& s, double u, double v) {
   const double h = 1e-5;
-  const GC::Given_point<3> du = plus(value(*s.basis, u + h, v), -1, value(*s.basis, u - h, v)),
-                           dv = plus(value(*s.basis, u, v + h), -1, value(*s.basis, u, v - h)), n = cross(du, dv);
+  const GC::Cad_point<3> du = plus(value(*s.basis, u + h, v), -1, value(*s.basis, u - h, v)),
+                         dv = plus(value(*s.basis, u, v + h), -1, value(*s.basis, u, v - h)), n = cross(du, dv);
   return plus(value(*s.basis, u, v), s.distance / std::sqrt(dot(n, n)), n);
 }
-inline GC::Given_point<3> value(const GC::Given_surface& surface, double u, double v) {
+inline GC::Cad_point<3> value(const GC::Cad_surface& surface, double u, double v) {
   return std::visit([u, v](const auto& s) { return value_of(s, u, v); }, surface);
 }
 

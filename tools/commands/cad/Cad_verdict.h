@@ -8,14 +8,14 @@
 #include "formats/cad/Cad_model.h"
 #include "reports/Claims.h"
 
+#include <CGAL/Geometric_continuity/edges/Edge_enclosure.h>
+#include <CGAL/Geometric_continuity/edges/cad_edge_continuity.h>
+#include <CGAL/Geometric_continuity/edges/curve_deviation.h>
+#include <CGAL/Geometric_continuity/edges/foot_points.h>
+#include <CGAL/Geometric_continuity/edges/is_sharp_edge.h>
 #include <CGAL/Geometric_continuity/joins/order_within.h>
 #include <CGAL/Geometric_continuity/numbers/Verdict.h>
 #include <CGAL/Geometric_continuity/numbers/Work_limit.h>
-#include <CGAL/Geometric_continuity/trimmed/Edge_enclosure.h>
-#include <CGAL/Geometric_continuity/trimmed/curve_deviation.h>
-#include <CGAL/Geometric_continuity/trimmed/exact_edge_continuity.h>
-#include <CGAL/Geometric_continuity/trimmed/foot_points.h>
-#include <CGAL/Geometric_continuity/trimmed/is_sharp_edge.h>
 
 #include <algorithm>
 #include <array>

@@ -168,7 +168,7 @@ public:
       doubt(result, 2, *e.curvature_jump, demand_.bounds.curvature, &GC::Foot_comparison::curvature_jump);
     if (edge_.kind != Cad_edge_kind::knot_line && !has_projections() && !result.in_doubt &&
         result.within[0] != GC::Verdict::refuted) {
-      if (const auto exact = GC::exact_edge_continuity(sides_[0], sides_[1], edge_.begin, edge_.end, demand_.work))
+      if (const auto exact = GC::edge_continuity(sides_[0], sides_[1], edge_.begin, edge_.end, demand_.work))
         result.exact = exact->g_order;
       for (int i = 0; i <= result.exact.value_or(-1); ++i)
         result.within[static_cast<std::size_t>(i)] = GC::Verdict::proved;

@@ -57,9 +57,9 @@ std::vector<std::size_t> equal_edges(const std::vector<Cad_edge>& edges) {
 }
 
 // Moves the points of a verdict from the part to where it is placed.
-void move(Cad_verdict& verdict, const GC::Given_placement& place) {
+void move(Cad_verdict& verdict, const GC::Cad_placement& place) {
   const auto move_point = [&](GC::Edge_maximum& x) {
-    const GC::Given_point<3> p = x.point;
+    const GC::Cad_point<3> p = x.point;
     for (std::size_t i = 0; i < 3; ++i)
       x.point[i] = place[i][0] * p[0] + place[i][1] * p[1] + place[i][2] * p[2] + place[i][3];
   };

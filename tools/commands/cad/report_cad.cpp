@@ -96,9 +96,9 @@ class Cad_page {
   std::vector<Report_model::Patch> faces_;
 
   // The coordinates of points to draw; none when one is not finite.
-  static std::vector<double> coordinates(const std::vector<GC::Given_point<3>>& points) {
+  static std::vector<double> coordinates(const std::vector<GC::Cad_point<3>>& points) {
     std::vector<double> result;
-    for (const GC::Given_point<3>& p : points) result.insert(result.end(), p.begin(), p.end());
+    for (const GC::Cad_point<3>& p : points) result.insert(result.end(), p.begin(), p.end());
     if (!std::all_of(result.begin(), result.end(), [](double x) { return std::isfinite(x); })) result.clear();
     return result;
   }

@@ -5,7 +5,7 @@
 #ifndef GEOMETRIC_CONTINUITY_TOOLS_FORMATS_CAD_CAD_MODEL_H
 #define GEOMETRIC_CONTINUITY_TOOLS_FORMATS_CAD_CAD_MODEL_H
 
-#include <CGAL/Geometric_continuity/trimmed/Parametric_geometry.h>
+#include <CGAL/Geometric_continuity/edges/Cad_geometry.h>
 
 #include <array>
 #include <cstddef>
@@ -50,12 +50,12 @@ struct Cad_edge {
   double begin = 0, end = 0;      // the common parameters
   std::optional<std::array<GC::Edge_side, 2>> sides; // if they can be compared; of a degenerate edge twice the same
   std::string reason;                                // why they cannot be compared, if there are two
-  std::vector<GC::Given_point<3>> points;            // on the edge, if it is to be drawn and can be; rounded
+  std::vector<GC::Cad_point<3>> points;              // on the edge, if it is to be drawn and can be; rounded
   std::array<bool, 2> projections{};                 // which of the sides have curves that are projections
   std::optional<GC::Edge_curve> space; // the curve in space, if there is one; of a degenerate edge its first point
   bool inside_out = false;             // the faces are oriented as if one were turned inside out
   // Where the sides, and the curve in space, are placed in the model: a part has the same ones wherever it is placed.
-  GC::Given_placement place = {{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}}};
+  GC::Cad_placement place = {{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}}};
 };
 
 // What a file says of a face.
@@ -68,7 +68,7 @@ struct Cad_label {
 
 // A face as it is drawn: rounded points, and triangles by their numbers. Empty if it cannot be drawn.
 struct Cad_mesh {
-  std::vector<GC::Given_point<3>> points;
+  std::vector<GC::Cad_point<3>> points;
   std::vector<std::array<std::size_t, 3>> triangles;
   // Of a face whose boundary has been healed, which is not the one that is decided: how far the edges are from the triangles, rounded.
   std::optional<double> healed;

@@ -30,16 +30,16 @@
 
 // The number of members of each class. Where it is wrong, the program does not compile.
 template <class T> inline constexpr int number_of_members = 0;
-template <int D> inline constexpr int number_of_members<GC::Given_line<D>> = 2;
-template <int D> inline constexpr int number_of_members<GC::Given_conic<D>> = 6;
-template <int D> inline constexpr int number_of_members<GC::Given_spline_curve<D>> = 4;
-template <int D> inline constexpr int number_of_members<GC::Given_offset_curve<D>> = 3;
-template <> inline constexpr int number_of_members<GC::Given_frame> = 4;
-template <> inline constexpr int number_of_members<GC::Given_elementary_surface> = 4;
-template <> inline constexpr int number_of_members<GC::Given_spline_surface> = 6;
-template <> inline constexpr int number_of_members<GC::Given_extrusion> = 2;
-template <> inline constexpr int number_of_members<GC::Given_revolution> = 3;
-template <> inline constexpr int number_of_members<GC::Given_offset_surface> = 2;
+template <int D> inline constexpr int number_of_members<GC::Cad_line<D>> = 2;
+template <int D> inline constexpr int number_of_members<GC::Cad_conic<D>> = 6;
+template <int D> inline constexpr int number_of_members<GC::Cad_spline_curve<D>> = 4;
+template <int D> inline constexpr int number_of_members<GC::Cad_offset_curve<D>> = 3;
+template <> inline constexpr int number_of_members<GC::Cad_frame> = 4;
+template <> inline constexpr int number_of_members<GC::Cad_elementary_surface> = 4;
+template <> inline constexpr int number_of_members<GC::Cad_spline_surface> = 6;
+template <> inline constexpr int number_of_members<GC::Cad_extrusion> = 2;
+template <> inline constexpr int number_of_members<GC::Cad_revolution> = 3;
+template <> inline constexpr int number_of_members<GC::Cad_offset_surface> = 2;
 template <> inline constexpr int number_of_members<GC::Edge_side> = 5;
 template <> inline constexpr int number_of_members<GC::Edge_curve> = 2;
 template <> inline constexpr int number_of_members<Cad_edge> = 14;

@@ -76,7 +76,7 @@ void divide_coarsely(const TopoDS_Face& face, double distance) {
   }
 }
 
-GC::Given_point<3> node(const Poly_Triangulation& triangles, int i, const TopLoc_Location& location) {
+GC::Cad_point<3> node(const Poly_Triangulation& triangles, int i, const TopLoc_Location& location) {
   const gp_Pnt p = triangles.Node(i).Transformed(location.Transformation());
   return {p.X(), p.Y(), p.Z()};
 }
@@ -84,12 +84,12 @@ GC::Given_point<3> node(const Poly_Triangulation& triangles, int i, const TopLoc
 // So many segments are drawn of a curve.
 constexpr int drawn_segments = 24;
 
-std::vector<GC::Given_point<3>> curve_points(const TopoDS_Edge& edge) {
+std::vector<GC::Cad_point<3>> curve_points(const TopoDS_Edge& edge) {
   const BRepAdaptor_Curve curve(edge);
   const int n = curve.GetType() == GeomAbs_Line ? 1 : drawn_segments;
   const double begin = curve.FirstParameter(), end = curve.LastParameter();
   if (!is_finite(begin, end)) return {};
-  std::vector<GC::Given_point<3>> result;
+  std::vector<GC::Cad_point<3>> result;
   for (int i = 0; i <= n; ++i) {
     const gp_Pnt p = curve.Value(i == n ? end : begin + (end - begin) * i / n);
     result.push_back({p.X(), p.Y(), p.Z()});
@@ -141,11 +141,11 @@ double square_from_origin(const gp_XYZ& a, const gp_XYZ& b, const gp_XYZ& c) {
 
 // How far the edges of a face are from triangles, at some points.
 double distance(const TopoDS_Face& face, const Cad_mesh& mesh) {
-  const auto vector = [](const GC::Given_point<3>& p) { return gp_XYZ(p[0], p[1], p[2]); };
+  const auto vector = [](const GC::Cad_point<3>& p) { return gp_XYZ(p[0], p[1], p[2]); };
   double most = 0;
   for (TopExp_Explorer i(face, TopAbs_EDGE); i.More(); i.Next()) {
     if (BRep_Tool::Degenerated(TopoDS::Edge(i.Current()))) continue;
-    for (const GC::Given_point<3>& point : curve_points(TopoDS::Edge(i.Current()))) {
+    for (const GC::Cad_point<3>& point : curve_points(TopoDS::Edge(i.Current()))) {
       double least = infinite * infinite;
       for (const auto& [a, b, c] : mesh.triangles)
         least = (std::min)(least, square_from_origin(vector(mesh.points[a]) - vector(point),
@@ -203,7 +203,7 @@ Cad_mesh Shape_drawing::mesh(const TopoDS_Face& face) const {
   return result;
 }
 
-std::vector<GC::Given_point<3>> Shape_drawing::points(const TopoDS_Edge& edge) {
+std::vector<GC::Cad_point<3>> Shape_drawing::points(const TopoDS_Edge& edge) {
   if (BRep_Tool::Degenerated(edge)) return {};
   try {
     TopLoc_Location location;
@@ -211,7 +211,7 @@ std::vector<GC::Given_point<3>> Shape_drawing::points(const TopoDS_Edge& edge) {
     Handle(Poly_Triangulation) triangles;
     BRep_Tool::PolygonOnTriangulation(edge, polygon, triangles, location);
     if (polygon.IsNull() || triangles.IsNull()) return curve_points(edge);
-    std::vector<GC::Given_point<3>> result;
+    std::vector<GC::Cad_point<3>> result;
     for (int i = 1; i <= polygon->NbNodes(); ++i) result.push_back(node(*triangles, polygon->Node(i), location));
     return result;
   } catch (const Standard_Failure&) { // it cannot be drawn

@@ -26,7 +26,7 @@ public:
 
   // Returns points along an edge: those where the triangles of a face have it, or if there are none, on its curve. None for
   // an edge that is a point or infinite.
-  static std::vector<GC::Given_point<3>> points(const TopoDS_Edge& edge);
+  static std::vector<GC::Cad_point<3>> points(const TopoDS_Edge& edge);
 };
 
 #endif // GEOMETRIC_CONTINUITY_TOOLS_FORMATS_CAD_OPENCASCADE_SHAPE_DRAWING_H

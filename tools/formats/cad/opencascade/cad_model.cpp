@@ -4,11 +4,11 @@
 
 #include "formats/cad/model_bytes.h"
 #include "formats/cad/opencascade/Shape_drawing.h"
-#include "formats/cad/opencascade/given_surface.h"
+#include "formats/cad/opencascade/cad_surface.h"
 #include "formats/cad/opencascade/read_model.h"
 #include "formats/cad/opencascade/spline_numbers.h"
 
-#include <CGAL/Geometric_continuity/trimmed/surface_knot_lines.h>
+#include <CGAL/Geometric_continuity/edges/surface_knot_lines.h>
 
 #include <BRepClass_FaceClassifier.hxx>
 #include <BRep_Tool.hxx>
@@ -59,9 +59,9 @@ struct Edge_use {
   std::string reason = "no curve in the parameter plane"; // if there is none
 };
 
-GC::Given_placement placement(const TopLoc_Location& location) {
+GC::Cad_placement placement(const TopLoc_Location& location) {
   const gp_Trsf& transformation = location.Transformation();
-  GC::Given_placement result;
+  GC::Cad_placement result;
   for (int i = 0; i < 3; ++i)
     for (int j = 0; j < 4; ++j)
       result[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)] = transformation.Value(i + 1, j + 1);
@@ -74,7 +74,7 @@ bool is_mirror(const TopLoc_Location& location) { return location.Transformation
 class Model_builder {
   TopTools_IndexedMapOfShape faces_, edges_; // numbered from 1 on
   std::vector<std::vector<Edge_use>> uses_;  // of each edge
-  std::vector<std::shared_ptr<const GC::Given_surface>> surfaces_;
+  std::vector<std::shared_ptr<const GC::Cad_surface>> surfaces_;
   std::vector<std::string> reasons_;                         // why a surface is not covered
   std::vector<Bnd_Box2d> boxes_;                             // of what the edges of a face use
   std::vector<std::vector<const Plane_curve*>> face_curves_; // those of finite length
@@ -83,17 +83,17 @@ class Model_builder {
   // What has been read: where a part is placed again, it is the same. Surfaces by that of the file and the ranges that are used, curves by
   // their numbers, since those in planes are computed anew for each place.
   typedef std::array<double, 4> Ranges;
-  std::map<std::pair<const Standard_Transient*, Ranges>, std::shared_ptr<const GC::Given_surface>> surfaces_of_file_;
-  template <int D> using Curves = std::map<std::string, std::shared_ptr<const GC::Given_curve<D>>>;
+  std::map<std::pair<const Standard_Transient*, Ranges>, std::shared_ptr<const GC::Cad_surface>> surfaces_of_file_;
+  template <int D> using Curves = std::map<std::string, std::shared_ptr<const GC::Cad_curve<D>>>;
   Curves<2> plane_curves_;
   Curves<3> space_curves_;
   TopLoc_Location place_; // of the part to which the faces of an edge belong
 
-  template <int D> static std::shared_ptr<const GC::Given_curve<D>> shared(Curves<D>& known, GC::Given_curve<D> curve) {
+  template <int D> static std::shared_ptr<const GC::Cad_curve<D>> shared(Curves<D>& known, GC::Cad_curve<D> curve) {
     Byte_writer bytes;
     bytes(curve);
-    std::shared_ptr<const GC::Given_curve<D>>& result = known[bytes.bytes()];
-    if (!result) result = std::make_shared<const GC::Given_curve<D>>(std::move(curve));
+    std::shared_ptr<const GC::Cad_curve<D>>& result = known[bytes.bytes()];
+    if (!result) result = std::make_shared<const GC::Cad_curve<D>>(std::move(curve));
     return result;
   }
 
@@ -161,8 +161,8 @@ class Model_builder {
     if (result.curve.IsNull()) {
       const Handle(Geom_Surface) surface = BRep_Tool::Surface(face);
       if (!has_curve || surface.IsNull()) return std::nullopt;
-      given_curve(curve, {begin, end});
-      given_surface(surface, {0, 0}, {0, 0});
+      cad_curve(curve, {begin, end});
+      cad_surface(surface, {0, 0}, {0, 0});
       result.projected = true;
       ShapeFix_Edge().FixAddPCurve(edge, face, is_seam, Precision::Confusion());
       look();
@@ -202,9 +202,9 @@ class Model_builder {
     if (!boxes_[number].IsVoid()) boxes_[number].Get(u.begin, v.begin, u.end, v.end);
     try {
       if (surface.IsNull()) throw Not_covered("a face of triangles");
-      std::shared_ptr<const GC::Given_surface>& result =
+      std::shared_ptr<const GC::Cad_surface>& result =
           surfaces_of_file_[{surface.get(), {u.begin, u.end, v.begin, v.end}}];
-      if (!result) result = std::make_shared<const GC::Given_surface>(given_surface(surface, u, v));
+      if (!result) result = std::make_shared<const GC::Cad_surface>(cad_surface(surface, u, v));
       surfaces_.back() = result;
     } catch (const Not_covered& e) {
       reasons_.back() = e.what();
@@ -226,7 +226,7 @@ class Model_builder {
     const bool is_left = use.orientation == TopAbs_FORWARD; // the face lies left of the curve
     const Used_range range{use.curve->begin, use.curve->end};
     // The faces continue each other when one lies left of the edge and the other one right, as seen on the same side of both.
-    return {surfaces_[use.face], shared(plane_curves_, given_curve(use.curve->curve, range)), placement(location),
+    return {surfaces_[use.face], shared(plane_curves_, cad_curve(use.curve->curve, range)), placement(location),
             (is_left == is_second) != is_mirror(location), is_left ? 1 : -1};
   }
 
@@ -235,8 +235,8 @@ class Model_builder {
     if (e.kind == Cad_edge_kind::degenerate) {
       const gp_Pnt2d at = use.curve->curve->Value(e.begin);
       const gp_Pnt p = BRep_Tool::Surface(face(use.face))->Value(at.X(), at.Y());
-      const GC::Given_line<3> point{checked(p.XYZ()), {0, 0, 0}};
-      e.space = {std::make_shared<const GC::Given_curve<3>>(point), placement(TopLoc_Location())};
+      const GC::Cad_line<3> point{checked(p.XYZ()), {0, 0, 0}};
+      e.space = {std::make_shared<const GC::Cad_curve<3>>(point), placement(TopLoc_Location())};
       return;
     }
     TopLoc_Location location;
@@ -244,7 +244,7 @@ class Model_builder {
     const Handle(Geom_Curve) curve = BRep_Tool::Curve(edge, location, begin, end);
     if (curve.IsNull()) return;
     if (begin != e.begin || end != e.end) throw Not_covered("curves of different parameters");
-    e.space = {shared(space_curves_, given_curve(curve, {begin, end})), placement(in_part(location))};
+    e.space = {shared(space_curves_, cad_curve(curve, {begin, end})), placement(in_part(location))};
   }
 
   // Adds the sides of an edge. Throws Not_covered with the reason why they cannot be compared.
@@ -339,9 +339,9 @@ class Model_builder {
     set_place({{number, TopAbs_FORWARD, std::nullopt}}, e);
     TopLoc_Location location;
     BRep_Tool::Surface(face(number), location);
-    const GC::Given_line<2> straight =
-        line.constant_u ? GC::Given_line<2>{{line.knot, 0}, {0, 1}} : GC::Given_line<2>{{0, line.knot}, {1, 0}};
-    const GC::Edge_side left{surfaces_[number], shared(plane_curves_, GC::Given_curve<2>(straight)),
+    const GC::Cad_line<2> straight =
+        line.constant_u ? GC::Cad_line<2>{{line.knot, 0}, {0, 1}} : GC::Cad_line<2>{{0, line.knot}, {1, 0}};
+    const GC::Edge_side left{surfaces_[number], shared(plane_curves_, GC::Cad_curve<2>(straight)),
                              placement(in_part(location)), false, 1};
     GC::Edge_side right = left;
     right.face_side = -1;

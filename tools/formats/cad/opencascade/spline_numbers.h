@@ -5,9 +5,9 @@
 #ifndef GEOMETRIC_CONTINUITY_TOOLS_FORMATS_CAD_OPENCASCADE_SPLINE_NUMBERS_H
 #define GEOMETRIC_CONTINUITY_TOOLS_FORMATS_CAD_OPENCASCADE_SPLINE_NUMBERS_H
 
-#include "formats/cad/opencascade/given_curve.h"
+#include "formats/cad/opencascade/cad_curve.h"
 
-#include <CGAL/Geometric_continuity/trimmed/Parametric_geometry.h>
+#include <CGAL/Geometric_continuity/edges/Cad_geometry.h>
 
 #include <algorithm>
 #include <cmath>
@@ -18,8 +18,8 @@
 #include <gp_Pnt2d.hxx>
 
 // The coordinates of points and of directions.
-inline GC::Given_point<2> coordinates(const gp_XY& p) { return {p.X(), p.Y()}; }
-inline GC::Given_point<3> coordinates(const gp_XYZ& p) { return {p.X(), p.Y(), p.Z()}; }
+inline GC::Cad_point<2> coordinates(const gp_XY& p) { return {p.X(), p.Y()}; }
+inline GC::Cad_point<3> coordinates(const gp_XYZ& p) { return {p.X(), p.Y(), p.Z()}; }
 
 // A number as it is, if it is finite.
 inline double checked(double x) {

@@ -1,0 +1,226 @@
+// Copyright (c) 2026 The Geometric_continuity developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_GEOMETRIC_CONTINUITY_EDGES_INTERNAL_EDGE_BOUNDS_H
+#define CGAL_GEOMETRIC_CONTINUITY_EDGES_INTERNAL_EDGE_BOUNDS_H
+
+#include <CGAL/Geometric_continuity/edges/internal/Largest_on_ranges.h>
+#include <CGAL/Geometric_continuity/edges/internal/Vanishing_normal.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <initializer_list>
+#include <optional>
+#include <utility>
+#include <vector>
+
+/// \file Edge_bounds.h
+/// Bounds of gap, angle and curvature jump of two sides on a range of the parameter; where an edge is divided first.
+
+namespace CGAL {
+namespace Geometric_continuity {
+namespace internal {
+
+// The parameter among some of a range where a function, without care, is largest.
+template <class Function> double likely_maximum(const Edge_range& range, const Function& f) {
+  double best = range.t.inf(), largest = -1;
+  for (int i = 0; i <= 8; ++i) {
+    const double t = i == 8 ? range.t.sup() : range.t.inf() + i * 0.125 * (range.t.sup() - range.t.inf());
+    if (t < range.t.inf() || range.t.sup() < t) continue;
+    const double value = f(range.half == 0 ? 0. : (t - range.middle) / range.half);
+    if (value > largest) largest = value, best = t;
+  }
+  return best;
+}
+inline double rounded_value(const Taylor_model& f, double s) {
+  double y = 0;
+  for (int k = Taylor_model::size - 1; k >= 0; --k) y = y * s + f.c[k];
+  return y;
+}
+
+// Bounds of |d|^2, from below those at a parameter that may be given.
+inline Bounds_on_range square_on(const Edge_range& range, const Taylor_vector& d, const std::optional<double>& at) {
+  const Taylor_model square = dot(d, d);
+  if (!square.known()) return {0, 0, range.middle, false};
+  const double t = at ? *at : likely_maximum(range, [&](double s) { return rounded_value(square, s); });
+  const Interval s = range.place(t);
+  Interval at_point = 0; // by the coordinates: their remainders are squared
+  for (const Taylor_model& x : d) at_point += CGAL::square(x(s));
+  double by_coordinates = 0; // closer where rounding errors prevail
+  for (const Taylor_model& x : d) {
+    const double m = magnitude(x.range());
+    by_coordinates += m * m;
+  }
+  const double upper = (std::min)(square.range().sup(), by_coordinates * Taylor_model::enlarged);
+  Bounds_on_range bounds{(std::max)(0., at_point.inf()), (std::max)(upper, at_point.inf()), t, true,
+                         upper - at_point.inf() <= 4 * (at_point.sup() - at_point.inf())};
+  bounds.least = (std::max)(0., square.range().inf());
+  return bounds;
+}
+
+// Bounds of |k1 - k2| / max(|k1|, |k2|, flat).
+inline Bounds_on_range jump_on(const Edge_range& range, const Taylor_model& k1, const Taylor_model& k2, double flat,
+                               const std::optional<double>& at) {
+  const Taylor_model difference = k1 - k2;
+  if (!difference.known()) return {0, 0, range.middle, false};
+  const double t = at ? *at : likely_maximum(range, [&](double s) {
+    const double x = rounded_value(k1, s), y = rounded_value(k2, s);
+    return std::fabs(x - y) / (std::max)({std::fabs(x), std::fabs(y), flat, Taylor_model::tiny});
+  });
+  const auto smallest = [](const Interval& x) { return (std::max)({0., x.inf(), -x.sup()}); };
+  const auto jump = [&](const Interval& d, const Interval& x, const Interval& y) {
+    const Interval divisor((std::max)({smallest(x), smallest(y), flat}),
+                           (std::max)({magnitude(x), magnitude(y), flat}));
+    if (magnitude(d) == 0) return Interval(0);
+    if (!(divisor.inf() > 0)) return Interval(0, 2);
+    const Interval quotient = Interval(smallest(d), magnitude(d)) / divisor;
+    return Interval((std::min)(quotient.inf(), 2.), (std::min)(quotient.sup(), 2.));
+  };
+  const Interval s = range.place(t), at_point = jump(difference(s), k1(s), k2(s));
+  double upper = jump(difference.range(), k1.range(), k2.range()).sup();
+  // where both change along the edge it is closer as |d| / max(1, |1 - d|), d = (k1 - k2) / k1, or (k2 - k1) / k2 if k2 is larger
+  const bool second = std::fabs(k1.c[0]) < std::fabs(k2.c[0]);
+  const Taylor_model d = (second ? -difference : difference) * reciprocal(second ? k2 : k1);
+  if (d.known()) {
+    const Interval of_larger = d.range();
+    const double divisor = (std::max)(1., smallest(1 - of_larger));
+    upper = (std::min)(upper, (Interval(0, magnitude(of_larger)) / Interval(divisor)).sup());
+  }
+  upper = (std::max)(upper, at_point.inf());
+  return {at_point.inf(), upper, t, true, upper - at_point.inf() <= 4 * (at_point.sup() - at_point.inf())};
+}
+
+// The range of an edge, divided at the knots of the curves of its sides, and on both sides of the parameters near which a curve crosses a
+// knot line of its surface. (What is not found here will be found by halving.) \pre the numbers of the sides have been checked. \throws Error `parameter_outside_domain`
+inline std::vector<double> divided_range(std::initializer_list<const Edge_side*> sides, double first, double last) {
+  std::vector<double> ends{first, last};
+  for (const Edge_side* side : sides)
+    for (double k : inner_knots(*side->curve))
+      if (first < k && k < last) ends.push_back(k);
+  std::sort(ends.begin(), ends.end());
+  ends.erase(std::unique(ends.begin(), ends.end()), ends.end());
+  const std::size_t pieces = ends.size();
+  const double margin = (last - first) * 0x1p-40;
+  for (const Edge_side* side : sides) {
+    const std::array<std::vector<double>, 2> knots = inner_knots(*side->surface);
+    const std::array<Cad_domain, 2> domain = cad_domain(*side->surface);
+    for (double t : {first, last}) cad_domain(*side->curve).check(t, "the range of an edge");
+    for (int axis = 0; axis < 2; ++axis) {
+      const auto enclosed = [&](double t) {
+        const int span = touched_pieces(*side->curve, Interval(t), 1).front();
+        return cad_curve_jet(*side->curve, Interval(t), 0, span).c[0][axis];
+      };
+      const auto coordinate = [&](double t) { return middle(enclosed(t)); };
+      for (std::size_t i = 0; i < pieces; ++i) domain[axis].check(coordinate(ends[i]), "an edge on a surface");
+      for (std::size_t i = 0; i + 1 < pieces && !knots[axis].empty(); ++i) {
+        const double from = coordinate(ends[i]), to = coordinate(ends[i + 1]);
+        for (double knot : knots[axis]) {
+          if (!((std::min)(from, to) < knot && knot < (std::max)(from, to))) continue;
+          double below = ends[i], above = ends[i + 1];
+          for (int k = 0; k < 60; ++k) {
+            const double t = below / 2 + above / 2;
+            (coordinate(t) != knot && (coordinate(t) < knot) == (from < to) ? below : above) = t;
+          }
+          const bool exact = enclosed(above).is_same(Interval(knot));
+          for (double t : {exact ? above : below - margin, exact ? above : above + margin})
+            if (first < t && t < last) ends.push_back(t);
+        }
+      }
+    }
+  }
+  std::sort(ends.begin(), ends.end());
+  ends.erase(std::unique(ends.begin(), ends.end()), ends.end());
+  return ends;
+}
+
+// Both sides of an edge over ranges of the parameter.
+class Edge_bounds {
+  typedef std::array<std::vector<Side_models>, 2> Models;
+  std::array<Placed_side, 2> sides_;
+  std::array<Vanishing_normal, 2> vanishing_;
+  std::vector<double> ends_;
+  Edge_quantity most_ = Edge_quantity::gap;
+  mutable std::vector<std::optional<Models>> first_models_; // from each end to the next
+
+  Models models(const Edge_range& range, Edge_quantity quantity) const {
+    return {sides_[0].models(range, quantity), sides_[1].models(range, quantity)};
+  }
+
+  // On the ranges with which each question begins there is one answer to all of them.
+  const Models& models(double lower, double upper, const Edge_range& range, Edge_quantity quantity,
+                       std::optional<Models>& other) const {
+    const std::size_t i = static_cast<std::size_t>(std::lower_bound(ends_.begin(), ends_.end(), lower) - ends_.begin());
+    const bool is_first = i < ends_.size() && ends_[i] == lower && ends_[(std::min)(i + 1, ends_.size() - 1)] == upper;
+    std::optional<Models>& known = is_first ? first_models_[i] : other;
+    if (!known) known = models(range, is_first ? most_ : quantity);
+    return *known;
+  }
+
+public:
+  // \throws Error for numbers that do not fit or are not finite
+  Edge_bounds(const Edge_side& a, const Edge_side& b)
+      : sides_{Placed_side(a), Placed_side(b)}, vanishing_{Vanishing_normal(a), Vanishing_normal(b)} {}
+
+  // For questions about quantities up to `most` that begin with the parts of a range. \throws Error as divided_range()
+  Edge_bounds(const Edge_side& a, const Edge_side& b, double first, double last, Edge_quantity most)
+      : Edge_bounds(a, b) {
+    most_ = most;
+    ends_ = divided_range({&a, &b}, first, last);
+    first_models_.resize(ends_.size());
+  }
+
+  // Of the parts of the range.
+  const std::vector<double>& ends() const { return ends_; }
+
+  // Whether it is proved that a normal vanishes at a point of the range, or for curvatures the direction of the edge.
+  bool is_undefined(double lower, double upper, Edge_quantity quantity) const {
+    const Edge_range range(lower, upper);
+    return quantity != Edge_quantity::gap &&
+           std::any_of(vanishing_.begin(), vanishing_.end(), [&](const Vanishing_normal& normal) {
+             return normal.is_on(range, quantity == Edge_quantity::curvature);
+           });
+  }
+
+  Bounds_on_range operator()(double lower, double upper, Edge_quantity quantity, double flat) const {
+    const Edge_range range(lower, upper);
+    std::optional<Models> other;
+    const auto& [a, b] = models(lower, upper, range, quantity, other);
+    Bounds_on_range bounds{0, 0, range.middle, false};
+    const bool several = a.size() * b.size() > 1, may_jump = several && quantity != Edge_quantity::gap;
+    std::optional<double> at;
+    for (const Side_models& x : a) // the largest of what all combinations of pieces allow, at one parameter the least
+      for (const Side_models& y : b) {
+        Bounds_on_range of_pieces = quantity == Edge_quantity::gap ? square_on(range, x.point - y.point, at)
+                                    : quantity == Edge_quantity::angle
+                                        ? square_on(range, x.normal - y.normal, at)
+                                        : jump_on(range, x.curvature, y.curvature, flat, at);
+        if (!of_pieces.defined) return {0, 0, range.middle, false, false, may_jump};
+        if (at) {
+          of_pieces.lower = (std::min)(bounds.lower, of_pieces.lower);
+          of_pieces.upper = (std::max)(bounds.upper, of_pieces.upper);
+          of_pieces.least = (std::min)(bounds.least, of_pieces.least);
+        }
+        bounds = of_pieces;
+        at = bounds.parameter;
+      }
+    if (several) bounds.noisy = a[0].along_knots || b[0].along_knots;
+    bounds.knots = may_jump && !bounds.noisy;
+    return bounds;
+  }
+
+  // The point of the first side, rounded.
+  Cad_point<3> point(double t) const {
+    const std::vector<Side_models> models = sides_[0].models(Edge_range(t, t), Edge_quantity::gap);
+    if (models.empty()) return {};
+    const Taylor_vector& p = models[0].point;
+    return {p[0].c[0], p[1].c[0], p[2].c[0]};
+  }
+};
+
+} // namespace internal
+} // namespace Geometric_continuity
+} // namespace CGAL
+
+#endif // CGAL_GEOMETRIC_CONTINUITY_EDGES_INTERNAL_EDGE_BOUNDS_H

@@ -1,0 +1,169 @@
+// Copyright (c) 2026 The Geometric_continuity developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+// Curves in space and the faces that they belong to: distances and foot points that are known.
+
+#define BOOST_TEST_DYN_LINK
+#define BOOST_TEST_MODULE foot_points
+#include <boost/test/unit_test.hpp>
+
+#include "support/errors.h"
+
+#include <CGAL/Geometric_continuity/edges/curve_deviation.h>
+#include <CGAL/Geometric_continuity/edges/foot_points.h>
+#include <CGAL/Geometric_continuity/edges/surface_knot_lines.h>
+
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <random>
+#include <vector>
+
+namespace GC = CGAL::Geometric_continuity;
+typedef GC::Cad_elementary_surface Elementary;
+typedef Elementary::Kind Kind;
+
+namespace {
+
+const double pi = 3.141592653589793;
+const GC::Cad_placement unmoved{{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}}};
+const GC::Cad_placement turned{{{0, -1, 0, 5}, {1, 0, 0, 7}, {0, 0, 1, -2}}};
+const GC::Cad_frame standard{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+
+template <class Surface, class Curve>
+GC::Edge_side side(const Surface& surface, const Curve& curve, const GC::Cad_placement& placement = unmoved) {
+  return {std::make_shared<GC::Cad_surface>(surface), std::make_shared<GC::Cad_curve<2>>(curve), placement, false};
+}
+GC::Cad_line<2> line(double u, double v, double du, double dv) { return {{u, v}, {du, dv}}; }
+template <class Curve> GC::Edge_curve in_space(const Curve& curve, const GC::Cad_placement& placement = unmoved) {
+  return {std::make_shared<GC::Cad_curve<3>>(curve), placement};
+}
+GC::Cad_conic<3> circle(double radius, double height) {
+  return {GC::Cad_conic<3>::Kind::ellipse, {0, 0, height}, {1, 0, 0}, {0, 1, 0}, radius, radius};
+}
+// The square [0, 1]^2 at z = 0.
+const GC::Cad_spline_surface square{1, 1, {0, 0, 1, 1}, {0, 0, 1, 1}, {{0, 0, 0}, {0, 1, 0}, {1, 0, 0}, {1, 1, 0}}, {}};
+
+void check_is(const GC::Enclosure& e, double value, double error) {
+  BOOST_TEST_CONTEXT("enclosure " << e << " of " << value)
+  BOOST_TEST((e.lower <= value + error && value - error <= e.upper && e.upper - e.lower <= 0.01 * e.upper + 1e-9));
+}
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE(distances_of_curves) {
+  const GC::Edge_side plane = side(Elementary{Kind::plane, standard}, line(0, 0, 1, 0));
+  // the line that rises from 0.25 by the slope 2, and the parabola z = t^2 / 4
+  const GC::Edge_maximum rising = GC::curve_deviation(plane, in_space(GC::Cad_line<3>{{0, 0, 0.25}, {1, 0, 2}}), 0, 3);
+  check_is(rising.value, 6.25, 0);
+  BOOST_TEST(rising.parameter == 3);
+  BOOST_TEST((rising.point == GC::Cad_point<3>{3, 0, 6.25}));
+  const GC::Cad_conic<3> parabola{GC::Cad_conic<3>::Kind::parabola, {0, 0, 0}, {0, 0, 1}, {1, 0, 0}, 1, 0};
+  check_is(GC::curve_deviation(plane, in_space(parabola), -1, 3).value, 2.25, 0);
+  // two circles about one axis, and about axes that are 0.5 apart
+  const Elementary cylinder{Kind::cylinder, standard, 3};
+  const GC::Edge_side ring = side(cylinder, line(0, 1, 1, 0), turned);
+  check_is(GC::curve_deviation(ring, in_space(circle(3, 1), turned), 0, 2 * pi).value, 0, 1e-12);
+  check_is(GC::curve_deviation(ring, in_space(circle(3.5, 1), turned), 0, 2 * pi).value, 0.5, 1e-12);
+  GC::Cad_conic<3> moved = circle(3, 1);
+  moved.centre[0] = 0.5;
+  check_is(GC::curve_deviation(ring, in_space(moved, turned), 0, 2 * pi).value, 0.5, 1e-12);
+  // a polyline with a corner at 1: the distance from the plane is largest there
+  const GC::Cad_spline_curve<3> roof{1, {0, 0, 1, 2, 2}, {{0, 0, 0}, {1, 0, 0.125}, {2, 0, 0}}, {}};
+  const GC::Edge_maximum top = GC::curve_deviation(plane, in_space(roof), 0, 2);
+  check_is(top.value, 0.125, 0);
+  BOOST_TEST(top.parameter == 1);
+  GC::Edge_precision little;
+  little.boxes = little.most_boxes = 1;
+  BOOST_TEST(GC::curve_deviation(plane, in_space(roof), 0, 2, little).value.upper ==
+             std::numeric_limits<double>::infinity());
+}
+
+// Curves in the parameter plane that are computed anew lie below the curve in space, wherever the given ones lie.
+BOOST_AUTO_TEST_CASE(projections) {
+  const unsigned seed = std::random_device()();
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> shift(-0.4, 0.4), distance(-0.5, 0.5);
+  for (int i = 0; i < 20; ++i) {
+    const double d = i == 0 ? 0 : distance(random);
+    const GC::Edge_side wrong = side(Elementary{Kind::cylinder, standard, 3},
+                                     line(shift(random), shift(random), 1 + shift(random) / 10, 0), turned);
+    const GC::Edge_curve space = in_space(circle(3 + d, 1), turned);
+    const GC::Edge_side right = GC::projected_side(wrong, space, 0, 2, 64);
+    BOOST_TEST_CONTEXT("seed " << seed << ", distance " << d)
+    check_is(GC::curve_deviation(right, space, 0, 2).value, std::fabs(d), 1e-8);
+    // the foot points do not depend on the curves
+    const auto f = GC::compare_at_feet(wrong, right, {true, true}, space, 0.7);
+    BOOST_REQUIRE(f.has_value());
+    for (double below : f->distances) BOOST_TEST((below <= std::fabs(d) + 1e-14 && below >= std::fabs(d) - 1e-12));
+    BOOST_TEST((f->gap == 0 && f->angle == 0 && f->curvature_jump == 0));
+  }
+  // on a sphere of radius 2, a line: its foot points have angles that are known
+  const GC::Edge_side sphere = side(Elementary{Kind::sphere, standard, 2}, line(0.1, 0.1, 0, 0.3));
+  const GC::Edge_curve chord = in_space(GC::Cad_line<3>{{1, 0, 0}, {0, 0, 1}});
+  const GC::Edge_side below = GC::projected_side(sphere, chord, 0, 1, 100);
+  check_is(GC::curve_deviation(below, chord, 0, 1).value, 1, 1e-12);
+  const auto f = GC::compare_at_feet(sphere, sphere, {true, false}, chord, 1);
+  BOOST_REQUIRE(f.has_value()); // of (1, 0, 1), and of the parameters (0.1, 0.4)
+  const double x = std::cos(0.1) * std::cos(0.4), z = std::sin(0.4);
+  BOOST_TEST(f->distances[0] == 2 - std::sqrt(2.), boost::test_tools::tolerance(1e-12));
+  BOOST_TEST(f->angle == std::acos((x + z) / std::sqrt(2.)), boost::test_tools::tolerance(1e-12));
+}
+
+// Beyond the end of a surface the foot point lies on its boundary, when that is proved.
+BOOST_AUTO_TEST_CASE(ends_of_surfaces) {
+  const GC::Edge_side patch = side(square, line(0.9, 0, 0, 1));
+  const GC::Edge_curve beyond = in_space(GC::Cad_line<3>{{1.5, 0, 0}, {0, 1, 0}});
+  const auto f = GC::compare_at_feet(patch, patch, {true, false}, beyond, 0.5);
+  BOOST_REQUIRE(f.has_value());
+  BOOST_TEST(f->distances[0] == 0.5);
+  BOOST_TEST(f->gap == 0.1, boost::test_tools::tolerance(1e-12));
+  const auto corner = GC::compare_at_feet(patch, patch, {true, true}, beyond, 2);
+  BOOST_REQUIRE(corner.has_value());
+  BOOST_TEST(corner->distances[0] == std::sqrt(1.25), boost::test_tools::tolerance(1e-12));
+  check_is(GC::curve_deviation(GC::projected_side(patch, beyond, 0, 1, 8), beyond, 0, 1).value, 0.5, 1e-12);
+}
+
+// The curvature across the edge: of a cylinder, and of the plane.
+BOOST_AUTO_TEST_CASE(curvatures) {
+  const Elementary cylinder{Kind::cylinder, {{0, 0, 3}, {0, 0, -1}, {1, 0, 0}, {0, -1, 0}}, 3};
+  GC::Edge_side plane = side(Elementary{Kind::plane, standard}, line(0, 0, 0, 1));
+  plane.reversed = true;
+  const GC::Edge_side tangent = side(cylinder, line(0, 0, 0, -1));
+  const GC::Edge_curve edge = in_space(GC::Cad_line<3>{{0, 0, 0}, {0, 1, 0}});
+  const auto f = GC::compare_at_feet(plane, tangent, {true, true}, edge, 1);
+  BOOST_REQUIRE(f.has_value());
+  BOOST_TEST(f->angle == 0);
+  BOOST_TEST(f->curvature_jump == 1, boost::test_tools::tolerance(1e-12));
+}
+
+BOOST_AUTO_TEST_CASE(knot_lines) {
+  const std::vector<GC::Cad_point<3>> points(5 * 2);
+  GC::Cad_spline_surface s{2, 1, {0, 0, 0, 1, 1, 2, 2, 2}, {0, 0, 1, 1}, points, {}};
+  const auto count = [&](int order) { return GC::surface_knot_lines(s, order).size(); };
+  BOOST_TEST(count(0) == 0u);
+  BOOST_TEST(count(1) == 1u);
+  BOOST_TEST((GC::surface_knot_lines(s, 1)[0].constant_u && GC::surface_knot_lines(s, 1)[0].knot == 1));
+  s.u_knots = {0, 0, 0, 0.5, 1, 2, 2, 2};
+  BOOST_TEST(count(1) == 0u);
+  BOOST_TEST(count(2) == 2u);
+  const GC::Cad_offset_surface offset{std::make_shared<GC::Cad_surface>(s), 1};
+  BOOST_TEST(GC::surface_knot_lines(offset, 1).size() == 2u);
+  const GC::Cad_spline_curve<3> roof{1, {0, 0, 1, 2, 2}, {{0, 0, 0}, {1, 0, 1}, {2, 0, 0}}, {}};
+  BOOST_TEST((GC::surface_knot_lines(GC::Cad_extrusion{roof, {0, 1, 0}}, 1).at(0).constant_u));
+  BOOST_TEST((!GC::surface_knot_lines(GC::Cad_revolution{roof, {0, 0, -1}, {1, 0, 0}}, 1).at(0).constant_u));
+  BOOST_TEST(GC::surface_knot_lines(Elementary{Kind::plane, standard}, 2).empty());
+}
+
+BOOST_AUTO_TEST_CASE(errors) {
+  const GC::Edge_side plane = side(Elementary{Kind::plane, standard}, line(0, 0, 1, 0));
+  const GC::Edge_curve edge = in_space(GC::Cad_line<3>{{0, 0, 0}, {1, 0, 0}});
+  const double infinity = std::numeric_limits<double>::infinity();
+  CHECK_ERROR(GC::curve_deviation(plane, edge, 1, 0), empty_domain);
+  CHECK_ERROR(GC::curve_deviation(plane, edge, 0, infinity), not_finite);
+  CHECK_ERROR(GC::curve_deviation(plane, in_space(GC::Cad_line<3>{{0, 0, 0}, {infinity, 0, 0}}), 0, 1), not_finite);
+  const GC::Cad_placement flat{{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 0, 0}}};
+  CHECK_ERROR(GC::curve_deviation(plane, in_space(GC::Cad_line<3>{{0, 0, 0}, {1, 0, 0}}, flat), 0, 1), singular_frame);
+  CHECK_ERROR(GC::projected_side(plane, edge, 1, 0, 8), empty_domain);
+}
