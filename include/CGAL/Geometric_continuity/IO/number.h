@@ -16,8 +16,8 @@
 #include <CGAL/Geometric_continuity/IO/quoted_token.h>
 #include <CGAL/Geometric_continuity/numbers/internal/Rational_parts.h>
 #include <CGAL/Geometric_continuity/numbers/internal/checked_numbers.h>
+#include <CGAL/ipower.h>
 
-#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <cstddef>
@@ -47,26 +47,13 @@ template <class FT> struct Evaluated<FT, std::void_t<decltype(std::declval<const
 
 // Appends decimal digits to a natural number, by Horner's rule on pieces that fit in an int.
 template <class FT> FT append_digits(FT value, std::string_view digits) {
-  constexpr std::size_t piece_length = 9;
   while (!digits.empty()) {
-    int piece = 0, scale = 1;
-    for (char c : digits.substr(0, piece_length)) {
-      piece = 10 * piece + (c - '0');
-      scale *= 10;
-    }
-    value = FT(FT(value * FT(scale)) + FT(piece));
-    digits.remove_prefix((std::min)(piece_length, digits.size()));
+    const std::string_view piece = digits.substr(0, 9);
+    const int number = static_cast<int>(append_digits(0, piece.data(), piece.data() + piece.size()));
+    value = FT(FT(value * FT(CGAL::ipower(10, static_cast<int>(piece.size())))) + FT(number));
+    digits.remove_prefix(piece.size());
   }
   return value;
-}
-
-template <class FT> FT power_of_ten(int exponent) {
-  FT power(1), square(10);
-  for (; exponent > 0; exponent /= 2) {
-    if (exponent % 2 == 1) power = FT(power * square);
-    if (exponent > 1) square = FT(square * square);
-  }
-  return power;
 }
 
 template <class FT> FT exact_value(const Number_parts& parts) {
@@ -75,9 +62,9 @@ template <class FT> FT exact_value(const Number_parts& parts) {
   if (!parts.denominator.empty())
     value = FT(value / append_digits(FT(0), parts.denominator));
   else if (exponent < 0)
-    value = FT(value / power_of_ten<FT>(-exponent));
+    value = FT(value / CGAL::ipower(FT(10), -exponent));
   else if (exponent > 0)
-    value = FT(value * power_of_ten<FT>(exponent));
+    value = FT(value * CGAL::ipower(FT(10), exponent));
   return parts.negative ? FT(FT(0) - value) : value;
 }
 
@@ -137,7 +124,7 @@ template <class FT> FT floating_point_value(std::string_view text, const Number_
 template <class FT> bool short_decimal_value(const Short_decimal& decimal, FT& value) {
   if constexpr (Rational_parts<FT>::value) {
     if (!decimal.exists() || decimal.exponent < -Short_decimal::max_digits || decimal.exponent > 0) return false;
-    value = Rational_parts<FT>::make_short(decimal.digits, power_of_ten<std::int64_t>(-decimal.exponent));
+    value = Rational_parts<FT>::make_short(decimal.digits, CGAL::ipower(std::int64_t(10), -decimal.exponent));
     return true;
   } else
     return false;

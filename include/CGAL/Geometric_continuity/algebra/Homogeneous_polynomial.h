@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
 #include <utility>
 #include <vector>
 
@@ -195,9 +196,12 @@ Homogeneous_vector<NT> cross_product(const Homogeneous_vector<NT>& v, const Homo
 
 /// \ingroup PkgGeometricContinuityAlgebra
 /// Returns the scalar product, a polynomial whose degree is the sum of both degrees.
-template <class NT>
-Homogeneous_polynomial<NT> scalar_product(const Homogeneous_vector<NT>& v, const Homogeneous_vector<NT>& w) {
-  return v[0] * w[0] + v[1] * w[1] + v[2] * w[2];
+template <class NT, std::size_t n>
+Homogeneous_polynomial<NT> scalar_product(const std::array<Homogeneous_polynomial<NT>, n>& v,
+                                          const std::array<Homogeneous_polynomial<NT>, n>& w) {
+  Homogeneous_polynomial<NT> sum = v[0] * w[0];
+  for (std::size_t i = 1; i < n; ++i) sum = sum + v[i] * w[i];
+  return sum;
 }
 
 } // namespace Geometric_continuity

@@ -10,6 +10,7 @@
 #include <CGAL/Geometric_continuity/numbers/internal/Exact_number.h>
 #include <CGAL/Geometric_continuity/numbers/internal/Rational_parts.h>
 #include <CGAL/Quotient.h>
+#include <CGAL/ipower.h>
 
 #include <cstdint>
 #include <type_traits>
@@ -18,15 +19,6 @@ namespace CGAL {
 namespace Geometric_continuity {
 
 namespace internal {
-
-template <class Integer> Integer power_of_two(int exponent) {
-  Integer power(1), square(2);
-  for (; exponent > 0; exponent /= 2) {
-    if (exponent % 2 == 1) power = Integer(power * square);
-    if (exponent > 1) square = Integer(square * square);
-  }
-  return power;
-}
 
 template <class FT> constexpr bool is_quotient = false;
 template <class NT> constexpr bool is_quotient<CGAL::Quotient<NT>> = true;
@@ -46,7 +38,7 @@ template <int bits, class FT> bool has_short_parts(const FT& x) {
       std::int64_t n, d;
       if (internal::Rational_parts<Exact>::short_parts(internal::Exact_number<FT>::of(x), n, d)) return true;
     }
-    static const Integer bound = internal::power_of_two<Integer>(bits);
+    static const Integer bound = CGAL::ipower(Integer(2), bits);
     Integer numerator;
     typename Fraction::Denominator_type denominator;
     typename Fraction::Decompose()(internal::Exact_number<FT>::of(x), numerator, denominator);

@@ -5,6 +5,7 @@
 #ifndef CGAL_GEOMETRIC_CONTINUITY_IO_INTERNAL_G2_ELEMENTARY_H
 #define CGAL_GEOMETRIC_CONTINUITY_IO_INTERNAL_G2_ELEMENTARY_H
 
+#include <CGAL/Geometric_continuity/algebra/Coordinate_vector.h>
 #include <CGAL/Geometric_continuity/numbers/rational_square_root.h>
 
 #include <array>
@@ -25,7 +26,7 @@ constexpr int g2_plane = 250;
 // The part of a plane that the format writes as a location c, a normal n, an axis x, and parameters: c + u x + v (n x x), after
 // n and x have become unit vectors.
 template <class Exact> struct G2_plane {
-  typedef std::array<Exact, 3> Vector;
+  typedef Coordinate_vector<Exact, 3> Vector;
 
   Vector location, normal, axis;
   std::array<Exact, 4> bounds; // of u and of v in this formula
@@ -37,17 +38,11 @@ template <class Exact> struct G2_plane {
   std::optional<std::vector<Vector>> corners() const {
     const std::optional<Exact> n = length(normal), x = length(axis);
     if (!n || !x || dot(normal, axis) != Exact(0)) return std::nullopt;
-    Vector right;
-    for (int i = 0; i < 3; ++i) {
-      const int j = (i + 1) % 3, k = (i + 2) % 3;
-      right[i] = Exact((normal[j] * axis[k] - normal[k] * axis[j]) / (*n * *x));
-    }
+    const Vector first = axis / *x, second = cross_product(normal, first) / *n;
     std::vector<Vector> corners;
     for (int corner = 0; corner < 4; ++corner) {
       const int u = swapped ? corner / 2 : corner % 2, v = swapped ? corner % 2 : corner / 2;
-      corners.emplace_back();
-      for (int i = 0; i < 3; ++i)
-        corners.back()[i] = Exact(location[i] + bounds[u] * axis[i] / *x + bounds[2 + v] * right[i]);
+      corners.push_back(location + bounds[u] * first + bounds[2 + v] * second);
     }
     return corners;
   }
@@ -59,7 +54,6 @@ template <class Exact> struct G2_plane {
   }
 
 private:
-  static Exact dot(const Vector& x, const Vector& y) { return Exact(x[0] * y[0] + x[1] * y[1] + x[2] * y[2]); }
   // Positive and rational, or nothing.
   static std::optional<Exact> length(const Vector& x) {
     const Exact square = dot(x, x);
@@ -73,7 +67,7 @@ template <class Exact, class Number, class Integer, class Refuse>
 G2_plane<Exact> read_g2_plane(Number number, Integer integer, Refuse refuse) {
   G2_plane<Exact> plane;
   for (auto* row : {&plane.location, &plane.normal, &plane.axis})
-    for (Exact& x : *row) x = number();
+    for (int i = 0; i < 3; ++i) (*row)[i] = number();
   if (!plane.corners())
     refuse(
         "a plane whose axes are no unit vectors at right angles in exact numbers: write it as a spline surface of the "

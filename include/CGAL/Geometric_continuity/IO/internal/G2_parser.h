@@ -12,7 +12,6 @@
 #include <CGAL/Geometric_continuity/local/coordinates.h>
 #include <CGAL/Geometric_continuity/numbers/Exact_field.h>
 
-#include <array>
 #include <charconv>
 #include <cmath>
 #include <cstddef>
@@ -323,8 +322,8 @@ private:
       for (const std::pair<Number, Number>& ends : plane.intervals())
         for (const Number& t : {ends.first, ends.first, ends.second, ends.second})
           line_knots_.push_back(nearest_number<FT>(t));
-      const std::vector<std::array<Number, 3>> corners = *plane.corners();
-      for (const std::array<Number, 3>& corner : corners)
+      const std::vector<typename G2_plane<Number>::Vector> corners = *plane.corners();
+      for (const typename G2_plane<Number>::Vector& corner : corners)
         for (const Number& x : corner) line_points_.push_back(nearest_number<FT>(x));
     });
     if (!(line_knots_[1] < line_knots_[2] && line_knots_[5] < line_knots_[6]))

@@ -9,6 +9,8 @@
 #include <CGAL/Geometric_continuity/blends/internal/Fair_family.h>
 #include <CGAL/Geometric_continuity/internal/independent_iterations.h>
 
+#include <boost/math/quadrature/gauss.hpp>
+
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -42,20 +44,12 @@ template <int degree, int nodes> struct Gauss_nodes {
 
 private:
   Gauss_nodes() {
+    typedef boost::math::quadrature::gauss<double, nodes> Rule; // its nodes on one side of 0, in [-1, 1]
     for (int i = 0; i < nodes; ++i) {
-      // the zero number i of the Legendre polynomial, by Newton's method
-      double z = std::cos(std::acos(-1.) * (i + 0.75) / (nodes + 0.5)), slope = 1;
-      for (int step = 0; step < 8; ++step) {
-        double p = 1, previous = 0;
-        for (int n = 1; n <= nodes; ++n) {
-          const double next = ((2 * n - 1) * z * p - (n - 1) * previous) / n;
-          previous = p;
-          p = next;
-        }
-        slope = nodes * (z * p - previous) / (z * z - 1);
-        z -= p / slope;
-      }
-      weight[i] = 1 / ((1 - z * z) * slope * slope);
+      const bool left = i < nodes / 2;
+      const std::size_t from_middle = left ? nodes / 2 - 1 - i : i - nodes / 2;
+      const double z = left ? Rule::abscissa()[from_middle] : -Rule::abscissa()[from_middle]; // of the node (1 - z)/2
+      weight[i] = Rule::weights()[from_middle] / 2;
       root_of_weight[i] = std::sqrt(weight[i]);
       for (int j = 0; j <= degree; ++j) {
         std::array<double, degree + 1> c{};

@@ -8,6 +8,7 @@
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Geometric_continuity/Error.h>
 #include <CGAL/Geometric_continuity/algebra/Coordinate_vector.h>
+#include <CGAL/ipower.h>
 #include <CGAL/number_utils.h>
 
 #include <algorithm>
@@ -27,12 +28,8 @@ namespace internal {
 
 // 2^n, also where that is no double.
 inline Exact_rational exact_power_of_two(int n) {
-  Exact_rational power(1), base = n < 0 ? Exact_rational(Exact_rational(1) / Exact_rational(2)) : Exact_rational(2);
-  for (int k = std::abs(n); k > 0; k /= 2) {
-    if (k % 2 != 0) power *= base;
-    base *= base;
-  }
-  return power;
+  const Exact_rational two(2);
+  return CGAL::ipower(n < 0 ? Exact_rational(Exact_rational(1) / two) : two, std::abs(n));
 }
 
 // Whether x is a number of the floating-point type Float.

@@ -50,9 +50,7 @@ template <class NT, std::size_t n>
 Homogeneous_polynomial<NT> scalar_product(const std::array<Homogeneous_polynomial<NT>, n>& v,
                                           const std::array<Homogeneous_polynomial<NT>, n>& w, Work_meter& work) {
   for (std::size_t i = 0; i < n; ++i) charge_product(1, v[i], w[i], work);
-  Homogeneous_polynomial<NT> sum = v[0] * w[0] + v[1] * w[1] + v[2] * w[2];
-  for (std::size_t i = 3; i < n; ++i) sum = sum + v[i] * w[i];
-  return sum;
+  return Geometric_continuity::scalar_product(v, w);
 }
 template <class NT>
 Homogeneous_vector<NT> cross_product(const Homogeneous_vector<NT>& v, const Homogeneous_vector<NT>& w,

@@ -6,6 +6,7 @@
 #define CGAL_GEOMETRIC_CONTINUITY_EDGES_INTERNAL_EDGE_LAYERS_H
 
 #include <CGAL/Geometric_continuity/edges/Edge_rows.h>
+#include <CGAL/Geometric_continuity/joins/internal/join_forms.h>
 #include <CGAL/Geometric_continuity/numbers/internal/common_grid.h>
 
 #include <algorithm>
@@ -112,11 +113,6 @@ public:
   template <int order> bool refutes() const { return refutes_at<order>(false) || refutes_at<order>(true); }
 
 private:
-  static Vector minus(const Vector& v, const Vector& w) { return {v[0] - w[0], v[1] - w[1], v[2] - w[2]}; }
-  static double dot(const Vector& v, const Vector& w) { return v[0] * w[0] + v[1] * w[1] + v[2] * w[2]; }
-  static Vector cross(const Vector& v, const Vector& w) {
-    return {v[1] * w[2] - v[2] * w[1], v[2] * w[0] - v[0] * w[2], v[0] * w[1] - v[1] * w[0]};
-  }
   static bool in_range(double bound) { return least <= bound && bound <= most; }
 
   // The second difference y - x of two legs and a bound of its terms.
@@ -134,20 +130,20 @@ private:
       return s.p[j][end ? s.along - i : i];
     };
     const Vector d = minus(point(s1_, 0, 1), point(s1_, 0, 0)), a = minus(point(s1_, 1, 0), point(s1_, 0, 0)),
-                 b = minus(point(s2_, 1, 0), point(s1_, 0, 0)), normal = cross(d, a);
+                 b = minus(point(s2_, 1, 0), point(s1_, 0, 0)), normal = cross_form(d, a);
     const double D = largest(d), A = largest(a), B = largest(b);
     if (!in_range(D) || !in_range(A) || !in_range(B)) return false;
-    if (std::abs(dot(normal, b)) > 0x1p-46 * (D * A * B)) return true;
+    if (std::abs(dot_form(normal, b)) > 0x1p-46 * (D * A * B)) return true;
     if constexpr (order == 2) {
       const int n = s1_.along, q1 = s1_.across, q2 = s2_.across;
       const Second_difference f(a, minus(point(s1_, 1, 1), point(s1_, 0, 1)));
       int i = std::abs(normal[0]) < std::abs(normal[1]) ? 1 : 0;
       if (std::abs(normal[i]) < std::abs(normal[2])) i = 2;
-      const double n1 = normal[i], n2 = cross(d, b)[i], n3 = cross(b, a)[i];
-      double value = 2 * n * q1 * q2 * (n3 * n2) * dot(normal, f.value),
+      const double n1 = normal[i], n2 = cross_form(d, b)[i], n3 = cross_form(b, a)[i];
+      double value = 2 * n * q1 * q2 * (n3 * n2) * dot_form(normal, f.value),
              M = 2 * n * q1 * q2 * (A * B * D * B) * f.bound, bound = f.bound;
       const auto add = [&](double weight, double x, double X, const Second_difference& y) {
-        value += weight * x * dot(normal, y.value);
+        value += weight * x * dot_form(normal, y.value);
         M = (std::max)(M, std::abs(weight) * X * y.bound);
         bound = (std::max)(bound, y.bound);
       };

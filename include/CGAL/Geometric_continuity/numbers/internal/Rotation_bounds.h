@@ -5,6 +5,8 @@
 #ifndef CGAL_GEOMETRIC_CONTINUITY_NUMBERS_INTERNAL_ROTATION_BOUNDS_H
 #define CGAL_GEOMETRIC_CONTINUITY_NUMBERS_INTERNAL_ROTATION_BOUNDS_H
 
+#include <CGAL/Geometric_continuity/numbers/internal/certified_bounds.h>
+
 #include <boost/multiprecision/cpp_int.hpp>
 
 namespace CGAL {
@@ -29,28 +31,19 @@ inline boost::multiprecision::cpp_int arc_tangent_of_inverse(int k, int w) {
 
 // cos(a) and sin(a) for the angle a of p/q degrees, 0 < p/q < 180, in units of 2^-w, w >= 128, wrong by less than `error` units.
 //
-// Pi = 16 atan(1/5) - 4 atan(1/239), by Machin, is wrong by less than 20 (2 (w/4 + 1)) units, and a by one more. The terms a^k / k! are
-// rounded downwards twice, with errors e_k <= (3.2 e_(k-1) + 1) / k + 1 < 8. Less than w of them are not zero, and what follows is
-// less than one unit. With the error of a that is less than 10 w + 41 + 8 w + 1 < 19 w.
+// Pi = 16 atan(1/5) - 4 atan(1/239), by Machin, is wrong by less than 20 (2 (w/4 + 1)) units, and a by one more. The error of sin(a)/a
+// is multiplied by a < 3.2, and the product rounded: with the error of a that is less than 10 w + 41 + 3.2 (w + 8) + 1 < 14 w.
 struct Rotation_bounds {
   typedef boost::multiprecision::cpp_int Integer;
-  Integer cosine = 0, sine = 0;
+  Integer cosine, sine;
   const int error;
 
-  Rotation_bounds(const Integer& p, const Integer& q, int w) : error(19 * w) {
+  Rotation_bounds(const Integer& p, const Integer& q, int w) : error(14 * w) {
     const Integer pi = 16 * arc_tangent_of_inverse(5, w) - 4 * arc_tangent_of_inverse(239, w),
                   angle = pi * p / (180 * q);
-    Integer term = Integer(1) << w;
-    for (int k = 0; !term.is_zero(); ++k) {
-      Integer& sum = k % 2 == 0 ? cosine : sine;
-      if (k % 4 < 2)
-        sum += term;
-      else
-        sum -= term;
-      term *= angle;
-      term >>= w;
-      term /= k + 1;
-    }
+    const Cosine_and_sinc<Integer> c(Integer(angle * angle >> w), w);
+    cosine = c.cosine;
+    sine = c.sinc * angle >> w;
   }
 };
 

@@ -70,27 +70,23 @@ inline double root_above(double x) {
   }
 }
 
-// cos(a) and sin(a)/a for 0 <= a <= 3.2, in units of 2^-120, wrong by less than `error` units.
+// cos(a) and sin(a)/a for 0 <= a <= 3.2, given a^2 rounded downwards, all in units of 2^-w, w >= 120, wrong by less than `error`
+// units.
 //
 // The terms a^2k / (2k)! are rounded downwards twice each, and so is a^2. With Y = a^2 <= 10.3 and terms of at most 5.2
 // their errors are e_0 = 0 and e_k <= (Y e_{k-1} + 7) / (2k (2k-1)) + 1: at most 5, 6, 4, 2, and less than 1.4 from
-// then on. There are less than 40 before the first that is 0, with which the alternating series is left: less than 17 +
-// 36 * 1.4 + 3 for the cosine, and less than 1 more for each term of sin(a)/a, all of which are divided by 2k + 1.
-struct Cosine_and_sinc {
-  static constexpr int bits = 120, error = 128;
-  Wide_integer cosine = Wide_integer(1) << bits, sinc = cosine;
+// then on. There are less than w/3 before the first that is 0, with which the alternating series is left: less than 40 for w = 120,
+// and from there on a term is less than 2^-9 times the one before. So the error is less than 17 + 1.4 (w/3 - 4) + 3 for the cosine,
+// and less than 1 more for each term of sin(a)/a, all of which are divided by 2k + 1.
+template <class Integer> struct Cosine_and_sinc {
+  const int error;
+  Integer cosine, sinc;
 
-  explicit Cosine_and_sinc(const Binary_number& a) {
-    const int shift = 2 * a.exponent + bits;
-    Wide_integer square(a.mantissa * a.mantissa);
-    if (shift < 0)
-      square >>= -shift;
-    else
-      square <<= shift;
-    Wide_integer term = cosine;
+  Cosine_and_sinc(const Integer& square, int w) : error(w + 8), cosine(Integer(1) << w), sinc(cosine) {
+    Integer term = cosine;
     for (int k = 1; !term.is_zero(); ++k) {
       term *= square;
-      term >>= bits;
+      term >>= w;
       term /= 2 * k * (2 * k - 1);
       if (k % 2 == 0) {
         cosine += term;
@@ -125,8 +121,11 @@ struct Angle_of_square {
   // The order of a number in [0, 3.2] and the angle.
   Order operator()(double a) const {
     const Binary_number x = Binary_number::of(a), q = Binary_number::of(square);
-    const Cosine_and_sinc c(x);
-    const Wide_integer error(Cosine_and_sinc::error);
+    constexpr int bits = 120;
+    const int shift = 2 * x.exponent + bits;
+    const Wide_integer mantissa(x.mantissa * x.mantissa);
+    const Cosine_and_sinc<Wide_integer> c(Wide_integer(shift < 0 ? mantissa >> -shift : mantissa << shift), bits);
+    const Wide_integer error(c.error);
     if (c.sinc < -error) return {false, true}; // a > pi
     const bool right_of_quarter = c.cosine < -error;
     if (!right_of_quarter && !(error < c.cosine)) return {false, false};

@@ -22,10 +22,6 @@ namespace CGAL {
 namespace Geometric_continuity {
 namespace internal {
 
-inline Svg_point svg_cross(const Svg_point& v, const Svg_point& w) {
-  return svg_vector({v[1] * w[2] - v[2] * w[1], v[2] * w[0] - v[0] * w[2], v[0] * w[1] - v[1] * w[0]});
-}
-
 // The vector with length 1, or the zero vector.
 inline Svg_point svg_unit(const Svg_point& v) {
   const double length = svg_length(v);
@@ -45,7 +41,7 @@ public:
     const double ce = std::cos(elevation * degree), se = std::sin(elevation * degree);
     toward_ = svg_vector({ca * ce, sa * ce, se});
     right_ = svg_vector({-sa, ca, 0.0});
-    up_ = svg_cross(toward_, right_);
+    up_ = cross_product(toward_, right_);
   }
 
   // Makes the points fill a given width; returns the height.

@@ -198,10 +198,10 @@ private:
   // Where the normal vanishes, that of a point nearby is taken.
   template <class Patch> static Vertex vertex(const Patch& s, double u, double v) {
     const Surface_jet<Svg_traits> jet = s.jet(u, v, 1);
-    Svg_point n = svg_unit(svg_cross(jet(1, 0), jet(0, 1)));
-    if (!(svg_length(svg_cross(jet(1, 0), jet(0, 1))) > 1e-9)) {
+    Svg_point n = svg_unit(cross_product(jet(1, 0), jet(0, 1)));
+    if (!(svg_length(cross_product(jet(1, 0), jet(0, 1))) > 1e-9)) {
       const Surface_jet<Svg_traits> near = s.jet(u + 1e-3 * (0.5 - u), v + 1e-3 * (0.5 - v), 1);
-      n = svg_unit(svg_cross(near(1, 0), near(0, 1)));
+      n = svg_unit(cross_product(near(1, 0), near(0, 1)));
     }
     return {jet(0, 0), n};
   }
