@@ -7,6 +7,7 @@
 #include <boost/test/unit_test.hpp>
 
 #include "support/errors.h"
+#include "support/random.h"
 
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Geometric_continuity/algebra/Coordinate_vector.h>
@@ -16,8 +17,6 @@
 #include <CGAL/Geometric_continuity/algebra/sign_pattern.h>
 
 #include <initializer_list>
-#include <iostream>
-#include <random>
 #include <vector>
 
 BOOST_AUTO_TEST_SUITE(Power_polynomial)
@@ -46,12 +45,8 @@ Power product(const Power& p, const Power& q) {
   return Power(c);
 }
 
-class Random {
-  std::mt19937 engine_{2026};
-
+class Random : public Random_integers<> {
 public:
-  Random() { std::cout << "seed 2026\n"; }
-  int integer(int low, int high) { return low + static_cast<int>(engine_() % static_cast<unsigned>(high - low + 1)); }
   Power polynomial(int degree) {
     std::vector<Q> c;
     for (int i = 0; i <= degree; ++i) c.push_back(Q(integer(-9, 9)) / Q(integer(1, 9)));

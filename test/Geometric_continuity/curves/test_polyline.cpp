@@ -8,6 +8,7 @@
 #include <boost/test/unit_test.hpp>
 
 #include "support/errors.h"
+#include "support/random.h"
 
 #include <CGAL/Cartesian_d.h>
 #include <CGAL/Exact_rational.h>
@@ -22,7 +23,6 @@
 #include <initializer_list>
 #include <iterator>
 #include <limits>
-#include <random>
 #include <tuple>
 #include <vector>
 
@@ -132,11 +132,8 @@ void check_near(const std::vector<Curve<Traits>>& pieces, const std::vector<type
   if constexpr (is_exact<Traits>) BOOST_CHECK(polyline.back() == curve.back());
 }
 
-class Random {
-  std::mt19937 engine_{20265};
-
+class Random : public Random_integers<> {
 public:
-  int integer(int low, int high) { return low + static_cast<int>(engine_() % static_cast<unsigned>(high - low + 1)); }
   template <class FT> FT number() { return FT(FT(integer(-99999, 99999)) / FT(integer(4999, 9999))); }
   template <class Traits> Curve<Traits> curve(int degree) {
     std::vector<typename Traits::Point> b;
@@ -155,7 +152,6 @@ public:
 
 BOOST_AUTO_TEST_CASE_TEMPLATE(random_curves_are_near_their_polylines, Traits, All_traits) {
   typedef typename Traits::FT FT;
-  BOOST_TEST_MESSAGE("seed 20265");
   Random random;
   for (int degree = 0; degree <= 6; ++degree)
     for (double tolerance : {8.0, 1.0, 1.0 / 16}) {

@@ -11,8 +11,6 @@
 
 #include <CGAL/Geometric_continuity/edges/edge_predicates.h>
 
-#include <iostream>
-
 BOOST_AUTO_TEST_SUITE(projective_edges)
 
 namespace {
@@ -40,9 +38,7 @@ typedef std::tuple<CGAL::Simple_cartesian<Q>, CGAL::Epeck> Exact_kernels;
 } // namespace
 
 BOOST_AUTO_TEST_CASE_TEMPLATE(orders_are_projective, K, Exact_kernels) {
-  constexpr unsigned seed = 2026;
-  std::cout << "random seed " << seed << std::endl;
-  Random random(seed);
+  Random random;
   const auto check = [](const Connection& connection, int expected) {
     const std::vector<Patch<K>> s = patches<K>({connection.first(), connection.second()});
     BOOST_CHECK_EQUAL(edge_continuity(s[0], v0, s[1], v0).g_order, expected);

@@ -6,6 +6,8 @@
 
 #include <boost/test/unit_test.hpp>
 
+#include "support/random.h"
+
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Geometric_continuity/Traits_3.h>
@@ -16,7 +18,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdlib>
-#include <random>
 #include <set>
 #include <tuple>
 #include <utility>
@@ -31,16 +32,9 @@ typedef std::tuple<Rational_kernel, CGAL::Simple_cartesian<boost::multiprecision
 
 namespace {
 
-constexpr unsigned seed = 2026;
-
 // Fractions whose denominators have common divisors, or none, or are large.
-template <class FT> class Random_fractions {
-  std::mt19937 engine_{seed};
-
+template <class FT> class Random_fractions : public Random_integers<> {
 public:
-  int integer(int least, int most) {
-    return least + static_cast<int>(engine_() % static_cast<unsigned>(most - least + 1));
-  }
   FT fraction(int least, int most) {
     constexpr int denominators[] = {1, 2, 3, 4, 5, 6, 7, 10, 49, 1000, 1 << 20, 1000003, 1000000007};
     FT x = FT(integer(least, most)) + FT(integer(0, 1 << 20)) / FT(denominators[integer(0, 12)]);
@@ -80,7 +74,7 @@ template <class Patch> void check_points(const Patch& patch, int n) {
 BOOST_AUTO_TEST_CASE_TEMPLATE(points_of_patches, K, Kernels) {
   typedef typename K::FT FT;
   Random_fractions<FT> random;
-  for (int n = 1; n <= 7; ++n) BOOST_TEST_CONTEXT("seed " << seed << ", " << n << " cells") {
+  for (int n = 1; n <= 7; ++n) BOOST_TEST_CONTEXT("seed " << first_seed() << ", " << n << " cells") {
       const int p = random.integer(1, 4), q = random.integer(1, 4);
       const FT a = random.fraction(-2, 0), b = random.fraction(0, 0);
       const GC::Bezier_patch<GC::Traits_3<K>> patch(random_net<K>(random, p, q), {a, FT(a + FT(2) / FT(3))},
@@ -92,7 +86,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(points_of_patches, K, Kernels) {
 BOOST_AUTO_TEST_CASE_TEMPLATE(points_of_rational_patches, K, Kernels) {
   typedef typename K::FT FT;
   Random_fractions<FT> random;
-  for (int n = 1; n <= 7; ++n) BOOST_TEST_CONTEXT("seed " << seed << ", " << n << " cells") {
+  for (int n = 1; n <= 7; ++n) BOOST_TEST_CONTEXT("seed " << first_seed() << ", " << n << " cells") {
       const int p = random.integer(1, 3), q = random.integer(1, 3);
       std::vector<std::vector<FT>> weights(p + 1);
       for (std::vector<FT>& row : weights)

@@ -8,6 +8,7 @@
 #include <boost/test/unit_test.hpp>
 
 #include "support/errors.h"
+#include "support/random.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Exact_rational.h>
@@ -16,8 +17,6 @@
 #include <CGAL/Simple_cartesian.h>
 
 #include <cstddef>
-#include <iostream>
-#include <random>
 #include <sstream>
 #include <string>
 #include <type_traits>
@@ -33,13 +32,7 @@ typedef CGAL::Exact_rational Q;
 typedef GC::Traits_3<CGAL::Simple_cartesian<Q>> Exact;
 typedef GC::Traits_3<CGAL::Epick> Filtered;
 
-class Random {
-  std::mt19937 engine_;
-
-public:
-  explicit Random(unsigned seed) : engine_(seed) {}
-  int integer(int low, int high) { return low + static_cast<int>(engine_() % static_cast<unsigned>(high - low + 1)); }
-};
+typedef Random_integers<> Random;
 
 // The control points of a bicubic surface in whole numbers, those of a spline in its Bezier form: point (i, j) belongs to the
 // patches i / 3 and j / 3. Some inner points are lifted, or lie next to an edge on the wrong side of it, and some rows collapse.

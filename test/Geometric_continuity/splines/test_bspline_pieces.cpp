@@ -8,6 +8,7 @@
 #include <boost/test/unit_test.hpp>
 
 #include "support/errors.h"
+#include "support/random.h"
 
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Geometric_continuity/algebra/Coordinate_vector.h>
@@ -18,7 +19,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <random>
 #include <vector>
 
 BOOST_AUTO_TEST_SUITE(bspline_pieces)
@@ -28,12 +28,8 @@ typedef CGAL::Exact_rational Q;
 
 namespace {
 
-constexpr unsigned seed = 20261122;
-
-struct Random {
-  std::mt19937 engine{seed};
-  int operator()(int low, int high) { return low + static_cast<int>(engine() % static_cast<unsigned>(high - low + 1)); }
-  template <class FT> FT fraction(int size) { return FT(FT((*this)(-size, size)) / FT((*this)(1, 7))); }
+struct Random : Random_integers<> {
+  template <class FT> FT fraction(int size) { return FT(FT(integer(-size, size)) / FT(integer(1, 7))); }
 };
 
 // Knots of any multiplicity, clamped at no end, at one or at both.
@@ -41,27 +37,28 @@ template <class FT> std::vector<FT> random_knots(Random& random, int degree) {
   std::vector<FT> u;
   FT x(0);
   const auto append = [&](int times) {
-    x = FT(x + FT(random(1, 9)) / FT(random(1, 5)));
+    x = FT(x + FT(random.integer(1, 9)) / FT(random.integer(1, 5)));
     u.insert(u.end(), times, x);
   };
   for (int ends = 0; ends < 2; ++ends) {
-    if (random(0, 1) == 0)
+    if (random.integer(0, 1) == 0)
       append(degree + 1);
     else
       for (int i = 0; i <= degree; ++i) append(1);
     if (ends == 0)
-      for (int inner = random(0, 5); inner > 0; --inner) append(random(0, 2) == 0 ? random(1, degree + 1) : 1);
+      for (int inner = random.integer(0, 5); inner > 0; --inner)
+        append(random.integer(0, 2) == 0 ? random.integer(1, degree + 1) : 1);
   }
   return u;
 }
 
 // Long and short numbers, of which neighbours have common factors, and some are equal.
 template <class FT> FT mixed_number(Random& random) {
-  const int factors = random(0, 9);
-  FT x(random(-99, 99)), y(1);
+  const int factors = random.integer(0, 9);
+  FT x(random.integer(-99, 99)), y(1);
   for (int i = 0; i < factors; ++i) {
-    x *= FT(random(1, 1000000));
-    y *= FT(random(0, 1) == 0 ? 6 : random(1, 1000000));
+    x *= FT(random.integer(1, 1000000));
+    y *= FT(random.integer(0, 1) == 0 ? 6 : random.integer(1, 1000000));
   }
   return FT(x / y);
 }
@@ -78,22 +75,22 @@ template <class FT> GC::Knot_vector<FT> uniform(int degree) {
 typedef boost::mpl::list<Q, boost::multiprecision::cpp_rational> Rational_numbers;
 
 BOOST_AUTO_TEST_CASE_TEMPLATE(pieces_are_those_of_refinement, FT, Rational_numbers) {
-  BOOST_TEST_MESSAGE("seed " << seed);
   Random random;
   for (int k = 0; k < 200; ++k) {
-    const int p = random(0, 6);
+    const int p = random.integer(0, 6);
     const GC::Knot_vector<FT> knots(p, random_knots<FT>(random, p));
     std::vector<GC::Coordinate_vector<FT, 2>> c(knots.number_of_coefficients());
     std::vector<double> rounded_knots, rounded;
     double size = 1;
     for (const FT& u : knots) rounded_knots.push_back(CGAL::to_double(u));
     for (auto& x : c) {
-      for (int i = 0; i < 2; ++i) x[i] = k % 2 == 0 ? random.template fraction<FT>(99) : mixed_number<FT>(random);
+      for (int i = 0; i < 2; ++i) x[i] = k % 2 == 0 ? random.fraction<FT>(99) : mixed_number<FT>(random);
       rounded.push_back(CGAL::to_double(x[0]));
       size = (std::max)(size, std::abs(rounded.back()));
     }
     const auto pieces = GC::bspline_bezier(knots, c);
-    BOOST_CHECK_MESSAGE(pieces == GC::bspline_refine(knots, c, knots.bezier(p)), "spline " << k << ", seed " << seed);
+    BOOST_CHECK_MESSAGE(pieces == GC::bspline_refine(knots, c, knots.bezier(p)),
+                        "spline " << k << ", seed " << random.seed);
     const std::vector<double> near = GC::bspline_bezier(GC::Knot_vector<double>(p, rounded_knots), rounded);
     BOOST_REQUIRE_EQUAL(near.size(), pieces.size());
     for (std::size_t i = 0; i < near.size(); ++i)
@@ -106,7 +103,7 @@ BOOST_AUTO_TEST_CASE(pieces_of_high_degree) {
   const int p = 63;
   const GC::Knot_vector<Q> knots = uniform<Q>(p);
   std::vector<Q> c;
-  while (static_cast<int>(c.size()) < knots.number_of_coefficients()) c.push_back(Q(random(-99, 99)));
+  while (static_cast<int>(c.size()) < knots.number_of_coefficients()) c.push_back(Q(random.integer(-99, 99)));
   const std::vector<Q> pieces = GC::bspline_bezier(knots, c);
   BOOST_REQUIRE_EQUAL(pieces.size(), static_cast<std::size_t>((p + 2) * (p + 1)));
   // C^(p-1): differences of neighbours agree, as the spans are of one length, and only the last does not

@@ -8,6 +8,8 @@
 #define BOOST_TEST_MODULE optimised_splines
 #include <boost/test/unit_test.hpp>
 
+#include "support/random.h"
+
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Geometric_continuity/Traits_2.h>
 #include <CGAL/Geometric_continuity/Traits_3.h>
@@ -16,32 +18,27 @@
 
 #include <cmath>
 #include <cstddef>
-#include <random>
 #include <vector>
 
 namespace GC = CGAL::Geometric_continuity;
 
 namespace {
 
-struct Random {
-  std::mt19937 engine{2026};
-
-  int operator()(int low, int high) { return low + static_cast<int>(engine() % static_cast<unsigned>(high - low + 1)); }
-
+struct Random : Random_integers<> {
   // on [0, 20], with up to 5 inner knots of any multiplicity
   std::vector<int> knots(int degree) {
     std::vector<int> k(degree + 1, 0);
     int knot = 0;
-    for (int inner = (*this)(0, 5); inner > 0; --inner) {
-      knot += (*this)(1, 3);
-      k.insert(k.end(), (*this)(0, 2) == 0 ? (*this)(1, degree) : 1, knot);
+    for (int inner = integer(0, 5); inner > 0; --inner) {
+      knot += integer(1, 3);
+      k.insert(k.end(), integer(0, 2) == 0 ? integer(1, degree) : 1, knot);
     }
     k.insert(k.end(), degree + 1, 20);
     return k;
   }
   std::vector<int> numbers(std::size_t n) {
     std::vector<int> v(n);
-    for (int& x : v) x = (*this)(-8, 8);
+    for (int& x : v) x = integer(-8, 8);
     return v;
   }
 };
@@ -51,8 +48,9 @@ struct Splines {
   std::vector<int> f_knots, g_knots, f, g; // g: 3 numbers a control point
 
   explicit Splines(Random& random)
-      : p(random(1, 4)), q(random(1, 4)), times(random(0, 3)), f_knots(random.knots(p)), g_knots(random.knots(q)),
-        f(random.numbers(f_knots.size() - p - 1)), g(random.numbers(3 * (g_knots.size() - q - 1))) {}
+      : p(random.integer(1, 4)), q(random.integer(1, 4)), times(random.integer(0, 3)), f_knots(random.knots(p)),
+        g_knots(random.knots(q)), f(random.numbers(f_knots.size() - p - 1)),
+        g(random.numbers(3 * (g_knots.size() - q - 1))) {}
 
   // The coordinates of the control points of f g and of g elevated.
   template <class Traits> std::vector<double> results() const {
@@ -95,7 +93,7 @@ BOOST_AUTO_TEST_CASE(products_and_elevations) {
   Random random;
   for (int k = 0; k < 300; ++k) {
     const Splines s(random);
-    BOOST_TEST_CONTEXT("seed 2026, splines number " << k << ", degrees " << s.p << " and " << s.q) {
+    BOOST_TEST_CONTEXT("seed " << random.seed << ", splines number " << k << ", degrees " << s.p << " and " << s.q) {
       compare<GC::Traits_3<CGAL::Simple_cartesian<double>>, GC::Traits_3<Exact>>(s);
       compare<GC::Traits_2<CGAL::Simple_cartesian<double>>, GC::Traits_2<Exact>>(s);
       compare<GC::Traits_3<CGAL::Simple_cartesian<long double>>, GC::Traits_3<Exact>>(s);

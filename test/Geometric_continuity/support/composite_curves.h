@@ -6,6 +6,7 @@
 #define CGAL_GEOMETRIC_CONTINUITY_TEST_SUPPORT_COMPOSITE_CURVES_H
 
 #include "errors.h"
+#include "random.h"
 
 #include <CGAL/Cartesian_d.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -21,7 +22,6 @@
 #include <boost/test/unit_test.hpp>
 
 #include <initializer_list>
-#include <random>
 #include <sstream>
 #include <string>
 #include <tuple>
@@ -83,12 +83,8 @@ Composite<Traits> composite(std::initializer_list<std::initializer_list<int>> ro
   return Composite<Traits>(b.begin(), b.end(), numbers<typename Traits::FT>(knots));
 }
 
-class Random {
-  std::mt19937 engine_{20261};
-
+class Random : public Random_integers<> {
 public:
-  int integer(int low, int high) { return low + static_cast<int>(engine_() % static_cast<unsigned>(high - low + 1)); }
-
   // a rational number, or a small multiple of 1/4
   template <class FT> FT number() {
     return std::is_floating_point_v<FT> ? ratio<FT>(integer(-8, 8), 4) : ratio<FT>(integer(-99, 99), integer(1, 99));

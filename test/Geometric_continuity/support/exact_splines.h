@@ -6,6 +6,7 @@
 #define CGAL_GEOMETRIC_CONTINUITY_TEST_SUPPORT_EXACT_SPLINES_H
 
 #include "errors.h"
+#include "random.h"
 
 #include <CGAL/Cartesian_d.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -18,9 +19,6 @@
 
 #include <boost/test/unit_test.hpp>
 
-#include <cstdlib>
-#include <iostream>
-#include <random>
 #include <tuple>
 #include <vector>
 
@@ -41,26 +39,10 @@ namespace {
 
 // ---------------------------------------------------------------- random input
 
-// Set GEOMETRIC_CONTINUITY_SEED to try other numbers.
-inline unsigned first_seed() {
-  const char* text = std::getenv("GEOMETRIC_CONTINUITY_SEED");
-  return text ? static_cast<unsigned>(std::strtoul(text, nullptr, 10)) : 2026;
-}
-
-struct Report_seed {
-  Report_seed() { std::cout << "random seed " << first_seed() << std::endl; }
-};
-BOOST_TEST_GLOBAL_FIXTURE(Report_seed);
-
 inline Q ratio(int p, int q) { return Q(Q(p) / Q(q)); }
 
-class Random {
-  std::mt19937 engine_{first_seed()};
-
+class Random : public Random_integers<> {
 public:
-  int integer(int low, int high) { return low + static_cast<int>(engine_() % static_cast<unsigned>(high - low + 1)); }
-  bool coin() { return integer(0, 1) == 1; }
-
   // Between -10 and 10, of 12 digits over one of three denominators: what is derived from many has common denominators that
   // do not grow with their number.
   Q number() {
@@ -95,7 +77,7 @@ public:
 
 template <class Test> void repeat(int times, Test test) {
   Random random;
-  for (int i = 0; i < times; ++i) BOOST_TEST_CONTEXT("seed " << first_seed() << ", round " << i) test(random);
+  for (int i = 0; i < times; ++i) BOOST_TEST_CONTEXT("seed " << random.seed << ", round " << i) test(random);
 }
 
 inline Exact::Point_3 point(const Vector& x) { return Exact::Point_3(x[0], x[1], x[2]); }

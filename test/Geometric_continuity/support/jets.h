@@ -6,6 +6,7 @@
 #define CGAL_GEOMETRIC_CONTINUITY_TEST_SUPPORT_JETS_H
 
 #include "errors.h"
+#include "random.h"
 
 #include <CGAL/Cartesian_d.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -23,7 +24,6 @@
 
 #include <algorithm>
 #include <initializer_list>
-#include <random>
 #include <vector>
 
 // Jets of whole and random numbers, and random isometries.
@@ -74,11 +74,8 @@ template <class Traits> Jet<Traits> truncated(const Jet<Traits>& x, int k) {
   return y;
 }
 
-class Random {
-  std::mt19937 engine_{20262};
-
+class Random : public Random_integers<> {
 public:
-  int integer(int low, int high) { return low + static_cast<int>(engine_() % static_cast<unsigned>(high - low + 1)); }
   Q rational() { return ratio<Q>(integer(-99, 99), integer(1, 99)); }
   template <class Traits> Column<Traits> column(int d) {
     Column<Traits> c(d);

@@ -6,6 +6,7 @@
 #define CGAL_GEOMETRIC_CONTINUITY_TEST_SUPPORT_NETS_H
 
 #include "errors.h"
+#include "random.h"
 
 #include <CGAL/Cartesian_d.h>
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
@@ -22,7 +23,6 @@
 
 #include <algorithm>
 #include <array>
-#include <random>
 #include <tuple>
 #include <type_traits>
 #include <utility>
@@ -123,12 +123,8 @@ template <class K> std::vector<Patch<K>> patches(const std::vector<Net>& nets) {
   return result;
 }
 
-class Random {
-  std::mt19937 engine_;
-
+class Random : public Random_integers<> {
 public:
-  explicit Random(unsigned seed = 2026) : engine_(seed) {}
-  int integer(int low, int high) { return low + static_cast<int>(engine_() % static_cast<unsigned>(high - low + 1)); }
   Polynomial polynomial(int degree, int low = -4, int high = 4) {
     std::vector<Q> c;
     for (int i = 0; i <= degree; ++i) c.push_back(Q(integer(low, high)));

@@ -6,6 +6,7 @@
 #define CGAL_GEOMETRIC_CONTINUITY_TEST_SUPPORT_RATIONAL_SURFACES_H
 
 #include "errors.h"
+#include "random.h"
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -17,8 +18,6 @@
 
 #include <boost/test/unit_test.hpp>
 
-#include <iostream>
-#include <random>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -40,24 +39,14 @@ template <class Traits> using Spline = GC::Rational_bspline_surface<Traits>;
 using GC::Patch_edge;
 constexpr Patch_edge u0 = Patch_edge::u0, u1 = Patch_edge::u1, v0 = Patch_edge::v0, v1 = Patch_edge::v1;
 
-class Random {
-  std::mt19937 engine_;
-
+class Random : public Random_integers<> {
 public:
-  static constexpr unsigned seed = 2026;
-  Random() : engine_(seed) {}
-  int integer(int low, int high) { return low + static_cast<int>(engine_() % static_cast<unsigned>(high - low + 1)); }
   // p/q with up to 40 bits over 20.
   Q rational() {
     return Q(Q(integer(-999999, 999999)) * Q(1000000) + Q(integer(0, 999999))) / Q(integer(1, 999999)) / Q(100000);
   }
   Q positive() { return Q(integer(1, 999999)) / Q(integer(1, 999999)); }
 };
-
-struct Report_seed {
-  Report_seed() { std::cout << "random seed " << Random::seed << std::endl; }
-};
-BOOST_TEST_GLOBAL_FIXTURE(Report_seed);
 
 inline Q fraction(int p, int q) { return Q(p) / Q(q); }
 

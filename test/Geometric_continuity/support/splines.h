@@ -6,6 +6,7 @@
 #define CGAL_GEOMETRIC_CONTINUITY_TEST_SUPPORT_SPLINES_H
 
 #include "errors.h"
+#include "random.h"
 
 #include <CGAL/Cartesian_d.h>
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
@@ -20,8 +21,6 @@
 
 #include <cmath>
 #include <cstdlib>
-#include <iostream>
-#include <random>
 #include <tuple>
 #include <type_traits>
 #include <vector>
@@ -52,24 +51,8 @@ template <class K> using Bezier3 = GC::Bezier_curve<GC::Traits_3<K>>;
 
 template <class FT> FT ratio(int p, int q) { return FT(FT(p) / FT(q)); }
 
-// Set GEOMETRIC_CONTINUITY_SEED to try other numbers.
-inline unsigned first_seed() {
-  const char* text = std::getenv("GEOMETRIC_CONTINUITY_SEED");
-  return text ? static_cast<unsigned>(std::strtoul(text, nullptr, 10)) : 2026;
-}
-
-struct Report_seed {
-  Report_seed() { std::cout << "random seed " << first_seed() << std::endl; }
-};
-BOOST_TEST_GLOBAL_FIXTURE(Report_seed);
-
-template <class FT> class Random {
-  std::mt19937 engine_{first_seed()};
-
+template <class FT> class Random : public Random_integers<> {
 public:
-  int integer(int low, int high) { return low + static_cast<int>(engine_() % static_cast<unsigned>(high - low + 1)); }
-  bool coin() { return integer(0, 1) == 1; }
-
   // at most 9 in absolute value; in floating point with few digits
   FT number() { return ratio<FT>(integer(-999, 999), exact_v<FT> ? integer(111, 999) : 128); }
   std::vector<FT> numbers(int n) {
@@ -122,7 +105,7 @@ public:
 // test(random) a number of times
 template <class FT, class Test> void repeat(int times, Test test) {
   Random<FT> random;
-  for (int i = 0; i < times; ++i) BOOST_TEST_CONTEXT("seed " << first_seed() << ", round " << i) test(random);
+  for (int i = 0; i < times; ++i) BOOST_TEST_CONTEXT("seed " << random.seed << ", round " << i) test(random);
 }
 
 // Parameters of the domain: the ends, the knots, and some between.

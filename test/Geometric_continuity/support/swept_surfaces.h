@@ -6,6 +6,7 @@
 #define CGAL_GEOMETRIC_CONTINUITY_TEST_SUPPORT_SWEPT_SURFACES_H
 
 #include "errors.h"
+#include "random.h"
 
 #include <CGAL/Cartesian_d.h>
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
@@ -25,9 +26,7 @@
 #include <boost/test/unit_test.hpp>
 
 #include <array>
-#include <cstdlib>
 #include <initializer_list>
-#include <random>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -57,17 +56,8 @@ using GC::Sign_pattern;
 
 namespace {
 
-class Random {
-  std::mt19937 engine_;
-
+class Random : public Random_integers<> {
 public:
-  Random() {
-    const char* text = std::getenv("GEOMETRIC_CONTINUITY_SEED");
-    const unsigned seed = text ? static_cast<unsigned>(std::strtoul(text, nullptr, 10)) : 2026;
-    BOOST_TEST_MESSAGE("seed " << seed);
-    engine_.seed(seed);
-  }
-  int integer(int low, int high) { return low + static_cast<int>(engine_() % static_cast<unsigned>(high - low + 1)); }
   Q rational() { return Q(Q(integer(-999999, 999999)) / Q(integer(1, 999999))); }
   Q positive() { return Q(Q(integer(1, 99999)) / Q(integer(1, 99999))); }
   Column column() {

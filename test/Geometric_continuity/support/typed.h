@@ -17,6 +17,8 @@
 // Exact kernels compare with ==. A rounded kernel runs the same tests on small whole or dyadic numbers where every
 // intermediate result is a double, also with ==; where that is impossible, `close` states the bound.
 
+#include "random.h"
+
 #include <CGAL/Cartesian_d.h>
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Geometric_continuity.h>
@@ -29,10 +31,8 @@
 #include <cstdlib>
 #include <functional>
 #include <initializer_list>
-#include <iostream>
 #include <optional>
 #include <ostream>
-#include <random>
 #include <sstream>
 #include <string>
 #include <type_traits>
@@ -103,21 +103,8 @@ template <class Field, class T> Field in_field(const T& x) {
 
 // ---------------------------------------------------------------- random input
 
-class Random {
-  std::mt19937 engine_;
-
+class Random : public Random_integers<> {
 public:
-  const unsigned seed;
-  Random() : seed(first_seed()) { engine_.seed(seed); }
-
-  // Set GEOMETRIC_CONTINUITY_SEED to try other numbers.
-  static unsigned first_seed() {
-    const char* text = std::getenv("GEOMETRIC_CONTINUITY_SEED");
-    return text ? static_cast<unsigned>(std::strtoul(text, nullptr, 10)) : 2026;
-  }
-
-  int integer(int low, int high) { return low + static_cast<int>(engine_() % static_cast<unsigned>(high - low + 1)); }
-
   // up to 40 bits over 30 bits
   FT rational() {
     if (!cancels) return FT(integer(-9, 9));
@@ -153,11 +140,6 @@ public:
     return x;
   }
 };
-
-struct Report_seed {
-  Report_seed() { std::cout << "random seed " << Random::first_seed() << std::endl; }
-};
-BOOST_TEST_GLOBAL_FIXTURE(Report_seed);
 
 // test(random) `rounds` times
 template <class Test> void repeat(Test test, int times = rounds) {

@@ -9,6 +9,8 @@
 
 #include <boost/test/unit_test.hpp>
 
+#include "support/random.h"
+
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Geometric_continuity/Traits_3.h>
@@ -173,19 +175,8 @@ Curve derivative(const Curve& c) {
   return d;
 }
 
-class Random {
-  std::mt19937_64 engine_;
-
+class Random : public Random_integers<std::mt19937_64> {
 public:
-  const unsigned seed;
-  Random() : seed(number("GEOMETRIC_CONTINUITY_SEED", 2026)) { engine_.seed(seed); }
-  static unsigned number(const char* variable, unsigned otherwise) {
-    const char* text = std::getenv(variable);
-    return text ? static_cast<unsigned>(std::stoul(text)) : otherwise;
-  }
-  std::int64_t integer(std::int64_t low, std::int64_t high) {
-    return low + static_cast<std::int64_t>(engine_() % static_cast<std::uint64_t>(high - low + 1));
-  }
   Curve curve(int degree, int direction) { // roughly in a coordinate direction
     Curve c(degree + 1);
     for (auto& p : c)
@@ -212,7 +203,7 @@ struct Connection {
       t1 = r.curve(n - 1, 1);
     } while (!has_normals_at_the_ends());
     w1 = q1 > 1 ? r.curve(n - 1, 3) : Curve{{0, 0, 0}};
-    connect(r, r.polynomial(static_cast<int>(r.integer(0, 1))), -r.integer(1, 3));
+    connect(r, r.polynomial(r.integer(0, 1)), -r.integer(1, 3));
   }
   bool has_normals_at_the_ends() const {
     const Curve d = derivative(c);
@@ -319,8 +310,7 @@ void fill(Edges& e) {
 }
 
 template <class Map> void check_edges(Random& r, const Edges& e, Map map, Counter& counter) {
-  const auto a = placed(e.first, static_cast<int>(r.integer(0, 7)), map),
-             b = placed(e.second, static_cast<int>(r.integer(0, 7)), map);
+  const auto a = placed(e.first, r.integer(0, 7), map), b = placed(e.second, r.integer(0, 7), map);
   check(a.first, a.second, b.first, b.second, counter);
 }
 
@@ -329,7 +319,7 @@ std::array<double, 3> scaled(const std::array<std::int64_t, 3>& p, int x, int y,
 }
 const auto as_given = [](const std::array<std::int64_t, 3>& p) { return scaled(p, 0, 0, 0); };
 
-int edges_of_a_class() { return static_cast<int>(Random::number("GEOMETRIC_CONTINUITY_EDGES", 60)); }
+int edges_of_a_class() { return static_cast<int>(from_environment("GEOMETRIC_CONTINUITY_EDGES", 60)); }
 
 void report(const char* name, const Random& r, const Counter& c) {
   std::cout << name << ", seed " << r.seed
@@ -431,14 +421,13 @@ BOOST_AUTO_TEST_CASE(tiny_huge_and_mixed) {
     if (i % 2 == 1) s.w2[0][2] += 1;
     if (i % 4 == 3) s.t2[0][2] += 1;
     const Edges e = edges(r, s);
-    const int k = static_cast<int>(r.integer(-350, 400));
+    const int k = r.integer(-350, 400);
     check_edges(
         r, e, [&](const auto& p) { return scaled(p, k, k, k); }, uniform);
     const int extreme = r.integer(0, 1) ? 950 : -1060;
     check_edges(
         r, e, [&](const auto& p) { return scaled(p, extreme, extreme, extreme); }, tiny_huge);
-    const int x = static_cast<int>(r.integer(-200, 200)), y = static_cast<int>(r.integer(-200, 200)),
-              z = static_cast<int>(r.integer(-1060, 600));
+    const int x = r.integer(-200, 200), y = r.integer(-200, 200), z = r.integer(-1060, 600);
     check_edges(
         r, e, [&](const auto& p) { return scaled(p, x, y, z); }, mixed);
   }
@@ -630,8 +619,7 @@ BOOST_AUTO_TEST_CASE(rational_numbers_and_spans) {
     if (i % 3 == 1) s.w2[0][2] += 1; // order 1
     if (i % 6 == 2) s.t2[0][2] += 1; // a crease
     const Edges e = edges(r, s);
-    const auto a = placed(e.first, static_cast<int>(r.integer(0, 7)), as_given),
-               b = placed(e.second, static_cast<int>(r.integer(0, 7)), as_given);
+    const auto a = placed(e.first, r.integer(0, 7), as_given), b = placed(e.second, r.integer(0, 7), as_given);
     check_numbers_and_knots(a.first, a.second, b.first, b.second, rationals, spans);
     if (i % 4 == 0) { // the same splines on doubles, which represent them
       const auto c = placed(e.first, 0, as_given), d = placed(e.second, 0, as_given);
@@ -652,7 +640,7 @@ BOOST_AUTO_TEST_CASE(rational_numbers_and_spans) {
         s.c = {{5, 6, 7}};
       off = edges(r, s);
     }
-    const auto p = placed(off.first, 0, as_given), q = placed(off.second, static_cast<int>(r.integer(0, 7)), as_given);
+    const auto p = placed(off.first, 0, as_given), q = placed(off.second, r.integer(0, 7), as_given);
     check_numbers_and_knots(p.first, p.second, q.first, q.second, rough, rough);
   }
   report("rational numbers", r, rationals);

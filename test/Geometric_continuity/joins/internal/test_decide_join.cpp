@@ -10,6 +10,7 @@
 #include <boost/test/unit_test.hpp>
 
 #include "support/errors.h"
+#include "support/random.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Exact_rational.h>
@@ -180,18 +181,8 @@ template <class Traits> void check(const Curve<Traits>& left, const Curve<Traits
 
 // ---------------------------------------------------------------- joins
 
-class Random {
-  std::mt19937_64 engine_;
-
+class Random : public Random_integers<std::mt19937_64> {
 public:
-  const unsigned seed;
-  Random() : seed(first_seed()) { engine_.seed(seed); }
-  static unsigned first_seed() {
-    const char* text = std::getenv("GEOMETRIC_CONTINUITY_SEED");
-    return text ? static_cast<unsigned>(std::strtoul(text, nullptr, 10)) : 2026;
-  }
-
-  int integer(int low, int high) { return low + static_cast<int>(engine_() % static_cast<unsigned>(high - low + 1)); }
   // a whole number of at most n bits, and a sign
   double whole(int n) {
     const double x = static_cast<double>(engine_() >> (64 - n));
@@ -437,10 +428,7 @@ template <int N> Join<N> invariants_only(Random& random) {
 
 // ---------------------------------------------------------------- the tests
 
-long joins_per_class() {
-  const char* text = std::getenv("GEOMETRIC_CONTINUITY_JOINS");
-  return text ? std::atol(text) : 2000;
-}
+long joins_per_class() { return from_environment("GEOMETRIC_CONTINUITY_JOINS", 2000); }
 
 const char* const kind_names[] = {"C0", "C1", "C2", "C3", "G1", "G2", "G3", "F3", "curvature vector", "torsion"};
 

@@ -9,6 +9,8 @@
 
 #include <boost/test/unit_test.hpp>
 
+#include "support/random.h"
+
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Geometric_continuity/Traits_2.h>
@@ -21,7 +23,6 @@
 #include <array>
 #include <cmath>
 #include <cstdlib>
-#include <iostream>
 #include <optional>
 #include <random>
 #include <type_traits>
@@ -42,20 +43,22 @@ template <int N> using Curve = GC::Rational_bezier_curve<Traits<N>>;
 
 namespace {
 
-int from_environment(const char* name, int value) {
-  const char* text = std::getenv(name);
-  return text ? std::atoi(text) : value;
-}
-const int joins = from_environment("GEOMETRIC_CONTINUITY_JOINS", 40);
-const unsigned seed = static_cast<unsigned>(from_environment("GEOMETRIC_CONTINUITY_SEED", 2026));
-std::mt19937_64 engine(seed);
+const int joins = static_cast<int>(from_environment("GEOMETRIC_CONTINUITY_JOINS", 40));
 
-int integer(int low, int high) { return low + static_cast<int>(engine() % static_cast<unsigned>(high - low + 1)); }
-double whole(int bits) {
-  const double x = static_cast<double>(engine() >> (64 - bits));
-  return integer(0, 1) ? x : -x;
-}
-double between(double low, double high) { return low + (high - low) * (static_cast<double>(engine() >> 11) * 0x1p-53); }
+class Random : public Random_integers<std::mt19937_64> {
+public:
+  double whole(int bits) {
+    const double x = static_cast<double>(engine_() >> (64 - bits));
+    return coin() ? x : -x;
+  }
+  double between(double low, double high) {
+    return low + (high - low) * (static_cast<double>(engine_() >> 11) * 0x1p-53);
+  }
+};
+Random random_numbers;
+int integer(int low, int high) { return random_numbers.integer(low, high); }
+double whole(int bits) { return random_numbers.whole(bits); }
+double between(double low, double high) { return random_numbers.between(low, high); }
 
 constexpr int number_of_stages = 7;
 struct Stages {
@@ -357,14 +360,12 @@ template <int N> void check_counts(const Counter& counter) {
 } // namespace
 
 BOOST_AUTO_TEST_CASE(plane) {
-  std::cout << "seed " << seed << '\n';
   Counter counter;
   all_classes<2>(counter);
   check_counts<2>(counter);
 }
 
 BOOST_AUTO_TEST_CASE(space) {
-  std::cout << "seed " << seed << '\n';
   Counter counter;
   all_classes<3>(counter);
   check_counts<3>(counter);
