@@ -5,16 +5,17 @@
 #ifndef CGAL_GEOMETRIC_CONTINUITY_MODELS_INTERNAL_EDGE_GROUPS_H
 #define CGAL_GEOMETRIC_CONTINUITY_MODELS_INTERNAL_EDGE_GROUPS_H
 
+#include <CGAL/Geometric_continuity/Error.h>
 #include <CGAL/Geometric_continuity/local/coordinates.h>
 #include <CGAL/Geometric_continuity/models/internal/Edge_key.h>
 #include <CGAL/Geometric_continuity/models/internal/Edge_polygon.h>
-#include <CGAL/Geometric_continuity/models/internal/Edge_use.h>
-#include <CGAL/Geometric_continuity/models/internal/name_work_limit.h>
+#include <CGAL/Geometric_continuity/surfaces/Patch_edge.h>
 
 #include <algorithm>
 #include <cstddef>
 #include <numeric>
 #include <optional>
+#include <string>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -25,6 +26,53 @@
 namespace CGAL {
 namespace Geometric_continuity {
 namespace internal {
+
+// An edge of a patch as one use of an edge of the model.
+struct Edge_use {
+  std::size_t patch;
+  Patch_edge edge;
+  bool backwards; // against the direction of the first use
+
+  friend bool operator<(const Edge_use& a, const Edge_use& b) {
+    return std::make_pair(a.patch, a.edge) < std::make_pair(b.patch, b.edge);
+  }
+};
+
+// The uses of one edge.
+class Edge_uses {
+  const Edge_use *first_, *last_;
+
+public:
+  Edge_uses(const Edge_use* first, const Edge_use* last) : first_(first), last_(last) {}
+
+  const Edge_use* begin() const { return first_; }
+  const Edge_use* end() const { return last_; }
+  std::size_t size() const { return static_cast<std::size_t>(last_ - first_); }
+  const Edge_use& operator[](std::size_t i) const { return first_[i]; }
+};
+
+// The numbers of the two corners where an edge begins and ends; a corner has the number 4 * patch + 2 * (at the end of u) +
+// (at the end of v).
+inline std::pair<std::size_t, std::size_t> corners_of(std::size_t patch, Patch_edge edge) {
+  const std::size_t side = at_upper_end(edge), first = 4 * patch;
+  return runs_along_u(edge) ? std::make_pair(first + side, first + 2 + side)
+                            : std::make_pair(first + 2 * side, first + 2 * side + 1);
+}
+
+// Calls work(), and adds the place in the model, place(), to the refusal of work that is too much.
+template <class Place, class Work> void name_work_limit(Place place, Work work) {
+  try {
+    work();
+  } catch (const Error& error) {
+    if (error.code() != Error_code::work_limit) throw;
+    const std::size_t code_length = to_string(error.code()).size() + 2;
+    throw Error(error.code(), place() + ": " + std::string(error.what()).substr(code_length));
+  }
+}
+
+inline std::string edge_name(std::size_t patch, Patch_edge edge) {
+  return "patch " + std::to_string(patch) + ' ' + to_string(edge);
+}
 
 // Whether the control points at the corners are points of the surface, and those of the edges belong to these alone.
 template <class Surface> bool has_corner_points(const Surface& s) {
