@@ -11,7 +11,7 @@
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Geometric_continuity/Error.h>
 #include <CGAL/Geometric_continuity/IO/internal/Number_parts.h>
-#include <CGAL/Geometric_continuity/IO/internal/short_decimal.h>
+#include <CGAL/Geometric_continuity/IO/internal/Short_decimal.h>
 #include <CGAL/Geometric_continuity/IO/limits.h>
 #include <CGAL/Geometric_continuity/IO/quoted_token.h>
 #include <CGAL/Geometric_continuity/numbers/internal/Rational_parts.h>

@@ -7,8 +7,8 @@
 
 #include <CGAL/Geometric_continuity/blends/automatic_shape.h>
 #include <CGAL/Geometric_continuity/blends/blend_ends.h>
+#include <CGAL/Geometric_continuity/blends/internal/Fair_minimum.h>
 #include <CGAL/Geometric_continuity/blends/internal/fair_input.h>
-#include <CGAL/Geometric_continuity/blends/internal/fair_minimum.h>
 #include <CGAL/Geometric_continuity/numbers/internal/short_double.h>
 
 #include <CGAL/FPU.h>

@@ -9,7 +9,7 @@
 #include <CGAL/Geometric_continuity/edges/Spline_edge_continuity.h>
 #include <CGAL/Geometric_continuity/edges/internal/Common_edge_part.h>
 #include <CGAL/Geometric_continuity/edges/internal/Edge_decision.h>
-#include <CGAL/Geometric_continuity/edges/internal/spline_edge_on_grid.h>
+#include <CGAL/Geometric_continuity/edges/internal/Spline_edge_on_grid.h>
 #include <CGAL/Geometric_continuity/numbers/Exact_field.h>
 
 #include <optional>

@@ -5,7 +5,7 @@
 #ifndef CGAL_GEOMETRIC_CONTINUITY_IO_INTERNAL_G2_PARSER_H
 #define CGAL_GEOMETRIC_CONTINUITY_IO_INTERNAL_G2_PARSER_H
 
-#include <CGAL/Geometric_continuity/IO/internal/G2_elementary.h>
+#include <CGAL/Geometric_continuity/IO/internal/G2_plane.h>
 #include <CGAL/Geometric_continuity/IO/internal/Token_reader.h>
 #include <CGAL/Geometric_continuity/IO/limits.h>
 #include <CGAL/Geometric_continuity/IO/number.h>

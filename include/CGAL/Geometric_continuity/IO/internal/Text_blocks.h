@@ -5,7 +5,7 @@
 #ifndef CGAL_GEOMETRIC_CONTINUITY_IO_INTERNAL_TEXT_BLOCKS_H
 #define CGAL_GEOMETRIC_CONTINUITY_IO_INTERNAL_TEXT_BLOCKS_H
 
-#include <CGAL/Geometric_continuity/IO/internal/short_decimal.h>
+#include <CGAL/Geometric_continuity/IO/internal/Short_decimal.h>
 #include <CGAL/Geometric_continuity/IO/limits.h>
 #include <CGAL/Geometric_continuity/internal/Task.h>
 

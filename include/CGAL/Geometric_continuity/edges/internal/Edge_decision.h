@@ -8,10 +8,10 @@
 #include <CGAL/Geometric_continuity/algebra/sign_pattern.h>
 #include <CGAL/Geometric_continuity/edges/Spline_edge_continuity.h>
 #include <CGAL/Geometric_continuity/edges/internal/Edge_normals.h>
+#include <CGAL/Geometric_continuity/edges/internal/Edge_on_grid.h>
 #include <CGAL/Geometric_continuity/edges/internal/Fixed_largest_measure.h>
 #include <CGAL/Geometric_continuity/edges/internal/Largest_measure.h>
 #include <CGAL/Geometric_continuity/edges/internal/edge_layers.h>
-#include <CGAL/Geometric_continuity/edges/internal/edge_on_grid.h>
 #include <CGAL/Geometric_continuity/edges/internal/edge_stages.h>
 #include <CGAL/Geometric_continuity/numbers/Work_limit.h>
 #include <CGAL/Geometric_continuity/numbers/internal/Common_denominator.h>

@@ -6,7 +6,7 @@
 #define CGAL_GEOMETRIC_CONTINUITY_EDGES_INTERNAL_ROUNDED_POLYNOMIAL_H
 
 #include <CGAL/Geometric_continuity/algebra/Homogeneous_polynomial.h>
-#include <CGAL/Geometric_continuity/edges/internal/edge_on_grid.h>
+#include <CGAL/Geometric_continuity/edges/internal/Edge_on_grid.h>
 #include <CGAL/Geometric_continuity/numbers/internal/Fixed_integer.h>
 
 #include <CGAL/number_utils.h>

@@ -7,7 +7,7 @@
 
 #include <CGAL/Geometric_continuity/edges/Edge_rows.h>
 #include <CGAL/Geometric_continuity/joins/internal/join_forms.h>
-#include <CGAL/Geometric_continuity/numbers/internal/common_grid.h>
+#include <CGAL/Geometric_continuity/numbers/internal/Common_grid.h>
 
 #include <algorithm>
 #include <array>

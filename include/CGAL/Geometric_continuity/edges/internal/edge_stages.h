@@ -5,8 +5,8 @@
 #ifndef CGAL_GEOMETRIC_CONTINUITY_EDGES_INTERNAL_EDGE_STAGES_H
 #define CGAL_GEOMETRIC_CONTINUITY_EDGES_INTERNAL_EDGE_STAGES_H
 
+#include <CGAL/Geometric_continuity/edges/internal/Edge_on_grid.h>
 #include <CGAL/Geometric_continuity/edges/internal/edge_layers.h>
-#include <CGAL/Geometric_continuity/edges/internal/edge_on_grid.h>
 #include <CGAL/Geometric_continuity/internal/force_inline.h>
 #include <CGAL/Geometric_continuity/local/coordinates.h>
 #include <CGAL/Geometric_continuity/numbers/internal/Common_denominator.h>

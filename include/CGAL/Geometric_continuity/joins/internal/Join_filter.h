@@ -7,7 +7,7 @@
 
 #include <CGAL/Geometric_continuity/internal/force_inline.h>
 #include <CGAL/Geometric_continuity/joins/internal/Join_equations.h>
-#include <CGAL/Geometric_continuity/numbers/internal/common_grid.h>
+#include <CGAL/Geometric_continuity/numbers/internal/Common_grid.h>
 
 #include <algorithm>
 #include <array>

@@ -9,7 +9,7 @@
 
 #include <cstdint>
 
-/// \file short_decimal.h
+/// \file Short_decimal.h
 /// Numbers in a text as integers times powers of ten. Nearly all numbers of files are such decimals with few digits, which
 /// needs no numbers of any length.
 

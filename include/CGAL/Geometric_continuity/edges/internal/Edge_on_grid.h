@@ -5,8 +5,8 @@
 #ifndef CGAL_GEOMETRIC_CONTINUITY_EDGES_INTERNAL_EDGE_ON_GRID_H
 #define CGAL_GEOMETRIC_CONTINUITY_EDGES_INTERNAL_EDGE_ON_GRID_H
 
+#include <CGAL/Geometric_continuity/edges/internal/Edge_ratio.h>
 #include <CGAL/Geometric_continuity/edges/internal/edge_layers.h>
-#include <CGAL/Geometric_continuity/edges/internal/edge_ratio.h>
 #include <CGAL/Geometric_continuity/numbers/internal/Fixed_integer.h>
 
 #include <algorithm>

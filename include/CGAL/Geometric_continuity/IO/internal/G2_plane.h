@@ -2,8 +2,8 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-#ifndef CGAL_GEOMETRIC_CONTINUITY_IO_INTERNAL_G2_ELEMENTARY_H
-#define CGAL_GEOMETRIC_CONTINUITY_IO_INTERNAL_G2_ELEMENTARY_H
+#ifndef CGAL_GEOMETRIC_CONTINUITY_IO_INTERNAL_G2_PLANE_H
+#define CGAL_GEOMETRIC_CONTINUITY_IO_INTERNAL_G2_PLANE_H
 
 #include <CGAL/Geometric_continuity/algebra/Coordinate_vector.h>
 #include <CGAL/Geometric_continuity/numbers/rational_square_root.h>
@@ -13,7 +13,7 @@
 #include <utility>
 #include <vector>
 
-/// \file G2_elementary.h
+/// \file G2_plane.h
 /// Elementary surfaces of the format. Those with an angle among their parameters, in radians, have no exact ends; planes have, where
 /// their axes are exact.
 
@@ -88,4 +88,4 @@ G2_plane<Exact> read_g2_plane(Number number, Integer integer, Refuse refuse) {
 } // namespace Geometric_continuity
 } // namespace CGAL
 
-#endif // CGAL_GEOMETRIC_CONTINUITY_IO_INTERNAL_G2_ELEMENTARY_H
+#endif // CGAL_GEOMETRIC_CONTINUITY_IO_INTERNAL_G2_PLANE_H

@@ -7,8 +7,8 @@
 
 #include <CGAL/Geometric_continuity/edges/Edge_rows.h>
 #include <CGAL/Geometric_continuity/numbers/internal/Common_denominator.h>
+#include <CGAL/Geometric_continuity/numbers/internal/Common_grid.h>
 #include <CGAL/Geometric_continuity/numbers/internal/Fixed_integer.h>
-#include <CGAL/Geometric_continuity/numbers/internal/common_grid.h>
 
 #include <CGAL/number_utils.h>
 
@@ -21,7 +21,7 @@
 #include <utility>
 #include <vector>
 
-/// \file spline_edge_on_grid.h
+/// \file Spline_edge_on_grid.h
 /// Whether B-spline surfaces with floating-point numbers continue each other twice continuously differentiably along a whole edge,
 /// but for the speed of the parameter across it, as the parts of one surface do: decided for all spans at once, by the control
 /// points, in integers of fixed length.
