@@ -18,7 +18,9 @@ namespace Geometric_continuity {
 namespace internal {
 
 // An integer of any size that allocates no memory up to 16 limbs: an exact construction has many short-lived integers.
-// The arithmetic is that of GMP's functions for limbs.
+// The arithmetic is that of GMP's functions for limbs. A cpp_int of Boost with a buffer of that size takes, in instructions of exact
+// blends, 0.93 to 1.03 times as many with numbers of one or two limbs, but 1.4 to 1.7 times with fractions of 60 digits and 1.9 to 2
+// times with fractions of 360 digits.
 class Inline_integer {
   typedef boost::container::small_vector<mp_limb_t, 16> Limbs;
   Limbs limbs_; // of the absolute value, the least first; the last is not zero
