@@ -9,6 +9,7 @@
 #define BOOST_TEST_MODULE Fair
 #include <boost/test/unit_test.hpp>
 
+#include "support/allocations.h"
 #include "support/fairness.h"
 
 #include <CGAL/Geometric_continuity/Traits_2.h>
@@ -26,23 +27,10 @@
 #include <cstddef>
 #include <cstdlib>
 #include <limits>
-#include <new>
 #include <random>
 #include <tuple>
 #include <utility>
 #include <vector>
-
-namespace {
-std::size_t allocations = 0;
-}
-// counted; not inlined, or the compiler warns of a mismatch that is none
-BOOST_NOINLINE void* operator new(std::size_t n) {
-  ++allocations;
-  if (void* p = std::malloc(n > 0 ? n : 1)) return p;
-  throw std::bad_alloc();
-}
-BOOST_NOINLINE void operator delete(void* p) noexcept { std::free(p); }
-BOOST_NOINLINE void operator delete(void* p, std::size_t) noexcept { std::free(p); }
 
 namespace GC = CGAL::Geometric_continuity;
 typedef GC::Traits_2<CGAL::Simple_cartesian<double>> Plane;

@@ -23,6 +23,7 @@
 #include <boost/test/unit_test.hpp>
 
 #include "support/errors.h"
+#include "support/fractions.h"
 
 #include <cmath>
 #include <cstddef>
@@ -42,16 +43,6 @@ typedef Lazy_kernel::FT Lazy;
 namespace {
 
 std::mt19937_64 engine(20);
-
-// 2^k, also for numbers without shifts
-template <class FT> FT power_of_two(int k) {
-  FT x(1), base(2);
-  for (int n = std::abs(k); n > 0; n /= 2) {
-    if (n % 2 == 1) x *= base;
-    base *= base;
-  }
-  return k < 0 ? FT(FT(1) / x) : x;
-}
 
 template <class FT> FT integer(int bits) { // in (-2^bits, 2^bits)
   FT x(0);
@@ -99,15 +90,6 @@ auto by_operators(const GC::Curve_jet<Traits>& phi, const GC::Curve_jet<Traits>&
     const GC::Septic_parameters<FT> p = strategy(e);
     return GC::Septic_blend<Traits>(e.control_points(p), p, shape);
   }
-}
-
-// In lowest terms, with a positive denominator.
-template <class FT> bool is_canonical(const FT& x) {
-  typedef CGAL::Fraction_traits<FT> Fraction;
-  typename Fraction::Numerator_type n;
-  typename Fraction::Denominator_type d;
-  typename Fraction::Decompose()(x, n, d);
-  return d > 0 && typename Fraction::Common_factor()(n, d) == 1;
 }
 
 template <class FT> void check_number(const FT& x, const FT& expected) {

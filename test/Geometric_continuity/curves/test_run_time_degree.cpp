@@ -8,24 +8,13 @@
 #define BOOST_TEST_MODULE run_time_degree
 #include <boost/test/unit_test.hpp>
 
+#include "support/allocations.h"
 #include "support/random_points.h"
 
 #include <CGAL/Geometric_continuity/curves/Rational_bezier_curve.h>
 
-#include <cstdlib>
-#include <new>
 #include <utility>
 #include <vector>
-
-static std::size_t allocations = 0;
-
-[[gnu::noinline]] void* operator new(std::size_t size) {
-  ++allocations;
-  if (void* p = std::malloc(size)) return p;
-  throw std::bad_alloc();
-}
-[[gnu::noinline]] void operator delete(void* p) noexcept { std::free(p); }
-[[gnu::noinline]] void operator delete(void* p, std::size_t) noexcept { std::free(p); }
 
 namespace {
 

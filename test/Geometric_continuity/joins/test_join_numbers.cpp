@@ -8,6 +8,9 @@
 #define BOOST_TEST_MODULE join_numbers
 #include <boost/test/unit_test.hpp>
 
+#include "support/allocations.h"
+#include "support/errors.h"
+
 #include <CGAL/Cartesian_d.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Exact_rational.h>
@@ -20,9 +23,7 @@
 
 #include <cmath>
 #include <cstddef>
-#include <cstdlib>
 #include <limits>
-#include <new>
 #include <random>
 #include <vector>
 
@@ -31,20 +32,6 @@ namespace GC = CGAL::Geometric_continuity;
 typedef CGAL::Exact_rational Q;
 typedef GC::Traits_3<CGAL::Simple_cartesian<double>> Rounded;
 typedef GC::Traits_3<CGAL::Epick> Filtered;
-
-static std::size_t allocations = 0;
-
-[[gnu::noinline]] void* operator new(std::size_t size) {
-  ++allocations;
-  if (void* p = std::malloc(size)) return p;
-  throw std::bad_alloc();
-}
-[[gnu::noinline]] void operator delete(void* p) noexcept { std::free(p); }
-[[gnu::noinline]] void operator delete(void* p, std::size_t) noexcept { std::free(p); }
-
-#define CHECK_ERROR(expression, expected)                                                                              \
-  BOOST_CHECK_EXCEPTION((void)(expression), GC::Error,                                                                 \
-                        [](const GC::Error& e) { return e.code() == GC::Error_code::expected; })
 
 // ---------------------------------------------------------------- tiny and huge numbers
 

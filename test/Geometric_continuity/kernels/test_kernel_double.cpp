@@ -10,8 +10,6 @@
 #include <CGAL/Simple_cartesian.h>
 
 #include <cstddef>
-#include <cstdlib>
-#include <new>
 
 typedef CGAL::Simple_cartesian<double> Kernel;
 typedef CGAL::Geometric_continuity::Traits_2<Kernel> Traits2;
@@ -36,18 +34,9 @@ template <class Test> void in_every_space(Test test) {
 #include "extensions/typed_alternatives.h"
 #include "joins/typed_join_continuity.h"
 #include "local/typed_Curve_jet.h"
+#include "support/allocations.h"
 
 // ---------------------------------------------------------------- memory
-
-static std::size_t allocations = 0;
-
-[[gnu::noinline]] void* operator new(std::size_t size) {
-  ++allocations;
-  if (void* p = std::malloc(size)) return p;
-  throw std::bad_alloc();
-}
-[[gnu::noinline]] void operator delete(void* p) noexcept { std::free(p); }
-[[gnu::noinline]] void operator delete(void* p, std::size_t) noexcept { std::free(p); }
 
 // A curve of fixed degree does not ask the heap for memory; one of dynamic degree does.
 template <class Traits, class C> std::size_t count_allocations(const C& c) {

@@ -7,6 +7,7 @@
 #include <boost/test/unit_test.hpp>
 
 #include "support/errors.h"
+#include "support/fractions.h"
 
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Geometric_continuity/Traits_2.h>
@@ -38,13 +39,6 @@ namespace {
 constexpr GC::Patch_edge v0 = GC::Patch_edge::v0;
 const GC::Work_limit one_step(1);
 
-Q power_of_two(int n) {
-  Q x(1);
-  for (; n > 0; --n) x = x * Q(2);
-  for (; n < 0; ++n) x = x / Q(2);
-  return x;
-}
-
 // Two bilinear patches with the edge v = 0 from (0, 0, 0) to (1, 0, 0), which end at these points.
 std::vector<Patch> two(const Point& a0, const Point& a1, const Point& b0, const Point& b1) {
   return {Patch({{Point(0, 0, 0), a0}, {Point(1, 0, 0), a1}}), Patch({{Point(0, 0, 0), b0}, {Point(1, 0, 0), b1}})};
@@ -54,7 +48,7 @@ std::vector<Patch> crease() { return two(Point(0, 1, 1), Point(1, 1, 3), Point(0
 // Squares over [x, x + 1] x [y, y + 1], with corners moved at random by multiples of 2^-20.
 Patch square(int x, int y, std::mt19937& random) {
   const auto corner = [&](int i, int j) {
-    const auto shift = [&] { return Q(Q(static_cast<int>(random() % 5)) * power_of_two(-20)); };
+    const auto shift = [&] { return Q(Q(static_cast<int>(random() % 5)) * power_of_two<Q>(-20)); };
     return Point(Q(Q(x + i) + shift()), Q(Q(y + j) + shift()), shift());
   };
   return Patch({{corner(0, 0), corner(0, 1)}, {corner(1, 0), corner(1, 1)}});
@@ -96,7 +90,7 @@ BOOST_AUTO_TEST_CASE(a_search_that_is_stopped_still_encloses) {
 
 // The angle changes at scales down to 2^-12000 of the edge, or in numbers of as many digits.
 BOOST_AUTO_TEST_CASE(numbers_of_very_different_sizes) {
-  const Q huge = power_of_two(12000), tiny = power_of_two(-12000);
+  const Q huge = power_of_two<Q>(12000), tiny = power_of_two<Q>(-12000);
   const std::vector<Patch> model =
       two(Point(tiny, huge, -1), Point(3, tiny, huge), Point(Q(-tiny), 1, huge), Point(huge, Q(-huge), tiny));
   const auto decided = GC::model_continuity(model);

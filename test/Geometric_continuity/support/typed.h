@@ -17,6 +17,7 @@
 // Exact kernels compare with ==. A rounded kernel runs the same tests on small whole or dyadic numbers where every
 // intermediate result is a double, also with ==; where that is impossible, `close` states the bound.
 
+#include "errors.h"
 #include "random.h"
 
 #include <CGAL/Cartesian_d.h>
@@ -47,11 +48,6 @@ template <class Traits> using Curve = GC::Bezier_curve<Traits>;
 template <class Traits> using Point = typename Traits::Point;
 template <class Traits> using Vector = typename Traits::Vector;
 template <class Traits> using Column = GC::Coordinate_vector<typename Traits::FT, Curve<Traits>::N>;
-
-// The expression throws GC::Error with this code.
-#define CHECK_ERROR(expression, expected)                                                                              \
-  BOOST_CHECK_EXCEPTION((void)(expression), GC::Error,                                                                 \
-                        [](const GC::Error& e) { return e.code() == GC::Error_code::expected; })
 
 // ---------------------------------------------------------------- numbers
 

@@ -9,6 +9,7 @@
 
 #include <boost/test/unit_test.hpp>
 
+#include "joins/internal/join_stages.h"
 #include "support/errors.h"
 #include "support/random.h"
 
@@ -49,15 +50,6 @@ typedef GC::Traits_3<CGAL::Simple_cartesian<Q>> Exact_space;
 template <class Traits> using Curve = GC::Bezier_curve<Traits>;
 template <class Traits> constexpr int dimension = GC::dimension_v<Traits>;
 
-constexpr int number_of_stages = 7;
-// Stages switched on one by one.
-struct Stages {
-  unsigned used;
-  std::array<long, number_of_stages> count{};
-  bool uses(Join_stage s) const { return (used >> static_cast<int>(s)) & 1; }
-  void decided(Join_stage s, Join_answer) { ++count[static_cast<int>(s)]; }
-};
-constexpr unsigned stage(Join_stage s) { return 1u << static_cast<int>(s); }
 const unsigned combinations[] = {stage(Join_stage::floating_point),
                                  stage(Join_stage::floating_point) | stage(Join_stage::bounded_residue),
                                  stage(Join_stage::fixed_integer),

@@ -9,6 +9,7 @@
 
 #include <boost/test/unit_test.hpp>
 
+#include "joins/internal/join_stages.h"
 #include "support/random.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -59,15 +60,6 @@ Random random_numbers;
 int integer(int low, int high) { return random_numbers.integer(low, high); }
 double whole(int bits) { return random_numbers.whole(bits); }
 double between(double low, double high) { return random_numbers.between(low, high); }
-
-constexpr int number_of_stages = 7;
-struct Stages {
-  unsigned used;
-  std::array<long, number_of_stages> count{};
-  bool uses(Join_stage s) const { return (used >> static_cast<int>(s)) & 1; }
-  void decided(Join_stage s, Join_answer) { ++count[static_cast<int>(s)]; }
-};
-constexpr unsigned stage(Join_stage s) { return 1u << static_cast<int>(s); }
 
 // By question.
 struct Counter {

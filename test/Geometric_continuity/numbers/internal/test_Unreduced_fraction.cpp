@@ -4,6 +4,8 @@
 
 // The integers and fractions with which exact blends are computed: the same numbers as by the operators of each number type.
 
+#include "support/fractions.h"
+
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Geometric_continuity/numbers/internal/Unreduced_fraction.h>
@@ -15,7 +17,6 @@
 #include <boost/multiprecision/gmp.hpp>
 #include <boost/test/unit_test.hpp>
 
-#include <cstdlib>
 #include <vector>
 
 BOOST_AUTO_TEST_SUITE(Unreduced_fraction)
@@ -23,25 +24,6 @@ BOOST_AUTO_TEST_SUITE(Unreduced_fraction)
 namespace GC = CGAL::Geometric_continuity;
 
 namespace {
-
-// 2^k, also for numbers without shifts
-template <class FT> FT power_of_two(int k) {
-  FT x(1), base(2);
-  for (int n = std::abs(k); n > 0; n /= 2) {
-    if (n % 2 == 1) x *= base;
-    base *= base;
-  }
-  return k < 0 ? FT(FT(1) / x) : x;
-}
-
-// In lowest terms, with a positive denominator.
-template <class FT> bool is_canonical(const FT& x) {
-  typedef CGAL::Fraction_traits<FT> Fraction;
-  typename Fraction::Numerator_type n;
-  typename Fraction::Denominator_type d;
-  typename Fraction::Decompose()(x, n, d);
-  return d > 0 && typename Fraction::Common_factor()(n, d) == 1;
-}
 
 template <class FT> void check_number(const FT& x, const FT& expected) {
   BOOST_CHECK(x == expected);
