@@ -71,6 +71,7 @@
 #include <CGAL/Geometric_continuity/curves/Path_segment.h>
 #include <CGAL/Geometric_continuity/curves/Rational_bezier_curve.h>
 #include <CGAL/Geometric_continuity/curves/Rational_bspline_curve.h>
+#include <CGAL/Geometric_continuity/curves/Rational_curve.h>
 #include <CGAL/Geometric_continuity/curves/arcs.h>
 #include <CGAL/Geometric_continuity/curves/bezier_properties.h>
 #include <CGAL/Geometric_continuity/curves/bounding_boxes.h>
@@ -130,6 +131,7 @@
 #include <CGAL/Geometric_continuity/surfaces/Patch_edge.h>
 #include <CGAL/Geometric_continuity/surfaces/Rational_bezier_patch.h>
 #include <CGAL/Geometric_continuity/surfaces/Rational_bspline_surface.h>
+#include <CGAL/Geometric_continuity/surfaces/Rational_surface.h>
 #include <CGAL/Geometric_continuity/surfaces/Revolution_surface_3.h>
 #include <CGAL/Geometric_continuity/surfaces/Surface_grid.h>
 #include <CGAL/Geometric_continuity/surfaces/Swept_surface_3.h>

@@ -45,9 +45,10 @@ template <class Traits_, int Degree = dynamic_degree> class Bezier_curve : publi
   using Polygon::points_;
   using typename Polygon::Coordinates;
   template <class T> using Coefficients = typename Polygon::template Coefficients<T>;
-  template <class T> using Per_point = typename Polygon::template Per_point<T>;
 
 public:
+  /// A container with one entry for each control point: an array when the degree is fixed, a vector when it is not.
+  template <class T> using Per_point = typename Polygon::template Per_point<T>;
   typedef Traits_ Traits;                 ///< the traits class
   typedef typename Traits::FT FT;         ///< the field
   typedef typename Traits::Point Point;   ///< the points of the kernel

@@ -31,7 +31,8 @@ public:
   typedef Geometric_continuity::Coordinates<Traits> Coordinates; ///< the coordinates of a point
   static constexpr int N = dimension_v<Traits>; ///< the dimension, or 0 when it is known at run time only
   typedef typename std::vector<Point>::const_iterator const_iterator; ///< iterates over the control points
-  typedef Bspline_function<FT, Coordinates> Function; ///< the coordinates as a function of the parameter
+  template <class T> using Per_point = std::vector<T>; ///< a container with one entry for each control point
+  typedef Bspline_function<FT, Coordinates> Function;  ///< the coordinates as a function of the parameter
 
   /// Returns the degree `p`.
   int degree() const { return knots_.degree(); }

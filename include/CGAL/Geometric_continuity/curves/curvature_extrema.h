@@ -7,12 +7,15 @@
 
 #include <CGAL/Geometric_continuity/curves/internal/Curvature_polynomials.h>
 #include <CGAL/Geometric_continuity/curves/internal/Is_rational.h>
-#include <CGAL/Geometric_continuity/curves/internal/exact_pieces.h>
+#include <CGAL/Geometric_continuity/curves/internal/curve_pieces.h>
+#include <CGAL/Geometric_continuity/curves/internal/decision_numbers.h>
 #include <CGAL/Geometric_continuity/numbers/Enclosure.h>
+#include <CGAL/Geometric_continuity/splines/bspline_knots.h>
 
 #include <algorithm>
 #include <cmath>
 #include <ostream>
+#include <type_traits>
 #include <vector>
 
 /// \file curvature_extrema.h
@@ -172,6 +175,45 @@ private:
     return xy < NT(0) && xx * yy == xy * xy;
   }
 };
+
+// The coordinates of control points as exact values, in homogeneous coordinates where they have weights.
+template <class Curve> auto exact_rows(const Curve& curve) {
+  typedef typename Curve::Traits Traits;
+  const auto points = decision_rows<Traits>(curve);
+  if constexpr (Is_rational<Curve>::value) {
+    std::vector<decltype(homogeneous_point(points[0], points[0][0]))> rows;
+    for (std::size_t i = 0; i < points.size(); ++i)
+      rows.push_back(homogeneous_point(points[i], decision_number<Traits>(curve.weights()[i])));
+    return rows;
+  } else
+    return points;
+}
+
+std::false_type is_spline(...);
+template <class Traits> std::true_type is_spline(const Bspline_curve<Traits>&);
+template <class Traits> std::true_type is_spline(const Rational_bspline_curve<Traits>&);
+
+// Calls f(rows, a, b) for each of the Bezier curves that a curve is made of, in order: with the rows of its control points and
+// with its domain, as exact values from the points and knots as they are given.
+template <class Curve, class Function> void for_each_exact_piece(const Curve& curve, Function f) {
+  typedef typename Curve::Traits Traits;
+  typedef Decision_number<Traits> NT;
+  if constexpr (decltype(is_spline(curve))::value) {
+    std::vector<NT> values;
+    for (const typename Traits::FT& knot : curve.knots()) values.push_back(decision_number<Traits>(knot));
+    const Knot_vector<NT> knots(curve.degree(), values);
+    const auto rows = bspline_bezier<NT>(knots, exact_rows(curve));
+    auto first = rows.begin();
+    for (int k : knots.spans()) {
+      f(std::vector(first, first + curve.degree() + 1), knots[k], knots[k + 1]);
+      first += curve.degree() + 1;
+    }
+  } else
+    for_each_bezier(curve, [&](const auto& piece) {
+      f(exact_rows(piece), decision_number<Traits>(piece.domain().first),
+        decision_number<Traits>(piece.domain().second));
+    });
+}
 
 } // namespace internal
 

@@ -23,8 +23,7 @@ namespace Geometric_continuity {
 template <class Traits, int Degree> class Bezier_curve;
 template <class Traits, int Degree> class Composite_bezier_curve;
 template <class Traits> class Bspline_curve;
-template <class Traits, int Degree> class Rational_bezier_curve;
-template <class Traits> class Rational_bspline_curve;
+template <class Shape> class Rational_curve;
 
 /// \ingroup PkgGeometricContinuityContinuity
 /// The two ends of a curve.
@@ -138,34 +137,30 @@ template <class Curve> bool weights_are_positive(const Curve& c, Curve_end end) 
 } // namespace internal
 
 /// \ingroup PkgGeometricContinuityContinuity
-/// The ends of a `Rational_bezier_curve`. If all weights are equal it is the Bézier curve of its control points; otherwise control points
-/// and weights are read where these are positive, and jets where not.
-template <class Traits, int Degree>
-struct Curve_ends<Rational_bezier_curve<Traits, Degree>> : Bezier_ends<Rational_bezier_curve<Traits, Degree>> {
-  /// Returns whether the control points are those of a polynomial curve.
-  static bool has_polygon(const Rational_bezier_curve<Traits, Degree>& c, Curve_end) { return c.is_polynomial(); }
-  /// There are weights.
-  static constexpr bool have_weights = true;
-  /// Returns whether the weights of the four control points next to this end are positive.
-  static bool has_weighted_polygon(const Rational_bezier_curve<Traits, Degree>& c, Curve_end end) {
-    return internal::weights_are_positive(c, end);
-  }
-};
-
-/// \ingroup PkgGeometricContinuityContinuity
-/// The ends of a `Rational_bspline_curve`: as those of a `Bspline_curve` if all weights are equal; otherwise with the weights where
-/// these are positive, or by their jets.
-template <class Traits>
-struct Curve_ends<Rational_bspline_curve<Traits>> : Bspline_ends<Rational_bspline_curve<Traits>> {
+/// The ends of a rational curve: those of the polynomial curve with its control points if all weights are equal. Otherwise control
+/// points and weights are read where these are positive, and jets where not.
+template <class Shape> struct Curve_ends<Rational_curve<Shape>> {
+  typedef Rational_curve<Shape> Curve;   ///< the curve
+  typedef typename Shape::Traits::FT FT; ///< its numbers
+  /// There are control points.
+  static constexpr bool have_polygons = true;
   /// Returns whether the control points next to this end are Bézier points of a polynomial curve.
-  static bool has_polygon(const Rational_bspline_curve<Traits>& c, Curve_end end) {
-    return c.is_polynomial() && Bspline_ends<Rational_bspline_curve<Traits>>::has_polygon(c, end);
+  static bool has_polygon(const Curve& c, Curve_end end) {
+    return c.is_polynomial() && Curve_ends<Shape>::has_polygon(c.unweighted(), end);
+  }
+  /// Returns the number of the control point at this end.
+  static int point_number(const Curve& c, Curve_end end) {
+    return Curve_ends<Shape>::point_number(c.unweighted(), end);
+  }
+  /// Returns the domain of the rational Bézier curve at this end.
+  static std::pair<FT, FT> domain(const Curve& c, Curve_end end) {
+    return Curve_ends<Shape>::domain(c.unweighted(), end);
   }
   /// There are weights.
   static constexpr bool have_weights = true;
-  /// Returns whether the control points next to this end are Bézier points with positive weights.
-  static bool has_weighted_polygon(const Rational_bspline_curve<Traits>& c, Curve_end end) {
-    return Bspline_ends<Rational_bspline_curve<Traits>>::has_polygon(c, end) && internal::weights_are_positive(c, end);
+  /// Returns whether the control points next to this end are Bézier points, four of them with positive weights.
+  static bool has_weighted_polygon(const Curve& c, Curve_end end) {
+    return Curve_ends<Shape>::has_polygon(c.unweighted(), end) && internal::weights_are_positive(c, end);
   }
 };
 

@@ -44,6 +44,7 @@ public:
 private:
   typedef Geometric_continuity::Coordinates<Traits> Coordinates;
   typedef internal::Control_net<Traits> Net;
+  template <class Shape> friend class Rational_surface; // takes and gives the net as it is
 
   Net net_;
   Interval u_, v_;

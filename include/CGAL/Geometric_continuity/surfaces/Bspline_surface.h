@@ -47,6 +47,7 @@ private:
   typedef Geometric_continuity::Coordinates<Traits> Coordinates;
   typedef internal::Control_net<Traits> Net;
   typedef internal::Spline_of_rows<Traits> Spline;
+  template <class Shape> friend class Rational_surface; // takes and gives the net as it is
 
   Knot_vector<FT> u_, v_;
   Net net_;

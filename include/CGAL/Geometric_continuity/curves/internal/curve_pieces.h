@@ -25,24 +25,34 @@ namespace internal {
 
 // Calls f for each of the Bezier curves that a curve is made of, in order.
 template <class Traits, int Degree, class Function>
-void for_each_piece(const Bezier_curve<Traits, Degree>& curve, Function f) {
+void for_each_bezier(const Bezier_curve<Traits, Degree>& curve, Function f) {
   f(curve);
 }
 template <class Traits, int Degree, class Function>
-void for_each_piece(const Composite_bezier_curve<Traits, Degree>& curve, Function f) {
+void for_each_bezier(const Rational_bezier_curve<Traits, Degree>& curve, Function f) {
+  f(curve);
+}
+template <class Traits, int Degree, class Function>
+void for_each_bezier(const Composite_bezier_curve<Traits, Degree>& curve, Function f) {
   for (int l = 0; l < curve.number_of_segments(); ++l) f(curve.segment(l));
 }
-template <class Traits, class Function> void for_each_piece(const Bspline_curve<Traits>& curve, Function f) {
+template <class Traits, class Function> void for_each_bezier(const Bspline_curve<Traits>& curve, Function f) {
   for (const Bezier_curve<Traits>& piece : curve.bezier_pieces()) f(piece);
 }
-
-// Rational curves are given in parts whose weights are positive, so that each lies in the convex hull of its control points.
-template <class Traits, int Degree, class Function>
-void for_each_piece(const Rational_bezier_curve<Traits, Degree>& curve, Function f) {
-  for (const Rational_bezier_curve<Traits, Degree>& part : curve.positive_parts()) f(part);
+template <class Traits, class Function> void for_each_bezier(const Rational_bspline_curve<Traits>& curve, Function f) {
+  for (const Rational_bezier_curve<Traits>& piece : curve.bezier_pieces()) f(piece);
 }
-template <class Traits, class Function> void for_each_piece(const Rational_bspline_curve<Traits>& curve, Function f) {
-  for (const Rational_bezier_curve<Traits>& piece : curve.bezier_pieces()) for_each_piece(piece, f);
+
+// The same, where rational curves are given in parts whose weights are positive, so that each lies in the convex hull of its control
+// points.
+template <class Curve, class Function>
+auto for_each_piece(const Curve& curve, Function f) -> decltype(for_each_bezier(curve, f)) {
+  for_each_bezier(curve, [&](const auto& piece) {
+    if constexpr (Is_rational<Curve>::value)
+      for (const auto& part : piece.positive_parts()) f(part);
+    else
+      f(piece);
+  });
 }
 
 // What the algorithms of Bernstein and de Casteljau are applied to: the coordinates of the control points, or of a rational curve

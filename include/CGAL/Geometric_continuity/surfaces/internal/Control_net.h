@@ -35,6 +35,21 @@ inline void check_elevation(int degree, int times, const char* place) {
     throw Error(Error_code::work_limit, std::string(place) + ": a degree above " + std::to_string(most_raised_degree));
 }
 
+// What is in rows of constant i, so many columns, with rows and columns exchanged, and with the rows in reverse order.
+template <class T> std::vector<T> transposed(const std::vector<T>& net, int rows, int columns) {
+  std::vector<T> r;
+  r.reserve(net.size());
+  for (int j = 0; j < columns; ++j)
+    for (int i = 0; i < rows; ++i) r.push_back(net[static_cast<std::size_t>(i) * columns + j]);
+  return r;
+}
+template <class T> std::vector<T> reversed_rows(const std::vector<T>& net, int columns) {
+  std::vector<T> r;
+  r.reserve(net.size());
+  for (auto row = net.end(); row != net.begin(); row -= columns) r.insert(r.end(), row - columns, row);
+  return r;
+}
+
 // The points b_ij in rows of constant i. `surface` is the name of the surface, for messages.
 template <class Traits> class Control_net {
   typedef typename Traits::Point Point;
@@ -85,23 +100,9 @@ public:
   }
 
   // The net b_ji.
-  Control_net transpose() const {
-    Control_net r = *this;
-    std::swap(r.rows_, r.columns_);
-    auto p = r.points_.begin();
-    for (int j = 0; j < columns_; ++j)
-      for (int i = 0; i < rows_; ++i) *p++ = (*this)(i, j);
-    return r;
-  }
-
+  Control_net transpose() const { return Control_net(columns_, rows_, transposed(points_, rows_, columns_)); }
   // With the rows in reverse order.
-  Control_net reverse_rows() const {
-    Control_net r = *this;
-    auto p = r.points_.begin();
-    for (int i = rows_; i-- > 0;)
-      p = std::copy_n(points_.begin() + static_cast<std::size_t>(i) * columns_, columns_, p);
-    return r;
-  }
+  Control_net reverse_rows() const { return Control_net(rows_, columns_, reversed_rows(points_, columns_)); }
 
   // The images of the points under a map.
   template <class Map> Control_net transform(const Map& map, const char* surface) const {
@@ -128,6 +129,9 @@ public:
   }
 
 private:
+  Control_net(int rows, int columns, std::vector<Point> points)
+      : rows_(rows), columns_(columns), points_(std::move(points)) {}
+
   void check(const char* surface) const {
     const auto refuse = [&](Error_code code, int i, int j) {
       throw Error(code, std::string(surface) + ": control point " + std::to_string(i) + ", " + std::to_string(j));

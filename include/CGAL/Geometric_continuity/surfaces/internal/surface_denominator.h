@@ -7,8 +7,8 @@
 
 #include <CGAL/Geometric_continuity/algebra/Coordinate_vector.h>
 #include <CGAL/Geometric_continuity/algebra/bernstein.h>
+#include <CGAL/Geometric_continuity/curves/internal/denominator.h>
 #include <CGAL/Geometric_continuity/numbers/Exact_field.h>
-#include <CGAL/Geometric_continuity/surfaces/internal/Rational_net.h>
 #include <CGAL/Geometric_continuity/surfaces/internal/zeros_on_square.h>
 
 #include <algorithm>
@@ -84,31 +84,38 @@ template <class Field> void require_positive(const Bernstein_rows<Field>& b, int
 }
 constexpr int most_halved_rectangles = 4096;
 
+// Rows of weights, in the exact field.
+template <class Field, class FT>
+Bernstein_rows<Field> exact_weights(const std::vector<FT>& weights, int rows, int columns) {
+  Bernstein_rows<Field> b(rows, Coordinate_vector<Field, 0>(columns));
+  auto w = weights.begin();
+  for (int i = 0; i < rows; ++i)
+    for (int j = 0; j < columns; ++j) b[i][j] = to_field<Field>(*w++);
+  return b;
+}
+
 // The weights of a Bezier patch.
-template <class Traits> void check_surface_denominator(const Rational_net<Traits>& net, const char* place) {
-  typedef typename Exact_field<typename Traits::FT>::type Field;
-  if (all_positive(net.weights())) return;
-  Bernstein_rows<Field> b(net.rows(), Coordinate_vector<Field, 0>(net.columns()));
-  for (int i = 0; i < net.rows(); ++i)
-    for (int j = 0; j < net.columns(); ++j) b[i][j] = to_field<Field>(net.weight(i, j));
+template <class FT>
+void check_surface_denominator(int rows, int columns, const std::vector<FT>& weights, const char* place) {
+  typedef typename Exact_field<FT>::type Field;
+  if (all_positive(weights)) return;
   int allowed = most_halved_rectangles;
-  require_positive<Field>(b, allowed, place);
+  require_positive<Field>(exact_weights<Field>(weights, rows, columns), allowed, place);
 }
 
 // The weights of a B-spline surface, on each rectangle of two spans.
-template <class Traits>
-void check_surface_denominator(const Rational_net<Traits>& net, const Knot_vector<typename Traits::FT>& knots_u,
-                               const Knot_vector<typename Traits::FT>& knots_v, const char* place) {
-  typedef typename Exact_field<typename Traits::FT>::type Field;
-  if (all_positive(net.weights())) return;
-  const auto exact = [](const Knot_vector<typename Traits::FT>& knots) {
+template <class FT>
+void check_surface_denominator(const std::vector<FT>& weights, const Knot_vector<FT>& knots_u,
+                               const Knot_vector<FT>& knots_v, const char* place) {
+  typedef typename Exact_field<FT>::type Field;
+  if (all_positive(weights)) return;
+  const auto exact = [](const Knot_vector<FT>& knots) {
     std::vector<Field> u;
-    for (const typename Traits::FT& x : knots) u.push_back(to_field<Field>(x));
+    for (const FT& x : knots) u.push_back(to_field<Field>(x));
     return Knot_vector<Field>(knots.degree(), std::move(u));
   };
-  Bernstein_rows<Field> w(net.rows(), Coordinate_vector<Field, 0>(net.columns()));
-  for (int i = 0; i < net.rows(); ++i)
-    for (int j = 0; j < net.columns(); ++j) w[i][j] = to_field<Field>(net.weight(i, j));
+  const Bernstein_rows<Field> w =
+      exact_weights<Field>(weights, knots_u.number_of_coefficients(), knots_v.number_of_coefficients());
   const Bernstein_rows<Field> strips = bspline_bezier<Field>(exact(knots_u), w);
   const Bernstein_rows<Field> pieces =
       transposed<Field>(bspline_bezier<Field>(exact(knots_v), transposed<Field>(strips)));
