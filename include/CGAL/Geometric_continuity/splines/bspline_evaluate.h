@@ -34,8 +34,8 @@ namespace Geometric_continuity {
 template <class FT> std::vector<FT> bspline_basis(const Knot_vector<FT>& knots, const FT& u) {
   const int p = knots.degree(), k = knots.span(u);
   std::vector<FT> basis(knots.number_of_coefficients(), FT(0));
-  internal::derivative_weights(knots, p, k, u, 0, [&](int, const internal::Spline_weights<FT>& weights) {
-    std::copy(weights.w.begin(), weights.w.end(), basis.begin() + weights.first);
+  internal::derivative_weights(knots, p, k, u, 0, [&](int, const internal::Span_weights<FT>& weights) {
+    std::copy_n(weights.w, p + 1, basis.begin() + weights.first);
   });
   return basis;
 }

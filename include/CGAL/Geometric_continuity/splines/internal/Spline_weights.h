@@ -5,11 +5,15 @@
 #ifndef CGAL_GEOMETRIC_CONTINUITY_SPLINES_INTERNAL_SPLINE_WEIGHTS_H
 #define CGAL_GEOMETRIC_CONTINUITY_SPLINES_INTERNAL_SPLINE_WEIGHTS_H
 
+#include <CGAL/Geometric_continuity/internal/for_each_index.h>
+#include <CGAL/Geometric_continuity/internal/force_inline.h>
 #include <CGAL/Geometric_continuity/splines/Knot_vector.h>
 
 #include <boost/container/small_vector.hpp>
 
 #include <algorithm>
+#include <array>
+#include <type_traits>
 #include <vector>
 
 /// \file Spline_weights.h
@@ -22,61 +26,97 @@ namespace internal {
 // As many as belong to one span: without allocation up to degree 7.
 template <class T> using Span_vector = boost::container::small_vector<T, 8>;
 
+// As many numbers as the degree needs, where that is known at compile time, or so many.
+template <class FT, int Degree, int Size, int Inline> class Weight_numbers {
+  std::conditional_t<(Degree < 0), boost::container::small_vector<FT, Inline>, std::array<FT, Size>> x_;
+
+public:
+  CGAL_GC_FORCEINLINE explicit Weight_numbers([[maybe_unused]] int size) {
+    if constexpr (Degree < 0) x_.resize(size);
+  }
+  CGAL_GC_FORCEINLINE FT* data() { return x_.data(); }
+};
+
+// The combination sum_i w_i c_{first+i} of p + 1 consecutive coefficients. The degree p is Degree, if that is not negative.
+template <class FT, int Degree = -1> struct Span_weights {
+  int first, p;
+  const FT* w;
+
+  template <class Coefficients> CGAL_GC_FORCEINLINE auto operator()(const Coefficients& c) const {
+    std::decay_t<decltype(c[0])> sum = w[0] * c[first];
+    for (int i = 1; i <= (Degree < 0 ? p : Degree); ++i) sum += w[i] * c[first + i];
+    return sum;
+  }
+};
+
 // A combination sum_i w_i c_{first+i} of consecutive coefficients.
 template <class FT> struct Spline_weights {
   int first = 0;
   Span_vector<FT> w;
 
   template <class Coefficients> typename Coefficients::value_type operator()(const Coefficients& c) const {
-    typename Coefficients::value_type sum = w[0] * c[first];
-    for (int i = 1; i < static_cast<int>(w.size()); ++i) sum += w[i] * c[first + i];
-    return sum;
+    return Span_weights<FT>{first, static_cast<int>(w.size()) - 1, w.data()}(c);
   }
 };
 
 // De Boor's triangle, transposed: it starts with the weight 1 and leads to the weights of the coefficients. The level
-// with n weights gives n + 1; its i-th quotient belongs to the knots left + i and right + i.
-template <class FT, class Knots>
-void add_argument(Span_vector<FT>& w, const Knots& u, int left, int right, const FT& t) {
+// with n weights gives n + 1; its i-th quotient is (t - a) / (b - a) of an argument t and two knots.
+template <class FT> CGAL_GC_FORCEINLINE void add_argument(FT* w, int n, const FT* quotients) {
   FT carry(0);
-  const int n = static_cast<int>(w.size());
   for (int i = 0; i < n; ++i) {
-    const FT x = w[i] * FT(FT(t - u[left + i]) / FT(u[right + i] - u[left + i]));
+    const FT x = w[i] * quotients[i];
     w[i] = carry + FT(w[i] - x);
     carry = x;
   }
-  w.push_back(carry);
+  w[n] = carry;
 }
 
-// The level of the triangle that stands for one differentiation.
-template <class FT, class Knots> void add_differentiation(Span_vector<FT>& w, const Knots& u, int left, int right) {
+// The level of the triangle that stands for one differentiation. The i-th length is b - a.
+template <class FT> CGAL_GC_FORCEINLINE void add_differentiation(FT* w, int n, const FT* lengths) {
   FT carry(0);
-  const int n = static_cast<int>(w.size());
   for (int i = 0; i < n; ++i) {
-    const FT x = FT(n) * w[i] / FT(u[right + i] - u[left + i]);
+    const FT x = FT(n) * w[i] / lengths[i];
     w[i] = carry - x;
     carry = x;
   }
-  w.push_back(carry);
+  w[n] = carry;
 }
 
 // The weights of the derivatives of order 0 to p at t, not beyond `order`, of a spline of degree p on the span k, for
-// the coefficients k-p, ..., k: output(j, weights) is called for each. Only the knots k-p+1, ..., k+p are read.
-template <class FT, class Knots, class Output>
-void derivative_weights(const Knots& u, int p, int k, const FT& t, int order, Output output) {
-  Spline_weights<FT> basis, weights; // the basis of degree p - j
-  basis.w.reserve(p + 1);
-  basis.w.push_back(FT(1));
-  const int last = (std::min)(order, p);
-  for (int m = 0; m < p - last; ++m) add_argument(basis.w, u, k - m, k + 1, t);
-  weights.first = basis.first = k - p;
-  for (int j = last; j > 0; --j) {
-    weights.w = basis.w;
-    for (int m = p - j; m < p; ++m) add_differentiation(weights.w, u, k - m, k + 1);
-    output(j, weights);
-    add_argument(basis.w, u, k - (p - j), k + 1, t);
+// the coefficients k-p, ..., k: output(j, weights) is called for each. Only the knots k-p+1, ..., k+p are read. The degree
+// is Degree, unless that is negative: then the loops have constant bounds.
+template <int Degree = -1, class FT, class Knots, class Output>
+CGAL_GC_FORCEINLINE void derivative_weights(const Knots& u, int degree, int k, const FT& t, int order,
+                                            const Output& output) {
+  const int p = Degree < 0 ? degree : Degree, last = (std::min)(order, p);
+  constexpr int fixed = Degree < 0 ? 0 : Degree;
+  // of the level with m + 1 weights, with the knots k - m + i and k + 1 + i, from m (m + 1) / 2 on
+  Weight_numbers<FT, Degree, fixed*(fixed + 1) / 2 + 1, 28> lengths(p * (p + 1) / 2), quotients(p * (p + 1) / 2);
+  Weight_numbers<FT, Degree, fixed + 1, 8> basis(p + 1), weights(p + 1); // the basis of degree m
+  const auto read_level = [&](int m) {
+    FT *const b = lengths.data() + m * (m + 1) / 2, *const q = quotients.data() + m * (m + 1) / 2;
+    for (int i = 0; i <= m; ++i) {
+      b[i] = u[k + 1 + i] - u[k - m + i];
+      q[i] = FT(t - u[k - m + i]) / b[i];
+    }
+  };
+  const auto finish_level = [&](int m) {
+    if (const int j = p - m; 0 < j && j <= last) {
+      std::copy_n(basis.data(), m + 1, weights.data());
+      for (int l = m; l < p; ++l) add_differentiation(weights.data(), l + 1, lengths.data() + l * (l + 1) / 2);
+      output(j, Span_weights<FT, Degree>{k - p, p, weights.data()});
+    }
+    if (m < p) add_argument(basis.data(), m + 1, quotients.data() + m * (m + 1) / 2);
+  };
+  basis.data()[0] = FT(1);
+  if constexpr (Degree < 0) {
+    for (int m = 0; m < p; ++m) read_level(m);
+    for (int m = 0; m <= p; ++m) finish_level(m);
+  } else {
+    for_each_index<fixed>(read_level);
+    for_each_index<fixed + 1>(finish_level);
   }
-  output(0, basis);
+  output(0, Span_weights<FT, Degree>{k - p, p, basis.data()});
 }
 
 // The derivatives of order 0 to `order` at t of the polynomial on the span k.
@@ -86,7 +126,7 @@ std::vector<typename Coefficients::value_type> derivatives_on_span(const Knot_ve
   typedef typename Coefficients::value_type Value;
   std::vector<Value> derivatives(order + 1, Value(FT(0) * c[0]));
   derivative_weights(u, u.degree(), k, t, order,
-                     [&](int j, const Spline_weights<FT>& weights) { derivatives[j] = weights(c); });
+                     [&](int j, const Span_weights<FT>& weights) { derivatives[j] = weights(c); });
   return derivatives;
 }
 
@@ -111,9 +151,16 @@ public:
         ++right;
       else
         other_.push_back(i);
-    this->w.assign(1, FT(1));
-    for (int m = 0; m < static_cast<int>(other_.size()); ++m)
-      add_argument(this->w, u, k - left - m, k + 1 + right, FT(t[other_[m]]));
+    const int levels = static_cast<int>(other_.size());
+    this->w.assign(levels + 1, FT(1));
+    Span_vector<FT> quotients(levels);
+    for (int m = 0; m < levels; ++m) {
+      for (int i = 0; i <= m; ++i) {
+        const FT& a = u[k - left - m + i];
+        quotients[i] = FT(t[other_[m]] - a) / FT(u[k + 1 + right + i] - a);
+      }
+      add_argument(this->w.data(), m + 1, quotients.data());
+    }
     this->first = k - p + right;
   }
 };

@@ -55,14 +55,14 @@ Surface_jet<Traits> bspline_jet(int d, const Knot_vector<typename Traits::FT>& k
   Surface_jet<Traits> jet(d, k);
   const int p = knots_u.degree(), q = knots_v.degree(), span_u = knots_u.span(u), span_v = knots_v.span(v);
   std::vector<std::vector<Coordinates<Traits>>> columns(k + 1); // derivatives with respect to v
-  derivative_weights(knots_v, q, span_v, v, k, [&](int j, const Spline_weights<FT>& weights) {
+  derivative_weights(knots_v, q, span_v, v, k, [&](int j, const Span_weights<FT>& weights) {
     for (int i = span_u - p; i <= span_u; ++i) {
       Coordinates<Traits> sum(d);
       for (int l = 0; l <= q; ++l) sum += weights.w[l] * point(i, weights.first + l);
       columns[j].push_back(sum);
     }
   });
-  derivative_weights(knots_u, p, span_u, u, k, [&](int i, const Spline_weights<FT>& weights) {
+  derivative_weights(knots_u, p, span_u, u, k, [&](int i, const Span_weights<FT>& weights) {
     for (int j = 0; j <= k - i; ++j)
       for (int l = 0; l <= p && !columns[j].empty(); ++l) jet(i, j) += weights.w[l] * columns[j][l];
   });
@@ -88,7 +88,7 @@ bspline_rows_at(const Knot_vector<FT>& knots_u, const Knot_vector<FT>& knots_v, 
   for (int i = 0; i < m; ++i)
     for (int j = span - q; j <= span; ++j) points[i].push_back(along_u ? point(i, j) : point(j, i));
   std::vector<std::vector<Vector>> rows(k + 1, std::vector<Vector>(m, Vector(d)));
-  derivative_weights(knots, q, q, to_field<Field>(parameter), k, [&](int r, const Spline_weights<Field>& weights) {
+  derivative_weights(knots, q, q, to_field<Field>(parameter), k, [&](int r, const Span_weights<Field>& weights) {
     const Field sign(below && r % 2 == 1 ? -1 : 1);
     for (int i = 0; i < m; ++i) rows[r][i] = sign * weights(points[i]);
   });
