@@ -23,10 +23,11 @@ run 2 report "$S" "$data/leaf_inkscape.svg" -o no.html && says err "are not show
 run 2 report "$teapot" -o no.html && says err "spline surface" && no_page
 run 2 report --surfaces "$S" -o no.html && no_page
 for bad in 0 50001; do run 2 report "$S" --worst $bad -o no.html && says err "--worst: $bad is not from 1 to 50000" && no_page; done
-for bad in 0 180 -1 x 5deg ''; do run 2 report "$S" --kink-angle "$bad" -o no.html && says err "--kink-angle: '$bad' is not" && no_page; done
+for bad in 0 180 -1 x 5deg ''; do run 2 report "$S" --kink-angle "$bad" -o no.html && says err "--kink-angle: " && no_page; done
 run 2 report "$data/leaf_inkscape.svg" --closed -o no.html && says err "--closed: not for drawings"
 run 2 report "$teapot" --surfaces --closed -o no.html && says err "--closed: not with --surfaces"
 run 2 report "$S" --glyphs a -o no.html && says err "--glyphs: only for fonts"
+run 2 report "$S" --off-by 2 -o no.html && says err "--off-by: only for fonts"
 { cubic_2 $'0 0\n1 0\n2 0\n3 0' && cubic_2 $'3 0\n4 0\n5 0\n1e400 0'; } >huge.g2
 run 2 report huge.g2 -o no.html && says err "not_finite" && no_page
 printf '<svg>\n<path d="M0 0 C1 x"/></svg>' >broken.svg && run 2 report broken.svg -o no.html && says err "broken.svg:2: " && no_page
@@ -96,12 +97,55 @@ glyph <script>alert(1)</script> 65
 contour 0,0 100,0 200,1 200,300 0,300
 glyph smooth 66
 contour 0,1* 101,0* 200,101* 103,200*
+glyph off 67
+contour 0,0 300,20 600,20 900,0 600,-500 300,-500
+contour 2000,0 2100,0 2200,7* 2300,300 2000,300
+contour 3000,0 3100,0 3200,5* 3300,300 3000,300
+contour 4000,0 4100,0 4150,1* 4300,300 4000,300
+glyph both 68
+component 3 0 10
+component 1 5000 0
 END
 printf "$(LC_ALL=C awk -f "$generator" glyphs.txt)" >test.ttf
-page test.ttf && says data.json '"whole":"em"' '"kink":1,"corner":4,"G0":0,"undecided":0,"G1":4,"G2":0}'
-says data.json '"grade":"kink","place":"glyph \u003cscript\u003ealert(1)\u003c/script\u003e, contour 0, node 1"' '"severity":"1"'
-says data.json '"angle":["0.572938","0.572939"]' '"summary":"9 joins in 3 glyphs of 1 font"'
-page test.ttf --glyphs smooth && says data.json '"kink":0,"corner":0,"G0":0,"undecided":0,"G1":4,"G2":0}'
+page test.ttf && says data.json '"whole":"em"' '"counts":{"kink":4,"bend":4,"rounding":4,"corner":34,"G1":4,"G2":0}'
+says data.json '"grade":"rounding","place":"glyph \u003cscript\u003ealert(1)\u003c/script\u003e, contour 0, node 1"' '"severity":"1"'
+says data.json '"angle":["0.572938","0.572939"]' '"summary":"1 font, 5 glyphs (1 empty), 50 joins: 34 corners, 4 kinks, 4 bends of two lines, 4 off by rounding, 4 G1, 0 G2 or more"'
+says data.json '"place":"glyph both, in its component off, contour 1, node 1"'
+# the worst first, by units, curves before lines
+page test.ttf --glyphs off
+holds [ "$(grep -o '"grade":"[a-z]*","place":"glyph off, contour [0-9], node [0-9]"' data.json | sed 's/.*":"\(.*\)","place":"glyph off, contour \(.\), node \(.\)"/\1 \2 \3/' | head -5 | tr '\n' ,)" = \
+  "kink 1 1,kink 2 1,bend 0 1,bend 0 2,rounding 3 1," ]
+printf "$(LC_ALL=C awk -v em=2048 -v family=Fine -f "$generator" glyphs.txt)" >fine.ttf # parts of the em are half as large
+page test.ttf fine.ttf --glyphs off
+holds [ "$(grep -o '"place":"[A-Za-z ]*: glyph off, contour [12], node 1"' data.json | cut -d'"' -f4 | tr '\n' ';')" = \
+  "Test Regular: glyph off, contour 1, node 1;Fine Regular: glyph off, contour 1, node 1;Test Regular: glyph off, contour 2, node 1;Fine Regular: glyph off, contour 2, node 1;" ]
+# the words, counts and classes of verify on the same fonts
+same_counts() { # CODE ARGUMENTS...
+  page "${@:2}" && run "$1" verify "${@:2}" --json --allow-empty
+  checks=$((checks + 1))
+  local verified shown
+  verified=$(tr -d '\n' <out | sed 's/.*"summary":{//; s/}.*//' |
+    sed 's/.*"joins":\([0-9]*\),"corners":\([0-9]*\),"kinks":\([0-9]*\),"kinks_off[a-z_]*":[0-9]*,"bends":\([0-9]*\),"rounding":\([0-9]*\),"G1":\([0-9]*\),"G2":\([0-9]*\)$/\1 \3 \4 \5 \2 \6 \7/')
+  shown=$(sed -n 's/.*"total":\([0-9]*\),"counts":{"kink":\([0-9]*\),"bend":\([0-9]*\),"rounding":\([0-9]*\),"corner":\([0-9]*\),"G1":\([0-9]*\),"G2":\([0-9]*\)}.*/\1 \2 \3 \4 \5 \6 \7/p' data.json)
+  if [ -z "$shown" ] || [ "$verified" != "$shown" ] || [ "$(grep -o '"claims":.*' data.json | tr -d ',')" != "$(grep -o '"claims":.*]}' out | tr -d ',')" ]; then
+    failures=$((failures + 1))
+    echo "report ${*:2}: $shown, verify: $verified"
+    grep -h '"claims"' data.json out
+  fi
+  run "$1" verify "${@:2}" --allow-empty --worst 0
+  says data.json "$(grep -o '[0-9]* glyphs\?[ ,].* joins\?.*' out | sed 's/; .*//' | tail -1)" # of all fonts
+}
+mkdir fonts && cp test.ttf fonts && head -c 300 test.ttf >fonts/broken.ttf
+printf "$(LC_ALL=C awk -v outlines=cff -v container=woff -f "$generator" glyphs.txt)" >fonts/other.woff
+printf "$(LC_ALL=C awk -v container=ttc -f "$generator" glyphs.txt)" >fonts/test.ttc
+printf "$(printf 'glyph .notdef\nglyph alone\ncontour 0,0 9,0 9,9' | LC_ALL=C awk -f "$generator")" >alone.ttf
+for options in "" "--off-by 0" "--off-by 0.9999" "--off-by 6" "--off-by 100" "--kink-angle 3" "--glyphs A-C" "--glyphs off,both"; do
+  same_counts 0 test.ttf $options
+  same_counts 1 fonts $options
+done
+same_counts 1 test.ttf alone.ttf --glyphs smooth,alone
+for bad in -1 x ''; do run 2 report test.ttf --off-by "$bad" -o no.html && says err "--off-by: " && no_page; done
+page test.ttf --glyphs smooth && says data.json '"kink":0,"bend":0,"rounding":0,"corner":0,"G1":4,"G2":0}'
 run 2 report test.ttf --glyphs none -o no.html && says err "none" && no_page
 head -c 300 test.ttf >broken.ttf && run 2 report broken.ttf -o no.html && says err "malformed_input: broken.ttf" && no_page
 

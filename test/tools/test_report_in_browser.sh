@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
 # The page of `report` in a browser without a network: no message on its console, what is shown, the keys, 10 000 joins.
+generator=$(realpath "$(dirname "$0")")/make_font.awk
 . "$(dirname "$0")/functions.sh"
 
 browser=$(command -v chromium || command -v chromium-browser || command -v google-chrome) || {
@@ -95,6 +96,23 @@ press("?"); log("keys " + byId("keys").open); byId("keys").close();
 '
 says answers '[inked true]' '[kink chosen]' '[row 1]' '[end true]' '[home 0]' '[focus filter]' '[filtered true]' '[empty true0]' '[typing 0]' \
   '[back list]' '[without kinks true]' '[all true]' '[sorted by order]' '[angles true]' '[large truetrue]' '[next 11]' '[other theme true]' '[keys true]'
+
+# fonts have grades of their own, and no others
+cat >glyphs.txt <<'END'
+glyph .notdef
+glyph off 65
+contour 0,0 300,20 600,20 900,0 600,-500 300,-500
+contour 2000,0 2100,0 2200,7* 2300,300 2000,300
+contour 3000,0 3100,0 3200,1 3200,300 3000,300
+END
+printf "$(LC_ALL=C awk -f "$generator" glyphs.txt)" >test.ttf
+run 0 report test.ttf -o font.html && asks font.html '
+const root = getComputedStyle(document.documentElement);
+for (const b of document.querySelectorAll("#grades button")) log(b.textContent);
+log("coloured " + gradeNames.every((g) => root.getPropertyValue("--" + g) && colours[g] === root.getPropertyValue("--" + g).trim()));
+log([...document.querySelectorAll(".join")].slice(0, 2).map((j) => [...j.querySelectorAll("dt")].map((d) => d.textContent)[2]).join());
+'
+says answers '[kink1][bend2][rounding1][corner11][coloured true][Handle is off by,Off by]'
 
 # surfaces: the model turns
 run 0 report --surfaces "$teapot" -o teapot.html && open teapot.html

@@ -3,6 +3,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
 #include "commands/command_line.h"
+#include "commands/kink_options.h"
 #include "commands/report_inputs.h"
 #include "files/output.h"
 #include "formats/cad/read_cad.h"
@@ -30,17 +31,11 @@ file, and needs no network.
   corner  they differ by more
   G1      the tangents agree, the curvatures do not
   G2      the curvatures agree as well
+In fonts, where the worst are those that are off by the most units, also
+  bend    a kink of two straight lines, where no handle is off
+  rounding  a kink or bend that is off by at most one unit, or --off-by units
 Exit code: 0 when the page is written, 2 on bad input.
 )";
-
-GC::Kink_bound kink_bound(const Command_line& line) {
-  const std::string text = line.text("kink-angle");
-  try {
-    return GC::Kink_bound(GC::parse_number<CGAL::Exact_rational>(text));
-  } catch (const std::exception&) {
-    throw std::invalid_argument("--kink-angle: '" + text + "' is not a number of degrees between 0 and 180");
-  }
-}
 
 // The names without folders.
 std::string names(const Arguments& files) {
@@ -70,6 +65,8 @@ int report_command(const Arguments& arguments) {
     add("worst", po::value<int>()->default_value(10000), "show so many joins at most, from 1 to 50000");
     add("kink-angle", po::value<std::string>()->default_value("5"),
         "the largest angle, in degrees, that is a kink and not a corner");
+    add("off-by", po::value<std::string>(),
+        "for fonts: up to so many units a handle may be off because of rounding; 1 if not given");
     add("within", po::value<std::string>(),
         "for CAD models: the tolerance GAP,ANGLEdeg,CURVATURE% or a preset, vda-4955 if not given; see verify --help");
     add("sew", po::value<std::string>(), "for CAD models: join boundary edges that are within this distance, in mm");
@@ -89,6 +86,7 @@ int report_command(const Arguments& arguments) {
     throw std::invalid_argument("--output: " + output + ": the page is HTML, and the name must end with .html");
   Report_demand demand;
   demand.kink_bound = kink_bound(line);
+  demand.rounding = rounding_bound(line);
   demand.limit = line.work_limit();
   demand.closed = line.has("closed");
   Report_page page(static_cast<std::size_t>(line.integer("worst", 1, 50000)));
@@ -99,7 +97,7 @@ int report_command(const Arguments& arguments) {
     report_fonts(files, demand, page);
     return written(page, output);
   }
-  line.refuse({"glyphs"}, "only for fonts");
+  line.refuse({"glyphs", "off-by"}, "only for fonts");
   if (are_cad_files(files)) {
     line.refuse({"surfaces", "closed"}, "not for CAD models");
     if (line.has("within")) demand.tolerance = line.text("within");

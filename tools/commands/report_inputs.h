@@ -6,6 +6,7 @@
 #define GEOMETRIC_CONTINUITY_TOOLS_COMMANDS_REPORT_INPUTS_H
 
 #include "commands/commands.h"
+#include "commands/fonts/Glyph_join.h"
 #include "formats/cad/Cad_reading.h"
 #include "formats/font/Glyph_selection.h"
 #include "reports/report_page.h"
@@ -18,11 +19,12 @@
 // What `report` asks of its inputs.
 struct Report_demand {
   GC::Kink_bound kink_bound;
-  GC::Work_limit limit;   // for each join, edge or curve
-  bool closed = false;    // the last curve of a chain leads back to its first
-  Glyph_selection glyphs; // of fonts
-  std::string tolerance;  // of CAD models, as it is written; empty for that of `verify`
-  Cad_reading reading;    // of CAD models
+  GC::Work_limit limit;    // for each join, edge or curve
+  bool closed = false;     // the last curve of a chain leads back to its first
+  Glyph_selection glyphs;  // of fonts
+  Rounding_bound rounding; // of fonts
+  std::string tolerance;   // of CAD models, as it is written; empty for that of `verify`
+  Cad_reading reading;     // of CAD models
 };
 
 // Each of these reads files, decides about their joins, and puts these on the page.

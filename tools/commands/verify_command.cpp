@@ -9,6 +9,7 @@
 #include "commands/drawings/verify_drawings.h"
 #include "commands/fonts/verify_fonts.h"
 #include "commands/fonts/verify_instances.h"
+#include "commands/kink_options.h"
 #include "commands/tolerances.h"
 #include "formats/cad/read_cad.h"
 #include "formats/font/font_files.h"
@@ -122,12 +123,7 @@ Report_format report_format(const Command_line& line) {
 
 // The largest angle that is a kink.
 Kink_rule kink_rule(const Command_line& line) {
-  const std::string degrees = line.has("kink-angle") ? line.text("kink-angle") : "5";
-  try {
-    return {degrees, GC::Kink_bound(line.number<Exact>("kink-angle", Exact(5)))};
-  } catch (const GC::Error&) {
-    throw std::invalid_argument("--kink-angle: " + degrees + " is not between 0 and 180 degrees");
-  }
+  return {line.has("kink-angle") ? line.text("kink-angle") : "5", kink_bound(line)};
 }
 
 // The angle that no kink may exceed.
@@ -158,12 +154,8 @@ Font_demand font_demand(const Command_line& line, const std::optional<Requiremen
   if (line.has("glyphs")) demand.glyphs = Glyph_selection(line.text("glyphs"));
   demand.worst = static_cast<std::size_t>(line.integer("worst", 0, 1000000));
   demand.rule.corner = kink_rule(line).bound;
-  if (line.has("off-by")) {
-    demand.off_by = line.text("off-by");
-    const Exact units = line.number<Exact>("off-by", Exact(1));
-    if (units < Exact(0)) throw std::invalid_argument("--off-by: " + demand.off_by + " is negative");
-    demand.rule.rounding = Rounding_bound(units);
-  }
+  demand.rule.rounding = rounding_bound(line);
+  if (line.has("off-by")) demand.off_by = line.text("off-by");
   if (line.has("max-kink")) {
     demand.max_kink = line.text("max-kink");
     demand.rule.max_kink = max_kink(line);

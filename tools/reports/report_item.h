@@ -17,9 +17,9 @@
 
 namespace GC = CGAL::Geometric_continuity;
 
-// The worst first.
-enum class Report_grade { gap, kink, corner, g0, undecided, g1, g2 };
-constexpr std::size_t number_of_report_grades = 7;
+// The worst first. Bends and rounding are grades of fonts.
+enum class Report_grade { gap, kink, bend, rounding, corner, g0, undecided, g1, g2 };
+constexpr std::size_t number_of_report_grades = 9;
 
 // A curve as it is drawn: rounded numbers.
 struct Report_curve {
@@ -41,18 +41,22 @@ struct Report_item {
   std::optional<GC::Enclosure> curvature_jump;     // percent of the larger curvature
   std::optional<GC::Enclosure> gap;                // in the units of the file
   std::optional<GC::Enclosure> offset;             // how far a handle is off, in these units
-  double severity = 0;                             // what the eye sees, among joins of one grade
+  double severity = 0;                             // what the eye sees
+  std::optional<double> units_off;                 // of fonts: by how many units of them it is off
   std::vector<std::string> point;                  // coordinates of the join
   std::string parameter;                           // of this point of an edge, if it has one
   std::shared_ptr<const Report_curve> left, right; // that meet there; none for an edge of a model
   std::shared_ptr<const Report_outline> outline;   // if it is not too long
   std::size_t edge = 0;                            // the number of an edge of the model
+
+  // The worse of two of one grade has the larger one.
+  double rank() const { return units_off ? *units_off : severity; }
 };
 
 // Whether `a` is shown before `b`, when the worst come first.
 inline bool is_worse(const Report_item& a, const Report_item& b) {
   if (a.grade != b.grade) return a.grade < b.grade;
-  if (a.severity != b.severity) return a.severity > b.severity;
+  if (a.rank() != b.rank()) return a.rank() > b.rank();
   return a.number < b.number;
 }
 

@@ -23,7 +23,8 @@
 
 namespace {
 
-const char* const grade_names[number_of_report_grades] = {"gap", "kink", "corner", "G0", "undecided", "G1", "G2"};
+const char* const grade_names[number_of_report_grades] = {"gap", "kink",      "bend", "rounding", "corner",
+                                                          "G0",  "undecided", "G1",   "G2"};
 
 // More curves are not drawn around the joins.
 constexpr std::size_t most_curves = 100000;
@@ -144,7 +145,18 @@ void write_model(std::ostream& os, const Report_model& model) {
 
 const char* report_grade_name(Report_grade grade) { return grade_names[static_cast<std::size_t>(grade)]; }
 
-bool Report_page::count(Report_grade grade, double severity) {
+bool Report_page::has(Report_grade grade) const {
+  switch (grade) {
+  case Report_grade::bend:
+  case Report_grade::rounding: return is_of_fonts;
+  case Report_grade::gap:
+  case Report_grade::g0:
+  case Report_grade::undecided: return !is_of_fonts; // their contours are closed, and all is decided
+  default: return true;
+  }
+}
+
+bool Report_page::count(Report_grade grade, double rank) {
   ++counts_[static_cast<std::size_t>(grade)];
   if (grade == Report_grade::undecided)
     claims_.add({Claim::undecided, "join", "no grade could be proved"});
@@ -153,7 +165,7 @@ bool Report_page::count(Report_grade grade, double severity) {
   Report_item item;
   item.number = ++total_;
   item.grade = grade;
-  item.severity = severity;
+  item.severity = rank;
   return items_.size() < most_ || is_worse(item, items_.front());
 }
 
@@ -182,7 +194,7 @@ void Report_page::include(const std::vector<double>& points) {
 }
 
 double Report_page::extent() const {
-  if (whole_is_em) return 1;
+  if (is_of_fonts) return 1;
   double sum = 0;
   for (std::size_t i = 0; i < low_.size(); ++i) sum += (high_[i] - low_[i]) * (high_[i] - low_[i]);
   return std::sqrt(sum);
@@ -210,13 +222,15 @@ void Report_page::write(std::ostream& os) const {
      << without_markup(Conclusion(claims_, mode, subject).json()) << ",\n\"notes\":[";
   for (std::size_t i = 0; i < notes.size(); ++i) os << (i == 0 ? "\n" : ",\n") << page_string(notes[i]);
   os << "],\n\"dimension\":" << dimension << ",\"down\":" << (down ? "true" : "false") << ",\"whole\":\""
-     << (whole_is_em ? "em" : "whole") << "\",\"numbered\":" << (is_numbered ? "true" : "false")
+     << (is_of_fonts ? "em" : "whole") << "\",\"numbered\":" << (is_numbered ? "true" : "false")
      << ",\"total\":" << total_ << ",\"counts\":{";
+  const char* separator = "\"";
   for (std::size_t i = 0; i < counts_.size(); ++i)
-    os << (i == 0 ? "\"" : ",\"") << grade_names[i] << "\":" << counts_[i];
+    if (has(static_cast<Report_grade>(i)))
+      os << std::exchange(separator, ",\"") << grade_names[i] << "\":" << counts_[i];
   os << "},\n\"joins\":[";
   Curve_numbers curves;
-  const char* separator = "\n";
+  separator = "\n";
   for (const Report_item& item : items_) {
     os << separator << page_item(item, extent(), curves);
     separator = ",\n";

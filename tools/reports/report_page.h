@@ -32,7 +32,7 @@ public:
   std::vector<std::string> notes; // what is not covered, and the like
   int dimension = 2;
   bool down = false;        // the second coordinate grows downwards
-  bool whole_is_em = false; // severities are already in parts of the whole, an em
+  bool is_of_fonts = false; // with their grades; severities are in parts of an em
   bool is_numbered = true;  // the numbers of the items are shown; otherwise their places have numbers
   std::optional<Report_model> model;
 
@@ -41,13 +41,16 @@ public:
 
   // Takes note of one more join, the number of which is total() + 1. Returns whether it may be among those that are shown: then
   // its item is to be passed to add().
-  bool count(Report_grade grade, double severity);
+  bool count(Report_grade grade, double rank);
   void add(Report_item item);
 
   // Takes note of a thing that was given and is not covered, and of its place in words, if that is to be shown.
   void leave_out(const char* noun, const std::string& reason, const std::string& note);
 
   const Claims& claims() const { return claims_; }
+
+  // Whether its joins may have this grade.
+  bool has(Report_grade grade) const;
 
   // Includes points in the whole, of the extent of which the severities of kinks are given in per mille.
   void include(const std::vector<double>& points);

@@ -41,6 +41,14 @@ inline std::string to_string(Glyph_grade grade) {
   return names[static_cast<std::size_t>(grade)];
 }
 
+// Whether a handle or a line is off.
+inline bool is_off(Glyph_grade grade) {
+  return grade == Glyph_grade::kink || grade == Glyph_grade::bend || grade == Glyph_grade::rounding;
+}
+
+// Whether it is off by more than rounding explains.
+inline bool is_defect(Glyph_grade grade) { return is_off(grade) && grade != Glyph_grade::rounding; }
+
 __extension__ typedef __int128 Glyph_integer;
 
 // Of integers of 64 bits, which most are, without a call.

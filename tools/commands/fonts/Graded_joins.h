@@ -134,8 +134,15 @@ public:
   }
 };
 
-// Grades the joins of a glyph. Calls show(contour, node, grade, fails, join, left, right) for kinks and bends, and for what fails.
-template <class Show> Join_counts grade_joins(const Glyph_outline& outline, const Join_rule& rule, Show show) {
+// Where a join is, e.g. "glyph eacute, in its component acute, contour 1, node 0".
+inline std::string join_place(const std::string& glyph, const std::string& component, std::size_t contour,
+                              std::size_t node) {
+  return "glyph " + glyph + (component.empty() ? "" : ", in its component " + component) + ", contour " +
+         std::to_string(contour) + ", node " + std::to_string(node);
+}
+
+// Grades the joins of a glyph, and calls visit(contour, node, grade, fails, join, left, right) for each of them.
+template <class Visit> Join_counts grade_joins(const Glyph_outline& outline, const Join_rule& rule, Visit visit) {
   static const Rounding_bound one_unit;
   const bool wants_g2 = rule.required == GC::Join_grade::g2;
   Join_counts counts;
@@ -144,11 +151,11 @@ template <class Show> Join_counts grade_joins(const Glyph_outline& outline, cons
     for (const Glyph_segment* right = begin; right != end; left = right++) {
       const Glyph_join join(*left, *right, outline.steps());
       const Glyph_grade grade = join.grade(rule.corner, rule.rounding);
-      const bool is_kink = grade == Glyph_grade::kink, is_off = is_kink || grade == Glyph_grade::bend;
+      const bool is_kink = grade == Glyph_grade::kink;
       const bool fails = (is_kink && (rule.required || (rule.max_kink && join.exceeds(*rule.max_kink)))) ||
                          (wants_g2 && grade == Glyph_grade::g1);
-      counts.add(grade, is_off && join.is_off_by_more_than(one_unit), fails);
-      if (is_off || fails) show(contour, static_cast<std::size_t>(right - begin), grade, fails, join, *left, *right);
+      counts.add(grade, is_defect(grade) && join.is_off_by_more_than(one_unit), fails);
+      visit(contour, static_cast<std::size_t>(right - begin), grade, fails, join, *left, *right);
     }
   }
   return counts;

@@ -30,11 +30,6 @@ Finding finding(const std::string& file, const std::string& place, Finding_rule 
   return f;
 }
 
-Given not_covered(const char* noun, const std::string& reason) {
-  const std::string prefix = "not covered: ";
-  return {Claim::not_covered, noun, reason.rfind(prefix, 0) == 0 ? reason.substr(prefix.size()) : reason};
-}
-
 std::string message(const Shown_join& join, const Join_numbers& numbers) {
   const std::string at = " at (" + numbers.x + ", " + numbers.y + ")",
                     more = join.copies == 0 ? "" : "; and " + std::to_string(join.copies) + " more like this";
@@ -46,6 +41,11 @@ std::string message(const Shown_join& join, const Join_numbers& numbers) {
 }
 
 } // namespace
+
+Given not_covered(const char* noun, const std::string& reason) {
+  const std::string prefix = "not covered: ";
+  return {Claim::not_covered, noun, reason.rfind(prefix, 0) == 0 ? reason.substr(prefix.size()) : reason};
+}
 
 Join_numbers::Join_numbers(const Shown_join& join)
     : x(rounded(static_cast<double>(join.right.start().x) / static_cast<double>(join.steps), 10)),
@@ -102,11 +102,8 @@ void Font_report::add_findings(const Font_result& font, const std::string& place
   for (const Shown_join& join : font.worst) {
     const Join_numbers numbers(join);
     const Given given{join.fails ? Claim::not_met : Claim::met, "join"};
-    const std::string part = join.part_name.empty() ? "" : ", in its component " + join.part_name;
     report_.add(font.file, given, true, [&] {
-      return finding(font.file,
-                     place + "glyph " + join.glyph_name + part + ", contour " + std::to_string(join.contour) +
-                         ", node " + std::to_string(join.node),
+      return finding(font.file, place + join_place(join.glyph_name, join.part_name, join.contour, join.node),
                      join.grade == Glyph_grade::g1 ? Finding_rule::curvature : Finding_rule::kink,
                      message(join, numbers), json_members(join));
     });
@@ -188,9 +185,7 @@ int Font_report::print(std::ostream& os, const Fonts_result& all) {
     for (const Unread_file& file : all.unread)
       summary += GC::printable(file.name + ": not verified, " + file.reason) + '\n';
     if (all.fonts != 1 || !all.unread.empty()) {
-      summary += counted(all.fonts, "font") + ", " + counts_text(all.counts);
-      if (!all.unread.empty()) summary += "; " + std::to_string(all.unread.size()) + " not verified";
-      summary += '\n';
+      summary += counts_text(all) + '\n';
       if (!is_short_ || all.counts.joins.failing() != 0) summary += joins_table(all.worst, true);
     }
   }

@@ -6,64 +6,24 @@
 #define GEOMETRIC_CONTINUITY_TOOLS_COMMANDS_FONTS_FONT_REPORT_H
 
 #include "commands/commands.h"
-#include "commands/fonts/Graded_joins.h"
-#include "formats/font/font_files.h"
+#include "commands/fonts/read_fonts.h"
 #include "reports/Report.h"
 #include "reports/words.h"
 
 #include <cstddef>
-#include <optional>
 #include <ostream>
 #include <string>
 #include <utility>
 #include <vector>
-
-// How much was found in a font, or in several.
-struct Font_counts {
-  std::size_t glyphs = 0; // that were read
-  std::size_t empty = 0;  // those of them that draw nothing, such as the space
-  Join_counts joins;
-
-  Font_counts& operator+=(const Font_counts& x) {
-    glyphs += x.glyphs;
-    empty += x.empty;
-    joins += x.joins;
-    return *this;
-  }
-};
-
-// A glyph that could not be read.
-struct Unread_glyph {
-  int index;
-  std::string name, reason;
-};
-
-// A font, and what was found in it.
-struct Font_result {
-  std::string file;          // as messages name it
-  std::optional<int> number; // among several of the file
-  bool is_alone;             // nothing else was to be read
-  std::string name;          // of family and style
-  int units_per_em;
-  Font_counts counts = {};
-  std::vector<Unread_glyph> unread = {};
-  Arguments missing = {}; // glyphs that were asked for
-  std::vector<Shown_join> worst = {};
-};
-
-// What was found in all fonts.
-struct Fonts_result {
-  std::size_t fonts = 0;
-  Font_counts counts = {};
-  std::vector<Unread_file> unread = {};
-  std::vector<Shown_join> worst = {};
-};
 
 // What is required of the joins of fonts, in words.
 struct Font_requirement {
   std::string text, json; // e.g. "G1", `"required":"G1"`; empty when nothing is required
   std::string off_by;     // as it was given: up to so many units it is rounding
 };
+
+// A glyph or a font that could not be read.
+Given not_covered(const char* noun, const std::string& reason);
 
 // The report about fonts. Where many joins are equal, one row or finding tells of all.
 class Font_report {
@@ -113,6 +73,7 @@ std::string json_members(const Font_result& font);
 
 // Returns lines for people: about a font, and the table of the worst joins, which names fonts if they are several.
 std::string counts_text(const Font_counts& counts);
+std::string counts_text(const Fonts_result& all);
 std::string joins_table(const std::vector<Shown_join>& joins, bool names_fonts);
 
 #endif // GEOMETRIC_CONTINUITY_TOOLS_COMMANDS_FONTS_FONT_REPORT_H

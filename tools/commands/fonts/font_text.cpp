@@ -71,3 +71,8 @@ std::string counts_text(const Font_counts& counts) {
   return text + ", " + std::to_string(joins[Glyph_grade::g1]) + " G1, " + std::to_string(joins[Glyph_grade::g2]) +
          " G2 or more";
 }
+
+std::string counts_text(const Fonts_result& all) {
+  return counted(all.fonts, "font") + ", " + counts_text(all.counts) +
+         (all.unread.empty() ? "" : "; " + std::to_string(all.unread.size()) + " not verified");
+}

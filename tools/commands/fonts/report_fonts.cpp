@@ -3,18 +3,12 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
 #include "commands/chains/join_report.h"
-#include "commands/fonts/Glyph_join.h"
-#include "files/input.h"
-#include "files/progress.h"
-#include "formats/font/Font_face.h"
-#include "formats/font/font_files.h"
+#include "commands/fonts/font_report.h"
+#include "commands/fonts/read_fonts.h"
 #include "reports/report_joins.h"
 
-#include <algorithm>
 #include <cstddef>
-#include <cstdint>
 #include <memory>
-#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -33,122 +27,106 @@ Plane_curve plane_curve(const Glyph_segment& s, std::int64_t steps) {
   return Plane_curve(points.begin(), points.end());
 }
 
-// Grades the joins of fonts, and measures those that are shown.
-class Fonts_page {
+Report_grade report_grade(Glyph_grade grade) {
+  switch (grade) {
+  case Glyph_grade::corner: return Report_grade::corner;
+  case Glyph_grade::kink: return Report_grade::kink;
+  case Glyph_grade::bend: return Report_grade::bend;
+  case Glyph_grade::rounding: return Report_grade::rounding;
+  case Glyph_grade::g1: return Report_grade::g1;
+  case Glyph_grade::g2: return Report_grade::g2;
+  }
+  return Report_grade::undecided;
+}
+
+// Puts the joins of fonts on a page, and measures those that are shown.
+class Fonts_page : public Font_visitor {
   const Report_demand& demand_;
+  const Join_rule rule_;
   Report_page& page_;
-  Glyph_selection selection_ = demand_.glyphs;
-  Glyph_outline outline_;
-  Progress progress_{"joins"};
-  std::size_t fonts_ = 0, glyphs_ = 0, not_verified_ = 0, contours_ = 0;
-  bool several_ = false;
+  std::size_t not_verified_ = 0, contours_ = 0;
 
-  void leave_out(const char* noun, const std::string& place, const std::string& reason) {
-    const bool is_shown = not_verified_++ < most_notes;
-    page_.leave_out(noun, reason, is_shown ? place + ": not verified, " + reason : "");
-  }
-
-  void read_glyph(const Font_face& font, const std::string& font_name, int glyph) {
-    font.read(glyph, outline_);
-    ++glyphs_;
-    for (std::size_t contour = 0; contour < outline_.contours(); ++contour, ++contours_) {
-      const Glyph_segment *const begin = outline_.begin(contour), *const end = outline_.end(contour), *left = end - 1;
-      std::shared_ptr<const Report_outline> drawn; // of this contour, as soon as one of its joins is shown
-      for (const Glyph_segment* right = begin; right != end; left = right++) {
-        const Glyph_join join(*left, *right, outline_.steps());
-        const Report_grade grade = report_grade(join.grade(demand_.kink_bound));
-        const bool has_angle = grade == Report_grade::kink || grade == Report_grade::corner;
-        if (!page_.count(grade, has_angle ? join.severity() / font.units_per_em() : 0)) continue;
-        if (!drawn) drawn = drawing(begin, end);
-        Report_item item =
-            measured_join(plane_curve(*left, outline_.steps()), plane_curve(*right, outline_.steps()), demand_);
-        item.number = page_.total();
-        item.severity = has_angle ? item.severity / font.units_per_em() : 0;
-        item.place = (several_ ? font_name + ": " : "") + "glyph " + font.glyph_name(glyph) + ", contour " +
-                     std::to_string(contour) + ", node " + std::to_string(right - begin);
-        item.left = (*drawn)[static_cast<std::size_t>(left - begin)];
-        item.right = (*drawn)[static_cast<std::size_t>(right - begin)];
-        item.outline = drawn;
-        page_.add(std::move(item));
-      }
-    }
-  }
-
-  std::shared_ptr<const Report_outline> drawing(const Glyph_segment* begin, const Glyph_segment* end) const {
-    auto outline = std::make_shared<Report_outline>();
-    const double steps = static_cast<double>(outline_.steps());
-    for (const Glyph_segment* s = begin; s != end; ++s) {
-      Report_curve curve{{}, {}, contours_};
+  // One contour is drawn for all of its joins.
+  std::shared_ptr<const Report_outline> drawing(const Glyph_outline& outline, std::size_t contour) const {
+    auto result = std::make_shared<Report_outline>();
+    const double steps = static_cast<double>(outline.steps());
+    for (const Glyph_segment* s = outline.begin(contour); s != outline.end(contour); ++s) {
+      Report_curve curve{{}, {}, contours_ + contour};
       for (int i = 0; i <= s->degree; ++i) {
         const Glyph_point& p = s->points[static_cast<std::size_t>(i)];
         curve.points.push_back(static_cast<double>(p.x) / steps);
         curve.points.push_back(static_cast<double>(p.y) / steps);
       }
-      outline->push_back(std::make_shared<const Report_curve>(std::move(curve)));
+      result->push_back(std::make_shared<const Report_curve>(std::move(curve)));
     }
-    return outline;
-  }
-
-  void read_font(const Font_file& file, const Font_face& font, double part_read) {
-    if (!font.has_outlines()) throw Font_error("pictures of letters (bitmaps), no outlines");
-    std::vector<std::string> missing;
-    const std::string own = font.name(), name = own.empty() ? input_name(file.name) : own;
-    for (const int glyph : selection_.glyphs(font, missing)) {
-      try {
-        read_glyph(font, name, glyph);
-      } catch (const Font_error& e) {
-        leave_out("glyph", name + ", glyph " + font.glyph_name(glyph), e.what());
-      }
-      progress_.step(page_.total(), [&] { return part_read; });
-    }
-    ++fonts_;
-  }
-
-  void read_file(const Font_file& file, double part_read) {
-    try {
-      const std::string bytes = read_bytes(file.name);
-      for (int i = 0, fonts = 1; i < fonts; ++i) {
-        const Font_face font(bytes, i);
-        fonts = font.fonts_of_file();
-        several_ = several_ || fonts > 1;
-        read_font(file, font, part_read);
-      }
-    } catch (const Font_error& e) {
-      if (!file.from_folder) throw GC::Error(GC::Error_code::malformed_input, input_name(file.name) + ": " + e.what());
-      leave_out("font", input_name(file.name), e.what());
-    } catch (const GC::Error& e) {
-      if (!file.from_folder) throw;
-      leave_out("font", input_name(file.name), e.what());
-    }
+    return result;
   }
 
 public:
-  Fonts_page(const Report_demand& demand, Report_page& page) : demand_(demand), page_(page) {}
+  Fonts_page(const Report_demand& demand, Report_page& page)
+      : demand_(demand), rule_{demand.kink_bound, demand.rounding}, page_(page) {}
 
-  void read(const Arguments& arguments) {
-    std::vector<Unread_file> unread;
-    const std::vector<Font_file> files = font_files(arguments, unread);
-    for (const Unread_file& file : unread) leave_out("font", file.name, file.reason);
-    std::uintmax_t bytes = 0, done = 0;
-    for (const Font_file& file : files) bytes += file.bytes;
-    several_ = files.size() > 1;
-    for (const Font_file& file : files) {
-      read_file(file, bytes == 0 ? 0 : static_cast<double>(done) / static_cast<double>(bytes));
-      done += file.bytes;
-    }
-    progress_.clear();
-    if (fonts_ != 0) selection_.check_all_found();
+  void begin_font(const Font_face&, const Font_result&) override {}
+
+  Join_counts glyph(const Font_face& font, int glyph, const Glyph_outline& outline,
+                    const Font_result& result) override {
+    std::vector<std::shared_ptr<const Report_outline>> drawn(outline.contours()); // where a join is shown
+    const Join_counts counts = grade_joins(
+        outline, rule_,
+        [&](std::size_t contour, std::size_t node, Glyph_grade glyph_grade, bool, const Glyph_join& join,
+            const Glyph_segment& left, const Glyph_segment& right) {
+          const Report_grade grade = report_grade(glyph_grade);
+          const double severity = glyph_grade == Glyph_grade::corner ? join.severity() / result.units_per_em : 0,
+                       units = is_off(glyph_grade) ? join.units_off() : 0;
+          if (!page_.count(grade, is_off(glyph_grade) ? units : severity)) return;
+          if (!drawn[contour]) drawn[contour] = drawing(outline, contour);
+          Report_item item =
+              measured_join(plane_curve(left, outline.steps()), plane_curve(right, outline.steps()), demand_);
+          item.number = page_.total();
+          item.severity = severity;
+          if (is_off(glyph_grade)) {
+            item.grade = grade;
+            item.verdict = report_words(grade, false);
+            item.severity = join.severity() / result.units_per_em;
+            item.units_off = units;
+          }
+          item.place = (result.is_alone ? "" : result.shown_name() + ": ") +
+                       join_place(font.glyph_name(glyph), part_name(font, outline.part(contour)), contour, node);
+          const auto segment = static_cast<std::size_t>(&right - outline.begin(contour));
+          const Report_outline& curves = *drawn[contour];
+          item.left = curves[(segment == 0 ? curves.size() : segment) - 1];
+          item.right = curves[segment];
+          item.outline = drawn[contour];
+          page_.add(std::move(item));
+        });
+    contours_ += outline.contours();
+    return counts;
+  }
+
+  void leave_out(const char* noun, const std::string& place, const std::string& reason) {
+    const bool is_shown = not_verified_++ < most_notes;
+    page_.leave_out(noun, not_covered(noun, reason).reason, is_shown ? place + ": not verified, " + reason : "");
+  }
+
+  void end_font(const Font_face&, Font_result& result) override {
+    const std::string name = result.shown_name();
+    for (const Unread_glyph& glyph : result.unread) leave_out("glyph", name + ", glyph " + glyph.name, glyph.reason);
+    for (const std::string& glyph : result.missing) leave_out("glyph", name + ", glyph " + glyph, "not in this font");
+  }
+
+  void end(const Fonts_result& all) {
+    for (const Unread_file& file : all.unread) leave_out("font", file.name, file.reason);
     if (not_verified_ > most_notes)
       page_.notes.push_back(std::to_string(not_verified_ - most_notes) + " more are not verified.");
-    page_.summary =
-        counted(page_.total(), "join") + " in " + counted(glyphs_, "glyph") + " of " + counted(fonts_, "font");
+    page_.summary = counts_text(all);
   }
 };
 
 } // namespace
 
 void report_fonts(const Arguments& files, const Report_demand& demand, Report_page& page) {
-  page.whole_is_em = true;
-  Fonts_page(demand, page).read(files);
+  page.is_of_fonts = true;
+  Fonts_page shown(demand, page);
+  shown.end(read_fonts(files, demand.glyphs, shown));
   page.finish();
 }

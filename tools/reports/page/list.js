@@ -1,7 +1,5 @@
 // The list of joins: filtered, sorted, and only those rows are in the page that can be seen.
 
-const gradeNames = ['gap', 'kink', 'corner', 'G0', 'undecided', 'G1', 'G2'];
-
 let wholeName = 'whole', numbered = true;
 
 // An element with a class and children; texts become text nodes, so that nothing from a file is ever read as markup.
@@ -31,7 +29,7 @@ function numbersOf(item) {
   add('Angle', boundTexts(item.angle, '\u00b0'));
   if (item.jump) add('Curvature jump', boundTexts(item.jump, ' %'));
   if (item.gap) add('Gap', boundTexts(item.gap, ''));
-  if (item.offset) add('Handle is off by', boundTexts(item.offset, ''));
+  if (item.offset) add(item.grade === 'kink' ? 'Handle is off by' : 'Off by', boundTexts(item.offset, wholeName === 'em' ? ' units' : ''));
   if (item.at) add('At', ['(' + item.at.join(', ') + ')', item.parameter ? 'parameter ' + item.parameter : '']);
   if (item.severity) add('Severity', ['about ' + item.severity + ' \u2030', 'of the ' + wholeName + ': angle times the shorter handle']);
   return list;

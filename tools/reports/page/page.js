@@ -3,6 +3,7 @@
 const data = JSON.parse(document.getElementById('data').textContent);
 wholeName = data.whole;
 numbered = data.numbered;
+const gradeNames = Object.keys(data.counts); // the worst first
 const byId = (id) => document.getElementById(id);
 
 const curves = data.curves.map((c) => ({ dimension: data.dimension, points: c.points, weights: c.weights, group: c.group }));

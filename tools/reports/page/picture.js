@@ -7,7 +7,7 @@ let colours = {};
 function readColours() {
   const style = getComputedStyle(document.documentElement);
   for (const name of ['card', 'ink', 'soft', 'line', 'shade', 'left', 'right', 'handle', 'context', 'gap', 'corner', 'kink',
-    'G0', 'undecided', 'G1', 'G2', 'boundary', 'collapsed', 'focus'])
+    'bend', 'rounding', 'G0', 'undecided', 'G1', 'G2', 'boundary', 'collapsed', 'focus'])
     colours[name] = style.getPropertyValue('--' + name).trim();
 }
 

@@ -1,0 +1,32 @@
+// Copyright (c) 2026 The Geometric_continuity developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef GEOMETRIC_CONTINUITY_TOOLS_COMMANDS_KINK_OPTIONS_H
+#define GEOMETRIC_CONTINUITY_TOOLS_COMMANDS_KINK_OPTIONS_H
+
+#include "commands/command_line.h"
+#include "commands/fonts/Glyph_join.h"
+
+#include <CGAL/Exact_rational.h>
+#include <CGAL/Geometric_continuity/joins/Kink_bound.h>
+
+#include <stdexcept>
+
+// What --kink-angle gives: the largest angle that is a kink.
+inline GC::Kink_bound kink_bound(const Command_line& line) {
+  try {
+    return GC::Kink_bound(line.number("kink-angle", CGAL::Exact_rational(5)));
+  } catch (const GC::Error&) {
+    throw std::invalid_argument("--kink-angle: " + line.text("kink-angle") + " is not between 0 and 180 degrees");
+  }
+}
+
+// What --off-by gives: by how many units of a font a handle may be off because of rounding.
+inline Rounding_bound rounding_bound(const Command_line& line) {
+  const CGAL::Exact_rational units = line.number("off-by", CGAL::Exact_rational(1));
+  if (units < CGAL::Exact_rational(0)) throw std::invalid_argument("--off-by: " + line.text("off-by") + " is negative");
+  return Rounding_bound(units);
+}
+
+#endif // GEOMETRIC_CONTINUITY_TOOLS_COMMANDS_KINK_OPTIONS_H
