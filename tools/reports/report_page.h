@@ -39,8 +39,8 @@ public:
   // A page that shows at most so many joins.
   explicit Report_page(std::size_t most) : most_(most) {}
 
-  // Takes note of one more join, the number of which is total() + 1. Returns whether it may be among those that are shown: then
-  // its item is to be passed to add().
+  // Takes note of one more join of a grade that the page has; its number is total() + 1. Returns whether it may be among those that are
+  // shown: then its item is to be passed to add().
   bool count(Report_grade grade, double rank);
   void add(Report_item item);
 

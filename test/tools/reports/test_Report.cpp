@@ -5,6 +5,7 @@
 // No report says more than the classes of what was given allow, whatever they are, and all formats agree.
 #define BOOST_TEST_MODULE Report
 #include "reports/Report.h"
+#include "reports/report_page.h"
 
 #include <boost/property_tree/json_parser.hpp>
 #include <boost/property_tree/xml_parser.hpp>
@@ -199,6 +200,94 @@ BOOST_AUTO_TEST_CASE(no_format_says_more_than_the_classes_allow) {
     }
   }
   std::cerr.rdbuf(standard);
+}
+
+namespace {
+
+// The data of a page, which stand in its HTML as a block of their own.
+std::string data_of(const Report_page& page) {
+  std::ostringstream os;
+  page.write(os);
+  const std::string text = os.str(), begin = "id=\"data\">";
+  const std::size_t first = text.find(begin) + begin.size();
+  return text.substr(first, text.find("</script>", first) - first);
+}
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE(no_page_says_more_than_the_classes_allow) {
+  const unsigned seed = std::random_device()();
+  BOOST_TEST_MESSAGE("seed " << seed);
+  std::mt19937 random(seed);
+  const auto below = [&](std::size_t n) { return static_cast<std::size_t>(random() % n); };
+  for (int i = 0; i < 3000; ++i) {
+    const std::size_t most = 1 + below(12);
+    Report_page page(most);
+    page.title = "<b>";
+    page.summary = "summary";
+    page.is_of_fonts = below(2) == 0;
+    std::vector<Report_item> joins;
+    std::vector<Thing> things;
+    const std::size_t grades = below(1u << number_of_report_grades); // which may occur
+    for (std::size_t n = below(20); n > 0; --n) {
+      if (below(4) == 0) {
+        const std::string reason = "reason " + std::to_string(below(3));
+        things.push_back({Claim::not_covered, "", reason, false});
+        page.leave_out(below(2) == 0 ? "element" : "face", reason, below(2) == 0 ? "a note" : "");
+        continue;
+      }
+      const std::size_t number = below(number_of_report_grades);
+      const Report_grade grade = static_cast<Report_grade>(number);
+      if (!page.has(grade) || (grades & (std::size_t(1) << number)) == 0) continue;
+      things.push_back({grade == Report_grade::undecided ? Claim::undecided : Claim::met, "", "", false});
+      Report_item item;
+      item.grade = grade;
+      item.severity = static_cast<double>(below(4));
+      item.number = joins.size() + 1;
+      item.place = "join " + std::to_string(item.number);
+      joins.push_back(item);
+      if (page.count(grade, item.severity)) page.add(item);
+    }
+    page.finish();
+    page.number_edges();
+    std::sort(joins.begin(), joins.end(), is_worse);
+    const std::size_t undecided = count(things, Claim::undecided), uncovered = count(things, Claim::not_covered),
+                      shown = (std::min)(most, joins.size());
+    BOOST_TEST_CONTEXT("seed " << seed << ", page " << i) {
+      const std::string text = data_of(page);
+      BOOST_TEST(text.find_first_of("<>") == std::string::npos);
+      BOOST_TEST(text.find("\"met\"") == std::string::npos);
+      BOOST_TEST(occurrences(text, "proved") == (undecided == 0 ? 0u : 1u)); // "no grade could be proved"
+      const Tree data = json(text);
+      check_claims(data.get_child("claims"), things);
+      BOOST_TEST(data.get<std::string>("summary") ==
+                 "summary" + (undecided == 0 ? "" : "; " + std::to_string(undecided) + " undecided") +
+                     (uncovered == 0 ? "" : "; " + std::to_string(uncovered) + " not covered"));
+      BOOST_TEST(data.get<std::size_t>("total") == joins.size());
+      const Tree& counts = data.get_child("counts");
+      std::size_t sum = 0;
+      for (std::size_t number = 0; number < number_of_report_grades; ++number) {
+        const Report_grade grade = static_cast<Report_grade>(number);
+        const auto found = counts.get_optional<std::size_t>(report_grade_name(grade));
+        BOOST_TEST(found.has_value() == page.has(grade));
+        if (!found) continue;
+        BOOST_TEST(*found ==
+                   static_cast<std::size_t>(std::count_if(
+                       joins.begin(), joins.end(), [&](const Report_item& item) { return item.grade == grade; })));
+        sum += *found;
+      }
+      BOOST_TEST(sum == joins.size());
+      BOOST_TEST(data.get_child("joins").size() == shown);
+      std::size_t next = 0; // the worst ones
+      for (const auto& join : data.get_child("joins")) {
+        BOOST_TEST(join.second.get<std::size_t>("number") == joins[next].number);
+        BOOST_TEST(join.second.get<std::string>("grade") == report_grade_name(joins[next++].grade));
+      }
+      BOOST_TEST(occurrences(text, "The page shows the worst " + std::to_string(shown) + " of " +
+                                       std::to_string(joins.size()) + "; " + std::to_string(joins.size() - shown) +
+                                       " are left out.") == (shown < joins.size() ? 1u : 0u));
+    }
+  }
 }
 
 BOOST_AUTO_TEST_CASE(texts_from_files_are_no_links) {
