@@ -57,7 +57,7 @@ void read(std::string_view bytes, std::size_t face) {
       const std::vector<GC::Outline_join> joins = GC::outline_joins(glyph);
       require(joins.size() <= glyph.points.size(), "a join is at a point");
       for (std::size_t j = 0; j < (std::min)(joins.size(), max_joins); ++j) check(joins[j].join, glyph, font);
-      require(GC::glyph_parts(font, glyph.components).size() <= GC::max_glyph_parts, "a glyph has parts");
+      require(GC::glyph_parts(font, glyph.components).size() <= max_glyph_parts, "a glyph has parts");
     });
 }
 

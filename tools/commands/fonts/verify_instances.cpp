@@ -184,11 +184,11 @@ class Instances_report {
     const GC::Variable_outline glyph = found.font.glyph(index);
     judge_instances(index, index, glyph, GC::outline_joins(glyph), found.font, bounds_, joins);
     found.composites += !glyph.components.empty();
-    for (const GC::Glyph_part& part : GC::glyph_parts(found.font, glyph.components))
-      if (part.is_stretched()) {
+    for (const Glyph_part& part : GC::glyph_parts(found.font, glyph.components))
+      if (GC::is_stretched(part)) {
         const GC::Variable_outline outline = found.font.glyph(part.glyph);
         std::vector<GC::Outline_join> stretched = GC::outline_joins(outline);
-        for (GC::Outline_join& join : stretched) join.join = part(std::move(join.join));
+        for (GC::Outline_join& join : stretched) join.join = GC::join_of_part(part, std::move(join.join));
         judge_instances(index, part.glyph, outline, stretched, found.font, bounds_, joins);
       } else if (known.insert(part.glyph).second)
         glyphs.push_back(part.glyph);

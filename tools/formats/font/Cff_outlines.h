@@ -5,31 +5,19 @@
 #ifndef GEOMETRIC_CONTINUITY_TOOLS_FORMATS_FONT_CFF_OUTLINES_H
 #define GEOMETRIC_CONTINUITY_TOOLS_FORMATS_FONT_CFF_OUTLINES_H
 
-#include "formats/font/Type_2_charstring.h"
+#include "formats/font/Cff_table.h"
+#include "formats/font/Charstring_pen.h"
 
-#include <cstddef>
+#include <cstdint>
 #include <functional>
-#include <map>
 #include <optional>
 #include <string>
-#include <string_view>
-#include <vector>
 
-// The outlines of a table 'CFF ' (Adobe Technical Note 5176) or 'CFF2', at the default instance, with all fractions of a unit; FreeType cuts
-// them off. Names and characters are left to FreeType.
+// The outlines of a table 'CFF ' or 'CFF2', at the default instance, with all fractions of a unit; FreeType cuts them off. Names and
+// characters are left to FreeType.
 class Cff_outlines {
-  struct Part { // of the glyphs, a "font" of the table
-    std::vector<std::string_view> subroutines = {};
-    std::size_t variation_set = 0;
-  };
-  typedef std::map<int, std::vector<double>> Dictionary;
-
-  std::string bytes_;
-  std::vector<std::size_t> regions_; // how many each set of them has
-  bool is_cff2_;
-  std::vector<std::string_view> charstrings_, subroutines_;
-  std::vector<Part> parts_;
-  std::vector<std::size_t> selection_; // the part of each glyph
+  const std::string bytes_;
+  const CGAL::Geometric_continuity::Cff_table table_;
 
 public:
   // Reads what all glyphs have in common from a table, of which this takes the bytes. Throws Font_error.
@@ -42,8 +30,6 @@ public:
 
 private:
   std::optional<Accented_letter> draw(int glyph, Glyph_outline& outline, const Glyph_point& origin = {0, 0}) const;
-  void read_parts(const Dictionary& top);
-  void read_regions(std::size_t begin);
 };
 
 #endif // GEOMETRIC_CONTINUITY_TOOLS_FORMATS_FONT_CFF_OUTLINES_H

@@ -8,8 +8,15 @@
 #include "formats/font/Font_error.h"
 #include "formats/font/Glyph_outline.h"
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
+
+// A letter and its accent, as charstrings may draw them: codes of Adobe's standard encoding, and where the accent is.
+struct Accented_letter {
+  std::int64_t letter, accent;
+  Glyph_point at; // in 2^-16 units
+};
 
 // Draws the outline of a glyph with cubic curves as a charstring says it, relative to the point where it is. Numbers are those of
 // charstrings, multiples of 2^-16 units, and their sums are exact.
@@ -26,6 +33,12 @@ class Charstring_pen {
 
 public:
   static constexpr int shift = 16;
+
+  // Numbers, of which the default instance of a variable font leaves out by how much they vary.
+  typedef std::int64_t Number;
+  static Number number(std::int64_t x) { return x; }
+  static std::int64_t value(Number x) { return x; }
+  static void blend(Number&, const Number*, std::size_t) {}
 
   explicit Charstring_pen(Glyph_outline& outline) : outline_(outline) {}
 

@@ -27,7 +27,6 @@
 namespace {
 
 constexpr FT_Pos max_coordinate = Glyph_outline::max_coordinate;
-constexpr std::size_t max_components = 1000; // of a glyph, those of its components included
 
 // What FreeType says about an error. Its header lists the texts for whoever defines these macros.
 std::string freetype_message(FT_Error error) {
@@ -208,34 +207,6 @@ std::vector<std::string> type_1_subroutines(FT_Face face) {
 
 } // namespace
 
-// A matrix of integers over a power of two.
-struct Font_face::Matrix {
-  std::int64_t xx = 1, xy = 0, yx = 0, yy = 1;
-  int shift = 0;
-
-  bool is_identity() const { return xx == 1 && xy == 0 && yx == 0 && yy == 1 && shift == 0; }
-
-  Matrix reduced() const {
-    Matrix m = *this;
-    for (; m.shift > 0 && ((m.xx | m.xy | m.yx | m.yy) & 1) == 0; --m.shift)
-      m = {m.xx / 2, m.xy / 2, m.yx / 2, m.yy / 2, m.shift};
-    return m;
-  }
-
-  Matrix operator*(const Matrix& m) const { // both with few digits
-    return Matrix{xx * m.xx + xy * m.yx, xx * m.xy + xy * m.yy, yx * m.xx + yy * m.yx, yx * m.xy + yy * m.yy,
-                  shift + m.shift}
-        .reduced();
-  }
-  Glyph_point operator()(const Glyph_point& p) const { return {xx * p.x + xy * p.y, yx * p.x + yy * p.y}; }
-};
-
-// A glyph without components that is part of another one, and its matrix there.
-struct Font_face::Component {
-  int glyph;
-  Matrix matrix;
-};
-
 Font_face::~Font_face() = default;
 
 void Font_face::Close::operator()(FT_FaceRec_* face) const { FT_Done_Face(face); }
@@ -305,86 +276,66 @@ int Font_face::glyph_from(char32_t& character) const {
   return static_cast<int>(glyph);
 }
 
-bool Font_face::load_components(int glyph) const {
+std::optional<std::vector<Glyph_part>> Font_face::parts_of(int glyph) const {
+  if (simple_[static_cast<std::size_t>(glyph)] >= 0) return std::nullopt;
   check(FT_Load_Glyph(face_.get(), static_cast<FT_UInt>(glyph), FT_LOAD_NO_RECURSE));
-  const bool has_components = face_->glyph->format == FT_GLYPH_FORMAT_COMPOSITE;
-  if (!has_components) simple_[static_cast<std::size_t>(glyph)] = face_->glyph->outline.n_contours;
-  return has_components;
-}
-
-void Font_face::list_components(const Component& moved, std::size_t& number, std::vector<Component>& leaves) const {
-  std::vector<Component> components((std::min<std::size_t>)(face_->glyph->num_subglyphs, max_components + 1));
-  for (std::size_t i = 0; i < components.size(); ++i) {
+  if (face_->glyph->format != FT_GLYPH_FORMAT_COMPOSITE) {
+    simple_[static_cast<std::size_t>(glyph)] = face_->glyph->outline.n_contours;
+    return std::nullopt;
+  }
+  std::vector<Glyph_part> parts((std::min<std::size_t>)(face_->glyph->num_subglyphs, max_glyph_parts + 1));
+  for (std::size_t i = 0; i < parts.size(); ++i) { // glyphs of the font, or FreeType would have refused the list
     FT_Int x, y;
     FT_UInt flags;
     FT_Matrix m; // multiples of 2^-14 in 2^-16
-    check(FT_Get_SubGlyph_Info(face_->glyph, static_cast<FT_UInt>(i), &components[i].glyph, &flags, &x, &y, &m));
+    check(FT_Get_SubGlyph_Info(face_->glyph, static_cast<FT_UInt>(i), &parts[i].glyph, &flags, &x, &y, &m));
     if ((flags & (FT_SUBGLYPH_FLAG_SCALE | FT_SUBGLYPH_FLAG_XY_SCALE | FT_SUBGLYPH_FLAG_2X2)) != 0)
-      components[i].matrix = Matrix{m.xx, m.xy, m.yx, m.yy, 16}.reduced();
+      parts[i].matrix = Part_matrix{m.xx, m.xy, m.yx, m.yy, 16}.reduced();
   }
-  for (Component& component : components) { // a glyph of the font, or FreeType would have refused the list
-    if (++number > max_components) throw Font_error("more components than any letter needs");
-    if (moved.matrix.shift + component.matrix.shift > Glyph_outline::max_shift - 1)
-      throw Font_error("not covered: a component that is scaled too often");
-    component.matrix = moved.matrix * component.matrix;
-    if (simple_[static_cast<std::size_t>(component.glyph)] < 0 && load_components(component.glyph))
-      list_components(component, number, leaves);
-    else
-      leaves.push_back(component);
-  }
+  return parts;
+}
+
+std::vector<Glyph_part> Font_face::leaves(const std::vector<Glyph_part>& parts) const {
+  return leaf_parts(parts, [this](int glyph) { return parts_of(glyph); });
 }
 
 std::set<int> Font_face::components(int glyph) const {
-  std::set<int> leaves, open{glyph}, known;
-  while (!open.empty() && !simple_.empty()) { // only TrueType glyphs have components
-    const int next = *open.begin();
-    open.erase(open.begin());
-    if (!known.insert(next).second) continue;
-    if (known.size() > max_components) throw Font_error("more components than any letter needs");
-    if (simple_[static_cast<std::size_t>(next)] >= 0 || !load_components(next)) {
-      if (next != glyph) leaves.insert(next);
-      continue;
-    }
-    for (FT_UInt i = 0; i < face_->glyph->num_subglyphs; ++i) {
-      FT_Int component, x, y;
-      FT_UInt flags;
-      FT_Matrix scale;
-      check(FT_Get_SubGlyph_Info(face_->glyph, i, &component, &flags, &x, &y, &scale));
-      open.insert(component);
-    }
-  }
-  return leaves;
+  std::set<int> result;
+  if (simple_.empty()) return result; // only TrueType glyphs have components
+  if (const auto parts = parts_of(glyph))
+    for (const Glyph_part& leaf : leaves(*parts)) result.insert(leaf.glyph);
+  return result;
 }
 
 void Font_face::read_true_type(int glyph, Glyph_outline& outline) const {
-  std::vector<Component> leaves;
+  std::vector<Glyph_part> leaves;
   if (simple_[static_cast<std::size_t>(glyph)] < 0) {
-    if (!load_components(glyph)) return receive(face_->glyph, outline);
-    std::size_t number = 0;
-    list_components({glyph, {}}, number, leaves);
+    const auto own = parts_of(glyph);
+    if (!own) return receive(face_->glyph, outline); // it has been loaded
+    leaves = this->leaves(*own);
   }
   check(FT_Load_Glyph(face_.get(), static_cast<FT_UInt>(glyph), FT_LOAD_NO_SCALE | FT_LOAD_IGNORE_TRANSFORM));
   if (leaves.empty()) return receive(face_->glyph, outline);
-  if (std::any_of(leaves.begin(), leaves.end(), [](const Component& c) { return !c.matrix.is_identity(); }))
+  if (std::any_of(leaves.begin(), leaves.end(), [](const Glyph_part& c) { return !c.matrix.is_identity(); }))
     return transform(leaves, outline);
   std::vector<std::pair<int, int>> parts;
   int contours = 0;
-  for (const Component& leaf : leaves)
+  for (const Glyph_part& leaf : leaves)
     parts.emplace_back(leaf.glyph, contours += simple_[static_cast<std::size_t>(leaf.glyph)]);
   receive(face_->glyph, outline, &parts);
 }
 
-void Font_face::transform(const std::vector<Component>& leaves, Glyph_outline& outline) const {
+void Font_face::transform(const std::vector<Glyph_part>& leaves, Glyph_outline& outline) const {
   const FT_Outline& all = face_->glyph->outline;
   const std::vector<FT_Vector> rounded(all.points, all.points + all.n_points);
   int shift = 1;
-  for (const Component& leaf : leaves) shift = (std::max)(shift, leaf.matrix.shift + 1);
+  for (const Glyph_part& leaf : leaves) shift = (std::max)(shift, leaf.matrix.shift + 1);
   const auto in_steps = [shift](const FT_Vector& p) {
     return Glyph_point{p.x * (std::int64_t(1) << shift), p.y * (std::int64_t(1) << shift)};
   };
   Glyph_outline part;
   std::size_t points = 0;
-  for (const Component& leaf : leaves) {
+  for (const Glyph_part& leaf : leaves) {
     part.clear();
     check(FT_Load_Glyph(face_.get(), static_cast<FT_UInt>(leaf.glyph), FT_LOAD_NO_RECURSE));
     receive(face_->glyph, part);
@@ -392,7 +343,7 @@ void Font_face::transform(const std::vector<Component>& leaves, Glyph_outline& o
     if (own.n_points == 0) continue;
     if (rounded.size() < points + static_cast<std::size_t>(own.n_points)) throw Font_error("components that change");
     // It is placed as by FreeType.
-    const Matrix& m = leaf.matrix;
+    const Part_matrix& m = leaf.matrix;
     FT_Vector first = own.points[0];
     const auto fixed = [&m](std::int64_t x) { return FT_Fixed(x * 0x10000 / (std::int64_t(1) << m.shift)); };
     const FT_Matrix matrix{fixed(m.xx), fixed(m.xy), fixed(m.yx), fixed(m.yy)};

@@ -7,10 +7,12 @@
 
 #include "formats/font/Font_error.h"
 #include "formats/font/Glyph_outline.h"
+#include "formats/font/leaf_parts.h"
 
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <set>
 #include <string>
 #include <string_view>
@@ -27,8 +29,6 @@ class Font_face {
   struct Close {
     void operator()(FT_FaceRec_* face) const;
   };
-  struct Matrix;
-  struct Component;
   std::unique_ptr<FT_FaceRec_, Close> face_;
   bool has_names_;
   std::unique_ptr<const Cff_outlines> cff_;          // of a font with charstrings of type 2
@@ -87,15 +87,14 @@ private:
   // The glyph of a letter or an accent in Adobe's standard encoding.
   int glyph_of_code(std::int64_t code) const;
 
-  // Loads a glyph without components, or the list of its components, and returns whether it has some.
-  bool load_components(int glyph) const;
+  // The components of a glyph, if it has some; otherwise its outline has been loaded, or it is known to have none.
+  std::optional<std::vector<Glyph_part>> parts_of(int glyph) const;
 
-  // Appends the glyphs without components of which the composite glyph consists whose list has been loaded, each moved as `moved` says,
-  // and adds to the number of components. Throws Font_error when there are too many.
-  void list_components(const Component& moved, std::size_t& number, std::vector<Component>& leaves) const;
+  // The glyphs without components of which these consist. Throws Font_error when there are too many.
+  std::vector<Glyph_part> leaves(const std::vector<Glyph_part>& parts) const;
 
   // Replaces an outline whose components were rounded by the exact one.
-  void transform(const std::vector<Component>& leaves, Glyph_outline& outline) const;
+  void transform(const std::vector<Glyph_part>& leaves, Glyph_outline& outline) const;
 };
 
 #endif // GEOMETRIC_CONTINUITY_TOOLS_FORMATS_FONT_FONT_FACE_H

@@ -9,6 +9,7 @@
 #include <CGAL/Geometric_continuity/joins/Variation_region.h>
 
 #include <cstddef>
+#include <optional>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -18,20 +19,22 @@
 namespace CGAL {
 namespace Geometric_continuity {
 
-// For each set of data the regions of its deltas, in their order.
-inline std::vector<std::vector<Variation_region>> read_variation_store(std::string_view store, std::size_t axes) {
+// For each set of data the regions of its deltas, in their order. The axes are those of the font, if they are known.
+inline std::vector<std::vector<Variation_region>> read_variation_store(std::string_view store,
+                                                                       std::optional<std::size_t> axes) {
   Font_bytes bytes(store, "table 'CFF2', the regions"), data = bytes;
   if (bytes.u16() != 1) bytes.refuse("their format is not 1");
   const std::size_t begin = bytes.u32();
   const int sets = bytes.u16();
   data.seek(begin);
-  if (static_cast<std::size_t>(data.u16()) != axes) data.refuse("their number of axes is not that of 'fvar'");
+  const std::size_t own_axes = static_cast<std::size_t>(data.u16());
+  if (axes && own_axes != *axes) data.refuse("their number of axes is not that of 'fvar'");
   const std::size_t count = static_cast<std::size_t>(data.u16());
-  if (axes != 0 && data.left() / (6 * axes) < count) data.refuse("there are more of them than bytes");
+  if (own_axes != 0 && data.left() / (6 * own_axes) < count) data.refuse("there are more of them than bytes");
   std::vector<Variation_region> regions;
   for (std::size_t r = 0; r < count; ++r) {
     std::vector<Region_axis> region;
-    for (std::size_t k = 0; k < axes; ++k) {
+    for (std::size_t k = 0; k < own_axes; ++k) {
       Region_axis axis{};
       for (double* x : {&axis.start, &axis.peak, &axis.end}) *x = data.f2dot14();
       region.push_back(axis);

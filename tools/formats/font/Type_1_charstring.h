@@ -5,7 +5,8 @@
 #ifndef GEOMETRIC_CONTINUITY_TOOLS_FORMATS_FONT_TYPE_1_CHARSTRING_H
 #define GEOMETRIC_CONTINUITY_TOOLS_FORMATS_FONT_TYPE_1_CHARSTRING_H
 
-#include "formats/font/Type_2_charstring.h"
+#include "formats/font/Charstring_pen.h"
+#include "formats/font/charstring_operators.h"
 
 #include <array>
 #include <cstddef>
@@ -24,35 +25,6 @@ class Type_1_charstring {
   };
   static constexpr std::size_t max_stack = 256, max_operators = std::size_t(1) << 20;
   static constexpr int max_depth = 16;
-  enum Operator {
-    hstem = 1,
-    vstem = 3,
-    vmove = 4,
-    line = 5,
-    hline = 6,
-    vline = 7,
-    curve = 8,
-    close = 9,
-    subroutine = 10,
-    back = 11,
-    escape = 12,
-    bearing = 13,
-    end = 14,
-    move = 21,
-    hmove = 22,
-    vhcurve = 30,
-    hvcurve = 31,
-    dot = 0x0c00,
-    vstem3 = 0x0c01,
-    hstem3 = 0x0c02,
-    accented = 0x0c06,
-    bearings = 0x0c07,
-    quotient = 0x0c0c,
-    other_subroutine = 0x0c10,
-    pop = 0x0c11,
-    set_point = 0x0c21
-  };
-
   const std::vector<std::string>& subroutines_;
   Charstring_pen pen_;
   Glyph_point origin_{0, 0};
@@ -63,8 +35,6 @@ class Type_1_charstring {
   std::vector<Glyph_point> flex_;
   std::int64_t left_bearing_ = 0;
   std::optional<Accented_letter> accented_;
-
-  [[noreturn]] static void refuse(const char* reason) { throw Font_error(std::string("charstring: ") + reason); }
 
 public:
   Type_1_charstring(const std::vector<std::string>& subroutines, Glyph_outline& outline)
@@ -81,7 +51,7 @@ public:
 
 private:
   void needs(std::size_t count) const {
-    if (stack_.size() < count) refuse("operands are missing");
+    if (stack_.size() < count) charstring::refuse("operands are missing");
   }
   // An operand, which has to be what the font says.
   std::int64_t operator[](std::size_t i) const {
@@ -92,84 +62,78 @@ private:
     needs(1);
     const Number x = stack_.back();
     stack_.pop_back();
-    if (!x.exact || x.value < 0 || (x.value & 0xffff) != 0) refuse("a number is none of its operands");
+    if (!x.exact || x.value < 0 || (x.value & 0xffff) != 0) charstring::refuse("a number is none of its operands");
     return static_cast<std::size_t>(x.value >> 16);
   }
 
   void run(std::string_view charstring, int depth) {
-    if (depth > max_depth) refuse("subroutines call each other more than 16 times");
+    if (depth > max_depth) charstring::refuse("subroutines call each other more than 16 times");
     std::size_t i = 0;
     const auto next = [&]() -> std::int64_t {
-      if (i == charstring.size()) refuse("it ends too early");
+      if (i == charstring.size()) charstring::refuse("it ends too early");
       return static_cast<unsigned char>(charstring[i++]);
     };
     while (i != charstring.size() && !done_) {
       const std::int64_t byte = next();
       if (byte < 32) {
-        if (byte == back) return;
-        apply(static_cast<int>(byte == escape ? 0x0c00 | next() : byte), depth);
+        if (byte == charstring::back) return;
+        apply(static_cast<int>(byte == charstring::escape ? 0x0c00 | next() : byte), depth);
         continue;
       }
       std::int64_t x = 0;
-      if (byte < 247)
-        x = byte - 139;
-      else if (byte < 251)
-        x = (byte - 247) * 256 + next() + 108;
-      else if (byte < 255)
-        x = -(byte - 251) * 256 - next() - 108;
+      if (byte < 255)
+        x = charstring::short_integer(static_cast<int>(byte), next);
       else {
         std::uint32_t bits = 0;
         for (int k = 0; k < 4; ++k) bits = bits << 8 | static_cast<std::uint32_t>(next());
         x = static_cast<std::int32_t>(bits);
       }
-      if (stack_.size() == max_stack) refuse("too many operands");
+      if (stack_.size() == max_stack) charstring::refuse("too many operands");
       stack_.push_back({x * 0x10000});
     }
   }
 
   void apply(int operation, int depth) {
-    if (++operators_ > max_operators) refuse("more operators than any letter needs");
+    if (++operators_ > max_operators) charstring::refuse("more operators than any letter needs");
     const Type_1_charstring& s = *this;
     switch (operation) {
-    case subroutine: {
+    case charstring::subroutine: {
       const std::size_t number = pop_count();
-      if (subroutines_.size() <= number) refuse("there is no such subroutine");
+      if (subroutines_.size() <= number) charstring::refuse("there is no such subroutine");
       return run(subroutines_[number], depth + 1);
     }
-    case other_subroutine: return call_other();
-    case pop:
-      if (results_.empty()) refuse("there is no result");
+    case charstring::other_subroutine: return call_other();
+    case charstring::pop:
+      if (results_.empty()) charstring::refuse("there is no result");
       stack_.push_back(results_.back());
       results_.pop_back();
       return;
-    case quotient: return divide();
-    case hstem:
-    case vstem:
-    case hstem3:
-    case vstem3:
-    case dot: break;
-    case bearing: needs(2), begin(stack_[0].value, 0); break; // a quotient here moves the glyph as a whole
-    case bearings: needs(4), begin(stack_[0].value, stack_[1].value); break;
-    case move: needs(2), move_by(s[0], s[1]); break;
-    case hmove: needs(1), move_by(s[0], 0); break;
-    case vmove: needs(1), move_by(0, s[0]); break;
-    case line: needs(2), pen_.line(s[0], s[1]); break;
-    case hline: needs(1), pen_.line(s[0], 0); break;
-    case vline: needs(1), pen_.line(0, s[0]); break;
-    case curve: needs(6), pen_.curve(s[0], s[1], s[2], s[3], s[4], s[5]); break;
-    case vhcurve: needs(4), pen_.curve(0, s[0], s[1], s[2], s[3], 0); break;
-    case hvcurve: needs(4), pen_.curve(s[0], 0, s[1], s[2], 0, s[3]); break;
-    case close: pen_.close(); break;
-    case set_point: break; // where the curves of a flex end
-    case accented:
+    case charstring::quotient: return divide();
+    case charstring::hstem:
+    case charstring::vstem:
+    case charstring::hstem3:
+    case charstring::vstem3:
+    case charstring::dot: break;
+    case charstring::bearing: needs(2), begin(stack_[0].value, 0); break; // a quotient here moves the glyph as a whole
+    case charstring::bearings: needs(4), begin(stack_[0].value, stack_[1].value); break;
+    case charstring::move: needs(2), move_by(s[0], s[1]); break;
+    case charstring::hmove: needs(1), move_by(s[0], 0); break;
+    case charstring::vmove: needs(1), move_by(0, s[0]); break;
+    case charstring::line: needs(2), pen_.line(s[0], s[1]); break;
+    case charstring::hline: needs(1), pen_.line(s[0], 0); break;
+    case charstring::vline: needs(1), pen_.line(0, s[0]); break;
+    case charstring::curve: needs(6), pen_.curve(s[0], s[1], s[2], s[3], s[4], s[5]); break;
+    case charstring::vhcurve: needs(4), pen_.curve(0, s[0], s[1], s[2], s[3], 0); break;
+    case charstring::hvcurve: needs(4), pen_.curve(s[0], 0, s[1], s[2], 0, s[3]); break;
+    case charstring::close: pen_.close(); break;
+    case charstring::set_point: break; // where the curves of a flex end
+    case charstring::accented:
       needs(5);
       accented_ = {s[3] >> 16, s[4] >> 16, {left_bearing_ + s[1] - s[0], s[2]}};
       done_ = true;
       break;
-    case end: done_ = true; break;
-    default:
-      throw Font_error("not covered: the operator " + std::to_string(operation & 0xff) +
-                       (operation > 0xff ? " behind 12" : "") + " of its charstring");
+    case charstring::end: done_ = true; break;
+    default: charstring::refuse_operator(operation);
     }
     stack_.clear();
   }
@@ -187,11 +151,11 @@ private:
   void divide() {
     needs(2);
     const Number b = stack_.back(), a = stack_[stack_.size() - 2];
-    if (b.value == 0) refuse("a division by zero");
+    if (b.value == 0) charstring::refuse("a division by zero");
     stack_.pop_back();
     __extension__ typedef __int128 Long;
     const Long numerator = Long(a.value) * 0x10000, x = numerator / b.value;
-    if (x < -(Long(1) << 48) || (Long(1) << 48) < x) refuse("a number is too large");
+    if (x < -(Long(1) << 48) || (Long(1) << 48) < x) charstring::refuse("a number is too large");
     stack_.back() = {static_cast<std::int64_t>(x), a.exact && b.exact && numerator % b.value == 0};
   }
 
@@ -206,10 +170,10 @@ private:
       flex_.clear();
       flex_at_ = pen_.position();
     } else if (number == 2 && in_flex_) {
-      if (flex_.size() == 7) refuse("a flex of more than seven points");
+      if (flex_.size() == 7) charstring::refuse("a flex of more than seven points");
       flex_.push_back(flex_at_);
     } else if (number == 0 && in_flex_) {
-      if (flex_.size() != 7) refuse("a flex of less than seven points");
+      if (flex_.size() != 7) charstring::refuse("a flex of less than seven points");
       in_flex_ = false;
       Glyph_point from = pen_.position();
       std::array<Glyph_point, 6> d;
