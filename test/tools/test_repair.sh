@@ -130,6 +130,9 @@ run 0 repair drawing.svg -o repaired.svg --max-move 9 && run 0 verify repaired.s
 path 'M0 9L10 0Q20 1 30 20L40 40' 0 --kink-angle 6 --max-move 20 && says out "1 corner" && run 0 verify repaired.svg --require G1 --kink-angle 6 && says out "1 corner"
 path 'M0 0C10 0 20 10 30 10C40 10 50 0 60 0C70 0 80 11 90 10' 0
 path 'M-10 10C0 10 20 10 30 0C40-10 60-10 70-10C80-10 100-9 110-9' 0 && says out "0 kinks"
+# The curvature beside an arc is harmonised at the other end of a curve.
+path 'M0 0A100 100 0 0 1 100 100C100 200 150 400 300 400C450 400 600 195 600 0' 0 --to G2 && says out "1 are harmonised"
+run 0 verify repaired.svg --require G1
 # --to G2 is idempotent.
 for d in 'M0 0C10 0 25-20 40-20s31 22 40 60 20 30 40 30' 'M0 0C30 0 50 20 50 50S80 110 100 100 150 60 150 30 120-30 90-30 40-40 0 0z' \
   'M100 0C100 53 57 99 3 100S-96 55-100 0-60-97 0-100 100-51 100 0z'; do

@@ -366,14 +366,14 @@ class Contour_mender {
     return GC::deviation(grid_bezier(points(join)), grid_bezier(points(next(join)))).curvature_jump;
   }
 
-  // The sum over all joins of the curves that moves change. As only what lessens it is accepted, the sum over all joins decreases.
+  // The sum over all joins of the curves that moves change; of those with an arc there is none. As only what lessens it is accepted, the sum over all joins decreases.
   double sum_of_jumps(const std::vector<Move>& moves) const {
     std::set<std::size_t> joins;
     for (const Move& m : moves)
       for (std::size_t j : joins_of(m.curve)) joins.insert(j);
     double sum = 0;
     for (std::size_t j : joins)
-      if (grade(j) == GC::Join_grade::g1)
+      if (is_bezier_join(j) && grade(j) == GC::Join_grade::g1)
         if (const std::optional<GC::Enclosure> x = jump(j)) sum += x->upper;
     return sum;
   }
