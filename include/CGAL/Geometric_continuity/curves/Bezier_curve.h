@@ -40,6 +40,7 @@ namespace Geometric_continuity {
 /// \models ParametricCurve
 template <class Traits_, int Degree = dynamic_degree> class Bezier_curve : public Bezier_polygon<Traits_, Degree> {
   typedef Bezier_polygon<Traits_, Degree> Polygon;
+  template <class Shape> friend class Rational_curve;
   using Polygon::a_;
   using Polygon::b_;
   using Polygon::points_;

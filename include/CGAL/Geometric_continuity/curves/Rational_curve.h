@@ -13,6 +13,7 @@
 #include <CGAL/Geometric_continuity/local/homogeneous_jets.h>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <initializer_list>
 #include <optional>
@@ -252,9 +253,9 @@ public:
   }
 
   /// Returns the jet of order `k` of a B-spline curve at `u` from the left; at the start of the domain from the right.
-  Curve_jet<Traits> left_jet(const FT& u, int k) const { return Curve_jet<Traits>(left_jet_over<FT>(u, k)); }
+  Curve_jet<Traits> left_jet(const FT& u, int k) const { return jet_on_span(u, knots().left_span(u), k); }
   /// Returns the jet of order `k` of a B-spline curve at `u` from the right; at the end of the domain from the left.
-  Curve_jet<Traits> right_jet(const FT& u, int k) const { return Curve_jet<Traits>(right_jet_over<FT>(u, k)); }
+  Curve_jet<Traits> right_jet(const FT& u, int k) const { return jet_on_span(u, knots().span(u), k); }
 
   /// Returns the jet of order `k` at the start of the domain; of a Bézier curve from `k + 1` control points, in \f$ O(k^2) \f$.
   /// \throws Error `negative_count` unless `k >= 0`
@@ -561,11 +562,10 @@ private:
 
   // x[0], ..., x[order] of a Bézier curve, unrolled for the order k or less
   template <int k, class Jet> CGAL_GC_FORCEINLINE void write_jet(const FT& u, int order, Jet&& x) const {
-    const std::pair<FT, FT> ends = domain();
-    internal::with_constant_level<Degree, M>(dimension() + 1, degree(), u, ends.first, ends.second,
+    internal::with_constant_level<Degree, M>(dimension() + 1, degree(), u, shape_.a_, shape_.b_,
                                              Homogeneous_coordinates(*this), [&](auto level, const auto& coordinate) {
                                                internal::rational_bezier_jet<level, k, N>(dimension(), degree(), u,
-                                                                                          ends.first, ends.second,
+                                                                                          shape_.a_, shape_.b_,
                                                                                           coordinate, order, x);
                                              });
   }
@@ -601,16 +601,33 @@ private:
         dimension() + 1, degree(), k, step, [&](int j, int i) { return homogeneous_coordinate<Field>(index(j), i); }));
   }
 
-  template <class Field> Coordinate_jet<Field, N> jet_over(const FT& u, int span, int k) const {
-    Coordinate_jet<Field, M> jet(dimension() + 1, k);
+  // output(j, x) for the derivatives up to the degree of the homogeneous points of a B-spline curve.
+  template <class Field, class Output>
+  void write_derivatives(const FT& u, int span, int k, const Output& output) const {
     internal::derivatives_over<Field>(
         knots(), span, u, k,
         [&](int i) {
           return homogeneous_point(Geometric_continuity::coordinates<Traits, Field>(control_point(i)),
                                    internal::to_field<Field>(weights_[i]));
         },
-        [&](int j, const auto& x) { jet[j] = x; });
+        output);
+  }
+  template <class Field> Coordinate_jet<Field, N> jet_over(const FT& u, int span, int k) const {
+    Coordinate_jet<Field, M> jet(dimension() + 1, k);
+    write_derivatives<Field>(u, span, k, [&](int j, const auto& x) { jet[j] = x; });
     return project(jet);
+  }
+  Curve_jet<Traits> jet_on_span(const FT& u, int span, int k) const {
+    return std::is_floating_point_v<FT> && 0 <= k && k <= 3 ? short_jet_on_span(u, span, k)
+                                                            : Curve_jet<Traits>(jet_over<FT>(u, span, k));
+  }
+  Curve_jet<Traits> short_jet_on_span(const FT& u, int span, int k) const {
+    Curve_jet<Traits> x(dimension(), k, internal::Unspecified());
+    std::array<typename Homogeneous::Point, 4> p;
+    for (int j = degree() + 1; j <= k; ++j) p[j] = typename Homogeneous::Point(dimension() + 1);
+    write_derivatives<FT>(u, span, k, [&](int j, const auto& y) { p[j] = y; });
+    internal::project_short<FT>(p, dimension(), k, x);
+    return x;
   }
 };
 

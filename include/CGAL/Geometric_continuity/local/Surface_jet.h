@@ -10,9 +10,10 @@
 #include <CGAL/Geometric_continuity/numbers/internal/checked_numbers.h>
 #include <CGAL/number_utils.h>
 
+#include <boost/container/small_vector.hpp>
+
 #include <algorithm>
 #include <optional>
-#include <vector>
 
 namespace CGAL {
 namespace Geometric_continuity {
@@ -30,13 +31,13 @@ public:
   typedef typename Traits::Vector Vector;                        ///< the vectors of the kernel
   typedef Geometric_continuity::Coordinates<Traits> Coordinates; ///< their coordinates
 
-  /// The zero jet of order `k` in dimension `d`.
+  /// The zero jet of order `k` in dimension `d`. No memory is allocated up to order 2, provided that numbers do not.
   /// \throws Error `jet_order_too_low` unless `k >= 0`, `negative_count` unless `d >= 0`
   /// \throws Error `dimension_mismatch` unless `d` is the dimension of the traits class
   Surface_jet(int d, int k) : order_(k) {
     if (k < 0) throw Error(Error_code::jet_order_too_low, "Surface_jet: a jet of negative order");
     internal::check_count(d, "Surface_jet: dimension");
-    partials_.assign((k + 1) * (k + 2) / 2, Coordinates(d));
+    partials_.resize((k + 1) * (k + 2) / 2, Coordinates(d));
   }
 
   /// Returns the order `k`.
@@ -59,7 +60,8 @@ public:
 
 private:
   int order_;
-  std::vector<Coordinates> partials_; // by total order, then by j
+  boost::container::small_vector<Coordinates, 6>
+      partials_; // by total order, then by j; without allocation up to order 2
 
   static int index(int i, int j) { return (i + j) * (i + j + 1) / 2 + j; }
 };
@@ -109,10 +111,15 @@ namespace internal {
 
 // What overflows in floating-point arithmetic is refused.
 template <class Traits> void check_jet(const Surface_jet<Traits>& jet, const char* place) {
-  if constexpr (std::is_floating_point_v<typename Traits::FT>)
+  if constexpr (std::is_floating_point_v<typename Traits::FT>) {
+    Coordinates<Traits> zeros(jet.dimension()); // if all are finite
+    for (int i = 0; i <= jet.order(); ++i)
+      for (int j = 0; i + j <= jet.order(); ++j) zeros += jet(i, j) - jet(i, j);
+    if (is_zero(zeros)) return;
     for (int i = 0; i <= jet.order(); ++i)
       for (int j = 0; i + j <= jet.order(); ++j)
         for (const typename Traits::FT& x : jet(i, j)) check_finite(x, place);
+  }
 }
 
 } // namespace internal

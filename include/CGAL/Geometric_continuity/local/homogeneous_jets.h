@@ -62,8 +62,9 @@ CGAL_GC_FORCEINLINE void divide_derivatives(FT* x, const FT* w, const FT& invers
   }
 }
 
-template <int k, class FT, int M, class Jet> void project_order(const Coordinate_jet<FT, M>& p, Jet& x) {
-  const int n = p.dimension() - 1;
+// The jet x of order k from the derivatives p[0], ..., p[k] of homogeneous points.
+template <int k, class FT, class Derivatives, class Jet>
+CGAL_GC_FORCEINLINE void project_order(const Derivatives& p, int n, Jet& x) {
   std::array<FT, k + 1> w, c;
   for_each_index<k + 1>([&](int j) { w[j] = p[j][n]; });
   require_denominator(w[0], "the denominator of a rational curve");
@@ -72,6 +73,18 @@ template <int k, class FT, int M, class Jet> void project_order(const Coordinate
     for_each_index<k + 1>([&](int j) { c[j] = p[j][i]; });
     divide_derivatives<k>(c.data(), w.data(), inverse);
     for_each_index<k + 1>([&](int j) { x[j][i] = c[j]; });
+  }
+}
+
+// The same where the order is at most 3, otherwise nothing is done.
+template <class FT, class Derivatives, class Jet>
+CGAL_GC_FORCEINLINE bool project_short(const Derivatives& p, int n, int order, Jet& x) {
+  switch (order) {
+  case 0: return project_order<0, FT>(p, n, x), true;
+  case 1: return project_order<1, FT>(p, n, x), true;
+  case 2: return project_order<2, FT>(p, n, x), true;
+  case 3: return project_order<3, FT>(p, n, x), true;
+  default: return false;
   }
 }
 
@@ -92,13 +105,7 @@ template <class FT, int M> Coordinate_jet<FT, (M == 0 ? 0 : M - 1)> project(cons
     for (int k = 0; k <= p.order(); ++k) words = (std::max)(words, internal::number_words(p[k][n]));
     work->charge_fractions(n * (p.order() + 1.), words); // the first of each of the sums
   }
-  switch (p.order()) {
-  case 0: return internal::project_order<0>(p, x), x;
-  case 1: return internal::project_order<1>(p, x), x;
-  case 2: return internal::project_order<2>(p, x), x;
-  case 3: return internal::project_order<3>(p, x), x;
-  default: break;
-  }
+  if (internal::project_short<FT>(p, n, p.order(), x)) return x;
   internal::require_denominator(p[0][n], "the denominator of a rational curve");
   const FT inverse = FT(FT(1) / p[0][n]);
   internal::for_each_binomial_row<FT>(p.order(), [&](int k, const auto& binomial) {

@@ -22,6 +22,7 @@
 #include <array>
 #include <cstddef>
 #include <iterator>
+#include <limits>
 #include <optional>
 #include <type_traits>
 #include <utility>
@@ -145,37 +146,48 @@ Coordinate_vector<Field, N> coefficient_over(const Coordinate_vector<FT, N>& x) 
   return r;
 }
 
+// Calls f with the degree as a constant where floating-point code has one, see derivative_weights(), and with -1 otherwise.
+template <class Knots, class FT, class Function>
+CGAL_GC_FORCEINLINE void with_degree_inside_span(const Knots& knots, int p, int k, const FT& u, const Function& f) {
+  if constexpr (std::is_floating_point_v<FT>)
+    if (knots[k] < u && u < knots[k + 1] && (std::numeric_limits<FT>::min)() < knots[k + 1] - knots[k]) switch (p) {
+      case 1: return f(std::integral_constant<int, 1>());
+      case 2: return f(std::integral_constant<int, 2>());
+      case 3: return f(std::integral_constant<int, 3>());
+      case 4: return f(std::integral_constant<int, 4>());
+      case 5: return f(std::integral_constant<int, 5>());
+      default: break;
+      }
+  f(std::integral_constant<int, -1>());
+}
+
 // The derivatives of order 0 to p at u, not beyond `order`, of the polynomial on the span k, in another field, to which
-// what is needed is converted. coefficient(i) is the i-th coefficient in that field; output(j, derivative) is called. The
-// degree is Degree, unless that is negative: then it is tried whether it is one of those for which floating-point code has constant
-// bounds.
-template <class Field, int Degree = -1, class FT, class Coefficient, class Output>
+// what is needed is converted. coefficient(i) is the i-th coefficient in that field; output(j, derivative) is called.
+template <class Field, class FT, class Coefficient, class Output>
 void derivatives_over(const Knot_vector<FT>& knots, int k, const FT& u, int order, const Coefficient& coefficient,
                       const Output& output) {
-  const int p = Degree < 0 ? knots.degree() : Degree;
-  if constexpr (std::is_floating_point_v<Field> && Degree < 0) switch (p) {
-    case 1: return derivatives_over<Field, 1>(knots, k, u, order, coefficient, output);
-    case 2: return derivatives_over<Field, 2>(knots, k, u, order, coefficient, output);
-    case 3: return derivatives_over<Field, 3>(knots, k, u, order, coefficient, output);
-    case 4: return derivatives_over<Field, 4>(knots, k, u, order, coefficient, output);
-    case 5: return derivatives_over<Field, 5>(knots, k, u, order, coefficient, output);
+  const auto in_degree = [&](auto degree) {
+    constexpr int Degree = degree;
+    const int p = Degree < 0 ? knots.degree() : Degree;
+    typedef decltype(coefficient(0)) Value;
+    std::conditional_t<(Degree < 0), Span_vector<Value>, std::array<Value, Degree + 1 + (Degree < 0)>>
+        c; // c_{k-p}, ...
+    std::conditional_t<(Degree < 0), boost::container::small_vector<Field, 16>,
+                       std::array<Field, 2 * Degree + 1 + 2 * (Degree < 0)>>
+        local; // u_{k-p}, ..., u_{k+p}
+    if constexpr (Degree < 0) {
+      c.resize(p + 1);
+      local.resize(2 * p + 1);
     }
-  typedef decltype(coefficient(0)) Value;
-  if constexpr (Degree < 0) {
-    Span_vector<Value> c;                            // c_{k-p}, ..., c_k
-    boost::container::small_vector<Field, 16> local; // u_{k-p}, ..., u_{k+p}
-    for (int i = k - p; i <= k; ++i) c.push_back(coefficient(i));
-    for (int i = k - p; i <= k + p; ++i) local.push_back(to_field<Field>(knots[i]));
-    derivative_weights(local, p, p, to_field<Field>(u), order,
-                       [&](int j, const Span_weights<Field>& weights) { output(j, weights(c)); });
-  } else {
-    std::array<Value, Degree + 1> c;
-    std::array<Field, 2 * Degree + 1> local;
     for (int i = 0; i <= p; ++i) c[i] = coefficient(k - p + i);
     for (int i = 0; i <= 2 * p; ++i) local[i] = to_field<Field>(knots[k - p + i]);
     derivative_weights<Degree>(local, p, p, to_field<Field>(u), order,
                                [&](int j, const Span_weights<Field, Degree>& weights) { output(j, weights(c)); });
-  }
+  };
+  if constexpr (std::is_same_v<Field, FT>)
+    with_degree_inside_span(knots, knots.degree(), k, u, in_degree);
+  else
+    in_degree(std::integral_constant<int, -1>());
 }
 
 } // namespace internal

@@ -5,7 +5,6 @@
 #ifndef CGAL_GEOMETRIC_CONTINUITY_SPLINES_INTERNAL_SPLINE_WEIGHTS_H
 #define CGAL_GEOMETRIC_CONTINUITY_SPLINES_INTERNAL_SPLINE_WEIGHTS_H
 
-#include <CGAL/Geometric_continuity/internal/for_each_index.h>
 #include <CGAL/Geometric_continuity/internal/force_inline.h>
 #include <CGAL/Geometric_continuity/splines/Knot_vector.h>
 
@@ -71,11 +70,12 @@ template <class FT> CGAL_GC_FORCEINLINE void add_argument(FT* w, int n, const FT
   w[n] = carry;
 }
 
-// The level of the triangle that stands for one differentiation. The i-th length is b - a.
-template <class FT> CGAL_GC_FORCEINLINE void add_differentiation(FT* w, int n, const FT* lengths) {
+// The level of the triangle that stands for one differentiation. The i-th length is b - a, divide(x, length) the quotient.
+template <class FT, class Divide>
+CGAL_GC_FORCEINLINE void add_differentiation(FT* w, int n, const FT* lengths, const Divide& divide) {
   FT carry(0);
   for (int i = 0; i < n; ++i) {
-    const FT x = FT(n) * w[i] / lengths[i];
+    const FT x = divide(FT(FT(n) * w[i]), lengths[i]);
     w[i] = carry - x;
     carry = x;
   }
@@ -84,39 +84,87 @@ template <class FT> CGAL_GC_FORCEINLINE void add_differentiation(FT* w, int n, c
 
 // The weights of the derivatives of order 0 to p at t, not beyond `order`, of a spline of degree p on the span k, for
 // the coefficients k-p, ..., k: output(j, weights) is called for each. Only the knots k-p+1, ..., k+p are read. The degree
-// is Degree, unless that is negative: then the loops have constant bounds.
+// is Degree, unless that is negative. If it is not, everything is unrolled by templates, and each difference of knots is inverted
+// once: for floating-point numbers inside of the span, since at its ends the weights of the point are to be exact.
+template <int Degree, class FT, class Knots> class Derivative_weights {
+  static constexpr int fixed = Degree < 0 ? 0 : Degree;
+
+  const Knots& u_;
+  const FT& t_;
+  int p_, k_, last_;
+  // of the level with m + 1 weights, with the knots k - m + i and k + 1 + i, from m (m + 1) / 2 on
+  Weight_numbers<FT, Degree, fixed*(fixed + 1) / 2 + 1, 28> lengths_, quotients_;
+  Weight_numbers<FT, Degree, fixed + 1, 8> basis_, weights_; // the basis of degree m
+
+  struct Divide {
+    CGAL_GC_FORCEINLINE FT operator()(const FT& x, const FT& length) const {
+      return Degree < 0 ? FT(x / length) : FT(x * length);
+    }
+  };
+
+  CGAL_GC_FORCEINLINE void read_level(int m) {
+    FT *const b = lengths_.data() + m * (m + 1) / 2, *const q = quotients_.data() + m * (m + 1) / 2;
+    for (int i = 0; i <= m; ++i) {
+      b[i] = u_[k_ + 1 + i] - u_[k_ - m + i];
+      if constexpr (Degree >= 0) b[i] = FT(1) / b[i];
+      q[i] = Divide()(FT(t_ - u_[k_ - m + i]), b[i]);
+    }
+  }
+  template <int m> CGAL_GC_FORCEINLINE void read_levels_from() {
+    if constexpr (m < Degree) {
+      read_level(m);
+      read_levels_from<m + 1>();
+    }
+  }
+  CGAL_GC_FORCEINLINE void differentiate(int l) {
+    add_differentiation(weights_.data(), l + 1, lengths_.data() + l * (l + 1) / 2, Divide());
+  }
+  template <int l> CGAL_GC_FORCEINLINE void differentiate_from() {
+    if constexpr (l < Degree) {
+      differentiate(l);
+      differentiate_from<l + 1>();
+    }
+  }
+  template <int m, class Output> CGAL_GC_FORCEINLINE void from_level(const Output& output) {
+    if constexpr (m < Degree) {
+      if (Degree - m <= last_) {
+        for (int i = 0; i <= m; ++i) weights_.data()[i] = basis_.data()[i];
+        differentiate_from<m>();
+        output(Degree - m, Span_weights<FT, Degree>{k_ - Degree, Degree, weights_.data()});
+      }
+      add_argument(basis_.data(), m + 1, quotients_.data() + m * (m + 1) / 2);
+      from_level<m + 1>(output);
+    }
+  }
+
+public:
+  CGAL_GC_FORCEINLINE Derivative_weights(const Knots& u, int p, int k, const FT& t, int order)
+      : u_(u), t_(t), p_(p), k_(k), last_((std::min)(order, p)), lengths_(p * (p + 1) / 2), quotients_(p * (p + 1) / 2),
+        basis_(p + 1), weights_(p + 1) {}
+
+  template <class Output> CGAL_GC_FORCEINLINE void write(const Output& output) {
+    basis_.data()[0] = FT(1);
+    if constexpr (Degree >= 0) {
+      read_levels_from<0>();
+      from_level<0>(output);
+    } else {
+      for (int m = 0; m < p_; ++m) read_level(m);
+      for (int m = 0; m < p_; ++m) {
+        if (p_ - m <= last_) {
+          std::copy_n(basis_.data(), m + 1, weights_.data());
+          for (int l = m; l < p_; ++l) differentiate(l);
+          output(p_ - m, Span_weights<FT, Degree>{k_ - p_, p_, weights_.data()});
+        }
+        add_argument(basis_.data(), m + 1, quotients_.data() + m * (m + 1) / 2);
+      }
+    }
+    output(0, Span_weights<FT, Degree>{k_ - p_, p_, basis_.data()});
+  }
+};
 template <int Degree = -1, class FT, class Knots, class Output>
 CGAL_GC_FORCEINLINE void derivative_weights(const Knots& u, int degree, int k, const FT& t, int order,
                                             const Output& output) {
-  const int p = Degree < 0 ? degree : Degree, last = (std::min)(order, p);
-  constexpr int fixed = Degree < 0 ? 0 : Degree;
-  // of the level with m + 1 weights, with the knots k - m + i and k + 1 + i, from m (m + 1) / 2 on
-  Weight_numbers<FT, Degree, fixed*(fixed + 1) / 2 + 1, 28> lengths(p * (p + 1) / 2), quotients(p * (p + 1) / 2);
-  Weight_numbers<FT, Degree, fixed + 1, 8> basis(p + 1), weights(p + 1); // the basis of degree m
-  const auto read_level = [&](int m) {
-    FT *const b = lengths.data() + m * (m + 1) / 2, *const q = quotients.data() + m * (m + 1) / 2;
-    for (int i = 0; i <= m; ++i) {
-      b[i] = u[k + 1 + i] - u[k - m + i];
-      q[i] = FT(t - u[k - m + i]) / b[i];
-    }
-  };
-  const auto finish_level = [&](int m) {
-    if (const int j = p - m; 0 < j && j <= last) {
-      std::copy_n(basis.data(), m + 1, weights.data());
-      for (int l = m; l < p; ++l) add_differentiation(weights.data(), l + 1, lengths.data() + l * (l + 1) / 2);
-      output(j, Span_weights<FT, Degree>{k - p, p, weights.data()});
-    }
-    if (m < p) add_argument(basis.data(), m + 1, quotients.data() + m * (m + 1) / 2);
-  };
-  basis.data()[0] = FT(1);
-  if constexpr (Degree < 0) {
-    for (int m = 0; m < p; ++m) read_level(m);
-    for (int m = 0; m <= p; ++m) finish_level(m);
-  } else {
-    for_each_index<fixed>(read_level);
-    for_each_index<fixed + 1>(finish_level);
-  }
-  output(0, Span_weights<FT, Degree>{k - p, p, basis.data()});
+  Derivative_weights<Degree, FT, Knots>(u, Degree < 0 ? degree : Degree, k, t, order).write(output);
 }
 
 // The derivatives of order 0 to `order` at t of the polynomial on the span k.

@@ -9,9 +9,13 @@
 #include <CGAL/Geometric_continuity/local/Surface_jet.h>
 #include <CGAL/Geometric_continuity/numbers/internal/checked_numbers.h>
 #include <CGAL/Geometric_continuity/surfaces/internal/Control_net.h>
+#include <CGAL/Geometric_continuity/surfaces/internal/tensor_product_jet.h>
+
+#include <boost/container/small_vector.hpp>
 
 #include <algorithm>
 #include <cstddef>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -27,29 +31,56 @@ template <class FT> FT local_parameter(const FT& u, const std::pair<FT, FT>& int
   return FT((u - interval.first) / (interval.second - interval.first));
 }
 
+// The knots of a Bezier curve of degree p.
+template <class FT> struct Bezier_knots {
+  int p;
+  const std::pair<FT, FT>& domain;
+  const FT& operator[](int i) const { return i <= p ? domain.first : domain.second; }
+};
+
 // The jet of order k at (u, v) of the patch of degree p x q on the rectangle `domain_u` x `domain_v`: first the derivatives in v
 // of the control points of all rows, then those in u. coordinate(i, j, x) is the coordinate number x < d of a control point.
+// Inside of the domain, floating-point code takes the weights of a spline.
 template <class Traits, class Coordinate>
 Surface_jet<Traits> bezier_jet(int p, int q, int d, const std::pair<typename Traits::FT, typename Traits::FT>& domain_u,
                                const std::pair<typename Traits::FT, typename Traits::FT>& domain_v,
                                const typename Traits::FT& u, const typename Traits::FT& v, int k,
                                Coordinate coordinate) {
   typedef typename Traits::FT FT;
+  constexpr int N = dimension_v<Traits>,
+                width = N == 0 ? 1 : N; // all coordinates together where the compiler knows how many
+  typedef Coordinate_vector<FT, width> Block;
+  typedef boost::container::small_vector<Block, 6> Blocks;
   Surface_jet<Traits> jet(d, k);
+  if constexpr (std::is_floating_point_v<FT>)
+    if (domain_u.first < u && u < domain_u.second && domain_v.first < v && v < domain_v.second) {
+      const Derivative_table<FT> weights_u(Bezier_knots<FT>{p, domain_u}, p, p, u, k),
+          weights_v(Bezier_knots<FT>{q, domain_v}, q, q, v, k);
+      const auto point = [&](int i, int j) {
+        Coordinates<Traits> b(d);
+        for (int x = 0; x < d; ++x) b[x] = coordinate(i, j, x);
+        return b;
+      };
+      write_derivatives(weights_u, weights_v, point, jet);
+      check_jet(jet, "Bezier_patch: jet");
+      return jet;
+    }
   const FT s = local_parameter(u, domain_u), t = local_parameter(v, domain_v);
   const FT hu = FT(domain_u.second - domain_u.first), hv = FT(domain_v.second - domain_v.first);
-  for (int x = 0; x < d; ++x) {
-    std::vector<std::vector<FT>> columns(k + 1, std::vector<FT>(p + 1)); // derivatives with respect to v
+  Blocks row(q + 1), column(p + 1), rows(static_cast<std::size_t>(k + 1) * (p + 1)); // derivatives with respect to v
+  for (int x = 0; x < d; x += width) {
     for (int i = 0; i <= p; ++i) {
-      std::vector<FT> row;
-      for (int j = 0; j <= q; ++j) row.push_back(coordinate(i, j, x));
-      bernstein_derivatives(row, q, t, k, [&](int j, const FT& value) { columns[j][i] = value; });
+      for (int j = 0; j <= q; ++j)
+        for (int l = 0; l < width; ++l) row[j][l] = coordinate(i, j, x + l);
+      bernstein_derivatives(
+          row, q, t, k, [&](int j, const Block& value) { rows[static_cast<std::size_t>(j) * (p + 1) + i] = value; });
     }
     FT scale_v(1);
     for (int j = 0; j <= k; ++j) {
       FT scale = scale_v;
-      bernstein_derivatives(columns[j], p, s, k - j, [&](int i, const FT& value) {
-        jet(i, j)[x] = value / scale;
+      for (int i = 0; i <= p; ++i) column[i] = rows[static_cast<std::size_t>(j) * (p + 1) + i];
+      bernstein_derivatives(column, p, s, k - j, [&](int i, const Block& value) {
+        for (int l = 0; l < width; ++l) jet(i, j)[x + l] = value[l] / scale;
         scale *= hu;
       });
       scale_v *= hv;

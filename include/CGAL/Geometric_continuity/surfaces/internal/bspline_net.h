@@ -10,6 +10,7 @@
 #include <CGAL/Geometric_continuity/splines/Bspline_function.h>
 #include <CGAL/Geometric_continuity/surfaces/Patch_edge.h>
 #include <CGAL/Geometric_continuity/surfaces/internal/Control_net.h>
+#include <CGAL/Geometric_continuity/surfaces/internal/tensor_product_jet.h>
 
 #include <iterator>
 #include <string>
@@ -54,18 +55,9 @@ Surface_jet<Traits> bspline_jet(int d, const Knot_vector<typename Traits::FT>& k
   typedef typename Traits::FT FT;
   Surface_jet<Traits> jet(d, k);
   const int p = knots_u.degree(), q = knots_v.degree(), span_u = knots_u.span(u), span_v = knots_v.span(v);
-  std::vector<std::vector<Coordinates<Traits>>> columns(k + 1); // derivatives with respect to v
-  derivative_weights(knots_v, q, span_v, v, k, [&](int j, const Span_weights<FT>& weights) {
-    for (int i = span_u - p; i <= span_u; ++i) {
-      Coordinates<Traits> sum(d);
-      for (int l = 0; l <= q; ++l) sum += weights.w[l] * point(i, weights.first + l);
-      columns[j].push_back(sum);
-    }
-  });
-  derivative_weights(knots_u, p, span_u, u, k, [&](int i, const Span_weights<FT>& weights) {
-    for (int j = 0; j <= k - i; ++j)
-      for (int l = 0; l <= p && !columns[j].empty(); ++l) jet(i, j) += weights.w[l] * columns[j][l];
-  });
+  write_derivatives(
+      Derivative_table<FT>(knots_u, p, span_u, u, k), Derivative_table<FT>(knots_v, q, span_v, v, k),
+      [&](int i, int j) { return point(span_u - p + i, span_v - q + j); }, jet);
   check_jet(jet, "Bspline_surface: jet");
   return jet;
 }
