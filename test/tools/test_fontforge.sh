@@ -17,7 +17,7 @@ component 1 900 50
 END
 run 1 verify given.ttf --require G1
 run 0 repair given.ttf -o moves.json && says out "1 consist of components" "every join is free of kinks, proved exactly"
-says moves.json '{"glyph":"base","used_by":["composed"],"contour":0,"point":2,"from":[200,3],"to":[200,0]}'
+says moves.json '{"glyph":"base","used_by":["composed"],"contour":0,"point":2,"node":[100,0],"from":[200,3],"to":[200,0]}'
 holds [ "$(grep -c '"glyph"' moves.json)" = 1 ]
 holds apply given.ttf moves.json mended.ttf && says applied "1 handles of 1 glyphs are moved"
 run 0 verify mended.ttf --require G1 && says out "0 kinks"
@@ -33,4 +33,16 @@ contour 0,0 100,0 150,3* 260,100* 300,300 0,300
 END
 run 1 verify given.otf --require G1
 run 0 repair given.otf -o moves.json && holds apply given.otf moves.json mended.otf
+run 0 verify mended.otf --require G1 && says out "0 kinks"
+
+# handles of two nodes at one place, and a contour that is there twice: each move names its node and its contour
+font -v outlines=cff >given.otf <<'END'
+glyph .notdef
+glyph twins 65
+contour 0,0 100,0 200,3* 200,3* 300,300 0,300
+contour 0,0 100,0 200,3* 200,3* 300,300 0,300
+END
+run 1 verify given.otf --require G1 && says out "2 kinks"
+run 0 repair given.otf -o moves.json && says moves.json '"contour":1,"point":2,"node":[100,0],"from":[200,3],"to":[200,0]}'
+holds apply given.otf moves.json mended.otf && says applied "2 handles of 1 glyphs are moved"
 run 0 verify mended.otf --require G1 && says out "0 kinks"

@@ -26,16 +26,22 @@ def glyph_of(font, name):
     sys.exit("apply_moves.py: the font has no glyph %s" % name)
 
 
+def nodes_beside(contour, k):
+    """The positions of the nodes beside a point."""
+    return [[p.x, p.y] for p in (contour[k - 1], contour[(k + 1) % len(contour)]) if p.on_curve]
+
+
 def handle(layer, move):
-    """The handle with this position: in the contour with this number, or the only one of the glyph."""
+    """The handle with this position at its node: in the contour with this number, or the only one of the glyph."""
     found = [
         (i != move["contour"], abs(k - move["point"]), i, k)
         for i, contour in enumerate(layer)
         for k, point in enumerate(contour)
-        if not point.on_curve and [point.x, point.y] == move["from"]
+        if not point.on_curve and [point.x, point.y] == move["from"] and move["node"] in nodes_beside(contour, k)
     ]
-    if not found or (found[0][0] and len(found) > 1):
-        sys.exit("apply_moves.py: glyph %(glyph)s, contour %(contour)d: there is no handle at %(from)s" % move)
+    if not found or (min(found)[0] and len(found) > 1):
+        place = "glyph %(glyph)s, contour %(contour)d: there is no handle at %(from)s of the node %(node)s"
+        sys.exit("apply_moves.py: " + place % move)
     return min(found)[2:]
 
 

@@ -54,7 +54,7 @@ drawing that is packed by gzip is refused. Units are those of each path.
 
 A font is not changed: -o FILE.json is the list of moves in its units, which
 scripts of font editors can apply, {"moves":[{"glyph":"S","contour":0,"point":7,
-"from":[x,y],"to":[x,y]},...]}. A component is named once, with the glyphs that
+"node":[x,y],"from":[x,y],"to":[x,y]},...]}. A component is named once, with the glyphs that
 use it: "used_by". Where TrueType leaves out nodes between two handles, these
 handles do not move.
 

@@ -88,8 +88,10 @@ class Font_mender {
     std::vector<std::size_t> first{0}; // the number of the first point of each curve among those of the contour
     for (const Grid_curve& curve : contour.curves) first.push_back(first.back() + curve.points.size() - 1);
     for (const Handle_move& m : done.moves) {
-      begin(moves_, moved_++, place) << ",\"point\":" << first[m.curve] + m.point << ",\"from\":" << pair(m.from)
-                                     << ",\"to\":" << pair(m.to) << '}';
+      const std::vector<GC::Grid_vector>& points = contour.curves[m.curve].points;
+      begin(moves_, moved_++, place) << ",\"point\":" << first[m.curve] + m.point
+                                     << ",\"node\":" << pair(m.point == 1 ? points.front() : points.back())
+                                     << ",\"from\":" << pair(m.from) << ",\"to\":" << pair(m.to) << '}';
       if (largest_.upper < m.distance().upper) {
         largest_ = m.distance();
         largest_glyph_ = place.glyph;
