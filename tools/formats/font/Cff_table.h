@@ -160,7 +160,8 @@ private:
       else if (byte == 28)
         operands.push_back(bytes.i16());
       else if (byte >= 32 && byte < 255)
-        operands.push_back(static_cast<double>(charstring::short_integer(byte, [&] { return bytes.u8(); })));
+        operands.push_back(
+            static_cast<double>(charstring::short_integer(byte, byte < charstring::first_of_two ? 0 : bytes.u8())));
       else if (byte != blend && byte != 255) {
         result[byte == escape ? escape << 8 | bytes.u8() : byte] = std::move(operands);
         operands.clear();

@@ -82,7 +82,7 @@ private:
       }
       std::int64_t x = 0;
       if (byte < 255)
-        x = charstring::short_integer(static_cast<int>(byte), next);
+        x = charstring::short_integer(static_cast<int>(byte), byte < charstring::first_of_two ? 0 : next());
       else {
         std::uint32_t bits = 0;
         for (int k = 0; k < 4; ++k) bits = bits << 8 | static_cast<std::uint32_t>(next());

@@ -88,7 +88,7 @@ private:
     while (at != last && !done_) {
       const int byte = *at++;
       if (byte >= 32 && byte < 255)
-        push_value(charstring::short_integer(byte, next) * 0x10000);
+        push_value(charstring::short_integer(byte, byte < charstring::first_of_two ? 0 : next()) * 0x10000);
       else if (byte == 255 || byte == charstring::integer) {
         std::uint32_t x = 0;
         const int bytes = byte == 255 ? 4 : 2;

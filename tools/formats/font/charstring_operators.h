@@ -68,11 +68,12 @@ enum Operator {
   flex1 = 0x0c25
 };
 
-// An integer, also of a dictionary, whose first byte is from 32 to 254; next() returns the byte behind it.
-template <class Next> std::int64_t short_integer(int first, Next next) {
-  if (first < 247) return first - 139;
-  if (first < 251) return (first - 247) * 256 + next() + 108;
-  return -(first - 251) * 256 - next() - 108;
+// An integer, also of a dictionary, whose first byte is from 32 to 254. From this one on there is a second byte.
+constexpr int first_of_two = 247;
+inline std::int64_t short_integer(int first, std::int64_t second) {
+  if (first < first_of_two) return first - 139;
+  if (first < 251) return (first - 247) * 256 + second + 108;
+  return -(first - 251) * 256 - second - 108;
 }
 
 [[noreturn]] inline void refuse(const std::string& reason) { throw Font_error("charstring: " + reason); }
