@@ -3,7 +3,8 @@
 #   contour X,Y ...       a closed contour; behind a point, * says that it is a control point
 #   component N X Y [S]   glyph number N, moved, and scaled by S
 # Variables: em, the units per em, 1000 if not given; outlines=cff for cubic curves; container=ttc for a collection of the font
-# twice, container=woff; family and style; names=no to leave out the names of the glyphs.
+# twice, container=woff; bearing, a left side bearing of all glyphs that is to be where x is 0; family and style; names=no to leave out the
+# names of the glyphs.
 function byte(x) { out = out sprintf("\\%03o", x % 256) }
 function u16(x) { if (x < 0) x += 65536; byte(int(x / 256)); byte(x) }
 function u32(x) { u16(int(x / 65536)); u16(x % 65536) }
@@ -119,10 +120,10 @@ END {
   for (g = 0; g < glyphs; ++g) if (code[g] != "") { u32(code[g]); u32(code[g]); u32(g) } # codes grow
   end_table("cmap")
   if (outlines != "cff") glyf_and_loca()
-  begin_table(); u32(65536); u32(65536); u32(0); u32(1594834165); u16(0); u16(em) # head, with its magic number
+  begin_table(); u32(65536); u32(65536); u32(0); u32(1594834165); u16(bearing == "" ? 0 : 2); u16(em) # head, with its magic number
   u32(0); u32(0); u32(0); u32(0); for (i = 0; i < 4; ++i) u16(0); u16(0); u16(8); u16(2); u16(1); u16(0); end_table("head")
   begin_table(); u32(65536); u16(em); u16(0); u16(0); u16(em); for (i = 0; i < 11; ++i) u16(0); u16(1); end_table("hhea")
-  begin_table(); u16(em); for (g = 0; g < glyphs; ++g) u16(0); end_table("hmtx")
+  begin_table(); u16(em); for (g = 0; g < glyphs; ++g) u16(bearing + 0); end_table("hmtx")
   if (outlines != "cff") { begin_table(); for (g = 0; g <= glyphs; ++g) u32(at[g]); end_table("loca") }
   begin_table(); u32(outlines == "cff" ? 20480 : 65536); u16(glyphs) # maxp
   if (outlines != "cff") { u16(100); u16(20); u16(100); u16(20); u16(2); for (i = 0; i < 6; ++i) u16(0); u16(10); u16(5) }

@@ -46,3 +46,11 @@ run 1 verify given.otf --require G1 && says out "2 kinks"
 run 0 repair given.otf -o moves.json && says moves.json '"contour":1,"point":2,"node":[100,0],"from":[200,3],"to":[200,0]}'
 holds apply given.otf moves.json mended.otf && says applied "2 handles of 1 glyphs are moved"
 run 0 verify mended.otf --require G1 && says out "0 kinks"
+# a glyph is drawn from its left side bearing on, whatever its points say
+font -v bearing=5 >given.ttf <<'END'
+glyph .notdef
+glyph drawn 65
+contour 0,0 100,0 200,3* 300,300 0,300
+END
+run 0 repair given.ttf -o moves.json && says moves.json '"node":[105,0],"from":[205,3],"to":[205,0]}'
+holds apply given.ttf moves.json mended.ttf && run 0 verify mended.ttf --require G1 && says out "0 kinks"

@@ -27,22 +27,40 @@ def glyph_of(font, name):
 
 
 def nodes_beside(contour, k):
-    """The positions of the nodes beside a point."""
-    return [[p.x, p.y] for p in (contour[k - 1], contour[(k + 1) % len(contour)]) if p.on_curve]
+    """The positions of the nodes beside a handle, also of those that FontForge leaves out between two handles."""
+    handle = contour[k]
+    return [
+        [p.x, p.y] if p.on_curve else [(p.x + handle.x) / 2, (p.y + handle.y) / 2]
+        for p in (contour[k - 1], contour[(k + 1) % len(contour)])
+    ]
 
 
-def handle(layer, move):
+def handle(layer, move, shift):
     """The handle with this position at its node: in the contour with this number, or the only one of the glyph."""
+    node = [move["node"][0] + shift, move["node"][1]]
     found = [
         (i != move["contour"], abs(k - move["point"]), i, k)
         for i, contour in enumerate(layer)
         for k, point in enumerate(contour)
-        if not point.on_curve and [point.x, point.y] == move["from"] and move["node"] in nodes_beside(contour, k)
+        if not point.on_curve
+        and [point.x - shift, point.y] == move["from"]
+        and node in nodes_beside(contour, k)
     ]
     if not found or (min(found)[0] and len(found) > 1):
-        place = "glyph %(glyph)s, contour %(contour)d: there is no handle at %(from)s of the node %(node)s"
-        sys.exit("apply_moves.py: " + place % move)
+        return None
     return min(found)[2:]
+
+
+def handles(layer, moves):
+    """The handles of a glyph, and how far it is from where it is drawn: by its left side bearing, whatever its points say."""
+    shifts = {point.x - moves[0]["from"][0] for contour in layer for point in contour}
+    for shift in sorted(shifts | {0}, key=abs):
+        places = [handle(layer, move, shift) for move in moves]
+        if None not in places:
+            return places, shift
+    missing = [move for move in moves if handle(layer, move, 0) is None][0]
+    place = "glyph %(glyph)s, contour %(contour)d: there is no handle at %(from)s of the node %(node)s"
+    sys.exit("apply_moves.py: " + place % missing)
 
 
 def main():
@@ -59,10 +77,10 @@ def main():
     for name, of_glyph in by_glyph.items():
         glyph = glyph_of(font, name)
         layer = glyph.foreground
-        places = [(handle(layer, move), move["to"]) for move in of_glyph]  # before any of them moves
-        for (i, k), to in places:
+        places, shift = handles(layer, of_glyph)  # before any of them moves
+        for (i, k), move in zip(places, of_glyph):
             contour = layer[i]
-            contour[k].x, contour[k].y = to
+            contour[k].x, contour[k].y = move["to"][0] + shift, move["to"][1]
             layer[i] = contour
         glyph.foreground = layer
     if sys.argv[3].endswith(".sfd"):
