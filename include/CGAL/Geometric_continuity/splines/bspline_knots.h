@@ -22,7 +22,6 @@
 #include <array>
 #include <cstddef>
 #include <iterator>
-#include <limits>
 #include <optional>
 #include <type_traits>
 #include <utility>
@@ -144,21 +143,6 @@ Coordinate_vector<Field, N> coefficient_over(const Coordinate_vector<FT, N>& x) 
   Coordinate_vector<Field, N> r(x.dimension());
   for (int i = 0; i < x.dimension(); ++i) r[i] = to_field<Field>(x[i]);
   return r;
-}
-
-// Calls f with the degree as a constant where floating-point code has one, see derivative_weights(), and with -1 otherwise.
-template <class Knots, class FT, class Function>
-CGAL_GC_FORCEINLINE void with_degree_inside_span(const Knots& knots, int p, int k, const FT& u, const Function& f) {
-  if constexpr (std::is_floating_point_v<FT>)
-    if (knots[k] < u && u < knots[k + 1] && (std::numeric_limits<FT>::min)() < knots[k + 1] - knots[k]) switch (p) {
-      case 1: return f(std::integral_constant<int, 1>());
-      case 2: return f(std::integral_constant<int, 2>());
-      case 3: return f(std::integral_constant<int, 3>());
-      case 4: return f(std::integral_constant<int, 4>());
-      case 5: return f(std::integral_constant<int, 5>());
-      default: break;
-      }
-  f(std::integral_constant<int, -1>());
 }
 
 // The derivatives of order 0 to p at u, not beyond `order`, of the polynomial on the span k, in another field, to which

@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 #include <type_traits>
 #include <vector>
 
@@ -167,14 +168,31 @@ CGAL_GC_FORCEINLINE void derivative_weights(const Knots& u, int degree, int k, c
   Derivative_weights<Degree, FT, Knots>(u, Degree < 0 ? degree : Degree, k, t, order).write(output);
 }
 
+// Calls f with the degree as a constant where floating-point code has one, see derivative_weights(), and with -1 otherwise.
+template <class Knots, class FT, class Function>
+CGAL_GC_FORCEINLINE void with_degree_inside_span(const Knots& knots, int p, int k, const FT& u, const Function& f) {
+  if constexpr (std::is_floating_point_v<FT>)
+    if (knots[k] < u && u < knots[k + 1] && (std::numeric_limits<FT>::min)() < knots[k + 1] - knots[k]) switch (p) {
+      case 1: return f(std::integral_constant<int, 1>());
+      case 2: return f(std::integral_constant<int, 2>());
+      case 3: return f(std::integral_constant<int, 3>());
+      case 4: return f(std::integral_constant<int, 4>());
+      case 5: return f(std::integral_constant<int, 5>());
+      default: break;
+      }
+  f(std::integral_constant<int, -1>());
+}
+
 // The derivatives of order 0 to `order` at t of the polynomial on the span k.
 template <class FT, class Coefficients>
 std::vector<typename Coefficients::value_type> derivatives_on_span(const Knot_vector<FT>& u, const Coefficients& c,
                                                                    int k, const FT& t, int order) {
   typedef typename Coefficients::value_type Value;
   std::vector<Value> derivatives(order + 1, Value(FT(0) * c[0]));
-  derivative_weights(u, u.degree(), k, t, order,
-                     [&](int j, const Span_weights<FT>& weights) { derivatives[j] = weights(c); });
+  with_degree_inside_span(u, u.degree(), k, t, [&](auto degree) {
+    derivative_weights<degree>(u, u.degree(), k, t, order,
+                               [&](int j, const auto& weights) { derivatives[j] = weights(c); });
+  });
   return derivatives;
 }
 
