@@ -505,6 +505,25 @@ BOOST_AUTO_TEST_CASE(joins_without_curvature) {
   }
 }
 
+// Tangents along one axis are parallel, whatever their lengths and wherever they are: no product has to be computed.
+BOOST_AUTO_TEST_CASE(tangents_along_an_axis) {
+  for (const bool holds : {true, false}) {
+    const Points<3> p = {{1 / 3., 0.1, 1e-30}, {1 / 3., 0.1, -1 / 7.}, {1, 2, 3}, {4, 5, 6}},
+                    q = {{1 / 3., 0.1, 1e-30},
+                         {1 / 3., holds ? 0.1 : std::nextafter(0.1, 1), 1e9 / 3},
+                         {1, 2, 3},
+                         {4, 5, 6}};
+    const Curve<Space> left = curve<Space>(p, true, {0, 1}), right = curve<Space>(q, false, {0, 1});
+    Stages stages{(1u << number_of_stages) - 1};
+    const Join_answer g1 = GC::internal::decide_join<Join_question::g1>(left, right, stages);
+    BOOST_CHECK(g1 == answer(holds));
+    BOOST_CHECK_EQUAL(stages.count[static_cast<int>(Join_stage::comparison)], holds);
+    Counter counter;
+    check(left, right, counter);
+    BOOST_CHECK_EQUAL(counter.mismatches, 0);
+  }
+}
+
 // Joins on a grid need no multi-precision, whether they hold or not, unless curvatures of one magnitude differ.
 BOOST_AUTO_TEST_CASE(everything_on_doubles) {
   for (auto make : {&exact<3>, &off_by_one_unit<3>, &grossly_off<3>}) {

@@ -12,7 +12,7 @@
 //   decide_join         decide_join.h        control points or jets?
 //   decide_polygons     decide_join.h        the ends meet: comparison of the points
 //   decide_legs         decide_join.h        doubles first, then multi-precision
-//   decide_on_doubles   join_on_doubles.h    comparison of signs; the filter: a rounded form exceeds its error
+//   decide_on_doubles   join_on_doubles.h    comparison of signs and zeros; the filter: a rounded form exceeds its error
 //   decide_modulo       join_on_integers.h   a form below a proven bound, modulo a power of two above it
 //   decide_on_grids     join_on_integers.h   residues modulo 2^64, then integers of fixed length
 //   decide_in_ring      decide_join.h        multi-precision, or the numbers of an exact kernel

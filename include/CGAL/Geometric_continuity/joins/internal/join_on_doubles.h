@@ -74,13 +74,25 @@ template <int k, int N, class Points> CGAL_GC_FORCEINLINE End_polygon<double, N>
     return {point(0), point((std::min)(m, 1)), point((std::min)(m, 2)), point((std::min)(m, 3))};
 }
 
+// Whether all coordinates but one are zero.
+template <std::size_t N> CGAL_GC_FORCEINLINE bool is_on_axis(const std::array<double, N>& x, int axis) {
+  for (int i = 0; i < static_cast<int>(N); ++i)
+    if (i != axis && x[static_cast<std::size_t>(i)] != 0) return false;
+  return true;
+}
+
 // The decision by the signs of the first differences a1 and b1, of which the largest coordinate of a1 is the pivot, or `unknown`: the
-// signs of rounded differences are exact.
+// signs and zeros of rounded differences are exact. In drawings most tangents at smooth joins are horizontal or vertical.
 template <Join_question question, std::size_t N>
 CGAL_GC_FORCEINLINE Join_answer decide_by_signs(const std::array<double, N>& a1, const std::array<double, N>& b1,
                                                 int pivot) {
   const double x = coordinate_at(a1, pivot), y = coordinate_at(b1, pivot);
-  if (is_geometric(question)) return (x < 0 && y < 0) || (0 < x && 0 < y) ? Join_answer::unknown : Join_answer::no;
+  if constexpr (is_geometric(question)) {
+    if (!((x < 0 && y < 0) || (0 < x && 0 < y))) return Join_answer::no;
+    if constexpr (question == Join_question::g1)
+      if (is_on_axis(a1, pivot) && is_on_axis(b1, pivot)) return Join_answer::yes;
+    return Join_answer::unknown;
+  }
   return x == 0 || largest(b1) == 0 ? Join_answer::undefined : Join_answer::unknown;
 }
 
