@@ -82,17 +82,12 @@ template <std::size_t N> CGAL_GC_FORCEINLINE bool is_on_axis(const std::array<do
 }
 
 // The decision by the signs of the first differences a1 and b1, of which the largest coordinate of a1 is the pivot, or `unknown`: the
-// signs and zeros of rounded differences are exact. In drawings most tangents at smooth joins are horizontal or vertical.
+// signs of rounded differences are exact.
 template <Join_question question, std::size_t N>
 CGAL_GC_FORCEINLINE Join_answer decide_by_signs(const std::array<double, N>& a1, const std::array<double, N>& b1,
                                                 int pivot) {
   const double x = coordinate_at(a1, pivot), y = coordinate_at(b1, pivot);
-  if constexpr (is_geometric(question)) {
-    if (!((x < 0 && y < 0) || (0 < x && 0 < y))) return Join_answer::no;
-    if constexpr (question == Join_question::g1)
-      if (is_on_axis(a1, pivot) && is_on_axis(b1, pivot)) return Join_answer::yes;
-    return Join_answer::unknown;
-  }
+  if (is_geometric(question)) return (x < 0 && y < 0) || (0 < x && 0 < y) ? Join_answer::unknown : Join_answer::no;
   return x == 0 || largest(b1) == 0 ? Join_answer::undefined : Join_answer::unknown;
 }
 
@@ -115,6 +110,9 @@ CGAL_GC_FORCEINLINE Join_answer decide_on_doubles(const Left& left, const Right&
     const Join_answer by_signs = decide_by_signs<question>(internal::minus(zero, legs_a[0]), legs_b[0], pivot);
     if (by_signs != Join_answer::unknown) return decided(Join_stage::comparison, by_signs);
   }
+  if constexpr (question == Join_question::g1) // most tangents at smooth joins of drawings are horizontal or vertical
+    if (is_on_axis(legs_a[0], pivot) && is_on_axis(legs_b[0], pivot))
+      return decided(Join_stage::comparison, Join_answer::yes);
 
   Join_weights_of<question, std::int64_t> w;
   if constexpr (is_parametric(question)) {
