@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
 # The page of `report` for CAD models: its edges, the faces that are drawn, options, and the page in a browser.
+mirrored=$(realpath "$(dirname "$0")")/cad/data/mirrored.brep
 . "$(dirname "$0")/functions.sh"
 
 # Without the module the program says what is missing, and writes no page.
@@ -12,7 +13,7 @@ if [ -z "${MAKE_CAD_MODELS-}" ]; then
   echo "skipped: built without OpenCASCADE"
   exit 77
 fi
-mkdir models && (cd models && "$MAKE_CAD_MODELS") || exit 1
+mkdir models && (cd models && "$MAKE_CAD_MODELS" "$mirrored") || exit 1
 
 # counts PAGE TEXT...: how many edges have which grade
 counts() { says "$1" "\"counts\":{$2}"; }
@@ -127,6 +128,8 @@ grep -oE '"(gap|angle_degrees|curvature_percent)":\[[^]]*\]' out | sort -u >all.
 holds cmp -s <(sort -u one.txt) all.txt
 # the place of the largest angle is moved with the part
 holds [ "$(grep -o '"angle_at":{[^}]*}' out | sort -u | wc -l)" -ge 80 ]
+# also where a face is placed in its part
+run 0 verify models/again.brep --json && says out '"inner":2,' '"compared":1,'
 
 # bounds near zero are readable, and what is projected is marked
 run 0 report models/sphere.step -o page.html && says page.html '"marks":["projected"'

@@ -196,7 +196,8 @@ void write_assembly(const TopoDS_Shape& part, const TopoDS_Shape& other) {
 
 } // namespace
 
-int main() {
+// Writes the models, and that of a file placed again, if one is given.
+int main(int argc, char** argv) {
   Message::DefaultMessenger()->ChangePrinters().Clear();
   IGESControl_Controller::Init();
   const TopoDS_Shape fillet = filleted(BRepPrimAPI_MakeBox(10, 20, 30).Shape(), 2);
@@ -250,4 +251,8 @@ int main() {
   TopoDS_Shape differing = BRepPrimAPI_MakeCylinder(3, 10).Shape();
   BRep_Builder().SameParameter(TopoDS::Edge(TopExp_Explorer(differing, TopAbs_EDGE).Current()), false);
   write(differing, "differing.brep");
+  if (argc < 2) return 0;
+  TopoDS_Shape given;
+  require(BRepTools::Read(given, argv[1], BRep_Builder()), argv[1]);
+  write(compound({given, moved(given)}), "again.brep");
 }

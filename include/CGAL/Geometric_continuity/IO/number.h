@@ -56,15 +56,22 @@ template <class FT> FT append_digits(FT value, std::string_view digits) {
   return value;
 }
 
+// 10^n, by squares.
+template <class FT> FT power_of_ten(int n) {
+  if (n == 0) return FT(1);
+  const FT half = power_of_ten<FT>(n / 2), square(half * half);
+  return n % 2 == 0 ? square : FT(square * FT(10));
+}
+
 template <class FT> FT exact_value(const Number_parts& parts) {
   FT value = append_digits(append_digits(FT(0), parts.integer), parts.fraction);
   const int exponent = parts.exponent - static_cast<int>(parts.fraction.size());
   if (!parts.denominator.empty())
     value = FT(value / append_digits(FT(0), parts.denominator));
   else if (exponent < 0)
-    value = FT(value / CGAL::ipower(FT(10), -exponent));
+    value = FT(value / power_of_ten<FT>(-exponent));
   else if (exponent > 0)
-    value = FT(value * CGAL::ipower(FT(10), exponent));
+    value = FT(value * power_of_ten<FT>(exponent));
   return parts.negative ? FT(FT(0) - value) : value;
 }
 

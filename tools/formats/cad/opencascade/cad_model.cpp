@@ -24,6 +24,7 @@
 #include <Standard_Failure.hxx>
 #include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
+#include <TopLoc_Datum3D.hxx>
 #include <TopLoc_Location.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS.hxx>
@@ -68,6 +69,23 @@ GC::Cad_placement placement(const TopLoc_Location& location) {
   return result;
 }
 
+// What both placements begin with: that of the part, and of the parts that it belongs to. The list of a placement ends with them.
+TopLoc_Location common_placement(const TopLoc_Location& a, const TopLoc_Location& b) {
+  const auto list = [](TopLoc_Location location) {
+    std::vector<TopLoc_Location> steps;
+    for (; !location.IsIdentity(); location = location.NextLocation())
+      steps.push_back(TopLoc_Location(location.FirstDatum()).Powered(location.FirstPower()));
+    return steps;
+  };
+  const std::vector<TopLoc_Location> x = list(a), y = list(b);
+  TopLoc_Location common;
+  for (std::size_t i = 1; i <= (std::min)(x.size(), y.size()); ++i) {
+    if (!x[x.size() - i].IsEqual(y[y.size() - i])) break;
+    common = common * x[x.size() - i];
+  }
+  return common;
+}
+
 // A placement that mirrors turns the images of normals around.
 bool is_mirror(const TopLoc_Location& location) { return location.Transformation().IsNegative(); }
 
@@ -99,13 +117,12 @@ class Model_builder {
 
   // A rigid motion that both faces of an edge have in common changes nothing of how they meet.
   void set_place(const std::vector<Edge_use>& uses, Cad_edge& e) {
-    place_ = TopLoc_Location();
-    const TopLoc_Location& first = faces_(static_cast<int>(uses[0].face) + 1).Location();
-    for (const Edge_use& use : uses)
-      if (!faces_(static_cast<int>(use.face) + 1).Location().IsEqual(first)) return;
-    if (!(std::abs(first.Transformation().ScaleFactor() - 1) < 1e-12)) return; // 1 up to rounding in files
-    place_ = first;
-    e.place = placement(first);
+    const auto location = [&](const Edge_use& use) { return faces_(static_cast<int>(use.face) + 1).Location(); };
+    place_ = location(uses[0]);
+    for (const Edge_use& use : uses) place_ = common_placement(place_, location(use));
+    if (!(std::abs(place_.Transformation().ScaleFactor() - 1) < 1e-12)) // 1 up to rounding in files
+      place_ = TopLoc_Location();
+    e.place = placement(place_);
   }
   TopLoc_Location in_part(const TopLoc_Location& location) const { return location.Predivided(place_); }
 
@@ -150,7 +167,10 @@ class Model_builder {
 
   // The curve of an edge in the parameter plane of a face, if there is one. Where it is missing it is computed; that on a plane is never
   // in a file. Throws Not_covered for numbers that are not finite, with which the computation would not end.
-  static std::optional<Plane_curve> plane_curve(const TopoDS_Edge& edge, const TopoDS_Face& face, bool is_seam) {
+  // Both are brought to where the face is not placed: curves that are computed are then the same for each place.
+  static std::optional<Plane_curve> plane_curve(TopoDS_Edge edge, TopoDS_Face face, bool is_seam) {
+    edge.Location(edge.Location().Predivided(face.Location()), false);
+    face.Location(TopLoc_Location(), false);
     Plane_curve result{nullptr, 0, 0, false};
     double begin, end;
     const Handle(Geom_Curve) curve = BRep_Tool::Curve(edge, begin, end);
