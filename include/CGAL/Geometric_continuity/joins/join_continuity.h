@@ -8,7 +8,7 @@
 #include <CGAL/Geometric_continuity/joins/Curve_ends.h>
 #include <CGAL/Geometric_continuity/joins/internal/Join_decision.h>
 #include <CGAL/Geometric_continuity/joins/internal/Join_parameters.h>
-#include <CGAL/Geometric_continuity/joins/internal/join_on_doubles.h>
+#include <CGAL/Geometric_continuity/joins/internal/decide_all_questions.h>
 #include <CGAL/Geometric_continuity/local/Curve_jet.h>
 #include <CGAL/Geometric_continuity/numbers/Work_limit.h>
 #include <CGAL/Geometric_continuity/numbers/internal/Common_denominator.h>
@@ -25,8 +25,8 @@
 /// join_predicates.h.
 ///
 /// There are two roads to one answer. Curves with `double` coordinates in the plane and in space, decided exactly up to
-/// order 3, take the stages of joins/internal/join_on_doubles.h on their control points. All others, and the few joins that
-/// these stages leave open, are decided by jets, see joins/internal/Join_decision.h.
+/// order 3, take the rungs of joins/internal/Join_ladder.h on their control points. All others, and the few joins that
+/// it leaves open, are decided by jets, see joins/internal/Join_decision.h.
 
 namespace CGAL {
 namespace Geometric_continuity {

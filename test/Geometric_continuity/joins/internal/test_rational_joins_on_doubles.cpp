@@ -110,13 +110,13 @@ void check_question(const Curve<N>& left, const Curve<N>& right, const GC::Join_
   for (const unsigned used :
        {stage(Join_stage::floating_point), stage(Join_stage::floating_point) | stage(Join_stage::bounded_residue)}) {
     Stages some{used};
-    const Join_answer partial = GC::internal::decide_rational_on_doubles<question, N>(x, y, some);
+    const Join_answer partial = GC::internal::decide_on_doubles<question, N, true>(x, y, some);
     right_answers = right_answers && (partial == truth || partial == Join_answer::unknown);
     count(some);
   }
   for (const unsigned used : {0u, stage(Join_stage::residue)}) {
     Stages some{used};
-    right_answers = right_answers && GC::internal::decide_rational_exactly<question, N>(x, y, some) == truth;
+    right_answers = right_answers && GC::internal::decide_in_ring<question, N, true>(x, y, some) == truth;
     count(some);
   }
   Stages all{(1u << number_of_stages) - 1};

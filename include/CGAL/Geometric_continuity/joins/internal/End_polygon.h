@@ -13,6 +13,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <type_traits>
 
 namespace CGAL {
 namespace Geometric_continuity {
@@ -21,6 +22,29 @@ namespace internal {
 // Four control points of an end from the join inwards, x_0 to x_3; beyond the degree, and beyond the order k that is asked for,
 // the last one is repeated or they are unspecified.
 template <class T, int N> using End_polygon = std::array<std::array<T, N>, 4>;
+
+// Numbers that become doubles without rounding.
+template <class FT> constexpr bool is_double = std::is_floating_point_v<FT> && sizeof(FT) <= sizeof(double);
+
+// The end of a curve with double coordinates, or its start, as given. `Points` is something with degree(), domain() and
+// coordinate(j, i).
+template <int k, int N, class Points> CGAL_GC_FORCEINLINE End_polygon<double, N> points_of(const Points& end) {
+  const int m = end.degree();
+  const auto point = [&](int j) -> std::array<double, N> {
+    if constexpr (N == 2)
+      return {end.coordinate(j, 0), end.coordinate(j, 1)};
+    else
+      return {end.coordinate(j, 0), end.coordinate(j, 1), end.coordinate(j, 2)};
+  };
+  if constexpr (k == 0)
+    return {point(0)};
+  else if constexpr (k == 1)
+    return {point(0), point((std::min)(m, 1))};
+  else if constexpr (k == 2)
+    return {point(0), point((std::min)(m, 1)), point((std::min)(m, 2))};
+  else
+    return {point(0), point((std::min)(m, 1)), point((std::min)(m, 2)), point((std::min)(m, 3))};
+}
 
 // The legs x_1 - x_0, x_2 - x_1, x_3 - x_2 of such a polygon.
 template <class T, int N> using Legs = std::array<std::array<T, N>, 3>;
@@ -133,6 +157,23 @@ CGAL_GC_FORCEINLINE Difference_bounds bounds_of_differences(const std::array<std
   const double first = largest(legs[0]), second = k >= 2 ? (std::max)(first, largest(legs[1])) : first,
                third = k >= 3 ? (std::max)(second, largest(legs[2])) : second;
   return {first, 2 * second, 4 * third};
+}
+
+// The differences b_i - b_0 from the end point inwards, in the direction of the curve, for k = 1, 2, 3.
+template <int k, bool left, class T, std::size_t N>
+CGAL_GC_FORCEINLINE Differences<T, N> fan_of(const std::array<std::array<T, N>, 4>& x) {
+  Differences<T, N> d{};
+  d[0] = left ? internal::minus(x[0], x[1]) : internal::minus(x[1], x[0]);
+  if constexpr (k >= 2) d[1] = internal::minus(x[2], x[0]);
+  if constexpr (k >= 3) d[2] = left ? internal::minus(x[0], x[3]) : internal::minus(x[3], x[0]);
+  return d;
+}
+
+// Bounds of these.
+template <int k, std::size_t N>
+CGAL_GC_FORCEINLINE Difference_bounds bounds_of_fan(const std::array<std::array<double, N>, 3>& d) {
+  const double first = largest(d[0]), second = k >= 2 ? (std::max)(first, largest(d[1])) : first;
+  return {first, second, k >= 3 ? (std::max)(second, largest(d[2])) : second};
 }
 
 } // namespace internal

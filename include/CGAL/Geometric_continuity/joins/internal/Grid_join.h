@@ -5,7 +5,7 @@
 #ifndef CGAL_GEOMETRIC_CONTINUITY_JOINS_INTERNAL_GRID_JOIN_H
 #define CGAL_GEOMETRIC_CONTINUITY_JOINS_INTERNAL_GRID_JOIN_H
 
-#include <CGAL/Geometric_continuity/joins/internal/join_on_long_integers.h>
+#include <CGAL/Geometric_continuity/joins/internal/decide_all_questions.h>
 #include <CGAL/Geometric_continuity/joins/internal/short_blossom.h>
 #include <CGAL/Geometric_continuity/joins/join_continuity.h>
 #include <CGAL/Geometric_continuity/local/Curve_jet.h>
@@ -43,22 +43,12 @@ template <class Part> bool has_bezier_points(const Part& part, bool at_end) {
   return true;
 }
 
-// The end of a curve with given doubles.
-template <int N> struct Double_grid_end {
-  End_polygon<double, N> points;
-  std::pair<double, double> parameters;
-  int degree_;
-
-  int degree() const { return degree_; }
-  std::pair<double, double> domain() const { return parameters; }
-  double coordinate(int j, int i) const { return points[j][i]; }
-};
-
 // A join on grids: the points and parameters of the curves are these times powers of ten. It answers questions as
 // decide_all_questions() asks them.
 template <int N> class Grid_join {
   Long_end<N> left_, right_;
-  Double_grid_end<N> double_left_, double_right_; // the same rounded, or what is given
+  Double_end<N> double_left_, double_right_; // the same rounded, or what is given
+  Short_lengths lengths_;                    // of their domains
   bool has_integers_ = false, has_doubles_ = true;
   double unit_of_parameters_ = 1;
   int exponent_ = 0, exponent_of_parameters_ = 0;
@@ -71,8 +61,8 @@ public:
   // Brings the join of two parts on grids. Returns false if that is not possible.
   template <class Part> bool set(const Part& x, const Part& y) {
     if (x.rational || y.rational) return false;
-    left_.degree = double_left_.degree_ = x.degree;
-    right_.degree = double_right_.degree_ = y.degree;
+    left_.degree = x.degree;
+    right_.degree = y.degree;
     typedef std::decay_t<decltype(x.coordinates[0])> Number;
     if (!has_bezier_points(x, true) || !has_bezier_points(y, false)) {
       if constexpr (std::is_floating_point_v<Number>)
@@ -108,8 +98,8 @@ public:
       const auto split = [&](const auto& c) { return Parts::short_parts(c, numerators[k], denominators[k]); };
       if (!with_coordinate<typename Curve::Traits>(point, k % N, split)) return false;
     }
-    left_.degree = double_left_.degree_ = x.degree();
-    right_.degree = double_right_.degree_ = y.degree();
+    left_.degree = x.degree();
+    right_.degree = y.degree();
     return set_fractions(numerators, denominators, ends);
   }
 
@@ -119,7 +109,7 @@ public:
     if (!decide_all_questions(*this, max_order, join, only_orders)) return false;
     if (join.g_order >= 1 && !only_orders) {
       join.parameters =
-          has_integers_ ? parameters_of<FT>(left_, right_) : parameters_of<FT, N>(double_left_, double_right_);
+          has_integers_ ? parameters_of<FT, N>(left_, right_) : parameters_of<FT, N>(double_left_, double_right_);
       join.parameters.set_unit(unit_of_parameters_, exponent_of_parameters_);
     }
     return true;
@@ -127,15 +117,18 @@ public:
 
   bool regular() const {
     return has_integers_ ? differ(left_.points) && differ(right_.points)
-                         : differ(double_left_.points) && differ(double_right_.points);
+                         : differ(double_left_.points()) && differ(double_right_.points());
   }
   bool ends_meet() const {
-    return has_integers_ ? left_.points[0] == right_.points[0] : double_left_.points[0] == double_right_.points[0];
+    return has_integers_ ? left_.points[0] == right_.points[0] : double_left_.points()[0] == double_right_.points()[0];
   }
   template <Join_question question> Join_answer decide() const {
     const All_join_stages stages;
-    return has_doubles_ ? decide_on_doubles<question, N>(double_left_, double_right_, stages)
-                        : decide_on_long_integers<question, N>(left_, right_, stages);
+    return has_doubles_ ? decide_by_rungs(Double_join<question, N>(double_left_, double_right_, lengths_), stages)
+                        : decide_by_rungs(Long_join<question, N>(left_, right_), stages);
+  }
+  bool is_curved() const {
+    return internal::is_curved(has_integers_ ? converted<2, double>(legs_of<2>(left_.points)) : double_left_.legs());
   }
   bool curvatures_differ() const {
     return has_integers_ ? internal::curvatures_differ<N>(left_, right_)
@@ -156,7 +149,8 @@ public:
     }
     if (has_integers_)
       return {jet<true>(left_.points, left_.degree, unit), jet<false>(right_.points, right_.degree, unit)};
-    return {jet<true>(double_left_.points, left_.degree, unit), jet<false>(double_right_.points, right_.degree, unit)};
+    return {jet<true>(double_left_.points(), left_.degree, unit),
+            jet<false>(double_right_.points(), right_.degree, unit)};
   }
 
 private:
@@ -193,14 +187,21 @@ private:
 
   template <class Points> static bool differ(const Points& points) { return points[0] != points[1]; }
 
+  void set_doubles(const End_polygon<double, N>& x, const std::pair<double, double>& left,
+                   const End_polygon<double, N>& y, const std::pair<double, double>& right) {
+    double_left_ = Double_end<N>(x, left_.degree, left);
+    double_right_ = Double_end<N>(y, right_.degree, right);
+    lengths_ = Short_lengths(left, right);
+  }
+
   bool bring_on_grid(const double* const* numbers, const double* const* parameters) {
+    End_polygon<double, N> x, y;
     for (int j = 0; j <= 3; ++j)
       for (int i = 0; i < N; ++i) {
-        double_left_.points[j][i] = *numbers[j * N + i];
-        double_right_.points[j][i] = *numbers[(4 + j) * N + i];
+        x[j][i] = *numbers[j * N + i];
+        y[j][i] = *numbers[(4 + j) * N + i];
       }
-    double_left_.parameters = {*parameters[0], *parameters[1]};
-    double_right_.parameters = {*parameters[2], *parameters[3]};
+    set_doubles(x, {*parameters[0], *parameters[1]}, y, {*parameters[2], *parameters[3]});
     return true;
   }
 
@@ -272,17 +273,18 @@ private:
     if (!is_exact_double(left_.length) || !is_exact_double(right_.length) || !is_exact_double(unit)) return false;
     unit_of_parameters_ = static_cast<double>(unit);
     has_integers_ = true;
-    double_left_.parameters = {0, static_cast<double>(left_.length)};
-    double_right_.parameters = {0, static_cast<double>(right_.length)};
+    End_polygon<double, N> rounded_left, rounded_right;
     for (int j = 0; j <= 3; ++j)
       for (int i = 0; i < N; ++i) {
         const std::int64_t x = integers[j * N + i], y = integers[(4 + j) * N + i];
         left_.points[j][i] = x;
         right_.points[j][i] = y;
-        double_left_.points[j][i] = static_cast<double>(x);
-        double_right_.points[j][i] = static_cast<double>(y);
+        rounded_left[j][i] = static_cast<double>(x);
+        rounded_right[j][i] = static_cast<double>(y);
         has_doubles_ = has_doubles_ && is_exact_double(x) && is_exact_double(y);
       }
+    set_doubles(rounded_left, {0, static_cast<double>(left_.length)}, rounded_right,
+                {0, static_cast<double>(right_.length)});
     return true;
   }
 

@@ -23,7 +23,7 @@ struct Parameter_scale {
 
 // One coordinate of the four control points from the join inwards, with what makes derivatives of their differences. The
 // tangent has a component along this coordinate.
-struct Double_end {
+struct Parameter_end {
   double points[4];
   double start, end; // of the domain
   int degree = -1;
@@ -36,14 +36,14 @@ struct Double_end {
 template <class FT> class Join_parameters {
   std::vector<FT> forms_; // g, b_1, b_2, ...
   Parameter_scale scale_;
-  Double_end left_, right_;
+  Parameter_end left_, right_;
   double unit_ = 1; // of the parameters: unit_ * 10^exponent_
   int exponent_ = 0;
 
 public:
   Join_parameters() = default;
   Join_parameters(std::vector<FT> forms, Parameter_scale scale) : forms_(std::move(forms)), scale_(scale) {}
-  Join_parameters(const Double_end& left, const Double_end& right) : left_(left), right_(right) {}
+  Join_parameters(const Parameter_end& left, const Parameter_end& right) : left_(left), right_(right) {}
 
   // Says that the parameters of both curves are those of the ends times unit * 10^exponent.
   void set_unit(double unit, int exponent) {
@@ -82,7 +82,7 @@ public:
 
 private:
   // m!/(m-k)! / h^k times the k-th difference, k = 0, ..., 3; odd ones point outwards at an end.
-  std::vector<FT> derivatives(const Double_end& end, bool at_end) const {
+  std::vector<FT> derivatives(const Parameter_end& end, bool at_end) const {
     std::vector<FT> d;
     for (int j = 0; j <= 3; ++j)
       d.push_back(end.rests[j] == 0 ? FT(end.points[j]) : FT(FT(end.points[j]) + FT(end.rests[j])));

@@ -9,21 +9,17 @@
 // the stages of which each proves something. From a predicate of join_predicates.h the calls go
 //
 //   is_g2_join          join_predicates.h
-//   decide_join         decide_join.h        control points or jets?
-//   decide_polygons     decide_join.h        the ends meet: comparison of the points
-//   decide_legs         decide_join.h        doubles first, then multi-precision
-//   decide_on_doubles   join_on_doubles.h    comparison of signs and zeros; the filter: a rounded form exceeds its error
-//   decide_modulo       join_on_integers.h   a form below a proven bound, modulo a power of two above it
-//   decide_on_grids     join_on_integers.h   residues modulo 2^64, then integers of fixed length
-//   decide_in_ring      decide_join.h        multi-precision, or the numbers of an exact kernel
+//   decide_join         decide_join.h      control points or jets?
+//   decide_polygons     decide_join.h      the ends meet: comparison of the points
+//   decide_legs         decide_join.h      doubles first, then numbers of any length
+//   decide_by_rungs     Join_ladder.h      the ladder, on what Join_input.h makes of the ends:
+//     decide_by_signs                      comparison of signs and zeros
+//     decide_rounded                       the filter: a rounded form exceeds its error
+//     decide_by_residues                   a form below a proven bound, modulo a power of two above it
+//     decide_on_grid                       residues modulo 2^64, then integers of fixed length
+//   decide_in_ring      decide_in_ring.h   numbers of any length, or those of an exact kernel
 //
-// for ends with weights
-//
-//   decide_weighted_polygons    decide_join.h                 tangents as above; otherwise
-//   decide_rational_on_doubles  rational_join_on_doubles.h    comparison of signs; the filter; decide_modulo
-//   decide_rational_exactly     rational_join_in_ring.h       residues modulo 2^64, then multi-precision
-//
-// and continuity() of join_continuity.h asks decide_on_doubles several questions (decide_all_on_doubles). Ends without control
+// and continuity() of join_continuity.h asks the ladder several questions (decide_all_questions.h). Ends without control
 // points and dimensions above 3 are decided by Join_decision. All stages evaluate one text, Join_equations. It is a template
 // with four axes:
 //
@@ -38,6 +34,8 @@
 //   differences themselves; Short_join_ratio a reduced fraction of at most 12 bits, which makes the forms shorter.
 // - `Stages` says which stages are taken, and is told what each of them decides. All_join_stages takes all of them and records
 //   nothing; tests switch stages off and count.
+
+#include <type_traits>
 
 namespace CGAL {
 namespace Geometric_continuity {
@@ -76,6 +74,9 @@ constexpr int form_degree(Join_question question) {
   default: return 1;
   }
 }
+
+// A question as a type.
+template <Join_question question> struct Question : std::integral_constant<Join_question, question> {};
 
 // The answer to a question; `unknown` when a stage cannot tell.
 enum class Join_answer { no, yes, undefined, unknown };

@@ -1,0 +1,460 @@
+// Copyright (c) 2026 The Geometric_continuity developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_GEOMETRIC_CONTINUITY_JOINS_INTERNAL_JOIN_INPUT_H
+#define CGAL_GEOMETRIC_CONTINUITY_JOINS_INTERNAL_JOIN_INPUT_H
+
+#include <CGAL/Geometric_continuity/internal/force_inline.h>
+#include <CGAL/Geometric_continuity/joins/internal/End_polygon.h>
+#include <CGAL/Geometric_continuity/joins/internal/Grid_legs.h>
+#include <CGAL/Geometric_continuity/joins/internal/Join_filter.h>
+#include <CGAL/Geometric_continuity/joins/internal/Join_weights.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <utility>
+
+/// \file Join_input.h
+/// What the rungs of Join_ladder.h ask of two ends, for each kind of ends. A rung says what it needs:
+///
+/// - signs: `first_left()` and `first_right()`, the first differences with the signs of the exact ones, and the `pivot()`;
+/// - factors: `find_factors()`, or else `first_derivatives_differ()`;
+/// - the filter: `left()`, `right()`, `left_bounds()`, `right_bounds()` and `rounded_factors()`, with the errors of `Rounding`;
+/// - residues: `find_unit()`, `integer_factors()`, `left_in()` and `right_in()`, in `limbs` limbs and then in `more_limbs`;
+/// - the grid: `left_grid()` and `right_grid()`.
+///
+/// The constants `rounded` and `on_grid` say whether an input has what the filter and residues, and what the grid needs.
+
+namespace CGAL {
+namespace Geometric_continuity {
+namespace internal {
+
+// The lengths of two domains as whole numbers of at most 1024, if the ends of the domains are multiples of 2^-20 up to 2^20.
+struct Short_lengths {
+  std::int64_t left = 1, right = 1;
+  bool valid = true;
+
+  Short_lengths() = default;
+  Short_lengths(const std::pair<double, double>& x, const std::pair<double, double>& y) {
+    const auto in_units = [](double end) { return static_cast<std::int64_t>(end * 0x1p20); };
+    for (const double end : {x.first, x.second, y.first, y.second})
+      if (!(std::abs(end) <= 0x1p20) || end * 0x1p20 != static_cast<double>(in_units(end))) {
+        valid = false;
+        return;
+      }
+    const std::int64_t h = in_units(x.second) - in_units(x.first), l = in_units(y.second) - in_units(y.first);
+    const int zeros = trailing_zeros(h | l);
+    left = h >> zeros;
+    right = l >> zeros;
+    valid = left <= 1024 && right <= 1024;
+  }
+};
+
+// Whether m l a1 and n h b1, to which the first derivatives are proportional, differ by more than their rounding errors, for
+// domains of any lengths h and l. Each number is rounded four times.
+template <std::size_t N>
+bool first_derivatives_differ(const std::array<double, N>& a1, int m, const std::pair<double, double>& left,
+                              const std::array<double, N>& b1, int n, const std::pair<double, double>& right) {
+  const double h = left.second - left.first, l = right.second - right.first;
+  if (!(0x1p-500 <= (std::min)(h, l))) return false;
+  for (std::size_t i = 0; i < N; ++i) {
+    const double x = (m * l) * a1[i], y = (n * h) * b1[i], size = std::abs(x) + std::abs(y);
+    if (0x1p-500 <= size && std::abs(x - y) > 0x1p-48 * size) return true;
+  }
+  return false;
+}
+
+// The degrees up to which factors are exact.
+CGAL_GC_FORCEINLINE bool degrees_fit(int m, int n) { return (std::max)(m, n) <= 1000; }
+
+// An end with double coordinates, read once: as many points as a question needs, and the domain if it is asked for.
+template <int N> class Double_end {
+  int degree_;
+  std::pair<double, double> domain_;
+  End_polygon<double, N> points_; // the last one repeated
+  Legs<double, N> legs_;
+
+public:
+  Double_end() = default;
+  template <class Points> explicit Double_end(const Points& end) : Double_end(end, Question<Join_question::c3>()) {}
+  template <class Points, Join_question question>
+  CGAL_GC_FORCEINLINE Double_end(const Points& end, Question<question>)
+      : degree_(end.degree()), points_(points_of<highest_difference(question), N>(end)),
+        legs_(legs_of<highest_difference(question)>(points_)) {
+    if constexpr (is_parametric(question)) domain_ = end.domain();
+  }
+  Double_end(const End_polygon<double, N>& points, int degree, const std::pair<double, double>& domain)
+      : degree_(degree), domain_(domain), points_(points), legs_(legs_of<3>(points)) {}
+
+  int degree() const { return degree_; }
+  int dimension() const { return N; }
+  const std::pair<double, double>& domain() const { return domain_; }
+  double coordinate(int j, int i) const { return points_[j][i]; }
+  const End_polygon<double, N>& points() const { return points_; }
+  const Legs<double, N>& legs() const { return legs_; } // inwards
+};
+
+// What two ends without weights have in common: legs as doubles that are rounded once, and the factors of the degrees.
+template <Join_question question_, int N> class Rounded_polygons {
+  static constexpr int k = highest_difference(question_);
+
+protected:
+  int m_, n_;
+  const Legs<double, N>&left_legs_, &right_legs_; // inwards
+
+  CGAL_GC_FORCEINLINE Rounded_polygons(const Legs<double, N>& left, int m, const Legs<double, N>& right, int n)
+      : m_(m), n_(n), left_legs_(left), right_legs_(right) {}
+
+  // For domains whose lengths are as h to l, which are at most 1024, if the question is parametric.
+  CGAL_GC_FORCEINLINE bool factors_with(std::int64_t h, std::int64_t l,
+                                        Join_weights_of<question_, std::int64_t>& w) const {
+    if (!degrees_fit(m_, n_)) return false;
+    if constexpr (is_parametric(question_)) {
+      w = Parametric_join_weights<std::int64_t>::of(m_, n_, h, l);
+      return weights_fit<k>(w);
+    } else {
+      w = Join_weights<std::int64_t>::template geometric<question_>(m_, n_);
+      return true;
+    }
+  }
+
+public:
+  static constexpr Join_question question = question_;
+  static constexpr int dimension = N;
+
+  CGAL_GC_FORCEINLINE std::array<double, N> first_left() const {
+    return internal::minus(std::array<double, N>{}, left_legs_[0]);
+  }
+  CGAL_GC_FORCEINLINE const std::array<double, N>& first_right() const { return right_legs_[0]; }
+  CGAL_GC_FORCEINLINE int pivot() const { return is_parametric(question) ? 0 : largest_coordinate(left_legs_[0]); }
+  CGAL_GC_FORCEINLINE int left_degree() const { return m_; }
+  CGAL_GC_FORCEINLINE int right_degree() const { return n_; }
+
+  typedef Join_weights_of<question, std::int64_t> Factors;
+
+  static constexpr bool rounded = true;
+  typedef Rounding_of_differences Rounding;
+  typedef Join_weights_of<question, double> Rounded_factors;
+  CGAL_GC_FORCEINLINE Differences<double, N> left() const { return differences_of<k, true>(left_legs_, m_); }
+  CGAL_GC_FORCEINLINE Differences<double, N> right() const { return differences_of<k, false>(right_legs_, n_); }
+  CGAL_GC_FORCEINLINE Difference_bounds left_bounds() const { return bounds_of_differences<k>(left_legs_); }
+  CGAL_GC_FORCEINLINE Difference_bounds right_bounds() const { return bounds_of_differences<k>(right_legs_); }
+  CGAL_GC_FORCEINLINE Rounded_factors rounded_factors(const Factors& w) const { return converted<double>(w); }
+
+  template <int> using Integer_factors = Factors;
+  CGAL_GC_FORCEINLINE int exponent_of_factors(Join_question) const { return 0; }
+};
+
+// Two such ends without weights, and the lengths of their domains. They must outlive the object.
+template <Join_question question_, int N> class Double_join : public Rounded_polygons<question_, N> {
+  typedef Rounded_polygons<question_, N> Base;
+  static constexpr int k = highest_difference(question_);
+  const Double_end<N>&left_, &right_;
+  const Short_lengths& lengths_;
+
+public:
+  using typename Base::Factors;
+
+  // \pre the lengths are those of the domains if the question is parametric
+  CGAL_GC_FORCEINLINE Double_join(const Double_end<N>& left, const Double_end<N>& right, const Short_lengths& lengths)
+      : Base(left.legs(), left.degree(), right.legs(), right.degree()), left_(left), right_(right), lengths_(lengths) {}
+
+  CGAL_GC_FORCEINLINE bool find_factors(Factors& w) const {
+    return lengths_.valid && this->factors_with(lengths_.left, lengths_.right, w);
+  }
+  CGAL_GC_FORCEINLINE bool first_derivatives_differ() const {
+    if constexpr (is_parametric(question_))
+      return internal::first_derivatives_differ(this->first_left(), left_.degree(), left_.domain(), this->first_right(),
+                                                right_.degree(), right_.domain());
+    else
+      return false;
+  }
+
+  static constexpr bool on_grid = true;
+  CGAL_GC_FORCEINLINE Grid_legs<N> left_grid() const { return grid_legs_of<k>(left_.points()); }
+  CGAL_GC_FORCEINLINE Grid_legs<N> right_grid() const { return grid_legs_of<k>(right_.points()); }
+
+#ifdef CGAL_GEOMETRIC_CONTINUITY_HAS_FIXED_INTEGER
+  // That suffice as a rule: a form of degree d in numbers of n bits that has passed the filter has about (d - 1) n bits.
+  static constexpr int limbs = form_degree(question_) <= 2 ? 2 : form_degree(question_) <= 4 ? 3 : 4, more_limbs = 0;
+  // A number of one limb of which products are residues.
+  template <int limbs> using Integer = Fixed_integer<1, limbs>;
+
+  CGAL_GC_FORCEINLINE bool find_unit(double largest, int& unit) const {
+    return find_common_unit<k>(left_.points(), right_.points(), largest, unit);
+  }
+  template <int> CGAL_GC_FORCEINLINE bool integer_factors(const Factors& given, Factors& w) const {
+    w = given;
+    return take_up<question_>(w, 0);
+  }
+  template <int limbs> CGAL_GC_FORCEINLINE Differences<Integer<limbs>, N> left_in(int unit, int pivot) const {
+    return in_units<k, Integer<limbs>>(rotated<k>(this->left(), pivot), power_of_two(-unit));
+  }
+  template <int limbs> CGAL_GC_FORCEINLINE Differences<Integer<limbs>, N> right_in(int unit, int pivot) const {
+    return in_units<k, Integer<limbs>>(rotated<k>(this->right(), pivot), power_of_two(-unit));
+  }
+#endif
+};
+
+// An end with integers as coordinates, all below 2^60 in absolute value: longer than those of doubles.
+template <int N> struct Long_end {
+  End_polygon<std::int64_t, N> points; // the last one repeated
+  int degree;
+  std::int64_t length; // of the domain, in units of both curves
+};
+
+// The legs of two such ends. They are below 2^61, the differences below 2^61, 2^62 and 2^63, and legs become doubles by one rounding, as
+// Rounding_of_differences expects.
+template <int k, int N> struct Long_legs {
+  Legs<std::int64_t, N> left_integers, right_integers;
+  Legs<double, N> rounded_left, rounded_right;
+
+  CGAL_GC_FORCEINLINE Long_legs(const Long_end<N>& left, const Long_end<N>& right)
+      : left_integers(legs_of<k>(left.points)), right_integers(legs_of<k>(right.points)),
+        rounded_left(converted<k, double>(left_integers)), rounded_right(converted<k, double>(right_integers)) {}
+};
+
+// Two such ends.
+template <Join_question question_, int N>
+class Long_join : Long_legs<highest_difference(question_), N>, public Rounded_polygons<question_, N> {
+  static constexpr int k = highest_difference(question_);
+  typedef Long_legs<k, N> Integers;
+  typedef Rounded_polygons<question_, N> Base;
+  std::int64_t h_, l_;
+
+public:
+  using typename Base::Factors;
+
+  CGAL_GC_FORCEINLINE Long_join(const Long_end<N>& left, const Long_end<N>& right)
+      : Integers(left, right), Base(this->rounded_left, left.degree, this->rounded_right, right.degree),
+        h_(left.length), l_(right.length) {}
+
+  CGAL_GC_FORCEINLINE bool find_factors(Factors& w) const {
+    if (is_parametric(question_) && (std::max)(h_, l_) > 1024) return false;
+    return this->factors_with(h_, l_, w);
+  }
+  CGAL_GC_FORCEINLINE bool first_derivatives_differ() const { return false; }
+
+  static constexpr bool on_grid = false;
+
+#ifdef CGAL_GEOMETRIC_CONTINUITY_HAS_FIXED_INTEGER
+  static constexpr int limbs = form_degree(question_) <= 2 ? 2 : form_degree(question_) <= 4 ? 4 : 6, more_limbs = 0;
+  template <int limbs> using Integer = Fixed_integer<2, limbs>; // leaves room for the factors
+
+  CGAL_GC_FORCEINLINE bool find_unit(double, int& unit) const {
+    unit = 0;
+    return true;
+  }
+  template <int> CGAL_GC_FORCEINLINE bool integer_factors(const Factors& given, Factors& w) const {
+    w = given;
+    return true;
+  }
+  template <int limbs> CGAL_GC_FORCEINLINE Differences<Integer<limbs>, N> left_in(int, int pivot) const {
+    return converted<k, Integer<limbs>>(differences_of<k, true>(rotated<k>(this->left_integers, pivot), this->m_));
+  }
+  template <int limbs> CGAL_GC_FORCEINLINE Differences<Integer<limbs>, N> right_in(int, int pivot) const {
+    return converted<k, Integer<limbs>>(differences_of<k, false>(rotated<k>(this->right_integers, pivot), this->n_));
+  }
+#endif
+};
+
+// The weights of an end, w_j c^j times a factor, so that the first two are in [1, 2): powers of two do this without rounding, and the
+// curve is the same in another parameter. Not valid unless all lie within 2^-20 and 2^20.
+template <int k> class End_weights {
+  std::array<double, 4> w_{};
+  bool valid_ = true;
+
+public:
+  template <class End> CGAL_GC_FORCEINLINE explicit End_weights(const End& end) {
+    const int m = end.degree();
+    for (int j = 0; j <= k; ++j) w_[j] = end.weight((std::min)(j, m));
+    const int e = binary_exponent(w_[0]), f = binary_exponent(w_[1]) - e;
+    valid_ = -300 <= e && e <= 300 && -150 <= f && f <= 150;
+    if (!valid_) return;
+    for (int j = 0; j <= k; ++j) {
+      w_[j] *= power_of_two(-e - j * f);
+      valid_ &= 0x1p-20 <= w_[j] && w_[j] <= 0x1p20;
+    }
+  }
+  CGAL_GC_FORCEINLINE bool valid() const { return valid_; }
+  CGAL_GC_FORCEINLINE const std::array<double, 4>& operator()() const { return w_; }
+
+  // The largest power of two of which all weights are multiples is 2 to this power. \pre they are valid
+  CGAL_GC_FORCEINLINE int exponent_of_unit() const {
+    int unit = 20;
+    for (int j = 0; j <= k; ++j) {
+      const std::uint64_t bits = bits_of(w_[j]) | std::uint64_t(1) << 52;
+      unit = (std::min)(unit, binary_exponent(w_[j]) - 52 + __builtin_ctzll(bits));
+    }
+    return unit;
+  }
+  // As whole numbers of 2^unit, unless they are too long.
+  template <class Integer> CGAL_GC_FORCEINLINE bool in_units(int unit, std::array<Integer, 4>& w) const {
+    for (int j = 0; j <= k; ++j) {
+      const double x = w_[j] * power_of_two(-unit);
+      if (!(x <= 0x1p56)) return false;
+      w[j] = Integer(static_cast<std::int64_t>(x));
+    }
+    return true;
+  }
+};
+
+// For differences that are rounded once and factors that come from weights by at most nine operations: each factor is at most its value
+// 1 with an error of 16 units.
+struct Rounding_of_weighted_ends {
+  static constexpr Join_rounding value() {
+    constexpr Rounding_bound w(1, 16 * 0x1p-52);
+    return Join_rounding(Rational_join_weights<Join_question::g3, Rounding_bound>{w, w, w, w, w, w});
+  }
+};
+
+// Ends with double coordinates and positive weights, for a question into which the weights enter.
+template <Join_question question_, int N> class Weighted_join {
+  static constexpr int k = highest_difference(question_);
+
+  End_polygon<double, N> p_, q_;
+  int m_, n_;
+  Differences<double, N> left_, right_;
+  End_weights<k> left_weights_, right_weights_;
+
+public:
+  static constexpr Join_question question = question_;
+  static constexpr int dimension = N;
+  static constexpr bool on_grid = false;
+
+  template <class Left, class Right>
+  Weighted_join(const Left& left, const Right& right)
+      : p_(points_of<k, N>(left)), q_(points_of<k, N>(right)), m_(left.degree()), n_(right.degree()),
+        left_(fan_of<k, true>(p_)), right_(fan_of<k, false>(q_)), left_weights_(left), right_weights_(right) {}
+
+  const std::array<double, N>& first_left() const { return left_[0]; }
+  const std::array<double, N>& first_right() const { return right_[0]; }
+  int pivot() const { return largest_coordinate(left_[0]); }
+
+  typedef Rational_join_weights<question, double> Factors;
+  bool find_factors(Factors& w) const {
+    if (!degrees_fit(m_, n_) || !left_weights_.valid() || !right_weights_.valid()) return false;
+    w = Factors::of(left_weights_(), m_, right_weights_(), n_);
+    return true;
+  }
+  bool first_derivatives_differ() const { return false; }
+
+  static constexpr bool rounded = true;
+  typedef Rounding_of_weighted_ends Rounding;
+  typedef Factors Rounded_factors;
+  const Differences<double, N>& left() const { return left_; }
+  const Differences<double, N>& right() const { return right_; }
+  Difference_bounds left_bounds() const { return bounds_of_fan<k>(left_); }
+  Difference_bounds right_bounds() const { return bounds_of_fan<k>(right_); }
+  const Factors& rounded_factors(const Factors& w) const { return w; }
+
+#ifdef CGAL_GEOMETRIC_CONTINUITY_HAS_FIXED_INTEGER
+  static constexpr int limbs = 4, more_limbs = 8;
+  template <int limbs> using Integer = Fixed_integer<1, limbs>;
+  template <int limbs> using Integer_factors = Rational_join_weights<question, Integer<limbs>>;
+
+  bool find_unit(double largest, int& unit) const { return find_common_unit<k>(p_, q_, largest, unit); }
+  template <int limbs> bool integer_factors(const Factors&, Integer_factors<limbs>& factors) const {
+    std::array<Integer<limbs>, 4> w{}, v{};
+    if (!left_weights_.in_units(left_weights_.exponent_of_unit(), w) ||
+        !right_weights_.in_units(right_weights_.exponent_of_unit(), v))
+      return false;
+    factors = Integer_factors<limbs>::of(w, m_, v, n_);
+    return true;
+  }
+  int exponent_of_factors(Join_question form) const {
+    return left_weights_.exponent_of_unit() * Factors::left_degree(form) +
+           right_weights_.exponent_of_unit() * Factors::right_degree(form);
+  }
+  template <int limbs> Differences<Integer<limbs>, N> left_in(int unit, int pivot) const {
+    return in_units<k, Integer<limbs>>(rotated<k>(left_, pivot), power_of_two(-unit));
+  }
+  template <int limbs> Differences<Integer<limbs>, N> right_in(int unit, int pivot) const {
+    return in_units<k, Integer<limbs>>(rotated<k>(right_, pivot), power_of_two(-unit));
+  }
+#endif
+};
+
+// The orders C of such ends: only the first derivatives are looked at.
+template <Join_question question_, int N> class Weighted_derivatives {
+  bool differ_;
+
+public:
+  static constexpr Join_question question = question_;
+  static constexpr int dimension = N;
+  static constexpr bool rounded = false, on_grid = false;
+
+  template <class Left, class Right> Weighted_derivatives(const Left& left, const Right& right) {
+    const auto ratio = [](const auto& end) -> double {
+      const double first = end.weight(0), second = end.weight((std::min)(1, end.degree())); // of shorter types, too
+      return second / first;
+    };
+    const auto first_derivative = [](const Legs<double, N>& d, double ratio) {
+      std::array<double, N> x = d[0];
+      for (double& xi : x) xi *= ratio;
+      return x;
+    };
+    const std::pair<double, double> h = left.domain(), l = right.domain();
+    const int m = left.degree(), n = right.degree();
+    const double r = ratio(left), s = ratio(right);
+    const bool in_range = 0x1p-500 <= (std::min)(r, s) && (std::max)(r, s) <= 0x1p500 &&
+                          (std::max)(m * (l.second - l.first), n * (h.second - h.first)) <= 0x1p500;
+    differ_ = in_range &&
+              internal::first_derivatives_differ(first_derivative(fan_of<1, true>(points_of<1, N>(left)), r), m, h,
+                                                 first_derivative(fan_of<1, false>(points_of<1, N>(right)), s), n, l);
+  }
+
+  struct Factors {};
+  bool find_factors(Factors&) const { return false; }
+  bool first_derivatives_differ() const { return differ_; }
+};
+
+// An end with double coordinates that is compared with many others: its legs on a grid, and the largest coordinate of the first one.
+template <int N> struct Prepared_legs {
+  Grid_legs<N> grid;
+  int pivot;
+
+  explicit Prepared_legs(const End_polygon<double, N>& points)
+      : grid(grid_legs_of<3>(points)), pivot(grid.valid ? largest_coordinate(grid.legs[0]) : 0) {}
+};
+
+// Two such ends, for a question that is not parametric. \pre both grids are valid
+template <Join_question question_, int N> class Prepared_join {
+  const Prepared_legs<N>&left_, &right_;
+  int m_, n_;
+
+public:
+  static constexpr Join_question question = question_;
+  static constexpr int dimension = N;
+  static constexpr bool rounded = false, on_grid = true;
+
+  CGAL_GC_FORCEINLINE Prepared_join(const Prepared_legs<N>& left, int m, const Prepared_legs<N>& right, int n)
+      : left_(left), right_(right), m_(m), n_(n) {}
+
+  CGAL_GC_FORCEINLINE std::array<std::int64_t, N> first_left() const {
+    return internal::minus(std::array<std::int64_t, N>{}, left_.grid.legs[0]);
+  }
+  CGAL_GC_FORCEINLINE const std::array<std::int64_t, N>& first_right() const { return right_.grid.legs[0]; }
+  CGAL_GC_FORCEINLINE int pivot() const { return left_.pivot; }
+
+  typedef Join_weights<std::int64_t> Factors;
+  CGAL_GC_FORCEINLINE bool find_factors(Factors& w) const {
+    w = Factors::template geometric<question>(m_, n_);
+    return degrees_fit(m_, n_);
+  }
+  CGAL_GC_FORCEINLINE bool first_derivatives_differ() const { return false; }
+
+  CGAL_GC_FORCEINLINE const Grid_legs<N>& left_grid() const { return left_.grid; }
+  CGAL_GC_FORCEINLINE const Grid_legs<N>& right_grid() const { return right_.grid; }
+  CGAL_GC_FORCEINLINE int left_degree() const { return m_; }
+  CGAL_GC_FORCEINLINE int right_degree() const { return n_; }
+};
+
+} // namespace internal
+} // namespace Geometric_continuity
+} // namespace CGAL
+
+#endif // CGAL_GEOMETRIC_CONTINUITY_JOINS_INTERNAL_JOIN_INPUT_H

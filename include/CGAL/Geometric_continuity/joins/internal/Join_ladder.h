@@ -1,0 +1,262 @@
+// Copyright (c) 2026 The Geometric_continuity developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_GEOMETRIC_CONTINUITY_JOINS_INTERNAL_JOIN_LADDER_H
+#define CGAL_GEOMETRIC_CONTINUITY_JOINS_INTERNAL_JOIN_LADDER_H
+
+#include <CGAL/Geometric_continuity/internal/force_inline.h>
+#include <CGAL/Geometric_continuity/joins/internal/Join_input.h>
+
+#include <boost/config.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+
+/// \file Join_ladder.h
+/// The rungs by which a question about a join is decided on two ends (Join_input.h), from the cheapest to the one that is left: signs, a
+/// rounded form that exceeds its error, residues of a form that is smaller than the modulus, integers of fixed length. Each answers, or
+/// `unknown`. What all of them leave open is decided in numbers of any length (decide_in_ring.h).
+
+namespace CGAL {
+namespace Geometric_continuity {
+namespace internal {
+
+// Whether all coordinates but one are zero.
+template <class T, std::size_t N> CGAL_GC_FORCEINLINE bool is_on_axis(const std::array<T, N>& x, int axis) {
+  for (int i = 0; i < static_cast<int>(N); ++i)
+    if (i != axis && x[static_cast<std::size_t>(i)] != 0) return false;
+  return true;
+}
+
+// By the signs of the first differences: the largest coordinate of the left one is the pivot. Where the tangents run along the same axis,
+// as most at the smooth joins of drawings do, nothing is left to ask for G1.
+template <Join_question question, class T, std::size_t N>
+CGAL_GC_FORCEINLINE Join_answer decide_by_signs(const std::array<T, N>& a1, const std::array<T, N>& b1, int pivot) {
+  const T x = coordinate_at(a1, pivot), y = coordinate_at(b1, pivot);
+  if constexpr (is_geometric(question)) {
+    if (!((x < 0 && y < 0) || (0 < x && 0 < y))) return Join_answer::no;
+    if constexpr (question == Join_question::g1)
+      if (is_on_axis(a1, pivot) && is_on_axis(b1, pivot)) return Join_answer::yes;
+    return Join_answer::unknown;
+  } else
+    return x == 0 || (y == 0 && is_on_axis(b1, pivot)) ? Join_answer::undefined : Join_answer::unknown;
+}
+
+#ifdef CGAL_GEOMETRIC_CONTINUITY_HAS_FIXED_INTEGER
+
+// On ends whose rounded forms have passed the filter: a whole number that is divisible by 2^s and smaller than 2^s is 0.
+//
+// Let all differences be multiples of a unit 2^g, and the factors of a form be whole numbers w times a power of two. In units they are
+// whole numbers, and what is shorter than the residues stays within its limbs, as in decide_on_grids(). The bound that the filter proves
+// for a form of degree d is divided by 2^(g d) and by the power of the factors. Forms of degree at most 2, and for polynomials the one
+// for G2 with the limbs of a form of degree 6, are shorter than the residues anyway.
+template <int limbs, class Input, class Filter, class Stages>
+CGAL_GC_FORCEINLINE Join_answer decide_by_residues(const Input& join, const typename Input::Factors& given, int pivot,
+                                                   const Filter& filter, Stages& stages) {
+  constexpr Join_question question = Input::question;
+  constexpr int N = Input::dimension;
+  typedef typename Input::template Integer<limbs> Integer;
+  typedef typename Input::template Integer_factors<limbs> Factors;
+  int unit;
+  Factors w;
+  if (!join.template integer_factors<limbs>(given, w) || !join.find_unit((std::max)(filter.A.d3, filter.B.d3), unit))
+    return Join_answer::unknown;
+  const auto fits = [&](Join_question form) {
+    return filter.exponent_of_bound(form) - unit * form_degree(form) - join.exponent_of_factors(form) <= 64 * limbs;
+  };
+  if (form_degree(question) > 2 && !fits(question)) return Join_answer::unknown;
+  if (Factors::rational && is_geometric(question) && !fits(Join_question::g2)) return Join_answer::unknown;
+
+  const Differences<Integer, N> a = join.template left_in<limbs>(unit, pivot),
+                                b = join.template right_in<limbs>(unit, pivot);
+  const Modular_zero zero;
+  const Join_equations<Integer, N, Factors, const Modular_zero> equations(a, b, w, zero);
+  const auto decided = [&](Join_answer answer) {
+    stages.decided(Join_stage::bounded_residue, answer);
+    return answer;
+  };
+  if constexpr (question == Join_question::torsion)
+    if (!equations.both_have_curvature()) return decided(Join_answer::undefined);
+  if constexpr (question == Join_question::f3)
+    if (!equations.left_has_curvature()) return Join_answer::unknown; // another form counts, without a bound
+  return decided(all_hold<question>(equations) ? Join_answer::yes : Join_answer::no);
+}
+// The same, compiled apart: long residues need much room.
+template <int limbs, class Input, class Filter, class Stages>
+BOOST_NOINLINE Join_answer decide_by_long_residues(const Input& join, const typename Input::Factors& given, int pivot,
+                                                   const Filter& filter, Stages& stages) {
+  return decide_by_residues<limbs>(join, given, pivot, filter, stages);
+}
+
+// (q, p) of at most 12 bits, so that the cubes with factors of at most 16 bits take one limb. The types of the forms are
+// shorter: |q^2 b2 - p^2 a2| < 2^(24+16+55+1), times p and a factor of 16 bits < 2^124; |q^3 a1_0| < 2^(36+16+54).
+struct Short_join_ratio {
+  typedef Fixed_integer<1> Square, Cube;
+  Fixed_integer<1> q, p;
+  static Square square(const Fixed_integer<1>& x) { return Square(x.top() * x.top()); }
+  static Cube cube(const Fixed_integer<1>& x) { return Cube(x.top() * x.top() * x.top()); }
+  template <class V> V p_times(const V& v, std::int64_t w) const { return scaled(v, p.top() * w); }
+};
+
+// b/a, if it is a fraction with denominator 2^8 and a numerator of at most 12 bits
+CGAL_GC_FORCEINLINE bool short_ratio(std::int64_t a, std::int64_t b, Short_join_ratio& r) {
+  const double x = 256 * (static_cast<double>(b) / static_cast<double>(a));
+  if (!(std::abs(x) < 4096)) return false;
+  std::int64_t p = static_cast<std::int64_t>(x), q = 256;
+  if (static_cast<Signed_128>(p) * a != static_cast<Signed_128>(q) * b || p == 0) return false;
+  r.q = q;
+  r.p = p;
+  return true;
+}
+
+CGAL_GC_FORCEINLINE bool weights_are_short(const Join_weights<std::int64_t>& w) {
+  return (w.a2 | w.b2 | w.a3 | w.b3 | w.mix) < (std::int64_t(1) << 16);
+}
+
+// On differences in units of 2^d (left) and 1 (right), of 53 bits for the points: |a1| <= 2^54, |a2| <= 2^55,
+// |a3| <= 2^56. With factors w2 < 2^19 of a2 and b2, w3 < 2^28 and a factor < 2^16 of the mixed term (see take_up) no form
+// or part of it exceeds its limbs: q^2 w2 < 2^127, V < 2^(108+19+55+1) < 2^191, its product with a1 < 2^239; q^3 w3 < 2^191,
+// n.b3 < 2^(110+56+2) < 2^191, their products < 2^360; q^3 w3 a1_0 < 2^245, p V w < 2^254, the sum of three terms
+// < 2^312, its product with a1 < 2^367; curvature vector: (b1.b1)^2 w2 < 2^(220+19), times 2^167; torsion: (n.a3) w < 2^188, times
+// 2^222.
+template <Join_question question, int N, class Weights, class Stages>
+CGAL_GC_FORCEINLINE Join_answer decide_on_grids(const Differences<std::int64_t, N>& a,
+                                                const Differences<std::int64_t, N>& b, const Weights& w,
+                                                Stages& stages) {
+  typedef Fixed_integer<1> Integer;
+  constexpr int k = highest_difference(question);
+  const auto decided = [&](Join_stage stage, Join_answer answer) {
+    stages.decided(stage, answer);
+    return answer;
+  };
+  if (stages.uses(Join_stage::residue)) {
+    const Differences<std::uint64_t, N> x = converted<k, std::uint64_t>(a), y = converted<k, std::uint64_t>(b);
+    Residue_zero zero;
+    const Join_equations<std::uint64_t, N, Weights, Residue_zero> equations(x, y, w, zero);
+    if (!all_hold<question>(equations)) return decided(Join_stage::residue, Join_answer::no);
+  }
+  const Differences<Integer, N> x = converted<k, Integer>(a), y = converted<k, Integer>(b);
+  Exact_zero<Integer> zero;
+  const Join_equations<Integer, N, Weights, Exact_zero<Integer>> equations(x, y, w, zero);
+  const auto answer = [](bool holds) { return holds ? Join_answer::yes : Join_answer::no; };
+  if constexpr (question == Join_question::torsion)
+    if (!equations.both_have_curvature()) return decided(Join_stage::fixed_integer, Join_answer::undefined);
+  if constexpr (is_geometric(question) || question == Join_question::curvature_vector) {
+    constexpr Join_question given_parallel = question == Join_question::curvature_vector ? Join_question::g2 : question;
+    const bool parallel = equations.tangents_parallel();
+    if (is_geometric(question) && !parallel) return decided(Join_stage::fixed_integer, Join_answer::no);
+    Short_join_ratio r;
+    if (parallel && highest_difference(question) >= 2 && stages.uses(Join_stage::simple_ratio) &&
+        weights_are_short(w) && short_ratio(a[0][0], b[0][0], r))
+      return decided(Join_stage::simple_ratio, answer(equations_hold<given_parallel>(equations, r)));
+    if (parallel)
+      return decided(Join_stage::fixed_integer, answer(equations_hold<given_parallel>(equations, equations.ratio())));
+  }
+  return decided(Join_stage::fixed_integer, answer(equations_hold<question>(equations, equations.ratio())));
+}
+
+// On the coarsest grid that has all legs, as far as the legs of each end allow: short numbers leave residues that say more.
+template <class Input, class Stages>
+CGAL_GC_FORCEINLINE Join_answer decide_on_grid(const Input& join, typename Input::Factors w, int pivot,
+                                               Stages& stages) {
+  constexpr Join_question question = Input::question;
+  constexpr int N = Input::dimension, k = highest_difference(question);
+  const Grid_legs<N>&left = join.left_grid(), &right = join.right_grid();
+  if (!left.valid || !right.valid) return Join_answer::unknown;
+  const int e = (std::min)(left.exponent + left.zeros, right.exponent + right.zeros),
+            x = (std::max)(e - left.exponent, 0), y = (std::max)(e - right.exponent, 0);
+  if (!take_up<question>(w, left.exponent + x - right.exponent - y)) return Join_answer::unknown;
+  return decide_on_grids<question, N>(
+      differences_of<k, true>(without_zeros<k>(rotated<k>(left.legs, pivot), x), join.left_degree()),
+      differences_of<k, false>(without_zeros<k>(rotated<k>(right.legs, pivot), y), join.right_degree()), w, stages);
+}
+
+#endif // CGAL_GEOMETRIC_CONTINUITY_HAS_FIXED_INTEGER
+
+// In floating point with a bound of the error, then by residues.
+template <class Input, class Stages>
+CGAL_GC_FORCEINLINE Join_answer decide_rounded(const Input& join, const typename Input::Factors& given, int pivot,
+                                               Stages& stages) {
+  constexpr Join_question question = Input::question;
+  constexpr int N = Input::dimension;
+  typedef typename Input::Rounded_factors Factors;
+  typedef Join_filter<Factors, typename Input::Rounding> Filter;
+  const Difference_bounds A = join.left_bounds(), B = join.right_bounds();
+  const Factors w = join.rounded_factors(given);
+  const Filter filter{A, B, w};
+  if (!filter.in_range()) return Join_answer::unknown;
+  const Differences<double, N>&a = join.left(), &b = join.right();
+  const Join_equations<double, N, Factors, const Filter> equations(a, b, w, filter, pivot);
+  if (!all_hold<question>(equations)) {
+    stages.decided(Join_stage::floating_point, Join_answer::no);
+    return Join_answer::no;
+  }
+#ifdef CGAL_GEOMETRIC_CONTINUITY_HAS_FIXED_INTEGER
+  if (stages.uses(Join_stage::bounded_residue)) {
+    if constexpr (Input::more_limbs == 0)
+      return decide_by_residues<Input::limbs>(join, given, pivot, filter, stages);
+    else {
+      const Join_answer answer = decide_by_long_residues<Input::limbs>(join, given, pivot, filter, stages);
+      return answer != Join_answer::unknown
+                 ? answer
+                 : decide_by_long_residues<Input::more_limbs>(join, given, pivot, filter, stages);
+    }
+  }
+#endif
+  return Join_answer::unknown;
+}
+
+// The ladder. Exact or `unknown`; that the ends meet is not asked here.
+template <class Input, class Stages>
+CGAL_GC_FORCEINLINE Join_answer decide_by_rungs(const Input& join, Stages& stages) {
+  constexpr Join_question question = Input::question;
+  static_assert(highest_difference(question) > 0, "the points are compared before");
+  int pivot = 0;
+  if constexpr (!is_parametric(question)) {
+    pivot = join.pivot();
+    const Join_answer answer = decide_by_signs<question>(join.first_left(), join.first_right(), pivot);
+    if (answer != Join_answer::unknown) {
+      stages.decided(Join_stage::comparison, answer);
+      return answer;
+    }
+  }
+  typename Input::Factors w;
+  if (!join.find_factors(w)) {
+    if (!stages.uses(Join_stage::floating_point) || !join.first_derivatives_differ()) return Join_answer::unknown;
+    stages.decided(Join_stage::floating_point, Join_answer::no);
+    return Join_answer::no;
+  }
+  if constexpr (Input::rounded)
+    if (stages.uses(Join_stage::floating_point)) {
+      const Join_answer answer = decide_rounded(join, w, pivot, stages);
+      if (answer != Join_answer::unknown) return answer;
+    }
+#ifdef CGAL_GEOMETRIC_CONTINUITY_HAS_FIXED_INTEGER
+  if constexpr (Input::on_grid)
+    if (stages.uses(Join_stage::fixed_integer)) return decide_on_grid(join, w, pivot, stages);
+#endif
+  return Join_answer::unknown;
+}
+
+// The same on ends with double coordinates, which are read here; with positive weights if they are asked for them.
+template <Join_question question, int N, bool weighted = false, class Left, class Right, class Stages>
+CGAL_GC_FORCEINLINE Join_answer decide_on_doubles(const Left& left, const Right& right, Stages& stages) {
+  if constexpr (weighted)
+    return decide_by_rungs(Weighted_join<question, N>(left, right), stages);
+  else {
+    const Question<question> asked;
+    const Double_end<N> x(left, asked), y(right, asked);
+    Short_lengths lengths;
+    if constexpr (is_parametric(question)) lengths = Short_lengths(x.domain(), y.domain());
+    return decide_by_rungs(Double_join<question, N>(x, y, lengths), stages);
+  }
+}
+
+} // namespace internal
+} // namespace Geometric_continuity
+} // namespace CGAL
+
+#endif // CGAL_GEOMETRIC_CONTINUITY_JOINS_INTERNAL_JOIN_LADDER_H

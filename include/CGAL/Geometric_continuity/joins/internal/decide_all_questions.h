@@ -1,0 +1,223 @@
+// Copyright (c) 2026 The Geometric_continuity developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_GEOMETRIC_CONTINUITY_JOINS_INTERNAL_DECIDE_ALL_QUESTIONS_H
+#define CGAL_GEOMETRIC_CONTINUITY_JOINS_INTERNAL_DECIDE_ALL_QUESTIONS_H
+
+#include <CGAL/Geometric_continuity/joins/internal/Join_ladder.h>
+#include <CGAL/Geometric_continuity/joins/internal/Join_parameters.h>
+#include <CGAL/Interval_nt.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <type_traits>
+
+/// \file decide_all_questions.h
+/// What continuity() says, from the answers to single questions by the ladder about two ends that are read once.
+
+namespace CGAL {
+namespace Geometric_continuity {
+namespace internal {
+
+// |a1 x a2|^2 times the square of the weight, and g = |a1|^2, from the legs of an end.
+template <class T, int N> T square_of_area(const Legs<T, N>& legs, const T& weight, T& g) {
+  T area(0);
+  g = T(0);
+  for (int i = 0; i < N; ++i) {
+    g += T(legs[0][i] * legs[0][i]);
+    for (int j = 0; j < i; ++j) {
+      const T x = legs[0][i] * legs[1][j] - legs[0][j] * legs[1][i];
+      area += T(x * x);
+    }
+  }
+  return T(area * weight * weight);
+}
+
+// The two sides of |a1 x a2|^2 |b1|^6 = |b1 x b2|^2 |a1|^6 (for equal degrees): the curvatures have one magnitude.
+template <class T, int N>
+std::array<T, 2> curvature_forms(const Legs<T, N>& left, const Legs<T, N>& right, const Join_weights<std::int64_t>& w,
+                                 T (*number)(std::int64_t)) {
+  T g, h;
+  const T a = square_of_area<T, N>(left, number(w.a2), g), b = square_of_area<T, N>(right, number(w.b2), h);
+  return {T(a * h * h * h), T(b * g * g * g)};
+}
+
+// Whether the curvatures have different magnitudes, modulo 2^64 for legs on the left in units of 2^units to those on the right. Only
+// `true` is a proof, as below.
+template <int N>
+bool curvatures_differ(const Legs<std::int64_t, N>& left, const Legs<std::int64_t, N>& right,
+                       const Join_weights<std::int64_t>& w, int units) {
+  typedef std::uint64_t Residue;
+  const auto residue = [](std::int64_t x) { return static_cast<Residue>(x); };
+  const auto [a, b] =
+      curvature_forms<Residue, N>(converted<2, Residue>(left), converted<2, Residue>(right), w, residue);
+  return units < 0 ? (a << -2 * units) != b : a != (b << 2 * units);
+}
+template <int N> bool curvatures_differ(const Long_end<N>& left, const Long_end<N>& right) {
+  return curvatures_differ<N>(
+      legs_of<2>(left.points), legs_of<2>(right.points),
+      Join_weights<std::int64_t>::template geometric<Join_question::g2>(left.degree, right.degree), 0);
+}
+// On grids, or in interval arithmetic.
+template <int N> bool curvatures_differ(const Double_end<N>& left, const Double_end<N>& right) {
+  const Join_weights<std::int64_t> w =
+      Join_weights<std::int64_t>::template geometric<Join_question::g2>(left.degree(), right.degree());
+  const Grid_legs<N> x = grid_legs_of<2>(left.points()), y = grid_legs_of<2>(right.points());
+  const int units = x.exponent + x.zeros - y.exponent - y.zeros; // the left legs are in units of 2^units
+  if (x.valid && y.valid && -14 <= units && units <= 14 &&
+      curvatures_differ<N>(without_zeros<2>(x.legs, x.zeros), without_zeros<2>(y.legs, y.zeros), w, units))
+    return true;
+  typedef Interval_nt<false> Interval;
+  const Interval::Protector rounding;
+  const auto interval = [](std::int64_t x) { return Interval(static_cast<double>(x)); };
+  const auto legs = [](const End_polygon<double, N>& points) {
+    End_polygon<Interval, N> x;
+    for (int j = 0; j <= 2; ++j)
+      for (int i = 0; i < N; ++i) x[j][i] = Interval(points[j][i]);
+    return legs_of<2>(x);
+  };
+  const auto [a, b] = curvature_forms<Interval, N>(legs(left.points()), legs(right.points()), w, interval);
+  return !a.do_overlap(b);
+}
+
+// Whether a1 x a2 is not zero, from two legs in space that have been rounded once. Only `true` is a proof.
+inline bool is_curved(const Legs<double, 3>& legs) {
+  const double size = largest(legs[0]) * largest(legs[1]);
+  return 0x1p-900 <= size && size <= 0x1p900 && largest(cross_form(legs[0], legs[1])) > 0x1p-49 * size;
+}
+inline bool is_curved(const Legs<double, 2>&) { return false; }
+
+// Everything that Join_continuity says but the shape parameters, for a join in the plane or in space and orders up to 3; if only the
+// orders are wanted, the flags are left as they are where they are not decided by the way. `Questions` answers questions about the two
+// ends. Returns false when some of it needs multi-precision numbers; then `join` is unspecified.
+template <class Questions, class Result>
+bool decide_all_questions(const Questions& questions, int max_order, Result& join, bool only_orders = false) {
+  constexpr int N = Questions::dimension;
+  bool unknown = false;
+  const auto holds = [&](auto question) { // nothing is asked any more once one answer has been unknown
+    if (unknown) return false;
+    const Join_answer answer = questions.template decide<decltype(question)::value>();
+    unknown = answer == Join_answer::unknown;
+    return answer == Join_answer::yes;
+  };
+  int contact = 0; // of the curves, wherever their ends are
+  join.regular = questions.regular();
+  const bool meet = questions.ends_meet();
+  if (meet) { // C^k is asked first, since it costs least, and curves that are regular and C^k are G^k
+    join.c_order = join.g_order = join.f_order = 0;
+    if (max_order >= 1 && holds(Question<Join_question::c1>())) {
+      join.c_order = 1;
+      if (max_order >= 3 && holds(Question<Join_question::c3>()))
+        join.c_order = 3;
+      else if (max_order >= 2 && holds(Question<Join_question::c2>()))
+        join.c_order = 2;
+    }
+  }
+  if (join.regular && (meet || !only_orders)) {
+    if (max_order >= 3 && (join.c_order == 3 || holds(Question<Join_question::g3>())))
+      contact = 3;
+    else
+      contact = join.c_order >= 2 || holds(Question<Join_question::g2>())   ? 2
+                : join.c_order == 1 || holds(Question<Join_question::g1>()) ? 1
+                                                                            : 0;
+    join.tangent_equal = contact >= 1;
+  }
+  // The third derivatives with respect to arc length agree, so torsions do where there is curvature.
+  const bool torsions_agree = N == 3 && contact == 3 && questions.is_curved();
+  if (join.regular && !only_orders) {
+    join.curvature_vector_equal = contact >= 2 || (contact == 0 && holds(Question<Join_question::curvature_vector>()));
+    join.curvature_equal = *join.curvature_vector_equal;
+    if (!*join.curvature_vector_equal && !questions.curvatures_differ()) return false;
+    if constexpr (N == 3) {
+      if (unknown) return false;
+      if (torsions_agree)
+        join.torsion_equal = true;
+      else {
+        const Join_answer answer = questions.template decide<Join_question::torsion>();
+        if (answer == Join_answer::unknown) return false;
+        if (answer != Join_answer::undefined) join.torsion_equal = answer == Join_answer::yes;
+      }
+    }
+  }
+  if (unknown) return false;
+  if (meet && contact >= 1 && max_order >= 1) {
+    join.g_order = (std::min)(contact, max_order);
+    join.f_order = (std::min)(join.g_order, 2);
+    if constexpr (N == 3)
+      if (join.f_order == 2 && max_order >= 3 &&
+          (join.c_order == 3 || torsions_agree ||
+           (join.torsion_equal ? *join.torsion_equal : holds(Question<Join_question::f3>()))))
+        join.f_order = 3;
+  }
+  return !unknown;
+}
+
+// The join of two ends that are read once.
+template <int N> class Double_ends {
+  Double_end<N> left_, right_;
+  bool meet_;
+  Short_lengths lengths_; // which nobody asks for where the ends do not meet
+
+public:
+  static constexpr int dimension = N;
+
+  template <class Left, class Right>
+  Double_ends(const Left& left, const Right& right)
+      : left_(left), right_(right), meet_(left_.points()[0] == right_.points()[0]) {
+    if (meet_) lengths_ = Short_lengths(left_.domain(), right_.domain());
+  }
+
+  const Double_end<N>& left() const { return left_; }
+  const Double_end<N>& right() const { return right_; }
+
+  bool regular() const { return left_.points()[0] != left_.points()[1] && right_.points()[0] != right_.points()[1]; }
+  bool ends_meet() const { return meet_; }
+  template <Join_question question> Join_answer decide() const {
+    const All_join_stages stages;
+    return decide_by_rungs(Double_join<question, N>(left_, right_, lengths_), stages);
+  }
+  bool curvatures_differ() const { return internal::curvatures_differ<N>(left_, right_); }
+  bool is_curved() const { return internal::is_curved(left_.legs()); }
+};
+
+// The shape parameters of such a join, which are to be computed when someone asks for them.
+template <class FT, int N> Join_parameters<FT> parameters_of(const Double_end<N>& left, const Double_end<N>& right) {
+  const int i = largest_coordinate(left.legs()[0]);
+  const auto along = [i](const Double_end<N>& end) {
+    const auto& x = end.points();
+    return Parameter_end{{x[0][i], x[1][i], x[2][i], x[3][i]}, end.domain().first, end.domain().second, end.degree()};
+  };
+  return Join_parameters<FT>(along(left), along(right));
+}
+template <class FT, int N> Join_parameters<FT> parameters_of(const Long_end<N>& left, const Long_end<N>& right) {
+  const int i = largest_coordinate(legs_of<1>(left.points)[0]);
+  const auto along = [i](const Long_end<N>& end) {
+    Parameter_end result{{}, 0, static_cast<double>(end.length), end.degree};
+    for (int j = 0; j <= 3; ++j) {
+      const std::int64_t x = end.points[j][i];
+      result.points[j] = static_cast<double>(x);
+      result.rests[j] = static_cast<double>(x - static_cast<std::int64_t>(result.points[j]));
+    }
+    return result;
+  };
+  return Join_parameters<FT>(along(left), along(right));
+}
+
+// Everything that Join_continuity says, for two ends with double coordinates and orders up to 3; see decide_all_questions().
+template <int N, class Left, class Right, class Result>
+bool decide_all_on_doubles(const Left& left, const Right& right, int max_order, Result& join,
+                           bool only_orders = false) {
+  const Double_ends<N> ends(left, right);
+  if (!decide_all_questions(ends, max_order, join, only_orders)) return false;
+  if (join.g_order >= 1 && !only_orders)
+    join.parameters = parameters_of<typename Result::Number, N>(ends.left(), ends.right());
+  return true;
+}
+
+} // namespace internal
+} // namespace Geometric_continuity
+} // namespace CGAL
+
+#endif // CGAL_GEOMETRIC_CONTINUITY_JOINS_INTERNAL_DECIDE_ALL_QUESTIONS_H

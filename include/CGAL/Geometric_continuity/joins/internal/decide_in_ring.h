@@ -1,0 +1,232 @@
+// Copyright (c) 2026 The Geometric_continuity developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_GEOMETRIC_CONTINUITY_JOINS_INTERNAL_DECIDE_IN_RING_H
+#define CGAL_GEOMETRIC_CONTINUITY_JOINS_INTERNAL_DECIDE_IN_RING_H
+
+#include <CGAL/Geometric_continuity/joins/internal/End_polygon.h>
+#include <CGAL/Geometric_continuity/joins/internal/Join_equations.h>
+#include <CGAL/Geometric_continuity/joins/internal/Join_weights.h>
+#include <CGAL/Geometric_continuity/numbers/Exact_field.h>
+#include <CGAL/Geometric_continuity/numbers/internal/Common_denominator.h>
+#include <CGAL/Geometric_continuity/numbers/internal/checked_numbers.h>
+
+#ifdef CGAL_USE_GMP
+#include <CGAL/Geometric_continuity/numbers/internal/Inline_integer.h>
+#endif
+
+#include <boost/config.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <type_traits>
+
+/// \file decide_in_ring.h
+/// The last rung of the ladder: the equations of a join on numbers of any length, which are multiplied by their common denominator, so
+/// that no fraction is cancelled.
+
+namespace CGAL {
+namespace Geometric_continuity {
+namespace internal {
+
+// The field in which the join of two ends is decided.
+template <class End> using Join_field = typename Exact_field<Predicate_FT<typename End::Traits>>::type;
+
+// The numbers of an exact field.
+template <class Field> class Field_scale : Common_denominator<Field> {
+public:
+  typedef Field Number;
+  typedef typename Common_denominator<Field>::Ring Ring;
+  using Common_denominator<Field>::include;
+  using Common_denominator<Field>::numerator;
+
+  template <class FT> static Number number(const FT& x) { return to_field<Field>(x); }
+};
+
+#ifdef CGAL_USE_GMP
+
+// Doubles of any size as whole numbers, in units of the largest power of two of which all that have been included are multiples.
+class Binary_scale {
+  int exponent_ = (std::numeric_limits<int>::max)();
+
+public:
+  typedef Inline_integer Ring;
+
+  // A number with the sign of x and the absolute value odd_part 2^exponent, or 0.
+  struct Number {
+    std::uint64_t odd_part = 0;
+    int exponent = (std::numeric_limits<int>::max)();
+    bool negative = false;
+  };
+  static Number number(double x) {
+    check_finite(x, "conversion to an exact number");
+    if (x == 0) return Number();
+    int e;
+    const std::uint64_t n = static_cast<std::uint64_t>(std::frexp(std::abs(x), &e) * 0x1p53); // exact
+    const int zeros = __builtin_ctzll(n);
+    return {n >> zeros, e - 53 + zeros, x < 0};
+  }
+
+  void include(const Number& x) { exponent_ = (std::min)(exponent_, x.exponent); }
+  // x in units. \pre x has been included
+  Ring numerator(const Number& x) const {
+    Ring y;
+    y.assign(&x.odd_part, 1, x.negative);
+    y <<= x.exponent - exponent_;
+    return y;
+  }
+  // The same modulo 2^64.
+  std::uint64_t residue(const Number& x) const {
+    const int shift = x.exponent - exponent_;
+    const std::uint64_t n = shift < 64 ? x.odd_part << shift : 0;
+    return x.negative ? -n : n;
+  }
+};
+
+template <class Field, class FT> using Ring_scale = std::conditional_t<is_double<FT>, Binary_scale, Field_scale<Field>>;
+#else
+template <class Field, class FT> using Ring_scale = Field_scale<Field>;
+#endif // CGAL_USE_GMP
+
+// The index of the first coordinate that is not zero.
+template <class T, std::size_t N> int first_nonzero(const std::array<T, N>& x) {
+  int i = 0;
+  while (i < static_cast<int>(N) && x[i] == T(0)) ++i;
+  return i;
+}
+
+// The numbers of two ends that a question needs: points, weights, or for the orders C the ends of the domains.
+template <Join_question question, int N, bool weighted, class Scale> class Ring_join {
+  typedef typename Scale::Number Number;
+  static constexpr int k = highest_difference(question);
+  static constexpr bool domains = is_parametric(question);
+  static_assert(!(domains && weighted), "the orders C of curves with weights are decided on jets");
+
+  struct End {
+    End_polygon<Number, N> points;
+    std::array<Number, 4> numbers; // weights, or ends of the domain
+    int degree;
+  };
+  Scale points_;
+  std::array<Scale, 2> scales_; // of the weights on either side; the first one is of both domains
+  End left_, right_;
+
+  template <class Points> void read(const Points& end, int side, End& x) {
+    x.degree = end.degree();
+    for (int j = 0; j <= k; ++j) {
+      const int l = (std::min)(j, x.degree);
+      for (int i = 0; i < N; ++i) points_.include(x.points[j][i] = Scale::number(end.coordinate(l, i)));
+      if constexpr (weighted) scales_[side].include(x.numbers[j] = Scale::number(end.weight(l)));
+    }
+    if constexpr (domains) {
+      const auto domain = end.domain();
+      scales_[0].include(x.numbers[0] = Scale::number(domain.first));
+      scales_[0].include(x.numbers[1] = Scale::number(domain.second));
+    }
+  }
+
+  // In a ring, where in_ring(scale, x) is the numerator of x.
+  template <class Ring, class Function> End_polygon<Ring, N> points(const End& x, Function in_ring) const {
+    End_polygon<Ring, N> y;
+    for (int j = 0; j <= k; ++j)
+      for (int i = 0; i < N; ++i) y[j][i] = in_ring(points_, x.points[j][i]);
+    return y;
+  }
+  template <bool left, class Ring>
+  static Differences<Ring, N> differences(const End_polygon<Ring, N>& points, int degree) {
+    if constexpr (weighted)
+      return fan_of<k, left>(points);
+    else
+      return differences_of<k, left>(legs_of<k>(points), degree);
+  }
+  template <class Ring, class Function> auto factors(Function in_ring) const {
+    if constexpr (domains) {
+      const auto length = [&](const End& x) {
+        return Ring(in_ring(scales_[0], x.numbers[1]) - in_ring(scales_[0], x.numbers[0]));
+      };
+      return Parametric_join_weights<Ring>::of(left_.degree, right_.degree, length(left_), length(right_));
+    } else if constexpr (weighted) {
+      const auto weights = [&](const End& x, const Scale& scale) {
+        std::array<Ring, 4> w{};
+        for (int j = 0; j <= k; ++j) w[j] = in_ring(scale, x.numbers[j]);
+        return w;
+      };
+      return Rational_join_weights<question, Ring>::of(weights(left_, scales_[0]), left_.degree,
+                                                       weights(right_, scales_[1]), right_.degree);
+    } else
+      return Join_weights<Ring>::template geometric<question>(left_.degree, right_.degree);
+  }
+
+public:
+  template <class Left, class Right> Ring_join(const Left& left, const Right& right) {
+    read(left, 0, left_);
+    read(right, 1, right_);
+  }
+
+  // `decide` takes differences, of which the first coordinate of the first on the left is not zero unless the question is parametric,
+  // and factors. Where a first difference vanishes in the ring the answer is `vanishing`.
+  template <class Ring, class Function, class Decide>
+  Join_answer operator()(Function in_ring, Decide decide, Join_answer vanishing) const {
+    const Differences<Ring, N> a = differences<true>(points<Ring>(left_, in_ring), left_.degree),
+                               b = differences<false>(points<Ring>(right_, in_ring), right_.degree);
+    const int pivot = domains ? 0 : first_nonzero(a[0]);
+    if (!domains && (pivot == N || first_nonzero(b[0]) == N)) return vanishing;
+    return decide(rotated<k>(a, pivot), rotated<k>(b, pivot), factors<Ring>(in_ring));
+  }
+};
+
+// The equations in exact numbers.
+template <Join_question question, class T, std::size_t N, class Weights>
+Join_answer decide_equations(const std::array<std::array<T, N>, 3>& a, const std::array<std::array<T, N>, 3>& b,
+                             const Weights& w) {
+  Exact_zero<T> zero;
+  const Join_equations<T, static_cast<int>(N), Weights, Exact_zero<T>> equations(a, b, w, zero);
+  if constexpr (is_geometric(question))
+    if ((T(0) < a[0][0]) != (T(0) < b[0][0]) || b[0][0] == T(0) || !equations.tangents_parallel())
+      return Join_answer::no;
+  if constexpr (question == Join_question::torsion)
+    if (!equations.both_have_curvature()) return Join_answer::undefined;
+  return equations_hold<question>(equations, equations.ratio()) ? Join_answer::yes : Join_answer::no;
+}
+
+// The answer, by residues of doubles where these refute, and by whole numbers or the numbers of the field. The ends need
+// positive weights if they are asked for them.
+template <Join_question question, int N, bool weighted, class Left, class Right, class Stages>
+BOOST_NOINLINE Join_answer decide_in_ring(const Left& left, const Right& right, Stages& stages) {
+  typedef Ring_scale<Join_field<Left>, typename Left::Traits::FT> Scale;
+  const Ring_join<question, N, weighted, Scale> join(left, right);
+  const auto decided = [&](Join_stage stage, Join_answer answer) {
+    stages.decided(stage, answer);
+    return answer;
+  };
+#ifdef CGAL_USE_GMP
+  if constexpr (std::is_same_v<Scale, Binary_scale>)
+    if (stages.uses(Join_stage::residue)) {
+      const auto residue = [](const Scale& scale, const typename Scale::Number& x) { return scale.residue(x); };
+      const auto may_hold = [](const auto& a, const auto& b, const auto& w) {
+        typedef std::decay_t<decltype(w)> Weights;
+        Residue_zero zero;
+        const Join_equations<std::uint64_t, N, Weights, Residue_zero> equations(a, b, w, zero);
+        return all_hold<question>(equations) ? Join_answer::unknown : Join_answer::no;
+      };
+      const Join_answer answer = join.template operator()<std::uint64_t>(residue, may_hold, Join_answer::unknown);
+      if (answer == Join_answer::no) return decided(Join_stage::residue, answer);
+    }
+#endif
+  const auto numerator = [](const Scale& scale, const typename Scale::Number& x) { return scale.numerator(x); };
+  const auto exactly = [](const auto& a, const auto& b, const auto& w) { return decide_equations<question>(a, b, w); };
+  constexpr Join_answer no_tangent = is_geometric(question) ? Join_answer::no : Join_answer::undefined;
+  return decided(Join_stage::multiprecision,
+                 join.template operator()<typename Scale::Ring>(numerator, exactly, no_tangent));
+}
+
+} // namespace internal
+} // namespace Geometric_continuity
+} // namespace CGAL
+
+#endif // CGAL_GEOMETRIC_CONTINUITY_JOINS_INTERNAL_DECIDE_IN_RING_H
