@@ -130,8 +130,6 @@ public:
   }
   CGAL_GC_FORCEINLINE const std::array<double, N>& first_right() const { return right_legs_[0]; }
   CGAL_GC_FORCEINLINE int pivot() const { return is_parametric(question) ? 0 : largest_coordinate(left_legs_[0]); }
-  CGAL_GC_FORCEINLINE int left_degree() const { return m_; }
-  CGAL_GC_FORCEINLINE int right_degree() const { return n_; }
 
   typedef Join_weights_of<question, std::int64_t> Factors;
 
@@ -173,9 +171,7 @@ public:
       return false;
   }
 
-  static constexpr bool on_grid = true;
-  CGAL_GC_FORCEINLINE Grid_legs<N> left_grid() const { return grid_legs_of<k>(left_.points()); }
-  CGAL_GC_FORCEINLINE Grid_legs<N> right_grid() const { return grid_legs_of<k>(right_.points()); }
+  static constexpr bool on_grid = false;
 
 #ifdef CGAL_GEOMETRIC_CONTINUITY_HAS_FIXED_INTEGER
   // That suffice as a rule: a form of degree d in numbers of n bits that has passed the filter has about (d - 1) n bits.
@@ -188,7 +184,10 @@ public:
   }
   template <int> CGAL_GC_FORCEINLINE bool integer_factors(const Factors& given, Factors& w) const {
     w = given;
-    return take_up<question_>(w, 0);
+    if constexpr (is_parametric(question_))
+      return true;
+    else
+      return take_up<question_>(w, 0);
   }
   template <int limbs> CGAL_GC_FORCEINLINE Differences<Integer<limbs>, N> left_in(int unit, int pivot) const {
     return in_units<k, Integer<limbs>>(rotated<k>(this->left(), pivot), power_of_two(-unit));

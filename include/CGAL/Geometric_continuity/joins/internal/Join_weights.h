@@ -85,12 +85,6 @@ template <Join_question question> CGAL_GC_FORCEINLINE bool take_up(Join_weights<
   w = {w.a2 << down, w.b2 << up, w.a3 << power * down, w.b3 << power * up, w.mix << down};
   return (w.a2 | w.b2) < second && (highest_difference(question) < 3 || ((w.a3 | w.b3) < third && w.mix < mixed));
 }
-template <Join_question question> CGAL_GC_FORCEINLINE bool take_up(Parametric_join_weights<std::int64_t>& w, int d) {
-  if (d < -20 || 20 < d) return false;
-  const int up = (std::max)(d, 0), down = (std::max)(-d, 0);
-  w = {w.a1 << up, w.b1 << down, w.a2 << up, w.b2 << down, w.a3 << up, w.b3 << down};
-  return true;
-}
 
 // The end of a rational Bezier curve of degree m from its end point b_0 inwards, in the differences D_i = b_i - b_0. Divided by
 // (1-t)^m, numerator and denominator are polynomials of s = t/(1-t),

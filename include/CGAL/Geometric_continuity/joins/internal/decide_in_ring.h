@@ -8,6 +8,7 @@
 #include <CGAL/Geometric_continuity/joins/internal/End_polygon.h>
 #include <CGAL/Geometric_continuity/joins/internal/Join_equations.h>
 #include <CGAL/Geometric_continuity/joins/internal/Join_weights.h>
+#include <CGAL/Geometric_continuity/local/coordinates.h>
 #include <CGAL/Geometric_continuity/numbers/Exact_field.h>
 #include <CGAL/Geometric_continuity/numbers/internal/Common_denominator.h>
 #include <CGAL/Geometric_continuity/numbers/internal/checked_numbers.h>
@@ -196,9 +197,8 @@ Join_answer decide_equations(const std::array<std::array<T, N>, 3>& a, const std
 
 // The answer, by residues of doubles where these refute, and by whole numbers or the numbers of the field. The ends need
 // positive weights if they are asked for them.
-template <Join_question question, int N, bool weighted, class Left, class Right, class Stages>
+template <Join_question question, int N, bool weighted, class Scale, class Left, class Right, class Stages>
 BOOST_NOINLINE Join_answer decide_in_ring(const Left& left, const Right& right, Stages& stages) {
-  typedef Ring_scale<Join_field<Left>, typename Left::Traits::FT> Scale;
   const Ring_join<question, N, weighted, Scale> join(left, right);
   const auto decided = [&](Join_stage stage, Join_answer answer) {
     stages.decided(stage, answer);
