@@ -23,7 +23,7 @@
 /// - signs: `first_left()` and `first_right()`, the first differences with the signs of the exact ones, and the `pivot()`;
 /// - factors: `find_factors()`, or else `first_derivatives_differ()`;
 /// - the filter: `left()`, `right()`, `left_bounds()`, `right_bounds()` and `rounded_factors()`, with the errors of `Rounding`;
-/// - residues: `find_unit()`, `integer_factors()`, `left_in()` and `right_in()`, in `limbs` limbs and then in `more_limbs`;
+/// - residues: `find_unit()`, `integer_factors()`, `left_in()`, `right_in()` and `units_of_factors()`, in as many limbs as the first of `Limbs` that suffices;
 /// - the grid: `left_grid()` and `right_grid()`.
 ///
 /// The constants `rounded` and `on_grid` say whether an input has what the filter and residues, and what the grid needs.
@@ -133,7 +133,7 @@ public:
 
   typedef Join_weights_of<question, std::int64_t> Factors;
 
-  static constexpr bool rounded = true;
+  static constexpr bool rounded = true, weighted = false;
   typedef Rounding_of_differences Rounding;
   typedef Join_weights_of<question, double> Rounded_factors;
   CGAL_GC_FORCEINLINE Differences<double, N> left() const { return differences_of<k, true>(left_legs_, m_); }
@@ -143,7 +143,11 @@ public:
   CGAL_GC_FORCEINLINE Rounded_factors rounded_factors(const Factors& w) const { return converted<double>(w); }
 
   template <int> using Integer_factors = Factors;
-  CGAL_GC_FORCEINLINE int exponent_of_factors(Join_question) const { return 0; }
+  // The factors of a form on doubles are 2^units_of_factors()(form) times the whole ones.
+  struct Units {
+    CGAL_GC_FORCEINLINE int operator()(Join_question) const { return 0; }
+  };
+  CGAL_GC_FORCEINLINE Units units_of_factors(const Factors&) const { return Units(); }
 };
 
 // Two such ends without weights, and the lengths of their domains. They must outlive the object.
@@ -175,14 +179,15 @@ public:
 
 #ifdef CGAL_GEOMETRIC_CONTINUITY_HAS_FIXED_INTEGER
   // That suffice as a rule: a form of degree d in numbers of n bits that has passed the filter has about (d - 1) n bits.
-  static constexpr int limbs = form_degree(question_) <= 2 ? 2 : form_degree(question_) <= 4 ? 3 : 4, more_limbs = 0;
+  typedef std::integer_sequence<int, form_degree(question_) <= 2 ? 2 : form_degree(question_) <= 4 ? 3 : 4> Limbs;
   // A number of one limb of which products are residues.
   template <int limbs> using Integer = Fixed_integer<1, limbs>;
 
   CGAL_GC_FORCEINLINE bool find_unit(double largest, int& unit) const {
     return find_common_unit<k>(left_.points(), right_.points(), largest, unit);
   }
-  template <int> CGAL_GC_FORCEINLINE bool integer_factors(const Factors& given, Factors& w) const {
+  template <int>
+  CGAL_GC_FORCEINLINE bool integer_factors(const Factors& given, const typename Base::Units&, Factors& w) const {
     w = given;
     if constexpr (is_parametric(question_))
       return true;
@@ -240,14 +245,15 @@ public:
   static constexpr bool on_grid = false;
 
 #ifdef CGAL_GEOMETRIC_CONTINUITY_HAS_FIXED_INTEGER
-  static constexpr int limbs = form_degree(question_) <= 2 ? 2 : form_degree(question_) <= 4 ? 4 : 6, more_limbs = 0;
+  typedef std::integer_sequence<int, form_degree(question_) <= 2 ? 2 : form_degree(question_) <= 4 ? 4 : 6> Limbs;
   template <int limbs> using Integer = Fixed_integer<2, limbs>; // leaves room for the factors
 
   CGAL_GC_FORCEINLINE bool find_unit(double, int& unit) const {
     unit = 0;
     return true;
   }
-  template <int> CGAL_GC_FORCEINLINE bool integer_factors(const Factors& given, Factors& w) const {
+  template <int>
+  CGAL_GC_FORCEINLINE bool integer_factors(const Factors& given, const typename Base::Units&, Factors& w) const {
     w = given;
     return true;
   }
@@ -267,6 +273,7 @@ template <int k> class End_weights {
   bool valid_ = true;
 
 public:
+  End_weights() = default;
   template <class End> CGAL_GC_FORCEINLINE explicit End_weights(const End& end) {
     const int m = end.degree();
     for (int j = 0; j <= k; ++j) w_[j] = end.weight((std::min)(j, m));
@@ -310,68 +317,78 @@ struct Rounding_of_weighted_ends {
   }
 };
 
-// Ends with double coordinates and positive weights, for a question into which the weights enter.
-template <Join_question question_, int N> class Weighted_join {
+// Ends with double coordinates and positive weights, for a question into which the weights enter. They must outlive the object.
+template <Join_question question_, int N, class Left, class Right> class Weighted_join {
   static constexpr int k = highest_difference(question_);
 
+  const Left& left_end_;
+  const Right& right_end_;
   End_polygon<double, N> p_, q_;
-  int m_, n_;
   Differences<double, N> left_, right_;
-  End_weights<k> left_weights_, right_weights_;
 
 public:
   static constexpr Join_question question = question_;
   static constexpr int dimension = N;
-  static constexpr bool on_grid = false;
 
-  template <class Left, class Right>
-  Weighted_join(const Left& left, const Right& right)
-      : p_(points_of<k, N>(left)), q_(points_of<k, N>(right)), m_(left.degree()), n_(right.degree()),
-        left_(fan_of<k, true>(p_)), right_(fan_of<k, false>(q_)), left_weights_(left), right_weights_(right) {}
+  CGAL_GC_FORCEINLINE Weighted_join(const Left& left, const Right& right)
+      : left_end_(left), right_end_(right), p_(points_of<k, N>(left)), q_(points_of<k, N>(right)),
+        left_(fan_of<k, true>(p_)), right_(fan_of<k, false>(q_)) {}
 
-  const std::array<double, N>& first_left() const { return left_[0]; }
-  const std::array<double, N>& first_right() const { return right_[0]; }
-  int pivot() const { return largest_coordinate(left_[0]); }
+  CGAL_GC_FORCEINLINE const std::array<double, N>& first_left() const { return left_[0]; }
+  CGAL_GC_FORCEINLINE const std::array<double, N>& first_right() const { return right_[0]; }
+  CGAL_GC_FORCEINLINE int pivot() const { return largest_coordinate(left_[0]); }
 
-  typedef Rational_join_weights<question, double> Factors;
-  bool find_factors(Factors& w) const {
-    if (!degrees_fit(m_, n_) || !left_weights_.valid() || !right_weights_.valid()) return false;
-    w = Factors::of(left_weights_(), m_, right_weights_(), n_);
-    return true;
+  struct Factors {
+    End_weights<k> left, right;
+    int m, n;
+  };
+  CGAL_GC_FORCEINLINE bool find_factors(Factors& w) const {
+    w = {End_weights<k>(left_end_), End_weights<k>(right_end_), left_end_.degree(), right_end_.degree()};
+    return degrees_fit(w.m, w.n) && w.left.valid() && w.right.valid();
   }
-  bool first_derivatives_differ() const { return false; }
+  CGAL_GC_FORCEINLINE bool first_derivatives_differ() const { return false; }
 
-  static constexpr bool rounded = true;
+  static constexpr bool rounded = true, on_grid = false, weighted = true;
   typedef Rounding_of_weighted_ends Rounding;
-  typedef Factors Rounded_factors;
-  const Differences<double, N>& left() const { return left_; }
-  const Differences<double, N>& right() const { return right_; }
-  Difference_bounds left_bounds() const { return bounds_of_fan<k>(left_); }
-  Difference_bounds right_bounds() const { return bounds_of_fan<k>(right_); }
-  const Factors& rounded_factors(const Factors& w) const { return w; }
+  typedef Rational_join_weights<question, double> Rounded_factors;
+  CGAL_GC_FORCEINLINE const Differences<double, N>& left() const { return left_; }
+  CGAL_GC_FORCEINLINE const Differences<double, N>& right() const { return right_; }
+  CGAL_GC_FORCEINLINE Difference_bounds left_bounds() const { return bounds_of_fan<k>(left_); }
+  CGAL_GC_FORCEINLINE Difference_bounds right_bounds() const { return bounds_of_fan<k>(right_); }
+  CGAL_GC_FORCEINLINE Rounded_factors rounded_factors(const Factors& w) const {
+    return Rounded_factors::of(w.left(), w.m, w.right(), w.n);
+  }
 
 #ifdef CGAL_GEOMETRIC_CONTINUITY_HAS_FIXED_INTEGER
-  static constexpr int limbs = 4, more_limbs = 8;
+  typedef std::conditional_t<question == Join_question::g2, std::integer_sequence<int, 3, 4, 8>,
+                             std::integer_sequence<int, 4, 8>>
+      Limbs;
   template <int limbs> using Integer = Fixed_integer<1, limbs>;
   template <int limbs> using Integer_factors = Rational_join_weights<question, Integer<limbs>>;
 
-  bool find_unit(double largest, int& unit) const { return find_common_unit<k>(p_, q_, largest, unit); }
-  template <int limbs> bool integer_factors(const Factors&, Integer_factors<limbs>& factors) const {
-    std::array<Integer<limbs>, 4> w{}, v{};
-    if (!left_weights_.in_units(left_weights_.exponent_of_unit(), w) ||
-        !right_weights_.in_units(right_weights_.exponent_of_unit(), v))
-      return false;
-    factors = Integer_factors<limbs>::of(w, m_, v, n_);
+  CGAL_GC_FORCEINLINE bool find_unit(double largest, int& unit) const {
+    return find_common_unit<k>(p_, q_, largest, unit);
+  }
+  struct Units {
+    int left, right;
+    CGAL_GC_FORCEINLINE int operator()(Join_question form) const {
+      return left * Rounded_factors::left_degree(form) + right * Rounded_factors::right_degree(form);
+    }
+  };
+  CGAL_GC_FORCEINLINE Units units_of_factors(const Factors& w) const {
+    return {w.left.exponent_of_unit(), w.right.exponent_of_unit()};
+  }
+  template <int limbs>
+  CGAL_GC_FORCEINLINE bool integer_factors(const Factors& given, const Units& units, Integer_factors<limbs>& w) const {
+    std::array<Integer<limbs>, 4> x{}, y{};
+    if (!given.left.in_units(units.left, x) || !given.right.in_units(units.right, y)) return false;
+    w = Integer_factors<limbs>::of(x, given.m, y, given.n);
     return true;
   }
-  int exponent_of_factors(Join_question form) const {
-    return left_weights_.exponent_of_unit() * Factors::left_degree(form) +
-           right_weights_.exponent_of_unit() * Factors::right_degree(form);
-  }
-  template <int limbs> Differences<Integer<limbs>, N> left_in(int unit, int pivot) const {
+  template <int limbs> CGAL_GC_FORCEINLINE Differences<Integer<limbs>, N> left_in(int unit, int pivot) const {
     return in_units<k, Integer<limbs>>(rotated<k>(left_, pivot), power_of_two(-unit));
   }
-  template <int limbs> Differences<Integer<limbs>, N> right_in(int unit, int pivot) const {
+  template <int limbs> CGAL_GC_FORCEINLINE Differences<Integer<limbs>, N> right_in(int unit, int pivot) const {
     return in_units<k, Integer<limbs>>(rotated<k>(right_, pivot), power_of_two(-unit));
   }
 #endif

@@ -14,6 +14,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <utility>
 
 /// \file Join_ladder.h
 /// The rungs by which a question about a join is decided on two ends (Join_input.h), from the cheapest to the one that is left: signs, a
@@ -53,25 +54,46 @@ CGAL_GC_FORCEINLINE Join_answer decide_by_signs(const std::array<T, N>& a1, cons
 // whole numbers, and what is shorter than the residues stays within its limbs, as in decide_on_grids(). The bound that the filter proves
 // for a form of degree d is divided by 2^(g d) and by the power of the factors. Forms of degree at most 2, and for polynomials the one
 // for G2 with the limbs of a form of degree 6, are shorter than the residues anyway.
-template <int limbs, class Input, class Filter, class Stages>
-CGAL_GC_FORCEINLINE Join_answer decide_by_residues(const Input& join, const typename Input::Factors& given, int pivot,
-                                                   const Filter& filter, Stages& stages) {
+template <class Input, class Filter> class Residue_room {
+  const Filter& filter_;
+  int unit_;
+  typename Input::Units units_;
+  bool valid_;
+
+public:
+  CGAL_GC_FORCEINLINE Residue_room(const Input& join, const typename Input::Factors& w, const Filter& filter)
+      : filter_(filter), valid_(join.find_unit((std::max)(filter.A.d3, filter.B.d3), unit_)) {
+    if (valid_) units_ = join.units_of_factors(w);
+  }
+
+  CGAL_GC_FORCEINLINE bool valid() const { return valid_; }
+  CGAL_GC_FORCEINLINE int unit() const { return unit_; }
+  CGAL_GC_FORCEINLINE const typename Input::Units& units_of_factors() const { return units_; }
+
+  // Whether so many limbs suffice.
+  CGAL_GC_FORCEINLINE bool fits(int limbs) const {
+    constexpr Join_question question = Input::question;
+    return (form_degree(question) <= 2 || fits(question, limbs)) &&
+           (!Input::weighted || !is_geometric(question) || fits(Join_question::g2, limbs));
+  }
+
+private:
+  CGAL_GC_FORCEINLINE bool fits(Join_question form, int limbs) const {
+    return filter_.exponent_of_bound(form) - unit_ * form_degree(form) - units_(form) <= 64 * limbs;
+  }
+};
+
+template <int limbs, class Input, class Room, class Stages>
+CGAL_GC_FORCEINLINE Join_answer decide_by_residues(const Input& join, const typename Input::Factors& given,
+                                                   const Room& room, int pivot, Stages& stages) {
   constexpr Join_question question = Input::question;
   constexpr int N = Input::dimension;
   typedef typename Input::template Integer<limbs> Integer;
   typedef typename Input::template Integer_factors<limbs> Factors;
-  int unit;
   Factors w;
-  if (!join.template integer_factors<limbs>(given, w) || !join.find_unit((std::max)(filter.A.d3, filter.B.d3), unit))
-    return Join_answer::unknown;
-  const auto fits = [&](Join_question form) {
-    return filter.exponent_of_bound(form) - unit * form_degree(form) - join.exponent_of_factors(form) <= 64 * limbs;
-  };
-  if (form_degree(question) > 2 && !fits(question)) return Join_answer::unknown;
-  if (Factors::rational && is_geometric(question) && !fits(Join_question::g2)) return Join_answer::unknown;
-
-  const Differences<Integer, N> a = join.template left_in<limbs>(unit, pivot),
-                                b = join.template right_in<limbs>(unit, pivot);
+  if (!join.template integer_factors<limbs>(given, room.units_of_factors(), w)) return Join_answer::unknown;
+  const Differences<Integer, N> a = join.template left_in<limbs>(room.unit(), pivot),
+                                b = join.template right_in<limbs>(room.unit(), pivot);
   const Modular_zero zero;
   const Join_equations<Integer, N, Factors, const Modular_zero> equations(a, b, w, zero);
   const auto decided = [&](Join_answer answer) {
@@ -85,10 +107,26 @@ CGAL_GC_FORCEINLINE Join_answer decide_by_residues(const Input& join, const type
   return decided(all_hold<question>(equations) ? Join_answer::yes : Join_answer::no);
 }
 // The same, compiled apart: long residues need much room.
-template <int limbs, class Input, class Filter, class Stages>
-BOOST_NOINLINE Join_answer decide_by_long_residues(const Input& join, const typename Input::Factors& given, int pivot,
-                                                   const Filter& filter, Stages& stages) {
-  return decide_by_residues<limbs>(join, given, pivot, filter, stages);
+template <int limbs, class Input, class Room, class Stages>
+BOOST_NOINLINE Join_answer decide_by_long_residues(const Input& join, const typename Input::Factors& given,
+                                                   const Room& room, int pivot, Stages& stages) {
+  return decide_by_residues<limbs>(join, given, room, pivot, stages);
+}
+
+// By residues of the least length that suffices; where there is a choice these are compiled apart.
+template <class Input, class Room, class Stages, int limbs, int... more>
+CGAL_GC_FORCEINLINE Join_answer decide_by_residues(const Input& join, const typename Input::Factors& given,
+                                                   const Room& room, int pivot, Stages& stages,
+                                                   std::integer_sequence<int, limbs, more...>) {
+  if constexpr (sizeof...(more) != 0) {
+    if (room.fits(limbs)) return decide_by_long_residues<limbs>(join, given, room, pivot, stages);
+    return decide_by_residues(join, given, room, pivot, stages, std::integer_sequence<int, more...>());
+  } else if (!room.fits(limbs))
+    return Join_answer::unknown;
+  else if constexpr (Input::weighted)
+    return decide_by_long_residues<limbs>(join, given, room, pivot, stages);
+  else
+    return decide_by_residues<limbs>(join, given, room, pivot, stages);
 }
 
 // (q, p) of at most 12 bits, so that the cubes with factors of at most 16 bits take one limb. The types of the forms are
@@ -196,14 +234,8 @@ CGAL_GC_FORCEINLINE Join_answer decide_rounded(const Input& join, const typename
   }
 #ifdef CGAL_GEOMETRIC_CONTINUITY_HAS_FIXED_INTEGER
   if (stages.uses(Join_stage::bounded_residue)) {
-    if constexpr (Input::more_limbs == 0)
-      return decide_by_residues<Input::limbs>(join, given, pivot, filter, stages);
-    else {
-      const Join_answer answer = decide_by_long_residues<Input::limbs>(join, given, pivot, filter, stages);
-      return answer != Join_answer::unknown
-                 ? answer
-                 : decide_by_long_residues<Input::more_limbs>(join, given, pivot, filter, stages);
-    }
+    const Residue_room<Input, Filter> room(join, given, filter);
+    if (room.valid()) return decide_by_residues(join, given, room, pivot, stages, typename Input::Limbs());
   }
 #endif
   return Join_answer::unknown;
@@ -245,7 +277,7 @@ CGAL_GC_FORCEINLINE Join_answer decide_by_rungs(const Input& join, Stages& stage
 template <Join_question question, int N, bool weighted = false, class Left, class Right, class Stages>
 CGAL_GC_FORCEINLINE Join_answer decide_on_doubles(const Left& left, const Right& right, Stages& stages) {
   if constexpr (weighted)
-    return decide_by_rungs(Weighted_join<question, N>(left, right), stages);
+    return decide_by_rungs(Weighted_join<question, N, Left, Right>(left, right), stages);
   else {
     const Question<question> asked;
     const Double_end<N> x(left, asked), y(right, asked);
