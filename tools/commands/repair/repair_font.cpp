@@ -20,9 +20,9 @@
 
 namespace {
 
-GC::Grid_vector grid_point(const Glyph_point& p, int unit) { return {p.x / unit, p.y / unit}; }
-
-std::string pair(const GC::Grid_vector& p) { return '[' + std::to_string(p.x) + ',' + std::to_string(p.y) + ']'; }
+std::string pair(const Grid_contour& contour, const GC::Grid_vector& p) {
+  return '[' + contour.text(p.x) + ',' + contour.text(p.y) + ']';
+}
 
 // Repairs glyph after glyph.
 class Font_mender {
@@ -90,8 +90,9 @@ class Font_mender {
     for (const Handle_move& m : done.moves) {
       const std::vector<GC::Grid_vector>& points = contour.curves[m.curve].points;
       begin(moves_, moved_++, place) << ",\"point\":" << first[m.curve] + m.point
-                                     << ",\"node\":" << pair(m.point == 1 ? points.front() : points.back())
-                                     << ",\"from\":" << pair(m.from) << ",\"to\":" << pair(m.to) << '}';
+                                     << ",\"node\":" << pair(contour, m.point == 1 ? points.front() : points.back())
+                                     << ",\"from\":" << pair(contour, m.from) << ",\"to\":" << pair(contour, m.to)
+                                     << '}';
       if (largest_.upper < m.distance().upper) {
         largest_ = m.distance();
         largest_glyph_ = place.glyph;
@@ -99,7 +100,7 @@ class Font_mender {
     }
     lost_ += done.lost.size();
     for (const Unrepaired_join& x : done.unrepaired) {
-      begin(unrepaired_, left_++, place) << ",\"node\":" << pair(contour.curves[x.join].points.back())
+      begin(unrepaired_, left_++, place) << ",\"node\":" << pair(contour, contour.curves[x.join].points.back())
                                          << ",\"reason\":";
       GC::write_json(unrepaired_, x.reason);
       unrepaired_ << '}';
@@ -172,13 +173,15 @@ Grid_contour grid_contour(const Glyph_outline& outline, std::size_t contour) {
   result.closed = true;
   for (const Glyph_segment* s = begin; s != end; ++s) {
     Grid_curve curve;
-    for (int i = 0; i <= s->degree; ++i)
-      curve.points.push_back(grid_point(s->points[static_cast<std::size_t>(i)], halves ? 1 : 2));
+    for (int i = 0; i <= s->degree; ++i) {
+      const Glyph_point& p = s->points[static_cast<std::size_t>(i)];
+      curve.points.push_back(halves ? GC::Grid_vector{5 * p.x, 5 * p.y} : GC::Grid_vector{p.x / 2, p.y / 2});
+    }
     const Glyph_segment &before = s == begin ? end[-1] : s[-1], &after = s + 1 == end ? *begin : s[1];
     curve.fixed = halves || may_be_implied(before, *s) || may_be_implied(*s, after);
     result.curves.push_back(curve);
   }
-  result.decimals = 0;
+  result.decimals = halves ? 1 : 0;
   return result;
 }
 
