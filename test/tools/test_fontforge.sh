@@ -17,7 +17,7 @@ component 1 900 50
 END
 run 1 verify given.ttf --require G1
 run 0 repair given.ttf -o moves.json && says out "1 consist of components" "every join is free of kinks, proved exactly"
-says moves.json '{"glyph":"base","used_by":["composed"],"contour":0,"point":2,"node":[100,0],"from":[200,3],"to":[200,0]}'
+says moves.json '{"glyph":"base","index":1,"used_by":["composed"],"contour":0,"point":2,"node":[100,0],"from":[200,3],"to":[200,0]}'
 holds [ "$(grep -c '"glyph"' moves.json)" = 1 ]
 holds apply given.ttf moves.json mended.ttf && says applied "1 handles of 1 glyphs are moved"
 run 0 verify mended.ttf --require G1 && says out "0 kinks"
@@ -46,6 +46,33 @@ run 1 verify given.otf --require G1 && says out "2 kinks"
 run 0 repair given.otf -o moves.json && says moves.json '"contour":1,"point":2,"node":[100,0],"from":[200,3],"to":[200,0]}'
 holds apply given.otf moves.json mended.otf && says applied "2 handles of 1 glyphs are moved"
 run 0 verify mended.otf --require G1 && says out "0 kinks"
+# of two handles in one contour the number of the point tells which one moves; contours that are a single point do not count
+font >given.ttf <<'END'
+glyph .notdef
+glyph twice 65
+contour 7,7
+contour 100,-100 100,0 200,3* 300,300 0,300 0,0 100,0 200,3* 300,300 50,400
+END
+run 0 repair given.ttf -o moves.json && holds apply given.ttf moves.json mended.ttf
+run 0 verify mended.ttf --require G1 && says out "0 kinks"
+# FontForge counts in the other direction: each move has a handle of its own
+font -v outlines=cff >given.otf <<'END'
+glyph .notdef
+glyph twice 65
+contour 0,0 100,0 150,3* 260,100* 300,300 300,400 300,500 300,600 0,600 0,0 100,0 150,3* 260,100* 300,300 300,400 300,500 300,600 0,600
+END
+run 0 repair given.otf -o moves.json && holds apply given.otf moves.json mended.otf
+run 0 verify mended.otf --require G1 && says out "0 kinks"
+# glyphs with the same name are told apart by their numbers
+font >given.ttf <<'END'
+glyph .notdef
+glyph same 65
+contour 0,0 100,0 200,3* 300,300 0,300
+glyph same 66
+contour 0,0 100,0 200,4* 300,300 0,300
+END
+run 0 repair given.ttf -o moves.json && holds apply given.ttf moves.json mended.ttf && says applied "2 handles of 2 glyphs"
+run 0 verify mended.ttf --require G1 && says out "0 kinks"
 # a glyph is drawn from its left side bearing on, whatever its points say
 font -v bearing=5 >given.ttf <<'END'
 glyph .notdef

@@ -108,8 +108,8 @@ END
 )" >font.ttf
 cp font.ttf given.ttf && run 1 repair font.ttf -o moves.json && holds cmp -s font.ttf given.ttf
 says out "4 glyphs, 3 with kinks, of which 1 is repaired" "kinks: 3 before, 2 after the moves" "2 of them not free of kinks" "1 handle, at most 7 units, in the glyph mended"
-says moves.json '{"glyph":"mended","contour":0,"point":2,"node":[100,0],"from":[200,7],"to":[200,0]}' '"contour":0,"node":[100,0],"reason":"no handle can move"'
-says moves.json '{"glyph":"halves","contour":0,"node":[100,0],"reason":"no handle can move"}' # in units of the font
+says moves.json '{"glyph":"mended","index":1,"contour":0,"point":2,"node":[100,0],"from":[200,7],"to":[200,0]}' '"contour":0,"node":[100,0],"reason":"no handle can move"'
+says moves.json '{"glyph":"halves","index":3,"contour":0,"node":[100,0],"reason":"no handle can move"}' # in units of the font
 run 2 repair font.ttf -o font.ttf && says err "the font itself" && holds cmp -s font.ttf given.ttf
 head -c 100 font.ttf >cut.ttf && run 2 repair cut.ttf -o none.json && holds [ ! -e none.json ]
 

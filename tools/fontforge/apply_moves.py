@@ -9,56 +9,56 @@ RESULT is a font (.ttf, .otf, ...), or a project of FontForge (.sfd). Each handl
 moves where the font is not the one that was repaired. Glyphs with components follow their components."""
 
 import json
-import re
 import sys
 
 import fontforge
 
 
-def glyph_of(font, name):
-    if name in font:
-        return font[name]
-    number = re.fullmatch(r"glyph(\d+)", name)  # of a font without names
-    if number:
-        for glyph in font.glyphs():
-            if glyph.originalgid == int(number.group(1)):
-                return glyph
-    sys.exit("apply_moves.py: the font has no glyph %s" % name)
-
-
 def nodes_beside(contour, k):
-    """The positions of the nodes beside a handle, also of those that FontForge leaves out between two handles."""
-    handle = contour[k]
-    return [
-        [p.x, p.y] if p.on_curve else [(p.x + handle.x) / 2, (p.y + handle.y) / 2]
-        for p in (contour[k - 1], contour[(k + 1) % len(contour)])
-    ]
+    """The positions of the nodes beside a handle. Where a node is left out between two handles, these do not move."""
+    beside = contour[k - 1], contour[(k + 1) % len(contour)]
+    return [[p.x, p.y] for p in beside if p.on_curve]
 
 
-def handle(layer, move, shift):
-    """The handle with this position at its node: in the contour with this number, or the only one of the glyph."""
+def drawn(layer):
+    """The contours as they are counted, without those that are a single point."""
+    return [i for i, contour in enumerate(layer) if len({(p.x, p.y) for p in contour}) > 1]
+
+
+def handle(layer, move, shift, taken):
+    """The handle with this position at its node in the contour with this number; of several that are left the one nearest to its number."""
+    contours = drawn(layer)
+    if move["contour"] >= len(contours):
+        return None
+    i = contours[move["contour"]]
     node = [move["node"][0] + shift, move["node"][1]]
     found = [
-        (i != move["contour"], abs(k - move["point"]), i, k)
-        for i, contour in enumerate(layer)
-        for k, point in enumerate(contour)
+        (abs(k - move["point"]), k)
+        for k, point in enumerate(layer[i])
         if not point.on_curve
         and [point.x - shift, point.y] == move["from"]
-        and node in nodes_beside(contour, k)
+        and node in nodes_beside(layer[i], k)
+        and (i, k) not in taken
     ]
-    if not found or (min(found)[0] and len(found) > 1):
-        return None
-    return min(found)[2:]
+    return (i, min(found)[1]) if found else None
+
+
+def places(layer, moves, shift):
+    """A handle for each of the moves."""
+    found = []
+    for move in moves:
+        found.append(handle(layer, move, shift, found))
+    return found
 
 
 def handles(layer, moves):
     """The handles of a glyph, and how far it is from where it is drawn: by its left side bearing, whatever its points say."""
     shifts = {point.x - moves[0]["from"][0] for contour in layer for point in contour}
     for shift in sorted(shifts | {0}, key=abs):
-        places = [handle(layer, move, shift) for move in moves]
-        if None not in places:
-            return places, shift
-    missing = [move for move in moves if handle(layer, move, 0) is None][0]
+        found = places(layer, moves, shift)
+        if None not in found:
+            return found, shift
+    missing = moves[places(layer, moves, 0).index(None)]
     place = "glyph %(glyph)s, contour %(contour)d: there is no handle at %(from)s of the node %(node)s"
     sys.exit("apply_moves.py: " + place % missing)
 
@@ -71,14 +71,21 @@ def main():
     if any("font" in move for move in moves):
         sys.exit("apply_moves.py: a collection of fonts; extract them first")
     font = fontforge.open(sys.argv[1])
+    named, numbered = {}, {}
+    for glyph in font.glyphs():
+        named.setdefault(glyph.glyphname, []).append(glyph)
+        numbered[glyph.originalgid] = glyph
     by_glyph = {}
     for move in moves:
-        by_glyph.setdefault(move["glyph"], []).append(move)
-    for name, of_glyph in by_glyph.items():
-        glyph = glyph_of(font, name)
+        by_glyph.setdefault((move["glyph"], move["index"]), []).append(move)
+    for (name, index), of_glyph in by_glyph.items():
+        same_name = named.get(name, [])  # none in fonts without names, and sometimes several
+        glyph = same_name[0] if len(same_name) == 1 else numbered.get(index)
+        if glyph is None:
+            sys.exit("apply_moves.py: the font has no glyph %s" % name)
         layer = glyph.foreground
-        places, shift = handles(layer, of_glyph)  # before any of them moves
-        for (i, k), move in zip(places, of_glyph):
+        found, shift = handles(layer, of_glyph)  # before any of them moves
+        for (i, k), move in zip(found, of_glyph):
             contour = layer[i]
             contour[k].x, contour[k].y = move["to"][0] + shift, move["to"][1]
             layer[i] = contour

@@ -53,10 +53,10 @@ of paths that are defined and not drawn are repaired, too, and counted apart. A
 drawing that is packed by gzip is refused. Units are those of each path.
 
 A font is not changed: -o FILE.json is the list of moves in its units, which
-scripts of font editors can apply, {"moves":[{"glyph":"S","contour":0,"point":7,
-"node":[x,y],"from":[x,y],"to":[x,y]},...]}. A component is named once, with the
-glyphs that use it: "used_by". Where TrueType leaves out nodes between two
-handles, these handles do not move.
+scripts of font editors can apply, {"moves":[{"glyph":"S","index":54,
+"contour":0,"point":7,"node":[x,y],"from":[x,y],"to":[x,y]},...]}. A component
+is named once, with the glyphs that use it: "used_by". Where TrueType leaves out
+nodes between two handles, these handles do not move.
 
 Exit code: 0 when no kink is left, 1 when one is, or when not all joins are
 decided (an arc of a rotated ellipse) or covered (an element that is not read),

@@ -37,15 +37,17 @@ class Font_mender {
   std::size_t composites_ = 0;
   Claims claims_; // of glyphs that cannot be read
 
-  // A contour of a glyph, and the glyphs in which it is drawn as well.
+  // A contour of a glyph, and the glyphs in which it is drawn as well. Names of glyphs may occur twice, their numbers do not.
   struct Place {
+    int index;
     std::string glyph;
     std::size_t contour;
     std::vector<std::string> users;
   };
 
   std::ostream& begin(std::ostringstream& os, std::size_t number, const Place& place) const {
-    os << (number == 0 ? "\n {" : ",\n {") << font_ << "\"glyph\":" << json_text(place.glyph);
+    os << (number == 0 ? "\n {" : ",\n {") << font_ << "\"glyph\":" << json_text(place.glyph)
+       << ",\"index\":" << place.index;
     if (!place.users.empty()) {
       std::vector<std::string> names;
       for (const std::string& name : place.users) names.push_back(json_text(name));
@@ -63,14 +65,15 @@ class Font_mender {
     }
   }
 
-  void repair_glyph(const std::string& name, const std::vector<std::string>& users, const Glyph_outline& outline) {
+  void repair_glyph(int index, const std::string& name, const std::vector<std::string>& users,
+                    const Glyph_outline& outline) {
     bool kinks = false, all = true;
     for (std::size_t i = 0; i < outline.contours(); ++i) {
       Grid_contour contour = grid_contour(outline, i);
       const Grade_counts before = grades(contour, options_.bound);
       const bool has_kinks = before.count(GC::Join_grade::kink) != 0;
       add(before_, before);
-      if (has_kinks || options_.harmonise) note({name, i, users}, contour, ::repair(contour, options_));
+      if (has_kinks || options_.harmonise) note({index, name, i, users}, contour, ::repair(contour, options_));
       const Grade_counts after = grades(contour, options_.bound);
       add(after_, after);
       kinks = kinks || has_kinks;
@@ -130,7 +133,7 @@ public:
         if (is_composite)
           ++composites_;
         else
-          repair_glyph(font.glyph_name(glyph), users_[glyph], outline);
+          repair_glyph(glyph, font.glyph_name(glyph), users_[glyph], outline);
       } catch (const Font_error& error) {
         ++unread_;
         claims_.add({Claim::not_covered, "glyph", error.what()});
