@@ -97,12 +97,12 @@ class Contour_mender {
   struct State {
     std::size_t join;
     std::optional<GC::Join_grade> grade;
-    std::optional<GC::Enclosure> angle; // of a kink
+    std::optional<GC::Kink_size> size; // of a kink
   };
   State state(std::size_t join) const {
     State s{join, grade(join), std::nullopt};
     if (s.grade == GC::Join_grade::kink && !points(join).empty() && !points(next(join)).empty())
-      s.angle = GC::kink_size(grid_bezier(points(join)), grid_bezier(points(next(join))))->angle;
+      s.size = GC::kink_size(grid_bezier(points(join)), grid_bezier(points(next(join))));
     return s;
   }
 
@@ -124,7 +124,9 @@ class Contour_mender {
     case GC::Join_grade::corner: return after.grade != GC::Join_grade::corner;
     case GC::Join_grade::kink:
       return after.grade < GC::Join_grade::kink ||
-             (before.angle && after.angle && after.angle->upper > before.angle->upper);
+             (before.size && after.size &&
+              (after.size->angle.upper > before.size->angle.upper ||
+               after.size->handle_offset.upper > before.size->handle_offset.upper));
     default: return after.grade < GC::Join_grade::g1;
     }
   }

@@ -63,8 +63,9 @@ struct Contour_repair {
 
 // Makes each kink exactly G1 by moving handles, not nodes, so that the curves change as little as possible, and harmonises the curvatures
 // when that is asked for. A move that would harm another join is not made: a smooth one stays smooth, a corner stays a corner, a kink does
-// not grow, and a direction next to an arc that is not known stays as it is; a join that is G2 falls to G1 only where no other move does.
-// Mirror images are repaired to mirror images. What is said to be repaired is so by the exact predicates. Repairing again changes nothing.
+// not grow, neither its angle nor by how much a handle is off, and a direction next to an arc that is not known stays as it is; a join that
+// is G2 falls to G1 only where no other move does. Mirror images are repaired to mirror images. What is said to be repaired is so by the
+// exact predicates. Repairing again changes nothing.
 Contour_repair repair(Grid_contour& contour, const Repair_options& options);
 
 #endif // GEOMETRIC_CONTINUITY_TOOLS_COMMANDS_REPAIR_REPAIR_CONTOUR_H

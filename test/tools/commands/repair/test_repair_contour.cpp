@@ -200,3 +200,14 @@ BOOST_AUTO_TEST_CASE(symmetric_handles_stay_so) {
   BOOST_CHECK(done.unrepaired.empty());
   BOOST_CHECK(c.curves[0].points[2] == (Vector{-21, 52}) && c.curves[1].points[1] == (Vector{21, 52}));
 }
+
+// The other end of a quadratic: as its leg gets longer, its handle would be off by more, though the angle would be smaller.
+BOOST_AUTO_TEST_CASE(kinks_that_are_left_do_not_grow) {
+  const Grid_contour given =
+      contour({{{-500, 0}, {0, 0}}, {{0, 0}, {100, 7}, {200, 103}}, {{200, 103}, {10200, 10050}}}, false);
+  Grid_contour repaired = given;
+  const Contour_repair done = repair(repaired, {bound, std::nullopt, false});
+  BOOST_CHECK(same(repaired, given));
+  BOOST_TEST(done.unrepaired.size() == 2u);
+  BOOST_TEST(done.unrepaired[0].reason == "another join would be harmed");
+}
