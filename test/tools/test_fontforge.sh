@@ -81,3 +81,12 @@ contour 0,0 100,0 200,3* 300,300 0,300
 END
 run 0 repair given.ttf -o moves.json && says moves.json '"node":[105,0],"from":[205,3],"to":[205,0]}'
 holds apply given.ttf moves.json mended.ttf && run 0 verify mended.ttf --require G1 && says out "0 kinks"
+
+# where a move puts a node in the middle of its handles, TrueType may leave it out: repairing again changes nothing
+font >given.ttf <<'END'
+glyph .notdef
+glyph middle 65
+contour 727,1333 776,1583* 622,1583 463,1583* 421,1363 367,1083* 524,1082 681,1083*
+END
+run 1 repair given.ttf -o moves.json && holds apply given.ttf moves.json mended.ttf
+run 1 repair mended.ttf -o moves.json && says moves.json '{"moves":[],'

@@ -43,6 +43,7 @@ struct Grid_curve {
 struct Grid_contour {
   std::vector<Grid_curve> curves;
   bool closed = false;                                 // the last one leads back to the first
+  bool may_leave_nodes_out = false;                    // in the middle of two handles of quadratics, as TrueType does
   int decimals = 0;                                    // the unit is 10^-decimals
   std::optional<Drawing_transform> map = std::nullopt; // by which it is drawn, where that changes angles
 

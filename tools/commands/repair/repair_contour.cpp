@@ -182,6 +182,13 @@ class Contour_mender {
 
   static std::string bound_text(const CGAL::Exact_rational& bound) { return rounded_up(CGAL::to_double(bound)); }
 
+  // Whether the node between two quadratics may be left out, so that it would move with their handles. A repair may make it so.
+  bool may_be_left_out(std::size_t join) const {
+    const Points &left = points(join), &right = points(next(join));
+    return contour_.may_leave_nodes_out && left.size() == 3 && right.size() == 3 &&
+           left[2] - left[1] == right[1] - right[0];
+  }
+
   // Whether the handle of a curve belongs to one node.
   bool is_free(std::size_t curve) const {
     const Grid_curve& c = contour_.curves[curve];
@@ -189,7 +196,8 @@ class Contour_mender {
   }
   bool is_free_quadratic(std::size_t curve) const {
     const Grid_curve& c = contour_.curves[curve];
-    return !c.fixed && c.points.size() == 3 && !is_line(c.points);
+    return !c.fixed && c.points.size() == 3 && !is_line(c.points) && !may_be_left_out(previous(curve)) &&
+           !may_be_left_out(curve);
   }
 
   bool is_movable(std::size_t curve) const { return is_free(curve) || is_free_quadratic(curve); }

@@ -167,24 +167,19 @@ Grid_contour grid_contour(const Glyph_outline& outline, std::size_t contour) {
   const bool halves = std::any_of(begin, end, [&](const Glyph_segment& s) {
     return std::any_of(s.points.begin(), s.points.begin() + s.degree + 1, is_odd);
   });
-  // a node in the middle of two handles may be one that is left out
-  const auto may_be_implied = [&](const Glyph_segment& left, const Glyph_segment& right) {
-    return left.degree == 2 && right.degree == 2 && left.points[1].x + right.points[1].x == 2 * left.end().x &&
-           left.points[1].y + right.points[1].y == 2 * left.end().y;
-  };
   Grid_contour result;
   result.closed = true;
+  result.may_leave_nodes_out = true;
+  result.decimals = halves ? 1 : 0;
   for (const Glyph_segment* s = begin; s != end; ++s) {
     Grid_curve curve;
     for (int i = 0; i <= s->degree; ++i) {
       const Glyph_point& p = s->points[static_cast<std::size_t>(i)];
       curve.points.push_back(halves ? GC::Grid_vector{5 * p.x, 5 * p.y} : GC::Grid_vector{p.x / 2, p.y / 2});
     }
-    const Glyph_segment &before = s == begin ? end[-1] : s[-1], &after = s + 1 == end ? *begin : s[1];
-    curve.fixed = halves || may_be_implied(before, *s) || may_be_implied(*s, after);
+    curve.fixed = halves;
     result.curves.push_back(curve);
   }
-  result.decimals = halves ? 1 : 0;
   return result;
 }
 

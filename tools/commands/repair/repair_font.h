@@ -12,8 +12,8 @@
 #include <cstddef>
 #include <string>
 
-// A contour of a glyph on the grid of the font. Where TrueType leaves out nodes between two handles, these lie on halves of a unit,
-// and move with the handles: then the curves next to them are fixed, and with halves, which are five tenths, all curves.
+// A contour of a glyph on the grid of the font. Where TrueType leaves out nodes between two handles, these may lie on halves of a unit, and
+// move with the handles: with halves, which are five tenths, all curves are fixed.
 Grid_contour grid_contour(const Glyph_outline& outline, std::size_t contour);
 
 // What was done with the fonts of a file.
