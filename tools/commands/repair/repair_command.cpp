@@ -56,7 +56,8 @@ A font is not changed: -o FILE.json is the list of moves in its units, which
 scripts of font editors can apply, {"moves":[{"glyph":"S","index":54,
 "contour":0,"point":7,"node":[x,y],"from":[x,y],"to":[x,y]},...]}. A component
 is named once, with the glyphs that use it: "used_by". Where TrueType leaves out
-nodes between two handles, these handles do not move.
+nodes between two handles, these handles do not move, and where such a node lies
+on half a unit, no handle of its contour does.
 
 Exit code: 0 when no kink is left, 1 when one is, or when not all joins are
 decided (an arc of a rotated ellipse) or covered (an element that is not read),
