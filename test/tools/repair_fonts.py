@@ -1,0 +1,179 @@
+#!/usr/bin/env python3
+# Copyright (c) 2026 The Geometric_continuity developers
+#
+# SPDX-License-Identifier: LGPL-3.0-or-later
+"""Checks on real fonts that `verify` and `repair` agree: repair_fonts.py PROGRAM FILE_OR_FOLDER... [-- OPTIONS OF repair...]
+
+Every font is verified and repaired; FontForge applies the moves, and as a control none, because it changes fonts by itself, above all
+fractions. Of each font must hold: `repair` counts what `verify` counts in glyphs that are no composed ones, and the nodes that it leaves are
+kinks to `verify`, as are all others of its glyphs without a move; afterwards the kinks of a glyph are those that were left, composed ones
+have as many as their components, no kink is off by more, all other joins are as they were, and there is nothing left to move. Kinks are
+those with bends and rounding. Prints what does not hold, and the sums."""
+
+import collections
+import json
+import os
+import re
+import subprocess
+import sys
+import tempfile
+
+APPLY = os.path.join(os.path.dirname(os.path.abspath(__file__)), "../../tools/fontforge/apply_moves.py")
+GRADES = ("joins", "corners", "kinks", "bends", "G1", "G2")
+
+
+def fonts(paths):
+    seen = set()
+    for path in paths:
+        for folder, _, names in os.walk(path) if os.path.isdir(path) else [("", [], [path])]:
+            for name in sorted(names):
+                file = os.path.join(folder, name)
+                if re.search(r"\.(ttf|otf|ttc|otc|pf[ab]|woff2?)$", name, re.I) and os.path.isfile(file):
+                    with open(file, "rb") as f:
+                        data = f.read()
+                    if hash(data) not in seen:
+                        seen.add(hash(data))
+                        yield file, data[4:8] if data[:3] == b"wOF" else data[:4]
+
+
+def run(*arguments):
+    return subprocess.run(arguments, capture_output=True, encoding="utf-8", errors="replace")
+
+
+class Glyph:
+    """The counts of a glyph, and its kinks: how often each node is one, in which components, and how far the worst is off."""
+
+    def __init__(self, report):
+        self.counts = [report[grade] for grade in GRADES]
+        kinks = [join for join in report["worst"] if join["grade"] in ("kink", "bend")]
+        self.nodes = collections.Counter(tuple(join["point"]) for join in kinks)
+        self.parts = collections.Counter(join["component"] for join in kinks if "component" in join)
+        self.units = max((join["units"] for join in kinks), default=0)
+
+    def moved_to(self, other):
+        """How far to the right the other one is, where it is the same besides; else nothing."""
+        shift = min(other.nodes)[0] - min(self.nodes)[0] if self.nodes and other.nodes else 0
+        return shift if self.counts == other.counts and shifted(self.nodes, shift) == other.nodes else None
+
+
+def shifted(nodes, shift):
+    return collections.Counter({(x + shift, y): n for (x, y), n in nodes.items()})
+
+
+def verified(program, file, angle):
+    """The glyphs by name, and which of those with this name; nothing where the font is refused."""
+    done = run(program, "verify", file, "--json", "--off-by", "0", "--worst", "1000000", "--allow-empty", *angle)
+    if done.returncode == 2:
+        return None
+    glyphs, seen = {}, collections.Counter()
+    for glyph in json.loads(done.stdout)["glyphs"]:
+        glyphs[glyph["name"], seen[glyph["name"]]] = glyph["index"], Glyph(glyph)
+        seen[glyph["name"]] += 1
+    return glyphs
+
+
+def check_given(glyphs, moved, left, said, sums):
+    own = {index: glyph for index, glyph in glyphs.values() if not glyph.parts}
+    kinks = sum(sum(glyph.nodes.values()) for glyph in own.values())
+    before, after = map(int, re.search(r"kinks: (\d+) before, (\d+) after", said).groups())
+    if before > kinks or (before != kinks and "fractions of a unit" not in said):
+        yield "verify counts %d kinks, repair %d" % (kinks, before)
+    if after != sum(sum(nodes.values()) for nodes in left.values()):
+        yield "repair counts %d kinks afterwards and does not name them all" % after
+    for index, nodes in left.items():
+        if nodes - own[index].nodes or (index not in moved and nodes != own[index].nodes):
+            yield "glyph %d: repair leaves %s, the kinks of verify are %s" % (index, nodes, own[index].nodes)
+    sums["kinks before"] += before
+    sums["kinks after"] += after
+
+
+def check_repaired(glyphs, control, repaired, moved, left, sums):
+    counts = {}  # of kinks in a component, before and after
+    for (name, _), (index, glyph) in glyphs.items():
+        if index in moved or index in left:
+            counts[name] = sum(glyph.nodes.values()), sum(left.get(index, {}).values())
+    for key, (index, glyph) in glyphs.items():
+        if key not in control or key not in repaired:
+            yield "glyph %s is missing" % key[0]
+            continue
+        (_, same), (_, result) = control[key], repaired[key]
+        shift = glyph.moved_to(same)
+        sums["glyphs"] += 1
+        sums["changed by FontForge"] += shift is None
+        if shift is None or not (index in moved or index in left or glyph.parts):
+            if result.counts != same.counts or result.nodes != same.nodes:
+                yield "glyph %s is not that of the control" % key[0]
+            continue
+        if glyph.parts:
+            kinks = sum(n // counts[part][0] * counts[part][1] if part in counts else n for part, n in glyph.parts.items())
+            if sum(result.nodes.values()) != kinks:
+                yield "glyph %s: %s instead of %d kinks" % (key[0], result.nodes, kinks)
+        elif result.nodes != shifted(left.get(index, {}), shift):
+            yield "glyph %s: kinks at %s instead of %s" % (key[0], result.nodes, left.get(index))
+        if result.counts[:2] != glyph.counts[:2]:
+            yield "glyph %s: other joins or corners than before" % key[0]
+        if result.units > max(glyph.units, same.units):
+            yield "glyph %s: off by %g units, before by %g" % (key[0], result.units, glyph.units)
+
+
+def check(program, file, extension, folder, options, sums):
+    moves, none, again = (os.path.join(folder, name) for name in ("moves.json", "none.json", "again.json"))
+    angle = [o for i, o in enumerate(options) if o == "--kink-angle" or (i > 0 and options[i - 1] == "--kink-angle")]
+    glyphs = verified(program, file, angle)
+    done = run(program, "repair", file, "-o", moves, *options)
+    if glyphs is None or done.returncode == 2:
+        sums["refused"] += 1
+        if (glyphs is None) != (done.returncode == 2):
+            yield "only one of verify and repair refuses it: " + done.stderr
+        return
+    with open(moves, encoding="utf-8") as f:
+        report = json.load(f)
+    sums["fonts"] += 1
+    sums["moves"] += len(report["moves"])
+    if any("font" in x for members in report.values() for x in members):
+        return  # a collection
+    moved = {move["index"] for move in report["moves"]}
+    left = {}
+    for join in report["not_repaired"]:
+        left.setdefault(join["index"], collections.Counter())[tuple(join["node"])] += 1
+    yield from check_given(glyphs, moved, left, done.stdout, sums)
+    if not moved:
+        return
+    with open(none, "w", encoding="utf-8") as f:
+        f.write('{"moves":[]}')
+    results = []
+    for list_of_moves, name in (none, "control"), (moves, "repaired"):
+        result = os.path.join(folder, name + extension)
+        done = run("fontforge", "-script", APPLY, file, list_of_moves, result)
+        if done.returncode != 0:
+            yield "not applied: " + (done.stdout + done.stderr)[-200:]
+            return
+        results.append(verified(program, result, angle))
+    sums["by FontForge"] += 1
+    yield from check_repaired(glyphs, results[0], results[1], moved, left, sums)
+    run(program, "repair", result, "-o", again, *options)
+    with open(again, encoding="utf-8") as f:
+        if json.load(f)["moves"]:
+            yield "repaired again, it changes"
+
+
+def main():
+    arguments, options = sys.argv[1:], []
+    if "--" in arguments:
+        arguments, options = arguments[: arguments.index("--")], arguments[arguments.index("--") + 1 :]
+    names = ("fonts", "refused", "kinks before", "kinks after", "moves", "by FontForge", "glyphs", "changed by FontForge")
+    sums = dict.fromkeys(names, 0)
+    failures = 0
+    for file, kind in fonts(arguments[1:]):
+        with tempfile.TemporaryDirectory() as folder:
+            extension = ".ttf" if kind in (b"\0\1\0\0", b"true") else ".otf"
+            for problem in check(arguments[0], file, extension, folder, options, sums):
+                failures += 1
+                print("%s: %s" % (file, problem.strip()), flush=True)
+    print(", ".join("%s %s" % (value, name) for name, value in sums.items()))
+    print("%d failures" % failures)
+    return failures != 0 or sums["fonts"] == 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
