@@ -592,7 +592,14 @@ Contour_repair repair(Grid_contour& contour, const Repair_options& options) {
     contour = std::move(again);
     result = std::move(next);
   }
-  if (options.harmonise) result.jumps = harmonised(contour, options);
+  if (options.harmonise) {
+    result.jumps = harmonised(contour, options);
+    const auto is_mended = [&](const Unrepaired_join& x) { // as other handles have moved
+      return grade(contour, x.join, options.bound) >= GC::Join_grade::g1;
+    };
+    std::vector<Unrepaired_join>& left = result.unrepaired;
+    left.erase(std::remove_if(left.begin(), left.end(), is_mended), left.end());
+  }
   std::set<std::size_t> touched;
   for (std::size_t i = 0; i < contour.curves.size(); ++i)
     for (std::size_t k = 0; k < contour.curves[i].points.size(); ++k) {

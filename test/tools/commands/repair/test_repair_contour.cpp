@@ -105,6 +105,7 @@ BOOST_AUTO_TEST_CASE(nothing_is_harmed) {
       Grid_contour repaired = given;
       const Contour_repair done = repair(repaired, options);
       std::vector<std::size_t> lost;
+      std::size_t left = 0;
       for (std::size_t j = 0; j < given.number_of_joins(); ++j) {
         const auto before = *grade(given, j, bound), after = *grade(repaired, j, bound);
         BOOST_CHECK(after >= (std::min)(before, GC::Join_grade::g1));
@@ -112,11 +113,13 @@ BOOST_AUTO_TEST_CASE(nothing_is_harmed) {
         kinks += before == GC::Join_grade::kink;
         mended += before == GC::Join_grade::kink && after >= GC::Join_grade::g1;
         if (before == GC::Join_grade::g2 && after == GC::Join_grade::g1) lost.push_back(j);
+        left += after == GC::Join_grade::kink;
         if (after == GC::Join_grade::kink)
           BOOST_CHECK(std::any_of(done.unrepaired.begin(), done.unrepaired.end(),
                                   [&](const Unrepaired_join& u) { return u.join == j && !u.reason.empty(); }));
       }
       BOOST_CHECK(lost == done.lost);
+      BOOST_CHECK(left == done.unrepaired.size());
       Grid_contour again = repaired;
       BOOST_CHECK(repair(again, options).moves.empty());
       BOOST_CHECK(same(again, repaired));
@@ -210,4 +213,16 @@ BOOST_AUTO_TEST_CASE(kinks_that_are_left_do_not_grow) {
   BOOST_CHECK(same(repaired, given));
   BOOST_TEST(done.unrepaired.size() == 2u);
   BOOST_TEST(done.unrepaired[0].reason == "another join would be harmed");
+}
+
+// The handle behind the first node gets shorter, and then leads to the second one, whose own handle lies at it, in the right direction.
+BOOST_AUTO_TEST_CASE(kinks_that_harmonising_mends_are_not_left) {
+  Grid_contour c = contour({{{146, 301}, {146, 199}, {169, 29}, {231, 29}},
+                            {{231, 29}, {290, 29}, {288, 168}, {288, 168}},
+                            {{288, 168}, {288, 188}, {301, 189}, {310, 189}}},
+                           false);
+  BOOST_CHECK(grade(c, 1, bound) == GC::Join_grade::kink);
+  const Contour_repair done = repair(c, {bound, std::nullopt, true});
+  BOOST_CHECK(grade(c, 1, bound) >= GC::Join_grade::g1);
+  BOOST_CHECK(done.unrepaired.empty());
 }
