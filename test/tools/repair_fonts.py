@@ -5,9 +5,9 @@
 """Checks on real fonts that `verify` and `repair` agree: repair_fonts.py PROGRAM FILE_OR_FOLDER... [-- OPTIONS OF repair...]
 
 Every font is verified and repaired; FontForge applies the moves, and as a control none, because it changes fonts by itself, above all
-fractions. Of each font must hold: `repair` counts what `verify` counts in glyphs that are no composed ones, and the nodes that it leaves are
-kinks to `verify`, as are all others of its glyphs without a move; afterwards the kinks of a glyph are those that were left, composed ones
-have as many as their components, no kink is off by more, all other joins are as they were, and there is nothing left to move. Kinks are
+fractions. Of each font must hold: `repair` counts what `verify` counts in glyphs that are no composed ones, and the nodes that it leaves
+are kinks to `verify`; afterwards the kinks of a glyph are those that were left, composed ones have as many as their components, no kink is
+off by more, all other glyphs are those of the control, joins and corners are as they were, and there is nothing left to move. Kinks are
 those with bends and rounding. Prints what does not hold, and the sums."""
 
 import collections
