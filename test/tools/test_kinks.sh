@@ -72,6 +72,9 @@ run 1 verify drawing.svg --require G1 --kink-angle 5 && run 0 verify drawing.svg
 svg '<path d="M0 0H9h0v1"/>' && run 0 verify drawing.svg && says out "1 join " "commands 2 H - 4 v at (9, 0): G0, corner of 90 degrees" "1 segment without length left out"
 svg '<path d="M0 0C0 30 20 50 50 50l0 0C80 50 100 30 100 0"/>' && run 0 verify drawing.svg --require G2
 says out "commands 2 C - 4 C at (50, 50): G2, smooth" && run 0 repair drawing.svg -o repaired.svg && holds cmp -s drawing.svg repaired.svg
+says out "before: 0 corners, 0 kinks, 0 G1, 1 G2" "after:  0 corners, 0 kinks, 0 G1, 1 G2"
+svg '<path d="M0 0C0 30 20 50 50 50l0 0C80 51 100 30 100 0"/>' && run 1 verify drawing.svg --require G1
+run 0 repair drawing.svg -o repaired.svg && says out "1 kink" "0 kinks" && run 0 verify repaired.svg --require G1
 svg '<path d="M0 0h0v0c0 0 0 0 0 0"/>' && run 2 verify drawing.svg && says out "3 segments without length left out"
 
 # arcs, with square roots

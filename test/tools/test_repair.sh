@@ -68,6 +68,7 @@ run 0 repair drawing.svg -o repaired.svg && sed 's/70-4/70-3/' drawing.svg >expe
 svg '<defs><path d="M0 0X"/><path d="M0 0C10 0 20 2 40 0 70-4 80 0 90 0"/></defs>'
 run 0 repair drawing.svg -o repaired.svg --allow-uncovered && says out "'X' is not a command" "defined and not drawn: 1 kinks before, 0 after" && sed 's/70-4/70-3/' drawing.svg >expected
 holds cmp -s expected repaired.svg
+svg '<defs><path d="M0 0L10 0L30 1"/></defs>' && run 1 repair drawing.svg -o repaired.svg && says out "defined and not drawn: 1 kinks before, 1 after" "1 of them not free of kinks"
 # Bounds, corners, and what is left.
 path 'M0 0C10 0 20 2 40 0 70-4 80 0 90 0' 1 --max-move 1/2 && says out "the handle may move by 0.5" "1 kink"
 path 'M0 0C10 0 20 9 40 0 70-4 80 0 90 0' 0 && becomes 'M0 0C10 0 20 9 40 0 70-4 80 0 90 0' && says out "1 corner"
@@ -111,12 +112,22 @@ says out "4 glyphs, 3 with kinks, of which 1 is repaired" "kinks: 3 before, 2 af
 says moves.json '{"glyph":"mended","index":1,"contour":0,"point":2,"node":[100,0],"from":[200,7],"to":[200,0]}' '"contour":0,"node":[100,0],"reason":"no handle can move"'
 says moves.json '{"glyph":"halves","index":3,"contour":0,"node":[100,0],"reason":"no handle can move"}' # in units of the font
 run 2 repair font.ttf -o font.ttf && says err "the font itself" && holds cmp -s font.ttf given.ttf
+# Beside a node that is left out, at half a unit, no handle moves. A join that falls from G2 to G1 is counted, and a glyph that cannot be read.
+printf "$(printf 'glyph .notdef\nglyph halves 65\ncontour 0,0 100,0 200,7* 300,100 350,201* 301,300* 200,350\n' | LC_ALL=C awk -f "$generator")" >halves.ttf
+run 1 repair halves.ttf -o moves.json && says moves.json '"moves":[]' '"reason":"no handle can move"'
+printf "$(printf 'glyph .notdef\nglyph wave 65\ncontour -100,100 0,40* 200,0* 300,0 400,0* 600,40* 700,100 1100,352\n' | LC_ALL=C awk -v outlines=cff -f "$generator")" >wave.otf
+run 0 repair wave.otf -o moves.json && says out "1 join falls from G2 to G1" && says moves.json '"from":[600,40],"to":[600,37]'
+printf "$(printf 'glyph .notdef\nglyph good 65\ncontour 0,0 100,0 100,100\nglyph lost 66\ncomponent 3 0 0\n' | LC_ALL=C awk -f "$generator")" >lost.ttf
+run 1 repair lost.ttf -o moves.json && says out "not covered: 1 glyph, invalid composite glyph" && run 0 repair lost.ttf -o moves.json --allow-uncovered
 head -c 100 font.ttf >cut.ttf && run 2 repair cut.ttf -o none.json && holds [ ! -e none.json ]
 
 # Arcs are joins like others: they stay smooth, and the handle that meets one moves to its tangent.
 path 'M0 10A10 10 0 0 0 10 0Q10 -30 42 -60L82 -100' 0 && becomes 'M0 10A10 10 0 0 0 10 0Q10 -28 42 -60L82 -100'
 says out "2 units" && run 0 verify repaired.svg --require G1 && says out "0 kinks"
 path 'M0 0A10 10 0 0 1 10 10C9 20 15 40 30 40' 0 --kink-angle 6 && becomes 'M0 0A10 10 0 0 1 10 10C10 20 15 40 30 40'
+path 'M0 0A10 10 0 0 0 10 -10C9 -20 15 -40 30 -40' 0 --kink-angle 6 && becomes 'M0 0A10 10 0 0 0 10 -10C10 -20 15 -40 30 -40'
+path 'M0 0A10 10 0 0 1 -10 10C-20 9 -40 15 -40 30' 0 --kink-angle 6 && becomes 'M0 0A10 10 0 0 1 -10 10C-20 10 -40 15 -40 30'
+path 'M0 0A10 10 0 0 1 10 10C8 30 15 40 30 40' 0 --kink-angle 6 && becomes 'M0 0A10 10 0 0 1 10 10C10 30 15 40 30 40'
 path 'M0 0A10 10 0 0 1 10 10Q10 30 30 40' 0 && becomes 'M0 0A10 10 0 0 1 10 10Q10 30 30 40' && says out "0 kinks, 1 G1"
 path 'M0 0A5 5 0 0 1 1 0C2 1 9 9 20 1' 1 --kink-angle 45 && says out "no point of the grid lies in the direction of the arc"
 path 'M0 0A5 5 0 0 1 1 0Q2 0.2 3 0.2L9 0.3' 1 --kink-angle 6 # what is beside an irrational tangent keeps its grade
@@ -126,13 +137,31 @@ says out "both nodes bind the handle of a quadratic" "undecided: 1 join, an arc 
 path 'M0 0C20 0 60 30 100 30C143 30 180 31 200 60L300 206' 1 && says out "the handle may move by"
 # Shapes are counted like paths, and named; an angle is what is drawn.
 svg '<polygon points="0 0 100 0 200 1 200 200"/>' && run 1 repair drawing.svg -o repaired.svg
-says out 'polygon (line 2), behind command 2: no handle can move' "1 kink" && run 1 verify drawing.svg --require G1
+says out 'polygon (line 2), behind command 2: no handle can move' "before: 3 corners, 1 kink" "after:  3 corners, 1 kink" && run 1 verify drawing.svg --require G1
 svg '<path transform="scale(1 .1)" d="M0 0L100 0C120 8 200 60 300 60"/>' && run 1 verify drawing.svg --require G1 && says out "1 kink"
+run 1 repair drawing.svg -o repaired.svg --max-move 1 && says out "after:  0 corners, 1 kink"
 run 0 repair drawing.svg -o repaired.svg --max-move 9 && run 0 verify repaired.svg --require G1 && says out "0 kinks"
+# Of several moves the one that changes the curves least, by how far a handle moves their points; one that leaves fewer kinks comes first.
+path 'M0 0Q19 9 38 8Q77 8 89 0' 0 && becomes 'M0 0Q19 8 38 8Q77 8 89 0'
+path 'M0 0C9 6 21 -4 32 10Q42 25 52 11Q79 -28 84 -12' 1 && becomes 'M0 0C9 6 22 -5 32 10Q42 25 52 11Q79 -28 84 -12'
+path 'M0 0L32 1Q93 5 102 19Q110 33 116 53' 1 && becomes 'M0 0L32 1Q93 5 102 19Q111 33 116 53'
+# Mirror images stay mirror images, also where two moves are equally good, and where neighbours share the handle of a quadratic.
+path 'M0 0C6 2 18 10 37 -1C56 -11 66 -4 75 -5' 0 && becomes 'M0 0C6 2 18 9 37 -1C56 -11 66 -4 75 -5'
+path 'M0 0C2 6 10 18 -1 37C-11 56 -4 66 -5 75' 0 && becomes 'M0 0C2 6 9 18 -1 37C-11 56 -4 66 -5 75'
+path 'M75 5C66 4 56 11 37 1C18 -10 6 -2 0 0' 0 && becomes 'M75 5C66 4 56 11 37 1C18 -9 6 -2 0 0'
+path 'M0 0C38 -3 38 -10 48 -28Q66 -65 82 -72Q115 -86 126 -90Q138 -94 145 -113' 1 && becomes "$(sed -n 's/.* d="\([^"]*\)".*/\1/p' drawing.svg)"
 # A corner stays a corner, and a join that falls from G2 to G1 is told.
 path 'M0 9L10 0Q20 1 30 20L40 40' 0 --kink-angle 6 --max-move 20 && says out "1 corner" && run 0 verify repaired.svg --require G1 --kink-angle 6 && says out "1 corner"
 path 'M0 0C10 0 20 10 30 10C40 10 50 0 60 0C70 0 80 11 90 10' 0
 path 'M-10 10C0 10 20 10 30 0C40-10 60-10 70-10C80-10 100-9 110-9' 0 && says out "0 kinks"
+wave='M-100 100C0 40 200 0 300 0C400 0 600 40 700 100'
+path "${wave}L1100 352" 0 && becomes 'M-100 100C0 40 200 0 300 0C400 0 600 37 700 100L1100 352'
+says out 'path "p" (line 2), subpath 1, behind command 2 at (300, 0): G2 before, now G1'
+path "${wave}L1100 352" 0 --json && says out '"before":"G2","after":"G1"'
+path "${wave}C800 163 1000 300 1100 400" 0 && becomes "${wave}C800 160 1000 300 1100 400" && lacks out "G2 before"
+path "${wave}C800 160 900 290 950 400" 0 --to G2 && lacks out "G2 before" && holds [ "$(cut -c 1-${#wave} d)" = "$wave" ] && says out "1 are harmonised"
+# Handles are harmonised by a tenth of the shorter one.
+path 'M0 0Q20 5 30 18C57 57 63 67 80 50' 0 --to G2 && becomes 'M0 0Q21 5 30 18C57 57 63 67 80 50'
 # The curvature beside an arc is harmonised at the other end of a curve.
 path 'M0 0A100 100 0 0 1 100 100C100 200 150 400 300 400C450 400 600 195 600 0' 0 --to G2 && says out "1 are harmonised"
 run 0 verify repaired.svg --require G1
@@ -150,6 +179,9 @@ path 'M0 0c10 0 20 2 40 0 30-3.01 40 0 50 0' 0 --max-move 100 && becomes 'M0 0c1
 if ! grep -qa __asan_init "$program"; then
   (ulimit -v 400000 && exec timeout 60 "$program" repair many.svg -o many2.svg >out 2>err)
   holds [ $? -eq 0 ] && holds cmp -s many.svg many2.svg && says out "before: 150000 corners"
+  sed 's/M0 0h1v1z"/M0 0h1v1zM0 0L100 0L200 1"/' many.svg >kink.svg # which is looked for a repair
+  (ulimit -v 400000 && exec timeout 60 "$program" repair kink.svg -o many2.svg >out 2>err)
+  holds [ $? -eq 1 ] && holds cmp -s kink.svg many2.svg && says out "no handle can move"
 fi
 
 # Bad input and bad targets: nothing is lost.
