@@ -113,6 +113,7 @@ glyph rounding.ttf one "4 3 1 0 0 0 0" --off-by 0.99999999999999999999
 glyph rounding.ttf more "4 3 1 0 0 0 0"
 glyph rounding.ttf more "4 3 1 0 0 0 0" --off-by 1.99999999999999999999
 glyph rounding.ttf more "4 3 0 0 1 0 0" --off-by 2
+says out '"kinks_off_by_more_than_one_unit":0'
 run 0 verify rounding.ttf --glyphs one --require G1 && run 1 verify rounding.ttf --glyphs one --require G1 --off-by 0
 run 1 verify rounding.ttf --require G1 && says out "1 of them not G1" && run 0 verify rounding.ttf --require G1 --off-by 2
 says out "every join but corners, bends of two lines and what is off by at most 2 units is G1, proved exactly"
@@ -213,6 +214,8 @@ reports=0
 findings 0 0 0 3 test.ttf
 says out 'name="test.ttf"' "glyph kinks, contour 0, node 1: bend of two lines of 3.81 degrees at (300, 20), off by 20 units"
 says out "glyph kinks, contour 1, node 1: kink of 4 degrees at (2100, 0), a handle is off by 7 units"
+run 0 verify test.ttf --format sarif && holds [ "$(count '"region":{"startLine":1}' out)" -eq 3 ] # which a font has for viewers
+run 0 verify test.ttf --glyphs kink,kinks,composite --off-by 0 --format sarif && says out '"claims":{"given":28,"decided":28,'
 findings 1 1 0 2 test.ttf --require G1
 findings 1 2 0 0 test.ttf --require G2 --worst 1
 says out "more joins not G2; --worst N tells N of them"

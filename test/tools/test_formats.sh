@@ -104,7 +104,12 @@ says junit '<testsuite name="a b%\x01\xff'$'\xef\xbf\xbd''&lt;&amp;&quot;{0}:#?.
 svg '<path id="&lt;/failure&gt;{0}]]&gt;&#10;&amp;" d="M0 0h1v1"/>'
 formats drawings 1 1 0 0 0 drawing.svg --require C1 && says junit '&lt;/failure&gt;{0}]]&gt;' && says sarif '</failure>{{0}}\\]\\]>'
 run 1 verify "$PWD/drawing.svg" --require C1 --format sarif && valid sarif out && says out '"uri":"drawing.svg","uriBaseId":"%SRCROOT%"'
-mkdir -p sub && (cd sub && run 1 verify "$PWD/../drawing.svg" --require C1 --format sarif && says out '"uri":"file:///')
+mkdir -p sub && cd sub && run 1 verify "$PWD/../drawing.svg" --require C1 --format sarif && says out '"uri":"file:///'
+cd ..
+# a defect keeps its fingerprint when its numbers change; another place has another one
+prints() { run 1 verify drawing.svg --require C1 --format sarif && grep -o '"ruleFilePlace[^}]*' out; }
+svg '<path d="M0 0h1v1h1"/>' && prints >one && svg '<path d="M0 0h2v3h2"/>' && prints >other
+holds cmp -s one other && holds [ "$(sort -u one | wc -l)" -eq 2 ]
 
 # nothing to report, and nothing at all
 cubic $'0 0 0\n1 0 0\n2 0 0\n3 0 0' >alone.g2

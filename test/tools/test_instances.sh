@@ -123,6 +123,7 @@ says out '<failure' "glyph00001"
 if command -v xmllint >/dev/null; then holds xmllint --noout out; fi
 
 # Outlines of CFF2, and packed fonts.
+run 0 verify cubic.otf --json && says out '"joins":3,"corners":2,"kinks":0,' # the default instance
 run 0 verify cubic.otf --all-instances --max-kink 3.5
 run 1 verify cubic.otf --all-instances --max-kink 2.5
 says out "3 joins: 2 corners at the default" "(100, 0)  [3.0"
