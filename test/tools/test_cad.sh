@@ -117,6 +117,13 @@ run 1 verify models/wall.brep models/three.brep --require G1 --format sarif --al
 run 1 verify models/wall.brep --require G1 --format junit && says out '<failure' 'not G1 within the tolerance' 'models/wall.brep'
 run 0 verify models/wall.brep --format sarif && says out '"level":"note"'
 
+# lines inside of faces: of a crease only what lies in the face counts, and where G2 is asked for, lines where the curvature may jump
+run 1 verify models/trimmed.brep --require G1
+says out "2 knot lines inside of faces" "knot line: G0, kink; " "angle [31.25" && lacks out "angle [4"
+run 2 verify models/bending.brep --require G1 && lacks out "knot line"
+run 1 verify models/bending.brep --require G2 --within 0.02,0.1deg,5%
+says out "1 knot line inside of faces" "knot line: G1; " "curvature jump [99.99" "1 of them not G2"
+
 # what cannot be compared is named, is not covered, and meets nothing unless that is allowed
 run 1 verify models/differing.brep && says out "not covered: 1 edge, curves of different parameters"
 run 0 verify models/differing.brep --allow-uncovered && run 1 verify models/differing.brep --allow-undecided

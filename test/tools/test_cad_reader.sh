@@ -56,11 +56,19 @@ for bad in 0 -1 x nan 1e9 ''; do run 2 verify models/fillet.step --time-limit="$
 run 2 verify $S --time-limit 1 && says err "--time-limit: only for CAD models"
 
 # A number that is not finite is found before OpenCASCADE computes with it, which would not end.
-run 1 verify "$infinite" --time-limit 20 && says out "a number that is not finite"
+run 1 verify "$infinite" --time-limit 20 && says out "a number that is not finite" "not covered: 1 face, a number that is not finite"
 
 # the memory: what is asked for does not fit
 with 'ulimit -v 60000; exec "$reader" "$@"' verify models/fillet.step
 holds [ $? -eq 2 ] && says err "models/fillet.step: "
+
+# the reader limits itself, to what the program allows for a file of this size
+with 'printf "%s\n" "$@" >asked; exec "$reader" "$@"' verify models/fillet.step
+allowed=$(sed -n 3p asked) && holds [ "$allowed" -gt 2147483648 ] && holds [ "$allowed" -lt 2200000000 ]
+with 'exec "$reader" "$1" "$2" 0' verify models/fillet.step
+holds [ $? -eq 2 ] && says err "models/fillet.step: not read with 20" " MB of memory, which are allowed for a file of this size: it is damaged"
+with 'head -c $(($3 + 1)) /dev/zero' verify models/fillet.step
+holds [ $? -eq 2 ] && says err "the library that reads it does not end: the file is damaged"
 
 # the reader ends with the program, however that ends
 with "$waits" verify models/fillet.step --time-limit 0.1

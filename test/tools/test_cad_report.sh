@@ -130,6 +130,9 @@ holds cmp -s <(sort -u one.txt) all.txt
 holds [ "$(grep -o '"angle_at":{[^}]*}' out | sort -u | wc -l)" -ge 80 ]
 # also where a face is placed in its part
 run 0 verify models/again.brep --json && says out '"inner":2,' '"compared":1,'
+# what differs in the part of a line that it has, in the surface of a side, or in which side is out, is not equal
+run 0 verify models/pairs.brep --json && says out '"inner":6,' '"compared":6,'
+run 0 verify models/pairs.brep && says out "2 G2, 0 G1, 4 G0" "2 corners" "2 inside out"
 
 # bounds near zero are readable, and what is projected is marked
 run 0 report models/sphere.step -o page.html && says page.html '"marks":["projected"'

@@ -52,6 +52,9 @@ patches nearly.brep "1e-200 0 1e-200" "9 10 0"
 run 1 verify nearly.brep --require G1 && says out "not resolved near t = 0" "undecided: 1 edge, a normal can be told neither from zero nor to be zero"
 holds [ "$(grep -c vanishes out)" -eq 0 ]
 
+patches hidden.brep "1e-200 0 0" "9 10 0.001" # nor where it turns by little only, as far as can be told
+run 1 verify hidden.brep --require G1 && says out "not resolved near t = 0" "undecided: 1 edge, a normal can be told neither"
+
 # A corner of 5 degrees, as well as that can be written: the sine and cosine are rounded. Whatever is next to it is in a class as well.
 patches corner.brep "8.9657522828257097 0 0.78440168472892347" "8.9657522828257097 10 0.78440168472892347"
 run 0 verify corner.brep --require G1 && says out "G0, corner, exactly G0" "1 corner, 0 fading corners, 0 kinks"
@@ -86,10 +89,10 @@ holds [ "$(grep -c ", proved" out)" -eq 0 ]
 run 0 verify long.brep --require G1 --allow-uncovered
 
 # Many knots: the work grows with them, and the words do not tell of a normal that vanishes.
-knots() { # N: the flat model with a wavy edge of N spans in both faces, which have it as they are
-  awk -v n="$1" '
+knots() { # N [Z]: the flat model with a wavy edge of N spans in both faces, which have it as they are; one of them rises by Z
+  awk -v n="$1" -v z="${2:-0}" '
     function knots(   i, s) { s = "\n 0 2\n"; for (i = 1; i < n; ++i) s = s i " 1\n"; return s n " 2\n" }
-    function row(x,   i, s) { for (i = 0; i <= n; ++i) s = s " " (x == 0 ? i % 2 / 10 : x) " " 10 * i / n " 0 "; return s }
+    function row(x,   i, s) { for (i = 0; i <= n; ++i) s = s " " (x == 0 ? i % 2 / 10 : x) " " 10 * i / n " " (x > 1 ? z : 0) " "; return s }
     BEGIN { inner = "7 0 0  1 " n + 1 " " n + 1 " " }
     /^Surfaces 2/ {
       print
@@ -114,5 +117,8 @@ run 0 verify knots.brep --require G2 --within 0.02,0.1deg,5%
 says out "inner: G2, exactly G2" "proved"
 run 1 verify knots.brep --require G1 --max-work 1000000 && says out "the work did not suffice" "--max-work"
 holds [ "$(grep -c vanishes out)" -eq 0 ]
+knots 5000 9 >corners.brep # more spans than ranges that are evaluated for one
+run 1 verify corners.brep --require G1 # of the knot lines
+says out "inner: G0, corner, exactly G0" "0 undecided; 1 corner, 0 fading corners"
 run 2 verify knots.brep --max-work x && says err "--max-work"
 run 0 verify flat.brep --require G1 --max-work 10000000

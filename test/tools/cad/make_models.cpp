@@ -8,6 +8,7 @@
 #include <BRepBuilderAPI_MakeEdge.hxx>
 #include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRepBuilderAPI_MakePolygon.hxx>
+#include <BRepBuilderAPI_MakeVertex.hxx>
 #include <BRepBuilderAPI_MakeWire.hxx>
 #include <BRepBuilderAPI_Sewing.hxx>
 #include <BRepFilletAPI_MakeFillet.hxx>
@@ -18,13 +19,16 @@
 #include <BRepPrimAPI_MakeRevol.hxx>
 #include <BRepPrimAPI_MakeSphere.hxx>
 #include <BRepPrimAPI_MakeTorus.hxx>
+#include <BRepLib.hxx>
 #include <BRepTools.hxx>
 #include <BRep_Builder.hxx>
+#include <GCE2d_MakeSegment.hxx>
 #include <GeomAPI_Interpolate.hxx>
 #include <GeomConvert.hxx>
 #include <Geom_BSplineCurve.hxx>
 #include <Geom_BSplineSurface.hxx>
 #include <Geom_BezierSurface.hxx>
+#include <Geom_Line.hxx>
 #include <Geom_OffsetSurface.hxx>
 #include <Geom_ToroidalSurface.hxx>
 #include <IGESControl_Controller.hxx>
@@ -42,12 +46,16 @@
 #include <TopLoc_Location.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Compound.hxx>
+#include <TopoDS_Shell.hxx>
 #include <gp_Ax1.hxx>
 #include <gp_Ax2.hxx>
 #include <gp_Pln.hxx>
+#include <gp_Pnt2d.hxx>
 #include <gp_Trsf.hxx>
 
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <cstdlib>
 #include <iostream>
 #include <string>
@@ -175,6 +183,73 @@ TopoDS_Shape rough() {
   return BRepBuilderAPI_MakeFace(surface, 1e-7).Shape();
 }
 
+// A strip of these points (x, z), as many as the degree and the spans, from y = 0 to 10; there the last one is `high` higher.
+Handle(Geom_BSplineSurface) strip(const std::vector<std::array<double, 2>>& profile, int degree, double high) {
+  const int n = static_cast<int>(profile.size()), spans = n - degree;
+  TColgp_Array2OfPnt points(1, n, 1, 2);
+  for (int i = 1; i <= n; ++i)
+    for (int j = 1; j <= 2; ++j) {
+      const auto& [x, z] = profile[static_cast<std::size_t>(i - 1)];
+      points(i, j) = gp_Pnt(x, 10 * (j - 1), z + (i == n && j == 2 ? high : 0));
+    }
+  TColStd_Array1OfReal u(1, spans + 1), v(1, 2);
+  TColStd_Array1OfInteger u_multiplicities(1, spans + 1), v_multiplicities(1, 2);
+  for (int i = 1; i <= spans + 1; ++i) {
+    u(i) = i - 1;
+    u_multiplicities(i) = i == 1 || i == spans + 1 ? degree + 1 : 1;
+  }
+  v(1) = 0;
+  v(2) = 1;
+  v_multiplicities.Init(2);
+  return new Geom_BSplineSurface(points, u, v, u_multiplicities, v_multiplicities, degree, 1);
+}
+
+// A face that has a part of a crease only, from v = 0 to 0.6: there it is of 31.3 degrees, and beyond up to 45.
+TopoDS_Shape trimmed_crease() {
+  const Handle(Geom_Surface) surface = strip({{0, 0}, {10, 0}, {20, 10 * std::tan(M_PI / 180)}}, 1, 9.8254);
+  const std::vector<gp_Pnt2d> corners{{0, 0}, {2, 0}, {2, 0.7}, {0.5, 0.55}, {0.5, 1}, {0, 1}};
+  BRepBuilderAPI_MakeWire wire;
+  for (std::size_t i = 0; i < corners.size(); ++i)
+    wire.Add(BRepBuilderAPI_MakeEdge(GCE2d_MakeSegment(corners[i], corners[(i + 1) % corners.size()]).Value(), surface));
+  TopoDS_Shape face = BRepBuilderAPI_MakeFace(surface, wire.Wire(), true).Shape();
+  BRepLib::BuildCurves3d(face);
+  return face;
+}
+
+// Three times two plane faces that share two edges of one line: in one plane; the same, one of them inside out; bent.
+TopoDS_Shape pairs() {
+  const auto point = [](double x, double y, double angle) {
+    return gp_Pnt(x, y * std::cos(angle), y * std::sin(angle));
+  };
+  const Handle(Geom_Line) line = new Geom_Line(gp_Pnt(), gp_Dir(1, 0, 0));
+  std::vector<TopoDS_Vertex> ends;
+  for (int x = 0; x < 4; ++x) ends.push_back(BRepBuilderAPI_MakeVertex(gp_Pnt(x, 0, 0)).Vertex());
+  const TopoDS_Edge first = BRepBuilderAPI_MakeEdge(line, ends[0], ends[1], 0, 1).Edge(),
+                    second = BRepBuilderAPI_MakeEdge(line, ends[2], ends[3], 2, 3).Edge();
+  const auto side = [&](double y, double angle) { // y = 1 or -1
+    std::vector<TopoDS_Vertex> v;
+    for (const auto& [x, d] : {std::array<double, 2>{1, 0.5}, {2, 0.5}, {3, 1}, {0, 1}})
+      v.push_back(BRepBuilderAPI_MakeVertex(point(x, d * y, angle)).Vertex());
+    BRepBuilderAPI_MakeWire wire(first);
+    for (const auto& [a, b] : {std::array<TopoDS_Vertex, 2>{ends[1], v[0]}, {v[0], v[1]}, {v[1], ends[2]}})
+      wire.Add(BRepBuilderAPI_MakeEdge(a, b));
+    wire.Add(second);
+    for (const auto& [a, b] : {std::array<TopoDS_Vertex, 2>{ends[3], v[2]}, {v[2], v[3]}, {v[3], ends[0]}})
+      wire.Add(BRepBuilderAPI_MakeEdge(a, b));
+    const gp_Pln plane(gp_Ax3(gp_Pnt(), gp_Dir(0, -std::sin(angle), std::cos(angle)), gp_Dir(1, 0, 0)));
+    return BRepBuilderAPI_MakeFace(plane, wire.Wire(), true).Face();
+  };
+  const auto shell = [](const TopoDS_Shape& a, const TopoDS_Shape& b) {
+    TopoDS_Shell result;
+    BRep_Builder().MakeShell(result);
+    BRep_Builder().Add(result, a);
+    BRep_Builder().Add(result, b);
+    return result;
+  };
+  const TopoDS_Face near = side(-1, 0), far = side(1, 0), bent = side(1, M_PI / 6);
+  return compound({shell(near, far), moved(shell(near, far.Reversed())), moved(moved(shell(near, bent)))});
+}
+
 // A part at eleven places, and another one; in STEP with the structure of the assembly.
 void write_assembly(const TopoDS_Shape& part, const TopoDS_Shape& other) {
   TopoDS_Compound assembly;
@@ -247,6 +322,9 @@ int main(int argc, char** argv) {
   write(compound({moved(fillet), crossed}), "crossed.brep");
   // An infinite face.
   write(compound({moved(fillet), BRepBuilderAPI_MakeFace(gp_Pln()).Shape()}), "infinite.brep");
+  write(trimmed_crease(), "trimmed.brep");
+  write(face(strip({{0, 0}, {5, 0}, {15, 0}, {20, 5}}, 2, 0)), "bending.brep"); // the curvature jumps in the middle
+  write(pairs(), "pairs.brep");
   // What cannot be compared at equal parameters.
   TopoDS_Shape differing = BRepPrimAPI_MakeCylinder(3, 10).Shape();
   BRep_Builder().SameParameter(TopoDS::Edge(TopExp_Explorer(differing, TopAbs_EDGE).Current()), false);
