@@ -58,11 +58,16 @@ holds [ "$(grep '"number":' page.html | sed 's/.*"angle":\["\([0-9]\).*/\1/' | t
 # seams, poles, several faces at an edge, what cannot be compared, and no edge of two sides
 run 0 report models/sphere.brep -o page.html && drawn page.html 2 2 2
 run 0 report models/torus.step -o page.html && drawn page.html 1 2 2
+run 0 report models/torus.brep -o page.html --max-work 1
+says page.html '"undecided":2,"G1":0,"G2":0}' # for which the work did not suffice
 # faces without curves in their parameter planes, which are divided after healing
 run 0 report models/sphere.step -o page.html && drawn page.html 2 2 2
 run 0 report models/prism.step -o page.html && drawn page.html 3 3 3
 run 0 report models/three.brep -o page.html && drawn page.html 3 0 10
-says page.html '1 edge of three faces or more: drawn as boundary, not decided.'
+says page.html '1 edge of three faces or more: drawn as boundary, not decided.' \
+  '"not_covered":[{"what":"edge","reason":"three faces or more meet there","count":1}]'
+run 0 report "$(dirname "$mirrored")/infinite.step" -o page.html --time-limit 20
+says page.html '"not_covered":[{"what":"face","reason":"a number that is not finite","count":1}]' 'not covered: face 1: a number that is not finite'
 run 0 report models/differing.brep -o page.html && says page.html '"grade":"undecided"' '"verdict":"curves of different parameters","angle":null'
 run 0 report models/bezier.brep -o page.html && drawn page.html 1 0 4
 run 0 report models/wire.brep -o page.html && drawn page.html 0 0 0
@@ -136,8 +141,9 @@ run 0 verify models/pairs.brep && says out "2 G2, 0 G1, 4 G0" "2 corners" "2 ins
 
 # bounds near zero are readable, and what is projected is marked
 run 0 report models/sphere.step -o page.html && says page.html '"marks":["projected"'
-run 0 report models/prism.step -o page.html && says page.html '1 face drawn after OpenCASCADE has healed the boundary'
+run 0 report models/prism.step -o page.html && says page.html '1 face drawn after OpenCASCADE has healed the boundary' '"marks":["healed drawing"]'
 run 0 report models/fillet.brep -o page.html
+holds [ "$(grep -oE '"edge":[0-9]+' page.html | grep -oE '[0-9]+' | tr '\n' ' ')" = "$(seq 0 14 | tr '\n' ' ')" ] # of the drawing, in the order of the list
 holds [ "$(grep -oE '"(gap|angle|jump)":\[[^]]*\]' page.html | grep -cE 'e-[1-9][0-9]')" -eq 0 ] && says page.html '"1e-09"'
 
 # several files, and names that are no markup

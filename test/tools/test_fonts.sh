@@ -94,6 +94,10 @@ says out '"worst":[{"contour":1,"node":1,"point":[2100,0],' '"kinks_off_by_more_
 holds [ "$(grep -o '"point":[^"]*' out | tr '\n' ' ')" = '"point":[2100,0], "point":[300,20], "point":[600,20], ' ]
 run 0 verify test.ttf --json --glyphs kinks --worst 1 && holds [ "$(grep -o '"point"' out | wc -l)" -eq 1 ] && says out '"kinks":1'
 run 0 verify test.ttf --worst 0 && lacks out contour && says out ", 1 kink, "
+# by units, also of fonts with other ems
+printf 'glyph .notdef\nglyph three 65\ncontour 0,0 100,0 200,3* 300,300 0,300\n' | font three.ttf
+printf 'glyph .notdef\nglyph four 65\ncontour 0,0 100,0 200,4* 300,300 0,300\n' | font four.ttf -v em=2000
+run 0 verify three.ttf four.ttf && holds [ "$(tail -n 2 out | grep -oE '[34] units +[23]' | tr -s ' ' | tr '\n' ' ')" = "4 units 2 3 units 3 " ]
 # copies are shown once
 run 0 verify test.ttf --glyphs kink,kinks,composite --off-by 0
 says out "kink and 1 more"

@@ -152,16 +152,16 @@ says err "join 0 -> 1: work_limit: " "--max-work N"
 holds test ! -e none.g2
 
 # Orders up to 32 of rational curves with long fractions: their jets count.
-rational() { # DIGITS
-  awk -v digits="$1" '
+rational() { # DIGITS [GAP]
+  awk -v digits="$1" -v gap="${2:-0}" '
     function number(   text, j) {
       for (j = 0; j < 2 * digits; ++j) text = text (j == digits ? "/" : "") 1 + int(9 * rand())
       return text
     }
     BEGIN {
       srand(3)
-      for (i = 0; i <= 20; ++i) point[i] = number() " " number() " " number()
-      for (first = 0; first <= 10; first += 10) {
+      for (i = 0; i <= 21; ++i) point[i] = number() " " number() " " number()
+      for (first = 0; first <= 10 + gap; first += 10 + gap) {
         print "100 1 0 0\n2 1\n11 11\n0 0 0 0 0 0 0 0 0 0 0 1 1 1 1 1 1 1 1 1 1 1"
         for (i = 0; i <= 10; ++i) print point[first + i]
       }
@@ -172,6 +172,9 @@ run 0 verify --max-order 32 rational.g2
 rational 1000 >rational.g2
 bounded 10 2 verify --max-order 32 --max-work 1000000 rational.g2
 says err "work_limit" "more than 1000000 steps" "--max-work N"
+rational 200 1 >gap.g2 # the quotients cost most, and there is nothing to decide
+bounded 30 2 verify --max-order 32 --max-work 100000000 gap.g2
+says err "gap.g2: work_limit: derivatives of a spline: more than 100000000 steps" "--max-work N"
 
 # The default takes some seconds also where the numbers are short: two rational patches of the degrees 39 and 2 with one-digit numbers
 # that meet with one tangent plane, so that the zeros of a polynomial of degree 234 are separated.
