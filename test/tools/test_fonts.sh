@@ -319,6 +319,10 @@ run 0 verify fractions.otf --json --glyphs kink --off-by 0
 says out '"point":[100,0],"grade":"kink",'
 run 1 repair fractions.otf -o moves.json && says out "fractions of a unit"
 
+# The place of a component that is scaled
+printf 'glyph .notdef\nglyph rough 65\ncontour 0,0 30,10* 90,30 210,66* 300,300\nglyph placed 66\ncomponent 1 50 20 0.5\n' | font placed.ttf
+run 0 verify placed.ttf --json --glyphs placed --off-by 0 && says out '"point":[95,35],"grade":"kink"'
+
 # Scaled components are graded as the exact points that they have, and named
 cat >scaled.txt <<'END'
 glyph .notdef

@@ -143,6 +143,9 @@ run 2 extend short.g2 --order curvature --toward 3,4 --max-work 1000000 -o none.
 says err "short.g2: work_limit: extend: more than 1000000 steps" "--max-work N"
 bounded 60 2 extend short.g2 --order curvature --toward 3,4 -o none.g2
 run 0 extend left.g2 --order curvature --toward 3,4 --max-work 1000000 -o extended.g2
+random_curve 16 3 1 >sixteen.g2
+run 2 extend sixteen.g2 --order curvature --toward 3,4 --max-work 12500000 -o none.g2 # the equations and their solution count
+run 0 extend sixteen.g2 --order curvature --toward 3,4 --max-work 20000000 -o extended.g2
 for y in 0 1 -1; do cubic "0 $y 0"$'\n'"1 $y 0"$'\n'"2 $y 0"$'\n'"3 $y 0" >"line$y.g2"; done
 run 0 connect line0.g2 line1.g2 line-1.g2 -o ribbon.g2
 run 2 connect line0.g2 line1.g2 line-1.g2 --max-work 100 -o none.g2
@@ -232,6 +235,8 @@ awk 'BEGIN {
 bounded 60 2 tessellate --kernel exact --tolerance 1 high_patch.g2 -o none.off
 says err "work_limit: tessellate: more than 4000000000 steps"
 run 2 tessellate --kernel exact --max-work 10000000 --grid 64 high_patch.g2 -o none.off
+run 2 tessellate --kernel exact --max-work 4100000 --grid 4 high_patch.g2 -o none.off # weights, sums and quotients count
+run 0 tessellate --kernel exact --max-work 5000000 --grid 4 high_patch.g2 -o patch.off
 holds test ! -e none.off
 
 # The option.
