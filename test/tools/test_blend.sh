@@ -38,6 +38,9 @@ holds grep -q '^near_line .*warning: goes' out
 run 0 blend "$S" --replace 1 --strategy near_line --json && says out '"warning":"goes '
 run 0 blend "$S" --replace 1 --json && says out '"warning":null'
 run 0 blend "$L" "$R" --beta 4 --eta 4 && says out "warning: turns back"
+away() { printf '100 1 0 0\n2 0\n4 4\n0 0 0 0 1 1 1 1\n%s\n' "$1"; } # with ends that point away from each other there is no other way
+away $'3 1\n2 0.5\n1 0\n0 0' >left.g2 && away $'3 0\n2 0\n1 0.5\n0 1' >right.g2
+run 0 blend left.g2 right.g2 --strategy all && lacks out "warning"
 
 # how fair the blends are: fair is the fairest
 run 0 blend "$L" "$R" --strategy all && says out "fairness" "bending" "extrema" "inflections" "iteration" "->"

@@ -12,6 +12,7 @@
 #include <BRepBuilderAPI_MakeWire.hxx>
 #include <BRepBuilderAPI_Sewing.hxx>
 #include <BRepFilletAPI_MakeFillet.hxx>
+#include <BRepLib.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCone.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
@@ -19,7 +20,6 @@
 #include <BRepPrimAPI_MakeRevol.hxx>
 #include <BRepPrimAPI_MakeSphere.hxx>
 #include <BRepPrimAPI_MakeTorus.hxx>
-#include <BRepLib.hxx>
 #include <BRepTools.hxx>
 #include <BRep_Builder.hxx>
 #include <GCE2d_MakeSegment.hxx>
@@ -210,7 +210,8 @@ TopoDS_Shape trimmed_crease() {
   const std::vector<gp_Pnt2d> corners{{0, 0}, {2, 0}, {2, 0.7}, {0.5, 0.55}, {0.5, 1}, {0, 1}};
   BRepBuilderAPI_MakeWire wire;
   for (std::size_t i = 0; i < corners.size(); ++i)
-    wire.Add(BRepBuilderAPI_MakeEdge(GCE2d_MakeSegment(corners[i], corners[(i + 1) % corners.size()]).Value(), surface));
+    wire.Add(
+        BRepBuilderAPI_MakeEdge(GCE2d_MakeSegment(corners[i], corners[(i + 1) % corners.size()]).Value(), surface));
   TopoDS_Shape face = BRepBuilderAPI_MakeFace(surface, wire.Wire(), true).Shape();
   BRepLib::BuildCurves3d(face);
   return face;
