@@ -30,6 +30,9 @@ holds [ "$(grep -c exactly out)" -eq 0 ]
 sed 's/^6 0 1 0 0 0  0 10 0  $/6 0 1 0 0 .019  0 10 .019  /' flat.brep >near.brep
 run 0 verify near.brep --require G1
 run 1 verify near.brep --require G1 --within 0.01,0.1deg
+# also where it is near the first face, and that near the second one
+sed 's/^6 0 1 0 0 0  0 10 0  $/6 0 1 0 0 -.015  0 10 -.015  /; s/^8 0 0 1 1 0 0 0  0 10 0  $/8 0 0 1 1 0 0 .015  0 10 .015  /' flat.brep >far.brep
+run 1 verify far.brep --require G0 && run 0 verify far.brep --require G0 --within 0.031,0.1deg
 
 # A crease inside of a face, which may lie along one of the knots only, and in a part of the face only.
 run 1 verify "$models/crease.brep" --require G1

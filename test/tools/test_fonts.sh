@@ -298,6 +298,7 @@ code=0 && timeout 20 "$program" verify short.ttf --json --allow-uncovered >out_s
 holds [ $code -eq 0 ] && holds cmp -s <(sed 's/short.ttf/endless.ttf/' out_short) out
 printf 'glyph .notdef\nglyph lost\ncomponent 2 0 0\n' | font lost.ttf
 run 0 verify lost.ttf --allow-empty --allow-uncovered && says out "glyph lost: not verified, invalid composite glyph"
+run 1 verify lost.ttf --allow-empty && says out "not covered: 1 glyph, invalid composite glyph"
 
 # Fractions of a unit, which FreeType cuts off: a join that is smooth with them, one that is not, and one at a size that no double
 # of a product has
