@@ -110,16 +110,9 @@ public:
   /// Returns the jet of order `k` at `u`, which may lie outside the domain; derivatives beyond the degree are zero.
   /// \f$ O(m^2 + k^3) \f$ \throws Error `negative_count` unless `k >= 0`
   Curve_jet<Traits> jet(const FT& u, int k) const {
-    if constexpr (Degree == dynamic_degree)
-      return k <= 3 ? jet_of_order<3>(u, k) : jet_of_any_order(u, k);
-    else
-      switch (k) {
-      case 0: return jet<0>(u);
-      case 1: return jet<1>(u);
-      case 2: return jet<2>(u);
-      case 3: return jet<3>(u);
-      default: return jet_of_any_order(u, k);
-      }
+    return internal::with_largest_order<Degree>(
+        k, [&](auto order) { return jet_of_order<decltype(order)::value>(u, k); },
+        [&] { return jet_of_any_order(u, k); });
   }
 
   /// Returns the jet of an order `k >= 0` that is known at compile time, at `u`, which may lie outside the domain;
