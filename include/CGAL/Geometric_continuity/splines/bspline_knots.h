@@ -75,21 +75,25 @@ public:
   }
 };
 
-// The coefficients over t of the spline with coefficients c over u. \pre the spline belongs to the space of t
+// The coefficients over t of the spline with coefficients c over u. \pre the spline belongs to the space of t, and the first ones, `before`
+// many, and the last ones, `after` many, are those over u
 template <class FT, class Coefficients>
 std::vector<typename Coefficients::value_type> change_knots(const Knot_vector<FT>& u, const Coefficients& c,
-                                                            const Knot_vector<FT>& t) {
+                                                            const Knot_vector<FT>& t, int before = 0, int after = 0) {
+  const int n = t.number_of_coefficients();
   std::vector<typename Coefficients::value_type> result;
-  result.reserve(t.number_of_coefficients());
+  result.reserve(n);
+  result.assign(c.begin(), c.begin() + before);
   Span_choice<FT> span(u);
   Blossom_weights<FT> weights;
-  for (int j = 0; j < t.number_of_coefficients(); ++j) {
+  for (int j = before; j < n - after; ++j) {
     weights.assign(u, u.degree(), span(t, j), t.begin() + (j + 1));
     if (weights.w.size() == 1)
       result.push_back(c[weights.first]);
     else
       result.push_back(weights(c));
   }
+  result.insert(result.end(), c.end() - after, c.end());
   return result;
 }
 
@@ -211,7 +215,13 @@ template <class FT, class Coefficients>
 std::vector<typename Coefficients::value_type> bspline_insert(const Knot_vector<FT>& knots, const Coefficients& c,
                                                               const FT& u, int times = 1) {
   internal::check_number_of_coefficients(knots, c, "bspline_insert");
-  return internal::change_knots<FT>(knots, c, knots.insert(u, times));
+  const Knot_vector<FT> finer = knots.insert(u, times);
+  const int p = knots.degree(), n = knots.number_of_coefficients();
+  if (p == 0) return internal::change_knots<FT>(knots, c, finer);
+  // c_j is a value at the knots j + 1 to j + p, which stay where the new knots come after or before them
+  const int place = static_cast<int>(std::upper_bound(knots.begin(), knots.end(), u) - knots.begin());
+  return internal::change_knots<FT>(knots, c, finer, (std::min)((std::max)(place - p, 0), n),
+                                    (std::min)((std::max)(n + 1 - place, 0), n));
 }
 
 /// \ingroup PkgGeometricContinuityAlgebra
