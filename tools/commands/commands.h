@@ -12,7 +12,6 @@
 namespace CGAL {
 namespace Geometric_continuity {
 struct Edge_tolerance;
-class Work_limit;
 } // namespace Geometric_continuity
 } // namespace CGAL
 
@@ -59,7 +58,6 @@ int plot_surfaces(const Arguments& files, const Surface_picture& picture);
 // Runs `verify --surfaces`: decides the edges of the model that the files form, and prints a report. With a tolerance
 // an edge meets the requirement also when it does so within the tolerance.
 int verify_surfaces(const Arguments& files, const Report_mode& mode, const std::optional<int>& required_g_order,
-                    const std::optional<CGAL::Geometric_continuity::Edge_tolerance>& tolerance,
-                    CGAL::Geometric_continuity::Work_limit limit);
+                    const std::optional<CGAL::Geometric_continuity::Edge_tolerance>& tolerance);
 
 #endif // GEOMETRIC_CONTINUITY_TOOLS_COMMANDS_COMMANDS_H

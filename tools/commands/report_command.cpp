@@ -87,7 +87,7 @@ int report_command(const Arguments& arguments) {
   Report_demand demand;
   demand.kink_bound = kink_bound(line);
   demand.rounding = rounding_bound(line);
-  demand.limit = line.work_limit();
+  const GC::Work_scope each(line.work_limit());
   demand.closed = line.has("closed");
   Report_page page(static_cast<std::size_t>(line.integer("worst", 1, 50000)));
   page.title = line.has("title") ? line.text("title") : "Continuity of " + names(files);

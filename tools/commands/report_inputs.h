@@ -12,14 +12,12 @@
 #include "reports/report_page.h"
 
 #include <CGAL/Geometric_continuity/joins/Kink_bound.h>
-#include <CGAL/Geometric_continuity/numbers/Work_limit.h>
 
 #include <string>
 
 // What `report` asks of its inputs.
 struct Report_demand {
   GC::Kink_bound kink_bound;
-  GC::Work_limit limit;    // for each join, edge or curve
   bool closed = false;     // the last curve of a chain leads back to its first
   Glyph_selection glyphs;  // of fonts
   Rounding_bound rounding; // of fonts

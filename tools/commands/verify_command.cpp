@@ -173,7 +173,6 @@ Cad_demand cad_demand(const Command_line& line, const std::optional<Requirement>
   line.refuse({"surfaces", "closed", "kernel", "max-order"}, "not for CAD models");
   Cad_demand demand =
       demand_within(line.has("within") ? line.text("within") : default_cad_tolerance, kink_rule(line).bound);
-  demand.work = line.work_limit();
   if (!required) return demand;
   if (required->kind() != GC::Continuity_kind::G || required->order() > 2)
     throw std::invalid_argument("--require " + required->text() + ": of CAD models G0, G1 and G2 are decided");
@@ -236,6 +235,7 @@ int verify_command(const Arguments& arguments) {
   }
   if (are_fonts(files)) return verify_fonts(files, mode, font_demand(line, required));
   line.refuse({"glyphs", "worst", "max-kink", "off-by"}, "only for fonts");
+  const GC::Work_scope each(line.work_limit());
   if (are_cad_files(files))
     return verify_cad(files, mode, cad_demand(line, required),
                       {Cad_drawing::none, line.length("sew"), line.seconds("time-limit", 60)});
@@ -255,15 +255,14 @@ int verify_command(const Arguments& arguments) {
       throw std::invalid_argument("--require " + required->text() + ": along an edge G0, G1 and G2 are decided");
     if (tolerance && required && required->order() > 1)
       throw std::invalid_argument("--require " + required->text() + ": within a tolerance, G0 and G1 are decided");
-    return verify_surfaces(files, mode, required ? std::optional<int>(required->order()) : std::nullopt, tolerance,
-                           line.work_limit());
+    return verify_surfaces(files, mode, required ? std::optional<int>(required->order()) : std::nullopt, tolerance);
   }
-  Join_demand demand{line.integer("max-order", 0, 32), required, {}, line.work_limit()};
+  Join_demand demand{line.integer("max-order", 0, 32), required, {}};
   if (required) demand.max_order = (std::max)(demand.max_order, required->order());
   if (line.has("within")) demand.tolerance = parse_tolerances(line.text("within"), false);
   if (required && demand.tolerance && (required->kind() == GC::Continuity_kind::C || required->order() > 3))
     throw std::invalid_argument("--require " + required->text() + ": within a tolerance, G or F up to 3 are decided");
-  if (drawings != 0) return verify_drawings(files, demand.max_order, demand.limit, mode, required, kink_rule(line));
+  if (drawings != 0) return verify_drawings(files, demand.max_order, mode, required, kink_rule(line));
   const bool rounded = line.choice("kernel", {"exact", "double"}) == "double";
   return verify_chain(files, rounded, line.has("closed"), mode, demand);
 }

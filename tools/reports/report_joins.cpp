@@ -44,7 +44,7 @@ Report_item measured_join(const Plane_curve& left, const Plane_curve& right, con
   bool retracted = false;
   switch (item.grade) {
   case Report_grade::gap: {
-    const GC::Join_deviation d = GC::deviation(left, right, demand.limit);
+    const GC::Join_deviation d = GC::deviation(left, right);
     item.gap = d.gap;
     item.angle = d.tangent_angle ? std::optional<GC::Enclosure>(GC::in_degrees(*d.tangent_angle)) : std::nullopt;
     item.severity = d.gap.upper;
@@ -63,7 +63,7 @@ Report_item measured_join(const Plane_curve& left, const Plane_curve& right, con
   case Report_grade::g0:
   case Report_grade::undecided: item.angle.reset(); break;
   case Report_grade::g1: {
-    const GC::Join_deviation d = GC::deviation(left, right, demand.limit);
+    const GC::Join_deviation d = GC::deviation(left, right);
     retracted = !d.curvature_jump;
     if (!retracted) item.curvature_jump = GC::in_percent(*d.curvature_jump);
     item.severity = retracted ? 0 : item.curvature_jump->upper;

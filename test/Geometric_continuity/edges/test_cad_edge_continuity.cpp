@@ -9,6 +9,7 @@
 #include <boost/test/unit_test.hpp>
 
 #include "support/errors.h"
+#include "support/limited.h"
 
 #include <CGAL/Geometric_continuity/edges/Edge_enclosure.h>
 #include <CGAL/Geometric_continuity/edges/cad_edge_continuity.h>
@@ -450,7 +451,7 @@ BOOST_AUTO_TEST_CASE(what_is_not_decided) {
   const GC::Edge_side spline = side(random_surface(random, {}), line(0, 0, 1, 0));
   BOOST_TEST(verdict(ground, spline) == "undecided");
   BOOST_TEST(verdict(ground, fillet, 1, 1) == "undecided");
-  BOOST_TEST(!GC::edge_continuity(spline, spline, 0, 1, GC::Work_limit(1)));
+  BOOST_TEST(!limited(GC::Work_limit(1), [&] { return GC::edge_continuity(spline, spline, 0, 1); }));
   GC::Edge_side bad = ground;
   bad.placement[0][0] = std::numeric_limits<double>::quiet_NaN();
   CHECK_ERROR(GC::edge_continuity(bad, fillet, 0, 1), not_finite);

@@ -8,6 +8,7 @@
 #include <boost/test/unit_test.hpp>
 
 #include "support/errors.h"
+#include "support/limited.h"
 
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Geometric_continuity/Traits_3.h>
@@ -71,34 +72,35 @@ BOOST_AUTO_TEST_CASE(exact_numbers) {
   const Bezier<Q> c = random_curve<Q>(5, 8), longer = random_curve<Q>(5, 2000), high = random_curve<Q>(60, 200);
   const auto curvature = GC::Frenet_order::curvature;
 
-  BOOST_CHECK_EQUAL(GC::continuity(c, GC::extend(c, curvature, {}, default_limit)).g_order, 3);
-  CHECK_ERROR(GC::extend(c, curvature, {}, one_step), work_limit);
+  BOOST_CHECK_EQUAL(GC::continuity(c, GC::extend(c, curvature, {})).g_order, 3);
+  CHECK_ERROR(limited(one_step, [&] { return GC::extend(c, curvature, {}); }), work_limit);
   CHECK_ERROR(GC::extend(high, curvature), work_limit);
   const Spline<Q> spline(c);
-  BOOST_CHECK(GC::extend(spline, curvature, {}, default_limit) == GC::extend(spline, curvature));
-  CHECK_ERROR(GC::extend(spline, curvature, {}, one_step), work_limit);
+  BOOST_CHECK(GC::extend(spline, curvature, {}) == GC::extend(spline, curvature));
+  CHECK_ERROR(limited(one_step, [&] { return GC::extend(spline, curvature, {}); }), work_limit);
   const GC::Composite_bezier_curve<Space<Q>> chain(&c, &c + 1);
-  BOOST_CHECK_EQUAL(GC::extend(chain, curvature, {}, default_limit).number_of_segments(), 2);
-  CHECK_ERROR(GC::extend(chain, curvature, {}, one_step), work_limit);
+  BOOST_CHECK_EQUAL(GC::extend(chain, curvature, {}).number_of_segments(), 2);
+  CHECK_ERROR(limited(one_step, [&] { return GC::extend(chain, curvature, {}); }), work_limit);
 
-  const GC::Curvature_extrema extrema = GC::curvature_extrema(c, default_limit);
+  const GC::Curvature_extrema extrema = GC::curvature_extrema(c);
   BOOST_CHECK_EQUAL(extrema.extrema.size(), GC::curvature_extrema(c).extrema.size());
-  CHECK_ERROR(GC::curvature_extrema(c, one_step), work_limit);
+  CHECK_ERROR(limited(one_step, [&] { return GC::curvature_extrema(c); }), work_limit);
   CHECK_ERROR(GC::curvature_extrema(longer), work_limit);
 
   const Bezier<Q> right = GC::extend(c, GC::Frenet_order::tangent, {Q(1), {}, {}, {}});
-  BOOST_CHECK_EQUAL(GC::deviation(c, right, default_limit).gap.upper, 0);
-  CHECK_ERROR(GC::deviation(c, right, GC::Work_limit(10000)), work_limit);
-  BOOST_CHECK_EQUAL(GC::order_within(c, c, {4, 2, 1e9, 1e9}, default_limit).verdicts[2], GC::Verdict::proved);
-  CHECK_ERROR(GC::order_within(c, c, {4, 2, 1e9, 1e9}, one_step), work_limit);
+  BOOST_CHECK_EQUAL(GC::deviation(c, right).gap.upper, 0);
+  CHECK_ERROR(limited(GC::Work_limit(10000), [&] { return GC::deviation(c, right); }), work_limit);
+  BOOST_CHECK_EQUAL(GC::order_within(c, c, {4, 2, 1e9, 1e9}).verdicts[2], GC::Verdict::proved);
+  CHECK_ERROR(limited(one_step, [&] { return GC::order_within(c, c, {4, 2, 1e9, 1e9}); }), work_limit);
 
   const GC::Bernstein_polynomial<Q> p{Q(-1), Q(2), Q(-2), Q(1)};
   const Q width = Q(1) / Q(1024);
-  BOOST_CHECK_EQUAL(GC::isolate_roots(p, width, GC::default_bisections, default_limit).size(), 3);
-  CHECK_ERROR(GC::isolate_roots(p, width, GC::default_bisections, one_step), work_limit);
+  BOOST_CHECK_EQUAL(GC::isolate_roots(p, width, GC::default_bisections).size(), 3);
+  CHECK_ERROR(limited(one_step, [&] { return GC::isolate_roots(p, width, GC::default_bisections); }), work_limit);
 
-  BOOST_CHECK(GC::connect_g1(straight<Q>(0), straight<Q>(1), straight<Q>(-1), Q(0), default_limit).g1());
-  CHECK_ERROR(GC::connect_g1(straight<Q>(0), straight<Q>(1), straight<Q>(-1), Q(0), one_step), work_limit);
+  BOOST_CHECK(GC::connect_g1(straight<Q>(0), straight<Q>(1), straight<Q>(-1), Q(0)).g1());
+  CHECK_ERROR(limited(one_step, [&] { return GC::connect_g1(straight<Q>(0), straight<Q>(1), straight<Q>(-1), Q(0)); }),
+              work_limit);
 }
 
 // What takes no limit of its own counts in a scope, and what takes one counts there as well.
@@ -123,14 +125,14 @@ BOOST_AUTO_TEST_CASE(scopes) {
   is_counted([&] { rational.end_jet(32); }, 3300000); // without the quotients a third less
   is_counted([&] { long_left.end_jet(3); }, 100000);
   is_counted([&] { GC::continuity(long_left, long_right); }, 1000000);
-  is_counted([&] { GC::extend(left, GC::Frenet_order::curvature, {}, default_limit); }, 1000);
+  is_counted([&] { GC::extend(left, GC::Frenet_order::curvature, {}); }, 1000);
   const std::vector<Space<Q>::Point> points(left.control_points().begin(), left.control_points().end());
   const std::vector<std::vector<Space<Q>::Point>> net = {{points[0], points[1], points[2]},
                                                          {points[3], points[4], points[5]}};
   const GC::Bezier_patch<Space<Q>> patch(net);
   is_counted([&] { GC::tessellate(patch, GC::Uniform_grid{64}); }, 100000);
   // the jets count within the limit of a decision, in one sum with it
-  CHECK_ERROR(GC::continuity(rational, rational, 32, GC::Work_limit(1000000)), work_limit);
+  CHECK_ERROR(limited(GC::Work_limit(1000000), [&] { return GC::continuity(rational, rational, 32); }), work_limit);
 
   // of two scopes the inner one may end first, and both count
   within(default_limit, [&] {
@@ -146,8 +148,9 @@ BOOST_AUTO_TEST_CASE(scopes) {
 
 BOOST_AUTO_TEST_CASE(floating_point_numbers) {
   const Bezier<double> c = random_curve<double>(5, 3);
-  BOOST_CHECK_EQUAL(GC::extend(c, GC::Frenet_order::curvature, {}, one_step).degree(), 5);
-  BOOST_CHECK(GC::connect_g1(straight<double>(0), straight<double>(1), straight<double>(-1), 0., one_step).g1());
+  const GC::Work_scope each(one_step);
+  BOOST_CHECK_EQUAL(GC::extend(c, GC::Frenet_order::curvature, {}).degree(), 5);
+  BOOST_CHECK(GC::connect_g1(straight<double>(0), straight<double>(1), straight<double>(-1), 0.).g1());
   const GC::Work_scope scope(one_step, "floating-point numbers");
   BOOST_CHECK_EQUAL(GC::blend(c, c.reverse(), GC::Minimal_energy_g3<4>()).degree(), 7);
   BOOST_CHECK_GT(GC::extend_toward(c, GC::Frenet_order::curvature, c.control_point(0)).energy(2), 0);

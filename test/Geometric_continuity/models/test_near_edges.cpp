@@ -75,12 +75,12 @@ BOOST_AUTO_TEST_CASE(progress_is_told) {
   }
   std::vector<std::size_t> told;
   const auto tell = [&told](std::size_t n) { told.push_back(n); };
-  const auto model = GC::model_continuity(strips, GC::Work_limit(), tell);
+  const auto model = GC::model_continuity(strips, tell);
   BOOST_CHECK_EQUAL(model.summary.g2, 2);
   BOOST_CHECK_EQUAL(model.knot_lines.size(), 4);
   BOOST_CHECK(told == (std::vector<std::size_t>{1, 2, 3, 4, 5, 6}));
   told.clear();
-  GC::near_edges(strips, model, {1, 0.5}, GC::Work_limit(), tell);
+  GC::near_edges(strips, model, {1, 0.5}, tell);
   BOOST_CHECK_EQUAL(told.size(), model.summary.boundary);
   BOOST_CHECK_EQUAL(told.back(), model.summary.boundary);
 }

@@ -8,6 +8,7 @@
 #include <boost/test/unit_test.hpp>
 
 #include "support/errors.h"
+#include "support/limited.h"
 #include "support/random.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -217,7 +218,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(decimals_and_doubles, Class, Classes) {
     std::size_t last = 0, wrong = 0;
     check_equal(text,
                 lines(GC::model_continuity<CGAL::Parallel_if_available_tag>(
-                    doubles, GC::Work_limit(), [&](std::size_t n) { wrong += n != ++last; })),
+                    doubles, [&](std::size_t n) { wrong += n != ++last; })),
                 seed);
     BOOST_CHECK_EQUAL(wrong, 0);
     const GC::Model_summary& s = expected.summary;
@@ -328,7 +329,7 @@ BOOST_AUTO_TEST_CASE(errors_on_several_cores) {
   const auto model = Patches::model<Exact>(grid, random);
   const auto message = [&](auto tag) {
     try {
-      GC::model_continuity<decltype(tag)>(model, GC::Work_limit(1));
+      limited(GC::Work_limit(1), [&] { return GC::model_continuity<decltype(tag)>(model); });
     } catch (const GC::Error& e) {
       return std::string(e.what());
     }

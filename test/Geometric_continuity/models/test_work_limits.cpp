@@ -8,6 +8,7 @@
 
 #include "support/errors.h"
 #include "support/fractions.h"
+#include "support/limited.h"
 
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Geometric_continuity/Traits_2.h>
@@ -58,14 +59,18 @@ Patch square(int x, int y, std::mt19937& random) {
 
 BOOST_AUTO_TEST_CASE(one_step_is_too_few) {
   const std::vector<Patch> model = crease();
-  CHECK_ERROR(GC::edge_continuity(model[0], v0, model[1], v0, one_step), work_limit);
-  CHECK_ERROR(GC::deviation(model[0], v0, model[1], v0, one_step), work_limit);
-  CHECK_ERROR(GC::order_within(model[0], v0, model[1], v0, {1, 1}, one_step), work_limit);
-  CHECK_ERROR(GC::common_edges(model[0], model[1], one_step), work_limit);
+  CHECK_ERROR(limited(one_step, [&] { return GC::edge_continuity(model[0], v0, model[1], v0); }), work_limit);
+  CHECK_ERROR(limited(one_step, [&] { return GC::deviation(model[0], v0, model[1], v0); }), work_limit);
+  CHECK_ERROR(limited(one_step, [&] { return GC::order_within(model[0], v0, model[1], v0, {1, 1}); }), work_limit);
+  CHECK_ERROR(limited(one_step, [&] { return GC::common_edges(model[0], model[1]); }), work_limit);
   const GC::Edge_rows<Q> rows = GC::edge_rows(model[0], v0), other = GC::edge_rows(model[1], v0);
-  CHECK_ERROR(GC::edge_continuity(rows, other, one_step), work_limit);
-  CHECK_ERROR(GC::sign_pattern(GC::Bernstein_polynomial<Q>{Q(1), Q(-5), Q(1)}, one_step), work_limit);
-  BOOST_CHECK_EQUAL(error_of([&] { GC::model_continuity(model, one_step); }),
+  CHECK_ERROR(limited(one_step, [&] { return GC::edge_continuity(rows, other); }), work_limit);
+  CHECK_ERROR(limited(one_step,
+                      [&] {
+                        return GC::sign_pattern(GC::Bernstein_polynomial<Q>{Q(1), Q(-5), Q(1)});
+                      }),
+              work_limit);
+  BOOST_CHECK_EQUAL(error_of([&] { limited(one_step, [&] { return GC::model_continuity(model); }); }),
                     "work_limit: patch 0 v0 - patch 1 v0: edge_continuity: more than 1 steps of work");
   BOOST_CHECK_EQUAL(GC::model_continuity(model).summary.creases, 1u);
 }
@@ -77,7 +82,8 @@ BOOST_AUTO_TEST_CASE(a_search_that_is_stopped_still_encloses) {
   bool wider = false;
   for (int steps = 2000; steps < 2000000; steps *= 2) {
     try {
-      const GC::Edge_continuity<Q> e = GC::edge_continuity(model[0], v0, model[1], v0, GC::Work_limit(steps));
+      const GC::Edge_continuity<Q> e =
+          limited(GC::Work_limit(steps), [&] { return GC::edge_continuity(model[0], v0, model[1], v0); });
       BOOST_CHECK(e.defect == best.defect && e.coplanar == best.coplanar && e.side == best.side);
       BOOST_CHECK(e.deviation->lower <= best.deviation->lower && best.deviation->upper <= e.deviation->upper);
       wider = wider || best.deviation->upper < e.deviation->upper;
@@ -125,11 +131,12 @@ BOOST_AUTO_TEST_CASE(joins_of_high_order) {
     BOOST_CHECK_EQUAL(join.f_order, 2);
     BOOST_CHECK(join.betas() == on_jets.betas());
     BOOST_CHECK_EQUAL(join.betas()[0], Q(Q(35) / Q(3))); // 3 - 4/3 by 1/7
-    CHECK_ERROR(GC::continuity(left, slow, order, one_step), work_limit);
+    const GC::Work_scope each(one_step);
+    CHECK_ERROR(GC::continuity(left, slow, order), work_limit);
   }
-  GC::Chain_analysis<GC::Bezier_curve<Plane>> chain(n, one_step);
+  GC::Chain_analysis<GC::Bezier_curve<Plane>> chain(n);
   chain.add(left);
-  CHECK_ERROR(chain.add(slow), work_limit);
+  CHECK_ERROR(limited(one_step, [&] { chain.add(slow); }), work_limit);
   BOOST_CHECK_EQUAL(chain.size(), 1u);
   BOOST_CHECK_EQUAL(GC::continuity(left, right, n).c_order, n);
 }
@@ -161,7 +168,7 @@ BOOST_AUTO_TEST_CASE(near_edges_are_found) {
       }
     BOOST_CHECK_EQUAL(found.size(), expected);
   }
-  CHECK_ERROR(GC::near_edges(model, decided, {0, 1}, one_step), work_limit);
+  CHECK_ERROR(limited(one_step, [&] { return GC::near_edges(model, decided, {0, 1}); }), work_limit);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

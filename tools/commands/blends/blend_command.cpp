@@ -155,8 +155,8 @@ template <class FT> int blend(const Command_line& line) {
   const Program_curve<FT>&phi = left_of_blend(scene), &psi = right_of_blend(scene);
   const Blender<FT> blender(line, phi, psi);
   const bool chain = line.has("replace") && chosen != "all"; // is written
-  const std::optional<GC::Work_limit> limit =
-      line.has("max-work") ? std::optional<GC::Work_limit>(line.work_limit()) : std::nullopt;
+  const bool limited = line.has("max-work");
+  const GC::Work_scope each(line.work_limit());
   // the neighbours as they are given, if they can be read again, unless they are written with the blend
   std::optional<Scene<Exact>> given;
   if constexpr (!std::is_same_v<FT, Exact>) {
@@ -172,20 +172,20 @@ template <class FT> int blend(const Command_line& line) {
   std::vector<Blend_result<FT>> results;
   std::vector<Blend_report> reports;
   for (const std::string& name : chosen == "all" ? names : Arguments{chosen}) {
-    const GC::Work_scope blend_and_joins(line.work_limit(), "blend");
+    const GC::Work_scope blend_and_joins(GC::Work_scope::limit_of_each(), "blend");
     results.push_back(order == 2 ? blender.quintic(name) : blender.septic(name));
     const Blend_result<FT>& r = results.back();
     const bool moved = !r.neighbours.empty();
     reports.push_back({r.strategy, moved ? exact(r.curve) : as_written(r.curve), moved ? exact(r.neighbours[0]) : left,
                        moved ? exact(r.neighbours[1]) : right, Exact(r.shape.beta), Exact(r.shape.eta),
-                       r.parameters + r.fallback, r.report, limit});
+                       r.parameters + r.fallback, r.report, limited});
   }
   const bool proved =
       std::all_of(reports.begin(), reports.end(), [order](const Blend_report& r) { return r.is_proved(order); });
   if (line.has("json"))
     write_json(report_stream(line), reports, order);
   else
-    write_table(report_stream(line), reports, order, limit);
+    write_table(report_stream(line), reports, order, limited);
 
   std::optional<GC::Svg_figure> figure;
   if (line.has("plot")) figure = picture(line.text("title"), scene, results, reports, phi, psi);

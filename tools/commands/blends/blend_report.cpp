@@ -18,16 +18,14 @@
 namespace {
 
 // Whether what costs more than the limit is left out.
-bool is_left_out(const GC::Error& e, const std::optional<GC::Work_limit>& limit) {
-  return !limit && e.code() == GC::Error_code::work_limit;
-}
+bool is_left_out(const GC::Error& e, bool limited) { return !limited && e.code() == GC::Error_code::work_limit; }
 
 // Empty where there are none, and where they are left out.
-std::optional<GC::Curvature_extrema> extrema(const Exact_curve& curve, const std::optional<GC::Work_limit>& limit) {
+std::optional<GC::Curvature_extrema> extrema(const Exact_curve& curve, bool limited) {
   try {
-    return GC::curvature_extrema(curve, limit.value_or(GC::Work_limit()));
+    return GC::curvature_extrema(curve);
   } catch (const GC::Error& e) {
-    if (e.code() != GC::Error_code::zero_tangent && !is_left_out(e, limit)) throw;
+    if (e.code() != GC::Error_code::zero_tangent && !is_left_out(e, limited)) throw;
     return std::nullopt;
   }
 }
@@ -35,13 +33,13 @@ std::optional<GC::Curvature_extrema> extrema(const Exact_curve& curve, const std
 std::string six_digits(double x) { return std::isinf(x) ? "infinite" : rounded(x, 6); }
 
 // The energies of a blend, as they stand in the table.
-std::array<std::string, 2> energies(const Blend_report& r, int order, const std::optional<GC::Work_limit>& limit) {
+std::array<std::string, 2> energies(const Blend_report& r, int order, bool limited) {
   std::array<std::string, 2> result{"-", "-"};
   try {
-    const GC::Work_scope scope(limit.value_or(GC::Work_limit()), "the energies of a blend");
+    const GC::Work_scope scope(GC::Work_scope::limit_of_each(), "the energies of a blend");
     for (int k = 0; k < 2; ++k) result[k] = six_digits(CGAL::to_double(r.curve.polynomial()->energy(order + k)));
   } catch (const GC::Error& e) {
-    if (!is_left_out(e, limit)) throw;
+    if (!is_left_out(e, limited)) throw;
   }
   return result;
 }
@@ -147,19 +145,18 @@ void write_members(std::ostream& os, const GC::Fair_report& search) {
 
 Blend_report::Blend_report(const std::string& strategy, const Exact_curve& gamma, const Exact_curve& phi,
                            const Exact_curve& psi, const Exact& beta, const Exact& eta, const std::string& parameters,
-                           const std::optional<GC::Fair_report>& search, const std::optional<GC::Work_limit>& limit)
-    : strategy(strategy), curve(gamma), start(GC::continuity(phi, gamma, 3, limit.value_or(GC::Work_limit()))),
-      end(GC::continuity(gamma, psi, 3, limit.value_or(GC::Work_limit()))), beta(beta), eta(eta),
-      parameters(parameters), fairness(GC::fairness(gamma)), bending_energy(GC::bending_energy(gamma)),
-      curvature(extrema(gamma, limit)), search(search), warning(warning_of(gamma)) {}
+                           const std::optional<GC::Fair_report>& search, bool limited)
+    : strategy(strategy), curve(gamma), start(GC::continuity(phi, gamma, 3)), end(GC::continuity(gamma, psi, 3)),
+      beta(beta), eta(eta), parameters(parameters), fairness(GC::fairness(gamma)),
+      bending_energy(GC::bending_energy(gamma)), curvature(extrema(gamma, limited)), search(search),
+      warning(warning_of(gamma)) {}
 
 bool Blend_report::is_proved(int order) const {
   const bool smooth = order == 2 || curve.dimension() < 3;
   return smooth ? start.g_order >= 2 && end.g_order >= 2 : start.f_order >= 3 && end.f_order >= 3;
 }
 
-void write_table(std::ostream& os, const std::vector<Blend_report>& reports, int order,
-                 const std::optional<GC::Work_limit>& limit) {
+void write_table(std::ostream& os, const std::vector<Blend_report>& reports, int order, bool limited) {
   write_row(os,
             {"strategy", "start join", "end join", order == 2 ? "int |x''|^2" : "int |x'''|^2",
              order == 2 ? "int |x'''|^2" : "int |x''''|^2", "fairness", "bending", "extrema", "inflections",
@@ -169,7 +166,7 @@ void write_table(std::ostream& os, const std::vector<Blend_report>& reports, int
   for (const Blend_report& r : reports) {
     proved = proved && r.is_proved(order);
     const std::optional<GC::Curvature_extrema>& c = r.curvature;
-    const std::array<std::string, 2> energy = energies(r, order, limit);
+    const std::array<std::string, 2> energy = energies(r, order, limited);
     write_row(os,
               {r.strategy, orders(r.start), orders(r.end), energy[0], energy[1], six_digits(r.fairness),
                six_digits(r.bending_energy), c ? std::to_string(c->extrema.size()) : "-",

@@ -20,7 +20,7 @@
 struct Blend_report {
   Blend_report(const std::string& strategy, const Exact_curve& gamma, const Exact_curve& phi, const Exact_curve& psi,
                const Exact& beta, const Exact& eta, const std::string& parameters,
-               const std::optional<GC::Fair_report>& search, const std::optional<GC::Work_limit>& limit);
+               const std::optional<GC::Fair_report>& search, bool limited);
 
   std::string strategy;
   Exact_curve curve;
@@ -38,8 +38,7 @@ struct Blend_report {
 
 // Write the reports on blends of order 2 or 3 as a table, and as JSON. Energies that cost more than the limit are left out, unless the
 // user has set it.
-void write_table(std::ostream& os, const std::vector<Blend_report>& reports, int order,
-                 const std::optional<GC::Work_limit>& limit);
+void write_table(std::ostream& os, const std::vector<Blend_report>& reports, int order, bool limited);
 void write_json(std::ostream& os, const std::vector<Blend_report>& reports, int order);
 
 #endif // GEOMETRIC_CONTINUITY_TOOLS_COMMANDS_BLENDS_BLEND_REPORT_H

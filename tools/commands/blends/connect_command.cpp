@@ -47,13 +47,13 @@ Curve read_curve(const std::string& name) {
 
 int connect(const Command_line& line) {
   const Arguments files = line.files();
-  const GC::G1_ribbon<Traits> ribbon = connect_g1(read_curve(files[0]), read_curve(files[1]), read_curve(files[2]),
-                                                  line.number("bulge", FT(0)), line.work_limit());
+  const GC::G1_ribbon<Traits> ribbon =
+      connect_g1(read_curve(files[0]), read_curve(files[1]), read_curve(files[2]), line.number("bulge", FT(0)));
   std::ostream& report = report_stream(line);
   report << ribbon << '\n';
   bool g1 = true;
   const std::vector<int> spans = ribbon.side1.knots_u().spans();
-  const std::vector<GC::Edge_continuity<FT>> continuity = ribbon.continuity(line.work_limit());
+  const std::vector<GC::Edge_continuity<FT>> continuity = ribbon.continuity();
   for (std::size_t i = 0; i < spans.size(); ++i) {
     report << "on [" << ribbon.side1.knots_u()[spans[i]] << ", " << ribbon.side1.knots_u()[spans[i] + 1]
            << "]: " << continuity[i] << '\n';
@@ -79,5 +79,6 @@ int connect_command(const Arguments& arguments) {
   if (line.files().size() != 3) throw std::invalid_argument("connect: three files are needed; see --help");
   if (!line.has("output")) throw std::invalid_argument("connect: -o RIBBON.g2 is needed");
   check_outputs(line);
+  const GC::Work_scope each(line.work_limit());
   return within_work_limit([&] { return input_name(line.files()[0]) + ", ..."; }, [&] { return connect(line); });
 }

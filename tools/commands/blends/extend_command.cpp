@@ -56,8 +56,7 @@ Program_curve<FT> next_segment(const Command_line& line, const Program_curve<FT>
   if (!line.has("toward"))
     return GC::extend(
         last, order,
-        {beta, optional_number<FT>(line, "c0"), optional_number<FT>(line, "c1"), optional_number<FT>(line, "c2")},
-        line.work_limit());
+        {beta, optional_number<FT>(line, "c0"), optional_number<FT>(line, "c1"), optional_number<FT>(line, "c2")});
   for (const char* option : {"c0", "c1", "c2"})
     if (line.has(option)) throw std::invalid_argument(std::string("--toward chooses --") + option + " itself");
   return GC::extend_toward(last, order, end_point<FT>(line, last.dimension()), beta);
@@ -74,10 +73,10 @@ template <class FT> int extend(const Command_line& line) {
   const std::vector<Program_curve<FT>> curves = read_curves<FT>(line.files());
   const Program_curve<FT>& last = curves.back();
   const Program_curve<FT> next = [&] {
-    const GC::Work_scope scope(line.work_limit(), "extend");
+    const GC::Work_scope scope(GC::Work_scope::limit_of_each(), "extend");
     return next_segment(line, last, order);
   }();
-  const Join join = GC::continuity(as_written(last), as_written(next), 3, line.work_limit());
+  const Join join = GC::continuity(as_written(last), as_written(next), 3);
   const bool proved = order == Order::tangent                             ? join.g_order >= 1
                       : order == Order::curvature || next.dimension() < 3 ? join.g_order >= 2
                                                                           : join.f_order >= 3;
@@ -123,6 +122,7 @@ int extend_command(const Arguments& arguments) {
   if (!line.has("order")) throw std::invalid_argument("extend: --order is needed; see --help");
   if (!line.has("output")) throw std::invalid_argument("extend: -o OUT.g2 is needed");
   check_outputs(line);
+  const GC::Work_scope each(line.work_limit());
   return within_work_limit(
       [&] { return input_name(line.files()[0]); },
       [&] {

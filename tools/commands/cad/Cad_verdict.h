@@ -15,7 +15,6 @@
 #include <CGAL/Geometric_continuity/edges/is_sharp_edge.h>
 #include <CGAL/Geometric_continuity/joins/order_within.h>
 #include <CGAL/Geometric_continuity/numbers/Verdict.h>
-#include <CGAL/Geometric_continuity/numbers/Work_limit.h>
 
 #include <algorithm>
 #include <array>
@@ -35,7 +34,6 @@ struct Cad_demand {
   GC::Join_tolerance bounds; // of the gap in mm, the angle in radians and the relative jump of the curvature
   std::string tolerance;     // as it is written
   GC::Bound kink;            // the angle that is reached all along a corner, in radians
-  GC::Work_limit work;       // for an edge
 };
 
 // How two faces meet along an edge. A corner is sharp everywhere, a fading one in places only, which may not be meant. At a fold a face comes

@@ -5,6 +5,7 @@
 #include "commands/cad/Cad_verdict.h"
 
 #include <CGAL/Geometric_continuity/numbers/Enclosure.h>
+#include <CGAL/Geometric_continuity/numbers/Work_limit.h>
 #include <CGAL/Geometric_continuity/numbers/units.h>
 
 #include <cmath>
@@ -131,7 +132,7 @@ class Edge_decision {
 public:
   Edge_decision(const Cad_edge& edge, const Cad_demand& demand)
       : edge_(edge), demand_(demand), sides_(*edge.sides), is_projected_(edge.projections) {
-    const std::uint64_t boxes = (std::max)(demand.work.steps() / steps_of_box, std::uint64_t(1));
+    const std::uint64_t boxes = (std::max)(GC::Work_scope::limit_of_each().steps() / steps_of_box, std::uint64_t(1));
     precision_.most_boxes = static_cast<int>((std::min)(boxes, std::uint64_t(1'000'000)));
     precision_.boxes = (std::min)(precision_.boxes, precision_.most_boxes);
     if (edge.kind != Cad_edge_kind::knot_line) return;
@@ -168,7 +169,7 @@ public:
       doubt(result, 2, *e.curvature_jump, demand_.bounds.curvature, &GC::Foot_comparison::curvature_jump);
     if (edge_.kind != Cad_edge_kind::knot_line && !has_projections() && !result.in_doubt &&
         result.within[0] != GC::Verdict::refuted) {
-      if (const auto exact = GC::edge_continuity(sides_[0], sides_[1], edge_.begin, edge_.end, demand_.work))
+      if (const auto exact = GC::edge_continuity(sides_[0], sides_[1], edge_.begin, edge_.end))
         result.exact = exact->g_order;
       for (int i = 0; i <= result.exact.value_or(-1); ++i)
         result.within[static_cast<std::size_t>(i)] = GC::Verdict::proved;

@@ -33,16 +33,14 @@ public:
 
   void operator()(const Join_place& place, const Span& left, const Span& right, Decided_joins& joins) const {
     std::optional<GC::Order_within> within;
-    if (demand_.tolerance)
-      within = GC::order_within(left.jets(), right.jets(), demand_.tolerance->joins, demand_.limit);
+    if (demand_.tolerance) within = GC::order_within(left.jets(), right.jets(), demand_.tolerance->joins);
     const bool only_orders = mode_.summary || mode_.has_findings();
-    Join join = only_orders ? continuity_orders(left, right, demand_.max_order, demand_.limit)
-                            : continuity(left, right, demand_.max_order, demand_.limit);
+    Join join =
+        only_orders ? continuity_orders(left, right, demand_.max_order) : continuity(left, right, demand_.max_order);
     joins.summary.add(join);
     const Claim claim = this->claim(join, within);
     const bool fails = claim != Claim::met, is_noted = this->is_noted(join, within);
-    if (only_orders && (fails || (mode_.has_findings() && is_noted)))
-      join = continuity(left, right, demand_.max_order, demand_.limit);
+    if (only_orders && (fails || (mode_.has_findings() && is_noted))) join = continuity(left, right, demand_.max_order);
     joins.part.add(place.file, {claim, "join", "the tolerance lies between the bounds"}, is_noted,
                    [&] { return finding(place, join, left, right, within, claim); });
     if (mode_.has_findings() || (mode_.summary && !fails)) return;
@@ -112,8 +110,7 @@ private:
 
   Finding finding(const Join_place& place, const Join& join, const Span& left, const Span& right,
                   const std::optional<GC::Order_within>& within, Claim claim) const {
-    const GC::Join_deviation deviation =
-        within ? within->deviation : GC::deviation(left.jets(), right.jets(), demand_.limit);
+    const GC::Join_deviation deviation = within ? within->deviation : GC::deviation(left.jets(), right.jets());
     Finding f;
     f.file = place.file;
     f.line = place.line;

@@ -5,6 +5,8 @@
 #ifndef GEOMETRIC_CONTINUITY_TOOLS_COMMANDS_CHAINS_ORDERED_BATCHES_H
 #define GEOMETRIC_CONTINUITY_TOOLS_COMMANDS_CHAINS_ORDERED_BATCHES_H
 
+#include <CGAL/Geometric_continuity/numbers/Work_limit.h>
+
 #include <cstddef>
 #include <memory>
 #include <mutex>
@@ -16,15 +18,18 @@
 #endif
 
 // Calls read(batch), work(batch) and take(batch) for one batch after the other, until read() returns false: read() and take() in
-// order, and work(), where TBB is there, on all cores. The memory of a batch is used again. No function may throw but take().
+// order, and work(), where TBB is there, on all cores, which have the limit of work of this thread. The memory of a batch is used again.
+// No function may throw but take().
 template <class Batch, class Read, class Work, class Take> void for_batches(Read read, Work work, Take take) {
 #ifdef CGAL_LINKED_WITH_TBB
   const std::size_t cores = tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism);
   if (cores > 1) {
+    const CGAL::Geometric_continuity::Work_limit limit = CGAL::Geometric_continuity::Work_scope::limit_of_each();
     std::mutex mutex;
     std::vector<std::unique_ptr<Batch>> batches;
     std::vector<Batch*> spare;
     const auto read_next = [&](tbb::flow_control& flow) -> Batch* {
+      const CGAL::Geometric_continuity::Work_scope each(limit);
       Batch* batch = nullptr;
       {
         const std::lock_guard<std::mutex> lock(mutex);
@@ -40,10 +45,12 @@ template <class Batch, class Read, class Work, class Take> void for_batches(Read
       return nullptr;
     };
     const auto work_on = [&](Batch* batch) {
+      const CGAL::Geometric_continuity::Work_scope each(limit);
       work(*batch);
       return batch;
     };
     const auto take_next = [&](Batch* batch) {
+      const CGAL::Geometric_continuity::Work_scope each(limit);
       take(*batch);
       const std::lock_guard<std::mutex> lock(mutex);
       spare.push_back(batch);

@@ -59,8 +59,8 @@ typedef GC::Coordinate_vector<Exact, 0> Exact_vector;
 // The grade and the measures of any join with tangents; of one without, a handle of which lies on the node, only that.
 Report_item measured_exactly(const Exact_curve& left, const Exact_curve& right, const Report_demand& demand) {
   Report_item item;
-  const Join join = GC::continuity(left, right, 2, demand.limit);
-  const GC::Join_deviation d = GC::deviation(left, right, demand.limit);
+  const Join join = GC::continuity(left, right, 2);
+  const GC::Join_deviation d = GC::deviation(left, right);
   item.gap = d.gap;
   if (d.tangent_angle) item.angle = GC::in_degrees(*d.tangent_angle);
   const Exact_vector a = left.end_jet(1)[1], b = right.start_jet(1)[1];
@@ -105,7 +105,7 @@ void show_join(Chain_piece& left, Chain_piece& right, bool several_files,
         if (!page.count(item.grade, item.severity)) return;
         item.number = page.total();
         item.place = place();
-        item.verdict = orders(GC::continuity(left.curve, right.curve, 3, demand.limit)) + ": " + item.verdict;
+        item.verdict = orders(GC::continuity(left.curve, right.curve, 3)) + ": " + item.verdict;
         item.left = left.drawing();
         item.right = right.drawing();
         item.outline = outline;

@@ -55,7 +55,7 @@ int verify_spans(const Arguments& files, bool closed, const Report_mode& mode, c
   const Join_decider<Span> decide(mode, demand);
   Progress progress("joins");
   Curve_stream<GC::G2_span_reader<Program_traits<Exact>, Number, CGAL::Parallel_if_available_tag>> stream(
-      files, (std::max)(demand.max_order, 3), demand.limit);
+      files, (std::max)(demand.max_order, 3));
   std::vector<std::string> names;
   for (const std::string& file : files) names.push_back(input_name(file));
   std::optional<Span> first, last; // of those that have been read

@@ -16,7 +16,6 @@ struct Join_demand {
   int max_order;
   std::optional<Requirement> order;
   std::optional<Tolerances> tolerance;
-  GC::Work_limit limit; // for each join, and for the pieces of each curve
 };
 
 // Decides the joins of the chain that the curves of the files form, and of its end and its start when it is closed, and prints a

@@ -39,7 +39,6 @@ std::string command(const Segment& segment) { return std::to_string(segment.comm
 // Decides the joins of all subpaths that it receives.
 class Drawing_report : public Drawing_handler {
   const int max_order_;
-  const GC::Work_limit limit_;
   const bool several_; // there are several files, so that each line names its own
   const std::optional<Requirement> required_;
   const Kink_rule kinks_;
@@ -71,7 +70,7 @@ class Drawing_report : public Drawing_handler {
     if (!decision) return std::nullopt;
     if (decision->regular && *decision->tangent_equal)
       return *decision->curvature_vector_equal ? GC::Join_grade::g2 : GC::Join_grade::g1;
-    return GC::join_grade(left, right, kinks_.bound, limit_);
+    return GC::join_grade(left, right, kinks_.bound);
   }
 
   Claim claim(const Decision& decision, const Grade& grade) const {
@@ -118,10 +117,9 @@ class Drawing_report : public Drawing_handler {
   }
 
 public:
-  Drawing_report(int max_order, GC::Work_limit limit, const Report_mode& mode, bool several,
-                 const std::optional<Requirement>& required, const Kink_rule& kinks)
-      : max_order_(max_order), limit_(limit), several_(several), required_(required), kinks_(kinks),
-        report_(mode, subject(required)) {
+  Drawing_report(int max_order, const Report_mode& mode, bool several, const std::optional<Requirement>& required,
+                 const Kink_rule& kinks)
+      : max_order_(max_order), several_(several), required_(required), kinks_(kinks), report_(mode, subject(required)) {
     report_.row("joins");
     report_.row("not_verified");
   }
@@ -147,7 +145,7 @@ public:
       const Segment &left = path.segments[i], &right = path.segments[(i + 1) % n];
       const Decision decision = within_work_limit(
           [&] { return "commands " + std::to_string(left.command) + " and " + std::to_string(right.command); },
-          [&] { return GC::continuity(left, right, max_order_, limit_); });
+          [&] { return GC::continuity(left, right, max_order_); });
       if (decision)
         summary_.add(*decision);
       else
@@ -264,10 +262,10 @@ private:
 
 } // namespace
 
-int verify_drawings(const Arguments& files, int max_order, GC::Work_limit limit, const Report_mode& mode,
+int verify_drawings(const Arguments& files, int max_order, const Report_mode& mode,
                     const std::optional<Requirement>& required, const Kink_rule& kinks) {
   if (required) required->check_dimension(2);
-  Drawing_report report(max_order, limit, mode, files.size() > 1, required, kinks);
+  Drawing_report report(max_order, mode, files.size() > 1, required, kinks);
   report.read(files);
   return report.print(std::cout);
 }

@@ -20,7 +20,7 @@ struct Kink_rule {
 };
 
 // Runs `verify` for SVG drawings: prints the joins of all paths and basic shapes, and returns the exit code.
-int verify_drawings(const Arguments& files, int max_order, GC::Work_limit limit, const Report_mode& mode,
+int verify_drawings(const Arguments& files, int max_order, const Report_mode& mode,
                     const std::optional<Requirement>& required, const Kink_rule& kinks);
 
 #endif // GEOMETRIC_CONTINUITY_TOOLS_COMMANDS_DRAWINGS_VERIFY_DRAWINGS_H

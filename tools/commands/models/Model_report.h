@@ -24,7 +24,6 @@
 struct Edge_demand {
   std::optional<int> order;
   std::optional<GC::Edge_tolerance> tolerance;
-  GC::Work_limit limit; // for each edge
 };
 
 // Multiplies the parameters that are printed.
@@ -48,7 +47,7 @@ template <class Surface> class Model_report {
 public:
   Model_report(const std::vector<Surface>& surfaces, const Patch_places& places, const Report_mode& mode,
                const Edge_demand& demand, const Exact& parameter_unit)
-      : surfaces_(surfaces), places_(places), demand_(demand), model_(decided(surfaces, demand.limit)),
+      : surfaces_(surfaces), places_(places), demand_(demand), model_(decided(surfaces)),
         report_(mode, decide_within()) {
     if (parameter_unit == 1) return;
     for (Edge& e : model_.edges) scale_parameters(e.continuity, parameter_unit);
@@ -81,10 +80,9 @@ public:
   }
 
 private:
-  static GC::Model_continuity<Exact> decided(const std::vector<Surface>& surfaces, GC::Work_limit limit) {
+  static GC::Model_continuity<Exact> decided(const std::vector<Surface>& surfaces) {
     Progress progress("edges and knot lines");
-    return GC::model_continuity<CGAL::Parallel_if_available_tag>(surfaces, limit,
-                                                                 [&](std::size_t n) { progress.step(n); });
+    return GC::model_continuity<CGAL::Parallel_if_available_tag>(surfaces, [&](std::size_t n) { progress.step(n); });
   }
 
   // Decides what is asked within the tolerance, and returns what the report is about.
@@ -102,8 +100,7 @@ private:
     }
     for (const Line& l : model_.knot_lines) {
       lines_.emplace_back();
-      if (demand_.tolerance)
-        lines_.back() = GC::order_within(surfaces_[l.patch], l.line, *demand_.tolerance, demand_.limit);
+      if (demand_.tolerance) lines_.back() = GC::order_within(surfaces_[l.patch], l.line, *demand_.tolerance);
       step();
     }
     if (demand_.tolerance && demand_.tolerance->gap.upper() > 0) near_ = near(surfaces_, model_, demand_);
@@ -121,7 +118,7 @@ private:
                                           const GC::Model_continuity<Exact>& model, const Edge_demand& demand) {
     Progress progress("boundary edges");
     const auto part = [&](std::size_t n) { return double(n) / double(model.summary.boundary); };
-    return GC::near_edges(surfaces, model, *demand.tolerance, demand.limit,
+    return GC::near_edges(surfaces, model, *demand.tolerance,
                           [&](std::size_t n) { progress.step(n, [&] { return part(n); }); });
   }
 

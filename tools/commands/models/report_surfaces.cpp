@@ -206,7 +206,7 @@ void show_model(const std::vector<Surface>& surfaces, const std::string& name, c
                         [&] {
                           Progress progress("edges and knot lines");
                           return GC::model_continuity<CGAL::Parallel_if_available_tag>(
-                              surfaces, demand.limit, [&](std::size_t n) { progress.step(n); });
+                              surfaces, [&](std::size_t n) { progress.step(n); });
                         });
   Model_page<Surface> gatherer(surfaces, model, GC::enclosure(demand.kink_bound.degrees()), page);
   gatherer.gather();

@@ -40,10 +40,10 @@ int verify_surfaces_on(const Surface_model<Surface_traits<FT>>& model, const Pat
 } // namespace
 
 int verify_surfaces(const Arguments& files, const Report_mode& mode, const std::optional<int>& required_g_order,
-                    const std::optional<GC::Edge_tolerance>& tolerance, GC::Work_limit limit) {
+                    const std::optional<GC::Edge_tolerance>& tolerance) {
   typedef Surface_traits<Exact> Exact_traits;
   typedef Surface_traits<double> Double_traits;
-  const Edge_demand demand{required_g_order, tolerance, limit};
+  const Edge_demand demand{required_g_order, tolerance};
   Surface_texts<Exact_traits> texts = read_surface_texts<Exact_traits>(files);
   const Patch_places places(files, texts.places());
   if (!tolerance) { // which is in the units of the files

@@ -34,14 +34,12 @@ template <class Traits, class Source = Traits> class G2_piece_reader {
   static constexpr int highest_order = 16; // of a curve that is cut span by span
 
   internal::G2_spline_parts<typename Source::FT, dimension_v<Traits>> parts_;
-  Work_limit limit_;
   std::vector<Rational_bezier_curve<Traits>> pieces_; // of the last part: what is left, the next one last
 
 public:
-  /// Reads from `is`, which must outlive the reader. Error messages begin with `name`. The limit is that for each piece.
+  /// Reads from `is`, which must outlive the reader. Error messages begin with `name`.
   /// \throws Error `cannot_read_file` when the stream is not good
-  G2_piece_reader(std::istream& is, std::string name, Work_limit limit = Work_limit())
-      : parts_(is, std::move(name), highest_order), limit_(limit) {}
+  G2_piece_reader(std::istream& is, std::string name) : parts_(is, std::move(name), highest_order) {}
 
   /// Returns the next piece, or nothing at the end of the text. After an error the reader cannot be used any more.
   /// \throws Error as `G2_bspline_reader` does, `work_limit`
@@ -61,7 +59,7 @@ public:
 
 private:
   template <class Curve> void add_pieces(const Curve& curve) {
-    for (const auto& piece : curve.bezier_pieces(limit_)) pieces_.emplace_back(piece);
+    for (const auto& piece : curve.bezier_pieces()) pieces_.emplace_back(piece);
     std::reverse(pieces_.begin(), pieces_.end());
   }
 };

@@ -24,7 +24,6 @@ template <class Traits_, class Number_ = Text_number> class G2_span {
   internal::G2_spline_part<Number_> part_;
   bool has_one_span_ = false; // and no weights
   int order_ = 0;
-  Work_limit limit_;
   mutable std::shared_ptr<const Curve_end_jets<Traits_>> jets_;
 
   template <class, class, class> friend class G2_span_reader;
@@ -44,24 +43,24 @@ public:
   const Curve_end_jets<Traits>& jets() const {
     if (!jets_)
       jets_ = std::make_shared<const Curve_end_jets<Traits>>(
-          internal::polynomial_curve<Traits>(part_).span_end_jets(order_, limit_).front());
+          internal::polynomial_curve<Traits>(part_).span_end_jets(order_).front());
     return *jets_;
   }
 
   /// Decides the join of two spans as `continuity()` of two curves does: in the plane and in space up to order 3, where all
   /// numbers are short decimals, on integers, otherwise from `jets()`.
   /// \throws Error as `continuity()` does
-  friend Join_continuity<Predicate_FT<Traits_>> continuity(const G2_span& left, const G2_span& right, int max_order = 3,
-                                                           Work_limit limit = Work_limit()) {
-    return decided(left, right, max_order, limit, false);
+  friend Join_continuity<Predicate_FT<Traits_>> continuity(const G2_span& left, const G2_span& right,
+                                                           int max_order = 3) {
+    return decided(left, right, max_order, false);
   }
 
   /// Decides the orders of the join of two spans, as `continuity()` does, and nothing else: the flags and shape parameters of the
   /// result are unspecified.
   /// \throws Error as `continuity()` does
   friend Join_continuity<Predicate_FT<Traits_>> continuity_orders(const G2_span& left, const G2_span& right,
-                                                                  int max_order = 3, Work_limit limit = Work_limit()) {
-    return decided(left, right, max_order, limit, true);
+                                                                  int max_order = 3) {
+    return decided(left, right, max_order, true);
   }
 
   /// Calls `f(x, y)` with enclosures of the jets of order 3 at the end of `left` and at the start of `right`, with respect to parameters of
@@ -86,7 +85,7 @@ private:
   }
 
   static Join_continuity<Predicate_FT<Traits_>> decided(const G2_span& left, const G2_span& right, int max_order,
-                                                        Work_limit limit, bool only_orders) {
+                                                        bool only_orders) {
     if (left.dimension() != right.dimension()) throw Error(Error_code::dimension_mismatch, "continuity of two spans");
     if (max_order < 0) throw Error(Error_code::negative_count, "continuity: order");
     if (max_order <= 3 && left.has_one_span_ && right.has_one_span_) {
@@ -95,7 +94,7 @@ private:
           (left.dimension() == 3 && decide_on_grid<3>(left, right, max_order, only_orders, join)))
         return join;
     }
-    return Geometric_continuity::continuity(left.jets(), right.jets(), max_order, limit);
+    return Geometric_continuity::continuity(left.jets(), right.jets(), max_order);
   }
 
   template <int N, class Join>

@@ -31,16 +31,15 @@ template <class Traits, class Number = Text_number, class Concurrency_tag = Sequ
   internal::G2_spline_parts<Number, dimension_v<Traits>, Concurrency_tag> parts_;
   int order_;
   int degree_ = 0; // of the last part
-  Work_limit limit_;
   std::vector<Curve_end_jets<Traits>>
       jets_; // of the spans of the last part that was not cut: what is left, the next one last
 
 public:
   /// Reads from `is`, which must outlive the reader. Error messages begin with `name`. Joins of the spans can be decided up to
-  /// this order. The limit is that for the jets of each span.
+  /// this order.
   /// \throws Error `negative_count` for a negative order, `cannot_read_file` when the stream is not good
-  G2_span_reader(std::istream& is, std::string name, int order, Work_limit limit = Work_limit())
-      : parts_(is, std::move(name), highest_order), order_(order), limit_(limit) {
+  G2_span_reader(std::istream& is, std::string name, int order)
+      : parts_(is, std::move(name), highest_order), order_(order) {
     internal::check_count(order, "G2_span_reader");
   }
 
@@ -51,14 +50,13 @@ public:
       if (!parts_.next(span.part_)) return false;
       const internal::G2_spline_part<Number>& part = span.part_;
       span.order_ = order_;
-      span.limit_ = limit_;
       span.jets_.reset();
       span.has_one_span_ = !part.rational && part.degree < highest_order;
       if (span.has_one_span_) return true;
       degree_ = part.degree;
       jets_ = part.rational
-                  ? parts_.checked([&] { return internal::rational_curve<Traits>(part).span_end_jets(order_, limit_); })
-                  : internal::polynomial_curve<Traits>(part).span_end_jets(order_, limit_);
+                  ? parts_.checked([&] { return internal::rational_curve<Traits>(part).span_end_jets(order_); })
+                  : internal::polynomial_curve<Traits>(part).span_end_jets(order_);
       std::reverse(jets_.begin(), jets_.end());
     }
     span.has_one_span_ = false;

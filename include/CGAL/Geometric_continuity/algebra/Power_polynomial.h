@@ -139,13 +139,19 @@ template <class FT> std::size_t most_words(const Power_polynomial<FT>& p) {
   return words;
 }
 
-// Euclid's algorithm. \throws Error `work_limit`
-template <class FT>
-Power_polynomial<FT> greatest_common_divisor(Power_polynomial<FT> a, Power_polynomial<FT> b, Work_meter& work) {
+} // namespace internal
+
+/// \ingroup PkgGeometricContinuityAlgebra
+/// Returns the greatest common divisor, up to a factor that is not zero, by Euclid's algorithm; zero if both are.
+/// \f$ O(nm) \f$ operations for degrees `n`, `m`, on numbers that grow in length up to the order of `n + m`
+/// \throws Error `work_limit`
+template <class FT> Power_polynomial<FT> greatest_common_divisor(Power_polynomial<FT> a, Power_polynomial<FT> b) {
   static_assert(!std::is_floating_point_v<FT>, "divisibility is decided in an exact field");
+  const internal::Work_on_part work("greatest_common_divisor");
   while (!b.is_zero()) {
     const double quotients = (std::max)(a.degree() - b.degree() + 1, 1);
-    work.charge_fractions(quotients * (b.degree() + 1), (std::max)(most_words(a), most_words(b)));
+    const std::size_t words = (std::max)(internal::most_words(a), internal::most_words(b));
+    internal::work_meter().charge_fractions(quotients * (b.degree() + 1), words);
     b.make_monic();
     a.divide(b);
     std::swap(a, b);
@@ -153,33 +159,14 @@ Power_polynomial<FT> greatest_common_divisor(Power_polynomial<FT> a, Power_polyn
   return a;
 }
 
-// See the function with a limit. \throws Error `work_limit`
-template <class FT> Bernstein_polynomial<FT> square_free_part(const Bernstein_polynomial<FT>& p, Work_meter& work) {
-  Power_polynomial<FT> f(p);
-  return f.divide(greatest_common_divisor(f, f.derivative(), work)).bernstein();
-}
-
-} // namespace internal
-
-/// \ingroup PkgGeometricContinuityAlgebra
-/// Returns the greatest common divisor, up to a factor that is not zero, by Euclid's algorithm; zero if both are.
-/// \f$ O(nm) \f$ operations for degrees `n`, `m`, on numbers that grow in length up to the order of `n + m`
-/// \throws Error `work_limit`
-template <class FT>
-Power_polynomial<FT> greatest_common_divisor(const Power_polynomial<FT>& a, const Power_polynomial<FT>& b,
-                                             Work_limit limit = Work_limit()) {
-  internal::Work_meter work(limit, "greatest_common_divisor");
-  return internal::greatest_common_divisor(a, b, work);
-}
-
 /// \ingroup PkgGeometricContinuityAlgebra
 /// Returns `p` divided by the greatest common divisor of `p` and its derivative: it has the same roots, and all of them
 /// are simple. It costs as much as `greatest_common_divisor()`.
 /// \throws Error `wrong_number_of_points` when `p` is zero, `work_limit`
-template <class FT>
-Bernstein_polynomial<FT> square_free_part(const Bernstein_polynomial<FT>& p, Work_limit limit = Work_limit()) {
-  internal::Work_meter work(limit, "square_free_part");
-  return internal::square_free_part(p, work);
+template <class FT> Bernstein_polynomial<FT> square_free_part(const Bernstein_polynomial<FT>& p) {
+  const internal::Work_on_part work("square_free_part");
+  Power_polynomial<FT> f(p);
+  return f.divide(greatest_common_divisor(f, f.derivative())).bernstein();
 }
 
 } // namespace Geometric_continuity

@@ -53,15 +53,14 @@ template <class FT> class Root_isolation {
 
   const FT width_;
   const int most_bisections_;
-  Work_meter work_;
+  const Work_on_object work_{"isolate_roots"};
   int bisections_ = 0; // that are left
   bool all_simple_ = true, given_up_ = false;
   std::vector<Root> roots_;
   std::vector<Part> parts_;
 
 public:
-  Root_isolation(const FT& width, int bisections, Work_limit limit)
-      : width_(width), most_bisections_(bisections), work_(limit, "isolate_roots") {}
+  Root_isolation(const FT& width, int bisections) : width_(width), most_bisections_(bisections) {}
 
   // Most polynomials have simple roots only, which Descartes' rule shows without Euclid's algorithm: an interval with one
   // variation has one root, and it is simple. The square-free part is for those where bisection does not end.
@@ -82,11 +81,11 @@ private:
     all_simple_ = given_up_ = false;
     roots_.clear();
     parts_.clear();
-    Power_polynomial<FT> f(p), g = greatest_common_divisor(f, f.derivative(), work_);
+    Power_polynomial<FT> f(p), g = greatest_common_divisor(f, f.derivative());
     find(whole_multiple(f.divide(g).bernstein()));
     while (g.degree() >= 1) { // it has the same roots, each once less
       f = std::move(g);
-      g = greatest_common_divisor(f, f.derivative(), work_);
+      g = greatest_common_divisor(f, f.derivative());
       const Polynomial s = f.divide(g).bernstein();
       for (Root& root : roots_)
         if (has_root(s, root)) ++root.multiplicity;
@@ -133,7 +132,7 @@ private:
       throw Error(Error_code::work_limit, "isolate_roots: too many bisections");
     }
     const double n = part.rest.degree();
-    work_.charge_sums(n * (n + 3), number_words(part.rest[0])); // and n shifts
+    work_meter().charge_sums(n * (n + 3), number_words(part.rest[0])); // and n shifts
     const FT middle = (part.begin + part.end) / FT(2);
     const std::pair<Whole, Whole> halves = part.rest.halves();
     const bool root = halves.second[0] == Number(0);
@@ -164,12 +163,11 @@ private:
 ///        there are up to twice as many, and the square-free part and the multiplicities cost \f$ O(n^2) \f$ operations
 ///        besides.
 /// \throws Error `empty_domain` unless `width > 0`, `not_finite` when a coefficient is infinite or not a number
-/// \param limit the work that is allowed besides
 /// \throws Error `work_limit` when more bisections or more work are needed, `negative_count` when `most_bisections` is negative
 template <class FT>
-std::vector<Isolated_root<typename Exact_field<FT>::type>>
-isolate_roots(const Bernstein_polynomial<FT>& p, const typename Exact_field<FT>::type& width,
-              int most_bisections = default_bisections, Work_limit limit = Work_limit()) {
+std::vector<Isolated_root<typename Exact_field<FT>::type>> isolate_roots(const Bernstein_polynomial<FT>& p,
+                                                                         const typename Exact_field<FT>::type& width,
+                                                                         int most_bisections = default_bisections) {
   typedef typename Exact_field<FT>::type Field;
   typedef typename internal::Exact_number<Field>::type Exact;
   if (!(Field(0) < width)) throw Error(Error_code::empty_domain, "isolate_roots: width");
@@ -177,7 +175,7 @@ isolate_roots(const Bernstein_polynomial<FT>& p, const typename Exact_field<FT>:
   const Bernstein_polynomial<Exact> exact = internal::exact_polynomial(p);
   std::vector<Isolated_root<Field>> roots;
   if (Power_polynomial<Exact>(exact).is_zero()) return roots;
-  internal::Root_isolation<Exact> isolation(Exact(internal::Exact_number<Field>::of(width)), most_bisections, limit);
+  internal::Root_isolation<Exact> isolation(Exact(internal::Exact_number<Field>::of(width)), most_bisections);
   for (const Isolated_root<Exact>& root : isolation(exact))
     roots.push_back({Field(root.begin), Field(root.end), root.multiplicity});
   return roots;

@@ -78,27 +78,26 @@ template <class NT> double bisection_steps(const Homogeneous_polynomial<NT>& p) 
   const double n = p.degree() + 1;
   return n * n * Work_meter::sum_steps((std::max)(number_words(p[0]), number_words(p[p.degree() / 2])));
 }
-template <class NT> void charge_bisection(const Homogeneous_polynomial<NT>& p, Work_meter& work) {
-  work.charge_sums(bisection_steps(p) / Work_meter::sum_steps(1), 1);
+template <class NT> void charge_bisection(const Homogeneous_polynomial<NT>& p) {
+  work_meter().charge_sums(bisection_steps(p) / Work_meter::sum_steps(1), 1);
 }
 
 // Positive, negative or zero if bisection proves that, otherwise mixed.
-template <class NT> Sign_pattern strict_sign(const Homogeneous_polynomial<NT>& p, int bisections, Work_meter& work) {
+template <class NT> Sign_pattern strict_sign(const Homogeneous_polynomial<NT>& p, int bisections) {
   const Sign_pattern s = p.coefficient_signs();
   if (s == Sign_pattern::positive || s == Sign_pattern::negative || s == Sign_pattern::zero) return s;
   if (bisections == 0 || sign_of(p[0]) * sign_of(p[p.degree()]) != 1) return Sign_pattern::mixed;
-  charge_bisection(p, work);
+  charge_bisection(p);
   const std::pair<Homogeneous_polynomial<NT>, Homogeneous_polynomial<NT>> halves = p.halves();
-  const Sign_pattern left = strict_sign(halves.first, bisections - 1, work);
+  const Sign_pattern left = strict_sign(halves.first, bisections - 1);
   if (left == Sign_pattern::mixed) return left;
-  return strict_sign(halves.second, bisections - 1, work) == left ? left : Sign_pattern::mixed;
+  return strict_sign(halves.second, bisections - 1) == left ? left : Sign_pattern::mixed;
 }
 
 // Adds the signs of p on the open interval (0, 1), where p is not zero at 0 and 1 and s is its square-free part.
 // Bisection ends because the roots of s are simple.
 template <class NT, class Ring>
-void add_signs(const Homogeneous_polynomial<NT>& p, const Homogeneous_polynomial<Ring>& s, Sign_set& signs,
-               Work_meter& work) {
+void add_signs(const Homogeneous_polynomial<NT>& p, const Homogeneous_polynomial<Ring>& s, Sign_set& signs) {
   typedef Homogeneous_polynomial<NT> Polynomial;
   typedef Homogeneous_polynomial<Ring> Square_free;
   std::vector<std::pair<Polynomial, Square_free>> parts{{p, s}}; // p has one sign at all their ends
@@ -115,8 +114,8 @@ void add_signs(const Homogeneous_polynomial<NT>& p, const Homogeneous_polynomial
     const int variations = sign_variations(part.second);
     if (variations == 1) signs.add(0); // one root
     if (variations <= 1) continue;
-    charge_bisection(part.first, work);
-    charge_bisection(part.second, work);
+    charge_bisection(part.first);
+    charge_bisection(part.second);
     const std::pair<Polynomial, Polynomial> x = part.first.halves();
     const std::pair<Square_free, Square_free> y = part.second.halves();
     split(x.first, y.first);
@@ -125,8 +124,7 @@ void add_signs(const Homogeneous_polynomial<NT>& p, const Homogeneous_polynomial
 }
 
 // The signs of p on [0, 1], where Exact is a field without numbers that are evaluated on demand.
-template <class Exact, class NT>
-Sign_pattern exact_sign_pattern(const Homogeneous_polynomial<NT>& p, Work_meter& work) {
+template <class Exact, class NT> Sign_pattern exact_sign_pattern(const Homogeneous_polynomial<NT>& p) {
   const bool zero_at_an_end = p[0] == NT(0) || p[p.degree()] == NT(0);
   if (const auto decided = decided_by_coefficients(p.coefficient_signs(), zero_at_an_end)) return *decided;
   const Without_end_roots<NT> inside(p);
@@ -135,16 +133,8 @@ Sign_pattern exact_sign_pattern(const Homogeneous_polynomial<NT>& p, Work_meter&
   signs.add(sign_of(inside.rest[0]));
   signs.add(sign_of(inside.rest[inside.rest.degree()]));
   if (!signs.is_mixed())
-    add_signs(inside.rest, whole_multiple(square_free_part(inside.rest.template bernstein<Exact>(), work)), signs,
-              work);
+    add_signs(inside.rest, whole_multiple(square_free_part(inside.rest.template bernstein<Exact>())), signs);
   return signs.pattern();
-}
-
-// See the function with a limit. \throws Error `work_limit`
-template <class Exact, class NT> Sign_pattern sign_pattern(const Homogeneous_polynomial<NT>& p, Work_meter& work) {
-  constexpr int bisections = 4;
-  const Sign_pattern s = strict_sign(p, bisections, work);
-  return s == Sign_pattern::mixed ? exact_sign_pattern<Exact>(p, work) : s;
 }
 
 // The coefficients of a polynomial as exact numbers. \throws Error `not_finite`
@@ -166,15 +156,15 @@ template <class FT> auto exact_polynomial(const Bernstein_polynomial<FT>& p) {
 /// additions are done for each bisection that separates its roots; there are about as many bisections as the distance
 /// of the closest roots, complex ones included, has binary digits.
 /// \throws Error `not_finite` when a coefficient is infinite or not a number, `work_limit`
-template <class FT> Sign_pattern sign_pattern(const Bernstein_polynomial<FT>& p, Work_limit limit = Work_limit()) {
+template <class FT> Sign_pattern sign_pattern(const Bernstein_polynomial<FT>& p) {
   const auto exact = internal::exact_polynomial(p);
   typedef typename std::decay_t<decltype(exact)>::FT Exact;
   Sign_set signs;
   for (const Exact& x : exact.coefficients()) signs.add(internal::sign_of(x));
   const bool zero_at_an_end = exact[0] == Exact(0) || exact[exact.degree()] == Exact(0);
   if (const auto decided = internal::decided_by_coefficients(signs.pattern(), zero_at_an_end)) return *decided;
-  internal::Work_meter work(limit, "sign_pattern");
-  return internal::exact_sign_pattern<Exact>(internal::whole_multiple(exact), work);
+  const internal::Work_on_part work("sign_pattern");
+  return internal::exact_sign_pattern<Exact>(internal::whole_multiple(exact));
 }
 
 /// \ingroup PkgGeometricContinuityAlgebra
@@ -182,16 +172,13 @@ template <class FT> Sign_pattern sign_pattern(const Bernstein_polynomial<FT>& p,
 /// \f$ O(n^2) \f$ operations that restrict `p`.
 /// \throws Error `empty_domain` unless `a < b`
 /// \throws Error `not_finite` when a coefficient or an end of the interval is infinite or not a number, `work_limit`
-template <class FT>
-Sign_pattern sign_pattern(const Bernstein_polynomial<FT>& p, const FT& a, const FT& b,
-                          Work_limit limit = Work_limit()) {
+template <class FT> Sign_pattern sign_pattern(const Bernstein_polynomial<FT>& p, const FT& a, const FT& b) {
   typedef typename Exact_field<FT>::type Field;
   if (!(a < b)) throw Error(Error_code::empty_domain, "sign_pattern: interval");
   std::vector<Field> c;
   for (const FT& x : p.coefficients()) c.push_back(internal::to_field<Field>(x));
   return sign_pattern(
-      Bernstein_polynomial<Field>(std::move(c)).restricted(internal::to_field<Field>(a), internal::to_field<Field>(b)),
-      limit);
+      Bernstein_polynomial<Field>(std::move(c)).restricted(internal::to_field<Field>(a), internal::to_field<Field>(b)));
 }
 
 /// \ingroup PkgGeometricContinuityAlgebra
@@ -200,10 +187,11 @@ Sign_pattern sign_pattern(const Bernstein_polynomial<FT>& p, const FT& a, const 
 /// \tparam Exact a field with exact operations to which `NT` can be converted
 /// \tparam NT a ring number type with exact operations
 /// \throws Error `work_limit`
-template <class Exact, class NT>
-Sign_pattern sign_pattern(const Homogeneous_polynomial<NT>& p, Work_limit limit = Work_limit()) {
-  internal::Work_meter work(limit, "sign_pattern");
-  return internal::sign_pattern<Exact>(p, work);
+template <class Exact, class NT> Sign_pattern sign_pattern(const Homogeneous_polynomial<NT>& p) {
+  const internal::Work_on_part work("sign_pattern");
+  constexpr int bisections = 4;
+  const Sign_pattern s = internal::strict_sign(p, bisections);
+  return s == Sign_pattern::mixed ? internal::exact_sign_pattern<Exact>(p) : s;
 }
 
 } // namespace Geometric_continuity

@@ -208,8 +208,8 @@ public:
 
   /// Returns the Bézier curves on the spans, each with its span as domain, see `bspline_bezier()`. \f$ O(p^2) \f$ for each
   /// \throws Error `work_limit` when the points have common denominators that are too long
-  std::vector<Bezier_curve<Traits>> bezier_pieces(Work_limit limit = Work_limit()) const {
-    const std::vector<Coordinates> rows = bspline_bezier<FT>(knots_, function().coefficients(), limit);
+  std::vector<Bezier_curve<Traits>> bezier_pieces() const {
+    const std::vector<Coordinates> rows = bspline_bezier<FT>(knots_, function().coefficients());
     std::vector<Point> points;
     for (const Coordinates& x : rows) points.push_back(Geometric_continuity::to_point<Traits>(x));
     std::vector<Bezier_curve<Traits>> pieces;
@@ -224,17 +224,17 @@ public:
   /// Returns the jets of order `k` at both ends of each span: those of `bezier_pieces()`, of which with rational numbers and several
   /// spans only these are computed. \f$ O(p^2) \f$ for each, additions of integers
   /// \throws Error `negative_count` unless `k >= 0`, `work_limit` as `bezier_pieces()` does
-  std::vector<Curve_end_jets<Traits>> span_end_jets(int k, Work_limit limit = Work_limit()) const {
+  std::vector<Curve_end_jets<Traits>> span_end_jets(int k) const {
     internal::check_count(k, "Bspline_curve::span_end_jets");
     std::vector<Curve_end_jets<Traits>> result;
-    const Work_scope scope(limit, "derivatives of a spline");
+    const Work_scope scope(Work_scope::limit_of_each(), "derivatives of a spline");
     if constexpr (internal::is_rational_v<FT>)
       if (knots_.spans().size() > 1) {
-        for (auto& [start, end] : internal::span_end_jets(knots_, function().coefficients(), k, limit))
+        for (auto& [start, end] : internal::span_end_jets(knots_, function().coefficients(), k))
           result.emplace_back(std::move(start), std::move(end));
         return result;
       }
-    for (const Bezier_curve<Traits>& piece : bezier_pieces(limit)) result.emplace_back(piece, k);
+    for (const Bezier_curve<Traits>& piece : bezier_pieces()) result.emplace_back(piece, k);
     return result;
   }
 

@@ -416,18 +416,18 @@ public:
 
   /// Returns the rational Bézier curves on the spans that are not empty, in order.
   /// \throws Error `work_limit`
-  std::vector<Rational_curve<Bezier_curve<Traits>>> bezier_pieces(Work_limit limit = Work_limit()) const {
+  std::vector<Rational_curve<Bezier_curve<Traits>>> bezier_pieces() const {
     std::vector<Rational_curve<Bezier_curve<Traits>>> pieces;
-    for (const auto& piece : homogeneous().bezier_pieces(limit)) pieces.emplace_back(piece);
+    for (const auto& piece : homogeneous().bezier_pieces()) pieces.emplace_back(piece);
     return pieces;
   }
 
   /// Returns the jets of order `k` at both ends of each span, those of `bezier_pieces()`; see `Bspline_curve::span_end_jets()`.
   /// \throws Error `negative_count` unless `k >= 0`, `work_limit`
-  std::vector<Curve_end_jets<Traits>> span_end_jets(int k, Work_limit limit = Work_limit()) const {
+  std::vector<Curve_end_jets<Traits>> span_end_jets(int k) const {
     std::vector<Curve_end_jets<Traits>> result;
-    const Work_scope scope(limit, "derivatives of a spline");
-    for (const auto& jets : homogeneous().span_end_jets(k, limit))
+    const Work_scope scope(Work_scope::limit_of_each(), "derivatives of a spline");
+    for (const auto& jets : homogeneous().span_end_jets(k))
       result.emplace_back(project(jets.template start_jet_over<FT>(k)), project(jets.template end_jet_over<FT>(k)));
     return result;
   }

@@ -66,7 +66,6 @@ namespace internal {
 
 // Goes along a curve piece by piece.
 template <class NT> class Curvature_walk {
-  const Work_limit limit_; // for each question about a piece
   Curvature_extrema result_{{}, {}, {{0, 0}, {0, 0}}, {{0, 0}, {0, 0}}};
   bool started_ = false;
   int direction_ = 0;     // in which the curvature changed last: 1 rising, -1 falling
@@ -76,12 +75,10 @@ template <class NT> class Curvature_walk {
   Signed_square<NT> end_; // the curvature at the end of the last piece
 
 public:
-  explicit Curvature_walk(Work_limit limit) : limit_(limit) {}
-
   // Of a rational curve, the rows are homogeneous.
   template <int N>
   void add(const std::vector<Coordinate_vector<NT, N>>& rows, bool rational, const NT& a, const NT& b) {
-    const Curvature_polynomials<NT> curve(rows, rational, limit_);
+    const Curvature_polynomials<NT> curve(rows, rational);
     if (!curve.is_regular()) throw Error(Error_code::zero_tangent, "curvature_extrema");
     const auto parameter = [&](const Isolated_root<NT>& r) -> Enclosure {
       return {enclosure(NT(a + (b - a) * r.begin)).lower, enclosure(NT(a + (b - a) * r.end)).upper};
@@ -236,12 +233,11 @@ template <class Curve, class Function> void for_each_exact_piece(const Curve& cu
 /// \throws Error `zero_tangent` when the first derivative vanishes anywhere in the domain, as in a cusp
 /// \throws Error `not_finite` for an infinite or undefined floating-point coordinate, and for a curvature that is larger than all
 ///   floating-point numbers
-/// \param limit the work that is allowed for each polynomial of a piece
 /// \throws Error `work_limit` when roots are so close to each other that `isolate_roots()` refuses to separate them, and when exact
 ///   numbers are so long that more work is needed
-template <class Curve> Curvature_extrema curvature_extrema(const Curve& curve, Work_limit limit = Work_limit()) {
+template <class Curve> Curvature_extrema curvature_extrema(const Curve& curve) {
   typedef internal::Decision_number<typename Curve::Traits> NT;
-  internal::Curvature_walk<NT> walk(limit);
+  internal::Curvature_walk<NT> walk;
   internal::for_each_exact_piece(curve, [&](const auto& rows, const NT& a, const NT& b) {
     walk.add(rows, internal::Is_rational<Curve>::value, a, b);
   });

@@ -37,10 +37,9 @@ public:
   /// Takes the rows of two surfaces with the same edge in the same direction, which is not checked. The degrees may differ.
   /// Costs a number of ring operations that is quadratic in the degree.
   /// \param a, b the rows
-  /// \param limit the work that is allowed here and for each question, which may throw `work_limit`
-  /// \throws Error `wrong_number_of_points` for an empty row, `not_finite`, `work_limit`
-  Edge_conditions(const Edge_rows<FT>& a, const Edge_rows<FT>& b, Work_limit limit = Work_limit())
-      : Edge_conditions(a, b, limit, internal::Work_meter(limit, place)) {}
+  /// \throws Error `wrong_number_of_points` for an empty row, `not_finite`, `work_limit`: here and in each question
+  Edge_conditions(const Edge_rows<FT>& a, const Edge_rows<FT>& b)
+      : Edge_conditions(a, b, internal::Work_on_object(place)) {}
 
   /// Returns \f$ \det(C', T_1, T_2) \f$. With rows of degrees `p` (the lower of the two edges), `l` and `m` it has the coefficients
   /// \f$ \binom{p+l+m-1}{k}^{-1} \sum_{i+j+h=k} \binom{p-1}{i} \binom{l}{j} \binom{m}{h} \det(p\,\Delta C_i, T_{1,j}, T_{2,h}) \f$.
@@ -54,20 +53,20 @@ public:
 
   /// Returns the signs of `side()` on the closed interval.
   Sign_pattern side_pattern() const {
-    internal::Work_meter work(limit_, place);
-    return normals_.side_signs(work);
+    const internal::Work_on_object work(place);
+    return normals_.side_signs();
   }
 
   /// Returns whether a normal vanishes somewhere on the closed interval.
   bool normal_vanishes() const {
-    internal::Work_meter work(limit_, place);
-    return normals_.normal_vanishes(side_pattern(), work);
+    const internal::Work_on_object work(place);
+    return normals_.normal_vanishes(side_pattern());
   }
 
   /// Returns whether `coplanar()` holds and the identity of \f$ G^2 \f$, which alone does not see on which sides the surfaces lie.
   bool second_order() const {
-    internal::Work_meter work(limit_, place);
-    return coplanar() && normals_.second_order(sides_, work);
+    const internal::Work_on_object work(place);
+    return coplanar() && normals_.second_order(sides_);
   }
 
   /// Returns whether the surfaces are \f$ G^1 \f$ along the whole closed edge.
@@ -77,12 +76,11 @@ public:
 
 private:
   static constexpr const char* place = "Edge_conditions";
-  Work_limit limit_; // for each question
   internal::Edge_sides<Field> sides_;
   internal::Edge_normals<Field> normals_;
 
-  Edge_conditions(const Edge_rows<FT>& a, const Edge_rows<FT>& b, Work_limit limit, internal::Work_meter&& work)
-      : limit_(limit), sides_(a, b, work), normals_(sides_, work) {}
+  Edge_conditions(const Edge_rows<FT>& a, const Edge_rows<FT>& b, internal::Work_on_object&&)
+      : sides_(a, b), normals_(sides_) {}
 
   template <class Polynomial> Bernstein_polynomial<Field> bernstein(const Polynomial& p, int power) const {
     typedef typename internal::Common_denominator<Field>::Exact Exact;

@@ -67,7 +67,7 @@ template <class Traits_> struct G1_ribbon {
   /// Decides the continuity of the surfaces along \f$ C \f$ as they are, one decision for each span of the knots, see
   /// `edge_continuity()`. Control points are taken as they are given; parameters are those of the domain. When they have
   /// been rounded, the surfaces are not exactly \f$ G^1 \f$, and each decision bounds the angle between the normals.
-  std::vector<Edge_continuity<Field>> continuity(Work_limit limit = Work_limit()) const;
+  std::vector<Edge_continuity<Field>> continuity() const;
 
   /// Returns whether `continuity()` is \f$ G^1 \f$ or more on all spans: a proof for the whole edge.
   bool g1() const { return edge_continuity(side1, Patch_edge::v0, side2, Patch_edge::v0).g_order >= 1; }
@@ -88,10 +88,9 @@ template <class Traits_> struct G1_ribbon {
   }
 };
 
-template <class Traits>
-auto G1_ribbon<Traits>::continuity(Work_limit limit) const -> std::vector<Edge_continuity<Field>> {
+template <class Traits> auto G1_ribbon<Traits>::continuity() const -> std::vector<Edge_continuity<Field>> {
   std::vector<Edge_continuity<Field>> result;
-  Spline_edge_continuity<Field> edge = edge_continuity(side1, Patch_edge::v0, side2, Patch_edge::v0, limit);
+  Spline_edge_continuity<Field> edge = edge_continuity(side1, Patch_edge::v0, side2, Patch_edge::v0);
   for (Edge_span<Field>& span : edge.spans) result.push_back(std::move(span.continuity));
   return result;
 }

@@ -44,8 +44,8 @@ namespace Geometric_continuity {
 /// analytic surfaces have some hundred terms at most and take up to half a second, on ordinary models milliseconds.
 /// \throws Error `not_finite`; `empty_domain` when `first` is larger than `last`; `wrong_number_of_points`, `knot_multiplicity` and
 ///   `empty_domain` for splines whose numbers do not fit; `zero_weight`; `singular_frame` when a placement is not invertible
-inline std::optional<Edge_continuity<Exact_field<double>::type>>
-edge_continuity(const Edge_side& a, const Edge_side& b, double first, double last, Work_limit limit = Work_limit()) {
+inline std::optional<Edge_continuity<Exact_field<double>::type>> edge_continuity(const Edge_side& a, const Edge_side& b,
+                                                                                 double first, double last) {
   internal::check_range(first, last, "edge_continuity: the range");
   for (const Edge_side* side : {&a, &b}) {
     std::visit(internal::Check_cad_surface(), *side->surface);
@@ -54,7 +54,7 @@ edge_continuity(const Edge_side& a, const Edge_side& b, double first, double las
       for (double x : row) internal::check_finite({x}, "a placement");
   }
   try {
-    if (const auto verdict = internal::exact_spline_edge(a, b, first, last, limit)) return verdict;
+    if (const auto verdict = internal::exact_spline_edge(a, b, first, last)) return verdict;
     return internal::exact_analytic_edge(a, b, first, last);
   } catch (const Error& e) {
     if (e.code() != Error_code::work_limit) throw;

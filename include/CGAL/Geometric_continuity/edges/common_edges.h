@@ -27,28 +27,27 @@ namespace internal {
 // Whether two edges that are not single points are the same curve, and whether the second runs backwards.
 template <class Traits>
 std::optional<bool> common_edge_reversed(const Bezier_patch<Traits>& a, Patch_edge edge_a,
-                                         const Bezier_patch<Traits>& b, Patch_edge edge_b, Work_meter& work) {
-  Edge_sides<Edge_field<Traits>> sides(edge_rows(a, edge_a), edge_rows(b, edge_b), work);
+                                         const Bezier_patch<Traits>& b, Patch_edge edge_b) {
+  Edge_sides<Edge_field<Traits>> sides(edge_rows(a, edge_a), edge_rows(b, edge_b));
   return sides.collapsed() ? std::nullopt : sides.align();
 }
 template <class Traits>
 std::optional<bool> common_edge_reversed(const Rational_bezier_patch<Traits>& a, Patch_edge edge_a,
-                                         const Rational_bezier_patch<Traits>& b, Patch_edge edge_b, Work_meter& work) {
+                                         const Rational_bezier_patch<Traits>& b, Patch_edge edge_b) {
   typedef Edge_field<Traits> Field;
-  const std::vector<Edge_piece<Field, 4>> pieces_a = edge_pieces(a, edge_a, work),
-                                          pieces_b = edge_pieces(b, edge_b, work);
-  if (Edge_sides<Field, 4>(pieces_a[0].rows, pieces_b[0].rows, work).collapsed()) return std::nullopt;
-  const std::optional<Edge_match<Field>> match = Common_edge_part<Field, 4>(pieces_a, pieces_b, work).whole();
+  const std::vector<Edge_piece<Field, 4>> pieces_a = edge_pieces(a, edge_a), pieces_b = edge_pieces(b, edge_b);
+  if (Edge_sides<Field, 4>(pieces_a[0].rows, pieces_b[0].rows).collapsed()) return std::nullopt;
+  const std::optional<Edge_match<Field>> match = Common_edge_part<Field, 4>(pieces_a, pieces_b).whole();
   return match ? std::optional<bool>(match->map.reverses()) : std::nullopt;
 }
 
-template <class Patch> std::vector<Common_edge> all_common_edges(const Patch& a, const Patch& b, Work_limit limit) {
+template <class Patch> std::vector<Common_edge> all_common_edges(const Patch& a, const Patch& b) {
   std::vector<Common_edge> result;
   for (Patch_edge edge_a : patch_edges)
     for (Patch_edge edge_b : patch_edges) {
       if (&a == &b && !(edge_a < edge_b)) continue;
-      Work_meter work(limit, "common_edges");
-      if (const std::optional<bool> reversed = common_edge_reversed(a, edge_a, b, edge_b, work))
+      const Work_on_object work("common_edges");
+      if (const std::optional<bool> reversed = common_edge_reversed(a, edge_a, b, edge_b))
         result.push_back({edge_a, edge_b, *reversed});
     }
   return result;
@@ -62,9 +61,8 @@ template <class Patch> std::vector<Common_edge> all_common_edges(const Patch& a,
 /// patch `a = b` are listed once; an edge is not paired with itself. For many patches see `model_continuity()`.
 /// \throws Error `dimension_mismatch` unless in dimension 3, `work_limit` for one pair
 template <class Traits>
-std::vector<Common_edge> common_edges(const Bezier_patch<Traits>& a, const Bezier_patch<Traits>& b,
-                                      Work_limit limit = Work_limit()) {
-  return internal::all_common_edges(a, b, limit);
+std::vector<Common_edge> common_edges(const Bezier_patch<Traits>& a, const Bezier_patch<Traits>& b) {
+  return internal::all_common_edges(a, b);
 }
 
 /// \ingroup PkgGeometricContinuitySurfaces
@@ -72,9 +70,8 @@ std::vector<Common_edge> common_edges(const Bezier_patch<Traits>& a, const Bezie
 /// `Bezier_patch`. The weights may differ by a constant factor.
 /// \throws Error `dimension_mismatch` unless in dimension 3, `work_limit` for one pair
 template <class Traits>
-std::vector<Common_edge> common_edges(const Rational_bezier_patch<Traits>& a, const Rational_bezier_patch<Traits>& b,
-                                      Work_limit limit = Work_limit()) {
-  return internal::all_common_edges(a, b, limit);
+std::vector<Common_edge> common_edges(const Rational_bezier_patch<Traits>& a, const Rational_bezier_patch<Traits>& b) {
+  return internal::all_common_edges(a, b);
 }
 
 } // namespace Geometric_continuity

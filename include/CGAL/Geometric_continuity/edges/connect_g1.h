@@ -158,20 +158,20 @@ void check_ribbon_input(const Bspline_curve<Traits>& c, const Bspline_curve<Trai
 ///   exact numbers are so long that the limit does not suffice
 template <class Traits>
 G1_ribbon<Traits> connect_g1(const Bspline_curve<Traits>& C, const Bspline_curve<Traits>& C1,
-                             const Bspline_curve<Traits>& C2, const typename Traits::FT& bulge = typename Traits::FT(0),
-                             Work_limit limit = Work_limit()) {
+                             const Bspline_curve<Traits>& C2,
+                             const typename Traits::FT& bulge = typename Traits::FT(0)) {
   typedef typename Traits::FT FT;
   typedef Edge_field<Traits> Field;
   typedef typename Bspline_curve<Traits>::Function Function;
   typedef Bernstein_polynomial<Field> Polynomial;
   typedef typename Traits::Point Point;
   internal::check_ribbon_input(C, C1, C2);
-  internal::Work_meter work(limit, "connect_g1");
+  const internal::Work_on_object work("connect_g1");
   for (const Bspline_curve<Traits>* curve : {&C, &C1, &C2}) {
-    const std::size_t words = internal::common_words<FT>(curve->function().coefficients(), work) +
-                              internal::common_words<FT>(std::array<const Knot_vector<FT>, 1>{curve->knots()}, work);
-    work.charge_fractions(100, 8 * words); // alpha and beta at the ends, of about this degree
-    work.charge_fractions(60. * curve->number_of_points(), 4 * words);
+    const std::size_t words = internal::common_words<FT>(curve->function().coefficients()) +
+                              internal::common_words<FT>(std::array<const Knot_vector<FT>, 1>{curve->knots()});
+    internal::work_meter().charge_fractions(100, 8 * words); // alpha and beta at the ends, of about this degree
+    internal::work_meter().charge_fractions(60. * curve->number_of_points(), 4 * words);
   }
 
   const internal::Ribbon_end_conditions<Field, dimension_v<Traits>> start(

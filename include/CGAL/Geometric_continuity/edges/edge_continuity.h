@@ -26,16 +26,16 @@ namespace Geometric_continuity {
 
 namespace internal {
 
-// The decisions on the spans of a match, by decide(rows, rows, work).
+// The decisions on the spans of a match, by decide(rows, rows).
 template <class Field, int N, class Decide>
 Spline_edge_continuity<Field> decide_spans(const std::vector<Edge_piece<Field, N>>& a,
                                            const std::vector<Edge_piece<Field, N>>& b, const Edge_match<Field>& match,
-                                           Decide decide, Work_meter& work) {
+                                           Decide decide) {
   Spline_edge_continuity<Field> result;
   if (match.spans.empty()) return result;
   for (const Common_span<Field>& span : match.spans) {
     const std::pair<Edge_rows<Field, N>, Edge_rows<Field, N>> rows = rows_on(a, b, span, match.map);
-    Edge_continuity<Field> e = decide(rows.first, rows.second, work);
+    Edge_continuity<Field> e = decide(rows.first, rows.second);
     e.reversed = match.map.reverses();
     result.spans.push_back(on_interval(span.begin, span.end, std::move(e)));
   }
@@ -91,15 +91,14 @@ Spline_edge_continuity<Field> smooth_on_all_spans(const Knot_vector<FT>& knots, 
 // work) finds what the edges have in common.
 template <class Surface_a, class Surface_b, class Find_match>
 auto decide_surfaces(const Surface_a& a, Patch_edge edge_a, const Surface_b& b, Patch_edge edge_b,
-                     Find_match find_match, Work_limit limit)
-    -> Spline_edge_continuity<Edge_field<typename Surface_a::Traits>> {
+                     Find_match find_match) -> Spline_edge_continuity<Edge_field<typename Surface_a::Traits>> {
   typedef Edge_field<typename Surface_a::Traits> Field;
   constexpr int N = row_dimension<Surface_a, Surface_b>;
   require_space(a, b, "edge_continuity");
   if constexpr (N == 4)
     if (has_equal_weights(a) && has_equal_weights(b))
-      return decide_surfaces(without_weights(a), edge_a, without_weights(b), edge_b, find_match, limit);
-  Work_meter work(limit, "edge_continuity");
+      return decide_surfaces(without_weights(a), edge_a, without_weights(b), edge_b, find_match);
+  const Work_on_object work("edge_continuity");
   std::optional<Edge_direction> direction;
   if constexpr (N == 3) {
     Edge_layers x, y;
@@ -109,7 +108,7 @@ auto decide_surfaces(const Surface_a& a, Patch_edge edge_a, const Surface_b& b, 
       const std::pair<Field, Field> domain_a = edge_domain<Field>(a, edge_a), domain_b = edge_domain<Field>(b, edge_b);
       if (const std::optional<int> order = smooth_order(x, y))
         return verdict_on_whole_edge(smooth_continuity<Field>(*order, domain_a), *direction, domain_a, domain_b);
-      if (std::optional<Edge_continuity<Field>> crease = crease_on_grid<Field>(x, y, work))
+      if (std::optional<Edge_continuity<Field>> crease = crease_on_grid<Field>(x, y))
         return verdict_on_whole_edge(on_interval(domain_a.first, domain_a.second, *std::move(crease)).continuity,
                                      *direction, domain_a, domain_b);
     }
@@ -120,40 +119,32 @@ auto decide_surfaces(const Surface_a& a, Patch_edge edge_a, const Surface_b& b, 
       if (const std::optional<Edge_direction> smooth = smooth_spline_edge(a, edge_a, b, edge_b))
         return smooth_on_all_spans<Field>(a.knots_along(edge_a), *smooth, edge_domain<Field>(b, edge_b));
 #endif
-  const std::vector<Edge_piece<Field, N>> pieces_a = edge_pieces_in<N>(a, edge_a, work),
-                                          pieces_b = edge_pieces_in<N>(b, edge_b, work);
+  const std::vector<Edge_piece<Field, N>> pieces_a = edge_pieces_in<N>(a, edge_a),
+                                          pieces_b = edge_pieces_in<N>(b, edge_b);
   if (direction) // and the stages of fixed length have been tried
-    return decide_spans(pieces_a, pieces_b, whole_match(pieces_a, pieces_b, *direction), decide_rough_edge<Field, N>,
-                        work);
-  return decide_spans(pieces_a, pieces_b, find_match(pieces_a, pieces_b, work), decide_edge<Field, N>, work);
+    return decide_spans(pieces_a, pieces_b, whole_match(pieces_a, pieces_b, *direction), decide_rough_edge<Field, N>);
+  return decide_spans(pieces_a, pieces_b, find_match(pieces_a, pieces_b), decide_edge<Field, N>);
 }
 
 // For edges that have been recognised as the same, see Edge_key.
 template <class Surface_a, class Surface_b>
 auto continuity_of_same_edge(const Surface_a& a, Patch_edge edge_a, const Surface_b& b, Patch_edge edge_b,
-                             Edge_direction direction, Work_limit limit) {
-  return decide_surfaces(
-      a, edge_a, b, edge_b,
-      [direction](const auto& pieces_a, const auto& pieces_b, Work_meter&) {
-        return whole_match(pieces_a, pieces_b, direction);
-      },
-      limit);
+                             Edge_direction direction) {
+  return decide_surfaces(a, edge_a, b, edge_b, [direction](const auto& pieces_a, const auto& pieces_b) {
+    return whole_match(pieces_a, pieces_b, direction);
+  });
 }
 
 // Along lines over one domain that have equal parameters in common points, or are not the same.
 template <class Field, int N>
 Spline_edge_continuity<Field> continuity_at_same_parameters(const Spline_edge_rows<Field, N>& a,
-                                                            const Spline_edge_rows<Field, N>& b, Work_limit limit) {
-  Work_meter work(limit, "edge_continuity");
-  const std::vector<Edge_piece<Field, N>> pieces_a = edge_pieces<Field>(a, work),
-                                          pieces_b = edge_pieces<Field>(b, work);
+                                                            const Spline_edge_rows<Field, N>& b) {
+  const Work_on_object work("edge_continuity");
+  const std::vector<Edge_piece<Field, N>> pieces_a = edge_pieces<Field>(a), pieces_b = edge_pieces<Field>(b);
   const Edge_match<Field> match = whole_match(pieces_a, pieces_b, Edge_direction::same);
-  return decide_spans(
-      pieces_a, pieces_b, match,
-      [](const Edge_rows<Field, N>& x, const Edge_rows<Field, N>& y, Work_meter& meter) {
-        return x.edge == y.edge ? decide_edge(x, y, meter) : Edge_continuity<Field>();
-      },
-      work);
+  return decide_spans(pieces_a, pieces_b, match, [](const Edge_rows<Field, N>& x, const Edge_rows<Field, N>& y) {
+    return x.edge == y.edge ? decide_edge(x, y) : Edge_continuity<Field>();
+  });
 }
 
 } // namespace internal
@@ -174,14 +165,13 @@ Spline_edge_continuity<Field> continuity_at_same_parameters(const Spline_edge_ro
 /// \tparam FT a field number type; for floating-point numbers all is exact in the numbers as given
 /// \throws Error `wrong_number_of_points` for an empty row, `not_finite`, `work_limit`
 template <class FT>
-Edge_continuity<typename Exact_field<FT>::type> edge_continuity(const Edge_rows<FT>& a, const Edge_rows<FT>& b,
-                                                                Work_limit limit = Work_limit()) {
+Edge_continuity<typename Exact_field<FT>::type> edge_continuity(const Edge_rows<FT>& a, const Edge_rows<FT>& b) {
   typedef typename Exact_field<FT>::type Field;
-  internal::Work_meter work(limit, "edge_continuity");
-  internal::Edge_sides<Field> sides(a, b, work);
+  const internal::Work_on_object work("edge_continuity");
+  internal::Edge_sides<Field> sides(a, b);
   const std::optional<bool> reversed = sides.align();
   if (!reversed) return {};
-  Edge_continuity<Field> edge = internal::Edge_decision<Field>()(sides, work);
+  Edge_continuity<Field> edge = internal::Edge_decision<Field>()(sides);
   edge.reversed = *reversed;
   return edge;
 }
@@ -211,14 +201,14 @@ Edge_continuity<typename Exact_field<FT>::type> edge_continuity(const Edge_rows<
 /// \throws Error `wrong_number_of_points` when the rows do not fit the knots, `not_finite`, `work_limit`; `zero_weight` where
 ///   a denominator is zero
 template <class FT, int N>
-Spline_edge_continuity<typename Exact_field<FT>::type>
-edge_continuity(const Spline_edge_rows<FT, N>& a, const Spline_edge_rows<FT, N>& b, Work_limit limit = Work_limit()) {
+Spline_edge_continuity<typename Exact_field<FT>::type> edge_continuity(const Spline_edge_rows<FT, N>& a,
+                                                                       const Spline_edge_rows<FT, N>& b) {
   typedef typename Exact_field<FT>::type Field;
-  internal::Work_meter work(limit, "edge_continuity");
-  const std::vector<internal::Edge_piece<Field, N>> pieces_a = internal::edge_pieces<Field>(a, work),
-                                                    pieces_b = internal::edge_pieces<Field>(b, work);
-  return internal::decide_spans(pieces_a, pieces_b, internal::common_edge_part(pieces_a, pieces_b, work),
-                                internal::decide_edge<Field, N>, work);
+  const internal::Work_on_object work("edge_continuity");
+  const std::vector<internal::Edge_piece<Field, N>> pieces_a = internal::edge_pieces<Field>(a),
+                                                    pieces_b = internal::edge_pieces<Field>(b);
+  return internal::decide_spans(pieces_a, pieces_b, internal::common_edge_part(pieces_a, pieces_b),
+                                internal::decide_edge<Field, N>);
 }
 
 /// \ingroup PkgGeometricContinuitySurfaces
@@ -244,15 +234,11 @@ edge_continuity(const Spline_edge_rows<FT, N>& a, const Spline_edge_rows<FT, N>&
 ///   combination, with one traits class
 /// \throws Error `dimension_mismatch` unless in dimension 3, `work_limit`
 template <class Surface_a, class Surface_b>
-auto edge_continuity(const Surface_a& a, Patch_edge edge_a, const Surface_b& b, Patch_edge edge_b,
-                     Work_limit limit = Work_limit())
+auto edge_continuity(const Surface_a& a, Patch_edge edge_a, const Surface_b& b, Patch_edge edge_b)
     -> Spline_edge_continuity<Edge_field<typename Surface_a::Traits>> {
-  return internal::decide_surfaces(
-      a, edge_a, b, edge_b,
-      [](const auto& pieces_a, const auto& pieces_b, internal::Work_meter& work) {
-        return internal::common_edge_part(pieces_a, pieces_b, work);
-      },
-      limit);
+  return internal::decide_surfaces(a, edge_a, b, edge_b, [](const auto& pieces_a, const auto& pieces_b) {
+    return internal::common_edge_part(pieces_a, pieces_b);
+  });
 }
 
 } // namespace Geometric_continuity

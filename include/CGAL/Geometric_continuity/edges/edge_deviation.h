@@ -50,7 +50,7 @@ inline Enclosure larger_of(const Enclosure& x, const Enclosure& y) {
 // not all positive where some weights are not, it is found on parts of the interval, after so many halvings.
 // \throws Error `work_limit` when q comes too close to zero
 template <class Polynomial>
-typename Polynomial::NT twice_the_quotient(const Polynomial& s, const Polynomial& q, int halvings, Work_meter& work) {
+typename Polynomial::NT twice_the_quotient(const Polynomial& s, const Polynomial& q, int halvings) {
   typedef typename Polynomial::NT Ring;
   if (q.coefficient_signs() == Sign_pattern::positive) {
     Ring k(1);
@@ -59,17 +59,17 @@ typename Polynomial::NT twice_the_quotient(const Polynomial& s, const Polynomial
     return k;
   }
   if (halvings == 0) throw Error(Error_code::work_limit, "deviation of edges: the denominator is too close to zero");
-  charge_bisection(q, work);
-  charge_bisection(s, work);
+  charge_bisection(q);
+  charge_bisection(s);
   const std::pair<Polynomial, Polynomial> p = s.halves(), r = q.halves();
-  return (std::max)(twice_the_quotient(p.first, r.first, halvings - 1, work),
-                    twice_the_quotient(p.second, r.second, halvings - 1, work));
+  return (std::max)(twice_the_quotient(p.first, r.first, halvings - 1),
+                    twice_the_quotient(p.second, r.second, halvings - 1));
 }
 
 // The largest distance of two edges is the root of the largest value of s/q, where s = |C1 - C2|^2 and q = 1, or
 // s = |w2 C1 - w1 C2|^2 and q = (w1 w2)^2 for homogeneous points. With a number k >= 2 s/q it is that of k times the largest
 // value of s/(k q), of which at least half is left to 1, so that its bounds differ by the 2^-53-th part at most.
-template <class Field, int N> Enclosure largest_distance(const Edge_sides<Field, N>& sides, Work_meter& work) {
+template <class Field, int N> Enclosure largest_distance(const Edge_sides<Field, N>& sides) {
   typedef typename Edge_sides<Field, N>::Ring Ring;
   typedef typename Edge_sides<Field, N>::Polynomial Polynomial;
   typedef typename Edge_normals<Field>::Exact Exact;
@@ -78,20 +78,20 @@ template <class Field, int N> Enclosure largest_distance(const Edge_sides<Field,
   for (int i = 0; i < 3; ++i) {
     Polynomial difference;
     if constexpr (N == 4)
-      difference = product(sides.c[0][i], sides.c[1][3], work) - product(sides.c[1][i], sides.c[0][3], work);
+      difference = product(sides.c[0][i], sides.c[1][3]) - product(sides.c[1][i], sides.c[0][3]);
     else
       difference = sides.c[0][i] - sides.c[1][i];
-    s = s + product(difference, difference, work);
+    s = s + product(difference, difference);
   }
   if constexpr (N == 4) {
-    const Polynomial w = product(sides.c[0][3], sides.c[1][3], work);
-    q = product(w, w, work);
+    const Polynomial w = product(sides.c[0][3], sides.c[1][3]);
+    q = product(w, w);
   }
   const int degree = (std::max)(s.degree(), q.degree());
-  const Ring k = twice_the_quotient(s.elevated_to(degree), q.elevated_to(degree), 64, work);
+  const Ring k = twice_the_quotient(s.elevated_to(degree), q.elevated_to(degree), 64);
   const Polynomial factor(std::vector<Ring>(1, k)), acute(std::vector<Ring>(1, Ring(-1)));
   const Normal_deviation<Exact> largest =
-      largest_measure<Exact>(s.elevated_to(degree), factor * q.elevated_to(degree), acute, work);
+      largest_measure<Exact>(s.elevated_to(degree), factor * q.elevated_to(degree), acute);
   const auto distance = [&](const Exact& measure) { // of homogeneous points the common denominator cancels out
     return root_enclosure(sides.denominator.divided(Exact(measure * Exact(k)), N == 4 ? 0 : 2));
   };
@@ -100,40 +100,39 @@ template <class Field, int N> Enclosure largest_distance(const Edge_sides<Field,
 
 // The largest angle of the normals on one span, empty when one vanishes identically, and whether one vanishes somewhere.
 template <class Field, int N>
-std::pair<std::optional<Enclosure>, bool> normal_angle(const Edge_sides<Field, N>& sides, Work_meter& work) {
+std::pair<std::optional<Enclosure>, bool> normal_angle(const Edge_sides<Field, N>& sides) {
   typedef typename Edge_sides<Field, N>::Ring Ring;
-  const Homogeneous_vector<Ring> n1 = normal_along_edge(sides, 0, work), n2 = normal_along_edge(sides, 1, work);
+  const Homogeneous_vector<Ring> n1 = normal_along_edge(sides, 0), n2 = normal_along_edge(sides, 1);
   if (Edge_sides<Field>::is_zero(n1) || Edge_sides<Field>::is_zero(n2)) return {std::nullopt, true};
-  const bool vanishing = Edge_normals<Field>::vanishes(n1, work) || Edge_normals<Field>::vanishes(n2, work);
-  return {largest_angle<Field>(n1, n2, vanishing, work).angle(), vanishing};
+  const bool vanishing = Edge_normals<Field>::vanishes(n1) || Edge_normals<Field>::vanishes(n2);
+  return {largest_angle<Field>(n1, n2, vanishing).angle(), vanishing};
 }
 
 template <class Field, int N>
 std::vector<Edge_sides<Field, N>> sides_on_spans(const std::vector<Edge_piece<Field, N>>& a,
                                                  const std::vector<Edge_piece<Field, N>>& b,
-                                                 const Affine_parameter_map<Field>& map, Work_meter& work) {
+                                                 const Affine_parameter_map<Field>& map) {
   std::vector<Edge_sides<Field, N>> sides;
   for (const Common_span<Field>& span : common_spans(a, b, map)) {
     const std::pair<Edge_rows<Field, N>, Edge_rows<Field, N>> rows = rows_on(a, b, span, map);
-    sides.emplace_back(rows.first, rows.second, work);
+    sides.emplace_back(rows.first, rows.second);
   }
   return sides;
 }
 
-template <class Field, int N>
-Enclosure largest_distance(const std::vector<Edge_sides<Field, N>>& spans, Work_meter& work) {
+template <class Field, int N> Enclosure largest_distance(const std::vector<Edge_sides<Field, N>>& spans) {
   Enclosure gap{0, 0};
-  for (const Edge_sides<Field, N>& sides : spans) gap = larger_of(gap, largest_distance(sides, work));
+  for (const Edge_sides<Field, N>& sides : spans) gap = larger_of(gap, largest_distance(sides));
   return gap;
 }
 
 // With the gap on the spans, which is known.
 template <class Field, int N>
 Edge_deviation edge_deviation(const std::vector<Edge_sides<Field, N>>& spans, const Enclosure& gap,
-                              Edge_direction direction, Work_meter& work) {
+                              Edge_direction direction) {
   Edge_deviation d{gap, Enclosure{0, 0}, false, direction == Edge_direction::opposite};
   for (const Edge_sides<Field, N>& sides : spans) {
-    const std::pair<std::optional<Enclosure>, bool> angle = normal_angle(sides, work);
+    const std::pair<std::optional<Enclosure>, bool> angle = normal_angle(sides);
     d.normal_vanishes = d.normal_vanishes || angle.second;
     if (!angle.first) d.normal_angle.reset();
     if (d.normal_angle) d.normal_angle = larger_of(*d.normal_angle, *angle.first);
@@ -143,26 +142,23 @@ Edge_deviation edge_deviation(const std::vector<Edge_sides<Field, N>>& spans, co
 
 // Along the whole edges, forwards or backwards, whichever has the smaller gap.
 template <class Field, int N>
-Edge_deviation edge_deviation(const std::vector<Edge_piece<Field, N>>& a, const std::vector<Edge_piece<Field, N>>& b,
-                              Work_meter& work) {
-  const std::vector<Edge_sides<Field, N>> forwards = sides_on_spans(a, b, whole_map(a, b, Edge_direction::same), work);
-  const Enclosure gap = largest_distance(forwards, work);
-  if (gap.upper == 0) return edge_deviation(forwards, gap, Edge_direction::same, work);
-  const std::vector<Edge_sides<Field, N>> backwards =
-      sides_on_spans(a, b, whole_map(a, b, Edge_direction::opposite), work);
-  const Enclosure other_gap = largest_distance(backwards, work);
-  return gap.upper <= other_gap.upper ? edge_deviation(forwards, gap, Edge_direction::same, work)
-                                      : edge_deviation(backwards, other_gap, Edge_direction::opposite, work);
+Edge_deviation edge_deviation(const std::vector<Edge_piece<Field, N>>& a, const std::vector<Edge_piece<Field, N>>& b) {
+  const std::vector<Edge_sides<Field, N>> forwards = sides_on_spans(a, b, whole_map(a, b, Edge_direction::same));
+  const Enclosure gap = largest_distance(forwards);
+  if (gap.upper == 0) return edge_deviation(forwards, gap, Edge_direction::same);
+  const std::vector<Edge_sides<Field, N>> backwards = sides_on_spans(a, b, whole_map(a, b, Edge_direction::opposite));
+  const Enclosure other_gap = largest_distance(backwards);
+  return gap.upper <= other_gap.upper ? edge_deviation(forwards, gap, Edge_direction::same)
+                                      : edge_deviation(backwards, other_gap, Edge_direction::opposite);
 }
 
 // Along lines over one domain, at equal parameters.
 template <class Field, int N>
-Edge_deviation deviation_at_same_parameters(const Spline_edge_rows<Field, N>& a, const Spline_edge_rows<Field, N>& b,
-                                            Work_limit limit) {
-  Work_meter work(limit, "deviation of edges");
-  const std::vector<Edge_sides<Field, N>> spans = sides_on_spans(
-      edge_pieces<Field>(a, work), edge_pieces<Field>(b, work), Affine_parameter_map<Field>{Field(1), Field(0)}, work);
-  return edge_deviation(spans, largest_distance(spans, work), Edge_direction::same, work);
+Edge_deviation deviation_at_same_parameters(const Spline_edge_rows<Field, N>& a, const Spline_edge_rows<Field, N>& b) {
+  const Work_on_object work("deviation of edges");
+  const std::vector<Edge_sides<Field, N>> spans =
+      sides_on_spans(edge_pieces<Field>(a), edge_pieces<Field>(b), Affine_parameter_map<Field>{Field(1), Field(0)});
+  return edge_deviation(spans, largest_distance(spans), Edge_direction::same);
 }
 
 } // namespace internal
@@ -173,10 +169,9 @@ Edge_deviation deviation_at_same_parameters(const Spline_edge_rows<Field, N>& a,
 /// root or an arc tangent, is rounded, outwards. With a gap the normals are compared that belong to the same parameter.
 /// Where the limit of the work does not suffice for close enclosures, they are wider ones, and still guaranteed.
 /// \throws Error `wrong_number_of_points` for an empty row, `not_finite`, `work_limit`
-template <class FT>
-Edge_deviation deviation(const Edge_rows<FT>& a, const Edge_rows<FT>& b, Work_limit limit = Work_limit()) {
+template <class FT> Edge_deviation deviation(const Edge_rows<FT>& a, const Edge_rows<FT>& b) {
   typedef typename Exact_field<FT>::type Field;
-  internal::Work_meter work(limit, "deviation of edges");
+  const internal::Work_on_object work("deviation of edges");
   const auto pieces = [](const Edge_rows<FT>& rows) {
     return std::vector<internal::Edge_piece<Field>>{
         {Field(0),
@@ -184,7 +179,7 @@ Edge_deviation deviation(const Edge_rows<FT>& a, const Edge_rows<FT>& b, Work_li
          {internal::row_in_space<Field>(rows.edge), internal::row_in_space<Field>(rows.cross),
           internal::row_in_space<Field>(rows.second_cross)}}};
   };
-  return internal::edge_deviation(pieces(a), pieces(b), work);
+  return internal::edge_deviation(pieces(a), pieces(b));
 }
 
 /// \ingroup PkgGeometricContinuityContinuity
@@ -193,11 +188,10 @@ Edge_deviation deviation(const Edge_rows<FT>& a, const Edge_rows<FT>& b, Work_li
 /// gap. See the function for `Edge_rows`.
 /// \throws Error `wrong_number_of_points` when the rows do not fit the knots, `not_finite`, `work_limit`
 template <class FT, int N>
-Edge_deviation deviation(const Spline_edge_rows<FT, N>& a, const Spline_edge_rows<FT, N>& b,
-                         Work_limit limit = Work_limit()) {
+Edge_deviation deviation(const Spline_edge_rows<FT, N>& a, const Spline_edge_rows<FT, N>& b) {
   typedef typename Exact_field<FT>::type Field;
-  internal::Work_meter work(limit, "deviation of edges");
-  return internal::edge_deviation(internal::edge_pieces<Field>(a, work), internal::edge_pieces<Field>(b, work), work);
+  const internal::Work_on_object work("deviation of edges");
+  return internal::edge_deviation(internal::edge_pieces<Field>(a), internal::edge_pieces<Field>(b));
 }
 
 /// \ingroup PkgGeometricContinuitySurfaces
@@ -208,13 +202,11 @@ Edge_deviation deviation(const Spline_edge_rows<FT, N>& a, const Spline_edge_row
 ///   combination, with one traits class
 /// \throws Error `dimension_mismatch` unless in dimension 3, `work_limit`
 template <class Surface_a, class Surface_b>
-Edge_deviation deviation(const Surface_a& a, Patch_edge edge_a, const Surface_b& b, Patch_edge edge_b,
-                         Work_limit limit = Work_limit()) {
+Edge_deviation deviation(const Surface_a& a, Patch_edge edge_a, const Surface_b& b, Patch_edge edge_b) {
   internal::require_space(a, b, "deviation");
-  internal::Work_meter work(limit, "deviation of edges");
+  const internal::Work_on_object work("deviation of edges");
   constexpr int N = internal::row_dimension<Surface_a, Surface_b>;
-  return internal::edge_deviation(internal::edge_pieces_in<N>(a, edge_a, work),
-                                  internal::edge_pieces_in<N>(b, edge_b, work), work);
+  return internal::edge_deviation(internal::edge_pieces_in<N>(a, edge_a), internal::edge_pieces_in<N>(b, edge_b));
 }
 
 } // namespace Geometric_continuity

@@ -101,10 +101,10 @@ Edge_order_within order_within_or_exactly(const Spline_edge_continuity<FT>& exac
 ///   the rows do not fit the knots, `not_finite`, `work_limit`
 template <class FT, int N>
 Edge_order_within order_within(const Spline_edge_rows<FT, N>& a, const Spline_edge_rows<FT, N>& b,
-                               const Edge_tolerance& tolerance, Work_limit limit = Work_limit()) {
+                               const Edge_tolerance& tolerance) {
   internal::check_tolerance(tolerance);
   return internal::order_within_or_exactly(
-      edge_continuity(a, b, limit), [&] { return deviation(a, b, limit); }, tolerance);
+      edge_continuity(a, b), [&] { return deviation(a, b); }, tolerance);
 }
 
 /// \ingroup PkgGeometricContinuitySurfaces
@@ -116,10 +116,10 @@ Edge_order_within order_within(const Spline_edge_rows<FT, N>& a, const Spline_ed
 ///   in dimension 3; `work_limit`
 template <class Surface_a, class Surface_b>
 Edge_order_within order_within(const Surface_a& a, Patch_edge edge_a, const Surface_b& b, Patch_edge edge_b,
-                               const Edge_tolerance& tolerance, Work_limit limit = Work_limit()) {
+                               const Edge_tolerance& tolerance) {
   internal::check_tolerance(tolerance);
   return internal::order_within_or_exactly(
-      edge_continuity(a, edge_a, b, edge_b, limit), [&] { return deviation(a, edge_a, b, edge_b, limit); }, tolerance);
+      edge_continuity(a, edge_a, b, edge_b), [&] { return deviation(a, edge_a, b, edge_b); }, tolerance);
 }
 
 /// \ingroup PkgGeometricContinuitySurfaces
@@ -133,7 +133,7 @@ Edge_order_within order_within(const Surface_a& a, Patch_edge edge_a, const Surf
 ///   the surface jumps along `line`, but has no inner knot there; `work_limit`
 template <class Surface>
 Edge_order_within order_within(const Surface& surface, const Knot_line<Edge_field<typename Surface::Traits>>& line,
-                               const Edge_tolerance& tolerance, Work_limit limit = Work_limit()) {
+                               const Edge_tolerance& tolerance) {
   typedef Edge_field<typename Surface::Traits> Field;
   internal::check_tolerance(tolerance);
   if (0 <= line.continuity.g_order) return order_within(line.continuity, tolerance);
@@ -142,8 +142,7 @@ Edge_order_within order_within(const Surface& surface, const Knot_line<Edge_fiel
     if (internal::to_field<Field>(knot.value) == line.knot)
       return order_within(internal::deviation_at_same_parameters(
                               internal::knot_line_rows(surface, direction, knot.value, Line_side::smaller_parameters),
-                              internal::knot_line_rows(surface, direction, knot.value, Line_side::larger_parameters),
-                              limit),
+                              internal::knot_line_rows(surface, direction, knot.value, Line_side::larger_parameters)),
                           tolerance);
   throw Error(Error_code::knot_multiplicity, "order_within: not a knot line of the surface");
 }

@@ -49,28 +49,25 @@ knot_line_rows(const Surface& s, Parameter_line line, const typename Surface::FT
 
 template <class Surface, class Report>
 void add_knot_lines(const Surface& s, Parameter_line line,
-                    std::vector<Knot_line<Edge_field<typename Surface::Traits>>>& lines, Work_limit limit,
-                    Report& report) {
+                    std::vector<Knot_line<Edge_field<typename Surface::Traits>>>& lines, Report& report) {
   typedef Edge_field<typename Surface::Traits> Field;
   const Knot_vector<typename Surface::FT>& across = knots_across(s, line);
   for (const auto& knot : across.inner_knots()) {
     if (knot.multiplicity <= across.degree() - 2) continue; // twice continuously differentiable
-    lines.push_back(
-        {line == Parameter_line::along_v, to_field<Field>(knot.value), knot.multiplicity,
-         continuity_at_same_parameters(knot_line_rows(s, line, knot.value, Line_side::smaller_parameters),
-                                       knot_line_rows(s, line, knot.value, Line_side::larger_parameters), limit)});
+    lines.push_back({line == Parameter_line::along_v, to_field<Field>(knot.value), knot.multiplicity,
+                     continuity_at_same_parameters(knot_line_rows(s, line, knot.value, Line_side::smaller_parameters),
+                                                   knot_line_rows(s, line, knot.value, Line_side::larger_parameters))});
     report();
   }
 }
 
 // What knot_line_continuity() returns; report() is called after each line.
 template <class Surface, class Report>
-std::vector<Knot_line<Edge_field<typename Surface::Traits>>> knot_lines(const Surface& surface, Work_limit limit,
-                                                                        Report report) {
+std::vector<Knot_line<Edge_field<typename Surface::Traits>>> knot_lines(const Surface& surface, Report report) {
   require_space(surface, "knot_line_continuity");
   std::vector<Knot_line<Edge_field<typename Surface::Traits>>> lines;
-  add_knot_lines(surface, Parameter_line::along_v, lines, limit, report);
-  add_knot_lines(surface, Parameter_line::along_u, lines, limit, report);
+  add_knot_lines(surface, Parameter_line::along_v, lines, report);
+  add_knot_lines(surface, Parameter_line::along_u, lines, report);
   return lines;
 }
 
@@ -85,18 +82,16 @@ std::vector<Knot_line<Edge_field<typename Surface::Traits>>> knot_lines(const Su
 /// Linear in the number of control points of the lines. The limit is one for each line.
 /// \throws Error `dimension_mismatch` unless in dimension 3, `work_limit`
 template <class Traits>
-std::vector<Knot_line<Edge_field<Traits>>> knot_line_continuity(const Bspline_surface<Traits>& surface,
-                                                                Work_limit limit = Work_limit()) {
-  return internal::knot_lines(surface, limit, [] {});
+std::vector<Knot_line<Edge_field<Traits>>> knot_line_continuity(const Bspline_surface<Traits>& surface) {
+  return internal::knot_lines(surface, [] {});
 }
 
 /// \ingroup PkgGeometricContinuitySurfaces
 /// Decides the continuity of a rational B-spline surface across its knot lines, see the function for `Bspline_surface`.
 /// \throws Error `dimension_mismatch` unless in dimension 3, `work_limit`
 template <class Traits>
-std::vector<Knot_line<Edge_field<Traits>>> knot_line_continuity(const Rational_bspline_surface<Traits>& surface,
-                                                                Work_limit limit = Work_limit()) {
-  return internal::knot_lines(surface, limit, [] {});
+std::vector<Knot_line<Edge_field<Traits>>> knot_line_continuity(const Rational_bspline_surface<Traits>& surface) {
+  return internal::knot_lines(surface, [] {});
 }
 
 } // namespace Geometric_continuity

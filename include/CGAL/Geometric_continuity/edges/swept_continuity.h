@@ -136,9 +136,9 @@ extrusion_continuity(const Left& left, const Right& right, const typename Left::
 /// \throws Error `zero_direction`, `dimension_mismatch` unless in dimension 3, `jet_order_too_low`, `not_finite`,
 ///   `work_limit`
 template <class Left, class Right>
-Edge_continuity<Edge_field<typename Left::Traits>>
-revolution_continuity(const Left& left, const Right& right, const typename Left::Traits::Point& axis_point,
-                      const typename Left::Traits::Vector& axis, Work_limit limit = Work_limit()) {
+Edge_continuity<Edge_field<typename Left::Traits>> revolution_continuity(const Left& left, const Right& right,
+                                                                         const typename Left::Traits::Point& axis_point,
+                                                                         const typename Left::Traits::Vector& axis) {
   typedef typename Left::Traits Traits;
   typedef internal::Profile_join<Left, Right> Join;
   typedef typename Join::Field Field;
@@ -161,8 +161,8 @@ revolution_continuity(const Left& left, const Right& right, const typename Left:
   const Vector inwards = Field(-1) * join.left[1];
   const internal::Point_of_edge<Field> point(m, cross_product(w, m), {inwards, join.right[1]},
                                              cross_product(w, inwards), {join.left[2], join.right[2]});
-  internal::Work_meter work(limit, "revolution_continuity");
-  Edge_continuity<Field> edge = internal::Edge_decision<Field>()(point, work);
+  const internal::Work_on_object work("revolution_continuity");
+  Edge_continuity<Field> edge = internal::Edge_decision<Field>()(point);
   if (edge.deviation) {
     edge.deviation->begin = Field(0);
     edge.deviation->end = Field(1);

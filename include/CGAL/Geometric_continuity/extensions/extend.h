@@ -77,15 +77,15 @@ namespace internal {
 // The polygon of the polynomial `left` itself on the interval behind its domain that is beta times as long.
 template <class Traits, int Degree>
 std::vector<Coordinates<Traits>> continued_polygon(const Bezier_curve<Traits, Degree>& left,
-                                                   const typename Traits::FT& beta, Work_limit limit) {
+                                                   const typename Traits::FT& beta) {
   typedef typename Traits::FT FT;
   std::vector<Coordinates<Traits>> b, before;
   for (int j = 0; j <= left.degree(); ++j) b.push_back(left.coordinates(j));
-  Work_meter work(limit, "extend");
+  const Work_on_object work("extend");
   const double p = left.degree();
-  const std::size_t words = common_words<FT>(b, work);
+  const std::size_t words = common_words<FT>(b);
   if (words > 0) // p^2/2 combinations of two
-    work.charge_fractions(p * p / 2 * left.dimension(), words + left.degree() * number_words(beta));
+    work_meter().charge_fractions(p * p / 2 * left.dimension(), words + left.degree() * number_words(beta));
   before.resize(b.size());
   bernstein_split<FT>(b, left.degree(), FT(FT(1) + beta), before); // b: from 1 + beta back to 1
   std::reverse(b.begin(), b.end());
@@ -125,12 +125,11 @@ Bezier_curve<Traits, Degree> next_segment(const Bezier_curve<Traits, Degree>& le
 /// \throws Error `work_limit` when exact numbers are so long that the limit does not suffice
 template <class Traits, int Degree>
 Bezier_curve<Traits, Degree> extend(const Bezier_curve<Traits, Degree>& left, Frenet_order order,
-                                    const Extension_parameters<typename Traits::FT>& parameters = {},
-                                    Work_limit limit = Work_limit()) {
+                                    const Extension_parameters<typename Traits::FT>& parameters = {}) {
   typedef typename Traits::FT FT;
   const FT& beta = parameters.beta;
   const Tangent_alternative<Traits> tangent = tangent_alternative(left, beta);
-  std::vector<Geometric_continuity::Coordinates<Traits>> b = internal::continued_polygon(left, beta, limit);
+  std::vector<Geometric_continuity::Coordinates<Traits>> b = internal::continued_polygon(left, beta);
   const auto move = [&b](int j, const typename Traits::Point& place) {
     internal::move_point(b, j, Geometric_continuity::coordinates<Traits>(place));
   };
@@ -167,9 +166,8 @@ Bezier_curve<Traits> polynomial_at_end(const Rational_bezier_curve<Traits, Degre
 /// \throws Error `nonpositive_beta`, `zero_tangent`, `not_finite`, `work_limit` as `extend()` of a Bézier curve
 template <class Traits, int Degree>
 Bezier_curve<Traits> extend(const Rational_bezier_curve<Traits, Degree>& left, Frenet_order order,
-                            const Extension_parameters<typename Traits::FT>& parameters = {},
-                            Work_limit limit = Work_limit()) {
-  return extend(internal::polynomial_at_end(left, order), order, parameters, limit);
+                            const Extension_parameters<typename Traits::FT>& parameters = {}) {
+  return extend(internal::polynomial_at_end(left, order), order, parameters);
 }
 
 namespace internal {
@@ -190,10 +188,9 @@ std::vector<Bezier_curve<Traits>> segments_of(const Composite_bezier_curve<Trait
 ///   curve
 template <class Traits, int Degree>
 Composite_bezier_curve<Traits, Degree> extend(const Composite_bezier_curve<Traits, Degree>& curve, Frenet_order order,
-                                              const Extension_parameters<typename Traits::FT>& parameters = {},
-                                              Work_limit limit = Work_limit()) {
+                                              const Extension_parameters<typename Traits::FT>& parameters = {}) {
   std::vector<Bezier_curve<Traits>> segments = internal::segments_of(curve);
-  segments.push_back(extend(segments.back(), order, parameters, limit));
+  segments.push_back(extend(segments.back(), order, parameters));
   return Composite_bezier_curve<Traits, Degree>(segments.begin(), segments.end());
 }
 
@@ -233,11 +230,9 @@ Rational_bspline_curve<Traits> with_segment(const Rational_bspline_curve<Traits>
 ///   `extend()` of a Bézier curve
 template <class Traits>
 Rational_bspline_curve<Traits> extend(const Rational_bspline_curve<Traits>& curve, Frenet_order order,
-                                      const Extension_parameters<typename Traits::FT>& parameters = {},
-                                      Work_limit limit = Work_limit()) {
+                                      const Extension_parameters<typename Traits::FT>& parameters = {}) {
   const Rational_bspline_curve<Traits> clamped = curve.clamp();
-  return internal::with_segment(clamped, extend(clamped.bezier_pieces(limit).back(), order, parameters, limit),
-                                "extend");
+  return internal::with_segment(clamped, extend(clamped.bezier_pieces().back(), order, parameters), "extend");
 }
 
 /// \ingroup PkgGeometricContinuityConstruction
@@ -250,10 +245,9 @@ Rational_bspline_curve<Traits> extend(const Rational_bspline_curve<Traits>& curv
 ///   curve
 template <class Traits>
 Bspline_curve<Traits> extend(const Bspline_curve<Traits>& curve, Frenet_order order,
-                             const Extension_parameters<typename Traits::FT>& parameters = {},
-                             Work_limit limit = Work_limit()) {
+                             const Extension_parameters<typename Traits::FT>& parameters = {}) {
   const Bspline_curve<Traits> clamped = curve.clamp();
-  return internal::with_segment(clamped, extend(clamped.bezier_pieces(limit).back(), order, parameters, limit));
+  return internal::with_segment(clamped, extend(clamped.bezier_pieces().back(), order, parameters));
 }
 
 } // namespace Geometric_continuity

@@ -5,6 +5,7 @@
 #ifndef CGAL_GEOMETRIC_CONTINUITY_INTERNAL_TASK_H
 #define CGAL_GEOMETRIC_CONTINUITY_INTERNAL_TASK_H
 
+#include <CGAL/Geometric_continuity/internal/Steps_of_each.h>
 #include <CGAL/Geometric_continuity/internal/several_cores.h>
 #include <CGAL/tags.h>
 
@@ -49,7 +50,10 @@ public:
   template <class Function> void run(Function f) {
     if (!several_cores()) return f();
     if (!group_) group_.emplace();
-    group_->run(f);
+    group_->run([f, steps = Steps_of_each::steps()] {
+      const Steps_of_each each(steps);
+      f();
+    });
   }
   void wait() {
     if (group_) group_->wait();

@@ -5,6 +5,7 @@
 #ifndef CGAL_GEOMETRIC_CONTINUITY_INTERNAL_FOR_EACH_BLOCK_H
 #define CGAL_GEOMETRIC_CONTINUITY_INTERNAL_FOR_EACH_BLOCK_H
 
+#include <CGAL/Geometric_continuity/internal/Steps_of_each.h>
 #include <CGAL/Geometric_continuity/internal/several_cores.h>
 #include <CGAL/tags.h>
 
@@ -28,7 +29,10 @@ void for_each_block(std::size_t n, const Work& work, [[maybe_unused]] std::size_
   if constexpr (std::is_convertible_v<Concurrency_tag, Parallel_tag>) {
     if (!several_cores()) return work(std::size_t(0), n);
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, n, grain),
-                      [&](const tbb::blocked_range<std::size_t>& r) { work(r.begin(), r.end()); });
+                      [&work, steps = Steps_of_each::steps()](const tbb::blocked_range<std::size_t>& r) {
+                        const Steps_of_each each(steps);
+                        work(r.begin(), r.end());
+                      });
     return;
   }
 #endif

@@ -128,7 +128,6 @@ template <class Curve> struct Chain_join {
 /// \tparam Curve a copyable model of `ParametricCurve`
 template <class Curve> class Chain_analysis {
   int max_order_;
-  Work_limit limit_;
   std::size_t size_ = 0;
   std::optional<Curve> first_, last_;
   Chain_summary summary_;
@@ -138,9 +137,9 @@ template <class Curve> class Chain_analysis {
   };
 
 public:
-  /// Starts an empty chain. Orders up to `max_order` are decided, each join with the work of `limit` at most.
+  /// Starts an empty chain. Orders up to `max_order` are decided.
   /// \throws Error `negative_count` for a negative order
-  explicit Chain_analysis(int max_order = 3, Work_limit limit = Work_limit()) : max_order_(max_order), limit_(limit) {
+  explicit Chain_analysis(int max_order = 3) : max_order_(max_order) {
     if (max_order < 0) throw Error(Error_code::negative_count, "Chain_analysis: order");
   }
 
@@ -184,11 +183,11 @@ private:
   template <class Report>
   void decide(std::size_t left, std::size_t right, const Curve& left_curve, const Curve& right_curve, Report& report) {
     if constexpr (std::is_same_v<Report, No_report>) {
-      summary_.add(internal::decide_continuity(left_curve, right_curve, max_order_, limit_, true));
+      summary_.add(internal::decide_continuity(left_curve, right_curve, max_order_, true));
       return;
     }
     const Chain_join<Curve> join{left, right, left_curve, right_curve,
-                                 Geometric_continuity::continuity(left_curve, right_curve, max_order_, limit_)};
+                                 Geometric_continuity::continuity(left_curve, right_curve, max_order_)};
     report(join);
     summary_.add(join.continuity);
   }

@@ -52,22 +52,22 @@ namespace internal {
 
 // Takes note of the work on curvatures and torsions, which are forms of degree 6 at most.
 template <class Field, int N>
-void charge_invariants(const Coordinate_jet<Field, N>& x, const Coordinate_jet<Field, N>& y, Work_limit limit) {
-  Work_meter work(limit, "deviation");
+void charge_invariants(const Coordinate_jet<Field, N>& x, const Coordinate_jet<Field, N>& y) {
+  const Work_on_object work("deviation");
   std::vector<Coordinate_vector<Field, N>> vectors;
   for (const Coordinate_jet<Field, N>* jet : {&x, &y})
     for (int j = 0; j <= jet->order(); ++j) vectors.push_back((*jet)[j]);
-  const std::size_t words = common_words<Field>(vectors, work);
-  work.charge_fractions(20. * x.dimension(), 6 * words);
+  const std::size_t words = common_words<Field>(vectors);
+  work_meter().charge_fractions(20. * x.dimension(), 6 * words);
 }
 
 // The deviation of two jets in an exact field.
 template <class Field, int N>
-Join_deviation join_deviation(const Coordinate_jet<Field, N>& x, const Coordinate_jet<Field, N>& y, Work_limit limit) {
+Join_deviation join_deviation(const Coordinate_jet<Field, N>& x, const Coordinate_jet<Field, N>& y) {
   typedef Coordinate_vector<Field, N> Vector;
   if (x.dimension() != y.dimension()) throw Error(Error_code::dimension_mismatch, "deviation of two jets");
   if (x.order() < 0 || y.order() < 0) throw Error(Error_code::jet_order_too_low, "deviation of two jets");
-  charge_invariants(x, y, limit);
+  charge_invariants(x, y);
   const auto square = [](const Vector& v) -> Field { return dot(v, v); };
   Join_deviation d{root_enclosure(square(y[0] - x[0])), {}, {}, {}};
   const int order = (std::min)(x.order(), y.order());
@@ -96,12 +96,12 @@ Join_deviation join_deviation(const Coordinate_jet<Field, N>& x, const Coordinat
 /// \throws Error `dimension_mismatch` when the dimensions differ, `not_finite` for an infinite or undefined coordinate,
 ///   `work_limit` when exact numbers are so long that the limit does not suffice
 template <class Left, class Right, class = std::void_t<typename Left::Traits, typename Right::Traits>>
-Join_deviation deviation(const Left& left, const Right& right, Work_limit limit = Work_limit()) {
+Join_deviation deviation(const Left& left, const Right& right) {
   typedef typename Exact_field<Predicate_FT<typename Left::Traits>>::type Field;
   static_assert(std::is_same_v<typename Left::Traits, typename Right::Traits>,
                 "both curves must have the same traits class");
-  const Work_scope jets_and_invariants(limit, "deviation");
-  return internal::join_deviation(end_jet<Field>(left, 3), start_jet<Field>(right, 3), limit);
+  const Work_scope jets_and_invariants(Work_scope::limit_of_each(), "deviation");
+  return internal::join_deviation(end_jet<Field>(left, 3), start_jet<Field>(right, 3));
 }
 
 } // namespace Geometric_continuity

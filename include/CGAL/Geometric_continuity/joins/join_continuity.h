@@ -92,8 +92,8 @@ template <class Field, int N> void clear_denominators(Coordinate_jet<Field, N>& 
 
 // Everything about the join of two curves, see continuity(); if only the orders are wanted, flags and shape parameters may be missing.
 template <class Left, class Right>
-Join_continuity<Predicate_FT<typename Left::Traits>>
-decide_continuity(const Left& left, const Right& right, int max_order, Work_limit limit, bool only_orders) {
+Join_continuity<Predicate_FT<typename Left::Traits>> decide_continuity(const Left& left, const Right& right,
+                                                                       int max_order, bool only_orders) {
   typedef typename Left::Traits Traits;
   static_assert(std::is_same_v<Traits, typename Right::Traits>, "both curves must have the same traits class");
   typedef Predicate_FT<Traits> Field;
@@ -108,11 +108,11 @@ decide_continuity(const Left& left, const Right& right, int max_order, Work_limi
         return join;
     }
   const int order = (std::max)(max_order, 3); // curvature and torsion are reported for every max_order
-  const Work_scope jets_and_decision(limit, "continuity");
+  const Work_scope jets_and_decision(Work_scope::limit_of_each(), "continuity");
   Coordinate_jet<Field, N> x = jet_at<Field, Curve_end::end>(left, order),
                            y = jet_at<Field, Curve_end::start>(right, order);
   if (max_order > 3) clear_denominators(x, y);
-  return Join_decision<Field, N>(x, y, max_order, limit)();
+  return Join_decision<Field, N>(x, y, max_order)();
 }
 
 } // namespace internal
@@ -132,11 +132,11 @@ decide_continuity(const Left& left, const Right& right, int max_order, Work_limi
 ///   for an empty jet, `not_finite` for an infinite or undefined floating-point coordinate, `work_limit`
 template <class Traits>
 Join_continuity<Predicate_FT<Traits>> continuity(const Curve_jet<Traits>& left, const Curve_jet<Traits>& right,
-                                                 int max_order, Work_limit limit = Work_limit()) {
+                                                 int max_order) {
   typedef Predicate_FT<Traits> Field;
   constexpr int N = dimension_v<Traits>;
   const Coordinate_jet<Field, N> x = internal::convert_jet<Field>(left), y = internal::convert_jet<Field>(right);
-  return internal::Join_decision<Field, N>(x, y, max_order, limit)();
+  return internal::Join_decision<Field, N>(x, y, max_order)();
 }
 
 /// \ingroup PkgGeometricContinuityContinuity
@@ -163,9 +163,9 @@ Join_continuity<Predicate_FT<Traits>> continuity(const Curve_jet<Traits>& left, 
 /// \throws Error `negative_count` for a negative order, `dimension_mismatch` when the dimensions differ, `not_finite` when
 ///   derivatives overflow, `work_limit`: with exact numbers, high orders are forms of high degree
 template <class Left, class Right>
-Join_continuity<Predicate_FT<typename Left::Traits>> continuity(const Left& left, const Right& right, int max_order = 3,
-                                                                Work_limit limit = Work_limit()) {
-  return internal::decide_continuity(left, right, max_order, limit, false);
+Join_continuity<Predicate_FT<typename Left::Traits>> continuity(const Left& left, const Right& right,
+                                                                int max_order = 3) {
+  return internal::decide_continuity(left, right, max_order, false);
 }
 
 } // namespace Geometric_continuity

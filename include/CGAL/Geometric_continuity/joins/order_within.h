@@ -74,19 +74,18 @@ template <class Field, int N> Field curvature_derivative(const Coordinate_jet<Fi
 /// \throws Error `unreachable_tolerance` for a negative tolerance or one that is not a number; `dimension_mismatch` when
 ///   the dimensions differ; `work_limit` when exact numbers are so long that the limit does not suffice
 template <class Left, class Right, class = std::void_t<typename Left::Traits, typename Right::Traits>>
-Order_within order_within(const Left& left, const Right& right, const Join_tolerance& tolerance,
-                          Work_limit limit = Work_limit()) {
+Order_within order_within(const Left& left, const Right& right, const Join_tolerance& tolerance) {
   typedef typename Exact_field<Predicate_FT<typename Left::Traits>>::type Field;
   constexpr int N = dimension_v<typename Left::Traits>;
   for (const Bound& bound :
        {tolerance.angle, tolerance.curvature, tolerance.torsion, tolerance.gap, tolerance.curvature_derivative})
     internal::check_bound(bound);
-  const Work_scope jets_and_decision(limit, "order_within");
+  const Work_scope jets_and_decision(Work_scope::limit_of_each(), "order_within");
   const Coordinate_jet<Field, N> x = end_jet<Field>(left, 3), y = start_jet<Field>(right, 3);
   const bool planar = x.dimension() == 2;
-  const Join_continuity<Field> exact = internal::Join_decision<Field, N>(x, y, 3, limit)();
+  const Join_continuity<Field> exact = internal::Join_decision<Field, N>(x, y, 3)();
   const int exact_order = planar ? exact.g_order : exact.f_order;
-  Order_within result{internal::join_deviation(x, y, limit), {}};
+  Order_within result{internal::join_deviation(x, y), {}};
   const Join_deviation& d = result.deviation;
   const auto verdict = [](const std::optional<Enclosure>& e, const Bound& bound, Verdict undefined) {
     return e ? at_most(*e, bound) : undefined;

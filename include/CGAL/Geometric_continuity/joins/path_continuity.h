@@ -65,8 +65,7 @@ auto visit_roots(const Path_segment<Traits>& left, const Path_segment<Traits>& r
 /// \throws Error `negative_count` for a negative `max_order`, `work_limit`
 template <class Traits>
 std::optional<Join_continuity<typename Traits::FT>> continuity(const Path_segment<Traits>& left,
-                                                               const Path_segment<Traits>& right, int max_order = 3,
-                                                               Work_limit limit = Work_limit()) {
+                                                               const Path_segment<Traits>& right, int max_order = 3) {
   typedef typename Traits::FT FT;
   if (!left.is_known() || !right.is_known()) return std::nullopt;
   if constexpr (internal::Rational_parts<FT>::value)
@@ -80,7 +79,7 @@ std::optional<Join_continuity<typename Traits::FT>> continuity(const Path_segmen
     typedef std::decay_t<decltype(left_root)> Field;
     const Coordinate_jet<Field, 2> x = left.template end_jet_over<Field>(order, left_root),
                                    y = right.template start_jet_over<Field>(order, right_root);
-    const Join_continuity<Field> join = internal::Join_decision<Field, 2>(x, y, max_order, limit)();
+    const Join_continuity<Field> join = internal::Join_decision<Field, 2>(x, y, max_order)();
     if constexpr (std::is_same_v<Field, FT>)
       return join;
     else

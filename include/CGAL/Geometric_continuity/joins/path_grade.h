@@ -78,8 +78,7 @@ template <class FT, class Field> Enclosure angle_of_products(const Leg_products<
 /// \throws Error `not_finite`, `work_limit`
 template <class Traits>
 std::optional<Join_grade> join_grade(const Path_segment<Traits>& left, const Path_segment<Traits>& right,
-                                     const Kink_bound& bound = internal::usual_kink_bound(),
-                                     Work_limit limit = Work_limit()) {
+                                     const Kink_bound& bound = internal::usual_kink_bound()) {
   std::optional<bool> corner;
   if (left.bezier() && right.bezier()) {
     // The first derivatives are multiples of the handles, or zero.
@@ -99,7 +98,7 @@ std::optional<Join_grade> join_grade(const Path_segment<Traits>& left, const Pat
   if (left.end() != right.start()) return Join_grade::gap;
   if (corner) return *corner ? Join_grade::corner : Join_grade::kink;
   // Readers of paths make lines of cubics that are drawn as lines, so that a handle that is retracted here is one that bends.
-  return continuity(left, right, 2, limit)->g_order >= 2 ? Join_grade::g2 : Join_grade::g1;
+  return continuity(left, right, 2)->g_order >= 2 ? Join_grade::g2 : Join_grade::g1;
 }
 
 /// \ingroup PkgGeometricContinuityContinuity

@@ -60,20 +60,18 @@ template <class Concurrency_tag, class Surface, class Report> class Model_analys
   };
 
   const std::vector<const Surface*>& patches_;
-  const Work_limit limit_;
   Report& report_;
   std::size_t decided_ = 0;
   std::mutex mutex_; // for the two above
   Model_continuity<Field> model_;
 
 public:
-  Model_analysis(const std::vector<const Surface*>& patches, Work_limit limit, Report& report)
-      : patches_(patches), limit_(limit), report_(report) {}
+  Model_analysis(const std::vector<const Surface*>& patches, Report& report) : patches_(patches), report_(report) {}
 
   Model_continuity<Field> operator()() {
     for (const Surface* patch : patches_) require_space(*patch, "model_continuity");
     if constexpr (!Is_patch<Surface>::value) decide_knot_lines();
-    decide_edges(Edge_groups<Surface>(patches_, limit_));
+    decide_edges(Edge_groups<Surface>(patches_));
     count_edges();
     return std::move(model_);
   }
@@ -88,7 +86,7 @@ private:
     std::vector<std::vector<Knot_line<Field>>> lines(patches_.size());
     for_each_number<Concurrency_tag>(patches_.size(), [&](std::size_t i) {
       name_work_limit([&] { return "patch " + std::to_string(i); },
-                      [&] { lines[i] = knot_lines(*patches_[i], limit_, [this] { one_more(); }); });
+                      [&] { lines[i] = knot_lines(*patches_[i], [this] { one_more(); }); });
     });
     Model_summary& s = model_.summary;
     for (std::size_t i = 0; i < lines.size(); ++i)
@@ -123,9 +121,9 @@ private:
     edge.non_manifold = row.non_manifold;
     name_work_limit([&] { return edge_name(a.patch, a.edge) + " - " + edge_name(b.patch, b.edge); },
                     [&] {
-                      edge.continuity = continuity_of_same_edge(
-                          *patches_[a.patch], a.edge, *patches_[b.patch], b.edge,
-                          a.backwards == b.backwards ? Edge_direction::same : Edge_direction::opposite, limit_);
+                      edge.continuity = continuity_of_same_edge(*patches_[a.patch], a.edge, *patches_[b.patch], b.edge,
+                                                                a.backwards == b.backwards ? Edge_direction::same
+                                                                                           : Edge_direction::opposite);
                     });
     one_more();
   }
@@ -161,31 +159,30 @@ private:
 ///
 /// Each edge is recognised once, by sorting: \f$ O(n \log n) \f$ comparisons for `n` patches, of the control points as they are
 /// given, and of the quotients of weights, where edges with the same ends have one degree and the same knots. Then each shared
-/// edge is decided once, with integers of fixed length where `edge_continuity()` takes them.
+/// edge is decided once, with integers of fixed length where `edge_continuity()` takes them. The limit of the work is that for each
+/// edge, to recognise and to decide it, and for each knot line.
 ///
 /// \tparam Concurrency_tag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`: edges and knot lines are decided on
 ///   several cores, with the same result, on number types that may be copied concurrently, see failing_joins.h
 /// \tparam PatchRange a forward range of `Bezier_patch`, `Bspline_surface`, `Rational_bezier_patch` or
 ///   `Rational_bspline_surface`; polynomial surfaces can be converted to rational ones
 /// \param patches of the model, which must outlive the call
-/// \param limit the work that is allowed for each edge, to recognise and to decide it, and for each knot line
 /// \param report is called as `report(n)` with the number of shared edges and knot lines decided so far, after each,
 ///   by one core at a time
 /// \throws Error `dimension_mismatch` unless in dimension 3; `work_limit`, with the patch and the edge
 template <class Concurrency_tag = Sequential_tag, class PatchRange, class Report>
-auto model_continuity(const PatchRange& patches, Work_limit limit, Report report) {
+auto model_continuity(const PatchRange& patches, Report report) {
   typedef std::decay_t<decltype(*std::begin(patches))> Patch;
   std::vector<const Patch*> pointers;
   for (const Patch& patch : patches) pointers.push_back(&patch);
-  return internal::Model_analysis<Concurrency_tag, Patch, Report>(pointers, limit, report)();
+  return internal::Model_analysis<Concurrency_tag, Patch, Report>(pointers, report)();
 }
 
 /// \ingroup PkgGeometricContinuitySurfaces
 /// Decides the continuity along all edges of a model, without reports.
 /// \throws Error as the function that reports
-template <class Concurrency_tag = Sequential_tag, class PatchRange>
-auto model_continuity(const PatchRange& patches, Work_limit limit = Work_limit()) {
-  return model_continuity<Concurrency_tag>(patches, limit, [](std::size_t) {});
+template <class Concurrency_tag = Sequential_tag, class PatchRange> auto model_continuity(const PatchRange& patches) {
+  return model_continuity<Concurrency_tag>(patches, [](std::size_t) {});
 }
 
 } // namespace Geometric_continuity

@@ -54,10 +54,9 @@ template <class Field, int N> struct Boundary_edge {
   Vector ends[2];
   Box boxes[2];
 
-  Boundary_edge(std::size_t p, Patch_edge e, const Spline_edge_rows<Field, N>& rows, Work_limit limit)
-      : patch(p), edge(e) {
-    Work_meter work(limit, "near_edges");
-    pieces = edge_pieces<Field>(rows, work);
+  Boundary_edge(std::size_t p, Patch_edge e, const Spline_edge_rows<Field, N>& rows) : patch(p), edge(e) {
+    const Work_on_object work("near_edges");
+    pieces = edge_pieces<Field>(rows);
     ends[0] = point_of(pieces.front().rows.edge.front());
     ends[1] = point_of(pieces.back().rows.edge.back());
     for (int end : {0, 1})
@@ -116,18 +115,18 @@ template <class Field, int N> int longest_side(const std::vector<Boundary_edge<F
 /// first patch. An edge that is near to several others is in several pairs.
 ///
 /// The ends of near edges are near; so candidates are found by sorting, and for each the gap is enclosed. A gap that is not
-/// small compared with the patches makes all pairs of edges candidates.
+/// small compared with the patches makes all pairs of edges candidates. The limit of the work is that for each edge, and for the
+/// search, with its thousandth part more for each edge.
 /// \tparam PatchRange a forward range of surfaces, as for `model_continuity()`
 /// \param patches of the model
 /// \param model the result of `model_continuity(patches)`
 /// \param tolerance for the gap and for the order 1
-/// \param limit the work that is allowed for each edge, and for the search and its thousandth part more for each edge
 /// \param report is called as `report(n)` with the number of boundary edges compared so far, after each
 /// \throws Error `unreachable_tolerance` for a negative tolerance or one that is not a number, `not_finite` for an infinite
 ///   gap, `work_limit`
 template <class PatchRange, class FT, class Report>
 std::vector<Near_edges> near_edges(const PatchRange& patches, const Model_continuity<FT>& model,
-                                   const Edge_tolerance& tolerance, Work_limit limit, Report report) {
+                                   const Edge_tolerance& tolerance, Report report) {
   typedef std::decay_t<decltype(*std::begin(patches))> Surface;
   typedef internal::Boundary_edge<FT, internal::row_dimension<Surface>> Edge;
   internal::check_tolerance(tolerance);
@@ -140,12 +139,12 @@ std::vector<Near_edges> near_edges(const PatchRange& patches, const Model_contin
   for (const auto& patch : patches) {
     for (; row != model.edges.end() && row->patch_a == number; ++row)
       if (row->kind == Model_edge_kind::boundary)
-        edges.emplace_back(number, row->edge_a, spline_edge_rows(patch, row->edge_a), limit);
+        edges.emplace_back(number, row->edge_a, spline_edge_rows(patch, row->edge_a));
     ++number;
   }
   const int side = internal::longest_side(edges);
   std::sort(edges.begin(), edges.end(), [&](const Edge& a, const Edge& b) { return a.low(side) < b.low(side); });
-  internal::Work_meter work(limit, "near_edges", 1 + static_cast<double>(edges.size()) / 1000);
+  const internal::Work_on_object work("near_edges", 1 + static_cast<double>(edges.size()) / 1000);
   std::vector<Near_edges> result;
   for (auto i = edges.begin(); i != edges.end(); ++i) {
     for (auto j = i + 1; j != edges.end(); ++j) {
@@ -153,7 +152,7 @@ std::vector<Near_edges> near_edges(const PatchRange& patches, const Model_contin
       if (!i->has_ends_near(*j, gap, squared_gap)) continue;
       const bool in_order = std::make_pair(i->patch, i->edge) < std::make_pair(j->patch, j->edge);
       const Edge &a = in_order ? *i : *j, &b = in_order ? *j : *i;
-      const Edge_order_within within = order_within(internal::edge_deviation(a.pieces, b.pieces, work), tolerance);
+      const Edge_order_within within = order_within(internal::edge_deviation(a.pieces, b.pieces), tolerance);
       if (within(0) != Verdict::refuted) result.push_back({a.patch, a.edge, b.patch, b.edge, within});
     }
     report(static_cast<std::size_t>(i - edges.begin()) + 1);
@@ -170,8 +169,8 @@ std::vector<Near_edges> near_edges(const PatchRange& patches, const Model_contin
 /// \throws Error as the function that reports
 template <class PatchRange, class FT>
 std::vector<Near_edges> near_edges(const PatchRange& patches, const Model_continuity<FT>& model,
-                                   const Edge_tolerance& tolerance, Work_limit limit = Work_limit()) {
-  return near_edges(patches, model, tolerance, limit, [](std::size_t) {});
+                                   const Edge_tolerance& tolerance) {
+  return near_edges(patches, model, tolerance, [](std::size_t) {});
 }
 
 } // namespace Geometric_continuity

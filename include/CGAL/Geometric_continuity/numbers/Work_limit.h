@@ -6,11 +6,14 @@
 #define CGAL_GEOMETRIC_CONTINUITY_NUMBERS_WORK_LIMIT_H
 
 #include <CGAL/Geometric_continuity/Error.h>
+#include <CGAL/Geometric_continuity/internal/Steps_of_each.h>
 #include <CGAL/Geometric_continuity/numbers/internal/number_words.h>
+#include <CGAL/assertions.h>
 
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -26,13 +29,13 @@ namespace Geometric_continuity {
 /// the time of one or two multiplications of machine words. With integers of `w` words, a sum counts as \f$ 4 + w \f$ steps and
 /// a product as \f$ 8 + w^2 \f$; with fractions, a product and a sum as \f$ 450 w + 5 w^2 \f$, most of it for greatest common
 /// divisors; above 512 words \f$ 512 w \f$ stands for \f$ w^2 \f$, for fast multiplication. The limit is checked in the stages that
-/// work in multi-precision only; those of fixed length are short.
+/// work in multi-precision only; those of fixed length are short. A `Work_scope` sets it.
 class Work_limit {
   std::uint64_t steps_ = default_steps;
 
 public:
   /// The default, which takes some seconds. Ordinary joins and edges need less than its thousandth part.
-  static constexpr std::uint64_t default_steps = 4'000'000'000;
+  static constexpr std::uint64_t default_steps = internal::Steps_of_each::default_steps;
 
   /// Constructs the default.
   constexpr Work_limit() = default;
@@ -50,7 +53,7 @@ class Work_meter {
   const Work_limit limit_;
   const char* const place_;
   const double allowed_;
-  Work_meter* const scope_ = current();
+  Work_meter* const scope_ = scope();
   double steps_ = 0, search_steps_ = 0;
 
 public:
@@ -58,8 +61,12 @@ public:
   Work_meter(Work_limit limit, const char* place, double factor = 1)
       : limit_(limit), place_(place), allowed_(static_cast<double>(limit.steps()) * factor) {}
 
-  // That of the innermost Work_scope of this thread, if there is one.
-  static Work_meter*& current() {
+  // That of the innermost Work_scope of this thread with a place, and that of the object that is at work: null if there is none.
+  static Work_meter*& scope() {
+    static thread_local Work_meter* meter = nullptr;
+    return meter;
+  }
+  static Work_meter*& object() {
     static thread_local Work_meter* meter = nullptr;
     return meter;
   }
@@ -107,28 +114,70 @@ private:
   }
 };
 
+// The work on one object, from here to the end of the block: work_meter() counts it.
+class Work_on_object {
+  Work_meter meter_;
+  Work_meter* const before_;
+
+public:
+  // The place is named by the errors; the limit is `factor` times that of each object.
+  explicit Work_on_object(const char* place, double factor = 1)
+      : meter_(Work_limit(Steps_of_each::steps()), place, factor),
+        before_(std::exchange(Work_meter::object(), &meter_)) {}
+  Work_on_object(const Work_on_object&) = delete;
+  Work_on_object& operator=(const Work_on_object&) = delete;
+  ~Work_on_object() { Work_meter::object() = before_; }
+};
+
+// The work on an object, if this thread is not yet at work on one of which this is a part.
+class Work_on_part {
+  std::optional<Work_on_object> object_;
+
+public:
+  explicit Work_on_part(const char* place) {
+    if (!Work_meter::object()) object_.emplace(place);
+  }
+};
+
+// The meter of the object that is at work. There must be one.
+inline Work_meter& work_meter() {
+  CGAL_assertion(Work_meter::object());
+  return *Work_meter::object();
+}
+
 } // namespace internal
 
 /// \ingroup PkgGeometricContinuityAlgebra
-/// A limit for all that this thread does while an object of this class lives: what is decided or constructed in rational numbers
-/// also counts here, in addition to a limit of its own. So it bounds what takes no `Work_limit`, too: jets of rational
-/// curves, blends, energies, segments that lead to a point, triangles.
+/// Limits the work of this thread, and of those that work for it on several cores, while an object of this class lives: either
+/// that on *each* object (a join, an edge, a knot line, a spline) or, with a place, that on *all* that is done, in addition to the
+/// limit of each. The latter also bounds what is no such object: jets of rational curves, blends, energies, segments that lead to a
+/// point, triangles; it holds for this thread only.
 /// \code{.cpp}
-/// const GC::Work_scope scope(GC::Work_limit(1000000), "my blend");
-/// const auto gamma = GC::blend(phi, psi); // may throw Error_code::work_limit, "my blend: more than ..."
+/// const GC::Work_scope each(GC::Work_limit(1000000));             // for each join
+/// const auto join = GC::continuity(phi, psi);                     // may throw Error_code::work_limit, "continuity: more than ..."
+///
+/// const GC::Work_scope all(GC::Work_limit(1000000), "my blend");  // for the whole block
+/// const auto gamma = GC::blend(phi, psi);                         // may throw Error_code::work_limit, "my blend: more than ..."
 /// \endcode
 class Work_scope {
-  internal::Work_meter meter_;
-  internal::Work_meter* const before_;
+  std::optional<internal::Steps_of_each> each_;
+  std::optional<internal::Work_meter> all_;
+  internal::Work_meter* const before_ = internal::Work_meter::scope();
 
 public:
-  /// Starts to count. The place is named by the errors and must live as long as the object.
-  Work_scope(Work_limit limit, const char* place)
-      : meter_(limit, place), before_(std::exchange(internal::Work_meter::current(), &meter_)) {}
+  /// Limits the work on each object.
+  explicit Work_scope(Work_limit each) : each_(std::in_place, each.steps()) {}
+  /// Starts to count all work. The place is named by the errors and must live as long as the object.
+  Work_scope(Work_limit all, const char* place) : all_(std::in_place, all, place) {
+    internal::Work_meter::scope() = &*all_;
+  }
   Work_scope(const Work_scope&) = delete;
   Work_scope& operator=(const Work_scope&) = delete;
   /// Goes back to the scope before.
-  ~Work_scope() { internal::Work_meter::current() = before_; }
+  ~Work_scope() { internal::Work_meter::scope() = before_; }
+
+  /// Returns the limit of each object that holds at present.
+  static Work_limit limit_of_each() { return Work_limit(internal::Steps_of_each::steps()); }
 };
 
 } // namespace Geometric_continuity

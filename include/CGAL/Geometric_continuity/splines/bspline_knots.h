@@ -99,8 +99,7 @@ std::vector<typename Coefficients::value_type> change_knots(const Knot_vector<FT
 
 // The Bernstein coefficients on the spans.
 template <class FT, class Coefficients>
-std::vector<typename Coefficients::value_type> bernstein_pieces(const Knot_vector<FT>& knots, const Coefficients& c,
-                                                                Work_meter& work) {
+std::vector<typename Coefficients::value_type> bernstein_pieces(const Knot_vector<FT>& knots, const Coefficients& c) {
   typedef typename Coefficients::value_type Value;
   const int p = knots.degree(), n = number_of_coordinates(c[0]);
   const std::vector<int> spans = knots.spans();
@@ -119,7 +118,7 @@ std::vector<typename Coefficients::value_type> bernstein_pieces(const Knot_vecto
     for (int d = 0; d < n; ++d) {
       std::vector<FT> column;
       for (const Value& x : c) column.push_back(number(x, d));
-      Difference_spans<FT> pieces(knots, std::move(column), work);
+      Difference_spans<FT> pieces(knots, std::move(column));
       for (std::size_t s = 0; s < spans.size(); ++s) {
         pieces.start();
         pieces.finish([&](int i, const auto& x, const auto& y) {
@@ -229,14 +228,12 @@ std::vector<typename Coefficients::value_type> bspline_insert(const Knot_vector<
 /// the other: the coefficients over `knots.bezier(p)`. \f$ O(p^2) \f$ for each span and coordinate, with rational numbers
 /// additions of integers: these have the common denominator of a span.
 /// \param knots, c the spline
-/// \param limit the work that is allowed
 /// \throws Error `wrong_number_of_points` unless there are `n` coefficients, `work_limit`
 template <class FT, class Coefficients>
-std::vector<typename Coefficients::value_type> bspline_bezier(const Knot_vector<FT>& knots, const Coefficients& c,
-                                                              Work_limit limit = Work_limit()) {
+std::vector<typename Coefficients::value_type> bspline_bezier(const Knot_vector<FT>& knots, const Coefficients& c) {
   internal::check_number_of_coefficients(knots, c, "bspline_bezier");
-  internal::Work_meter work(limit, "Bernstein coefficients of a spline");
-  return internal::bernstein_pieces(knots, c, work);
+  const internal::Work_on_object work("Bernstein coefficients of a spline");
+  return internal::bernstein_pieces(knots, c);
 }
 
 /// \ingroup PkgGeometricContinuityAlgebra

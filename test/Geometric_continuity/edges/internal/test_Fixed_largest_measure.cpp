@@ -48,8 +48,9 @@ bool is_accurate(const GC::Normal_deviation<Q>& d) {
 }
 
 std::optional<GC::Normal_deviation<Q>> search(const Whole& s, const Whole& p, GC::Work_limit limit = GC::Work_limit()) {
-  GC::internal::Work_meter work(limit, "test");
-  return Fixed(s, p, work)();
+  const GC::Work_scope each(limit);
+  const GC::internal::Work_on_object work("test");
+  return Fixed(s, p)();
 }
 
 } // namespace
@@ -112,9 +113,9 @@ BOOST_AUTO_TEST_CASE(creases_in_fixed_length_and_multiprecision) {
     const GC::Edge_rows<Q> rows = GC::edge_rows(p, v0), other = GC::edge_rows(q, v0);
     GC::internal::Edge_layers x, y;
     BOOST_REQUIRE((GC::internal::edge_layers(p, v0, q, v0, 2, x, y)));
-    GC::internal::Work_meter work(GC::Work_limit(), "test");
-    const std::optional<GC::Edge_continuity<Q>> found = GC::internal::crease_on_grid<Q>(x, y, work);
-    const GC::Edge_continuity<Q> expected = GC::internal::decide_rough_edge(rows, other, work);
+    const GC::internal::Work_on_object work("test");
+    const std::optional<GC::Edge_continuity<Q>> found = GC::internal::crease_on_grid<Q>(x, y);
+    const GC::Edge_continuity<Q> expected = GC::internal::decide_rough_edge(rows, other);
     if (!found) continue;
     ++decided;
     BOOST_CHECK(found->g_order == expected.g_order && found->defect == expected.defect &&
@@ -126,10 +127,10 @@ BOOST_AUTO_TEST_CASE(creases_in_fixed_length_and_multiprecision) {
         found->deviation->lower == expected.deviation->lower && found->deviation->upper == expected.deviation->upper &&
         found->deviation->begin == expected.deviation->begin && found->deviation->end == expected.deviation->end);
     // the search in multi-precision
-    const GC::internal::Edge_sides<Q> sides(rows, other, work);
-    const GC::internal::Edge_normals<Q> normals(sides, work);
-    GC::internal::Edge_measure<Q> m(normals.n1, normals.n2, false, work);
-    const GC::Normal_deviation<Q> d = GC::internal::Largest_measure<Q>(m.s, m.p, m.side, work)();
+    const GC::internal::Edge_sides<Q> sides(rows, other);
+    const GC::internal::Edge_normals<Q> normals(sides);
+    GC::internal::Edge_measure<Q> m(normals.n1, normals.n2, false);
+    const GC::Normal_deviation<Q> d = GC::internal::Largest_measure<Q>(m.s, m.p, m.side)();
     BOOST_CHECK(d.lower <= found->deviation->upper && found->deviation->lower <= d.upper);
     BOOST_CHECK(is_accurate(d) && is_accurate(*found->deviation));
     BOOST_CHECK(d.begin <= found->deviation->end && found->deviation->begin <= d.end);

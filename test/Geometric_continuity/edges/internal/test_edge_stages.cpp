@@ -103,8 +103,7 @@ void check_order(const Patch& a, Patch_edge edge_a, const Patch& b, Patch_edge e
   bool agree = true;
   for (const unsigned used : combinations) {
     Stages stages{used};
-    agree = agree &&
-            GC::internal::edge_has_order<order>(a, edge_a, b, edge_b, stages, GC::Work_limit()) == (order <= truth);
+    agree = agree && GC::internal::edge_has_order<order>(a, edge_a, b, edge_b, stages) == (order <= truth);
     for (int s = 0; s < 4; ++s) agree = agree && (stages.count[s] == 0 || stages.uses(static_cast<Edge_stage>(s)));
     if (used == 31)
       for (int s = 0; s < 5; ++s) counter.stages[order][s] += stages.count[s];
@@ -579,8 +578,8 @@ void check_surfaces(const Surface_a& a, Patch_edge edge_a, const Surface_b& b, P
   const auto check_order = [&](auto order, bool expected) {
     for (const unsigned used : combinations) {
       Stages stages{used};
-      counter.mismatches += GC::internal::edge_has_order<decltype(order)::value>(a, edge_a, b, edge_b, stages,
-                                                                                 GC::Work_limit()) != expected;
+      counter.mismatches +=
+          GC::internal::edge_has_order<decltype(order)::value>(a, edge_a, b, edge_b, stages) != expected;
       if (used == 31)
         for (int s = 0; s < 5; ++s) counter.stages[order][s] += stages.count[s];
     }

@@ -50,18 +50,15 @@ template <class NT> class Curvature_polynomials {
   std::vector<Polynomial> w_;
   Polynomial s_{NT(0)};
   Polynomial v_{NT(1)};
-  const Work_limit limit_;
 
 public:
-  // From the control points of the curve, or the homogeneous ones of a rational curve. The limit is that for each question.
-  template <int N>
-  Curvature_polynomials(const std::vector<Coordinate_vector<NT, N>>& rows, bool rational, Work_limit limit)
-      : limit_(limit) {
+  // From the control points of the curve, or the homogeneous ones of a rational curve.
+  template <int N> Curvature_polynomials(const std::vector<Coordinate_vector<NT, N>>& rows, bool rational) {
     const int dimension = rows.front().dimension() - (rational ? 1 : 0);
-    Work_meter work(limit, "curvature_extrema");
+    const Work_on_object work("curvature_extrema");
     // S is of degree 4 in the points, and the degree below 4n; with a denominator both are twice as high
     const double n = static_cast<double>(rows.size()) * (rational ? 2 : 1);
-    work.charge_products(16 * n * n * dimension * dimension, (rational ? 8 : 4) * common_words<NT>(rows, work));
+    work_meter().charge_products(16 * n * n * dimension * dimension, (rational ? 8 : 4) * common_words<NT>(rows));
     const auto coordinate = [&](int i) -> Polynomial {
       std::vector<NT> c;
       for (const Coordinate_vector<NT, N>& row : rows) c.push_back(row[i]);
@@ -82,7 +79,7 @@ public:
   }
 
   // Whether the curve has a tangent everywhere.
-  bool is_regular() const { return sign_pattern(g_, limit_) == Sign_pattern::positive; }
+  bool is_regular() const { return sign_pattern(g_) == Sign_pattern::positive; }
 
   // Whether the curvature is zero everywhere.
   bool is_straight() const { return Power_polynomial<NT>(s_).is_zero(); }
@@ -91,7 +88,7 @@ public:
 
   // The places where the derivative of the curvature is zero.
   std::vector<Isolated_root<NT>> flat_places(const NT& width) const {
-    return isolate_roots(slope(), width, default_bisections, limit_);
+    return isolate_roots(slope(), width, default_bisections);
   }
 
   // A polynomial with the sign of the derivative of the curvature.
@@ -109,7 +106,7 @@ public:
   // The zeros of the curvature. At an inflection d1 ^ d2 changes its direction: it is (t - t0)^k times what is not zero, with an
   // odd k.
   std::vector<Isolated_root<NT>> inflections(const NT& width) const {
-    std::vector<Isolated_root<NT>> roots = isolate_roots(is_planar() ? w_[0] : s_, width, default_bisections, limit_);
+    std::vector<Isolated_root<NT>> roots = isolate_roots(is_planar() ? w_[0] : s_, width, default_bisections);
     const int even = is_planar() ? 1 : 2; // the multiplicity is k times this
     roots.erase(std::remove_if(roots.begin(), roots.end(),
                                [even](const Isolated_root<NT>& r) { return r.multiplicity / even % 2 == 0; }),

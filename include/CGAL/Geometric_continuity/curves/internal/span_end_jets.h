@@ -22,16 +22,16 @@ namespace internal {
 // derivatives up to p - m are those on the left of it.
 template <class FT, int N>
 std::vector<std::pair<Coordinate_jet<FT, N>, Coordinate_jet<FT, N>>>
-span_end_jets(const Knot_vector<FT>& knots, const std::vector<Coordinate_vector<FT, N>>& c, int k, Work_limit limit) {
+span_end_jets(const Knot_vector<FT>& knots, const std::vector<Coordinate_vector<FT, N>>& c, int k) {
   typedef Coordinate_jet<FT, N> Jet;
   const int p = knots.degree(), n = c[0].dimension(), last = (std::min)(k, p);
   const std::size_t spans = knots.spans().size();
   std::vector<std::pair<Jet, Jet>> jets(spans, {Jet(n, k), Jet(n, k)});
-  Work_meter work(limit, "derivatives of a spline");
+  const Work_on_object work("derivatives of a spline");
   for (int d = 0; d < n; ++d) {
     std::vector<FT> column;
     for (const Coordinate_vector<FT, N>& x : c) column.push_back(x[d]);
-    Difference_spans<FT> polynomials(knots, std::move(column), work);
+    Difference_spans<FT> polynomials(knots, std::move(column));
     for (std::size_t s = 0; s < spans; ++s) {
       auto& [start, end] = jets[s];
       const int first_new = p + 1 - polynomials.start();

@@ -40,8 +40,8 @@ template <class Field, int N> class Centred_curve {
   Field centre_;
 
 public:
-  Centred_curve(const Edge_piece<Field, N>& piece, Work_meter& work) {
-    charge_powers<Field>(piece.rows.edge, work);
+  Centred_curve(const Edge_piece<Field, N>& piece) {
+    charge_powers<Field>(piece.rows.edge);
     a_ = is_point(piece.rows.edge) ? std::vector<Vector>{piece.rows.edge[0]}
                                    : powers_from_bernstein<Field>(piece.rows.edge);
     const int n = degree();
@@ -190,9 +190,9 @@ template <class Field, int N = 3> class Common_edge_part {
   std::vector<Centred_curve<Field, N>> curves_a_, curves_b_;
 
 public:
-  Common_edge_part(const Pieces& a, const Pieces& b, Work_meter& work) : a_(a), b_(b) {
-    for (const Edge_piece<Field, N>& piece : a) curves_a_.emplace_back(piece, work);
-    for (const Edge_piece<Field, N>& piece : b) curves_b_.emplace_back(piece, work);
+  Common_edge_part(const Pieces& a, const Pieces& b) : a_(a), b_(b) {
+    for (const Edge_piece<Field, N>& piece : a) curves_a_.emplace_back(piece);
+    for (const Edge_piece<Field, N>& piece : b) curves_b_.emplace_back(piece);
   }
 
   // The whole edges if they are the same, forwards or else backwards.
@@ -249,8 +249,8 @@ private:
 
 template <class Field, int N>
 Edge_match<Field> common_edge_part(const std::vector<Edge_piece<Field, N>>& a,
-                                   const std::vector<Edge_piece<Field, N>>& b, Work_meter& work) {
-  return Common_edge_part<Field, N>(a, b, work)();
+                                   const std::vector<Edge_piece<Field, N>>& b) {
+  return Common_edge_part<Field, N>(a, b)();
 }
 
 } // namespace internal

@@ -39,7 +39,7 @@ namespace internal {
 // degrees n <= 5 the coefficients of N.n2 are at most 12 * 2^216 C(18,9) < 2^236, four limbs, and those of p at most
 // 144 * 2^432 C(36,18) < 2^474, eight limbs.
 template <class Field>
-std::optional<Edge_continuity<Field>> crease_on_grid(const Edge_layers& a, const Edge_layers& b, Work_meter& work) {
+std::optional<Edge_continuity<Field>> crease_on_grid(const Edge_layers& a, const Edge_layers& b) {
 #ifdef CGAL_GEOMETRIC_CONTINUITY_HAS_FIXED_INTEGER
   constexpr int most_along = 5;
   if constexpr (Common_denominator<Field>::clears) {
@@ -58,7 +58,7 @@ std::optional<Edge_continuity<Field>> crease_on_grid(const Edge_layers& a, const
     s.template add_product<true>(side, side);
     if (s.vanishes()) return std::nullopt;
     Edge_continuity<Field> e;
-    e.deviation = Fixed_largest_measure<Field, Short_polynomial<8>>(s, p, work)();
+    e.deviation = Fixed_largest_measure<Field, Short_polynomial<8>>(s, p)();
     if (!e.deviation) return std::nullopt;
     e.g_order = 0;
     e.defect = Edge_defect::crease;
@@ -77,23 +77,23 @@ template <class Field, int N = 3> class Edge_decision {
   Edge_continuity<Field> edge_;
 
 public:
-  template <class Sides> Edge_continuity<Field> operator()(const Sides& sides, Work_meter& work) {
+  template <class Sides> Edge_continuity<Field> operator()(const Sides& sides) {
     edge_.g_order = 0;
-    const Normals normals(sides, work);
+    const Normals normals(sides);
     edge_.collapsed = sides.collapsed();
     edge_.coplanar = normals.coplanar();
-    edge_.side = normals.side_signs(work);
-    edge_.normal_vanishes = normals.normal_vanishes(edge_.side, work);
+    edge_.side = normals.side_signs();
+    edge_.normal_vanishes = normals.normal_vanishes(edge_.side);
     edge_.defect = edge_.collapsed ? Edge_defect::collapsed : first_order_defect();
     if (edge_.collapsed) return edge_;
     if (edge_.defect == Edge_defect::curvature) {
       edge_.g_order = 1;
-      if (normals.second_order(sides, work)) {
+      if (normals.second_order(sides)) {
         edge_.g_order = 2;
         edge_.defect = Edge_defect::none;
       }
     }
-    locate(normals, work);
+    locate(normals);
     return edge_;
   }
 
@@ -108,18 +108,18 @@ private:
     }
   }
 
-  void locate(const Normals& n, Work_meter& work) {
+  void locate(const Normals& n) {
     if (edge_.normal_vanishes) {
       if (Edge_sides<Field, N>::is_zero(n.n1) || Edge_sides<Field, N>::is_zero(n.n2)) {
         edge_.vanishing = std::pair<Field, Field>(Field(0), Field(1));
         return;
       }
-      edge_.vanishing = zero_interval<Field>(
-          edge_.coplanar ? n.side : product(Normals::square(n.n1, work), Normals::square(n.n2, work), work), work);
+      edge_.vanishing =
+          zero_interval<Field>(edge_.coplanar ? n.side : product(Normals::square(n.n1), Normals::square(n.n2)));
     }
     if (edge_.defect == Edge_defect::crease || edge_.defect == Edge_defect::fold)
       edge_.deviation = largest_angle<Field>(normal_part<typename Normals::Ring>(n.n1),
-                                             normal_part<typename Normals::Ring>(n.n2), edge_.normal_vanishes, work);
+                                             normal_part<typename Normals::Ring>(n.n2), edge_.normal_vanishes);
     else
       edge_.deviation = Normal_deviation<Field>{Field(0), Field(0), Field(0), Field(1)};
   }
@@ -138,22 +138,22 @@ template <class Field> Edge_continuity<Field> smooth_continuity(int order, const
 
 // The multi-precision stage alone.
 template <class Field, int N>
-Edge_continuity<Field> decide_rough_edge(const Edge_rows<Field, N>& a, const Edge_rows<Field, N>& b, Work_meter& work) {
-  return Edge_decision<Field, N>()(Edge_sides<Field, N>(a, b, work), work);
+Edge_continuity<Field> decide_rough_edge(const Edge_rows<Field, N>& a, const Edge_rows<Field, N>& b) {
+  return Edge_decision<Field, N>()(Edge_sides<Field, N>(a, b));
 }
 
 // The decision on rows with the same edge, in one direction. Homogeneous ones have the multi-precision stage only.
 template <class Field, int N>
-Edge_continuity<Field> decide_edge(const Edge_rows<Field, N>& a, const Edge_rows<Field, N>& b, Work_meter& work) {
+Edge_continuity<Field> decide_edge(const Edge_rows<Field, N>& a, const Edge_rows<Field, N>& b) {
   if constexpr (N == 3) {
     Edge_layers x, y;
     if (edge_layers(a, b, x, y)) {
       if (const std::optional<int> order = smooth_order(x, y))
         return smooth_continuity<Field>(*order, {Field(0), Field(1)});
-      if (std::optional<Edge_continuity<Field>> crease = crease_on_grid<Field>(x, y, work)) return *std::move(crease);
+      if (std::optional<Edge_continuity<Field>> crease = crease_on_grid<Field>(x, y)) return *std::move(crease);
     }
   }
-  return decide_rough_edge(a, b, work);
+  return decide_rough_edge(a, b);
 }
 
 // The verdict on an interval [begin, end] of an edge from that on [0, 1].

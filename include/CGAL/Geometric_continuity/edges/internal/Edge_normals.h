@@ -34,30 +34,27 @@ template <class NT> std::size_t most_words(const Homogeneous_polynomial<NT>& p) 
 
 // Takes note of as many products of two polynomials.
 template <class NT>
-void charge_product(double number, const Homogeneous_polynomial<NT>& p, const Homogeneous_polynomial<NT>& q,
-                    Work_meter& work) {
-  work.charge_products(number * (p.degree() + 1.) * (q.degree() + 1), most_words(p), most_words(q));
+void charge_product(double number, const Homogeneous_polynomial<NT>& p, const Homogeneous_polynomial<NT>& q) {
+  work_meter().charge_products(number * (p.degree() + 1.) * (q.degree() + 1), most_words(p), most_words(q));
 }
 
 // Products of polynomials as without a meter.
 template <class NT>
-Homogeneous_polynomial<NT> product(const Homogeneous_polynomial<NT>& p, const Homogeneous_polynomial<NT>& q,
-                                   Work_meter& work) {
-  charge_product(1, p, q, work);
+Homogeneous_polynomial<NT> product(const Homogeneous_polynomial<NT>& p, const Homogeneous_polynomial<NT>& q) {
+  charge_product(1, p, q);
   return p * q;
 }
 template <class NT, std::size_t n>
 Homogeneous_polynomial<NT> scalar_product(const std::array<Homogeneous_polynomial<NT>, n>& v,
-                                          const std::array<Homogeneous_polynomial<NT>, n>& w, Work_meter& work) {
-  for (std::size_t i = 0; i < n; ++i) charge_product(1, v[i], w[i], work);
+                                          const std::array<Homogeneous_polynomial<NT>, n>& w) {
+  for (std::size_t i = 0; i < n; ++i) charge_product(1, v[i], w[i]);
   return Geometric_continuity::scalar_product(v, w);
 }
 template <class NT>
-Homogeneous_vector<NT> cross_product(const Homogeneous_vector<NT>& v, const Homogeneous_vector<NT>& w,
-                                     Work_meter& work) {
+Homogeneous_vector<NT> cross_product(const Homogeneous_vector<NT>& v, const Homogeneous_vector<NT>& w) {
   for (int i = 0; i < 3; ++i)
     for (int j = 0; j < 3; ++j)
-      if (i != j) charge_product(1, v[i], w[j], work);
+      if (i != j) charge_product(1, v[i], w[j]);
   return Geometric_continuity::cross_product(v, w);
 }
 
@@ -71,7 +68,7 @@ template <class Field, int N = 3> struct Edge_sides {
   Common_denominator<Field> denominator;
   Vector c[2], t[2], w[2]; // C, T, W
 
-  template <class FT> Edge_sides(const Edge_rows<FT, N>& a, const Edge_rows<FT, N>& b, Work_meter& work) {
+  template <class FT> Edge_sides(const Edge_rows<FT, N>& a, const Edge_rows<FT, N>& b) {
     for (const Edge_rows<FT, N>* rows : {&a, &b})
       for (const auto* row : {&rows->edge, &rows->cross, &rows->second_cross}) {
         if (row->empty())
@@ -80,7 +77,7 @@ template <class Field, int N = 3> struct Edge_sides {
           for (int i = 0; i < N; ++i) {
             const Field number = to_field<Field>(x[i]);
             denominator.include(number);
-            work.charge_divisors(2, denominator.words(), number_words(number)); // here, and for the numerator
+            work_meter().charge_divisors(2, denominator.words(), number_words(number)); // here, and for the numerator
           }
       }
     int side = 0;
@@ -149,25 +146,23 @@ template <class NT> struct Homogeneous_line {
 
   Polynomial m[4][4];
 
-  Homogeneous_line(const Point& x, const Point& y, Work_meter& work) {
+  Homogeneous_line(const Point& x, const Point& y) {
     for (int i = 0; i < 4; ++i)
       for (int j = i + 1; j < 4; ++j) {
-        charge_product(1, x[i], y[j], work);
-        charge_product(1, x[j], y[i], work);
+        charge_product(1, x[i], y[j]);
+        charge_product(1, x[j], y[i]);
         m[i][j] = x[i] * y[j] - x[j] * y[i];
       }
   }
 
   // The coordinate i of the plane x ^ y ^ z as a covector p, where p . v = det(v, x, y, z).
-  Polynomial plane(int i, const Point& z, Work_meter& work) const {
+  Polynomial plane(int i, const Point& z) const {
     const int a = i == 0, b = i <= 1 ? 2 : 1, c = i <= 2 ? 3 : 2; // the others, in order
-    charge_product(3, m[a][b], z[c], work);
+    charge_product(3, m[a][b], z[c]);
     const Polynomial minor = m[a][b] * z[c] - m[a][c] * z[b] + m[b][c] * z[a];
     return i % 2 == 0 ? minor : Polynomial() - minor;
   }
-  Point plane(const Point& z, Work_meter& work) const {
-    return {plane(0, z, work), plane(1, z, work), plane(2, z, work), plane(3, z, work)};
-  }
+  Point plane(const Point& z) const { return {plane(0, z), plane(1, z), plane(2, z), plane(3, z)}; }
 };
 
 // The normal of a plane, or the normal itself.
@@ -191,70 +186,66 @@ template <class Field, int N = 3> struct Edge_normals {
   Polynomial det;  // det(C', T1, T2) = n1 . T2
   Polynomial side; // n1 . n2, of the normals
 
-  template <class AnySides>
-  Edge_normals(const AnySides& s, Work_meter& work) : Edge_normals(s, s.first_derivative(), work) {}
+  template <class AnySides> Edge_normals(const AnySides& s) : Edge_normals(s, s.first_derivative()) {}
 
   // The order 1, from the signs of n1 . n2.
   bool coplanar() const { return det.is_zero(); }
-  Sign_pattern side_signs(Work_meter& work) const { return internal::sign_pattern<Exact>(side, work); }
-  bool first_order(Work_meter& work) const { return coplanar() && side_signs(work) == Sign_pattern::negative; }
+  Sign_pattern side_signs() const { return sign_pattern<Exact>(side); }
+  bool first_order() const { return coplanar() && side_signs() == Sign_pattern::negative; }
 
   // Whether n1 or n2 vanishes somewhere on the closed interval. It needs the signs of n1 . n2.
-  bool normal_vanishes(Sign_pattern side_signs, Work_meter& work) const {
+  bool normal_vanishes(Sign_pattern side_signs) const {
     if (side_signs == Sign_pattern::positive || side_signs == Sign_pattern::negative) return false;
     if (coplanar()) return true; // the normals are parallel, so that n1 . n2 is zero only where one of them is
-    return vanishes(n1, work) || vanishes(n2, work);
+    return vanishes(n1) || vanishes(n2);
   }
 
   // N_i^2 (N . W2) = n3_i^2 (N . C'') + 2 n3_i n2_i (N . T1') + n2_i^2 (N . W1) with N = n1, n3 = T2 x T1 or C ^ T2 ^ T1. As
   // n2 = q N and n3 = p N with rational functions p and q, one coordinate with N_i != 0 decides for all. The same identity is
   // decided in Edge_on_grid by integers of fixed length and in Edge_filter by floating-point numbers. \pre coplanar()
-  template <class AnySides> bool second_order(const AnySides& s, Work_meter& work) const {
+  template <class AnySides> bool second_order(const AnySides& s) const {
     int i = 0;
     while (i < 3 && n1[i].is_zero()) ++i;
     if (i == 3) return true;
-    const Polynomial n3 = third_normal(s, i, work);
-    const Polynomial mixed = internal::scalar_product(n1, s.mixed_derivative(), work);
-    const Polynomial last = internal::scalar_product(n1, s.w[1], work);
+    const Polynomial n3 = third_normal(s, i);
+    const Polynomial mixed = internal::scalar_product(n1, s.mixed_derivative());
+    const Polynomial last = internal::scalar_product(n1, s.w[1]);
     for (const Polynomial& x : {n1[i], n2[i], n3}) {
-      charge_product(1, x, x, work);
-      charge_product(2, x, last, work);
+      charge_product(1, x, x);
+      charge_product(2, x, last);
     }
     const Polynomial left = n1[i] * n1[i] * last;
-    const Polynomial right =
-        n3 * (n3 * internal::scalar_product(n1, s.second_derivative(), work) + n2[i] * (mixed + mixed)) +
-        n2[i] * n2[i] * internal::scalar_product(n1, s.w[0], work);
+    const Polynomial right = n3 * (n3 * internal::scalar_product(n1, s.second_derivative()) + n2[i] * (mixed + mixed)) +
+                             n2[i] * n2[i] * internal::scalar_product(n1, s.w[0]);
     return left == right;
   }
 
-  static Polynomial square(const Vector& v, Work_meter& work) {
+  static Polynomial square(const Vector& v) {
     const Homogeneous_vector<Ring>& n = normal_part<Ring>(v);
-    return internal::scalar_product(n, n, work);
+    return internal::scalar_product(n, n);
   }
   // Whether the vector is zero somewhere on the closed interval.
-  static bool vanishes(const Vector& v, Work_meter& work) {
-    return internal::sign_pattern<Exact>(square(v, work), work) != Sign_pattern::positive;
-  }
+  static bool vanishes(const Vector& v) { return sign_pattern<Exact>(square(v)) != Sign_pattern::positive; }
 
 private:
-  template <class AnySides> Edge_normals(const AnySides& s, const Vector& d, Work_meter& work) {
+  template <class AnySides> Edge_normals(const AnySides& s, const Vector& d) {
     if constexpr (N == 4) {
-      const Homogeneous_line<Ring> tangent(s.edge(), d, work);
-      n1 = tangent.plane(s.t[0], work);
-      n2 = tangent.plane(s.t[1], work);
+      const Homogeneous_line<Ring> tangent(s.edge(), d);
+      n1 = tangent.plane(s.t[0]);
+      n2 = tangent.plane(s.t[1]);
     } else {
-      n1 = internal::cross_product(d, s.t[0], work);
-      n2 = internal::cross_product(d, s.t[1], work);
+      n1 = internal::cross_product(d, s.t[0]);
+      n2 = internal::cross_product(d, s.t[1]);
     }
-    det = internal::scalar_product(n1, s.t[1], work);
-    side = internal::scalar_product(normal_part<Ring>(n1), normal_part<Ring>(n2), work);
+    det = internal::scalar_product(n1, s.t[1]);
+    side = internal::scalar_product(normal_part<Ring>(n1), normal_part<Ring>(n2));
   }
 
-  template <class AnySides> static Polynomial third_normal(const AnySides& s, int i, Work_meter& work) {
+  template <class AnySides> static Polynomial third_normal(const AnySides& s, int i) {
     if constexpr (N == 4)
-      return Homogeneous_line<Ring>(s.edge(), s.t[1], work).plane(i, s.t[0], work);
+      return Homogeneous_line<Ring>(s.edge(), s.t[1]).plane(i, s.t[0]);
     else {
-      charge_product(6, s.t[0][0], s.t[1][0], work);
+      charge_product(6, s.t[0][0], s.t[1][0]);
       return s.t[1][(i + 1) % 3] * s.t[0][(i + 2) % 3] - s.t[1][(i + 2) % 3] * s.t[0][(i + 1) % 3];
     }
   }
@@ -262,14 +253,13 @@ private:
 
 // The normal of one side along its own edge, times a power of the denominator for homogeneous points.
 template <class Field, int N>
-Homogeneous_vector<typename Edge_sides<Field, N>::Ring> normal_along_edge(const Edge_sides<Field, N>& s, int side,
-                                                                          Work_meter& work) {
+Homogeneous_vector<typename Edge_sides<Field, N>::Ring> normal_along_edge(const Edge_sides<Field, N>& s, int side) {
   typedef typename Edge_sides<Field, N>::Ring Ring;
   const typename Edge_sides<Field, N>::Vector d = Edge_sides<Field, N>::derivative(s.c[side]);
   if constexpr (N == 4)
-    return normal_part<Ring>(Homogeneous_line<Ring>(s.c[side], d, work).plane(s.t[side], work));
+    return normal_part<Ring>(Homogeneous_line<Ring>(s.c[side], d).plane(s.t[side]));
   else
-    return internal::cross_product(d, s.t[side], work);
+    return internal::cross_product(d, s.t[side]);
 }
 
 } // namespace internal

@@ -25,15 +25,15 @@ namespace internal {
 
 // Takes note of the conversion of a row to powers, and of as many operations again: about n^2 for n coefficients, with their
 // common denominator.
-template <class Field, class Row> void charge_powers(const Row& row, Work_meter& work) {
+template <class Field, class Row> void charge_powers(const Row& row) {
   Common_denominator<Field> denominator;
   for (const auto& p : row)
     for (const Field& x : p) {
       denominator.include(x);
-      work.charge_divisors(1, denominator.words(), number_words(x));
+      work_meter().charge_divisors(1, denominator.words(), number_words(x));
     }
   const double n = static_cast<double>(row.size());
-  work.charge_products(n * n, denominator.words());
+  work_meter().charge_products(n * n, denominator.words());
 }
 
 // The rows on an interval on which they are polynomials, in Bernstein form.
@@ -46,7 +46,7 @@ template <class Field, int N = 3> struct Edge_piece {
 
 // On each span of the knots, in an exact field. \throws Error `wrong_number_of_points`, `not_finite`
 template <class Field, class FT, int N>
-std::vector<Edge_piece<Field, N>> edge_pieces(const Spline_edge_rows<FT, N>& edge, Work_meter& work) {
+std::vector<Edge_piece<Field, N>> edge_pieces(const Spline_edge_rows<FT, N>& edge) {
   typedef typename Edge_rows<Field, N>::Row Row;
   const Knot_vector<Field> knots = knots_over<Field>(edge.knots);
   const std::vector<int> spans = knots.spans();
@@ -54,7 +54,7 @@ std::vector<Edge_piece<Field, N>> edge_pieces(const Spline_edge_rows<FT, N>& edg
   for (int k : spans) pieces.push_back({knots[k], knots[k + 1], {}});
   const auto add_row = [&](const typename Edge_rows<FT, N>::Row& row, Row Edge_rows<Field, N>::*member) {
     check_number_of_coefficients(knots, row, "edge_pieces");
-    const Row b = bernstein_pieces(knots, row_in_space<Field, N>(row), work);
+    const Row b = bernstein_pieces(knots, row_in_space<Field, N>(row));
     const std::size_t n = b.size() / pieces.size();
     for (std::size_t i = 0; i < pieces.size(); ++i)
       (pieces[i].rows.*member).assign(b.begin() + i * n, b.begin() + (i + 1) * n);
@@ -88,23 +88,23 @@ template <class Field> std::vector<Edge_piece<Field, 4>> lifted(const std::vecto
 // Of an edge of a surface. A patch has one piece, which needs no knots.
 template <class Surface>
 std::vector<Edge_piece<Edge_field<typename Surface::Traits>, row_dimension<Surface>>>
-edge_pieces(const Surface& surface, Patch_edge edge, Work_meter& work) {
+edge_pieces(const Surface& surface, Patch_edge edge) {
   typedef Edge_field<typename Surface::Traits> Field;
   if constexpr (Is_patch<Surface>::value) {
     const std::pair<Field, Field> domain = edge_domain<Field>(surface, edge);
     return {{domain.first, domain.second, edge_rows(surface, edge)}};
   } else
-    return edge_pieces<Field>(spline_edge_rows(surface, edge), work);
+    return edge_pieces<Field>(spline_edge_rows(surface, edge));
 }
 
 // With N coordinates, 3 or 4.
 template <int N, class Surface>
-std::vector<Edge_piece<Edge_field<typename Surface::Traits>, N>> edge_pieces_in(const Surface& surface, Patch_edge edge,
-                                                                                Work_meter& work) {
+std::vector<Edge_piece<Edge_field<typename Surface::Traits>, N>> edge_pieces_in(const Surface& surface,
+                                                                                Patch_edge edge) {
   if constexpr (N == row_dimension<Surface>)
-    return edge_pieces(surface, edge, work);
+    return edge_pieces(surface, edge);
   else
-    return lifted(edge_pieces(surface, edge, work));
+    return lifted(edge_pieces(surface, edge));
 }
 
 // The coefficients on [x, y], x < y and 0 < y, of a polynomial with Bernstein coefficients on [0, 1], which need not contain

@@ -51,15 +51,13 @@ template <class Field, class Polynomial> class Fixed_largest_measure {
   static constexpr std::size_t most_pieces = 32;
 
   const Polynomial &exact_s_, &exact_p_;
-  Work_meter& work_;
   std::vector<Piece> pieces_;
   int level_ = 0, shift_ = 0;
   double lower_ = 0, steps_ = 0;
 
 public:
   // Of polynomials of one degree.
-  Fixed_largest_measure(const Polynomial& s, const Polynomial& p, Work_meter& work)
-      : exact_s_(s), exact_p_(p), work_(work) {}
+  Fixed_largest_measure(const Polynomial& s, const Polynomial& p) : exact_s_(s), exact_p_(p) {}
 
   // Returns nothing where it does not get on, or the meter does not allow more.
   std::optional<Normal_deviation<Field>> operator()() {
@@ -105,7 +103,7 @@ private:
 
   bool halve() {
     const double n = pieces_[0].p.degree + 1, steps = 4 * n * n * static_cast<double>(pieces_.size());
-    if (!work_.allows_search(steps_, steps)) return false;
+    if (!work_meter().allows_search(steps_, steps)) return false;
     steps_ += steps;
     std::vector<Piece> pieces;
     pieces.swap(pieces_);

@@ -33,15 +33,13 @@ template <class Field> struct Edge_measure {
   Polynomial s, p, side;
 
   // `vanishing` tells whether a normal is zero somewhere on [0, 1]
-  Edge_measure(Vector n1, Vector n2, bool vanishing, Work_meter& work) {
+  Edge_measure(Vector n1, Vector n2, bool vanishing) {
     Polynomial factor = one(); // of the normals
-    if (vanishing)
-      factor =
-          without_square_factors(product(without_common_factor(n1, work), without_common_factor(n2, work), work), work);
-    side = internal::scalar_product(n1, n2, work);
-    p = product(Normals::square(n1, work), Normals::square(n2, work), work);
-    s = p - product(side, side, work);
-    if (factor.degree() > 0) side = product(factor, side, work);
+    if (vanishing) factor = without_square_factors(product(without_common_factor(n1), without_common_factor(n2)));
+    side = internal::scalar_product(n1, n2);
+    p = product(Normals::square(n1), Normals::square(n2));
+    s = p - product(side, side);
+    if (factor.degree() > 0) side = product(factor, side);
   }
 
 private:
@@ -71,11 +69,10 @@ private:
   }
 
   // Divides by the greatest common divisor of the coordinates and returns it, both up to positive factors.
-  static Polynomial without_common_factor(Vector& n, Work_meter& work) {
+  static Polynomial without_common_factor(Vector& n) {
     std::vector<Power> v;
     for (const Polynomial& x : n) v.push_back(power_form(x));
-    const Power factor =
-        internal::greatest_common_divisor(internal::greatest_common_divisor(v[0], v[1], work), v[2], work);
+    const Power factor = greatest_common_divisor(greatest_common_divisor(v[0], v[1]), v[2]);
     for (Power& x : v) {
       Power dividend = x;
       x = dividend.divide(factor);
@@ -86,17 +83,15 @@ private:
   }
 
   // The product of the factors of odd multiplicity, with the same sign as p wherever p is not zero.
-  static Polynomial without_square_factors(const Polynomial& p, Work_meter& work) {
-    return in_ring({odd_factors(power_form(p), work)})[0];
-  }
+  static Polynomial without_square_factors(const Polynomial& p) { return in_ring({odd_factors(power_form(p))})[0]; }
 
   // With the factors a_i of multiplicity i, g = gcd(p, p') is the product of a_i^(i-1), and p/g that of all a_i, which are
   // the odd ones of p and those of g.
-  static Power odd_factors(Power p, Work_meter& work) {
+  static Power odd_factors(Power p) {
     if (p.degree() < 1) return p;
-    const Power g = internal::greatest_common_divisor(p, p.derivative(), work);
+    const Power g = greatest_common_divisor(p, p.derivative());
     Power all = p.divide(g);
-    return all.divide(odd_factors(g, work));
+    return all.divide(odd_factors(g));
   }
 };
 
@@ -140,11 +135,10 @@ template <class Field> class Largest_measure {
   const Exact epsilon_ = power_of_half(53), tiny_ = power_of_half(110);
   std::vector<Piece> pieces_; // a heap: the first may have the largest angle
   Fraction lower_{Ring(0), Ring(1)};
-  Work_meter& work_;
   double steps_ = 0; // taken so far
 
 public:
-  Largest_measure(Polynomial s, Polynomial p, Polynomial side, Work_meter& work) : work_(work) {
+  Largest_measure(Polynomial s, Polynomial p, Polynomial side) {
     add({std::move(s), std::move(p), std::move(side), 0, Field(0), Field(1), {}});
   }
 
@@ -170,7 +164,7 @@ private:
     const std::size_t words = number_words(worst.p[worst.p.degree() / 2]);
     const double steps = bisection_steps(worst.s) + bisection_steps(worst.p) + bisection_steps(worst.side) +
                          8 * n * Work_meter::product_steps(words, words);
-    if (!work_.allows_search(steps_, steps)) return false;
+    if (!work_meter().allows_search(steps_, steps)) return false;
     steps_ += steps;
     return true;
   }
@@ -245,29 +239,27 @@ private:
 
 // The same, in integers of fixed length where they do.
 template <class Field, class Polynomial>
-Normal_deviation<Field> largest_measure(Polynomial s, Polynomial p, Polynomial side, Work_meter& work) {
+Normal_deviation<Field> largest_measure(Polynomial s, Polynomial p, Polynomial side) {
 #ifdef CGAL_GEOMETRIC_CONTINUITY_HAS_FIXED_INTEGER
   if constexpr (Common_denominator<Field>::clears)
     if (is_acute(side))
-      if (const std::optional<Normal_deviation<Field>> found = Fixed_largest_measure<Field, Polynomial>(s, p, work)())
+      if (const std::optional<Normal_deviation<Field>> found = Fixed_largest_measure<Field, Polynomial>(s, p)())
         return *found;
 #endif
-  return Largest_measure<Field>(std::move(s), std::move(p), std::move(side), work)();
+  return Largest_measure<Field>(std::move(s), std::move(p), std::move(side))();
 }
 
 // The largest angle between two normals along an edge. \pre neither vanishes identically
 template <class Field>
 Normal_deviation<Field> largest_angle(const Homogeneous_vector<typename Edge_sides<Field>::Ring>& n1,
-                                      const Homogeneous_vector<typename Edge_sides<Field>::Ring>& n2, bool vanishing,
-                                      Work_meter& work) {
-  Edge_measure<Field> m(n1, n2, vanishing, work);
-  return largest_measure<Field>(std::move(m.s), std::move(m.p), std::move(m.side), work);
+                                      const Homogeneous_vector<typename Edge_sides<Field>::Ring>& n2, bool vanishing) {
+  Edge_measure<Field> m(n1, n2, vanishing);
+  return largest_measure<Field>(std::move(m.s), std::move(m.p), std::move(m.side));
 }
 
 // A sub-interval in which the polynomial has a zero or comes close to one: a point if it is zero at an end, otherwise of
 // length 1/1024. \pre it has a zero in [0, 1]
-template <class Field, class Polynomial>
-std::pair<Field, Field> zero_interval(const Polynomial& polynomial, Work_meter& work) {
+template <class Field, class Polynomial> std::pair<Field, Field> zero_interval(const Polynomial& polynomial) {
   typedef typename Polynomial::NT Ring;
   struct Piece {
     Polynomial p;
@@ -284,7 +276,7 @@ std::pair<Field, Field> zero_interval(const Polynomial& polynomial, Work_meter& 
     const Sign_pattern signs = piece.p.coefficient_signs();
     if (signs == Sign_pattern::positive || signs == Sign_pattern::negative) continue;
     if (piece.level == last_level) return {piece.begin, piece.end};
-    charge_bisection(piece.p, work);
+    charge_bisection(piece.p);
     const std::pair<Polynomial, Polynomial> halves = piece.p.halves();
     const Field middle = Field(Field(piece.begin + piece.end) / Field(2));
     stack.push_back(Piece{halves.second, piece.level + 1, middle, piece.end});

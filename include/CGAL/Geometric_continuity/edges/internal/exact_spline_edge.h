@@ -132,13 +132,12 @@ bool differ_at(const Spline_edge_rows<Model_number, N>& a, const Spline_edge_row
 
 template <int N>
 std::optional<Edge_continuity<Model_number>> exact_spline_edge(const Spline_edge_rows<Model_number, N>& a,
-                                                               const Spline_edge_rows<Model_number, N>& b,
-                                                               Work_limit limit) {
+                                                               const Spline_edge_rows<Model_number, N>& b) {
   const auto [first, last] = a.knots.domain();
   for (int i = 0; i <= 4; ++i) // most gaps are found at once
     if (differ_at(a, b, Model_number(first + Model_number(last - first) * Model_number(i) / Model_number(4))))
       return Edge_continuity<Model_number>();
-  const Spline_edge_continuity<Model_number> e = edge_continuity(a, b, limit);
+  const Spline_edge_continuity<Model_number> e = edge_continuity(a, b);
   if (e.g_order >= 0 && e.whole_a && e.whole_b)
     return e.reversed ? std::nullopt : std::optional<Edge_continuity<Model_number>>(e);
   // polynomial edges that are the same at equal parameters would have been found; rational ones may be the same nevertheless
@@ -151,24 +150,24 @@ std::optional<Edge_continuity<Model_number>> exact_spline_edge(const Spline_edge
 template <int N>
 std::optional<Edge_continuity<Model_number>> exact_spline_edge(const Edge_side& a, const Edge_on_parameter_line& on_a,
                                                                const Edge_side& b, const Edge_on_parameter_line& on_b,
-                                                               double first, double last, Work_limit limit) {
+                                                               double first, double last) {
   const Spline_edge_rows<Model_number, N> x = rows_on_part<N>(on_a, a.placement, first, last);
   Spline_edge_rows<Model_number, N> y = rows_on_part<N>(on_b, b.placement, first, last);
   if (on_a.orientation == on_b.orientation)
     for (Coordinate_vector<Model_number, N>& t : y.rows.cross) t *= Model_number(-1);
-  return exact_spline_edge(x, y, limit);
+  return exact_spline_edge(x, y);
 }
 
 inline std::optional<Edge_continuity<Model_number>> exact_spline_edge(const Edge_side& a, const Edge_side& b,
-                                                                      double first, double last, Work_limit limit) {
+                                                                      double first, double last) {
   if (!(first < last)) return std::nullopt;
   const std::optional<Edge_on_parameter_line> on_a = edge_on_parameter_line(a, first, last);
   if (!on_a) return std::nullopt;
   const std::optional<Edge_on_parameter_line> on_b = edge_on_parameter_line(b, first, last);
   if (!on_b) return std::nullopt;
   return are_equal(on_a->surface->weights) && are_equal(on_b->surface->weights)
-             ? exact_spline_edge<3>(a, *on_a, b, *on_b, first, last, limit)
-             : exact_spline_edge<4>(a, *on_a, b, *on_b, first, last, limit);
+             ? exact_spline_edge<3>(a, *on_a, b, *on_b, first, last)
+             : exact_spline_edge<4>(a, *on_a, b, *on_b, first, last);
 }
 
 } // namespace internal

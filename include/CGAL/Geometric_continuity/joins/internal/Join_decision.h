@@ -83,14 +83,14 @@ template <class FT, int N> class Join_decision {
 
   std::conditional_t<rounded, Jet, const Jet&> X, Y;
   const int max_order;
-  Work_meter work;
+  const Work_on_object work{"continuity"};
   Parameter_scale scale;
   FT g, a; // g = X'.X', a = X'.Y'; G1 iff g Y' = a X' and a > 0; then beta_1 = a/g
   Join_continuity<FT> join;
 
 public:
-  Join_decision(const Jet& left, const Jet& right, int order, Work_limit limit = Work_limit())
-      : X(left), Y(right), max_order((std::min)({order, left.order(), right.order()})), work(limit, "continuity") {
+  Join_decision(const Jet& left, const Jet& right, int order)
+      : X(left), Y(right), max_order((std::min)({order, left.order(), right.order()})) {
     if (order < 0) throw Error(Error_code::negative_count, "continuity: order");
     if (X.dimension() != Y.dimension()) throw Error(Error_code::dimension_mismatch, "continuity of two jets");
     if (max_order < 0) throw Error(Error_code::jet_order_too_low, "continuity of two jets");
@@ -127,9 +127,9 @@ private:
       if (x == FT(0) || y == FT(0)) return;
       const std::size_t words = number_words(x), other_words = number_words(y);
       if (is_whole(x, words) && is_whole(y, other_words))
-        work.charge_products(number, words, other_words);
+        work_meter().charge_products(number, words, other_words);
       else
-        work.charge_fractions(number, words, other_words);
+        work_meter().charge_fractions(number, words, other_words);
     }
   }
   // Of long numbers only; others are taken for fractions.

@@ -98,14 +98,12 @@ template <class Surface> class Edge_groups {
   typedef Edge_polygon<Surface> Polygon;
 
   const std::vector<const Surface*>& surfaces_;
-  const Work_limit limit_;
   std::vector<Edge_use> uses_; // edge by edge
   std::vector<Edge_use> collapsed_;
   std::vector<Edge_uses> edges_;
 
 public:
-  explicit Edge_groups(const std::vector<const Surface*>& surfaces, Work_limit limit = Work_limit())
-      : surfaces_(surfaces), limit_(limit) {
+  explicit Edge_groups(const std::vector<const Surface*>& surfaces) : surfaces_(surfaces) {
     uses_.reserve(4 * surfaces_.size()); // so that the edges can point into it
     if (std::all_of(surfaces_.begin(), surfaces_.end(), [](const Surface* s) { return has_corner_points(*s); }))
       group_by_ends();
@@ -209,7 +207,7 @@ private:
     for (const Edge_use& use : uses) {
       std::optional<Key> key;
       name_work_limit([&] { return edge_name(use.patch, use.edge); },
-                      [&] { key.emplace(*surfaces_[use.patch], use.edge, limit_); });
+                      [&] { key.emplace(*surfaces_[use.patch], use.edge); });
       if (key->single_point()) {
         collapsed_.push_back(use);
         continue;

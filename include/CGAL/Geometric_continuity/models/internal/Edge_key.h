@@ -34,10 +34,10 @@ template <class Traits, int N = 3> class Edge_key {
   bool turned_ = false;
 
 public:
-  template <class Surface> Edge_key(const Surface& surface, Patch_edge edge, Work_limit limit = Work_limit()) {
-    Work_meter work(limit, "model_continuity");
-    std::vector<Piece> pieces = unit_pieces(surface, edge, work);
-    for (const Piece& piece : pieces) charge_powers<Field>(piece.row, work);
+  template <class Surface> Edge_key(const Surface& surface, Patch_edge edge) {
+    const Work_on_object work("model_continuity");
+    std::vector<Piece> pieces = unit_pieces(surface, edge);
+    for (const Piece& piece : pieces) charge_powers<Field>(piece.row);
     numbers_ = numbers(pieces);
     std::reverse(pieces.begin(), pieces.end());
     for (Piece& piece : pieces) {
@@ -82,18 +82,16 @@ private:
     }
   }
 
-  template <class Surface>
-  static std::vector<Piece> unit_pieces(const Surface& surface, Patch_edge edge, Work_meter& work) {
+  template <class Surface> static std::vector<Piece> unit_pieces(const Surface& surface, Patch_edge edge) {
     if constexpr (Is_patch<Surface>::value) // row 0 is that of the only piece; no division is needed
       return {{Field(0), Field(1), row_in_space<Field, N>(surface.template rows<Field>(edge, 0)[0])}};
     else
-      return pieces_of_spline(surface, edge, work);
+      return pieces_of_spline(surface, edge);
   }
 
-  template <class Surface>
-  static std::vector<Piece> pieces_of_spline(const Surface& surface, Patch_edge edge, Work_meter& work) {
+  template <class Surface> static std::vector<Piece> pieces_of_spline(const Surface& surface, Patch_edge edge) {
     const Knot_vector<Field> knots = knots_over<Field>(surface.knots_along(edge));
-    const Row rows = bernstein_pieces(knots, row_in_space<Field, N>(surface.template rows<Field>(edge, 0)[0]), work);
+    const Row rows = bernstein_pieces(knots, row_in_space<Field, N>(surface.template rows<Field>(edge, 0)[0]));
     const std::pair<Field, Field> domain = knots.domain();
     const Field length = domain.second - domain.first;
     std::vector<Piece> pieces;

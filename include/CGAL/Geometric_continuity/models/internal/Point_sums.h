@@ -122,7 +122,7 @@ public:
     words = 1 + words / 64;
     weight_words_ += words;
     for (std::size_t k = 0; k <= n; ++k) {
-      if (Work_meter* const work = Work_meter::current()) {
+      if (Work_meter* const work = Work_meter::scope()) {
         work->charge_products(degree * (degree + 1.), words, 1);
         work->charge_sums(16. * degree, words); // memory
       }
@@ -144,7 +144,7 @@ public:
   }
 
   void charge(double number) const {
-    if (Work_meter* const work = Work_meter::current())
+    if (Work_meter* const work = Work_meter::scope())
       work->charge_products(number * net_[0].dimension(), words_, weight_words_);
   }
 };

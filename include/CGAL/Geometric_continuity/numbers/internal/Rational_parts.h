@@ -35,7 +35,7 @@ template <class FT, class = void> struct Rational_parts : std::false_type {};
 inline void charge_cancellation(std::size_t words, std::size_t other_words) {
   constexpr std::size_t few = 8;
   if (words + other_words > few)
-    if (Work_meter* const work = Work_meter::current()) work->charge_fractions(0.6, words, other_words);
+    if (Work_meter* const work = Work_meter::scope()) work->charge_fractions(0.6, words, other_words);
 }
 
 // The number of GMP in a Gmpq, in an mpq_class, and in a gmp_rational of Boost.

@@ -23,14 +23,14 @@ constexpr bool is_rational_v = Common_denominator<FT>::clears&& std::is_same_v<t
 // The meter of the Work_scope of this thread for numbers whose work is counted, if there is one.
 template <class FT> Work_meter* scope_of() {
   if constexpr (is_rational_v<FT>)
-    return Work_meter::current();
+    return Work_meter::scope();
   else
     return nullptr;
 }
 
 // How many words the coordinates of vectors have over their common denominator, by which the work on them can be told in advance;
 // 0 for numbers of another type, whose work is not counted.
-template <class FT, class Vectors> std::size_t common_words(const Vectors& vectors, Work_meter& work) {
+template <class FT, class Vectors> std::size_t common_words(const Vectors& vectors) {
   if constexpr (!is_rational_v<FT>)
     return 0;
   else {
@@ -40,7 +40,7 @@ template <class FT, class Vectors> std::size_t common_words(const Vectors& vecto
       for (const FT& x : v) {
         denominator.include(x);
         longest = (std::max)(longest, number_words(x));
-        work.charge_divisors(1, denominator.words(), number_words(x));
+        work_meter().charge_divisors(1, denominator.words(), number_words(x));
       }
     return longest + denominator.words();
   }

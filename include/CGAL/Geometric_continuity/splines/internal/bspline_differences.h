@@ -42,10 +42,9 @@ template <class FT> class Divided_differences {
     Ring factor = Ring(1); // of d in the last round
   };
   std::vector<Entry> c_;
-  Work_meter& work_;
 
 public:
-  Divided_differences(const std::vector<FT>& c, Work_meter& work) : work_(work) {
+  explicit Divided_differences(const std::vector<FT>& c) {
     for (const FT& x : c) {
       Entry e;
       e.d = Common_denominator<FT>::denominator_of(x);
@@ -66,7 +65,7 @@ public:
     for (std::size_t i = c_.size() - 1; i >= static_cast<std::size_t>(first); --i) {
       Entry &x = c_[i], &left = c_[i - 1];
       if (length(static_cast<int>(i)) != Ring(0)) {
-        work_.charge_products(3, number_words(x.d), number_words(x.factor));
+        work_meter().charge_products(3, number_words(x.d), number_words(x.factor));
         x.n = Ring(x.n * x.b - left.n * x.a);
         x.d *= x.factor;
       }
@@ -79,7 +78,7 @@ private:
     const Ring common(CGAL::gcd(a, b));
     x.a = exact_quotient(a, common);
     x.b = exact_quotient(b, common);
-    work_.charge_divisors(1, number_words(a), number_words(b));
+    work_meter().charge_divisors(1, number_words(a), number_words(b));
   }
 };
 
@@ -104,12 +103,11 @@ template <class FT> class Difference_spans {
   std::vector<Ring> terms_; // binomial(p, j) g_j times the denominator, at the place that has been reached
   Ring denominator_ = Ring(1);
   FT scale_; // of the knots
-  Work_meter& work_;
 
 public:
   // c are the coefficients over the knots.
-  Difference_spans(const Knot_vector<FT>& knots, std::vector<FT> c, Work_meter& work)
-      : p_(knots.degree()), binomials_(binomial_coefficients<Ring>(p_)), terms_(p_ + 1, Ring(0)), work_(work) {
+  Difference_spans(const Knot_vector<FT>& knots, std::vector<FT> c)
+      : p_(knots.degree()), binomials_(binomial_coefficients<Ring>(p_)), terms_(p_ + 1, Ring(0)) {
     for (const Ring& b : binomials_) multiple_ *= exact_quotient(b, Ring(CGAL::gcd(multiple_, b)));
     for (const Ring& b : binomials_) cofactors_.push_back(exact_quotient(multiple_, b));
     const std::vector<int> numbers = knots.spans();
@@ -125,7 +123,7 @@ public:
       while (m <= p_ && u[k - m] == u[k]) ++m;
       spans_.push_back({Ring(u[k + 1] - u[k]), std::vector<FT>(spans_.empty() ? p_ + 1 : (std::min)(m, p_ + 1))});
     }
-    Divided_differences<FT> differences(c, work_);
+    Divided_differences<FT> differences(c);
     for (int j = 0; j <= p_; ++j) { // number i is coefficient number i of the spline of degree p - j
       for (std::size_t s = 0; s < numbers.size(); ++s) {
         std::vector<FT>& terms = spans_[s].new_terms;
@@ -146,7 +144,7 @@ public:
   // The j-th derivative, j <= p, at the start or the end of the span.
   FT derivative(int j) const {
     const std::size_t words = number_words(denominator_);
-    work_.charge_divisors(1, number_words(terms_[j]), words);
+    work_meter().charge_divisors(1, number_words(terms_[j]), words);
     FT factor(1); // j! scale^j
     for (int i = 1; i <= j; ++i) factor *= FT(FT(i) * scale_);
     return FT(factor * quotient(terms_[j], denominator_));
@@ -163,8 +161,8 @@ public:
       power *= span.length;
       terms_[j] *= factors[j];
     }
-    work_.charge_sums(p_ * (p_ + 1.) / 2, number_words(denominator));
-    work_.charge_products(2. * (p_ + 1), number_words(denominator));
+    work_meter().charge_sums(p_ * (p_ + 1.) / 2, number_words(denominator));
+    work_meter().charge_products(2. * (p_ + 1), number_words(denominator));
     output(0, terms_[0], denominator);
     for (int i = 1; i <= p_; ++i) {
       for (int j = 0; j <= p_ - i; ++j) terms_[j] += terms_[j + 1];
@@ -187,7 +185,7 @@ private:
     denominator_ = denominator.value();
     Ring common = denominator_;
     for (int j = 0; j <= p_ && !(common == Ring(1)); ++j) {
-      work_.charge_divisors(1, number_words(common), number_words(terms_[j]));
+      work_meter().charge_divisors(1, number_words(common), number_words(terms_[j]));
       common = Ring(CGAL::gcd(common, terms_[j]));
     }
     if (common == Ring(1)) return;

@@ -43,7 +43,7 @@ template <class Field> bool has_zero_inside(const Bernstein_rows<Field>& b) {
   std::vector<std::vector<Exact>> coefficients(powers[0].dimension());
   for (const Coordinate_vector<Field, 0>& row : powers)
     for (int i = 0; i < row.dimension(); ++i) coefficients[i].push_back(Exact_number<Field>::of(row[i]));
-  return has_zero_on_square(coefficients, Work_limit());
+  return has_zero_on_square(coefficients);
 }
 
 // Decides exactly whether such a polynomial is positive on the closed unit square. On the boundary this is decided as for

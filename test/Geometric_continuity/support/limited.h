@@ -1,0 +1,16 @@
+// Copyright (c) 2026 The Geometric_continuity developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef GEOMETRIC_CONTINUITY_TEST_SUPPORT_LIMITED_H
+#define GEOMETRIC_CONTINUITY_TEST_SUPPORT_LIMITED_H
+
+#include <CGAL/Geometric_continuity/numbers/Work_limit.h>
+
+// Returns work() with a limit of the work on each object.
+template <class Work> auto limited(CGAL::Geometric_continuity::Work_limit limit, Work work) {
+  const CGAL::Geometric_continuity::Work_scope each(limit);
+  return work();
+}
+
+#endif // GEOMETRIC_CONTINUITY_TEST_SUPPORT_LIMITED_H
