@@ -9,6 +9,7 @@
 #include <CGAL/Geometric_continuity/curves/Bezier_curve.h>
 #include <CGAL/Geometric_continuity/joins/failing_joins.h>
 #include <CGAL/Geometric_continuity/joins/join_predicates.h>
+#include <CGAL/Geometric_continuity/numbers/Work_limit.h>
 #include <CGAL/Simple_cartesian.h>
 
 #include <boost/test/unit_test.hpp>
@@ -118,6 +119,19 @@ template <class Tag> void check_exception() {
 BOOST_AUTO_TEST_CASE(exceptions) {
   check_exception<CGAL::Sequential_tag>();
   check_exception<CGAL::Parallel_if_available_tag>();
+}
+
+// The limit of the work on each object holds for all threads that take part.
+template <class Tag> void check_limit() {
+  const std::vector<int> numbers(1000000, 1);
+  const GC::Work_scope each(GC::Work_limit(7));
+  const auto has_limit = [](int, int) { return GC::Work_scope::limit_of_each().steps() == 7; };
+  BOOST_CHECK_EQUAL(GC::failing_joins<Tag>(numbers.begin(), numbers.end(), has_limit).size(), 0u);
+}
+BOOST_AUTO_TEST_CASE(limits_of_work) {
+  check_limit<CGAL::Sequential_tag>();
+  check_limit<CGAL::Parallel_if_available_tag>();
+  BOOST_CHECK_EQUAL(GC::Work_scope::limit_of_each().steps(), GC::Work_limit::default_steps);
 }
 
 BOOST_AUTO_TEST_SUITE_END()
