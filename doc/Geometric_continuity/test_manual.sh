@@ -1,0 +1,37 @@
+#!/usr/bin/env bash
+# Builds the manual, whose warnings are errors, and opens its pages in a browser without a network: every formula is typeset, and no page
+# but those of examples shows TeX. Usage: test_manual.sh BUILD_FOLDER HTML_FOLDER
+set -eu
+cmake --build "$1" --target doc >/dev/null
+cd "$2"
+browser=$(command -v chromium || command -v chromium-browser || command -v google-chrome) || {
+  echo "skipped: there is no Chromium"
+  exit 77
+}
+[ -d mathjax ] || {
+  echo "skipped: libjs-mathjax is not installed"
+  exit 77
+}
+profile=$(mktemp -d)
+trap 'rm -rf "$profile"' EXIT
+failures=0 formulas=0
+fail() {
+  echo "$1"
+  failures=$((failures + 1))
+}
+# the pages of the manual: the main page, and those of texts, which doxygen names after their labels
+for page in index.html Geometric_continuity_[A-Z]*.html; do
+  [ "$(wc -c <"$page")" -le 250000 ] || fail "$page: too long to read"
+  wanted=$(grep -oE '\\\(|\\\[|\\begin\{eqnarray' "$page" | wc -l)
+  timeout 100 "$browser" --headless --no-sandbox --disable-gpu --disable-extensions --no-first-run --user-data-dir="$profile" \
+    --host-resolver-rules='MAP * ~NOTFOUND' --allow-file-access-from-files --virtual-time-budget=60000 --dump-dom "file://$PWD/$page" \
+    >"$profile/dom" 2>/dev/null </dev/null || fail "$page: the browser fails"
+  set_in_type=$(grep -oE 'class="MathJax"' "$profile/dom" | wc -l)
+  [ "$set_in_type" -eq "$wanted" ] || fail "$page: $set_in_type of $wanted formulas are typeset"
+  raw=$(sed -e '/<script/,/<\/script>/d' "$profile/dom" | grep -oE '\\\(|\\\[|\\f\$' | wc -l)
+  [ "$raw" -eq 0 ] || fail "$page: $raw formulas are left as TeX"
+  ! grep -q 'class="MathJax_Error"\|class="merror"\|\[Math Processing Error\]' "$profile/dom" || fail "$page: a formula has an error"
+  formulas=$((formulas + set_in_type))
+done
+echo "$formulas formulas, $failures failures"
+[ "$failures" -eq 0 ] && [ "$formulas" -gt 500 ]
