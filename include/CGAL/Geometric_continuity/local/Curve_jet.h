@@ -5,19 +5,100 @@
 #ifndef CGAL_GEOMETRIC_CONTINUITY_LOCAL_CURVE_JET_H
 #define CGAL_GEOMETRIC_CONTINUITY_LOCAL_CURVE_JET_H
 
-#include <CGAL/Geometric_continuity/local/Coordinate_jet.h>
+#include <CGAL/Geometric_continuity/Error.h>
+#include <CGAL/Geometric_continuity/algebra/Coordinate_vector.h>
+#include <CGAL/Geometric_continuity/internal/force_inline.h>
 #include <CGAL/Geometric_continuity/local/coordinates.h>
 #include <CGAL/Geometric_continuity/numbers/internal/checked_numbers.h>
 
+#include <algorithm>
+#include <array>
+#include <cstddef>
 #include <initializer_list>
 #include <iterator>
 #include <ostream>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
+/// \file Curve_jet.h
+/// The point and the first derivatives of a curve at one parameter, and those at the two ends of any curve, in any field: all
+/// that joins and blends read of a curve. A curve that offers `end_jet_over` and `start_jet_over` derives them in that field
+/// from its control points as they are, so that a predicate on curves with `double` coordinates is exact. Of any other model of
+/// `ParametricCurve`, the jet that it returns is converted.
+
 namespace CGAL {
 namespace Geometric_continuity {
+
+namespace internal {
+// Asks for numbers that are not initialised, for those who set them all.
+struct Unspecified {};
+} // namespace internal
+
+/// \ingroup PkgGeometricContinuityLocal
+/// A jet of order `k` in coordinates: the point and the first `k` derivatives of a curve at one parameter.
+/// All functions that read a jet are written on this type; `Curve_jet` adds the types of a kernel.
+///
+/// The coordinates can be written, and are not checked: a function that needs finite numbers looks at them itself.
+///
+/// \tparam FT a field number type
+/// \tparam N the dimension, or 0 when it is known at run time only
+template <class FT_, int N> class Coordinate_jet {
+public:
+  typedef FT_ FT;                               ///< the field
+  typedef Coordinate_vector<FT, N> Vector_type; ///< the point and the derivatives
+
+  /// The empty jet, of order -1.
+  Coordinate_jet() = default;
+
+  /// The zero jet of order `k` in dimension `d`. No memory is allocated up to order 5.
+  /// \throws Error `negative_count` unless `k >= 0` and `d >= 0`, `dimension_mismatch` unless `d == N` or `N == 0`
+  Coordinate_jet(int d, int k) : order_(k) {
+    check(d, k);
+    for (int j = 0; j <= k && j < inlined; ++j) inlined_[j] = Vector_type(d);
+    if (k >= inlined) more_.assign(k + 1 - inlined, Vector_type(d));
+  }
+
+  // The jet with numbers that are not initialised when N > 0.
+  Coordinate_jet(int d, int k, internal::Unspecified) : order_(k) {
+    check(d, k);
+    if constexpr (N == 0)
+      for (int j = 0; j <= k && j < inlined; ++j) inlined_[j] = Vector_type(d);
+    if (k >= inlined) more_.assign(k + 1 - inlined, Vector_type(d));
+  }
+
+  /// Returns the number of derivatives; -1 for an empty jet.
+  int order() const { return order_; }
+  /// Returns the dimension; 0 for an empty jet.
+  int dimension() const { return order_ < 0 ? 0 : inlined_[0].dimension(); }
+
+  /// Returns the `j`-th derivative; the point for `j == 0`. \pre `0 <= j <= order()`
+  const Vector_type& operator[](int j) const { return j < inlined ? inlined_[j] : more_[j - inlined]; }
+  /// Gives access to the `j`-th derivative; to the point for `j == 0`. \pre `0 <= j <= order()`
+  Vector_type& operator[](int j) { return j < inlined ? inlined_[j] : more_[j - inlined]; }
+
+  /// Returns whether the orders and all coordinates are equal.
+  friend bool operator==(const Coordinate_jet& x, const Coordinate_jet& y) {
+    if (x.order() != y.order()) return false;
+    for (int j = 0; j <= x.order(); ++j)
+      if (x[j] != y[j]) return false;
+    return true;
+  }
+  /// Returns whether the orders or some coordinates differ.
+  friend bool operator!=(const Coordinate_jet& x, const Coordinate_jet& y) { return !(x == y); }
+
+private:
+  static constexpr int inlined = 6;
+  int order_ = -1;
+  std::array<Vector_type, inlined> inlined_;
+  std::vector<Vector_type> more_;
+
+  CGAL_GC_FORCEINLINE static void check(int d, int k) {
+    internal::check_count(k, "jet: order");
+    internal::check_count(d, "jet: dimension");
+  }
+};
 
 /// \ingroup PkgGeometricContinuityLocal
 /// A jet of order `k`: the point \f$ x \f$ and the derivatives \f$ x', \dots, x^{(k)} \f$ of a curve at one
@@ -99,7 +180,160 @@ template <class Field, class FT, int N> Coordinate_jet<Field, N> convert_jet(con
   return r;
 }
 
+template <class Field, class Curve, class = void> struct Has_end_jets_over : std::false_type {};
+template <class Field, class Curve>
+struct Has_end_jets_over<Field, Curve,
+                         std::void_t<decltype(std::declval<const Curve&>().template end_jet_over<Field>(0)),
+                                     decltype(std::declval<const Curve&>().template start_jet_over<Field>(0))>>
+    : std::true_type {};
+
 } // namespace internal
+
+/// \ingroup PkgGeometricContinuityLocal
+/// Returns the point and the first `order` derivatives of a curve at the end of its domain, as numbers of `Field`.
+///
+/// Exact in an exact field when the curve offers `end_jet_over<Field>(order)` (see `ParametricCurve`), as all curves of this
+/// package do; otherwise `curve.jet()` at the end of the domain, converted.
+///
+/// \tparam Field a field number type into which the numbers of the curve can be converted
+/// \tparam Curve a model of `ParametricCurve`
+/// \throws Error `negative_count` unless `order >= 0`
+template <class Field, class Curve>
+Coordinate_jet<Field, dimension_v<typename Curve::Traits>> end_jet(const Curve& curve, int order) {
+  internal::check_count(order, "end_jet: order");
+  if constexpr (internal::Has_end_jets_over<Field, Curve>::value)
+    return curve.template end_jet_over<Field>(order);
+  else
+    return internal::convert_jet<Field>(curve.jet(curve.domain().second, order));
+}
+
+/// \ingroup PkgGeometricContinuityLocal
+/// Returns the point and the first `order` derivatives of a curve at the start of its domain, as numbers of `Field`.
+///
+/// Exact in an exact field when the curve offers `start_jet_over<Field>(order)` (see `ParametricCurve`), as all curves of this
+/// package do; otherwise `curve.jet()` at the start of the domain, converted.
+///
+/// \tparam Field a field number type into which the numbers of the curve can be converted
+/// \tparam Curve a model of `ParametricCurve`
+/// \throws Error `negative_count` unless `order >= 0`
+template <class Field, class Curve>
+Coordinate_jet<Field, dimension_v<typename Curve::Traits>> start_jet(const Curve& curve, int order) {
+  internal::check_count(order, "start_jet: order");
+  if constexpr (internal::Has_end_jets_over<Field, Curve>::value)
+    return curve.template start_jet_over<Field>(order);
+  else
+    return internal::convert_jet<Field>(curve.jet(curve.domain().first, order));
+}
+
+/// \ingroup PkgGeometricContinuityLocal
+/// The jets at the two ends of a curve, in place of the curve: all that decisions about joins read. `continuity()`, `deviation()`,
+/// `order_within()` and `Chain_analysis` take it like a curve, up to the order of the jets.
+///
+/// \tparam Traits_ a model of `GeometricContinuityTraits`
+template <class Traits_> class Curve_end_jets {
+  static constexpr int N = dimension_v<Traits_>;
+  typedef Coordinate_jet<typename Traits_::FT, N> Jet;
+
+public:
+  typedef Traits_ Traits;         ///< the traits class
+  typedef typename Traits::FT FT; ///< the field
+
+  /// Takes the jets at the start and the end, of one order.
+  /// \throws Error `dimension_mismatch`, `jet_order_too_low` when the orders differ or the jets are empty
+  Curve_end_jets(Jet start, Jet end) : start_(std::move(start)), end_(std::move(end)) {
+    if (start_.dimension() != end_.dimension()) throw Error(Error_code::dimension_mismatch, "Curve_end_jets");
+    if (start_.order() != end_.order() || end_.order() < 0)
+      throw Error(Error_code::jet_order_too_low,
+                  "Curve_end_jets: " + std::to_string(start_.order()) + " and " + std::to_string(end_.order()));
+  }
+  /// Takes the jets of order `k` of a curve. \throws Error `negative_count` unless `k >= 0`
+  template <class Curve>
+  Curve_end_jets(const Curve& curve, int k) : Curve_end_jets(Jet(curve.start_jet(k)), Jet(curve.end_jet(k))) {}
+
+  /// Returns the dimension of the space.
+  int dimension() const { return end_.dimension(); }
+  /// Returns the order of the jets.
+  int order() const { return end_.order(); }
+
+  /// Returns the jet of order `k` at the start. \throws Error `negative_count`, `jet_order_too_low` unless `0 <= k <= order()`
+  Curve_jet<Traits> start_jet(int k) const { return Curve_jet<Traits>(start_jet_over<FT>(k)); }
+  /// Returns the jet of order `k` at the end. \throws Error `negative_count`, `jet_order_too_low` unless `0 <= k <= order()`
+  Curve_jet<Traits> end_jet(int k) const { return Curve_jet<Traits>(end_jet_over<FT>(k)); }
+  /// Returns the jet of order `k` at the start in another field.
+  /// \throws Error `negative_count`, `jet_order_too_low` unless `0 <= k <= order()`
+  template <class Field> Coordinate_jet<Field, N> start_jet_over(int k) const { return part<Field>(start_, k); }
+  /// Returns the jet of order `k` at the end in another field.
+  /// \throws Error `negative_count`, `jet_order_too_low` unless `0 <= k <= order()`
+  template <class Field> Coordinate_jet<Field, N> end_jet_over(int k) const { return part<Field>(end_, k); }
+
+private:
+  Jet start_, end_;
+
+  template <class Field> static Coordinate_jet<Field, N> part(const Jet& jet, int k) {
+    internal::check_count(k, "Curve_end_jets: order");
+    if (k > jet.order())
+      throw Error(Error_code::jet_order_too_low, "Curve_end_jets: " + std::to_string(k) + " is asked for, " +
+                                                     std::to_string(jet.order()) + " is there");
+    Coordinate_jet<Field, N> r(jet.dimension(), k);
+    for (int j = 0; j <= k; ++j)
+      for (int i = 0; i < jet.dimension(); ++i) r[j][i] = internal::to_field<Field>(jet[j][i]);
+    return r;
+  }
+};
+
+/// \ingroup PkgGeometricContinuityLocal
+/// Many jets of order `k` in dimension `N` as a structure of arrays: for each derivative and each coordinate one array with
+/// the numbers of all jets. This is the layout in which a processor computes several jets at a time.
+/// \tparam FT a field number type, usually `double`
+template <class FT_, int N, int k> class Jet_arrays {
+  static_assert(N > 0 && k >= 0);
+  std::size_t size_ = 0, stride_ = 0;
+  std::vector<FT_> numbers_;
+
+public:
+  typedef FT_ FT; ///< the field
+
+  /// No jets.
+  Jet_arrays() = default;
+  /// `n` jets with unspecified numbers.
+  explicit Jet_arrays(std::size_t n) { resize(n); }
+
+  /// Changes the number of jets. The numbers are unspecified afterwards; no memory is allocated when there is enough.
+  void resize(std::size_t n) {
+    size_ = n;
+    // An odd number of cache lines lies between two arrays: else their numbers would compete for a few lines of the cache.
+    constexpr std::size_t line = 8;
+    stride_ = line * ((n + line - 1) / line | 1);
+    numbers_.resize(stride_ * (k + 1) * N);
+  }
+  /// Returns the number of jets.
+  std::size_t size() const { return size_; }
+
+  /// Gives access to the coordinates number `i` of the derivatives of order `j` of all jets, an array of `size()` numbers.
+  /// \pre `0 <= j <= k`, `0 <= i < N`
+  FT* array(int j, int i) { return numbers_.data() + (j * N + i) * stride_; }
+  /// Returns the coordinates number `i` of the derivatives of order `j` of all jets, an array of `size()` numbers.
+  /// \pre `0 <= j <= k`, `0 <= i < N`
+  const FT* array(int j, int i) const { return numbers_.data() + (j * N + i) * stride_; }
+
+  /// Returns the jet number `at`. \pre `at < size()`
+  Coordinate_jet<FT, N> jet(std::size_t at) const {
+    Coordinate_jet<FT, N> r(N, k);
+    for (int j = 0; j <= k; ++j)
+      for (int i = 0; i < N; ++i) r[j][i] = array(j, i)[at];
+    return r;
+  }
+
+  /// Replaces the jet number `at`. \pre `at < size()`
+  /// \throws Error `jet_order_too_low` unless the jet has at least the order `k`
+  /// \throws Error `dimension_mismatch` unless it has the dimension `N`
+  template <int M> void set(std::size_t at, const Coordinate_jet<FT, M>& jet) {
+    if (jet.order() < k) throw Error(Error_code::jet_order_too_low, "Jet_arrays::set");
+    if (jet.dimension() != N) throw Error(Error_code::dimension_mismatch, "Jet_arrays::set");
+    for (int j = 0; j <= k; ++j)
+      for (int i = 0; i < N; ++i) array(j, i)[at] = jet[j][i];
+  }
+};
 
 } // namespace Geometric_continuity
 } // namespace CGAL
