@@ -5,22 +5,119 @@
 #ifndef CGAL_GEOMETRIC_CONTINUITY_CURVES_BEZIER_PROPERTIES_H
 #define CGAL_GEOMETRIC_CONTINUITY_CURVES_BEZIER_PROPERTIES_H
 
-#include <CGAL/Geometric_continuity/algebra/convex_weights.h>
+#include <CGAL/Geometric_continuity/Error.h>
+#include <CGAL/Geometric_continuity/algebra/Coordinate_vector.h>
+#include <CGAL/Geometric_continuity/algebra/determinant.h>
 #include <CGAL/Geometric_continuity/algebra/isolate_roots.h>
 #include <CGAL/Geometric_continuity/algebra/sign_pattern.h>
 #include <CGAL/Geometric_continuity/curves/Bezier_curve.h>
 #include <CGAL/Geometric_continuity/curves/internal/decision_numbers.h>
+#include <CGAL/Geometric_continuity/local/internal/Scaled_vector.h>
+#include <CGAL/Geometric_continuity/numbers/Exact_field.h>
 #include <CGAL/Geometric_continuity/numbers/internal/checked_numbers.h>
 
+#include <algorithm>
+#include <cstddef>
 #include <optional>
+#include <string>
+#include <utility>
 #include <vector>
 
 /// \file bezier_properties.h
-/// What the control polygon tells about a Bézier curve. Lecture slides, "Bézier curves III". See blending_functions.h for the
-/// properties of the Bernstein polynomials from which it follows, and control_polygon.h for the two tricks of the slides.
+/// What the control polygon tells about a Bézier curve: hull, line, variation, and curvature and torsion at the ends. Lecture
+/// slides, "Bézier curves III". Basis_matrix.h has the properties of the Bernstein polynomials from which it follows.
 
 namespace CGAL {
 namespace Geometric_continuity {
+
+namespace internal {
+
+// The first phase of the simplex algorithm: w >= 0 with A w = b, for b >= 0. The pivots are those of Bland's rule, with
+// which it ends although nearly all of b is zero here.
+template <class Field> class Feasible_solution {
+  typedef std::vector<Field> Row;
+  std::vector<Row> rows_;  // [A | b], transformed so that the columns basis_[i] of the chosen w are unit vectors
+  Row cost_;               // minus the sum of the rows whose w is not chosen yet
+  std::vector<int> basis_; // the w of each row; n where there is none yet
+  int n_;
+
+public:
+  Feasible_solution(std::vector<Row> rows, int n) : rows_(std::move(rows)), cost_(n + 1, Field(0)), n_(n) {
+    basis_.assign(rows_.size(), n_);
+    for (const Row& row : rows_)
+      for (int j = 0; j <= n_; ++j) cost_[j] -= row[j];
+  }
+
+  std::optional<Row> operator()() {
+    for (int column = entering(); column < n_; column = entering()) pivot(leaving(column), column);
+    if (!(cost_[n_] == Field(0))) return std::nullopt;
+    Row w(n_, Field(0));
+    for (std::size_t i = 0; i < rows_.size(); ++i)
+      if (basis_[i] < n_) w[basis_[i]] = rows_[i][n_];
+    return w;
+  }
+
+private:
+  int entering() const {
+    int j = 0;
+    while (j < n_ && !(cost_[j] < Field(0))) ++j;
+    return j;
+  }
+
+  // the row of the least quotient; of several, that of the first w, and those without come last
+  int leaving(int column) const {
+    int best = -1;
+    for (int i = 0; i < static_cast<int>(rows_.size()); ++i) {
+      if (!(Field(0) < rows_[i][column])) continue;
+      if (best >= 0) {
+        const Field here = rows_[i][n_] * rows_[best][column], there = rows_[best][n_] * rows_[i][column];
+        if (there < here || (here == there && basis_[best] <= basis_[i])) continue;
+      }
+      best = i;
+    }
+    return best;
+  }
+
+  void pivot(int row, int column) {
+    const Field p = rows_[row][column];
+    for (Field& x : rows_[row]) x /= p;
+    for (int i = 0; i < static_cast<int>(rows_.size()); ++i)
+      if (i != row) eliminate(rows_[i], rows_[row], column);
+    eliminate(cost_, rows_[row], column);
+    basis_[row] = column;
+  }
+
+  static void eliminate(Row& x, const Row& row, int column) {
+    const Field factor = x[column];
+    if (factor == Field(0)) return;
+    for (std::size_t j = 0; j < x.size(); ++j) x[j] -= factor * row[j];
+  }
+};
+
+} // namespace internal
+
+/// \ingroup PkgGeometricContinuityAlgebra
+/// Computes weights \f$ w_i \ge 0 \f$ with \f$ \sum_i w_i = 1 \f$ and \f$ \sum_i w_i q_i = p \f$: they prove that `p`
+/// is in the convex hull of the points `q`. At most one more of them than the dimension is not zero. Empty if and only
+/// if `p` is outside. Exact in any dimension: floating-point coordinates are taken as the rational numbers they are. By
+/// the simplex algorithm with Bland's rule; fast in practice.
+/// \throws Error `dimension_mismatch` when the points differ in dimension
+/// \throws Error `not_finite` for an infinite or undefined floating-point coordinate
+template <class FT, int N>
+std::optional<std::vector<typename Exact_field<FT>::type>>
+convex_weights(const std::vector<Coordinate_vector<FT, N>>& q, const Coordinate_vector<FT, N>& p) {
+  typedef typename Exact_field<FT>::type Field;
+  const int n = static_cast<int>(q.size()), d = p.dimension();
+  std::vector<std::vector<Field>> rows(d + 1, std::vector<Field>(n + 1, Field(0)));
+  for (int j = 0; j < n; ++j) {
+    if (q[j].dimension() != d)
+      throw Error(Error_code::dimension_mismatch, "convex_weights: point " + std::to_string(j));
+    for (int i = 0; i < d; ++i) rows[i][j] = internal::to_field<Field>(q[j][i]) - internal::to_field<Field>(p[i]);
+    rows[d][j] = Field(1);
+  }
+  rows[d][n] = Field(1);
+  return internal::Feasible_solution<Field>(rows, n)();
+}
 
 namespace internal {
 
@@ -127,6 +224,82 @@ std::optional<Crossings> count_crossings(const Bezier_curve<Traits, Degree>& cur
     count.curve += root.multiplicity % 2;
   }
   return count;
+}
+
+/// \ingroup PkgGeometricContinuityCurves
+/// Curvature and torsion at one end of a Bézier curve. They do not depend on the length of the domain.
+template <class FT> struct End_invariants {
+  std::optional<FT> curvature_squared; ///< empty where the end leg is zero
+  std::optional<FT> torsion;           ///< empty unless in space with nonzero curvature
+};
+
+namespace internal {
+
+// From the vectors p = b0 - b1, r = b2 - b1, s = b2 - b3 of a polygon of degree m, numbered from its end inwards. Scaled, so
+// that no product of floating-point numbers overflows.
+template <class FT, int N>
+End_invariants<FT> invariants_from_legs(int m, const std::vector<Coordinate_vector<FT, N>>& b) {
+  typedef Coordinate_vector<FT, N> Coordinates;
+  constexpr const char* place = "end_invariants";
+  End_invariants<FT> result;
+  if (m < 1) return result;
+  const Coordinates first = b[0] - b[1];
+  const Scaled_vector<FT, N> p(first, place);
+  const FT pp = dot(*p, *p);
+  if (pp == FT(0)) return result;
+  if (m < 2) {
+    result.curvature_squared = FT(0);
+    return result;
+  }
+  const Coordinates second = b[2] - b[1];
+  const Scaled_vector<FT, N> r(second, place);
+  const FT pxr = gram_determinant(std::vector<Coordinates>{*p, *r}); // |p x r|^2
+  const FT c = FT(m - 1) / FT(m);
+  result.curvature_squared =
+      times_power_of_two(FT(c * c * pxr / (pp * pp * pp)), 2 * r.exponent() - 4 * p.exponent(), place);
+  if (first.dimension() != 3 || pxr == FT(0)) return result;
+  if (m < 3) {
+    result.torsion = FT(0);
+    return result;
+  }
+  const Coordinates third = b[2] - b[3];
+  const Scaled_vector<FT, N> s(third, place);
+  const Coordinates* legs[] = {&*p, &*r, &*s};
+  const FT det = determinant<FT>(3, [&](int row, int column) -> const FT& { return (*legs[row])[column]; });
+  result.torsion =
+      times_power_of_two(FT(FT(m - 2) / FT(m) * det / pxr), s.exponent() - p.exponent() - r.exponent(), place);
+  return result;
+}
+
+// index(0), index(1), ... are the numbers of the control points from the end inwards.
+template <class Traits, int Degree, class Index>
+End_invariants<typename Traits::FT> invariants_at(const Bezier_curve<Traits, Degree>& curve, const Index& index) {
+  const int m = curve.degree();
+  std::vector<Coordinates<Traits>> b;
+  for (int j = 0; j <= (std::min)(m, 3); ++j) b.push_back(curve.coordinates(index(j)));
+  return invariants_from_legs<typename Traits::FT, dimension_v<Traits>>(m, b);
+}
+
+} // namespace internal
+
+/// \ingroup PkgGeometricContinuityCurves
+/// Returns \f$ \kappa^2 \f$ and \f$ \tau \f$ at the end of a Bézier curve of degree `m`, read off the last three legs
+/// \f$ p = b_0 - b_{-1},\ r = b_{-2} - b_{-1},\ s = b_{-2} - b_{-3} \f$ without differentiation:
+/// \f$ \kappa^2 = \left(\frac{m-1}{m}\right)^2 \frac{|p \times r|^2}{|p|^6} \f$,
+/// \f$ \tau = \frac{m-2}{m} \frac{\det(p,r,s)}{|p \times r|^2} \f$. Hagen (1.11), (1.12) at the ends of (3.1).
+/// \throws Error `not_finite` when a floating-point result overflows
+template <class Traits, int Degree>
+End_invariants<typename Traits::FT> end_invariants(const Bezier_curve<Traits, Degree>& curve) {
+  return internal::invariants_at(curve, [m = curve.degree()](int j) { return m - j; });
+}
+
+/// \ingroup PkgGeometricContinuityCurves
+/// Returns \f$ \kappa^2 \f$ and \f$ \tau \f$ at the start of a Bézier curve of degree `m`, read off the first three legs as
+/// `end_invariants()` reads the last ones: in the opposite direction, a curve has the same curvature and torsion.
+/// \throws Error `not_finite` when a floating-point result overflows
+template <class Traits, int Degree>
+End_invariants<typename Traits::FT> start_invariants(const Bezier_curve<Traits, Degree>& curve) {
+  return internal::invariants_at(curve, [](int j) { return j; });
 }
 
 } // namespace Geometric_continuity

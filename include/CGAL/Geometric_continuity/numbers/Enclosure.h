@@ -5,6 +5,7 @@
 #ifndef CGAL_GEOMETRIC_CONTINUITY_NUMBERS_ENCLOSURE_H
 #define CGAL_GEOMETRIC_CONTINUITY_NUMBERS_ENCLOSURE_H
 
+#include <CGAL/Exact_rational.h>
 #include <CGAL/Geometric_continuity/Error.h>
 #include <CGAL/Geometric_continuity/numbers/Exact_field.h>
 #include <CGAL/Geometric_continuity/numbers/internal/certified_bounds.h>
@@ -21,8 +22,8 @@
 #include <utility>
 
 /// \file Enclosure.h
-/// Guaranteed enclosures of numbers, of square roots and of angles by floating-point numbers: what is
-/// reported about joins and edges that are nearly smooth. Nothing else in the package takes a root.
+/// Guaranteed enclosures of numbers, of square roots and of angles by floating-point numbers, also in degrees and percent: what
+/// is reported about joins and edges that are nearly smooth. Nothing else in the package takes a root.
 
 namespace CGAL {
 namespace Geometric_continuity {
@@ -179,6 +180,38 @@ inline Enclosure in_degrees(const Enclosure& angle) {
   // 180/pi = 57.2957795130823208... lies between these neighbours
   const Enclosure degrees = internal::nonnegative_product(angle, {57.29577951308232 - 0x1p-47, 57.29577951308232});
   return {degrees.lower, (std::min)(degrees.upper, 180.)};
+}
+
+namespace internal {
+
+// pi/180 = 0.017453292519943295769236... lies between these numbers.
+struct Radians_of_degree {
+  Exact_rational lower, upper;
+  Radians_of_degree() {
+    const Exact_rational billion(1e9), unit = Exact_rational(1) / (Exact_rational(1e20)); // both are exact
+    lower = (Exact_rational(1745329251.) * billion + Exact_rational(994329576.)) * unit;
+    upper = lower + unit;
+  }
+};
+
+} // namespace internal
+
+/// \ingroup PkgGeometricContinuityAlgebra
+/// Returns an enclosure, in radians, of an angle of so many degrees.
+inline Enclosure in_radians(const Exact_rational& degrees) {
+  const internal::Radians_of_degree one;
+  const bool negative = degrees < 0;
+  return {enclosure(Exact_rational(degrees * (negative ? one.upper : one.lower))).lower,
+          enclosure(Exact_rational(degrees * (negative ? one.lower : one.upper))).upper};
+}
+
+/// \ingroup PkgGeometricContinuityAlgebra
+/// Returns an enclosure of a ratio in percent.
+/// \throws Error `not_finite` when the lower bound is infinite or not a number
+inline Enclosure in_percent(const Enclosure& ratio) {
+  const auto times_100 = [](double x) { return enclosure(Exact_rational(Exact_rational(x) * Exact_rational(100))); };
+  if (!std::isfinite(ratio.lower)) throw Error(Error_code::not_finite, "in_percent");
+  return {times_100(ratio.lower).lower, std::isfinite(ratio.upper) ? times_100(ratio.upper).upper : ratio.upper};
 }
 
 } // namespace Geometric_continuity

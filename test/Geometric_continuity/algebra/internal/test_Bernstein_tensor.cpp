@@ -9,7 +9,7 @@
 #include "support/errors.h"
 
 #include <CGAL/Exact_rational.h>
-#include <CGAL/Geometric_continuity/algebra/Bernstein_tensor.h>
+#include <CGAL/Geometric_continuity/algebra/internal/Bernstein_tensor.h>
 
 #include <iostream>
 #include <random>
@@ -19,7 +19,7 @@ BOOST_AUTO_TEST_SUITE(Bernstein_tensor)
 
 namespace GC = CGAL::Geometric_continuity;
 typedef CGAL::Exact_rational Q;
-typedef GC::Bernstein_tensor<Q> Tensor;
+typedef GC::internal::Bernstein_tensor<Q> Tensor;
 
 namespace {
 
