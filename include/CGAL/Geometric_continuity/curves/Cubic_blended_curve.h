@@ -5,8 +5,10 @@
 #ifndef CGAL_GEOMETRIC_CONTINUITY_CURVES_CUBIC_BLENDED_CURVE_H
 #define CGAL_GEOMETRIC_CONTINUITY_CURVES_CUBIC_BLENDED_CURVE_H
 
+#include <CGAL/Geometric_continuity/algebra/Basis_matrix.h>
 #include <CGAL/Geometric_continuity/curves/Bezier_curve.h>
-#include <CGAL/Geometric_continuity/curves/cubic_bases.h>
+#include <CGAL/Geometric_continuity/curves/Composite_bezier_curve.h>
+#include <CGAL/Geometric_continuity/numbers/Exact_field.h>
 #include <CGAL/Geometric_continuity/numbers/internal/checked_numbers.h>
 
 #include <array>
@@ -14,9 +16,112 @@
 #include <string>
 #include <type_traits>
 #include <utility>
+#include <vector>
+
+/// \file Cubic_blended_curve.h
+/// Cubic curves in any basis: models of `CubicBasis`, which say what the four columns of the geometry are and give the basis
+/// matrix in any field, so that a predicate over rational numbers sees 1/6, and not the `double` next to it; one curve; and
+/// curves through or near many points.
 
 namespace CGAL {
 namespace Geometric_continuity {
+
+/// \ingroup PkgGeometricContinuityCurves
+/// The geometry of a Hermite curve: where it starts and ends, and the derivatives there with respect to `t` in [0, 1].
+template <class Traits> struct Hermite_geometry {
+  typename Traits::Point p1;  ///< the start
+  typename Traits::Point p4;  ///< the end
+  typename Traits::Vector r1; ///< the first derivative at the start
+  typename Traits::Vector r4; ///< the first derivative at the end
+};
+
+/// \ingroup PkgGeometricContinuityCurves
+/// End points and end derivatives. \models CubicBasis
+struct Hermite_basis {
+  /// Two points and two vectors.
+  template <class Traits> using Geometry = Hermite_geometry<Traits>;
+  /// Returns `hermite_matrix()`.
+  template <class FT> Basis_matrix<FT> matrix() const { return hermite_matrix<FT>(); }
+};
+
+/// \ingroup PkgGeometricContinuityCurves
+/// The control points of a Bézier curve. \models CubicBasis
+struct Bezier_basis {
+  /// Four points.
+  template <class Traits> using Geometry = std::array<typename Traits::Point, 4>;
+  /// Returns `bezier_matrix()`.
+  template <class FT> Basis_matrix<FT> matrix() const { return bezier_matrix<FT>(); }
+};
+
+/// \ingroup PkgGeometricContinuityCurves
+/// Four neighbouring points of a spline of Catmull and Rom. \models CubicBasis
+struct Catmull_rom_basis {
+  /// Four points.
+  template <class Traits> using Geometry = std::array<typename Traits::Point, 4>;
+  /// Returns `catmull_rom_matrix()`.
+  template <class FT> Basis_matrix<FT> matrix() const { return catmull_rom_matrix<FT>(); }
+};
+
+/// \ingroup PkgGeometricContinuityCurves
+/// Four neighbouring points of a cardinal spline. \models CubicBasis
+template <class Number> struct Cardinal_basis {
+  Number tension; ///< 0 is Catmull-Rom, 1 has zero tangents; any number will do
+  /// Four points.
+  template <class Traits> using Geometry = std::array<typename Traits::Point, 4>;
+  /// Returns `cardinal_matrix()`.
+  /// \throws Error `not_finite` for an infinite or undefined tension
+  template <class FT> Basis_matrix<FT> matrix() const {
+    internal::check_finite(tension, "Cardinal_basis: tension");
+    return cardinal_matrix<FT>(internal::to_field<FT>(tension));
+  }
+};
+
+/// \ingroup PkgGeometricContinuityCurves
+/// Four neighbouring control points of a uniform cubic B-spline. \models CubicBasis
+struct Uniform_bspline_basis {
+  /// Four points.
+  template <class Traits> using Geometry = std::array<typename Traits::Point, 4>;
+  /// Returns `bspline_matrix()`.
+  template <class FT> Basis_matrix<FT> matrix() const { return bspline_matrix<FT>(); }
+};
+
+/// \ingroup PkgGeometricContinuityCurves
+/// Four points and a matrix of your own. The curve moves with its points if and only if the blending functions sum to 1, see
+/// `is_partition_of_unity()`; nothing else depends on it. \models CubicBasis
+template <class Number> struct Matrix_basis {
+  Basis_matrix<Number> m; ///< the matrix
+  /// Four points.
+  template <class Traits> using Geometry = std::array<typename Traits::Point, 4>;
+  /// Returns the matrix, over another field. \throws Error `not_finite` for an infinite or undefined entry
+  template <class FT> Basis_matrix<FT> matrix() const {
+    typename Basis_matrix<FT>::Rows r;
+    for (int i = 0; i < 4; ++i)
+      for (int j = 0; j < 4; ++j) {
+        internal::check_finite(m(i, j), "Matrix_basis");
+        r[i][j] = internal::to_field<FT>(m(i, j));
+      }
+    return Basis_matrix<FT>(r);
+  }
+};
+
+/// \ingroup PkgGeometricContinuityCurves
+/// Returns the matrix that changes geometry in one basis into that in another one, see `change_of_basis()`.
+/// \tparam FT the field number type of the result
+/// \tparam From, To models of `CubicBasis`
+/// \throws Error `singular_frame` when the matrix of `to` has no inverse
+template <class FT, class From, class To> Basis_matrix<FT> basis_conversion(From from, To to) {
+  typedef typename Exact_field<FT>::type Field;
+  return internal::rounded_matrix<FT>(change_of_basis(from.template matrix<Field>(), to.template matrix<Field>()));
+}
+
+/// \ingroup PkgGeometricContinuityCurves
+/// Returns the four blending functions of a basis, see `blending_functions()` of a matrix. Coefficients of floating-point type are
+/// rounded once each.
+/// \tparam FT the field number type of the result
+/// \tparam Basis a model of `CubicBasis`
+template <class FT, class Basis> std::vector<Bernstein_polynomial<FT>> blending_functions(const Basis& basis) {
+  return internal::rows_as_polynomials(basis_conversion<FT>(basis, Bezier_basis()));
+}
 
 namespace internal {
 
@@ -176,6 +281,87 @@ private:
     return {c.control_point(0), c.control_point(1), c.control_point(2), c.control_point(3)};
   }
 };
+
+/// \ingroup PkgGeometricContinuityConstruction
+/// Whether a curve through or near many points returns to the first of them.
+enum class Closure {
+  open,  ///< it ends at the last point, or near it
+  closed ///< it returns to the first point
+};
+
+/// \ingroup PkgGeometricContinuityConstruction
+/// Returns the name of a kind of curve, as spelled in the enumeration.
+inline std::string to_string(Closure closure) { return closure == Closure::open ? "open" : "closed"; }
+
+/// \ingroup PkgGeometricContinuityConstruction
+/// Returns the curve through or near many points: each four neighbours are the geometry of one cubic segment. `n` points make `n - 3`
+/// segments, or `n` if the curve is closed, with the knots 0, 1, 2, ...
+///
+/// - `Catmull_rom_basis`, `Cardinal_basis`: through all points (an open one from the second to the last but one), \f$ C^1 \f$;
+/// - `Uniform_bspline_basis`: near the points, \f$ C^2 \f$.
+///
+/// `chain_continuity()` proves these orders, with an exact kernel. It also finds where the order G is less because points
+/// coincide: that is no error here. With rounded numbers the joins are smooth up to rounding only.
+///
+/// \tparam Traits a model of `GeometricContinuityTraits`
+/// \tparam InputIterator its value type is `Traits::Point`
+/// \tparam Basis a model of `CubicBasis` with four points
+/// \throws Error `wrong_number_of_points` for fewer than 4 points, or 3 if closed
+/// \throws Error `curves_do_not_meet` for a basis of your own whose neighbouring segments do not meet
+/// \throws Error `dimension_mismatch` when the points differ in dimension
+/// \throws Error `not_finite` for an infinite or undefined floating-point number, and when a result overflows
+///
+/// \f$ O(n) \f$
+template <class Traits, class Basis, class InputIterator>
+Composite_bezier_curve<Traits, 3> piecewise_cubic(InputIterator first, InputIterator last, const Basis& basis,
+                                                  Closure closure = Closure::open) {
+  typedef typename Traits::FT FT;
+  typedef typename Traits::Point Point;
+  const bool closed = closure == Closure::closed;
+  const std::vector<Point> p(first, last);
+  const int n = static_cast<int>(p.size()), segments = closed ? n : n - 3;
+  if (n < (closed ? 3 : 4))
+    throw Error(Error_code::wrong_number_of_points, "piecewise_cubic: " + std::to_string(n) + " points");
+  const Basis_matrix<FT> to_bezier = basis_conversion<FT>(basis, Bezier_basis());
+  std::vector<Bezier_curve<Traits, 3>> pieces;
+  for (int i = 0; i < segments; ++i) {
+    const std::array<Point, 4> geometry{p[i], p[(i + 1) % n], p[(i + 2) % n], p[(i + 3) % n]};
+    pieces.push_back(Cubic_blended_curve<Traits, Basis>(geometry, basis).bezier(to_bezier, FT(i), FT(i + 1)));
+  }
+  return Composite_bezier_curve<Traits, 3>(pieces.begin(), pieces.end());
+}
+
+/// \ingroup PkgGeometricContinuityConstruction
+/// Returns the curve through the given points with the given first derivatives, at the knots 0, 1, 2, ...; a closed one returns to the
+/// first point. It is \f$ C^1 \f$, and \f$ G^1 \f$ where the derivative is not zero. A zero derivative is no error:
+/// `chain_continuity()` tells what it makes of the join.
+/// \tparam Traits a model of `GeometricContinuityTraits`
+/// \tparam PointIterator, VectorIterator their value types are `Traits::Point` and `Traits::Vector`
+/// \throws Error `wrong_number_of_points` for fewer than 2 points, and unless there are as many derivatives as points
+/// \throws Error `dimension_mismatch` when points and derivatives differ in dimension
+/// \throws Error `not_finite` for an infinite or undefined floating-point number, and when a result overflows
+///
+/// \f$ O(n) \f$
+template <class Traits, class PointIterator, class VectorIterator>
+Composite_bezier_curve<Traits, 3> piecewise_hermite(PointIterator first_point, PointIterator last_point,
+                                                    VectorIterator first_derivative, VectorIterator last_derivative,
+                                                    Closure closure = Closure::open) {
+  typedef typename Traits::FT FT;
+  const std::vector<typename Traits::Point> p(first_point, last_point);
+  const std::vector<typename Traits::Vector> r(first_derivative, last_derivative);
+  const int n = static_cast<int>(p.size());
+  if (n < 2 || p.size() != r.size())
+    throw Error(Error_code::wrong_number_of_points,
+                "piecewise_hermite: " + std::to_string(n) + " points, " + std::to_string(r.size()) + " derivatives");
+  const Basis_matrix<FT> to_bezier = basis_conversion<FT>(Hermite_basis(), Bezier_basis());
+  std::vector<Bezier_curve<Traits, 3>> pieces;
+  for (int i = 0; i < (closure == Closure::closed ? n : n - 1); ++i) {
+    const int j = (i + 1) % n;
+    pieces.push_back(
+        Cubic_blended_curve<Traits, Hermite_basis>({p[i], p[j], r[i], r[j]}).bezier(to_bezier, FT(i), FT(i + 1)));
+  }
+  return Composite_bezier_curve<Traits, 3>(pieces.begin(), pieces.end());
+}
 
 } // namespace Geometric_continuity
 } // namespace CGAL

@@ -6,8 +6,8 @@
 #define CGAL_GEOMETRIC_CONTINUITY_IO_FIGURES_SVG_PANEL_H
 
 #include <CGAL/Geometric_continuity/Error.h>
+#include <CGAL/Geometric_continuity/curves/Bezier_curve.h>
 #include <CGAL/Geometric_continuity/curves/Rational_bezier_curve.h>
-#include <CGAL/Geometric_continuity/curves/end_control_points.h>
 #include <CGAL/Geometric_continuity/local/coordinates.h>
 #include <CGAL/number_utils.h>
 
@@ -163,6 +163,23 @@ private:
   std::vector<internal::Svg_curve> curves_;
   std::vector<internal::Svg_join> joins_;
   bool spatial_ = false;
+};
+
+/// \ingroup PkgGeometricContinuityIO
+/// How the faces of surfaces are painted.
+enum class Svg_shading {
+  isophotes, ///< in strips of equal angles of the normal and the light: where the strips have a kink the surface is not
+             ///< \f$ G^2 \f$, where they break it is not \f$ G^1 \f$
+  smooth     ///< by the angle of the normal and the light
+};
+
+/// \ingroup PkgGeometricContinuityIO
+/// How surfaces are drawn.
+struct Svg_surface_style {
+  Svg_shading shading = Svg_shading::isophotes; ///< the faces
+  double azimuth = -60;                         ///< where the viewer is: degrees around the z-axis from the x-axis
+  double elevation = 22;                        ///< where the viewer is: degrees above the ground
+  std::string title;                            ///< plain text in UTF-8
 };
 
 } // namespace Geometric_continuity

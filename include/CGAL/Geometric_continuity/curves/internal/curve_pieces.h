@@ -5,13 +5,12 @@
 #ifndef CGAL_GEOMETRIC_CONTINUITY_CURVES_INTERNAL_CURVE_PIECES_H
 #define CGAL_GEOMETRIC_CONTINUITY_CURVES_INTERNAL_CURVE_PIECES_H
 
-#include <CGAL/Geometric_continuity/algebra/bernstein.h>
+#include <CGAL/Geometric_continuity/algebra/Bernstein_polynomial.h>
 #include <CGAL/Geometric_continuity/curves/Bezier_curve.h>
 #include <CGAL/Geometric_continuity/curves/Bspline_curve.h>
 #include <CGAL/Geometric_continuity/curves/Composite_bezier_curve.h>
 #include <CGAL/Geometric_continuity/curves/Rational_bezier_curve.h>
 #include <CGAL/Geometric_continuity/curves/Rational_bspline_curve.h>
-#include <CGAL/Geometric_continuity/curves/internal/Is_rational.h>
 
 #include <algorithm>
 #include <limits>
@@ -21,7 +20,12 @@
 
 namespace CGAL {
 namespace Geometric_continuity {
+
 namespace internal {
+
+// Whether a curve has weights.
+template <class Curve, class = void> struct Is_rational : std::false_type {};
+template <class Curve> struct Is_rational<Curve, std::void_t<typename Curve::Homogeneous>> : std::true_type {};
 
 // Calls f for each of the Bezier curves that a curve is made of, in order.
 template <class Traits, int Degree, class Function>
@@ -128,6 +132,7 @@ template <class Curve, class Rows> typename Curve::FT rounding_allowance_of(cons
 }
 
 } // namespace internal
+
 } // namespace Geometric_continuity
 } // namespace CGAL
 

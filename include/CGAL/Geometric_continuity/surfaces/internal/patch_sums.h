@@ -8,12 +8,22 @@
 #include <CGAL/Geometric_continuity/surfaces/Bezier_patch.h>
 #include <CGAL/Geometric_continuity/surfaces/Rational_bezier_patch.h>
 
+#include <vector>
+
 /// \file patch_sums.h
 /// What a point of a patch is a sum of: the control points, or the homogeneous points of a rational patch.
 
 namespace CGAL {
 namespace Geometric_continuity {
+
 namespace internal {
+
+// B_j^m = s B_j^(m-1) + t B_(j-1)^(m-1): replaces the values of degree m - 1, in b[1], ..., b[m], by those of degree m, in
+// b[1], ..., b[m+1]. In front, and in b[m+1] before, is a zero. The values are those at t if s + t = 1, otherwise those at
+// t / (s + t) multiplied by (s + t)^m.
+template <class FT> void raise_bernstein_values(std::vector<FT>& b, int m, const FT& s, const FT& t) {
+  for (int j = m + 1; j > 0; --j) b[j] = FT(s * b[j] + t * b[j - 1]);
+}
 
 template <class Traits> Coordinates<Traits> summand(const Bezier_patch<Traits>& s, int i, int j) {
   return s.coordinates(i, j);
@@ -38,6 +48,7 @@ typename Traits::Point point_of_sum(const Rational_bezier_patch<Traits>&, const 
 }
 
 } // namespace internal
+
 } // namespace Geometric_continuity
 } // namespace CGAL
 
