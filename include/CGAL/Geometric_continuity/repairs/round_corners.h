@@ -1,0 +1,306 @@
+// Copyright (c) 2026 The Geometric_continuity developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_GEOMETRIC_CONTINUITY_REPAIRS_ROUND_CORNERS_H
+#define CGAL_GEOMETRIC_CONTINUITY_REPAIRS_ROUND_CORNERS_H
+
+#include <CGAL/Geometric_continuity/blends/Fair.h>
+#include <CGAL/Geometric_continuity/blends/blend.h>
+#include <CGAL/Geometric_continuity/curves/Bezier_curve.h>
+#include <CGAL/Geometric_continuity/curves/Cubic_blended_curve.h>
+#include <CGAL/Geometric_continuity/curves/internal/curve_pieces.h>
+#include <CGAL/Geometric_continuity/joins/join_continuity.h>
+#include <CGAL/Geometric_continuity/joins/knot_continuity.h>
+#include <CGAL/Geometric_continuity/numbers/Exact_field.h>
+#include <CGAL/Geometric_continuity/numbers/internal/checked_numbers.h>
+#include <CGAL/Geometric_continuity/repairs/internal/Measured_polygon.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <iterator>
+#include <limits>
+#include <sstream>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+/// \file round_corners.h
+/// A corner in which two curves meet is cut off at a given distance on both sides, and a blend is put in its place: one corner,
+/// or all corners of a chain of curves or of a closed outline.
+
+namespace CGAL {
+namespace Geometric_continuity {
+
+/// \ingroup PkgGeometricContinuityConstruction
+/// A rounded corner: three curves, one after the other.
+/// \tparam Left, Right `Bezier_curve` or `Rational_bezier_curve`, as given \tparam Blend what `blend()` returns for the strategy
+template <class Left, class Right, class Blend> struct Rounded_corner {
+  typedef typename Left::FT FT; ///< the field
+
+  Left left;    ///< the left curve from its start to `left_cut`
+  Blend blend;  ///< the blend between the cuts
+  Right right;  ///< the right curve from `right_cut` to its end
+  FT left_cut;  ///< the parameter of the left curve where it is cut
+  FT right_cut; ///< the parameter of the right curve where it is cut
+};
+
+namespace internal {
+
+// The parameter at the given distance from an end of a curve, which is longer than this.
+template <class Curve>
+typename Curve::FT cut_parameter(const Curve& curve, Curve_end end, double distance, const std::string& place) {
+  typedef typename Curve::FT FT;
+  const Measured_polygon<Curve::N> polygon(curve, end);
+  const double length = polygon.length();
+  if (!(distance < length)) {
+    std::ostringstream reason;
+    reason << place << ": the distance " << distance << " is not less than the length " << length << " of the "
+           << (end == Curve_end::end ? "left" : "right") << " curve";
+    throw Error(Error_code::parameter_outside_domain, reason.str());
+  }
+  const std::pair<FT, FT> domain = curve.domain();
+  const FT step = FT(FT(polygon.parameter_at(distance)) * FT(domain.second - domain.first));
+  return end == Curve_end::start ? FT(domain.first + step) : FT(domain.second - step);
+}
+
+inline void check_distance(double distance, const std::string& place) {
+  if (!std::isfinite(distance)) throw Error(Error_code::not_finite, place + ": distance");
+  if (distance < (std::numeric_limits<double>::min)())
+    throw Error(Error_code::parameter_outside_domain, place + ": the distance is not positive");
+}
+
+// Whether two curves with opposite tangents end and start on one line, as far as a blend reads them.
+template <class Field, class Left, class Right> bool turn_back(const Left& left, const Right& right, int order) {
+  typedef Coordinate_vector<Field, Left::N> Vector;
+  const Coordinate_jet<Field, Left::N> phi = end_jet<Field>(left, order), psi = start_jet<Field>(right, order);
+  const Field square = dot(phi[1], phi[1]);
+  const auto is_along = [&](const Vector& v) { return square * v == dot(v, phi[1]) * phi[1]; };
+  bool on_line = dot(phi[1], psi[1]) < Field(0) && is_along(psi[0] - phi[0]);
+  for (int k = 1; k <= order && on_line; ++k) on_line = is_along(phi[k]) && is_along(psi[k]);
+  return on_line;
+}
+
+// The blend from the end of one part to the start of the next one.
+template <class Left, class Right, class Strategy>
+auto blend_of_parts(const Left& left, const Right& right, const Strategy& strategy, const std::string& place) {
+  typedef typename Left::Traits Traits;
+  typedef typename Left::FT FT;
+  if (is_zero(end_jet<FT>(left, 1)[1])) throw Error(Error_code::zero_tangent, place + ": at the cut of the left curve");
+  if (is_zero(start_jet<FT>(right, 1)[1]))
+    throw Error(Error_code::zero_tangent, place + ": at the cut of the right curve");
+  if (turn_back<typename Exact_field<FT>::type>(left, right, is_quintic_strategy_v<Strategy, Traits> ? 2 : 3))
+    throw Error(Error_code::zero_tangent, place + ": the curves turn back on one line, where every blend has a cusp");
+  if (left.coordinates(left.degree()) == right.coordinates(0))
+    throw Error(Error_code::zero_direction, place + ": both cuts lie in one point");
+  return blend(left, right, strategy);
+}
+
+} // namespace internal
+
+/// \ingroup PkgGeometricContinuityConstruction
+/// Rounds the corner in which the curve `left` ends and the curve `right` starts: cuts off of both what is nearer to it
+/// than `distance`, along the curve, and puts a blend into the gap. The corner may be a join of any kind, even a smooth one.
+/// Segmented curves and B-splines are rounded by `round_corners()`.
+///
+/// The arc length between the corner and each cut is `distance` with a relative error of at most 1/1000; in exchange the cuts
+/// have parameters with few binary digits. They are searched in floating-point numbers. The curves are cut, and blended, in
+/// the field of the kernel: with an exact kernel both parts are exactly parts of the given curves, on parts of their
+/// domains, and the joins are exactly as the strategy promises, \f$ G^2 \f$ with `Fair`.
+///
+/// Cutting takes \f$ O(m^2) \f$ operations for degree `m`, besides those in floating-point numbers, of which there are more
+/// the more a curve bends.
+///
+/// \param distance positive, and less than the length of each curve
+/// \tparam Left, Right `Bezier_curve` or `Rational_bezier_curve`, with one traits class
+/// \tparam Strategy a model of `BlendStrategy` that is called without shape parameters
+/// \returns a `Rounded_corner`
+/// \throws Error `not_finite` when the distance, or a curve as numbers of type `double`, is infinite or undefined
+/// \throws Error `curves_do_not_meet` unless `left` ends in the point where `right` starts
+/// \throws Error `parameter_outside_domain` when the distance is not positive, or not less than the length of a curve
+/// \throws Error `zero_tangent` when a first derivative is zero at a cut, and when the curves meet in a cusp and both
+///   lie on one line; `zero_direction` when both cuts lie in one point, e.g. where one curve is the other one reversed
+/// \throws Error `dimension_mismatch`, `not_representable` when a cut has no parameter of type `double`
+template <class Left, class Right, class Strategy = Fair>
+auto round_corner(const Left& left, const Right& right, double distance, const Strategy& strategy = Strategy()) {
+  typedef typename Left::FT FT;
+  const char* const place = "round_corner";
+  internal::check_distance(distance, place);
+  if (left.dimension() != right.dimension()) throw Error(Error_code::dimension_mismatch, place);
+  if (left.coordinates(left.degree()) != right.coordinates(0)) throw Error(Error_code::curves_do_not_meet, place);
+  const FT left_cut = internal::cut_parameter(left, Curve_end::end, distance, place),
+           right_cut = internal::cut_parameter(right, Curve_end::start, distance, place);
+  const Left left_part = left.split(left_cut).first;
+  const Right right_part = right.split(right_cut).second;
+  const auto gamma = internal::blend_of_parts(left_part, right_part, strategy, place);
+  return Rounded_corner<Left, Right, std::decay_t<decltype(gamma)>>{left_part, gamma, right_part, left_cut, right_cut};
+}
+
+/// \ingroup PkgGeometricContinuityConstruction
+/// Where a corner of a chain was, and what has become of it.
+template <class FT> struct Rounded_join {
+  std::size_t join;  ///< the corner is the join after this Bézier curve of the given chain, counted from 0 on
+  double distance;   ///< from the corner to both cuts, along the curves
+  FT left_cut;       ///< the parameter where the curve before the corner is cut
+  FT right_cut;      ///< the parameter where the curve after the corner is cut
+  std::size_t blend; ///< the number of the blend in the rounded chain
+};
+
+/// \ingroup PkgGeometricContinuityConstruction
+/// A chain of curves whose corners are rounded.
+/// \tparam Curve `Bezier_curve<Traits>`, or `Rational_bezier_curve<Traits>` if the given curves are rational
+template <class Curve> struct Rounded_chain {
+  std::vector<Curve> curves;                             ///< the chain: curves, or parts of them, and blends
+  std::vector<Rounded_join<typename Curve::FT>> corners; ///< the corners that were rounded, in their order
+};
+
+namespace internal {
+
+// The curve between two parameters, each of which may be an end of it.
+template <class Curve>
+Curve part_between(const Curve& curve, const typename Curve::FT& a, const typename Curve::FT& b) {
+  const Curve before = b < curve.domain().second ? curve.split(b).first : curve;
+  return curve.domain().first < a ? before.split(a).second : before;
+}
+
+// The continuity at the joins of the Bezier curves that a curve is made of, decided on the curve as it is given.
+template <class Traits, int Degree>
+std::vector<Join_continuity<Predicate_FT<Traits>>> inner_joins(const Bezier_curve<Traits, Degree>&, int) {
+  return {};
+}
+template <class Traits, int Degree>
+std::vector<Join_continuity<Predicate_FT<Traits>>> inner_joins(const Composite_bezier_curve<Traits, Degree>& curve,
+                                                               int order) {
+  std::vector<Join_continuity<Predicate_FT<Traits>>> joins;
+  for (int l = 0; l + 1 < curve.number_of_segments(); ++l)
+    joins.push_back(continuity(curve.segment(l), curve.segment(l + 1), order));
+  return joins;
+}
+template <class Spline>
+std::vector<Join_continuity<Predicate_FT<typename Spline::Traits>>> joins_at_knots(const Spline& curve, int order) {
+  std::vector<Join_continuity<Predicate_FT<typename Spline::Traits>>> joins;
+  for (const auto& k : knot_continuities(curve, order)) joins.push_back(k.join);
+  return joins;
+}
+template <class Traits> auto inner_joins(const Bspline_curve<Traits>& curve, int order) {
+  return joins_at_knots(curve, order);
+}
+template <class Traits> auto inner_joins(const Rational_bspline_curve<Traits>& curve, int order) {
+  return joins_at_knots(curve, order);
+}
+template <class Traits, int Degree>
+std::vector<Join_continuity<Predicate_FT<Traits>>> inner_joins(const Rational_bezier_curve<Traits, Degree>&, int) {
+  return {};
+}
+
+// The Bezier curves that a curve is made of; of a rational curve whatever its weights are.
+template <class Curve>
+using Bezier_piece = std::conditional_t<Is_rational<Curve>::value, Rational_bezier_curve<typename Curve::Traits>,
+                                        Bezier_curve<typename Curve::Traits>>;
+template <class Curve> void add_bezier_pieces(const Curve& curve, std::vector<Bezier_piece<Curve>>& pieces) {
+  for_each_piece(curve, [&](const auto& piece) { pieces.emplace_back(piece); });
+}
+template <class Traits, int Degree>
+void add_bezier_pieces(const Rational_bezier_curve<Traits, Degree>& curve,
+                       std::vector<Rational_bezier_curve<Traits>>& pieces) {
+  pieces.emplace_back(curve);
+}
+template <class Traits>
+void add_bezier_pieces(const Rational_bspline_curve<Traits>& curve,
+                       std::vector<Rational_bezier_curve<Traits>>& pieces) {
+  for (const Rational_bezier_curve<Traits>& piece : curve.bezier_pieces()) pieces.push_back(piece);
+}
+
+} // namespace internal
+
+/// \ingroup PkgGeometricContinuityConstruction
+/// Rounds the corners of a chain of curves, each of which starts where the one before it ends. Segmented curves and B-splines
+/// are chains of Bézier curves themselves, and their inner joins and knots are joins like all others. Corners are the joins
+/// whose \f$ G \f$ order is less than `order`: with 1 kinks and cusps, with 2 jumps of the curvature too. All other joins,
+/// and the control points of Bézier curves without corners, stay as they are.
+///
+/// A corner is cut off at `distance` on both sides, as `round_corner()` does, or nearer, so that a quarter of each curve
+/// remains: at most at 3/4 of the length of a Bézier curve with one corner, and at 3/8 of the length of one with two. Both cuts of
+/// a corner have the same distance.
+///
+/// One call of `continuity()` or `knot_continuity()` for each join, and what `round_corner()` takes for each corner.
+///
+/// \param first,last the curves, of type `Bezier_curve`, `Composite_bezier_curve`, `Bspline_curve`, `Rational_bezier_curve` or
+///   `Rational_bspline_curve`
+/// \param distance positive
+/// \param closure whether the end of the last curve and the start of the first are a join too, which may be a corner
+/// \param order the \f$ G \f$ order that joins need in order to stay
+/// \param strategy a model of `BlendStrategy` that is called without shape parameters
+/// \throws Error `negative_count` for a negative order, `not_finite` when the distance, or a curve as numbers of type
+///   `double`, is infinite or undefined
+/// \throws Error `curves_do_not_meet` when there is a gap, with the number of the Bézier curve before it
+/// \throws Error `parameter_outside_domain` when the distance is not positive, or a curve at a corner has length zero
+/// \throws Error `zero_tangent`, `zero_direction`, `dimension_mismatch`, `not_representable` as `round_corner()` does
+template <class ForwardIterator, class Strategy = Fair>
+Rounded_chain<internal::Bezier_piece<typename std::iterator_traits<ForwardIterator>::value_type>>
+round_corners(ForwardIterator first, ForwardIterator last, double distance, Closure closure, int order = 2,
+              const Strategy& strategy = Strategy()) {
+  typedef internal::Bezier_piece<typename std::iterator_traits<ForwardIterator>::value_type> Curve;
+  typedef typename Curve::FT FT;
+  const bool closed = closure == Closure::closed;
+  internal::check_distance(distance, "round_corners");
+  internal::check_count(order, "round_corners: order");
+  const auto place = [](std::size_t i) { return "round_corners: join after curve " + std::to_string(i); };
+
+  std::vector<Curve> given;
+  std::vector<bool> is_corner; // the join after the curve
+  const auto add_join = [&](const auto& join) {
+    if (join.c_order < 0) throw Error(Error_code::curves_do_not_meet, place(is_corner.size()));
+    is_corner.push_back(join.g_order < order);
+  };
+  for (ForwardIterator c = first; c != last; ++c) {
+    internal::add_bezier_pieces(*c, given);
+    for (const auto& join : internal::inner_joins(*c, order)) add_join(join);
+    const ForwardIterator next = std::next(c);
+    if (next != last)
+      add_join(continuity(*c, *next, order));
+    else if (closed)
+      add_join(continuity(*c, *first, order));
+    else
+      is_corner.push_back(false);
+  }
+  const std::size_t n = given.size();
+  const auto longest = [&](std::size_t i) { // distance of a corner from its cut on this curve
+    const double length = internal::Measured_polygon<Curve::N>(given[i], Curve_end::start).length();
+    return (is_corner[i] && is_corner[(i + n - 1) % n] ? 0.375 : 0.75) * length;
+  };
+
+  Rounded_chain<Curve> result;
+  std::vector<FT> starts, ends; // of what remains of the curves
+  for (const Curve& c : given) {
+    starts.push_back(c.domain().first);
+    ends.push_back(c.domain().second);
+  }
+  for (std::size_t i = 0; i < n; ++i) {
+    if (!is_corner[i]) continue;
+    const std::size_t next = (i + 1) % n;
+    const double d = (std::min)({distance, longest(i), longest(next)});
+    ends[i] = internal::cut_parameter(given[i], Curve_end::end, d, place(i));
+    starts[next] = internal::cut_parameter(given[next], Curve_end::start, d, place(i));
+    result.corners.push_back({i, d, ends[i], starts[next], 0});
+  }
+
+  std::vector<Curve> parts;
+  for (std::size_t i = 0; i < n; ++i) parts.push_back(internal::part_between(given[i], starts[i], ends[i]));
+  auto corner = result.corners.begin();
+  for (std::size_t i = 0; i < n; ++i) {
+    result.curves.push_back(parts[i]);
+    if (!is_corner[i]) continue;
+    corner->blend = result.curves.size();
+    ++corner;
+    result.curves.push_back(internal::blend_of_parts(parts[i], parts[(i + 1) % n], strategy, place(i)));
+  }
+  return result;
+}
+
+} // namespace Geometric_continuity
+} // namespace CGAL
+
+#endif // CGAL_GEOMETRIC_CONTINUITY_REPAIRS_ROUND_CORNERS_H
