@@ -6,20 +6,170 @@
 #define CGAL_GEOMETRIC_CONTINUITY_CURVES_BSPLINE_CURVE_H
 
 #include <CGAL/Geometric_continuity/curves/Bezier_curve.h>
-#include <CGAL/Geometric_continuity/curves/Bspline_polygon.h>
 #include <CGAL/Geometric_continuity/curves/internal/Joined_bezier_curves.h>
-#include <CGAL/Geometric_continuity/curves/internal/point_rows.h>
-#include <CGAL/Geometric_continuity/curves/internal/span_end_jets.h>
-#include <CGAL/Geometric_continuity/local/Curve_end_jets.h>
+#include <CGAL/Geometric_continuity/internal/force_inline.h>
+#include <CGAL/Geometric_continuity/local/Curve_jet.h>
+#include <CGAL/Geometric_continuity/local/coordinates.h>
+#include <CGAL/Geometric_continuity/numbers/Work_limit.h>
+#include <CGAL/Geometric_continuity/numbers/internal/checked_numbers.h>
 #include <CGAL/Geometric_continuity/splines/Bspline_function.h>
+#include <CGAL/Geometric_continuity/splines/internal/bspline_differences.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <optional>
+#include <ostream>
+#include <string>
 #include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Geometric_continuity {
+
+namespace internal {
+
+// The control points of a B-spline curve as rows of numbers, and back: what the functions of bspline_spans.h read and write. A
+// row may be longer than the dimension, to fill the registers of the processor.
+
+template <class Traits> struct Rows_of_points {
+  typedef typename Traits::FT FT;
+  const std::vector<typename Traits::Point>& points;
+
+  void operator()(int i, FT* row) const {
+    constexpr int N = dimension_v<Traits>, length = row_length_v<FT, N>;
+    const Traits traits;
+    const int d = N > 0 ? N : traits.compute_dimension_object()(points[i]);
+    for (int x = 0; x < d; ++x) row[x] = traits.compute_coordinate_object()(points[i], x);
+    if constexpr (length > N) row[N] = FT(0);
+  }
+};
+
+template <class Traits> struct Write_points {
+  typedef typename Traits::FT FT;
+  static constexpr int N = dimension_v<Traits>;
+  int dimension;
+  typename Traits::Point* next;
+  Finite_rows<row_length_v<FT, N>, FT> finite = {};
+
+  CGAL_GC_FORCEINLINE void operator()(const FT* row) {
+    *next++ = Traits().construct_point_object()(N > 0 ? N : dimension, row, row + (N > 0 ? N : dimension));
+    finite.add(row, dimension);
+  }
+};
+
+// The jets of order k at the two ends of each span of a spline with rational coefficients. At a knot of multiplicity m, the
+// derivatives up to p - m are those on the left of it.
+template <class FT, int N>
+std::vector<std::pair<Coordinate_jet<FT, N>, Coordinate_jet<FT, N>>>
+span_end_jets(const Knot_vector<FT>& knots, const std::vector<Coordinate_vector<FT, N>>& c, int k) {
+  typedef Coordinate_jet<FT, N> Jet;
+  const int p = knots.degree(), n = c[0].dimension(), last = (std::min)(k, p);
+  const std::size_t spans = knots.spans().size();
+  std::vector<std::pair<Jet, Jet>> jets(spans, {Jet(n, k), Jet(n, k)});
+  const Work_on_object work("derivatives of a spline");
+  for (int d = 0; d < n; ++d) {
+    std::vector<FT> column;
+    for (const Coordinate_vector<FT, N>& x : c) column.push_back(x[d]);
+    Difference_spans<FT> polynomials(knots, std::move(column));
+    for (std::size_t s = 0; s < spans; ++s) {
+      auto& [start, end] = jets[s];
+      const int first_new = p + 1 - polynomials.start();
+      for (int j = 0; j <= last; ++j)
+        start[j][d] = j < first_new ? jets[s - 1].second[j][d] : polynomials.derivative(j);
+      polynomials.finish([](int, const auto&, const auto&) {});
+      for (int j = 0; j <= last; ++j) end[j][d] = polynomials.derivative(j);
+    }
+  }
+  return jets;
+}
+
+} // namespace internal
+
+/// \ingroup PkgGeometricContinuityCurves
+/// What a B-spline curve is given by: its control points \f$ b_0, \dots, b_{n-1} \f$ and its knots. This base of
+/// `Bspline_curve` stores and checks them, and answers what needs no evaluation.
+///
+/// \tparam Traits a model of `GeometricContinuityTraits`
+template <class Traits_> class Bspline_polygon {
+public:
+  typedef Traits_ Traits;                                        ///< the traits class
+  typedef typename Traits::FT FT;                                ///< the field
+  typedef typename Traits::Point Point;                          ///< the points of the kernel
+  typedef typename Traits::Vector Vector;                        ///< the vectors of the kernel
+  typedef Geometric_continuity::Coordinates<Traits> Coordinates; ///< the coordinates of a point
+  static constexpr int N = dimension_v<Traits>; ///< the dimension, or 0 when it is known at run time only
+  typedef typename std::vector<Point>::const_iterator const_iterator; ///< iterates over the control points
+  template <class T> using Per_point = std::vector<T>; ///< a container with one entry for each control point
+  typedef Bspline_function<FT, Coordinates> Function;  ///< the coordinates as a function of the parameter
+
+  /// Returns the degree `p`.
+  int degree() const { return knots_.degree(); }
+  /// Returns the dimension of the control points.
+  int dimension() const { return Traits().compute_dimension_object()(points_[0]); }
+
+  /// Returns the number `n` of control points.
+  int number_of_points() const { return static_cast<int>(points_.size()); }
+  /// Returns the control points, in order.
+  const std::vector<Point>& control_points() const { return points_; }
+  /// Returns the `i`-th control point. \pre `0 <= i < number_of_points()`
+  const Point& control_point(int i) const { return points_[i]; }
+  /// Returns an iterator to the first control point.
+  const_iterator begin() const { return points_.begin(); }
+  /// Returns the iterator after the last control point.
+  const_iterator end() const { return points_.end(); }
+  /// Returns the coordinates of the `i`-th control point. \pre `0 <= i < number_of_points()`
+  Coordinates coordinates(int i) const { return Geometric_continuity::coordinates<Traits>(points_[i]); }
+
+  /// Returns the knots.
+  const Knot_vector<FT>& knots() const { return knots_; }
+  /// Returns the domain \f$ [u_p, u_n] \f$.
+  std::pair<FT, FT> domain() const { return knots_.domain(); }
+
+  /// Returns the coordinates of the curve as a function of the parameter.
+  Function function() const {
+    std::vector<Coordinates> rows;
+    for (int i = 0; i < number_of_points(); ++i) rows.push_back(coordinates(i));
+    return Function(knots_, std::move(rows));
+  }
+
+  /// Returns whether knots and control points are equal.
+  friend bool operator==(const Bspline_polygon& c, const Bspline_polygon& d) {
+    if (c.knots_ != d.knots_) return false;
+    for (int j = 0; j < c.number_of_points(); ++j)
+      if (c.coordinates(j) != d.coordinates(j)) return false;
+    return true;
+  }
+  /// Returns whether knots or control points differ.
+  friend bool operator!=(const Bspline_polygon& c, const Bspline_polygon& d) { return !(c == d); }
+
+  /// Writes the knots and the control points.
+  friend std::ostream& operator<<(std::ostream& os, const Bspline_polygon& c) {
+    os << "B-spline curve of degree " << c.degree() << " over " << c.knots_ << ':';
+    for (int j = 0; j < c.number_of_points(); ++j) {
+      const Coordinates p = c.coordinates(j);
+      os << " (";
+      for (int i = 0; i < p.dimension(); ++i) os << (i == 0 ? "" : ", ") << p[i];
+      os << ')';
+    }
+    return os;
+  }
+
+protected:
+  Knot_vector<FT> knots_;
+  std::vector<Point> points_;
+
+  Bspline_polygon(Knot_vector<FT> knots, std::vector<Point> points)
+      : knots_(std::move(knots)), points_(std::move(points)) {}
+
+  void check_points() const {
+    for (int i = 0; i < number_of_points(); ++i) {
+      const Coordinates x = coordinates(i);
+      if (x.dimension() != dimension())
+        throw Error(Error_code::dimension_mismatch, "Bspline_curve: control point " + std::to_string(i));
+      for (const FT& xi : x) internal::check_finite(xi, "Bspline_curve: control points");
+    }
+  }
+};
 
 /// \ingroup PkgGeometricContinuityCurves
 /// A B-spline curve \f$ \sum_{i=0}^{n-1} b_i N_i^p(u) \f$ with control points \f$ b_0, \dots, b_{n-1} \f$ over a

@@ -8,7 +8,6 @@
 #include <CGAL/Geometric_continuity/curves/Bezier_curve.h>
 #include <CGAL/Geometric_continuity/curves/Bspline_curve.h>
 #include <CGAL/Geometric_continuity/curves/internal/denominator.h>
-#include <CGAL/Geometric_continuity/curves/internal/positive_parts.h>
 #include <CGAL/Geometric_continuity/internal/force_inline.h>
 #include <CGAL/Geometric_continuity/local/homogeneous_jets.h>
 
@@ -624,6 +623,23 @@ private:
     return x;
   }
 };
+
+/// \ingroup PkgGeometricContinuityCurves
+/// A rational Bézier curve \f$ x(u) = \sum_i w_i b_i B_i^m(t) / \sum_i w_i B_i^m(t) \f$, \f$ t = (u-a)/(b-a) \f$, with control
+/// points \f$ b_0, \dots, b_m \f$ and weights \f$ w_0, \dots, w_m \f$ on the domain [a, b], by default [0, 1]: arcs of circles
+/// and all other conics, the pieces of NURBS curves. See `Rational_curve`.
+///
+/// \tparam Traits a model of `GeometricContinuityTraits`
+/// \tparam Degree the degree `m >= 0`, or `dynamic_degree`
+template <class Traits, int Degree = dynamic_degree>
+using Rational_bezier_curve = Rational_curve<Bezier_curve<Traits, Degree>>;
+
+/// \ingroup PkgGeometricContinuityCurves
+/// A rational B-spline curve (NURBS) \f$ x(u) = \sum_i w_i b_i N_i^p(u) / \sum_i w_i N_i^p(u) \f$ with control points
+/// \f$ b_0, \dots, b_{n-1} \f$, as many weights, and any knot vector with `n` coefficients. See `Rational_curve`.
+///
+/// \tparam Traits a model of `GeometricContinuityTraits`
+template <class Traits> using Rational_bspline_curve = Rational_curve<Bspline_curve<Traits>>;
 
 } // namespace Geometric_continuity
 } // namespace CGAL

@@ -9,11 +9,12 @@
 #include <CGAL/Geometric_continuity/local/curvatures.h>
 #include <CGAL/Geometric_continuity/numbers/Enclosure.h>
 #include <CGAL/Geometric_continuity/numbers/Exact_field.h>
+#include <CGAL/Geometric_continuity/numbers/Verdict.h>
 #include <CGAL/Geometric_continuity/numbers/Work_limit.h>
 #include <CGAL/Geometric_continuity/numbers/internal/common_words.h>
-#include <CGAL/Geometric_continuity/numbers/units.h>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <optional>
 #include <ostream>
@@ -102,6 +103,95 @@ Join_deviation deviation(const Left& left, const Right& right) {
                 "both curves must have the same traits class");
   const Work_scope jets_and_invariants(Work_scope::limit_of_each(), "deviation");
   return internal::join_deviation(end_jet<Field>(left, 3), start_jet<Field>(right, 3));
+}
+
+/// \ingroup PkgGeometricContinuityContinuity
+/// What is tolerated at a join; see `Join_deviation` for the quantities and their units.
+struct Join_tolerance {
+  Bound angle = 0;                ///< of the tangents, in radians
+  Bound curvature = 0;            ///< relative, of the curvature vectors
+  Bound torsion = 0;              ///< in space, in units of 1/length
+  Bound gap = 0;                  ///< in units of the coordinates
+  Bound curvature_derivative = 0; ///< in the plane, of \f$ d\kappa/ds \f$, in units of 1/length^2
+};
+
+/// \ingroup PkgGeometricContinuityContinuity
+/// Whether a join has the orders 0 to 3 within a tolerance.
+struct Order_within {
+  Join_deviation deviation; ///< on which the verdicts rest
+  /// For each order: the ends meet; in addition the tangents agree; the curvature vectors; the torsions, or in the plane the
+  /// derivatives of the curvature with respect to arc length. Each of them within the tolerance, or exactly.
+  std::array<Verdict, 4> verdicts;
+
+  /// Returns whether the join has the order, 0 to 3, within the tolerance.
+  /// \throws Error `negative_count` for a negative order, `jet_order_too_low` for one above 3
+  Verdict operator()(int order) const {
+    if (order < 0) throw Error(Error_code::negative_count, "Order_within: order");
+    if (order > 3) throw Error(Error_code::jet_order_too_low, "Order_within: orders 0 to 3 are decided");
+    return verdicts[order];
+  }
+  /// Returns the largest order that is proved, -1 if none is.
+  int proved_order() const {
+    int order = 3;
+    while (order >= 0 && verdicts[order] != Verdict::proved) --order;
+    return order;
+  }
+};
+
+namespace internal {
+
+// The derivative of the signed curvature of a planar curve with respect to arc length, with g = x'.x':
+// (det(x', x''') g - 3 det(x', x'') x'.x'') / g^3. \pre the tangent is not zero
+template <class Field, int N> Field curvature_derivative(const Coordinate_jet<Field, N>& x) {
+  const auto det = [&](int j) -> Field { return Field(x[1][0] * x[j][1] - x[1][1] * x[j][0]); };
+  const Field g = dot(x[1], x[1]);
+  return Field((det(3) * g - Field(3) * det(2) * dot(x[1], x[2])) / (g * g * g));
+}
+
+} // namespace internal
+
+/// \ingroup PkgGeometricContinuityContinuity
+/// Decides which order the join between the end of `left` and the start of `right` has within a tolerance: *proved* when
+/// the enclosures of `deviation()` and all lower orders are within it, *refuted* when one of them exceeds it, *undecided*
+/// when the tolerance lies inside of an enclosure, or when the torsions cannot be compared because a curvature is zero. An
+/// order that the join has exactly is proved with each tolerance. A zero tangent refutes the order 1.
+///
+/// Exact orders are those of \f$ F^k \f$, in the plane \f$ G^k \f$: there the order 3 means that the derivative
+/// \f$ d\kappa/ds = \frac{(x' \cdot x') \det(x', x''') - 3 (x' \cdot x'') \det(x', x'')}{(x' \cdot x')^3} \f$ of the signed
+/// curvature agrees as well, by which \f$ G^3 \f$ and \f$ G^2 \f$ differ.
+/// \tparam Left, Right models of `ParametricCurve` with one traits class
+/// \throws Error `unreachable_tolerance` for a negative tolerance or one that is not a number; `dimension_mismatch` when
+///   the dimensions differ; `work_limit` when exact numbers are so long that the limit does not suffice
+template <class Left, class Right, class = std::void_t<typename Left::Traits, typename Right::Traits>>
+Order_within order_within(const Left& left, const Right& right, const Join_tolerance& tolerance) {
+  typedef typename Exact_field<Predicate_FT<typename Left::Traits>>::type Field;
+  constexpr int N = dimension_v<typename Left::Traits>;
+  for (const Bound& bound :
+       {tolerance.angle, tolerance.curvature, tolerance.torsion, tolerance.gap, tolerance.curvature_derivative})
+    internal::check_bound(bound);
+  const Work_scope jets_and_decision(Work_scope::limit_of_each(), "order_within");
+  const Coordinate_jet<Field, N> x = end_jet<Field>(left, 3), y = start_jet<Field>(right, 3);
+  const bool planar = x.dimension() == 2;
+  const Join_continuity<Field> exact = internal::Join_decision<Field, N>(x, y, 3)();
+  const int exact_order = planar ? exact.g_order : exact.f_order;
+  Order_within result{internal::join_deviation(x, y), {}};
+  const Join_deviation& d = result.deviation;
+  const auto verdict = [](const std::optional<Enclosure>& e, const Bound& bound, Verdict undefined) {
+    return e ? at_most(*e, bound) : undefined;
+  };
+  result.verdicts = {at_most(d.gap, tolerance.gap), verdict(d.tangent_angle, tolerance.angle, Verdict::refuted),
+                     verdict(d.curvature_jump, tolerance.curvature, Verdict::refuted),
+                     verdict(d.torsion_jump, tolerance.torsion, Verdict::undecided)};
+  if constexpr (N == 0 || N == 2)
+    if (planar && exact.regular) {
+      const Field jump = internal::curvature_derivative(y) - internal::curvature_derivative(x);
+      result.verdicts[3] = at_most(enclosure(jump < Field(0) ? Field(-jump) : jump), tolerance.curvature_derivative);
+    }
+  for (int order = 1; order <= 3; ++order) {
+    Verdict& v = result.verdicts[order];
+    v = order <= exact_order ? Verdict::proved : v && result.verdicts[order - 1];
+  }
+  return result;
 }
 
 } // namespace Geometric_continuity

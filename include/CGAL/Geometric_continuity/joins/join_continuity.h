@@ -7,18 +7,15 @@
 
 #include <CGAL/Geometric_continuity/joins/Curve_ends.h>
 #include <CGAL/Geometric_continuity/joins/internal/Join_decision.h>
-#include <CGAL/Geometric_continuity/joins/internal/Join_parameters.h>
 #include <CGAL/Geometric_continuity/joins/internal/decide_all_questions.h>
+#include <CGAL/Geometric_continuity/joins/join_result.h>
 #include <CGAL/Geometric_continuity/local/Curve_jet.h>
 #include <CGAL/Geometric_continuity/numbers/Work_limit.h>
 #include <CGAL/Geometric_continuity/numbers/internal/Common_denominator.h>
 
 #include <algorithm>
-#include <optional>
-#include <ostream>
 #include <type_traits>
 #include <utility>
-#include <vector>
 
 /// \file join_continuity.h
 /// What continuity a join has: everything that can be said about it. One single question is answered faster by
@@ -30,48 +27,6 @@
 
 namespace CGAL {
 namespace Geometric_continuity {
-
-/// \ingroup PkgGeometricContinuityContinuity
-/// What was decided about the join of a curve that ends (left) and a curve that starts (right). It is a value that does not
-/// refer to the curves.
-/// \tparam FT the field in which it was decided
-template <class FT> struct Join_continuity {
-  typedef FT Number; ///< the numbers of the shape parameters
-  /// The largest `k` such that all derivatives up to order `k` agree; -1 when the points differ.
-  int c_order = -1;
-  /// The largest `k` such that all arc-length derivatives up to order `k` agree; -1 when the points differ, 0 when a
-  /// tangent is zero or the tangents do not have one direction.
-  int g_order = -1;
-  /// The largest `k` such that the Frenet frame and the curvatures \f$ \kappa_1, \dots, \kappa_{k-1} \f$ agree, at most
-  /// the dimension; -1 and 0 as above.
-  int f_order = -1;
-  /// Both tangents are nonzero (false also when the jets have no derivatives).
-  bool regular = false;
-  std::optional<bool> tangent_equal;          ///< same direction; empty unless regular
-  std::optional<bool> curvature_equal;        ///< same magnitude \f$ \kappa \f$; empty where undefined
-  std::optional<bool> curvature_vector_equal; ///< same \f$ \kappa e_2 \f$; empty where undefined
-  std::optional<bool> torsion_equal;          ///< empty unless in space with nonzero curvature on both sides
-
-  /// Returns the shape parameters \f$ \beta_1, \dots, \beta_{g\_order} \f$: the right curve is, up to this order, the left one
-  /// with the reparametrisation of these derivatives. They are computed by this call, exactly where the decision is exact.
-  /// \f$ O(k) \f$ divisions for the order `k`
-  /// \throws Error `not_finite` when a parameter is too large for floating-point numbers
-  std::vector<FT> betas() const { return parameters(g_order); }
-
-  /// Writes the orders and the shape parameters, e.g. `C1 G2 F2, beta = (1, 3/4)`.
-  /// \throws Error as `betas()` does
-  friend std::ostream& operator<<(std::ostream& os, const Join_continuity& join) {
-    if (join.c_order < 0) return os << "gap";
-    const std::vector<FT> betas = join.betas();
-    os << 'C' << join.c_order << " G" << join.g_order << " F" << join.f_order;
-    for (std::size_t i = 0; i < betas.size(); ++i) os << (i == 0 ? ", beta = (" : ", ") << betas[i];
-    return os << (betas.empty() ? "" : ")");
-  }
-
-  /// \cond
-  internal::Join_parameters<FT> parameters;
-  /// \endcond
-};
 
 namespace internal {
 

@@ -6,11 +6,13 @@
 #define CGAL_GEOMETRIC_CONTINUITY_JOINS_PATH_CONTINUITY_H
 
 #include <CGAL/Geometric_continuity/curves/Path_segment.h>
+#include <CGAL/Geometric_continuity/joins/Join_grade.h>
 #include <CGAL/Geometric_continuity/joins/internal/Grid_join.h>
 #include <CGAL/Geometric_continuity/joins/join_continuity.h>
 #include <CGAL/Sqrt_extension.h>
 
 #include <algorithm>
+#include <array>
 #include <optional>
 #include <type_traits>
 #include <utility>
@@ -104,6 +106,99 @@ bool visit_enclosures(const Path_segment<Traits>& left, const Path_segment<Trait
       return true;
     }
   return false;
+}
+
+namespace internal {
+
+// The direction at an end of a segment, of which the root of radicand() is given; zero for a curve of no length.
+template <Curve_end which, class Traits, class Field>
+std::array<Field, 2> path_direction(const Path_segment<Traits>& segment, const Field& root) {
+  if (segment.bezier()) {
+    const Image_end<Traits, dynamic_degree, which> end(*segment.bezier());
+    if (!end.has_length()) return {Field(0), Field(0)};
+    const auto v = end.template vector<typename Traits::FT>();
+    return {Field(v[0]), Field(v[1])};
+  }
+  const Coordinate_jet<Field, 2> jet = which == Curve_end::end ? segment.template end_jet_over<Field>(1, root)
+                                                               : segment.template start_jet_over<Field>(1, root);
+  return {jet[1][0], jet[1][1]};
+}
+
+// Calls f(p) with the products of the directions at a join, in a field of exact numbers; returns whether both have a direction that is known.
+template <class Traits, class Function>
+bool visit_direction_products(const Path_segment<Traits>& left, const Path_segment<Traits>& right, Function f) {
+  if (!left.is_known() || !right.is_known()) return false;
+  return visit_roots(left, right, [&](const auto& left_root, const auto& right_root) -> bool {
+    typedef std::decay_t<decltype(left_root)> Field;
+    const std::array<Field, 2> a = path_direction<Curve_end::end>(left, left_root),
+                               b = path_direction<Curve_end::start>(right, right_root);
+    for (const std::array<Field, 2>& v : {a, b})
+      if (v[0] == Field(0) && v[1] == Field(0)) return false;
+    f(Leg_products<Field>(a, b));
+    return true;
+  });
+}
+
+// The angle with these products. With square roots, the tangent or cotangent that is at most 1 is enclosed before it is squared: the roots
+// in its square would cancel, and leave the more of an error the smaller it is.
+template <class FT, class Field> Enclosure angle_of_products(const Leg_products<Field>& p) {
+  if constexpr (std::is_same_v<FT, Field>)
+    return angle_enclosure(FT(p.cross * p.cross), p.dot);
+  else {
+    const Field zero(0), c = p.cross < zero ? Field(-p.cross) : p.cross, d = p.dot < zero ? Field(-p.dot) : p.dot;
+    const bool steep = d < c;
+    const Enclosure q = enclosure(steep ? Field(d / c) : Field(c / d));
+    const auto angle = [&](double x) -> Enclosure {
+      const FT one(1), t((std::max)(x, 0.)), cosine = steep ? t : one;
+      return angle_enclosure(steep ? one : FT(t * t), p.dot < zero ? FT(-cosine) : cosine);
+    };
+    const Enclosure first = angle(q.lower), second = angle(q.upper);
+    return {(std::min)(first.lower, second.lower), (std::max)(first.upper, second.upper)};
+  }
+}
+
+} // namespace internal
+
+/// \ingroup PkgGeometricContinuityContinuity
+/// Returns what the join between the end of `left` and the start of `right` looks like, see `join_grade()` of Bézier curves; empty when one
+/// of them has no length, or is an arc whose derivatives are not known. Directions of arcs are compared in the field of their square roots.
+/// Exact, except in `double`
+/// \throws Error `not_finite`, `work_limit`
+template <class Traits>
+std::optional<Join_grade> join_grade(const Path_segment<Traits>& left, const Path_segment<Traits>& right,
+                                     const Kink_bound& bound = internal::usual_kink_bound()) {
+  std::optional<bool> corner;
+  if (left.bezier() && right.bezier()) {
+    // The first derivatives are multiples of the handles, or zero.
+    visit_enclosures(left, right, [&](const auto& x, const auto& y) {
+      const auto c = x[1][0] * y[1][1] - x[1][1] * y[1][0], d = x[1][0] * y[1][0] + x[1][1] * y[1][1];
+      if (0 < c.inf() || c.sup() < 0)
+        corner = bound.is_exceeded(c.inf(), d.inf(), (c.sup() - c.inf()) + (d.sup() - d.inf()));
+    });
+    if (corner && left.end() == right.start()) return *corner ? Join_grade::corner : Join_grade::kink;
+    return join_grade(*left.bezier(), *right.bezier(), bound);
+  }
+  const bool directed = internal::visit_direction_products(left, right, [&](const auto& p) {
+    typedef std::decay_t<decltype(p.dot)> Field;
+    if (p.cross != Field(0) || p.dot < Field(0)) corner = bound.is_exceeded(p.cross, p.dot);
+  });
+  if (!directed) return std::nullopt;
+  if (left.end() != right.start()) return Join_grade::gap;
+  if (corner) return *corner ? Join_grade::corner : Join_grade::kink;
+  // Readers of paths make lines of cubics that are drawn as lines, so that a handle that is retracted here is one that bends.
+  return continuity(left, right, 2)->g_order >= 2 ? Join_grade::g2 : Join_grade::g1;
+}
+
+/// \ingroup PkgGeometricContinuityContinuity
+/// Returns the angle in \f$ [0, \pi] \f$ between the directions in which the segments are drawn, in radians; empty when one of them has no
+/// length, or is an arc whose derivatives are not known. A retracted handle is taken as `join_grade()` takes it.
+/// \throws Error `not_finite`
+template <class Traits>
+std::optional<Enclosure> tangent_angle(const Path_segment<Traits>& left, const Path_segment<Traits>& right) {
+  std::optional<Enclosure> angle;
+  internal::visit_direction_products(
+      left, right, [&](const auto& p) { angle = internal::angle_of_products<typename Traits::FT>(p); });
+  return angle;
 }
 
 } // namespace Geometric_continuity

@@ -7,22 +7,163 @@
 
 #include <CGAL/Geometric_continuity/Error.h>
 #include <CGAL/Geometric_continuity/splines/Knot_vector.h>
-#include <CGAL/Geometric_continuity/splines/bspline_evaluate.h>
 #include <CGAL/Geometric_continuity/splines/bspline_knots.h>
-#include <CGAL/Geometric_continuity/splines/bspline_product.h>
+#include <CGAL/Geometric_continuity/splines/internal/Spline_weights.h>
+#include <CGAL/Geometric_continuity/splines/internal/bspline_multiply.h>
 #include <CGAL/Geometric_continuity/splines/internal/check_spline.h>
 
 #include <algorithm>
 #include <optional>
+#include <string>
 #include <type_traits>
 #include <utility>
 #include <vector>
 
 /// \file Bspline_function.h
-/// Spline functions as values: knots and coefficients together.
+/// Splines \f$ \sum_i c_i N_i^p(u) \f$ over a `Knot_vector`, by field arithmetic only: values, blossoms and derivatives, degree
+/// elevation and products, and spline functions as values, knots and coefficients together. In the functions the coefficients
+/// \f$ c_0, \dots, c_{n-1} \f$ are in a random-access container `c`; they are numbers or `Coordinate_vector`s.
+///
+/// On the span `k` the spline is a polynomial \f$ f_k \f$. Its \em blossom \f$ f_k[t_1, \dots, t_p] \f$ is the function
+/// that is symmetric, affine in each argument, and equal to \f$ f_k(t) \f$ at \f$ [t, \dots, t] \f$. Everything rests
+/// on \f$ c_i = f_k[u_{i+1}, \dots, u_{i+p}] \f$. Products are Bernstein products on the spans, and then one blossom value for
+/// each coefficient over the knots of the result. No linear system is solved.
 
 namespace CGAL {
 namespace Geometric_continuity {
+
+/// \ingroup PkgGeometricContinuityAlgebra
+/// Returns the values of all `n` basis functions \f$ N_i^p(u) \f$: right-continuous, and continuous from the left at
+/// the end of the domain. \f$ O(n + p^2) \f$
+/// \throws Error `parameter_outside_domain`
+template <class FT> std::vector<FT> bspline_basis(const Knot_vector<FT>& knots, const FT& u) {
+  const int p = knots.degree(), k = knots.span(u);
+  std::vector<FT> basis(knots.number_of_coefficients(), FT(0));
+  internal::derivative_weights(knots, p, k, u, 0, [&](int, const internal::Span_weights<FT>& weights) {
+    std::copy_n(weights.w, p + 1, basis.begin() + weights.first);
+  });
+  return basis;
+}
+
+/// \ingroup PkgGeometricContinuityAlgebra
+/// Returns the derivatives of order 0 to `order >= 0` at `u` of the polynomial on the span `k`: from the right or from
+/// the left at a knot, according to `Knot_vector::span()` and `Knot_vector::left_span()`. \f$ O(p^2 + p\,order^2) \f$
+/// \throws Error `wrong_number_of_points` unless there are `n` coefficients, `negative_count` when `order` is negative,
+///   `parameter_outside_domain` unless `k` is a span
+template <class FT, class Coefficients>
+std::vector<typename Coefficients::value_type> bspline_derivatives(const Knot_vector<FT>& knots, const Coefficients& c,
+                                                                   int k, const FT& u, int order) {
+  internal::check_number_of_coefficients(knots, c, "bspline_derivatives");
+  internal::check_span(knots, k, "bspline_derivatives");
+  if (order < 0) throw Error(Error_code::negative_count, "bspline_derivatives: order");
+  return internal::derivatives_on_span(knots, c, k, u, order);
+}
+
+/// \ingroup PkgGeometricContinuityAlgebra
+/// Returns the value at `u`, from the right at a knot and from the left at the end of the domain.
+/// \f$ O(\log n + p^2) \f$
+/// \throws Error `parameter_outside_domain`, `wrong_number_of_points` unless there are `n` coefficients
+template <class FT, class Coefficients>
+typename Coefficients::value_type bspline_value(const Knot_vector<FT>& knots, const Coefficients& c, const FT& u) {
+  internal::check_number_of_coefficients(knots, c, "bspline_value");
+  return internal::derivatives_on_span(knots, c, knots.span(u), u, 0)[0];
+}
+
+/// \ingroup PkgGeometricContinuityAlgebra
+/// Returns the blossom \f$ f_k[t_1, \dots, t_p] \f$ of the polynomial on the span `k`, at `p` arguments in any order.
+/// \f$ O(p^2) \f$
+/// \throws Error `wrong_number_of_points` unless there are `n` coefficients and `p` arguments,
+///   `parameter_outside_domain` unless `k` is a span
+template <class FT, class Coefficients>
+typename Coefficients::value_type bspline_blossom(const Knot_vector<FT>& knots, const Coefficients& c, int k,
+                                                  std::vector<FT> arguments) {
+  internal::check_number_of_coefficients(knots, c, "bspline_blossom");
+  internal::check_span(knots, k, "bspline_blossom");
+  if (static_cast<int>(arguments.size()) != knots.degree())
+    throw Error(Error_code::wrong_number_of_points, "bspline_blossom: " + std::to_string(arguments.size()) +
+                                                        " arguments in degree " + std::to_string(knots.degree()));
+  std::sort(arguments.begin(), arguments.end());
+  internal::Blossom_weights<FT> weights;
+  weights.assign(knots, knots.degree(), k, arguments);
+  return weights(c);
+}
+
+/// \ingroup PkgGeometricContinuityAlgebra
+/// Returns the knots of the derivative: without the first and the last, in degree `p - 1`. A knot where the splines may
+/// jump loses one of its `p + 1` copies as well; jumps are not differentiated. In degree 0 the vector itself.
+template <class FT> Knot_vector<FT> derivative_knots(const Knot_vector<FT>& knots) {
+  const int p = knots.degree(), n = knots.number_of_coefficients();
+  if (p == 0) return knots;
+  std::vector<FT> u;
+  for (int i = 1; i < n + p; ++i)
+    if (i >= n || knots[i] < knots[i + p]) u.push_back(knots[i]);
+  return Knot_vector<FT>(p - 1, std::move(u));
+}
+
+/// \ingroup PkgGeometricContinuityAlgebra
+/// Returns the coefficients \f$ p \frac{c_i - c_{i-1}}{u_{i+p} - u_i} \f$ of the derivative over `derivative_knots()`;
+/// zeros in degree 0. \f$ O(n) \f$
+/// \throws Error `wrong_number_of_points` unless there are `n` coefficients
+template <class FT, class Coefficients>
+std::vector<typename Coefficients::value_type> bspline_derivative(const Knot_vector<FT>& knots, const Coefficients& c) {
+  typedef typename Coefficients::value_type Value;
+  internal::check_number_of_coefficients(knots, c, "bspline_derivative");
+  const int p = knots.degree(), n = knots.number_of_coefficients();
+  std::vector<Value> d;
+  if (p == 0) d.assign(n, Value(FT(0) * c[0]));
+  for (int i = 1; i < n && p > 0; ++i)
+    if (knots[i] < knots[i + p]) d.push_back(Value(FT(FT(p) / FT(knots[i + p] - knots[i])) * (c[i] - c[i - 1])));
+  return d;
+}
+
+/// \ingroup PkgGeometricContinuityAlgebra
+/// Returns the knots of the product of splines of the degrees `p` and `q` over `f` and `g`: clamped, of degree `p + q`,
+/// with the multiplicity \f$ \max(m_f + q \text{ if } m_f > 0,\ m_g + p \text{ if } m_g > 0) \f$ for an inner knot of
+/// the multiplicities \f$ m_f, m_g \f$, which is the smallest that holds all products. Che et al.
+/// \throws Error `parameter_outside_domain` when the domains differ
+template <class FT> Knot_vector<FT> product_knots(const Knot_vector<FT>& f, const Knot_vector<FT>& g) {
+  return internal::distinct_product_knots(f, g).knot_vector();
+}
+
+/// \ingroup PkgGeometricContinuityAlgebra
+/// Returns the coefficients over `product_knots()` of the product of a spline `f` of degree `p` with numbers and a
+/// spline `g` of degree `q` with numbers or vectors as coefficients. The knots need not be equal nor clamped, and may
+/// have any multiplicity.
+///
+/// With \f$ P_k = f_k g_k \f$ in Bernstein form on each span, the coefficients are
+/// \f$ P_k[t_{j+1}, \dots, t_{j+p+q}] \f$. Most of them are Bernstein coefficients as they are; of splines of equal
+/// degree with simple knots, one for each knot needs arithmetic.
+///
+/// \f$ O(p^2 + q^2 + pq) \f$ field operations for each coordinate and span, and \f$ O((p+q)^2) \f$ for each coefficient
+/// that straddles a knot. Degrees up to 3 on floating-point numbers are unrolled.
+/// \throws Error `parameter_outside_domain` when the domains differ,
+///   `wrong_number_of_points` unless the numbers of coefficients fit the knots
+template <class FT, class Scalars, class Coefficients>
+std::vector<typename Coefficients::value_type> bspline_product(const Knot_vector<FT>& f_knots, const Scalars& f,
+                                                               const Knot_vector<FT>& g_knots, const Coefficients& g) {
+  internal::check_number_of_coefficients(f_knots, f, "bspline_product: first factor");
+  internal::check_number_of_coefficients(g_knots, g, "bspline_product: second factor");
+  return internal::product_over(internal::distinct_product_knots(f_knots, g_knots), f_knots, f, g_knots, g);
+}
+
+/// \ingroup PkgGeometricContinuityAlgebra
+/// Returns the knots of the same splines in a degree raised by `times >= 0`: clamped, every inner knot repeated `times`
+/// more.
+/// \throws Error `negative_count` when `times` is negative
+template <class FT> Knot_vector<FT> elevated_knots(const Knot_vector<FT>& knots, int times = 1) {
+  return internal::distinct_elevated_knots(knots, times).knot_vector();
+}
+
+/// \ingroup PkgGeometricContinuityAlgebra
+/// Returns the coefficients over `elevated_knots()`: those of the product with the constant 1 of degree `times >= 0`.
+/// The operations are those of `bspline_product()`.
+/// \throws Error `negative_count` when `times` is negative, `wrong_number_of_points` unless there are `n` coefficients
+template <class FT, class Coefficients>
+std::vector<typename Coefficients::value_type> bspline_elevate(const Knot_vector<FT>& knots, const Coefficients& c,
+                                                               int times = 1) {
+  internal::check_number_of_coefficients(knots, c, "bspline_elevate");
+  return internal::elevate_over(internal::distinct_elevated_knots(knots, times), knots, c);
+}
 
 /// \ingroup PkgGeometricContinuityAlgebra
 /// A spline function \f$ \sum_i c_i N_i^p(u) \f$ over a `Knot_vector`, with numbers or vectors as values: the

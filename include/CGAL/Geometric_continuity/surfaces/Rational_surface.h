@@ -6,8 +6,7 @@
 #define CGAL_GEOMETRIC_CONTINUITY_SURFACES_RATIONAL_SURFACE_H
 
 #include <CGAL/Geometric_continuity/curves/internal/denominator.h>
-#include <CGAL/Geometric_continuity/curves/internal/positive_parts.h>
-#include <CGAL/Geometric_continuity/local/homogeneous_surface_jets.h>
+#include <CGAL/Geometric_continuity/local/Surface_jet.h>
 #include <CGAL/Geometric_continuity/surfaces/Bezier_patch.h>
 #include <CGAL/Geometric_continuity/surfaces/Bspline_surface.h>
 #include <CGAL/Geometric_continuity/surfaces/internal/surface_denominator.h>
@@ -478,6 +477,23 @@ private:
     return runs_along_u(edge) ? std::make_pair(i, inward) : std::make_pair(inward, i);
   }
 };
+
+/// \ingroup PkgGeometricContinuitySurfaces
+/// A rational tensor-product Bézier patch
+/// \f$ S(u, v) = \sum_{ij} w_{ij} b_{ij} B_i^p(s) B_j^q(t) / \sum_{ij} w_{ij} B_i^p(s) B_j^q(t) \f$, \f$ s = (u-a)/(b-a) \f$,
+/// \f$ t = (v-c)/(d-c) \f$, with control points \f$ b_{ij} \f$ and weights \f$ w_{ij} \f$ on [a, b] x [c, d], by default the
+/// unit square: pieces of cylinders, spheres and tori, and of all NURBS surfaces. See `Rational_surface`.
+///
+/// \tparam Traits a model of `GeometricContinuityTraits`
+template <class Traits> using Rational_bezier_patch = Rational_surface<Bezier_patch<Traits>>;
+
+/// \ingroup PkgGeometricContinuitySurfaces
+/// A rational tensor-product B-spline surface (NURBS)
+/// \f$ S(u, v) = \sum_{ij} w_{ij} b_{ij} N_i^p(u) N_j^q(v) / \sum_{ij} w_{ij} N_i^p(u) N_j^q(v) \f$ over two `Knot_vector`s, with
+/// control points \f$ b_{ij} \f$ and as many weights. See `Rational_surface`.
+///
+/// \tparam Traits a model of `GeometricContinuityTraits`
+template <class Traits> using Rational_bspline_surface = Rational_surface<Bspline_surface<Traits>>;
 
 } // namespace Geometric_continuity
 } // namespace CGAL

@@ -7,7 +7,7 @@
 
 #include <CGAL/Geometric_continuity/algebra/Bell_polynomials.h>
 #include <CGAL/Geometric_continuity/algebra/determinant.h>
-#include <CGAL/Geometric_continuity/joins/internal/Join_parameters.h>
+#include <CGAL/Geometric_continuity/joins/join_result.h>
 #include <CGAL/Geometric_continuity/local/Curve_jet.h>
 #include <CGAL/Geometric_continuity/local/internal/Scaled_vector.h>
 #include <CGAL/Geometric_continuity/numbers/Work_limit.h>
@@ -22,8 +22,6 @@
 
 namespace CGAL {
 namespace Geometric_continuity {
-
-template <class FT> struct Join_continuity; // joins/join_continuity.h
 
 namespace internal {
 

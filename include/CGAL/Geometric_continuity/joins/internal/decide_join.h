@@ -10,7 +10,7 @@
 #include <CGAL/Geometric_continuity/joins/internal/Join_decision.h>
 #include <CGAL/Geometric_continuity/joins/internal/Join_ladder.h>
 #include <CGAL/Geometric_continuity/joins/internal/decide_in_ring.h>
-#include <CGAL/Geometric_continuity/joins/join_continuity.h>
+#include <CGAL/Geometric_continuity/joins/join_result.h>
 #include <CGAL/Geometric_continuity/numbers/Exact_field.h>
 
 #include <optional>
