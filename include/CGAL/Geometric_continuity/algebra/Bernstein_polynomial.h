@@ -105,7 +105,7 @@ void bernstein_end_derivatives(Coefficients& c, int n, int k, Output out) {
 /// Overwrites \f$ c_0, \dots, c_n \f$ by the coefficients on \f$ [t, 1] \f$ and writes those on \f$ [0, t] \f$ to
 /// `left`, which has room for `n + 1`. \f$ O(n^2) \f$
 template <class FT, class Coefficients> void bernstein_split(Coefficients& c, int n, const FT& t, Coefficients& left) {
-  // curves/internal/bernstein_jet.h has the same for a degree known at compile time; after i steps, c[0] is the next coefficient of the left part
+  // curves/internal/bezier_jet.h has the same for a degree known at compile time; after i steps, c[0] is the next coefficient of the left part
   const FT s = FT(1) - t;
   left[0] = c[0];
   for (int i = 1; i <= n; ++i) {

@@ -110,7 +110,7 @@ private:
 /// \ingroup PkgGeometricContinuityContinuity
 /// The end of a curve, ready to be compared with many others: the four control points next to it, the degree and the domain.
 /// With `double` coordinates in the plane or in space the legs of the polygon are kept as integers as well, which saves the
-/// predicates of join_predicates.h the conversion.
+/// predicates the conversion.
 ///
 /// The points run from the end inwards. A start is an end in this sense, too: in a predicate the left curve runs towards the
 /// join and the right one away from it.

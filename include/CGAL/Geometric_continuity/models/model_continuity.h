@@ -286,7 +286,7 @@ private:
 /// edge, to recognise and to decide it, and for each knot line.
 ///
 /// \tparam Concurrency_tag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`: edges and knot lines are decided on
-///   several cores, with the same result, on number types that may be copied concurrently, see failing_joins.h
+///   several cores, with the same result, on number types that may be copied concurrently, see join_predicates.h
 /// \tparam PatchRange a forward range of `Bezier_patch`, `Bspline_surface`, `Rational_bezier_patch` or
 ///   `Rational_bspline_surface`; polynomial surfaces can be converted to rational ones
 /// \param patches of the model, which must outlive the call

@@ -167,7 +167,7 @@ std::vector<typename Coefficients::value_type> bspline_elevate(const Knot_vector
 
 /// \ingroup PkgGeometricContinuityAlgebra
 /// A spline function \f$ \sum_i c_i N_i^p(u) \f$ over a `Knot_vector`, with numbers or vectors as values: the
-/// algorithms of `bspline_evaluate.h`, `bspline_knots.h` and `bspline_product.h` with knots and coefficients kept
+/// algorithms of this header and of `bspline_knots.h` with knots and coefficients kept
 /// together.
 ///
 /// It is a value: operations return new functions. With exact numbers they are exact.

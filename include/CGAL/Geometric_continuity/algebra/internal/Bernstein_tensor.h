@@ -62,7 +62,7 @@ public:
     for (int k = variables_ - 1; k >= 0; --k) // the last variable first: then what remains lies in the first places
       for (std::size_t i = 0; i < power(k); ++i) {
         for (int j = 0; j <= degree_; ++j) line[j] = c[i + j * power(k)];
-        c[i] = bernstein_value(line, degree_, t[k]);
+        c[i] = Geometric_continuity::bernstein_value(line, degree_, t[k]);
       }
     return c[0];
   }
@@ -78,7 +78,7 @@ public:
     for (std::size_t begin = 0; begin < c_.size(); begin += block)
       for (std::size_t i = begin; i < begin + stride; ++i) {
         for (int j = 0; j <= degree_; ++j) right[j] = c_[i + j * stride];
-        bernstein_split(right, degree_, t, left);
+        Geometric_continuity::bernstein_split(right, degree_, t, left);
         for (int j = 0; j <= degree_; ++j) {
           parts.first.c_[i + j * stride] = left[j];
           parts.second.c_[i + j * stride] = right[j];

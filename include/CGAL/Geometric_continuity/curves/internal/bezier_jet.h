@@ -88,7 +88,7 @@ CGAL_GC_FORCEINLINE void bernstein_jet(std::array<FT, n + 1>& c, const FT& s, co
 }
 
 // Splits the polynomial of degree n with the Bernstein coefficients c at t = 1-s: c becomes the right part. The numbers are those of
-// bernstein_split() for a degree known at run time only, algebra/bernstein.h.
+// bernstein_split() for a degree known at run time only, algebra/Bernstein_polynomial.h.
 template <int n, class FT> CGAL_GC_FORCEINLINE void bernstein_split(FT* c, const FT& s, const FT& t, FT* left) {
   left[0] = c[0];
   if constexpr (n > 0) {
