@@ -7,11 +7,13 @@
 
 #include <CGAL/Geometric_continuity/blends/blend_ends.h>
 #include <CGAL/Geometric_continuity/local/Curve_jet.h>
-#include <CGAL/Geometric_continuity/numbers/internal/short_double.h>
 #include <CGAL/MP_Float.h>
 #include <CGAL/number_utils.h>
 
 #include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <limits>
 #include <type_traits>
 #include <utility>
 
@@ -22,6 +24,18 @@ namespace CGAL {
 namespace Geometric_continuity {
 
 namespace internal {
+
+// The number with so many binary digits nearest to x, or of two the one farther from 0, in every rounding mode: the other
+// digits are cut off from the bits of x, which is not subnormal, and far below the largest number.
+template <int digits> double short_double(double x) {
+  static_assert(std::numeric_limits<double>::is_iec559 && std::numeric_limits<double>::digits == 53);
+  constexpr int dropped = 53 - digits;
+  std::uint64_t bits;
+  std::memcpy(&bits, &x, sizeof x);
+  bits = (bits + (std::uint64_t(1) << (dropped - 1))) >> dropped << dropped;
+  std::memcpy(&x, &bits, sizeof x);
+  return x;
+}
 
 // A ratio of lengths with few digits, so that it is the same on every kernel and exact numbers stay short.
 constexpr int ratio_digits = 8;
