@@ -106,9 +106,10 @@ auto decide_surfaces(const Surface_a& a, Patch_edge edge_a, const Surface_b& b, 
     if (direction) {
       if (*direction == Edge_direction::opposite) y.reverse();
       const std::pair<Field, Field> domain_a = edge_domain<Field>(a, edge_a), domain_b = edge_domain<Field>(b, edge_b);
-      if (const std::optional<int> order = smooth_order(x, y))
+      Edge_ladder ladder(x, y);
+      if (const std::optional<int> order = ladder.smooth_order())
         return verdict_on_whole_edge(smooth_continuity<Field>(*order, domain_a), *direction, domain_a, domain_b);
-      if (std::optional<Edge_continuity<Field>> crease = crease_on_grid<Field>(x, y))
+      if (std::optional<Edge_continuity<Field>> crease = crease_on_grid<Field>(ladder))
         return verdict_on_whole_edge(on_interval(domain_a.first, domain_a.second, *std::move(crease)).continuity,
                                      *direction, domain_a, domain_b);
     }

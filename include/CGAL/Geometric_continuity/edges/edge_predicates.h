@@ -7,7 +7,7 @@
 
 #include <CGAL/Geometric_continuity/edges/internal/Common_edge_part.h>
 #include <CGAL/Geometric_continuity/edges/internal/Edge_normals.h>
-#include <CGAL/Geometric_continuity/edges/internal/edge_stages.h>
+#include <CGAL/Geometric_continuity/edges/internal/Edge_ladder.h>
 
 #include <algorithm>
 #include <optional>

@@ -114,7 +114,8 @@ BOOST_AUTO_TEST_CASE(creases_in_fixed_length_and_multiprecision) {
     GC::internal::Edge_layers x, y;
     BOOST_REQUIRE((GC::internal::edge_layers(p, v0, q, v0, 2, x, y)));
     const GC::internal::Work_on_object work("test");
-    const std::optional<GC::Edge_continuity<Q>> found = GC::internal::crease_on_grid<Q>(x, y);
+    GC::internal::Edge_ladder ladder(x, y);
+    const std::optional<GC::Edge_continuity<Q>> found = GC::internal::crease_on_grid<Q>(ladder);
     const GC::Edge_continuity<Q> expected = GC::internal::decide_rough_edge(rows, other);
     if (!found) continue;
     ++decided;

@@ -180,7 +180,7 @@ rows_on(const std::vector<Edge_piece<Field, N>>& a, const std::vector<Edge_piece
 }
 
 // Finds the part that two edges have in common. The test for whole edges is also made, faster, by Edge_sides::align() for two
-// polynomials, by same_edge() in edge_layers.h for control points, and by Edge_key for all edges of a model.
+// polynomials, by same_edge() in Edge_input.h for control points, and by Edge_key for all edges of a model.
 template <class Field, int N = 3> class Common_edge_part {
   typedef std::vector<Edge_piece<Field, N>> Pieces;
   typedef Affine_parameter_map<Field> Map;

@@ -7,12 +7,10 @@
 
 #include <CGAL/Geometric_continuity/algebra/sign_pattern.h>
 #include <CGAL/Geometric_continuity/edges/Spline_edge_continuity.h>
+#include <CGAL/Geometric_continuity/edges/internal/Edge_ladder.h>
 #include <CGAL/Geometric_continuity/edges/internal/Edge_normals.h>
-#include <CGAL/Geometric_continuity/edges/internal/Edge_on_grid.h>
 #include <CGAL/Geometric_continuity/edges/internal/Fixed_largest_measure.h>
 #include <CGAL/Geometric_continuity/edges/internal/Largest_measure.h>
-#include <CGAL/Geometric_continuity/edges/internal/edge_layers.h>
-#include <CGAL/Geometric_continuity/edges/internal/edge_stages.h>
 #include <CGAL/Geometric_continuity/numbers/Work_limit.h>
 #include <CGAL/Geometric_continuity/numbers/internal/Common_denominator.h>
 
@@ -25,7 +23,7 @@
 
 /// \file Edge_decision.h
 /// The order of two surfaces along an edge on which both are polynomials, the reason why it is not higher, and the place:
-/// by the stages of edge_stages.h where the edge is smooth, otherwise in multi-precision. And the verdict on several spans.
+/// by the rungs of Edge_ladder.h where the edge is smooth, otherwise in multi-precision. And the verdict on several spans.
 
 namespace CGAL {
 namespace Geometric_continuity {
@@ -38,24 +36,19 @@ namespace internal {
 // The normals N and n2 are those of Edge_on_grid, with coefficients below 2^121; see Edge_measure for the polynomials p and s. For
 // degrees n <= 5 the coefficients of N.n2 are at most 12 * 2^216 C(18,9) < 2^236, four limbs, and those of p at most
 // 144 * 2^432 C(36,18) < 2^474, eight limbs.
-template <class Field>
-std::optional<Edge_continuity<Field>> crease_on_grid(const Edge_layers& a, const Edge_layers& b) {
+template <class Field> std::optional<Edge_continuity<Field>> crease_on_grid(Edge_ladder& ladder) {
 #ifdef CGAL_GEOMETRIC_CONTINUITY_HAS_FIXED_INTEGER
   constexpr int most_along = 5;
   if constexpr (Common_denominator<Field>::clears) {
-    const double size = (std::max)(size_of(a), size_of(b));
-    if (a.along > most_along || is_collapsed(a) || !std::isfinite(size)) return std::nullopt;
-    Grid grid(size);
-    if (!grid.valid()) return std::nullopt;
-    const Grid_layers x = on_grid(a, grid), y = on_grid(b, grid);
-    if (!grid.valid()) return std::nullopt;
-    const Edge_on_grid edge(x, y);
-    const Short_vector<2> n1 = edge.normal(), n2 = edge.second_normal();
-    const Short_polynomial<4> side = product(n1, n2);
+    if (ladder.degree() > most_along || ladder.is_collapsed()) return std::nullopt;
+    const Edge_on_grid* const edge = ladder.on_grid();
+    if (!edge) return std::nullopt;
+    const Short_vector<2> n1 = edge->normal(), n2 = edge->second_normal();
+    const Short_polynomial<4> side = dot(n1, n2);
     if (side.strict_sign() >= 0) return std::nullopt;
-    const Short_polynomial<8> p = product(product(n1, n1), product(n2, n2));
+    const Short_polynomial<8> p = dot(n1, n1) * dot(n2, n2);
     Short_polynomial<8> s = p;
-    s.template add_product<true>(side, side);
+    subtract_product(s, side, side);
     if (s.vanishes()) return std::nullopt;
     Edge_continuity<Field> e;
     e.deviation = Fixed_largest_measure<Field, Short_polynomial<8>>(s, p)();
@@ -148,9 +141,10 @@ Edge_continuity<Field> decide_edge(const Edge_rows<Field, N>& a, const Edge_rows
   if constexpr (N == 3) {
     Edge_layers x, y;
     if (edge_layers(a, b, x, y)) {
-      if (const std::optional<int> order = smooth_order(x, y))
+      Edge_ladder ladder(x, y);
+      if (const std::optional<int> order = ladder.smooth_order())
         return smooth_continuity<Field>(*order, {Field(0), Field(1)});
-      if (std::optional<Edge_continuity<Field>> crease = crease_on_grid<Field>(x, y)) return *std::move(crease);
+      if (std::optional<Edge_continuity<Field>> crease = crease_on_grid<Field>(ladder)) return *std::move(crease);
     }
   }
   return decide_rough_edge(a, b);

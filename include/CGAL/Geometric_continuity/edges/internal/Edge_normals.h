@@ -101,7 +101,7 @@ template <class Field, int N = 3> struct Edge_sides {
 
   // Turns the second side so that both edges are the same curve in one direction, if they are in one of both. Returns
   // whether it has been turned, or nothing if the edges differ. The quick test for two edges that are polynomials; see also
-  // same_edge() in edge_layers.h for control points of equal degree, Common_edge_part for pieces, Edge_key for many edges.
+  // same_edge() in Edge_input.h for control points of equal degree, Common_edge_part for pieces, Edge_key for many edges.
   std::optional<bool> align() {
     if (same_edge()) return false;
     for (Vector* v : {&c[1], &t[1], &w[1]})

@@ -2,109 +2,94 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-#ifndef CGAL_GEOMETRIC_CONTINUITY_EDGES_INTERNAL_EDGE_STAGES_H
-#define CGAL_GEOMETRIC_CONTINUITY_EDGES_INTERNAL_EDGE_STAGES_H
+#ifndef CGAL_GEOMETRIC_CONTINUITY_EDGES_INTERNAL_EDGE_INPUT_H
+#define CGAL_GEOMETRIC_CONTINUITY_EDGES_INTERNAL_EDGE_INPUT_H
 
-#include <CGAL/Geometric_continuity/edges/internal/Edge_on_grid.h>
-#include <CGAL/Geometric_continuity/edges/internal/edge_layers.h>
+#include <CGAL/Geometric_continuity/edges/Edge_rows.h>
 #include <CGAL/Geometric_continuity/internal/force_inline.h>
 #include <CGAL/Geometric_continuity/local/coordinates.h>
 #include <CGAL/Geometric_continuity/numbers/internal/Common_denominator.h>
+#include <CGAL/Geometric_continuity/numbers/internal/Common_grid.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
+#include <iterator>
+#include <limits>
 #include <optional>
 #include <type_traits>
 
-/// \file edge_stages.h
-/// The stages of a decision on an edge in numbers of fixed length, in their order: control points are compared,
-/// floating-point numbers refute at the ends, and integers decide, with a short ratio of the tangent planes or without. What
-/// they leave open, and why an edge is not smooth, is decided in multi-precision: see Edge_decision.h.
+/// \file Edge_input.h
+/// What the rungs of Edge_ladder.h are asked about: the control points next to an edge of each of two patches, or of rows, in numbers of
+/// fixed length.
 
 namespace CGAL {
 namespace Geometric_continuity {
 namespace internal {
 
-// Where a decision on an edge was made.
-enum class Edge_stage {
-  comparison,     // equality of the control points as given
-  floating_point, // a condition is farther from zero than its rounding error
-  simple_ratio,   // integers of fixed length, where the tangent planes agree by short numbers
-  fixed_integer,  // integers of fixed length
-  multiprecision
+// The layers of the control net of a Bezier patch next to an edge: p[j][i] is the control point number i along the edge in
+// the layer number j, of which there are min(k, across) + 1 for the order k.
+template <class T> struct Edge_points {
+  static constexpr int most_along = 7, most_across = 8; // the degrees that are decided in numbers of fixed length
+
+  int along, across, layers;
+  std::array<T, 3> p[3][most_along + 1];
+
+  // Whether numbers of fixed length decide edges of these degrees.
+  static bool fits(int degree_along, int degree_across) {
+    return degree_along <= most_along && 1 <= degree_across && degree_across <= most_across;
+  }
+
+  void reverse() {
+    for (int j = 0; j < layers; ++j) std::reverse(p[j], p[j] + along + 1);
+  }
 };
 
-// Which stages are taken, and who is told of the decision. By default all are, and nobody is.
-struct All_edge_stages {
-  static constexpr bool uses(Edge_stage) { return true; }
-  void decided(Edge_stage, bool) const {}
-};
+typedef Edge_points<double> Edge_layers;
+typedef Edge_points<std::int64_t> Grid_layers;
 
-// Whether two patches have the order G^k along whole edges that are the same curve in one direction; or empty
-// if numbers of fixed length do not decide it.
-template <int order, class Stages>
-std::optional<bool> decide_on_same_edge(const Edge_layers& a, const Edge_layers& b, Stages& stages) {
-  const auto decided = [&](Edge_stage stage, bool answer) {
-    stages.decided(stage, answer);
-    return std::optional<bool>(answer);
-  };
-  if constexpr (order > 0) {
-    if (is_collapsed(a)) {
-      if (!stages.uses(Edge_stage::comparison)) return std::nullopt;
-      return decided(Edge_stage::comparison, false);
-    }
-    if (stages.uses(Edge_stage::floating_point) && Edge_filter(a, b).template refutes<order>())
-      return decided(Edge_stage::floating_point, false);
-  }
-  const double size = (std::max)(size_of(a), size_of(b));
-  if (!std::isfinite(size)) return std::nullopt;
-  if constexpr (order == 0) {
-    if (!stages.uses(Edge_stage::comparison)) return std::nullopt;
-    return decided(Edge_stage::comparison, true);
-  } else {
-#ifdef CGAL_GEOMETRIC_CONTINUITY_HAS_FIXED_INTEGER
-    Grid grid(size);
-    if (!grid.valid()) return std::nullopt;
-    const Grid_layers x = on_grid(a, grid), y = on_grid(b, grid);
-    if (!grid.valid()) return std::nullopt;
-    const Edge_on_grid edge(x, y);
-    if (stages.uses(Edge_stage::simple_ratio))
-      if (const std::optional<bool> answer = edge.template decide_by_ratio<order>())
-        return decided(Edge_stage::simple_ratio, *answer);
-    if (stages.uses(Edge_stage::fixed_integer))
-      if (const std::optional<bool> answer = edge.template decide<order>())
-        return decided(Edge_stage::fixed_integer, *answer);
-#endif
-  }
-  return std::nullopt;
+// Edges of equal degree are the same if and only if their control points are, see also Edge_sides::align().
+inline bool same_edge(const Edge_layers& a, const Edge_layers& b) {
+  return std::equal(a.p[0], a.p[0] + a.along + 1, b.p[0]);
 }
-
-// The decision on whole edges that may differ, or run in opposite directions; then the second is turned.
-template <int order, class Stages>
-CGAL_GC_FORCEINLINE std::optional<bool> decide_on_layers(const Edge_layers& a, Edge_layers& b, Stages& stages) {
+inline bool same_edge_reversed(const Edge_layers& a, const Edge_layers& b) {
+  return std::equal(a.p[0], a.p[0] + a.along + 1,
+                    std::reverse_iterator<const std::array<double, 3>*>(b.p[0] + b.along + 1));
+}
+inline std::optional<Edge_direction> common_direction(const Edge_layers& a, const Edge_layers& b) {
   if (a.along != b.along) return std::nullopt;
-  const std::optional<Edge_direction> direction = common_direction(a, b);
-  if (!direction) {
-    if (!stages.uses(Edge_stage::comparison)) return std::nullopt;
-    stages.decided(Edge_stage::comparison, false);
-    return false;
-  }
-  if (*direction == Edge_direction::opposite) b.reverse();
-  return decide_on_same_edge<order>(a, b, stages);
+  if (same_edge(a, b)) return Edge_direction::same;
+  return same_edge_reversed(a, b) ? std::optional<Edge_direction>(Edge_direction::opposite) : std::nullopt;
+}
+inline bool is_collapsed(const Edge_layers& a) {
+  return std::all_of(a.p[0], a.p[0] + a.along + 1, [&](const std::array<double, 3>& x) { return x == a.p[0][0]; });
 }
 
-// The order 1 or 2 along two edges that are the same curve in one direction, if numbers of fixed length prove
-// it. Otherwise the edge may be anything.
-inline std::optional<int> smooth_order(const Edge_layers& a, const Edge_layers& b) {
-  const All_edge_stages stages;
-  const std::optional<bool> second = decide_on_same_edge<2>(a, b, stages);
-  if (!second) return std::nullopt;
-  if (*second) return 2;
-  return decide_on_same_edge<1>(a, b, stages).value_or(false) ? std::optional<int>(1) : std::nullopt;
+// Infinity if a coordinate is infinite or not a number, or a bound of all coordinates.
+inline double size_of(const Edge_layers& a) {
+  double size[3] = {0, 0, 0}, test[3] = {0, 0, 0}; // 0, or not a number
+  for (int j = 0; j < a.layers; ++j)
+    for (int i = 0; i <= a.along; ++i)
+      for (int x = 0; x < 3; ++x) {
+        size[x] = (std::max)(size[x], std::abs(a.p[j][i][x]));
+        test[x] += a.p[j][i][x] - a.p[j][i][x];
+      }
+  if (test[0] + test[1] + test[2] != 0) return std::numeric_limits<double>::infinity();
+  return (std::max)({size[0], size[1], size[2]});
 }
 
-// ---------------------------------------------------------------- layers
+// In units of the grid; it is invalid afterwards unless all coordinates lie on it.
+inline Grid_layers on_grid(const Edge_layers& a, Grid& grid) {
+  Grid_layers g;
+  g.along = a.along;
+  g.across = a.across;
+  g.layers = a.layers;
+  for (int j = 0; j < a.layers; ++j)
+    for (int i = 0; i <= a.along; ++i) g.p[j][i] = grid(a.p[j][i]);
+  return g;
+}
 
 // Whether the control points of a surface are those of one Bezier patch.
 template <class Traits> bool is_one_patch(const Bezier_patch<Traits>&) { return true; }
@@ -207,4 +192,4 @@ bool edge_layers(const Edge_rows<Field>& a, const Edge_rows<Field>& b, Edge_laye
 } // namespace Geometric_continuity
 } // namespace CGAL
 
-#endif // CGAL_GEOMETRIC_CONTINUITY_EDGES_INTERNAL_EDGE_STAGES_H
+#endif // CGAL_GEOMETRIC_CONTINUITY_EDGES_INTERNAL_EDGE_INPUT_H
