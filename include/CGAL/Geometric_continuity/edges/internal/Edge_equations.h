@@ -6,12 +6,13 @@
 #define CGAL_GEOMETRIC_CONTINUITY_EDGES_INTERNAL_EDGE_EQUATIONS_H
 
 #include <CGAL/Geometric_continuity/edges/internal/Edge_input.h>
+#include <CGAL/Geometric_continuity/internal/force_inline.h>
 #include <CGAL/Geometric_continuity/joins/internal/join_forms.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
+#include <cstddef>
 
 /// \file Edge_equations.h
 /// The conditions of continuity along an edge in forms of any kind: rounded numbers with a bound (here), integers of fixed length
@@ -34,13 +35,18 @@ namespace Geometric_continuity {
 namespace internal {
 
 // r + x y and r - x y, where no better is known.
-template <class R, class X, class Y> void add_product(R& r, const X& x, const Y& y) { r = r + x * y; }
-template <class R, class X, class Y> void subtract_product(R& r, const X& x, const Y& y) { r = r - x * y; }
+template <class R, class X, class Y> CGAL_GC_FORCEINLINE void add_product(R& r, const X& x, const Y& y) {
+  r = r + x * y;
+}
+template <class R, class X, class Y> CGAL_GC_FORCEINLINE void subtract_product(R& r, const X& x, const Y& y) {
+  r = r - x * y;
+}
 
 // The difference of both sides of the identity, from the coordinates N_i, n2_i and n3_i and the products of N with the second
 // derivatives, each with its factor: mixed(), along() if is_curved_along(), across(side) if is_curved_across(side).
 template <class Form, class Products>
-auto second_order_form(const Form& n1, const Form& n2, const Form& n3, const Products& normal_times) {
+CGAL_GC_FORCEINLINE auto second_order_form(const Form& n1, const Form& n2, const Form& n3,
+                                           const Products& normal_times) {
   auto inner = n2 * normal_times.mixed();
   if (normal_times.is_curved_along()) add_product(inner, n3, normal_times.along());
   auto form = inner * n3;
@@ -53,47 +59,36 @@ auto second_order_form(const Form& n1, const Form& n2, const Form& n3, const Pro
 struct Rounded_form {
   double value, bound;
 
-  friend Rounded_form operator*(const Rounded_form& x, const Rounded_form& y) {
+  friend CGAL_GC_FORCEINLINE Rounded_form operator*(const Rounded_form& x, const Rounded_form& y) {
     return {x.value * y.value, x.bound * y.bound};
   }
-  friend Rounded_form operator+(const Rounded_form& x, const Rounded_form& y) {
+  friend CGAL_GC_FORCEINLINE Rounded_form operator+(const Rounded_form& x, const Rounded_form& y) {
     return {x.value + y.value, (std::max)(x.bound, y.bound)};
   }
-  friend Rounded_form operator-(const Rounded_form& x, const Rounded_form& y) {
+  friend CGAL_GC_FORCEINLINE Rounded_form operator-(const Rounded_form& x, const Rounded_form& y) {
     return {x.value - y.value, (std::max)(x.bound, y.bound)};
   }
-  Rounded_form times(int w) const { return {w * value, w * bound}; } // w > 0
-  bool exceeds(double part) const { return std::abs(value) > part * bound; }
+  CGAL_GC_FORCEINLINE Rounded_form times(int w) const { return {w * value, w * bound}; } // w > 0
+  // Unless the value may have overflowed.
+  bool exceeds(double part) const { return bound <= 0x1p800 && std::abs(value) > part * bound; }
 };
 
-// A vector with a bound of its coordinates, or of the numbers of which these are the differences. Nothing exceeds the bound of a form
-// if a bound is out of range.
-class Rounded_vector {
+// A vector with a bound of its coordinates, or of the numbers of which these are the differences.
+struct Rounded_vector {
   static constexpr double least = 0x1p-100, most = 0x1p100;
 
-public:
   std::array<double, 3> x;
   double bound;
 
-  explicit Rounded_vector(const std::array<double, 3>& difference) : Rounded_vector(difference, largest(difference)) {}
-  // x - y
-  Rounded_vector(const Rounded_vector& x, const Rounded_vector& y)
-      : Rounded_vector(minus(x.x, y.x), (std::max)(least, largest(x.x) + largest(y.x))) {}
-  static Rounded_vector cross(const Rounded_vector& x, const Rounded_vector& y) {
-    Rounded_vector z;
-    z.x = cross_form(x.x, y.x);
-    z.bound = x.bound * y.bound;
-    return z;
-  }
-  Rounded_form operator[](int i) const { return {x[static_cast<std::size_t>(i)], bound}; }
-  friend Rounded_form dot(const Rounded_vector& x, const Rounded_vector& y) {
+  CGAL_GC_FORCEINLINE bool in_range() const { return least <= bound && bound <= most; }
+  CGAL_GC_FORCEINLINE Rounded_form operator[](int i) const { return {x[static_cast<std::size_t>(i)], bound}; }
+
+  friend CGAL_GC_FORCEINLINE Rounded_form dot(const Rounded_vector& x, const Rounded_vector& y) {
     return {dot_form(x.x, y.x), x.bound * y.bound};
   }
-
-private:
-  Rounded_vector() = default;
-  Rounded_vector(const std::array<double, 3>& coordinates, double size)
-      : x(coordinates), bound(least <= size && size <= most ? size : (std::numeric_limits<double>::infinity)()) {}
+  friend CGAL_GC_FORCEINLINE Rounded_vector cross(const Rounded_vector& x, const Rounded_vector& y) {
+    return {cross_form(x.x, y.x), x.bound * y.bound};
+  }
 };
 
 // What rounded numbers can refute: the conditions at an end of the edge, where they need only few control points. With u = 2^-52, which
@@ -106,9 +101,9 @@ private:
 //   eight sums are rounded. The largest of the four products of bounds is M: the error is less than 96 ((1+u)^24 - 1)
 //   (1+u)^20 M < 2^-40 M.
 //
-// All bounds lie between 2^-100 and 2^100, and factors are below 2^10, so that nothing overflows. A product that underflows
-// has an error of 2^-1074, which is less than u 2^-300 times the product of the bounds of its factors, at least 2^-700;
-// this is within the margins.
+// All bounds are at least 2^-100, factors are below 2^10, and the bounds D, A, B at most 2^100, so that nothing overflows where M is at most
+// 2^800. A product that underflows has an error of 2^-1074, which is less than u 2^-300 times the product of the bounds of its
+// factors, at least 2^-700; this is within the margins.
 //
 // The reversed edge has the differences d with the other sign, and so has f; all terms of the conditions are odd in d, or all even, so
 // that its start may be taken in place of the end.
@@ -119,45 +114,55 @@ class Rounded_edge_end {
 
 public:
   // \pre the edges are the same, in one direction
-  Rounded_edge_end(const Edge_layers& s1, const Edge_layers& s2, bool at_end)
-      : s1_(s1), s2_(s2), at_end_(at_end), d_(difference(s1, 0, 0, 1)), a_(leg(s1, 0)), b_(leg(s2, 0)),
-        normal_(Rounded_vector::cross(d_, a_)) {}
+  CGAL_GC_FORCEINLINE Rounded_edge_end(const Edge_layers& s1, const Edge_layers& s2, bool at_end)
+      : s1_(s1), s2_(s2), at_end_(at_end), d_(first_difference(difference(s1, 0, 0, 1))),
+        a_(first_difference(leg(s1, 0))), b_(first_difference(leg(s2, 0))), normal_(cross(d_, a_)) {}
 
-  bool tangent_planes_differ() const { return dot(normal_, b_).exceeds(0x1p-46); }
+  CGAL_GC_FORCEINLINE bool in_range() const { return d_.in_range() && a_.in_range() && b_.in_range(); }
 
-  bool curvatures_differ() const {
+  // \pre in_range()
+  CGAL_GC_FORCEINLINE bool tangent_planes_differ() const { return dot(normal_, b_).exceeds(0x1p-46); }
+
+  // \pre in_range()
+  CGAL_GC_FORCEINLINE bool curvatures_differ() const {
     const std::array<double, 3>& n = normal_.x;
     int i = std::abs(n[0]) < std::abs(n[1]) ? 1 : 0;
     if (std::abs(n[static_cast<std::size_t>(i)]) < std::abs(n[2])) i = 2;
-    return second_order_form(normal_[i], Rounded_vector::cross(d_, b_)[i], Rounded_vector::cross(b_, a_)[i], *this)
-        .exceeds(0x1p-40);
+    return second_order_form(normal_[i], cross(d_, b_)[i], cross(b_, a_)[i], *this).exceeds(0x1p-40);
   }
 
   // See second_order_form().
-  Rounded_form mixed() const { return times(2 * s1_.along * s1_.across * s2_.across, a_, leg(s1_, 1)); }
-  bool is_curved_along() const { return s1_.along > 1; }
-  Rounded_form along() const { return times(s1_.across * s2_.across * (s1_.along - 1), d_, difference(s1_, 0, 1, 2)); }
-  bool is_curved_across(int side) const { return (side == 0 ? s1_ : s2_).across > 1; }
-  Rounded_form across(int side) const {
+  CGAL_GC_FORCEINLINE Rounded_form mixed() const {
+    return times(2 * s1_.along * s1_.across * s2_.across, a_.x, leg(s1_, 1));
+  }
+  CGAL_GC_FORCEINLINE bool is_curved_along() const { return s1_.along > 1; }
+  CGAL_GC_FORCEINLINE Rounded_form along() const {
+    return times(s1_.across * s2_.across * (s1_.along - 1), d_.x, difference(s1_, 0, 1, 2));
+  }
+  CGAL_GC_FORCEINLINE bool is_curved_across(int side) const { return (side == 0 ? s1_ : s2_).across > 1; }
+  CGAL_GC_FORCEINLINE Rounded_form across(int side) const {
     const Edge_layers &s = side == 0 ? s1_ : s2_, &other = side == 0 ? s2_ : s1_;
-    return times(s1_.along * other.across * (s.across - 1), side == 0 ? a_ : b_,
-                 Rounded_vector(minus(point(s, 2, 0), point(s, 1, 0))));
+    return times(s1_.along * other.across * (s.across - 1), (side == 0 ? a_ : b_).x,
+                 minus(point(s, 2, 0), point(s, 1, 0)));
   }
 
 private:
-  const std::array<double, 3>& point(const Edge_layers& s, int j, int i) const {
+  typedef std::array<double, 3> Vector;
+
+  CGAL_GC_FORCEINLINE const Vector& point(const Edge_layers& s, int j, int i) const {
     return s.p[j][at_end_ ? s.along - i : i];
   }
   // from the point number i of a layer to the point number k
-  Rounded_vector difference(const Edge_layers& s, int j, int i, int k) const {
-    return Rounded_vector(minus(point(s, j, k), point(s, j, i)));
+  CGAL_GC_FORCEINLINE Vector difference(const Edge_layers& s, int j, int i, int k) const {
+    return minus(point(s, j, k), point(s, j, i));
   }
   // from the edge to the first layer
-  Rounded_vector leg(const Edge_layers& s, int i) const {
-    return Rounded_vector(minus(point(s, 1, i), point(s1_, 0, i)));
-  }
-  Rounded_form times(int factor, const Rounded_vector& x, const Rounded_vector& y) const {
-    return dot(normal_, Rounded_vector(y, x)).times(factor);
+  CGAL_GC_FORCEINLINE Vector leg(const Edge_layers& s, int i) const { return minus(point(s, 1, i), point(s1_, 0, i)); }
+  static CGAL_GC_FORCEINLINE Rounded_vector first_difference(const Vector& x) { return {x, largest(x)}; }
+  // w times the product of the normal and the second difference y - x
+  CGAL_GC_FORCEINLINE Rounded_form times(int w, const Vector& x, const Vector& y) const {
+    return dot(normal_, Rounded_vector{minus(y, x), (std::max)(Rounded_vector::least, largest(x) + largest(y))})
+        .times(w);
   }
 };
 

@@ -81,14 +81,12 @@ inline double size_of(const Edge_layers& a) {
 }
 
 // In units of the grid; it is invalid afterwards unless all coordinates lie on it.
-inline Grid_layers on_grid(const Edge_layers& a, Grid& grid) {
-  Grid_layers g;
+inline void convert(const Edge_layers& a, Grid& grid, Grid_layers& g) {
   g.along = a.along;
   g.across = a.across;
   g.layers = a.layers;
   for (int j = 0; j < a.layers; ++j)
     for (int i = 0; i <= a.along; ++i) g.p[j][i] = grid(a.p[j][i]);
-  return g;
 }
 
 // Whether the control points of a surface are those of one Bezier patch.

@@ -101,8 +101,8 @@ public:
       if (!std::isfinite(size)) return nullptr;
       Grid grid(size);
       if (!grid.valid()) return nullptr;
-      x_ = internal::on_grid(a_, grid);
-      y_ = internal::on_grid(b_, grid);
+      convert(a_, grid, x_);
+      convert(b_, grid, y_);
       if (grid.valid()) on_grid_.emplace(x_, y_);
     }
     return on_grid_ ? &*on_grid_ : nullptr;
@@ -115,6 +115,7 @@ private:
     int most = highest;
     for (const bool at_end : {false, true}) {
       const Rounded_edge_end end(a_, b_, at_end);
+      if (!end.in_range()) continue;
       if (end.tangent_planes_differ()) return 0;
       if (highest > 1 && most > 1 && end.curvatures_differ()) most = 1;
       if (most < highest && lower == Lower_orders::as_one) break;
