@@ -10,11 +10,10 @@
 #include <CGAL/Geometric_continuity/edges/Edge_enclosure.h>
 #include <CGAL/Geometric_continuity/edges/internal/Edge_bounds.h>
 #include <CGAL/Geometric_continuity/numbers/Verdict.h>
+#include <CGAL/Geometric_continuity/numbers/internal/subdivision.h>
 
 #include <algorithm>
 #include <cstddef>
-#include <deque>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -33,39 +32,36 @@ inline Verdict is_sharp_edge(const Edge_side& a, const Edge_side& b, double firs
   const Protect_FPU_rounding<true> rounding_upwards;
   const Edge_bounds bounds(a, b, first, last, Edge_quantity::angle);
   const std::vector<double>& ends = bounds.ends();
-  std::deque<std::pair<double, double>> parts; // the longest first
-  for (std::size_t i = 0; i + 1 < ends.size(); ++i) parts.emplace_back(ends[i], ends[i + 1]);
-  if (ends.size() == 1) parts.emplace_back(first, last);
-  bool defined = false, settled = true;
-  int undefined_halvings = 0;
+  Oldest_first<Range> parts;
+  for (std::size_t i = 0; i + 1 < ends.size(); ++i) parts.add({ends[i], ends[i + 1]});
+  if (ends.size() == 1) parts.add({first, last});
   const double ranges =
       (std::min)(double(precision.most_boxes), precision.boxes + 8 * static_cast<double>(ends.size()));
-  for (double evaluated = 0; !parts.empty(); ++evaluated) {
-    if (evaluated >= ranges) return Verdict::undecided;
-    const auto [lower, upper] = parts.front();
-    parts.pop_front();
-    const Bounds_on_range square = bounds(lower, upper, Edge_quantity::angle, 0);
+  bool defined = false, settled = true, small = false;
+  int undefined_halvings = 0;
+  double evaluated = 0;
+  const bool finished = subdivide(parts, [&](const Range& part) {
+    if (evaluated++ >= ranges) return After_part::stop;
+    const Bounds_on_range square = bounds(part.lower, part.upper, Edge_quantity::angle, 0);
     if (square.defined) {
       const Verdict is_small =
           at_most({angle_of_chord_square(square.least).lower, angle_of_chord_square(square.upper).upper}, bound);
-      if (is_small == Verdict::proved) return Verdict::refuted;
+      small = is_small == Verdict::proved;
+      if (small) return After_part::stop;
       defined = true;
-      if (is_small == Verdict::refuted) continue;
+      if (is_small == Verdict::refuted) return After_part::drop;
     }
-    const double middle = lower / 2 + upper / 2, length = upper - lower;
-    const bool divisible = lower < middle && middle < upper;
-    if (!square.defined && (!divisible || length <= (last - first) * 0x1p-20) &&
-        bounds.is_undefined(lower, upper, Edge_quantity::angle))
-      continue; // without a normal
-    if (!divisible || length <= (last - first) * (square.defined ? 0x1p-32 : 0x1p-48)) {
+    if (!square.defined && (!part.is_divisible() || part.length() <= (last - first) * 0x1p-20) &&
+        bounds.is_undefined(part.lower, part.upper, Edge_quantity::angle))
+      return After_part::drop; // without a normal
+    if (!part.is_divisible() || part.length() <= (last - first) * (square.defined ? 0x1p-32 : 0x1p-48)) {
       settled = settled && square.defined && square.knots; // on a fold of a surface itself
-      continue;
+      return After_part::drop;
     }
-    if (!square.defined && ++undefined_halvings > ranges / 8) return Verdict::undecided;
-    parts.emplace_back(lower, middle);
-    parts.emplace_back(middle, upper);
-  }
-  return defined && settled ? Verdict::proved : Verdict::undecided;
+    return !square.defined && ++undefined_halvings > ranges / 8 ? After_part::stop : After_part::divide;
+  });
+  if (small) return Verdict::refuted;
+  return finished && defined && settled ? Verdict::proved : Verdict::undecided;
 }
 
 } // namespace Geometric_continuity

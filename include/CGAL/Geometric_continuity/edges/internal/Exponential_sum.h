@@ -7,6 +7,7 @@
 
 #include <CGAL/Geometric_continuity/numbers/Exact_field.h>
 #include <CGAL/Geometric_continuity/numbers/internal/interval_functions.h>
+#include <CGAL/Geometric_continuity/numbers/internal/subdivision.h>
 
 #include <CGAL/number_utils.h>
 
@@ -129,18 +130,16 @@ public:
     };
     const int whole = sign(Interval(first / 2 + last / 2));
     if (whole == 0) return std::nullopt;
-    std::vector<std::array<double, 2>> ranges{{first, last}};
-    for (int evaluated = 0; !ranges.empty(); ++evaluated) {
-      const auto [a, b] = ranges.back();
-      ranges.pop_back();
-      const int here = sign(Interval(a, b));
-      if (here == whole) continue;
-      const double middle = a / 2 + b / 2;
-      if (here != 0 || evaluated == 1000 || !(a < middle && middle < b)) return std::nullopt;
-      ranges.push_back({middle, b});
-      ranges.push_back({a, middle});
-    }
-    return whole;
+    Newest_first<Range> ranges;
+    ranges.add({first, last});
+    int evaluated = 0;
+    const bool same_everywhere = subdivide(ranges, [&](const Range& range) {
+      const int here = sign(Interval(range.lower, range.upper));
+      const bool last_one = evaluated++ == 1000;
+      if (here == whole) return After_part::drop;
+      return here != 0 || last_one || !range.is_divisible() ? After_part::stop : After_part::divide;
+    });
+    return same_everywhere ? std::optional<int>(whole) : std::nullopt;
   }
 };
 

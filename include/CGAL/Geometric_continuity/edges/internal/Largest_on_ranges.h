@@ -5,7 +5,7 @@
 #ifndef CGAL_GEOMETRIC_CONTINUITY_EDGES_INTERNAL_LARGEST_ON_RANGES_H
 #define CGAL_GEOMETRIC_CONTINUITY_EDGES_INTERNAL_LARGEST_ON_RANGES_H
 
-#include <CGAL/Geometric_continuity/edges/internal/Placed_side.h>
+#include <CGAL/Geometric_continuity/numbers/internal/subdivision.h>
 
 #include <algorithm>
 #include <cmath>
@@ -56,16 +56,15 @@ inline std::vector<std::pair<double, double>> united(std::vector<std::pair<doubl
 }
 
 class Largest_on_ranges {
-  struct Part {
-    double lower, upper; // of the parameter
-    double bound;
+  struct Part : Range { // of the parameter
+    double bound;       // from above, of the function
     bool defined, knots;
     int idle; // so many halvings in succession have gained little: rounding errors prevail
     bool operator<(const Part& other) const {
-      return bound != other.bound ? bound < other.bound : upper - lower < other.upper - other.lower;
+      return bound != other.bound ? bound < other.bound : length() < other.length();
     }
   };
-  std::vector<Part> heap_;
+  Largest_first<Part> parts_;
   double settled_ = 0; // the largest bound of parts that are not halved any more
 
 public:
@@ -95,14 +94,16 @@ public:
         parameter = b.parameter;
       }
       defined = defined || b.defined;
-      Part part{from,      to,      b.defined && b.upper >= 0 ? b.upper : (std::numeric_limits<double>::infinity)(),
-                b.defined, b.knots, 0};
+      Part part{{from, to},
+                b.defined && b.upper >= 0 ? b.upper : (std::numeric_limits<double>::infinity)(),
+                b.defined,
+                b.knots,
+                0};
       if (parent && parent->defined && part.defined) {
         part.bound = (std::min)(part.bound, parent->bound);
         part.idle = b.noisy && part.bound - lower > 0.9 * (parent->bound - lower) ? parent->idle + 1 : 0;
       }
-      heap_.push_back(part);
-      std::push_heap(heap_.begin(), heap_.end());
+      parts_.add(part);
     };
     for (std::size_t i = 0; i + 1 < ends.size(); ++i)
       if (evaluated < ranges)
@@ -114,41 +115,39 @@ public:
     if (ends.size() == 1) add(ends[0], ends[0], nullptr);
     const double tiny = length * 0x1p-20, crossing = length * 0x1p-36;
     int undefined_halvings = 0;
-    while (!heap_.empty()) {
-      const Part part = heap_.front();
-      if (part.defined && (part.bound <= settled_ || options.narrow(lower, part.bound))) break;
-      if (evaluated >= ranges) break;
-      std::pop_heap(heap_.begin(), heap_.end());
-      heap_.pop_back();
-      const double middle = part.lower / 2 + part.upper / 2;
-      const bool divisible = part.lower < middle && middle < part.upper;
-      if (part.knots && part.upper - part.lower <= crossing) {
+    const auto examine = [&](const Part& part) {
+      if (part.defined && (part.bound <= settled_ || options.narrow(lower, part.bound))) return After_part::stop;
+      if (evaluated >= ranges) return After_part::stop;
+      if (part.knots && part.length() <= crossing) {
         undefined.emplace_back(part.lower, part.upper);
         points.push_back(part.lower);
-        continue;
+        return After_part::drop;
       }
-      if (!part.defined && (!divisible || part.upper - part.lower <= tiny)) {
+      if (!part.defined && (!part.is_divisible() || part.length() <= tiny)) {
         const bool is_point = is_undefined(part.lower, part.upper);
-        if (is_point || !divisible || part.upper - part.lower <= length * 0x1p-48 || undefined_halvings >= ranges / 8) {
+        if (is_point || !part.is_divisible() || part.length() <= length * 0x1p-48 || undefined_halvings >= ranges / 8) {
           undefined.emplace_back(part.lower, part.upper);
           if (is_point) points.push_back(part.lower);
-          continue;
+          return After_part::drop;
         }
       } else if (!part.defined && undefined_halvings >= ranges / 8) {
         undefined.emplace_back(part.lower, part.upper);
         exhausted = true;
-        continue;
+        return After_part::drop;
       }
-      if (!divisible || part.idle >= 6) {
+      if (!part.is_divisible() || part.idle >= 6) {
         settled_ = (std::max)(settled_, part.bound);
-        continue;
+        return After_part::drop;
       }
       undefined_halvings += !part.defined;
-      add(part.lower, middle, &part);
-      add(middle, part.upper, &part);
-    }
+      return After_part::divide;
+    };
+    subdivide(parts_, examine, [&](const Part& part) {
+      add(part.lower, part.middle(), &part);
+      add(part.middle(), part.upper, &part);
+    });
     upper = settled_;
-    for (const Part& part : heap_)
+    for (const Part& part : parts_)
       if (part.defined)
         upper = (std::max)(upper, part.bound);
       else

@@ -11,12 +11,12 @@
 #include <CGAL/Geometric_continuity/edges/internal/Edge_decision.h>
 #include <CGAL/Geometric_continuity/edges/internal/Exponential_sum.h>
 #include <CGAL/Geometric_continuity/edges/internal/straight_line.h>
+#include <CGAL/Geometric_continuity/numbers/internal/subdivision.h>
 
 #include <array>
 #include <optional>
 #include <utility>
 #include <variant>
-#include <vector>
 
 /// \file exact_analytic_edge.h
 /// Continuity along edges on which both surfaces are sums of exponential functions: the gap, the tangent planes and the curvatures agree
@@ -186,20 +186,18 @@ inline std::optional<int> sign_of_parallel_normals(const Edge_side& a, const Edg
   const Protect_FPU_rounding<true> rounding_upwards;
   const Edge_bounds bounds(a, b);
   std::optional<int> sign;
-  std::vector<std::array<double, 2>> ranges{{first, last}};
-  for (int evaluated = 0; !ranges.empty(); ++evaluated) {
-    const auto [lower, upper] = ranges.back();
-    ranges.pop_back();
-    const Bounds_on_range square = bounds(lower, upper, Edge_quantity::angle, 0);
+  Newest_first<Range> ranges;
+  ranges.add({first, last});
+  int evaluated = 0;
+  const bool found = subdivide(ranges, [&](const Range& range) {
+    const Bounds_on_range square = bounds(range.lower, range.upper, Edge_quantity::angle, 0);
     if (square.defined && square.lower > 0) sign = -1;
     if (square.defined && square.upper < 4) sign = 1;
-    if (square.defined && sign) continue;
-    const double middle = lower / 2 + upper / 2;
-    if (evaluated == 1000 || !(lower < middle && middle < upper)) return std::nullopt;
-    ranges.push_back({middle, upper});
-    ranges.push_back({lower, middle});
-  }
-  return sign;
+    const bool last_one = evaluated++ == 1000;
+    if (square.defined && sign) return After_part::drop;
+    return last_one || !range.is_divisible() ? After_part::stop : After_part::divide;
+  });
+  return found ? sign : std::nullopt;
 }
 
 // The verdict where points at equal parameters are compared and angles are those of the oriented normals.
