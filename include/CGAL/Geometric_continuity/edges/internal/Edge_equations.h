@@ -13,6 +13,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <utility>
 
 /// \file Edge_equations.h
 /// The conditions of continuity along an edge in forms of any kind: rounded numbers with a bound (here), integers of fixed length
@@ -36,10 +37,10 @@ namespace internal {
 
 // r + x y and r - x y, where no better is known.
 template <class R, class X, class Y> CGAL_GC_FORCEINLINE void add_product(R& r, const X& x, const Y& y) {
-  r = r + x * y;
+  r = std::move(r) + x * y;
 }
 template <class R, class X, class Y> CGAL_GC_FORCEINLINE void subtract_product(R& r, const X& x, const Y& y) {
-  r = r - x * y;
+  r = std::move(r) - x * y;
 }
 
 // The difference of both sides of the identity, from the coordinates N_i, n2_i and n3_i and the products of N with the second

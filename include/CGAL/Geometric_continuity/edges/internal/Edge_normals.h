@@ -8,6 +8,7 @@
 #include <CGAL/Geometric_continuity/algebra/Homogeneous_polynomial.h>
 #include <CGAL/Geometric_continuity/algebra/sign_pattern.h>
 #include <CGAL/Geometric_continuity/edges/Edge_rows.h>
+#include <CGAL/Geometric_continuity/edges/internal/Edge_equations.h>
 #include <CGAL/Geometric_continuity/numbers/Work_limit.h>
 #include <CGAL/Geometric_continuity/numbers/internal/Common_denominator.h>
 
@@ -200,24 +201,18 @@ template <class Field, int N = 3> struct Edge_normals {
     return vanishes(n1) || vanishes(n2);
   }
 
-  // N_i^2 (N . W2) = n3_i^2 (N . C'') + 2 n3_i n2_i (N . T1') + n2_i^2 (N . W1) with N = n1, n3 = T2 x T1 or C ^ T2 ^ T1. As
-  // n2 = q N and n3 = p N with rational functions p and q, one coordinate with N_i != 0 decides for all. The same identity is
-  // decided in Edge_on_grid by integers of fixed length and in Edge_filter by floating-point numbers. \pre coplanar()
+  // Whether the curvatures agree, see Edge_equations.h; n3 = T2 x T1 or C ^ T2 ^ T1. \pre coplanar()
   template <class AnySides> bool second_order(const AnySides& s) const {
     int i = 0;
     while (i < 3 && n1[i].is_zero()) ++i;
     if (i == 3) return true;
     const Polynomial n3 = third_normal(s, i);
-    const Polynomial mixed = internal::scalar_product(n1, s.mixed_derivative());
-    const Polynomial last = internal::scalar_product(n1, s.w[1]);
+    const Products<AnySides> products{n1, s, internal::scalar_product(n1, s.w[1])};
     for (const Polynomial& x : {n1[i], n2[i], n3}) {
       charge_product(1, x, x);
-      charge_product(2, x, last);
+      charge_product(2, x, products.last);
     }
-    const Polynomial left = n1[i] * n1[i] * last;
-    const Polynomial right = n3 * (n3 * internal::scalar_product(n1, s.second_derivative()) + n2[i] * (mixed + mixed)) +
-                             n2[i] * n2[i] * internal::scalar_product(n1, s.w[0]);
-    return left == right;
+    return second_order_form(n1[i], n2[i], n3, products).is_zero();
   }
 
   static Polynomial square(const Vector& v) {
@@ -228,6 +223,22 @@ template <class Field, int N = 3> struct Edge_normals {
   static bool vanishes(const Vector& v) { return sign_pattern<Exact>(square(v)) != Sign_pattern::positive; }
 
 private:
+  // See second_order_form().
+  template <class AnySides> struct Products {
+    const Vector& n1;
+    const AnySides& s;
+    const Polynomial last; // N . W2
+
+    Polynomial mixed() const {
+      const Polynomial once = internal::scalar_product(n1, s.mixed_derivative());
+      return once + once;
+    }
+    static bool is_curved_along() { return true; }
+    Polynomial along() const { return internal::scalar_product(n1, s.second_derivative()); }
+    static bool is_curved_across(int) { return true; }
+    Polynomial across(int side) const { return side == 0 ? internal::scalar_product(n1, s.w[0]) : last; }
+  };
+
   template <class AnySides> Edge_normals(const AnySides& s, const Vector& d) {
     if constexpr (N == 4) {
       const Homogeneous_line<Ring> tangent(s.edge(), d);

@@ -9,8 +9,8 @@
 #include <CGAL/Geometric_continuity/edges/Spline_edge_continuity.h>
 #include <CGAL/Geometric_continuity/edges/internal/Edge_normals.h>
 #include <CGAL/Geometric_continuity/edges/internal/Fixed_largest_measure.h>
+#include <CGAL/Geometric_continuity/numbers/internal/subdivision.h>
 
-#include <algorithm>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -133,7 +133,7 @@ template <class Field> class Largest_measure {
   static constexpr int most_pieces = 5000; // the bound stays guaranteed when it is reached
 
   const Exact epsilon_ = power_of_half(53), tiny_ = power_of_half(110);
-  std::vector<Piece> pieces_; // a heap: the first may have the largest angle
+  Largest_first<Piece> pieces_; // the next one may have the largest angle
   Fraction lower_{Ring(0), Ring(1)};
   double steps_ = 0; // taken so far
 
@@ -143,23 +143,23 @@ public:
   }
 
   Normal_deviation<Field> operator()() {
-    for (int i = 0; i < most_pieces && may_go_on() && !accurate(); ++i) {
-      std::pop_heap(pieces_.begin(), pieces_.end());
-      const Piece piece = std::move(pieces_.back());
-      pieces_.pop_back();
+    int divided = 0;
+    const auto examine = [&](const Piece& worst) {
+      return divided++ < most_pieces && may_go_on(worst) && !accurate(worst) ? After_part::divide : After_part::stop;
+    };
+    subdivide(pieces_, examine, [&](const Piece& piece) {
       const std::pair<Polynomial, Polynomial> s = piece.s.halves(), p = piece.p.halves(), side = piece.side.halves();
       const Field length = piece.length / Field(2);
       add({s.first, p.first, side.first, piece.level + 1, piece.begin, length, {}});
       add({s.second, p.second, side.second, piece.level + 1, Field(piece.begin + length), length, {}});
-    }
-    const Piece& worst = pieces_.front();
+    });
+    const Piece& worst = pieces_.next();
     return {Field(exact(lower_)), Field(exact(worst.upper)), worst.begin, Field(worst.begin + worst.length)};
   }
 
 private:
   // Whether the meter allows to divide the next piece. The bounds take a product for each coefficient and comparison.
-  bool may_go_on() {
-    const Piece& worst = pieces_.front();
+  bool may_go_on(const Piece& worst) {
     const double n = worst.p.degree() + 1;
     const std::size_t words = number_words(worst.p[worst.p.degree() / 2]);
     const double steps = bisection_steps(worst.s) + bisection_steps(worst.p) + bisection_steps(worst.side) +
@@ -174,8 +174,7 @@ private:
   // which is at one of the bounds, the angle therefore changes by at most 2^-54 sqrt(s c), and sqrt(s c) <= sin is at most the
   // angle. If |1 - x| and |1 - y|, both c, are at most 2^-110, or the s near the straight angle, then cos or sin is at most
   // 2^-55 at both ends, and the angle changes by 2^-54 at most.
-  bool accurate() const {
-    const Piece& worst = pieces_.front();
+  bool accurate(const Piece& worst) const {
     if (worst.level < least_level) return false;
     const Ring factor(1 << 20); // soon tells that they are far from it
     if (Ring(Ring(factor + Ring(1)) * Ring(lower_.numerator * worst.upper.denominator)) <
@@ -208,8 +207,7 @@ private:
     const int n = piece.p.degree(), before = piece.side.order_at_0(), after = piece.side.order_at_1();
     raise_lower_bound(piece.s[0], piece.p[0], piece.side, before);
     raise_lower_bound(piece.s[n], piece.p[n], piece.side, piece.side.degree() - after);
-    pieces_.push_back(std::move(piece));
-    std::push_heap(pieces_.begin(), pieces_.end());
+    pieces_.add(std::move(piece));
   }
 
   static Fraction upper_bound(const Piece& piece) {
@@ -267,22 +265,28 @@ template <class Field, class Polynomial> std::pair<Field, Field> zero_interval(c
     Field begin, end;
   };
   constexpr int last_level = 10;
-  std::vector<Piece> stack(1, Piece{polynomial, 0, Field(0), Field(1)});
-  while (!stack.empty()) {
-    const Piece piece = std::move(stack.back());
-    stack.pop_back();
-    if (piece.p[0] == Ring(0)) return {piece.begin, piece.begin};
-    if (piece.p[piece.p.degree()] == Ring(0)) return {piece.end, piece.end};
+  Newest_first<Piece> pieces;
+  pieces.add({polynomial, 0, Field(0), Field(1)});
+  std::pair<Field, Field> found(Field(0), Field(1));
+  const auto is_in = [&](const Field& begin, const Field& end) {
+    found = {begin, end};
+    return After_part::stop;
+  };
+  const auto examine = [&](const Piece& piece) {
+    if (piece.p[0] == Ring(0)) return is_in(piece.begin, piece.begin);
+    if (piece.p[piece.p.degree()] == Ring(0)) return is_in(piece.end, piece.end);
     const Sign_pattern signs = piece.p.coefficient_signs();
-    if (signs == Sign_pattern::positive || signs == Sign_pattern::negative) continue;
-    if (piece.level == last_level) return {piece.begin, piece.end};
+    if (signs == Sign_pattern::positive || signs == Sign_pattern::negative) return After_part::drop;
+    return piece.level == last_level ? is_in(piece.begin, piece.end) : After_part::divide;
+  };
+  subdivide(pieces, examine, [&](const Piece& piece) {
     charge_bisection(piece.p);
     const std::pair<Polynomial, Polynomial> halves = piece.p.halves();
     const Field middle = Field(Field(piece.begin + piece.end) / Field(2));
-    stack.push_back(Piece{halves.second, piece.level + 1, middle, piece.end});
-    stack.push_back(Piece{halves.first, piece.level + 1, piece.begin, middle});
-  }
-  return {Field(0), Field(1)};
+    pieces.add({halves.second, piece.level + 1, middle, piece.end});
+    pieces.add({halves.first, piece.level + 1, piece.begin, middle});
+  });
+  return found;
 }
 
 } // namespace internal
