@@ -39,24 +39,24 @@ void charge_product(double number, const Homogeneous_polynomial<NT>& p, const Ho
   work_meter().charge_products(number * (p.degree() + 1.) * (q.degree() + 1), most_words(p), most_words(q));
 }
 
-// Products of polynomials as without a meter.
+// Products of polynomials, of which is taken note.
 template <class NT>
 Homogeneous_polynomial<NT> product(const Homogeneous_polynomial<NT>& p, const Homogeneous_polynomial<NT>& q) {
   charge_product(1, p, q);
   return p * q;
 }
 template <class NT, std::size_t n>
-Homogeneous_polynomial<NT> scalar_product(const std::array<Homogeneous_polynomial<NT>, n>& v,
-                                          const std::array<Homogeneous_polynomial<NT>, n>& w) {
+Homogeneous_polynomial<NT> counted_scalar_product(const std::array<Homogeneous_polynomial<NT>, n>& v,
+                                                  const std::array<Homogeneous_polynomial<NT>, n>& w) {
   for (std::size_t i = 0; i < n; ++i) charge_product(1, v[i], w[i]);
-  return Geometric_continuity::scalar_product(v, w);
+  return scalar_product(v, w);
 }
 template <class NT>
-Homogeneous_vector<NT> cross_product(const Homogeneous_vector<NT>& v, const Homogeneous_vector<NT>& w) {
+Homogeneous_vector<NT> counted_cross_product(const Homogeneous_vector<NT>& v, const Homogeneous_vector<NT>& w) {
   for (int i = 0; i < 3; ++i)
     for (int j = 0; j < 3; ++j)
       if (i != j) charge_product(1, v[i], w[j]);
-  return Geometric_continuity::cross_product(v, w);
+  return cross_product(v, w);
 }
 
 // The rows of both sides, in a ring: multiplied by their common denominator. Sides 0 and 1 are S1 and S2. For N = 4 they are
@@ -207,7 +207,7 @@ template <class Field, int N = 3> struct Edge_normals {
     while (i < 3 && n1[i].is_zero()) ++i;
     if (i == 3) return true;
     const Polynomial n3 = third_normal(s, i);
-    const Products<AnySides> products{n1, s, internal::scalar_product(n1, s.w[1])};
+    const Products<AnySides> products{n1, s, counted_scalar_product(n1, s.w[1])};
     for (const Polynomial& x : {n1[i], n2[i], n3}) {
       charge_product(1, x, x);
       charge_product(2, x, products.last);
@@ -217,7 +217,7 @@ template <class Field, int N = 3> struct Edge_normals {
 
   static Polynomial square(const Vector& v) {
     const Homogeneous_vector<Ring>& n = normal_part<Ring>(v);
-    return internal::scalar_product(n, n);
+    return counted_scalar_product(n, n);
   }
   // Whether the vector is zero somewhere on the closed interval.
   static bool vanishes(const Vector& v) { return sign_pattern<Exact>(square(v)) != Sign_pattern::positive; }
@@ -230,13 +230,13 @@ private:
     const Polynomial last; // N . W2
 
     Polynomial mixed() const {
-      const Polynomial once = internal::scalar_product(n1, s.mixed_derivative());
+      const Polynomial once = counted_scalar_product(n1, s.mixed_derivative());
       return once + once;
     }
     static bool is_curved_along() { return true; }
-    Polynomial along() const { return internal::scalar_product(n1, s.second_derivative()); }
+    Polynomial along() const { return counted_scalar_product(n1, s.second_derivative()); }
     static bool is_curved_across(int) { return true; }
-    Polynomial across(int side) const { return side == 0 ? internal::scalar_product(n1, s.w[0]) : last; }
+    Polynomial across(int side) const { return side == 0 ? counted_scalar_product(n1, s.w[0]) : last; }
   };
 
   template <class AnySides> Edge_normals(const AnySides& s, const Vector& d) {
@@ -245,11 +245,11 @@ private:
       n1 = tangent.plane(s.t[0]);
       n2 = tangent.plane(s.t[1]);
     } else {
-      n1 = internal::cross_product(d, s.t[0]);
-      n2 = internal::cross_product(d, s.t[1]);
+      n1 = counted_cross_product(d, s.t[0]);
+      n2 = counted_cross_product(d, s.t[1]);
     }
-    det = internal::scalar_product(n1, s.t[1]);
-    side = internal::scalar_product(normal_part<Ring>(n1), normal_part<Ring>(n2));
+    det = counted_scalar_product(n1, s.t[1]);
+    side = counted_scalar_product(normal_part<Ring>(n1), normal_part<Ring>(n2));
   }
 
   template <class AnySides> static Polynomial third_normal(const AnySides& s, int i) {
@@ -270,7 +270,7 @@ Homogeneous_vector<typename Edge_sides<Field, N>::Ring> normal_along_edge(const 
   if constexpr (N == 4)
     return normal_part<Ring>(Homogeneous_line<Ring>(s.c[side], d).plane(s.t[side]));
   else
-    return internal::cross_product(d, s.t[side]);
+    return counted_cross_product(d, s.t[side]);
 }
 
 } // namespace internal

@@ -36,7 +36,7 @@ template <class Field> struct Edge_measure {
   Edge_measure(Vector n1, Vector n2, bool vanishing) {
     Polynomial factor = one(); // of the normals
     if (vanishing) factor = without_square_factors(product(without_common_factor(n1), without_common_factor(n2)));
-    side = internal::scalar_product(n1, n2);
+    side = counted_scalar_product(n1, n2);
     p = product(Normals::square(n1), Normals::square(n2));
     s = p - product(side, side);
     if (factor.degree() > 0) side = product(factor, side);
