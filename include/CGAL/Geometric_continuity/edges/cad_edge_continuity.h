@@ -8,9 +8,9 @@
 #include <CGAL/Geometric_continuity/Error.h>
 #include <CGAL/Geometric_continuity/edges/Cad_geometry.h>
 #include <CGAL/Geometric_continuity/edges/Spline_edge_continuity.h>
+#include <CGAL/Geometric_continuity/edges/internal/Cad_surface_jet.h>
 #include <CGAL/Geometric_continuity/edges/internal/exact_analytic_edge.h>
 #include <CGAL/Geometric_continuity/edges/internal/exact_spline_edge.h>
-#include <CGAL/Geometric_continuity/edges/internal/surface_jets.h>
 #include <CGAL/Geometric_continuity/numbers/Exact_field.h>
 #include <CGAL/Geometric_continuity/numbers/Work_limit.h>
 

@@ -9,9 +9,11 @@
 #include <CGAL/Geometric_continuity/edges/Spline_edge_continuity.h>
 #include <CGAL/Geometric_continuity/edges/internal/Common_edge_part.h>
 #include <CGAL/Geometric_continuity/edges/internal/Edge_decision.h>
-#include <CGAL/Geometric_continuity/edges/internal/Spline_edge_on_grid.h>
+#include <CGAL/Geometric_continuity/edges/internal/Edge_ladder.h>
+#include <CGAL/Geometric_continuity/edges/internal/Edge_normals.h>
 #include <CGAL/Geometric_continuity/numbers/Exact_field.h>
 
+#include <algorithm>
 #include <optional>
 #include <type_traits>
 #include <utility>
@@ -19,7 +21,15 @@
 
 /// \file edge_continuity.h
 /// The continuity of two surfaces along an edge of each, decided exactly on the whole closed edge; for every mix of surface
-/// types, and for rows of coefficients. See `Edge_conditions` for what is decided.
+/// types, and for rows of coefficients. See `Edge_conditions` for what is decided. `edge_continuity()` tells the order, the reason and the
+/// place, `is_g0_edge()`, `is_g1_edge()` and `is_g2_edge()` answer one question each, and `common_edges()` finds the edges that two patches
+/// share.
+///
+/// The answers of the predicates are those of `edge_continuity()`, without its reasons and places. Two surfaces without
+/// inner knots whose coordinates are `double`, of whatever kernel, or rational numbers with short numerators, and the spans
+/// of other surfaces, are decided in stages: control points that differ are a gap; values at the ends that exceed their
+/// proven rounding errors refute; integers of fixed length on a grid decide nearly all other edges of degree 7 or less; and
+/// multi-precision numbers the rest.
 
 namespace CGAL {
 namespace Geometric_continuity {
@@ -225,7 +235,7 @@ Spline_edge_continuity<typename Exact_field<FT>::type> edge_continuity(const Spl
 /// surfaces have `extrusion_continuity()` and `revolution_continuity()`.
 ///
 /// Smooth edges of degree 7 or less are proved with integers of fixed length where the coordinates are `double`, or rational
-/// numbers with short numerators over one denominator; see edge_predicates.h. So are most creases of degree 5 or less, and with
+/// numbers with short numerators over one denominator; see above. So are most creases of degree 5 or less, and with
 /// `double` also edges of B-spline surfaces over inner knots where the derivatives across them are the same but for the speed of
 /// the parameter. Otherwise a number of operations with integers
 /// that is quadratic in the degree and linear in the number of knots, plus the search for the largest angle where the surfaces
@@ -240,6 +250,162 @@ auto edge_continuity(const Surface_a& a, Patch_edge edge_a, const Surface_b& b, 
   return internal::decide_surfaces(a, edge_a, b, edge_b, [](const auto& pieces_a, const auto& pieces_b) {
     return internal::common_edge_part(pieces_a, pieces_b);
   });
+}
+
+namespace internal {
+
+// In the ring of the common denominators, along the same edge in one direction.
+template <int order, class Field, int N> bool sides_have_order(const Edge_sides<Field, N>& sides) {
+  const Edge_normals<Field, N> normals(sides);
+  return normals.first_order() && (order == 1 || normals.second_order(sides));
+}
+
+// Along rows with the same edge, in one direction.
+template <int order, class Field, int N, class Stages>
+bool rows_have_order(const Edge_rows<Field, N>& a, const Edge_rows<Field, N>& b, Stages& stages) {
+  if constexpr (N == 3) {
+    Edge_layers x, y;
+    if (edge_layers(a, b, x, y))
+      if (const std::optional<bool> answer = decide_on_same_edge<order>(x, y, stages)) return *answer;
+  }
+  const bool answer = sides_have_order<order>(Edge_sides<Field, N>(a, b));
+  stages.decided(Edge_stage::multiprecision, answer);
+  return answer;
+}
+
+template <int order, class Surface_a, class Surface_b, class Stages>
+bool edge_has_order(const Surface_a& a, Patch_edge edge_a, const Surface_b& b, Patch_edge edge_b, Stages& stages) {
+  typedef Edge_field<typename Surface_a::Traits> Field;
+  constexpr int N = row_dimension<Surface_a, Surface_b>;
+  require_space(a, b, "edge predicate");
+  if constexpr (N == 4)
+    if (has_equal_weights(a) && has_equal_weights(b))
+      return edge_has_order<order>(without_weights(a), edge_a, without_weights(b), edge_b, stages);
+  if constexpr (N == 3) {
+    Edge_layers x, y;
+    if (edge_layers(a, edge_a, b, edge_b, order, x, y))
+      if (const std::optional<bool> answer = decide_on_layers<order>(x, y, stages)) return *answer;
+  }
+  const Work_on_object work("edge predicate");
+  const std::vector<Edge_piece<Field, N>> pieces_a = edge_pieces_in<N>(a, edge_a),
+                                          pieces_b = edge_pieces_in<N>(b, edge_b);
+  if constexpr (N == 3)
+    if (is_one_patch(a) && is_one_patch(b)) {
+      Edge_sides<Field> sides(pieces_a[0].rows, pieces_b[0].rows);
+      const bool answer = sides.align() && (order == 0 || sides_have_order<order>(sides));
+      stages.decided(Edge_stage::multiprecision, answer);
+      return answer;
+    }
+  const std::optional<Edge_match<Field>> match = Common_edge_part<Field, N>(pieces_a, pieces_b).whole();
+  if (!match || order == 0) {
+    stages.decided(Edge_stage::multiprecision, match.has_value());
+    return match.has_value();
+  }
+  return std::all_of(match->spans.begin(), match->spans.end(), [&](const Common_span<Field>& span) {
+    const std::pair<Edge_rows<Field, N>, Edge_rows<Field, N>> rows = rows_on(pieces_a, pieces_b, span, match->map);
+    return rows_have_order<order>(rows.first, rows.second, stages);
+  });
+}
+
+template <int order, class Surface_a, class Surface_b>
+bool edge_has_order(const Surface_a& a, Patch_edge edge_a, const Surface_b& b, Patch_edge edge_b) {
+  const All_edge_stages stages;
+  return edge_has_order<order>(a, edge_a, b, edge_b, stages);
+}
+
+} // namespace internal
+
+/// \ingroup PkgGeometricContinuitySurfaces
+/// Returns whether the edges are the same curve, whole, with the same parametrisation up to an affine map, in either direction.
+/// \tparam Surface_a, Surface_b `Bezier_patch`, `Bspline_surface`, `Rational_bezier_patch` or `Rational_bspline_surface`, with one
+///   traits class
+/// \throws Error `dimension_mismatch` unless in dimension 3; `not_finite` when the answer depends on a coordinate that is
+///   infinite or not a number; `work_limit`
+template <class Surface_a, class Surface_b>
+bool is_g0_edge(const Surface_a& a, Patch_edge edge_a, const Surface_b& b, Patch_edge edge_b) {
+  return internal::edge_has_order<0>(a, edge_a, b, edge_b);
+}
+
+/// \ingroup PkgGeometricContinuitySurfaces
+/// Returns whether the edges are the same, see `is_g0_edge()`, the tangent planes agree along the whole closed edge and the
+/// surfaces lie on different sides of it. Decides the signs of forms of degree 3 and 4. False where a normal vanishes.
+/// \tparam Surface_a, Surface_b `Bezier_patch`, `Bspline_surface`, `Rational_bezier_patch` or `Rational_bspline_surface`, with one
+///   traits class
+/// \throws Error `dimension_mismatch` unless in dimension 3, `not_finite`, `work_limit`
+template <class Surface_a, class Surface_b>
+bool is_g1_edge(const Surface_a& a, Patch_edge edge_a, const Surface_b& b, Patch_edge edge_b) {
+  return internal::edge_has_order<1>(a, edge_a, b, edge_b);
+}
+
+/// \ingroup PkgGeometricContinuitySurfaces
+/// Returns whether the surfaces are \f$ G^1 \f$ along the edges, see `is_g1_edge()`, and their curvatures agree, see
+/// `Edge_conditions`. Decides whether a form of degree 7 vanishes.
+/// \tparam Surface_a, Surface_b `Bezier_patch`, `Bspline_surface`, `Rational_bezier_patch` or `Rational_bspline_surface`, with one
+///   traits class
+/// \throws Error `dimension_mismatch` unless in dimension 3, `not_finite`, `work_limit`
+template <class Surface_a, class Surface_b>
+bool is_g2_edge(const Surface_a& a, Patch_edge edge_a, const Surface_b& b, Patch_edge edge_b) {
+  return internal::edge_has_order<2>(a, edge_a, b, edge_b);
+}
+
+/// \ingroup PkgGeometricContinuitySurfaces
+/// An edge of one patch and an edge of another that are the same curve.
+struct Common_edge {
+  Patch_edge edge_a; ///< of the first patch
+  Patch_edge edge_b; ///< of the second patch
+  bool reversed;     ///< they run in opposite directions
+};
+
+namespace internal {
+
+// Whether two edges that are not single points are the same curve, and whether the second runs backwards.
+template <class Traits>
+std::optional<bool> common_edge_reversed(const Bezier_patch<Traits>& a, Patch_edge edge_a,
+                                         const Bezier_patch<Traits>& b, Patch_edge edge_b) {
+  Edge_sides<Edge_field<Traits>> sides(edge_rows(a, edge_a), edge_rows(b, edge_b));
+  return sides.collapsed() ? std::nullopt : sides.align();
+}
+template <class Traits>
+std::optional<bool> common_edge_reversed(const Rational_bezier_patch<Traits>& a, Patch_edge edge_a,
+                                         const Rational_bezier_patch<Traits>& b, Patch_edge edge_b) {
+  typedef Edge_field<Traits> Field;
+  const std::vector<Edge_piece<Field, 4>> pieces_a = edge_pieces(a, edge_a), pieces_b = edge_pieces(b, edge_b);
+  if (Edge_sides<Field, 4>(pieces_a[0].rows, pieces_b[0].rows).collapsed()) return std::nullopt;
+  const std::optional<Edge_match<Field>> match = Common_edge_part<Field, 4>(pieces_a, pieces_b).whole();
+  return match ? std::optional<bool>(match->map.reverses()) : std::nullopt;
+}
+
+template <class Patch> std::vector<Common_edge> all_common_edges(const Patch& a, const Patch& b) {
+  std::vector<Common_edge> result;
+  for (Patch_edge edge_a : patch_edges)
+    for (Patch_edge edge_b : patch_edges) {
+      if (&a == &b && !(edge_a < edge_b)) continue;
+      const Work_on_object work("common_edges");
+      if (const std::optional<bool> reversed = common_edge_reversed(a, edge_a, b, edge_b))
+        result.push_back({edge_a, edge_b, *reversed});
+    }
+  return result;
+}
+
+} // namespace internal
+
+/// \ingroup PkgGeometricContinuitySurfaces
+/// Returns all pairs of edges of `a` and `b` that are the same curve, and not a single point. The points of the edges and their
+/// parametrisations, after exact elevation to one degree, are compared exactly; 16 pairs are tried. Two edges of the same
+/// patch `a = b` are listed once; an edge is not paired with itself. For many patches see `model_continuity()`.
+/// \throws Error `dimension_mismatch` unless in dimension 3, `work_limit` for one pair
+template <class Traits>
+std::vector<Common_edge> common_edges(const Bezier_patch<Traits>& a, const Bezier_patch<Traits>& b) {
+  return internal::all_common_edges(a, b);
+}
+
+/// \ingroup PkgGeometricContinuitySurfaces
+/// Returns all pairs of edges of two rational patches that are the same curve, and not a single point, see the function for
+/// `Bezier_patch`. The weights may differ by a constant factor.
+/// \throws Error `dimension_mismatch` unless in dimension 3, `work_limit` for one pair
+template <class Traits>
+std::vector<Common_edge> common_edges(const Rational_bezier_patch<Traits>& a, const Rational_bezier_patch<Traits>& b) {
+  return internal::all_common_edges(a, b);
 }
 
 } // namespace Geometric_continuity

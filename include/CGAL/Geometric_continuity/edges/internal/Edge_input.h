@@ -20,10 +20,11 @@
 #include <limits>
 #include <optional>
 #include <type_traits>
+#include <vector>
 
 /// \file Edge_input.h
 /// What the rungs of Edge_ladder.h are asked about: the control points next to an edge of each of two patches, or of rows, in numbers of
-/// fixed length.
+/// fixed length; and those of B-spline surfaces over inner knots, for all spans at once.
 
 namespace CGAL {
 namespace Geometric_continuity {
@@ -185,6 +186,52 @@ bool edge_layers(const Edge_rows<Field>& a, const Edge_rows<Field>& b, Edge_laye
   } else
     return false;
 }
+
+// The control points next to an edge over clamped knots, and the knots across it. With the distances h1 and h2 of the first two
+// that follow the edge, from there on, and the legs a = P1 - P0 and c = P2 - P1, the rows of the derivatives across are
+//   T = q a/h1,  W = q (q-1)/h1 (c/h2 - a/h1),
+// coefficient by coefficient, over the knots along the edge.
+template <class Field> struct Spline_side {
+  typedef std::array<std::int64_t, 3> Point;
+
+  int q;
+  Field h1, h2;
+  std::vector<Field> knots; // along the edge
+  std::vector<std::array<double, 3>> given[3];
+  std::vector<Point> p[3];
+
+  // Whether the surface has such an edge, of a degree of at least 2 across it.
+  template <class Traits> bool take(const Bspline_surface<Traits>& s, Patch_edge edge) {
+    const Knot_vector<double>&along = s.knots_along(edge), &across = s.knots_across(edge);
+    q = across.degree();
+    if (q < 2 || along.degree() < 1 || !along.is_clamped() || !across.is_clamped()) return false;
+    const int last = across.size() - 1, m = across.number_of_coefficients();
+    const bool upper = at_upper_end(edge);
+    const auto knot = [&](int i) { return Field(upper ? -across[last - i] : across[i]); };
+    h1 = Field(knot(q + 1) - knot(q));
+    h2 = Field(knot(q + 2) - knot(q));
+    for (double u : along) knots.emplace_back(u);
+    for (int j = 0; j < 3; ++j)
+      for (int i = 0; i < along.number_of_coefficients(); ++i) {
+        const int side = upper ? m - 1 - j : j;
+        const Coordinates<Traits> x =
+            coordinates<Traits>(runs_along_u(edge) ? s.control_point(i, side) : s.control_point(side, i));
+        given[j].push_back({x[0], x[1], x[2]});
+      }
+    return true;
+  }
+
+  void reverse() {
+    std::reverse(knots.begin(), knots.end());
+    for (Field& u : knots) u = Field(-u);
+    for (auto& row : given) std::reverse(row.begin(), row.end());
+  }
+
+  static Point difference(const Point& x, const Point& y) { return {x[0] - y[0], x[1] - y[1], x[2] - y[2]}; }
+  std::size_t size() const { return p[0].size(); }
+  Point a(std::size_t i) const { return difference(p[1][i], p[0][i]); }
+  Point c(std::size_t i) const { return difference(p[2][i], p[1][i]); }
+};
 
 } // namespace internal
 } // namespace Geometric_continuity

@@ -5,7 +5,7 @@
 #ifndef CGAL_GEOMETRIC_CONTINUITY_EDGES_INTERNAL_EXPONENTIAL_SUM_H
 #define CGAL_GEOMETRIC_CONTINUITY_EDGES_INTERNAL_EXPONENTIAL_SUM_H
 
-#include <CGAL/Geometric_continuity/numbers/Exact_field.h>
+#include <CGAL/Geometric_continuity/edges/internal/exact_cad_geometry.h>
 #include <CGAL/Geometric_continuity/numbers/internal/interval_functions.h>
 #include <CGAL/Geometric_continuity/numbers/internal/subdivision.h>
 
@@ -24,13 +24,6 @@
 namespace CGAL {
 namespace Geometric_continuity {
 namespace internal {
-
-typedef Exact_field<double>::type Model_number; // the numbers of a model, and what is computed from them
-
-// The function w + f t.
-struct Linear_function {
-  Model_number constant, slope;
-};
 
 // A real function sum c t^n exp(i (w + f t)) with complex rational c and rational frequencies f and phases w. It vanishes identically
 // if and only if all c do: the functions t^n exp(i f t) are linearly independent over the complex numbers, and the numbers exp(i w) with

@@ -5,7 +5,7 @@
 #ifndef CGAL_GEOMETRIC_CONTINUITY_EDGES_INTERNAL_PLACED_SIDE_H
 #define CGAL_GEOMETRIC_CONTINUITY_EDGES_INTERNAL_PLACED_SIDE_H
 
-#include <CGAL/Geometric_continuity/edges/internal/surface_jets.h>
+#include <CGAL/Geometric_continuity/edges/internal/Cad_surface_jet.h>
 #include <CGAL/Geometric_continuity/numbers/internal/Taylor_model.h>
 
 #include <algorithm>

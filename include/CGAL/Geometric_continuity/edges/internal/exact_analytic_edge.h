@@ -6,11 +6,10 @@
 #define CGAL_GEOMETRIC_CONTINUITY_EDGES_INTERNAL_EXACT_ANALYTIC_EDGE_H
 
 #include <CGAL/Geometric_continuity/edges/Spline_edge_continuity.h>
-#include <CGAL/Geometric_continuity/edges/internal/Cad_map.h>
 #include <CGAL/Geometric_continuity/edges/internal/Edge_bounds.h>
 #include <CGAL/Geometric_continuity/edges/internal/Edge_decision.h>
 #include <CGAL/Geometric_continuity/edges/internal/Exponential_sum.h>
-#include <CGAL/Geometric_continuity/edges/internal/straight_line.h>
+#include <CGAL/Geometric_continuity/edges/internal/exact_cad_geometry.h>
 #include <CGAL/Geometric_continuity/numbers/internal/subdivision.h>
 
 #include <array>

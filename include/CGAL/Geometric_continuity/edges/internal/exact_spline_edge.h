@@ -6,8 +6,7 @@
 #define CGAL_GEOMETRIC_CONTINUITY_EDGES_INTERNAL_EXACT_SPLINE_EDGE_H
 
 #include <CGAL/Geometric_continuity/edges/edge_continuity.h>
-#include <CGAL/Geometric_continuity/edges/internal/Cad_map.h>
-#include <CGAL/Geometric_continuity/edges/internal/straight_line.h>
+#include <CGAL/Geometric_continuity/edges/internal/exact_cad_geometry.h>
 #include <CGAL/Geometric_continuity/local/Homogeneous_traits.h>
 #include <CGAL/Geometric_continuity/splines/Knot_vector.h>
 #include <CGAL/Geometric_continuity/splines/bspline_evaluate.h>
