@@ -153,30 +153,50 @@ struct Surface_knot_line {
 
 namespace internal {
 
-// The inner knots where a spline need not be continuously differentiable so many times.
-inline void append_rough_knots(const std::vector<double>& knots, int degree, int times, std::vector<double>& result) {
-  const auto begin = knots.begin() + degree + 1, end = knots.end() - degree - 1;
-  for (auto i = begin; i < end;) {
-    const auto next = std::upper_bound(i, end, *i);
-    if (*i > knots[static_cast<std::size_t>(degree)] && *i < *end && next - i > degree - times) result.push_back(*i);
-    i = next;
+// The knots over which a parameter runs, if it is that of a spline: of a curve, of a profile, or of what an offset has been taken.
+struct Spline_parameter {
+  const std::vector<double>* knots = nullptr; // null for other parameters
+  int degree = 0;
+  int offsets = 0; // so many have been taken: each is less smooth by an order
+
+  explicit operator bool() const { return knots != nullptr; }
+  double first() const { return (*knots)[static_cast<std::size_t>(degree)]; }
+  double last() const { return (*knots)[knots->size() - static_cast<std::size_t>(degree) - 1]; }
+
+  // Calls f(knot, multiplicity) for each knot inside of the domain.
+  template <class Function> void for_each_inner_knot(const Function& f) const {
+    if (!knots) return;
+    const auto end = knots->end() - degree - 1;
+    for (auto i = std::upper_bound(knots->begin() + degree + 1, end, first()); i < end && *i < last();) {
+      const auto next = std::upper_bound(i, end, *i);
+      f(*i, static_cast<int>(next - i));
+      i = next;
+    }
   }
+};
+
+template <int D> Spline_parameter spline_parameter(const Cad_curve<D>& curve) {
+  if (const auto* spline = std::get_if<Cad_spline_curve<D>>(&curve)) return {&spline->knots, spline->degree, 0};
+  const auto* offset = std::get_if<Cad_offset_curve<D>>(&curve);
+  if (!offset) return {};
+  Spline_parameter of_basis = spline_parameter(*offset->basis);
+  ++of_basis.offsets;
+  return of_basis;
 }
-inline void append_rough_knots(const Cad_curve<3>& curve, int times, std::vector<double>& result) {
-  if (const auto* offset = std::get_if<Cad_offset_curve<3>>(&curve))
-    append_rough_knots(*offset->basis, times + 1, result);
-  if (const auto* spline = std::get_if<Cad_spline_curve<3>>(&curve))
-    append_rough_knots(spline->knots, spline->degree, times, result);
-}
-inline void append_rough_knots(const Cad_surface& surface, int times, std::vector<double>& u, std::vector<double>& v) {
-  if (const auto* offset = std::get_if<Cad_offset_surface>(&surface))
-    append_rough_knots(*offset->basis, times + 1, u, v);
-  if (const auto* extrusion = std::get_if<Cad_extrusion>(&surface)) append_rough_knots(extrusion->profile, times, u);
-  if (const auto* revolution = std::get_if<Cad_revolution>(&surface)) append_rough_knots(revolution->profile, times, v);
+// In u and v.
+inline std::array<Spline_parameter, 2> spline_parameters(const Cad_surface& surface) {
+  std::array<Spline_parameter, 2> of;
   if (const auto* s = std::get_if<Cad_spline_surface>(&surface)) {
-    append_rough_knots(s->u_knots, s->u_degree, times, u);
-    append_rough_knots(s->v_knots, s->v_degree, times, v);
+    of[0] = {&s->u_knots, s->u_degree, 0};
+    of[1] = {&s->v_knots, s->v_degree, 0};
   }
+  if (const auto* extrusion = std::get_if<Cad_extrusion>(&surface)) of[0] = spline_parameter(extrusion->profile);
+  if (const auto* revolution = std::get_if<Cad_revolution>(&surface)) of[1] = spline_parameter(revolution->profile);
+  if (const auto* offset = std::get_if<Cad_offset_surface>(&surface)) {
+    of = spline_parameters(*offset->basis);
+    for (Spline_parameter& x : of) ++x.offsets;
+  }
+  return of;
 }
 
 } // namespace internal
@@ -186,11 +206,14 @@ inline void append_rough_knots(const Cad_surface& surface, int times, std::vecto
 /// multiplicity greater than the degree minus `order`, of offsets one less; first those of `u` and then those of `v`. The two sides of such a
 /// line are two `Edge_side`s of one surface and one curve, with `Edge_side::face_side` 1 and -1. \pre the numbers of the splines fit
 inline std::vector<Surface_knot_line> surface_knot_lines(const Cad_surface& surface, int order) {
-  std::vector<double> u, v;
-  internal::append_rough_knots(surface, order, u, v);
   std::vector<Surface_knot_line> lines;
-  for (double knot : u) lines.push_back({true, knot});
-  for (double knot : v) lines.push_back({false, knot});
+  const std::array<internal::Spline_parameter, 2> parameters = internal::spline_parameters(surface);
+  for (const bool constant_u : {true, false}) {
+    const internal::Spline_parameter& x = parameters[constant_u ? 0 : 1];
+    x.for_each_inner_knot([&](double knot, int multiplicity) {
+      if (multiplicity > x.degree - order - x.offsets) lines.push_back({constant_u, knot});
+    });
+  }
   return lines;
 }
 

@@ -317,18 +317,8 @@ inline Surface_jets surface_jets(const Cad_surface& surface, double u, double v,
 // The pieces of a surface that ranges of parameters touch, by their spans in u and v; sides of knots as for curves.
 inline std::array<std::vector<int>, 2> touched_pieces(const Cad_surface& surface, const Interval& u, const Interval& v,
                                                       int u_side, int v_side) {
-  std::array<std::vector<int>, 2> spans{{{0}, {0}}};
-  if (const auto* offset = std::get_if<Cad_offset_surface>(&surface))
-    return touched_pieces(*offset->basis, u, v, u_side, v_side);
-  if (const auto* s = std::get_if<Cad_spline_surface>(&surface)) {
-    spans[0] = touched_pieces(s->u_knots, s->u_degree, u, u_side);
-    spans[1] = touched_pieces(s->v_knots, s->v_degree, v, v_side);
-  }
-  if (const auto* extrusion = std::get_if<Cad_extrusion>(&surface))
-    spans[0] = touched_pieces(extrusion->profile, u, u_side);
-  if (const auto* revolution = std::get_if<Cad_revolution>(&surface))
-    spans[1] = touched_pieces(revolution->profile, v, v_side);
-  return spans;
+  const std::array<Spline_parameter, 2> parameters = spline_parameters(surface);
+  return {touched_pieces(parameters[0], u, u_side), touched_pieces(parameters[1], v, v_side)};
 }
 
 // \throws Error when the numbers of a surface do not fit or are not finite
@@ -363,30 +353,14 @@ struct Check_cad_surface {
   }
 };
 
-// The domain of a surface in u and v.
+// In u and v.
 inline std::array<Cad_domain, 2> cad_domain(const Cad_surface& surface) {
-  if (const auto* offset = std::get_if<Cad_offset_surface>(&surface)) return cad_domain(*offset->basis);
-  std::array<Cad_domain, 2> domain;
-  if (const auto* extrusion = std::get_if<Cad_extrusion>(&surface)) domain[0] = cad_domain(extrusion->profile);
-  if (const auto* revolution = std::get_if<Cad_revolution>(&surface)) domain[1] = cad_domain(revolution->profile);
-  if (const auto* s = std::get_if<Cad_spline_surface>(&surface))
-    domain = {Cad_domain{s->u_knots[s->u_degree], s->u_knots[s->u_knots.size() - s->u_degree - 1]},
-              Cad_domain{s->v_knots[s->v_degree], s->v_knots[s->v_knots.size() - s->v_degree - 1]}};
-  return domain;
+  const std::array<Spline_parameter, 2> parameters = spline_parameters(surface);
+  return {cad_domain(parameters[0]), cad_domain(parameters[1])};
 }
-
-// The inner knots of a surface in u and v.
 inline std::array<std::vector<double>, 2> inner_knots(const Cad_surface& surface) {
-  if (const auto* offset = std::get_if<Cad_offset_surface>(&surface)) return inner_knots(*offset->basis);
-  std::array<std::vector<double>, 2> knots;
-  if (const auto* extrusion = std::get_if<Cad_extrusion>(&surface)) knots[0] = inner_knots(extrusion->profile);
-  if (const auto* revolution = std::get_if<Cad_revolution>(&surface)) knots[1] = inner_knots(revolution->profile);
-  if (const auto* s = std::get_if<Cad_spline_surface>(&surface)) {
-    knots[0].assign(s->u_knots.begin() + s->u_degree + 1, s->u_knots.end() - s->u_degree - 1);
-    knots[1].assign(s->v_knots.begin() + s->v_degree + 1, s->v_knots.end() - s->v_degree - 1);
-    for (std::vector<double>& k : knots) k.erase(std::unique(k.begin(), k.end()), k.end());
-  }
-  return knots;
+  const std::array<Spline_parameter, 2> parameters = spline_parameters(surface);
+  return {inner_knots(parameters[0]), inner_knots(parameters[1])};
 }
 
 } // namespace internal

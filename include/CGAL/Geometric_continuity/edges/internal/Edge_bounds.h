@@ -57,7 +57,7 @@ public:
   // that is a point; and at an end of the range where the derivatives of the surface are computed without an error.
   bool is_on(const Edge_range& range, bool or_derivative) const {
     const Cad_curve<2>& curve = *side_.curve;
-    const Interval_vector<2> c = cad_curve_jet(curve, range.t, 0, touched_pieces(curve, range.t, 1).front()).c[0];
+    const Interval_vector<2> c = cad_curve_jet(curve, range.t, 0).c[0];
     for (const auto& [axis, value] : collapsed_) {
       const Interval x = c[axis] + symmetric(rounding * (1 + std::fabs(value)));
       if (x.inf() <= value && value <= x.sup()) return true;
@@ -72,7 +72,7 @@ private:
 
   bool is_at(double t, bool or_derivative) const {
     const Interval at(t);
-    const Cad_curve_jet<2> c = cad_curve_jet(*side_.curve, at, 1, touched_pieces(*side_.curve, at, 1).front());
+    const Cad_curve_jet<2> c = cad_curve_jet(*side_.curve, at, 1);
     if (or_derivative && is_exact_zero(c.c[1][0]) && is_exact_zero(c.c[1][1])) return true;
     const std::array<std::vector<int>, 2> spans = touched_pieces(*side_.surface, c.c[0][0], c.c[0][1], 0, 0);
     const Cad_surface_jet jet =
@@ -183,10 +183,7 @@ inline std::vector<double> divided_range(std::initializer_list<const Edge_side*>
     const std::array<Cad_domain, 2> domain = cad_domain(*side->surface);
     for (double t : {first, last}) cad_domain(*side->curve).check(t, "the range of an edge");
     for (int axis = 0; axis < 2; ++axis) {
-      const auto enclosed = [&](double t) {
-        const int span = touched_pieces(*side->curve, Interval(t), 1).front();
-        return cad_curve_jet(*side->curve, Interval(t), 0, span).c[0][axis];
-      };
+      const auto enclosed = [&](double t) { return cad_curve_jet(*side->curve, Interval(t), 0).c[0][axis]; };
       const auto coordinate = [&](double t) { return middle(enclosed(t)); };
       for (std::size_t i = 0; i < pieces; ++i) domain[axis].check(coordinate(ends[i]), "an edge on a surface");
       for (std::size_t i = 0; i + 1 < pieces && !knots[axis].empty(); ++i) {

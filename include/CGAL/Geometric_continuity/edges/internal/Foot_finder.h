@@ -111,7 +111,7 @@ public:
 private:
   Interval_vector<2> on_curve(double t) const {
     const Cad_curve<2>& curve = *side_.given().curve;
-    return cad_curve_jet(curve, Interval(t), 0, touched_pieces(curve, Interval(t), 1).front()).c[0];
+    return cad_curve_jet(curve, Interval(t), 0).c[0];
   }
   Cad_point<2> start(double t) const {
     const Interval_vector<2> c = on_curve(t);

@@ -154,8 +154,7 @@ public:
 
   // The point and the derivative at a parameter.
   std::array<Interval_vector<3>, 2> jet(double t) const {
-    const Cad_curve_jet<3> jet =
-        cad_curve_jet(*given_.curve, Interval(t), 1, touched_pieces(*given_.curve, Interval(t), 1).front());
+    const Cad_curve_jet<3> jet = cad_curve_jet(*given_.curve, Interval(t), 1);
     return {placed_(jet.c[0], true), placed_(jet.c[1], false)};
   }
 };

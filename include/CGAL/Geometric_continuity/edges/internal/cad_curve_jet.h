@@ -41,12 +41,15 @@ inline void check_knots(const std::vector<double>& knots, int degree, std::size_
   if (!(knots[degree] < knots[points])) throw Error(Error_code::empty_domain, "the domain of a spline");
 }
 
-// The pieces [knots[s], knots[s + 1]] that an interval of parameters touches in more than an end, by the numbers s. The first and the
-// last piece are continued beyond the domain: parameters leave it by rounding. A point on a knot touches the pieces on both sides, or
-// the one below (`side` < 0) or above (`side` > 0).
-inline std::vector<int> touched_pieces(const std::vector<double>& knots, int degree, const Interval& t, int side) {
+// The pieces [knots[s], knots[s + 1]] that an interval of parameters touches in more than an end, by the numbers s; 0 without knots. The first
+// and the last piece are continued beyond the domain: parameters leave it by rounding. A point on a knot touches the pieces on
+// both sides, or the one below (`side` < 0) or above (`side` > 0).
+inline std::vector<int> touched_pieces(const Spline_parameter& parameter, const Interval& t, int side) {
+  if (!parameter) return {0};
+  const std::vector<double>& knots = *parameter.knots;
+  const int degree = parameter.degree;
   const int points = static_cast<int>(knots.size()) - degree - 1;
-  const double first = knots[degree], last = knots[points];
+  const double first = parameter.first(), last = parameter.last();
   const double lower = (std::min)((std::max)(t.inf(), first), last),
                upper = (std::max)((std::min)(t.sup(), last), first);
   const auto inner = knots.begin() + degree + 1, end = knots.begin() + points;
@@ -113,7 +116,6 @@ inline double middle(const Interval& t) {
   return (std::min)((std::max)(m, t.inf()), t.sup());
 }
 
-
 constexpr int highest_order = Taylor_model::size + 3; // of the bases of offsets; of others one less suffices
 
 // Numbers that start as 0, which those of CGAL do not.
@@ -127,11 +129,8 @@ template <int D> struct Cad_curve_jet { std::array<Interval_vector<D>, highest_o
 
 template <int D> Cad_curve_jet<D> cad_curve_jet(const Cad_curve<D>& curve, const Interval& t, int order, int span);
 
-// The pieces of a curve that an interval of parameters touches.
 template <int D> std::vector<int> touched_pieces(const Cad_curve<D>& curve, const Interval& t, int side) {
-  if (const auto* offset = std::get_if<Cad_offset_curve<D>>(&curve)) return touched_pieces(*offset->basis, t, side);
-  if (const auto* s = std::get_if<Cad_spline_curve<D>>(&curve)) return touched_pieces(s->knots, s->degree, t, side);
-  return {0};
+  return touched_pieces(spline_parameter(curve), t, side);
 }
 
 // cos^(k)(t) / k! and sin^(k)(t) / k!.
@@ -256,6 +255,10 @@ template <int D> Cad_curve_jet<D> jet_of(const Cad_offset_curve<D>& offset, cons
 template <int D> Cad_curve_jet<D> cad_curve_jet(const Cad_curve<D>& curve, const Interval& t, int order, int span) {
   return std::visit([&](const auto& c) { return jet_of(c, t, order, span); }, curve);
 }
+// On the first piece that it touches.
+template <int D> Cad_curve_jet<D> cad_curve_jet(const Cad_curve<D>& curve, const Interval& t, int order) {
+  return cad_curve_jet(curve, t, order, touched_pieces(curve, t, 1).front());
+}
 
 inline void check_finite(std::initializer_list<double> numbers, const char* place) {
   for (double x : numbers)
@@ -314,22 +317,19 @@ struct Cad_domain {
                                                             std::to_string(first) + ", " + std::to_string(last) + ']');
   }
 };
-template <int D> Cad_domain cad_domain(const Cad_curve<D>& curve) {
-  if (const auto* offset = std::get_if<Cad_offset_curve<D>>(&curve)) return cad_domain(*offset->basis);
-  if (const auto* s = std::get_if<Cad_spline_curve<D>>(&curve))
-    return {s->knots[s->degree], s->knots[s->points.size()]};
-  return {};
+inline Cad_domain cad_domain(const Spline_parameter& parameter) {
+  return parameter ? Cad_domain{parameter.first(), parameter.last()} : Cad_domain();
 }
+template <int D> Cad_domain cad_domain(const Cad_curve<D>& curve) { return cad_domain(spline_parameter(curve)); }
 
-// The inner knots of a curve, each once.
-template <int D> std::vector<double> inner_knots(const Cad_curve<D>& curve) {
-  if (const auto* offset = std::get_if<Cad_offset_curve<D>>(&curve)) return inner_knots(*offset->basis);
+// Each once.
+inline std::vector<double> inner_knots(const Spline_parameter& parameter) {
   std::vector<double> knots;
-  if (const auto* spline = std::get_if<Cad_spline_curve<D>>(&curve))
-    for (std::size_t i = spline->degree + 1; i < spline->points.size(); ++i)
-      if (spline->knots[i - 1] < spline->knots[i] && spline->knots[i] < spline->knots[spline->points.size()])
-        knots.push_back(spline->knots[i]);
+  parameter.for_each_inner_knot([&](double knot, int) { knots.push_back(knot); });
   return knots;
+}
+template <int D> std::vector<double> inner_knots(const Cad_curve<D>& curve) {
+  return inner_knots(spline_parameter(curve));
 }
 
 } // namespace internal
