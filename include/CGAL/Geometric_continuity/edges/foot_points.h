@@ -36,14 +36,9 @@ inline Bounds_on_range distance_on(const Edge_range& range, const Placed_side& s
   Bounds_on_range bounds{0, 0, range.middle, false};
   std::optional<double> at;
   for (const Side_models& x : side.models(range, Edge_quantity::gap)) {
-    Bounds_on_range of_piece = square_on(range, x.point - points, at);
+    const Bounds_on_range of_piece = square_on(range, x.point - points, at);
     if (!of_piece.defined) return of_piece;
-    if (at) {
-      of_piece.lower = (std::min)(bounds.lower, of_piece.lower);
-      of_piece.upper = (std::max)(bounds.upper, of_piece.upper);
-    }
-    bounds = of_piece;
-    at = bounds.parameter;
+    include(of_piece, bounds, at);
   }
   return bounds;
 }

@@ -135,6 +135,17 @@ inline Bounds_on_range square_on(const Edge_range& range, const Taylor_vector& d
   return bounds;
 }
 
+// Where one of several pieces is the function: what all of them allow, at one parameter the least.
+inline void include(Bounds_on_range of_piece, Bounds_on_range& of_all, std::optional<double>& at) {
+  if (at) {
+    of_piece.lower = (std::min)(of_all.lower, of_piece.lower);
+    of_piece.upper = (std::max)(of_all.upper, of_piece.upper);
+    of_piece.least = (std::min)(of_all.least, of_piece.least);
+  }
+  of_all = of_piece;
+  at = of_all.parameter;
+}
+
 // Bounds of |k1 - k2| / max(|k1|, |k2|, flat).
 inline Bounds_on_range jump_on(const Edge_range& range, const Taylor_model& k1, const Taylor_model& k2, double flat,
                                const std::optional<double>& at) {
@@ -264,18 +275,12 @@ public:
     std::optional<double> at;
     for (const Side_models& x : a) // the largest of what all combinations of pieces allow, at one parameter the least
       for (const Side_models& y : b) {
-        Bounds_on_range of_pieces = quantity == Edge_quantity::gap ? square_on(range, x.point - y.point, at)
-                                    : quantity == Edge_quantity::angle
-                                        ? square_on(range, x.normal - y.normal, at)
-                                        : jump_on(range, x.curvature, y.curvature, flat, at);
+        const Bounds_on_range of_pieces = quantity == Edge_quantity::gap ? square_on(range, x.point - y.point, at)
+                                          : quantity == Edge_quantity::angle
+                                              ? square_on(range, x.normal - y.normal, at)
+                                              : jump_on(range, x.curvature, y.curvature, flat, at);
         if (!of_pieces.defined) return {0, 0, range.middle, false, false, may_jump};
-        if (at) {
-          of_pieces.lower = (std::min)(bounds.lower, of_pieces.lower);
-          of_pieces.upper = (std::max)(bounds.upper, of_pieces.upper);
-          of_pieces.least = (std::min)(bounds.least, of_pieces.least);
-        }
-        bounds = of_pieces;
-        at = bounds.parameter;
+        include(of_pieces, bounds, at);
       }
     if (several) bounds.noisy = a[0].along_knots || b[0].along_knots;
     bounds.knots = may_jump && !bounds.noisy;

@@ -147,12 +147,6 @@ inline Exponential_vector operator-(const Exponential_vector& x, const Exponenti
 inline Exponential_vector operator*(const Exponential_sum& s, const Exponential_vector& x) {
   return {s * x[0], s * x[1], s * x[2]};
 }
-inline Exponential_sum dot(const Exponential_vector& x, const Exponential_vector& y) {
-  return x[0] * y[0] + x[1] * y[1] + x[2] * y[2];
-}
-inline Exponential_vector cross(const Exponential_vector& x, const Exponential_vector& y) {
-  return {x[1] * y[2] - x[2] * y[1], x[2] * y[0] - x[0] * y[2], x[0] * y[1] - x[1] * y[0]};
-}
 inline bool is_zero(const Exponential_vector& x) { return x[0].is_zero() && x[1].is_zero() && x[2].is_zero(); }
 
 } // namespace internal

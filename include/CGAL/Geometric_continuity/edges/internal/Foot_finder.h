@@ -6,6 +6,7 @@
 #define CGAL_GEOMETRIC_CONTINUITY_EDGES_INTERNAL_FOOT_FINDER_H
 
 #include <CGAL/Geometric_continuity/edges/internal/Placed_side.h>
+#include <CGAL/Geometric_continuity/joins/internal/join_forms.h>
 #include <CGAL/Geometric_continuity/numbers/Enclosure.h>
 
 #include <algorithm>
@@ -22,14 +23,6 @@ namespace CGAL {
 namespace Geometric_continuity {
 namespace internal {
 
-inline Interval dot(const Interval_vector<3>& x, const Interval_vector<3>& y) {
-  return x[0] * y[0] + x[1] * y[1] + x[2] * y[2];
-}
-inline Interval_vector<3> difference(const Interval_vector<3>& x, const Interval_vector<3>& y) {
-  Interval_vector<3> z;
-  for (int k = 0; k < 3; ++k) z[k] = x[k] - y[k];
-  return z;
-}
 // A lower bound of the distance of two points.
 inline double length_below(const Interval_vector<3>& x, const Interval_vector<3>& y) {
   Interval sum = 0;
@@ -79,7 +72,7 @@ public:
       if (change < 1e-15) break;
     }
     const Equations e = equations({Interval(foot.point[0]), Interval(foot.point[1])}, point);
-    foot.derivative = solved(e, middle(dot(e.u, tangent)), middle(dot(e.v, tangent)));
+    foot.derivative = solved(e, middle(dot_form(e.u, tangent)), middle(dot_form(e.v, tangent)));
     for (double& x : foot.derivative)
       if (!std::isfinite(x)) x = 0;
     return foot;
@@ -92,18 +85,17 @@ public:
     if (!box || !is_in_one_piece(*box)) return std::nullopt;
     const Equations e = equations(*box, point);
     Enclosed result;
-    Interval_vector<3> n;
-    for (int k = 0; k < 3; ++k) n[k] = e.u[(k + 1) % 3] * e.v[(k + 2) % 3] - e.u[(k + 2) % 3] * e.v[(k + 1) % 3];
-    const Interval square = dot(n, n);
+    const std::array<Interval, 3> n = cross_form(e.u, e.v);
+    const Interval square = dot_form(n, n);
     if (!(square.inf() > 0)) return std::nullopt;
     const Interval length = CGAL::sqrt(square) * Interval(side_.is_flipped() ? -1 : 1);
     result.point = e.s;
     for (int k = 0; k < 3; ++k) result.normal[k] = n[k] / length;
     // a S_u + b S_v is orthogonal to the tangent
-    const Interval b = dot(e.u, tangent), a = -dot(e.v, tangent);
-    const Interval across = a * a * dot(e.u, e.u) + 2 * (a * b * dot(e.u, e.v)) + b * b * dot(e.v, e.v);
-    const Interval form =
-        a * a * dot(e.uu, result.normal) + 2 * (a * b * dot(e.uv, result.normal)) + b * b * dot(e.vv, result.normal);
+    const Interval b = dot_form(e.u, tangent), a = -dot_form(e.v, tangent);
+    const Interval across = a * a * dot_form(e.u, e.u) + 2 * (a * b * dot_form(e.u, e.v)) + b * b * dot_form(e.v, e.v);
+    const Interval form = a * a * dot_form(e.uu, result.normal) + 2 * (a * b * dot_form(e.uv, result.normal)) +
+                          b * b * dot_form(e.vv, result.normal);
     result.curvature = across.inf() > 0 ? form / across : Interval::largest();
     return result;
   }
@@ -157,11 +149,11 @@ private:
                 Interval(0),
                 Interval(0),
                 Interval(0)};
-    const Interval_vector<3> r = difference(e.s, point);
-    e.f = {dot(r, e.u), dot(r, e.v)};
-    e.a = dot(e.u, e.u) + dot(r, e.uu);
-    e.b = dot(e.u, e.v) + dot(r, e.uv);
-    e.c = dot(e.v, e.v) + dot(r, e.vv);
+    const std::array<Interval, 3> r = minus(e.s, point);
+    e.f = {dot_form(r, e.u), dot_form(r, e.v)};
+    e.a = dot_form(e.u, e.u) + dot_form(r, e.uu);
+    e.b = dot_form(e.u, e.v) + dot_form(r, e.uv);
+    e.c = dot_form(e.v, e.v) + dot_form(r, e.vv);
     return e;
   }
 
@@ -170,9 +162,9 @@ private:
     double a = middle(e.a), b = middle(e.b), c = middle(e.c);
     if (!(a > 0 && c > 0 && a * c - b * b > 1e-12 * a * c)) {
       const double tiny = 1e-300;
-      a = middle(dot(e.u, e.u)) + tiny;
-      b = middle(dot(e.u, e.v));
-      c = middle(dot(e.v, e.v)) + tiny;
+      a = middle(dot_form(e.u, e.u)) + tiny;
+      b = middle(dot_form(e.u, e.v));
+      c = middle(dot_form(e.v, e.v)) + tiny;
       if (a < 1e-20 * c) return {0, g / c};
       if (c < 1e-20 * a) return {f / a, 0};
     }

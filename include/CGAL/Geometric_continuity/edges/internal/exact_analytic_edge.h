@@ -10,6 +10,7 @@
 #include <CGAL/Geometric_continuity/edges/internal/Edge_decision.h>
 #include <CGAL/Geometric_continuity/edges/internal/Exponential_sum.h>
 #include <CGAL/Geometric_continuity/edges/internal/exact_cad_geometry.h>
+#include <CGAL/Geometric_continuity/joins/internal/join_forms.h>
 #include <CGAL/Geometric_continuity/numbers/internal/subdivision.h>
 
 #include <array>
@@ -74,11 +75,12 @@ struct Exponential_jet {
     return true;
   }
 
-  Exponential_vector normal() const { return cross(u, v); }
+  Exponential_vector normal() const { return cross_form(u, v); }
 
   // Twice the mean curvature, times |N|^3, for the normal N.
   Exponential_sum mean_curvature(const Exponential_vector& n) const {
-    return dot(u, u) * dot(vv, n) + dot(v, v) * dot(uu, n) - Exponential_sum(Model_number(2)) * dot(u, v) * dot(uv, n);
+    return dot_form(u, u) * dot_form(vv, n) + dot_form(v, v) * dot_form(uu, n) -
+           Exponential_sum(Model_number(2)) * dot_form(u, v) * dot_form(uv, n);
   }
 
 private:
@@ -166,9 +168,9 @@ private:
   void take_revolution(const Cad_revolution& surface, const Linear_function& s, const Exponential_curve& c) {
     const Exponential_vector o = constant_vector(surface.origin), d = constant_vector(surface.direction);
     const Exponential_sum cosine = Exponential_sum::cosine(s), sine = Exponential_sum::sine(s);
-    const auto along = [&](const Exponential_vector& w) { return dot(w, d) * d; };
-    const auto arm = [&](const Exponential_vector& w) { return cosine * (w - along(w)) + sine * cross(d, w); };
-    const auto turned = [&](const Exponential_vector& w) { return cosine * cross(d, w) - sine * (w - along(w)); };
+    const auto along = [&](const Exponential_vector& w) { return dot_form(w, d) * d; };
+    const auto arm = [&](const Exponential_vector& w) { return cosine * (w - along(w)) + sine * cross_form(d, w); };
+    const auto turned = [&](const Exponential_vector& w) { return cosine * cross_form(d, w) - sine * (w - along(w)); };
     const Exponential_vector w = c.c - o;
     point = o + along(w) + arm(w);
     u = turned(w);
@@ -218,7 +220,7 @@ inline std::optional<Edge_continuity<Model_number>> exact_analytic_edge(const Ed
     return e;
   }
   if (is_zero(n) || is_zero(m)) return std::nullopt;
-  if (!is_zero(cross(n, m))) {
+  if (!is_zero(cross_form(n, m))) {
     e.defect = Edge_defect::crease;
     return e;
   }
