@@ -11,6 +11,7 @@
 #include <CGAL/Geometric_continuity/IO/number.h>
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <string>
@@ -76,7 +77,7 @@ public:
       return true;
     }
     if (exponent > exponent_ || exponent_ - exponent > 18) return false;
-    const std::int64_t power = powers[exponent_ - exponent], largest = ((std::int64_t(1) << 60) - 1) / power;
+    const std::int64_t power = powers[exponent_ - exponent], largest = largest_digits[exponent_ - exponent];
     if (digits_ > largest || digits_ < -largest) return false;
     x = digits_ * power;
     return true;
@@ -93,25 +94,17 @@ public:
   }
 
 private:
-  static constexpr std::int64_t powers[19] = {1,
-                                              10,
-                                              100,
-                                              1000,
-                                              10000,
-                                              100000,
-                                              1000000,
-                                              10000000,
-                                              100000000,
-                                              1000000000,
-                                              10000000000,
-                                              100000000000,
-                                              1000000000000,
-                                              10000000000000,
-                                              100000000000000,
-                                              1000000000000000,
-                                              10000000000000000,
-                                              100000000000000000,
-                                              1000000000000000000};
+  // 10^k, and the largest integers whose product with it is below 2^60.
+  static constexpr std::array<std::int64_t, 19> powers = [] {
+    std::array<std::int64_t, 19> p{1};
+    for (int k = 1; k < 19; ++k) p[k] = 10 * p[k - 1];
+    return p;
+  }();
+  static constexpr std::array<std::int64_t, 19> largest_digits = [] {
+    std::array<std::int64_t, 19> largest{(std::int64_t(1) << 60) - 1};
+    for (int k = 1; k < 19; ++k) largest[k] = largest[k - 1] / 10;
+    return largest;
+  }();
 
   // The sign of the difference.
   int compare(const Text_number& other) const {

@@ -54,13 +54,15 @@ public:
       for (; p != end && is_white_space(*p); ++p) newlines += *p == '\n';
       if (p == end) break;
       const char* const first = p;
-      Short_decimal decimal;
-      p = read_short_decimal(p, end, decimal);
+      words_.emplace_back();
+      Word& word = words_.back();
+      p = read_short_decimal(p, end, word.decimal);
       if (p != end && !is_white_space(*p)) {
-        decimal = {};
+        word.decimal = {};
         while (p != end && !is_white_space(*p)) ++p;
       }
-      words_.push_back({decimal, static_cast<std::uint32_t>(first - begin), static_cast<std::uint32_t>(p - first)});
+      word.begin = static_cast<std::uint32_t>(first - begin);
+      word.size = static_cast<std::uint32_t>(p - first);
     }
     newlines_ = newlines;
   }
