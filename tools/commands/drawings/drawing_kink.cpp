@@ -13,6 +13,7 @@
 #include <array>
 #include <cmath>
 #include <sstream>
+#include <utility>
 
 namespace {
 
@@ -75,7 +76,7 @@ GC::Enclosure enclosed_degrees(const Enclosed_vector& a, const Enclosed_vector& 
 
 // The same from enclosures of the jets, where both segments are short Bezier curves whose handles are not parallel, at a kink with an
 // acute angle.
-std::optional<Kink_numbers> enclosed_numbers(const std::optional<Transform>& to_units, const Segment& left,
+std::optional<Kink_numbers> enclosed_numbers(const std::array<Interval, 4>* to_units, const Segment& left,
                                              const Segment& right, GC::Join_grade grade) {
   std::optional<Kink_numbers> numbers;
   GC::visit_enclosures(left, right, [&](const auto& x, const auto& y) {
@@ -87,41 +88,59 @@ std::optional<Kink_numbers> enclosed_numbers(const std::optional<Transform>& to_
     if (grade == GC::Join_grade::corner) return;
     numbers->offset = enclosed_offset(a, b);
     if (!to_units) return;
-    const auto entry = [&](int i) { return Interval(CGAL::to_interval(to_units->matrix()[i])); };
-    const auto image = [&](const Enclosed_vector& v) -> Enclosed_vector {
-      return {entry(0) * v.x + entry(2) * v.y, entry(1) * v.x + entry(3) * v.y};
+    const auto image = [&m = *to_units](const Enclosed_vector& v) -> Enclosed_vector {
+      return {m[0] * v.x + m[2] * v.y, m[1] * v.x + m[3] * v.y};
     };
     numbers->units = enclosed_offset(image(a), image(b));
   });
   return numbers;
 }
 
-// Whether four digits of the number are known.
-bool is_certain(const GC::Enclosure& x) { return rounded(x.lower, 4) == rounded(x.upper, 4); }
-bool is_certain(const Kink_numbers& n) {
-  return is_certain(n.degrees) && (!n.offset || is_certain(*n.offset)) && (!n.units || is_certain(*n.units));
+// The number where four digits of it are known, otherwise nothing.
+std::optional<std::string> certain_text(const GC::Enclosure& x) {
+  std::string text = rounded(x.lower, 4);
+  return text == rounded(x.upper, 4) ? std::optional<std::string>(std::move(text)) : std::nullopt;
 }
 
 std::string text(const GC::Enclosure& x) {
-  if (is_certain(x)) return rounded(x.lower, 4);
+  if (const std::optional<std::string> certain = certain_text(x)) return *certain;
   std::ostringstream bounds;
   bounds.precision(4);
   bounds << x;
   return bounds.str();
 }
 
+// What is said with the texts text(number) of the numbers; nothing where one of them is empty.
+template <class Text> std::optional<std::string> words(const Kink_numbers& numbers, GC::Join_grade grade, Text text) {
+  std::string s = to_string(grade);
+  const auto add = [&](const char* before, const GC::Enclosure& x) {
+    const std::optional<std::string> x_text = text(x);
+    if (x_text) (s += before) += *x_text;
+    return x_text;
+  };
+  if (!add(" of ", numbers.degrees)) return std::nullopt;
+  s += " degrees";
+  if (numbers.offset && !add(", a handle is off by ", *numbers.offset)) return std::nullopt;
+  if (!numbers.units) return s;
+  const std::optional<std::string> units = add(" (", *numbers.units);
+  if (!units) return std::nullopt;
+  return s + (*units == "1" ? " unit" : " units") + " of the last decimal)";
+}
+
 } // namespace
 
-Drawing_kink_words::Drawing_kink_words(const Drawing_element& element) : to_units_(to_units(element)) {}
+Drawing_kink_words::Drawing_kink_words(const Drawing_element& element) : to_units_(to_units(element)) {
+  if (!to_units_) return;
+  for (int i = 0; i < 4; ++i) enclosed_to_units_[i] = Interval(CGAL::to_interval(to_units_->matrix()[i]));
+}
 
 std::string Drawing_kink_words::operator()(const Segment& left, const Segment& right, GC::Join_grade grade) const {
   if (grade != GC::Join_grade::corner && grade != GC::Join_grade::kink) return to_string(grade);
-  std::optional<Kink_numbers> n = enclosed_numbers(to_units_, left, right, grade);
-  if (!n || !is_certain(*n)) n = exact_numbers(to_units_, left, right, grade);
-  std::string s = to_string(grade) + " of " + text(n->degrees) + " degrees";
-  if (n->offset) s += ", a handle is off by " + text(*n->offset);
-  if (n->units) s += " (" + text(*n->units) + (text(*n->units) == "1" ? " unit" : " units") + " of the last decimal)";
-  return s;
+  const auto enclosed = enclosed_numbers(to_units_ ? &enclosed_to_units_ : nullptr, left, right, grade);
+  if (enclosed)
+    if (const std::optional<std::string> certain = words(*enclosed, grade, certain_text)) return *certain;
+  return *words(exact_numbers(to_units_, left, right, grade), grade,
+                [](const GC::Enclosure& x) { return std::optional<std::string>(text(x)); });
 }
 
 void write_drawing_kink(std::ostream& os, const Segment& left, const Segment& right,

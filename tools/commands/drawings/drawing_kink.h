@@ -9,6 +9,9 @@
 
 #include <CGAL/Geometric_continuity/joins/Join_grade.h>
 
+#include <CGAL/Interval_nt.h>
+
+#include <array>
 #include <optional>
 #include <ostream>
 #include <string>
@@ -18,6 +21,7 @@
 class Drawing_kink_words {
   // From the drawing to the coordinates of the element in units of their last decimal; empty where there are no decimals.
   std::optional<GC::Svg_transform<Drawing_traits>> to_units_;
+  std::array<CGAL::Interval_nt<false>, 4> enclosed_to_units_; // of vectors
 
 public:
   explicit Drawing_kink_words(const Drawing_element& element);

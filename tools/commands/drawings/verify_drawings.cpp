@@ -87,8 +87,8 @@ class Drawing_report : public Drawing_handler {
   }
 
   static std::string point(const Segment& right) {
-    return " at (" + rounded(CGAL::to_double(right.start().x()), 6) + ", " +
-           rounded(CGAL::to_double(right.start().y()), 6) + ')';
+    const Drawing_traits::Point p = right.start();
+    return " at (" + rounded(CGAL::to_double(p.x()), 6) + ", " + rounded(CGAL::to_double(p.y()), 6) + ')';
   }
 
   std::string text(const Drawing_kink_words& words, const Segment& left, const Segment& right, const Decision& decision,
@@ -141,6 +141,7 @@ public:
   void subpath(const Drawing_element& element, int number, const Drawing_subpath& path) override {
     const std::size_t n = path.segments.size();
     const Drawing_kink_words words(element);
+    const std::string name = this->name(element);
     for (std::size_t i = 0; i < path.joins(); ++i) {
       const Segment &left = path.segments[i], &right = path.segments[(i + 1) % n];
       const Decision decision = within_work_limit(
@@ -170,7 +171,7 @@ public:
       add_row(claim, [&] {
         return report_.mode().format == Report_format::json
                    ? ",\n {" + members() + ',' + json_element(element) + ",\"subpath\":" + std::to_string(number) + '}'
-                   : name(element) + place(number, left, right) + point(right) + ": " +
+                   : name + place(number, left, right) + point(right) + ": " +
                          text(words, left, right, decision, grade) + '\n';
       });
       ++joins_;

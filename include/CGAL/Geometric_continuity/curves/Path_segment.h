@@ -228,7 +228,7 @@ template <class Traits> struct Path_segment {
 
   /// Returns whether the segment has a length: not a Bézier curve all of whose control points coincide.
   bool has_length() const {
-    return arc() || std::count(bezier()->begin(), bezier()->end(), start()) <= bezier()->degree();
+    return arc() || std::count(bezier()->begin(), bezier()->end(), bezier()->control_point(0)) <= bezier()->degree();
   }
 
   /// Returns the point where the segment starts.
