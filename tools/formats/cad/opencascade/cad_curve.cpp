@@ -35,7 +35,6 @@ namespace {
 // The names of the classes in the plane and in space.
 struct Plane_classes {
   static constexpr int dimension = 2;
-  typedef Handle(Geom2d_Curve) Curve;
   typedef Geom2d_Line Line;
   typedef Geom2d_Circle Circle;
   typedef Geom2d_Ellipse Ellipse;
@@ -45,13 +44,10 @@ struct Plane_classes {
   typedef Geom2d_BSplineCurve Spline;
   typedef Geom2d_TrimmedCurve Trimmed;
   typedef Geom2d_OffsetCurve Offset;
-  template <class Conic> static gp_Ax22d axes(const Conic& conic) { return conic.Position(); }
-  static gp_Lin2d line(const Line& line) { return line.Lin2d(); }
   static GC::Cad_point<2> reference(const Offset&) { return {0, 0}; }
 };
 struct Space_classes {
   static constexpr int dimension = 3;
-  typedef Handle(Geom_Curve) Curve;
   typedef Geom_Line Line;
   typedef Geom_Circle Circle;
   typedef Geom_Ellipse Ellipse;
@@ -61,14 +57,9 @@ struct Space_classes {
   typedef Geom_BSplineCurve Spline;
   typedef Geom_TrimmedCurve Trimmed;
   typedef Geom_OffsetCurve Offset;
-  template <class Conic> static gp_Ax2 axes(const Conic& conic) { return conic.Position(); }
-  static gp_Lin line(const Line& line) { return line.Lin(); }
   static GC::Cad_point<3> reference(const Offset& offset) { return checked(offset.Direction().XYZ()); }
 };
 
-// The location of axes.
-const gp_XY& origin(const gp_Ax22d& axes) { return axes.Location().XY(); }
-const gp_XYZ& origin(const gp_Ax2& axes) { return axes.Location().XYZ(); }
 const gp_XY& coordinates_of(const gp_Dir2d& d) { return d.XY(); }
 const gp_XYZ& coordinates_of(const gp_Dir& d) { return d.XYZ(); }
 
@@ -79,9 +70,9 @@ template <class Classes> class Curve_reader {
 
   template <class Source>
   static GC::Cad_curve<D> conic(typename Conic::Kind kind, const Source& source, double a, double b) {
-    const auto axes = Classes::axes(source);
+    const auto axes = source.Position();
     return Conic{kind,
-                 checked(origin(axes)),
+                 checked(axes.Location().Coord()),
                  checked(coordinates_of(axes.XDirection())),
                  checked(coordinates_of(axes.YDirection())),
                  checked(a),
@@ -117,11 +108,11 @@ template <class Classes> class Curve_reader {
   }
 
 public:
-  static GC::Cad_curve<D> read(const typename Classes::Curve& curve, const Used_range& used) {
+  template <class Curve> static GC::Cad_curve<D> read(const Handle(Curve) & curve, const Used_range& used) {
     const Standard_Transient* const c = curve.get();
     if (const auto* line = dynamic_cast<const typename Classes::Line*>(c))
-      return GC::Cad_line<D>{checked(Classes::line(*line).Location().Coord()),
-                             checked(coordinates_of(Classes::line(*line).Direction()))};
+      return GC::Cad_line<D>{checked(line->Position().Location().Coord()),
+                             checked(coordinates_of(line->Position().Direction()))};
     if (const auto* circle = dynamic_cast<const typename Classes::Circle*>(c))
       return conic(Conic::Kind::ellipse, *circle, circle->Radius(), circle->Radius());
     if (const auto* ellipse = dynamic_cast<const typename Classes::Ellipse*>(c))
