@@ -8,6 +8,7 @@
 #include <CGAL/Geometric_continuity/IO/json.h>
 
 #include <charconv>
+#include <cmath>
 #include <cstddef>
 #include <sstream>
 #include <string>
@@ -20,11 +21,36 @@ inline std::string counted(std::size_t n, const std::string& noun) {
   return std::to_string(n) + ' ' + noun + (n == 1 ? "" : "s");
 }
 
-// Returns a number with this many significant digits.
+// What rounded() returns, for most numbers that are written without an exponent; empty for others. A number times an exact power of ten has a relative
+// error below 2^-51, which matters only next to the middle between two integers.
+inline std::string rounded_by_product(double x, int digits) {
+  static constexpr double powers[] = {1, 10, 100, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10};
+  constexpr int most_digits = 6;
+  const double size = std::abs(x);
+  if (digits > most_digits || !(1e-4 < size && size < powers[digits])) return {};
+  int places = 0; // behind the point: at most three zeros and the digits
+  while (size * powers[places] < powers[digits - 1]) ++places;
+  const double product = size * powers[places], low = std::floor(product), rest = product - low;
+  if (std::abs(rest - 0.5) < 1e-6 || !(low + 1 < powers[digits])) return {};
+  int figures = static_cast<int>(low) + (rest > 0.5);
+  for (; places > 0 && figures % 10 == 0; figures /= 10) --places;
+  char text[24], *const end = text + sizeof text, *begin = end; // from the last figure on
+  for (int i = 0; figures > 0 || i <= places; ++i, figures /= 10) {
+    if (i > 0 && i == places) *--begin = '.';
+    *--begin = static_cast<char>('0' + figures % 10);
+  }
+  if (x < 0) *--begin = '-';
+  return std::string(begin, end);
+}
+
+// Returns a number with this many significant digits, as printf() does with %g, but zero has no sign.
 inline std::string rounded(double x, int digits) {
-  char text[64]; // as printf() does with %g, but zero has no sign
-  return std::string(text,
-                     std::to_chars(text, text + sizeof text, x == 0 ? 0.0 : x, std::chars_format::general, digits).ptr);
+  std::string text = rounded_by_product(x, digits);
+  if (!text.empty()) return text;
+  char figures[64];
+  const double y = x == 0 ? 0.0 : x;
+  return std::string(figures,
+                     std::to_chars(figures, figures + sizeof figures, y, std::chars_format::general, digits).ptr);
 }
 
 // Returns a text, an enclosure, ... in JSON.
