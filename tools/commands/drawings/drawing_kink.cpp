@@ -17,7 +17,6 @@
 
 namespace {
 
-typedef GC::Svg_segment<Drawing_traits> Segment;
 typedef GC::Svg_transform<Drawing_traits> Transform;
 typedef Drawing_traits::FT Number;
 typedef CGAL::Interval_nt<false> Interval;
@@ -41,11 +40,11 @@ std::optional<Transform> to_units(const Drawing_element& element) {
   return Transform({a, b, c, d, Number(-a * m[4] - c * m[5]), Number(-b * m[4] - d * m[5])});
 }
 
-Kink_numbers exact_numbers(const std::optional<Transform>& to_units, const Segment& left, const Segment& right,
-                           GC::Join_grade grade) {
+Kink_numbers exact_numbers(const std::optional<Transform>& to_units, const Drawing_join& join, GC::Join_grade grade) {
+  const auto &left = join.left(), &right = join.right();
   Kink_numbers n{GC::in_degrees(*GC::tangent_angle(left, right)), {}, {}};
   if (grade == GC::Join_grade::corner || !left.bezier() || !right.bezier()) return n;
-  const auto offset = [](const Segment& x, const Segment& y) {
+  const auto offset = [](const auto& x, const auto& y) {
     return GC::kink_size(*x.bezier(), *y.bezier())->handle_offset;
   };
   n.offset = offset(left, right);
@@ -76,11 +75,11 @@ GC::Enclosure enclosed_degrees(const Enclosed_vector& a, const Enclosed_vector& 
 
 // The same from enclosures of the jets, where both segments are short Bezier curves whose handles are not parallel, at a kink with an
 // acute angle.
-std::optional<Kink_numbers> enclosed_numbers(const std::array<Interval, 4>* to_units, const Segment& left,
-                                             const Segment& right, GC::Join_grade grade) {
+std::optional<Kink_numbers> enclosed_numbers(const std::array<Interval, 4>* to_units, const Drawing_join& join,
+                                             GC::Join_grade grade) {
   std::optional<Kink_numbers> numbers;
-  GC::visit_enclosures(left, right, [&](const auto& x, const auto& y) {
-    const Interval m(left.bezier()->degree()), n(right.bezier()->degree());
+  GC::visit_enclosures(join, [&](const auto& x, const auto& y) {
+    const Interval m(join.left().bezier()->degree()), n(join.right().bezier()->degree());
     const Enclosed_vector a{x[1][0] / m, x[1][1] / m}, b{y[1][0] / n, y[1][1] / n};
     if (!(0 < CGAL::abs(cross(a, b)).inf())) return;
     if (grade == GC::Join_grade::kink && !(0 < dot(a, b).inf())) return;
@@ -134,17 +133,17 @@ Drawing_kink_words::Drawing_kink_words(const Drawing_element& element) : to_unit
   for (int i = 0; i < 4; ++i) enclosed_to_units_[i] = Interval(CGAL::to_interval(to_units_->matrix()[i]));
 }
 
-std::string Drawing_kink_words::operator()(const Segment& left, const Segment& right, GC::Join_grade grade) const {
+std::string Drawing_kink_words::operator()(const Drawing_join& join, GC::Join_grade grade) const {
   if (grade != GC::Join_grade::corner && grade != GC::Join_grade::kink) return to_string(grade);
-  const auto enclosed = enclosed_numbers(to_units_ ? &enclosed_to_units_ : nullptr, left, right, grade);
+  const auto enclosed = enclosed_numbers(to_units_ ? &enclosed_to_units_ : nullptr, join, grade);
   if (enclosed)
     if (const std::optional<std::string> certain = words(*enclosed, grade, certain_text)) return *certain;
-  return *words(exact_numbers(to_units_, left, right, grade), grade,
+  return *words(exact_numbers(to_units_, join, grade), grade,
                 [](const GC::Enclosure& x) { return std::optional<std::string>(text(x)); });
 }
 
-void write_drawing_kink(std::ostream& os, const Segment& left, const Segment& right,
-                        const std::optional<GC::Join_grade>& grade) {
+void write_drawing_kink(std::ostream& os, const GC::Svg_segment<Drawing_traits>& left,
+                        const GC::Svg_segment<Drawing_traits>& right, const std::optional<GC::Join_grade>& grade) {
   if (!grade) {
     os << ",\"grade\":null,\"angle_degrees\":null";
     return;

@@ -7,7 +7,7 @@
 
 #include "formats/svg/svg_drawing.h"
 
-#include <CGAL/Geometric_continuity/joins/Join_grade.h>
+#include <CGAL/Geometric_continuity/joins/path_grade.h>
 
 #include <CGAL/Interval_nt.h>
 
@@ -15,6 +15,8 @@
 #include <optional>
 #include <ostream>
 #include <string>
+
+typedef GC::Path_join<Drawing_traits> Drawing_join;
 
 // Says how the joins of an element are drawn, e.g. "corner of 90 degrees" or "kink of 0.573 degrees, a handle is off by 0.2 (2 units of
 // the last decimal)". Of each number four digits are certain; where they are not, both bounds are given.
@@ -26,8 +28,7 @@ class Drawing_kink_words {
 public:
   explicit Drawing_kink_words(const Drawing_element& element);
 
-  std::string operator()(const GC::Svg_segment<Drawing_traits>& left, const GC::Svg_segment<Drawing_traits>& right,
-                         GC::Join_grade grade) const;
+  std::string operator()(const Drawing_join& join, GC::Join_grade grade) const;
 };
 
 // Writes `,"grade":…,"angle_degrees":[…,…]`, and for a kink `"handle_offset":[…,…]` in units of the drawing.

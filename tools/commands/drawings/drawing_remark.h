@@ -6,6 +6,7 @@
 #define GEOMETRIC_CONTINUITY_TOOLS_COMMANDS_DRAWINGS_DRAWING_REMARK_H
 
 #include "commands/chains/join_report.h"
+#include "commands/drawings/drawing_kink.h"
 #include "formats/svg/svg_drawing.h"
 
 #include <CGAL/Geometric_continuity/joins/path_continuity.h>
@@ -20,7 +21,7 @@ typedef GC::Svg_segment<Drawing_traits> Drawing_segment;
 typedef GC::Curve_jet<Program_traits<Exact>> Drawing_jet;
 
 // A jet for the numbers of a report, for which square roots are rounded.
-inline Exact rounded_root(const Drawing_segment& segment) {
+inline Exact rounded_root(const GC::Path_segment<Drawing_traits>& segment) {
   return Exact(std::sqrt(CGAL::to_double(segment.radicand())));
 }
 
@@ -31,11 +32,11 @@ inline Drawing_jet report_jet(const GC::Coordinate_jet<Exact, 2>& jet) {
   return Drawing_jet(result);
 }
 
-inline Drawing_jet rounded_end_jet(const Drawing_segment& segment) {
+inline Drawing_jet rounded_end_jet(const GC::Path_segment<Drawing_traits>& segment) {
   return report_jet(segment.end_jet_over<Exact>(3, rounded_root(segment)));
 }
 
-inline Drawing_jet rounded_start_jet(const Drawing_segment& segment) {
+inline Drawing_jet rounded_start_jet(const GC::Path_segment<Drawing_traits>& segment) {
   return report_jet(segment.start_jet_over<Exact>(3, rounded_root(segment)));
 }
 
@@ -55,10 +56,10 @@ inline std::string explanation(const GC::Join_continuity<Exact>& join, const Dra
 }
 
 // Returns remark() of the join.
-inline std::string drawing_remark(const Join& join, const Drawing_segment& left, const Drawing_segment& right) {
+inline std::string drawing_remark(const Join& decision, const Drawing_join& join) {
   std::optional<std::string> words;
-  GC::visit_enclosures(left, right, [&](const auto& x, const auto& y) { words = remark(join, x, y); });
-  return words ? *words : remark(join, rounded_end_jet(left), rounded_start_jet(right));
+  GC::visit_enclosures(join, [&](const auto& x, const auto& y) { words = remark(decision, x, y); });
+  return words ? *words : remark(decision, rounded_end_jet(join.left()), rounded_start_jet(join.right()));
 }
 
 #endif // GEOMETRIC_CONTINUITY_TOOLS_COMMANDS_DRAWINGS_DRAWING_REMARK_H

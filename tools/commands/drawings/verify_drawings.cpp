@@ -66,11 +66,11 @@ class Drawing_report : public Drawing_handler {
     return required.kind() == GC::Continuity_kind::G && required.order() > 0;
   }
 
-  Grade grade(const Segment& left, const Segment& right, const Decision& decision) const {
+  Grade grade(const Drawing_join& join, const Decision& decision) const {
     if (!decision) return std::nullopt;
     if (decision->regular && *decision->tangent_equal)
       return *decision->curvature_vector_equal ? GC::Join_grade::g2 : GC::Join_grade::g1;
-    return GC::join_grade(left, right, kinks_.bound);
+    return GC::join_grade(join, kinks_.bound);
   }
 
   Claim claim(const Decision& decision, const Grade& grade) const {
@@ -91,15 +91,14 @@ class Drawing_report : public Drawing_handler {
     return " at (" + rounded(CGAL::to_double(p.x()), 6) + ", " + rounded(CGAL::to_double(p.y()), 6) + ')';
   }
 
-  std::string text(const Drawing_kink_words& words, const Segment& left, const Segment& right, const Decision& decision,
-                   const Grade& grade) const {
+  std::string text(const Drawing_kink_words& words, const Drawing_join& join, const std::string& explanation,
+                   const Decision& decision, const Grade& grade) const {
     if (!decision) return std::string("undecided, ") + irrational;
     std::string s = 'G' + std::to_string(decision->g_order);
     if (decision->g_order == max_order_) s += " or more";
-    if (decision->regular && !*decision->tangent_equal)
-      return s + ", " + words(left, right, *grade) + explanation(*decision, left, right);
-    s += ", " + drawing_remark(*decision, left, right) + explanation(*decision, left, right);
-    return decision->regular || !grade ? s : s + ", drawn as " + words(left, right, *grade);
+    if (decision->regular && !*decision->tangent_equal) return s + ", " + words(join, *grade) + explanation;
+    s += ", " + drawing_remark(*decision, join) + explanation;
+    return decision->regular || !grade ? s : s + ", drawn as " + words(join, *grade);
   }
 
   std::string json(std::size_t left_number, std::size_t right_number, const Segment& left, const Segment& right,
@@ -144,17 +143,19 @@ public:
     const std::string name = this->name(element);
     for (std::size_t i = 0; i < path.joins(); ++i) {
       const Segment &left = path.segments[i], &right = path.segments[(i + 1) % n];
+      const Drawing_join join(left, right);
       const Decision decision = within_work_limit(
           [&] { return "commands " + std::to_string(left.command) + " and " + std::to_string(right.command); },
-          [&] { return GC::continuity(left, right, max_order_); });
+          [&] { return GC::continuity(join, max_order_); });
       if (decision)
         summary_.add(*decision);
       else
         ++undecided_;
-      const Grade grade = this->grade(left, right, decision);
+      const Grade grade = this->grade(join, decision);
       if (grade) ++grades_[*grade];
       const Claim claim = this->claim(decision, grade);
       const auto members = [&] { return json(segments_ + i, segments_ + (i + 1) % n, left, right, decision, grade); };
+      const auto explained = [&] { return decision ? explanation(*decision, left, right) : std::string(); };
       report_.add(element.file, {claim, "join", irrational}, !required_ && grade == GC::Join_grade::kink,
                   [&]() -> Finding {
                     Finding f;
@@ -164,7 +165,7 @@ public:
                     f.place = element.text() + place(number, left, right);
                     f.rule = rule(decision, grade);
                     f.message = (claim == Claim::not_met ? "not " + required_->text() + ", " : "") +
-                                text(words, left, right, decision, grade) + point(right);
+                                text(words, join, explained(), decision, grade) + point(right);
                     f.properties = members();
                     return f;
                   });
@@ -172,7 +173,7 @@ public:
         return report_.mode().format == Report_format::json
                    ? ",\n {" + members() + ',' + json_element(element) + ",\"subpath\":" + std::to_string(number) + '}'
                    : name + place(number, left, right) + point(right) + ": " +
-                         text(words, left, right, decision, grade) + '\n';
+                         text(words, join, explained(), decision, grade) + '\n';
       });
       ++joins_;
       show_progress_();

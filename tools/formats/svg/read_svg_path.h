@@ -159,7 +159,7 @@ private:
 
   // The next number, added to a coordinate of the origin.
   FT moved(const FT& origin) {
-    const FT x = FT(origin + number());
+    const FT x = short_sum(origin, number());
     check(x);
     return x;
   }

@@ -57,25 +57,47 @@ auto visit_roots(const Path_segment<Traits>& left, const Path_segment<Traits>& r
 } // namespace internal
 
 /// \ingroup PkgGeometricContinuityContinuity
-/// Decides the continuity of the join between the end of `left` and the start of `right`, which are segments of
-/// paths, up to order `max_order`; empty when it cannot be decided because one of them is an arc whose derivatives are
-/// not known.
+/// The join between the end of a segment of a path and the start of another one, for `continuity()`, `join_grade()` and
+/// `visit_enclosures()`: what these have in common is prepared once. The segments must outlive it.
+/// \tparam Traits a model of `GeometricContinuityTraits` of dimension 2
+template <class Traits> class Path_join {
+  const Path_segment<Traits>&left_, &right_;
+  internal::Grid_join<2> grid_; // of Bezier curves whose coordinates are short rational numbers
+  bool has_grid_ = false;
+
+  template <class T> friend std::optional<Join_continuity<typename T::FT>> continuity(const Path_join<T>&, int);
+  template <class T, class Function> friend bool visit_enclosures(const Path_join<T>&, Function);
+
+public:
+  /// Prepares the join.
+  Path_join(const Path_segment<Traits>& left, const Path_segment<Traits>& right) : left_(left), right_(right) {
+    if constexpr (internal::Rational_parts<typename Traits::FT>::value)
+      has_grid_ = left.bezier() && right.bezier() && grid_.set_rationals(*left.bezier(), *right.bezier());
+  }
+
+  /// Returns the segment that ends at the join.
+  const Path_segment<Traits>& left() const { return left_; }
+  /// Returns the segment that starts at the join.
+  const Path_segment<Traits>& right() const { return right_; }
+};
+
+/// \ingroup PkgGeometricContinuityContinuity
+/// Decides the continuity of a join of segments of paths, up to order `max_order`; empty when it cannot be decided because one of them is
+/// an arc whose derivatives are not known.
 ///
 /// Arcs are taken with respect to the eccentric angle; only the C order and the shape parameters depend on that. Where
 /// the centre of an arc is not rational, the decision is made in the field extended by its square root, exactly, and no
 /// shape parameters are given. In `double` it is plain floating point.
 /// \throws Error `negative_count` for a negative `max_order`, `work_limit`
 template <class Traits>
-std::optional<Join_continuity<typename Traits::FT>> continuity(const Path_segment<Traits>& left,
-                                                               const Path_segment<Traits>& right, int max_order = 3) {
+std::optional<Join_continuity<typename Traits::FT>> continuity(const Path_join<Traits>& path_join, int max_order) {
   typedef typename Traits::FT FT;
+  const Path_segment<Traits>&left = path_join.left(), &right = path_join.right();
   if (!left.is_known() || !right.is_known()) return std::nullopt;
-  if constexpr (internal::Rational_parts<FT>::value)
-    if (0 <= max_order && max_order <= 3 && left.bezier() && right.bezier()) {
-      internal::Grid_join<2> grid;
-      Join_continuity<FT> join;
-      if (grid.set_rationals(*left.bezier(), *right.bezier()) && grid.decide(max_order, join, false)) return join;
-    }
+  if (path_join.has_grid_ && 0 <= max_order && max_order <= 3) {
+    Join_continuity<FT> join;
+    if (path_join.grid_.decide(max_order, join, false)) return join;
+  }
   const int order = (std::max)(max_order, 3); // curvature is reported for every max_order
   const auto decide = [&](const auto& left_root, const auto& right_root) {
     typedef std::decay_t<decltype(left_root)> Field;
@@ -91,21 +113,23 @@ std::optional<Join_continuity<typename Traits::FT>> continuity(const Path_segmen
 }
 
 /// \ingroup PkgGeometricContinuityContinuity
-/// Calls `f(x, y)` with enclosures of the jets of order 3 at the end of `left` and at the start of `right`, `Coordinate_jet`s of
-/// `Interval_nt<false>`, with which `f` can compute. Returns false, without a call, unless both are Bézier curves whose coordinates are
-/// short rational numbers.
-template <class Traits, class Function>
-bool visit_enclosures(const Path_segment<Traits>& left, const Path_segment<Traits>& right, Function f) {
-  if constexpr (internal::Rational_parts<typename Traits::FT>::value)
-    if (left.bezier() && right.bezier()) {
-      internal::Grid_join<2> grid;
-      if (!grid.set_rationals(*left.bezier(), *right.bezier())) return false;
-      const Protect_FPU_rounding<true> rounding_upwards;
-      const auto jets = grid.enclosed_jets();
-      f(jets.first, jets.second);
-      return true;
-    }
-  return false;
+/// Decides the continuity of the join between the end of `left` and the start of `right`.
+template <class Traits>
+std::optional<Join_continuity<typename Traits::FT>> continuity(const Path_segment<Traits>& left,
+                                                               const Path_segment<Traits>& right, int max_order = 3) {
+  return continuity(Path_join<Traits>(left, right), max_order);
+}
+
+/// \ingroup PkgGeometricContinuityContinuity
+/// Calls `f(x, y)` with enclosures of the jets of order 3 at the end of the left segment and at the start of the right one,
+/// `Coordinate_jet`s of `Interval_nt<false>`, with which `f` can compute. Returns false, without a call, unless both are Bézier curves
+/// whose coordinates are short rational numbers.
+template <class Traits, class Function> bool visit_enclosures(const Path_join<Traits>& join, Function f) {
+  if (!join.has_grid_) return false;
+  const Protect_FPU_rounding<true> rounding_upwards;
+  const auto jets = join.grid_.enclosed_jets();
+  f(jets.first, jets.second);
+  return true;
 }
 
 namespace internal {
@@ -160,17 +184,18 @@ template <class FT, class Field> Enclosure angle_of_products(const Leg_products<
 } // namespace internal
 
 /// \ingroup PkgGeometricContinuityContinuity
-/// Returns what the join between the end of `left` and the start of `right` looks like, see `join_grade()` of Bézier curves; empty when one
+/// Returns what a join of segments of paths looks like, see `join_grade()` of Bézier curves; empty when one
 /// of them has no length, or is an arc whose derivatives are not known. Directions of arcs are compared in the field of their square roots.
 /// Exact, except in `double`
 /// \throws Error `not_finite`, `work_limit`
 template <class Traits>
-std::optional<Join_grade> join_grade(const Path_segment<Traits>& left, const Path_segment<Traits>& right,
+std::optional<Join_grade> join_grade(const Path_join<Traits>& join,
                                      const Kink_bound& bound = internal::usual_kink_bound()) {
+  const Path_segment<Traits>&left = join.left(), &right = join.right();
   std::optional<bool> corner;
   if (left.bezier() && right.bezier()) {
     // The first derivatives are multiples of the handles, or zero.
-    visit_enclosures(left, right, [&](const auto& x, const auto& y) {
+    visit_enclosures(join, [&](const auto& x, const auto& y) {
       const auto c = x[1][0] * y[1][1] - x[1][1] * y[1][0], d = x[1][0] * y[1][0] + x[1][1] * y[1][1];
       if (0 < c.inf() || c.sup() < 0)
         corner = bound.is_exceeded(c.inf(), d.inf(), (c.sup() - c.inf()) + (d.sup() - d.inf()));
@@ -186,7 +211,15 @@ std::optional<Join_grade> join_grade(const Path_segment<Traits>& left, const Pat
   if (left.end() != right.start()) return Join_grade::gap;
   if (corner) return *corner ? Join_grade::corner : Join_grade::kink;
   // Readers of paths make lines of cubics that are drawn as lines, so that a handle that is retracted here is one that bends.
-  return continuity(left, right, 2)->g_order >= 2 ? Join_grade::g2 : Join_grade::g1;
+  return continuity(join, 2)->g_order >= 2 ? Join_grade::g2 : Join_grade::g1;
+}
+
+/// \ingroup PkgGeometricContinuityContinuity
+/// Returns what the join between the end of `left` and the start of `right` looks like.
+template <class Traits>
+std::optional<Join_grade> join_grade(const Path_segment<Traits>& left, const Path_segment<Traits>& right,
+                                     const Kink_bound& bound = internal::usual_kink_bound()) {
+  return join_grade(Path_join<Traits>(left, right), bound);
 }
 
 /// \ingroup PkgGeometricContinuityContinuity

@@ -140,6 +140,21 @@ template <class FT> struct Quarter_turns {
   }
 };
 
+/// \ingroup PkgGeometricContinuityAlgebra
+/// Returns \f$ x + y \f$. Rational numbers whose numerators and denominators are below \f$ 2^{30} \f$, as those of most drawings are, are
+/// added as integers of the machine.
+template <class FT> FT short_sum(const FT& x, const FT& y) {
+  typedef internal::Rational_parts<FT> Parts;
+  if constexpr (Parts::value) {
+    constexpr std::int64_t few = std::int64_t(1) << 30;
+    const auto is_short = [](std::int64_t n, std::int64_t d) { return -few < n && n < few && d < few; };
+    std::int64_t m, c, n, d;
+    if (Parts::short_parts(x, m, c) && Parts::short_parts(y, n, d) && is_short(m, c) && is_short(n, d))
+      return c == d ? Parts::make_short(m + n, c) : Parts::make_short(m * d + n * c, c * d);
+  }
+  return FT(x + y);
+}
+
 } // namespace Geometric_continuity
 } // namespace CGAL
 

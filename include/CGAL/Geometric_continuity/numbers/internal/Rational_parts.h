@@ -14,6 +14,7 @@
 #endif
 
 #include <cstdint>
+#include <numeric>
 #include <type_traits>
 #include <utility>
 
@@ -72,11 +73,9 @@ struct Rational_parts<FT, std::void_t<decltype(internal::gmp_rational(std::declv
   static FT make_short(std::int64_t n, std::int64_t d) {
     FT x;
     const mpq_ptr q = internal::gmp_rational(x);
-    copy_short(n, mpq_numref(q));
-    if (d != 1) {
-      copy_short(d, mpq_denref(q));
-      mpq_canonicalize(q);
-    }
+    const std::int64_t common = d == 1 ? 1 : std::gcd(n, d);
+    copy_short(n / common, mpq_numref(q));
+    if (d != common) copy_short(d / common, mpq_denref(q));
     return x;
   }
   static bool short_parts(const FT& x, std::int64_t& n, std::int64_t& d) {
