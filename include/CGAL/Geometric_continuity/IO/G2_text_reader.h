@@ -5,18 +5,25 @@
 #ifndef CGAL_GEOMETRIC_CONTINUITY_IO_G2_TEXT_READER_H
 #define CGAL_GEOMETRIC_CONTINUITY_IO_G2_TEXT_READER_H
 
-/// \file IO/G2_text_reader.h
-/// Curves of the format `.g2` with the places of their numbers, so that a program can change numbers and leave everything
-/// else of a text as it is.
-
 #include <CGAL/Geometric_continuity/IO/Text_number.h>
+#include <CGAL/Geometric_continuity/IO/g2.h>
 #include <CGAL/Geometric_continuity/IO/internal/G2_parser.h>
 
+#include <algorithm>
+#include <array>
 #include <cstddef>
+#include <cstdint>
 #include <istream>
 #include <string>
 #include <utility>
 #include <vector>
+
+/// \file IO/G2_text_reader.h
+/// Curves and surfaces of the format `.g2` with their numbers as they are written. Of curves the places of the numbers are known as
+/// well, so that a program can change numbers and leave everything else of a text as it is. Surfaces of decimals become surfaces
+/// of integers when all coordinates are multiplied by a power of ten and all parameters by another one. No order of continuity along any
+/// edge changes by that, and integers up to \f$ 2^{53} \f$ are doubles: so whatever is decided exactly on doubles is decided about
+/// the decimals.
 
 namespace CGAL {
 namespace Geometric_continuity {
@@ -68,6 +75,159 @@ public:
         curve.coordinates.push_back({value, begin, end});
       }
     return true;
+  }
+};
+
+template <class Traits> class G2_surface_text_reader;
+
+/// \ingroup PkgGeometricContinuityIO
+/// A polynomial B-spline surface in space as it stands in a text in the `.g2` format, with the numbers as they are written.
+class G2_surface_text {
+  internal::G2_direction<Text_number> u_, v_;
+  std::vector<Text_number> coordinates_;
+
+  template <class> friend class G2_surface_text_reader;
+  friend class G2_grid;
+
+  // With number(x) for each coordinate and knot(x) for each knot.
+  template <class Traits, class Number, class Knot> Bspline_surface<Traits> surface(Number number, Knot knot) const {
+    typedef typename Traits::FT FT;
+    std::vector<typename Traits::Point> points;
+    points.reserve(coordinates_.size() / 3);
+    for (std::size_t k = 0; k < coordinates_.size(); k += 3) {
+      Coordinates<Traits> x(3);
+      for (int i = 0; i < 3; ++i) x[i] = number(coordinates_[k + static_cast<std::size_t>(i)]);
+      points.push_back(to_point<Traits>(x));
+    }
+    const auto knots = [&](const internal::G2_direction<Text_number>& direction) {
+      std::vector<FT> values;
+      for (const Text_number& x : direction.knots) values.push_back(knot(x));
+      return Knot_vector<FT>(direction.order - 1, std::move(values));
+    };
+    return Bspline_surface<Traits>(internal::g2_net(points, u_), knots(u_), knots(v_));
+  }
+
+public:
+  /// Returns the surface. \tparam Traits a model of `GeometricContinuityTraits` of dimension 3 over `Exact_rational`
+  template <class Traits> Bspline_surface<Traits> surface() const {
+    const auto value = [](const Text_number& x) { return typename Traits::FT(x.value()); };
+    return surface<Traits>(value, value);
+  }
+};
+
+/// \ingroup PkgGeometricContinuityIO
+/// The powers of ten that make integers of all coordinates and of all knots of some surfaces.
+class G2_grid {
+  // The unit of coordinates, or of knots.
+  struct Axis {
+    int exponent = 0;
+
+    void include(const Text_number& x) {
+      if (x.is_decimal()) exponent = (std::min)(exponent, x.exponent());
+    }
+    // Whether this is an integer that is a double.
+    bool has(const Text_number& x) const {
+      std::int64_t n = 0;
+      return x.on_grid(exponent, n) && -limit <= n && n <= limit;
+    }
+    bool has(const std::vector<Text_number>& numbers) const {
+      return std::all_of(numbers.begin(), numbers.end(), [this](const Text_number& x) { return has(x); });
+    }
+    double operator()(const Text_number& x) const {
+      std::int64_t n = 0;
+      x.on_grid(exponent, n);
+      return static_cast<double>(n);
+    }
+  };
+  static constexpr std::int64_t limit = std::int64_t(1) << 53;
+  Axis coordinates_, knots_;
+
+public:
+  /// Makes the grids fine enough for a surface.
+  void include(const G2_surface_text& surface) {
+    for (const Text_number& x : surface.coordinates_) coordinates_.include(x);
+    for (const auto* direction : {&surface.u_, &surface.v_})
+      for (const Text_number& x : direction->knots) knots_.include(x);
+  }
+
+  /// Returns the exponent of the power of ten that is the unit of the coordinates.
+  int exponent_of_coordinates() const { return coordinates_.exponent; }
+  /// Returns the exponent of the power of ten that is the unit of the knots.
+  int exponent_of_knots() const { return knots_.exponent; }
+
+  /// Appends the surfaces in these units. Returns false, and appends nothing, unless all surfaces have been included and all numbers are
+  /// integers up to \f$ 2^{53} \f$.
+  /// \tparam Traits a model of `GeometricContinuityTraits` of dimension 3 over `double`
+  template <class Traits>
+  bool append(const std::vector<G2_surface_text>& texts, std::vector<Bspline_surface<Traits>>& surfaces) const {
+    for (const G2_surface_text& text : texts)
+      if (!coordinates_.has(text.coordinates_) || !knots_.has(text.u_.knots) || !knots_.has(text.v_.knots))
+        return false;
+    std::vector<Bspline_surface<Traits>> result;
+    result.reserve(texts.size());
+    for (const G2_surface_text& text : texts) result.push_back(text.surface<Traits>(coordinates_, knots_));
+    surfaces.insert(surfaces.end(), result.begin(), result.end());
+    return true;
+  }
+};
+
+/// \ingroup PkgGeometricContinuityIO
+/// Reads the surfaces of a text in the `.g2` format one after the other, polynomial ones with the numbers as they are written.
+/// \tparam Traits a model of `GeometricContinuityTraits` of dimension 3 over `Exact_rational`, for rational surfaces
+template <class Traits> class G2_surface_text_reader {
+  typedef typename Traits::FT FT;
+
+  internal::G2_parser<Text_number, 3> parser_;
+  long long line_ = 0;
+
+public:
+  /// Reads from `is`, which must outlive the reader. Error messages begin with `name`.
+  /// \throws Error `cannot_read_file` when the stream is not good
+  G2_surface_text_reader(std::istream& is, std::string name)
+      : parser_(is, std::move(name), internal::g2_surfaces, internal::G2_weights::allowed) {}
+
+  /// Reads the next surface, and calls `f` with a `G2_surface_text`, or with a `Rational_bspline_surface<Traits>` if it has weights.
+  /// Returns false, without a call, at the end of the text.
+  /// \throws Error as `G2_surface_reader` does
+  template <class Function> bool visit_next(Function f) {
+    if (!parser_.next_object()) return false;
+    line_ = parser_.line();
+    G2_surface_text text;
+    text.u_ = parser_.read_direction(internal::G2_shape::spline, " in u");
+    text.v_ = parser_.read_direction(internal::G2_shape::spline, " in v");
+    const long long all = static_cast<long long>(text.u_.points) * text.v_.points;
+    if (parser_.rational()) {
+      f(read_rational(text, all));
+      return true;
+    }
+    for (long long k = 0; k < all; ++k)
+      for (int i = 0; i < 3; ++i) text.coordinates_.push_back(parser_.read_coordinate(i, k, all));
+    f(std::move(text));
+    return true;
+  }
+
+  /// Returns the line of the text, from 1 on, behind the header of the last surface.
+  long long line() const { return line_; }
+
+private:
+  Rational_bspline_surface<Traits> read_rational(const G2_surface_text& text, long long all) {
+    internal::G2_weighted_points<Traits, FT> w;
+    for (long long k = 0; k < all; ++k) {
+      const auto row = parser_.read_homogeneous_point(k, all);
+      Coordinate_vector<FT, 4> values(4);
+      for (int i = 0; i < 4; ++i) values[i] = FT(row[i].value());
+      parser_.checked([&] { w.push_back(values); });
+    }
+    const auto direction = [](const internal::G2_direction<Text_number>& d) {
+      internal::G2_direction<FT> result;
+      result.points = d.points;
+      result.order = d.order;
+      for (const Text_number& x : d.knots) result.knots.push_back(FT(x.value()));
+      return result;
+    };
+    return parser_.checked([&] {
+      return internal::rational_g2_surface<Rational_bspline_surface<Traits>>(w, direction(text.u_), direction(text.v_));
+    });
   }
 };
 

@@ -5,14 +5,8 @@
 #ifndef CGAL_GEOMETRIC_CONTINUITY_IO_NUMBER_H
 #define CGAL_GEOMETRIC_CONTINUITY_IO_NUMBER_H
 
-/// \file IO/number.h
-/// Numbers as text, read and written without loss: decimals, and fractions p/q for exact fields.
-
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Geometric_continuity/Error.h>
-#include <CGAL/Geometric_continuity/IO/internal/Number_parts.h>
-#include <CGAL/Geometric_continuity/IO/internal/Short_decimal.h>
-#include <CGAL/Geometric_continuity/IO/limits.h>
 #include <CGAL/Geometric_continuity/IO/quoted_token.h>
 #include <CGAL/Geometric_continuity/numbers/internal/Rational_parts.h>
 #include <CGAL/Geometric_continuity/numbers/internal/checked_numbers.h>
@@ -27,16 +21,182 @@
 #include <locale>
 #include <ostream>
 #include <sstream>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <system_error>
 #include <type_traits>
 #include <utility>
 
+/// \file IO/number.h
+/// Numbers as text, read and written without loss: decimals, and fractions p/q for exact fields. Nearly all numbers of files are
+/// decimals with few digits: integers times powers of ten, for which no numbers of any length are needed. What is longer than the
+/// limits here is refused, so that a few characters of a text cannot fill the memory.
+
 namespace CGAL {
 namespace Geometric_continuity {
 
+/// \ingroup PkgGeometricContinuityIO
+/// The longest text, in characters, that is read as a number.
+constexpr std::size_t max_number_length = 4096;
+
+/// \ingroup PkgGeometricContinuityIO
+/// The largest absolute value of the exponent of a decimal.
+constexpr int max_decimal_exponent = 4096;
+
+/// \ingroup PkgGeometricContinuityIO
+/// The highest order (degree + 1) of a curve or surface that is read from a `.g2` file.
+constexpr int max_g2_order = 128;
+
+/// \ingroup PkgGeometricContinuityIO
+/// The highest dimension of a curve or surface that is read from a `.g2` file.
+constexpr int max_g2_dimension = 16;
+
 namespace internal {
+
+// digits * 10^exponent with at most 18 digits, or nothing of this kind.
+struct Short_decimal {
+  static constexpr int none = 1 << 30; // the exponent of nothing
+  static constexpr int max_digits = 18;
+
+  std::int64_t digits = 0;
+  int exponent = none;
+
+  bool exists() const { return exponent != none; }
+};
+
+inline bool is_digit(char c) { return '0' <= c && c <= '9'; }
+
+// Appends decimal digits to a number.
+inline std::uint64_t append_digits(std::uint64_t value, const char* p, const char* end) {
+  for (; p != end; ++p) value = 10 * value + static_cast<std::uint64_t>(*p - '0');
+  return value;
+}
+
+// Whether the next eight characters are digits.
+inline bool are_eight_digits(const char* p) {
+  std::uint64_t x;
+  std::memcpy(&x, p, 8);
+  constexpr std::uint64_t high = 0xf0f0f0f0f0f0f0f0;
+  return (x & high) == 0x3030303030303030 && ((x + 0x0606060606060606) & high) == 0x3030303030303030;
+}
+
+// Appends all digits from `p` on to a number, modulo 2^64. Returns where they end.
+inline const char* take_digits(const char* p, const char* end, std::uint64_t& value) {
+  const auto pair = [&p](int i) { return static_cast<std::uint64_t>(10 * (p[i] - '0') + (p[i + 1] - '0')); };
+  for (; end - p >= 8 && are_eight_digits(p); p += 8)
+    value = 100000000 * value + (10000 * (100 * pair(0) + pair(2)) + (100 * pair(4) + pair(6)));
+  for (; p != end && is_digit(*p); ++p) value = 10 * value + static_cast<std::uint64_t>(*p - '0');
+  return p;
+}
+
+// Reads a decimal, as number_parts() describes it, from the text that begins at `p`, as far as it goes. Returns where it ends; `decimal`
+// is changed if it is a short one.
+inline const char* read_short_decimal(const char* p, const char* end, Short_decimal& decimal) {
+  const bool negative = p != end && *p == '-';
+  if (p != end && (*p == '-' || *p == '+')) ++p;
+  std::uint64_t value = 0;
+  const char* const integer = p;
+  p = take_digits(p, end, value);
+  const char* const point = p;
+  if (p != end && *p == '.') ++p;
+  const char* const fraction = p;
+  p = take_digits(p, end, value);
+  const char *const behind = p, *last = behind;
+  if (point - integer + (behind - fraction) == 0) return p;
+  int exponent = 0;
+  if (p != end && (*p == 'e' || *p == 'E')) {
+    const char* q = p + 1;
+    const bool down = q != end && *q == '-';
+    if (q != end && (*q == '-' || *q == '+')) ++q;
+    if (q == end || !is_digit(*q)) return p;
+    for (; q != end && is_digit(*q); ++q) {
+      exponent = 10 * exponent + (*q - '0');
+      if (exponent > max_decimal_exponent) return p;
+    }
+    if (down) exponent = -exponent;
+    p = q;
+  }
+  while (last != fraction && last[-1] == '0') --last;
+  std::ptrdiff_t digits = point - integer + (last - fraction); // that count: zeros at the ends do not
+  for (const char* zero = integer; digits > Short_decimal::max_digits && (*zero == '0' || zero == point); ++zero)
+    digits -= zero != point;
+  if (digits > Short_decimal::max_digits) return p;
+  if (last != behind) value = append_digits(append_digits(0, integer, point), fraction, last);
+  decimal.digits = negative ? -static_cast<std::int64_t>(value) : static_cast<std::int64_t>(value);
+  decimal.exponent = value == 0 ? 0 : exponent - static_cast<int>(last - fraction);
+  return p;
+}
+
+// Why a text is not read as a number; the text itself is added by those who know where it stands.
+class Number_error : public std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+// The parts of the text of a number: a decimal, or a fraction when there is a denominator.
+struct Number_parts {
+  bool negative = false;
+  std::string_view integer, fraction, denominator; // digits
+  int exponent = 0;
+};
+
+inline bool take(std::string_view& text, char c) {
+  const bool found = !text.empty() && text.front() == c;
+  if (found) text.remove_prefix(1);
+  return found;
+}
+
+// Takes an optional sign and tells whether it is a minus.
+inline bool take_minus(std::string_view& text) {
+  if (take(text, '+')) return false;
+  return take(text, '-');
+}
+
+inline std::string_view take_digits(std::string_view& text) {
+  const std::string_view digits = text.substr(0, text.find_first_not_of("0123456789"));
+  text.remove_prefix(digits.size());
+  return digits;
+}
+
+inline bool all_zero(std::string_view digits) { return digits.find_first_not_of('0') == std::string_view::npos; }
+
+inline int decimal_exponent(std::string_view text) {
+  const bool negative = take_minus(text);
+  const std::string_view digits = take_digits(text);
+  if (digits.empty() || !text.empty()) throw Number_error("not a number");
+  int exponent = 0;
+  for (char c : digits) {
+    exponent = 10 * exponent + (c - '0');
+    if (exponent > max_decimal_exponent)
+      throw Number_error("decimal exponent beyond " + std::to_string(max_decimal_exponent));
+  }
+  return negative ? -exponent : exponent;
+}
+
+inline Number_parts number_parts(std::string_view text) {
+  if (text.empty()) throw Number_error("empty number");
+  Number_parts parts;
+  parts.negative = take_minus(text);
+  parts.integer = take_digits(text);
+  if (!parts.integer.empty() && take(text, '/')) {
+    parts.denominator = take_digits(text);
+    if (parts.denominator.empty() || !text.empty()) throw Number_error("not a number");
+    if (all_zero(parts.denominator)) throw Number_error("zero denominator");
+    return parts;
+  }
+  if (take(text, '.')) parts.fraction = take_digits(text);
+  if (parts.integer.empty() && parts.fraction.empty()) throw Number_error("not a number");
+  if (take(text, 'e') || take(text, 'E'))
+    parts.exponent = decimal_exponent(text);
+  else if (!text.empty())
+    throw Number_error("not a number");
+  return parts;
+}
+
+inline void check_number_length(std::string_view text) {
+  if (text.size() > max_number_length)
+    throw Number_error("number longer than " + std::to_string(max_number_length) + " characters");
+}
 
 // Numbers that are evaluated on demand, such as those of Lazy_exact_nt, are read and written in the type of their exact
 // values.

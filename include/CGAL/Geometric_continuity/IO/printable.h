@@ -7,6 +7,7 @@
 
 #include <CGAL/Geometric_continuity/IO/internal/utf8.h>
 
+#include <cstddef>
 #include <string>
 #include <string_view>
 
@@ -54,6 +55,23 @@ inline std::string printable(std::string_view text) {
       result += internal::escaped_character(c);
   });
   return result;
+}
+
+/// \ingroup PkgGeometricContinuityIO
+/// Returns a text as messages show it: in single quotes, cut after 40 characters, and with bytes that cannot be printed
+/// as `\xHH`.
+inline std::string quoted_token(std::string_view text) {
+  constexpr std::size_t longest = 40;
+  constexpr char hex[] = "0123456789ABCDEF";
+  std::string result = "'";
+  for (char c : text.substr(0, longest)) {
+    const unsigned char byte = static_cast<unsigned char>(c);
+    if (byte >= 0x20 && byte < 0x7F)
+      result += c;
+    else
+      result += {'\\', 'x', hex[byte / 16], hex[byte % 16]};
+  }
+  return result + (text.size() > longest ? "...'" : "'");
 }
 
 } // namespace Geometric_continuity
