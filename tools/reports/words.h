@@ -21,8 +21,8 @@ inline std::string counted(std::size_t n, const std::string& noun) {
   return std::to_string(n) + ' ' + noun + (n == 1 ? "" : "s");
 }
 
-// What rounded() returns, for most numbers that are written without an exponent; empty for others. A number times an exact power of ten has a relative
-// error below 2^-51, which matters only next to the middle between two integers.
+// What rounded() returns, for most numbers that are written without an exponent; empty for others. A number times an exact power of
+// ten has a relative error below 2^-51, which matters only next to the middle between two integers.
 inline std::string rounded_by_product(double x, int digits) {
   static constexpr double powers[] = {1, 10, 100, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10};
   constexpr int most_digits = 6;
