@@ -12,7 +12,6 @@
 #include <CGAL/Geometric_continuity/Traits_3.h>
 #include <CGAL/Geometric_continuity/blends/Fair.h>
 #include <CGAL/Geometric_continuity/blends/blend.h>
-#include <CGAL/Geometric_continuity/blends/blend_batch.h>
 #include <CGAL/Simple_cartesian.h>
 
 #ifdef GEOMETRIC_CONTINUITY_WITH_OCCT

@@ -12,7 +12,7 @@
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Geometric_continuity/Traits_3.h>
 #include <CGAL/Geometric_continuity/blends/blend.h>
-#include <CGAL/Geometric_continuity/blends/septic_strategies.h>
+#include <CGAL/Geometric_continuity/blends/blend_strategies.h>
 #include <CGAL/Simple_cartesian.h>
 
 #include <boost/multiprecision/cpp_int.hpp>

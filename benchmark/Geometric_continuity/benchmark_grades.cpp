@@ -12,7 +12,6 @@
 #include <CGAL/Geometric_continuity/Traits_2.h>
 #include <CGAL/Geometric_continuity/curves/Bezier_curve.h>
 #include <CGAL/Geometric_continuity/joins/Join_grade.h>
-#include <CGAL/Geometric_continuity/joins/Kink_size.h>
 
 #include <cmath>
 #include <random>

@@ -8,7 +8,7 @@
 
 #include <CGAL/Geometric_continuity/Traits_3.h>
 #include <CGAL/Geometric_continuity/blends/blend.h>
-#include <CGAL/Geometric_continuity/curves/Jet_polynomials.h>
+#include <CGAL/Geometric_continuity/curves/evaluate_batch.h>
 #include <CGAL/Simple_cartesian.h>
 
 #include <array>

@@ -7,8 +7,8 @@
 
 // Rational B-spline curves and surfaces of doubles in space, as OpenCASCADE and SISL store them. The knots are clamped.
 
-#include <CGAL/Geometric_continuity/curves/Rational_bspline_curve.h>
-#include <CGAL/Geometric_continuity/surfaces/Rational_bspline_surface.h>
+#include <CGAL/Geometric_continuity/curves/Rational_curve.h>
+#include <CGAL/Geometric_continuity/surfaces/Rational_surface.h>
 
 #ifdef GEOMETRIC_CONTINUITY_WITH_OCCT
 #include <Geom_BSplineCurve.hxx>

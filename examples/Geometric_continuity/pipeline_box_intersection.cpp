@@ -8,7 +8,7 @@
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Geometric_continuity/Traits_2.h>
 #include <CGAL/Geometric_continuity/algebra/sign_pattern.h>
-#include <CGAL/Geometric_continuity/curves/bounding_boxes.h>
+#include <CGAL/Geometric_continuity/curves/polyline.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/box_intersection_d.h>
 

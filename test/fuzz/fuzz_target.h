@@ -9,7 +9,7 @@
 // errors are expected, everything else that escapes is a mistake, and so is a property that does not hold.
 
 #include <CGAL/Geometric_continuity/Error.h>
-#include <CGAL/Geometric_continuity/IO/limits.h>
+#include <CGAL/Geometric_continuity/IO/number.h>
 
 #include <cstddef>
 #include <cstdint>

@@ -7,9 +7,9 @@
 
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Geometric_continuity/IO/number.h>
-#include <CGAL/Geometric_continuity/edges/edge_order_within.h>
-#include <CGAL/Geometric_continuity/joins/order_within.h>
-#include <CGAL/Geometric_continuity/numbers/units.h>
+#include <CGAL/Geometric_continuity/edges/edge_deviation.h>
+#include <CGAL/Geometric_continuity/joins/deviation.h>
+#include <CGAL/Geometric_continuity/numbers/Enclosure.h>
 
 #include <algorithm>
 #include <cctype>

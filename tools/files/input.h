@@ -8,7 +8,7 @@
 #include "files/progress.h"
 
 #include <CGAL/Geometric_continuity/Error.h>
-#include <CGAL/Geometric_continuity/IO/G2_grid.h>
+#include <CGAL/Geometric_continuity/IO/G2_text_reader.h>
 #include <CGAL/Geometric_continuity/IO/g2.h>
 
 #include <algorithm>

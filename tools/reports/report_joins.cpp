@@ -6,9 +6,9 @@
 
 #include "commands/chains/join_report.h"
 
-#include <CGAL/Geometric_continuity/joins/Kink_size.h>
+#include <CGAL/Geometric_continuity/joins/Join_grade.h>
 #include <CGAL/Geometric_continuity/joins/deviation.h>
-#include <CGAL/Geometric_continuity/numbers/units.h>
+#include <CGAL/Geometric_continuity/numbers/Enclosure.h>
 
 Report_grade report_grade(const std::optional<GC::Join_grade>& grade) {
   if (!grade) return Report_grade::undecided;

@@ -5,7 +5,7 @@
 #include "commands/chains/join_report.h"
 #include "reports/report_joins.h"
 
-#include <CGAL/Geometric_continuity/joins/path_grade.h>
+#include <CGAL/Geometric_continuity/joins/path_continuity.h>
 
 #include <algorithm>
 #include <array>

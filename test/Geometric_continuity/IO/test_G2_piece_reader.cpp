@@ -9,7 +9,6 @@
 #include "support/errors.h"
 
 #include <CGAL/Exact_rational.h>
-#include <CGAL/Geometric_continuity/IO/G2_piece_reader.h>
 #include <CGAL/Geometric_continuity/IO/G2_span_reader.h>
 #include <CGAL/Geometric_continuity/IO/g2.h>
 #include <CGAL/Geometric_continuity/Traits_2.h>

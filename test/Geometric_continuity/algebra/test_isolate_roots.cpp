@@ -8,7 +8,7 @@
 
 #include "support/swept_surfaces.h"
 
-#include <CGAL/Geometric_continuity/algebra/isolate_roots.h>
+#include <CGAL/Geometric_continuity/algebra/sign_pattern.h>
 
 #include <cstddef>
 #include <limits>

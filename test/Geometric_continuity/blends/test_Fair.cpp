@@ -16,7 +16,7 @@
 #include <CGAL/Geometric_continuity/Traits_3.h>
 #include <CGAL/Geometric_continuity/blends/Fair.h>
 #include <CGAL/Geometric_continuity/blends/blend.h>
-#include <CGAL/Geometric_continuity/blends/septic_strategies.h>
+#include <CGAL/Geometric_continuity/blends/blend_strategies.h>
 #include <CGAL/Simple_cartesian.h>
 
 #include <boost/config.hpp>

@@ -9,7 +9,7 @@
 #include "support/splines.h"
 
 #include <CGAL/Geometric_continuity/blends/blend.h>
-#include <CGAL/Geometric_continuity/blends/septic_strategies.h>
+#include <CGAL/Geometric_continuity/blends/blend_strategies.h>
 #include <CGAL/Geometric_continuity/joins/join_continuity.h>
 
 #include <cstddef>

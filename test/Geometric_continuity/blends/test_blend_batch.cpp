@@ -9,7 +9,6 @@
 #include "support/random_points.h"
 
 #include <CGAL/Geometric_continuity/blends/blend.h>
-#include <CGAL/Geometric_continuity/blends/blend_batch.h>
 
 #include <string>
 #include <vector>

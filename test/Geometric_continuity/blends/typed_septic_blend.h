@@ -7,7 +7,7 @@
 
 #include "support/typed.h"
 
-#include <CGAL/Geometric_continuity/blends/septic_strategies.h>
+#include <CGAL/Geometric_continuity/blends/blend_strategies.h>
 
 BOOST_AUTO_TEST_SUITE(blend_septic)
 

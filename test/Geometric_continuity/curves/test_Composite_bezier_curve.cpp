@@ -12,7 +12,7 @@
 #include <CGAL/Geometric_continuity/Traits_3.h>
 #include <CGAL/Geometric_continuity/Traits_d.h>
 #include <CGAL/Geometric_continuity/curves/Composite_bezier_curve.h>
-#include <CGAL/Geometric_continuity/curves/polygon_invariants.h>
+#include <CGAL/Geometric_continuity/curves/bezier_properties.h>
 #include <CGAL/Geometric_continuity/joins/chain_continuity.h>
 
 #include <algorithm>

@@ -11,8 +11,7 @@
 #include <CGAL/Cartesian_d.h>
 #include <CGAL/Geometric_continuity/Traits_d.h>
 #include <CGAL/Geometric_continuity/curves/Bezier_curve.h>
-#include <CGAL/Geometric_continuity/curves/Jet_polynomials.h>
-#include <CGAL/Geometric_continuity/curves/Rational_bezier_curve.h>
+#include <CGAL/Geometric_continuity/curves/Rational_curve.h>
 #include <CGAL/Geometric_continuity/curves/evaluate_batch.h>
 
 #include <algorithm>

@@ -15,7 +15,6 @@
 #include <CGAL/Geometric_continuity/Traits_2.h>
 #include <CGAL/Geometric_continuity/Traits_3.h>
 #include <CGAL/Geometric_continuity/Traits_d.h>
-#include <CGAL/Geometric_continuity/curves/bounding_boxes.h>
 #include <CGAL/Geometric_continuity/curves/polyline.h>
 #include <CGAL/Simple_cartesian.h>
 

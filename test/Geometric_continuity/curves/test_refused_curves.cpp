@@ -12,14 +12,11 @@
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Geometric_continuity/Traits_2.h>
 #include <CGAL/Geometric_continuity/Traits_3.h>
+#include <CGAL/Geometric_continuity/curves/Bezier_curve.h>
 #include <CGAL/Geometric_continuity/curves/Bspline_curve.h>
 #include <CGAL/Geometric_continuity/curves/Composite_bezier_curve.h>
 #include <CGAL/Geometric_continuity/curves/Cubic_blended_curve.h>
 #include <CGAL/Geometric_continuity/curves/bezier_properties.h>
-#include <CGAL/Geometric_continuity/curves/bounding_boxes.h>
-#include <CGAL/Geometric_continuity/curves/control_polygon.h>
-#include <CGAL/Geometric_continuity/curves/end_control_points.h>
-#include <CGAL/Geometric_continuity/curves/polygon_invariants.h>
 #include <CGAL/Geometric_continuity/curves/polyline.h>
 #include <CGAL/Simple_cartesian.h>
 

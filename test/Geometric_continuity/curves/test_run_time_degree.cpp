@@ -11,7 +11,7 @@
 #include "support/allocations.h"
 #include "support/random_points.h"
 
-#include <CGAL/Geometric_continuity/curves/Rational_bezier_curve.h>
+#include <CGAL/Geometric_continuity/curves/Rational_curve.h>
 
 #include <utility>
 #include <vector>

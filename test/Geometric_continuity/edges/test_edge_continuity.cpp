@@ -10,7 +10,6 @@
 #include "support/nets.h"
 
 #include <CGAL/Geometric_continuity/edges/Edge_conditions.h>
-#include <CGAL/Geometric_continuity/edges/common_edges.h>
 #include <CGAL/Geometric_continuity/edges/edge_continuity.h>
 #include <CGAL/Geometric_continuity/surfaces/boundary_curve.h>
 

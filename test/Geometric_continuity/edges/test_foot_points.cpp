@@ -10,9 +10,8 @@
 
 #include "support/errors.h"
 
-#include <CGAL/Geometric_continuity/edges/curve_deviation.h>
+#include <CGAL/Geometric_continuity/edges/Cad_geometry.h>
 #include <CGAL/Geometric_continuity/edges/foot_points.h>
-#include <CGAL/Geometric_continuity/edges/surface_knot_lines.h>
 
 #include <cmath>
 #include <limits>

@@ -10,7 +10,7 @@
 
 #include "support/errors.h"
 
-#include <CGAL/Geometric_continuity/edges/is_sharp_edge.h>
+#include <CGAL/Geometric_continuity/edges/Edge_enclosure.h>
 
 #include <algorithm>
 #include <cmath>

@@ -9,7 +9,7 @@
 
 #include "support/nets.h"
 
-#include <CGAL/Geometric_continuity/edges/edge_predicates.h>
+#include <CGAL/Geometric_continuity/edges/edge_continuity.h>
 
 BOOST_AUTO_TEST_SUITE(projective_edges)
 

@@ -9,11 +9,10 @@
 #include "support/limited.h"
 #include "support/rational_surfaces.h"
 
-#include <CGAL/Geometric_continuity/edges/edge_order_within.h>
-#include <CGAL/Geometric_continuity/edges/edge_predicates.h>
+#include <CGAL/Geometric_continuity/edges/edge_continuity.h>
+#include <CGAL/Geometric_continuity/edges/edge_deviation.h>
 #include <CGAL/Geometric_continuity/edges/swept_continuity.h>
 #include <CGAL/Geometric_continuity/surfaces/elementary_surfaces.h>
-#include <CGAL/Geometric_continuity/surfaces/swept_patches.h>
 
 #include <sstream>
 #include <string>

@@ -12,7 +12,6 @@
 #include "support/rational_surfaces.h"
 
 #include <CGAL/Geometric_continuity/edges/edge_continuity.h>
-#include <CGAL/Geometric_continuity/edges/edge_predicates.h>
 
 #include <array>
 

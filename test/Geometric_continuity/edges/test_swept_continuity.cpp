@@ -10,7 +10,6 @@
 
 #include <CGAL/Geometric_continuity/Traits_2.h>
 #include <CGAL/Geometric_continuity/Traits_3.h>
-#include <CGAL/Geometric_continuity/edges/sweep_defects.h>
 #include <CGAL/Geometric_continuity/edges/swept_continuity.h>
 #include <CGAL/Geometric_continuity/models/model_continuity.h>
 

@@ -12,14 +12,14 @@
 
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Geometric_continuity/Traits_3.h>
-#include <CGAL/Geometric_continuity/algebra/isolate_roots.h>
+#include <CGAL/Geometric_continuity/algebra/sign_pattern.h>
 #include <CGAL/Geometric_continuity/blends/blend.h>
-#include <CGAL/Geometric_continuity/blends/septic_strategies.h>
+#include <CGAL/Geometric_continuity/blends/blend_strategies.h>
 #include <CGAL/Geometric_continuity/curves/curvature_extrema.h>
 #include <CGAL/Geometric_continuity/edges/connect_g1.h>
 #include <CGAL/Geometric_continuity/extensions/extend.h>
 #include <CGAL/Geometric_continuity/extensions/extend_toward.h>
-#include <CGAL/Geometric_continuity/joins/order_within.h>
+#include <CGAL/Geometric_continuity/joins/deviation.h>
 #include <CGAL/Geometric_continuity/models/tessellate.h>
 #include <CGAL/Geometric_continuity/numbers/Work_limit.h>
 #include <CGAL/Simple_cartesian.h>

@@ -9,7 +9,6 @@
 #include "support/composite_curves.h"
 
 #include <CGAL/Geometric_continuity/Traits_3.h>
-#include <CGAL/Geometric_continuity/extensions/close.h>
 #include <CGAL/Geometric_continuity/extensions/extend.h>
 #include <CGAL/Geometric_continuity/extensions/extend_toward.h>
 #include <CGAL/Geometric_continuity/joins/chain_continuity.h>

@@ -8,11 +8,10 @@
 
 #include "support/splines.h"
 
-#include <CGAL/Geometric_continuity/extensions/close.h>
 #include <CGAL/Geometric_continuity/extensions/extend.h>
 #include <CGAL/Geometric_continuity/extensions/extend_toward.h>
+#include <CGAL/Geometric_continuity/joins/chain_continuity.h>
 #include <CGAL/Geometric_continuity/joins/join_continuity.h>
-#include <CGAL/Geometric_continuity/joins/knot_continuity.h>
 
 #include <vector>
 

@@ -16,7 +16,6 @@
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Geometric_continuity/Traits_2.h>
 #include <CGAL/Geometric_continuity/joins/Join_grade.h>
-#include <CGAL/Geometric_continuity/joins/Kink_size.h>
 #include <CGAL/Geometric_continuity/joins/join_continuity.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Sqrt_extension.h>

@@ -12,7 +12,7 @@
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Geometric_continuity.h>
-#include <CGAL/Geometric_continuity/joins/order_within.h>
+#include <CGAL/Geometric_continuity/joins/deviation.h>
 #include <CGAL/Simple_cartesian.h>
 
 #include <cmath>

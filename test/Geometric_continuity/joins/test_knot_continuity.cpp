@@ -10,10 +10,9 @@
 
 #include <CGAL/Geometric_continuity/Traits_2.h>
 #include <CGAL/Geometric_continuity/blends/blend.h>
-#include <CGAL/Geometric_continuity/blends/septic_strategies.h>
+#include <CGAL/Geometric_continuity/blends/blend_strategies.h>
 #include <CGAL/Geometric_continuity/curves/Composite_bezier_curve.h>
 #include <CGAL/Geometric_continuity/joins/chain_continuity.h>
-#include <CGAL/Geometric_continuity/joins/knot_continuity.h>
 
 #include <algorithm>
 #include <cstddef>

@@ -11,9 +11,9 @@
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Geometric_continuity/Traits_2.h>
 #include <CGAL/Geometric_continuity/Traits_3.h>
-#include <CGAL/Geometric_continuity/curves/Rational_bspline_curve.h>
+#include <CGAL/Geometric_continuity/curves/Rational_curve.h>
+#include <CGAL/Geometric_continuity/joins/chain_continuity.h>
 #include <CGAL/Geometric_continuity/joins/join_predicates.h>
-#include <CGAL/Geometric_continuity/joins/knot_continuity.h>
 #include <CGAL/Simple_cartesian.h>
 
 #include <algorithm>

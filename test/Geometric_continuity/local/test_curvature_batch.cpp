@@ -8,7 +8,6 @@
 
 #include "support/random_points.h"
 
-#include <CGAL/Geometric_continuity/local/curvature_batch.h>
 #include <CGAL/Geometric_continuity/local/curvatures.h>
 
 #include <cmath>

@@ -12,7 +12,6 @@
 #include <CGAL/Geometric_continuity/Traits_3.h>
 #include <CGAL/Geometric_continuity/Traits_d.h>
 #include <CGAL/Geometric_continuity/local/Frenet_frame.h>
-#include <CGAL/Geometric_continuity/local/frenet_equations.h>
 
 #include <algorithm>
 #include <cmath>

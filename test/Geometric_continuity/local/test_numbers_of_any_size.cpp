@@ -16,11 +16,11 @@
 #include <CGAL/Geometric_continuity/Traits_3.h>
 #include <CGAL/Geometric_continuity/Traits_d.h>
 #include <CGAL/Geometric_continuity/curves/Bezier_curve.h>
+#include <CGAL/Geometric_continuity/local/Curve_jet.h>
+#include <CGAL/Geometric_continuity/local/Frenet_frame.h>
 #include <CGAL/Geometric_continuity/local/Surface_jet.h>
 #include <CGAL/Geometric_continuity/local/congruence.h>
-#include <CGAL/Geometric_continuity/local/curvature_batch.h>
-#include <CGAL/Geometric_continuity/local/end_jet.h>
-#include <CGAL/Geometric_continuity/local/frenet_equations.h>
+#include <CGAL/Geometric_continuity/local/curvatures.h>
 #include <CGAL/Simple_cartesian.h>
 
 #include <array>

@@ -9,7 +9,7 @@
 #include "support/archetype.h"
 #include "support/nets.h"
 
-#include <CGAL/Geometric_continuity/edges/common_edges.h>
+#include <CGAL/Geometric_continuity/edges/edge_continuity.h>
 #include <CGAL/Geometric_continuity/models/model_continuity.h>
 
 #include <cstddef>

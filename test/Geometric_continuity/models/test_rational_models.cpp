@@ -9,11 +9,10 @@
 #include "support/rational_surfaces.h"
 
 #include <CGAL/Geometric_continuity/curves/arcs.h>
-#include <CGAL/Geometric_continuity/edges/common_edges.h>
+#include <CGAL/Geometric_continuity/edges/edge_continuity.h>
 #include <CGAL/Geometric_continuity/models/model_continuity.h>
 #include <CGAL/Geometric_continuity/models/near_edges.h>
 #include <CGAL/Geometric_continuity/surfaces/elementary_surfaces.h>
-#include <CGAL/Geometric_continuity/surfaces/swept_patches.h>
 
 #include <sstream>
 #include <string>

@@ -10,7 +10,6 @@
 
 #include <CGAL/Geometric_continuity/models/tessellate.h>
 #include <CGAL/Geometric_continuity/surfaces/elementary_surfaces.h>
-#include <CGAL/Geometric_continuity/surfaces/swept_patches.h>
 
 BOOST_AUTO_TEST_SUITE(rational_tessellation)
 

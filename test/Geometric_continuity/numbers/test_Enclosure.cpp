@@ -13,7 +13,7 @@
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Geometric_continuity/IO/number.h>
 #include <CGAL/Geometric_continuity/numbers/Enclosure.h>
-#include <CGAL/Geometric_continuity/numbers/rational_square_root.h>
+#include <CGAL/Geometric_continuity/numbers/rational_numbers.h>
 #include <CGAL/Quotient.h>
 
 #include <cfenv>

@@ -6,7 +6,7 @@
 #include "Geometric_continuity/support/random.h"
 
 #include <CGAL/Exact_rational.h>
-#include <CGAL/Geometric_continuity/numbers/has_short_parts.h>
+#include <CGAL/Geometric_continuity/numbers/rational_numbers.h>
 
 #include <boost/test/unit_test.hpp>
 

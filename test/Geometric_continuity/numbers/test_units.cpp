@@ -10,7 +10,7 @@
 #include "support/errors.h"
 
 #include <CGAL/Exact_rational.h>
-#include <CGAL/Geometric_continuity/numbers/units.h>
+#include <CGAL/Geometric_continuity/numbers/Enclosure.h>
 
 #include <cfenv>
 #include <cmath>

@@ -13,9 +13,9 @@
 #include <CGAL/Geometric_continuity/Traits_2.h>
 #include <CGAL/Geometric_continuity/Traits_3.h>
 #include <CGAL/Geometric_continuity/Traits_d.h>
-#include <CGAL/Geometric_continuity/extensions/round_corner.h>
 #include <CGAL/Geometric_continuity/joins/deviation.h>
 #include <CGAL/Geometric_continuity/joins/join_continuity.h>
+#include <CGAL/Geometric_continuity/repairs/round_corners.h>
 #include <CGAL/Simple_cartesian.h>
 
 #include <boost/test/unit_test.hpp>

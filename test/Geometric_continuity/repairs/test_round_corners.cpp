@@ -12,9 +12,9 @@
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Geometric_continuity/Traits_2.h>
 #include <CGAL/Geometric_continuity/curves/arcs.h>
-#include <CGAL/Geometric_continuity/extensions/round_corners.h>
 #include <CGAL/Geometric_continuity/joins/chain_continuity.h>
 #include <CGAL/Geometric_continuity/joins/join_predicates.h>
+#include <CGAL/Geometric_continuity/repairs/round_corners.h>
 #include <CGAL/Simple_cartesian.h>
 
 #include <boost/test/unit_test.hpp>

@@ -9,7 +9,7 @@
 #include "Report.h"
 #include "ops_local.h"
 
-#include <CGAL/Geometric_continuity/blends/septic_strategies.h>
+#include <CGAL/Geometric_continuity/blends/blend_strategies.h>
 
 #include <stdexcept>
 

@@ -8,8 +8,7 @@
 #include "Kernels.h"
 #include "Report.h"
 
-#include <CGAL/Geometric_continuity/surfaces/Extrusion_surface_3.h>
-#include <CGAL/Geometric_continuity/surfaces/Revolution_surface_3.h>
+#include <CGAL/Geometric_continuity/surfaces/swept_surfaces.h>
 
 // Topic normals: swept surfaces of a Bezier curve.
 template <class Traits> bool run_normals(const Case& c, Report& report) {

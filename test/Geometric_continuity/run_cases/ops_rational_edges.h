@@ -10,7 +10,6 @@
 
 #include <CGAL/Fraction_traits.h>
 #include <CGAL/Geometric_continuity/edges/edge_continuity.h>
-#include <CGAL/Geometric_continuity/edges/edge_predicates.h>
 #include <CGAL/Simple_cartesian.h>
 
 // Rational patches of a case. Rounded kernels take all coordinates times a common denominator, and all weights times another

@@ -9,7 +9,6 @@
 #include "support/splines.h"
 
 #include <CGAL/Geometric_continuity/splines/Bspline_function.h>
-#include <CGAL/Geometric_continuity/splines/bspline_product.h>
 
 #include <algorithm>
 #include <cmath>

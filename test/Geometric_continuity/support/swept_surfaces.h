@@ -19,8 +19,7 @@
 #include <CGAL/Geometric_continuity/curves/Bspline_curve.h>
 #include <CGAL/Geometric_continuity/curves/Composite_bezier_curve.h>
 #include <CGAL/Geometric_continuity/edges/edge_continuity.h>
-#include <CGAL/Geometric_continuity/surfaces/Extrusion_surface_3.h>
-#include <CGAL/Geometric_continuity/surfaces/Revolution_surface_3.h>
+#include <CGAL/Geometric_continuity/surfaces/swept_surfaces.h>
 #include <CGAL/Simple_cartesian.h>
 
 #include <boost/test/unit_test.hpp>

@@ -11,10 +11,8 @@
 
 #include <CGAL/Geometric_continuity/Traits_3.h>
 #include <CGAL/Geometric_continuity/Traits_d.h>
-#include <CGAL/Geometric_continuity/edges/sweep_defects.h>
 #include <CGAL/Geometric_continuity/edges/swept_continuity.h>
-#include <CGAL/Geometric_continuity/surfaces/Extrusion_surface_3.h>
-#include <CGAL/Geometric_continuity/surfaces/Revolution_surface_3.h>
+#include <CGAL/Geometric_continuity/surfaces/swept_surfaces.h>
 
 #include <array>
 #include <cmath>

@@ -10,8 +10,8 @@
 #include "formats/g2_text/curves.h"
 
 #include <CGAL/Geometric_continuity/blends/Fair.h>
+#include <CGAL/Geometric_continuity/blends/blend_strategies.h>
 #include <CGAL/Geometric_continuity/blends/representable_blend.h>
-#include <CGAL/Geometric_continuity/blends/septic_strategies.h>
 
 #include <algorithm>
 #include <optional>

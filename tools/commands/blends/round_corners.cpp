@@ -9,8 +9,8 @@
 #include "formats/g2_text/curves.h"
 
 #include <CGAL/Geometric_continuity/IO/figures/Svg_figure.h>
-#include <CGAL/Geometric_continuity/extensions/round_corners.h>
 #include <CGAL/Geometric_continuity/joins/chain_continuity.h>
+#include <CGAL/Geometric_continuity/repairs/round_corners.h>
 
 #include <array>
 #include <cstddef>

@@ -10,10 +10,8 @@
 
 #include <CGAL/Geometric_continuity/edges/Edge_enclosure.h>
 #include <CGAL/Geometric_continuity/edges/cad_edge_continuity.h>
-#include <CGAL/Geometric_continuity/edges/curve_deviation.h>
 #include <CGAL/Geometric_continuity/edges/foot_points.h>
-#include <CGAL/Geometric_continuity/edges/is_sharp_edge.h>
-#include <CGAL/Geometric_continuity/joins/order_within.h>
+#include <CGAL/Geometric_continuity/joins/deviation.h>
 #include <CGAL/Geometric_continuity/numbers/Verdict.h>
 
 #include <algorithm>

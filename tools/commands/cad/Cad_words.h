@@ -8,7 +8,7 @@
 #include "commands/cad/decide_cad.h"
 #include "reports/words.h"
 
-#include <CGAL/Geometric_continuity/numbers/units.h>
+#include <CGAL/Geometric_continuity/numbers/Enclosure.h>
 
 #include <cstddef>
 #include <optional>

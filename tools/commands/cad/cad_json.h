@@ -9,7 +9,7 @@
 
 #include <CGAL/Geometric_continuity/IO/json.h>
 #include <CGAL/Geometric_continuity/IO/number.h>
-#include <CGAL/Geometric_continuity/numbers/units.h>
+#include <CGAL/Geometric_continuity/numbers/Enclosure.h>
 
 #include <cstddef>
 #include <optional>

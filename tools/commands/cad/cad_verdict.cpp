@@ -6,7 +6,6 @@
 
 #include <CGAL/Geometric_continuity/numbers/Enclosure.h>
 #include <CGAL/Geometric_continuity/numbers/Work_limit.h>
-#include <CGAL/Geometric_continuity/numbers/units.h>
 
 #include <cmath>
 

@@ -9,7 +9,7 @@
 #include "reports/report_joins.h"
 
 #include <CGAL/Geometric_continuity/joins/deviation.h>
-#include <CGAL/Geometric_continuity/numbers/units.h>
+#include <CGAL/Geometric_continuity/numbers/Enclosure.h>
 #include <CGAL/Sqrt_extension.h>
 
 #include <algorithm>

@@ -7,8 +7,8 @@
 #include "commands/chains/join_report.h"
 
 #include <CGAL/Geometric_continuity/IO/json.h>
-#include <CGAL/Geometric_continuity/joins/Kink_size.h>
-#include <CGAL/Geometric_continuity/joins/path_grade.h>
+#include <CGAL/Geometric_continuity/joins/Join_grade.h>
+#include <CGAL/Geometric_continuity/joins/path_continuity.h>
 
 #include <array>
 #include <cmath>

@@ -7,7 +7,7 @@
 
 #include "formats/svg/svg_drawing.h"
 
-#include <CGAL/Geometric_continuity/joins/path_grade.h>
+#include <CGAL/Geometric_continuity/joins/path_continuity.h>
 
 #include <CGAL/Interval_nt.h>
 

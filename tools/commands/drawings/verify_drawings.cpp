@@ -15,7 +15,6 @@
 
 #include <CGAL/Geometric_continuity/IO/printable.h>
 #include <CGAL/Geometric_continuity/joins/path_continuity.h>
-#include <CGAL/Geometric_continuity/joins/path_grade.h>
 
 #include <functional>
 #include <iostream>

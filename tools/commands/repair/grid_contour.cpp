@@ -5,8 +5,8 @@
 #include "commands/repair/grid_contour.h"
 
 #include <CGAL/Fraction_traits.h>
-#include <CGAL/Geometric_continuity/extensions/align_handles.h>
-#include <CGAL/Geometric_continuity/joins/path_grade.h>
+#include <CGAL/Geometric_continuity/joins/path_continuity.h>
+#include <CGAL/Geometric_continuity/repairs/align_handles.h>
 
 #include <algorithm>
 #include <cmath>

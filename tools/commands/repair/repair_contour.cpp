@@ -4,10 +4,9 @@
 
 #include "commands/repair/repair_contour.h"
 
-#include <CGAL/Geometric_continuity/extensions/align_handles.h>
-#include <CGAL/Geometric_continuity/extensions/harmonise_handles.h>
-#include <CGAL/Geometric_continuity/joins/Kink_size.h>
+#include <CGAL/Geometric_continuity/joins/Join_grade.h>
 #include <CGAL/Geometric_continuity/joins/deviation.h>
+#include <CGAL/Geometric_continuity/repairs/align_handles.h>
 
 #include <algorithm>
 #include <cmath>

@@ -9,7 +9,7 @@
 #include "formats/svg/svg_drawing.h"
 
 #include <CGAL/Geometric_continuity/IO/json.h>
-#include <CGAL/Geometric_continuity/joins/path_grade.h>
+#include <CGAL/Geometric_continuity/joins/path_continuity.h>
 
 #include <algorithm>
 #include <sstream>

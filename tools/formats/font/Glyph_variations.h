@@ -7,7 +7,7 @@
 
 #include "formats/font/Font_tables.h"
 #include "formats/font/packed_numbers.h"
-#include <CGAL/Geometric_continuity/joins/Variation_region.h>
+#include <CGAL/Geometric_continuity/joins/Variable_join.h>
 
 #include <algorithm>
 #include <cstddef>

@@ -7,11 +7,9 @@
 
 #include "formats/svg/svg_size.h"
 #include <CGAL/Geometric_continuity/Error.h>
-#include <CGAL/Geometric_continuity/IO/limits.h>
 #include <CGAL/Geometric_continuity/IO/number.h>
-#include <CGAL/Geometric_continuity/IO/quoted_token.h>
-#include <CGAL/Geometric_continuity/numbers/Quarter_turns.h>
-#include <CGAL/Geometric_continuity/numbers/has_short_parts.h>
+#include <CGAL/Geometric_continuity/IO/printable.h>
+#include <CGAL/Geometric_continuity/numbers/rational_numbers.h>
 
 #include <cstddef>
 #include <string>

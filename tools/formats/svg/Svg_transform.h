@@ -9,8 +9,7 @@
 #include "formats/svg/svg_size.h"
 #include <CGAL/Geometric_continuity/Error.h>
 #include <CGAL/Geometric_continuity/local/coordinates.h>
-#include <CGAL/Geometric_continuity/numbers/Quarter_turns.h>
-#include <CGAL/Geometric_continuity/numbers/has_short_parts.h>
+#include <CGAL/Geometric_continuity/numbers/rational_numbers.h>
 
 #include <array>
 #include <cmath>

@@ -6,10 +6,10 @@
 #define CGAL_GEOMETRIC_CONTINUITY_IO_G2_SPAN_READER_H
 
 #include <CGAL/Geometric_continuity/IO/internal/G2_spline_parts.h>
-#include <CGAL/Geometric_continuity/curves/Rational_bspline_curve.h>
+#include <CGAL/Geometric_continuity/curves/Rational_curve.h>
 #include <CGAL/Geometric_continuity/joins/internal/Grid_join.h>
 #include <CGAL/Geometric_continuity/joins/join_continuity.h>
-#include <CGAL/Geometric_continuity/local/Curve_end_jets.h>
+#include <CGAL/Geometric_continuity/local/Curve_jet.h>
 
 #include <algorithm>
 #include <istream>

@@ -6,8 +6,6 @@
 #define CGAL_GEOMETRIC_CONTINUITY_IO_TEXT_NUMBER_H
 
 #include <CGAL/Exact_rational.h>
-#include <CGAL/Geometric_continuity/IO/internal/Short_decimal.h>
-#include <CGAL/Geometric_continuity/IO/limits.h>
 #include <CGAL/Geometric_continuity/IO/number.h>
 
 #include <algorithm>

@@ -34,12 +34,10 @@
 #include <CGAL/Geometric_continuity/IO/internal/g2_text.h>
 #include <CGAL/Geometric_continuity/curves/Bezier_curve.h>
 #include <CGAL/Geometric_continuity/curves/Bspline_curve.h>
-#include <CGAL/Geometric_continuity/curves/Rational_bezier_curve.h>
-#include <CGAL/Geometric_continuity/curves/Rational_bspline_curve.h>
+#include <CGAL/Geometric_continuity/curves/Rational_curve.h>
 #include <CGAL/Geometric_continuity/surfaces/Bezier_patch.h>
 #include <CGAL/Geometric_continuity/surfaces/Bspline_surface.h>
-#include <CGAL/Geometric_continuity/surfaces/Rational_bezier_patch.h>
-#include <CGAL/Geometric_continuity/surfaces/Rational_bspline_surface.h>
+#include <CGAL/Geometric_continuity/surfaces/Rational_surface.h>
 
 #include <algorithm>
 #include <cstddef>

@@ -7,7 +7,7 @@
 
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Geometric_continuity/Error.h>
-#include <CGAL/Geometric_continuity/IO/quoted_token.h>
+#include <CGAL/Geometric_continuity/IO/printable.h>
 #include <CGAL/Geometric_continuity/numbers/internal/Rational_parts.h>
 #include <CGAL/Geometric_continuity/numbers/internal/checked_numbers.h>
 #include <CGAL/ipower.h>

@@ -10,7 +10,6 @@
 #include <CGAL/Geometric_continuity/blends/blend_ends.h>
 #include <CGAL/Geometric_continuity/blends/internal/Fair_family.h>
 #include <CGAL/Geometric_continuity/blends/internal/Fair_minimum.h>
-#include <CGAL/Geometric_continuity/numbers/internal/short_double.h>
 #include <CGAL/number_utils.h>
 
 #include <algorithm>

@@ -9,9 +9,9 @@
 #include <CGAL/Geometric_continuity/blends/blend_strategies.h>
 #include <CGAL/Geometric_continuity/blends/internal/exact_blend.h>
 #include <CGAL/Geometric_continuity/curves/Bezier_curve.h>
-#include <CGAL/Geometric_continuity/internal/for_each_block.h>
 #include <CGAL/Geometric_continuity/internal/force_inline.h>
 #include <CGAL/Geometric_continuity/internal/independent_iterations.h>
+#include <CGAL/Geometric_continuity/internal/parallel.h>
 #include <CGAL/Geometric_continuity/local/Curve_jet.h>
 
 #include <boost/config.hpp>

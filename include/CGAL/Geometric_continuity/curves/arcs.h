@@ -5,7 +5,7 @@
 #ifndef CGAL_GEOMETRIC_CONTINUITY_CURVES_ARCS_H
 #define CGAL_GEOMETRIC_CONTINUITY_CURVES_ARCS_H
 
-#include <CGAL/Geometric_continuity/curves/Rational_bspline_curve.h>
+#include <CGAL/Geometric_continuity/curves/Rational_curve.h>
 
 #include <array>
 #include <vector>

@@ -6,7 +6,6 @@
 #define CGAL_GEOMETRIC_CONTINUITY_CURVES_CURVATURE_EXTREMA_H
 
 #include <CGAL/Geometric_continuity/curves/internal/Curvature_polynomials.h>
-#include <CGAL/Geometric_continuity/curves/internal/Is_rational.h>
 #include <CGAL/Geometric_continuity/curves/internal/curve_pieces.h>
 #include <CGAL/Geometric_continuity/curves/internal/decision_numbers.h>
 #include <CGAL/Geometric_continuity/numbers/Enclosure.h>

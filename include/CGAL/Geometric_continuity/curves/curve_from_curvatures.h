@@ -5,8 +5,8 @@
 #ifndef CGAL_GEOMETRIC_CONTINUITY_CURVES_CURVE_FROM_CURVATURES_H
 #define CGAL_GEOMETRIC_CONTINUITY_CURVES_CURVE_FROM_CURVATURES_H
 
+#include <CGAL/Geometric_continuity/curves/Bezier_curve.h>
 #include <CGAL/Geometric_continuity/curves/Composite_bezier_curve.h>
-#include <CGAL/Geometric_continuity/curves/end_control_points.h>
 #include <CGAL/Geometric_continuity/local/Frenet_frame.h>
 #include <CGAL/Geometric_continuity/numbers/internal/checked_numbers.h>
 #include <CGAL/number_utils.h>

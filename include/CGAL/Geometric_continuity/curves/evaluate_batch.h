@@ -6,10 +6,10 @@
 #define CGAL_GEOMETRIC_CONTINUITY_CURVES_EVALUATE_BATCH_H
 
 #include <CGAL/Geometric_continuity/curves/Bezier_curve.h>
-#include <CGAL/Geometric_continuity/curves/Rational_bezier_curve.h>
-#include <CGAL/Geometric_continuity/internal/for_each_block.h>
+#include <CGAL/Geometric_continuity/curves/Rational_curve.h>
 #include <CGAL/Geometric_continuity/internal/force_inline.h>
 #include <CGAL/Geometric_continuity/internal/independent_iterations.h>
+#include <CGAL/Geometric_continuity/internal/parallel.h>
 #include <CGAL/Geometric_continuity/local/Curve_jet.h>
 
 #include <algorithm>

@@ -6,16 +6,15 @@
 #define CGAL_GEOMETRIC_CONTINUITY_EDGES_SWEPT_CONTINUITY_H
 
 #include <CGAL/Geometric_continuity/algebra/Homogeneous_polynomial.h>
-#include <CGAL/Geometric_continuity/algebra/isolate_roots.h>
+#include <CGAL/Geometric_continuity/algebra/sign_pattern.h>
 #include <CGAL/Geometric_continuity/curves/Bezier_curve.h>
 #include <CGAL/Geometric_continuity/edges/Edge_rows.h>
 #include <CGAL/Geometric_continuity/edges/edge_continuity.h>
 #include <CGAL/Geometric_continuity/joins/join_continuity.h>
 #include <CGAL/Geometric_continuity/numbers/internal/Common_denominator.h>
 #include <CGAL/Geometric_continuity/numbers/internal/checked_numbers.h>
-#include <CGAL/Geometric_continuity/surfaces/Extrusion_surface_3.h>
-#include <CGAL/Geometric_continuity/surfaces/Revolution_surface_3.h>
 #include <CGAL/Geometric_continuity/surfaces/internal/sweep_input.h>
+#include <CGAL/Geometric_continuity/surfaces/swept_surfaces.h>
 
 #include <algorithm>
 #include <optional>

@@ -5,7 +5,7 @@
 #ifndef CGAL_GEOMETRIC_CONTINUITY_JOINS_CURVE_ENDS_H
 #define CGAL_GEOMETRIC_CONTINUITY_JOINS_CURVE_ENDS_H
 
-#include <CGAL/Geometric_continuity/local/end_jet.h>
+#include <CGAL/Geometric_continuity/local/Curve_jet.h>
 #include <CGAL/Geometric_continuity/local/internal/jet_of_legs.h>
 
 #include <algorithm>

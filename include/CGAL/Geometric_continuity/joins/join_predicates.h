@@ -7,8 +7,8 @@
 
 #include <CGAL/Geometric_continuity/Error.h>
 #include <CGAL/Geometric_continuity/curves/Bezier_curve.h>
-#include <CGAL/Geometric_continuity/internal/for_each_block.h>
 #include <CGAL/Geometric_continuity/internal/force_inline.h>
+#include <CGAL/Geometric_continuity/internal/parallel.h>
 #include <CGAL/Geometric_continuity/joins/internal/Join_ladder.h>
 #include <CGAL/Geometric_continuity/joins/internal/decide_join.h>
 #include <CGAL/Geometric_continuity/numbers/internal/checked_numbers.h>

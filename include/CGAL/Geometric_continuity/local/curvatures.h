@@ -7,8 +7,8 @@
 
 #include <CGAL/Geometric_continuity/algebra/Sign_set.h>
 #include <CGAL/Geometric_continuity/algebra/determinant.h>
-#include <CGAL/Geometric_continuity/internal/for_each_block.h>
 #include <CGAL/Geometric_continuity/internal/independent_iterations.h>
+#include <CGAL/Geometric_continuity/internal/parallel.h>
 #include <CGAL/Geometric_continuity/local/Curve_jet.h>
 #include <CGAL/Geometric_continuity/local/internal/Scaled_vector.h>
 #include <CGAL/Geometric_continuity/numbers/internal/checked_numbers.h>

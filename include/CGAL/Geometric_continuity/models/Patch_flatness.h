@@ -7,7 +7,7 @@
 
 #include <CGAL/Geometric_continuity/numbers/internal/checked_numbers.h>
 #include <CGAL/Geometric_continuity/surfaces/Bezier_patch.h>
-#include <CGAL/Geometric_continuity/surfaces/Rational_bezier_patch.h>
+#include <CGAL/Geometric_continuity/surfaces/Rational_surface.h>
 #include <CGAL/number_utils.h>
 
 #include <algorithm>

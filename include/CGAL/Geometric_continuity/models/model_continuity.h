@@ -7,7 +7,7 @@
 
 #include <CGAL/Geometric_continuity/Error.h>
 #include <CGAL/Geometric_continuity/edges/knot_line_continuity.h>
-#include <CGAL/Geometric_continuity/internal/for_each_block.h>
+#include <CGAL/Geometric_continuity/internal/parallel.h>
 #include <CGAL/Geometric_continuity/models/internal/Edge_groups.h>
 
 #include <algorithm>

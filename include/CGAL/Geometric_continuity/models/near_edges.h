@@ -5,9 +5,9 @@
 #ifndef CGAL_GEOMETRIC_CONTINUITY_MODELS_NEAR_EDGES_H
 #define CGAL_GEOMETRIC_CONTINUITY_MODELS_NEAR_EDGES_H
 
-#include <CGAL/Geometric_continuity/edges/edge_order_within.h>
-#include <CGAL/Geometric_continuity/edges/internal/Edge_piece.h>
-#include <CGAL/Geometric_continuity/models/Model_edge.h>
+#include <CGAL/Geometric_continuity/edges/edge_deviation.h>
+#include <CGAL/Geometric_continuity/edges/internal/Common_edge_part.h>
+#include <CGAL/Geometric_continuity/models/model_continuity.h>
 #include <CGAL/Geometric_continuity/numbers/Work_limit.h>
 #include <CGAL/Geometric_continuity/numbers/internal/certified_bounds.h>
 #include <CGAL/Geometric_continuity/numbers/internal/checked_numbers.h>

@@ -8,7 +8,7 @@
 #include <CGAL/Geometric_continuity/models/internal/Model_mesh.h>
 #include <CGAL/Geometric_continuity/numbers/internal/checked_numbers.h>
 #include <CGAL/Geometric_continuity/surfaces/Bspline_surface.h>
-#include <CGAL/Geometric_continuity/surfaces/Rational_bspline_surface.h>
+#include <CGAL/Geometric_continuity/surfaces/Rational_surface.h>
 
 #include <array>
 #include <cmath>

@@ -10,8 +10,8 @@
 #include <CGAL/Geometric_continuity/curves/Bezier_curve.h>
 #include <CGAL/Geometric_continuity/curves/Cubic_blended_curve.h>
 #include <CGAL/Geometric_continuity/curves/internal/curve_pieces.h>
+#include <CGAL/Geometric_continuity/joins/chain_continuity.h>
 #include <CGAL/Geometric_continuity/joins/join_continuity.h>
-#include <CGAL/Geometric_continuity/joins/knot_continuity.h>
 #include <CGAL/Geometric_continuity/numbers/Exact_field.h>
 #include <CGAL/Geometric_continuity/numbers/internal/checked_numbers.h>
 #include <CGAL/Geometric_continuity/repairs/internal/Measured_polygon.h>

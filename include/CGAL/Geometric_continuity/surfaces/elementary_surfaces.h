@@ -5,11 +5,9 @@
 #ifndef CGAL_GEOMETRIC_CONTINUITY_SURFACES_ELEMENTARY_SURFACES_H
 #define CGAL_GEOMETRIC_CONTINUITY_SURFACES_ELEMENTARY_SURFACES_H
 
-#include <CGAL/Geometric_continuity/curves/Rational_bezier_curve.h>
-#include <CGAL/Geometric_continuity/curves/Rational_bspline_curve.h>
+#include <CGAL/Geometric_continuity/curves/Rational_curve.h>
 #include <CGAL/Geometric_continuity/numbers/internal/checked_numbers.h>
-#include <CGAL/Geometric_continuity/surfaces/Rational_bezier_patch.h>
-#include <CGAL/Geometric_continuity/surfaces/Rational_bspline_surface.h>
+#include <CGAL/Geometric_continuity/surfaces/Rational_surface.h>
 #include <CGAL/Geometric_continuity/surfaces/swept_surfaces.h>
 
 #include <array>

@@ -6,11 +6,10 @@
 #define CGAL_GEOMETRIC_CONTINUITY_SURFACES_EVALUATE_GRID_H
 
 #include <CGAL/Geometric_continuity/Error.h>
-#include <CGAL/Geometric_continuity/internal/for_each_block.h>
 #include <CGAL/Geometric_continuity/internal/independent_iterations.h>
+#include <CGAL/Geometric_continuity/internal/parallel.h>
 #include <CGAL/Geometric_continuity/surfaces/Bspline_surface.h>
-#include <CGAL/Geometric_continuity/surfaces/Rational_bspline_surface.h>
-#include <CGAL/Geometric_continuity/surfaces/internal/bernstein_values.h>
+#include <CGAL/Geometric_continuity/surfaces/Rational_surface.h>
 #include <CGAL/Geometric_continuity/surfaces/internal/patch_sums.h>
 
 #include <algorithm>

@@ -11,7 +11,6 @@
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Geometric_continuity/IO/Text_number.h>
 #include <CGAL/Geometric_continuity/IO/internal/Token_reader.h>
-#include <CGAL/Geometric_continuity/IO/limits.h>
 #include <CGAL/Geometric_continuity/IO/number.h>
 #include <CGAL/tags.h>
 

@@ -9,7 +9,7 @@
 #include "support/nets.h"
 
 #include <CGAL/Geometric_continuity/edges/edge_continuity.h>
-#include <CGAL/Geometric_continuity/edges/internal/Spline_edge_on_grid.h>
+#include <CGAL/Geometric_continuity/edges/internal/Edge_ladder.h>
 
 #include <optional>
 #include <vector>

@@ -16,7 +16,6 @@
 #include <CGAL/Geometric_continuity/Traits_3.h>
 #include <CGAL/Geometric_continuity/edges/Edge_conditions.h>
 #include <CGAL/Geometric_continuity/edges/edge_continuity.h>
-#include <CGAL/Geometric_continuity/edges/edge_predicates.h>
 #include <CGAL/Simple_cartesian.h>
 
 #include <algorithm>

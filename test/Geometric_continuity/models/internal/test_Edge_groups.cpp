@@ -8,7 +8,7 @@
 
 #include "support/spline_surfaces.h"
 
-#include <CGAL/Geometric_continuity/edges/edge_predicates.h>
+#include <CGAL/Geometric_continuity/edges/edge_continuity.h>
 #include <CGAL/Geometric_continuity/models/internal/Edge_groups.h>
 #include <CGAL/Geometric_continuity/models/model_continuity.h>
 

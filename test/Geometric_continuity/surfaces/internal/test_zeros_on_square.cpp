@@ -10,8 +10,7 @@
 
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Geometric_continuity/Traits_3.h>
-#include <CGAL/Geometric_continuity/surfaces/Rational_bezier_patch.h>
-#include <CGAL/Geometric_continuity/surfaces/Rational_bspline_surface.h>
+#include <CGAL/Geometric_continuity/surfaces/Rational_surface.h>
 #include <CGAL/Geometric_continuity/surfaces/internal/zeros_on_square.h>
 #include <CGAL/Simple_cartesian.h>
 

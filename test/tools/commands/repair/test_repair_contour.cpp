@@ -10,7 +10,7 @@
 
 #include "commands/repair/repair_contour.h"
 
-#include <CGAL/Geometric_continuity/joins/Kink_size.h>
+#include <CGAL/Geometric_continuity/joins/Join_grade.h>
 
 #include <algorithm>
 #include <cmath>

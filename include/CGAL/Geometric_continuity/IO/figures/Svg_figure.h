@@ -7,7 +7,6 @@
 
 #include <CGAL/Geometric_continuity/IO/figures/Svg_panel.h>
 #include <CGAL/Geometric_continuity/IO/figures/internal/Svg_curvature_plots.h>
-#include <CGAL/Geometric_continuity/IO/figures/internal/Svg_label_places.h>
 #include <CGAL/Geometric_continuity/IO/figures/internal/Svg_view.h>
 #include <CGAL/Geometric_continuity/IO/figures/internal/svg_markup.h>
 #include <CGAL/Geometric_continuity/IO/figures/internal/svg_text.h>

@@ -5,13 +5,13 @@
 #ifndef CGAL_GEOMETRIC_CONTINUITY_IO_FIGURES_SVG_SURFACES_H
 #define CGAL_GEOMETRIC_CONTINUITY_IO_FIGURES_SVG_SURFACES_H
 
-#include <CGAL/Geometric_continuity/IO/figures/Svg_surface_style.h>
+#include <CGAL/Geometric_continuity/IO/figures/Svg_panel.h>
 #include <CGAL/Geometric_continuity/IO/figures/internal/Svg_facets.h>
 #include <CGAL/Geometric_continuity/IO/figures/internal/svg_text.h>
 #include <CGAL/Geometric_continuity/models/model_continuity.h>
 #include <CGAL/Geometric_continuity/numbers/internal/checked_numbers.h>
 #include <CGAL/Geometric_continuity/surfaces/Bspline_surface.h>
-#include <CGAL/Geometric_continuity/surfaces/Rational_bspline_surface.h>
+#include <CGAL/Geometric_continuity/surfaces/Rational_surface.h>
 #include <CGAL/Geometric_continuity/surfaces/boundary_curve.h>
 
 #include <algorithm>

@@ -7,11 +7,9 @@
 
 #include <CGAL/Geometric_continuity/Error.h>
 #include <CGAL/Geometric_continuity/IO/Text_number.h>
-#include <CGAL/Geometric_continuity/IO/internal/Short_decimal.h>
-#include <CGAL/Geometric_continuity/IO/limits.h>
 #include <CGAL/Geometric_continuity/IO/number.h>
-#include <CGAL/Geometric_continuity/IO/quoted_token.h>
-#include <CGAL/Geometric_continuity/internal/Task.h>
+#include <CGAL/Geometric_continuity/IO/printable.h>
+#include <CGAL/Geometric_continuity/internal/parallel.h>
 
 #include <algorithm>
 #include <cstddef>

@@ -5,7 +5,7 @@
 #ifndef CGAL_GEOMETRIC_CONTINUITY_BLENDS_INTERNAL_FAIRNESS_QUADRATURE_H
 #define CGAL_GEOMETRIC_CONTINUITY_BLENDS_INTERNAL_FAIRNESS_QUADRATURE_H
 
-#include <CGAL/Geometric_continuity/algebra/bernstein.h>
+#include <CGAL/Geometric_continuity/algebra/Bernstein_polynomial.h>
 #include <CGAL/Geometric_continuity/blends/internal/Fair_family.h>
 #include <CGAL/Geometric_continuity/internal/independent_iterations.h>
 

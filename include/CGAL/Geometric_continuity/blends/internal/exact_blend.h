@@ -6,7 +6,7 @@
 #define CGAL_GEOMETRIC_CONTINUITY_BLENDS_INTERNAL_EXACT_BLEND_H
 
 #include <CGAL/Geometric_continuity/blends/blend_ends.h>
-#include <CGAL/Geometric_continuity/local/Coordinate_jet.h>
+#include <CGAL/Geometric_continuity/local/Curve_jet.h>
 #include <CGAL/Geometric_continuity/numbers/internal/Rational_parts.h>
 
 #ifdef CGAL_USE_GMP

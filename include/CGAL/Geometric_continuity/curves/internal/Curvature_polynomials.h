@@ -7,7 +7,6 @@
 
 #include <CGAL/Geometric_continuity/algebra/Bernstein_polynomial.h>
 #include <CGAL/Geometric_continuity/algebra/Coordinate_vector.h>
-#include <CGAL/Geometric_continuity/algebra/isolate_roots.h>
 #include <CGAL/Geometric_continuity/algebra/sign_pattern.h>
 #include <CGAL/Geometric_continuity/local/curvatures.h>
 #include <CGAL/Geometric_continuity/numbers/Enclosure.h>

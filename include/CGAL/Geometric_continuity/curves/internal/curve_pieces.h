@@ -9,8 +9,7 @@
 #include <CGAL/Geometric_continuity/curves/Bezier_curve.h>
 #include <CGAL/Geometric_continuity/curves/Bspline_curve.h>
 #include <CGAL/Geometric_continuity/curves/Composite_bezier_curve.h>
-#include <CGAL/Geometric_continuity/curves/Rational_bezier_curve.h>
-#include <CGAL/Geometric_continuity/curves/Rational_bspline_curve.h>
+#include <CGAL/Geometric_continuity/curves/Rational_curve.h>
 
 #include <algorithm>
 #include <limits>

@@ -7,9 +7,9 @@
 
 #include <CGAL/Geometric_continuity/edges/edge_continuity.h>
 #include <CGAL/Geometric_continuity/edges/internal/exact_cad_geometry.h>
-#include <CGAL/Geometric_continuity/local/Homogeneous_traits.h>
+#include <CGAL/Geometric_continuity/local/homogeneous_jets.h>
+#include <CGAL/Geometric_continuity/splines/Bspline_function.h>
 #include <CGAL/Geometric_continuity/splines/Knot_vector.h>
-#include <CGAL/Geometric_continuity/splines/bspline_evaluate.h>
 #include <CGAL/Geometric_continuity/splines/bspline_knots.h>
 #include <CGAL/Geometric_continuity/surfaces/Patch_edge.h>
 #include <CGAL/Geometric_continuity/surfaces/internal/bspline_net.h>

@@ -5,7 +5,6 @@
 #ifndef CGAL_GEOMETRIC_CONTINUITY_JOINS_INTERNAL_JOIN_DECISION_H
 #define CGAL_GEOMETRIC_CONTINUITY_JOINS_INTERNAL_JOIN_DECISION_H
 
-#include <CGAL/Geometric_continuity/algebra/Bell_polynomials.h>
 #include <CGAL/Geometric_continuity/algebra/determinant.h>
 #include <CGAL/Geometric_continuity/joins/join_result.h>
 #include <CGAL/Geometric_continuity/local/Curve_jet.h>

@@ -7,7 +7,6 @@
 
 #include <CGAL/Geometric_continuity/internal/force_inline.h>
 #include <CGAL/Geometric_continuity/joins/internal/End_polygon.h>
-#include <CGAL/Geometric_continuity/joins/internal/Grid_legs.h>
 #include <CGAL/Geometric_continuity/joins/internal/Join_filter.h>
 #include <CGAL/Geometric_continuity/joins/internal/Join_weights.h>
 

@@ -6,7 +6,7 @@
 #define CGAL_GEOMETRIC_CONTINUITY_JOINS_INTERNAL_KINK_BOXES_H
 
 #include <CGAL/FPU.h>
-#include <CGAL/Geometric_continuity/algebra/Bernstein_tensor.h>
+#include <CGAL/Geometric_continuity/algebra/internal/Bernstein_tensor.h>
 #include <CGAL/Geometric_continuity/joins/internal/Centered_legs.h>
 #include <CGAL/Geometric_continuity/joins/internal/Variation_cells.h>
 #include <CGAL/Interval_nt.h>

@@ -5,7 +5,7 @@
 #ifndef CGAL_GEOMETRIC_CONTINUITY_JOINS_INTERNAL_VARIATION_CELLS_H
 #define CGAL_GEOMETRIC_CONTINUITY_JOINS_INTERNAL_VARIATION_CELLS_H
 
-#include <CGAL/Geometric_continuity/algebra/Bernstein_tensor.h>
+#include <CGAL/Geometric_continuity/algebra/internal/Bernstein_tensor.h>
 #include <CGAL/Geometric_continuity/joins/Variable_join.h>
 
 #include <algorithm>

@@ -6,8 +6,8 @@
 #define CGAL_GEOMETRIC_CONTINUITY_JOINS_INTERNAL_DECIDE_ALL_QUESTIONS_H
 
 #include <CGAL/Geometric_continuity/joins/internal/Join_ladder.h>
-#include <CGAL/Geometric_continuity/joins/internal/Join_parameters.h>
 #include <CGAL/Geometric_continuity/joins/internal/decide_in_ring.h>
+#include <CGAL/Geometric_continuity/joins/join_result.h>
 #include <CGAL/Interval_nt.h>
 
 #include <algorithm>

@@ -5,8 +5,8 @@
 #ifndef CGAL_GEOMETRIC_CONTINUITY_LOCAL_INTERNAL_JET_OF_LEGS_H
 #define CGAL_GEOMETRIC_CONTINUITY_LOCAL_INTERNAL_JET_OF_LEGS_H
 
-#include <CGAL/Geometric_continuity/algebra/bernstein.h>
-#include <CGAL/Geometric_continuity/local/Coordinate_jet.h>
+#include <CGAL/Geometric_continuity/algebra/Bernstein_polynomial.h>
+#include <CGAL/Geometric_continuity/local/Curve_jet.h>
 #include <CGAL/Geometric_continuity/numbers/internal/common_words.h>
 
 #include <boost/container/small_vector.hpp>

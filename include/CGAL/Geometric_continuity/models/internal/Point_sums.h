@@ -6,7 +6,6 @@
 #define CGAL_GEOMETRIC_CONTINUITY_MODELS_INTERNAL_POINT_SUMS_H
 
 #include <CGAL/Geometric_continuity/numbers/internal/Rational_parts.h>
-#include <CGAL/Geometric_continuity/surfaces/internal/bernstein_values.h>
 #include <CGAL/Geometric_continuity/surfaces/internal/patch_sums.h>
 
 #ifdef CGAL_USE_GMP

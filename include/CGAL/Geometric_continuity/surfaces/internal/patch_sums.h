@@ -6,7 +6,7 @@
 #define CGAL_GEOMETRIC_CONTINUITY_SURFACES_INTERNAL_PATCH_SUMS_H
 
 #include <CGAL/Geometric_continuity/surfaces/Bezier_patch.h>
-#include <CGAL/Geometric_continuity/surfaces/Rational_bezier_patch.h>
+#include <CGAL/Geometric_continuity/surfaces/Rational_surface.h>
 
 #include <vector>
 

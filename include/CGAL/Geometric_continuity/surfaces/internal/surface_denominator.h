@@ -5,8 +5,8 @@
 #ifndef CGAL_GEOMETRIC_CONTINUITY_SURFACES_INTERNAL_SURFACE_DENOMINATOR_H
 #define CGAL_GEOMETRIC_CONTINUITY_SURFACES_INTERNAL_SURFACE_DENOMINATOR_H
 
+#include <CGAL/Geometric_continuity/algebra/Bernstein_polynomial.h>
 #include <CGAL/Geometric_continuity/algebra/Coordinate_vector.h>
-#include <CGAL/Geometric_continuity/algebra/bernstein.h>
 #include <CGAL/Geometric_continuity/curves/internal/denominator.h>
 #include <CGAL/Geometric_continuity/numbers/Exact_field.h>
 #include <CGAL/Geometric_continuity/surfaces/internal/zeros_on_square.h>

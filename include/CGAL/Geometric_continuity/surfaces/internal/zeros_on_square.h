@@ -6,7 +6,6 @@
 #define CGAL_GEOMETRIC_CONTINUITY_SURFACES_INTERNAL_ZEROS_ON_SQUARE_H
 
 #include <CGAL/Geometric_continuity/algebra/Power_polynomial.h>
-#include <CGAL/Geometric_continuity/algebra/isolate_roots.h>
 #include <CGAL/Geometric_continuity/algebra/sign_pattern.h>
 #include <CGAL/Geometric_continuity/numbers/Work_limit.h>
 

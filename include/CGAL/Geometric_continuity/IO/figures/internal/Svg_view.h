@@ -6,7 +6,7 @@
 #define CGAL_GEOMETRIC_CONTINUITY_IO_FIGURES_INTERNAL_SVG_VIEW_H
 
 #include <CGAL/Geometric_continuity/IO/figures/Svg_panel.h>
-#include <CGAL/Geometric_continuity/algebra/bernstein.h>
+#include <CGAL/Geometric_continuity/algebra/Bernstein_polynomial.h>
 #include <CGAL/Geometric_continuity/local/curvatures.h>
 
 #include <algorithm>

@@ -1,1 +1,0 @@
-#include <CGAL/Geometric_continuity/IO/figures/internal/svg_text.h> // moved

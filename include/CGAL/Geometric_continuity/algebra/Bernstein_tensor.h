@@ -1,1 +1,0 @@
-#include <CGAL/Geometric_continuity/algebra/internal/Bernstein_tensor.h> // moved

@@ -1,1 +1,0 @@
-#include <CGAL/Geometric_continuity/algebra/Bernstein_polynomial.h> // moved

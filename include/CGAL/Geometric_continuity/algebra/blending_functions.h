@@ -1,1 +1,0 @@
-#include <CGAL/Geometric_continuity/algebra/Basis_matrix.h> // moved

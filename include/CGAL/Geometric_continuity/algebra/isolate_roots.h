@@ -1,1 +1,0 @@
-#include <CGAL/Geometric_continuity/algebra/sign_pattern.h> // moved

@@ -1,1 +1,0 @@
-#include <CGAL/Geometric_continuity/blends/internal/Fair_minimum.h> // moved

@@ -1,1 +1,0 @@
-#include <CGAL/Geometric_continuity/blends/blend_strategies.h> // moved

@@ -1,1 +1,0 @@
-#include <CGAL/Geometric_continuity/curves/Path_segment.h> // moved

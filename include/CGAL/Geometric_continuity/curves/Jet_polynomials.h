@@ -1,1 +1,0 @@
-#include <CGAL/Geometric_continuity/curves/evaluate_batch.h> // moved

@@ -1,1 +1,0 @@
-#include <CGAL/Geometric_continuity/curves/Rational_curve.h> // moved

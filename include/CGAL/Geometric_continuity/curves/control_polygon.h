@@ -1,1 +1,0 @@
-#include <CGAL/Geometric_continuity/curves/bezier_properties.h> // moved

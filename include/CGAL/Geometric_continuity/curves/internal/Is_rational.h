@@ -1,1 +1,0 @@
-#include <CGAL/Geometric_continuity/curves/internal/curve_pieces.h> // moved

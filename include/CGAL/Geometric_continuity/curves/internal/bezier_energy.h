@@ -1,1 +1,0 @@
-#include <CGAL/Geometric_continuity/curves/Bezier_curve.h> // moved

@@ -1,1 +1,0 @@
-#include <CGAL/Geometric_continuity/curves/Bspline_curve.h> // moved

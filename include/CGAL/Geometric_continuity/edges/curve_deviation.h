@@ -1,1 +1,0 @@
-#include <CGAL/Geometric_continuity/edges/foot_points.h> // moved

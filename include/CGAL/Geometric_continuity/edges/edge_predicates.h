@@ -1,1 +1,0 @@
-#include <CGAL/Geometric_continuity/edges/edge_continuity.h> // moved

@@ -1,1 +1,0 @@
-#include <CGAL/Geometric_continuity/edges/internal/exact_cad_geometry.h> // moved

@@ -1,1 +1,0 @@
-#include <CGAL/Geometric_continuity/edges/internal/Fixed_largest_measure.h> // moved

@@ -1,1 +1,0 @@
-#include <CGAL/Geometric_continuity/edges/internal/Edge_bounds.h> // moved

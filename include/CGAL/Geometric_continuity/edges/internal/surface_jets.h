@@ -1,1 +1,0 @@
-#include <CGAL/Geometric_continuity/edges/internal/Cad_surface_jet.h> // moved

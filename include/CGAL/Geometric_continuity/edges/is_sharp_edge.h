@@ -1,1 +1,0 @@
-#include <CGAL/Geometric_continuity/edges/Edge_enclosure.h> // moved

@@ -1,1 +1,0 @@
-#include <CGAL/Geometric_continuity/edges/Cad_geometry.h> // moved

@@ -1,1 +1,0 @@
-#include <CGAL/Geometric_continuity/edges/swept_continuity.h> // moved

@@ -1,1 +1,0 @@
-#include <CGAL/Geometric_continuity/repairs/Grid_vector.h> // moved

@@ -1,1 +1,0 @@
-#include <CGAL/Geometric_continuity/extensions/extend.h> // moved

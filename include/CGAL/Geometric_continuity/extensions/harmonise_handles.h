@@ -1,1 +1,0 @@
-#include <CGAL/Geometric_continuity/repairs/align_handles.h> // moved

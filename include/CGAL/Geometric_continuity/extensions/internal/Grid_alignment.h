@@ -1,1 +1,0 @@
-#include <CGAL/Geometric_continuity/repairs/internal/Grid_alignment.h> // moved

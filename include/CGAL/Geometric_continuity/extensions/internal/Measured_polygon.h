@@ -1,1 +1,0 @@
-#include <CGAL/Geometric_continuity/repairs/internal/Measured_polygon.h> // moved

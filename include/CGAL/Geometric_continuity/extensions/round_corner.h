@@ -1,1 +1,0 @@
-#include <CGAL/Geometric_continuity/repairs/round_corners.h> // moved

@@ -1,1 +1,0 @@
-#include <CGAL/Geometric_continuity/internal/parallel.h> // moved

@@ -1,1 +1,0 @@
-#include <CGAL/Geometric_continuity/joins/Join_grade.h> // moved

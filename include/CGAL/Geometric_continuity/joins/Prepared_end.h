@@ -1,1 +1,0 @@
-#include <CGAL/Geometric_continuity/joins/join_predicates.h> // moved

@@ -1,1 +1,0 @@
-#include <CGAL/Geometric_continuity/joins/Variable_join.h> // moved

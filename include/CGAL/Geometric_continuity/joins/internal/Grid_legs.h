@@ -1,1 +1,0 @@
-#include <CGAL/Geometric_continuity/joins/internal/End_polygon.h> // moved

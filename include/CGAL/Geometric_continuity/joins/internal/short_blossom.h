@@ -1,1 +1,0 @@
-#include <CGAL/Geometric_continuity/joins/internal/Grid_join.h> // moved

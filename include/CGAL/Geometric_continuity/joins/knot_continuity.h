@@ -1,1 +1,0 @@
-#include <CGAL/Geometric_continuity/joins/chain_continuity.h> // moved

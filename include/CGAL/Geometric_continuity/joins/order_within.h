@@ -1,1 +1,0 @@
-#include <CGAL/Geometric_continuity/joins/deviation.h> // moved

@@ -1,1 +1,0 @@
-#include <CGAL/Geometric_continuity/joins/path_continuity.h> // moved

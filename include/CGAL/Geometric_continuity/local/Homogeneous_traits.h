@@ -1,1 +1,0 @@
-#include <CGAL/Geometric_continuity/local/homogeneous_jets.h> // moved

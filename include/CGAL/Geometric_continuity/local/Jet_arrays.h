@@ -1,1 +1,0 @@
-#include <CGAL/Geometric_continuity/local/Curve_jet.h> // moved

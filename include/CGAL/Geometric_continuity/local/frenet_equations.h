@@ -1,1 +1,0 @@
-#include <CGAL/Geometric_continuity/local/Frenet_frame.h> // moved

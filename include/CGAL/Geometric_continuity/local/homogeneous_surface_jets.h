@@ -1,1 +1,0 @@
-#include <CGAL/Geometric_continuity/local/Surface_jet.h> // moved

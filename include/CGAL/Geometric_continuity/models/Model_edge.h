@@ -1,1 +1,0 @@
-#include <CGAL/Geometric_continuity/models/model_continuity.h> // moved

@@ -1,1 +1,0 @@
-#include <CGAL/Geometric_continuity/models/internal/Edge_key.h> // moved

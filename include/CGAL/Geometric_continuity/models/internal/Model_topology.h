@@ -1,1 +1,0 @@
-#include <CGAL/Geometric_continuity/models/internal/Model_mesh.h> // moved

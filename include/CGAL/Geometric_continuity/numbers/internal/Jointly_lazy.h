@@ -1,1 +1,0 @@
-#include <CGAL/Geometric_continuity/blends/internal/exact_blend.h> // moved

@@ -1,1 +1,0 @@
-#include <CGAL/Geometric_continuity/blends/automatic_shape.h> // moved

@@ -1,1 +1,0 @@
-#include <CGAL/Geometric_continuity/numbers/rational_numbers.h> // moved

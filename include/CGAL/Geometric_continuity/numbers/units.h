@@ -1,1 +1,0 @@
-#include <CGAL/Geometric_continuity/numbers/Enclosure.h> // moved

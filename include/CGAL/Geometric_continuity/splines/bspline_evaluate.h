@@ -1,1 +1,0 @@
-#include <CGAL/Geometric_continuity/splines/Bspline_function.h> // moved

@@ -1,1 +1,0 @@
-#include <CGAL/Geometric_continuity/surfaces/swept_surfaces.h> // moved

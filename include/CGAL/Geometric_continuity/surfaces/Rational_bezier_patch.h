@@ -1,1 +1,0 @@
-#include <CGAL/Geometric_continuity/surfaces/Rational_surface.h> // moved

@@ -1,1 +1,0 @@
-#include <CGAL/Geometric_continuity/surfaces/evaluate_grid.h> // moved

@@ -1,1 +1,0 @@
-#include <CGAL/Geometric_continuity/surfaces/internal/patch_sums.h> // moved

@@ -1,1 +1,0 @@
-#include <CGAL/Geometric_continuity/surfaces/Bezier_patch.h> // moved

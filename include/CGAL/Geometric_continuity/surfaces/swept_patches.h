@@ -1,1 +1,0 @@
-#include <CGAL/Geometric_continuity/surfaces/elementary_surfaces.h> // moved
