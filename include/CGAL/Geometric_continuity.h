@@ -15,7 +15,6 @@
 
 #include <CGAL/Geometric_continuity/numbers/Enclosure.h>
 #include <CGAL/Geometric_continuity/numbers/Exact_field.h>
-#include <CGAL/Geometric_continuity/numbers/Verdict.h>
 #include <CGAL/Geometric_continuity/numbers/Work_limit.h>
 #include <CGAL/Geometric_continuity/numbers/rational_numbers.h>
 
@@ -74,8 +73,6 @@
 
 #include <CGAL/Geometric_continuity/extensions/alternatives.h>
 #include <CGAL/Geometric_continuity/extensions/extend.h>
-#include <CGAL/Geometric_continuity/extensions/extend_toward.h>
-#include <CGAL/Geometric_continuity/extensions/midpoint_construction.h>
 #include <CGAL/Geometric_continuity/repairs/Grid_vector.h>
 #include <CGAL/Geometric_continuity/repairs/align_handles.h>
 #include <CGAL/Geometric_continuity/repairs/round_corners.h>

@@ -10,7 +10,6 @@
 
 #include <CGAL/Geometric_continuity/Traits_3.h>
 #include <CGAL/Geometric_continuity/extensions/extend.h>
-#include <CGAL/Geometric_continuity/extensions/extend_toward.h>
 #include <CGAL/Geometric_continuity/joins/chain_continuity.h>
 
 // A curve keeps its segments when it is extended or closed, and the new joins have the order that was asked for.

@@ -9,8 +9,6 @@
 
 #include <CGAL/Geometric_continuity/extensions/alternatives.h>
 #include <CGAL/Geometric_continuity/extensions/extend.h>
-#include <CGAL/Geometric_continuity/extensions/extend_toward.h>
-#include <CGAL/Geometric_continuity/extensions/midpoint_construction.h>
 #include <CGAL/Geometric_continuity/joins/join_predicates.h>
 
 BOOST_AUTO_TEST_SUITE(alternatives)

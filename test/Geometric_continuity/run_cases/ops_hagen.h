@@ -10,7 +10,6 @@
 
 #include <CGAL/Geometric_continuity/extensions/alternatives.h>
 #include <CGAL/Geometric_continuity/extensions/extend.h>
-#include <CGAL/Geometric_continuity/extensions/midpoint_construction.h>
 
 // Topic hagen, the operations on scalars.
 template <class FT> bool run_connection_scalars(const Case& c, Report& report) {

@@ -9,7 +9,6 @@
 
 #include <CGAL/Geometric_continuity/IO/figures/Svg_figure.h>
 #include <CGAL/Geometric_continuity/extensions/extend.h>
-#include <CGAL/Geometric_continuity/extensions/extend_toward.h>
 
 #include <optional>
 #include <stdexcept>

@@ -9,7 +9,6 @@
 
 #include <CGAL/Geometric_continuity/IO/figures/Svg_figure.h>
 #include <CGAL/Geometric_continuity/extensions/alternatives.h>
-#include <CGAL/Geometric_continuity/extensions/midpoint_construction.h>
 
 namespace {
 

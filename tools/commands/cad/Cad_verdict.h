@@ -12,7 +12,7 @@
 #include <CGAL/Geometric_continuity/edges/cad_edge_continuity.h>
 #include <CGAL/Geometric_continuity/edges/foot_points.h>
 #include <CGAL/Geometric_continuity/joins/deviation.h>
-#include <CGAL/Geometric_continuity/numbers/Verdict.h>
+#include <CGAL/Geometric_continuity/numbers/Enclosure.h>
 
 #include <algorithm>
 #include <array>

@@ -9,7 +9,6 @@
 #include <CGAL/Geometric_continuity/edges/Cad_geometry.h>
 #include <CGAL/Geometric_continuity/edges/internal/Edge_bounds.h>
 #include <CGAL/Geometric_continuity/numbers/Enclosure.h>
-#include <CGAL/Geometric_continuity/numbers/Verdict.h>
 #include <CGAL/Geometric_continuity/numbers/internal/subdivision.h>
 
 #include <algorithm>

@@ -12,7 +12,6 @@
 #include <CGAL/Geometric_continuity/edges/knot_line_continuity.h>
 #include <CGAL/Geometric_continuity/numbers/Enclosure.h>
 #include <CGAL/Geometric_continuity/numbers/Exact_field.h>
-#include <CGAL/Geometric_continuity/numbers/Verdict.h>
 
 #include <algorithm>
 #include <array>

@@ -10,7 +10,6 @@
 #include <CGAL/Geometric_continuity/joins/internal/Kink_boxes.h>
 #include <CGAL/Geometric_continuity/joins/internal/Variation_cells.h>
 #include <CGAL/Geometric_continuity/numbers/Enclosure.h>
-#include <CGAL/Geometric_continuity/numbers/Verdict.h>
 #include <CGAL/Geometric_continuity/numbers/Work_limit.h>
 
 #include <cmath>
