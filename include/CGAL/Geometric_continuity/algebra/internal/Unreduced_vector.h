@@ -8,6 +8,8 @@
 #include <CGAL/Geometric_continuity/algebra/Coordinate_vector.h>
 #include <CGAL/Geometric_continuity/numbers/internal/Unreduced_fraction.h>
 
+#include <boost/operators.hpp>
+
 #include <algorithm>
 #include <array>
 #include <type_traits>
@@ -18,7 +20,11 @@ namespace Geometric_continuity {
 
 // A vector of unreduced fractions has one denominator. This is a specialisation of a public template, and so it must
 // stand in the namespace of the template; it is internal like its number type.
-template <class Rational, int N> class Coordinate_vector<internal::Unreduced_fraction<Rational>, N> {
+template <class Rational, int N>
+class Coordinate_vector<internal::Unreduced_fraction<Rational>, N>
+    : boost::additive<Coordinate_vector<internal::Unreduced_fraction<Rational>, N>>,
+      boost::multiplicative<Coordinate_vector<internal::Unreduced_fraction<Rational>, N>,
+                            internal::Unreduced_fraction<Rational>> {
   typedef internal::Unreduced_fraction<Rational> FT;
   typedef internal::Inline_integer Integer;
   template <class T> using Per_coordinate = std::conditional_t<N == 0, std::vector<T>, std::array<T, N>>;
@@ -75,23 +81,6 @@ public:
     return scale(s);
   }
   Coordinate_vector& operator/=(const FT& s) { return *this *= FT(1) / s; }
-
-  friend Coordinate_vector operator+(Coordinate_vector v, const Coordinate_vector& w) {
-    v += w;
-    return v;
-  }
-  friend Coordinate_vector operator-(Coordinate_vector v, const Coordinate_vector& w) {
-    v -= w;
-    return v;
-  }
-  friend Coordinate_vector operator*(const FT& s, Coordinate_vector v) {
-    v *= s;
-    return v;
-  }
-  friend Coordinate_vector operator/(Coordinate_vector v, const FT& s) {
-    v /= s;
-    return v;
-  }
 
   friend FT dot(const Coordinate_vector& v, const Coordinate_vector& w) {
     Integer sum;

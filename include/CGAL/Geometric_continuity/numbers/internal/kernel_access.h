@@ -5,6 +5,7 @@
 #ifndef CGAL_GEOMETRIC_CONTINUITY_NUMBERS_INTERNAL_KERNEL_ACCESS_H
 #define CGAL_GEOMETRIC_CONTINUITY_NUMBERS_INTERNAL_KERNEL_ACCESS_H
 
+#include <CGAL/Dimension.h>
 #include <CGAL/Geometric_continuity/numbers/internal/Exact_number.h>
 
 #include <type_traits>
@@ -47,6 +48,52 @@ struct Kernel_predicate_field {
 };
 template <class K> struct Kernel_predicate_field<K, true> {
   typedef typename Exact_field_of_floating_point<typename K::FT>::type type;
+};
+
+// The traits class for points and vectors of a kernel with d coordinates, 2 or 3: see GeometricContinuityTraits.
+template <class K, class Point_, class Vector_, int d> class Kernel_traits {
+  static_assert(d == 2 || d == 3, "points have two or three coordinates");
+
+  template <class Result, class Iterator> static Result constructed(Iterator x) {
+    if constexpr (d == 2)
+      return Result(x[0], x[1]);
+    else
+      return Result(x[0], x[1], x[2]);
+  }
+
+public:
+  typedef K Kernel;
+  typedef typename K::FT FT;
+  typedef Point_ Point;
+  typedef Vector_ Vector;
+  typedef Dimension_tag<d> Dimension;
+  typedef typename Kernel_predicate_field<K>::type Predicate_FT;
+
+  struct Compute_dimension {
+    int operator()(const Point&) const { return d; }
+    int operator()(const Vector&) const { return d; }
+  };
+  struct Compute_coordinate {
+    FT operator()(const Point& p, int i) const { return kernel_coordinate<FT>(p, i); }
+    FT operator()(const Vector& v, int i) const { return kernel_coordinate<FT>(v, i); }
+  };
+  struct Construct_point {
+    template <class RandomAccessIterator>
+    Point operator()(int, RandomAccessIterator first, RandomAccessIterator) const {
+      return constructed<Point>(first);
+    }
+  };
+  struct Construct_vector {
+    template <class RandomAccessIterator>
+    Vector operator()(int, RandomAccessIterator first, RandomAccessIterator) const {
+      return constructed<Vector>(first);
+    }
+  };
+
+  Compute_dimension compute_dimension_object() const { return Compute_dimension(); }
+  Compute_coordinate compute_coordinate_object() const { return Compute_coordinate(); }
+  Construct_point construct_point_object() const { return Construct_point(); }
+  Construct_vector construct_vector_object() const { return Construct_vector(); }
 };
 
 } // namespace internal
