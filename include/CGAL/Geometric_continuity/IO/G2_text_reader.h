@@ -200,6 +200,7 @@ public:
       f(read_rational(text, all));
       return true;
     }
+    text.coordinates_.reserve(static_cast<std::size_t>(3 * (std::min)(all, 64LL))); // the text may be wrong
     for (long long k = 0; k < all; ++k)
       for (int i = 0; i < 3; ++i) text.coordinates_.push_back(parser_.read_coordinate(i, k, all));
     f(std::move(text));

@@ -7,6 +7,7 @@
 
 #include <CGAL/Geometric_continuity/numbers/internal/checked_numbers.h>
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 #include <ostream>
@@ -63,7 +64,8 @@ public:
     if (count <= 0) return betas;
     if (left_.degree >= 0) {
       if constexpr (!std::is_floating_point_v<FT> && std::is_constructible_v<FT, double>) {
-        const std::vector<FT> x = derivatives(left_, true), y = derivatives(right_, false);
+        const int order = (std::min)(count, 3);
+        const std::vector<FT> x = derivatives(left_, true, order), y = derivatives(right_, false, order);
         betas.push_back(FT(y[1] / x[1]));
         const FT square = FT(betas[0] * betas[0]);
         if (count > 1) betas.push_back(FT(FT(y[2] - square * x[2]) / x[1]));
@@ -87,19 +89,20 @@ public:
   }
 
 private:
-  // m!/(m-k)! / h^k times the k-th difference, k = 0, ..., 3; odd ones point outwards at an end.
-  std::vector<FT> derivatives(const Parameter_end& end, bool at_end) const {
+  // m!/(m-k)! / h^k times the k-th difference, k = 0, ..., order <= 3; odd ones point outwards at an end.
+  std::vector<FT> derivatives(const Parameter_end& end, bool at_end, int order) const {
     std::vector<FT> d;
-    for (int j = 0; j <= 3; ++j)
+    d.reserve(order + 1);
+    for (int j = 0; j <= order; ++j)
       d.push_back(end.rests[j] == 0 ? FT(end.points[j]) : FT(FT(end.points[j]) + FT(end.rests[j])));
-    for (int k = 1; k <= 3; ++k)
-      for (int j = 3; j >= k; --j) d[j] -= d[j - 1];
+    for (int k = 1; k <= order; ++k)
+      for (int j = order; j >= k; --j) d[j] -= d[j - 1];
     FT h = FT(FT(end.end) - FT(end.start));
     if (at_end) h = FT(-h);
     if (unit_ != 1) h *= FT(unit_);
     for (int e = exponent_; e < 0; ++e) h /= FT(10);
     FT factor(1);
-    for (int k = 1; k <= 3; ++k) {
+    for (int k = 1; k <= order; ++k) {
       factor *= FT(FT(end.degree - k + 1 > 0 ? end.degree - k + 1 : 0) / h);
       d[k] *= factor;
     }
