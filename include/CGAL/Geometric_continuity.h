@@ -26,9 +26,8 @@
 #include <CGAL/Geometric_continuity/algebra/Sign_set.h>
 #include <CGAL/Geometric_continuity/algebra/determinant.h>
 #include <CGAL/Geometric_continuity/algebra/sign_pattern.h>
-#include <CGAL/Geometric_continuity/curves/bezier_properties.h>
-#include <CGAL/Geometric_continuity/local/Curve_jet.h>
 
+#include <CGAL/Geometric_continuity/local/Curve_jet.h>
 #include <CGAL/Geometric_continuity/local/Frenet_frame.h>
 #include <CGAL/Geometric_continuity/local/Surface_jet.h>
 #include <CGAL/Geometric_continuity/local/congruence.h>
@@ -48,6 +47,7 @@
 #include <CGAL/Geometric_continuity/curves/Path_segment.h>
 #include <CGAL/Geometric_continuity/curves/Rational_curve.h>
 #include <CGAL/Geometric_continuity/curves/arcs.h>
+#include <CGAL/Geometric_continuity/curves/bezier_properties.h>
 #include <CGAL/Geometric_continuity/curves/curvature_extrema.h>
 #include <CGAL/Geometric_continuity/curves/evaluate_batch.h>
 #include <CGAL/Geometric_continuity/curves/fairness.h>
@@ -61,21 +61,9 @@
 #include <CGAL/Geometric_continuity/joins/deviation.h>
 #include <CGAL/Geometric_continuity/joins/join_continuity.h>
 #include <CGAL/Geometric_continuity/joins/join_predicates.h>
+#include <CGAL/Geometric_continuity/joins/join_result.h>
 #include <CGAL/Geometric_continuity/joins/largest_kink.h>
 #include <CGAL/Geometric_continuity/joins/path_continuity.h>
-
-#include <CGAL/Geometric_continuity/blends/Fair.h>
-#include <CGAL/Geometric_continuity/blends/automatic_shape.h>
-#include <CGAL/Geometric_continuity/blends/blend.h>
-#include <CGAL/Geometric_continuity/blends/blend_ends.h>
-#include <CGAL/Geometric_continuity/blends/blend_strategies.h>
-#include <CGAL/Geometric_continuity/blends/representable_blend.h>
-
-#include <CGAL/Geometric_continuity/extensions/alternatives.h>
-#include <CGAL/Geometric_continuity/extensions/extend.h>
-#include <CGAL/Geometric_continuity/repairs/Grid_vector.h>
-#include <CGAL/Geometric_continuity/repairs/align_handles.h>
-#include <CGAL/Geometric_continuity/repairs/round_corners.h>
 
 #include <CGAL/Geometric_continuity/surfaces/Bezier_patch.h>
 #include <CGAL/Geometric_continuity/surfaces/Bspline_surface.h>
@@ -86,6 +74,13 @@
 #include <CGAL/Geometric_continuity/surfaces/evaluate_grid.h>
 #include <CGAL/Geometric_continuity/surfaces/swept_surfaces.h>
 
+#include <CGAL/Geometric_continuity/blends/Fair.h>
+#include <CGAL/Geometric_continuity/blends/automatic_shape.h>
+#include <CGAL/Geometric_continuity/blends/blend.h>
+#include <CGAL/Geometric_continuity/blends/blend_ends.h>
+#include <CGAL/Geometric_continuity/blends/blend_strategies.h>
+#include <CGAL/Geometric_continuity/blends/representable_blend.h>
+
 #include <CGAL/Geometric_continuity/edges/Edge_conditions.h>
 #include <CGAL/Geometric_continuity/edges/Edge_rows.h>
 #include <CGAL/Geometric_continuity/edges/Spline_edge_continuity.h>
@@ -94,6 +89,13 @@
 #include <CGAL/Geometric_continuity/edges/edge_deviation.h>
 #include <CGAL/Geometric_continuity/edges/knot_line_continuity.h>
 #include <CGAL/Geometric_continuity/edges/swept_continuity.h>
+
+#include <CGAL/Geometric_continuity/extensions/alternatives.h>
+#include <CGAL/Geometric_continuity/extensions/extend.h>
+
+#include <CGAL/Geometric_continuity/repairs/Grid_vector.h>
+#include <CGAL/Geometric_continuity/repairs/align_handles.h>
+#include <CGAL/Geometric_continuity/repairs/round_corners.h>
 
 #include <CGAL/Geometric_continuity/models/Patch_flatness.h>
 #include <CGAL/Geometric_continuity/models/Tessellation.h>
