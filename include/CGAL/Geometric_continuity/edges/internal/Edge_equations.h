@@ -70,8 +70,7 @@ struct Rounded_form {
     return {x.value - y.value, (std::max)(x.bound, y.bound)};
   }
   CGAL_GC_FORCEINLINE Rounded_form times(int w) const { return {w * value, w * bound}; } // w > 0
-  // Unless the value may have overflowed.
-  bool exceeds(double part) const { return bound <= 0x1p800 && std::abs(value) > part * bound; }
+  CGAL_GC_FORCEINLINE bool exceeds(double part) const { return std::abs(value) > part * bound; }
 };
 
 // A vector with a bound of its coordinates, or of the numbers of which these are the differences.
@@ -102,9 +101,9 @@ struct Rounded_vector {
 //   eight sums are rounded. The largest of the four products of bounds is M: the error is less than 96 ((1+u)^24 - 1)
 //   (1+u)^20 M < 2^-40 M.
 //
-// All bounds are at least 2^-100, factors are below 2^10, and the bounds D, A, B at most 2^100, so that nothing overflows where M is at most
-// 2^800. A product that underflows has an error of 2^-1074, which is less than u 2^-300 times the product of the bounds of its
-// factors, at least 2^-700; this is within the margins.
+// All bounds lie between 2^-100 and 2^100, and factors are below 2^10, so that nothing overflows. A product that underflows
+// has an error of 2^-1074, which is less than u 2^-300 times the product of the bounds of its factors, at least 2^-700;
+// this is within the margins.
 //
 // The reversed edge has the differences d with the other sign, and so has f; all terms of the conditions are odd in d, or all even, so
 // that its start may be taken in place of the end.
@@ -112,6 +111,7 @@ class Rounded_edge_end {
   const Edge_layers &s1_, &s2_;
   const bool at_end_;
   const Rounded_vector d_, a_, b_, normal_;
+  mutable double largest_bound_ = 0; // of the second differences
 
 public:
   // \pre the edges are the same, in one direction
@@ -129,7 +129,8 @@ public:
     const std::array<double, 3>& n = normal_.x;
     int i = std::abs(n[0]) < std::abs(n[1]) ? 1 : 0;
     if (std::abs(n[static_cast<std::size_t>(i)]) < std::abs(n[2])) i = 2;
-    return second_order_form(normal_[i], cross(d_, b_)[i], cross(b_, a_)[i], *this).exceeds(0x1p-40);
+    return second_order_form(normal_[i], cross(d_, b_)[i], cross(b_, a_)[i], *this).exceeds(0x1p-40) &&
+           largest_bound_ <= Rounded_vector::most;
   }
 
   // See second_order_form().
@@ -162,8 +163,9 @@ private:
   static CGAL_GC_FORCEINLINE Rounded_vector first_difference(const Vector& x) { return {x, largest(x)}; }
   // w times the product of the normal and the second difference y - x
   CGAL_GC_FORCEINLINE Rounded_form times(int w, const Vector& x, const Vector& y) const {
-    return dot(normal_, Rounded_vector{minus(y, x), (std::max)(Rounded_vector::least, largest(x) + largest(y))})
-        .times(w);
+    const Rounded_vector difference{minus(y, x), (std::max)(Rounded_vector::least, largest(x) + largest(y))};
+    largest_bound_ = (std::max)(largest_bound_, difference.bound);
+    return dot(normal_, difference).times(w);
   }
 };
 

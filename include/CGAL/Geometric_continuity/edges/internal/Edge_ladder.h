@@ -118,15 +118,14 @@ public:
 private:
   // The highest order that rounded numbers do not refute at the ends.
   template <int highest> int not_refuted(Lower_orders lower) const {
-    int most = highest;
-    for (const bool at_end : {false, true}) {
-      const Rounded_edge_end end(a_, b_, at_end);
-      if (!end.in_range()) continue;
-      if (end.tangent_planes_differ()) return 0;
-      if (highest > 1 && most > 1 && end.curvatures_differ()) most = 1;
-      if (most < highest && lower == Lower_orders::as_one) break;
-    }
-    return most;
+    const int most = not_refuted_at<highest>(false, highest);
+    return most == 0 || (most < highest && lower == Lower_orders::as_one) ? most : not_refuted_at<highest>(true, most);
+  }
+  template <int highest> int not_refuted_at(bool at_end, int most) const {
+    const Rounded_edge_end end(a_, b_, at_end);
+    if (!end.in_range()) return most;
+    if (end.tangent_planes_differ()) return 0;
+    return highest > 1 && most > 1 && end.curvatures_differ() ? 1 : most;
   }
 };
 
