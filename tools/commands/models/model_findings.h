@@ -5,6 +5,7 @@
 #ifndef GEOMETRIC_CONTINUITY_TOOLS_COMMANDS_MODELS_MODEL_FINDINGS_H
 #define GEOMETRIC_CONTINUITY_TOOLS_COMMANDS_MODELS_MODEL_FINDINGS_H
 
+#include "commands/commands.h"
 #include "commands/models/model_json.h"
 #include "files/input.h"
 #include "reports/finding.h"
