@@ -2,8 +2,9 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-#define BOOST_TEST_MODULE has_short_parts
-#include "Geometric_continuity/support/random.h"
+// Parts of fractions, and sums of short ones.
+
+#include "support/random.h"
 
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Geometric_continuity/numbers/rational_numbers.h>
@@ -14,6 +15,8 @@
 #include <sstream>
 #include <string>
 #include <type_traits>
+
+BOOST_AUTO_TEST_SUITE(rational_numbers)
 
 namespace GC = CGAL::Geometric_continuity;
 
@@ -59,3 +62,5 @@ BOOST_AUTO_TEST_CASE(bits) {
   BOOST_CHECK(GC::has_short_parts<64>(Q(large - 1)) && GC::has_short_parts<64>(Q(1 - large)));
   BOOST_CHECK(GC::has_short_parts<64>(1e300));
 }
+
+BOOST_AUTO_TEST_SUITE_END()
