@@ -5,6 +5,7 @@
 // Fair blends are exactly smooth on exact kernels, are the same on all kernels, move with their curves, and are sensible or refused
 // where no good blend exists.
 
+#define BOOST_TEST_MODULE Fair_kernels
 #include <boost/test/unit_test.hpp>
 
 #include "support/errors.h"
@@ -30,8 +31,6 @@
 #include <random>
 #include <sstream>
 #include <vector>
-
-BOOST_AUTO_TEST_SUITE(Fair_kernels)
 
 namespace GC = CGAL::Geometric_continuity;
 
@@ -305,5 +304,3 @@ BOOST_AUTO_TEST_CASE(numbers_of_any_size) {
       CHECK_ERROR(GC::blend(jet<Double>(b), jet<Double>(wrong), GC::Fair_g3()), not_finite);
     }
 }
-
-BOOST_AUTO_TEST_SUITE_END()

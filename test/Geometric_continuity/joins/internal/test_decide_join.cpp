@@ -7,6 +7,7 @@
 //
 // Set GEOMETRIC_CONTINUITY_JOINS for the number of joins of each class and GEOMETRIC_CONTINUITY_SEED for other numbers.
 
+#define BOOST_TEST_MODULE filtered_joins
 #include <boost/test/unit_test.hpp>
 
 #include "joins/internal/join_stages.h"
@@ -36,8 +37,6 @@
 #include <type_traits>
 #include <utility>
 #include <vector>
-
-BOOST_AUTO_TEST_SUITE(filtered_joins)
 
 namespace GC = CGAL::Geometric_continuity;
 using GC::internal::Join_answer;
@@ -682,5 +681,3 @@ BOOST_AUTO_TEST_CASE(prepared_end_refuses) {
   p[1] = Space::Point(0, std::numeric_limits<double>::infinity(), 0);
   CHECK_ERROR(End(2, p.begin(), p.end()), not_finite);
 }
-
-BOOST_AUTO_TEST_SUITE_END()
