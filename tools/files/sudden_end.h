@@ -12,13 +12,10 @@
 
 #include <boost/config.hpp>
 
-#include <algorithm>
 #include <csignal>
 #include <cstddef>
 #include <cstdlib>
-#include <cstring>
 #include <new>
-#include <utility>
 
 #ifdef CGAL_USE_GMP
 #include <gmp.h>
@@ -64,52 +61,14 @@ BOOST_NOINLINE inline void take_stack() { // and gives it back
   for (std::size_t i = 0; i < sizeof stack; i += 4096) stack[sizeof stack - 1 - i] = 0;
 }
 
-#ifdef CGAL_USE_GMP
-// Memory for the numbers of GMP. Most have few words, and come and go: blocks of each such size are kept and used again.
-class Number_memory {
-  static constexpr std::size_t word = sizeof(mp_limb_t), most_words = 4, most_blocks = std::size_t(1) << 14;
-
-  struct Block {
-    Block* next;
-  };
-  struct Spare_blocks {
-    Block* first = nullptr;
-    std::size_t number = 0;
-  };
-  static Spare_blocks& spare(std::size_t size) {
-    static thread_local Spare_blocks blocks[most_words];
-    return blocks[size / word - 1];
-  }
-  static bool is_short(std::size_t size) { return size % word == 0 && 0 < size && size <= most_words * word; }
-
-public:
-  static void* take(std::size_t size) {
-    if (!is_short(size) || spare(size).number == 0) return memory_or_end(std::malloc(size));
-    Spare_blocks& blocks = spare(size);
-    --blocks.number;
-    return std::exchange(blocks.first, blocks.first->next);
-  }
-  static void* resize(void* memory, std::size_t before, std::size_t size) {
-    if (!is_short(before) || !is_short(size)) return memory_or_end(std::realloc(memory, size));
-    void* const other = take(size);
-    std::memcpy(other, memory, (std::min)(before, size));
-    give_back(memory, before);
-    return other;
-  }
-  static void give_back(void* memory, std::size_t size) {
-    if (!is_short(size) || spare(size).number == most_blocks) return std::free(memory);
-    Spare_blocks& blocks = spare(size);
-    ++blocks.number;
-    blocks.first = ::new (memory) Block{blocks.first};
-  }
-};
-#endif
-
 // Lets all memory that cannot be had end the program with the exit code of bad input.
 inline void end_when_memory_runs_out() {
   std::set_new_handler(end_without_memory);
 #ifdef CGAL_USE_GMP
-  mp_set_memory_functions(Number_memory::take, Number_memory::resize, Number_memory::give_back);
+  mp_set_memory_functions(
+      [](std::size_t size) { return memory_or_end(std::malloc(size)); },
+      [](void* memory, std::size_t, std::size_t size) { return memory_or_end(std::realloc(memory, size)); },
+      [](void* memory, std::size_t) { std::free(memory); });
 #endif
 }
 
