@@ -129,37 +129,32 @@ CGAL_GC_FORCEINLINE Join_answer decide_by_residues(const Input& join, const type
     return decide_by_residues<limbs>(join, given, room, pivot, stages);
 }
 
-// (q, p) of at most 12 bits, so that the cubes with factors of at most 16 bits take one limb. The types of the forms are
-// shorter: |q^2 b2 - p^2 a2| < 2^(24+16+55+1), times p and a factor of 16 bits < 2^124; |q^3 a1_0| < 2^(36+16+54).
-struct Short_join_ratio {
-  typedef Fixed_integer<1> Square, Cube;
-  Fixed_integer<1> q, p;
-  static Square square(const Fixed_integer<1>& x) { return Square(x.top() * x.top()); }
-  static Cube cube(const Fixed_integer<1>& x) { return Cube(x.top() * x.top() * x.top()); }
-  template <class V> V p_times(const V& v, std::int64_t w) const { return scaled(v, p.top() * w); }
+// (q, p) below a limit, so that the cubes with short factors take one limb. The types of the forms are shorter.
+template <class Integer, class Factor> struct Short_join_ratio {
+  typedef Integer Square, Cube;
+  static constexpr std::int64_t limit = 1 << 12, factor_limit = 1 << 16;
+  Factor q, p;
+  static constexpr Square square(const Factor& x) { return Square(x * x); }
+  static constexpr Cube cube(const Factor& x) { return Cube(x * x * x); }
+  template <class V> constexpr V p_times(const V& v, const Factor& w) const { return scaled(v, p * w); }
 };
 
-// b/a, if it is a fraction with denominator 2^8 and a numerator of at most 12 bits
-CGAL_GC_FORCEINLINE bool short_ratio(std::int64_t a, std::int64_t b, Short_join_ratio& r) {
+// b/a, if it is a fraction with denominator 2^8 and a numerator below the limit
+template <class Ratio> CGAL_GC_FORCEINLINE bool short_ratio(std::int64_t a, std::int64_t b, Ratio& r) {
   const double x = 256 * (static_cast<double>(b) / static_cast<double>(a));
-  if (!(std::abs(x) < 4096)) return false;
-  std::int64_t p = static_cast<std::int64_t>(x), q = 256;
-  if (static_cast<Signed_128>(p) * a != static_cast<Signed_128>(q) * b || p == 0) return false;
-  r.q = q;
-  r.p = p;
-  return true;
+  if (!(std::abs(x) < Ratio::limit)) return false;
+  r.p = static_cast<std::int64_t>(x);
+  r.q = 256;
+  return static_cast<Signed_128>(r.p) * a == static_cast<Signed_128>(r.q) * b && r.p != 0;
 }
 
-CGAL_GC_FORCEINLINE bool weights_are_short(const Join_weights<std::int64_t>& w) {
-  return (w.a2 | w.b2 | w.a3 | w.b3 | w.mix) < (std::int64_t(1) << 16);
+template <class Ratio> CGAL_GC_FORCEINLINE bool weights_are_short(const Join_weights<std::int64_t>& w) {
+  return (w.a2 | w.b2 | w.a3 | w.b3 | w.mix) < Ratio::factor_limit;
 }
 
-// On differences in units of 2^d (left) and 1 (right), of 53 bits for the points: |a1| <= 2^54, |a2| <= 2^55,
-// |a3| <= 2^56. With factors w2 < 2^19 of a2 and b2, w3 < 2^28 and a factor < 2^16 of the mixed term (see take_up) no form
-// or part of it exceeds its limbs: q^2 w2 < 2^127, V < 2^(108+19+55+1) < 2^191, its product with a1 < 2^239; q^3 w3 < 2^191,
-// n.b3 < 2^(110+56+2) < 2^191, their products < 2^360; q^3 w3 a1_0 < 2^245, p V w < 2^254, the sum of three terms
-// < 2^312, its product with a1 < 2^367; curvature vector: (b1.b1)^2 w2 < 2^(220+19), times 2^167; torsion: (n.a3) w < 2^188, times
-// 2^222.
+// On differences in units of 2^d (left) and 1 (right) of points with 53 bits: |a1| <= 2^54, |a2| <= 2^55, |a3| <= 2^56. With factors
+// below their limits no form or part of it exceeds its limbs: test_integer_lengths.cpp computes the bounds of all of them by the same
+// equations.
 template <Join_question question, int N, class Weights, class Stages>
 CGAL_GC_FORCEINLINE Join_answer decide_on_grids(const Differences<std::int64_t, N>& a,
                                                 const Differences<std::int64_t, N>& b, const Weights& w,
@@ -186,9 +181,10 @@ CGAL_GC_FORCEINLINE Join_answer decide_on_grids(const Differences<std::int64_t, 
     constexpr Join_question given_parallel = question == Join_question::curvature_vector ? Join_question::g2 : question;
     const bool parallel = equations.tangents_parallel();
     if (is_geometric(question) && !parallel) return decided(Join_stage::fixed_integer, Join_answer::no);
-    Short_join_ratio r;
+    typedef Short_join_ratio<Integer, std::int64_t> Short_ratio;
+    Short_ratio r;
     if (parallel && highest_difference(question) >= 2 && stages.uses(Join_stage::simple_ratio) &&
-        weights_are_short(w) && short_ratio(a[0][0], b[0][0], r))
+        weights_are_short<Short_ratio>(w) && short_ratio(a[0][0], b[0][0], r))
       return decided(Join_stage::simple_ratio, answer(equations_hold<given_parallel>(equations, r)));
     if (parallel)
       return decided(Join_stage::fixed_integer, answer(equations_hold<given_parallel>(equations, equations.ratio())));

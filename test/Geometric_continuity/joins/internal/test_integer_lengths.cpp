@@ -1,0 +1,128 @@
+// Copyright (c) 2026 The Geometric_continuity developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+// The integers of fixed length on which prepared ends are decided are long enough: the equations themselves, evaluated on bounds.
+
+#include <boost/test/unit_test.hpp>
+
+#include "support/bounded_integers.h"
+
+#include <CGAL/Geometric_continuity/joins/internal/Join_ladder.h>
+
+#ifdef CGAL_GEOMETRIC_CONTINUITY_HAS_FIXED_INTEGER
+
+namespace CGAL {
+namespace Geometric_continuity {
+namespace internal {
+
+template <int m, int n> struct Product_type<Bounded_integer<m>, Bounded_integer<n>> {
+  typedef Bounded_integer<m + n> type;
+};
+
+} // namespace internal
+} // namespace Geometric_continuity
+} // namespace CGAL
+
+BOOST_AUTO_TEST_SUITE(integer_lengths)
+
+namespace {
+
+using namespace CGAL::Geometric_continuity::internal;
+
+// Looks at each form. With the one answer and with the other, the equations compute all forms that they have.
+struct Fitting_zero {
+  static constexpr bool exact = true, pivot_is_first = true;
+  bool answer;
+  bool fits = true;
+
+  template <class X> constexpr bool operator()(Join_question, const X& x) {
+    fits = fits && x.fits;
+    return answer;
+  }
+};
+
+struct Lengths {
+  int bits = 53;          // of the coordinates of points
+  std::int64_t times = 1; // the limits of factors
+};
+
+// A factor below a limit.
+constexpr Bounded_factor below(std::int64_t limit) { return Bounded_factor(static_cast<double>(limit - 1)); }
+
+// Whether all parts of the forms of a question fit, for points of so many bits and factors up to their limits.
+template <Join_question question, int N, bool short_ratio> constexpr bool forms_fit(const Lengths& lengths = {}) {
+  typedef Bounded_integer<1> Integer;
+  typedef Join_weights<Bounded_factor> Factors;
+  typedef Short_join_ratio<Integer, Bounded_factor> Short_ratio;
+  typedef Short_join_ratio<Integer, std::int64_t> Decided_ratio;
+  const Integer d1 = 2 * bound_of_bits(lengths.bits), d2 = 2 * d1.bound, d3 = 2 * d2.bound;
+  const std::array<Integer, 3> x1{d1, d1, d1}, x2{d2, d2, d2}, x3{d3, d3, d3};
+  Differences<Integer, N> d = [&]() -> Differences<Integer, N> {
+    if constexpr (N == 3)
+      return {x1, x2, x3};
+    else
+      return {std::array<Integer, 2>{d1, d1}, std::array<Integer, 2>{d2, d2}, std::array<Integer, 2>{d3, d3}};
+  }();
+  const Join_weights<std::int64_t> limits = factor_limits<question>();
+  const auto factor = [&](std::int64_t limit) {
+    return below(lengths.times * (short_ratio ? Decided_ratio::factor_limit : limit));
+  };
+  const Factors w{factor(limits.a2), factor(limits.b2), factor(limits.a3), factor(limits.b3), factor(limits.mix)};
+  bool fits = true;
+  for (const bool answer : {false, true}) {
+    Fitting_zero zero{answer};
+    const Join_equations<Integer, N, Factors, Fitting_zero> equations(d, d, w, zero);
+    (void)equations.tangents_parallel();
+    if constexpr (N == 3) (void)equations.both_have_curvature();
+    if constexpr (question == Join_question::curvature_vector)
+      (void)equations.curvature_vectors_equal();
+    else if constexpr (question == Join_question::torsion)
+      (void)equations.torsions_equal();
+    else if constexpr (short_ratio)
+      (void)equations_hold<question>(equations, Short_ratio{below(Decided_ratio::limit), below(Decided_ratio::limit)});
+    else
+      (void)equations_hold<question>(equations, equations.ratio());
+    fits = fits && zero.fits;
+  }
+  return fits;
+}
+
+template <Join_question question> constexpr bool all_fit(const Lengths& lengths = {}) {
+  bool fits = forms_fit<question, 3, false>(lengths);
+  if constexpr (is_geometric(question) && highest_difference(question) >= 2)
+    fits = fits && forms_fit<question, 3, true>(lengths);
+  if constexpr (question != Join_question::f3 && question != Join_question::torsion) {
+    fits = fits && forms_fit<question, 2, false>(lengths);
+    if constexpr (is_geometric(question) && highest_difference(question) >= 2)
+      fits = fits && forms_fit<question, 2, true>(lengths);
+  }
+  return fits;
+}
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE(no_form_exceeds_its_limbs) {
+  static_assert(all_fit<Join_question::g1>());
+  static_assert(all_fit<Join_question::g2>());
+  static_assert(all_fit<Join_question::g3>());
+  static_assert(all_fit<Join_question::f3>());
+  static_assert(all_fit<Join_question::curvature_vector>());
+  static_assert(all_fit<Join_question::torsion>());
+}
+
+BOOST_AUTO_TEST_CASE(what_does_not_fit_is_noticed) {
+  // Points of 62 bits have differences of 65 bits. Long factors of the second and of the third differences exceed two limbs beside the
+  // square and three beside the cube of a number of one limb.
+  static_assert(!all_fit<Join_question::g1>({62, 1}));
+  static_assert(all_fit<Join_question::g1>({53, 1 << 20})); // has no factors
+  static_assert(!all_fit<Join_question::g2>({53, 1 << 20}));
+  static_assert(!all_fit<Join_question::g3>({53, 1 << 3}));
+  static_assert(!all_fit<Join_question::f3>({53, 1 << 3}));
+  static_assert(!all_fit<Join_question::torsion>({53, std::int64_t(1) << 13}));
+  static_assert(!all_fit<Join_question::curvature_vector>({53, std::int64_t(1) << 20}));
+}
+
+BOOST_AUTO_TEST_SUITE_END()
+
+#endif // CGAL_GEOMETRIC_CONTINUITY_HAS_FIXED_INTEGER
