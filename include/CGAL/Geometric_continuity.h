@@ -22,6 +22,7 @@
 #include <CGAL/Geometric_continuity/algebra/Bernstein_polynomial.h>
 #include <CGAL/Geometric_continuity/algebra/Coordinate_vector.h>
 #include <CGAL/Geometric_continuity/algebra/Homogeneous_polynomial.h>
+#include <CGAL/Geometric_continuity/algebra/Plane_coordinates.h>
 #include <CGAL/Geometric_continuity/algebra/Power_polynomial.h>
 #include <CGAL/Geometric_continuity/algebra/Sign_set.h>
 #include <CGAL/Geometric_continuity/algebra/determinant.h>
@@ -51,6 +52,7 @@
 #include <CGAL/Geometric_continuity/curves/curvature_extrema.h>
 #include <CGAL/Geometric_continuity/curves/evaluate_batch.h>
 #include <CGAL/Geometric_continuity/curves/fairness.h>
+#include <CGAL/Geometric_continuity/curves/is_planar.h>
 #include <CGAL/Geometric_continuity/curves/polyline.h>
 
 #include <CGAL/Geometric_continuity/joins/Curve_ends.h>

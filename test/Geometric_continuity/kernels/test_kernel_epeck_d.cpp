@@ -23,6 +23,7 @@ template <class Test> void in_every_space(Test test) {
 }
 
 #include "algebra/typed_Bernstein_polynomial.h"
+#include "algebra/typed_Plane_coordinates.h"
 #include "blends/typed_quintic_blend.h"
 #include "blends/typed_septic_blend.h"
 #include "curves/typed_Bezier_curve.h"

@@ -5,6 +5,7 @@
 #ifndef CGAL_GEOMETRIC_CONTINUITY_EDGES_CONNECT_G1_H
 #define CGAL_GEOMETRIC_CONTINUITY_EDGES_CONNECT_G1_H
 
+#include <CGAL/Geometric_continuity/algebra/Plane_coordinates.h>
 #include <CGAL/Geometric_continuity/algebra/determinant.h>
 #include <CGAL/Geometric_continuity/algebra/sign_pattern.h>
 #include <CGAL/Geometric_continuity/curves/Bspline_curve.h>
@@ -107,24 +108,6 @@ template <class Traits> auto G1_ribbon<Traits>::continuity() const -> std::vecto
 
 namespace internal {
 
-// The coordinates of vectors in the plane of D and C', by the normal equations (11).
-template <class FT, int N> class Ribbon_frame {
-  typedef Coordinate_vector<FT, N> Vector;
-  Vector d_, t_;
-  FT dd_, dt_, tt_, gram_;
-
-public:
-  Ribbon_frame(const Vector& d, const Vector& t, const char* place)
-      : d_(d), t_(t), dd_(dot(d, d)), dt_(dot(d, t)), tt_(dot(t, t)), gram_(dd_ * tt_ - dt_ * dt_) {
-    if (gram_ == FT(0)) throw Error(Error_code::singular_frame, place);
-  }
-
-  std::pair<FT, FT> operator()(const Vector& x) const {
-    const FT dx = dot(d_, x), tx = dot(t_, x);
-    return {FT((tt_ * dx - dt_ * tx) / gram_), FT((dd_ * tx - dt_ * dx) / gram_)};
-  }
-};
-
 // One end of a ribbon: values and derivatives of alpha and beta for both sides, and the report.
 template <class FT, int N> struct Ribbon_end_conditions {
   typedef Coordinate_vector<FT, N> Vector;
@@ -136,12 +119,12 @@ template <class FT, int N> struct Ribbon_end_conditions {
   // From jets of order 2, 1, 1.
   Ribbon_end_conditions(const Jet& c, const Jet& c1, const Jet& c2, const char* place) {
     const Vector d = (c1[0] - c2[0]) / FT(2), d_derivative = (c1[1] - c2[1]) / FT(2);
-    const Ribbon_frame<FT, N> frame(d, c[1], place);
+    const Plane_coordinates<FT, N> frame(d, c[1], place);
     const Vector x[2] = {c1[0] - c[0], c2[0] - c[0]}, x_derivative[2] = {c1[1] - c[1], c2[1] - c[1]};
     for (int side = 0; side < 2; ++side) {
-      value[side] = frame(x[side]);
+      value[side] = frame.nearest(x[side]);
       const Vector rest = x_derivative[side] - value[side].first * d_derivative - value[side].second * c[2];
-      derivative[side] = frame(rest);
+      derivative[side] = frame.nearest(rest);
       if (side > 0) continue; // the residuals of both sides are the same
       const Vector position = x[0] - value[0].first * d - value[0].second * c[1],
                    twist = rest - derivative[0].first * d - derivative[0].second * c[1];

@@ -6,6 +6,7 @@
 #define CGAL_GEOMETRIC_CONTINUITY_EXTENSIONS_ALTERNATIVES_H
 
 #include <CGAL/Geometric_continuity/Error.h>
+#include <CGAL/Geometric_continuity/algebra/Plane_coordinates.h>
 #include <CGAL/Geometric_continuity/curves/Bezier_curve.h>
 #include <CGAL/Geometric_continuity/extensions/internal/Polygon_end.h>
 #include <CGAL/Geometric_continuity/numbers/internal/checked_numbers.h>
@@ -273,7 +274,7 @@ public:
     const typename Base::template Coordinates_over<Field> v = this->in_field(b3) - base<Field>(),
                                                           p = this->template p<Field>();
     return is_line() ? internal::coefficient<Field>(v, p).has_value()
-                     : internal::coefficients<Field>(v, p, this->template r<Field>()).has_value();
+                     : Plane_coordinates(p, this->template r<Field>(), "torsion_alternatives")(v).has_value();
   }
 
   /// Returns the scalars of a point, empty if it is not in the plane. Decided exactly where predicates are exact.
@@ -282,8 +283,9 @@ public:
     if (is_line())
       throw Error(Error_code::singular_frame,
                   "torsion_alternatives: the curvature is zero, C1 and C2 are not separable");
-    const auto c = internal::coefficients<Field>(this->in_field(b3) - base<Field>(), this->template p<Field>(),
-                                                 this->template r<Field>());
+    const std::optional<std::pair<Field, Field>> c =
+        Plane_coordinates(this->template p<Field>(), this->template r<Field>(),
+                          "torsion_alternatives")(this->in_field(b3) - base<Field>());
     if (!c) return std::nullopt;
     return Torsion_parameters<Field>{c->first, c->second};
   }

@@ -120,8 +120,12 @@ struct Handle_side {
 };
 
 /// \ingroup PkgGeometricContinuityExtensions
-/// The largest coordinate of a leg that `harmonise_handles()` takes, and the largest degree.
-constexpr std::int64_t max_harmonised_leg = std::int64_t(1) << 25, max_harmonised_degree = 32;
+/// The largest coordinate of a leg that `harmonise_handles()` takes.
+constexpr std::int64_t max_harmonised_leg = std::int64_t(1) << 25;
+
+/// \ingroup PkgGeometricContinuityExtensions
+/// The largest degree of a curve that `harmonise_handles()` takes.
+constexpr std::int64_t max_harmonised_degree = 32;
 
 namespace internal {
 

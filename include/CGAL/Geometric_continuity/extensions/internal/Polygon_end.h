@@ -14,7 +14,6 @@
 #include <cstddef>
 #include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -27,16 +26,6 @@ std::optional<FT> coefficient(const Coordinate_vector<FT, N>& v, const Coordinat
   const FT pp = dot(p, p), pv = dot(p, v);
   if (pp * v != pv * p) return std::nullopt;
   return FT(pv / pp);
-}
-
-// (c1, c2) with v = c1 p + c2 r, empty if there is none: normal equations, then the residual. \pre p, r are independent
-template <class FT, int N>
-std::optional<std::pair<FT, FT>> coefficients(const Coordinate_vector<FT, N>& v, const Coordinate_vector<FT, N>& p,
-                                              const Coordinate_vector<FT, N>& r) {
-  const FT pp = dot(p, p), pr = dot(p, r), rr = dot(r, r), pv = dot(p, v), rv = dot(r, v);
-  const FT det = pp * rr - pr * pr, c1 = rr * pv - pr * rv, c2 = pp * rv - pr * pv;
-  if (det * v != c1 * p + c2 * r) return std::nullopt;
-  return std::pair<FT, FT>(FT(c1 / det), FT(c2 / det));
 }
 
 // The integrals over [0, 1] of (B_i^m)'' (B_j^m)''. With n = m - 2 the second derivative is m (m-1) times the second difference of
