@@ -17,6 +17,7 @@
 #include "ops_rational.h"
 #include "ops_rational_edges.h"
 #include "ops_ribbon.h"
+#include "ops_surface_blend.h"
 
 #include <stdexcept>
 #include <string>
@@ -38,11 +39,11 @@ template <class FT> bool run_scalars(const Case& c, Report& report) {
 }
 
 template <class Traits> bool run_operation(const Case& c, Report& report) {
-  return run_rational<Traits>(c, report) || run_bspline<Traits>(c, report) || run_bezier<Traits>(c, report) ||
-         run_invariants<Traits>(c, report) || run_joins<Traits>(c, report) || run_errata<Traits>(c, report) ||
-         run_hagen<Traits>(c, report) || run_rational_edges<Traits>(c, report) || run_edges<Traits>(c, report) ||
-         run_ribbon<Traits>(c, report) || run_normals<Traits>(c, report) || run_matrices<Traits>(c, report) ||
-         (c.has("strategy") && run_blends<Traits>(c, report));
+  return run_surface_blend<Traits>(c, report) || run_rational<Traits>(c, report) || run_bspline<Traits>(c, report) ||
+         run_bezier<Traits>(c, report) || run_invariants<Traits>(c, report) || run_joins<Traits>(c, report) ||
+         run_errata<Traits>(c, report) || run_hagen<Traits>(c, report) || run_rational_edges<Traits>(c, report) ||
+         run_edges<Traits>(c, report) || run_ribbon<Traits>(c, report) || run_normals<Traits>(c, report) ||
+         run_matrices<Traits>(c, report) || (c.has("strategy") && run_blends<Traits>(c, report));
 }
 
 // Computes the output of a case in one kernel family. It never looks at the expected output.

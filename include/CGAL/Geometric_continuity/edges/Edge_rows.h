@@ -94,9 +94,6 @@ template <class Surface> decltype(auto) without_weights(const Surface& surface) 
     return (surface);
 }
 
-// How the second of two edges runs that are the same curve.
-enum class Edge_direction { same, opposite };
-
 template <class Surface> void require_space(const Surface& surface, const char* function) {
   static_assert(Surface::N == 0 || Surface::N == 3, "surfaces are compared in dimension 3");
   if (surface.dimension() != 3)

@@ -295,11 +295,14 @@ public:
 
 private:
   static Bspline_function combined(const Bspline_function& f, const Bspline_function& g, const FT& sign) {
+    if (f.knots_ == g.knots_ && f.knots_.is_clamped()) return combined(f.knots_, f.c_, g.c_, sign);
     const int d = (std::max)(f.degree(), g.degree());
     const Bspline_function x = f.elevate(d - f.degree()), y = g.elevate(d - g.degree());
     const Knot_vector<FT> knots = merge(x.knots_, y.knots_);
-    std::vector<Value> c = bspline_refine<FT>(x.knots_, x.c_, knots);
-    const std::vector<Value> b = bspline_refine<FT>(y.knots_, y.c_, knots);
+    return combined(knots, bspline_refine<FT>(x.knots_, x.c_, knots), bspline_refine<FT>(y.knots_, y.c_, knots), sign);
+  }
+  static Bspline_function combined(const Knot_vector<FT>& knots, std::vector<Value> c, const std::vector<Value>& b,
+                                   const FT& sign) {
     for (std::size_t i = 0; i < c.size(); ++i) c[i] += sign * b[i];
     return {knots, std::move(c)};
   }

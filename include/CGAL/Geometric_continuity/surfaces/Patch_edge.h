@@ -47,6 +47,13 @@ inline std::string to_string(Patch_edge edge) {
 inline std::ostream& operator<<(std::ostream& os, Patch_edge edge) { return os << to_string(edge); }
 
 /// \ingroup PkgGeometricContinuitySurfaces
+/// How the second of two edges runs in comparison with the first one.
+enum class Edge_direction {
+  same,    ///< forwards
+  opposite ///< backwards
+};
+
+/// \ingroup PkgGeometricContinuitySurfaces
 /// The two kinds of parameter lines of a surface.
 enum class Parameter_line {
   along_u, ///< `v` is constant

@@ -22,7 +22,7 @@ BOOST_AUTO_TEST_CASE(parts_of_one_spline) {
   typedef GC::Bspline_surface<Exact> Surface;
   typedef GC::Bspline_surface<Filtered> Given;
   typedef GC::Knot_vector<Q> Knots;
-  using GC::internal::Edge_direction;
+  using GC::Edge_direction;
 
   Random random;
   const Knots u(3, Q(0), Q(10), {{Q(1), 1}, {Q(3), 1}, {Q(4), 1}, {Q(6), 1}}), v(3, Q(0), Q(3), {{Q(2), 1}});

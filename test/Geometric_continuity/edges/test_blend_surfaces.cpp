@@ -1,0 +1,428 @@
+// Copyright (c) 2026 The Geometric_continuity developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+// Blends of surfaces of all types and mixes. That they are G2 along whole edges is decided by edge_continuity(), which knows nothing
+// of how they are made.
+
+#include <boost/test/unit_test.hpp>
+
+#include "support/rational_surfaces.h"
+
+#include <CGAL/Cartesian_d.h>
+#include <CGAL/Geometric_continuity/Traits_d.h>
+#include <CGAL/Geometric_continuity/blends/blend.h>
+#include <CGAL/Geometric_continuity/edges/blend_surfaces.h>
+#include <CGAL/Geometric_continuity/edges/edge_continuity.h>
+
+#include <cstddef>
+#include <limits>
+#include <string>
+#include <tuple>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+BOOST_AUTO_TEST_SUITE(blend_surfaces)
+
+namespace {
+
+using GC::Edge_direction;
+template <class Traits> using Bezier = GC::Bezier_patch<Traits>;
+template <class Traits> using Bspline = GC::Bspline_surface<Traits>;
+typedef GC::Bernstein_polynomial<Q> Function;
+typedef GC::Edge_reparametrisation<Q> Reparametrisation;
+typedef GC::Surface_blend_shape<Q> Shape;
+typedef GC::Knot_vector<Q> Knots;
+
+typedef std::tuple<Double, Filtered> Rounded_traits;
+
+struct Numbers : Random {
+  // 64 bits over 2^31
+  Q number() {
+    return Q(Q(integer(-2147483647, 2147483647)) * Q(2147483648.0) + Q(integer(0, 2147483647))) / Q(1 << 30) / Q(2);
+  }
+  Function function(int degree) {
+    std::vector<Q> b;
+    for (int i = 0; i <= degree; ++i) b.push_back(rational() / Q(1000000));
+    return Function(b);
+  }
+  Function positive_function(int degree) {
+    std::vector<Q> b;
+    for (int i = 0; i <= degree; ++i) b.push_back(fraction(integer(1, 99), integer(1, 99)));
+    return Function(b);
+  }
+  Reparametrisation reparametrisation(int alpha, int beta, int alpha2, int delta) {
+    return {function(alpha), positive_function(beta), function(alpha2), function(delta)};
+  }
+  Reparametrisation reparametrisation() {
+    return reparametrisation(integer(0, 2), integer(0, 2), integer(0, 2), integer(0, 2));
+  }
+  Patch_edge edge() { return GC::patch_edges[integer(0, 3)]; }
+  Edge_direction direction() { return coin() ? Edge_direction::same : Edge_direction::opposite; }
+
+  // Of degree 3 x 2, over inner knots or none, not near to another one.
+  std::vector<std::vector<Exact::Point>> net(int m, int n) {
+    std::vector<std::vector<Exact::Point>> net(m);
+    const Q size(4294967296.0);
+    for (int i = 0; i < m; ++i)
+      for (int j = 0; j < n; ++j) net[i].emplace_back(number() + Q(4 * i) * size, number() + Q(4 * j) * size, number());
+    return net;
+  }
+  std::vector<std::vector<Q>> weights(int m, int n) {
+    std::vector<std::vector<Q>> w(m);
+    for (auto& row : w)
+      for (int j = 0; j < n; ++j) row.push_back(fraction(integer(100, 110), 100));
+    return w;
+  }
+  std::pair<Q, Q> domain() {
+    const Q a = fraction(integer(-9, 9), integer(1, 9));
+    return {a, Q(a + fraction(integer(1, 9), integer(1, 9)))};
+  }
+  // Cubic, so that second derivatives do not jump.
+  Knots knots() {
+    const std::pair<Q, Q> d = domain();
+    std::vector<Knots::Knot> inner;
+    Q t(0);
+    for (int i = integer(0, 2); i > 0; --i)
+      inner.push_back({Q(d.first + (t += fraction(1, integer(3, 5))) * (d.second - d.first)), 1});
+    return Knots(3, d.first, d.second, inner);
+  }
+
+  template <class Surface> Surface surface();
+};
+template <> Bezier<Exact> Numbers::surface() {
+  return Bezier<Exact>(net(integer(2, 4), integer(2, 4)), domain(), domain());
+}
+template <> Bspline<Exact> Numbers::surface() {
+  const Knots u = knots(), v = knots();
+  return Bspline<Exact>(net(u.number_of_coefficients(), v.number_of_coefficients()), u, v);
+}
+template <> Patch<Exact> Numbers::surface() {
+  const int m = integer(2, 4), n = integer(2, 4);
+  return Patch<Exact>(net(m, n), weights(m, n), domain(), domain());
+}
+template <> Spline<Exact> Numbers::surface() {
+  const Knots u = knots(), v = knots();
+  const int m = u.number_of_coefficients(), n = v.number_of_coefficients();
+  return Spline<Exact>(net(m, n), weights(m, n), u, v);
+}
+
+// With one control point of the layer j moved by the least number of 64 bits.
+template <class Points> void move_point(Points& net, int i, int j) {
+  const Exact::Point p = net[i][j];
+  net[i][j] = Exact::Point(p.x(), p.y(), p.z() + Q(1) / Q(1 << 30) / Q(2));
+}
+Bezier<Exact> moved(const Bezier<Exact>& s, int i, int j) {
+  std::vector<std::vector<Exact::Point>> net(s.degree_u() + 1);
+  for (int k = 0; k <= s.degree_u(); ++k)
+    for (int l = 0; l <= s.degree_v(); ++l) net[k].push_back(s.control_point(k, l));
+  move_point(net, i, j);
+  return Bezier<Exact>(net, s.domain_u(), s.domain_v());
+}
+Bspline<Exact> moved(const Bspline<Exact>& s, int i, int j) {
+  std::vector<std::vector<Exact::Point>> net(s.number_of_points_u());
+  for (int k = 0; k < s.number_of_points_u(); ++k)
+    for (int l = 0; l < s.number_of_points_v(); ++l) net[k].push_back(s.control_point(k, l));
+  move_point(net, i, j);
+  return Bspline<Exact>(net, s.knots_u(), s.knots_v());
+}
+template <class S> std::vector<std::vector<Q>> rows_of_weights(const S& s) {
+  std::vector<std::vector<Q>> w(s.number_of_points_u());
+  for (int k = 0; k < s.number_of_points_u(); ++k)
+    for (int l = 0; l < s.number_of_points_v(); ++l) w[k].push_back(s.weight(k, l));
+  return w;
+}
+Patch<Exact> moved(const Patch<Exact>& s, int i, int j) {
+  const Bezier<Exact> r = moved(s.unweighted(), i, j);
+  std::vector<std::vector<Exact::Point>> net(s.number_of_points_u());
+  for (int k = 0; k < s.number_of_points_u(); ++k)
+    for (int l = 0; l < s.number_of_points_v(); ++l) net[k].push_back(r.control_point(k, l));
+  return Patch<Exact>(net, rows_of_weights(s), s.domain_u(), s.domain_v());
+}
+Spline<Exact> moved(const Spline<Exact>& s, int i, int j) {
+  const Bspline<Exact> r = moved(s.unweighted(), i, j);
+  std::vector<std::vector<Exact::Point>> net(s.number_of_points_u());
+  for (int k = 0; k < s.number_of_points_u(); ++k)
+    for (int l = 0; l < s.number_of_points_v(); ++l) net[k].push_back(r.control_point(k, l));
+  return Spline<Exact>(net, rows_of_weights(s), s.knots_u(), s.knots_v());
+}
+
+template <class A, class B> int order(const A& a, Patch_edge ea, const B& b, Patch_edge eb) {
+  const auto edge = edge_continuity(a, ea, b, eb);
+  return edge.whole_a && edge.whole_b ? edge.g_order : -2;
+}
+
+// G2 at both edges, and not with a point moved.
+template <class A, class B, class Surface>
+void check_blend(const A& a, Patch_edge ea, const B& b, Patch_edge eb, const Surface& s, Edge_direction direction) {
+  BOOST_CHECK_EQUAL(s.degree_v(), 5);
+  BOOST_CHECK(s.domain_v() == std::make_pair(Q(0), Q(1)));
+  BOOST_CHECK_EQUAL(order(a, ea, s, v0), 2);
+  BOOST_CHECK_EQUAL(order(s, v1, b, eb), 2);
+  BOOST_CHECK(!edge_continuity(a, ea, s, v0).reversed);
+  BOOST_CHECK_EQUAL(edge_continuity(s, v1, b, eb).reversed, direction == Edge_direction::opposite);
+  BOOST_CHECK_EQUAL(order(a, ea, moved(s, 1, 2), v0), 1);
+  BOOST_CHECK_EQUAL(order(a, ea, moved(s, 1, 1), v0), 0);
+  BOOST_CHECK_EQUAL(order(a, ea, moved(s, 1, 3), v0), 2);
+  BOOST_CHECK_EQUAL(order(moved(s, 1, 3), v1, b, eb), 1);
+  BOOST_CHECK_EQUAL(order(moved(s, 1, 4), v1, b, eb), 0);
+}
+
+template <class A, class B> void check_random_blends(Numbers& random) {
+  for (int i = 0; i < 2; ++i) {
+    const A a = random.surface<A>();
+    const B b = random.surface<B>();
+    const Patch_edge ea = random.edge(), eb = random.edge();
+    const Edge_direction direction = random.direction();
+    GC::Blend_surface_shape<A, B> shape = Shape{random.reparametrisation(), random.reparametrisation()};
+    if constexpr (std::is_same_v<decltype(shape), GC::Rational_surface_blend_shape<Q>>) {
+      // the functions are small, so that the denominator stays positive
+      const Function small{fraction(1, 1000)};
+      for (auto* end : {&shape.start, &shape.end}) {
+        end->alpha = small * end->alpha;
+        end->beta = small * end->beta;
+        end->alpha2 = small * end->alpha2;
+        end->delta = small * end->delta;
+        end->lambda1 = small * random.function(random.integer(0, 2));
+        end->lambda2 = small * random.function(random.integer(0, 2));
+      }
+    }
+    check_blend(a, ea, b, eb, blend(a, ea, b, eb, shape, direction), direction);
+  }
+}
+template <class A> void check_random_blends_of(Numbers& random) {
+  check_random_blends<A, Bezier<Exact>>(random);
+  check_random_blends<A, Bspline<Exact>>(random);
+  check_random_blends<A, Patch<Exact>>(random);
+  check_random_blends<A, Spline<Exact>>(random);
+}
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE(patches) {
+  Numbers random;
+  check_random_blends_of<Bezier<Exact>>(random);
+}
+BOOST_AUTO_TEST_CASE(splines) {
+  Numbers random;
+  check_random_blends_of<Bspline<Exact>>(random);
+}
+BOOST_AUTO_TEST_CASE(rational_patches) {
+  Numbers random;
+  check_random_blends_of<Patch<Exact>>(random);
+}
+BOOST_AUTO_TEST_CASE(rational_splines) {
+  Numbers random;
+  check_random_blends_of<Spline<Exact>>(random);
+}
+
+// The part between two parts of one surface is the blend of them, with beta = the ratio of its length and 1.
+template <class Surface> Surface middle(const Surface& s, const Q& low, const Q& high) {
+  const auto rest = s.split_v(low).second;
+  return rest.split_v(high).first;
+}
+template <class Surface> void check_middle_part(const Surface& s) {
+  const Q low = fraction(1, 3), high = fraction(3, 5), length = high - low;
+  const Surface a = s.split_v(low).first, b = s.split_v(high).second;
+  Shape shape;
+  shape.start.beta = shape.end.beta = Function{length};
+  const Surface expected = middle(s, low, high).with_domain(s.domain_u(), {Q(0), Q(1)});
+  BOOST_CHECK(blend(a, v1, b, v0, shape) == expected.elevate(0, 5 - s.degree_v()));
+  BOOST_CHECK(blend(a.swap_parameters(), u1, b.reverse_v().reverse_u(), v1, shape, Edge_direction::opposite) ==
+              expected.elevate(0, 5 - s.degree_v()));
+}
+BOOST_AUTO_TEST_CASE(a_part_of_one_surface) {
+  Numbers random;
+  check_middle_part(Bezier<Exact>(random.net(4, 4), random.domain()));
+  check_middle_part(Bezier<Exact>(random.net(3, 6), random.domain()));
+  check_middle_part(Patch<Exact>(random.net(4, 5), random.weights(4, 5), random.domain()));
+}
+
+// With constants, the columns of control points are blends of the columns of the surfaces.
+BOOST_AUTO_TEST_CASE(columns_are_blends_of_curves) {
+  Numbers random;
+  const Bezier<Exact> a(random.net(4, 4)), b(random.net(4, 3));
+  Shape shape;
+  shape.start.beta = Function{fraction(3, 4)};
+  shape.end.beta = Function{fraction(5, 2)};
+  const Bezier<Exact> s = blend(a, v1, b, v0, shape);
+  const auto column = [](const Bezier<Exact>& surface, int i) {
+    std::vector<Exact::Point> p;
+    for (int j = 0; j <= surface.degree_v(); ++j) p.push_back(surface.control_point(i, j));
+    return GC::Bezier_curve<Exact>(p.begin(), p.end());
+  };
+  BOOST_CHECK_EQUAL(s.degree_u(), 3);
+  for (int i = 0; i <= 3; ++i) {
+    const auto curve =
+        GC::blend(column(a, i), column(b, i), GC::Matching_second_derivative(), {fraction(3, 4), fraction(5, 2)});
+    for (int j = 0; j <= 5; ++j) BOOST_CHECK(curve.control_point(j) == s.control_point(i, j));
+  }
+}
+
+BOOST_AUTO_TEST_CASE(degrees_and_knots) {
+  Numbers random;
+  const Bezier<Exact> a(random.net(3, 4)), b(random.net(5, 3));
+  BOOST_CHECK_EQUAL(blend(a, v1, b, v0, Shape{random.reparametrisation(0, 0, 0, 0), {}}).degree_u(), 4);
+  BOOST_CHECK_EQUAL(blend(a, v1, b, v0, Shape{random.reparametrisation(2, 0, 0, 0), {}}).degree_u(), 4);
+  BOOST_CHECK_EQUAL(blend(a, v1, b, v0, Shape{random.reparametrisation(0, 2, 0, 0), {}}).degree_u(), 6);
+  BOOST_CHECK_EQUAL(blend(a, v1, b, v0, Shape{{}, random.reparametrisation(0, 0, 3, 0)}).degree_u(), 6);
+  BOOST_CHECK_EQUAL(blend(a, v1, b, v0, Shape{{}, random.reparametrisation(0, 0, 0, 4)}).degree_u(), 8);
+  // knots in the parameter of the first edge; that of the second one runs from 2 to 6, backwards
+  const auto clamped = [](int degree, int from, int to, const std::vector<Knots::Knot>& inner) {
+    return Knots(degree, Q(from), Q(to), inner);
+  };
+  const Knots u = clamped(3, 0, 1, {{fraction(1, 3), 1}}), w = clamped(2, 2, 6, {{Q(3), 1}});
+  const Bspline<Exact> c(random.net(5, 3), u, Knots(2, Q(0), Q(1))), d(random.net(4, 3), w, Knots(2, Q(0), Q(1)));
+  const Bspline<Exact> s = blend(c, v1, d, v0, Shape(), Edge_direction::opposite);
+  BOOST_CHECK(s.knots_u() == clamped(3, 0, 1, {{fraction(1, 3), 1}, {fraction(3, 4), 2}}));
+  BOOST_CHECK(s.knots_v() == Knots(5, Q(0), Q(1)));
+  // knots that are not clamped
+  const Bspline<Exact> e(random.net(4, 3), Knots(3, {-3, -2, -1, 0, 1, 2, 3, 4}), Knots(2, {-2, -1, 0, 1, 2, 3}));
+  check_blend(e, v1, d, v0, blend(e, v1, d, v0, Shape()), Edge_direction::same);
+  BOOST_CHECK(blend(e, v1, d, v0, Shape()) == blend(e.clamp(), v1, d, v0, Shape()));
+}
+
+// What a shift along the edge multiplies must not jump.
+BOOST_AUTO_TEST_CASE(torn_blends) {
+  Numbers random;
+  const Knots v(2, Q(0), Q(1));
+  const auto surface = [&](int degree, int multiplicity) {
+    const Knots u(degree, Q(0), Q(1), {{fraction(1, 3), multiplicity}});
+    return Bspline<Exact>(random.net(u.number_of_coefficients(), 3), u, v);
+  };
+  Shape none, shift, bend;
+  shift.start.alpha = Function{Q(1), Q(2)};
+  bend.end.alpha2 = Function{Q(1)};
+  const auto check = [&](const Bspline<Exact>& s, const Shape& shape) {
+    check_blend(s, v1, s, v1, blend(s, v1, s, v1, shape), Edge_direction::same);
+  };
+  for (int multiplicity : {1, 2, 3}) check(surface(3, multiplicity), none);
+  for (int multiplicity : {1, 2}) check(surface(3, multiplicity), bend);
+  CHECK_ERROR(check(surface(3, 3), bend), knot_multiplicity);
+  check(surface(3, 1), shift);
+  CHECK_ERROR(check(surface(3, 2), shift), knot_multiplicity);
+  CHECK_ERROR(check(surface(3, 4), none), knot_multiplicity);
+  BOOST_CHECK_EQUAL(error_of([&] { check(surface(2, 1), shift); }),
+                    "knot_multiplicity: blend: it would be torn at the knot 0.333333 along an edge");
+}
+
+BOOST_AUTO_TEST_CASE_TEMPLATE(errors, Traits, All_traits) {
+  typedef typename Traits::FT FT;
+  typedef typename Traits::Point P;
+  typedef GC::Bernstein_polynomial<FT> Function;
+  const Bezier<Traits> a({{P(0, 0, 0), P(0, 1, 0)}, {P(1, 0, 0), P(1, 1, 0)}});
+  const Bezier<Traits> b({{P(0, 3, 0), P(0, 4, 0)}, {P(1, 3, 0), P(1, 4, 0)}});
+  GC::Surface_blend_shape<FT> shape;
+  BOOST_CHECK_EQUAL(blend(a, v1, b, v0, shape).degree_u(), 1);
+  for (const Function& beta : {Function{FT(0)}, Function{FT(-1)}, Function{FT(1), FT(-1)}, Function{FT(1), FT(0)},
+                               Function{FT(1), FT(-1), FT(1)}}) {
+    shape.start.beta = beta;
+    CHECK_ERROR(blend(a, v1, b, v0, shape), nonpositive_beta);
+    shape.start.beta = Function{FT(1)};
+    shape.end.beta = beta;
+    CHECK_ERROR(blend(a, v1, b, v0, shape), nonpositive_beta);
+    shape.end.beta = Function{FT(1)};
+  }
+  shape.start.beta = Function{FT(4), FT(-1), FT(1)}; // has a negative coefficient, and is positive
+  BOOST_CHECK_EQUAL(blend(a, v1, b, v0, shape).degree_u(), 5);
+  shape.start.beta = Function{FT(1)};
+
+  const Bezier<Traits> pole({{P(0, 0, 0), P(0, 1, 0)}, {P(1, 0, 0), P(0, 1, 0)}});
+  CHECK_ERROR(blend(pole, v1, b, v0, shape), zero_tangent);
+  CHECK_ERROR(blend(b, v0, pole, v1, shape), zero_tangent);
+  BOOST_CHECK_EQUAL(blend(pole, v0, b, v0, shape).degree_u(), 1);
+  const Bezier<Traits> slow({{P(0, 0, 0), P(0, 1, 0), P(0, 1, 0)}, {P(1, 0, 0), P(1, 1, 0), P(1, 1, 0)}});
+  CHECK_ERROR(blend(slow, v1, b, v0, shape), zero_tangent);
+  // in homogeneous points both hide behind the weights
+  const Patch<Traits> round_pole({{P(0, 0, 0), P(0, 1, 0)}, {P(1, 0, 0), P(0, 1, 0)}}, {{1, 1}, {1, 2}});
+  CHECK_ERROR(blend(b, v0, round_pole, v1, shape), zero_tangent);
+  const Patch<Traits> weighted({{P(0, 0, 0), P(0, 1, 0), P(0, 1, 0)}, {P(1, 0, 0), P(1, 1, 0), P(1, 1, 0)}},
+                               {{1, 1, 2}, {1, 1, 2}});
+  CHECK_ERROR(blend(weighted, v1, b, v0, shape), zero_tangent);
+  CHECK_ERROR(blend(b, v0, weighted, v1, shape), zero_tangent);
+  BOOST_CHECK_EQUAL(blend(weighted, v0, b, v0, shape).degree_u(), 1);
+  // a denominator that becomes negative
+  const Patch<Traits> steep({{P(0, 0, 0), P(0, 1, 0)}, {P(1, 0, 0), P(1, 1, 0)}}, {{9, 1}, {9, 1}});
+  CHECK_ERROR(blend(steep, v1, b, v0, shape), zero_weight);
+  if constexpr (std::is_floating_point_v<FT>) {
+    shape.end.delta = Function{FT(1e308)};
+    const Bezier<Traits> large = b.transform([](const P& p) { return P(1000 * p.x(), 1000 * p.y(), p.z()); });
+    CHECK_ERROR(blend(a, v1, large, v0, shape), not_finite);
+    shape.end.beta = Function{std::numeric_limits<FT>::quiet_NaN()};
+    CHECK_ERROR(blend(a, v1, b, v0, shape), not_finite);
+  }
+}
+
+// Any dimension; the coordinates do not mix.
+BOOST_AUTO_TEST_CASE(other_dimensions) {
+  typedef GC::Traits_d<CGAL::Cartesian_d<Q>> Traits;
+  Numbers random;
+  const auto net = random.net(3, 4);
+  const auto lift = [](const Exact::Point& p, int d) {
+    const Q c[] = {p.x(), p.y(), p.z(), p.x(), p.y()};
+    return Traits::Point(d, c, c + d);
+  };
+  const Bezier<Exact> a(net);
+  const Shape shape{random.reparametrisation(), random.reparametrisation()};
+  const Bezier<Exact> s = blend(a, v1, a, u0, shape);
+  for (int d : {2, 3, 5}) {
+    std::vector<std::vector<Traits::Point>> points(net.size());
+    for (std::size_t i = 0; i < net.size(); ++i)
+      for (const Exact::Point& p : net[i]) points[i].push_back(lift(p, d));
+    const Bezier<Traits> b(points), t = blend(b, v1, b, u0, shape);
+    for (int i = 0; i <= t.degree_u(); ++i)
+      for (int j = 0; j <= 5; ++j) BOOST_CHECK(t.control_point(i, j) == lift(s.control_point(i, j), d));
+    if (d == 2) {
+      for (auto& row : points)
+        for (Traits::Point& p : row) p = lift(Exact::Point(p[0], p[1], 0), 3);
+      CHECK_ERROR(blend(b, v1, Bezier<Traits>(points), v0, shape), dimension_mismatch);
+    }
+  }
+}
+
+// Where nothing is rounded the blend is exact in floating-point numbers, and proved there; otherwise it is near.
+BOOST_AUTO_TEST_CASE_TEMPLATE(floating_point, Traits, Rounded_traits) {
+  typedef typename Traits::Point P;
+  Numbers random;
+  const auto net = [&](int m, int n, int from, int unit) {
+    std::vector<std::vector<P>> net(m);
+    for (int i = 0; i < m; ++i)
+      for (int j = 0; j < n; ++j)
+        net[i].emplace_back(unit * (50 * i + random.integer(-9, 9)), unit * (50 * (from + j) + random.integer(-9, 9)),
+                            unit * random.integer(-9, 9));
+    return net;
+  };
+  GC::Surface_blend_shape<double> shape;
+  shape.start.alpha = {0.5, 1};
+  shape.start.delta = {-1, 2, 3};
+  shape.end.beta = {2};
+  const Shape exact_shape{{{fraction(1, 2), Q(1)}, Function{Q(1)}, Function{Q(0)}, {Q(-1), Q(2), Q(3)}},
+                          {Function{Q(0)}, Function{Q(2)}, Function{Q(0)}, Function{Q(0)}}};
+  const auto exact = [](const Bezier<Traits>& s) {
+    std::vector<std::vector<Exact::Point>> net(s.degree_u() + 1);
+    for (int i = 0; i <= s.degree_u(); ++i)
+      for (int j = 0; j <= s.degree_v(); ++j) {
+        const P& p = s.control_point(i, j);
+        net[i].emplace_back(p.x(), p.y(), p.z());
+      }
+    return Bezier<Exact>(net);
+  };
+  int rounded = 0;
+  for (int i = 0; i < 20; ++i) {
+    // 20 and the degree 5 along the edge cancel all denominators
+    const Bezier<Traits> a(net(3, 3, 0, 600)), b(net(2, 3, 5, 600)), s = blend(a, v1, b, v0, shape);
+    BOOST_CHECK_EQUAL(order(a, v1, s, v0), 2);
+    BOOST_CHECK_EQUAL(order(s, v1, b, v0), 2);
+    const Bezier<Traits> c(net(3, 3, 0, 1)), d(net(2, 3, 5, 1)), t = blend(c, v1, d, v0, shape);
+    rounded += order(c, v1, t, v0) < 2;
+    const Bezier<Exact> e = blend(exact(c), v1, exact(d), v0, exact_shape);
+    for (int k = 0; k <= e.degree_u(); ++k)
+      for (int l = 0; l <= 5; ++l)
+        for (int x = 0; x < 3; ++x)
+          BOOST_CHECK_SMALL(CGAL::to_double(e.coordinates(k, l)[x]) - t.coordinates(k, l)[x], 1e-11);
+  }
+  BOOST_CHECK_GT(rounded, 0);
+}
+
+BOOST_AUTO_TEST_SUITE_END()

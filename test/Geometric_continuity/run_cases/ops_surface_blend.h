@@ -1,0 +1,58 @@
+// Copyright (c) 2026 The Geometric_continuity developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef GEOMETRIC_CONTINUITY_TEST_OPS_SURFACE_BLEND_H
+#define GEOMETRIC_CONTINUITY_TEST_OPS_SURFACE_BLEND_H
+
+#include "Kernels.h"
+#include "Report.h"
+
+#include <CGAL/Geometric_continuity/edges/blend_surfaces.h>
+#include <CGAL/Geometric_continuity/edges/edge_continuity.h>
+
+#include <algorithm>
+
+template <class Traits> GC::Bezier_patch<Traits> patch_of(const Case& c, const std::string& path) {
+  std::vector<std::vector<typename Traits::Point>> net;
+  for (int i = 0; i < c.length(path); ++i) net.push_back(Input<Traits>{c}.points(path + '.' + std::to_string(i)));
+  return GC::Bezier_patch<Traits>(net);
+}
+
+template <class FT> GC::Edge_reparametrisation<FT> reparametrisation_of(const Case& c, const std::string& path) {
+  const auto function = [&](const char* name) {
+    std::vector<FT> b;
+    for (const Exact_rational& x : c.numbers(path + '.' + name)) b.push_back(from_rational<FT>(x));
+    return GC::Bernstein_polynomial<FT>(b);
+  };
+  return {function("alpha"), function("beta"), function("alpha2"), function("delta")};
+}
+
+// Topic surface_blend: from the edge v = 1 of one patch to the edge v = 0 of another. Nets are equal when they are after elevation
+// along u to a common degree, which is that of the expected one where it is the larger.
+template <class Traits> bool run_surface_blend(const Case& c, Report& report) {
+  typedef typename Traits::FT FT;
+  if (c.op != "surface_blend") return false;
+  constexpr GC::Patch_edge v0 = GC::Patch_edge::v0, v1 = GC::Patch_edge::v1;
+  const GC::Bezier_patch<Traits> left = patch_of<Traits>(c, "left"), right = patch_of<Traits>(c, "right"),
+                                 s = GC::blend(
+                                     left, v1, right, v0,
+                                     {reparametrisation_of<FT>(c, "start"), reparametrisation_of<FT>(c, "end")});
+  report.construction("net", [&] {
+    const auto expected = c.out.find("net#");
+    const int degree = expected == c.out.end() ? 0 : std::stoi(expected->second) - 1;
+    const GC::Bezier_patch<Traits> elevated = s.elevate((std::max)(degree - s.degree_u(), 0), 0);
+    std::vector<std::vector<std::vector<FT>>> net(elevated.degree_u() + 1);
+    for (int i = 0; i <= elevated.degree_u(); ++i)
+      for (int j = 0; j <= elevated.degree_v(); ++j)
+        net[i].push_back(coordinates<Traits>(elevated.control_point(i, j)));
+    return net;
+  });
+  if constexpr (GC::dimension_v<Traits> == 3) {
+    report.consequence("g2_start", [&] { return edge_continuity(left, v1, s, v0).g_order >= 2; });
+    report.consequence("g2_end", [&] { return edge_continuity(s, v1, right, v0).g_order >= 2; });
+  }
+  return true;
+}
+
+#endif // GEOMETRIC_CONTINUITY_TEST_OPS_SURFACE_BLEND_H
