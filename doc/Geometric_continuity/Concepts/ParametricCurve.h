@@ -19,6 +19,7 @@ A curve that ends is read at the end of its domain, a curve that starts at the s
 \cgalHasModel{CGAL::Geometric_continuity::Composite_bezier_curve}
 \cgalHasModel{CGAL::Geometric_continuity::Bspline_curve}
 \cgalHasModel{CGAL::Geometric_continuity::Cubic_blended_curve}
+\cgalHasModel{CGAL::Geometric_continuity::Rational_curve}: `Rational_bezier_curve`, `Rational_bspline_curve`
 \cgalHasModel{CGAL::Geometric_continuity::Quintic_blend}
 \cgalHasModel{CGAL::Geometric_continuity::Septic_blend}
 \cgalHasModelsEnd

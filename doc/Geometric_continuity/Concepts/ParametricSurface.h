@@ -9,13 +9,14 @@ derivatives.
 
 \cgalConcept
 
-What needs nothing but points and derivatives, such as a normal or a tessellation, is written for this concept. Whether
-two surfaces continue each other along a whole edge cannot be decided from single points; this is decided for polynomial
-patches, from their control points, see `CGAL::Geometric_continuity::edge_continuity()`.
+What needs nothing but points and derivatives, such as a normal, is written for this concept. How two surfaces continue each other along a
+whole edge cannot be decided from single points; this is decided for Bézier patches, B-spline surfaces and their rational kinds, from their control
+points, see `CGAL::Geometric_continuity::edge_continuity()`.
 
 \cgalHasModelsBegin
 \cgalHasModel{CGAL::Geometric_continuity::Bezier_patch}
 \cgalHasModel{CGAL::Geometric_continuity::Bspline_surface}
+\cgalHasModel{CGAL::Geometric_continuity::Rational_surface}: `Rational_bezier_patch`, `Rational_bspline_surface`
 \cgalHasModel{CGAL::Geometric_continuity::Extrusion_surface_3}
 \cgalHasModel{CGAL::Geometric_continuity::Revolution_surface_3}
 \cgalHasModelsEnd

@@ -237,20 +237,20 @@ struct Works_in_every_field<Strategy, std::void_t<typename Strategy::Works_in_ev
 } // namespace internal
 
 /// \ingroup PkgGeometricContinuityStrategies
-/// Whether a strategy allows that it is called in other fields than that of the traits class, which makes exact blends several
+/// True for a strategy that may be called in other fields than that of the traits class, which makes exact blends several
 /// times faster: the value of `Strategy::Works_in_every_field`, see `BlendStrategy`; `false` when there is no such type. It may
 /// be specialised for a strategy that cannot be changed.
 template <class Strategy> constexpr bool works_in_every_field_v = internal::Works_in_every_field<Strategy>::value;
 
 /// \ingroup PkgGeometricContinuityStrategies
-/// Whether a strategy is quintic: whether it can be called with the `Quintic_ends` of a traits class. It then makes blends of
+/// True for a quintic strategy, which can be called with the `Quintic_ends` of a traits class. It then makes blends of
 /// degree 5 from jets of order 2, even if it could be called with `Septic_ends` too.
 template <class Strategy, class Traits>
 constexpr bool is_quintic_strategy_v =
     std::is_invocable_v<const Strategy&, const Quintic_ends<typename Traits::FT, dimension_v<Traits>>&>;
 
 /// \ingroup PkgGeometricContinuityStrategies
-/// Whether a strategy can be called with the `Septic_ends` of a traits class. If it is not quintic, it makes blends of degree
+/// True for a strategy that can be called with the `Septic_ends` of a traits class. If it is not quintic, it makes blends of degree
 /// 7 from jets of order 3.
 template <class Strategy, class Traits>
 constexpr bool is_septic_strategy_v =

@@ -283,7 +283,7 @@ private:
 };
 
 /// \ingroup PkgGeometricContinuityConstruction
-/// Whether a curve through or near many points returns to the first of them.
+/// How a curve through or near many points ends.
 enum class Closure {
   open,  ///< it ends at the last point, or near it
   closed ///< it returns to the first point

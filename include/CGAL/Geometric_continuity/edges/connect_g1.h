@@ -201,8 +201,8 @@ void check_ribbon_input(const Bspline_curve<Traits>& c, const Bspline_curve<Trai
 /// - \f$ (\alpha_k, \beta_k) \f$ are the coordinates of \f$ C_k - C \f$ in \f$ (D, C') \f$,
 /// - \f$ (\alpha_k', \beta_k') \f$ are those of \f$ C_k' - C' - D'\alpha_k - C''\beta_k \f$ (5),
 ///
-/// both by the normal equations (11); and \f$ P_1 = P_0 + \frac{L}{3} P_0' \f$ (6). The factor `L` is missing in the source,
-/// which has [0, 1] only, and its (2) has `P` for \f$ C \f$.
+/// both by the normal equations (11); and \f$ P_1 = P_0 + \frac{L}{3} P_0' \f$ (6). The source assumes
+/// \f$ L = 1 \f$; its (2) has `P` for \f$ C \f$.
 ///
 /// It follows that \f$ \alpha_1 - \alpha_2 = 2 \f$, \f$ \beta_1 = \beta_2 \f$ and \f$ T_1 - T_2 = C_1 - C_2 \f$. Two things
 /// are not automatic, and reported: the demands are met only if the given vectors lie in the plane of \f$ D \f$ and

@@ -221,7 +221,7 @@ struct Edge_tolerance {
 };
 
 /// \ingroup PkgGeometricContinuityContinuity
-/// Whether two surfaces have the orders 0 and 1 along an edge within a tolerance. (The order 2 has no tolerance: it is decided
+/// The orders 0 and 1 of two surfaces along an edge, within a tolerance. (The order 2 has no tolerance: it is decided
 /// exactly by `edge_continuity()`.)
 struct Edge_order_within {
   Edge_deviation deviation; ///< on which the verdicts rest

@@ -115,7 +115,7 @@ struct Join_tolerance {
 };
 
 /// \ingroup PkgGeometricContinuityContinuity
-/// Whether a join has the orders 0 to 3 within a tolerance.
+/// The orders 0 to 3 of a join, within a tolerance.
 struct Order_within {
   Join_deviation deviation; ///< on which the verdicts rest
   /// For each order: the ends meet; in addition the tangents agree; the curvature vectors; the torsions, or in the plane the
