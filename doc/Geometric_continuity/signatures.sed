@@ -7,6 +7,6 @@ s/internal::Bezier_piece<typename std::iterator_traits<ForwardIterator>::value_t
 s/internal::Bezier_coefficients<[A-Za-z_, ]*>/unspecified_type/g
 s/= internal::usual_kink_bound()/= Kink_bound(5)/g
 s/internal::Steps_of_each::default_steps/4'000'000'000/
-/ using \| constexpr /s/ = \(typename \)\{0,1\}internal::[^;]*;/ = unspecified_value;/
+/^using \| using \|constexpr /s/ = \(typename \)\{0,1\}internal::[^;]*;/ = unspecified_value;/
 s/typedef std::conditional_t<.*internal::.*> \([A-Za-z_]*\);/typedef unspecified_type \1;/
 s/internal::Unspecified/unspecified_type/g

@@ -31,7 +31,7 @@
 namespace CGAL {
 namespace Geometric_continuity {
 
-/// \ingroup PkgGeometricContinuityConstruction
+/// \ingroup PkgGeometricContinuityExtensions
 /// The scalars that choose \f$ b_2 \f$ (`c0`) and \f$ b_3 \f$ (`c1`, `c2`) of a right polygon. Hagen (3.2.2), (3.2.3).
 /// \tparam FT a field number type
 template <class FT> struct Alternative_parameters {
@@ -40,7 +40,7 @@ template <class FT> struct Alternative_parameters {
   FT c2; ///< \f$ C_2 \f$
 };
 
-/// \ingroup PkgGeometricContinuityConstruction
+/// \ingroup PkgGeometricContinuityExtensions
 /// The coefficients that connect the derivatives at a join of the curves `X` and `Y` over intervals of length 1:
 /// \f$ Y' = \beta_1 X' \f$, \f$ Y'' = \beta_1^2 X'' + \beta_2 X' \f$, \f$ Y''' = \beta_1^3 X''' + \mu X'' + \delta X' \f$. The
 /// join is \f$ F^3 \f$, and \f$ G^3 \f$ with \f$ \beta_3 = \delta \f$ when \f$ \mu = 3\beta_1\beta_2 \f$. Hagen (2.2).
@@ -62,7 +62,7 @@ inline void check_degree(int m, int least, const char* place) {
 
 } // namespace internal
 
-/// \ingroup PkgGeometricContinuityConstruction
+/// \ingroup PkgGeometricContinuityExtensions
 /// Returns the scalars of the \f$ C^2 \f$ and \f$ C^3 \f$ members, when `beta` is the ratio of the parameter intervals:
 /// \f$ C_0 = 2\beta^2 + 2\beta \f$, \f$ C_1 = \beta^3 + 3\beta^2 + 3\beta \f$, \f$ C_2 = 2\beta^3 + 3\beta^2 \f$; that is 4, 7, 5
 /// for \f$ \beta = 1 \f$.
@@ -72,7 +72,7 @@ template <class FT> Alternative_parameters<FT> ck_parameters(const FT& beta) {
           FT(FT(2) * cube + FT(3) * square)};
 }
 
-/// \ingroup PkgGeometricContinuityConstruction
+/// \ingroup PkgGeometricContinuityExtensions
 /// Returns \f$ \beta_2 = (m-1) (C_0 - 2\beta^2 - 2\beta) \f$.
 /// \throws Error `wrong_number_of_points` when `m < 2`
 template <class FT> FT connection_beta2(int m, const FT& beta, const FT& c0) {
@@ -80,7 +80,7 @@ template <class FT> FT connection_beta2(int m, const FT& beta, const FT& c0) {
   return FT(FT(m - 1) * (c0 - ck_parameters<FT>(beta).c0));
 }
 
-/// \ingroup PkgGeometricContinuityConstruction
+/// \ingroup PkgGeometricContinuityExtensions
 /// Returns all coefficients: \f$ \beta_1 = \beta \f$, \f$ \beta_2 \f$ as `connection_beta2()`, \f$ \mu = (m-2) (C_2 - 3\beta^2 - 2\beta^3) \f$,
 /// \f$ \delta = (m-1)(m-2) (C_1 - C_2 - 3C_0 + \beta^3 + 6\beta^2 + 3\beta) \f$.
 /// \throws Error `wrong_number_of_points` when `m < 3`
@@ -94,7 +94,7 @@ Connection_coefficients<FT> connection_coefficients(int m, const FT& beta, const
   return {beta, connection_beta2<FT>(m, beta, c.c0), mu, delta};
 }
 
-/// \ingroup PkgGeometricContinuityConstruction
+/// \ingroup PkgGeometricContinuityExtensions
 /// Returns the \f$ C_2 \f$ of the \f$ G^3 \f$ members of the plane:
 /// \f$ C_2 = 3\beta^2 + 2\beta^3 + 3\beta \frac{m-1}{m-2} (C_0 - 2\beta^2 - 2\beta) \f$.
 /// \throws Error `wrong_number_of_points` when `m < 3`
@@ -103,7 +103,7 @@ template <class FT> FT g3_c2(int m, const FT& beta, const FT& c0) {
   return FT(ck_parameters<FT>(beta).c2 + FT(3) * beta * connection_beta2<FT>(m, beta, c0) / FT(m - 2));
 }
 
-/// \ingroup PkgGeometricContinuityConstruction
+/// \ingroup PkgGeometricContinuityExtensions
 /// Returns the \f$ C_1 \f$ for which the connection has a wished \f$ \delta \f$:
 /// \f$ C_1 = C_2 + 3C_0 - \beta^3 - 6\beta^2 - 3\beta + \frac{\delta}{(m-1)(m-2)} \f$.
 /// \throws Error `wrong_number_of_points` when `m < 3`
@@ -113,7 +113,7 @@ template <class FT> FT connection_c1(int m, const FT& beta, const FT& c0, const 
   return FT(ck.c1 + (c2 - ck.c2) + FT(3) * (c0 - ck.c0) + delta / (FT(m - 1) * FT(m - 2)));
 }
 
-/// \ingroup PkgGeometricContinuityConstruction
+/// \ingroup PkgGeometricContinuityExtensions
 /// The second point of every next segment with a continuous tangent: \f$ b_1 = b_0 + \beta p \f$. Hagen (3.2.1).
 template <class Traits> class Tangent_alternative : public internal::Polygon_end<Traits, 2> {
   typedef internal::Polygon_end<Traits, 2> Base;
@@ -145,7 +145,7 @@ public:
   }
 };
 
-/// \ingroup PkgGeometricContinuityConstruction
+/// \ingroup PkgGeometricContinuityExtensions
 /// The third point of every next segment with a continuous curvature vector, behind \f$ b_1 = b_0 + \beta p \f$: the points
 /// \f$ b_2 = b_0 + \beta^2 (b_{-2} - b_0) + C_0 p \f$ of an affine line. Hagen (3.2.2).
 template <class Traits> class Curvature_alternatives : public internal::Polygon_end<Traits, 3> {
@@ -209,7 +209,7 @@ private:
   }
 };
 
-/// \ingroup PkgGeometricContinuityConstruction
+/// \ingroup PkgGeometricContinuityExtensions
 /// The scalars of one member of `Torsion_alternatives`.
 template <class FT> struct Torsion_parameters {
   FT c1; ///< \f$ C_1 \f$
@@ -223,7 +223,7 @@ template <class FT> struct Torsion_parameters {
   friend bool operator!=(const Torsion_parameters& x, const Torsion_parameters& y) { return !(x == y); }
 };
 
-/// \ingroup PkgGeometricContinuityConstruction
+/// \ingroup PkgGeometricContinuityExtensions
 /// The fourth point of every next segment with a continuous Frenet frame, curvature and torsion (\f$ F^3 \f$), behind
 /// \f$ b_1 = b_0 + \beta p \f$ and the member \f$ b_2 \f$ of `Curvature_alternatives` with a given \f$ C_0 \f$: the points
 /// \f$ b_3 = b_0 + \beta^3 (b_{-2} - b_{-3}) + C_1 p + C_2 r \f$ of an affine plane, which does not depend on \f$ C_0 \f$.
@@ -343,7 +343,7 @@ private:
   }
 };
 
-/// \ingroup PkgGeometricContinuityConstruction
+/// \ingroup PkgGeometricContinuityExtensions
 /// Returns the second point of the segments that continue `left` with a continuous tangent, as an object.
 /// \throws Error like the constructor of `Tangent_alternative`
 template <class Traits, int Degree>
@@ -352,7 +352,7 @@ Tangent_alternative<Traits> tangent_alternative(const Bezier_curve<Traits, Degre
   return {internal::last_points<2>(left, "tangent_alternative"), left.degree(), beta};
 }
 
-/// \ingroup PkgGeometricContinuityConstruction
+/// \ingroup PkgGeometricContinuityExtensions
 /// Returns the line of third points of the segments that continue `left` with a continuous curvature vector.
 /// \throws Error like the constructor of `Curvature_alternatives`
 template <class Traits, int Degree>
@@ -361,7 +361,7 @@ Curvature_alternatives<Traits> curvature_alternatives(const Bezier_curve<Traits,
   return {internal::last_points<3>(left, "curvature_alternatives"), left.degree(), beta};
 }
 
-/// \ingroup PkgGeometricContinuityConstruction
+/// \ingroup PkgGeometricContinuityExtensions
 /// Returns the plane of fourth points of the segments that continue `left` with continuous torsion, when \f$ b_2 \f$ has been
 /// chosen by \f$ C_0 \f$. \throws Error like the constructor of `Torsion_alternatives`
 template <class Traits, int Degree>
@@ -371,7 +371,7 @@ Torsion_alternatives<Traits> torsion_alternatives(const Bezier_curve<Traits, Deg
   return {internal::last_points<4>(left, "torsion_alternatives"), left.degree(), c0, beta};
 }
 
-/// \ingroup PkgGeometricContinuityConstruction
+/// \ingroup PkgGeometricContinuityExtensions
 /// Returns the reflection \f$ 2c - x \f$ of a point in a centre, which becomes the midpoint of both. With \f$ c = b_0 \f$ and
 /// \f$ x = b_{-1} \f$ this is Hagen's construction (3.3.1) of the \f$ b_1 \f$ of a continuous tangent.
 /// \throws Error `dimension_mismatch`, `not_finite` when the result overflows the number type
@@ -386,7 +386,7 @@ typename Traits::Point reflection(const typename Traits::Point& centre, const ty
   return Geometric_continuity::to_point<Traits>(reflected);
 }
 
-/// \ingroup PkgGeometricContinuityConstruction
+/// \ingroup PkgGeometricContinuityExtensions
 /// The points of Hagen's construction (3.3.2), corrected, for curvature continuity with \f$ \beta = 1 \f$. All of them come
 /// from midpoints, with two operations per coordinate each, in any dimension and over any field.
 ///
@@ -415,7 +415,7 @@ template <class Traits> struct Midpoint_construction {
   }
 };
 
-/// \ingroup PkgGeometricContinuityConstruction
+/// \ingroup PkgGeometricContinuityExtensions
 /// Constructs the points of Hagen (3.3.1) and (3.3.2) at the end \f$ b_{-2}, b_{-1}, b_0 \f$ of a polygon. Where
 /// \f$ b_{-1} = b_0 \f$ the line of alternatives shrinks to a point.
 /// \throws Error `dimension_mismatch`, `not_finite` when a point overflows the number type
@@ -431,7 +431,7 @@ Midpoint_construction<Traits> midpoint_construction(const typename Traits::Point
   return m;
 }
 
-/// \ingroup PkgGeometricContinuityConstruction
+/// \ingroup PkgGeometricContinuityExtensions
 /// Constructs the points of Hagen (3.3.1) and (3.3.2) behind a Bézier curve, from its last three control points.
 /// \throws Error `wrong_number_of_points` for a degree below 2, `not_finite` when a point overflows the number type
 template <class Traits, int Degree>

@@ -35,7 +35,7 @@
 namespace CGAL {
 namespace Geometric_continuity {
 
-/// \ingroup PkgGeometricContinuityConstruction
+/// \ingroup PkgGeometricContinuityExtensions
 /// What a join keeps continuous, each with all before it: \f$ F^1 \f$, \f$ F^2 \f$, \f$ F^3 \f$.
 enum class Frenet_order {
   tangent = 1,   ///< the direction of the tangent
@@ -59,7 +59,7 @@ template <class FT> struct Given_optional_number {
 
 } // namespace internal
 
-/// \ingroup PkgGeometricContinuityConstruction
+/// \ingroup PkgGeometricContinuityExtensions
 /// The ratio and the members of the families of alternatives that a next segment takes. What is not given is that of the
 /// smoothest join: \f$ C_0 \f$ of the \f$ C^2 \f$ member, \f$ C_2 \f$ of the \f$ G^3 \f$ member and \f$ C_1 \f$ with
 /// \f$ \delta = 0 \f$.
@@ -119,7 +119,7 @@ Bezier_curve<Traits, Degree> next_segment(const Bezier_curve<Traits, Degree>& le
 
 } // namespace internal
 
-/// \ingroup PkgGeometricContinuityConstruction
+/// \ingroup PkgGeometricContinuityExtensions
 /// Returns the next segment of a chain behind `left`: of the same degree `m`, on the domain \f$ [b, b + \beta (b - a)] \f$ behind
 /// \f$ [a, b] \f$, with the wanted continuity. Its first points are the given members of the families of alternatives; its
 /// derivatives beyond the wanted order are those of `left`. Without given parameters this is the polynomial `left` itself,
@@ -165,7 +165,7 @@ Bezier_curve<Traits> polynomial_at_end(const Rational_bezier_curve<Traits, Degre
 
 } // namespace internal
 
-/// \ingroup PkgGeometricContinuityConstruction
+/// \ingroup PkgGeometricContinuityExtensions
 /// Returns the next segment of a chain behind a rational curve: a polynomial one, which `extend()` makes from the Taylor polynomial of
 /// `left` at its end, see `taylor_polynomial_at_end()`. Its degree is that of `left`, or the order if that is higher. With equal weights
 /// it is that of the polynomial curve.
@@ -187,7 +187,7 @@ std::vector<Bezier_curve<Traits>> segments_of(const Composite_bezier_curve<Trait
 
 } // namespace internal
 
-/// \ingroup PkgGeometricContinuityConstruction
+/// \ingroup PkgGeometricContinuityExtensions
 /// Returns the segmented curve with one more segment, which `extend()` makes from the last one. In the global parameter
 /// \f$ \beta \f$ is the ratio of the lengths of the two parameter intervals.
 /// \throws Error `wrong_number_of_points`, `nonpositive_beta`, `zero_tangent`, `not_finite`, `work_limit` as `extend()` of a Bézier
@@ -229,7 +229,7 @@ Rational_bspline_curve<Traits> with_segment(const Rational_bspline_curve<Traits>
 
 } // namespace internal
 
-/// \ingroup PkgGeometricContinuityConstruction
+/// \ingroup PkgGeometricContinuityExtensions
 /// Returns the rational B-spline curve with one more segment, a polynomial one, which `extend()` makes from the rational Bézier curve on
 /// the last span; knots as for a B-spline curve.
 /// \throws Error `wrong_number_of_points` when the order exceeds the degree, `nonpositive_beta`, `zero_tangent`, `not_finite` as
@@ -241,7 +241,7 @@ Rational_bspline_curve<Traits> extend(const Rational_bspline_curve<Traits>& curv
   return internal::with_segment(clamped, extend(clamped.bezier_pieces().back(), order, parameters), "extend");
 }
 
-/// \ingroup PkgGeometricContinuityConstruction
+/// \ingroup PkgGeometricContinuityExtensions
 /// Returns the B-spline curve with one more segment, which `extend()` makes from the Bézier curve on the last span. It is clamped; its
 /// domain \f$ [a, b] \f$ grows by \f$ \beta \f$ times the length of that span. The inner knots stay, and the join at `b` becomes a
 /// knot of multiplicity `p`, because a join with geometric continuity is in general no smoother in the parameter;
@@ -256,7 +256,7 @@ Bspline_curve<Traits> extend(const Bspline_curve<Traits>& curve, Frenet_order or
   return internal::with_segment(clamped, extend(clamped.bezier_pieces().back(), order, parameters));
 }
 
-/// \ingroup PkgGeometricContinuityConstruction
+/// \ingroup PkgGeometricContinuityExtensions
 /// Returns the segment on [0, 1] that leads from the end of the curve `last` back to the start of the curve `first`, with the wanted
 /// continuity at both joins: for the tangent the cubic with the end tangents \f$ \beta x' \f$ and \f$ \eta y' \f$, for the
 /// curvature the quintic blend of least \f$ \int |\gamma'''|^2 \f$, for the torsion the \f$ G^3 \f$ septic blend of least
@@ -281,7 +281,7 @@ Bezier_curve<typename Left::Traits> close(const Left& last, const Right& first, 
   return {points.begin(), points.end()};
 }
 
-/// \ingroup PkgGeometricContinuityConstruction
+/// \ingroup PkgGeometricContinuityExtensions
 /// Returns the closed curve with one more segment, which `close()` makes from the last one to the first. It takes a parameter
 /// interval of length 1; all segments get the highest degree.
 /// \throws Error `nonpositive_beta`, `zero_tangent`, `not_finite` as `close()` of two curves
@@ -330,7 +330,7 @@ void minimize_energy(std::vector<Coordinate_vector<FT, N>>& b,
 
 } // namespace internal
 
-/// \ingroup PkgGeometricContinuityConstruction
+/// \ingroup PkgGeometricContinuityExtensions
 /// Returns the next segment of a chain behind `left` that leads to a wished point: of the same degree `m`, on the domain
 /// \f$ [b, b + \beta (b - a)] \f$ behind \f$ [a, b] \f$, with the wanted continuity `k`. When `m > k` it ends at the point; when
 /// `m == k` it ends at the nearest member of the family of alternatives. All that is free otherwise, the scalars of the
@@ -379,7 +379,7 @@ Bezier_curve<Traits, Degree> extend_toward(const Bezier_curve<Traits, Degree>& l
   return internal::next_segment(left, beta, b);
 }
 
-/// \ingroup PkgGeometricContinuityConstruction
+/// \ingroup PkgGeometricContinuityExtensions
 /// Returns the next segment of a chain behind a rational curve that leads to a wished point: a polynomial one, which `extend_toward()`
 /// makes from the Taylor polynomial of `left` at its end, as `extend()` of a rational curve.
 /// \throws Error `nonpositive_beta`, `zero_tangent`, `dimension_mismatch`, `not_finite` as `extend_toward()` of a Bézier curve
@@ -390,7 +390,7 @@ Bezier_curve<Traits> extend_toward(const Rational_bezier_curve<Traits, Degree>& 
   return extend_toward(internal::polynomial_at_end(left, order), order, wished, beta);
 }
 
-/// \ingroup PkgGeometricContinuityConstruction
+/// \ingroup PkgGeometricContinuityExtensions
 /// Returns the rational B-spline curve with one more segment, a polynomial one, which `extend_toward()` makes from the rational Bézier
 /// curve on the last span.
 /// \throws Error `wrong_number_of_points` when the order exceeds the degree, otherwise as `extend_toward()` of a Bézier curve
@@ -403,7 +403,7 @@ Rational_bspline_curve<Traits> extend_toward(const Rational_bspline_curve<Traits
                                 "extend_toward");
 }
 
-/// \ingroup PkgGeometricContinuityConstruction
+/// \ingroup PkgGeometricContinuityExtensions
 /// Returns the segmented curve with one more segment, which `extend_toward()` makes from the last one. In the global parameter
 /// \f$ \beta \f$ is the ratio of the lengths of the two parameter intervals.
 /// \throws Error `wrong_number_of_points`, `nonpositive_beta`, `zero_tangent`, `dimension_mismatch`, `not_finite` as
@@ -417,7 +417,7 @@ Composite_bezier_curve<Traits, Degree> extend_toward(const Composite_bezier_curv
   return Composite_bezier_curve<Traits, Degree>(segments.begin(), segments.end());
 }
 
-/// \ingroup PkgGeometricContinuityConstruction
+/// \ingroup PkgGeometricContinuityExtensions
 /// Returns the B-spline curve with one more segment, which `extend_toward()` makes from the Bézier curve on the last span. It is
 /// clamped, and the join becomes a knot of multiplicity `p`, as by `extend()` of a B-spline curve.
 /// \throws Error `wrong_number_of_points`, `nonpositive_beta`, `zero_tangent`, `dimension_mismatch`, `not_finite` as

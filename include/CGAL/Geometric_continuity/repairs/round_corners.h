@@ -34,7 +34,7 @@
 namespace CGAL {
 namespace Geometric_continuity {
 
-/// \ingroup PkgGeometricContinuityConstruction
+/// \ingroup PkgGeometricContinuityExtensions
 /// A rounded corner: three curves, one after the other.
 /// \tparam Left, Right `Bezier_curve` or `Rational_bezier_curve`, as given \tparam Blend what `blend()` returns for the strategy
 template <class Left, class Right, class Blend> struct Rounded_corner {
@@ -100,7 +100,7 @@ auto blend_of_parts(const Left& left, const Right& right, const Strategy& strate
 
 } // namespace internal
 
-/// \ingroup PkgGeometricContinuityConstruction
+/// \ingroup PkgGeometricContinuityExtensions
 /// Rounds the corner in which the curve `left` ends and the curve `right` starts: cuts off of both what is nearer to it
 /// than `distance`, along the curve, and puts a blend into the gap. The corner may be a join of any kind, even a smooth one.
 /// Segmented curves and B-splines are rounded by `round_corners()`.
@@ -138,7 +138,7 @@ auto round_corner(const Left& left, const Right& right, double distance, const S
   return Rounded_corner<Left, Right, std::decay_t<decltype(gamma)>>{left_part, gamma, right_part, left_cut, right_cut};
 }
 
-/// \ingroup PkgGeometricContinuityConstruction
+/// \ingroup PkgGeometricContinuityExtensions
 /// Where a corner of a chain was, and what has become of it.
 template <class FT> struct Rounded_join {
   std::size_t join;  ///< the corner is the join after this Bézier curve of the given chain, counted from 0 on
@@ -148,7 +148,7 @@ template <class FT> struct Rounded_join {
   std::size_t blend; ///< the number of the blend in the rounded chain
 };
 
-/// \ingroup PkgGeometricContinuityConstruction
+/// \ingroup PkgGeometricContinuityExtensions
 /// A chain of curves whose corners are rounded.
 /// \tparam Curve `Bezier_curve<Traits>`, or `Rational_bezier_curve<Traits>` if the given curves are rational
 template <class Curve> struct Rounded_chain {
@@ -215,7 +215,7 @@ void add_bezier_pieces(const Rational_bspline_curve<Traits>& curve,
 
 } // namespace internal
 
-/// \ingroup PkgGeometricContinuityConstruction
+/// \ingroup PkgGeometricContinuityExtensions
 /// Rounds the corners of a chain of curves, each of which starts where the one before it ends. Segmented curves and B-splines
 /// are chains of Bézier curves themselves, and their inner joins and knots are joins like all others. Corners are the joins
 /// whose \f$ G \f$ order is less than `order`: with 1 kinks and cusps, with 2 jumps of the curvature too. All other joins,
