@@ -33,7 +33,7 @@ grep -v :: "$work/pages" | comm -23 - "$work/groups" | report "A public name sta
 
 # What pages call by name: `name()`, `Class::name()`. How_a_decision_is_made.txt follows calls through what is internal.
 sed -n 's/.*<name>\(.*\)<\/name>.*/\1/p' manual.tag | sed 's/.*:://' | sort -u >"$work/members"
-texts=$(sed -n 's/^INPUT *= "\(.*\)" .*/\1/p' Doxyfile)
+texts=$(sed -n 's/^ *"\(.*\/doc\/Geometric_continuity\)" .*/\1/p' Doxyfile)
 find "$texts" -name '*.txt' ! -name How_a_decision_is_made.txt -exec grep -ohE '`[A-Za-z_:]+\(\)`' {} + |
   sed -e 's/[`()]//g' -e '/^std::\|^CGAL::to_\|^CGAL::sqrt\|what$/d' -e 's/.*:://' | sort -u |
   comm -23 - "$work/members" | report "The manual names functions that exist:"
