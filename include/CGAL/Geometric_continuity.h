@@ -86,6 +86,8 @@
 #include <CGAL/Geometric_continuity/edges/Edge_conditions.h>
 #include <CGAL/Geometric_continuity/edges/Edge_rows.h>
 #include <CGAL/Geometric_continuity/edges/Spline_edge_continuity.h>
+#include <CGAL/Geometric_continuity/edges/Surface_blend_shape.h>
+#include <CGAL/Geometric_continuity/edges/automatic_surface_shape.h>
 #include <CGAL/Geometric_continuity/edges/blend_surfaces.h>
 #include <CGAL/Geometric_continuity/edges/connect_g1.h>
 #include <CGAL/Geometric_continuity/edges/edge_continuity.h>

@@ -11,9 +11,11 @@
 
 #include <CGAL/Cartesian_d.h>
 #include <CGAL/Geometric_continuity/Traits_d.h>
+#include <CGAL/Geometric_continuity/blends/Fair.h>
 #include <CGAL/Geometric_continuity/blends/blend.h>
 #include <CGAL/Geometric_continuity/edges/blend_surfaces.h>
 #include <CGAL/Geometric_continuity/edges/edge_continuity.h>
+#include <CGAL/Geometric_continuity/surfaces/boundary_curve.h>
 
 #include <cstddef>
 #include <limits>
@@ -200,6 +202,15 @@ template <class A> void check_random_blends_of(Numbers& random) {
 
 } // namespace
 
+// With the shape of a strategy, in the direction in which the ends of the edges are nearer.
+template <class A, class B, class Strategy> void check_automatic_blend(Numbers& random, const Strategy& strategy) {
+  const A a = random.surface<A>();
+  const B b = random.surface<B>();
+  const Patch_edge ea = random.edge(), eb = random.edge();
+  const Edge_direction direction = nearer_direction(a, ea, b, eb);
+  check_blend(a, ea, b, eb, blend(a, ea, b, eb, strategy), direction);
+}
+
 BOOST_AUTO_TEST_CASE(patches) {
   Numbers random;
   check_random_blends_of<Bezier<Exact>>(random);
@@ -258,6 +269,80 @@ BOOST_AUTO_TEST_CASE(columns_are_blends_of_curves) {
         GC::blend(column(a, i), column(b, i), GC::Matching_second_derivative(), {fraction(3, 4), fraction(5, 2)});
     for (int j = 0; j <= 5; ++j) BOOST_CHECK(curve.control_point(j) == s.control_point(i, j));
   }
+}
+
+BOOST_AUTO_TEST_CASE(automatic_blends) {
+  Numbers random;
+  check_automatic_blend<Bezier<Exact>, Bezier<Exact>>(random, GC::Minimal_energy<3>());
+  check_automatic_blend<Bezier<Exact>, Bspline<Exact>>(random, GC::Minimal_energy<2>());
+  check_automatic_blend<Bspline<Exact>, Patch<Exact>>(random, GC::Minimal_second_derivative());
+  check_automatic_blend<Patch<Exact>, Spline<Exact>>(random, GC::Minimal_energy<3>());
+  check_automatic_blend<Spline<Exact>, Spline<Exact>>(random, GC::Matching_second_derivative());
+  check_automatic_blend<Bezier<Exact>, Bezier<Exact>>(random, GC::Fair());
+  check_automatic_blend<Patch<Exact>, Bezier<Exact>>(random, GC::Fair());
+  check_automatic_blend<Bezier<Exact>, Bezier<Exact>>(random, GC::Given_parameters<double>{0.25, -3});
+}
+
+// Where all curves u = const are the same but for a translation, the shape is that of the curves.
+BOOST_AUTO_TEST_CASE_TEMPLATE(shape_of_translated_curves, Traits, All_traits) {
+  typedef typename Traits::FT FT;
+  typedef typename Traits::Point P;
+  const auto surface = [](int y, int c, int d) {
+    return Bezier<Traits>(
+        {{P(0, y, c), P(0, y + 2, d), P(0, y + 3, d)}, {P(5, y, c + 1), P(5, y + 2, d + 1), P(5, y + 3, d + 1)}});
+  };
+  const auto curve = [](int y, int c, int d) {
+    const P points[] = {P(0, y, c), P(0, y + 2, d), P(0, y + 3, d)};
+    return GC::Bezier_curve<Traits>(points, points + 3);
+  };
+  const auto strategy = GC::Minimal_energy<3>();
+  const auto shape =
+      automatic_surface_shape(surface(0, 0, 1), v1, surface(9, 4, 7), v0, strategy, Edge_direction::same);
+  const auto gamma = GC::blend(curve(0, 0, 1), curve(9, 4, 7), strategy);
+  BOOST_CHECK(shape.start.beta == (GC::Bernstein_polynomial<FT>{gamma.shape.beta}));
+  BOOST_CHECK(shape.end.beta == (GC::Bernstein_polynomial<FT>{gamma.shape.eta}));
+  // S_vv = beta^2 W + delta T is the second derivative of the curve, up to the rounding of delta to 8 digits
+  const auto s = blend(surface(0, 0, 1), v1, surface(9, 4, 7), v0, strategy);
+  for (int i : {0, 1})
+    for (FT v : {FT(0), FT(1)})
+      for (int x : {1, 2}) {
+        const double expected = CGAL::to_double(gamma.jet(v, 2)[2][x]);
+        BOOST_CHECK_SMALL(CGAL::to_double(s.jet(FT(i), v, 2)(0, 2)[x]) - expected, 0.1);
+      }
+  // the same of Fair, which chooses beta, too, and when all weights are equal
+  const auto fair = GC::blend(curve(0, 0, 1), curve(9, 4, 7), GC::Fair());
+  const auto fair_shape =
+      automatic_surface_shape(surface(0, 0, 1), v1, surface(9, 4, 7), v0, GC::Fair(), Edge_direction::same);
+  BOOST_CHECK_CLOSE(CGAL::to_double(fair_shape.start.beta[0]), CGAL::to_double(fair.shape.beta), 0.5);
+  const auto rational =
+      automatic_surface_shape(Patch<Traits>(surface(0, 0, 1)), v1, with_factor(Patch<Traits>(surface(9, 4, 7)), FT(8)),
+                              v0, strategy, Edge_direction::same);
+  BOOST_CHECK(rational.start.beta == shape.start.beta && rational.end.delta == shape.end.delta);
+  BOOST_CHECK(rational.start.lambda1 == (GC::Bernstein_polynomial<FT>{FT(0)}));
+  BOOST_CHECK_EQUAL(rational.end.lambda, FT(1) / FT(8));
+  BOOST_CHECK(nearer_direction(surface(0, 0, 1), v1, surface(9, 4, 7), v0) == Edge_direction::same);
+  BOOST_CHECK(nearer_direction(surface(0, 0, 1), v1, surface(9, 4, 7).reverse_u(), v0) == Edge_direction::opposite);
+}
+
+// Among the neighbours in delta, the strategy has the least energy.
+BOOST_AUTO_TEST_CASE(least_energy) {
+  Numbers random;
+  const Bezier<Exact> a(random.net(2, 3)), b(random.net(2, 4));
+  Shape shape = automatic_surface_shape(a, v1, b, v0, GC::Minimal_energy<3>(), Edge_direction::same);
+  const auto energy = [&] {
+    const Bezier<Exact> s = blend(a, v1, b, v0, shape);
+    Q sum(0);
+    for (int i : {0, 1}) sum += boundary_curve(s, i == 0 ? u0 : u1).energy(3);
+    return sum;
+  };
+  const Q least = energy();
+  for (Function* delta : {&shape.start.delta, &shape.end.delta})
+    for (const Q& factor : {fraction(9, 10), fraction(11, 10)}) {
+      const Function before = *delta;
+      *delta = Function{factor} * before;
+      BOOST_CHECK(energy() > least);
+      *delta = before;
+    }
 }
 
 BOOST_AUTO_TEST_CASE(degrees_and_knots) {
@@ -345,6 +430,14 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(errors, Traits, All_traits) {
   // a denominator that becomes negative
   const Patch<Traits> steep({{P(0, 0, 0), P(0, 1, 0)}, {P(1, 0, 0), P(1, 1, 0)}}, {{9, 1}, {9, 1}});
   CHECK_ERROR(blend(steep, v1, b, v0, shape), zero_weight);
+  GC::Rational_surface_blend_shape<FT> factor = shape;
+  factor.end.lambda = FT(0);
+  CHECK_ERROR(blend(weighted, v0, b, v0, factor), zero_weight);
+  // which the automatic factor avoids
+  BOOST_CHECK_EQUAL(blend(steep, v1, b, v0).degree_u(), 1);
+  CHECK_ERROR(blend(slow, v1, b, v0), zero_tangent);
+  CHECK_ERROR(blend(weighted, v1, b, v0), zero_tangent);
+  CHECK_ERROR(blend(b, v0, pole, v1), zero_tangent);
   if constexpr (std::is_floating_point_v<FT>) {
     shape.end.delta = Function{FT(1e308)};
     const Bezier<Traits> large = b.transform([](const P& p) { return P(1000 * p.x(), 1000 * p.y(), p.z()); });
@@ -393,7 +486,9 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(floating_point, Traits, Rounded_traits) {
                             unit * random.integer(-9, 9));
     return net;
   };
-  GC::Surface_blend_shape<double> shape;
+  GC::Surface_blend_shape<double> constants, shape;
+  constants.start.beta = {0.75};
+  constants.end.delta = {-1.5};
   shape.start.alpha = {0.5, 1};
   shape.start.delta = {-1, 2, 3};
   shape.end.beta = {2};
@@ -410,8 +505,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(floating_point, Traits, Rounded_traits) {
   };
   int rounded = 0;
   for (int i = 0; i < 20; ++i) {
-    // 20 and the degree 5 along the edge cancel all denominators
-    const Bezier<Traits> a(net(3, 3, 0, 600)), b(net(2, 3, 5, 600)), s = blend(a, v1, b, v0, shape);
+    const Bezier<Traits> a(net(3, 3, 0, 320)), b(net(3, 3, 5, 320)), s = blend(a, v1, b, v0, constants);
     BOOST_CHECK_EQUAL(order(a, v1, s, v0), 2);
     BOOST_CHECK_EQUAL(order(s, v1, b, v0), 2);
     const Bezier<Traits> c(net(3, 3, 0, 1)), d(net(2, 3, 5, 1)), t = blend(c, v1, d, v0, shape);

@@ -8,13 +8,13 @@
 #include <CGAL/Geometric_continuity/Error.h>
 #include <CGAL/Geometric_continuity/algebra/Bernstein_polynomial.h>
 #include <CGAL/Geometric_continuity/algebra/sign_pattern.h>
-#include <CGAL/Geometric_continuity/edges/Edge_rows.h>
+#include <CGAL/Geometric_continuity/blends/blend_strategies.h>
+#include <CGAL/Geometric_continuity/edges/Surface_blend_shape.h>
+#include <CGAL/Geometric_continuity/edges/automatic_surface_shape.h>
 #include <CGAL/Geometric_continuity/edges/internal/Blend_end.h>
 #include <CGAL/Geometric_continuity/local/homogeneous_jets.h>
-#include <CGAL/Geometric_continuity/surfaces/Bezier_patch.h>
-#include <CGAL/Geometric_continuity/surfaces/Bspline_surface.h>
+#include <CGAL/Geometric_continuity/splines/Knot_vector.h>
 #include <CGAL/Geometric_continuity/surfaces/Patch_edge.h>
-#include <CGAL/Geometric_continuity/surfaces/Rational_surface.h>
 #include <CGAL/Uncertain.h>
 #include <CGAL/number_utils.h>
 
@@ -43,156 +43,113 @@
 namespace CGAL {
 namespace Geometric_continuity {
 
-/// \ingroup PkgGeometricContinuityConstruction
-/// How a blend runs out of the parameters of a surface along an edge, or into them:
-/// \f$ \varphi(u, v) = (u + \alpha v + \frac12 \alpha_2 v^2,\ \beta v + \frac12 \delta v^2) \f$ to second order, with functions of the
-/// parameter along the edge. Each is a polynomial on the domain of the edge, which is mapped to [0, 1].
-/// \tparam FT_ a field number type
-template <class FT_> struct Edge_reparametrisation {
-  typedef FT_ FT;                            ///< the number type
-  typedef Bernstein_polynomial<FT> Function; ///< of the parameter along the edge
-
-  Function alpha = Function{FT(0)};  ///< the first derivative along the edge
-  Function beta = Function{FT(1)};   ///< the first derivative across the edge, positive
-  Function alpha2 = Function{FT(0)}; ///< the second derivative along the edge
-  Function delta = Function{FT(0)};  ///< the second derivative across the edge
-};
-
-/// \ingroup PkgGeometricContinuityConstruction
-/// How a blend runs out of the parameters of a rational surface: \f$ S = \lambda \cdot L \circ \varphi \f$ in homogeneous points, to
-/// second order, with the factor \f$ \lambda = 1 + \lambda_1 v + \frac12 \lambda_2 v^2 \f$.
-/// \tparam FT a field number type
-template <class FT> struct Rational_edge_reparametrisation : Edge_reparametrisation<FT> {
-  typedef typename Edge_reparametrisation<FT>::Function Function; ///< of the parameter along the edge
-
-  Function lambda1 = Function{FT(0)}; ///< the first derivative of the factor across the edge
-  Function lambda2 = Function{FT(0)}; ///< its second derivative
-
-  /// Sets \f$ \beta \f$ to 1 and all others to 0.
-  Rational_edge_reparametrisation() = default;
-  /// With the factor 1.
-  Rational_edge_reparametrisation(const Edge_reparametrisation<FT>& r) : Edge_reparametrisation<FT>(r) {}
-};
-
-/// \ingroup PkgGeometricContinuityConstruction
-/// The shape of a blend surface: all that \f$ G^2 \f$ leaves free at its two edges.
-/// \tparam FT a field number type
-template <class FT> struct Surface_blend_shape {
-  Edge_reparametrisation<FT> start; ///< at the edge of the first surface
-  Edge_reparametrisation<FT> end;   ///< at the edge of the second surface
-};
-
-/// \ingroup PkgGeometricContinuityConstruction
-/// The shape of a rational blend surface: all that \f$ G^2 \f$ leaves free at its two edges.
-/// \tparam FT a field number type
-template <class FT> struct Rational_surface_blend_shape {
-  Rational_edge_reparametrisation<FT> start; ///< at the edge of the first surface
-  Rational_edge_reparametrisation<FT> end;   ///< at the edge of the second surface
-
-  /// Sets all functions \f$ \beta \f$ to 1 and all others to 0.
-  Rational_surface_blend_shape() = default;
-  /// Takes what is given at both ends.
-  Rational_surface_blend_shape(const Rational_edge_reparametrisation<FT>& start,
-                               const Rational_edge_reparametrisation<FT>& end)
-      : start(start), end(end) {}
-  /// With the factor 1 at both ends.
-  Rational_surface_blend_shape(const Surface_blend_shape<FT>& shape) : start(shape.start), end(shape.end) {}
-};
-
 namespace internal {
 
-// What the blend of two surfaces is.
-template <class A, class B> struct Blended_surfaces {
-  static_assert(std::is_same_v<typename A::Traits, typename B::Traits>,
-                "both surfaces must have the same traits class");
-  typedef typename A::Traits Traits;
-  typedef typename Traits::FT FT;
-  static constexpr bool is_rational = Is_rational_surface<A>::value || Is_rational_surface<B>::value,
-                        is_patch = Is_patch<A>::value && Is_patch<B>::value;
-  template <class T> using Shape_over = std::conditional_t<is_patch, Bezier_patch<T>, Bspline_surface<T>>;
-
-  typedef std::conditional_t<is_rational, Homogeneous_traits<Traits>, Traits> Row_traits; // of the points in the rows
-  static constexpr int N = dimension_v<Row_traits>;
-  typedef std::conditional_t<is_rational, Rational_surface<Shape_over<Traits>>, Shape_over<Traits>> Surface;
-  typedef std::conditional_t<is_rational, Rational_surface_blend_shape<FT>, Surface_blend_shape<FT>> Shape;
-
-  template <class S> static Blend_end<FT, N> end(const S& surface, Patch_edge edge, int direction) {
-    if constexpr (is_rational && !Is_rational_surface<S>::value)
-      return blend_end<N>(Rational_surface<S>(surface), edge, direction);
-    else
-      return blend_end<N>(surface, edge, direction);
-  }
-
-  // With the rows of control points across the blend.
-  static Surface surface(const std::array<Edge_spline<FT, N>, 6>& rows) {
-    typedef Shape_over<Row_traits> Polynomial;
-    const Knot_vector<FT>& knots = rows[0].knots();
-    std::vector<std::vector<typename Row_traits::Point>> net(knots.number_of_coefficients());
-    for (int i = 0; i < knots.number_of_coefficients(); ++i)
-      for (const Edge_spline<FT, N>& row : rows) net[i].push_back(to_point<Row_traits>(row[i]));
-    if constexpr (is_patch)
-      return Surface(Polynomial(net, knots.domain()));
-    else
-      return Surface(Polynomial(net, knots, Knot_vector<FT>(5, FT(0), FT(1))));
-  }
-};
-
 template <class FT> void check_reparametrisation(const Edge_reparametrisation<FT>& r, const char* place) {
+  const std::vector<FT>& b = r.beta.coefficients();
+  if (std::all_of(b.begin(), b.end(), [](const FT& x) { return bool(FT(0) < x); })) return; // mostly
   if (sign_pattern(r.beta) != Sign_pattern::positive) throw Error(Error_code::nonpositive_beta, place);
 }
 
 // Refuses an edge without a normal: a single point, or one across which the derivative vanishes.
-template <bool is_rational, class FT, int N> void check_edge(const Blend_end<FT, N>& end, const std::string& surface) {
-  const auto are_all = [](const std::vector<Coordinate_vector<FT, N>>& row, const auto& point, const auto& value) {
-    return std::all_of(row.begin(), row.end(), [&](const Coordinate_vector<FT, N>& x) {
-      const auto y = point(x);
+template <bool is_rational, class FT, int N> void check_edge(const Blend_end<FT, N>& end, const char* surface) {
+  typedef Coordinate_vector<FT, N> Vector;
+  const auto are_all = [](const std::vector<Vector>& row, const auto& point, const auto& value) {
+    return std::all_of(row.begin(), row.end(), [&](const Vector& x) {
+      const auto& y = point(x);
       for (int i = 0; i < y.dimension(); ++i)
         if (!CGAL::certainly(y[i] == value[i])) return false;
       return true;
     });
   };
-  const auto itself = [](const Coordinate_vector<FT, N>& x) -> const Coordinate_vector<FT, N>& { return x; };
-  const auto& edge = end.edge.coefficients();
+  const auto itself = [](const Vector& x) -> const Vector& { return x; };
   bool is_point, vanishes;
-  if constexpr (is_rational) {
-    const auto affine = [](const Coordinate_vector<FT, N>& x) { return affine_point(x); };
-    is_point = are_all(edge, affine, affine(edge[0]));
-    const Edge_spline<FT, N> numerator = weight_of(end.edge) * end.cross - weight_of(end.cross) * end.edge;
-    vanishes = are_all(numerator.coefficients(), itself, Coordinate_vector<FT, N>(edge[0].dimension()));
+  if constexpr (is_rational) { // T = (w_T / w) C
+    const auto affine = [](const Vector& x) { return affine_point(x); };
+    is_point = are_all(end.edge, affine, affine(end.edge[0]));
+    const Edge_spline<FT, N> numerator =
+        weight_of(end.knots, end.edge) * end.spline(end.cross) - weight_of(end.knots, end.cross) * end.spline(end.edge);
+    vanishes = are_all(numerator.coefficients(), itself, Vector(end.edge[0].dimension()));
   } else {
-    is_point = are_all(edge, itself, edge[0]);
-    vanishes = are_all(end.cross.coefficients(), itself, Coordinate_vector<FT, N>(edge[0].dimension()));
+    is_point = are_all(end.edge, itself, end.edge[0]);
+    vanishes = are_all(end.cross, itself, Vector(end.edge[0].dimension()));
   }
-  if (is_point) throw Error(Error_code::zero_tangent, "blend: the edge of " + surface + " is a point");
+  if (is_point) throw Error(Error_code::zero_tangent, std::string("blend: a point is the edge of ") + surface);
   if (vanishes)
-    throw Error(Error_code::zero_tangent,
-                "blend: the derivative across the edge of " + surface + " vanishes on all of it");
+    throw Error(Error_code::zero_tangent, std::string("blend: no derivative across the whole edge of ") + surface);
+}
+
+// What C, C', C'', T, T' and W are multiplied by in a sum: numbers or polynomials.
+template <class F> struct Row_weights { F c, c1, c2, t, t1, w; };
+
+// Of the sums 5 (b_1 - b_0) = d S_v and 20 (b_2 - b_0) = 8 d S_v + S_vv, where d is 1 at the start of the blend and -1 at its end. With
+// lambda_1 and lambda_2 the derivatives are S_v = lambda_1 C + D and S_vv = lambda_2 C + 2 lambda_1 D + ..., with
+// D = alpha C' + beta T.
+template <class FT, class F>
+std::array<Row_weights<F>, 2> row_weights(const F& alpha, const F& beta, const F& alpha2, const F& delta,
+                                          const F& lambda1, const F& lambda2, int direction) {
+  const F zero{FT(0)}, two{FT(2)}, d{FT(direction)}, d8{FT(8 * direction)};
+  return {{{F(d * lambda1), F(d * alpha), zero, F(d * beta), zero, zero},
+           {F(d8 * lambda1 + lambda2), F(d8 * alpha + two * lambda1 * alpha + alpha2), F(alpha * alpha),
+            F(d8 * beta + two * lambda1 * beta + delta), F(two * alpha * beta), F(beta * beta)}}};
+}
+
+// b_0 + sum / n
+template <class FT, int N>
+Edge_spline<FT, N> next_row(const Blend_end<FT, N>& end, const Row_weights<FT>& x, int n) { // with c1 = c2 = t1 = 0
+  std::vector<Coordinate_vector<FT, N>> row = end.cross;
+  for (std::size_t i = 0; i < row.size(); ++i) {
+    row[i] *= x.t;
+    if (x.c != FT(0)) row[i] += x.c * end.edge[i];
+    if (x.w != FT(0)) row[i] += x.w * end.second_cross[i];
+    row[i] /= FT(n);
+    row[i] += end.edge[i];
+  }
+  return end.spline(std::move(row));
+}
+template <class FT, int N>
+Edge_spline<FT, N> next_row(const Blend_end<FT, N>& end, const Row_weights<Bernstein_polynomial<FT>>& x, int n) {
+  typedef Edge_spline<FT, N> Row;
+  const Row edge = end.spline(end.edge), cross = end.spline(end.cross);
+  Row sum = product(x.t, cross);
+  if (!is_constant(x.c, 0)) sum = sum + product(x.c, edge);
+  if (!is_constant(x.w, 0)) sum = sum + product(x.w, end.spline(end.second_cross));
+  if (!is_constant(x.c1, 0)) sum = sum + product(x.c1, edge.derivative());
+  if (!is_constant(x.c2, 0)) sum = sum + product(x.c2, edge.derivative().derivative());
+  if (!is_constant(x.t1, 0)) sum = sum + product(x.t1, cross.derivative());
+  std::vector<Coordinate_vector<FT, N>> step = sum.coefficients();
+  for (Coordinate_vector<FT, N>& v : step) v /= FT(n);
+  return edge + Row(sum.knots(), std::move(step));
+}
+
+// By the factor of homogeneous points at the edge.
+template <class FT, int N> void scale(Blend_end<FT, N>& end, const FT& lambda, const char* place) {
+  if (!(FT(0) < lambda)) throw Error(Error_code::zero_weight, place);
+  end.scale(lambda);
 }
 
 // The three rows of control points from an edge inwards.
+template <class FT, int N, class F>
+std::array<Edge_spline<FT, N>, 3> rows_of_end(const Blend_end<FT, N>& end, const std::array<Row_weights<F>, 2>& w) {
+  return {end.spline(end.edge), next_row(end, w[0], 5), next_row(end, w[1], 20)};
+}
+
+// lambda_1 and lambda_2.
+template <class FT> std::array<Bernstein_polynomial<FT>, 2> factor_of(const Rational_edge_reparametrisation<FT>& r) {
+  return {r.lambda1, r.lambda2};
+}
+template <class FT> std::array<Bernstein_polynomial<FT>, 2> factor_of(const Edge_reparametrisation<FT>&) {
+  return {Bernstein_polynomial<FT>{FT(0)}, Bernstein_polynomial<FT>{FT(0)}};
+}
+
 template <class FT, int N, class Reparametrisation>
 std::array<Edge_spline<FT, N>, 3> rows_of_end(const Blend_end<FT, N>& end, const Reparametrisation& r, int direction) {
-  typedef Edge_spline<FT, N> Row;
-  typedef Bernstein_polynomial<FT> Function;
-  const Function &alpha = r.alpha, &beta = r.beta, two{FT(2)};
-  Row first = product(beta, end.cross), second = product(beta * beta, end.second_cross); // S_v and S_vv
-  if (!is_constant(alpha, 0)) {
-    const Row derivative = end.edge.derivative();
-    first = first + product(alpha, derivative);
-    second =
-        second + product(alpha * alpha, derivative.derivative()) + product(two * alpha * beta, end.cross.derivative());
-  }
-  if (!is_constant(r.alpha2, 0)) second = second + product(r.alpha2, end.edge.derivative());
-  if (!is_constant(r.delta, 0)) second = second + product(r.delta, end.cross);
-  if constexpr (std::is_same_v<Reparametrisation, Rational_edge_reparametrisation<FT>>) {
-    if (!is_constant(r.lambda1, 0)) {
-      second = second + product(two * r.lambda1, first);
-      first = first + product(r.lambda1, end.edge);
-    }
-    if (!is_constant(r.lambda2, 0)) second = second + product(r.lambda2, end.edge);
-  }
-  const Row step = product(Function{FT(FT(direction) / FT(5))}, first);
-  return {end.edge, end.edge + step, end.edge + step + step + product(Function{FT(FT(1) / FT(20))}, second)};
+  const std::array<Bernstein_polynomial<FT>, 2> lambda = factor_of(r);
+  const auto are_numbers = [](const auto&... f) { return (... && (f.degree() == 0)); };
+  if (is_constant(r.alpha, 0) && is_constant(r.alpha2, 0) && are_numbers(r.beta, r.delta, lambda[0], lambda[1]))
+    return rows_of_end(end,
+                       row_weights<FT, FT>(FT(0), r.beta[0], FT(0), r.delta[0], lambda[0][0], lambda[1][0], direction));
+  return rows_of_end(end, row_weights<FT>(r.alpha, r.beta, r.alpha2, r.delta, lambda[0], lambda[1], direction));
 }
 
 // Where a derivative along an edge jumps that the functions multiply, the rows would have knots of the multiplicity degree + 1.
@@ -207,26 +164,15 @@ template <class FT> void check_not_torn(const Knot_vector<FT>& knots) {
 template <class FT, int N, class Shape>
 std::array<Edge_spline<FT, N>, 6> rows_of_blend(const Blend_end<FT, N>& start, const Blend_end<FT, N>& end,
                                                 const Shape& shape) {
-  const std::array<Edge_spline<FT, N>, 3> s = rows_of_end(start, shape.start, 1), e = rows_of_end(end, shape.end, -1);
-  std::array<Edge_spline<FT, N>, 6> rows = {s[0], s[1], s[2], e[2], e[1], e[0]};
+  std::array<Edge_spline<FT, N>, 3> s = rows_of_end(start, shape.start, 1), e = rows_of_end(end, shape.end, -1);
+  std::array<Edge_spline<FT, N>, 6> rows = {std::move(s[0]), std::move(s[1]), std::move(s[2]),
+                                            std::move(e[2]), std::move(e[1]), std::move(e[0])};
   unite(rows);
   check_not_torn(rows[0].knots());
   return rows;
 }
 
 } // namespace internal
-
-/// \ingroup PkgGeometricContinuityConstruction
-/// The type of the blend of two surfaces: `Bezier_patch` or `Rational_bezier_patch` of two patches, otherwise `Bspline_surface` or
-/// `Rational_bspline_surface`; rational if one of them is.
-template <class Surface_a, class Surface_b>
-using Blend_surface = typename internal::Blended_surfaces<Surface_a, Surface_b>::Surface;
-
-/// \ingroup PkgGeometricContinuityConstruction
-/// The type of the shape of the blend of two surfaces: `Rational_surface_blend_shape` if one of them is rational, otherwise
-/// `Surface_blend_shape`.
-template <class Surface_a, class Surface_b>
-using Blend_surface_shape = typename internal::Blended_surfaces<Surface_a, Surface_b>::Shape;
 
 /// \ingroup PkgGeometricContinuityConstruction
 /// Returns the surface \f$ S(u, v) \f$ of degree 5 in `v`, on [0, 1], that leads from an edge of one surface, at `v = 0`, to an edge of
@@ -254,14 +200,47 @@ Blend_surface<Surface_a, Surface_b> blend(const Surface_a& a, Patch_edge edge_a,
                                           const Blend_surface_shape<Surface_a, Surface_b>& shape,
                                           Edge_direction direction = Edge_direction::same) {
   typedef internal::Blended_surfaces<Surface_a, Surface_b> Kind;
-  typedef internal::Blend_end<typename Kind::FT, Kind::N> End;
   internal::check_reparametrisation(shape.start, "blend: beta at the edge of the first surface");
   internal::check_reparametrisation(shape.end, "blend: beta at the edge of the second surface");
-  if (a.dimension() != b.dimension()) throw Error(Error_code::dimension_mismatch, "blend: of the two surfaces");
-  const End start = Kind::end(a, edge_a, 1), end = Kind::end(b, edge_b, -1).along(start.edge.domain(), direction);
-  internal::check_edge<Kind::is_rational>(start, "the first surface");
-  internal::check_edge<Kind::is_rational>(end, "the second surface");
-  return Kind::surface(internal::rows_of_blend(start, end, shape));
+  auto ends = Kind::ends(a, edge_a, b, edge_b, direction);
+  internal::check_edge<Kind::is_rational>(ends.first, "the first surface");
+  internal::check_edge<Kind::is_rational>(ends.second, "the second surface");
+  if constexpr (Kind::is_rational) {
+    internal::scale(ends.first, shape.start.lambda, "blend: lambda at the edge of the first surface");
+    internal::scale(ends.second, shape.end.lambda, "blend: lambda at the edge of the second surface");
+  }
+  return Kind::surface(internal::rows_of_blend(ends.first, ends.second, shape));
+}
+
+/// \ingroup PkgGeometricContinuityConstruction
+/// Returns the blend of two surfaces with the shape that `automatic_surface_shape()` finds by a strategy for curves.
+/// \tparam Strategy a model of `BlendStrategy` for blends of degree 5, called with `Quintic_ends<double, 0>`
+/// \throws Error as the function with a shape, and as `automatic_surface_shape()`
+template <class Surface_a, class Surface_b, class Strategy,
+          class = std::enable_if_t<is_surface_blend_strategy_v<Strategy>>>
+Blend_surface<Surface_a, Surface_b> blend(const Surface_a& a, Patch_edge edge_a, const Surface_b& b, Patch_edge edge_b,
+                                          const Strategy& strategy, Edge_direction direction) {
+  return blend(a, edge_a, b, edge_b, automatic_surface_shape(a, edge_a, b, edge_b, strategy, direction), direction);
+}
+
+/// \ingroup PkgGeometricContinuityConstruction
+/// Returns the blend of two surfaces with a shape by a strategy for curves, where the second edge runs in `nearer_direction()`.
+/// \throws Error as the function with a direction
+template <class Surface_a, class Surface_b, class Strategy,
+          class = std::enable_if_t<is_surface_blend_strategy_v<Strategy>>>
+Blend_surface<Surface_a, Surface_b> blend(const Surface_a& a, Patch_edge edge_a, const Surface_b& b, Patch_edge edge_b,
+                                          const Strategy& strategy) {
+  return blend(a, edge_a, b, edge_b, strategy, nearer_direction(a, edge_a, b, edge_b));
+}
+
+/// \ingroup PkgGeometricContinuityConstruction
+/// Returns the blend of two surfaces of the least energy \f$ \int |S_{vvv}|^2 \f$, with an automatic shape, where the second edge runs in
+/// `nearer_direction()`.
+/// \throws Error as the function with a strategy
+template <class Surface_a, class Surface_b>
+Blend_surface<Surface_a, Surface_b> blend(const Surface_a& a, Patch_edge edge_a, const Surface_b& b,
+                                          Patch_edge edge_b) {
+  return blend(a, edge_a, b, edge_b, Minimal_energy<3>());
 }
 
 } // namespace Geometric_continuity

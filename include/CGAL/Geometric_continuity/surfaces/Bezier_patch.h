@@ -100,9 +100,9 @@ std::vector<std::vector<Coordinate_vector<Field, N>>> bezier_rows(int m, int n, 
   check_count(k, "Bezier_patch: rows");
   const int last = (std::min)(k, n);
   std::vector<std::vector<Vector>> rows(k + 1, std::vector<Vector>(m + 1, Vector(d)));
+  std::vector<Vector> layers(last + 1, Vector(d));
   for (int i = 0; i <= m; ++i) {
-    std::vector<Vector> layers;
-    for (int j = 0; j <= last; ++j) layers.push_back(point(i, j));
+    for (int j = 0; j <= last; ++j) layers[j] = point(i, j);
     Field factor(1);
     for (int r = 0; r <= last; ++r) {
       rows[r][i] = factor * layers[0];

@@ -9,14 +9,17 @@
 #include <CGAL/Geometric_continuity/algebra/Bernstein_polynomial.h>
 #include <CGAL/Geometric_continuity/algebra/Coordinate_vector.h>
 #include <CGAL/Geometric_continuity/edges/Edge_rows.h>
+#include <CGAL/Geometric_continuity/local/homogeneous_jets.h>
 #include <CGAL/Geometric_continuity/splines/Bspline_function.h>
+#include <CGAL/Geometric_continuity/surfaces/Bezier_patch.h>
+#include <CGAL/Geometric_continuity/surfaces/Bspline_surface.h>
 #include <CGAL/Geometric_continuity/surfaces/Patch_edge.h>
-#include <CGAL/number_utils.h>
+#include <CGAL/Geometric_continuity/surfaces/Rational_surface.h>
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -48,33 +51,13 @@ Edge_spline<FT, N> product(const Bernstein_polynomial<FT>& f, const Edge_spline<
   return Bspline_function<FT>(Knot_vector<FT>(f.degree(), domain.first, domain.second), f.coefficients()) * row;
 }
 
-// The last coordinate of a spline of homogeneous points.
-template <class FT, int N> Bspline_function<FT> weight_of(const Edge_spline<FT, N>& row) {
+// The last coordinate of a row of homogeneous points.
+template <class FT, int N>
+Bspline_function<FT> weight_of(const Knot_vector<FT>& knots, const std::vector<Coordinate_vector<FT, N>>& row) {
   std::vector<FT> weights;
-  for (const Coordinate_vector<FT, N>& x : row.coefficients()) weights.push_back(x[x.dimension() - 1]);
-  return {row.knots(), std::move(weights)};
+  for (const Coordinate_vector<FT, N>& x : row) weights.push_back(x[x.dimension() - 1]);
+  return {knots, std::move(weights)};
 }
-
-// The edge C and the derivatives T and W across it, over clamped knots. T and W are those in the direction in which the blend
-// runs: out of the surface where the blend starts, into it where it ends.
-template <class FT, int N> struct Blend_end {
-  Edge_spline<FT, N> edge, cross, second_cross;
-
-  template <class Function> Blend_end transform(Function f) const { return {f(edge), f(cross), f(second_cross)}; }
-  // Over another domain of the edge, by an affine map of the domains.
-  Blend_end along(const std::pair<FT, FT>& other, Edge_direction direction) const {
-    if (direction == Edge_direction::opposite)
-      return transform([](const Edge_spline<FT, N>& row) { return row.reverse(); }).along(other, Edge_direction::same);
-    const std::pair<FT, FT> domain = edge.domain();
-    if (domain == other) return *this;
-    const FT factor = FT(FT(other.second - other.first) / FT(domain.second - domain.first));
-    std::vector<typename Knot_vector<FT>::Knot> inner = edge.knots().inner_knots();
-    for (typename Knot_vector<FT>::Knot& knot : inner)
-      knot.value = FT(other.first + factor * FT(knot.value - domain.first));
-    const Knot_vector<FT> knots(edge.degree(), other.first, other.second, inner);
-    return transform([&](const Edge_spline<FT, N>& row) { return Edge_spline<FT, N>(knots, row.coefficients()); });
-  }
-};
 
 // The knots along an edge.
 template <class Surface> Knot_vector<typename Surface::FT> knots_of_edge(const Surface& surface, Patch_edge edge) {
@@ -85,26 +68,111 @@ template <class Surface> Knot_vector<typename Surface::FT> knots_of_edge(const S
     return surface.knots_along(edge);
 }
 
-// `direction` is 1 where the blend starts, -1 where it ends. Derivatives are those with respect to the parameters of the surface.
-template <int N, class Surface>
-Blend_end<typename Surface::FT, N> blend_end(const Surface& surface, Patch_edge edge, int direction) {
-  typedef typename Surface::FT FT;
-  auto rows = surface.template rows<FT>(edge, 2); // into the surface
-  FT unit(-direction);
-  if constexpr (Is_patch<Surface>::value) { // on the unit square
-    const typename Surface::Interval across = runs_along_u(edge) ? surface.domain_v() : surface.domain_u();
-    unit /= FT(across.second - across.first);
+// The edge C and the derivatives T and W across it, as coefficients over clamped knots. T and W are those in the direction in which the
+// blend runs: out of the surface where the blend starts, into it where it ends.
+template <class FT, int N> struct Blend_end {
+  typedef std::vector<Coordinate_vector<FT, N>> Row;
+
+  Knot_vector<FT> knots;
+  Row edge, cross, second_cross;
+
+  // `direction` is 1 where the blend starts, -1 where it ends. Derivatives are those with respect to the parameters of the surface.
+  template <class Surface>
+  Blend_end(const Surface& surface, Patch_edge at, int direction) : knots(knots_of_edge(surface, at)) {
+    auto rows = surface.template rows<FT>(at, 2); // into the surface
+    edge = std::move(rows[0]);
+    cross = std::move(rows[1]);
+    second_cross = std::move(rows[2]);
+    FT unit(-direction);
+    if constexpr (Is_patch<Surface>::value) { // on the unit square
+      const typename Surface::Interval across = runs_along_u(at) ? surface.domain_v() : surface.domain_u();
+      unit /= FT(across.second - across.first);
+    }
+    multiply(cross, unit);
+    multiply(second_cross, FT(unit * unit));
+    if (knots.is_clamped()) return;
+    const Knot_vector<FT> clamped = knots.clamp();
+    for (Row* row : {&edge, &cross, &second_cross}) *row = bspline_refine(knots, *row, clamped);
+    knots = clamped;
   }
-  if (unit != FT(1))
-    for (Coordinate_vector<FT, N>& x : rows[1]) x *= unit;
-  const FT square = unit * unit;
-  if (square != FT(1))
-    for (Coordinate_vector<FT, N>& x : rows[2]) x *= square;
-  const Knot_vector<FT> knots = knots_of_edge(surface, edge);
-  const Blend_end<FT, N> end{{knots, std::move(rows[0])}, {knots, std::move(rows[1])}, {knots, std::move(rows[2])}};
-  if (knots.is_clamped()) return end;
-  return end.transform([](const Edge_spline<FT, N>& row) { return row.clamp(); });
-}
+
+  // Goes over to another domain, by an affine map of the domains.
+  void run_along(const std::pair<FT, FT>& other, Edge_direction direction) {
+    if (direction == Edge_direction::opposite) {
+      knots = knots.reverse();
+      for (Row* row : {&edge, &cross, &second_cross}) std::reverse(row->begin(), row->end());
+    }
+    const std::pair<FT, FT> domain = knots.domain();
+    if (domain == other) return;
+    const FT factor = FT(FT(other.second - other.first) / FT(domain.second - domain.first));
+    std::vector<typename Knot_vector<FT>::Knot> inner = knots.inner_knots();
+    for (typename Knot_vector<FT>::Knot& knot : inner)
+      knot.value = FT(other.first + factor * FT(knot.value - domain.first));
+    knots = Knot_vector<FT>(knots.degree(), other.first, other.second, inner);
+  }
+
+  // Multiplies all by a number, which changes nothing where they are homogeneous.
+  void scale(const FT& factor) {
+    for (Row* row : {&edge, &cross, &second_cross}) multiply(*row, factor);
+  }
+
+  Edge_spline<FT, N> spline(Row row) const { return {knots, std::move(row)}; }
+
+private:
+  static void multiply(Row& row, const FT& factor) {
+    if (factor != FT(1))
+      for (Coordinate_vector<FT, N>& x : row) x *= factor;
+  }
+};
+
+// What the blend of two surfaces is.
+template <class A, class B> struct Blended_surfaces {
+  static_assert(std::is_same_v<typename A::Traits, typename B::Traits>,
+                "both surfaces must have the same traits class");
+  typedef typename A::Traits Traits;
+  typedef typename Traits::FT FT;
+  static constexpr bool is_rational = Is_rational_surface<A>::value || Is_rational_surface<B>::value,
+                        is_patch = Is_patch<A>::value && Is_patch<B>::value;
+  template <class T> using Shape_over = std::conditional_t<is_patch, Bezier_patch<T>, Bspline_surface<T>>;
+
+  typedef std::conditional_t<is_rational, Homogeneous_traits<Traits>, Traits> Row_traits; // of the points in the rows
+  static constexpr int N = dimension_v<Row_traits>;
+  typedef std::conditional_t<is_rational, Rational_surface<Shape_over<Traits>>, Shape_over<Traits>> Surface;
+
+  typedef Blend_end<FT, N> End;
+
+  // Both ends, over the domain of the first edge.
+  static std::pair<End, End> ends(const A& a, Patch_edge edge_a, const B& b, Patch_edge edge_b,
+                                  Edge_direction direction) {
+    if (a.dimension() != b.dimension()) throw Error(Error_code::dimension_mismatch, "blend: of the two surfaces");
+    std::pair<End, End> ends(end(a, edge_a, 1), end(b, edge_b, -1));
+    ends.second.run_along(ends.first.knots.domain(), direction);
+    return ends;
+  }
+
+  // With the rows of control points across the blend.
+  static Surface surface(const std::array<Edge_spline<FT, N>, 6>& rows) {
+    typedef Shape_over<Row_traits> Polynomial;
+    const Knot_vector<FT>& knots = rows[0].knots();
+    std::vector<std::vector<typename Row_traits::Point>> net(knots.number_of_coefficients());
+    for (int i = 0; i < knots.number_of_coefficients(); ++i) {
+      net[i].reserve(rows.size());
+      for (const Edge_spline<FT, N>& row : rows) net[i].push_back(to_point<Row_traits>(row[i]));
+    }
+    if constexpr (is_patch)
+      return Surface(Polynomial(net, knots.domain()));
+    else
+      return Surface(Polynomial(net, knots, Knot_vector<FT>(5, FT(0), FT(1))));
+  }
+
+private:
+  template <class S> static End end(const S& surface, Patch_edge edge, int direction) {
+    if constexpr (is_rational && !Is_rational_surface<S>::value)
+      return {Rational_surface<S>(surface), edge, direction};
+    else
+      return {surface, edge, direction};
+  }
+};
 
 // Raises the degrees of splines on one domain, and refines their knots, to those of all.
 template <class Spline, std::size_t n> void unite(std::array<Spline, n>& splines) {
