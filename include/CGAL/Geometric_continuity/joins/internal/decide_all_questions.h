@@ -160,7 +160,6 @@ template <int N> class Double_ends {
   Double_end<N> left_, right_;
   bool meet_;
   Short_lengths lengths_; // which nobody asks for where the ends do not meet
-  typedef Ring_scale<typename Exact_field<double>::type, double> Scale;
 
 public:
   static constexpr int dimension = N;
@@ -179,7 +178,8 @@ public:
   template <Join_question question> Join_answer decide() const {
     const All_join_stages stages;
     const Join_answer answer = decide_by_rungs(Double_join<question, N>(left_, right_, lengths_), stages);
-    return answer != Join_answer::unknown ? answer : decide_in_ring<question, N, false, Scale>(left_, right_, stages);
+    return answer != Join_answer::unknown ? answer
+                                          : decide_in_ring<question, N, false, Double_scale>(left_, right_, stages);
   }
   bool curvatures_differ() const { return internal::curvatures_differ<N>(left_, right_); }
   bool is_curved() const { return internal::is_curved(left_.legs()); }

@@ -9,12 +9,13 @@
 #include <CGAL/Geometric_continuity/joins/internal/Join_equations.h>
 #include <CGAL/Geometric_continuity/joins/internal/Join_weights.h>
 #include <CGAL/Geometric_continuity/local/coordinates.h>
-#include <CGAL/Geometric_continuity/numbers/Exact_field.h>
 #include <CGAL/Geometric_continuity/numbers/internal/Common_denominator.h>
 #include <CGAL/Geometric_continuity/numbers/internal/checked_numbers.h>
 
 #ifdef CGAL_USE_GMP
 #include <CGAL/Geometric_continuity/numbers/internal/Inline_integer.h>
+#else
+#include <CGAL/Geometric_continuity/numbers/Exact_field.h>
 #endif
 
 #include <boost/config.hpp>
@@ -34,9 +35,6 @@
 namespace CGAL {
 namespace Geometric_continuity {
 namespace internal {
-
-// The field in which the join of two ends is decided.
-template <class End> using Join_field = typename Exact_field<Predicate_FT<typename End::Traits>>::type;
 
 // The numbers of an exact field.
 template <class Field> class Field_scale : Common_denominator<Field> {
@@ -89,10 +87,23 @@ public:
   }
 };
 
-template <class Field, class FT> using Ring_scale = std::conditional_t<is_double<FT>, Binary_scale, Field_scale<Field>>;
+typedef Binary_scale Double_scale;
 #else
-template <class Field, class FT> using Ring_scale = Field_scale<Field>;
+typedef Field_scale<Exact_field_of_doubles> Double_scale;
 #endif // CGAL_USE_GMP
+
+// The differences on which a question depends: the same function for all that need differences up to k, once for each coordinate,
+// because numbers of any length are long to compile.
+template <int k, bool left, bool weighted, class T>
+BOOST_NOINLINE std::array<T, 3> differences_along(const std::array<T, 4>& x, int degree) {
+  const End_polygon<T, 1> points{{{x[0]}, {x[1]}, {x[2]}, {x[3]}}};
+  Differences<T, 1> d;
+  if constexpr (weighted)
+    d = fan_of<k, left>(points);
+  else
+    d = differences_of<k, left>(legs_of<k>(points), degree);
+  return {d[0][0], d[1][0], d[2][0]};
+}
 
 // The index of the first coordinate that is not zero.
 template <class T, std::size_t N> int first_nonzero(const std::array<T, N>& x) {
@@ -140,10 +151,13 @@ template <Join_question question, int N, bool weighted, class Scale> class Ring_
   }
   template <bool left, class Ring>
   static Differences<Ring, N> differences(const End_polygon<Ring, N>& points, int degree) {
-    if constexpr (weighted)
-      return fan_of<k, left>(points);
-    else
-      return differences_of<k, left>(legs_of<k>(points), degree);
+    Differences<Ring, N> d;
+    for (int i = 0; i < N; ++i) {
+      std::array<Ring, 3> x =
+          differences_along<k, left, weighted, Ring>({points[0][i], points[1][i], points[2][i], points[3][i]}, degree);
+      for (int j = 0; j < k; ++j) d[j][i] = std::move(x[j]);
+    }
+    return d;
   }
   template <class Ring, class Function> auto factors(Function in_ring) const {
     if constexpr (domains) {
@@ -181,12 +195,28 @@ public:
   }
 };
 
-// The equations in exact numbers.
+// The equations in exact numbers. What several questions ask is one function for all of them.
+template <class T, int N, class Weights> class Exact_equations : Join_equations<T, N, Weights, Exact_zero<T>> {
+  typedef Join_equations<T, N, Weights, Exact_zero<T>> Base;
+
+public:
+  using Base::Base;
+  using Base::both_have_curvature;
+  using Base::curvature_vectors_equal;
+  using Base::f3;
+  using Base::g3;
+  using Base::ratio;
+  using Base::torsions_equal;
+  BOOST_NOINLINE bool tangents_parallel() const { return Base::tangents_parallel(); }
+  BOOST_NOINLINE bool g2(const Join_ratio<T>& r) const { return Base::g2(r); }
+  template <int k> BOOST_NOINLINE bool derivatives_equal() const { return Base::template derivatives_equal<k>(); }
+};
+
 template <Join_question question, class T, std::size_t N, class Weights>
 Join_answer decide_equations(const std::array<std::array<T, N>, 3>& a, const std::array<std::array<T, N>, 3>& b,
                              const Weights& w) {
   Exact_zero<T> zero;
-  const Join_equations<T, static_cast<int>(N), Weights, Exact_zero<T>> equations(a, b, w, zero);
+  const Exact_equations<T, static_cast<int>(N), Weights> equations(a, b, w, zero);
   if constexpr (is_geometric(question))
     if ((T(0) < a[0][0]) != (T(0) < b[0][0]) || b[0][0] == T(0) || !equations.tangents_parallel())
       return Join_answer::no;

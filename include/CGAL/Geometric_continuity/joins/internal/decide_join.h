@@ -53,13 +53,17 @@ Join_answer decide_on_jets(const Coordinate_jet<Field, N>& x, const Coordinate_j
 template <Join_question question, int N>
 constexpr bool planar_by_definition = N == 2 && (question == Join_question::f3 || question == Join_question::torsion);
 
+// The field in which the join of two ends is decided, and how their numbers are read.
+template <class End> using Join_field = typename Exact_field<Predicate_FT<typename End::Traits>>::type;
+template <class End>
+using Join_scale = std::conditional_t<is_double<typename End::Traits::FT>, Double_scale, Field_scale<Join_field<End>>>;
+
 // By numbers of any length. \pre the ends meet, if the question asks for contact
 template <Join_question question, bool weighted = false, class Left, class Right, class Stages>
 Join_answer decide_exactly(const Left& left, const Right& right, Stages& stages) {
   constexpr int N = dimension_v<typename Left::Traits>;
   if constexpr ((N == 2 || N == 3) && !planar_by_definition<question, N>)
-    return decide_in_ring<question, N, weighted, Ring_scale<Join_field<Left>, typename Left::Traits::FT>>(left, right,
-                                                                                                          stages);
+    return decide_in_ring<question, N, weighted, Join_scale<Left>>(left, right, stages);
   else {
     Join_answer answer;
     if constexpr (N == 2)

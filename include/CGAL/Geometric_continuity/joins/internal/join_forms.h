@@ -99,6 +99,10 @@ constexpr CGAL_GC_FORCEINLINE std::array<Product<X, Y>, 3> cross_form(const std:
 }
 
 template <class T>
+constexpr CGAL_GC_FORCEINLINE std::array<T, 1> minus(const std::array<T, 1>& x, const std::array<T, 1>& y) {
+  return {T(x[0] - y[0])};
+}
+template <class T>
 constexpr CGAL_GC_FORCEINLINE std::array<T, 2> minus(const std::array<T, 2>& x, const std::array<T, 2>& y) {
   return {T(x[0] - y[0]), T(x[1] - y[1])};
 }

@@ -5,6 +5,7 @@
 #ifndef CGAL_GEOMETRIC_CONTINUITY_NUMBERS_INTERNAL_INLINE_INTEGER_H
 #define CGAL_GEOMETRIC_CONTINUITY_NUMBERS_INTERNAL_INLINE_INTEGER_H
 
+#include <boost/config.hpp>
 #include <boost/container/small_vector.hpp>
 
 #include <gmp.h>
@@ -20,7 +21,7 @@ namespace internal {
 // An integer of any size that allocates no memory up to 16 limbs: an exact construction has many short-lived integers.
 // The arithmetic is that of GMP's functions for limbs. A cpp_int of Boost with a buffer of that size takes, in instructions of exact
 // blends, 0.93 to 1.03 times as many with numbers of one or two limbs, but 1.4 to 1.7 times with fractions of 60 digits and 1.9 to 2
-// times with fractions of 360 digits.
+// times with fractions of 360 digits. Nothing of it is inlined: programs that make few decisions would wait for the compiler instead.
 class Inline_integer {
   typedef boost::container::small_vector<mp_limb_t, 16> Limbs;
   Limbs limbs_; // of the absolute value, the least first; the last is not zero
@@ -49,7 +50,7 @@ public:
 
   Inline_integer& operator+=(const Inline_integer& y) { return add(y, y.negative_); }
   Inline_integer& operator-=(const Inline_integer& y) { return add(y, !y.negative_); }
-  Inline_integer& operator*=(const Inline_integer& y) {
+  BOOST_NOINLINE Inline_integer& operator*=(const Inline_integer& y) {
     if (y.size() == 1 && !is_zero()) {
       push(mpn_mul_1(limbs_.data(), limbs_.data(), size(), y.limbs_[0]));
       negative_ = negative_ != y.negative_;
@@ -57,7 +58,7 @@ public:
     }
     return *this = *this * y;
   }
-  Inline_integer& operator<<=(long k) {
+  BOOST_NOINLINE Inline_integer& operator<<=(long k) {
     if (is_zero()) return *this;
     const std::size_t n = size(), limbs = k / GMP_NUMB_BITS;
     limbs_.insert(limbs_.begin(), limbs, 0);
@@ -67,7 +68,7 @@ public:
   }
 
   // Makes this number odd; returns the exponent of the power of two that was taken away. 0 stays.
-  long remove_twos() {
+  BOOST_NOINLINE long remove_twos() {
     if (is_zero() || (limbs_[0] & 1) != 0) return 0;
     const long twos = static_cast<long>(mpn_scan1(limbs_.data(), 0));
     limbs_.erase(limbs_.begin(), limbs_.begin() + twos / GMP_NUMB_BITS);
@@ -76,7 +77,7 @@ public:
     return twos;
   }
 
-  friend Inline_integer operator*(const Inline_integer& x, const Inline_integer& y) {
+  BOOST_NOINLINE friend Inline_integer operator*(const Inline_integer& x, const Inline_integer& y) {
     Inline_integer z;
     if (x.is_zero() || y.is_zero()) return z;
     const Inline_integer &a = x.size() < y.size() ? y : x, &b = x.size() < y.size() ? x : y;
@@ -106,7 +107,7 @@ public:
   }
 
   // Whether d > 0 divides x; if so, q = x / d.
-  friend bool divides(const Inline_integer& d, const Inline_integer& x, Inline_integer& q) {
+  BOOST_NOINLINE friend bool divides(const Inline_integer& d, const Inline_integer& x, Inline_integer& q) {
     if (x.is_zero() || d.is_one()) {
       q = x;
       return true;
@@ -123,7 +124,7 @@ public:
   }
 
   // The greatest common divisor of two positive odd numbers.
-  friend Inline_integer gcd_of_odd(Inline_integer x, Inline_integer y) {
+  BOOST_NOINLINE friend Inline_integer gcd_of_odd(Inline_integer x, Inline_integer y) {
     if (x.size() < y.size()) std::swap(x, y);
     Inline_integer g;
     g.limbs_.resize(y.size(), boost::container::default_init);
@@ -133,7 +134,7 @@ public:
 
 private:
   // Adds y, with the sign that is given.
-  Inline_integer& add(const Inline_integer& y, bool negative) {
+  BOOST_NOINLINE Inline_integer& add(const Inline_integer& y, bool negative) {
     const std::size_t n = y.size();
     if (n == 0) return *this;
     if (is_zero()) {
