@@ -25,8 +25,8 @@ operator whose parameter is an unconstrained template parameter can be called wi
 A strategy is called after the input has been checked: both end tangents are nonzero, \f$ \beta \f$ and \f$ \eta \f$ are
 positive. It should use field operations only, so that it works with every number type, and should report in
 `fallback_start` and `fallback_end` where its rule is undefined and another value was used. What it chooses is returned
-to the caller in the member `parameters` of the blend. Whether a type is a quintic or a septic strategy is told by
-`CGAL::Geometric_continuity::is_quintic_strategy_v` and `CGAL::Geometric_continuity::is_septic_strategy_v`.
+to the caller in the member `parameters` of the blend. `CGAL::Geometric_continuity::is_quintic_strategy_v`
+and `CGAL::Geometric_continuity::is_septic_strategy_v` are true for quintic and for septic strategies.
 
 <h3>Strategies that choose the shape</h3>
 

@@ -107,7 +107,7 @@ public:
     return sum;
   }
 
-  /// Returns the inverse, as the matrix of cofactors divided by the determinant. Whether there is one is decided
+  /// Returns the inverse, as the matrix of cofactors divided by the determinant. Its existence is decided
   /// exactly, and the inverse of a matrix of floating-point numbers is exact up to one rounding of each entry, by
   /// `CGAL::to_double()`.
   /// \throws Error `singular_frame` when the determinant is zero, and for whole numbers unless it is 1 or -1

@@ -161,7 +161,7 @@ public:
     return Rational_bezier_curve<Traits, 2>(typename Rational_bezier_curve<Traits, 2>::Homogeneous(rows));
   }
 
-  /// Returns the image under an affine map of points, which is an arc of an ellipse again. Whether the map is affine
+  /// Returns the image under an affine map of points, which is an arc of an ellipse again. That the map is affine
   /// and invertible is not checked.
   template <class Transformation> Elliptical_arc transform(const Transformation& map) const {
     const auto image = [&](const Coordinates& x) {

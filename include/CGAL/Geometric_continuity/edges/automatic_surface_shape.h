@@ -35,7 +35,7 @@ namespace CGAL {
 namespace Geometric_continuity {
 
 /// \ingroup PkgGeometricContinuityStrategies
-/// Whether a strategy chooses the shape of blend surfaces: whether it can be called with `Quintic_ends<double, 0>`.
+/// True for a strategy that chooses the shape of blend surfaces: it can be called with `Quintic_ends<double, 0>`.
 template <class Strategy>
 constexpr bool is_surface_blend_strategy_v = std::is_invocable_v<const Strategy&, const Quintic_ends<double, 0>&>;
 

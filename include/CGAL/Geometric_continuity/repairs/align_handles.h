@@ -197,8 +197,8 @@ inline void check_side(const Handle_side& side, const char* place) {
 /// Returns legs of the direction that the given ones have, with such lengths that the curvatures of both curves at the node agree:
 /// exactly, if the grid has such lengths for which no handle moves by more than \f$ \sqrt{\mathrm{bound}} \f$ units, with
 /// `bound = max_squared_move`; otherwise those of the least jump of the curvature within three steps of the nearest real
-/// lengths, which may be further away than that. Whether the join is G2 is for `is_g2_join()` to say, and how far it is
-/// from that for `deviation()`. Each handle that moves also changes the curvature at the other end of its curve, if that is a cubic.
+/// lengths, which may be further away than that. `is_g2_join()` decides if the join is G2, and `deviation()` how far it is
+/// from that. Each handle that moves also changes the curvature at the other end of its curve, if that is a cubic.
 ///
 /// Empty when no lengths make the curvatures agree: they have different signs, or one of them is zero.
 /// \throws Error `zero_tangent` for a leg of no length, `zero_direction` for legs that have not one direction, `work_limit` for
