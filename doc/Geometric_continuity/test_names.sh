@@ -38,6 +38,10 @@ find "$texts" -name '*.txt' ! -name How_a_decision_is_made.txt -exec grep -ohE '
   sed -e 's/[`()]//g' -e '/^std::\|^CGAL::to_\|^CGAL::sqrt\|what$/d' -e 's/.*:://' | sort -u |
   comm -23 - "$work/members" | report "The manual names functions that exist:"
 
+sed -n 's/^@[a-z]*{\(.*\),/\1/p' "$texts/geometric_continuity.bib" | while read -r key; do
+  grep -qF "cgalCite{$key}" "$texts"/*.txt || echo "$key"
+done | report "A reference is cited:"
+
 # The pages of the reference as a reader sees them; those of sources and examples show code.
 for page in html/class*.html html/struct*.html html/group*.html html/namespace*.html html/*_8h.html; do
   sed -e 's/<[^>]*>//g' "$page" | grep -oE '.{0,40}(internal::|CGAL_G(C|EOMETRIC_CONTINUITY)_[A-Z]).{0,40}' | sed "s|^|$page: |" || true
