@@ -52,6 +52,7 @@
 #include <CGAL/Geometric_continuity/curves/curvature_extrema.h>
 #include <CGAL/Geometric_continuity/curves/evaluate_batch.h>
 #include <CGAL/Geometric_continuity/curves/fairness.h>
+#include <CGAL/Geometric_continuity/curves/interpolate.h>
 #include <CGAL/Geometric_continuity/curves/is_planar.h>
 #include <CGAL/Geometric_continuity/curves/polyline.h>
 

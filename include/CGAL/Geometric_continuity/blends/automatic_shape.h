@@ -7,13 +7,11 @@
 
 #include <CGAL/Geometric_continuity/blends/blend_ends.h>
 #include <CGAL/Geometric_continuity/local/Curve_jet.h>
+#include <CGAL/Geometric_continuity/numbers/internal/short_numbers.h>
 #include <CGAL/MP_Float.h>
 #include <CGAL/number_utils.h>
 
 #include <cmath>
-#include <cstdint>
-#include <cstring>
-#include <limits>
 #include <type_traits>
 #include <utility>
 
@@ -25,39 +23,9 @@ namespace Geometric_continuity {
 
 namespace internal {
 
-// The number with so many binary digits nearest to x, or of two the one farther from 0, in every rounding mode: the other
-// digits are cut off from the bits of x, which is not subnormal, and far below the largest number.
-template <int digits> double short_double(double x) {
-  static_assert(std::numeric_limits<double>::is_iec559 && std::numeric_limits<double>::digits == 53);
-  constexpr int dropped = 53 - digits;
-  std::uint64_t bits;
-  std::memcpy(&bits, &x, sizeof x);
-  bits = (bits + (std::uint64_t(1) << (dropped - 1))) >> dropped << dropped;
-  std::memcpy(&x, &bits, sizeof x);
-  return x;
-}
-
 // A ratio of lengths with few digits, so that it is the same on every kernel and exact numbers stay short.
 constexpr int ratio_digits = 8;
 constexpr int largest_ratio_exponent = 100; // the ratio lies between 2^-100 and 2^100
-
-template <class FT> constexpr bool has_interval_v = Real_embeddable_traits<FT>::Is_real_embeddable::value;
-
-// A number with at most two digits more in any field, also in one that is made from integers only.
-template <class FT> FT short_number_in(double x) {
-  if constexpr (has_interval_v<FT>)
-    return FT(x);
-  else {
-    constexpr int digits = ratio_digits + 2;
-    int exponent;
-    const double mantissa = std::frexp(x, &exponent);
-    FT result(static_cast<int>(std::ldexp(mantissa, digits)));
-    const FT two(2);
-    for (exponent -= digits; exponent > 0; --exponent) result *= two;
-    for (; exponent < 0; ++exponent) result /= two;
-    return result;
-  }
-}
 
 // The number i of the short numbers in increasing order: those from 2^e to 2^(e+1) have the numbers 128 e to 128 e + 127.
 inline double short_ratio(int i) {
