@@ -1,16 +1,40 @@
 #!/usr/bin/env bash
-# Draws the figures of the manual and the README anew. Usage: make_figures.sh PROGRAM (the path of geometric_continuity)
+# Draws all figures of the manual and the README anew. Usage: make_figures.sh PROGRAM EXAMPLES DRAW_FIGURES: the path of
+# geometric_continuity, the folder of the examples' programs, and the path of the program in figures/. The picture of a CAD model's report
+# needs OpenCASCADE, the model linkrods.step of Debian's occt-misc and Chromium; it stays as it is where they are missing.
 set -eu
-program=$1
+program=$(realpath "$1") examples=$(realpath "$2") draw_figures=$(realpath "$3")
 here=$(cd "$(dirname "$0")" && pwd)
 data=$here/../../demo/Geometric_continuity/data
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
-cp "$data/lmroman10-regular_S_0.g2" "$work/as_drawn.g2"
-"$program" blend "$work/as_drawn.g2" --corners all --closed --distance 60 -o "$work/every_join_G2.g2" >/dev/null
-"$program" plot "$work/as_drawn.g2" "$work/every_join_G2.g2" --closed --no-polygon --columns 2 \
-  --title "The letter S of Latin Modern" -o "$here/fig/letter.svg"
-"$program" blend "$data/space_left.g2" "$data/space_right.g2" --strategy all --plot "$here/fig/space_blends.svg" >/dev/null
-"$program" plot "$data/planar.g2" --alternatives --no-comb -o "$here/fig/alternatives.svg"
-"$program" plot --surfaces "$data/teapot.g2" --title "The teapot: 32 bicubic patches, every edge decided exactly" -o "$here/fig/teapot.svg"
-"$program" plot --surfaces "$data/fillet.g2" --title "Cylinder, fillet, plane" -o "$here/fig/fillet.svg"
+cd "$work"
+
+"$draw_figures" .
+for example in fair_blend line_and_arc orders_of_continuity portnov_figures; do "$examples/$example" >/dev/null; done
+
+"$program" blend "$data/hill_left.g2" "$data/hill_right.g2" --strategy normal,energy3,fair --plot first_blend.svg \
+  --title "Three blends, each proved G2: the lower E, the more evenly the curvature varies" >/dev/null
+"$program" blend "$data/space_left.g2" "$data/space_right.g2" --strategy all --plot space_blends.svg >/dev/null
+cp "$data/lmroman10-regular_S_0.g2" as_drawn.g2
+"$program" blend as_drawn.g2 --corners all --closed --distance 60 -o every_join_G2.g2 >/dev/null
+"$program" plot as_drawn.g2 every_join_G2.g2 --closed --no-polygon --columns 2 --title "The letter S of Latin Modern" -o letter.svg
+"$program" plot "$data/planar.g2" --alternatives --no-comb -o alternatives.svg
+"$program" plot --surfaces "$data/teapot.g2" --title "The teapot: 32 bicubic patches, every edge decided exactly" -o teapot.svg
+"$program" plot --surfaces "$data/fillet.g2" --title "Cylinder, fillet, plane" -o fillet.svg
+
+model=/usr/share/opencascade/data/step/linkrods.step
+browser=$(command -v chromium || command -v chromium-browser || command -v google-chrome || true)
+if [ -f "$model" ] && [ -n "$browser" ] && "$program" report "$model" -o linkrods.html 2>no_cad; then
+  timeout 120 "$browser" --headless --no-sandbox --disable-gpu --hide-scrollbars --user-data-dir="$work/profile" \
+    --force-device-scale-factor=0.75 --window-size=1400,780 --virtual-time-budget=8000 --screenshot=report_of_a_cad_model.png \
+    "file://$work/linkrods.html" >/dev/null 2>&1
+else
+  echo "report_of_a_cad_model.png stays as it is: it needs OpenCASCADE, $model and Chromium" >&2
+fi
+
+for figure in *.svg *.png; do
+  [ -f "$figure" ] || continue
+  [ "$(wc -c <"$figure")" -lt 200000 ] || { echo "$figure has more than 200 kB" >&2 && exit 1; }
+  cp "$figure" "$here/fig/"
+done

@@ -36,7 +36,7 @@ int main() {
       result{GC::Svg_role::result, false, true, "blend", true};
   GC::Svg_figure figure("From a line to a circle", 2);
   figure.add(GC::Svg_panel("one tangent: the curvature jumps").add(line, given).join("G1").add(arc, given));
-  figure.add(GC::Svg_panel("a fair blend: the curvature rises")
+  figure.add(GC::Svg_panel("a fair blend: the curvature runs through, and has to overshoot")
                  .add(before, given)
                  .join("G2")
                  .add(gamma, result)

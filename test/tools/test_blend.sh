@@ -20,7 +20,10 @@ holds cmp -s free.g2 c3.g2
 run 0 blend "$L" "$R" --beta 3/2 --eta 0.5 -o blend.g2
 run 0 verify "$L" blend.g2 "$R" --require G2 --json && says out '"betas":["3/2",' '"betas":["2",'
 run 0 blend "$L" "$R" --strategy all --plot all.svg
-holds [ "$(grep -c '</svg>' all.svg)" -eq 8 ]
+holds [ "$(grep -c '</svg>' all.svg)" -eq 15 ] # for each of seven: the curves and their curvature
+says all.svg ">energy3, E = 33.36<" "curvature κ (1/unit) against"
+run 0 blend "$L" "$R" --strategy c2,fair --plot two.svg && holds [ "$(grep -c '</svg>' two.svg)" -eq 5 ] && says out "c2 " "fair " && lacks out "energy3 "
+for bad in c2, c2,best c2,free c2,all ,; do run 2 blend "$L" "$R" --strategy "$bad" -o no.g2 && says err "strategy"; done
 run 0 blend "$L" "$R" && run 0 blend "$L" "$R" --strategy energy3 -o energy3.g2
 run 0 blend "$L" "$R" -o default.g2
 holds cmp -s default.g2 energy3.g2
@@ -35,6 +38,11 @@ run 0 blend "$L" "$R" --beta 3/2 && says out "beta = 1.5, $eta,"
 # smooth joins are not all: a blend that leaves the neighbourhood of its chord, or turns back, is named
 run 0 blend "$S" --replace 1 --strategy all && holds [ "$(grep -c 'warning: goes .* times the length of its chord away from its ends' out)" -eq 1 ]
 holds grep -q '^near_line .*warning: goes' out
+# the frame follows the others: that one leaves it, and says so
+run 0 blend "$S" --replace 1 --strategy all --plot near.svg && says near.svg ">near_line, E = 2.586e+31; warning: goes 8.2"
+outline() { grep -m 1 'stroke="#2f4058" stroke-width="2"' "$1"; } # the first given curve, in the same place and scale
+run 0 blend "$S" --replace 1 --strategy c2,normal,fair --plot three.svg && run 0 blend "$S" --replace 1 --strategy c2,normal,near_line --plot near.svg
+holds [ "$(outline three.svg)" = "$(outline near.svg)" ]
 run 0 blend "$S" --replace 1 --strategy near_line --json && says out '"warning":"goes '
 run 0 blend "$S" --replace 1 --json && says out '"warning":null'
 run 0 blend "$L" "$R" --beta 4 --eta 4 && says out "warning: turns back"

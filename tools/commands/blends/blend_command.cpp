@@ -12,9 +12,11 @@
 #include <CGAL/Geometric_continuity/IO/figures/Svg_figure.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <filesystem>
 #include <optional>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <system_error>
@@ -32,7 +34,8 @@ Blends the end of the last curve of A into the start of the first curve of B,
 or replaces the curve number I of a chain (counted from 0, cyclically) by a
 blend of its neighbours. Both joins are decided exactly on the numbers that are
 written, as verify reads them. The output is the blends, or the chain with its
-curve replaced when one strategy is asked for.
+curve replaced when one strategy is asked for. The picture has a panel for each
+strategy, with the variation of curvature E; its frame follows the blends.
 
 strategies of order 2 (degree 5, G2):
   c2, normal, min_second, near_line, energy2, energy3 (default),
@@ -115,13 +118,17 @@ GC::Svg_figure picture(const std::string& title, const Scene<FT>& scene, const s
   GC::Svg_figure figure(title, 3);
   for (std::size_t i = 0; i < results.size(); ++i) {
     const Blend_result<FT>& r = results[i];
-    GC::Svg_panel panel(r.strategy + r.fallback);
-    const GC::Svg_style given{GC::Svg_role::given, false, !chain}, neighbour{GC::Svg_role::given, false, true},
-        blend{GC::Svg_role::result, true, true, "blend"};
-    // the neighbours of the blend are drawn with it, the rest of a chain without details
+    const std::string& warning = reports[i].warning;
+    const double e = reports[i].fairness;
+    GC::Svg_panel panel(r.strategy + r.fallback + ", E = " + (std::isinf(e) ? "infinite" : rounded(e, 4)) +
+                        (warning.empty() ? "" : "; warning: " + warning));
+    // the frame follows the blend and its neighbours, but no result that leaves their neighbourhood
+    const GC::Svg_style rest{GC::Svg_role::given, false, false, "", false, false},
+        neighbour{GC::Svg_role::given, false, true, "", true},
+        blend{GC::Svg_role::result, !chain, true, "blend", true, warning.empty()};
     for (const std::vector<Program_curve<FT>>* part : {&scene.before, &scene.after})
       for (const Program_curve<FT>& c : *part)
-        if (&c != &phi && &c != &psi) panel.add(c, given);
+        if (&c != &phi && &c != &psi) panel.add(c, rest);
     panel.add(phi, neighbour).join(plot_join(reports[i].start));
     panel.add(r.curve, blend).join(plot_join(reports[i].end));
     panel.add(psi, neighbour);
@@ -140,21 +147,37 @@ void check_parameters(const Command_line& line, int order, bool free) {
   line.refuse(order == 2 ? septic : quintic, "not with --order " + std::to_string(order));
 }
 
+// The strategies that are asked for: one, several with commas between them, or all.
+Arguments chosen_strategies(const Command_line& line, const Arguments& names, const std::string& automatic) {
+  if (!line.has("strategy")) return {automatic};
+  const std::string text = line.text("strategy");
+  if (text.find(',') == std::string::npos) {
+    Arguments choices = names;
+    choices.insert(choices.end(), {"free", "all"});
+    const std::string name = line.choice("strategy", choices);
+    return name == "all" ? names : Arguments{name};
+  }
+  Arguments result;
+  std::istringstream words(text + ',');
+  for (std::string name; std::getline(words, name, ',');) {
+    if (std::find(names.begin(), names.end(), name) == names.end())
+      throw std::invalid_argument("--strategy: '" + name + "' is none of those that can be compared; see --help");
+    result.push_back(name);
+  }
+  return result;
+}
+
 // Blends by the strategies that are asked for, prints a table and writes the files.
 template <class FT> int blend(const Command_line& line) {
   const int order = line.integer("order", 2, 3);
   const Arguments& names = order == 2 ? quintic_names : septic_names;
-  Arguments choices = names;
-  choices.insert(choices.end(), {"free", "all"});
-  const std::string chosen = line.has("strategy") ? line.choice("strategy", choices)
-                             : order == 2         ? "energy3"
-                                                  : "energy4_g3";
-  check_parameters(line, order, chosen == "free");
+  const Arguments chosen = chosen_strategies(line, names, order == 2 ? "energy3" : "energy4_g3");
+  check_parameters(line, order, chosen.front() == "free");
 
   const Scene<FT> scene = read_scene<FT>(line);
   const Program_curve<FT>&phi = left_of_blend(scene), &psi = right_of_blend(scene);
   const Blender<FT> blender(line, phi, psi);
-  const bool chain = line.has("replace") && chosen != "all"; // is written
+  const bool chain = line.has("replace") && chosen.size() == 1; // is written
   const bool limited = line.has("max-work");
   const GC::Work_scope each(line.work_limit());
   // the neighbours as they are given, if they can be read again, unless they are written with the blend
@@ -171,7 +194,7 @@ template <class FT> int blend(const Command_line& line) {
                     right = given ? right_of_blend(*given) : as_written(psi);
   std::vector<Blend_result<FT>> results;
   std::vector<Blend_report> reports;
-  for (const std::string& name : chosen == "all" ? names : Arguments{chosen}) {
+  for (const std::string& name : chosen) {
     const GC::Work_scope blend_and_joins(GC::Work_scope::limit_of_each(), "blend");
     results.push_back(order == 2 ? blender.quintic(name) : blender.septic(name));
     const Blend_result<FT>& r = results.back();
@@ -209,7 +232,7 @@ template <class FT> int blend(const Command_line& line) {
 
 int blend_command(const Arguments& arguments) {
   const Command_line line(blend_usage, arguments, [](po::options_description_easy_init add) {
-    add("strategy", po::value<std::string>(), "one of the strategies, or all: each of them except free");
+    add("strategy", po::value<std::string>(), "one of the strategies, some as A,B,C, or all: each of them except free");
     add("order", po::value<int>()->default_value(2), "2: quintic, 3: septic");
     add("beta", po::value<std::string>(), "R > 0, the blend starts with beta times the end tangent of A");
     add("eta", po::value<std::string>(), "R > 0, the blend ends with eta times the start tangent of B");

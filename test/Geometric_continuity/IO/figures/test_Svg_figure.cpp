@@ -91,7 +91,8 @@ BOOST_AUTO_TEST_CASE(the_legend_names_what_is_drawn) {
   // details
   panel = GC::Svg_panel();
   panel.add(arch, Svg_style{Svg_role::given, true, true});
-  BOOST_CHECK_EQUAL(texts(GC::Svg_figure().add(panel)), "given curve\ncontrol polygon\ncurvature comb\n");
+  BOOST_CHECK_EQUAL(texts(GC::Svg_figure().add(panel)),
+                    "given curve\ncontrol polygon\ncurvature comb\ntooth of curvature 0.1 (1/unit)\n");
   BOOST_CHECK_EQUAL(texts(GC::Svg_figure()), "");
 }
 
@@ -158,7 +159,7 @@ BOOST_AUTO_TEST_CASE(coordinates_of_all_sizes) {
   BOOST_CHECK_EQUAL(texts(GC::Svg_figure().add(panel)), "given curve\n"); // as it was before
 }
 
-// Of many curves each is drawn, with its comb, its polygon and its join.
+// Of many curves each is drawn, with its comb, its polygon and its join; labels only where there is room.
 BOOST_AUTO_TEST_CASE(many_curves) {
   const auto count = [](const std::string& text, const std::string& word) {
     int n = 0;
@@ -174,9 +175,56 @@ BOOST_AUTO_TEST_CASE(many_curves) {
              Svg_style{Svg_role::given, true, true})
         .join("G1");
   const std::string drawn = svg(GC::Svg_figure().add(panel));
-  BOOST_CHECK_EQUAL(count(drawn, ">G1</text>"), n);
-  BOOST_CHECK_EQUAL(count(drawn, "<circle"), 5 * n + 3); // points, joins and the legend
+  const int labels = count(drawn, ">G1</text>");
+  BOOST_CHECK(8 <= labels && labels < n);
+  BOOST_CHECK_EQUAL(count(drawn, '>' + std::to_string(n - labels) + " labels have no room</text>"), 1);
+  BOOST_CHECK_EQUAL(count(drawn, "<circle"), 5 * n + 4); // points, joins and the legend
   BOOST_CHECK(drawn.find("nan") == std::string::npos);
+}
+
+// A quarter of a circle of radius 2 and its tangent: the axes have the units of what is given, and so has the comb.
+BOOST_AUTO_TEST_CASE(numbers_of_curvature_and_arc_length) {
+  const auto numbers = [](double size) {
+    const double k = 0.5522847498 * 2 * size, r = 2 * size;
+    const Curve arc{P(r, 0), P(r, k), P(k, r), P(0, r)}, straight{P(0, r), P(-r, r)};
+    const Svg_style style{Svg_role::given, false, true, "", true};
+    return texts(GC::Svg_figure().add(GC::Svg_panel().add(arc, style).add(straight, style)));
+  };
+  const std::string end = "\xce\xba\ns\ngiven curve\ncurvature comb\n", minus = "\xe2\x88\x92";
+  const std::string below = "below: curvature \xce\xba (1/unit) against arc length s (units)\n";
+  BOOST_CHECK_EQUAL(numbers(1),
+                    minus + "0.5\n0\n0.5\n0\n1\n2\n3\n4\n5\n" + end + "tooth of curvature 0.1 (1/unit)\n" + below);
+  BOOST_CHECK_EQUAL(numbers(1e-9).substr(0, 8), minus + "5e8\n0");
+  BOOST_CHECK_EQUAL(numbers(1e3).substr(0, 11), minus + "0.0005\n0");
+}
+
+// The frame follows the curves that may not leave it, whatever the others do.
+BOOST_AUTO_TEST_CASE(curves_that_leave_the_frame) {
+  const auto picture = [](const Curve& far) {
+    const std::string s =
+        svg(GC::Svg_figure().add(GC::Svg_panel()
+                                     .add(arch)
+                                     .join("G1")
+                                     .add(far, Svg_style{Svg_role::result, false, true, "", true, false})
+                                     .join("G0")));
+    const std::size_t begin = s.find("#2f4058"); // of the arch
+    return s.substr(begin, s.find('\n', begin) - begin);
+  };
+  const Curve beside{P(4, 0), P(5, 1), P(6, 0)}, far{P(4, 0), P(5, 1e20), P(6e20, 0)};
+  BOOST_CHECK_EQUAL(picture(beside), picture(far));
+  // alone, it is the frame
+  BOOST_CHECK(
+      svg(GC::Svg_figure().add(GC::Svg_panel().add(beside, Svg_style{Svg_role::result, false, true, "", true, false})))
+          .find("nan") == std::string::npos);
+}
+
+BOOST_AUTO_TEST_CASE(texts_without_a_mark) {
+  GC::Svg_panel panel;
+  CHECK_ERROR(panel.label("d"), wrong_number_of_points);
+  panel.add(point).label("d");
+  const std::string s = svg(GC::Svg_figure().add(panel));
+  BOOST_CHECK(texts(s) == "d\ngiven curve\n" || texts(s) == "d\n");
+  BOOST_CHECK(s.find("<circle") == std::string::npos);
 }
 
 BOOST_AUTO_TEST_CASE(pictures_of_surfaces) {

@@ -12,7 +12,9 @@
 #include <CGAL/Geometric_continuity/IO/figures/internal/svg_text.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
+#include <optional>
 #include <ostream>
 #include <string>
 #include <utility>
@@ -30,14 +32,18 @@ namespace Geometric_continuity {
 /// planar curves have `z = 0`. Curves up to degree 3 are drawn exactly, others by cubic pieces within 1/50 of a pixel.
 ///
 /// Curves with a curvature plot are drawn, one after the other as they were added, in a plot of the curvature against the arc
-/// length below their panel. It is signed in the plane: positive where the curve turns left. All plots of a figure have one scale.
+/// length below their panel. It is signed in the plane: positive where the curve turns left. All plots of a figure have one scale,
+/// whose numbers are those of the coordinates that were given: arc lengths in their unit, curvatures in one by this unit.
 ///
 /// The teeth of a curvature comb point away from the centre of curvature and are proportional to the curvature, by one
 /// factor for the figure. By this factor nine tenths of the combed length have teeth of at most 9 % of the size of the
 /// curves, and longer teeth are cut off at 18 %: they are drawn paler, the line through the tips is interrupted there,
 /// and the legend says so. When all teeth are shorter they are enlarged until the longest has this length. Each curve
 /// has its own comb up to its ends, so that a jump of the curvature at a join is a step of the line. Where the tangent
-/// is zero, and the curvature undefined, there is no tooth.
+/// is zero, and the curvature undefined, there is no tooth. The legend shows the length of the tooth of a round curvature.
+///
+/// Labels do not overlap: where there is no room beside a join a label stands farther away, connected by a line, and the legend counts those
+/// for which there is none.
 class Svg_figure {
 public:
   /// Constructs a figure without panels, which will have at most `columns` panels in a row. The title is plain text in UTF-8.
@@ -73,26 +79,27 @@ public:
       spatial = spatial || panel.spatial_;
       for (internal::Svg_curve& c : panel.curves_) curves.push_back(&c);
     }
-    internal::svg_normalise(curves);
+    const double unit = internal::svg_normalise(curves);
     internal::svg_choose_samples(curves);
 
     const int columns = (std::max)(1, (std::min)(columns_, number_of_panels()));
     const double panel_width = (std::max)(260.0, (std::min)(560.0, (960.0 - gap * (columns - 1)) / columns));
-    const internal::Svg_view view(curves, spatial, panel_width);
+    const internal::Svg_view view(curves, unit, spatial, panel_width);
     std::vector<const std::vector<internal::Svg_curve>*> curves_of_panels;
     for (const Svg_panel& panel : panels) curves_of_panels.push_back(&panel.curves_);
-    const internal::Svg_curvature_plots plots(curves_of_panels, spatial);
+    const internal::Svg_curvature_plots plots(curves_of_panels, unit, spatial);
     const double width = columns * panel_width + (columns - 1) * gap + 2 * edge,
                  height = view.height() + plots.height(); // of a panel with its plot
 
-    double y = edge; // of what comes next
+    std::size_t without_room = 0; // labels
+    double y = edge;              // of what comes next
     std::string body = internal::svg_title(title_, edge, width, y);
     if (!title_.empty()) y += 10;
     for (std::size_t first = 0; first < panels.size(); first += columns) {
       std::size_t lines = 0;
       for (std::size_t i = first; i < (std::min)(first + columns, panels.size()); ++i) {
         const double x = edge + (i - first) * (panel_width + gap);
-        body += picture(panels[i], view, x, y, [&] { report(++drawn); });
+        body += picture(panels[i], view, x, y, without_room, [&] { report(++drawn); });
         body += plots.picture(i, x, y + view.height(), panel_width);
         const std::vector<std::string> caption = internal::wrapped_lines(panels[i].caption_, 12.5, panel_width);
         for (std::size_t j = 0; j < caption.size(); ++j)
@@ -102,7 +109,7 @@ public:
       }
       y += height + 17.0 * lines + 22;
     }
-    body += legend(panels, view, plots, width, y);
+    body += legend(panels, view, plots, without_room, width, y);
     y += edge - 8;
 
     const std::string document = internal::svg_document(title_, width, y, body);
@@ -126,7 +133,7 @@ private:
   // One panel with its upper left corner at (x, y), from the background to the foreground.
   template <class Report>
   static std::string picture(const Svg_panel& panel, const internal::Svg_view& view, double x, double y,
-                             Report report) {
+                             std::size_t& without_room, Report report) {
     using namespace internal;
     std::string s = "<svg x=\"" + svg_number(x) + "\" y=\"" + svg_number(y) + "\" width=\"" + svg_number(view.width()) +
                     "\" height=\"" + svg_number(view.height()) + "\">\n";
@@ -147,9 +154,13 @@ private:
         if (c.style.role == role) s += svg_stroke(stroke_of(role), svg_curve_path(view(c.points)));
     for (const Svg_curve& c : panel.curves_)
       for (const Svg_point& p : c.polygon) s += svg_disk(view(p), 2, polygon_stroke);
-    for (const Svg_join& join : panel.joins_)
-      s += svg_disk(view(panel.curves_[join.curve].points.back()), 3.4, ring_stroke);
-    s += labels(panel, places, view);
+    for (const Svg_join& join : panel.joins_) {
+      if (!join.is_marked) continue;
+      const Svg_pixel p = view(panel.curves_[join.curve].points.back());
+      s += svg_disk(p, 3.4, ring_stroke);
+      places.take(p, svg_vector({4.0, 4.0}));
+    }
+    s += labels(panel, places, view, without_room);
     s += "<rect x=\".5\" y=\".5\" width=\"" + svg_number(view.width() - 1) + "\" height=\"" +
          svg_number(view.height() - 1) + "\" rx=\"3\" fill=\"none\" stroke=\"#e2e2e2\"/>\n";
     return s + "</svg>\n";
@@ -168,6 +179,7 @@ private:
       shadow += svg_curve_path(view(points));
     }
     for (const Svg_join& join : panel.joins_) {
+      if (!join.is_marked) continue;
       const Svg_point p = panel.curves_[join.curve].points.back();
       plumb += svg_polyline({view(p), view(view.ground(p))});
     }
@@ -220,30 +232,42 @@ private:
       places.add_segment(view(c.polygon[j - 1]), view(c.polygon[j]), 20);
   }
 
-  static std::string labels(const Svg_panel& panel, internal::Svg_label_places& places,
-                            const internal::Svg_view& view) {
+  // None where another is; those that are not beside their point are connected with it.
+  static std::string labels(const Svg_panel& panel, internal::Svg_label_places& places, const internal::Svg_view& view,
+                            std::size_t& without_room) {
     using namespace internal;
-    std::string s;
+    std::string s, connections;
     for (const Svg_join& join : panel.joins_) {
       const Svg_pixel p = view(panel.curves_[join.curve].points.back());
-      const double width = svg_text_width(join.label, 11);
-      const Svg_pixel q = places.place(p, width);
-      if (!join.label.empty())
-        places.add_segment(q - svg_vector({0.5 * width, 0.0}), q + svg_vector({0.5 * width, 0.0}), 4);
-      s += svg_text(q[0], q[1] + 4, 11, "#222222", "middle", join.label,
+      if (join.label.empty() || !places.is_in_panel(p)) continue;
+      const double text_width = svg_text_width(join.label, 11);
+      const std::optional<Svg_pixel> q = places.place(p, text_width);
+      if (!q) {
+        ++without_room;
+        continue;
+      }
+      const Svg_pixel half = places.half_size(text_width), d = *q - p;
+      places.take(*q, half + svg_vector({3.0, 2.0}));
+      const double reach =
+          (std::max)(std::abs(d[0]) / (half[0] + 2), std::abs(d[1]) / (half[1] + 2)); // from the label to p
+      if (svg_length(d) * (1 - 1 / reach) > 14)
+        connections += svg_polyline({p + 4 / svg_length(d) * d, p + (1 - 1 / reach) * d});
+      s += svg_text((*q)[0], (*q)[1] + 4, 11, "#222222", "middle", join.label,
                     " stroke=\"#ffffff\" stroke-width=\"3\" paint-order=\"stroke\"");
     }
-    return s;
+    return svg_stroke(axes_stroke, connections) + s;
   }
 
   // What occurs in the panels, with samples; moves y below it.
   static std::string legend(const std::vector<Svg_panel>& panels, const internal::Svg_view& view,
-                            const internal::Svg_curvature_plots& plots, double width, double& y) {
+                            const internal::Svg_curvature_plots& plots, std::size_t without_room, double width,
+                            double& y) {
     using namespace internal;
     std::vector<std::pair<Svg_role, std::string>> lines; // each once
     bool polygon = false, comb = false, join = false;
     for (const Svg_panel& panel : panels) {
-      for (const Svg_join& j : panel.joins_) join = join || panel.curves_[j.curve].points.size() > 1; // no single point
+      for (const Svg_join& j : panel.joins_)
+        join = join || (j.is_marked && panel.curves_[j.curve].points.size() > 1); // no single point
       for (const Svg_curve& c : panel.curves_) {
         const std::pair<Svg_role, std::string> line(c.style.role, name_of(c.style));
         if (c.points.size() > 1 && std::find(lines.begin(), lines.end(), line) == lines.end()) lines.push_back(line);
@@ -264,11 +288,20 @@ private:
       items.add(view.comb_is_cut() ? "curvature comb (long teeth cut off)" : "curvature comb",
                 svg_stroke(teeth_stroke, "M2 5L0 -3M7.5 4L6.5 -5M13 3.7L13 -6M18.5 4L19.5 -5M24 5L26 -3") +
                     svg_stroke(envelope_stroke, "M0 -3Q13 -9 26 -3"));
+    if (const double longest = view.curvature_of_tooth(26); comb && longest > 0) {
+      const Round_step step = round_step(longest);
+      const std::string end = svg_number(26 * step.value() / longest);
+      items.add("tooth of curvature " + step.text(1) + " (1/unit)",
+                svg_stroke(envelope_stroke, "M0 0H" + end + "M0 -3V3M" + end + " -3V3"));
+    }
     if (!plots.empty())
-      items.add(plots.is_cut() ? "below: curvature against arc length (cut off)"
-                               : "below: curvature against arc length",
+      items.add(plots.is_cut() ? "below: curvature \xce\xba (1/unit, cut off) against arc length s (units)"
+                               : "below: curvature \xce\xba (1/unit) against arc length s (units)",
                 svg_stroke(given_stroke, "M2 4C9 -10 16 8 24 -6"));
     if (join) items.add("join", svg_disk(svg_vector({19.0, 0.0}), 3.4, ring_stroke));
+    if (without_room > 0)
+      items.add(std::to_string(without_room) + (without_room == 1 ? " label has" : " labels have") + " no room",
+                svg_disk(svg_vector({19.0, 0.0}), 3.4, ring_stroke));
     if (view.spatial()) items.add("shadow on the ground", svg_stroke(shadow_stroke, line));
     return items.lines(width, edge, y);
   }

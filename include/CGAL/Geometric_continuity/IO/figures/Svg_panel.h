@@ -36,6 +36,7 @@ struct Svg_style {
   bool curvature_comb = false;      ///< with teeth as long as the curvature, see `Svg_figure`
   std::string name = std::string(); ///< plain text in UTF-8 for the legend; empty: the name of the role
   bool curvature_plot = false;      ///< in the plot of the curvature against the arc length below the panel
+  bool in_frame = true;             ///< the frame and the scales follow it; otherwise it may leave the panel
 };
 
 namespace internal {
@@ -51,10 +52,11 @@ struct Svg_curve {
   int samples = 0; // parts in which a figure looks at it
 };
 
-// A join at the end of the curve with this index.
+// A join, or a text, at the end of the curve with this index.
 struct Svg_join {
   std::size_t curve;
   std::string label;
+  bool is_marked; // by a ring
 };
 
 } // namespace internal
@@ -115,14 +117,20 @@ public:
 
   /// Marks the end of the curve added last as a join, with a short label such as "G2" beside it.
   /// \throws Error `wrong_number_of_points` in a panel without curves
-  Svg_panel& join(std::string label = std::string()) {
-    if (curves_.empty()) throw Error(Error_code::wrong_number_of_points, "Svg_panel: a join before the first curve");
-    joins_.push_back({curves_.size() - 1, std::move(label)});
-    return *this;
-  }
+  Svg_panel& join(std::string label = std::string()) { return add_label(std::move(label), true); }
+
+  /// Writes a short text beside the end of the curve added last, which is not marked.
+  /// \throws Error `wrong_number_of_points` in a panel without curves
+  Svg_panel& label(std::string text) { return add_label(std::move(text), false); }
 
 private:
   friend class Svg_figure;
+
+  Svg_panel& add_label(std::string label, bool is_marked) {
+    if (curves_.empty()) throw Error(Error_code::wrong_number_of_points, "Svg_panel: a join before the first curve");
+    joins_.push_back({curves_.size() - 1, std::move(label), is_marked});
+    return *this;
+  }
 
   static void check_dimension(int d) {
     if (d != 2 && d != 3)

@@ -36,6 +36,7 @@ namespace internal {
 enum Svg_edge { svg_edge_g2, svg_edge_g1, svg_edge_vanishing, svg_edge_g0, svg_edge_boundary };
 constexpr std::array<Stroke_style, 5> edge_stroke_styles = {
     {{"#2c9a5b", 0.9, ""}, {"#e69f00", 1.6, ""}, {"#b04a94", 1.8, "5 3"}, {"#e3211c", 3, ""}, {"#1b1b1b", 1.6, ""}}};
+constexpr Stroke_style silhouette_stroke{"#1b1b1b", 0.9, ""};
 constexpr std::array<const char*, 5> svg_edge_names = {"edge, G2", "edge, G1", "edge, G1 but where a normal vanishes",
                                                        "edge, only G0: a crease", "boundary"};
 
@@ -93,15 +94,13 @@ public:
     for (const Svg_point& p : seen) points.push_back(svg_vector({p[0], p[1], low}));
     Svg_camera camera(style_.azimuth, style_.elevation);
     const double height = camera.fit(points, width, 16);
-    Svg_facets facets(camera);
+    Svg_facets facets(camera, width, height, low, style_.shading);
     for (const Svg_patch& patch : patches) facets.add(patch);
-    const Svg_depth_buffer buffer = facets.remove_hidden(width, height);
 
     double y = edge;
     const std::string title = svg_title(style_.title, edge, width + 2 * edge, y);
     std::string picture = "<g transform=\"translate(" + svg_number(edge) + ' ' + svg_number(y) + ")\">\n" +
-                          shadow(patches, camera, low) + facets.paint(style_.shading) + lines(camera, buffer) +
-                          "</g>\n";
+                          facets.paint() + lines(camera, facets) + "</g>\n";
     y += height + 12;
     const std::string names = legend(y);
     y += edge - 8;
@@ -185,7 +184,7 @@ private:
   }
 
   template <class Curve> void add_line(Svg_edge kind, const std::pair<double, double>& domain, const Curve& curve) {
-    constexpr int pieces = 96;
+    constexpr int pieces = 360;
     std::vector<Svg_point> points;
     for (int i = 0; i <= pieces; ++i)
       points.push_back(
@@ -193,55 +192,47 @@ private:
     lines_.emplace_back(kind, std::move(points));
   }
 
-  // Where the light from above does not reach the ground.
-  static std::string shadow(const std::vector<Svg_patch>& patches, const Svg_camera& camera, double low) {
-    constexpr int n = 6;
-    std::string path;
-    for (const Svg_patch& s : patches)
-      for (int i = 0; i < n; ++i)
-        for (int j = 0; j < n; ++j) {
-          std::vector<Svg_pixel> polygon;
-          for (const auto& corner : {std::make_pair(i, j), std::make_pair(i + 1, j), std::make_pair(i + 1, j + 1),
-                                     std::make_pair(i, j + 1)}) {
-            const auto p = s(corner.first / double(n), corner.second / double(n));
-            const Svg_pixel q = camera(svg_vector({p.x(), p.y(), low}));
-            polygon.push_back(svg_vector({std::round(q[0]), std::round(q[1])}));
-          }
-          const Svg_pixel d = polygon[2] - polygon[0], e = polygon[3] - polygon[1];
-          if (d[0] * e[1] < d[1] * e[0]) std::reverse(polygon.begin(), polygon.end()); // one winding number
-          path += svg_polyline(polygon) + 'Z';
-        }
-    return "<path fill=\"#e4e6e9\" stroke=\"#e4e6e9\" d=\"" + path + "\"/>\n";
-  }
-
-  // The lines where they are not hidden, the more important ones above the others.
-  std::string lines(const Svg_camera& camera, const Svg_depth_buffer& buffer) const {
-    std::string svg;
+  // The silhouettes and the lines, where they are not hidden; the more important ones above the others.
+  std::string lines(const Svg_camera& camera, const Svg_facets& facets) const {
+    std::string silhouettes;
+    for (const std::vector<Svg_point>& line : facets.silhouettes()) silhouettes += seen_parts(line, camera, facets);
+    std::string svg = svg_stroke(silhouette_stroke, silhouettes);
     for (const Svg_edge kind : {svg_edge_g2, svg_edge_g1, svg_edge_boundary, svg_edge_vanishing, svg_edge_g0}) {
       std::string path;
-      for (const auto& line : lines_) {
-        if (line.first != kind) continue;
-        std::vector<Svg_pixel> run;
-        for (std::size_t i = 0; i <= line.second.size(); ++i) {
-          const bool seen =
-              i < line.second.size() && camera.depth(line.second[i]) >= buffer.around(camera(line.second[i])) - 6;
-          if (seen) run.push_back(camera(line.second[i]));
-          if (seen && i + 1 < line.second.size()) continue;
-          if (run.size() > 1) path += svg_polyline(thinned(run));
-          run.clear();
-        }
-      }
+      for (const auto& line : lines_)
+        if (line.first == kind) path += seen_parts(line.second, camera, facets);
       svg += svg_stroke(edge_stroke_styles[kind], path);
     }
     return svg;
   }
 
-  // Without points that are nearer than three pixels to the one before.
-  static std::vector<Svg_pixel> thinned(const std::vector<Svg_pixel>& line) {
-    std::vector<Svg_pixel> result(1, line[0]);
-    for (std::size_t i = 1; i < line.size(); ++i)
-      if (i + 1 == line.size() || svg_length(Svg_pixel(line[i] - result.back())) > 3) result.push_back(line[i]);
-    return result;
+  // They end where what hides them begins, to a tenth of a pixel.
+  static std::string seen_parts(const std::vector<Svg_point>& line, const Svg_camera& camera,
+                                const Svg_facets& facets) {
+    std::string path;
+    std::vector<Svg_pixel> run;
+    const auto end_of_part = [&](Svg_point seen, Svg_point hidden) {
+      for (int k = 0; k < 8; ++k) {
+        const Svg_point middle = 0.5 * seen + 0.5 * hidden;
+        (facets.sees(middle) ? seen : hidden) = middle;
+      }
+      run.push_back(camera(seen));
+    };
+    const auto end_run = [&] {
+      if (run.size() > 1) path += svg_polyline(svg_simplified(run, std::vector<double>(run.size(), 0.08), false));
+      run.clear();
+    };
+    for (std::size_t i = 0; i < line.size(); ++i) {
+      const bool seen = facets.sees(line[i]);
+      if (i > 0 && seen && run.empty()) end_of_part(line[i], line[i - 1]);
+      if (seen) run.push_back(camera(line[i]));
+      if (!seen && !run.empty()) {
+        end_of_part(line[i - 1], line[i]);
+        end_run();
+      }
+    }
+    end_run();
+    return path;
   }
 
   std::string legend(double& y) const {
@@ -261,10 +252,10 @@ private:
 } // namespace internal
 
 /// \ingroup PkgGeometricContinuityIO
-/// Draws surfaces as an SVG document in UTF-8: in a parallel projection with hidden parts removed, painted from back to
-/// front, with their shadow on the ground. Common edges, and the knot lines inside B-spline surfaces, are coloured by their
+/// Draws surfaces as an SVG document in UTF-8: in a parallel projection with hidden parts removed, painted between
+/// contours of the exact normal field, with silhouettes and their shadow on the ground. Common edges, and the knot lines inside B-spline surfaces, are coloured by their
 /// order, which `model_continuity()` decides exactly; then everything is rounded to `double` for the drawing. Both sides of
-/// a surface are lit. Facets that interpenetrate are not cut.
+/// a surface are lit.
 ///
 /// \tparam SurfaceRange a forward range of `Bezier_patch`, of `Bspline_surface`, or of the rational ones
 /// \throws Error `dimension_mismatch` unless in dimension 3, `not_finite` for coordinates beyond the range of `double` and for

@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <random>
 #include <vector>
 
@@ -66,7 +67,7 @@ BOOST_AUTO_TEST_CASE(the_freest_of_eight_places) {
     for (int i = 0; i < 200; ++i) {
       const Svg_pixel p = svg_vector({x(random), y(random)});
       const double text_width = text(random);
-      BOOST_CHECK(places.place(p, text_width) == place(p, text_width, drawn));
+      BOOST_CHECK(places.place(p, text_width).value() == place(p, text_width, drawn));
     }
   }
 }
@@ -78,8 +79,8 @@ BOOST_AUTO_TEST_CASE(crowds) {
   places.add_point(svg_vector({60.0, 70.0}));
   places.add_point(svg_vector({std::nan(""), 0.0}));
   places.add_point(svg_vector({HUGE_VAL, -HUGE_VAL}));
-  const Svg_pixel above = places.place(svg_vector({60.0, 32.5}), 10),
-                  below = places.place(svg_vector({60.0, 57.5}), 10);
+  const Svg_pixel above = places.place(svg_vector({60.0, 32.5}), 10).value(),
+                  below = places.place(svg_vector({60.0, 57.5}), 10).value();
   BOOST_CHECK(above[1] > 32.5 || above[0] != 60);
   BOOST_CHECK(below[1] < 57.5 || below[0] != 60);
   // a segment is as its ends and the points between them
@@ -90,6 +91,23 @@ BOOST_AUTO_TEST_CASE(crowds) {
     const Svg_pixel p = svg_vector({x, 48.0});
     BOOST_CHECK(segment.place(p, 12) == same.place(p, 12));
   }
+}
+
+// Labels at one point keep clear of each other, until there is no room.
+BOOST_AUTO_TEST_CASE(labels_do_not_overlap) {
+  Svg_label_places places(width, height);
+  const Svg_pixel p = svg_vector({60.0, 45.0}), half = Svg_label_places::half_size(14);
+  std::vector<Svg_pixel> labels;
+  while (const std::optional<Svg_pixel> q = places.place(p, 14)) {
+    for (const Svg_pixel& other : labels)
+      BOOST_CHECK(std::abs((*q)[0] - other[0]) >= 2 * half[0] - 1e-9 ||
+                  std::abs((*q)[1] - other[1]) >= 2 * half[1] - 1e-9);
+    places.take(*q, half);
+    labels.push_back(*q);
+    BOOST_REQUIRE_LT(labels.size(), 100);
+  }
+  BOOST_CHECK_GE(labels.size(), 12);
+  BOOST_CHECK(!Svg_label_places(10, 10).is_in_panel(svg_vector({11.0, 5.0})));
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -33,21 +33,24 @@ class Svg_curvature_plots {
   };
   typedef std::vector<Line> Plot;
 
-  static constexpr double height_ = 84, above = 8, margin = 8; // pixels; `above` lies between the panel and its plot
+  // pixels; `above` lies between the panel and its plot, `left` and `below` leave room for numbers
+  static constexpr double height_ = 104, above = 8, margin = 8, left = 40, below = 16;
 
   std::vector<Plot> plots_; // one for each panel; empty where nothing is plotted
   double length_ = 0, most_ = 0;
+  double unit_; // of what was given
   bool is_signed_, any_ = false, cut_ = false;
 
 public:
-  // Of normalised curves.
-  Svg_curvature_plots(const std::vector<const std::vector<Svg_curve>*>& panels, bool spatial) : is_signed_(!spatial) {
+  // Of curves that have been divided by `unit`.
+  Svg_curvature_plots(const std::vector<const std::vector<Svg_curve>*>& panels, double unit, bool spatial)
+      : unit_(unit), is_signed_(!spatial) {
     std::vector<std::pair<double, double>> weighted; // |curvature|, length of arc
     for (const std::vector<Svg_curve>* curves : panels) {
       plots_.emplace_back();
       double way = 0;
       for (const Svg_curve& c : *curves)
-        if (c.style.curvature_plot) plots_.back().push_back(line(c, way, weighted));
+        if (c.style.curvature_plot && c.style.in_frame) plots_.back().push_back(line(c, way, weighted));
       any_ = any_ || !plots_.back().empty();
       length_ = (std::max)(length_, way);
     }
@@ -63,13 +66,13 @@ public:
   std::string picture(std::size_t i, double x, double y, double width) const {
     if (plots_[i].empty()) return std::string();
     const auto pixel = [&](const Svg_pixel& p) {
-      const double inner = height_ - 2 * margin, k = (std::min)((std::max)(p[1] / most_, -1.), 1.);
-      return svg_vector({margin + (length_ > 0 ? p[0] / length_ : 0) * (width - 2 * margin),
+      const double inner = height_ - margin - below, k = (std::min)((std::max)(p[1] / most_, -1.), 1.);
+      return svg_vector({left + (length_ > 0 ? p[0] / length_ : 0) * (width - left - margin),
                          is_signed_ ? margin + 0.5 * (1 - k) * inner : margin + (1 - k) * inner});
     };
     std::string s = "<svg x=\"" + svg_number(x) + "\" y=\"" + svg_number(y + above) + "\" width=\"" +
                     svg_number(width) + "\" height=\"" + svg_number(height_) + "\">\n";
-    s += svg_stroke(grid_stroke, svg_polyline({pixel(svg_vector({0., 0.})), pixel(svg_vector({length_, 0.}))}));
+    s += axes(pixel);
     std::string joins;
     for (std::size_t j = 1; j < plots_[i].size(); ++j) {
       if (plots_[i][j].continues) continue;
@@ -83,13 +86,36 @@ public:
         for (const Svg_pixel& p : l.points) points.push_back(pixel(p));
         if (l.role == role) s += svg_stroke(stroke_of(role), svg_polyline(points));
       }
-    s += svg_text(margin, margin + 5, 10, "#777777", "start", "\xce\xba(s)", " font-style=\"italic\"");
     s += "<rect x=\".5\" y=\".5\" width=\"" + svg_number(width - 1) + "\" height=\"" + svg_number(height_ - 1) +
          "\" rx=\"3\" fill=\"none\" stroke=\"#e2e2e2\"/>\n";
     return s + "</svg>\n";
   }
 
 private:
+  // Lines and numbers, of what was given.
+  template <class Pixel> std::string axes(Pixel pixel) const {
+    constexpr double size = 9;
+    const char* const colour = "#777777";
+    std::string lines, numbers;
+    const Round_step k = round_step(0.98 * most_ / unit_), s = round_step(length_ > 0 ? 0.3 * length_ * unit_ : 1);
+    for (int n = is_signed_ ? -1 : 0; n <= 1; ++n) {
+      const double curvature = n * k.value() * unit_;
+      const Svg_pixel p = pixel(svg_vector({0., curvature}));
+      lines += svg_polyline({p, pixel(svg_vector({length_, curvature}))});
+      numbers += svg_text(left - 4, p[1] + 3, size, colour, "end", k.text(n));
+    }
+    const double lowest = is_signed_ ? -most_ : 0;
+    for (int n = 0; n * s.value() <= 1.001 * length_ * unit_ && length_ > 0; ++n) {
+      const Svg_pixel p = pixel(svg_vector({n * s.value() / unit_, lowest}));
+      lines += svg_polyline({p, p + svg_vector({0., 3.})});
+      numbers += svg_text(p[0], p[1] + 12, size, colour, "middle", s.text(n));
+    }
+    const Svg_pixel top = pixel(svg_vector({0., most_})), end = pixel(svg_vector({length_, lowest}));
+    return svg_stroke(grid_stroke, lines) + numbers +
+           svg_text(5, top[1] + 5, 10, colour, "start", "\xce\xba", " font-style=\"italic\"") +
+           svg_text(end[0], end[1] - 3, 10, colour, "end", "s", " font-style=\"italic\"");
+  }
+
   // Samples a curve that begins at the arc length `way`, and adds its length to this.
   Line line(const Svg_curve& curve, double& way, std::vector<std::pair<double, double>>& weighted) const {
     Line result{curve.style.role, curve.continues, {}};

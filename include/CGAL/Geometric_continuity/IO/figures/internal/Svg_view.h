@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <optional>
 #include <utility>
@@ -66,10 +67,19 @@ template <int N> struct Svg_box {
   double radius(int i) const { return (std::max)(0.0, 0.5 * high[i] - 0.5 * low[i]); }
 };
 
-// Moves and scales all curves alike, without overflow, into the cube [-1, 1]^3.
-inline void svg_normalise(const std::vector<Svg_curve*>& curves) {
+// The curves that the frame follows: those that may not leave it, or all if there are none.
+inline std::vector<Svg_curve*> svg_in_frame(const std::vector<Svg_curve*>& curves) {
+  std::vector<Svg_curve*> result;
+  std::copy_if(curves.begin(), curves.end(), std::back_inserter(result),
+               [](const Svg_curve* c) { return c->style.in_frame; });
+  return result.empty() ? curves : result;
+}
+
+// Moves and scales all curves alike, without overflow, those that the frame follows into the cube [-1, 1]^3. Returns how long its
+// half side was.
+inline double svg_normalise(const std::vector<Svg_curve*>& curves) {
   Svg_box<3> box;
-  for (const Svg_curve* c : curves)
+  for (const Svg_curve* c : svg_in_frame(curves))
     for (const std::vector<Svg_point>* points : {&c->points, &c->polygon})
       for (const Svg_point& p : *points) box.add(p);
   const Svg_point centre = box.centre();
@@ -77,6 +87,7 @@ inline void svg_normalise(const std::vector<Svg_curve*>& curves) {
   for (Svg_curve* c : curves)
     for (std::vector<Svg_point>* points : {&c->points, &c->polygon})
       for (Svg_point& p : *points) p = radius > 0 ? (p - centre) / radius : Svg_point(3);
+  return radius > 0 ? radius : 1;
 }
 
 // 256 samples of each curve, in a figure of up to 256 curves; of more curves fewer, but more of those that are longer.
@@ -110,11 +121,15 @@ class Svg_view {
   double size_;    // the diagonal of the box
   double comb_scale_ = 0;
   bool comb_is_cut_ = false;
+  double unit_; // of what was given
   double scale_ = 1, width_, height_;
   Svg_pixel centre_;
 
 public:
-  Svg_view(const std::vector<Svg_curve*>& curves, bool spatial, double width) : spatial_(spatial), width_(width) {
+  // The curves have been divided by `unit`.
+  Svg_view(const std::vector<Svg_curve*>& all, double unit, bool spatial, double width)
+      : spatial_(spatial), unit_(unit), width_(width) {
+    const std::vector<Svg_curve*> curves = svg_in_frame(all);
     for (const Svg_curve* c : curves)
       for (int i = 0; i <= c->samples; ++i) box_.add(polygon_jet(c->points, i / double(c->samples), 0)[0]);
     size_ = 2 * svg_length(svg_vector({box_.radius(0), box_.radius(1), box_.radius(2)}));
@@ -127,6 +142,12 @@ public:
   double width() const { return width_; }
   double height() const { return height_; }
   bool comb_is_cut() const { return comb_is_cut_; }
+
+  // The curvature, of what was given, whose tooth has this length in pixels; 0 if there is no comb.
+  double curvature_of_tooth(double pixels) const {
+    const double factor = comb_scale_ * scale_;
+    return factor > 0 ? pixels / factor / unit_ : 0;
+  }
 
   // The picture of a point, in pixels.
   Svg_pixel operator()(const Svg_point& p) const {

@@ -33,6 +33,40 @@ inline std::string svg_number(double x) {
   return s;
 }
 
+// A step of an axis: digit * 10^power, where the digit is 1, 2 or 5.
+struct Round_step {
+  int digit, power;
+
+  double value() const { return digit * std::pow(10.0, power); }
+
+  // n steps as a decimal number, whatever the locale.
+  std::string text(int n) const {
+    std::string digits = std::to_string(std::abs(n) * digit), end;
+    if (n == 0) return "0";
+    if (power < -4 || power > 4)
+      end = "e" + std::to_string(power);
+    else if (power >= 0)
+      digits.append(static_cast<std::size_t>(power), '0');
+    else {
+      const std::size_t after = static_cast<std::size_t>(-power);
+      if (digits.size() <= after) digits.insert(0, after + 1 - digits.size(), '0');
+      digits.insert(digits.size() - after, ".");
+      digits.erase(digits.find_last_not_of('0') + 1);
+      if (digits.back() == '.') digits.pop_back();
+    }
+    return (n < 0 ? "\xe2\x88\x92" : "") + digits + end; // a minus sign
+  }
+};
+
+// The greatest one that is not greater than x > 0.
+inline Round_step round_step(double x) {
+  Round_step step{1, static_cast<int>(std::floor(std::log10(x)))};
+  if (step.value() > x) --step.power; // by rounding
+  for (int digit : {2, 5})
+    if (Round_step{digit, step.power}.value() <= x) step.digit = digit;
+  return step;
+}
+
 inline std::string svg_pair(const Svg_pixel& p) { return svg_number(p[0]) + ' ' + svg_number(p[1]); }
 
 // The colours differ in lightness and stay distinct for the colour-blind

@@ -13,6 +13,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstring>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -149,13 +150,23 @@ class Svg_label_places {
   double width_, height_;
   std::size_t columns_;
   std::vector<std::vector<Svg_pixel>> cells_;
+  std::vector<bool> taken_; // by labels and marks, cell by cell
 
 public:
   Svg_label_places(double width, double height)
-      : width_(width), height_(height), columns_(number(width) + 1), cells_(columns_ * (number(height) + 1)) {}
+      : width_(width), height_(height), columns_(number(width) + 1), cells_(columns_ * (number(height) + 1)),
+        taken_(cells_.size(), false) {}
+
+  bool is_in_panel(const Svg_pixel& p) const { return 0 <= p[0] && p[0] <= width_ && 0 <= p[1] && p[1] <= height_; }
+
+  // No label is to touch a box with this centre, such as that of a label.
+  void take(const Svg_pixel& centre, const Svg_pixel& half) {
+    for_each_cell(centre, half, [&](std::size_t k) { taken_[k] = true; });
+  }
+  static Svg_pixel half_size(double text_width) { return svg_vector({0.5 * text_width, 4.5}); }
 
   void add_point(const Svg_pixel& p) {
-    if (!(0 <= p[0] && p[0] <= width_ && 0 <= p[1] && p[1] <= height_)) return;
+    if (!is_in_panel(p)) return;
     std::vector<Svg_pixel>& points = cells_[number(p[1]) * columns_ + number(p[0])];
     if (points.size() < most_in_cell) points.push_back(p);
   }
@@ -164,26 +175,45 @@ public:
     for (int i = 0; i <= pieces; ++i) add_point(p + i / double(pieces) * (q - p));
   }
 
-  // Where a label beside p is farthest from all that is drawn and from the edge of the panel, among eight places.
-  Svg_pixel place(const Svg_pixel& p, double text_width) const {
-    const Svg_pixel half = svg_vector({0.5 * text_width, 4.5});
-    Svg_pixel best = p;
-    double best_distance = -1e6;
-    for (const Svg_pixel& d :
-         {svg_vector({0.0, -1.0}), svg_vector({0.0, 1.0}), svg_vector({1.0, 0.0}), svg_vector({-1.0, 0.0}),
-          svg_vector({0.7, -0.8}), svg_vector({-0.7, -0.8}), svg_vector({0.7, 0.8}), svg_vector({-0.7, 0.8})}) {
-      const Svg_pixel q = p + svg_vector({d[0] * (half[0] + 8), d[1] * (half[1] + 8)});
-      const double distance = free_distance(q, half, best_distance);
-      if (distance > best_distance) {
-        best = q;
-        best_distance = distance;
+  // Where a label beside p is farthest from all that is drawn and from the edge of the panel, among eight places that are not
+  // taken; if all are, among eight that are farther away, and so on; none if there is no room.
+  std::optional<Svg_pixel> place(const Svg_pixel& p, double text_width) const {
+    const Svg_pixel half = half_size(text_width);
+    std::optional<Svg_pixel> best;
+    for (double gap : {8.0, 18.0, 30.0, 44.0}) {
+      double best_distance = -1e6;
+      for (const Svg_pixel& d :
+           {svg_vector({0.0, -1.0}), svg_vector({0.0, 1.0}), svg_vector({1.0, 0.0}), svg_vector({-1.0, 0.0}),
+            svg_vector({0.7, -0.8}), svg_vector({-0.7, -0.8}), svg_vector({0.7, 0.8}), svg_vector({-0.7, 0.8})}) {
+        const Svg_pixel q = p + svg_vector({d[0] * (half[0] + gap), d[1] * (half[1] + gap)});
+        if (is_taken(q, half)) continue;
+        const double distance = free_distance(q, half, best_distance);
+        if (distance > best_distance) {
+          best = q;
+          best_distance = distance;
+        }
       }
+      if (best) return best;
     }
     return best;
   }
 
 private:
   static std::size_t number(double x) { return static_cast<std::size_t>(x / cell); }
+
+  template <class Function> void for_each_cell(const Svg_pixel& centre, const Svg_pixel& half, Function f) const {
+    const Svg_pixel low = centre - half, high = centre + half;
+    if (!(low[0] <= width_ && high[0] >= 0 && low[1] <= height_ && high[1] >= 0)) return;
+    const std::size_t last_x = number((std::min)(width_, high[0])), last_y = number((std::min)(height_, high[1]));
+    for (std::size_t y = number((std::max)(0.0, low[1])); y <= last_y; ++y)
+      for (std::size_t x = number((std::max)(0.0, low[0])); x <= last_x; ++x) f(y * columns_ + x);
+  }
+
+  bool is_taken(const Svg_pixel& centre, const Svg_pixel& half) const {
+    bool result = false;
+    for_each_cell(centre, half, [&](std::size_t k) { result = result || taken_[k]; });
+    return result;
+  }
 
   // The distance of the box with this centre from what is drawn and from the edge, negative beyond the edge. Once it is not
   // greater than `enough`, it need not be exact.
