@@ -19,6 +19,7 @@ fail() {
   echo "$1"
   failures=$((failures + 1))
 }
+[ "$(wc -c <index.html)" -le 40000 ] || fail "index.html: more than 40 kB"
 # the pages of the manual: the main page, and those of texts, which doxygen names after their labels
 for page in index.html Geometric_continuity_[A-Z]*.html; do
   [ "$(wc -c <"$page")" -le 250000 ] || fail "$page: too long to read"
