@@ -25,8 +25,8 @@
 #include <vector>
 
 /// \file interpolate.h
-/// Cubic B-spline curves through points, \f$ C^2 \f$ with the parameters of the points as simple knots. De Boor, "A Practical Guide to
-/// Splines", chapters 4 and 13.
+/// Cubic B-spline curves through points, \f$ C^2 \f$ with the parameters of the points as simple knots.
+/// \cgalCite{Boor-78}
 ///
 /// At the parameter \f$ u_i \f$ three basis functions are not zero, with the values
 /// \f[ \frac{(u_{i+1} - u_i)^2}{(u_{i+1} - u_{i-1})(u_{i+1} - u_{i-2})}, \quad 1 - \dots, \quad
