@@ -294,12 +294,15 @@ public:
   /// \throws Error `not_finite` when a floating-point coordinate overflows
   Bspline_curve derivative() const { return Bspline_curve(function().derivative()); }
 
-  /// Returns this curve over the knots with `times` more copies of `u`. \f$ O(n + p^3) \f$
+  /// Returns this curve over the knots with `times` more copies of `u`. \f$ O(n + p\,times) \f$
   /// \throws Error `parameter_outside_domain`, and `knot_multiplicity` when it would be repeated more than `p + 1` times
   /// \throws Error `negative_count` unless `times >= 0`
   Bspline_curve insert(const FT& u, int times = 1) const {
-    internal::check_count(times, "Bspline_curve::insert");
-    return Bspline_curve(function().insert(u, times));
+    Knot_vector<FT> finer = knots_.insert(u, times);
+    const internal::Knot_insertion<FT> insertion(knots_, u, times);
+    const auto changed = insertion.new_coefficients([&](int j) { return this->coordinates(j); });
+    const auto point = [&](int i) { return Geometric_continuity::to_point<Traits>(changed[i]); };
+    return Bspline_curve(std::move(finer), insertion.replaced(points_, point));
   }
 
   /// Returns this curve over finer knots, see `bspline_refine()`. \f$ O(n p^2) \f$

@@ -192,7 +192,7 @@ public:
   Homogeneous homogeneous() const {
     typename Homogeneous::template Per_point<typename Homogeneous::Point> points;
     if constexpr (Degree == dynamic_degree) points.resize(weights_.size());
-    for (std::size_t i = 0; i < points.size(); ++i) points[i] = homogeneous_point(coordinates(int(i)), weights_[i]);
+    for (std::size_t i = 0; i < points.size(); ++i) points[i] = homogeneous_row<FT>(static_cast<int>(i));
     return Kind::template with_points<Homogeneous>(shape_, points);
   }
 
@@ -398,7 +398,14 @@ public:
   /// @{
 
   /// Returns the same curve with `times >= 0` more copies of the knot `u`. \f$ O(n + p\,times) \f$
-  Rational_curve insert(const FT& u, int times = 1) const { return Rational_curve(homogeneous().insert(u, times)); }
+  Rational_curve insert(const FT& u, int times = 1) const {
+    Knot_vector<FT> finer = knots().insert(u, times);
+    const internal::Knot_insertion<FT> insertion(knots(), u, times);
+    const auto changed = insertion.new_coefficients([&](int j) { return homogeneous_row<FT>(j); });
+    const auto point = [&](int i) { return to_point<Traits>(affine_point(changed[i])); };
+    const auto weight = [&](int i) { return changed[i][dimension()]; };
+    return Rational_curve(insertion.replaced(control_points(), point), insertion.replaced(weights_, weight), finer);
+  }
   /// Returns the same curve over finer knots. \f$ O(p) \f$ for each knot that is inserted, and the copy
   Rational_curve refine(const Knot_vector<FT>& finer) const { return Rational_curve(homogeneous().refine(finer)); }
   /// Returns the same curve with knots of multiplicity `p + 1` at the ends, without those outside the domain.
@@ -594,16 +601,17 @@ private:
         dimension() + 1, degree(), k, step, [&](int j, int i) { return homogeneous_coordinate<Field>(index(j), i); }));
   }
 
+  // (w_i b_i, w_i), multiplied in the field
+  template <class Field> Coordinate_vector<Field, M> homogeneous_row(int i) const {
+    return homogeneous_point(Geometric_continuity::coordinates<Traits, Field>(control_point(i)),
+                             internal::to_field<Field>(weights_[i]));
+  }
+
   // output(j, x) for the derivatives up to the degree of the homogeneous points of a B-spline curve.
   template <class Field, class Output>
   void write_derivatives(const FT& u, int span, int k, const Output& output) const {
     internal::derivatives_over<Field>(
-        knots(), span, u, k,
-        [&](int i) {
-          return homogeneous_point(Geometric_continuity::coordinates<Traits, Field>(control_point(i)),
-                                   internal::to_field<Field>(weights_[i]));
-        },
-        output);
+        knots(), span, u, k, [&](int i) { return homogeneous_row<Field>(i); }, output);
   }
   template <class Field> Coordinate_jet<Field, N> jet_over(const FT& u, int span, int k) const {
     Coordinate_jet<Field, M> jet(dimension() + 1, k);

@@ -236,7 +236,7 @@ public:
   /// Returns the same function with `times >= 0` more copies of the knot `u`, see `bspline_insert()`.
   /// \throws Error as `bspline_insert()`
   Bspline_function insert(const FT& u, int times = 1) const {
-    return {knots_.insert(u, times), bspline_insert<FT>(knots_, c_, u, times)};
+    return {knots_.insert(u, times), internal::insert_knot(knots_, c_, u, times)};
   }
   /// Returns the same function over finer knots, see `bspline_refine()`. \throws Error as `bspline_refine()`
   Bspline_function refine(const Knot_vector<FT>& finer) const { return {finer, bspline_refine<FT>(knots_, c_, finer)}; }

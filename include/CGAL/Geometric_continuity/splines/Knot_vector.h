@@ -194,8 +194,12 @@ public:
   Knot_vector insert(const FT& u, int times = 1) const {
     check_times(times);
     check_parameter(u);
-    std::vector<FT> knots = u_;
-    knots.insert(std::upper_bound(knots.begin(), knots.end(), u), static_cast<std::size_t>(times), u);
+    const const_iterator place = std::upper_bound(begin(), end(), u);
+    std::vector<FT> knots;
+    knots.reserve(u_.size() + times);
+    knots.assign(begin(), place);
+    knots.insert(knots.end(), static_cast<std::size_t>(times), u);
+    knots.insert(knots.end(), place, end());
     return Knot_vector(p_, std::move(knots));
   }
 

@@ -75,26 +75,76 @@ public:
   }
 };
 
-// The coefficients over t of the spline with coefficients c over u. \pre the spline belongs to the space of t, and the first ones, `before`
-// many, and the last ones, `after` many, are those over u
+// The coefficients over t of the spline with coefficients c over u. \pre the spline belongs to the space of t
 template <class FT, class Coefficients>
 std::vector<typename Coefficients::value_type> change_knots(const Knot_vector<FT>& u, const Coefficients& c,
-                                                            const Knot_vector<FT>& t, int before = 0, int after = 0) {
+                                                            const Knot_vector<FT>& t) {
   const int n = t.number_of_coefficients();
   std::vector<typename Coefficients::value_type> result;
   result.reserve(n);
-  result.assign(c.begin(), c.begin() + before);
   Span_choice<FT> span(u);
   Blossom_weights<FT> weights;
-  for (int j = before; j < n - after; ++j) {
+  for (int j = 0; j < n; ++j) {
     weights.assign(u, u.degree(), span(t, j), t.begin() + (j + 1));
     if (weights.w.size() == 1)
       result.push_back(c[weights.first]);
     else
       result.push_back(weights(c));
   }
-  result.insert(result.end(), c.end() - after, c.end());
   return result;
+}
+
+// Boehm's insertion of `times` more copies of t, which is in the span k and has the multiplicity m: the coefficients between
+// c_{k-p} and c_{k-m} change. For one copy after the other, the new ones are (1 - q) c_{j-1} + q c_j with
+// q = (t - u_j) / (u_{j+p} - u_j). \pre `u.insert(t, times)` throws no error
+template <class FT> class Knot_insertion {
+  const Knot_vector<FT>& u_;
+  const FT& t_;
+  int times_, first_, last_; // k-p, k-m
+
+public:
+  Knot_insertion(const Knot_vector<FT>& u, const FT& t, int times) : u_(u), t_(t), times_(times) {
+    const auto copies = std::equal_range(u.begin(), u.end(), t);
+    first_ = static_cast<int>(copies.second - u.begin()) - 1 - u.degree();
+    last_ = static_cast<int>(copies.first - u.begin()) - 1;
+  }
+
+  // Those that take the place of c_{k-p}, ..., c_{k-m}; old(j) is c_j. The first and the last one stay.
+  template <class Old> auto new_coefficients(const Old& old) const {
+    std::vector<std::decay_t<decltype(old(0))>> c;
+    if (times_ == 0) return c;
+    const int last = last_ - first_;
+    c.reserve(last + 1 + times_);
+    for (int i = 0; i <= last; ++i) c.push_back(old(first_ + i));
+    c.resize(c.size() + times_, c.back());
+    for (int l = 0; l < times_; ++l) {
+      c[last + times_ - l] = c[last];
+      for (int i = last; i > l; --i) {
+        const FT& a = u_[first_ + i];
+        const FT q = FT(FT(t_ - a) / FT(u_[first_ + i + u_.degree() - l] - a));
+        c[i] = FT(FT(1) - q) * c[i - 1] + q * c[i];
+      }
+    }
+    return c;
+  }
+
+  // c with changed(i) for number i of those, but for the first and the last one.
+  template <class Values, class Changed> Values replaced(const Values& c, const Changed& changed) const {
+    if (times_ == 0) return c;
+    Values result;
+    result.reserve(c.size() + times_);
+    result.assign(c.begin(), c.begin() + first_ + 1);
+    for (int i = 1; i < last_ - first_ + times_; ++i) result.push_back(changed(i));
+    result.insert(result.end(), c.begin() + last_, c.end());
+    return result;
+  }
+};
+
+template <class FT, class Values>
+Values insert_knot(const Knot_vector<FT>& knots, const Values& c, const FT& u, int times) {
+  const Knot_insertion<FT> insertion(knots, u, times);
+  const auto changed = insertion.new_coefficients([&](int j) { return c[j]; });
+  return insertion.replaced(c, [&](int i) { return changed[i]; });
 }
 
 // The Bernstein coefficients on the spans.
@@ -206,7 +256,7 @@ std::vector<typename Coefficients::value_type> bspline_refine(const Knot_vector<
 }
 
 /// \ingroup PkgGeometricContinuityAlgebra
-/// Returns the coefficients of a spline over `knots.insert(u, times)`, `times >= 0`. \f$ O(n + p^3) \f$ operations.
+/// Returns the coefficients of a spline over `knots.insert(u, times)`, `times >= 0`. \f$ O(n + p\,times) \f$ operations.
 /// Boehm
 /// \throws Error `negative_count`, `parameter_outside_domain`, `knot_multiplicity` when `u` would be repeated more than
 ///   `p + 1` times, `wrong_number_of_points` unless there are `n` coefficients
@@ -214,13 +264,8 @@ template <class FT, class Coefficients>
 std::vector<typename Coefficients::value_type> bspline_insert(const Knot_vector<FT>& knots, const Coefficients& c,
                                                               const FT& u, int times = 1) {
   internal::check_number_of_coefficients(knots, c, "bspline_insert");
-  const Knot_vector<FT> finer = knots.insert(u, times);
-  const int p = knots.degree(), n = knots.number_of_coefficients();
-  if (p == 0) return internal::change_knots<FT>(knots, c, finer);
-  // c_j is a value at the knots j + 1 to j + p, which stay where the new knots come after or before them
-  const int place = static_cast<int>(std::upper_bound(knots.begin(), knots.end(), u) - knots.begin());
-  return internal::change_knots<FT>(knots, c, finer, (std::min)((std::max)(place - p, 0), n),
-                                    (std::min)((std::max)(n + 1 - place, 0), n));
+  knots.insert(u, times); // or an error
+  return internal::insert_knot(knots, c, u, times);
 }
 
 /// \ingroup PkgGeometricContinuityAlgebra
