@@ -166,9 +166,12 @@ public:
   /// Returns the jet of order `k` at `u`, which may lie outside the domain; derivatives beyond the degree are zero.
   /// \f$ O(m^2 + k^3) \f$ \throws Error `negative_count` unless `k >= 0`
   Curve_jet<Traits> jet(const FT& u, int k) const {
-    return internal::with_largest_order<Degree>(
-        k, [&](auto order) { return jet_of_order<decltype(order)::value>(u, k); },
-        [&] { return jet_of_any_order(u, k); });
+    if constexpr (internal::unrolls_jets<FT, Degree>)
+      return internal::with_largest_order<Degree>(
+          k, [&](auto order) { return jet_of_order<decltype(order)::value>(u, k); },
+          [&] { return jet_of_any_order(u, k); });
+    else
+      return jet_of_any_order(u, k);
   }
 
   /// Returns the jet of an order `k >= 0` that is known at compile time, at `u`, which may lie outside the domain;
@@ -301,13 +304,11 @@ private:
         });
   }
 
+  // Declared outside of any block, a jet is not copied when it is returned.
   template <int k> Curve_jet<Traits> jet_of_order(const FT& u, int order) const {
-    if constexpr (internal::unrolls_jets<FT, Degree>) {
-      Curve_jet<Traits> jet(dimension(), order, internal::Unspecified());
-      write_jet<k>(u, order, jet);
-      return jet;
-    } else
-      return jet_of_any_order(u, order);
+    Curve_jet<Traits> jet(dimension(), order, internal::Unspecified());
+    write_jet<k>(u, order, jet);
+    return jet;
   }
 
   Curve_jet<Traits> jet_of_any_order(const FT& u, int k) const {

@@ -300,7 +300,8 @@ public:
   Bspline_curve insert(const FT& u, int times = 1) const {
     Knot_vector<FT> finer = knots_.insert(u, times);
     const internal::Knot_insertion<FT> insertion(knots_, u, times);
-    const auto changed = insertion.new_coefficients([&](int j) { return this->coordinates(j); });
+    const std::vector<Coordinates> changed =
+        insertion.template new_coefficients<Coordinates>([&](int j) { return this->coordinates(j); });
     const auto point = [&](int i) { return Geometric_continuity::to_point<Traits>(changed[i]); };
     return Bspline_curve(std::move(finer), insertion.replaced(points_, point));
   }

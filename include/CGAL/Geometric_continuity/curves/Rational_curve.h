@@ -230,10 +230,12 @@ public:
   Curve_jet<Traits> jet(const FT& u, int k) const {
     if constexpr (is_spline)
       return right_jet(u, k);
-    else
+    else if constexpr (internal::unrolls_jets<FT, Degree>)
       return internal::with_largest_order<Degree>(
           k, [&](auto order) { return jet_of_order<decltype(order)::value>(u, k); },
           [&] { return jet_of_any_order(u, k); });
+    else
+      return jet_of_any_order(u, k);
   }
   /// Returns the jet of an order `k >= 0` that is known at compile time.
   /// \throws Error `zero_weight` when the denominator is zero there
@@ -399,9 +401,11 @@ public:
 
   /// Returns the same curve with `times >= 0` more copies of the knot `u`. \f$ O(n + p\,times) \f$
   Rational_curve insert(const FT& u, int times = 1) const {
-    Knot_vector<FT> finer = knots().insert(u, times);
+    typedef typename Homogeneous::Point Row;
+    const Knot_vector<FT> finer = knots().insert(u, times);
     const internal::Knot_insertion<FT> insertion(knots(), u, times);
-    const auto changed = insertion.new_coefficients([&](int j) { return homogeneous_row<FT>(j); });
+    const std::vector<Row> changed =
+        insertion.template new_coefficients<Row>([&](int j) { return homogeneous_row<FT>(j); });
     const auto point = [&](int i) { return to_point<Traits>(affine_point(changed[i])); };
     const auto weight = [&](int i) { return changed[i][dimension()]; };
     return Rational_curve(insertion.replaced(control_points(), point), insertion.replaced(weights_, weight), finer);
@@ -541,29 +545,16 @@ private:
     return w == Field(0) ? x : Field(w * x);
   }
 
-  // The coordinates of the homogeneous points as floating-point code wants them, without a branch.
+  // No lambda expression, which a compiler may refuse to inline.
   struct Homogeneous_coordinates {
     const Rational_curve& curve;
-    internal::Bezier_coefficients<Degree, FT> factors; // 1 for infinite points
-
-    CGAL_GC_FORCEINLINE explicit Homogeneous_coordinates(const Rational_curve& c) : curve(c) {
-      const auto factor = [&](int j) { factors[j] = c.weights_[j] == FT(0) ? FT(1) : c.weights_[j]; };
-      if constexpr (Degree == dynamic_degree) {
-        factors.resize(c.weights_.size());
-        for (int j = 0; j <= c.degree(); ++j) factor(j);
-      } else
-        internal::for_each_index<Degree + 1>(factor);
-    }
-    CGAL_GC_FORCEINLINE FT operator()(int j, int i) const {
-      if (i == curve.dimension()) return curve.weights_[j];
-      return FT(factors[j] * FT(Traits().compute_coordinate_object()(curve.control_point(j), i)));
-    }
+    CGAL_GC_FORCEINLINE FT operator()(int j, int i) const { return curve.homogeneous_coordinate(j, i); }
   };
 
   // x[0], ..., x[order] of a Bézier curve, unrolled for the order k or less
   template <int k, class Jet> CGAL_GC_FORCEINLINE void write_jet(const FT& u, int order, Jet&& x) const {
     internal::with_constant_level<Degree, M>(dimension() + 1, degree(), u, shape_.a_, shape_.b_,
-                                             Homogeneous_coordinates(*this), [&](auto level, const auto& coordinate) {
+                                             Homogeneous_coordinates{*this}, [&](auto level, const auto& coordinate) {
                                                internal::rational_bezier_jet<level, k, N>(dimension(), degree(), u,
                                                                                           shape_.a_, shape_.b_,
                                                                                           coordinate, order, x);
@@ -571,12 +562,9 @@ private:
   }
 
   template <int k> Curve_jet<Traits> jet_of_order(const FT& u, int order) const {
-    if constexpr (!is_spline && internal::unrolls_jets<FT, Degree>) {
-      Curve_jet<Traits> x(dimension(), order, internal::Unspecified());
-      write_jet<k>(u, order, x);
-      return x;
-    } else
-      return jet_of_any_order(u, order);
+    Curve_jet<Traits> x(dimension(), order, internal::Unspecified());
+    write_jet<k>(u, order, x);
+    return x;
   }
 
   Curve_jet<Traits> jet_of_any_order(const FT& u, int k) const {
@@ -607,15 +595,11 @@ private:
                              internal::to_field<Field>(weights_[i]));
   }
 
-  // output(j, x) for the derivatives up to the degree of the homogeneous points of a B-spline curve.
-  template <class Field, class Output>
-  void write_derivatives(const FT& u, int span, int k, const Output& output) const {
-    internal::derivatives_over<Field>(
-        knots(), span, u, k, [&](int i) { return homogeneous_row<Field>(i); }, output);
-  }
   template <class Field> Coordinate_jet<Field, N> jet_over(const FT& u, int span, int k) const {
     Coordinate_jet<Field, M> jet(dimension() + 1, k);
-    write_derivatives<Field>(u, span, k, [&](int j, const auto& x) { jet[j] = x; });
+    internal::derivatives_over<Field>(
+        knots(), span, u, k, [&](int i) { return homogeneous_row<Field>(i); },
+        [&](int j, const Coordinate_vector<Field, M>& x) { jet[j] = x; });
     return project(jet);
   }
   Curve_jet<Traits> jet_on_span(const FT& u, int span, int k) const {
@@ -623,10 +607,17 @@ private:
                                                             : Curve_jet<Traits>(jet_over<FT>(u, span, k));
   }
   Curve_jet<Traits> short_jet_on_span(const FT& u, int span, int k) const {
+    typedef internal::Coordinate_row<FT, M> Row;
     Curve_jet<Traits> x(dimension(), k, internal::Unspecified());
-    std::array<typename Homogeneous::Point, 4> p;
-    for (int j = degree() + 1; j <= k; ++j) p[j] = typename Homogeneous::Point(dimension() + 1);
-    write_derivatives<FT>(u, span, k, [&](int j, const auto& y) { p[j] = y; });
+    std::array<Row, 4> p;
+    for (int j = degree() + 1; j <= k; ++j)
+      p[j] = internal::coordinate_row<FT, M>(dimension() + 1, [](int) { return FT(0); });
+    internal::derivatives_over<FT>(
+        knots(), span, u, k,
+        [&](int i) {
+          return internal::coordinate_row<FT, M>(dimension() + 1, [&](int l) { return homogeneous_coordinate(i, l); });
+        },
+        [&](int j, const Row& y) { p[j] = y; });
     internal::project_short<FT>(p, dimension(), k, x);
     return x;
   }

@@ -5,6 +5,7 @@
 #ifndef CGAL_GEOMETRIC_CONTINUITY_LOCAL_SURFACE_JET_H
 #define CGAL_GEOMETRIC_CONTINUITY_LOCAL_SURFACE_JET_H
 
+#include <CGAL/Geometric_continuity/algebra/internal/Coordinate_row.h>
 #include <CGAL/Geometric_continuity/local/coordinates.h>
 #include <CGAL/Geometric_continuity/local/homogeneous_jets.h>
 #include <CGAL/Geometric_continuity/local/internal/Scaled_vector.h>
@@ -112,48 +113,52 @@ template <class Traits> std::optional<typename Traits::Vector> unit_normal(const
 
 namespace internal {
 
-// What overflows in floating-point arithmetic is refused.
+// What overflows in floating-point arithmetic is refused: x - x is not 0 then.
 template <class Traits> void check_jet(const Surface_jet<Traits>& jet, const char* place) {
   if constexpr (std::is_floating_point_v<typename Traits::FT>) {
-    Coordinates<Traits> zeros(jet.dimension()); // if all are finite
+    Coordinates<Traits> zeros(jet.dimension());
     for (int i = 0; i <= jet.order(); ++i)
       for (int j = 0; i + j <= jet.order(); ++j) zeros += jet(i, j) - jet(i, j);
-    if (is_zero(zeros)) return;
-    for (int i = 0; i <= jet.order(); ++i)
-      for (int j = 0; i + j <= jet.order(); ++j)
-        for (const typename Traits::FT& x : jet(i, j)) check_finite(x, place);
+    for (const typename Traits::FT& x : zeros) check_finite(x, place);
   }
 }
 
-// The partial derivatives s(k, l) from those of homogeneous points, p(k, l), with as many coordinates, the last of which is of no use in
-// s; k + l <= order. factor(k, i, l, j) is the product of two binomial coefficients.
-template <class FT, class Derivatives, class Factor, class Partials>
-CGAL_GC_FORCEINLINE void project_partials(const Derivatives& p, int order, const Factor& factor, Partials& s) {
-  const int n = p(0, 0).dimension() - 1;
-  require_denominator(p(0, 0)[n], "the denominator of a rational surface");
-  const FT inverse = FT(FT(1) / p(0, 0)[n]);
-  for (int k = 0; k <= order; ++k)
-    for (int l = 0; k + l <= order; ++l) {
-      auto sum = p(k, l);
-      for (int i = 0; i <= k; ++i)
-        for (int j = 0; j <= l; ++j)
-          if (i + j > 0) sum -= FT(factor(k, i, l, j) * p(i, j)[n]) * s[k - i][l - j];
-      s[k][l] = inverse * sum;
-    }
+// 1 / w of the denominator w at a point.
+template <class FT> FT inverse_denominator(const FT& w) {
+  require_denominator(w, "the denominator of a rational surface");
+  check_finite(w, "the denominator of a rational surface");
+  return FT(FT(1) / w);
 }
 
-// The same for an order up to 2 that is known at compile time, with local variables.
+// The jet s of order 0, 1 or 2 from that of homogeneous points, see project().
 template <int order, class Traits>
 void project_short(const Surface_jet<Homogeneous_traits<Traits>>& p, Surface_jet<Traits>& s) {
   typedef typename Traits::FT FT;
-  static_assert(order <= 2);
-  constexpr int binomials[3][3] = {{1, 0, 0}, {1, 1, 0}, {1, 2, 1}};
-  std::array<std::array<Coordinates<Homogeneous_traits<Traits>>, order + 1>, order + 1> x;
-  project_partials<FT>(
-      p, order, [&](int k, int i, int l, int j) { return FT(binomials[k][i] * binomials[l][j]); }, x);
-  for (int k = 0; k <= order; ++k)
-    for (int l = 0; k + l <= order; ++l)
-      for (int i = 0; i < s.dimension(); ++i) s(k, l)[i] = x[k][l][i];
+  constexpr int M = dimension_v<Homogeneous_traits<Traits>>;
+  typedef Coordinate_row<FT, M> Row;
+  const int n = s.dimension();
+  const auto w = [&](int k, int l) -> const FT& { return p(k, l)[n]; };
+  const FT inverse = inverse_denominator(w(0, 0));
+  Row zeros = coordinate_row<FT, M>(n + 1, [](int) { return FT(0); }); // see check_jet()
+  const auto row = [&](int k, int l) { return coordinate_row<FT, M>(n + 1, [&](int i) { return p(k, l)[i]; }); };
+  const auto write = [&](int k, int l, const Row& x) {
+    if constexpr (std::is_floating_point_v<FT>) zeros += x - x;
+    for (int i = 0; i < n; ++i) s(k, l)[i] = x[i];
+  };
+  const Row x = inverse * row(0, 0);
+  write(0, 0, x);
+  if constexpr (order > 0) {
+    const Row u = inverse * (row(1, 0) - w(1, 0) * x), v = inverse * (row(0, 1) - w(0, 1) * x);
+    write(1, 0, u);
+    write(0, 1, v);
+    if constexpr (order > 1) {
+      const FT two(2);
+      write(2, 0, inverse * (row(2, 0) - FT(two * w(1, 0)) * u - w(2, 0) * x));
+      write(1, 1, inverse * (row(1, 1) - w(1, 0) * v - w(0, 1) * u - w(1, 1) * x));
+      write(0, 2, inverse * (row(0, 2) - FT(two * w(0, 1)) * v - w(0, 2) * x));
+    }
+  }
+  for (int i = 0; i < n; ++i) check_finite(zeros[i], "the jet of a rational surface");
 }
 
 } // namespace internal
@@ -162,7 +167,7 @@ void project_short(const Surface_jet<Homogeneous_traits<Traits>>& p, Surface_jet
 /// Returns the jet of the surface \f$ S = P / w \f$ from that of its homogeneous points \f$ (P, w) \f$:
 /// \f$ S_{kl} = (P_{kl} - \sum_{(i,j) \ne (0,0)} \binom{k}{i} \binom{l}{j} w_{ij} S_{k-i,l-j}) / w_{00} \f$.
 /// \f$ O(n k^4) \f$ for the order `k`
-/// \throws Error `zero_weight` when \f$ w_{00} = 0 \f$
+/// \throws Error `zero_weight` when \f$ w_{00} = 0 \f$, `not_finite` when a floating-point number overflows
 template <class Traits> Surface_jet<Traits> project(const Surface_jet<Homogeneous_traits<Traits>>& p) {
   typedef typename Traits::FT FT;
   const int order = p.order();
@@ -172,19 +177,23 @@ template <class Traits> Surface_jet<Traits> project(const Surface_jet<Homogeneou
   case 1: internal::project_short<1>(p, s); break;
   case 2: internal::project_short<2>(p, s); break;
   default: {
+    const int n = s.dimension();
+    const FT inverse = internal::inverse_denominator(p(0, 0)[n]);
     std::vector<std::vector<FT>> binomials;
     internal::for_each_binomial_row<FT>(
         order, [&](int k, const auto& row) { binomials.emplace_back(row.begin(), row.begin() + k + 1); });
-    std::vector<std::vector<Coordinates<Homogeneous_traits<Traits>>>> x;
-    for (int k = 0; k <= order; ++k) x.emplace_back(order + 1 - k, p(0, 0));
-    internal::project_partials<FT>(
-        p, order, [&](int k, int i, int l, int j) { return FT(binomials[k][i] * binomials[l][j]); }, x);
     for (int k = 0; k <= order; ++k)
       for (int l = 0; k + l <= order; ++l)
-        for (int i = 0; i < s.dimension(); ++i) s(k, l)[i] = x[k][l][i];
+        for (int x = 0; x < n; ++x) {
+          FT sum = p(k, l)[x];
+          for (int i = 0; i <= k; ++i)
+            for (int j = 0; j <= l; ++j)
+              if (i + j > 0) sum -= FT(binomials[k][i] * binomials[l][j]) * p(i, j)[n] * s(k - i, l - j)[x];
+          s(k, l)[x] = FT(inverse * sum);
+        }
+    internal::check_jet(s, "the jet of a rational surface");
   }
   }
-  internal::check_jet(s, "the jet of a rational surface");
   return s;
 }
 

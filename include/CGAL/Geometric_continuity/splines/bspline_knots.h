@@ -110,8 +110,8 @@ public:
   }
 
   // Those that take the place of c_{k-p}, ..., c_{k-m}; old(j) is c_j. The first and the last one stay.
-  template <class Old> auto new_coefficients(const Old& old) const {
-    std::vector<std::decay_t<decltype(old(0))>> c;
+  template <class Value, class Old> std::vector<Value> new_coefficients(const Old& old) const {
+    std::vector<Value> c;
     if (times_ == 0) return c;
     const int last = last_ - first_;
     c.reserve(last + 1 + times_);
@@ -143,7 +143,8 @@ public:
 template <class FT, class Values>
 Values insert_knot(const Knot_vector<FT>& knots, const Values& c, const FT& u, int times) {
   const Knot_insertion<FT> insertion(knots, u, times);
-  const auto changed = insertion.new_coefficients([&](int j) { return c[j]; });
+  typedef typename Values::value_type Value;
+  const std::vector<Value> changed = insertion.template new_coefficients<Value>([&](int j) { return c[j]; });
   return insertion.replaced(c, [&](int i) { return changed[i]; });
 }
 

@@ -58,13 +58,7 @@ Surface_jet<Traits> bezier_jet(int p, int q, int d, const std::pair<typename Tra
     if (domain_u.first < u && u < domain_u.second && domain_v.first < v && v < domain_v.second) {
       const Derivative_table<FT> weights_u(Bezier_knots<FT>{p, domain_u}, p, p, u, k),
           weights_v(Bezier_knots<FT>{q, domain_v}, q, q, v, k);
-      const auto point = [&](int i, int j) {
-        Coordinates<Traits> b(d);
-        for (int x = 0; x < d; ++x) b[x] = coordinate(i, j, x);
-        return b;
-      };
-      write_derivatives(weights_u, weights_v, point, jet);
-      check_jet(jet, "Bezier_patch: jet");
+      write_derivatives(weights_u, weights_v, coordinate, jet);
       return jet;
     }
   const FT s = local_parameter(u, domain_u), t = local_parameter(v, domain_v);
@@ -88,7 +82,6 @@ Surface_jet<Traits> bezier_jet(int p, int q, int d, const std::pair<typename Tra
       scale_v *= hv;
     }
   }
-  check_jet(jet, "Bezier_patch: jet");
   return jet;
 }
 
@@ -219,9 +212,12 @@ public:
   /// Returns the jet of order `k >= 0` at (`u`, `v`). \f$ O(pq^2 + kp^2 + pk^3) \f$
   Surface_jet<Traits> jet(const FT& u, const FT& v, int k) const {
     const Traits traits;
-    return internal::bezier_jet<Traits>(degree_u(), degree_v(), dimension(), u_, v_, u, v, k, [&](int i, int j, int x) {
-      return FT(traits.compute_coordinate_object()(net_(i, j), x));
-    });
+    const Surface_jet<Traits> jet =
+        internal::bezier_jet<Traits>(degree_u(), degree_v(), dimension(), u_, v_, u, v, k, [&](int i, int j, int x) {
+          return FT(traits.compute_coordinate_object()(net_(i, j), x));
+        });
+    internal::check_jet(jet, "Bezier_patch: jet");
+    return jet;
   }
 
   /// Returns the derivative of order `i >= 0` in `u` and `j >= 0` in `v`; for `i = j = 0` the position vector.

@@ -114,8 +114,13 @@ public:
   /// \f$ O(\log m + \log n + kpq) \f$ multiplications of a point, in addition to the weights of the derivatives in `u` and
   /// in `v`.
   Surface_jet<Traits> jet(const FT& u, const FT& v, int k) const {
-    return internal::bspline_jet<Traits>(dimension(), u_, v_, u, v, k,
-                                         [&](int i, int j) { return net_.coordinates(i, j); });
+    const Traits traits;
+    const Surface_jet<Traits> jet =
+        internal::bspline_jet<Traits>(dimension(), u_, v_, u, v, k, [&](int i, int j, int x) {
+          return FT(traits.compute_coordinate_object()(net_(i, j), x));
+        });
+    internal::check_jet(jet, "Bspline_surface: jet");
+    return jet;
   }
 
   /// Returns the derivative of order `i >= 0` in `u` and `j >= 0` in `v`; for `i = j = 0` the position vector.

@@ -198,13 +198,14 @@ public:
 
   /// Returns the jet of order `k >= 0` at (`u`, `v`). The cost is that of the polynomial shape, and \f$ O(k^4) \f$.
   Surface_jet<Traits> jet(const FT& u, const FT& v, int k) const {
+    typedef Homogeneous_traits<Traits> Homogeneous_points;
+    const auto coordinate = [&](int i, int j, int x) { return homogeneous_coordinate(i, j, x); };
     if constexpr (is_spline)
-      return project<Traits>(internal::bspline_jet<Homogeneous_traits<Traits>>(
-          dimension() + 1, knots_u(), knots_v(), u, v, k, [&](int i, int j) { return homogeneous_row<FT>(i, j); }));
+      return project<Traits>(
+          internal::bspline_jet<Homogeneous_points>(dimension() + 1, knots_u(), knots_v(), u, v, k, coordinate));
     else
-      return project<Traits>(internal::bezier_jet<Homogeneous_traits<Traits>>(
-          degree_u(), degree_v(), dimension() + 1, domain_u(), domain_v(), u, v, k,
-          [&](int i, int j, int x) { return homogeneous_coordinate(i, j, x); }));
+      return project<Traits>(internal::bezier_jet<Homogeneous_points>(degree_u(), degree_v(), dimension() + 1,
+                                                                      domain_u(), domain_v(), u, v, k, coordinate));
   }
 
   /// Returns the derivative of order `i >= 0` in `u` and `j >= 0` in `v`; for `i = j = 0` the position vector.

@@ -7,6 +7,7 @@
 
 #include <CGAL/Geometric_continuity/algebra/Bernstein_polynomial.h>
 #include <CGAL/Geometric_continuity/algebra/Coordinate_vector.h>
+#include <CGAL/Geometric_continuity/algebra/internal/Coordinate_row.h>
 #include <CGAL/Geometric_continuity/internal/for_each_index.h>
 #include <CGAL/Geometric_continuity/internal/force_inline.h>
 #include <CGAL/Geometric_continuity/internal/independent_iterations.h>
@@ -55,35 +56,35 @@ CGAL_GC_FORCEINLINE void step_to_next_level(Coefficient* c, int i, int m, const 
 }
 
 // The same for all i. No lambda expression, which a compiler may refuse to inline.
-template <class FT, int... i>
-CGAL_GC_FORCEINLINE void steps_to_next_level(FT* c, const FT& s, const FT& t, const FT* e,
+template <class FT, class Coefficient, int... i>
+CGAL_GC_FORCEINLINE void steps_to_next_level(Coefficient* c, const FT& s, const FT& t, const Coefficient* e,
                                              std::integer_sequence<int, i...>) {
   (step_to_next_level(c, i, static_cast<int>(sizeof...(i)), s, t, e[i]), ...);
 }
 
 // The differences of order j of the level of de Casteljau's algorithm with j+1 coefficients, for j = k, ..., 0. c holds the
 // level with m+1.
-template <int m, int k, class FT>
-CGAL_GC_FORCEINLINE void bernstein_differences(FT* c, const FT& s, const FT& t, FT* d) {
+template <int m, int k, class FT, class Coefficient>
+CGAL_GC_FORCEINLINE void bernstein_differences(Coefficient* c, const FT& s, const FT& t, Coefficient* d) {
   if constexpr (m == 0)
     d[0] = c[0];
   else if constexpr (m == 1) {
     if constexpr (k > 0) d[1] = c[1] - c[0];
     d[0] = s * c[0] + t * c[1];
   } else {
-    FT e[m];
+    Coefficient e[m];
     for_each_index<m>([&](int i) { e[i] = c[i + 1] - c[i]; });
     steps_to_next_level(c, s, t, e, std::make_integer_sequence<int, m>());
-    if constexpr (m <= k) d[m] = forward_difference<m - 1, FT>(e);
+    if constexpr (m <= k) d[m] = forward_difference<m - 1, Coefficient>(e);
     bernstein_differences<m - 1, k>(c, s, t, d);
   }
 }
 
 // The derivatives at t = 1-s up to order k of the polynomial with the Bernstein coefficients c, each divided by n!/(n-j)!;
 // those of higher order than n are zero. c is overwritten.
-template <int n, int k, class FT>
-CGAL_GC_FORCEINLINE void bernstein_jet(std::array<FT, n + 1>& c, const FT& s, const FT& t, FT* d) {
-  for (int j = n + 1; j <= k; ++j) d[j] = FT(0);
+template <int n, int k, class FT, class Coefficient>
+CGAL_GC_FORCEINLINE void bernstein_jet(std::array<Coefficient, n + 1>& c, const FT& s, const FT& t, Coefficient* d) {
+  for (int j = n + 1; j <= k; ++j) d[j] = FT(0) * c[0];
   bernstein_differences<n, (k < n ? k : n)>(c.data(), s, t, d);
 }
 
@@ -141,28 +142,20 @@ CGAL_GC_FORCEINLINE void bezier_jet(int dimension, int degree, const FT& u, cons
 template <int Level, int k, int N, class FT, class Coordinate, class Jet>
 CGAL_GC_FORCEINLINE void rational_bezier_jet(int dimension, int degree, const FT& u, const FT& a, const FT& b,
                                              const Coordinate& coordinate, int order, Jet& jet) {
-  const FT h = FT(b - a), t = FT((u - a) / h), s = FT(FT(1) - t);
-  const std::array<FT, k + 1> factors = derivative_factors<k>(degree, h);
-  const int n = N == 0 ? dimension : N;
-  std::array<FT, Level + 1> c;
-  for_each_index<Level + 1>([&](int j) { c[j] = coordinate(j, n); });
-  std::array<FT, k + 1> w;
-  bernstein_jet<Level, k>(c, s, t, w.data());
-  for_each_index<k>([&](int j) { w[j + 1] *= factors[j + 1]; });
-  require_denominator(w[0], "the denominator of a rational curve");
-  const FT inverse = FT(FT(1) / w[0]);
-  CGAL_GEOMETRIC_CONTINUITY_INDEPENDENT_ITERATIONS
-  for (int i = 0; i < n; ++i) {
-    std::array<FT, Level + 1> p;
-    for_each_index<Level + 1>([&](int j) { p[j] = coordinate(j, i); });
-    std::array<FT, k + 1> x;
-    bernstein_jet<Level, k>(p, s, t, x.data());
-    for_each_index<k>([&](int j) { x[j + 1] *= factors[j + 1]; });
-    divide_derivatives<k>(x.data(), w.data(), inverse);
-    for_each_index<k + 1>([&](int j) {
-      if (j <= order) jet[j][i] = x[j];
-    });
+  constexpr int M = N == 0 ? 0 : N + 1;
+  std::array<Coordinate_row<FT, M>, k + 1> p;
+  if constexpr (is_register_row_v<FT, M>) {
+    const FT h = FT(b - a), t = FT((u - a) / h), s = FT(FT(1) - t);
+    const std::array<FT, k + 1> factors = derivative_factors<k>(degree, h);
+    std::array<Coordinate_row<FT, M>, Level + 1> c;
+    for (int j = 0; j <= Level; ++j) c[j] = coordinate_row<FT, M>(M, [&](int i) { return coordinate(j, i); });
+    bernstein_jet<Level, k>(c, s, t, p.data());
+    for_each_index<k>([&](int j) { p[j + 1] *= factors[j + 1]; });
+  } else {
+    p.fill(Coordinate_vector<FT, M>(dimension + 1));
+    bezier_jet<Level, k, M>(dimension + 1, degree, u, a, b, coordinate, k, p);
   }
+  project_order<k, FT>(p, dimension, order, jet);
 }
 
 // Calls f with the degree as a constant. Of a degree known at run time only, f is compiled for 0 to 9; returns false, without a

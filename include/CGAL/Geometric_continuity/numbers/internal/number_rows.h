@@ -33,8 +33,17 @@ template <class FT> struct Row_vector {
   typedef FT Vector __attribute__((vector_size(4 * sizeof(FT))));
   Vector v;
 
+  Row_vector() = default;
   CGAL_GC_FORCEINLINE explicit Row_vector(const FT* row) { std::memcpy(&v, row, sizeof(v)); }
   CGAL_GC_FORCEINLINE void store(FT* row) const { std::memcpy(row, &v, sizeof(v)); }
+
+  CGAL_GC_FORCEINLINE FT operator[](int i) const { return v[i]; }
+  CGAL_GC_FORCEINLINE Row_vector& operator+=(const Row_vector& x) { return v += x.v, *this; }
+  CGAL_GC_FORCEINLINE Row_vector& operator-=(const Row_vector& x) { return v -= x.v, *this; }
+  CGAL_GC_FORCEINLINE Row_vector& operator*=(const FT& a) { return v *= a, *this; }
+  CGAL_GC_FORCEINLINE friend Row_vector operator+(Row_vector x, const Row_vector& y) { return x += y; }
+  CGAL_GC_FORCEINLINE friend Row_vector operator-(Row_vector x, const Row_vector& y) { return x -= y; }
+  CGAL_GC_FORCEINLINE friend Row_vector operator*(const FT& a, Row_vector x) { return x *= a; }
 };
 #else
 template <class FT, int N> constexpr bool row_is_vector_v = false;

@@ -47,18 +47,17 @@ template <class FT> void check_insertion(const Knot_vector<FT>& knots, int times
 }
 
 // The jet of order k at (u, v), from the spans to the right of the parameters: first the derivatives in v of the control
-// points of all rows that matter, then those in u. point(i, j) is a control point as a column of d coordinates.
-template <class Traits, class Point>
+// points of all rows that matter, then those in u. coordinate(i, j, x) is the coordinate number x < d of a control point.
+template <class Traits, class Coordinate>
 Surface_jet<Traits> bspline_jet(int d, const Knot_vector<typename Traits::FT>& knots_u,
                                 const Knot_vector<typename Traits::FT>& knots_v, const typename Traits::FT& u,
-                                const typename Traits::FT& v, int k, Point point) {
+                                const typename Traits::FT& v, int k, Coordinate coordinate) {
   typedef typename Traits::FT FT;
   Surface_jet<Traits> jet(d, k);
   const int p = knots_u.degree(), q = knots_v.degree(), span_u = knots_u.span(u), span_v = knots_v.span(v);
   write_derivatives(
       Derivative_table<FT>(knots_u, p, span_u, u, k), Derivative_table<FT>(knots_v, q, span_v, v, k),
-      [&](int i, int j) { return point(span_u - p + i, span_v - q + j); }, jet);
-  check_jet(jet, "Bspline_surface: jet");
+      [&](int i, int j, int x) { return coordinate(span_u - p + i, span_v - q + j, x); }, jet);
   return jet;
 }
 

@@ -5,6 +5,8 @@
 #ifndef CGAL_GEOMETRIC_CONTINUITY_SURFACES_INTERNAL_TENSOR_PRODUCT_JET_H
 #define CGAL_GEOMETRIC_CONTINUITY_SURFACES_INTERNAL_TENSOR_PRODUCT_JET_H
 
+#include <CGAL/Geometric_continuity/algebra/internal/Coordinate_row.h>
+#include <CGAL/Geometric_continuity/local/coordinates.h>
 #include <CGAL/Geometric_continuity/splines/bspline_knots.h>
 #include <CGAL/Geometric_continuity/splines/internal/Spline_weights.h>
 
@@ -15,8 +17,8 @@
 #include <vector>
 
 /// \file tensor_product_jet.h
-/// The derivatives of a tensor-product surface at one place from the control points that matter there, point(i, j), and from the
-/// weights of these in u and in v.
+/// The derivatives of a tensor-product surface at one place from the control points that matter there, with the coordinates
+/// coordinate(i, j, x), and from the weights of these in u and in v.
 
 namespace CGAL {
 namespace Geometric_continuity {
@@ -41,46 +43,44 @@ public:
   const FT& operator()(int j, int i) const { return w_[j * (p_ + 1) + i]; }
 };
 
-// Adds the derivatives to a jet that is zero: first those in v for each row of control points, then those in u. The order is Order,
-// unless that is negative; then the sums are no local variables.
-template <int Order, class FT, class Point, class Jet>
-void add_derivatives(const Derivative_table<FT>& u, const Derivative_table<FT>& v, const Point& point, Jet& jet) {
-  const int p = u.degree(), q = v.degree(), k = jet.order();
-  typedef std::decay_t<decltype(jet(0, 0))> Column;
+// The derivatives in v for each row of control points, then those in u. The order is Order, unless that is negative; then the sums
+// are no local variables.
+template <int Order, class FT, class Coordinate, class Jet>
+void write_derivatives_of_order(const Derivative_table<FT>& u, const Derivative_table<FT>& v,
+                                const Coordinate& coordinate, Jet& jet) {
+  constexpr int N = dimension_v<typename Jet::Traits>, fixed = Order < 0 ? 0 : Order + 1;
+  typedef Coordinate_row<FT, N> Row;
+  const int n = Order < 0 ? jet.order() + 1 : Order + 1, d = jet.dimension();
+  const Row zero = coordinate_row<FT, N>(d, [](int) { return FT(0); });
+  std::conditional_t<(Order < 0), std::vector<Row>, std::array<Row, fixed>> sums;
+  std::conditional_t<(Order < 0), std::vector<Row>, std::array<Row, fixed * fixed>> partials;
   if constexpr (Order < 0) {
-    for (int l = 0; l <= p; ++l) {
-      std::vector<Column> sums(k + 1, Column(jet.dimension()));
-      for (int m = 0; m <= q; ++m)
-        for (int j = 0; j <= k; ++j) sums[j] += v(j, m) * point(l, m);
-      for (int i = 0; i <= k; ++i)
-        for (int j = 0; j <= k - i; ++j) jet(i, j) += u(i, l) * sums[j];
+    sums.resize(n);
+    partials.assign(n * n, zero);
+  } else
+    partials.fill(zero);
+  for (int l = 0; l <= u.degree(); ++l) {
+    for (int j = 0; j < n; ++j) sums[j] = zero;
+    for (int m = 0; m <= v.degree(); ++m) {
+      const Row x = coordinate_row<FT, N>(d, [&](int i) { return coordinate(l, m, i); });
+      for (int j = 0; j < n; ++j) sums[j] += v(j, m) * x;
     }
-  } else {
-    std::array<std::array<Column, Order + 1>, Order + 1> partials;
-    for (int i = 0; i <= Order; ++i)
-      for (int j = 0; j <= Order - i; ++j) partials[i][j] = jet(i, j);
-    for (int l = 0; l <= p; ++l) {
-      std::array<Column, Order + 1> sums; // derivatives with respect to v
-      for (int j = 0; j <= Order; ++j) sums[j] = jet(0, 0);
-      for (int m = 0; m <= q; ++m) {
-        const Column x = point(l, m);
-        for (int j = 0; j <= Order; ++j) sums[j] += v(j, m) * x;
-      }
-      for (int i = 0; i <= Order; ++i)
-        for (int j = 0; j <= Order - i; ++j) partials[i][j] += u(i, l) * sums[j];
-    }
-    for (int i = 0; i <= Order; ++i)
-      for (int j = 0; j <= Order - i; ++j) jet(i, j) = partials[i][j];
+    for (int i = 0; i < n; ++i)
+      for (int j = 0; i + j < n; ++j) partials[n * i + j] += u(i, l) * sums[j];
   }
+  for (int i = 0; i < n; ++i)
+    for (int j = 0; i + j < n; ++j)
+      for (int x = 0; x < d; ++x) jet(i, j)[x] = partials[n * i + j][x];
 }
 
-template <class FT, class Point, class Jet>
-void write_derivatives(const Derivative_table<FT>& u, const Derivative_table<FT>& v, const Point& point, Jet& jet) {
+template <class FT, class Coordinate, class Jet>
+void write_derivatives(const Derivative_table<FT>& u, const Derivative_table<FT>& v, const Coordinate& coordinate,
+                       Jet& jet) {
   switch (jet.order()) {
-  case 0: return add_derivatives<0>(u, v, point, jet);
-  case 1: return add_derivatives<1>(u, v, point, jet);
-  case 2: return add_derivatives<2>(u, v, point, jet);
-  default: return add_derivatives<-1>(u, v, point, jet);
+  case 0: return write_derivatives_of_order<0>(u, v, coordinate, jet);
+  case 1: return write_derivatives_of_order<1>(u, v, coordinate, jet);
+  case 2: return write_derivatives_of_order<2>(u, v, coordinate, jet);
+  default: return write_derivatives_of_order<-1>(u, v, coordinate, jet);
   }
 }
 
