@@ -617,7 +617,9 @@ private:
         [&](int i) {
           return internal::coordinate_row<FT, M>(dimension() + 1, [&](int l) { return homogeneous_coordinate(i, l); });
         },
-        [&](int j, const Row& y) { p[j] = y; });
+        [&](int j, const Row& y) {
+          if (j <= 3) p[j] = y; // as a compiler may not see
+        });
     internal::project_short<FT>(p, dimension(), k, x);
     return x;
   }

@@ -41,9 +41,16 @@ template <class FT> struct Row_vector {
   CGAL_GC_FORCEINLINE Row_vector& operator+=(const Row_vector& x) { return v += x.v, *this; }
   CGAL_GC_FORCEINLINE Row_vector& operator-=(const Row_vector& x) { return v -= x.v, *this; }
   CGAL_GC_FORCEINLINE Row_vector& operator*=(const FT& a) { return v *= a, *this; }
-  CGAL_GC_FORCEINLINE friend Row_vector operator+(Row_vector x, const Row_vector& y) { return x += y; }
-  CGAL_GC_FORCEINLINE friend Row_vector operator-(Row_vector x, const Row_vector& y) { return x -= y; }
-  CGAL_GC_FORCEINLINE friend Row_vector operator*(const FT& a, Row_vector x) { return x *= a; }
+  CGAL_GC_FORCEINLINE friend Row_vector operator+(const Row_vector& x, const Row_vector& y) { return of(x.v + y.v); }
+  CGAL_GC_FORCEINLINE friend Row_vector operator-(const Row_vector& x, const Row_vector& y) { return of(x.v - y.v); }
+  CGAL_GC_FORCEINLINE friend Row_vector operator*(const FT& a, const Row_vector& x) { return of(a * x.v); }
+
+private:
+  CGAL_GC_FORCEINLINE static Row_vector of(const Vector& v) {
+    Row_vector r;
+    r.v = v;
+    return r;
+  }
 };
 #else
 template <class FT, int N> constexpr bool row_is_vector_v = false;
