@@ -113,6 +113,9 @@ public:
     add(part);
   }
 
+  // Whether rows of things of this class are shown: not in a summary of what is met.
+  bool shows(Claim claim) const { return !mode_.summary || claim != Claim::met; }
+
   // Adds rows of things of this class to an array, or names an array which may stay empty.
   void row(const std::string& array, const std::string& text = {}, Claim claim = Claim::not_met) {
     writer_->row(array, text, claim == Claim::met ? std::string() : text);

@@ -144,7 +144,7 @@ private:
   // Adds an edge, a knot line or a pair of near edges, with its row or finding.
   template <class Row>
   void add(const std::string& array, const Row& row, Claim claim, bool is_noted, const std::optional<Within>& within) {
-    const std::size_t patch = words_of(row).patch;
+    const std::size_t patch = patch_of(row);
     report_.add(places_.name(patch), {claim, "edge", "the tolerance lies between the bounds"}, is_noted, [&] {
       const Edge_words words = words_of(row);
       Finding f;
@@ -161,6 +161,7 @@ private:
       f.properties = object.substr(1, object.size() - 2); // without braces
       return f;
     });
+    if (!report_.shows(claim)) return;
     if (report_.mode().format == Report_format::json) report_.row(array, ",\n " + json_of(row, within), claim);
     if (report_.mode().format != Report_format::text) return;
     std::string line = text_of(row) + '\n';
@@ -186,8 +187,9 @@ private:
                     f.message = "a single point, where there are no tangent planes to compare";
                     return f;
                   });
+    if (!report_.shows(Claim::met)) return;
     if (report_.mode().format == Report_format::text) report_.row("", text_of(e) + '\n', Claim::met);
-    if (report_.mode().format == Report_format::json && !report_.mode().summary)
+    if (report_.mode().format == Report_format::json)
       report_.row(collapsed ? "collapsed_edges" : "boundary_edges",
                   ",{\"patch\":" + std::to_string(e.patch_a) + ",\"edge\":\"" + text_of(e.edge_a) + "\"}", Claim::met);
   }

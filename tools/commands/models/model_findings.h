@@ -56,9 +56,13 @@ inline std::string edge_name(std::size_t patch, GC::Patch_edge edge) {
   return "patch " + std::to_string(patch) + ' ' + text_of(edge);
 }
 
-// An edge, a knot line or a pair of near edges: what is to be said of it.
+// The patch on which an edge, a knot line or a pair of near edges is found.
+inline std::size_t patch_of(const Edge& e) { return e.patch_a; }
+inline std::size_t patch_of(const Line& l) { return l.patch; }
+inline std::size_t patch_of(const GC::Near_edges& e) { return e.patch_a; }
+
+// What is to be said of it.
 struct Edge_words {
-  std::size_t patch; // where it is found
   std::string kind, place;
   GC::Edge_defect defect;
   std::string verdict;
@@ -66,20 +70,20 @@ struct Edge_words {
 
 inline Edge_words words_of(const Edge& e) {
   if (e.kind == GC::Model_edge_kind::collapsed)
-    return {e.patch_a, "edge", edge_name(e.patch_a, e.edge_a), GC::Edge_defect::collapsed, "a single point"};
-  return {e.patch_a, "edge", edge_name(e.patch_a, e.edge_a) + " - " + edge_name(*e.patch_b, *e.edge_b),
-          e.continuity.defect, text_of(e.continuity) + (e.non_manifold ? ", non-manifold" : "")};
+    return {"edge", edge_name(e.patch_a, e.edge_a), GC::Edge_defect::collapsed, "a single point"};
+  return {"edge", edge_name(e.patch_a, e.edge_a) + " - " + edge_name(*e.patch_b, *e.edge_b), e.continuity.defect,
+          text_of(e.continuity) + (e.non_manifold ? ", non-manifold" : "")};
 }
 
 inline Edge_words words_of(const Line& l) {
-  return {l.patch, "knot line",
+  return {"knot line",
           "patch " + std::to_string(l.patch) + (l.line.constant_u ? " u = " : " v = ") + text_of(l.line.knot),
           l.line.continuity.defect, text_of(static_cast<const Continuity&>(l.line.continuity))};
 }
 
 inline Edge_words words_of(const GC::Near_edges& e) {
-  return {e.patch_a, "near edges", edge_name(e.patch_a, e.edge_a) + " - " + edge_name(e.patch_b, e.edge_b),
-          GC::Edge_defect::gap, "near"};
+  return {"near edges", edge_name(e.patch_a, e.edge_a) + " - " + edge_name(e.patch_b, e.edge_b), GC::Edge_defect::gap,
+          "near"};
 }
 
 #endif // GEOMETRIC_CONTINUITY_TOOLS_COMMANDS_MODELS_MODEL_FINDINGS_H
