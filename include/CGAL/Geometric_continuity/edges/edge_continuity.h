@@ -110,18 +110,19 @@ auto decide_surfaces(const Surface_a& a, Patch_edge edge_a, const Surface_b& b, 
       return decide_surfaces(without_weights(a), edge_a, without_weights(b), edge_b, find_match);
   const Work_on_object work("edge_continuity");
   std::optional<Edge_direction> direction;
-  if constexpr (N == 3) {
-    Edge_layers x, y;
+  if constexpr (Edge_rungs<N>::exist) {
+    typename Edge_rungs<N>::Layers x, y;
     if (edge_layers(a, edge_a, b, edge_b, 2, x, y)) direction = common_direction(x, y);
     if (direction) {
       if (*direction == Edge_direction::opposite) y.reverse();
       const std::pair<Field, Field> domain_a = edge_domain<Field>(a, edge_a), domain_b = edge_domain<Field>(b, edge_b);
-      Edge_ladder ladder(x, y);
+      typename Edge_rungs<N>::Ladder ladder(x, y);
       if (const std::optional<int> order = ladder.smooth_order())
         return verdict_on_whole_edge(smooth_continuity<Field>(*order, domain_a), *direction, domain_a, domain_b);
-      if (std::optional<Edge_continuity<Field>> crease = crease_on_grid<Field>(ladder))
-        return verdict_on_whole_edge(on_interval(domain_a.first, domain_a.second, *std::move(crease)).continuity,
-                                     *direction, domain_a, domain_b);
+      if constexpr (N == 3)
+        if (std::optional<Edge_continuity<Field>> crease = crease_on_grid<Field>(ladder))
+          return verdict_on_whole_edge(on_interval(domain_a.first, domain_a.second, *std::move(crease)).continuity,
+                                       *direction, domain_a, domain_b);
     }
   }
 #ifdef CGAL_GEOMETRIC_CONTINUITY_HAS_FIXED_INTEGER
@@ -239,8 +240,8 @@ Spline_edge_continuity<typename Exact_field<FT>::type> edge_continuity(const Spl
 /// `double` also edges of B-spline surfaces over inner knots where the derivatives across them are the same but for the speed of
 /// the parameter. Otherwise a number of operations with integers
 /// that is quadratic in the degree and linear in the number of knots, plus the search for the largest angle where the surfaces
-/// are not \f$ G^1 \f$. Rational surfaces are decided with integers of any length, unless all
-/// weights of a surface are equal.
+/// are not \f$ G^1 \f$. Smooth edges of rational patches, and of spans of rational B-spline surfaces, are proved with
+/// integers of fixed length where points and weights are `double`, or homogeneous points rational numbers of at most 105 bits.
 /// \tparam Surface_a, Surface_b `Bezier_patch`, `Bspline_surface`, `Rational_bezier_patch` or `Rational_bspline_surface`, in any
 ///   combination, with one traits class
 /// \throws Error `dimension_mismatch` unless in dimension 3, `work_limit`
@@ -263,8 +264,8 @@ template <int order, class Field, int N> bool sides_have_order(const Edge_sides<
 // Along rows with the same edge, in one direction.
 template <int order, class Field, int N, class Stages>
 bool rows_have_order(const Edge_rows<Field, N>& a, const Edge_rows<Field, N>& b, Stages& stages) {
-  if constexpr (N == 3) {
-    Edge_layers x, y;
+  if constexpr (Edge_rungs<N>::exist) {
+    typename Edge_rungs<N>::Layers x, y;
     if (edge_layers(a, b, x, y))
       if (const std::optional<bool> answer = decide_on_same_edge<order>(x, y, stages)) return *answer;
   }
@@ -281,8 +282,8 @@ bool edge_has_order(const Surface_a& a, Patch_edge edge_a, const Surface_b& b, P
   if constexpr (N == 4)
     if (has_equal_weights(a) && has_equal_weights(b))
       return edge_has_order<order>(without_weights(a), edge_a, without_weights(b), edge_b, stages);
-  if constexpr (N == 3) {
-    Edge_layers x, y;
+  if constexpr (Edge_rungs<N>::exist) {
+    typename Edge_rungs<N>::Layers x, y;
     if (edge_layers(a, edge_a, b, edge_b, order, x, y))
       if (const std::optional<bool> answer = decide_on_layers<order>(x, y, stages)) return *answer;
   }

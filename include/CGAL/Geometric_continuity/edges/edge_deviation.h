@@ -82,14 +82,14 @@ template <class Field, int N> Enclosure largest_distance(const Edge_sides<Field,
   for (int i = 0; i < 3; ++i) {
     Polynomial difference;
     if constexpr (N == 4)
-      difference = product(sides.c[0][i], sides.c[1][3]) - product(sides.c[1][i], sides.c[0][3]);
+      difference = counted_product(sides.c[0][i], sides.c[1][3]) - counted_product(sides.c[1][i], sides.c[0][3]);
     else
       difference = sides.c[0][i] - sides.c[1][i];
-    s = s + product(difference, difference);
+    s = s + counted_product(difference, difference);
   }
   if constexpr (N == 4) {
-    const Polynomial w = product(sides.c[0][3], sides.c[1][3]);
-    q = product(w, w);
+    const Polynomial w = counted_product(sides.c[0][3], sides.c[1][3]);
+    q = counted_product(w, w);
   }
   const int degree = (std::max)(s.degree(), q.degree());
   const Ring k = twice_the_quotient(s.elevated_to(degree), q.elevated_to(degree), 64);

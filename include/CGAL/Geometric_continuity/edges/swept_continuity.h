@@ -84,6 +84,7 @@ public:
   }
 
   bool collapsed() const { return Edge_sides<Field>::is_zero(c1_); }
+  typename Edge_sides<Field>::Tangent tangent(const Vector& d) const { return typename Edge_sides<Field>::Tangent(d); }
   const Vector& first_derivative() const { return c1_; }
   const Vector& second_derivative() const { return c2_; }
   const Vector& mixed_derivative() const { return t1_; }

@@ -18,6 +18,7 @@
 #include <cmath>
 #include <cstddef>
 #include <optional>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -31,27 +32,22 @@ namespace internal {
 
 // The verdict on [0, 1] along two edges that are the same curve in one direction, where the tangent planes differ somewhere but
 // nowhere by a right angle or more, so that no normal vanishes. Empty if numbers of fixed length do not prove that, or the meter
-// does not allow to look for the largest angle.
-//
-// The normals N and n2 are those of Edge_on_grid, with coefficients below 2^121; see Edge_measure for the polynomials p and s. For
-// degrees n <= 5 the coefficients of N.n2 are at most 12 * 2^216 C(18,9) < 2^236, four limbs, and those of p at most
-// 144 * 2^432 C(36,18) < 2^474, eight limbs.
+// does not allow to look for the largest angle. See Edge_measure for the polynomials p and s.
 template <class Field> std::optional<Edge_continuity<Field>> crease_on_grid(Edge_ladder& ladder) {
 #ifdef CGAL_GEOMETRIC_CONTINUITY_HAS_FIXED_INTEGER
   constexpr int most_along = 5;
   if constexpr (Common_denominator<Field>::clears) {
     if (ladder.degree() > most_along || ladder.is_collapsed()) return std::nullopt;
-    const Edge_on_grid* const edge = ladder.on_grid();
+    const Edge_ladder::On_grid* const edge = ladder.on_grid();
     if (!edge) return std::nullopt;
-    const Short_vector<2> n1 = edge->normal(), n2 = edge->second_normal();
-    const Short_polynomial<4> side = dot(n1, n2);
+    const auto n1 = edge->normal(), n2 = edge->second_normal();
+    const auto side = sum_of_products<3>(n1, n2);
     if (side.strict_sign() >= 0) return std::nullopt;
-    const Short_polynomial<8> p = dot(n1, n1) * dot(n2, n2);
-    Short_polynomial<8> s = p;
-    subtract_product(s, side, side);
+    const auto p = sum_of_products<3>(n1, n1) * sum_of_products<3>(n2, n2);
+    const auto s = p - side * side;
     if (s.vanishes()) return std::nullopt;
     Edge_continuity<Field> e;
-    e.deviation = Fixed_largest_measure<Field, Short_polynomial<8>>(s, p)();
+    e.deviation = Fixed_largest_measure<Field, std::decay_t<decltype(s)>, std::decay_t<decltype(p)>>(s, p)();
     if (!e.deviation) return std::nullopt;
     e.g_order = 0;
     e.defect = Edge_defect::crease;
@@ -108,7 +104,7 @@ private:
         return;
       }
       edge_.vanishing =
-          zero_interval<Field>(edge_.coplanar ? n.side : product(Normals::square(n.n1), Normals::square(n.n2)));
+          zero_interval<Field>(edge_.coplanar ? n.side : counted_product(Normals::square(n.n1), Normals::square(n.n2)));
     }
     if (edge_.defect == Edge_defect::crease || edge_.defect == Edge_defect::fold)
       edge_.deviation = largest_angle<Field>(normal_part<typename Normals::Ring>(n.n1),
@@ -135,16 +131,17 @@ Edge_continuity<Field> decide_rough_edge(const Edge_rows<Field, N>& a, const Edg
   return Edge_decision<Field, N>()(Edge_sides<Field, N>(a, b));
 }
 
-// The decision on rows with the same edge, in one direction. Homogeneous ones have the multi-precision stage only.
+// The decision on rows with the same edge, in one direction.
 template <class Field, int N>
 Edge_continuity<Field> decide_edge(const Edge_rows<Field, N>& a, const Edge_rows<Field, N>& b) {
-  if constexpr (N == 3) {
-    Edge_layers x, y;
+  if constexpr (Edge_rungs<N>::exist) {
+    typename Edge_rungs<N>::Layers x, y;
     if (edge_layers(a, b, x, y)) {
-      Edge_ladder ladder(x, y);
+      typename Edge_rungs<N>::Ladder ladder(x, y);
       if (const std::optional<int> order = ladder.smooth_order())
         return smooth_continuity<Field>(*order, {Field(0), Field(1)});
-      if (std::optional<Edge_continuity<Field>> crease = crease_on_grid<Field>(ladder)) return *std::move(crease);
+      if constexpr (N == 3)
+        if (std::optional<Edge_continuity<Field>> crease = crease_on_grid<Field>(ladder)) return *std::move(crease);
     }
   }
   return decide_rough_edge(a, b);

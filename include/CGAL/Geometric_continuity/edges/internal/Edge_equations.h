@@ -5,9 +5,13 @@
 #ifndef CGAL_GEOMETRIC_CONTINUITY_EDGES_INTERNAL_EDGE_EQUATIONS_H
 #define CGAL_GEOMETRIC_CONTINUITY_EDGES_INTERNAL_EDGE_EQUATIONS_H
 
+#include <CGAL/Geometric_continuity/algebra/Homogeneous_polynomial.h>
 #include <CGAL/Geometric_continuity/edges/internal/Edge_input.h>
 #include <CGAL/Geometric_continuity/internal/force_inline.h>
+#include <CGAL/Geometric_continuity/joins/internal/Join_filter.h>
 #include <CGAL/Geometric_continuity/joins/internal/join_forms.h>
+#include <CGAL/Geometric_continuity/numbers/Work_limit.h>
+#include <CGAL/Geometric_continuity/numbers/internal/number_words.h>
 
 #include <algorithm>
 #include <array>
@@ -35,24 +39,122 @@ namespace CGAL {
 namespace Geometric_continuity {
 namespace internal {
 
-// r + x y and r - x y, where no better is known.
-template <class R, class X, class Y> CGAL_GC_FORCEINLINE void add_product(R& r, const X& x, const Y& y) {
-  r = std::move(r) + x * y;
+// The words of the longest coefficient.
+template <class NT> std::size_t most_words(const Homogeneous_polynomial<NT>& p) {
+  std::size_t words = 1;
+  for (int k = 0; k <= p.degree(); ++k) words = (std::max)(words, number_words(p[k]));
+  return words;
 }
-template <class R, class X, class Y> CGAL_GC_FORCEINLINE void subtract_product(R& r, const X& x, const Y& y) {
-  r = std::move(r) - x * y;
+
+// The product; the meter takes note of those of polynomials over a ring.
+template <class NT>
+Homogeneous_polynomial<NT> counted_product(const Homogeneous_polynomial<NT>& p, const Homogeneous_polynomial<NT>& q) {
+  work_meter().charge_products((p.degree() + 1.) * (q.degree() + 1), most_words(p), most_words(q));
+  return p * q;
+}
+template <class X, class Y> constexpr CGAL_GC_FORCEINLINE auto counted_product(const X& x, const Y& y) { return x * y; }
+template <class NT> Homogeneous_polynomial<NT> times(int w, const Homogeneous_polynomial<NT>& p) { // 1 or 2
+  return w == 1 ? p : p + p;
+}
+template <class W, class X> constexpr CGAL_GC_FORCEINLINE auto times(const W& w, const X& x) { return w * x; }
+
+// r + x y and r - x y, where no better is known.
+template <class R, class X, class Y> constexpr CGAL_GC_FORCEINLINE void add_product(R& r, const X& x, const Y& y) {
+  r = std::move(r) + counted_product(x, y);
+}
+template <class R, class X, class Y> constexpr CGAL_GC_FORCEINLINE void subtract_product(R& r, const X& x, const Y& y) {
+  r = std::move(r) - counted_product(x, y);
+}
+
+// The first of a sum of so many products, of which the type may depend.
+template <int terms, class X, class Y> constexpr CGAL_GC_FORCEINLINE auto first_of_products(const X& x, const Y& y) {
+  return counted_product(x, y);
+}
+
+// The scalar product of the first coordinates, so many.
+template <int terms, class V, class W> auto sum_of_products(const V& v, const W& w) {
+  auto sum = first_of_products<terms>(v[0], w[0]);
+  for (std::size_t i = 1; i < terms; ++i) add_product(sum, v[i], w[i]);
+  return sum;
+}
+
+// v_i w_j - v_j w_i
+template <class V, class W> auto minor_of(const V& v, const W& w, int i, int j) {
+  auto difference = first_of_products<2>(v[i], w[j]);
+  subtract_product(difference, v[j], w[i]);
+  return difference;
+}
+
+// An edge C and the tangent D. The normals D x T of surfaces with the derivatives T across the edge,
+template <int N, class C, class D> class Edge_tangent {
+  static_assert(N == 3);
+  const std::array<D, 3>& d_;
+
+public:
+  explicit Edge_tangent(const std::array<D, 3>& d) : d_(d) {}
+
+  // The coordinate i.
+  template <class T> auto normal(int i, const std::array<T, 3>& t) const {
+    return minor_of(d_, t, (i + 1) % 3, (i + 2) % 3);
+  }
+  template <class T> auto normal(const std::array<T, 3>& t) const {
+    return std::array<decltype(normal(0, t)), 3>{normal(0, t), normal(1, t), normal(2, t)};
+  }
+};
+
+// and in homogeneous space the planes p = C ^ D ^ T as covectors: p . v = det(v, C, D, T). The line C ^ D has the coordinates
+// C_i D_j - C_j D_i, i < j.
+template <class C, class D> class Edge_tangent<4, C, D> {
+  decltype(first_of_products<2>(std::declval<C>(), std::declval<D>())) m_[4][4];
+
+public:
+  Edge_tangent(const std::array<C, 4>& c, const std::array<D, 4>& d) {
+    for (int i = 0; i < 4; ++i)
+      for (int j = i + 1; j < 4; ++j) m_[i][j] = minor_of(c, d, i, j);
+  }
+
+  template <class T> auto normal(int i, const std::array<T, 4>& t) const {
+    const int x = i == 0, y = i <= 1 ? 2 : 1, z = i <= 2 ? 3 : 2; // the others, in order
+    const bool even = i % 2 == 0;                                 // the sign of the minor of these
+    auto p = even ? first_of_products<3>(m_[x][y], t[z]) : first_of_products<3>(m_[x][z], t[y]);
+    if (even) {
+      subtract_product(p, m_[x][z], t[y]);
+      add_product(p, m_[y][z], t[x]);
+    } else {
+      subtract_product(p, m_[x][y], t[z]);
+      subtract_product(p, m_[y][z], t[x]);
+    }
+    return p;
+  }
+  template <class T> auto normal(const std::array<T, 4>& t) const {
+    return std::array<decltype(normal(0, t)), 4>{normal(0, t), normal(1, t), normal(2, t), normal(3, t)};
+  }
+};
+
+// The factors of the terms of the identity of second order; those of the derivatives themselves are 1, 2 and 1.
+template <class Factor> struct Edge_factors {
+  Factor along, mixed, across[2]; // across is that of each side
+};
+
+// Of differences of control points. They are at most 2 n q^2.
+template <class Points> CGAL_GC_FORCEINLINE Edge_factors<int> edge_factors(const Points& s1, const Points& s2) {
+  const int n = s1.along, q1 = s1.across, q2 = s2.across;
+  return {q1 * q2 * (n - 1), 2 * n * q1 * q2, {n * q2 * (q1 - 1), n * q1 * (q2 - 1)}};
 }
 
 // The difference of both sides of the identity, from the coordinates N_i, n2_i and n3_i and the products of N with the second
-// derivatives, each with its factor: mixed(), along() if is_curved_along(), across(side) if is_curved_across(side).
-template <class Form, class Products>
-CGAL_GC_FORCEINLINE auto second_order_form(const Form& n1, const Form& n2, const Form& n3,
-                                           const Products& normal_times) {
-  auto inner = n2 * normal_times.mixed();
-  if (normal_times.is_curved_along()) add_product(inner, n3, normal_times.along());
-  auto form = inner * n3;
-  if (normal_times.is_curved_across(0)) add_product(form, n2 * n2, normal_times.across(0));
-  if (normal_times.is_curved_across(1)) subtract_product(form, n1 * n1, normal_times.across(1));
+// derivatives: mixed(), along(), across(side).
+template <class Form, class Form_3, class Factor, class Products>
+constexpr CGAL_GC_FORCEINLINE auto second_order_form(const Form& n1, const Form& n2, const Form_3& n3,
+                                                     const Edge_factors<Factor>& w, const Products& normal_times) {
+  const auto inner = times(w.mixed, counted_product(n2, normal_times.mixed())) +
+                     times(w.along, counted_product(n3, normal_times.along()));
+  const auto first = normal_times.across(0), second = normal_times.across(1);
+  const auto square_1 = times(w.across[1], counted_product(n1, n1)),
+             square_2 = times(w.across[0], counted_product(n2, n2));
+  decltype(inner * n3 + square_2 * first - square_1 * second) form(counted_product(inner, n3));
+  add_product(form, square_2, first);
+  subtract_product(form, square_1, second);
   return form;
 }
 
@@ -69,8 +171,8 @@ struct Rounded_form {
   friend CGAL_GC_FORCEINLINE Rounded_form operator-(const Rounded_form& x, const Rounded_form& y) {
     return {x.value - y.value, (std::max)(x.bound, y.bound)};
   }
-  CGAL_GC_FORCEINLINE Rounded_form times(int w) const { return {w * value, w * bound}; } // w > 0
-  CGAL_GC_FORCEINLINE bool exceeds(double part) const { return std::abs(value) > part * bound; }
+  friend CGAL_GC_FORCEINLINE Rounded_form operator*(int w, const Rounded_form& x) { return {w * x.value, w * x.bound}; }
+  CGAL_GC_FORCEINLINE bool exceeds(double error) const { return std::abs(value) > error * bound; }
 };
 
 // A vector with a bound of its coordinates, or of the numbers of which these are the differences.
@@ -91,19 +193,35 @@ struct Rounded_vector {
   }
 };
 
-// What rounded numbers can refute: the conditions at an end of the edge, where they need only few control points. With u = 2^-52, which
-// bounds the relative error of an operation in every rounding mode, with or without fused multiplication and addition:
-//
-// - det(d, a, b) has 6 terms; in each of them three differences, two products, and at most four sums are rounded. With
-//   bounds D, A, B of the coordinates the error is at most 6 ((1+u)^9 - 1) (1+u)^3 D A B < 2^-46 D A B.
-// - The identity of second order has 4 * 24 terms. In each of them six first differences, one second difference (three
-//   roundings with respect to the sum of the lengths of its two legs, which is the bound to take), at most seven products and
-//   eight sums are rounded. The largest of the four products of bounds is M: the error is less than 96 ((1+u)^24 - 1)
-//   (1+u)^20 M < 2^-40 M.
+// The errors of both conditions when the bounds of all differences and factors are 1; otherwise times the largest of the products of
+// bounds, as for joins (Join_rounding). First differences are rounded once, and so are the two of which a second one is the difference.
+struct Edge_rounding {
+  double tangent_planes, curvatures;
+
+  constexpr Edge_rounding() : tangent_planes(0), curvatures(0) {
+    const Rounding_bound one(1), first(1, 0x1p-52), half(0.5, 0x1p-53), second = half - half;
+    const std::array<Rounding_bound, 3> v{first, first, first}, w{second, second, second}, n = cross_form(v, v);
+    const Second_products products{dot_form(n, w)};
+    const Edge_factors<Rounding_bound> factors{one, one, {one, one}};
+    tangent_planes = with_margin(dot_form(n, v));
+    curvatures = with_margin(second_order_form(n[0], n[0], n[0], factors, products));
+  }
+
+private:
+  struct Second_products {
+    Rounding_bound x;
+    constexpr Rounding_bound mixed() const { return x; }
+    constexpr Rounding_bound along() const { return x; }
+    constexpr Rounding_bound across(int) const { return x; }
+  };
+  static constexpr double with_margin(const Rounding_bound& x) { return x.error * (1 + 0x1p-20); } // see below
+};
+
+// What rounded numbers can refute: the conditions at an end of the edge, where they need only few control points.
 //
 // All bounds lie between 2^-100 and 2^100, and factors are below 2^10, so that nothing overflows. A product that underflows
 // has an error of 2^-1074, which is less than u 2^-300 times the product of the bounds of its factors, at least 2^-700;
-// this is within the margins.
+// this is within the margin, as are the roundings of the bounds.
 //
 // The reversed edge has the differences d with the other sign, and so has f; all terms of the conditions are odd in d, or all even, so
 // that its start may be taken in place of the end.
@@ -122,30 +240,31 @@ public:
   CGAL_GC_FORCEINLINE bool in_range() const { return d_.in_range() && a_.in_range() && b_.in_range(); }
 
   // \pre in_range()
-  CGAL_GC_FORCEINLINE bool tangent_planes_differ() const { return dot(normal_, b_).exceeds(0x1p-46); }
+  CGAL_GC_FORCEINLINE bool tangent_planes_differ() const {
+    constexpr Edge_rounding error;
+    return dot(normal_, b_).exceeds(error.tangent_planes);
+  }
 
   // \pre in_range()
   CGAL_GC_FORCEINLINE bool curvatures_differ() const {
     const std::array<double, 3>& n = normal_.x;
     int i = std::abs(n[0]) < std::abs(n[1]) ? 1 : 0;
     if (std::abs(n[static_cast<std::size_t>(i)]) < std::abs(n[2])) i = 2;
-    return second_order_form(normal_[i], cross(d_, b_)[i], cross(b_, a_)[i], *this).exceeds(0x1p-40) &&
+    constexpr Edge_rounding error;
+    return second_order_form(normal_[i], cross(d_, b_)[i], cross(b_, a_)[i], edge_factors(s1_, s2_), *this)
+               .exceeds(error.curvatures) &&
            largest_bound_ <= Rounded_vector::most;
   }
 
   // See second_order_form().
-  CGAL_GC_FORCEINLINE Rounded_form mixed() const {
-    return times(2 * s1_.along * s1_.across * s2_.across, a_.x, leg(s1_, 1));
-  }
-  CGAL_GC_FORCEINLINE bool is_curved_along() const { return s1_.along > 1; }
+  CGAL_GC_FORCEINLINE Rounded_form mixed() const { return normal_times(a_.x, leg(s1_, 1)); }
   CGAL_GC_FORCEINLINE Rounded_form along() const {
-    return times(s1_.across * s2_.across * (s1_.along - 1), d_.x, difference(s1_, 0, 1, 2));
+    return s1_.along > 1 ? normal_times(d_.x, difference(s1_, 0, 1, 2)) : Rounded_form{0, 0};
   }
-  CGAL_GC_FORCEINLINE bool is_curved_across(int side) const { return (side == 0 ? s1_ : s2_).across > 1; }
   CGAL_GC_FORCEINLINE Rounded_form across(int side) const {
-    const Edge_layers &s = side == 0 ? s1_ : s2_, &other = side == 0 ? s2_ : s1_;
-    return times(s1_.along * other.across * (s.across - 1), (side == 0 ? a_ : b_).x,
-                 minus(point(s, 2, 0), point(s, 1, 0)));
+    const Edge_layers& s = side == 0 ? s1_ : s2_;
+    return s.across > 1 ? normal_times((side == 0 ? a_ : b_).x, minus(point(s, 2, 0), point(s, 1, 0)))
+                        : Rounded_form{0, 0};
   }
 
 private:
@@ -161,11 +280,11 @@ private:
   // from the edge to the first layer
   CGAL_GC_FORCEINLINE Vector leg(const Edge_layers& s, int i) const { return minus(point(s, 1, i), point(s1_, 0, i)); }
   static CGAL_GC_FORCEINLINE Rounded_vector first_difference(const Vector& x) { return {x, largest(x)}; }
-  // w times the product of the normal and the second difference y - x
-  CGAL_GC_FORCEINLINE Rounded_form times(int w, const Vector& x, const Vector& y) const {
+  // with the second difference y - x
+  CGAL_GC_FORCEINLINE Rounded_form normal_times(const Vector& x, const Vector& y) const {
     const Rounded_vector difference{minus(y, x), (std::max)(Rounded_vector::least, largest(x) + largest(y))};
     largest_bound_ = (std::max)(largest_bound_, difference.bound);
-    return dot(normal_, difference).times(w);
+    return dot(normal_, difference);
   }
 };
 

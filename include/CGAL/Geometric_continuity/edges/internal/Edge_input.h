@@ -10,6 +10,7 @@
 #include <CGAL/Geometric_continuity/local/coordinates.h>
 #include <CGAL/Geometric_continuity/numbers/internal/Common_denominator.h>
 #include <CGAL/Geometric_continuity/numbers/internal/Common_grid.h>
+#include <CGAL/Geometric_continuity/numbers/internal/Fixed_integer.h>
 
 #include <algorithm>
 #include <array>
@@ -18,6 +19,7 @@
 #include <cstdint>
 #include <iterator>
 #include <limits>
+#include <numeric>
 #include <optional>
 #include <type_traits>
 #include <vector>
@@ -32,11 +34,14 @@ namespace internal {
 
 // The layers of the control net of a Bezier patch next to an edge: p[j][i] is the control point number i along the edge in
 // the layer number j, of which there are min(k, across) + 1 for the order k.
-template <class T> struct Edge_points {
+template <class T, int N = 3> struct Edge_points {
+  static constexpr int dimension = N;
   static constexpr int most_along = 7, most_across = 8; // the degrees that are decided in numbers of fixed length
+  static constexpr int factor_bits = 10;                // of factors 2 n q^2, see Edge_factors
+  static_assert(2 * most_along * most_across * most_across < 1 << factor_bits);
 
   int along, across, layers;
-  std::array<T, 3> p[3][most_along + 1];
+  std::array<T, N> p[3][most_along + 1];
 
   // Whether numbers of fixed length decide edges of these degrees.
   static bool fits(int degree_along, int degree_across) {
@@ -48,8 +53,25 @@ template <class T> struct Edge_points {
   }
 };
 
+// Calls f(x, k) for all coordinates x, each with its number k.
+template <class Layers, class Function> void for_each_number(Layers& s, Function f) {
+  for (int j = 0; j < s.layers; ++j)
+    for (int i = 0; i <= s.along; ++i)
+      for (int k = 0; k < s.dimension; ++k) f(s.p[j][i][k], k);
+}
+
 typedef Edge_points<double> Edge_layers;
 typedef Edge_points<std::int64_t> Grid_layers;
+#ifdef CGAL_GEOMETRIC_CONTINUITY_HAS_FIXED_INTEGER
+typedef Edge_points<Signed_128, 4> Homogeneous_layers; // whole numbers of at most 2^106
+#endif
+
+#ifdef CGAL_GEOMETRIC_CONTINUITY_HAS_FIXED_INTEGER
+// Whether a b = c d, for numbers of any length.
+inline bool equal_products(Signed_128 a, Signed_128 b, Signed_128 c, Signed_128 d) {
+  return is_zero(from_128_bits<2>(a) * from_128_bits<2>(b) - from_128_bits<2>(c) * from_128_bits<2>(d));
+}
+#endif
 
 // Edges of equal degree are the same if and only if their control points are, see also Edge_sides::align().
 inline bool same_edge(const Edge_layers& a, const Edge_layers& b) {
@@ -68,6 +90,38 @@ inline bool is_collapsed(const Edge_layers& a) {
   return std::all_of(a.p[0], a.p[0] + a.along + 1, [&](const std::array<double, 3>& x) { return x == a.p[0][0]; });
 }
 
+#ifdef CGAL_GEOMETRIC_CONTINUITY_HAS_FIXED_INTEGER
+
+inline bool is_collapsed(const Homogeneous_layers& a) {
+  const std::array<Signed_128, 4>& first = a.p[0][0];
+  return std::all_of(a.p[0], a.p[0] + a.along + 1, [&](const std::array<Signed_128, 4>& x) {
+    for (int k = 0; k < 3; ++k)
+      if (!equal_products(x[k], first[3], first[k], x[3])) return false;
+    return true;
+  });
+}
+
+// The numbers s, without a common factor, for which the edge of a times s[1] is that of b, in the direction that is given, times s[0].
+// Nothing if they are not the same.
+inline std::optional<std::array<std::int64_t, 2>> common_scale(const Homogeneous_layers& a, const Homogeneous_layers& b,
+                                                               Edge_direction direction) {
+  if (a.along != b.along) return std::nullopt;
+  const auto point = [&](int i) { return b.p[0][direction == Edge_direction::same ? i : b.along - i]; };
+  const std::int64_t x = static_cast<std::int64_t>(a.p[0][0][3]), y = static_cast<std::int64_t>(point(0)[3]),
+                     common = std::gcd(x, y);
+  for (int i = 0; i <= a.along; ++i)
+    for (int k = 0; k < 4; ++k)
+      if (!equal_products(a.p[0][i][k], y / common, point(i)[k], x / common)) return std::nullopt;
+  return std::array<std::int64_t, 2>{x / common, y / common};
+}
+inline std::optional<Edge_direction> common_direction(const Homogeneous_layers& a, const Homogeneous_layers& b) {
+  for (const Edge_direction direction : {Edge_direction::same, Edge_direction::opposite})
+    if (common_scale(a, b, direction)) return direction;
+  return std::nullopt;
+}
+
+#endif // CGAL_GEOMETRIC_CONTINUITY_HAS_FIXED_INTEGER
+
 // Infinity if a coordinate is infinite or not a number, or a bound of all coordinates.
 inline double size_of(const Edge_layers& a) {
   double size[3] = {0, 0, 0}, test[3] = {0, 0, 0}; // 0, or not a number
@@ -80,6 +134,9 @@ inline double size_of(const Edge_layers& a) {
   if (test[0] + test[1] + test[2] != 0) return std::numeric_limits<double>::infinity();
   return (std::max)({size[0], size[1], size[2]});
 }
+
+inline bool is_finite(const Edge_layers& a) { return std::isfinite(size_of(a)); }
+template <class T> bool is_finite(const Edge_points<T, 4>&) { return true; }
 
 // In units of the grid; it is invalid afterwards unless all coordinates lie on it.
 inline void convert(const Edge_layers& a, Grid& grid, Grid_layers& g) {
@@ -98,61 +155,173 @@ template <class Traits> bool is_one_patch(const Bspline_surface<Traits>& s) {
   };
   return one_span(s.knots_u()) && one_span(s.knots_v());
 }
+template <class Shape> bool is_one_patch(const Rational_surface<Shape>& s) { return is_one_patch(s.unweighted()); }
 
-// Calls f(x, p) for all coordinates x of the control points that count for an order, and their places p: the point number i
-// along the edge in each layer j. Returns whether the degrees are among those that are decided in numbers of fixed length.
-// Most edges that are not smooth are refused soon after this: it is written out where it is called.
-template <class Field, class Surface, class Function>
-CGAL_GC_FORCEINLINE bool for_each_layer(const Surface& s, Patch_edge edge, int order, Edge_layers& layers, Function f) {
+// Calls f(x, p) for all numbers x of the control points that count for an order, and their places p: those of the point number i
+// along the edge in each layer j, which are numbers(k, l) for the control point (k, l). Returns whether the degrees are among those that
+// are decided in numbers of fixed length. Most edges that are not smooth are refused soon after this: it is written out where it is called.
+template <class Surface, class T, int N, class Numbers, class Function>
+CGAL_GC_FORCEINLINE bool for_each_layer(const Surface& s, Patch_edge edge, int order, Edge_points<T, N>& layers,
+                                        Numbers numbers, Function f) {
   const bool along_u = runs_along_u(edge);
   const int along = along_u ? s.degree_u() : s.degree_v(), across = along_u ? s.degree_v() : s.degree_u();
   layers.along = along;
   layers.across = across;
   layers.layers = (std::min)(order, across) + 1;
-  if (!is_one_patch(s) || !Edge_layers::fits(along, across)) return false;
+  if (!is_one_patch(s) || !layers.fits(along, across)) return false;
   const int first = at_upper_end(edge) ? across : 0, step = at_upper_end(edge) ? -1 : 1;
   for (int j = 0; j <= (std::min)(order, across); ++j)
     for (int i = 0; i <= along; ++i) {
       const int inward = first + step * j;
-      const Coordinate_vector<Field, Surface::N> x = coordinates<typename Surface::Traits, Field>(
-          along_u ? s.control_point(i, inward) : s.control_point(inward, i));
-      for (int k = 0; k < 3; ++k) f(x[k], layers.p[j][i][k]);
+      const auto x = along_u ? numbers(i, inward) : numbers(inward, i);
+      for (int k = 0; k < N; ++k) f(x[k], layers.p[j][i][k]);
     }
   return true;
 }
 
-// The layers x and y of both edges that count for an order: the control points as given if they are doubles; if they are
-// rational numbers, multiplied by their common denominator. Returns whether numbers of fixed length may decide: for low
-// degrees, and short numerators.
-template <class Surface_a, class Surface_b>
-bool edge_layers(const Surface_a& a, Patch_edge edge_a, const Surface_b& b, Patch_edge edge_b, int order,
-                 Edge_layers& x, Edge_layers& y) {
-  typedef Edge_field<typename Surface_a::Traits> Field;
-  typedef typename Surface_a::Traits::FT FT;
-  if constexpr (std::is_same_v<FT, double>) {
-    const auto copy = [](double number, double& place) { place = number; };
-    return for_each_layer<FT>(a, edge_a, order, x, copy) && for_each_layer<FT>(b, edge_b, order, y, copy);
-  } else if constexpr (Common_denominator<Field>::clears) {
+// x, if its absolute value is at most 2^53, or another number up to that which is given.
+template <class Ring> bool take_integer(const Ring& x, double& result, double most = 0x1p53) {
+  result = CGAL::to_double(x);
+  return std::abs(result) <= most;
+}
+#ifdef CGAL_GEOMETRIC_CONTINUITY_HAS_FIXED_INTEGER
+template <class Ring> bool take_integer(const Ring& x, Signed_128& result, double most = 0x1p105) {
+  const double high = CGAL::to_double(x);
+  if (!(std::abs(high) <= most)) return false;
+  result = static_cast<Signed_128>(high) + static_cast<Signed_128>(CGAL::to_double(Ring(x - Ring(high))));
+  return true;
+}
+#endif
+
+// The layers x and y of both edges that count for an order, of rational numbers multiplied by their common denominator. Returns whether
+// numbers of fixed length may decide: for low degrees, and short numerators.
+template <class Field, class Surface_a, class Surface_b, class T, int N, class Numbers_a, class Numbers_b>
+bool common_layers(const Surface_a& a, Patch_edge edge_a, const Surface_b& b, Patch_edge edge_b, int order,
+                   Numbers_a of_a, Numbers_b of_b, Edge_points<T, N>& x, Edge_points<T, N>& y) {
+  if constexpr (Common_denominator<Field>::clears) {
     Common_denominator<Field> denominator;
-    const auto include = [&](const Field& number, double&) { denominator.include(number); };
-    if (!for_each_layer<Field>(a, edge_a, order, x, include) || !for_each_layer<Field>(b, edge_b, order, y, include))
+    const auto include = [&](const Field& number, T&) { denominator.include(number); };
+    if (!for_each_layer(a, edge_a, order, x, of_a, include) || !for_each_layer(b, edge_b, order, y, of_b, include))
       return false;
     bool all_short = true;
-    const auto scale = [&](const Field& number, double& place) {
-      place = CGAL::to_double(denominator.numerator(number));
-      all_short = all_short && std::abs(place) < 0x1p53; // then it is exact
+    const auto scale = [&](const Field& number, T& place) {
+      all_short = all_short && take_integer(denominator.numerator(number), place);
     };
-    for_each_layer<Field>(a, edge_a, order, x, scale);
-    for_each_layer<Field>(b, edge_b, order, y, scale);
+    for_each_layer(a, edge_a, order, x, of_a, scale);
+    for_each_layer(b, edge_b, order, y, of_b, scale);
     return all_short;
   } else
     return false;
 }
 
-// From rows of one degree. The surfaces C + T v + W v^2/2 have the same order along the edge; their control points are C,
-// C + T/2 and C + T + W/2, here times two and the common denominator. Returns whether numbers of fixed length may decide.
-template <class Field>
-bool edge_layers(const Edge_rows<Field>& a, const Edge_rows<Field>& b, Edge_layers& x, Edge_layers& y) {
+// Of the control points of surfaces without weights: those as given if they are doubles.
+template <class Surface_a, class Surface_b>
+bool edge_layers(const Surface_a& a, Patch_edge edge_a, const Surface_b& b, Patch_edge edge_b, int order,
+                 Edge_layers& x, Edge_layers& y) {
+  typedef typename Surface_a::Traits Traits;
+  constexpr bool given = std::is_same_v<typename Traits::FT, double>;
+  typedef std::conditional_t<given, double, Edge_field<Traits>> Field;
+  const auto of_a = [&](int i, int j) { return coordinates<Traits, Field>(a.control_point(i, j)); };
+  const auto of_b = [&](int i, int j) { return coordinates<Traits, Field>(b.control_point(i, j)); };
+  if constexpr (given) {
+    const auto copy = [](double number, double& place) { place = number; };
+    return for_each_layer(a, edge_a, order, x, of_a, copy) && for_each_layer(b, edge_b, order, y, of_b, copy);
+  } else
+    return common_layers<Field>(a, edge_a, b, edge_b, order, of_a, of_b, x, y);
+}
+
+#ifdef CGAL_GEOMETRIC_CONTINUITY_HAS_FIXED_INTEGER
+
+inline int trailing_zeros(Unsigned_128 x) { // of x > 0
+  const std::uint64_t low = static_cast<std::uint64_t>(x);
+  return low != 0 ? __builtin_ctzll(low) : 64 + __builtin_ctzll(static_cast<std::uint64_t>(x >> 64));
+}
+
+// Divides the first coordinates by a power of two, and the weights by one. Returns whether the weights at the ends of the edges are positive
+// and at most 2^53, as common_scale() needs them.
+inline bool reduce(Homogeneous_layers& a, Homogeneous_layers& b) {
+  Unsigned_128 bits[2] = {0, 0};
+  for (const Homogeneous_layers* s : {&a, &b})
+    for_each_number(*s, [&](Signed_128 x, int k) { bits[k == 3] |= static_cast<Unsigned_128>(x); });
+  int zeros[2] = {0, 0};
+  for (int k : {0, 1})
+    if (bits[k] != 0) zeros[k] = trailing_zeros(bits[k]);
+  for (Homogeneous_layers* s : {&a, &b}) for_each_number(*s, [&](Signed_128& x, int k) { x >>= zeros[k == 3]; });
+  for (const Homogeneous_layers* s : {&a, &b})
+    for (int i : {0, s->along})
+      if (s->p[0][i][3] <= 0 || Signed_128(1) << 53 < s->p[0][i][3]) return false;
+  return true;
+}
+
+// The weight of a control point.
+template <class Field, class Surface> Field weight_of(const Surface& s, int i, int j) {
+  if constexpr (Is_rational_surface<Surface>::value)
+    return to_field<Field>(s.weight(i, j));
+  else
+    return (void)s, (void)i, (void)j, Field(1);
+}
+
+// The homogeneous points of surfaces one of which has weights: whole numbers times a unit, which that of the weights need not be.
+template <class Surface_a, class Surface_b>
+bool edge_layers(const Surface_a& a, Patch_edge edge_a, const Surface_b& b, Patch_edge edge_b, int order,
+                 Homogeneous_layers& x, Homogeneous_layers& y) {
+  typedef typename Surface_a::Traits Traits;
+  if constexpr (std::is_same_v<typename Traits::FT, double>) {
+    double size[2] = {0, 0}; // of points and weights
+    bool finite = true;
+    const auto numbers_of = [](const auto& s) {
+      return [&s](int i, int j) {
+        const Coordinate_vector<double, 3> p = coordinates<Traits, double>(s.control_point(i, j));
+        return std::array<double, 4>{p[0], p[1], p[2], weight_of<double>(s, i, j)};
+      };
+    };
+    Edge_points<double, 4> given[2];
+    const auto copy = [&](double number, double& place) { place = number; };
+    if (!for_each_layer(a, edge_a, order, given[0], numbers_of(a), copy) ||
+        !for_each_layer(b, edge_b, order, given[1], numbers_of(b), copy))
+      return false;
+    for (const Edge_points<double, 4>& s : given)
+      for_each_number(s, [&](double number, int k) {
+        finite = finite && std::isfinite(number);
+        size[k == 3] = (std::max)(size[k == 3], std::abs(number));
+      });
+    Grid grid(size[0]), weight_grid(size[1]);
+    if (!finite || !grid.valid() || !weight_grid.valid()) return false;
+    int side = 0;
+    for (Homogeneous_layers* s : {&x, &y}) {
+      const Edge_points<double, 4>& p = given[side++];
+      s->along = p.along;
+      s->across = p.across;
+      s->layers = p.layers;
+      for (int j = 0; j < p.layers; ++j)
+        for (int i = 0; i <= p.along; ++i) {
+          const std::int64_t w = weight_grid(p.p[j][i][3]);
+          for (int k = 0; k < 3; ++k) s->p[j][i][k] = static_cast<Signed_128>(grid(p.p[j][i][k])) * w;
+          s->p[j][i][3] = w;
+        }
+    }
+    if (!grid.valid() || !weight_grid.valid()) return false;
+  } else {
+    typedef Edge_field<Traits> Field;
+    const auto numbers_of = [](const auto& s) {
+      return [&s](int i, int j) {
+        const Coordinate_vector<Field, 3> p = coordinates<Traits, Field>(s.control_point(i, j));
+        const Field w = weight_of<Field>(s, i, j);
+        return std::array<Field, 4>{Field(w * p[0]), Field(w * p[1]), Field(w * p[2]), w};
+      };
+    };
+    if (!common_layers<Field>(a, edge_a, b, edge_b, order, numbers_of(a), numbers_of(b), x, y)) return false;
+  }
+  return reduce(x, y);
+}
+
+#endif // CGAL_GEOMETRIC_CONTINUITY_HAS_FIXED_INTEGER
+
+// From rows of one degree, with the same edge. The surfaces C + T v + W v^2/2 have the same order along the edge; their control points are
+// C, C + T/2 and C + T + W/2, here times two and the common denominator. Returns whether numbers of fixed length may decide.
+template <class Field, int N, class T>
+bool edge_layers(const Edge_rows<Field, N>& a, const Edge_rows<Field, N>& b, Edge_points<T, N>& x,
+                 Edge_points<T, N>& y) {
   if constexpr (Common_denominator<Field>::clears) {
     const std::size_t n = a.edge.size();
     for (const auto* row : {&a.edge, &a.cross, &a.second_cross, &b.edge, &b.cross, &b.second_cross})
@@ -160,21 +329,21 @@ bool edge_layers(const Edge_rows<Field>& a, const Edge_rows<Field>& b, Edge_laye
     if (!Edge_layers::fits(static_cast<int>(n) - 1, 2)) return false;
     Common_denominator<Field> denominator;
     for (const auto* row : {&a.edge, &a.cross, &a.second_cross, &b.cross, &b.second_cross})
-      for (const Coordinate_vector<Field, 3>& v : *row)
+      for (const Coordinate_vector<Field, N>& v : *row)
         for (const Field& number : v) denominator.include(number);
     bool all_short = true;
-    const auto scaled = [&](const Field& number) {
-      const double result = CGAL::to_double(denominator.numerator(number));
-      all_short = all_short && std::abs(result) <= 0x1p50; // then it is exact, and so are the sums
+    const auto scaled = [&](const Field& number) { // so short that the sums are exact
+      T result(0);
+      all_short = all_short && take_integer(denominator.numerator(number), result, N == 3 ? 0x1p50 : 0x1p102);
       return result;
     };
-    const auto take = [&](const Edge_rows<Field>& rows, Edge_layers& s) {
+    const auto take = [&](const Edge_rows<Field, N>& rows, Edge_points<T, N>& s) {
       s.along = static_cast<int>(n) - 1;
       s.across = 2;
       s.layers = 3;
       for (std::size_t i = 0; i < n && all_short; ++i)
-        for (int k = 0; k < 3; ++k) {
-          const double c = 2 * scaled(a.edge[i][k]), t = scaled(rows.cross[i][k]), w = scaled(rows.second_cross[i][k]);
+        for (int k = 0; k < N; ++k) {
+          const T c = 2 * scaled(a.edge[i][k]), t = scaled(rows.cross[i][k]), w = scaled(rows.second_cross[i][k]);
           s.p[0][i][k] = c;
           s.p[1][i][k] = c + t;
           s.p[2][i][k] = c + 2 * t + w;
@@ -182,6 +351,7 @@ bool edge_layers(const Edge_rows<Field>& a, const Edge_rows<Field>& b, Edge_laye
     };
     take(a, x);
     take(b, y);
+    if constexpr (N == 4) return all_short && reduce(x, y);
     return all_short;
   } else
     return false;

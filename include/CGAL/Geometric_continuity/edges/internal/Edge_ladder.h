@@ -50,12 +50,16 @@ enum class Lower_orders { as_one, told_apart };
 
 // The ladder for two patches along whole edges that are the same curve in one direction.
 class Edge_ladder {
-  const Edge_layers &a_, &b_;
+public:
 #ifdef CGAL_GEOMETRIC_CONTINUITY_HAS_FIXED_INTEGER
+  typedef Edge_on_grid<3, 53> On_grid;
+
+private:
   Grid_layers x_, y_;
-  std::optional<Edge_on_grid> on_grid_;
+  std::optional<On_grid> on_grid_;
   bool tried_ = false;
 #endif
+  const Edge_layers &a_, &b_;
 
 public:
   // \pre the edges are the same, in one direction
@@ -81,7 +85,7 @@ public:
         return decided(Edge_stage::floating_point, most);
     }
 #ifdef CGAL_GEOMETRIC_CONTINUITY_HAS_FIXED_INTEGER
-    const Edge_on_grid* const edge = on_grid();
+    const On_grid* const edge = on_grid();
     if (!edge) return std::nullopt;
     if (stages.uses(Edge_stage::simple_ratio))
       if (const std::optional<int> found = edge->order_by_ratio(most)) return decided(Edge_stage::simple_ratio, *found);
@@ -100,7 +104,7 @@ public:
 
 #ifdef CGAL_GEOMETRIC_CONTINUITY_HAS_FIXED_INTEGER
   // In integers of fixed length; nothing unless all coordinates lie on one grid.
-  const Edge_on_grid* on_grid() {
+  const On_grid* on_grid() {
     if (!tried_) {
       tried_ = true;
       const double size = (std::max)(size_of(a_), size_of(b_));
@@ -129,26 +133,97 @@ private:
   }
 };
 
+#ifdef CGAL_GEOMETRIC_CONTINUITY_HAS_FIXED_INTEGER
+
+// The same for surfaces of homogeneous points, along whole edges that are the same curve in one direction up to a factor. The numbers
+// are exact already, and there are no rounded ones.
+class Homogeneous_ladder {
+  const Homogeneous_layers &a_, &b_;
+  std::array<std::int64_t, 2> scale_; // of the homogeneous points of the edges
+
+public:
+  Homogeneous_ladder(const Homogeneous_layers& a, const Homogeneous_layers& b)
+      : a_(a), b_(b), scale_(common_scale(a, b, Edge_direction::same).value()) {}
+
+  bool is_collapsed() const { return internal::is_collapsed(a_); }
+
+  template <int highest, class Stages> std::optional<int> order(Lower_orders, Stages& stages) const {
+    const auto decided = [&](Edge_stage stage, int found) {
+      stages.decided(stage, found == highest);
+      return std::optional<int>(found);
+    };
+    if (is_collapsed()) return stages.uses(Edge_stage::comparison) ? decided(Edge_stage::comparison, 0) : std::nullopt;
+    if (!stages.uses(Edge_stage::fixed_integer)) return std::nullopt;
+    typedef Edge_on_grid<4, 53, 53> Short;
+    typedef Edge_on_grid<4, 106, 53> Long;
+    typename Short::Layers x, y;
+    const std::optional<int> found =
+        shorten(a_, x) && shorten(b_, y) ? Short(x, y, scale_).order(highest) : Long(a_, b_, scale_).order(highest);
+    return found ? decided(Edge_stage::fixed_integer, *found) : std::nullopt;
+  }
+
+  std::optional<int> smooth_order() const {
+    const All_edge_stages stages;
+    const std::optional<int> found = order<2>(Lower_orders::told_apart, stages);
+    return found.value_or(0) > 0 ? found : std::nullopt;
+  }
+
+private:
+  // Whether all numbers are at most 2^53.
+  static bool shorten(const Homogeneous_layers& a, Edge_points<std::int64_t, 4>& x) {
+    constexpr Signed_128 most = Signed_128(1) << 53;
+    x.along = a.along;
+    x.across = a.across;
+    x.layers = a.layers;
+    for (int j = 0; j < a.layers; ++j)
+      for (int i = 0; i <= a.along; ++i)
+        for (int k = 0; k < 4; ++k) {
+          if (a.p[j][i][k] < -most || most < a.p[j][i][k]) return false;
+          x.p[j][i][k] = static_cast<std::int64_t>(a.p[j][i][k]);
+        }
+    return true;
+  }
+};
+
+#endif // CGAL_GEOMETRIC_CONTINUITY_HAS_FIXED_INTEGER
+
+// What the stages of fixed length read of edges of points with N coordinates, and their ladder.
+template <int N> struct Edge_rungs {
+  typedef Edge_layers Layers;
+  typedef Edge_ladder Ladder;
+  static constexpr bool exist = N == 3;
+};
+#ifdef CGAL_GEOMETRIC_CONTINUITY_HAS_FIXED_INTEGER
+template <> struct Edge_rungs<4> {
+  typedef Homogeneous_layers Layers;
+  typedef Homogeneous_ladder Ladder;
+  static constexpr bool exist = true;
+};
+#endif
+
 // Whether two patches have the order G^k along whole edges that are the same curve in one direction; or empty
 // if numbers of fixed length do not decide it.
-template <int order, class Stages>
-std::optional<bool> decide_on_same_edge(const Edge_layers& a, const Edge_layers& b, Stages& stages) {
+template <int order, class T, int N, class Stages>
+std::optional<bool> decide_on_same_edge(const Edge_points<T, N>& a, const Edge_points<T, N>& b, Stages& stages) {
   if constexpr (order == 0) { // infinite coordinates are refused elsewhere
-    if (!std::isfinite((std::max)(size_of(a), size_of(b))) || !stages.uses(Edge_stage::comparison)) return std::nullopt;
+    if (!is_finite(a) || !is_finite(b) || !stages.uses(Edge_stage::comparison)) return std::nullopt;
     stages.decided(Edge_stage::comparison, true);
     return true;
   } else {
-    const std::optional<int> found = Edge_ladder(a, b).template order<order>(Lower_orders::as_one, stages);
+    typename Edge_rungs<N>::Ladder ladder(a, b);
+    const std::optional<int> found = ladder.template order<order>(Lower_orders::as_one, stages);
     return found ? std::optional<bool>(*found == order) : std::nullopt;
   }
 }
 
 // The same on whole edges that may differ, or run in opposite directions; then the second is turned.
-template <int order, class Stages>
-CGAL_GC_FORCEINLINE std::optional<bool> decide_on_layers(const Edge_layers& a, Edge_layers& b, Stages& stages) {
+template <int order, class T, int N, class Stages>
+CGAL_GC_FORCEINLINE std::optional<bool> decide_on_layers(const Edge_points<T, N>& a, Edge_points<T, N>& b,
+                                                         Stages& stages) {
   if (a.along != b.along) return std::nullopt;
   const std::optional<Edge_direction> direction = common_direction(a, b);
   if (!direction) {
+    if (N == 4 && is_collapsed(a) && is_collapsed(b)) return std::nullopt; // perhaps one point with other weights
     if (!stages.uses(Edge_stage::comparison)) return std::nullopt;
     stages.decided(Edge_stage::comparison, false);
     return false;

@@ -26,45 +26,13 @@ namespace CGAL {
 namespace Geometric_continuity {
 namespace internal {
 
-// The words of the longest coefficient.
-template <class NT> std::size_t most_words(const Homogeneous_polynomial<NT>& p) {
-  std::size_t words = 1;
-  for (int k = 0; k <= p.degree(); ++k) words = (std::max)(words, number_words(p[k]));
-  return words;
-}
-
-// Takes note of as many products of two polynomials.
-template <class NT>
-void charge_product(double number, const Homogeneous_polynomial<NT>& p, const Homogeneous_polynomial<NT>& q) {
-  work_meter().charge_products(number * (p.degree() + 1.) * (q.degree() + 1), most_words(p), most_words(q));
-}
-
-// Products of polynomials, of which is taken note.
-template <class NT>
-Homogeneous_polynomial<NT> product(const Homogeneous_polynomial<NT>& p, const Homogeneous_polynomial<NT>& q) {
-  charge_product(1, p, q);
-  return p * q;
-}
-template <class NT, std::size_t n>
-Homogeneous_polynomial<NT> counted_scalar_product(const std::array<Homogeneous_polynomial<NT>, n>& v,
-                                                  const std::array<Homogeneous_polynomial<NT>, n>& w) {
-  for (std::size_t i = 0; i < n; ++i) charge_product(1, v[i], w[i]);
-  return scalar_product(v, w);
-}
-template <class NT>
-Homogeneous_vector<NT> counted_cross_product(const Homogeneous_vector<NT>& v, const Homogeneous_vector<NT>& w) {
-  for (int i = 0; i < 3; ++i)
-    for (int j = 0; j < 3; ++j)
-      if (i != j) charge_product(1, v[i], w[j]);
-  return cross_product(v, w);
-}
-
 // The rows of both sides, in a ring: multiplied by their common denominator. Sides 0 and 1 are S1 and S2. For N = 4 they are
 // those of homogeneous points.
 template <class Field, int N = 3> struct Edge_sides {
   typedef typename Common_denominator<Field>::Ring Ring;
   typedef Homogeneous_polynomial<Ring> Polynomial;
   typedef std::array<Polynomial, N> Vector;
+  typedef Edge_tangent<N, Polynomial, Polynomial> Tangent;
 
   Common_denominator<Field> denominator;
   Vector c[2], t[2], w[2]; // C, T, W
@@ -112,6 +80,14 @@ template <class Field, int N = 3> struct Edge_sides {
 
   // C, of the side with the lower degree along the edge
   const Vector& edge() const { return c[c[1][0].degree() < c[0][0].degree()]; }
+  // Of the edge, with C' or another vector in its place.
+  Tangent tangent(const Vector& d) const { return tangent(edge(), d); }
+  static Tangent tangent(const Vector& edge, const Vector& d) {
+    if constexpr (N == 4)
+      return Tangent(edge, d);
+    else
+      return Tangent(d);
+  }
   // C'
   Vector first_derivative() const { return derivative(edge()); }
   // C''
@@ -138,32 +114,6 @@ private:
     }
     return v;
   }
-};
-
-// A line of homogeneous space, x ^ y, by its coordinates x_i y_j - x_j y_i, i < j.
-template <class NT> struct Homogeneous_line {
-  typedef Homogeneous_polynomial<NT> Polynomial;
-  typedef std::array<Polynomial, 4> Point;
-
-  Polynomial m[4][4];
-
-  Homogeneous_line(const Point& x, const Point& y) {
-    for (int i = 0; i < 4; ++i)
-      for (int j = i + 1; j < 4; ++j) {
-        charge_product(1, x[i], y[j]);
-        charge_product(1, x[j], y[i]);
-        m[i][j] = x[i] * y[j] - x[j] * y[i];
-      }
-  }
-
-  // The coordinate i of the plane x ^ y ^ z as a covector p, where p . v = det(v, x, y, z).
-  Polynomial plane(int i, const Point& z) const {
-    const int a = i == 0, b = i <= 1 ? 2 : 1, c = i <= 2 ? 3 : 2; // the others, in order
-    charge_product(3, m[a][b], z[c]);
-    const Polynomial minor = m[a][b] * z[c] - m[a][c] * z[b] + m[b][c] * z[a];
-    return i % 2 == 0 ? minor : Polynomial() - minor;
-  }
-  Point plane(const Point& z) const { return {plane(0, z), plane(1, z), plane(2, z), plane(3, z)}; }
 };
 
 // The normal of a plane, or the normal itself.
@@ -201,24 +151,16 @@ template <class Field, int N = 3> struct Edge_normals {
     return vanishes(n1) || vanishes(n2);
   }
 
-  // Whether the curvatures agree, see Edge_equations.h; n3 = T2 x T1 or C ^ T2 ^ T1. \pre coplanar()
+  // Whether the curvatures agree, see Edge_equations.h. \pre coplanar()
   template <class AnySides> bool second_order(const AnySides& s) const {
     int i = 0;
     while (i < 3 && n1[i].is_zero()) ++i;
     if (i == 3) return true;
-    const Polynomial n3 = third_normal(s, i);
-    const Products<AnySides> products{n1, s, counted_scalar_product(n1, s.w[1])};
-    for (const Polynomial& x : {n1[i], n2[i], n3}) {
-      charge_product(1, x, x);
-      charge_product(2, x, products.last);
-    }
-    return second_order_form(n1[i], n2[i], n3, products).is_zero();
+    const Polynomial n3 = s.tangent(s.t[1]).normal(i, s.t[0]);
+    return second_order_form(n1[i], n2[i], n3, Edge_factors<int>{1, 2, {1, 1}}, Products<AnySides>{n1, s}).is_zero();
   }
 
-  static Polynomial square(const Vector& v) {
-    const Homogeneous_vector<Ring>& n = normal_part<Ring>(v);
-    return counted_scalar_product(n, n);
-  }
+  static Polynomial square(const Vector& v) { return sum_of_products<3>(v, v); }
   // Whether the vector is zero somewhere on the closed interval.
   static bool vanishes(const Vector& v) { return sign_pattern<Exact>(square(v)) != Sign_pattern::positive; }
 
@@ -227,50 +169,27 @@ private:
   template <class AnySides> struct Products {
     const Vector& n1;
     const AnySides& s;
-    const Polynomial last; // N . W2
 
-    Polynomial mixed() const {
-      const Polynomial once = counted_scalar_product(n1, s.mixed_derivative());
-      return once + once;
-    }
-    static bool is_curved_along() { return true; }
-    Polynomial along() const { return counted_scalar_product(n1, s.second_derivative()); }
-    static bool is_curved_across(int) { return true; }
-    Polynomial across(int side) const { return side == 0 ? counted_scalar_product(n1, s.w[0]) : last; }
+    Polynomial mixed() const { return sum_of_products<N>(n1, s.mixed_derivative()); }
+    Polynomial along() const { return sum_of_products<N>(n1, s.second_derivative()); }
+    Polynomial across(int side) const { return sum_of_products<N>(n1, s.w[side]); }
   };
 
   template <class AnySides> Edge_normals(const AnySides& s, const Vector& d) {
-    if constexpr (N == 4) {
-      const Homogeneous_line<Ring> tangent(s.edge(), d);
-      n1 = tangent.plane(s.t[0]);
-      n2 = tangent.plane(s.t[1]);
-    } else {
-      n1 = counted_cross_product(d, s.t[0]);
-      n2 = counted_cross_product(d, s.t[1]);
-    }
-    det = counted_scalar_product(n1, s.t[1]);
-    side = counted_scalar_product(normal_part<Ring>(n1), normal_part<Ring>(n2));
-  }
-
-  template <class AnySides> static Polynomial third_normal(const AnySides& s, int i) {
-    if constexpr (N == 4)
-      return Homogeneous_line<Ring>(s.edge(), s.t[1]).plane(i, s.t[0]);
-    else {
-      charge_product(6, s.t[0][0], s.t[1][0]);
-      return s.t[1][(i + 1) % 3] * s.t[0][(i + 2) % 3] - s.t[1][(i + 2) % 3] * s.t[0][(i + 1) % 3];
-    }
+    const typename Sides::Tangent tangent = s.tangent(d);
+    n1 = tangent.normal(s.t[0]);
+    n2 = tangent.normal(s.t[1]);
+    det = sum_of_products<N>(n1, s.t[1]);
+    side = sum_of_products<3>(n1, n2);
   }
 };
 
 // The normal of one side along its own edge, times a power of the denominator for homogeneous points.
 template <class Field, int N>
 Homogeneous_vector<typename Edge_sides<Field, N>::Ring> normal_along_edge(const Edge_sides<Field, N>& s, int side) {
-  typedef typename Edge_sides<Field, N>::Ring Ring;
-  const typename Edge_sides<Field, N>::Vector d = Edge_sides<Field, N>::derivative(s.c[side]);
-  if constexpr (N == 4)
-    return normal_part<Ring>(Homogeneous_line<Ring>(s.c[side], d).plane(s.t[side]));
-  else
-    return counted_cross_product(d, s.t[side]);
+  typedef Edge_sides<Field, N> Sides;
+  const typename Sides::Vector d = Sides::derivative(s.c[side]);
+  return normal_part<typename Sides::Ring>(Sides::tangent(s.c[side], d).normal(s.t[side]));
 }
 
 } // namespace internal

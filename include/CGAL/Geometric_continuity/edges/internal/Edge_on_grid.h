@@ -5,6 +5,8 @@
 #ifndef CGAL_GEOMETRIC_CONTINUITY_EDGES_INTERNAL_EDGE_ON_GRID_H
 #define CGAL_GEOMETRIC_CONTINUITY_EDGES_INTERNAL_EDGE_ON_GRID_H
 
+#include <CGAL/Geometric_continuity/algebra/internal/Bounded_polynomial.h>
+#include <CGAL/Geometric_continuity/algebra/internal/Rounded_polynomial.h>
 #include <CGAL/Geometric_continuity/edges/internal/Edge_equations.h>
 #include <CGAL/Geometric_continuity/edges/internal/Edge_input.h>
 #include <CGAL/Geometric_continuity/numbers/internal/Fixed_integer.h>
@@ -19,7 +21,7 @@
 
 /// \file Edge_on_grid.h
 /// The conditions of Edge_equations.h in integers of fixed length: polynomials along the edge, with a ratio of the tangent planes in
-/// short numbers or without.
+/// short numbers or without. How long the integers are follows from the degrees of the forms (Bounded_polynomial).
 
 namespace CGAL {
 namespace Geometric_continuity {
@@ -27,86 +29,13 @@ namespace internal {
 
 #ifdef CGAL_GEOMETRIC_CONTINUITY_HAS_FIXED_INTEGER
 
-// A polynomial sum_k c_k t^k (1-t)^(degree-k), see Homogeneous_polynomial, with integers of fixed length and without
-// allocation.
-template <int limbs> struct Short_polynomial {
-  static constexpr int capacity = 7 * Edge_layers::most_along - 2;
-  int degree;
-  Fixed_integer<limbs> c[capacity];
-
-  explicit Short_polynomial(int n) : degree(n) {}
-
-  // The sum with the product p q, or the difference. \pre its degree is that of the sum
-  template <bool subtracted, int m, int n>
-  void add_product(const Short_polynomial<m>& p, const Short_polynomial<n>& q) {
-    static_assert(m + n == limbs, "no product overflows");
-    for (int i = 0; i <= p.degree; ++i)
-      for (int j = 0; j <= q.degree; ++j)
-        c[i + j] = subtracted ? c[i + j] - p.c[i] * q.c[j] : c[i + j] + p.c[i] * q.c[j];
-  }
-
-  Short_polynomial&& times(std::int64_t w) && {
-    for (int k = 0; k <= degree; ++k) c[k] = scaled(c[k], w);
-    return std::move(*this);
-  }
-
-  bool vanishes() const {
-    return std::all_of(c, c + degree + 1, [](const Fixed_integer<limbs>& x) { return is_zero(x); });
-  }
-
-  // 1 or -1 when all coefficients have this sign, otherwise 0
-  int strict_sign() const {
-    const auto sign = [](const Fixed_integer<limbs>& x) { return x.top() < 0 ? -1 : is_zero(x) ? 0 : 1; };
-    const int first = sign(c[0]);
-    return std::all_of(c, c + degree + 1, [&](const Fixed_integer<limbs>& x) { return sign(x) == first; }) ? first : 0;
-  }
-};
-
-template <int limbs> using Short_vector = std::array<Short_polynomial<limbs>, 3>;
-
-template <int limbs> Short_polynomial<limbs> zero_polynomial(int degree) {
-  Short_polynomial<limbs> p(degree);
-  std::fill(p.c, p.c + degree + 1, Fixed_integer<limbs>(0));
-  return p;
-}
-
-template <int m, int n> Short_polynomial<m + n> operator*(const Short_polynomial<m>& p, const Short_polynomial<n>& q) {
-  Short_polynomial<m + n> r = zero_polynomial<m + n>(p.degree + q.degree);
-  r.template add_product<false>(p, q);
-  return r;
-}
-template <int m, int n>
-void add_product(Short_polynomial<m + n>& r, const Short_polynomial<m>& p, const Short_polynomial<n>& q) {
-  r.template add_product<false>(p, q);
-}
-template <int m, int n>
-void subtract_product(Short_polynomial<m + n>& r, const Short_polynomial<m>& p, const Short_polynomial<n>& q) {
-  r.template add_product<true>(p, q);
-}
-
-// v . w
-template <int m, int n> Short_polynomial<m + n> dot(const Short_vector<m>& v, const Short_vector<n>& w) {
-  Short_polynomial<m + n> r = zero_polynomial<m + n>(v[0].degree + w[0].degree);
-  for (int x = 0; x < 3; ++x) r.template add_product<false>(v[x], w[x]);
-  return r;
-}
-
-// The coordinate x of v x w.
-template <int m, int n>
-Short_polynomial<m + n> cross_coordinate(const Short_vector<m>& v, const Short_vector<n>& w, int x) {
-  const int y = x == 2 ? 0 : x + 1, z = 3 - x - y;
-  Short_polynomial<m + n> r = zero_polynomial<m + n>(v[0].degree + w[0].degree);
-  r.template add_product<false>(v[y], w[z]);
-  r.template add_product<true>(v[z], w[y]);
-  return r;
-}
-
 // Tangent planes that agree: with the first differences d along the edge, a and b across it (polynomials of the degrees n - 1,
 // n and n), alpha b = gamma d + beta a for a linear polynomial gamma with the values gamma[0], gamma[1] at the ends. If the
 // coordinates of d x a have no common factor, the tangent planes agree if and only if there are such numbers: d x b and
 // b x a are polynomials of the degrees 2n - 1 and 2n, which d x a of degree 2n - 1 then divides.
 struct Edge_ratio {
-  static constexpr std::int64_t most = (std::int64_t(1) << 12) - 1;
+  static constexpr int bits = 12;
+  static constexpr std::int64_t most = (std::int64_t(1) << bits) - 1;
 
   std::int64_t alpha, beta, gamma[2]; // alpha > 0, and none is larger than `most`
   int pivot;                          // the largest coordinate of d x a at the start
@@ -189,134 +118,159 @@ private:
   }
 };
 
-// The decision on two surfaces with one edge, in one direction, whose control points are whole numbers of at most 2^53. With an
-// Edge_ratio n3 = (gamma/alpha) N, n2 = (beta/alpha) N the identity of second order is N.V = 0 with
-//   V = n q1 (q2-1) alpha^2 h - q1 q2 (n-1) gamma^2 e - 2 n q1 q2 beta gamma f - n q2 (q1-1) beta^2 g.
+// The decision on two surfaces with one edge, in one direction, whose control points are whole numbers of at most 2^coordinate_bits: in
+// space, N = 3, or homogeneous ones, N = 4. Homogeneous edges are the same up to the factor scale[1]/scale[0] > 0, of at most 2^scale_bits
+// each, and may have another unit in each coordinate.
 //
-// Lengths, for degrees n <= 7 and q <= 8. A coefficient of a product of forms is a sum of at most as many products of
-// control points as the forms have terms, times the binomial coefficients of the degree of the product. First differences
-// are at most 2^54, second ones 2^55, with binomial factors < 2^6: one limb. Coordinates of N, n2, n3: 2 * 2^108 *
-// C(14,7) < 2^121, two limbs. a.N and similar: 6 * 2^163 * C(21,10) < 2^185, three limbs. n3 (N.e) and n2 (N.f), with
-// factors of at most 2 * 7 * 64 < 2^10: their sum is < 2 * 12 * 2^271 * C(33,16) * 2^10 < 2^317, five limbs. The identity:
-// four terms < 24 * 2^379 * C(46,23) * 2^10 each, together < 2^440, seven limbs. With a ratio: V < 4 * 2^(10 + 24 + 55) *
-// C(7,3) < 2^97, two limbs, and N.V < 6 * 2^108 * 2^91 * C(21,10) < 2^221, four limbs.
-class Edge_on_grid {
-  const Grid_layers &s1_, &s2_;
-  const int n_, q1_, q2_;
-  const Short_vector<1> d_, a_;
+// With a ratio n3 = (gamma/alpha) N, n2 = (beta/alpha) N the identity of second order is N.V = 0 with
+//   V = n q1 (q2-1) alpha^2 h - q1 q2 (n-1) gamma^2 e - 2 n q1 q2 beta gamma f - n q2 (q1-1) beta^2 g.
+template <int N, int coordinate_bits, int scale_bits = 0> class Edge_on_grid {
+public:
+  typedef std::conditional_t<(coordinate_bits < 60), std::int64_t, Signed_128> Coordinate;
+  typedef Edge_points<Coordinate, N> Layers;
+
+private:
+  // Of the degree n - below, by sums of at most 2^bits control points.
+  template <int below, int bits>
+  using Vector = std::array<Bounded_polynomial<(std::max)(Layers::most_along - below, 1), coordinate_bits + bits>, N>;
+  typedef Vector<0, 0> Edge;
+  typedef Vector<1, 1> Difference;
+  typedef Vector<0, 1> Leg;
+  static constexpr int factor_bits = Layers::factor_bits + scale_bits;
+
+  const Layers &s1_, &s2_;
+  const std::array<std::int64_t, 2> scale_;
+  const int n_;
+  const Difference d_;
+  const Leg a_;
+  template <class D> using Tangent = Edge_tangent<N, typename Edge::value_type, typename D::value_type>;
+  const Tangent<Difference> tangent_;
 
 public:
   // \pre not collapsed
-  Edge_on_grid(const Grid_layers& s1, const Grid_layers& s2)
-      : s1_(s1), s2_(s2), n_(s1.along), q1_(s1.across), q2_(s2.across),
-        d_(vector(n_ - 1, [&](int i, int x) { return s1.p[0][i + 1][x] - s1.p[0][i][x]; })), a_(leg(s1)) {}
+  Edge_on_grid(const Layers& s1, const Layers& s2, const std::array<std::int64_t, 2>& scale = {1, 1})
+      : s1_(s1), s2_(s2), scale_(scale), n_(s1.along),
+        d_(vector<Difference>(n_ - 1, [&](int i, int x) { return s1.p[0][i + 1][x] - s1.p[0][i][x]; })), a_(leg(s1)),
+        tangent_(tangent(d_)) {}
+  Edge_on_grid(const Edge_on_grid&) = delete;
 
   // The order, up to `most`. Empty without a ratio, or if a normal may vanish somewhere.
   std::optional<int> order_by_ratio(int most) const {
     const std::optional<Edge_ratio> r = Edge_ratio::find(s1_, s2_);
     if (!r) return std::nullopt;
     if (r->beta >= 0) return 0; // d x b = (beta/alpha) d x a
-    if (cross_coordinate(d_, a_, r->pivot).strict_sign() == 0) return std::nullopt;
-    return most > 1 && dot(normal(), remainder(*r)).vanishes() ? 2 : 1;
+    if (most == 1 && tangent_.normal(r->pivot, a_).strict_sign() != 0) return 1;
+    const auto n1 = normal();
+    if (n1[r->pivot].strict_sign() == 0 && Rounded_polynomial::sign_of(sum_of_products<3>(n1, n1)) != 1)
+      return std::nullopt;
+    return most > 1 && sum_of_products<3>(n1, remainder(*r)).vanishes() ? 2 : 1;
   }
 
   // The order, up to `most`. Empty if a normal may vanish somewhere.
   std::optional<int> order(int most) const {
-    const Short_vector<2> n1 = normal();
-    const Short_vector<1> b = leg(s2_);
-    if (!dot(n1, b).vanishes()) return 0;
+    const auto n1 = normal();
+    const Leg b = leg(s2_);
+    if (!sum_of_products<N>(n1, b).vanishes()) return 0;
     // The normals are parallel. Where one coordinate of each is never zero they have one sense, or opposite senses.
     for (int x = 0; x < 3; ++x) {
       const int sign = n1[x].strict_sign();
       if (sign == 0) continue;
-      const Short_polynomial<2> n2 = cross_coordinate(d_, b, x);
+      const auto n2 = tangent_.normal(x, b);
       const int other = n2.strict_sign();
       if (other == 0) continue;
       if (sign == other) return 0;
-      const bool second =
-          most > 1 && second_order_form(n1[x], n2, cross_coordinate(b, a_, x), Products{*this, n1}).vanishes();
-      return second ? 2 : 1;
+      return most > 1 && second_order_holds(n1, n2, b, x) ? 2 : 1;
     }
-    return std::nullopt;
+    const auto n2 = tangent_.normal(b);
+    const int side = Rounded_polynomial::sign_of(sum_of_products<3>(n1, n2));
+    if (side >= 0) return side > 0 ? std::optional<int>(0) : std::nullopt;
+    int x = 0;
+    while (n1[x].vanishes()) ++x;
+    return most > 1 && second_order_holds(n1, n2[x], b, x) ? 2 : 1;
   }
 
   // N and n2
-  Short_vector<2> normal() const { return normal_to(a_); }
-  Short_vector<2> second_normal() const { return normal_to(leg(s2_)); }
+  auto normal() const { return tangent_.normal(a_); }
+  auto second_normal() const { return tangent_.normal(leg(s2_)); }
 
 private:
-  Short_vector<2> normal_to(const Short_vector<1>& across) const {
-    return {cross_coordinate(d_, across, 0), cross_coordinate(d_, across, 1), cross_coordinate(d_, across, 2)};
+  // By the coordinate x. See second_order_form().
+  template <class Normal, class Coordinate_2>
+  bool second_order_holds(const Normal& n1, const Coordinate_2& n2, const Leg& b, int x) const {
+    const Edge_factors<int> w = edge_factors(s1_, s2_);
+    const auto factor = [&](int of_degrees, int side) {
+      return Bounded_factor<factor_bits>{of_degrees * scale_[side]};
+    };
+    const Edge_factors<Bounded_factor<factor_bits>> factors{
+        factor(w.along, 0), factor(w.mixed, 0), {factor(w.across[0], 0), factor(w.across[1], 1)}};
+    return second_order_form(n1[x], n2, tangent(b).normal(x, a_), factors, Products<Normal>{*this, n1}).vanishes();
   }
-
-  // See second_order_form().
-  struct Products {
+  template <class Normal> struct Products {
     const Edge_on_grid& edge;
-    const Short_vector<2>& normal;
+    const Normal& normal;
 
-    Short_polynomial<3> mixed() const {
-      return dot(normal, edge.mixed_difference()).times(2 * edge.n_ * edge.q1_ * edge.q2_);
-    }
-    bool is_curved_along() const { return edge.n_ > 1; }
-    Short_polynomial<3> along() const {
-      return dot(normal, edge.second_difference_along()).times(edge.q1_ * edge.q2_ * (edge.n_ - 1));
-    }
-    bool is_curved_across(int side) const { return (side == 0 ? edge.q1_ : edge.q2_) > 1; }
-    Short_polynomial<3> across(int side) const {
-      const Grid_layers &s = side == 0 ? edge.s1_ : edge.s2_, &other = side == 0 ? edge.s2_ : edge.s1_;
-      return dot(normal, second_difference(s)).times(edge.n_ * other.across * (s.across - 1));
+    auto mixed() const { return sum_of_products<N>(normal, edge.mixed_difference()); }
+    auto along() const { return sum_of_products<N>(normal, edge.second_difference_along()); }
+    auto across(int side) const {
+      return sum_of_products<N>(normal, second_difference(side == 0 ? edge.s1_ : edge.s2_));
     }
   };
 
   // V
-  Short_vector<2> remainder(const Edge_ratio& r) const {
-    std::array<std::array<Signed_128, Edge_layers::most_along + 1>, 3> v{};
-    const auto add = [&](std::int64_t factor, const Short_vector<1>& y, int shift) {
-      for (int x = 0; x < 3; ++x)
-        for (int k = 0; k <= y[x].degree; ++k) v[x][k + shift] += static_cast<Signed_128>(factor) * y[x].c[k].top();
+  auto remainder(const Edge_ratio& r) const {
+    const Edge_factors<int> w = edge_factors(s1_, s2_);
+    // a factor and two numbers of the ratio, or their polynomial
+    typedef Bounded_polynomial<2, factor_bits + 2 * Edge_ratio::bits> Multiplier;
+    const auto& gamma = r.gamma;
+    const Multiplier to_h = Multiplier::from_bernstein(0, [&](int) { return w.across[1] * r.alpha * r.alpha; }),
+                     to_e = Multiplier::from_bernstein(
+                         2, [&](int i) { return w.along * gamma[i / 2] * gamma[(i + 1) / 2]; }),
+                     to_f = Multiplier::from_bernstein(1, [&](int i) { return w.mixed * r.beta * gamma[i]; }),
+                     to_g = Multiplier::from_bernstein(0, [&](int) { return w.across[0] * r.beta * r.beta; });
+    const auto h = second_difference(s2_), g = second_difference(s1_);
+    const auto f = mixed_difference();
+    const auto e = second_difference_along();
+    const auto coordinate = [&](int x) {
+      auto v = first_of_products<4>(to_h, h[x]);
+      subtract_product(v, to_e, e[x]);
+      subtract_product(v, to_f, f[x]);
+      subtract_product(v, to_g, g[x]);
+      return v;
     };
-    if (q2_ > 1) add(n_ * q1_ * (q2_ - 1) * r.alpha * r.alpha, second_difference(s2_), 0);
-    if (q1_ > 1) add(-n_ * q2_ * (q1_ - 1) * r.beta * r.beta, second_difference(s1_), 0);
-    const std::int64_t f = -2 * n_ * q1_ * q2_ * r.beta, e = -q1_ * q2_ * (n_ - 1);
-    for (int k : {0, 1}) add(f * r.gamma[k], mixed_difference(), k);
-    if (n_ > 1) {
-      const Short_vector<1> y = second_difference_along();
-      add(e * r.gamma[0] * r.gamma[0], y, 0);
-      add(2 * e * r.gamma[0] * r.gamma[1], y, 1);
-      add(e * r.gamma[1] * r.gamma[1], y, 2);
-    }
-    Short_vector<2> result{Short_polynomial<2>(n_), Short_polynomial<2>(n_), Short_polynomial<2>(n_)};
-    for (int x = 0; x < 3; ++x)
-      for (int k = 0; k <= n_; ++k) {
-        result[x].c[k].limb[0] = static_cast<std::uint64_t>(v[x][k]);
-        result[x].c[k].limb[1] = static_cast<std::uint64_t>(v[x][k] >> 64);
-      }
-    return result;
+    return std::array<decltype(coordinate(0)), 3>{coordinate(0), coordinate(1), coordinate(2)};
+  }
+
+  template <class D> Tangent<D> tangent(const D& d) const {
+    if constexpr (N == 3)
+      return Tangent<D>(d);
+    else
+      return Tangent<D>(vector<Edge>(n_, [&](int i, int x) { return s1_.p[0][i][x]; }), d);
   }
 
   // From Bernstein coefficients.
-  template <class Coefficient> static Short_vector<1> vector(int degree, Coefficient coefficient) {
-    Short_vector<1> v{Short_polynomial<1>(degree), Short_polynomial<1>(degree), Short_polynomial<1>(degree)};
-    std::int64_t binomial = 1;
-    for (int i = 0; i <= degree; ++i) {
-      for (int x = 0; x < 3; ++x) v[x].c[i] = Fixed_integer<1>(binomial * coefficient(i, x));
-      binomial = binomial * (degree - i) / (i + 1);
-    }
+  template <class V, class Coefficient> static V vector(int degree, Coefficient coefficient) {
+    V v;
+    for (int x = 0; x < N; ++x) v[x].degree = degree;
+    for (int i = 0; i <= degree; ++i)
+      for (int x = 0; x < N; ++x) v[x].set_bernstein(i, coefficient(i, x));
     return v;
   }
-  static Short_vector<1> leg(const Grid_layers& s) {
-    return vector(s.along, [&](int i, int x) { return s.p[1][i][x] - s.p[0][i][x]; });
+  static Leg leg(const Layers& s) {
+    return vector<Leg>(s.along, [&](int i, int x) { return s.p[1][i][x] - s.p[0][i][x]; });
   }
-  Short_vector<1> second_difference_along() const {
-    return vector(n_ - 2, [&](int i, int x) { return s1_.p[0][i + 2][x] - 2 * s1_.p[0][i + 1][x] + s1_.p[0][i][x]; });
+  Vector<2, 2> second_difference_along() const {
+    return vector<Vector<2, 2>>(
+        n_ - 2, [&](int i, int x) { return s1_.p[0][i + 2][x] - 2 * s1_.p[0][i + 1][x] + s1_.p[0][i][x]; });
   }
-  Short_vector<1> mixed_difference() const {
-    return vector(n_ - 1, [&](int i, int x) {
+  Vector<1, 2> mixed_difference() const {
+    return vector<Vector<1, 2>>(n_ - 1, [&](int i, int x) {
       return (s1_.p[1][i + 1][x] - s1_.p[0][i + 1][x]) - (s1_.p[1][i][x] - s1_.p[0][i][x]);
     });
   }
-  static Short_vector<1> second_difference(const Grid_layers& s) {
-    return vector(s.along, [&](int i, int x) { return s.p[2][i][x] - 2 * s.p[1][i][x] + s.p[0][i][x]; });
+  static Vector<0, 2> second_difference(const Layers& s) {
+    return vector<Vector<0, 2>>(s.along, [&](int i, int x) {
+      return s.across > 1 ? s.p[2][i][x] - 2 * s.p[1][i][x] + s.p[0][i][x] : Coordinate(0);
+    });
   }
 };
 

@@ -6,8 +6,9 @@
 #define CGAL_GEOMETRIC_CONTINUITY_EDGES_INTERNAL_FIXED_LARGEST_MEASURE_H
 
 #include <CGAL/Geometric_continuity/algebra/Homogeneous_polynomial.h>
+#include <CGAL/Geometric_continuity/algebra/internal/Bounded_polynomial.h>
+#include <CGAL/Geometric_continuity/algebra/internal/Rounded_polynomial.h>
 #include <CGAL/Geometric_continuity/edges/Spline_edge_continuity.h>
-#include <CGAL/Geometric_continuity/edges/internal/Edge_on_grid.h>
 #include <CGAL/Geometric_continuity/numbers/Work_limit.h>
 #include <CGAL/Geometric_continuity/numbers/internal/Common_denominator.h>
 #include <CGAL/Geometric_continuity/numbers/internal/Fixed_integer.h>
@@ -20,7 +21,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
-#include <numeric>
 #include <optional>
 #include <vector>
 
@@ -34,122 +34,10 @@ namespace internal {
 
 #ifdef CGAL_GEOMETRIC_CONTINUITY_HAS_FIXED_INTEGER
 
-// A polynomial on [0, 1] whose Bernstein coefficients lie between c[k] and c[k] + error, in units of 2^exponent.
-class Rounded_polynomial {
-public:
-  static constexpr int most_degree = 40;
-
-  int degree, exponent;
-  Signed_128 error;
-  Signed_128 c[most_degree + 1];
-
-  // The polynomial with the coefficients c_k of its homogeneous form, times a number that depends on its degree only. Returns nothing
-  // if the degree is too high, the numbers are too long, or the polynomial is zero.
-  template <class Ring> static std::optional<Rounded_polynomial> of(const Homogeneous_polynomial<Ring>& p) {
-    if (p.degree() > most_degree) return std::nullopt;
-    Rounded_polynomial r(p.degree());
-    constexpr int parts = 3;
-    double part[most_degree + 1][parts], size = 0;
-    for (int k = 0; k <= r.degree; ++k) {
-      Ring rest = Ring(p[k] * Ring(static_cast<double>(multiple(r.degree, k))));
-      for (double& x : part[k]) {
-        x = CGAL::to_double(rest);
-        if (!std::isfinite(x)) return std::nullopt;
-        rest -= Ring(x);
-      }
-      size = (std::max)(size, std::abs(part[k][0]));
-    }
-    if (size == 0) return std::nullopt;
-    r.exponent = std::ilogb(size) - 124;
-    r.error = 8; // each part is rounded by less than a unit, and so is what is left after them
-    for (int k = 0; k <= r.degree; ++k) {
-      r.c[k] = -4;
-      for (double x : part[k]) r.c[k] += in_units(x, r.exponent);
-    }
-    return r;
-  }
-  template <int limbs> static std::optional<Rounded_polynomial> of(const Short_polynomial<limbs>& p) {
-    if (p.degree > most_degree) return std::nullopt;
-    Rounded_polynomial r(p.degree);
-    Fixed_integer<limbs> b[most_degree + 1];
-    int size = 0;
-    for (int k = 0; k <= r.degree; ++k) {
-      b[k] = scaled(p.c[k], multiple(r.degree, k));
-      size = (std::max)(size, bits_of(b[k]));
-    }
-    if (size == 0) return std::nullopt;
-    r.exponent = (std::max)(size - 125, 0);
-    r.error = 1;
-    for (int k = 0; k <= r.degree; ++k) r.c[k] = shifted(b[k], r.exponent);
-    return r;
-  }
-
-  // Makes this the part on [0, 1/2] and returns that on [1/2, 1]. Means are rounded downwards, by half a unit.
-  Rounded_polynomial split() {
-    error += (degree + 1) / 2;
-    Rounded_polynomial right(degree);
-    right.exponent = exponent;
-    right.error = error;
-    for (int i = degree; i >= 0; --i) {
-      right.c[i] = c[degree];
-      for (int k = degree; k > degree - i; --k) c[k] = (c[k - 1] + c[k]) >> 1;
-    }
-    return right;
-  }
-
-private:
-  explicit Rounded_polynomial(int n) : degree(n) {}
-
-  // The least common multiple of the binomial coefficients of degree n, divided by that of k; less than 2^53.
-  static std::int64_t multiple(int n, int k) {
-    struct Table {
-      std::int64_t x[most_degree + 1][most_degree + 1];
-      Table() {
-        for (int n = 0; n <= most_degree; ++n) {
-          std::int64_t binomial = 1, common = 1;
-          for (int k = 1; k <= n; ++k) common = std::lcm(common, binomial = binomial * (n - k + 1) / k);
-          binomial = 1;
-          for (int k = 0; k <= n; binomial = binomial * (n - k) / (k + 1), ++k) x[n][k] = common / binomial;
-        }
-      }
-    };
-    static const Table table;
-    return table.x[n][k];
-  }
-
-  static Signed_128 in_units(double x, int exponent) {
-    int e;
-    const std::int64_t mantissa = static_cast<std::int64_t>(std::ldexp(std::frexp(x, &e), 53));
-    const int shift = e - 53 - exponent;
-    return shift <= -64 ? 0
-           : shift < 0  ? Signed_128(mantissa >> -shift)
-                        : Signed_128(mantissa) * (Signed_128(1) << shift);
-  }
-
-  // The least n with -2^n <= x < 2^n.
-  template <int limbs> static int bits_of(const Fixed_integer<limbs>& x) {
-    for (int i = limbs - 1; i >= 0; --i) {
-      const std::uint64_t word = x.limb[i] ^ x.sign_mask();
-      if (word != 0) return 64 * i + 64 - __builtin_clzll(word);
-    }
-    return 0;
-  }
-  // x 2^-n, rounded downwards, which must be less than 2^127
-  template <int limbs> static Signed_128 shifted(const Fixed_integer<limbs>& x, int n) {
-    const auto limb = [&](int i) { return i < limbs ? x.limb[i] : x.sign_mask(); };
-    const int i = n / 64, bits = n % 64;
-    std::uint64_t low = limb(i), high = limb(i + 1);
-    if (bits > 0) {
-      low = low >> bits | high << (64 - bits);
-      high = high >> bits | limb(i + 2) << (64 - bits);
-    }
-    return static_cast<Signed_128>(static_cast<Unsigned_128>(high) << 64 | low);
-  }
-};
-
 // The coefficients of the homogeneous form in a ring.
 template <class Ring> const Ring& coefficient_in(const Homogeneous_polynomial<Ring>& p, int k) { return p[k]; }
-template <class Ring, int limbs> Ring coefficient_in(const Short_polynomial<limbs>& p, int k) {
+template <class Ring, int degree, int bits> Ring coefficient_in(const Bounded_polynomial<degree, bits>& p, int k) {
+  constexpr int limbs = Bounded_polynomial<degree, bits>::limbs;
   const Ring half_word(0x1p32);
   Ring x(static_cast<double>(p.c[k].top() >> 32));
   for (int i = 2 * limbs - 2; i >= 0; --i)
@@ -157,14 +45,10 @@ template <class Ring, int limbs> Ring coefficient_in(const Short_polynomial<limb
   return x;
 }
 
-#endif // CGAL_GEOMETRIC_CONTINUITY_HAS_FIXED_INTEGER
-
-#ifdef CGAL_GEOMETRIC_CONTINUITY_HAS_FIXED_INTEGER
-
 // Branch and bound as in Largest_measure, where all angles are acute, so that their measure is s/p: all pieces that may have the
 // largest angle are halved until the bounds of it are close enough. They are rounded outwards to 62 digits; at an end of the edge
 // they are exact.
-template <class Field, class Polynomial> class Fixed_largest_measure {
+template <class Field, class S, class P = S> class Fixed_largest_measure {
   typedef typename Common_denominator<Field>::Ring Ring;
   typedef typename Common_denominator<Field>::Exact Exact;
   typedef boost::multiprecision::int256_t Wide;
@@ -181,14 +65,15 @@ template <class Field, class Polynomial> class Fixed_largest_measure {
   static constexpr int most_level = 50, last_level_of_place = 16;
   static constexpr std::size_t most_pieces = 32;
 
-  const Polynomial &exact_s_, &exact_p_;
+  const S& exact_s_;
+  const P& exact_p_;
   std::vector<Piece> pieces_;
   int level_ = 0, shift_ = 0;
   double lower_ = 0, steps_ = 0;
 
 public:
   // Of polynomials of one degree.
-  Fixed_largest_measure(const Polynomial& s, const Polynomial& p) : exact_s_(s), exact_p_(p) {}
+  Fixed_largest_measure(const S& s, const P& p) : exact_s_(s), exact_p_(p) {}
 
   // Returns nothing where it does not get on, or the meter does not allow more.
   std::optional<Normal_deviation<Field>> operator()() {

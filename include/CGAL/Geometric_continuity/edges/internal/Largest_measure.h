@@ -35,11 +35,12 @@ template <class Field> struct Edge_measure {
   // `vanishing` tells whether a normal is zero somewhere on [0, 1]
   Edge_measure(Vector n1, Vector n2, bool vanishing) {
     Polynomial factor = one(); // of the normals
-    if (vanishing) factor = without_square_factors(product(without_common_factor(n1), without_common_factor(n2)));
-    side = counted_scalar_product(n1, n2);
-    p = product(Normals::square(n1), Normals::square(n2));
-    s = p - product(side, side);
-    if (factor.degree() > 0) side = product(factor, side);
+    if (vanishing)
+      factor = without_square_factors(counted_product(without_common_factor(n1), without_common_factor(n2)));
+    side = sum_of_products<3>(n1, n2);
+    p = counted_product(Normals::square(n1), Normals::square(n2));
+    s = p - counted_product(side, side);
+    if (factor.degree() > 0) side = counted_product(factor, side);
   }
 
 private:

@@ -196,6 +196,37 @@ CGAL_GC_FORCEINLINE Fixed_integer<m, most> scaled(const Fixed_integer<m, most>& 
   return product;
 }
 
+// The same number with at least as many limbs.
+template <int l, int m> CGAL_GC_FORCEINLINE Fixed_integer<l> extended(const Fixed_integer<m>& x) {
+  static_assert(m <= l);
+  Fixed_integer<l> result(static_cast<std::int64_t>(x.sign_mask()));
+  for (int k = 0; k < m; ++k) result.limb[k] = x.limb[k];
+  return result;
+}
+template <int l> CGAL_GC_FORCEINLINE Fixed_integer<l> from_128_bits(Signed_128 x) {
+  Fixed_integer<l> result(static_cast<std::int64_t>(x >> 127));
+  result.limb[0] = static_cast<std::uint64_t>(x);
+  if constexpr (l > 1) result.limb[1] = static_cast<std::uint64_t>(x >> 64);
+  return result;
+}
+
+// The product modulo 2^(64 l), or all of it in l limbs. \pre l is not less than the lengths of the factors
+template <int l, int m, int n>
+CGAL_GC_FORCEINLINE Fixed_integer<l> product_in(const Fixed_integer<m>& x, const Fixed_integer<n>& y) {
+  static_assert(m <= l && n <= l);
+  if constexpr (l > m + n)
+    return extended<l>(x * y);
+  else if constexpr (l == m + n)
+    return x * y;
+  else {
+    Fixed_integer<l> product;
+    add_rows<0>(x, y, product);
+    subtract_masked<m, 0>(product, y, x.sign_mask(), 0);
+    subtract_masked<n, 0>(product, x, y.sign_mask(), 0);
+    return product;
+  }
+}
+
 } // namespace internal
 } // namespace Geometric_continuity
 } // namespace CGAL
