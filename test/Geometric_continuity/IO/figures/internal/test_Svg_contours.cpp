@@ -161,4 +161,57 @@ BOOST_AUTO_TEST_CASE(silhouettes) {
   BOOST_CHECK(!facets.sees(svg_vector({0.0, 0.9, 0.25 * 6 * 0.19}))); // behind the bump
 }
 
+// The surface z = f(x) + y^2 / 2 of two patches with f = 0 for x < 0, and x^2 / 2 or x^3 / 2 behind the edge: G1 or G2 there. Where an
+// outline of a strip crosses the edge, it turns by a large angle or by none.
+BOOST_AUTO_TEST_CASE(isophotes_at_an_edge) {
+  typedef GC::internal::Svg_traits::Point Q;
+  typedef GC::Bezier_patch<GC::internal::Svg_traits> Patch;
+  const auto largest_turn = [](int power) {
+    const auto patch = [](double x, const std::array<double, 4>& f) { // cubic in x, quadratic in y, both on [-1, 1]
+      std::vector<std::vector<Q>> net;
+      for (int i = 0; i < 4; ++i) {
+        net.emplace_back();
+        for (int j = 0; j < 3; ++j)
+          net.back().emplace_back(x + i / 3.0, j - 1, f[static_cast<std::size_t>(i)] + (j == 1 ? -0.5 : 0.5));
+      }
+      return Patch(net);
+    };
+    GC::internal::Svg_camera camera(-100, 50);
+    std::vector<GC::internal::Svg_point> corners;
+    for (double x : {-1.0, 1.0})
+      for (double y : {-1.0, 1.0}) corners.push_back(svg_vector({x, y, x > 0 ? 1 : 0.5}));
+    const double height = camera.fit(corners, 500, 20);
+    GC::internal::Svg_facets facets(camera, 500, height, -1, GC::Svg_shading::isophotes);
+    facets.add(patch(-1, {0, 0, 0, 0}));
+    facets.add(power == 2 ? patch(0, {0, 0, 1 / 6.0, 0.5}) : patch(0, {0, 0, 0, 0.5}));
+    const std::string svg = facets.paint();
+    double most = 0;
+    int crossings = 0;
+    for (std::size_t begin = svg.find("d=\""); begin != std::string::npos; begin = svg.find("d=\"", begin + 1)) {
+      const std::string path = svg.substr(begin + 3, svg.find('"', begin + 3) - begin - 3);
+      for (const auto& line : outlines(path))
+        for (std::size_t i = 0; i < line.size(); ++i) {
+          const auto away = [&](std::size_t step) { // the next point that is 5 pixels away
+            std::size_t j = i;
+            for (std::size_t n = 0; n < line.size() && GC::internal::svg_length(Svg_pixel(line[j] - line[i])) < 5; ++n)
+              j = (j + step) % line.size();
+            return line[j];
+          };
+          const Svg_pixel d = line[i] - away(line.size() - 1), e = away(1) - line[i];
+          double distance = 1e9; // from the edge, but for its ends
+          for (double y = -0.95; y < 0.95; y += 4e-3)
+            distance = (std::min)(
+                distance, GC::internal::svg_length(Svg_pixel(camera(svg_vector({0.0, y, 0.5 * y * y})) - line[i])));
+          if (distance > 1.5) continue;
+          most = (std::max)(most, std::abs(std::atan2(d[0] * e[1] - d[1] * e[0], dot(d, e))));
+          ++crossings;
+        }
+    }
+    BOOST_TEST_MESSAGE("power " << power << ": " << crossings << " points, at most " << most);
+    return most;
+  };
+  BOOST_CHECK_GT(largest_turn(2), 0.4);
+  BOOST_CHECK_LT(largest_turn(3), 0.2);
+}
+
 BOOST_AUTO_TEST_SUITE_END()
