@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# The bounds of the filter for joins are proved by Gappa (Debian: gappa): those for the coarsest rounding at the small end of the range, with
-# ALL=1 for each way of rounding at both ends. Usage: prove_join_bounds.sh PRINT_JOIN_BOUNDS FOLDER
+# The bounds of a filter are proved by Gappa (Debian: gappa): those for the coarsest rounding at the small end of the range, with ALL=1 for
+# each way of rounding at both ends. Usage: prove_bounds.sh PRINT_BOUNDS FOLDER
 set -eu
 print=$1 work=$2
 command -v gappa >/dev/null || { echo "Gappa is not installed"; exit 77; }
@@ -17,7 +17,7 @@ echo "$(wc -l < "$work/proved") of $(wc -l < "$work/theorems") bounds are proved
 
 # Bounds of a quarter are not.
 "$print" "$work/too_good" 0.25
-find "$work/too_good" -name 'plane_small_*g[12]_*_up.g' | prove > "$work/wrong"
+find "$work/too_good" -name '*_small_*g[12]_*up.g' | prove > "$work/wrong"
 if [ -s "$work/wrong" ]; then
   echo "proved, though too good to be true:"
   cat "$work/wrong"
