@@ -30,9 +30,7 @@ void frenet_frame(const std::string& file) {
     const auto frame = GC::frenet_frame(jet)->normalized();
     for (int i : {1, 2, 3}) {
       const Space::Vector e = 1.5 * frame.vector(i);
-      const GC::Svg_style style = i == 1   ? named(result, "e\u2081")
-                                  : i == 2 ? named(construction, "e\u2082, e\u2083")
-                                           : named(construction, "e\u2082, e\u2083");
+      const GC::Svg_style style = i == 1 ? named(result, "e\u2081") : named(construction, "e\u2082, e\u2083");
       panel.add(Space_curve{x(t), x(t) + e}, style)
           .label("e" + std::string(i == 1   ? "\u2081"
                                    : i == 2 ? "\u2082"
