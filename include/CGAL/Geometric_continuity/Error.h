@@ -19,6 +19,10 @@
 #error "Geometric_continuity: with -ffast-math or -Ofast exact predicates would be wrong; -fno-math-errno is allowed."
 #endif
 
+#if __cplusplus < 201703L && !(defined(_MSVC_LANG) && _MSVC_LANG >= 201703L)
+#error "Geometric_continuity: C++17 is the least that it is written in (-std=c++17)."
+#endif
+
 namespace CGAL {
 namespace Geometric_continuity {
 

@@ -1,4 +1,5 @@
-# Installs the project from BUILD into WORK, and configures, builds and runs a separate project that uses it.
+# Configures the project from SOURCE without its program, for which CGAL is enough, and installs it into WORK without building anything;
+# configures, builds and runs the separate project in USER, which finds it, and then has it as a part of its own.
 function(run)
   execute_process(COMMAND ${ARGN} RESULT_VARIABLE code OUTPUT_VARIABLE output ERROR_VARIABLE output)
   if(NOT code EQUAL 0)
@@ -7,8 +8,24 @@ function(run)
 endfunction()
 
 file(REMOVE_RECURSE ${WORK})
-run(${CMAKE_COMMAND} --install ${BUILD} --prefix ${WORK}/prefix)
-run(${CMAKE_COMMAND} -S ${SOURCE} -B ${WORK}/build -DCMAKE_PREFIX_PATH=${WORK}/prefix -DCMAKE_CXX_COMPILER=${CXX}
-    -DCGAL_DIR=${CGAL_DIR} -DCMAKE_BUILD_TYPE=Debug)
-run(${CMAKE_COMMAND} --build ${WORK}/build)
-run(${WORK}/build/uses_geometric_continuity)
+set(options -DCMAKE_CXX_COMPILER=${CXX} -DCGAL_DIR=${CGAL_DIR})
+run(${CMAKE_COMMAND} -S ${SOURCE} -B ${WORK}/headers ${options} -DGEOMETRIC_CONTINUITY_WITH_PROGRAM=OFF
+    -DCMAKE_DISABLE_FIND_PACKAGE_EXPAT=ON -DCMAKE_DISABLE_FIND_PACKAGE_Freetype=ON -DCMAKE_DISABLE_FIND_PACKAGE_ZLIB=ON)
+run(${CMAKE_COMMAND} --install ${WORK}/headers --prefix ${WORK}/prefix)
+
+run(${CMAKE_COMMAND} -S ${USER} -B ${WORK}/finds ${options} -DCMAKE_PREFIX_PATH=${WORK}/prefix -DCMAKE_BUILD_TYPE=Debug)
+run(${CMAKE_COMMAND} --build ${WORK}/finds)
+run(${WORK}/finds/uses_geometric_continuity)
+
+run(${CMAKE_COMMAND} -S ${USER} -B ${WORK}/contains ${options} -DPACKAGE_SOURCE=${SOURCE} -DCMAKE_BUILD_TYPE=Debug)
+run(${CMAKE_COMMAND} --build ${WORK}/contains)
+run(${WORK}/contains/uses_geometric_continuity)
+run(${CMAKE_COMMAND} --install ${WORK}/contains --prefix ${WORK}/nothing)
+file(GLOB_RECURSE installed ${WORK}/nothing/*)
+if(installed)
+  message(FATAL_ERROR "As a part of another project the package installs ${installed}")
+endif()
+
+# The built program is installed as well.
+run(${CMAKE_COMMAND} --install ${BUILD} --prefix ${WORK}/whole)
+run(${WORK}/whole/bin/geometric_continuity --version)

@@ -42,9 +42,9 @@ template <class Traits> struct Quintic_blend : Bezier_curve<Traits, 5> {
 
   /// From the coordinates of the control points.
   /// \throws Error `not_finite` for an infinite or undefined floating-point coordinate
-  Quintic_blend(const std::array<Geometric_continuity::Coordinates<Traits>, 6>& points, const Parameters& parameters,
-                const Shape& shape)
-      : Bezier_curve<Traits, 5>(points), parameters(parameters), shape(shape) {}
+  Quintic_blend(const std::array<Geometric_continuity::Coordinates<Traits>, 6>& points,
+                const Parameters& given_parameters, const Shape& given_shape)
+      : Bezier_curve<Traits, 5>(points), parameters(given_parameters), shape(given_shape) {}
 };
 
 /// \ingroup PkgGeometricContinuityConstruction
@@ -59,9 +59,9 @@ template <class Traits> struct Septic_blend : Bezier_curve<Traits, 7> {
 
   /// From the coordinates of the control points.
   /// \throws Error `not_finite` for an infinite or undefined floating-point coordinate
-  Septic_blend(const std::array<Geometric_continuity::Coordinates<Traits>, 8>& points, const Parameters& parameters,
-               const Shape& shape)
-      : Bezier_curve<Traits, 7>(points), parameters(parameters), shape(shape) {}
+  Septic_blend(const std::array<Geometric_continuity::Coordinates<Traits>, 8>& points,
+               const Parameters& given_parameters, const Shape& given_shape)
+      : Bezier_curve<Traits, 7>(points), parameters(given_parameters), shape(given_shape) {}
 };
 
 /// \ingroup PkgGeometricContinuityConstruction

@@ -47,8 +47,8 @@ template <class FT> struct Shape_parameters {
   Shape_parameters() = default;
   /// Takes numbers of any type from which `FT` can be made.
   /// \throws Error `not_finite` when a floating-point number that is converted is infinite or not a number
-  Shape_parameters(internal::Given_number<FT> beta, internal::Given_number<FT> eta)
-      : beta(std::move(beta.value)), eta(std::move(eta.value)) {}
+  Shape_parameters(internal::Given_number<FT> given_beta, internal::Given_number<FT> given_eta)
+      : beta(std::move(given_beta.value)), eta(std::move(given_eta.value)) {}
 };
 
 /// \ingroup PkgGeometricContinuityConstruction
@@ -86,9 +86,10 @@ template <class FT, int N> struct Quintic_ends {
   FT tangential2; ///< the tangential part of `w2` in units of `v`, \f$ (w_2 \cdot v) / (v \cdot v) \f$
 
   /// Takes the six vectors. `u` and `v` must not be zero.
-  Quintic_ends(const Vector& a1, const Vector& a2, const Vector& u, const Vector& v, const Vector& w1, const Vector& w2)
-      : a1(a1), a2(a2), u(u), v(v), w1(w1), w2(w2), tangential1(dot(w1, u) / dot(u, u)),
-        tangential2(dot(w2, v) / dot(v, v)) {}
+  Quintic_ends(const Vector& given_a1, const Vector& given_a2, const Vector& given_u, const Vector& given_v,
+               const Vector& given_w1, const Vector& given_w2)
+      : a1(given_a1), a2(given_a2), u(given_u), v(given_v), w1(given_w1), w2(given_w2),
+        tangential1(dot(w1, u) / dot(u, u)), tangential2(dot(w2, v) / dot(v, v)) {}
 
   /// Computes the vectors from the jets at the end of \f$ \varphi \f$ and at the start of \f$ \psi \f$: `phi[j]` and `psi[j]`
   /// are the derivatives of order `j`, 0 to 2. The tangents must not be zero.
@@ -140,9 +141,9 @@ template <class FT> struct Septic_end_parameters {
   Septic_end_parameters() = default;
   /// Takes numbers of any type from which `FT` can be made.
   /// \throws Error `not_finite` when a floating-point number that is converted is infinite or not a number
-  Septic_end_parameters(internal::Given_number<FT> beta2, internal::Given_number<FT> mu,
-                        internal::Given_number<FT> beta3)
-      : beta2(std::move(beta2.value)), mu(std::move(mu.value)), beta3(std::move(beta3.value)) {}
+  Septic_end_parameters(internal::Given_number<FT> given_beta2, internal::Given_number<FT> given_mu,
+                        internal::Given_number<FT> given_beta3)
+      : beta2(std::move(given_beta2.value)), mu(std::move(given_mu.value)), beta3(std::move(given_beta3.value)) {}
 
   /// Returns whether all scalars are equal.
   friend bool operator==(const Septic_end_parameters& p, const Septic_end_parameters& q) {

@@ -50,10 +50,11 @@ template <class Traits> struct Representable_blend : Bezier_curve<Traits, 5> {
   Representable_join<FT, dimension_v<Traits>> end_join;   ///< what was needed at the start of \f$ \psi \f$
 
   /// From the blend, the two curves and what the joins needed.
-  Representable_blend(const Bezier_curve<Traits, 5>& gamma, const Bezier_curve<Traits>& phi,
-                      const Bezier_curve<Traits>& psi, const Representable_join<FT, dimension_v<Traits>>& start_join,
-                      const Representable_join<FT, dimension_v<Traits>>& end_join)
-      : Bezier_curve<Traits, 5>(gamma), phi(phi), psi(psi), start_join(start_join), end_join(end_join) {}
+  Representable_blend(const Bezier_curve<Traits, 5>& gamma, const Bezier_curve<Traits>& given_phi,
+                      const Bezier_curve<Traits>& given_psi,
+                      const Representable_join<FT, dimension_v<Traits>>& at_start,
+                      const Representable_join<FT, dimension_v<Traits>>& at_end)
+      : Bezier_curve<Traits, 5>(gamma), phi(given_phi), psi(given_psi), start_join(at_start), end_join(at_end) {}
 };
 
 namespace internal {

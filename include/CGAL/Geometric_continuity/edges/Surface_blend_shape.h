@@ -66,9 +66,9 @@ template <class FT> struct Rational_surface_blend_shape {
   /// Sets all functions \f$ \beta \f$ to 1 and all others to 0.
   Rational_surface_blend_shape() = default;
   /// Takes what is given at both ends.
-  Rational_surface_blend_shape(const Rational_edge_reparametrisation<FT>& start,
-                               const Rational_edge_reparametrisation<FT>& end)
-      : start(start), end(end) {}
+  Rational_surface_blend_shape(const Rational_edge_reparametrisation<FT>& given_start,
+                               const Rational_edge_reparametrisation<FT>& given_end)
+      : start(given_start), end(given_end) {}
   /// With the factor 1 at both ends.
   Rational_surface_blend_shape(const Surface_blend_shape<FT>& shape) : start(shape.start), end(shape.end) {}
 };

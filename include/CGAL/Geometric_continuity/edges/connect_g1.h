@@ -262,9 +262,9 @@ G1_ribbon<Traits> connect_g1(const Bspline_curve<Traits>& C, const Bspline_curve
   std::vector<typename Function::Value> difference; // D
   for (int i = 0; i < C.number_of_points(); ++i) difference.push_back((C1.coordinates(i) - C2.coordinates(i)) / FT(2));
   const Function d(C.knots(), std::move(difference));
-  const auto surface = [&](const Polynomial& alpha, const Polynomial& beta) {
-    const Function row1 = c + (internal::scalar_function<FT>(alpha, domain) * d +
-                               internal::scalar_function<FT>(beta, domain) * c_derivative),
+  const auto surface = [&](const Polynomial& of_difference, const Polynomial& of_derivative) {
+    const Function row1 = c + (internal::scalar_function<FT>(of_difference, domain) * d +
+                               internal::scalar_function<FT>(of_derivative, domain) * c_derivative),
                    row0 = c.elevate(3).refine(row1.knots());
     std::vector<std::vector<Point>> net;
     for (int i = 0; i < row0.knots().number_of_coefficients(); ++i)

@@ -125,10 +125,10 @@ public:
   typedef typename Base::Field Field;
 
   /// From the last points \f$ b_{-1}, b_0 \f$ of a polygon of degree `m`.
-  /// \throws Error `wrong_number_of_points` when `m < 1`, `nonpositive_beta` unless `beta > 0`, `dimension_mismatch`,
+  /// \throws Error `wrong_number_of_points` when `m < 1`, `nonpositive_beta` unless `ratio > 0`, `dimension_mismatch`,
   ///   `zero_tangent` when \f$ p = 0 \f$, `not_finite` for an infinite or undefined floating-point number
-  Tangent_alternative(const std::array<Point, 2>& last_points, int m, const FT& beta = FT(1))
-      : Base(last_points, m, beta, "tangent_alternative") {}
+  Tangent_alternative(const std::array<Point, 2>& last_points, int m, const FT& ratio = FT(1))
+      : Base(last_points, m, ratio, "tangent_alternative") {}
 
   using Base::beta;   ///< returns the ratio \f$ \beta \f$
   using Base::degree; ///< returns the degree `m` of both polygons
@@ -159,10 +159,10 @@ public:
   typedef typename Base::Field Field;
 
   /// From the last points \f$ b_{-2}, b_{-1}, b_0 \f$ of a polygon of degree `m`.
-  /// \throws Error `wrong_number_of_points` when `m < 2`, `nonpositive_beta` unless `beta > 0`, `dimension_mismatch`,
+  /// \throws Error `wrong_number_of_points` when `m < 2`, `nonpositive_beta` unless `ratio > 0`, `dimension_mismatch`,
   ///   `zero_tangent` when \f$ p = 0 \f$, `not_finite` for an infinite or undefined floating-point number
-  Curvature_alternatives(const std::array<Point, 3>& last_points, int m, const FT& beta = FT(1))
-      : Base(last_points, m, beta, "curvature_alternatives") {}
+  Curvature_alternatives(const std::array<Point, 3>& last_points, int m, const FT& ratio = FT(1))
+      : Base(last_points, m, ratio, "curvature_alternatives") {}
 
   using Base::beta;   ///< returns the ratio \f$ \beta \f$
   using Base::degree; ///< returns the degree `m` of both polygons
@@ -201,7 +201,7 @@ public:
 
 private:
   template <class F = FT> typename Base::template Coordinates_over<F> base() const {
-    const F beta = internal::to_field<F>(this->beta()), square = beta * beta;
+    const F ratio = internal::to_field<F>(beta()), square = ratio * ratio;
     return F(F(1) - square) * this->template b<F>(0) + square * this->template b<F>(2); // b_{-2} when beta = 1
   }
   FT nearest(const typename Base::Coordinates& x) const {
@@ -242,10 +242,10 @@ public:
   typedef typename Base::Field Field;
 
   /// From the last points \f$ b_{-3}, \dots, b_0 \f$ of a polygon of degree `m`, and the \f$ C_0 \f$ of \f$ b_2 \f$.
-  /// \throws Error `wrong_number_of_points` when `m < 3`, `nonpositive_beta` unless `beta > 0`, `dimension_mismatch`,
+  /// \throws Error `wrong_number_of_points` when `m < 3`, `nonpositive_beta` unless `ratio > 0`, `dimension_mismatch`,
   ///   `zero_tangent` when \f$ p = 0 \f$, `not_finite` for an infinite or undefined floating-point number
-  Torsion_alternatives(const std::array<Point, 4>& last_points, int m, const FT& c0, const FT& beta = FT(1))
-      : Base(last_points, m, beta, "torsion_alternatives"), c0_(this->finite(c0)) {}
+  Torsion_alternatives(const std::array<Point, 4>& last_points, int m, const FT& c0, const FT& ratio = FT(1))
+      : Base(last_points, m, ratio, "torsion_alternatives"), c0_(this->finite(c0)) {}
 
   using Base::beta;                    ///< returns the ratio \f$ \beta \f$
   using Base::degree;                  ///< returns the degree `m` of both polygons
@@ -322,17 +322,17 @@ public:
   template <class InputIterator>
   Torsion_parameters<FT> least_energy_parameters(InputIterator first, InputIterator last) const {
     const typename Base::Coordinates b0 = this->b(0), p = this->p(); // b_2 = b_0 + beta^2 (r - p) + C_0 p
-    const FT beta = this->beta(), beta_squared = beta * beta;
+    const FT ratio = beta(), ratio_squared = ratio * ratio;
     return nearest(
-        this->least_energy_point({b0, b0 + beta * p, b0 + beta_squared * (this->r() - p) + c0_ * p}, first, last));
+        this->least_energy_point({b0, b0 + ratio * p, b0 + ratio_squared * (this->r() - p) + c0_ * p}, first, last));
   }
 
 private:
   FT c0_;
 
   template <class F = FT> typename Base::template Coordinates_over<F> base() const {
-    const F beta = internal::to_field<F>(this->beta());
-    return this->template b<F>(0) + F(beta * beta * beta) * this->template s<F>();
+    const F ratio = internal::to_field<F>(beta());
+    return this->template b<F>(0) + F(ratio * ratio * ratio) * this->template s<F>();
   }
   // x - base = C_1 p + C_2 r up to a vector orthogonal to p and r; with q, the part of r orthogonal to p, the normal
   // equations are triangular

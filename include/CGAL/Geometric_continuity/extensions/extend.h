@@ -73,9 +73,11 @@ template <class FT> struct Extension_parameters {
   Extension_parameters() = default;
   /// Takes numbers of any type from which `FT` can be made; what is `{}` or `std::nullopt` is not given.
   /// \throws Error `not_finite` when a floating-point number that is converted is infinite or not a number
-  Extension_parameters(internal::Given_number<FT> beta, internal::Given_optional_number<FT> c0 = {},
-                       internal::Given_optional_number<FT> c1 = {}, internal::Given_optional_number<FT> c2 = {})
-      : beta(std::move(beta.value)), c0(std::move(c0.value)), c1(std::move(c1.value)), c2(std::move(c2.value)) {}
+  Extension_parameters(internal::Given_number<FT> given_beta, internal::Given_optional_number<FT> given_c0 = {},
+                       internal::Given_optional_number<FT> given_c1 = {},
+                       internal::Given_optional_number<FT> given_c2 = {})
+      : beta(std::move(given_beta.value)), c0(std::move(given_c0.value)), c1(std::move(given_c1.value)),
+        c2(std::move(given_c2.value)) {}
 };
 
 namespace internal {

@@ -92,7 +92,8 @@ public:
   static double product_steps(std::size_t words, std::size_t other_words) {
     constexpr std::size_t fast = 512;
     if (words == 0 || other_words == 0) return 0; // numbers whose work is not counted
-    return 8 + static_cast<double>((std::max)(words, other_words)) * (std::min)({words, other_words, fast});
+    return 8 + static_cast<double>((std::max)(words, other_words)) *
+                   static_cast<double>((std::min)({words, other_words, fast}));
   }
 
   // Whether a search that may be stopped at any time, and has taken `done` steps, may take so many more; then takes note of them.

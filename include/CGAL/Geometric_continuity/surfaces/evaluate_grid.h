@@ -77,8 +77,8 @@ template <class FT> struct Basis_arrays {
   std::size_t size;
   std::vector<FT> values, derivatives;
 
-  Basis_arrays(int degree, const std::pair<FT, FT>& domain, const FT* parameters, std::size_t size)
-      : n(degree), size(size), values((n + 1) * size), derivatives((n + 1) * size) {
+  Basis_arrays(int degree, const std::pair<FT, FT>& domain, const FT* parameters, std::size_t number)
+      : n(degree), size(number), values((n + 1) * size), derivatives((n + 1) * size) {
     const FT h = FT(domain.second - domain.first);
     std::vector<FT> b(n + 2), lower(n + 2); // degrees n and n-1, with a zero in front
     for (std::size_t l = 0; l < size; ++l) {

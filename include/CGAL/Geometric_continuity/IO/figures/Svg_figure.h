@@ -98,16 +98,16 @@ public:
     for (std::size_t first = 0; first < panels.size(); first += columns) {
       std::size_t lines = 0;
       for (std::size_t i = first; i < (std::min)(first + columns, panels.size()); ++i) {
-        const double x = edge + (i - first) * (panel_width + gap);
+        const double x = edge + static_cast<double>(i - first) * (panel_width + gap);
         body += picture(panels[i], view, x, y, without_room, [&] { report(++drawn); });
         body += plots.picture(i, x, y + view.height(), panel_width);
         const std::vector<std::string> caption = internal::wrapped_lines(panels[i].caption_, 12.5, panel_width);
         for (std::size_t j = 0; j < caption.size(); ++j)
-          body += internal::svg_text(x + 0.5 * panel_width, y + height + 19 + 17.0 * j, 12.5, "#333333", "middle",
-                                     caption[j]);
+          body += internal::svg_text(x + 0.5 * panel_width, y + height + 19 + 17.0 * static_cast<double>(j), 12.5,
+                                     "#333333", "middle", caption[j]);
         lines = (std::max)(lines, caption.size());
       }
-      y += height + 17.0 * lines + 22;
+      y += height + 17.0 * static_cast<double>(lines) + 22;
     }
     body += legend(panels, view, plots, without_room, width, y);
     y += edge - 8;

@@ -29,14 +29,13 @@ template <class Traits> struct Joined_bezier_curves {
   std::vector<FT> knots; // the ends of the domains
 
   template <class ForwardIterator>
-  Joined_bezier_curves(ForwardIterator first, ForwardIterator last, int degree, const std::string& place)
-      : degree(degree) {
+  Joined_bezier_curves(ForwardIterator first, ForwardIterator last, int least_degree, const std::string& place)
+      : degree(least_degree) {
     if (first == last) throw Error(Error_code::wrong_number_of_points, place + ": no Bezier curve");
-    for (ForwardIterator i = first; i != last; ++i) this->degree = (std::max)(this->degree, i->degree());
+    for (ForwardIterator i = first; i != last; ++i) degree = (std::max)(degree, i->degree());
     knots.push_back(first->domain().first);
     for (; first != last; ++first)
-      append(first->elevate(this->degree - first->degree()),
-             place + ": Bezier curve " + std::to_string(knots.size() - 1));
+      append(first->elevate(degree - first->degree()), place + ": Bezier curve " + std::to_string(knots.size() - 1));
   }
 
 private:

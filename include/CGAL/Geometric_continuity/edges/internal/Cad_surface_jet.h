@@ -43,8 +43,8 @@ public:
 struct Surface_orders {
   int u, v, sum;
 
-  Surface_orders(int u, int v, int sum) : u(u), v(v), sum(sum) {}
-  Surface_orders(int sum) : Surface_orders(sum, sum, sum) {}
+  Surface_orders(int order_u, int order_v, int total) : u(order_u), v(order_v), sum(total) {}
+  Surface_orders(int total) : Surface_orders(total, total, total) {}
   bool contains(int i, int j) const { return i <= u && j <= v && i + j <= sum; }
 };
 

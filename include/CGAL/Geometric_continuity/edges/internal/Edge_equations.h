@@ -185,11 +185,11 @@ struct Rounded_vector {
   CGAL_GC_FORCEINLINE bool in_range() const { return least <= bound && bound <= most; }
   CGAL_GC_FORCEINLINE Rounded_form operator[](int i) const { return {x[static_cast<std::size_t>(i)], bound}; }
 
-  friend CGAL_GC_FORCEINLINE Rounded_form dot(const Rounded_vector& x, const Rounded_vector& y) {
-    return {dot_form(x.x, y.x), x.bound * y.bound};
+  friend CGAL_GC_FORCEINLINE Rounded_form dot(const Rounded_vector& v, const Rounded_vector& w) {
+    return {dot_form(v.x, w.x), v.bound * w.bound};
   }
-  friend CGAL_GC_FORCEINLINE Rounded_vector cross(const Rounded_vector& x, const Rounded_vector& y) {
-    return {cross_form(x.x, y.x), x.bound * y.bound};
+  friend CGAL_GC_FORCEINLINE Rounded_vector cross(const Rounded_vector& v, const Rounded_vector& w) {
+    return {cross_form(v.x, w.x), v.bound * w.bound};
   }
 };
 

@@ -172,7 +172,7 @@ private:
 
     Polynomial mixed() const { return sum_of_products<N>(n1, s.mixed_derivative()); }
     Polynomial along() const { return sum_of_products<N>(n1, s.second_derivative()); }
-    Polynomial across(int side) const { return sum_of_products<N>(n1, s.w[side]); }
+    Polynomial across(int of_side) const { return sum_of_products<N>(n1, s.w[of_side]); }
   };
 
   template <class AnySides> Edge_normals(const AnySides& s, const Vector& d) {

@@ -165,7 +165,9 @@ public:
       const int j = k / N, degree = j < 4 ? x.degree() : y.degree();
       const typename Curve::Point& point =
           j < 4 ? x.control_point(degree - (std::min)(degree, j)) : y.control_point((std::min)(degree, j - 4));
-      const auto split = [&](const auto& c) { return Parts::short_parts(c, numerators[k], denominators[k]); };
+      const auto split = [&](const auto& coordinate) {
+        return Parts::short_parts(coordinate, numerators[k], denominators[k]);
+      };
       if (!with_coordinate<typename Curve::Traits>(point, k % N, split)) return false;
     }
     left_.degree = x.degree();

@@ -407,9 +407,9 @@ public:
       const double first = end.weight(0), second = end.weight((std::min)(1, end.degree())); // of shorter types, too
       return second / first;
     };
-    const auto first_derivative = [](const Legs<double, N>& d, double ratio) {
+    const auto first_derivative = [](const Legs<double, N>& d, double factor) {
       std::array<double, N> x = d[0];
-      for (double& xi : x) xi *= ratio;
+      for (double& xi : x) xi *= factor;
       return x;
     };
     const std::pair<double, double> h = left.domain(), l = right.domain();

@@ -72,12 +72,12 @@ template <int N> bool curvatures_differ(const Double_end<N>& left, const Double_
     return true;
   typedef Interval_nt<false> Interval;
   const Interval::Protector rounding;
-  const auto interval = [](std::int64_t x) { return Interval(static_cast<double>(x)); };
+  const auto interval = [](std::int64_t n) { return Interval(static_cast<double>(n)); };
   const auto legs = [](const End_polygon<double, N>& points) {
-    End_polygon<Interval, N> x;
+    End_polygon<Interval, N> intervals;
     for (int j = 0; j <= 2; ++j)
-      for (int i = 0; i < N; ++i) x[j][i] = Interval(points[j][i]);
-    return legs_of<2>(x);
+      for (int i = 0; i < N; ++i) intervals[j][i] = Interval(points[j][i]);
+    return legs_of<2>(intervals);
   };
   const auto [a, b] = curvature_forms<Interval, N>(legs(left.points()), legs(right.points()), w, interval);
   return !a.do_overlap(b);

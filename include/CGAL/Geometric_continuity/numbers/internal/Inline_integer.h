@@ -62,7 +62,7 @@ public:
     if (is_zero()) return *this;
     const std::size_t n = size(), limbs = k / GMP_NUMB_BITS;
     limbs_.insert(limbs_.begin(), limbs, 0);
-    if (const unsigned bits = k % GMP_NUMB_BITS)
+    if (const unsigned bits = static_cast<unsigned>(k % GMP_NUMB_BITS))
       push(mpn_lshift(limbs_.data() + limbs, limbs_.data() + limbs, n, bits));
     return *this;
   }
@@ -72,7 +72,8 @@ public:
     if (is_zero() || (limbs_[0] & 1) != 0) return 0;
     const long twos = static_cast<long>(mpn_scan1(limbs_.data(), 0));
     limbs_.erase(limbs_.begin(), limbs_.begin() + twos / GMP_NUMB_BITS);
-    if (const unsigned bits = twos % GMP_NUMB_BITS) mpn_rshift(limbs_.data(), limbs_.data(), size(), bits);
+    if (const unsigned bits = static_cast<unsigned>(twos % GMP_NUMB_BITS))
+      mpn_rshift(limbs_.data(), limbs_.data(), size(), bits);
     remove_leading_zeros();
     return twos;
   }

@@ -44,9 +44,9 @@ template <class Weights, class FT> constexpr void assign_product_weights(int p, 
 // These factors, at compile time unless P is -1.
 template <class FT, int P, int Q> struct Product_weights {
   static constexpr std::array<FT, (P + 1) * (Q + 1)> computed() {
-    std::array<FT, (P + 1) * (Q + 1)> w{};
-    assign_product_weights<std::array<FT, (P + 1) * (Q + 1)>, FT>(P, Q, w);
-    return w;
+    std::array<FT, (P + 1) * (Q + 1)> weights{};
+    assign_product_weights<std::array<FT, (P + 1) * (Q + 1)>, FT>(P, Q, weights);
+    return weights;
   }
   static constexpr std::array<FT, (P + 1) * (Q + 1)> w = computed();
 

@@ -151,7 +151,7 @@ template <class FT> struct Distinct_knots {
   boost::container::small_vector<Knot, 16> knots;
 
   // With room for as many knots.
-  Distinct_knots(int degree, int capacity) : degree(degree) { knots.resize(capacity, boost::container::default_init); }
+  Distinct_knots(int n, int capacity) : degree(n) { knots.resize(capacity, boost::container::default_init); }
   CGAL_GC_FORCEINLINE void append(const FT& value, int multiplicity) {
     Knot& knot = knots[number++];
     knot.value = value;
