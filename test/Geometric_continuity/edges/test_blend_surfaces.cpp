@@ -447,6 +447,21 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(errors, Traits, All_traits) {
   }
 }
 
+// Numbers of thousands of digits are refused when they take too long.
+BOOST_AUTO_TEST_CASE(work_limit) {
+  Numbers random;
+  const Bezier<Exact> a(random.net(4, 4));
+  Shape shape;
+  Q tiny(1);
+  for (int i = 0; i < 2000; ++i) tiny *= fraction(1, 1000003);
+  const auto with_long_numbers =
+      a.transform([&](const Exact::Point& p) { return Exact::Point(p.x() + tiny, p.y(), p.z()); });
+  BOOST_CHECK_EQUAL(blend(a, v1, with_long_numbers, v0, shape).degree_u(), 3);
+  const GC::Work_scope each(GC::Work_limit(1000000));
+  BOOST_CHECK_EQUAL(blend(a, v1, a, v0, shape).degree_u(), 3);
+  CHECK_ERROR(blend(a, v1, with_long_numbers, v0, shape), work_limit);
+}
+
 // Any dimension; the coordinates do not mix.
 BOOST_AUTO_TEST_CASE(other_dimensions) {
   typedef GC::Traits_d<CGAL::Cartesian_d<Q>> Traits;

@@ -4,6 +4,7 @@
 
 #include "commands/blends/blend_report.h"
 #include "commands/blends/blend_strategies.h"
+#include "commands/blends/blend_surfaces.h"
 #include "commands/blends/round_corners.h"
 #include "commands/command_line.h"
 #include "commands/work_limit.h"
@@ -29,6 +30,7 @@ const char* const blend_usage = R"(usage: geometric_continuity blend A.g2 B.g2 [
        geometric_continuity blend CHAIN.g2 --replace I [OPTIONS]
        geometric_continuity blend CHAIN.g2 --corner I --distance R
        geometric_continuity blend CHAIN.g2 --corners all|kinks --distance R
+       geometric_continuity blend --surfaces A.g2 B.g2 [--edges v1,v0]
 
 Blends the end of the last curve of A into the start of the first curve of B,
 or replaces the curve number I of a chain (counted from 0, cyclically) by a
@@ -63,6 +65,11 @@ arc length R from it, and a fair blend with G2 joins is put between, with
 --order 3 one with G3 joins. --corners all rounds all joins that do not have
 this order, --corners kinks those that are not G1; of short curves less than R
 is cut off, so that a quarter of each remains. The output is the whole chain.
+
+--surfaces makes a surface of degree 5 across from the edge v1 of the surface in
+A to the edge v0 of that in B, or from and to those of --edges, by a strategy of
+order 2. It is G2 with both along the whole edges, which is decided exactly.
+-o writes it.
 
 Exact arithmetic on numbers of thousands of digits can take long: --max-work N
 allows N steps, about N nanoseconds, instead of 4000000000.
@@ -245,6 +252,8 @@ int blend_command(const Arguments& arguments) {
     add("corners", po::value<std::string>(), "all or kinks, round these joins of a chain");
     add("distance", po::value<std::string>(), "R > 0, from a corner to where its curves are cut");
     add("closed", "with --corners: the last curve leads back to the first");
+    add("surfaces", "blend an edge of one surface into an edge of another one");
+    add("edges", po::value<std::string>(), "EDGE,EDGE of A and B with --surfaces: u0, u1, v0 or v1 (default v1,v0)");
     add("kernel", po::value<std::string>()->default_value("exact"),
         "exact: construct in exact numbers; double: in floating-point numbers");
     add("representable", "control points that are doubles, joins that are exactly G2");
@@ -259,12 +268,20 @@ int blend_command(const Arguments& arguments) {
   if (!line.has("plot")) line.refuse({"title"}, "only with --plot");
   if (line.has("corner") || line.has("corners")) {
     line.refuse({"max-work"}, "not with --corner or --corners");
+    line.refuse({"surfaces", "edges"}, "not with --corner or --corners");
     return round_corners(line);
   }
   const auto bounded = [&](auto work) {
     return within_work_limit([&] { return line.files().empty() ? "blend" : input_name(line.files().front()); }, work);
   };
   line.refuse({"distance", "closed"}, "only with --corner or --corners");
+  if (line.has("surfaces")) {
+    line.refuse(
+        {"order", "beta", "eta", "s1", "s2", "start", "end", "replace", "kernel", "representable", "json", "plot"},
+        "not with --surfaces");
+    return bounded([&] { return blend_surfaces(line); });
+  }
+  line.refuse({"edges"}, "only with --surfaces");
   if (line.has("representable")) {
     if (line.integer("order") != 2) throw std::invalid_argument("--representable: blends of order 2 only");
     line.refuse({"replace", "kernel"}, "not with --representable");

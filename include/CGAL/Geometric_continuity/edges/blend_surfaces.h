@@ -13,6 +13,8 @@
 #include <CGAL/Geometric_continuity/edges/automatic_surface_shape.h>
 #include <CGAL/Geometric_continuity/edges/internal/Blend_end.h>
 #include <CGAL/Geometric_continuity/local/homogeneous_jets.h>
+#include <CGAL/Geometric_continuity/numbers/Work_limit.h>
+#include <CGAL/Geometric_continuity/numbers/internal/common_words.h>
 #include <CGAL/Geometric_continuity/splines/Knot_vector.h>
 #include <CGAL/Geometric_continuity/surfaces/Patch_edge.h>
 #include <CGAL/Uncertain.h>
@@ -128,6 +130,16 @@ template <class FT, int N> void scale(Blend_end<FT, N>& end, const FT& lambda, c
   end.scale(lambda);
 }
 
+// Takes note of the work on one end: sums of at most six products of each row with a polynomial.
+template <class FT, int N> void charge_end(const Blend_end<FT, N>& end, const Edge_reparametrisation<FT>& r) {
+  double degree = 0; // of the functions
+  for (const Bernstein_polynomial<FT>* f : {&r.alpha, &r.beta, &r.alpha2, &r.delta})
+    degree = (std::max)(degree, static_cast<double>(f->degree()));
+  const double numbers = static_cast<double>(end.edge.size()) * end.edge[0].dimension();
+  work_meter().charge_fractions(12 * numbers * (1 + 2 * degree) * (1 + degree),
+                                common_words<FT>(end.edge) + common_words<FT>(end.second_cross));
+}
+
 // The three rows of control points from an edge inwards.
 template <class FT, int N, class F>
 std::array<Edge_spline<FT, N>, 3> rows_of_end(const Blend_end<FT, N>& end, const std::array<Row_weights<F>, 2>& w) {
@@ -200,9 +212,12 @@ Blend_surface<Surface_a, Surface_b> blend(const Surface_a& a, Patch_edge edge_a,
                                           const Blend_surface_shape<Surface_a, Surface_b>& shape,
                                           Edge_direction direction = Edge_direction::same) {
   typedef internal::Blended_surfaces<Surface_a, Surface_b> Kind;
+  const internal::Work_on_object work("blend");
   internal::check_reparametrisation(shape.start, "blend: beta at the edge of the first surface");
   internal::check_reparametrisation(shape.end, "blend: beta at the edge of the second surface");
   auto ends = Kind::ends(a, edge_a, b, edge_b, direction);
+  internal::charge_end(ends.first, shape.start);
+  internal::charge_end(ends.second, shape.end);
   internal::check_edge<Kind::is_rational>(ends.first, "the first surface");
   internal::check_edge<Kind::is_rational>(ends.second, "the second surface");
   if constexpr (Kind::is_rational) {

@@ -1,0 +1,55 @@
+#!/usr/bin/env bash
+# blend --surfaces: patches, splines with inner knots, rational surfaces, every edge, and what is refused. That the written surface is G2
+# is decided by verify.
+. "$(dirname "$0")/functions.sh"
+
+refused() { # refused TEXT ARGUMENTS...: the error contains the text
+  local text=$1
+  shift
+  run 2 "$@" && says err "$text"
+}
+# proved A B ARGUMENTS...: the blend is G2 with both, as verify reads all three
+proved() {
+  run 0 blend --surfaces "$@" -o blend.g2 && says out "G2 along both edges, proved exactly"
+  run 0 verify --surfaces "$1" blend.g2 "$2" --require G2 && says out "2 G2"
+}
+
+# bilinear in u, quadratic in v; the second one is 5 away
+printf '200 1 0 0\n3 0\n2 2\n0 0 1 1\n3 3\n0 0 0 1 1 1\n0 0 0\n4 0 1\n0 1 1\n4 1/3 0\n0 3 0\n4 3 1\n' >a.g2
+printf '200 1 0 0\n3 0\n2 2\n0 0 1 1\n3 3\n0 0 0 1 1 1\n0 8 0\n5 8 1\n0 9.5 1\n4 9 0\n0 11 0\n4 12 1\n' >b.g2
+proved a.g2 b.g2
+says blend.g2 "6 6"
+run 0 blend --surfaces a.g2 b.g2 && says out "a.g2, edge v1: G2, beta = " "b.g2, edge v0: G2, beta = "
+for strategy in c2 normal min_second near_line energy2 energy3 fair; do proved a.g2 b.g2 --strategy $strategy; done
+proved a.g2 b.g2 --edges v1,u0
+proved a.g2 b.g2 --edges u1,v0
+proved a.g2 b.g2 --edges u0,u1
+
+# a spline over a knot at 1/3, on another domain
+printf '200 1 0 0\n3 0\n5 4\n2 2 2 2 3 5 5 5 5\n2 2\n0 0 1 1\n0 9 0\n1 8 0\n2 8 1\n3 9 2\n5 9 0\n0 12 0\n1 12 0\n2 12 1\n3 12 2\n5 12 0\n' >spline.g2
+proved a.g2 spline.g2
+says blend.g2 "1/3"
+proved spline.g2 a.g2 --edges v0,v1
+
+# a quarter of a cylinder: rational
+printf '200 1 0 0\n3 1\n3 3\n0 0 0 1 1 1\n2 2\n0 0 1 1\n0 0 9 1\n9 0 9 1\n18 0 0 2\n0 -5 9 1\n9 -5 9 1\n18 -10 0 2\n' >cylinder.g2
+proved cylinder.g2 a.g2 --edges v0,v0
+says blend.g2 "200 1 0 0" "3 1"
+proved a.g2 cylinder.g2
+
+# what is refused
+refused "two files are needed" blend --surfaces a.g2
+refused "two files are needed" blend --surfaces a.g2 b.g2 spline.g2
+refused "'v2' is none of u0, u1, v0, v1" blend --surfaces a.g2 b.g2 --edges v1,v2
+refused "two names are needed" blend --surfaces a.g2 b.g2 --edges v1
+refused "--edges: only with --surfaces" blend "$L" "$R" --edges v1,v0
+for option in "--order 2" "--beta 1" "--replace 1" --json "--kernel double" "--plot no.svg"; do
+  refused "${option%% *}: not with --surfaces" blend --surfaces a.g2 b.g2 $option
+done
+refused "--strategy" blend --surfaces a.g2 b.g2 --strategy free
+cat a.g2 b.g2 >both.g2
+refused "both.g2: 2 surfaces where one is expected" blend --surfaces both.g2 b.g2
+refused "$(basename "$L")" blend --surfaces "$L" b.g2
+printf '200 1 0 0\n3 0\n2 2\n0 0 1 1\n2 2\n0 0 1 1\n0 0 0\n4 0 1\n0 1 1\n0 1 1\n' >pole.g2
+refused "zero_tangent" blend --surfaces pole.g2 b.g2 -o no.g2
+holds [ ! -e no.g2 ]
