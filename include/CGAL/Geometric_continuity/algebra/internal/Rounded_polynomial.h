@@ -8,6 +8,7 @@
 #include <CGAL/Geometric_continuity/algebra/Homogeneous_polynomial.h>
 #include <CGAL/Geometric_continuity/algebra/internal/Bounded_polynomial.h>
 #include <CGAL/Geometric_continuity/numbers/internal/Fixed_integer.h>
+#include <CGAL/Geometric_continuity/numbers/internal/zero_bits.h>
 #include <CGAL/number_utils.h>
 
 #include <algorithm>
@@ -141,7 +142,7 @@ private:
   template <int limbs> static int bits_of(const Fixed_integer<limbs>& x) {
     for (int i = limbs - 1; i >= 0; --i) {
       const std::uint64_t word = x.limb[i] ^ x.sign_mask();
-      if (word != 0) return 64 * i + 64 - __builtin_clzll(word);
+      if (word != 0) return 64 * i + 64 - leading_zero_bits(word);
     }
     return 0;
   }

@@ -11,6 +11,7 @@
 #include <CGAL/Geometric_continuity/numbers/internal/Common_denominator.h>
 #include <CGAL/Geometric_continuity/numbers/internal/Common_grid.h>
 #include <CGAL/Geometric_continuity/numbers/internal/Fixed_integer.h>
+#include <CGAL/Geometric_continuity/numbers/internal/zero_bits.h>
 
 #include <algorithm>
 #include <array>
@@ -234,7 +235,7 @@ bool edge_layers(const Surface_a& a, Patch_edge edge_a, const Surface_b& b, Patc
 
 inline int trailing_zeros(Unsigned_128 x) { // of x > 0
   const std::uint64_t low = static_cast<std::uint64_t>(x);
-  return low != 0 ? __builtin_ctzll(low) : 64 + __builtin_ctzll(static_cast<std::uint64_t>(x >> 64));
+  return low != 0 ? trailing_zero_bits(low) : 64 + trailing_zero_bits(static_cast<std::uint64_t>(x >> 64));
 }
 
 // Divides the first coordinates by a power of two, and the weights by one. Returns whether the weights at the ends of the edges are positive

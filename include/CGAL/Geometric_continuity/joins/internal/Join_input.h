@@ -9,6 +9,7 @@
 #include <CGAL/Geometric_continuity/joins/internal/End_polygon.h>
 #include <CGAL/Geometric_continuity/joins/internal/Join_filter.h>
 #include <CGAL/Geometric_continuity/joins/internal/Join_weights.h>
+#include <CGAL/Geometric_continuity/numbers/internal/zero_bits.h>
 
 #include <algorithm>
 #include <array>
@@ -292,7 +293,7 @@ public:
     int unit = 20;
     for (int j = 0; j <= k; ++j) {
       const std::uint64_t bits = bits_of(w_[j]) | std::uint64_t(1) << 52;
-      unit = (std::min)(unit, binary_exponent(w_[j]) - 52 + __builtin_ctzll(bits));
+      unit = (std::min)(unit, binary_exponent(w_[j]) - 52 + trailing_zero_bits(bits));
     }
     return unit;
   }

@@ -11,6 +11,7 @@
 #include <CGAL/Geometric_continuity/local/coordinates.h>
 #include <CGAL/Geometric_continuity/numbers/internal/Common_denominator.h>
 #include <CGAL/Geometric_continuity/numbers/internal/checked_numbers.h>
+#include <CGAL/Geometric_continuity/numbers/internal/zero_bits.h>
 
 #ifdef CGAL_USE_GMP
 #include <CGAL/Geometric_continuity/numbers/internal/Inline_integer.h>
@@ -67,7 +68,7 @@ public:
     if (x == 0) return Number();
     int e;
     const std::uint64_t n = static_cast<std::uint64_t>(std::frexp(std::abs(x), &e) * 0x1p53); // exact
-    const int zeros = __builtin_ctzll(n);
+    const int zeros = trailing_zero_bits(n);
     return {n >> zeros, e - 53 + zeros, x < 0};
   }
 

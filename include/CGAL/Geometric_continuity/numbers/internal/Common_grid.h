@@ -6,6 +6,7 @@
 #define CGAL_GEOMETRIC_CONTINUITY_NUMBERS_INTERNAL_COMMON_GRID_H
 
 #include <CGAL/Geometric_continuity/internal/force_inline.h>
+#include <CGAL/Geometric_continuity/numbers/internal/zero_bits.h>
 
 #include <algorithm>
 #include <array>
@@ -107,7 +108,9 @@ public:
 
   // All coordinates lie on a grid of 52 bits.
   CGAL_GC_FORCEINLINE bool valid() const { return wrong_ == 0; }
-  CGAL_GC_FORCEINLINE int exponent() const { return first_exponent_ + __builtin_ctzll(bits_ | std::uint64_t(1) << 51); }
+  CGAL_GC_FORCEINLINE int exponent() const {
+    return first_exponent_ + trailing_zero_bits(bits_ | std::uint64_t(1) << 51);
+  }
 
 private:
   template <std::size_t N> CGAL_GC_FORCEINLINE void include(const std::array<double, N>& x) {
