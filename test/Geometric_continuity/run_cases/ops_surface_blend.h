@@ -12,6 +12,7 @@
 #include <CGAL/Geometric_continuity/edges/edge_continuity.h>
 
 #include <algorithm>
+#include <type_traits>
 
 template <class Traits> GC::Bezier_patch<Traits> patch_of(const Case& c, const std::string& path) {
   std::vector<std::vector<typename Traits::Point>> net;
@@ -28,8 +29,23 @@ template <class FT> GC::Edge_reparametrisation<FT> reparametrisation_of(const Ca
   return {function("alpha"), function("beta"), function("alpha2"), function("delta")};
 }
 
+// Coefficients in another degree: raised, or lowered if they are those of a polynomial of that degree.
+template <class FT> GC::Bernstein_polynomial<FT> in_degree(const GC::Bernstein_polynomial<FT>& p, int degree) {
+  GC::Bernstein_polynomial<FT> q = p.elevated((std::max)(degree - p.degree(), 0));
+  if constexpr (!std::is_floating_point_v<FT> && !std::is_same_v<FT, CGAL::Interval_nt<>>)
+    while (degree < q.degree()) {
+      const int n = q.degree(); // n q_i = i r_{i-1} + (n - i) r_i
+      std::vector<FT> r(1, q[0]);
+      for (int i = 1; i < n; ++i) r.push_back(FT((FT(n) * q[i] - FT(i) * r.back()) / FT(n - i)));
+      const GC::Bernstein_polynomial<FT> lower(r);
+      if (lower.elevated() != q) return p;
+      q = lower;
+    }
+  return q;
+}
+
 // Topic surface_blend: from the edge v = 1 of one patch to the edge v = 0 of another. Nets are equal when they are after elevation
-// along u to a common degree, which is that of the expected one where it is the larger.
+// along u to a common degree: the computed one is given in the degree of the expected one.
 template <class Traits> bool run_surface_blend(const Case& c, Report& report) {
   typedef typename Traits::FT FT;
   if (c.op != "surface_blend") return false;
@@ -40,12 +56,16 @@ template <class Traits> bool run_surface_blend(const Case& c, Report& report) {
                                      {reparametrisation_of<FT>(c, "start"), reparametrisation_of<FT>(c, "end")});
   report.construction("net", [&] {
     const auto expected = c.out.find("net#");
-    const int degree = expected == c.out.end() ? 0 : std::stoi(expected->second) - 1;
-    const GC::Bezier_patch<Traits> elevated = s.elevate((std::max)(degree - s.degree_u(), 0), 0);
-    std::vector<std::vector<std::vector<FT>>> net(elevated.degree_u() + 1);
-    for (int i = 0; i <= elevated.degree_u(); ++i)
-      for (int j = 0; j <= elevated.degree_v(); ++j)
-        net[i].push_back(coordinates<Traits>(elevated.control_point(i, j)));
+    const int degree = expected == c.out.end() ? s.degree_u() : std::stoi(expected->second) - 1;
+    std::vector<std::vector<std::vector<FT>>> net;
+    for (int j = 0; j <= s.degree_v(); ++j)
+      for (int x = 0; x < s.dimension(); ++x) {
+        std::vector<FT> b;
+        for (int i = 0; i <= s.degree_u(); ++i) b.push_back(s.coordinates(i, j)[x]);
+        const GC::Bernstein_polynomial<FT> row = in_degree(GC::Bernstein_polynomial<FT>(b), degree);
+        net.resize(row.degree() + 1, std::vector<std::vector<FT>>(s.degree_v() + 1));
+        for (int i = 0; i <= row.degree(); ++i) net[i][j].push_back(row[i]);
+      }
     return net;
   });
   if constexpr (GC::dimension_v<Traits> == 3) {
