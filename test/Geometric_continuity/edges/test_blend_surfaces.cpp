@@ -250,6 +250,31 @@ BOOST_AUTO_TEST_CASE(a_part_of_one_surface) {
   check_middle_part(Patch<Exact>(random.net(4, 5), random.weights(4, 5), random.domain()));
 }
 
+// The same with homogeneous points that are multiplied by 1 + v/2: lambda is 1 and lambda_1 is 1/2 at the start, and at the end they are
+// 3/2 and 1/3.
+BOOST_AUTO_TEST_CASE(factors_of_homogeneous_points) {
+  Numbers random;
+  const Patch<Exact> s(random.net(4, 5), random.weights(4, 5), random.domain());
+  const Q low = fraction(1, 3), high = fraction(3, 5);
+  const Patch<Exact> part = middle(s, low, high);
+  const auto homogeneous = part.homogeneous();
+  std::vector<std::vector<Patch<Exact>::Homogeneous::Point>> net(4);
+  for (int i = 0; i < 4; ++i)
+    for (int j = 0; j <= 5; ++j) {
+      Patch<Exact>::Homogeneous::Point b(4);
+      if (j < 5) b += fraction(5 - j, 5) * homogeneous.control_point(i, j);
+      if (j > 0) b += fraction(3 * j, 10) * homogeneous.control_point(i, j - 1);
+      net[i].push_back(b);
+    }
+  GC::Rational_surface_blend_shape<Q> shape;
+  shape.start.beta = shape.end.beta = Function{Q(high - low)};
+  shape.start.lambda1 = Function{fraction(1, 2)};
+  shape.end.lambda = fraction(3, 2);
+  shape.end.lambda1 = Function{fraction(1, 3)};
+  const Patch<Exact> expected(Patch<Exact>::Homogeneous(net, s.domain_u()));
+  BOOST_CHECK(blend(s.split_v(low).first, v1, s.split_v(high).second, v0, shape) == expected);
+}
+
 // With constants, the columns of control points are blends of the columns of the surfaces.
 BOOST_AUTO_TEST_CASE(columns_are_blends_of_curves) {
   Numbers random;
