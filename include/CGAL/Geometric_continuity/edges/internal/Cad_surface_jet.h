@@ -160,7 +160,7 @@ public:
         origin_(s.points[u_span * s.v_points() + v_span]),
         c_(static_cast<std::size_t>(coordinates_) * (p_ + 1) * (q_ + 1), Interval(0)) {
     const int v_points = s.v_points();
-    const Basis_polynomials in_u(s.u_knots, s.u_degree, u_span, u), in_v(s.v_knots, s.v_degree, v_span, v);
+    const Basis_polynomials in_u(s.u_knots, s.u_degree, u_span, u, p_), in_v(s.v_knots, s.v_degree, v_span, v, q_);
     std::vector<Interval> row((std::max)(p_, q_) + 1);
     const auto coordinate = [&](int k, int a, int b) {
       const int index = (u_span - s.u_degree + a) * v_points + v_span - s.v_degree + b;

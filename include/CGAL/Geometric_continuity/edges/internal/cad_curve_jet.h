@@ -9,6 +9,7 @@
 #include <CGAL/Geometric_continuity/edges/Cad_geometry.h>
 #include <CGAL/Geometric_continuity/numbers/internal/Taylor_model.h>
 #include <CGAL/Geometric_continuity/numbers/internal/interval_functions.h>
+#include <CGAL/Geometric_continuity/splines/internal/Spline_weights.h>
 
 #include <algorithm>
 #include <array>
@@ -69,40 +70,27 @@ inline std::vector<int> touched_pieces(const Spline_parameter& parameter, const 
   return spans;
 }
 
-// The Taylor coefficients of the degree+1 basis functions that do not vanish on a piece, about a point m: the function of the number
-// s - degree + a is the sum of coefficient(a, i) d^i at m + d. By the recurrence of Cox and de Boor on polynomials in d.
+// The Taylor coefficients of the degree+1 basis functions that do not vanish on a piece, about a point m and up to a power: the function of
+// the number s - degree + a is the sum of coefficient(a, i) d^i at m + d.
 class Basis_polynomials {
+  struct Interval_knots {
+    const std::vector<double>& u;
+    Interval operator[](int i) const { return u[static_cast<std::size_t>(i)]; }
+  };
   int n_;
   std::vector<Interval> c_;
 
 public:
-  Basis_polynomials(const std::vector<double>& knots, int degree, int span, const Interval& m)
-      : n_(degree + 1), c_(static_cast<std::size_t>(n_) * n_, Interval(0)) {
-    (*this)(degree, 0) = 1;
-    for (int d = 1; d <= degree; ++d)
-      for (int a = degree - d; a <= degree; ++a) { // of degree d, from those of degree d-1 with the numbers a and a+1
-        const int j = span - degree + a;
-        const bool left = a > degree - d, right = a < degree;
-        Interval up, down, u0, d0;
-        if (left) {
-          up = 1 / (Interval(knots[j + d]) - Interval(knots[j]));
-          u0 = (m - Interval(knots[j])) * up;
-        }
-        if (right) {
-          down = 1 / (Interval(knots[j + d + 1]) - Interval(knots[j + 1]));
-          d0 = (Interval(knots[j + d + 1]) - m) * down;
-        }
-        for (int i = d; i >= 0; --i) {
-          Interval sum = 0;
-          if (left) sum += u0 * (*this)(a, i) + (i > 0 ? up * (*this)(a, i - 1) : Interval(0));
-          if (right) sum += d0 * (*this)(a + 1, i) - (i > 0 ? down * (*this)(a + 1, i - 1) : Interval(0));
-          (*this)(a, i) = sum;
-        }
-      }
+  Basis_polynomials(const std::vector<double>& knots, int degree, int span, const Interval& m, int powers)
+      : n_(degree + 1), c_(static_cast<std::size_t>(n_) * (powers + 1), Interval(0)) {
+    derivative_weights(Interval_knots{knots}, degree, span, m, powers, [&](int i, const Span_weights<Interval>& of) {
+      Interval factorial = 1;
+      for (int k = 2; k <= i; ++k) factorial *= k;
+      for (int a = 0; a <= degree; ++a) c_[static_cast<std::size_t>(i) * n_ + a] = of.w[a] / factorial;
+    });
   }
 
-  Interval& operator()(int a, int i) { return c_[static_cast<std::size_t>(a) * n_ + i]; }
-  const Interval& operator()(int a, int i) const { return c_[static_cast<std::size_t>(a) * n_ + i]; }
+  const Interval& operator()(int a, int i) const { return c_[static_cast<std::size_t>(i) * n_ + a]; }
 };
 
 // Replaces the coefficients x(0), ..., x(degree) about a point by those about all points at the distances in d.
@@ -189,14 +177,15 @@ template <int D> Cad_curve_jet<D> jet_of(const Cad_spline_curve<D>& spline, cons
   const int n = spline.degree;
   const bool rational = !spline.weights.empty();
   const double m = middle(t);
-  const Basis_polynomials basis(spline.knots, n, span, m);
+  const int powers = t.is_point() ? (std::min)(n, order) : n; // all to move them
+  const Basis_polynomials basis(spline.knots, n, span, m, powers);
   const Cad_point<D>& origin = spline.points[span];
   std::vector<Interval_vector<D + 1>> h((std::max)(n, order) + 1);
   for (int a = 0; a <= n; ++a) {
     Interval_vector<D + 1> point;
     point[D] = rational ? spline.weights[span - n + a] : 1;
     for (int i = 0; i < D; ++i) point[i] = (Interval(spline.points[span - n + a][i]) - Interval(origin[i])) * point[D];
-    for (int k = 0; k <= n; ++k)
+    for (int k = 0; k <= powers; ++k)
       for (int i = 0; i < D + rational; ++i) h[k][i] += basis(a, k) * point[i];
   }
   for (int i = 0; i < D + rational && !t.is_point(); ++i)

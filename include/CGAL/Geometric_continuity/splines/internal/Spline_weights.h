@@ -20,6 +20,9 @@
 /// The weights with which the coefficients of a spline enter its values, derivatives and blossoms: de Boor's triangle.
 
 namespace CGAL {
+
+template <bool> class Interval_nt;
+
 namespace Geometric_continuity {
 namespace internal {
 
@@ -59,13 +62,21 @@ template <class FT> struct Spline_weights {
   }
 };
 
+// What q leaves of a weight w, of which it takes x. An enclosure does not know that x is a part of w: there the difference is wider.
+template <class FT> CGAL_GC_FORCEINLINE FT weight_left(const FT& w, const FT& x, const FT&) { return FT(w - x); }
+template <bool is_protected>
+Interval_nt<is_protected> weight_left(const Interval_nt<is_protected>& w, const Interval_nt<is_protected>&,
+                                      const Interval_nt<is_protected>& q) {
+  return w * (1 - q);
+}
+
 // De Boor's triangle, transposed: it starts with the weight 1 and leads to the weights of the coefficients. The level
 // with n weights gives n + 1; its i-th quotient is (t - a) / (b - a) of an argument t and two knots.
 template <class FT> CGAL_GC_FORCEINLINE void add_argument(FT* w, int n, const FT* quotients) {
   FT carry(0);
   for (int i = 0; i < n; ++i) {
     const FT x = w[i] * quotients[i];
-    w[i] = carry + FT(w[i] - x);
+    w[i] = carry + weight_left(w[i], x, quotients[i]);
     carry = x;
   }
   w[n] = carry;
