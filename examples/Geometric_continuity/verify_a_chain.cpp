@@ -27,12 +27,11 @@ std::vector<Curve> rounded_square(double h) {
           Curve{Point(0, -1), Point(h, -1), Point(1, -h), Point(1, 0)}};
 }
 
-// Prints the orders of all joins, and returns the least G order.
+// Prints the orders of all joins, of which the last closes the chain, and returns the least G order.
 int least_g_order(const std::vector<Curve>& chain) {
-  int least = 3;
-  for (std::size_t i = 0; i < chain.size(); ++i) { // the last of these joins closes the chain
-    const auto join = GC::continuity(chain[i], chain[(i + 1) % chain.size()]);
-    std::cout << "  join " << i << ": C" << join.c_order << " G" << join.g_order << '\n';
+  int least = 3, i = 0;
+  for (const auto& join : GC::chain_joins(chain, 3, GC::Closure::closed)) {
+    std::cout << "  join " << i++ << ": C" << join.c_order << " G" << join.g_order << '\n';
     least = (std::min)(least, join.g_order);
   }
   return least;

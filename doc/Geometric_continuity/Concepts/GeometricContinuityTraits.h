@@ -28,8 +28,8 @@ public:
   A field number type. It must be default constructible, copyable and constructible from `int`, and provide the
   operators `+`, `-`, `*`, `/`, `+=`, `-=`, `*=`, `/=`, the unary `-`, and the comparisons `==`, `!=` and `<`.
 
-  Nothing else is needed for jets, curves, splines, joins, edges, blends and the signs and roots of polynomials. Only what
-  reports asks for more: boxes and the guaranteed enclosures of deviations, roots and angles call `CGAL::to_interval()` (an
+  Nothing else is needed for jets, curves, splines, joins, edges, blends, also fair ones, and the signs and roots of polynomials. Only
+  what reports asks for more: boxes and the guaranteed enclosures of deviations, roots and angles call `CGAL::to_interval()` (an
   exact number that is evaluated on demand gives its exact value by a member `exact()`), unit vectors and lengths such as
   `CGAL::Geometric_continuity::Frenet_frame::normalized()` call `CGAL::sqrt()`, and the output operators write numbers
   with `<<`.

@@ -354,6 +354,8 @@ BOOST_AUTO_TEST_CASE(degenerate_geometry) {
 
 // ---------------------------------------------------------------- many points
 
+inline GC::Closure closure(bool closed) { return closed ? GC::Closure::closed : GC::Closure::open; }
+
 // The least orders C and G of all joins. No points are constructed, so that exact predicates are exact also where
 // constructions are rounded.
 template <class Traits, class Basis>
@@ -362,7 +364,7 @@ std::pair<int, int> orders(const std::vector<Point<Traits>>& p, const Basis& bas
   std::vector<GC::Cubic_blended_curve<Traits, Basis>> chain;
   for (int i = 0; i < (closed ? n : n - 3); ++i)
     chain.push_back(blended<Traits>({p[i], p[(i + 1) % n], p[(i + 2) % n], p[(i + 3) % n]}, basis));
-  const GC::Chain_summary s = GC::chain_continuity(chain.begin(), chain.end(), 3, closed);
+  const GC::Chain_summary s = GC::chain_continuity(chain, 3, closure(closed));
   return {s.least_order(GC::Continuity_kind::C).value(), s.least_order(GC::Continuity_kind::G).value()};
 }
 
@@ -371,8 +373,6 @@ template <class C> std::pair<int, int> orders(const C& curve) {
   const GC::Chain_summary s = GC::chain_continuity(curve).summary;
   return {s.least_order(GC::Continuity_kind::C).value(), s.least_order(GC::Continuity_kind::G).value()};
 }
-
-inline GC::Closure closure(bool closed) { return closed ? GC::Closure::closed : GC::Closure::open; }
 
 BOOST_AUTO_TEST_CASE(piecewise_curves) {
   with_random_input([](auto traits, int d, Random& random) {

@@ -19,6 +19,8 @@
 #include <cstddef>
 #include <map>
 #include <stdexcept>
+#include <type_traits>
+#include <utility>
 #include <vector>
 
 // ------------------------------------------------------------------------------------------------------------ chains
@@ -72,19 +74,26 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(a_chain_is_its_joins, Traits, All_traits) {
       const std::vector<Bezier<Traits>> chain = random_chain<Traits>(random, 30);
       std::size_t n = 0;
       std::map<int, std::size_t> c, g, f;
-      const GC::Chain_summary summary =
-          GC::chain_continuity(chain.begin(), chain.end(), max_order, closed, [&](const Chain_join& join) {
-            BOOST_CHECK_EQUAL(join.left, n);
-            BOOST_CHECK_EQUAL(join.right, n == 29 ? 0 : n + 1);
-            BOOST_CHECK(join.left_curve == chain[join.left]);
-            BOOST_CHECK(join.right_curve == chain[join.right]);
-            const auto expected = GC::continuity(chain[join.left], chain[join.right], max_order);
-            BOOST_CHECK(same_join(join.continuity, expected));
-            ++c[expected.c_order];
-            ++g[expected.g_order];
-            ++f[expected.f_order];
-            ++n;
-          });
+      const GC::Closure closure = closed ? GC::Closure::closed : GC::Closure::open;
+      const auto joins = GC::chain_joins(chain, max_order, closure);
+      GC::Chain_analysis<Bezier<Traits>> analysis(max_order);
+      const auto report = [&](const Chain_join& join) {
+        BOOST_CHECK_EQUAL(join.left, n);
+        BOOST_CHECK_EQUAL(join.right, n == 29 ? 0 : n + 1);
+        BOOST_CHECK(join.left_curve == chain[join.left]);
+        BOOST_CHECK(join.right_curve == chain[join.right]);
+        const auto expected = GC::continuity(chain[join.left], chain[join.right], max_order);
+        BOOST_CHECK(same_join(join.continuity, expected));
+        BOOST_CHECK(same_join(joins.at(n), expected));
+        ++c[expected.c_order];
+        ++g[expected.g_order];
+        ++f[expected.f_order];
+        ++n;
+      };
+      for (const Bezier<Traits>& curve : chain) analysis.add(curve, report);
+      if (closed) analysis.close(report);
+      const GC::Chain_summary& summary = analysis.summary();
+      BOOST_CHECK_EQUAL(joins.size(), n);
       BOOST_CHECK_EQUAL(n, closed ? 30 : 29);
       BOOST_CHECK_EQUAL(summary.joins(), n);
       BOOST_CHECK(summary.counts(Kind::C) == c);
@@ -94,7 +103,8 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(a_chain_is_its_joins, Traits, All_traits) {
       BOOST_CHECK_EQUAL(*summary.least_order(Kind::G), g.begin()->first);
       BOOST_CHECK_EQUAL(summary.failing(Kind::C, 1), c[-1] + c[0]);
       BOOST_CHECK_EQUAL(summary.failing(Kind::F, 0), f[-1]);
-      BOOST_CHECK(GC::chain_continuity(chain.begin(), chain.end(), max_order, closed).counts(Kind::C) == c);
+      BOOST_CHECK(GC::chain_continuity(chain.begin(), chain.end(), max_order, closure).counts(Kind::C) == c);
+      BOOST_CHECK(GC::chain_continuity(chain, max_order, closure).counts(Kind::F) == f);
     }
 }
 
@@ -102,7 +112,10 @@ BOOST_AUTO_TEST_CASE(short_chains) {
   Random random;
   const std::vector<Bezier<Exact_3>> chain = random_chain<Exact_3>(random, 2);
   const auto joins = [&](int n, bool closed) {
-    return GC::chain_continuity(chain.begin(), chain.begin() + n, 3, closed);
+    const GC::Closure closure = closed ? GC::Closure::closed : GC::Closure::open;
+    BOOST_CHECK_EQUAL(GC::chain_joins(chain.begin(), chain.begin() + n, 3, closure).size(),
+                      n - (closed || n == 0 ? 0 : 1));
+    return GC::chain_continuity(chain.begin(), chain.begin() + n, 3, closure);
   };
   BOOST_CHECK_EQUAL(joins(0, false).joins(), 0);
   BOOST_CHECK_EQUAL(joins(0, true).joins(), 0);
@@ -112,6 +125,32 @@ BOOST_AUTO_TEST_CASE(short_chains) {
   BOOST_CHECK_EQUAL(joins(2, true).joins(), 2);
   BOOST_CHECK(!joins(1, false).least_order(Kind::C));
   BOOST_CHECK_EQUAL(joins(0, true).failing(Kind::C, 3), 0);
+}
+
+// Whether a chain is closed is told by an enumeration: a bool would be taken for the order.
+template <class... Argument> using Continuity = decltype(GC::chain_continuity(std::declval<Argument>()...));
+template <class... Argument> using Joins = decltype(GC::chain_joins(std::declval<Argument>()...));
+template <template <class...> class Call, class Arguments, class = void> constexpr bool compiles = false;
+template <template <class...> class Call, class... Argument>
+constexpr bool compiles<Call, void(Argument...), std::void_t<Call<Argument...>>> = true;
+
+BOOST_AUTO_TEST_CASE(a_flag_is_no_order) {
+  typedef std::vector<Bezier<Double_2>> Chain;
+  typedef Chain::const_iterator Iterator;
+  static_assert(compiles<Continuity, void(Iterator, Iterator, int)> && compiles<Joins, void(Iterator, Iterator, int)>);
+  static_assert(!compiles<Continuity, void(Iterator, Iterator, bool)> &&
+                !compiles<Joins, void(Iterator, Iterator, bool)>);
+  static_assert(!compiles<Continuity, void(Iterator, Iterator, int, bool)>);
+  static_assert(compiles<Continuity, void(Chain, int, GC::Closure)> && compiles<Joins, void(Chain)>);
+  static_assert(!compiles<Continuity, void(Chain, bool)> && !compiles<Joins, void(Chain, bool)>);
+  static_assert(!compiles<Continuity, void(Bezier<Double_2>)>); // its points are no curves
+}
+
+template <class Curve> using Segments = decltype(std::declval<Curve>().segments());
+
+BOOST_AUTO_TEST_CASE(segments_of_a_temporary_curve_are_refused) {
+  static_assert(compiles<Segments, void(const Composite<Double_2>&)>);
+  static_assert(!compiles<Segments, void(Composite<Double_2>)>);
 }
 
 BOOST_AUTO_TEST_CASE(memory_does_not_grow_with_a_chain) {

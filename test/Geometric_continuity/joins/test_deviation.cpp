@@ -19,6 +19,7 @@
 #include <iostream>
 #include <limits>
 #include <random>
+#include <sstream>
 #include <vector>
 
 BOOST_AUTO_TEST_SUITE(deviation)
@@ -153,6 +154,9 @@ BOOST_AUTO_TEST_CASE(verdicts) {
   BOOST_CHECK_EQUAL(order({angle * 0.999})(1), Verdict::refuted);
   BOOST_CHECK_EQUAL(order({angle * 0.999})(2), Verdict::refuted);
   BOOST_CHECK_EQUAL(order({angle * 0.999}).proved_order(), 0);
+  std::ostringstream text;
+  text << order({angle * 0.999});
+  BOOST_CHECK_EQUAL(text.str().substr(0, 58), "order 0 proved, 1 refuted, 2 refuted, 3 refuted; gap 0, ta");
   const GC::Enclosure e = *GC::deviation(line, kink).tangent_angle;
   BOOST_REQUIRE(e.lower < e.upper);
   BOOST_CHECK_EQUAL(order({e.lower})(1), Verdict::undecided);

@@ -73,7 +73,7 @@ BOOST_AUTO_TEST_CASE(chains_of_splines) {
                     psi = random.curve<Traits3<K>>(random.knots(4, 2), 3);
     const std::vector<Curve3<K>> chain{phi, Curve3<K>(blend(phi, psi)), psi,
                                        Curve3<K>(blend(psi, phi, GC::Sequential_g3()))};
-    const GC::Chain_summary summary = GC::chain_continuity(chain.begin(), chain.end(), 3, true);
+    const GC::Chain_summary summary = GC::chain_continuity(chain, 3, GC::Closure::closed);
     BOOST_CHECK_EQUAL(*summary.least_order(GC::Continuity_kind::G), 2);
     BOOST_CHECK_EQUAL(summary.counts(GC::Continuity_kind::G).at(3), 2u);
     // the pieces as a segmented curve, and back

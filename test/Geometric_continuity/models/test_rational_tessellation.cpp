@@ -8,6 +8,7 @@
 
 #include "support/rational_surfaces.h"
 
+#include <CGAL/Geometric_continuity/curves/Composite_bezier_curve.h>
 #include <CGAL/Geometric_continuity/models/tessellate.h>
 #include <CGAL/Geometric_continuity/surfaces/elementary_surfaces.h>
 
@@ -107,6 +108,67 @@ BOOST_AUTO_TEST_CASE(refused_tessellations) {
   CHECK_ERROR(GC::tessellate(s, GC::Chord_tolerance{0}), unreachable_tolerance);
   CHECK_ERROR(GC::tessellate(s, GC::Chord_tolerance{1e-9}), work_limit);
   CHECK_ERROR(GC::tessellate(s, GC::Uniform_grid{0}), wrong_number_of_points);
+}
+
+namespace {
+
+// Six times the volume inside.
+Q volume(const GC::Tessellation<Exact>& mesh) {
+  Q sum(0);
+  for (const auto& t : mesh.triangles)
+    sum += CGAL::determinant(mesh.points[t[0]] - CGAL::ORIGIN, mesh.points[t[1]] - CGAL::ORIGIN,
+                             mesh.points[t[2]] - CGAL::ORIGIN);
+  return sum;
+}
+
+} // namespace
+
+// Closed surfaces are outside outwards, whatever the direction of their parameters; each part of a model by itself.
+BOOST_AUTO_TEST_CASE(solids_are_turned_outwards) {
+  typedef Exact::Point Point;
+  typedef Exact::Vector Vector;
+  typedef GC::Rational_bspline_surface<Exact> Surface;
+  const GC::Uniform_grid grid{2};
+  std::vector<Surface> model;
+  Q sum(0);
+  for (const int turn : {1, -1}) {
+    const Vector x(turn, 0, 0), y(0, 2, 0), z(0, 0, 3);
+    const std::vector<Point> ring = {Point(2, 0, 9 * turn), Point(3, 0, 9 * turn), Point(3, 0, 10 * turn),
+                                     Point(2, 0, 9 * turn)};
+    const GC::Bspline_curve<Exact> profile(ring, {1, {0, 0, 1, 2, 3, 3}});
+    for (const Surface& surface : {GC::ellipsoid<Exact>(Point(20 * turn, 5, 0), x, y, z),
+                                   GC::torus<Exact>(Point(20 * turn, 0, 30), x, y, z, Q(1) / 3),
+                                   GC::full_revolution(profile, Point(0, 0, 0), Vector(0, 0, 1))}) {
+      const GC::Tessellation<Exact> mesh = GC::tessellate(surface, grid);
+      BOOST_CHECK(GC::mesh_edges(mesh.triangles).watertight());
+      BOOST_CHECK(volume(mesh) > 0);
+      model.push_back(surface);
+      sum += volume(mesh);
+    }
+  }
+  BOOST_CHECK(volume(GC::tessellate(model, grid)) == sum);
+  // an open one stays as it is: its triangles turn from u to v, here about the axis, seen from inside
+  const GC::Tessellation<Exact> open =
+      GC::tessellate(GC::cylinder<Exact>(Point(0, 0, 0), Vector(1, 0, 0), Vector(0, 1, 0), Vector(0, 0, 1)), grid);
+  for (const auto& t : open.triangles) {
+    const Vector n = CGAL::normal(open.points[t[0]], open.points[t[1]], open.points[t[2]]);
+    BOOST_CHECK(n * (open.points[t[0]] - Point(0, 0, 0)) < 0);
+  }
+}
+
+// Every profile makes a surface, the same where it is the same curve.
+BOOST_AUTO_TEST_CASE(revolution_of_any_profile) {
+  typedef Exact::Point Point;
+  const Point a(0, 0, 0);
+  const Exact::Vector w(0, 0, 1);
+  const std::vector<Point> points = {Point(1, 0, 0), Point(2, 0, 1), Point(1, 0, 2)};
+  const GC::Bezier_curve<Exact> bezier(points);
+  const auto expected = GC::full_revolution(GC::Rational_bspline_curve<Exact>(GC::Bspline_curve<Exact>(bezier)), a, w);
+  BOOST_CHECK(GC::full_revolution(bezier, a, w) == expected);
+  BOOST_CHECK(GC::full_revolution(GC::Bezier_curve<Exact, 2>(bezier), a, w) == expected);
+  BOOST_CHECK(GC::full_revolution(GC::Bspline_curve<Exact>(bezier), a, w) == expected);
+  BOOST_CHECK(GC::full_revolution(GC::Rational_bezier_curve<Exact>(bezier), a, w) == expected);
+  BOOST_CHECK(GC::full_revolution(GC::Composite_bezier_curve<Exact>(points, {0, 1}), a, w) == expected);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -48,8 +48,7 @@ bool same(const Curve& a, const Curve& b) {
 
 // The least G order of all joins.
 int least_order(const Rounded& r, bool closed) {
-  const auto nothing = [](const auto&) {};
-  return *GC::chain_continuity(r.curves.begin(), r.curves.end(), 3, closed, nothing)
+  return *GC::chain_continuity(r.curves, 3, closed ? GC::Closure::closed : GC::Closure::open)
               .least_order(GC::Continuity_kind::G);
 }
 
@@ -171,7 +170,7 @@ BOOST_AUTO_TEST_CASE(splines) {
   const std::vector<Q> line_knots = {0, 0, 1, 1};
   const std::vector<Point> line = {{9, 0}, {0, 0}};
   const std::vector<Spline> two = {spline, Spline(line.begin(), line.end(), GC::Knot_vector<Q>(1, line_knots))};
-  const Rounded closed = GC::round_corners(two.begin(), two.end(), 0.25, GC::Closure::closed);
+  const Rounded closed = GC::round_corners(two, 0.25, GC::Closure::closed); // a range
   BOOST_REQUIRE(closed.corners.size() == 3 && closed.corners[1].join == 3 && closed.corners[2].join == 4);
   BOOST_CHECK(least_order(closed, true) == 2);
 }
@@ -276,8 +275,7 @@ BOOST_AUTO_TEST_CASE(rational_chains) {
     const std::vector<Rational> moon = {arc, chord};
     const auto rounded = GC::round_corners(moon.begin(), moon.end(), 0.5, GC::Closure::closed);
     BOOST_REQUIRE(rounded.curves.size() == 4 && rounded.corners.size() == 2);
-    BOOST_CHECK(GC::chain_continuity(rounded.curves.begin(), rounded.curves.end(), 2, true)
-                    .least_order(GC::Continuity_kind::G) == 2);
+    BOOST_CHECK(GC::chain_continuity(rounded.curves, 2, GC::Closure::closed).least_order(GC::Continuity_kind::G) == 2);
     for (const auto& corner : rounded.corners) BOOST_CHECK_EQUAL(corner.distance, 0.5);
     // the cuts have that distance along the circle of the radius 4, and what remains of it lies on it
     const Point cut = rounded.curves[0].end_jet(0).point(), end = arc.end_jet(0).point();

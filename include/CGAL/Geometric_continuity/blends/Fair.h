@@ -10,6 +10,7 @@
 #include <CGAL/Geometric_continuity/blends/blend_ends.h>
 #include <CGAL/Geometric_continuity/blends/internal/Fair_family.h>
 #include <CGAL/Geometric_continuity/blends/internal/Fair_minimum.h>
+#include <CGAL/Geometric_continuity/numbers/internal/short_numbers.h>
 #include <CGAL/number_utils.h>
 
 #include <algorithm>
@@ -76,11 +77,11 @@ Fair_family<kind, fair_dimension<N, Fair_end<kind, 2>::order>> fair_family(const
   const auto take = [&](const FT& scale) {
     double largest = 0;
     for (int i = 0; i < dimension; ++i) {
-      v[0][i] = CGAL::to_double(FT(FT(psi[0][i] - phi[0][i]) * scale));
+      v[0][i] = rounded_number(FT(FT(psi[0][i] - phi[0][i]) * scale));
       double power_of_beta = 1, power_of_eta = 1;
       for (int k = 1; k <= order; ++k) {
-        v[k][i] = CGAL::to_double(FT(phi[k][i] * scale)) * (power_of_beta *= beta);
-        v[order + k][i] = CGAL::to_double(FT(psi[k][i] * scale)) * (power_of_eta *= eta);
+        v[k][i] = rounded_number(FT(phi[k][i] * scale)) * (power_of_beta *= beta);
+        v[order + k][i] = rounded_number(FT(psi[k][i] * scale)) * (power_of_eta *= eta);
       }
       for (int k : {0, 1, order + 1}) largest = (std::max)(largest, std::abs(v[k][i]));
     }
@@ -90,8 +91,11 @@ Fair_family<kind, fair_dimension<N, Fair_end<kind, 2>::order>> fair_family(const
   if constexpr (!std::is_floating_point_v<FT>)
     if (!(1e-100 < largest && largest < 1e100)) { // exact numbers of any size
       FT sum(0);
-      for (int i = 0; i < dimension; ++i)
-        sum += CGAL::abs(FT(psi[0][i] - phi[0][i])) + CGAL::abs(FT(FT(beta) * phi[1][i]));
+      const auto add = [&](const FT& y) { sum += y < FT(0) ? FT(-y) : y; };
+      for (int i = 0; i < dimension; ++i) {
+        add(FT(psi[0][i] - phi[0][i]));
+        add(FT(short_number_in<FT>(beta) * phi[1][i]));
+      }
       largest = take(FT(FT(1) / sum));
     }
   if (largest > 0 && largest <= (std::numeric_limits<double>::max)())
@@ -175,18 +179,21 @@ template <class FT, class Strategy> struct Fair_choice {
   Fair_report report;
 };
 
-inline Given_parameters<double> fair_scalars(const Fair_numbers<Blend_kind::g2>& x, double, double) {
-  return {short_scalar(x.start[1] / 20), short_scalar(x.end[1] / 20)};
+// The numbers of a strategy that a fair blend chooses: short, and of the field where it cannot be made of them.
+template <class FT> using Fair_scalar = std::conditional_t<has_interval_v<FT>, double, FT>;
+
+template <class FT> Given_parameters<FT> fair_scalars(const Fair_numbers<Blend_kind::g2>& x, const FT&, const FT&) {
+  return {short_number_in<FT>(short_scalar(x.start[1] / 20)), short_number_in<FT>(short_scalar(x.end[1] / 20))};
 }
 
 // The scalars of one end with the shape parameter beta: beta tau, beta^2 nu, beta sigma, and mu = 3 beta beta_2 for G3.
 template <Blend_kind kind, class FT>
 Septic_end_parameters<FT> fair_end_scalars(const typename Fair_end<kind, 2>::Unknowns& x, const FT& beta) {
-  const FT beta2 = beta * FT(x[1]), beta3 = beta * FT(x[2]);
+  const FT beta2 = beta * short_number_in<FT>(x[1]), beta3 = beta * short_number_in<FT>(x[2]);
   if constexpr (kind == Blend_kind::g3)
     return {beta2, FT(FT(3) * beta * beta2), beta3};
   else
-    return {beta2, FT(beta * beta * FT(x[3])), beta3};
+    return {beta2, FT(beta * beta * short_number_in<FT>(x[3])), beta3};
 }
 template <class FT, Blend_kind kind>
 Given_end_parameters<FT> fair_scalars(const Fair_numbers<kind>& x, const FT& beta, const FT& eta) {
@@ -198,10 +205,12 @@ template <Blend_kind kind> struct Fair_strategy {
   /// Chooses the shape parameters and the free scalars for two jets.
   template <class FT, int N> auto choose(const Coordinate_jet<FT, N>& phi, const Coordinate_jet<FT, N>& psi) const {
     const Shape_parameters<FT> automatic = internal::automatic_shape(phi, psi);
-    const Fair_numbers<kind> x = fair_numbers<kind, FT, N>(phi, psi, CGAL::to_double(automatic.beta),
-                                                           CGAL::to_double(automatic.eta), Shape_choice::free);
-    const auto strategy = fair_scalars(x, x.beta, x.eta);
-    return Fair_choice<FT, std::decay_t<decltype(strategy)>>{{FT(x.beta), FT(x.eta)}, strategy, x.report};
+    const Fair_numbers<kind> x = fair_numbers<kind, FT, N>(phi, psi, rounded_number(automatic.beta),
+                                                           rounded_number(automatic.eta), Shape_choice::free);
+    typedef Fair_scalar<FT> Scalar;
+    const auto strategy = fair_scalars<Scalar>(x, short_number_in<Scalar>(x.beta), short_number_in<Scalar>(x.eta));
+    return Fair_choice<FT, std::decay_t<decltype(strategy)>>{
+        {short_number_in<FT>(x.beta), short_number_in<FT>(x.eta)}, strategy, x.report};
   }
 };
 
@@ -241,9 +250,10 @@ struct Fair : internal::Fair_strategy<internal::Blend_kind::g2> {
   /// Chooses \f$ s_1 \f$ and \f$ s_2 \f$ for given shape parameters.
   template <class FT, int N> Quintic_parameters<FT> operator()(const Quintic_ends<FT, N>& e) const {
     const std::array<Coordinate_vector<FT, N>, 3> phi = {e.a1, e.u, e.w1}, psi = {e.a2, e.v, e.w2};
-    return internal::fair_scalars(
-        internal::fair_numbers<internal::Blend_kind::g2, FT, N>(phi, psi, 1, 1, internal::Shape_choice::given), 1.,
-        1.)(e);
+    typedef internal::Fair_scalar<FT> Scalar;
+    return internal::fair_scalars<Scalar>(
+        internal::fair_numbers<internal::Blend_kind::g2, FT, N>(phi, psi, 1, 1, internal::Shape_choice::given),
+        Scalar(1), Scalar(1))(e);
   }
 };
 

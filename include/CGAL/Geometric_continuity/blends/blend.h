@@ -12,6 +12,7 @@
 #include <CGAL/Geometric_continuity/internal/force_inline.h>
 #include <CGAL/Geometric_continuity/internal/independent_iterations.h>
 #include <CGAL/Geometric_continuity/internal/parallel.h>
+#include <CGAL/Geometric_continuity/joins/Curve_ends.h>
 #include <CGAL/Geometric_continuity/local/Curve_jet.h>
 
 #include <boost/config.hpp>
@@ -31,37 +32,35 @@ namespace CGAL {
 namespace Geometric_continuity {
 
 /// \ingroup PkgGeometricContinuityConstruction
-/// A quintic blend: a Bézier curve of degree 5 on [0, 1] together with the scalars that its strategy chose.
-/// \tparam Traits a model of `GeometricContinuityTraits`
-template <class Traits> struct Quintic_blend : Bezier_curve<Traits, 5> {
-  typedef Quintic_parameters<typename Traits::FT> Parameters; ///< the type of what the strategy chose
-  typedef Shape_parameters<typename Traits::FT> Shape;        ///< the type of the shape parameters
+/// A blend: a Bézier curve on [0, 1] together with the scalars that its strategy chose. `Quintic_blend` and `Septic_blend` are blends.
+/// \tparam Traits a model of `GeometricContinuityTraits` \tparam Degree 5 or 7
+/// \tparam Parameters_ `Quintic_parameters` or `Septic_parameters` of the numbers of the traits class
+template <class Traits, int Degree, class Parameters_> struct Blend_curve : Bezier_curve<Traits, Degree> {
+  typedef Parameters_ Parameters;                      ///< the type of what the strategy chose
+  typedef Shape_parameters<typename Traits::FT> Shape; ///< the type of the shape parameters
 
   Parameters parameters; ///< what the strategy chose
   Shape shape;           ///< the shape parameters, given or chosen
 
   /// From the coordinates of the control points.
   /// \throws Error `not_finite` for an infinite or undefined floating-point coordinate
-  Quintic_blend(const std::array<Geometric_continuity::Coordinates<Traits>, 6>& points,
-                const Parameters& given_parameters, const Shape& given_shape)
-      : Bezier_curve<Traits, 5>(points), parameters(given_parameters), shape(given_shape) {}
+  Blend_curve(const std::array<Geometric_continuity::Coordinates<Traits>, Degree + 1>& points,
+              const Parameters& given_parameters, const Shape& given_shape)
+      : Bezier_curve<Traits, Degree>(points), parameters(given_parameters), shape(given_shape) {}
+};
+
+/// \ingroup PkgGeometricContinuityConstruction
+/// A quintic blend: a Bézier curve of degree 5 on [0, 1] together with the scalars that its strategy chose.
+/// \tparam Traits a model of `GeometricContinuityTraits`
+template <class Traits> struct Quintic_blend : Blend_curve<Traits, 5, Quintic_parameters<typename Traits::FT>> {
+  using Blend_curve<Traits, 5, Quintic_parameters<typename Traits::FT>>::Blend_curve;
 };
 
 /// \ingroup PkgGeometricContinuityConstruction
 /// A septic blend: a Bézier curve of degree 7 on [0, 1] together with the scalars that its strategy chose.
 /// \tparam Traits a model of `GeometricContinuityTraits`
-template <class Traits> struct Septic_blend : Bezier_curve<Traits, 7> {
-  typedef Septic_parameters<typename Traits::FT> Parameters; ///< the type of what the strategy chose
-  typedef Shape_parameters<typename Traits::FT> Shape;       ///< the type of the shape parameters
-
-  Parameters parameters; ///< what the strategy chose
-  Shape shape;           ///< the shape parameters, given or chosen
-
-  /// From the coordinates of the control points.
-  /// \throws Error `not_finite` for an infinite or undefined floating-point coordinate
-  Septic_blend(const std::array<Geometric_continuity::Coordinates<Traits>, 8>& points,
-               const Parameters& given_parameters, const Shape& given_shape)
-      : Bezier_curve<Traits, 7>(points), parameters(given_parameters), shape(given_shape) {}
+template <class Traits> struct Septic_blend : Blend_curve<Traits, 7, Septic_parameters<typename Traits::FT>> {
+  using Blend_curve<Traits, 7, Septic_parameters<typename Traits::FT>>::Blend_curve;
 };
 
 /// \ingroup PkgGeometricContinuityConstruction
@@ -70,6 +69,17 @@ template <class Traits> struct Septic_blend : Bezier_curve<Traits, 7> {
 template <class Blend, class Report> struct Shaped_blend : Blend {
   Report report; ///< what the strategy reports
 };
+
+/// \ingroup PkgGeometricContinuityContinuity
+/// The ends of a quintic blend, which is a Bézier curve.
+template <class Traits> struct Curve_ends<Quintic_blend<Traits>> : Bezier_ends<Quintic_blend<Traits>> {};
+/// \ingroup PkgGeometricContinuityContinuity
+/// The ends of a septic blend, which is a Bézier curve.
+template <class Traits> struct Curve_ends<Septic_blend<Traits>> : Bezier_ends<Septic_blend<Traits>> {};
+/// \ingroup PkgGeometricContinuityContinuity
+/// The ends of a blend with a report.
+template <class Blend, class Report>
+struct Curve_ends<Shaped_blend<Blend, Report>> : Bezier_ends<Shaped_blend<Blend, Report>> {};
 
 namespace internal {
 
@@ -236,6 +246,16 @@ auto blend(const Left& phi, const Right& psi, const Strategy& strategy,
 template <class Left, class Right, class Strategy>
 auto blend(const Left& phi, const Right& psi, const Strategy& strategy) {
   return internal::blend_of_curves(phi, psi, strategy);
+}
+
+/// \ingroup PkgGeometricContinuityConstruction
+/// Returns the quintic blend of least energy \f$ \int |\gamma'''|^2 \f$ of two curves or jets with the given shape parameters, e.g.
+/// `blend(phi, psi, {1, 1})`, with \f$ G^2 \f$ joins.
+/// \tparam Left, Right models of `ParametricCurve` with one traits class, or `Curve_jet`
+/// \throws Error as with a strategy and shape parameters
+template <class Left, class Right, class FT = typename Left::Traits::FT>
+Quintic_blend<typename Left::Traits> blend(const Left& phi, const Right& psi, const Shape_parameters<FT>& shape) {
+  return blend(phi, psi, Minimal_energy<3>(), shape);
 }
 
 /// \ingroup PkgGeometricContinuityConstruction

@@ -17,6 +17,7 @@
 #include <array>
 #include <cstddef>
 #include <initializer_list>
+#include <iterator>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -118,7 +119,10 @@ public:
   using Polygon::dimension;
   using Polygon::end;
 
-  /// Takes a range of control points and the domain.
+  /// Makes a curve without control points, for containers that need one: nothing may be done with it but to assign another one to it.
+  Bezier_curve() = default;
+
+  /// Takes control points and the domain.
   /// \throws Error `wrong_number_of_points` unless the range has `Degree + 1` points (at least one, if dynamic)
   /// \throws Error `dimension_mismatch` when the points differ in dimension
   /// \throws Error `empty_domain` unless `a < b`
@@ -126,6 +130,11 @@ public:
   template <class InputIterator>
   Bezier_curve(InputIterator first, InputIterator last, const FT& a = FT(0), const FT& b = FT(1))
       : Polygon(first, last, a, b) {}
+
+  /// Takes a range of control points, such as a `std::vector`, and the domain. \throws Error as the constructor from iterators
+  template <class Points, class = internal::Range_of_points<Points, Point>>
+  explicit Bezier_curve(const Points& points, const FT& a = FT(0), const FT& b = FT(1))
+      : Bezier_curve(std::begin(points), std::end(points), a, b) {}
 
   /// Takes the coordinates of the control points, and the domain.
   /// \throws Error `wrong_number_of_points` without points, `dimension_mismatch`, `empty_domain`, `not_finite` as for points

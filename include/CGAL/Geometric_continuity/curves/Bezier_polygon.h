@@ -16,6 +16,7 @@
 
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <ostream>
 #include <string>
 #include <type_traits>
@@ -30,6 +31,16 @@ namespace Geometric_continuity {
 constexpr int dynamic_degree = -1;
 
 namespace internal {
+
+template <class T, class = void> struct Has_traits : std::false_type {};
+template <class T> struct Has_traits<T, std::void_t<typename T::Traits>> : std::true_type {};
+
+// Void if the points of a range are those of a curve. A curve is no range: its control points alone are not all of it.
+template <class Range, class Point>
+using Range_of_points = std::enable_if_t<
+    std::is_convertible_v<typename std::iterator_traits<decltype(std::begin(std::declval<const Range&>()))>::reference,
+                          const Point&> &&
+    !Has_traits<Range>::value>;
 
 // A jet of order k: for a small one of fixed(a constant that is at least k), where the degree is fixed k itself; otherwise any().
 template <int Degree, class Fixed, class Any> auto with_largest_order(int k, Fixed fixed, Any any) {
@@ -55,6 +66,8 @@ template <int Degree, class Fixed, class Any> auto with_largest_order(int k, Fix
 /// \tparam Traits a model of `GeometricContinuityTraits`
 /// \tparam Degree the degree `m >= 0`, or `dynamic_degree`
 template <class Traits_, int Degree> class Bezier_polygon {
+  static_assert(internal::Checked_traits<Traits_>::value);
+
 public:
   typedef Traits_ Traits;                                        ///< the traits class
   typedef typename Traits::FT FT;                                ///< the field
@@ -128,6 +141,7 @@ protected:
   Per_point<Point> points_;
   FT a_, b_;
 
+  Bezier_polygon() = default;
   template <class InputIterator>
   Bezier_polygon(InputIterator first, InputIterator last, const FT& a, const FT& b) : a_(a), b_(b) {
     if constexpr (Degree == dynamic_degree)

@@ -17,6 +17,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <iterator>
 #include <optional>
 #include <ostream>
 #include <string>
@@ -91,6 +92,8 @@ span_end_jets(const Knot_vector<FT>& knots, const std::vector<Coordinate_vector<
 ///
 /// \tparam Traits a model of `GeometricContinuityTraits`
 template <class Traits_> class Bspline_polygon {
+  static_assert(internal::Checked_traits<Traits_>::value);
+
 public:
   typedef Traits_ Traits;                                        ///< the traits class
   typedef typename Traits::FT FT;                                ///< the field
@@ -199,7 +202,7 @@ public:
   using Polygon::domain;
   using Polygon::function;
 
-  /// Takes a range of control points and the knots.
+  /// Takes control points and the knots.
   /// \throws Error `wrong_number_of_points` unless there are `n` points
   /// \throws Error `dimension_mismatch` when the points differ in dimension
   /// \throws Error `not_finite` for an infinite or undefined floating-point coordinate
@@ -209,6 +212,11 @@ public:
     internal::check_number_of_coefficients(knots_, points_, "Bspline_curve");
     this->check_points();
   }
+
+  /// Takes a range of control points, such as a `std::vector`, and the knots. \throws Error as the constructor from iterators
+  template <class Points, class = internal::Range_of_points<Points, Point>>
+  Bspline_curve(const Points& points, Knot_vector<FT> knots)
+      : Bspline_curve(std::begin(points), std::end(points), std::move(knots)) {}
 
   /// Takes the coordinates as a function.
   /// \throws Error `dimension_mismatch` when the coefficients differ in dimension
@@ -231,7 +239,7 @@ public:
   /// \throws Error `wrong_number_of_points` for an empty range
   /// \throws Error `curves_do_not_meet`, `dimension_mismatch` when two neighbours do not fit
   /// \throws Error `empty_domain`, `not_finite` when knots become equal or overflow by rounding
-  template <class ForwardIterator>
+  template <class ForwardIterator, class = typename std::iterator_traits<ForwardIterator>::value_type>
   Bspline_curve(ForwardIterator first, ForwardIterator last)
       : Bspline_curve(internal::Joined_bezier_curves<Traits>(first, last, 0, "Bspline_curve")) {}
 

@@ -16,6 +16,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <iterator>
 #include <ostream>
 #include <string>
 #include <utility>
@@ -25,12 +26,25 @@ namespace CGAL {
 namespace Geometric_continuity {
 
 /// \ingroup PkgGeometricContinuityCurves
+/// How a chain of curves, or a curve through or near many points, ends.
+enum class Closure {
+  open,  ///< it ends at its last curve, or at the last point or near it
+  closed ///< it returns to its first curve or point
+};
+
+/// \ingroup PkgGeometricContinuityCurves
+/// Returns the name of a kind of chain or curve, as spelled in the enumeration.
+inline std::string to_string(Closure closure) { return closure == Closure::open ? "open" : "closed"; }
+
+/// \ingroup PkgGeometricContinuityCurves
 /// What a segmented Bézier curve is given by: its control points \f$ b_0, \dots, b_{m(k+1)} \f$ and its knots
 /// \f$ u_0, \dots, u_{k+1} \f$. This base of `Composite_bezier_curve` stores and checks them, and answers what needs no
 /// evaluation.
 ///
 /// \tparam Traits a model of `GeometricContinuityTraits`
 template <class Traits_> class Composite_bezier_polygon {
+  static_assert(internal::Checked_traits<Traits_>::value);
+
 public:
   typedef Traits_ Traits;                                             ///< the traits class
   typedef typename Traits::FT FT;                                     ///< the field
@@ -91,7 +105,8 @@ protected:
     for (std::size_t l = 0; l < knots_.size(); ++l) {
       internal::check_finite(knots_[l], "Composite_bezier_curve: knots");
       if (l > 0 && !(knots_[l - 1] < knots_[l]))
-        throw Error(Error_code::empty_domain, "Composite_bezier_curve: segment " + std::to_string(l - 1));
+        throw Error(Error_code::empty_domain,
+                    "Composite_bezier_curve: knot " + std::to_string(l) + " is not greater than the one before it");
     }
     internal::check_finite(FT(knots_.back() - knots_.front()), "Composite_bezier_curve: length of the domain");
   }
@@ -175,13 +190,18 @@ public:
     this->check_points();
   }
 
+  /// Takes a range of control points, such as a `std::vector`, and the knots. \throws Error as the constructor from iterators
+  template <class Points, class = internal::Range_of_points<Points, Point>>
+  Composite_bezier_curve(const Points& points, std::vector<FT> knots)
+      : Composite_bezier_curve(std::begin(points), std::end(points), std::move(knots)) {}
+
   /// Takes a range of Bézier curves, each of which starts exactly where the one before it ends. Its degree is the highest
   /// of theirs, or `Degree`; the others are elevated. The segments keep the lengths of their domains: \f$ u_0 \f$ is the
   /// start of the first domain, and domains that continue each other are taken over as they are.
   /// \throws Error `curves_do_not_meet`, `dimension_mismatch` when two neighbours do not fit
   /// \throws Error `wrong_number_of_points` for an empty range, and for a degree above `Degree`
   /// \throws Error `empty_domain`, `not_finite` when knots become equal or overflow by rounding
-  template <class ForwardIterator>
+  template <class ForwardIterator, class = typename std::iterator_traits<ForwardIterator>::value_type>
   Composite_bezier_curve(ForwardIterator first, ForwardIterator last)
       : Composite_bezier_curve(
             internal::Joined_bezier_curves<Traits>(first, last, (std::max)(Degree, 0), "Composite_bezier_curve")) {}
@@ -207,12 +227,14 @@ public:
     return Segment(first, first + degree_ + 1, knots_[l], knots_[l + 1]);
   }
 
-  /// Returns the range of all segments, which are made one at a time. It refers to this curve, which must live on.
-  auto segments() const {
+  /// Returns the range of all segments, which are made one at a time. It refers to this curve, which must live on; so that it is not
+  /// for temporary curves.
+  auto segments() const& {
     return CGAL::make_range(
         boost::make_transform_iterator(boost::make_counting_iterator(0), Segment_at{this}),
         boost::make_transform_iterator(boost::make_counting_iterator(number_of_segments()), Segment_at{this}));
   }
+  void segments() const&& = delete;
 
   /// Returns the number of joins: that of the inner knots, and one more when the curve is closed.
   int number_of_joins() const { return number_of_segments() - (is_closed() ? 0 : 1); }

@@ -12,6 +12,7 @@
 #include <CGAL/Geometric_continuity/numbers/internal/checked_numbers.h>
 
 #include <array>
+#include <iterator>
 #include <ostream>
 #include <string>
 #include <type_traits>
@@ -283,17 +284,6 @@ private:
 };
 
 /// \ingroup PkgGeometricContinuityConstruction
-/// How a curve through or near many points ends.
-enum class Closure {
-  open,  ///< it ends at the last point, or near it
-  closed ///< it returns to the first point
-};
-
-/// \ingroup PkgGeometricContinuityConstruction
-/// Returns the name of a kind of curve, as spelled in the enumeration.
-inline std::string to_string(Closure closure) { return closure == Closure::open ? "open" : "closed"; }
-
-/// \ingroup PkgGeometricContinuityConstruction
 /// Returns the curve through or near many points: each four neighbours are the geometry of one cubic segment. `n` points make `n - 3`
 /// segments, or `n` if the curve is closed, with the knots 0, 1, 2, ...
 ///
@@ -332,6 +322,14 @@ Composite_bezier_curve<Traits, 3> piecewise_cubic(InputIterator first, InputIter
 }
 
 /// \ingroup PkgGeometricContinuityConstruction
+/// Returns the curve through or near the points of a range, such as a `std::vector`.
+template <class Traits, class Basis, class Range>
+Composite_bezier_curve<Traits, 3> piecewise_cubic(const Range& points, const Basis& basis,
+                                                  Closure closure = Closure::open) {
+  return piecewise_cubic<Traits>(std::begin(points), std::end(points), basis, closure);
+}
+
+/// \ingroup PkgGeometricContinuityConstruction
 /// Returns the curve through the given points with the given first derivatives, at the knots 0, 1, 2, ...; a closed one returns to the
 /// first point. It is \f$ C^1 \f$, and \f$ G^1 \f$ where the derivative is not zero. A zero derivative is no error:
 /// `chain_continuity()` tells what it makes of the join.
@@ -361,6 +359,15 @@ Composite_bezier_curve<Traits, 3> piecewise_hermite(PointIterator first_point, P
         Cubic_blended_curve<Traits, Hermite_basis>({p[i], p[j], r[i], r[j]}).bezier(to_bezier, FT(i), FT(i + 1)));
   }
   return Composite_bezier_curve<Traits, 3>(pieces.begin(), pieces.end());
+}
+
+/// \ingroup PkgGeometricContinuityConstruction
+/// Returns the curve through the points of a range with the first derivatives of another one, such as two `std::vector`s.
+template <class Traits, class Points, class Vectors>
+Composite_bezier_curve<Traits, 3> piecewise_hermite(const Points& points, const Vectors& derivatives,
+                                                    Closure closure = Closure::open) {
+  return piecewise_hermite<Traits>(std::begin(points), std::end(points), std::begin(derivatives), std::end(derivatives),
+                                   closure);
 }
 
 } // namespace Geometric_continuity

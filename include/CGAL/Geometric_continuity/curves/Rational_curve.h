@@ -15,6 +15,7 @@
 #include <array>
 #include <cstddef>
 #include <initializer_list>
+#include <iterator>
 #include <optional>
 #include <ostream>
 #include <string>
@@ -122,8 +123,16 @@ public:
   template <class InputIterator, class WeightIterator>
   Rational_curve(InputIterator first, InputIterator last, WeightIterator first_weight, WeightIterator last_weight,
                  Knot_vector<FT> knots)
-      : Rational_curve(std::vector<Point>(first, last), Weights(first_weight, last_weight), knots) {
+      : Rational_curve(internal::Unspecified(), std::vector<Point>(first, last), Weights(first_weight, last_weight),
+                       knots) {
     place_infinite_points();
+  }
+
+  /// Takes a range of control points, such as a `std::vector`, a range of their weights, and the knots of a B-spline curve.
+  /// \throws Error as the constructor from iterators
+  template <class Points, class Numbers, class = internal::Range_of_points<Points, Point>>
+  Rational_curve(const Points& points, const Numbers& weights, Knot_vector<FT> knots)
+      : Rational_curve(std::begin(points), std::end(points), std::begin(weights), std::end(weights), std::move(knots)) {
   }
 
   /// Takes the curve of the homogeneous points \f$ (w_i b_i, w_i) \f$.
@@ -158,7 +167,7 @@ public:
   /// between them have the multiplicity of the degree. The lengths of the domains are kept.
   /// \throws Error `wrong_number_of_points` for an empty range, `dimension_mismatch`, `curves_do_not_meet` when two neighbours do
   ///   not fit, `empty_domain` when knots become equal by rounding
-  template <class ForwardIterator>
+  template <class ForwardIterator, class = typename std::iterator_traits<ForwardIterator>::value_type>
   Rational_curve(ForwardIterator first, ForwardIterator last) : Rational_curve(joined(first, last)) {}
 
   /// \name Control Points and Weights
@@ -465,7 +474,7 @@ private:
   Weights weights_;
 
   // For splines.
-  Rational_curve(const std::vector<Point>& points, Weights weights, const Knot_vector<FT>& knots)
+  Rational_curve(internal::Unspecified, const std::vector<Point>& points, Weights weights, const Knot_vector<FT>& knots)
       : shape_(checked(points, weights, knots).begin(), points.end(), knots), weights_(std::move(weights)) {
     Kind::check_weights(shape_, weights_);
   }

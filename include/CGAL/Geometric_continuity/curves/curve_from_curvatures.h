@@ -9,6 +9,7 @@
 #include <CGAL/Geometric_continuity/curves/Composite_bezier_curve.h>
 #include <CGAL/Geometric_continuity/local/Frenet_frame.h>
 #include <CGAL/Geometric_continuity/numbers/internal/checked_numbers.h>
+#include <CGAL/Geometric_continuity/numbers/internal/square_root.h>
 #include <CGAL/number_utils.h>
 
 #include <boost/numeric/odeint/stepper/controlled_runge_kutta.hpp>
@@ -147,7 +148,7 @@ template <class Traits> void orthonormalise(std::vector<typename Traits::FT>& x,
   std::vector<Coordinates<Traits>> q;
   for (const Coordinates<Traits>& row : frame_rows<Traits>(x, n)) {
     q.push_back(orthogonal_component(row, q));
-    q.back() /= FT(CGAL::sqrt(FT(dot(q.back(), q.back()))));
+    q.back() /= square_root(FT(dot(q.back(), q.back())));
     std::copy(q.back().begin(), q.back().end(), x.begin() + n * static_cast<int>(q.size()));
   }
 }
@@ -240,7 +241,7 @@ Integrated_curve<Traits> curve_from_curvatures(const Curvatures& kappa, const ty
     sample(s);
   }
   const FT steps(curve.samples.size() - 1);
-  curve.error_bound = steps * tolerance * (CGAL::sqrt(FT(n)) + CGAL::sqrt(FT(2)) * n * length);
+  curve.error_bound = steps * tolerance * (internal::square_root(FT(n)) + internal::square_root(FT(2)) * n * length);
   return curve;
 }
 

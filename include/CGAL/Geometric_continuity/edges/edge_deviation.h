@@ -238,6 +238,11 @@ struct Edge_order_within {
   }
   /// Returns the largest order that is proved, -1 if none is.
   int proved_order() const { return verdicts[1] == Verdict::proved ? 1 : verdicts[0] == Verdict::proved ? 0 : -1; }
+
+  /// Writes the verdicts and the deviation, e.g. `order 0 proved, 1 refuted; gap 0, ...`.
+  friend std::ostream& operator<<(std::ostream& os, const Edge_order_within& within) {
+    return os << "order 0 " << within(0) << ", 1 " << within(1) << "; " << within.deviation;
+  }
 };
 
 namespace internal {

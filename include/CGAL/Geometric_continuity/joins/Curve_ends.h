@@ -178,6 +178,7 @@ template <class Curve, Curve_end which> class Curve_end_view {
 public:
   typedef typename Curve::Traits Traits;
   typedef typename Traits::FT FT;
+  static constexpr bool has_weights = Has_weights<Curve>::value;
 
   explicit Curve_end_view(const Curve& curve) : curve_(curve), first_(Ends::point_number(curve, which)) {}
 
@@ -188,7 +189,7 @@ public:
     return FT(Traits().compute_coordinate_object()(curve_.control_point(number(j)), i));
   }
   FT weight(int j) const {
-    if constexpr (Has_weights<Curve>::value)
+    if constexpr (has_weights)
       return curve_.weight(number(j));
     else
       return FT(1);

@@ -194,32 +194,73 @@ private:
   }
 };
 
+namespace internal {
+
+// The type of the curves of a range or between two iterators; none for what holds no curves, such as the control points of a curve.
+template <class Iterator> using Chain_curve = typename std::iterator_traits<Iterator>::value_type;
+template <class Range>
+using Curve_of_range =
+    std::enable_if_t<std::is_class_v<typename Chain_curve<decltype(std::begin(std::declval<const Range&>()))>::Traits>,
+                     Chain_curve<decltype(std::begin(std::declval<const Range&>()))>>;
+
+} // namespace internal
+
 /// \ingroup PkgGeometricContinuityContinuity
-/// Decides all joins of a chain of curves up to order `max_order`, with the closing one if `closed`, and reports each by
-/// a call of `report` with a `Chain_join`. One call of `continuity()` for each join; the first curve and the previous one are
-/// kept, see `Chain_analysis`. Returns the counts.
+/// Decides all joins of a chain of curves up to order `max_order`, with that of the last curve and the first one if the chain is
+/// closed, and returns how many of them have which order. Only the orders of each join are decided, which takes less time than
+/// `continuity()`. `chain_joins()` returns the joins themselves, and `Chain_analysis` takes curves one at a time.
 /// \tparam InputIterator its value type is a copyable model of `ParametricCurve`
 /// \throws Error as `continuity()` does
-template <class InputIterator, class Report>
-Chain_summary chain_continuity(InputIterator first, InputIterator last, int max_order, bool closed, Report&& report) {
-  Chain_analysis<typename std::iterator_traits<InputIterator>::value_type> chain(max_order);
-  for (; first != last; ++first) chain.add(*first, report);
-  if (closed) chain.close(report);
+template <class InputIterator>
+Chain_summary chain_continuity(InputIterator first, InputIterator last, int max_order = 3,
+                               Closure closure = Closure::open) {
+  Chain_analysis<internal::Chain_curve<InputIterator>> chain(max_order);
+  for (; first != last; ++first) chain.add(*first);
+  if (closure == Closure::closed) chain.close();
   return chain.summary();
 }
 
 /// \ingroup PkgGeometricContinuityContinuity
-/// Decides all joins of a chain of curves up to order `max_order`, with the closing one if `closed`, and returns the counts.
-/// Only the orders of each join are decided, which takes less time than `continuity()`.
+/// Decides all joins of the curves of a range, such as a `std::vector`, and returns how many of them have which order.
+template <class Range, class = internal::Curve_of_range<Range>>
+Chain_summary chain_continuity(const Range& chain, int max_order = 3, Closure closure = Closure::open) {
+  return chain_continuity(std::begin(chain), std::end(chain), max_order, closure);
+}
+
+/// \ingroup PkgGeometricContinuityContinuity
+/// Decides all joins of a chain of curves up to order `max_order`, and returns them: number `i` is the join at the end of the curve
+/// number `i`, with that of the last curve and the first one as the last if the chain is closed. One call of `continuity()` for each.
 /// \tparam InputIterator its value type is a copyable model of `ParametricCurve`
 /// \throws Error as `continuity()` does
 template <class InputIterator>
-Chain_summary chain_continuity(InputIterator first, InputIterator last, int max_order = 3, bool closed = false) {
-  Chain_analysis<typename std::iterator_traits<InputIterator>::value_type> chain(max_order);
-  for (; first != last; ++first) chain.add(*first);
-  if (closed) chain.close();
-  return chain.summary();
+std::vector<Join_continuity<Predicate_FT<typename internal::Chain_curve<InputIterator>::Traits>>>
+chain_joins(InputIterator first, InputIterator last, int max_order = 3, Closure closure = Closure::open) {
+  typedef internal::Chain_curve<InputIterator> Curve;
+  std::vector<Join_continuity<Predicate_FT<typename Curve::Traits>>> joins;
+  const auto keep = [&](const Chain_join<Curve>& join) { joins.push_back(join.continuity); };
+  Chain_analysis<Curve> chain(max_order);
+  for (; first != last; ++first) chain.add(*first, keep);
+  if (closure == Closure::closed) chain.close(keep);
+  return joins;
 }
+
+/// \ingroup PkgGeometricContinuityContinuity
+/// Decides all joins of the curves of a range, such as a `std::vector`, and returns them.
+template <class Range>
+std::vector<Join_continuity<Predicate_FT<typename internal::Curve_of_range<Range>::Traits>>>
+chain_joins(const Range& chain, int max_order = 3, Closure closure = Closure::open) {
+  return chain_joins(std::begin(chain), std::end(chain), max_order, closure);
+}
+
+// Whether a chain is closed is no number, and would be taken for the order.
+template <class Iterator, class Flag, class = std::enable_if_t<std::is_same_v<Flag, bool>>>
+Chain_summary chain_continuity(Iterator first, Iterator last, Flag closed) = delete;
+template <class Range, class Flag, class = std::enable_if_t<std::is_same_v<Flag, bool>>>
+Chain_summary chain_continuity(const Range& chain, Flag closed) = delete;
+template <class Iterator, class Flag, class = std::enable_if_t<std::is_same_v<Flag, bool>>>
+void chain_joins(Iterator first, Iterator last, Flag closed) = delete;
+template <class Range, class Flag, class = std::enable_if_t<std::is_same_v<Flag, bool>>>
+void chain_joins(const Range& chain, Flag closed) = delete;
 
 /// \ingroup PkgGeometricContinuityContinuity
 /// Curvature and torsion on one side of a join.

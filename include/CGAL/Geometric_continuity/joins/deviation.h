@@ -135,6 +135,13 @@ struct Order_within {
     while (order >= 0 && verdicts[order] != Verdict::proved) --order;
     return order;
   }
+
+  /// Writes the verdicts and the deviation, e.g. `order 0 proved, 1 proved, 2 refuted, 3 refuted; gap 0, ...`.
+  friend std::ostream& operator<<(std::ostream& os, const Order_within& within) {
+    os << "order";
+    for (int order = 0; order <= 3; ++order) os << (order == 0 ? " " : ", ") << order << ' ' << within(order);
+    return os << "; " << within.deviation;
+  }
 };
 
 namespace internal {

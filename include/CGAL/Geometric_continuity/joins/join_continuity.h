@@ -8,6 +8,7 @@
 #include <CGAL/Geometric_continuity/joins/Curve_ends.h>
 #include <CGAL/Geometric_continuity/joins/internal/Join_decision.h>
 #include <CGAL/Geometric_continuity/joins/internal/decide_all_questions.h>
+#include <CGAL/Geometric_continuity/joins/internal/rounded_points.h>
 #include <CGAL/Geometric_continuity/joins/join_result.h>
 #include <CGAL/Geometric_continuity/local/Curve_jet.h>
 #include <CGAL/Geometric_continuity/numbers/Work_limit.h>
@@ -120,7 +121,16 @@ Join_continuity<Predicate_FT<Traits>> continuity(const Curve_jet<Traits>& left, 
 template <class Left, class Right>
 Join_continuity<Predicate_FT<typename Left::Traits>> continuity(const Left& left, const Right& right,
                                                                 int max_order = 3) {
-  return internal::decide_continuity(left, right, max_order, false);
+  Join_continuity<Predicate_FT<typename Left::Traits>> join =
+      internal::decide_continuity(left, right, max_order, false);
+  constexpr int N = dimension_v<typename Left::Traits>;
+  if constexpr (std::is_floating_point_v<typename Left::Traits::FT> && (N == 2 || N == 3))
+    if (join.g_order < 2 && join.g_order < max_order)
+      internal::with_end_points<Curve_end::end>(left, [&](const auto& p) {
+        internal::with_end_points<Curve_end::start>(
+            right, [&](const auto& q) { join.points.template set<N>(p, q, max_order); });
+      });
+  return join;
 }
 
 } // namespace Geometric_continuity

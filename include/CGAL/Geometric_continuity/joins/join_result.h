@@ -5,10 +5,12 @@
 #ifndef CGAL_GEOMETRIC_CONTINUITY_JOINS_JOIN_RESULT_H
 #define CGAL_GEOMETRIC_CONTINUITY_JOINS_JOIN_RESULT_H
 
+#include <CGAL/Geometric_continuity/algebra/Coordinate_vector.h>
 #include <CGAL/Geometric_continuity/numbers/internal/checked_numbers.h>
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <ostream>
 #include <type_traits>
@@ -20,6 +22,15 @@
 
 namespace CGAL {
 namespace Geometric_continuity {
+
+/// \ingroup PkgGeometricContinuityContinuity
+/// An order G that a join of rounded numbers misses by no more than rounding. It is a hint, computed in floating-point numbers, and no
+/// proof: `order_within()` proves orders within a tolerance.
+struct Order_up_to_rounding {
+  int g_order = 0; ///< the order, at most 2
+  double units =
+      0; ///< by how much the control points at the join are off, in units in the last place of their largest coordinate
+};
 
 namespace internal {
 
@@ -110,6 +121,92 @@ private:
   }
 };
 
+// The first three points on both sides of a join, from it inwards, from which it is told how far it is from the order G that it misses:
+// for a report, in floating-point numbers, and when someone asks. With the legs a and b and the vectors h from the join to the next but
+// one point,
+//
+//   gap:  |q_0 - p_0|,   G1:  what of the shorter leg is orthogonal to the other,
+//   G2:   |K_b - K_a| min(n/(n-1) |b|^2, m/(m-1) |a|^2),   K = (m-1)/m  (w_0 w_2 / w_1^2)  h^orthogonal / |a|^2.
+class Rounded_points {
+  struct Side {
+    int degree;
+    double weight; // w_0 w_2 / w_1^2
+    double x[3][3];
+  };
+  int dimension_ = 0, max_order_ = 0; // no points for the dimension 0
+  Side sides_[2] = {};
+
+public:
+  // Takes the points of the views of both ends, in dimension 2 or 3.
+  template <int N, class Left, class Right> void set(const Left& left, const Right& right, int max_order) {
+    static_assert(N == 2 || N == 3);
+    dimension_ = N;
+    max_order_ = (std::min)(max_order, 2);
+    set_side<N>(sides_[0], left);
+    set_side<N>(sides_[1], right);
+  }
+
+  std::optional<Order_up_to_rounding> order_up_to_rounding(int g_order) const {
+    if (dimension_ == 0 || g_order >= max_order_) return std::nullopt;
+    return dimension_ == 2 ? order<2>(g_order) : order<3>(g_order);
+  }
+
+private:
+  template <int N, class View> static void set_side(Side& side, const View& view) {
+    side.degree = view.degree();
+    side.weight = 1;
+    for (int j = 0; j < 3; ++j)
+      for (int i = 0; i < N; ++i)
+        side.x[j][i] = static_cast<double>(view.coordinate(j <= side.degree ? j : side.degree, i));
+    if constexpr (View::has_weights)
+      if (side.degree >= 2)
+        side.weight =
+            static_cast<double>(view.weight(0) * view.weight(2)) / static_cast<double>(view.weight(1) * view.weight(1));
+  }
+
+  template <int N> std::optional<Order_up_to_rounding> order(int g_order) const {
+    typedef Coordinate_vector<double, N> Vector;
+    constexpr double most = 16;
+    double largest = 0, square[2], curvature_of_unit[2] = {0, 0}, off = 0;
+    Vector start[2], leg[2], curvature[2];
+    for (int k = 0; k < 2; ++k) {
+      Vector x[3];
+      for (int j = 0; j < 3; ++j)
+        for (int i = 0; i < N; ++i) {
+          x[j][i] = sides_[k].x[j][i];
+          largest = (std::max)(largest, std::abs(x[j][i]));
+        }
+      start[k] = x[0];
+      leg[k] = x[1] - x[0];
+      square[k] = dot(leg[k], leg[k]);
+      curvature[k] = x[0] - x[0];
+      if (sides_[k].degree < 2 || !(square[k] > 0)) continue;
+      curvature_of_unit[k] = (sides_[k].degree - 1.) / sides_[k].degree * sides_[k].weight / square[k];
+      const Vector h = x[2] - x[0];
+      curvature[k] = curvature_of_unit[k] * Vector(h - (dot(h, leg[k]) / square[k]) * leg[k]);
+    }
+    const double unit = largest * std::numeric_limits<double>::epsilon();
+    std::optional<Order_up_to_rounding> result;
+    const auto take = [&](int order, double distance) {
+      off = (std::max)(off, distance / unit);
+      if (!(off <= most)) return false;
+      if (order > g_order) result = Order_up_to_rounding{order, off};
+      return order < max_order_;
+    };
+    const Vector gap = start[1] - start[0];
+    if (!take(0, std::sqrt(dot(gap, gap)))) return result;
+    const double product = -dot(leg[0], leg[1]);
+    if (!(square[0] > 0 && square[1] > 0 && product > 0)) return result;
+    const int shorter = square[0] < square[1] ? 0 : 1;
+    const Vector rest = leg[shorter] + (product / square[1 - shorter]) * leg[1 - shorter];
+    if (!take(1, std::sqrt(dot(rest, rest)))) return result;
+    const Vector jump = curvature[1] - curvature[0];
+    const double sensitive = (std::max)(curvature_of_unit[0], curvature_of_unit[1]);
+    if (sensitive > 0) take(2, std::sqrt(dot(jump, jump)) / sensitive);
+    return result;
+  }
+};
+
 } // namespace internal
 
 /// \ingroup PkgGeometricContinuityContinuity
@@ -132,25 +229,36 @@ template <class FT> struct Join_continuity {
   std::optional<bool> curvature_equal;        ///< same magnitude \f$ \kappa \f$; empty where undefined
   std::optional<bool> curvature_vector_equal; ///< same \f$ \kappa e_2 \f$; empty where undefined
   std::optional<bool> torsion_equal;          ///< empty unless in space with nonzero curvature on both sides
-
   /// Returns the shape parameters \f$ \beta_1, \dots, \beta_{g\_order} \f$: the right curve is, up to this order, the left one
   /// with the reparametrisation of these derivatives. They are computed by this call, exactly where the decision is exact.
   /// \f$ O(k) \f$ divisions for the order `k`
   /// \throws Error `not_finite` when a parameter is too large for floating-point numbers
   std::vector<FT> betas() const { return parameters(g_order); }
 
-  /// Writes the orders and the shape parameters, e.g. `C1 G2 F2, beta = (1, 3/4)`.
+  /// Returns the order, greater than `g_order` and at most 2, that the join has but for at most 16 units in the last place; empty when
+  /// there is none, for the join of two jets, and unless the numbers of the curves are floating-point numbers, in the plane or in space.
+  std::optional<Order_up_to_rounding> up_to_rounding() const { return points.order_up_to_rounding(g_order); }
+
+  /// Writes the orders and the shape parameters, e.g. `C1 G2 F2, beta = (1, 3/4)`, and by how much a greater order is missed if that is
+  /// no more than rounding, e.g. `C0 G0 F0; G2 but for 1.5 units in the last place`.
   /// \throws Error as `betas()` does
   friend std::ostream& operator<<(std::ostream& os, const Join_continuity& join) {
-    if (join.c_order < 0) return os << "gap";
-    const std::vector<FT> betas = join.betas();
-    os << 'C' << join.c_order << " G" << join.g_order << " F" << join.f_order;
-    for (std::size_t i = 0; i < betas.size(); ++i) os << (i == 0 ? ", beta = (" : ", ") << betas[i];
-    return os << (betas.empty() ? "" : ")");
+    if (join.c_order < 0)
+      os << "gap";
+    else {
+      const std::vector<FT> betas = join.betas();
+      os << 'C' << join.c_order << " G" << join.g_order << " F" << join.f_order;
+      for (std::size_t i = 0; i < betas.size(); ++i) os << (i == 0 ? ", beta = (" : ", ") << betas[i];
+      os << (betas.empty() ? "" : ")");
+    }
+    if (const std::optional<Order_up_to_rounding> order = join.up_to_rounding())
+      os << "; G" << order->g_order << " but for " << std::ceil(order->units * 10) / 10 << " units in the last place";
+    return os;
   }
 
   /// \cond
   internal::Join_parameters<FT> parameters;
+  internal::Rounded_points points;
   /// \endcond
 };
 

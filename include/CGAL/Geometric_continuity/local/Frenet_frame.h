@@ -6,6 +6,7 @@
 #define CGAL_GEOMETRIC_CONTINUITY_LOCAL_FRENET_FRAME_H
 
 #include <CGAL/Geometric_continuity/local/curvatures.h>
+#include <CGAL/Geometric_continuity/numbers/internal/square_root.h>
 #include <CGAL/number_utils.h>
 
 #include <algorithm>
@@ -101,7 +102,7 @@ public:
       const internal::Scaled_vector<FT, dimension_v<Traits>> x(v, "Frenet_frame::normalized");
       const FT square = dot(*x, *x);
       if (square == FT(0)) throw Error(Error_code::zero_direction, "Frenet_frame::normalized");
-      unit.push_back(*x / FT(CGAL::sqrt(square)));
+      unit.push_back(*x / internal::square_root(square));
     }
     return Frenet_frame(std::move(unit));
   }
@@ -188,11 +189,11 @@ template <class Traits> std::optional<Frenet_matrix<typename Traits::FT>> frenet
   std::vector<FT> kappa;
   for (const std::optional<Signed_square<FT>>& k : frenet_curvatures(jet)) {
     if (!k) return std::nullopt;
-    const FT root = CGAL::sqrt(k->square);
+    const FT root = internal::square_root(k->square);
     kappa.push_back(k->sign < 0 ? FT(-root) : root);
   }
   const internal::Scaled_vector<FT, dimension_v<Traits>> d1(jet[1], "frenet_matrix");
-  const FT speed = CGAL::sqrt(FT(dot(*d1, *d1)));
+  const FT speed = internal::square_root(FT(dot(*d1, *d1)));
   return Frenet_matrix<FT>(internal::times_power_of_two(speed, d1.exponent(), "frenet_matrix"), std::move(kappa));
 }
 

@@ -10,6 +10,7 @@
 #include <CGAL/Geometric_continuity/local/homogeneous_jets.h>
 #include <CGAL/Geometric_continuity/local/internal/Scaled_vector.h>
 #include <CGAL/Geometric_continuity/numbers/internal/checked_numbers.h>
+#include <CGAL/Geometric_continuity/numbers/internal/square_root.h>
 #include <CGAL/number_utils.h>
 
 #include <boost/container/small_vector.hpp>
@@ -107,7 +108,7 @@ template <class Traits> std::optional<typename Traits::Vector> unit_normal(const
   for (const FT& x : n) largest = (std::max)(largest, FT(CGAL::abs(x)));
   if (largest == FT(0)) return std::nullopt;
   n /= largest;
-  n /= FT(CGAL::sqrt(FT(dot(n, n))));
+  n /= internal::square_root(FT(dot(n, n)));
   return Geometric_continuity::to_vector<Traits>(n);
 }
 

@@ -13,6 +13,7 @@
 #include <CGAL/Dimension.h>
 #include <CGAL/number_utils.h>
 
+#include <limits>
 #include <type_traits>
 #include <utility>
 
@@ -27,6 +28,24 @@ namespace internal {
 
 template <class Dimension> struct Dimension_value : std::integral_constant<int, Dimension::value> {};
 template <> struct Dimension_value<Dynamic_dimension_tag> : std::integral_constant<int, 0> {};
+
+template <class Traits, class = void> struct Is_traits : std::false_type {};
+template <class Traits>
+struct Is_traits<Traits, std::void_t<typename Traits::Dimension,
+                                     decltype(std::declval<const Traits&>().compute_coordinate_object())>>
+    : std::true_type {};
+
+// What curves and surfaces ask of their first argument, so that the compiler says at once what is wrong with it.
+template <class Traits> struct Checked_traits {
+  static_assert(
+      Is_traits<Traits>::value,
+      "the argument is no traits class: Traits_2<Kernel>, Traits_3<Kernel> and Traits_d<Kernel> are, a kernel is "
+      "not; see the concept GeometricContinuityTraits");
+  static_assert(
+      !std::numeric_limits<typename Traits::FT>::is_integer,
+      "the numbers of the kernel must be a field, such as double or Exact_rational: integers cannot be divided");
+  static constexpr bool value = true;
+};
 
 template <class Traits, class = void> struct Predicate_field { typedef typename Traits::FT type; };
 template <class Traits> struct Predicate_field<Traits, std::void_t<typename Traits::Predicate_FT>> {

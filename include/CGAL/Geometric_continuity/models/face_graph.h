@@ -97,7 +97,8 @@ private:
 } // namespace internal
 
 /// \ingroup PkgGeometricContinuitySurfaces
-/// Appends triangles to a mesh of \cgal: a vertex for each point, a face for each triangle. When it throws, the mesh has
+/// Appends triangles to a mesh of \cgal: a vertex for each point, a face for each triangle, with the orientation that `tessellate()` gives
+/// it, outwards for closed solids. When it throws, the mesh has
 /// not been changed. \f$ O(n \log n) \f$ for `n` triangles
 ///
 /// \tparam Traits a model of `GeometricContinuityTraits`

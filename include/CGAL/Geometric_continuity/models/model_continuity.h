@@ -144,6 +144,9 @@ template <class FT> struct Model_continuity {
       if (e.kind == Model_edge_kind::shared && e.continuity.g_order < g_order) result.push_back(e);
     return result;
   }
+
+  /// Writes the summary.
+  friend std::ostream& operator<<(std::ostream& os, const Model_continuity& model) { return os << model.summary; }
 };
 
 namespace internal {

@@ -181,6 +181,10 @@ using Patch_of =
 /// the triangles of its outermost cells. A collapsed edge gives one point. The numbers of the triangles are those in the
 /// range, for the Bézier patches of a B-spline surface that of the surface.
 ///
+/// The corners of a triangle are listed counterclockwise as seen from the side to which \f$ S_u \times S_v \f$ points. Those of a closed
+/// part of the model, a solid, are listed counterclockwise as seen from outside, whatever the direction of its parameters: each part of
+/// which all edges are shared by two patches of one orientation, and whose volume is not zero.
+///
 /// The triangles are those of an oriented manifold if the patches are, with one exception: a patch of which two adjacent
 /// edges are the same curve. With `Uniform_grid` this needs `n >= 3` where patches close up or have two edges in common.
 /// With an exact kernel all points lie on the surface exactly.

@@ -300,6 +300,14 @@ round_corners(ForwardIterator first, ForwardIterator last, double distance, Clos
   return result;
 }
 
+/// \ingroup PkgGeometricContinuityConstruction
+/// Rounds all corners of the curves of a range, such as a `std::vector`.
+template <class Range, class Strategy = Fair>
+auto round_corners(const Range& chain, double distance, Closure closure, int order = 2,
+                   const Strategy& strategy = Strategy()) {
+  return round_corners(std::begin(chain), std::end(chain), distance, closure, order, strategy);
+}
+
 } // namespace Geometric_continuity
 } // namespace CGAL
 

@@ -151,6 +151,8 @@ std::pair<Control_net<Traits>, Control_net<Traits>> split_rows(const Control_net
 /// \tparam Traits a model of `GeometricContinuityTraits`
 /// \models ParametricSurface
 template <class Traits_> class Bezier_patch {
+  static_assert(internal::Checked_traits<Traits_>::value);
+
 public:
   typedef Traits_ Traits;                       ///< the geometric traits
   typedef typename Traits::FT FT;               ///< the number type

@@ -32,6 +32,8 @@ namespace Geometric_continuity {
 /// \tparam Traits a model of `GeometricContinuityTraits`
 /// \models ParametricSurface
 template <class Traits_> class Bspline_surface {
+  static_assert(internal::Checked_traits<Traits_>::value);
+
 public:
   typedef Traits_ Traits;                       ///< the geometric traits
   typedef typename Traits::FT FT;               ///< the number type

@@ -12,6 +12,7 @@
 
 #include <array>
 #include <cstddef>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -21,7 +22,8 @@
 /// length they are circular cylinders and cones, spheres and tori of revolution.
 ///
 /// All of them are \f$ S(u, v) = c + \rho(u) (\cos\phi(v)\, x + \sin\phi(v)\, y) + h(u)\, z \f$ with a full turn in four
-/// quarters for `v` in [0, 4], and \f$ \phi = 0, \pi/2, \pi, 3\pi/2 \f$ at the knots. They are \f$ G^\infty \f$ across them. For parts
+/// quarters for `v` in [0, 4], and \f$ \phi = 0, \pi/2, \pi, 3\pi/2 \f$ at the knots. Where `u` rises in the direction of `z`, and `x`,
+/// `y`, `z` are positively oriented, \f$ S_u \times S_v \f$ points to the axis; `tessellate()` turns the triangles of closed surfaces outwards. They are \f$ G^\infty \f$ across them. For parts
 /// take `bezier_patches()`.
 ///
 /// Surfaces of extrusion and of revolution with any profile as patches, exactly: profiles are Bézier or B-spline curves, rational
@@ -270,7 +272,8 @@ Rational_bspline_surface<Traits> bspline_surface(const Revolution_surface_3<Rati
 /// degree 2 in `v` with the domain [0, 4]. At `v = 0, 1, 2, 3` the angles are 0, \f$ \theta \f$, \f$ \pi \f$ and
 /// \f$ 2\pi - \theta \f$, with \f$ \tan(\theta/2) = r |w| \f$, where `r` is a power of two near \f$ 1/|w| \f$: quarters when
 /// \f$ |w| \f$ is a power of two; for another axis the sine of a quarter turn need not be rational. It is
-/// \f$ G^\infty \f$ across the knots of `v` all the same.
+/// \f$ G^\infty \f$ across the knots of `v` all the same. Where the profile runs in the direction of `w`,
+/// \f$ S_u \times S_v \f$ points to the axis: reverse the profile to turn it outwards.
 /// \throws Error `dimension_mismatch` unless in dimension 3, `zero_direction` for `w = 0`, `not_finite`
 template <class Traits>
 Rational_bspline_surface<Traits> full_revolution(const Rational_bspline_curve<Traits>& profile,
@@ -302,6 +305,24 @@ Rational_bspline_surface<Traits> full_revolution(const Rational_bspline_curve<Tr
   const std::vector<typename Knot_vector<FT>::Knot> inner = {{FT(1), 2}, {FT(2), 2}, {FT(3), 2}};
   return Rational_bspline_surface<Traits>(typename Rational_bspline_surface<Traits>::Homogeneous(
       net, profile.knots(), Knot_vector<FT>(2, FT(0), FT(4), inner)));
+}
+
+/// \ingroup PkgGeometricContinuitySurfaces
+/// Returns the full turn of any other profile: a `Bezier_curve`, a `Rational_bezier_curve`, a `Bspline_curve`, or a
+/// `Composite_bezier_curve`, whose segments are joined to one B-spline curve.
+template <class Profile, class Traits = typename Profile::Traits,
+          class = std::enable_if_t<!std::is_same_v<Profile, Rational_bspline_curve<Traits>>>>
+Rational_bspline_surface<Traits> full_revolution(const Profile& profile, const typename Traits::Point& a,
+                                                 const typename Traits::Vector& w) {
+  typedef Rational_bspline_curve<Traits> Spline;
+  if constexpr (std::is_constructible_v<Bspline_curve<Traits>, const Profile&>)
+    return full_revolution(Spline(Bspline_curve<Traits>(profile)), a, w);
+  else if constexpr (std::is_constructible_v<Spline, const Profile&>)
+    return full_revolution(Spline(profile), a, w);
+  else {
+    const auto segments = profile.segments();
+    return full_revolution(Spline(Bspline_curve<Traits>(segments.begin(), segments.end())), a, w);
+  }
 }
 
 } // namespace Geometric_continuity

@@ -8,6 +8,7 @@
 #include <CGAL/Geometric_continuity/Error.h>
 #include <CGAL/Geometric_continuity/models/internal/Edge_groups.h>
 #include <CGAL/Geometric_continuity/models/internal/Patch_triangulation.h>
+#include <CGAL/Geometric_continuity/numbers/internal/short_numbers.h>
 
 #include <algorithm>
 #include <array>
@@ -74,7 +75,38 @@ public:
   // by the edge between them. Then lines from edge to edge through the patch have no double elsewhere.
   bool simple(std::size_t patch) const { return simple_[patch]; }
 
+  static constexpr std::size_t open = static_cast<std::size_t>(-1);
+
+  // For each patch the least number of a patch of the part to which it belongs, of those that are connected by edges; `open` unless each
+  // edge of the part is that of two patches, whose triangles pass it in opposite directions.
+  std::vector<std::size_t> closed_parts() const {
+    std::vector<std::size_t> part(simple_.size());
+    std::iota(part.begin(), part.end(), std::size_t(0));
+    const auto root = [&](std::size_t i) {
+      while (part[i] != i) i = part[i] = part[part[i]];
+      return i;
+    };
+    for (const Edge_uses& uses : groups_.edges())
+      for (const Edge_use& use : uses) {
+        const std::size_t a = root(uses[0].patch), b = root(use.patch);
+        part[(std::max)(a, b)] = (std::min)(a, b);
+      }
+    for (std::size_t& p : part) p = root(p);
+    std::vector<bool> closed(part.size(), true);
+    for (const Edge_uses& uses : groups_.edges())
+      if (uses.size() != 2 || is_passed_upwards(uses[0]) == is_passed_upwards(uses[1]))
+        closed[part[uses[0].patch]] = false;
+    for (std::size_t& p : part)
+      if (!closed[p]) p = open;
+    return part;
+  }
+
 private:
+  // Whether the triangles of the patch, which turn from u to v, pass the edge in the direction of the edge of the model.
+  static bool is_passed_upwards(const Edge_use& use) {
+    return (runs_along_u(use.edge) != at_upper_end(use.edge)) != use.backwards;
+  }
+
   bool is_simple(std::size_t patch, const std::vector<Pair>& sorted_pairs) const {
     std::vector<Pair> pairs;
     for (Patch_edge edge : patch_edges) pairs.push_back(vertices(ends({patch, edge, false})));
@@ -154,6 +186,7 @@ template <class Patch> class Model_mesh {
   std::vector<Edge> edges_;          // of the model
   std::vector<std::array<Side, 4>> sides_;
   Tessellation<Traits> mesh_;
+  std::vector<std::size_t> ends_; // of the triangles of each patch
 
 public:
   // Neither patches nor numbers are copied.
@@ -173,8 +206,10 @@ public:
     for (std::size_t i = 0; i < patches_.size(); ++i) {
       for (Patch_edge edge : patch_edges) points_of(i, edge, points[static_cast<std::size_t>(edge)]);
       Patch_triangulation<Patch>(*patches_[i], numbers_[i], cells_[i], points, mesh_);
+      ends_.push_back(mesh_.triangles.size());
       report(mesh_.triangles.size());
     }
+    turn_outwards();
     return std::move(mesh_);
   }
 
@@ -199,6 +234,40 @@ private:
 
   std::size_t number_of_cells(const Edge_use& use) const {
     return static_cast<std::size_t>(runs_along_u(use.edge) ? cells_[use.patch].u : cells_[use.patch].v);
+  }
+
+  // Turns the triangles of each closed part of the model so that its volume is positive: the sum of (ax + bx + cx - 3 ox) / 6 times the
+  // area of the projection to x = 0, over the triangles abc.
+  void turn_outwards() {
+    constexpr std::size_t open = Model_topology<Patch>::open;
+    const std::vector<std::size_t> parts = topology_.closed_parts();
+    if (std::all_of(parts.begin(), parts.end(), [](std::size_t part) { return part == open; })) return;
+    std::vector<std::array<double, 3>> x;
+    x.reserve(mesh_.points.size());
+    for (const typename Traits::Point& p : mesh_.points) {
+      const Coordinates<Traits> c = Geometric_continuity::coordinates<Traits>(p);
+      x.push_back({rounded_number(c[0]), rounded_number(c[1]), rounded_number(c[2])});
+    }
+    std::vector<double> volume(parts.size(), 0), size(parts.size(), 0);
+    const auto first = [&](std::size_t patch) { return patch == 0 ? 0 : ends_[patch - 1]; };
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+      if (parts[i] == open) continue;
+      const double origin = first(i) < ends_[i] ? 3 * x[mesh_.triangles[first(parts[i])][0]][0] : 0;
+      double sum = 0, sum_of_sizes = 0;
+      for (std::size_t t = first(i); t < ends_[i]; ++t) {
+        const auto& triangle = mesh_.triangles[t];
+        const std::array<double, 3>&a = x[triangle[0]], &b = x[triangle[1]], &c = x[triangle[2]];
+        const double area = (b[1] - a[1]) * (c[2] - a[2]) - (c[1] - a[1]) * (b[2] - a[2]),
+                     part = (a[0] + b[0] + c[0] - origin) * area;
+        sum += part;
+        sum_of_sizes += std::abs(part);
+      }
+      volume[parts[i]] += sum;
+      size[parts[i]] += sum_of_sizes;
+    }
+    for (std::size_t i = 0; i < parts.size(); ++i)
+      if (parts[i] != open && volume[parts[i]] < -1e-9 * size[parts[i]]) // not by rounding
+        for (std::size_t t = first(i); t < ends_[i]; ++t) std::swap(mesh_.triangles[t][1], mesh_.triangles[t][2]);
   }
 
   // As many as the patch with the most cells needs.

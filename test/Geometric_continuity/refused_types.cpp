@@ -1,0 +1,22 @@
+// Copyright (c) 2026 The Geometric_continuity developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+// Types that are refused by one message of the compiler. Each macro is a program that must not compile; a test builds it.
+
+#include <CGAL/Exact_rational.h>
+#include <CGAL/Geometric_continuity/Traits_3.h>
+#include <CGAL/Geometric_continuity/curves/Bezier_curve.h>
+#include <CGAL/Geometric_continuity/local/Frenet_frame.h>
+#include <CGAL/Simple_cartesian.h>
+
+namespace GC = CGAL::Geometric_continuity;
+
+#if defined(KERNEL_AS_TRAITS)
+GC::Bezier_curve<CGAL::Simple_cartesian<double>> curve({CGAL::Simple_cartesian<double>::Point_3()});
+#elif defined(INTEGERS)
+GC::Bezier_curve<GC::Traits_3<CGAL::Simple_cartesian<int>>> curve{CGAL::Simple_cartesian<int>::Point_3(0, 0, 0)};
+#else // ROOTS_OF_RATIONALS
+typedef GC::Traits_3<CGAL::Simple_cartesian<CGAL::Exact_rational>> Traits;
+auto unit(const GC::Frenet_frame<Traits>& frame) { return frame.normalized(); }
+#endif
