@@ -2,7 +2,8 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-#include "commands/commands.h"
+#include "commands/command_line.h"
+#include "commands/program_texts.h"
 #include "files/cores.h"
 #include "files/standard_streams.h"
 #include "files/sudden_end.h"
@@ -12,6 +13,8 @@
 #include <exception>
 #include <iostream>
 #include <new>
+#include <string>
+#include <vector>
 
 namespace {
 
@@ -39,23 +42,29 @@ const char* const program_usage = R"(usage: geometric_continuity COMMAND [ARGUME
 A curve with inner knots is taken as the chain of its Bezier curves, so that
 its knots are joins. The name - is standard input, and standard output.
 geometric_continuity COMMAND --help explains a command; --version tells the
-version.
+version. --man-page and --bash-completion write what an installation has: the
+manual page geometric_continuity(1), and a script that completes commands,
+options and strategies.
 Exit code: 0 when the requirement is met, 1 when it is not, 2 on bad input and
 when the output cannot be written.
 )";
 
 using CGAL::Geometric_continuity::printable;
 
-int run(const std::string& command, const Arguments& arguments) {
-  if (command == "blend") return blend_command(arguments);
-  if (command == "connect") return connect_command(arguments);
-  if (command == "extend") return extend_command(arguments);
-  if (command == "verify") return verify_command(arguments);
-  if (command == "repair") return repair_command(arguments);
-  if (command == "plot") return plot_command(arguments);
-  if (command == "report") return report_command(arguments);
-  if (command == "tessellate") return tessellate_command(arguments);
-  std::cerr << "geometric_continuity: unknown command '" << printable(command) << "'\n" << program_usage;
+const std::vector<const Command*> commands = {&blend_command,  &connect_command, &extend_command, &verify_command,
+                                              &repair_command, &plot_command,    &report_command, &tessellate_command};
+
+int run(const std::string& name, const Arguments& arguments) {
+  Arguments names;
+  for (const Command* command : commands) {
+    if (command->name == name) {
+      const Command_line line(*command, arguments);
+      return line.help() ? static_cast<int>(requirement_met) : command->run(line);
+    }
+    names.push_back(command->name);
+  }
+  std::cerr << "geometric_continuity: unknown command '" << printable(name) << "'" << did_you_mean(name, names) << '\n';
+  if (did_you_mean(name, names).empty()) std::cerr << program_usage;
   return bad_input;
 }
 
@@ -66,6 +75,14 @@ int run(const Arguments& arguments) {
   }
   if (arguments[0] == "--help" || arguments[0] == "-h" || arguments[0] == "help") {
     std::cout << program_usage;
+    return requirement_met;
+  }
+  if (arguments[0] == "--man-page") {
+    write_manual_page(std::cout, program_usage, commands);
+    return requirement_met;
+  }
+  if (arguments[0] == "--bash-completion") {
+    write_bash_completion(std::cout, commands);
     return requirement_met;
   }
   if (arguments[0] == "--version") {

@@ -14,8 +14,9 @@ run 0 verify --closed round.g2 --require G2 && says out "8 joins"
 run 0 blend square.g2 --corners all --distance 2 -o open.g2 && says out "the chain: 6 joins, C0 G2 F2 or more"
 run 0 verify open.g2 --require G2
 run 1 verify --closed open.g2 --require G2
-run 0 blend square.g2 --corners kinks --closed --distance 2 -o kinks.g2
-holds cmp -s round.g2 kinks.g2
+run 0 blend square.g2 --corners not-g1 --closed --distance 2 -o not-g1.g2
+holds cmp -s round.g2 not-g1.g2
+run 2 blend square.g2 --corners kinks --closed --distance 2 && says err "'kinks' is none of all, not-g1"
 holds [ "$(grep -c '^6 6$' round.g2)" -eq 4 ]
 # lines of length 8 are cut at 2 exactly: each cut ends a line and a blend ("2 0" is the dimension too)
 for point in "2 0" "6 0" "8 2" "8 6" "6 8" "2 8" "0 6" "0 2"; do
@@ -47,13 +48,13 @@ run 0 blend spline.g2 --corner 1 --distance 1/4 -o one.g2 && holds cmp -s one.g2
 run 1 verify spline.g2 --require G1
 
 # an outline of a letter
-for which in all kinks; do
+for which in all not-g1; do
   run 0 blend "$S" --corners $which --closed --distance 15 -o S_$which.g2 --plot S_$which.svg --title "Round S" --strategy fair
   says out "proved in exact arithmetic" && says S_$which.svg "Round S" "</svg>"
 done
 run 0 verify --closed S_all.g2 --require G2
-run 0 verify --closed S_kinks.g2 --require G1
-run 1 verify --closed S_kinks.g2 --require G2
+run 0 verify --closed S_not-g1.g2 --require G1
+run 1 verify --closed S_not-g1.g2 --require G2
 run 0 blend S_all.g2 --corners all --closed --distance 15 -o again.g2 && says out "0 corners are rounded"
 holds cmp -s S_all.g2 again.g2
 # short curves: a quarter remains
@@ -86,7 +87,7 @@ refused "--distance is needed" blend square.g2 --corner 0
 refused "--corner and --corners: one of them" blend square.g2 --corner 0 --corners all --distance 1
 refused "--corner: 4 is not from 0 to 3" blend square.g2 --corner 4 --distance 1
 refused "--corner: -1 is not from 0 to 3" blend square.g2 --corner -1 --distance 1
-refused "--corners: 'some' is none of all, kinks" blend square.g2 --corners some --distance 1
+refused "--corners: 'some' is none of all, not-g1" blend square.g2 --corners some --distance 1
 refused "--distance: only with --corner or --corners" blend "$L" "$R" --distance 1
 refused "--closed: only with --corner or --corners" blend "$L" "$R" --closed
 refused "--closed: only with --corners" blend square.g2 --corner 0 --distance 1 --closed
@@ -106,3 +107,8 @@ refused "--corner: at least 2 curves are needed" blend one.g2 --corner 0 --dista
 refused "gap.g2: curves_do_not_meet" blend gap.g2 --corner 0 --distance 1
 refused "gap.g2: curves_do_not_meet: round_corners: join after curve 0" blend gap.g2 --corners all --distance 1
 refused "curves_do_not_meet: round_corners: join after curve 0" blend one.g2 --corners all --closed --distance 1
+
+# a chain without joins ends like verify
+cubic $'0 0 0\n8 0 0\n16 0 0\n24 0 0' >line.g2
+run 2 verify line.g2 && says err "a single curve has no join" && mv err expected
+run 2 blend line.g2 --corners all --distance 1 -o no.g2 && holds cmp -s err expected && holds [ ! -e no.g2 ]

@@ -7,7 +7,58 @@ narrow() { # the file out fits into a terminal of 80 columns
 }
 run 0 --help && says out "blend" "extend" "verify" "plot" && narrow
 for command in blend connect extend verify repair plot report tessellate; do
-  run 0 $command --help && says out "usage: geometric_continuity $command" && narrow
+  run 0 $command --help && says out "usage: geometric_continuity $command" "Exit code: 0 " && narrow
+  holds [ "$(sed -n '/^examples:/,$p' out | grep -c "^  geometric_continuity $command ")" -eq 2 ] # two of them
 done
+
+# Each strategy that may be chosen is explained.
+run 2 blend "$L" "$R" --strategy none && strategies=$(sed 's/.*none of //; s/, all.*//; s/,//g' err)
+run 2 blend "$L" "$R" --order 3 --strategy none && strategies="$strategies $(sed 's/.*none of //; s/, all.*//; s/,//g' err)"
+holds [ "$(wc -w <<<"$strategies")" -eq 17 ]
+run 0 blend --help && for strategy in $strategies; do holds grep -qE "^  ([a-z0-9_]+, )?$strategy(,|  )" out; done
+run 0 extend --help && lacks out "C0" # which is an order
+
+# Misspelled words.
+run 2 blnd && says err "unknown command 'blnd'; did you mean 'blend'?" && lacks err usage
+run 2 nonsense && says err usage && lacks err "did you mean"
+run 2 verify --clsoed "$S" && says err "unrecognised option '--clsoed'; did you mean '--closed'?"
+run 2 verify --nonsense "$S" && lacks err "did you mean"
+run 2 blend "$L" "$R" --strategy fiar && says err "'fiar' is none of c2, normal," "; did you mean 'fair'?"
+run 2 repair "$S" -o no.g2 --to g2 && says err "'g2' is none of G1, G2; did you mean 'G2'?"
+
+# What is read as curves, and is surfaces.
+for command in verify "report -o no.html" "plot -o no.svg"; do
+  run 2 $command "$teapot" && says err "teapot.g2:1: 200 (spline surface)" "; surfaces are read with --surfaces"
+done
+run 2 verify "$S" "$teapot" && says err "teapot.g2:1: " "--surfaces"
+
+# The table of blends is no wider than the terminal, with the same words.
+for order in 2 3; do
+  run 0 blend "$L" "$R" --order $order --strategy all && tr -s ' \n' '\n' <out >words && holds [ -n "$(awk 'length > 100' out)" ]
+  COLUMNS=100 run 0 blend "$L" "$R" --order $order --strategy all && holds [ -z "$(awk 'length > 100' out)" ]
+  tr -s ' \n' '\n' <out | cmp -s - words || holds false
+done
+
+# The manual page and the completion of bash have all commands and options.
+run 0 --man-page && mv out page.1 && run 0 --bash-completion && mv out completion
+for command in blend connect extend verify repair plot report tessellate; do
+  says page.1 "geometric_continuity $command"
+  run 0 $command --help
+  for option in $(grep -oE '^  (-[a-z] \[ )?--[a-z0-9-]+' out | grep -oE '\-\-[a-z0-9-]+'); do
+    says page.1 ".B ${option//-/\\-}" && says completion "$option"
+  done
+done
+holds bash -n completion
+completed() { # WORDS...: what bash offers for the last of them
+  bash -c '. ./completion; COMP_WORDS=("$@"); COMP_CWORD=$(($# - 1)); _geometric_continuity; echo "${COMPREPLY[*]}"' - "$@"
+}
+holds [ "$(completed geometric_continuity ver)" = verify ]
+holds [ "$(completed geometric_continuity verify --max-k)" = --max-kink ]
+holds [ "$(completed geometric_continuity blend --strategy fair_)" = "fair_g3 fair_f3" ]
+touch only.g2 && holds [ "$(completed geometric_continuity verify onl)" = only.g2 ]
+if command -v groff >/dev/null; then
+  groff -man -Tascii -ww page.1 2>warnings | sed 's/.\x08//g' >page.txt
+  holds [ ! -s warnings ] && says page.txt "SYNOPSIS" "blend A.g2 B.g2"
+fi
 run 2 && run 2 nonsense && says err "unknown command"
 run 2 verify && run 2 verify --nonsense "$S" && run 2 blend "$L" && run 2 plot "$L"

@@ -112,5 +112,19 @@ refused() { # refused REASON OPTIONS...
 }
 for bad in 0 180 -1 1e9; do refused "--kink-angle: $bad is not between 0 and 180 degrees" --kink-angle=$bad; done
 for bad in x 5deg nan; do refused "--kink-angle: " --kink-angle="$bad"; done
-run 2 verify "$S" --kink-angle 5 && says err "--kink-angle: only for drawings, fonts and CAD models"
-run 2 verify "$teapot" --surfaces --kink-angle 5 && says err "--kink-angle: only for drawings, fonts and CAD models"
+run 2 verify "$teapot" --surfaces --kink-angle 5 && says err "--kink-angle: not with --surfaces"
+
+# Chains: the same angle tells a kink from a corner, with the same grades as repair and report; each join is asked for.
+{ curve $'2 0\n2 2\n0 0 1 1\n0 0\n1 0' && curve $'2 0\n2 2\n0 0 1 1\n1 0\n2 0.08' && curve $'2 0\n2 2\n0 0 1 1\n2 0.08\n2 1'; } >chain.g2
+run 0 verify chain.g2 && says out "kink of 4.574 degrees" "corner of 85.43 degrees" && mv out usual
+run 0 verify chain.g2 --kink-angle 5 && holds cmp -s out usual
+run 0 verify chain.g2 --kink-angle 4.57 && says out "corner of 4.574 degrees" "corner of 85.43 degrees"
+run 0 verify chain.g2 --kink-angle 90 && says out "kink of 4.574 degrees" "kink of 85.43 degrees"
+for angle in 4 5 90; do run 1 verify chain.g2 --kink-angle $angle --require G1 && says out "2 of them not G1"; done
+run 1 verify chain.g2 --require G1 --format sarif && says out '"ruleId":"kink"' '"ruleId":"corner"'
+curve $'3 0\n2 2\n0 0 1 1\n0 0 0\n1 1 1' >space.g2
+for end in "2 2 2.25 kink" "2 2 2.5 corner"; do # angles of 5.768 and 11.42 degrees in space
+  read -r x y z name <<<"$end"
+  { cat space.g2 && curve $'3 0\n2 2\n0 0 1 1\n1 1 1\n'"$x $y $z"; } >two.g2
+  run 0 verify two.g2 --kink-angle 9 && says out "$name of "
+done

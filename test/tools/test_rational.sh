@@ -24,7 +24,7 @@ run 0 verify circle.g2 --closed --require G3 && says out "1 -> 2       C3 G3 F2 
 run 0 verify circle.g2 --closed --json && says out '"betas":["1","2","6"]' '"g_order":3'
 checks=$((checks + 1))
 "$program" verify - --closed --require G3 <circle.g2 >out 2>err || failures=$((failures + 1))
-run 1 verify moon.g2 --require G1 && says out "kink of 135 degrees"
+run 1 verify moon.g2 --require G1 && says out "corner of 135 degrees"
 run 0 verify circle.g2 --within 0.001,0.001,1 --require G2 && says out "within the tolerance: order 0 proved, 1 proved, 2 proved"
 run 0 verify circle.g2 --kernel double --require G2
 sed '$s/4 3 1/4.000001 3 1/' circle.g2 >broken.g2

@@ -211,3 +211,7 @@ if [ "$(id -u)" -ne 0 ]; then
   chmod 755 closed
 fi
 run 0 repair --help && says out "usage: geometric_continuity repair"
+
+# What is left as it is says so.
+run 0 repair "$leaf" -o once.svg --to G2 --allow-uncovered && lacks out "nothing is changed"
+run 0 repair once.svg -o twice.svg --to G2 --allow-uncovered && says out "nothing is changed: no handle moves" && holds cmp -s once.svg twice.svg

@@ -82,7 +82,7 @@ done
 # an angle of which few digits are known without the exact numbers
 for x in -1e-160 "-1/1$(printf '%0160d' 0)"; do
   { curve $'2 0\n2 2\n0 0 1 1\n'"$x"$' 0\n0 0' && curve $'2 0\n2 2\n0 0 1 1\n0 0\n-9.928249e-162 9.883783e-162'; } >line.g2
-  run 0 verify line.g2 && says out "kink of 135.1 degrees"
+  run 0 verify line.g2 && says out "corner of 135.1 degrees"
 done
 
 # The rows of --summary are those of the full table that fail.
@@ -169,7 +169,7 @@ wrong 6 "not a number: '1.2.3'" "$good" $'0 0 0\n0 1.2.3 0'
 wrong 8 "zero denominator: '1/0'" "$good" $'0 0 0\n0 0 0\n0 0 0\n1 0 1/0'
 wrong 5 "file ends after 1 of 4 control points" "$good" "0 0 0"
 wrong 4 "the knots decrease at '-1/2'" $'100 1 0 0\n3 0\n4 4\n0 0 0 0 -1/2'
-wrong 1 "200 (spline surface) where a curve (100) is expected" "200 1 0 0"
+wrong 1 "200 (spline surface) where a curve (100) is expected" "200 1 0 0" # behind curves
 wrong 1 "more than 4096 characters without a space" "$(printf '%05000d' 0)"
 run 2 verify decimal.g2 missing.g2 --summary && says err "missing.g2" && holds [ ! -s out ]
 run 2 verify decimal.g2 . --summary && says err "cannot_read_file" && holds [ ! -s out ]

@@ -6,6 +6,7 @@
 #define GEOMETRIC_CONTINUITY_TOOLS_COMMANDS_COMMAND_LINE_H
 
 #include "commands/commands.h"
+#include "commands/did_you_mean.h"
 #include "files/input.h"
 
 #include <CGAL/Geometric_continuity/IO/number.h>
@@ -31,25 +32,41 @@ class Command_line {
   po::variables_map values_;
 
 public:
-  // Parses the arguments; `describe(add)` adds the options of the command, each by a call of `add`.
-  template <class Describe>
-  Command_line(const std::string& usage, const Arguments& arguments, Describe describe) : options_("options") {
-    describe(options_.add_options()("help,h", "print this text"));
+  // Parses the arguments of a command.
+  Command_line(const Command& command, const Arguments& arguments) : options_(options_of(command)) {
     po::options_description all;
     all.add(options_).add_options()("file", po::value<Arguments>());
     po::positional_options_description positional;
     positional.add("file", -1);
     namespace style = po::command_line_style;
-    po::store(po::command_line_parser(arguments)
-                  .options(all)
-                  .positional(positional)
-                  .style(style::unix_style & ~style::allow_guessing)
-                  .run(),
-              values_);
-    if (help()) std::cout << usage << '\n' << options_;
+    try {
+      po::store(po::command_line_parser(arguments)
+                    .options(all)
+                    .positional(positional)
+                    .style(style::unix_style & ~style::allow_guessing)
+                    .run(),
+                values_);
+    } catch (const po::unknown_option& e) {
+      throw std::invalid_argument(std::string(e.what()) + did_you_mean(e.get_option_name(), option_names(options_)));
+    }
+    if (help()) std::cout << command.usage << '\n' << options_;
     const Arguments names = files();
     if (std::count_if(names.begin(), names.end(), is_standard_input) > 1)
       throw std::invalid_argument("standard input is to be read twice");
+  }
+
+  // The options of a command, with their descriptions.
+  static po::options_description options_of(const Command& command) {
+    po::options_description options("options");
+    command.describe(options.add_options()("help,h", "print this text"));
+    return options;
+  }
+
+  // Their names, e.g. "--help".
+  static Arguments option_names(const po::options_description& options) {
+    Arguments names;
+    for (const auto& option : options.options()) names.push_back("--" + option->long_name());
+    return names;
   }
 
   // Whether the help was printed, so that nothing else is to be done.
@@ -135,7 +152,7 @@ public:
       if (w == word) return word;
       known += (known.empty() ? "" : ", ") + w;
     }
-    throw std::invalid_argument("--" + option + ": '" + word + "' is none of " + known);
+    throw std::invalid_argument("--" + option + ": '" + word + "' is none of " + known + did_you_mean(word, words));
   }
 
 private:

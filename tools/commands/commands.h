@@ -5,6 +5,8 @@
 #ifndef GEOMETRIC_CONTINUITY_TOOLS_COMMANDS_COMMANDS_H
 #define GEOMETRIC_CONTINUITY_TOOLS_COMMANDS_COMMANDS_H
 
+#include <boost/program_options/options_description.hpp>
+
 #include <optional>
 #include <string>
 #include <vector>
@@ -35,15 +37,18 @@ struct Report_mode {
 
 typedef std::vector<std::string> Arguments;
 
-// Each command parses its own arguments, returns an Exit_code, and throws on bad input.
-int blend_command(const Arguments& arguments);
-int connect_command(const Arguments& arguments);
-int extend_command(const Arguments& arguments);
-int plot_command(const Arguments& arguments);
-int repair_command(const Arguments& arguments);
-int report_command(const Arguments& arguments);
-int tessellate_command(const Arguments& arguments);
-int verify_command(const Arguments& arguments);
+class Command_line;
+
+// A command: its name, the text of its help, its options, and what it does: it returns an Exit_code, and throws on bad input.
+struct Command {
+  const char* name;
+  const char* usage;
+  void (*describe)(boost::program_options::options_description_easy_init add);
+  int (*run)(const Command_line& line);
+};
+
+extern const Command blend_command, connect_command, extend_command, plot_command, repair_command, report_command,
+    tessellate_command, verify_command;
 
 // A picture of surfaces, as its options describe it.
 struct Surface_picture {

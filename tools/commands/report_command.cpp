@@ -5,6 +5,7 @@
 #include "commands/command_line.h"
 #include "commands/kink_options.h"
 #include "commands/report_inputs.h"
+#include "commands/surfaces_hint.h"
 #include "files/output.h"
 #include "formats/cad/read_cad.h"
 #include "formats/font/font_files.h"
@@ -34,6 +35,9 @@ file, and needs no network.
 In fonts, where the worst are those that are off by the most units, also
   bend    a kink of two straight lines, where no handle is off
   rounding  a kink or bend that is off by at most one unit, or --off-by units
+examples:
+  geometric_continuity report drawing.svg -o drawing.html
+  geometric_continuity report model.step --within class-a -o model.html
 Exit code: 0 when the page is written, 2 on bad input.
 )";
 
@@ -56,28 +60,26 @@ int written(const Report_page& page, const std::string& output) {
   return requirement_met;
 }
 
-} // namespace
+void describe_report(po::options_description_easy_init add) {
+  add("output,o", po::value<std::string>(), "write the page, .html");
+  add("title", po::value<std::string>(), "title of the page");
+  add("worst", po::value<int>()->default_value(10000), "show so many joins at most, from 1 to 50000");
+  add("kink-angle", po::value<std::string>()->default_value("5"),
+      "the largest angle, in degrees, that is a kink and not a corner");
+  add("off-by", po::value<std::string>(),
+      "for fonts: up to so many units a handle may be off because of rounding; 1 if not given");
+  add("within", po::value<std::string>(),
+      "for CAD models: the tolerance GAP,ANGLEdeg,CURVATURE% or a preset, vda-4955 if not given; see verify --help");
+  add("sew", po::value<std::string>(), "for CAD models: join boundary edges that are within this distance, in mm");
+  add("time-limit", po::value<std::string>(),
+      "for CAD models: the seconds that reading one file may take, 60 if not given");
+  add("glyphs", po::value<std::string>(), "the glyphs of fonts, e.g. a-z,U+00E9,ampersand");
+  add("closed", "the last curve leads back to the first");
+  add("surfaces", "the files hold the patches of a model");
+  add("max-work", po::value<std::string>(), "the steps of work that are allowed for one join, edge or curve");
+}
 
-int report_command(const Arguments& arguments) {
-  const Command_line line(report_usage, arguments, [](po::options_description_easy_init add) {
-    add("output,o", po::value<std::string>(), "write the page, .html");
-    add("title", po::value<std::string>(), "title of the page");
-    add("worst", po::value<int>()->default_value(10000), "show so many joins at most, from 1 to 50000");
-    add("kink-angle", po::value<std::string>()->default_value("5"),
-        "the largest angle, in degrees, that is a kink and not a corner");
-    add("off-by", po::value<std::string>(),
-        "for fonts: up to so many units a handle may be off because of rounding; 1 if not given");
-    add("within", po::value<std::string>(),
-        "for CAD models: the tolerance GAP,ANGLEdeg,CURVATURE% or a preset, vda-4955 if not given; see verify --help");
-    add("sew", po::value<std::string>(), "for CAD models: join boundary edges that are within this distance, in mm");
-    add("time-limit", po::value<std::string>(),
-        "for CAD models: the seconds that reading one file may take, 60 if not given");
-    add("glyphs", po::value<std::string>(), "the glyphs of fonts, e.g. a-z,U+00E9,ampersand");
-    add("closed", "the last curve leads back to the first");
-    add("surfaces", "the files hold the patches of a model");
-    add("max-work", po::value<std::string>(), "the steps of work that are allowed for one join, edge or curve");
-  });
-  if (line.help()) return requirement_met;
+int run_report(const Command_line& line) {
   const Arguments files = line.files();
   if (files.empty()) throw std::invalid_argument("report: no file is given; see --help");
   if (!line.has("output")) throw std::invalid_argument("report: -o REPORT.html is needed");
@@ -116,6 +118,13 @@ int report_command(const Arguments& arguments) {
     line.refuse({"closed"}, "not with --surfaces");
     report_surfaces(files, demand, page);
   } else
-    report_chain(files, demand, page);
+    return with_hint_of_surfaces(files, [&] {
+      report_chain(files, demand, page);
+      return written(page, output);
+    });
   return written(page, output);
 }
+
+} // namespace
+
+const Command report_command{"report", report_usage, describe_report, run_report};

@@ -10,6 +10,7 @@
 #include "commands/fonts/verify_fonts.h"
 #include "commands/fonts/verify_instances.h"
 #include "commands/kink_options.h"
+#include "commands/surfaces_hint.h"
 #include "commands/tolerances.h"
 #include "formats/cad/read_cad.h"
 #include "formats/font/font_files.h"
@@ -32,7 +33,9 @@ given order. The decision is exact for the numbers of the files.
   C: equal derivatives
   G: equal derivatives with respect to arc length
   F: equal Frenet frame and curvatures
-The inner knots of a curve are joins as well.
+The inner knots of a curve are joins as well. Where tangents differ, the remark
+calls it a kink, of at most --kink-angle degrees, or a corner; of chains
+--require asks every join, also where a corner is meant.
 
 With --surfaces it finds all edges that the surfaces of the files share, and
 decides G1 and G2 along each whole edge and along the knot lines inside
@@ -90,6 +93,10 @@ and possibly a gap, A,K,T[,GAP]; for surfaces A[,GAP].
 Presets are published rules, with lengths in millimetres: class-a is
 0.01,0.1deg, class-b 0.02,0.2deg, class-c 0.05,0.5deg, vda-4955 0.02,0.1deg,
 mil-std-31000a 0.01,2deg.
+
+examples:
+  geometric_continuity verify outline.g2 --closed --require G2
+  geometric_continuity verify drawing.svg --require G1 --kink-angle 3
 
 With --format sarif and junit, what does not meet the requirement is an error;
 without one, gaps and kinks are notes.
@@ -183,46 +190,43 @@ Cad_demand cad_demand(const Command_line& line, const std::optional<Requirement>
   return demand;
 }
 
-} // namespace
+void describe_verify(po::options_description_easy_init add) {
+  add("surfaces", "the files hold the patches of a model");
+  add("closed", "the last curve leads back to the first");
+  add("max-order", po::value<int>()->default_value(3), "the highest order to decide, from 0 to 32");
+  add("require", po::value<std::string>(), "the order that every join must have: C1, G2, F3, ...");
+  add("within", po::value<std::string>(),
+      "the tolerance: GAP,ANGLEdeg,CURVATURE%[,TORSION], or a preset; with --surfaces GAP,ANGLEdeg");
+  add("kink-angle", po::value<std::string>(),
+      "the largest angle that is a kink, in degrees, instead of 5; what is larger is a corner, which in drawings, "
+      "fonts and CAD models is meant and need not meet a requirement of G orders");
+  add("sew", po::value<std::string>(), "for CAD models: join boundary edges that are within this distance, in mm");
+  add("time-limit", po::value<std::string>(),
+      "for CAD models: the seconds that reading one file may take, 60 if not given");
+  add("all-instances", "of variable fonts: enclose the largest kink of each join over all instances");
+  add("max-kink", po::value<std::string>(),
+      "for fonts: the angle in degrees that no kink may exceed, with --all-instances in no instance; without it no "
+      "angle is asked for, and the report counts the kinks of more than 0.5");
+  add("off-by", po::value<std::string>(),
+      "for fonts: up to so many units a handle may be off because of rounding, which meets each requirement; 1 "
+      "if not given");
+  add("glyphs", po::value<std::string>(), "for fonts: the glyphs to verify, e.g. a-z,U+00E9,ampersand");
+  add("worst", po::value<int>()->default_value(10), "for fonts: how many joins to show of each, in JSON of each glyph");
+  add("allow-undecided", "what is undecided does not count as not met");
+  add("allow-uncovered", "what is not covered does not count as not met");
+  add("allow-empty", "accept that there is no join");
+  add("summary", "print only the counts and what does not meet the requirement; so it is on a terminal for more than "
+                 "5000 joins");
+  add("format", po::value<std::string>()->default_value("text"),
+      "text; json: for programs; sarif: SARIF 2.1.0, for code scanning; junit: JUnit's XML, for continuous "
+      "integration");
+  add("json", "the same as --format json");
+  add("max-work", po::value<std::string>(), "the steps of work that are allowed for one join, edge or curve");
+  add("kernel", po::value<std::string>()->default_value("exact"),
+      "exact: the numbers as written; double: each number is first rounded to a double, then all is exact");
+}
 
-int verify_command(const Arguments& arguments) {
-  const Command_line line(verify_usage, arguments, [](po::options_description_easy_init add) {
-    add("surfaces", "the files hold the patches of a model");
-    add("closed", "the last curve leads back to the first");
-    add("max-order", po::value<int>()->default_value(3), "the highest order to decide, from 0 to 32");
-    add("require", po::value<std::string>(), "the order that every join must have: C1, G2, F3, ...");
-    add("within", po::value<std::string>(),
-        "the tolerance: GAP,ANGLEdeg,CURVATURE%[,TORSION], or a preset; with --surfaces GAP,ANGLEdeg");
-    add("kink-angle", po::value<std::string>(),
-        "for drawings, fonts and CAD models: the largest angle that is a kink, in degrees, instead of 5; what is "
-        "larger is a corner, which is meant and need not meet a requirement of G orders");
-    add("sew", po::value<std::string>(), "for CAD models: join boundary edges that are within this distance, in mm");
-    add("time-limit", po::value<std::string>(),
-        "for CAD models: the seconds that reading one file may take, 60 if not given");
-    add("all-instances", "of variable fonts: enclose the largest kink of each join over all instances");
-    add("max-kink", po::value<std::string>(),
-        "for fonts: the angle in degrees that no kink may exceed, with --all-instances in no instance; 0.5 in its "
-        "report if not given");
-    add("off-by", po::value<std::string>(),
-        "for fonts: up to so many units a handle may be off because of rounding, which meets each requirement; 1 "
-        "if not given");
-    add("glyphs", po::value<std::string>(), "for fonts: the glyphs to verify, e.g. a-z,U+00E9,ampersand");
-    add("worst", po::value<int>()->default_value(10),
-        "for fonts: how many joins to show of each, in JSON of each glyph");
-    add("allow-undecided", "what is undecided does not count as not met");
-    add("allow-uncovered", "what is not covered does not count as not met");
-    add("allow-empty", "accept that there is no join");
-    add("summary", "print only the counts and what does not meet the requirement; so it is on a terminal for more than "
-                   "5000 joins");
-    add("format", po::value<std::string>()->default_value("text"),
-        "text; json: for programs; sarif: SARIF 2.1.0, for code scanning; junit: JUnit's XML, for continuous "
-        "integration");
-    add("json", "the same as --format json");
-    add("max-work", po::value<std::string>(), "the steps of work that are allowed for one join, edge or curve");
-    add("kernel", po::value<std::string>()->default_value("exact"),
-        "exact: the numbers as written; double: each number is first rounded to a double, then all is exact");
-  });
-  if (line.help()) return requirement_met;
+int run_verify(const Command_line& line) {
   if (line.files().empty()) throw std::invalid_argument("verify: no file is given; see --help");
   std::optional<Requirement> required;
   if (line.has("require")) required = Requirement(line.text("require"));
@@ -245,10 +249,9 @@ int verify_command(const Arguments& arguments) {
     if (drawings != static_cast<std::ptrdiff_t>(files.size()))
       throw std::invalid_argument("drawings (.svg) and curves (.g2) cannot be verified together");
     line.refuse({"surfaces", "closed", "within", "kernel"}, "not for drawings");
-  } else
-    line.refuse({"kink-angle"}, "only for drawings, fonts and CAD models");
+  }
   if (line.has("surfaces")) {
-    line.refuse({"closed", "max-order", "kernel"}, "not with --surfaces");
+    line.refuse({"closed", "max-order", "kernel", "kink-angle"}, "not with --surfaces");
     std::optional<GC::Edge_tolerance> tolerance;
     if (line.has("within")) tolerance = parse_tolerances(line.text("within"), true).edges();
     if (required && (required->kind() != GC::Continuity_kind::G || required->order() > 2))
@@ -257,12 +260,16 @@ int verify_command(const Arguments& arguments) {
       throw std::invalid_argument("--require " + required->text() + ": within a tolerance, G0 and G1 are decided");
     return verify_surfaces(files, mode, required ? std::optional<int>(required->order()) : std::nullopt, tolerance);
   }
-  Join_demand demand{line.integer("max-order", 0, 32), required, {}};
+  Join_demand demand{line.integer("max-order", 0, 32), required, {}, kink_rule(line).bound};
   if (required) demand.max_order = (std::max)(demand.max_order, required->order());
   if (line.has("within")) demand.tolerance = parse_tolerances(line.text("within"), false);
   if (required && demand.tolerance && (required->kind() == GC::Continuity_kind::C || required->order() > 3))
     throw std::invalid_argument("--require " + required->text() + ": within a tolerance, G or F up to 3 are decided");
   if (drawings != 0) return verify_drawings(files, demand.max_order, mode, required, kink_rule(line));
   const bool rounded = line.choice("kernel", {"exact", "double"}) == "double";
-  return verify_chain(files, rounded, line.has("closed"), mode, demand);
+  return with_hint_of_surfaces(files, [&] { return verify_chain(files, rounded, line.has("closed"), mode, demand); });
 }
+
+} // namespace
+
+const Command verify_command{"verify", verify_usage, describe_verify, run_verify};

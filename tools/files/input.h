@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstddef>
+#include <filesystem>
 #include <functional>
 #include <istream>
 #include <memory>
@@ -133,6 +134,16 @@ public:
   // The first bytes, as many as there are up to this number, as long as none has been read.
   std::string_view beginning(std::size_t size) { return buffer_->beginning(size); }
 };
+
+// What a file begins with, without a byte order mark and the zeros of UTF-16. Of pipes only standard input is looked into, because others
+// cannot be opened twice.
+inline std::string beginning_of_text(const std::string& file) {
+  std::error_code error;
+  if (!is_standard_input(file) && !std::filesystem::is_regular_file(file, error)) return "";
+  std::string text(Input(file).beginning(256));
+  text.erase(std::remove_if(text.begin(), text.end(), [](char c) { return c == '\0' || (c & 0x80) != 0; }), text.end());
+  return text;
+}
 
 // The surfaces of a model: all of them as rational ones if one is.
 template <class Traits> class Surface_model {

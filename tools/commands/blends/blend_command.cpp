@@ -29,7 +29,7 @@ namespace {
 const char* const blend_usage = R"(usage: geometric_continuity blend A.g2 B.g2 [OPTIONS]
        geometric_continuity blend CHAIN.g2 --replace I [OPTIONS]
        geometric_continuity blend CHAIN.g2 --corner I --distance R
-       geometric_continuity blend CHAIN.g2 --corners all|kinks --distance R
+       geometric_continuity blend CHAIN.g2 --corners all|not-g1 --distance R
        geometric_continuity blend --surfaces A.g2 B.g2 [--edges v1,v0]
 
 Blends the end of the last curve of A into the start of the first curve of B,
@@ -39,17 +39,31 @@ written, as verify reads them. The output is the blends, or the chain with its
 curve replaced when one strategy is asked for. The picture has a panel for each
 strategy, with the variation of curvature E; its frame follows the blends.
 
-strategies of order 2 (degree 5, G2):
-  c2, normal, min_second, near_line, energy2, energy3 (default),
-  fair (the least variation of curvature), free (--s1 --s2)
-strategies of order 3 (degree 7, G3 or F3):
-  c3, seq_g3, seq_f3, joint_g3, energy3_g3, energy4_g3 (default),
-  fair_g3, fair_f3, free (--start --end)
+strategies of order 2 (degree 5, joins G2): what they choose
+  c2          the second derivatives of the given curves
+  normal      third points straight above the second ones
+  min_second  the least second derivatives at both ends
+  near_line   third points near the line between the second ones; may lead far
+              away
+  energy2     the least int |x''|^2, that of a thin rod
+  energy3     the least int |x'''|^2 (default)
+  fair        the least variation of curvature: as if it were drawn
+  free        your numbers, --s1 and --s2
+strategies of order 3 (degree 7, joins G3, those with f3 in their name F3)
+  c3          the derivatives of the given curves up to the third
+  seq_g3      the least second derivatives, then the least third ones
+  seq_f3      the same among joins with continuous curvature and torsion
+  joint_g3    the least third derivatives
+  energy3_g3  the least int |x'''|^2
+  energy4_g3  the least int |x''''|^2 (default)
+  fair_g3, fair_f3  the least variation of curvature
+  free        your numbers, --start and --end
 The tangents at both ends are as long as the chord, or as fair chooses them,
 unless --beta or --eta is given; where one is given, the other is that of the
 chord.
 
-The table and --json tell how fair each blend is: the variation of curvature
+The table has two energies int |x^(k)|^2, and it and --json tell how fair each
+blend is: the variation of curvature
 L^3 int |dK/ds|^2, the bending energy L int |K|^2 (both for a curve of any
 size), how often the curvature turns from rising to falling or back, how often
 the curve inflects, and the largest curvature. The counts are exact.
@@ -63,7 +77,7 @@ R are decimals or fractions p/q.
 cyclically; a spline counts as its Bezier curves): both curves are cut at the
 arc length R from it, and a fair blend with G2 joins is put between, with
 --order 3 one with G3 joins. --corners all rounds all joins that do not have
-this order, --corners kinks those that are not G1; of short curves less than R
+this order, --corners not-g1 corners and kinks only; of short curves less than R
 is cut off, so that a quarter of each remains. The output is the whole chain.
 
 --surfaces makes a surface of degree 5 across from the edge v1 of the surface in
@@ -74,9 +88,15 @@ order 2. It is G2 with both along the whole edges, which is decided exactly.
 Exact arithmetic on numbers of thousands of digits can take long: --max-work N
 allows N steps, about N nanoseconds, instead of 4000000000.
 
+examples:
+  geometric_continuity blend a.g2 b.g2 --strategy fair -o blend.g2 \
+      --plot blend.svg
+  geometric_continuity blend outline.g2 --closed --corners all --distance 2 \
+      -o rounded.g2
+
 Exit code: 0 when both joins of every blend have the order that is asked for, 1
 when rounding has broken one (--kernel double; the files are written
-nevertheless), 2 on bad input.
+nevertheless), 2 on bad input, and with --corners when there is no join.
 )";
 
 // The given curves around the blend: all of A, or the curves after the replaced one; then those after the blend.
@@ -168,7 +188,8 @@ Arguments chosen_strategies(const Command_line& line, const Arguments& names, co
   std::istringstream words(text + ',');
   for (std::string name; std::getline(words, name, ',');) {
     if (std::find(names.begin(), names.end(), name) == names.end())
-      throw std::invalid_argument("--strategy: '" + name + "' is none of those that can be compared; see --help");
+      throw std::invalid_argument("--strategy: '" + name + "' is none of those that can be compared; see --help" +
+                                  did_you_mean(name, names));
     result.push_back(name);
   }
   return result;
@@ -235,35 +256,33 @@ template <class FT> int blend(const Command_line& line) {
   return proved ? requirement_met : requirement_not_met;
 }
 
-} // namespace
+void describe_blend(po::options_description_easy_init add) {
+  add("strategy", po::value<std::string>(), "one of the strategies, some as A,B,C, or all: each of them except free");
+  add("order", po::value<int>()->default_value(2), "2: quintic, 3: septic");
+  add("beta", po::value<std::string>(), "R > 0, the blend starts with beta times the end tangent of A");
+  add("eta", po::value<std::string>(), "R > 0, the blend ends with eta times the start tangent of B");
+  add("s1", po::value<std::string>(), "R, free scalar at the start (free, order 2)");
+  add("s2", po::value<std::string>(), "R, free scalar at the end (free, order 2)");
+  add("start", po::value<std::string>(), "R,R,R = beta2,mu,beta3 at the start (free, order 3)");
+  add("end", po::value<std::string>(), "R,R,R = beta2,mu,beta3 at the end (free, order 3)");
+  add("replace", po::value<int>(), "I, replace this curve of a chain");
+  add("corner", po::value<int>(), "I, round the join after this curve of a chain");
+  add("corners", po::value<std::string>(), "all or not-g1, round these joins of a chain");
+  add("distance", po::value<std::string>(), "R > 0, from a corner to where its curves are cut");
+  add("closed", "with --corners: the last curve leads back to the first");
+  add("surfaces", "blend an edge of one surface into an edge of another one");
+  add("edges", po::value<std::string>(), "EDGE,EDGE of A and B with --surfaces: u0, u1, v0 or v1 (default v1,v0)");
+  add("kernel", po::value<std::string>()->default_value("exact"),
+      "exact: construct in exact numbers; double: in floating-point numbers");
+  add("representable", "control points that are doubles, joins that are exactly G2");
+  add("json", "print the report as JSON");
+  add("max-work", po::value<std::string>(), "the steps of work that are allowed for each blend");
+  add("output,o", po::value<std::string>(), "write the result, .g2");
+  add("plot", po::value<std::string>(), "draw the result, .svg");
+  add("title", po::value<std::string>(), "title of the picture");
+}
 
-int blend_command(const Arguments& arguments) {
-  const Command_line line(blend_usage, arguments, [](po::options_description_easy_init add) {
-    add("strategy", po::value<std::string>(), "one of the strategies, some as A,B,C, or all: each of them except free");
-    add("order", po::value<int>()->default_value(2), "2: quintic, 3: septic");
-    add("beta", po::value<std::string>(), "R > 0, the blend starts with beta times the end tangent of A");
-    add("eta", po::value<std::string>(), "R > 0, the blend ends with eta times the start tangent of B");
-    add("s1", po::value<std::string>(), "R, free scalar at the start (free, order 2)");
-    add("s2", po::value<std::string>(), "R, free scalar at the end (free, order 2)");
-    add("start", po::value<std::string>(), "R,R,R = beta2,mu,beta3 at the start (free, order 3)");
-    add("end", po::value<std::string>(), "R,R,R = beta2,mu,beta3 at the end (free, order 3)");
-    add("replace", po::value<int>(), "I, replace this curve of a chain");
-    add("corner", po::value<int>(), "I, round the join after this curve of a chain");
-    add("corners", po::value<std::string>(), "all or kinks, round these joins of a chain");
-    add("distance", po::value<std::string>(), "R > 0, from a corner to where its curves are cut");
-    add("closed", "with --corners: the last curve leads back to the first");
-    add("surfaces", "blend an edge of one surface into an edge of another one");
-    add("edges", po::value<std::string>(), "EDGE,EDGE of A and B with --surfaces: u0, u1, v0 or v1 (default v1,v0)");
-    add("kernel", po::value<std::string>()->default_value("exact"),
-        "exact: construct in exact numbers; double: in floating-point numbers");
-    add("representable", "control points that are doubles, joins that are exactly G2");
-    add("json", "print the report as JSON");
-    add("max-work", po::value<std::string>(), "the steps of work that are allowed for each blend");
-    add("output,o", po::value<std::string>(), "write the result, .g2");
-    add("plot", po::value<std::string>(), "draw the result, .svg");
-    add("title", po::value<std::string>(), "title of the picture");
-  });
-  if (line.help()) return requirement_met;
+int run_blend(const Command_line& line) {
   check_outputs(line);
   if (!line.has("plot")) line.refuse({"title"}, "only with --plot");
   if (line.has("corner") || line.has("corners")) {
@@ -291,3 +310,7 @@ int blend_command(const Arguments& arguments) {
     return line.choice("kernel", {"exact", "double"}) == "exact" ? blend<Exact>(line) : blend<double>(line);
   });
 }
+
+} // namespace
+
+const Command blend_command{"blend", blend_usage, describe_blend, run_blend};

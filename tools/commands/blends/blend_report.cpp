@@ -4,6 +4,8 @@
 
 #include "commands/blends/blend_report.h"
 
+#include "files/terminal.h"
+
 #include <CGAL/Geometric_continuity/IO/json.h>
 #include <CGAL/Geometric_continuity/IO/number.h>
 #include <CGAL/Geometric_continuity/curves/fairness.h>
@@ -13,6 +15,7 @@
 #include <cmath>
 #include <iomanip>
 #include <numeric>
+#include <sstream>
 #include <vector>
 
 namespace {
@@ -89,12 +92,38 @@ std::string warning_of(const Exact_curve& curve) {
   return turns_back && ends_forwards ? "turns back" : "";
 }
 
-// Writes a line of the table.
-void write_row(std::ostream& os, const std::array<std::string, 10>& columns, const std::string& rest) {
-  constexpr std::array<int, 10> widths = {11, 12, 12, 12, 12, 12, 12, 7, 11, 12};
+// The widths of the columns of a table, of which the first three are words.
+typedef std::array<std::string, 10> Row;
+std::array<std::size_t, 10> widths_of(const std::vector<Row>& rows) {
+  std::array<std::size_t, 10> widths{};
+  for (const Row& row : rows)
+    for (std::size_t i = 0; i < row.size(); ++i) widths[i] = (std::max)(widths[i], row[i].size());
+  return widths;
+}
+
+// Writes a row, and the rest of it in lines of its own where it does not fit into the columns that there are.
+void write_row(std::ostream& os, const Row& columns, const std::array<std::size_t, 10>& widths,
+               const std::string& rest) {
+  std::ostringstream line;
   for (std::size_t i = 0; i < columns.size(); ++i)
-    os << (i < 3 ? std::left : std::right) << std::setw(widths[i]) << columns[i] << ' ';
-  os << ' ' << rest << '\n';
+    line << (i == 0 ? "" : " ") << (i < 3 ? std::left : std::right) << std::setw(static_cast<int>(widths[i]))
+         << columns[i];
+  const std::size_t most = output_columns(), length = line.str().size();
+  os << line.str();
+  if (rest.empty() || rest.size() + 2 <= most - (std::min)(length, most))
+    os << (rest.empty() ? "" : "  ") << rest;
+  else {
+    std::istringstream words(rest);
+    std::size_t at = most;
+    for (std::string word; words >> word; at += 1 + word.size()) {
+      if (at + 1 + word.size() > most) {
+        os << "\n   ";
+        at = 3;
+      }
+      os << ' ' << word;
+    }
+  }
+  os << '\n';
 }
 
 // A number that is written without loss; null if it is infinite.
@@ -157,22 +186,22 @@ bool Blend_report::is_proved(int order) const {
 }
 
 void write_table(std::ostream& os, const std::vector<Blend_report>& reports, int order, bool limited) {
-  write_row(os,
-            {"strategy", "start join", "end join", order == 2 ? "int |x''|^2" : "int |x'''|^2",
-             order == 2 ? "int |x'''|^2" : "int |x''''|^2", "fairness", "bending", "extrema", "inflections",
-             "curvature"},
-            "parameters");
+  std::vector<Row> rows = {{"strategy", "start", "end", order == 2 ? "|x''|^2" : "|x'''|^2",
+                            order == 2 ? "|x'''|^2" : "|x''''|^2", "fairness", "bending", "extrema", "inflections",
+                            "curvature"}};
+  std::vector<std::string> rest = {"parameters"};
   bool proved = true;
   for (const Blend_report& r : reports) {
     proved = proved && r.is_proved(order);
     const std::optional<GC::Curvature_extrema>& c = r.curvature;
     const std::array<std::string, 2> energy = energies(r, order, limited);
-    write_row(os,
-              {r.strategy, orders(r.start), orders(r.end), energy[0], energy[1], six_digits(r.fairness),
-               six_digits(r.bending_energy), c ? std::to_string(c->extrema.size()) : "-",
-               c ? std::to_string(c->inflections.size()) : "-", c ? six_digits(c->largest().upper) : "-"},
-              r.parameters + (r.warning.empty() ? "" : "  warning: " + r.warning));
+    rows.push_back({r.strategy, orders(r.start), orders(r.end), energy[0], energy[1], six_digits(r.fairness),
+                    six_digits(r.bending_energy), c ? std::to_string(c->extrema.size()) : "-",
+                    c ? std::to_string(c->inflections.size()) : "-", c ? six_digits(c->largest().upper) : "-"});
+    rest.push_back(r.parameters + (r.warning.empty() ? "" : "  warning: " + r.warning));
   }
+  const std::array<std::size_t, 10> widths = widths_of(rows);
+  for (std::size_t i = 0; i < rows.size(); ++i) write_row(os, rows[i], widths, rest[i]);
   os << (proved ? "both joins of every blend are proved in exact arithmetic\n"
                 : "decided in exact arithmetic: rounding has broken a join\n");
 }

@@ -5,6 +5,7 @@
 #ifndef GEOMETRIC_CONTINUITY_TOOLS_COMMANDS_BLENDS_BLEND_STRATEGIES_H
 #define GEOMETRIC_CONTINUITY_TOOLS_COMMANDS_BLENDS_BLEND_STRATEGIES_H
 
+#include "commands/blends/strategy_names.h"
 #include "commands/chains/join_report.h"
 #include "commands/command_line.h"
 #include "formats/g2_text/curves.h"
@@ -19,9 +20,6 @@
 #include <string>
 #include <type_traits>
 #include <vector>
-
-const Arguments quintic_names = {"c2", "normal", "min_second", "near_line", "energy2", "energy3", "fair"};
-const Arguments septic_names = {"c3", "seq_g3", "seq_f3", "joint_g3", "energy3_g3", "energy4_g3", "fair_g3", "fair_f3"};
 
 // What one strategy gives.
 template <class FT> struct Blend_result {

@@ -27,6 +27,10 @@ knots, with inner knots at most double. G1 is decided exactly on the result,
 along the whole of C.
 Exact arithmetic on numbers of thousands of digits can take long: --max-work N
 allows N steps, about N nanoseconds, instead of 4000000000.
+examples:
+  geometric_continuity connect edge.g2 left.g2 right.g2 -o ribbon.g2
+  geometric_continuity connect edge.g2 left.g2 right.g2 --bulge 1/2 \
+      -o ribbon.g2
 Exit code: 0 when the result is G1, 1 when it is not, e.g. because of a fold, 2
 on bad input.
 )";
@@ -67,18 +71,20 @@ int connect(const Command_line& line) {
   return g1 ? requirement_met : requirement_not_met;
 }
 
-} // namespace
+void describe_connect(po::options_description_easy_init add) {
+  add("bulge", po::value<std::string>(), "R, bends the surfaces: beta becomes quartic (default 0)");
+  add("max-work", po::value<std::string>(), "the steps of work that are allowed");
+  add("output,o", po::value<std::string>(), "write both surfaces, .g2");
+}
 
-int connect_command(const Arguments& arguments) {
-  const Command_line line(connect_usage, arguments, [](po::options_description_easy_init add) {
-    add("bulge", po::value<std::string>(), "R, bends the surfaces: beta becomes quartic (default 0)");
-    add("max-work", po::value<std::string>(), "the steps of work that are allowed");
-    add("output,o", po::value<std::string>(), "write both surfaces, .g2");
-  });
-  if (line.help()) return requirement_met;
+int run_connect(const Command_line& line) {
   if (line.files().size() != 3) throw std::invalid_argument("connect: three files are needed; see --help");
   if (!line.has("output")) throw std::invalid_argument("connect: -o RIBBON.g2 is needed");
   check_outputs(line);
   const GC::Work_scope each(line.work_limit());
   return within_work_limit([&] { return input_name(line.files()[0]) + ", ..."; }, [&] { return connect(line); });
 }
+
+} // namespace
+
+const Command connect_command{"connect", connect_usage, describe_connect, run_connect};

@@ -22,16 +22,21 @@ const char* const extend_usage = R"(usage: geometric_continuity extend A.g2 --or
 Appends a segment of the same degree to the last curve of A. Its first points
 are members of Hagen's families:
   b1 = b0 + beta p
-  b2 = b0 + beta^2 (b-2 - b0) + C0 p
-  b3 = b0 + beta^3 (b-2 - b-3) + C1 p + C2 r
-with p = b0 - b-1 and r = b-2 - b-1. What is not given continues the curve as
-smoothly as possible. With --toward the segment ends at the point, or as near
-to it as possible, with the least energy. The join is decided exactly on the
-numbers that are written, as verify reads them. Of a curve with inner knots the
-last span counts; all curves are written as Bezier curves. Numbers R are
-decimals or fractions p/q.
+  b2 = b0 + beta^2 (b-2 - b0) + c0 p
+  b3 = b0 + beta^3 (b-2 - b-3) + c1 p + c2 r
+with the numbers --c0, --c1 and --c2, p = b0 - b-1 and r = b-2 - b-1. What is
+not given continues the curve as smoothly as possible. With --toward the segment
+ends at the point, or as near to it as possible, with the least energy. The join
+is decided exactly on the numbers that are written, as verify reads them. Of a
+curve with inner knots the last span counts; all curves are written as Bezier
+curves. Numbers R are decimals or fractions p/q.
 Exact arithmetic on numbers of thousands of digits can take long: --max-work N
 allows N steps, about N nanoseconds, instead of 4000000000.
+examples:
+  geometric_continuity extend a.g2 --order curvature -o longer.g2 \
+      --plot longer.svg
+  geometric_continuity extend a.g2 --order torsion --toward 1,2,3/2 \
+      -o longer.g2
 Exit code: 0 when the join has the order that is asked for, 1 when rounding has
 broken it (--kernel double; the files are written nevertheless), 2 on bad input.
 )";
@@ -99,24 +104,22 @@ template <class FT> int extend(const Command_line& line) {
   return proved ? requirement_met : requirement_not_met;
 }
 
-} // namespace
+void describe_extend(po::options_description_easy_init add) {
+  add("order", po::value<std::string>(), "tangent, curvature or torsion: what is continuous");
+  add("beta", po::value<std::string>(),
+      "R > 0, length of the new parameter interval in terms of the last one (default 1)");
+  add("c0", po::value<std::string>(), "R, chooses b2 on its line");
+  add("c1", po::value<std::string>(), "R, chooses b3 in its plane");
+  add("c2", po::value<std::string>(), "R, chooses b3 in its plane");
+  add("toward", po::value<std::string>(), "X,Y[,Z], where the segment shall end");
+  add("kernel", po::value<std::string>()->default_value("exact"),
+      "exact: construct in exact numbers; double: in floating-point numbers");
+  add("max-work", po::value<std::string>(), "the steps of work that are allowed");
+  add("output,o", po::value<std::string>(), "write all curves of A and the new one, .g2");
+  add("plot", po::value<std::string>(), "draw the result, .svg");
+}
 
-int extend_command(const Arguments& arguments) {
-  const Command_line line(extend_usage, arguments, [](po::options_description_easy_init add) {
-    add("order", po::value<std::string>(), "tangent, curvature or torsion: what is continuous");
-    add("beta", po::value<std::string>(),
-        "R > 0, length of the new parameter interval in terms of the last one (default 1)");
-    add("c0", po::value<std::string>(), "R, chooses b2 on its line");
-    add("c1", po::value<std::string>(), "R, chooses b3 in its plane");
-    add("c2", po::value<std::string>(), "R, chooses b3 in its plane");
-    add("toward", po::value<std::string>(), "X,Y[,Z], where the segment shall end");
-    add("kernel", po::value<std::string>()->default_value("exact"),
-        "exact: construct in exact numbers; double: in floating-point numbers");
-    add("max-work", po::value<std::string>(), "the steps of work that are allowed");
-    add("output,o", po::value<std::string>(), "write all curves of A and the new one, .g2");
-    add("plot", po::value<std::string>(), "draw the result, .svg");
-  });
-  if (line.help()) return requirement_met;
+int run_extend(const Command_line& line) {
   if (line.files().size() != 1) throw std::invalid_argument("extend: one file is needed; see --help");
   if (!line.has("order")) throw std::invalid_argument("extend: --order is needed; see --help");
   if (!line.has("output")) throw std::invalid_argument("extend: -o OUT.g2 is needed");
@@ -128,3 +131,7 @@ int extend_command(const Arguments& arguments) {
         return line.choice("kernel", {"exact", "double"}) == "exact" ? extend<Exact>(line) : extend<double>(line);
       });
 }
+
+} // namespace
+
+const Command extend_command{"extend", extend_usage, describe_extend, run_extend};

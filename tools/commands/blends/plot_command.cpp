@@ -4,6 +4,7 @@
 
 #include "commands/chains/join_report.h"
 #include "commands/command_line.h"
+#include "commands/surfaces_hint.h"
 #include "files/output.h"
 #include "files/progress.h"
 
@@ -17,6 +18,9 @@ const char* const plot_usage = R"(usage: geometric_continuity plot FILE.g2... -o
 Draws the chain of curves of each file in a panel of its own, with the joins
 marked by their order. With --surfaces it draws all surfaces of the files as
 one model, with its edges coloured by their order.
+examples:
+  geometric_continuity plot outline.g2 --closed -o outline.svg
+  geometric_continuity plot --surfaces model.g2 --view -30,20 -o model.svg
 Exit code: 0 when the picture is written, 2 on bad input.
 )";
 
@@ -73,34 +77,7 @@ GC::Svg_panel alternatives(const std::string& file, const GC::Svg_style& style) 
   return panel;
 }
 
-} // namespace
-
-int plot_command(const Arguments& arguments) {
-  const Command_line line(plot_usage, arguments, [](po::options_description_easy_init add) {
-    add("output,o", po::value<std::string>(), "write the picture, .svg");
-    add("alternatives", "add Hagen's midpoint construction and his line of alternatives");
-    add("closed", "the last curve of a file leads back to its first");
-    add("no-polygon", "without control polygons");
-    add("no-comb", "without curvature combs");
-    add("columns", po::value<int>()->default_value(3), "panels in a row, from 1 to 1000");
-    add("title", po::value<std::string>(), "title of the picture");
-    add("surfaces", "the files are surfaces, class 200");
-    add("isophotes", "draw surfaces in strips that show kinks, the default");
-    add("shaded", "draw surfaces smoothly shaded");
-    add("view", po::value<std::string>(), "AZIMUTH,ELEVATION of the viewer of surfaces in degrees (default -60,22)");
-  });
-  if (line.help()) return requirement_met;
-  if (line.files().empty()) throw std::invalid_argument("plot: no file is given; see --help");
-  if (!line.has("output")) throw std::invalid_argument("plot: -o OUT.svg is needed");
-  check_picture_name(line, "output");
-  const std::string title = line.text("title");
-  if (line.has("surfaces")) {
-    line.refuse({"alternatives", "closed", "no-polygon", "no-comb", "columns"}, "not with --surfaces");
-    if (line.has("isophotes") && line.has("shaded"))
-      throw std::invalid_argument("plot: --isophotes and --shaded exclude each other");
-    return plot_surfaces(line.files(), {line.text("output"), title, line.text("view"), line.has("shaded")});
-  }
-  line.refuse({"isophotes", "shaded", "view"}, "only with --surfaces");
+int plot_curves(const Command_line& line, const std::string& title) {
   if (line.has("alternatives")) line.refuse({"closed"}, "not with --alternatives");
   const GC::Svg_style style{GC::Svg_role::given, !line.has("no-polygon"), !line.has("no-comb")};
   GC::Svg_figure figure(title, line.integer("columns", 1, 1000));
@@ -115,3 +92,36 @@ int plot_command(const Arguments& arguments) {
                [&](std::ostream& os) { figure.write(os, [&](std::size_t n) { progress.step(n); }); });
   return requirement_met;
 }
+
+void describe_plot(po::options_description_easy_init add) {
+  add("output,o", po::value<std::string>(), "write the picture, .svg");
+  add("alternatives", "add Hagen's midpoint construction and his line of alternatives");
+  add("closed", "the last curve of a file leads back to its first");
+  add("no-polygon", "without control polygons");
+  add("no-comb", "without curvature combs");
+  add("columns", po::value<int>()->default_value(3), "panels in a row, from 1 to 1000");
+  add("title", po::value<std::string>(), "title of the picture");
+  add("surfaces", "the files are surfaces, class 200");
+  add("isophotes", "draw surfaces in strips that show kinks, the default");
+  add("shaded", "draw surfaces smoothly shaded");
+  add("view", po::value<std::string>(), "AZIMUTH,ELEVATION of the viewer of surfaces in degrees (default -60,22)");
+}
+
+int run_plot(const Command_line& line) {
+  if (line.files().empty()) throw std::invalid_argument("plot: no file is given; see --help");
+  if (!line.has("output")) throw std::invalid_argument("plot: -o OUT.svg is needed");
+  check_picture_name(line, "output");
+  const std::string title = line.text("title");
+  if (line.has("surfaces")) {
+    line.refuse({"alternatives", "closed", "no-polygon", "no-comb", "columns"}, "not with --surfaces");
+    if (line.has("isophotes") && line.has("shaded"))
+      throw std::invalid_argument("plot: --isophotes and --shaded exclude each other");
+    return plot_surfaces(line.files(), {line.text("output"), title, line.text("view"), line.has("shaded")});
+  }
+  line.refuse({"isophotes", "shaded", "view"}, "only with --surfaces");
+  return with_hint_of_surfaces(line.files(), [&] { return plot_curves(line, title); });
+}
+
+} // namespace
+
+const Command plot_command{"plot", plot_usage, describe_plot, run_plot};

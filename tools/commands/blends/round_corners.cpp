@@ -45,7 +45,7 @@ Rounded<FT> rounded_chain(const Command_line& line, const Chain<FT>& chain, doub
   if (!line.has("corner"))
     return GC::round_corners(chain.begin(), chain.end(), distance,
                              line.has("closed") ? GC::Closure::closed : GC::Closure::open,
-                             line.choice("corners", {"all", "kinks"}) == "all" ? order : 1, strategy);
+                             line.choice("corners", {"all", "not-g1"}) == "all" ? order : 1, strategy);
   if (n < 2) throw std::invalid_argument("--corner: at least 2 curves are needed");
   return with_corner(chain, line.integer("corner", 0, n - 1), distance, strategy);
 }
@@ -76,11 +76,10 @@ template <class FT>
 bool write_report(std::ostream& os, const Rounded<FT>& result, std::size_t given, bool closed, int order) {
   std::vector<Exact_curve> curves;
   for (const Program_curve<FT>& c : result.curves) curves.push_back(as_written(c));
-  std::vector<Join> joins; // each after the curve with its number
   closed = closed || (!result.corners.empty() && result.corners.back().join + 1 == given);
-  const GC::Chain_summary summary =
-      GC::chain_continuity(curves.begin(), curves.end(), 3, closed,
-                           [&](const GC::Chain_join<Exact_curve>& join) { joins.push_back(join.continuity); });
+  const std::vector<Join> joins = GC::chain_joins(curves, 3, closed ? GC::Closure::closed : GC::Closure::open);
+  GC::Chain_summary summary;
+  for (const Join& join : joins) summary.add(join);
   write_row(os, {"corner", "blend", "distance", "start join", "end join"});
   bool proved = true;
   for (const GC::Rounded_join<FT>& corner : result.corners) {
@@ -105,6 +104,7 @@ template <class FT> Exit_code round_corners(const Command_line& line) {
   const int order = line.integer("order", 2, 3);
   if (line.has("strategy")) line.choice("strategy", {order == 2 ? "fair" : "fair_g3"});
   const Chain<FT> chain = read_curves<FT>(files);
+  if (line.has("corners") && chain.size() == 1 && !line.has("closed")) throw std::invalid_argument(no_join);
   const Rounded<FT> result = [&] {
     try {
       return order == 2 ? rounded_chain(line, chain, distance, order, GC::Fair())

@@ -91,7 +91,7 @@ private:
 
   void append_row(std::string& rows, const Join_place& place, const Join& join, const Span& left, const Span& right,
                   const std::optional<GC::Order_within>& within) const {
-    append_table_row(rows, join, place.left, place.right, left, right);
+    append_table_row(rows, join, place.left, place.right, left, right, demand_.kink_bound);
     if (!within) return;
     std::ostringstream s;
     s << "             within the tolerance: order";
@@ -101,10 +101,12 @@ private:
     rows += s.str();
   }
 
-  static Finding_rule rule(const Join& join) {
+  Finding_rule rule(const Join& join, const Span& left, const Span& right) const {
     if (join.c_order < 0) return Finding_rule::gap;
     if (!join.regular) return Finding_rule::tangent;
-    if (!*join.tangent_equal) return Finding_rule::kink;
+    if (!*join.tangent_equal)
+      return exceeds(demand_.kink_bound, left.jets().end_jet(1)[1], right.jets().start_jet(1)[1]) ? Finding_rule::corner
+                                                                                                  : Finding_rule::kink;
     return *join.curvature_vector_equal ? Finding_rule::derivative : Finding_rule::curvature;
   }
 
@@ -116,8 +118,8 @@ private:
     f.line = place.line;
     f.kind = "join";
     f.place = "join " + std::to_string(place.left) + " -> " + std::to_string(place.right);
-    f.rule = claim == Claim::undecided ? Finding_rule::undecided : rule(join);
-    const Join_words words = join_words(join, left, right);
+    f.rule = claim == Claim::undecided ? Finding_rule::undecided : rule(join, left, right);
+    const Join_words words = join_words(join, left, right, demand_.kink_bound);
     std::ostringstream message, properties;
     if (claim == Claim::not_met)
       message << "not " << demand_.order->text() << (within ? " within the tolerance" : "") << ", ";

@@ -25,7 +25,8 @@ template <class Size> std::string jump(const std::string& from, const std::strin
   return from != to ? "from " + from + " to " + to : "by " + size() + " at " + from;
 }
 
-template <class Numbers> std::string remark_of(const Join& join, const Numbers& numbers) {
+// An angle of tangents is called by its name without a bound of kinks.
+template <class Numbers> std::string remark_of(const Join& join, const Numbers& numbers, const GC::Kink_bound* bound) {
   if (join.c_order < 0) return "the ends are " + numbers.gap() + " apart";
   if (!join.regular) {
     const bool left_zero = numbers.left_is_zero(), right_zero = numbers.right_is_zero();
@@ -34,7 +35,11 @@ template <class Numbers> std::string remark_of(const Join& join, const Numbers& 
                                                                    : "at the start of the right curve");
   }
   if (!*join.tangent_equal)
-    return numbers.is_cusp() ? "cusp: the curve turns back" : "kink of " + numbers.angle() + " degrees";
+    return numbers.is_cusp() ? "cusp: the curve turns back"
+                             : (!bound                      ? "an angle of "
+                                : numbers.is_corner(*bound) ? "corner of "
+                                                            : "kink of ") +
+                                   numbers.angle() + " degrees";
   if (!*join.curvature_vector_equal) {
     if (*join.curvature_equal)
       return "equal curvature " + numbers.left_curvature() + ", but the curve bends another way";
@@ -47,8 +52,9 @@ template <class Numbers> std::string remark_of(const Join& join, const Numbers& 
   return "smooth";
 }
 
-template <class Numbers> Join_words words_of(const Join& join, int dimension, const Numbers& numbers) {
-  Join_words words{"(", remark_of(join, numbers)};
+template <class Numbers>
+Join_words words_of(const Join& join, int dimension, const Numbers& numbers, const GC::Kink_bound& bound) {
+  Join_words words{"(", remark_of(join, numbers, &bound)};
   for (int i = 0; i < dimension; ++i) (words.point += i == 0 ? "" : ", ") += numbers.coordinate(i);
   words.point += ')';
   return words;
@@ -82,44 +88,48 @@ std::string orders(const Join& join) {
 }
 
 std::string remark(const Join& join, const Jet& left, const Jet& right) {
-  return remark_of(join, Exact_numbers(left, right));
+  return remark_of(join, Exact_numbers(left, right), nullptr);
 }
 
 std::optional<std::string> remark(const Join& join, const GC::Coordinate_jet<Interval, 2>& left,
                                   const GC::Coordinate_jet<Interval, 2>& right) {
   const Enclosed_numbers<2> numbers(left, right);
-  const std::string text = remark_of(join, numbers);
+  const std::string text = remark_of(join, numbers, nullptr);
   return numbers.certain() ? std::optional<std::string>(text) : std::nullopt;
 }
 
-template <class Span> Join_words join_words(const Join& join, const Span& left, const Span& right) {
+template <class Span>
+Join_words join_words(const Join& join, const Span& left, const Span& right, const GC::Kink_bound& bound) {
   Join_words words;
   bool certain = false;
   Span::visit_enclosures(left, right, [&](const auto& x, const auto& y) {
     const Enclosed_numbers numbers(x, y);
-    words = words_of(join, x.dimension(), numbers);
+    words = words_of(join, x.dimension(), numbers, bound);
     certain = numbers.certain();
   });
   if (certain) return words;
   const Jet x = left.jets().end_jet(3), y = right.jets().start_jet(3);
-  return words_of(join, x.dimension(), Exact_numbers(x, y));
+  return words_of(join, x.dimension(), Exact_numbers(x, y), bound);
 }
 
 std::string table_head() { return "join         orders      point                     remark\n"; }
 
 template <class Span>
 void append_table_row(std::string& table, const Join& join, std::size_t left, std::size_t right, const Span& left_span,
-                      const Span& right_span) {
+                      const Span& right_span, const GC::Kink_bound& bound) {
   table += padded(std::to_string(left) + " -> " + std::to_string(right), 12);
   table += padded(orders(join), 11);
-  Join_words words = join_words(join, left_span, right_span);
+  Join_words words = join_words(join, left_span, right_span, bound);
   table += padded(std::move(words.point), 25);
   (table += words.remark) += '\n';
 }
 
-template Join_words join_words(const Join&, const Program_span<GC::Text_number>&, const Program_span<GC::Text_number>&);
-template Join_words join_words(const Join&, const Program_span<double>&, const Program_span<double>&);
+template Join_words join_words(const Join&, const Program_span<GC::Text_number>&, const Program_span<GC::Text_number>&,
+                               const GC::Kink_bound&);
+template Join_words join_words(const Join&, const Program_span<double>&, const Program_span<double>&,
+                               const GC::Kink_bound&);
 template void append_table_row(std::string&, const Join&, std::size_t, std::size_t,
-                               const Program_span<GC::Text_number>&, const Program_span<GC::Text_number>&);
+                               const Program_span<GC::Text_number>&, const Program_span<GC::Text_number>&,
+                               const GC::Kink_bound&);
 template void append_table_row(std::string&, const Join&, std::size_t, std::size_t, const Program_span<double>&,
-                               const Program_span<double>&);
+                               const Program_span<double>&, const GC::Kink_bound&);

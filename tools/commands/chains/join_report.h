@@ -9,14 +9,24 @@
 #include "formats/g2_text/curves.h"
 #include "reports/words.h"
 
+#include <CGAL/Geometric_continuity/joins/Kink_bound.h>
 #include <CGAL/Geometric_continuity/joins/chain_continuity.h>
 #include <CGAL/Interval_nt.h>
+#include <CGAL/Sqrt_extension.h>
 
 #include <cstddef>
 #include <optional>
 #include <string>
 
 typedef GC::Join_continuity<Exact> Join;
+
+// Whether the angle of two tangents, in any dimension, exceeds the bound, decided exactly.
+inline bool exceeds(const GC::Kink_bound& bound, const GC::Coordinate_vector<Exact, 0>& a,
+                    const GC::Coordinate_vector<Exact, 0>& b) {
+  typedef CGAL::Sqrt_extension<Exact, Exact> Root; // |a x b|, which is a number in the plane only
+  const Exact ab = dot(a, b);
+  return bound.is_exceeded(Root(Exact(0), Exact(1), Exact(dot(a, a) * dot(b, b) - ab * ab)), Root(ab));
+}
 
 // An order of continuity that is asked for, e.g. "G2".
 class Requirement {
@@ -36,6 +46,9 @@ public:
   std::string text() const;
 };
 
+// What is said of a chain without joins.
+constexpr const char* no_join = "a single curve has no join; --closed asks for the join of its end and its start";
+
 // Returns the orders of a join, e.g. "C1 G2 F2", or "gap".
 std::string orders(const Join& join);
 
@@ -53,7 +66,9 @@ struct Join_words {
   std::string point, remark;
 };
 
-template <class Span> Join_words join_words(const Join& join, const Span& left, const Span& right);
+// A larger angle than `bound` is a corner.
+template <class Span>
+Join_words join_words(const Join& join, const Span& left, const Span& right, const GC::Kink_bound& bound);
 
 // Returns the first line of a table of joins.
 std::string table_head();
@@ -61,6 +76,6 @@ std::string table_head();
 // Appends the line of a join: the numbers of both curves, the orders, the point, the remark.
 template <class Span>
 void append_table_row(std::string& table, const Join& join, std::size_t left, std::size_t right, const Span& left_span,
-                      const Span& right_span);
+                      const Span& right_span, const GC::Kink_bound& bound);
 
 #endif // GEOMETRIC_CONTINUITY_TOOLS_COMMANDS_CHAINS_JOIN_REPORT_H

@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <string>
 
 // The rounded numbers that a remark on a join tells.
@@ -55,6 +56,8 @@ public:
     const Exact xx = dot(x_[1], x_[1]), yy = dot(y_[1], y_[1]), xy = dot(x_[1], y_[1]);
     return xy < 0 && xx * yy == xy * xy;
   }
+
+  bool is_corner(const GC::Kink_bound& bound) const { return exceeds(bound, x_[1], y_[1]); }
 
   std::string left_curvature() const { return curvature(x_); }
   std::string right_curvature() const { return curvature(y_); }
@@ -110,6 +113,14 @@ public:
   bool is_cusp() const {
     if (!(length(cross(x_[1], y_[1])).inf() > 0)) certain_ = false;
     return false;
+  }
+
+  bool is_corner(const GC::Kink_bound& bound) const {
+    const Interval sine = length(cross(x_[1], y_[1])), cosine = dot(x_[1], y_[1]);
+    const std::optional<bool> answer =
+        bound.is_exceeded(sine.inf(), cosine.inf(), (sine.sup() - sine.inf()) + (cosine.sup() - cosine.inf()));
+    if (!answer) certain_ = false;
+    return answer && *answer;
   }
 
   std::string left_curvature() const { return text(curvature(x_)); }

@@ -10,7 +10,6 @@
 
 #include <CGAL/Geometric_continuity/joins/deviation.h>
 #include <CGAL/Geometric_continuity/numbers/Enclosure.h>
-#include <CGAL/Sqrt_extension.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -64,16 +63,13 @@ Report_item measured_exactly(const Exact_curve& left, const Exact_curve& right, 
   item.gap = d.gap;
   if (d.tangent_angle) item.angle = GC::in_degrees(*d.tangent_angle);
   const Exact_vector a = left.end_jet(1)[1], b = right.start_jet(1)[1];
-  const Exact aa = dot(a, a), bb = dot(b, b), ab = dot(a, b);
   if (join.c_order < 0) {
     item.grade = Report_grade::gap;
     item.severity = d.gap.upper;
   } else if (!join.regular)
     item.grade = Report_grade::undecided;
   else if (!*join.tangent_equal) {
-    typedef CGAL::Sqrt_extension<Exact, Exact> Root; // |a x b|, which is a number in the plane only
-    const Root cross(Exact(0), Exact(1), Exact(aa * bb - ab * ab));
-    item.grade = demand.kink_bound.is_exceeded(cross, Root(ab)) ? Report_grade::corner : Report_grade::kink;
+    item.grade = exceeds(demand.kink_bound, a, b) ? Report_grade::corner : Report_grade::kink;
     const auto leg = [](const Exact_curve& c, int i, int j) {
       const Exact_vector v = c.coordinates(j) - c.coordinates(i);
       return GC::root_enclosure(Exact(dot(v, v))).upper;

@@ -122,8 +122,7 @@ int verify_spans(const Arguments& files, bool closed, const Report_mode& mode, c
   for_batches<Batch>(read, work, take);
 
   progress.clear();
-  if (size == 1 && !closed && !mode.allow_empty)
-    throw std::invalid_argument("a single curve has no join; --closed asks for the join of its end and its start");
+  if (size == 1 && !closed && !mode.allow_empty) throw std::invalid_argument(no_join);
   if (closed && size > 0) {
     Decided_joins joins{Report_part(mode)};
     within_work_limit([] { return std::string("the join that closes the chain"); },

@@ -27,8 +27,12 @@ const char* const tessellate_usage = R"(usage: geometric_continuity tessellate M
 Writes triangles for the surfaces of the files, without cracks along the edges
 that they have in common. The name of the output tells the format unless
 --format does, as it must for standard output.
+The triangles of closed surfaces are turned outwards.
 Points in exact numbers can take long: --max-work N allows N steps, about N
 nanoseconds, instead of 4000000000.
+examples:
+  geometric_continuity tessellate model.g2 --tolerance 0.001 -o model.stl
+  geometric_continuity tessellate model.g2 --grid 8 -o - --format off
 Exit code: 0 when the triangles are written, 2 on bad input.
 )";
 
@@ -81,21 +85,19 @@ template <class FT> int write_triangles(const Command_line& line, GC::Mesh_forma
   return requirement_met;
 }
 
-} // namespace
+void describe_tessellate(po::options_description_easy_init add) {
+  add("output,o", po::value<std::string>(),
+      "write the triangles; the name, with .off, .ply, .obj or .stl, tells the format");
+  add("format", po::value<std::string>(), "off, ply, obj or stl, for standard output and devices");
+  add("tolerance", po::value<std::string>(), "R, the largest distance between surfaces and triangles (default 0.01)");
+  add("grid", po::value<int>(), "instead: N times N cells for each polynomial patch");
+  add("max-triangles", po::value<int>()->default_value(GC::max_tessellation_triangles),
+      "more triangles are refused before any is made");
+  add("kernel", po::value<std::string>()->default_value("double"), "exact or double");
+  add("max-work", po::value<std::string>(), "the steps of work that are allowed with --kernel exact");
+}
 
-int tessellate_command(const Arguments& arguments) {
-  const Command_line line(tessellate_usage, arguments, [](po::options_description_easy_init add) {
-    add("output,o", po::value<std::string>(),
-        "write the triangles; the name, with .off, .ply, .obj or .stl, tells the format");
-    add("format", po::value<std::string>(), "off, ply, obj or stl, for standard output and devices");
-    add("tolerance", po::value<std::string>(), "R, the largest distance between surfaces and triangles (default 0.01)");
-    add("grid", po::value<int>(), "instead: N times N cells for each polynomial patch");
-    add("max-triangles", po::value<int>()->default_value(GC::max_tessellation_triangles),
-        "more triangles are refused before any is made");
-    add("kernel", po::value<std::string>()->default_value("double"), "exact or double");
-    add("max-work", po::value<std::string>(), "the steps of work that are allowed with --kernel exact");
-  });
-  if (line.help()) return requirement_met;
+int run_tessellate(const Command_line& line) {
   if (line.files().empty()) throw std::invalid_argument("tessellate: no file is given; see --help");
   if (!line.has("output")) throw std::invalid_argument("tessellate: -o OUT.off|ply|obj|stl is needed");
   if (line.has("grid") && line.has("tolerance"))
@@ -104,3 +106,7 @@ int tessellate_command(const Arguments& arguments) {
   return line.choice("kernel", {"exact", "double"}) == "exact" ? write_triangles<CGAL::Exact_rational>(line, format)
                                                                : write_triangles<double>(line, format);
 }
+
+} // namespace
+
+const Command tessellate_command{"tessellate", tessellate_usage, describe_tessellate, run_tessellate};

@@ -59,6 +59,10 @@ is named once, with the glyphs that use it: "used_by". Where TrueType leaves out
 nodes between two handles, these handles do not move, and where such a node lies
 on half a unit, no handle of its contour does.
 
+examples:
+  geometric_continuity repair drawing.svg -o drawing.svg
+  geometric_continuity repair font.otf --to G2 -o moves.json
+
 Exit code: 0 when no kink is left, 1 when one is, or when not all joins are
 decided (an arc of a rotated ellipse) or covered (an element that is not read),
 unless --allow-undecided and --allow-uncovered leave them out; 2 on bad input.
@@ -114,23 +118,20 @@ int repair_font(const Command_line& line, const Repair_options& options, const R
   return end.exit_code();
 }
 
-} // namespace
+void describe_repair(po::options_description_easy_init add) {
+  add("output,o", po::value<std::string>(), "the file to write, which may be the input");
+  add("to", po::value<std::string>()->default_value("G1"), "G1 or G2");
+  add("kink-angle", po::value<std::string>()->default_value("5"), "the largest angle of a kink, in degrees, up to 45");
+  add("max-move", po::value<std::string>(),
+      "how far a handle may move, in units of the last decimal; twice what the kink is off and one more unless it is "
+      "given, and for --to G2 a tenth of the shorter handle, at least 1");
+  add("closed", "the last curve of the chain leads back to the first");
+  add("allow-undecided", "what is undecided does not count as not met");
+  add("allow-uncovered", "what is not covered does not count as not met");
+  add("json", "print JSON");
+}
 
-int repair_command(const Arguments& arguments) {
-  const Command_line line(repair_usage, arguments, [](po::options_description_easy_init add) {
-    add("output,o", po::value<std::string>(), "the file to write, which may be the input");
-    add("to", po::value<std::string>()->default_value("G1"), "G1 or G2");
-    add("kink-angle", po::value<std::string>()->default_value("5"),
-        "the largest angle of a kink, in degrees, up to 45");
-    add("max-move", po::value<std::string>(),
-        "how far a handle may move, in units of the last decimal; twice what the kink is off and one more unless it is "
-        "given, and for --to G2 a tenth of the shorter handle, at least 1");
-    add("closed", "the last curve of the chain leads back to the first");
-    add("allow-undecided", "what is undecided does not count as not met");
-    add("allow-uncovered", "what is not covered does not count as not met");
-    add("json", "print JSON");
-  });
-  if (line.help()) return requirement_met;
+int run_repair(const Command_line& line) {
   if (line.files().size() != 1) throw std::invalid_argument("repair: one file is needed; see --help");
   if (!line.has("output")) throw std::invalid_argument("repair: -o FILE is needed");
   Repair_options options;
@@ -158,3 +159,7 @@ int repair_command(const Arguments& arguments) {
   write_output(output, [&](std::ostream& os) { os << result; });
   return report.print(report_stream(line), name);
 }
+
+} // namespace
+
+const Command repair_command{"repair", repair_usage, describe_repair, run_repair};

@@ -193,6 +193,7 @@ private:
     for (const std::string& line : lost_) os << GC::printable(line) << '\n';
     for (const std::string& line : jumps_) os << GC::printable(line) << '\n';
     for (const std::string& line : unrepaired_) os << "not repaired: " << GC::printable(line) << '\n';
+    if (moves_.empty()) os << "nothing is changed: no handle moves\n";
     os << "before: ";
     write_counts(os, before_, false);
     os << "\nafter:  ";
