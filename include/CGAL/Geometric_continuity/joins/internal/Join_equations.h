@@ -88,8 +88,14 @@ public:
 
   // The condition for G2 besides G1: V = q^2 b2 - p^2 a2 is a multiple of a1.
   template <class Ratio> constexpr CGAL_GC_FORCEINLINE bool g2(const Ratio& r) const {
-    return is_parallel(Join_question::g2,
-                       difference_vector(scaled(r.square(r.q), w.b2), b2, scaled(r.square(r.p), w.a2), a2));
+    typedef Scaled<typename Ratio::Square, decltype(w.b2)> Square;
+    const Square x = scaled(r.square(r.q), w.b2), y = scaled(r.square(r.p), w.a2);
+    if constexpr (Zero::pivot_is_first) // short products first
+      return zero(Join_question::g2, difference_form(x, beside_tangent(b2, 1), y, beside_tangent(a2, 1))) &&
+             (N == 2 ||
+              zero(Join_question::g2, difference_form(x, beside_tangent(b2, N - 1), y, beside_tangent(a2, N - 1))));
+    else
+      return is_parallel(Join_question::g2, difference_vector(x, b2, y, a2));
   }
 
   // The condition for G3 besides G2: q^3 a1_0 b3 - p^3 a1_0 a3 - 3 p V_0 a2 is a multiple of a1, where 0 is the pivot; here
@@ -157,6 +163,11 @@ private:
       return zero(form, v[0]) && zero(form, v[1]);
     else
       return zero(form, v[0]) && zero(form, v[1]) && zero(form, v[2]);
+  }
+
+  // A coordinate of v times a1, of which two tell whether v is a multiple of a1.
+  constexpr CGAL_GC_FORCEINLINE Product<T, T> beside_tangent(const Vector& v, int i) const {
+    return parallel_form(v[0], v[i], a1[0], a1[i]);
   }
 
   template <class X>

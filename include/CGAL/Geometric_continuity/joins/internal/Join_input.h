@@ -269,19 +269,20 @@ public:
 // The weights of an end, w_j c^j times a factor, so that the first two are in [1, 2): powers of two do this without rounding, and the
 // curve is the same in another parameter. Not valid unless all lie within 2^-20 and 2^20.
 template <int k> class End_weights {
-  std::array<double, 4> w_{};
-  bool valid_ = true;
+  std::array<double, 4> w_; // k + 1 of them
+  bool valid_;
 
 public:
-  End_weights() = default;
-  template <class End> CGAL_GC_FORCEINLINE explicit End_weights(const End& end) {
+  template <class End> CGAL_GC_FORCEINLINE void read(const End& end) {
     const int m = end.degree();
-    for (int j = 0; j <= k; ++j) w_[j] = end.weight((std::min)(j, m));
-    const int e = binary_exponent(w_[0]), f = binary_exponent(w_[1]) - e;
+    const double first = end.weight(0), second = end.weight((std::min)(1, m));
+    const int e = binary_exponent(first), f = binary_exponent(second) - e;
     valid_ = -300 <= e && e <= 300 && -150 <= f && f <= 150;
     if (!valid_) return;
-    for (int j = 0; j <= k; ++j) {
-      w_[j] *= power_of_two(-e - j * f);
+    w_[0] = first * power_of_two(-e);
+    w_[1] = second * power_of_two(-e - f);
+    for (int j = 2; j <= k; ++j) {
+      w_[j] = end.weight((std::min)(j, m)) * power_of_two(-e - j * f);
       valid_ &= 0x1p-20 <= w_[j] && w_[j] <= 0x1p20;
     }
   }
@@ -343,7 +344,10 @@ public:
     int m, n;
   };
   CGAL_GC_FORCEINLINE bool find_factors(Factors& w) const {
-    w = {End_weights<k>(left_end_), End_weights<k>(right_end_), left_end_.degree(), right_end_.degree()};
+    w.left.read(left_end_);
+    w.right.read(right_end_);
+    w.m = left_end_.degree();
+    w.n = right_end_.degree();
     return degrees_fit(w.m, w.n) && w.left.valid() && w.right.valid();
   }
   CGAL_GC_FORCEINLINE bool first_derivatives_differ() const { return false; }

@@ -106,27 +106,29 @@ CGAL_GC_FORCEINLINE Join_answer decide_by_residues(const Input& join, const type
     if (!equations.left_has_curvature()) return Join_answer::unknown; // another form counts, without a bound
   return decided(all_hold<question>(equations) ? Join_answer::yes : Join_answer::no);
 }
-// The same, compiled apart: long residues need much room.
+// The same, compiled apart: long residues need much room. It is called by value, since what it could read by reference would not stay
+// in registers anywhere.
 template <int limbs, class Input, class Room, class Stages>
-BOOST_NOINLINE Join_answer decide_by_long_residues(const Input& join, const typename Input::Factors& given,
-                                                   const Room& room, int pivot, Stages& stages) {
+BOOST_NOINLINE Join_answer decide_by_long_residues(Input join, typename Input::Factors given, Room room, int pivot,
+                                                   Stages& stages) {
   return decide_by_residues<limbs>(join, given, room, pivot, stages);
 }
 
-// By residues of the least length that suffices; where there is a choice these are compiled apart.
+// By residues of the least length that suffices.
 template <class Input, class Room, class Stages, int limbs, int... more>
 CGAL_GC_FORCEINLINE Join_answer decide_by_residues(const Input& join, const typename Input::Factors& given,
                                                    const Room& room, int pivot, Stages& stages,
                                                    std::integer_sequence<int, limbs, more...>) {
-  if constexpr (sizeof...(more) != 0) {
-    if (room.fits(limbs)) return decide_by_long_residues<limbs>(join, given, room, pivot, stages);
+  if (room.fits(limbs)) {
+    if constexpr (limbs <= 4)
+      return decide_by_residues<limbs>(join, given, room, pivot, stages);
+    else
+      return decide_by_long_residues<limbs>(join, given, room, pivot, stages);
+  }
+  if constexpr (sizeof...(more) != 0)
     return decide_by_residues(join, given, room, pivot, stages, std::integer_sequence<int, more...>());
-  } else if (!room.fits(limbs))
-    return Join_answer::unknown;
-  else if constexpr (Input::weighted)
-    return decide_by_long_residues<limbs>(join, given, room, pivot, stages);
   else
-    return decide_by_residues<limbs>(join, given, room, pivot, stages);
+    return Join_answer::unknown;
 }
 
 // (q, p) below a limit, so that the cubes with short factors take one limb. The types of the forms are shorter.

@@ -143,8 +143,12 @@ template <Join_question question, class X> struct Rational_join_weights {
     } else {
       const Square ww = Square(w[1] * w[1]), vv = Square(v[1] * v[1]), w02 = Square(w[0] * w[2]),
                    v02 = Square(v[0] * v[2]);
-      f.a2 = times(Second(w02 * vv), n, m1);
-      f.b2 = times(Second(v02 * ww), m, n1);
+      f.a2 = Second(w02 * vv);
+      f.b2 = Second(v02 * ww);
+      if (question != Join_question::g2 || m != n) { // else the factor is common
+        f.a2 = times(f.a2, n, m1);
+        f.b2 = times(f.b2, m, n1);
+      }
       if constexpr (highest_difference(question) >= 3) {
         const Mix w003 = Mix(Square(w[0] * w[0]) * w[3]), v003 = Mix(Square(v[0] * v[0]) * v[3]);
         if constexpr (question == Join_question::f3) {
