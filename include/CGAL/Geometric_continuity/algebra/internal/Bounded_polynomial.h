@@ -56,16 +56,22 @@ template <int most_degree_, int bits_> struct Bounded_polynomial {
     for (int k = 0; k <= degree; ++k) c[k] = extended<limbs>(p.c[k]);
   }
 
-  // Gives it the Bernstein coefficient number k, an integer. \pre the degree has been set
-  CGAL_GC_FORCEINLINE void set_bernstein(int k, Signed_128 b) {
+  static CGAL_GC_FORCEINLINE std::int64_t binomial(int n, int k) {
+    static constexpr Binomial_table<most_degree> table;
+    return table(n, k);
+  }
+  // Gives it a Bernstein coefficient, an integer, times its binomial coefficient.
+  CGAL_GC_FORCEINLINE void set_bernstein(int k, std::int64_t binomial, Signed_128 b) {
     static_assert(bits + most_degree <= 126);
-    static constexpr Binomial_table<most_degree> binomial;
-    c[k] = from_128_bits<limbs>(binomial(degree, k) * (limbs == 1 ? static_cast<std::int64_t>(b) : b));
+    if constexpr (limbs == 1)
+      c[k] = Coefficient(binomial * static_cast<std::int64_t>(b));
+    else
+      c[k] = from_128_bits<limbs>(binomial * b);
   }
   template <class Bernstein> static Bounded_polynomial from_bernstein(int n, Bernstein b) {
     Bounded_polynomial p;
     p.degree = n;
-    for (int k = 0; k <= n; ++k) p.set_bernstein(k, b(k));
+    for (int k = 0; k <= n; ++k) p.set_bernstein(k, binomial(n, k), b(k));
     return p;
   }
 

@@ -251,8 +251,10 @@ private:
   template <class V, class Coefficient> static V vector(int degree, Coefficient coefficient) {
     V v;
     for (int x = 0; x < N; ++x) v[x].degree = degree;
-    for (int i = 0; i <= degree; ++i)
-      for (int x = 0; x < N; ++x) v[x].set_bernstein(i, coefficient(i, x));
+    for (int i = 0; i <= degree; ++i) {
+      const std::int64_t binomial = V::value_type::binomial(degree, i);
+      for (int x = 0; x < N; ++x) v[x].set_bernstein(i, binomial, coefficient(i, x));
+    }
     return v;
   }
   static Leg leg(const Layers& s) {
