@@ -228,6 +228,14 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(splines_and_their_pieces, Traits, All) {
       BOOST_CHECK(same(c.jet(u, 3), piece.jet(u, 3), 64));
       BOOST_CHECK(same(c.right_jet(a, 2), piece.jet(a, 2), 64) && same(c.left_jet(b, 2), piece.jet(b, 2), 64));
       BOOST_CHECK(same(c.insert(u, p).jet(u, 0), c.jet(u, 0)));
+      const GC::Rational_bspline_curve<Traits> finer = c.insert(u);
+      const int k = c.knots().span(u), n = c.number_of_points();
+      BOOST_CHECK(same(finer.jet(u, p), c.jet(u, p), 64));
+      for (int i = 0; i < n; ++i) // what stays is copied
+        if (i <= k - p || k <= i) {
+          const int j = i <= k - p ? i : i + 1;
+          BOOST_CHECK(finer.coordinates(j) == c.coordinates(i) && finer.weight(j) == c.weight(i));
+        }
       BOOST_CHECK(same(c.clamp().jet(u, 2), c.jet(u, 2), 64) && same(c.elevate().jet(u, 2), c.jet(u, 2), 64));
       if constexpr (!rounded<Traits>) {
         BOOST_CHECK(*c.insert(u).remove(u) == c);
