@@ -229,6 +229,7 @@ template <class FT> struct Join_continuity {
   std::optional<bool> curvature_equal;        ///< same magnitude \f$ \kappa \f$; empty where undefined
   std::optional<bool> curvature_vector_equal; ///< same \f$ \kappa e_2 \f$; empty where undefined
   std::optional<bool> torsion_equal;          ///< empty unless in space with nonzero curvature on both sides
+
   /// Returns the shape parameters \f$ \beta_1, \dots, \beta_{g\_order} \f$: the right curve is, up to this order, the left one
   /// with the reparametrisation of these derivatives. They are computed by this call, exactly where the decision is exact.
   /// \f$ O(k) \f$ divisions for the order `k`
