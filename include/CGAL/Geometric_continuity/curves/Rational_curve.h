@@ -9,6 +9,7 @@
 #include <CGAL/Geometric_continuity/curves/Bspline_curve.h>
 #include <CGAL/Geometric_continuity/curves/internal/denominator.h>
 #include <CGAL/Geometric_continuity/internal/force_inline.h>
+#include <CGAL/Geometric_continuity/internal/independent_iterations.h>
 #include <CGAL/Geometric_continuity/local/homogeneous_jets.h>
 
 #include <algorithm>
@@ -560,8 +561,10 @@ private:
     CGAL_GC_FORCEINLINE FT operator()(int j, int i) const { return curve.homogeneous_coordinate(j, i); }
   };
 
-  // x[0], ..., x[order] of a Bézier curve, unrolled for the order k or less
-  template <int k, class Jet> CGAL_GC_FORCEINLINE void write_jet(const FT& u, int order, Jet&& x) const {
+  CGAL_GEOMETRIC_CONTINUITY_LOOP_WARNINGS_OFF // of loops that are compiled here
+      // x[0], ..., x[order] of a Bézier curve, unrolled for the order k or less
+      template <int k, class Jet>
+      CGAL_GC_FORCEINLINE void write_jet(const FT& u, int order, Jet&& x) const {
     internal::with_constant_level<Degree, M>(dimension() + 1, degree(), u, shape_.a_, shape_.b_,
                                              Homogeneous_coordinates{*this}, [&](auto level, const auto& coordinate) {
                                                internal::rational_bezier_jet<level, k, N>(dimension(), degree(), u,
@@ -569,6 +572,7 @@ private:
                                                                                           coordinate, order, x);
                                              });
   }
+  CGAL_GEOMETRIC_CONTINUITY_LOOP_WARNINGS_ON
 
   template <int k> Curve_jet<Traits> jet_of_order(const FT& u, int order) const {
     Curve_jet<Traits> x(dimension(), order, internal::Unspecified());
