@@ -22,9 +22,9 @@ struct Integer_bound {
 };
 
 // A factor of 64 bits.
-struct Bounded_factor : Integer_bound {
-  constexpr Bounded_factor(double largest, bool parts_fit = true) : Integer_bound(largest, 64, parts_fit) {}
-  friend constexpr Bounded_factor operator*(const Bounded_factor& x, const Bounded_factor& y) {
+struct Factor_bound : Integer_bound {
+  constexpr Factor_bound(double largest, bool parts_fit = true) : Integer_bound(largest, 64, parts_fit) {}
+  friend constexpr Factor_bound operator*(const Factor_bound& x, const Factor_bound& y) {
     return {x.bound * y.bound, x.fits && y.fits};
   }
 };
@@ -32,7 +32,7 @@ struct Bounded_factor : Integer_bound {
 // As Fixed_integer<limbs>: a product has as many limbs as its factors together, a sum and a scaled number as many as before.
 template <int limbs> struct Bounded_integer : Integer_bound {
   constexpr Bounded_integer(double largest, bool parts_fit = true) : Integer_bound(largest, 64 * limbs, parts_fit) {}
-  constexpr explicit Bounded_integer(const Bounded_factor& x) : Bounded_integer(x.bound, x.fits) {}
+  constexpr explicit Bounded_integer(const Factor_bound& x) : Bounded_integer(x.bound, x.fits) {}
 
   friend constexpr Bounded_integer operator+(const Bounded_integer& x, const Bounded_integer& y) {
     return {x.bound + y.bound, x.fits && y.fits};
@@ -43,7 +43,7 @@ template <int m, int n>
 constexpr Bounded_integer<m + n> operator*(const Bounded_integer<m>& x, const Bounded_integer<n>& y) {
   return {x.bound * y.bound, x.fits && y.fits};
 }
-template <int m> constexpr Bounded_integer<m> scaled(const Bounded_integer<m>& x, const Bounded_factor& w) {
+template <int m> constexpr Bounded_integer<m> scaled(const Bounded_integer<m>& x, const Factor_bound& w) {
   return {x.bound * w.bound, x.fits && w.fits};
 }
 

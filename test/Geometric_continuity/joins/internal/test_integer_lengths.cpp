@@ -48,13 +48,13 @@ struct Lengths {
 };
 
 // A factor below a limit.
-constexpr Bounded_factor below(std::int64_t limit) { return Bounded_factor(static_cast<double>(limit - 1)); }
+constexpr Factor_bound below(std::int64_t limit) { return Factor_bound(static_cast<double>(limit - 1)); }
 
 // Whether all parts of the forms of a question fit, for points of so many bits and factors up to their limits.
 template <Join_question question, int N, bool short_ratio> constexpr bool forms_fit(const Lengths& lengths = {}) {
   typedef Bounded_integer<1> Integer;
-  typedef Join_weights<Bounded_factor> Factors;
-  typedef Short_join_ratio<Integer, Bounded_factor> Short_ratio;
+  typedef Join_weights<Factor_bound> Factors;
+  typedef Short_join_ratio<Integer, Factor_bound> Short_ratio;
   typedef Short_join_ratio<Integer, std::int64_t> Decided_ratio;
   const Integer d1 = 2 * bound_of_bits(lengths.bits), d2 = 2 * d1.bound, d3 = 2 * d2.bound;
   const std::array<Integer, 3> x1{d1, d1, d1}, x2{d2, d2, d2}, x3{d3, d3, d3};
