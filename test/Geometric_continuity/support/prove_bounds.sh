@@ -13,11 +13,14 @@ if [ -n "${ALL-}" ]; then chosen='*.g'; else chosen='*_small_*_up.g'; fi
 find "$work/bounds" -name "$chosen" | sort > "$work/theorems"
 prove < "$work/theorems" | sort > "$work/proved"
 echo "$(wc -l < "$work/proved") of $(wc -l < "$work/theorems") bounds are proved"
-[ -s "$work/theorems" ] && diff "$work/theorems" "$work/proved"
+[ -s "$work/theorems" ] || { echo "no theorems"; exit 1; }
+diff "$work/theorems" "$work/proved"
 
 # Bounds of a quarter are not.
 "$print" "$work/too_good" 0.25
-find "$work/too_good" -name '*_small_*g[12]_*up.g' | prove > "$work/wrong"
+find "$work/too_good" -name '*_small_*g[12]_*up.g' > "$work/wrong_theorems"
+[ -s "$work/wrong_theorems" ] || { echo "no theorems that are too good to be true"; exit 1; }
+prove < "$work/wrong_theorems" > "$work/wrong"
 if [ -s "$work/wrong" ]; then
   echo "proved, though too good to be true:"
   cat "$work/wrong"
