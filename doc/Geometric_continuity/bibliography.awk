@@ -8,7 +8,7 @@ function entry() {
       add(where == "" ? " " : ", ", f["publisher"], ""),
     add(where f["publisher"] == "" ? " " : ", ", f["year"], ""), add(f["year"] == "" ? " " : ". ", f["note"], "")
 }
-BEGIN { print "/*!\n\\page Geometric_continuity_Bibliography Bibliography\n" }
+BEGIN { print "/*!\n\\page citelist Bibliography\n" }
 /^@/ { key = $0; gsub(/^@[a-z]*\{|,.*/, "", key); split("", f) }
 /^  [a-z]* = / { value = $0; sub(/^[^{]*\{/, "", value); sub(/\},?$/, "", value); gsub(/--/, "–", value); f[$1] = value }
 /^}/ { entry() }

@@ -61,21 +61,21 @@ A strategy that cannot be changed is allowed by a specialisation of
 `CGAL::Geometric_continuity::works_in_every_field_v`.
 
 \cgalHasModelsBegin
-\cgalHasModel{CGAL::Geometric_continuity::Matching_second_derivative} (quintic)
-\cgalHasModel{CGAL::Geometric_continuity::Normal_offset} (quintic)
-\cgalHasModel{CGAL::Geometric_continuity::Minimal_second_derivative} (quintic)
-\cgalHasModel{CGAL::Geometric_continuity::Near_line} (quintic)
-\cgalHasModel{CGAL::Geometric_continuity::Minimal_energy} (quintic)
-\cgalHasModel{CGAL::Geometric_continuity::Given_parameters} (quintic)
-\cgalHasModel{CGAL::Geometric_continuity::Fair} (quintic, chooses the shape)
-\cgalHasModel{CGAL::Geometric_continuity::Matching_third_derivative} (septic)
-\cgalHasModel{CGAL::Geometric_continuity::Sequential_g3} (septic)
-\cgalHasModel{CGAL::Geometric_continuity::Sequential_f3} (septic)
-\cgalHasModel{CGAL::Geometric_continuity::Joint_g3} (septic)
-\cgalHasModel{CGAL::Geometric_continuity::Minimal_energy_g3} (septic)
-\cgalHasModel{CGAL::Geometric_continuity::Given_end_parameters} (septic)
-\cgalHasModel{CGAL::Geometric_continuity::Fair_g3} (septic, chooses the shape)
-\cgalHasModel{CGAL::Geometric_continuity::Fair_f3} (septic, chooses the shape)
+\cgalHasModels{CGAL::Geometric_continuity::Matching_second_derivative} (quintic)
+\cgalHasModels{CGAL::Geometric_continuity::Normal_offset} (quintic)
+\cgalHasModels{CGAL::Geometric_continuity::Minimal_second_derivative} (quintic)
+\cgalHasModels{CGAL::Geometric_continuity::Near_line} (quintic)
+\cgalHasModels{CGAL::Geometric_continuity::Minimal_energy} (quintic)
+\cgalHasModels{CGAL::Geometric_continuity::Given_parameters} (quintic)
+\cgalHasModels{CGAL::Geometric_continuity::Fair} (quintic, chooses the shape)
+\cgalHasModels{CGAL::Geometric_continuity::Matching_third_derivative} (septic)
+\cgalHasModels{CGAL::Geometric_continuity::Sequential_g3} (septic)
+\cgalHasModels{CGAL::Geometric_continuity::Sequential_f3} (septic)
+\cgalHasModels{CGAL::Geometric_continuity::Joint_g3} (septic)
+\cgalHasModels{CGAL::Geometric_continuity::Minimal_energy_g3} (septic)
+\cgalHasModels{CGAL::Geometric_continuity::Given_end_parameters} (septic)
+\cgalHasModels{CGAL::Geometric_continuity::Fair_g3} (septic, chooses the shape)
+\cgalHasModels{CGAL::Geometric_continuity::Fair_f3} (septic, chooses the shape)
 \cgalHasModelsEnd
 
 \sa `CGAL::Geometric_continuity::blend()`

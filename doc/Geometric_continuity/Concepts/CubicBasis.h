@@ -13,12 +13,12 @@ A model is a copyable function object without references to anything. For a matr
 `CGAL::Geometric_continuity::Matrix_basis` is enough.
 
 \cgalHasModelsBegin
-\cgalHasModel{CGAL::Geometric_continuity::Hermite_basis}
-\cgalHasModel{CGAL::Geometric_continuity::Bezier_basis}
-\cgalHasModel{CGAL::Geometric_continuity::Catmull_rom_basis}
-\cgalHasModel{CGAL::Geometric_continuity::Cardinal_basis}
-\cgalHasModel{CGAL::Geometric_continuity::Uniform_bspline_basis}
-\cgalHasModel{CGAL::Geometric_continuity::Matrix_basis}
+\cgalHasModels{CGAL::Geometric_continuity::Hermite_basis}
+\cgalHasModels{CGAL::Geometric_continuity::Bezier_basis}
+\cgalHasModels{CGAL::Geometric_continuity::Catmull_rom_basis}
+\cgalHasModels{CGAL::Geometric_continuity::Cardinal_basis}
+\cgalHasModels{CGAL::Geometric_continuity::Uniform_bspline_basis}
+\cgalHasModels{CGAL::Geometric_continuity::Matrix_basis}
 \cgalHasModelsEnd
 
 \sa `CGAL::Geometric_continuity::Cubic_blended_curve`

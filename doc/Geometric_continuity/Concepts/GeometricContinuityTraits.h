@@ -12,9 +12,9 @@ that do not depend on the dimension.
 A traits class has no state: the package constructs one wherever it needs one.
 
 \cgalHasModelsBegin
-\cgalHasModel{CGAL::Geometric_continuity::Traits_2}
-\cgalHasModel{CGAL::Geometric_continuity::Traits_3}
-\cgalHasModel{CGAL::Geometric_continuity::Traits_d}
+\cgalHasModels{CGAL::Geometric_continuity::Traits_2}
+\cgalHasModels{CGAL::Geometric_continuity::Traits_3}
+\cgalHasModels{CGAL::Geometric_continuity::Traits_d}
 \cgalHasModelsEnd
 
 \sa `ParametricCurve`

@@ -15,13 +15,13 @@ The curve must be able to give its derivatives at both ends of its domain, and n
 A curve that ends is read at the end of its domain, a curve that starts at the start of its domain.
 
 \cgalHasModelsBegin
-\cgalHasModel{CGAL::Geometric_continuity::Bezier_curve}
-\cgalHasModel{CGAL::Geometric_continuity::Composite_bezier_curve}
-\cgalHasModel{CGAL::Geometric_continuity::Bspline_curve}
-\cgalHasModel{CGAL::Geometric_continuity::Cubic_blended_curve}
-\cgalHasModel{CGAL::Geometric_continuity::Rational_curve}: `Rational_bezier_curve`, `Rational_bspline_curve`
-\cgalHasModel{CGAL::Geometric_continuity::Quintic_blend}
-\cgalHasModel{CGAL::Geometric_continuity::Septic_blend}
+\cgalHasModels{CGAL::Geometric_continuity::Bezier_curve}
+\cgalHasModels{CGAL::Geometric_continuity::Composite_bezier_curve}
+\cgalHasModels{CGAL::Geometric_continuity::Bspline_curve}
+\cgalHasModels{CGAL::Geometric_continuity::Cubic_blended_curve}
+\cgalHasModels{CGAL::Geometric_continuity::Rational_curve}: `Rational_bezier_curve`, `Rational_bspline_curve`
+\cgalHasModels{CGAL::Geometric_continuity::Quintic_blend}
+\cgalHasModels{CGAL::Geometric_continuity::Septic_blend}
 \cgalHasModelsEnd
 
 \sa `GeometricContinuityTraits`

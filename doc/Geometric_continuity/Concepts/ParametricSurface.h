@@ -14,11 +14,11 @@ whole edge cannot be decided from single points; this is decided for Bézier pat
 points, see `CGAL::Geometric_continuity::edge_continuity()`.
 
 \cgalHasModelsBegin
-\cgalHasModel{CGAL::Geometric_continuity::Bezier_patch}
-\cgalHasModel{CGAL::Geometric_continuity::Bspline_surface}
-\cgalHasModel{CGAL::Geometric_continuity::Rational_surface}: `Rational_bezier_patch`, `Rational_bspline_surface`
-\cgalHasModel{CGAL::Geometric_continuity::Extrusion_surface_3}
-\cgalHasModel{CGAL::Geometric_continuity::Revolution_surface_3}
+\cgalHasModels{CGAL::Geometric_continuity::Bezier_patch}
+\cgalHasModels{CGAL::Geometric_continuity::Bspline_surface}
+\cgalHasModels{CGAL::Geometric_continuity::Rational_surface}: `Rational_bezier_patch`, `Rational_bspline_surface`
+\cgalHasModels{CGAL::Geometric_continuity::Extrusion_surface_3}
+\cgalHasModels{CGAL::Geometric_continuity::Revolution_surface_3}
 \cgalHasModelsEnd
 
 \sa `GeometricContinuityTraits`

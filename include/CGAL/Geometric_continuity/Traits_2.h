@@ -17,7 +17,7 @@ namespace Geometric_continuity {
 /// the coordinates as given; with every other kernel they are decided in the field of the kernel.
 ///
 /// \tparam K a model of the CGAL concept `Kernel`
-/// \models GeometricContinuityTraits
+/// \cgalModels{GeometricContinuityTraits}
 template <class K> class Traits_2 : public internal::Kernel_traits<K, typename K::Point_2, typename K::Vector_2, 2> {};
 
 } // namespace Geometric_continuity

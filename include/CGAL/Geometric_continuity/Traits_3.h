@@ -17,7 +17,7 @@ namespace Geometric_continuity {
 /// the coordinates as given; with every other kernel they are decided in the field of the kernel.
 ///
 /// \tparam K a model of the CGAL concept `Kernel`
-/// \models GeometricContinuityTraits
+/// \cgalModels{GeometricContinuityTraits}
 template <class K> class Traits_3 : public internal::Kernel_traits<K, typename K::Point_3, typename K::Vector_3, 3> {};
 
 } // namespace Geometric_continuity

@@ -31,7 +31,7 @@ template <class Dimension> struct Is_filtered_d<Epick_d<Dimension>> : std::true_
 /// other kernel they are decided in the field of the kernel.
 ///
 /// \tparam K a model of the CGAL concept `Kernel_d`
-/// \models GeometricContinuityTraits
+/// \cgalModels{GeometricContinuityTraits}
 template <class K> class Traits_d {
 public:
   typedef K Kernel;                        ///< the kernel

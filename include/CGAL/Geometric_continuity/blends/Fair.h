@@ -245,7 +245,7 @@ private:
 ///
 /// About ten steps, at most 100 from each start, with 24 to 96 nodes of Gauss's quadrature; nothing is allocated in dimensions 2
 /// and 3.
-/// \models BlendStrategy
+/// \cgalModels{BlendStrategy}
 struct Fair : internal::Fair_strategy<internal::Blend_kind::g2> {
   /// Chooses \f$ s_1 \f$ and \f$ s_2 \f$ for given shape parameters.
   template <class FT, int N> Quintic_parameters<FT> operator()(const Quintic_ends<FT, N>& e) const {
@@ -259,12 +259,12 @@ struct Fair : internal::Fair_strategy<internal::Blend_kind::g2> {
 
 /// \ingroup PkgGeometricContinuityStrategies
 /// Chooses the fairest blend of degree 7 with \f$ G^3 \f$ joins: the least `E` over \f$ \beta, \beta_2, \beta_3 \f$ at both ends,
-/// near the blend of `Fair` or that of least energy \f$ \int |\gamma^{(4)}|^2 \f$. All else as for `Fair`. \models BlendStrategy
+/// near the blend of `Fair` or that of least energy \f$ \int |\gamma^{(4)}|^2 \f$. All else as for `Fair`. \cgalModels{BlendStrategy}
 struct Fair_g3 : internal::Fair_septic_strategy<internal::Blend_kind::g3> {};
 
 /// \ingroup PkgGeometricContinuityStrategies
 /// Chooses the fairest blend of degree 7 with \f$ F^3 \f$ joins: the least `E` over \f$ \beta, \beta_2, \mu, \beta_3 \f$ at both
-/// ends, near the blend of `Fair_g3`. In the plane the joins are \f$ G^2 \f$. All else as for `Fair_g3`. \models BlendStrategy
+/// ends, near the blend of `Fair_g3`. In the plane the joins are \f$ G^2 \f$. All else as for `Fair_g3`. \cgalModels{BlendStrategy}
 struct Fair_f3 : internal::Fair_septic_strategy<internal::Blend_kind::f3> {};
 
 } // namespace Geometric_continuity

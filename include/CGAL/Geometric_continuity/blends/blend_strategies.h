@@ -27,7 +27,7 @@ namespace Geometric_continuity {
 
 /// \ingroup PkgGeometricContinuityStrategies
 /// Chooses \f$ \gamma'' \f$ equal to that of the given curves (scaled by \f$ \beta^2, \eta^2 \f$): a \f$ C^2 \f$ join when
-/// \f$ \beta = \eta = 1 \f$. Portnov (6). \models BlendStrategy
+/// \f$ \beta = \eta = 1 \f$. Portnov (6). \cgalModels{BlendStrategy}
 struct Matching_second_derivative {
   typedef Tag_true Works_in_every_field;
 
@@ -39,7 +39,7 @@ struct Matching_second_derivative {
 };
 
 /// \ingroup PkgGeometricContinuityStrategies
-/// Chooses the points \f$ C = B + d n \f$, straight above the second points. Portnov 4.1. \models BlendStrategy
+/// Chooses the points \f$ C = B + d n \f$, straight above the second points. Portnov 4.1. \cgalModels{BlendStrategy}
 struct Normal_offset {
   typedef Tag_true Works_in_every_field;
 
@@ -51,7 +51,7 @@ struct Normal_offset {
 
 /// \ingroup PkgGeometricContinuityStrategies
 /// Chooses the least \f$ |\gamma''| \f$ at both ends. Portnov (16), with `d n` for the vector that is not a unit vector in print.
-/// \models BlendStrategy
+/// \cgalModels{BlendStrategy}
 struct Minimal_second_derivative {
   typedef Tag_true Works_in_every_field;
 
@@ -64,7 +64,7 @@ struct Minimal_second_derivative {
 /// \ingroup PkgGeometricContinuityStrategies
 /// Chooses the points `C` nearest to the line \f$ B_1 B_2 \f$. Portnov (23). Where that line is parallel to a tangent, or
 /// \f$ B_1 = B_2 \f$, the point is not determined: there the strategy falls back to `Normal_offset` and says so. Near that
-/// position the point is far away. \models BlendStrategy
+/// position the point is far away. \cgalModels{BlendStrategy}
 struct Near_line {
   typedef Tag_true Works_in_every_field;
 
@@ -91,7 +91,7 @@ private:
 
 /// \ingroup PkgGeometricContinuityStrategies
 /// Chooses the least energy \f$ \int_0^1 |\gamma^{(k)}|^2 dt \f$, `k` = 2 or 3. With `k` = 3 the result is optimal among all smooth
-/// curves with the same ends. The linear system is never singular. \models BlendStrategy
+/// curves with the same ends. The linear system is never singular. \cgalModels{BlendStrategy}
 template <int k> struct Minimal_energy {
   static_assert(k == 2 || k == 3, "a quintic blend minimises the energy of order 2 or 3");
 
@@ -119,7 +119,7 @@ private:
 };
 
 /// \ingroup PkgGeometricContinuityStrategies
-/// Chooses the caller's own scalars \f$ s_1, s_2 \f$. \models BlendStrategy
+/// Chooses the caller's own scalars \f$ s_1, s_2 \f$. \cgalModels{BlendStrategy}
 /// \tparam FT_ a number type from which that of the blend can be made, e.g. `double` for an exact blend
 template <class FT_> struct Given_parameters {
   typedef Tag_true Works_in_every_field;
@@ -200,7 +200,7 @@ FT energy_product(std::array<Coordinate_vector<FT, N>, points> p, std::array<Coo
 
 /// \ingroup PkgGeometricContinuityStrategies
 /// Chooses all derivatives up to the third equal to those of the given curves (scaled): a \f$ C^3 \f$ join when
-/// \f$ \beta = \eta = 1 \f$. \models BlendStrategy
+/// \f$ \beta = \eta = 1 \f$. \cgalModels{BlendStrategy}
 struct Matching_third_derivative {
   typedef Tag_true Works_in_every_field;
 
@@ -210,7 +210,7 @@ struct Matching_third_derivative {
 
 /// \ingroup PkgGeometricContinuityStrategies
 /// Chooses \f$ G^3 \f$ joins with the least \f$ |\gamma''| \f$, and then with the least \f$ |\gamma'''| \f$ that is left.
-/// \models BlendStrategy
+/// \cgalModels{BlendStrategy}
 struct Sequential_g3 : internal::End_by_end<Sequential_g3> {
   /// Sets the scalars of one end; returns whether the rule is undefined there.
   template <class FT, int N> static bool choose(const Septic_end<FT, N>& e, Septic_end_parameters<FT>& p) {
@@ -223,7 +223,7 @@ struct Sequential_g3 : internal::End_by_end<Sequential_g3> {
 
 /// \ingroup PkgGeometricContinuityStrategies
 /// Chooses \f$ F^3 \f$ joins with the least \f$ |\gamma''| \f$ and the least \f$ |\gamma'''| \f$. Where the curvature is
-/// zero, \f$ \mu = 0 \f$ (reported as a fallback). \models BlendStrategy
+/// zero, \f$ \mu = 0 \f$ (reported as a fallback). \cgalModels{BlendStrategy}
 struct Sequential_f3 : internal::End_by_end<Sequential_f3> {
   /// Sets the scalars of one end; returns whether the rule is undefined there.
   template <class FT, int N> static bool choose(const Septic_end<FT, N>& e, Septic_end_parameters<FT>& p) {
@@ -236,7 +236,7 @@ struct Sequential_f3 : internal::End_by_end<Sequential_f3> {
 
 /// \ingroup PkgGeometricContinuityStrategies
 /// Chooses \f$ G^3 \f$ joins with the least \f$ |\gamma'''| \f$: the \f$ \mu \f$ of `Sequential_f3`, and
-/// \f$ \beta_2 = \mu/(3\beta) \f$. Falls back to `Sequential_g3` where the curvature is zero. \models BlendStrategy
+/// \f$ \beta_2 = \mu/(3\beta) \f$. Falls back to `Sequential_g3` where the curvature is zero. \cgalModels{BlendStrategy}
 struct Joint_g3 : internal::End_by_end<Joint_g3> {
   /// Sets the scalars of one end; returns whether the rule is undefined there.
   template <class FT, int N> static bool choose(const Septic_end<FT, N>& e, Septic_end_parameters<FT>& p) {
@@ -252,7 +252,7 @@ struct Joint_g3 : internal::End_by_end<Joint_g3> {
 
 /// \ingroup PkgGeometricContinuityStrategies
 /// Chooses \f$ G^3 \f$ joins with the least energy \f$ \int_0^1 |\gamma^{(k)}|^2 dt \f$, `k` = 3 or 4, over \f$ (\beta_2, \beta_3) \f$ at
-/// both ends: a 4 x 4 linear system that is never singular. \models BlendStrategy
+/// both ends: a 4 x 4 linear system that is never singular. \cgalModels{BlendStrategy}
 template <int k> struct Minimal_energy_g3 {
   static_assert(k == 3 || k == 4, "a septic blend minimises the energy of order 3 or 4");
 
@@ -290,7 +290,7 @@ private:
 };
 
 /// \ingroup PkgGeometricContinuityStrategies
-/// Chooses the caller's own parameters at both ends. \models BlendStrategy
+/// Chooses the caller's own parameters at both ends. \cgalModels{BlendStrategy}
 /// \tparam FT_ a number type from which that of the blend can be made, e.g. `double` for an exact blend
 template <class FT_> struct Given_end_parameters {
   typedef Tag_true Works_in_every_field;

@@ -94,7 +94,7 @@ template <class FT, int N> FT energy_of_rows(std::vector<Coordinate_vector<FT, N
 ///
 /// \tparam Traits a model of `GeometricContinuityTraits`
 /// \tparam Degree the degree `m >= 0`, or `dynamic_degree`
-/// \models ParametricCurve
+/// \cgalModels{ParametricCurve}
 template <class Traits_, int Degree = dynamic_degree> class Bezier_curve : public Bezier_polygon<Traits_, Degree> {
   typedef Bezier_polygon<Traits_, Degree> Polygon;
   template <class Shape> friend class Rational_curve;

@@ -182,7 +182,7 @@ protected:
 /// insertion, refinement and Bézier pieces take convex combinations only.
 ///
 /// \tparam Traits a model of `GeometricContinuityTraits`
-/// \models ParametricCurve
+/// \cgalModels{ParametricCurve}
 template <class Traits_> class Bspline_curve : public Bspline_polygon<Traits_> {
   typedef Bspline_polygon<Traits_> Polygon;
   using Polygon::knots_;

@@ -134,7 +134,7 @@ protected:
 ///
 /// \tparam Traits a model of `GeometricContinuityTraits`
 /// \tparam Degree the degree `m >= 0`, or `dynamic_degree`
-/// \models ParametricCurve
+/// \cgalModels{ParametricCurve}
 template <class Traits_, int Degree = dynamic_degree>
 class Composite_bezier_curve : public Composite_bezier_polygon<Traits_> {
   typedef Composite_bezier_polygon<Traits_> Polygon;

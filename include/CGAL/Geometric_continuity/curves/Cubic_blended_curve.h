@@ -37,7 +37,7 @@ template <class Traits> struct Hermite_geometry {
 };
 
 /// \ingroup PkgGeometricContinuityCurves
-/// End points and end derivatives. \models CubicBasis
+/// End points and end derivatives. \cgalModels{CubicBasis}
 struct Hermite_basis {
   /// Two points and two vectors.
   template <class Traits> using Geometry = Hermite_geometry<Traits>;
@@ -46,7 +46,7 @@ struct Hermite_basis {
 };
 
 /// \ingroup PkgGeometricContinuityCurves
-/// The control points of a Bézier curve. \models CubicBasis
+/// The control points of a Bézier curve. \cgalModels{CubicBasis}
 struct Bezier_basis {
   /// Four points.
   template <class Traits> using Geometry = std::array<typename Traits::Point, 4>;
@@ -55,7 +55,7 @@ struct Bezier_basis {
 };
 
 /// \ingroup PkgGeometricContinuityCurves
-/// Four neighbouring points of a spline of Catmull and Rom. \models CubicBasis
+/// Four neighbouring points of a spline of Catmull and Rom. \cgalModels{CubicBasis}
 struct Catmull_rom_basis {
   /// Four points.
   template <class Traits> using Geometry = std::array<typename Traits::Point, 4>;
@@ -64,7 +64,7 @@ struct Catmull_rom_basis {
 };
 
 /// \ingroup PkgGeometricContinuityCurves
-/// Four neighbouring points of a cardinal spline. \models CubicBasis
+/// Four neighbouring points of a cardinal spline. \cgalModels{CubicBasis}
 template <class Number> struct Cardinal_basis {
   Number tension; ///< 0 is Catmull-Rom, 1 has zero tangents; any number will do
   /// Four points.
@@ -78,7 +78,7 @@ template <class Number> struct Cardinal_basis {
 };
 
 /// \ingroup PkgGeometricContinuityCurves
-/// Four neighbouring control points of a uniform cubic B-spline. \models CubicBasis
+/// Four neighbouring control points of a uniform cubic B-spline. \cgalModels{CubicBasis}
 struct Uniform_bspline_basis {
   /// Four points.
   template <class Traits> using Geometry = std::array<typename Traits::Point, 4>;
@@ -88,7 +88,7 @@ struct Uniform_bspline_basis {
 
 /// \ingroup PkgGeometricContinuityCurves
 /// Four points and a matrix of your own. The curve moves with its points if and only if the blending functions sum to 1, see
-/// `is_partition_of_unity()`; nothing else depends on it. \models CubicBasis
+/// `is_partition_of_unity()`; nothing else depends on it. \cgalModels{CubicBasis}
 template <class Number> struct Matrix_basis {
   Basis_matrix<Number> m; ///< the matrix
   /// Four points.
@@ -174,7 +174,7 @@ Cubic_columns<FT, N> blended_columns(const Cubic_columns<FT, N>& g, const Basis_
 ///
 /// \tparam Traits a model of `GeometricContinuityTraits`
 /// \tparam Basis a model of `CubicBasis`
-/// \models ParametricCurve
+/// \cgalModels{ParametricCurve}
 template <class Traits_, class Basis_> class Cubic_blended_curve {
 public:
   typedef Traits_ Traits;                                     ///< the traits class

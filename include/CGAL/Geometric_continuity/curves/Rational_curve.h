@@ -79,7 +79,7 @@ template <class Traits> struct Curve_shape<Bspline_curve<Traits>> {
 /// \f$ \int |x^{(k)}|^2 \f$ is not a rational number in general; `fairness()` computes such measures.
 ///
 /// \tparam Shape `Bezier_curve<Traits, Degree>` or `Bspline_curve<Traits>`
-/// \models ParametricCurve
+/// \cgalModels{ParametricCurve}
 template <class Shape_> class Rational_curve {
   typedef internal::Curve_shape<Shape_> Kind;
   static constexpr bool is_spline = Kind::is_spline;

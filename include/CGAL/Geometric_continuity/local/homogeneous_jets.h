@@ -33,7 +33,7 @@ namespace Geometric_continuity {
 /// serves both.
 ///
 /// \tparam Traits_ a model of `GeometricContinuityTraits`
-/// \models GeometricContinuityTraits
+/// \cgalModels{GeometricContinuityTraits}
 template <class Traits_> class Homogeneous_traits {
   static constexpr int N = dimension_v<Traits_>;
 

@@ -149,7 +149,7 @@ std::pair<Control_net<Traits>, Control_net<Traits>> split_rows(const Control_net
 /// `not_finite` instead of returning infinite numbers or NaN.
 ///
 /// \tparam Traits a model of `GeometricContinuityTraits`
-/// \models ParametricSurface
+/// \cgalModels{ParametricSurface}
 template <class Traits_> class Bezier_patch {
   static_assert(internal::Checked_traits<Traits_>::value);
 

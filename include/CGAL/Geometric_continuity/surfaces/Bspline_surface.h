@@ -30,7 +30,7 @@ namespace Geometric_continuity {
 /// functions that compute points throw `Error` with `not_finite` instead of returning infinite numbers or NaN.
 ///
 /// \tparam Traits a model of `GeometricContinuityTraits`
-/// \models ParametricSurface
+/// \cgalModels{ParametricSurface}
 template <class Traits_> class Bspline_surface {
   static_assert(internal::Checked_traits<Traits_>::value);
 

@@ -81,7 +81,7 @@ template <class Traits> struct Surface_shape<Bspline_surface<Traits>> {
 /// The surface is a value: operations return new surfaces. With an exact kernel they are exact.
 ///
 /// \tparam Shape `Bezier_patch<Traits>` or `Bspline_surface<Traits>`
-/// \models ParametricSurface
+/// \cgalModels{ParametricSurface}
 template <class Shape_> class Rational_surface {
   typedef internal::Surface_shape<Shape_> Kind;
   typedef typename Kind::Side Side;

@@ -60,7 +60,7 @@ private:
 /// \f$ c' \parallel w \f$, see `sweep_defects()`. All is exact with an exact kernel if the jets of the profile are.
 ///
 /// \tparam Curve a copyable model of `ParametricCurve` in dimension 3 that gives jets at all parameters of its domain
-/// \models ParametricSurface
+/// \cgalModels{ParametricSurface}
 template <class Curve_> class Extrusion_surface_3 : public Swept_surface_3<Curve_> {
   typedef Swept_surface_3<Curve_> Base;
   typedef typename Base::Coordinates Coordinates;
@@ -182,7 +182,7 @@ private:
 /// All is exact with an exact kernel if the jets of the profile are.
 ///
 /// \tparam Curve a copyable model of `ParametricCurve` in dimension 3 that gives jets at all parameters of its domain
-/// \models ParametricSurface
+/// \cgalModels{ParametricSurface}
 template <class Curve_> class Revolution_surface_3 : public Swept_surface_3<Curve_> {
   typedef Swept_surface_3<Curve_> Base;
   typedef typename Base::Coordinates Coordinates;
