@@ -72,8 +72,8 @@ inline Largest_kink largest_kink(const Variable_join& join, const std::vector<Va
   const auto is_exceeded = [&](double tangent) { return std::isinf(tangent) || bound.is_exceeded(tangent, 1.0); };
   const auto is_done = [&] {
     const double lower = boxes.lower(), upper = boxes.upper();
-    const bool near = upper <= lower * (1 + search.tolerance) || upper <= search.floor;
-    return std::isinf(lower) || (near && is_exceeded(lower) == is_exceeded(upper));
+    const bool narrow = upper <= lower * (1 + search.tolerance) || upper <= search.floor;
+    return std::isinf(lower) || (narrow && is_exceeded(lower) == is_exceeded(upper));
   };
   while (complete && !boxes.empty() && boxes.steps() < limit && !is_done()) boxes.split();
 

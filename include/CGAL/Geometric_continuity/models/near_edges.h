@@ -76,7 +76,7 @@ template <class Field, int N> struct Boundary_edge {
 
   // Whether the ends are not farther apart than the gap, in one of both directions. Boxes tell nearly all that are.
   bool has_ends_near(const Boundary_edge& other, double gap, const Field& squared_gap) const {
-    const auto near = [&](int end, int other_end) {
+    const auto within_gap = [&](int end, int other_end) {
       for (int i = 0; i < 3; ++i)
         if (is_beyond(boxes[end][i], other.boxes[other_end][i], gap) ||
             is_beyond(other.boxes[other_end][i], boxes[end][i], gap))
@@ -84,7 +84,7 @@ template <class Field, int N> struct Boundary_edge {
       const Vector difference = other.ends[other_end] - ends[end];
       return !(squared_gap < dot(difference, difference));
     };
-    return (near(0, 0) && near(1, 1)) || (near(0, 1) && near(1, 0));
+    return (within_gap(0, 0) && within_gap(1, 1)) || (within_gap(0, 1) && within_gap(1, 0));
   }
 
   // Whether the numbers of the second interval exceed those of the first by more than the gap.

@@ -228,9 +228,9 @@ public:
 private:
   static Interval interval(double x) { return Interval(x); }
   static Interval interval(std::int64_t x) {
-    const double infinity = std::numeric_limits<double>::infinity(), near = static_cast<double>(x);
-    return is_exact_double(x) ? Interval(near)
-                              : Interval(std::nextafter(near, -infinity), std::nextafter(near, infinity));
+    const double infinity = std::numeric_limits<double>::infinity(), rounded = static_cast<double>(x);
+    return is_exact_double(x) ? Interval(rounded)
+                              : Interval(std::nextafter(rounded, -infinity), std::nextafter(rounded, infinity));
   }
   static Interval interval(const Interval& x) { return x; }
 

@@ -84,10 +84,10 @@ inline std::vector<Svg_pixel> svg_simplified(const std::vector<Svg_pixel>& point
   stays[0] = stays[closed ? n : n - 1] = true;
   std::vector<std::pair<std::size_t, std::size_t>> chords;
   if (closed) {
-    const auto far = std::max_element(points.begin(), points.end(), [&](const Svg_pixel& p, const Svg_pixel& q) {
+    const auto farthest = std::max_element(points.begin(), points.end(), [&](const Svg_pixel& p, const Svg_pixel& q) {
       return svg_length(Svg_pixel(p - points[0])) < svg_length(Svg_pixel(q - points[0]));
     });
-    const std::size_t middle = static_cast<std::size_t>(far - points.begin());
+    const std::size_t middle = static_cast<std::size_t>(farthest - points.begin());
     stays[middle] = true;
     chords = {{0, middle}, {middle, n}};
   } else

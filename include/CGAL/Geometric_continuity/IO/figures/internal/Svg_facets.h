@@ -173,8 +173,8 @@ private:
     const Surface_jet<Svg_traits> jet = s.jet(u, v, 1);
     Svg_point n = svg_unit(cross_product(jet(1, 0), jet(0, 1)));
     if (!(svg_length(cross_product(jet(1, 0), jet(0, 1))) > 1e-9)) {
-      const Surface_jet<Svg_traits> near = s.jet(u + 1e-3 * (0.5 - u), v + 1e-3 * (0.5 - v), 1);
-      n = svg_unit(cross_product(near(1, 0), near(0, 1)));
+      const Surface_jet<Svg_traits> inside = s.jet(u + 1e-3 * (0.5 - u), v + 1e-3 * (0.5 - v), 1);
+      n = svg_unit(cross_product(inside(1, 0), inside(0, 1)));
     }
     return {jet(0, 0), n};
   }

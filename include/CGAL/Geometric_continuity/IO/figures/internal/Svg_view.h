@@ -257,9 +257,9 @@ private:
     for (const Svg_curve* c : curves)
       for (std::size_t j = 0; j < c->polygon.size(); ++j) {
         const Svg_pixel p = project(c->polygon[j]);
-        bool near = true;
-        for (int i : {0, 1}) near = near && std::abs(p[i] - core.centre()[i]) <= core.radius(i) + 0.1 * size_;
-        if (near) picture.add(p);
+        bool touches = true;
+        for (int i : {0, 1}) touches = touches && std::abs(p[i] - core.centre()[i]) <= core.radius(i) + 0.1 * size_;
+        if (touches) picture.add(p);
       }
     centre_ = picture.centre();
     const double inner = width_ - 2 * margin, x = picture.radius(0), y = picture.radius(1);
