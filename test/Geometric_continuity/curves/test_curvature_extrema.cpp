@@ -15,7 +15,7 @@
 #include <CGAL/Geometric_continuity/Traits_2.h>
 #include <CGAL/Geometric_continuity/Traits_3.h>
 #include <CGAL/Geometric_continuity/Traits_d.h>
-#include <CGAL/Geometric_continuity/curves/curvature_extrema.h>
+#include <CGAL/Geometric_continuity/curves/fairness.h>
 #include <CGAL/Simple_cartesian.h>
 
 #include <array>

@@ -12,7 +12,7 @@
 #include "support/sampled_edges.h"
 
 #include <CGAL/Exact_rational.h>
-#include <CGAL/Geometric_continuity/edges/Edge_enclosure.h>
+#include <CGAL/Geometric_continuity/edges/cad_edge_continuity.h>
 
 #include <cmath>
 #include <limits>

@@ -11,7 +11,6 @@
 #include "support/errors.h"
 #include "support/limited.h"
 
-#include <CGAL/Geometric_continuity/edges/Edge_enclosure.h>
 #include <CGAL/Geometric_continuity/edges/cad_edge_continuity.h>
 
 #include <cmath>

@@ -10,7 +10,7 @@
 
 #include "support/errors.h"
 
-#include <CGAL/Geometric_continuity/edges/Edge_enclosure.h>
+#include <CGAL/Geometric_continuity/edges/cad_edge_continuity.h>
 
 #include <algorithm>
 #include <cmath>

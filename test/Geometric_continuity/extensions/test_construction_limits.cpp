@@ -15,7 +15,7 @@
 #include <CGAL/Geometric_continuity/algebra/sign_pattern.h>
 #include <CGAL/Geometric_continuity/blends/blend.h>
 #include <CGAL/Geometric_continuity/blends/blend_strategies.h>
-#include <CGAL/Geometric_continuity/curves/curvature_extrema.h>
+#include <CGAL/Geometric_continuity/curves/fairness.h>
 #include <CGAL/Geometric_continuity/edges/connect_g1.h>
 #include <CGAL/Geometric_continuity/extensions/extend.h>
 #include <CGAL/Geometric_continuity/joins/deviation.h>

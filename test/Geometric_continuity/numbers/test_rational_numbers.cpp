@@ -7,7 +7,7 @@
 #include "support/random.h"
 
 #include <CGAL/Exact_rational.h>
-#include <CGAL/Geometric_continuity/numbers/rational_numbers.h>
+#include <CGAL/Geometric_continuity/numbers/Exact_field.h>
 
 #include <boost/test/unit_test.hpp>
 

@@ -9,7 +9,7 @@
 #include "formats/g2_text/curves.h"
 
 #include <CGAL/Geometric_continuity/blends/Fair.h>
-#include <CGAL/Geometric_continuity/curves/curvature_extrema.h>
+#include <CGAL/Geometric_continuity/curves/fairness.h>
 
 #include <optional>
 #include <ostream>

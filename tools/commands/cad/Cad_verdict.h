@@ -8,7 +8,6 @@
 #include "formats/cad/Cad_model.h"
 #include "reports/Claims.h"
 
-#include <CGAL/Geometric_continuity/edges/Edge_enclosure.h>
 #include <CGAL/Geometric_continuity/edges/cad_edge_continuity.h>
 #include <CGAL/Geometric_continuity/edges/foot_points.h>
 #include <CGAL/Geometric_continuity/joins/deviation.h>

@@ -8,7 +8,7 @@
 #include "formats/svg/Svg_subpath.h"
 #include "formats/svg/svg_size.h"
 #include <CGAL/Geometric_continuity/Error.h>
-#include <CGAL/Geometric_continuity/numbers/rational_numbers.h>
+#include <CGAL/Geometric_continuity/numbers/Exact_field.h>
 
 #include <cstddef>
 #include <deque>

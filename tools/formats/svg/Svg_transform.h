@@ -9,7 +9,7 @@
 #include "formats/svg/svg_size.h"
 #include <CGAL/Geometric_continuity/Error.h>
 #include <CGAL/Geometric_continuity/local/coordinates.h>
-#include <CGAL/Geometric_continuity/numbers/rational_numbers.h>
+#include <CGAL/Geometric_continuity/numbers/Exact_field.h>
 
 #include <array>
 #include <cmath>

@@ -8,7 +8,7 @@
 #include "formats/svg/Svg_path_builder.h"
 #include "formats/svg/Svg_scanner.h"
 #include "formats/svg/svg_size.h"
-#include <CGAL/Geometric_continuity/numbers/rational_numbers.h>
+#include <CGAL/Geometric_continuity/numbers/Exact_field.h>
 
 #include <cmath>
 #include <cstddef>

@@ -7,9 +7,7 @@
 
 #include <CGAL/Geometric_continuity/Error.h>
 #include <CGAL/Geometric_continuity/algebra/Bernstein_polynomial.h>
-#include <CGAL/Geometric_continuity/algebra/Homogeneous_polynomial.h>
-#include <CGAL/Geometric_continuity/algebra/Power_polynomial.h>
-#include <CGAL/Geometric_continuity/algebra/Sign_set.h>
+#include <CGAL/Geometric_continuity/algebra/internal/Homogeneous_polynomial.h>
 #include <CGAL/Geometric_continuity/numbers/Exact_field.h>
 #include <CGAL/Geometric_continuity/numbers/Work_limit.h>
 #include <CGAL/Geometric_continuity/numbers/internal/Common_denominator.h>
@@ -17,17 +15,88 @@
 
 #include <algorithm>
 #include <optional>
+#include <ostream>
+#include <string>
 #include <type_traits>
 #include <utility>
 #include <vector>
 
 /// \file sign_pattern.h
-/// The signs of a polynomial on an interval, decided exactly: by its coefficients if they suffice, and otherwise by the roots
-/// of its square-free part. The real roots of a polynomial in [0, 1], each in an interval of its own, with their
-/// multiplicities: Descartes' rule in Bernstein form and bisection. Collins, Akritas; Lane, Riesenfeld.
+/// The signs that a polynomial takes on an interval, one by one and all together as a pattern, decided exactly: by its coefficients if
+/// they suffice, and otherwise by the roots of its square-free part. The real roots of a polynomial in [0, 1], each in an interval of its
+/// own, with their multiplicities: Descartes' rule in Bernstein form and bisection. Collins, Akritas; Lane, Riesenfeld.
 
 namespace CGAL {
 namespace Geometric_continuity {
+
+/// \ingroup PkgGeometricContinuityAlgebra
+/// The signs that a function takes on a closed interval.
+enum class Sign_pattern {
+  positive,    ///< only +
+  negative,    ///< only -
+  nonnegative, ///< + and 0
+  nonpositive, ///< - and 0
+  mixed,       ///< both + and -
+  zero         ///< only 0
+};
+
+/// \ingroup PkgGeometricContinuityAlgebra
+/// Returns the name of a pattern, as spelled in the enumeration.
+inline std::string to_string(Sign_pattern pattern) {
+  switch (pattern) {
+  case Sign_pattern::positive: return "positive";
+  case Sign_pattern::negative: return "negative";
+  case Sign_pattern::nonnegative: return "nonnegative";
+  case Sign_pattern::nonpositive: return "nonpositive";
+  case Sign_pattern::mixed: return "mixed";
+  case Sign_pattern::zero: return "zero";
+  }
+  return "unknown";
+}
+
+/// \ingroup PkgGeometricContinuityAlgebra
+/// Writes the name of a pattern.
+inline std::ostream& operator<<(std::ostream& os, Sign_pattern pattern) { return os << to_string(pattern); }
+
+/// \ingroup PkgGeometricContinuityAlgebra
+/// A set of signs, from which a pattern is made.
+class Sign_set {
+  bool negative_ = false, zero_ = false, positive_ = false;
+
+public:
+  /// Adds the sign of a number: negative, zero or positive.
+  void add(int sign) { (sign < 0 ? negative_ : sign > 0 ? positive_ : zero_) = true; }
+
+  /// Adds all signs of a pattern; `Sign_pattern::mixed` counts as + and -.
+  void add(Sign_pattern pattern) {
+    negative_ = negative_ || pattern == Sign_pattern::negative || pattern == Sign_pattern::nonpositive ||
+                pattern == Sign_pattern::mixed;
+    zero_ = zero_ || pattern == Sign_pattern::zero || pattern == Sign_pattern::nonnegative ||
+            pattern == Sign_pattern::nonpositive;
+    positive_ = positive_ || pattern == Sign_pattern::positive || pattern == Sign_pattern::nonnegative ||
+                pattern == Sign_pattern::mixed;
+  }
+
+  /// Decides whether both + and - are in the set.
+  bool is_mixed() const { return negative_ && positive_; }
+
+  /// Returns the pattern of the signs in the set. An empty set gives `Sign_pattern::zero`.
+  Sign_pattern pattern() const {
+    if (is_mixed()) return Sign_pattern::mixed;
+    if (positive_) return zero_ ? Sign_pattern::nonnegative : Sign_pattern::positive;
+    if (negative_) return zero_ ? Sign_pattern::nonpositive : Sign_pattern::negative;
+    return Sign_pattern::zero;
+  }
+};
+
+/// \ingroup PkgGeometricContinuityAlgebra
+/// Returns the pattern of the signs of two functions together, or of one function on two intervals.
+inline Sign_pattern joint_pattern(Sign_pattern a, Sign_pattern b) {
+  Sign_set signs;
+  signs.add(a);
+  signs.add(b);
+  return signs.pattern();
+}
 
 namespace internal {
 
@@ -85,9 +154,16 @@ template <class NT> void charge_bisection(const Homogeneous_polynomial<NT>& p) {
   work_meter().charge_sums(bisection_steps(p) / Work_meter::sum_steps(1), 1);
 }
 
+// The signs of the coefficients. Those of one strict sign prove this sign on the closed interval.
+template <class NT> Sign_pattern coefficient_signs(const Homogeneous_polynomial<NT>& p) {
+  Sign_set signs;
+  for (int k = 0; k <= p.degree(); ++k) signs.add(sign_of(p[k]));
+  return signs.pattern();
+}
+
 // Positive, negative or zero if bisection proves that, otherwise mixed.
 template <class NT> Sign_pattern strict_sign(const Homogeneous_polynomial<NT>& p, int bisections) {
-  const Sign_pattern s = p.coefficient_signs();
+  const Sign_pattern s = coefficient_signs(p);
   if (s == Sign_pattern::positive || s == Sign_pattern::negative || s == Sign_pattern::zero) return s;
   if (bisections == 0 || sign_of(p[0]) * sign_of(p[p.degree()]) != 1) return Sign_pattern::mixed;
   charge_bisection(p);
@@ -129,7 +205,7 @@ void add_signs(const Homogeneous_polynomial<NT>& p, const Homogeneous_polynomial
 // The signs of p on [0, 1], where Exact is a field without numbers that are evaluated on demand.
 template <class Exact, class NT> Sign_pattern exact_sign_pattern(const Homogeneous_polynomial<NT>& p) {
   const bool zero_at_an_end = p[0] == NT(0) || p[p.degree()] == NT(0);
-  if (const auto decided = decided_by_coefficients(p.coefficient_signs(), zero_at_an_end)) return *decided;
+  if (const auto decided = decided_by_coefficients(coefficient_signs(p), zero_at_an_end)) return *decided;
   const Without_end_roots<NT> inside(p);
   Sign_set signs;
   if (inside.root_at_0 || inside.root_at_1) signs.add(0);
@@ -138,6 +214,15 @@ template <class Exact, class NT> Sign_pattern exact_sign_pattern(const Homogeneo
   if (!signs.is_mixed())
     add_signs(inside.rest, whole_multiple(square_free_part(inside.rest.template bernstein<Exact>())), signs);
   return signs.pattern();
+}
+
+// Decides the signs of p on the closed interval [0, 1], exactly: by up to four bisections, and if those do not decide, by the
+// square-free part and as many as are needed. \throws Error `work_limit`
+template <class Exact, class NT> Sign_pattern sign_pattern(const Homogeneous_polynomial<NT>& p) {
+  const Work_on_part work("sign_pattern");
+  constexpr int bisections = 4;
+  const Sign_pattern s = strict_sign(p, bisections);
+  return s == Sign_pattern::mixed ? exact_sign_pattern<Exact>(p) : s;
 }
 
 // The coefficients of a polynomial as exact numbers. \throws Error `not_finite`
@@ -182,19 +267,6 @@ template <class FT> Sign_pattern sign_pattern(const Bernstein_polynomial<FT>& p,
   for (const FT& x : p.coefficients()) c.push_back(internal::to_field<Field>(x));
   return sign_pattern(
       Bernstein_polynomial<Field>(std::move(c)).restricted(internal::to_field<Field>(a), internal::to_field<Field>(b)));
-}
-
-/// \ingroup PkgGeometricContinuityAlgebra
-/// Decides the signs of `p` on the closed interval [0, 1], exactly: by up to four bisections, and if those do not
-/// decide, by the square-free part and as many as are needed, see `sign_pattern(const Bernstein_polynomial<FT>&)`.
-/// \tparam Exact a field with exact operations to which `NT` can be converted
-/// \tparam NT a ring number type with exact operations
-/// \throws Error `work_limit`
-template <class Exact, class NT> Sign_pattern sign_pattern(const Homogeneous_polynomial<NT>& p) {
-  const internal::Work_on_part work("sign_pattern");
-  constexpr int bisections = 4;
-  const Sign_pattern s = internal::strict_sign(p, bisections);
-  return s == Sign_pattern::mixed ? internal::exact_sign_pattern<Exact>(p) : s;
 }
 
 /// \ingroup PkgGeometricContinuityAlgebra

@@ -6,7 +6,6 @@
 #define CGAL_GEOMETRIC_CONTINUITY_BLENDS_FAIR_H
 
 #include <CGAL/FPU.h>
-#include <CGAL/Geometric_continuity/blends/automatic_shape.h>
 #include <CGAL/Geometric_continuity/blends/blend_ends.h>
 #include <CGAL/Geometric_continuity/blends/internal/Fair_family.h>
 #include <CGAL/Geometric_continuity/blends/internal/Fair_minimum.h>

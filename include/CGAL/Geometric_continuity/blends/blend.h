@@ -5,7 +5,7 @@
 #ifndef CGAL_GEOMETRIC_CONTINUITY_BLENDS_BLEND_H
 #define CGAL_GEOMETRIC_CONTINUITY_BLENDS_BLEND_H
 
-#include <CGAL/Geometric_continuity/blends/automatic_shape.h>
+#include <CGAL/Geometric_continuity/blends/blend_ends.h>
 #include <CGAL/Geometric_continuity/blends/blend_strategies.h>
 #include <CGAL/Geometric_continuity/blends/internal/exact_blend.h>
 #include <CGAL/Geometric_continuity/curves/Bezier_curve.h>

@@ -6,21 +6,35 @@
 #define CGAL_GEOMETRIC_CONTINUITY_CURVES_FAIRNESS_H
 
 #include <CGAL/Geometric_continuity/Error.h>
+#include <CGAL/Geometric_continuity/curves/internal/Curvature_polynomials.h>
+#include <CGAL/Geometric_continuity/curves/internal/curve_pieces.h>
+#include <CGAL/Geometric_continuity/curves/internal/decision_numbers.h>
 #include <CGAL/Geometric_continuity/curves/internal/double_derivatives.h>
+#include <CGAL/Geometric_continuity/numbers/Enclosure.h>
+#include <CGAL/Geometric_continuity/splines/bspline_knots.h>
 
 #include <boost/math/quadrature/gauss.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <ostream>
 #include <type_traits>
 #include <utility>
 #include <vector>
 
 /// \file fairness.h
-/// How fair a curve is, as numbers that depend neither on its scale nor on its parameter: the variation of its curvature, which the
-/// strategy `Fair` makes small, and its bending energy. Moreton and Séquin.
+/// How fair a curve is.
+///
+/// As numbers that depend neither on its scale nor on its parameter: the variation of its curvature, which the strategy `Fair` makes
+/// small, and its bending energy. Moreton and Séquin.
+///
+/// As what a designer wants few of: where the curvature is largest and smallest, and where the curve inflects, counted exactly, by the
+/// changes of sign of polynomials. In the plane these are \f$ g \det(d_1,d_3) - 3 (d_1\cdot d_2) \det(d_1,d_2) \f$ of degree `4m - 7`,
+/// with \f$ g = d_1\cdot d_1 \f$, and \f$ \det(d_1,d_2) \f$; in other dimensions the numerator of the derivative of
+/// \f$ \kappa^2 = |d_1\wedge d_2|^2/g^3 \f$, of degree `6m - 11`, and \f$ |d_1\wedge d_2|^2 \f$.
 
 namespace CGAL {
 namespace Geometric_continuity {
@@ -180,6 +194,223 @@ template <class Curve> double fairness(const Curve& curve) {
 template <class Curve> double bending_energy(const Curve& curve) {
   const std::array<double, 2> r = internal::curve_integrals<internal::Squared_curvature>(curve);
   return std::isinf(r[1]) ? r[1] : r[0] * r[1];
+}
+
+/// \ingroup PkgGeometricContinuityCurves
+/// The curvature at a place of a curve.
+struct Curvature_at {
+  Enclosure parameter; ///< in the domain of the curve
+  Enclosure curvature; ///< in the plane with a sign, positive in a left turn
+};
+
+/// \ingroup PkgGeometricContinuityCurves
+/// A place inside of the domain where the curvature turns from rising to falling, or from falling to rising.
+struct Curvature_extremum : Curvature_at {
+  bool maximum; ///< whether it turns to falling
+};
+
+/// \ingroup PkgGeometricContinuityCurves
+/// The extrema of the curvature of a curve, and its inflections.
+struct Curvature_extrema {
+  std::vector<Curvature_extremum> extrema; ///< inside of the domain, in order, maxima and minima by turns
+  std::vector<Enclosure> inflections;      ///< the parameters, inside of the domain, in order
+  Curvature_at least;                      ///< the least curvature, which may be at an end of the domain
+  Curvature_at greatest;                   ///< the greatest curvature, which may be at an end of the domain
+
+  /// Returns the greatest absolute value of the curvature.
+  Enclosure largest() const {
+    const Enclosure &x = least.curvature, &y = greatest.curvature;
+    return {(std::max)({-x.upper, y.lower, 0.}), (std::max)(std::abs(x.lower), std::abs(y.upper))};
+  }
+
+  /// Writes e.g. `2 extrema of curvature, 1 inflection, curvature from -1 to [0.333, 0.334]`.
+  friend std::ostream& operator<<(std::ostream& os, const Curvature_extrema& c) {
+    return os << c.extrema.size() << (c.extrema.size() == 1 ? " extremum" : " extrema") << " of curvature, "
+              << c.inflections.size() << (c.inflections.size() == 1 ? " inflection" : " inflections")
+              << ", curvature from " << c.least.curvature << " to " << c.greatest.curvature;
+  }
+};
+
+namespace internal {
+
+// Goes along a curve piece by piece.
+template <class NT> class Curvature_walk {
+  Curvature_extrema result_{{}, {}, {{0, 0}, {0, 0}}, {{0, 0}, {0, 0}}};
+  bool started_ = false;
+  int direction_ = 0;     // in which the curvature changed last: 1 rising, -1 falling
+  Curvature_at turn_;     // up to where it did
+  std::vector<NT> area_;  // at the end of the last piece that is not straight
+  Enclosure bend_;        // the parameter there
+  Signed_square<NT> end_; // the curvature at the end of the last piece
+
+public:
+  // Of a rational curve, the rows are homogeneous.
+  template <int N>
+  void add(const std::vector<Coordinate_vector<NT, N>>& rows, bool rational, const NT& a, const NT& b) {
+    const Curvature_polynomials<NT> curve(rows, rational);
+    if (!curve.is_regular()) throw Error(Error_code::zero_tangent, "curvature_extrema");
+    const auto parameter = [&](const Isolated_root<NT>& r) -> Enclosure {
+      return {enclosure(NT(a + (b - a) * r.begin)).lower, enclosure(NT(a + (b - a) * r.end)).upper};
+    };
+    const auto place = [&](const Isolated_root<NT>& r) -> Curvature_at {
+      return {parameter(r), *curve.curvature(r.begin, r.end)};
+    };
+    const Curvature_at start = place({NT(0), NT(0)}), end = place({NT(1), NT(1)});
+    if (started_)
+      go(order(end_, curve.start_curvature()), start);
+    else
+      result_.least = result_.greatest = start;
+    started_ = true;
+    consider(start);
+    if (!curve.is_straight()) {
+      const Bernstein_polynomial<NT> slope = curve.slope();
+      int direction = 0; // at the start
+      for (int k = 0; direction == 0; ++k) direction = sign_of(slope[k]);
+      for (const Isolated_root<NT>& root : changes(curve)) {
+        go(direction, place(root));
+        consider(turn_);
+        direction = -direction;
+      }
+      go(direction, end);
+
+      if (are_opposite(area_, curve.start_area())) result_.inflections.push_back(bend_);
+      for (const Isolated_root<NT>& root : inside(curve.inflections(width())))
+        result_.inflections.push_back(parameter(root));
+      area_ = curve.end_area();
+      bend_ = end.parameter;
+    }
+    consider(end);
+    end_ = curve.end_curvature();
+  }
+
+  const Curvature_extrema& result() const { return result_; }
+
+private:
+  static NT width() { return NT(NT(1) / NT(1 << 20)) / NT(1 << 20); }
+
+  // The places inside where the slope changes its sign, each so short that the curvature has bounds there.
+  static std::vector<Isolated_root<NT>> changes(const Curvature_polynomials<NT>& curve) {
+    for (NT w = width();; w *= w) {
+      std::vector<Isolated_root<NT>> roots = inside(curve.flat_places(w));
+      roots.erase(std::remove_if(roots.begin(), roots.end(),
+                                 [](const Isolated_root<NT>& r) { return r.multiplicity % 2 == 0; }),
+                  roots.end());
+      if (std::all_of(roots.begin(), roots.end(),
+                      [&](const Isolated_root<NT>& r) { return bool(curve.curvature(r.begin, r.end)); }))
+        return roots;
+    }
+  }
+
+  static std::vector<Isolated_root<NT>> inside(std::vector<Isolated_root<NT>> roots) {
+    roots.erase(std::remove_if(roots.begin(), roots.end(),
+                               [](const Isolated_root<NT>& r) { return r.end == NT(0) || r.begin == NT(1); }),
+                roots.end());
+    return roots;
+  }
+
+  // The curvature goes up, 1, or down, -1, or not, 0, to this place.
+  void go(int direction, const Curvature_at& place) {
+    if (direction == 0) return;
+    if (direction == -direction_) result_.extrema.push_back({turn_, direction < 0});
+    direction_ = direction;
+    turn_ = place;
+  }
+
+  // Takes a place into account for the least and the greatest curvature.
+  void consider(const Curvature_at& place) {
+    Curvature_at &x = result_.least, &y = result_.greatest;
+    if (place.curvature.lower < x.curvature.lower) x = {place.parameter, {place.curvature.lower, x.curvature.upper}};
+    x.curvature.upper = (std::min)(x.curvature.upper, place.curvature.upper);
+    if (y.curvature.upper < place.curvature.upper) y = {place.parameter, {y.curvature.lower, place.curvature.upper}};
+    y.curvature.lower = (std::max)(y.curvature.lower, place.curvature.lower);
+  }
+
+  static int order(const Signed_square<NT>& x, const Signed_square<NT>& y) {
+    return x.sign != y.sign ? sign_of(y.sign - x.sign) : x.sign * sign_of(NT(y.square - x.square));
+  }
+
+  // Whether one is a negative multiple of the other.
+  static bool are_opposite(const std::vector<NT>& x, const std::vector<NT>& y) {
+    if (x.empty()) return false;
+    NT xx(0), xy(0), yy(0);
+    for (std::size_t i = 0; i < x.size(); ++i) {
+      xx += x[i] * x[i];
+      xy += x[i] * y[i];
+      yy += y[i] * y[i];
+    }
+    return xy < NT(0) && xx * yy == xy * xy;
+  }
+};
+
+// The coordinates of control points as exact values, in homogeneous coordinates where they have weights.
+template <class Curve> auto exact_rows(const Curve& curve) {
+  typedef typename Curve::Traits Traits;
+  const auto points = decision_rows<Traits>(curve);
+  if constexpr (Is_rational<Curve>::value) {
+    std::vector<decltype(homogeneous_point(points[0], points[0][0]))> rows;
+    for (std::size_t i = 0; i < points.size(); ++i)
+      rows.push_back(homogeneous_point(points[i], decision_number<Traits>(curve.weights()[i])));
+    return rows;
+  } else
+    return points;
+}
+
+std::false_type is_spline(...);
+template <class Traits> std::true_type is_spline(const Bspline_curve<Traits>&);
+template <class Traits> std::true_type is_spline(const Rational_bspline_curve<Traits>&);
+
+// Calls f(rows, a, b) for each of the Bezier curves that a curve is made of, in order: with the rows of its control points and
+// with its domain, as exact values from the points and knots as they are given.
+template <class Curve, class Function> void for_each_exact_piece(const Curve& curve, Function f) {
+  typedef typename Curve::Traits Traits;
+  typedef Decision_number<Traits> NT;
+  if constexpr (decltype(is_spline(curve))::value) {
+    std::vector<NT> values;
+    for (const typename Traits::FT& knot : curve.knots()) values.push_back(decision_number<Traits>(knot));
+    const Knot_vector<NT> knots(curve.degree(), values);
+    const auto rows = bspline_bezier<NT>(knots, exact_rows(curve));
+    auto first = rows.begin();
+    for (int k : knots.spans()) {
+      f(std::vector(first, first + curve.degree() + 1), knots[k], knots[k + 1]);
+      first += curve.degree() + 1;
+    }
+  } else
+    for_each_bezier(curve, [&](const auto& piece) {
+      f(exact_rows(piece), decision_number<Traits>(piece.domain().first),
+        decision_number<Traits>(piece.domain().second));
+    });
+}
+
+} // namespace internal
+
+/// \ingroup PkgGeometricContinuityCurves
+/// Returns the extrema of the curvature of a curve and its inflections: how many there are is exact with every kernel for the
+/// control points and knots as given, also with floating-point numbers. Parameters and curvatures are guaranteed enclosures,
+/// whose parameters are in intervals of at most \f$ 2^{-40} \f$ of a piece.
+///
+/// In the plane the curvature has a sign, positive in a left turn, and an inflection is a place where it changes. In other
+/// dimensions the curvature is not negative, and an inflection is a place where the curvature vector vanishes and has the
+/// opposite directions before and behind; it is a minimum there. Of a planar curve both have the same inflections.
+///
+/// What does not change its sign is not counted, as a point of undulation; neither are the ends of the domain, also where they
+/// meet. A straight line has neither extrema nor inflections. A curve of several pieces is treated as one: where the curvature
+/// jumps it rises or falls at once, and the extremum in front of a jump and the one behind have the same parameter.
+/// A stretch of constant curvature, a straight piece, between rising and falling counts once, with the parameter where it
+/// begins; and the same holds between two bends in opposite directions.
+///
+/// \param curve a `Bezier_curve`, a `Composite_bezier_curve`, a `Bspline_curve`, or what is derived from them, or a rational one
+/// \throws Error `zero_tangent` when the first derivative vanishes anywhere in the domain, as in a cusp
+/// \throws Error `not_finite` for an infinite or undefined floating-point coordinate, and for a curvature that is larger than all
+///   floating-point numbers
+/// \throws Error `work_limit` when roots are so close to each other that `isolate_roots()` refuses to separate them, and when exact
+///   numbers are so long that more work is needed
+template <class Curve> Curvature_extrema curvature_extrema(const Curve& curve) {
+  typedef internal::Decision_number<typename Curve::Traits> NT;
+  internal::Curvature_walk<NT> walk;
+  internal::for_each_exact_piece(curve, [&](const auto& rows, const NT& a, const NT& b) {
+    walk.add(rows, internal::Is_rational<Curve>::value, a, b);
+  });
+  return walk.result();
 }
 
 } // namespace Geometric_continuity

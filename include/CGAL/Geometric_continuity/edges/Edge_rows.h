@@ -67,10 +67,6 @@ template <class Traits> using Edge_field = typename Exact_field<Predicate_FT<Tra
 namespace internal {
 
 // Whether the rows of a surface are those of homogeneous points.
-template <class Surface, class = void> struct Is_rational_surface : std::false_type {};
-template <class Surface>
-struct Is_rational_surface<Surface, std::void_t<typename Surface::Homogeneous>> : std::true_type {};
-
 // Whether a surface is one patch, without knots.
 template <class Surface> struct Is_patch : std::false_type {};
 template <class Traits> struct Is_patch<Bezier_patch<Traits>> : std::true_type {};
@@ -78,17 +74,17 @@ template <class Traits> struct Is_patch<Rational_bezier_patch<Traits>> : std::tr
 
 // The number of coordinates in the rows of one or two surfaces.
 template <class Surface_a, class Surface_b = Surface_a>
-constexpr int row_dimension = Is_rational_surface<Surface_a>::value || Is_rational_surface<Surface_b>::value ? 4 : 3;
+constexpr int row_dimension = Is_rational<Surface_a>::value || Is_rational<Surface_b>::value ? 4 : 3;
 
 // Rational surfaces with equal weights are decided as polynomial ones, which is faster.
 template <class Surface> bool has_equal_weights(const Surface& surface) {
-  if constexpr (Is_rational_surface<Surface>::value)
+  if constexpr (Is_rational<Surface>::value)
     return surface.is_polynomial();
   else
     return true;
 }
 template <class Surface> decltype(auto) without_weights(const Surface& surface) {
-  if constexpr (Is_rational_surface<Surface>::value)
+  if constexpr (Is_rational<Surface>::value)
     return std::decay_t<decltype(*surface.polynomial())>(*surface.polynomial());
   else
     return (surface);

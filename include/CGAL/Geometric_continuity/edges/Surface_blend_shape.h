@@ -5,13 +5,32 @@
 #ifndef CGAL_GEOMETRIC_CONTINUITY_EDGES_SURFACE_BLEND_SHAPE_H
 #define CGAL_GEOMETRIC_CONTINUITY_EDGES_SURFACE_BLEND_SHAPE_H
 
+#include <CGAL/Geometric_continuity/Error.h>
 #include <CGAL/Geometric_continuity/algebra/Bernstein_polynomial.h>
+#include <CGAL/Geometric_continuity/blends/blend.h>
+#include <CGAL/Geometric_continuity/blends/blend_ends.h>
 #include <CGAL/Geometric_continuity/edges/internal/Blend_end.h>
+#include <CGAL/Geometric_continuity/local/Curve_jet.h>
+#include <CGAL/Geometric_continuity/local/homogeneous_jets.h>
+#include <CGAL/Geometric_continuity/surfaces/Bezier_patch.h>
 
+#include <CGAL/number_utils.h>
+
+#include <array>
+#include <cmath>
 #include <type_traits>
+#include <utility>
+#include <vector>
 
 /// \file Surface_blend_shape.h
-/// The functions along its edges that \f$ G^2 \f$ leaves free of a blend surface, and the types of such surfaces.
+/// The functions along its edges that \f$ G^2 \f$ leaves free of a blend surface, the types of such surfaces, and the shape for which the
+/// caller gives none, by the strategies for blends of curves.
+///
+/// The curves `u` = const at some parameters \f$ u_1, \dots, u_m \f$ together are one curve
+/// \f$ v \mapsto (S(u_1, v), \dots, S(u_m, v)) \f$ in a space of `3 m` dimensions. With constants \f$ \beta, \delta \f$ it is a blend of the
+/// curves that both surfaces make in the same way, of the family of blends of curves: \f$ \delta = (20 s - t)\,\beta \f$, with the part
+/// `t` of the second derivative along the tangent. So each strategy for curves is one for surfaces. Lengths and energies are the sums
+/// of squares over the curves.
 
 namespace CGAL {
 namespace Geometric_continuity {
@@ -95,6 +114,149 @@ using Blend_surface = typename internal::Blended_surfaces<Surface_a, Surface_b>:
 /// `Surface_blend_shape`.
 template <class Surface_a, class Surface_b>
 using Blend_surface_shape = typename internal::Blended_shape<Surface_a, Surface_b>::type;
+
+/// \ingroup PkgGeometricContinuityStrategies
+/// True for a strategy that chooses the shape of blend surfaces: it can be called with `Quintic_ends<double, 0>`.
+template <class Strategy>
+constexpr bool is_surface_blend_strategy_v = std::is_invocable_v<const Strategy&, const Quintic_ends<double, 0>&>;
+
+namespace internal {
+
+// The values of the rows of an end at the Greville abscissae of some knots: as points and derivatives of the surface in `jet`, one
+// after the other, and the last coordinates of homogeneous points in `weights`.
+template <bool is_rational> struct Edge_samples {
+  Coordinate_jet<double, 0> jet;
+  std::vector<std::array<double, 3>> weights;
+
+  template <class FT, int N> Edge_samples(const Blend_end<FT, N>& end, const Knot_vector<FT>& knots) {
+    const int m = knots.number_of_coefficients(), n = end.edge[0].dimension() - (is_rational ? 1 : 0);
+    jet = Coordinate_jet<double, 0>(m * n, 2);
+    for (int k = 0; k < m; ++k) {
+      const FT u = knots.greville_abscissa(k);
+      Coordinate_jet<FT, N> x(end.edge[0].dimension(), 2);
+      x[0] = bspline_value(end.knots, end.edge, u);
+      x[1] = bspline_value(end.knots, end.cross, u);
+      x[2] = bspline_value(end.knots, end.second_cross, u);
+      if constexpr (is_rational) {
+        weights.push_back({CGAL::to_double(x[0][n]), CGAL::to_double(x[1][n]), CGAL::to_double(x[2][n])});
+        take(project(x), k * n);
+      } else
+        take(x, k * n);
+    }
+  }
+
+private:
+  template <class Jet> void take(const Jet& x, int first) {
+    for (int j = 0; j <= 2; ++j)
+      for (int i = 0; i < x[j].dimension(); ++i) {
+        jet[j][first + i] = CGAL::to_double(x[j][i]);
+        check_finite(jet[j][first + i], "automatic_surface_shape: a number beyond those in floating-point arithmetic");
+      }
+  }
+};
+
+// With few binary digits; nothing where it is small in comparison with the unit.
+inline double short_part(double x, double unit) {
+  check_finite(x, "automatic_surface_shape");
+  return std::abs(x) < 0x1p-20 * unit ? 0 : short_double<ratio_digits>(x);
+}
+
+// The factor of homogeneous points that keeps the denominator of a blend as constant as constants can.
+template <class FT>
+void choose_factor(const std::vector<std::array<double, 3>>& weights, Rational_edge_reparametrisation<FT>& r,
+                   double beta, double delta) {
+  double squares = 0, first = 0, second = 0;
+  for (const std::array<double, 3>& w : weights) {
+    squares += w[0] * w[0];
+    first += w[0] * beta * w[1];
+    second += w[0] * (beta * beta * w[2] + delta * w[1]);
+  }
+  const double lambda1 = short_part(-first / squares, 1);
+  r.lambda1 = Bernstein_polynomial<FT>{short_number_in<FT>(lambda1)};
+  r.lambda2 = Bernstein_polynomial<FT>{short_number_in<FT>(short_part(-(second + 2 * lambda1 * first) / squares, 1))};
+}
+
+inline double mean_square_of_weights(const std::vector<std::array<double, 3>>& weights) {
+  double squares = 0;
+  for (const std::array<double, 3>& w : weights) squares += w[0] * w[0];
+  return squares;
+}
+
+} // namespace internal
+
+/// \ingroup PkgGeometricContinuityConstruction
+/// Returns how the second of two edges runs when its ends are nearer to those of the first one: in the same direction unless the lines
+/// between the ends of the edges point in opposite directions.
+/// \throws Error `dimension_mismatch`
+template <class Surface_a, class Surface_b>
+Edge_direction nearer_direction(const Surface_a& a, Patch_edge edge_a, const Surface_b& b, Patch_edge edge_b) {
+  typedef internal::Blended_surfaces<Surface_a, Surface_b> Kind;
+  typedef typename Kind::FT FT;
+  const auto ends = Kind::ends(a, edge_a, b, edge_b, Edge_direction::same);
+  const auto chord = [](const auto& row) {
+    if constexpr (Kind::is_rational)
+      return affine_point(row.back()) - affine_point(row.front());
+    else
+      return row.back() - row.front();
+  };
+  return dot(chord(ends.first.edge), chord(ends.second.edge)) < FT(0) ? Edge_direction::opposite : Edge_direction::same;
+}
+
+/// \ingroup PkgGeometricContinuityConstruction
+/// Returns the shape of a blend from an edge of one surface to an edge of another one that a strategy for blends of curves chooses. All
+/// functions are constants, and \f$ \alpha = \alpha_2 = 0 \f$.
+///
+/// The curves `u` = const at the Greville abscissae of the edge with more of them are taken as one curve in a space of many dimensions. A
+/// strategy that chooses its own shape parameters, as `Fair` does, chooses \f$ \beta \f$ at both ends; otherwise they make the tangents
+/// as long as the chords in the mean square, see `automatic_shape()`. The scalars \f$ s_1, s_2 \f$ of the strategy give \f$ \delta \f$:
+/// with `Matching_second_derivative` it is 0, `Minimal_energy<3>` has the least sum of \f$ \int |S_{vvv}|^2 dv \f$, `Fair` the least
+/// variation of the curvature of the curve in many dimensions. Of rational surfaces, the factors of the homogeneous points keep the denominator
+/// of the blend as constant as constants can.
+///
+/// All this is computed in floating-point numbers and rounded to 8 binary digits, so that exact numbers stay short. The blend is exact,
+/// whatever the shape is. Linear in the number of knots.
+/// \throws Error `zero_tangent` where a derivative across an edge vanishes at all these parameters, `dimension_mismatch`,
+///   `not_finite` for numbers so large or small that their squares are not in the range of floating-point numbers
+template <class Surface_a, class Surface_b, class Strategy>
+Blend_surface_shape<Surface_a, Surface_b> automatic_surface_shape(const Surface_a& a, Patch_edge edge_a,
+                                                                  const Surface_b& b, Patch_edge edge_b,
+                                                                  const Strategy& strategy, Edge_direction direction) {
+  static_assert(is_surface_blend_strategy_v<Strategy>, "the strategy is one for blends of degree 5 in every field");
+  typedef internal::Blended_surfaces<Surface_a, Surface_b> Kind;
+  typedef typename Kind::FT FT;
+  typedef Coordinate_jet<double, 0> Jet;
+  const auto ends = Kind::ends(a, edge_a, b, edge_b, direction);
+  const auto &x = ends.first.knots, &y = ends.second.knots;
+  const auto& knots = x.number_of_coefficients() < y.number_of_coefficients() ? y : x;
+  const internal::Edge_samples<Kind::is_rational> start(ends.first, knots), end(ends.second, knots);
+  if (is_zero(start.jet[1])) throw Error(Error_code::zero_tangent, "automatic_surface_shape: the first surface");
+  if (is_zero(end.jet[1])) throw Error(Error_code::zero_tangent, "automatic_surface_shape: the second surface");
+
+  const auto shaped = [&](const auto& chosen, const Shape_parameters<double>& s) {
+    const Quintic_ends<double, 0> e(start.jet, end.jet, s);
+    const Quintic_parameters<double> p = chosen(e);
+    const double delta_start = internal::short_part(s.beta * (20 * p.s1 - e.tangential1), s.beta),
+                 delta_end = internal::short_part(s.eta * (20 * p.s2 - e.tangential2), s.eta);
+    Blend_surface_shape<Surface_a, Surface_b> shape;
+    shape.start.beta = {internal::short_number_in<FT>(s.beta)};
+    shape.start.delta = {internal::short_number_in<FT>(delta_start)};
+    shape.end.beta = {internal::short_number_in<FT>(s.eta)};
+    shape.end.delta = {internal::short_number_in<FT>(delta_end)};
+    if constexpr (Kind::is_rational) {
+      internal::choose_factor(start.weights, shape.start, s.beta, delta_start);
+      internal::choose_factor(end.weights, shape.end, s.eta, delta_end);
+      shape.end.lambda = FT(internal::short_part(
+          std::sqrt(internal::mean_square_of_weights(start.weights) / internal::mean_square_of_weights(end.weights)),
+          0));
+    }
+    return shape;
+  };
+  if constexpr (internal::Chooses_shape<Strategy, Jet>::value) {
+    const auto chosen = strategy.choose(start.jet, end.jet);
+    return shaped(chosen.strategy, chosen.shape);
+  } else
+    return shaped(strategy, internal::automatic_shape(start.jet, end.jet));
+}
 
 } // namespace Geometric_continuity
 } // namespace CGAL

@@ -5,7 +5,6 @@
 #ifndef CGAL_GEOMETRIC_CONTINUITY_EDGES_CONNECT_G1_H
 #define CGAL_GEOMETRIC_CONTINUITY_EDGES_CONNECT_G1_H
 
-#include <CGAL/Geometric_continuity/algebra/Plane_coordinates.h>
 #include <CGAL/Geometric_continuity/algebra/determinant.h>
 #include <CGAL/Geometric_continuity/algebra/sign_pattern.h>
 #include <CGAL/Geometric_continuity/curves/Bspline_curve.h>

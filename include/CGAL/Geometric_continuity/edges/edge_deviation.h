@@ -56,7 +56,7 @@ inline Enclosure larger_of(const Enclosure& x, const Enclosure& y) {
 template <class Polynomial>
 typename Polynomial::NT twice_the_quotient(const Polynomial& s, const Polynomial& q, int halvings) {
   typedef typename Polynomial::NT Ring;
-  if (q.coefficient_signs() == Sign_pattern::positive) {
+  if (coefficient_signs(q) == Sign_pattern::positive) {
     Ring k(1);
     for (int i = 0; i <= q.degree(); ++i)
       while (Ring(k * q[i]) < Ring(Ring(2) * s[i])) k *= Ring(2);

@@ -102,6 +102,10 @@ template <class FT, int M> Coordinate_vector<FT, (M == 0 ? 0 : M - 1)> affine_po
 
 namespace internal {
 
+// Whether a curve or a surface has weights.
+template <class Shape, class = void> struct Is_rational : std::false_type {};
+template <class Shape> struct Is_rational<Shape, std::void_t<typename Shape::Homogeneous>> : std::true_type {};
+
 // Calls f(k, binomials) for k = 0, ..., order, with the row C(k, 0), ..., C(k, k) of Pascal's triangle.
 template <class FT, class Function> void for_each_binomial_row(int order, Function f) {
   boost::container::small_vector<FT, 6> row(order + 1, FT(0));

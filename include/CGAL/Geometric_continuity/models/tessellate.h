@@ -166,9 +166,8 @@ private:
 
 // The patches of which a surface consists.
 template <class Surface>
-using Patch_of =
-    std::conditional_t<Is_rational_surface<Surface>::value, Rational_bezier_patch<typename Surface::Traits>,
-                       Bezier_patch<typename Surface::Traits>>;
+using Patch_of = std::conditional_t<Is_rational<Surface>::value, Rational_bezier_patch<typename Surface::Traits>,
+                                    Bezier_patch<typename Surface::Traits>>;
 
 } // namespace internal
 

@@ -6,7 +6,6 @@
 #define CGAL_GEOMETRIC_CONTINUITY_SURFACES_BSPLINE_SURFACE_H
 
 #include <CGAL/Geometric_continuity/surfaces/Bezier_patch.h>
-#include <CGAL/Geometric_continuity/surfaces/Patch_edge.h>
 #include <CGAL/Geometric_continuity/surfaces/internal/bspline_net.h>
 
 #include <algorithm>

@@ -11,8 +11,8 @@
 
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Fraction_traits.h>
-#include <CGAL/Geometric_continuity/algebra/Homogeneous_polynomial.h>
 #include <CGAL/Geometric_continuity/algebra/internal/Bounded_polynomial.h>
+#include <CGAL/Geometric_continuity/algebra/internal/Homogeneous_polynomial.h>
 #include <CGAL/Geometric_continuity/algebra/internal/Rounded_polynomial.h>
 
 #include <cstdint>
@@ -25,7 +25,7 @@ BOOST_AUTO_TEST_SUITE(Bounded_polynomial)
 namespace GC = CGAL::Geometric_continuity;
 namespace I = GC::internal;
 typedef CGAL::Fraction_traits<CGAL::Exact_rational>::Numerator_type Z;
-typedef GC::Homogeneous_polynomial<Z> Whole;
+typedef GC::internal::Homogeneous_polynomial<Z> Whole;
 
 namespace {
 

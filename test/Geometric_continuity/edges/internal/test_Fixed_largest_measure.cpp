@@ -20,7 +20,7 @@
 namespace {
 
 typedef GC::internal::Common_denominator<Q>::Ring Ring;
-typedef GC::Homogeneous_polynomial<Ring> Whole;
+typedef GC::internal::Homogeneous_polynomial<Ring> Whole;
 typedef GC::internal::Fixed_largest_measure<Q, Whole> Fixed;
 
 // a t^i (1-t)^j, of degree n

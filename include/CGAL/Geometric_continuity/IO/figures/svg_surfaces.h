@@ -265,7 +265,7 @@ void write_svg_surfaces(std::ostream& os, const SurfaceRange& surfaces,
                         const Svg_surface_style& style = Svg_surface_style()) {
   typedef std::decay_t<decltype(*std::begin(surfaces))> Given;
   typedef internal::Svg_traits Traits;
-  typedef std::conditional_t<internal::Is_rational_surface<Given>::value, Rational_bspline_surface<Traits>,
+  typedef std::conditional_t<internal::Is_rational<Given>::value, Rational_bspline_surface<Traits>,
                              Bspline_surface<Traits>>
       Surface;
   const std::string document = internal::Svg_surface_picture<Surface>(surfaces, style)();

@@ -6,7 +6,7 @@
 #define CGAL_GEOMETRIC_CONTINUITY_IO_INTERNAL_G2_PLANE_H
 
 #include <CGAL/Geometric_continuity/algebra/Coordinate_vector.h>
-#include <CGAL/Geometric_continuity/numbers/rational_numbers.h>
+#include <CGAL/Geometric_continuity/numbers/Exact_field.h>
 
 #include <array>
 #include <optional>

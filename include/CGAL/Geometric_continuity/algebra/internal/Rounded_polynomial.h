@@ -5,8 +5,8 @@
 #ifndef CGAL_GEOMETRIC_CONTINUITY_ALGEBRA_INTERNAL_ROUNDED_POLYNOMIAL_H
 #define CGAL_GEOMETRIC_CONTINUITY_ALGEBRA_INTERNAL_ROUNDED_POLYNOMIAL_H
 
-#include <CGAL/Geometric_continuity/algebra/Homogeneous_polynomial.h>
 #include <CGAL/Geometric_continuity/algebra/internal/Bounded_polynomial.h>
+#include <CGAL/Geometric_continuity/algebra/internal/Homogeneous_polynomial.h>
 #include <CGAL/Geometric_continuity/numbers/internal/Fixed_integer.h>
 #include <CGAL/Geometric_continuity/numbers/internal/zero_bits.h>
 #include <CGAL/number_utils.h>

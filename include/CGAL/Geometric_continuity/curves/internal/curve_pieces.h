@@ -22,10 +22,6 @@ namespace Geometric_continuity {
 
 namespace internal {
 
-// Whether a curve has weights.
-template <class Curve, class = void> struct Is_rational : std::false_type {};
-template <class Curve> struct Is_rational<Curve, std::void_t<typename Curve::Homogeneous>> : std::true_type {};
-
 // Calls f for each of the Bezier curves that a curve is made of, in order.
 template <class Traits, int Degree, class Function>
 void for_each_bezier(const Bezier_curve<Traits, Degree>& curve, Function f) {

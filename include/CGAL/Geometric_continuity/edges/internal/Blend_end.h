@@ -13,7 +13,6 @@
 #include <CGAL/Geometric_continuity/splines/Bspline_function.h>
 #include <CGAL/Geometric_continuity/surfaces/Bezier_patch.h>
 #include <CGAL/Geometric_continuity/surfaces/Bspline_surface.h>
-#include <CGAL/Geometric_continuity/surfaces/Patch_edge.h>
 #include <CGAL/Geometric_continuity/surfaces/Rational_surface.h>
 
 #include <algorithm>
@@ -131,7 +130,7 @@ template <class A, class B> struct Blended_surfaces {
                 "both surfaces must have the same traits class");
   typedef typename A::Traits Traits;
   typedef typename Traits::FT FT;
-  static constexpr bool is_rational = Is_rational_surface<A>::value || Is_rational_surface<B>::value,
+  static constexpr bool is_rational = Is_rational<A>::value || Is_rational<B>::value,
                         is_patch = Is_patch<A>::value && Is_patch<B>::value;
   template <class T> using Shape_over = std::conditional_t<is_patch, Bezier_patch<T>, Bspline_surface<T>>;
 
@@ -167,7 +166,7 @@ template <class A, class B> struct Blended_surfaces {
 
 private:
   template <class S> static End end(const S& surface, Patch_edge edge, int direction) {
-    if constexpr (is_rational && !Is_rational_surface<S>::value)
+    if constexpr (is_rational && !Is_rational<S>::value)
       return {Rational_surface<S>(surface), edge, direction};
     else
       return {surface, edge, direction};

@@ -6,7 +6,6 @@
 #define CGAL_GEOMETRIC_CONTINUITY_EDGES_INTERNAL_COMMON_EDGE_PART_H
 
 #include <CGAL/Geometric_continuity/algebra/Bernstein_polynomial.h>
-#include <CGAL/Geometric_continuity/algebra/Power_polynomial.h>
 #include <CGAL/Geometric_continuity/edges/Edge_rows.h>
 #include <CGAL/Geometric_continuity/numbers/Work_limit.h>
 #include <CGAL/Geometric_continuity/numbers/internal/Common_denominator.h>

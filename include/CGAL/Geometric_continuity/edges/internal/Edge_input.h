@@ -256,7 +256,7 @@ inline bool reduce(Homogeneous_layers& a, Homogeneous_layers& b) {
 
 // The weight of a control point.
 template <class Field, class Surface> Field weight_of(const Surface& s, int i, int j) {
-  if constexpr (Is_rational_surface<Surface>::value)
+  if constexpr (Is_rational<Surface>::value)
     return to_field<Field>(s.weight(i, j));
   else
     return (void)s, (void)i, (void)j, Field(1);

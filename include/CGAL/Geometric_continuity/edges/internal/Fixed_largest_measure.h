@@ -5,8 +5,8 @@
 #ifndef CGAL_GEOMETRIC_CONTINUITY_EDGES_INTERNAL_FIXED_LARGEST_MEASURE_H
 #define CGAL_GEOMETRIC_CONTINUITY_EDGES_INTERNAL_FIXED_LARGEST_MEASURE_H
 
-#include <CGAL/Geometric_continuity/algebra/Homogeneous_polynomial.h>
 #include <CGAL/Geometric_continuity/algebra/internal/Bounded_polynomial.h>
+#include <CGAL/Geometric_continuity/algebra/internal/Homogeneous_polynomial.h>
 #include <CGAL/Geometric_continuity/algebra/internal/Rounded_polynomial.h>
 #include <CGAL/Geometric_continuity/edges/Spline_edge_continuity.h>
 #include <CGAL/Geometric_continuity/numbers/Work_limit.h>

@@ -98,7 +98,7 @@ private:
 
 // Whether coefficients prove that an angle is nowhere obtuse, whose cosine has the sign of -side.
 template <class Polynomial> bool is_acute(const Polynomial& side) {
-  const Sign_pattern signs = side.coefficient_signs();
+  const Sign_pattern signs = coefficient_signs(side);
   return signs == Sign_pattern::negative || signs == Sign_pattern::nonpositive || signs == Sign_pattern::zero;
 }
 
@@ -276,7 +276,7 @@ template <class Field, class Polynomial> std::pair<Field, Field> zero_interval(c
   const auto examine = [&](const Piece& piece) {
     if (piece.p[0] == Ring(0)) return is_in(piece.begin, piece.begin);
     if (piece.p[piece.p.degree()] == Ring(0)) return is_in(piece.end, piece.end);
-    const Sign_pattern signs = piece.p.coefficient_signs();
+    const Sign_pattern signs = coefficient_signs(piece.p);
     if (signs == Sign_pattern::positive || signs == Sign_pattern::negative) return After_part::drop;
     return piece.level == last_level ? is_in(piece.begin, piece.end) : After_part::divide;
   };

@@ -11,7 +11,7 @@
 #include <CGAL/Geometric_continuity/splines/Bspline_function.h>
 #include <CGAL/Geometric_continuity/splines/Knot_vector.h>
 #include <CGAL/Geometric_continuity/splines/bspline_knots.h>
-#include <CGAL/Geometric_continuity/surfaces/Patch_edge.h>
+#include <CGAL/Geometric_continuity/surfaces/Bezier_patch.h>
 #include <CGAL/Geometric_continuity/surfaces/internal/bspline_net.h>
 
 #include <algorithm>

@@ -8,7 +8,7 @@
 #include <CGAL/Geometric_continuity/Error.h>
 #include <CGAL/Geometric_continuity/local/coordinates.h>
 #include <CGAL/Geometric_continuity/models/internal/Edge_key.h>
-#include <CGAL/Geometric_continuity/surfaces/Patch_edge.h>
+#include <CGAL/Geometric_continuity/surfaces/Bezier_patch.h>
 
 #include <algorithm>
 #include <cstddef>

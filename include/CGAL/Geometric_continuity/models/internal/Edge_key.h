@@ -172,7 +172,7 @@ public:
     for (int i = 0; i < points; ++i)
       points_.push_back(
           Geometric_continuity::coordinates<Traits>(along_u ? s.control_point(i, side) : s.control_point(side, i)));
-    if constexpr (Is_rational_surface<Surface>::value)
+    if constexpr (Is_rational<Surface>::value)
       take_weights(points, [&](int i) -> const FT& { return along_u ? s.weight(i, side) : s.weight(side, i); });
     turn();
   }

@@ -16,7 +16,8 @@
 #include <utility>
 
 /// \file checked_numbers.h
-/// What is refused of the numbers that callers give: negative counts, infinities and empty intervals, and their conversion.
+/// What is refused of the numbers that callers give: negative counts, infinities and empty intervals, and their conversion
+/// and sign.
 
 namespace CGAL {
 namespace Geometric_continuity {
@@ -49,6 +50,9 @@ template <class FT> void check_interval(const std::pair<FT, FT>& interval, const
   if (!(interval.first < interval.second)) throw Error(Error_code::empty_domain, place);
   check_finite(FT(interval.second - interval.first), place);
 }
+
+// The sign of a number. By comparisons only, which is all that the concept asks of a field.
+template <class FT> int sign_of(const FT& x) { return FT(0) < x ? 1 : x < FT(0) ? -1 : 0; }
 
 template <class Field, class FT> Field to_field(const FT& x) {
   if constexpr (std::is_same_v<Field, FT>)

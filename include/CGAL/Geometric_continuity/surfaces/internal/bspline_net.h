@@ -8,7 +8,7 @@
 #include <CGAL/Geometric_continuity/local/Surface_jet.h>
 #include <CGAL/Geometric_continuity/numbers/internal/checked_numbers.h>
 #include <CGAL/Geometric_continuity/splines/Bspline_function.h>
-#include <CGAL/Geometric_continuity/surfaces/Patch_edge.h>
+#include <CGAL/Geometric_continuity/surfaces/Bezier_patch.h>
 #include <CGAL/Geometric_continuity/surfaces/internal/Control_net.h>
 #include <CGAL/Geometric_continuity/surfaces/internal/tensor_product_jet.h>
 

@@ -5,7 +5,7 @@
 #ifndef CGAL_GEOMETRIC_CONTINUITY_SURFACES_INTERNAL_ZEROS_ON_SQUARE_H
 #define CGAL_GEOMETRIC_CONTINUITY_SURFACES_INTERNAL_ZEROS_ON_SQUARE_H
 
-#include <CGAL/Geometric_continuity/algebra/Power_polynomial.h>
+#include <CGAL/Geometric_continuity/algebra/Bernstein_polynomial.h>
 #include <CGAL/Geometric_continuity/algebra/sign_pattern.h>
 #include <CGAL/Geometric_continuity/numbers/Work_limit.h>
 

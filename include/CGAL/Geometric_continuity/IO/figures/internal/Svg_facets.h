@@ -12,7 +12,6 @@
 #include <CGAL/Geometric_continuity/IO/figures/internal/svg_markup.h>
 #include <CGAL/Geometric_continuity/Traits_3.h>
 #include <CGAL/Geometric_continuity/surfaces/Bezier_patch.h>
-#include <CGAL/Geometric_continuity/surfaces/Patch_edge.h>
 #include <CGAL/Simple_cartesian.h>
 
 #include <algorithm>

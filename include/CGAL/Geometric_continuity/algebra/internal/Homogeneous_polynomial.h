@@ -2,12 +2,11 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-#ifndef CGAL_GEOMETRIC_CONTINUITY_ALGEBRA_HOMOGENEOUS_POLYNOMIAL_H
-#define CGAL_GEOMETRIC_CONTINUITY_ALGEBRA_HOMOGENEOUS_POLYNOMIAL_H
+#ifndef CGAL_GEOMETRIC_CONTINUITY_ALGEBRA_INTERNAL_HOMOGENEOUS_POLYNOMIAL_H
+#define CGAL_GEOMETRIC_CONTINUITY_ALGEBRA_INTERNAL_HOMOGENEOUS_POLYNOMIAL_H
 
 #include <CGAL/Geometric_continuity/Error.h>
 #include <CGAL/Geometric_continuity/algebra/Bernstein_polynomial.h>
-#include <CGAL/Geometric_continuity/algebra/Sign_set.h>
 
 #include <algorithm>
 #include <array>
@@ -20,29 +19,29 @@
 
 namespace CGAL {
 namespace Geometric_continuity {
+namespace internal {
 
-/// \ingroup PkgGeometricContinuityAlgebra
-/// A polynomial \f$ \sum_{k=0}^n c_k\, t^k (1-t)^{n-k} \f$ on [0, 1]. The coefficients are those of the Bernstein form
-/// times \f$ \binom{n}{k} \f$; they have the same signs. In return a product is a convolution, and sums, products,
-/// derivatives, elevation and bisection need no division: all operations but `bernstein()` are
-/// those of a ring, e.g. of integers.
-///
-/// \tparam NT a ring number type, constructible from `int`
+// A polynomial sum_k c_k t^k (1-t)^(n-k) on [0, 1]. The coefficients are those of the Bernstein form
+// times C(n, k); they have the same signs. In return a product is a convolution, and sums, products,
+// derivatives, elevation and bisection need no division: all operations but bernstein() are
+// those of a ring, e.g. of integers.
+//
+// \tparam NT a ring number type, constructible from int
 template <class NT_> class Homogeneous_polynomial {
 public:
-  typedef NT_ NT; ///< the number type
+  typedef NT_ NT; // the number type
 
-  /// Constructs zero.
+  // Constructs zero.
   Homogeneous_polynomial() : c_(1, NT(0)) {}
 
-  /// Constructs a polynomial from `n + 1 >= 1` coefficients \f$ c_k \f$. \throws Error `wrong_number_of_points` without
-  /// coefficients
+  // Constructs a polynomial from n + 1 >= 1 coefficients c_k. \throws Error wrong_number_of_points without
+  // coefficients
   explicit Homogeneous_polynomial(std::vector<NT> coefficients) : c_(std::move(coefficients)) {
     if (c_.empty()) throw Error(Error_code::wrong_number_of_points, "homogeneous polynomial without coefficients");
   }
 
-  /// Returns the polynomial with `n + 1 >= 1` Bernstein coefficients.
-  /// \throws Error `wrong_number_of_points` without coefficients
+  // Returns the polynomial with n + 1 >= 1 Bernstein coefficients.
+  // \throws Error wrong_number_of_points without coefficients
   static Homogeneous_polynomial from_bernstein(std::vector<NT> b) {
     if (b.empty()) throw Error(Error_code::wrong_number_of_points, "homogeneous polynomial without coefficients");
     const std::vector<NT> binomials = binomial_coefficients<NT>(static_cast<int>(b.size()) - 1);
@@ -50,17 +49,17 @@ public:
     return Homogeneous_polynomial(std::move(b));
   }
 
-  /// Returns the degree `n`.
+  // Returns the degree n.
   int degree() const { return static_cast<int>(c_.size()) - 1; }
-  /// Returns \f$ c_k \f$, `0 <= k <= n`.
+  // Returns c_k, 0 <= k <= n.
   const NT& operator[](int k) const { return c_[k]; }
 
-  /// Decides whether all coefficients are zero.
+  // Decides whether all coefficients are zero.
   bool is_zero() const {
     return std::all_of(c_.begin(), c_.end(), [](const NT& x) { return bool(x == NT(0)); });
   }
 
-  /// Returns the derivative with respect to `t`, of degree `n - 1` (0 for a constant).
+  // Returns the derivative with respect to t, of degree n - 1 (0 for a constant).
   Homogeneous_polynomial derivative() const {
     const int n = degree();
     if (n == 0) return Homogeneous_polynomial();
@@ -69,14 +68,14 @@ public:
     return Homogeneous_polynomial(std::move(d));
   }
 
-  /// Returns the same function with the degree raised to `n >= degree()`.
-  /// \throws Error `negative_count` when `n` is less than the degree
+  // Returns the same function with the degree raised to n >= degree().
+  // \throws Error negative_count when n is less than the degree
   Homogeneous_polynomial elevated_to(int n) const {
     if (n == degree()) return *this;
     return *this * Homogeneous_polynomial(binomial_coefficients<NT>(n - degree()));
   }
 
-  /// Returns the product, of degree `n + m`. \f$ O(n m) \f$
+  // Returns the product, of degree n + m. O(n m)
   friend Homogeneous_polynomial operator*(const Homogeneous_polynomial& p, const Homogeneous_polynomial& q) {
     std::vector<NT> c(p.degree() + q.degree() + 1, NT(0));
     NT product(0); // its memory is used again and again
@@ -88,52 +87,52 @@ public:
     return Homogeneous_polynomial(std::move(c));
   }
 
-  /// Returns the sum, in the larger of the two degrees.
+  // Returns the sum, in the larger of the two degrees.
   friend Homogeneous_polynomial operator+(Homogeneous_polynomial p, const Homogeneous_polynomial& q) {
     p.combine(q, [](NT& x, const NT& y) { x += y; });
     return p;
   }
-  /// Returns the difference, in the larger of the two degrees.
+  // Returns the difference, in the larger of the two degrees.
   friend Homogeneous_polynomial operator-(Homogeneous_polynomial p, const Homogeneous_polynomial& q) {
     p.combine(q, [](NT& x, const NT& y) { x -= y; });
     return p;
   }
 
-  /// Decides whether both are the same function, whatever the degrees.
+  // Decides whether both are the same function, whatever the degrees.
   friend bool operator==(const Homogeneous_polynomial& p, const Homogeneous_polynomial& q) {
     if (p.degree() == q.degree()) return p.c_ == q.c_;
     const int n = (std::max)(p.degree(), q.degree());
     return p.elevated_to(n).c_ == q.elevated_to(n).c_;
   }
-  /// Decides whether they are different functions.
+  // Decides whether they are different functions.
   friend bool operator!=(const Homogeneous_polynomial& p, const Homogeneous_polynomial& q) { return !(p == q); }
 
-  /// Returns the function \f$ t \mapsto p(1 - t) \f$.
+  // Returns the function t -> p(1 - t).
   Homogeneous_polynomial reversed() const { return Homogeneous_polynomial(std::vector<NT>(c_.rbegin(), c_.rend())); }
 
-  /// Returns the parts on [0, 1/2] and [1/2, 1], each reparametrised to [0, 1] and multiplied by \f$ 2^n \f$.
-  /// \f$ O(n^2) \f$
+  // Returns the parts on [0, 1/2] and [1/2, 1], each reparametrised to [0, 1] and multiplied by 2^n.
+  // O(n^2)
   std::pair<Homogeneous_polynomial, Homogeneous_polynomial> halves() const {
     return {reversed().second_half().reversed(), second_half()};
   }
 
-  /// Returns the number of factors `t` that can be split off, `degree() + 1` for zero.
+  // Returns the number of factors t that can be split off, degree() + 1 for zero.
   int order_at_0() const {
     int k = 0;
     while (k <= degree() && c_[k] == NT(0)) ++k;
     return k;
   }
-  /// Returns the number of factors `1 - t` that can be split off, `degree() + 1` for zero.
+  // Returns the number of factors 1 - t that can be split off, degree() + 1 for zero.
   int order_at_1() const {
     int l = 0;
     while (l <= degree() && c_[degree() - l] == NT(0)) ++l;
     return l;
   }
 
-  /// Returns the quotient by \f$ t^k (1-t)^l \f$, `0 <= k <= order_at_0()`, `0 <= l <= order_at_1()`,
-  /// `k + l <= degree()`.
-  /// \throws Error `negative_count` when `k` or `l` is negative, `wrong_number_of_points` when there are not as many
-  ///   factors
+  // Returns the quotient by t^k (1-t)^l, 0 <= k <= order_at_0(), 0 <= l <= order_at_1(),
+  // k + l <= degree().
+  // \throws Error negative_count when k or l is negative, wrong_number_of_points when there are not as many
+  //   factors
   Homogeneous_polynomial without_end_factors(int k, int l) const {
     if (k < 0 || l < 0) throw Error(Error_code::negative_count, "without_end_factors");
     const auto is_zero = [](const NT& x) { return bool(x == NT(0)); };
@@ -143,14 +142,7 @@ public:
     return Homogeneous_polynomial(std::vector<NT>(c_.begin() + k, c_.end() - l));
   }
 
-  /// Returns the signs of the coefficients. Coefficients of one strict sign prove this sign on the closed interval.
-  Sign_pattern coefficient_signs() const {
-    Sign_set signs;
-    for (const NT& x : c_) signs.add(internal::sign_of<NT>(x));
-    return signs.pattern();
-  }
-
-  /// Returns the Bernstein form over a field `FT` to which `NT` can be converted.
+  // Returns the Bernstein form over a field FT to which NT can be converted.
   template <class FT> Bernstein_polynomial<FT> bernstein() const {
     const std::vector<FT> binomials = binomial_coefficients<FT>(degree());
     std::vector<FT> b;
@@ -183,19 +175,16 @@ private:
   }
 };
 
-/// \ingroup PkgGeometricContinuityAlgebra
-/// A space curve with polynomial coordinates, such as a derivative of a surface along an edge.
+// A space curve with polynomial coordinates, such as a derivative of a surface along an edge.
 template <class NT> using Homogeneous_vector = std::array<Homogeneous_polynomial<NT>, 3>;
 
-/// \ingroup PkgGeometricContinuityAlgebra
-/// Returns the cross product, a curve whose degree is the sum of both degrees.
+// Returns the cross product, a curve whose degree is the sum of both degrees.
 template <class NT>
 Homogeneous_vector<NT> cross_product(const Homogeneous_vector<NT>& v, const Homogeneous_vector<NT>& w) {
   return {v[1] * w[2] - v[2] * w[1], v[2] * w[0] - v[0] * w[2], v[0] * w[1] - v[1] * w[0]};
 }
 
-/// \ingroup PkgGeometricContinuityAlgebra
-/// Returns the scalar product, a polynomial whose degree is the sum of both degrees.
+// Returns the scalar product, a polynomial whose degree is the sum of both degrees.
 template <class NT, std::size_t n>
 Homogeneous_polynomial<NT> scalar_product(const std::array<Homogeneous_polynomial<NT>, n>& v,
                                           const std::array<Homogeneous_polynomial<NT>, n>& w) {
@@ -204,7 +193,8 @@ Homogeneous_polynomial<NT> scalar_product(const std::array<Homogeneous_polynomia
   return sum;
 }
 
+} // namespace internal
 } // namespace Geometric_continuity
 } // namespace CGAL
 
-#endif // CGAL_GEOMETRIC_CONTINUITY_ALGEBRA_HOMOGENEOUS_POLYNOMIAL_H
+#endif // CGAL_GEOMETRIC_CONTINUITY_ALGEBRA_INTERNAL_HOMOGENEOUS_POLYNOMIAL_H
