@@ -9,7 +9,7 @@
 #include "by_hand.h"
 #include "measure.h"
 
-#include <CGAL/Geometric_continuity/Traits_3.h>
+#include <CGAL/Geometric_continuity/Traits.h>
 #include <CGAL/Geometric_continuity/blends/Fair.h>
 #include <CGAL/Geometric_continuity/blends/blend.h>
 #include <CGAL/Simple_cartesian.h>

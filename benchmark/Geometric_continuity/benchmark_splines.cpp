@@ -8,7 +8,7 @@
 
 #include "Ratio_table.h"
 
-#include <CGAL/Geometric_continuity/Traits_3.h>
+#include <CGAL/Geometric_continuity/Traits.h>
 #include <CGAL/Geometric_continuity/curves/Bspline_curve.h>
 #include <CGAL/Simple_cartesian.h>
 

@@ -8,7 +8,7 @@
 #include "Ratio_table.h"
 #include "measure.h"
 
-#include <CGAL/Geometric_continuity/Traits_3.h>
+#include <CGAL/Geometric_continuity/Traits.h>
 #include <CGAL/Geometric_continuity/surfaces/evaluate_grid.h>
 #include <CGAL/Simple_cartesian.h>
 

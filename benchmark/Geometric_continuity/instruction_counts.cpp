@@ -6,7 +6,7 @@
 
 #include "by_hand.h"
 
-#include <CGAL/Geometric_continuity/Traits_3.h>
+#include <CGAL/Geometric_continuity/Traits.h>
 #include <CGAL/Geometric_continuity/blends/blend.h>
 #include <CGAL/Geometric_continuity/curves/evaluate_batch.h>
 #include <CGAL/Simple_cartesian.h>

@@ -7,7 +7,7 @@
 
 #include <CGAL/AABB_tree.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Geometric_continuity/Traits_3.h>
+#include <CGAL/Geometric_continuity/Traits.h>
 #include <CGAL/Geometric_continuity/curves/polyline.h>
 #include <CGAL/version.h>
 #if CGAL_VERSION_MAJOR >= 6

@@ -6,7 +6,7 @@
 // whose boxes meet, and signs of polynomials decide those exactly. (Box_intersection_d is under the GPL.)
 
 #include <CGAL/Exact_rational.h>
-#include <CGAL/Geometric_continuity/Traits_2.h>
+#include <CGAL/Geometric_continuity/Traits.h>
 #include <CGAL/Geometric_continuity/algebra/sign_pattern.h>
 #include <CGAL/Geometric_continuity/curves/polyline.h>
 #include <CGAL/Simple_cartesian.h>

@@ -7,7 +7,7 @@
 
 #include <CGAL/Constrained_Delaunay_triangulation_2.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Geometric_continuity/Traits_2.h>
+#include <CGAL/Geometric_continuity/Traits.h>
 #include <CGAL/Geometric_continuity/curves/polyline.h>
 #include <CGAL/Triangulation_face_base_with_info_2.h>
 

@@ -7,7 +7,7 @@
 // under the GPL.)
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Geometric_continuity/Traits_2.h>
+#include <CGAL/Geometric_continuity/Traits.h>
 #include <CGAL/Geometric_continuity/curves/polyline.h>
 #include <CGAL/Polygon_2.h>
 #include <CGAL/Polyline_simplification_2/Squared_distance_cost.h>

@@ -6,7 +6,7 @@
 // checks for self-intersections and remeshes. (Surface_mesh and most of Polygon_mesh_processing are under the GPL.)
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Geometric_continuity/Traits_3.h>
+#include <CGAL/Geometric_continuity/Traits.h>
 #include <CGAL/Geometric_continuity/edges/connect_g1.h>
 #include <CGAL/Geometric_continuity/models/face_graph.h>
 #include <CGAL/Geometric_continuity/models/tessellate.h>

@@ -9,9 +9,7 @@
 /// Everything but input and output, edges of CAD models (edges/cad_edge_continuity.h, ...) and what needs Boost.Odeint (curves/curve_from_curvatures.h).
 
 #include <CGAL/Geometric_continuity/Error.h>
-#include <CGAL/Geometric_continuity/Traits_2.h>
-#include <CGAL/Geometric_continuity/Traits_3.h>
-#include <CGAL/Geometric_continuity/Traits_d.h>
+#include <CGAL/Geometric_continuity/Traits.h>
 
 #include <CGAL/Geometric_continuity/numbers/Enclosure.h>
 #include <CGAL/Geometric_continuity/numbers/Exact_field.h>
@@ -21,15 +19,12 @@
 #include <CGAL/Geometric_continuity/algebra/Bernstein_polynomial.h>
 #include <CGAL/Geometric_continuity/algebra/Coordinate_vector.h>
 #include <CGAL/Geometric_continuity/algebra/determinant.h>
-#include <CGAL/Geometric_continuity/algebra/internal/Homogeneous_polynomial.h>
 #include <CGAL/Geometric_continuity/algebra/sign_pattern.h>
 
 #include <CGAL/Geometric_continuity/local/Curve_jet.h>
 #include <CGAL/Geometric_continuity/local/Surface_jet.h>
 #include <CGAL/Geometric_continuity/local/congruence.h>
-#include <CGAL/Geometric_continuity/local/coordinates.h>
 #include <CGAL/Geometric_continuity/local/curvatures.h>
-#include <CGAL/Geometric_continuity/local/homogeneous_jets.h>
 
 #include <CGAL/Geometric_continuity/splines/Bspline_function.h>
 #include <CGAL/Geometric_continuity/splines/Knot_vector.h>

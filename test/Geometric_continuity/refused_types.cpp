@@ -5,7 +5,7 @@
 // Types that are refused by one message of the compiler. Each macro is a program that must not compile; a test builds it.
 
 #include <CGAL/Exact_rational.h>
-#include <CGAL/Geometric_continuity/Traits_3.h>
+#include <CGAL/Geometric_continuity/Traits.h>
 #include <CGAL/Geometric_continuity/curves/Bezier_curve.h>
 #include <CGAL/Geometric_continuity/local/curvatures.h>
 #include <CGAL/Simple_cartesian.h>

@@ -8,7 +8,7 @@
 
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Geometric_continuity/IO/g2.h>
-#include <CGAL/Geometric_continuity/Traits_3.h>
+#include <CGAL/Geometric_continuity/Traits.h>
 #include <CGAL/Geometric_continuity/curves/Rational_curve.h>
 #include <CGAL/Geometric_continuity/joins/join_continuity.h>
 #include <CGAL/Simple_cartesian.h>

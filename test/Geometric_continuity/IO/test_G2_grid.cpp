@@ -14,7 +14,7 @@
 #include <CGAL/Geometric_continuity/IO/G2_text_reader.h>
 #include <CGAL/Geometric_continuity/IO/g2.h>
 #include <CGAL/Geometric_continuity/IO/number.h>
-#include <CGAL/Geometric_continuity/Traits_3.h>
+#include <CGAL/Geometric_continuity/Traits.h>
 #include <CGAL/Geometric_continuity/models/model_continuity.h>
 #include <CGAL/Simple_cartesian.h>
 

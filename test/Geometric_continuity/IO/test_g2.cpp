@@ -15,9 +15,7 @@
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Geometric_continuity/IO/g2.h>
 #include <CGAL/Geometric_continuity/IO/number.h>
-#include <CGAL/Geometric_continuity/Traits_2.h>
-#include <CGAL/Geometric_continuity/Traits_3.h>
-#include <CGAL/Geometric_continuity/Traits_d.h>
+#include <CGAL/Geometric_continuity/Traits.h>
 #include <CGAL/MP_Float.h>
 #include <CGAL/Quotient.h>
 #include <CGAL/Simple_cartesian.h>

@@ -13,9 +13,7 @@
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Geometric_continuity/IO/G2_text_reader.h>
 #include <CGAL/Geometric_continuity/IO/g2.h>
-#include <CGAL/Geometric_continuity/Traits_2.h>
-#include <CGAL/Geometric_continuity/Traits_3.h>
-#include <CGAL/Geometric_continuity/Traits_d.h>
+#include <CGAL/Geometric_continuity/Traits.h>
 #include <CGAL/Geometric_continuity/curves/arcs.h>
 #include <CGAL/Geometric_continuity/surfaces/elementary_surfaces.h>
 #include <CGAL/Simple_cartesian.h>

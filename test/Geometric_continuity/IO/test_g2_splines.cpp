@@ -9,7 +9,7 @@
 #include "support/splines.h"
 
 #include <CGAL/Geometric_continuity/IO/g2.h>
-#include <CGAL/Geometric_continuity/Traits_2.h>
+#include <CGAL/Geometric_continuity/Traits.h>
 
 #include <cstddef>
 #include <sstream>

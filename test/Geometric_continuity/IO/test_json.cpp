@@ -6,7 +6,7 @@
 
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Geometric_continuity/IO/json.h>
-#include <CGAL/Geometric_continuity/Traits_2.h>
+#include <CGAL/Geometric_continuity/Traits.h>
 #include <CGAL/Geometric_continuity/curves/Bezier_curve.h>
 #include <CGAL/Simple_cartesian.h>
 

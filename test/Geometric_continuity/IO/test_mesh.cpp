@@ -5,8 +5,7 @@
 #include <boost/test/unit_test.hpp>
 
 #include <CGAL/Geometric_continuity/IO/mesh.h>
-#include <CGAL/Geometric_continuity/Traits_2.h>
-#include <CGAL/Geometric_continuity/Traits_3.h>
+#include <CGAL/Geometric_continuity/Traits.h>
 #include <CGAL/Simple_cartesian.h>
 
 #include <cmath>

@@ -14,9 +14,7 @@
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Geometric_continuity/IO/g2.h>
-#include <CGAL/Geometric_continuity/Traits_2.h>
-#include <CGAL/Geometric_continuity/Traits_3.h>
-#include <CGAL/Geometric_continuity/Traits_d.h>
+#include <CGAL/Geometric_continuity/Traits.h>
 #include <CGAL/Geometric_continuity/blends/Fair.h>
 #include <CGAL/Geometric_continuity/blends/blend.h>
 #include <CGAL/Geometric_continuity/joins/join_continuity.h>

@@ -10,9 +10,7 @@
 
 #include "support/jets.h"
 
-#include <CGAL/Geometric_continuity/Traits_2.h>
-#include <CGAL/Geometric_continuity/Traits_3.h>
-#include <CGAL/Geometric_continuity/Traits_d.h>
+#include <CGAL/Geometric_continuity/Traits.h>
 #include <CGAL/Geometric_continuity/curves/curve_from_curvatures.h>
 #include <CGAL/Geometric_continuity/local/congruence.h>
 #include <boost/multiprecision/cpp_bin_float.hpp>

@@ -9,7 +9,7 @@
 #include "support/random_points.h"
 
 #include <CGAL/Cartesian_d.h>
-#include <CGAL/Geometric_continuity/Traits_d.h>
+#include <CGAL/Geometric_continuity/Traits.h>
 #include <CGAL/Geometric_continuity/curves/Bezier_curve.h>
 #include <CGAL/Geometric_continuity/curves/Rational_curve.h>
 #include <CGAL/Geometric_continuity/curves/evaluate_batch.h>

@@ -12,9 +12,7 @@
 
 #include <CGAL/Cartesian_d.h>
 #include <CGAL/Exact_rational.h>
-#include <CGAL/Geometric_continuity/Traits_2.h>
-#include <CGAL/Geometric_continuity/Traits_3.h>
-#include <CGAL/Geometric_continuity/Traits_d.h>
+#include <CGAL/Geometric_continuity/Traits.h>
 #include <CGAL/Geometric_continuity/curves/polyline.h>
 #include <CGAL/Simple_cartesian.h>
 

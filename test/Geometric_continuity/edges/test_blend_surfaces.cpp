@@ -10,7 +10,7 @@
 #include "support/rational_surfaces.h"
 
 #include <CGAL/Cartesian_d.h>
-#include <CGAL/Geometric_continuity/Traits_d.h>
+#include <CGAL/Geometric_continuity/Traits.h>
 #include <CGAL/Geometric_continuity/blends/Fair.h>
 #include <CGAL/Geometric_continuity/blends/blend.h>
 #include <CGAL/Geometric_continuity/edges/blend_surfaces.h>

@@ -11,7 +11,7 @@
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Exact_rational.h>
-#include <CGAL/Geometric_continuity/Traits_3.h>
+#include <CGAL/Geometric_continuity/Traits.h>
 #include <CGAL/Geometric_continuity/edges/edge_deviation.h>
 #include <CGAL/Geometric_continuity/edges/knot_line_continuity.h>
 

@@ -8,7 +8,7 @@
 
 #include "support/spline_surfaces.h"
 
-#include <CGAL/Geometric_continuity/Traits_d.h>
+#include <CGAL/Geometric_continuity/Traits.h>
 #include <CGAL/Geometric_continuity/edges/edge_continuity.h>
 #include <CGAL/Geometric_continuity/edges/knot_line_continuity.h>
 #include <CGAL/Geometric_continuity/models/model_continuity.h>

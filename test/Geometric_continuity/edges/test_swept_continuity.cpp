@@ -8,8 +8,7 @@
 
 #include "support/swept_surfaces.h"
 
-#include <CGAL/Geometric_continuity/Traits_2.h>
-#include <CGAL/Geometric_continuity/Traits_3.h>
+#include <CGAL/Geometric_continuity/Traits.h>
 #include <CGAL/Geometric_continuity/edges/swept_continuity.h>
 #include <CGAL/Geometric_continuity/models/model_continuity.h>
 

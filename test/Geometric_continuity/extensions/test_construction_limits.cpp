@@ -11,7 +11,7 @@
 #include "support/limited.h"
 
 #include <CGAL/Exact_rational.h>
-#include <CGAL/Geometric_continuity/Traits_3.h>
+#include <CGAL/Geometric_continuity/Traits.h>
 #include <CGAL/Geometric_continuity/algebra/sign_pattern.h>
 #include <CGAL/Geometric_continuity/blends/blend.h>
 #include <CGAL/Geometric_continuity/blends/blend_strategies.h>

@@ -8,7 +8,7 @@
 
 #include "support/composite_curves.h"
 
-#include <CGAL/Geometric_continuity/Traits_3.h>
+#include <CGAL/Geometric_continuity/Traits.h>
 #include <CGAL/Geometric_continuity/extensions/extend.h>
 #include <CGAL/Geometric_continuity/joins/chain_continuity.h>
 

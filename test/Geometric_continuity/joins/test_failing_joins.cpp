@@ -5,7 +5,7 @@
 // Many joins at once: the same answers as one by one, on one core and on several.
 
 #include <CGAL/Exact_rational.h>
-#include <CGAL/Geometric_continuity/Traits_2.h>
+#include <CGAL/Geometric_continuity/Traits.h>
 #include <CGAL/Geometric_continuity/curves/Bezier_curve.h>
 #include <CGAL/Geometric_continuity/joins/join_predicates.h>
 #include <CGAL/Geometric_continuity/numbers/Work_limit.h>

@@ -8,7 +8,7 @@
 
 #include "support/splines.h"
 
-#include <CGAL/Geometric_continuity/Traits_2.h>
+#include <CGAL/Geometric_continuity/Traits.h>
 #include <CGAL/Geometric_continuity/blends/blend.h>
 #include <CGAL/Geometric_continuity/blends/blend_strategies.h>
 #include <CGAL/Geometric_continuity/curves/Composite_bezier_curve.h>

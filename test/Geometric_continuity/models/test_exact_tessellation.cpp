@@ -10,7 +10,7 @@
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Exact_rational.h>
-#include <CGAL/Geometric_continuity/Traits_3.h>
+#include <CGAL/Geometric_continuity/Traits.h>
 #include <CGAL/Geometric_continuity/models/tessellate.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/boost_mp.h>

@@ -11,8 +11,7 @@
 #include "support/limited.h"
 
 #include <CGAL/Exact_rational.h>
-#include <CGAL/Geometric_continuity/Traits_2.h>
-#include <CGAL/Geometric_continuity/Traits_3.h>
+#include <CGAL/Geometric_continuity/Traits.h>
 #include <CGAL/Geometric_continuity/edges/edge_continuity.h>
 #include <CGAL/Geometric_continuity/joins/chain_continuity.h>
 #include <CGAL/Geometric_continuity/models/model_continuity.h>

@@ -6,7 +6,7 @@
 
 #include "support/errors.h"
 
-#include <CGAL/Geometric_continuity/Traits_2.h>
+#include <CGAL/Geometric_continuity/Traits.h>
 #include <CGAL/Geometric_continuity/curves/Bezier_curve.h>
 #include <CGAL/Geometric_continuity/joins/deviation.h>
 #include <CGAL/Geometric_continuity/joins/join_predicates.h>

@@ -11,8 +11,7 @@
 #include "support/random.h"
 
 #include <CGAL/Exact_rational.h>
-#include <CGAL/Geometric_continuity/Traits_2.h>
-#include <CGAL/Geometric_continuity/Traits_3.h>
+#include <CGAL/Geometric_continuity/Traits.h>
 #include <CGAL/Geometric_continuity/curves/Bspline_curve.h>
 #include <CGAL/Simple_cartesian.h>
 

@@ -8,7 +8,7 @@
 #include "peers.h"
 
 #include <CGAL/Exact_rational.h>
-#include <CGAL/Geometric_continuity/Traits_3.h>
+#include <CGAL/Geometric_continuity/Traits.h>
 #include <CGAL/Simple_cartesian.h>
 
 #include <boost/test/unit_test.hpp>

@@ -9,8 +9,7 @@
 #include "support/nets.h"
 
 #include <CGAL/Aff_transformation_3.h>
-#include <CGAL/Geometric_continuity/Traits_2.h>
-#include <CGAL/Geometric_continuity/Traits_d.h>
+#include <CGAL/Geometric_continuity/Traits.h>
 #include <CGAL/Geometric_continuity/models/model_continuity.h>
 #include <CGAL/Geometric_continuity/surfaces/Bezier_patch.h>
 #include <CGAL/Geometric_continuity/surfaces/boundary_curve.h>

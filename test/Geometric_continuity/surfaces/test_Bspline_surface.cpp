@@ -8,7 +8,7 @@
 
 #include "support/exact_splines.h"
 
-#include <CGAL/Geometric_continuity/Traits_d.h>
+#include <CGAL/Geometric_continuity/Traits.h>
 #include <CGAL/Geometric_continuity/surfaces/Bspline_surface.h>
 #include <CGAL/Geometric_continuity/surfaces/boundary_curve.h>
 

@@ -9,8 +9,7 @@
 #include "support/archetype.h"
 #include "support/swept_surfaces.h"
 
-#include <CGAL/Geometric_continuity/Traits_3.h>
-#include <CGAL/Geometric_continuity/Traits_d.h>
+#include <CGAL/Geometric_continuity/Traits.h>
 #include <CGAL/Geometric_continuity/edges/swept_continuity.h>
 #include <CGAL/Geometric_continuity/surfaces/swept_surfaces.h>
 

@@ -8,7 +8,7 @@
 #include "files/output.h"
 
 #include <CGAL/Exact_rational.h>
-#include <CGAL/Geometric_continuity/Traits_3.h>
+#include <CGAL/Geometric_continuity/Traits.h>
 #include <CGAL/Geometric_continuity/edges/connect_g1.h>
 #include <CGAL/Simple_cartesian.h>
 

@@ -8,7 +8,7 @@
 #include "formats/font/Glyph_outline.h"
 
 #include <CGAL/Exact_rational.h>
-#include <CGAL/Geometric_continuity/Traits_2.h>
+#include <CGAL/Geometric_continuity/Traits.h>
 #include <CGAL/Geometric_continuity/joins/Join_grade.h>
 #include <CGAL/Simple_cartesian.h>
 

@@ -9,7 +9,7 @@
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Geometric_continuity/IO/figures/svg_surfaces.h>
 #include <CGAL/Geometric_continuity/IO/number.h>
-#include <CGAL/Geometric_continuity/Traits_3.h>
+#include <CGAL/Geometric_continuity/Traits.h>
 #include <CGAL/Simple_cartesian.h>
 
 #include <cmath>

@@ -10,7 +10,7 @@
 #include "files/progress.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Geometric_continuity/Traits_3.h>
+#include <CGAL/Geometric_continuity/Traits.h>
 #include <CGAL/Geometric_continuity/models/model_continuity.h>
 #include <CGAL/Simple_cartesian.h>
 

@@ -15,7 +15,7 @@
 #include <CGAL/Cartesian_d.h>
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Geometric_continuity/IO/g2.h>
-#include <CGAL/Geometric_continuity/Traits_d.h>
+#include <CGAL/Geometric_continuity/Traits.h>
 
 #include <algorithm>
 #include <iterator>

@@ -8,7 +8,7 @@
 #include "formats/svg/Svg_scanner.h"
 #include "formats/svg/svg_size.h"
 #include <CGAL/Geometric_continuity/Error.h>
-#include <CGAL/Geometric_continuity/local/coordinates.h>
+#include <CGAL/Geometric_continuity/Traits.h>
 #include <CGAL/Geometric_continuity/numbers/Exact_field.h>
 
 #include <array>

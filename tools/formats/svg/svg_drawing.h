@@ -9,7 +9,7 @@
 #include "formats/svg/Svg_subpath.h"
 #include "formats/svg/Svg_transform.h"
 #include <CGAL/Exact_rational.h>
-#include <CGAL/Geometric_continuity/Traits_2.h>
+#include <CGAL/Geometric_continuity/Traits.h>
 #include <CGAL/Simple_cartesian.h>
 
 #include <istream>

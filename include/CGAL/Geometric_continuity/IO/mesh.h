@@ -9,7 +9,7 @@
 /// Triangles of surfaces as files that other programs read.
 
 #include <CGAL/Geometric_continuity/Error.h>
-#include <CGAL/Geometric_continuity/local/coordinates.h>
+#include <CGAL/Geometric_continuity/Traits.h>
 #include <CGAL/Geometric_continuity/models/Tessellation.h>
 #include <CGAL/Geometric_continuity/numbers/internal/checked_numbers.h>
 

@@ -5,10 +5,10 @@
 #ifndef CGAL_GEOMETRIC_CONTINUITY_BLENDS_BLEND_ENDS_H
 #define CGAL_GEOMETRIC_CONTINUITY_BLENDS_BLEND_ENDS_H
 
+#include <CGAL/Geometric_continuity/Traits.h>
 #include <CGAL/Geometric_continuity/algebra/Coordinate_vector.h>
 #include <CGAL/Geometric_continuity/internal/force_inline.h>
 #include <CGAL/Geometric_continuity/local/Curve_jet.h>
-#include <CGAL/Geometric_continuity/local/coordinates.h>
 #include <CGAL/Geometric_continuity/numbers/internal/checked_numbers.h>
 #include <CGAL/Geometric_continuity/numbers/internal/short_numbers.h>
 

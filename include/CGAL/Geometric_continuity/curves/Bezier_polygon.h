@@ -5,10 +5,10 @@
 #ifndef CGAL_GEOMETRIC_CONTINUITY_CURVES_BEZIER_POLYGON_H
 #define CGAL_GEOMETRIC_CONTINUITY_CURVES_BEZIER_POLYGON_H
 
+#include <CGAL/Geometric_continuity/Traits.h>
 #include <CGAL/Geometric_continuity/algebra/Bernstein_polynomial.h>
 #include <CGAL/Geometric_continuity/internal/for_each_index.h>
 #include <CGAL/Geometric_continuity/internal/force_inline.h>
-#include <CGAL/Geometric_continuity/local/coordinates.h>
 #include <CGAL/Geometric_continuity/local/internal/jet_of_legs.h>
 #include <CGAL/Geometric_continuity/numbers/internal/checked_numbers.h>
 

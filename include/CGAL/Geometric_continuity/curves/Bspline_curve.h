@@ -5,11 +5,11 @@
 #ifndef CGAL_GEOMETRIC_CONTINUITY_CURVES_BSPLINE_CURVE_H
 #define CGAL_GEOMETRIC_CONTINUITY_CURVES_BSPLINE_CURVE_H
 
+#include <CGAL/Geometric_continuity/Traits.h>
 #include <CGAL/Geometric_continuity/curves/Bezier_curve.h>
 #include <CGAL/Geometric_continuity/curves/internal/Joined_bezier_curves.h>
 #include <CGAL/Geometric_continuity/internal/force_inline.h>
 #include <CGAL/Geometric_continuity/local/Curve_jet.h>
-#include <CGAL/Geometric_continuity/local/coordinates.h>
 #include <CGAL/Geometric_continuity/numbers/Work_limit.h>
 #include <CGAL/Geometric_continuity/numbers/internal/checked_numbers.h>
 #include <CGAL/Geometric_continuity/splines/Bspline_function.h>

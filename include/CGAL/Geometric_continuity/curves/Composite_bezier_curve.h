@@ -5,9 +5,9 @@
 #ifndef CGAL_GEOMETRIC_CONTINUITY_CURVES_COMPOSITE_BEZIER_CURVE_H
 #define CGAL_GEOMETRIC_CONTINUITY_CURVES_COMPOSITE_BEZIER_CURVE_H
 
+#include <CGAL/Geometric_continuity/Traits.h>
 #include <CGAL/Geometric_continuity/curves/Bezier_curve.h>
 #include <CGAL/Geometric_continuity/curves/internal/Joined_bezier_curves.h>
-#include <CGAL/Geometric_continuity/local/coordinates.h>
 #include <CGAL/Geometric_continuity/numbers/internal/checked_numbers.h>
 #include <CGAL/Iterator_range.h>
 

@@ -10,7 +10,7 @@
 #include <CGAL/Geometric_continuity/curves/internal/denominator.h>
 #include <CGAL/Geometric_continuity/internal/force_inline.h>
 #include <CGAL/Geometric_continuity/internal/independent_iterations.h>
-#include <CGAL/Geometric_continuity/local/homogeneous_jets.h>
+#include <CGAL/Geometric_continuity/local/Curve_jet.h>
 
 #include <algorithm>
 #include <array>

@@ -6,12 +6,12 @@
 #define CGAL_GEOMETRIC_CONTINUITY_CURVES_BEZIER_PROPERTIES_H
 
 #include <CGAL/Geometric_continuity/Error.h>
+#include <CGAL/Geometric_continuity/Traits.h>
 #include <CGAL/Geometric_continuity/algebra/Coordinate_vector.h>
 #include <CGAL/Geometric_continuity/algebra/determinant.h>
 #include <CGAL/Geometric_continuity/algebra/sign_pattern.h>
 #include <CGAL/Geometric_continuity/curves/Bezier_curve.h>
 #include <CGAL/Geometric_continuity/curves/internal/decision_numbers.h>
-#include <CGAL/Geometric_continuity/local/homogeneous_jets.h>
 #include <CGAL/Geometric_continuity/local/internal/Scaled_vector.h>
 #include <CGAL/Geometric_continuity/numbers/Exact_field.h>
 #include <CGAL/Geometric_continuity/numbers/internal/checked_numbers.h>

@@ -120,7 +120,7 @@ private:
 namespace internal {
 
 // A rational Bezier curve prepared for its jets of order k: `Jet_polynomials` of the homogeneous points (p, w), and then the
-// quotient rule x_j = (p_j - sum_{l=1}^j C(j,l) w_l x_{j-l}) / w_0 of homogeneous_jets.h for several parameters at a time.
+// quotient rule x_j = (p_j - sum_{l=1}^j C(j,l) w_l x_{j-l}) / w_0 of Curve_jet.h for several parameters at a time.
 template <class FT, int N, int degree, int k> class Rational_jet_polynomials {
   Jet_polynomials<FT, N + 1, degree, k> homogeneous_;
 

@@ -11,7 +11,6 @@
 #include <CGAL/Geometric_continuity/blends/blend_ends.h>
 #include <CGAL/Geometric_continuity/edges/internal/Blend_end.h>
 #include <CGAL/Geometric_continuity/local/Curve_jet.h>
-#include <CGAL/Geometric_continuity/local/homogeneous_jets.h>
 #include <CGAL/Geometric_continuity/surfaces/Bezier_patch.h>
 
 #include <CGAL/number_utils.h>

@@ -6,12 +6,12 @@
 #define CGAL_GEOMETRIC_CONTINUITY_EDGES_BLEND_SURFACES_H
 
 #include <CGAL/Geometric_continuity/Error.h>
+#include <CGAL/Geometric_continuity/Traits.h>
 #include <CGAL/Geometric_continuity/algebra/Bernstein_polynomial.h>
 #include <CGAL/Geometric_continuity/algebra/sign_pattern.h>
 #include <CGAL/Geometric_continuity/blends/blend_strategies.h>
 #include <CGAL/Geometric_continuity/edges/Surface_blend_shape.h>
 #include <CGAL/Geometric_continuity/edges/internal/Blend_end.h>
-#include <CGAL/Geometric_continuity/local/homogeneous_jets.h>
 #include <CGAL/Geometric_continuity/numbers/Work_limit.h>
 #include <CGAL/Geometric_continuity/numbers/internal/common_words.h>
 #include <CGAL/Geometric_continuity/splines/Knot_vector.h>

@@ -6,10 +6,12 @@
 #define CGAL_GEOMETRIC_CONTINUITY_LOCAL_CURVE_JET_H
 
 #include <CGAL/Geometric_continuity/Error.h>
+#include <CGAL/Geometric_continuity/Traits.h>
 #include <CGAL/Geometric_continuity/algebra/Coordinate_vector.h>
 #include <CGAL/Geometric_continuity/internal/force_inline.h>
-#include <CGAL/Geometric_continuity/local/coordinates.h>
+#include <CGAL/Geometric_continuity/local/internal/divide_derivatives.h>
 #include <CGAL/Geometric_continuity/numbers/internal/checked_numbers.h>
+#include <CGAL/Geometric_continuity/numbers/internal/common_words.h>
 
 #include <algorithm>
 #include <array>
@@ -26,7 +28,8 @@
 /// The point and the first derivatives of a curve at one parameter, and those at the two ends of any curve, in any field: all
 /// that joins and blends read of a curve. A curve that offers `end_jet_over` and `start_jet_over` derives them in that field
 /// from its control points as they are, so that a predicate on curves with `double` coordinates is exact. Of any other model of
-/// `ParametricCurve`, the jet that it returns is converted.
+/// `ParametricCurve`, the jet that it returns is converted. And the jets of homogeneous points \f$ (p, w) = (w x, w) \f$: from their
+/// derivatives to those of \f$ x = p / w \f$, and back.
 
 namespace CGAL {
 namespace Geometric_continuity {
@@ -280,6 +283,59 @@ private:
     return r;
   }
 };
+
+/// \ingroup PkgGeometricContinuityLocal
+/// Returns the jet of the curve \f$ x = p / w \f$ from that of its homogeneous points \f$ (p, w) \f$:
+/// \f$ x_k = (p_k - \sum_{j=1}^k \binom{k}{j} w_j x_{k-j}) / w_0 \f$. \f$ O(n k^2) \f$
+/// \tparam M one more than the dimension of \f$ x \f$, or 0
+/// \throws Error `zero_weight` when \f$ w_0 = 0 \f$, `jet_order_too_low` for an empty jet
+template <class FT, int M> Coordinate_jet<FT, (M == 0 ? 0 : M - 1)> project(const Coordinate_jet<FT, M>& p) {
+  if (p.order() < 0) throw Error(Error_code::jet_order_too_low, "project");
+  const int n = p.dimension() - 1;
+  Coordinate_jet<FT, (M == 0 ? 0 : M - 1)> x(n, p.order(), internal::Unspecified());
+  internal::Work_meter* const work = internal::scope_of<FT>();
+  std::size_t words = 1; // of the denominators
+  if (work) {
+    for (int k = 0; k <= p.order(); ++k) words = (std::max)(words, internal::number_words(p[k][n]));
+    work->charge_fractions(n * (p.order() + 1.), words); // the first of each of the sums
+  }
+  if (internal::project_short<FT>(p, n, p.order(), x)) return x;
+  internal::require_denominator(p[0][n], "the denominator of a rational curve");
+  const FT inverse = FT(FT(1) / p[0][n]);
+  internal::for_each_binomial_row<FT>(p.order(), [&](int k, const auto& binomial) {
+    for (int i = 0; i < n; ++i) {
+      if (work && k > 0) work->charge_fractions(k / 2., internal::number_words(x[k - 1][i]), words);
+      FT sum = p[k][i];
+      for (int j = 1; j <= k; ++j) sum -= binomial[j] * p[j][n] * x[k - j][i];
+      x[k][i] = FT(sum * inverse);
+    }
+  });
+  return x;
+}
+
+/// \ingroup PkgGeometricContinuityLocal
+/// Returns the jet of the homogeneous points \f$ (p, w) \f$ of a curve from that of \f$ x = p / w \f$ and the derivatives
+/// \f$ w_0, w_1, \dots \f$ of the denominator, which may be chosen freely:
+/// \f$ p_k = \sum_{j=0}^k \binom{k}{j} w_j x_{k-j} \f$. Derivatives of the denominator that are not given are zero.
+/// \f$ O(n k^2) \f$
+/// \param x the jet
+/// \param weights a container of numbers
+/// \throws Error `zero_weight` when \f$ w_0 \f$ is zero or missing, `jet_order_too_low` for an empty jet
+template <class FT, int N, class Weights>
+Coordinate_jet<FT, (N == 0 ? 0 : N + 1)> lift(const Coordinate_jet<FT, N>& x, const Weights& weights) {
+  if (x.order() < 0) throw Error(Error_code::jet_order_too_low, "lift");
+  const int n = x.dimension();
+  Coordinate_jet<FT, (N == 0 ? 0 : N + 1)> p(n + 1, x.order());
+  int given = 0;
+  for (const FT& w : weights)
+    if (given <= x.order()) p[given++][n] = w;
+  internal::require_denominator(p[0][n], "the denominator of a rational curve");
+  internal::for_each_binomial_row<FT>(x.order(), [&](int k, const auto& binomial) {
+    for (int j = 0; j <= k; ++j)
+      for (int i = 0; i < n; ++i) p[k][i] += binomial[j] * p[j][n] * x[k - j][i];
+  });
+  return p;
+}
 
 /// \ingroup PkgGeometricContinuityLocal
 /// Many jets of order `k` in dimension `N` as a structure of arrays: for each derivative and each coordinate one array with

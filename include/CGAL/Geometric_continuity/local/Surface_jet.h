@@ -5,9 +5,9 @@
 #ifndef CGAL_GEOMETRIC_CONTINUITY_LOCAL_SURFACE_JET_H
 #define CGAL_GEOMETRIC_CONTINUITY_LOCAL_SURFACE_JET_H
 
+#include <CGAL/Geometric_continuity/Traits.h>
 #include <CGAL/Geometric_continuity/algebra/internal/Coordinate_row.h>
-#include <CGAL/Geometric_continuity/local/coordinates.h>
-#include <CGAL/Geometric_continuity/local/homogeneous_jets.h>
+#include <CGAL/Geometric_continuity/local/Curve_jet.h>
 #include <CGAL/Geometric_continuity/local/internal/Scaled_vector.h>
 #include <CGAL/Geometric_continuity/numbers/internal/checked_numbers.h>
 #include <CGAL/Geometric_continuity/numbers/internal/square_root.h>

@@ -11,8 +11,7 @@
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Geometric_continuity/IO/figures/Svg_figure.h>
 #include <CGAL/Geometric_continuity/IO/figures/svg_surfaces.h>
-#include <CGAL/Geometric_continuity/Traits_2.h>
-#include <CGAL/Geometric_continuity/Traits_3.h>
+#include <CGAL/Geometric_continuity/Traits.h>
 #include <CGAL/Geometric_continuity/curves/Bezier_curve.h>
 #include <CGAL/Simple_cartesian.h>
 

@@ -6,8 +6,7 @@
 
 #include <boost/test/unit_test.hpp>
 
-#include <CGAL/Geometric_continuity/Traits_2.h>
-#include <CGAL/Geometric_continuity/Traits_3.h>
+#include <CGAL/Geometric_continuity/Traits.h>
 #include <CGAL/Geometric_continuity/blends/internal/Fairness_quadrature.h>
 #include <CGAL/Geometric_continuity/curves/fairness.h>
 #include <CGAL/Simple_cartesian.h>

@@ -9,7 +9,7 @@
 #include "support/errors.h"
 
 #include <CGAL/Exact_rational.h>
-#include <CGAL/Geometric_continuity/Traits_3.h>
+#include <CGAL/Geometric_continuity/Traits.h>
 #include <CGAL/Geometric_continuity/surfaces/Rational_surface.h>
 #include <CGAL/Geometric_continuity/surfaces/internal/zeros_on_square.h>
 #include <CGAL/Simple_cartesian.h>

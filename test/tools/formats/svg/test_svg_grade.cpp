@@ -10,7 +10,7 @@
 
 #include "formats/svg/read_svg_path.h"
 #include <CGAL/Exact_rational.h>
-#include <CGAL/Geometric_continuity/Traits_2.h>
+#include <CGAL/Geometric_continuity/Traits.h>
 #include <CGAL/Geometric_continuity/joins/path_continuity.h>
 #include <CGAL/Simple_cartesian.h>
 

@@ -6,9 +6,9 @@
 #define CGAL_GEOMETRIC_CONTINUITY_IO_FIGURES_SVG_PANEL_H
 
 #include <CGAL/Geometric_continuity/Error.h>
+#include <CGAL/Geometric_continuity/Traits.h>
 #include <CGAL/Geometric_continuity/curves/Bezier_curve.h>
 #include <CGAL/Geometric_continuity/curves/Rational_curve.h>
-#include <CGAL/Geometric_continuity/local/coordinates.h>
 #include <CGAL/number_utils.h>
 
 #include <cmath>

@@ -8,7 +8,7 @@
 #include <CGAL/Geometric_continuity/IO/internal/G2_plane.h>
 #include <CGAL/Geometric_continuity/IO/internal/Token_reader.h>
 #include <CGAL/Geometric_continuity/IO/number.h>
-#include <CGAL/Geometric_continuity/local/coordinates.h>
+#include <CGAL/Geometric_continuity/Traits.h>
 #include <CGAL/Geometric_continuity/numbers/Exact_field.h>
 
 #include <charconv>

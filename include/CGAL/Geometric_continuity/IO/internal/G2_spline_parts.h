@@ -6,8 +6,8 @@
 #define CGAL_GEOMETRIC_CONTINUITY_IO_INTERNAL_G2_SPLINE_PARTS_H
 
 #include <CGAL/Geometric_continuity/IO/internal/G2_parser.h>
+#include <CGAL/Geometric_continuity/Traits.h>
 #include <CGAL/Geometric_continuity/curves/Rational_curve.h>
-#include <CGAL/Geometric_continuity/local/homogeneous_jets.h>
 
 #include <cstddef>
 #include <istream>

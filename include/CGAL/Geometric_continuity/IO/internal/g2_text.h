@@ -6,7 +6,7 @@
 #define CGAL_GEOMETRIC_CONTINUITY_IO_INTERNAL_G2_TEXT_H
 
 #include <CGAL/Geometric_continuity/IO/number.h>
-#include <CGAL/Geometric_continuity/local/homogeneous_jets.h>
+#include <CGAL/Geometric_continuity/Traits.h>
 #include <CGAL/Geometric_continuity/numbers/Exact_field.h>
 #include <CGAL/Geometric_continuity/splines/Knot_vector.h>
 

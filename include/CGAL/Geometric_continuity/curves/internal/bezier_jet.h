@@ -11,7 +11,7 @@
 #include <CGAL/Geometric_continuity/internal/for_each_index.h>
 #include <CGAL/Geometric_continuity/internal/force_inline.h>
 #include <CGAL/Geometric_continuity/internal/independent_iterations.h>
-#include <CGAL/Geometric_continuity/local/homogeneous_jets.h>
+#include <CGAL/Geometric_continuity/local/Curve_jet.h>
 #include <CGAL/Geometric_continuity/local/internal/jet_of_legs.h>
 
 #include <array>

@@ -5,7 +5,7 @@
 #ifndef CGAL_GEOMETRIC_CONTINUITY_CURVES_INTERNAL_DECISION_NUMBERS_H
 #define CGAL_GEOMETRIC_CONTINUITY_CURVES_INTERNAL_DECISION_NUMBERS_H
 
-#include <CGAL/Geometric_continuity/local/coordinates.h>
+#include <CGAL/Geometric_continuity/Traits.h>
 #include <CGAL/Geometric_continuity/numbers/Exact_field.h>
 #include <CGAL/Geometric_continuity/numbers/internal/checked_numbers.h>
 

@@ -5,8 +5,8 @@
 #ifndef CGAL_GEOMETRIC_CONTINUITY_CURVES_INTERNAL_DENOMINATOR_H
 #define CGAL_GEOMETRIC_CONTINUITY_CURVES_INTERNAL_DENOMINATOR_H
 
+#include <CGAL/Geometric_continuity/Traits.h>
 #include <CGAL/Geometric_continuity/algebra/sign_pattern.h>
-#include <CGAL/Geometric_continuity/local/coordinates.h>
 #include <CGAL/Geometric_continuity/numbers/Exact_field.h>
 #include <CGAL/Geometric_continuity/splines/Knot_vector.h>
 #include <CGAL/Geometric_continuity/splines/bspline_knots.h>

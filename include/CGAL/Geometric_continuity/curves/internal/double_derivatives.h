@@ -5,10 +5,10 @@
 #ifndef CGAL_GEOMETRIC_CONTINUITY_CURVES_INTERNAL_DOUBLE_DERIVATIVES_H
 #define CGAL_GEOMETRIC_CONTINUITY_CURVES_INTERNAL_DOUBLE_DERIVATIVES_H
 
+#include <CGAL/Geometric_continuity/Traits.h>
 #include <CGAL/Geometric_continuity/algebra/Bernstein_polynomial.h>
 #include <CGAL/Geometric_continuity/algebra/Coordinate_vector.h>
 #include <CGAL/Geometric_continuity/curves/internal/curve_pieces.h>
-#include <CGAL/Geometric_continuity/local/coordinates.h>
 #include <CGAL/number_utils.h>
 
 #include <array>

@@ -6,10 +6,10 @@
 #define CGAL_GEOMETRIC_CONTINUITY_EDGES_INTERNAL_BLEND_END_H
 
 #include <CGAL/Geometric_continuity/Error.h>
+#include <CGAL/Geometric_continuity/Traits.h>
 #include <CGAL/Geometric_continuity/algebra/Bernstein_polynomial.h>
 #include <CGAL/Geometric_continuity/algebra/Coordinate_vector.h>
 #include <CGAL/Geometric_continuity/edges/Edge_rows.h>
-#include <CGAL/Geometric_continuity/local/homogeneous_jets.h>
 #include <CGAL/Geometric_continuity/splines/Bspline_function.h>
 #include <CGAL/Geometric_continuity/surfaces/Bezier_patch.h>
 #include <CGAL/Geometric_continuity/surfaces/Bspline_surface.h>

@@ -5,9 +5,9 @@
 #ifndef CGAL_GEOMETRIC_CONTINUITY_EDGES_INTERNAL_EDGE_INPUT_H
 #define CGAL_GEOMETRIC_CONTINUITY_EDGES_INTERNAL_EDGE_INPUT_H
 
+#include <CGAL/Geometric_continuity/Traits.h>
 #include <CGAL/Geometric_continuity/edges/Edge_rows.h>
 #include <CGAL/Geometric_continuity/internal/force_inline.h>
-#include <CGAL/Geometric_continuity/local/coordinates.h>
 #include <CGAL/Geometric_continuity/numbers/internal/Common_denominator.h>
 #include <CGAL/Geometric_continuity/numbers/internal/Common_grid.h>
 #include <CGAL/Geometric_continuity/numbers/internal/Fixed_integer.h>

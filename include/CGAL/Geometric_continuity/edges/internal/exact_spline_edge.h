@@ -5,9 +5,9 @@
 #ifndef CGAL_GEOMETRIC_CONTINUITY_EDGES_INTERNAL_EXACT_SPLINE_EDGE_H
 #define CGAL_GEOMETRIC_CONTINUITY_EDGES_INTERNAL_EXACT_SPLINE_EDGE_H
 
+#include <CGAL/Geometric_continuity/Traits.h>
 #include <CGAL/Geometric_continuity/edges/edge_continuity.h>
 #include <CGAL/Geometric_continuity/edges/internal/exact_cad_geometry.h>
-#include <CGAL/Geometric_continuity/local/homogeneous_jets.h>
 #include <CGAL/Geometric_continuity/splines/Bspline_function.h>
 #include <CGAL/Geometric_continuity/splines/Knot_vector.h>
 #include <CGAL/Geometric_continuity/splines/bspline_knots.h>

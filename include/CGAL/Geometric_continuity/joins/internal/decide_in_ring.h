@@ -5,10 +5,10 @@
 #ifndef CGAL_GEOMETRIC_CONTINUITY_JOINS_INTERNAL_DECIDE_IN_RING_H
 #define CGAL_GEOMETRIC_CONTINUITY_JOINS_INTERNAL_DECIDE_IN_RING_H
 
+#include <CGAL/Geometric_continuity/Traits.h>
 #include <CGAL/Geometric_continuity/joins/internal/End_polygon.h>
 #include <CGAL/Geometric_continuity/joins/internal/Join_equations.h>
 #include <CGAL/Geometric_continuity/joins/internal/Join_weights.h>
-#include <CGAL/Geometric_continuity/local/coordinates.h>
 #include <CGAL/Geometric_continuity/numbers/internal/Common_denominator.h>
 #include <CGAL/Geometric_continuity/numbers/internal/checked_numbers.h>
 #include <CGAL/Geometric_continuity/numbers/internal/zero_bits.h>

@@ -6,7 +6,7 @@
 #define CGAL_GEOMETRIC_CONTINUITY_MODELS_INTERNAL_EDGE_GROUPS_H
 
 #include <CGAL/Geometric_continuity/Error.h>
-#include <CGAL/Geometric_continuity/local/coordinates.h>
+#include <CGAL/Geometric_continuity/Traits.h>
 #include <CGAL/Geometric_continuity/models/internal/Edge_key.h>
 #include <CGAL/Geometric_continuity/surfaces/Bezier_patch.h>
 

@@ -5,9 +5,9 @@
 #ifndef CGAL_GEOMETRIC_CONTINUITY_MODELS_INTERNAL_EDGE_KEY_H
 #define CGAL_GEOMETRIC_CONTINUITY_MODELS_INTERNAL_EDGE_KEY_H
 
+#include <CGAL/Geometric_continuity/Traits.h>
 #include <CGAL/Geometric_continuity/edges/Edge_rows.h>
 #include <CGAL/Geometric_continuity/edges/internal/Common_edge_part.h>
-#include <CGAL/Geometric_continuity/local/coordinates.h>
 #include <CGAL/Geometric_continuity/numbers/internal/Common_denominator.h>
 
 #include <algorithm>

@@ -5,7 +5,7 @@
 #ifndef CGAL_GEOMETRIC_CONTINUITY_MODELS_INTERNAL_PATCH_TRIANGULATION_H
 #define CGAL_GEOMETRIC_CONTINUITY_MODELS_INTERNAL_PATCH_TRIANGULATION_H
 
-#include <CGAL/Geometric_continuity/local/coordinates.h>
+#include <CGAL/Geometric_continuity/Traits.h>
 #include <CGAL/Geometric_continuity/models/Tessellation.h>
 #include <CGAL/Geometric_continuity/models/internal/Point_sums.h>
 #include <CGAL/Geometric_continuity/numbers/internal/Rational_parts.h>

@@ -6,11 +6,11 @@
 #define CGAL_GEOMETRIC_CONTINUITY_REPAIRS_INTERNAL_MEASURED_POLYGON_H
 
 #include <CGAL/Geometric_continuity/Error.h>
+#include <CGAL/Geometric_continuity/Traits.h>
 #include <CGAL/Geometric_continuity/algebra/Bernstein_polynomial.h>
 #include <CGAL/Geometric_continuity/algebra/Coordinate_vector.h>
 #include <CGAL/Geometric_continuity/curves/internal/curve_pieces.h>
 #include <CGAL/Geometric_continuity/joins/Curve_ends.h>
-#include <CGAL/Geometric_continuity/local/homogeneous_jets.h>
 #include <CGAL/number_utils.h>
 
 #include <algorithm>

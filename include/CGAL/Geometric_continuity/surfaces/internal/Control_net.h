@@ -6,7 +6,7 @@
 #define CGAL_GEOMETRIC_CONTINUITY_SURFACES_INTERNAL_CONTROL_NET_H
 
 #include <CGAL/Geometric_continuity/Error.h>
-#include <CGAL/Geometric_continuity/local/coordinates.h>
+#include <CGAL/Geometric_continuity/Traits.h>
 #include <CGAL/Geometric_continuity/numbers/internal/checked_numbers.h>
 
 #include <algorithm>

@@ -5,8 +5,8 @@
 #ifndef CGAL_GEOMETRIC_CONTINUITY_SURFACES_INTERNAL_SWEEP_INPUT_H
 #define CGAL_GEOMETRIC_CONTINUITY_SURFACES_INTERNAL_SWEEP_INPUT_H
 
+#include <CGAL/Geometric_continuity/Traits.h>
 #include <CGAL/Geometric_continuity/local/Curve_jet.h>
-#include <CGAL/Geometric_continuity/local/coordinates.h>
 #include <CGAL/Geometric_continuity/numbers/internal/checked_numbers.h>
 
 #include <string>

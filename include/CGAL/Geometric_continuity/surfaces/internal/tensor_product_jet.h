@@ -5,8 +5,8 @@
 #ifndef CGAL_GEOMETRIC_CONTINUITY_SURFACES_INTERNAL_TENSOR_PRODUCT_JET_H
 #define CGAL_GEOMETRIC_CONTINUITY_SURFACES_INTERNAL_TENSOR_PRODUCT_JET_H
 
+#include <CGAL/Geometric_continuity/Traits.h>
 #include <CGAL/Geometric_continuity/algebra/internal/Coordinate_row.h>
-#include <CGAL/Geometric_continuity/local/coordinates.h>
 #include <CGAL/Geometric_continuity/splines/bspline_knots.h>
 #include <CGAL/Geometric_continuity/splines/internal/Spline_weights.h>
 

@@ -10,7 +10,7 @@
 #include <CGAL/Geometric_continuity/IO/figures/internal/Svg_contours.h>
 #include <CGAL/Geometric_continuity/IO/figures/internal/Svg_raster.h>
 #include <CGAL/Geometric_continuity/IO/figures/internal/svg_markup.h>
-#include <CGAL/Geometric_continuity/Traits_3.h>
+#include <CGAL/Geometric_continuity/Traits.h>
 #include <CGAL/Geometric_continuity/surfaces/Bezier_patch.h>
 #include <CGAL/Simple_cartesian.h>
 
