@@ -8,7 +8,7 @@
 #include "files/standard_streams.h"
 #include "files/sudden_end.h"
 
-#include <CGAL/Geometric_continuity/IO/printable.h>
+#include <CGAL/Geometric_continuity/IO/text.h>
 
 #include <exception>
 #include <iostream>

@@ -28,7 +28,6 @@
 
 #include <CGAL/Geometric_continuity/splines/Bspline_function.h>
 #include <CGAL/Geometric_continuity/splines/Knot_vector.h>
-#include <CGAL/Geometric_continuity/splines/bspline_knots.h>
 
 #include <CGAL/Geometric_continuity/curves/Bezier_curve.h>
 #include <CGAL/Geometric_continuity/curves/Bezier_polygon.h>
@@ -77,7 +76,6 @@
 #include <CGAL/Geometric_continuity/edges/connect_g1.h>
 #include <CGAL/Geometric_continuity/edges/edge_continuity.h>
 #include <CGAL/Geometric_continuity/edges/edge_deviation.h>
-#include <CGAL/Geometric_continuity/edges/knot_line_continuity.h>
 #include <CGAL/Geometric_continuity/edges/swept_continuity.h>
 
 #include <CGAL/Geometric_continuity/extensions/alternatives.h>

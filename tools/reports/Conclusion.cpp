@@ -6,7 +6,7 @@
 
 #include "reports/words.h"
 
-#include <CGAL/Geometric_continuity/IO/printable.h>
+#include <CGAL/Geometric_continuity/IO/text.h>
 
 #include <iostream>
 #include <vector>

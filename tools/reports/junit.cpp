@@ -5,7 +5,7 @@
 #include "files/deferred_output.h"
 #include "reports/Report.h"
 
-#include <CGAL/Geometric_continuity/IO/printable.h>
+#include <CGAL/Geometric_continuity/IO/text.h>
 
 #include <map>
 #include <utility>

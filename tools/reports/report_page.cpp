@@ -10,7 +10,7 @@
 #include "report_page_text.h"
 
 #include <CGAL/Geometric_continuity/IO/json.h>
-#include <CGAL/Geometric_continuity/IO/printable.h>
+#include <CGAL/Geometric_continuity/IO/text.h>
 
 #include <algorithm>
 #include <charconv>

@@ -10,7 +10,6 @@
 #include "support/errors.h"
 
 #include <CGAL/Exact_rational.h>
-#include <CGAL/Geometric_continuity/IO/Text_number.h>
 #include <CGAL/Geometric_continuity/IO/number.h>
 
 #include <cstddef>

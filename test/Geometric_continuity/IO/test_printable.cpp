@@ -4,7 +4,7 @@
 
 #include <boost/test/unit_test.hpp>
 
-#include <CGAL/Geometric_continuity/IO/printable.h>
+#include <CGAL/Geometric_continuity/IO/text.h>
 
 #include <cstddef>
 #include <iostream>

@@ -12,8 +12,8 @@
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Geometric_continuity/Traits.h>
+#include <CGAL/Geometric_continuity/edges/edge_continuity.h>
 #include <CGAL/Geometric_continuity/edges/edge_deviation.h>
-#include <CGAL/Geometric_continuity/edges/knot_line_continuity.h>
 
 #include <algorithm>
 #include <cmath>

@@ -11,7 +11,7 @@
 #include "support/errors.h"
 
 #include <CGAL/Geometric_continuity/edges/Cad_geometry.h>
-#include <CGAL/Geometric_continuity/edges/foot_points.h>
+#include <CGAL/Geometric_continuity/edges/cad_edge_continuity.h>
 
 #include <cmath>
 #include <limits>

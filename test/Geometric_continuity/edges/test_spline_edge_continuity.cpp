@@ -10,7 +10,6 @@
 
 #include <CGAL/Geometric_continuity/Traits.h>
 #include <CGAL/Geometric_continuity/edges/edge_continuity.h>
-#include <CGAL/Geometric_continuity/edges/knot_line_continuity.h>
 #include <CGAL/Geometric_continuity/models/model_continuity.h>
 
 #include <algorithm>

@@ -13,7 +13,7 @@
 
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Geometric_continuity/algebra/Coordinate_vector.h>
-#include <CGAL/Geometric_continuity/splines/bspline_knots.h>
+#include <CGAL/Geometric_continuity/splines/Bspline_function.h>
 
 #include <boost/multiprecision/cpp_int.hpp>
 

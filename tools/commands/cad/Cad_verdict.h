@@ -9,7 +9,6 @@
 #include "reports/Claims.h"
 
 #include <CGAL/Geometric_continuity/edges/cad_edge_continuity.h>
-#include <CGAL/Geometric_continuity/edges/foot_points.h>
 #include <CGAL/Geometric_continuity/joins/deviation.h>
 #include <CGAL/Geometric_continuity/numbers/Enclosure.h>
 

@@ -13,7 +13,7 @@
 #include "reports/Report.h"
 #include "reports/words.h"
 
-#include <CGAL/Geometric_continuity/IO/printable.h>
+#include <CGAL/Geometric_continuity/IO/text.h>
 #include <CGAL/Geometric_continuity/joins/path_continuity.h>
 
 #include <functional>

@@ -7,7 +7,7 @@
 #include "commands/chains/join_report.h"
 
 #include <CGAL/Geometric_continuity/IO/json.h>
-#include <CGAL/Geometric_continuity/IO/printable.h>
+#include <CGAL/Geometric_continuity/IO/text.h>
 
 #include <algorithm>
 #include <cmath>

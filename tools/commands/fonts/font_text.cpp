@@ -4,7 +4,7 @@
 
 #include "commands/fonts/font_report.h"
 
-#include <CGAL/Geometric_continuity/IO/printable.h>
+#include <CGAL/Geometric_continuity/IO/text.h>
 
 #include <algorithm>
 

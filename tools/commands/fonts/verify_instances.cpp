@@ -11,7 +11,7 @@
 #include "formats/font/glyph_parts.h"
 #include "reports/words.h"
 
-#include <CGAL/Geometric_continuity/IO/printable.h>
+#include <CGAL/Geometric_continuity/IO/text.h>
 
 #include <algorithm>
 #include <filesystem>

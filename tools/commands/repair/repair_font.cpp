@@ -10,7 +10,7 @@
 
 #include <CGAL/Geometric_continuity/Error.h>
 #include <CGAL/Geometric_continuity/IO/json.h>
-#include <CGAL/Geometric_continuity/IO/printable.h>
+#include <CGAL/Geometric_continuity/IO/text.h>
 
 #include <algorithm>
 #include <map>

@@ -10,7 +10,7 @@
 #include "reports/words.h"
 
 #include <CGAL/Geometric_continuity/IO/json.h>
-#include <CGAL/Geometric_continuity/IO/printable.h>
+#include <CGAL/Geometric_continuity/IO/text.h>
 #include <CGAL/Geometric_continuity/numbers/Enclosure.h>
 
 #include <cstddef>

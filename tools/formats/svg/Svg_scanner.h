@@ -8,7 +8,7 @@
 #include "formats/svg/svg_size.h"
 #include <CGAL/Geometric_continuity/Error.h>
 #include <CGAL/Geometric_continuity/IO/number.h>
-#include <CGAL/Geometric_continuity/IO/printable.h>
+#include <CGAL/Geometric_continuity/IO/text.h>
 #include <CGAL/Geometric_continuity/numbers/Exact_field.h>
 
 #include <cstddef>

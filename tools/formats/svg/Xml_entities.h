@@ -5,7 +5,7 @@
 #ifndef GEOMETRIC_CONTINUITY_TOOLS_FORMATS_SVG_XML_ENTITIES_H
 #define GEOMETRIC_CONTINUITY_TOOLS_FORMATS_SVG_XML_ENTITIES_H
 
-#include <CGAL/Geometric_continuity/IO/printable.h>
+#include <CGAL/Geometric_continuity/IO/text.h>
 
 #include <algorithm>
 #include <cstddef>

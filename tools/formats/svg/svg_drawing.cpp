@@ -12,7 +12,7 @@
 #include "formats/svg/Svg_transform.h"
 #include "formats/svg/read_svg_path.h"
 #include "formats/svg/svg_shapes.h"
-#include <CGAL/Geometric_continuity/IO/printable.h>
+#include <CGAL/Geometric_continuity/IO/text.h>
 
 #define XML_DTD // declares what Expat offers against entities that expand to more and more text
 #include <expat.h>

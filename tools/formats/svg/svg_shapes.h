@@ -11,7 +11,7 @@
 #include "formats/svg/Svg_scanner.h"
 #include "formats/svg/svg_size.h"
 #include <CGAL/Geometric_continuity/Error.h>
-#include <CGAL/Geometric_continuity/IO/printable.h>
+#include <CGAL/Geometric_continuity/IO/text.h>
 
 #include <algorithm>
 #include <cmath>

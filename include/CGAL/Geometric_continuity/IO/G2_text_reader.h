@@ -5,10 +5,10 @@
 #ifndef CGAL_GEOMETRIC_CONTINUITY_IO_G2_TEXT_READER_H
 #define CGAL_GEOMETRIC_CONTINUITY_IO_G2_TEXT_READER_H
 
-#include <CGAL/Geometric_continuity/IO/Text_number.h>
 #include <CGAL/Geometric_continuity/IO/g2.h>
 #include <CGAL/Geometric_continuity/IO/internal/G2_parser.h>
 #include <CGAL/Geometric_continuity/IO/internal/G2_spline_parts.h>
+#include <CGAL/Geometric_continuity/IO/number.h>
 #include <CGAL/Geometric_continuity/curves/Rational_curve.h>
 #include <CGAL/Geometric_continuity/joins/internal/Grid_join.h>
 #include <CGAL/Geometric_continuity/joins/join_continuity.h>

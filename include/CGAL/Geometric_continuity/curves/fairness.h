@@ -11,7 +11,7 @@
 #include <CGAL/Geometric_continuity/curves/internal/decision_numbers.h>
 #include <CGAL/Geometric_continuity/curves/internal/double_derivatives.h>
 #include <CGAL/Geometric_continuity/numbers/Enclosure.h>
-#include <CGAL/Geometric_continuity/splines/bspline_knots.h>
+#include <CGAL/Geometric_continuity/splines/Bspline_function.h>
 
 #include <boost/math/quadrature/gauss.hpp>
 

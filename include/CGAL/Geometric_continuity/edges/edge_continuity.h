@@ -7,23 +7,18 @@
 
 #include <CGAL/Geometric_continuity/edges/Edge_rows.h>
 #include <CGAL/Geometric_continuity/edges/Spline_edge_continuity.h>
-#include <CGAL/Geometric_continuity/edges/internal/Common_edge_part.h>
-#include <CGAL/Geometric_continuity/edges/internal/Edge_decision.h>
-#include <CGAL/Geometric_continuity/edges/internal/Edge_ladder.h>
-#include <CGAL/Geometric_continuity/edges/internal/Edge_normals.h>
+#include <CGAL/Geometric_continuity/edges/internal/decide_surfaces.h>
 #include <CGAL/Geometric_continuity/numbers/Exact_field.h>
 
-#include <algorithm>
 #include <optional>
-#include <type_traits>
-#include <utility>
+#include <ostream>
 #include <vector>
 
 /// \file edge_continuity.h
 /// The continuity of two surfaces along an edge of each, decided exactly on the whole closed edge; for every mix of surface
 /// types, and for rows of coefficients. See `Edge_conditions` for what is decided. `edge_continuity()` tells the order, the reason and the
-/// place, `is_g0_edge()`, `is_g1_edge()` and `is_g2_edge()` answer one question each, and `common_edges()` finds the edges that two patches
-/// share.
+/// place, `is_g0_edge()`, `is_g1_edge()` and `is_g2_edge()` answer one question each, `knot_line_continuity()` looks inside a surface, and
+/// `common_edges()` finds the edges that two patches share.
 ///
 /// The answers of the predicates are those of `edge_continuity()`, without its reasons and places. Two surfaces without
 /// inner knots whose coordinates are `double`, of whatever kernel, or rational numbers with short numerators, and the spans
@@ -33,133 +28,6 @@
 
 namespace CGAL {
 namespace Geometric_continuity {
-
-namespace internal {
-
-// The decisions on the spans of a match, by decide(rows, rows).
-template <class Field, int N, class Decide>
-Spline_edge_continuity<Field> decide_spans(const std::vector<Edge_piece<Field, N>>& a,
-                                           const std::vector<Edge_piece<Field, N>>& b, const Edge_match<Field>& match,
-                                           Decide decide) {
-  Spline_edge_continuity<Field> result;
-  if (match.spans.empty()) return result;
-  for (const Common_span<Field>& span : match.spans) {
-    const std::pair<Edge_rows<Field, N>, Edge_rows<Field, N>> rows = rows_on(a, b, span, match.map);
-    Edge_continuity<Field> e = decide(rows.first, rows.second);
-    e.reversed = match.map.reverses();
-    result.spans.push_back(on_interval(span.begin, span.end, std::move(e)));
-  }
-  summarise(result);
-  const Field begin = match.spans.front().begin, end = match.spans.back().end;
-  result.part_a = {begin, end};
-  result.part_b = {match.map(begin), match.map(end)};
-  if (match.map.reverses()) std::swap(result.part_b.first, result.part_b.second);
-  result.whole_a = begin == a.front().begin && end == a.back().end;
-  result.whole_b = result.part_b.first == b.front().begin && result.part_b.second == b.back().end;
-  return result;
-}
-
-// Of two whole edges along which the surfaces are one polynomial each, from the verdict in the parameters of the first.
-template <class Field>
-Spline_edge_continuity<Field> verdict_on_whole_edge(Edge_continuity<Field> verdict, Edge_direction direction,
-                                                    const std::pair<Field, Field>& domain_a,
-                                                    const std::pair<Field, Field>& domain_b) {
-  Spline_edge_continuity<Field> result;
-  Edge_continuity<Field>& e = result;
-  e = std::move(verdict);
-  e.reversed = direction == Edge_direction::opposite;
-  result.spans.push_back({domain_a.first, domain_a.second, e});
-  result.part_a = domain_a;
-  result.part_b = domain_b;
-  result.whole_a = result.whole_b = true;
-  return result;
-}
-
-// Whether a surface is a polynomial one over floating-point knots.
-template <class Surface>
-constexpr bool has_double_knots =
-    std::is_same_v<Surface, Bspline_surface<typename Surface::Traits>>&& std::is_same_v<typename Surface::FT, double>;
-
-// Of two whole edges along which the surfaces have the order 2 on all spans, which are those of the knots of the first.
-template <class Field, class FT>
-Spline_edge_continuity<Field> smooth_on_all_spans(const Knot_vector<FT>& knots, Edge_direction direction,
-                                                  const std::pair<Field, Field>& domain_b) {
-  Spline_edge_continuity<Field> result;
-  for (int k : knots.spans()) {
-    const std::pair<Field, Field> span(to_field<Field>(knots[k]), to_field<Field>(knots[k + 1]));
-    result.spans.push_back({span.first, span.second, smooth_continuity<Field>(2, span)});
-    result.spans.back().continuity.reversed = direction == Edge_direction::opposite;
-  }
-  summarise(result);
-  result.part_a = {result.spans.front().begin, result.spans.back().end};
-  result.part_b = domain_b;
-  result.whole_a = result.whole_b = true;
-  return result;
-}
-
-// The stages of fixed length for surfaces that are one patch each, then those for pieces, where find_match(pieces, pieces,
-// work) finds what the edges have in common.
-template <class Surface_a, class Surface_b, class Find_match>
-auto decide_surfaces(const Surface_a& a, Patch_edge edge_a, const Surface_b& b, Patch_edge edge_b,
-                     Find_match find_match) -> Spline_edge_continuity<Edge_field<typename Surface_a::Traits>> {
-  typedef Edge_field<typename Surface_a::Traits> Field;
-  constexpr int N = row_dimension<Surface_a, Surface_b>;
-  require_space(a, b, "edge_continuity");
-  if constexpr (N == 4)
-    if (has_equal_weights(a) && has_equal_weights(b))
-      return decide_surfaces(without_weights(a), edge_a, without_weights(b), edge_b, find_match);
-  const Work_on_object work("edge_continuity");
-  std::optional<Edge_direction> direction;
-  if constexpr (Edge_rungs<N>::exist) {
-    typename Edge_rungs<N>::Layers x, y;
-    if (edge_layers(a, edge_a, b, edge_b, 2, x, y)) direction = common_direction(x, y);
-    if (direction) {
-      if (*direction == Edge_direction::opposite) y.reverse();
-      const std::pair<Field, Field> domain_a = edge_domain<Field>(a, edge_a), domain_b = edge_domain<Field>(b, edge_b);
-      typename Edge_rungs<N>::Ladder ladder(x, y);
-      if (const std::optional<int> order = ladder.smooth_order())
-        return verdict_on_whole_edge(smooth_continuity<Field>(*order, domain_a), *direction, domain_a, domain_b);
-      if constexpr (N == 3)
-        if (std::optional<Edge_continuity<Field>> crease = crease_on_grid<Field>(ladder))
-          return verdict_on_whole_edge(on_interval(domain_a.first, domain_a.second, *std::move(crease)).continuity,
-                                       *direction, domain_a, domain_b);
-    }
-  }
-#ifdef CGAL_GEOMETRIC_CONTINUITY_HAS_FIXED_INTEGER
-  if constexpr (has_double_knots<Surface_a> && has_double_knots<Surface_b>)
-    if (!direction)
-      if (const std::optional<Edge_direction> smooth = smooth_spline_edge(a, edge_a, b, edge_b))
-        return smooth_on_all_spans<Field>(a.knots_along(edge_a), *smooth, edge_domain<Field>(b, edge_b));
-#endif
-  const std::vector<Edge_piece<Field, N>> pieces_a = edge_pieces_in<N>(a, edge_a),
-                                          pieces_b = edge_pieces_in<N>(b, edge_b);
-  if (direction) // and the stages of fixed length have been tried
-    return decide_spans(pieces_a, pieces_b, whole_match(pieces_a, pieces_b, *direction), decide_rough_edge<Field, N>);
-  return decide_spans(pieces_a, pieces_b, find_match(pieces_a, pieces_b), decide_edge<Field, N>);
-}
-
-// For edges that have been recognised as the same, see Edge_key.
-template <class Surface_a, class Surface_b>
-auto continuity_of_same_edge(const Surface_a& a, Patch_edge edge_a, const Surface_b& b, Patch_edge edge_b,
-                             Edge_direction direction) {
-  return decide_surfaces(a, edge_a, b, edge_b, [direction](const auto& pieces_a, const auto& pieces_b) {
-    return whole_match(pieces_a, pieces_b, direction);
-  });
-}
-
-// Along lines over one domain that have equal parameters in common points, or are not the same.
-template <class Field, int N>
-Spline_edge_continuity<Field> continuity_at_same_parameters(const Spline_edge_rows<Field, N>& a,
-                                                            const Spline_edge_rows<Field, N>& b) {
-  const Work_on_object work("edge_continuity");
-  const std::vector<Edge_piece<Field, N>> pieces_a = edge_pieces<Field>(a), pieces_b = edge_pieces<Field>(b);
-  const Edge_match<Field> match = whole_match(pieces_a, pieces_b, Edge_direction::same);
-  return decide_spans(pieces_a, pieces_b, match, [](const Edge_rows<Field, N>& x, const Edge_rows<Field, N>& y) {
-    return x.edge == y.edge ? decide_edge(x, y) : Edge_continuity<Field>();
-  });
-}
-
-} // namespace internal
 
 /// \ingroup PkgGeometricContinuityContinuity
 /// Decides the continuity of two surfaces along their edges `v = 0`, exactly and on the whole closed edge, see
@@ -215,12 +83,7 @@ Edge_continuity<typename Exact_field<FT>::type> edge_continuity(const Edge_rows<
 template <class FT, int N>
 Spline_edge_continuity<typename Exact_field<FT>::type> edge_continuity(const Spline_edge_rows<FT, N>& a,
                                                                        const Spline_edge_rows<FT, N>& b) {
-  typedef typename Exact_field<FT>::type Field;
-  const internal::Work_on_object work("edge_continuity");
-  const std::vector<internal::Edge_piece<Field, N>> pieces_a = internal::edge_pieces<Field>(a),
-                                                    pieces_b = internal::edge_pieces<Field>(b);
-  return internal::decide_spans(pieces_a, pieces_b, internal::common_edge_part(pieces_a, pieces_b),
-                                internal::decide_edge<Field, N>);
+  return internal::decide_rows<typename Exact_field<FT>::type>(a, b);
 }
 
 /// \ingroup PkgGeometricContinuitySurfaces
@@ -253,69 +116,6 @@ auto edge_continuity(const Surface_a& a, Patch_edge edge_a, const Surface_b& b, 
   });
 }
 
-namespace internal {
-
-// In the ring of the common denominators, along the same edge in one direction.
-template <int order, class Field, int N> bool sides_have_order(const Edge_sides<Field, N>& sides) {
-  const Edge_normals<Field, N> normals(sides);
-  return normals.first_order() && (order == 1 || normals.second_order(sides));
-}
-
-// Along rows with the same edge, in one direction.
-template <int order, class Field, int N, class Stages>
-bool rows_have_order(const Edge_rows<Field, N>& a, const Edge_rows<Field, N>& b, Stages& stages) {
-  if constexpr (Edge_rungs<N>::exist) {
-    typename Edge_rungs<N>::Layers x, y;
-    if (edge_layers(a, b, x, y))
-      if (const std::optional<bool> answer = decide_on_same_edge<order>(x, y, stages)) return *answer;
-  }
-  const bool answer = sides_have_order<order>(Edge_sides<Field, N>(a, b));
-  stages.decided(Edge_stage::multiprecision, answer);
-  return answer;
-}
-
-template <int order, class Surface_a, class Surface_b, class Stages>
-bool edge_has_order(const Surface_a& a, Patch_edge edge_a, const Surface_b& b, Patch_edge edge_b, Stages& stages) {
-  typedef Edge_field<typename Surface_a::Traits> Field;
-  constexpr int N = row_dimension<Surface_a, Surface_b>;
-  require_space(a, b, "edge predicate");
-  if constexpr (N == 4)
-    if (has_equal_weights(a) && has_equal_weights(b))
-      return edge_has_order<order>(without_weights(a), edge_a, without_weights(b), edge_b, stages);
-  if constexpr (Edge_rungs<N>::exist) {
-    typename Edge_rungs<N>::Layers x, y;
-    if (edge_layers(a, edge_a, b, edge_b, order, x, y))
-      if (const std::optional<bool> answer = decide_on_layers<order>(x, y, stages)) return *answer;
-  }
-  const Work_on_object work("edge predicate");
-  const std::vector<Edge_piece<Field, N>> pieces_a = edge_pieces_in<N>(a, edge_a),
-                                          pieces_b = edge_pieces_in<N>(b, edge_b);
-  if constexpr (N == 3)
-    if (is_one_patch(a) && is_one_patch(b)) {
-      Edge_sides<Field> sides(pieces_a[0].rows, pieces_b[0].rows);
-      const bool answer = sides.align() && (order == 0 || sides_have_order<order>(sides));
-      stages.decided(Edge_stage::multiprecision, answer);
-      return answer;
-    }
-  const std::optional<Edge_match<Field>> match = Common_edge_part<Field, N>(pieces_a, pieces_b).whole();
-  if (!match || order == 0) {
-    stages.decided(Edge_stage::multiprecision, match.has_value());
-    return match.has_value();
-  }
-  return std::all_of(match->spans.begin(), match->spans.end(), [&](const Common_span<Field>& span) {
-    const std::pair<Edge_rows<Field, N>, Edge_rows<Field, N>> rows = rows_on(pieces_a, pieces_b, span, match->map);
-    return rows_have_order<order>(rows.first, rows.second, stages);
-  });
-}
-
-template <int order, class Surface_a, class Surface_b>
-bool edge_has_order(const Surface_a& a, Patch_edge edge_a, const Surface_b& b, Patch_edge edge_b) {
-  const All_edge_stages stages;
-  return edge_has_order<order>(a, edge_a, b, edge_b, stages);
-}
-
-} // namespace internal
-
 /// \ingroup PkgGeometricContinuitySurfaces
 /// Returns whether the edges are the same curve, whole, with the same parametrisation up to an affine map, in either direction.
 /// \tparam Surface_a, Surface_b `Bezier_patch`, `Bspline_surface`, `Rational_bezier_patch` or `Rational_bspline_surface`, with one
@@ -347,6 +147,86 @@ bool is_g1_edge(const Surface_a& a, Patch_edge edge_a, const Surface_b& b, Patch
 template <class Surface_a, class Surface_b>
 bool is_g2_edge(const Surface_a& a, Patch_edge edge_a, const Surface_b& b, Patch_edge edge_b) {
   return internal::edge_has_order<2>(a, edge_a, b, edge_b);
+}
+
+/// \ingroup PkgGeometricContinuitySurfaces
+/// A line of a B-spline surface on which one parameter is an inner knot, and what was decided about the two parts of the
+/// surface along it.
+/// \tparam FT the field in which it was decided
+template <class FT> struct Knot_line {
+  bool constant_u;  ///< the knot is one of `u`, and `v` varies on the line; otherwise the reverse
+  FT knot;          ///< the constant parameter
+  int multiplicity; ///< of the knot
+  /// The first surface is the part at smaller parameters, the second the part at larger ones. Parameters are those along the
+  /// line. On spans where the surface jumps the order is -1.
+  Spline_edge_continuity<FT> continuity;
+
+  /// Writes the line and the verdict, e.g. `u = 1/2: G1 (curvature)`.
+  friend std::ostream& operator<<(std::ostream& os, const Knot_line& line) {
+    return os << (line.constant_u ? 'u' : 'v') << " = " << line.knot << ": " << line.continuity;
+  }
+};
+
+namespace internal {
+
+template <class Surface> const Knot_vector<typename Surface::FT>& knots_across(const Surface& s, Parameter_line line) {
+  return line == Parameter_line::along_u ? s.knots_v() : s.knots_u();
+}
+
+// The rows of the surface on one side of a knot line, along it.
+template <class Surface>
+Spline_edge_rows<Edge_field<typename Surface::Traits>, row_dimension<Surface>>
+knot_line_rows(const Surface& s, Parameter_line line, const typename Surface::FT& knot, Line_side side) {
+  typedef Edge_field<typename Surface::Traits> Field;
+  return {knots_over<Field>(line == Parameter_line::along_u ? s.knots_u() : s.knots_v()),
+          edge_rows_in_space<Field, row_dimension<Surface>>(s.template rows_at<Field>(line, knot, side, 2))};
+}
+
+template <class Surface, class Report>
+void add_knot_lines(const Surface& s, Parameter_line line,
+                    std::vector<Knot_line<Edge_field<typename Surface::Traits>>>& lines, Report& report) {
+  typedef Edge_field<typename Surface::Traits> Field;
+  const Knot_vector<typename Surface::FT>& across = knots_across(s, line);
+  for (const auto& knot : across.inner_knots()) {
+    if (knot.multiplicity <= across.degree() - 2) continue; // twice continuously differentiable
+    lines.push_back({line == Parameter_line::along_v, to_field<Field>(knot.value), knot.multiplicity,
+                     continuity_at_same_parameters(knot_line_rows(s, line, knot.value, Line_side::smaller_parameters),
+                                                   knot_line_rows(s, line, knot.value, Line_side::larger_parameters))});
+    report();
+  }
+}
+
+// What knot_line_continuity() returns; report() is called after each line.
+template <class Surface, class Report>
+std::vector<Knot_line<Edge_field<typename Surface::Traits>>> knot_lines(const Surface& surface, Report report) {
+  require_space(surface, "knot_line_continuity");
+  std::vector<Knot_line<Edge_field<typename Surface::Traits>>> lines;
+  add_knot_lines(surface, Parameter_line::along_v, lines, report);
+  add_knot_lines(surface, Parameter_line::along_u, lines, report);
+  return lines;
+}
+
+} // namespace internal
+
+/// \ingroup PkgGeometricContinuitySurfaces
+/// Decides the continuity of a B-spline surface across its knot lines, exactly, along each line as a whole and with every
+/// kernel: for each inner knot of a multiplicity that does not make the surface twice continuously differentiable, i.e.
+/// greater than degree - 2, first those of `u` and then those of `v`. As for edges, nothing is sampled, a knot with
+/// multiplicity degree can be \f$ G^2 \f$, and points where the normal vanishes are reported.
+///
+/// Linear in the number of control points of the lines. The limit is one for each line.
+/// \throws Error `dimension_mismatch` unless in dimension 3, `work_limit`
+template <class Traits>
+std::vector<Knot_line<Edge_field<Traits>>> knot_line_continuity(const Bspline_surface<Traits>& surface) {
+  return internal::knot_lines(surface, [] {});
+}
+
+/// \ingroup PkgGeometricContinuitySurfaces
+/// Decides the continuity of a rational B-spline surface across its knot lines, see the function for `Bspline_surface`.
+/// \throws Error `dimension_mismatch` unless in dimension 3, `work_limit`
+template <class Traits>
+std::vector<Knot_line<Edge_field<Traits>>> knot_line_continuity(const Rational_bspline_surface<Traits>& surface) {
+  return internal::knot_lines(surface, [] {});
 }
 
 /// \ingroup PkgGeometricContinuitySurfaces

@@ -9,7 +9,6 @@
 #include <CGAL/Geometric_continuity/edges/edge_continuity.h>
 #include <CGAL/Geometric_continuity/edges/internal/Common_edge_part.h>
 #include <CGAL/Geometric_continuity/edges/internal/Largest_measure.h>
-#include <CGAL/Geometric_continuity/edges/knot_line_continuity.h>
 #include <CGAL/Geometric_continuity/numbers/Enclosure.h>
 #include <CGAL/Geometric_continuity/numbers/Exact_field.h>
 

@@ -6,7 +6,7 @@
 #define CGAL_GEOMETRIC_CONTINUITY_MODELS_MODEL_CONTINUITY_H
 
 #include <CGAL/Geometric_continuity/Error.h>
-#include <CGAL/Geometric_continuity/edges/knot_line_continuity.h>
+#include <CGAL/Geometric_continuity/edges/edge_continuity.h>
 #include <CGAL/Geometric_continuity/internal/parallel.h>
 #include <CGAL/Geometric_continuity/models/internal/Edge_groups.h>
 

@@ -9,7 +9,6 @@
 #include "support/errors.h"
 
 #include <CGAL/Exact_rational.h>
-#include <CGAL/Geometric_continuity/IO/Text_number.h>
 #include <CGAL/Geometric_continuity/IO/internal/Token_reader.h>
 #include <CGAL/Geometric_continuity/IO/number.h>
 #include <CGAL/tags.h>

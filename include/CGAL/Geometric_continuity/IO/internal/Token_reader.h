@@ -6,9 +6,8 @@
 #define CGAL_GEOMETRIC_CONTINUITY_IO_INTERNAL_TOKEN_READER_H
 
 #include <CGAL/Geometric_continuity/Error.h>
-#include <CGAL/Geometric_continuity/IO/Text_number.h>
 #include <CGAL/Geometric_continuity/IO/number.h>
-#include <CGAL/Geometric_continuity/IO/printable.h>
+#include <CGAL/Geometric_continuity/IO/text.h>
 #include <CGAL/Geometric_continuity/internal/parallel.h>
 
 #include <algorithm>

@@ -8,8 +8,8 @@
 #include <CGAL/Geometric_continuity/Traits.h>
 #include <CGAL/Geometric_continuity/algebra/sign_pattern.h>
 #include <CGAL/Geometric_continuity/numbers/Exact_field.h>
+#include <CGAL/Geometric_continuity/splines/Bspline_function.h>
 #include <CGAL/Geometric_continuity/splines/Knot_vector.h>
-#include <CGAL/Geometric_continuity/splines/bspline_knots.h>
 
 #include <algorithm>
 #include <string>

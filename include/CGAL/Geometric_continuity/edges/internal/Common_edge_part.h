@@ -9,7 +9,7 @@
 #include <CGAL/Geometric_continuity/edges/Edge_rows.h>
 #include <CGAL/Geometric_continuity/numbers/Work_limit.h>
 #include <CGAL/Geometric_continuity/numbers/internal/Common_denominator.h>
-#include <CGAL/Geometric_continuity/splines/bspline_knots.h>
+#include <CGAL/Geometric_continuity/splines/internal/change_knots.h>
 
 #include <algorithm>
 #include <cstddef>

@@ -6,11 +6,11 @@
 #define CGAL_GEOMETRIC_CONTINUITY_EDGES_INTERNAL_EXACT_SPLINE_EDGE_H
 
 #include <CGAL/Geometric_continuity/Traits.h>
-#include <CGAL/Geometric_continuity/edges/edge_continuity.h>
+#include <CGAL/Geometric_continuity/edges/internal/decide_surfaces.h>
 #include <CGAL/Geometric_continuity/edges/internal/exact_cad_geometry.h>
 #include <CGAL/Geometric_continuity/splines/Bspline_function.h>
 #include <CGAL/Geometric_continuity/splines/Knot_vector.h>
-#include <CGAL/Geometric_continuity/splines/bspline_knots.h>
+#include <CGAL/Geometric_continuity/splines/internal/change_knots.h>
 #include <CGAL/Geometric_continuity/surfaces/Bezier_patch.h>
 #include <CGAL/Geometric_continuity/surfaces/internal/bspline_net.h>
 
@@ -136,7 +136,7 @@ std::optional<Edge_continuity<Model_number>> exact_spline_edge(const Spline_edge
   for (int i = 0; i <= 4; ++i) // most gaps are found at once
     if (differ_at(a, b, Model_number(first + Model_number(last - first) * Model_number(i) / Model_number(4))))
       return Edge_continuity<Model_number>();
-  const Spline_edge_continuity<Model_number> e = edge_continuity(a, b);
+  const Spline_edge_continuity<Model_number> e = decide_rows<Model_number>(a, b);
   if (e.g_order >= 0 && e.whole_a && e.whole_b)
     return e.reversed ? std::nullopt : std::optional<Edge_continuity<Model_number>>(e);
   // polynomial edges that are the same at equal parameters would have been found; rational ones may be the same nevertheless

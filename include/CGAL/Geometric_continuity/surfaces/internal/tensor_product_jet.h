@@ -7,8 +7,8 @@
 
 #include <CGAL/Geometric_continuity/Traits.h>
 #include <CGAL/Geometric_continuity/algebra/internal/Coordinate_row.h>
-#include <CGAL/Geometric_continuity/splines/bspline_knots.h>
 #include <CGAL/Geometric_continuity/splines/internal/Spline_weights.h>
+#include <CGAL/Geometric_continuity/splines/internal/change_knots.h>
 
 #include <boost/container/small_vector.hpp>
 

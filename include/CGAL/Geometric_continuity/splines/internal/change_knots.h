@@ -2,39 +2,31 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-#ifndef CGAL_GEOMETRIC_CONTINUITY_SPLINES_BSPLINE_KNOTS_H
-#define CGAL_GEOMETRIC_CONTINUITY_SPLINES_BSPLINE_KNOTS_H
+#ifndef CGAL_GEOMETRIC_CONTINUITY_SPLINES_INTERNAL_CHANGE_KNOTS_H
+#define CGAL_GEOMETRIC_CONTINUITY_SPLINES_INTERNAL_CHANGE_KNOTS_H
 
-#include <CGAL/Geometric_continuity/Error.h>
 #include <CGAL/Geometric_continuity/algebra/Coordinate_vector.h>
-#include <CGAL/Geometric_continuity/numbers/Exact_field.h>
-#include <CGAL/Geometric_continuity/numbers/Work_limit.h>
 #include <CGAL/Geometric_continuity/numbers/internal/checked_numbers.h>
 #include <CGAL/Geometric_continuity/splines/Knot_vector.h>
 #include <CGAL/Geometric_continuity/splines/internal/Spline_weights.h>
 #include <CGAL/Geometric_continuity/splines/internal/bspline_differences.h>
 #include <CGAL/Geometric_continuity/splines/internal/bspline_spans.h>
-#include <CGAL/Geometric_continuity/splines/internal/check_spline.h>
 
 #include <boost/container/small_vector.hpp>
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <iterator>
-#include <optional>
 #include <type_traits>
 #include <utility>
 #include <vector>
 
-/// \file bspline_knots.h
-/// One spline over several knot vectors: insertion, refinement, Bézier pieces and back, removal
-/// where it is exact. But for the Bézier pieces, the new coefficients are computed as blossoms
-/// \f$ c'_j = f_k[t_{j+1}, \dots, t_{j+p}] \f$ at the new knots `t`, in \f$ O(p^2) \f$ each.
+/// \file change_knots.h
+/// One spline over several knot vectors: insertion, refinement, Bézier pieces and back. But for the Bézier pieces, the new coefficients
+/// are computed as blossoms c'_j = f_k[t_{j+1}, ..., t_{j+p}] at the new knots t, in O(p^2) each.
 
 namespace CGAL {
 namespace Geometric_continuity {
-
 namespace internal {
 
 // Chooses the span of the old knots u whose polynomial gives a new coefficient. Any span between the arguments would do
@@ -229,125 +221,7 @@ void derivatives_over(const Knot_vector<FT>& knots, int k, const FT& u, int orde
 }
 
 } // namespace internal
-
-/// \ingroup PkgGeometricContinuityAlgebra
-/// Returns the coefficients of a spline over finer knots. A coefficient with `r` new knots between its old ones is a
-/// convex combination of `r + 1` old coefficients. \f$ O(n p^2) \f$. Boehm, Goldman; the Oslo algorithm
-/// \param finer has the same degree and domain and every knot inside it at least as often; outside, it has the same
-///        knots, or it is clamped
-/// \throws Error `wrong_number_of_points` when the degrees differ and unless there are `n` coefficients,
-///   `parameter_outside_domain` when the domains differ, `knot_multiplicity` when a knot is missing
-template <class FT, class Coefficients>
-std::vector<typename Coefficients::value_type> bspline_refine(const Knot_vector<FT>& knots, const Coefficients& c,
-                                                              const Knot_vector<FT>& finer) {
-  internal::check_number_of_coefficients(knots, c, "bspline_refine");
-  if (knots.degree() != finer.degree())
-    throw Error(Error_code::wrong_number_of_points, "bspline_refine: the degrees differ");
-  if (!knots.has_domain_of(finer))
-    throw Error(Error_code::parameter_outside_domain, "bspline_refine: the domains differ");
-  const auto outside = [&finer](const Knot_vector<FT>& x) {
-    std::vector<FT> u;
-    std::copy_if(x.begin(), x.end(), std::back_inserter(u), [&](const FT& v) { return !finer.contains(v); });
-    return u;
-  };
-  const Knot_vector<FT> coarse = finer.is_clamped() ? knots.clamp() : knots;
-  if (outside(coarse) != outside(finer) || !std::includes(finer.begin(), finer.end(), coarse.begin(), coarse.end()))
-    throw Error(Error_code::knot_multiplicity, "bspline_refine: the finer knots do not contain the old ones");
-  return internal::change_knots<FT>(knots, c, finer);
-}
-
-/// \ingroup PkgGeometricContinuityAlgebra
-/// Returns the coefficients of a spline over `knots.insert(u, times)`, `times >= 0`. \f$ O(n + p\,times) \f$ operations.
-/// Boehm
-/// \throws Error `negative_count`, `parameter_outside_domain`, `knot_multiplicity` when `u` would be repeated more than
-///   `p + 1` times, `wrong_number_of_points` unless there are `n` coefficients
-template <class FT, class Coefficients>
-std::vector<typename Coefficients::value_type> bspline_insert(const Knot_vector<FT>& knots, const Coefficients& c,
-                                                              const FT& u, int times = 1) {
-  internal::check_number_of_coefficients(knots, c, "bspline_insert");
-  knots.insert(u, times); // or an error
-  return internal::insert_knot(knots, c, u, times);
-}
-
-/// \ingroup PkgGeometricContinuityAlgebra
-/// Returns the Bernstein coefficients of the polynomials on the spans of the domain, `p + 1` for each span, one after
-/// the other: the coefficients over `knots.bezier(p)`. \f$ O(p^2) \f$ for each span and coordinate, with rational numbers
-/// additions of integers: these have the common denominator of a span.
-/// \param knots, c the spline
-/// \throws Error `wrong_number_of_points` unless there are `n` coefficients, `work_limit`
-template <class FT, class Coefficients>
-std::vector<typename Coefficients::value_type> bspline_bezier(const Knot_vector<FT>& knots, const Coefficients& c) {
-  internal::check_number_of_coefficients(knots, c, "bspline_bezier");
-  const internal::Work_on_object work("Bernstein coefficients of a spline");
-  return internal::bernstein_pieces(knots, c);
-}
-
-/// \ingroup PkgGeometricContinuityAlgebra
-/// Returns the coefficients of the spline over `knots` from the Bernstein coefficients of its polynomials, the inverse
-/// of `bspline_bezier()`: each coefficient is one value of the blossom of one polynomial. \f$ O(n p^2) \f$ With rounded
-/// numbers, knots far outside the domain magnify the roundings: their coefficients are extrapolations.
-///
-/// That the polynomials join as smoothly at each knot of multiplicity `m` as `knots` says, \f$ C^{p-m} \f$, is the
-/// caller's duty: otherwise there is no such spline, and each coefficient belongs to one of the polynomials.
-/// \throws Error `wrong_number_of_points` unless there are `p + 1` coefficients for each span
-template <class FT, class Coefficients>
-std::vector<typename Coefficients::value_type> bspline_from_bezier(const Knot_vector<FT>& knots,
-                                                                   const Coefficients& pieces) {
-  const Knot_vector<FT> u = knots.bezier(knots.degree());
-  internal::check_number_of_coefficients(u, pieces, "bspline_from_bezier");
-  return internal::change_knots<FT>(u, pieces, knots);
-}
-
-/// \ingroup PkgGeometricContinuityAlgebra
-/// Decides the order of continuity at a parameter inside the domain: the largest \f$ s \le p \f$ such that all
-/// derivatives up to order `s` agree from both sides, -1 at a jump. It is `p` where both sides are one polynomial.
-/// Decided exactly: floating-point numbers are taken as the rational numbers they are. \f$ O(p^3) \f$
-/// \throws Error `parameter_outside_domain` also at the ends of the domain,
-///   `wrong_number_of_points` unless there are `n` coefficients
-template <class FT, class Coefficients>
-int bspline_smoothness(const Knot_vector<FT>& knots, const Coefficients& c, const FT& u) {
-  typedef typename Exact_field<FT>::type Field;
-  internal::check_number_of_coefficients(knots, c, "bspline_smoothness");
-  const int p = knots.degree(), left = knots.left_span(u), right = knots.span(u);
-  if (u == knots.domain().first || u == knots.domain().second)
-    throw Error(Error_code::parameter_outside_domain, "bspline_smoothness: an end of the domain has one side only");
-  if (left == right) return p;
-  const auto coefficient = [&c](int i) { return internal::coefficient_over<Field>(c[i]); };
-  std::vector<decltype(coefficient(0))> from_left(p + 1), from_right(p + 1);
-  internal::derivatives_over<Field>(knots, left, u, p, coefficient, [&](int j, const auto& x) { from_left[j] = x; });
-  internal::derivatives_over<Field>(knots, right, u, p, coefficient, [&](int j, const auto& x) { from_right[j] = x; });
-  int s = -1;
-  while (s < p && from_left[s + 1] == from_right[s + 1]) ++s;
-  return s;
-}
-
-/// \ingroup PkgGeometricContinuityAlgebra
-/// Returns the coefficients over the knots without `times >= 0` copies of the inner knot `u`, or nothing when that
-/// would change the spline. The decision is that of `bspline_smoothness()`. \f$ O(n + p^3) \f$ operations
-/// \throws Error `negative_count` when `times` is negative, `parameter_outside_domain` unless `u` is inside the domain,
-///   `wrong_number_of_points` unless there are `n` coefficients
-template <class FT, class Coefficients>
-std::optional<std::vector<typename Coefficients::value_type>>
-bspline_remove(const Knot_vector<FT>& knots, const Coefficients& c, const FT& u, int times = 1) {
-  if (times < 0) throw Error(Error_code::negative_count, "bspline_remove: times");
-  const int smoothness = bspline_smoothness<FT>(knots, c, u), rest = knots.multiplicity(u) - times;
-  if (rest < 0 || smoothness < knots.degree() - rest) return std::nullopt;
-  return internal::change_knots<FT>(knots, c, knots.remove(u, times));
-}
-
-/// \ingroup PkgGeometricContinuityAlgebra
-/// Returns the knots without those inner copies that the spline does not need, by `bspline_smoothness()`.
-/// `Bspline_function::remove_superfluous_knots()` is the function over them. \f$ O(n p^3) \f$
-/// \throws Error `wrong_number_of_points` unless there are `n` coefficients
-template <class FT, class Coefficients>
-Knot_vector<FT> minimal_knots(const Knot_vector<FT>& knots, const Coefficients& c) {
-  std::vector<typename Knot_vector<FT>::Knot> inner = knots.inner_knots();
-  for (typename Knot_vector<FT>::Knot& knot : inner)
-    knot.multiplicity = (std::min)(knot.multiplicity, knots.degree() - bspline_smoothness<FT>(knots, c, knot.value));
-  return knots.with_inner_knots(inner);
-}
-
 } // namespace Geometric_continuity
 } // namespace CGAL
 
-#endif // CGAL_GEOMETRIC_CONTINUITY_SPLINES_BSPLINE_KNOTS_H
+#endif // CGAL_GEOMETRIC_CONTINUITY_SPLINES_INTERNAL_CHANGE_KNOTS_H

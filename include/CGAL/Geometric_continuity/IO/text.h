@@ -2,8 +2,8 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-#ifndef CGAL_GEOMETRIC_CONTINUITY_IO_PRINTABLE_H
-#define CGAL_GEOMETRIC_CONTINUITY_IO_PRINTABLE_H
+#ifndef CGAL_GEOMETRIC_CONTINUITY_IO_TEXT_H
+#define CGAL_GEOMETRIC_CONTINUITY_IO_TEXT_H
 
 #include <CGAL/Geometric_continuity/IO/internal/utf8.h>
 
@@ -11,8 +11,27 @@
 #include <string>
 #include <string_view>
 
+/// \file IO/text.h
+/// Text that comes from outside: how much of it is read, so that a few characters cannot fill the memory, and how it is shown in messages.
+
 namespace CGAL {
 namespace Geometric_continuity {
+
+/// \ingroup PkgGeometricContinuityIO
+/// The longest text, in characters, that is read as a number.
+constexpr std::size_t max_number_length = 4096;
+
+/// \ingroup PkgGeometricContinuityIO
+/// The largest absolute value of the exponent of a decimal.
+constexpr int max_decimal_exponent = 4096;
+
+/// \ingroup PkgGeometricContinuityIO
+/// The highest order (degree + 1) of a curve or surface that is read from a `.g2` file.
+constexpr int max_g2_order = 128;
+
+/// \ingroup PkgGeometricContinuityIO
+/// The highest dimension of a curve or surface that is read from a `.g2` file.
+constexpr int max_g2_dimension = 16;
 
 namespace internal {
 
@@ -77,4 +96,4 @@ inline std::string quoted_token(std::string_view text) {
 } // namespace Geometric_continuity
 } // namespace CGAL
 
-#endif // CGAL_GEOMETRIC_CONTINUITY_IO_PRINTABLE_H
+#endif // CGAL_GEOMETRIC_CONTINUITY_IO_TEXT_H
