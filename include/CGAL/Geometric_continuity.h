@@ -44,6 +44,7 @@
 #include <CGAL/Geometric_continuity/curves/polyline.h>
 
 #include <CGAL/Geometric_continuity/joins/Curve_ends.h>
+#include <CGAL/Geometric_continuity/joins/Join_certificate.h>
 #include <CGAL/Geometric_continuity/joins/Join_grade.h>
 #include <CGAL/Geometric_continuity/joins/Variable_join.h>
 #include <CGAL/Geometric_continuity/joins/chain_continuity.h>
@@ -68,6 +69,7 @@
 #include <CGAL/Geometric_continuity/blends/blend_strategies.h>
 #include <CGAL/Geometric_continuity/blends/representable_blend.h>
 
+#include <CGAL/Geometric_continuity/edges/Edge_certificate.h>
 #include <CGAL/Geometric_continuity/edges/Edge_conditions.h>
 #include <CGAL/Geometric_continuity/edges/Edge_rows.h>
 #include <CGAL/Geometric_continuity/edges/Spline_edge_continuity.h>

@@ -7,6 +7,7 @@
 
 #include <boost/program_options/options_description.hpp>
 
+#include <iosfwd>
 #include <optional>
 #include <string>
 #include <vector>
@@ -26,10 +27,11 @@ enum class Report_format { text, json, sarif, junit };
 // How `verify` reports and judges what it decided.
 struct Report_mode {
   Report_format format = Report_format::text;
-  bool allow_undecided = false; // what is undecided does not count
-  bool allow_uncovered = false; // what is not covered does not count
-  bool allow_empty = false;     // nothing to decide is no error
-  bool summary = false;         // only the counts, and what is not met and not decided
+  bool allow_undecided = false;        // what is undecided does not count
+  bool allow_uncovered = false;        // what is not covered does not count
+  bool allow_empty = false;            // nothing to decide is no error
+  bool summary = false;                // only the counts, and what is not met and not decided
+  std::ostream* certificate = nullptr; // where certificates are written
 
   // Whether the report consists of findings.
   bool has_findings() const { return format == Report_format::sarif || format == Report_format::junit; }

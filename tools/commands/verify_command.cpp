@@ -12,6 +12,7 @@
 #include "commands/kink_options.h"
 #include "commands/surfaces_hint.h"
 #include "commands/tolerances.h"
+#include "files/output.h"
 #include "formats/cad/read_cad.h"
 #include "formats/font/font_files.h"
 #include "formats/svg/svg_drawing.h"
@@ -111,6 +112,9 @@ Exact decisions on numbers of thousands of digits, or of high order and degree,
 can take long: --max-work N allows N steps, about N nanoseconds, for each join,
 edge or curve, instead of 4000000000.
 
+--certificate OUT writes, for chains, drawings and --surfaces, the numbers from
+which check_certificate OUT proves each verdict again.
+
 Exit code: 0 when every join meets the requirement, 1 when one does not, or
 is not decided, 2 on bad input, and when there is no join, unless --allow-empty
 accepts that.
@@ -155,7 +159,7 @@ Instance_demand instance_demand(const Command_line& line) {
 
 // What is asked of fonts.
 Font_demand font_demand(const Command_line& line, const std::optional<Requirement>& required) {
-  line.refuse({"surfaces", "closed", "within", "sew", "time-limit", "kernel", "max-order", "max-work"},
+  line.refuse({"surfaces", "closed", "within", "sew", "time-limit", "kernel", "max-order", "max-work", "certificate"},
               "not for fonts");
   Font_demand demand;
   if (line.has("glyphs")) demand.glyphs = Glyph_selection(line.text("glyphs"));
@@ -177,7 +181,7 @@ Font_demand font_demand(const Command_line& line, const std::optional<Requiremen
 
 // What is asked of CAD models.
 Cad_demand cad_demand(const Command_line& line, const std::optional<Requirement>& required) {
-  line.refuse({"surfaces", "closed", "kernel", "max-order"}, "not for CAD models");
+  line.refuse({"surfaces", "closed", "kernel", "max-order", "certificate"}, "not for CAD models");
   Cad_demand demand =
       demand_within(line.has("within") ? line.text("within") : default_cad_tolerance, kink_rule(line).bound);
   if (!required) return demand;
@@ -221,18 +225,36 @@ void describe_verify(po::options_description_easy_init add) {
       "text; json: for programs; sarif: SARIF 2.1.0, for code scanning; junit: JUnit's XML, for continuous "
       "integration");
   add("json", "the same as --format json");
+  add("certificate", po::value<std::string>(),
+      "write for each join or edge the numbers from which check_certificate proves the verdict again");
   add("max-work", po::value<std::string>(), "the steps of work that are allowed for one join, edge or curve");
   add("kernel", po::value<std::string>()->default_value("exact"),
       "exact: the numbers as written; double: each number is first rounded to a double, then all is exact");
 }
 
+int run_verify(const Command_line& line, std::ostream* certificate);
+
+// With --certificate, which is written as a whole or not at all.
 int run_verify(const Command_line& line) {
+  if (!line.has("certificate")) return run_verify(line, nullptr);
+  const std::string output = line.text("certificate");
+  if (is_standard_output(output)) throw std::invalid_argument("--certificate: standard output is that of the report");
+  for (const std::string& file : line.files())
+    if (!is_standard_input(file) && lead_to_one_file(file, output))
+      throw std::invalid_argument("--certificate: " + output + " is a file that is verified");
+  line.refuse({"within", "kernel", "all-instances"}, "not with --certificate, which certifies exact orders");
+  int code = bad_input;
+  GC::write_file_atomically(output, [&](std::ostream& os) { code = run_verify(line, &os); });
+  return code;
+}
+
+int run_verify(const Command_line& line, std::ostream* certificate) {
   if (line.files().empty()) throw std::invalid_argument("verify: no file is given; see --help");
   std::optional<Requirement> required;
   if (line.has("require")) required = Requirement(line.text("require"));
   const Arguments files = line.files();
-  const Report_mode mode{report_format(line), line.has("allow-undecided"), line.has("allow-uncovered"),
-                         line.has("allow-empty"), line.has("summary")};
+  const Report_mode mode{report_format(line),     line.has("allow-undecided"), line.has("allow-uncovered"),
+                         line.has("allow-empty"), line.has("summary"),         certificate};
   if (line.has("all-instances")) {
     if (!are_fonts(files)) throw std::invalid_argument("--all-instances: only for fonts");
     return verify_instances(files, mode, instance_demand(line));

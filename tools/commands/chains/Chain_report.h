@@ -8,6 +8,7 @@
 #include "commands/chains/join_report.h"
 #include "commands/chains/verify_chain.h"
 #include "reports/Report.h"
+#include "reports/certificate.h"
 #include "reports/words.h"
 
 #include <cstddef>
@@ -15,12 +16,14 @@
 #include <ostream>
 #include <sstream>
 #include <string>
+#include <vector>
 
 // What was decided about some joins of a chain, one after the other.
 struct Decided_joins {
   Report_part part = {};
   GC::Chain_summary summary = {};
   std::ostringstream stream = {}; // for parts of a row
+  std::vector<std::string> certificates = {};
 };
 
 // The report on a chain.
@@ -28,6 +31,7 @@ class Chain_report {
   const Join_demand& demand_;
   Report report_;
   GC::Chain_summary summary_;
+  Certificate certificate_;
 
   static Report_subject subject(const Join_demand& demand) {
     Report_subject s{"join", "every join"};
@@ -40,8 +44,11 @@ class Chain_report {
   }
 
 public:
-  Chain_report(const Report_mode& mode, const Join_demand& demand, const Arguments& files)
-      : demand_(demand), report_(mode, subject(demand)) {
+  Chain_report(const Report_mode& mode, const Join_demand& demand, const Arguments& files, bool closed)
+      : demand_(demand), report_(mode, subject(demand)),
+        certificate_(mode.certificate, "chain", files,
+                     ",\"max_order\":" + std::to_string(demand.max_order) +
+                         ",\"closed\":" + (closed ? "true" : "false")) {
     report_.row("joins");
     for (const std::string& file : files) report_.begin_file(input_name(file));
   }
@@ -51,10 +58,12 @@ public:
   void add(const Decided_joins& joins) {
     summary_ += joins.summary;
     report_.add(joins.part, "joins");
+    for (const std::string& certificate : joins.certificates) certificate_.add(certificate);
   }
 
   // Prints the report and returns the exit code.
-  int print(std::ostream& os) const {
+  int print(std::ostream& os) {
+    certificate_.finish();
     return report_.print(os, report_.mode().format == Report_format::text ? text_summary() : json_summary());
   }
 

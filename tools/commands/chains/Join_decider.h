@@ -8,6 +8,7 @@
 #include "commands/chains/Chain_report.h"
 
 #include <CGAL/Geometric_continuity/IO/json.h>
+#include <CGAL/Geometric_continuity/joins/Join_certificate.h>
 #include <CGAL/Geometric_continuity/joins/deviation.h>
 
 #include <algorithm>
@@ -38,6 +39,7 @@ public:
     Join join =
         only_orders ? continuity_orders(left, right, demand_.max_order) : continuity(left, right, demand_.max_order);
     joins.summary.add(join);
+    if (mode_.certificate != nullptr) joins.certificates.push_back(certificate(place, join, left, right));
     const Claim claim = this->claim(join, within);
     const bool fails = claim != Claim::met, is_noted = this->is_noted(join, within);
     if (only_orders && (fails || (mode_.has_findings() && is_noted))) join = continuity(left, right, demand_.max_order);
@@ -54,6 +56,13 @@ public:
   }
 
 private:
+  std::string certificate(const Join_place& place, const Join& join, const Span& left, const Span& right) const {
+    const int k = demand_.max_order;
+    return "\"left\":" + std::to_string(place.left) + ",\"right\":" + std::to_string(place.right) + ',' +
+           certificate_members(GC::join_certificate(left.jets().template end_jet_over<Exact>(k),
+                                                    right.jets().template start_jet_over<Exact>(k), join, k));
+  }
+
   // What is required, exactly or within the tolerance; where nothing is required, all orders within the tolerance.
   Claim claim(const Join& join, const std::optional<GC::Order_within>& within) const {
     if (!demand_.order) return within && has_undecided_order(*within) ? Claim::undecided : Claim::met;

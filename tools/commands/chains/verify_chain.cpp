@@ -51,7 +51,7 @@ template <class Number>
 int verify_spans(const Arguments& files, bool closed, const Report_mode& mode, const Join_demand& demand) {
   typedef Program_span<Number> Span;
   typedef Span_batch<Span> Batch;
-  Chain_report report(mode, demand, files);
+  Chain_report report(mode, demand, files, closed);
   const Join_decider<Span> decide(mode, demand);
   Progress progress("joins");
   Curve_stream<GC::G2_span_reader<Program_traits<Exact>, Number, CGAL::Parallel_if_available_tag>> stream(

@@ -11,9 +11,11 @@
 #include "files/progress.h"
 #include "formats/svg/svg_drawing.h"
 #include "reports/Report.h"
+#include "reports/certificate.h"
 #include "reports/words.h"
 
 #include <CGAL/Geometric_continuity/IO/text.h>
+#include <CGAL/Geometric_continuity/joins/Join_certificate.h>
 #include <CGAL/Geometric_continuity/joins/path_continuity.h>
 
 #include <functional>
@@ -42,6 +44,7 @@ class Drawing_report : public Drawing_handler {
   const std::optional<Requirement> required_;
   const Kink_rule kinks_;
   Report report_;
+  Certificate certificate_;
   Progress progress_{"joins"};
   std::function<void()> show_progress_ = [] {};
   GC::Chain_summary summary_; // of what is decided
@@ -115,9 +118,11 @@ class Drawing_report : public Drawing_handler {
   }
 
 public:
-  Drawing_report(int max_order, const Report_mode& mode, bool several, const std::optional<Requirement>& required,
-                 const Kink_rule& kinks)
-      : max_order_(max_order), several_(several), required_(required), kinks_(kinks), report_(mode, subject(required)) {
+  Drawing_report(int max_order, const Report_mode& mode, const Arguments& files,
+                 const std::optional<Requirement>& required, const Kink_rule& kinks)
+      : max_order_(max_order), several_(files.size() > 1), required_(required), kinks_(kinks),
+        report_(mode, subject(required)),
+        certificate_(mode.certificate, "drawings", files, ",\"max_order\":" + std::to_string(max_order)) {
     report_.row("joins");
     report_.row("not_verified");
   }
@@ -146,6 +151,10 @@ public:
       const Decision decision = within_work_limit(
           [&] { return "commands " + std::to_string(left.command) + " and " + std::to_string(right.command); },
           [&] { return GC::continuity(join, max_order_); });
+      if (certificate_ && is_certified(element, left, right))
+        certificate_.add("\"line\":" + std::to_string(element.line) + ",\"subpath\":" + std::to_string(number) +
+                         ",\"left\":" + std::to_string(i) + ",\"right\":" + std::to_string((i + 1) % n) + ',' +
+                         certificate(element, left, right, *decision));
       if (decision)
         summary_.add(*decision);
       else
@@ -201,11 +210,28 @@ public:
   }
 
   // Prints the report and returns the exit code.
-  int print(std::ostream& os) const {
+  int print(std::ostream& os) {
+    certificate_.finish();
     return report_.print(os, report_.mode().format == Report_format::text ? text_summary() : json_summary());
   }
 
 private:
+  // What is written with control points; shapes and arcs are decided with square roots.
+  static bool is_certified(const Drawing_element& element, const Segment& left, const Segment& right) {
+    return (element.name == "path" || element.name == "polygon" || element.name == "polyline") && !left.arc() &&
+           !right.arc();
+  }
+
+  // In the coordinates of the element: the orders are the same before and after its transform, which is invertible.
+  std::string certificate(const Drawing_element& element, const Segment& left, const Segment& right,
+                          const GC::Join_continuity<Exact>& decision) const {
+    const GC::Svg_transform<Drawing_traits> inverse = element.transform.inverse();
+    const Exact no_root(0);
+    return certificate_members(GC::join_certificate(left.transform(inverse).end_jet_over<Exact>(max_order_, no_root),
+                                                    right.transform(inverse).start_jet_over<Exact>(max_order_, no_root),
+                                                    decision, max_order_));
+  }
+
   // Adds a row of a join unless only findings are written, or what is not met.
   template <class Row> void add_row(Claim claim, Row row) {
     if (report_.mode().has_findings() || (report_.mode().summary && claim == Claim::met)) return;
@@ -266,7 +292,7 @@ private:
 int verify_drawings(const Arguments& files, int max_order, const Report_mode& mode,
                     const std::optional<Requirement>& required, const Kink_rule& kinks) {
   if (required) required->check_dimension(2);
-  Drawing_report report(max_order, mode, files.size() > 1, required, kinks);
+  Drawing_report report(max_order, mode, files, required, kinks);
   report.read(files);
   return report.print(std::cout);
 }

@@ -5,6 +5,7 @@
 #ifndef GEOMETRIC_CONTINUITY_TOOLS_COMMANDS_MODELS_MODEL_REPORT_H
 #define GEOMETRIC_CONTINUITY_TOOLS_COMMANDS_MODELS_MODEL_REPORT_H
 
+#include "commands/models/model_certificate.h"
 #include "commands/models/model_findings.h"
 #include "commands/models/model_json.h"
 #include "files/progress.h"
@@ -18,6 +19,7 @@
 #include <optional>
 #include <sstream>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 // What is asked of the edges of a model.
@@ -76,6 +78,9 @@ public:
     }
     for (const GC::Near_edges& e : near_)
       add("near_edges", e, claim(-1, e.within), is_noted(-1, e.within), std::optional<Within>(e.within));
+    if constexpr (!std::is_floating_point_v<typename Surface::FT>)
+      if (std::ostream* const os = report_.mode().certificate)
+        write_model_certificate(*os, places_.names(), surfaces_, model_);
     return report_.print(std::cout, report_.mode().format == Report_format::text ? text_summary() : json_summary());
   }
 

@@ -48,6 +48,14 @@ public:
   /// Returns \f$ ad - bc \f$; the map is invertible unless this is zero.
   FT determinant() const { return FT(m_[0] * m_[3] - m_[1] * m_[2]); }
 
+  /// Returns the inverse map. \pre the map is invertible
+  Svg_transform inverse() const {
+    const FT d = determinant();
+    const std::array<FT, 4> linear{FT(m_[3] / d), FT(FT(0) - m_[1] / d), FT(FT(0) - m_[2] / d), FT(m_[0] / d)};
+    return Svg_transform({linear[0], linear[1], linear[2], linear[3], FT(FT(0) - linear[0] * m_[4] - linear[2] * m_[5]),
+                          FT(FT(0) - linear[1] * m_[4] - linear[3] * m_[5])});
+  }
+
   /// Returns the image of a point.
   Point operator()(const Point& p) const {
     const Geometric_continuity::Coordinates<Traits> x = Geometric_continuity::coordinates<Traits>(p);

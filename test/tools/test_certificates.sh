@@ -1,0 +1,91 @@
+#!/usr/bin/env bash
+# verify --certificate: what it writes is accepted by check_certificate, which notices each other number, in the certificate and in the file.
+tools=$(cd "$(dirname "$0")/../../tools/certificates" && pwd)
+alter=$(cd "$(dirname "$0")" && pwd)/alter_certificate.py
+. "$(dirname "$0")/functions.sh"
+command -v python3 >/dev/null || exit 77
+
+# checked CODE [FILE...]: the exit code of check_certificate for the last certificate
+checked() {
+  local expected=$1 code=0
+  shift
+  checks=$((checks + 1))
+  python3 "$tools/check_certificate.py" certificate "$@" >said 2>&1 || code=$?
+  [ "$code" -eq "$expected" ] && return
+  failures=$((failures + 1))
+  echo "check_certificate: exit code $code instead of $expected"
+  cat said out
+}
+# certified CODE ARGUMENTS...: the report is the same without the certificate, which is accepted
+certified() {
+  local expected=$1
+  shift
+  run "$expected" verify "$@" && mv out report
+  run "$expected" verify "$@" --certificate certificate && holds cmp -s out report && checked 0
+}
+
+# the data of the tests
+for file in "$data"/*_S_0.g2 "$data"/planar.g2 "$data"/hill_left.g2; do certified 0 "$file" --closed; done
+certified 0 "$L" "$R"
+for model in fillet smooth_fillet; do certified 0 --surfaces "$data/$model.g2"; done
+certified 1 --surfaces "$teapot" && says said "52 certified"
+certified 1 --closed "$S" --require G1 --summary
+for drawing in "$data"/*.svg; do # with shapes and arcs
+  run 1 verify "$drawing" --certificate certificate && checked 3 && says said "not checked: "
+done
+
+# all orders: G2 and F3 but not G3, C2 at inner knots, unclamped knots, rational curves, a cusp, zero tangents, points, other dimensions
+for strategy in normal seq_f3; do
+  run 0 blend "$L" "$R" --order $([ $strategy = normal ] && echo 2 || echo 3) --strategy $strategy -o blend.g2
+  for order in 0 2 5; do certified 0 "$L" blend.g2 "$R" --max-order $order; done
+done
+says certificate '"g_order":2,' '"f_order":3,'
+spline "$two_knots" >knots.g2
+spline $'7 4\n-3 -2 -1 0 1 2 3 4 5 6 7\n0 0 0\n4 0 1\n4 4 0\n0 4 1\n0 0 0\n4 0 1\n4 4 0' >round.g2
+{ cubic $'0 0 0\n1 0 0\n2 0 0\n3 0 0' && cubic $'3 0 0\n2 0 0\n1 0 1\n0 0 0' && cubic $'0 0 0\n0 0 0\n1 0 1\n0 5 0' && cubic $'0 5 0\n0 5 0\n0 5 0\n0 5 0'; } >odd.g2
+for chain in knots round odd; do certified 0 --closed $chain.g2; done
+{ curve $'2 1\n3 3\n0 0 0 1 1 1\n1 0 1\n1 1 1\n0 2 2' && curve $'2 1\n5 3\n0 0 0 1 1 2 2 2\n0 2 2\n-2 2 2\n-2 0 2\n-3 -3 3\n0 -1/3 1/3'; } >circle.g2
+certified 0 --closed circle.g2
+{ curve $'4 0\n2 2\n0 0 1 1\n0 0 0 0\n1 2 3 4' && curve $'4 0\n3 3\n0 0 0 3 3 3\n1 2 3 4\n2 4 6 8\n0 1 0 1'; } >four.g2
+certified 0 four.g2 --max-order 4
+printf '120 1 0 0\n2\n0 0\n1 2\n1\n-1 1\n120 1 0 0\n2\n1 2\n2 4\n1\n0 .5\n' >lines.g2 && certified 0 lines.g2
+certified 0 "$L" "$R" --closed --json
+
+# each number matters
+{
+  cubic $'0 0 0\n1 0 0\n2 1 0\n3 2 1'
+  spline $'4 4\n0 0 0 0 2 2 2 2\n3 2 1\n5 4 3\n4 6 1\n9 1 2'
+  curve $'3 1\n3 3\n0 0 0 1 1 1\n9 1 2 1\n2 3 1 2\n5 1 0 1'
+} >chain.g2
+certified 0 --closed chain.g2 && holds python3 "$alter" "$tools/check_certificate.py" certificate chain.g2
+svg '<g transform="rotate(30) scale(2 3)"><path d="M0 0C1 2 3 4 5 6s2 -1 4 3v4H1z"/></g><polyline points="1,2 3,4 7,1"/>'
+certified 0 drawing.svg && holds python3 "$alter" "$tools/check_certificate.py" certificate drawing.svg
+{
+  printf '200 1 0 0\n3 0\n2 2\n0 0 1 1\n3 3\n0 0 0 1 1 1\n0 0 0\n1 0 0\n0 1 0\n1 1 0\n0 2 1\n1 2 2\n'
+  printf '200 1 0 0\n3 1\n2 2\n0 0 1 1\n3 2\n0 0 2 3 3\n0 4 2 2\n2 4 4 2\n0 12 10 2\n2 12 20 2\n1 9 9 1\n2 8 9 1\n'
+} >model.g2
+certified 0 --surfaces model.g2 && holds python3 "$alter" "$tools/check_certificate.py" certificate model.g2
+# the surfaces turn back at the edge, and where the normal vanishes inside of it
+patch() { printf '200 1 0 0\n3 0\n3 3\n0 0 0 1 1 1\n2 2\n0 0 1 1\n0 0 0\n1 0 0\n2 0 0\n%s\n' "$1"; }
+{ patch $'0 1 0\n1 1 0\n2 1 0' && patch $'0 2 0\n1 1 0\n2 1 0'; } >fold.g2
+certified 0 --surfaces fold.g2 && says report "G0 (fold)"
+{ patch $'0 1 0\n1 -1 0\n2 1 0' && patch $'0 -1 0\n1 1 0\n2 -1 0'; } >vanishing.g2
+certified 0 --surfaces vanishing.g2 && says report "G0 (vanishing_normal)"
+
+# other files, and no whole certificates
+run 0 verify --closed "$S" --certificate certificate && checked 1 "$data/planar.g2" && checked 2 nowhere.g2
+head -n -1 certificate >short && mv short certificate && checked 1 && says said "the last line is missing"
+: >certificate && checked 1
+
+# it is written as a whole or not at all, also when a requirement is not met
+echo old >kept
+run 1 verify --closed "$S" --require G2 --certificate kept && holds [ "$(wc -l <kept)" -eq 30 ]
+echo old >kept && echo 100 >bad.g2
+run 2 verify --closed "$S" bad.g2 --certificate kept && holds [ "$(cat kept)" = old ]
+run 2 verify "$L" "$R" --certificate no/folder/c && says err "no/folder/c: "
+run 2 verify "$L" "$R" --certificate . && run 2 verify "$L" "$R" --certificate - && says err "--certificate: standard output"
+cp "$L" left.g2 && run 2 verify left.g2 "$R" --certificate ./left.g2 && says err "is a file that is verified" && holds cmp -s left.g2 "$L"
+for option in "--within 1,1,1" "--kernel double"; do
+  run 2 verify "$L" "$R" --certificate c $option && says err "${option%% *}: not with --certificate"
+done
+holds [ ! -e c ]

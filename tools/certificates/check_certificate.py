@@ -1,0 +1,400 @@
+#!/usr/bin/env python3
+# Copyright (c) 2026 The Geometric_continuity developers
+#
+# SPDX-License-Identifier: LGPL-3.0-or-later
+"""Checks what `geometric_continuity verify FILE... --certificate CERTIFICATE` has written:  check_certificate CERTIFICATE [FILE...]
+
+Without names the files are those of which the certificate tells. The numbers of the certificate must be those of the files, and each claim
+must follow from them. All is computed anew, in fractions, from the definitions.
+
+Exit code: 0 accepted; 1 refused; 2 a file cannot be read; 3 accepted, but the files have more joins than are certified, such as those of arcs;
+they are counted."""
+
+import gzip, json, re, sys
+from decimal import Decimal
+from fractions import Fraction
+from functools import reduce
+from math import comb, factorial
+from pathlib import Path
+from xml.parsers import expat
+
+class Refused(Exception):
+    """The certificate does not hold."""
+
+def need(condition, reason):
+    if not condition:
+        raise Refused(reason)
+
+def exact(text):
+    need(isinstance(text, str), f"{text!r} is no exact number")
+    return Fraction(text) if "/" in text else Fraction(Decimal(text))
+
+def take(line, name):
+    """Removes a member from a line: an exact number, or a list of them, which may be nested."""
+    def numbers(value):
+        return [numbers(x) for x in value] if isinstance(value, list) else exact(value)
+    need(name in line, f"{name} is missing")
+    return numbers(line.pop(name))
+
+def need_equal(line, members):
+    """Removes members that must have these values."""
+    for name, value in members.items():
+        need(name in line and type(line[name]) is type(value) and line.pop(name) == value, f"{name} is not {value}")
+
+def plus(v, w, factor=1):
+    return [x + factor * y for x, y in zip(v, w)]
+
+def dot(v, w):
+    return sum(x * y for x, y in zip(v, w))
+
+# ---- Joins of curves: X = x[0], X' = x[1], ... are the derivatives of the left curve at the join, Y those of the right one.
+def chain_rule(x, betas, j):
+    """The j-th derivative of X(s(t)), s = sum beta_i t^i / i!: j! times the coefficient of t^j in sum X^(m) s^m / m!."""
+    s = [Fraction(0)] + [b / factorial(i + 1) for i, b in enumerate(betas)] + [Fraction(0)] * j
+    total, power = [Fraction(0)] * len(x[0]), [Fraction(1)] + [Fraction(0)] * j
+    for m in range(1, j + 1):
+        power = [sum(power[i] * s[k - i] for i in range(k + 1)) for k in range(j + 1)]
+        total = plus(total, x[m], Fraction(factorial(j), factorial(m)) * power[j])
+    return total
+
+def are_independent(vectors):
+    """Of each vector: it is no combination of those before it."""
+    basis, result = [], []
+    for v in vectors:
+        v = reduce(lambda w, b: plus(w, b, -dot(w, b) / dot(b, b)), basis, v)
+        result.append(any(v))
+        basis += [v] if any(v) else []
+    return result
+
+def check_rests(line, name, is_refuted, rests):
+    """Orders that hold leave no rest; the first that does not hold, if there is one, leaves what the line says."""
+    need(not is_refuted or rests.pop() == take(line, name), f"{name} is not what is left")
+    need(not any(any(r) for r in rests), f"an order before {name} does not hold")
+
+def check_join(line, order, jets):
+    """The claims about a join with these derivatives, where no order above `order` was asked for."""
+    need((take(line, "x"), take(line, "y")) == jets, "the derivatives are not those of the file")
+    (x, y), n = jets, len(jets[0][0])
+    c, g, f = (line.pop(kind + "_order") for kind in "cgf")
+    need(all(type(k) is int and -1 <= k <= order for k in (c, g, f)), "an order is out of range")
+    betas, factors = take(line, "betas"), take(line, "f_factors")
+    rests = [plus(y[j], x[j], -1) for j in range(min(c + 1, order) + 1)]
+    need(c == order or any(rests[-1]), "C: the next order holds as well")
+    check_rests(line, "c_rest", c < order, rests)
+    if c < 0 or order == 0 or not any(x[1]) or not any(y[1]):
+        return need(g == f == min(c, 0) and not betas + factors, "G, F: not defined here")
+    need(g >= 0 and len(betas) == min(g + 1, order) and (g == 0 or betas[0] > 0), "G: wrong betas")
+    rests = [plus(y[j], chain_rule(x, betas, j), -1) for j in range(1, len(betas) + 1)]
+    refuted = dot(rests[-1], x[1]) == 0 and (any(rests[-1]) or (g == 0 and betas[0] <= 0))
+    need(g == order or refuted, "G: the next order is not refuted")
+    check_rests(line, "g_rest", g < order, rests)
+    most = min(order, n)
+    need((f >= 1) == (g >= 1) and f <= most and len(factors) == (min(f, most - 1) if f >= 1 else 0), "F: not so many factors")
+    independent, rests = are_independent(x[1:]), []
+    for j, a in enumerate(factors, 2):
+        need(len(a) == j - 1 and all(independent[i] or a[i] == 0 for i in range(j - 1)), "F: wrong factors")
+        rests.append(plus(y[j], x[j], -(betas[0] ** j)))
+        for i in range(1, j):
+            rests[-1] = plus(rests[-1], x[i], -a[i - 1])
+    refuted = 1 <= f < most and any(rests[-1]) and not any(dot(rests[-1], x[i]) for i in range(1, f + 1))
+    need(refuted or f in (0, most), "F: the next order is not refuted")
+    return check_rests(line, "f_rest", 1 <= f < most, rests)
+
+# ---- Splines over knots t, of degree p, with control points d.
+def blossom(t, p, d, k, arguments):
+    """The polar form of the polynomial on the span t[k], t[k + 1]."""
+    d = d[k - p : k + 1]
+    for r, u in enumerate(arguments, 1):
+        for j in range(p, r - 1, -1):
+            a = (u - t[k - p + j]) / (t[k + j - r + 1] - t[k - p + j])
+            d[j] = plus([(1 - a) * x for x in d[j - 1]], d[j], a)
+    return d[p]
+
+def bezier(t, p, d, begin, end):
+    """The Bezier points of the part from `begin` to `end`, in any order, within one span."""
+    k = max(k for k in range(p, len(t) - p - 1) if t[k] <= min(begin, end) and t[k] < max(begin, end))
+    return [blossom(t, p, d, k, [begin] * (p - j) + [end] * j) for j in range(p + 1)]
+
+def breaks(t, p):
+    return sorted(set(t[p : len(t) - p]))
+
+def derivatives(b, h, order):
+    """Those at the first point of a Bezier curve over an interval of length h."""
+    p, result, factor = len(b) - 1, [], Fraction(1)
+    for j in range(order + 1):
+        result.append([factor * x for x in b[0]] if j <= p else [Fraction(0)] * len(result[0]))
+        b = [plus(w, v, -1) for v, w in zip(b, b[1:])]
+        factor *= Fraction(p - j) / h
+    return result
+
+def divided(jet):
+    """The derivatives of x = p / w from those of (p, w): w x = p is differentiated."""
+    result = []
+    for k, v in enumerate(jet):
+        x = v[:-1]
+        for j in range(1, k + 1):
+            x = plus(x, result[k - j], -comb(k, j) * jet[j][-1])
+        result.append([y / jet[0][-1] for y in x])
+    return result
+
+# ---- The text format .g2: splines of one parameter, class 100, and of two, class 200; lines, class 120. Points are homogeneous.
+def splines(data, kind):
+    """The parameters (t, p) of each spline of this class, and its points."""
+    words = iter(data.decode("utf-8", "replace").split())
+    def numbers(n):
+        return [exact(next(words)) for _ in range(n)]
+    def integers(n):
+        return [int(next(words)) for _ in range(n)]
+    for word in words:
+        version, skipped = integers(2), integers(integers(1)[0])
+        (n,) = integers(1)
+        if word == "120" and kind == "100":
+            start, direction, _, ends = (numbers(k) for k in (n, n, 1, 2))
+            yield [(sorted(ends * 2), 1)], [plus(start, direction, u) + [Fraction(1)] for u in ends]
+            continue
+        if word != kind or version != [1, 0]:
+            raise NotImplementedError(f"class {word} of .g2 is not read where {kind} is expected")
+        (rational,), parameters, size = integers(1), [], 1
+        for _ in range(int(kind) // 100):
+            count, order = integers(2)
+            parameters.append((numbers(count + order), order - 1))
+            size *= count
+            need(parameters[-1][0] == sorted(parameters[-1][0]), "knots decrease")
+        yield parameters, [numbers(n + rational) + [Fraction(1)] * (1 - rational) for _ in range(size)]
+
+def curve_joins(files, order, closed):
+    """What places each join of the chain, and the derivatives on both sides."""
+    ends = []
+    for data in files:
+        for [(t, p)], points in splines(data, "100"):
+            for begin, end in zip(breaks(t, p), breaks(t, p)[1:]):
+                b = bezier(t, p, points, begin, end)
+                ends.append([divided(derivatives(*a, order)) for a in ((b, end - begin), (b[::-1], begin - end))])
+    for i in range(len(ends) - (not closed)):
+        yield {"left": i, "right": (i + 1) % len(ends)}, (ends[i][1], ends[(i + 1) % len(ends)][0])
+
+# ---- Drawings: the segments of paths are lists of control points, and None for an arc.
+NUMBER, SPACE = r"[+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?", re.compile(r"[ \t\n\f\r]*,?[ \t\n\f\r]*")
+SHAPES = set("circle ellipse rect use".split())  # which are not computed
+NOT_DRAWN = """defs symbol clipPath mask marker pattern style linearGradient radialGradient filter script title desc metadata
+    foreignObject flowRoot font text image""".split()
+
+def drawn(points):
+    """What editors write for a line, a straight curve with a handle in its node, is the line."""
+    chord, handles = plus(points[-1], points[0], -1), [plus(v, points[0], -1) for v in points[1:-1]]
+    retracted = any(chord) and (points[1] == points[0] or points[-2] == points[-1])
+    inside = all(chord[0] * v[1] == chord[1] * v[0] and 0 <= dot(chord, v) <= dot(chord, chord) for v in handles)
+    return [points[0], points[-1]] if retracted and inside else points
+
+def subpaths(data):
+    """The segments of each subpath of path data, and whether it is closed."""
+    at, letter, degree, segments = SPACE.match(data).end(), "", 1, []
+    current = start = handle = [Fraction(0)] * 2
+    def word(pattern):
+        nonlocal at
+        found = re.compile(pattern).match(data, at)
+        need(found, f"path data: character {at + 1}")
+        at = SPACE.match(data, found.end()).end()
+        return found.group()
+    def point(origin):
+        return [o + exact(word(NUMBER)) for o in origin]
+    while at < len(data):
+        letter = word("[MmLlHhVvCcSsQqTtAaZz]") if data[at].isalpha() else {"M": "L", "m": "l"}.get(letter, letter)
+        origin, kind, points = current if letter.islower() else [Fraction(0)] * 2, letter.upper(), [current]
+        last_degree, degree = degree, {"C": 3, "S": 3, "Q": 2, "T": 2}.get(kind, 1)
+        if kind in "MZ":
+            segments += [[current, start]] if kind == "Z" and current != start else []
+            if segments or kind == "Z":
+                yield segments, kind == "Z"
+            segments = []
+            current = start = point(origin) if kind == "M" else start
+        elif kind in "HV":
+            points.append([origin[i] + exact(word(NUMBER)) if i == "HV".index(kind) else current[i] for i in range(2)])
+        elif kind == "A":
+            radii = [exact(word(x)) for x in (NUMBER, NUMBER, NUMBER, "[01]", "[01]")][:2]
+            points.append(point(origin))
+            if points[1] == current or all(radii):
+                segments += [] if points[1] == current else [None]
+                current, points = points[1], []
+        else:
+            if kind in "ST":
+                points.append(plus([2 * x for x in current], handle, -1) if last_degree == degree else current)
+            points += [point(origin) for _ in range(degree + 1 - len(points))]
+            handle = points[-2]
+        if len(points) > 1:
+            segments.append(drawn(points))
+            current = points[-1]
+    if segments:
+        yield segments, False
+
+def is_singular(transform):
+    numbers = [(name, [exact(x) for x in re.findall(NUMBER, text)]) for name, text in re.findall(r"(\w+)\s*\(([^)]*)\)", transform)]
+    return any((k == "matrix" and v[0] * v[3] == v[1] * v[2]) or (k == "scale" and v[0] * v[-1] == 0) for k, v in numbers)
+
+def drawing_joins(files, order):
+    """As curve_joins(), in the coordinates of each element: no invertible transform changes an order. None for what is not certified."""
+    joins = []
+    def start(full_name, attributes):
+        name = full_name.replace("http://www.w3.org/2000/svg ", "")
+        is_drawn = stack[-1] and name not in NOT_DRAWN and " " not in name and not is_singular(attributes.get("transform", ""))
+        stack.append(is_drawn)
+        data = attributes.get("d", "") if name == "path" else "M" + attributes.get("points", "") + "Z" * (name == "polygon")
+        if not is_drawn or name not in ("path", "polygon", "polyline") or len(data) < 3:
+            return joins.extend([None] * (is_drawn and name in SHAPES))
+        for number, (segments, closed) in enumerate(subpaths(data), 1):
+            kept = [s for s in segments if s is None or any(v != s[0] for v in s)]
+            for i in range(len(kept) - (not closed)):
+                j = (i + 1) % len(kept)
+                place = {"line": parser.CurrentLineNumber, "subpath": number, "left": i, "right": j}
+                a, b = kept[i], kept[j]
+                joins.append((place, (derivatives(a[::-1], -1, order), derivatives(b, 1, order))) if a and b else None)
+        return None
+    for data in files:
+        parser, stack = expat.ParserCreate(namespace_separator=" "), [True]
+        parser.StartElementHandler, parser.EndElementHandler = start, lambda _: stack.pop()
+        parser.Parse(gzip.decompress(data) if data[:2] == b"\x1f\x8b" else data, True)
+    return joins
+
+# ---- Edges of surfaces. Polynomials are lists of the coefficients of powers, without zeros at the end; points are homogeneous.
+def trimmed(a):
+    return trimmed(a[:-1]) if a and a[-1] == 0 else a
+
+def add(a, b, factor=1):
+    n = max(len(a), len(b))
+    return trimmed(plus(a + [Fraction(0)] * (n - len(a)), b + [Fraction(0)] * (n - len(b)), factor))
+
+def times(a, b):
+    return [sum(a[i] * b[k - i] for i in range(len(a)) if 0 <= k - i < len(b)) for k in range(len(a) + len(b) - 1)] if a and b else []
+
+def derivative(a):
+    return [i * x for i, x in enumerate(a)][1:]
+
+def powers(b):
+    """The coordinates, as polynomials on [0, 1], of the curve with these Bezier points."""
+    taylor = derivatives(b, 1, len(b) - 1)
+    return [trimmed([x / factorial(k) for k, x in enumerate(a)]) for a in zip(*taylor)]
+
+def scalar(v, w):
+    return reduce(add, map(times, v, w))
+
+def plane(a, b, c):
+    """What v is multiplied by in det(v, a, b, c)."""
+    def minor(j, k):
+        return add(times(b[j], c[k]), times(b[k], c[j]), -1)
+    result = []
+    for i in range(4):
+        j, k, m = (h for h in range(4) if h != i)
+        total = add(add(times(a[j], minor(k, m)), times(a[k], minor(j, m)), -1), times(a[m], minor(j, k)))
+        result.append([x * (-1) ** i for x in total])
+    return result
+
+def is_negative(a):
+    """Of a polynomial: on the whole of [0, 1], by Sturm's sequence."""
+    sequence, changes = [a, derivative(a)], []
+    while sequence[-1]:
+        rest, d = sequence[-2], sequence[-1]
+        while len(rest) >= len(d):
+            rest = add(rest, [Fraction(0)] * (len(rest) - len(d)) + d, -rest[-1] / d[-1])
+        sequence.append([-x for x in rest])
+    for values in [[p[0] for p in sequence if p], [sum(p) for p in sequence if p]]:
+        signs = [x for x in values if x != 0]
+        changes.append(sum(x * y < 0 for x, y in zip(signs, signs[1:])))
+    return bool(a) and a[0] < 0 and sum(a) < 0 and changes[0] == changes[1]
+
+def rows(surface, across, at, sign):
+    """Where a parameter, 0 or 1, is constant: the other one, and the surface and its two derivatives across, to larger parameters or smaller."""
+    parameters, points = surface
+    (t, p), m = parameters[across], len(parameters[0][0]) - parameters[0][1] - 1
+    beyond = min(x * sign for x in t if x * sign > at * sign) * sign
+    lines = [points[k::m] for k in range(m)] if across == 1 else [points[k : k + m] for k in range(0, len(points), m)]
+    return parameters[1 - across], list(zip(*(derivatives(bezier(t, p, d, at, beyond), abs(beyond - at), 2) for d in lines)))
+
+def check_span(span, a, b):
+    """The claims about a span of an edge, from the rows of both surfaces as polynomials on [0, 1]. Returns the order."""
+    (p, pv, pvv), (q, qv, qvv), pu, order, claims = a, b, [derivative(x) for x in a[0]], -1, {}
+    if p == q:
+        normal, other, order = plane(p, pu, pv), plane(p, pu, qv), 0
+        claims = {"determinant": scalar(normal, qv), "side": scalar(normal[:3], other[:3])}
+        if not claims["determinant"] and is_negative(claims["side"]):
+            i = next(i for i in range(4) if normal[i])
+            d, m, n = claims["factors"] = [normal[i], plane(p, qv, pv)[i], other[i]]
+            rest, twist = times(times(d, d), scalar(normal, qvv)), [derivative(x) for x in pv]
+            for f, g, v in ((m, m, [derivative(x) for x in pu]), (m, n, twist), (m, n, twist), (n, n, pvv)):
+                rest = add(rest, times(times(f, g), scalar(normal, v)), -1)
+            claims["second_order"], order = rest, 1 if rest else 2
+    need([take(span, name) for name in claims] == list(claims.values()), "a polynomial is another one")
+    need_equal(span, {"order": order})
+    return order
+
+def side(surfaces, line, name):
+    """The rows along an edge."""
+    number, edge = line.pop("patch_" + name), line.pop("edge_" + name)
+    need(type(number) is int and 0 <= number < len(surfaces) and edge in ("u0", "u1", "v0", "v1"), "no such edge")
+    across, upper = "uv".index(edge[0]), edge[1] == "1"
+    return rows(surfaces[number], across, breaks(*surfaces[number][0][across])[-upper], -1 if upper else 1)
+
+def check_edge(line, surfaces):
+    """The claims about an edge of two surfaces, or about a knot line in one."""
+    orders = []
+    if "knot" in line:
+        number, across, knot, backwards = line.pop("patch"), "uv".index(line.pop("line")), take(line, "knot"), False
+        need(type(number) is int and 0 <= number < len(surfaces) and knot in surfaces[number][0][across][0], "no such line")
+        (a, a_rows), (b, b_rows) = (rows(surfaces[number], across, knot, sign) for sign in (-1, 1))
+    else:
+        (a, a_rows), (b, b_rows), backwards = side(surfaces, line, "a"), side(surfaces, line, "b"), line.pop("reversed")
+    u, v = breaks(*a), breaks(*b)[:: -1 if backwards else 1]
+    scale = (v[-1] - v[0]) / (u[-1] - u[0])
+    cuts = sorted(set(u + [u[0] + (x - v[0]) / scale for x in v]))
+    need(len(line["spans"]) == len(cuts) - 1, "there are not so many spans")
+    for span, begin, end in zip(line["spans"], cuts, cuts[1:]):
+        need((take(span, "begin"), take(span, "end")) == (begin, end), "a span has other ends")
+        x = [bezier(*a, list(row), begin, end) for row in a_rows]
+        y = [bezier(*b, list(row), *(v[0] + (t - u[0]) * scale for t in (begin, end))) for row in b_rows]
+        factor = x[0][0][3] / y[0][0][3]
+        y = [[[factor * z for z in point] for point in row] for row in y]
+        need((take(span, "a"), take(span, "b")) == (x, y), "the rows are not those of the file")
+        orders.append(check_span(span, *([powers(row) for row in rows] for rows in (x, y))))
+    need_equal(line, {"order": min(orders), "spans": [{}] * len(orders)})
+
+def check(certificate, names):
+    """Returns how many lines were checked, and how many joins of the files have none."""
+    lines = iter(Path(certificate).read_text(encoding="utf-8").splitlines())
+    header = json.loads(next(lines))
+    kind, given, order, closed = (header.pop(name, None) for name in ("certificate", "files", "max_order", "closed"))
+    need(kind in ("chain", "drawings", "model") and header == {"version": 1} and type(closed) in (bool, type(None)) and len(names or given) == len(given), "the first line")
+    files, count = [Path(name).read_bytes() for name in names or given], 0
+    surfaces = [surface for data in files for surface in splines(data, "200")] if kind == "model" else []
+    joins = [] if kind == "model" else list(curve_joins(files, order, closed) if kind == "chain" else drawing_joins(files, order))
+    certified = iter([join for join in joins if join])
+    for line in map(json.loads, lines):
+        if "lines" in line:
+            need_equal(line, {"lines": count})
+            need(not line and not next(lines, None) and not next(certified, None), "the certificate has another length")
+            return count, joins.count(None)
+        try:
+            if kind == "model":
+                check_edge(line, surfaces)
+            else:
+                place, jets = next(certified)
+                need_equal(line, place)
+                check_join(line, order, jets)
+            need(not line, f"{', '.join(line)}: not checked")
+        except Refused as error:
+            raise Refused(f"line {count + 2}: {error}") from error
+        count += 1
+    raise Refused("the last line is missing")
+
+def main(arguments):
+    if not arguments or arguments[0] in ("-h", "--help"):
+        return print(__doc__) or (0 if arguments else 2)
+    try:
+        checked, missing = check(arguments[0], arguments[1:])
+    except (OSError, NotImplementedError) as error:
+        return print(f"check_certificate: {error}", file=sys.stderr) or 2
+    except (Refused, ArithmeticError, LookupError, TypeError, ValueError, StopIteration, RuntimeError, AttributeError, expat.ExpatError) as error:
+        return print(f"refused: {error or 'wrong numbers'}") or 1
+    print(f"accepted: {checked} certified" + (f"; not checked: {missing} that are not certified" if missing else ""))
+    return 3 if missing else 0
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))
