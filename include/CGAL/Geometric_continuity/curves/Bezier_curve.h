@@ -175,12 +175,9 @@ public:
   /// Returns the jet of order `k` at `u`, which may lie outside the domain; derivatives beyond the degree are zero.
   /// \f$ O(m^2 + k^3) \f$ \throws Error `negative_count` unless `k >= 0`
   Curve_jet<Traits> jet(const FT& u, int k) const {
-    if constexpr (internal::unrolls_jets<FT, Degree>)
-      return internal::with_largest_order<Degree>(
-          k, [&](auto order) { return jet_of_order<decltype(order)::value>(u, k); },
-          [&] { return jet_of_any_order(u, k); });
-    else
-      return jet_of_any_order(u, k);
+    return internal::with_largest_order<FT, Degree>(
+        k, [&](auto order) { return jet_of_order<decltype(order)::value>(u, k); },
+        [&] { return jet_of_any_order(u, k); });
   }
 
   /// Returns the jet of an order `k >= 0` that is known at compile time, at `u`, which may lie outside the domain;

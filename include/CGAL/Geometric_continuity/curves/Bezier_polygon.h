@@ -42,21 +42,6 @@ using Range_of_points = std::enable_if_t<
                           const Point&> &&
     !Has_traits<Range>::value>;
 
-// A jet of order k: for a small one of fixed(a constant that is at least k), where the degree is fixed k itself; otherwise any().
-template <int Degree, class Fixed, class Any> auto with_largest_order(int k, Fixed fixed, Any any) {
-  typedef std::integral_constant<int, 3> Three;
-  if constexpr (Degree == dynamic_degree)
-    return k <= 3 ? fixed(Three()) : any();
-  else
-    switch (k) {
-    case 0: return fixed(std::integral_constant<int, 0>());
-    case 1: return fixed(std::integral_constant<int, 1>());
-    case 2: return fixed(std::integral_constant<int, 2>());
-    case 3: return fixed(Three());
-    default: return any();
-    }
-}
-
 } // namespace internal
 
 /// \ingroup PkgGeometricContinuityCurves

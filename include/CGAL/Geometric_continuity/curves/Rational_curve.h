@@ -240,12 +240,10 @@ public:
   Curve_jet<Traits> jet(const FT& u, int k) const {
     if constexpr (is_spline)
       return right_jet(u, k);
-    else if constexpr (internal::unrolls_jets<FT, Degree>)
-      return internal::with_largest_order<Degree>(
+    else
+      return internal::with_largest_order<FT, Degree>(
           k, [&](auto order) { return jet_of_order<decltype(order)::value>(u, k); },
           [&] { return jet_of_any_order(u, k); });
-    else
-      return jet_of_any_order(u, k);
   }
   /// Returns the jet of an order `k >= 0` that is known at compile time.
   /// \throws Error `zero_weight` when the denominator is zero there

@@ -18,6 +18,7 @@
 #include <algorithm>
 #include <array>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -111,6 +112,42 @@ template <class Traits> std::optional<typename Traits::Vector> unit_normal(const
   n /= internal::square_root(FT(dot(n, n)));
   return Geometric_continuity::to_vector<Traits>(n);
 }
+
+/// \ingroup PkgGeometricContinuitySurfaces
+/// The types of a surface, and what it tells at parameters by its jets: the base of patches and B-spline surfaces, rational or not.
+/// \tparam Surface the surface, with `jet(u, v, k)`
+/// \tparam Traits_ a model of `GeometricContinuityTraits`
+template <class Surface, class Traits_> class Surface_evaluation {
+  static_assert(internal::Checked_traits<Traits_>::value);
+
+public:
+  typedef Traits_ Traits;                       ///< the geometric traits
+  typedef typename Traits::FT FT;               ///< the number type
+  typedef typename Traits::Point Point;         ///< the points
+  typedef typename Traits::Vector Vector;       ///< the vectors
+  typedef std::pair<FT, FT> Interval;           ///< the two ends of a parameter interval
+  static constexpr int N = dimension_v<Traits>; ///< the dimension, or 0 when it is known at run time only
+
+  /// Returns the derivative of order `i >= 0` in `u` and `j >= 0` in `v`; for `i = j = 0` the position vector.
+  /// \throws Error `negative_count` for a negative order
+  Vector partial(const FT& u, const FT& v, int i, int j) const {
+    internal::check_count((std::min)(i, j), "order of a partial derivative");
+    return surface().jet(u, v, i + j).partial(i, j);
+  }
+
+  /// Returns the normal \f$ S_u \times S_v \f$, not normalised; zero where the surface is not regular.
+  /// \throws Error `dimension_mismatch` unless in dimension 3
+  Vector normal(const FT& u, const FT& v) const { return Geometric_continuity::normal(surface().jet(u, v, 1)); }
+
+  /// Returns the unit normal, empty where \f$ S_u \times S_v = 0 \f$; only for number types that have a square root.
+  /// \throws Error `dimension_mismatch` unless in dimension 3
+  std::optional<Vector> unit_normal(const FT& u, const FT& v) const {
+    return Geometric_continuity::unit_normal(surface().jet(u, v, 1));
+  }
+
+private:
+  const Surface& surface() const { return static_cast<const Surface&>(*this); }
+};
 
 namespace internal {
 

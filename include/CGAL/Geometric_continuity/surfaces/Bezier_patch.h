@@ -206,22 +206,20 @@ std::pair<Control_net<Traits>, Control_net<Traits>> split_rows(const Control_net
 ///
 /// \tparam Traits a model of `GeometricContinuityTraits`
 /// \cgalModels{ParametricSurface}
-template <class Traits_> class Bezier_patch {
-  static_assert(internal::Checked_traits<Traits_>::value);
+template <class Traits_> class Bezier_patch : public Surface_evaluation<Bezier_patch<Traits_>, Traits_> {
+  typedef Surface_evaluation<Bezier_patch<Traits_>, Traits_> Base;
 
 public:
-  typedef Traits_ Traits;                       ///< the geometric traits
-  typedef typename Traits::FT FT;               ///< the number type
-  typedef typename Traits::Point Point;         ///< the points
-  typedef typename Traits::Vector Vector;       ///< the vectors
-  typedef std::pair<FT, FT> Interval;           ///< the two ends of a parameter interval
-  static constexpr int N = dimension_v<Traits>; ///< the dimension, or 0 when it is known at run time only
+  using Base::N;
+  using typename Base::FT;
+  using typename Base::Interval;
+  using typename Base::Point;
+  using typename Base::Traits;
 
   /// A row of coordinates along an edge.
   template <class Field> using Row = std::vector<Coordinate_vector<Field, N>>;
 
 private:
-  typedef Geometric_continuity::Coordinates<Traits> Coordinates;
   typedef internal::Control_net<Traits> Net;
   template <class Shape> friend class Rational_surface; // takes and gives the net as it is
 
@@ -255,7 +253,7 @@ public:
   /// Returns the control point \f$ b_{ij} \f$. \pre `0 <= i <= degree_u()`, `0 <= j <= degree_v()`
   const Point& control_point(int i, int j) const { return net_(i, j); }
   /// Returns the coordinates of \f$ b_{ij} \f$. \pre `0 <= i <= degree_u()`, `0 <= j <= degree_v()`
-  Coordinates coordinates(int i, int j) const { return net_.coordinates(i, j); }
+  Coordinates<Traits> coordinates(int i, int j) const { return net_.coordinates(i, j); }
 
   const_iterator begin() const { return net_.begin(); } ///< Returns the begin of \f$ b_{00}, b_{01}, \dots, b_{pq} \f$.
   const_iterator end() const { return net_.end(); }     ///< Returns the end of the control points.
@@ -276,23 +274,6 @@ public:
         });
     internal::check_jet(jet, "Bezier_patch: jet");
     return jet;
-  }
-
-  /// Returns the derivative of order `i >= 0` in `u` and `j >= 0` in `v`; for `i = j = 0` the position vector.
-  /// \throws Error `negative_count` for a negative order
-  Vector partial(const FT& u, const FT& v, int i, int j) const {
-    internal::check_count((std::min)(i, j), "Bezier_patch: order of a partial derivative");
-    return jet(u, v, i + j).partial(i, j);
-  }
-
-  /// Returns the normal \f$ S_u \times S_v \f$, not normalised; zero where the patch is not regular.
-  /// \throws Error `dimension_mismatch` unless in dimension 3
-  Vector normal(const FT& u, const FT& v) const { return Geometric_continuity::normal(jet(u, v, 1)); }
-
-  /// Returns the unit normal, empty where \f$ S_u \times S_v = 0 \f$; only for number types that have a square root.
-  /// \throws Error `dimension_mismatch` unless in dimension 3
-  std::optional<Vector> unit_normal(const FT& u, const FT& v) const {
-    return Geometric_continuity::unit_normal(jet(u, v, 1));
   }
 
   /// @}

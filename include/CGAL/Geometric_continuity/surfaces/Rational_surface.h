@@ -33,8 +33,7 @@ template <class Traits> struct Surface_shape<Bezier_patch<Traits>> {
   typedef Bezier_patch<Homogeneous_traits<Traits>> Homogeneous;
   typedef std::pair<typename Traits::FT, typename Traits::FT> Side;
   static constexpr bool is_spline = false;
-  static constexpr const char *name = "Rational_bezier_patch", *image = "Rational_bezier_patch: image",
-                              *partial = "Rational_bezier_patch: order of a partial derivative";
+  static constexpr const char *name = "Rational_bezier_patch", *image = "Rational_bezier_patch: image";
 
   static Side unit() { return Side(typename Traits::FT(0), typename Traits::FT(1)); }
   template <class Points> static Control_net<Traits> net(const Points& points, const Side&, const Side&) {
@@ -51,8 +50,7 @@ template <class Traits> struct Surface_shape<Bspline_surface<Traits>> {
   typedef Bspline_surface<Homogeneous_traits<Traits>> Homogeneous;
   typedef Knot_vector<typename Traits::FT> Side;
   static constexpr bool is_spline = true;
-  static constexpr const char *name = "Rational_bspline_surface", *image = "Rational_bspline_surface: image",
-                              *partial = "Rational_bspline_surface: order of a partial derivative";
+  static constexpr const char *name = "Rational_bspline_surface", *image = "Rational_bspline_surface: image";
 
   template <class Points> static Control_net<Traits> net(const Points& points, const Side& u, const Side& v) {
     return spline_net<Traits>(points, u, v);
@@ -82,20 +80,21 @@ template <class Traits> struct Surface_shape<Bspline_surface<Traits>> {
 ///
 /// \tparam Shape `Bezier_patch<Traits>` or `Bspline_surface<Traits>`
 /// \cgalModels{ParametricSurface}
-template <class Shape_> class Rational_surface {
+template <class Shape_>
+class Rational_surface : public Surface_evaluation<Rational_surface<Shape_>, typename Shape_::Traits> {
+  typedef Surface_evaluation<Rational_surface<Shape_>, typename Shape_::Traits> Base;
   typedef internal::Surface_shape<Shape_> Kind;
   typedef typename Kind::Side Side;
   static constexpr bool is_spline = Kind::is_spline;
 
 public:
+  using Base::N;
+  using typename Base::FT;
+  using typename Base::Interval;
+  using typename Base::Point;
+  using typename Base::Traits;
   typedef Shape_ Shape;                           ///< the polynomial surface with the same control points
-  typedef typename Shape::Traits Traits;          ///< the geometric traits
-  typedef typename Traits::FT FT;                 ///< the number type
-  typedef typename Traits::Point Point;           ///< the points
-  typedef typename Traits::Vector Vector;         ///< the vectors
-  typedef std::pair<FT, FT> Interval;             ///< the two ends of a parameter interval
   typedef typename Kind::Homogeneous Homogeneous; ///< the polynomial surface of the homogeneous points
-  static constexpr int N = dimension_v<Traits>;   ///< the dimension, or 0 when it is known at run time only
 
   /// A row of homogeneous coordinates along an edge.
   template <class Field> using Row = std::vector<Coordinate_vector<Field, (N == 0 ? 0 : N + 1)>>;
@@ -206,23 +205,6 @@ public:
     else
       return project<Traits>(internal::bezier_jet<Homogeneous_points>(degree_u(), degree_v(), dimension() + 1,
                                                                       domain_u(), domain_v(), u, v, k, coordinate));
-  }
-
-  /// Returns the derivative of order `i >= 0` in `u` and `j >= 0` in `v`; for `i = j = 0` the position vector.
-  /// \throws Error `negative_count` for a negative order
-  Vector partial(const FT& u, const FT& v, int i, int j) const {
-    internal::check_count((std::min)(i, j), Kind::partial);
-    return jet(u, v, i + j).partial(i, j);
-  }
-
-  /// Returns the normal \f$ S_u \times S_v \f$, not normalised; zero where the surface is not regular.
-  /// \throws Error `dimension_mismatch` unless in dimension 3
-  Vector normal(const FT& u, const FT& v) const { return Geometric_continuity::normal(jet(u, v, 1)); }
-
-  /// Returns the unit normal, empty where \f$ S_u \times S_v = 0 \f$; only for number types that have a square root.
-  /// \throws Error `dimension_mismatch` unless in dimension 3
-  std::optional<Vector> unit_normal(const FT& u, const FT& v) const {
-    return Geometric_continuity::unit_normal(jet(u, v, 1));
   }
 
   /// @}

@@ -116,6 +116,24 @@ template <class FT> struct Is_floating_point_or_interval : std::is_floating_poin
 template <bool is_protected> struct Is_floating_point_or_interval<Interval_nt<is_protected>> : std::true_type {};
 template <class FT, int Degree> constexpr bool unrolls_jets = Degree >= 0 || Is_floating_point_or_interval<FT>::value;
 
+// A jet of order k of a Bezier curve: for a small one of fixed(a constant that is at least k), where the degree is fixed k itself, if
+// that is unrolled; otherwise any().
+template <class FT, int Degree, class Fixed, class Any> auto with_largest_order(int k, Fixed fixed, Any any) {
+  typedef std::integral_constant<int, 3> Three;
+  if constexpr (!unrolls_jets<FT, Degree>)
+    return any();
+  else if constexpr (Degree < 0)
+    return k <= 3 ? fixed(Three()) : any();
+  else
+    switch (k) {
+    case 0: return fixed(std::integral_constant<int, 0>());
+    case 1: return fixed(std::integral_constant<int, 1>());
+    case 2: return fixed(std::integral_constant<int, 2>());
+    case 3: return fixed(Three());
+    default: return any();
+    }
+}
+
 // Of the curves below, Level and k are known at compile time, and N is n, or 0 when it is known at run time only. The coordinates are
 // those of the level of de Casteljau's algorithm at u with Level + 1 points; the first one of a curve has Level == degree. The
 // jet has the given order, which is not higher than k.
