@@ -70,7 +70,6 @@
 #include <CGAL/Geometric_continuity/blends/representable_blend.h>
 
 #include <CGAL/Geometric_continuity/edges/Edge_certificate.h>
-#include <CGAL/Geometric_continuity/edges/Edge_conditions.h>
 #include <CGAL/Geometric_continuity/edges/Edge_rows.h>
 #include <CGAL/Geometric_continuity/edges/Spline_edge_continuity.h>
 #include <CGAL/Geometric_continuity/edges/Surface_blend_shape.h>

@@ -9,7 +9,6 @@
 #include "support/enclosures.h"
 #include "support/nets.h"
 
-#include <CGAL/Geometric_continuity/edges/Edge_conditions.h>
 #include <CGAL/Geometric_continuity/edges/edge_continuity.h>
 #include <CGAL/Geometric_continuity/surfaces/boundary_curve.h>
 

@@ -9,7 +9,6 @@
 #include "Report.h"
 
 #include <CGAL/Fraction_traits.h>
-#include <CGAL/Geometric_continuity/edges/Edge_conditions.h>
 #include <CGAL/Geometric_continuity/edges/edge_continuity.h>
 
 // Patches of a case. Rounded kernels take all coordinates times a common denominator: whole numbers, which they represent
