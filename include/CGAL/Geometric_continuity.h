@@ -18,7 +18,6 @@
 #include <CGAL/Geometric_continuity/algebra/Basis_matrix.h>
 #include <CGAL/Geometric_continuity/algebra/Bernstein_polynomial.h>
 #include <CGAL/Geometric_continuity/algebra/Coordinate_vector.h>
-#include <CGAL/Geometric_continuity/algebra/determinant.h>
 #include <CGAL/Geometric_continuity/algebra/sign_pattern.h>
 
 #include <CGAL/Geometric_continuity/local/Curve_jet.h>
@@ -71,7 +70,6 @@
 
 #include <CGAL/Geometric_continuity/edges/Edge_certificate.h>
 #include <CGAL/Geometric_continuity/edges/Edge_rows.h>
-#include <CGAL/Geometric_continuity/edges/Spline_edge_continuity.h>
 #include <CGAL/Geometric_continuity/edges/Surface_blend_shape.h>
 #include <CGAL/Geometric_continuity/edges/blend_surfaces.h>
 #include <CGAL/Geometric_continuity/edges/connect_g1.h>

@@ -9,7 +9,7 @@
 #include "support/errors.h"
 
 #include <CGAL/Exact_rational.h>
-#include <CGAL/Geometric_continuity/algebra/determinant.h>
+#include <CGAL/Geometric_continuity/algebra/Coordinate_vector.h>
 
 #include <tuple>
 #include <utility>

@@ -7,7 +7,7 @@
 
 #include <CGAL/Geometric_continuity/Error.h>
 #include <CGAL/Geometric_continuity/edges/Cad_geometry.h>
-#include <CGAL/Geometric_continuity/edges/Spline_edge_continuity.h>
+#include <CGAL/Geometric_continuity/edges/Edge_rows.h>
 #include <CGAL/Geometric_continuity/edges/internal/Cad_surface_jet.h>
 #include <CGAL/Geometric_continuity/edges/internal/Edge_bounds.h>
 #include <CGAL/Geometric_continuity/edges/internal/Foot_finder.h>

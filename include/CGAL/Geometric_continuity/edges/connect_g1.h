@@ -5,7 +5,7 @@
 #ifndef CGAL_GEOMETRIC_CONTINUITY_EDGES_CONNECT_G1_H
 #define CGAL_GEOMETRIC_CONTINUITY_EDGES_CONNECT_G1_H
 
-#include <CGAL/Geometric_continuity/algebra/determinant.h>
+#include <CGAL/Geometric_continuity/algebra/Coordinate_vector.h>
 #include <CGAL/Geometric_continuity/algebra/sign_pattern.h>
 #include <CGAL/Geometric_continuity/curves/Bspline_curve.h>
 #include <CGAL/Geometric_continuity/edges/edge_continuity.h>

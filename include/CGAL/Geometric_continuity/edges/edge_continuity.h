@@ -8,7 +8,6 @@
 #include <CGAL/Geometric_continuity/algebra/Bernstein_polynomial.h>
 #include <CGAL/Geometric_continuity/algebra/sign_pattern.h>
 #include <CGAL/Geometric_continuity/edges/Edge_rows.h>
-#include <CGAL/Geometric_continuity/edges/Spline_edge_continuity.h>
 #include <CGAL/Geometric_continuity/edges/internal/Edge_normals.h>
 #include <CGAL/Geometric_continuity/edges/internal/decide_surfaces.h>
 #include <CGAL/Geometric_continuity/numbers/Exact_field.h>

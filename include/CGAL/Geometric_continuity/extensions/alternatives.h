@@ -6,7 +6,7 @@
 #define CGAL_GEOMETRIC_CONTINUITY_EXTENSIONS_ALTERNATIVES_H
 
 #include <CGAL/Geometric_continuity/Error.h>
-#include <CGAL/Geometric_continuity/algebra/determinant.h>
+#include <CGAL/Geometric_continuity/algebra/Coordinate_vector.h>
 #include <CGAL/Geometric_continuity/curves/Bezier_curve.h>
 #include <CGAL/Geometric_continuity/extensions/internal/Polygon_end.h>
 #include <CGAL/Geometric_continuity/numbers/internal/checked_numbers.h>

@@ -5,7 +5,7 @@
 #ifndef CGAL_GEOMETRIC_CONTINUITY_LOCAL_CURVATURES_H
 #define CGAL_GEOMETRIC_CONTINUITY_LOCAL_CURVATURES_H
 
-#include <CGAL/Geometric_continuity/algebra/determinant.h>
+#include <CGAL/Geometric_continuity/algebra/Coordinate_vector.h>
 #include <CGAL/Geometric_continuity/internal/independent_iterations.h>
 #include <CGAL/Geometric_continuity/internal/parallel.h>
 #include <CGAL/Geometric_continuity/local/Curve_jet.h>

@@ -6,7 +6,7 @@
 #define CGAL_GEOMETRIC_CONTINUITY_EDGES_INTERNAL_EDGE_DECISION_H
 
 #include <CGAL/Geometric_continuity/algebra/sign_pattern.h>
-#include <CGAL/Geometric_continuity/edges/Spline_edge_continuity.h>
+#include <CGAL/Geometric_continuity/edges/Edge_rows.h>
 #include <CGAL/Geometric_continuity/edges/internal/Edge_ladder.h>
 #include <CGAL/Geometric_continuity/edges/internal/Edge_normals.h>
 #include <CGAL/Geometric_continuity/edges/internal/Fixed_largest_measure.h>

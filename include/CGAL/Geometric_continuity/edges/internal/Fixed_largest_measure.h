@@ -8,7 +8,7 @@
 #include <CGAL/Geometric_continuity/algebra/internal/Bounded_polynomial.h>
 #include <CGAL/Geometric_continuity/algebra/internal/Homogeneous_polynomial.h>
 #include <CGAL/Geometric_continuity/algebra/internal/Rounded_polynomial.h>
-#include <CGAL/Geometric_continuity/edges/Spline_edge_continuity.h>
+#include <CGAL/Geometric_continuity/edges/Edge_rows.h>
 #include <CGAL/Geometric_continuity/numbers/Work_limit.h>
 #include <CGAL/Geometric_continuity/numbers/internal/Common_denominator.h>
 #include <CGAL/Geometric_continuity/numbers/internal/Fixed_integer.h>

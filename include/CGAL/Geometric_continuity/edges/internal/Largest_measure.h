@@ -6,7 +6,7 @@
 #define CGAL_GEOMETRIC_CONTINUITY_EDGES_INTERNAL_LARGEST_MEASURE_H
 
 #include <CGAL/Geometric_continuity/algebra/sign_pattern.h>
-#include <CGAL/Geometric_continuity/edges/Spline_edge_continuity.h>
+#include <CGAL/Geometric_continuity/edges/Edge_rows.h>
 #include <CGAL/Geometric_continuity/edges/internal/Edge_normals.h>
 #include <CGAL/Geometric_continuity/edges/internal/Fixed_largest_measure.h>
 #include <CGAL/Geometric_continuity/numbers/internal/subdivision.h>

@@ -6,7 +6,6 @@
 #define CGAL_GEOMETRIC_CONTINUITY_EDGES_INTERNAL_DECIDE_SURFACES_H
 
 #include <CGAL/Geometric_continuity/edges/Edge_rows.h>
-#include <CGAL/Geometric_continuity/edges/Spline_edge_continuity.h>
 #include <CGAL/Geometric_continuity/edges/internal/Common_edge_part.h>
 #include <CGAL/Geometric_continuity/edges/internal/Edge_decision.h>
 #include <CGAL/Geometric_continuity/edges/internal/Edge_ladder.h>

@@ -5,7 +5,7 @@
 #ifndef CGAL_GEOMETRIC_CONTINUITY_EDGES_INTERNAL_EXACT_ANALYTIC_EDGE_H
 #define CGAL_GEOMETRIC_CONTINUITY_EDGES_INTERNAL_EXACT_ANALYTIC_EDGE_H
 
-#include <CGAL/Geometric_continuity/edges/Spline_edge_continuity.h>
+#include <CGAL/Geometric_continuity/edges/Edge_rows.h>
 #include <CGAL/Geometric_continuity/edges/internal/Edge_bounds.h>
 #include <CGAL/Geometric_continuity/edges/internal/Edge_decision.h>
 #include <CGAL/Geometric_continuity/edges/internal/Exponential_sum.h>

@@ -5,7 +5,7 @@
 #ifndef CGAL_GEOMETRIC_CONTINUITY_JOINS_INTERNAL_JOIN_DECISION_H
 #define CGAL_GEOMETRIC_CONTINUITY_JOINS_INTERNAL_JOIN_DECISION_H
 
-#include <CGAL/Geometric_continuity/algebra/determinant.h>
+#include <CGAL/Geometric_continuity/algebra/Coordinate_vector.h>
 #include <CGAL/Geometric_continuity/joins/join_result.h>
 #include <CGAL/Geometric_continuity/local/Curve_jet.h>
 #include <CGAL/Geometric_continuity/local/internal/Scaled_vector.h>
