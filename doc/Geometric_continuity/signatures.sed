@@ -9,6 +9,7 @@ s/= internal::usual_kink_bound()/= Kink_bound(5)/g
 s/internal::Steps_of_each::default_steps/4'000'000'000/
 /^using \| using \|constexpr /s/ = \(typename \)\{0,1\}internal::[^;]*;/ = unspecified_value;/
 s/typedef \(std::conditional_t<.*\|typename \)internal::.*> *\(::type\)\{0,1\} \([A-Za-z_]*\);/typedef unspecified_type \3;/
+s/internal::Traits_or_none<Traits_> Traits/Traits_ Traits/
 s/internal::Unspecified/unspecified_type/g
 s/, class = internal::[A-Za-z_]*<[A-Za-z_, ]*>>/>/
 s/typename internal::\(Chain_curve<InputIterator>\|Curve_of_range<Range>\)::Traits/Traits/g

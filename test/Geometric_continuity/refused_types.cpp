@@ -13,7 +13,9 @@
 namespace GC = CGAL::Geometric_continuity;
 
 #if defined(KERNEL_AS_TRAITS)
-GC::Bezier_curve<CGAL::Simple_cartesian<double>> curve({CGAL::Simple_cartesian<double>::Point_3()});
+typedef CGAL::Simple_cartesian<double> Kernel;
+GC::Bezier_curve<Kernel> curve{Kernel::Point_3(), Kernel::Point_3(1, 0, 0)};
+auto point() { return curve(0.5); }
 #elif defined(INTEGERS)
 GC::Bezier_curve<GC::Traits_3<CGAL::Simple_cartesian<int>>> curve{CGAL::Simple_cartesian<int>::Point_3(0, 0, 0)};
 #else // ROOTS_OF_RATIONALS

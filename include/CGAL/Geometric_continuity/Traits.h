@@ -126,17 +126,39 @@ struct Is_traits<Traits, std::void_t<typename Traits::Dimension,
                                      decltype(std::declval<const Traits&>().compute_coordinate_object())>>
     : std::true_type {};
 
-// What curves and surfaces ask of their first argument, so that the compiler says at once what is wrong with it.
-template <class Traits> struct Checked_traits {
+// In place of what is no traits class: it models all that is asked of one, so that the compiler has nothing else to complain about.
+struct No_traits {
+  typedef double FT;
+  struct Point {
+    template <class... Anything> Point(Anything&&...) {}
+    friend bool operator==(const Point&, const Point&) { return true; }
+  };
+  typedef Point Vector;
+  typedef Dimension_tag<2> Dimension;
+  auto compute_dimension_object() const {
+    return [](const Point&) { return 2; };
+  }
+  auto compute_coordinate_object() const {
+    return [](const Point&, int) -> FT { return 0; };
+  }
+  auto construct_point_object() const {
+    return [](int, auto, auto) { return Point(); };
+  }
+  auto construct_vector_object() const { return construct_point_object(); }
+};
+
+// What curves and surfaces ask of their first argument, so that the compiler says at once what is wrong with it; and what they go on with.
+template <class T> struct Checked_traits {
   static_assert(
-      Is_traits<Traits>::value,
+      Is_traits<T>::value,
       "the argument is no traits class: Traits_2<Kernel>, Traits_3<Kernel> and Traits_d<Kernel> are, a kernel is "
       "not; see the concept GeometricContinuityTraits");
   static_assert(
-      !std::numeric_limits<typename Traits::FT>::is_integer,
+      !std::numeric_limits<typename T::FT>::is_integer,
       "the numbers of the kernel must be a field, such as double or Exact_rational: integers cannot be divided");
   static constexpr bool value = true;
 };
+template <class T> using Traits_or_none = std::conditional_t<Is_traits<T>::value, T, No_traits>;
 
 template <class Traits, class = void> struct Predicate_field { typedef typename Traits::FT type; };
 template <class Traits> struct Predicate_field<Traits, std::void_t<typename Traits::Predicate_FT>> {

@@ -107,7 +107,7 @@ template <class Traits_, int Degree = dynamic_degree> class Bezier_curve : publi
 public:
   /// A container with one entry for each control point: an array when the degree is fixed, a vector when it is not.
   template <class T> using Per_point = typename Polygon::template Per_point<T>;
-  typedef Traits_ Traits;                 ///< the traits class
+  using typename Polygon::Traits;         ///< the traits class
   typedef typename Traits::FT FT;         ///< the field
   typedef typename Traits::Point Point;   ///< the points of the kernel
   typedef typename Traits::Vector Vector; ///< the vectors of the kernel

@@ -54,7 +54,7 @@ template <class Traits_, int Degree> class Bezier_polygon {
   static_assert(internal::Checked_traits<Traits_>::value);
 
 public:
-  typedef Traits_ Traits;                                        ///< the traits class
+  typedef internal::Traits_or_none<Traits_> Traits;              ///< the traits class
   typedef typename Traits::FT FT;                                ///< the field
   typedef typename Traits::Point Point;                          ///< the points of the kernel
   typedef typename Traits::Vector Vector;                        ///< the vectors of the kernel

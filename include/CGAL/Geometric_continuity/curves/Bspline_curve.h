@@ -95,7 +95,7 @@ template <class Traits_> class Bspline_polygon {
   static_assert(internal::Checked_traits<Traits_>::value);
 
 public:
-  typedef Traits_ Traits;                                        ///< the traits class
+  typedef internal::Traits_or_none<Traits_> Traits;              ///< the traits class
   typedef typename Traits::FT FT;                                ///< the field
   typedef typename Traits::Point Point;                          ///< the points of the kernel
   typedef typename Traits::Vector Vector;                        ///< the vectors of the kernel
@@ -190,7 +190,7 @@ template <class Traits_> class Bspline_curve : public Bspline_polygon<Traits_> {
   using typename Polygon::Coordinates;
 
 public:
-  typedef Traits_ Traits;                      ///< the traits class
+  using typename Polygon::Traits;              ///< the traits class
   typedef typename Traits::FT FT;              ///< the field
   typedef typename Traits::Point Point;        ///< the points of the kernel
   typedef typename Traits::Vector Vector;      ///< the vectors of the kernel

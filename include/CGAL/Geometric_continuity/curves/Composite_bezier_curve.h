@@ -46,7 +46,7 @@ template <class Traits_> class Composite_bezier_polygon {
   static_assert(internal::Checked_traits<Traits_>::value);
 
 public:
-  typedef Traits_ Traits;                                             ///< the traits class
+  typedef internal::Traits_or_none<Traits_> Traits;                   ///< the traits class
   typedef typename Traits::FT FT;                                     ///< the field
   typedef typename Traits::Point Point;                               ///< the points of the kernel
   typedef typename Traits::Vector Vector;                             ///< the vectors of the kernel
@@ -143,7 +143,7 @@ class Composite_bezier_curve : public Composite_bezier_polygon<Traits_> {
   using Polygon::points_;
 
 public:
-  typedef Traits_ Traits;                                  ///< the traits class
+  using typename Polygon::Traits;                          ///< the traits class
   typedef typename Traits::FT FT;                          ///< the field
   typedef typename Traits::Point Point;                    ///< the points of the kernel
   typedef typename Traits::Vector Vector;                  ///< the vectors of the kernel

@@ -121,12 +121,12 @@ template <class Surface, class Traits_> class Surface_evaluation {
   static_assert(internal::Checked_traits<Traits_>::value);
 
 public:
-  typedef Traits_ Traits;                       ///< the geometric traits
-  typedef typename Traits::FT FT;               ///< the number type
-  typedef typename Traits::Point Point;         ///< the points
-  typedef typename Traits::Vector Vector;       ///< the vectors
-  typedef std::pair<FT, FT> Interval;           ///< the two ends of a parameter interval
-  static constexpr int N = dimension_v<Traits>; ///< the dimension, or 0 when it is known at run time only
+  typedef internal::Traits_or_none<Traits_> Traits; ///< the geometric traits
+  typedef typename Traits::FT FT;                   ///< the number type
+  typedef typename Traits::Point Point;             ///< the points
+  typedef typename Traits::Vector Vector;           ///< the vectors
+  typedef std::pair<FT, FT> Interval;               ///< the two ends of a parameter interval
+  static constexpr int N = dimension_v<Traits>;     ///< the dimension, or 0 when it is known at run time only
 
   /// Returns the derivative of order `i >= 0` in `u` and `j >= 0` in `v`; for `i = j = 0` the position vector.
   /// \throws Error `negative_count` for a negative order
