@@ -124,8 +124,10 @@ log("inked " + (inked(canvas) > 20000) + [...document.querySelectorAll(".join ca
 canvas.focus(); const azimuth = camera.azimuth, row = list.position;
 press("ArrowLeft"); press("ArrowUp"); press("+"); log("turned " + (camera.azimuth !== azimuth && camera.zoom > 1) + (row === list.position));
 list.box.focus(); press("ArrowDown"); log("row " + list.position);
+const numbers = [...document.querySelectorAll("dl.numbers dd")];
+log("whole " + (numbers.length > 4 && numbers.every((d) => d.scrollWidth <= d.clientWidth && d.getBoundingClientRect().bottom <= d.closest(".join").getBoundingClientRect().bottom)));
 '
-says answers '[inked truetrue]' '[turned truetrue]' '[row 1]'
+says answers '[inked truetrue]' '[turned truetrue]' '[row 1]' '[whole true]'
 
 # in space, and no join at all
 run 0 report "$L" --closed -o space.html && asks space.html 'log("inked " + (inked(document.querySelector(".join canvas")) > 500));'

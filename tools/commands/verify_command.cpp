@@ -209,8 +209,8 @@ void describe_verify(po::options_description_easy_init add) {
       "for CAD models: the seconds that reading one file may take, 60 if not given");
   add("all-instances", "of variable fonts: enclose the largest kink of each join over all instances");
   add("max-kink", po::value<std::string>(),
-      "for fonts: the angle in degrees that no kink may exceed, with --all-instances in no instance; without it no "
-      "angle is asked for, and the report counts the kinks of more than 0.5");
+      "for fonts: require that no kink exceeds this angle in degrees, with --all-instances in no instance; it has no "
+      "default: without it no angle is required, and --all-instances counts the kinks of more than 0.5");
   add("off-by", po::value<std::string>(),
       "for fonts: up to so many units a handle may be off because of rounding, which meets each requirement; 1 "
       "if not given");
