@@ -25,6 +25,12 @@ file(GLOB_RECURSE installed ${WORK}/nothing/*)
 if(installed)
   message(FATAL_ERROR "As a part of another project the package installs ${installed}")
 endif()
+# fetched it is the same, and so it is with its options, of which the program is built on demand
+run(${CMAKE_COMMAND} -S ${USER} -B ${WORK}/fetches ${options} -DPACKAGE_SOURCE=${SOURCE} -DFETCHED=ON)
+foreach(fetched OFF ON)
+  run(${CMAKE_COMMAND} -S ${USER} -B ${WORK}/with_program_${fetched} ${options} -DPACKAGE_SOURCE=${SOURCE} -DFETCHED=${fetched}
+      -DGEOMETRIC_CONTINUITY_WITH_PROGRAM=ON -DGEOMETRIC_CONTINUITY_WARNINGS_AS_ERRORS=ON)
+endforeach()
 
 # The built program is installed as well.
 run(${CMAKE_COMMAND} --install ${BUILD} --prefix ${WORK}/whole)
