@@ -99,8 +99,10 @@ public:
   /// Returns the number.
   Exact_rational value() const {
     if (exact_) return *exact_;
-    Exact_rational value;
-    if (internal::short_decimal_value(internal::Short_decimal{digits_, exponent_}, value)) return value;
+    if constexpr (internal::Rational_parts<Exact_rational>::value) {
+      const internal::Short_decimal decimal{digits_, exponent_};
+      if (decimal.is_short_fraction()) return decimal.short_fraction<Exact_rational>();
+    }
     internal::Number_parts parts;
     const std::string digits = std::to_string(digits_ < 0 ? -digits_ : digits_);
     parts.negative = digits_ < 0;

@@ -192,6 +192,24 @@ BOOST_AUTO_TEST_CASE(random_texts) {
   }
 }
 
+// Digits end at the first other character, whatever it is and whatever is behind it.
+BOOST_AUTO_TEST_CASE(ends_of_digits) {
+  const std::string seven = "7.", figures = "12345678987654321";
+  for (std::size_t n = 0; n <= figures.size(); ++n)
+    for (int c = 0; c < 256; ++c) {
+      const char other = static_cast<char>(c);
+      if (('0' <= other && other <= '9') || other == 'e' || other == 'E') continue;
+      for (const char* rest : {"", "5", "12345678", "/:/:/:/:/:/:"}) {
+        const std::string number = seven + figures.substr(0, n), text = number + other + rest;
+        GC::internal::Short_decimal decimal;
+        const char* const end = GC::internal::read_short_decimal(text.data(), text.data() + text.size(), decimal);
+        BOOST_REQUIRE_EQUAL(end - text.data(), number.size());
+        BOOST_REQUIRE_EQUAL(decimal.digits, std::stoll("7" + figures.substr(0, n)));
+        BOOST_REQUIRE_EQUAL(decimal.exponent, -static_cast<int>(n));
+      }
+    }
+}
+
 // The numbers are those of the words, also where a block ends.
 BOOST_AUTO_TEST_CASE(numbers) {
   const std::vector<std::string> words = {

@@ -10,6 +10,7 @@
 #include <CGAL/Geometric_continuity/IO/text.h>
 #include <CGAL/Geometric_continuity/numbers/internal/Rational_parts.h>
 #include <CGAL/Geometric_continuity/numbers/internal/checked_numbers.h>
+#include <CGAL/Geometric_continuity/numbers/internal/zero_bits.h>
 #include <CGAL/ipower.h>
 
 #include <charconv>
@@ -45,6 +46,12 @@ struct Short_decimal {
   int exponent = none;
 
   bool exists() const { return exponent != none; }
+
+  // Whether there are at most 18 places, as there are of nearly all numbers; then the value is made at once.
+  bool is_short_fraction() const { return -max_digits <= exponent && exponent <= 0; }
+  template <class FT> FT short_fraction() const {
+    return Rational_parts<FT>::make_short(digits, CGAL::ipower(std::int64_t(10), -exponent));
+  }
 };
 
 inline bool is_digit(char c) { return '0' <= c && c <= '9'; }
@@ -55,21 +62,42 @@ inline std::uint64_t append_digits(std::uint64_t value, const char* p, const cha
   return value;
 }
 
-// Whether the next eight characters are digits.
-inline bool are_eight_digits(const char* p) {
-  std::uint64_t x;
-  std::memcpy(&x, p, 8);
-  constexpr std::uint64_t high = 0xf0f0f0f0f0f0f0f0;
-  return (x & high) == 0x3030303030303030 && ((x + 0x0606060606060606) & high) == 0x3030303030303030;
+// Eight characters in a word, the first one in the lowest byte.
+inline std::uint64_t eight_characters(const char* p) {
+  const auto byte = [p](int i) { return static_cast<std::uint64_t>(static_cast<unsigned char>(p[i])) << (8 * i); };
+  return byte(0) | byte(1) | byte(2) | byte(3) | byte(4) | byte(5) | byte(6) | byte(7);
 }
 
-// Appends all digits from `p` on to a number, modulo 2^64. Returns where they end.
-inline const char* take_digits(const char* p, const char* end, std::uint64_t& value) {
-  const auto pair = [&p](int i) { return static_cast<std::uint64_t>(10 * (p[i] - '0') + (p[i + 1] - '0')); };
-  for (; end - p >= 8 && are_eight_digits(p); p += 8)
-    value = 100000000 * value + (10000 * (100 * pair(0) + pair(2)) + (100 * pair(4) + pair(6)));
+// What the high halves of eight characters differ by from those of digits, zero for these. Behind the first one that is no digit it is
+// unspecified, because of a carry.
+inline std::uint64_t no_digits(std::uint64_t characters) {
+  constexpr std::uint64_t high = 0xf0f0f0f0f0f0f0f0, digit = 0x3030303030303030;
+  return ((characters & high) ^ digit) | (((characters + 0x0606060606060606) & high) ^ digit);
+}
+
+// The number that eight characters are, digits or zeros: neighbours make pairs, pairs make fours, and fours the number.
+inline std::uint64_t number_of_eight(std::uint64_t characters) {
+  std::uint64_t x = characters & 0x0f0f0f0f0f0f0f0f;
+  x = (x * (10 * 0x100 + 1)) >> 8 & 0x00ff00ff00ff00ff;
+  x = (x * (100 * 0x10000 + 1)) >> 16 & 0x0000ffff0000ffff;
+  return (x * (10000 * std::uint64_t(0x100000000) + 1)) >> 32;
+}
+
+// These append all digits from `p` on to a number, modulo 2^64, and return where they end: one by one, for a few, or eight at once.
+inline const char* take_few_digits(const char* p, const char* end, std::uint64_t& value) {
   for (; p != end && is_digit(*p); ++p) value = 10 * value + static_cast<std::uint64_t>(*p - '0');
   return p;
+}
+inline const char* take_many_digits(const char* p, const char* end, std::uint64_t& value) {
+  static constexpr std::uint64_t powers[] = {1, 10, 100, 1000, 10000, 100000, 1000000, 10000000, 100000000};
+  while (end - p >= 8) {
+    const std::uint64_t characters = eight_characters(p), behind = no_digits(characters);
+    const int digits = behind == 0 ? 8 : trailing_zero_bits(behind) / 8;
+    if (digits != 0) value = powers[digits] * value + number_of_eight(characters << (64 - 8 * digits));
+    p += digits;
+    if (digits != 8) return p;
+  }
+  return take_few_digits(p, end, value);
 }
 
 // Reads a decimal, as number_parts() describes it, from the text that begins at `p`, as far as it goes. Returns where it ends; `decimal`
@@ -79,11 +107,12 @@ inline const char* read_short_decimal(const char* p, const char* end, Short_deci
   if (p != end && (*p == '-' || *p == '+')) ++p;
   std::uint64_t value = 0;
   const char* const integer = p;
-  p = take_digits(p, end, value);
-  const char* const point = p;
-  if (p != end && *p == '.') ++p;
-  const char* const fraction = p;
-  p = take_digits(p, end, value);
+  p = take_few_digits(p, end, value);
+  const char *const point = p, *fraction = p;
+  if (p != end && *p == '.') {
+    fraction = ++p;
+    p = take_many_digits(p, end, value);
+  }
   const char *const behind = p, *last = behind;
   if (point - integer + (behind - fraction) == 0) return p;
   int exponent = 0;
@@ -269,25 +298,15 @@ template <class FT> FT floating_point_value(std::string_view text, const Number_
   return value;
 }
 
-// The value of a short decimal with at most 18 places, as nearly all numbers are; returns false for others.
-template <class FT> bool short_decimal_value(const Short_decimal& decimal, FT& value) {
-  if constexpr (Rational_parts<FT>::value) {
-    if (!decimal.exists() || decimal.exponent < -Short_decimal::max_digits || decimal.exponent > 0) return false;
-    value = Rational_parts<FT>::make_short(decimal.digits, CGAL::ipower(std::int64_t(10), -decimal.exponent));
-    return true;
-  } else
-    return false;
-}
-
 // The value of a text. Throws Number_error, so that the caller can say where the text stands.
 template <class FT> FT number_value(std::string_view text) {
-  if constexpr (Rational_parts<typename Evaluated<FT>::type>::value) {
+  typedef typename Evaluated<FT>::type Value;
+  if constexpr (Rational_parts<Value>::value) {
     Short_decimal decimal;
-    typename Evaluated<FT>::type value;
     const char* const end = text.data() + text.size();
     if (text.size() <= max_number_length && read_short_decimal(text.data(), end, decimal) == end &&
-        short_decimal_value(decimal, value))
-      return FT(value);
+        decimal.is_short_fraction())
+      return FT(decimal.short_fraction<Value>());
   }
   check_number_length(text);
   const Number_parts parts = number_parts(text);
