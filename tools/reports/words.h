@@ -12,6 +12,7 @@
 #include <cstddef>
 #include <sstream>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 // Numbers and texts as reports write them.
@@ -41,6 +42,19 @@ inline std::string rounded_by_product(double x, int digits) {
   }
   if (x < 0) *--begin = '-';
   return std::string(begin, end);
+}
+
+// Appends texts, characters and whole numbers.
+template <class... Parts> void append(std::string& text, const Parts&... parts) {
+  const auto add = [&text](const auto& part) {
+    typedef std::decay_t<decltype(part)> Part;
+    if constexpr (std::is_integral_v<Part> && !std::is_same_v<Part, char>) {
+      char digits[24];
+      text.append(digits, std::to_chars(digits, digits + sizeof digits, part).ptr);
+    } else
+      text += part;
+  };
+  (add(parts), ...);
 }
 
 // Returns a number with this many significant digits, as printf() does with %g, but zero has no sign.

@@ -14,10 +14,17 @@
 
 namespace {
 
-// A column of a table.
-std::string padded(std::string text, std::size_t width) {
-  text.append(text.size() < width ? width - text.size() + 1 : 1, ' ');
-  return text;
+// Ends a column of a table, which is the text from `begin` on.
+void end_column(std::string& table, std::size_t begin, std::size_t width) {
+  const std::size_t size = table.size() - begin;
+  table.append(size < width ? width - size + 1 : 1, ' ');
+}
+
+void append_orders(std::string& text, const Join& join) {
+  if (join.c_order < 0)
+    text += "gap";
+  else
+    append(text, 'C', join.c_order, " G", join.g_order, " F", join.f_order);
 }
 
 // "from x to y", or the size of the jump when it does not show in the rounded numbers.
@@ -54,8 +61,9 @@ template <class Numbers> std::string remark_of(const Join& join, const Numbers& 
 
 template <class Numbers>
 Join_words words_of(const Join& join, int dimension, const Numbers& numbers, const GC::Kink_bound& bound) {
-  Join_words words{"(", remark_of(join, numbers, &bound)};
-  for (int i = 0; i < dimension; ++i) (words.point += i == 0 ? "" : ", ") += numbers.coordinate(i);
+  Join_words words{{}, remark_of(join, numbers, &bound)};
+  words.point.reserve(64);
+  for (int i = 0; i < dimension; ++i) append(words.point, i == 0 ? "(" : ", ", numbers.coordinate(i));
   words.point += ')';
   return words;
 }
@@ -83,8 +91,9 @@ void Requirement::check_dimension(int dimension) const {
 std::string Requirement::text() const { return "CGF"[static_cast<int>(kind_)] + std::to_string(order_); }
 
 std::string orders(const Join& join) {
-  if (join.c_order < 0) return "gap";
-  return 'C' + std::to_string(join.c_order) + " G" + std::to_string(join.g_order) + " F" + std::to_string(join.f_order);
+  std::string text;
+  append_orders(text, join);
+  return text;
 }
 
 std::string remark(const Join& join, const Jet& left, const Jet& right) {
@@ -117,11 +126,17 @@ std::string table_head() { return "join         orders      point               
 template <class Span>
 void append_table_row(std::string& table, const Join& join, std::size_t left, std::size_t right, const Span& left_span,
                       const Span& right_span, const GC::Kink_bound& bound) {
-  table += padded(std::to_string(left) + " -> " + std::to_string(right), 12);
-  table += padded(orders(join), 11);
-  Join_words words = join_words(join, left_span, right_span, bound);
-  table += padded(std::move(words.point), 25);
-  (table += words.remark) += '\n';
+  const Join_words words = join_words(join, left_span, right_span, bound);
+  std::size_t begin = table.size();
+  append(table, left, " -> ", right);
+  end_column(table, begin, 12);
+  begin = table.size();
+  append_orders(table, join);
+  end_column(table, begin, 11);
+  begin = table.size();
+  table += words.point;
+  end_column(table, begin, 25);
+  append(table, words.remark, '\n');
 }
 
 template Join_words join_words(const Join&, const Program_span<GC::Text_number>&, const Program_span<GC::Text_number>&,

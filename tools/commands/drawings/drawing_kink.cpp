@@ -111,10 +111,12 @@ std::string text(const GC::Enclosure& x) {
 
 // What is said with the texts text(number) of the numbers; nothing where one of them is empty.
 template <class Text> std::optional<std::string> words(const Kink_numbers& numbers, GC::Join_grade grade, Text text) {
-  std::string s = to_string(grade);
+  std::string s;
+  s.reserve(128);
+  s = to_string(grade);
   const auto add = [&](const char* before, const GC::Enclosure& x) {
     const std::optional<std::string> x_text = text(x);
-    if (x_text) (s += before) += *x_text;
+    if (x_text) append(s, before, *x_text);
     return x_text;
   };
   if (!add(" of ", numbers.degrees)) return std::nullopt;
@@ -123,7 +125,8 @@ template <class Text> std::optional<std::string> words(const Kink_numbers& numbe
   if (!numbers.units) return s;
   const std::optional<std::string> units = add(" (", *numbers.units);
   if (!units) return std::nullopt;
-  return s + (*units == "1" ? " unit" : " units") + " of the last decimal)";
+  append(s, *units == "1" ? " unit" : " units", " of the last decimal)");
+  return s;
 }
 
 } // namespace

@@ -35,7 +35,17 @@ std::string json_element(const Drawing_element& element) {
          ",\"id\":" + json_text(element.id) + ",\"line\":" + std::to_string(element.line);
 }
 
-std::string command(const Segment& segment) { return std::to_string(segment.command) + ' ' + segment.letter; }
+// Where a join is, e.g. ", subpath 1, commands 2 c - 3 s".
+void append_place(std::string& s, int number, const Segment& left, const Segment& right) {
+  append(s, ", subpath ", number, ", commands ", left.command, ' ', left.letter, " - ", right.command, ' ',
+         right.letter);
+}
+
+// E.g. " at (1, 2)".
+void append_point(std::string& s, const Segment& right) {
+  const Drawing_traits::Point p = right.start();
+  append(s, " at (", rounded(CGAL::to_double(p.x()), 6), ", ", rounded(CGAL::to_double(p.y()), 6), ')');
+}
 
 // Decides the joins of all subpaths that it receives.
 class Drawing_report : public Drawing_handler {
@@ -84,23 +94,13 @@ class Drawing_report : public Drawing_handler {
     return drawn || (*grade == GC::Join_grade::corner && leaves_corners(*required_)) ? Claim::met : Claim::not_met;
   }
 
-  static std::string place(int number, const Segment& left, const Segment& right) {
-    return ", subpath " + std::to_string(number) + ", commands " + command(left) + " - " + command(right);
-  }
-
-  static std::string point(const Segment& right) {
-    const Drawing_traits::Point p = right.start();
-    return " at (" + rounded(CGAL::to_double(p.x()), 6) + ", " + rounded(CGAL::to_double(p.y()), 6) + ')';
-  }
-
-  std::string text(const Drawing_kink_words& words, const Drawing_join& join, const std::string& explanation,
-                   const Decision& decision, const Grade& grade) const {
-    if (!decision) return std::string("undecided, ") + irrational;
-    std::string s = 'G' + std::to_string(decision->g_order);
-    if (decision->g_order == max_order_) s += " or more";
-    if (decision->regular && !*decision->tangent_equal) return s + ", " + words(join, *grade) + explanation;
-    s += ", " + drawing_remark(*decision, join) + explanation;
-    return decision->regular || !grade ? s : s + ", drawn as " + words(join, *grade);
+  void append_text(std::string& s, const Drawing_kink_words& words, const Drawing_join& join, const Segment& left,
+                   const Segment& right, const Decision& decision, const Grade& grade) const {
+    if (!decision) return append(s, "undecided, ", irrational);
+    append(s, 'G', decision->g_order, decision->g_order == max_order_ ? " or more, " : ", ");
+    const bool is_kink = decision->regular && !*decision->tangent_equal;
+    append(s, is_kink ? words(join, *grade) : drawing_remark(*decision, join), explanation(*decision, left, right));
+    if (!decision->regular && grade) append(s, ", drawn as ", words(join, *grade));
   }
 
   std::string json(std::size_t left_number, std::size_t right_number, const Segment& left, const Segment& right,
@@ -163,25 +163,33 @@ public:
       if (grade) ++grades_[*grade];
       const Claim claim = this->claim(decision, grade);
       const auto members = [&] { return json(segments_ + i, segments_ + (i + 1) % n, left, right, decision, grade); };
-      const auto explained = [&] { return decision ? explanation(*decision, left, right) : std::string(); };
       report_.add(element.file, {claim, "join", irrational}, !required_ && grade == GC::Join_grade::kink,
                   [&]() -> Finding {
                     Finding f;
                     f.file = element.file;
                     f.line = element.line_of(right);
                     f.kind = "join";
-                    f.place = element.text() + place(number, left, right);
+                    f.place = element.text();
+                    append_place(f.place, number, left, right);
                     f.rule = rule(decision, grade);
-                    f.message = (claim == Claim::not_met ? "not " + required_->text() + ", " : "") +
-                                text(words, join, explained(), decision, grade) + point(right);
+                    if (claim == Claim::not_met) f.message = "not " + required_->text() + ", ";
+                    append_text(f.message, words, join, left, right, decision, grade);
+                    append_point(f.message, right);
                     f.properties = members();
                     return f;
                   });
-      add_row(claim, [&] {
-        return report_.mode().format == Report_format::json
-                   ? ",\n {" + members() + ',' + json_element(element) + ",\"subpath\":" + std::to_string(number) + '}'
-                   : name + place(number, left, right) + point(right) + ": " +
-                         text(words, join, explained(), decision, grade) + '\n';
+      add_row(claim, [&]() -> std::string {
+        if (report_.mode().format == Report_format::json)
+          return ",\n {" + members() + ',' + json_element(element) + ",\"subpath\":" + std::to_string(number) + '}';
+        std::string row;
+        row.reserve(256);
+        row = name;
+        append_place(row, number, left, right);
+        append_point(row, right);
+        row += ": ";
+        append_text(row, words, join, left, right, decision, grade);
+        row += '\n';
+        return row;
       });
       ++joins_;
       show_progress_();

@@ -103,7 +103,10 @@ public:
 
   // The last handle reflected at the current point, when the last command drew a curve of this degree.
   Coordinates reflected_control(int degree) const {
-    return control_degree_ == degree ? FT(2) * current_ - control_ : current_;
+    if (control_degree_ != degree) return current_;
+    Coordinates x;
+    for (int i = 0; i < 2; ++i) x[i] = short_sum(short_sum(current_[i], current_[i]), FT(-control_[i]));
+    return x;
   }
 
   // An arc without a radius is a line, and one between equal points is nothing.

@@ -109,17 +109,22 @@ public:
     skip_number();
     number_ = {token_, position_};
     const std::string_view token = text_.substr(token_, position_ - token_);
-    FT value(0);
-    try {
-      value = parse_number<FT>(token);
-    } catch (const Error& error) {
-      refuse(svg_reason(error));
-    }
+    const FT value = parsed<FT>(token);
     if (!has_short_parts<max_svg_number_bits>(value))
       refuse("number of more than " + std::to_string(max_svg_number_bits) + " bits: " + quoted_token(token));
     return value;
   }
 
+private:
+  template <class FT> FT parsed(std::string_view token) const {
+    try {
+      return parse_number<FT>(token);
+    } catch (const Error& error) {
+      refuse(svg_reason(error));
+    }
+  }
+
+public:
   // Reads a number and what separates it from the next one.
   template <class FT> FT number() {
     const FT value = leading_number<FT>();

@@ -67,6 +67,7 @@ template <class Traits> class Svg_path_reader {
 
   Svg_scanner scanner_;
   Svg_path_builder<Traits> builder_;
+  const Coordinates zero_{2};
   char letter_ = '\0';
   bool ended_ = false;
   Svg_path_places* const places_;
@@ -121,7 +122,7 @@ private:
     letter_ = letter;
     builder_.begin_command(letter, begin);
     if (places_ != nullptr) places_->commands.push_back({letter, is_given, begin, places_->numbers.size()});
-    const Coordinates origin = relative ? builder_.current() : Coordinates(2);
+    const Coordinates& origin = relative ? builder_.current() : zero_;
     switch (upper(letter)) {
     case 'M': return builder_.move_to(point(origin));
     case 'L': return builder_.line_to(point(origin));
@@ -152,7 +153,7 @@ private:
   }
 
   Coordinates point(const Coordinates& origin) {
-    Coordinates x(2);
+    Coordinates x;
     for (int i = 0; i < 2; ++i) x[i] = moved(origin[i]);
     return x;
   }

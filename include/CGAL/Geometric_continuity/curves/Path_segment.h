@@ -228,7 +228,8 @@ template <class Traits> struct Path_segment {
 
   /// Returns whether the segment has a length: not a Bézier curve all of whose control points coincide.
   bool has_length() const {
-    return arc() || std::count(bezier()->begin(), bezier()->end(), bezier()->control_point(0)) <= bezier()->degree();
+    const auto is_elsewhere = [this](const Point& p) { return p != bezier()->control_point(0); };
+    return arc() || std::any_of(bezier()->begin() + 1, bezier()->end(), is_elsewhere);
   }
 
   /// Returns the point where the segment starts.

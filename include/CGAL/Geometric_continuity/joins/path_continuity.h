@@ -67,6 +67,7 @@ template <class Traits> class Path_join {
 
   template <class T> friend std::optional<Join_continuity<typename T::FT>> continuity(const Path_join<T>&, int);
   template <class T, class Function> friend bool visit_enclosures(const Path_join<T>&, Function);
+  template <class T> friend std::optional<Join_grade> join_grade(const Path_join<T>&, const Kink_bound&);
 
 public:
   /// Prepares the join.
@@ -200,7 +201,7 @@ std::optional<Join_grade> join_grade(const Path_join<Traits>& join,
       if (0 < c.inf() || c.sup() < 0)
         corner = bound.is_exceeded(c.inf(), d.inf(), (c.sup() - c.inf()) + (d.sup() - d.inf()));
     });
-    if (corner && left.end() == right.start()) return *corner ? Join_grade::corner : Join_grade::kink;
+    if (corner && join.grid_.ends_meet()) return *corner ? Join_grade::corner : Join_grade::kink;
     return join_grade(*left.bezier(), *right.bezier(), bound);
   }
   const bool directed = internal::visit_direction_products(left, right, [&](const auto& p) {
