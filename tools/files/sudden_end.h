@@ -18,6 +18,7 @@
 #include <new>
 
 #ifdef CGAL_USE_GMP
+#include "files/number_memory.h"
 #include <gmp.h>
 #endif
 #include <unistd.h>
@@ -65,10 +66,11 @@ BOOST_NOINLINE inline void take_stack() { // and gives it back
 inline void end_when_memory_runs_out() {
   std::set_new_handler(end_without_memory);
 #ifdef CGAL_USE_GMP
+  Number_memory::keep_on_this_thread();
   mp_set_memory_functions(
-      [](std::size_t size) { return memory_or_end(std::malloc(size)); },
-      [](void* memory, std::size_t, std::size_t size) { return memory_or_end(std::realloc(memory, size)); },
-      [](void* memory, std::size_t) { std::free(memory); });
+      [](std::size_t size) { return memory_or_end(Number_memory::take(size)); },
+      [](void* memory, std::size_t, std::size_t size) { return memory_or_end(Number_memory::resize(memory, size)); },
+      Number_memory::give_back);
 #endif
 }
 
