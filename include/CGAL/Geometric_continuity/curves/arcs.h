@@ -102,7 +102,8 @@ Rational_bezier_curve<Traits, 2> elliptical_arc(const typename Traits::Point& c,
 
 /// \ingroup PkgGeometricContinuityCurves
 /// Returns the arc of the circle about `centre` in the plane from `start` by the angle \f$ 4 \arctan r \f$, counterclockwise for
-/// `r > 0`; see `elliptical_arc()`.
+/// `r > 0`: `r` is the tangent of a quarter of the angle, not the angle and no radius. `r = 1` is a half circle, a quarter of a circle
+/// is near `r = 0.41421`; see `elliptical_arc()`.
 /// \throws Error `zero_direction` when `start` is the centre, `empty_domain` for `r == 0`, `not_finite`
 template <class Traits>
 Rational_bezier_curve<Traits, 2> circular_arc(const typename Traits::Point& centre, const typename Traits::Point& start,
