@@ -113,7 +113,7 @@ template <class Traits> Coordinates<Traits> rounded(const Coordinate_vector<Exac
 /// with \f$ \beta = 5c/m \f$, and mirrored at the start of \f$ \psi \f$. Here `c` is close to \f$ \beta m/5 \f$ for the
 /// \f$ \beta \f$ of `shape` (within 1/8 of it, by 3 to 8 binary digits) and a multiple of the odd part of
 /// \f$ m/\gcd(m,5) \f$, so that no division by it remains; and `e` is close to what the strategy chooses, as near as the
-/// remaining digits allow (at least to 1/32, as a part of the leg `p`).
+/// remaining digits allow (at least to 1/32, as a part of the side `p`).
 ///
 /// The three control points next to a join should be multiples of one power of two, with about a dozen binary digits to
 /// spare. Points that are not, e.g. those with 53 random digits, are rounded to the finest such grid that leaves room, each

@@ -171,7 +171,7 @@ bool is_in_convex_hull(const Bezier_curve<Traits, Degree>& curve, const typename
 
 /// \ingroup PkgGeometricContinuityCurves
 /// Returns the direction in which the curve starts: the first \f$ b_j - b_0 \f$ that is not zero. It is a positive multiple of the
-/// first derivative that does not vanish, so it is that of the leg \f$ b_1 - b_0 \f$ in general. Empty when all control points are
+/// first derivative that does not vanish, so it is that of the side \f$ b_1 - b_0 \f$ in general. Empty when all control points are
 /// equal. \f$ O(m) \f$ \throws Error `not_finite` when a floating-point coordinate overflows
 template <class Traits, int Degree>
 std::optional<typename Traits::Vector> start_tangent(const Bezier_curve<Traits, Degree>& curve) {
@@ -182,7 +182,7 @@ std::optional<typename Traits::Vector> start_tangent(const Bezier_curve<Traits, 
 }
 
 /// \ingroup PkgGeometricContinuityCurves
-/// Returns the direction in which the curve ends: the last \f$ b_m - b_j \f$ that is not zero, in general the leg
+/// Returns the direction in which the curve ends: the last \f$ b_m - b_j \f$ that is not zero, in general the side
 /// \f$ b_m - b_{m-1} \f$. Empty when all control points are equal. \f$ O(m) \f$
 /// \throws Error `not_finite` when a floating-point coordinate overflows
 template <class Traits, int Degree>
@@ -238,7 +238,7 @@ std::optional<Crossings> count_crossings(const Bezier_curve<Traits, Degree>& cur
 /// \ingroup PkgGeometricContinuityCurves
 /// Curvature and torsion at one end of a Bézier curve. They do not depend on the length of the domain.
 template <class FT> struct End_invariants {
-  std::optional<FT> curvature_squared; ///< empty where the end leg is zero
+  std::optional<FT> curvature_squared; ///< empty where the end side is zero
   std::optional<FT> torsion;           ///< empty unless in space with nonzero curvature
 };
 
@@ -292,7 +292,7 @@ End_invariants<typename Traits::FT> invariants_at(const Bezier_curve<Traits, Deg
 } // namespace internal
 
 /// \ingroup PkgGeometricContinuityCurves
-/// Returns \f$ \kappa^2 \f$ and \f$ \tau \f$ at the end of a Bézier curve of degree `m`, read off the last three legs
+/// Returns \f$ \kappa^2 \f$ and \f$ \tau \f$ at the end of a Bézier curve of degree `m`, read off the last three sides
 /// \f$ p = b_0 - b_{-1},\ r = b_{-2} - b_{-1},\ s = b_{-2} - b_{-3} \f$ without differentiation:
 /// \f$ \kappa^2 = \left(\frac{m-1}{m}\right)^2 \frac{|p \times r|^2}{|p|^6} \f$,
 /// \f$ \tau = \frac{m-2}{m} \frac{\det(p,r,s)}{|p \times r|^2} \f$. Hagen (1.11), (1.12) at the ends of (3.1).
@@ -303,7 +303,7 @@ End_invariants<typename Traits::FT> end_invariants(const Bezier_curve<Traits, De
 }
 
 /// \ingroup PkgGeometricContinuityCurves
-/// Returns \f$ \kappa^2 \f$ and \f$ \tau \f$ at the start of a Bézier curve of degree `m`, read off the first three legs as
+/// Returns \f$ \kappa^2 \f$ and \f$ \tau \f$ at the start of a Bézier curve of degree `m`, read off the first three sides as
 /// `end_invariants()` reads the last ones: in the opposite direction, a curve has the same curvature and torsion.
 /// \throws Error `not_finite` when a floating-point result overflows
 template <class Traits, int Degree>
@@ -335,7 +335,7 @@ enum class Closing {
   smooth,  ///< the tangents at the closing point have one direction
   cusp,    ///< they are opposite
   corner,  ///< they are not parallel
-  singular ///< the first or the last leg of the polygon is zero, so that it does not give the tangent
+  singular ///< the first or the last side of the polygon is zero, so that it does not give the tangent
 };
 
 /// \ingroup PkgGeometricContinuityCurves

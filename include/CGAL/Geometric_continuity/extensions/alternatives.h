@@ -19,7 +19,7 @@
 /// \file alternatives.h
 /// All choices for the first points of a Bézier polygon that continues another one of the same degree `m`.
 ///
-/// The left polygon ends in \f$ b_{-3}, b_{-2}, b_{-1}, b_0 \f$ with the legs \f$ p = b_0 - b_{-1} \f$,
+/// The left polygon ends in \f$ b_{-3}, b_{-2}, b_{-1}, b_0 \f$ with the sides \f$ p = b_0 - b_{-1} \f$,
 /// \f$ r = b_{-2} - b_{-1} \f$, \f$ s = b_{-2} - b_{-3} \f$; the right one starts in \f$ b_0, b_1, b_2, b_3 \f$. The ratio
 /// \f$ \beta = |b_1 - b_0| / |p| \f$ is that of the parameter intervals, right by left, when the derivatives shall agree.
 /// Everything holds in any dimension. Of a torsion-continuous join there are the scalars that choose the points and those that connect

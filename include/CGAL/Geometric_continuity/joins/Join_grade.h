@@ -310,7 +310,7 @@ struct Kink_size {
 
 /// \ingroup PkgGeometricContinuityContinuity
 /// Returns how large the angle at the join between the end of `left` and the start of `right` is, whatever the curvatures; empty when one of
-/// the curves has no length. A handle that is retracted is taken as `join_grade()` takes it: by the first leg that is not zero.
+/// the curves has no length. A handle that is retracted is taken as `join_grade()` takes it: by the first side that is not zero.
 /// Everything is computed in an exact field from the control points as given and rounded once, outwards. A gap is not seen.
 /// \throws Error `not_finite` for an infinite or undefined coordinate
 template <class Traits, int Left, int Right>
@@ -391,7 +391,7 @@ std::optional<bool> exceeds(const Left_end& a, const Right_end& b, const Kink_bo
 ///
 /// It is decided exactly on the control points as given, with every kernel, and about the curves as they are drawn:
 /// - A curve whose control points lie on its chord, in order, is that line, also where handles are retracted.
-/// - Of other curves with a retracted handle, a first leg that is zero, the first leg that is not zero is the direction in which the curve
+/// - Of other curves with a retracted handle, a first side that is zero, the first side that is not zero is the direction in which the curve
 ///   leaves the node. Such a join is `g1` at most, because the curvature at the node is infinite or not told by the second differences.
 ///
 /// Where no handle is retracted `g1` and `g2` are the answers of `is_g1_join()` and `is_g2_join()`. \f$ O(1) \f$ then, otherwise

@@ -16,7 +16,7 @@
 
 /// \file Variable_join.h
 /// Joins in the plane that move with the axes of a family of shapes, as the nodes of a variable font do: the axes, the parts of
-/// the space of the instances in which points move, and the legs of a join. OpenType specification, "Algorithm for
+/// the space of the instances in which points move, and the sides of a join. OpenType specification, "Algorithm for
 /// interpolation of instance values".
 
 namespace CGAL {
@@ -103,14 +103,14 @@ struct Variable_leg {
 };
 
 /// \ingroup PkgGeometricContinuityContinuity
-/// A join: the legs that lead to it and away from it, in the same regions.
+/// A join: the sides that lead to it and away from it, in the same regions.
 struct Variable_join {
   typedef Variable_leg::FT FT; ///< the number type
 
   Variable_leg incoming, outgoing;
 
-  /// Returns \f$ a \times b \f$ and \f$ a \cdot b \f$ of the incoming and the outgoing leg where the regions have these scalars. Both are zero
-  /// where a leg has no length.
+  /// Returns \f$ a \times b \f$ and \f$ a \cdot b \f$ of the incoming and the outgoing side where the regions have these scalars. Both are zero
+  /// where a side has no length.
   std::pair<FT, FT> products(const std::vector<FT>& scalars) const {
     const Variable_leg::Vector a = incoming(scalars), b = outgoing(scalars);
     return {FT(a[0] * b[1] - a[1] * b[0]), FT(a[0] * b[0] + a[1] * b[1])};
@@ -128,7 +128,7 @@ inline std::vector<Variation_region::FT> region_scalars(const std::vector<Variat
 }
 
 /// \ingroup PkgGeometricContinuityContinuity
-/// Decides whether a join is a corner at an instance, which is given by the scalars of the regions; empty when a leg has no
+/// Decides whether a join is a corner at an instance, which is given by the scalars of the regions; empty when a side has no
 /// length there. The decision is exact.
 inline std::optional<bool> is_corner(const Variable_join& join, const std::vector<Variable_join::FT>& scalars,
                                      const Kink_bound& bound) {

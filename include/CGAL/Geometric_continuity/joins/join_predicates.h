@@ -39,8 +39,8 @@
 /// Error `dimension_mismatch` when the dimensions differ. They agree with `Join_continuity` where that is decided exactly.
 ///
 /// Hagen's tests (3.1.1) to (3.1.3) on two Bézier polygons of one degree `m`, corrected and for every ratio \f$ \beta \f$ of the first
-/// legs (Hagen: \f$ \beta = 1 \f$), are the predicates for \f$ G^1 \f$, \f$ G^2 \f$ and \f$ F^3 \f$ under his names and conditions. The
-/// left polygon ends with the legs \f$ p = b_0 - b_{-1} \f$, \f$ r = b_{-2} - b_{-1} \f$, \f$ s = b_{-2} - b_{-3} \f$, the right one starts
+/// sides (Hagen: \f$ \beta = 1 \f$), are the predicates for \f$ G^1 \f$, \f$ G^2 \f$ and \f$ F^3 \f$ under his names and conditions. The
+/// left polygon ends with the sides \f$ p = b_0 - b_{-1} \f$, \f$ r = b_{-2} - b_{-1} \f$, \f$ s = b_{-2} - b_{-3} \f$, the right one starts
 /// with \f$ b_0, b_1, b_2, b_3 \f$. The parameter intervals do not matter.
 ///
 /// One question about each of many joins, on several cores if wanted, is answered by `failing_joins()`. The question is a predicate, or
@@ -109,7 +109,7 @@ private:
 
 /// \ingroup PkgGeometricContinuityContinuity
 /// The end of a curve, ready to be compared with many others: the four control points next to it, the degree and the domain.
-/// With `double` coordinates in the plane or in space the legs of the polygon are kept as integers as well, which saves the
+/// With `double` coordinates in the plane or in space the sides of the polygon are kept as integers as well, which saves the
 /// predicates the conversion.
 ///
 /// The points run from the end inwards. A start is an end in this sense, too: in a predicate the left curve runs towards the
@@ -288,7 +288,7 @@ template <class Left, class Right> bool is_g1_join(const Left& left, const Right
 }
 
 /// \ingroup PkgGeometricContinuityContinuity
-/// Returns whether points, tangents and curvature vectors agree. A form of degree 4 in the legs of the polygons: with
+/// Returns whether points, tangents and curvature vectors agree. A form of degree 4 in the sides of the polygons: with
 /// \f$ a_k, b_k \f$ the `k`-th differences of the polygons at the join and \f$ i \f$ a coordinate with
 /// \f$ a_{1,i} \ne 0 \f$, \f$ a_{1,i}^2 b_2 - b_{1,i}^2 a_2 \f$ must be a multiple of \f$ a_1 \f$ (for equal degrees).
 /// \throws Error `dimension_mismatch`
@@ -410,7 +410,7 @@ void check_polygons(const Bezier_curve<Traits, Left>& left, const Bezier_curve<T
 
 /// \ingroup PkgGeometricContinuityContinuity
 /// Returns whether the tangent is continuous: \f$ b_1 - b_0 = \beta p \f$ with \f$ \beta > 0 \f$. Hagen (3.1.1).
-/// False where a leg at the join is zero and where the end points differ. \f$ O(n) \f$ in dimension `n`
+/// False where a side at the join is zero and where the end points differ. \f$ O(n) \f$ in dimension `n`
 /// \throws Error `dimension_mismatch` when the dimensions differ, `wrong_number_of_points` when the degrees differ
 template <class Traits, int Left, int Right>
 bool is_tangent_continuous(const Bezier_curve<Traits, Left>& left, const Bezier_curve<Traits, Right>& right) {

@@ -40,14 +40,14 @@ struct Largest_kink {
   Verdict verdict;          ///< whether no instance has an angle larger than the bound; undecided after too much work
   Enclosure angle;          ///< the largest angle, in radians, in \f$ [0, \pi] \f$
   std::vector<FT> instance; ///< the values of an instance with an angle of at least `angle.lower`
-  /// A leg has no length at an instance that the search has come upon, hence no direction: the angle there is not counted.
+  /// A side has no length at an instance that the search has come upon, hence no direction: the angle there is not counted.
   bool vanishes;
 };
 
 /// \ingroup PkgGeometricContinuityContinuity
-/// Encloses the largest angle between the legs of a join over all instances, and decides whether it is larger than a bound.
+/// Encloses the largest angle between the sides of a join over all instances, and decides whether it is larger than a bound.
 ///
-/// Between the numbers at which the scalars of the regions bend, the legs \f$ a \f$ and \f$ b \f$ are multi-affine in the axes, so
+/// Between the numbers at which the scalars of the regions bend, the sides \f$ a \f$ and \f$ b \f$ are multi-affine in the axes, so
 /// \f$ (a \cdot b, a \times b) \f$ is a polynomial of degree 2 in each axis on which the join depends. It lies in the cone of
 /// its Bernstein coefficients; when these have positive first coordinates the largest of their ratios bounds the tangent of
 /// the angle, and at the corners of the cell it is attained. The coefficients are computed exactly, then the cells with the
