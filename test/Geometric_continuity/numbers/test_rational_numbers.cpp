@@ -4,6 +4,7 @@
 
 // Parts of fractions, and sums of short ones.
 
+#include "support/errors.h"
 #include "support/random.h"
 
 #include <CGAL/Exact_rational.h>
@@ -11,6 +12,7 @@
 
 #include <boost/test/unit_test.hpp>
 
+#include <cmath>
 #include <cstdint>
 #include <sstream>
 #include <string>
@@ -61,6 +63,33 @@ BOOST_AUTO_TEST_CASE(bits) {
   BOOST_CHECK(GC::has_short_parts<65>(Q(1 / large)) && !GC::has_short_parts<64>(Q(1 / large)));
   BOOST_CHECK(GC::has_short_parts<64>(Q(large - 1)) && GC::has_short_parts<64>(Q(1 - large)));
   BOOST_CHECK(GC::has_short_parts<64>(1e300));
+}
+
+// The root of a square, of fractions in any terms, and of nothing else.
+BOOST_AUTO_TEST_CASE(square_roots) {
+  Random random;
+  for (int i = 0; i < 1000; ++i) {
+    const Q x = random.fraction(), square = x * x;
+    BOOST_REQUIRE(GC::rational_square_root(square) == (x < 0 ? Q(-x) : x));
+    if (x != 0) {
+      BOOST_REQUIRE(!GC::rational_square_root(Q(2 * square)) && !GC::rational_square_root(Q(-square)));
+      BOOST_REQUIRE(!GC::rational_square_root(Q(square / 3)));
+    }
+  }
+  BOOST_CHECK(GC::rational_square_root(Q(0)) == Q(0) && GC::rational_square_root(2.25) == 1.5);
+  BOOST_CHECK(!GC::rational_square_root(-1.));
+}
+
+// The quarter turns of an angle, and the rest up to 45 degrees, also of negative angles and of many turns.
+BOOST_AUTO_TEST_CASE(quarter_turns) {
+  for (int degrees = -1000; degrees <= 1000; ++degrees) {
+    const GC::Quarter_turns<Q> turns(Q(degrees) + Q(1) / 3);
+    BOOST_REQUIRE(0 <= turns.count && turns.count <= 3);
+    BOOST_REQUIRE(Q(-45) <= turns.rest && turns.rest <= Q(45));
+    const Q full = (Q(degrees) + Q(1) / 3 - turns.rest - 90 * turns.count) / 360;
+    BOOST_REQUIRE(full == Q(std::lround(CGAL::to_double(full))));
+  }
+  CHECK_ERROR(GC::Quarter_turns<Q>(Q(1000000001)), parameter_outside_domain);
 }
 
 BOOST_AUTO_TEST_SUITE_END()
