@@ -64,12 +64,7 @@ private:
 
   void add(std::vector<Coordinates> points) {
     if (points.size() > 2 && is_line_with_retracted_handle(points)) points.erase(points.begin() + 1, points.end() - 1);
-    std::vector<typename Traits::Point> control_points;
-    control_points.reserve(points.size());
-    for (const Coordinates& x : points) control_points.push_back(to_point<Traits>(x));
-    Bezier_curve<Traits> curve(std::make_move_iterator(control_points.begin()),
-                               std::make_move_iterator(control_points.end()));
-    segments_.push_back({{std::move(curve)}, commands_, letter_, place_});
+    segments_.push_back({{Bezier_curve<Traits>(points)}, commands_, letter_, place_});
     current_ = std::move(points.back());
   }
 
