@@ -51,7 +51,7 @@ template <class Curve> struct Bezier_ends {
   /// There are control points.
   static constexpr bool have_polygons = true;
   /// Returns whether the control points next to this end are Bézier points: always.
-  static bool has_polygon(const Curve&, Curve_end) { return true; }
+  static std::true_type has_polygon(const Curve&, Curve_end) { return {}; }
   /// Returns the number of the control point at this end. The following ones lie inwards, as many as the degree.
   static int point_number(const Curve& c, Curve_end end) { return end == Curve_end::end ? c.degree() : 0; }
   /// Returns the domain of the Bézier curve at this end.
@@ -73,7 +73,7 @@ template <class Traits, int Degree> struct Curve_ends<Composite_bezier_curve<Tra
   /// There are control points.
   static constexpr bool have_polygons = true;
   /// Returns whether the control points next to this end are Bézier points: always.
-  static bool has_polygon(const Curve&, Curve_end) { return true; }
+  static std::true_type has_polygon(const Curve&, Curve_end) { return {}; }
   /// Returns the number of the control point at this end.
   static int point_number(const Curve& c, Curve_end end) {
     return end == Curve_end::end ? static_cast<int>(c.control_points().size()) - 1 : 0;
@@ -198,6 +198,12 @@ public:
 private:
   int number(int j) const { return which == Curve_end::end ? first_ - j : first_ + j; }
 };
+
+// Whether there are control points at the ends of all curves of this type: has_polygon() says so by its type.
+template <class Curve, class = void> struct Always_has_polygons : std::false_type {};
+template <class Curve>
+struct Always_has_polygons<Curve, std::enable_if_t<decltype(Curve_ends<Curve>::has_polygon(
+                                      std::declval<const Curve&>(), Curve_end::end))::value>> : std::true_type {};
 
 template <class Curve> bool has_polygon(const Curve& curve, Curve_end end) {
   if constexpr (Curve_ends<Curve>::have_polygons)

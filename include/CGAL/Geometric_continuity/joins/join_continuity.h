@@ -23,8 +23,8 @@
 /// join_predicates.h.
 ///
 /// There are two roads to one answer. Curves with `double` coordinates in the plane and in space, decided exactly up to
-/// order 3, take the rungs of joins/internal/Join_ladder.h on their control points. All others, and the few joins that
-/// it leaves open, are decided by jets, see joins/internal/Join_decision.h.
+/// order 3, take the rungs of joins/internal/Join_ladder.h on their control points. All others are decided by jets, see
+/// joins/internal/Join_decision.h.
 
 namespace CGAL {
 namespace Geometric_continuity {
@@ -46,29 +46,59 @@ template <class Field, int N> void clear_denominators(Coordinate_jet<Field, N>& 
   }
 }
 
-// Everything about the join of two curves, see continuity(); if only the orders are wanted, flags and shape parameters may be missing.
+// The order up to which all questions about curves with control points are decided on these.
+typedef std::integral_constant<int, 3> Order_3;
+
 template <class Left, class Right>
+Join_continuity<Predicate_FT<typename Left::Traits>> decide_polygons_of_doubles(const Left& left, const Right& right,
+                                                                                int max_order, bool only_orders) {
+  Join_continuity<Predicate_FT<typename Left::Traits>> join;
+  decide_all_on_doubles<dimension_v<typename Left::Traits>>(Curve_end_view<Left, Curve_end::end>(left),
+                                                            Curve_end_view<Right, Curve_end::start>(right), max_order,
+                                                            join, only_orders);
+  return join;
+}
+
+// Everything about the join of two curves, see continuity(); if only the orders are wanted, flags and shape parameters may be missing.
+// `Order` is `int`, or `Order_3`: then no jets need be compiled for curves that always have control points.
+template <class Left, class Right, class Order>
 Join_continuity<Predicate_FT<typename Left::Traits>> decide_continuity(const Left& left, const Right& right,
-                                                                       int max_order, bool only_orders) {
+                                                                       Order max_order, bool only_orders) {
   typedef typename Left::Traits Traits;
   static_assert(std::is_same_v<Traits, typename Right::Traits>, "both curves must have the same traits class");
   typedef Predicate_FT<Traits> Field;
   constexpr int N = dimension_v<Traits>;
   if (max_order < 0) throw Error(Error_code::negative_count, "continuity: order");
-  if constexpr (is_double<typename Traits::FT> && !std::is_floating_point_v<Field> && (N == 2 || N == 3) &&
-                Curve_ends<Left>::have_polygons && Curve_ends<Right>::have_polygons)
-    if (max_order <= 3 && has_polygon(left, Curve_end::end) && has_polygon(right, Curve_end::start)) {
-      Join_continuity<Field> join;
-      if (decide_all_on_doubles<N>(Curve_end_view<Left, Curve_end::end>(left),
-                                   Curve_end_view<Right, Curve_end::start>(right), max_order, join, only_orders))
-        return join;
-    }
-  const int order = (std::max)(max_order, 3); // curvature and torsion are reported for every max_order
-  const Work_scope jets_and_decision(Work_scope::limit_of_each(), "continuity");
-  Coordinate_jet<Field, N> x = jet_at<Field, Curve_end::end>(left, order),
-                           y = jet_at<Field, Curve_end::start>(right, order);
-  if (max_order > 3) clear_denominators(x, y);
-  return Join_decision<Field, N>(x, y, max_order)();
+  constexpr bool on_doubles = is_double<typename Traits::FT> && !std::is_floating_point_v<Field> &&
+                              (N == 2 || N == 3) && Curve_ends<Left>::have_polygons && Curve_ends<Right>::have_polygons;
+  if constexpr (on_doubles && std::is_same_v<Order, Order_3> && Always_has_polygons<Left>::value &&
+                Always_has_polygons<Right>::value)
+    return decide_polygons_of_doubles(left, right, max_order, only_orders);
+  else {
+    if constexpr (on_doubles)
+      if (max_order <= 3 && has_polygon(left, Curve_end::end) && has_polygon(right, Curve_end::start))
+        return decide_polygons_of_doubles(left, right, max_order, only_orders);
+    const int order = (std::max)(int(max_order), 3); // curvature and torsion are reported for every max_order
+    const Work_scope jets_and_decision(Work_scope::limit_of_each(), "continuity");
+    Coordinate_jet<Field, N> x = jet_at<Field, Curve_end::end>(left, order),
+                             y = jet_at<Field, Curve_end::start>(right, order);
+    if (max_order > 3) clear_denominators(x, y);
+    return Join_decision<Field, N>(x, y, max_order)();
+  }
+}
+
+// The same, with what up_to_rounding() needs.
+template <class Left, class Right, class Order>
+Join_continuity<Predicate_FT<typename Left::Traits>> continuity_of_curves(const Left& left, const Right& right,
+                                                                          Order max_order) {
+  Join_continuity<Predicate_FT<typename Left::Traits>> join = decide_continuity(left, right, max_order, false);
+  constexpr int N = dimension_v<typename Left::Traits>;
+  if constexpr (std::is_floating_point_v<typename Left::Traits::FT> && (N == 2 || N == 3))
+    if (join.g_order < 2 && join.g_order < max_order)
+      with_end_points<Curve_end::end>(left, [&](const auto& p) {
+        with_end_points<Curve_end::start>(right, [&](const auto& q) { join.points.template set<N>(p, q, max_order); });
+      });
+  return join;
 }
 
 } // namespace internal
@@ -119,18 +149,18 @@ Join_continuity<Predicate_FT<Traits>> continuity(const Curve_jet<Traits>& left, 
 /// \throws Error `negative_count` for a negative order, `dimension_mismatch` when the dimensions differ, `not_finite` when
 ///   derivatives overflow, `work_limit`: with exact numbers, high orders are forms of high degree
 template <class Left, class Right>
-Join_continuity<Predicate_FT<typename Left::Traits>> continuity(const Left& left, const Right& right,
-                                                                int max_order = 3) {
-  Join_continuity<Predicate_FT<typename Left::Traits>> join =
-      internal::decide_continuity(left, right, max_order, false);
-  constexpr int N = dimension_v<typename Left::Traits>;
-  if constexpr (std::is_floating_point_v<typename Left::Traits::FT> && (N == 2 || N == 3))
-    if (join.g_order < 2 && join.g_order < max_order)
-      internal::with_end_points<Curve_end::end>(left, [&](const auto& p) {
-        internal::with_end_points<Curve_end::start>(
-            right, [&](const auto& q) { join.points.template set<N>(p, q, max_order); });
-      });
-  return join;
+Join_continuity<Predicate_FT<typename Left::Traits>> continuity(const Left& left, const Right& right, int max_order) {
+  return internal::continuity_of_curves(left, right, max_order);
+}
+
+/// \ingroup PkgGeometricContinuityContinuity
+/// Decides the continuity of the join between the end of `left` and the start of `right`, up to order 3. A program that calls this
+/// function for Bézier curves only compiles faster than with orders that are known at run time.
+/// \tparam Left, Right as above
+/// \throws Error as above
+template <class Left, class Right>
+Join_continuity<Predicate_FT<typename Left::Traits>> continuity(const Left& left, const Right& right) {
+  return internal::continuity_of_curves(left, right, internal::Order_3());
 }
 
 } // namespace Geometric_continuity

@@ -202,9 +202,10 @@ public:
   bool is_curved() const {
     return internal::is_curved(has_integers_ ? converted<2, double>(legs_of<2>(left_.points)) : double_left_.legs());
   }
-  bool curvatures_differ() const {
-    return has_integers_ ? internal::curvatures_differ<N>(left_, right_)
-                         : internal::curvatures_differ<N>(double_left_, double_right_);
+  Join_answer equal_curvatures() const {
+    const bool differ =
+        has_integers_ ? curvatures_differ<N>(left_, right_) : curvatures_differ<N>(double_left_, double_right_);
+    return differ ? Join_answer::no : Join_answer::unknown;
   }
 
   // Enclosures of the jets of order 3 on both sides, with respect to parameters of the domain [0, 1]. \pre rounding upwards, as in

@@ -66,6 +66,9 @@ template <class T, int N, class Weights, class Zero> class Join_equations {
   int pivot;
 
 public:
+  static constexpr int dimension = N;
+  static constexpr bool parametric = Weights::parametric;
+
   constexpr CGAL_GC_FORCEINLINE Join_equations(const Differences<T, N>& a, const Differences<T, N>& b,
                                                const Weights& weights, Zero& z, int pivot_index = 0)
       : a1(a[0]), a2(a[1]), a3(a[2]), b1(b[0]), b2(b[1]), b3(b[2]), w(weights), zero(z), pivot(pivot_index) {}
@@ -216,6 +219,31 @@ constexpr CGAL_GC_FORCEINLINE bool equations_hold(const Equations& e, const Rati
 // All equations of one question.
 template <Join_question question, class Equations> constexpr CGAL_GC_FORCEINLINE bool all_hold(const Equations& e) {
   return (!is_geometric(question) || e.tangents_parallel()) && equations_hold<question>(e, e.ratio());
+}
+
+// The same for a question that is known at run time only; in the plane neither F3 nor torsion.
+template <class Equations, class Ratio>
+bool equations_hold(Join_question question, const Equations& e, const Ratio& r) {
+  if constexpr (Equations::parametric) switch (question) {
+    case Join_question::c1: return equations_hold<Join_question::c1>(e, r);
+    case Join_question::c2: return equations_hold<Join_question::c2>(e, r);
+    default: return equations_hold<Join_question::c3>(e, r);
+    }
+  else {
+    if constexpr (Equations::dimension == 3) {
+      if (question == Join_question::f3) return equations_hold<Join_question::f3>(e, r);
+      if (question == Join_question::torsion) return e.torsions_equal();
+    }
+    switch (question) {
+    case Join_question::g1: return true;
+    case Join_question::g2: return e.g2(r);
+    case Join_question::g3: return equations_hold<Join_question::g3>(e, r);
+    default: return e.curvature_vectors_equal();
+    }
+  }
+}
+template <class Equations> bool all_hold(Join_question question, const Equations& e) {
+  return (!is_geometric(question) || e.tangents_parallel()) && equations_hold(question, e, e.ratio());
 }
 
 } // namespace internal

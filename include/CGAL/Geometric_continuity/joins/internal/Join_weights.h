@@ -25,10 +25,10 @@ namespace internal {
 //   a3 : b3 = (m-1)(m-2)/m^2 : (n-1)(n-2)/n^2          of the third derivatives, for the torsion (m-2)/m : (n-2)/n,
 //   mix                                                of 3 beta_2 x'' in G3, in units of a3 and of the form for G2.
 template <class W> struct Join_weights {
-  static constexpr bool rational = false;
+  static constexpr bool parametric = false, rational = false;
   W a2, b2, a3, b3, mix;
 
-  template <Join_question question> static CGAL_GC_FORCEINLINE Join_weights geometric(int m, int n) {
+  static CGAL_GC_FORCEINLINE Join_weights geometric(Join_question question, int m, int n) {
     if (m == n) {
       if (question == Join_question::g3) // those below divided by m^2 (m-1)
         return {W(1), W(1), W((std::max)(m - 2, 0)), W((std::max)(m - 2, 0)), W(3 * (std::max)(m - 1, 0))};
@@ -44,7 +44,7 @@ template <class W> struct Join_weights {
 
 // The factors of the differences 1 to 3 for C^k, for domains whose lengths are as h to l.
 template <class W> struct Parametric_join_weights {
-  static constexpr bool rational = false;
+  static constexpr bool parametric = true, rational = false;
   W a1, b1, a2, b2, a3, b3;
 
   static CGAL_GC_FORCEINLINE Parametric_join_weights of(int m, int n, const W& h, const W& l) {
@@ -124,7 +124,7 @@ template <Join_question question, class X> struct Rational_join_weights {
                              std::conditional_t<question == Join_question::f3, Product<X, X, Second>, Second>>
       Third;
   typedef Product<X, X, X> Mix;
-  static constexpr bool rational = true;
+  static constexpr bool parametric = false, rational = true;
 
   Second a2, b2, first;
   Third a3, b3;

@@ -22,27 +22,28 @@ namespace CGAL {
 namespace Geometric_continuity {
 namespace internal {
 
-// |a1 x a2|^2 times the square of the weight, and g = |a1|^2, from the legs of an end.
-template <class T, int N> T square_of_area(const Legs<T, N>& legs, const T& weight, T& g) {
+// |a1 x a2|^2 times the square of the weight, and g = |a1|^2, from two legs of an end, or from its first two differences.
+template <class T, std::size_t N> T square_of_area(const std::array<std::array<T, N>, 3>& legs, const T& weight, T& g) {
   T area(0);
   g = T(0);
-  for (int i = 0; i < N; ++i) {
+  for (std::size_t i = 0; i < N; ++i) {
     g += T(legs[0][i] * legs[0][i]);
-    for (int j = 0; j < i; ++j) {
-      const T x = legs[0][i] * legs[1][j] - legs[0][j] * legs[1][i];
+    for (std::size_t j = 0; j < i; ++j) {
+      const T x = T(legs[0][i] * legs[1][j]) - T(legs[0][j] * legs[1][i]);
       area += T(x * x);
     }
   }
-  return T(area * weight * weight);
+  return T(area * T(weight * weight));
 }
 
 // The two sides of |a1 x a2|^2 |b1|^6 = |b1 x b2|^2 |a1|^6 (for equal degrees): the curvatures have one magnitude.
-template <class T, int N>
-std::array<T, 2> curvature_forms(const Legs<T, N>& left, const Legs<T, N>& right, const Join_weights<std::int64_t>& w,
-                                 T (*number)(std::int64_t)) {
+template <class T, std::size_t N>
+std::array<T, 2> curvature_forms(const std::array<std::array<T, N>, 3>& left,
+                                 const std::array<std::array<T, N>, 3>& right, const T& left_weight,
+                                 const T& right_weight) {
   T g, h;
-  const T a = square_of_area<T, N>(left, number(w.a2), g), b = square_of_area<T, N>(right, number(w.b2), h);
-  return {T(a * h * h * h), T(b * g * g * g)};
+  const T a = square_of_area(left, left_weight, g), b = square_of_area(right, right_weight, h);
+  return {T(a * T(h * T(h * h))), T(b * T(g * T(g * g)))};
 }
 
 // Whether the curvatures have different magnitudes, modulo 2^64 for legs on the left in units of 2^units to those on the right. Only
@@ -51,20 +52,18 @@ template <int N>
 bool curvatures_differ(const Legs<std::int64_t, N>& left, const Legs<std::int64_t, N>& right,
                        const Join_weights<std::int64_t>& w, int units) {
   typedef std::uint64_t Residue;
-  const auto residue = [](std::int64_t x) { return static_cast<Residue>(x); };
-  const auto [a, b] =
-      curvature_forms<Residue, N>(converted<2, Residue>(left), converted<2, Residue>(right), w, residue);
+  const auto [a, b] = curvature_forms(converted<2, Residue>(left), converted<2, Residue>(right),
+                                      static_cast<Residue>(w.a2), static_cast<Residue>(w.b2));
   return units < 0 ? (a << -2 * units) != b : a != (b << 2 * units);
 }
 template <int N> bool curvatures_differ(const Long_end<N>& left, const Long_end<N>& right) {
-  return curvatures_differ<N>(
-      legs_of<2>(left.points), legs_of<2>(right.points),
-      Join_weights<std::int64_t>::template geometric<Join_question::g2>(left.degree, right.degree), 0);
+  return curvatures_differ<N>(legs_of<2>(left.points), legs_of<2>(right.points),
+                              Join_weights<std::int64_t>::geometric(Join_question::g2, left.degree, right.degree), 0);
 }
 // On grids, or in interval arithmetic.
 template <int N> bool curvatures_differ(const Double_end<N>& left, const Double_end<N>& right) {
   const Join_weights<std::int64_t> w =
-      Join_weights<std::int64_t>::template geometric<Join_question::g2>(left.degree(), right.degree());
+      Join_weights<std::int64_t>::geometric(Join_question::g2, left.degree(), right.degree());
   const Grid_legs<N> x = grid_legs_of<2>(left.points()), y = grid_legs_of<2>(right.points());
   const int units = x.exponent + x.zeros - y.exponent - y.zeros; // the left legs are in units of 2^units
   if (x.valid && y.valid && -14 <= units && units <= 14 &&
@@ -72,15 +71,23 @@ template <int N> bool curvatures_differ(const Double_end<N>& left, const Double_
     return true;
   typedef Interval_nt<false> Interval;
   const Interval::Protector rounding;
-  const auto interval = [](std::int64_t n) { return Interval(static_cast<double>(n)); };
   const auto legs = [](const End_polygon<double, N>& points) {
     End_polygon<Interval, N> intervals;
     for (int j = 0; j <= 2; ++j)
       for (int i = 0; i < N; ++i) intervals[j][i] = Interval(points[j][i]);
     return legs_of<2>(intervals);
   };
-  const auto [a, b] = curvature_forms<Interval, N>(legs(left.points()), legs(right.points()), w, interval);
+  const auto [a, b] = curvature_forms(legs(left.points()), legs(right.points()), Interval(static_cast<double>(w.a2)),
+                                      Interval(static_cast<double>(w.b2)));
   return !a.do_overlap(b);
+}
+// By numbers of any length. \pre no tangent vanishes
+template <int N> BOOST_NOINLINE bool curvatures_are_equal(const Double_end<N>& left, const Double_end<N>& right) {
+  const Ring_join<N, false, Double_scale> join(Join_question::g2, left, right);
+  return join.exactly([](const auto& a, const auto& b, const auto& w) {
+    const auto [x, y] = curvature_forms(a, b, w.a2, w.b2);
+    return x == y;
+  });
 }
 
 // Whether a1 x a2 is not zero, from two legs in space that have been rounded once. Only `true` is a proof.
@@ -130,7 +137,11 @@ bool decide_all_questions(const Questions& questions, int max_order, Result& joi
   if (join.regular && !only_orders) {
     join.curvature_vector_equal = contact >= 2 || (contact == 0 && holds(Question<Join_question::curvature_vector>()));
     join.curvature_equal = *join.curvature_vector_equal;
-    if (!*join.curvature_vector_equal && !questions.curvatures_differ()) return false;
+    if (!unknown && !*join.curvature_vector_equal) {
+      const Join_answer answer = questions.equal_curvatures();
+      unknown = answer == Join_answer::unknown;
+      join.curvature_equal = answer == Join_answer::yes;
+    }
     if constexpr (N == 3) {
       if (unknown) return false;
       if (torsions_agree)
@@ -179,9 +190,12 @@ public:
     const All_join_stages stages;
     const Join_answer answer = decide_by_rungs(Double_join<question, N>(left_, right_, lengths_), stages);
     return answer != Join_answer::unknown ? answer
-                                          : decide_in_ring<question, N, false, Double_scale>(left_, right_, stages);
+                                          : decide_in_ring<N, false, Double_scale>(question, left_, right_, stages);
   }
-  bool curvatures_differ() const { return internal::curvatures_differ<N>(left_, right_); }
+  Join_answer equal_curvatures() const {
+    return !curvatures_differ<N>(left_, right_) && curvatures_are_equal<N>(left_, right_) ? Join_answer::yes
+                                                                                          : Join_answer::no;
+  }
   bool is_curved() const { return internal::is_curved(left_.legs()); }
 };
 
@@ -210,13 +224,12 @@ template <class FT, int N> Join_parameters<FT> parameters_of(const Long_end<N>& 
 
 // Everything that Join_continuity says, for two ends with double coordinates and orders up to 3; see decide_all_questions().
 template <int N, class Left, class Right, class Result>
-bool decide_all_on_doubles(const Left& left, const Right& right, int max_order, Result& join,
+void decide_all_on_doubles(const Left& left, const Right& right, int max_order, Result& join,
                            bool only_orders = false) {
   const Double_ends<N> ends(left, right);
-  if (!decide_all_questions(ends, max_order, join, only_orders)) return false;
+  decide_all_questions(ends, max_order, join, only_orders);
   if (join.g_order >= 1 && !only_orders)
     join.parameters = parameters_of<typename Result::Number, N>(ends.left(), ends.right());
-  return true;
 }
 
 } // namespace internal

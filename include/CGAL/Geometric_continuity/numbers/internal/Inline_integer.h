@@ -6,7 +6,6 @@
 #define CGAL_GEOMETRIC_CONTINUITY_NUMBERS_INTERNAL_INLINE_INTEGER_H
 
 #include <boost/config.hpp>
-#include <boost/container/small_vector.hpp>
 
 #include <gmp.h>
 
@@ -18,41 +17,110 @@ namespace CGAL {
 namespace Geometric_continuity {
 namespace internal {
 
+// Numbers of limbs of which 16 need no memory. A small_vector of Boost has many more functions, for which programs that make few
+// decisions would wait.
+class Inline_limbs {
+  static constexpr std::size_t few = 16;
+  mp_limb_t* data_ = few_;
+  std::size_t size_ = 0, capacity_ = few;
+  mp_limb_t few_[few];
+
+public:
+  Inline_limbs() {}
+  Inline_limbs(const Inline_limbs& x) { assign(x.data_, x.size_); }
+  Inline_limbs(Inline_limbs&& x) noexcept { take(x); }
+  Inline_limbs& operator=(const Inline_limbs& x) {
+    if (this != &x) assign(x.data_, x.size_);
+    return *this;
+  }
+  Inline_limbs& operator=(Inline_limbs&& x) noexcept {
+    if (this != &x) {
+      release();
+      take(x);
+    }
+    return *this;
+  }
+  ~Inline_limbs() { release(); }
+
+  std::size_t size() const { return size_; }
+  mp_limb_t* data() { return data_; }
+  const mp_limb_t* data() const { return data_; }
+
+  BOOST_NOINLINE void assign(const mp_limb_t* limbs, std::size_t n) {
+    size_ = 0;
+    resize(n);
+    std::copy(limbs, limbs + n, data_);
+  }
+  // New limbs are unspecified.
+  void resize(std::size_t n) {
+    if (n > capacity_) reserve(n);
+    size_ = n;
+  }
+
+private:
+  BOOST_NOINLINE void reserve(std::size_t n) {
+    const std::size_t capacity = (std::max)(n, 2 * capacity_);
+    mp_limb_t* const data = new mp_limb_t[capacity];
+    std::copy(data_, data_ + size_, data);
+    release();
+    data_ = data;
+    capacity_ = capacity;
+  }
+  void release() {
+    if (data_ != few_) delete[] data_;
+  }
+  // \pre nothing is to be released
+  BOOST_NOINLINE void take(Inline_limbs& x) noexcept {
+    size_ = x.size_;
+    if (x.data_ == x.few_) {
+      data_ = few_;
+      capacity_ = few;
+      std::copy(x.few_, x.few_ + size_, few_);
+    } else {
+      data_ = x.data_;
+      capacity_ = x.capacity_;
+      x.data_ = x.few_;
+      x.capacity_ = few;
+    }
+    x.size_ = 0;
+  }
+};
+
 // An integer of any size that allocates no memory up to 16 limbs: an exact construction has many short-lived integers.
 // The arithmetic is that of GMP's functions for limbs. A cpp_int of Boost with a buffer of that size takes, in instructions of exact
 // blends, 0.93 to 1.03 times as many with numbers of one or two limbs, but 1.4 to 1.7 times with fractions of 60 digits and 1.9 to 2
 // times with fractions of 360 digits. Nothing of it is inlined: programs that make few decisions would wait for the compiler instead.
 class Inline_integer {
-  typedef boost::container::small_vector<mp_limb_t, 16> Limbs;
-  Limbs limbs_; // of the absolute value, the least first; the last is not zero
+  Inline_limbs limbs_; // of the absolute value, the least first; the last is not zero
   bool negative_ = false;
 
 public:
   Inline_integer() = default;
   explicit Inline_integer(int x) : negative_(x < 0) {
-    if (x != 0) limbs_.push_back(x < 0 ? -static_cast<mp_limb_t>(x) : static_cast<mp_limb_t>(x));
+    if (x != 0) push(x < 0 ? -static_cast<mp_limb_t>(x) : static_cast<mp_limb_t>(x));
   }
 
   std::size_t size() const { return limbs_.size(); }
-  bool is_zero() const { return limbs_.empty(); }
-  bool is_one() const { return limbs_.size() == 1 && limbs_[0] == 1 && !negative_; }
+  bool is_zero() const { return size() == 0; }
+  bool is_one() const { return size() == 1 && limb(0) == 1 && !negative_; }
   int sign() const { return is_zero() ? 0 : negative_ ? -1 : 1; }
   void negate() { negative_ = !negative_ && !is_zero(); }
 
   // Reads and writes size limbs, the least first, of integers of other types.
   template <class Limb> void assign(const Limb* limbs, std::size_t size, bool negative) {
     static_assert(sizeof(Limb) == sizeof(mp_limb_t));
-    limbs_.assign(limbs, limbs + size);
+    limbs_.resize(size);
+    std::copy(limbs, limbs + size, limbs_.data());
     negative_ = negative;
     remove_leading_zeros();
   }
-  template <class Limb> void copy_limbs(Limb* to) const { std::copy(limbs_.begin(), limbs_.end(), to); }
+  template <class Limb> void copy_limbs(Limb* to) const { std::copy(limbs_.data(), limbs_.data() + size(), to); }
 
   Inline_integer& operator+=(const Inline_integer& y) { return add(y, y.negative_); }
   Inline_integer& operator-=(const Inline_integer& y) { return add(y, !y.negative_); }
   BOOST_NOINLINE Inline_integer& operator*=(const Inline_integer& y) {
     if (y.size() == 1 && !is_zero()) {
-      push(mpn_mul_1(limbs_.data(), limbs_.data(), size(), y.limbs_[0]));
+      push(mpn_mul_1(limbs_.data(), limbs_.data(), size(), y.limb(0)));
       negative_ = negative_ != y.negative_;
       return *this;
     }
@@ -61,17 +129,21 @@ public:
   BOOST_NOINLINE Inline_integer& operator<<=(long k) {
     if (is_zero()) return *this;
     const std::size_t n = size(), limbs = k / GMP_NUMB_BITS;
-    limbs_.insert(limbs_.begin(), limbs, 0);
-    if (const unsigned bits = static_cast<unsigned>(k % GMP_NUMB_BITS))
-      push(mpn_lshift(limbs_.data() + limbs, limbs_.data() + limbs, n, bits));
+    limbs_.resize(n + limbs);
+    mp_limb_t* const x = limbs_.data();
+    std::copy_backward(x, x + n, x + n + limbs);
+    std::fill_n(x, limbs, mp_limb_t(0));
+    if (const unsigned bits = static_cast<unsigned>(k % GMP_NUMB_BITS)) push(mpn_lshift(x + limbs, x + limbs, n, bits));
     return *this;
   }
 
   // Makes this number odd; returns the exponent of the power of two that was taken away. 0 stays.
   BOOST_NOINLINE long remove_twos() {
-    if (is_zero() || (limbs_[0] & 1) != 0) return 0;
+    if (is_zero() || (limb(0) & 1) != 0) return 0;
     const long twos = static_cast<long>(mpn_scan1(limbs_.data(), 0));
-    limbs_.erase(limbs_.begin(), limbs_.begin() + twos / GMP_NUMB_BITS);
+    const std::size_t zeros = static_cast<std::size_t>(twos / GMP_NUMB_BITS);
+    std::copy(limbs_.data() + zeros, limbs_.data() + size(), limbs_.data());
+    limbs_.resize(size() - zeros);
     if (const unsigned bits = static_cast<unsigned>(twos % GMP_NUMB_BITS))
       mpn_rshift(limbs_.data(), limbs_.data(), size(), bits);
     remove_leading_zeros();
@@ -82,16 +154,24 @@ public:
     Inline_integer z;
     if (x.is_zero() || y.is_zero()) return z;
     const Inline_integer &a = x.size() < y.size() ? y : x, &b = x.size() < y.size() ? x : y;
-    z.limbs_.resize(a.size() + b.size(), boost::container::default_init);
+    z.limbs_.resize(a.size() + b.size());
     mpn_mul(z.limbs_.data(), a.limbs_.data(), a.size(), b.limbs_.data(), b.size());
     z.negative_ = x.negative_ != y.negative_;
     z.remove_leading_zeros();
     return z;
   }
-  friend Inline_integer operator+(Inline_integer x, const Inline_integer& y) { return std::move(x += y); }
-  friend Inline_integer operator-(Inline_integer x, const Inline_integer& y) { return std::move(x -= y); }
+  BOOST_NOINLINE friend Inline_integer operator+(const Inline_integer& x, const Inline_integer& y) {
+    Inline_integer z(x);
+    z += y;
+    return z;
+  }
+  BOOST_NOINLINE friend Inline_integer operator-(const Inline_integer& x, const Inline_integer& y) {
+    Inline_integer z(x);
+    z -= y;
+    return z;
+  }
   friend bool operator==(const Inline_integer& x, const Inline_integer& y) {
-    return x.negative_ == y.negative_ && x.limbs_ == y.limbs_;
+    return x.negative_ == y.negative_ && compare_absolute(x, y) == 0;
   }
   friend bool operator!=(const Inline_integer& x, const Inline_integer& y) { return !(x == y); }
 
@@ -114,10 +194,11 @@ public:
       return true;
     }
     if (x.size() < d.size()) return false;
-    Limbs quotient(x.size() - d.size() + 1, boost::container::default_init),
-        remainder(d.size(), boost::container::default_init);
+    Inline_limbs quotient, remainder;
+    quotient.resize(x.size() - d.size() + 1);
+    remainder.resize(d.size());
     mpn_tdiv_qr(quotient.data(), remainder.data(), 0, x.limbs_.data(), x.size(), d.limbs_.data(), d.size());
-    if (!std::all_of(remainder.begin(), remainder.end(), [](mp_limb_t r) { return r == 0; })) return false;
+    if (std::any_of(remainder.data(), remainder.data() + d.size(), [](mp_limb_t r) { return r != 0; })) return false;
     q.limbs_ = std::move(quotient);
     q.negative_ = x.negative_;
     q.remove_leading_zeros();
@@ -128,7 +209,7 @@ public:
   BOOST_NOINLINE friend Inline_integer gcd_of_odd(Inline_integer x, Inline_integer y) {
     if (x.size() < y.size()) std::swap(x, y);
     Inline_integer g;
-    g.limbs_.resize(y.size(), boost::container::default_init);
+    g.limbs_.resize(y.size());
     g.limbs_.resize(mpn_gcd(g.limbs_.data(), x.limbs_.data(), x.size(), y.limbs_.data(), y.size()));
     return g;
   }
@@ -143,7 +224,11 @@ private:
       negative_ = negative;
       return *this;
     }
-    if (size() < n) limbs_.resize(n);
+    if (size() < n) {
+      const std::size_t old = size();
+      limbs_.resize(n);
+      std::fill(limbs_.data() + old, limbs_.data() + n, mp_limb_t(0));
+    }
     mp_limb_t* const x = limbs_.data();
     if (negative_ == negative) {
       push(mpn_add(x, x, size(), y.limbs_.data(), n));
@@ -158,12 +243,18 @@ private:
     remove_leading_zeros();
     return *this;
   }
+  mp_limb_t limb(std::size_t i) const { return limbs_.data()[i]; }
   void push(mp_limb_t carry) {
-    if (carry != 0) limbs_.push_back(carry);
+    if (carry == 0) return;
+    const std::size_t n = size();
+    limbs_.resize(n + 1);
+    limbs_.data()[n] = carry;
   }
   void remove_leading_zeros() {
-    while (!limbs_.empty() && limbs_.back() == 0) limbs_.pop_back();
-    if (limbs_.empty()) negative_ = false;
+    std::size_t n = size();
+    while (n != 0 && limb(n - 1) == 0) --n;
+    limbs_.resize(n);
+    if (n == 0) negative_ = false;
   }
 };
 
