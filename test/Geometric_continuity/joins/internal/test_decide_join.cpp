@@ -313,6 +313,21 @@ template <int N> Join<N> grossly_off(Random& random) {
   return join;
 }
 
+// Curvatures of one magnitude and opposite senses: the right polygon is the left one, turned by half a turn about the join. Of one end in
+// two a point of the other one is not.
+template <int N> Join<N> half_turn(Random& random) {
+  Join<N> join;
+  join.left.resize(random.integer(1, 5) + 1);
+  for (auto& point : join.left)
+    for (double& x : point) x = random.integer(0, 1) ? random.whole(20) : random.any(-40, 40);
+  join.left[0].fill(0);
+  join.right = join.left;
+  for (auto& point : join.right)
+    for (double& x : point) x = -x;
+  if (random.integer(0, 1)) random_coordinate(random, join) += 1;
+  return join;
+}
+
 template <int N> Join<N> scaled_by(Random& random, Join<N> join, int low, int high) {
   const int e = random.integer(low, high);
   for_each_coordinate(join, [&](double& x, int) { x = std::ldexp(x, e); });
@@ -458,6 +473,7 @@ TEST_CLASS(parametric)
 TEST_CLASS(off_by_one_ulp)
 TEST_CLASS(off_by_one_unit)
 TEST_CLASS(grossly_off)
+TEST_CLASS(half_turn)
 TEST_CLASS(tiny)
 TEST_CLASS(huge)
 TEST_CLASS(subnormal)
