@@ -86,7 +86,7 @@ void measure(const Options& options) {
       },
       {{{"verify", "--surfaces", "--summary"}, 20}}, std::to_string(100 * rows) + " patches: ");
   benchmark.measure(
-      "drawing.svg", [&](std::ostream& os) { return write_drawing(os, paths); }, {{{"verify"}, 20}},
+      "drawing.svg", [&](std::ostream& os) { return write_drawing(os, paths); }, {{{"verify"}, 40}},
       std::to_string(99 * paths) + " joins in " + std::to_string(paths) + " subpaths: ");
   if (options.long_runs) benchmark.measure_memory(options.scaled(10000000));
 

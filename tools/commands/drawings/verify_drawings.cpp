@@ -43,8 +43,10 @@ void append_place(std::string& s, int number, const Segment& left, const Segment
 
 // E.g. " at (1, 2)".
 void append_point(std::string& s, const Segment& right) {
-  const Drawing_traits::Point p = right.start();
-  append(s, " at (", rounded(CGAL::to_double(p.x()), 6), ", ", rounded(CGAL::to_double(p.y()), 6), ')');
+  const auto append = [&s](const Drawing_traits::Point& p) {
+    ::append(s, " at (", rounded(CGAL::to_double(p.x()), 6), ", ", rounded(CGAL::to_double(p.y()), 6), ')');
+  };
+  right.bezier() ? append(right.bezier()->control_point(0)) : append(right.start());
 }
 
 // Decides the joins of all subpaths that it receives.

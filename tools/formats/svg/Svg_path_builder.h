@@ -12,8 +12,6 @@
 
 #include <cstddef>
 #include <deque>
-#include <initializer_list>
-#include <iterator>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -58,14 +56,25 @@ private:
     if (!closed && segments_.empty()) return;
     complete_.emplace();
     complete_->closed = closed;
-    complete_->segments.assign(std::make_move_iterator(segments_.begin()), std::make_move_iterator(segments_.end()));
-    segments_.clear();
+    complete_->segments.swap(segments_);
   }
 
   void add(std::vector<Coordinates> points) {
     if (points.size() > 2 && is_line_with_retracted_handle(points)) points.erase(points.begin() + 1, points.end() - 1);
-    segments_.push_back({{Bezier_curve<Traits>(points)}, commands_, letter_, place_});
+    Svg_segment<Traits>& segment = segments_.emplace_back();
+    segment.curve.template emplace<Bezier_curve<Traits>>(points);
+    segment.command = commands_;
+    segment.letter = letter_;
+    segment.place = place_;
     current_ = std::move(points.back());
+  }
+
+  void add_line(const Coordinates& x) {
+    std::vector<Coordinates> points;
+    points.reserve(2);
+    points.push_back(current_);
+    points.push_back(x);
+    add(std::move(points));
   }
 
 public:
@@ -85,7 +94,7 @@ public:
   }
 
   void line_to(const Coordinates& x) {
-    add({current_, x});
+    add_line(x);
     control_degree_ = 1;
   }
 
@@ -108,7 +117,7 @@ public:
   void arc_to(const Elliptical_arc_parameters<FT>& parameters, const Coordinates& x) {
     control_degree_ = 1;
     if (x == current_) return;
-    if (parameters.rx == FT(0) || parameters.ry == FT(0)) return add({current_, x});
+    if (parameters.rx == FT(0) || parameters.ry == FT(0)) return add_line(x);
     const Elliptical_arc<Traits> arc(to_point<Traits>(current_), to_point<Traits>(x), parameters);
     if (!has_short_parts<max_svg_radicand_bits>(arc.radicand()) ||
         !has_short_parts<max_svg_ratio_bits>(FT(parameters.rx / parameters.ry)))
@@ -119,7 +128,7 @@ public:
 
   // With a line to the start where that is missing.
   void close() {
-    if (current_ != start_) add({current_, start_});
+    if (current_ != start_) add_line(start_);
     finish(true);
     current_ = start_;
     control_degree_ = 1;

@@ -9,7 +9,7 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <vector>
+#include <deque>
 
 namespace CGAL {
 namespace Geometric_continuity {
@@ -29,9 +29,9 @@ template <class Traits> struct Svg_segment : Path_segment<Traits> {
 
 /// What a path draws from one command M, or from the end of a closed subpath, to the next.
 template <class Traits> struct Svg_subpath {
-  std::vector<Svg_segment<Traits>> segments; ///< each starts where the one before it ends
-  bool closed = false;                       ///< by the command Z: the end of the last one is the start of the first
-  std::size_t left_out = 0;                  ///< the number of segments that leave_out_points() has removed
+  std::deque<Svg_segment<Traits>> segments; ///< each starts where the one before it ends
+  bool closed = false;                      ///< by the command Z: the end of the last one is the start of the first
+  std::size_t left_out = 0;                 ///< the number of segments that leave_out_points() has removed
 
   /// Returns the number of joins: that behind the last segment is one if the subpath is closed.
   std::size_t joins() const { return segments.empty() || closed ? segments.size() : segments.size() - 1; }
@@ -49,7 +49,6 @@ template <class Traits> struct Svg_subpath {
     Svg_subpath r;
     r.closed = closed;
     r.left_out = left_out;
-    r.segments.reserve(segments.size());
     for (const Svg_segment<Traits>& segment : segments) r.segments.push_back(segment.transform(map));
     return r;
   }

@@ -154,8 +154,11 @@ private:
 
   Coordinates point(const Coordinates& origin) {
     Coordinates x;
-    for (int i = 0; i < 2; ++i) x[i] = moved(origin[i]);
+    read_point(origin, x);
     return x;
+  }
+  void read_point(const Coordinates& origin, Coordinates& x) {
+    for (int i = 0; i < 2; ++i) x[i] = moved(origin[i]);
   }
 
   // The next number, added to a coordinate of the origin.
@@ -192,7 +195,7 @@ private:
     result.reserve(4);
     result.push_back(builder_.current());
     if (handle) result.push_back(std::move(*handle));
-    for (int j = 0; j < more; ++j) result.push_back(point(origin));
+    for (int j = 0; j < more; ++j) read_point(origin, result.emplace_back());
     return result;
   }
 

@@ -32,6 +32,8 @@ constexpr int dynamic_degree = -1;
 
 namespace internal {
 
+template <int N> class Grid_join;
+
 template <class T, class = void> struct Has_traits : std::false_type {};
 template <class T> struct Has_traits<T, std::void_t<typename T::Traits>> : std::true_type {};
 
@@ -52,6 +54,7 @@ using Range_of_points = std::enable_if_t<
 /// \tparam Degree the degree `m >= 0`, or `dynamic_degree`
 template <class Traits_, int Degree> class Bezier_polygon {
   static_assert(internal::Checked_traits<Traits_>::value);
+  template <int> friend class internal::Grid_join; // reads the ends of the domain, and copies none
 
 public:
   typedef internal::Traits_or_none<Traits_> Traits;              ///< the traits class

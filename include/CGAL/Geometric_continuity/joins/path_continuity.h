@@ -64,6 +64,8 @@ template <class Traits> class Path_join {
   const Path_segment<Traits>&left_, &right_;
   internal::Grid_join<2> grid_; // of Bezier curves whose coordinates are short rational numbers
   bool has_grid_ = false;
+  mutable std::optional<std::pair<internal::Grid_join<2>::Jet, internal::Grid_join<2>::Jet>>
+      jets_; // enclosures, once asked for
 
   template <class T> friend std::optional<Join_continuity<typename T::FT>> continuity(const Path_join<T>&, int);
   template <class T, class Function> friend bool visit_enclosures(const Path_join<T>&, Function);
@@ -128,8 +130,8 @@ std::optional<Join_continuity<typename Traits::FT>> continuity(const Path_segmen
 template <class Traits, class Function> bool visit_enclosures(const Path_join<Traits>& join, Function f) {
   if (!join.has_grid_) return false;
   const Protect_FPU_rounding<true> rounding_upwards;
-  const auto jets = join.grid_.enclosed_jets();
-  f(jets.first, jets.second);
+  if (!join.jets_) join.jets_ = join.grid_.enclosed_jets();
+  f(join.jets_->first, join.jets_->second);
   return true;
 }
 

@@ -5,6 +5,7 @@
 #ifndef CGAL_GEOMETRIC_CONTINUITY_JOINS_INTERNAL_GRID_JOIN_H
 #define CGAL_GEOMETRIC_CONTINUITY_JOINS_INTERNAL_GRID_JOIN_H
 
+#include <CGAL/Geometric_continuity/curves/Bezier_polygon.h>
 #include <CGAL/Geometric_continuity/joins/internal/decide_all_questions.h>
 #include <CGAL/Geometric_continuity/joins/join_result.h>
 #include <CGAL/Geometric_continuity/local/Curve_jet.h>
@@ -153,22 +154,21 @@ public:
 
   // Brings the join of two Bezier curves with rational coordinates over domains with integers as ends on grids. Returns false if the
   // numbers are too long.
-  template <class Curve> bool set_rationals(const Curve& x, const Curve& y) {
-    typedef Rational_parts<typename Curve::FT> Parts;
+  template <class Traits, int Degree>
+  bool set_rationals(const Bezier_polygon<Traits, Degree>& x, const Bezier_polygon<Traits, Degree>& y) {
+    typedef Rational_parts<typename Traits::FT> Parts;
     std::int64_t numerators[8 * N], denominators[8 * N], ends[4], one;
-    const auto [a, b] = x.domain();
-    const auto [c, d] = y.domain();
     int i = 0;
-    for (const auto* end : {&a, &b, &c, &d})
+    for (const typename Traits::FT* end : {&x.a_, &x.b_, &y.a_, &y.b_})
       if (!Parts::short_parts(*end, ends[i++], one) || one != 1) return false;
     for (int k = 0; k < 8 * N; ++k) {
       const int j = k / N, degree = j < 4 ? x.degree() : y.degree();
-      const typename Curve::Point& point =
+      const typename Traits::Point& point =
           j < 4 ? x.control_point(degree - (std::min)(degree, j)) : y.control_point((std::min)(degree, j - 4));
       const auto split = [&](const auto& coordinate) {
         return Parts::short_parts(coordinate, numerators[k], denominators[k]);
       };
-      if (!with_coordinate<typename Curve::Traits>(point, k % N, split)) return false;
+      if (!with_coordinate<Traits>(point, k % N, split)) return false;
     }
     left_.degree = x.degree();
     right_.degree = y.degree();

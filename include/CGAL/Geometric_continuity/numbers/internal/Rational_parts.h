@@ -73,7 +73,7 @@ struct Rational_parts<FT, std::void_t<decltype(internal::gmp_rational(std::declv
   static FT make_short(std::int64_t n, std::int64_t d) {
     FT x;
     const mpq_ptr q = internal::gmp_rational(x);
-    const std::int64_t common = d == 1 ? 1 : std::gcd(n, d);
+    const std::int64_t common = d == 1 ? 1 : std::gcd(n % d, d); // most are shorter than n
     copy_short(n / common, mpq_numref(q));
     if (d != common) copy_short(d / common, mpq_denref(q));
     return x;
