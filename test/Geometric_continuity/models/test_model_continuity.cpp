@@ -64,6 +64,10 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(model_of_a_grid, K, All_kernels) {
   const auto creased = GC::model_continuity(p);
   BOOST_CHECK_EQUAL(text(creased.summary), "8 G2, 0 G1, 4 G0 (4 creases), 12 boundary, 0 collapsed");
   BOOST_CHECK_EQUAL(creased.failing(1).size(), 4);
+  const auto orders = GC::model_continuity(
+      p, [](std::size_t) {}, GC::Crease_angles::omitted);
+  BOOST_CHECK_EQUAL(text(orders.summary), text(creased.summary));
+  BOOST_CHECK(find_edge(creased, 1, u1)->continuity.deviation && !find_edge(orders, 1, u1)->continuity.deviation);
   BOOST_CHECK_EQUAL(creased.failing(3).size(), 12);
   // in any orientation, from a list, with other degrees and domains
   Random random;

@@ -49,7 +49,7 @@ template <class Surface> class Model_report {
 public:
   Model_report(const std::vector<Surface>& surfaces, const Patch_places& places, const Report_mode& mode,
                const Edge_demand& demand, const Exact& parameter_unit)
-      : surfaces_(surfaces), places_(places), demand_(demand), model_(decided(surfaces)),
+      : surfaces_(surfaces), places_(places), demand_(demand), model_(decided(surfaces, wanted_angles(mode, demand))),
         report_(mode, decide_within()) {
     if (parameter_unit == 1) return;
     for (Edge& e : model_.edges) scale_parameters(e.continuity, parameter_unit);
@@ -85,9 +85,17 @@ public:
   }
 
 private:
-  static GC::Model_continuity<Exact> decided(const std::vector<Surface>& surfaces) {
+  // A summary tells angles only of what is not met.
+  static GC::Crease_angles wanted_angles(const Report_mode& mode, const Edge_demand& demand) {
+    const bool only_counts =
+        mode.summary && !mode.has_findings() && mode.certificate == nullptr && !demand.order && !demand.tolerance;
+    return only_counts ? GC::Crease_angles::omitted : GC::Crease_angles::enclosed;
+  }
+
+  static GC::Model_continuity<Exact> decided(const std::vector<Surface>& surfaces, GC::Crease_angles angles) {
     Progress progress("edges and knot lines");
-    return GC::model_continuity<CGAL::Parallel_if_available_tag>(surfaces, [&](std::size_t n) { progress.step(n); });
+    return GC::model_continuity<CGAL::Parallel_if_available_tag>(
+        surfaces, [&](std::size_t n) { progress.step(n); }, angles);
   }
 
   // Decides what is asked within the tolerance, and returns what the report is about.

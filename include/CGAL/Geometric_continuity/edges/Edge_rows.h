@@ -272,6 +272,13 @@ inline int severity(Edge_defect defect) {
 }
 
 /// \ingroup PkgGeometricContinuityContinuity
+/// What is asked about creases. To find the largest angle takes most of the time of a crease.
+enum class Crease_angles {
+  enclosed, ///< the largest angle, too
+  omitted   ///< orders and defects only: `Edge_continuity::deviation` may be empty
+};
+
+/// \ingroup PkgGeometricContinuityContinuity
 /// A guaranteed enclosure of the largest angle \f$ \theta \in [0, \pi] \f$ between the normals of two surfaces along their
 /// common edge, both turned so that \f$ \theta = 0 \f$ where the surfaces continue each other and \f$ \theta = \pi \f$ where
 /// they fold back. Points where a normal vanishes are left out; limits at them count.
@@ -323,7 +330,8 @@ template <class FT> struct Edge_continuity {
   /// was found exactly. Empty where no normal vanishes or the edge is collapsed.
   std::optional<std::pair<FT, FT>> vanishing;
   /// The enclosure of the largest angle between the normals and the place of a crease or fold, in the parameters of the
-  /// first edge. Empty without a common edge, and where one normal vanishes identically.
+  /// first edge. Empty without a common edge, where one normal vanishes identically, and possibly at creases with
+  /// `Crease_angles::omitted`.
   std::optional<Normal_deviation<FT>> deviation;
 
   /// Writes the order, the defect and the upper bound of the angle in degrees, rounded upwards to the precision of the

@@ -187,12 +187,14 @@ template <class Concurrency_tag, class Surface, class Report> class Model_analys
 
   const std::vector<const Surface*>& patches_;
   Report& report_;
+  const Crease_angles angles_;
   std::size_t decided_ = 0;
   std::mutex mutex_; // for the two above
   Model_continuity<Field> model_;
 
 public:
-  Model_analysis(const std::vector<const Surface*>& patches, Report& report) : patches_(patches), report_(report) {}
+  Model_analysis(const std::vector<const Surface*>& patches, Report& report, Crease_angles angles)
+      : patches_(patches), report_(report), angles_(angles) {}
 
   Model_continuity<Field> operator()() {
     for (const Surface* patch : patches_) require_space(*patch, "model_continuity");
@@ -247,9 +249,9 @@ private:
     edge.non_manifold = row.non_manifold;
     name_work_limit([&] { return edge_name(a.patch, a.edge) + " - " + edge_name(b.patch, b.edge); },
                     [&] {
-                      edge.continuity = continuity_of_same_edge(*patches_[a.patch], a.edge, *patches_[b.patch], b.edge,
-                                                                a.backwards == b.backwards ? Edge_direction::same
-                                                                                           : Edge_direction::opposite);
+                      edge.continuity = continuity_of_same_edge(
+                          *patches_[a.patch], a.edge, *patches_[b.patch], b.edge,
+                          a.backwards == b.backwards ? Edge_direction::same : Edge_direction::opposite, angles_);
                     });
     one_more();
   }
@@ -295,13 +297,14 @@ private:
 /// \param patches of the model, which must outlive the call
 /// \param report is called as `report(n)` with the number of shared edges and knot lines decided so far, after each,
 ///   by one core at a time
+/// \param angles whether the largest angles are wanted along creases, too
 /// \throws Error `dimension_mismatch` unless in dimension 3; `work_limit`, with the patch and the edge
 template <class Concurrency_tag = Sequential_tag, class PatchRange, class Report>
-auto model_continuity(const PatchRange& patches, Report report) {
+auto model_continuity(const PatchRange& patches, Report report, Crease_angles angles = Crease_angles::enclosed) {
   typedef std::decay_t<decltype(*std::begin(patches))> Patch;
   std::vector<const Patch*> pointers;
   for (const Patch& patch : patches) pointers.push_back(&patch);
-  return internal::Model_analysis<Concurrency_tag, Patch, Report>(pointers, report)();
+  return internal::Model_analysis<Concurrency_tag, Patch, Report>(pointers, report, angles)();
 }
 
 /// \ingroup PkgGeometricContinuitySurfaces

@@ -33,7 +33,9 @@ namespace internal {
 // The verdict on [0, 1] along two edges that are the same curve in one direction, where the tangent planes differ somewhere but
 // nowhere by a right angle or more, so that no normal vanishes. Empty if numbers of fixed length do not prove that, or the meter
 // does not allow to look for the largest angle. See Edge_measure for the polynomials p and s.
-template <class Field> std::optional<Edge_continuity<Field>> crease_on_grid(Edge_ladder& ladder) {
+template <class Field>
+std::optional<Edge_continuity<Field>> crease_on_grid(Edge_ladder& ladder,
+                                                     Crease_angles angles = Crease_angles::enclosed) {
 #ifdef CGAL_GEOMETRIC_CONTINUITY_HAS_FIXED_INTEGER
   constexpr int most_along = 5;
   if constexpr (Common_denominator<Field>::clears) {
@@ -47,8 +49,10 @@ template <class Field> std::optional<Edge_continuity<Field>> crease_on_grid(Edge
     const auto s = p - side * side;
     if (s.vanishes()) return std::nullopt;
     Edge_continuity<Field> e;
-    e.deviation = Fixed_largest_measure<Field, std::decay_t<decltype(s)>, std::decay_t<decltype(p)>>(s, p)();
-    if (!e.deviation) return std::nullopt;
+    if (angles == Crease_angles::enclosed) {
+      e.deviation = Fixed_largest_measure<Field, std::decay_t<decltype(s)>, std::decay_t<decltype(p)>>(s, p)();
+      if (!e.deviation) return std::nullopt;
+    }
     e.g_order = 0;
     e.defect = Edge_defect::crease;
     e.side = Sign_pattern::negative;

@@ -89,13 +89,14 @@ Spline_edge_continuity<Field> smooth_on_all_spans(const Knot_vector<FT>& knots, 
 // work) finds what the edges have in common.
 template <class Surface_a, class Surface_b, class Find_match>
 auto decide_surfaces(const Surface_a& a, Patch_edge edge_a, const Surface_b& b, Patch_edge edge_b,
-                     Find_match find_match) -> Spline_edge_continuity<Edge_field<typename Surface_a::Traits>> {
+                     Find_match find_match, Crease_angles angles = Crease_angles::enclosed)
+    -> Spline_edge_continuity<Edge_field<typename Surface_a::Traits>> {
   typedef Edge_field<typename Surface_a::Traits> Field;
   constexpr int N = row_dimension<Surface_a, Surface_b>;
   require_space(a, b, "edge_continuity");
   if constexpr (N == 4)
     if (has_equal_weights(a) && has_equal_weights(b))
-      return decide_surfaces(without_weights(a), edge_a, without_weights(b), edge_b, find_match);
+      return decide_surfaces(without_weights(a), edge_a, without_weights(b), edge_b, find_match, angles);
   const Work_on_object work("edge_continuity");
   std::optional<Edge_direction> direction;
   if constexpr (Edge_rungs<N>::exist) {
@@ -108,7 +109,7 @@ auto decide_surfaces(const Surface_a& a, Patch_edge edge_a, const Surface_b& b, 
       if (const std::optional<int> order = ladder.smooth_order())
         return verdict_on_whole_edge(smooth_continuity<Field>(*order, domain_a), *direction, domain_a, domain_b);
       if constexpr (N == 3)
-        if (std::optional<Edge_continuity<Field>> crease = crease_on_grid<Field>(ladder))
+        if (std::optional<Edge_continuity<Field>> crease = crease_on_grid<Field>(ladder, angles))
           return verdict_on_whole_edge(on_interval(domain_a.first, domain_a.second, *std::move(crease)).continuity,
                                        *direction, domain_a, domain_b);
     }
@@ -129,10 +130,11 @@ auto decide_surfaces(const Surface_a& a, Patch_edge edge_a, const Surface_b& b, 
 // For edges that have been recognised as the same, see Edge_key.
 template <class Surface_a, class Surface_b>
 auto continuity_of_same_edge(const Surface_a& a, Patch_edge edge_a, const Surface_b& b, Patch_edge edge_b,
-                             Edge_direction direction) {
-  return decide_surfaces(a, edge_a, b, edge_b, [direction](const auto& pieces_a, const auto& pieces_b) {
+                             Edge_direction direction, Crease_angles angles) {
+  const auto find_match = [direction](const auto& pieces_a, const auto& pieces_b) {
     return whole_match(pieces_a, pieces_b, direction);
-  });
+  };
+  return decide_surfaces(a, edge_a, b, edge_b, find_match, angles);
 }
 
 // Along the common part of two edges.
