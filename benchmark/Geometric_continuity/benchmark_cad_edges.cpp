@@ -56,26 +56,27 @@ void along_an_isoparametric_line(benchmark::State& state) {
   const GC::Cad_line<2> line{{0, 0}, {1, 0}};
   enclose(state, side(bicubic(0), line), side(bicubic(1e-4), line), 0, 1);
 }
-BENCHMARK(along_an_isoparametric_line);
+BENCHMARK(along_an_isoparametric_line)->Name("bicubic surfaces, along a parameter line | edge_enclosure()");
 
 void along_a_curve(benchmark::State& state) {
   const GC::Cad_spline_curve<2> c{3, {0, 0, 0, 0, 1, 1, 1, 1}, {{0, 0.1}, {0.3, 0.5}, {0.6, 0.2}, {1, 0.7}}, {}};
   enclose(state, side(bicubic(0), c), side(bicubic(1e-4), c), 0, 1);
 }
-BENCHMARK(along_a_curve);
+BENCHMARK(along_a_curve)->Name("bicubic surfaces, along a curve | edge_enclosure()");
 
 void along_a_curve_without_curvature(benchmark::State& state) {
   const GC::Cad_spline_curve<2> c{3, {0, 0, 0, 0, 1, 1, 1, 1}, {{0, 0.1}, {0.3, 0.5}, {0.6, 0.2}, {1, 0.7}}, {}};
   enclose(state, side(bicubic(0), c), side(bicubic(1e-4), c), 0, 1, false);
 }
-BENCHMARK(along_a_curve_without_curvature);
+BENCHMARK(along_a_curve_without_curvature)
+    ->Name("bicubic surfaces, along a curve | edge_enclosure(), gap and angle only");
 
 void cylinder_on_plane(benchmark::State& state) {
   const GC::Cad_frame frame{{0, 0, 3}, {0, 0, -1}, {1, 0, 0}, {0, -1, 0}};
   enclose(state, side(Elementary{Elementary::Kind::plane, standard}, GC::Cad_line<2>{{0, 0}, {0, 1}}),
           side(Elementary{Elementary::Kind::cylinder, frame, 3}, GC::Cad_line<2>{{0, 0}, {0, -1}}), -1, 5);
 }
-BENCHMARK(cylinder_on_plane);
+BENCHMARK(cylinder_on_plane)->Name("cylinder on a plane | edge_enclosure()");
 
 void sphere_cut_by_plane(benchmark::State& state) {
   const GC::Cad_frame frame{{0, 0, 1.5}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
@@ -84,7 +85,7 @@ void sphere_cut_by_plane(benchmark::State& state) {
           side(Elementary{Elementary::Kind::sphere, standard, 2.5}, GC::Cad_line<2>{{0, 0.6435011087932844}, {1, 0}}),
           side(Elementary{Elementary::Kind::plane, frame}, circle), 0, 6.283185307179586);
 }
-BENCHMARK(sphere_cut_by_plane);
+BENCHMARK(sphere_cut_by_plane)->Name("sphere cut by a plane | edge_enclosure()");
 
 } // namespace
 
