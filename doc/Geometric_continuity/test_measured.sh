@@ -19,6 +19,6 @@ for file in measured/*.txt; do
   shown=$(awk -v folder=measured -f measured.awk <<<"\\measured{$name}" | grep -c '^| .* | .* [nµm]*s | ') || true
   [ "$shown" = "$rows" ] && [ "$rows" -gt 1 ] || fails "$file has $rows rows, and its table $shown"
 done
-for name in $tables; do [ -f "measured/$name.txt" ] || echo "not measured yet: $name"; done
+for name in $tables; do [ -f "measured/$name.txt" ] || fails "not measured yet: $name"; done
 ! grep -nE '[0-9] (ns|µs|ms|s)\b' Performance.txt || fails "times of Performance.txt come from measured/"
 exit $((failures > 0))
