@@ -29,6 +29,9 @@ for page in index.html Geometric_continuity_[A-Z]*.html; do
     >"$profile/dom" 2>/dev/null </dev/null || fail "$page: the browser fails"
   set_in_type=$(grep -oE 'class="MathJax"' "$profile/dom" | wc -l)
   [ "$set_in_type" -eq "$wanted" ] || fail "$page: $set_in_type of $wanted formulas are typeset"
+  # a bar inside of a formula ends a cell, and with it the table
+  rows=$(sed -e '/<div class="fragment"/,/<!-- fragment -->/d' -e '/<pre/,/<\/pre>/d' "$page" | grep -cE '^(<p>)?\| ' || true)
+  [ "$rows" -eq 0 ] || fail "$page: $rows rows of a table are left as text"
   raw=$(sed -e '/<script/,/<\/script>/d' "$profile/dom" | grep -oE '\\\(|\\\[|\\f\$' | wc -l)
   [ "$raw" -eq 0 ] || fail "$page: $raw formulas are left as TeX"
   ! grep -q 'class="MathJax_Error"\|class="merror"\|\[Math Processing Error\]' "$profile/dom" || fail "$page: a formula has an error"

@@ -23,7 +23,7 @@ sentence=$(awk '
   $2 == "inner" || $2 == "seam" { ++edges; ++n[$3]; if (!seen[$1]++) ++models }
   END {
     printf "In the %d models of Debian\x27s package `occt-misc` that have edges of two sides, %d edges were decided within `vda-4955`, ", models, edges
-    printf "with %d knot lines, SPEED: %d G1, %d not, %d undecided", knot_lines, n["proved"], n["refuted"], n["undecided"]
+    printf "with %d knot lines: %d G1, %d not, %d undecided", knot_lines, n["proved"], n["refuted"], n["undecided"]
   }' verdicts)
-tr -s ' \n' '  ' <"$manual/Cad_models.txt" | sed 's/in [0-9.]* s on one core, [0-9]* times the time that OpenCASCADE takes for its samples:/SPEED:/' >page
+tr -s ' \n' '  ' <"$manual/Cad_models.txt" >page
 says page "$sentence"
