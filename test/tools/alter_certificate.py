@@ -79,7 +79,7 @@ def main(certificate, file):
     text = file.read_text()
     places = [m.span() for m in re.finditer(r"(?<![\w.#])-?\d+(\.\d+)?", text)]
     if file.suffix == ".svg":
-        places = [(b, e) for b, e in places if re.search(r'(\bd|points)="[^"]*$', text[:b])]
+        places = [(b, e) for b, e in places if re.search(r'\b(d|points|c?[xy]|r[xy]?|width|height)="[^"]*$', text[:b])]
     other = Path("altered" + file.suffix)
     for begin, end in places:
         number += 1

@@ -7,43 +7,38 @@
 Without names the files are those of which the certificate tells. The numbers of the certificate must be those of the files, and each claim
 must follow from them. All is computed anew, in fractions, from the definitions.
 
-Exit code: 0 accepted; 1 refused; 2 a file cannot be read; 3 accepted, but the files have more joins than are certified, such as those of arcs;
-they are counted."""
+Exit code: 0 accepted; 1 refused; 2 a file cannot be read; 3 accepted, but the files have more joins than are certified, such as those of
+arcs with square roots; they are counted."""
 
 import gzip, json, re, sys
 from decimal import Decimal
 from fractions import Fraction
 from functools import reduce
-from math import comb, factorial
+from math import comb, factorial, isqrt
 from pathlib import Path
 from xml.parsers import expat
 
 class Refused(Exception):
     """The certificate does not hold."""
-
 def need(condition, reason):
     if not condition:
         raise Refused(reason)
-
 def exact(text):
+    """An exact number, or a list of them, which may be nested."""
+    if isinstance(text, list):
+        return [exact(x) for x in text]
     need(isinstance(text, str), f"{text!r} is no exact number")
     return Fraction(text) if "/" in text else Fraction(Decimal(text))
-
 def take(line, name):
-    """Removes a member from a line: an exact number, or a list of them, which may be nested."""
-    def numbers(value):
-        return [numbers(x) for x in value] if isinstance(value, list) else exact(value)
+    """Removes a member with exact numbers from a line."""
     need(name in line, f"{name} is missing")
-    return numbers(line.pop(name))
-
+    return exact(line.pop(name))
 def need_equal(line, members):
     """Removes members that must have these values."""
     for name, value in members.items():
         need(name in line and type(line[name]) is type(value) and line.pop(name) == value, f"{name} is not {value}")
-
 def plus(v, w, factor=1):
     return [x + factor * y for x, y in zip(v, w)]
-
 def dot(v, w):
     return sum(x * y for x, y in zip(v, w))
 
@@ -56,25 +51,20 @@ def chain_rule(x, betas, j):
         power = [sum(power[i] * s[k - i] for i in range(k + 1)) for k in range(j + 1)]
         total = plus(total, x[m], Fraction(factorial(j), factorial(m)) * power[j])
     return total
-
 def are_independent(vectors):
     """Of each vector: it is no combination of those before it."""
-    basis, result = [], []
+    rests = []
     for v in vectors:
-        v = reduce(lambda w, b: plus(w, b, -dot(w, b) / dot(b, b)), basis, v)
-        result.append(any(v))
-        basis += [v] if any(v) else []
-    return result
-
+        rests.append(reduce(lambda w, b: plus(w, b, -dot(w, b) / (dot(b, b) or 1)), rests, v))
+    return [any(v) for v in rests]
 def check_rests(line, name, is_refuted, rests):
     """Orders that hold leave no rest; the first that does not hold, if there is one, leaves what the line says."""
     need(not is_refuted or rests.pop() == take(line, name), f"{name} is not what is left")
     need(not any(any(r) for r in rests), f"an order before {name} does not hold")
-
 def check_join(line, order, jets):
     """The claims about a join with these derivatives, where no order above `order` was asked for."""
     need((take(line, "x"), take(line, "y")) == jets, "the derivatives are not those of the file")
-    (x, y), n = jets, len(jets[0][0])
+    (x, y), most = jets, min(order, len(jets[0][0]))
     c, g, f = (line.pop(kind + "_order") for kind in "cgf")
     need(all(type(k) is int and -1 <= k <= order for k in (c, g, f)), "an order is out of range")
     betas, factors = take(line, "betas"), take(line, "f_factors")
@@ -88,14 +78,11 @@ def check_join(line, order, jets):
     refuted = dot(rests[-1], x[1]) == 0 and (any(rests[-1]) or (g == 0 and betas[0] <= 0))
     need(g == order or refuted, "G: the next order is not refuted")
     check_rests(line, "g_rest", g < order, rests)
-    most = min(order, n)
     need((f >= 1) == (g >= 1) and f <= most and len(factors) == (min(f, most - 1) if f >= 1 else 0), "F: not so many factors")
     independent, rests = are_independent(x[1:]), []
     for j, a in enumerate(factors, 2):
         need(len(a) == j - 1 and all(independent[i] or a[i] == 0 for i in range(j - 1)), "F: wrong factors")
-        rests.append(plus(y[j], x[j], -(betas[0] ** j)))
-        for i in range(1, j):
-            rests[-1] = plus(rests[-1], x[i], -a[i - 1])
+        rests.append(reduce(lambda v, i: plus(v, x[i], -a[i - 1]), range(1, j), plus(y[j], x[j], -(betas[0] ** j))))
     refuted = 1 <= f < most and any(rests[-1]) and not any(dot(rests[-1], x[i]) for i in range(1, f + 1))
     need(refuted or f in (0, most), "F: the next order is not refuted")
     return check_rests(line, "f_rest", 1 <= f < most, rests)
@@ -109,15 +96,12 @@ def blossom(t, p, d, k, arguments):
             a = (u - t[k - p + j]) / (t[k + j - r + 1] - t[k - p + j])
             d[j] = plus([(1 - a) * x for x in d[j - 1]], d[j], a)
     return d[p]
-
 def bezier(t, p, d, begin, end):
     """The Bezier points of the part from `begin` to `end`, in any order, within one span."""
     k = max(k for k in range(p, len(t) - p - 1) if t[k] <= min(begin, end) and t[k] < max(begin, end))
     return [blossom(t, p, d, k, [begin] * (p - j) + [end] * j) for j in range(p + 1)]
-
 def breaks(t, p):
     return sorted(set(t[p : len(t) - p]))
-
 def derivatives(b, h, order):
     """Those at the first point of a Bezier curve over an interval of length h."""
     p, result, factor = len(b) - 1, [], Fraction(1)
@@ -126,7 +110,6 @@ def derivatives(b, h, order):
         b = [plus(w, v, -1) for v, w in zip(b, b[1:])]
         factor *= Fraction(p - j) / h
     return result
-
 def divided(jet):
     """The derivatives of x = p / w from those of (p, w): w x = p is differentiated."""
     result = []
@@ -161,7 +144,6 @@ def splines(data, kind):
             size *= count
             need(parameters[-1][0] == sorted(parameters[-1][0]), "knots decrease")
         yield parameters, [numbers(n + rational) + [Fraction(1)] * (1 - rational) for _ in range(size)]
-
 def curve_joins(files, order, closed):
     """What places each join of the chain, and the derivatives on both sides."""
     ends = []
@@ -173,21 +155,57 @@ def curve_joins(files, order, closed):
     for i in range(len(ends) - (not closed)):
         yield {"left": i, "right": (i + 1) % len(ends)}, (ends[i][1], ends[(i + 1) % len(ends)][0])
 
-# ---- Drawings: the segments of paths are lists of control points, and None for an arc.
+# ---- Drawings: a segment of a path is a pair, the derivatives at its start and at its end; empty without a length, None if they are not rational.
 NUMBER, SPACE = r"[+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?", re.compile(r"[ \t\n\f\r]*,?[ \t\n\f\r]*")
-SHAPES = set("circle ellipse rect use".split())  # which are not computed
+UNITS = {"": 1, "px": 1, "in": 96, "cm": Fraction(4800, 127), "mm": Fraction(480, 127), "q": Fraction(120, 127), "pt": Fraction(4, 3), "pc": 16}
 NOT_DRAWN = """defs symbol clipPath mask marker pattern style linearGradient radialGradient filter script title desc metadata
     foreignObject flowRoot font text image""".split()
-
-def drawn(points):
-    """What editors write for a line, a straight curve with a handle in its node, is the line."""
+def segment(points, order):
+    """A Bezier curve. What editors write for a line, a straight curve with a handle in its node, is the line."""
     chord, handles = plus(points[-1], points[0], -1), [plus(v, points[0], -1) for v in points[1:-1]]
     retracted = any(chord) and (points[1] == points[0] or points[-2] == points[-1])
     inside = all(chord[0] * v[1] == chord[1] * v[0] and 0 <= dot(chord, v) <= dot(chord, chord) for v in handles)
-    return [points[0], points[-1]] if retracted and inside else points
-
-def subpaths(data):
+    b = [points[0], points[-1]] if retracted and inside else points
+    return (derivatives(b, 1, order), derivatives(b[::-1], -1, order)) if any(v != b[0] for v in b) else ()
+def arc(p, q, rx, ry, angle, is_large, is_swept, order):
+    """An arc of an ellipse, by its eccentric angle: the second derivative leads to the centre. Where the radii are 1 it is one of a circle."""
+    if p == q or rx * ry == 0:
+        return segment([p, q], order)
+    if angle % 90 and abs(rx) != abs(ry):
+        return None
+    radii = [abs(rx), abs(ry)] if angle % 180 == 0 else [abs(ry), abs(rx)]
+    ends = [[x / r for x, r in zip(v, radii)] for v in (p, q)]
+    half = [(y - x) / 2 for x, y in zip(*ends)]
+    square = max(1 / dot(half, half) - 1, 0)  # of the way to the centre, in half chords; radii that are too small grow
+    root = Fraction(isqrt(square.numerator), isqrt(square.denominator))
+    centre = plus(plus(ends[0], half), [-half[1], half[0]], root if is_large != is_swept else -root)
+    def jet(end, x):
+        r = plus(x, centre, -1)
+        tangent = [-r[1], r[0]] if is_swept else [r[1], -r[0]]
+        return [end] + [[(-1) ** (j // 2) * a * b for a, b in zip(tangent if j % 2 else r, radii)] for j in range(1, order + 1)]
+    return (jet(p, ends[0]), jet(q, ends[1])) if root * root == square else None
+def shape(name, attributes, order):
+    """The segments of a basic shape, as SVG draws it. None for lengths in parts of what is not known."""
+    def length(name):
+        number, unit = re.fullmatch(rf"\s*({NUMBER})([a-z%]*)\s*", attributes.get(name, "0").lower()).groups()
+        return exact(number) * UNITS[unit]
+    if name == "line":
+        return [segment([[length("x1"), length("y1")], [length("x2"), length("y2")]], order)]
+    x, y, w, h = (length(k) for k in ("x", "y", "width", "height"))
+    if name == "rect":
+        given = [k for k in ("rx", "ry") if attributes.get(k, "auto") != "auto"] or ["none"]
+        rx, ry = length(given[0]), length(given[-1])
+        rx, ry = (min(rx, w / 2), min(ry, h / 2)) if rx * ry else (Fraction(0), Fraction(0))
+    else:
+        rx, ry = [length("r")] * 2 if name == "circle" else (length("rx"), length("ry"))
+        x, y, w, h = length("cx") - rx, length("cy") - ry, 2 * rx, 2 * ry
+    xs, ys = [x, x + rx, x + w - rx, x + w], [y, y + ry, y + h - ry, y + h]
+    p = [[xs[i], ys[j]] for i, j in ((1, 0), (2, 0), (3, 1), (3, 2), (2, 3), (1, 3), (0, 2), (0, 1), (1, 0))]
+    parts = [arc(p[i], p[i + 1], rx, ry, 0, False, True, order) if i % 2 else segment(p[i : i + 2], order) for i in range(8)]
+    return [] if w * h == 0 else parts if name == "rect" else parts[3:] + parts[:3]  # an ellipse begins at its largest x
+def subpaths(data, order):
     """The segments of each subpath of path data, and whether it is closed."""
+    data += "M0,0"  # which ends the last one
     at, letter, degree, segments = SPACE.match(data).end(), "", 1, []
     current = start = handle = [Fraction(0)] * 2
     def word(pattern):
@@ -203,52 +221,46 @@ def subpaths(data):
         origin, kind, points = current if letter.islower() else [Fraction(0)] * 2, letter.upper(), [current]
         last_degree, degree = degree, {"C": 3, "S": 3, "Q": 2, "T": 2}.get(kind, 1)
         if kind in "MZ":
-            segments += [[current, start]] if kind == "Z" and current != start else []
-            if segments or kind == "Z":
+            segments += [segment([current, start], order)] * (kind == "Z")
+            if segments:
                 yield segments, kind == "Z"
             segments = []
             current = start = point(origin) if kind == "M" else start
         elif kind in "HV":
             points.append([origin[i] + exact(word(NUMBER)) if i == "HV".index(kind) else current[i] for i in range(2)])
         elif kind == "A":
-            radii = [exact(word(x)) for x in (NUMBER, NUMBER, NUMBER, "[01]", "[01]")][:2]
-            points.append(point(origin))
-            if points[1] == current or all(radii):
-                segments += [] if points[1] == current else [None]
-                current, points = points[1], []
+            numbers = [exact(word(x)) for x in (NUMBER, NUMBER, NUMBER, "[01]", "[01]")]
+            points = [point(origin)]
+            segments.append(arc(current, points[0], *numbers, order))
         else:
             if kind in "ST":
                 points.append(plus([2 * x for x in current], handle, -1) if last_degree == degree else current)
             points += [point(origin) for _ in range(degree + 1 - len(points))]
             handle = points[-2]
-        if len(points) > 1:
-            segments.append(drawn(points))
-            current = points[-1]
-    if segments:
-        yield segments, False
-
+        segments += [segment(points, order)] if len(points) > 1 else []
+        current = points[-1] if kind not in "MZ" else current
 def is_singular(transform):
     numbers = [(name, [exact(x) for x in re.findall(NUMBER, text)]) for name, text in re.findall(r"(\w+)\s*\(([^)]*)\)", transform)]
     return any((k == "matrix" and v[0] * v[3] == v[1] * v[2]) or (k == "scale" and v[0] * v[-1] == 0) for k, v in numbers)
-
 def drawing_joins(files, order):
     """As curve_joins(), in the coordinates of each element: no invertible transform changes an order. None for what is not certified."""
     joins = []
     def start(full_name, attributes):
         name = full_name.replace("http://www.w3.org/2000/svg ", "")
-        is_drawn = stack[-1] and name not in NOT_DRAWN and " " not in name and not is_singular(attributes.get("transform", ""))
-        stack.append(is_drawn)
+        stack.append(stack[-1] and name not in NOT_DRAWN and " " not in name and not is_singular(attributes.get("transform", "")))
         data = attributes.get("d", "") if name == "path" else "M" + attributes.get("points", "") + "Z" * (name == "polygon")
-        if not is_drawn or name not in ("path", "polygon", "polyline") or len(data) < 3:
-            return joins.extend([None] * (is_drawn and name in SHAPES))
-        for number, (segments, closed) in enumerate(subpaths(data), 1):
-            kept = [s for s in segments if s is None or any(v != s[0] for v in s)]
+        paths = subpaths(data, order) if name in ("path", "polygon", "polyline") and len(data) > 2 else [([None], True)] * (name == "use")
+        try:
+            if name in ("circle", "ellipse", "rect", "line"):
+                paths = [(shape(name, attributes, order), name != "line")]
+        except KeyError:
+            paths = [([None], True)]
+        for number, (segments, closed) in enumerate(paths if stack[-1] else [], 1):
+            kept = [s for s in segments if s != ()]
             for i in range(len(kept) - (not closed)):
                 j = (i + 1) % len(kept)
                 place = {"line": parser.CurrentLineNumber, "subpath": number, "left": i, "right": j}
-                a, b = kept[i], kept[j]
-                joins.append((place, (derivatives(a[::-1], -1, order), derivatives(b, 1, order))) if a and b else None)
-        return None
+                joins.append((place, (kept[i][1], kept[j][0])) if kept[i] and kept[j] else None)
     for data in files:
         parser, stack = expat.ParserCreate(namespace_separator=" "), [True]
         parser.StartElementHandler, parser.EndElementHandler = start, lambda _: stack.pop()
@@ -258,25 +270,19 @@ def drawing_joins(files, order):
 # ---- Edges of surfaces. Polynomials are lists of the coefficients of powers, without zeros at the end; points are homogeneous.
 def trimmed(a):
     return trimmed(a[:-1]) if a and a[-1] == 0 else a
-
 def add(a, b, factor=1):
     n = max(len(a), len(b))
     return trimmed(plus(a + [Fraction(0)] * (n - len(a)), b + [Fraction(0)] * (n - len(b)), factor))
-
 def times(a, b):
     return [sum(a[i] * b[k - i] for i in range(len(a)) if 0 <= k - i < len(b)) for k in range(len(a) + len(b) - 1)] if a and b else []
-
 def derivative(a):
     return [i * x for i, x in enumerate(a)][1:]
-
 def powers(b):
     """The coordinates, as polynomials on [0, 1], of the curve with these Bezier points."""
     taylor = derivatives(b, 1, len(b) - 1)
     return [trimmed([x / factorial(k) for k, x in enumerate(a)]) for a in zip(*taylor)]
-
 def scalar(v, w):
     return reduce(add, map(times, v, w))
-
 def plane(a, b, c):
     """What v is multiplied by in det(v, a, b, c)."""
     def minor(j, k):
@@ -287,7 +293,6 @@ def plane(a, b, c):
         total = add(add(times(a[j], minor(k, m)), times(a[k], minor(j, m)), -1), times(a[m], minor(j, k)))
         result.append([x * (-1) ** i for x in total])
     return result
-
 def is_negative(a):
     """Of a polynomial: on the whole of [0, 1], by Sturm's sequence."""
     sequence, changes = [a, derivative(a)], []
@@ -300,7 +305,6 @@ def is_negative(a):
         signs = [x for x in values if x != 0]
         changes.append(sum(x * y < 0 for x, y in zip(signs, signs[1:])))
     return bool(a) and a[0] < 0 and sum(a) < 0 and changes[0] == changes[1]
-
 def rows(surface, across, at, sign):
     """Where a parameter, 0 or 1, is constant: the other one, and the surface and its two derivatives across, to larger parameters or smaller."""
     parameters, points = surface
@@ -308,7 +312,6 @@ def rows(surface, across, at, sign):
     beyond = min(x * sign for x in t if x * sign > at * sign) * sign
     lines = [points[k::m] for k in range(m)] if across == 1 else [points[k : k + m] for k in range(0, len(points), m)]
     return parameters[1 - across], list(zip(*(derivatives(bezier(t, p, d, at, beyond), abs(beyond - at), 2) for d in lines)))
-
 def check_span(span, a, b):
     """The claims about a span of an edge, from the rows of both surfaces as polynomials on [0, 1]. Returns the order."""
     (p, pv, pvv), (q, qv, qvv), pu, order, claims = a, b, [derivative(x) for x in a[0]], -1, {}
@@ -325,17 +328,14 @@ def check_span(span, a, b):
     need([take(span, name) for name in claims] == list(claims.values()), "a polynomial is another one")
     need_equal(span, {"order": order})
     return order
-
 def side(surfaces, line, name):
     """The rows along an edge."""
     number, edge = line.pop("patch_" + name), line.pop("edge_" + name)
     need(type(number) is int and 0 <= number < len(surfaces) and edge in ("u0", "u1", "v0", "v1"), "no such edge")
     across, upper = "uv".index(edge[0]), edge[1] == "1"
     return rows(surfaces[number], across, breaks(*surfaces[number][0][across])[-upper], -1 if upper else 1)
-
 def check_edge(line, surfaces):
     """The claims about an edge of two surfaces, or about a knot line in one."""
-    orders = []
     if "knot" in line:
         number, across, knot, backwards = line.pop("patch"), "uv".index(line.pop("line")), take(line, "knot"), False
         need(type(number) is int and 0 <= number < len(surfaces) and knot in surfaces[number][0][across][0], "no such line")
@@ -344,7 +344,7 @@ def check_edge(line, surfaces):
         (a, a_rows), (b, b_rows), backwards = side(surfaces, line, "a"), side(surfaces, line, "b"), line.pop("reversed")
     u, v = breaks(*a), breaks(*b)[:: -1 if backwards else 1]
     scale = (v[-1] - v[0]) / (u[-1] - u[0])
-    cuts = sorted(set(u + [u[0] + (x - v[0]) / scale for x in v]))
+    cuts, orders = sorted(set(u + [u[0] + (x - v[0]) / scale for x in v])), []
     need(len(line["spans"]) == len(cuts) - 1, "there are not so many spans")
     for span, begin, end in zip(line["spans"], cuts, cuts[1:]):
         need((take(span, "begin"), take(span, "end")) == (begin, end), "a span has other ends")

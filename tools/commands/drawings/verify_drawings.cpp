@@ -17,6 +17,7 @@
 #include <CGAL/Geometric_continuity/IO/text.h>
 #include <CGAL/Geometric_continuity/joins/Join_certificate.h>
 #include <CGAL/Geometric_continuity/joins/path_continuity.h>
+#include <CGAL/Geometric_continuity/numbers/Exact_field.h>
 
 #include <functional>
 #include <iostream>
@@ -153,10 +154,10 @@ public:
       const Decision decision = within_work_limit(
           [&] { return "commands " + std::to_string(left.command) + " and " + std::to_string(right.command); },
           [&] { return GC::continuity(join, max_order_); });
-      if (certificate_ && is_certified(element, left, right))
-        certificate_.add("\"line\":" + std::to_string(element.line) + ",\"subpath\":" + std::to_string(number) +
-                         ",\"left\":" + std::to_string(i) + ",\"right\":" + std::to_string((i + 1) % n) + ',' +
-                         certificate(element, left, right, *decision));
+      if (certificate_)
+        certify("\"line\":" + std::to_string(element.line) + ",\"subpath\":" + std::to_string(number) +
+                    ",\"left\":" + std::to_string(i) + ",\"right\":" + std::to_string((i + 1) % n) + ',',
+                element, left, right, decision);
       if (decision)
         summary_.add(*decision);
       else
@@ -226,20 +227,22 @@ public:
   }
 
 private:
-  // What is written with control points; shapes and arcs are decided with square roots.
-  static bool is_certified(const Drawing_element& element, const Segment& left, const Segment& right) {
-    return (element.name == "path" || element.name == "polygon" || element.name == "polyline") && !left.arc() &&
-           !right.arc();
+  // The root in the derivatives of a segment, if it is rational.
+  static std::optional<Exact> root(const Segment& segment) {
+    return segment.is_known() ? GC::rational_square_root(segment.radicand()) : std::nullopt;
   }
 
-  // In the coordinates of the element: the orders are the same before and after its transform, which is invertible.
-  std::string certificate(const Drawing_element& element, const Segment& left, const Segment& right,
-                          const GC::Join_continuity<Exact>& decision) const {
+  // Adds what certifies the orders of a join, unless there are roots in its derivatives. It is in the coordinates of the element: the orders are
+  // the same before and after its transform, which is invertible.
+  void certify(const std::string& place, const Drawing_element& element, const Segment& left, const Segment& right,
+               const Decision& decision) {
+    const std::optional<Exact> left_root = root(left), right_root = root(right);
+    if (!left_root || !right_root) return;
     const GC::Svg_transform<Drawing_traits> inverse = element.transform.inverse();
-    const Exact no_root(0);
-    return certificate_members(GC::join_certificate(left.transform(inverse).end_jet_over<Exact>(max_order_, no_root),
-                                                    right.transform(inverse).start_jet_over<Exact>(max_order_, no_root),
-                                                    decision, max_order_));
+    certificate_.add(
+        place + certificate_members(GC::join_certificate(
+                    left.transform(inverse).end_jet_over<Exact>(max_order_, *left_root),
+                    right.transform(inverse).start_jet_over<Exact>(max_order_, *right_root), *decision, max_order_)));
   }
 
   // Adds a row of a join unless only findings are written, or what is not met.
