@@ -229,19 +229,20 @@ CGAL_GC_FORCEINLINE Grid_legs<N> grid_legs_of(const std::array<std::array<double
   return {legs, grid.exponent(), trailing_zeros(bits), grid.valid()};
 }
 
+#if defined(__GNUC__)
+
 // The largest power of two of which all coordinates of two ends are multiples, if these have at most 52 bits and no difference is longer
 // than 53: then each leg and each difference, of at most `largest`, is a multiple of the unit, hence a double, and was computed
 // without rounding.
 template <int k, std::size_t N>
 CGAL_GC_FORCEINLINE bool find_common_unit(const std::array<std::array<double, N>, 4>& p,
                                           const std::array<std::array<double, N>, 4>& q, double largest, int& unit) {
-  Common_grid grid((std::max)(largest_coordinate_of<k>(p), largest_coordinate_of<k>(q)));
-  if (!grid.valid()) return false;
-  grid.include<k>(p);
-  grid.include<k>(q);
+  const Common_grid<k, N> grid(p, q);
   unit = grid.exponent();
   return grid.valid() && largest <= 0x1p53 * power_of_two(unit);
 }
+
+#endif // __GNUC__
 
 } // namespace internal
 

@@ -77,53 +77,72 @@ public:
   }
 };
 
-// The coarsest grid of units 2^exponent that has all coordinates of several points.
+#if defined(__GNUC__)
+
+// The coarsest grid of units 2^exponent that has all coordinates of the first k + 1 points of two ends.
 //
-// Let 2^e <= largest < 2^(e+1) and G = 2^(e-51), then |x| < 2^52 G for all coordinates. Between 2^52 G and 2^53 G the
-// doubles are the multiples of G: so 2^52 G + |x| is exact if x is a multiple of G, and so is (2^52 G + |x|) - 2^52 G =
+// Let 2^e <= |x| < 2^(e+1) for the largest coordinate and G = 2^(e-51), then |x| < 2^52 G for all of them. Between 2^52 G and 2^53 G
+// the doubles are the multiples of G: so 2^52 G + |x| is exact if x is a multiple of G, and so is (2^52 G + |x|) - 2^52 G =
 // |x|; and otherwise, in every rounding mode, this is a multiple of G, so it is not |x|. The last 52 bits of the sum
 // are |x|/G: the zeros at the end that all of them have go into the unit.
-class Common_grid {
-  double offset_ = 1;
+//
+// One register has a coordinate of both ends.
+template <int k, std::size_t N> class Common_grid {
+  typedef double Numbers __attribute__((vector_size(16)));
+  typedef std::int64_t Bits __attribute__((vector_size(16)));
+  typedef std::array<std::array<double, N>, 4> Points;
+  static constexpr int size = (k + 1) * static_cast<int>(N);
+
+  Numbers sizes_[size];
   int first_exponent_ = 0;
-  std::uint64_t bits_ = 0, wrong_ = 0;
+  std::int64_t bits_ = 0;
+  bool valid_ = false;
 
 public:
   // Not valid beyond 2^500 or below 2^-400.
-  CGAL_GC_FORCEINLINE explicit Common_grid(double largest) {
-    const int e = binary_exponent(largest);
-    wrong_ = !(-400 <= e && e <= 500);
-    if (wrong_) return;
+  CGAL_GC_FORCEINLINE Common_grid(const Points& x, const Points& y) {
+    read<0>(x, y);
+    const Numbers most = largest<0, size>();
+    const int e = binary_exponent((std::max)(most[0], most[1]));
+    if (!(-400 <= e && e <= 500)) return;
+    const Numbers offset = {power_of_two(e + 1), power_of_two(e + 1)};
+    Bits bits = {0, 0}, wrong = {0, 0};
+    include<0>(offset, bits, wrong);
     first_exponent_ = e - 51;
-    offset_ = power_of_two(e + 1);
-  }
-
-  // The points of an end. \pre no coordinate is larger than `largest`
-  template <int k, std::size_t N> CGAL_GC_FORCEINLINE void include(const std::array<std::array<double, N>, 4>& x) {
-    include(x[0]);
-    include(x[1]);
-    if constexpr (k >= 2) include(x[2]);
-    if constexpr (k >= 3) include(x[3]);
+    bits_ = bits[0] | bits[1];
+    valid_ = (wrong[0] | wrong[1]) == 0;
   }
 
   // All coordinates lie on a grid of 52 bits.
-  CGAL_GC_FORCEINLINE bool valid() const { return wrong_ == 0; }
+  CGAL_GC_FORCEINLINE bool valid() const { return valid_; }
   CGAL_GC_FORCEINLINE int exponent() const {
-    return first_exponent_ + trailing_zero_bits(bits_ | std::uint64_t(1) << 51);
+    return first_exponent_ + trailing_zero_bits(static_cast<std::uint64_t>(bits_) | std::uint64_t(1) << 51);
   }
 
 private:
-  template <std::size_t N> CGAL_GC_FORCEINLINE void include(const std::array<double, N>& x) {
-    include(x[0]);
-    include(x[1]);
-    if constexpr (N == 3) include(x[2]);
+  template <int i> CGAL_GC_FORCEINLINE void read(const Points& x, const Points& y) {
+    const Numbers numbers = {x[i / N][i % N], y[i / N][i % N]};
+    sizes_[i] = reinterpret_cast<Numbers>(reinterpret_cast<Bits>(numbers) & INT64_MAX);
+    if constexpr (i + 1 < size) read<i + 1>(x, y);
   }
-  CGAL_GC_FORCEINLINE void include(double x) {
-    const double size = std::abs(x), sum = offset_ + size;
-    bits_ |= bits_of(sum);
-    wrong_ |= bits_of(sum - offset_) ^ bits_of(size);
+  // Of n of them, by halves.
+  template <int i, int n> CGAL_GC_FORCEINLINE Numbers largest() const {
+    if constexpr (n == 1)
+      return sizes_[i];
+    else {
+      const Numbers x = largest<i, n / 2>(), y = largest<i + n / 2, n - n / 2>();
+      return x < y ? y : x;
+    }
+  }
+  template <int i> CGAL_GC_FORCEINLINE void include(const Numbers& offset, Bits& bits, Bits& wrong) const {
+    const Numbers sum = offset + sizes_[i], size_again = sum - offset;
+    bits |= reinterpret_cast<Bits>(sum);
+    wrong |= reinterpret_cast<Bits>(size_again) ^ reinterpret_cast<Bits>(sizes_[i]);
+    if constexpr (i + 1 < size) include<i + 1>(offset, bits, wrong);
   }
 };
+
+#endif // __GNUC__
 
 } // namespace internal
 } // namespace Geometric_continuity
