@@ -129,6 +129,27 @@ BOOST_AUTO_TEST_CASE(weights_of_any_size) {
   BOOST_CHECK_EQUAL(n.g2, 30);
 }
 
+// A polygon and its mirror image: the curvatures agree where the weights do. Those of the left end have the last 52 bits of those of the
+// right end, but one more before them.
+BOOST_AUTO_TEST_CASE(weights_below_the_normal_numbers) {
+  typedef GC::Traits_3<CGAL::Epick> Traits;
+  typedef GC::Rational_bezier_curve<Traits> Curve;
+  const std::vector<Traits::Point> left{{-3, 2, 1}, {-2, 1, 0}, {-1, 0, 0}, {0, 0, 0}},
+      right{{0, 0, 0}, {1, 0, 0}, {2, 1, 0}, {3, 2, -1}};
+  std::vector<double> w, v;
+  for (double x : {0.75, 0.5, 0.75, 0.75}) {
+    v.push_back(std::ldexp(x, -1022));
+    w.push_back(1 + x);
+  }
+  const Curve y(right.begin(), right.end(), v.begin(), v.end());
+  Counts n;
+  compare<Traits>(Curve(left.begin(), left.end(), w.rbegin(), w.rend()), y, n);
+  BOOST_CHECK_EQUAL(n.g1, 1);
+  BOOST_CHECK_EQUAL(n.g2, 0);
+  compare<Traits>(Curve(left.begin(), left.end(), v.rbegin(), v.rend()), y, n);
+  BOOST_CHECK_EQUAL(n.g2, 1);
+}
+
 // A derivative with the factor 1/3, which no floating-point number is.
 BOOST_AUTO_TEST_CASE_TEMPLATE(c1_join_with_a_rounded_factor, Traits, All) {
   typedef typename Traits::FT FT;

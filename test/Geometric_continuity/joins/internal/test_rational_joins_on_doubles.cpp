@@ -191,6 +191,7 @@ template <int N> End<N> random_end(int degree, int bits, int weight_bits) {
 template <int N> std::optional<Join<N>> contact(int order, bool g3) {
   const int m = integer(1, 5), n = integer(0, 2) ? m : integer(1, 5);
   Join<N> join{random_end<N>(m, 4, 3), random_end<N>(n, 4, 3)};
+  if (m == n && integer(0, 1)) join.right.weights = join.left.weights;
   const auto factors = [](const End<N>& end) { // alpha and gamma
     const int m = static_cast<int>(end.points.size()) - 1;
     std::array<Q, 4> w;

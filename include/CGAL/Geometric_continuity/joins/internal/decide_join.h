@@ -12,7 +12,11 @@
 #include <CGAL/Geometric_continuity/joins/internal/decide_in_ring.h>
 #include <CGAL/Geometric_continuity/joins/join_result.h>
 #include <CGAL/Geometric_continuity/numbers/Exact_field.h>
+#include <CGAL/Geometric_continuity/numbers/internal/Common_grid.h>
 
+#include <algorithm>
+#include <array>
+#include <cstdint>
 #include <optional>
 #include <type_traits>
 
@@ -99,8 +103,7 @@ Join_answer decide_weighted_derivatives(const Left& left, const Right& right, St
     return Join_answer::unknown;
 }
 
-// The decision on two ends that are given by control points, or `unknown` where a question about ends with positive weights is left to
-// the jets. Tangents do not depend on the weights.
+// The decision on two ends that are given by control points, or `unknown` where a question about ends with weights is left to the jets.
 template <Join_question question, bool weighted, class Left, class Right, class Stages>
 CGAL_GC_FORCEINLINE Join_answer decide_polygons(const Left& left, const Right& right, Stages& stages) {
   constexpr int N = dimension_v<typename Left::Traits>;
@@ -118,11 +121,56 @@ CGAL_GC_FORCEINLINE Join_answer decide_polygons(const Left& left, const Right& r
   else if constexpr (weighted && !(N == 2 || N == 3))
     return Join_answer::unknown;
   else
-    return decide_legs < question, weighted && question != Join_question::g1 > (left, right, stages);
+    return decide_legs<question, weighted>(left, right, stages);
 }
 
-// The decision on two curves: on control points where both curves have them, or on control points with weights, otherwise on jets in
-// an exact field.
+// Points and tangents do not depend on weights.
+constexpr bool weights_matter(Join_question question) {
+  return question != Join_question::c0 && question != Join_question::g1;
+}
+
+// Whether x_j/y_j = a c^j for j = 0 ... k with powers of two a and c, which change no mantissa. \pre x and y are the bits of positive normal
+// numbers
+template <int k>
+CGAL_GC_FORCEINLINE bool ratios_are_powers(const std::array<std::int64_t, 4>& x, const std::array<std::int64_t, 4>& y) {
+  constexpr std::int64_t mantissa = (std::int64_t(1) << 52) - 1;
+  const std::int64_t a = x[0] - y[0], c = x[1] - y[1] - a;
+  bool powers = ((a | c) & mantissa) == 0;
+  for (int j = 2; j <= k; ++j) powers &= x[j] - y[j] == a + j * c;
+  return powers;
+}
+
+// Whether two ends with positive weights may be decided as polynomial ones. Weights a c^j w_j are those of the same shape as w_j. Where both
+// ends have the same, as the arcs of a circle have, these are common factors in all questions about shapes but G3. And where all weights of
+// an end are the same, it is polynomial in another parameter.
+template <Join_question question, class Left, class Right>
+CGAL_GC_FORCEINLINE bool weights_cancel(const Left& left, const Right& right) {
+  if constexpr (!weights_matter(question))
+    return true;
+  else if constexpr (!is_parametric(question) && is_double<typename Left::Traits::FT>) {
+    constexpr int k = highest_difference(question);
+    double least = left.weight(0);
+    const auto bits_of_weights = [&least](const auto& end) {
+      std::array<std::int64_t, 4> bits{};
+      for (int j = 0; j <= k; ++j) {
+        const double w = end.weight((std::min)(j, end.degree()));
+        least = (std::min)(least, w);
+        bits[j] = static_cast<std::int64_t>(bits_of(w));
+      }
+      return bits;
+    };
+    const std::array<std::int64_t, 4> w = bits_of_weights(left), v = bits_of_weights(right);
+    const auto all_same = [](const std::array<std::int64_t, 4>& w) {
+      return ratios_are_powers<k>(w, {w[0], w[0], w[0], w[0]});
+    };
+    return 0x1p-1022 <= least &&
+           ((question != Join_question::g3 && ratios_are_powers<k>(w, v)) || (all_same(w) && all_same(v)));
+  } else
+    return false;
+}
+
+// The decision on two curves: on control points where both curves have them, with weights where these matter, otherwise on jets in an
+// exact field.
 template <Join_question question, class Left, class Right, class Stages>
 CGAL_GC_FORCEINLINE Join_answer decide_join(const Left& left, const Right& right, Stages& stages) {
   static_assert(std::is_same_v<typename Left::Traits, typename Right::Traits>,
@@ -130,13 +178,17 @@ CGAL_GC_FORCEINLINE Join_answer decide_join(const Left& left, const Right& right
   if constexpr (Curve_ends<Left>::have_polygons && Curve_ends<Right>::have_polygons) {
     typedef Curve_end_view<Left, Curve_end::end> Left_end;
     typedef Curve_end_view<Right, Curve_end::start> Right_end;
-    if (has_polygon(left, Curve_end::end) && has_polygon(right, Curve_end::start))
-      return decide_polygons<question, false>(Left_end(left), Right_end(right), stages);
+    bool polynomial = has_polygon(left, Curve_end::end) && has_polygon(right, Curve_end::start);
     if constexpr (Has_weights<Left>::value || Has_weights<Right>::value)
-      if (has_weighted_polygon(left, Curve_end::end) && has_weighted_polygon(right, Curve_end::start)) {
-        const Join_answer answer = decide_polygons<question, true>(Left_end(left), Right_end(right), stages);
-        if (answer != Join_answer::unknown) return answer;
+      if (!polynomial && has_weighted_polygon(left, Curve_end::end) && has_weighted_polygon(right, Curve_end::start)) {
+        polynomial = weights_cancel<question>(Left_end(left), Right_end(right));
+        if constexpr (weights_matter(question))
+          if (!polynomial) {
+            const Join_answer answer = decide_polygons<question, true>(Left_end(left), Right_end(right), stages);
+            if (answer != Join_answer::unknown) return answer;
+          }
       }
+    if (polynomial) return decide_polygons<question, false>(Left_end(left), Right_end(right), stages);
   }
   typedef typename Exact_field<Predicate_FT<typename Left::Traits>>::type Field;
   const Join_answer answer =
