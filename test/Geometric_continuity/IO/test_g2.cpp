@@ -509,7 +509,7 @@ BOOST_AUTO_TEST_CASE(double_round_trip) {
   std::vector<GC::Bezier_curve<Double_3>> curves;
   for (int order = 1; order <= 20; ++order) {
     std::vector<Double_3::Point> points;
-    for (int j = 0; j < order; ++j) points.emplace_back(number(), number(), number());
+    for (int j = 0; j < order; ++j) points.push_back({number(), number(), number()});
     double a = number(), b = number();
     if (b < a) std::swap(a, b);
     curves.emplace_back(points.begin(), points.end(), a, b);

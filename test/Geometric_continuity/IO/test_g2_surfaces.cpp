@@ -160,7 +160,7 @@ BOOST_AUTO_TEST_CASE(surfaces_are_written_without_loss) {
       const auto u = knots(1 + i % 4, number), v = knots(1 + i % 3, number);
       std::vector<std::vector<typename Traits::Point>> net(u.number_of_coefficients());
       for (auto& row : net)
-        for (int j = 0; j < v.number_of_coefficients(); ++j) row.emplace_back(number(), number(), number());
+        for (int j = 0; j < v.number_of_coefficients(); ++j) row.push_back({number(), number(), number()});
       surfaces.emplace_back(net, u, v);
       text += written(surfaces.back());
     }

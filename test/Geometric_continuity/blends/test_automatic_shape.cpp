@@ -68,8 +68,8 @@ BOOST_AUTO_TEST_CASE(nearest_short_number) {
   BOOST_TEST_MESSAGE("seed " << seed);
   std::mt19937_64 random(seed);
   const auto number = [&](int bits) {
-    return std::ldexp(static_cast<double>(static_cast<long long>(random() >> (64 - bits))) + 1,
-                      -static_cast<int>(random() % 40));
+    const double digits = static_cast<double>(static_cast<long long>(random() >> (64 - bits))) + 1;
+    return std::ldexp(digits, -static_cast<int>(random() % 40));
   };
   for (int round = 0; round < 2000; ++round) {
     const int bits = round % 2 == 0 ? 53 : 9;

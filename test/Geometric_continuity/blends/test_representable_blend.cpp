@@ -228,7 +228,8 @@ BOOST_AUTO_TEST_CASE(near_overflow) {
     for (int i = 0; i < 60; ++i) {
       const auto huge = [&random, most] { // near the largest number, some of them far from it
         const double x = most / 4 * (std::ldexp(static_cast<double>(random() >> 11), -53) * 4);
-        return std::ldexp(random() % 2 == 0 ? x : -x, -static_cast<int>(random() % 4 == 0 ? random() % 60 : 0));
+        const double with_sign = random() % 2 == 0 ? x : -x;
+        return std::ldexp(with_sign, -static_cast<int>(random() % 4 == 0 ? random() % 60 : 0));
       };
       const auto curve = [&] {
         std::vector<Space::Point> p;

@@ -45,7 +45,7 @@ BOOST_AUTO_TEST_CASE(blends) {
   std::uniform_real_distribution<double> number(-1, 1);
   int missed = 0;
   for (int repetition = 0; repetition < 100; ++repetition) {
-    const auto point = [&](double x) { return Point(x + number(generator), 3 * number(generator)); };
+    const auto point = [&](double x) { return Point{x + number(generator), 3 * number(generator)}; };
     const Curve phi{point(0), point(2), point(4)}, psi{point(9), point(11), point(13)};
     for (const auto& join : {continuity(phi, blend(phi, psi)), continuity(blend(phi, psi, GC::Fair()), psi)}) {
       if (join.g_order >= 2) continue;

@@ -38,7 +38,10 @@ Points random_points(Random& random, int n) {
 // Very uneven.
 std::vector<Q> random_parameters(Random& random, int n) {
   std::vector<Q> u(1, random.number());
-  while (--n > 0) u.push_back(u.back() + ratio(random.integer(1, 999), random.coin() ? 7 : 70000));
+  while (--n > 0) {
+    const int numerator = random.integer(1, 999);
+    u.push_back(u.back() + ratio(numerator, random.coin() ? 7 : 70000));
+  }
   return u;
 }
 

@@ -244,7 +244,7 @@ BOOST_AUTO_TEST_CASE(doubles_keep_the_tolerance_with_all_roundings) {
     const Double_2::FT far = 1 << 20;
     std::vector<Double_2::Point> b;
     for (int j = 0; j <= degree; ++j)
-      b.emplace_back(far + random.integer(-99, 99) / 1e6, far + random.integer(-99, 99) / 1e6);
+      b.push_back({far + random.integer(-99, 99) / 1e6, far + random.integer(-99, 99) / 1e6});
     const Curve<Double_2> c(b.begin(), b.end());
     const double least = (degree + 1) * 0x1p-42 * (far + 1);
     check_near<Double_2>({c}, chords(c, least), Q(least));

@@ -8,6 +8,7 @@
 #include <boost/test/unit_test.hpp>
 
 #include "support/errors.h"
+#include "support/random.h"
 
 #include <CGAL/Aff_transformation_2.h>
 #include <CGAL/Cartesian_d.h>
@@ -18,7 +19,6 @@
 #include <CGAL/Simple_cartesian.h>
 
 #include <cmath>
-#include <iostream>
 #include <random>
 #include <string>
 #include <tuple>
@@ -43,8 +43,7 @@ typedef std::tuple<Q3, Epick2, D2> Ellipses;
 
 namespace {
 
-constexpr unsigned seed = 2026;
-std::mt19937_64 engine(seed);
+std::mt19937_64 engine(first_seed());
 
 template <class Traits> constexpr bool rounded = std::is_floating_point_v<typename Traits::FT>;
 
@@ -117,8 +116,6 @@ template <class Traits, class X, class Y> bool same_point(const X& x, const Y& y
 template <class Traits> typename Traits::FT square(const GC::Coordinates<Traits>& x) { return dot(x, x); }
 
 } // namespace
-
-BOOST_AUTO_TEST_CASE(the_seed) { std::cout << "seed " << seed << '\n'; }
 
 // x w = p, derived by Leibniz' rule, on the numerator and the denominator as Bernstein polynomials.
 BOOST_AUTO_TEST_CASE_TEMPLATE(jets_are_those_of_the_quotient, Traits, All) {

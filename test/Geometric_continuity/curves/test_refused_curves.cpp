@@ -117,7 +117,7 @@ BOOST_AUTO_TEST_CASE(energy_is_the_integral_of_a_product) {
     for (int k = 0; k <= m + 1; ++k) {
       std::vector<Exact::Point> p;
       for (int j = 0; j <= m; ++j)
-        p.emplace_back(Q(static_cast<int>(random() % 99)) / Q(7), -static_cast<int>(random() % 99), j * j);
+        p.push_back({Q(static_cast<int>(random() % 99)) / Q(7), -static_cast<int>(random() % 99), j * j});
       const GC::Bezier_curve<Exact> c(p.begin(), p.end(), Q(-1), Q(2) / Q(3));
       Q integral(0), length = Q(5) / Q(3);
       for (int i = 0; i < 3; ++i) {

@@ -51,14 +51,15 @@ struct Numbers : Random {
   }
   Function positive_function(int degree) {
     std::vector<Q> b;
-    for (int i = 0; i <= degree; ++i) b.push_back(fraction(integer(1, 99), integer(1, 99)));
+    for (int i = 0; i <= degree; ++i) b.push_back(fraction_of<Q>(1, 99, 1, 99));
     return Function(b);
   }
   Reparametrisation reparametrisation(int alpha, int beta, int alpha2, int delta) {
     return {function(alpha), positive_function(beta), function(alpha2), function(delta)};
   }
   Reparametrisation reparametrisation() {
-    return reparametrisation(integer(0, 2), integer(0, 2), integer(0, 2), integer(0, 2));
+    const int a = integer(0, 2), b = integer(0, 2), c = integer(0, 2);
+    return reparametrisation(a, b, c, integer(0, 2));
   }
   Patch_edge edge() { return GC::patch_edges[integer(0, 3)]; }
   Edge_direction direction() { return coin() ? Edge_direction::same : Edge_direction::opposite; }
@@ -68,7 +69,7 @@ struct Numbers : Random {
     std::vector<std::vector<Exact::Point>> net(m);
     const Q size(4294967296.0);
     for (int i = 0; i < m; ++i)
-      for (int j = 0; j < n; ++j) net[i].emplace_back(number() + Q(4 * i) * size, number() + Q(4 * j) * size, number());
+      for (int j = 0; j < n; ++j) net[i].push_back({number() + Q(4 * i) * size, number() + Q(4 * j) * size, number()});
     return net;
   }
   std::vector<std::vector<Q>> weights(int m, int n) {
@@ -78,8 +79,8 @@ struct Numbers : Random {
     return w;
   }
   std::pair<Q, Q> domain() {
-    const Q a = fraction(integer(-9, 9), integer(1, 9));
-    return {a, Q(a + fraction(integer(1, 9), integer(1, 9)))};
+    const Q a = fraction_of<Q>(-9, 9, 1, 9);
+    return {a, Q(a + fraction_of<Q>(1, 9, 1, 9))};
   }
   // Cubic, so that second derivatives do not jump.
   Knots knots() {
@@ -94,7 +95,8 @@ struct Numbers : Random {
   template <class Surface> Surface surface();
 };
 template <> Bezier<Exact> Numbers::surface() {
-  return Bezier<Exact>(net(integer(2, 4), integer(2, 4)), domain(), domain());
+  const int m = integer(2, 4), n = integer(2, 4);
+  return Bezier<Exact>{net(m, n), domain(), domain()};
 }
 template <> Bspline<Exact> Numbers::surface() {
   const Knots u = knots(), v = knots();
@@ -245,16 +247,16 @@ template <class Surface> void check_middle_part(const Surface& s) {
 }
 BOOST_AUTO_TEST_CASE(a_part_of_one_surface) {
   Numbers random;
-  check_middle_part(Bezier<Exact>(random.net(4, 4), random.domain()));
-  check_middle_part(Bezier<Exact>(random.net(3, 6), random.domain()));
-  check_middle_part(Patch<Exact>(random.net(4, 5), random.weights(4, 5), random.domain()));
+  check_middle_part(Bezier<Exact>{random.net(4, 4), random.domain()});
+  check_middle_part(Bezier<Exact>{random.net(3, 6), random.domain()});
+  check_middle_part(Patch<Exact>{random.net(4, 5), random.weights(4, 5), random.domain()});
 }
 
 // The same with homogeneous points that are multiplied by 1 + v/2: lambda is 1 and lambda_1 is 1/2 at the start, and at the end they are
 // 3/2 and 1/3.
 BOOST_AUTO_TEST_CASE(factors_of_homogeneous_points) {
   Numbers random;
-  const Patch<Exact> s(random.net(4, 5), random.weights(4, 5), random.domain());
+  const Patch<Exact> s{random.net(4, 5), random.weights(4, 5), random.domain()};
   const Q low = fraction(1, 3), high = fraction(3, 5);
   const Patch<Exact> part = middle(s, low, high);
   const auto homogeneous = part.homogeneous();
@@ -522,8 +524,8 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(floating_point, Traits, Rounded_traits) {
     std::vector<std::vector<P>> net(m);
     for (int i = 0; i < m; ++i)
       for (int j = 0; j < n; ++j)
-        net[i].emplace_back(unit * (50 * i + random.integer(-9, 9)), unit * (50 * (from + j) + random.integer(-9, 9)),
-                            unit * random.integer(-9, 9));
+        net[i].push_back({unit * (50 * i + random.integer(-9, 9)), unit * (50 * (from + j) + random.integer(-9, 9)),
+                          unit * random.integer(-9, 9)});
     return net;
   };
   GC::Surface_blend_shape<double> constants, shape;

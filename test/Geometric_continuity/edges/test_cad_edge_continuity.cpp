@@ -346,7 +346,8 @@ BOOST_AUTO_TEST_CASE(random_elementary_surfaces) {
       for (auto& row : placement)
         for (double& x : row) x += unit(random) / 8;
       // v < 1.35: not over the poles of spheres
-      const GC::Cad_line<2> l = line(unit(random), unit(random), unit(random), round == 0 ? 0 : unit(random) / 2);
+      const double p[] = {unit(random), unit(random), unit(random), round == 0 ? 0 : unit(random) / 2};
+      const GC::Cad_line<2> l = line(p[0], p[1], p[2], p[3]);
       const GC::Edge_side a = side(s, l, 0, round == 1, placement);
       BOOST_TEST_CONTEXT("seed " << seed() << ", kind " << int(kind) << ", round " << round) {
         BOOST_TEST(verdict(a, a) == "G2");
@@ -382,7 +383,8 @@ BOOST_AUTO_TEST_CASE(random_swept_surfaces) {
       return kind < 2 ? GC::Cad_surface(GC::Cad_revolution{profile, {0, 0, 0}, direction})
                       : GC::Cad_surface(GC::Cad_extrusion{profile, direction});
     };
-    const GC::Cad_line<2> l = line(unit(random), unit(random), unit(random), unit(random));
+    const double p[] = {unit(random), unit(random), unit(random), unit(random)};
+    const GC::Cad_line<2> l = line(p[0], p[1], p[2], p[3]);
     const GC::Edge_side a = side(swept(), l);
     BOOST_TEST_CONTEXT("seed " << seed() << ", kind " << kind) {
       BOOST_TEST(verdict(a, a) == "G2");

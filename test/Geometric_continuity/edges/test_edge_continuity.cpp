@@ -205,7 +205,8 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(folds_are_not_smooth, K, All_kernels) {
   Random random;
   // both sides of the edge: angles of tangent planes, folded to [0, 90] degrees, are all zero
   Connection s(random, 3);
-  s.connect(random.polynomial(1), constant(1), random.polynomial(1), random.polynomial(1));
+  const Polynomial along = random.polynomial(1), second_along = random.polynomial(1);
+  s.connect(along, constant(1), second_along, random.polynomial(1));
   const std::vector<Patch<K>> p = patches<K>({s.first(), s.second()});
   const auto fold = GC::edge_continuity(p[0], v0, p[1], v0);
   BOOST_CHECK_EQUAL(fold.g_order, 0);

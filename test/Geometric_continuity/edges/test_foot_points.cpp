@@ -86,8 +86,8 @@ BOOST_AUTO_TEST_CASE(projections) {
   std::uniform_real_distribution<double> shift(-0.4, 0.4), distance(-0.5, 0.5);
   for (int i = 0; i < 20; ++i) {
     const double d = i == 0 ? 0 : distance(random);
-    const GC::Edge_side wrong = side(Elementary{Kind::cylinder, standard, 3},
-                                     line(shift(random), shift(random), 1 + shift(random) / 10, 0), turned);
+    const double p[] = {shift(random), shift(random), 1 + shift(random) / 10};
+    const GC::Edge_side wrong = side(Elementary{Kind::cylinder, standard, 3}, line(p[0], p[1], p[2], 0), turned);
     const GC::Edge_curve space = in_space(circle(3 + d, 1), turned);
     const GC::Edge_side right = GC::projected_side(wrong, space, 0, 2, 64);
     BOOST_TEST_CONTEXT("seed " << seed << ", distance " << d)

@@ -50,8 +50,10 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(orders_are_projective, K, Exact_kernels) {
   };
   for (int round = 0; round < 6; ++round) {
     Connection connection(random, random.integer(2, 3));
-    connection.connect(line(random.integer(1, 3), random.integer(-3, -1)), constant(-random.integer(1, 3)),
-                       random.polynomial(1), random.polynomial(1)); // T2 = p C' + q T1 with p not zero
+    const int begin = random.integer(1, 3), end = random.integer(-3, -1), q = -random.integer(1, 3);
+    const Polynomial second_along = random.polynomial(1);
+    connection.connect(line(begin, end), constant(q), second_along,
+                       random.polynomial(1)); // T2 = p C' + q T1 with p not zero
     check(connection, 2);
     Connection first = connection, crease = connection, fold = connection;
     first.w2[2] = first.w2[2] + Polynomial{Q(0), Q(1) / Q(1000)};

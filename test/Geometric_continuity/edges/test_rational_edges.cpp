@@ -94,7 +94,8 @@ template <class Traits> Patch<Traits> octant(int x, int y, int z, int factor) {
 BOOST_AUTO_TEST_CASE(a_surface_cut_in_two) {
   Random random;
   for (int i = 0; i < 6; ++i) {
-    const Patch<Exact> s = random_patch(random, random.integer(1, 3), random.integer(2, 3));
+    const int p = random.integer(1, 3), q = random.integer(2, 3);
+    const Patch<Exact> s = random_patch(random, p, q);
     const std::pair<Patch<Exact>, Patch<Exact>> parts = s.split_v(fraction(1, random.integer(4, 9)));
     const Patch<Exact>& a = parts.first;
     const Patch<Exact> b = with_factor(parts.second, random.positive());

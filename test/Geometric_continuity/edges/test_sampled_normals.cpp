@@ -80,8 +80,8 @@ BOOST_AUTO_TEST_CASE(tangent_and_altered_patches) {
   for (int repeat = 0; repeat < 60; ++repeat) {
     const int p = random.integer(2, 3);
     const Row edge = random_row(random, p, 0), layer = random_row(random, p, 1);
-    Row other = tangent_row(edge, layer, fraction(random.integer(5, 10), 10), fraction(random.integer(-2, 2), 20),
-                            fraction(random.integer(-2, 2), 10));
+    const int k[] = {random.integer(5, 10), random.integer(-2, 2), random.integer(-2, 2)};
+    Row other = tangent_row(edge, layer, fraction(k[0], 10), fraction(k[1], 20), fraction(k[2], 10));
     // the last row matters for G2 only
     const Row end = random_row(random, p, 2), other_end = random_row(random, p, -2);
     switch (repeat % 3) { // one number altered, by much or by little

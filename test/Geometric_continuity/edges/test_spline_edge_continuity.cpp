@@ -125,7 +125,7 @@ BOOST_AUTO_TEST_CASE(spans_are_bezier_patches) {
       const int n = s.number_of_points_v();
       return with_points(s, [&, n, row](int, int j, const Exact::Point_3& p) {
         const bool changed = row == 0 ? j > order : j < n - 1 - order;
-        return changed ? Exact::Point_3(number(), number(), number()) : p;
+        return changed ? Exact::Point_3{number(), number(), number()} : p;
       });
     };
     a = change(a, 1);
@@ -192,7 +192,7 @@ BOOST_AUTO_TEST_CASE(parts_of_splines) {
   std::mt19937_64 random = seeded();
   const S a =
       with_points(spline(wave, knots(0, 5, {1, 2, 3, 3, 4}), knots(0, 1)), [&](int, int, const Exact::Point_3&) {
-        return Exact::Point_3(int(random() % 1000), int(random() % 1000), int(random() % 1000));
+        return Exact::Point_3{int(random() % 1000), int(random() % 1000), int(random() % 1000)};
       });
   const S b = with_knots(part(a, 1, 4), Q(1) / 7, -2);
   const auto e = edge_continuity(a, v1, b, v1); // it lies on the same side
@@ -340,8 +340,8 @@ BOOST_AUTO_TEST_CASE(knot_lines_are_edges_of_parts) {
     const S s =
         with_points(spline(wave, knots(0, 3, std::vector<Q>(multiplicity, Q(1))), knots(0, 2, {1})),
                     [&](int, int, const Exact::Point_3&) {
-                      return Exact::Point_3(int(random() % 2000001) - 1000000, int(random() % 2000001) - 1000000,
-                                            int(random() % 2000001) - 1000000);
+                      return Exact::Point_3{int(random() % 2000001) - 1000000, int(random() % 2000001) - 1000000,
+                                            int(random() % 2000001) - 1000000};
                     });
     const auto e = edge_continuity(part(s, 0, 1), u1, part(s, 1, 3), u0);
     const auto u = knot_line_continuity(s)[0], v = knot_line_continuity(s.swap_parameters())[0];

@@ -240,7 +240,8 @@ BOOST_AUTO_TEST_CASE(revolution_is_as_smooth_as_the_meridian) {
         BOOST_CHECK_EQUAL(meridian_order(left, left.reverse(), a, w), 0);
       }
     // random tangents: a crease, with the measured angle of the normals
-    const Curve right = curve_from(column(left.control_point(3)), random.column(), random.column());
+    const auto first = random.column(), second = random.column();
+    const Curve right = curve_from(column(left.control_point(3)), first, second);
     const auto edge = revolution_continuity(left, right, a, w);
     const Vector m = s.normal(left.domain().second, Q(0)), n = Revolution(right, a, w).normal(Q(0), Q(0));
     const double angle =
@@ -285,7 +286,8 @@ BOOST_AUTO_TEST_CASE(smooth_profiles_give_smooth_surfaces) {
     const GC::Bezier_patch<Exact> s = bezier_patch(Extrusion(left, w)), t = bezier_patch(Extrusion(right, w));
     BOOST_CHECK_EQUAL(edge_continuity(s, GC::Patch_edge::u1, t, GC::Patch_edge::u0).g_order, 2);
     // any crease: the same answer as on the patches
-    const Curve kink = curve_from(x[0], random.column(), random.column());
+    const auto first = random.column(), second = random.column();
+    const Curve kink = curve_from(x[0], first, second);
     const GC::Bezier_patch<Exact> k = bezier_patch(Extrusion(kink, w));
     const auto e = extrusion_continuity(left, kink, w);
     const auto f = edge_continuity(s, GC::Patch_edge::u1, k, GC::Patch_edge::u0);

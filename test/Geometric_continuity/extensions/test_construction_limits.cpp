@@ -54,7 +54,7 @@ template <class FT> Bezier<FT> random_curve(int degree, int digits) {
     }
     return FT(FT(static_cast<int>(random() % 99)) + x / y);
   };
-  for (int i = 0; i <= degree; ++i) points.emplace_back(number(), number(), number());
+  for (int i = 0; i <= degree; ++i) points.push_back({number(), number(), number()});
   return Bezier<FT>(points.begin(), points.end());
 }
 

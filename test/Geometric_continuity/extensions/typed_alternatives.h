@@ -64,7 +64,8 @@ template <class Traits> Curve<Traits> unit(const Curve<Traits>& c) { return c.wi
 template <class Traits> Curve<Traits> random_left(Random& random, int d, int m) {
   for (;;) {
     const FT a = value(random);
-    const Curve<Traits> left = curve_on<Traits>(random_polygon<Traits>(random, d, m + 1), a, FT(a + positive(random)));
+    const auto polygon = random_polygon<Traits>(random, d, m + 1);
+    const Curve<Traits> left = curve_on<Traits>(polygon, a, FT(a + positive(random)));
     const Legs<Traits> legs(left);
     if (!dependent<Traits>({legs.p, legs.r})) return left;
   }

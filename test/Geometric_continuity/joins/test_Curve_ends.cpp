@@ -127,7 +127,7 @@ std::mt19937_64 engine(2026);
 double whole(int n) { return static_cast<double>(static_cast<int>(engine() % (2 * n + 1)) - n); }
 std::vector<Point> random_points(int n) {
   std::vector<Point> points;
-  for (int i = 0; i < n; ++i) points.emplace_back(whole(100), whole(100));
+  for (int i = 0; i < n; ++i) points.push_back({whole(100), whole(100)});
   return points;
 }
 

@@ -347,7 +347,8 @@ BOOST_AUTO_TEST_CASE(degrees_enclose) {
   std::cout << "seed " << seed << '\n';
   std::mt19937_64 random(seed);
   for (int i = 0; i < 1000; ++i) {
-    const double x = std::ldexp(static_cast<double>(random() >> 11), -52 - static_cast<int>(random() % 200));
+    const double digits = static_cast<double>(random() >> 11);
+    const double x = std::ldexp(digits, -52 - static_cast<int>(random() % 200));
     const GC::Enclosure e = GC::in_degrees({x, x});
     BOOST_CHECK(Q(e.lower) * pi <= Q(x) * 180 && Q(x) * 180 <= Q(e.upper) * (pi + Q(1e-59)));
     BOOST_CHECK_LE(enclosures::ulps(e), 4);

@@ -11,7 +11,7 @@
 // Every test runs on the one traits class, with dimensions known at run time only.
 typedef CGAL::Geometric_continuity::Traits_d<CGAL::Epick_d<CGAL::Dynamic_dimension_tag>> Traits_n;
 typedef Traits_n Traits2, Traits3;
-constexpr bool exact = false, exact_predicates = true;
+constexpr bool exact = false;
 constexpr bool cancels = true;
 constexpr int rounds = 20;
 
@@ -22,12 +22,4 @@ template <class Test> void in_every_space(Test test) {
   test(Traits_n(), 5);
 }
 
-#include "algebra/typed_Bernstein_polynomial.h"
-#include "algebra/typed_Plane_coordinates.h"
-#include "blends/typed_quintic_blend.h"
-#include "blends/typed_septic_blend.h"
-#include "curves/typed_Bezier_curve.h"
-#include "curves/typed_is_planar.h"
-#include "extensions/typed_alternatives.h"
-#include "joins/typed_join_continuity.h"
-#include "local/typed_Curve_jet.h"
+#include "kernels/typed_smoke.h"

@@ -14,7 +14,7 @@ typedef CGAL::Cartesian<CGAL::Gmpq> Kernel;
 typedef CGAL::Geometric_continuity::Traits_2<Kernel> Traits2;
 typedef CGAL::Geometric_continuity::Traits_3<Kernel> Traits3;
 typedef CGAL::Geometric_continuity::Traits_d<CGAL::Cartesian_d<CGAL::Gmpq>> Traits_n;
-constexpr bool exact = true, exact_predicates = true;
+constexpr bool exact = true;
 constexpr bool cancels = true;
 constexpr int rounds = 6;
 
@@ -25,11 +25,4 @@ template <class Test> void in_every_space(Test test) {
   test(Traits_n(), 5);
 }
 
-#include "algebra/typed_Bernstein_polynomial.h"
-#include "algebra/typed_Plane_coordinates.h"
-#include "blends/typed_quintic_blend.h"
-#include "blends/typed_septic_blend.h"
-#include "curves/typed_Bezier_curve.h"
-#include "extensions/typed_alternatives.h"
-#include "joins/typed_join_continuity.h"
-#include "local/typed_Curve_jet.h"
+#include "kernels/typed_smoke.h"

@@ -246,8 +246,8 @@ BOOST_AUTO_TEST_CASE(splines_over_simple_knots) {
     std::vector<std::vector<Exact::Point>> net(m);
     for (int i = 0; i < m; ++i)
       for (int j = 0; j < m; ++j)
-        net[i].emplace_back(Q(1296 * (100 * i + random.integer(0, 30))), Q(1296 * (100 * j + random.integer(0, 30))),
-                            Q(1296 * random.integer(0, 50)));
+        net[i].push_back({Q(1296 * (100 * i + random.integer(0, 30))), Q(1296 * (100 * j + random.integer(0, 30))),
+                          Q(1296 * random.integer(0, 50))});
     Surface whole(net, all, all);
     for (int k = 1; k < parts; ++k) whole = whole.insert_u(Q(spans * k), 2).insert_v(Q(spans * k), 2);
     std::vector<Surface> exact;

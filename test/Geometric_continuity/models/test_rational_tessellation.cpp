@@ -49,7 +49,7 @@ BOOST_AUTO_TEST_CASE(triangles_are_within_the_tolerance) {
     std::vector<std::vector<Q>> weights(p + 1);
     for (int i = 0; i <= p; ++i)
       for (int j = 0; j <= q; ++j) {
-        net[i].emplace_back(4 * i + random.integer(-1, 1), 4 * j + random.integer(-1, 1), random.integer(-3, 3));
+        net[i].push_back({4 * i + random.integer(-1, 1), 4 * j + random.integer(-1, 1), random.integer(-3, 3)});
         weights[i].push_back(fraction(random.integer(2, 9), 3));
       }
     check_distance(Patch<Exact>(net, weights, {Q(-1), Q(2)}, {Q(0), Q(1)}), 2);

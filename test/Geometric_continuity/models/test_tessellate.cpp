@@ -153,8 +153,8 @@ Exact_patch random_patch(std::mt19937& random, int p, int q) {
   Net<Exact_kernel> net(p + 1);
   for (int i = 0; i <= p; ++i)
     for (int j = 0; j <= q; ++j)
-      net[i].emplace_back(Q(Q(256 * i + wave(random)) / Q(256)), Q(Q(256 * j + wave(random)) / Q(256)),
-                          Q(Q(wave(random)) / Q(64)));
+      net[i].push_back(
+          {Q(Q(256 * i + wave(random)) / Q(256)), Q(Q(256 * j + wave(random)) / Q(256)), Q(Q(wave(random)) / Q(64))});
   return Exact_patch(net, {Q(-1), Q(3)}, {Q(2), Q(Q(5) / Q(2))});
 }
 

@@ -48,7 +48,7 @@ std::vector<Patch> crease() { return two(Point(0, 1, 1), Point(1, 1, 3), Point(0
 Patch square(int x, int y, std::mt19937& random) {
   const auto corner = [&](int i, int j) {
     const auto shift = [&] { return Q(Q(static_cast<int>(random() % 5)) * power_of_two<Q>(-20)); };
-    return Point(Q(Q(x + i) + shift()), Q(Q(y + j) + shift()), shift());
+    return Point{Q(Q(x + i) + shift()), Q(Q(y + j) + shift()), shift()};
   };
   return Patch({{corner(0, 0), corner(0, 1)}, {corner(1, 0), corner(1, 1)}});
 }
@@ -117,7 +117,7 @@ BOOST_AUTO_TEST_CASE(joins_of_high_order) {
   const auto fraction = [&] {
     return Q(Q(static_cast<int>(random() % 1999) - 999) / Q(static_cast<int>(random() % 999) + 1));
   };
-  for (int i = 0; i <= n; ++i) points.emplace_back(fraction(), fraction());
+  for (int i = 0; i <= n; ++i) points.push_back({fraction(), fraction()});
   const GC::Bezier_curve<Plane> whole(points.begin(), points.end(), Q(0), Q(3));
   const auto [left, right] = whole.split(Q(Q(4) / Q(3)));
   const GC::Bezier_curve<Plane> slow(right.begin(), right.end(), Q(0), Q(Q(1) / Q(7)));

@@ -64,7 +64,8 @@ BOOST_AUTO_TEST_CASE(random_roots_and_angles) {
   std::cout << "seed 2026\n";
   std::mt19937_64 random(2026);
   const auto number = [&random](int exponents) {
-    return std::ldexp(double(random() >> 11), -52 - static_cast<int>(random() % static_cast<unsigned>(exponents)));
+    const double digits = double(random() >> 11);
+    return std::ldexp(digits, -52 - static_cast<int>(random() % static_cast<unsigned>(exponents)));
   };
   for (int i = 0; i < 400; ++i) {
     const int mode = rounding_modes[i % 4], exponents = i % 3 == 0 ? 1 : i % 3 == 1 ? 30 : 200;
@@ -148,7 +149,8 @@ BOOST_AUTO_TEST_CASE(what_is_printed_encloses) {
   std::mt19937_64 random(2027);
   for (int i = 0; i < 1000; ++i) {
     const int precision = 1 + i % 17, mode = rounding_modes[i % 4];
-    double x = std::ldexp(double(random() >> 11), static_cast<int>(random() % 2000) - 1074);
+    double x = double(random() >> 11);
+    x = std::ldexp(x, static_cast<int>(random() % 2000) - 1074);
     if (i % 3 == 0) x = std::ldexp(double(random() >> 11), -60 + i % 20); // without an exponent
     if (i % 7 == 0) x = 0.1 * double(random() % 1000);
     if (i % 5 < 2) x = -x;

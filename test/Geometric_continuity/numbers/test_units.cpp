@@ -62,7 +62,7 @@ BOOST_AUTO_TEST_CASE(random_angles_and_ratios) {
   BOOST_REQUIRE(half_turn.first < half_turn.second && Q(half_turn.second - half_turn.first) < Q(1e-50));
   for (int i = 0; i < 400; ++i) {
     const int mode = rounding_modes[i % 4];
-    const double x = std::ldexp(double(random() >> 11), -53 - static_cast<int>(random() % 200));
+    const double digits = double(random() >> 11), x = std::ldexp(digits, -53 - static_cast<int>(random() % 200));
     const GC::Enclosure degrees = in_mode(mode, [&] { return GC::in_degrees({x, x}); });
     BOOST_CHECK(Q(degrees.lower) * half_turn.second <= Q(x) * Q(180));
     BOOST_CHECK(Q(x) * Q(180) <= Q(degrees.upper) * half_turn.first);

@@ -208,10 +208,10 @@ BOOST_AUTO_TEST_CASE(random_polygons) {
   const auto number = [&] { return static_cast<int>(engine() % 201) - 100; };
   for (int round = 0; round < 10; ++round) BOOST_TEST_CONTEXT("seed " << seed << ", round " << round) {
       std::vector<Point> corners;
-      for (int i = 0; i < 7; ++i) corners.push_back(Point(number(), number()));
+      for (int i = 0; i < 7; ++i) corners.push_back(Point{number(), number()});
       Chain chain;
       for (int i = 0; i < 7; ++i)
-        chain.push_back({corners[i], Point(number(), number()), Point(number(), number()), corners[(i + 1) % 7]});
+        chain.push_back({corners[i], Point{number(), number()}, Point{number(), number()}, corners[(i + 1) % 7]});
       const Rounded r = rounded(chain, 10, true);
       BOOST_CHECK(r.corners.size() == 7 && least_order(r, true) >= 2);
     }

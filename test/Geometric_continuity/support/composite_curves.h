@@ -85,7 +85,7 @@ class Random : public Random_integers<> {
 public:
   // a rational number, or a small multiple of 1/4
   template <class FT> FT number() {
-    return std::is_floating_point_v<FT> ? ratio<FT>(integer(-8, 8), 4) : ratio<FT>(integer(-99, 99), integer(1, 99));
+    return std::is_floating_point_v<FT> ? ratio<FT>(integer(-8, 8), 4) : fraction_of<FT>(-99, 99, 1, 99);
   }
   // a rational number in (0, 1), or a multiple of 1/8
   template <class FT> FT fraction() {
@@ -94,7 +94,7 @@ public:
   }
   // positive, or a power of 2
   template <class FT> FT length() {
-    return std::is_floating_point_v<FT> ? ratio<FT>(1 << integer(0, 3), 4) : ratio<FT>(integer(1, 99), integer(1, 99));
+    return std::is_floating_point_v<FT> ? ratio<FT>(1 << integer(0, 3), 4) : fraction_of<FT>(1, 99, 1, 99);
   }
   template <class Traits> Column<Traits> column() {
     Column<Traits> c(test_dimension<Traits>);

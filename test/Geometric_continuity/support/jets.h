@@ -74,7 +74,7 @@ template <class Traits> Jet<Traits> truncated(const Jet<Traits>& x, int k) {
 
 class Random : public Random_integers<> {
 public:
-  Q rational() { return ratio<Q>(integer(-99, 99), integer(1, 99)); }
+  Q rational() { return fraction_of<Q>(-99, 99, 1, 99); }
   template <class Traits> Column<Traits> column(int d) {
     Column<Traits> c(d);
     for (int i = 0; i < d; ++i) c[i] = rational();

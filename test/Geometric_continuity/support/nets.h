@@ -147,7 +147,8 @@ struct Connection {
 
   Connection(Random& random, int degree)
       : c(random.curve(degree, 0, 9)), t1(random.curve(degree - 1, 1, 9)), w1(random.curve(degree - 1, 2, 3)) {
-    connect(random.polynomial(1), constant(-random.integer(1, 2)), random.polynomial(1), random.polynomial(1));
+    const Polynomial p = random.polynomial(1), q = constant(-random.integer(1, 2)), r = random.polynomial(1);
+    connect(p, q, r, random.polynomial(1));
   }
 
   void connect(const Polynomial& p, const Polynomial& q, const Polynomial& r, const Polynomial& s) {

@@ -41,6 +41,12 @@ public:
     return low + static_cast<Int>(engine_() % static_cast<Number>(high - low + 1));
   }
   bool coin() { return integer(0, 1) == 1; }
+
+  // A numerator in this range over a denominator in that one, drawn in this order.
+  template <class FT> FT fraction_of(int low, int high, int least, int most) {
+    const int numerator = integer(low, high), denominator = integer(least, most);
+    return FT(FT(numerator) / FT(denominator));
+  }
 };
 
 #endif // CGAL_GEOMETRIC_CONTINUITY_TEST_SUPPORT_RANDOM_H

@@ -55,7 +55,7 @@ inline Patch<Exact> random_patch(Random& random, int p, int q) {
   std::vector<std::vector<Q>> weights(p + 1);
   for (int i = 0; i <= p; ++i)
     for (int j = 0; j <= q; ++j) {
-      net[i].emplace_back(random.rational() + Q(100 * i), random.rational() + Q(100 * j), random.rational());
+      net[i].push_back({random.rational() + Q(100 * i), random.rational() + Q(100 * j), random.rational()});
       weights[i].push_back(random.positive());
     }
   return Patch<Exact>(net, weights, {Q(-1), Q(2)}, {Q(0), fraction(1, 3)});

@@ -54,7 +54,9 @@ template <class FT> FT ratio(int p, int q) { return FT(FT(p) / FT(q)); }
 template <class FT> class Random : public Random_integers<> {
 public:
   // at most 9 in absolute value; in floating point with few digits
-  FT number() { return ratio<FT>(integer(-999, 999), exact_v<FT> ? integer(111, 999) : 128); }
+  FT number() {
+    return exact_v<FT> ? this->template fraction_of<FT>(-999, 999, 111, 999) : ratio<FT>(integer(-999, 999), 128);
+  }
   std::vector<FT> numbers(int n) {
     std::vector<FT> x;
     for (int i = 0; i < n; ++i) x.push_back(number());

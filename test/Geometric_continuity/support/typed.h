@@ -9,7 +9,7 @@
 //
 //   Traits2, Traits3       traits classes that serve dimension 2 and 3, with one number type FT
 //   exact                  constructions are exact, and so are predicates
-//   exact_predicates       predicates are exact on the numbers as given
+//   exact_predicates       predicates are exact on the numbers as given; not for kernels/typed_smoke.h
 //   cancels                the number type cancels common factors; if not, numbers double their length in each operation
 //   rounds                 how many inputs each random test takes
 //   in_every_space(test)   calls test(Traits(), d) for each traits class and each dimension d that it serves
@@ -104,10 +104,10 @@ public:
   // up to 40 bits over 30 bits
   FT rational() {
     if (!cancels) return FT(integer(-9, 9));
-    const FT p = FT(integer(-999999, 999999)) * FT(1000000) + FT(integer(0, 999999));
-    return FT(p / (FT(1000) * FT(integer(1, 999999))));
+    const int high = integer(-999999, 999999), low = integer(0, 999999), denominator = integer(1, 999999);
+    return FT((FT(high) * FT(1000000) + FT(low)) / (FT(1000) * FT(denominator)));
   }
-  FT positive_rational() { return cancels ? ratio(integer(1, 99999), integer(1, 99999)) : FT(integer(1, 3)); }
+  FT positive_rational() { return cancels ? fraction_of<FT>(1, 99999, 1, 99999) : FT(integer(1, 3)); }
 
   // Rational; in rounded kernels a multiple of 1/8 of modulus at most 2, so that polynomials are evaluated exactly.
   FT number() {
@@ -284,7 +284,7 @@ public:
           row(FT(two * (a * c - b * e) / n), FT(two * (b * c + a * e) / n), FT(FT(1) - two * (a * a + b * b) / n));
     } else
       for (int i = 0; i + 1 < d; ++i) {
-        const FT t = cancels ? ratio(random.integer(-9, 9), random.integer(1, 9)) : FT(1), n = FT(1) + t * t;
+        const FT t = cancels ? random.fraction_of<FT>(-9, 9, 1, 9) : FT(1), n = FT(1) + t * t;
         const FT c = t == FT(1) ? FT(0) : FT((FT(1) - t * t) / n), s = t == FT(1) ? FT(1) : FT(FT(2) * t / n);
         const Vector_type p = rows_[i], q = rows_[i + 1];
         rows_[i] = c * p - s * q;

@@ -83,7 +83,8 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(values_by_hand, Traits, All_traits) {
 BOOST_AUTO_TEST_CASE(derivatives_are_those_of_the_quotient) {
   Random random;
   for (int i = 0; i < 5; ++i) {
-    const Patch<Exact> s = random_patch(random, random.integer(1, 3), random.integer(1, 3));
+    const int p = random.integer(1, 3), q = random.integer(1, 3);
+    const Patch<Exact> s = random_patch(random, p, q);
     const Q u = fraction(1, random.integer(2, 9)), v = fraction(1, random.integer(4, 99));
     BOOST_CHECK(is_quotient(s, u, v, 3));
     const Spline<Exact> t = Spline<Exact>(s).insert_u(u).insert_v(fraction(1, 5), 2);

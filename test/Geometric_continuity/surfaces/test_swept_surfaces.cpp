@@ -170,10 +170,10 @@ BOOST_AUTO_TEST_CASE(rounding_stays_small) {
     std::vector<Double::Point> p;
     std::vector<Point> q;
     for (int i = 0; i < 4; ++i) {
-      p.emplace_back(number(), number(), number());
+      p.push_back({number(), number(), number()});
       q.emplace_back(p[i].x(), p[i].y(), p[i].z());
     }
-    const Double::Vector w(number(), number(), 1 + std::abs(number()));
+    const Double::Vector w{number(), number(), 1 + std::abs(number())};
     const double u = random.integer(0, 1000) / 1000.0, v = number();
     const GC::Revolution_surface_3<GC::Bezier_curve<Double>> s(GC::Bezier_curve<Double>(p.begin(), p.end()), p[0], w);
     const Revolution t(Curve(q.begin(), q.end()), q[0], Vector(w.x(), w.y(), w.z()));

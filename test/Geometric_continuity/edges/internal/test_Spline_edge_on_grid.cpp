@@ -30,8 +30,8 @@ BOOST_AUTO_TEST_CASE(parts_of_one_spline) {
   std::vector<std::vector<Exact::Point>> net(u.number_of_coefficients());
   for (int i = 0; i < u.number_of_coefficients(); ++i)
     for (int j = 0; j < v.number_of_coefficients(); ++j)
-      net[i].emplace_back(Q(unit * Q(20 * i + random.integer(0, 5))), Q(unit * Q(20 * j + random.integer(0, 5))),
-                          Q(unit * Q(random.integer(0, 9))));
+      net[i].push_back({Q(unit * Q(20 * i + random.integer(0, 5))), Q(unit * Q(20 * j + random.integer(0, 5))),
+                        Q(unit * Q(random.integer(0, 9)))});
   const Surface whole = Surface(net, u, v).insert_u(Q(4), 2);
   // Control points first, ..., last over knots; one of them may be lifted, and knots be multiplied.
   const auto part = [&](int first, int last, const Knots& knots, int lifted, int factor) {

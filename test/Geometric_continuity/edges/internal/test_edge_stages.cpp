@@ -200,7 +200,8 @@ struct Connection {
       t1 = r.curve(n - 1, 1);
     } while (!has_normals_at_the_ends());
     w1 = q1 > 1 ? r.curve(n - 1, 3) : Curve{{0, 0, 0}};
-    connect(r, r.polynomial(r.integer(0, 1)), -r.integer(1, 3));
+    const auto p = r.polynomial(r.integer(0, 1));
+    connect(r, p, -r.integer(1, 3));
   }
   bool has_normals_at_the_ends() const {
     const Curve d = derivative(c);

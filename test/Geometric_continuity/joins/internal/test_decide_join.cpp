@@ -265,7 +265,8 @@ template <int N> Join<N> random_contact(Random& random) {
   const int m = random.integer(1, 7), n = random.integer(0, 2) ? m : random.integer(1, 7);
   const bool simple = random.integer(0, 1);
   const int p = simple ? 1 << random.integer(0, 3) : random.integer(1, 7), q = simple ? 1 << random.integer(0, 2) : 3;
-  return contact<N>(random, m, n, p, q, random.integer(1, 3), random.integer(0, 1), random.integer(2, 12));
+  const int r = random.integer(1, 3), s = random.integer(0, 1);
+  return contact<N>(random, m, n, p, q, r, s, random.integer(2, 12));
 }
 
 template <int N> Join<N> exact(Random& random) { return random_contact<N>(random); }

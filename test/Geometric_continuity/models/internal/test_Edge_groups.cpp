@@ -23,7 +23,7 @@ template <class Engine> S random_surface(Engine& random, const Knots& u, const K
   std::vector<std::vector<Exact::Point_3>> net(u.number_of_coefficients());
   for (auto& row : net)
     for (int j = 0; j < v.number_of_coefficients(); ++j)
-      row.emplace_back(int(random() % 7), int(random() % 7), int(random() % 7));
+      row.push_back({int(random() % 7), int(random() % 7), int(random() % 7)});
   return S(net, u, v);
 }
 
@@ -85,7 +85,7 @@ BOOST_AUTO_TEST_CASE(closed_edges) {
     for (int k = 0; k < 4; ++k)
       for (int j = 0; j < 2; ++j)
         net[k].push_back(k % 3 == 0 ? Exact::Point_3(j, 0, 0)
-                                    : Exact::Point_3(int(random() % 7), int(random() % 7), j));
+                                    : Exact::Point_3{int(random() % 7), int(random() % 7), j});
     const S s{Patch<Exact>(net)};
     const S early = s.insert_u(Q(1) / 4), late = s.insert_u(Q(3) / 4);
     check_groups(std::vector<S>{early, late, early.reverse_u()});

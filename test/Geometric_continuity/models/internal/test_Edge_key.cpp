@@ -16,7 +16,7 @@ BOOST_AUTO_TEST_CASE(keys_of_edges) {
   typedef GC::internal::Edge_key<GC::Traits_3<Exact>> Key;
   std::mt19937_64 random = seeded();
   const S s = with_points(spline(wave, knots(0, 4, {1, 2, 3, 3}), knots(0, 1)), [&](int, int, const Exact::Point_3&) {
-    return Exact::Point_3(int(random() % 7), int(random() % 7), int(random() % 7));
+    return Exact::Point_3{int(random() % 7), int(random() % 7), int(random() % 7)};
   });
   const Key key(s, v0);
   for (const S& t : {s.elevate(2, 1), s.reverse_u(), with_knots(s, Q(5) / 3, -1), s.insert_u(Q(1) / 2, 2).clamp(),

@@ -75,14 +75,13 @@ BOOST_AUTO_TEST_CASE(fractions) {
   check_fractions<boost::multiprecision::mpq_rational>();
 }
 
-BOOST_AUTO_TEST_CASE(numbers_without_parts) {
-  typedef CGAL::Exact_predicates_exact_constructions_kernel::FT Lazy;
-  static_assert(GC::internal::Rational_parts<CGAL::Exact_rational>::value);
-  static_assert(GC::internal::Rational_parts<CGAL::Gmpq>::value);
-  static_assert(GC::internal::Rational_parts<boost::multiprecision::cpp_rational>::value);
-  static_assert(GC::internal::Rational_parts<boost::multiprecision::mpq_rational>::value);
-  static_assert(!GC::internal::Rational_parts<CGAL::Quotient<CGAL::Gmpz>>::value);
-  static_assert(!GC::internal::Rational_parts<double>::value && !GC::internal::Rational_parts<Lazy>::value);
-}
+// numbers with and without parts
+typedef CGAL::Exact_predicates_exact_constructions_kernel::FT Lazy;
+static_assert(GC::internal::Rational_parts<CGAL::Exact_rational>::value);
+static_assert(GC::internal::Rational_parts<CGAL::Gmpq>::value);
+static_assert(GC::internal::Rational_parts<boost::multiprecision::cpp_rational>::value);
+static_assert(GC::internal::Rational_parts<boost::multiprecision::mpq_rational>::value);
+static_assert(!GC::internal::Rational_parts<CGAL::Quotient<CGAL::Gmpz>>::value);
+static_assert(!GC::internal::Rational_parts<double>::value && !GC::internal::Rational_parts<Lazy>::value);
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -137,11 +137,13 @@ BOOST_AUTO_TEST_CASE(random_points) {
     const Q a = Q(1 + static_cast<int>(engine() % 12)) / Q(13), b = Q(1 + static_cast<int>(engine() % 10)) / Q(11);
     const Polynomial x = minus(u, a), y = minus(v, b);
     const auto random = [&] { // one that is zero at (a, b)
-      return sum(sum(product(constant(number()), x), product(constant(number()), y)),
-                 sum(product(constant(number()), product(x, y)), product(constant(number()), squared(x))));
+      const Q p[] = {number(), number(), number(), number()};
+      return sum(sum(product(constant(p[0]), x), product(constant(p[1]), y)),
+                 sum(product(constant(p[2]), product(x, y)), product(constant(p[3]), squared(x))));
     };
     const bool meets = i % 2 == 0;
-    const Polynomial f = sum(sum(squared(random()), squared(random())), constant(meets ? Q(0) : Q(1) / 10000));
+    const Polynomial g = random(), h = random(),
+                     f = sum(sum(squared(g), squared(h)), constant(meets ? Q(0) : Q(1) / 10000));
     bool boundary = false;
     for (int k = 0; k <= 1; ++k)
       for (const Polynomial& g : {f, transposed(f)}) { // g(k, .)
