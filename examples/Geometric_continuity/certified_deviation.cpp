@@ -30,9 +30,9 @@ int main() {
             << "deviation:          " << GC::deviation(first, second) << '\n';
 
   GC::Join_tolerance tolerance;
-  tolerance.angle = 1e-12;     // radians
-  tolerance.curvature = 1e-12; // relative
-  tolerance.torsion = 1e-12;   // in units of 1/length
+  tolerance.tangent_angle = 1e-12;  // radians
+  tolerance.curvature_jump = 1e-12; // relative
+  tolerance.torsion_jump = 1e-12;   // in units of 1/length
   const GC::Order_within within = GC::order_within(first, second, tolerance);
   for (int order = 0; order <= 3; ++order) std::cout << "order " << order << " within 1e-12: " << within(order) << '\n';
   return within.proved_order() >= 2 ? 0 : 1;

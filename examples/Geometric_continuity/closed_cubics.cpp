@@ -24,7 +24,7 @@ template <class Basis> int least_g_order(const char* name, const std::vector<Poi
   std::cout << name << ", starts at (" << curve.control_point(0) << "): " << result.summary << '\n';
   for (const auto& join : result.failing(GC::Continuity_kind::G, 1))
     std::cout << "  corner at (" << curve(join.knot) << ")\n";
-  return *result.summary.least_order(GC::Continuity_kind::G);
+  return *result.summary.g_order();
 }
 
 int main() {

@@ -34,5 +34,5 @@ int main() {
       proved = proved && *join.continuity.torsion_equal;
     });
   std::cout << analysis.summary() << '\n';
-  return proved && *analysis.summary().least_order(GC::Continuity_kind::F) == 3 ? 0 : 1;
+  return proved && *analysis.summary().f_order() == 3 ? 0 : 1;
 }

@@ -36,18 +36,19 @@ int main() {
 
   // 2. the fairest blend: E, and how good it was before the search
   const auto fair = GC::blend(phi, psi, GC::Fair());
-  std::cout << "2. E = " << fair.report.fairness << ", " << fair.report.automatic_fairness << " before\n";
+  std::cout << "2. " << fair.report << '\n';
 
   // 3. the orders of the joins of a chain; one question about all of them
   const std::vector<GC::Bezier_curve<Plane>> chain{phi, gamma, psi};
-  std::cout << "3. " << GC::chain_continuity(chain, 3, Closure::open) << '\n';
+  const auto summary = GC::chain_continuity(chain, 3, Closure::open);
+  std::cout << "3. " << summary << ": at least G" << *summary.g_order() << '\n';
   for (const auto& join : GC::chain_joins(chain)) std::cout << "   G" << join.g_order << '\n';
 
   // 4. doubles: what is decided, how far it is from smooth, and within which tolerance it is smooth
   const GC::Bezier_curve<Doubles> a{Double_point(0, 0), Double_point(0.1, 0.3)},
       b{Double_point(0.1, 0.3), Double_point(0.3, 0.9)};
   GC::Join_tolerance tolerance;
-  tolerance.angle = 1e-12; // radians
+  tolerance.tangent_angle = 1e-12; // radians
   std::cout << "4. G" << GC::continuity(a, b).g_order << ", the tangents differ by at most "
             << GC::deviation(a, b).tangent_angle->upper << " rad, within 1e-12: order "
             << GC::order_within(a, b, tolerance).proved_order() << '\n';
@@ -58,8 +59,7 @@ int main() {
   std::cout << "5. " << GC::knot_continuity(spline, FT(1)) << '\n';
 
   // 6. a curve through points, with continuous second derivatives
-  const auto through =
-      GC::interpolate<Plane>(points.begin(), points.end(), GC::Parametrisation::chordal, Closure::open);
+  const auto through = GC::interpolate<Plane>(points, GC::Parametrisation::chordal, Closure::open);
   std::cout << "6. degree " << through.degree() << ", " << through.number_of_points() << " control points\n";
 
   // 7. round the corners of a closed outline
@@ -82,15 +82,17 @@ int main() {
   // 10. write curves as .g2, and read them
   std::stringstream file;
   for (const auto& curve : outline) GC::write_g2(file, curve);
-  const std::vector<GC::Bezier_curve<Plane>> read = GC::read_g2_curves<Plane>(file, "outline.g2");
+  const std::vector<GC::Bezier_curve<Plane>> read = GC::read_g2_curves<Plane>(file);
   std::cout << "10. " << read.size() << " curves\n";
 
   // 11. a closed chain: its last curve leads to the first
   std::cout << "11. " << GC::chain_continuity(read, 3, Closure::closed) << '\n';
 
   // 12. a picture with curvature combs and the curvature against the arc length
+  GC::Svg_style combed;
+  combed.curvature_comb = combed.curvature_plot = true;
   std::ostringstream picture;
-  GC::Svg_figure("A blend").add(GC::Svg_panel("").add(phi).add(gamma).add(psi)).write(picture);
+  picture << GC::Svg_figure("A blend").add(phi).add(gamma, combed).add(psi);
   std::cout << "12. " << (picture.str().size() > 1000 ? "drawn" : "empty") << '\n';
   //! [tasks]
   return 0;

@@ -23,7 +23,7 @@ struct Tolerances {
   CGAL::Geometric_continuity::Join_tolerance joins;
   int order = 0;
 
-  CGAL::Geometric_continuity::Edge_tolerance edges() const { return {joins.angle, joins.gap}; }
+  CGAL::Geometric_continuity::Edge_tolerance edges() const { return {joins.tangent_angle, joins.gap}; }
 };
 
 namespace tolerances {
@@ -110,9 +110,9 @@ inline Tolerances with_units(const std::vector<Item>& x, std::size_t most) {
   Tolerances t;
   t.order = static_cast<int>(x.size()) - 1;
   t.joins.gap = x[0].plain("a gap, which is in the units of the coordinates,");
-  if (x.size() > 1) t.joins.angle = x[1].angle();
-  if (x.size() > 2) t.joins.curvature = x[2].ratio();
-  if (x.size() > 3) t.joins.torsion = x[3].plain("a torsion, which is in 1/length,");
+  if (x.size() > 1) t.joins.tangent_angle = x[1].angle();
+  if (x.size() > 2) t.joins.curvature_jump = x[2].ratio();
+  if (x.size() > 3) t.joins.torsion_jump = x[3].plain("a torsion, which is in 1/length,");
   return t;
 }
 
@@ -126,10 +126,10 @@ inline Tolerances without_units(const std::vector<Item>& x, bool of_edges) {
                                 (of_edges ? "GAP,ANGLEdeg" : "GAP,ANGLEdeg,CURVATURE%,TORSION"));
   Tolerances t;
   t.order = static_cast<int>(least);
-  t.joins.angle = x[0].plain("");
+  t.joins.tangent_angle = x[0].plain("");
   if (!of_edges) {
-    t.joins.curvature = x[1].plain("");
-    t.joins.torsion = x[2].plain("");
+    t.joins.curvature_jump = x[1].plain("");
+    t.joins.torsion_jump = x[2].plain("");
   }
   if (x.size() > least) t.joins.gap = x[least].plain("");
   return t;

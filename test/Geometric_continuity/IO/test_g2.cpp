@@ -750,6 +750,8 @@ BOOST_AUTO_TEST_CASE(streams_that_cannot_be_read) {
   std::istream is(&broken);
   BOOST_CHECK_EQUAL(error_of([&] { GC::read_g2_curves<Exact_2>(is, "broken"); }),
                     "cannot_read_file: broken: the line is dead");
+  std::istringstream nameless("101");
+  BOOST_CHECK(contains(error_of([&] { GC::read_g2_curves<Exact_2>(nameless); }), "malformed_input: input:1: "));
 }
 
 BOOST_AUTO_TEST_CASE(byte_order_marks) {

@@ -27,6 +27,7 @@
 #include <cstdlib>
 #include <limits>
 #include <random>
+#include <sstream>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -154,6 +155,12 @@ template <class Traits> void compare_with_optimum() {
 } // namespace
 
 BOOST_AUTO_TEST_CASE_TEMPLATE(optimum, Traits, Traits_classes) { compare_with_optimum<Traits>(); }
+
+BOOST_AUTO_TEST_CASE(reports) {
+  std::ostringstream os;
+  os << GC::Fair_report{8, 176.5, 158.25, true} << '\n' << GC::Fair_report{1, 2, 2, false};
+  BOOST_CHECK_EQUAL(os.str(), "E = 158.25, from 176.5 in 8 steps\nE = 2, from 2 in 1 steps, not converged");
+}
 
 // Where nothing good may exist: never worse than the automatic shape, and the same again.
 BOOST_AUTO_TEST_CASE_TEMPLATE(wild_pairs, Traits, Traits_classes) {

@@ -68,6 +68,7 @@ BOOST_AUTO_TEST_CASE(natural_splines) {
     BOOST_CHECK(c.domain() == std::make_pair(u.front(), u.back()));
     check_points(c, u, p);
     check_joins(c, false);
+    BOOST_CHECK(GC::interpolate<Traits>(p, u) == c);
     BOOST_CHECK(is_zero(c.start_jet(2)[2]) && is_zero(c.end_jet(2)[2]));
   });
 }
@@ -80,6 +81,7 @@ BOOST_AUTO_TEST_CASE(clamped_splines) {
     const Vector a = random.vector(), b = random.vector();
     const Curve<Exact> c =
         GC::interpolate<Traits>(p.begin(), p.end(), u, GC::to_vector<Traits>(a), GC::to_vector<Traits>(b));
+    BOOST_CHECK(GC::interpolate<Traits>(p, u, GC::to_vector<Traits>(a), GC::to_vector<Traits>(b)) == c);
     check_points(c, u, p);
     check_joins(c, false);
     BOOST_CHECK(c.start_jet(1)[1] == a && c.end_jet(1)[1] == b);
@@ -149,6 +151,7 @@ BOOST_AUTO_TEST_CASE(parameters) {
     const Curve<Exact> c = GC::interpolate<Traits>(p.begin(), p.end(), q);
     check_points(c, parameters(q), p);
     const Curve<Exact> d = GC::interpolate<Traits>(p.begin(), p.end(), q, Closure::closed);
+    BOOST_CHECK(GC::interpolate<Traits>(p, q) == c && GC::interpolate<Traits>(p, q, Closure::closed) == d);
     check_points(d, parameters(q, Closure::closed), p);
     check_joins(d, true);
   }

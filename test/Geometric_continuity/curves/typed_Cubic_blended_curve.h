@@ -365,13 +365,13 @@ std::pair<int, int> orders(const std::vector<Point<Traits>>& p, const Basis& bas
   for (int i = 0; i < (closed ? n : n - 3); ++i)
     chain.push_back(blended<Traits>({p[i], p[(i + 1) % n], p[(i + 2) % n], p[(i + 3) % n]}, basis));
   const GC::Chain_summary s = GC::chain_continuity(chain, 3, closure(closed));
-  return {s.least_order(GC::Continuity_kind::C).value(), s.least_order(GC::Continuity_kind::G).value()};
+  return {s.c_order().value(), s.g_order().value()};
 }
 
 // The same for the constructed curve, in exact kernels.
 template <class C> std::pair<int, int> orders(const C& curve) {
   const GC::Chain_summary s = GC::chain_continuity(curve).summary;
-  return {s.least_order(GC::Continuity_kind::C).value(), s.least_order(GC::Continuity_kind::G).value()};
+  return {s.c_order().value(), s.g_order().value()};
 }
 
 BOOST_AUTO_TEST_CASE(piecewise_curves) {

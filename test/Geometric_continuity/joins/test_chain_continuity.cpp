@@ -98,7 +98,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(a_chain_is_its_joins, Traits, All_traits) {
       BOOST_CHECK(summary.counts(Kind::G) == g);
       BOOST_CHECK(summary.counts(Kind::F) == f);
       BOOST_CHECK(max_order == 0 || g.size() > 2); // the test sees joins of several orders
-      BOOST_CHECK_EQUAL(*summary.least_order(Kind::G), g.begin()->first);
+      BOOST_CHECK_EQUAL(*summary.g_order(), g.begin()->first);
       BOOST_CHECK_EQUAL(summary.failing(Kind::C, 1), c[-1] + c[0]);
       BOOST_CHECK_EQUAL(summary.failing(Kind::F, 0), f[-1]);
       BOOST_CHECK(GC::chain_continuity(chain.begin(), chain.end(), max_order, closure).counts(Kind::C) == c);
@@ -121,7 +121,7 @@ BOOST_AUTO_TEST_CASE(short_chains) {
   BOOST_CHECK_EQUAL(joins(1, true).joins(), 1);
   BOOST_CHECK_EQUAL(joins(2, false).joins(), 1);
   BOOST_CHECK_EQUAL(joins(2, true).joins(), 2);
-  BOOST_CHECK(!joins(1, false).least_order(Kind::C));
+  BOOST_CHECK(!joins(1, false).c_order());
   BOOST_CHECK_EQUAL(joins(0, true).failing(Kind::C, 3), 0);
 }
 
@@ -290,7 +290,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(joins_that_fail, Traits, All_traits) {
   BOOST_CHECK(failing(Kind::C, 1) == std::vector<int>({0, 1, 2, 3}));
   BOOST_CHECK(failing(Kind::G, 1) == std::vector<int>({0, 2, 3}));
   BOOST_CHECK(failing(Kind::F, 1) == std::vector<int>({0, 2, 3}));
-  BOOST_CHECK_EQUAL(*whole.summary.least_order(Kind::G), 0);
+  BOOST_CHECK_EQUAL(*whole.summary.g_order(), 0);
   BOOST_CHECK(whole.joins[1].continuity.betas().size() >= 1 &&
               whole.joins[1].continuity.betas()[0] == GC::Predicate_FT<Traits>(2));
 }

@@ -74,7 +74,7 @@ BOOST_AUTO_TEST_CASE(chains_of_splines) {
     const std::vector<Curve3<K>> chain{phi, Curve3<K>(blend(phi, psi)), psi,
                                        Curve3<K>(blend(psi, phi, GC::Sequential_g3()))};
     const GC::Chain_summary summary = GC::chain_continuity(chain, 3, GC::Closure::closed);
-    BOOST_CHECK_EQUAL(*summary.least_order(GC::Continuity_kind::G), 2);
+    BOOST_CHECK_EQUAL(*summary.g_order(), 2);
     BOOST_CHECK_EQUAL(summary.counts(GC::Continuity_kind::G).at(3), 2u);
     // the pieces as a segmented curve, and back
     const std::vector<Bezier3<K>> pieces = phi.bezier_pieces();

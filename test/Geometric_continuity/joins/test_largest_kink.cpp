@@ -24,7 +24,7 @@
 namespace GC = CGAL::Geometric_continuity;
 typedef CGAL::Exact_rational Q;
 typedef std::vector<Q> Instance;
-typedef GC::Variable_leg::Vector Vector;
+typedef GC::Variable_vector::Vector Vector;
 using GC::Verdict;
 
 namespace {

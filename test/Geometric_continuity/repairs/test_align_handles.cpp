@@ -153,7 +153,7 @@ BOOST_AUTO_TEST_CASE(a_short_handle_beside_a_long_one) {
 
 // The search takes as many steps as the shorter leg admits, however long the other one is: an hour would not do if not.
 BOOST_AUTO_TEST_CASE(short_handles_beside_the_longest_ones) {
-  const std::int64_t n = GC::max_leg;
+  const std::int64_t n = GC::max_handle_coordinate;
   check({10, 0}, {n, n - 1}, 8);
   check({-7, 3}, {-n, 5}, 6);
   const unsigned seed = 60461;
@@ -195,7 +195,8 @@ BOOST_AUTO_TEST_CASE(allowed_moves) {
     const std::int64_t size = std::int64_t(1) << std::uniform_int_distribution<int>(2, 28)(random);
     std::uniform_int_distribution<std::int64_t> coordinate(-size, size), step(-size / 8, size / 8);
     const Vector a{coordinate(random), coordinate(random)}, b{a.x + step(random), a.y + step(random)};
-    if (!is_kink(a, b) || cross(a, b) == 0 || (std::max)((std::abs)(b.x), (std::abs)(b.y)) > GC::max_leg) continue;
+    if (!is_kink(a, b) || cross(a, b) == 0 || (std::max)((std::abs)(b.x), (std::abs)(b.y)) > GC::max_handle_coordinate)
+      continue;
     const GC::Aligned_handles best = GC::align_handles(a, b).value();
     const std::int64_t moved = cost(a, b, best.left, best.right).first;
     const std::int64_t bound = std::uniform_int_distribution<std::int64_t>(moved - moved / 8 - 2, moved + 2)(random);
@@ -219,13 +220,13 @@ BOOST_AUTO_TEST_CASE(corners_and_bad_legs) {
   BOOST_CHECK(!GC::align_handles({5, 0}, {-5, 0}));
   BOOST_CHECK(GC::align_handles({5, 0}, {5, 5}));
   CHECK_ERROR(GC::align_handles({0, 0}, {1, 0}), zero_tangent);
-  CHECK_ERROR(GC::align_handles({1, 0}, {GC::max_leg + 1, 0}), work_limit);
-  CHECK_ERROR(GC::align_handle({1, -GC::max_leg - 1}, {1, 0}), work_limit);
+  CHECK_ERROR(GC::align_handles({1, 0}, {GC::max_handle_coordinate + 1, 0}), work_limit);
+  CHECK_ERROR(GC::align_handle({1, -GC::max_handle_coordinate - 1}, {1, 0}), work_limit);
   CHECK_ERROR(GC::align_handle({1, 1}, {0, 0}), zero_tangent);
 }
 
 BOOST_AUTO_TEST_CASE(the_longest_legs) {
-  const std::int64_t n = GC::max_leg;
+  const std::int64_t n = GC::max_handle_coordinate;
   for (const auto& [a, b] : {std::pair(Vector{n, n - 1}, Vector{n - 3, n}),
                              {Vector{-n, 17}, Vector{-n, 12345}},
                              {Vector{n / 3, -n}, Vector{n / 3 + 1000, -n}},

@@ -33,7 +33,7 @@ const std::int64_t unbounded = std::int64_t(1) << 50;
 
 // A curve of this degree away from the node (0, 0); what lies beyond the far leg has no influence on its curvature there.
 Curve curve(const GC::Handle_side& side, const Vector& leg, int sign) {
-  std::vector<Vector> points{{0, 0}, sign * leg, sign * side.far_leg};
+  std::vector<Vector> points{{0, 0}, sign * leg, sign * side.second};
   for (int i = 3; i <= side.degree; ++i) points.push_back(sign * Vector{900 + i * i, 50 - 7 * i});
   std::vector<Traits::Point> p;
   for (const Vector& v : points) p.emplace_back(static_cast<double>(v.x), static_cast<double>(v.y));
@@ -62,12 +62,12 @@ BOOST_AUTO_TEST_CASE(exactly_where_the_ratio_is_a_square) {
   const Result r = harmonised(left, right);
   BOOST_CHECK(r.g2);
   BOOST_CHECK((r.handles.left == Vector{43, 0} && r.handles.right == Vector{86, 0}));
-  const Result fixed = harmonised({left.leg, left.far_leg, 3, false}, right);
+  const Result fixed = harmonised({left.handle, left.second, 3, false}, right);
   BOOST_CHECK(fixed.g2);
-  BOOST_CHECK((fixed.handles.left == left.leg && fixed.handles.right == Vector{100, 0}));
-  const Result other = harmonised(left, {right.leg, right.far_leg, 3, false});
+  BOOST_CHECK((fixed.handles.left == left.handle && fixed.handles.right == Vector{100, 0}));
+  const Result other = harmonised(left, {right.handle, right.second, 3, false});
   BOOST_CHECK(other.g2);
-  BOOST_CHECK((other.handles.left == Vector{40, 0} && other.handles.right == right.leg));
+  BOOST_CHECK((other.handles.left == Vector{40, 0} && other.handles.right == right.handle));
 }
 
 BOOST_AUTO_TEST_CASE(for_different_degrees) {
@@ -113,7 +113,7 @@ BOOST_AUTO_TEST_CASE(bad_sides) {
   BOOST_CHECK_EQUAL(error({{0, 0}, {9, 3}, 3, true}), "zero_tangent");
   BOOST_CHECK_EQUAL(error({{5, 1}, {9, 3}, 3, true}), "zero_direction");
   BOOST_CHECK_EQUAL(error({{-5, 0}, {9, 3}, 3, true}), "zero_direction");
-  BOOST_CHECK_EQUAL(error({{5, 0}, {GC::max_harmonised_leg + 1, 3}, 3, true}), "work_limit");
+  BOOST_CHECK_EQUAL(error({{5, 0}, {GC::max_harmonised_coordinate + 1, 3}, 3, true}), "work_limit");
   BOOST_CHECK_EQUAL(error({{5, 0}, {9, 3}, 1, true}), "wrong_number_of_points");
 }
 

@@ -48,8 +48,7 @@ bool same(const Curve& a, const Curve& b) {
 
 // The least G order of all joins.
 int least_order(const Rounded& r, bool closed) {
-  return *GC::chain_continuity(r.curves, 3, closed ? GC::Closure::closed : GC::Closure::open)
-              .least_order(GC::Continuity_kind::G);
+  return *GC::chain_continuity(r.curves, 3, closed ? GC::Closure::closed : GC::Closure::open).g_order();
 }
 
 // What is left of each given curve lies in its place, and is the part of it between the cuts.
@@ -275,7 +274,7 @@ BOOST_AUTO_TEST_CASE(rational_chains) {
     const std::vector<Rational> moon = {arc, chord};
     const auto rounded = GC::round_corners(moon.begin(), moon.end(), 0.5, GC::Closure::closed);
     BOOST_REQUIRE(rounded.curves.size() == 4 && rounded.corners.size() == 2);
-    BOOST_CHECK(GC::chain_continuity(rounded.curves, 2, GC::Closure::closed).least_order(GC::Continuity_kind::G) == 2);
+    BOOST_CHECK(GC::chain_continuity(rounded.curves, 2, GC::Closure::closed).g_order() == 2);
     for (const auto& corner : rounded.corners) BOOST_CHECK_EQUAL(corner.distance, 0.5);
     // the cuts have that distance along the circle of the radius 4, and what remains of it lies on it
     const Point cut = rounded.curves[0].end_jet(0).point(), end = arc.end_jet(0).point();

@@ -118,7 +118,7 @@ inline std::string cad_numbers(const Cad_edge& edge, const Cad_verdict& verdict,
   write_place(e.gap, demand.bounds.gap);
   if (e.angle) {
     os << ", angle " << GC::in_degrees(e.angle->value) << " degrees";
-    write_place(*e.angle, demand.bounds.angle);
+    write_place(*e.angle, demand.bounds.tangent_angle);
   } else
     os << ", no normal";
   if (e.curvature_jump) os << ", curvature jump " << GC::in_percent(e.curvature_jump->value) << " %";

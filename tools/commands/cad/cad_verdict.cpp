@@ -100,7 +100,7 @@ class Edge_decision {
     const GC::Edge_enclosure& e = *result.enclosure;
     const GC::Verdict is_smooth = result.within[0] == GC::Verdict::proved
                                       ? result.within[1]
-                                      : within(e.angle, demand_.bounds.angle, e.unresolved);
+                                      : within(e.angle, demand_.bounds.tangent_angle, e.unresolved);
     if (result.within[0] == GC::Verdict::refuted)
       result.shape = Cad_shape::gap;
     else if (edge_.inside_out)
@@ -110,8 +110,8 @@ class Edge_decision {
     if (result.shape != Cad_shape::undecided || is_smooth != GC::Verdict::refuted || result.in_doubt) return;
     const GC::Bound least = times(demand_.kink, 1 - rounded_angle);
     static const GC::Enclosure straight = GC::in_radians(180);
-    const GC::Bound folded =
-        GC::Enclosure{straight.lower - demand_.bounds.angle.upper(), straight.upper - demand_.bounds.angle.lower()};
+    const GC::Bound folded = GC::Enclosure{straight.lower - demand_.bounds.tangent_angle.upper(),
+                                           straight.upper - demand_.bounds.tangent_angle.lower()};
     const GC::Verdict is_open = within(e.angle, folded, e.unresolved), is_kink = within(e.angle, least, e.unresolved);
     result.shape = Cad_shape::bent;
     if (is_open == GC::Verdict::refuted)
@@ -138,7 +138,7 @@ public:
     // There are many of these, and most are smooth up to roundings: what nobody asks for is not computed.
     precision_.with_curvature = demand.most > 1;
     precision_.gap = (std::max)(precision_.gap, demand.bounds.gap.lower() / 4);
-    precision_.angle = (std::max)(precision_.angle, demand.bounds.angle.lower() / 4);
+    precision_.angle = (std::max)(precision_.angle, demand.bounds.tangent_angle.lower() / 4);
   }
 
   // Takes the foot points of the curve in space, at so many parameters, in place of the curves that are there.
@@ -161,11 +161,11 @@ public:
     result.within[0] = GC::at_most(e.gap.value, demand_.bounds.gap);
     doubt(result, 0, e.gap, demand_.bounds.gap, &GC::Foot_comparison::gap);
     if (edge_.space) compare_curve(result);
-    result.within[1] = within(e.angle, demand_.bounds.angle, e.unresolved);
-    if (e.angle) doubt(result, 1, *e.angle, demand_.bounds.angle, &GC::Foot_comparison::angle);
-    result.within[2] = within(e.curvature_jump, demand_.bounds.curvature, e.curvature_unresolved);
+    result.within[1] = within(e.angle, demand_.bounds.tangent_angle, e.unresolved);
+    if (e.angle) doubt(result, 1, *e.angle, demand_.bounds.tangent_angle, &GC::Foot_comparison::angle);
+    result.within[2] = within(e.curvature_jump, demand_.bounds.curvature_jump, e.curvature_unresolved);
     if (e.curvature_jump)
-      doubt(result, 2, *e.curvature_jump, demand_.bounds.curvature, &GC::Foot_comparison::curvature_jump);
+      doubt(result, 2, *e.curvature_jump, demand_.bounds.curvature_jump, &GC::Foot_comparison::curvature_jump);
     if (edge_.kind != Cad_edge_kind::knot_line && !has_projections() && !result.in_doubt &&
         result.within[0] != GC::Verdict::refuted) {
       if (const auto exact = GC::edge_continuity(sides_[0], sides_[1], edge_.begin, edge_.end))

@@ -52,7 +52,7 @@ constexpr const char* page_curvature = "0.1%";
 Cad_demand page_demand(const std::string& tolerance, const Report_demand& asked) {
   Cad_demand demand = demand_within(tolerance, asked.kink_bound);
   if (demand.most > 1) return demand;
-  demand.bounds.curvature = parse_tolerances(std::string("1,1deg,") + page_curvature, false).joins.curvature;
+  demand.bounds.curvature_jump = parse_tolerances(std::string("1,1deg,") + page_curvature, false).joins.curvature_jump;
   demand.tolerance += std::string(", and G2 within a curvature jump of ") + page_curvature;
   return demand;
 }

@@ -76,9 +76,8 @@ private:
     for (const auto& [order, count] : counts())
       os << ",\"" << (order < 0 ? "gap" : 'G' + std::to_string(order)) << "\":" << count;
     if (summary_.joins() > 0)
-      os << ",\"c_order\":" << *summary_.least_order(GC::Continuity_kind::C)
-         << ",\"g_order\":" << *summary_.least_order(GC::Continuity_kind::G)
-         << ",\"f_order\":" << *summary_.least_order(GC::Continuity_kind::F);
+      os << ",\"c_order\":" << *summary_.c_order() << ",\"g_order\":" << *summary_.g_order()
+         << ",\"f_order\":" << *summary_.f_order();
     os << '}';
     return os.str();
   }

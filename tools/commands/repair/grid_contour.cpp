@@ -62,7 +62,7 @@ std::optional<GC::Grid_vector> arc_direction(const Exact_segment& arc, bool at_e
   Fraction::Denominator_type q;
   Fraction::Decompose()(steep ? Number(0) : Number(y / x), p, q);
   const double along = CGAL::to_double(q), up = CGAL::to_double(p); // exact where they are short
-  if ((std::max)(std::abs(along), std::abs(up)) > static_cast<double>(GC::max_leg)) return std::nullopt;
+  if ((std::max)(std::abs(along), std::abs(up)) > static_cast<double>(GC::max_handle_coordinate)) return std::nullopt;
   GC::Grid_vector d{static_cast<std::int64_t>(along), static_cast<std::int64_t>(up)};
   if (steep) d = {0, 1};
   return (steep ? y < 0 : x < 0) ? -1 * d : d;

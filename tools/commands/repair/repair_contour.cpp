@@ -211,7 +211,9 @@ class Contour_mender {
     return at_end ? p.back() - p[p.size() - 2] : p[1] - p[0];
   }
 
-  static bool is_short(const Vector& v) { return (std::max)((std::abs)(v.x), (std::abs)(v.y)) <= GC::max_leg; }
+  static bool is_short(const Vector& v) {
+    return (std::max)((std::abs)(v.x), (std::abs)(v.y)) <= GC::max_handle_coordinate;
+  }
 
   // How far a handle may move for a kink between these legs: twice what it is off and one unit.
   CGAL::Exact_rational max_move(std::size_t join, const Vector& a, const Vector& b) const {
@@ -350,7 +352,7 @@ class Contour_mender {
     const CGAL::Exact_rational k = CGAL::Exact_rational(
         CGAL::Exact_rational(exact(to_other.x) * exact(e.y) - exact(to_other.y) * exact(e.x)) / denominator);
     const double rounded = std::round(CGAL::to_double(k));
-    if (!(1 <= rounded && rounded < double(GC::max_leg)) || CGAL::Exact_rational(rounded) != k) {
+    if (!(1 <= rounded && rounded < double(GC::max_handle_coordinate)) || CGAL::Exact_rational(rounded) != k) {
       if (bound) reason = "both nodes bind the handle of a quadratic, and the only place for it is not on this grid";
       return;
     }
@@ -394,9 +396,9 @@ class Contour_mender {
       return "a line has no curvature";
     const GC::Handle_side a = side(left, true), b = side(right, false);
     const Vector zero{0, 0}, node = points(right).front();
-    if (a.leg == zero || b.leg == zero) return "a handle lies at the node";
+    if (a.handle == zero || b.handle == zero) return "a handle lies at the node";
     if (!a.movable && !b.movable) return "no handle can move without harm to a join that is G2";
-    const CGAL::Exact_rational bound = max_change({a.leg, b.leg});
+    const CGAL::Exact_rational bound = max_change({a.handle, b.handle});
     std::optional<GC::Aligned_handles> legs;
     try {
       const double squared = (std::min)(CGAL::to_double(bound * bound), 1e15);
@@ -405,7 +407,7 @@ class Contour_mender {
       return error.what();
     }
     if (!legs) return "the curvatures have different signs, or one of them is zero";
-    if (legs->left == a.leg && legs->right == b.leg) return "";
+    if (legs->left == a.handle && legs->right == b.handle) return "";
     std::vector<Move> moves;
     if (a.movable) moves.push_back({left, points(left).size() - 2, node - legs->left});
     if (b.movable) moves.push_back({right, 1, node + legs->right});

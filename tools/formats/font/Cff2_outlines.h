@@ -103,7 +103,7 @@ public:
   Variable_outline outline(const std::vector<Variation_region>& regions) && {
     if (points_.empty()) return std::move(outline_);
     outline_.regions = regions;
-    typedef Variable_leg::FT FT;
+    typedef Variable_vector::FT FT;
     outline_.shifts.assign(regions.size(), std::vector<Outline_vector>(points_.size(), {FT(0), FT(0)}));
     for (std::size_t i = 0; i < points_.size(); ++i)
       for (std::size_t c = 0; c < 2; ++c)

@@ -18,7 +18,7 @@ namespace CGAL {
 namespace Geometric_continuity {
 
 /// A vector of an outline in units of the font.
-typedef Variable_leg::Vector Outline_vector;
+typedef Variable_vector::Vector Outline_vector;
 
 /// A point at the default instance, in units of the font: the numbers of the file, which doubles have.
 struct Variable_point {
@@ -39,8 +39,8 @@ struct Variable_outline {
 
   /// Returns a point at an instance, which is given by its normalised values, exactly. \f$ O(rk) \f$ for `r` regions and `k`
   /// axes
-  Outline_vector point(std::size_t i, const std::vector<Variable_leg::FT>& instance) const {
-    Variable_leg point{{Variable_leg::FT(points[i].x), Variable_leg::FT(points[i].y)}, {}};
+  Outline_vector point(std::size_t i, const std::vector<Variable_vector::FT>& instance) const {
+    Variable_vector point{{Variable_vector::FT(points[i].x), Variable_vector::FT(points[i].y)}, {}};
     for (const std::vector<Outline_vector>& shift : shifts) point.shifts.push_back(shift[i]);
     return point(region_scalars(regions, instance));
   }
@@ -52,10 +52,10 @@ struct Outline_join {
   Variable_join join;
 };
 
-inline Variable_leg variable_leg(const Variable_outline& glyph, std::size_t from, std::size_t to) {
-  typedef Variable_leg::FT FT;
+inline Variable_vector variable_vector(const Variable_outline& glyph, std::size_t from, std::size_t to) {
+  typedef Variable_vector::FT FT;
   const Variable_point &p = glyph.points[from], &q = glyph.points[to];
-  Variable_leg leg{{FT(q.x) - FT(p.x), FT(q.y) - FT(p.y)}, {}};
+  Variable_vector leg{{FT(q.x) - FT(p.x), FT(q.y) - FT(p.y)}, {}};
   leg.shifts.reserve(glyph.shifts.size());
   for (const std::vector<Outline_vector>& shift : glyph.shifts)
     leg.shifts.push_back({shift[to][0] - shift[from][0], shift[to][1] - shift[from][1]});
@@ -74,10 +74,10 @@ inline std::vector<Outline_join> outline_joins(const Variable_outline& glyph) {
     // the legs that are not zero, from each of these points to the next, and which points are on the curve
     std::vector<std::size_t> points;
     std::vector<bool> on_curve;
-    std::vector<Variable_leg> legs;
+    std::vector<Variable_vector> legs;
     bool merged_on = false; // one of the points that coincide with this one is on the curve
     for (std::size_t i = begin; i < end; ++i) {
-      Variable_leg leg = variable_leg(glyph, i, i + 1 == end ? begin : i + 1);
+      Variable_vector leg = variable_vector(glyph, i, i + 1 == end ? begin : i + 1);
       const bool zero = leg.is_zero(), on = merged_on || glyph.points[i].on_curve || (zero && !glyph.cubic);
       if (!zero) {
         points.push_back(i);

@@ -28,14 +28,14 @@ inline bool is_stretched(const Glyph_part& part) {
 
 /// Returns a join of the part as it is in the whole glyph.
 inline Variable_join join_of_part(const Glyph_part& part, Variable_join join) {
-  typedef Variable_leg::FT FT;
+  typedef Variable_vector::FT FT;
   const Part_matrix& m = part.matrix;
   const auto number = [&m](std::int64_t x) {
     return FT(static_cast<double>(x) / static_cast<double>(std::int64_t(1) << m.shift)); // exact
   };
   const FT xx = number(m.xx), xy = number(m.xy), yx = number(m.yx), yy = number(m.yy);
   const auto transform = [&](Outline_vector& v) { v = {FT(xx * v[0] + xy * v[1]), FT(yx * v[0] + yy * v[1])}; };
-  for (Variable_leg* leg : {&join.incoming, &join.outgoing}) {
+  for (Variable_vector* leg : {&join.incoming, &join.outgoing}) {
     transform(leg->constant);
     for (Outline_vector& shift : leg->shifts) transform(shift);
   }

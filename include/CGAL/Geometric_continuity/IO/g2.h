@@ -121,7 +121,7 @@ template <class Traits, class Curve = Bezier_curve<Traits>> class G2_curve_reade
 public:
   /// Reads from `is`, which must outlive the reader. Error messages begin with `name`.
   /// \throws Error `cannot_read_file` when the stream is not good
-  G2_curve_reader(std::istream& is, std::string name)
+  G2_curve_reader(std::istream& is, std::string name = "input")
       : parser_(is, std::move(name), internal::g2_curves,
                 rational ? internal::G2_weights::allowed : internal::G2_weights::refused) {}
 
@@ -186,7 +186,7 @@ template <class Traits, class Surface = Bezier_patch<Traits>> class G2_surface_r
 public:
   /// Reads from `is`, which must outlive the reader. Error messages begin with `name`.
   /// \throws Error `cannot_read_file` when the stream is not good
-  G2_surface_reader(std::istream& is, std::string name)
+  G2_surface_reader(std::istream& is, std::string name = "input")
       : parser_(is, std::move(name), internal::g2_surfaces,
                 rational ? internal::G2_weights::allowed : internal::G2_weights::refused) {}
 
@@ -283,16 +283,18 @@ void write_g2_surface(std::ostream& os, const Surface& surface, bool rational, R
 } // namespace internal
 
 /// \ingroup PkgGeometricContinuityIO
-/// Returns all curves of a text in the `.g2` format, which are Bézier curves.
+/// Returns all curves of a text in the `.g2` format, which are Bézier curves. Error messages begin with `name`.
 /// \throws Error as `G2_curve_reader` does
-template <class Traits> std::vector<Bezier_curve<Traits>> read_g2_curves(std::istream& is, const std::string& name) {
+template <class Traits>
+std::vector<Bezier_curve<Traits>> read_g2_curves(std::istream& is, const std::string& name = "input") {
   return internal::read_all<Bezier_curve<Traits>>(G2_curve_reader<Traits>(is, name));
 }
 
 /// \ingroup PkgGeometricContinuityIO
 /// Returns all curves of a text in the `.g2` format as B-spline curves.
 /// \throws Error as `G2_curve_reader` does
-template <class Traits> std::vector<Bspline_curve<Traits>> read_g2_bsplines(std::istream& is, const std::string& name) {
+template <class Traits>
+std::vector<Bspline_curve<Traits>> read_g2_bsplines(std::istream& is, const std::string& name = "input") {
   return internal::read_all<Bspline_curve<Traits>>(G2_bspline_reader<Traits>(is, name));
 }
 
@@ -300,15 +302,17 @@ template <class Traits> std::vector<Bspline_curve<Traits>> read_g2_bsplines(std:
 /// Returns all curves of a text in the `.g2` format, rational or not, as rational B-spline curves.
 /// \throws Error as `G2_curve_reader` does
 template <class Traits>
-std::vector<Rational_bspline_curve<Traits>> read_g2_rational_bsplines(std::istream& is, const std::string& name) {
+std::vector<Rational_bspline_curve<Traits>> read_g2_rational_bsplines(std::istream& is,
+                                                                      const std::string& name = "input") {
   return internal::read_all<Rational_bspline_curve<Traits>>(
       G2_curve_reader<Traits, Rational_bspline_curve<Traits>>(is, name));
 }
 
 /// \ingroup PkgGeometricContinuityIO
-/// Returns all surfaces of a text in the `.g2` format, which are Bézier patches.
+/// Returns all surfaces of a text in the `.g2` format, which are Bézier patches. Error messages begin with `name`.
 /// \throws Error as `G2_surface_reader` does
-template <class Traits> std::vector<Bezier_patch<Traits>> read_g2_surfaces(std::istream& is, const std::string& name) {
+template <class Traits>
+std::vector<Bezier_patch<Traits>> read_g2_surfaces(std::istream& is, const std::string& name = "input") {
   return internal::read_all<Bezier_patch<Traits>>(G2_surface_reader<Traits>(is, name));
 }
 
@@ -316,7 +320,7 @@ template <class Traits> std::vector<Bezier_patch<Traits>> read_g2_surfaces(std::
 /// Returns all surfaces of a text in the `.g2` format as B-spline surfaces.
 /// \throws Error as `G2_surface_reader` does
 template <class Traits>
-std::vector<Bspline_surface<Traits>> read_g2_bspline_surfaces(std::istream& is, const std::string& name) {
+std::vector<Bspline_surface<Traits>> read_g2_bspline_surfaces(std::istream& is, const std::string& name = "input") {
   return internal::read_all<Bspline_surface<Traits>>(G2_bspline_surface_reader<Traits>(is, name));
 }
 
@@ -325,7 +329,7 @@ std::vector<Bspline_surface<Traits>> read_g2_bspline_surfaces(std::istream& is, 
 /// \throws Error as `G2_surface_reader` does
 template <class Traits>
 std::vector<Rational_bspline_surface<Traits>> read_g2_rational_bspline_surfaces(std::istream& is,
-                                                                                const std::string& name) {
+                                                                                const std::string& name = "input") {
   return internal::read_all<Rational_bspline_surface<Traits>>(
       G2_surface_reader<Traits, Rational_bspline_surface<Traits>>(is, name));
 }

@@ -280,7 +280,7 @@ template <class FT> struct Isolated_root {
 };
 
 /// \ingroup PkgGeometricContinuityAlgebra
-/// How many bisections `isolate_roots()` does unless told otherwise: enough for about 100 roots that are 2^-30 apart.
+/// How many bisections `isolate_roots()` does unless another number is given: enough for about 100 roots that are 2^-30 apart.
 constexpr int default_bisections = 4096;
 
 namespace internal {

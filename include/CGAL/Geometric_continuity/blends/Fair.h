@@ -17,6 +17,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <ostream>
 #include <type_traits>
 #include <vector>
 
@@ -127,6 +128,12 @@ struct Fair_report {
   double automatic_fairness = 0;
   double fairness = 0;    ///< `E` of the blend that was found; never more than `automatic_fairness`
   bool converged = false; ///< whether the search ended in a local minimum
+
+  /// Writes the fairness and the steps, e.g. `E = 158.925, from 176.371 in 7 steps`, and `, not converged` where that is so.
+  friend std::ostream& operator<<(std::ostream& os, const Fair_report& report) {
+    return os << "E = " << report.fairness << ", from " << report.automatic_fairness << " in " << report.iterations
+              << " steps" << (report.converged ? "" : ", not converged");
+  }
 };
 
 namespace internal {

@@ -282,6 +282,34 @@ Bspline_curve<Traits> interpolate(InputIterator first, InputIterator last, Param
                              interpolation_parameters<Traits>(p.begin(), p.end(), parametrisation, closure), closure);
 }
 
+/// \ingroup PkgGeometricContinuityConstruction
+/// Returns the natural or closed cubic spline through points at given parameters.
+/// \throws Error as for the points between two iterators
+template <class Traits>
+Bspline_curve<Traits> interpolate(const std::vector<typename Traits::Point>& points,
+                                  const std::vector<typename Traits::FT>& parameters, Closure closure = Closure::open) {
+  return interpolate<Traits>(points.begin(), points.end(), parameters, closure);
+}
+
+/// \ingroup PkgGeometricContinuityConstruction
+/// Returns the clamped cubic spline through points at given parameters.
+/// \throws Error as for the points between two iterators
+template <class Traits>
+Bspline_curve<Traits>
+interpolate(const std::vector<typename Traits::Point>& points, const std::vector<typename Traits::FT>& parameters,
+            const typename Traits::Vector& start_derivative, const typename Traits::Vector& end_derivative) {
+  return interpolate<Traits>(points.begin(), points.end(), parameters, start_derivative, end_derivative);
+}
+
+/// \ingroup PkgGeometricContinuityConstruction
+/// Returns the natural or closed cubic spline through points, with the parameters of `interpolation_parameters()`.
+/// \throws Error as for the points between two iterators
+template <class Traits>
+Bspline_curve<Traits> interpolate(const std::vector<typename Traits::Point>& points, Parametrisation parametrisation,
+                                  Closure closure = Closure::open) {
+  return interpolate<Traits>(points.begin(), points.end(), parametrisation, closure);
+}
+
 } // namespace Geometric_continuity
 } // namespace CGAL
 

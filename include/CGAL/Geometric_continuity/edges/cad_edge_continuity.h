@@ -44,7 +44,7 @@ namespace Geometric_continuity {
 /// the whole closed edge, where that is possible: points of both sides at equal parameters are compared, and the oriented normals there. The
 /// numbers that describe curves and surfaces are taken as the rational numbers they are, the formulas of `Cad_geometry.h` as they
 /// stand: a seam that a system has at `0` and at the floating-point number next to \f$ 2 \pi \f$ has a gap. Gaps and kinks of the size of
-/// rounding errors are told as what they are; how large they are `edge_enclosure()` says.
+/// rounding errors are reported as such; how large they are `edge_enclosure()` says.
 ///
 /// Decided are
 /// - two spline surfaces, rational or not, on each of which the edge is a parameter line, boundary or not, or a part of it, run through
@@ -103,7 +103,7 @@ struct Edge_enclosure {
   /// \f$ 2^{-35} \f$-th part of the edge each, those in which the edge crosses a knot line where a surface itself has a fold. The angle
   /// leaves them out. They are not longer than the \f$ 2^{-18} \f$-th part of the edge.
   std::vector<std::pair<double, double>> singular;
-  /// Ranges of parameters of which the angle says nothing: those where a normal can be told neither from zero nor to be zero, and those for
+  /// Ranges of parameters of which the angle says nothing: those where a normal is proved neither to be zero nor not to be, and those for
   /// which the work did not suffice.
   std::vector<std::pair<double, double>> unresolved;
   /// Ranges of parameters that the curvature jump leaves out: such as before, those where the direction of the edge vanishes, and, less

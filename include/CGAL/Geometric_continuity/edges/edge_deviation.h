@@ -213,10 +213,10 @@ Edge_deviation deviation(const Surface_a& a, Patch_edge edge_a, const Surface_b&
 }
 
 /// \ingroup PkgGeometricContinuityContinuity
-/// What is tolerated along an edge; see `Edge_deviation` for the quantities.
+/// What is tolerated along an edge: the quantities of `Edge_deviation`, in their units.
 struct Edge_tolerance {
-  Bound angle = 0; ///< of the normals, in radians
-  Bound gap = 0;   ///< in units of the coordinates
+  Bound normal_angle = 0; ///< in radians
+  Bound gap = 0;          ///< in units of the coordinates
 };
 
 /// \ingroup PkgGeometricContinuityContinuity
@@ -247,7 +247,7 @@ struct Edge_order_within {
 namespace internal {
 
 inline void check_tolerance(const Edge_tolerance& tolerance) {
-  for (const Bound& bound : {tolerance.angle, tolerance.gap}) check_bound(bound);
+  for (const Bound& bound : {tolerance.normal_angle, tolerance.gap}) check_bound(bound);
 }
 
 } // namespace internal
@@ -260,7 +260,7 @@ inline Edge_order_within order_within(const Edge_deviation& deviation, const Edg
   internal::check_tolerance(tolerance);
   const Verdict gap = at_most(deviation.gap, tolerance.gap),
                 angle = deviation.normal_angle && !deviation.normal_vanishes
-                            ? at_most(*deviation.normal_angle, tolerance.angle)
+                            ? at_most(*deviation.normal_angle, tolerance.normal_angle)
                             : Verdict::refuted;
   return {deviation, {gap, gap && angle}};
 }

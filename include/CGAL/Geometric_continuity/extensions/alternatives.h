@@ -229,7 +229,7 @@ template <class FT> struct Torsion_parameters {
 /// \f$ b_3 = b_0 + \beta^3 (b_{-2} - b_{-3}) + C_1 p + C_2 r \f$ of an affine plane, which does not depend on \f$ C_0 \f$.
 /// Hagen (3.2.3), corrected: the printed \f$ b_3 = C_1 p + C_2 r \f$ does not even move with the curve.
 ///
-/// Where the curvature is zero (\f$ r \parallel p \f$) the plane shrinks to a line and \f$ C_1, C_2 \f$ cannot be told apart;
+/// Where the curvature is zero (\f$ r \parallel p \f$) the plane shrinks to a line and \f$ C_1, C_2 \f$ cannot be distinguished;
 /// functions that choose a member then take the \f$ C_2 \f$ of the \f$ G^3 \f$ members.
 template <class Traits> class Torsion_alternatives : public internal::Polygon_end<Traits, 4> {
   typedef internal::Polygon_end<Traits, 4> Base;

@@ -26,28 +26,28 @@ namespace Geometric_continuity {
 ///   \f$ B_{j,m} \f$ are the Bell polynomials of the chain rule;
 /// - F: \f$ Y^{(j)} = \beta_1^j X^{(j)} + \sum_{i=1}^{j-1} a_{j,i} X^{(i)} + r \f$ with \f$ r \cdot X^{(i)} = 0 \f$ for each `i < j`.
 ///
-/// An order holds if for it and all before it `r` is zero, and \f$ \beta_1 > 0 \f$. Where an order does not hold, the rest `r` of the first
+/// An order holds if for it and all before it `r` is zero, and \f$ \beta_1 > 0 \f$. Where an order does not hold, the remainder `r` of the first
 /// that fails is not zero, or for the order 1 \f$ \beta_1 \le 0 \f$, or a first derivative is zero.
 /// \tparam FT an exact field
 /// \tparam N the dimension, or 0 when it is known at run time only
 template <class FT, int N = 0> struct Join_certificate {
-  typedef Coordinate_vector<FT, N> Vector; ///< the derivatives and the rests
+  typedef Coordinate_vector<FT, N> Vector; ///< the derivatives and the remainders
 
   Coordinate_jet<FT, N> left;  ///< \f$ X, X', \dots \f$ up to the highest order that was asked for
   Coordinate_jet<FT, N> right; ///< \f$ Y, Y', \dots \f$ up to this order
   int c_order;                 ///< as `Join_continuity::c_order`
   int g_order;                 ///< as `Join_continuity::g_order`
   int f_order;                 ///< as `Join_continuity::f_order`
-  /// The rest of the order `c_order + 1`; empty when no higher order was asked for.
+  /// The remainder of the order `c_order + 1`; empty when no higher order was asked for.
   std::optional<Vector> c_rest;
   /// \f$ \beta_1, \dots, \beta_g \f$ for `g_order`, and one more if there is `g_rest`.
   std::vector<FT> betas;
-  /// The rest of the order `g_order + 1`; empty when no higher order was asked for, and where a tangent is zero or the points differ.
+  /// The remainder of the order `g_order + 1`; empty when no higher order was asked for, and where a tangent is zero or the points differ.
   std::optional<Vector> g_rest;
   /// \f$ a_{j,1}, \dots, a_{j,j-1} \f$ for `j = 2`, ..., `f_order`, and one row more if there is `f_rest`. Numbers of derivatives that are
   /// combinations of those before them are 0.
   std::vector<std::vector<FT>> f_factors;
-  /// The rest of the order `f_order + 1` if that is at least 2 and at most the dimension; empty as `g_rest`.
+  /// The remainder of the order `f_order + 1` if that is at least 2 and at most the dimension; empty as `g_rest`.
   std::optional<Vector> f_rest;
 };
 

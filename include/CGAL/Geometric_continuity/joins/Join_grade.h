@@ -392,7 +392,7 @@ std::optional<bool> exceeds(const Left_end& a, const Right_end& b, const Kink_bo
 /// It is decided exactly on the control points as given, with every kernel, and about the curves as they are drawn:
 /// - A curve whose control points lie on its chord, in order, is that line, also where handles are retracted.
 /// - Of other curves with a retracted handle, a first side that is zero, the first side that is not zero is the direction in which the curve
-///   leaves the node. Such a join is `g1` at most, because the curvature at the node is infinite or not told by the second differences.
+///   leaves the node. Such a join is `g1` at most, because the curvature at the node is infinite or not given by the second differences.
 ///
 /// Where no handle is retracted `g1` and `g2` are the answers of `is_g1_join()` and `is_g2_join()`. \f$ O(1) \f$ then, otherwise
 /// \f$ O(m) \f$ for the degree `m`

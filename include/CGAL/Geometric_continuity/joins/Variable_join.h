@@ -78,7 +78,7 @@ private:
 
 /// \ingroup PkgGeometricContinuityContinuity
 /// The vector along a handle or a line at a join: `constant` and the sum of `shifts[r]` times the scalar of region `r`.
-struct Variable_leg {
+struct Variable_vector {
   typedef Variation_region::FT FT;  ///< the number type
   typedef std::array<FT, 2> Vector; ///< a vector in the plane
 
@@ -105,14 +105,14 @@ struct Variable_leg {
 /// \ingroup PkgGeometricContinuityContinuity
 /// A join: the sides that lead to it and away from it, in the same regions.
 struct Variable_join {
-  typedef Variable_leg::FT FT; ///< the number type
+  typedef Variable_vector::FT FT; ///< the number type
 
-  Variable_leg incoming, outgoing;
+  Variable_vector incoming, outgoing;
 
   /// Returns \f$ a \times b \f$ and \f$ a \cdot b \f$ of the incoming and the outgoing side where the regions have these scalars. Both are zero
   /// where a side has no length.
   std::pair<FT, FT> products(const std::vector<FT>& scalars) const {
-    const Variable_leg::Vector a = incoming(scalars), b = outgoing(scalars);
+    const Variable_vector::Vector a = incoming(scalars), b = outgoing(scalars);
     return {FT(a[0] * b[1] - a[1] * b[0]), FT(a[0] * b[0] + a[1] * b[1])};
   }
 };

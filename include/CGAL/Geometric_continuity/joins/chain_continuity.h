@@ -75,11 +75,12 @@ public:
     return counts;
   }
 
-  /// Returns the least order of all joins: the chain as a whole has this continuity. Empty for a chain without joins.
-  std::optional<int> least_order(Continuity_kind kind) const {
-    if (joins_ == 0) return std::nullopt;
-    return counts(kind).begin()->first;
-  }
+  /// Returns the least \f$ C \f$ order of all joins: the chain as a whole has this continuity. Empty for a chain without joins.
+  std::optional<int> c_order() const { return least_order(Continuity_kind::C); }
+  /// Returns the least \f$ G \f$ order of all joins. Empty for a chain without joins.
+  std::optional<int> g_order() const { return least_order(Continuity_kind::G); }
+  /// Returns the least \f$ F \f$ order of all joins. Empty for a chain without joins.
+  std::optional<int> f_order() const { return least_order(Continuity_kind::F); }
 
   /// Returns the number of joins whose order of this kind is less than `order`.
   std::size_t failing(Continuity_kind kind, int order) const {
@@ -92,12 +93,16 @@ public:
   friend std::ostream& operator<<(std::ostream& os, const Chain_summary& s) {
     os << s.joins_ << (s.joins_ == 1 ? " join" : " joins");
     if (s.joins_ == 0) return os;
-    if (*s.least_order(Continuity_kind::C) < 0) return os << ", " << s.failing(Continuity_kind::C, 0) << " with a gap";
-    return os << ", C" << *s.least_order(Continuity_kind::C) << " G" << *s.least_order(Continuity_kind::G) << " F"
-              << *s.least_order(Continuity_kind::F) << " or more";
+    if (*s.c_order() < 0) return os << ", " << s.failing(Continuity_kind::C, 0) << " with a gap";
+    return os << ", C" << *s.c_order() << " G" << *s.g_order() << " F" << *s.f_order() << " or more";
   }
 
 private:
+  std::optional<int> least_order(Continuity_kind kind) const {
+    if (joins_ == 0) return std::nullopt;
+    return counts(kind).begin()->first;
+  }
+
   void add(Continuity_kind kind, int order, std::size_t count) {
     std::vector<std::size_t>& counts = counts_[static_cast<int>(kind)];
     if (counts.size() < static_cast<std::size_t>(order + 2)) counts.resize(order + 2);

@@ -105,11 +105,11 @@ Join_deviation deviation(const Left& left, const Right& right) {
 }
 
 /// \ingroup PkgGeometricContinuityContinuity
-/// What is tolerated at a join; see `Join_deviation` for the quantities and their units.
+/// What is tolerated at a join: the quantities of `Join_deviation`, in their units.
 struct Join_tolerance {
-  Bound angle = 0;                ///< of the tangents, in radians
-  Bound curvature = 0;            ///< relative, of the curvature vectors
-  Bound torsion = 0;              ///< in space, in units of 1/length
+  Bound tangent_angle = 0;        ///< in radians
+  Bound curvature_jump = 0;       ///< relative
+  Bound torsion_jump = 0;         ///< in space, in units of 1/length
   Bound gap = 0;                  ///< in units of the coordinates
   Bound curvature_derivative = 0; ///< in the plane, of \f$ d\kappa/ds \f$, in units of 1/length^2
 };
@@ -172,8 +172,8 @@ template <class Left, class Right, class = std::void_t<typename Left::Traits, ty
 Order_within order_within(const Left& left, const Right& right, const Join_tolerance& tolerance) {
   typedef typename Exact_field<Predicate_FT<typename Left::Traits>>::type Field;
   constexpr int N = dimension_v<typename Left::Traits>;
-  for (const Bound& bound :
-       {tolerance.angle, tolerance.curvature, tolerance.torsion, tolerance.gap, tolerance.curvature_derivative})
+  for (const Bound& bound : {tolerance.tangent_angle, tolerance.curvature_jump, tolerance.torsion_jump, tolerance.gap,
+                             tolerance.curvature_derivative})
     internal::check_bound(bound);
   const Work_scope jets_and_decision(Work_scope::limit_of_each(), "order_within");
   const Coordinate_jet<Field, N> x = end_jet<Field>(left, 3), y = start_jet<Field>(right, 3);
@@ -185,9 +185,9 @@ Order_within order_within(const Left& left, const Right& right, const Join_toler
   const auto verdict = [](const std::optional<Enclosure>& e, const Bound& bound, Verdict undefined) {
     return e ? at_most(*e, bound) : undefined;
   };
-  result.verdicts = {at_most(d.gap, tolerance.gap), verdict(d.tangent_angle, tolerance.angle, Verdict::refuted),
-                     verdict(d.curvature_jump, tolerance.curvature, Verdict::refuted),
-                     verdict(d.torsion_jump, tolerance.torsion, Verdict::undecided)};
+  result.verdicts = {at_most(d.gap, tolerance.gap), verdict(d.tangent_angle, tolerance.tangent_angle, Verdict::refuted),
+                     verdict(d.curvature_jump, tolerance.curvature_jump, Verdict::refuted),
+                     verdict(d.torsion_jump, tolerance.torsion_jump, Verdict::undecided)};
   if constexpr (N == 0 || N == 2)
     if (planar && exact.regular) {
       const Field jump = internal::curvature_derivative(y) - internal::curvature_derivative(x);

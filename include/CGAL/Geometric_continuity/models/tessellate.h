@@ -24,7 +24,7 @@ namespace CGAL {
 namespace Geometric_continuity {
 
 /// \ingroup PkgGeometricContinuitySurfaces
-/// The largest number of triangles that `tessellate()` makes unless it is told otherwise, so that a wrong tolerance cannot
+/// The largest number of triangles that `tessellate()` makes unless another number is given, so that a wrong tolerance cannot
 /// fill the memory: each takes about 60 bytes.
 constexpr std::size_t max_tessellation_triangles = 1 << 22;
 

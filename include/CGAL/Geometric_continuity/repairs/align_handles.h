@@ -21,11 +21,11 @@
 /// Handles of a drawing or a letter are moved on their grid: a kink between two curves becomes exactly smooth, or curvatures
 /// agree.
 ///
-/// `align_handles()`: a node and a handle on each side, with legs \f$ a = N - A \f$ and \f$ b = B - N \f$. The join is G1 if
+/// `align_handles()`: a node and a handle on each side, with the vectors \f$ a = N - A \f$ and \f$ b = B - N \f$. The join is G1 if
 /// and only if \f$ a = m d, b = n d \f$ for a whole vector `d` and whole numbers \f$ m, n \ge 1 \f$.
 ///
 /// `harmonise_handles()`: the curvatures at a node with parallel handles agree when the lengths of the handles change on their
-/// grid. With the legs \f$ m d \f$ and \f$ n d \f$ of curves of degrees `j` and `k`, and with \f$ u, v \f$ from the control
+/// grid. With the handles \f$ m d \f$ and \f$ n d \f$ of curves of degrees `j` and `k`, and with \f$ u, v \f$ from the control
 /// point before the handle to the node and from the node to the one behind the handle, the curvatures are \f$ \frac{j-1}{j}
 /// \frac{u \times d}{m^2 |d|^3} \f$ and \f$ \frac{k-1}{k} \frac{d \times v}{n^2 |d|^3} \f$: the control points next to the
 /// handles do not depend on them.
@@ -34,7 +34,7 @@ namespace CGAL {
 namespace Geometric_continuity {
 
 /// \ingroup PkgGeometricContinuityExtensions
-/// The legs at a node after its handles have been moved: from the handle on the left to the node, and from there to the
+/// The handles of a node, as vectors, after they have been moved: from the handle on the left to the node, and from there to the
 /// handle on the right.
 struct Aligned_handles {
   Grid_vector left;  ///< \f$ m d \f$
@@ -42,15 +42,16 @@ struct Aligned_handles {
 };
 
 /// \ingroup PkgGeometricContinuityExtensions
-/// The largest coordinate of a leg that `align_handles()` takes: \f$ 2^{28} \f$, so that all its products are exact.
-constexpr std::int64_t max_leg = std::int64_t(1) << 28;
+/// The largest coordinate of a handle, as a vector, that `align_handles()` takes: \f$ 2^{28} \f$, so that all its products are exact.
+constexpr std::int64_t max_handle_coordinate = std::int64_t(1) << 28;
 
 namespace internal {
 
-inline void check_leg(const Grid_vector& v, const char* place) {
+inline void check_handle(const Grid_vector& v, const char* place) {
   if (v == Grid_vector{0, 0}) throw Error(Error_code::zero_tangent, place);
-  if (v.x < -max_leg || max_leg < v.x || v.y < -max_leg || max_leg < v.y)
-    throw Error(Error_code::work_limit, std::string(place) + ": a leg is longer than 2^28 units");
+  if (v.x < -max_handle_coordinate || max_handle_coordinate < v.x || v.y < -max_handle_coordinate ||
+      max_handle_coordinate < v.y)
+    throw Error(Error_code::work_limit, std::string(place) + ": a handle is longer than 2^28 units");
 }
 
 // The image under the symmetry of the square, its own inverse, that takes `b` to b_x >= |b_y|.
@@ -67,23 +68,23 @@ struct Octant {
 } // namespace internal
 
 /// \ingroup PkgGeometricContinuityExtensions
-/// Returns legs of one direction as near as possible to those given: among all pairs of parallel whole vectors of one
+/// Returns handles of one direction, as vectors, as near as possible to those given: among all pairs of parallel whole vectors of one
 /// direction, the larger of both moves is the least, and of those pairs the smaller move is the least. That is proved, see
-/// the comments of the search; no rounding decides. For legs of length `L` in a general direction the moves are about
+/// the comments of the search; no rounding decides. For handles of length `L` in a general direction the moves are about
 /// \f$ L^{1/3} \f$ units, even where the kink is much smaller.
 ///
-/// The search takes about \f$ \sqrt{L} \f$ steps, where `L` is the length of the shorter leg, and looks no farther than
-/// \f$ \sqrt{\mathrm{bound}} \f$ units, with `bound = max_squared_move`. For legs of letters that is a few
+/// The search takes about \f$ \sqrt{L} \f$ steps, where `L` is the length of the shorter handle, and looks no farther than
+/// \f$ \sqrt{\mathrm{bound}} \f$ units, with `bound = max_squared_move`. For handles of letters that is a few
 /// microseconds; for the longest ones, some milliseconds.
 ///
-/// Empty for legs that form an angle of more than 45 degrees, which is no kink, and where a handle would have to move
+/// Empty for handles that form an angle of more than 45 degrees, which is no kink, and where a handle would have to move
 /// farther than the bound.
-/// \throws Error `zero_tangent` for a leg of no length, `work_limit` for one with a coordinate of more than `max_leg`
+/// \throws Error `zero_tangent` for a handle of no length, `work_limit` for one with a coordinate of more than `max_handle_coordinate`
 inline std::optional<Aligned_handles>
 align_handles(const Grid_vector& left, const Grid_vector& right,
               std::int64_t max_squared_move = (std::numeric_limits<std::int64_t>::max)()) {
-  internal::check_leg(left, "align_handles: on the left");
-  internal::check_leg(right, "align_handles: on the right");
+  internal::check_handle(left, "align_handles: on the left");
+  internal::check_handle(right, "align_handles: on the right");
   const std::int64_t sine = cross(left, right), cosine = dot(left, right);
   if (cosine < (std::abs)(sine)) return std::nullopt;
   if (sine == 0) return Aligned_handles{left, right};
@@ -98,30 +99,29 @@ align_handles(const Grid_vector& left, const Grid_vector& right,
 }
 
 /// \ingroup PkgGeometricContinuityExtensions
-/// Returns the leg nearest to the one given that has the direction of a vector which must stay as it is: that of a line,
+/// Returns the handle nearest to the one given that has the direction of a vector which must stay as it is: that of a line,
 /// or of a handle that belongs to another node, too. It is a multiple of the primitive vector of that direction.
-/// \throws Error `zero_tangent` for a leg or a direction of no length, `work_limit` for one with a coordinate of more than
-///   `max_leg`
-inline Grid_vector align_handle(const Grid_vector& leg, const Grid_vector& direction) {
-  internal::check_leg(leg, "align_handle: the leg");
-  internal::check_leg(direction, "align_handle: the direction");
+/// \throws Error `zero_tangent` for a handle or a direction of no length, `work_limit` for one with a coordinate of more than
+///   `max_handle_coordinate`
+inline Grid_vector align_handle(const Grid_vector& handle, const Grid_vector& direction) {
+  internal::check_handle(handle, "align_handle: the handle");
+  internal::check_handle(direction, "align_handle: the direction");
   const Grid_vector d = primitive(direction);
-  return internal::nearest_multiple(leg, d) * d;
+  return internal::nearest_multiple(handle, d) * d;
 }
 
 /// \ingroup PkgGeometricContinuityExtensions
 /// One side of a node: the curve that ends or starts there.
 struct Handle_side {
-  Grid_vector leg; ///< from the handle to the node, or from the node to the handle
-  Grid_vector
-      far_leg;  ///< from the control point next to the handle to the node, or from the node to that control point
-  int degree;   ///< of the curve, at least 2
-  bool movable; ///< whether the handle may move
+  Grid_vector handle; ///< from the handle to the node, or from the node to the handle
+  Grid_vector second; ///< from the control point next to the handle to the node, or from the node to that control point
+  int degree;         ///< of the curve, at least 2
+  bool movable;       ///< whether the handle may move
 };
 
 /// \ingroup PkgGeometricContinuityExtensions
-/// The largest coordinate of a leg that `harmonise_handles()` takes.
-constexpr std::int64_t max_harmonised_leg = std::int64_t(1) << 25;
+/// The largest coordinate of a handle that `harmonise_handles()` takes.
+constexpr std::int64_t max_harmonised_coordinate = std::int64_t(1) << 25;
 
 /// \ingroup PkgGeometricContinuityExtensions
 /// The largest degree of a curve that `harmonise_handles()` takes.
@@ -183,10 +183,10 @@ struct Handle_lengths {
 };
 
 inline void check_side(const Handle_side& side, const char* place) {
-  check_leg(side.leg, place);
-  for (const std::int64_t x : {side.leg.x, side.leg.y, side.far_leg.x, side.far_leg.y})
-    if (x < -max_harmonised_leg || max_harmonised_leg < x)
-      throw Error(Error_code::work_limit, std::string(place) + ": a leg is longer than 2^25 units");
+  check_handle(side.handle, place);
+  for (const std::int64_t x : {side.handle.x, side.handle.y, side.second.x, side.second.y})
+    if (x < -max_harmonised_coordinate || max_harmonised_coordinate < x)
+      throw Error(Error_code::work_limit, std::string(place) + ": a handle is longer than 2^25 units");
   if (side.degree < 2 || max_harmonised_degree < side.degree)
     throw Error(Error_code::wrong_number_of_points, std::string(place) + ": a degree that is not from 2 to 32");
 }
@@ -194,28 +194,28 @@ inline void check_side(const Handle_side& side, const char* place) {
 } // namespace internal
 
 /// \ingroup PkgGeometricContinuityExtensions
-/// Returns legs of the direction that the given ones have, with such lengths that the curvatures of both curves at the node agree:
+/// Returns handles of the direction that the given ones have, with such lengths that the curvatures of both curves at the node agree:
 /// exactly, if the grid has such lengths for which no handle moves by more than \f$ \sqrt{\mathrm{bound}} \f$ units, with
 /// `bound = max_squared_move`; otherwise those of the least jump of the curvature within three steps of the nearest real
 /// lengths, which may be further away than that. `is_g2_join()` decides if the join is G2, and `deviation()` how far it is
 /// from that. Each handle that moves also changes the curvature at the other end of its curve, if that is a cubic.
 ///
 /// Empty when no lengths make the curvatures agree: they have different signs, or one of them is zero.
-/// \throws Error `zero_tangent` for a leg of no length, `zero_direction` for legs that have not one direction, `work_limit` for
-///   coordinates of more than `max_harmonised_leg`, `wrong_number_of_points` for degrees that are not from 2 to 32
+/// \throws Error `zero_tangent` for a handle of no length, `zero_direction` for handles that have not one direction, `work_limit` for
+///   coordinates of more than `max_harmonised_coordinate`, `wrong_number_of_points` for degrees that are not from 2 to 32
 inline std::optional<Aligned_handles> harmonise_handles(const Handle_side& left, const Handle_side& right,
                                                         std::int64_t max_squared_move) {
   internal::check_side(left, "harmonise_handles: on the left");
   internal::check_side(right, "harmonise_handles: on the right");
-  if (cross(left.leg, right.leg) != 0 || dot(left.leg, right.leg) < 0)
-    throw Error(Error_code::zero_direction, "harmonise_handles: the legs have not one direction");
-  const Grid_vector d = primitive(left.leg);
-  const std::int64_t j = left.degree, k = right.degree, p = (j - 1) * k * cross(left.far_leg, d),
-                     q = (k - 1) * j * cross(d, right.far_leg);
-  if (p == 0 && q == 0) return Aligned_handles{left.leg, right.leg};
+  if (cross(left.handle, right.handle) != 0 || dot(left.handle, right.handle) < 0)
+    throw Error(Error_code::zero_direction, "harmonise_handles: the handles have not one direction");
+  const Grid_vector d = primitive(left.handle);
+  const std::int64_t j = left.degree, k = right.degree, p = (j - 1) * k * cross(left.second, d),
+                     q = (k - 1) * j * cross(d, right.second);
+  if (p == 0 && q == 0) return Aligned_handles{left.handle, right.handle};
   if ((p <= 0 || q <= 0) && (p >= 0 || q >= 0)) return std::nullopt;
-  const internal::Handle_lengths given{dot(left.leg, d) / squared_length(d), dot(right.leg, d) / squared_length(d),
-                                       left.movable, right.movable};
+  const internal::Handle_lengths given{dot(left.handle, d) / squared_length(d),
+                                       dot(right.handle, d) / squared_length(d), left.movable, right.movable};
   std::optional<internal::Handle_lengths::Lengths> lengths = given.exact((std::abs)(p), (std::abs)(q));
   if (lengths && given.steps(*lengths) > 0 &&
       max_squared_move / squared_length(d) / given.steps(*lengths) < given.steps(*lengths))

@@ -73,6 +73,10 @@ BOOST_AUTO_TEST_CASE(the_legend_names_what_is_drawn) {
   panel.add(line, Svg_style{Svg_role::construction}).add(line, Svg_style{Svg_role::result}).add(arch);
   BOOST_CHECK_EQUAL(texts(GC::Svg_figure().add(panel)), "given curve\nresult\nconstruction\n");
   // curves of one role with other names, each once, also in other panels
+  const Svg_style combed{Svg_role::result, false, true};
+  BOOST_CHECK_EQUAL(svg(GC::Svg_figure().add(arch).add(arch, combed)),
+                    svg(GC::Svg_figure().add(GC::Svg_panel().add(arch).add(arch, combed))));
+
   GC::Svg_figure figure("title");
   for (const char* name : {"first", "second", "first"})
     figure.add(GC::Svg_panel().add(arch, Svg_style{Svg_role::given, false, false, name}));

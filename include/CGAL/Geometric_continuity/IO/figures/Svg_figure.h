@@ -60,6 +60,14 @@ public:
     return *this;
   }
 
+  /// Adds a curve to the panel that was appended last, or to a first one without a caption, as `Svg_panel::add()` does; returns the figure.
+  /// \throws Error as `Svg_panel::add()` does
+  template <class Curve> Svg_figure& add(const Curve& curve, const Svg_style& style = Svg_style()) {
+    if (panels_.empty()) panels_.emplace_back();
+    panels_.back().add(curve, style);
+    return *this;
+  }
+
   /// Returns the number of panels.
   int number_of_panels() const { return static_cast<int>(panels_.size()); }
 

@@ -139,9 +139,10 @@ public:
       a_[0][c] = interval(cells.incoming()[c]);
       b_[0][c] = interval(cells.outgoing()[c]);
     }
-    cells.for_each_region(cell_, [&](const Variable_leg::Vector& a, const Variable_leg::Vector& b, std::size_t r) {
-      add_region(box, {interval(a[0]), interval(a[1])}, {interval(b[0]), interval(b[1])}, r);
-    });
+    cells.for_each_region(cell_,
+                          [&](const Variable_vector::Vector& a, const Variable_vector::Vector& b, std::size_t r) {
+                            add_region(box, {interval(a[0]), interval(a[1])}, {interval(b[0]), interval(b[1])}, r);
+                          });
     for (std::size_t k = 0; k <= n; ++k)
       for (std::size_t l = k; l <= n; ++l)
         forms_.push_back(k == l ? products(a_[k], b_[k]) : products(a_[k], b_[l]) + products(a_[l], b_[k]));

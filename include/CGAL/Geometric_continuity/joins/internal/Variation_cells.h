@@ -160,8 +160,8 @@ public:
   }
 
   // The legs without their regions.
-  const Variable_leg::Vector& incoming() const { return join_->incoming.constant; }
-  const Variable_leg::Vector& outgoing() const { return join_->outgoing.constant; }
+  const Variable_vector::Vector& incoming() const { return join_->incoming.constant; }
+  const Variable_vector::Vector& outgoing() const { return join_->outgoing.constant; }
 
   // The factor of a region along axis v at t in the unit cube of a cell. \tparam NT exact numbers, or intervals
   template <class NT> NT factor(std::size_t region, const Cell& cell, std::size_t v, const NT& t) const {
@@ -174,7 +174,7 @@ public:
   bool counts(std::size_t region, std::size_t v) const { return (*regions_)[region].axes()[active_[v]].counts(); }
 
 private:
-  typedef Variable_leg::Vector Vector;
+  typedef Variable_vector::Vector Vector;
 
   const Variable_join* join_;
   const std::vector<Variation_region>* regions_;
@@ -195,7 +195,7 @@ private:
   static bool moves(const Vector& v) { return v[0] != FT(0) || v[1] != FT(0); }
 
   // What moves a leg by number i, where 0 is its constant part.
-  const Vector& vector(const Variable_leg& leg, std::size_t i) const {
+  const Vector& vector(const Variable_vector& leg, std::size_t i) const {
     return i == 0 ? leg.constant : leg.shifts[moving_[i - 1]];
   }
 
