@@ -27,6 +27,12 @@ run() {
   echo "exit code $code instead of $expected: $*"
   head -c 5000 out err
 }
+# is_narrow CODE ARGUMENTS...: with 100 columns no line of the output is longer, with the same words as without a terminal, where one is
+is_narrow() {
+  run "$@" && tr -s ' \n' '\n' <out >words && holds [ -n "$(awk 'length > 100' out)" ]
+  COLUMNS=100 run "$@" && holds [ -z "$(awk 'length > 100' out)" ]
+  tr -s ' \n' '\n' <out | cmp -s - words || holds false
+}
 # says FILE TEXT...: the file contains each text
 says() {
   local file=$1 text

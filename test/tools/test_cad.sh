@@ -30,6 +30,7 @@ kinds "3 faces; edges: 2 inner, 0 seams, 8 boundary, 0 degenerate, 0 non-manifol
 kinds "3 faces; edges: 0 inner, 0 seams, 9 boundary, 0 degenerate, 1 non-manifold" three.brep
 kinds "1 face; edges: 0 inner, 0 seams, 4 boundary, 0 degenerate, 0 non-manifold" bezier.brep
 kinds "0 faces; edges: 0 inner, 0 seams, 0 boundary, 0 degenerate, 0 non-manifold" wire.brep
+is_narrow 0 verify models/moved.brep --allow-empty --allow-uncovered
 run 2 verify models/wire.brep && says err "there is no edge of two sides" "--allow-empty"
 run 2 verify models/bezier.brep --require G1 && says err "there is no edge of two sides"
 

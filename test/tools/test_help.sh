@@ -32,12 +32,10 @@ for command in verify "report -o no.html" "plot -o no.svg"; do
 done
 run 2 verify "$S" "$teapot" && says err "teapot.g2:1: " "--surfaces"
 
-# The table of blends is no wider than the terminal, with the same words.
-for order in 2 3; do
-  run 0 blend "$L" "$R" --order $order --strategy all && tr -s ' \n' '\n' <out >words && holds [ -n "$(awk 'length > 100' out)" ]
-  COLUMNS=100 run 0 blend "$L" "$R" --order $order --strategy all && holds [ -z "$(awk 'length > 100' out)" ]
-  tr -s ' \n' '\n' <out | cmp -s - words || holds false
-done
+# What is written is no wider than the terminal.
+for order in 2 3; do is_narrow 0 blend "$L" "$R" --order $order --strategy all; done
+is_narrow 0 verify "$S" --closed --within 1,1deg,1%
+is_narrow 1 verify --surfaces "$teapot" --within 1,1deg
 
 # The manual page and the completion of bash have all commands and options.
 run 0 --man-page && mv out page.1 && run 0 --bash-completion && mv out completion

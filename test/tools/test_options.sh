@@ -24,6 +24,20 @@ refused "--max-order: 33 is not from 0 to 32" verify --closed "$S" --max-order 3
 refused "'--json' cannot be specified more than once" verify --closed "$S" --json --json
 refused "'--require' cannot be specified more than once" verify --closed "$S" --require G1 --require G1
 
+# what is the default may be given, and changes nothing
+same() { # same DEFAULTS ARGUMENTS...
+  local defaults=$1 code=0
+  shift
+  "$program" "$@" >given 2>&1 || code=$?
+  # shellcheck disable=SC2086
+  run $code "$@" $defaults && cat out err | cmp -s - given || holds false
+}
+same "--max-order 3 --kernel exact --format text" verify "$S" --closed
+same "--format text" verify --surfaces "$teapot" --require G1
+same "--kernel exact --order 2 --strategy energy3" blend "$L" "$R"
+same "--to G1 --kink-angle 5" repair "$S" --closed -o -
+same "--worst 10000 --kink-angle 5" report "$S" --closed -o -
+
 # plot
 for option in --shaded --isophotes "--view junk"; do
   refused "${option%% *}: only with --surfaces" plot "$S" -o no.svg $option

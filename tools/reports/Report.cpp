@@ -5,6 +5,7 @@
 #include "reports/Report.h"
 
 #include "files/deferred_output.h"
+#include "files/terminal.h"
 
 #include <utility>
 #include <vector>
@@ -14,7 +15,7 @@
 namespace {
 
 // Lines in the order in which they come, then the summary and what follows. On a terminal only those of what is not met and not decided,
-// if there are too many to be read.
+// if there are too many to be read. Lines are broken where they are longer than the terminal is wide.
 class Text_writer : public Report::Writer {
   static constexpr std::size_t most_things_on_terminal = 5000;
   const bool summary_, may_be_short_;
@@ -24,8 +25,8 @@ public:
   explicit Text_writer(bool summary) : summary_(summary), may_be_short_(!summary && isatty(STDOUT_FILENO) != 0) {}
 
   void row(const std::string&, const std::string& rows, const std::string& failing_rows) override {
-    if (!summary_) rows_.write(rows);
-    if (summary_ || may_be_short_) failing_rows_.write(failing_rows);
+    if (!summary_) rows_.write(within_columns(rows));
+    if (summary_ || may_be_short_) failing_rows_.write(within_columns(failing_rows));
   }
   void find(const Finding&) override {}
   void pass(const std::string&, std::size_t) override {}
@@ -34,7 +35,7 @@ public:
     const Deferred_output& rows = is_short || summary_ ? failing_rows_ : rows_;
     if (rows.size() > 0) os << end.subject().table_head;
     rows.copy_to(os);
-    os << summary << end.text();
+    os << within_columns(summary + end.text());
     if (is_short) os << "the others are listed when the output is not a terminal\n";
   }
 };

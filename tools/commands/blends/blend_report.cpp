@@ -101,29 +101,15 @@ std::array<std::size_t, 10> widths_of(const std::vector<Row>& rows) {
   return widths;
 }
 
-// Writes a row, and the rest of it in lines of its own where it does not fit into the columns that there are.
+// Writes a row and what is said behind it, in lines of its own where it does not fit into the columns that there are.
 void write_row(std::ostream& os, const Row& columns, const std::array<std::size_t, 10>& widths,
                const std::string& rest) {
   std::ostringstream line;
   for (std::size_t i = 0; i < columns.size(); ++i)
     line << (i == 0 ? "" : " ") << (i < 3 ? std::left : std::right) << std::setw(static_cast<int>(widths[i]))
          << columns[i];
-  const std::size_t most = output_columns(), length = line.str().size();
-  os << line.str();
-  if (rest.empty() || rest.size() + 2 <= most - (std::min)(length, most))
-    os << (rest.empty() ? "" : "  ") << rest;
-  else {
-    std::istringstream words(rest);
-    std::size_t at = most;
-    for (std::string word; words >> word; at += 1 + word.size()) {
-      if (at + 1 + word.size() > most) {
-        os << "\n   ";
-        at = 3;
-      }
-      os << ' ' << word;
-    }
-  }
-  os << '\n';
+  const bool fits = line.str().size() + 2 + rest.size() <= output_columns();
+  os << within_columns(line.str() + (rest.empty() ? "" : fits ? "  " : "\n    ") + rest + '\n');
 }
 
 // A number that is written without loss; null if it is infinite.
