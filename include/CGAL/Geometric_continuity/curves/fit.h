@@ -1,0 +1,296 @@
+// Copyright (c) 2026 The Geometric_continuity developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_GEOMETRIC_CONTINUITY_CURVES_FIT_H
+#define CGAL_GEOMETRIC_CONTINUITY_CURVES_FIT_H
+
+#include <CGAL/FPU.h>
+#include <CGAL/Geometric_continuity/Error.h>
+#include <CGAL/Geometric_continuity/Traits.h>
+#include <CGAL/Geometric_continuity/curves/Composite_bezier_curve.h>
+#include <CGAL/Geometric_continuity/curves/internal/Polyline_fit.h>
+#include <CGAL/Geometric_continuity/numbers/Enclosure.h>
+#include <CGAL/Geometric_continuity/numbers/internal/checked_numbers.h>
+#include <CGAL/Geometric_continuity/numbers/internal/short_numbers.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+/// \file fit.h
+/// Few Bézier curves near a polyline, with joins that are exactly \f$ G^1 \f$ or \f$ G^2 \f$, also in floating-point numbers, and with a
+/// proven distance.
+///
+/// The control points next to a join are \f$ A \pm b_\pm D \f$ and, for \f$ G^2 \f$, \f$ A \pm f_\pm D + b_\pm^2 Q \f$: with a
+/// tangent `D` and a second difference `Q` that both curves share, and integers \f$ b_\pm > 0, f_\pm \f$. All are multiples of one
+/// power of two, with so few digits that no rounding is needed.
+
+namespace CGAL {
+namespace Geometric_continuity {
+
+/// \ingroup PkgGeometricContinuityConstruction
+/// A curve near a polyline: cubics with \f$ G^1 \f$ joins, or quintics with \f$ G^2 \f$ joins, over the knots 0, 1, 2, ...
+template <class Traits> struct Fitted_curve : Composite_bezier_curve<Traits> {
+  /// For each knot the number of the vertex that it belongs to, of those that were given; at a corner and at an end the curve goes
+  /// through it, up to the rounding to a grid.
+  std::vector<int> vertices;
+  /// The numbers of the knots, in increasing order, at which a corner of the polyline is kept. The knot 0 of a closed curve stands
+  /// for its last one, too.
+  std::vector<int> corners;
+  /// A proven bound: no point of the curve is farther than that from the polyline, and no point of the polyline from the curve. It
+  /// bounds the distance of Fréchet, too: both can be run through without going back, and so that the two points are never farther
+  /// apart.
+  double distance;
+
+  /// From the curve, vertices, corners and distance.
+  Fitted_curve(Composite_bezier_curve<Traits> curve, std::vector<int> at_vertices, std::vector<int> at_corners,
+               double proven_distance)
+      : Composite_bezier_curve<Traits>(std::move(curve)), vertices(std::move(at_vertices)),
+        corners(std::move(at_corners)), distance(proven_distance) {}
+};
+
+namespace internal {
+
+// An integer times 2^exponent in any field.
+template <class FT> FT grid_number_in(double x, int exponent) {
+  if constexpr (has_interval_v<FT>)
+    return FT(std::ldexp(x, exponent));
+  else { // in parts of 24 digits
+    FT sum(0);
+    for (double rest = std::ldexp(x, exponent); rest != 0;) {
+      int e;
+      const double part = std::ldexp(std::trunc(std::ldexp(std::frexp(rest, &e), 24)), e - 24);
+      sum += short_number_in<FT>(part);
+      rest -= part;
+    }
+    return sum;
+  }
+}
+
+// A number as a double, and a bound of the error of that.
+template <class FT> std::pair<double, double> rounded_with_error(const FT& x) {
+  if constexpr (std::is_floating_point_v<FT>)
+    return {double(x), 0};
+  else if constexpr (has_interval_v<FT>) {
+    const std::pair<double, double> i = exact_interval(x);
+    check_finite(i.second, "fit: a coordinate");
+    return {i.first, i.first == i.second ? 0 : next_above(i.second - i.first)};
+  } else {
+    const double y = rounded_number(x);
+    check_finite(y, "fit: a coordinate");
+    return {y, std::abs(y) * 0x1p-48};
+  }
+}
+
+// The distinct vertices of a polyline in a unit of which all coordinates of a curve near it are multiples.
+template <int N> struct Fit_polyline {
+  std::vector<Coordinate_vector<double, N>> points;
+  std::vector<int> numbers; // of the vertices
+  std::vector<char> stop;   // whether there is a corner or an end
+  int exponent;             // of the unit
+  double tolerance, radius; // in units
+  bool periodic;
+};
+
+// Whether a polyline turns by more than an angle at vertices, from the cosine of that.
+template <int N> class Corner_finder {
+  typedef Coordinate_vector<double, N> Vector;
+  const std::vector<Vector>& p_;
+  const double cosine_, reach_;
+  const bool closed_; // the last vertex is the first one
+
+  bool turns(const Vector& u, const Vector& v) const { return dot(u, v) < cosine_ * std::sqrt(dot(u, u) * dot(v, v)); }
+
+  // The point of the polyline so far away from the vertex k, in one direction, or where it ends.
+  Vector neighbour(int k, int direction) const {
+    const int n = static_cast<int>(p_.size()) - 1;
+    double rest = reach_;
+    for (int steps = 0; steps <= n; ++steps) {
+      if (closed_ && k == (direction > 0 ? n : 0)) k = n - k;
+      if (!closed_ && k == (direction > 0 ? n : 0)) break;
+      const Vector v = p_[k + direction] - p_[k];
+      const double length = std::sqrt(dot(v, v));
+      if (rest <= length) return p_[k] + (rest / length) * v;
+      rest -= length;
+      k += direction;
+    }
+    return p_[k];
+  }
+
+public:
+  Corner_finder(const std::vector<Vector>& p, double cosine, double reach, bool closed)
+      : p_(p), cosine_(cosine), reach_(reach), closed_(closed) {}
+
+  // At the vertex itself, and seen from as far as the tolerance lets it be seen.
+  bool operator()(int k) const {
+    const int n = static_cast<int>(p_.size()) - 1, before = k == 0 ? n - 1 : k - 1, after = k == n ? 1 : k + 1;
+    return turns(p_[k] - p_[before], p_[after] - p_[k]) && turns(p_[k] - neighbour(k, -1), neighbour(k, 1) - p_[k]);
+  }
+};
+
+template <int N, int degree>
+typename Polyline_fit<N, degree>::Result fitted_pieces(const Fit_polyline<N>& polyline, double largest) {
+  const Polyline_fit<N, degree> fit(polyline.points, polyline.stop, polyline.tolerance, polyline.periodic, largest);
+  std::vector<int> vertices;
+  const auto pieces = fit.pieces(vertices);
+  const Protect_FPU_rounding<true> upwards;
+  return fit.proved(pieces, std::move(vertices), polyline.radius);
+}
+
+// N is the dimension of the computation.
+template <int N, class Traits>
+Fitted_curve<Traits> fitted_curve(const std::vector<Coordinates<Traits>>& given, double tolerance, double corner_cosine,
+                                  Closure closure, int order) {
+  typedef typename Traits::FT FT;
+  constexpr int digits = std::is_floating_point_v<FT> ? std::numeric_limits<FT>::digits : 53;
+  const Protect_FPU_rounding<true> to_nearest(CGAL_FE_TONEAREST);
+  const int dimension = given[0].dimension();
+  double size = 0;
+  Fit_polyline<N> polyline{{}, {}, {}, 0, 0, 0, closure == Closure::closed};
+  for (const Coordinates<Traits>& x : given)
+    for (const FT& c : x) size = (std::max)(size, std::abs(rounded_with_error(c).first));
+  // so that the coordinates have less than 2^(digits-3) units
+  polyline.exponent = (size > 0 ? std::ilogb(size) : 0) + 4 - digits;
+  if (polyline.exponent < std::numeric_limits<double>::min_exponent)
+    throw Error(Error_code::unreachable_tolerance, "fit: the coordinates are too small");
+  for (std::size_t k = 0; k < given.size(); ++k) {
+    Coordinate_vector<double, N> p(dimension);
+    for (int x = 0; x < dimension; ++x) {
+      const std::pair<double, double> c = rounded_with_error(given[k][x]);
+      p[x] = std::ldexp(c.first, -polyline.exponent);
+      polyline.radius = (std::max)(polyline.radius, std::ldexp(c.second, -polyline.exponent));
+    }
+    if (!polyline.points.empty() && polyline.points.back() == p) continue;
+    polyline.points.push_back(p);
+    polyline.numbers.push_back(static_cast<int>(k));
+  }
+  if (polyline.periodic && polyline.points.size() > 1 && polyline.points.front() == polyline.points.back()) {
+    polyline.points.pop_back();
+    polyline.numbers.pop_back();
+  }
+  const std::size_t least = polyline.periodic ? 3 : 2;
+  if (polyline.points.size() < least)
+    throw Error(Error_code::wrong_number_of_points,
+                "fit: " + std::to_string(polyline.points.size()) + " points that differ");
+  polyline.tolerance = (std::min)(std::ldexp(tolerance, -polyline.exponent), std::ldexp(1., digits - 3));
+  if (!(polyline.tolerance >= 1024))
+    throw Error(Error_code::unreachable_tolerance, "fit: below 2^" + std::to_string(13 - digits) + " of a coordinate");
+
+  // a closed polyline starts at a corner, if it has one
+  std::vector<Coordinate_vector<double, N>>& p = polyline.points;
+  if (polyline.periodic) p.push_back(p.front());
+  const Corner_finder<N> is_corner(p, corner_cosine, 2 * polyline.tolerance, polyline.periodic);
+  const int n = static_cast<int>(p.size()) - 1;
+  polyline.stop.assign(p.size(), 0);
+  for (int k = polyline.periodic ? 0 : 1; k < n; ++k) polyline.stop[k] = is_corner(k);
+  if (polyline.periodic) {
+    const std::ptrdiff_t first = std::find(polyline.stop.begin(), polyline.stop.end() - 1, 1) - polyline.stop.begin();
+    polyline.periodic = first == n;
+    if (!polyline.periodic) {
+      p.pop_back();
+      polyline.stop.pop_back();
+      std::rotate(p.begin(), p.begin() + first, p.end());
+      std::rotate(polyline.stop.begin(), polyline.stop.begin() + first, polyline.stop.end());
+      std::rotate(polyline.numbers.begin(), polyline.numbers.begin() + first, polyline.numbers.end());
+      p.push_back(p.front());
+      polyline.stop.push_back(1);
+    }
+    polyline.numbers.push_back(polyline.numbers.front());
+  }
+  const bool has_corner_at_start = polyline.stop[0] != 0;
+  polyline.stop.front() = polyline.stop.back() = 1;
+
+  const auto finish = [&](const auto& result) {
+    std::vector<typename Traits::Point> points;
+    points.reserve(result.points.size());
+    for (const Coordinate_vector<double, N>& x : result.points) {
+      Coordinates<Traits> c(dimension);
+      for (int i = 0; i < dimension; ++i) c[i] = grid_number_in<FT>(x[i], polyline.exponent);
+      points.push_back(to_point<Traits>(c));
+    }
+    std::vector<FT> knots;
+    std::vector<int> vertices, corners;
+    for (std::size_t k = 0; k < result.vertices.size(); ++k) {
+      const int v = result.vertices[k];
+      knots.push_back(FT(static_cast<int>(k)));
+      vertices.push_back(polyline.numbers[v]);
+      if (v == 0 ? has_corner_at_start : v < n && polyline.stop[v]) corners.push_back(static_cast<int>(k));
+    }
+    return Fitted_curve<Traits>(Composite_bezier_curve<Traits>(points, std::move(knots)), std::move(vertices),
+                                std::move(corners), std::ldexp(root_above(result.squared_distance), polyline.exponent));
+  };
+  const double largest = std::ldexp(1., digits - 2);
+  return order == 1 ? finish(fitted_pieces<N, 3>(polyline, largest)) : finish(fitted_pieces<N, 5>(polyline, largest));
+}
+
+} // namespace internal
+
+/// \ingroup PkgGeometricContinuityConstruction
+/// Returns a curve of few pieces near a polyline. Its joins are *exactly* \f$ G^1 \f$ or \f$ G^2 \f$, with floating-point numbers, too, as
+/// the exact predicates on its control points confirm; and that it is near is proved, with intervals, in both directions: see
+/// `Fitted_curve::distance`.
+///
+/// A piece is the longest that is found from where the one before it ends: its ends are at vertices, tangents and curvatures there
+/// are those of a cubic polynomial near the polyline, in a window that is as long as the tolerance permits, and the rest is found by
+/// least squares. How many pieces there are is not proved to be the least. Where the polyline bends sharply but less than at a corner,
+/// pieces are short, and so are tangents.
+///
+/// Vertices that are equal to the one before them are skipped; a closed polyline may end with its first vertex.
+///
+/// \f$ O(n \log n) \f$ for `n` vertices, all in `double`. With other numbers the vertices are rounded first, of which the proof takes
+/// account; control points have at most as many binary digits as a `double`.
+///
+/// \param first, last the vertices
+/// \param tolerance the bound of the distance, in the unit of the coordinates, at least about \f$ 2^{-40} \f$ of the largest
+///   coordinate (\f$ 2^{-11} \f$ with `float`)
+/// \param closure whether the polyline is closed
+/// \param order 1 for cubics with \f$ G^1 \f$ joins, 2 for quintics with \f$ G^2 \f$ joins
+/// \param corner_angle in degrees, from 0 to 180. A vertex is a corner where the polyline turns by more than that, at the vertex and between
+///   the points that are two tolerances away; also where it turns back. Corners are kept: the curve has a kink there.
+/// \tparam Traits a model of `GeometricContinuityTraits`
+/// \tparam InputIterator its value type is `Traits::Point`
+/// \throws Error `wrong_number_of_points` for fewer than 2 different vertices, or 3 if closed
+/// \throws Error `parameter_outside_domain` for another order or angle
+/// \throws Error `unreachable_tolerance` unless the tolerance is positive and large enough
+/// \throws Error `dimension_mismatch`, `not_finite`
+template <class Traits, class InputIterator>
+Fitted_curve<Traits> fit(InputIterator first, InputIterator last, const typename Traits::FT& tolerance,
+                         Closure closure = Closure::open, int order = 1, double corner_angle = 45) {
+  typedef typename Traits::FT FT;
+  if (order != 1 && order != 2)
+    throw Error(Error_code::parameter_outside_domain, "fit: the order " + std::to_string(order) + " is not 1 or 2");
+  if (!(corner_angle >= 0 && corner_angle <= 180))
+    throw Error(Error_code::parameter_outside_domain, "fit: the angle of corners is not from 0 to 180 degrees");
+  internal::check_finite(tolerance, "fit: tolerance");
+  if (!(FT(0) < tolerance)) throw Error(Error_code::unreachable_tolerance, "fit: the tolerance is not positive");
+  std::vector<Coordinates<Traits>> p;
+  for (; first != last; ++first) p.push_back(coordinates<Traits>(*first));
+  if (p.empty()) throw Error(Error_code::wrong_number_of_points, "fit: no points");
+  for (std::size_t k = 0; k < p.size(); ++k) {
+    if (p[k].dimension() != p[0].dimension())
+      throw Error(Error_code::dimension_mismatch, "fit: the point " + std::to_string(k));
+    if constexpr (std::is_floating_point_v<FT>)
+      for (const FT& c : p[k])
+        if (!std::isfinite(c)) throw Error(Error_code::not_finite, "fit: the point " + std::to_string(k));
+  }
+  const std::pair<double, double> t = internal::rounded_with_error(tolerance);
+  const double rounded_tolerance = t.second == 0 ? t.first : t.first * (1 - 0x1p-40),
+               cosine = (std::max)(std::cos(corner_angle * (3.141592653589793 / 180)), -0.9999999);
+  constexpr int N = dimension_v<Traits>;
+  if constexpr (N == 0) { // as far as the dimension is known to the compiler, it is faster
+    if (p[0].dimension() == 2) return internal::fitted_curve<2, Traits>(p, rounded_tolerance, cosine, closure, order);
+    if (p[0].dimension() == 3) return internal::fitted_curve<3, Traits>(p, rounded_tolerance, cosine, closure, order);
+  }
+  return internal::fitted_curve<N, Traits>(p, rounded_tolerance, cosine, closure, order);
+}
+
+} // namespace Geometric_continuity
+} // namespace CGAL
+
+#endif // CGAL_GEOMETRIC_CONTINUITY_CURVES_FIT_H

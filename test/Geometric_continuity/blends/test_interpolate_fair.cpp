@@ -1,0 +1,162 @@
+// Copyright (c) 2026 The Geometric_continuity developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+// Fair splines through points: joins are decided exactly, and fairness is compared with that of cubic splines.
+
+#include <boost/test/unit_test.hpp>
+
+#include "support/exact_splines.h"
+
+#include <CGAL/Geometric_continuity/blends/interpolate_fair.h>
+#include <CGAL/Geometric_continuity/curves/fairness.h>
+#include <CGAL/Geometric_continuity/curves/interpolate.h>
+#include <CGAL/Geometric_continuity/joins/join_continuity.h>
+
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <string>
+#include <vector>
+
+BOOST_AUTO_TEST_SUITE(fair_interpolation)
+
+namespace {
+
+using GC::Closure;
+typedef GC::Traits_3<Exact> Space;
+typedef GC::Traits_2<CGAL::Epick> Plane;
+
+// The joins are G2, decided exactly, and the points are met up to `moved`.
+template <class Traits, class Points>
+void check(const GC::Fair_spline<Traits>& curve, const Points& p, Closure closure, double moved = 0) {
+  const int n = static_cast<int>(p.size()), pieces = closure == Closure::closed ? n : n - 1;
+  BOOST_REQUIRE_EQUAL(curve.number_of_segments(), pieces);
+  BOOST_CHECK(curve.rounded.empty());
+  BOOST_CHECK_LE(CGAL::to_double(curve.moved), moved);
+  for (int i = closure == Closure::closed ? 0 : 1; i < pieces; ++i)
+    BOOST_CHECK_GE(GC::continuity(curve.segment((i + pieces - 1) % pieces), curve.segment(i), 2).g_order, 2);
+  for (int i = 0; i <= pieces; ++i)
+    for (int x = 0; x < curve.dimension(); ++x)
+      if (moved == 0)
+        BOOST_CHECK(curve.control_point(5 * i)[x] == p[i % n][x]);
+      else
+        BOOST_CHECK_SMALL(CGAL::to_double(curve.control_point(5 * i)[x] - p[i % n][x]), moved);
+}
+template <class Traits, class Points>
+GC::Fair_spline<Traits> spline(const Points& p, Closure closure, double moved = 0) {
+  const GC::Fair_spline<Traits> curve = GC::interpolate_fair<Traits>(p.begin(), p.end(), closure);
+  check(curve, p, closure, moved);
+  return curve;
+}
+
+std::vector<Plane::Point> circle(int n) {
+  std::vector<Plane::Point> p;
+  for (int i = 0; i < n; ++i) p.emplace_back(std::cos(2 * M_PI * i / n), std::sin(2 * M_PI * i / n));
+  return p;
+}
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE(random_points) {
+  repeat(3, [](Random& random) {
+    std::vector<Space::Point> p;
+    std::vector<std::optional<Space::Vector>> tangents;
+    const int n = random.integer(3, 6);
+    for (int i = 0; i < n; ++i) {
+      p.push_back(point(random.vector()));
+      tangents.emplace_back();
+      if (random.coin()) tangents.back() = GC::to_vector<Space>(random.vector());
+    }
+    for (const Closure closure : {Closure::open, Closure::closed}) {
+      spline<Space>(p, closure);
+      const auto curve = GC::interpolate_fair<Space>(p.begin(), p.end(), closure, tangents);
+      check(curve, p, closure);
+      for (int i = 0; i < curve.number_of_segments(); ++i)
+        if (tangents[i]) {
+          const Vector t = column(*tangents[i]), d = curve.segment(i).start_jet(1)[1];
+          BOOST_CHECK(is_zero(cross(t, d)) && Q(0) < dot(t, d));
+        }
+    }
+  });
+}
+
+// Circles come back, and the variation of curvature is less than that of cubic splines.
+BOOST_AUTO_TEST_CASE(fairness) {
+  for (const int n : {4, 7}) {
+    const std::vector<Plane::Point> p = circle(n);
+    const auto curve = spline<Plane>(p, Closure::closed, 1e-12);
+    for (int i = 0; i < n; ++i) {
+      const auto x = curve.segment(i)(i + 0.37);
+      BOOST_CHECK_SMALL(std::hypot(x.x(), x.y()) - 1, 2e-3);
+    }
+    BOOST_CHECK_LT(GC::fairness(curve), 4); // 0 for a circle, several hundred for cubic splines
+  }
+  typedef Plane::Point P;
+  const std::vector<P> five = {P(0, 0), P(4, 3), P(9, 3), P(9, -1), P(2, -2)};
+  for (const Closure closure : {Closure::open, Closure::closed}) {
+    const double fair = GC::fairness(spline<Plane>(five, closure));
+    for (const auto parametrisation : {GC::Parametrisation::centripetal, GC::Parametrisation::chordal})
+      BOOST_CHECK_LT(fair,
+                     0.7 * GC::fairness(GC::interpolate<Plane>(five.begin(), five.end(), parametrisation, closure)));
+  }
+}
+
+BOOST_AUTO_TEST_CASE(degenerate_points) {
+  typedef Plane::Point P;
+  const std::vector<P> line = {P(0, 0), P(1, 0), P(2, 0), P(5, 0)}, two = {P(1, 2), P(4, 3)},
+                       back = {P(0, 0), P(4, 0), P(2, 0), P(3, 0)};
+  for (const auto& p : {line, two}) {
+    const auto curve = spline<Plane>(p, Closure::open);
+    for (const P& b : curve) BOOST_CHECK(CGAL::collinear(p[0], p[1], b));
+  }
+  spline<Plane>(back, Closure::open);
+  spline<Plane>(std::vector<P>{P(0, 0), P(1, 1), P(0, 0), P(2, 1)}, Closure::closed); // twice through a point
+  // with tangents that are given; those that do not lead forward, too
+  const std::vector<std::optional<Plane::Vector>> up = {Plane::Vector(0, 1), std::nullopt, Plane::Vector(-3, 0),
+                                                        std::nullopt};
+  const auto curve = GC::interpolate_fair<Plane>(line.begin(), line.end(), Closure::open, up);
+  check(curve, line, Closure::open);
+  const auto start = curve.segment(0).start_jet(1)[1], middle = curve.segment(2).start_jet(1)[1];
+  BOOST_CHECK(start[0] == 0 && start[1] > 0 && middle[0] < 0 && middle[1] == 0);
+  // other dimensions
+  typedef GC::Traits_d<CGAL::Cartesian_d<Q>> Any;
+  std::vector<Any::Point> p, plane;
+  for (int i = 0; i < 5; ++i) {
+    const Q x[] = {Q(i * i), Q(7 * i % 5), Q(i % 2), Q(3 - i)};
+    p.emplace_back(4, x, x + 4);
+    plane.emplace_back(2, x, x + 2);
+  }
+  for (const Closure closure : {Closure::open, Closure::closed}) {
+    spline<Any>(p, closure);
+    spline<Any>(plane, closure);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(errors) {
+  typedef Plane::Point P;
+  const std::vector<P> p = circle(4);
+  const auto through = [](const std::vector<P>& q, Closure closure = Closure::open,
+                          const std::vector<std::optional<Plane::Vector>>& tangents = {}) {
+    GC::interpolate_fair<Plane>(q.begin(), q.end(), closure, tangents);
+  };
+  CHECK_ERROR(through({}), wrong_number_of_points);
+  CHECK_ERROR(through({p[0]}), wrong_number_of_points);
+  CHECK_ERROR(through({p[0], p[1]}, Closure::closed), wrong_number_of_points);
+  CHECK_ERROR(through(p, Closure::open, {std::nullopt}), wrong_number_of_points);
+  CHECK_ERROR(through(p, Closure::open, {std::nullopt, std::nullopt, std::nullopt, Plane::Vector(0, 0)}), zero_tangent);
+  BOOST_CHECK_EQUAL(error_of([&] {
+                      through({p[0], p[1], p[1]});
+                    }),
+                    "empty_domain: interpolate_fair: the points 1 and 2 coincide");
+  CHECK_ERROR(through({p[0], p[1], p[0]}, Closure::closed), empty_domain);
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  CHECK_ERROR(through({p[0], P(nan, 0)}), not_finite);
+  CHECK_ERROR(through({P(0, 0), P(1e300, 0)}), not_finite);
+  typedef GC::Traits_d<CGAL::Cartesian_d<Q>> Any;
+  const Q c[] = {1, 2, 3};
+  const std::vector<Any::Point> mixed = {Any::Point(2, c, c + 2), Any::Point(3, c, c + 3)};
+  CHECK_ERROR(GC::interpolate_fair<Any>(mixed.begin(), mixed.end()), dimension_mismatch);
+}
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,0 +1,281 @@
+// Copyright (c) 2026 The Geometric_continuity developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+// Curves near polylines. Joins are decided exactly on the control points; distances are compared with those of many points.
+
+#include <boost/test/unit_test.hpp>
+
+#include "support/exact_splines.h"
+
+#include <CGAL/Geometric_continuity/curves/fit.h>
+#include <CGAL/Geometric_continuity/joins/join_continuity.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <string>
+#include <vector>
+
+BOOST_AUTO_TEST_SUITE(fit)
+
+namespace {
+
+using GC::Closure;
+typedef GC::Traits_2<CGAL::Epick> Plane;
+typedef GC::Traits_3<Exact> Space;
+typedef std::vector<Plane::Point> Points;
+typedef GC::Coordinate_vector<double, 0> Column;
+
+template <class Point> Column doubles(const Point& p) {
+  Column x(p.dimension());
+  for (int i = 0; i < p.dimension(); ++i) x[i] = CGAL::to_double(p[i]);
+  return x;
+}
+double distance(const Column& x, const Column& p, const Column& q) {
+  const double t = dot(x - p, q - p) / dot(q - p, q - p);
+  const Column d = x - (p + (std::min)((std::max)(t, 0.), 1.) * (q - p));
+  return std::sqrt(dot(d, d));
+}
+// The point of a Bezier curve, by de Casteljau's algorithm.
+Column point_of(std::vector<Column> b, double t) {
+  for (std::size_t m = b.size(); m-- > 1;)
+    for (std::size_t i = 0; i < m; ++i) b[i] += t * (b[i + 1] - b[i]);
+  return b[0];
+}
+double distance(const Column& x, const std::vector<Column>& polyline) {
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t k = 0; k + 1 < polyline.size(); ++k)
+    if (polyline[k] != polyline[k + 1]) least = (std::min)(least, distance(x, polyline[k], polyline[k + 1]));
+  return least;
+}
+
+// The joins have the order, but at corners; the distance is at most what is said, and that is at most the tolerance. Returns the
+// number of pieces.
+template <class Traits, class P>
+int check(const GC::Fitted_curve<Traits>& curve, const P& points, double tolerance, Closure closure, int order) {
+  typedef typename GC::Composite_bezier_curve<Traits>::Segment Segment;
+  const int n = curve.number_of_segments();
+  std::vector<Segment> pieces;
+  for (const Segment& s : curve.segments()) pieces.push_back(s);
+  BOOST_CHECK_EQUAL(curve.degree(), 2 * order + 1);
+  BOOST_CHECK_EQUAL(curve.vertices.size(), curve.knots().size());
+  const auto is_corner = [&](int k) {
+    return std::find(curve.corners.begin(), curve.corners.end(), k) != curve.corners.end();
+  };
+  for (int k = closure == Closure::closed ? 0 : 1; k < n; ++k) {
+    if (is_corner(k)) continue;
+    BOOST_TEST_CONTEXT("knot " << k)
+    BOOST_CHECK_GE(GC::continuity(pieces[(k + n - 1) % n], pieces[k], order).g_order, order);
+  }
+  if (closure == Closure::closed) BOOST_CHECK(curve.is_closed());
+  BOOST_CHECK_LE(curve.distance, tolerance);
+
+  std::vector<Column> polyline;
+  for (const auto& p : points) polyline.push_back(doubles(p));
+  if (closure == Closure::closed) polyline.push_back(polyline.front());
+  std::vector<std::vector<Column>> polygons, samples; // at i/30
+  for (const Segment& s : pieces) {
+    polygons.emplace_back();
+    for (const auto& b : s) polygons.back().push_back(doubles(b));
+    samples.emplace_back();
+    for (int i = 0; i <= 30; ++i) samples.back().push_back(point_of(polygons.back(), i / 30.));
+  }
+  const double bound = curve.distance + 1e-9 + 1e-9 * curve.distance;
+  for (const std::vector<Column>& piece : samples)
+    for (const Column& x : piece) BOOST_CHECK_LE(distance(x, polyline), bound);
+  for (std::size_t k = 0; k + 1 < polyline.size(); ++k)
+    for (const double part : {0., 0.4}) {
+      const Column x = polyline[k] + part * (polyline[k + 1] - polyline[k]);
+      double least = std::numeric_limits<double>::infinity();
+      for (std::size_t j = 0; j < samples.size() && bound < least; ++j)
+        for (int i = 0; i < 30; ++i) {
+          const std::vector<Column> chord = {samples[j][i], samples[j][i + 1]};
+          if (distance(x, chord) > bound + tolerance) continue;
+          std::vector<Column> fine;
+          for (int l = 0; l <= 30; ++l) fine.push_back(point_of(polygons[j], (i + l / 30.) / 30));
+          least = (std::min)(least, distance(x, fine));
+        }
+      BOOST_CHECK_LE(least, bound + 1e-3 * tolerance);
+    }
+  return n;
+}
+
+Points circle(int n, double radius = 1) {
+  Points p;
+  for (int i = 0; i < n; ++i) p.emplace_back(radius * std::cos(2 * M_PI * i / n), radius * std::sin(2 * M_PI * i / n));
+  return p;
+}
+Points wave(int n) {
+  Points p;
+  for (int i = 0; i <= n; ++i) {
+    const double t = 10. * i / n;
+    p.emplace_back(t + .3 * std::sin(3 * t), 2 * std::sin(t) + .1 * std::cos(7 * t));
+  }
+  return p;
+}
+int pieces(const Points& p, double tolerance, Closure closure, int order, double corner_angle = 45) {
+  return check(GC::fit<Plane>(p.begin(), p.end(), tolerance, closure, order, corner_angle), p, tolerance, closure,
+               order);
+}
+
+} // namespace
+
+// As few pieces as known constructions have, and perhaps one more at the end: quarters of a circle by cubics are wrong by 2.7e-4 of
+// the radius.
+BOOST_AUTO_TEST_CASE(smooth_polylines) {
+  BOOST_CHECK_LE(pieces(circle(300, 100), 0.1, Closure::closed, 1), 5);
+  BOOST_CHECK_LE(pieces(circle(300, 100), 0.1, Closure::closed, 2), 4);
+  BOOST_CHECK_LE(pieces(wave(400), 0.01, Closure::open, 1), 18);
+  BOOST_CHECK_LE(pieces(wave(400), 0.01, Closure::open, 2), 16);
+  BOOST_CHECK_EQUAL(pieces(wave(400), 10, Closure::open, 1), 1);
+  // shorter than what the vertices leave out of a circle: a piece for each segment
+  BOOST_CHECK_EQUAL(pieces(circle(20), 1e-3, Closure::closed, 1), 20);
+  BOOST_CHECK_EQUAL(pieces(circle(20), 1e-3, Closure::closed, 2), 20);
+  BOOST_CHECK_EQUAL(pieces(circle(20), 1e-9, Closure::closed, 2), 20);
+}
+
+BOOST_AUTO_TEST_CASE(corners) {
+  for (const int order : {1, 2}) {
+    const Points rectangle = {Plane::Point(2, 0), Plane::Point(4, 0), Plane::Point(4, 3), Plane::Point(0, 3),
+                              Plane::Point(0, 0)};
+    const auto curve = GC::fit<Plane>(rectangle.begin(), rectangle.end(), 0.01, Closure::closed, order);
+    BOOST_CHECK_EQUAL(check(curve, rectangle, 0.01, Closure::closed, order), 4); // from a corner on
+    BOOST_CHECK(curve.vertices == std::vector<int>({1, 2, 3, 4, 1}));
+    BOOST_CHECK(curve.corners == std::vector<int>({0, 1, 2, 3}));
+    for (int k = 0; k < 4; ++k) {
+      BOOST_CHECK(curve.segment(k).control_point(0) == rectangle[k + 1]);
+      BOOST_CHECK_EQUAL(GC::continuity(curve.segment((k + 3) % 4), curve.segment(k), 2).g_order, 0);
+    }
+    BOOST_CHECK_LT(curve.distance, 1e-4);         // lines
+    for (const double tolerance : {1e-2, 1e-6}) { // rounded where there must be no corner
+      BOOST_CHECK_EQUAL(pieces(rectangle, tolerance, Closure::closed, order, 91), 5);
+      Points half = circle(100);
+      half.resize(50);
+      const auto d = GC::fit<Plane>(half.begin(), half.end(), tolerance, Closure::closed, order);
+      check(d, half, tolerance, Closure::closed, order);
+      BOOST_CHECK_EQUAL(d.corners.size(), 2u);
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(degenerate_polylines) {
+  typedef Plane::Point P;
+  for (const int order : {1, 2}) {
+    BOOST_CHECK_EQUAL(pieces({P(1, 1), P(3, 2)}, 0.01, Closure::open, order), 1);
+    BOOST_CHECK_EQUAL(pieces({P(0, 0), P(1, 1), P(2, 2), P(5, 5), P(6, 6)}, 0.01, Closure::open, order), 1);
+    BOOST_CHECK_EQUAL(pieces({P(0, 0), P(0, 0), P(1, 1), P(1, 1), P(1, 1), P(2, 2)}, 0.01, Closure::open, order), 1);
+    // back on itself, which is a corner at every angle
+    for (const double angle : {45., 180.}) {
+      const Points back = {P(0, 0), P(4, 0), P(2, 0), P(7, 0)}, there_and_back = {P(0, 0), P(4, 0), P(2, 0)};
+      BOOST_CHECK_EQUAL(pieces(back, 0.01, Closure::open, order, angle), 3);
+      pieces(there_and_back, 0.01, Closure::closed, order, angle);
+      pieces(back, 3, Closure::open, order, angle); // where it is not seen
+    }
+    // a closed polyline may end with its first vertex
+    Points p = circle(50);
+    const int n = pieces(p, 0.01, Closure::closed, order);
+    p.push_back(p.front());
+    BOOST_CHECK_EQUAL(pieces(p, 0.01, Closure::closed, order), n);
+    // a loop, and one that is open
+    BOOST_CHECK_LE(pieces(p, 0.01, Closure::open, order), n + 1);
+    Points zigzag;
+    for (int i = 0; i < 30; ++i) zigzag.emplace_back(i, i % 2);
+    for (const double tolerance : {1e-5, 1e-2, 0.6, 2.}) pieces(zigzag, tolerance, Closure::open, order, 180);
+    BOOST_CHECK_EQUAL(pieces(zigzag, 0.01, Closure::open, order), 29);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(random_polylines) {
+  repeat(6, [](Random& random) {
+    Points p;
+    double x = 0, y = 0;
+    for (int i = 0; i < 60; ++i) {
+      x += random.integer(-9999, 9999) / 1e4;
+      y += random.integer(-9999, 9999) / 1e4 * (random.coin() ? 1 : 1e-5);
+      p.emplace_back(x, y);
+    }
+    for (const double tolerance : {1e-4, 0.03, 0.5})
+      for (const Closure closure : {Closure::open, Closure::closed})
+        for (const int order : {1, 2}) pieces(p, tolerance, closure, order, random.integer(0, 180));
+  });
+}
+
+// On exact numbers in space and in any dimension: control points have few digits, and the vertices are not rounded in vain.
+BOOST_AUTO_TEST_CASE(exact_numbers) {
+  typedef GC::Traits_d<CGAL::Cartesian_d<Q>> Any;
+  std::vector<Space::Point> p;
+  std::vector<Any::Point> same, four;
+  for (int i = 0; i <= 60; ++i) { // a helix
+    const Q t = ratio(i, 10), s = Q(2) * t / (Q(1) + t * t), c = (Q(1) - t * t) / (Q(1) + t * t);
+    const Q x[] = {c, s, t / Q(3), Q(1) / Q(3)};
+    p.emplace_back(x[0], x[1], x[2]);
+    same.emplace_back(3, x, x + 3);
+    four.emplace_back(4, x, x + 4);
+  }
+  const Q tolerance = ratio(1, 50);
+  for (const int order : {1, 2}) {
+    const auto curve = GC::fit<Space>(p.begin(), p.end(), tolerance, Closure::open, order);
+    BOOST_CHECK_LE(check(curve, p, 0.02, Closure::open, order), 6);
+    const auto any = GC::fit<Any>(same.begin(), same.end(), tolerance, Closure::open, order);
+    BOOST_REQUIRE_EQUAL(any.control_points().size(), curve.control_points().size());
+    for (std::size_t i = 0; i < curve.control_points().size(); ++i)
+      for (int x = 0; x < 3; ++x) BOOST_CHECK_EQUAL(any.control_point(i)[x], curve.control_point(i)[x]);
+    check(GC::fit<Any>(four.begin(), four.end(), tolerance, Closure::open, order), four, 0.02, Closure::open, order);
+  }
+  // vertices that are one double
+  const Q tiny = Q(1e-30);
+  const std::vector<Space::Point> two = {{1, 1, 1}, {Q(1) + tiny, 1, 1}, {2, 1, 1}};
+  BOOST_CHECK_EQUAL(check(GC::fit<Space>(two.begin(), two.end(), tolerance), two, 0.02, Closure::open, 1), 1);
+}
+
+BOOST_AUTO_TEST_CASE(single_precision) {
+  typedef GC::Traits_2<CGAL::Simple_cartesian<float>> Float;
+  std::vector<Float::Point> p;
+  for (const auto& x : wave(200)) p.emplace_back(float(x.x()), float(x.y()));
+  for (const int order : {1, 2}) {
+    const auto curve = GC::fit<Float>(p.begin(), p.end(), 0.02f, Closure::open, order);
+    std::vector<GC::Bezier_curve<Plane>> pieces;
+    for (const auto& s : curve.segments()) {
+      Points points;
+      for (const auto& x : s) points.emplace_back(x.x(), x.y());
+      pieces.emplace_back(points.begin(), points.end());
+    }
+    for (std::size_t k = 0; k + 1 < pieces.size(); ++k)
+      BOOST_CHECK_GE(GC::continuity(pieces[k], pieces[k + 1], order).g_order, order);
+    BOOST_CHECK_LE(curve.distance, 0.02);
+  }
+  CHECK_ERROR(GC::fit<Float>(p.begin(), p.end(), 1e-4f), unreachable_tolerance);
+}
+
+BOOST_AUTO_TEST_CASE(errors) {
+  typedef Plane::Point P;
+  const Points p = circle(10);
+  const auto points_of = [](const Points& q, Closure closure = Closure::open) {
+    GC::fit<Plane>(q.begin(), q.end(), 0.01, closure);
+  };
+  CHECK_ERROR(points_of({}), wrong_number_of_points);
+  CHECK_ERROR(points_of({P(1, 1)}), wrong_number_of_points);
+  CHECK_ERROR(points_of({P(1, 1), P(1, 1)}), wrong_number_of_points);
+  CHECK_ERROR(points_of({P(1, 1), P(2, 1), P(1, 1)}, Closure::closed), wrong_number_of_points);
+  const double nan = std::numeric_limits<double>::quiet_NaN(), infinity = std::numeric_limits<double>::infinity();
+  BOOST_CHECK_EQUAL(error_of([&] { points_of({P(1, 1), P(2, nan), P(3, 3)}); }), "not_finite: fit: the point 1");
+  CHECK_ERROR(points_of({P(1, 1), P(infinity, 1)}), not_finite);
+  const auto with = [&](double tolerance, int order = 1, double angle = 45) {
+    GC::fit<Plane>(p.begin(), p.end(), tolerance, Closure::open, order, angle);
+  };
+  for (const double tolerance : {0., -1., 1e-14}) CHECK_ERROR(with(tolerance), unreachable_tolerance);
+  for (const double tolerance : {nan, infinity}) CHECK_ERROR(with(tolerance), not_finite);
+  for (const int order : {-1, 0, 3}) CHECK_ERROR(with(0.1, order), parameter_outside_domain);
+  for (const double angle : {-1., 181., nan}) CHECK_ERROR(with(0.1, 1, angle), parameter_outside_domain);
+  const Points huge = {P(1e308, 0), P(0, 1e308), P(-1e308, 0)}, tiny = {P(1e-308, 0), P(0, 1e-308)};
+  BOOST_CHECK_LE(GC::fit<Plane>(huge.begin(), huge.end(), 1e300).distance, 1e300);
+  CHECK_ERROR(GC::fit<Plane>(tiny.begin(), tiny.end(), 1e-310), unreachable_tolerance);
+  typedef GC::Traits_d<CGAL::Cartesian_d<Q>> Any;
+  const Q c[] = {1, 2, 3};
+  const std::vector<Any::Point> mixed = {Any::Point(2, c, c + 2), Any::Point(3, c, c + 3)};
+  CHECK_ERROR(GC::fit<Any>(mixed.begin(), mixed.end(), Q(1)), dimension_mismatch);
+}
+
+BOOST_AUTO_TEST_SUITE_END()
