@@ -26,6 +26,10 @@ const char* const program_usage = R"(usage: geometric_continuity COMMAND [ARGUME
                             a cubic spline
   extend A.g2               append a segment with continuous tangent, curvature
                             or torsion
+  interpolate POINTS        lead a curve through points, with continuous
+                            curvature
+  fit POINTS                make few smooth curves near a polyline, and prove
+                            their distance
   verify FILE.g2...         decide the continuity of every join of a chain, of a
                             drawing (.svg) or of a font, exactly, and enclose
                             that of every edge of a CAD model (.step, .iges)
@@ -51,8 +55,9 @@ when the output cannot be written.
 
 using CGAL::Geometric_continuity::printable;
 
-const std::vector<const Command*> commands = {&blend_command,  &connect_command, &extend_command, &verify_command,
-                                              &repair_command, &plot_command,    &report_command, &tessellate_command};
+const std::vector<const Command*> commands = {
+    &blend_command,  &connect_command, &extend_command, &interpolate_command, &fit_command,
+    &verify_command, &repair_command,  &plot_command,   &report_command,      &tessellate_command};
 
 int run(const std::string& name, const Arguments& arguments) {
   Arguments names;

@@ -49,8 +49,8 @@ struct Command {
   int (*run)(const Command_line& line);
 };
 
-extern const Command blend_command, connect_command, extend_command, plot_command, repair_command, report_command,
-    tessellate_command, verify_command;
+extern const Command blend_command, connect_command, extend_command, fit_command, interpolate_command, plot_command,
+    repair_command, report_command, tessellate_command, verify_command;
 
 // A picture of surfaces, as its options describe it.
 struct Surface_picture {

@@ -40,6 +40,7 @@ std::map<std::string, Arguments> option_words() {
   return {{"strategy", strategies},
           {"kernel", {"exact", "double"}},
           {"corners", {"all", "not-g1"}},
+          {"parameters", {"uniform", "chordal", "centripetal"}},
           {"format", {"text", "json", "sarif", "junit", "off", "ply", "obj", "stl"}},
           {"require", {"G1", "G2", "G3", "C1", "C2", "C3", "F3"}},
           {"to", {"G1", "G2"}},

@@ -1,0 +1,136 @@
+// Copyright (c) 2026 The Geometric_continuity developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#include "commands/command_line.h"
+#include "commands/points/points_report.h"
+#include "files/output.h"
+#include "reports/words.h"
+
+#include <CGAL/Geometric_continuity/IO/json.h>
+#include <CGAL/Geometric_continuity/IO/number.h>
+#include <CGAL/Geometric_continuity/curves/fit.h>
+#include <CGAL/Geometric_continuity/numbers/Enclosure.h>
+
+#include <cstddef>
+#include <ostream>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace {
+
+const char* const fit_usage = R"(usage: geometric_continuity fit POINTS --tolerance R [OPTIONS] [-o OUT.g2]
+
+Makes few Bezier curves near the polyline through the points: cubics with joins
+that are G1, or with --order G2 quintics with joins that are G2. The joins are
+decided exactly on the numbers that are written. No point of the curves is
+farther than R from the polyline, and no point of it from the curves: that is
+proved, and the report has the bound.
+
+POINTS has the coordinates of a vertex in each line, decimals or fractions p/q
+with blanks or commas between them; what follows # is skipped. With --closed the
+last vertex leads back to the first. Where the polyline turns by more than the
+angle of --corner, the curve has a corner, too.
+
+examples:
+  geometric_continuity fit outline.txt --closed --tolerance 0.5 -o outline.g2
+  geometric_continuity fit track.txt --order G2 --tolerance 1/100 -o track.g2 \
+      --plot track.svg
+
+Exit code: 0 when the joins have the order that is asked for, 1 when they do
+not, 2 on bad input.
+)";
+
+typedef Program_traits<Exact> Traits;
+typedef GC::Fitted_curve<Traits> Fitted;
+
+void write_json(std::ostream& os, const Fitted& curve, std::size_t points, int order, bool closed,
+                const std::string& tolerance, const Joins_of_pieces& joins) {
+  os << "{\"points\":" << points << ",\"closed\":" << (closed ? "true" : "false") << ",\"order\":\"G" << order
+     << "\",\"pieces\":" << curve.number_of_segments() << ",\"tolerance\":";
+  GC::write_json(os, tolerance);
+  GC::write_number(os << ",\"distance\":", curve.distance);
+  for (const auto& [name, numbers] : {std::pair("vertices", &curve.vertices), std::pair("corners", &curve.corners)}) {
+    os << ",\"" << name << "\":[";
+    for (std::size_t k = 0; k < numbers->size(); ++k) os << (k == 0 ? "" : ",") << (*numbers)[k];
+    os << ']';
+  }
+  os << ",\"joins\":" << joins.joins() << ",\"g_order\":";
+  if (joins.joins() == 0)
+    os << "null";
+  else
+    os << joins.g_order();
+  os << "}\n";
+}
+
+void write_text(std::ostream& os, const Fitted& curve, std::size_t points, int order, const std::string& tolerance,
+                const Joins_of_pieces& joins, bool proved) {
+  std::ostringstream distance;
+  distance << GC::Enclosure{0, curve.distance};
+  os << counted(points, "point") << ", " << counted(joins.pieces(), order == 1 ? "cubic curve" : "quintic curve")
+     << ", " << counted(curve.corners.size(), "corner") << "\nthe distance is in " << distance.str()
+     << ", proved; tolerance " << tolerance << '\n'
+     << counted(joins.joins(), "join") << " without a corner"
+     << (joins.joins() == 0 ? ""
+         : proved           ? std::string(", G") + (order == 1 ? "1 or more" : "2") + ", proved in exact arithmetic"
+                            : ", decided in exact arithmetic: the order is not reached")
+     << '\n';
+}
+
+int fit(const Command_line& line) {
+  const std::vector<Traits::Point> points = read_points<Exact>(line);
+  const int order = line.choice("order", {"G1", "G2"}) == "G1" ? 1 : 2;
+  const bool closed = line.has("closed");
+  const Exact tolerance = line.number("tolerance", Exact(0));
+  const Fitted curve = with_name(line, [&] {
+    return GC::fit<Traits>(points.begin(), points.end(), tolerance, closed ? GC::Closure::closed : GC::Closure::open,
+                           order, line.number("corner", 45.));
+  });
+  const int n = curve.number_of_segments();
+  std::vector<bool> is_corner(n, false);
+  for (const int k : curve.corners) is_corner[k] = true;
+  Joins_of_pieces joins(is_corner);
+  for (const auto& piece : curve.segments()) joins.add(Exact_curve(GC::Bezier_curve<Traits>(piece)));
+  if (closed) joins.close();
+  const bool proved = joins.joins() == 0 || joins.g_order() >= order;
+  if (line.has("json"))
+    write_json(report_stream(line), curve, points.size(), order, closed, line.text("tolerance"), joins);
+  else
+    write_text(report_stream(line), curve, points.size(), order, line.text("tolerance"), joins, proved);
+  if (line.has("output"))
+    write_output(line.text("output"), [&](std::ostream& os) {
+      for (const auto& piece : curve.segments()) GC::write_g2(os, piece);
+    });
+  if (line.has("plot")) {
+    GC::Svg_panel panel;
+    add_polyline<Traits>(panel, points, closed);
+    for (const auto& piece : curve.segments())
+      panel.add(piece, GC::Svg_style{GC::Svg_role::result, false, true, "fit"}).join();
+    write_output(line.text("plot"), [&](std::ostream& os) { os << GC::Svg_figure().add(panel); });
+  }
+  return proved ? requirement_met : requirement_not_met;
+}
+
+void describe_fit(po::options_description_easy_init add) {
+  add("tolerance", po::value<std::string>(), "R > 0, the largest distance, in the unit of the coordinates");
+  add("order", po::value<std::string>()->default_value("G1"), "G1 for cubics, G2 for quintics");
+  add("closed", "the last point leads back to the first");
+  add("corner", po::value<std::string>(), "A, from how many degrees on a corner is kept (default 45)");
+  add("json", "print the report as JSON");
+  add("output,o", po::value<std::string>(), "write the curves, .g2");
+  add("plot", po::value<std::string>(), "draw the polyline and the curves, .svg");
+}
+
+int run_fit(const Command_line& line) {
+  if (line.files().size() != 1) throw std::invalid_argument("fit: one file of points is needed; see --help");
+  if (!line.has("tolerance")) throw std::invalid_argument("fit: --tolerance is needed; see --help");
+  check_outputs(line);
+  return fit(line);
+}
+
+} // namespace
+
+const Command fit_command{"fit", fit_usage, describe_fit, run_fit};

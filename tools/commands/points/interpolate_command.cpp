@@ -1,0 +1,147 @@
+// Copyright (c) 2026 The Geometric_continuity developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#include "commands/command_line.h"
+#include "commands/points/points_report.h"
+#include "commands/work_limit.h"
+#include "files/output.h"
+#include "reports/words.h"
+
+#include <CGAL/Geometric_continuity/blends/interpolate_fair.h>
+#include <CGAL/Geometric_continuity/curves/interpolate.h>
+
+#include <optional>
+#include <ostream>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace {
+
+const char* const interpolate_usage = R"(usage: geometric_continuity interpolate POINTS [OPTIONS] [-o OUT.g2]
+
+Leads a cubic B-spline through points: C2, with second derivatives that vanish
+at its ends, or with --closed back to the first point and C2 there, too. The
+knots are the parameters of the points: uniform, chordal (at the distances of
+the points), or centripetal (at the roots of these). With --fair the curve is
+made of quintics with G2 joins, whose curvature varies little. The joins are
+decided exactly on the numbers that are written.
+
+POINTS has the coordinates of a point in each line, decimals or fractions p/q
+with blanks or commas between them; what follows # is skipped.
+
+Exact numbers of a cubic spline become longer with the number of points;
+--kernel double computes in floating-point numbers. Exact arithmetic on many
+points, or on numbers of thousands of digits, can take long: --max-work N allows
+N steps, about N nanoseconds, instead of 4000000000.
+
+examples:
+  geometric_continuity interpolate points.txt --fair -o fair.g2 --plot fair.svg
+  geometric_continuity interpolate outline.txt --closed --kernel double \
+      --parameters centripetal -o outline.g2
+
+Exit code: 0 when the curve is proved to be C2, with --fair G2, 1 when rounding
+has broken that (--kernel double; the files are written nevertheless), 2 on bad
+input.
+)";
+
+GC::Parametrisation parametrisation_of(const Command_line& line) {
+  const std::string name = line.choice("parameters", {"uniform", "chordal", "centripetal"});
+  return name == "uniform"   ? GC::Parametrisation::uniform
+         : name == "chordal" ? GC::Parametrisation::chordal
+                             : GC::Parametrisation::centripetal;
+}
+
+// A curve as it is written, .g2, and what else is to be said.
+struct Written_curve {
+  std::string text, remark;
+};
+
+template <class FT>
+Written_curve cubic_spline(const Command_line& line, const std::vector<typename Program_traits<FT>::Point>& points,
+                           GC::Closure closure) {
+  std::ostringstream os;
+  GC::write_g2(os,
+               GC::interpolate<Program_traits<FT>>(points.begin(), points.end(), parametrisation_of(line), closure));
+  return {os.str(), ""};
+}
+
+template <class FT>
+Written_curve fair_spline(const std::vector<typename Program_traits<FT>::Point>& points, GC::Closure closure) {
+  const auto curve = GC::interpolate_fair<Program_traits<FT>>(points.begin(), points.end(), closure);
+  std::ostringstream os;
+  for (const auto& piece : curve.segments())
+    GC::write_g2(os, exact(Program_curve<FT>(GC::Bezier_curve<Program_traits<FT>>(piece)))); // not rounded
+  const double moved = CGAL::to_double(curve.moved);
+  return {os.str(), moved == 0 ? "" : "coordinates were moved by at most " + rounded(moved, 3) + '\n'};
+}
+
+template <class FT> int interpolate(const Command_line& line) {
+  const std::vector<typename Program_traits<FT>::Point> points = read_points<FT>(line);
+  const GC::Closure closure = line.has("closed") ? GC::Closure::closed : GC::Closure::open;
+  const bool fair = line.has("fair");
+  const Written_curve written = with_name(
+      line, [&] { return fair ? fair_spline<FT>(points, closure) : cubic_spline<FT>(line, points, closure); });
+  Joins_of_pieces joins;
+  GC::Svg_panel panel;
+  if (line.has("plot")) add_polyline<Program_traits<FT>>(panel, points, closure == GC::Closure::closed);
+  std::istringstream text(written.text);
+  GC::G2_piece_reader<Program_traits<Exact>> reader(text, "what is written");
+  while (const std::optional<Exact_curve> piece = reader.next()) {
+    joins.add(*piece);
+    if (line.has("plot")) panel.add(*piece, GC::Svg_style{GC::Svg_role::result, false, true, "spline"}).join();
+  }
+  if (closure == GC::Closure::closed) joins.close();
+  const bool none = joins.joins() == 0, proved = none || (fair ? joins.g_order() : joins.c_order()) >= 2;
+  std::ostream& report = report_stream(line);
+  const std::string parameters = fair ? "" : to_string(parametrisation_of(line));
+  if (line.has("json"))
+    report << "{\"points\":" << points.size() << ",\"closed\":" << (closure == GC::Closure::closed ? "true" : "false")
+           << ",\"curve\":\"" << (fair ? "fair\",\"parameters\":null" : "cubic\",\"parameters\":\"" + parameters + '"')
+           << ",\"pieces\":" << joins.pieces() << ",\"joins\":" << joins.joins()
+           << ",\"c_order\":" << (none ? "null" : std::to_string(joins.c_order()))
+           << ",\"g_order\":" << (none ? "null" : std::to_string(joins.g_order())) << "}\n";
+  else
+    report << counted(points.size(), "point") << ", " << (fair ? "" : parameters + " parameters, ")
+           << counted(joins.pieces(), fair ? "fair quintic" : "cubic piece") << '\n'
+           << written.remark << counted(joins.joins(), "join")
+           << (none      ? ""
+               : !proved ? ", decided in exact arithmetic: rounding has broken one"
+               : fair    ? ", G2, proved in exact arithmetic"
+                         : ", C2, proved in exact arithmetic")
+           << '\n';
+  if (line.has("output")) write_output(line.text("output"), [&](std::ostream& os) { os << written.text; });
+  if (line.has("plot")) write_output(line.text("plot"), [&](std::ostream& os) { os << GC::Svg_figure().add(panel); });
+  return proved ? requirement_met : requirement_not_met;
+}
+
+void describe_interpolate(po::options_description_easy_init add) {
+  add("closed", "lead back to the first point");
+  add("parameters", po::value<std::string>()->default_value("chordal"),
+      "of the points: uniform, chordal or centripetal");
+  add("fair", "make fair quintics with G2 joins in place of a cubic spline");
+  add("kernel", po::value<std::string>()->default_value("exact"),
+      "exact: construct in exact numbers; double: in floating-point numbers");
+  add("max-work", po::value<std::string>(), "the steps of work that are allowed");
+  add("json", "print the report as JSON");
+  add("output,o", po::value<std::string>(), "write the curve, .g2");
+  add("plot", po::value<std::string>(), "draw the points and the curve, .svg");
+}
+
+int run_interpolate(const Command_line& line) {
+  if (line.files().size() != 1) throw std::invalid_argument("interpolate: one file of points is needed; see --help");
+  if (line.has("fair")) line.refuse({"parameters"}, "not with --fair, which chooses none");
+  check_outputs(line);
+  const GC::Work_scope each(line.work_limit());
+  return within_work_limit([&] { return input_name(line.files()[0]); },
+                           [&] {
+                             return line.choice("kernel", {"exact", "double"}) == "exact" ? interpolate<Exact>(line)
+                                                                                          : interpolate<double>(line);
+                           });
+}
+
+} // namespace
+
+const Command interpolate_command{"interpolate", interpolate_usage, describe_interpolate, run_interpolate};
