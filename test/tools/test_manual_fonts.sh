@@ -1,0 +1,19 @@
+#!/usr/bin/env bash
+# The numbers of joins of fonts on the page "Letters, Drawings and Reports" are those of the packages that it names.
+page=$(cd "$(dirname "$0")/../../doc/Geometric_continuity" && pwd)/Letters_and_reports.txt
+. "$(dirname "$0")/functions.sh"
+
+dpkg -L fonts-dejavu-core fonts-lmodern fonts-noto-core >files 2>err || {
+  echo "skipped, without the packages of fonts"
+  trap - EXIT
+  exit 77
+}
+grep -E '\.(ttf|otf|pfb|ttc)$' files | xargs "$program" verify --summary --allow-undecided --allow-uncovered >out 2>err
+tail -n 1 out >total
+number() { # number NAME: as the table has it
+  sed -n "s/^| $1 | \([0-9 ]*\) |\$/\1/p" "$page" | tr -d ' '
+}
+sentence=$(sed -n 's/^All \([0-9]*\) fonts of the packages .*, together \([0-9 ]*\) glyphs:$/\1 \2/p' "$page")
+glyphs=${sentence#* }
+says total "${sentence%% *} fonts, ${glyphs// /} glyphs" "$(number joins) joins: $(number corners) corners, $(number kinks) kinks," \
+  "$(number "bends of two lines") bends of two lines, $(number rounding) off by rounding, $(number G1) G1, $(number "G2 or more") G2 or more"
