@@ -1,0 +1,130 @@
+#!/usr/bin/env python3
+# Copyright (c) 2026 The Geometric_continuity developers
+#
+# SPDX-License-Identifier: LGPL-3.0-or-later
+"""Tells which lines and branches of the headers the unit tests and the exact cases reach, by clang's source-based coverage:
+
+    measure.py [--build FOLDER] [--jobs N] [--tests PATTERN] [--list FILE]
+
+It builds the programs of test/Geometric_continuity with clang++, runs them, and prints a table of the rooms; FILE receives what is not reached. A line or
+a side of a branch is reached if it is so in any instance of its template. Conditions that the compiler knows are no branches. What no test instantiates
+has neither lines nor branches, and is not seen. It takes an hour or so on two cores: call it by nice."""
+
+import argparse
+import collections
+import concurrent.futures
+import json
+import os
+import re
+import subprocess
+import sys
+from pathlib import Path
+
+root = Path(__file__).resolve().parents[2]
+prefix = str(root / "include" / "CGAL" / "Geometric_continuity") + os.sep
+CODE, BRANCH = 0, 4  # kinds of regions
+
+
+def build(folder, jobs):
+    """Builds all programs; returns the names of the tests and their commands."""
+    flags = "-fprofile-instr-generate -fcoverage-mapping"  # which clang does not apply to what comes from precompiled headers
+    options = ["-DCMAKE_CXX_COMPILER=clang++", f"-DCMAKE_CXX_FLAGS={flags}", "-DGEOMETRIC_CONTINUITY_PRECOMPILE_PACKAGE=OFF"]
+    subprocess.run(["cmake", "-G", "Unix Makefiles", "-S", root, "-B", folder, *options], check=True, stdout=subprocess.DEVNULL)
+    tests = folder / "test" / "Geometric_continuity"
+    subprocess.run(["make", "-C", tests, f"-j{jobs}"], check=True, stdout=subprocess.DEVNULL)
+    known = json.loads(subprocess.run(["ctest", "--test-dir", tests, "--show-only=json-v1"], check=True, capture_output=True).stdout)["tests"]
+    return [(t["name"], t["command"]) for t in known if Path(t["command"][0]).parent == tests]
+
+
+def line_counts(segments):
+    """How often each line with code is reached, from the segments of a file: [line, column, count, has a count, begins a region, is a gap]."""
+    starts = collections.defaultdict(list)
+    for segment in segments:
+        starts[segment[0]].append(segment)
+    wrapping, counts = None, {}
+    for line in range(segments[0][0], segments[-1][0] + 1):
+        here = starts[line]
+        begun = [s[2] for s in here if s[3] and s[4] and not s[5]]
+        skipped = here and not here[0][3] and here[0][4]
+        wrapped = wrapping[2] if wrapping and wrapping[3] else None
+        if not skipped and (begun or wrapped is not None):
+            counts[line] = max([wrapped or 0, *begun])
+        wrapping = here[-1] if here else wrapping
+    return counts
+
+
+def sides(function):
+    """For each branch of an instance of a function in the headers: its place, and whether it was true and false. None for known conditions."""
+    regions = [r for r in function["regions"] if r[7] == CODE]
+    for branch in function["branches"]:
+        begin, end, name = branch[:2], branch[2:4], function["filenames"][branch[6]]
+        if not name.startswith(prefix):
+            continue
+        around = [r for r in regions if r[5] == branch[6] and r[:2] <= begin and end <= r[2:4]]
+        is_reached = max(around, key=lambda r: r[:2])[4] > 0 if around else False
+        if not (is_reached and branch[4] == branch[5] == 0):
+            yield (name, *begin), branch[4] > 0, branch[5] > 0
+
+
+def run(name, command, folder):
+    """Runs a test; returns which lines it reaches, and which sides of branches."""
+    raw, merged = folder / f"{name}.profraw", folder / f"{name}.profdata"
+    result = subprocess.run(command, cwd=folder, env={**os.environ, "LLVM_PROFILE_FILE": str(raw)}, capture_output=True, check=False)
+    if result.returncode != 0:
+        raise RuntimeError(f"{name} fails:\n{result.stdout.decode()}{result.stderr.decode()}")
+    subprocess.run(["llvm-profdata", "merge", "-sparse", raw, "-o", merged], check=True)
+    export = ["llvm-cov", "export", "-instr-profile", merged, command[0]]
+    found = json.loads(subprocess.run(export, check=True, capture_output=True).stdout)["data"][0]
+    lines, branches = {}, {}
+    for file in found["files"]:
+        if file["filename"].startswith(prefix) and file["segments"]:
+            for line, count in line_counts(file["segments"]).items():
+                lines[file["filename"], line] = count > 0
+    for function in found["functions"]:
+        for place, is_true, is_false in sides(function):
+            old = branches.get(place, (False, False))
+            branches[place] = (old[0] or is_true, old[1] or is_false)
+    raw.unlink()
+    merged.unlink()
+    return lines, branches
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--build", type=Path, default=root / "build" / "coverage")
+    parser.add_argument("--jobs", type=int, default=os.cpu_count())
+    parser.add_argument("--tests", default="", help="only those with a name in which this regular expression is found")
+    parser.add_argument("--list", type=Path, help="write what is not reached to this file")
+    options = parser.parse_args()
+    folder = options.build.resolve()
+    tests = [(name, command) for name, command in build(folder, options.jobs) if re.search(options.tests, name)]
+    lines, branches = {}, {}
+    with concurrent.futures.ThreadPoolExecutor(options.jobs) as pool:
+        for reached, seen in pool.map(lambda test: run(*test, folder), tests):
+            for place, is_reached in reached.items():
+                lines[place] = lines.get(place, False) or is_reached
+            for place, (is_true, is_false) in seen.items():
+                old = branches.get(place, (False, False))
+                branches[place] = (old[0] or is_true, old[1] or is_false)
+
+    rooms = collections.defaultdict(lambda: [0, 0, 0, 0])
+    for (name, *_), is_reached in lines.items():
+        for room in (name[len(prefix) :].split(os.sep)[0], "all"):
+            rooms[room][0] += is_reached
+            rooms[room][1] += 1
+    for (name, *_), both in branches.items():
+        for room in (name[len(prefix) :].split(os.sep)[0], "all"):
+            rooms[room][2] += sum(both)
+            rooms[room][3] += 2
+    print(f"{'room':12}{'lines':>8}{'reached':>9}{'branches':>10}{'reached':>9}")
+    for room, (reached, known, seen, known_sides) in sorted(rooms.items(), key=lambda r: (r[0] == "all", r[0])):
+        print(f"{room:12}{known:8}{100 * reached / known:8.2f}%{known_sides:10}{100 * seen / max(known_sides, 1):8.2f}%")
+    if options.list:
+        left = [(*place, "not reached") for place, is_reached in lines.items() if not is_reached]
+        for (name, line, column), both in branches.items():
+            if lines.get((name, line), True) and not all(both):
+                left.append((name, line, f"column {column} never {' nor '.join(w for w, seen in zip(('true', 'false'), both) if not seen)}"))
+        options.list.write_text("".join(f"{name[len(prefix) :]}:{line}: {text}\n" for name, line, text in sorted(left)))
+
+
+sys.exit(main())
