@@ -137,22 +137,24 @@ Handle(Geom_BSplineCurve) occt_fit(const std::vector<Point>& p, double tolerance
   for (std::size_t i = 0; i < p.size(); ++i) points(static_cast<int>(i) + 1) = gp_Pnt(p[i].x(), p[i].y(), p[i].z());
   return GeomAPI_PointsToBSpline(points, 3, 5, order, tolerance).Curve();
 }
-// The largest distance of the points from many points of a curve that runs by them in their order.
+// The largest distance of the points from the chords between many points of a curve that runs by them in their order.
 double distance(const std::vector<Point>& p, const Handle(Geom_BSplineCurve) & curve) {
   const int samples = 40 * static_cast<int>(p.size());
   const double a = curve->FirstParameter(), b = curve->LastParameter();
-  std::vector<gp_Pnt> x;
-  for (int i = 0; i <= samples; ++i) x.push_back(curve->Value(a + (b - a) * i / samples));
+  std::vector<gp_XYZ> x;
+  for (int i = 0; i <= samples; ++i) x.push_back(curve->Value(a + (b - a) * i / samples).XYZ());
   double worst = 0;
-  std::size_t at = 0;
+  std::size_t at = 0; // the chord from here on is the nearest one
   for (const Point& q : p) {
-    const gp_Pnt y(q.x(), q.y(), q.z());
-    double least = x[at].Distance(y);
-    for (std::size_t i = at; i < (std::min)(at + 400, x.size()); ++i)
-      if (x[i].Distance(y) < least) {
-        least = x[i].Distance(y);
-        at = i;
-      }
+    double least = -1;
+    for (std::size_t i = at; i < (std::min)(at + 400, x.size() - 1); ++i) {
+      const gp_XYZ chord = x[i + 1] - x[i], to_point = gp_XYZ(q.x(), q.y(), q.z()) - x[i];
+      const double t = (std::min)((std::max)(to_point.Dot(chord) / chord.SquareModulus(), 0.), 1.),
+                   d = (to_point - chord * t).Modulus();
+      if (0 <= least && least <= d) continue;
+      least = d;
+      at = i;
+    }
     worst = (std::max)(worst, least);
   }
   return worst;

@@ -65,7 +65,7 @@ run 2 fit half.txt --tolerance 1 --corner 200 && says err "half.txt: parameter_o
 run 2 interpolate five.txt --parameters chordial && says err "did you mean 'chordal'?"
 printf '0 0\n1 nan\n' >nan.txt && printf '0 0\n1 1\n\n1 2 3\n' >mixed.txt && printf '1 1\n1 1\n' >one.txt && : >none.txt
 for command in interpolate "fit --tolerance 1"; do
-  run 2 $command nan.txt && says err "nan.txt:2: " "malformed_input"
+  run 2 $command nan.txt && says err "malformed_input: nan.txt:2: not a number: 'nan'"
   run 2 $command mixed.txt && says err "mixed.txt:4: 3 coordinates, and 2 before"
   run 2 $command one.txt && says err "one.txt: "
   run 2 $command none.txt && says err "none.txt: wrong_number_of_points"

@@ -34,7 +34,8 @@ std::vector<typename Program_traits<FT>::Point> read_points(std::istream& is, co
       try {
         x.push_back(GC::parse_number<FT>(std::string_view(line).substr(begin, behind - begin)));
       } catch (const GC::Error& e) {
-        throw GC::Error(e.code(), place + e.what());
+        const std::string code = to_string(e.code()) + ": ", text = e.what();
+        throw GC::Error(e.code(), place + text.substr(code.size()));
       }
       begin = behind;
     }
