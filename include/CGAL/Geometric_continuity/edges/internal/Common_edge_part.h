@@ -166,8 +166,10 @@ template <class Field, int N> class Centred_curve {
 public:
   Centred_curve(const Edge_piece<Field, N>& piece) {
     charge_powers<Field>(piece.rows.edge);
-    a_ = is_point(piece.rows.edge) ? std::vector<Vector>{piece.rows.edge[0]}
-                                   : powers_from_bernstein<Field>(piece.rows.edge);
+    if (is_point(piece.rows.edge))
+      a_.assign(1, piece.rows.edge[0]);
+    else
+      a_ = powers_from_bernstein<Field>(piece.rows.edge);
     const int n = degree();
     if (n == 0) return; // a point
     const Field x = Field(-dot(a_[n - 1], a_[n])) / Field(Field(n) * dot(a_[n], a_[n]));
