@@ -142,7 +142,7 @@ Edge_continuity<Field> decide_edge(const Edge_rows<Field, N>& a, const Edge_rows
     typename Edge_rungs<N>::Layers x, y;
     if (edge_layers(a, b, x, y)) {
       typename Edge_rungs<N>::Ladder ladder(x, y);
-      if (const std::optional<int> order = ladder.smooth_order())
+      if (const std::optional<int> order = smooth_order(ladder))
         return smooth_continuity<Field>(*order, {Field(0), Field(1)});
       if constexpr (N == 3)
         if (std::optional<Edge_continuity<Field>> crease = crease_on_grid<Field>(ladder)) return *std::move(crease);

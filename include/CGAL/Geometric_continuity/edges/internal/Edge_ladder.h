@@ -95,13 +95,6 @@ public:
     return std::nullopt;
   }
 
-  // The order 1 or 2, if numbers of fixed length prove it. Otherwise the edge may be anything.
-  std::optional<int> smooth_order() {
-    const All_edge_stages stages;
-    const std::optional<int> found = order<2>(Lower_orders::told_apart, stages);
-    return found.value_or(0) > 0 ? found : std::nullopt;
-  }
-
 #ifdef CGAL_GEOMETRIC_CONTINUITY_HAS_FIXED_INTEGER
   // In integers of fixed length; nothing unless all coordinates lie on one grid.
   const On_grid* on_grid() {
@@ -162,12 +155,6 @@ public:
     return found ? decided(Edge_stage::fixed_integer, *found) : std::nullopt;
   }
 
-  std::optional<int> smooth_order() const {
-    const All_edge_stages stages;
-    const std::optional<int> found = order<2>(Lower_orders::told_apart, stages);
-    return found.value_or(0) > 0 ? found : std::nullopt;
-  }
-
 private:
   // Whether all numbers are at most 2^53.
   static bool shorten(const Homogeneous_layers& a, Edge_points<std::int64_t, 4>& x) {
@@ -186,6 +173,13 @@ private:
 };
 
 #endif // CGAL_GEOMETRIC_CONTINUITY_HAS_FIXED_INTEGER
+
+// The order 1 or 2, if numbers of fixed length prove it. Otherwise the edge may be anything.
+template <class Ladder> std::optional<int> smooth_order(Ladder& ladder) {
+  const All_edge_stages stages;
+  const std::optional<int> found = ladder.template order<2>(Lower_orders::told_apart, stages);
+  return found.value_or(0) > 0 ? found : std::nullopt;
+}
 
 // What the stages of fixed length read of edges of points with N coordinates, and their ladder.
 template <int N> struct Edge_rungs {

@@ -106,7 +106,7 @@ auto decide_surfaces(const Surface_a& a, Patch_edge edge_a, const Surface_b& b, 
       if (*direction == Edge_direction::opposite) y.reverse();
       const std::pair<Field, Field> domain_a = edge_domain<Field>(a, edge_a), domain_b = edge_domain<Field>(b, edge_b);
       typename Edge_rungs<N>::Ladder ladder(x, y);
-      if (const std::optional<int> order = ladder.smooth_order())
+      if (const std::optional<int> order = smooth_order(ladder))
         return verdict_on_whole_edge(smooth_continuity<Field>(*order, domain_a), *direction, domain_a, domain_b);
       if constexpr (N == 3)
         if (std::optional<Edge_continuity<Field>> crease = crease_on_grid<Field>(ladder, angles))
