@@ -329,6 +329,32 @@ template <class Predicate> void register_join(const std::string& name, Predicate
     time(name + ", symmetric, weights of 53 bits, holds | ", turned_half, half, long_turned_half, long_half, holds);
 }
 
+// is_g2_join of ends whose weights are short and do not cancel: w_0 w_2/w_1^2 is 3 on the left and 3/4 on the right. The differences D_2 of
+// both ends obey V_2 = 4 (3 W_2)/(3/4) up to a multiple of D_1, and V_2 = 4 W_2 for polynomials.
+void register_g2_join_of_other_weights() {
+  typedef GC::Bezier_curve<Filtered, 5> Quintic;
+  typedef GC::Rational_bezier_curve<Filtered, 5> Rational;
+  const std::array<double, 6> left_weights = {1, 2, 5, 3, 1, 1}, right_weights = {3, 2, 1, 1, 1, 1};
+  std::array<Filtered::Point, 6> left, right;
+  for (Filtered::Point& p : left) p = grid_point();
+  for (Filtered::Point& p : right) p = grid_point();
+  const Filtered::Point& end = left[5];
+  const Filtered::Vector first = left[4] - end, second = left[3] - end;
+  right[0] = end;
+  right[1] = end - 2 * first;
+  const auto is_join = [](const auto& x, const auto& y) { return GC::is_g2_join(x, y); };
+  const std::string title = "is_g2_join, weights that do not cancel, holds | ";
+  const Quintic curve(left.begin(), left.end());
+  right[2] = end + 4 * second + 3 * first;
+  const Quintic other(right.begin(), right.end());
+  right[2] = end + 16 * second + 3 * first;
+  const Rational rational(left.begin(), left.end(), left_weights.begin(), left_weights.end()),
+      rational_other(right.begin(), right.end(), right_weights.begin(), right_weights.end());
+  check(is_join(curve, other) && is_join(rational, rational_other), "is_g2_join, other weights");
+  at_once((title + "polynomial").c_str(), 1, [=] { benchmark::DoNotOptimize(is_join(curve, other)); });
+  at_once((title + "rational").c_str(), 1, [=] { benchmark::DoNotOptimize(is_join(rational, rational_other)); });
+}
+
 void register_edge() {
   typedef GC::Bezier_patch<Filtered> Patch;
   typedef GC::Rational_bezier_patch<Filtered> Rational;
@@ -380,5 +406,6 @@ int main(int argc, char** argv) {
   register_join("is_g3_join", [](const auto& x, const auto& y) { return GC::is_g3_join(x, y); });
   register_join("is_f3_join", [](const auto& x, const auto& y) { return GC::is_f3_join(x, y); });
   register_edge();
+  register_g2_join_of_other_weights();
   return run_benchmarks(argc, argv);
 }

@@ -189,8 +189,8 @@ template <int N> End<N> random_end(int degree, int bits, int weight_bits) {
 //   y' = b x',  y'' = b^2 x'' + c x',  y''' = b^3 x''' + m x'' + d x',  m = 3 b c for G3.
 // Nothing if the numbers are too long.
 template <int N> std::optional<Join<N>> contact(int order, bool g3) {
-  const int m = integer(1, 5), n = integer(0, 2) ? m : integer(1, 5);
-  Join<N> join{random_end<N>(m, 4, 3), random_end<N>(n, 4, 3)};
+  const int m = integer(1, 5), n = integer(0, 2) ? m : integer(1, 5), weight_bits = integer(0, 2) ? 3 : 7;
+  Join<N> join{random_end<N>(m, 4, weight_bits), random_end<N>(n, 4, weight_bits)};
   if (m == n && integer(0, 1)) join.right.weights = join.left.weights;
   const auto factors = [](const End<N>& end) { // alpha and gamma
     const int m = static_cast<int>(end.points.size()) - 1;
@@ -306,6 +306,18 @@ template <int N> void all_classes(Counter& counter) {
       std::fill(end->weights.begin(), end->weights.end(), 1);
       end->weights[0] += 0x1p-52;
     }
+    check<N>(join, counter);
+    check_neighbours<N>(join, counter);
+    // long coordinates, and weights that are the same but for a factor that is no power of two: tangents of four times the length
+    join = symmetric<N>([] { return whole(46); });
+    const int bits = integer(4, 9);
+    for (std::size_t j = 0; j < join.left.weights.size(); ++j) {
+      join.left.weights[j] = 1 + std::abs(whole(bits));
+      join.right.weights[j] = 3 * join.left.weights[j];
+    }
+    const double y = join.right.points[0][1];
+    join.right.points[1][0] *= 4;
+    join.right.points[2][1] = y + 16 * (join.right.points[2][1] - y);
     check<N>(join, counter);
     check_neighbours<N>(join, counter);
     // no tangent, lines, and ends of other sizes
