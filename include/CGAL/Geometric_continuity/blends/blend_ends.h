@@ -9,10 +9,10 @@
 #include <CGAL/Geometric_continuity/algebra/Coordinate_vector.h>
 #include <CGAL/Geometric_continuity/internal/force_inline.h>
 #include <CGAL/Geometric_continuity/local/Curve_jet.h>
+#include <CGAL/Geometric_continuity/numbers/internal/Double_scale.h>
 #include <CGAL/Geometric_continuity/numbers/internal/checked_numbers.h>
 #include <CGAL/Geometric_continuity/numbers/internal/short_numbers.h>
 
-#include <CGAL/MP_Float.h>
 #include <CGAL/number_utils.h>
 
 #include <array>
@@ -277,16 +277,12 @@ inline double short_ratio(int i) {
   return std::ldexp(static_cast<double>(steps + (i - e * steps)), e - (ratio_digits - 1));
 }
 
-// The short number nearest to the square root of x/y, or of two the larger one; 1 when there is none below. For exact numbers
-// of any size: by bisection.
-template <class ET> double short_root_of_ratio(const ET& x, const ET& y) {
+// The short number nearest to a number, of which `is_below(m)` says whether it is less than m, or of two the larger one; 1 when there
+// is none below. By bisection.
+template <class Function> double nearest_short_ratio(const Function& is_below) {
   constexpr int most = largest_ratio_exponent << (ratio_digits - 1);
-  // whether the root is not below the middle of the short numbers i - 1 and i
-  const auto reaches = [&](int i) {
-    const double middle = (short_ratio(i - 1) + short_ratio(i)) / 2; // exact
-    const ET m = short_number_in<ET>(middle);
-    return !(x < ET(m * m) * y);
-  };
+  // whether the number is not below the middle of the short numbers i - 1 and i, which is exact
+  const auto reaches = [&](int i) { return !is_below((short_ratio(i - 1) + short_ratio(i)) / 2); };
   if (!reaches(-most)) return 1;
   int low = -most, high = most + 1; // reaches(low), and not high
   while (high - low > 1) {
@@ -296,20 +292,42 @@ template <class ET> double short_root_of_ratio(const ET& x, const ET& y) {
   return short_ratio(low);
 }
 
-template <class ET, class FT, int N>
-ET exact_squared_distance(const Coordinate_vector<FT, N>& a, const Coordinate_vector<FT, N>& b) {
-  ET sum(0);
-  for (int i = 0; i < a.dimension(); ++i) {
-    const ET difference = to_field<ET>(b[i]) - to_field<ET>(a[i]);
-    sum += difference * difference;
+// The same for |a2 - a1| / |d| by exact numbers of any size: whether |a2 - a1|^2 < m^2 |d|^2, where coordinates of floating-point type
+// are whole numbers in one unit, and m a fraction of such numbers.
+template <class FT, int N>
+double exact_chord_ratio(const Coordinate_vector<FT, N>& a1, const Coordinate_vector<FT, N>& a2,
+                         const Coordinate_vector<FT, N>& d) {
+  if constexpr (std::is_floating_point_v<FT>) {
+    typedef Double_scale::Ring Ring;
+    Double_scale scale;
+    for (const Coordinate_vector<FT, N>* v : {&a1, &a2, &d})
+      for (const FT& x : *v) scale.include(Double_scale::number(x));
+    const auto numerator = [&](const FT& x) { return scale.numerator(Double_scale::number(x)); };
+    Ring chord(0), tangent(0);
+    for (int i = 0; i < d.dimension(); ++i) {
+      const Ring x(numerator(a2[i]) - numerator(a1[i])), y(numerator(d[i]));
+      chord += Ring(x * x);
+      tangent += Ring(y * y);
+    }
+    return nearest_short_ratio([&](double m) {
+      Double_scale fraction;
+      for (const double x : {m, 1.}) fraction.include(Double_scale::number(x));
+      const Ring p(fraction.numerator(Double_scale::number(m))), q(fraction.numerator(Double_scale::number(1.)));
+      return Ring(Ring(q * q) * chord) < Ring(Ring(p * p) * tangent);
+    });
+  } else {
+    const Coordinate_vector<FT, N> difference = a2 - a1;
+    const FT chord = dot(difference, difference), tangent = dot(d, d);
+    return nearest_short_ratio([&](double m) {
+      const FT x = short_number_in<FT>(m);
+      return chord < FT(x * x) * tangent;
+    });
   }
-  return sum;
 }
 
 // The ratio |a2 - a1| / |d| of a chord and a tangent as a short number, decided exactly: in floating-point numbers with a
 // bound of the error, and in exact numbers when that leaves two choices.
 template <class FT, int N> class Chord_ratio {
-  typedef std::conditional_t<std::is_floating_point_v<FT>, MP_Float, FT> ET; // no quotients are needed
   typedef Coordinate_vector<FT, N> Vector;
 
   const Vector &a1_, &a2_;
@@ -354,8 +372,7 @@ public:
         if (low == high) return low;
       }
     }
-    return short_root_of_ratio<ET>(exact_squared_distance<ET>(a1_, a2_),
-                                   exact_squared_distance<ET>(Vector(d.dimension()), d));
+    return exact_chord_ratio(a1_, a2_, d);
   }
 };
 

@@ -9,24 +9,14 @@
 #include <CGAL/Geometric_continuity/joins/internal/End_polygon.h>
 #include <CGAL/Geometric_continuity/joins/internal/Join_equations.h>
 #include <CGAL/Geometric_continuity/joins/internal/Join_weights.h>
-#include <CGAL/Geometric_continuity/numbers/internal/Common_denominator.h>
-#include <CGAL/Geometric_continuity/numbers/internal/checked_numbers.h>
-#include <CGAL/Geometric_continuity/numbers/internal/zero_bits.h>
-
-#ifdef CGAL_USE_GMP
-#include <CGAL/Geometric_continuity/numbers/internal/Inline_integer.h>
-#else
-#include <CGAL/Geometric_continuity/numbers/Exact_field.h>
-#endif
+#include <CGAL/Geometric_continuity/numbers/internal/Double_scale.h>
 
 #include <boost/config.hpp>
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <type_traits>
 #include <utility>
 
@@ -37,66 +27,6 @@
 namespace CGAL {
 namespace Geometric_continuity {
 namespace internal {
-
-// The numbers of an exact field.
-template <class Field> class Field_scale : Common_denominator<Field> {
-public:
-  typedef Field Number;
-  typedef typename Common_denominator<Field>::Ring Ring;
-  using Common_denominator<Field>::include;
-  using Common_denominator<Field>::numerator;
-
-  template <class FT> static Number number(const FT& x) { return to_field<Field>(x); }
-};
-
-#ifdef CGAL_USE_GMP
-
-// Doubles of any size as whole numbers, in units of the largest power of two of which all that have been included are multiples.
-class Binary_scale {
-  int exponent_ = (std::numeric_limits<int>::max)();
-
-public:
-  typedef Inline_integer Ring;
-
-  // A number with the sign of x and the absolute value odd_part 2^exponent, or 0.
-  struct Number {
-    std::uint64_t odd_part = 0;
-    int exponent = (std::numeric_limits<int>::max)();
-    bool negative = false;
-
-    friend bool operator==(const Number& x, const Number& y) {
-      return x.odd_part == y.odd_part && x.exponent == y.exponent && x.negative == y.negative;
-    }
-  };
-  static Number number(double x) {
-    check_finite(x, "conversion to an exact number");
-    if (x == 0) return Number();
-    int e;
-    const std::uint64_t n = static_cast<std::uint64_t>(std::frexp(std::abs(x), &e) * 0x1p53); // exact
-    const int zeros = trailing_zero_bits(n);
-    return {n >> zeros, e - 53 + zeros, x < 0};
-  }
-
-  void include(const Number& x) { exponent_ = (std::min)(exponent_, x.exponent); }
-  // x in units. \pre x has been included
-  Ring numerator(const Number& x) const {
-    Ring y;
-    y.assign(&x.odd_part, 1, x.negative);
-    y <<= x.exponent - exponent_;
-    return y;
-  }
-  // The same modulo 2^64.
-  std::uint64_t residue(const Number& x) const {
-    const int shift = x.exponent - exponent_;
-    const std::uint64_t n = shift < 64 ? x.odd_part << shift : 0;
-    return x.negative ? -n : n;
-  }
-};
-
-typedef Binary_scale Double_scale;
-#else
-typedef Field_scale<Exact_field_of_doubles> Double_scale;
-#endif // CGAL_USE_GMP
 
 // The differences on which a question depends, once for each coordinate, because numbers of any length are long to compile.
 template <int k, bool weighted, class T>
