@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
 #include <limits>
 #include <optional>
 #include <ostream>
@@ -77,44 +78,65 @@ public:
       if constexpr (!std::is_floating_point_v<FT> && std::is_constructible_v<FT, double>) {
         const int order = (std::min)(count, 3);
         const std::vector<FT> x = derivatives(left_, true, order), y = derivatives(right_, false, order);
-        betas.push_back(FT(y[1] / x[1]));
-        const FT square = FT(betas[0] * betas[0]);
-        if (count > 1) betas.push_back(FT(FT(y[2] - square * x[2]) / x[1]));
-        if (count > 2)
-          betas.push_back(FT(FT(y[3] - FT(3) * betas[0] * betas[1] * x[2] - square * betas[0] * x[3]) / x[1]));
+        // beta_1 = y' / x', beta_2 = (y'' - beta_1^2 x'') / x', beta_3 = (y''' - 3 beta_1 beta_2 x'' - beta_1^3 x''') / x'
+        betas.push_back(y[1]);
+        betas[0] /= x[1];
+        if (count > 1) {
+          betas.push_back(y[2]);
+          betas[1] -= product({x[2], betas[0], betas[0]});
+          betas[1] /= x[1];
+        }
+        if (count > 2) {
+          betas.push_back(y[3]);
+          betas[2] -= product({x[2], FT(3), betas[0], betas[1]});
+          betas[2] -= product({x[3], betas[0], betas[0], betas[0]});
+          betas[2] /= x[1];
+        }
       }
       return betas;
     }
     if (forms_.empty()) return betas; // none in this field
     FT power = forms_[0];
     for (int k = 1; k <= count; ++k) {
-      FT beta = FT(forms_[k] / power);
+      FT beta = forms_[k];
+      beta /= power;
       if constexpr (std::is_floating_point_v<FT>) {
         beta = std::ldexp(beta, scale_.left - k * scale_.right);
         check_finite(beta, "Join_continuity::betas");
       }
       betas.push_back(beta);
-      power *= forms_[0] * forms_[0];
+      power *= forms_[0];
+      power *= forms_[0];
     }
     return betas;
   }
 
 private:
+  // By compound operators only: products of exact numbers are types, which are long to compile.
+  static FT product(std::initializer_list<FT> factors) {
+    FT x(1);
+    for (const FT& factor : factors) x *= factor;
+    return x;
+  }
+
   // m!/(m-k)! / h^k times the k-th difference, k = 0, ..., order <= 3; odd ones point outwards at an end.
   std::vector<FT> derivatives(const Parameter_end& end, bool at_end, int order) const {
     std::vector<FT> d;
     d.reserve(order + 1);
-    for (int j = 0; j <= order; ++j)
-      d.push_back(end.rests[j] == 0 ? FT(end.points[j]) : FT(FT(end.points[j]) + FT(end.rests[j])));
+    for (int j = 0; j <= order; ++j) {
+      d.push_back(FT(end.points[j]));
+      if (end.rests[j] != 0) d[j] += FT(end.rests[j]);
+    }
     for (int k = 1; k <= order; ++k)
       for (int j = order; j >= k; --j) d[j] -= d[j - 1];
-    FT h = FT(FT(end.end) - FT(end.start));
-    if (at_end) h = FT(-h);
+    FT h(at_end ? end.start : end.end);
+    h -= FT(at_end ? end.end : end.start);
     if (unit_ != 1) h *= FT(unit_);
     for (int e = exponent_; e < 0; ++e) h /= FT(10);
     FT factor(1);
     for (int k = 1; k <= order; ++k) {
-      factor *= FT(FT(end.degree - k + 1 > 0 ? end.degree - k + 1 : 0) / h);
+      factor *= FT(end.degree - k + 1 > 0 ? end.degree - k + 1 : 0);
+      factor /= h;
       d[k] *= factor;
     }
     return d;
