@@ -8,9 +8,8 @@
 #include <CGAL/Geometric_continuity/Error.h>
 #include <CGAL/Geometric_continuity/internal/for_each_index.h>
 #include <CGAL/Geometric_continuity/internal/force_inline.h>
+#include <CGAL/Geometric_continuity/local/internal/Short_vector.h>
 #include <CGAL/Geometric_continuity/numbers/internal/number_rows.h>
-
-#include <boost/container/small_vector.hpp>
 
 #include <array>
 #include <type_traits>
@@ -24,7 +23,7 @@ namespace internal {
 
 // Calls f(k, binomials) for k = 0, ..., order, with the row C(k, 0), ..., C(k, k) of Pascal's triangle.
 template <class FT, class Function> void for_each_binomial_row(int order, Function f) {
-  boost::container::small_vector<FT, 6> row(order + 1, FT(0));
+  Short_vector<FT, 6> row(order + 1, FT(0));
   row[0] = FT(1);
   for (int k = 0; k <= order; ++k) {
     for (int j = k; j > 0; --j) row[j] += row[j - 1];

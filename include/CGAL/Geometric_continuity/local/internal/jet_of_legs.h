@@ -7,9 +7,8 @@
 
 #include <CGAL/Geometric_continuity/algebra/Bernstein_polynomial.h>
 #include <CGAL/Geometric_continuity/local/Curve_jet.h>
+#include <CGAL/Geometric_continuity/local/internal/Short_vector.h>
 #include <CGAL/Geometric_continuity/numbers/internal/common_words.h>
-
-#include <boost/container/small_vector.hpp>
 
 #include <algorithm>
 #include <array>
@@ -22,8 +21,7 @@ namespace internal {
 
 // One number or row for each control point of a curve of this degree, without allocation up to degree 9.
 template <int Degree, class T>
-using Bezier_coefficients =
-    std::conditional_t<(Degree < 0), boost::container::small_vector<T, 10>, std::array<T, Degree + 1>>;
+using Bezier_coefficients = std::conditional_t<(Degree < 0), Short_vector<T, 10>, std::array<T, Degree + 1>>;
 
 // The jet of order k at an end of a Bezier curve of degree m: m!/(m-j)! / h^j times the j-th differences of its control points,
 // which coordinate(j, i) reads from that end on, the points up to min(k, m). The step h is the length of the domain, negative
