@@ -7,11 +7,13 @@ set(long_tests
     cases_double cases_epeck cases_epick test_kernel_archetype test_kernel_cpp_rational test_kernel_double test_kernel_epeck_d
     test_kernel_epick_d test_kernel_gmpq test_kernel_homogeneous without_gmp
     # what computes much
-    test_Edge_enclosure test_Fair_kernels test_curve_from_curvatures test_decide_join test_optimised_splines parallel_tests
+    test_Edge_enclosure test_Fair test_Fair_kernels test_curve_from_curvatures test_decide_join test_largest_kink test_optimised_splines
+    parallel_tests
     # proofs and other libraries
     edge_bounds join_bounds test_arb test_peers_of_rational_curves test_peers_of_rational_surfaces
-    # the package in other projects
-    install manual_in_cgal
+    # the package in other projects, and with other packages
+    install manual_in_cgal pipeline_aabb_tree pipeline_arrangement pipeline_bezier_arrangement pipeline_box_intersection
+    pipeline_constrained_triangulation pipeline_polyline_simplification pipeline_surface_mesh
     # the program
     program_big program_cad program_cad_report program_cad_verdicts program_drawings program_manual program_manual_numbers program_memory
     program_report_in_browser program_work manual)
