@@ -5,7 +5,7 @@ option(GEOMETRIC_CONTINUITY_SHORT_TESTS_ONLY "Leave out tests that take long, an
 set(long_tests
     # other kernels
     cases_double cases_epeck cases_epick test_kernel_archetype test_kernel_cpp_rational test_kernel_double test_kernel_epeck_d
-    test_kernel_epick_d test_kernel_gmpq test_kernel_homogeneous without_gmp
+    test_kernel_epick_d test_kernel_gmpq test_kernel_homogeneous
     # what computes much
     test_Edge_enclosure test_Fair test_Fair_kernels test_curve_from_curvatures test_decide_join test_largest_kink test_optimised_splines
     parallel_tests
