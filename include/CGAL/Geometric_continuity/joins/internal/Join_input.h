@@ -143,6 +143,7 @@ public:
   CGAL_GC_FORCEINLINE Rounded_factors rounded_factors(const Factors& w) const { return converted<double>(w); }
 
   template <int> using Integer_factors = Factors;
+  template <int> static constexpr bool has_short_factors = false; // these are
   // The factors of a form on doubles are 2^units_of_factors()(form) times the whole ones.
   struct Units {
     CGAL_GC_FORCEINLINE int operator()(Join_question) const { return 0; }
@@ -381,6 +382,15 @@ public:
   };
   CGAL_GC_FORCEINLINE Units units_of_factors(const Factors& w) const {
     return {w.left.exponent_of_unit(), w.right.exponent_of_unit()};
+  }
+  // Those that have one limb, as the factors of ends without weights. Here all products are exact as doubles.
+  template <int limbs> static constexpr bool has_short_factors = question == Join_question::g2&& limbs == 3;
+  CGAL_GC_FORCEINLINE bool short_factors(const Rounded_factors& rounded, const Units& units,
+                                         Join_weights<std::int64_t>& w) const {
+    const double scale = power_of_two(-units(question)), a2 = rounded.a2 * scale, b2 = rounded.b2 * scale;
+    if (!((std::max)(a2, b2) < factor_limits<question>().a2)) return false;
+    w = {static_cast<std::int64_t>(a2), static_cast<std::int64_t>(b2), 1, 1, 1};
+    return true;
   }
   template <int limbs>
   CGAL_GC_FORCEINLINE bool integer_factors(const Factors& given, const Units& units, Integer_factors<limbs>& w) const {

@@ -69,6 +69,7 @@ public:
   CGAL_GC_FORCEINLINE bool valid() const { return valid_; }
   CGAL_GC_FORCEINLINE int unit() const { return unit_; }
   CGAL_GC_FORCEINLINE const typename Input::Units& units_of_factors() const { return units_; }
+  CGAL_GC_FORCEINLINE const typename Input::Rounded_factors& rounded_factors() const { return filter_.w; }
 
   // Whether so many limbs suffice.
   CGAL_GC_FORCEINLINE bool fits(int limbs) const {
@@ -83,17 +84,14 @@ private:
   }
 };
 
-template <int limbs, class Input, class Room, class Stages>
-CGAL_GC_FORCEINLINE Join_answer decide_by_residues(const Input& join, const typename Input::Factors& given,
-                                                   const Room& room, int pivot, Stages& stages) {
+template <int limbs, class Input, class Factors, class Stages>
+CGAL_GC_FORCEINLINE Join_answer decide_by_residues_with(const Factors& w, const Input& join, int unit, int pivot,
+                                                        Stages& stages) {
   constexpr Join_question question = Input::question;
   constexpr int N = Input::dimension;
   typedef typename Input::template Integer<limbs> Integer;
-  typedef typename Input::template Integer_factors<limbs> Factors;
-  Factors w;
-  if (!join.template integer_factors<limbs>(given, room.units_of_factors(), w)) return Join_answer::unknown;
-  const Differences<Integer, N> a = join.template left_in<limbs>(room.unit(), pivot),
-                                b = join.template right_in<limbs>(room.unit(), pivot);
+  const Differences<Integer, N> a = join.template left_in<limbs>(unit, pivot),
+                                b = join.template right_in<limbs>(unit, pivot);
   const Modular_zero zero;
   const Join_equations<Integer, N, Factors, const Modular_zero> equations(a, b, w, zero);
   const auto decided = [&](Join_answer answer) {
@@ -105,6 +103,18 @@ CGAL_GC_FORCEINLINE Join_answer decide_by_residues(const Input& join, const type
   if constexpr (question == Join_question::f3)
     if (!equations.left_has_curvature()) return Join_answer::unknown; // another form counts, without a bound
   return decided(all_hold<question>(equations) ? Join_answer::yes : Join_answer::no);
+}
+template <int limbs, class Input, class Room, class Stages>
+CGAL_GC_FORCEINLINE Join_answer decide_by_residues(const Input& join, const typename Input::Factors& given,
+                                                   const Room& room, int pivot, Stages& stages) {
+  if constexpr (Input::template has_short_factors<limbs>) {
+    Join_weights<std::int64_t> w;
+    if (join.short_factors(room.rounded_factors(), room.units_of_factors(), w))
+      return decide_by_residues_with<limbs>(w, join, room.unit(), pivot, stages);
+  }
+  typename Input::template Integer_factors<limbs> w;
+  if (!join.template integer_factors<limbs>(given, room.units_of_factors(), w)) return Join_answer::unknown;
+  return decide_by_residues_with<limbs>(w, join, room.unit(), pivot, stages);
 }
 // The same, compiled apart: long residues need much room. It is called by value, since what it could read by reference would not stay
 // in registers anywhere.
