@@ -385,9 +385,9 @@ public:
   }
   // Those that have one limb, as the factors of ends without weights. Here all products are exact as doubles.
   template <int limbs> static constexpr bool has_short_factors = question == Join_question::g2&& limbs == 3;
-  CGAL_GC_FORCEINLINE bool short_factors(const Rounded_factors& rounded, const Units& units,
+  CGAL_GC_FORCEINLINE bool short_factors(const Rounded_factors& factors, const Units& units,
                                          Join_weights<std::int64_t>& w) const {
-    const double scale = power_of_two(-units(question)), a2 = rounded.a2 * scale, b2 = rounded.b2 * scale;
+    const double scale = power_of_two(-units(question)), a2 = factors.a2 * scale, b2 = factors.b2 * scale;
     if (!((std::max)(a2, b2) < factor_limits<question>().a2)) return false;
     w = {static_cast<std::int64_t>(a2), static_cast<std::int64_t>(b2), 1, 1, 1};
     return true;
