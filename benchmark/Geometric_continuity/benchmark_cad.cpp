@@ -177,7 +177,7 @@ class Cad_benchmark {
     const double start = processor_seconds();
     do { // until the clock is precise enough
       for (std::size_t i = 0; i < edges.size(); ++i)
-        if (edges[i]) g1[i] = is_sampled_g1(*edges[i], demand_.bounds.angle.upper());
+        if (edges[i]) g1[i] = is_sampled_g1(*edges[i], demand_.bounds.tangent_angle.upper());
       ++runs;
     } while (processor_seconds() - start < 0.02);
     row_.sampling = (processor_seconds() - start) / runs;
@@ -198,7 +198,7 @@ class Cad_benchmark {
     if (!differs && !missed && !wide) return;
     std::cout << file_ << ": " << cad_place(number, edge, model) << ' ' << cad_kind(edge) << ": samples say "
               << (sampled_g1 ? "G1" : "not G1") << "; it is " << verdict.within[1] << "; "
-              << (differs  ? reason(sampled_g1, verdict, at_samples, demand_.bounds.angle)
+              << (differs  ? reason(sampled_g1, verdict, at_samples, demand_.bounds.tangent_angle)
                   : missed ? "missed"
                            : "wide")
               << "; " << cad_numbers(edge, verdict, demand_) << "; at the samples the angle is at most "
