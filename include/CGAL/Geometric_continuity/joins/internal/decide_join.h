@@ -160,8 +160,8 @@ CGAL_GC_FORCEINLINE bool weights_cancel(const Left& left, const Right& right) {
       return bits;
     };
     const std::array<std::int64_t, 4> w = bits_of_weights(left), v = bits_of_weights(right);
-    const auto all_same = [](const std::array<std::int64_t, 4>& w) {
-      return ratios_are_powers<k>(w, {w[0], w[0], w[0], w[0]});
+    const auto all_same = [](const std::array<std::int64_t, 4>& bits) {
+      return ratios_are_powers<k>(bits, {bits[0], bits[0], bits[0], bits[0]});
     };
     return 0x1p-1022 <= least &&
            ((question != Join_question::g3 && ratios_are_powers<k>(w, v)) || (all_same(w) && all_same(v)));
