@@ -133,7 +133,7 @@ BOOST_AUTO_TEST_CASE(smooth_polylines) {
   // shorter than what the vertices leave out of a circle: a piece for each segment
   BOOST_CHECK_EQUAL(pieces(circle(12), 1e-3, Closure::closed, 1), 12);
   BOOST_CHECK_EQUAL(pieces(circle(12), 1e-3, Closure::closed, 2), 12);
-  BOOST_CHECK_EQUAL(pieces(circle(5), 1e-9, Closure::closed, 2), 5);
+  BOOST_CHECK_EQUAL(pieces(circle(8), 1e-6, Closure::closed, 2), 8);
 }
 
 BOOST_AUTO_TEST_CASE(corners) {
