@@ -62,6 +62,7 @@
 #include <CGAL/Geometric_continuity/surfaces/elementary_surfaces.h>
 #include <CGAL/Geometric_continuity/surfaces/evaluate_grid.h>
 #include <CGAL/Geometric_continuity/surfaces/swept_surfaces.h>
+#include <CGAL/Geometric_continuity/surfaces/trim_back.h>
 
 #include <CGAL/Geometric_continuity/blends/Fair.h>
 #include <CGAL/Geometric_continuity/blends/blend.h>

@@ -7,6 +7,7 @@
 
 #include <boost/test/unit_test.hpp>
 
+#include "support/random_surfaces.h"
 #include "support/rational_surfaces.h"
 
 #include <CGAL/Cartesian_d.h>
@@ -29,21 +30,13 @@ BOOST_AUTO_TEST_SUITE(blend_surfaces)
 
 namespace {
 
-using GC::Edge_direction;
-template <class Traits> using Bezier = GC::Bezier_patch<Traits>;
-template <class Traits> using Bspline = GC::Bspline_surface<Traits>;
 typedef GC::Bernstein_polynomial<Q> Function;
 typedef GC::Edge_reparametrisation<Q> Reparametrisation;
 typedef GC::Surface_blend_shape<Q> Shape;
-typedef GC::Knot_vector<Q> Knots;
 
 typedef std::tuple<Double, Filtered> Rounded_traits;
 
-struct Numbers : Random {
-  // 64 bits over 2^31
-  Q number() {
-    return Q(Q(integer(-2147483647, 2147483647)) * Q(2147483648.0) + Q(integer(0, 2147483647))) / Q(1 << 30) / Q(2);
-  }
+struct Numbers : Random_surfaces {
   Function function(int degree) {
     std::vector<Q> b;
     for (int i = 0; i <= degree; ++i) b.push_back(rational() / Q(1000000));
@@ -61,101 +54,7 @@ struct Numbers : Random {
     const int a = integer(0, 2), b = integer(0, 2), c = integer(0, 2);
     return reparametrisation(a, b, c, integer(0, 2));
   }
-  Patch_edge edge() { return GC::patch_edges[integer(0, 3)]; }
-  Edge_direction direction() { return coin() ? Edge_direction::same : Edge_direction::opposite; }
-
-  // Of degree 3 x 2, over inner knots or none, not near to another one.
-  std::vector<std::vector<Exact::Point>> net(int m, int n) {
-    std::vector<std::vector<Exact::Point>> net(m);
-    const Q size(4294967296.0);
-    for (int i = 0; i < m; ++i)
-      for (int j = 0; j < n; ++j) net[i].push_back({number() + Q(4 * i) * size, number() + Q(4 * j) * size, number()});
-    return net;
-  }
-  std::vector<std::vector<Q>> weights(int m, int n) {
-    std::vector<std::vector<Q>> w(m);
-    for (auto& row : w)
-      for (int j = 0; j < n; ++j) row.push_back(fraction(integer(100, 110), 100));
-    return w;
-  }
-  std::pair<Q, Q> domain() {
-    const Q a = fraction_of<Q>(-9, 9, 1, 9);
-    return {a, Q(a + fraction_of<Q>(1, 9, 1, 9))};
-  }
-  // Cubic, so that second derivatives do not jump.
-  Knots knots() {
-    const std::pair<Q, Q> d = domain();
-    std::vector<Knots::Knot> inner;
-    Q t(0);
-    for (int i = integer(0, 2); i > 0; --i)
-      inner.push_back({Q(d.first + (t += fraction(1, integer(3, 5))) * (d.second - d.first)), 1});
-    return Knots(3, d.first, d.second, inner);
-  }
-
-  template <class Surface> Surface surface();
 };
-template <> Bezier<Exact> Numbers::surface() {
-  const int m = integer(2, 4), n = integer(2, 4);
-  return Bezier<Exact>{net(m, n), domain(), domain()};
-}
-template <> Bspline<Exact> Numbers::surface() {
-  const Knots u = knots(), v = knots();
-  return Bspline<Exact>(net(u.number_of_coefficients(), v.number_of_coefficients()), u, v);
-}
-template <> Patch<Exact> Numbers::surface() {
-  const int m = integer(2, 4), n = integer(2, 4);
-  return Patch<Exact>(net(m, n), weights(m, n), domain(), domain());
-}
-template <> Spline<Exact> Numbers::surface() {
-  const Knots u = knots(), v = knots();
-  const int m = u.number_of_coefficients(), n = v.number_of_coefficients();
-  return Spline<Exact>(net(m, n), weights(m, n), u, v);
-}
-
-// With one control point of the layer j moved by the least number of 64 bits.
-template <class Points> void move_point(Points& net, int i, int j) {
-  const Exact::Point p = net[i][j];
-  net[i][j] = Exact::Point(p.x(), p.y(), p.z() + Q(1) / Q(1 << 30) / Q(2));
-}
-Bezier<Exact> moved(const Bezier<Exact>& s, int i, int j) {
-  std::vector<std::vector<Exact::Point>> net(s.degree_u() + 1);
-  for (int k = 0; k <= s.degree_u(); ++k)
-    for (int l = 0; l <= s.degree_v(); ++l) net[k].push_back(s.control_point(k, l));
-  move_point(net, i, j);
-  return Bezier<Exact>(net, s.domain_u(), s.domain_v());
-}
-Bspline<Exact> moved(const Bspline<Exact>& s, int i, int j) {
-  std::vector<std::vector<Exact::Point>> net(s.number_of_points_u());
-  for (int k = 0; k < s.number_of_points_u(); ++k)
-    for (int l = 0; l < s.number_of_points_v(); ++l) net[k].push_back(s.control_point(k, l));
-  move_point(net, i, j);
-  return Bspline<Exact>(net, s.knots_u(), s.knots_v());
-}
-template <class S> std::vector<std::vector<Q>> rows_of_weights(const S& s) {
-  std::vector<std::vector<Q>> w(s.number_of_points_u());
-  for (int k = 0; k < s.number_of_points_u(); ++k)
-    for (int l = 0; l < s.number_of_points_v(); ++l) w[k].push_back(s.weight(k, l));
-  return w;
-}
-Patch<Exact> moved(const Patch<Exact>& s, int i, int j) {
-  const Bezier<Exact> r = moved(s.unweighted(), i, j);
-  std::vector<std::vector<Exact::Point>> net(s.number_of_points_u());
-  for (int k = 0; k < s.number_of_points_u(); ++k)
-    for (int l = 0; l < s.number_of_points_v(); ++l) net[k].push_back(r.control_point(k, l));
-  return Patch<Exact>(net, rows_of_weights(s), s.domain_u(), s.domain_v());
-}
-Spline<Exact> moved(const Spline<Exact>& s, int i, int j) {
-  const Bspline<Exact> r = moved(s.unweighted(), i, j);
-  std::vector<std::vector<Exact::Point>> net(s.number_of_points_u());
-  for (int k = 0; k < s.number_of_points_u(); ++k)
-    for (int l = 0; l < s.number_of_points_v(); ++l) net[k].push_back(r.control_point(k, l));
-  return Spline<Exact>(net, rows_of_weights(s), s.knots_u(), s.knots_v());
-}
-
-template <class A, class B> int order(const A& a, Patch_edge ea, const B& b, Patch_edge eb) {
-  const auto edge = edge_continuity(a, ea, b, eb);
-  return edge.whole_a && edge.whole_b ? edge.g_order : -2;
-}
 
 // G2 at both edges, and not with a point moved.
 template <class A, class B, class Surface>

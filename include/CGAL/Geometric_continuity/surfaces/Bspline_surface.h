@@ -210,6 +210,30 @@ public:
   /// Returns a surface with the same points, without the knots outside the domain, and with control points at its corners.
   Bspline_surface clamp() const { return refine(u_.clamp(), v_.clamp()); }
 
+  /// Returns the parts where the parameter in `u` is at most `u`, and at least `u`. Knots outside of the domain stay, and the end
+  /// between the parts is clamped.
+  /// \throws Error `parameter_outside_domain` unless `u` is inside of the domain in `u`
+  std::pair<Bspline_surface, Bspline_surface> split_u(const FT& u) const {
+    const Interval domain = domain_u();
+    if (!(domain.first < u && u < domain.second))
+      throw Error(Error_code::parameter_outside_domain, "Bspline_surface: split");
+    const int p = degree_u();
+    const Bspline_surface cut = insert_u(u, p + 1 - u_.multiplicity(u));
+    const auto copies = std::lower_bound(cut.u_.begin(), cut.u_.end(), u);
+    const int first = static_cast<int>(copies - cut.u_.begin()), last = cut.net_.rows() - 1, n = cut.net_.columns() - 1;
+    return {Bspline_surface(internal::part_of_net(cut.net_, 0, first - 1, 0, n),
+                            Knot_vector<FT>(p, std::vector<FT>(cut.u_.begin(), copies + p + 1)), v_),
+            Bspline_surface(internal::part_of_net(cut.net_, first, last, 0, n),
+                            Knot_vector<FT>(p, std::vector<FT>(copies, cut.u_.end())), v_)};
+  }
+
+  /// Returns the parts where the parameter in `v` is at most `v`, and at least `v`, see `split_u()`.
+  /// \throws Error `parameter_outside_domain` unless `v` is inside of the domain in `v`
+  std::pair<Bspline_surface, Bspline_surface> split_v(const FT& v) const {
+    const std::pair<Bspline_surface, Bspline_surface> parts = swap_parameters().split_u(v);
+    return {parts.first.swap_parameters(), parts.second.swap_parameters()};
+  }
+
   /// Returns the image under an affine map of points, e.g. a `CGAL::Aff_transformation_3`.
   template <class Transformation> Bspline_surface transform(const Transformation& map) const {
     return Bspline_surface(net_.transform(map, "Bspline_surface: image"), u_, v_);

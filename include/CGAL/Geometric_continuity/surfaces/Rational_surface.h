@@ -279,6 +279,17 @@ public:
     return Rational_surface(homogeneous().elevate(times_u, times_v));
   }
 
+  /// Returns the parts where the parameter in `u` is at most `u`, and at least `u`.
+  std::pair<Rational_surface, Rational_surface> split_u(const FT& u) const {
+    const std::pair<Homogeneous, Homogeneous> parts = homogeneous().split_u(u);
+    return {Rational_surface(parts.first), Rational_surface(parts.second)};
+  }
+  /// Returns the parts where the parameter in `v` is at most `v`, and at least `v`.
+  std::pair<Rational_surface, Rational_surface> split_v(const FT& v) const {
+    const std::pair<Homogeneous, Homogeneous> parts = homogeneous().split_v(v);
+    return {Rational_surface(parts.first), Rational_surface(parts.second)};
+  }
+
   /// Returns the image under an affine map of points, e.g. a `CGAL::Aff_transformation_3`.
   template <class Transformation> Rational_surface transform(const Transformation& map) const {
     std::vector<Point> images;
@@ -297,17 +308,6 @@ public:
   Rational_surface oriented(Patch_edge edge) const {
     const Rational_surface r = runs_along_u(edge) ? *this : swap_parameters();
     return at_upper_end(edge) ? r.reverse_v() : r;
-  }
-
-  /// Returns the parts on [a, u] and [u, b]. \throws Error `parameter_outside_domain` unless `a < u < b`
-  std::pair<Rational_surface, Rational_surface> split_u(const FT& u) const {
-    const std::pair<Homogeneous, Homogeneous> parts = homogeneous().split_u(u);
-    return {Rational_surface(parts.first), Rational_surface(parts.second)};
-  }
-  /// Returns the parts on [c, v] and [v, d]. \throws Error `parameter_outside_domain` unless `c < v < d`
-  std::pair<Rational_surface, Rational_surface> split_v(const FT& v) const {
-    const std::pair<Homogeneous, Homogeneous> parts = homogeneous().split_v(v);
-    return {Rational_surface(parts.first), Rational_surface(parts.second)};
   }
 
   /// Returns the patch with the same control points and weights on another domain.
