@@ -16,6 +16,8 @@
 #include <CGAL/Geometric_continuity/splines/Knot_vector.h>
 #include <CGAL/number_utils.h>
 
+#include <boost/iterator/transform_iterator.hpp>
+
 #include <cmath>
 #include <cstddef>
 #include <optional>
@@ -92,44 +94,53 @@ std::vector<typename Traits::FT> interpolation_parameters(InputIterator first, I
 
 namespace internal {
 
-// Equations a_i x_{i-1} + b_i x_i + c_i x_{i+1} = r_i for points x_0, x_1, ...
+// The equation a x_{i-1} + b x_i + c x_{i+1} = r for points x_0, x_1, ...
 template <class FT, class Value> struct Tridiagonal_equation {
   FT a, b, c;
   Value r;
 };
 
-// Solves them by elimination without a choice of pivots. In a cyclic system, a_0 belongs to the last unknown, and the last c to the first
-// one; there are 3 equations at least.
-template <class FT, class Value>
-std::vector<Value> solve_tridiagonal(std::vector<Tridiagonal_equation<FT, Value>> e, bool cyclic) {
-  const std::size_t n = e.size();
-  std::vector<FT> last_column(cyclic ? n : 0, FT(0)); // of the equations before the last but one
-  FT last_row = cyclic ? e[n - 1].c : FT(0);          // of the last equation, in the column i
-  if (cyclic) last_column[0] = e[0].a;
+// Solves n of them, equation(i) for each i in turn, by elimination without a choice of pivots. In a cyclic system, a_0 belongs to the last
+// unknown, and the last c to the first one; there are 3 equations at least.
+template <class FT, class Value, class Equation>
+std::vector<Value> solve_tridiagonal(std::size_t n, Equation equation, bool cyclic) {
+  typedef Tridiagonal_equation<FT, Value> Row;
+  std::vector<Value> x;              // the right sides, then the unknowns
+  std::vector<FT> b, c, last_column; // what is left of the equations, but for the last
+  x.reserve(n);
+  b.reserve(n);
+  c.reserve(n);
+  Row last = equation(n - 1), row = equation(0);
+  FT last_row = cyclic ? last.c : FT(0), in_last_column = cyclic ? row.a : FT(0); // in the columns i and n - 1
   for (std::size_t i = 0; i + 1 < n; ++i) {
     const bool joins_last = i + 2 == n; // the unknown i + 1 is the last one
-    work_meter().charge_fractions(4 + number_of_coordinates(e[i].r), number_words(e[i].b));
+    work_meter().charge_fractions(4 + number_of_coordinates(row.r), number_words(row.b));
+    Row next = joins_last ? last : equation(i + 1);
     if (cyclic && joins_last) {
-      e[i].c += last_column[i];
-      e[i + 1].a += last_row;
+      row.c += in_last_column;
+      next.a += last_row;
     }
-    const FT factor = FT(e[i + 1].a / e[i].b);
-    e[i + 1].b -= factor * e[i].c;
-    e[i + 1].r -= factor * e[i].r;
+    const FT factor = FT(next.a / row.b);
+    next.b -= factor * row.c;
+    next.r -= factor * row.r;
     if (cyclic && !joins_last) {
-      last_column[i + 1] -= factor * last_column[i];
-      const FT factor_of_last = FT(last_row / e[i].b);
-      last_row = FT(-factor_of_last * e[i].c);
-      e[n - 1].b -= factor_of_last * last_column[i];
-      e[n - 1].r -= factor_of_last * e[i].r;
+      last_column.push_back(in_last_column);
+      const FT factor_of_last = FT(last_row / row.b);
+      last_row = FT(-factor_of_last * row.c);
+      last.b -= factor_of_last * in_last_column;
+      last.r -= factor_of_last * row.r;
+      in_last_column = FT(-factor * in_last_column);
     }
+    b.push_back(std::move(row.b));
+    c.push_back(std::move(row.c));
+    x.push_back(std::move(row.r));
+    row = std::move(next);
   }
-  std::vector<Value> x(n, e[n - 1].r);
-  x[n - 1] /= e[n - 1].b;
+  x.push_back(row.r / row.b);
   for (std::size_t i = n - 1; i-- > 0;) {
-    x[i] = e[i].r - e[i].c * x[i + 1];
+    x[i] -= c[i] * x[i + 1];
     if (cyclic && i + 2 < n) x[i] -= last_column[i] * x[n - 1];
-    x[i] /= e[i].b;
+    x[i] /= b[i];
   }
   return x;
 }
@@ -169,10 +180,9 @@ Tridiagonal_equation<FT, Value> value_at_knot(const Knot_vector<FT>& t, int k, c
 template <class Traits>
 Bspline_curve<Traits> spline_of(const std::vector<Coordinates<Traits>>& points,
                                 const Knot_vector<typename Traits::FT>& knots) {
-  std::vector<typename Traits::Point> b;
-  b.reserve(points.size());
-  for (const Coordinates<Traits>& x : points) b.push_back(to_point<Traits>(x));
-  return Bspline_curve<Traits>(b.begin(), b.end(), knots);
+  const auto as_point = [](const Coordinates<Traits>& x) { return to_point<Traits>(x); };
+  return Bspline_curve<Traits>(boost::make_transform_iterator(points.begin(), as_point),
+                               boost::make_transform_iterator(points.end(), as_point), knots);
 }
 
 // An open curve, with the given derivatives at its ends, or with second derivatives that vanish.
@@ -190,22 +200,20 @@ interpolate_open(const std::vector<Coordinates<Traits>>& p, const std::vector<ty
   const int n = static_cast<int>(p.size());
   const FT zero(0), one(1), third = FT(FT(1) / FT(3));
   const Coordinates<Traits> nothing(p[0].dimension());
-  std::vector<Equation> e(1, Equation{zero, one, zero, p[0]});
-  e.reserve(n + 2);
   const FT h = u[1] - u[0],
            g = u[n - 1] - u[n - 2]; // S' = 3 (b_1 - b_0) / h, and S'' = 0 is h (b_2 - b_1) = h2 (b_1 - b_0)
   const FT h2 = t[5] - t[3], g2 = t[n + 2] - t[n];
-  if (derivatives)
-    e.push_back({zero, one, zero, p[0] + FT(h * third) * derivatives->first});
-  else
-    e.push_back({h2, FT(-h - h2), h, nothing});
-  for (int i = 1; i + 1 < n; ++i) e.push_back(value_at_knot(t, i + 3, p[i]));
-  if (derivatives)
-    e.push_back({zero, one, zero, p[n - 1] - FT(g * third) * derivatives->second});
-  else
-    e.push_back({g, FT(-g - g2), g2, nothing});
-  e.push_back({zero, one, zero, p[n - 1]});
-  return spline_of<Traits>(solve_tridiagonal(std::move(e), false), t);
+  const auto equation = [&](std::size_t i) -> Equation {
+    const int k = static_cast<int>(i);
+    if (k == 0) return {zero, one, zero, p[0]};
+    if (k == n + 1) return {zero, one, zero, p[n - 1]};
+    if (1 < k && k < n) return value_at_knot(t, k + 2, p[k - 1]);
+    if (derivatives)
+      return {zero, one, zero,
+              k == 1 ? p[0] + FT(h * third) * derivatives->first : p[n - 1] - FT(g * third) * derivatives->second};
+    return k == 1 ? Equation{h2, FT(-h - h2), h, nothing} : Equation{g, FT(-g - g2), g2, nothing};
+  };
+  return spline_of<Traits>(solve_tridiagonal<FT, Coordinates<Traits>>(p.size() + 2, equation, false), t);
 }
 
 template <class Traits>
@@ -219,10 +227,9 @@ Bspline_curve<Traits> interpolate_closed(const std::vector<Coordinates<Traits>>&
   for (int i = -3; i <= n + 3; ++i)
     knots.push_back(i < 0 ? FT(u[n + i] - period) : i > n ? FT(u[i - n] + period) : u[i]);
   const Knot_vector<FT> t(3, std::move(knots));
-  std::vector<Tridiagonal_equation<FT, Coordinates<Traits>>> e;
-  e.reserve(n);
-  for (int i = 0; i < n; ++i) e.push_back(value_at_knot(t, i + 3, p[i]));
-  const std::vector<Coordinates<Traits>> x = solve_tridiagonal(std::move(e), true); // x_i is the control point i + 1
+  const auto equation = [&](std::size_t i) { return value_at_knot(t, static_cast<int>(i) + 3, p[i]); };
+  const std::vector<Coordinates<Traits>> x = // x_i is the control point i + 1
+      solve_tridiagonal<FT, Coordinates<Traits>>(p.size(), equation, true);
   std::vector<Coordinates<Traits>> b;
   for (int i = 0; i < n + 3; ++i) b.push_back(x[(i + n - 1) % n]);
   return spline_of<Traits>(b, t);
