@@ -61,6 +61,7 @@
 #include <CGAL/Geometric_continuity/surfaces/boundary_curve.h>
 #include <CGAL/Geometric_continuity/surfaces/elementary_surfaces.h>
 #include <CGAL/Geometric_continuity/surfaces/evaluate_grid.h>
+#include <CGAL/Geometric_continuity/surfaces/possible_fold.h>
 #include <CGAL/Geometric_continuity/surfaces/swept_surfaces.h>
 #include <CGAL/Geometric_continuity/surfaces/trim_back.h>
 
@@ -78,6 +79,7 @@
 #include <CGAL/Geometric_continuity/edges/connect_g1.h>
 #include <CGAL/Geometric_continuity/edges/edge_continuity.h>
 #include <CGAL/Geometric_continuity/edges/edge_deviation.h>
+#include <CGAL/Geometric_continuity/edges/round_edge.h>
 #include <CGAL/Geometric_continuity/edges/swept_continuity.h>
 
 #include <CGAL/Geometric_continuity/extensions/alternatives.h>
