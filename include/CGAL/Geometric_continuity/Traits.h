@@ -167,6 +167,22 @@ template <class Traits> struct Predicate_field<Traits, std::void_t<typename Trai
 
 } // namespace internal
 
+namespace internal {
+
+template <class Point, class = void> struct Traits_of_point {};
+template <class Point> struct Traits_of_point<Point, std::enable_if_t<Point::Ambient_dimension::value == 2>> {
+  typedef Traits_2<typename Point::R> type;
+};
+template <class Point> struct Traits_of_point<Point, std::enable_if_t<Point::Ambient_dimension::value == 3>> {
+  typedef Traits_3<typename Point::R> type;
+};
+
+} // namespace internal
+
+/// \ingroup PkgGeometricContinuityTraits
+/// The traits class of points of a \cgal kernel, of type `Point_2` or `Point_3`: functions that take such points need not be told.
+template <class Point> using Traits_of = typename internal::Traits_of_point<Point>::type;
+
 /// \ingroup PkgGeometricContinuityTraits
 /// The dimension of a traits class when it is known at compile time, otherwise 0.
 template <class Traits> constexpr int dimension_v = internal::Dimension_value<typename Traits::Dimension>::value;

@@ -231,6 +231,16 @@ Fair_spline<Traits> interpolate_fair(InputIterator first, InputIterator last, Cl
   return Fair_spline<Traits>(Composite_bezier_curve<Traits, 5>(points, std::move(knots)), moved, std::move(rounded));
 }
 
+/// \ingroup PkgGeometricContinuityConstruction
+/// Returns a spline of fair quintic blends through points of a \cgal kernel, over whose traits class (`Traits_of`) it is.
+/// \throws Error as for the points between two iterators
+template <class Point>
+Fair_spline<Traits_of<Point>>
+interpolate_fair(const std::vector<Point>& points, Closure closure = Closure::open,
+                 const std::vector<std::optional<typename Traits_of<Point>::Vector>>& tangents = {}) {
+  return interpolate_fair<Traits_of<Point>>(points.begin(), points.end(), closure, tangents);
+}
+
 } // namespace Geometric_continuity
 } // namespace CGAL
 

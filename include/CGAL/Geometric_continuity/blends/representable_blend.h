@@ -105,7 +105,8 @@ template <class Traits> Coordinates<Traits> rounded(const Coordinate_vector<Exac
 
 /// \ingroup PkgGeometricContinuityConstruction
 /// Returns a quintic blend with control points that are floating-point numbers and with joins that are *exactly* \f$ G^2 \f$, as the
-/// exact predicates on the control points confirm. Rounding breaks every exact join of `blend()`; here the freedom of
+/// exact predicates on the control points confirm: joins with the curves in its members `phi` and `psi`, which are the given ones, or
+/// these moved to a grid; with a given curve that was moved it has a gap. Rounding breaks every exact join of `blend()`; here the freedom of
 /// geometric continuity is spent on numbers with few digits.
 ///
 /// With \f$ p = b_0 - b_{-1} \f$ and \f$ q = b_0 - 2b_{-1} + b_{-2} \f$ at the end of a curve of degree \f$ m \f$,

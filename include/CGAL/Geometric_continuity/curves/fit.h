@@ -290,6 +290,15 @@ Fitted_curve<Traits> fit(InputIterator first, InputIterator last, const typename
   return internal::fitted_curve<N, Traits>(p, rounded_tolerance, cosine, closure, order);
 }
 
+/// \ingroup PkgGeometricContinuityConstruction
+/// Returns a curve of few pieces near a polyline with vertices of a \cgal kernel, over whose traits class (`Traits_of`) it is.
+/// \throws Error as for the vertices between two iterators
+template <class Point>
+Fitted_curve<Traits_of<Point>> fit(const std::vector<Point>& vertices, const typename Traits_of<Point>::FT& tolerance,
+                                   Closure closure = Closure::open, int order = 1, double corner_angle = 45) {
+  return fit<Traits_of<Point>>(vertices.begin(), vertices.end(), tolerance, closure, order, corner_angle);
+}
+
 } // namespace Geometric_continuity
 } // namespace CGAL
 

@@ -317,6 +317,16 @@ Bspline_curve<Traits> interpolate(const std::vector<typename Traits::Point>& poi
   return interpolate<Traits>(points.begin(), points.end(), parametrisation, closure);
 }
 
+/// \ingroup PkgGeometricContinuityConstruction
+/// Returns the natural or closed cubic spline through points of a \cgal kernel, over whose traits class (`Traits_of`) it is.
+/// \throws Error as for the points between two iterators
+template <class Point>
+Bspline_curve<Traits_of<Point>> interpolate(const std::vector<Point>& points,
+                                            Parametrisation parametrisation = Parametrisation::chordal,
+                                            Closure closure = Closure::open) {
+  return interpolate<Traits_of<Point>>(points.begin(), points.end(), parametrisation, closure);
+}
+
 } // namespace Geometric_continuity
 } // namespace CGAL
 

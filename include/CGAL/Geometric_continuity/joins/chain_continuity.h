@@ -233,6 +233,13 @@ Chain_summary chain_continuity(const Range& chain, int max_order = 3, Closure cl
 }
 
 /// \ingroup PkgGeometricContinuityContinuity
+/// Decides all joins of the curves of a range up to order 3, and returns how many of them have which order.
+template <class Range, class = internal::Curve_of_range<Range>>
+Chain_summary chain_continuity(const Range& chain, Closure closure) {
+  return chain_continuity(chain, 3, closure);
+}
+
+/// \ingroup PkgGeometricContinuityContinuity
 /// Decides all joins of a chain of curves up to order `max_order`, and returns them: number `i` is the join at the end of the curve
 /// number `i`, with that of the last curve and the first one as the last if the chain is closed. One call of `continuity()` for each.
 /// \tparam InputIterator its value type is a copyable model of `ParametricCurve`
@@ -255,6 +262,14 @@ template <class Range>
 std::vector<Join_continuity<Predicate_FT<typename internal::Curve_of_range<Range>::Traits>>>
 chain_joins(const Range& chain, int max_order = 3, Closure closure = Closure::open) {
   return chain_joins(std::begin(chain), std::end(chain), max_order, closure);
+}
+
+/// \ingroup PkgGeometricContinuityContinuity
+/// Decides all joins of the curves of a range up to order 3, and returns them.
+template <class Range>
+std::vector<Join_continuity<Predicate_FT<typename internal::Curve_of_range<Range>::Traits>>>
+chain_joins(const Range& chain, Closure closure) {
+  return chain_joins(chain, 3, closure);
 }
 
 // Whether a chain is closed is no number, and would be taken for the order.
@@ -301,6 +316,9 @@ template <class Traits> struct Composite_continuity {
       if (order_of(join.continuity, kind) < order) result.push_back(join);
     return result;
   }
+
+  /// Writes the summary, e.g. `3 joins, C0 G2 F2 or more`.
+  friend std::ostream& operator<<(std::ostream& os, const Composite_continuity& c) { return os << c.summary; }
 };
 
 namespace internal {

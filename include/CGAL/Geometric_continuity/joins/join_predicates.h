@@ -48,7 +48,7 @@
 ///
 /// \code{.cpp}
 /// const auto is_g2 = [](const Curve& left, const Curve& right) { return is_g2_join(left, right); };
-/// for (std::size_t i : failing_joins<CGAL::Parallel_if_available_tag>(chain.begin(), chain.end(), is_g2))
+/// for (std::size_t i : failing_joins<CGAL::Parallel_if_available_tag>(chain, is_g2))
 ///   std::cout << "curves " << i << " and " << i + 1 << '\n';
 /// \endcode
 ///
@@ -372,6 +372,13 @@ std::vector<std::size_t> failing_joins(RandomAccessIterator first, RandomAccessI
     const RandomAccessIterator left = first + static_cast<Difference>(i);
     return bool(holds(left[0], left[1]));
   });
+}
+
+/// \ingroup PkgGeometricContinuityContinuity
+/// Returns the joins of the curves of a range, such as a `std::vector`, at which `holds` is false.
+template <class Concurrency_tag = Sequential_tag, class Range, class Predicate>
+std::vector<std::size_t> failing_joins(const Range& chain, const Predicate& holds) {
+  return failing_joins<Concurrency_tag>(std::begin(chain), std::end(chain), holds);
 }
 
 /// \ingroup PkgGeometricContinuityContinuity

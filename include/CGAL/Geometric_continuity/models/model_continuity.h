@@ -271,6 +271,13 @@ private:
   }
 };
 
+// The surfaces of a range, or the surface itself, which is a range of control points.
+template <class PatchRange, class = void> struct Surface_type {
+  typedef std::decay_t<decltype(*std::begin(std::declval<const PatchRange&>()))> type;
+};
+template <class Surface> struct Surface_type<Surface, std::void_t<typename Surface::Traits>> { typedef Surface type; };
+template <class PatchRange> using Surface_of = typename Surface_type<PatchRange>::type;
+
 } // namespace internal
 
 /// \ingroup PkgGeometricContinuitySurfaces
@@ -293,7 +300,7 @@ private:
 /// \tparam Concurrency_tag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`: edges and knot lines are decided on
 ///   several cores, with the same result, on number types that may be copied concurrently, see join_predicates.h
 /// \tparam PatchRange a forward range of `Bezier_patch`, `Bspline_surface`, `Rational_bezier_patch` or
-///   `Rational_bspline_surface`; polynomial surfaces can be converted to rational ones
+///   `Rational_bspline_surface`, or one such surface, which may close up; polynomial surfaces can be converted to rational ones
 /// \param patches of the model, which must outlive the call
 /// \param report is called as `report(n)` with the number of shared edges and knot lines decided so far, after each,
 ///   by one core at a time
@@ -301,9 +308,12 @@ private:
 /// \throws Error `dimension_mismatch` unless in dimension 3; `work_limit`, with the patch and the edge
 template <class Concurrency_tag = Sequential_tag, class PatchRange, class Report>
 auto model_continuity(const PatchRange& patches, Report report, Crease_angles angles = Crease_angles::enclosed) {
-  typedef std::decay_t<decltype(*std::begin(patches))> Patch;
+  typedef internal::Surface_of<PatchRange> Patch;
   std::vector<const Patch*> pointers;
-  for (const Patch& patch : patches) pointers.push_back(&patch);
+  if constexpr (std::is_same_v<Patch, PatchRange>)
+    pointers.push_back(&patches);
+  else
+    for (const Patch& patch : patches) pointers.push_back(&patch);
   return internal::Model_analysis<Concurrency_tag, Patch, Report>(pointers, report, angles)();
 }
 
