@@ -42,6 +42,8 @@ const char* const program_usage = R"(usage: geometric_continuity COMMAND [ARGUME
                             the worst first, on a page
   tessellate MODEL.g2...    write triangles for surfaces, without cracks, as
                             OFF, PLY, OBJ or STL
+  round-edges MODEL.g2...   replace the sharp edges of a model by surfaces with
+                            continuous curvature, and prove it
 
 A curve with inner knots is taken as the chain of its Bezier curves, so that
 its knots are joins. The name - is standard input, and standard output.
@@ -56,8 +58,8 @@ when the output cannot be written.
 using CGAL::Geometric_continuity::printable;
 
 const std::vector<const Command*> commands = {
-    &blend_command,  &connect_command, &extend_command, &interpolate_command, &fit_command,
-    &verify_command, &repair_command,  &plot_command,   &report_command,      &tessellate_command};
+    &blend_command,  &connect_command, &extend_command, &interpolate_command, &fit_command,        &verify_command,
+    &repair_command, &plot_command,    &report_command, &tessellate_command,  &round_edges_command};
 
 int run(const std::string& name, const Arguments& arguments) {
   Arguments names;

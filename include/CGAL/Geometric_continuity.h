@@ -93,6 +93,7 @@
 #include <CGAL/Geometric_continuity/models/face_graph.h>
 #include <CGAL/Geometric_continuity/models/model_continuity.h>
 #include <CGAL/Geometric_continuity/models/near_edges.h>
+#include <CGAL/Geometric_continuity/models/round_edges.h>
 #include <CGAL/Geometric_continuity/models/tessellate.h>
 
 #endif // CGAL_GEOMETRIC_CONTINUITY_H

@@ -50,7 +50,7 @@ struct Command {
 };
 
 extern const Command blend_command, connect_command, extend_command, fit_command, interpolate_command, plot_command,
-    repair_command, report_command, tessellate_command, verify_command;
+    repair_command, report_command, round_edges_command, tessellate_command, verify_command;
 
 // A picture of surfaces, as its options describe it.
 struct Surface_picture {

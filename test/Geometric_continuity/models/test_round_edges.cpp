@@ -1,0 +1,148 @@
+// Copyright (c) 2026 The Geometric_continuity developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+// Models with rounded edges: boxes, also with bent faces.
+
+#include <boost/test/unit_test.hpp>
+
+#include "support/random_surfaces.h"
+#include "support/rational_surfaces.h"
+
+#include <CGAL/Geometric_continuity/models/round_edges.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+BOOST_AUTO_TEST_SUITE(rounded_models)
+
+namespace {
+
+// The eight corners of a box, the number x + 2y + 4z.
+template <class Traits> std::vector<typename Traits::Point> corners_of_box(int x, int y, int z) {
+  std::vector<typename Traits::Point> corners;
+  for (int i = 0; i < 8; ++i) corners.push_back({i % 2 * x, i / 2 % 2 * y, i / 4 * z});
+  return corners;
+}
+// Its faces, bilinear ones; the last one is the top.
+template <class Traits> std::vector<Bezier<Traits>> faces(const std::vector<typename Traits::Point>& c) {
+  std::vector<Bezier<Traits>> faces;
+  for (const std::array<int, 4>& f :
+       {std::array<int, 4>{0, 1, 2, 3}, {0, 1, 4, 5}, {2, 3, 6, 7}, {4, 0, 6, 2}, {1, 3, 5, 7}, {7, 6, 5, 4}})
+    faces.push_back(Bezier<Traits>({{c[f[0]], c[f[1]]}, {c[f[2]], c[f[3]]}}));
+  return faces;
+}
+template <class Surface, class Traits> std::vector<Surface> converted(const std::vector<Bezier<Traits>>& patches) {
+  std::vector<Surface> surfaces;
+  for (const Bezier<Traits>& s : patches)
+    if constexpr (std::is_constructible_v<Surface, const Bspline<Traits>&>)
+      surfaces.push_back(Surface(Bspline<Traits>(s)));
+    else
+      surfaces.push_back(Surface(s));
+  return surfaces;
+}
+
+template <class Surface> auto continuity_of(const GC::Rounded_model<Surface>& model) {
+  std::vector<Surface> all = model.surfaces;
+  for (const auto& b : model.blends) all.push_back(b.surface);
+  return GC::model_continuity(all).summary;
+}
+
+template <class Surface> void check_box(const std::vector<Surface>& box) {
+  const auto r = GC::round_edges(box, {1});
+  BOOST_CHECK_EQUAL(r.surfaces.size(), 6u);
+  BOOST_CHECK_EQUAL(r.blends.size(), 12u);
+  BOOST_CHECK(r.is_g2());
+  BOOST_CHECK_EQUAL(r.meant + r.slight + r.not_rounded, 0u);
+  BOOST_REQUIRE_EQUAL(r.corners.size(), 8u);
+  for (const auto& c : r.corners) {
+    BOOST_CHECK_EQUAL(c.patches.size(), 3u);
+    BOOST_CHECK_EQUAL(c.blends.size(), 3u);
+  }
+  for (const auto& b : r.blends) {
+    BOOST_CHECK(!b.fold);
+    BOOST_CHECK(80 < b.angle.lower && b.angle.upper < 100);
+    BOOST_CHECK_EQUAL(order(r.surfaces[b.patch_a], b.edge_a, b.surface, v0), 2);
+    BOOST_CHECK_EQUAL(order(b.surface, v1, r.surfaces[b.patch_b], b.edge_b), 2);
+  }
+  const auto summary = continuity_of(r);
+  BOOST_CHECK_EQUAL(summary.g2, 24u);
+  BOOST_CHECK_EQUAL(summary.g1 + summary.g0, 0u);
+  BOOST_CHECK_EQUAL(summary.boundary, 24u); // of eight holes
+}
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE_TEMPLATE(box, Traits, All_traits) { check_box(faces<Traits>(corners_of_box<Traits>(8, 16, 32))); }
+BOOST_AUTO_TEST_CASE(box_of_other_types) {
+  const auto patches = faces<Exact>(corners_of_box<Exact>(8, 16, 32));
+  check_box(converted<Bspline<Exact>>(patches));
+  check_box(converted<Patch<Exact>>(patches));
+  check_box(converted<Spline<Exact>>(patches));
+}
+
+// Corners are moved by numbers of 64 bits, so that no face is plane.
+BOOST_AUTO_TEST_CASE(bent_box) {
+  Random_surfaces random;
+  std::vector<Exact::Point> corners = corners_of_box<Exact>(8, 8, 8);
+  const Q small = Q(1) / Q(1 << 30) / Q(16);
+  for (Exact::Point& p : corners)
+    p = Exact::Point(p.x() + small * random.number(), p.y() + small * random.number(), p.z() + small * random.number());
+  check_box(faces<Exact>(corners));
+}
+
+// Without a top: the upright edges end at the boundary.
+BOOST_AUTO_TEST_CASE(open_box) {
+  auto patches = faces<Exact>(corners_of_box<Exact>(8, 8, 8));
+  patches.pop_back();
+  const auto r = GC::round_edges(patches, {2});
+  BOOST_CHECK_EQUAL(r.blends.size(), 8u);
+  BOOST_REQUIRE_EQUAL(r.corners.size(), 4u);
+  for (const auto& c : r.corners) BOOST_CHECK_EQUAL(c.point.z(), Q(0));
+  BOOST_CHECK_EQUAL(r.surfaces[0].domain_u().first, fraction(1, 4));
+  BOOST_CHECK_EQUAL(r.surfaces[0].domain_u().second, fraction(3, 4));
+}
+
+// Three faces of a roof and a wall: angles of 90, 45 and about 1.8 degrees, and 0.
+BOOST_AUTO_TEST_CASE(angles) {
+  typedef Exact::Point P;
+  std::vector<Bezier<Exact>> strips;
+  const std::vector<std::array<int, 2>> profile = {{0, 0}, {0, 8}, {8, 16}, {16, 16}, {48, 15}, {80, 14}};
+  for (std::size_t i = 1; i < profile.size(); ++i) {
+    const auto &a = profile[i - 1], &b = profile[i];
+    strips.push_back(Bezier<Exact>({{P(a[0], 0, a[1]), P(a[0], 8, a[1])}, {P(b[0], 0, b[1]), P(b[0], 8, b[1])}}));
+  }
+  const auto count = [&](double least, double greatest) {
+    const auto r = GC::round_edges(strips, {1, least, greatest});
+    BOOST_CHECK(r.is_g2() && r.corners.empty() && r.not_rounded == 0);
+    return std::array<std::size_t, 3>{r.blends.size(), r.slight, r.meant};
+  };
+  BOOST_CHECK((count(5, 180) == std::array<std::size_t, 3>{2, 1, 0}));
+  BOOST_CHECK((count(0, 180) == std::array<std::size_t, 3>{3, 0, 0}));
+  BOOST_CHECK((count(46, 180) == std::array<std::size_t, 3>{0, 3, 0}));
+  BOOST_CHECK((count(0, 44) == std::array<std::size_t, 3>{1, 0, 2}));
+}
+
+BOOST_AUTO_TEST_CASE(what_is_not_rounded) {
+  typedef Exact::Point P;
+  // three squares at one edge
+  const auto square = [](const P& p) { return Bezier<Exact>({{P(0, 0, 0), p}, {P(0, 0, 8), P(p.x(), p.y(), 8)}}); };
+  const std::vector<Bezier<Exact>> star = {square(P(8, 0, 0)), square(P(0, 8, 0)), square(P(-8, -8, 0))};
+  const auto r = GC::round_edges(star, {1});
+  BOOST_CHECK_EQUAL(r.not_rounded, 2u);
+  BOOST_CHECK(r.blends.empty() && r.surfaces == star);
+  // no room
+  const auto box = faces<Exact>(corners_of_box<Exact>(8, 16, 32));
+  CHECK_ERROR(GC::round_edges(box, {4}), parameter_outside_domain);
+  BOOST_CHECK_EQUAL(
+      error_of([&] { GC::round_edges(box, {20}); }),
+      "parameter_outside_domain: patch 0 u0: set_back_parameter: the distance 20.000000 from the edge u0 is "
+      "not less than that of the opposite edge");
+  CHECK_ERROR(GC::round_edges(box, {0}), parameter_outside_domain);
+  BOOST_CHECK(GC::round_edges(std::vector<Bezier<Exact>>(), {1}).surfaces.empty());
+}
+
+BOOST_AUTO_TEST_SUITE_END()
