@@ -40,7 +40,7 @@ is_narrow 1 verify --surfaces "$teapot" --within 1,1deg
 # The manual page and the completion of bash have all commands and options.
 run 0 --man-page && mv out page.1 && run 0 --bash-completion && mv out completion
 for command in blend connect extend interpolate fit verify repair plot report tessellate round-edges; do
-  says page.1 "geometric_continuity $command"
+  says page.1 "geometric_continuity ${command//-/\\-}"
   run 0 $command --help
   for option in $(grep -oE '^  (-[a-z] \[ )?--[a-z0-9-]+' out | grep -oE '\-\-[a-z0-9-]+'); do
     says page.1 ".B ${option//-/\\-}" && says completion "$option"

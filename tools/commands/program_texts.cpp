@@ -62,8 +62,9 @@ void write_manual_page(std::ostream& os, const std::string& usage, const std::ve
   write_block(os, usage);
   for (const Command* command : commands) {
     std::string name = command->name;
-    for (char& c : name) c = static_cast<char>(c - 'a' + 'A');
-    os << ".SH COMMAND " << name << '\n';
+    for (char& c : name)
+      if ('a' <= c && c <= 'z') c = static_cast<char>(c - 'a' + 'A');
+    os << ".SH COMMAND " << troff(name) << '\n';
     write_block(os, command->usage);
     const po::options_description options = Command_line::options_of(*command);
     for (const auto& option : options.options()) {

@@ -55,8 +55,8 @@ folded, 1 when one is not (the files are written nevertheless), 2 on bad input.
 
 typedef GC::Traits_3<CGAL::Simple_cartesian<Exact>> Traits;
 
-double angle(const Command_line& line, const char* option) {
-  const double degrees = line.number<double>(option, 0);
+double angle(const Command_line& line, const char* option, double otherwise) {
+  const double degrees = line.number<double>(option, otherwise);
   if (!(0 <= degrees && degrees <= 180))
     throw std::invalid_argument(std::string("--") + option + ": " + line.text(option) +
                                 " is not between 0 and 180 degrees");
@@ -153,9 +153,8 @@ int round_edges(const Command_line& line, const std::vector<Surface>& surfaces, 
 
 void describe_round_edges(po::options_description_easy_init add) {
   add("set-back", po::value<std::string>(), "R > 0, the distance of the new edges from the old ones");
-  add("min-kink", po::value<std::string>()->default_value("5"), "edges of a smaller angle stay, in degrees");
-  add("max-kink", po::value<std::string>()->default_value("180"),
-      "edges of a greater angle are meant and stay, in degrees");
+  add("min-kink", po::value<std::string>(), "edges of a smaller angle stay, in degrees (default 5)");
+  add("max-kink", po::value<std::string>(), "edges of a greater angle are meant and stay, in degrees (default 180)");
   add("json", "print the report as JSON");
   add("max-work", po::value<std::string>(), "the steps of work that are allowed for each edge");
   add("output,o", po::value<std::string>(), "write the model with rounded edges, .g2");
@@ -166,7 +165,7 @@ int run_round_edges(const Command_line& line) {
   if (line.files().empty()) throw std::invalid_argument("round-edges: no file is given; see --help");
   const std::optional<double> set_back = line.length("set-back");
   if (!set_back) throw std::invalid_argument("round-edges: --set-back R is needed; see --help");
-  const GC::Rounding_of_edges rounding{*set_back, angle(line, "min-kink"), angle(line, "max-kink")};
+  const GC::Rounding_of_edges rounding{*set_back, angle(line, "min-kink", 5), angle(line, "max-kink", 180)};
   check_outputs(line);
   const GC::Work_scope each(line.work_limit());
   return within_work_limit([&] { return input_name(line.files()[0]); },
