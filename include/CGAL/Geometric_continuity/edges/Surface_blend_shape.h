@@ -91,6 +91,39 @@ template <class FT> struct Rational_surface_blend_shape {
   Rational_surface_blend_shape(const Surface_blend_shape<FT>& shape) : start(shape.start), end(shape.end) {}
 };
 
+/// \ingroup PkgGeometricContinuityConstruction
+/// What \f$ G^3 \f$ leaves free at an edge of a blend surface, in addition to a reparametrisation of order 2: the third derivatives of
+/// \f$ \varphi \f$, which are \f$ (\alpha_3, \delta_3) \f$, and that of the factor of homogeneous points.
+/// \tparam Reparametrisation `Edge_reparametrisation` or `Rational_edge_reparametrisation`
+template <class Reparametrisation> struct Septic_edge_reparametrisation : Reparametrisation {
+  typedef typename Reparametrisation::FT FT;             ///< the number type
+  typedef typename Reparametrisation::Function Function; ///< of the parameter along the edge
+
+  Function alpha3 = Function{FT(0)};  ///< the third derivative along the edge
+  Function delta3 = Function{FT(0)};  ///< the third derivative across the edge
+  Function lambda3 = Function{FT(0)}; ///< the third derivative of the factor of a rational surface across the edge
+
+  /// Sets \f$ \beta \f$ to 1 and all others to 0.
+  Septic_edge_reparametrisation() = default;
+  /// With third derivatives that are 0.
+  Septic_edge_reparametrisation(const Reparametrisation& r) : Reparametrisation(r) {}
+};
+
+/// \ingroup PkgGeometricContinuityConstruction
+/// The shape of a blend surface of degree 7 across: all that \f$ G^3 \f$ leaves free at its two edges.
+/// \tparam Shape `Surface_blend_shape` or `Rational_surface_blend_shape`
+template <class Shape> struct Septic_surface_blend_shape {
+  typedef Septic_edge_reparametrisation<decltype(Shape::start)> Reparametrisation; ///< at one edge
+
+  Reparametrisation start; ///< at the edge of the first surface
+  Reparametrisation end;   ///< at the edge of the second surface
+
+  /// Sets all functions \f$ \beta \f$ to 1 and all others to 0.
+  Septic_surface_blend_shape() = default;
+  /// With third derivatives that are 0.
+  Septic_surface_blend_shape(const Shape& shape) : start(shape.start), end(shape.end) {}
+};
+
 namespace internal {
 
 template <class A, class B> struct Blended_shape {

@@ -83,16 +83,39 @@ template <bool is_rational, class FT, int N> void check_edge(const Blend_end<FT,
 // What C, C', C'', T, T' and W are multiplied by in a sum: numbers or polynomials.
 template <class F> struct Row_weights { F c, c1, c2, t, t1, w; };
 
-// Of the sums 5 (b_1 - b_0) = d S_v and 20 (b_2 - b_0) = 8 d S_v + S_vv, where d is 1 at the start of the blend and -1 at its end. With
-// lambda_1 and lambda_2 the derivatives are S_v = lambda_1 C + D and S_vv = lambda_2 C + 2 lambda_1 D + ..., with
-// D = alpha C' + beta T.
+// Of the sums n (b_1 - b_0) = d S_v and n (n-1) (b_2 - b_0) = 2 (n-1) d S_v + S_vv, where n is the degree across and d is 1 at the start
+// of the blend, -1 at its end. With lambda_1 and lambda_2 the derivatives are S_v = lambda_1 C + D and
+// S_vv = lambda_2 C + 2 lambda_1 D + E, with D = alpha C' + beta T.
 template <class FT, class F>
 std::array<Row_weights<F>, 2> row_weights(const F& alpha, const F& beta, const F& alpha2, const F& delta,
-                                          const F& lambda1, const F& lambda2, int direction) {
-  const F zero{FT(0)}, two{FT(2)}, d{FT(direction)}, d8{FT(8 * direction)};
+                                          const F& lambda1, const F& lambda2, int direction, int n) {
+  const F zero{FT(0)}, two{FT(2)}, d{FT(direction)}, e{FT(2 * (n - 1) * direction)};
   return {{{F(d * lambda1), F(d * alpha), zero, F(d * beta), zero, zero},
-           {F(d8 * lambda1 + lambda2), F(d8 * alpha + two * lambda1 * alpha + alpha2), F(alpha * alpha),
-            F(d8 * beta + two * lambda1 * beta + delta), F(two * alpha * beta), F(beta * beta)}}};
+           {F(e * lambda1 + lambda2), F(e * alpha + two * lambda1 * alpha + alpha2), F(alpha * alpha),
+            F(e * beta + two * lambda1 * beta + delta), F(two * alpha * beta), F(beta * beta)}}};
+}
+
+// What C''', T'', W' and X are multiplied by in addition.
+template <class F> struct Third_row_weights : Row_weights<F> { F c3, t2, w1, x; };
+
+// Of the sum 210 (b_3 - b_0) = 90 d S_v + 15 S_vv + d S_vvv, which is n (n-1) (n-2) (b_3 - b_0) for the degree n = 7, with
+// S_vvv = lambda_3 C + 3 lambda_2 D + 3 lambda_1 E + alpha^3 C''' + 3 alpha^2 beta T'' + 3 alpha beta^2 W' + beta^3 X
+//   + 3 alpha alpha_2 C'' + 3 (alpha delta + alpha_2 beta) T' + 3 beta delta W + alpha_3 C' + delta_3 T.
+template <class FT, class Reparametrisation>
+Third_row_weights<Bernstein_polynomial<FT>>
+third_row_weights(const Reparametrisation& r, const std::array<Bernstein_polynomial<FT>, 2>& lambda, int direction) {
+  typedef Bernstein_polynomial<FT> F;
+  const F &a = r.alpha, &b = r.beta, &a2 = r.alpha2, &delta = r.delta;
+  const F d{FT(direction)}, two{FT(2)}, three{FT(3)}, of_first{FT(90 * direction)}, of_second{FT(15)};
+  const F of_d = of_first + two * of_second * lambda[0] + three * d * lambda[1],
+          of_e = of_second + three * d * lambda[0];
+  return {{F(of_first * lambda[0] + of_second * lambda[1] + d * r.lambda3), F(of_d * a + of_e * a2 + d * r.alpha3),
+           F(of_e * a * a + three * d * a * a2), F(of_d * b + of_e * delta + d * r.delta3),
+           F(two * of_e * a * b + three * d * (a * delta + a2 * b)), F(of_e * b * b + three * d * b * delta)},
+          F(d * a * a * a),
+          F(three * d * a * a * b),
+          F(three * d * a * b * b),
+          F(d * b * b * b)};
 }
 
 // b_0 + sum / n
@@ -109,18 +132,33 @@ Edge_spline<FT, N> next_row(const Blend_end<FT, N>& end, const Row_weights<FT>& 
   return end.spline(std::move(row));
 }
 template <class FT, int N>
-Edge_spline<FT, N> next_row(const Blend_end<FT, N>& end, const Row_weights<Bernstein_polynomial<FT>>& x, int n) {
-  typedef Edge_spline<FT, N> Row;
-  const Row edge = end.spline(end.edge), cross = end.spline(end.cross);
-  Row sum = product(x.t, cross);
+Edge_spline<FT, N> weighted_sum(const Blend_end<FT, N>& end, const Row_weights<Bernstein_polynomial<FT>>& x) {
+  const Edge_spline<FT, N> edge = end.spline(end.edge), cross = end.spline(end.cross);
+  Edge_spline<FT, N> sum = product(x.t, cross);
   if (!is_constant(x.c, 0)) sum = sum + product(x.c, edge);
   if (!is_constant(x.w, 0)) sum = sum + product(x.w, end.spline(end.second_cross));
   if (!is_constant(x.c1, 0)) sum = sum + product(x.c1, edge.derivative());
   if (!is_constant(x.c2, 0)) sum = sum + product(x.c2, edge.derivative().derivative());
   if (!is_constant(x.t1, 0)) sum = sum + product(x.t1, cross.derivative());
+  return sum;
+}
+template <class FT, int N>
+Edge_spline<FT, N> row_of_sum(const Blend_end<FT, N>& end, const Edge_spline<FT, N>& sum, int n) {
   std::vector<Coordinate_vector<FT, N>> step = sum.coefficients();
   for (Coordinate_vector<FT, N>& v : step) v /= FT(n);
-  return edge + Row(sum.knots(), std::move(step));
+  return end.spline(end.edge) + Edge_spline<FT, N>(sum.knots(), std::move(step));
+}
+template <class FT, int N>
+Edge_spline<FT, N> next_row(const Blend_end<FT, N>& end, const Row_weights<Bernstein_polynomial<FT>>& x, int n) {
+  return row_of_sum(end, weighted_sum(end, x), n);
+}
+template <class FT, int N>
+Edge_spline<FT, N> third_row(const Blend_end<FT, N>& end, const Third_row_weights<Bernstein_polynomial<FT>>& x) {
+  Edge_spline<FT, N> sum = weighted_sum(end, x) + product(x.x, end.spline(end.third_cross));
+  if (!is_constant(x.c3, 0)) sum = sum + product(x.c3, end.spline(end.edge).derivative().derivative().derivative());
+  if (!is_constant(x.t2, 0)) sum = sum + product(x.t2, end.spline(end.cross).derivative().derivative());
+  if (!is_constant(x.w1, 0)) sum = sum + product(x.w1, end.spline(end.second_cross).derivative());
+  return row_of_sum(end, sum, 210);
 }
 
 // By the factor of homogeneous points at the edge.
@@ -141,8 +179,9 @@ template <class FT, int N> void charge_end(const Blend_end<FT, N>& end, const Ed
 
 // The three rows of control points from an edge inwards.
 template <class FT, int N, class F>
-std::array<Edge_spline<FT, N>, 3> rows_of_end(const Blend_end<FT, N>& end, const std::array<Row_weights<F>, 2>& w) {
-  return {end.spline(end.edge), next_row(end, w[0], 5), next_row(end, w[1], 20)};
+std::array<Edge_spline<FT, N>, 3> rows_of_end(const Blend_end<FT, N>& end, const std::array<Row_weights<F>, 2>& w,
+                                              int n) {
+  return {end.spline(end.edge), next_row(end, w[0], n), next_row(end, w[1], n * (n - 1))};
 }
 
 // lambda_1 and lambda_2.
@@ -154,13 +193,14 @@ template <class FT> std::array<Bernstein_polynomial<FT>, 2> factor_of(const Edge
 }
 
 template <class FT, int N, class Reparametrisation>
-std::array<Edge_spline<FT, N>, 3> rows_of_end(const Blend_end<FT, N>& end, const Reparametrisation& r, int direction) {
+std::array<Edge_spline<FT, N>, 3> rows_of_end(const Blend_end<FT, N>& end, const Reparametrisation& r, int direction,
+                                              int n) {
   const std::array<Bernstein_polynomial<FT>, 2> lambda = factor_of(r);
   const auto are_numbers = [](const auto&... f) { return (... && (f.degree() == 0)); };
   if (is_constant(r.alpha, 0) && is_constant(r.alpha2, 0) && are_numbers(r.beta, r.delta, lambda[0], lambda[1]))
-    return rows_of_end(end,
-                       row_weights<FT, FT>(FT(0), r.beta[0], FT(0), r.delta[0], lambda[0][0], lambda[1][0], direction));
-  return rows_of_end(end, row_weights<FT>(r.alpha, r.beta, r.alpha2, r.delta, lambda[0], lambda[1], direction));
+    return rows_of_end(
+        end, row_weights<FT, FT>(FT(0), r.beta[0], FT(0), r.delta[0], lambda[0][0], lambda[1][0], direction, n), n);
+  return rows_of_end(end, row_weights<FT>(r.alpha, r.beta, r.alpha2, r.delta, lambda[0], lambda[1], direction, n), n);
 }
 
 // Where a derivative along an edge jumps that the functions multiply, the rows would have knots of the multiplicity degree + 1.
@@ -175,12 +215,49 @@ template <class FT> void check_not_torn(const Knot_vector<FT>& knots) {
 template <class FT, int N, class Shape>
 std::array<Edge_spline<FT, N>, 6> rows_of_blend(const Blend_end<FT, N>& start, const Blend_end<FT, N>& end,
                                                 const Shape& shape) {
-  std::array<Edge_spline<FT, N>, 3> s = rows_of_end(start, shape.start, 1), e = rows_of_end(end, shape.end, -1);
+  std::array<Edge_spline<FT, N>, 3> s = rows_of_end(start, shape.start, 1, 5), e = rows_of_end(end, shape.end, -1, 5);
   std::array<Edge_spline<FT, N>, 6> rows = {std::move(s[0]), std::move(s[1]), std::move(s[2]),
                                             std::move(e[2]), std::move(e[1]), std::move(e[0])};
   unite(rows);
   check_not_torn(rows[0].knots());
   return rows;
+}
+
+// The eight rows of control points across a blend of degree 7.
+template <class FT, int N, class Shape>
+std::array<Edge_spline<FT, N>, 8> rows_of_septic_blend(const Blend_end<FT, N>& start, const Blend_end<FT, N>& end,
+                                                       const Shape& shape) {
+  std::array<Edge_spline<FT, N>, 3> s = rows_of_end(start, shape.start, 1, 7), e = rows_of_end(end, shape.end, -1, 7);
+  std::array<Edge_spline<FT, N>, 8> rows = {
+      std::move(s[0]),
+      std::move(s[1]),
+      std::move(s[2]),
+      third_row(start, third_row_weights<FT>(shape.start, factor_of(shape.start), 1)),
+      third_row(end, third_row_weights<FT>(shape.end, factor_of(shape.end), -1)),
+      std::move(e[2]),
+      std::move(e[1]),
+      std::move(e[0])};
+  unite(rows);
+  check_not_torn(rows[0].knots());
+  return rows;
+}
+
+// The ends of a blend with a shape that is given, both checked.
+template <class Kind, class A, class B, class Shape>
+auto checked_ends(const A& a, Patch_edge edge_a, const B& b, Patch_edge edge_b, const Shape& shape,
+                  Edge_direction direction, int order) {
+  check_reparametrisation(shape.start, "blend: beta at the edge of the first surface");
+  check_reparametrisation(shape.end, "blend: beta at the edge of the second surface");
+  auto ends = Kind::ends(a, edge_a, b, edge_b, direction, order);
+  charge_end(ends.first, shape.start);
+  charge_end(ends.second, shape.end);
+  check_edge<Kind::is_rational>(ends.first, "the first surface");
+  check_edge<Kind::is_rational>(ends.second, "the second surface");
+  if constexpr (Kind::is_rational) {
+    scale(ends.first, shape.start.lambda, "blend: lambda at the edge of the first surface");
+    scale(ends.second, shape.end.lambda, "blend: lambda at the edge of the second surface");
+  }
+  return ends;
 }
 
 } // namespace internal
@@ -212,18 +289,27 @@ Blend_surface<Surface_a, Surface_b> blend(const Surface_a& a, Patch_edge edge_a,
                                           Edge_direction direction = Edge_direction::same) {
   typedef internal::Blended_surfaces<Surface_a, Surface_b> Kind;
   const internal::Work_on_object work("blend");
-  internal::check_reparametrisation(shape.start, "blend: beta at the edge of the first surface");
-  internal::check_reparametrisation(shape.end, "blend: beta at the edge of the second surface");
-  auto ends = Kind::ends(a, edge_a, b, edge_b, direction);
-  internal::charge_end(ends.first, shape.start);
-  internal::charge_end(ends.second, shape.end);
-  internal::check_edge<Kind::is_rational>(ends.first, "the first surface");
-  internal::check_edge<Kind::is_rational>(ends.second, "the second surface");
-  if constexpr (Kind::is_rational) {
-    internal::scale(ends.first, shape.start.lambda, "blend: lambda at the edge of the first surface");
-    internal::scale(ends.second, shape.end.lambda, "blend: lambda at the edge of the second surface");
-  }
+  const auto ends = internal::checked_ends<Kind>(a, edge_a, b, edge_b, shape, direction, 2);
   return Kind::surface(internal::rows_of_blend(ends.first, ends.second, shape));
+}
+
+/// \ingroup PkgGeometricContinuityConstruction
+/// Returns the surface of degree 7 in `v`, on [0, 1], that leads from an edge of one surface to an edge of another one and is
+/// \f$ G^3 \f$ with both along the whole edges, wherever the normals of the surfaces do not vanish there: to third order it is each
+/// surface in other parameters, \f$ \varphi(u, v) = (u + \alpha v + \frac12 \alpha_2 v^2 + \frac16 \alpha_3 v^3,\
+/// \beta v + \frac12 \delta v^2 + \frac16 \delta_3 v^3) \f$. All else is as for the blend of degree 5; functions of degree `q` raise
+/// the degree along the edges by up to `3 q`.
+/// \param shape the functions that are free; a shape of order 2 can be converted to one
+/// \throws Error as the function of degree 5
+template <class Surface_a, class Surface_b>
+Blend_surface<Surface_a, Surface_b>
+blend(const Surface_a& a, Patch_edge edge_a, const Surface_b& b, Patch_edge edge_b,
+      const Septic_surface_blend_shape<Blend_surface_shape<Surface_a, Surface_b>>& shape,
+      Edge_direction direction = Edge_direction::same) {
+  typedef internal::Blended_surfaces<Surface_a, Surface_b> Kind;
+  const internal::Work_on_object work("blend");
+  const auto ends = internal::checked_ends<Kind>(a, edge_a, b, edge_b, shape, direction, 3);
+  return Kind::surface(internal::rows_of_septic_blend(ends.first, ends.second, shape));
 }
 
 /// \ingroup PkgGeometricContinuityConstruction

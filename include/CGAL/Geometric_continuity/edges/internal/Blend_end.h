@@ -67,21 +67,22 @@ template <class Surface> Knot_vector<typename Surface::FT> knots_of_edge(const S
     return surface.knots_along(edge);
 }
 
-// The edge C and the derivatives T and W across it, as coefficients over clamped knots. T and W are those in the direction in which the
-// blend runs: out of the surface where the blend starts, into it where it ends.
+// The edge C and the derivatives T, W and X across it, as coefficients over clamped knots. T and W are those in the direction in which the
+// blend runs: out of the surface where the blend starts, into it where it ends. X is empty where it is not asked for.
 template <class FT, int N> struct Blend_end {
   typedef std::vector<Coordinate_vector<FT, N>> Row;
 
   Knot_vector<FT> knots;
-  Row edge, cross, second_cross;
+  Row edge, cross, second_cross, third_cross;
 
   // `direction` is 1 where the blend starts, -1 where it ends. Derivatives are those with respect to the parameters of the surface.
   template <class Surface>
-  Blend_end(const Surface& surface, Patch_edge at, int direction) : knots(knots_of_edge(surface, at)) {
-    auto rows = surface.template rows<FT>(at, 2); // into the surface
+  Blend_end(const Surface& surface, Patch_edge at, int direction, int order) : knots(knots_of_edge(surface, at)) {
+    auto rows = surface.template rows<FT>(at, order); // into the surface
     edge = std::move(rows[0]);
     cross = std::move(rows[1]);
     second_cross = std::move(rows[2]);
+    if (order >= 3) third_cross = std::move(rows[3]);
     FT unit(-direction);
     if constexpr (Is_patch<Surface>::value) { // on the unit square
       const typename Surface::Interval across = runs_along_u(at) ? surface.domain_v() : surface.domain_u();
@@ -89,9 +90,11 @@ template <class FT, int N> struct Blend_end {
     }
     multiply(cross, unit);
     multiply(second_cross, FT(unit * unit));
+    if (order >= 3) multiply(third_cross, FT(unit * unit * unit));
     if (knots.is_clamped()) return;
     const Knot_vector<FT> clamped = knots.clamp();
-    for (Row* row : {&edge, &cross, &second_cross}) *row = bspline_refine(knots, *row, clamped);
+    for (Row* row : {&edge, &cross, &second_cross, &third_cross})
+      if (!row->empty()) *row = bspline_refine(knots, *row, clamped);
     knots = clamped;
   }
 
@@ -99,7 +102,7 @@ template <class FT, int N> struct Blend_end {
   void run_along(const std::pair<FT, FT>& other, Edge_direction direction) {
     if (direction == Edge_direction::opposite) {
       knots = knots.reverse();
-      for (Row* row : {&edge, &cross, &second_cross}) std::reverse(row->begin(), row->end());
+      for (Row* row : {&edge, &cross, &second_cross, &third_cross}) std::reverse(row->begin(), row->end());
     }
     const std::pair<FT, FT> domain = knots.domain();
     if (domain == other) return;
@@ -112,7 +115,7 @@ template <class FT, int N> struct Blend_end {
 
   // Multiplies all by a number, which changes nothing where they are homogeneous.
   void scale(const FT& factor) {
-    for (Row* row : {&edge, &cross, &second_cross}) multiply(*row, factor);
+    for (Row* row : {&edge, &cross, &second_cross, &third_cross}) multiply(*row, factor);
   }
 
   Edge_spline<FT, N> spline(Row row) const { return {knots, std::move(row)}; }
@@ -142,15 +145,15 @@ template <class A, class B> struct Blended_surfaces {
 
   // Both ends, over the domain of the first edge.
   static std::pair<End, End> ends(const A& a, Patch_edge edge_a, const B& b, Patch_edge edge_b,
-                                  Edge_direction direction) {
+                                  Edge_direction direction, int order = 2) {
     if (a.dimension() != b.dimension()) throw Error(Error_code::dimension_mismatch, "blend: of the two surfaces");
-    std::pair<End, End> ends(end(a, edge_a, 1), end(b, edge_b, -1));
+    std::pair<End, End> ends(end(a, edge_a, 1, order), end(b, edge_b, -1, order));
     ends.second.run_along(ends.first.knots.domain(), direction);
     return ends;
   }
 
   // With the rows of control points across the blend.
-  static Surface surface(const std::array<Edge_spline<FT, N>, 6>& rows) {
+  template <std::size_t n> static Surface surface(const std::array<Edge_spline<FT, N>, n>& rows) {
     typedef Shape_over<Row_traits> Polynomial;
     const Knot_vector<FT>& knots = rows[0].knots();
     std::vector<std::vector<typename Row_traits::Point>> net(knots.number_of_coefficients());
@@ -161,15 +164,15 @@ template <class A, class B> struct Blended_surfaces {
     if constexpr (is_patch)
       return Surface(Polynomial(net, knots.domain()));
     else
-      return Surface(Polynomial(net, knots, Knot_vector<FT>(5, FT(0), FT(1))));
+      return Surface(Polynomial(net, knots, Knot_vector<FT>(static_cast<int>(n) - 1, FT(0), FT(1))));
   }
 
 private:
-  template <class S> static End end(const S& surface, Patch_edge edge, int direction) {
+  template <class S> static End end(const S& surface, Patch_edge edge, int direction, int order) {
     if constexpr (is_rational && !Is_rational<S>::value)
-      return {Rational_surface<S>(surface), edge, direction};
+      return {Rational_surface<S>(surface), edge, direction, order};
     else
-      return {surface, edge, direction};
+      return {surface, edge, direction, order};
   }
 };
 
