@@ -28,20 +28,20 @@ namespace CGAL {
 namespace Geometric_continuity {
 namespace internal {
 
-// The differences on which a question depends, once for each coordinate, because numbers of any length are long to compile.
-template <int k, bool weighted, class T>
-BOOST_NOINLINE std::array<T, 3> differences_along(const std::array<T, 4>& x, bool left, int degree) {
-  const End_polygon<T, 1> points{{{x[0]}, {x[1]}, {x[2]}, {x[3]}}};
-  Differences<T, 1> d;
-  if constexpr (weighted)
-    d = fan_of<k, false>(points);
-  else
-    d = differences_of<k, false>(legs_of<k>(points), degree);
-  if (left) {
-    d[0][0] = T(T(0) - d[0][0]);
-    if constexpr (k >= 3) d[2][0] = T(T(0) - d[2][0]);
+// The differences of the orders up to k of one coordinate of an end, because numbers of any length are long to compile.
+template <bool weighted, class T>
+BOOST_NOINLINE std::array<T, 3> differences_along(std::array<T, 4> x, int k, bool left, int degree) {
+  std::array<T, 3> d{};
+  for (int order = 1; order <= k; ++order) {
+    if constexpr (weighted)
+      d[order - 1] = T(x[order] - x[0]);
+    else {
+      for (int j = 0; j <= k - order; ++j) x[j] = T(x[j + 1] - x[j]);
+      if (order <= degree) d[order - 1] = x[0];
+    }
+    if (left && order != 2) d[order - 1] = T(T(0) - d[order - 1]);
   }
-  return {std::move(d[0][0]), std::move(d[1][0]), std::move(d[2][0])};
+  return d;
 }
 
 // The numbers of two ends that a question needs: points, weights, or for the orders C the ends of the domains. One class for all
@@ -92,9 +92,7 @@ template <int N, bool weighted, class Scale> class Ring_join {
     for (int i = 0; i < N; ++i) {
       std::array<Ring, 4> y{};
       for (int j = 0; j <= k_; ++j) y[j] = in_ring(points_, x.points[j][(pivot_ + i) % N]);
-      std::array<Ring, 3> z = k_ == 1   ? differences_along<1, weighted>(y, left, x.degree)
-                              : k_ == 2 ? differences_along<2, weighted>(y, left, x.degree)
-                                        : differences_along<3, weighted>(y, left, x.degree);
+      std::array<Ring, 3> z = differences_along<weighted>(y, k_, left, x.degree);
       for (int j = 0; j < k_; ++j) d[j][i] = std::move(z[j]);
     }
     return d;
