@@ -9,6 +9,7 @@
 #include <CGAL/Geometric_continuity/numbers/internal/checked_numbers.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <initializer_list>
 #include <limits>
@@ -72,39 +73,38 @@ public:
 
   // The first `count` parameters; none if nothing has been given.
   std::vector<FT> operator()(int count) const {
-    std::vector<FT> betas;
-    if (count <= 0) return betas;
+    if (count <= 0) return {};
     if (left_.degree >= 0) {
       if constexpr (!std::is_floating_point_v<FT> && std::is_constructible_v<FT, double>) {
         const int order = (std::min)(count, 3);
-        const std::vector<FT> x = derivatives(left_, true, order), y = derivatives(right_, false, order);
+        const std::array<FT, 4> x = derivatives(left_, true, order), y = derivatives(right_, false, order);
         // beta_1 = y' / x', beta_2 = (y'' - beta_1^2 x'') / x', beta_3 = (y''' - 3 beta_1 beta_2 x'' - beta_1^3 x''') / x'
-        betas.push_back(y[1]);
-        betas[0] /= x[1];
-        if (count > 1) {
-          betas.push_back(y[2]);
-          betas[1] -= product({x[2], betas[0], betas[0]});
-          betas[1] /= x[1];
+        std::vector<FT> betas(order);
+        for (int k = 1; k <= order; ++k) {
+          FT& beta = betas[k - 1];
+          beta = y[k];
+          if (k == 2) beta -= product({x[2], betas[0], betas[0]});
+          if (k == 3) {
+            beta -= product({x[2], FT(3), betas[0], betas[1]});
+            beta -= product({x[3], betas[0], betas[0], betas[0]});
+          }
+          beta /= x[1];
         }
-        if (count > 2) {
-          betas.push_back(y[3]);
-          betas[2] -= product({x[2], FT(3), betas[0], betas[1]});
-          betas[2] -= product({x[3], betas[0], betas[0], betas[0]});
-          betas[2] /= x[1];
-        }
+        return betas;
       }
-      return betas;
+      return {};
     }
-    if (forms_.empty()) return betas; // none in this field
+    if (forms_.empty()) return {}; // none in this field
+    std::vector<FT> betas(count);
     FT power = forms_[0];
     for (int k = 1; k <= count; ++k) {
-      FT beta = forms_[k];
+      FT& beta = betas[k - 1];
+      beta = forms_[k];
       beta /= power;
       if constexpr (std::is_floating_point_v<FT>) {
         beta = std::ldexp(beta, scale_.left - k * scale_.right);
         check_finite(beta, "Join_continuity::betas");
       }
-      betas.push_back(beta);
       power *= forms_[0];
       power *= forms_[0];
     }
@@ -120,11 +120,10 @@ private:
   }
 
   // m!/(m-k)! / h^k times the k-th difference, k = 0, ..., order <= 3; odd ones point outwards at an end.
-  std::vector<FT> derivatives(const Parameter_end& end, bool at_end, int order) const {
-    std::vector<FT> d;
-    d.reserve(order + 1);
+  std::array<FT, 4> derivatives(const Parameter_end& end, bool at_end, int order) const {
+    std::array<FT, 4> d;
     for (int j = 0; j <= order; ++j) {
-      d.push_back(FT(end.points[j]));
+      d[j] = FT(end.points[j]);
       if (end.rests[j] != 0) d[j] += FT(end.rests[j]);
     }
     for (int k = 1; k <= order; ++k)
@@ -170,31 +169,14 @@ public:
 
   std::optional<Order_up_to_rounding> order_up_to_rounding(int g_order) const {
     if (dimension_ == 0 || g_order >= max_order_) return std::nullopt;
-    return dimension_ == 2 ? order<2>(g_order) : order<3>(g_order);
-  }
-
-private:
-  template <int N, class View> static void set_side(Side& side, const View& view) {
-    side.degree = view.degree();
-    side.weight = 1;
-    for (int j = 0; j < 3; ++j)
-      for (int i = 0; i < N; ++i)
-        side.x[j][i] = static_cast<double>(view.coordinate(j <= side.degree ? j : side.degree, i));
-    if constexpr (View::has_weights)
-      if (side.degree >= 2)
-        side.weight =
-            static_cast<double>(view.weight(0) * view.weight(2)) / static_cast<double>(view.weight(1) * view.weight(1));
-  }
-
-  template <int N> std::optional<Order_up_to_rounding> order(int g_order) const {
-    typedef Coordinate_vector<double, N> Vector;
+    typedef Coordinate_vector<double, 3> Vector; // with a zero in the plane
     constexpr double most = 16;
     double largest = 0, square[2], curvature_of_unit[2] = {0, 0}, off = 0;
     Vector start[2], leg[2], curvature[2];
     for (int k = 0; k < 2; ++k) {
       Vector x[3];
       for (int j = 0; j < 3; ++j)
-        for (int i = 0; i < N; ++i) {
+        for (int i = 0; i < 3; ++i) {
           x[j][i] = sides_[k].x[j][i];
           largest = (std::max)(largest, std::abs(x[j][i]));
         }
@@ -226,6 +208,19 @@ private:
     const double sensitive = (std::max)(curvature_of_unit[0], curvature_of_unit[1]);
     if (sensitive > 0) take(2, std::sqrt(dot(jump, jump)) / sensitive);
     return result;
+  }
+
+private:
+  template <int N, class View> static void set_side(Side& side, const View& view) {
+    side.degree = view.degree();
+    side.weight = 1;
+    for (int j = 0; j < 3; ++j)
+      for (int i = 0; i < N; ++i)
+        side.x[j][i] = static_cast<double>(view.coordinate(j <= side.degree ? j : side.degree, i));
+    if constexpr (View::has_weights)
+      if (side.degree >= 2)
+        side.weight =
+            static_cast<double>(view.weight(0) * view.weight(2)) / static_cast<double>(view.weight(1) * view.weight(1));
   }
 };
 
