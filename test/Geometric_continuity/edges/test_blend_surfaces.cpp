@@ -61,15 +61,15 @@ template <class A, class B, class Surface>
 void check_blend(const A& a, Patch_edge ea, const B& b, Patch_edge eb, const Surface& s, Edge_direction direction) {
   BOOST_CHECK_EQUAL(s.degree_v(), 5);
   BOOST_CHECK(s.domain_v() == std::make_pair(Q(0), Q(1)));
-  BOOST_CHECK_EQUAL(order(a, ea, s, v0), 2);
-  BOOST_CHECK_EQUAL(order(s, v1, b, eb), 2);
+  BOOST_CHECK_EQUAL(whole_edge_order(a, ea, s, v0), 2);
+  BOOST_CHECK_EQUAL(whole_edge_order(s, v1, b, eb), 2);
   BOOST_CHECK(!edge_continuity(a, ea, s, v0).reversed);
   BOOST_CHECK_EQUAL(edge_continuity(s, v1, b, eb).reversed, direction == Edge_direction::opposite);
-  BOOST_CHECK_EQUAL(order(a, ea, moved(s, 1, 2), v0), 1);
-  BOOST_CHECK_EQUAL(order(a, ea, moved(s, 1, 1), v0), 0);
-  BOOST_CHECK_EQUAL(order(a, ea, moved(s, 1, 3), v0), 2);
-  BOOST_CHECK_EQUAL(order(moved(s, 1, 3), v1, b, eb), 1);
-  BOOST_CHECK_EQUAL(order(moved(s, 1, 4), v1, b, eb), 0);
+  BOOST_CHECK_EQUAL(whole_edge_order(a, ea, moved(s, 1, 2), v0), 1);
+  BOOST_CHECK_EQUAL(whole_edge_order(a, ea, moved(s, 1, 1), v0), 0);
+  BOOST_CHECK_EQUAL(whole_edge_order(a, ea, moved(s, 1, 3), v0), 2);
+  BOOST_CHECK_EQUAL(whole_edge_order(moved(s, 1, 3), v1, b, eb), 1);
+  BOOST_CHECK_EQUAL(whole_edge_order(moved(s, 1, 4), v1, b, eb), 0);
 }
 
 template <class A, class B> void check_random_blends(Numbers& random) {
@@ -447,10 +447,10 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(floating_point, Traits, Rounded_traits) {
   int rounded = 0;
   for (int i = 0; i < 20; ++i) {
     const Bezier<Traits> a(net(3, 3, 0, 320)), b(net(3, 3, 5, 320)), s = blend(a, v1, b, v0, constants);
-    BOOST_CHECK_EQUAL(order(a, v1, s, v0), 2);
-    BOOST_CHECK_EQUAL(order(s, v1, b, v0), 2);
+    BOOST_CHECK_EQUAL(whole_edge_order(a, v1, s, v0), 2);
+    BOOST_CHECK_EQUAL(whole_edge_order(s, v1, b, v0), 2);
     const Bezier<Traits> c(net(3, 3, 0, 1)), d(net(2, 3, 5, 1)), t = blend(c, v1, d, v0, shape);
-    rounded += order(c, v1, t, v0) < 2;
+    rounded += whole_edge_order(c, v1, t, v0) < 2;
     const Bezier<Exact> e = blend(exact(c), v1, exact(d), v0, exact_shape);
     for (int k = 0; k <= e.degree_u(); ++k)
       for (int l = 0; l <= 5; ++l)

@@ -85,18 +85,18 @@ template <class Surface> Q width(const Surface& s, Patch_edge edge, const Q& par
 template <class A, class B, class... Strategy>
 void check_rounded(const A& a, Patch_edge ea, const B& b, Patch_edge eb, Edge_direction direction, const Q& part_a,
                    const Q& part_b, const Strategy&... strategy) {
-  BOOST_CHECK_EQUAL(order(a, ea, b, eb), 0);
+  BOOST_CHECK_EQUAL(whole_edge_order(a, ea, b, eb), 0);
   const Q wa = width(a, ea, part_a), wb = width(b, eb, part_b);
   const GC::Rounded_edge<A, B> r = round_edge(a, ea, b, eb, wa, wb, strategy...);
   BOOST_CHECK(r.first == trim_back(a, ea, wa));
   BOOST_CHECK(r.second == trim_back(b, eb, wb));
   BOOST_CHECK(r.direction == direction);
-  BOOST_CHECK_EQUAL(order(r.first, ea, r.blend, v0), 2);
-  BOOST_CHECK_EQUAL(order(r.blend, v1, r.second, eb), 2);
+  BOOST_CHECK_EQUAL(whole_edge_order(r.first, ea, r.blend, v0), 2);
+  BOOST_CHECK_EQUAL(whole_edge_order(r.blend, v1, r.second, eb), 2);
   BOOST_CHECK(!r.fold);
-  BOOST_CHECK_EQUAL(order(r.first, ea, moved(r.blend, 1, 2), v0), 1);
-  BOOST_CHECK_EQUAL(order(moved(r.blend, 1, 3), v1, r.second, eb), 1);
-  BOOST_CHECK_EQUAL(order(moved(r.blend, 1, 4), v1, r.second, eb), 0);
+  BOOST_CHECK_EQUAL(whole_edge_order(r.first, ea, moved(r.blend, 1, 2), v0), 1);
+  BOOST_CHECK_EQUAL(whole_edge_order(moved(r.blend, 1, 3), v1, r.second, eb), 1);
+  BOOST_CHECK_EQUAL(whole_edge_order(moved(r.blend, 1, 4), v1, r.second, eb), 0);
 }
 
 template <class A, class B> void check_random_edges(Numbers& random) {
@@ -155,8 +155,8 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(kernels, Traits, All_traits) {
   const auto r = round_edge(floor, v0, wall, u0, quarter, quarter);
   BOOST_CHECK(r.first == trim_back(floor, v0, quarter));
   BOOST_CHECK(r.second == trim_back(wall, u0, quarter));
-  BOOST_CHECK_EQUAL(order(r.first, v0, r.blend, v0), 2);
-  BOOST_CHECK_EQUAL(order(r.blend, v1, r.second, u0), 2);
+  BOOST_CHECK_EQUAL(whole_edge_order(r.first, v0, r.blend, v0), 2);
+  BOOST_CHECK_EQUAL(whole_edge_order(r.blend, v1, r.second, u0), 2);
   BOOST_CHECK(r.blend.control_point(1, 0) == P(8, 2, 0));
   BOOST_CHECK(r.blend.control_point(1, 5) == P(8, 0, 2));
   BOOST_CHECK(!r.fold);
@@ -201,7 +201,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(errors, Traits, All_traits) {
                     "already_smooth: round_edge: the edge v0 of the first surface and the edge v0 of the "
                     "second one are G2 along each other");
   const Bezier<Traits> bent({{P(0, 0, 0), P(0, -4, 0), P(0, -8, 8)}, {P(8, 0, 0), P(8, -4, 0), P(8, -8, 8)}});
-  BOOST_CHECK_EQUAL(order(floor, v0, bent, v0), 1);
+  BOOST_CHECK_EQUAL(whole_edge_order(floor, v0, bent, v0), 1);
   BOOST_CHECK_EQUAL(text(bent, v0), "no error");
   // widths
   for (const FT& width : {FT(0), FT(-quarter), FT(1), FT(2)}) {
@@ -219,7 +219,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(errors, Traits, All_traits) {
   // a blend that bulges out so far that it turns back
   const auto folded = round_edge(floor, v0, wall(a, b), v0, quarter, quarter, GC::Given_parameters<double>{20, 20});
   BOOST_CHECK(folded.fold);
-  BOOST_CHECK_EQUAL(order(folded.first, v0, folded.blend, v0), 2);
+  BOOST_CHECK_EQUAL(whole_edge_order(folded.first, v0, folded.blend, v0), 2);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

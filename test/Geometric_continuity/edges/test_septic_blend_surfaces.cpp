@@ -123,8 +123,8 @@ template <class A, class B> void check_random_blend(Numbers& random) {
   BOOST_CHECK_EQUAL(s.degree_v(), 7);
   BOOST_CHECK(has_contact(a, ea, Edge_direction::same, s, 0, shape.start));
   BOOST_CHECK(has_contact(b, eb, direction, s, 1, shape.end));
-  BOOST_CHECK_EQUAL(order(a, ea, s, v0), 2);
-  BOOST_CHECK_EQUAL(order(s, v1, b, eb), 2);
+  BOOST_CHECK_EQUAL(whole_edge_order(a, ea, s, v0), 2);
+  BOOST_CHECK_EQUAL(whole_edge_order(s, v1, b, eb), 2);
   // a moved point of each of the layers, at both ends
   for (int layer = 0; layer <= 7; ++layer) {
     const auto m = moved(s, 1, layer);

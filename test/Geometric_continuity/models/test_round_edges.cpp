@@ -65,8 +65,8 @@ template <class Surface> void check_box(const std::vector<Surface>& box) {
   for (const auto& b : r.blends) {
     BOOST_CHECK(!b.fold);
     BOOST_CHECK(80 < b.angle.lower && b.angle.upper < 100);
-    BOOST_CHECK_EQUAL(order(r.surfaces[b.patch_a], b.edge_a, b.surface, v0), 2);
-    BOOST_CHECK_EQUAL(order(b.surface, v1, r.surfaces[b.patch_b], b.edge_b), 2);
+    BOOST_CHECK_EQUAL(whole_edge_order(r.surfaces[b.patch_a], b.edge_a, b.surface, v0), 2);
+    BOOST_CHECK_EQUAL(whole_edge_order(b.surface, v1, r.surfaces[b.patch_b], b.edge_b), 2);
   }
   const auto summary = continuity_of(r);
   BOOST_CHECK_EQUAL(summary.g2, 24u);

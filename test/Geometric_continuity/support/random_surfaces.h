@@ -117,7 +117,7 @@ inline Spline<Exact> moved(const Spline<Exact>& s, int i, int j) {
 }
 
 // The order along two whole edges, otherwise -2.
-template <class A, class B> int order(const A& a, Patch_edge ea, const B& b, Patch_edge eb) {
+template <class A, class B> int whole_edge_order(const A& a, Patch_edge ea, const B& b, Patch_edge eb) {
   const auto edge = edge_continuity(a, ea, b, eb);
   return edge.whole_a && edge.whole_b ? edge.g_order : -2;
 }

@@ -51,7 +51,7 @@ template <class Surface> void check_trimmed(Random_surfaces& random) {
       const Patch_edge other = edge == u0 ? u1 : edge == u1 ? u0 : edge == v0 ? v1 : v0;
       const Surface strip = trim_back(s, other, Q(length - distance));
       check_parts(s, strip, random);
-      BOOST_CHECK_EQUAL(order(t, edge, strip, other), 2);
+      BOOST_CHECK_EQUAL(whole_edge_order(t, edge, strip, other), 2);
       for (const Q& bad : {Q(0), Q(-distance), length, Q(length + distance)})
         CHECK_ERROR(trim_back(s, edge, bad), parameter_outside_domain);
     }
@@ -79,10 +79,10 @@ BOOST_AUTO_TEST_CASE(at_knots) {
     const Bspline<Exact> left = trim_back(s, u1, Q(4)), right = trim_back(s, u0, Q(3));
     BOOST_CHECK(left.knots_u() == Knots(2, {-2, -1, 0, 3, 3, 3}));
     BOOST_CHECK(right.knots_u() == Knots(2, {3, 3, 3, 7, 8, 8}));
-    BOOST_CHECK_EQUAL(order(left, u1, right, u0), multiplicity == 0   ? 2
-                                                  : multiplicity == 3 ? -2
-                                                  : multiplicity == 2 ? 0
-                                                                      : 1);
+    BOOST_CHECK_EQUAL(whole_edge_order(left, u1, right, u0), multiplicity == 0   ? 2
+                                                             : multiplicity == 3 ? -2
+                                                             : multiplicity == 2 ? 0
+                                                                                 : 1);
     for (const Q& t : {Q(0), fraction(1, 3), Q(1)}) {
       BOOST_CHECK(right(3, t) == s(3, t));
       BOOST_CHECK(right(7, t) == s(7, t));
