@@ -296,8 +296,8 @@ Blend_surface<Surface_a, Surface_b> blend(const Surface_a& a, Patch_edge edge_a,
 /// \ingroup PkgGeometricContinuityConstruction
 /// Returns the surface of degree 7 in `v`, on [0, 1], that leads from an edge of one surface to an edge of another one and is
 /// \f$ G^3 \f$ with both along the whole edges, wherever the normals of the surfaces do not vanish there: to third order it is each
-/// surface in other parameters, \f$ \varphi(u, v) = (u + \alpha v + \frac12 \alpha_2 v^2 + \frac16 \alpha_3 v^3,\
-/// \beta v + \frac12 \delta v^2 + \frac16 \delta_3 v^3) \f$. All else is as for the blend of degree 5; functions of degree `q` raise
+/// surface in the parameters \f$ u + \alpha v + \frac12 \alpha_2 v^2 + \frac16 \alpha_3 v^3 \f$ and
+/// \f$ \beta v + \frac12 \delta v^2 + \frac16 \delta_3 v^3 \f$. All else is as for the blend of degree 5; functions of degree `q` raise
 /// the degree along the edges by up to `3 q`.
 /// \param shape the functions that are free; a shape of order 2 can be converted to one
 /// \throws Error as the function of degree 5
