@@ -165,10 +165,6 @@ template <class Traits> struct Predicate_field<Traits, std::void_t<typename Trai
   typedef typename Traits::Predicate_FT type;
 };
 
-} // namespace internal
-
-namespace internal {
-
 template <class Point, class = void> struct Traits_of_point {};
 template <class Point> struct Traits_of_point<Point, std::enable_if_t<Point::Ambient_dimension::value == 2>> {
   typedef Traits_2<typename Point::R> type;
