@@ -31,7 +31,7 @@ namespace internal {
 // The differences of the orders up to k of one coordinate of an end, because numbers of any length are long to compile.
 template <bool weighted, class T>
 BOOST_NOINLINE std::array<T, 3> differences_along(std::array<T, 4> x, int k, bool left, int degree) {
-  std::array<T, 3> d{};
+  std::array<T, 3> d{T(0), T(0), T(0)};
   for (int order = 1; order <= k; ++order) {
     if constexpr (weighted)
       d[order - 1] = T(x[order] - x[0]);
