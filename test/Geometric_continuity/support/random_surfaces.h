@@ -81,17 +81,19 @@ template <class Points> void move_point(Points& net, int i, int j) {
   const Exact::Point p = net[i][j];
   net[i][j] = Exact::Point(p.x(), p.y(), p.z() + Q(1) / Q(1 << 30) / Q(2));
 }
+template <class S> std::vector<std::vector<Exact::Point>> rows_of_points(const S& s, int m, int n) {
+  std::vector<std::vector<Exact::Point>> net(m);
+  for (int k = 0; k < m; ++k)
+    for (int l = 0; l < n; ++l) net[k].push_back(s.control_point(k, l));
+  return net;
+}
 inline Bezier<Exact> moved(const Bezier<Exact>& s, int i, int j) {
-  std::vector<std::vector<Exact::Point>> net(s.degree_u() + 1);
-  for (int k = 0; k <= s.degree_u(); ++k)
-    for (int l = 0; l <= s.degree_v(); ++l) net[k].push_back(s.control_point(k, l));
+  auto net = rows_of_points(s, s.degree_u() + 1, s.degree_v() + 1);
   move_point(net, i, j);
   return Bezier<Exact>(net, s.domain_u(), s.domain_v());
 }
 inline Bspline<Exact> moved(const Bspline<Exact>& s, int i, int j) {
-  std::vector<std::vector<Exact::Point>> net(s.number_of_points_u());
-  for (int k = 0; k < s.number_of_points_u(); ++k)
-    for (int l = 0; l < s.number_of_points_v(); ++l) net[k].push_back(s.control_point(k, l));
+  auto net = rows_of_points(s, s.number_of_points_u(), s.number_of_points_v());
   move_point(net, i, j);
   return Bspline<Exact>(net, s.knots_u(), s.knots_v());
 }
@@ -102,17 +104,11 @@ template <class S> std::vector<std::vector<Q>> rows_of_weights(const S& s) {
   return w;
 }
 inline Patch<Exact> moved(const Patch<Exact>& s, int i, int j) {
-  const Bezier<Exact> r = moved(s.unweighted(), i, j);
-  std::vector<std::vector<Exact::Point>> net(s.number_of_points_u());
-  for (int k = 0; k < s.number_of_points_u(); ++k)
-    for (int l = 0; l < s.number_of_points_v(); ++l) net[k].push_back(r.control_point(k, l));
+  const auto net = rows_of_points(moved(s.unweighted(), i, j), s.number_of_points_u(), s.number_of_points_v());
   return Patch<Exact>(net, rows_of_weights(s), s.domain_u(), s.domain_v());
 }
 inline Spline<Exact> moved(const Spline<Exact>& s, int i, int j) {
-  const Bspline<Exact> r = moved(s.unweighted(), i, j);
-  std::vector<std::vector<Exact::Point>> net(s.number_of_points_u());
-  for (int k = 0; k < s.number_of_points_u(); ++k)
-    for (int l = 0; l < s.number_of_points_v(); ++l) net[k].push_back(r.control_point(k, l));
+  const auto net = rows_of_points(moved(s.unweighted(), i, j), s.number_of_points_u(), s.number_of_points_v());
   return Spline<Exact>(net, rows_of_weights(s), s.knots_u(), s.knots_v());
 }
 
