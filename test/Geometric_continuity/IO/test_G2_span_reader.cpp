@@ -180,8 +180,9 @@ template <class Traits, class Number> int check_roads(const std::string& file) {
   return check_join(spans[0], spans[1], file);
 }
 
-// A B-spline curve with knots of all multiplicities; every point or knot with a few digits.
-std::string spline(int dimension) {
+// A B-spline curve with knots of all multiplicities; every point or knot with a few digits, or points with too many for integers of
+// fixed length.
+std::string spline(int dimension, bool is_long) {
   const int order = 1 + below(6), points = order + below(8), places = below(4);
   std::vector<int> knots(points + order);
   for (int j = 0; j < points + order; ++j) {
@@ -193,19 +194,43 @@ std::string spline(int dimension) {
       "100 1 0 0 " + std::to_string(dimension) + " 0\n" + std::to_string(points) + ' ' + std::to_string(order) + '\n';
   for (int knot : knots) file += text(value({knot, places})) + ' ';
   const int size = below(5) == 0 ? 3 : 100000;
-  for (int j = 0; j < dimension * points; ++j) file += '\n' + text(value({below(size) - size / 2, below(7)}));
+  const bool is_flat = below(4) == 0, has_repeated = below(4) == 0; // coordinates, points
+  std::string point;
+  for (int j = 0; j < points; ++j) {
+    if (j == 0 || !has_repeated || below(2) == 0) {
+      point.clear();
+      for (int i = 0; i < dimension; ++i) {
+        const std::int64_t digits = i == 2 && is_flat ? 0 : below(size) - size / 2;
+        point += '\n' + text(value({is_long ? digits * 10000000000007 : digits, below(7)}));
+      }
+    }
+    file += point;
+  }
   return file + '\n';
 }
 
 template <int N, class Traits> void check_splines() {
   random_bits.seed(20261123 + N);
   int inner_knots = 0;
-  for (int i = 0; i < 300; ++i) {
-    const std::string file = spline(N);
+  for (int i = 0; i < 400; ++i) {
+    const std::string file = spline(N, i >= 300);
     const auto spans = read_spans<Traits, GC::Text_number>(file);
     for (std::size_t j = 1; j < spans.size(); ++j, ++inner_knots) check_join(spans[j - 1], spans[j], file);
   }
   BOOST_CHECK_GT(inner_knots, 300);
+}
+
+// Spans of two curves, of which one could continue the other but for a knot or a coordinate.
+template <int N, class Traits> void check_other_curves() {
+  const std::string head = "100 1 0 0 " + std::to_string(N) + " 0\n4 4\n", point = N == 2 ? "1 2 " : "1 2 5 ",
+                    other = N == 2 ? "3 1 " : "3 1 0 ", third = N == 2 ? "7 0 " : "7 0 2 ";
+  const std::string left = head + "0 1 2 3 4 5 6 7\n" + point + other + other + third + '\n';
+  for (const std::string& right :
+       {"1 2 3 4 5 6 7 8\n" + other + other + third + point, "1 2 3 4 5 7 8 9\n" + other + other + third + point,
+        "1 2 3 4 5 6 7 8\n" + other + point + third + point}) {
+    const auto spans = read_spans<Traits, GC::Text_number>(left + head + right + '\n');
+    check_join(spans[0], spans[1], right);
+  }
 }
 
 template <int N, class Traits> void check_all_classes() {
@@ -231,6 +256,8 @@ BOOST_AUTO_TEST_CASE(decimals_in_space) { check_all_classes<3, Exact_3>(); }
 BOOST_AUTO_TEST_CASE(inner_knots) {
   check_splines<2, Exact_2>();
   check_splines<3, Exact_3>();
+  check_other_curves<2, Exact_2>();
+  check_other_curves<3, Exact_3>();
 }
 
 // Coordinates that are no doubles, with legs that are multiples of 2^32: the form for G2 is a multiple of 2^128, so that short residues

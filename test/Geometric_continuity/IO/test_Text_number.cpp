@@ -10,8 +10,11 @@
 #include "support/errors.h"
 
 #include <CGAL/Exact_rational.h>
+#include <CGAL/FPU.h>
 #include <CGAL/Geometric_continuity/IO/number.h>
+#include <CGAL/Interval_nt.h>
 
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <random>
@@ -258,6 +261,22 @@ BOOST_AUTO_TEST_CASE(refused_as_numbers_are) {
       ++refused;
   }
   BOOST_CHECK_LT(refused, 19000);
+}
+
+BOOST_AUTO_TEST_CASE(enclosures) {
+  const CGAL::Protect_FPU_rounding<true> rounding_upwards;
+  for (const char* text :
+       {"0", "1", "-7", "0.1", "-0.1", "123456789012345678", "-999999999999999999e-9", "7e17", "3e-40", "-5e90",
+        "1234567890123456.78e-300", "1/3", "-22/7", "12345678901234567890.5", "1e300", "1e-400", "-1e400", "1e4000"}) {
+    const GC::Text_number x{text};
+    const CGAL::Interval_nt<false> i = x.enclosure();
+    const Q value = x.value();
+    BOOST_CHECK_MESSAGE(std::isinf(i.inf()) || Q(i.inf()) <= value, text);
+    BOOST_CHECK_MESSAGE(std::isinf(i.sup()) || value <= Q(i.sup()), text);
+    if (std::isfinite(i.inf()) && std::isfinite(i.sup())) // close
+      BOOST_CHECK_MESSAGE(i.sup() - i.inf() <= 1e-14 * std::abs(i.sup()) + 1e-300, text);
+  }
+  BOOST_CHECK(GC::Text_number("0.5").enclosure().is_point() && GC::Text_number("-12e3").enclosure().is_point());
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -11,6 +11,7 @@
 #include <CGAL/Geometric_continuity/IO/number.h>
 #include <CGAL/Geometric_continuity/curves/Rational_curve.h>
 #include <CGAL/Geometric_continuity/joins/internal/Grid_join.h>
+#include <CGAL/Geometric_continuity/joins/internal/Spline_knot.h>
 #include <CGAL/Geometric_continuity/joins/join_continuity.h>
 #include <CGAL/Geometric_continuity/local/Curve_jet.h>
 
@@ -316,15 +317,17 @@ private:
     if (max_order < 0) throw Error(Error_code::negative_count, "continuity: order");
     if (max_order <= 3 && left.has_one_span_ && right.has_one_span_) {
       Join_continuity<Predicate_FT<Traits_>> join;
-      if ((left.dimension() == 2 && decide_on_grid<2>(left, right, max_order, only_orders, join)) ||
-          (left.dimension() == 3 && decide_on_grid<3>(left, right, max_order, only_orders, join)))
+      if ((left.dimension() == 2 && decide_without_jets<2>(left, right, max_order, only_orders, join)) ||
+          (left.dimension() == 3 && decide_without_jets<3>(left, right, max_order, only_orders, join)))
         return join;
     }
     return Geometric_continuity::continuity(left.jets(), right.jets(), max_order);
   }
 
   template <int N, class Join>
-  static bool decide_on_grid(const G2_span& left, const G2_span& right, int max_order, bool only_orders, Join& join) {
+  static bool decide_without_jets(const G2_span& left, const G2_span& right, int max_order, bool only_orders,
+                                  Join& join) {
+    if (only_orders && internal::decide_at_spline_knot<N>(left.part_, right.part_, max_order, join)) return true;
     internal::Grid_join<N> grid;
     return grid.set(left.part_, right.part_) && grid.decide(max_order, join, only_orders);
   }

@@ -9,6 +9,8 @@
 #include <CGAL/Geometric_continuity/Error.h>
 #include <CGAL/Geometric_continuity/IO/internal/number_text.h>
 #include <CGAL/Geometric_continuity/IO/text.h>
+#include <CGAL/Interval_nt.h>
+#include <CGAL/number_utils.h>
 
 #include <algorithm>
 #include <array>
@@ -125,6 +127,21 @@ public:
     if (digits_ > largest || digits_ < -largest) return false;
     x = digits_ * power;
     return true;
+  }
+
+  /// Returns an enclosure of the number. \pre rounding is upwards, as in the scope of `Protect_FPU_rounding`
+  Interval_nt<false> enclosure() const {
+    typedef Interval_nt<false> Interval;
+    if (exact_) return Interval(CGAL::to_interval(*exact_));
+    Interval x(-static_cast<double>(-digits_), static_cast<double>(digits_));
+    constexpr int most = static_cast<int>(powers.size()) - 1;
+    for (int e = exponent_; e != 0;) {
+      const int step = (std::min)((std::max)(e, -most), most);
+      const Interval power(static_cast<double>(powers[step < 0 ? -step : step])); // exact
+      x = step < 0 ? x / power : x * power;
+      e -= step;
+    }
+    return x;
   }
 
   friend bool operator==(const Text_number& x, const Text_number& y) {
