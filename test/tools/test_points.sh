@@ -57,6 +57,10 @@ for b in pieces:
 sys.exit(not (1e-4 < worst < 0.0101 + 100 * (1 - .99998)))
 CHECK
 
+printf '0 0\n4 0\n5 3\n2 5\n-1 3\n' >pentagon.txt
+run 0 fit pentagon.txt --closed --tolerance 1e-9 -o pentagon.g2 && says out "5 cubic curves, 5 corners"
+run 0 fit pentagon.txt --closed --tolerance 1e-9 --corner 90 --order G2 -o pentagon.g2 && run 0 verify pentagon.g2 --closed --require G2
+
 # errors: file, line, reason
 run 2 fit half.txt && says err "--tolerance is needed" && run 2 fit --tolerance 1 && run 2 interpolate && run 2 interpolate five.txt half.txt
 for tolerance in 0 -1 nan 1e-30 one; do run 2 fit half.txt --tolerance $tolerance; done

@@ -47,70 +47,56 @@ not, 2 on bad input.
 typedef Program_traits<Exact> Traits;
 typedef GC::Fitted_curve<Traits> Fitted;
 
-void write_json(std::ostream& os, const Fitted& curve, std::size_t points, int order, bool closed,
-                const std::string& tolerance, const Joins_of_pieces& joins) {
-  os << "{\"points\":" << points << ",\"closed\":" << (closed ? "true" : "false") << ",\"order\":\"G" << order
-     << "\",\"pieces\":" << curve.number_of_segments() << ",\"tolerance\":";
-  GC::write_json(os, tolerance);
+void write_json(std::ostream& os, const Command_line& line, const Fitted& curve, std::size_t points,
+                const Joins_of_pieces& joins) {
+  os << "{\"points\":" << points << ",\"closed\":" << (line.has("closed") ? "true" : "false") << ",\"order\":\""
+     << line.text("order") << "\",\"pieces\":" << joins.pieces << ",\"tolerance\":";
+  GC::write_json(os, line.text("tolerance"));
   GC::write_number(os << ",\"distance\":", curve.distance);
   for (const auto& [name, numbers] : {std::pair("vertices", &curve.vertices), std::pair("corners", &curve.corners)}) {
     os << ",\"" << name << "\":[";
     for (std::size_t k = 0; k < numbers->size(); ++k) os << (k == 0 ? "" : ",") << (*numbers)[k];
     os << ']';
   }
-  os << ",\"joins\":" << joins.joins() << ",\"g_order\":";
-  if (joins.joins() == 0)
-    os << "null";
-  else
-    os << joins.g_order();
-  os << "}\n";
+  os << ",\"joins\":" << joins.joins << ",\"g_order\":" << (joins.joins == 0 ? "null" : std::to_string(joins.g_order))
+     << "}\n";
 }
 
-void write_text(std::ostream& os, const Fitted& curve, std::size_t points, int order, const std::string& tolerance,
+void write_text(std::ostream& os, const Command_line& line, const Fitted& curve, std::size_t points,
                 const Joins_of_pieces& joins, bool proved) {
+  const bool cubic = line.text("order") == "G1";
   std::ostringstream distance;
   distance << GC::Enclosure{0, curve.distance};
-  os << counted(points, "point") << ", " << counted(joins.pieces(), order == 1 ? "cubic curve" : "quintic curve")
-     << ", " << counted(curve.corners.size(), "corner") << "\nthe distance is in " << distance.str()
-     << ", proved; tolerance " << tolerance << '\n'
-     << counted(joins.joins(), "join") << " without a corner"
-     << (joins.joins() == 0 ? ""
-         : proved           ? std::string(", G") + (order == 1 ? "1 or more" : "2") + ", proved in exact arithmetic"
-                            : ", decided in exact arithmetic: the order is not reached")
+  os << counted(points, "point") << ", " << counted(joins.pieces, cubic ? "cubic curve" : "quintic curve") << ", "
+     << counted(curve.corners.size(), "corner") << "\nthe distance is in " << distance.str() << ", proved; tolerance "
+     << line.text("tolerance") << '\n'
+     << counted(joins.joins, "join") << " without a corner"
+     << (joins.joins == 0 ? ""
+         : !proved        ? ", decided in exact arithmetic: the order is not reached"
+         : cubic          ? ", G1 or more, proved in exact arithmetic"
+                          : ", G2, proved in exact arithmetic")
      << '\n';
 }
 
-int fit(const Command_line& line) {
-  const std::vector<Traits::Point> points = read_points<Exact>(line);
+int run_fit(const Command_line& line) {
+  check_points_arguments(line, "fit");
+  if (!line.has("tolerance")) throw std::invalid_argument("fit: --tolerance is needed; see --help");
   const int order = line.choice("order", {"G1", "G2"}) == "G1" ? 1 : 2;
-  const bool closed = line.has("closed");
   const Exact tolerance = line.number("tolerance", Exact(0));
+  const std::vector<Traits::Point> points = read_points<Exact>(line);
   const Fitted curve = with_name(line, [&] {
-    return GC::fit<Traits>(points.begin(), points.end(), tolerance, closed ? GC::Closure::closed : GC::Closure::open,
-                           order, line.number("corner", 45.));
+    return GC::fit<Traits>(points.begin(), points.end(), tolerance, closure_of(line), order,
+                           line.number("corner", 45.));
   });
-  const int n = curve.number_of_segments();
-  std::vector<bool> is_corner(n, false);
-  for (const int k : curve.corners) is_corner[k] = true;
-  Joins_of_pieces joins(is_corner);
-  for (const auto& piece : curve.segments()) joins.add(Exact_curve(GC::Bezier_curve<Traits>(piece)));
-  if (closed) joins.close();
-  const bool proved = joins.joins() == 0 || joins.g_order() >= order;
+  std::ostringstream text;
+  for (const auto& piece : curve.segments()) GC::write_g2(text, piece);
+  const Joins_of_pieces joins = decide_joins<double>(text.str(), closure_of(line), curve.corners);
+  const bool proved = joins.joins == 0 || joins.g_order >= order;
   if (line.has("json"))
-    write_json(report_stream(line), curve, points.size(), order, closed, line.text("tolerance"), joins);
+    write_json(report_stream(line), line, curve, points.size(), joins);
   else
-    write_text(report_stream(line), curve, points.size(), order, line.text("tolerance"), joins, proved);
-  if (line.has("output"))
-    write_output(line.text("output"), [&](std::ostream& os) {
-      for (const auto& piece : curve.segments()) GC::write_g2(os, piece);
-    });
-  if (line.has("plot")) {
-    GC::Svg_panel panel;
-    add_polyline<Traits>(panel, points, closed);
-    for (const auto& piece : curve.segments())
-      panel.add(piece, GC::Svg_style{GC::Svg_role::result, false, true, "fit"}).join();
-    write_output(line.text("plot"), [&](std::ostream& os) { os << GC::Svg_figure().add(panel); });
-  }
+    write_text(report_stream(line), line, curve, points.size(), joins, proved);
+  write_curves<Traits>(line, text.str(), points, "fit");
   return proved ? requirement_met : requirement_not_met;
 }
 
@@ -122,13 +108,6 @@ void describe_fit(po::options_description_easy_init add) {
   add("json", "print the report as JSON");
   add("output,o", po::value<std::string>(), "write the curves, .g2");
   add("plot", po::value<std::string>(), "draw the polyline and the curves, .svg");
-}
-
-int run_fit(const Command_line& line) {
-  if (line.files().size() != 1) throw std::invalid_argument("fit: one file of points is needed; see --help");
-  if (!line.has("tolerance")) throw std::invalid_argument("fit: --tolerance is needed; see --help");
-  check_outputs(line);
-  return fit(line);
 }
 
 } // namespace

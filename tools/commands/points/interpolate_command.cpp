@@ -5,17 +5,15 @@
 #include "commands/command_line.h"
 #include "commands/points/points_report.h"
 #include "commands/work_limit.h"
-#include "files/output.h"
 #include "reports/words.h"
 
 #include <CGAL/Geometric_continuity/blends/interpolate_fair.h>
 #include <CGAL/Geometric_continuity/curves/interpolate.h>
 
-#include <optional>
 #include <ostream>
 #include <sstream>
-#include <stdexcept>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 namespace {
@@ -54,66 +52,58 @@ GC::Parametrisation parametrisation_of(const Command_line& line) {
                              : GC::Parametrisation::centripetal;
 }
 
-// A curve as it is written, .g2, and what else is to be said.
+// A curve as it is written, .g2, its joins, and what else is to be said.
 struct Written_curve {
-  std::string text, remark;
+  std::string text;
+  Joins_of_pieces joins;
+  std::string remark;
 };
 
 template <class FT>
-Written_curve cubic_spline(const Command_line& line, const std::vector<typename Program_traits<FT>::Point>& points,
-                           GC::Closure closure) {
+Written_curve cubic_spline(const Command_line& line, const std::vector<typename Program_traits<FT>::Point>& points) {
   std::ostringstream os;
-  GC::write_g2(os,
-               GC::interpolate<Program_traits<FT>>(points.begin(), points.end(), parametrisation_of(line), closure));
-  return {os.str(), ""};
+  GC::write_g2(os, GC::interpolate<Program_traits<FT>>(points.begin(), points.end(), parametrisation_of(line),
+                                                       closure_of(line)));
+  return {os.str(), decide_joins<GC::Text_number>(os.str(), closure_of(line)), ""};
 }
 
 template <class FT>
-Written_curve fair_spline(const std::vector<typename Program_traits<FT>::Point>& points, GC::Closure closure) {
-  const auto curve = GC::interpolate_fair<Program_traits<FT>>(points.begin(), points.end(), closure);
+Written_curve fair_spline(const Command_line& line, const std::vector<typename Program_traits<FT>::Point>& points) {
+  const auto curve = GC::interpolate_fair<Program_traits<FT>>(points.begin(), points.end(), closure_of(line));
   std::ostringstream os;
   for (const auto& piece : curve.segments())
     GC::write_g2(os, exact(Program_curve<FT>(GC::Bezier_curve<Program_traits<FT>>(piece)))); // not rounded
+  typedef std::conditional_t<std::is_same_v<FT, double>, double, GC::Text_number> Number;
   const double moved = CGAL::to_double(curve.moved);
-  return {os.str(), moved == 0 ? "" : "coordinates were moved by at most " + rounded(moved, 3) + '\n'};
+  return {os.str(), decide_joins<Number>(os.str(), closure_of(line)),
+          moved == 0 ? "" : "coordinates were moved by at most " + rounded(moved, 3) + '\n'};
 }
 
 template <class FT> int interpolate(const Command_line& line) {
   const std::vector<typename Program_traits<FT>::Point> points = read_points<FT>(line);
-  const GC::Closure closure = line.has("closed") ? GC::Closure::closed : GC::Closure::open;
   const bool fair = line.has("fair");
-  const Written_curve written = with_name(
-      line, [&] { return fair ? fair_spline<FT>(points, closure) : cubic_spline<FT>(line, points, closure); });
-  Joins_of_pieces joins;
-  GC::Svg_panel panel;
-  if (line.has("plot")) add_polyline<Program_traits<FT>>(panel, points, closure == GC::Closure::closed);
-  std::istringstream text(written.text);
-  GC::G2_piece_reader<Program_traits<Exact>> reader(text, "what is written");
-  while (const std::optional<Exact_curve> piece = reader.next()) {
-    joins.add(*piece);
-    if (line.has("plot")) panel.add(*piece, GC::Svg_style{GC::Svg_role::result, false, true, "spline"}).join();
-  }
-  if (closure == GC::Closure::closed) joins.close();
-  const bool none = joins.joins() == 0, proved = none || (fair ? joins.g_order() : joins.c_order()) >= 2;
+  const Written_curve written =
+      with_name(line, [&] { return fair ? fair_spline<FT>(line, points) : cubic_spline<FT>(line, points); });
+  const Joins_of_pieces& joins = written.joins;
+  const bool none = joins.joins == 0, proved = none || (fair ? joins.g_order : joins.c_order) >= 2;
   std::ostream& report = report_stream(line);
   const std::string parameters = fair ? "" : to_string(parametrisation_of(line));
   if (line.has("json"))
-    report << "{\"points\":" << points.size() << ",\"closed\":" << (closure == GC::Closure::closed ? "true" : "false")
+    report << "{\"points\":" << points.size() << ",\"closed\":" << (line.has("closed") ? "true" : "false")
            << ",\"curve\":\"" << (fair ? "fair\",\"parameters\":null" : "cubic\",\"parameters\":\"" + parameters + '"')
-           << ",\"pieces\":" << joins.pieces() << ",\"joins\":" << joins.joins()
-           << ",\"c_order\":" << (none ? "null" : std::to_string(joins.c_order()))
-           << ",\"g_order\":" << (none ? "null" : std::to_string(joins.g_order())) << "}\n";
+           << ",\"pieces\":" << joins.pieces << ",\"joins\":" << joins.joins
+           << ",\"c_order\":" << (none ? "null" : std::to_string(joins.c_order))
+           << ",\"g_order\":" << (none ? "null" : std::to_string(joins.g_order)) << "}\n";
   else
     report << counted(points.size(), "point") << ", " << (fair ? "" : parameters + " parameters, ")
-           << counted(joins.pieces(), fair ? "fair quintic" : "cubic piece") << '\n'
-           << written.remark << counted(joins.joins(), "join")
+           << counted(joins.pieces, fair ? "fair quintic" : "cubic piece") << '\n'
+           << written.remark << counted(joins.joins, "join")
            << (none      ? ""
                : !proved ? ", decided in exact arithmetic: rounding has broken one"
                : fair    ? ", G2, proved in exact arithmetic"
                          : ", C2, proved in exact arithmetic")
            << '\n';
-  if (line.has("output")) write_output(line.text("output"), [&](std::ostream& os) { os << written.text; });
-  if (line.has("plot")) write_output(line.text("plot"), [&](std::ostream& os) { os << GC::Svg_figure().add(panel); });
+  write_curves<Program_traits<FT>>(line, written.text, points, "spline");
   return proved ? requirement_met : requirement_not_met;
 }
 
@@ -131,9 +121,8 @@ void describe_interpolate(po::options_description_easy_init add) {
 }
 
 int run_interpolate(const Command_line& line) {
-  if (line.files().size() != 1) throw std::invalid_argument("interpolate: one file of points is needed; see --help");
+  check_points_arguments(line, "interpolate");
   if (line.has("fair")) line.refuse({"parameters"}, "not with --fair, which chooses none");
-  check_outputs(line);
   const GC::Work_scope each(line.work_limit());
   return within_work_limit([&] { return input_name(line.files()[0]); },
                            [&] {

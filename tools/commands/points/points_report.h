@@ -7,16 +7,31 @@
 
 #include "commands/command_line.h"
 #include "commands/points/read_points.h"
+#include "files/output.h"
 
 #include <CGAL/Geometric_continuity/IO/figures/Svg_figure.h>
-#include <CGAL/Geometric_continuity/joins/chain_continuity.h>
 
 #include <algorithm>
 #include <cstddef>
+#include <optional>
+#include <ostream>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
+
+// What `interpolate` and `fit` have in common: one file of points, a curve that may be closed, its joins, and where it is written.
+
+// Refuses any other number of files, and outputs that cannot be written.
+inline void check_points_arguments(const Command_line& line, const std::string& command) {
+  if (line.files().size() != 1) throw std::invalid_argument(command + ": one file of points is needed; see --help");
+  check_outputs(line);
+}
+
+inline GC::Closure closure_of(const Command_line& line) {
+  return line.has("closed") ? GC::Closure::closed : GC::Closure::open;
+}
 
 // Reads the points of the only file.
 template <class FT> std::vector<typename Program_traits<FT>::Point> read_points(const Command_line& line) {
@@ -35,45 +50,53 @@ template <class Work> auto with_name(const Command_line& line, Work work) {
   }
 }
 
-// The lines from point to point, for a picture.
-template <class Traits>
-void add_polyline(GC::Svg_panel& panel, std::vector<typename Traits::Point> points, bool closed) {
-  if (closed) points.push_back(points.front());
-  for (std::size_t k = 0; k + 1 < points.size(); ++k)
-    panel.add(GC::Bezier_curve<Traits>(points.begin() + static_cast<std::ptrdiff_t>(k),
-                                       points.begin() + static_cast<std::ptrdiff_t>(k) + 2));
+// The pieces of a curve, and the joins between them that are no corners.
+struct Joins_of_pieces {
+  std::size_t pieces = 0, joins = 0;
+  int c_order = 2, g_order = 2; // of all joins, 2 at most
+};
+
+// Decides the joins of the pieces of curves that are written, .g2, exactly on numbers that a `Number` holds as they stand there. At the
+// starts of the pieces with the numbers `corners`, in increasing order, are corners.
+template <class Number>
+Joins_of_pieces decide_joins(const std::string& text, GC::Closure closure, const std::vector<int>& corners = {}) {
+  typedef Program_span<Number> Span;
+  std::istringstream is(text);
+  GC::G2_span_reader<Program_traits<Exact>, Number> reader(is, "what is written", 3);
+  Joins_of_pieces result;
+  const auto decide = [&](const Span& left, const Span& right, std::size_t number) {
+    if (std::binary_search(corners.begin(), corners.end(), static_cast<int>(number))) return;
+    const GC::Join_continuity<Exact> join = continuity_orders(left, right, 2);
+    ++result.joins;
+    result.c_order = (std::min)(result.c_order, join.c_order);
+    result.g_order = (std::min)(result.g_order, join.g_order);
+  };
+  Span first, last;
+  for (Span next; reader.next(next); ++result.pieces) {
+    if (result.pieces == 0)
+      first = next;
+    else
+      decide(last, next, result.pieces);
+    std::swap(last, next);
+  }
+  if (closure == GC::Closure::closed) decide(last, first, 0);
+  return result;
 }
 
-// The orders of the joins of pieces that are added one after the other, decided exactly.
-class Joins_of_pieces {
-  GC::Chain_analysis<Exact_curve> chain_{2};
-  std::vector<bool> is_corner_; // at the start of the piece of this number
-  std::size_t corners_ = 0;
-  int c_order_ = 2, g_order_ = 2;
-
-  void count(const GC::Chain_join<Exact_curve>& join) {
-    if (join.right < is_corner_.size() && is_corner_[join.right]) {
-      ++corners_;
-      return;
-    }
-    c_order_ = (std::min)(c_order_, join.continuity.c_order);
-    g_order_ = (std::min)(g_order_, join.continuity.g_order);
-  }
-
-public:
-  explicit Joins_of_pieces(std::vector<bool> is_corner = {}) : is_corner_(std::move(is_corner)) {}
-
-  void add(const Exact_curve& piece) {
-    chain_.add(piece, [this](const auto& join) { count(join); });
-  }
-  void close() {
-    chain_.close([this](const auto& join) { count(join); });
-  }
-
-  std::size_t pieces() const { return chain_.size(); }
-  std::size_t joins() const { return chain_.summary().joins() - corners_; } // but for corners
-  int c_order() const { return c_order_; }
-  int g_order() const { return g_order_; }
-};
+// Writes curves as they are, and draws them with the lines from point to point, where that is asked for.
+template <class Traits>
+void write_curves(const Command_line& line, const std::string& text, std::vector<typename Traits::Point> points,
+                  const std::string& name) {
+  if (line.has("output")) write_output(line.text("output"), [&](std::ostream& os) { os << text; });
+  if (!line.has("plot")) return;
+  GC::Svg_panel panel;
+  if (closure_of(line) == GC::Closure::closed) points.push_back(points.front());
+  for (auto p = points.begin(); p + 1 != points.end(); ++p) panel.add(GC::Bezier_curve<Traits>(p, p + 2));
+  std::istringstream is(text);
+  GC::G2_piece_reader<Program_traits<Exact>> reader(is, "what is written");
+  while (const std::optional<Exact_curve> piece = reader.next())
+    panel.add(*piece, GC::Svg_style{GC::Svg_role::result, false, true, name}).join();
+  write_output(line.text("plot"), [&](std::ostream& os) { os << GC::Svg_figure().add(panel); });
+}
 
 #endif // GEOMETRIC_CONTINUITY_TOOLS_COMMANDS_POINTS_POINTS_REPORT_H
