@@ -208,15 +208,18 @@ public:
   /// \throws Error `not_finite` for an infinite or undefined floating-point coordinate
   template <class InputIterator>
   Bspline_curve(InputIterator first, InputIterator last, Knot_vector<FT> knots)
-      : Polygon(std::move(knots), std::vector<Point>(first, last)) {
-    internal::check_number_of_coefficients(knots_, points_, "Bspline_curve");
-    this->check_points();
-  }
+      : Bspline_curve(std::vector<Point>(first, last), std::move(knots)) {}
 
   /// Takes a range of control points, such as a `std::vector`, and the knots. \throws Error as the constructor from iterators
   template <class Points, class = internal::Range_of_points<Points, Point>>
   Bspline_curve(const Points& points, Knot_vector<FT> knots)
       : Bspline_curve(std::begin(points), std::end(points), std::move(knots)) {}
+
+  /// Takes a vector of control points that is not needed any more, and the knots. \throws Error as the constructor from iterators
+  Bspline_curve(std::vector<Point>&& points, Knot_vector<FT> knots) : Polygon(std::move(knots), std::move(points)) {
+    internal::check_number_of_coefficients(knots_, points_, "Bspline_curve");
+    this->check_points();
+  }
 
   /// Takes the coordinates as a function.
   /// \throws Error `dimension_mismatch` when the coefficients differ in dimension

@@ -16,13 +16,12 @@
 #include <CGAL/Geometric_continuity/splines/Knot_vector.h>
 #include <CGAL/number_utils.h>
 
-#include <boost/iterator/transform_iterator.hpp>
-
 #include <cmath>
 #include <cstddef>
 #include <optional>
 #include <ostream>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -69,80 +68,73 @@ std::vector<typename Traits::FT> interpolation_parameters(InputIterator first, I
                                                           Parametrisation parametrisation,
                                                           Closure closure = Closure::open) {
   typedef typename Traits::FT FT;
-  const std::vector<typename Traits::Point> p(first, last);
-  const int n = static_cast<int>(p.size()), spans = closure == Closure::closed ? n : n - 1;
   std::vector<FT> u(1, FT(0));
-  u.reserve(n + 1);
-  for (int i = 0; i < spans; ++i) {
+  if (first == last) return u;
+  const auto append = [&](const Coordinates<Traits>& a, const Coordinates<Traits>& b, bool returns) {
+    const std::size_t i = u.size() - 1, j = returns ? 0 : i + 1; // the numbers of the points
     double distance = 1;
     if (parametrisation != Parametrisation::uniform) {
-      const Coordinates<Traits> a = coordinates<Traits>(p[i]), b = coordinates<Traits>(p[(i + 1) % n]);
       if (a.dimension() != b.dimension())
-        throw Error(Error_code::dimension_mismatch, "interpolation_parameters: point " + std::to_string(i + 1));
+        throw Error(Error_code::dimension_mismatch, "interpolation_parameters: point " + std::to_string(j));
       double length = 0;
       for (int x = 0; x < a.dimension(); ++x) length = std::hypot(length, CGAL::to_double(FT(b[x] - a[x])));
       internal::check_finite(length, "interpolation_parameters: a distance");
       if (!(length > 0))
         throw Error(Error_code::empty_domain, "interpolation_parameters: the points " + std::to_string(i) + " and " +
-                                                  std::to_string((i + 1) % n) + " coincide");
+                                                  std::to_string(j) + " coincide");
       distance = internal::short_double<10>(parametrisation == Parametrisation::chordal ? length : std::sqrt(length));
     }
     u.push_back(FT(u.back() + internal::short_number_in<FT>(distance)));
+  };
+  const Coordinates<Traits> start = coordinates<Traits>(*first);
+  Coordinates<Traits> point = start;
+  for (++first; first != last; ++first) {
+    const Coordinates<Traits> next = coordinates<Traits>(*first);
+    append(point, next, false);
+    point = next;
   }
+  if (closure == Closure::closed) append(point, start, true);
   return u;
 }
 
 namespace internal {
 
-// The equation a x_{i-1} + b x_i + c x_{i+1} = r for points x_0, x_1, ...
-template <class FT, class Value> struct Tridiagonal_equation {
-  FT a, b, c;
-  Value r;
-};
+// The equation a x_{i-1} + b x_i + c x_{i+1} = r_i for values x_0, x_1, ...
+template <class FT> struct Tridiagonal_row { FT a, b, c; };
 
-// Solves n of them, equation(i) for each i in turn, by elimination without a choice of pivots. In a cyclic system, a_0 belongs to the last
-// unknown, and the last c to the first one; there are 3 equations at least.
-template <class FT, class Value, class Equation>
-std::vector<Value> solve_tridiagonal(std::size_t n, Equation equation, bool cyclic) {
-  typedef Tridiagonal_equation<FT, Value> Row;
-  std::vector<Value> x;              // the right sides, then the unknowns
-  std::vector<FT> b, c, last_column; // what is left of the equations, but for the last
-  x.reserve(n);
-  b.reserve(n);
+// Solves the equations row(i) of the first n unknowns, for each i in turn: in x stand the right sides, then the unknowns. In the first
+// row a is not read, in the last one c.
+template <class FT, class Value, class Row> void solve_tridiagonal(std::vector<Value>& x, std::size_t n, Row row) {
+  std::vector<FT> c; // x_i + c_i x_{i+1} = what is left of the right side
   c.reserve(n);
-  Row last = equation(n - 1), row = equation(0);
-  FT last_row = cyclic ? last.c : FT(0), in_last_column = cyclic ? row.a : FT(0); // in the columns i and n - 1
-  for (std::size_t i = 0; i + 1 < n; ++i) {
-    const bool joins_last = i + 2 == n; // the unknown i + 1 is the last one
-    work_meter().charge_fractions(4 + number_of_coordinates(row.r), number_words(row.b));
-    Row next = joins_last ? last : equation(i + 1);
-    if (cyclic && joins_last) {
-      row.c += in_last_column;
-      next.a += last_row;
+  for (std::size_t i = 0; i < n; ++i) {
+    Tridiagonal_row<FT> r = row(i);
+    if constexpr (!std::is_floating_point_v<FT>)
+      work_meter().charge_fractions(4 + number_of_coordinates(x[i]), number_words(r.b));
+    if (i > 0) {
+      r.b -= r.a * c.back();
+      x[i] -= r.a * x[i - 1];
     }
-    const FT factor = FT(next.a / row.b);
-    next.b -= factor * row.c;
-    next.r -= factor * row.r;
-    if (cyclic && !joins_last) {
-      last_column.push_back(in_last_column);
-      const FT factor_of_last = FT(last_row / row.b);
-      last_row = FT(-factor_of_last * row.c);
-      last.b -= factor_of_last * in_last_column;
-      last.r -= factor_of_last * row.r;
-      in_last_column = FT(-factor * in_last_column);
-    }
-    b.push_back(std::move(row.b));
-    c.push_back(std::move(row.c));
-    x.push_back(std::move(row.r));
-    row = std::move(next);
+    const FT inverse = FT(FT(1) / r.b);
+    x[i] *= inverse;
+    c.push_back(FT(inverse * r.c));
   }
-  x.push_back(row.r / row.b);
-  for (std::size_t i = n - 1; i-- > 0;) {
-    x[i] -= c[i] * x[i + 1];
-    if (cyclic && i + 2 < n) x[i] -= last_column[i] * x[n - 1];
-    x[i] /= b[i];
-  }
-  return x;
+  for (std::size_t i = n - 1; i-- > 0;) x[i] -= c[i] * x[i + 1];
+}
+
+// The same for all unknowns of a cyclic system of 3 or more: in the first row, a belongs to the last unknown, in the last row c to the first
+// one. The others are y_i - z_i x_{n-1}, where y and z solve the equations without the last unknown.
+template <class FT, class Value, class Row> void solve_cyclic(std::vector<Value>& x, Row row) {
+  const std::size_t last = x.size() - 1;
+  const Tridiagonal_row<FT> r = row(last);
+  std::vector<FT> z(last, FT(0));
+  z[0] += row(0).a;
+  z[last - 1] += row(last - 1).c;
+  solve_tridiagonal<FT>(x, last, row);
+  solve_tridiagonal<FT>(z, last, row);
+  x[last] -= r.a * x[last - 1] + r.c * x[0];
+  x[last] /= FT(r.b - r.a * z[last - 1] - r.c * z[0]);
+  for (std::size_t i = 0; i < last; ++i) x[i] -= z[i] * x[last];
 }
 
 // The points as columns of one dimension, and the check of their parameters.
@@ -150,7 +142,12 @@ template <class Traits, class InputIterator>
 std::vector<Coordinates<Traits>> points_to_interpolate(InputIterator first, InputIterator last,
                                                        const std::vector<typename Traits::FT>& u, Closure closure) {
   std::vector<Coordinates<Traits>> p;
-  for (; first != last; ++first) p.push_back(coordinates<Traits>(*first));
+  p.reserve(u.size());
+  for (; first != last; ++first) {
+    p.push_back(coordinates<Traits>(*first));
+    if (p.back().dimension() != p[0].dimension()) throw Error(Error_code::dimension_mismatch, "interpolate: points");
+    for (const typename Traits::FT& c : p.back()) check_finite(c, "interpolate: a coordinate");
+  }
   const bool closed = closure == Closure::closed;
   if (p.size() < (closed ? 3 : 2))
     throw Error(Error_code::wrong_number_of_points, "interpolate: " + std::to_string(p.size()) + " points");
@@ -162,77 +159,78 @@ std::vector<Coordinates<Traits>> points_to_interpolate(InputIterator first, Inpu
     if (!(u[i - 1] < u[i]))
       throw Error(Error_code::empty_domain, "interpolate: the parameters " + std::to_string(i - 1) + " and " +
                                                 std::to_string(i) + " do not increase");
-  for (const Coordinates<Traits>& x : p) {
-    if (x.dimension() != p[0].dimension()) throw Error(Error_code::dimension_mismatch, "interpolate: points");
-    for (const typename Traits::FT& c : x) check_finite(c, "interpolate: a coordinate");
-  }
   return p;
 }
 
-// The equation of the value r at the simple knot t_k.
-template <class FT, class Value>
-Tridiagonal_equation<FT, Value> value_at_knot(const Knot_vector<FT>& t, int k, const Value& r) {
+// The equation of the value at the simple knot t_k.
+template <class FT> Tridiagonal_row<FT> value_at_knot(const Knot_vector<FT>& t, int k) {
   const FT h = t[k + 1] - t[k], g = t[k] - t[k - 1], length = h + g;
   const FT a = FT(h * h / FT(length * FT(t[k + 1] - t[k - 2]))), c = FT(g * g / FT(length * FT(t[k + 2] - t[k - 1])));
-  return {a, FT(FT(1) - a - c), c, r};
+  return {a, FT(FT(1) - a - c), c};
 }
 
-template <class Traits>
-Bspline_curve<Traits> spline_of(const std::vector<Coordinates<Traits>>& points,
-                                const Knot_vector<typename Traits::FT>& knots) {
-  const auto as_point = [](const Coordinates<Traits>& x) { return to_point<Traits>(x); };
-  return Bspline_curve<Traits>(boost::make_transform_iterator(points.begin(), as_point),
-                               boost::make_transform_iterator(points.end(), as_point), knots);
+// The spline with n control points, of which point(j) are the coordinates.
+template <class Traits, class Point_of>
+Bspline_curve<Traits> spline_of(int n, Point_of point, Knot_vector<typename Traits::FT>&& knots) {
+  std::vector<typename Traits::Point> b;
+  b.reserve(n);
+  for (int j = 0; j < n; ++j) b.push_back(to_point<Traits>(point(j)));
+  return Bspline_curve<Traits>(std::move(b), std::move(knots));
 }
 
 // An open curve, with the given derivatives at its ends, or with second derivatives that vanish.
 template <class Traits>
 Bspline_curve<Traits>
-interpolate_open(const std::vector<Coordinates<Traits>>& p, const std::vector<typename Traits::FT>& u,
+interpolate_open(std::vector<Coordinates<Traits>> x, const std::vector<typename Traits::FT>& u,
                  const std::optional<std::pair<Coordinates<Traits>, Coordinates<Traits>>>& derivatives) {
   typedef typename Traits::FT FT;
-  typedef Tridiagonal_equation<FT, Coordinates<Traits>> Equation;
   const Work_on_object work("interpolate");
-  std::vector<typename Knot_vector<FT>::Knot> inner;
-  inner.reserve(u.size());
-  for (std::size_t i = 1; i + 1 < u.size(); ++i) inner.push_back({u[i], 1});
-  const Knot_vector<FT> t(3, u.front(), u.back(), inner);
-  const int n = static_cast<int>(p.size());
-  const FT zero(0), one(1), third = FT(FT(1) / FT(3));
-  const Coordinates<Traits> nothing(p[0].dimension());
-  const FT h = u[1] - u[0],
-           g = u[n - 1] - u[n - 2]; // S' = 3 (b_1 - b_0) / h, and S'' = 0 is h (b_2 - b_1) = h2 (b_1 - b_0)
-  const FT h2 = t[5] - t[3], g2 = t[n + 2] - t[n];
-  const auto equation = [&](std::size_t i) -> Equation {
+  const int n = static_cast<int>(x.size());
+  std::vector<FT> knots(3, u.front());
+  knots.reserve(n + 6);
+  knots.insert(knots.end(), u.begin(), u.end());
+  knots.insert(knots.end(), 3, u.back());
+  Knot_vector<FT> t(3, std::move(knots));
+  const Coordinates<Traits> start = x.front(),
+                            end = x.back(); // the first and the last control point, x_i is the one behind point i
+  const FT h = u[1] - u[0], g = u[n - 1] - u[n - 2], h2 = t[5] - t[3], g2 = t[n + 2] - t[n];
+  Tridiagonal_row<FT> first{FT(0), FT(1), FT(0)}, last = first;
+  if (derivatives) { // S' = 3 (b_1 - b_0) / h
+    const FT third = FT(FT(1) / FT(3));
+    x.front() += FT(h * third) * derivatives->first;
+    x.back() -= FT(g * third) * derivatives->second;
+  } else { // S'' = 0 is h (b_2 - b_1) = h2 (b_1 - b_0)
+    first = {FT(0), FT(h + h2), FT(-h)};
+    last = {FT(-g), FT(g + g2), FT(0)};
+    x.front() *= h2;
+    x.back() *= g2;
+  }
+  solve_tridiagonal<FT>(x, x.size(), [&](std::size_t i) {
     const int k = static_cast<int>(i);
-    if (k == 0) return {zero, one, zero, p[0]};
-    if (k == n + 1) return {zero, one, zero, p[n - 1]};
-    if (1 < k && k < n) return value_at_knot(t, k + 2, p[k - 1]);
-    if (derivatives)
-      return {zero, one, zero,
-              k == 1 ? p[0] + FT(h * third) * derivatives->first : p[n - 1] - FT(g * third) * derivatives->second};
-    return k == 1 ? Equation{h2, FT(-h - h2), h, nothing} : Equation{g, FT(-g - g2), g2, nothing};
-  };
-  return spline_of<Traits>(solve_tridiagonal<FT, Coordinates<Traits>>(p.size() + 2, equation, false), t);
+    return k == 0 ? first : k == n - 1 ? last : value_at_knot(t, k + 3);
+  });
+  return spline_of<Traits>(
+      n + 2, [&](int j) -> const Coordinates<Traits>& { return j == 0       ? start
+                                                               : j == n + 1 ? end
+                                                                            : x[j - 1]; },
+      std::move(t));
 }
 
 template <class Traits>
-Bspline_curve<Traits> interpolate_closed(const std::vector<Coordinates<Traits>>& p,
+Bspline_curve<Traits> interpolate_closed(std::vector<Coordinates<Traits>> x,
                                          const std::vector<typename Traits::FT>& u) {
   typedef typename Traits::FT FT;
   const Work_on_object work("interpolate");
-  const int n = static_cast<int>(p.size());
+  const int n = static_cast<int>(x.size());
   const FT period = u[n] - u[0];
   std::vector<FT> knots; // three periods of u, as far as splines on [u_0, u_n] need them
+  knots.reserve(n + 7);
   for (int i = -3; i <= n + 3; ++i)
     knots.push_back(i < 0 ? FT(u[n + i] - period) : i > n ? FT(u[i - n] + period) : u[i]);
-  const Knot_vector<FT> t(3, std::move(knots));
-  const auto equation = [&](std::size_t i) { return value_at_knot(t, static_cast<int>(i) + 3, p[i]); };
-  const std::vector<Coordinates<Traits>> x = // x_i is the control point i + 1
-      solve_tridiagonal<FT, Coordinates<Traits>>(p.size(), equation, true);
-  std::vector<Coordinates<Traits>> b;
-  for (int i = 0; i < n + 3; ++i) b.push_back(x[(i + n - 1) % n]);
-  return spline_of<Traits>(b, t);
+  Knot_vector<FT> t(3, std::move(knots));
+  solve_cyclic<FT>(x, [&](std::size_t i) { return value_at_knot(t, static_cast<int>(i) + 3); });
+  return spline_of<Traits>( // x_i is the control point i + 1
+      n + 3, [&](int j) -> const Coordinates<Traits>& { return x[(j + n - 1) % n]; }, std::move(t));
 }
 
 } // namespace internal
@@ -252,9 +250,9 @@ Bspline_curve<Traits> interpolate_closed(const std::vector<Coordinates<Traits>>&
 template <class Traits, class InputIterator>
 Bspline_curve<Traits> interpolate(InputIterator first, InputIterator last,
                                   const std::vector<typename Traits::FT>& parameters, Closure closure = Closure::open) {
-  const std::vector<Coordinates<Traits>> p = internal::points_to_interpolate<Traits>(first, last, parameters, closure);
-  return closure == Closure::closed ? internal::interpolate_closed<Traits>(p, parameters)
-                                    : internal::interpolate_open<Traits>(p, parameters, std::nullopt);
+  std::vector<Coordinates<Traits>> p = internal::points_to_interpolate<Traits>(first, last, parameters, closure);
+  return closure == Closure::closed ? internal::interpolate_closed<Traits>(std::move(p), parameters)
+                                    : internal::interpolate_open<Traits>(std::move(p), parameters, std::nullopt);
 }
 
 /// \ingroup PkgGeometricContinuityConstruction
@@ -265,15 +263,14 @@ template <class Traits, class InputIterator>
 Bspline_curve<Traits>
 interpolate(InputIterator first, InputIterator last, const std::vector<typename Traits::FT>& parameters,
             const typename Traits::Vector& start_derivative, const typename Traits::Vector& end_derivative) {
-  const std::vector<Coordinates<Traits>> p =
-      internal::points_to_interpolate<Traits>(first, last, parameters, Closure::open);
+  std::vector<Coordinates<Traits>> p = internal::points_to_interpolate<Traits>(first, last, parameters, Closure::open);
   const std::pair<Coordinates<Traits>, Coordinates<Traits>> d(coordinates<Traits>(start_derivative),
                                                               coordinates<Traits>(end_derivative));
   for (const Coordinates<Traits>* x : {&d.first, &d.second}) {
     if (x->dimension() != p[0].dimension()) throw Error(Error_code::dimension_mismatch, "interpolate: a derivative");
     for (const typename Traits::FT& c : *x) internal::check_finite(c, "interpolate: a derivative");
   }
-  return internal::interpolate_open<Traits>(p, parameters, d);
+  return internal::interpolate_open<Traits>(std::move(p), parameters, d);
 }
 
 /// \ingroup PkgGeometricContinuityConstruction
