@@ -77,8 +77,137 @@ template <int N> void choose_fair_joints(std::vector<Fair_joint<N>>& joints, boo
     in_dimension(std::integral_constant<int, 3>());
 }
 
+// The coordinates of the point number i, or of the tangent there, rounded to doubles.
+template <class Traits>
+Coordinate_vector<double, dimension_v<Traits>> rounded_column(const Coordinates<Traits>& x, int dimension, int i) {
+  if (x.dimension() != dimension)
+    throw Error(Error_code::dimension_mismatch, "interpolate_fair: at the point " + std::to_string(i));
+  Coordinate_vector<double, dimension_v<Traits>> y(dimension);
+  for (int k = 0; k < dimension; ++k) {
+    check_finite(x[k], "interpolate_fair: a coordinate");
+    y[k] = rounded_number(x[k]);
+    check_finite(y[k], "interpolate_fair: a coordinate");
+  }
+  return y;
+}
+
+// The points through which a fair spline leads.
+template <class Traits> struct Fair_points {
+  std::vector<Coordinates<Traits>> points;
+  bool closed;
+  double size = 0; // the largest coordinate
+
+  int number() const { return static_cast<int>(points.size()); }
+  int next(int i) const { return (i + 1) % number(); }
+  int pieces() const { return closed ? number() : number() - 1; }
+};
+
+template <class Traits, class InputIterator>
+Fair_points<Traits> points_of_fair_spline(InputIterator first, InputIterator last, Closure closure) {
+  Fair_points<Traits> p{{}, closure == Closure::closed};
+  for (; first != last; ++first) p.points.push_back(coordinates<Traits>(*first));
+  if (p.number() < (p.closed ? 3 : 2))
+    throw Error(Error_code::wrong_number_of_points, "interpolate_fair: " + std::to_string(p.number()) + " points");
+  for (int i = 0; i < p.number(); ++i)
+    for (const double x : rounded_column<Traits>(p.points[i], p.points[0].dimension(), i))
+      p.size = (std::max)(p.size, std::abs(x));
+  return p;
+}
+
 // The multiple of 2^n nearest to x.
 inline double multiple_of_power(double x, int n) { return std::ldexp(std::nearbyint(std::ldexp(x, -n)), n); }
+
+// The exponent of a unit of all coordinates so that `digits` of those of the largest one are left for the points of the blends; below all
+// exponents where no number is rounded.
+template <class FT> int unit_with_room(double size, int digits) {
+  if constexpr (std::is_floating_point_v<FT>)
+    if (size > 0) return std::ilogb(size) + digits - std::numeric_limits<FT>::digits;
+  return -1000;
+}
+
+// Leaves 7 digits for that, with floating-point numbers. Returns the largest change of a coordinate.
+template <class Traits> typename Traits::FT round_points(Fair_points<Traits>& p) {
+  typedef typename Traits::FT FT;
+  FT moved(0);
+  if constexpr (std::is_floating_point_v<FT>)
+    for (Coordinates<Traits>& x : p.points)
+      for (int k = 0; k < x.dimension(); ++k) {
+        const FT given = x[k];
+        x[k] = FT(multiple_of_power(given, unit_with_room<FT>(p.size, 7)));
+        moved = (std::max)(moved, FT(std::abs(x[k] - given)));
+      }
+  return moved;
+}
+
+// The points, with the tangents that are given.
+template <class Traits>
+std::vector<Fair_joint<dimension_v<Traits>>>
+joints_of(const Fair_points<Traits>& p, const std::vector<std::optional<typename Traits::Vector>>& tangents) {
+  typedef Coordinate_vector<double, dimension_v<Traits>> Column;
+  const int dimension = p.points[0].dimension();
+  std::vector<Fair_joint<dimension_v<Traits>>> joints;
+  for (int i = 0; i < p.number(); ++i) {
+    joints.push_back({rounded_column<Traits>(p.points[i], dimension, i), Column(dimension), Column(dimension), false});
+    if (tangents.empty() || !tangents[i]) continue;
+    Column& tangent = joints.back().tangent;
+    tangent = rounded_column<Traits>(coordinates<Traits>(*tangents[i]), dimension, i);
+    const double length = std::sqrt(dot(tangent, tangent));
+    if (!(length > 0)) throw Error(Error_code::zero_tangent, "interpolate_fair: at the point " + std::to_string(i));
+    tangent /= length;
+    joints.back().given = true;
+  }
+  return joints;
+}
+
+// The lengths of the chords from each point to the next one.
+template <class Traits>
+std::vector<double> chord_lengths(const Fair_points<Traits>& p,
+                                  const std::vector<Fair_joint<dimension_v<Traits>>>& joints) {
+  std::vector<double> lengths;
+  for (int i = 0; i < p.pieces(); ++i) {
+    const Coordinate_vector<double, dimension_v<Traits>> chord = joints[p.next(i)].point - joints[i].point;
+    lengths.push_back(std::sqrt(dot(chord, chord)));
+    if (!(lengths.back() > 0))
+      throw Error(Error_code::empty_domain, "interpolate_fair: the points " + std::to_string(i) + " and " +
+                                                std::to_string(p.next(i)) + " coincide");
+    check_finite(lengths.back() * lengths.back(), "interpolate_fair: a distance");
+  }
+  return lengths;
+}
+
+// The jets at the points: the tangent as long as the shorter chord h, and h^2 times the curvature, both of short numbers, from which all is
+// constructed in the field. Given tangents that are not rounded stay as they are.
+template <class Traits>
+std::vector<Coordinate_jet<typename Traits::FT, dimension_v<Traits>>>
+short_jets(const Fair_points<Traits>& p, const std::vector<Fair_joint<dimension_v<Traits>>>& joints,
+           const std::vector<double>& lengths, const std::vector<std::optional<typename Traits::Vector>>& tangents) {
+  typedef typename Traits::FT FT;
+  constexpr bool rounds = std::is_floating_point_v<FT>;
+  constexpr int most_digits = rounds ? (std::min)(20, std::numeric_limits<FT>::digits / 3) : 20;
+  const int n = p.number(), dimension = p.points[0].dimension();
+  std::vector<Coordinate_jet<FT, dimension_v<Traits>>> jets;
+  for (int i = 0; i < n; ++i) {
+    const double before = i > 0 ? lengths[i - 1] : lengths.back(), after = i < p.pieces() ? lengths[i] : before,
+                 h = (std::min)(p.closed || i > 0 ? before : after, after);
+    const int unit = (std::max)(std::ilogb(h) - most_digits, unit_with_room<FT>(p.size, 9));
+    const bool is_kept = !rounds && joints[i].given;
+    Coordinate_jet<FT, dimension_v<Traits>> jet(dimension, 2);
+    jet[0] = p.points[i];
+    double speed = h;
+    if (is_kept) {
+      jet[1] = coordinates<Traits>(*tangents[i]);
+      const Coordinate_vector<double, dimension_v<Traits>> t = rounded_column<Traits>(jet[1], dimension, i);
+      speed = std::sqrt(dot(t, t));
+    }
+    const int unit_of_bend = is_kept ? unit + 2 * (std::ilogb(speed) - std::ilogb(h)) : unit;
+    for (int k = 0; k < dimension; ++k) {
+      if (!is_kept) jet[1][k] = short_number_in<FT>(multiple_of_power(h * joints[i].tangent[k], unit));
+      jet[2][k] = short_number_in<FT>(multiple_of_power(speed * speed * joints[i].curvature[k], unit_of_bend));
+    }
+    jets.push_back(std::move(jet));
+  }
+  return jets;
+}
 
 // The end and the start of curves with a jet at their join: parabolas with these control points.
 template <class Traits>
@@ -90,6 +219,44 @@ Bezier_curve<Traits> parabola(const Coordinate_jet<typename Traits::FT, dimensio
   const typename Traits::Point p[] = {to_point<Traits>(ends ? far : jet[0]), to_point<Traits>(middle),
                                       to_point<Traits>(ends ? jet[0] : far)};
   return Bezier_curve<Traits>(p, p + 3);
+}
+
+// The blend of two jets by `Fair`, with joins that rounding does not move; nothing if there is none.
+template <class Traits, class Jet>
+std::optional<Bezier_curve<Traits, 5>> unmoved_blend(const Jet& start, const Jet& end) {
+  try {
+    const Representable_blend<Traits> blend =
+        representable_blend(parabola<Traits>(start, true), parabola<Traits>(end, false), Fair());
+    if (!blend.start_join.is_moved() && !blend.end_join.is_moved()) return blend;
+  } catch (const Error& e) {
+    if (e.code() != Error_code::not_representable) throw;
+  }
+  return std::nullopt;
+}
+
+// The blends from each jet to the next one.
+template <class Traits, class Jet>
+Fair_spline<Traits> blends_between(const Fair_points<Traits>& p, const std::vector<Jet>& jets,
+                                   const typename Traits::FT& moved) {
+  typedef typename Traits::FT FT;
+  std::vector<typename Traits::Point> points;
+  std::vector<FT> knots(1, FT(0));
+  std::vector<char> is_rounded(p.number(), 0);
+  for (int i = 0; i < p.pieces(); ++i) {
+    const Jet &start = jets[i], &end = jets[p.next(i)];
+    std::optional<Bezier_curve<Traits, 5>> piece;
+    if constexpr (std::is_floating_point_v<FT>) {
+      piece = unmoved_blend<Traits>(start, end);
+      if (!piece) is_rounded[i] = is_rounded[p.next(i)] = 1;
+    }
+    if (!piece) piece = blend(Curve_jet<Traits>(start), Curve_jet<Traits>(end), Fair());
+    points.insert(points.end(), piece->begin() + (i == 0 ? 0 : 1), piece->end());
+    knots.push_back(FT(i + 1));
+  }
+  std::vector<int> rounded;
+  for (int i = p.closed ? 0 : 1; i < p.pieces(); ++i)
+    if (is_rounded[i]) rounded.push_back(i);
+  return Fair_spline<Traits>(Composite_bezier_curve<Traits, 5>(points, std::move(knots)), moved, std::move(rounded));
 }
 
 } // namespace internal
@@ -116,119 +283,15 @@ Bezier_curve<Traits> parabola(const Coordinate_jet<typename Traits::FT, dimensio
 template <class Traits, class InputIterator>
 Fair_spline<Traits> interpolate_fair(InputIterator first, InputIterator last, Closure closure = Closure::open,
                                      const std::vector<std::optional<typename Traits::Vector>>& tangents = {}) {
-  typedef typename Traits::FT FT;
-  constexpr int N = dimension_v<Traits>;
-  typedef Coordinate_jet<FT, N> Jet;
-  typedef Coordinate_vector<double, N> Column;
-  constexpr bool rounds = std::is_floating_point_v<FT>;
-  std::vector<Coordinates<Traits>> p;
-  for (; first != last; ++first) p.push_back(coordinates<Traits>(*first));
-  const int n = static_cast<int>(p.size());
-  const bool closed = closure == Closure::closed;
-  if (n < (closed ? 3 : 2))
-    throw Error(Error_code::wrong_number_of_points, "interpolate_fair: " + std::to_string(n) + " points");
-  if (!tangents.empty() && tangents.size() != p.size())
+  internal::Fair_points<Traits> p = internal::points_of_fair_spline<Traits>(first, last, closure);
+  if (!tangents.empty() && tangents.size() != p.points.size())
     throw Error(Error_code::wrong_number_of_points, "interpolate_fair: " + std::to_string(tangents.size()) +
-                                                        " tangents for " + std::to_string(n) + " points");
-  const auto number = [](const FT& x) {
-    internal::check_finite(x, "interpolate_fair: a coordinate");
-    const double y = internal::rounded_number(x);
-    internal::check_finite(y, "interpolate_fair: a coordinate");
-    return y;
-  };
-  const auto column = [&](const Coordinates<Traits>& x, int i) {
-    if (x.dimension() != p[0].dimension())
-      throw Error(Error_code::dimension_mismatch, "interpolate_fair: at the point " + std::to_string(i));
-    Column y(x.dimension());
-    for (int k = 0; k < x.dimension(); ++k) y[k] = number(x[k]);
-    return y;
-  };
-  double size = 0;
-  for (int i = 0; i < n; ++i)
-    for (const double x : column(p[i], i)) size = (std::max)(size, std::abs(x));
-  FT moved(0);
-  if constexpr (rounds) // room for the digits of the blends
-    if (size > 0)
-      for (Coordinates<Traits>& x : p)
-        for (int k = 0; k < x.dimension(); ++k) {
-          FT& c = x[k];
-          const FT given = c;
-          c = FT(internal::multiple_of_power(c, std::ilogb(size) + 7 - std::numeric_limits<FT>::digits));
-          moved = (std::max)(moved, FT(std::abs(c - given)));
-        }
-  std::vector<internal::Fair_joint<N>> joints;
-  for (int i = 0; i < n; ++i) {
-    internal::Fair_joint<N> joint{column(p[i], i), Column(p[i].dimension()), Column(p[i].dimension()), false};
-    if (!tangents.empty() && tangents[i]) {
-      joint.tangent = column(coordinates<Traits>(*tangents[i]), i);
-      const double length = std::sqrt(dot(joint.tangent, joint.tangent));
-      if (!(length > 0)) throw Error(Error_code::zero_tangent, "interpolate_fair: at the point " + std::to_string(i));
-      joint.tangent /= length;
-      joint.given = true;
-    }
-    joints.push_back(joint);
-  }
-  std::vector<double> lengths; // of the chords
-  for (int i = 0; i < (closed ? n : n - 1); ++i) {
-    const Column chord = joints[(i + 1) % n].point - joints[i].point;
-    lengths.push_back(std::sqrt(dot(chord, chord)));
-    if (!(lengths.back() > 0))
-      throw Error(Error_code::empty_domain, "interpolate_fair: the points " + std::to_string(i) + " and " +
-                                                std::to_string((i + 1) % n) + " coincide");
-    internal::check_finite(lengths.back() * lengths.back(), "interpolate_fair: a distance");
-  }
-  internal::choose_fair_joints<N>(joints, closed);
-
-  // short numbers, from which all is constructed in the field
-  std::vector<Jet> jets;
-  for (int i = 0; i < n; ++i) {
-    const double before = i > 0 ? lengths[i - 1] : lengths.back(), after = i < n - 1 || closed ? lengths[i] : before,
-                 h = (std::min)(closed || i > 0 ? before : after, after);
-    const int unit = (std::max)(std::ilogb(h) - (rounds ? (std::min)(20, std::numeric_limits<FT>::digits / 3) : 20),
-                                rounds ? std::ilogb(size) + 9 - std::numeric_limits<FT>::digits : -1000);
-    Jet jet(p[i].dimension(), 2);
-    jet[0] = p[i];
-    const bool exactly = !rounds && joints[i].given;
-    double speed = h;
-    if (exactly) {
-      jet[1] = coordinates<Traits>(*tangents[i]);
-      const Column t = column(jet[1], i);
-      speed = std::sqrt(dot(t, t));
-    }
-    const int unit_of_bend = exactly ? unit + 2 * (std::ilogb(speed) - std::ilogb(h)) : unit;
-    for (int k = 0; k < p[i].dimension(); ++k) {
-      if (!exactly)
-        jet[1][k] = internal::short_number_in<FT>(internal::multiple_of_power(h * joints[i].tangent[k], unit));
-      jet[2][k] = internal::short_number_in<FT>(
-          internal::multiple_of_power(speed * speed * joints[i].curvature[k], unit_of_bend));
-    }
-    jets.push_back(std::move(jet));
-  }
-
-  std::vector<typename Traits::Point> points;
-  std::vector<FT> knots(1, FT(0));
-  std::vector<char> is_rounded(n, 0);
-  for (int i = 0; i < static_cast<int>(lengths.size()); ++i) {
-    const Jet &start = jets[i], &end = jets[(i + 1) % n];
-    std::optional<Bezier_curve<Traits, 5>> piece;
-    if constexpr (rounds) try {
-        const Representable_blend<Traits> blend = representable_blend(internal::parabola<Traits>(start, true),
-                                                                      internal::parabola<Traits>(end, false), Fair());
-        if (!blend.start_join.is_moved() && !blend.end_join.is_moved()) piece = blend;
-      } catch (const Error& e) {
-        if (e.code() != Error_code::not_representable) throw;
-      }
-    if (!piece) {
-      piece = blend(Curve_jet<Traits>(start), Curve_jet<Traits>(end), Fair());
-      is_rounded[i] = is_rounded[(i + 1) % n] = rounds;
-    }
-    points.insert(points.end(), piece->begin() + (i == 0 ? 0 : 1), piece->end());
-    knots.push_back(FT(i + 1));
-  }
-  std::vector<int> rounded;
-  for (int i = closed ? 0 : 1; i < (closed ? n : n - 1); ++i)
-    if (is_rounded[i]) rounded.push_back(i);
-  return Fair_spline<Traits>(Composite_bezier_curve<Traits, 5>(points, std::move(knots)), moved, std::move(rounded));
+                                                        " tangents for " + std::to_string(p.number()) + " points");
+  const typename Traits::FT moved = internal::round_points(p);
+  std::vector<internal::Fair_joint<dimension_v<Traits>>> joints = internal::joints_of(p, tangents);
+  const std::vector<double> lengths = internal::chord_lengths(p, joints);
+  internal::choose_fair_joints(joints, p.closed);
+  return internal::blends_between(p, internal::short_jets(p, joints, lengths, tangents), moved);
 }
 
 /// \ingroup PkgGeometricContinuityConstruction
