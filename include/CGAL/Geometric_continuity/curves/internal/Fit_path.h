@@ -1,0 +1,172 @@
+// Copyright (c) 2026 The Geometric_continuity developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_GEOMETRIC_CONTINUITY_CURVES_INTERNAL_FIT_PATH_H
+#define CGAL_GEOMETRIC_CONTINUITY_CURVES_INTERNAL_FIT_PATH_H
+
+#include <CGAL/Geometric_continuity/algebra/Coordinate_vector.h>
+#include <CGAL/Geometric_continuity/algebra/internal/solve_positive_definite.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <vector>
+
+// A polyline to which curves are fitted, by arc length, and the joints of these curves: points, tangents and curvatures near its vertices. In
+// floating-point numbers, in a unit of which all coordinates are multiples. See curves/internal/Polyline_fit.h.
+
+namespace CGAL {
+namespace Geometric_continuity {
+namespace internal {
+
+template <int N> struct Fit_joint { Coordinate_vector<double, N> point, leg, second_difference; };
+
+// On which sides of a vertex the polyline counts.
+enum class Fit_side { both, before, after };
+
+template <int N> class Fit_path {
+public:
+  typedef Coordinate_vector<double, N> Vector;
+
+private:
+  typedef Fit_joint<N> Joint;
+  typedef Fit_side Side;
+
+  const std::vector<Vector>& p_;  // no two neighbours are equal
+  const std::vector<char>& stop_; // whether there is a corner or an end
+  const double tolerance_;
+  const bool periodic_;   // the last vertex is the first one, and no corner
+  std::vector<double> s_; // arc lengths
+  std::vector<int> stop_before_, stop_after_;
+
+public:
+  Fit_path(const std::vector<Vector>& p, const std::vector<char>& stop, double tolerance, bool periodic)
+      : p_(p), stop_(stop), tolerance_(tolerance), periodic_(periodic), s_(p.size(), 0), stop_before_(p.size(), 0),
+        stop_after_(p.size(), static_cast<int>(p.size()) - 1) {
+    const int n = segments();
+    for (int k = 1; k <= n; ++k) {
+      s_[k] = s_[k - 1] + length(p[k] - p[k - 1]);
+      stop_before_[k] = stop_[k - 1] ? k - 1 : stop_before_[k - 1];
+    }
+    for (int k = n - 1; k >= 0; --k) stop_after_[k] = stop_[k + 1] ? k + 1 : stop_after_[k + 1];
+  }
+
+  int segments() const { return static_cast<int>(p_.size()) - 1; }
+  const Vector& vertex(int k) const { return p_[k]; }
+  double arc_length(int k) const { return s_[k]; } // up to the vertex k
+  bool stops(int k) const { return stop_[k] != 0; }
+  int stop_after(int k) const { return stop_after_[k]; }
+  bool is_periodic() const { return periodic_; }
+  double tolerance() const { return tolerance_; }
+
+  static double length(const Vector& v) { return std::sqrt(dot(v, v)); }
+
+  // The point at an arc length, on the segments between two vertices.
+  Vector point_at(double s, int first, int last) const {
+    const int k = static_cast<int>(std::upper_bound(s_.begin() + first + 1, s_.begin() + last, s) - s_.begin()) - 1;
+    const double t = (std::min)((std::max)((s - s_[k]) / (s_[k + 1] - s_[k]), 0.), 1.);
+    return p_[k] + t * (p_[k + 1] - p_[k]);
+  }
+
+  // The joint at a vertex: of the cubic polynomial on the largest window, of those that are doubled, in which it is near.
+  // The second difference is that of a curve of this degree.
+  Joint joint(int k, Side side, int degree) const {
+    const int n = segments(), before = k == 0 && periodic_ ? n : k;
+    const double length_before = before > 0 ? s_[before] - s_[before - 1] : 0,
+                 length_after = k < n ? s_[k + 1] - s_[k] : 0;
+    double w = side == Side::before  ? length_before
+               : side == Side::after ? length_after
+                                     : (std::min)(length_before, length_after),
+           limit = side == Side::before  ? s_[k] - s_[stop_before_[k]]
+                   : side == Side::after ? s_[stop_after_[k]] - s_[k]
+                                         : (std::min)(s_[k] - s_[stop_before_[k]], s_[stop_after_[k]] - s_[k]);
+    if (periodic_) limit = s_.back() / 2;
+    std::optional<Window> best;
+    double width = w;
+    for (w = (std::min)(w, limit);; w = (std::min)(2 * w, limit)) {
+      const Window next = window(k, w, side);
+      if (!(next.residual <= tolerance_ / 4)) break;
+      best = next;
+      width = w;
+      if (w == limit) break;
+    }
+    if (best) {
+      const double speed = length(best->c[1]), leg = (std::max)(width / 4096, 64.);
+      if (speed > width / 16) {
+        const Vector normal = best->c[2] - (dot(best->c[2], best->c[1]) / (speed * speed)) * best->c[1];
+        const double curvature = 2 * leg * leg / (speed * speed) * degree / (degree - 1);
+        return {rounded(p_[k] + best->c[0]), rounded((leg / speed) * best->c[1]), rounded(curvature * normal)};
+      }
+    }
+    // in a zigzag, or where the polyline turns back
+    Vector direction(p_[k].dimension());
+    if (before > 0 && side != Side::after) direction += (p_[before] - p_[before - 1]) / length_before;
+    if (k < n && side != Side::before) direction += (p_[k + 1] - p_[k]) / length_after;
+    double d = length(direction);
+    const double leg = (std::max)(tolerance_ / 16, 64.);
+    if (!(d > 1e-7)) {
+      direction = p_[before] - p_[before - 1];
+      d = length_before;
+    }
+    return {rounded(p_[k]), rounded((leg / d) * direction), Vector(p_[k].dimension())};
+  }
+
+private:
+  static Vector rounded(Vector v) {
+    for (int x = 0; x < v.dimension(); ++x) v[x] = std::nearbyint(v[x]);
+    return v;
+  }
+
+  Vector point_at(double s) const {
+    const double total = s_.back();
+    if (periodic_) s -= std::floor(s / total) * total;
+    return point_at(s, 0, segments());
+  }
+
+  // A cubic polynomial near a window of the polyline, in a parameter that is 0 at the vertex and 1 at the end of the window.
+  struct Window {
+    std::array<Vector, 4> c;
+    double residual; // the largest one
+  };
+  // By least squares; at a corner or an end through the vertex.
+  Window window(int k, double w, Side side) const {
+    constexpr int half = 8;
+    const int from = side == Side::after ? 0 : -half, to = side == Side::before ? 0 : half,
+              least = side == Side::both ? 0 : 1;
+    std::vector<Vector> x;
+    std::array<std::array<double, 4>, 4> a{};
+    std::array<Vector, 4> b;
+    b.fill(Vector(p_[k].dimension()));
+    for (int i = from; i <= to; ++i) {
+      const double t = i / double(half);
+      x.push_back(point_at(s_[k] + t * w) - p_[k]);
+      const std::array<double, 4> power = {1, t, t * t, t * t * t};
+      for (int r = least; r < 4; ++r) {
+        for (int c = least; c < 4; ++c) a[r][c] += power[r] * power[c];
+        b[r] += power[r] * x.back();
+      }
+    }
+    if (least == 1) a[0][0] = 1;
+    Window result{{}, 0};
+    result.c.fill(Vector(p_[k].dimension()));
+    for (int d = 0; d < p_[k].dimension(); ++d) {
+      const std::array<double, 4> c =
+          solve_positive_definite(a, std::array<double, 4>{b[0][d], b[1][d], b[2][d], b[3][d]});
+      for (int r = least; r < 4; ++r) result.c[r][d] = c[r];
+    }
+    for (int i = from; i <= to; ++i) {
+      const double t = i / double(half);
+      const Vector e = result.c[0] + t * (result.c[1] + t * (result.c[2] + t * result.c[3])) - x[i - from];
+      result.residual = (std::max)(result.residual, length(e));
+    }
+    return result;
+  }
+};
+
+} // namespace internal
+} // namespace Geometric_continuity
+} // namespace CGAL
+
+#endif // CGAL_GEOMETRIC_CONTINUITY_CURVES_INTERNAL_FIT_PATH_H
