@@ -37,13 +37,28 @@ proved cylinder.g2 a.g2 --edges v0,v0
 says blend.g2 "200 1 0 0" "3 1"
 proved a.g2 cylinder.g2
 
+# order 3: decided here; verify decides up to G2
+smooth() { # smooth A B ARGUMENTS...
+  run 0 blend --surfaces "$@" --order 3 -o blend.g2 && says out "G3 along both edges, proved exactly" "delta3 = "
+  run 0 verify --surfaces "$1" blend.g2 "$2" --require G2 && says out "2 G2"
+}
+smooth a.g2 b.g2
+says blend.g2 "8 8"
+says out "a.g2, edge v1: G3, beta = "
+for strategy in c3 seq_g3 joint_g3 energy3_g3 energy4_g3 fair_g3; do smooth a.g2 b.g2 --strategy $strategy; done
+smooth a.g2 spline.g2 --edges u1,v0
+smooth cylinder.g2 a.g2 --edges v0,v0
+refused "--strategy" blend --surfaces a.g2 b.g2 --order 3 --strategy seq_f3
+refused "--strategy" blend --surfaces a.g2 b.g2 --order 3 --strategy fair
+refused "--strategy" blend --surfaces a.g2 b.g2 --strategy fair_g3
+
 # what is refused
 refused "two files are needed" blend --surfaces a.g2
 refused "two files are needed" blend --surfaces a.g2 b.g2 spline.g2
 refused "'v2' is none of u0, u1, v0, v1" blend --surfaces a.g2 b.g2 --edges v1,v2
 refused "two names are needed" blend --surfaces a.g2 b.g2 --edges v1
 refused "--edges: only with --surfaces" blend "$L" "$R" --edges v1,v0
-for option in "--order 2" "--beta 1" "--replace 1" --json "--kernel double" "--plot no.svg"; do
+for option in "--beta 1" "--replace 1" --json "--kernel double" "--plot no.svg"; do
   refused "${option%% *}: not with --surfaces" blend --surfaces a.g2 b.g2 $option
 done
 refused "--strategy" blend --surfaces a.g2 b.g2 --strategy free

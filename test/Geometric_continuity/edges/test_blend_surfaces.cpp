@@ -94,12 +94,6 @@ template <class A, class B> void check_random_blends(Numbers& random) {
     check_blend(a, ea, b, eb, blend(a, ea, b, eb, shape, direction), direction);
   }
 }
-template <class A> void check_random_blends_of(Numbers& random) {
-  check_random_blends<A, Bezier<Exact>>(random);
-  check_random_blends<A, Bspline<Exact>>(random);
-  check_random_blends<A, Patch<Exact>>(random);
-  check_random_blends<A, Spline<Exact>>(random);
-}
 
 } // namespace
 
@@ -112,21 +106,9 @@ template <class A, class B, class Strategy> void check_automatic_blend(Numbers& 
   check_blend(a, ea, b, eb, blend(a, ea, b, eb, strategy), direction);
 }
 
-BOOST_AUTO_TEST_CASE(patches) {
+BOOST_AUTO_TEST_CASE_TEMPLATE(all_types, A, Surface_types) {
   Numbers random;
-  check_random_blends_of<Bezier<Exact>>(random);
-}
-BOOST_AUTO_TEST_CASE(splines) {
-  Numbers random;
-  check_random_blends_of<Bspline<Exact>>(random);
-}
-BOOST_AUTO_TEST_CASE(rational_patches) {
-  Numbers random;
-  check_random_blends_of<Patch<Exact>>(random);
-}
-BOOST_AUTO_TEST_CASE(rational_splines) {
-  Numbers random;
-  check_random_blends_of<Spline<Exact>>(random);
+  for_each_surface_type([&](auto b) { check_random_blends<A, typename decltype(b)::type>(random); });
 }
 
 // The part between two parts of one surface is the blend of them, with beta = the ratio of its length and 1.

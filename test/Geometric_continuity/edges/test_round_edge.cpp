@@ -108,30 +108,12 @@ template <class A, class B> void check_random_edges(Numbers& random) {
   check_rounded(a, ea, b, eb, da == db ? Edge_direction::same : Edge_direction::opposite,
                 fraction(random.integer(1, 4), 10), fraction(random.integer(1, 4), 10));
 }
-template <class A> void check_random_edges_of(Numbers& random) {
-  check_random_edges<A, Bezier<Exact>>(random);
-  check_random_edges<A, Bspline<Exact>>(random);
-  check_random_edges<A, Patch<Exact>>(random);
-  check_random_edges<A, Spline<Exact>>(random);
-}
 
 } // namespace
 
-BOOST_AUTO_TEST_CASE(patches) {
+BOOST_AUTO_TEST_CASE_TEMPLATE(all_types, A, Surface_types) {
   Numbers random;
-  check_random_edges_of<Bezier<Exact>>(random);
-}
-BOOST_AUTO_TEST_CASE(splines) {
-  Numbers random;
-  check_random_edges_of<Bspline<Exact>>(random);
-}
-BOOST_AUTO_TEST_CASE(rational_patches) {
-  Numbers random;
-  check_random_edges_of<Patch<Exact>>(random);
-}
-BOOST_AUTO_TEST_CASE(rational_splines) {
-  Numbers random;
-  check_random_edges_of<Spline<Exact>>(random);
+  for_each_surface_type([&](auto b) { check_random_edges<A, typename decltype(b)::type>(random); });
 }
 
 // Edges with different weights, which are those of the other one times 3; by other strategies.

@@ -2,17 +2,20 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// Blends of surfaces of degree 7: G3 along whole edges. The Taylor expansion of a surface is composed with that of the
-// reparametrisation at more parameters than polynomials that agree there can have as zeros.
+// Blends of surfaces of degree 7: G3 along whole edges. is_g3_edge() decides it. It is compared with the Taylor expansion of a surface,
+// composed with that of the reparametrisation at more parameters than polynomials that agree there can have as zeros.
 
 #include <boost/test/unit_test.hpp>
 
 #include "support/random_surfaces.h"
 #include "support/rational_surfaces.h"
 
+#include <CGAL/Geometric_continuity/blends/Fair.h>
 #include <CGAL/Geometric_continuity/edges/blend_surfaces.h>
+#include <CGAL/Geometric_continuity/edges/edge_continuity.h>
 
 #include <array>
+#include <cmath>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -123,31 +126,26 @@ template <class A, class B> void check_random_blend(Numbers& random) {
   BOOST_CHECK_EQUAL(s.degree_v(), 7);
   BOOST_CHECK(has_contact(a, ea, Edge_direction::same, s, 0, shape.start));
   BOOST_CHECK(has_contact(b, eb, direction, s, 1, shape.end));
-  BOOST_CHECK_EQUAL(whole_edge_order(a, ea, s, v0), 2);
-  BOOST_CHECK_EQUAL(whole_edge_order(s, v1, b, eb), 2);
+  BOOST_CHECK(is_g3_edge(a, ea, s, v0));
+  BOOST_CHECK(is_g3_edge(s, v1, b, eb));
   // a moved point of each of the layers, at both ends
   for (int layer = 0; layer <= 7; ++layer) {
     const auto m = moved(s, 1, layer);
     BOOST_CHECK_EQUAL(has_contact(a, ea, Edge_direction::same, m, 0, shape.start), layer > 3);
     BOOST_CHECK_EQUAL(has_contact(b, eb, direction, m, 1, shape.end), layer < 4);
+    if (layer == 3) {
+      BOOST_CHECK(is_g2_edge(a, ea, m, v0) && !is_g3_edge(a, ea, m, v0));
+      BOOST_CHECK(is_g3_edge(m, v1, b, eb));
+    } else if (layer == 4)
+      BOOST_CHECK(is_g2_edge(m, v1, b, eb) && !is_g3_edge(m, v1, b, eb));
   }
-}
-template <class A> void check_random_blends_of(Numbers& random) {
-  check_random_blend<A, Bezier<Exact>>(random);
-  check_random_blend<A, Bspline<Exact>>(random);
-  check_random_blend<A, Patch<Exact>>(random);
-  check_random_blend<A, Spline<Exact>>(random);
 }
 
 } // namespace
 
-BOOST_AUTO_TEST_CASE(patches) {
+BOOST_AUTO_TEST_CASE_TEMPLATE(all_types, A, Surface_types) {
   Numbers random;
-  check_random_blends_of<Bezier<Exact>>(random);
-}
-BOOST_AUTO_TEST_CASE(rational_patches) {
-  Numbers random;
-  check_random_blends_of<Patch<Exact>>(random);
+  for_each_surface_type([&](auto b) { check_random_blend<A, typename decltype(b)::type>(random); });
 }
 
 // A shape of order 2 has third derivatives that are 0; the part between two parts of one surface is the blend of them.
@@ -174,6 +172,104 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(a_part_of_one_surface, Traits, All_traits) {
       }
   shape.end.beta = GC::Bernstein_polynomial<FT>{FT(-1)};
   CHECK_ERROR(blend(lower, v1, upper, v0, GC::Septic_surface_blend_shape<Given>(shape)), nonpositive_beta);
+}
+
+// Parts of a spline are G3 along a parameter line that is no knot, and G2 along a simple knot of degree 3.
+BOOST_AUTO_TEST_CASE(parts_of_a_spline) {
+  Numbers random;
+  const Knots u(3, Q(0), Q(1), {{fraction(1, 3), 1}}), v(3, Q(0), Q(1), {{fraction(1, 2), 1}});
+  const Bspline<Exact> s(random.net(5, 5), u, v);
+  const Spline<Exact> r(random.net(5, 5), random.weights(5, 5), u, v);
+  for (const Q& cut : {fraction(1, 2), fraction(2, 3)}) {
+    const auto parts = s.split_v(cut);
+    BOOST_CHECK(is_g2_edge(parts.first, v1, parts.second, v0));
+    BOOST_CHECK_EQUAL(is_g3_edge(parts.first, v1, parts.second, v0), cut != fraction(1, 2));
+    BOOST_CHECK_EQUAL(is_g3_edge(parts.second.reverse_u().swap_parameters(), u0, parts.first, v1),
+                      cut != fraction(1, 2));
+    const auto rational = r.split_v(cut);
+    BOOST_CHECK(is_g2_edge(rational.first, v1, rational.second, v0));
+    BOOST_CHECK_EQUAL(is_g3_edge(rational.first, v1, rational.second, v0), cut != fraction(1, 2));
+  }
+  const Patch<Exact> patch(random.net(3, 4), random.weights(3, 4));
+  const auto parts = patch.split_v(fraction(2, 3));
+  BOOST_CHECK(is_g3_edge(with_factor(parts.first, Q(3)), v1, parts.second, v0));
+  BOOST_CHECK(!is_g3_edge(with_factor(parts.first, Q(3)), v1, moved(parts.second, 1, 3), v0));
+}
+
+// By every strategy of order 3; those for F3 choose another mu, which is not taken.
+template <class A, class B, class Strategy> void check_automatic_blend(Numbers& random, const Strategy& strategy) {
+  const A a = random.surface<A>();
+  const B b = random.surface<B>();
+  const Patch_edge ea = random.edge(), eb = random.edge();
+  const auto s = blend(a, ea, b, eb, strategy);
+  BOOST_CHECK_EQUAL(s.degree_v(), 7);
+  BOOST_CHECK(is_g3_edge(a, ea, s, v0));
+  BOOST_CHECK(is_g3_edge(s, v1, b, eb));
+  BOOST_CHECK(!is_g3_edge(a, ea, moved(s, 1, 3), v0));
+  BOOST_CHECK(!is_g3_edge(moved(s, 1, 4), v1, b, eb));
+}
+BOOST_AUTO_TEST_CASE(automatic_blends) {
+  Numbers random;
+  check_automatic_blend<Bezier<Exact>, Bezier<Exact>>(random, GC::Minimal_energy_g3<4>());
+  check_automatic_blend<Bezier<Exact>, Bspline<Exact>>(random, GC::Minimal_energy_g3<3>());
+  check_automatic_blend<Bspline<Exact>, Patch<Exact>>(random, GC::Sequential_g3());
+  check_automatic_blend<Patch<Exact>, Spline<Exact>>(random, GC::Minimal_energy_g3<4>());
+  check_automatic_blend<Spline<Exact>, Spline<Exact>>(random, GC::Matching_third_derivative());
+  check_automatic_blend<Bezier<Exact>, Bezier<Exact>>(random, GC::Joint_g3());
+  check_automatic_blend<Bezier<Exact>, Bezier<Exact>>(random, GC::Fair_g3());
+  check_automatic_blend<Patch<Exact>, Bezier<Exact>>(random, GC::Fair_g3());
+  check_automatic_blend<Bezier<Exact>, Bezier<Exact>>(random, GC::Sequential_f3());
+}
+
+// Where all curves u = const are the same but for a translation, the shape is that of the curves.
+BOOST_AUTO_TEST_CASE_TEMPLATE(shape_of_translated_curves, Traits, All_traits) {
+  typedef typename Traits::FT FT;
+  typedef typename Traits::Point P;
+  const auto surface = [](int y, int c, int d) {
+    return Bezier<Traits>(
+        {{P(0, y, c), P(0, y + 2, d), P(0, y + 3, d)}, {P(5, y, c + 1), P(5, y + 2, d + 1), P(5, y + 3, d + 1)}});
+  };
+  const auto curve = [](int y, int c, int d) {
+    const P points[] = {P(0, y, c), P(0, y + 2, d), P(0, y + 3, d)};
+    return GC::Bezier_curve<Traits>(points, points + 3);
+  };
+  const auto check = [&](const auto& strategy, double accuracy) {
+    const auto gamma = GC::blend(curve(0, 0, 1), curve(9, 4, 7), strategy);
+    const auto near = [&](const FT& x, const FT& y) {
+      return std::abs(CGAL::to_double(x) - CGAL::to_double(y)) <= accuracy * std::abs(CGAL::to_double(y));
+    };
+    const auto shape =
+        automatic_surface_shape(surface(0, 0, 1), v1, surface(9, 4, 7), v0, strategy, Edge_direction::same);
+    BOOST_CHECK(near(shape.start.beta[0], gamma.shape.beta) && near(shape.end.beta[0], gamma.shape.eta));
+    BOOST_CHECK(near(shape.start.delta[0], gamma.parameters.start.beta2));
+    BOOST_CHECK(near(shape.start.delta3[0], gamma.parameters.start.beta3));
+    BOOST_CHECK(near(shape.end.delta[0], gamma.parameters.end.beta2));
+    BOOST_CHECK(near(shape.end.delta3[0], gamma.parameters.end.beta3));
+    const auto rational = automatic_surface_shape(Patch<Traits>(surface(0, 0, 1)), v1,
+                                                  with_factor(Patch<Traits>(surface(9, 4, 7)), FT(8)), v0, strategy,
+                                                  Edge_direction::same);
+    BOOST_CHECK(rational.start.delta3 == shape.start.delta3 && rational.end.delta3 == shape.end.delta3);
+    BOOST_CHECK(rational.start.lambda3 == (GC::Bernstein_polynomial<FT>{FT(0)}));
+    BOOST_CHECK_EQUAL(rational.end.lambda, FT(1) / FT(8));
+  };
+  check(GC::Minimal_energy_g3<4>(), 0x1p-8);
+  check(GC::Fair_g3(), 0.05);
+}
+
+// The denominator of the blend of a surface whose weights grow stays near to a constant.
+BOOST_AUTO_TEST_CASE(automatic_factors) {
+  Numbers random;
+  const auto grows = [&](int from, int to) {
+    std::vector<Q> row;
+    for (int j = 0; j <= 3; ++j) row.push_back(fraction(3 * from + j * (to - from), 3));
+    return Patch<Exact>(random.net(2, 4), std::vector<std::vector<Q>>{row, row});
+  };
+  const Patch<Exact> a = grows(1, 2), b = grows(3, 1), s = blend(a, v1, b, v0, GC::Minimal_energy_g3<4>());
+  for (int j = 0; j <= 7; ++j) {
+    const double w = CGAL::to_double(Q(s.weight(0, j) / s.weight(0, 0)));
+    BOOST_CHECK(0.98 < w && w < 1.02);
+  }
+  BOOST_CHECK(is_g3_edge(a, v1, s, v0));
 }
 
 // What a shift along the edge multiplies must not jump.

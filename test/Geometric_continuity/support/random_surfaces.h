@@ -10,6 +10,7 @@
 #include <CGAL/Geometric_continuity/edges/edge_continuity.h>
 #include <CGAL/Geometric_continuity/surfaces/Bspline_surface.h>
 
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -19,6 +20,17 @@ using GC::Edge_direction;
 template <class Traits> using Bezier = GC::Bezier_patch<Traits>;
 template <class Traits> using Bspline = GC::Bspline_surface<Traits>;
 typedef GC::Knot_vector<Q> Knots;
+
+typedef std::tuple<Bezier<Exact>, Bspline<Exact>, Patch<Exact>, Spline<Exact>> Surface_types;
+template <class Surface> struct Type { typedef Surface type; };
+
+// Calls f(Type<Surface>()) for each type of surfaces.
+template <class Function> void for_each_surface_type(const Function& f) {
+  f(Type<Bezier<Exact>>());
+  f(Type<Bspline<Exact>>());
+  f(Type<Patch<Exact>>());
+  f(Type<Spline<Exact>>());
+}
 
 struct Random_surfaces : Random {
   // 64 bits over 2^31

@@ -80,9 +80,10 @@ arc length R from it, and a fair blend with G2 joins is put between, with
 this order, --corners not-g1 corners and kinks only; of short curves less than R
 is cut off, so that a quarter of each remains. The output is the whole chain.
 
---surfaces makes a surface of degree 5 across from the edge v1 of the surface in
-A to the edge v0 of that in B, or from and to those of --edges, by a strategy of
-order 2. It is G2 with both along the whole edges, which is decided exactly.
+--surfaces makes a surface from the edge v1 of the surface in A to the edge v0
+of that in B, or from and to those of --edges. Its degree across is 5, and it is
+G2 with both along the whole edges, or with --order 3, by a strategy of order 3
+with joins G3, it is 7, and the surface is G3. This is decided exactly.
 -o writes it.
 
 Exact arithmetic on numbers of thousands of digits can take long: --max-work N
@@ -295,9 +296,8 @@ int run_blend(const Command_line& line) {
   };
   line.refuse({"distance", "closed"}, "only with --corner or --corners");
   if (line.has("surfaces")) {
-    line.refuse(
-        {"order", "beta", "eta", "s1", "s2", "start", "end", "replace", "kernel", "representable", "json", "plot"},
-        "not with --surfaces");
+    line.refuse({"beta", "eta", "s1", "s2", "start", "end", "replace", "kernel", "representable", "json", "plot"},
+                "not with --surfaces");
     return bounded([&] { return blend_surfaces(line); });
   }
   line.refuse({"edges"}, "only with --surfaces");

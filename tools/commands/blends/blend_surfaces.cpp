@@ -16,6 +16,7 @@
 
 #include <stdexcept>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -46,13 +47,29 @@ std::pair<GC::Patch_edge, GC::Patch_edge> given_edges(const Command_line& line) 
   return {edge_of(text.substr(0, comma)), edge_of(text.substr(comma + 1))};
 }
 
-// An edge of one of the given surfaces, and whether the blend is G2 there.
-template <class Edge_verdict>
-bool report_edge(std::ostream& report, const std::string& file, GC::Patch_edge edge,
-                 const GC::Rational_edge_reparametrisation<CGAL::Exact_rational>& shape, const Edge_verdict& verdict) {
-  report << input_name(file) << ", edge " << edge << ": " << verdict << ", beta = " << shape.beta
-         << ", delta = " << shape.delta << '\n';
-  return verdict.g_order >= 2;
+// An edge of one of the given surfaces, the derivatives of the parameter across it, and whether the blend has the order there.
+template <class Shape>
+bool report_edge(std::ostream& report, const std::string& file, GC::Patch_edge edge, const Shape& shape,
+                 const Surface& given, const Surface& blend, GC::Patch_edge edge_of_blend) {
+  constexpr int order =
+      std::is_base_of_v<GC::Septic_edge_reparametrisation<GC::Rational_edge_reparametrisation<CGAL::Exact_rational>>,
+                        Shape>
+          ? 3
+          : 2;
+  report << input_name(file) << ", edge " << edge << ": ";
+  bool has_order;
+  if (order == 3 && is_g3_edge(given, edge, blend, edge_of_blend)) {
+    report << "G3";
+    has_order = true;
+  } else {
+    const auto verdict = edge_continuity(given, edge, blend, edge_of_blend);
+    report << verdict;
+    has_order = order == 2 && verdict.g_order >= 2;
+  }
+  report << ", beta = " << shape.beta << ", delta = " << shape.delta;
+  if constexpr (order == 3) report << ", delta3 = " << shape.delta3;
+  report << '\n';
+  return has_order;
 }
 
 template <class Strategy> Exit_code blend_by(const Command_line& line, const Strategy& strategy) {
@@ -63,19 +80,15 @@ template <class Strategy> Exit_code blend_by(const Command_line& line, const Str
   const auto shape = automatic_surface_shape(a, edge_a, b, edge_b, strategy, direction);
   const Surface s = GC::blend(a, edge_a, b, edge_b, shape, direction);
   std::ostream& report = report_stream(line);
-  const bool g2_a =
-                 report_edge(report, files[0], edge_a, shape.start, edge_continuity(a, edge_a, s, GC::Patch_edge::v0)),
-             g2_b = report_edge(report, files[1], edge_b, shape.end, edge_continuity(s, GC::Patch_edge::v1, b, edge_b));
-  report << (g2_a && g2_b ? "G2 along both edges, proved exactly\n" : "not G2 along both edges\n");
+  const bool at_a = report_edge(report, files[0], edge_a, shape.start, a, s, GC::Patch_edge::v0),
+             at_b = report_edge(report, files[1], edge_b, shape.end, b, s, GC::Patch_edge::v1);
+  const std::string order = line.integer("order") == 2 ? "G2" : "G3";
+  report << (at_a && at_b ? order + " along both edges, proved exactly\n" : "not " + order + " along both edges\n");
   if (line.has("output")) write_output(line.text("output"), [&](std::ostream& os) { GC::write_g2(os, s); });
-  return g2_a && g2_b ? requirement_met : requirement_not_met;
+  return at_a && at_b ? requirement_met : requirement_not_met;
 }
 
-} // namespace
-
-Exit_code blend_surfaces(const Command_line& line) {
-  if (line.files().size() != 2) throw std::invalid_argument("blend --surfaces: two files are needed; see --help");
-  const GC::Work_scope each(line.work_limit());
+Exit_code quintic(const Command_line& line) {
   const std::string name = line.has("strategy") ? line.choice("strategy", quintic_names) : "energy3";
   if (name == "c2") return blend_by(line, GC::Matching_second_derivative());
   if (name == "normal") return blend_by(line, GC::Normal_offset());
@@ -84,4 +97,24 @@ Exit_code blend_surfaces(const Command_line& line) {
   if (name == "energy2") return blend_by(line, GC::Minimal_energy<2>());
   if (name == "fair") return blend_by(line, GC::Fair());
   return blend_by(line, GC::Minimal_energy<3>());
+}
+
+// Strategies for F3 are none for surfaces.
+Exit_code septic(const Command_line& line) {
+  const Arguments names = {"c3", "seq_g3", "joint_g3", "energy3_g3", "energy4_g3", "fair_g3"};
+  const std::string name = line.has("strategy") ? line.choice("strategy", names) : "energy4_g3";
+  if (name == "c3") return blend_by(line, GC::Matching_third_derivative());
+  if (name == "seq_g3") return blend_by(line, GC::Sequential_g3());
+  if (name == "joint_g3") return blend_by(line, GC::Joint_g3());
+  if (name == "energy3_g3") return blend_by(line, GC::Minimal_energy_g3<3>());
+  if (name == "fair_g3") return blend_by(line, GC::Fair_g3());
+  return blend_by(line, GC::Minimal_energy_g3<4>());
+}
+
+} // namespace
+
+Exit_code blend_surfaces(const Command_line& line) {
+  if (line.files().size() != 2) throw std::invalid_argument("blend --surfaces: two files are needed; see --help");
+  const GC::Work_scope each(line.work_limit());
+  return line.integer("order", 2, 3) == 2 ? quintic(line) : septic(line);
 }

@@ -36,21 +36,22 @@ namespace Geometric_continuity {
 /// What a polynomial surface `S(u, v)` contributes to its continuity along the edge `v = 0`, `u` in [0, 1]: the edge
 /// \f$ C(u) = S(u, 0) \f$ and the cross derivatives \f$ T(u) = S_v(u, 0) \f$ and \f$ W(u) = S_{vv}(u, 0) \f$, where `v`
 /// grows into the surface. Each row holds Bernstein coefficients; the rows may differ in degree. Of a rational surface they are
-/// those of its homogeneous points.
+/// those of its homogeneous points. Only order 3 needs \f$ X(u) = S_{vvv}(u, 0) \f$, too.
 /// \tparam FT a field number type
 /// \tparam N the number of coordinates: 3, or 4 for homogeneous points
 template <class FT_, int N = 3> struct Edge_rows {
   typedef FT_ FT;                                    ///< the type of the coordinates
   typedef std::vector<Coordinate_vector<FT, N>> Row; ///< one point or vector for each coefficient
 
-  Row edge;         ///< the coefficients of \f$ C \f$, the control points of the edge
-  Row cross;        ///< the coefficients of \f$ T \f$
-  Row second_cross; ///< the coefficients of \f$ W \f$
+  Row edge;             ///< the coefficients of \f$ C \f$, the control points of the edge
+  Row cross;            ///< the coefficients of \f$ T \f$
+  Row second_cross;     ///< the coefficients of \f$ W \f$
+  Row third_cross = {}; ///< the coefficients of \f$ X \f$, or none
 
   /// Returns the rows of \f$ S(1-u, v) \f$.
   Edge_rows reversed() const {
     Edge_rows r = *this;
-    for (Row* row : {&r.edge, &r.cross, &r.second_cross}) std::reverse(row->begin(), row->end());
+    for (Row* row : {&r.edge, &r.cross, &r.second_cross, &r.third_cross}) std::reverse(row->begin(), row->end());
     return r;
   }
 };
@@ -122,9 +123,12 @@ template <class Field, int N = 3, class Row> typename Edge_rows<Field, N>::Row r
   return result;
 }
 
-// From the rows 0, 1 and 2.
+// From the rows 0, 1, 2 and, where it is there, 3.
 template <class Field, int N = 3, class Rows> Edge_rows<Field, N> edge_rows_in_space(const Rows& rows) {
-  return {row_in_space<Field, N>(rows[0]), row_in_space<Field, N>(rows[1]), row_in_space<Field, N>(rows[2])};
+  Edge_rows<Field, N> r{row_in_space<Field, N>(rows[0]), row_in_space<Field, N>(rows[1]),
+                        row_in_space<Field, N>(rows[2])};
+  if (rows.size() > 3) r.third_cross = row_in_space<Field, N>(rows[3]);
+  return r;
 }
 
 template <class Field, class FT> Knot_vector<Field> knots_over(const Knot_vector<FT>& knots) {
@@ -141,21 +145,21 @@ template <class Field, class Surface> std::pair<Field, Field> edge_domain(const 
 
 // The rows of a patch, as splines over the domain of the edge.
 template <class Patch>
-Spline_edge_rows<Edge_field<typename Patch::Traits>, row_dimension<Patch>> spline_rows_of_patch(const Patch& patch,
-                                                                                                Patch_edge edge) {
+Spline_edge_rows<Edge_field<typename Patch::Traits>, row_dimension<Patch>>
+spline_rows_of_patch(const Patch& patch, Patch_edge edge, int order) {
   typedef Edge_field<typename Patch::Traits> Field;
   const std::pair<Field, Field> domain = edge_domain<Field>(patch, edge);
-  return {Knot_vector<Field>(patch.degree_along(edge), domain.first, domain.second), edge_rows(patch, edge)};
+  return {Knot_vector<Field>(patch.degree_along(edge), domain.first, domain.second), edge_rows(patch, edge, order)};
 }
 
 // The rows of a surface over knots.
 template <class Surface>
 Spline_edge_rows<Edge_field<typename Surface::Traits>, row_dimension<Surface>>
-spline_rows_of_surface(const Surface& surface, Patch_edge edge) {
+spline_rows_of_surface(const Surface& surface, Patch_edge edge, int order) {
   typedef Edge_field<typename Surface::Traits> Field;
   require_space(surface, "spline_edge_rows");
   return {knots_over<Field>(surface.knots_along(edge)),
-          edge_rows_in_space<Field, row_dimension<Surface>>(surface.template rows<Field>(edge, 2))};
+          edge_rows_in_space<Field, row_dimension<Surface>>(surface.template rows<Field>(edge, order))};
 }
 
 } // namespace internal
@@ -163,19 +167,21 @@ spline_rows_of_surface(const Surface& surface, Patch_edge edge) {
 /// \ingroup PkgGeometricContinuitySurfaces
 /// Returns the rows of a patch along one of its edges, with the patch taken on the unit square and turned so that the edge is
 /// at `v = 0`. Continuity does not depend on the lengths of the domain. The control points are converted to `Field` before
-/// anything is computed. `3 (p + 1)` coefficients for an edge of degree `p`, in as many operations.
+/// anything is computed. `(order + 1) (p + 1)` coefficients for an edge of degree `p`, in as many operations.
+/// \param order 2, or 3 for all rows
 /// \throws Error `dimension_mismatch` unless in dimension 3
 template <class Field, class Traits>
-Edge_rows<Field> edge_rows_over(const Bezier_patch<Traits>& patch, Patch_edge edge) {
+Edge_rows<Field> edge_rows_over(const Bezier_patch<Traits>& patch, Patch_edge edge, int order = 2) {
   internal::require_space(patch, "edge_rows");
-  return internal::edge_rows_in_space<Field>(patch.template rows<Field>(edge, 2));
+  return internal::edge_rows_in_space<Field>(patch.template rows<Field>(edge, order));
 }
 
 /// \ingroup PkgGeometricContinuitySurfaces
 /// Returns the rows of a patch along one of its edges, see `edge_rows_over()`, in the field in which continuity is decided.
 /// \throws Error `dimension_mismatch` unless in dimension 3
-template <class Traits> Edge_rows<Edge_field<Traits>> edge_rows(const Bezier_patch<Traits>& patch, Patch_edge edge) {
-  return edge_rows_over<Edge_field<Traits>>(patch, edge);
+template <class Traits>
+Edge_rows<Edge_field<Traits>> edge_rows(const Bezier_patch<Traits>& patch, Patch_edge edge, int order = 2) {
+  return edge_rows_over<Edge_field<Traits>>(patch, edge, order);
 }
 
 /// \ingroup PkgGeometricContinuitySurfaces
@@ -183,25 +189,27 @@ template <class Traits> Edge_rows<Edge_field<Traits>> edge_rows(const Bezier_pat
 /// decided; see the function for `Bezier_patch`.
 /// \throws Error `dimension_mismatch` unless in dimension 3
 template <class Traits>
-Edge_rows<Edge_field<Traits>, 4> edge_rows(const Rational_bezier_patch<Traits>& patch, Patch_edge edge) {
+Edge_rows<Edge_field<Traits>, 4> edge_rows(const Rational_bezier_patch<Traits>& patch, Patch_edge edge, int order = 2) {
   internal::require_space(patch, "edge_rows");
-  return internal::edge_rows_in_space<Edge_field<Traits>, 4>(patch.template rows<Edge_field<Traits>>(edge, 2));
+  return internal::edge_rows_in_space<Edge_field<Traits>, 4>(patch.template rows<Edge_field<Traits>>(edge, order));
 }
 
 /// \ingroup PkgGeometricContinuitySurfaces
 /// Returns the rows of a patch along one of its edges, see `edge_rows()`, as splines over the domain of the edge.
 /// \throws Error `dimension_mismatch` unless in dimension 3
 template <class Traits>
-Spline_edge_rows<Edge_field<Traits>> spline_edge_rows(const Bezier_patch<Traits>& patch, Patch_edge edge) {
-  return internal::spline_rows_of_patch(patch, edge);
+Spline_edge_rows<Edge_field<Traits>> spline_edge_rows(const Bezier_patch<Traits>& patch, Patch_edge edge,
+                                                      int order = 2) {
+  return internal::spline_rows_of_patch(patch, edge, order);
 }
 
 /// \ingroup PkgGeometricContinuitySurfaces
 /// Returns the rows of a rational patch along one of its edges, see `edge_rows()`, as splines over the domain of the edge.
 /// \throws Error `dimension_mismatch` unless in dimension 3
 template <class Traits>
-Spline_edge_rows<Edge_field<Traits>, 4> spline_edge_rows(const Rational_bezier_patch<Traits>& patch, Patch_edge edge) {
-  return internal::spline_rows_of_patch(patch, edge);
+Spline_edge_rows<Edge_field<Traits>, 4> spline_edge_rows(const Rational_bezier_patch<Traits>& patch, Patch_edge edge,
+                                                         int order = 2) {
+  return internal::spline_rows_of_patch(patch, edge, order);
 }
 
 /// \ingroup PkgGeometricContinuitySurfaces
@@ -210,8 +218,9 @@ Spline_edge_rows<Edge_field<Traits>, 4> spline_edge_rows(const Rational_bezier_p
 /// and knots are converted before anything is computed. Linear in the number of knots.
 /// \throws Error `dimension_mismatch` unless in dimension 3
 template <class Traits>
-Spline_edge_rows<Edge_field<Traits>> spline_edge_rows(const Bspline_surface<Traits>& surface, Patch_edge edge) {
-  return internal::spline_rows_of_surface(surface, edge);
+Spline_edge_rows<Edge_field<Traits>> spline_edge_rows(const Bspline_surface<Traits>& surface, Patch_edge edge,
+                                                      int order = 2) {
+  return internal::spline_rows_of_surface(surface, edge, order);
 }
 
 /// \ingroup PkgGeometricContinuitySurfaces
@@ -220,8 +229,8 @@ Spline_edge_rows<Edge_field<Traits>> spline_edge_rows(const Bspline_surface<Trai
 /// \throws Error `dimension_mismatch` unless in dimension 3
 template <class Traits>
 Spline_edge_rows<Edge_field<Traits>, 4> spline_edge_rows(const Rational_bspline_surface<Traits>& surface,
-                                                         Patch_edge edge) {
-  return internal::spline_rows_of_surface(surface, edge);
+                                                         Patch_edge edge, int order = 2) {
+  return internal::spline_rows_of_surface(surface, edge, order);
 }
 
 /// \ingroup PkgGeometricContinuityContinuity

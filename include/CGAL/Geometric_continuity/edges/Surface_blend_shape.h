@@ -29,7 +29,8 @@
 /// \f$ v \mapsto (S(u_1, v), \dots, S(u_m, v)) \f$ in a space of `3 m` dimensions. With constants \f$ \beta, \delta \f$ it is a blend of the
 /// curves that both surfaces make in the same way, of the family of blends of curves: \f$ \delta = (20 s - t)\,\beta \f$, with the part
 /// `t` of the second derivative along the tangent. So each strategy for curves is one for surfaces. Lengths and energies are the sums
-/// of squares over the curves.
+/// of squares over the curves. In degree 7 \f$ \delta = \beta_2 \f$ and \f$ \delta_3 = \beta_3 \f$ of a septic blend with
+/// \f$ \mu = 3 \beta\beta_2 \f$.
 
 namespace CGAL {
 namespace Geometric_continuity {
@@ -148,9 +149,25 @@ template <class Surface_a, class Surface_b>
 using Blend_surface_shape = typename internal::Blended_shape<Surface_a, Surface_b>::type;
 
 /// \ingroup PkgGeometricContinuityStrategies
-/// True for a strategy that chooses the shape of blend surfaces: it can be called with `Quintic_ends<double, 0>`.
+/// True for a strategy that chooses the shape of blend surfaces of degree 5: it can be called with `Quintic_ends<double, 0>`.
 template <class Strategy>
-constexpr bool is_surface_blend_strategy_v = std::is_invocable_v<const Strategy&, const Quintic_ends<double, 0>&>;
+constexpr bool is_quintic_surface_strategy_v = std::is_invocable_v<const Strategy&, const Quintic_ends<double, 0>&>;
+
+/// \ingroup PkgGeometricContinuityStrategies
+/// True for a strategy that chooses the shape of blend surfaces, of degree 5 or else of degree 7: it can be called with
+/// `Quintic_ends<double, 0>` or `Septic_ends<double, 0>`.
+template <class Strategy>
+constexpr bool is_surface_blend_strategy_v =
+    std::disjunction_v<std::is_invocable<const Strategy&, const Quintic_ends<double, 0>&>,
+                       std::is_invocable<const Strategy&, const Septic_ends<double, 0>&>>;
+
+/// \ingroup PkgGeometricContinuityConstruction
+/// The type of the shape that a strategy chooses for the blend of two surfaces: `Blend_surface_shape`, or the
+/// `Septic_surface_blend_shape` of it.
+template <class Surface_a, class Surface_b, class Strategy>
+using Chosen_surface_shape =
+    std::conditional_t<is_quintic_surface_strategy_v<Strategy>, Blend_surface_shape<Surface_a, Surface_b>,
+                       Septic_surface_blend_shape<Blend_surface_shape<Surface_a, Surface_b>>>;
 
 namespace internal {
 
@@ -158,19 +175,19 @@ namespace internal {
 // after the other, and the last coordinates of homogeneous points in `weights`.
 template <bool is_rational> struct Edge_samples {
   Coordinate_jet<double, 0> jet;
-  std::vector<std::array<double, 3>> weights;
+  std::vector<std::array<double, 4>> weights;
 
-  template <class FT, int N> Edge_samples(const Blend_end<FT, N>& end, const Knot_vector<FT>& knots) {
+  template <class FT, int N> Edge_samples(const Blend_end<FT, N>& end, const Knot_vector<FT>& knots, int order) {
     const int m = knots.number_of_coefficients(), n = end.edge[0].dimension() - (is_rational ? 1 : 0);
-    jet = Coordinate_jet<double, 0>(m * n, 2);
+    jet = Coordinate_jet<double, 0>(m * n, order);
     for (int k = 0; k < m; ++k) {
       const FT u = knots.greville_abscissa(k);
-      Coordinate_jet<FT, N> x(end.edge[0].dimension(), 2);
-      x[0] = bspline_value(end.knots, end.edge, u);
-      x[1] = bspline_value(end.knots, end.cross, u);
-      x[2] = bspline_value(end.knots, end.second_cross, u);
+      Coordinate_jet<FT, N> x(end.edge[0].dimension(), order);
+      const typename Blend_end<FT, N>::Row* const rows[] = {&end.edge, &end.cross, &end.second_cross, &end.third_cross};
+      for (int j = 0; j <= order; ++j) x[j] = bspline_value(end.knots, *rows[j], u);
       if constexpr (is_rational) {
-        weights.push_back({CGAL::to_double(x[0][n]), CGAL::to_double(x[1][n]), CGAL::to_double(x[2][n])});
+        weights.emplace_back();
+        for (int j = 0; j <= order; ++j) weights.back()[j] = CGAL::to_double(x[j][n]);
         take(project(x), k * n);
       } else
         take(x, k * n);
@@ -179,7 +196,7 @@ template <bool is_rational> struct Edge_samples {
 
 private:
   template <class Jet> void take(const Jet& x, int first) {
-    for (int j = 0; j <= 2; ++j)
+    for (int j = 0; j <= jet.order(); ++j)
       for (int i = 0; i < x[j].dimension(); ++i) {
         jet[j][first + i] = CGAL::to_double(x[j][i]);
         check_finite(jet[j][first + i], "automatic_surface_shape: a number beyond those in floating-point arithmetic");
@@ -193,24 +210,58 @@ inline double short_part(double x, double unit) {
   return std::abs(x) < 0x1p-20 * unit ? 0 : short_double<ratio_digits>(x);
 }
 
-// The factor of homogeneous points that keeps the denominator of a blend as constant as constants can.
-template <class FT>
-void choose_factor(const std::vector<std::array<double, 3>>& weights, Rational_edge_reparametrisation<FT>& r,
-                   double beta, double delta) {
-  double squares = 0, first = 0, second = 0;
-  for (const std::array<double, 3>& w : weights) {
-    squares += w[0] * w[0];
-    first += w[0] * beta * w[1];
-    second += w[0] * (beta * beta * w[2] + delta * w[1]);
-  }
-  const double lambda1 = short_part(-first / squares, 1);
-  r.lambda1 = Bernstein_polynomial<FT>{short_number_in<FT>(lambda1)};
-  r.lambda2 = Bernstein_polynomial<FT>{short_number_in<FT>(short_part(-(second + 2 * lambda1 * first) / squares, 1))};
+// The derivatives beta, delta and delta_3 of the parameter across an edge.
+typedef std::array<double, 3> Across_edge;
+
+inline std::array<Across_edge, 2> across_edges(const Quintic_ends<double, 0>& e, const Quintic_parameters<double>& p,
+                                               const Shape_parameters<double>& s) {
+  return {{{s.beta, short_part(s.beta * (20 * p.s1 - e.tangential1), s.beta), 0},
+           {s.eta, short_part(s.eta * (20 * p.s2 - e.tangential2), s.eta), 0}}};
+}
+inline std::array<Across_edge, 2> across_edges(const Septic_ends<double, 0>&, const Septic_parameters<double>& p,
+                                               const Shape_parameters<double>& s) {
+  return {{{s.beta, short_part(p.start.beta2, s.beta), short_part(p.start.beta3, s.beta)},
+           {s.eta, short_part(p.end.beta2, s.eta), short_part(p.end.beta3, s.eta)}}};
 }
 
-inline double mean_square_of_weights(const std::vector<std::array<double, 3>>& weights) {
+template <class FT> Bernstein_polynomial<FT> short_constant(double x) { return {short_number_in<FT>(x)}; }
+
+template <class FT> void set_third(Edge_reparametrisation<FT>&, double, double) {}
+template <class Reparametrisation>
+void set_third(Septic_edge_reparametrisation<Reparametrisation>& r, double delta3, double lambda3) {
+  typedef typename Reparametrisation::FT FT;
+  r.delta3 = short_constant<FT>(delta3);
+  r.lambda3 = short_constant<FT>(lambda3);
+}
+
+// Sets the constants of one end. Of rational surfaces the factor of the homogeneous points keeps the denominator as constant as constants
+// can: from the derivatives m of w_0 w(phi), divided by those of order 0, as sums over all samples.
+template <class Reparametrisation>
+void set_shape(Reparametrisation& r, const Across_edge& x, const std::vector<std::array<double, 4>>& weights) {
+  typedef typename Reparametrisation::FT FT;
+  r.beta = short_constant<FT>(x[0]);
+  r.delta = short_constant<FT>(x[1]);
+  double lambda[3] = {0, 0, 0};
+  if constexpr (std::is_base_of_v<Rational_edge_reparametrisation<FT>, Reparametrisation>) {
+    double squares = 0, m[3] = {0, 0, 0};
+    for (const std::array<double, 4>& w : weights) {
+      squares += w[0] * w[0];
+      m[0] += w[0] * x[0] * w[1];
+      m[1] += w[0] * (x[0] * x[0] * w[2] + x[1] * w[1]);
+      m[2] += w[0] * (x[0] * x[0] * x[0] * w[3] + 3 * x[0] * x[1] * w[2] + x[2] * w[1]);
+    }
+    lambda[0] = short_part(-m[0] / squares, 1);
+    lambda[1] = short_part(-(m[1] + 2 * lambda[0] * m[0]) / squares, 1);
+    lambda[2] = short_part(-(m[2] + 3 * lambda[0] * m[1] + 3 * lambda[1] * m[0]) / squares, 1);
+    r.lambda1 = short_constant<FT>(lambda[0]);
+    r.lambda2 = short_constant<FT>(lambda[1]);
+  }
+  set_third(r, x[2], lambda[2]);
+}
+
+inline double mean_square_of_weights(const std::vector<std::array<double, 4>>& weights) {
   double squares = 0;
-  for (const std::array<double, 3>& w : weights) squares += w[0] * w[0];
+  for (const std::array<double, 4>& w : weights) squares += w[0] * w[0];
   return squares;
 }
 
@@ -235,52 +286,50 @@ Edge_direction nearer_direction(const Surface_a& a, Patch_edge edge_a, const Sur
 }
 
 /// \ingroup PkgGeometricContinuityConstruction
-/// Returns the shape of a blend from an edge of one surface to an edge of another one that a strategy for blends of curves chooses. All
-/// functions are constants, and \f$ \alpha = \alpha_2 = 0 \f$.
+/// Returns the shape of a blend from an edge of one surface to an edge of another one that a strategy for blends of curves chooses: of
+/// degree 5, or of degree 7 by a septic strategy. All functions are constants, and those of the parameter along the edge, \f$ \alpha \f$,
+/// \f$ \alpha_2 \f$ and \f$ \alpha_3 \f$, are 0.
 ///
 /// The curves `u` = const at the Greville abscissae of the edge with more of them are taken as one curve in a space of many dimensions. A
 /// strategy that chooses its own shape parameters, as `Fair` does, chooses \f$ \beta \f$ at both ends; otherwise they make the tangents
 /// as long as the chords in the mean square, see `automatic_shape()`. The scalars \f$ s_1, s_2 \f$ of the strategy give \f$ \delta \f$:
 /// with `Matching_second_derivative` it is 0, `Minimal_energy<3>` has the least sum of \f$ \int |S_{vvv}|^2 dv \f$, `Fair` the least
-/// variation of the curvature of the curve in many dimensions. Of rational surfaces, the factors of the homogeneous points keep the denominator
-/// of the blend as constant as constants can.
+/// variation of the curvature of the curve in many dimensions. A septic strategy gives \f$ \delta = \beta_2 \f$ and
+/// \f$ \delta_3 = \beta_3 \f$; for \f$ G^3 \f$, \f$ \mu \f$ is \f$ 3\beta\beta_2 \f$, whatever it chooses. Of rational surfaces, the
+/// factors of the homogeneous points keep the denominator of the blend as constant as constants can.
 ///
 /// All this is computed in floating-point numbers and rounded to 8 binary digits, so that exact numbers stay short. The blend is exact,
 /// whatever the shape is. Linear in the number of knots.
+/// \tparam Strategy a model of `BlendStrategy`, called with `Quintic_ends<double, 0>` or, if it cannot be, `Septic_ends<double, 0>`
 /// \throws Error `zero_tangent` where a derivative across an edge vanishes at all these parameters, `dimension_mismatch`,
 ///   `not_finite` for numbers so large or small that their squares are not in the range of floating-point numbers
 template <class Surface_a, class Surface_b, class Strategy>
-Blend_surface_shape<Surface_a, Surface_b> automatic_surface_shape(const Surface_a& a, Patch_edge edge_a,
-                                                                  const Surface_b& b, Patch_edge edge_b,
-                                                                  const Strategy& strategy, Edge_direction direction) {
-  static_assert(is_surface_blend_strategy_v<Strategy>, "the strategy is one for blends of degree 5 in every field");
+Chosen_surface_shape<Surface_a, Surface_b, Strategy>
+automatic_surface_shape(const Surface_a& a, Patch_edge edge_a, const Surface_b& b, Patch_edge edge_b,
+                        const Strategy& strategy, Edge_direction direction) {
+  static_assert(is_surface_blend_strategy_v<Strategy>, "the strategy is one for blends in every field");
   typedef internal::Blended_surfaces<Surface_a, Surface_b> Kind;
-  typedef typename Kind::FT FT;
+  typedef std::conditional_t<is_quintic_surface_strategy_v<Strategy>, Quintic_ends<double, 0>, Septic_ends<double, 0>>
+      Ends;
   typedef Coordinate_jet<double, 0> Jet;
-  const auto ends = Kind::ends(a, edge_a, b, edge_b, direction);
+  const auto ends = Kind::ends(a, edge_a, b, edge_b, direction, Ends::order);
   const auto &x = ends.first.knots, &y = ends.second.knots;
   const auto& knots = x.number_of_coefficients() < y.number_of_coefficients() ? y : x;
-  const internal::Edge_samples<Kind::is_rational> start(ends.first, knots), end(ends.second, knots);
+  const internal::Edge_samples<Kind::is_rational> start(ends.first, knots, Ends::order),
+      end(ends.second, knots, Ends::order);
   if (is_zero(start.jet[1])) throw Error(Error_code::zero_tangent, "automatic_surface_shape: the first surface");
   if (is_zero(end.jet[1])) throw Error(Error_code::zero_tangent, "automatic_surface_shape: the second surface");
 
   const auto shaped = [&](const auto& chosen, const Shape_parameters<double>& s) {
-    const Quintic_ends<double, 0> e(start.jet, end.jet, s);
-    const Quintic_parameters<double> p = chosen(e);
-    const double delta_start = internal::short_part(s.beta * (20 * p.s1 - e.tangential1), s.beta),
-                 delta_end = internal::short_part(s.eta * (20 * p.s2 - e.tangential2), s.eta);
-    Blend_surface_shape<Surface_a, Surface_b> shape;
-    shape.start.beta = {internal::short_number_in<FT>(s.beta)};
-    shape.start.delta = {internal::short_number_in<FT>(delta_start)};
-    shape.end.beta = {internal::short_number_in<FT>(s.eta)};
-    shape.end.delta = {internal::short_number_in<FT>(delta_end)};
-    if constexpr (Kind::is_rational) {
-      internal::choose_factor(start.weights, shape.start, s.beta, delta_start);
-      internal::choose_factor(end.weights, shape.end, s.eta, delta_end);
-      shape.end.lambda = FT(internal::short_part(
+    const Ends e(start.jet, end.jet, s);
+    const std::array<internal::Across_edge, 2> across = internal::across_edges(e, chosen(e), s);
+    Chosen_surface_shape<Surface_a, Surface_b, Strategy> shape;
+    internal::set_shape(shape.start, across[0], start.weights);
+    internal::set_shape(shape.end, across[1], end.weights);
+    if constexpr (Kind::is_rational)
+      shape.end.lambda = typename Kind::FT(internal::short_part(
           std::sqrt(internal::mean_square_of_weights(start.weights) / internal::mean_square_of_weights(end.weights)),
           0));
-    }
     return shape;
   };
   if constexpr (internal::Chooses_shape<Strategy, Jet>::value) {

@@ -28,7 +28,7 @@
 
 /// \file blend_surfaces.h
 /// The blend from an edge of one surface to an edge of another: a surface of degree 5 across that is \f$ G^2 \f$ with both along the
-/// whole edges.
+/// whole edges, or one of degree 7 that is \f$ G^3 \f$.
 ///
 /// Let `v` grow from 0, at an edge \f$ C(u) \f$ with the derivatives \f$ T \f$ and \f$ W \f$ across it, to 1. To second order the
 /// blend is there the surface \f$ L \f$ itself in other parameters, \f$ S = L \circ \varphi \f$ with
@@ -313,8 +313,9 @@ blend(const Surface_a& a, Patch_edge edge_a, const Surface_b& b, Patch_edge edge
 }
 
 /// \ingroup PkgGeometricContinuityConstruction
-/// Returns the blend of two surfaces with the shape that `automatic_surface_shape()` finds by a strategy for curves.
-/// \tparam Strategy a model of `BlendStrategy` for blends of degree 5, called with `Quintic_ends<double, 0>`
+/// Returns the blend of two surfaces with the shape that `automatic_surface_shape()` finds by a strategy for curves: of degree 5 and
+/// \f$ G^2 \f$, or by a septic strategy of degree 7 and \f$ G^3 \f$.
+/// \tparam Strategy a model of `BlendStrategy`, called with `Quintic_ends<double, 0>` or, if it cannot be, `Septic_ends<double, 0>`
 /// \throws Error as the function with a shape, and as `automatic_surface_shape()`
 template <class Surface_a, class Surface_b, class Strategy,
           class = std::enable_if_t<is_surface_blend_strategy_v<Strategy>>>

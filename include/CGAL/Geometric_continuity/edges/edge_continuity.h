@@ -20,7 +20,7 @@
 /// \file edge_continuity.h
 /// The continuity of two surfaces along an edge of each, decided exactly on the whole closed edge; for every mix of surface
 /// types, and for rows of coefficients. See `Edge_conditions` for what is decided. `edge_continuity()` tells the order, the reason and the
-/// place, `is_g0_edge()`, `is_g1_edge()` and `is_g2_edge()` answer one question each, `knot_line_continuity()` looks inside a surface, and
+/// place, `is_g0_edge()`, `is_g1_edge()`, `is_g2_edge()` and `is_g3_edge()` answer one question each, `knot_line_continuity()` looks inside a surface, and
 /// `common_edges()` finds the edges that two patches share.
 ///
 /// The answers of the predicates are those of `edge_continuity()`, without its reasons and places. Two surfaces without
@@ -225,6 +225,18 @@ bool is_g1_edge(const Surface_a& a, Patch_edge edge_a, const Surface_b& b, Patch
 template <class Surface_a, class Surface_b>
 bool is_g2_edge(const Surface_a& a, Patch_edge edge_a, const Surface_b& b, Patch_edge edge_b) {
   return internal::edge_has_order<2>(a, edge_a, b, edge_b);
+}
+
+/// \ingroup PkgGeometricContinuitySurfaces
+/// Returns whether the surfaces are \f$ G^2 \f$ along the edges, see `is_g2_edge()`, and agree to third order: the one is, to third order
+/// and on each span of the knots, the other one in other parameters. Decides whether a form of degree 11 vanishes, by multi-precision
+/// where the surfaces are \f$ G^2 \f$.
+/// \tparam Surface_a, Surface_b `Bezier_patch`, `Bspline_surface`, `Rational_bezier_patch` or `Rational_bspline_surface`, with one
+///   traits class
+/// \throws Error `dimension_mismatch` unless in dimension 3, `not_finite`, `work_limit`
+template <class Surface_a, class Surface_b>
+bool is_g3_edge(const Surface_a& a, Patch_edge edge_a, const Surface_b& b, Patch_edge edge_b) {
+  return internal::edge_has_order<3>(a, edge_a, b, edge_b);
 }
 
 /// \ingroup PkgGeometricContinuitySurfaces

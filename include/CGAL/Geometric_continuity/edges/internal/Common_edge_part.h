@@ -64,6 +64,7 @@ std::vector<Edge_piece<Field, N>> edge_pieces(const Spline_edge_rows<FT, N>& edg
   add_row(edge.rows.edge, &Edge_rows<Field, N>::edge);
   add_row(edge.rows.cross, &Edge_rows<Field, N>::cross);
   add_row(edge.rows.second_cross, &Edge_rows<Field, N>::second_cross);
+  if (!edge.rows.third_cross.empty()) add_row(edge.rows.third_cross, &Edge_rows<Field, N>::third_cross);
   return pieces;
 }
 
@@ -80,38 +81,40 @@ typename Edge_rows<Field, 4>::Row lifted(const typename Edge_rows<Field>::Row& r
 template <class Field> std::vector<Edge_piece<Field, 4>> lifted(const std::vector<Edge_piece<Field>>& pieces) {
   std::vector<Edge_piece<Field, 4>> result;
   for (const Edge_piece<Field>& piece : pieces)
-    result.push_back({piece.begin,
-                      piece.end,
-                      {lifted<Field>(piece.rows.edge, Field(1)), lifted<Field>(piece.rows.cross, Field(0)),
-                       lifted<Field>(piece.rows.second_cross, Field(0))}});
+    result.push_back(
+        {piece.begin,
+         piece.end,
+         {lifted<Field>(piece.rows.edge, Field(1)), lifted<Field>(piece.rows.cross, Field(0)),
+          lifted<Field>(piece.rows.second_cross, Field(0)), lifted<Field>(piece.rows.third_cross, Field(0))}});
   return result;
 }
 
 // Of an edge of a surface. A patch has one piece, which needs no knots.
 template <class Surface>
 std::vector<Edge_piece<Edge_field<typename Surface::Traits>, row_dimension<Surface>>>
-edge_pieces(const Surface& surface, Patch_edge edge) {
+edge_pieces(const Surface& surface, Patch_edge edge, int order = 2) {
   typedef Edge_field<typename Surface::Traits> Field;
   if constexpr (Is_patch<Surface>::value) {
     const std::pair<Field, Field> domain = edge_domain<Field>(surface, edge);
-    return {{domain.first, domain.second, edge_rows(surface, edge)}};
+    return {{domain.first, domain.second, edge_rows(surface, edge, order)}};
   } else
-    return edge_pieces<Field>(spline_edge_rows(surface, edge));
+    return edge_pieces<Field>(spline_edge_rows(surface, edge, order));
 }
 
-// With N coordinates, 3 or 4.
+// With N coordinates, 3 or 4, and the third derivatives for the order 3.
 template <int N, class Surface>
-std::vector<Edge_piece<Edge_field<typename Surface::Traits>, N>> edge_pieces_in(const Surface& surface,
-                                                                                Patch_edge edge) {
+std::vector<Edge_piece<Edge_field<typename Surface::Traits>, N>> edge_pieces_in(const Surface& surface, Patch_edge edge,
+                                                                                int order = 2) {
   if constexpr (N == row_dimension<Surface>)
-    return edge_pieces(surface, edge);
+    return edge_pieces(surface, edge, order);
   else
-    return lifted(edge_pieces(surface, edge));
+    return lifted(edge_pieces(surface, edge, order));
 }
 
 // The coefficients on [x, y], x < y and 0 < y, of a polynomial with Bernstein coefficients on [0, 1], which need not contain
-// x and y.
+// x and y; none of none.
 template <class Field, class Row> Row restricted(Row row, const Field& x, const Field& y) {
+  if (row.empty()) return row;
   const int n = static_cast<int>(row.size()) - 1;
   Row part = row;
   if (y != Field(1)) { // to [0, y]
@@ -127,7 +130,7 @@ template <class Field, int N>
 Edge_rows<Field, N> rows_on(const Edge_piece<Field, N>& piece, const Field& begin, const Field& end) {
   const Field length = piece.length(), x = Field(begin - piece.begin) / length, y = Field(end - piece.begin) / length;
   return {restricted(piece.rows.edge, x, y), restricted(piece.rows.cross, x, y),
-          restricted(piece.rows.second_cross, x, y)};
+          restricted(piece.rows.second_cross, x, y), restricted(piece.rows.third_cross, x, y)};
 }
 
 // The rows of two homogeneous edges, the second divided by a factor so that their first points have equal weights: then edges
@@ -138,7 +141,7 @@ std::pair<Edge_rows<Field, N>, Edge_rows<Field, N>> with_equal_weights(Edge_rows
     for (const Edge_rows<Field, N>* rows : {&a, &b}) require_denominator(rows->edge[0][3], "edge_continuity");
     const Field factor = Field(a.edge[0][3] / b.edge[0][3]);
     if (factor != Field(1))
-      for (auto* row : {&b.edge, &b.cross, &b.second_cross})
+      for (auto* row : {&b.edge, &b.cross, &b.second_cross, &b.third_cross})
         for (Coordinate_vector<Field, N>& x : *row) x *= factor;
   }
   return {std::move(a), std::move(b)};

@@ -30,6 +30,13 @@
 /// as n2 = q N and n3 = p N with rational functions p and q, one coordinate with N_i != 0 decides for all. For homogeneous points the
 /// normals are planes.
 ///
+/// The third derivatives X1 and X2 agree when, for a coordinate i with N_i != 0 and the derivatives of second order p2 and q2 of the
+/// reparametrisation, V = N_i^2 (p2 C' + q2 T1) = N_i^2 W2 - n3_i^2 C'' - 2 n3_i n2_i T1' - n2_i^2 W1, v2 = C' x V, v3 = V x T1,
+///   N_i^4 (N . X2) = N_i (n3_i^3 (N . C''') + 3 n3_i^2 n2_i (N . T1'') + 3 n3_i n2_i^2 (N . W1') + n2_i^3 (N . X1))
+///                  + 3 (n3_i v3_i (N . C'') + (n3_i v2_i + v3_i n2_i) (N . T1') + n2_i v2_i (N . W1)).
+/// Homogeneous points have T2 = l C + p C' + q T1 with another factor l: then V has - 2 l_i (n3_i C' + n2_i T1), and the right side
+/// 3 l_i N_i^3 (N . W2), where l_i = l N_i is a minor as n2_i and n3_i are. Order 3 is decided by multi-precision only.
+///
 /// Of control points, with the degrees n along the edge and q1, q2 across it, the differences
 ///   d = C'/n, a = T1/q1, b = T2/q2, e = C''/(n (n-1)), f = T1'/(n q1), g = W1/(q1 (q1-1)), h = W2/(q2 (q2-1))
 /// take the place of the derivatives: with N = d x a, n2 = d x b, n3 = b x a the identity is
@@ -53,8 +60,8 @@ Homogeneous_polynomial<NT> counted_product(const Homogeneous_polynomial<NT>& p, 
   return p * q;
 }
 template <class X, class Y> constexpr CGAL_GC_FORCEINLINE auto counted_product(const X& x, const Y& y) { return x * y; }
-template <class NT> Homogeneous_polynomial<NT> times(int w, const Homogeneous_polynomial<NT>& p) { // 1 or 2
-  return w == 1 ? p : p + p;
+template <class NT> Homogeneous_polynomial<NT> times(int w, const Homogeneous_polynomial<NT>& p) { // 1, 2 or 3
+  return w == 1 ? p : w == 2 ? p + p : p + p + p;
 }
 template <class W, class X> constexpr CGAL_GC_FORCEINLINE auto times(const W& w, const X& x) { return w * x; }
 

@@ -35,16 +35,16 @@ template <class Field, int N = 3> struct Edge_sides {
   typedef Edge_tangent<N, Polynomial, Polynomial> Tangent;
 
   Common_denominator<Field> denominator;
-  Vector c[2], t[2], w[2]; // C, T, W
+  Vector c[2], t[2], w[2], x[2]; // C, T, W, X
 
   template <class FT> Edge_sides(const Edge_rows<FT, N>& a, const Edge_rows<FT, N>& b) {
     for (const Edge_rows<FT, N>* rows : {&a, &b})
-      for (const auto* row : {&rows->edge, &rows->cross, &rows->second_cross}) {
-        if (row->empty())
+      for (const auto* row : {&rows->edge, &rows->cross, &rows->second_cross, &rows->third_cross}) {
+        if (row->empty() && row != &rows->third_cross)
           throw Error(Error_code::wrong_number_of_points, "edge continuity: a row without coefficients");
-        for (const Coordinate_vector<FT, N>& x : *row)
+        for (const Coordinate_vector<FT, N>& y : *row)
           for (int i = 0; i < N; ++i) {
-            const Field number = to_field<Field>(x[i]);
+            const Field number = to_field<Field>(y[i]);
             denominator.include(number);
             work_meter().charge_divisors(2, denominator.words(), number_words(number)); // here, and for the numerator
           }
@@ -54,6 +54,7 @@ template <class Field, int N = 3> struct Edge_sides {
       c[side] = polynomials(rows->edge);
       t[side] = polynomials(rows->cross);
       w[side] = polynomials(rows->second_cross);
+      if (!rows->third_cross.empty()) x[side] = polynomials(rows->third_cross);
       ++side;
     }
   }
@@ -73,7 +74,7 @@ template <class Field, int N = 3> struct Edge_sides {
   // same_edge() in Edge_input.h for control points of equal degree, Common_edge_part for pieces, Edge_key for many edges.
   std::optional<bool> align() {
     if (same_edge()) return false;
-    for (Vector* v : {&c[1], &t[1], &w[1]})
+    for (Vector* v : {&c[1], &t[1], &w[1], &x[1]})
       for (Polynomial& p : *v) p = p.reversed();
     return same_edge() ? std::optional<bool>(true) : std::nullopt;
   }
@@ -109,7 +110,7 @@ private:
     Vector v;
     for (int i = 0; i < N; ++i) {
       std::vector<Ring> b;
-      for (const auto& x : row) b.push_back(denominator.numerator(to_field<Field>(x[i])));
+      for (const auto& y : row) b.push_back(denominator.numerator(to_field<Field>(y[i])));
       v[i] = Polynomial::from_bernstein(std::move(b));
     }
     return v;
@@ -153,11 +154,40 @@ template <class Field, int N = 3> struct Edge_normals {
 
   // Whether the curvatures agree, see Edge_equations.h. \pre coplanar()
   template <class AnySides> bool second_order(const AnySides& s) const {
-    int i = 0;
-    while (i < 3 && n1[i].is_zero()) ++i;
+    const int i = nonzero_coordinate();
     if (i == 3) return true;
     const Polynomial n3 = s.tangent(s.t[1]).normal(i, s.t[0]);
     return second_order_form(n1[i], n2[i], n3, Edge_factors<int>{1, 2, {1, 1}}, Products<AnySides>{n1, s}).is_zero();
+  }
+
+  // Whether the third derivatives agree, see Edge_equations.h. \pre second_order()
+  bool third_order(const Sides& s) const {
+    const int i = nonzero_coordinate();
+    if (i == 3) return true;
+    const Vector c1 = s.first_derivative(), c2 = s.second_derivative(), t1 = s.mixed_derivative();
+    const typename Sides::Tangent tangent = s.tangent(c1);
+    const Polynomial &n = n1[i], &q = n2[i], p = s.tangent(s.t[1]).normal(i, s.t[0]);
+    const auto product = [](const Polynomial& x, const Polynomial& y) { return counted_product(x, y); };
+    Polynomial l; // zero without weights
+    if constexpr (N == 4) l = Sides::tangent(s.t[1], c1).normal(i, s.t[0]);
+    const Polynomial nn = product(n, n), pp = product(p, p), pq = product(p, q), qq = product(q, q);
+    Vector rest; // N_i^2 (lambda_2 C + p_2 C' + q_2 T1)
+    for (int k = 0; k < N; ++k) {
+      rest[k] = product(nn, s.w[1][k]) - product(pp, c2[k]) - times(2, product(pq, t1[k])) - product(qq, s.w[0][k]);
+      if constexpr (N == 4) rest[k] = rest[k] - times(2, product(l, product(p, c1[k]) + product(q, s.t[0][k])));
+    }
+    const Polynomial q2 = tangent.normal(i, rest), p2 = s.tangent(rest).normal(i, s.t[0]);
+    const auto normal_times = [&](const Vector& v) { return sum_of_products<N>(n1, v); };
+    const Polynomial first = product(product(pp, p), normal_times(Sides::derivative(c2))) +
+                             times(3, product(product(pp, q), normal_times(Sides::derivative(t1)))) +
+                             times(3, product(product(p, qq), normal_times(Sides::derivative(s.w[0])))) +
+                             product(product(qq, q), normal_times(s.x[0]));
+    const Polynomial second = product(product(p, p2), normal_times(c2)) +
+                              product(product(p, q2) + product(p2, q), normal_times(t1)) +
+                              product(product(q, q2), normal_times(s.w[0]));
+    Polynomial form = product(product(nn, nn), normal_times(s.x[1])) - product(n, first) - times(3, second);
+    if constexpr (N == 4) form = form - times(3, product(product(product(nn, n), l), normal_times(s.w[1])));
+    return form.is_zero();
   }
 
   static Polynomial square(const Vector& v) { return sum_of_products<3>(v, v); }
@@ -165,6 +195,12 @@ template <class Field, int N = 3> struct Edge_normals {
   static bool vanishes(const Vector& v) { return sign_pattern<Exact>(square(v)) != Sign_pattern::positive; }
 
 private:
+  // Of the normal n1; 3 if there is none.
+  int nonzero_coordinate() const {
+    return static_cast<int>(std::find_if(n1.begin(), n1.begin() + 3, [](const Polynomial& p) { return !p.is_zero(); }) -
+                            n1.begin());
+  }
+
   // See second_order_form().
   template <class AnySides> struct Products {
     const Vector& n1;

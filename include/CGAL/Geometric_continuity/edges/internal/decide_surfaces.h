@@ -160,8 +160,15 @@ Spline_edge_continuity<Field> continuity_at_same_parameters(const Spline_edge_ro
 // In the ring of the common denominators, along the same edge in one direction.
 template <int order, class Field, int N> bool sides_have_order(const Edge_sides<Field, N>& sides) {
   const Edge_normals<Field, N> normals(sides);
-  return normals.first_order() && (order == 1 || normals.second_order(sides));
+  if (!normals.first_order() || (order >= 2 && !normals.second_order(sides))) return false;
+  if constexpr (order < 3)
+    return true;
+  else
+    return normals.third_order(sides);
 }
+
+// The orders above 2 are refuted by the stages of fixed length for the order 2.
+template <int order> constexpr int order_on_layers = (std::min)(order, 2);
 
 // Along rows with the same edge, in one direction.
 template <int order, class Field, int N, class Stages>
@@ -169,7 +176,8 @@ bool rows_have_order(const Edge_rows<Field, N>& a, const Edge_rows<Field, N>& b,
   if constexpr (Edge_rungs<N>::exist) {
     typename Edge_rungs<N>::Layers x, y;
     if (edge_layers(a, b, x, y))
-      if (const std::optional<bool> answer = decide_on_same_edge<order>(x, y, stages)) return *answer;
+      if (const std::optional<bool> answer = decide_on_same_edge<order_on_layers<order>>(x, y, stages))
+        if (order <= 2 || !*answer) return *answer;
   }
   const bool answer = sides_have_order<order>(Edge_sides<Field, N>(a, b));
   stages.decided(Edge_stage::multiprecision, answer);
@@ -186,12 +194,14 @@ bool edge_has_order(const Surface_a& a, Patch_edge edge_a, const Surface_b& b, P
       return edge_has_order<order>(without_weights(a), edge_a, without_weights(b), edge_b, stages);
   if constexpr (Edge_rungs<N>::exist) {
     typename Edge_rungs<N>::Layers x, y;
-    if (edge_layers(a, edge_a, b, edge_b, order, x, y))
-      if (const std::optional<bool> answer = decide_on_layers<order>(x, y, stages)) return *answer;
+    if (edge_layers(a, edge_a, b, edge_b, order_on_layers<order>, x, y))
+      if (const std::optional<bool> answer = decide_on_layers<order_on_layers<order>>(x, y, stages))
+        if (order <= 2 || !*answer) return *answer;
   }
   const Work_on_object work("edge predicate");
-  const std::vector<Edge_piece<Field, N>> pieces_a = edge_pieces_in<N>(a, edge_a),
-                                          pieces_b = edge_pieces_in<N>(b, edge_b);
+  constexpr int row_order = (std::max)(order, 2);
+  const std::vector<Edge_piece<Field, N>> pieces_a = edge_pieces_in<N>(a, edge_a, row_order),
+                                          pieces_b = edge_pieces_in<N>(b, edge_b, row_order);
   if constexpr (N == 3)
     if (is_one_patch(a) && is_one_patch(b)) {
       Edge_sides<Field> sides(pieces_a[0].rows, pieces_b[0].rows);
