@@ -87,7 +87,7 @@ Edge_direction direction_of_sharp_edge(const Surface_a& a, Patch_edge edge_a, co
 /// \param strategy chooses the shape, see `automatic_surface_shape()`
 /// \tparam Surface_a, Surface_b `Bezier_patch`, `Bspline_surface`, `Rational_bezier_patch` or `Rational_bspline_surface`, with one
 ///   traits class
-/// \tparam Strategy a model of `BlendStrategy` for blends of degree 5
+/// \tparam Strategy a model of `BlendStrategy`; by a septic one the blend has degree 7 and is \f$ G^3 \f$
 /// \throws Error `curves_do_not_meet` unless the whole edges are one curve, see `edge_continuity()`; `already_smooth` when the surfaces are
 ///   \f$ G^2 \f$ along it; `zero_tangent` when it is a single point
 /// \throws Error `parameter_outside_domain` unless the widths are positive and less than the lengths of the domains
