@@ -44,7 +44,7 @@ smooth() { # smooth A B ARGUMENTS...
 }
 smooth a.g2 b.g2
 says blend.g2 "8 8"
-says out "a.g2, edge v1: G3, beta = "
+run 0 blend --surfaces a.g2 b.g2 --order 3 && says out "a.g2, edge v1: G3, beta = " "b.g2, edge v0: G3, beta = "
 for strategy in c3 seq_g3 joint_g3 energy3_g3 energy4_g3 fair_g3; do smooth a.g2 b.g2 --strategy $strategy; done
 smooth a.g2 spline.g2 --edges u1,v0
 smooth cylinder.g2 a.g2 --edges v0,v0
