@@ -20,6 +20,7 @@
 
 #include <cstddef>
 #include <limits>
+#include <sstream>
 #include <string>
 #include <tuple>
 #include <type_traits>
@@ -30,7 +31,7 @@ BOOST_AUTO_TEST_SUITE(blend_surfaces)
 
 namespace {
 
-typedef GC::Bernstein_polynomial<Q> Function;
+typedef GC::Edge_function<Q> Function;
 typedef GC::Edge_reparametrisation<Q> Reparametrisation;
 typedef GC::Surface_blend_shape<Q> Shape;
 
@@ -40,13 +41,21 @@ struct Numbers : Random_surfaces {
   Function function(int degree) {
     std::vector<Q> b;
     for (int i = 0; i <= degree; ++i) b.push_back(rational() / Q(1000000));
-    return Function(b);
+    return GC::Bernstein_polynomial<Q>(b);
   }
   Function positive_function(int degree) {
     std::vector<Q> b;
     for (int i = 0; i <= degree; ++i) b.push_back(fraction_of<Q>(1, 99, 1, 99));
-    return Function(b);
+    return GC::Bernstein_polynomial<Q>(b);
   }
+  // Twice continuously differentiable, on any domain.
+  Function spline(int sign) {
+    const Knots u = knots();
+    std::vector<Q> c;
+    for (int i = 0; i < u.number_of_coefficients(); ++i) c.push_back(fraction(integer(sign > 0 ? 1 : -99, 99), 1000));
+    return GC::Bspline_function<Q>(u, c);
+  }
+  Reparametrisation spline_reparametrisation() { return {spline(0), spline(1), spline(0), spline(0)}; }
   Reparametrisation reparametrisation(int alpha, int beta, int alpha2, int delta) {
     return {function(alpha), positive_function(beta), function(alpha2), function(delta)};
   }
@@ -72,27 +81,34 @@ void check_blend(const A& a, Patch_edge ea, const B& b, Patch_edge eb, const Sur
   BOOST_CHECK_EQUAL(whole_edge_order(moved(s, 1, 4), v1, b, eb), 0);
 }
 
-template <class A, class B> void check_random_blends(Numbers& random) {
-  for (int i = 0; i < 2; ++i) {
-    const A a = random.surface<A>();
-    const B b = random.surface<B>();
-    const Patch_edge ea = random.edge(), eb = random.edge();
-    const Edge_direction direction = random.direction();
-    GC::Blend_surface_shape<A, B> shape = Shape{random.reparametrisation(), random.reparametrisation()};
-    if constexpr (std::is_same_v<decltype(shape), GC::Rational_surface_blend_shape<Q>>) {
-      // the functions are small, so that the denominator stays positive
-      const Function small{fraction(1, 1000)};
-      for (auto* end : {&shape.start, &shape.end}) {
-        end->alpha = small * end->alpha;
-        end->beta = small * end->beta;
-        end->alpha2 = small * end->alpha2;
-        end->delta = small * end->delta;
-        end->lambda1 = small * random.function(random.integer(0, 2));
-        end->lambda2 = small * random.function(random.integer(0, 2));
-      }
+template <class A, class B> void check_random_blend(Numbers& random, const A& a, const B& b, const Shape& given) {
+  const Patch_edge ea = random.edge(), eb = random.edge();
+  const Edge_direction direction = random.direction();
+  GC::Blend_surface_shape<A, B> shape = given;
+  if constexpr (std::is_same_v<decltype(shape), GC::Rational_surface_blend_shape<Q>>) {
+    // the functions are small, so that the denominator stays positive
+    const Function small{fraction(1, 1000)};
+    for (auto* end : {&shape.start, &shape.end}) {
+      end->alpha = small * end->alpha;
+      end->beta = small * end->beta;
+      end->alpha2 = small * end->alpha2;
+      end->delta = small * end->delta;
+      end->lambda1 = small * random.function(random.integer(0, 2));
+      end->lambda2 = small * random.function(random.integer(0, 2));
     }
-    check_blend(a, ea, b, eb, blend(a, ea, b, eb, shape, direction), direction);
   }
+  check_blend(a, ea, b, eb, blend(a, ea, b, eb, shape, direction), direction);
+}
+template <class S> const S& over_knots(const S& s) { return s; }
+inline Bspline<Exact> over_knots(const Bezier<Exact>& s) { return Bspline<Exact>(s); }
+inline Spline<Exact> over_knots(const Patch<Exact>& s) { return Spline<Exact>(s); }
+
+// With polynomials, and with splines, along the edges.
+template <class A, class B> void check_random_blends(Numbers& random) {
+  check_random_blend(random, random.surface<A>(), random.surface<B>(),
+                     {random.reparametrisation(), random.reparametrisation()});
+  check_random_blend(random, over_knots(random.surface<A>()), random.surface<B>(),
+                     {random.spline_reparametrisation(), random.spline_reparametrisation()});
 }
 
 } // namespace
@@ -300,10 +316,48 @@ BOOST_AUTO_TEST_CASE(torn_blends) {
                     "knot_multiplicity: blend: it would be torn at the knot 0.333333 along an edge");
 }
 
+// Splines as functions: their knots are knots of the blend, and where they jump it would be torn.
+BOOST_AUTO_TEST_CASE(functions_over_knots) {
+  Numbers random;
+  const Knots on_3_to_7(1, Q(3), Q(7), {{Q(4), 1}});
+  const Function hat = GC::Bspline_function<Q>(on_3_to_7, {Q(1), Q(3), Q(2)});
+  BOOST_CHECK(hat.knots() == Knots(1, Q(0), Q(1), {{fraction(1, 4), 1}}));
+  BOOST_CHECK_EQUAL(hat(fraction(5, 8)), fraction(5, 2));
+  std::ostringstream os;
+  os << hat << "; " << Function{Q(7)} << "; " << Function{Q(1), Q(2)};
+  BOOST_CHECK_EQUAL(os.str(), "1 3 2 over 1/4; 7; 1 2");
+  const Bezier<Exact> a(random.net(3, 3), {Q(2), Q(6)}, {Q(0), Q(1)}), b(random.net(3, 3));
+  Shape shape;
+  shape.start.beta = hat;
+  const Bspline<Exact> s = blend(Bspline<Exact>(a), v1, Bspline<Exact>(b), v0, shape);
+  BOOST_CHECK(s.knots_u() == Knots(4, Q(2), Q(6), {{Q(3), 4}})); // degree 2 + 2 of beta^2
+  // at each parameter the curve is the blend with beta there
+  for (const Q& t : {fraction(1, 8), fraction(1, 4), fraction(2, 3)}) {
+    Shape number;
+    number.start.beta = Function{hat(t)};
+    const Q u = Q(2) + Q(4) * t;
+    const Bezier<Exact> at = blend(a, v1, b, v0, number);
+    for (const Q& v : {fraction(1, 3), fraction(3, 4)}) BOOST_CHECK(s(u, v) == at(u, v));
+  }
+  check_blend(Bspline<Exact>(a), v1, Bspline<Exact>(b), v0, s, Edge_direction::same);
+  // a spline that is negative somewhere, one with a negative coefficient that is positive, one that jumps
+  shape.start.beta = GC::Bspline_function<Q>(on_3_to_7, {Q(1), Q(-1), Q(2)});
+  CHECK_ERROR(blend(Bspline<Exact>(a), v1, Bspline<Exact>(b), v0, shape), nonpositive_beta);
+  shape.start.beta =
+      GC::Bspline_function<Q>(Knots(2, Q(0), Q(1), {{fraction(1, 2), 2}}), {Q(4), Q(-1), Q(1), Q(1), Q(1)});
+  check_blend(Bspline<Exact>(a), v1, Bspline<Exact>(b), v0, blend(Bspline<Exact>(a), v1, Bspline<Exact>(b), v0, shape),
+              Edge_direction::same);
+  shape.start.beta = GC::Bspline_function<Q>(Knots(0, Q(0), Q(1), {{fraction(1, 2), 1}}), {Q(4), Q(1)});
+  CHECK_ERROR(blend(Bspline<Exact>(a), v1, Bspline<Exact>(b), v0, shape), knot_multiplicity);
+  // patches have no room for knots
+  shape.start.beta = hat;
+  CHECK_ERROR(blend(a, v1, b, v0, shape), knot_multiplicity);
+}
+
 BOOST_AUTO_TEST_CASE_TEMPLATE(errors, Traits, All_traits) {
   typedef typename Traits::FT FT;
   typedef typename Traits::Point P;
-  typedef GC::Bernstein_polynomial<FT> Function;
+  typedef GC::Edge_function<FT> Function;
   const Bezier<Traits> a({{P(0, 0, 0), P(0, 1, 0)}, {P(1, 0, 0), P(1, 1, 0)}});
   const Bezier<Traits> b({{P(0, 3, 0), P(0, 4, 0)}, {P(1, 3, 0), P(1, 4, 0)}});
   GC::Surface_blend_shape<FT> shape;

@@ -24,7 +24,7 @@ BOOST_AUTO_TEST_SUITE(septic_blend_surfaces)
 
 namespace {
 
-typedef GC::Bernstein_polynomial<Q> Function;
+typedef GC::Edge_function<Q> Function;
 typedef GC::Surface_blend_shape<Q> Shape;
 typedef std::array<Q, 4> Series; // the coefficients of 1, v, v^2, v^3
 
@@ -39,12 +39,12 @@ struct Numbers : Random_surfaces {
   Function function(const Q& size) {
     std::vector<Q> b;
     for (int i = integer(0, 2); i >= 0; --i) b.push_back(size * fraction_of<Q>(-99, 99, 1, 99));
-    return Function(b);
+    return GC::Bernstein_polynomial<Q>(b);
   }
   Function positive_function(const Q& size) {
     std::vector<Q> b;
     for (int i = integer(0, 2); i >= 0; --i) b.push_back(size * fraction_of<Q>(1, 99, 1, 99));
-    return Function(b);
+    return GC::Bernstein_polynomial<Q>(b);
   }
   template <class Reparametrisation> void choose(Reparametrisation& r, const Q& size) {
     for (Function* f : {&r.alpha, &r.alpha2, &r.alpha3, &r.delta, &r.delta3}) *f = function(size);

@@ -6,9 +6,9 @@
 #define CGAL_GEOMETRIC_CONTINUITY_EDGES_SURFACE_BLEND_SHAPE_H
 
 #include <CGAL/Geometric_continuity/Error.h>
-#include <CGAL/Geometric_continuity/algebra/Bernstein_polynomial.h>
 #include <CGAL/Geometric_continuity/blends/blend.h>
 #include <CGAL/Geometric_continuity/blends/blend_ends.h>
+#include <CGAL/Geometric_continuity/edges/Edge_function.h>
 #include <CGAL/Geometric_continuity/edges/internal/Blend_end.h>
 #include <CGAL/Geometric_continuity/local/Curve_jet.h>
 #include <CGAL/Geometric_continuity/surfaces/Bezier_patch.h>
@@ -38,11 +38,11 @@ namespace Geometric_continuity {
 /// \ingroup PkgGeometricContinuityConstruction
 /// How a blend runs out of the parameters of a surface along an edge, or into them:
 /// \f$ \varphi(u, v) = (u + \alpha v + \frac12 \alpha_2 v^2,\ \beta v + \frac12 \delta v^2) \f$ to second order, with functions of the
-/// parameter along the edge. Each is a polynomial on the domain of the edge, which is mapped to [0, 1].
+/// parameter along the edge: numbers, polynomials or splines on the domain of the edge, which is mapped to [0, 1].
 /// \tparam FT_ a field number type
 template <class FT_> struct Edge_reparametrisation {
-  typedef FT_ FT;                            ///< the number type
-  typedef Bernstein_polynomial<FT> Function; ///< of the parameter along the edge
+  typedef FT_ FT;                     ///< the number type
+  typedef Edge_function<FT> Function; ///< of the parameter along the edge
 
   Function alpha = Function{FT(0)};  ///< the first derivative along the edge
   Function beta = Function{FT(1)};   ///< the first derivative across the edge, positive
@@ -224,7 +224,7 @@ inline std::array<Across_edge, 2> across_edges(const Septic_ends<double, 0>&, co
            {s.eta, short_part(p.end.beta2, s.eta), short_part(p.end.beta3, s.eta)}}};
 }
 
-template <class FT> Bernstein_polynomial<FT> short_constant(double x) { return {short_number_in<FT>(x)}; }
+template <class FT> Edge_function<FT> short_constant(double x) { return {short_number_in<FT>(x)}; }
 
 template <class FT> void set_third(Edge_reparametrisation<FT>&, double, double) {}
 template <class Reparametrisation>

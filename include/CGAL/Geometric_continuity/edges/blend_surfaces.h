@@ -7,9 +7,8 @@
 
 #include <CGAL/Geometric_continuity/Error.h>
 #include <CGAL/Geometric_continuity/Traits.h>
-#include <CGAL/Geometric_continuity/algebra/Bernstein_polynomial.h>
-#include <CGAL/Geometric_continuity/algebra/sign_pattern.h>
 #include <CGAL/Geometric_continuity/blends/blend_strategies.h>
+#include <CGAL/Geometric_continuity/edges/Edge_function.h>
 #include <CGAL/Geometric_continuity/edges/Surface_blend_shape.h>
 #include <CGAL/Geometric_continuity/edges/internal/Blend_end.h>
 #include <CGAL/Geometric_continuity/numbers/Work_limit.h>
@@ -47,9 +46,7 @@ namespace Geometric_continuity {
 namespace internal {
 
 template <class FT> void check_reparametrisation(const Edge_reparametrisation<FT>& r, const char* place) {
-  const std::vector<FT>& b = r.beta.coefficients();
-  if (std::all_of(b.begin(), b.end(), [](const FT& x) { return bool(FT(0) < x); })) return; // mostly
-  if (sign_pattern(r.beta) != Sign_pattern::positive) throw Error(Error_code::nonpositive_beta, place);
+  if (!r.beta.is_positive()) throw Error(Error_code::nonpositive_beta, place);
 }
 
 // Refuses an edge without a normal: a single point, or one across which the derivative vanishes.
@@ -80,7 +77,7 @@ template <bool is_rational, class FT, int N> void check_edge(const Blend_end<FT,
     throw Error(Error_code::zero_tangent, std::string("blend: no derivative across the whole edge of ") + surface);
 }
 
-// What C, C', C'', T, T' and W are multiplied by in a sum: numbers or polynomials.
+// What C, C', C'', T, T' and W are multiplied by in a sum: numbers or functions along the edge.
 template <class F> struct Row_weights { F c, c1, c2, t, t1, w; };
 
 // Of the sums n (b_1 - b_0) = d S_v and n (n-1) (b_2 - b_0) = 2 (n-1) d S_v + S_vv, where n is the degree across and d is 1 at the start
@@ -102,9 +99,9 @@ template <class F> struct Third_row_weights : Row_weights<F> { F c3, t2, w1, x; 
 // S_vvv = lambda_3 C + 3 lambda_2 D + 3 lambda_1 E + alpha^3 C''' + 3 alpha^2 beta T'' + 3 alpha beta^2 W' + beta^3 X
 //   + 3 alpha alpha_2 C'' + 3 (alpha delta + alpha_2 beta) T' + 3 beta delta W + alpha_3 C' + delta_3 T.
 template <class FT, class Reparametrisation>
-Third_row_weights<Bernstein_polynomial<FT>>
-third_row_weights(const Reparametrisation& r, const std::array<Bernstein_polynomial<FT>, 2>& lambda, int direction) {
-  typedef Bernstein_polynomial<FT> F;
+Third_row_weights<Edge_function<FT>> third_row_weights(const Reparametrisation& r,
+                                                       const std::array<Edge_function<FT>, 2>& lambda, int direction) {
+  typedef Edge_function<FT> F;
   const F &a = r.alpha, &b = r.beta, &a2 = r.alpha2, &delta = r.delta;
   const F d{FT(direction)}, two{FT(2)}, three{FT(3)}, of_first{FT(90 * direction)}, of_second{FT(15)};
   const F of_d = of_first + two * of_second * lambda[0] + three * d * lambda[1],
@@ -132,7 +129,7 @@ Edge_spline<FT, N> next_row(const Blend_end<FT, N>& end, const Row_weights<FT>& 
   return end.spline(std::move(row));
 }
 template <class FT, int N>
-Edge_spline<FT, N> weighted_sum(const Blend_end<FT, N>& end, const Row_weights<Bernstein_polynomial<FT>>& x) {
+Edge_spline<FT, N> weighted_sum(const Blend_end<FT, N>& end, const Row_weights<Edge_function<FT>>& x) {
   const Edge_spline<FT, N> edge = end.spline(end.edge), cross = end.spline(end.cross);
   Edge_spline<FT, N> sum = product(x.t, cross);
   if (!is_constant(x.c, 0)) sum = sum + product(x.c, edge);
@@ -149,11 +146,11 @@ Edge_spline<FT, N> row_of_sum(const Blend_end<FT, N>& end, const Edge_spline<FT,
   return end.spline(end.edge) + Edge_spline<FT, N>(sum.knots(), std::move(step));
 }
 template <class FT, int N>
-Edge_spline<FT, N> next_row(const Blend_end<FT, N>& end, const Row_weights<Bernstein_polynomial<FT>>& x, int n) {
+Edge_spline<FT, N> next_row(const Blend_end<FT, N>& end, const Row_weights<Edge_function<FT>>& x, int n) {
   return row_of_sum(end, weighted_sum(end, x), n);
 }
 template <class FT, int N>
-Edge_spline<FT, N> third_row(const Blend_end<FT, N>& end, const Third_row_weights<Bernstein_polynomial<FT>>& x) {
+Edge_spline<FT, N> third_row(const Blend_end<FT, N>& end, const Third_row_weights<Edge_function<FT>>& x) {
   Edge_spline<FT, N> sum = weighted_sum(end, x) + product(x.x, end.spline(end.third_cross));
   if (!is_constant(x.c3, 0)) sum = sum + product(x.c3, end.spline(end.edge).derivative().derivative().derivative());
   if (!is_constant(x.t2, 0)) sum = sum + product(x.t2, end.spline(end.cross).derivative().derivative());
@@ -169,9 +166,9 @@ template <class FT, int N> void scale(Blend_end<FT, N>& end, const FT& lambda, c
 
 // Takes note of the work on one end: sums of at most six products of each row with a polynomial.
 template <class FT, int N> void charge_end(const Blend_end<FT, N>& end, const Edge_reparametrisation<FT>& r) {
-  double degree = 0; // of the functions
-  for (const Bernstein_polynomial<FT>* f : {&r.alpha, &r.beta, &r.alpha2, &r.delta})
-    degree = (std::max)(degree, static_cast<double>(f->degree()));
+  double degree = 0; // of the functions, or as many knots
+  for (const Edge_function<FT>* f : {&r.alpha, &r.beta, &r.alpha2, &r.delta})
+    degree = (std::max)(degree, static_cast<double>(f->number_of_coefficients() - 1));
   const double numbers = static_cast<double>(end.edge.size()) * end.edge[0].dimension();
   work_meter().charge_fractions(12 * numbers * (1 + 2 * degree) * (1 + degree),
                                 common_words<FT>(end.edge) + common_words<FT>(end.second_cross));
@@ -185,18 +182,18 @@ std::array<Edge_spline<FT, N>, 3> rows_of_end(const Blend_end<FT, N>& end, const
 }
 
 // lambda_1 and lambda_2.
-template <class FT> std::array<Bernstein_polynomial<FT>, 2> factor_of(const Rational_edge_reparametrisation<FT>& r) {
+template <class FT> std::array<Edge_function<FT>, 2> factor_of(const Rational_edge_reparametrisation<FT>& r) {
   return {r.lambda1, r.lambda2};
 }
-template <class FT> std::array<Bernstein_polynomial<FT>, 2> factor_of(const Edge_reparametrisation<FT>&) {
-  return {Bernstein_polynomial<FT>{FT(0)}, Bernstein_polynomial<FT>{FT(0)}};
+template <class FT> std::array<Edge_function<FT>, 2> factor_of(const Edge_reparametrisation<FT>&) {
+  return {Edge_function<FT>{FT(0)}, Edge_function<FT>{FT(0)}};
 }
 
 template <class FT, int N, class Reparametrisation>
 std::array<Edge_spline<FT, N>, 3> rows_of_end(const Blend_end<FT, N>& end, const Reparametrisation& r, int direction,
                                               int n) {
-  const std::array<Bernstein_polynomial<FT>, 2> lambda = factor_of(r);
-  const auto are_numbers = [](const auto&... f) { return (... && (f.degree() == 0)); };
+  const std::array<Edge_function<FT>, 2> lambda = factor_of(r);
+  const auto are_numbers = [](const auto&... f) { return (... && f.is_number()); };
   if (is_constant(r.alpha, 0) && is_constant(r.alpha2, 0) && are_numbers(r.beta, r.delta, lambda[0], lambda[1]))
     return rows_of_end(
         end, row_weights<FT, FT>(FT(0), r.beta[0], FT(0), r.delta[0], lambda[0][0], lambda[1][0], direction, n), n);
@@ -268,7 +265,8 @@ auto checked_ends(const A& a, Patch_edge edge_a, const B& b, Patch_edge edge_b, 
 /// Along `u` it has the domain and the direction of the first edge. With an exact kernel it is exact, as `edge_continuity()` proves.
 ///
 /// The second edge is mapped affinely to the domain of the first one, degrees are raised and knots are united where they differ. Constants
-/// in the place of functions leave the degree along the edges as it is, functions of degree `q` raise it by up to `2 q`. Where
+/// in the place of functions leave the degree along the edges as it is, functions of degree `q` raise it by up to `2 q`, and knots of splines
+/// become knots of the blend, which is as smooth across them as they are. Where
 /// \f$ \alpha \f$, \f$ \alpha_2 \f$ and \f$ \delta \f$ are 0 and \f$ \beta \f$ is constant, each curve `u` = const is a blend of the
 /// curves of the two surfaces, see `Quintic_ends`. The side edges are what the side edges of the surfaces make of them.
 ///
@@ -280,7 +278,8 @@ auto checked_ends(const A& a, Patch_edge edge_a, const B& b, Patch_edge edge_b, 
 ///   traits class
 /// \throws Error `nonpositive_beta` unless both functions \f$ \beta \f$ are positive on the closed domain (decided exactly, checked first)
 /// \throws Error `zero_tangent` when an edge is a single point, or when the derivative across it vanishes on the whole edge
-/// \throws Error `knot_multiplicity` when a derivative along an edge jumps that is multiplied by \f$ \alpha \f$ or \f$ \alpha_2 \f$
+/// \throws Error `knot_multiplicity` when a derivative along an edge jumps that is multiplied by \f$ \alpha \f$ or \f$ \alpha_2 \f$, when a
+///   function jumps, and for functions with knots on two patches
 /// \throws Error `dimension_mismatch`; `zero_weight` when the denominator of a rational blend is not positive; `not_finite` when
 ///   floating-point numbers overflow; `work_limit`
 template <class Surface_a, class Surface_b>

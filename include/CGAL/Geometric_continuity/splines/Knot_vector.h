@@ -229,6 +229,15 @@ public:
   /// Returns the vector without the knots outside the domain, and with its ends repeated `p + 1` times.
   Knot_vector clamp() const { return Knot_vector(p_, start(), finish(), inner_knots()); }
 
+  /// Returns the clamped vector on [a, b], to which the domain is mapped. \throws Error `empty_domain` unless `a < b`
+  Knot_vector on_domain(const FT& a, const FT& b) const {
+    if (a == start() && b == finish()) return clamp();
+    const FT factor = FT(FT(b - a) / FT(finish() - start()));
+    std::vector<Knot> knots = inner_knots();
+    for (Knot& knot : knots) knot.value = FT(a + factor * FT(knot.value - start()));
+    return Knot_vector(p_, a, b, knots);
+  }
+
   /// Returns the clamped vector of another degree with every knot of the domain repeated `degree + 1` times: the
   /// coefficients are those of one Bernstein polynomial for each span.
   /// \throws Error `wrong_number_of_points` for a negative degree

@@ -7,8 +7,8 @@
 
 #include <CGAL/Geometric_continuity/Error.h>
 #include <CGAL/Geometric_continuity/Traits.h>
-#include <CGAL/Geometric_continuity/algebra/Bernstein_polynomial.h>
 #include <CGAL/Geometric_continuity/algebra/Coordinate_vector.h>
+#include <CGAL/Geometric_continuity/edges/Edge_function.h>
 #include <CGAL/Geometric_continuity/edges/Edge_rows.h>
 #include <CGAL/Geometric_continuity/splines/Bspline_function.h>
 #include <CGAL/Geometric_continuity/surfaces/Bezier_patch.h>
@@ -33,21 +33,19 @@ namespace internal {
 // A spline along an edge with points or vectors as values.
 template <class FT, int N> using Edge_spline = Bspline_function<FT, Coordinate_vector<FT, N>>;
 
-template <class FT> bool is_constant(const Bernstein_polynomial<FT>& f, int value) {
-  return f.degree() == 0 && f[0] == FT(value);
+template <class FT> bool is_constant(const Edge_function<FT>& f, int value) {
+  return f.is_number() && f[0] == FT(value);
 }
 
-// The product with a polynomial on the domain of the spline, which is mapped to [0, 1].
-template <class FT, int N>
-Edge_spline<FT, N> product(const Bernstein_polynomial<FT>& f, const Edge_spline<FT, N>& row) {
+// The product with a function along the edge.
+template <class FT, int N> Edge_spline<FT, N> product(const Edge_function<FT>& f, const Edge_spline<FT, N>& row) {
   if (is_constant(f, 1)) return row;
-  if (f.degree() == 0) {
+  if (f.is_number()) {
     std::vector<Coordinate_vector<FT, N>> c = row.coefficients();
     for (Coordinate_vector<FT, N>& x : c) x *= f[0];
     return {row.knots(), std::move(c)};
   }
-  const std::pair<FT, FT> domain = row.domain();
-  return Bspline_function<FT>(Knot_vector<FT>(f.degree(), domain.first, domain.second), f.coefficients()) * row;
+  return f.over(row.domain()) * row;
 }
 
 // The last coordinate of a row of homogeneous points.
@@ -104,13 +102,7 @@ template <class FT, int N> struct Blend_end {
       knots = knots.reverse();
       for (Row* row : {&edge, &cross, &second_cross, &third_cross}) std::reverse(row->begin(), row->end());
     }
-    const std::pair<FT, FT> domain = knots.domain();
-    if (domain == other) return;
-    const FT factor = FT(FT(other.second - other.first) / FT(domain.second - domain.first));
-    std::vector<typename Knot_vector<FT>::Knot> inner = knots.inner_knots();
-    for (typename Knot_vector<FT>::Knot& knot : inner)
-      knot.value = FT(other.first + factor * FT(knot.value - domain.first));
-    knots = Knot_vector<FT>(knots.degree(), other.first, other.second, inner);
+    knots = knots.on_domain(other.first, other.second);
   }
 
   // Multiplies all by a number, which changes nothing where they are homogeneous.
@@ -156,6 +148,9 @@ template <class A, class B> struct Blended_surfaces {
   template <std::size_t n> static Surface surface(const std::array<Edge_spline<FT, N>, n>& rows) {
     typedef Shape_over<Row_traits> Polynomial;
     const Knot_vector<FT>& knots = rows[0].knots();
+    if (is_patch && knots.number_of_coefficients() > knots.degree() + 1)
+      throw Error(Error_code::knot_multiplicity,
+                  "blend: the blend of two patches has no knots, but a function has; blend B-spline surfaces instead");
     std::vector<std::vector<typename Row_traits::Point>> net(knots.number_of_coefficients());
     for (int i = 0; i < knots.number_of_coefficients(); ++i) {
       net[i].reserve(rows.size());
