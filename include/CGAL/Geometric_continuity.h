@@ -73,8 +73,10 @@
 #include <CGAL/Geometric_continuity/blends/representable_blend.h>
 
 #include <CGAL/Geometric_continuity/edges/Edge_certificate.h>
+#include <CGAL/Geometric_continuity/edges/Edge_function.h>
 #include <CGAL/Geometric_continuity/edges/Edge_rows.h>
 #include <CGAL/Geometric_continuity/edges/Surface_blend_shape.h>
+#include <CGAL/Geometric_continuity/edges/blend_sides.h>
 #include <CGAL/Geometric_continuity/edges/blend_surfaces.h>
 #include <CGAL/Geometric_continuity/edges/connect_g1.h>
 #include <CGAL/Geometric_continuity/edges/edge_continuity.h>

@@ -42,6 +42,7 @@ enum class Error_code {
   jet_order_too_low,        ///< a jet has fewer derivatives than the construction reads
   not_finite,               ///< a floating-point coordinate is infinite or not a number
   curves_do_not_meet,       ///< a curve does not start where the one before it ends
+  incompatible_corner,      ///< what is given along a side of a blend contradicts a surface at a corner
   already_smooth,           ///< an edge that is to be rounded has the continuity already
   nonpositive_curvature,    ///< a curvature that must be positive is not
   unreachable_tolerance,    ///< a tolerance is not positive, or cannot be kept in floating-point arithmetic
@@ -71,6 +72,7 @@ inline std::string to_string(Error_code code) {
   case Error_code::jet_order_too_low: return "jet_order_too_low";
   case Error_code::not_finite: return "not_finite";
   case Error_code::curves_do_not_meet: return "curves_do_not_meet";
+  case Error_code::incompatible_corner: return "incompatible_corner";
   case Error_code::already_smooth: return "already_smooth";
   case Error_code::nonpositive_curvature: return "nonpositive_curvature";
   case Error_code::unreachable_tolerance: return "unreachable_tolerance";
