@@ -128,16 +128,14 @@ template <class A, class B> void check_random_blend(Numbers& random) {
   BOOST_CHECK(has_contact(b, eb, direction, s, 1, shape.end));
   BOOST_CHECK(is_g3_edge(a, ea, s, v0));
   BOOST_CHECK(is_g3_edge(s, v1, b, eb));
-  // a moved point of each of the layers, at both ends
-  for (int layer = 0; layer <= 7; ++layer) {
+  // a moved point of the last layers that matter
+  for (int layer : {3, 4}) {
     const auto m = moved(s, 1, layer);
-    BOOST_CHECK_EQUAL(has_contact(a, ea, Edge_direction::same, m, 0, shape.start), layer > 3);
-    BOOST_CHECK_EQUAL(has_contact(b, eb, direction, m, 1, shape.end), layer < 4);
-    if (layer == 3) {
-      BOOST_CHECK(is_g2_edge(a, ea, m, v0) && !is_g3_edge(a, ea, m, v0));
-      BOOST_CHECK(is_g3_edge(m, v1, b, eb));
-    } else if (layer == 4)
-      BOOST_CHECK(is_g2_edge(m, v1, b, eb) && !is_g3_edge(m, v1, b, eb));
+    BOOST_CHECK_EQUAL(has_contact(a, ea, Edge_direction::same, m, 0, shape.start), layer == 4);
+    BOOST_CHECK_EQUAL(has_contact(b, eb, direction, m, 1, shape.end), layer == 3);
+    BOOST_CHECK_EQUAL(is_g3_edge(a, ea, m, v0), layer == 4);
+    BOOST_CHECK_EQUAL(is_g3_edge(m, v1, b, eb), layer == 3);
+    BOOST_CHECK(is_g2_edge(a, ea, m, v0) && is_g2_edge(m, v1, b, eb));
   }
 }
 
