@@ -22,8 +22,7 @@ typedef GC::Rational_bezier_curve<Traits> Curve;
 
 int main() {
   const Curve line = GC::Bezier_curve<Traits>{Point(-8, 0), Point(0, 0)};
-  const Curve arc =
-      GC::circular_arc<Traits>(Point(0, 4), Point(0, 0), FT(FT(1) / FT(2))); // 106 degrees of the radius 4
+  const Curve arc = GC::circular_arc(Point(0, 4), Point(0, 0), FT(FT(1) / FT(2))); // 106 degrees of the radius 4
   std::cout << "line and arc: " << GC::continuity(line, arc)
             << "\ncurvature of the arc, squared: " << *GC::curvature_squared(arc.start_jet(2)) << '\n';
 

@@ -57,7 +57,7 @@ int main() {
 
   // 5. from a line to an arc: r = 1/2 is the tangent of a quarter of the angle, which is 106 degrees
   const GC::Bezier_curve<Plane> line{Point(-5, 0), Point(-2, 0)};
-  const auto arc = GC::circular_arc<Plane>(Point(0, 2), Point(0, 0), FT(1) / 2);
+  const auto arc = GC::circular_arc(Point(0, 2), Point(0, 0), FT(1) / 2);
   const auto transition = GC::blend(line, arc, GC::Fair());
   std::cout << "5. the arc ends at " << arc.control_point(2) << "; " << GC::continuity(transition, arc) << '\n';
 
@@ -92,15 +92,15 @@ int main() {
             << "; phi was moved by " << blend.start_join.moved << '\n';
 
   // 11. the edges of a model that are not G1
-  const auto model = GC::model_continuity(
-      GC::cylinder<Space>(Point_3(0, 0, 0), Vector_3(1, 0, 0), Vector_3(0, 1, 0), Vector_3(0, 0, 2)));
+  const auto model =
+      GC::model_continuity(GC::cylinder(Point_3(0, 0, 0), Vector_3(1, 0, 0), Vector_3(0, 1, 0), Vector_3(0, 0, 2)));
   for (const auto& edge : model.edges)
     if (edge.kind == GC::Model_edge_kind::shared && edge.continuity.g_order < 1) std::cout << edge << '\n';
   std::cout << "11. " << model.summary << '\n';
 
-  // 12. what was decided, as JSON; the numbers are those of the curves
+  // 12. what was decided, as JSON
   std::cout << "12. ";
-  GC::write_json(std::cout, GC::continuity(first, second), 0, 1);
+  GC::write_json(std::cout, GC::continuity(first, second));
   std::cout << '\n';
   //! [tasks]
   return 0;

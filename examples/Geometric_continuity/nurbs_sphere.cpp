@@ -20,7 +20,7 @@ typedef Traits::Vector Vector;
 int main() {
   const Point centre(1, 2, 3);
   const GC::Rational_bspline_surface<Traits> sphere =
-      GC::ellipsoid<Traits>(centre, Vector(2, 0, 0), Vector(0, 2, 0), Vector(0, 0, 2));
+      GC::ellipsoid(centre, Vector(2, 0, 0), Vector(0, 2, 0), Vector(0, 0, 2));
   const FT u = FT(FT(1) / FT(3)), v = FT(FT(13) / FT(7));
   std::cout << "S(1/3, 13/7) = " << sphere(u, v) << ", squared distance from the centre "
             << (sphere(u, v) - centre).squared_length() << '\n';

@@ -2,12 +2,14 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// Types that are refused by one message of the compiler. Each macro is a program that must not compile; a test builds it.
+// Types and arguments that are refused by one message of the compiler. Each macro is a program that must not compile; a test builds it.
 
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Geometric_continuity/Traits.h>
 #include <CGAL/Geometric_continuity/curves/Bezier_curve.h>
+#include <CGAL/Geometric_continuity/curves/arcs.h>
 #include <CGAL/Geometric_continuity/local/curvatures.h>
+#include <CGAL/Geometric_continuity/splines/Knot_vector.h>
 #include <CGAL/Simple_cartesian.h>
 
 namespace GC = CGAL::Geometric_continuity;
@@ -18,6 +20,15 @@ GC::Bezier_curve<Kernel> curve{Kernel::Point_3(), Kernel::Point_3(1, 0, 0)};
 auto point() { return curve(0.5); }
 #elif defined(INTEGERS)
 GC::Bezier_curve<GC::Traits_3<CGAL::Simple_cartesian<int>>> curve{CGAL::Simple_cartesian<int>::Point_3(0, 0, 0)};
+#elif defined(KNOTS_WITHOUT_DEGREE)
+GC::Knot_vector<double> knots({0, 0, 0, 1, 1, 1});
+#elif defined(DEGREES)
+typedef CGAL::Simple_cartesian<double>::Point_2 Point;
+auto arc = GC::circular_arc(Point(0, 0), Point(1, 0), 90);
+#elif defined(DEGREES_IN_SPACE)
+typedef CGAL::Simple_cartesian<double> Kernel;
+auto arc = GC::circular_arc<GC::Traits_3<Kernel>>(Kernel::Point_3(0, 0, 0), Kernel::Point_3(1, 0, 0),
+                                                  Kernel::Vector_3(0, 0, 1), 90);
 #else // ROOTS_OF_RATIONALS
 typedef GC::Traits_3<CGAL::Simple_cartesian<CGAL::Exact_rational>> Traits;
 auto unit(const GC::Frenet_frame<Traits>& frame) { return frame.normalized(); }

@@ -106,6 +106,9 @@ BOOST_AUTO_TEST_CASE(joins) {
                               "\"curvature_vector_equal\":true,\"torsion_equal\":null";
   BOOST_CHECK_EQUAL(written([&](std::ostream& os) { GC::write_json(os, join, 7, 12345); }), '{' + members + '}');
   BOOST_CHECK_EQUAL(written([&](std::ostream& os) { GC::write_json_members(os, join, 7, 12345); }), members);
+  const std::string of_two = "\"left\":0,\"right\":1" + members.substr(members.find(",\"c_order\""));
+  BOOST_CHECK_EQUAL(written([&](std::ostream& os) { GC::write_json(os, join); }), '{' + of_two + '}');
+  BOOST_CHECK_EQUAL(written([&](std::ostream& os) { GC::write_json_members(os, join); }), of_two);
   BOOST_CHECK_EQUAL(written([&](std::ostream& os) { GC::write_json_members(os, GC::continuity(left, gap), 0, 1); }),
                     "\"left\":0,\"right\":1,\"c_order\":-1,\"g_order\":-1,\"f_order\":-1,\"betas\":[],\"regular\":true,"
                     "\"tangent_equal\":true,\"curvature_equal\":true,\"curvature_vector_equal\":true,"

@@ -126,6 +126,7 @@ Rows random_rows(std::mt19937& engine, int degree, int dimension, int spread) {
 BOOST_AUTO_TEST_CASE_TEMPLATE(a_parabola_has_one_extremum, Traits, Planar_traits) {
   const GC::Curvature_extrema c = measured<Traits>(parabola, 3, 5);
   BOOST_REQUIRE_EQUAL(c.extrema.size(), 1u);
+  BOOST_CHECK(c.size() == 1 && &*c.begin() == &c.extrema[0] && c.end() - c.begin() == 1);
   BOOST_CHECK(c.extrema[0].maximum);
   BOOST_CHECK((c.extrema[0].parameter == GC::Enclosure{4, 4}) && (c.extrema[0].curvature == GC::Enclosure{2, 2}));
   BOOST_CHECK(c.inflections.empty());

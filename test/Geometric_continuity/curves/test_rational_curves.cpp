@@ -375,6 +375,22 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(arcs_lie_on_their_circles, Traits, Exact_traits) {
   }
 }
 
+// Points of a kernel tell their traits class.
+BOOST_AUTO_TEST_CASE(arcs_of_points_of_a_kernel) {
+  const Q2::Point a(1, 2), b(4, 6), c(-3, 7);
+  const Q2::Vector u(1, 2), v(-3, 1);
+  const Q3::Point d(1, 2, 3), e(4, 6, 1);
+  const Q3::Vector axis(1, -1, 2);
+  const Q r = Q(1) / Q(3);
+  BOOST_CHECK(GC::circular_arc(a, b, r) == GC::circular_arc<Q2>(a, b, r));
+  BOOST_CHECK(GC::circular_arc(d, e, axis, r) == GC::circular_arc<Q3>(d, e, axis, r));
+  BOOST_CHECK(GC::elliptical_arc(a, u, v, r) == GC::elliptical_arc<Q2>(a, u, v, r));
+  BOOST_CHECK(GC::circular_arc_through(a, b, c) == GC::circular_arc_through<Q2>(a, b, c));
+  BOOST_CHECK(GC::circular_arc_with_tangent(a, u, c) == GC::circular_arc_with_tangent<Q2>(a, u, c));
+  BOOST_CHECK(GC::conic_arc(a, u, b, v, Q2::Point(3, 5)) == GC::conic_arc<Q2>(a, u, b, v, Q2::Point(3, 5)));
+  BOOST_CHECK(GC::ellipse(a, u, v) == GC::ellipse<Q2>(a, u, v));
+}
+
 BOOST_AUTO_TEST_CASE(arcs_about_a_centre_and_an_axis) {
   const Q2::Point centre(1, 2), start(Q(1) / Q(3), 5);
   for (const Q& r : std::vector<Q>{Q(1) / Q(9), Q(2), Q(1), Q(-3) / Q(7)}) {

@@ -100,6 +100,13 @@ BOOST_AUTO_TEST_CASE(equations_of_elementary_surfaces) {
                        return Q(a * a - Q(4) * (x * x + y * y));
                      }));
     }
+  // points of a kernel tell their traits class
+  const Exact::Vector x = S::x(2), y = S::y(), z = S::z(3);
+  BOOST_CHECK(GC::parallelogram(o, x, y) == GC::parallelogram<Exact>(o, x, y));
+  BOOST_CHECK(GC::cone(o, x, y, z, fraction(1, 2)) == GC::cone<Exact>(o, x, y, z, fraction(1, 2)));
+  BOOST_CHECK(GC::cylinder(o, x, y, z) == GC::cylinder<Exact>(o, x, y, z));
+  BOOST_CHECK(GC::ellipsoid(o, x, y, z) == GC::ellipsoid<Exact>(o, x, y, z));
+  BOOST_CHECK(GC::torus(o, x, y, z, fraction(1, 2)) == GC::torus<Exact>(o, x, y, z, fraction(1, 2)));
   CHECK_ERROR(GC::torus<Exact>(o, S::x(), S::y(), S::z(), Q(0)), empty_domain);
   CHECK_ERROR(GC::ellipsoid<Exact>(o, S::x(0), S::y(), S::z()), zero_direction);
   BOOST_CHECK(GC::parallelogram<Exact>(o, S::x(2), S::y(3))(fraction(1, 2), fraction(1, 3)) == Exact::Point(1, 1, 0));

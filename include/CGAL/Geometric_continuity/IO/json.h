@@ -120,7 +120,8 @@ inline void write_json(std::ostream& os, const std::optional<Enclosure>& enclosu
 /// \ingroup PkgGeometricContinuityIO
 /// Writes the members of the JSON object of `write_json(os, join, left, right)`, without braces.
 /// \throws Error as `write_number()` does for the shape parameters
-template <class FT> void write_json_members(std::ostream& os, const Join_continuity<FT>& join, int left, int right) {
+template <class FT>
+void write_json_members(std::ostream& os, const Join_continuity<FT>& join, int left = 0, int right = 1) {
   internal::write_text(os, internal::json_members(join, left, right));
 }
 
@@ -140,11 +141,11 @@ inline void write_json_members(std::ostream& os, const Join_deviation& deviation
 }
 
 /// \ingroup PkgGeometricContinuityIO
-/// Writes what was decided about the join of the curves number `left` and `right` as a JSON object
+/// Writes what was decided about the join of the curves number `left` and `right`, of two curves 0 and 1, as a JSON object
 /// `{"left":…,"right":…,"c_order":…,"g_order":…,"f_order":…,"betas":["p/q",…],"regular":…,"tangent_equal":…,
 /// "curvature_equal":…,"curvature_vector_equal":…,"torsion_equal":…}`. A gap between the end points is `c_order` -1.
 /// \throws Error as `write_number()` does for the shape parameters
-template <class FT> void write_json(std::ostream& os, const Join_continuity<FT>& join, int left, int right) {
+template <class FT> void write_json(std::ostream& os, const Join_continuity<FT>& join, int left = 0, int right = 1) {
   internal::write_text(os, '{' + internal::json_members(join, left, right) + '}');
 }
 

@@ -8,12 +8,14 @@
 #include <CGAL/Geometric_continuity/curves/Rational_curve.h>
 
 #include <array>
+#include <type_traits>
 #include <vector>
 
 /// \file arcs.h
 /// Arcs of circles, ellipses and other conics as rational Bézier curves of degree 2. Everything is rational: with an exact kernel
 /// each point of an arc lies on its circle exactly. Arcs of more than half a circle have a negative weight in the middle, and half
-/// a circle has an infinite control point there. All functions run in constant time.
+/// a circle has an infinite control point there. All functions run in constant time. Each has a twin that needs not be told the
+/// traits class of points of a \cgal kernel.
 
 namespace CGAL {
 namespace Geometric_continuity {
@@ -101,9 +103,20 @@ Rational_bezier_curve<Traits, 2> elliptical_arc(const typename Traits::Point& c,
 }
 
 /// \ingroup PkgGeometricContinuityCurves
+/// Returns the arc of an ellipse, given by points of a \cgal kernel, over whose traits class (`Traits_of`) it is.
+/// \throws Error as with the traits class named
+template <class Point>
+Rational_bezier_curve<Traits_of<Point>, 2> elliptical_arc(const Point& c, const typename Traits_of<Point>::Vector& u,
+                                                          const typename Traits_of<Point>::Vector& v,
+                                                          const typename Traits_of<Point>::FT& r) {
+  return elliptical_arc<Traits_of<Point>>(c, u, v, r);
+}
+
+/// \ingroup PkgGeometricContinuityCurves
 /// Returns the arc of the circle about `centre` in the plane from `start` by the angle \f$ 4 \arctan r \f$, counterclockwise for
-/// `r > 0`: `r` is the tangent of a quarter of the angle, not the angle and no radius. `r = 1` is a half circle, a quarter of a circle
-/// is near `r = 0.41421`; see `elliptical_arc()`.
+/// `r > 0`: `r` is the tangent of a quarter of the angle, not the angle and no radius. `r = FT(1)` is a half circle; for an angle in
+/// degrees, `std::tan(degrees * CGAL_PI / 720)` is near enough: the arc is as exact, and an angle of nearly so many degrees. Whole
+/// numbers of type `int` are refused by the compiler, because they would be degrees by mistake. See `elliptical_arc()`.
 /// \throws Error `zero_direction` when `start` is the centre, `empty_domain` for `r == 0`, `not_finite`
 template <class Traits>
 Rational_bezier_curve<Traits, 2> circular_arc(const typename Traits::Point& centre, const typename Traits::Point& start,
@@ -116,6 +129,15 @@ Rational_bezier_curve<Traits, 2> circular_arc(const typename Traits::Point& cent
   v[0] = -u[1];
   v[1] = u[0];
   return elliptical_arc<Traits>(centre, to_vector<Traits>(u), to_vector<Traits>(v), r);
+}
+
+/// \ingroup PkgGeometricContinuityCurves
+/// Returns the arc of a circle in the plane, given by points of a \cgal kernel, over whose traits class (`Traits_of`) it is.
+/// \throws Error as with the traits class named
+template <class Point>
+Rational_bezier_curve<Traits_of<Point>, 2> circular_arc(const Point& centre, const Point& start,
+                                                        const typename Traits_of<Point>::FT& r) {
+  return circular_arc<Traits_of<Point>>(centre, start, r);
 }
 
 /// \ingroup PkgGeometricContinuityCurves
@@ -147,6 +169,30 @@ Rational_bezier_curve<Traits, 2> circular_arc(const typename Traits::Point& cent
 }
 
 /// \ingroup PkgGeometricContinuityCurves
+/// Returns the arc of a circle in space, given by points of a \cgal kernel, over whose traits class (`Traits_of`) it is.
+/// \throws Error as with the traits class named
+template <class Point>
+Rational_bezier_curve<Traits_of<Point>, 2> circular_arc(const Point& centre, const Point& start,
+                                                        const typename Traits_of<Point>::Vector& axis,
+                                                        const typename Traits_of<Point>::FT& r) {
+  return circular_arc<Traits_of<Point>>(centre, start, axis, r);
+}
+
+// A whole number would be meant as degrees.
+template <class Traits, class Degrees, class = std::enable_if_t<std::is_integral_v<Degrees>>>
+Rational_bezier_curve<Traits, 2> circular_arc(const typename Traits::Point& centre, const typename Traits::Point& start,
+                                              Degrees r) = delete;
+template <class Point, class Degrees, class = std::enable_if_t<std::is_integral_v<Degrees>>>
+Rational_bezier_curve<Traits_of<Point>, 2> circular_arc(const Point& centre, const Point& start, Degrees r) = delete;
+template <class Traits, class Degrees, class = std::enable_if_t<std::is_integral_v<Degrees>>>
+Rational_bezier_curve<Traits, 2> circular_arc(const typename Traits::Point& centre, const typename Traits::Point& start,
+                                              const typename Traits::Vector& axis, Degrees r) = delete;
+template <class Point, class Degrees, class = std::enable_if_t<std::is_integral_v<Degrees>>>
+Rational_bezier_curve<Traits_of<Point>, 2> circular_arc(const Point& centre, const Point& start,
+                                                        const typename Traits_of<Point>::Vector& axis,
+                                                        Degrees r) = delete;
+
+/// \ingroup PkgGeometricContinuityCurves
 /// Returns the arc of a circle from `p` to `r` through `q`, which is its point at the parameter 1/2, in any dimension; where `q` lies
 /// between `p` and `r` on their line, the segment.
 /// \throws Error `zero_direction` when two points are equal, `zero_weight` when `q` lies on the line through `p` and `r` but not
@@ -167,6 +213,14 @@ Rational_bezier_curve<Traits, 2> circular_arc_through(const typename Traits::Poi
 }
 
 /// \ingroup PkgGeometricContinuityCurves
+/// Returns the arc of a circle through three points of a \cgal kernel, over whose traits class (`Traits_of`) it is.
+/// \throws Error as with the traits class named
+template <class Point>
+Rational_bezier_curve<Traits_of<Point>, 2> circular_arc_through(const Point& p, const Point& q, const Point& r) {
+  return circular_arc_through<Traits_of<Point>>(p, q, r);
+}
+
+/// \ingroup PkgGeometricContinuityCurves
 /// Returns the arc of a circle that starts at `p` in the direction `tangent` and ends at `r`, in any dimension; a segment where the
 /// tangent points to `r`.
 /// \throws Error `zero_direction` when the tangent is zero or the points are equal, `zero_weight` when the tangent points away from
@@ -183,6 +237,15 @@ Rational_bezier_curve<Traits, 2> circular_arc_with_tangent(const typename Traits
   const Coordinates<Traits> e = (c - a) / internal::square_of(c - a, "circular_arc_with_tangent: the points are equal");
   internal::square_of(d, "circular_arc_with_tangent: the tangent is zero");
   return internal::inverted_line<Traits>(a, d, e);
+}
+
+/// \ingroup PkgGeometricContinuityCurves
+/// Returns the arc of a circle with a tangent at its start, between points of a \cgal kernel, over whose traits class (`Traits_of`) it is.
+/// \throws Error as with the traits class named
+template <class Point>
+Rational_bezier_curve<Traits_of<Point>, 2>
+circular_arc_with_tangent(const Point& p, const typename Traits_of<Point>::Vector& tangent, const Point& r) {
+  return circular_arc_with_tangent<Traits_of<Point>>(p, tangent, r);
 }
 
 /// \ingroup PkgGeometricContinuityCurves
@@ -218,6 +281,16 @@ Rational_bezier_curve<Traits, 2> conic_arc(const typename Traits::Point& p, cons
 }
 
 /// \ingroup PkgGeometricContinuityCurves
+/// Returns the arc of a conic, between points of a \cgal kernel, over whose traits class (`Traits_of`) it is.
+/// \throws Error as with the traits class named
+template <class Point>
+Rational_bezier_curve<Traits_of<Point>, 2> conic_arc(const Point& p, const typename Traits_of<Point>::Vector& tangent_p,
+                                                     const Point& r, const typename Traits_of<Point>::Vector& tangent_r,
+                                                     const Point& q) {
+  return conic_arc<Traits_of<Point>>(p, tangent_p, r, tangent_r, q);
+}
+
+/// \ingroup PkgGeometricContinuityCurves
 /// Returns the ellipse with the centre `c` and the conjugate half-axes `u` and `v` as a closed rational B-spline curve of degree 2
 /// on [0, 4]: four quarters with the weights 1, 1, 2 and 2, 1, 1 in turn. It is \f$ G^\infty \f$ everywhere, and \f$ C^1 \f$ at
 /// its knots. With orthogonal half-axes of one length it is a circle.
@@ -241,6 +314,15 @@ Rational_bspline_curve<Traits> ellipse(const typename Traits::Point& c, const ty
   const std::vector<typename Knot_vector<FT>::Knot> inner = {{FT(1), 2}, {FT(2), 2}, {FT(3), 2}};
   return Rational_bspline_curve<Traits>(points.begin(), points.end(), weights.begin(), weights.end(),
                                         Knot_vector<FT>(2, FT(0), FT(4), inner));
+}
+
+/// \ingroup PkgGeometricContinuityCurves
+/// Returns the ellipse about a point of a \cgal kernel, over whose traits class (`Traits_of`) it is.
+/// \throws Error as with the traits class named
+template <class Point>
+Rational_bspline_curve<Traits_of<Point>> ellipse(const Point& c, const typename Traits_of<Point>::Vector& u,
+                                                 const typename Traits_of<Point>::Vector& v) {
+  return ellipse<Traits_of<Point>>(c, u, v);
 }
 
 } // namespace Geometric_continuity

@@ -210,12 +210,19 @@ struct Curvature_extremum : Curvature_at {
 };
 
 /// \ingroup PkgGeometricContinuityCurves
-/// The extrema of the curvature of a curve, and its inflections.
+/// The extrema of the curvature of a curve, and its inflections. It is a range of its extrema.
 struct Curvature_extrema {
   std::vector<Curvature_extremum> extrema; ///< inside of the domain, in order, maxima and minima by turns
   std::vector<Enclosure> inflections;      ///< the parameters, inside of the domain, in order
   Curvature_at least;                      ///< the least curvature, which may be at an end of the domain
   Curvature_at greatest;                   ///< the greatest curvature, which may be at an end of the domain
+
+  /// Returns the number of extrema.
+  std::size_t size() const { return extrema.size(); }
+  /// Returns an iterator to the first extremum.
+  std::vector<Curvature_extremum>::const_iterator begin() const { return extrema.begin(); }
+  /// Returns the iterator behind the last extremum.
+  std::vector<Curvature_extremum>::const_iterator end() const { return extrema.end(); }
 
   /// Returns the greatest absolute value of the curvature.
   Enclosure largest() const {

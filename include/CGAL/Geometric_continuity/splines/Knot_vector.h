@@ -78,6 +78,13 @@ public:
     check();
   }
 
+  // Knots alone, also in braces: one error of the compiler instead of a list of all constructors.
+  template <class Knots = std::vector<FT>,
+            class = std::enable_if_t<std::is_convertible_v<const Knots&, std::vector<FT>>>>
+  explicit Knot_vector(const Knots&) {
+    static_assert(!std::is_same_v<Knots, Knots>, "Knot_vector: the degree is missing, which stands before the knots");
+  }
+
   /// Returns the degree `p`.
   int degree() const { return p_; }
 

@@ -93,6 +93,15 @@ Bezier_patch<Traits> parallelogram(const typename Traits::Point& c, const typena
 }
 
 /// \ingroup PkgGeometricContinuitySurfaces
+/// Returns the parallelogram of a point and vectors of a \cgal kernel, over whose traits class (`Traits_of`) it is.
+/// \throws Error as with the traits class named
+template <class Point>
+Bezier_patch<Traits_of<Point>> parallelogram(const Point& c, const typename Traits_of<Point>::Vector& x,
+                                             const typename Traits_of<Point>::Vector& y) {
+  return parallelogram<Traits_of<Point>>(c, x, y);
+}
+
+/// \ingroup PkgGeometricContinuitySurfaces
 /// Returns the frustum of a cone between the ellipses about `c` with the half-axes `x` and `y` and about \f$ c + z \f$ with the half-axes
 /// \f$ k x \f$ and \f$ k y \f$: \f$ \rho = 1 + u (k - 1) \f$, \f$ h = u \f$ for `u` in [0, 1]. It is a cylinder for `k = 1`
 /// and the cone with the apex \f$ c + z \f$ for `k = 0`, where its edge `u = 1` is collapsed.
@@ -108,12 +117,32 @@ Rational_bspline_surface<Traits> cone(const typename Traits::Point& c, const typ
 }
 
 /// \ingroup PkgGeometricContinuitySurfaces
+/// Returns the cone of a point and vectors of a \cgal kernel, over whose traits class (`Traits_of`) it is.
+/// \throws Error as with the traits class named
+template <class Point>
+Rational_bspline_surface<Traits_of<Point>>
+cone(const Point& c, const typename Traits_of<Point>::Vector& x, const typename Traits_of<Point>::Vector& y,
+     const typename Traits_of<Point>::Vector& z, const typename Traits_of<Point>::FT& k) {
+  return cone<Traits_of<Point>>(c, x, y, z, k);
+}
+
+/// \ingroup PkgGeometricContinuitySurfaces
 /// Returns the cylinder on the ellipse about `c` with the half-axes `x` and `y`, up to the same ellipse about \f$ c + z \f$; see
 /// `cone()`. \throws Error `zero_direction` when a vector is zero, `dimension_mismatch`, `not_finite`
 template <class Traits>
 Rational_bspline_surface<Traits> cylinder(const typename Traits::Point& c, const typename Traits::Vector& x,
                                           const typename Traits::Vector& y, const typename Traits::Vector& z) {
   return cone<Traits>(c, x, y, z, typename Traits::FT(1));
+}
+
+/// \ingroup PkgGeometricContinuitySurfaces
+/// Returns the cylinder of a point and vectors of a \cgal kernel, over whose traits class (`Traits_of`) it is.
+/// \throws Error as with the traits class named
+template <class Point>
+Rational_bspline_surface<Traits_of<Point>> cylinder(const Point& c, const typename Traits_of<Point>::Vector& x,
+                                                    const typename Traits_of<Point>::Vector& y,
+                                                    const typename Traits_of<Point>::Vector& z) {
+  return cylinder<Traits_of<Point>>(c, x, y, z);
 }
 
 /// \ingroup PkgGeometricContinuitySurfaces
@@ -134,6 +163,16 @@ Rational_bspline_surface<Traits> ellipsoid(const typename Traits::Point& c, cons
 }
 
 /// \ingroup PkgGeometricContinuitySurfaces
+/// Returns the ellipsoid of a point and vectors of a \cgal kernel, over whose traits class (`Traits_of`) it is.
+/// \throws Error as with the traits class named
+template <class Point>
+Rational_bspline_surface<Traits_of<Point>> ellipsoid(const Point& c, const typename Traits_of<Point>::Vector& x,
+                                                     const typename Traits_of<Point>::Vector& y,
+                                                     const typename Traits_of<Point>::Vector& z) {
+  return ellipsoid<Traits_of<Point>>(c, x, y, z);
+}
+
+/// \ingroup PkgGeometricContinuitySurfaces
 /// Returns the torus whose circle in the plane of `x` and `z` has the radius `r` and the distance 1 from the centre:
 /// \f$ \rho = 1 + r \cos\psi \f$, \f$ h = r \sin\psi \f$, with a full turn of \f$ \psi \f$ for `u` in [0, 4]. For `r > 1` it meets
 /// itself.
@@ -149,6 +188,16 @@ Rational_bspline_surface<Traits> torus(const typename Traits::Point& c, const ty
   for (const std::array<int, 3>& q : internal::circle_points)
     profile.push_back({FT(FT(q[2]) + r * FT(q[0])), FT(r * FT(q[1])), FT(q[2])});
   return internal::turned_profile<Traits>(profile, internal::knots_of_quarters<FT>(4), c, x, y, z, "torus");
+}
+
+/// \ingroup PkgGeometricContinuitySurfaces
+/// Returns the torus of a point and vectors of a \cgal kernel, over whose traits class (`Traits_of`) it is.
+/// \throws Error as with the traits class named
+template <class Point>
+Rational_bspline_surface<Traits_of<Point>>
+torus(const Point& c, const typename Traits_of<Point>::Vector& x, const typename Traits_of<Point>::Vector& y,
+      const typename Traits_of<Point>::Vector& z, const typename Traits_of<Point>::FT& r) {
+  return torus<Traits_of<Point>>(c, x, y, z, r);
 }
 
 namespace internal {
