@@ -53,14 +53,14 @@ def chain_rule(x, betas, j):
     return total
 def are_independent(vectors):
     """Of each vector: it is no combination of those before it."""
-    rests = []
+    residuals = []
     for v in vectors:
-        rests.append(reduce(lambda w, b: plus(w, b, -dot(w, b) / (dot(b, b) or 1)), rests, v))
-    return [any(v) for v in rests]
-def check_rests(line, name, is_refuted, rests):
-    """Orders that hold leave no rest; the first that does not hold, if there is one, leaves what the line says."""
-    need(not is_refuted or rests.pop() == take(line, name), f"{name} is not what is left")
-    need(not any(any(r) for r in rests), f"an order before {name} does not hold")
+        residuals.append(reduce(lambda w, b: plus(w, b, -dot(w, b) / (dot(b, b) or 1)), residuals, v))
+    return [any(v) for v in residuals]
+def check_residuals(line, name, is_refuted, residuals):
+    """Orders that hold have no residual; that of the first that does not hold, if there is one, is what the line says."""
+    need(not is_refuted or residuals.pop() == take(line, name), f"{name} is not the residual")
+    need(not any(any(r) for r in residuals), f"an order before {name} does not hold")
 def check_join(line, order, jets):
     """The claims about a join with these derivatives, where no order above `order` was asked for."""
     need((take(line, "x"), take(line, "y")) == jets, "the derivatives are not those of the file")
@@ -68,24 +68,24 @@ def check_join(line, order, jets):
     c, g, f = (line.pop(kind + "_order") for kind in "cgf")
     need(all(type(k) is int and -1 <= k <= order for k in (c, g, f)), "an order is out of range")
     betas, factors = take(line, "betas"), take(line, "f_factors")
-    rests = [plus(y[j], x[j], -1) for j in range(min(c + 1, order) + 1)]
-    need(c == order or any(rests[-1]), "C: the next order holds as well")
-    check_rests(line, "c_rest", c < order, rests)
+    residuals = [plus(y[j], x[j], -1) for j in range(min(c + 1, order) + 1)]
+    need(c == order or any(residuals[-1]), "C: the next order holds as well")
+    check_residuals(line, "c_residual", c < order, residuals)
     if c < 0 or order == 0 or not any(x[1]) or not any(y[1]):
         return need(g == f == min(c, 0) and not betas + factors, "G, F: not defined here")
     need(g >= 0 and len(betas) == min(g + 1, order) and (g == 0 or betas[0] > 0), "G: wrong betas")
-    rests = [plus(y[j], chain_rule(x, betas, j), -1) for j in range(1, len(betas) + 1)]
-    refuted = dot(rests[-1], x[1]) == 0 and (any(rests[-1]) or (g == 0 and betas[0] <= 0))
+    residuals = [plus(y[j], chain_rule(x, betas, j), -1) for j in range(1, len(betas) + 1)]
+    refuted = dot(residuals[-1], x[1]) == 0 and (any(residuals[-1]) or (g == 0 and betas[0] <= 0))
     need(g == order or refuted, "G: the next order is not refuted")
-    check_rests(line, "g_rest", g < order, rests)
+    check_residuals(line, "g_residual", g < order, residuals)
     need((f >= 1) == (g >= 1) and f <= most and len(factors) == (min(f, most - 1) if f >= 1 else 0), "F: not so many factors")
-    independent, rests = are_independent(x[1:]), []
+    independent, residuals = are_independent(x[1:]), []
     for j, a in enumerate(factors, 2):
         need(len(a) == j - 1 and all(independent[i] or a[i] == 0 for i in range(j - 1)), "F: wrong factors")
-        rests.append(reduce(lambda v, i: plus(v, x[i], -a[i - 1]), range(1, j), plus(y[j], x[j], -(betas[0] ** j))))
-    refuted = 1 <= f < most and any(rests[-1]) and not any(dot(rests[-1], x[i]) for i in range(1, f + 1))
+        residuals.append(reduce(lambda v, i: plus(v, x[i], -a[i - 1]), range(1, j), plus(y[j], x[j], -(betas[0] ** j))))
+    refuted = 1 <= f < most and any(residuals[-1]) and not any(dot(residuals[-1], x[i]) for i in range(1, f + 1))
     need(refuted or f in (0, most), "F: the next order is not refuted")
-    return check_rests(line, "f_rest", 1 <= f < most, rests)
+    return check_residuals(line, "f_residual", 1 <= f < most, residuals)
 
 # ---- Splines over knots t, of degree p, with control points d.
 def blossom(t, p, d, k, arguments):

@@ -75,19 +75,19 @@ template <class FT, int N> std::string certificate_members(const GC::Join_certif
     for (int j = 0; j <= jet.order(); ++j) write_exact(os << (j == 0 ? "[" : ","), jet[j]);
     os << ']';
   };
-  const auto write_rest = [&](const char* name, const std::optional<GC::Coordinate_vector<FT, N>>& rest) {
-    if (rest) write_exact(os << name, *rest);
+  const auto write_residual = [&](const char* name, const std::optional<GC::Coordinate_vector<FT, N>>& residual) {
+    if (residual) write_exact(os << name, *residual);
   };
   write_jet("\"x\":", c.left);
   write_jet(",\"y\":", c.right);
   os << ",\"c_order\":" << c.c_order;
-  write_rest(",\"c_rest\":", c.c_rest);
+  write_residual(",\"c_residual\":", c.c_residual);
   os << ",\"g_order\":" << c.g_order;
   write_exact(os << ",\"betas\":", c.betas);
-  write_rest(",\"g_rest\":", c.g_rest);
+  write_residual(",\"g_residual\":", c.g_residual);
   os << ",\"f_order\":" << c.f_order;
   write_exact(os << ",\"f_factors\":", c.f_factors);
-  write_rest(",\"f_rest\":", c.f_rest);
+  write_residual(",\"f_residual\":", c.f_residual);
   return os.str();
 }
 

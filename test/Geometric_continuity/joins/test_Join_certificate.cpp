@@ -40,12 +40,12 @@ void check_f(const Jet<Traits>& x, const Jet<Traits>& y, const Certificate& c, i
     if (j <= c.f_order)
       BOOST_CHECK(is_zero(rest));
     else {
-      BOOST_REQUIRE(c.f_rest);
-      BOOST_CHECK(*c.f_rest == rest && !is_zero(rest));
+      BOOST_REQUIRE(c.f_residual);
+      BOOST_CHECK(*c.f_residual == rest && !is_zero(rest));
       for (int i = 1; i < j; ++i) BOOST_CHECK(dot(rest, x[i]) == Q(0));
     }
   }
-  BOOST_CHECK(c.f_rest.has_value() == (c.f_order < most));
+  BOOST_CHECK(c.f_residual.has_value() == (c.f_order < most));
 }
 
 } // namespace
@@ -71,12 +71,12 @@ BOOST_AUTO_TEST_CASE(refuted_at_each_order) {
         BOOST_CHECK(c.left == x && c.right == y && c.c_order == verdict.c_order && c.f_order == verdict.f_order);
         for (int j = 1; j < missed; ++j) BOOST_CHECK(c.betas[j - 1] == b[j]);
         BOOST_CHECK(static_cast<int>(c.betas.size()) == std::min(missed, 4));
-        BOOST_CHECK(missed <= 4 ? *c.g_rest == away : !c.g_rest);
-        BOOST_CHECK(*c.c_rest == y[c.c_order + 1] - x[c.c_order + 1] && !is_zero(*c.c_rest));
+        BOOST_CHECK(missed <= 4 ? *c.g_residual == away : !c.g_residual);
+        BOOST_CHECK(*c.c_residual == y[c.c_order + 1] - x[c.c_order + 1] && !is_zero(*c.c_residual));
         if (missed > 1)
           check_f(x, y, c, 4);
         else
-          BOOST_CHECK(c.f_factors.empty() && !c.f_rest);
+          BOOST_CHECK(c.f_factors.empty() && !c.f_residual);
       }
   });
 }
@@ -88,10 +88,10 @@ BOOST_AUTO_TEST_CASE(frames_alone) {
   Jet<Exact_3> y = x;
   y[3] += Q(5) * x[2] + Q(7) * x[1];
   const auto c = GC::join_certificate(x, y, GC::continuity(x, y, 3), 3);
-  BOOST_CHECK(c.g_order == 2 && c.f_order == 3 && !c.f_rest);
+  BOOST_CHECK(c.g_order == 2 && c.f_order == 3 && !c.f_residual);
   BOOST_REQUIRE(c.f_factors.size() == 2);
   BOOST_CHECK(c.f_factors[0][0] == Q(0) && c.f_factors[1][0] == Q(7) && c.f_factors[1][1] == Q(5));
-  BOOST_CHECK(*c.g_rest == Q(5) * orthogonal_component(x[2], x[1]));
+  BOOST_CHECK(*c.g_residual == Q(5) * orthogonal_component(x[2], x[1]));
 }
 
 // Where the curvature vanishes X'' is a multiple of X', and has no factor.
@@ -103,7 +103,7 @@ BOOST_AUTO_TEST_CASE(dependent_derivatives) {
   BOOST_CHECK(c.f_order == 3 && c.g_order == 3 && c.f_factors[1][0] == Q(3) && c.f_factors[1][1] == Q(0));
   y[3] += column<Exact_3>(3, {0, 0, 4});
   const auto f2 = GC::join_certificate(x, y, GC::continuity(x, y, 3), 3);
-  BOOST_CHECK(f2.f_order == 2 && *f2.f_rest == column<Exact_3>(3, {0, 0, 4}) && *f2.g_rest == *f2.f_rest);
+  BOOST_CHECK(f2.f_order == 2 && *f2.f_residual == column<Exact_3>(3, {0, 0, 4}) && *f2.g_residual == *f2.f_residual);
 }
 
 BOOST_AUTO_TEST_CASE(no_tangents_and_no_orders) {
@@ -113,11 +113,12 @@ BOOST_AUTO_TEST_CASE(no_tangents_and_no_orders) {
   const auto certificate = [&](const Jet<Exact_2>& y, int order) {
     return GC::join_certificate(x, y, GC::continuity(x, y, order), order);
   };
-  BOOST_CHECK(certificate(gap, 2).c_order == -1 && *certificate(gap, 2).c_rest == column<Exact_2>(2, {0, 1}));
-  BOOST_CHECK(certificate(gap, 2).betas.empty() && !certificate(gap, 2).g_rest);
-  BOOST_CHECK(certificate(back, 2).betas.front() == Q(-2) && is_zero(*certificate(back, 2).g_rest));
-  BOOST_CHECK(certificate(zero, 2).g_order == 0 && certificate(zero, 2).betas.empty() && !certificate(zero, 2).g_rest);
-  BOOST_CHECK(!certificate(x, 0).c_rest && certificate(x, 0).left.order() == 0 && certificate(x, 0).betas.empty());
+  BOOST_CHECK(certificate(gap, 2).c_order == -1 && *certificate(gap, 2).c_residual == column<Exact_2>(2, {0, 1}));
+  BOOST_CHECK(certificate(gap, 2).betas.empty() && !certificate(gap, 2).g_residual);
+  BOOST_CHECK(certificate(back, 2).betas.front() == Q(-2) && is_zero(*certificate(back, 2).g_residual));
+  BOOST_CHECK(certificate(zero, 2).g_order == 0 && certificate(zero, 2).betas.empty() &&
+              !certificate(zero, 2).g_residual);
+  BOOST_CHECK(!certificate(x, 0).c_residual && certificate(x, 0).left.order() == 0 && certificate(x, 0).betas.empty());
   const auto verdict = GC::continuity(x, x, 2);
   CHECK_ERROR(GC::join_certificate(x, x, verdict, 3), jet_order_too_low);
   CHECK_ERROR(GC::join_certificate(x, x, verdict, -1), negative_count);

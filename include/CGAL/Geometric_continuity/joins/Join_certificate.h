@@ -26,29 +26,29 @@ namespace Geometric_continuity {
 ///   \f$ B_{j,m} \f$ are the Bell polynomials of the chain rule;
 /// - F: \f$ Y^{(j)} = \beta_1^j X^{(j)} + \sum_{i=1}^{j-1} a_{j,i} X^{(i)} + r \f$ with \f$ r \cdot X^{(i)} = 0 \f$ for each `i < j`.
 ///
-/// An order holds if for it and all before it `r` is zero, and \f$ \beta_1 > 0 \f$. Where an order does not hold, the remainder `r` of the first
+/// An order holds if for it and all before it `r` is zero, and \f$ \beta_1 > 0 \f$. Where an order does not hold, the residual `r` of the first
 /// that fails is not zero, or for the order 1 \f$ \beta_1 \le 0 \f$, or a first derivative is zero.
 /// \tparam FT an exact field
 /// \tparam N the dimension, or 0 when it is known at run time only
 template <class FT, int N = 0> struct Join_certificate {
-  typedef Coordinate_vector<FT, N> Vector; ///< the derivatives and the remainders
+  typedef Coordinate_vector<FT, N> Vector; ///< the derivatives and the residuals
 
   Coordinate_jet<FT, N> left;  ///< \f$ X, X', \dots \f$ up to the highest order that was asked for
   Coordinate_jet<FT, N> right; ///< \f$ Y, Y', \dots \f$ up to this order
   int c_order;                 ///< as `Join_continuity::c_order`
   int g_order;                 ///< as `Join_continuity::g_order`
   int f_order;                 ///< as `Join_continuity::f_order`
-  /// The remainder of the order `c_order + 1`; empty when no higher order was asked for.
-  std::optional<Vector> c_rest;
-  /// \f$ \beta_1, \dots, \beta_g \f$ for `g_order`, and one more if there is `g_rest`.
+  /// The residual of the order `c_order + 1`; empty when no higher order was asked for.
+  std::optional<Vector> c_residual;
+  /// \f$ \beta_1, \dots, \beta_g \f$ for `g_order`, and one more if there is `g_residual`.
   std::vector<FT> betas;
-  /// The remainder of the order `g_order + 1`; empty when no higher order was asked for, and where a tangent is zero or the points differ.
-  std::optional<Vector> g_rest;
-  /// \f$ a_{j,1}, \dots, a_{j,j-1} \f$ for `j = 2`, ..., `f_order`, and one row more if there is `f_rest`. Numbers of derivatives that are
+  /// The residual of the order `g_order + 1`; empty when no higher order was asked for, and where a tangent is zero or the points differ.
+  std::optional<Vector> g_residual;
+  /// \f$ a_{j,1}, \dots, a_{j,j-1} \f$ for `j = 2`, ..., `f_order`, and one row more if there is `f_residual`. Numbers of derivatives that are
   /// combinations of those before them are 0.
   std::vector<std::vector<FT>> f_factors;
-  /// The remainder of the order `f_order + 1` if that is at least 2 and at most the dimension; empty as `g_rest`.
-  std::optional<Vector> f_rest;
+  /// The residual of the order `f_order + 1` if that is at least 2 and at most the dimension; empty as `g_residual`.
+  std::optional<Vector> f_residual;
 };
 
 namespace internal {
@@ -61,11 +61,11 @@ template <class FT, int N> class Orthogonal_span {
   std::vector<std::vector<FT>> factors_;
 
 public:
-  // v = sum factors_i v_i + rest, where the rest is orthogonal to all vectors v_i; the factor of a vector that depends on those before
+  // v = sum factors_i v_i + residual, where the residual is orthogonal to all vectors v_i; the factor of a vector that depends on those before
   // it is 0.
   struct Combination {
     std::vector<FT> factors;
-    Vector rest;
+    Vector residual;
   };
   Combination combination(Vector v) const {
     Combination c{std::vector<FT>(orthogonal_.size(), FT(0)), Vector()};
@@ -76,7 +76,7 @@ public:
       v -= factor * orthogonal_[i];
       for (std::size_t j = 0; j <= i; ++j) c.factors[j] += FT(factor * factors_[i][j]);
     }
-    c.rest = std::move(v);
+    c.residual = std::move(v);
     return c;
   }
 
@@ -85,7 +85,7 @@ public:
     for (FT& x : c.factors) x = FT(-x);
     c.factors.push_back(FT(1));
     factors_.push_back(std::move(c.factors));
-    orthogonal_.push_back(std::move(c.rest));
+    orthogonal_.push_back(std::move(c.residual));
   }
 };
 
@@ -123,7 +123,7 @@ Join_certificate<FT, N> join_certificate(const Coordinate_jet<FT, N>& left, cons
     c.right[j] = right[j];
   }
   const Coordinate_jet<FT, N>&x = c.left, &y = c.right;
-  if (c.c_order < max_order) c.c_rest = y[c.c_order + 1] - x[c.c_order + 1];
+  if (c.c_order < max_order) c.c_residual = y[c.c_order + 1] - x[c.c_order + 1];
   if (c.c_order < 0 || max_order == 0 || is_zero(x[1]) || is_zero(y[1])) return c;
 
   const FT square = dot(x[1], x[1]);
@@ -133,7 +133,7 @@ Join_certificate<FT, N> join_certificate(const Coordinate_jet<FT, N>& left, cons
     for (int m = 2; m <= j; ++m) v -= bell(j, m) * x[m];
     c.betas.push_back(FT(dot(v, x[1]) / square));
     bell.append(c.betas.back());
-    if (j > c.g_order) c.g_rest = v - c.betas.back() * x[1];
+    if (j > c.g_order) c.g_residual = v - c.betas.back() * x[1];
   }
   if (c.f_order < 1) return c;
   internal::Orthogonal_span<FT, N> span;
@@ -143,7 +143,7 @@ Join_certificate<FT, N> join_certificate(const Coordinate_jet<FT, N>& left, cons
     span.add(x[j - 1]);
     typename internal::Orthogonal_span<FT, N>::Combination sum = span.combination(y[j] - power * x[j]);
     c.f_factors.push_back(std::move(sum.factors));
-    if (j > c.f_order) c.f_rest = std::move(sum.rest);
+    if (j > c.f_order) c.f_residual = std::move(sum.residual);
   }
   return c;
 }
