@@ -79,6 +79,20 @@ BOOST_AUTO_TEST_CASE(how_far) {
   BOOST_CHECK(!continuity(left, Curve{Point(0, 0), Point(0, 0)}).up_to_rounding());
 }
 
+// The examples of the manual: decimals on a line, and a blend by a kernel that rounds it.
+BOOST_AUTO_TEST_CASE(examples_of_the_manual) {
+  const auto segments = [](const Point& p, const Point& q) {
+    return text(continuity(Curve{Point(0, 0), p}, Curve{p, q}));
+  };
+  BOOST_CHECK_EQUAL(segments(Point(0.1, 0.3), Point(0.3, 0.9)), "C0 G0 F0; G1 but for 0.2 units in the last place");
+  BOOST_CHECK_EQUAL(segments(Point(0.1, 0.5), Point(0.5, 2.5)), "C0 G0 F0; G1 but for 0.1 units in the last place");
+  typedef GC::Traits_3<CGAL::Epick> Space;
+  const GC::Bezier_curve<Space> phi{{0, 0, 0}, {1, 2, 0}, {3, 2, 1}, {4, 0, 1}},
+      psi{{7, 1, 0}, {8, 2, 2}, {9, 1, 1}, {11, 0, 3}};
+  BOOST_CHECK_EQUAL(text(continuity(blend(phi, psi, GC::Fair()), psi)),
+                    "C0 G0 F0; G2 but for 0.4 units in the last place");
+}
+
 // In space and with weights: two arcs of a circle, one point moved.
 BOOST_AUTO_TEST_CASE(rational_curves) {
   typedef GC::Traits_3<CGAL::Simple_cartesian<double>> Space;

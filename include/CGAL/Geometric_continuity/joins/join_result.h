@@ -269,8 +269,9 @@ template <class FT> struct Join_continuity {
       for (std::size_t i = 0; i < betas.size(); ++i) os << (i == 0 ? ", beta = (" : ", ") << betas[i];
       os << (betas.empty() ? "" : ")");
     }
-    if (const std::optional<Order_up_to_rounding> order = join.up_to_rounding())
-      os << "; G" << order->g_order << " but for " << std::ceil(order->units * 10) / 10 << " units in the last place";
+    if (const std::optional<Order_up_to_rounding> order = join.up_to_rounding()) // by some, however few
+      os << "; G" << order->g_order << " but for " << (std::max)(1., std::ceil(order->units * 10)) / 10
+         << " units in the last place";
     return os;
   }
 
