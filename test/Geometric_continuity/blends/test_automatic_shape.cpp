@@ -12,8 +12,11 @@
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Geometric_continuity/Traits.h>
+#include <CGAL/Geometric_continuity/blends/Fair.h>
 #include <CGAL/Geometric_continuity/blends/blend.h>
 #include <CGAL/Geometric_continuity/blends/blend_ends.h>
+#include <CGAL/Geometric_continuity/curves/Bezier_curve.h>
+#include <CGAL/Geometric_continuity/curves/fairness.h>
 #include <CGAL/Simple_cartesian.h>
 
 #include <cfenv>
@@ -157,6 +160,14 @@ BOOST_AUTO_TEST_CASE(default_of_blend) {
   BOOST_CHECK(gamma.control_point(1) != old.control_point(1));
   BOOST_CHECK(gamma.start_jet(1)[1] == shape.beta * phi[1]);
   BOOST_CHECK(gamma.end_jet(1)[1] == shape.eta * psi[1]);
+}
+
+// The default is a formula: of these curves another shape has the lower E, and the shape of the search an even lower one.
+BOOST_AUTO_TEST_CASE(no_optimum) {
+  const GC::Bezier_curve<Exact> phi{{9, 8}, {-4, 8}, {1, -6}, {0, 0}}, psi{{10, 3}, {16, -7}, {16, 0}, {21, -8}};
+  const double of_default = GC::fairness(GC::blend(phi, psi)), of_ones = GC::fairness(GC::blend(phi, psi, {1, 1})),
+               of_search = GC::fairness(GC::blend(phi, psi, GC::Fair()));
+  BOOST_CHECK(of_ones < 0.5 * of_default && of_search < 0.5 * of_ones);
 }
 
 BOOST_AUTO_TEST_CASE(errors) {

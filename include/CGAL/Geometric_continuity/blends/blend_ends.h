@@ -392,7 +392,8 @@ Shape_parameters<FT> automatic_shape(const Coordinate_jet<FT, N>& phi, const Coo
 ///
 /// The rounding is decided exactly, so that equal jets have the same shape parameters on every kernel. Scaling both curves,
 /// moving and turning them, and exchanging and reversing them leaves the shape as it is. The ratio lies between \f$ 2^{-100} \f$ and
-/// \f$ 2^{100} \f$; where the chord is zero or shorter, the parameter is 1.
+/// \f$ 2^{100} \f$; where the chord is zero or shorter, the parameter is 1. It is a formula and no optimum: other shape parameters, `{1, 1}`
+/// as well, can have the lower `fairness()`; `Fair` looks for them.
 ///
 /// \throws Error `dimension_mismatch` when the dimensions differ, `jet_order_too_low` without a first derivative
 /// \throws Error `zero_tangent` when a first derivative is zero
