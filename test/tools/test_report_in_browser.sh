@@ -130,6 +130,13 @@ log("whole " + (numbers.length > 0 && numbers.every((d) => d.scrollWidth <= d.cl
 '
 says answers '[inked truetrue]' '[turned truetrue]' '[row 1]' '[whole true]'
 
+# a drawing: no number of a card is cut off
+run 0 report "$data/leaf_inkscape.svg" -o leaf.html && asks leaf.html '
+const all = [...document.querySelectorAll("dl.numbers dd")];
+log("whole " + (all.some((d) => d.textContent.includes("‰")) && all.every((d) => d.scrollWidth <= d.clientWidth)));
+'
+says answers '[whole true]'
+
 # in space, and no join at all
 run 0 report "$L" --closed -o space.html && asks space.html 'log("inked " + (inked(document.querySelector(".join canvas")) > 500));'
 says answers '[inked true]'

@@ -31,7 +31,7 @@ function numbersOf(item) {
   if (item.gap) add('Gap', boundTexts(item.gap, ''));
   if (item.offset) add(item.grade === 'kink' ? 'Handle is off by' : 'Off by', boundTexts(item.offset, wholeName === 'em' ? ' units' : ''));
   if (item.at) add('At', ['(' + item.at.join(', ') + ')', item.parameter ? 'parameter ' + item.parameter : '']);
-  if (item.severity) add('Severity', ['about ' + item.severity + ' \u2030', 'of the ' + wholeName + ': angle times the shorter handle']);
+  if (item.severity) add('Severity', ['about ' + item.severity + ' \u2030', 'of the ' + wholeName + ', angle \u00d7 handle']);
   return list;
 }
 
