@@ -6,7 +6,7 @@ manual=$(cd "$(dirname "$0")/../../doc/Geometric_continuity" && pwd)
 
 PATH=$(cd "$(dirname "$program")" && pwd):$PATH
 cp "$data"/*.svg "$data"/*.g2 .
-for file in /usr/share/fonts/truetype/dejavu/DejaVuSans.ttf /usr/share/opencascade/data/step/linkrods.step; do
+for file in /usr/share/fonts/truetype/dejavu/DejaVuSans.ttf /usr/share/fonts/truetype/inter-vf/Inter.var.ttf /usr/share/opencascade/data/step/linkrods.step; do
   [ ! -e "$file" ] || ln -s "$file" .
 done
 # the ribbon of the page "B-splines and Surfaces"
