@@ -115,6 +115,7 @@ void edge_pair(const std::string& folder) {
           GC::full_revolution(GC::Rational_bspline_curve<Traits>(profile), Point(0, 0, 0), Traits::Vector(0, 0, 1)));
     GC::Svg_surface_style style;
     style.elevation = 32;
+    style.width = 552; // two of them in a row
     style.title = smooth ? "G2 edges: isophotes run through" : "G1 edges: isophotes are kinked";
     std::ofstream os(folder + (smooth ? "edge_g2.svg" : "edge_g1.svg"));
     GC::write_svg_surfaces(os, surfaces, style);

@@ -248,8 +248,17 @@ BOOST_AUTO_TEST_CASE(pictures_of_surfaces) {
     wrong = GC::Svg_surface_style();
     wrong.elevation = x;
     CHECK_ERROR(GC::write_svg_surfaces(os, std::vector<Patch>{bent}, wrong), not_finite);
+    wrong = GC::Svg_surface_style();
+    wrong.width = x;
+    CHECK_ERROR(GC::write_svg_surfaces(os, std::vector<Patch>{bent}, wrong), not_finite);
+    wrong.width = 99;
+    CHECK_ERROR(GC::write_svg_surfaces(os, std::vector<Patch>{bent}, wrong), empty_domain);
     BOOST_CHECK(os.str().empty());
   }
+  std::ostringstream narrow;
+  style.width = 100;
+  GC::write_svg_surfaces(narrow, std::vector<Patch>{bent}, style);
+  BOOST_CHECK(narrow.str().find("width=\"148\"") != std::string::npos); // with margins of 24
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -188,6 +188,7 @@ struct Svg_surface_style {
   double azimuth = -60;                         ///< where the viewer is: degrees around the z-axis from the x-axis
   double elevation = 22;                        ///< where the viewer is: degrees above the ground
   std::string title;                            ///< plain text in UTF-8
+  double width = 900;                           ///< of the drawing without its margins, in pixels, at least 100
 };
 
 } // namespace Geometric_continuity

@@ -44,7 +44,7 @@ constexpr std::array<const char*, 5> svg_edge_names = {"edge, G2", "edge, G1", "
 template <class Surface> class Svg_surface_picture {
   typedef std::decay_t<decltype(std::declval<const Surface&>().bezier_patches().front())> Svg_patch;
   static constexpr bool rational = std::is_same_v<Surface, Rational_bspline_surface<Svg_traits>>;
-  static constexpr double edge = 24, width = 900; // pixels
+  static constexpr double edge = 24; // pixels
 
   std::vector<Surface> surfaces_; // normalised
   std::vector<std::pair<Svg_edge, std::vector<Svg_point>>> lines_;
@@ -55,6 +55,8 @@ public:
   Svg_surface_picture(const SurfaceRange& surfaces, const Svg_surface_style& style) : style_(style) {
     check_finite(style.azimuth, "svg_surfaces: azimuth");
     check_finite(style.elevation, "svg_surfaces: elevation");
+    check_finite(style.width, "svg_surfaces: width");
+    if (!(100 <= style.width)) throw Error(Error_code::empty_domain, "svg_surfaces: less than 100 pixels");
     Svg_box<3> box;
     for_each_numbered(surfaces, [&](const auto& s) {
       std::size_t k = 0;
@@ -93,18 +95,18 @@ public:
     const std::vector<Svg_point> seen = points;
     for (const Svg_point& p : seen) points.push_back(svg_vector({p[0], p[1], low}));
     Svg_camera camera(style_.azimuth, style_.elevation);
-    const double height = camera.fit(points, width, 16);
-    Svg_facets facets(camera, width, height, low, style_.shading);
+    const double height = camera.fit(points, style_.width, 16);
+    Svg_facets facets(camera, style_.width, height, low, style_.shading);
     for (const Svg_patch& patch : patches) facets.add(patch);
 
     double y = edge;
-    const std::string title = svg_title(style_.title, edge, width + 2 * edge, y);
+    const std::string title = svg_title(style_.title, edge, style_.width + 2 * edge, y);
     std::string picture = "<g transform=\"translate(" + svg_number(edge) + ' ' + svg_number(y) + ")\">\n" +
                           facets.paint() + lines(camera, facets) + "</g>\n";
     y += height + 12;
     const std::string names = legend(y);
     y += edge - 8;
-    return svg_document(style_.title, width + 2 * edge, y, title + picture + names);
+    return svg_document(style_.title, style_.width + 2 * edge, y, title + picture + names);
   }
 
 private:
@@ -245,7 +247,7 @@ private:
       if (std::any_of(lines_.begin(), lines_.end(),
                       [&](const auto& line) { return line.first == static_cast<Svg_edge>(k); }))
         items.add(svg_edge_names[k], svg_stroke(edge_stroke_styles[k], "M0 0L26 0"));
-    return items.lines(width + 2 * edge, edge, y);
+    return items.lines(style_.width + 2 * edge, edge, y);
   }
 };
 
@@ -259,7 +261,7 @@ private:
 ///
 /// \tparam SurfaceRange a forward range of `Bezier_patch`, of `Bspline_surface`, or of the rational ones
 /// \throws Error `dimension_mismatch` unless in dimension 3, `not_finite` for coordinates beyond the range of `double` and for
-///   angles of the view that are infinite or not a number
+///   angles of the view and a width that are infinite or not a number, `empty_domain` for a width below 100
 template <class SurfaceRange>
 void write_svg_surfaces(std::ostream& os, const SurfaceRange& surfaces,
                         const Svg_surface_style& style = Svg_surface_style()) {
