@@ -32,6 +32,9 @@ for page in index.html Geometric_continuity_[A-Z]*.html; do
   # a bar inside of a formula ends a cell, and with it the table
   rows=$(sed -e '/<div class="fragment"/,/<!-- fragment -->/d' -e '/<pre/,/<\/pre>/d' "$page" | grep -cE '^(<p>)?\| ' || true)
   [ "$rows" -eq 0 ] || fail "$page: $rows rows of a table are left as text"
+  # a quotation mark inside of backticks ends the code for doxygen, and all that follows is turned over
+  ticks=$(sed '/<div class="line">/d' "$page" | grep -c '`' || true)
+  [ "$ticks" -eq 0 ] || fail "$page: $ticks lines with backticks"
   raw=$(sed -e '/<script/,/<\/script>/d' "$profile/dom" | grep -oE '\\\(|\\\[|\\f\$' | wc -l)
   [ "$raw" -eq 0 ] || fail "$page: $raw formulas are left as TeX"
   ! grep -q 'class="MathJax_Error"\|class="merror"\|\[Math Processing Error\]' "$profile/dom" || fail "$page: a formula has an error"
