@@ -60,7 +60,7 @@ namespace Geometric_continuity {
 /// Returns nothing for an edge of another kind or without a length in the parameter; inside a spline surface, on a knot line, when
 /// `Edge_side::face_side` is not known; for analytic surfaces also where a normal vanishes on the edge, and for rational ones when a common
 /// factor that is not constant may hide that the edges are the same; and when the work on splines would exceed the limit. Sums of the
-/// analytic surfaces have some hundred terms at most and take up to half a second, on ordinary models milliseconds.
+/// analytic surfaces have some hundred terms at most.
 /// \throws Error `not_finite`; `empty_domain` when `first` is larger than `last`; `wrong_number_of_points`, `knot_multiplicity` and
 ///   `empty_domain` for splines whose numbers do not fit; `zero_weight`; `singular_frame` when a placement is not invertible
 inline std::optional<Edge_continuity<Exact_field<double>::type>> edge_continuity(const Edge_side& a, const Edge_side& b,
