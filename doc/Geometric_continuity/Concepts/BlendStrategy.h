@@ -40,7 +40,7 @@ unless the strategy has a member function `choose()`: this is called with both j
 
 Such a strategy has the operator too, for a shape that the caller gives. `CGAL::Geometric_continuity::Fair` is one.
 
-<h3>Exact blends several times faster</h3>
+<h3>Faster exact blends</h3>
 
 With rational numbers most of the time of a construction goes into greatest common divisors, and with lazy numbers into
 the graph of the operations. A strategy that has the type `Works_in_every_field` with the value `true` is therefore called

@@ -245,8 +245,8 @@ struct Works_in_every_field<Strategy, std::void_t<typename Strategy::Works_in_ev
 } // namespace internal
 
 /// \ingroup PkgGeometricContinuityStrategies
-/// True for a strategy that may be called in other fields than that of the traits class, which makes exact blends several
-/// times faster: the value of `Strategy::Works_in_every_field`, see `BlendStrategy`; `false` when there is no such type. It may
+/// True for a strategy that may be called in other fields than that of the traits class, which makes exact blends
+/// faster: the value of `Strategy::Works_in_every_field`, see `BlendStrategy`; `false` when there is no such type. It may
 /// be specialised for a strategy that cannot be changed.
 template <class Strategy> constexpr bool works_in_every_field_v = internal::Works_in_every_field<Strategy>::value;
 
