@@ -70,8 +70,13 @@ std::vector<typename Traits::FT> interpolation_parameters(InputIterator first, I
   typedef typename Traits::FT FT;
   std::vector<FT> u(1, FT(0));
   if (first == last) return u;
-  const auto append = [&](const Coordinates<Traits>& a, const Coordinates<Traits>& b, bool returns) {
-    const std::size_t i = u.size() - 1, j = returns ? 0 : i + 1; // the numbers of the points
+  const Coordinates<Traits> start = coordinates<Traits>(*first);
+  Coordinates<Traits> a = start;
+  for (bool is_last = false; !is_last;) {
+    is_last = ++first == last;
+    if (is_last && closure == Closure::open) break;
+    const Coordinates<Traits> b = is_last ? start : coordinates<Traits>(*first);
+    const std::size_t i = u.size() - 1, j = is_last ? 0 : i + 1; // the numbers of the points
     double distance = 1;
     if (parametrisation != Parametrisation::uniform) {
       if (a.dimension() != b.dimension())
@@ -85,15 +90,8 @@ std::vector<typename Traits::FT> interpolation_parameters(InputIterator first, I
       distance = internal::short_double<10>(parametrisation == Parametrisation::chordal ? length : std::sqrt(length));
     }
     u.push_back(FT(u.back() + internal::short_number_in<FT>(distance)));
-  };
-  const Coordinates<Traits> start = coordinates<Traits>(*first);
-  Coordinates<Traits> point = start;
-  for (++first; first != last; ++first) {
-    const Coordinates<Traits> next = coordinates<Traits>(*first);
-    append(point, next, false);
-    point = next;
+    a = b;
   }
-  if (closure == Closure::closed) append(point, start, true);
   return u;
 }
 
@@ -102,63 +100,74 @@ namespace internal {
 // The equation a x_{i-1} + b x_i + c x_{i+1} = r_i for values x_0, x_1, ...
 template <class FT> struct Tridiagonal_row { FT a, b, c; };
 
-// Solves the equations row(i) of the first n unknowns, for each i in turn: in x stand the right sides, then the unknowns. In the first
-// row a is not read, in the last one c.
-template <class FT, class Value, class Row> void solve_tridiagonal(std::vector<Value>& x, std::size_t n, Row row) {
+// Solves the equations row(i) of n unknowns, for each i in turn, in the place of the right sides: get(i) returns one or the other, and
+// set(i, x) takes what is found. In the first row a is not read, in the last one c.
+template <class FT, class Row, class Get, class Set> void solve_tridiagonal(int n, Row row, Get get, Set set) {
+  typedef std::decay_t<decltype(get(0))> Value;
   std::vector<FT> c; // x_i + c_i x_{i+1} = what is left of the right side
   c.reserve(n);
-  for (std::size_t i = 0; i < n; ++i) {
+  for (int i = 0; i < n; ++i) {
     Tridiagonal_row<FT> r = row(i);
+    Value x = get(i);
     if constexpr (!std::is_floating_point_v<FT>)
-      work_meter().charge_fractions(4 + number_of_coordinates(x[i]), number_words(r.b));
+      work_meter().charge_fractions(4 + number_of_coordinates(x), number_words(r.b));
     if (i > 0) {
       r.b -= r.a * c.back();
-      x[i] -= r.a * x[i - 1];
+      x -= r.a * get(i - 1);
     }
     const FT inverse = FT(FT(1) / r.b);
-    x[i] *= inverse;
+    x *= inverse;
     c.push_back(FT(inverse * r.c));
+    set(i, x);
   }
-  for (std::size_t i = n - 1; i-- > 0;) x[i] -= c[i] * x[i + 1];
+  for (int i = n - 2; i >= 0; --i) set(i, get(i) - c[i] * get(i + 1));
 }
 
-// The same for all unknowns of a cyclic system of 3 or more: in the first row, a belongs to the last unknown, in the last row c to the first
+// The same for a cyclic system of 3 unknowns or more: in the first row, a belongs to the last unknown, in the last row c to the first
 // one. The others are y_i - z_i x_{n-1}, where y and z solve the equations without the last unknown.
-template <class FT, class Value, class Row> void solve_cyclic(std::vector<Value>& x, Row row) {
-  const std::size_t last = x.size() - 1;
+template <class FT, class Row, class Get, class Set> void solve_cyclic(int n, Row row, Get get, Set set) {
+  typedef std::decay_t<decltype(get(0))> Value;
+  const int last = n - 1;
   const Tridiagonal_row<FT> r = row(last);
   std::vector<FT> z(last, FT(0));
   z[0] += row(0).a;
   z[last - 1] += row(last - 1).c;
-  solve_tridiagonal<FT>(x, last, row);
-  solve_tridiagonal<FT>(z, last, row);
-  x[last] -= r.a * x[last - 1] + r.c * x[0];
-  x[last] /= FT(r.b - r.a * z[last - 1] - r.c * z[0]);
-  for (std::size_t i = 0; i < last; ++i) x[i] -= z[i] * x[last];
+  solve_tridiagonal<FT>(last, row, get, set);
+  solve_tridiagonal<FT>(
+      last, row, [&](int i) -> const FT& { return z[i]; }, [&](int i, const FT& x) { z[i] = x; });
+  Value x = get(last) - (r.a * get(last - 1) + r.c * get(0));
+  x /= FT(r.b - r.a * z[last - 1] - r.c * z[0]);
+  set(last, x);
+  for (int i = 0; i < last; ++i) set(i, get(i) - z[i] * x);
 }
 
-// The points as columns of one dimension, and the check of their parameters.
+// The points, the first and the last one twice, and the check of their parameters.
 template <class Traits, class InputIterator>
-std::vector<Coordinates<Traits>> points_to_interpolate(InputIterator first, InputIterator last,
-                                                       const std::vector<typename Traits::FT>& u, Closure closure) {
-  std::vector<Coordinates<Traits>> p;
-  p.reserve(u.size());
-  for (; first != last; ++first) {
-    p.push_back(coordinates<Traits>(*first));
-    if (p.back().dimension() != p[0].dimension()) throw Error(Error_code::dimension_mismatch, "interpolate: points");
-    for (const typename Traits::FT& c : p.back()) check_finite(c, "interpolate: a coordinate");
-  }
+std::vector<typename Traits::Point> points_to_interpolate(InputIterator first, InputIterator last,
+                                                          const std::vector<typename Traits::FT>& u, Closure closure) {
   const bool closed = closure == Closure::closed;
-  if (p.size() < (closed ? 3 : 2))
-    throw Error(Error_code::wrong_number_of_points, "interpolate: " + std::to_string(p.size()) + " points");
-  if (u.size() != p.size() + (closed ? 1 : 0))
+  std::vector<typename Traits::Point> p;
+  p.reserve(u.size() + 2);
+  for (; first != last; ++first) {
+    p.push_back(*first);
+    const Coordinates<Traits> x = coordinates<Traits>(p.back());
+    if (p.size() == 1) p.push_back(p.back());
+    if (x.dimension() != coordinates<Traits>(p[0]).dimension())
+      throw Error(Error_code::dimension_mismatch, "interpolate: points");
+    for (const typename Traits::FT& c : x) check_finite(c, "interpolate: a coordinate");
+  }
+  const std::size_t n = p.empty() ? 0 : p.size() - 1;
+  if (n < (closed ? 3 : 2))
+    throw Error(Error_code::wrong_number_of_points, "interpolate: " + std::to_string(n) + " points");
+  if (u.size() != n + (closed ? 1 : 0))
     throw Error(Error_code::wrong_number_of_points,
-                "interpolate: " + std::to_string(u.size()) + " parameters for " + std::to_string(p.size()) + " points");
+                "interpolate: " + std::to_string(u.size()) + " parameters for " + std::to_string(n) + " points");
   for (const typename Traits::FT& x : u) check_finite(x, "interpolate: a parameter");
   for (std::size_t i = 1; i < u.size(); ++i)
     if (!(u[i - 1] < u[i]))
       throw Error(Error_code::empty_domain, "interpolate: the parameters " + std::to_string(i - 1) + " and " +
                                                 std::to_string(i) + " do not increase");
+  p.push_back(p.back());
   return p;
 }
 
@@ -169,68 +178,58 @@ template <class FT> Tridiagonal_row<FT> value_at_knot(const Knot_vector<FT>& t, 
   return {a, FT(FT(1) - a - c), c};
 }
 
-// The spline with n control points, of which point(j) are the coordinates.
-template <class Traits, class Point_of>
-Bspline_curve<Traits> spline_of(int n, Point_of point, Knot_vector<typename Traits::FT>&& knots) {
-  std::vector<typename Traits::Point> b;
-  b.reserve(n);
-  for (int j = 0; j < n; ++j) b.push_back(to_point<Traits>(point(j)));
-  return Bspline_curve<Traits>(std::move(b), std::move(knots));
-}
-
-// An open curve, with the given derivatives at its ends, or with second derivatives that vanish.
+// The points of an open curve become its control points. It has the given derivatives at its ends, or second derivatives that vanish.
 template <class Traits>
 Bspline_curve<Traits>
-interpolate_open(std::vector<Coordinates<Traits>> x, const std::vector<typename Traits::FT>& u,
+interpolate_open(std::vector<typename Traits::Point> b, const std::vector<typename Traits::FT>& u,
                  const std::optional<std::pair<Coordinates<Traits>, Coordinates<Traits>>>& derivatives) {
   typedef typename Traits::FT FT;
   const Work_on_object work("interpolate");
-  const int n = static_cast<int>(x.size());
-  std::vector<FT> knots(3, u.front());
+  const int n = static_cast<int>(u.size());
+  std::vector<FT> knots;
   knots.reserve(n + 6);
+  knots.insert(knots.end(), 3, u.front());
   knots.insert(knots.end(), u.begin(), u.end());
   knots.insert(knots.end(), 3, u.back());
   Knot_vector<FT> t(3, std::move(knots));
-  const Coordinates<Traits> start = x.front(),
-                            end = x.back(); // the first and the last control point, x_i is the one behind point i
+  const auto get = [&](int i) { return coordinates<Traits>(b[i + 1]); };
+  const auto set = [&](int i, const Coordinates<Traits>& x) { b[i + 1] = to_point<Traits>(x); };
   const FT h = u[1] - u[0], g = u[n - 1] - u[n - 2], h2 = t[5] - t[3], g2 = t[n + 2] - t[n];
   Tridiagonal_row<FT> first{FT(0), FT(1), FT(0)}, last = first;
   if (derivatives) { // S' = 3 (b_1 - b_0) / h
     const FT third = FT(FT(1) / FT(3));
-    x.front() += FT(h * third) * derivatives->first;
-    x.back() -= FT(g * third) * derivatives->second;
+    set(0, get(0) + FT(h * third) * derivatives->first);
+    set(n - 1, get(n - 1) - FT(g * third) * derivatives->second);
   } else { // S'' = 0 is h (b_2 - b_1) = h2 (b_1 - b_0)
     first = {FT(0), FT(h + h2), FT(-h)};
     last = {FT(-g), FT(g + g2), FT(0)};
-    x.front() *= h2;
-    x.back() *= g2;
+    set(0, h2 * get(0));
+    set(n - 1, g2 * get(n - 1));
   }
-  solve_tridiagonal<FT>(x, x.size(), [&](std::size_t i) {
-    const int k = static_cast<int>(i);
-    return k == 0 ? first : k == n - 1 ? last : value_at_knot(t, k + 3);
-  });
-  return spline_of<Traits>(
-      n + 2, [&](int j) -> const Coordinates<Traits>& { return j == 0       ? start
-                                                               : j == n + 1 ? end
-                                                                            : x[j - 1]; },
-      std::move(t));
+  const auto row = [&](int i) { return i == 0 ? first : i == n - 1 ? last : value_at_knot(t, i + 3); };
+  solve_tridiagonal<FT>(n, row, get, set);
+  return Bspline_curve<Traits>(std::move(b), std::move(t));
 }
 
 template <class Traits>
-Bspline_curve<Traits> interpolate_closed(std::vector<Coordinates<Traits>> x,
+Bspline_curve<Traits> interpolate_closed(std::vector<typename Traits::Point> b,
                                          const std::vector<typename Traits::FT>& u) {
   typedef typename Traits::FT FT;
   const Work_on_object work("interpolate");
-  const int n = static_cast<int>(x.size());
+  const int n = static_cast<int>(u.size()) - 1;
   const FT period = u[n] - u[0];
   std::vector<FT> knots; // three periods of u, as far as splines on [u_0, u_n] need them
   knots.reserve(n + 7);
   for (int i = -3; i <= n + 3; ++i)
     knots.push_back(i < 0 ? FT(u[n + i] - period) : i > n ? FT(u[i - n] + period) : u[i]);
   Knot_vector<FT> t(3, std::move(knots));
-  solve_cyclic<FT>(x, [&](std::size_t i) { return value_at_knot(t, static_cast<int>(i) + 3); });
-  return spline_of<Traits>( // x_i is the control point i + 1
-      n + 3, [&](int j) -> const Coordinates<Traits>& { return x[(j + n - 1) % n]; }, std::move(t));
+  solve_cyclic<FT>(
+      n, [&](int i) { return value_at_knot(t, i + 3); }, [&](int i) { return coordinates<Traits>(b[i + 1]); },
+      [&](int i, const Coordinates<Traits>& x) { b[i + 1] = to_point<Traits>(x); });
+  b[0] = b[n];
+  b[n + 1] = b[1];
+  b.push_back(b[2]);
+  return Bspline_curve<Traits>(std::move(b), std::move(t));
 }
 
 } // namespace internal
@@ -250,7 +249,7 @@ Bspline_curve<Traits> interpolate_closed(std::vector<Coordinates<Traits>> x,
 template <class Traits, class InputIterator>
 Bspline_curve<Traits> interpolate(InputIterator first, InputIterator last,
                                   const std::vector<typename Traits::FT>& parameters, Closure closure = Closure::open) {
-  std::vector<Coordinates<Traits>> p = internal::points_to_interpolate<Traits>(first, last, parameters, closure);
+  std::vector<typename Traits::Point> p = internal::points_to_interpolate<Traits>(first, last, parameters, closure);
   return closure == Closure::closed ? internal::interpolate_closed<Traits>(std::move(p), parameters)
                                     : internal::interpolate_open<Traits>(std::move(p), parameters, std::nullopt);
 }
@@ -263,11 +262,13 @@ template <class Traits, class InputIterator>
 Bspline_curve<Traits>
 interpolate(InputIterator first, InputIterator last, const std::vector<typename Traits::FT>& parameters,
             const typename Traits::Vector& start_derivative, const typename Traits::Vector& end_derivative) {
-  std::vector<Coordinates<Traits>> p = internal::points_to_interpolate<Traits>(first, last, parameters, Closure::open);
+  std::vector<typename Traits::Point> p =
+      internal::points_to_interpolate<Traits>(first, last, parameters, Closure::open);
   const std::pair<Coordinates<Traits>, Coordinates<Traits>> d(coordinates<Traits>(start_derivative),
                                                               coordinates<Traits>(end_derivative));
   for (const Coordinates<Traits>* x : {&d.first, &d.second}) {
-    if (x->dimension() != p[0].dimension()) throw Error(Error_code::dimension_mismatch, "interpolate: a derivative");
+    if (x->dimension() != coordinates<Traits>(p[0]).dimension())
+      throw Error(Error_code::dimension_mismatch, "interpolate: a derivative");
     for (const typename Traits::FT& c : *x) internal::check_finite(c, "interpolate: a derivative");
   }
   return internal::interpolate_open<Traits>(std::move(p), parameters, d);
