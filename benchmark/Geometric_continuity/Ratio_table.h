@@ -7,10 +7,12 @@
 
 #include <benchmark/benchmark.h>
 
+#include <cstdlib>
 #include <iomanip>
 #include <iostream>
 #include <map>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -45,6 +47,13 @@ public:
     }
   }
 };
+
+// Results are compared before anything is timed.
+inline void check(bool good, std::string_view what) {
+  if (good) return;
+  std::cerr << "wrong result: " << what << '\n';
+  std::exit(1);
+}
 
 // What main() does after the answers have been compared and the benchmarks registered.
 inline int run_benchmarks(int argc, char** argv) {

@@ -2,9 +2,9 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// Curves through and near many points: natural cubic splines against elimination written by hand for just that, against a sparse
-// solver of Eigen's, and against OpenCASCADE, where they were found; and fits of polylines against OpenCASCADE's. What the results
-// are worth is printed before anything is timed: how far they are from the points, and how smooth.
+// Curves through and near many points: natural cubic splines against elimination written by hand for just that, against FITPACK's method,
+// against Eigen and OpenCASCADE, where they were found; and fits of polylines against OpenCASCADE's. What the results are worth is printed
+// before anything is timed: how far they are from the points, and how smooth.
 
 #include "Ratio_table.h"
 
@@ -16,6 +16,7 @@
 
 #ifdef GEOMETRIC_CONTINUITY_WITH_EIGEN
 #include <Eigen/SparseLU>
+#include <unsupported/Eigen/Splines>
 #endif
 #ifdef GEOMETRIC_CONTINUITY_WITH_OCCT
 #include <GeomAPI_Interpolate.hxx>
@@ -30,7 +31,6 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <cstdlib>
 #include <iostream>
 #include <memory>
 #include <string>
@@ -44,12 +44,6 @@ typedef Traits::Point Point;
 
 namespace {
 
-void check(bool good, const std::string& what) {
-  if (good) return;
-  std::cerr << "wrong result: " << what << '\n';
-  std::exit(1);
-}
-
 // Along a curve with bends of many sizes, about as many for each thousand points.
 std::vector<Point> points_of(int n) {
   std::vector<Point> p;
@@ -60,31 +54,67 @@ std::vector<Point> points_of(int n) {
   return p;
 }
 
-// The control points of the natural spline, by elimination on arrays of numbers, without any check.
-std::vector<std::array<double, 3>> by_hand(const std::vector<Point>& p, const std::vector<double>& u) {
+// The equations of the control points of the natural spline: row(i, a, b, c, x, y, z) for a b_i-1 + b b_i + c b_i+1 = (x, y, z).
+template <class Row> void for_equations(const std::vector<Point>& p, const std::vector<double>& u, Row row) {
   const int n = static_cast<int>(p.size());
-  std::vector<std::array<double, 3>> x(n + 2);
-  std::vector<double> upper(n + 2);
   const auto knot = [&](int i) { return u[(std::min)((std::max)(i, 0), n - 1)]; };
-  const auto row = [&](int i, double a, double b, double c, const std::array<double, 3>& r) {
-    const double pivot = 1 / (i == 0 ? b : b - a * upper[i - 1]);
-    upper[i] = c * pivot;
-    for (int k = 0; k < 3; ++k) x[i][k] = (r[k] - (i == 0 ? 0 : a * x[i - 1][k])) * pivot;
-  };
-  row(0, 0, 1, 0, {p[0].x(), p[0].y(), p[0].z()});
+  row(0, 0., 1., 0., p[0].x(), p[0].y(), p[0].z());
   const double h = u[1] - u[0], h2 = knot(2) - u[0];
-  row(1, h2, -h - h2, h, {0, 0, 0});
+  row(1, h2, -h - h2, h, 0., 0., 0.);
   for (int i = 1; i + 1 < n; ++i) {
     const double next = u[i + 1] - u[i], last = u[i] - u[i - 1], both = next + last,
                  a = next * next / (both * (u[i + 1] - knot(i - 2))),
                  c = last * last / (both * (knot(i + 2) - u[i - 1]));
-    row(i + 1, a, 1 - a - c, c, {p[i].x(), p[i].y(), p[i].z()});
+    row(i + 1, a, 1 - a - c, c, p[i].x(), p[i].y(), p[i].z());
   }
   const double g = u[n - 1] - u[n - 2], g2 = u[n - 1] - knot(n - 3);
-  row(n, g, -g - g2, g2, {0, 0, 0});
-  row(n + 1, 0, 1, 0, {p[n - 1].x(), p[n - 1].y(), p[n - 1].z()});
+  row(n, g, -g - g2, g2, 0., 0., 0.);
+  row(n + 1, 0., 1., 0., p[n - 1].x(), p[n - 1].y(), p[n - 1].z());
+}
+
+// They are solved by elimination on arrays of numbers, without any check.
+std::vector<std::array<double, 3>> by_hand(const std::vector<Point>& p, const std::vector<double>& u) {
+  const int n = static_cast<int>(p.size());
+  std::vector<std::array<double, 3>> x(n + 2);
+  std::vector<double> upper(n + 2);
+  for_equations(p, u, [&](int i, double a, double b, double c, double r, double s, double t) {
+    const double pivot = 1 / (i == 0 ? b : b - a * upper[i - 1]);
+    const std::array<double, 3> right = {r, s, t};
+    upper[i] = c * pivot;
+    for (int k = 0; k < 3; ++k) x[i][k] = (right[k] - (i == 0 ? 0 : a * x[i - 1][k])) * pivot;
+  });
   for (int i = n; i >= 0; --i)
     for (int k = 0; k < 3; ++k) x[i][k] -= upper[i] * x[i + 1][k];
+  return x;
+}
+
+// The same by rotations of rows of a band matrix, as FITPACK solves such systems (fpgivs, fprota, fpback): with two diagonals above the
+// first one.
+std::vector<std::array<double, 3>> by_rotations(const std::vector<Point>& p, const std::vector<double>& u) {
+  const int n = static_cast<int>(p.size());
+  std::vector<std::array<double, 3>> band(n + 2), x(n + 2); // of row i, the columns i, i + 1, i + 2
+  for_equations(p, u, [&](int i, double a, double b, double c, double r, double s, double t) {
+    band[i] = {b, c, 0};
+    x[i] = {r, s, t};
+    if (i == 0) return;
+    std::array<double, 3>&above = band[i - 1], &y = x[i - 1];
+    const double length = std::sqrt(above[0] * above[0] + a * a), cosine = above[0] / length, sine = a / length;
+    const auto rotate = [&](double& from, double& to) {
+      const double f = from;
+      from = cosine * f + sine * to;
+      to = cosine * to - sine * f;
+    };
+    above[0] = length;
+    rotate(above[1], band[i][0]);
+    rotate(above[2], band[i][1]);
+    for (int k = 0; k < 3; ++k) rotate(y[k], x[i][k]);
+  });
+  for (int i = n + 1; i >= 0; --i)
+    for (int k = 0; k < 3; ++k) {
+      if (i <= n) x[i][k] -= band[i][1] * x[i + 1][k];
+      if (i < n) x[i][k] -= band[i][2] * x[i + 2][k];
+      x[i][k] /= band[i][0];
+    }
   return x;
 }
 
@@ -94,32 +124,42 @@ Eigen::MatrixXd by_eigen(const std::vector<Point>& p, const std::vector<double>&
   const int n = static_cast<int>(p.size());
   std::vector<Eigen::Triplet<double>> entries;
   entries.reserve(3 * n + 4);
-  Eigen::MatrixXd r = Eigen::MatrixXd::Zero(n + 2, 3);
-  const auto knot = [&](int i) { return u[(std::min)((std::max)(i, 0), n - 1)]; };
-  const auto row = [&](int i, double a, double b, double c) {
+  Eigen::MatrixXd right(n + 2, 3);
+  for_equations(p, u, [&](int i, double a, double b, double c, double r, double s, double t) {
     if (i > 0) entries.emplace_back(i, i - 1, a);
     entries.emplace_back(i, i, b);
     if (i < n + 1) entries.emplace_back(i, i + 1, c);
-  };
-  const auto right = [&](int i, const Point& q) { r.row(i) << q.x(), q.y(), q.z(); };
-  row(0, 0, 1, 0);
-  right(0, p[0]);
-  const double h = u[1] - u[0], h2 = knot(2) - u[0], g = u[n - 1] - u[n - 2], g2 = u[n - 1] - knot(n - 3);
-  row(1, h2, -h - h2, h);
-  for (int i = 1; i + 1 < n; ++i) {
-    const double next = u[i + 1] - u[i], last = u[i] - u[i - 1], both = next + last,
-                 a = next * next / (both * (u[i + 1] - knot(i - 2))),
-                 c = last * last / (both * (knot(i + 2) - u[i - 1]));
-    row(i + 1, a, 1 - a - c, c);
-    right(i + 1, p[i]);
-  }
-  row(n, g, -g - g2, g2);
-  row(n + 1, 0, 1, 0);
-  right(n + 1, p[n - 1]);
+    right.row(i) << r, s, t;
+  });
   Eigen::SparseMatrix<double> matrix(n + 2, n + 2);
   matrix.setFromTriplets(entries.begin(), entries.end());
   Eigen::SparseLU<Eigen::SparseMatrix<double>, Eigen::NaturalOrdering<int>> solver(matrix);
-  return solver.solve(r);
+  return solver.solve(right);
+}
+// By elimination on arrays of Eigen's.
+Eigen::Array3Xd by_eigen_arrays(const std::vector<Point>& p, const std::vector<double>& u) {
+  const int n = static_cast<int>(p.size());
+  Eigen::Array3Xd x(3, n + 2);
+  Eigen::ArrayXd upper(n + 2);
+  for_equations(p, u, [&](int i, double a, double b, double c, double r, double s, double t) {
+    const double pivot = 1 / (i == 0 ? b : b - a * upper[i - 1]);
+    upper[i] = c * pivot;
+    x.col(i) << r, s, t;
+    if (i > 0) x.col(i) -= a * x.col(i - 1);
+    x.col(i) *= pivot;
+  });
+  for (int i = n; i >= 0; --i) x.col(i) -= upper[i] * x.col(i + 1);
+  return x;
+}
+// Eigen's own splines: through the same points at the same parameters, with other knots, and with a matrix that is not sparse.
+Eigen::Spline3d eigen_spline(const std::vector<Point>& p, const std::vector<double>& u) {
+  Eigen::Matrix3Xd points(3, p.size());
+  Eigen::RowVectorXd parameters(p.size());
+  for (std::size_t i = 0; i < p.size(); ++i) {
+    points.col(static_cast<Eigen::Index>(i)) << p[i].x(), p[i].y(), p[i].z();
+    parameters[static_cast<Eigen::Index>(i)] = u[i] / u.back();
+  }
+  return Eigen::SplineFitting<Eigen::Spline3d>::Interpolate(points, 3, parameters);
 }
 #endif
 
@@ -175,15 +215,29 @@ void register_interpolation(int n) {
   const std::string work = "natural cubic spline through " + std::to_string(n) + " points in space, for each | ";
   const Curve curve = GC::interpolate<Traits>(p->begin(), p->end(), *u);
   const std::vector<std::array<double, 3>> x = by_hand(*p, *u);
-  for (int i = 0; i < n + 2; ++i)
-    for (int k = 0; k < 3; ++k) check(std::abs(curve.control_point(i)[k] - x[i][k]) < 1e-7, work);
+  const auto compared = [&](const auto& coordinate) {
+    for (int i = 0; i < n + 2; ++i)
+      for (int k = 0; k < 3; ++k) check(std::abs(coordinate(i, k) - x[i][k]) < 1e-7, work);
+  };
+  compared([&](int i, int k) { return curve.control_point(i)[k]; });
   timed(work + "elimination by hand", n, [p, u] { return by_hand(*p, *u); });
   timed(work + "interpolate", n, [p, u] { return GC::interpolate<Traits>(p->begin(), p->end(), *u); });
+  const std::vector<std::array<double, 3>> rotated = by_rotations(*p, *u);
+  compared([&](int i, int k) { return rotated[i][k]; });
+  timed(work + "rotations of a band, as FITPACK does", n, [p, u] { return by_rotations(*p, *u); });
 #ifdef GEOMETRIC_CONTINUITY_WITH_EIGEN
-  const Eigen::MatrixXd y = by_eigen(*p, *u);
-  for (int i = 0; i < n + 2; ++i)
-    for (int k = 0; k < 3; ++k) check(std::abs(y(i, k) - x[i][k]) < 1e-7, work);
+  const Eigen::Array3Xd y = by_eigen_arrays(*p, *u);
+  compared([&](int i, int k) { return y(k, i); });
+  timed(work + "elimination on Eigen's arrays", n, [p, u] { return by_eigen_arrays(*p, *u); });
+  const Eigen::MatrixXd z = by_eigen(*p, *u);
+  compared([&](int i, int k) { return z(i, k); });
   timed(work + "Eigen's SparseLU", n, [p, u] { return by_eigen(*p, *u); });
+  if (n <= 1000) { // its matrix is not sparse
+    const Eigen::Spline3d spline = eigen_spline(*p, *u);
+    for (int i = 0; i < n; ++i)
+      for (int k = 0; k < 3; ++k) check(std::abs(spline((*u)[i] / u->back())[k] - (*p)[i][k]) < 1e-7, work);
+    timed(work + "Eigen's SplineFitting", n, [p, u] { return eigen_spline(*p, *u); });
+  }
 #endif
 #ifdef GEOMETRIC_CONTINUITY_WITH_OCCT
   if (n > 1000) return; // its matrix is not sparse

@@ -27,7 +27,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdlib>
 #include <iostream>
 #include <memory>
 #include <random>
@@ -41,12 +40,6 @@ typedef GC::Bspline_function<double> Function;
 typedef Traits::Point Point;
 
 namespace {
-
-void check(bool good, const std::string& what) {
-  if (good) return;
-  std::cerr << "wrong result: " << what << '\n';
-  std::exit(1);
-}
 
 bool near(double x, double y) { return std::abs(x - y) <= 1e-12; }
 

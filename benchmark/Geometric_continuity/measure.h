@@ -9,19 +9,11 @@
 
 #include <cmath>
 #include <cstddef>
-#include <cstdlib>
-#include <iostream>
 
 // What the benchmarks of curves and blends share.
 
 constexpr std::size_t n = 1024; // parameters, jets or blends of a batch
 
-// Results are compared before anything is timed.
-inline void check(bool good, const char* what) {
-  if (good) return;
-  std::cerr << "wrong result: " << what << '\n';
-  std::exit(1);
-}
 inline bool near(double x, double y) { return std::abs(x - y) <= 1e-9 * (1 + std::abs(x) + std::abs(y)); }
 
 // `work(l)` for one item after the other.
