@@ -115,8 +115,8 @@ Rational_bezier_curve<Traits_of<Point>, 2> elliptical_arc(const Point& c, const 
 /// \ingroup PkgGeometricContinuityCurves
 /// Returns the arc of the circle about `centre` in the plane from `start` by the angle \f$ 4 \arctan r \f$, counterclockwise for
 /// `r > 0`: `r` is the tangent of a quarter of the angle, not the angle and no radius. `r = FT(1)` is a half circle; for an angle in
-/// degrees, `std::tan(degrees * CGAL_PI / 720)` is near enough: the arc is as exact, and an angle of nearly so many degrees. Whole
-/// numbers of type `int` are refused by the compiler, because they would be degrees by mistake. See `elliptical_arc()`.
+/// degrees, `std::tan(degrees * CGAL_PI / 720)` is a number near it, with which every point is on the circle as well. Whole numbers
+/// of type `int` are refused by the compiler, because they would be degrees by mistake. See `elliptical_arc()`.
 /// \throws Error `zero_direction` when `start` is the centre, `empty_domain` for `r == 0`, `not_finite`
 template <class Traits>
 Rational_bezier_curve<Traits, 2> circular_arc(const typename Traits::Point& centre, const typename Traits::Point& start,
@@ -143,7 +143,7 @@ Rational_bezier_curve<Traits_of<Point>, 2> circular_arc(const Point& centre, con
 /// \ingroup PkgGeometricContinuityCurves
 /// Returns the arc in space that `start` runs through in a rotation about the axis through `centre` in the direction `axis`, by the
 /// angle \f$ 4 \arctan(r |axis|) \f$: in this parameter everything is rational, whatever the length of the axis. `centre` may be any point of the
-/// axis.
+/// axis. An `r` of type `int` is refused by the compiler, as in the plane.
 /// \throws Error `zero_direction` when the axis is zero or `start` lies on it, `empty_domain` for `r == 0`, `not_finite`
 template <class Traits>
 Rational_bezier_curve<Traits, 2> circular_arc(const typename Traits::Point& centre, const typename Traits::Point& start,
