@@ -13,3 +13,4 @@ s/internal::Traits_or_none<Traits_> Traits/Traits_ Traits/
 s/internal::Unspecified/unspecified_type/g
 s/, class = internal::[A-Za-z_]*<[A-Za-z_, ]*>>/>/
 s/typename internal::\(Chain_curve<InputIterator>\|Curve_of_range<Range>\)::Traits/Traits/g
+s/typename internal::Blended_surfaces<[A-Za-z_, ]*>::Row_traits/unspecified_type/g
