@@ -18,7 +18,7 @@ set(long_tests
     program_big program_cad program_cad_reader program_cad_report program_cad_verdicts program_certificates program_drawings program_manual
     program_manual_numbers program_memory program_output program_report_in_browser program_words program_work manual
     # inputs that searches have found
-    fuzz_curves fuzz_drawings fuzz_fonts fuzz_numbers fuzz_paths fuzz_surfaces fuzz_variable_fonts)
+    fuzz_certificates fuzz_curves fuzz_drawings fuzz_fonts fuzz_numbers fuzz_paths fuzz_repairs fuzz_surfaces fuzz_variable_fonts)
 add_custom_target(long_tests)
 
 # label_long(TEST [TARGET...]): after add_test, for the tests that are listed above. The test needs the targets.
