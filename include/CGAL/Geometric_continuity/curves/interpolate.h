@@ -16,6 +16,7 @@
 #include <CGAL/Geometric_continuity/splines/Knot_vector.h>
 #include <CGAL/number_utils.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <optional>
@@ -104,23 +105,27 @@ template <class FT> struct Tridiagonal_row { FT a, b, c; };
 // set(i, x) takes what is found. In the first row a is not read, in the last one c.
 template <class FT, class Row, class Get, class Set> void solve_tridiagonal(int n, Row row, Get get, Set set) {
   typedef std::decay_t<decltype(get(0))> Value;
-  std::vector<FT> c; // x_i + c_i x_{i+1} = what is left of the right side
+  std::vector<FT> b, c; // what is left of the rows
+  b.reserve(n);
   c.reserve(n);
   for (int i = 0; i < n; ++i) {
     Tridiagonal_row<FT> r = row(i);
-    Value x = get(i);
     if constexpr (!std::is_floating_point_v<FT>)
-      work_meter().charge_fractions(4 + number_of_coordinates(x), number_words(r.b));
+      work_meter().charge_fractions(4 + number_of_coordinates(get(i)), number_words(r.b));
     if (i > 0) {
-      r.b -= r.a * c.back();
-      x -= r.a * get(i - 1);
+      const FT factor = FT(r.a / b.back());
+      r.b -= factor * c.back();
+      set(i, get(i) - factor * get(i - 1));
     }
-    const FT inverse = FT(FT(1) / r.b);
-    x *= inverse;
-    c.push_back(FT(inverse * r.c));
+    b.push_back(std::move(r.b));
+    c.push_back(std::move(r.c));
+  }
+  for (int i = n - 1; i >= 0; --i) {
+    Value x = get(i);
+    if (i < n - 1) x -= c[i] * get(i + 1);
+    x *= FT(FT(1) / b[i]);
     set(i, x);
   }
-  for (int i = n - 2; i >= 0; --i) set(i, get(i) - c[i] * get(i + 1));
 }
 
 // The same for a cyclic system of 3 unknowns or more: in the first row, a belongs to the last unknown, in the last row c to the first
@@ -141,25 +146,67 @@ template <class FT, class Row, class Get, class Set> void solve_cyclic(int n, Ro
   for (int i = 0; i < last; ++i) set(i, get(i) - z[i] * x);
 }
 
-// The points, the first and the last one twice, and the check of their parameters.
-template <class Traits, class InputIterator>
-std::vector<typename Traits::Point> points_to_interpolate(InputIterator first, InputIterator last,
-                                                          const std::vector<typename Traits::FT>& u, Closure closure) {
-  const bool closed = closure == Closure::closed;
-  std::vector<typename Traits::Point> p;
-  p.reserve(u.size() + 2);
-  for (; first != last; ++first) {
-    p.push_back(*first);
-    const Coordinates<Traits> x = coordinates<Traits>(p.back());
-    if (p.size() == 1) p.push_back(p.back());
-    if (x.dimension() != coordinates<Traits>(p[0]).dimension())
-      throw Error(Error_code::dimension_mismatch, "interpolate: points");
-    for (const typename Traits::FT& c : x) check_finite(c, "interpolate: a coordinate");
+// Points, the first and the last one twice, which become the control points b_0, b_1, ... Where numbers are rounded they stay where they
+// are: fresh memory costs more than elimination. Other points can be handles of numbers that are computed when they are asked for; those
+// are taken as columns meanwhile.
+template <class Traits> class Spline_points {
+  typedef typename Traits::Point Point;
+  static constexpr bool are_numbers = std::is_floating_point_v<typename Traits::FT>;
+  std::vector<std::conditional_t<are_numbers, Point, Coordinates<Traits>>> b_;
+
+public:
+  void reserve(std::size_t n) { b_.reserve(n); }
+  int size() const { return static_cast<int>(b_.size()); }
+
+  Coordinates<Traits> operator[](int j) const {
+    if constexpr (are_numbers)
+      return coordinates<Traits>(b_[j]);
+    else
+      return b_[j];
   }
-  const std::size_t n = p.empty() ? 0 : p.size() - 1;
+  void set(int j, const Coordinates<Traits>& x) {
+    if constexpr (are_numbers)
+      b_[j] = to_point<Traits>(x);
+    else
+      b_[j] = x;
+  }
+  void push_back(const Coordinates<Traits>& x) {
+    if constexpr (are_numbers)
+      b_.push_back(to_point<Traits>(x));
+    else
+      b_.push_back(x);
+  }
+
+  std::vector<Point> points() && {
+    if constexpr (are_numbers)
+      return std::move(b_);
+    else {
+      std::vector<Point> points;
+      points.reserve(b_.size());
+      for (const Coordinates<Traits>& x : b_) points.push_back(to_point<Traits>(x));
+      return points;
+    }
+  }
+};
+
+// Reads the points, and checks their parameters.
+template <class Traits, class InputIterator>
+Spline_points<Traits> points_to_interpolate(InputIterator first, InputIterator last,
+                                            const std::vector<typename Traits::FT>& u, Closure closure) {
+  const bool closed = closure == Closure::closed;
+  Spline_points<Traits> b;
+  b.reserve(u.size() + 2);
+  for (; first != last; ++first) {
+    const Coordinates<Traits> x = coordinates<Traits>(*first);
+    if (b.size() == 0) b.push_back(x);
+    if (x.dimension() != b[0].dimension()) throw Error(Error_code::dimension_mismatch, "interpolate: points");
+    for (const typename Traits::FT& c : x) check_finite(c, "interpolate: a coordinate");
+    b.push_back(x);
+  }
+  const int n = (std::max)(b.size() - 1, 0);
   if (n < (closed ? 3 : 2))
     throw Error(Error_code::wrong_number_of_points, "interpolate: " + std::to_string(n) + " points");
-  if (u.size() != n + (closed ? 1 : 0))
+  if (static_cast<int>(u.size()) != n + (closed ? 1 : 0))
     throw Error(Error_code::wrong_number_of_points,
                 "interpolate: " + std::to_string(u.size()) + " parameters for " + std::to_string(n) + " points");
   for (const typename Traits::FT& x : u) check_finite(x, "interpolate: a parameter");
@@ -167,69 +214,75 @@ std::vector<typename Traits::Point> points_to_interpolate(InputIterator first, I
     if (!(u[i - 1] < u[i]))
       throw Error(Error_code::empty_domain, "interpolate: the parameters " + std::to_string(i - 1) + " and " +
                                                 std::to_string(i) + " do not increase");
-  p.push_back(p.back());
-  return p;
+  b.push_back(b[n]);
+  return b;
 }
 
-// The equation of the value at the simple knot t_k.
-template <class FT> Tridiagonal_row<FT> value_at_knot(const Knot_vector<FT>& t, int k) {
-  const FT h = t[k + 1] - t[k], g = t[k] - t[k - 1], length = h + g;
-  const FT a = FT(h * h / FT(length * FT(t[k + 1] - t[k - 2]))), c = FT(g * g / FT(length * FT(t[k + 2] - t[k - 1])));
+// The equation of the value at the simple knot u_i, where u(i) returns the knots.
+template <class FT, class Knots> Tridiagonal_row<FT> value_at_knot(Knots u, int i) {
+  const FT h = u(i + 1) - u(i), g = u(i) - u(i - 1), length = h + g;
+  const FT a = FT(h * h / FT(length * FT(u(i + 1) - u(i - 2)))), c = FT(g * g / FT(length * FT(u(i + 2) - u(i - 1))));
   return {a, FT(FT(1) - a - c), c};
 }
 
-// The points of an open curve become its control points. It has the given derivatives at its ends, or second derivatives that vanish.
+// The spline over the knots u(-3), ..., u(last + 3).
+template <class Traits, class Knots> Bspline_curve<Traits> spline_over(Knots u, int last, Spline_points<Traits>&& b) {
+  std::vector<typename Traits::FT> t;
+  t.reserve(last + 7);
+  for (int i = -3; i <= last + 3; ++i) t.push_back(u(i));
+  return Bspline_curve<Traits>(std::move(b).points(), Knot_vector<typename Traits::FT>(3, std::move(t)));
+}
+
+// An open curve, with the given derivatives at its ends, or with second derivatives that vanish.
 template <class Traits>
 Bspline_curve<Traits>
-interpolate_open(std::vector<typename Traits::Point> b, const std::vector<typename Traits::FT>& u,
+interpolate_open(Spline_points<Traits> b, const std::vector<typename Traits::FT>& parameters,
                  const std::optional<std::pair<Coordinates<Traits>, Coordinates<Traits>>>& derivatives) {
   typedef typename Traits::FT FT;
   const Work_on_object work("interpolate");
-  const int n = static_cast<int>(u.size());
-  std::vector<FT> knots;
-  knots.reserve(n + 6);
-  knots.insert(knots.end(), 3, u.front());
-  knots.insert(knots.end(), u.begin(), u.end());
-  knots.insert(knots.end(), 3, u.back());
-  Knot_vector<FT> t(3, std::move(knots));
-  const auto get = [&](int i) { return coordinates<Traits>(b[i + 1]); };
-  const auto set = [&](int i, const Coordinates<Traits>& x) { b[i + 1] = to_point<Traits>(x); };
-  const FT h = u[1] - u[0], g = u[n - 1] - u[n - 2], h2 = t[5] - t[3], g2 = t[n + 2] - t[n];
-  Tridiagonal_row<FT> first{FT(0), FT(1), FT(0)}, last = first;
+  const int last = static_cast<int>(parameters.size()) - 1;
+  const auto u = [&](int i) -> const FT& { return parameters[(std::min)((std::max)(i, 0), last)]; };
+  const auto get = [&](int i) { return b[i + 1]; };
+  const auto set = [&](int i, const Coordinates<Traits>& x) { b.set(i + 1, x); };
+  const FT h = u(1) - u(0), g = u(last) - u(last - 1), h2 = u(2) - u(0), g2 = u(last) - u(last - 2);
+  Tridiagonal_row<FT> at_start{FT(0), FT(1), FT(0)}, at_end = at_start;
   if (derivatives) { // S' = 3 (b_1 - b_0) / h
     const FT third = FT(FT(1) / FT(3));
     set(0, get(0) + FT(h * third) * derivatives->first);
-    set(n - 1, get(n - 1) - FT(g * third) * derivatives->second);
+    set(last, get(last) - FT(g * third) * derivatives->second);
   } else { // S'' = 0 is h (b_2 - b_1) = h2 (b_1 - b_0)
-    first = {FT(0), FT(h + h2), FT(-h)};
-    last = {FT(-g), FT(g + g2), FT(0)};
+    at_start = {FT(0), FT(h + h2), FT(-h)};
+    at_end = {FT(-g), FT(g + g2), FT(0)};
     set(0, h2 * get(0));
-    set(n - 1, g2 * get(n - 1));
+    set(last, g2 * get(last));
   }
-  const auto row = [&](int i) { return i == 0 ? first : i == n - 1 ? last : value_at_knot(t, i + 3); };
-  solve_tridiagonal<FT>(n, row, get, set);
-  return Bspline_curve<Traits>(std::move(b), std::move(t));
+  const auto inner = [&](int i) -> const FT& { return parameters[i]; };
+  const auto row = [&](int i) {
+    return i == 0                  ? at_start
+           : i == last             ? at_end
+           : 1 < i && i < last - 1 ? value_at_knot<FT>(inner, i)
+                                   : value_at_knot<FT>(u, i);
+  };
+  solve_tridiagonal<FT>(last + 1, row, get, set);
+  return spline_over<Traits>(u, last, std::move(b));
 }
 
 template <class Traits>
-Bspline_curve<Traits> interpolate_closed(std::vector<typename Traits::Point> b,
-                                         const std::vector<typename Traits::FT>& u) {
+Bspline_curve<Traits> interpolate_closed(Spline_points<Traits> b, const std::vector<typename Traits::FT>& parameters) {
   typedef typename Traits::FT FT;
   const Work_on_object work("interpolate");
-  const int n = static_cast<int>(u.size()) - 1;
-  const FT period = u[n] - u[0];
-  std::vector<FT> knots; // three periods of u, as far as splines on [u_0, u_n] need them
-  knots.reserve(n + 7);
-  for (int i = -3; i <= n + 3; ++i)
-    knots.push_back(i < 0 ? FT(u[n + i] - period) : i > n ? FT(u[i - n] + period) : u[i]);
-  Knot_vector<FT> t(3, std::move(knots));
+  const int n = static_cast<int>(parameters.size()) - 1;
+  const FT period = parameters[n] - parameters[0];
+  const auto u = [&](int i) -> FT {
+    return i < 0 ? FT(parameters[n + i] - period) : i > n ? FT(parameters[i - n] + period) : parameters[i];
+  };
   solve_cyclic<FT>(
-      n, [&](int i) { return value_at_knot(t, i + 3); }, [&](int i) { return coordinates<Traits>(b[i + 1]); },
-      [&](int i, const Coordinates<Traits>& x) { b[i + 1] = to_point<Traits>(x); });
-  b[0] = b[n];
-  b[n + 1] = b[1];
+      n, [&](int i) { return value_at_knot<FT>(u, i); }, [&](int i) { return b[i + 1]; },
+      [&](int i, const Coordinates<Traits>& x) { b.set(i + 1, x); });
+  b.set(0, b[n]);
+  b.set(n + 1, b[1]);
   b.push_back(b[2]);
-  return Bspline_curve<Traits>(std::move(b), std::move(t));
+  return spline_over<Traits>(u, n, std::move(b));
 }
 
 } // namespace internal
@@ -249,9 +302,9 @@ Bspline_curve<Traits> interpolate_closed(std::vector<typename Traits::Point> b,
 template <class Traits, class InputIterator>
 Bspline_curve<Traits> interpolate(InputIterator first, InputIterator last,
                                   const std::vector<typename Traits::FT>& parameters, Closure closure = Closure::open) {
-  std::vector<typename Traits::Point> p = internal::points_to_interpolate<Traits>(first, last, parameters, closure);
-  return closure == Closure::closed ? internal::interpolate_closed<Traits>(std::move(p), parameters)
-                                    : internal::interpolate_open<Traits>(std::move(p), parameters, std::nullopt);
+  internal::Spline_points<Traits> p = internal::points_to_interpolate<Traits>(first, last, parameters, closure);
+  return closure == Closure::closed ? internal::interpolate_closed(std::move(p), parameters)
+                                    : internal::interpolate_open(std::move(p), parameters, std::nullopt);
 }
 
 /// \ingroup PkgGeometricContinuityConstruction
@@ -262,16 +315,14 @@ template <class Traits, class InputIterator>
 Bspline_curve<Traits>
 interpolate(InputIterator first, InputIterator last, const std::vector<typename Traits::FT>& parameters,
             const typename Traits::Vector& start_derivative, const typename Traits::Vector& end_derivative) {
-  std::vector<typename Traits::Point> p =
-      internal::points_to_interpolate<Traits>(first, last, parameters, Closure::open);
+  internal::Spline_points<Traits> p = internal::points_to_interpolate<Traits>(first, last, parameters, Closure::open);
   const std::pair<Coordinates<Traits>, Coordinates<Traits>> d(coordinates<Traits>(start_derivative),
                                                               coordinates<Traits>(end_derivative));
   for (const Coordinates<Traits>* x : {&d.first, &d.second}) {
-    if (x->dimension() != coordinates<Traits>(p[0]).dimension())
-      throw Error(Error_code::dimension_mismatch, "interpolate: a derivative");
+    if (x->dimension() != p[0].dimension()) throw Error(Error_code::dimension_mismatch, "interpolate: a derivative");
     for (const typename Traits::FT& c : *x) internal::check_finite(c, "interpolate: a derivative");
   }
-  return internal::interpolate_open<Traits>(std::move(p), parameters, d);
+  return internal::interpolate_open(std::move(p), parameters, d);
 }
 
 /// \ingroup PkgGeometricContinuityConstruction
