@@ -52,6 +52,16 @@ refused "--strategy" blend --surfaces a.g2 b.g2 --order 3 --strategy seq_f3
 refused "--strategy" blend --surfaces a.g2 b.g2 --order 3 --strategy fair
 refused "--strategy" blend --surfaces a.g2 b.g2 --strategy fair_g3
 
+# a fold is named: both edges are left in the direction away from the other one
+lacks out warning
+printf '200 1 0 0\n3 0\n2 2\n0 0 1 1\n2 2\n0 0 1 1\n0 0 0\n4 0 0\n0 4 0\n4 4 0\n' >flat.g2
+printf '200 1 0 0\n3 0\n2 2\n0 0 1 1\n2 2\n0 0 1 1\n0 6 0\n4 6 0\n0 9 0\n4 9 0\n' >next.g2
+run 0 blend --surfaces flat.g2 next.g2 && lacks out warning
+run 0 blend --surfaces flat.g2 next.g2 --edges v0,v1 && says out "G2 along both edges" "warning: it may be folded near ("
+# a normal that vanishes at a point of the edge
+printf '200 1 0 0\n3 0\n2 2\n0 0 1 1\n2 2\n0 0 1 1\n0 0 0\n4 1 0\n0 1 0\n4 1 0\n' >point.g2
+run 1 blend --surfaces point.g2 next.g2 && says out "vanishing_normal" "not G2 along both edges"
+
 # what is refused
 refused "two files are needed" blend --surfaces a.g2
 refused "two files are needed" blend --surfaces a.g2 b.g2 spline.g2

@@ -200,7 +200,10 @@ Coordinate_vector<Field, dimension_v<Traits>> coordinates(const Point_or_vector&
   const int d = traits.compute_dimension_object()(p);
   Coordinate_vector<Field, dimension_v<Traits>> c(d);
   for (int i = 0; i < d; ++i)
-    c[i] = internal::to_field<Field>(typename Traits::FT(traits.compute_coordinate_object()(p, i)));
+    if constexpr (std::is_same_v<Field, typename Traits::FT>)
+      c[i] = traits.compute_coordinate_object()(p, i);
+    else
+      c[i] = internal::to_field<Field>(typename Traits::FT(traits.compute_coordinate_object()(p, i)));
   return c;
 }
 

@@ -173,6 +173,10 @@ BOOST_AUTO_TEST_CASE(patch_unit_normal_and_errors) {
   const Patch<K> small({{P(0, 0, 0), P(0, 1e-150, 0)}, {P(1e-150, 0, 0), P(1e-150, 1e-150, 0)}});
   BOOST_CHECK(*small.unit_normal(0.5, 0.5) == K::Vector_3(0, 0, 1)); // its square underflows
   CHECK_ERROR(Patch<K>(std::vector<std::vector<P>>()), wrong_number_of_points);
+  const std::vector<P> row = {P(0, 0, 0), P(0, 1, 0), P(1, 0, 0), P(1, 1, 0), P(2, 0, 0), P(2, 1, 1)};
+  BOOST_CHECK(Patch<K>(2, 1, row) == Patch<K>({{row[0], row[1]}, {row[2], row[3]}, {row[4], row[5]}}));
+  CHECK_ERROR(Patch<K>(1, 1, row), wrong_number_of_points);
+  CHECK_ERROR(Patch<K>(-1, -7, row), wrong_number_of_points);
   CHECK_ERROR(Patch<K>(std::vector<std::vector<P>>(2)), wrong_number_of_points);
   CHECK_ERROR(Patch<K>({{P(0, 0, 0)}, {P(0, 0, 0), P(1, 0, 0)}}), wrong_number_of_points);
   CHECK_ERROR(Patch<K>({{P(0, 0, 0), P(1, 0, 0)}, {P(0, 0, 0)}}), wrong_number_of_points);

@@ -12,6 +12,7 @@
 #include <CGAL/Geometric_continuity/Traits.h>
 #include <CGAL/Geometric_continuity/edges/blend_surfaces.h>
 #include <CGAL/Geometric_continuity/edges/edge_continuity.h>
+#include <CGAL/Geometric_continuity/surfaces/possible_fold.h>
 #include <CGAL/Simple_cartesian.h>
 
 #include <stdexcept>
@@ -84,6 +85,9 @@ template <class Strategy> Exit_code blend_by(const Command_line& line, const Str
              at_b = report_edge(report, files[1], edge_b, shape.end, b, s, GC::Patch_edge::v1);
   const std::string order = line.integer("order") == 2 ? "G2" : "G3";
   report << (at_a && at_b ? order + " along both edges, proved exactly\n" : "not " + order + " along both edges\n");
+  if (const auto fold = possible_fold(s))
+    report << "warning: it may be folded near (" << CGAL::to_double(fold->u.first) << ", "
+           << CGAL::to_double(fold->v.first) << "), where its normal may vanish\n";
   if (line.has("output")) write_output(line.text("output"), [&](std::ostream& os) { GC::write_g2(os, s); });
   return at_a && at_b ? requirement_met : requirement_not_met;
 }

@@ -11,6 +11,7 @@
 #include <CGAL/Geometric_continuity/edges/Edge_function.h>
 #include <CGAL/Geometric_continuity/edges/Surface_blend_shape.h>
 #include <CGAL/Geometric_continuity/edges/internal/Blend_end.h>
+#include <CGAL/Geometric_continuity/edges/internal/blend_of_columns.h>
 #include <CGAL/Geometric_continuity/numbers/Work_limit.h>
 #include <CGAL/Geometric_continuity/numbers/internal/common_words.h>
 #include <CGAL/Geometric_continuity/splines/Knot_vector.h>
@@ -45,11 +46,14 @@ namespace Geometric_continuity {
 
 namespace internal {
 
-template <class FT> void check_reparametrisation(const Edge_reparametrisation<FT>& r, const char* place) {
-  if (!r.beta.is_positive()) throw Error(Error_code::nonpositive_beta, place);
+template <class Shape> void check_beta(const Shape& shape) {
+  if (!shape.start.beta.is_positive())
+    throw Error(Error_code::nonpositive_beta, "blend: beta at the edge of the first surface");
+  if (!shape.end.beta.is_positive())
+    throw Error(Error_code::nonpositive_beta, "blend: beta at the edge of the second surface");
 }
 
-// Refuses an edge without a normal: a single point, or one across which the derivative vanishes.
+// Refuses an edge without a normal.
 template <bool is_rational, class FT, int N> void check_edge(const Blend_end<FT, N>& end, const char* surface) {
   typedef Coordinate_vector<FT, N> Vector;
   const auto are_all = [](const std::vector<Vector>& row, const auto& point, const auto& value) {
@@ -72,9 +76,7 @@ template <bool is_rational, class FT, int N> void check_edge(const Blend_end<FT,
     is_point = are_all(end.edge, itself, end.edge[0]);
     vanishes = are_all(end.cross, itself, Vector(end.edge[0].dimension()));
   }
-  if (is_point) throw Error(Error_code::zero_tangent, std::string("blend: a point is the edge of ") + surface);
-  if (vanishes)
-    throw Error(Error_code::zero_tangent, std::string("blend: no derivative across the whole edge of ") + surface);
+  refuse_edge(is_point, vanishes, surface);
 }
 
 // What C, C', C'', T, T' and W are multiplied by in a sum: numbers or functions along the edge.
@@ -239,12 +241,10 @@ std::array<Edge_spline<FT, N>, 8> rows_of_septic_blend(const Blend_end<FT, N>& s
   return rows;
 }
 
-// The ends of a blend with a shape that is given, both checked.
+// The ends of a blend with a shape that is given, both checked but for beta.
 template <class Kind, class A, class B, class Shape>
 auto checked_ends(const A& a, Patch_edge edge_a, const B& b, Patch_edge edge_b, const Shape& shape,
                   Edge_direction direction, int order) {
-  check_reparametrisation(shape.start, "blend: beta at the edge of the first surface");
-  check_reparametrisation(shape.end, "blend: beta at the edge of the second surface");
   auto ends = Kind::ends(a, edge_a, b, edge_b, direction, order);
   charge_end(ends.first, shape.start);
   charge_end(ends.second, shape.end);
@@ -288,6 +288,9 @@ Blend_surface<Surface_a, Surface_b> blend(const Surface_a& a, Patch_edge edge_a,
                                           Edge_direction direction = Edge_direction::same) {
   typedef internal::Blended_surfaces<Surface_a, Surface_b> Kind;
   const internal::Work_on_object work("blend");
+  internal::check_beta(shape);
+  if constexpr (Kind::is_patch && !Kind::is_rational)
+    if (auto columns = internal::blend_of_columns(a, edge_a, b, edge_b, shape, direction)) return *std::move(columns);
   const auto ends = internal::checked_ends<Kind>(a, edge_a, b, edge_b, shape, direction, 2);
   return Kind::surface(internal::rows_of_blend(ends.first, ends.second, shape));
 }
@@ -307,6 +310,7 @@ blend(const Surface_a& a, Patch_edge edge_a, const Surface_b& b, Patch_edge edge
       Edge_direction direction = Edge_direction::same) {
   typedef internal::Blended_surfaces<Surface_a, Surface_b> Kind;
   const internal::Work_on_object work("blend");
+  internal::check_beta(shape);
   const auto ends = internal::checked_ends<Kind>(a, edge_a, b, edge_b, shape, direction, 3);
   return Kind::surface(internal::rows_of_septic_blend(ends.first, ends.second, shape));
 }

@@ -244,6 +244,12 @@ public:
                         const Interval& v = unit_interval())
       : Bezier_patch(Net(net, "Bezier_patch"), u, v) {}
 
+  /// Constructs a patch of the degrees `p` and `q` from the points \f$ b_{00}, b_{01}, \dots, b_{pq} \f$, and its domain.
+  /// \throws Error as the constructor from a net
+  Bezier_patch(int p, int q, std::vector<Point> points, const Interval& u = unit_interval(),
+               const Interval& v = unit_interval())
+      : Bezier_patch(Net(p + 1, q + 1, std::move(points), "Bezier_patch"), u, v) {}
+
   int degree_u() const { return net_.rows() - 1; }    ///< Returns the degree `p` in `u`.
   int degree_v() const { return net_.columns() - 1; } ///< Returns the degree `q` in `v`.
   int dimension() const { return net_.dimension(); }  ///< Returns the dimension of the space.

@@ -76,9 +76,14 @@ public:
     check(surface);
   }
 
-  // From rows * columns points.
+  // From rows * columns points, at least one.
   Control_net(int rows, int columns, std::vector<Point> points, const char* surface)
       : rows_(rows), columns_(columns), points_(std::move(points)) {
+    if (rows_ < 1 || columns_ < 1 ||
+        points_.size() != static_cast<std::size_t>(rows_) * static_cast<std::size_t>(columns_))
+      throw Error(Error_code::wrong_number_of_points, std::string(surface) + ": " + std::to_string(points_.size()) +
+                                                          " control points in " + std::to_string(rows_) + " rows of " +
+                                                          std::to_string(columns_));
     check(surface);
   }
 
@@ -136,14 +141,15 @@ private:
     const auto refuse = [&](Error_code code, int i, int j) {
       throw Error(code, std::string(surface) + ": control point " + std::to_string(i) + ", " + std::to_string(j));
     };
-    const int d = dimension();
+    const int d = dimension_v<Traits> == 0 ? dimension() : dimension_v<Traits>;
     for (int i = 0; i < rows_; ++i)
       for (int j = 0; j < columns_; ++j) {
-        const Coordinates<Traits> x = coordinates(i, j);
-        if (x.dimension() != d) refuse(Error_code::dimension_mismatch, i, j);
+        const Point& p = (*this)(i, j);
+        if (dimension_v<Traits> == 0 && Traits().compute_dimension_object()(p) != d)
+          refuse(Error_code::dimension_mismatch, i, j);
         if constexpr (std::is_floating_point_v<typename Traits::FT>)
-          for (const typename Traits::FT& c : x)
-            if (!std::isfinite(c)) refuse(Error_code::not_finite, i, j);
+          for (int k = 0; k < d; ++k)
+            if (!std::isfinite(Traits().compute_coordinate_object()(p, k))) refuse(Error_code::not_finite, i, j);
       }
   }
 };
