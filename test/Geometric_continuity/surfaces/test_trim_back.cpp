@@ -58,6 +58,35 @@ template <class Surface> void check_trimmed(Random_surfaces& random) {
   }
 }
 
+// Along a curve: on each line across the edge the part is the surface up to the curve, in proportion.
+template <class Patch> void check_along_curve(Random_surfaces& random, int degree) {
+  typedef GC::Bernstein_polynomial<Q> Function;
+  const Patch s = random.surface<Patch>();
+  for (Patch_edge edge : GC::patch_edges) {
+    const std::pair<Q, Q> domain = across(s, edge), along = runs_along_u(edge) ? s.domain_u() : s.domain_v();
+    const Q length = domain.second - domain.first;
+    std::vector<Q> c;
+    for (int i = 0; i <= degree; ++i) c.push_back(length * fraction(random.integer(1, 99), 100));
+    const Function f(c);
+    const Patch t = trim_back(s, edge, f);
+    BOOST_CHECK(t.domain_u() == s.domain_u() && t.domain_v() == s.domain_v());
+    BOOST_CHECK_EQUAL(t.degree_along(edge), s.degree_along(edge) + degree * s.degree_across(edge));
+    BOOST_CHECK_EQUAL(t.degree_across(edge), s.degree_across(edge));
+    for (int i = 0; i < 12; ++i) {
+      const Q x = fraction(random.integer(0, 100), 100), y = fraction(random.integer(0, 100), 100);
+      const Q u = along.first + x * (along.second - along.first), v = domain.first + y * length,
+              part = (length - f(x)) / length;
+      const Q w = at_upper_end(edge) ? Q(domain.first + (v - domain.first) * part)
+                                     : Q(domain.second - (domain.second - v) * part);
+      BOOST_CHECK(runs_along_u(edge) ? t(u, v) == s(u, w) : t(v, u) == s(w, u));
+    }
+    for (const Q& bad : {Q(0), Q(-1), length}) {
+      c.back() = bad;
+      CHECK_ERROR(trim_back(s, edge, Function(c)), parameter_outside_domain);
+    }
+  }
+}
+
 } // namespace
 
 BOOST_AUTO_TEST_CASE(all_types) {
@@ -109,6 +138,14 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(kernels, Traits, All_traits) {
   if constexpr (std::is_floating_point_v<FT>) {
     CHECK_ERROR(trim_back(s, v1, std::numeric_limits<FT>::quiet_NaN()), parameter_outside_domain);
     CHECK_ERROR(trim_back(s, v1, FT(1e-300)), parameter_outside_domain); // nothing that can be told from 0
+  }
+}
+
+BOOST_AUTO_TEST_CASE(along_curves) {
+  Random_surfaces random;
+  for (int degree : {0, 1, 3}) {
+    check_along_curve<Bezier<Exact>>(random, degree);
+    check_along_curve<Patch<Exact>>(random, degree);
   }
 }
 
