@@ -108,8 +108,10 @@ template <class FT> struct Edge_end_value {
 template <class FT>
 Edge_function<FT> interpolating_function(const Edge_end_value<FT>& start, const Edge_end_value<FT>& end,
                                          bool positive) {
-  if (!start.slope && !end.slope)
-    return start.value == end.value ? Edge_function<FT>{start.value} : Edge_function<FT>{start.value, end.value};
+  const FT rise = end.value - start.value;
+  const auto is_on_line = [&](const Edge_end_value<FT>& x) { return !x.slope || *x.slope == rise; };
+  if (is_on_line(start) && is_on_line(end))
+    return rise == FT(0) ? Edge_function<FT>{start.value} : Edge_function<FT>{start.value, end.value};
   const FT zero(0), m0 = start.slope ? *start.slope : zero, m1 = end.slope ? *end.slope : zero;
   if (!start.slope || !end.slope) {
     const FT middle = start.slope ? FT(start.value + m0 / FT(2)) : FT(end.value - m1 / FT(2));
