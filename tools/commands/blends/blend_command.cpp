@@ -83,8 +83,8 @@ is cut off, so that a quarter of each remains. The output is the whole chain.
 --surfaces makes a surface from the edge v1 of the surface in A to the edge v0
 of that in B, or from and to those of --edges. Its degree across is 5, and it is
 G2 with both along the whole edges, or with --order 3, by a strategy of order 3
-with joins G3, it is 7, and the surface is G3. This is decided exactly. A warning
-names a place where it may be folded. -o writes it.
+with joins G3, it is 7, and the surface is G3. This is decided exactly. A
+warning names a place where it may be folded. -o writes it.
 
 Exact arithmetic on numbers of thousands of digits can take long: --max-work N
 allows N steps, about N nanoseconds, instead of 4000000000.
