@@ -76,7 +76,7 @@ template <class Traits> GC::Rational_bezier_curve<Traits> curve(int m) {
     points.push_back(point<Traits>());
     weights.push_back(weight<FT>());
   }
-  return {points.begin(), points.end(), weights.begin(), weights.end(), FT(-1), FT(FT(3) / FT(2))};
+  return {points, weights, FT(-1), FT(FT(3) / FT(2))};
 }
 
 template <class Traits> GC::Rational_bspline_curve<Traits> spline(int p) {
@@ -90,7 +90,7 @@ template <class Traits> GC::Rational_bspline_curve<Traits> spline(int p) {
     points.push_back(point<Traits>());
     weights.push_back(weight<FT>());
   }
-  return {points.begin(), points.end(), weights.begin(), weights.end(), GC::Knot_vector<FT>(p, knots)};
+  return {points, weights, GC::Knot_vector<FT>(p, knots)};
 }
 
 // Equal for exact numbers; doubles after `size` in units of 2^-44: a few hundred roundings of numbers up to this size.

@@ -111,6 +111,12 @@ public:
     place_infinite_points();
   }
 
+  /// Takes a range of control points, such as a `std::vector`, a range of their weights, and the domain of a Bézier curve.
+  /// \throws Error as the constructor from iterators
+  template <class Points, class Numbers, class = internal::Range_of_points<Points, Point>>
+  Rational_curve(const Points& points, const Numbers& weights, const FT& a = FT(0), const FT& b = FT(1))
+      : Rational_curve(std::begin(points), std::end(points), std::begin(weights), std::end(weights), a, b) {}
+
   /// Takes a list of control points and a list of their weights, for a Bézier curve on [0, 1].
   /// \throws Error as for ranges
   Rational_curve(std::initializer_list<Point> points, std::initializer_list<FT> weights)
