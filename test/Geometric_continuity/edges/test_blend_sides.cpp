@@ -207,6 +207,13 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(neighbours, Traits, All_traits) {
   CHECK_ERROR(surface_shape_with_sides(pole, v1, b, v0, Edge_direction::same, GC::Surface_blend_shape<FT>(),
                                        std::optional<Side>(side), std::optional<Side>()),
               singular_frame);
+  GC::Surface_blend_shape<FT> vanishing;
+  vanishing.start.beta = {FT(0)};
+  BOOST_CHECK_EQUAL(error_of([&] {
+                      surface_shape_with_sides(a, v1, b, v0, Edge_direction::same, vanishing, std::optional<Side>(side),
+                                               std::optional<Side>());
+                    }),
+                    "nonpositive_beta: blend sides: u = 1, where no side is given: the shape");
   const GC::Knot_vector<FT> knots(1, FT(0), FT(1), {{FT(1) / FT(2), 1}});
   const Bspline<Traits> bent({{P(0, 4, 0), P(0, 5, 1), P(0, 12, 0)}, {P(8, 4, 0), P(8, 5, 1), P(8, 12, 0)}},
                              GC::Knot_vector<FT>(1, FT(0), FT(1)), knots);

@@ -104,7 +104,7 @@ template <class FT> struct Edge_end_value {
   std::optional<FT> slope;
 };
 
-// The polynomial of the least degree with these values; where a positive one is asked for and it is not, a spline.
+// The polynomial of the least degree with these values; where a positive one is asked for (of positive values) and it is not, a spline.
 template <class FT>
 Edge_function<FT> interpolating_function(const Edge_end_value<FT>& start, const Edge_end_value<FT>& end,
                                          bool positive) {
@@ -123,7 +123,10 @@ Edge_function<FT> interpolating_function(const Edge_end_value<FT>& start, const 
   }
   // cubic, with coefficients that are positive near the ends where the first and the last span are short
   FT h = FT(1) / FT(4);
-  while (!(zero < FT(start.value + h * m0 / FT(3)) && zero < FT(end.value - h * m1 / FT(3)))) h = FT(h / FT(2));
+  while (!(zero < FT(start.value + h * m0 / FT(3)) && zero < FT(end.value - h * m1 / FT(3)))) {
+    h = FT(h / FT(2));
+    if (h == zero) throw Error(Error_code::not_finite, "blend sides: the slope of beta at a corner");
+  }
   const FT next = FT(start.value + h * m0 / FT(3)), last = FT(end.value - h * m1 / FT(3));
   return Bspline_function<FT>(Knot_vector<FT>(3, zero, FT(1), {{h, 1}, {FT(FT(1) - h), 1}}),
                               {start.value, next, next, last, last, end.value});
@@ -349,6 +352,9 @@ private:
       if (!corners[upper]) {
         v[0].value = r.alpha(t);
         v[1].value = r.beta(t);
+        if (!(FT(0) < v[1].value))
+          throw Error(Error_code::nonpositive_beta,
+                      "blend sides: u = " + std::to_string(upper) + ", where no side is given: the shape");
         v[3].value = r.alpha2(t);
         v[4].value = r.delta(t);
         if constexpr (Kind::is_rational) {
@@ -403,7 +409,8 @@ private:
 /// \throws Error `curves_do_not_meet` where a side curve does not end at the corner of a surface; `incompatible_corner` where what is given
 ///   contradicts a surface at a corner: the error names the side, the surface and the derivative, \f$ S_v, S_{vv}, S_u, S_{uv} \f$ or
 ///   \f$ S_{uvv} \f$, and for rational blends the weights. With floating-point numbers all this is decided up to rounding
-/// \throws Error `nonpositive_beta` where a side curve leads to the wrong side of an edge, `singular_frame` where the normal of a surface
+/// \throws Error `nonpositive_beta` where a side curve leads to the wrong side of an edge, or `shape` does where no side is given;
+///   `not_finite` where floating-point numbers overflow, `singular_frame` where the normal of a surface
 ///   vanishes at a corner, `wrong_number_of_points` for a degree of more than 5, `dimension_mismatch`
 template <class Surface_a, class Surface_b>
 Blend_surface_shape<Surface_a, Surface_b>
