@@ -218,10 +218,11 @@ Spline_points<Traits> points_to_interpolate(InputIterator first, InputIterator l
   return b;
 }
 
-// The equation of the value at the simple knot u_i, where u(i) returns the knots.
-template <class FT, class Knots> Tridiagonal_row<FT> value_at_knot(Knots u, int i) {
-  const FT h = u(i + 1) - u(i), g = u(i) - u(i - 1), length = h + g;
-  const FT a = FT(h * h / FT(length * FT(u(i + 1) - u(i - 2)))), c = FT(g * g / FT(length * FT(u(i + 2) - u(i - 1))));
+// The equation of the value at the simple knot t_2 of the five knots around it.
+template <class FT>
+Tridiagonal_row<FT> value_at_knot(const FT& t0, const FT& t1, const FT& t2, const FT& t3, const FT& t4) {
+  const FT h = t3 - t2, g = t2 - t1, length = h + g;
+  const FT a = FT(h * h / FT(length * FT(t3 - t0))), c = FT(g * g / FT(length * FT(t4 - t1)));
   return {a, FT(FT(1) - a - c), c};
 }
 
@@ -256,12 +257,10 @@ interpolate_open(Spline_points<Traits> b, const std::vector<typename Traits::FT>
     set(0, h2 * get(0));
     set(last, g2 * get(last));
   }
-  const auto inner = [&](int i) -> const FT& { return parameters[i]; };
   const auto row = [&](int i) {
-    return i == 0                  ? at_start
-           : i == last             ? at_end
-           : 1 < i && i < last - 1 ? value_at_knot<FT>(inner, i)
-                                   : value_at_knot<FT>(u, i);
+    if (i == 0) return at_start;
+    if (i == last) return at_end;
+    return value_at_knot<FT>(u(i - 2), parameters[i - 1], parameters[i], parameters[i + 1], u(i + 2));
   };
   solve_tridiagonal<FT>(last + 1, row, get, set);
   return spline_over<Traits>(u, last, std::move(b));
@@ -277,8 +276,8 @@ Bspline_curve<Traits> interpolate_closed(Spline_points<Traits> b, const std::vec
     return i < 0 ? FT(parameters[n + i] - period) : i > n ? FT(parameters[i - n] + period) : parameters[i];
   };
   solve_cyclic<FT>(
-      n, [&](int i) { return value_at_knot<FT>(u, i); }, [&](int i) { return b[i + 1]; },
-      [&](int i, const Coordinates<Traits>& x) { b.set(i + 1, x); });
+      n, [&](int i) { return value_at_knot<FT>(u(i - 2), u(i - 1), u(i), u(i + 1), u(i + 2)); },
+      [&](int i) { return b[i + 1]; }, [&](int i, const Coordinates<Traits>& x) { b.set(i + 1, x); });
   b.set(0, b[n]);
   b.set(n + 1, b[1]);
   b.push_back(b[2]);
