@@ -162,7 +162,7 @@ template <int N> void check_chain(std::string_view text) {
 
 int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string_view text = fuzz_text(data, size);
-  const GC::Work_scope all(GC::Work_limit(1000000000), "a fuzz input");
+  const GC::Work_scope all(GC::Work_limit(200000000), "a fuzz input");
   accepts([&] { check_chain<2>(text); });
   accepts([&] { check_chain<3>(text); });
   return 0;
