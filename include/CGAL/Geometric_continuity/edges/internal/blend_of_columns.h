@@ -7,7 +7,6 @@
 
 #include <CGAL/Geometric_continuity/Error.h>
 #include <CGAL/Geometric_continuity/Traits.h>
-#include <CGAL/Geometric_continuity/algebra/internal/Unreduced_vector.h>
 #include <CGAL/Geometric_continuity/edges/Surface_blend_shape.h>
 #include <CGAL/Geometric_continuity/edges/internal/Blend_end.h>
 #include <CGAL/Geometric_continuity/numbers/Work_limit.h>
@@ -16,6 +15,10 @@
 #include <CGAL/Geometric_continuity/numbers/internal/number_words.h>
 #include <CGAL/Geometric_continuity/surfaces/Bezier_patch.h>
 #include <CGAL/Uncertain.h>
+
+#ifdef CGAL_USE_GMP
+#include <CGAL/Geometric_continuity/algebra/internal/Unreduced_vector.h>
+#endif
 
 #include <algorithm>
 #include <cstddef>
