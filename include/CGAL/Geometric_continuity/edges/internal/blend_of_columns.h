@@ -114,8 +114,8 @@ public:
       to[2] = to_point<Traits>(b2);
     } else {
       typedef Coordinate_vector<Number, N> Vector;
-      const std::pair<Vector, Vector> b =
-          factors_(Vector(coordinates<Traits>(p0)), Vector(coordinates<Traits>(p1)), Vector(coordinates<Traits>(p2)));
+      const auto vector = [](const Point& p) { return Vector(Geometric_continuity::coordinates<Traits>(p)); };
+      const std::pair<Vector, Vector> b = factors_(vector(p0), vector(p1), vector(p2));
       to[1] = to_point<Traits>(b.first.reduced());
       to[2] = to_point<Traits>(b.second.reduced());
     }
