@@ -70,6 +70,9 @@ BOOST_AUTO_TEST_CASE(frenet_matrix_of_a_helix) {
   std::ostringstream os;
   os << GC::Frenet_matrix<double>(2, {0.5, -1.5});
   BOOST_CHECK_EQUAL(os.str(), "0 1 0\n-1 0 -3\n0 3 0\n");
+  os.str("");
+  os << *GC::frenet_frame(jet<Double_3>(3, {{0, 0, 0}, {2, 0, 0}, {1, 1, 0}}));
+  BOOST_CHECK_EQUAL(os.str(), "2 0 0\n0 1 0\n0 0 2\n");
   // a right turn in the plane, and points without a frame
   BOOST_CHECK_EQUAL((*GC::frenet_matrix(jet<Double_2>(2, {{0}, {2, 0}, {0, -4}})))(1, 2), -2);
   BOOST_CHECK(!GC::frenet_matrix(jet<Double_2>(2, {{0}, {0}, {0, 1}})));

@@ -74,6 +74,9 @@ public:
   /// Returns the dimension of the control points.
   int dimension() const { return Traits().compute_dimension_object()(points_[0]); }
 
+  /// Returns the number of control points, which is `degree() + 1`.
+  int number_of_points() const { return static_cast<int>(points_.size()); }
+
   /// Returns the control points, in order.
   const Per_point<Point>& control_points() const { return points_; }
   /// Returns the `j`-th control point. \pre `0 <= j <= degree()`

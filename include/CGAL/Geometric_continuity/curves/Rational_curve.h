@@ -198,9 +198,8 @@ public:
   /// Returns the weight \f$ w_i \f$. \pre there is one
   const FT& weight(int i) const { return weights_[i]; }
 
-  int number_of_points() const {
-    return shape_.number_of_points();
-  } ///< Returns the number of control points of a B-spline.
+  /// Returns the number of control points.
+  int number_of_points() const { return shape_.number_of_points(); }
   const Knot_vector<FT>& knots() const { return shape_.knots(); } ///< Returns the knots of a B-spline.
 
   /// Returns the polynomial curve of the homogeneous points \f$ (w_i b_i, w_i) \f$, on the same domain.

@@ -335,6 +335,13 @@ public:
     return Frenet_frame(std::move(unit));
   }
 
+  /// Writes the vectors, one in a line.
+  friend std::ostream& operator<<(std::ostream& os, const Frenet_frame& frame) {
+    for (const Coordinates& v : frame.e_)
+      for (int i = 0; i < v.dimension(); ++i) os << v[i] << (i + 1 < v.dimension() ? ' ' : '\n');
+    return os;
+  }
+
 private:
   std::vector<Coordinates> e_;
 };

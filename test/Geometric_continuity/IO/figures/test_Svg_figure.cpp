@@ -13,6 +13,7 @@
 #include <CGAL/Geometric_continuity/IO/figures/svg_surfaces.h>
 #include <CGAL/Geometric_continuity/Traits.h>
 #include <CGAL/Geometric_continuity/curves/Bezier_curve.h>
+#include <CGAL/Geometric_continuity/curves/Bspline_curve.h>
 #include <CGAL/Simple_cartesian.h>
 
 #include <cmath>
@@ -118,6 +119,13 @@ BOOST_AUTO_TEST_CASE(the_legend_shows_the_line_of_each_role) {
   BOOST_CHECK(sample(Svg_role::given).find("stroke=\"#2f4058\"") != std::string::npos);
   BOOST_CHECK(sample(Svg_role::result).find("stroke=\"#d55e00\"") != std::string::npos);
   BOOST_CHECK(sample(Svg_role::construction).find("stroke-dasharray") != std::string::npos);
+}
+
+BOOST_AUTO_TEST_CASE(a_range_of_curves_is_drawn_as_its_curves) {
+  const std::vector<Curve> both{arch, line};
+  BOOST_CHECK_EQUAL(svg(GC::Svg_figure().add(both)), svg(GC::Svg_figure().add(arch).add(line)));
+  BOOST_CHECK_EQUAL(svg(GC::Svg_figure().add(GC::Bspline_curve<Curve::Traits>(arch).bezier_pieces())),
+                    svg(GC::Svg_figure().add(arch)));
 }
 
 BOOST_AUTO_TEST_CASE(figures_that_are_refused) {

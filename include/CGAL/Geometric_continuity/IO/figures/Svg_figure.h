@@ -60,7 +60,8 @@ public:
     return *this;
   }
 
-  /// Adds a curve to the panel that was appended last, or to a first one without a caption, as `Svg_panel::add()` does; returns the figure.
+  /// Adds a curve or a range of curves to the panel that was appended last, or to a first one without a caption, as `Svg_panel::add()` does;
+  /// returns the figure.
   /// \throws Error as `Svg_panel::add()` does
   template <class Curve> Svg_figure& add(const Curve& curve, const Svg_style& style = Svg_style()) {
     if (panels_.empty()) panels_.emplace_back();

@@ -14,6 +14,7 @@
 #include <cmath>
 #include <iterator>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -59,6 +60,13 @@ struct Svg_join {
   bool is_marked; // by a ring
 };
 
+// Whether the elements of a range are curves.
+template <class Range, class = void> struct Is_range_of_curves : std::false_type {};
+template <class Range>
+struct Is_range_of_curves<
+    Range, std::void_t<typename std::decay_t<decltype(*std::begin(std::declval<const Range&>()))>::Traits>>
+    : std::true_type {};
+
 } // namespace internal
 
 /// \ingroup PkgGeometricContinuityIO
@@ -71,18 +79,23 @@ public:
 
   /// Adds a Bézier curve of dimension 2 or 3 over any kernel. The coordinates are rounded to `double` for the drawing.
   /// \tparam Curve a `Bezier_curve`, or a class with its `Traits`, `dimension()`, `degree()`, `begin()`, `end()` and
-  ///   `coordinates(j)`
+  ///   `coordinates(j)`; or a range of such curves, e.g. `bezier_pieces()` of a B-spline curve, which are added one after the other
   /// \throws Error `dimension_mismatch` in dimension 1 or above 3
-  /// \throws Error `wrong_number_of_points` unless there are `degree() + 1` control points (of a B-spline curve, add
-  ///   the Bézier segments)
+  /// \throws Error `wrong_number_of_points` unless there are `degree() + 1` control points
   /// \throws Error `not_finite` for a coordinate beyond the range of `double`, with the number of the curve in the panel
   template <class Curve> Svg_panel& add(const Curve& curve, const Svg_style& style = Svg_style()) {
-    check_dimension(curve.dimension());
-    if (std::distance(curve.begin(), curve.end()) != curve.degree() + 1)
-      throw Error(Error_code::wrong_number_of_points, "Svg_panel: only Bézier curves can be drawn");
-    std::vector<Coordinate_vector<double, 0>> rows;
-    for (int j = 0; j <= curve.degree(); ++j) rows.push_back(to_double(curve.coordinates(j)));
-    return add_rows(rows, rows, false, style);
+    if constexpr (internal::Is_range_of_curves<Curve>::value) {
+      for (const auto& piece : curve) add(piece, style);
+      return *this;
+    } else {
+      check_dimension(curve.dimension());
+      if (std::distance(curve.begin(), curve.end()) != curve.degree() + 1)
+        throw Error(Error_code::wrong_number_of_points,
+                    "Svg_panel: only Bézier curves can be drawn; of a B-spline curve add its bezier_pieces()");
+      std::vector<Coordinate_vector<double, 0>> rows;
+      for (int j = 0; j <= curve.degree(); ++j) rows.push_back(to_double(curve.coordinates(j)));
+      return add_rows(rows, rows, false, style);
+    }
   }
 
   /// Adds a rational Bézier curve of dimension 2 or 3. Where its weights differ, it is drawn as eight polynomial curves that have its
