@@ -81,6 +81,7 @@
 #include <CGAL/Geometric_continuity/edges/connect_g1.h>
 #include <CGAL/Geometric_continuity/edges/edge_continuity.h>
 #include <CGAL/Geometric_continuity/edges/edge_deviation.h>
+#include <CGAL/Geometric_continuity/edges/representable_blend_surfaces.h>
 #include <CGAL/Geometric_continuity/edges/round_edge.h>
 #include <CGAL/Geometric_continuity/edges/swept_continuity.h>
 

@@ -80,6 +80,22 @@ BOOST_AUTO_TEST_CASE(points_with_digits_to_spare_stay) {
       }
 }
 
+// The shape parameters belong to the parameter of the curves, also on other domains than [0, 1].
+BOOST_AUTO_TEST_CASE(domains) {
+  for (int m = 1; m <= 5; ++m) {
+    const Curve phi = random_curve(m, on_grid), psi = random_curve(3, on_grid), wide = phi.with_domain(0, 4),
+                third = psi.with_domain(1, 4);
+    const auto strategy = GC::Minimal_energy<3>();
+    BOOST_CHECK(GC::representable_blend(wide, psi, strategy, {1, 1}) ==
+                GC::representable_blend(phi, psi, strategy, {0.25, 1}));
+    const Blend b = GC::representable_blend(wide, third, strategy, {1, 1});
+    BOOST_CHECK(exactly_g2(b));
+    BOOST_CHECK(std::abs(b.start_join.beta - 1) <= 1.0 / 8 && std::abs(b.end_join.beta - 1) <= 1.0 / 8);
+    BOOST_CHECK(beta_is(GC::continuity(wide, b).betas()[0], b.start_join.beta, m));
+    BOOST_CHECK(beta_is(CGAL::Exact_rational(1) / GC::continuity(b, third).betas()[0], b.end_join.beta, 3));
+  }
+}
+
 BOOST_AUTO_TEST_CASE(full_doubles_move_by_half_a_unit) {
   for (int m = 1; m <= 9; ++m)
     for (int i = 0; i < 20; ++i) {

@@ -95,10 +95,47 @@ Representable_join<FT, N> representable_join(const Representable_end<FT, N>& end
   return join;
 }
 
-template <class Traits> Coordinates<Traits> rounded(const Coordinate_vector<Exact_rational, dimension_v<Traits>>& x) {
-  Coordinates<Traits> y(x.dimension());
-  for (int i = 0; i < x.dimension(); ++i) y[i] = typename Traits::FT(CGAL::to_double(x[i]));
-  return y;
+// Chooses the points of a blend at both ends: as long as there are none, one end after the other is made simpler.
+template <class FT, int N, class Strategy>
+void choose_points(Representable_end<FT, N>& start, Representable_end<FT, N>& end, const Strategy& strategy) {
+  for (bool found = false; !found;) {
+    const Quintic_ends<Exact_rational, N> ends(start.a(), end.a(), start.tangent(), end.tangent(),
+                                               start.second_derivative(), end.second_derivative());
+    const Quintic_parameters<Exact_rational> s = strategy(ends);
+    const bool start_found = start.choose(ends.c1(s.s1)), end_found = end.choose(ends.c2(s.s2));
+    if (!start_found) start.simplify();
+    if (!end_found) end.simplify();
+    found = start_found && end_found;
+  }
+}
+
+// The control points of the blend, which are numbers of type FT.
+template <class FT, int N>
+std::array<Coordinate_vector<FT, N>, 6> chosen_points(const Representable_end<FT, N>& start,
+                                                      const Representable_end<FT, N>& end) {
+  const auto rounded = [](const Coordinate_vector<Exact_rational, N>& x) {
+    Coordinate_vector<FT, N> y(x.dimension());
+    for (int i = 0; i < x.dimension(); ++i) y[i] = FT(CGAL::to_double(x[i]));
+    return y;
+  };
+  return {rounded(start.a()),         rounded(start.second_point()), rounded(start.third_point()),
+          rounded(end.third_point()), rounded(end.second_point()),   rounded(end.a())};
+}
+
+template <class FT> FT length_of(const std::pair<FT, FT>& domain) { return domain.second - domain.first; }
+
+// Calls f(strategy, shape) with the shape parameters that the strategy chooses, or else with automatic ones, and the strategy for them.
+template <class FT, int N, class Strategy, class Function>
+auto with_wished_shape(const Coordinate_jet<Exact_rational, N>& left, const Coordinate_jet<Exact_rational, N>& right,
+                       const Strategy& strategy, const Function& f) {
+  const auto call = [&](const auto& s, const Shape_parameters<Exact_rational>& shape) {
+    return f(s, Shape_parameters<FT>(FT(CGAL::to_double(shape.beta)), FT(CGAL::to_double(shape.eta)))); // short: exact
+  };
+  if constexpr (Chooses_shape<Strategy, Coordinate_jet<Exact_rational, N>>::value) {
+    const auto chosen = strategy.choose(left, right);
+    return call(chosen.strategy, chosen.shape);
+  } else
+    return call(strategy, automatic_shape(left, right));
 }
 
 } // namespace internal
@@ -111,8 +148,8 @@ template <class Traits> Coordinates<Traits> rounded(const Coordinate_vector<Exac
 ///
 /// With \f$ p = b_0 - b_{-1} \f$ and \f$ q = b_0 - 2b_{-1} + b_{-2} \f$ at the end of a curve of degree \f$ m \f$,
 /// \f[ B = A + c\,p, \qquad C = 2B - A + c^2\,\frac{5(m-1)}{4m}\,q + e\,p \f]
-/// with \f$ \beta = 5c/m \f$, and mirrored at the start of \f$ \psi \f$. Here `c` is close to \f$ \beta m/5 \f$ for the
-/// \f$ \beta \f$ of `shape` (within 1/8 of it, by 3 to 8 binary digits) and a multiple of the odd part of
+/// with \f$ \beta = 5ch/m \f$ for a domain of the length `h`, and mirrored at the start of \f$ \psi \f$. Here `c` is close to
+/// \f$ \beta m/(5h) \f$ for the \f$ \beta \f$ of `shape` (within 1/8 of it, by 3 to 8 binary digits) and a multiple of the odd part of
 /// \f$ m/\gcd(m,5) \f$, so that no division by it remains; and `e` is close to what the strategy chooses, as near as the
 /// remaining digits allow (at least to 1/32, as a part of the side `p`).
 ///
@@ -148,21 +185,14 @@ Representable_blend<Traits> representable_blend(const Bezier_curve<Traits, M>& p
                               Shape_parameters<Exact_rational>{shape.beta, shape.eta});
   const Points given_start = internal::inward_points(phi, internal::Curve_side::end),
                given_end = internal::inward_points(psi, internal::Curve_side::start);
-  End start(given_start, phi.degree(), 1, shape.beta, "representable_blend: end of the first curve"),
-      end(given_end, psi.degree(), -1, shape.eta, "representable_blend: start of the second curve");
-  for (bool found = false; !found;) {
-    const Quintic_ends<Exact_rational, dimension_v<Traits>> ends(start.a(), end.a(), start.tangent(), end.tangent(),
-                                                                 start.second_derivative(), end.second_derivative());
-    const Quintic_parameters<Exact_rational> s = strategy(ends);
-    const bool start_found = start.choose(ends.c1(s.s1)), end_found = end.choose(ends.c2(s.s2));
-    if (!start_found) start.simplify();
-    if (!end_found) end.simplify();
-    found = start_found && end_found;
-  }
-  const Bezier_curve<Traits, 5> gamma(std::array<Geometric_continuity::Coordinates<Traits>, 6>{
-      internal::rounded<Traits>(start.a()), internal::rounded<Traits>(start.second_point()),
-      internal::rounded<Traits>(start.third_point()), internal::rounded<Traits>(end.third_point()),
-      internal::rounded<Traits>(end.second_point()), internal::rounded<Traits>(end.a())});
+  const auto lengths = [](const auto& curve) {
+    const FT length = internal::length_of(curve.domain());
+    return internal::Inward_lengths<FT>{curve.degree(), length, length};
+  };
+  End start(given_start, lengths(phi), 1, shape.beta, "representable_blend: end of the first curve"),
+      end(given_end, lengths(psi), -1, shape.eta, "representable_blend: start of the second curve");
+  internal::choose_points(start, end, strategy);
+  const Bezier_curve<Traits, 5> gamma(internal::chosen_points(start, end));
   return {gamma, internal::with_inward_points(phi, internal::Curve_side::end, start.points()),
           internal::with_inward_points(psi, internal::Curve_side::start, end.points()),
           internal::representable_join(start, given_start), internal::representable_join(end, given_end)};
@@ -181,15 +211,9 @@ Representable_blend<Traits> representable_blend(const Bezier_curve<Traits, M>& p
   const Jet left = end_jet<Exact_rational>(phi, 2), right = start_jet<Exact_rational>(psi, 2);
   internal::check_blend_input(left, right, 2, Shape_parameters<Exact_rational>());
   typedef typename Traits::FT FT;
-  const auto blend_with = [&](const auto& s, const Shape_parameters<Exact_rational>& shape) {
-    return representable_blend(phi, psi, s,
-                               {FT(CGAL::to_double(shape.beta)), FT(CGAL::to_double(shape.eta))}); // short: exact
-  };
-  if constexpr (internal::Chooses_shape<Strategy, Jet>::value) {
-    const auto chosen = strategy.choose(left, right);
-    return blend_with(chosen.strategy, chosen.shape);
-  } else
-    return blend_with(strategy, internal::automatic_shape(left, right));
+  return internal::with_wished_shape<FT>(left, right, strategy, [&](const auto& s, const Shape_parameters<FT>& shape) {
+    return representable_blend(phi, psi, s, shape);
+  });
 }
 
 /// \ingroup PkgGeometricContinuityConstruction

@@ -14,8 +14,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <cstdlib>
 #include <limits>
+#include <numeric>
 #include <optional>
 #include <string>
 #include <vector>
@@ -67,12 +69,19 @@ inline Exact_rational short_number(const Exact_rational& x, int digits) {
   return Exact_rational(nearest_integer(std::ldexp(approximation, -n))) * exact_power_of_two(n);
 }
 
+// How a curve leaves, read inward from the join: its degree m, and by which lengths of the parameter the first and the second difference
+// of control points are divided, for the derivatives m (b_0 - b_1) / first and m (m-1) ((b_0 - b_1) / first - (b_1 - b_2) / second) / first.
+template <class Float> struct Inward_lengths {
+  int degree;
+  Float first, second; // the length of the domain of a Bezier curve, of a clamped spline its first knots
+};
+
 // One end of a blend with control points that are numbers of type Float. With the end points A = b_0, b_1, b_2 of a curve
-// of degree m, read inward from the join, the leg p and the second difference q,
+// of degree m, read inward from the join, the leg p = +-(b_0 - b_1) and q = (b_0 - b_1) - r (b_1 - b_2), r the ratio of the lengths,
 //
 //   B = A + c p,   C = 2B - A + c^2 f q + e p,   f = 5(m-1)/(4m),
 //
-// is a G^2 join for each c > 0 and each e. When the odd part n of the denominator of f divides c, both points lie on a
+// is a G^2 join for each c > 0 and each e. When the odd parts of the denominators of f and r divide c, both points lie on a
 // grid that has a few digits more than that of b_0, b_1, b_2, if c and e have few digits.
 template <class Float, int N> class Representable_end {
 public:
@@ -85,11 +94,11 @@ private:
 
   const std::array<Coordinate_vector<Float, N>, 3> given_; // b_0, b_1, b_2
   const int sign_;                                         // of the leg p = sign (b_0 - b_1)
-  const int m_;
+  const Inward_lengths<Float> lengths_;
   const char* place_;
-  int exponent_;          // of beta
+  int exponent_;          // of beta / first length
   Exact_rational target_; // of c / 2^exponent
-  Exact_rational f_, odd_;
+  Exact_rational ratio_, f_, odd_;
   int digits_ = most_digits;
   std::vector<int> grid_;    // coordinate x of the points is a multiple of 2^grid[x]
   std::vector<bool> failed_; // whether coordinate x of the blend was not representable
@@ -100,11 +109,14 @@ private:
 
 public:
   // `sign` is 1 at the end of a curve, -1 at the start of one.
-  Representable_end(const std::array<Coordinate_vector<Float, N>, 3>& inward, int degree, int sign, const Float& beta,
-                    const char* place)
-      : given_(inward), sign_(sign), m_(degree), place_(place), exponent_(std::ilogb(beta)), // not 0, and finite
-        target_(Exact_rational(std::scalbn(beta, -exponent_)) * degree / 5),
-        f_(Exact_rational(5 * (degree - 1)) / Exact_rational(4 * degree)), odd_(odd_denominator(degree)), b_(inward) {
+  Representable_end(const std::array<Coordinate_vector<Float, N>, 3>& inward, const Inward_lengths<Float>& lengths,
+                    int sign, const Float& beta, const char* place)
+      : given_(inward), sign_(sign), lengths_(lengths), place_(place),
+        exponent_(std::ilogb(beta) - std::ilogb(lengths.first)), // not 0, and finite
+        target_(mantissa(beta) * lengths.degree / (5 * mantissa(lengths.first))),
+        ratio_(Exact_rational(lengths.first) / Exact_rational(lengths.second)),
+        f_(Exact_rational(5 * (lengths.degree - 1)) / Exact_rational(4 * lengths.degree)),
+        odd_(odd_denominator(lengths)), b_(inward) {
     for (int x = 0; x < given_[0].dimension(); ++x) {
       int top = std::numeric_limits<Float>::min_exponent; // the coordinates are below 2^top
       for (const auto& b : given_)
@@ -123,7 +135,7 @@ public:
   const std::array<Coordinate_vector<Float, N>, 3>& points() const { return b_; }
   // The shape parameter of the join, rounded; it stays positive.
   Float beta() const {
-    const double x = CGAL::to_double(Exact_rational(5 * c_ / m_));
+    const double x = CGAL::to_double(Exact_rational(5 * c_ * Exact_rational(lengths_.first) / lengths_.degree));
     if (!(x <= static_cast<double>((std::numeric_limits<Float>::max)()))) refuse("the shape parameter overflows");
     return (std::max)(static_cast<Float>(x), std::numeric_limits<Float>::denorm_min());
   }
@@ -162,11 +174,22 @@ public:
   }
 
 private:
-  // The odd part of the denominator of f.
-  static Exact_rational odd_denominator(int m) {
-    int n = m % 5 == 0 ? m / 5 : m; // m and m-1 have no common factor
+  static Exact_rational mantissa(const Float& x) { return Exact_rational(std::scalbn(x, -std::ilogb(x))); }
+
+  // The odd part of a positive number of few digits.
+  static std::int64_t odd_part(const Float& x) {
+    std::int64_t n = static_cast<std::int64_t>(std::scalbn(x, std::numeric_limits<Float>::digits - 1 - std::ilogb(x)));
     while (n % 2 == 0) n /= 2;
-    return Exact_rational(n);
+    return n;
+  }
+
+  // The product of the odd parts of the denominators of f and of the ratio of the lengths.
+  static Exact_rational odd_denominator(const Inward_lengths<Float>& lengths) {
+    const int m = lengths.degree; // m and m-1 have no common factor
+    const std::int64_t first = odd_part(lengths.first), second = odd_part(lengths.second);
+    const std::int64_t of_f = odd_part(static_cast<Float>(m % 5 == 0 ? m / 5 : m));
+    return Exact_rational(static_cast<double>(of_f)) *
+           Exact_rational(static_cast<double>(second / std::gcd(first, second)));
   }
 
   void round() {
@@ -192,7 +215,7 @@ private:
     };
     a_ = exact(b_[0]);
     p_ = Exact_rational(sign_) * (a_ - exact(b_[1]));
-    q_ = a_ - Exact_rational(2) * exact(b_[1]) + exact(b_[2]);
+    q_ = a_ - exact(b_[1]) - ratio_ * (exact(b_[1]) - exact(b_[2]));
     if (dot(p_, p_) == Exact_rational(0)) refuse("the tangent is lost on each grid that leaves room for the blend");
     c_ = odd_ * short_number(target_ / odd_, digits_) * exact_power_of_two(exponent_);
   }
