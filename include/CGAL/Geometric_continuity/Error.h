@@ -34,6 +34,7 @@ enum class Error_code {
   singular_frame,           ///< the vectors that must span a frame are linearly dependent
   zero_direction,           ///< a direction, an axis or a normal is the zero vector
   knot_multiplicity,        ///< a knot is repeated too often
+  too_many_knots,           ///< the result would have more knots than are allowed
   parameter_outside_domain, ///< a parameter lies outside the domain
   empty_domain,             ///< a parameter interval has no positive length
   zero_weight,              ///< the denominator of a rational curve or surface is not positive somewhere
@@ -64,6 +65,7 @@ inline std::string to_string(Error_code code) {
   case Error_code::singular_frame: return "singular_frame";
   case Error_code::zero_direction: return "zero_direction";
   case Error_code::knot_multiplicity: return "knot_multiplicity";
+  case Error_code::too_many_knots: return "too_many_knots";
   case Error_code::parameter_outside_domain: return "parameter_outside_domain";
   case Error_code::empty_domain: return "empty_domain";
   case Error_code::zero_weight: return "zero_weight";

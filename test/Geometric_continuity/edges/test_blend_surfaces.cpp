@@ -9,6 +9,7 @@
 
 #include "support/random_surfaces.h"
 #include "support/rational_surfaces.h"
+#include "support/translated_curves.h"
 
 #include <CGAL/Cartesian_d.h>
 #include <CGAL/Geometric_continuity/Traits.h>
@@ -19,6 +20,7 @@
 #include <CGAL/Geometric_continuity/surfaces/boundary_curve.h>
 
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <sstream>
 #include <string>
@@ -210,23 +212,14 @@ BOOST_AUTO_TEST_CASE(automatic_blends) {
 // Where all curves u = const are the same but for a translation, the shape is that of the curves.
 BOOST_AUTO_TEST_CASE_TEMPLATE(shape_of_translated_curves, Traits, All_traits) {
   typedef typename Traits::FT FT;
-  typedef typename Traits::Point P;
-  const auto surface = [](int y, int c, int d) {
-    return Bezier<Traits>(
-        {{P(0, y, c), P(0, y + 2, d), P(0, y + 3, d)}, {P(5, y, c + 1), P(5, y + 2, d + 1), P(5, y + 3, d + 1)}});
-  };
-  const auto curve = [](int y, int c, int d) {
-    const P points[] = {P(0, y, c), P(0, y + 2, d), P(0, y + 3, d)};
-    return GC::Bezier_curve<Traits>(points, points + 3);
-  };
+  const Translated_curves<Traits> given;
   const auto strategy = GC::Minimal_energy<3>();
-  const auto shape =
-      automatic_surface_shape(surface(0, 0, 1), v1, surface(9, 4, 7), v0, strategy, Edge_direction::same);
-  const auto gamma = GC::blend(curve(0, 0, 1), curve(9, 4, 7), strategy);
+  const auto shape = given.shape(strategy);
+  const auto gamma = given.blend_of_curves(strategy);
   BOOST_CHECK(shape.start.beta == (GC::Bernstein_polynomial<FT>{gamma.shape.beta}));
   BOOST_CHECK(shape.end.beta == (GC::Bernstein_polynomial<FT>{gamma.shape.eta}));
   // S_vv = beta^2 W + delta T is the second derivative of the curve, up to the rounding of delta to 8 digits
-  const auto s = blend(surface(0, 0, 1), v1, surface(9, 4, 7), v0, strategy);
+  const auto s = blend(given.first, v1, given.second, v0, strategy);
   for (int i : {0, 1})
     for (FT v : {FT(0), FT(1)})
       for (int x : {1, 2}) {
@@ -234,18 +227,14 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(shape_of_translated_curves, Traits, All_traits) {
         BOOST_CHECK_SMALL(CGAL::to_double(s.jet(FT(i), v, 2)(0, 2)[x]) - expected, 0.1);
       }
   // the same of Fair, which chooses beta, too, and when all weights are equal
-  const auto fair = GC::blend(curve(0, 0, 1), curve(9, 4, 7), GC::Fair());
-  const auto fair_shape =
-      automatic_surface_shape(surface(0, 0, 1), v1, surface(9, 4, 7), v0, GC::Fair(), Edge_direction::same);
-  BOOST_CHECK_CLOSE(CGAL::to_double(fair_shape.start.beta[0]), CGAL::to_double(fair.shape.beta), 0.5);
-  const auto rational =
-      automatic_surface_shape(Patch<Traits>(surface(0, 0, 1)), v1, with_factor(Patch<Traits>(surface(9, 4, 7)), FT(8)),
-                              v0, strategy, Edge_direction::same);
+  BOOST_CHECK_CLOSE(CGAL::to_double(given.shape(GC::Fair()).start.beta[0]),
+                    CGAL::to_double(given.blend_of_curves(GC::Fair()).shape.beta), 0.5);
+  const auto rational = given.rational_shape(strategy);
   BOOST_CHECK(rational.start.beta == shape.start.beta && rational.end.delta == shape.end.delta);
   BOOST_CHECK(rational.start.lambda1 == (GC::Bernstein_polynomial<FT>{FT(0)}));
   BOOST_CHECK_EQUAL(rational.end.lambda, FT(1) / FT(8));
-  BOOST_CHECK(nearer_direction(surface(0, 0, 1), v1, surface(9, 4, 7), v0) == Edge_direction::same);
-  BOOST_CHECK(nearer_direction(surface(0, 0, 1), v1, surface(9, 4, 7).reverse_u(), v0) == Edge_direction::opposite);
+  BOOST_CHECK(nearer_direction(given.first, v1, given.second, v0) == Edge_direction::same);
+  BOOST_CHECK(nearer_direction(given.first, v1, given.second.reverse_u(), v0) == Edge_direction::opposite);
 }
 
 // Among the neighbours in delta, the strategy has the least energy.
@@ -290,6 +279,37 @@ BOOST_AUTO_TEST_CASE(degrees_and_knots) {
   const Bspline<Exact> e(random.net(4, 3), Knots(3, {-3, -2, -1, 0, 1, 2, 3, 4}), Knots(2, {-2, -1, 0, 1, 2, 3}));
   check_blend(e, v1, d, v0, blend(e, v1, d, v0, Shape()), Edge_direction::same);
   BOOST_CHECK(blend(e, v1, d, v0, Shape()) == blend(e.clamp(), v1, d, v0, Shape()));
+}
+
+// They are counted before anything is computed. A Work_scope raises the limit.
+BOOST_AUTO_TEST_CASE_TEMPLATE(too_many_knots, Traits, All_traits) {
+  typedef typename Traits::FT FT;
+  typedef typename Traits::Point P;
+  typedef GC::Knot_vector<FT> Knots;
+  const auto surface = [](int inner, int y) {
+    std::vector<typename Knots::Knot> knots;
+    for (int i = 1; i <= inner; ++i) knots.push_back({FT(FT(i) / FT(inner + 1)), 1});
+    const Knots u(1, FT(0), FT(1), knots);
+    std::vector<std::vector<P>> net;
+    for (int i = 0; i < u.number_of_coefficients(); ++i) net.push_back({P(i, y, 0), P(i, y + 1, i % 2)});
+    return Bspline<Traits>(net, u, Knots(1, FT(0), FT(1)));
+  };
+  const Bspline<Traits> a = surface(14, 0), b = surface(5, 3).swap_parameters();
+  GC::Surface_blend_shape<FT> shape;
+  shape.end.beta = GC::Bspline_function<FT>(Knots(1, FT(0), FT(1), {{FT(FT(1) / FT(9)), 1}}), {FT(1), FT(2), FT(1)});
+  const auto blended = [&](std::uint64_t steps) {
+    const GC::Work_scope each((GC::Work_limit(steps)));
+    return blend(a, v1, b, u0, shape);
+  };
+  // degree 1 + 2, in which each knot is there three times: up to 60, and 58 control points, because both edges have 1/3 and 2/3
+  const std::uint64_t steps = 6 * 3 * 16 * 64 * (std::is_same_v<FT, Q> ? 450 : 1);
+  const Bspline<Traits> s = blended(std::is_same_v<FT, Q> ? 4 * steps : steps); // what is computed counts as well
+  BOOST_CHECK_EQUAL(s.number_of_points_u(), 58);
+  CHECK_ERROR(blended(steps - 1), too_many_knots);
+  BOOST_CHECK_EQUAL(error_of([&] { blended(1000); }),
+                    "too_many_knots: blend: 14 inner knots along the edge v1 of the first surface, 5 along the edge u0 "
+                    "of the second one and 1 of the functions are up to 60 in degree 3, " +
+                        std::to_string(steps) + " steps of work, and 1000 are allowed: a Work_scope raises the limit");
 }
 
 // What a shift along the edge multiplies must not jump.

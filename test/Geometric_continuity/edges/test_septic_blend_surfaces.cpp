@@ -9,6 +9,7 @@
 
 #include "support/random_surfaces.h"
 #include "support/rational_surfaces.h"
+#include "support/translated_curves.h"
 
 #include <CGAL/Geometric_continuity/blends/Fair.h>
 #include <CGAL/Geometric_continuity/edges/blend_surfaces.h>
@@ -222,30 +223,19 @@ BOOST_AUTO_TEST_CASE(automatic_blends) {
 // Where all curves u = const are the same but for a translation, the shape is that of the curves.
 BOOST_AUTO_TEST_CASE_TEMPLATE(shape_of_translated_curves, Traits, All_traits) {
   typedef typename Traits::FT FT;
-  typedef typename Traits::Point P;
-  const auto surface = [](int y, int c, int d) {
-    return Bezier<Traits>(
-        {{P(0, y, c), P(0, y + 2, d), P(0, y + 3, d)}, {P(5, y, c + 1), P(5, y + 2, d + 1), P(5, y + 3, d + 1)}});
-  };
-  const auto curve = [](int y, int c, int d) {
-    const P points[] = {P(0, y, c), P(0, y + 2, d), P(0, y + 3, d)};
-    return GC::Bezier_curve<Traits>(points, points + 3);
-  };
+  const Translated_curves<Traits> given;
   const auto check = [&](const auto& strategy, double accuracy) {
-    const auto gamma = GC::blend(curve(0, 0, 1), curve(9, 4, 7), strategy);
+    const auto gamma = given.blend_of_curves(strategy);
     const auto near = [&](const FT& x, const FT& y) {
       return std::abs(CGAL::to_double(x) - CGAL::to_double(y)) <= accuracy * std::abs(CGAL::to_double(y));
     };
-    const auto shape =
-        automatic_surface_shape(surface(0, 0, 1), v1, surface(9, 4, 7), v0, strategy, Edge_direction::same);
+    const auto shape = given.shape(strategy);
     BOOST_CHECK(near(shape.start.beta[0], gamma.shape.beta) && near(shape.end.beta[0], gamma.shape.eta));
     BOOST_CHECK(near(shape.start.delta[0], gamma.parameters.start.beta2));
     BOOST_CHECK(near(shape.start.delta3[0], gamma.parameters.start.beta3));
     BOOST_CHECK(near(shape.end.delta[0], gamma.parameters.end.beta2));
     BOOST_CHECK(near(shape.end.delta3[0], gamma.parameters.end.beta3));
-    const auto rational = automatic_surface_shape(Patch<Traits>(surface(0, 0, 1)), v1,
-                                                  with_factor(Patch<Traits>(surface(9, 4, 7)), FT(8)), v0, strategy,
-                                                  Edge_direction::same);
+    const auto rational = given.rational_shape(strategy);
     BOOST_CHECK(rational.start.delta3 == shape.start.delta3 && rational.end.delta3 == shape.end.delta3);
     BOOST_CHECK(rational.start.lambda3 == (GC::Bernstein_polynomial<FT>{FT(0)}));
     BOOST_CHECK_EQUAL(rational.end.lambda, FT(1) / FT(8));

@@ -7,9 +7,11 @@
 
 #include <CGAL/Geometric_continuity/algebra/Bernstein_polynomial.h>
 #include <CGAL/Geometric_continuity/algebra/sign_pattern.h>
+#include <CGAL/Geometric_continuity/numbers/Work_limit.h>
 #include <CGAL/Geometric_continuity/splines/Bspline_function.h>
 #include <CGAL/Geometric_continuity/splines/Knot_vector.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <initializer_list>
 #include <ostream>
@@ -65,9 +67,10 @@ public:
 
   /// Decides whether the function is positive on [0, 1], on both sides of each knot; exactly, also of floating-point numbers.
   bool is_positive() const {
-    bool positive = true;
-    for (const FT& x : f_.coefficients()) positive = positive && FT(0) < x;
-    if (positive) return true; // mostly
+    const std::vector<FT>& c = f_.coefficients();
+    if (c.size() == 1) return FT(0) < c[0];
+    if (std::all_of(c.begin(), c.end(), [](const FT& x) { return FT(0) < x; })) return true; // mostly
+    const internal::Work_on_part work("Edge_function::is_positive");
     const std::vector<FT> pieces = internal::bernstein_pieces(f_.knots(), f_.coefficients());
     const std::ptrdiff_t n = degree() + 1;
     for (auto piece = pieces.begin(); piece != pieces.end(); piece += n)

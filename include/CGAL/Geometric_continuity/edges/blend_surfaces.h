@@ -134,11 +134,11 @@ template <class FT, int N>
 Edge_spline<FT, N> weighted_sum(const Blend_end<FT, N>& end, const Row_weights<Edge_function<FT>>& x) {
   const Edge_spline<FT, N> edge = end.spline(end.edge), cross = end.spline(end.cross);
   Edge_spline<FT, N> sum = product(x.t, cross);
-  if (!is_constant(x.c, 0)) sum = sum + product(x.c, edge);
-  if (!is_constant(x.w, 0)) sum = sum + product(x.w, end.spline(end.second_cross));
-  if (!is_constant(x.c1, 0)) sum = sum + product(x.c1, edge.derivative());
-  if (!is_constant(x.c2, 0)) sum = sum + product(x.c2, edge.derivative().derivative());
-  if (!is_constant(x.t1, 0)) sum = sum + product(x.t1, cross.derivative());
+  if (!is_zero(x.c)) sum = sum + product(x.c, edge);
+  if (!is_zero(x.w)) sum = sum + product(x.w, end.spline(end.second_cross));
+  if (!is_zero(x.c1)) sum = sum + product(x.c1, edge.derivative());
+  if (!is_zero(x.c2)) sum = sum + product(x.c2, edge.derivative().derivative());
+  if (!is_zero(x.t1)) sum = sum + product(x.t1, cross.derivative());
   return sum;
 }
 template <class FT, int N>
@@ -154,9 +154,9 @@ Edge_spline<FT, N> next_row(const Blend_end<FT, N>& end, const Row_weights<Edge_
 template <class FT, int N>
 Edge_spline<FT, N> third_row(const Blend_end<FT, N>& end, const Third_row_weights<Edge_function<FT>>& x) {
   Edge_spline<FT, N> sum = weighted_sum(end, x) + product(x.x, end.spline(end.third_cross));
-  if (!is_constant(x.c3, 0)) sum = sum + product(x.c3, end.spline(end.edge).derivative().derivative().derivative());
-  if (!is_constant(x.t2, 0)) sum = sum + product(x.t2, end.spline(end.cross).derivative().derivative());
-  if (!is_constant(x.w1, 0)) sum = sum + product(x.w1, end.spline(end.second_cross).derivative());
+  if (!is_zero(x.c3)) sum = sum + product(x.c3, end.spline(end.edge).derivative().derivative().derivative());
+  if (!is_zero(x.t2)) sum = sum + product(x.t2, end.spline(end.cross).derivative().derivative());
+  if (!is_zero(x.w1)) sum = sum + product(x.w1, end.spline(end.second_cross).derivative());
   return row_of_sum(end, sum, 210);
 }
 
@@ -166,15 +166,76 @@ template <class FT, int N> void scale(Blend_end<FT, N>& end, const FT& lambda, c
   end.scale(lambda);
 }
 
+// The free functions of one end.
+template <class FT> std::vector<const Edge_function<FT>*> functions_of(const Edge_reparametrisation<FT>& r) {
+  return {&r.alpha, &r.beta, &r.alpha2, &r.delta};
+}
+template <class FT> std::vector<const Edge_function<FT>*> functions_of(const Rational_edge_reparametrisation<FT>& r) {
+  return {&r.alpha, &r.beta, &r.alpha2, &r.delta, &r.lambda1, &r.lambda2};
+}
+template <class Reparametrisation>
+std::vector<const typename Reparametrisation::Function*>
+functions_of(const Septic_edge_reparametrisation<Reparametrisation>& r) {
+  auto functions = functions_of(static_cast<const Reparametrisation&>(r));
+  for (const typename Reparametrisation::Function* f : {&r.alpha3, &r.delta3, &r.lambda3}) functions.push_back(f);
+  return functions;
+}
+
 // Takes note of the work on one end: sums of at most six products of each row with a polynomial.
 template <class FT, int N> void charge_end(const Blend_end<FT, N>& end, const Edge_reparametrisation<FT>& r) {
   double degree = 0; // of the functions, or as many knots
-  for (const Edge_function<FT>* f : {&r.alpha, &r.beta, &r.alpha2, &r.delta})
+  for (const Edge_function<FT>* f : functions_of(r))
     degree = (std::max)(degree, static_cast<double>(f->number_of_coefficients() - 1));
   const double numbers = static_cast<double>(end.edge.size()) * end.edge[0].dimension();
   work_meter().charge_fractions(12 * numbers * (1 + 2 * degree) * (1 + degree),
                                 common_words<FT>(end.edge) + common_words<FT>(end.second_cross));
 }
+
+// The knots along the edges of a blend, counted before anything is computed: those of both edges, once more for each degree by which they
+// are raised, and those of the functions in the degree of the blend.
+template <class FT> class Knots_of_blend {
+  int degree_ = 0, dimension_ = 0;
+  std::array<int, 2> degrees_{}, spans_{};
+  std::array<double, 2> inner_{}; // knots of the edges
+  double of_functions_ = 0;
+
+public:
+  // `order` is that of the blend.
+  template <int N, class Shape>
+  Knots_of_blend(const Blend_end<FT, N>& a, const Blend_end<FT, N>& b, const Shape& shape, int order)
+      : dimension_(a.edge[0].dimension()) {
+    const auto take = [&](int e, const Blend_end<FT, N>& end, const auto& functions) {
+      int degree = 0;
+      for (const Edge_function<FT>* f : functions) {
+        degree = (std::max)(degree, f->degree());
+        of_functions_ += f->knots().number_of_spans() - 1;
+      }
+      degrees_[e] = end.knots.degree();
+      spans_[e] = end.knots.number_of_spans();
+      inner_[e] = end.knots.number_of_coefficients() - degrees_[e] - 1;
+      degree_ = (std::max)(degree_, degrees_[e] + order * degree);
+    };
+    take(0, a, functions_of(shape.start));
+    take(1, b, functions_of(shape.end));
+  }
+
+  void check(Patch_edge edge_a, Patch_edge edge_b) const {
+    double most = of_functions_ * degree_;
+    for (int e : {0, 1}) most += inner_[e] + (spans_[e] - 1.) * (degree_ - degrees_[e]);
+    if (most == 0) return;
+    const double each = is_rational_v<FT> ? 450 : 1, // the work on one number, see `Work_limit`
+        steps = 6. * dimension_ * (degree_ + 1.) * (degree_ + 1.) * each * (most + degree_ + 1);
+    const double allowed = static_cast<double>(Work_scope::limit_of_each().steps());
+    if (steps <= allowed) return;
+    const auto text = [](double x) { return std::to_string(static_cast<long long>(x)); };
+    throw Error(Error_code::too_many_knots,
+                "blend: " + text(inner_[0]) + " inner knots along the edge " + to_string(edge_a) +
+                    " of the first surface, " + text(inner_[1]) + " along the edge " + to_string(edge_b) +
+                    " of the second one and " + text(of_functions_) + " of the functions are up to " + text(most) +
+                    " in degree " + std::to_string(degree_) + ", " + text(steps) + " steps of work, and " +
+                    text(allowed) + " are allowed: a Work_scope raises the limit");
+  }
+};
 
 // The three rows of control points from an edge inwards.
 template <class FT, int N, class F>
@@ -246,6 +307,7 @@ template <class Kind, class A, class B, class Shape>
 auto checked_ends(const A& a, Patch_edge edge_a, const B& b, Patch_edge edge_b, const Shape& shape,
                   Edge_direction direction, int order) {
   auto ends = Kind::ends(a, edge_a, b, edge_b, direction, order);
+  Knots_of_blend<typename Kind::FT>(ends.first, ends.second, shape, order).check(edge_a, edge_b);
   charge_end(ends.first, shape.start);
   charge_end(ends.second, shape.end);
   check_edge<Kind::is_rational>(ends.first, "the first surface");
@@ -280,6 +342,9 @@ auto checked_ends(const A& a, Patch_edge edge_a, const B& b, Patch_edge edge_b, 
 /// \throws Error `zero_tangent` when an edge is a single point, or when the derivative across it vanishes on the whole edge
 /// \throws Error `knot_multiplicity` when a derivative along an edge jumps that is multiplied by \f$ \alpha \f$ or \f$ \alpha_2 \f$, when a
 ///   function jumps, and for functions with knots on two patches
+/// \throws Error `too_many_knots`, before anything is computed, when the knots of both edges and of the functions together need more work
+///   than `Work_limit` allows: its control points take about \f$ 6\,d\,(p+1)^2 \f$ steps for each knot of multiplicity one, in degree
+///   `p` and dimension `d`, and 450 times as many with rational numbers
 /// \throws Error `dimension_mismatch`; `zero_weight` when the denominator of a rational blend is not positive; `not_finite` when
 ///   floating-point numbers overflow; `work_limit`
 template <class Surface_a, class Surface_b>
@@ -287,10 +352,11 @@ Blend_surface<Surface_a, Surface_b> blend(const Surface_a& a, Patch_edge edge_a,
                                           const Blend_surface_shape<Surface_a, Surface_b>& shape,
                                           Edge_direction direction = Edge_direction::same) {
   typedef internal::Blended_surfaces<Surface_a, Surface_b> Kind;
-  const internal::Work_on_object work("blend");
   internal::check_beta(shape);
   if constexpr (Kind::is_patch && !Kind::is_rational)
-    if (auto columns = internal::blend_of_columns(a, edge_a, b, edge_b, shape, direction)) return *std::move(columns);
+    if (internal::is_blend_of_columns(a, edge_a, b, edge_b, shape))
+      return internal::Blended_columns<typename Kind::Traits>::blend(a, edge_a, b, edge_b, shape, direction);
+  const internal::Work_on_object work("blend");
   const auto ends = internal::checked_ends<Kind>(a, edge_a, b, edge_b, shape, direction, 2);
   return Kind::surface(internal::rows_of_blend(ends.first, ends.second, shape));
 }

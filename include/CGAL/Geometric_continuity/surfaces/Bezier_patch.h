@@ -84,6 +84,8 @@ enum class Line_side {
 
 namespace internal {
 
+template <class Traits> class Blended_columns; // of a blend, checks its points
+
 // The parameter u as a fraction of the interval: 0 at its lower end, 1 at its upper end.
 template <class FT> FT local_parameter(const FT& u, const std::pair<FT, FT>& interval) {
   return FT((u - interval.first) / (interval.second - interval.first));
@@ -222,6 +224,7 @@ public:
 private:
   typedef internal::Control_net<Traits> Net;
   template <class Shape> friend class Rational_surface; // takes and gives the net as it is
+  template <class T> friend class internal::Blended_columns;
 
   Net net_;
   Interval u_, v_;
@@ -386,9 +389,14 @@ public:
   }
 
 private:
+  struct Correct_by_construction {};
+  Bezier_patch(Net net, const Interval& u, const Interval& v, Correct_by_construction)
+      : net_(std::move(net)), u_(u), v_(v) {}
+
   static Interval unit_interval() { return Interval(FT(0), FT(1)); }
 
-  Bezier_patch(Net net, const Interval& u, const Interval& v) : net_(std::move(net)), u_(u), v_(v) {
+  Bezier_patch(Net net, const Interval& u, const Interval& v)
+      : Bezier_patch(std::move(net), u, v, Correct_by_construction()) {
     internal::check_interval(u_, "Bezier_patch: domain in u");
     internal::check_interval(v_, "Bezier_patch: domain in v");
   }

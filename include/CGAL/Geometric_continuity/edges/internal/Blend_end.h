@@ -37,6 +37,13 @@ template <class FT> bool is_constant(const Edge_function<FT>& f, int value) {
   return f.is_number() && f[0] == FT(value);
 }
 
+// Whether a function is 0 everywhere, also one over knots.
+template <class FT> bool is_zero(const Edge_function<FT>& f) {
+  for (int i = 0; i < f.number_of_coefficients(); ++i)
+    if (f[i] != FT(0)) return false;
+  return true;
+}
+
 // The product with a function along the edge.
 template <class FT, int N> Edge_spline<FT, N> product(const Edge_function<FT>& f, const Edge_spline<FT, N>& row) {
   if (is_constant(f, 1)) return row;

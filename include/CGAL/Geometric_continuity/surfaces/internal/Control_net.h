@@ -87,6 +87,10 @@ public:
     check(surface);
   }
 
+  // From as many points that are known to be such: nothing is checked.
+  Control_net(int rows, int columns, std::vector<Point> points)
+      : rows_(rows), columns_(columns), points_(std::move(points)) {}
+
   int rows() const { return rows_; }
   int columns() const { return columns_; }
   int dimension() const { return Traits().compute_dimension_object()(points_[0]); }
@@ -134,9 +138,6 @@ public:
   }
 
 private:
-  Control_net(int rows, int columns, std::vector<Point> points)
-      : rows_(rows), columns_(columns), points_(std::move(points)) {}
-
   void check(const char* surface) const {
     const auto refuse = [&](Error_code code, int i, int j) {
       throw Error(code, std::string(surface) + ": control point " + std::to_string(i) + ", " + std::to_string(j));
