@@ -5,6 +5,7 @@
 // Each operation a thousand times, in a function of its own: callgrind counts its instructions, see instruction_counts.cmake.
 
 #include "by_hand.h"
+#include "surface_blends_by_hand.h"
 
 #include <CGAL/Geometric_continuity/Traits.h>
 #include <CGAL/Geometric_continuity/blends/blend.h>
@@ -40,6 +41,23 @@ BOOST_NOINLINE GC::Quintic_blend<Traits> blend_generic(const Jet& x, const Jet& 
   return GC::blend(x, y, GC::Minimal_second_derivative(), {1, 1});
 }
 
+BOOST_NOINLINE void surface_blend_by_hand(by_hand::Surface_blend& x) { x(); }
+BOOST_NOINLINE auto surface_blend_generic(const by_hand::Surface_blend_input<double>& x) { return x(); }
+#ifdef CGAL_USE_GMPXX
+BOOST_NOINLINE void exact_surface_blend_by_hand(by_hand::Exact_surface_blend& x) { x(); }
+BOOST_NOINLINE auto exact_surface_blend_generic(const by_hand::Surface_blend_input<CGAL::Exact_rational>& x) {
+  return x();
+}
+#endif
+
+// The points of both are compared by f.
+template <class Surface, class By_hand, class Function>
+void for_each_number(const Surface& s, const By_hand& hand, const Function& f) {
+  for (int i = 0; i < 4; ++i)
+    for (int j = 0; j < 6; ++j)
+      for (int k = 0; k < 3; ++k) f(s.control_point(i, j)[k], hand.b[i][j][k]);
+}
+
 int main() {
   std::array<Traits::Point, 6> p;
   for (int j = 0; j < 6; ++j) p[j] = Traits::Point(j, (5 * j) % 7, (3 * j) % 5);
@@ -49,7 +67,21 @@ int main() {
   const by_hand::Powers powers(hand_curve);
   double error = 0; // the results are used, and they are the same
   const auto compare = [&error](double x, double y) { error = std::fmax(error, std::abs(x - y) / (1 + std::abs(x))); };
+  const by_hand::Surface_blend_input<double> patches;
+  by_hand::Surface_blend hand_patches(patches);
+#ifdef CGAL_USE_GMPXX
+  const by_hand::Surface_blend_input<CGAL::Exact_rational> exact_patches;
+  by_hand::Exact_surface_blend exact_hand_patches{exact_patches, {}, {}, {}, {}, {}};
+#endif
   for (int l = 0; l < 1000; ++l) {
+    const auto surface = surface_blend_generic(patches);
+    surface_blend_by_hand(hand_patches);
+    for_each_number(surface, hand_patches, compare);
+#ifdef CGAL_USE_GMPXX
+    const auto exact_surface = exact_surface_blend_generic(exact_patches);
+    exact_surface_blend_by_hand(exact_hand_patches);
+    for_each_number(exact_surface, exact_hand_patches, [&](const auto& x, const auto& y) { compare(x == y, 1); });
+#endif
     const double u = l / 1000.0;
     const Jet x = jet_generic(curve, u), y = curve.jet(1 - u, 3);
     const by_hand::Jet hand_x = jet_by_hand(hand_curve, u), hand_y = by_hand::jet(hand_curve, 1 - u);

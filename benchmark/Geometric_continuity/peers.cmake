@@ -3,7 +3,7 @@ add_library(peers INTERFACE)
 target_include_directories(peers INTERFACE ${CMAKE_CURRENT_LIST_DIR}) # peers.h
 
 find_path(OCCT_INCLUDE_DIR Geom_BezierCurve.hxx PATH_SUFFIXES opencascade)
-foreach(library TKGeomAlgo TKG3d TKG2d TKGeomBase TKMath TKernel)
+foreach(library TKBool TKTopAlgo TKGeomAlgo TKBRep TKG3d TKG2d TKGeomBase TKMath TKernel)
   find_library(OCCT_${library} ${library})
   list(APPEND occt_libraries ${OCCT_${library}})
 endforeach()

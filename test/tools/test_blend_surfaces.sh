@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # blend --surfaces: patches, splines with inner knots, rational surfaces, every edge, and what is refused. That the written surface is G2
 # is decided by verify.
+tests=$(cd "$(dirname "$0")" && pwd)
 . "$(dirname "$0")/functions.sh"
 
 refused() { # refused TEXT ARGUMENTS...: the error contains the text
@@ -61,6 +62,12 @@ run 0 blend --surfaces flat.g2 next.g2 --edges v0,v1 && says out "G2 along both 
 # a normal that vanishes at a point of the edge
 printf '200 1 0 0\n3 0\n2 2\n0 0 1 1\n2 2\n0 0 1 1\n0 0 0\n4 1 0\n0 1 0\n4 1 0\n' >point.g2
 run 1 blend --surfaces point.g2 next.g2 && says out "vanishing_normal" "not G2 along both edges"
+
+# decided by arithmetic of its own, for random pairs
+if command -v python3 >/dev/null; then
+  holds python3 "$tests/check_surface_blends.py" "$program" 4 >checked
+  says checked "4 pairs, 0 wrong"
+fi
 
 # what is refused
 refused "two files are needed" blend --surfaces a.g2

@@ -1,0 +1,222 @@
+#!/usr/bin/env python3
+# Copyright (c) 2026 The Geometric_continuity developers
+#
+# SPDX-License-Identifier: LGPL-3.0-or-later
+"""Decides whether what `blend --surfaces` writes for random pairs of surfaces is G2 with both along whole edges:
+check_surface_blends.py PROGRAM [PAIRS [SEED]]
+
+Nothing of the package is used. The files of .g2 are read and evaluated in fractions, and with the edge C and the derivatives T, W across it
+    S_v = a C' + b T,   S_vv = a^2 C'' + 2 a b T' + b^2 W + c C' + d T,   b > 0
+is checked at more parameters of each span than polynomials that do not vanish can have zeros. With a coordinate of the layer of control
+points that matters last changed by 1/1000 it must not hold."""
+
+import random
+import subprocess
+import sys
+import tempfile
+from fractions import Fraction
+from pathlib import Path
+
+EDGES = ["u0", "u1", "v0", "v1"]
+
+
+class Surface:
+    """A B-spline surface of homogeneous points."""
+
+    def __init__(self, degrees, knots, net):  # net[i][j]
+        self.degrees, self.knots, self.net = degrees, knots, net
+
+    @staticmethod
+    def read(path):
+        words = iter(path.read_text().split())
+        if [next(words) for _ in range(4)] != ["200", "1", "0", "0"]:
+            raise ValueError("not a surface")
+        dimension, rational = int(next(words)), int(next(words))
+        sizes, degrees, knots = [], [], []
+        for _ in range(2):
+            sizes.append(int(next(words)))
+            degrees.append(int(next(words)) - 1)
+            knots.append([Fraction(next(words)) for _ in range(sizes[-1] + degrees[-1] + 1)])
+        net = [[None] * sizes[1] for _ in range(sizes[0])]
+        for j in range(sizes[1]):
+            for i in range(sizes[0]):
+                x = [Fraction(next(words)) for _ in range(dimension + rational)]
+                net[i][j] = x if rational else x + [Fraction(1)]
+        return Surface(degrees, knots, net)
+
+    def write(self, path):
+        lines = ["200 1 0 0", "3 1"]
+        for n, degree, knots in zip((len(self.net), len(self.net[0])), self.degrees, self.knots):
+            lines += [f"{n} {degree + 1}", " ".join(map(str, knots))]
+        lines += [" ".join(map(str, self.net[i][j])) for j in range(len(self.net[0])) for i in range(len(self.net))]
+        path.write_text("\n".join(lines) + "\n")
+
+    def domain(self, direction):
+        p, t = self.degrees[direction], self.knots[direction]
+        return t[p], t[-1 - p]
+
+    def turned(self, edge):
+        """With the edge v = its lower or upper end, and which of them."""
+        if edge[0] == "v":
+            return self, edge[1] == "1"
+        swapped = Surface(self.degrees[::-1], self.knots[::-1], [list(row) for row in zip(*self.net)])
+        return swapped, edge[1] == "1"
+
+
+def derivative(degree, knots, c):
+    """Coefficients, of degree one less over the knots but the first and the last."""
+    if degree == 0:
+        return 0, knots, [[Fraction(0)] * len(x) for x in c]
+    d = []
+    for i in range(len(c) - 1):
+        length = knots[i + degree + 1] - knots[i + 1]
+        d.append([degree * (y - x) / length if length else Fraction(0) for x, y in zip(c[i], c[i + 1])])
+    return degree - 1, knots[1:-1], d
+
+
+def value(degree, knots, c, span, u):
+    """At u, of the polynomial on [knots[span], knots[span + 1]]: de Boor's algorithm."""
+    d = [list(c[span - degree + i]) for i in range(degree + 1)]
+    for r in range(1, degree + 1):
+        for i in range(degree, r - 1, -1):
+            low, high = knots[span - degree + i], knots[span + 1 + i - r]
+            t = (u - low) / (high - low)
+            d[i] = [(1 - t) * x + t * y for x, y in zip(d[i - 1], d[i])]
+    return d[degree]
+
+
+def spans(degree, knots):
+    return [i for i in range(degree, len(knots) - degree - 1) if knots[i] < knots[i + 1]]
+
+
+def jet(surface, upper, u):
+    """The derivatives (k, l), k + l <= 2, of the surface in space at (u, end of v)."""
+    p, q = surface.degrees
+    homogeneous = {}
+    for l in range(3):
+        row = []
+        for points in surface.net:
+            degree, knots, c = q, surface.knots[1], points
+            for _ in range(l):
+                degree, knots, c = derivative(degree, knots, c)
+            span = spans(degree, knots)[-1 if upper else 0]
+            row.append(value(degree, knots, c, span, knots[span + 1] if upper else knots[span]))
+        degree, knots = p, surface.knots[0]
+        for k in range(3 - l):
+            span = next(i for i in spans(degree, knots) if knots[i] <= u <= knots[i + 1])
+            homogeneous[k, l] = value(degree, knots, row, span, u)
+            degree, knots, row = derivative(degree, knots, row)
+    result = {}
+    binomial = {(0, 0): 1, (1, 0): 1, (1, 1): 1, (2, 0): 1, (2, 1): 2, (2, 2): 1}
+    for order in range(3):
+        for k in range(order + 1):
+            l = order - k
+            x = list(homogeneous[k, l][:3])
+            for i in range(k + 1):
+                for j in range(l + 1):
+                    if i + j > 0:
+                        f = binomial[k, i] * binomial[l, j] * homogeneous[i, j][3]
+                        x = [a - f * b for a, b in zip(x, result[k - i, l - j])]
+            result[k, l] = [a / homogeneous[0, 0][3] for a in x]
+    return result
+
+
+def cross(x, y):
+    return [x[1] * y[2] - x[2] * y[1], x[2] * y[0] - x[0] * y[2], x[0] * y[1] - x[1] * y[0]]
+
+
+def dot(x, y):
+    return sum(a * b for a, b in zip(x, y))
+
+
+def is_g2(given, edge, outwards, blend, upper, backwards):
+    """Whether the blend continues the given surface, or the other way round, along a whole edge."""
+    s, at_end = given.turned(edge)
+    a, b = blend.domain(0)
+    c, d = s.domain(0)
+    to_given = lambda u: d - (u - a) * (d - c) / (b - a) if backwards else c + (u - a) * (d - c) / (b - a)
+    breaks = {a, b} | {t for t in blend.knots[0] if a < t < b}
+    for t in s.knots[0]:
+        if c < t < d:
+            breaks.add(b - (t - c) * (b - a) / (d - c) if backwards else a + (t - c) * (b - a) / (d - c))
+    breaks = sorted(breaks)
+    # the numerators have at most this degree: each derivative of order k is of degree (k + 1) times that along the edge, over weights
+    number = 12 * (blend.degrees[0] + s.degrees[0]) + 1
+    sign = 1 if at_end == outwards else -1
+    for low, high in zip(breaks, breaks[1:]):
+        for i in range(1, number + 1):
+            u = low + (high - low) * Fraction(i, number + 1)
+            x, y = jet(s, at_end, to_given(u)), jet(blend, upper, u)
+            if x[0, 0] != y[0, 0]:
+                return False
+            c1, t, c2, t1, w = x[1, 0], [sign * z for z in x[0, 1]], x[2, 0], [sign * z for z in x[1, 1]], x[0, 2]
+            n = cross(c1, t)
+            square = dot(n, n)
+            if square == 0 or dot(y[0, 1], n) != 0:
+                return False
+            alpha, beta = dot(cross(y[0, 1], t), n) / square, dot(cross(c1, y[0, 1]), n) / square
+            rest = [z - alpha**2 * e - 2 * alpha * beta * f - beta**2 * g for z, e, f, g in zip(y[0, 2], c2, t1, w)]
+            if beta <= 0 or dot(rest, n) != 0:
+                return False
+    return True
+
+
+def random_surface(shift):
+    degrees = [random.randint(1, 3), random.randint(1, 3)]
+    knots = []
+    for p in degrees:
+        a = Fraction(random.randint(-9, 9), random.randint(1, 9))
+        length = Fraction(random.randint(1, 9), random.randint(1, 9))
+        inner = [a + length * Fraction(random.randint(1, 8), 9)] if p == 3 and random.random() < 0.5 else []
+        knots.append([a] * (p + 1) + inner + [a + length] * (p + 1))
+    number = lambda: Fraction(random.randint(-(10**9), 10**9), 4 * 10**9)
+    rational = random.random() < 0.5
+    sizes = [len(t) - p - 1 for t, p in zip(knots, degrees)]
+    net = []
+    for i in range(sizes[0]):
+        net.append([])
+        for j in range(sizes[1]):
+            w = Fraction(random.randint(100, 110), 100) if rational else Fraction(1)
+            net[i].append([w * (3 * i + number()), w * (3 * j + shift + number()), w * number(), w])
+    return Surface(degrees, knots, net)
+
+
+def corners(surface, edge):
+    s, upper = surface.turned(edge)
+    return [jet(s, upper, u)[0, 0] for u in s.domain(0)]
+
+
+def main():
+    program, pairs = sys.argv[1], int(sys.argv[2]) if len(sys.argv) > 2 else 20
+    random.seed(int(sys.argv[3]) if len(sys.argv) > 3 else 2026)
+    failed = 0
+    with tempfile.TemporaryDirectory() as folder:
+        a_file, b_file, blend_file = (Path(folder) / name for name in ("a.g2", "b.g2", "blend.g2"))
+        for pair in range(pairs):
+            a, b = random_surface(0), random_surface(25)
+            a.write(a_file)
+            b.write(b_file)
+            edges = random.choice(EDGES), random.choice(EDGES)
+            subprocess.run([program, "blend", "--surfaces", a_file, b_file, "--edges", ",".join(edges), "-o", blend_file],
+                           check=True, stdout=subprocess.DEVNULL)
+            s = Surface.read(blend_file)
+            # how the second edge runs, from its ends
+            backwards = jet(s, True, s.domain(0)[0])[0, 0] != corners(b, edges[1])[0]
+            layers = len(s.net[0])
+
+            def verdicts():
+                return [is_g2(a, edges[0], True, s, False, False), is_g2(b, edges[1], False, s, True, backwards)]
+
+            good = verdicts() == [True, True]
+            for layer, expected in ((2, [False, True]), (layers - 3, [True, False])):
+                s.net[1][layer][2] += Fraction(1, 1000)
+                good = good and verdicts() == expected
+                s.net[1][layer][2] -= Fraction(1, 1000)
+            if not good:
+                failed += 1
+                print(f"pair {pair}, edges {edges}: wrong")
+    print(f"{pairs} pairs, {failed} wrong")
+    return 1 if failed else 0
+
+
+sys.exit(main())
