@@ -59,6 +59,8 @@ printf '200 1 0 0\n3 0\n2 2\n0 0 1 1\n2 2\n0 0 1 1\n0 0 0\n4 0 0\n0 4 0\n4 4 0\n
 printf '200 1 0 0\n3 0\n2 2\n0 0 1 1\n2 2\n0 0 1 1\n0 6 0\n4 6 0\n0 9 0\n4 9 0\n' >next.g2
 run 0 blend --surfaces flat.g2 next.g2 && lacks out warning
 run 0 blend --surfaces flat.g2 next.g2 --edges v0,v1 && says out "G2 along both edges" "warning: it may be folded near ("
+# where that is not decided, the blend is written nevertheless
+run 0 blend --surfaces a.g2 cylinder.g2 --max-work 3000000 -o blend.g2 && says out "G2 along both edges" "warning: it may be folded, which was not decided within --max-work"
 # a normal that vanishes at a point of the edge
 printf '200 1 0 0\n3 0\n2 2\n0 0 1 1\n2 2\n0 0 1 1\n0 0 0\n4 1 0\n0 1 0\n4 1 0\n' >point.g2
 run 1 blend --surfaces point.g2 next.g2 && says out "vanishing_normal" "not G2 along both edges"

@@ -73,6 +73,18 @@ bool report_edge(std::ostream& report, const std::string& file, GC::Patch_edge e
   return has_order;
 }
 
+// The search for folds may take long, and what it finds is no more than a warning: it never refuses the blend.
+void warn_of_fold(std::ostream& report, const Surface& s) {
+  try {
+    if (const auto fold = possible_fold(s))
+      report << "warning: it may be folded near (" << CGAL::to_double(fold->u.first) << ", "
+             << CGAL::to_double(fold->v.first) << "), where its normal may vanish\n";
+  } catch (const GC::Error& e) {
+    if (e.code() != GC::Error_code::work_limit) throw;
+    report << "warning: it may be folded, which was not decided within --max-work\n";
+  }
+}
+
 template <class Strategy> Exit_code blend_by(const Command_line& line, const Strategy& strategy) {
   const Arguments files = line.files();
   const Surface a = read_surface(files[0]), b = read_surface(files[1]);
@@ -85,9 +97,7 @@ template <class Strategy> Exit_code blend_by(const Command_line& line, const Str
              at_b = report_edge(report, files[1], edge_b, shape.end, b, s, GC::Patch_edge::v1);
   const std::string order = line.integer("order") == 2 ? "G2" : "G3";
   report << (at_a && at_b ? order + " along both edges, proved exactly\n" : "not " + order + " along both edges\n");
-  if (const auto fold = possible_fold(s))
-    report << "warning: it may be folded near (" << CGAL::to_double(fold->u.first) << ", "
-           << CGAL::to_double(fold->v.first) << "), where its normal may vanish\n";
+  warn_of_fold(report, s);
   if (line.has("output")) write_output(line.text("output"), [&](std::ostream& os) { GC::write_g2(os, s); });
   return at_a && at_b ? requirement_met : requirement_not_met;
 }
