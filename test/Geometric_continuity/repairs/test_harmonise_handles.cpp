@@ -18,6 +18,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 BOOST_AUTO_TEST_SUITE(harmonise_handles)
@@ -82,6 +83,16 @@ BOOST_AUTO_TEST_CASE(nearly_where_it_is_not) {
   BOOST_CHECK(r.g1);
   BOOST_CHECK(!r.g2);
   BOOST_CHECK_LT(r.jump, 0.05);
+}
+
+BOOST_AUTO_TEST_CASE(nearly_with_one_fixed_handle) {
+  // curvatures as 30 / m^2 and 91 / n^2: n : m = 1.7416...
+  const auto lengths = [](std::int64_t m, bool left_movable, std::int64_t n) {
+    const Result r = harmonised({{m, 0}, {90, -30}, 3, left_movable}, {{n, 0}, {130, 91}, 3, !left_movable});
+    return std::make_pair(r.handles.left.x, r.handles.right.x);
+  };
+  BOOST_CHECK((lengths(50, false, 160) == std::pair<std::int64_t, std::int64_t>(50, 87)));
+  BOOST_CHECK((lengths(100, true, 80) == std::pair<std::int64_t, std::int64_t>(46, 80)));
 }
 
 BOOST_AUTO_TEST_CASE(exact_lengths_beyond_the_bound_are_not_taken) {

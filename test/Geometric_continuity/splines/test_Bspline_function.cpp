@@ -456,6 +456,16 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(products, K, Kernels) {
   CHECK_ERROR(f * Function<FT>(GC::Knot_vector<FT>(0, {FT(0), FT(3)}), {FT(1)}), parameter_outside_domain);
 }
 
+// Arguments of a coefficient are more than three knots when the multiplicities are low for the degree.
+BOOST_AUTO_TEST_CASE(high_degrees_with_simple_knots) {
+  repeat<Q>(20, [](Random<Q>& random) {
+    const int q = random.integer(1, 2), p = q + random.integer(4, 6);
+    const Function<Q> f = random.function(random.knots(p, 1));
+    check_product(f, random.function(GC::Knot_vector<Q>(q, f.domain().first, f.domain().second)), random);
+    check_same(f, f.elevate(q), 0);
+  });
+}
+
 // Cubics with simple knots: one argument outside a span, of two spans, multiplies the roundings by at most 3.
 BOOST_AUTO_TEST_CASE(product_of_cubics_in_floating_point) {
   repeat<double>(100, [](Random<double>& random) {

@@ -14,9 +14,11 @@
 #include <CGAL/Geometric_continuity/Traits.h>
 #include <CGAL/Geometric_continuity/curves/Bezier_curve.h>
 #include <CGAL/Geometric_continuity/curves/Bspline_curve.h>
+#include <CGAL/Geometric_continuity/curves/Rational_curve.h>
 #include <CGAL/Simple_cartesian.h>
 
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <sstream>
 #include <string>
@@ -267,6 +269,39 @@ BOOST_AUTO_TEST_CASE(pictures_of_surfaces) {
   style.width = 100;
   GC::write_svg_surfaces(narrow, std::vector<Patch>{bent}, style);
   BOOST_CHECK(narrow.str().find("width=\"148\"") != std::string::npos); // with margins of 24
+}
+
+// Pictures stay what they are, to the last digit. Who changes how they look, and has looked at them, puts in the new number.
+BOOST_AUTO_TEST_CASE(pictures_stay_what_they_are) {
+  const auto fingerprint = [](const std::string& picture) { // FNV-1a
+    std::uint64_t hash = 0xcbf29ce484222325;
+    for (char c : picture) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3;
+    return hash;
+  };
+  GC::Svg_figure figure("A title that is long enough to be broken into two lines, because the figure is not as wide",
+                        2);
+  const Svg_style detailed{Svg_role::given, true, true, "", true};
+  figure.add(GC::Svg_panel("first").add(arch, detailed).join("G0").add(line, Svg_style{Svg_role::result, false, true}));
+  const GC::Rational_bezier_curve<Plane> conic({P(0, 0), P(1, 2), P(3, 2)}, {1., 2., 5.});
+  figure.add(GC::Svg_panel().add(conic, Svg_style{Svg_role::construction, true}).label("end").add(arch).join());
+  figure.add(GC::Svg_panel("third").add(
+      GC::Bezier_curve<Space>{Q(0, 0, 0), Q(1, 3, 2), Q(4, 1, -3), Q(5, 5, 1), Q(0, 7, 1)}, detailed));
+  BOOST_CHECK_EQUAL(fingerprint(svg(figure)), 0x7dc76f5538912ed8);
+
+  const Patch bent{{Q(0, 0, 0), Q(0, 2, 1)}, {Q(1, 0, 2), Q(1, 2, 2)}, {Q(2, 0, 0), Q(2, 2, 0)}},
+      next{{Q(2, 0, 0), Q(2, 2, 0)}, {Q(3, 0, -2), Q(3, 2, -2)}},
+      last{{Q(3, 0, -2), Q(3, 2, -2)}, {Q(5, 1, 1), Q(4, 3, 0)}};
+  GC::Svg_surface_style style;
+  std::vector<std::uint64_t> prints;
+  for (GC::Svg_shading shading : {GC::Svg_shading::smooth, GC::Svg_shading::isophotes}) {
+    style.shading = shading;
+    style.azimuth += 40;
+    std::ostringstream os;
+    GC::write_svg_surfaces(os, std::vector<Patch>{bent, next, last}, style);
+    prints.push_back(fingerprint(os.str()));
+  }
+  BOOST_CHECK_EQUAL(prints[0], 0x3a3d210532b52c4e);
+  BOOST_CHECK_EQUAL(prints[1], 0x4580b214210fb7d0);
 }
 
 BOOST_AUTO_TEST_SUITE_END()
