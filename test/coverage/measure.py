@@ -6,16 +6,19 @@
 
     measure.py [--build FOLDER] [--jobs N] [--tests PATTERN] [--list FILE]
 
-It builds the programs of test/Geometric_continuity with clang++, runs them, and prints a table of the rooms; FILE receives what is not reached. A line or
-a side of a branch is reached if it is so in any instance of its template. Conditions that the compiler knows are no branches. What no test instantiates
-has neither lines nor branches, and is not seen. It takes an hour or so on two cores: call it by nice."""
+It builds the unit tests, those of the program's readers among them, with clang++, runs them, and prints a table of the rooms; FILE receives what is
+not reached. A line or a side of a branch is reached if it is so in any instance of its template. Conditions that the compiler knows are no branches. What no test instantiates
+has neither lines nor branches, and is not seen. It takes an hour or so on two cores: call it by nice. With a regular expression only the programs are built and
+run in whose names it is found. FOLDER keeps what each has reached: it is not run again before it changes."""
 
 import argparse
 import collections
 import concurrent.futures
 import json
 import os
+import pickle
 import re
+import shlex
 import subprocess
 import sys
 from pathlib import Path
@@ -25,15 +28,18 @@ prefix = str(root / "include" / "CGAL" / "Geometric_continuity") + os.sep
 CODE, BRANCH = 0, 4  # kinds of regions
 
 
-def build(folder, jobs):
-    """Builds all programs; returns the names of the tests and their commands."""
+def build(folder, jobs, pattern):
+    """Builds the programs in whose names the pattern is found; returns the names of the tests and their commands."""
     flags = "-fprofile-instr-generate -fcoverage-mapping"  # which clang does not apply to what comes from precompiled headers
     options = ["-DCMAKE_CXX_COMPILER=clang++", f"-DCMAKE_CXX_FLAGS={flags}", "-DGEOMETRIC_CONTINUITY_PRECOMPILE_PACKAGE=OFF"]
     subprocess.run(["cmake", "-G", "Unix Makefiles", "-S", root, "-B", folder, *options], check=True, stdout=subprocess.DEVNULL)
-    tests = folder / "test" / "Geometric_continuity"
-    subprocess.run(["make", "-C", tests, f"-j{jobs}"], check=True, stdout=subprocess.DEVNULL)
-    known = json.loads(subprocess.run(["ctest", "--test-dir", tests, "--show-only=json-v1"], check=True, capture_output=True).stdout)["tests"]
-    return [(t["name"], t["command"]) for t in known if Path(t["command"][0]).parent == tests]
+    folders = [folder / "test" / "Geometric_continuity", folder / "test" / "tools"]
+    listed = "".join((tests / "CTestTestfile.cmake").read_text() for tests in folders)  # CTest itself tells the commands of what is built only
+    known = re.findall(r"^add_test\((?:\[=+\[)?([^\]\s]+)(?:\]=+\])? (.*)\)$", listed, re.M)
+    chosen = [(name, shlex.split(command)) for name, command in known if re.search(pattern, name)]
+    chosen = [(name, command) for name, command in chosen if Path(command[0]).parent in folders]
+    subprocess.run(["make", "-C", folder, f"-j{jobs}", *{Path(command[0]).name for _, command in chosen}], check=True, stdout=subprocess.DEVNULL)
+    return chosen
 
 
 def line_counts(segments):
@@ -68,7 +74,9 @@ def sides(function):
 
 def run(name, command, folder):
     """Runs a test; returns which lines it reaches, and which sides of branches."""
-    raw, merged = folder / f"{name}.profraw", folder / f"{name}.profdata"
+    raw, merged, kept = (folder / f"{name}.{end}" for end in ("profraw", "profdata", "reached"))
+    if kept.exists() and kept.stat().st_mtime > Path(command[0]).stat().st_mtime:
+        return pickle.loads(kept.read_bytes())
     result = subprocess.run(command, cwd=folder, env={**os.environ, "LLVM_PROFILE_FILE": str(raw)}, capture_output=True, check=False)
     if result.returncode != 0:
         raise RuntimeError(f"{name} fails:\n{result.stdout.decode()}{result.stderr.decode()}")
@@ -86,6 +94,7 @@ def run(name, command, folder):
             branches[place] = (old[0] or is_true, old[1] or is_false)
     raw.unlink()
     merged.unlink()
+    kept.write_bytes(pickle.dumps((lines, branches)))
     return lines, branches
 
 
@@ -93,11 +102,11 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--build", type=Path, default=root / "build" / "coverage")
     parser.add_argument("--jobs", type=int, default=os.cpu_count())
-    parser.add_argument("--tests", default="", help="only those with a name in which this regular expression is found")
+    parser.add_argument("--tests", default="", help="only those in whose names this regular expression is found")
     parser.add_argument("--list", type=Path, help="write what is not reached to this file")
     options = parser.parse_args()
     folder = options.build.resolve()
-    tests = [(name, command) for name, command in build(folder, options.jobs) if re.search(options.tests, name)]
+    tests = build(folder, options.jobs, options.tests)
     lines, branches = {}, {}
     with concurrent.futures.ThreadPoolExecutor(options.jobs) as pool:
         for reached, seen in pool.map(lambda test: run(*test, folder), tests):
