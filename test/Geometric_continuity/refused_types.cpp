@@ -22,6 +22,10 @@ auto point() { return curve(0.5); }
 GC::Bezier_curve<GC::Traits_3<CGAL::Simple_cartesian<int>>> curve{CGAL::Simple_cartesian<int>::Point_3(0, 0, 0)};
 #elif defined(KNOTS_WITHOUT_DEGREE)
 GC::Knot_vector<double> knots({0, 0, 0, 1, 1, 1});
+#elif defined(KNOTS_BEFORE_DEGREE)
+GC::Knot_vector<double> knots({0, 0, 0, 1, 1, 1}, 2);
+#elif defined(TRAITS_AS_NUMBERS)
+GC::Knot_vector<GC::Traits_2<CGAL::Simple_cartesian<double>>> knots(2, {0, 0, 0, 1, 1, 1});
 #elif defined(DEGREES)
 typedef CGAL::Simple_cartesian<double>::Point_2 Point;
 auto arc = GC::circular_arc(Point(0, 0), Point(1, 0), 90);

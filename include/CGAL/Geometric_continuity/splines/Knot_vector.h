@@ -53,6 +53,9 @@ public:
   };
 
 private:
+  static_assert(std::is_constructible_v<FT, int>,
+                "Knot_vector takes the type of its numbers, as in Knot_vector<double>");
+
   int p_;
   std::vector<FT> u_;
 
@@ -78,10 +81,10 @@ public:
     check();
   }
 
-  // Knots alone, also in braces: one error of the compiler instead of a list of all constructors.
+  // Knots without a degree before them, also in braces: one error of the compiler instead of a list of all constructors.
   template <class Knots = std::vector<FT>,
-            class = std::enable_if_t<std::is_convertible_v<const Knots&, std::vector<FT>>>>
-  explicit Knot_vector(const Knots&) {
+            class = std::enable_if_t<std::is_convertible_v<const Knots&, std::vector<FT>>>, class... After>
+  explicit Knot_vector(const Knots&, const After&...) {
     static_assert(!std::is_same_v<Knots, Knots>, "Knot_vector: the degree is missing, which stands before the knots");
   }
 
