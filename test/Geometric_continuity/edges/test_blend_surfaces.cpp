@@ -349,6 +349,25 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(too_many_knots, Traits, All_traits) {
                         std::to_string(steps) + " steps of work, and 1000 are allowed: a Work_scope raises the limit");
 }
 
+// From a closed edge to an open one: both side edges start in one point, and the blend is G2 as any other.
+BOOST_AUTO_TEST_CASE(closed_and_open_edges) {
+  const Knots u(2, Q(0), Q(1), {{fraction(1, 3), 1}, {fraction(2, 3), 1}}), v(1, Q(0), Q(1));
+  const auto surface = [&](const std::vector<std::pair<int, int>>& edge, int z) {
+    std::vector<std::vector<Exact::Point>> net;
+    for (const auto& p : edge)
+      net.push_back({Exact::Point(p.first, p.second, z), Exact::Point(p.first + 1, p.second + 2, z + 1)});
+    return Bspline<Exact>(net, u, v);
+  };
+  const Bspline<Exact> closed = surface({{0, 0}, {4, 0}, {4, 4}, {0, 4}, {0, 0}}, 0),
+                       other = surface({{0, 0}, {5, 0}, {5, 7}, {0, 5}, {0, 0}}, 4),
+                       open = surface({{0, 0}, {1, 1}, {2, 0}, {3, 3}, {4, 0}}, 4);
+  const Bspline<Exact> s = blend(closed, v1, open, v0, Shape()), t = blend(closed, v1, other, v0, Shape());
+  check_blend(closed, v1, open, v0, s, Edge_direction::same);
+  check_blend(closed, v1, other, v0, t, Edge_direction::same);
+  BOOST_CHECK(s(Q(0), Q(0)) == s(Q(1), Q(0)) && s(Q(0), Q(1)) != s(Q(1), Q(1)));
+  for (int j = 0; j <= 5; ++j) BOOST_CHECK(t.control_point(0, j) == t.control_point(4, j));
+}
+
 // What a shift along the edge multiplies must not jump.
 BOOST_AUTO_TEST_CASE(torn_blends) {
   Numbers random;

@@ -330,7 +330,8 @@ auto checked_ends(const A& a, Patch_edge edge_a, const B& b, Patch_edge edge_b, 
 /// in the place of functions leave the degree along the edges as it is, functions of degree `q` raise it by up to `2 q`, and knots of splines
 /// become knots of the blend, which is as smooth across them as they are. Where
 /// \f$ \alpha \f$, \f$ \alpha_2 \f$ and \f$ \delta \f$ are 0 and \f$ \beta \f$ is constant, each curve `u` = const is a blend of the
-/// curves of the two surfaces, see `Quintic_ends`. The side edges are what the side edges of the surfaces make of them.
+/// curves of the two surfaces, see `Quintic_ends`. The side edges are what the side edges of the surfaces make of them: between two closed
+/// edges they are one curve where the surfaces close smoothly, and where only one edge is closed they meet at one end.
 ///
 /// The dimension is any. Linear in the number of knots.
 /// \param shape the functions that are free, in the parameter of the first edge; derivatives are those with respect to the parameters of the
