@@ -63,20 +63,10 @@ public:
   Bspline_function<FT> over(const std::pair<FT, FT>& domain) const { return on_interval(domain, f_); }
 
   /// Decides whether the function is a number.
-  bool is_number() const { return number_of_coefficients() == 1; }
+  bool is_number() const { return f_.coefficients().size() == 1; }
 
   /// Decides whether the function is positive on [0, 1], on both sides of each knot; exactly, also of floating-point numbers.
-  bool is_positive() const {
-    const std::vector<FT>& c = f_.coefficients();
-    if (c.size() == 1) return FT(0) < c[0];
-    if (std::all_of(c.begin(), c.end(), [](const FT& x) { return FT(0) < x; })) return true; // mostly
-    const internal::Work_on_part work("Edge_function::is_positive");
-    const std::vector<FT> pieces = internal::bernstein_pieces(f_.knots(), f_.coefficients());
-    const std::ptrdiff_t n = degree() + 1;
-    for (auto piece = pieces.begin(); piece != pieces.end(); piece += n)
-      if (sign_pattern(Bernstein_polynomial<FT>(piece, piece + n)) != Sign_pattern::positive) return false;
-    return true;
-  }
+  bool is_positive() const { return is_number() ? FT(0) < f_.coefficients()[0] : is_positive_function(); }
 
   /// Returns the product.
   friend Edge_function operator*(const Edge_function& f, const Edge_function& g) {
@@ -102,6 +92,18 @@ public:
   }
 
 private:
+  // Of a function that is no number.
+  bool is_positive_function() const {
+    const std::vector<FT>& c = f_.coefficients();
+    if (std::all_of(c.begin(), c.end(), [](const FT& x) { return FT(0) < x; })) return true; // mostly
+    const internal::Work_on_part work("Edge_function::is_positive");
+    const std::vector<FT> pieces = internal::bernstein_pieces(f_.knots(), f_.coefficients());
+    const std::ptrdiff_t n = degree() + 1;
+    for (auto piece = pieces.begin(); piece != pieces.end(); piece += n)
+      if (sign_pattern(Bernstein_polynomial<FT>(piece, piece + n)) != Sign_pattern::positive) return false;
+    return true;
+  }
+
   static Bspline_function<FT> on_interval(const std::pair<FT, FT>& to, const Bspline_function<FT>& f) {
     return Bspline_function<FT>(f.knots().on_domain(to.first, to.second), f.coefficients());
   }
