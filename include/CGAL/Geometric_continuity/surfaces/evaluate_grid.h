@@ -68,6 +68,8 @@ enum class Grid_normals {
   unit          ///< of length 1, or zero where \f$ S_u \times S_v = 0 \f$
 };
 
+CGAL_GEOMETRIC_CONTINUITY_LOOP_WARNINGS_OFF
+
 namespace internal {
 
 // The Bernstein polynomials of degree n and their derivatives with respect to a parameter on [a, a+h], at many parameters:
@@ -237,6 +239,8 @@ void evaluate_spline(const Surface& surface, const Range& u, const Range& v, Sur
 }
 
 } // namespace internal
+
+CGAL_GEOMETRIC_CONTINUITY_LOOP_WARNINGS_ON
 
 /// \ingroup PkgGeometricContinuitySurfaces
 /// Computes the points and normals of a Bézier patch at all pairs of a parameter `u` and a parameter `v`, several at a time
