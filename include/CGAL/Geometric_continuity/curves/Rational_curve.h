@@ -7,6 +7,7 @@
 
 #include <CGAL/Geometric_continuity/curves/Bezier_curve.h>
 #include <CGAL/Geometric_continuity/curves/Bspline_curve.h>
+#include <CGAL/Geometric_continuity/curves/internal/Joined_bezier_curves.h>
 #include <CGAL/Geometric_continuity/curves/internal/denominator.h>
 #include <CGAL/Geometric_continuity/internal/force_inline.h>
 #include <CGAL/Geometric_continuity/internal/independent_iterations.h>
@@ -530,23 +531,7 @@ private:
   }
 
   template <class ForwardIterator> static Homogeneous joined(ForwardIterator first, ForwardIterator last) {
-    std::vector<Bezier_curve<Homogeneous_traits<Traits>>> curves;
-    for (; first != last; ++first) {
-      const Bezier_curve<Homogeneous_traits<Traits>> c(first->homogeneous());
-      if (curves.empty()) {
-        curves.push_back(c);
-        continue;
-      }
-      const auto &end = curves.back().control_point(curves.back().degree()), &start = c.control_point(0);
-      const int n = start.dimension() - 1;
-      if (end.dimension() != n + 1 || affine_point(end) != affine_point(start))
-        throw Error(end.dimension() == n + 1 ? Error_code::curves_do_not_meet : Error_code::dimension_mismatch,
-                    "Rational_bspline_curve: Bezier curve " + std::to_string(curves.size()));
-      const FT factor = FT(end[n] / start[n]);
-      std::vector<typename Homogeneous::Point> points{end}; // not factor * start, which may be rounded
-      for (int j = 1; j <= c.degree(); ++j) points.push_back(factor * c.control_point(j));
-      curves.emplace_back(points.begin(), points.end(), c.domain().first, c.domain().second);
-    }
+    const auto curves = internal::meeting_homogeneous_curves<Traits>(first, last);
     return Homogeneous(curves.begin(), curves.end());
   }
 

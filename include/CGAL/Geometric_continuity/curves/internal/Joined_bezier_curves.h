@@ -41,7 +41,8 @@ template <class Traits> struct Joined_bezier_curves {
 private:
   void append(const Bezier_curve<Traits>& curve, const std::string& place) {
     if (!points.empty()) {
-      const Coordinates<Traits> end = coordinates<Traits>(points.back()), start = curve.coordinates(0);
+      const Coordinates<Traits> end = Geometric_continuity::coordinates<Traits>(points.back()),
+                                start = curve.coordinates(0);
       if (start.dimension() != end.dimension()) throw Error(Error_code::dimension_mismatch, place);
       if (start != end) throw Error(Error_code::curves_do_not_meet, place);
     }
@@ -52,6 +53,34 @@ private:
     knots.push_back(next);
   }
 };
+
+// The curves of the homogeneous points of rational Bezier curves, each multiplied by a factor, so that it starts exactly where the one
+// before it ends.
+// \throws Error `dimension_mismatch`, `curves_do_not_meet` when two neighbours do not fit
+template <class Traits, class ForwardIterator>
+std::vector<Bezier_curve<Homogeneous_traits<Traits>>> meeting_homogeneous_curves(ForwardIterator first,
+                                                                                 ForwardIterator last) {
+  typedef typename Traits::FT FT;
+  typedef Bezier_curve<Homogeneous_traits<Traits>> Homogeneous;
+  std::vector<Homogeneous> curves;
+  for (; first != last; ++first) {
+    const Homogeneous c(first->homogeneous());
+    if (curves.empty()) {
+      curves.push_back(c);
+      continue;
+    }
+    const auto &end = curves.back().control_point(curves.back().degree()), &start = c.control_point(0);
+    const int n = start.dimension() - 1;
+    if (end.dimension() != n + 1 || affine_point(end) != affine_point(start))
+      throw Error(end.dimension() == n + 1 ? Error_code::curves_do_not_meet : Error_code::dimension_mismatch,
+                  "Rational_bspline_curve: Bezier curve " + std::to_string(curves.size()));
+    const FT factor = FT(end[n] / start[n]);
+    std::vector<typename Homogeneous::Point> points{end}; // not factor * start, which may be rounded
+    for (int j = 1; j <= c.degree(); ++j) points.push_back(factor * c.control_point(j));
+    curves.emplace_back(points.begin(), points.end(), c.domain().first, c.domain().second);
+  }
+  return curves;
+}
 
 } // namespace internal
 } // namespace Geometric_continuity
