@@ -173,11 +173,20 @@ template <class Point> struct Traits_of_point<Point, std::enable_if_t<Point::Amb
   typedef Traits_3<typename Point::R> type;
 };
 
+// In the place of a traits class: that of the points.
+struct Of_points;
+template <class Given, class Point> struct Traits_given { typedef Given type; };
+template <class Point> struct Traits_given<Of_points, Point> : Traits_of_point<Point> {};
+
 } // namespace internal
 
 /// \ingroup PkgGeometricContinuityTraits
 /// The traits class of points of a \cgal kernel, of type `Point_2` or `Point_3`: functions that take such points need not be told.
 template <class Point> using Traits_of = typename internal::Traits_of_point<Point>::type;
+
+/// \ingroup PkgGeometricContinuityTraits
+/// The traits class `Given`, or `Traits_of<Point>` where a function is called without template arguments.
+template <class Given, class Point> using Traits_or_of = typename internal::Traits_given<Given, Point>::type;
 
 /// \ingroup PkgGeometricContinuityTraits
 /// The dimension of a traits class when it is known at compile time, otherwise 0.
@@ -206,6 +215,18 @@ Coordinate_vector<Field, dimension_v<Traits>> coordinates(const Point_or_vector&
       c[i] = internal::to_field<Field>(typename Traits::FT(traits.compute_coordinate_object()(p, i)));
   return c;
 }
+
+namespace internal {
+
+// Of points and vectors, and of what converts to them.
+template <class Traits> Coordinates<Traits> point_column(const typename Traits::Point& p) {
+  return Geometric_continuity::coordinates<Traits>(p);
+}
+template <class Traits> Coordinates<Traits> vector_column(const typename Traits::Vector& v) {
+  return Geometric_continuity::coordinates<Traits>(v);
+}
+
+} // namespace internal
 
 /// \ingroup PkgGeometricContinuityTraits
 /// Returns the point with the coordinates `c`.
@@ -301,9 +322,9 @@ template <class Shape> struct Is_rational<Shape, std::void_t<typename Shape::Hom
 // Two opposite corners of the bounding box of the points in [first, last). \pre there is one
 template <class Traits, class Iterator>
 std::pair<typename Traits::Point, typename Traits::Point> corners_of_box(Iterator first, Iterator last) {
-  Coordinates<Traits> low = coordinates<Traits>(*first), high = low;
+  Coordinates<Traits> low = Geometric_continuity::coordinates<Traits>(*first), high = low;
   while (++first != last) {
-    const Coordinates<Traits> p = coordinates<Traits>(*first);
+    const Coordinates<Traits> p = Geometric_continuity::coordinates<Traits>(*first);
     for (int i = 0; i < p.dimension(); ++i) {
       if (p[i] < low[i]) low[i] = p[i];
       if (high[i] < p[i]) high[i] = p[i];
@@ -316,7 +337,8 @@ std::pair<typename Traits::Point, typename Traits::Point> corners_of_box(Iterato
 template <class Traits> auto bbox_of(const std::pair<typename Traits::Point, typename Traits::Point>& corners) {
   constexpr int N = dimension_v<Traits>;
   static_assert(N == 2 || N == 3, "bounding_box() serves the other dimensions");
-  const Coordinates<Traits> low = coordinates<Traits>(corners.first), high = coordinates<Traits>(corners.second);
+  const Coordinates<Traits> low = Geometric_continuity::coordinates<Traits>(corners.first),
+                            high = Geometric_continuity::coordinates<Traits>(corners.second);
   const auto lower = [&](int i) { return CGAL::to_interval(low[i]).first; };
   const auto upper = [&](int i) { return CGAL::to_interval(high[i]).second; };
   if constexpr (N == 2)

@@ -389,6 +389,7 @@ BOOST_AUTO_TEST_CASE(arcs_of_points_of_a_kernel) {
   BOOST_CHECK(GC::circular_arc_with_tangent(a, u, c) == GC::circular_arc_with_tangent<Q2>(a, u, c));
   BOOST_CHECK(GC::conic_arc(a, u, b, v, Q2::Point(3, 5)) == GC::conic_arc<Q2>(a, u, b, v, Q2::Point(3, 5)));
   BOOST_CHECK(GC::ellipse(a, u, v) == GC::ellipse<Q2>(a, u, v));
+  BOOST_CHECK(GC::ellipse<Q2>(CGAL::ORIGIN, u, v) == GC::ellipse(Q2::Point(0, 0), u, v)); // what converts to points
 }
 
 BOOST_AUTO_TEST_CASE(arcs_about_a_centre_and_an_axis) {

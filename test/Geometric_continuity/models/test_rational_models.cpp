@@ -103,6 +103,7 @@ BOOST_AUTO_TEST_CASE(equations_of_elementary_surfaces) {
   // points of a kernel tell their traits class
   const Exact::Vector x = S::x(2), y = S::y(), z = S::z(3);
   BOOST_CHECK(GC::parallelogram(o, x, y) == GC::parallelogram<Exact>(o, x, y));
+  BOOST_CHECK(GC::parallelogram<Exact>(CGAL::ORIGIN, x, y) == GC::parallelogram(Exact::Point(0, 0, 0), x, y));
   BOOST_CHECK(GC::cone(o, x, y, z, fraction(1, 2)) == GC::cone<Exact>(o, x, y, z, fraction(1, 2)));
   BOOST_CHECK(GC::cylinder(o, x, y, z) == GC::cylinder<Exact>(o, x, y, z));
   BOOST_CHECK(GC::ellipsoid(o, x, y, z) == GC::ellipsoid<Exact>(o, x, y, z));

@@ -14,8 +14,8 @@
 /// \file arcs.h
 /// Arcs of circles, ellipses and other conics as rational Bézier curves of degree 2. Everything is rational: with an exact kernel
 /// each point of an arc lies on its circle exactly. Arcs of more than half a circle have a negative weight in the middle, and half
-/// a circle has an infinite control point there. All functions run in constant time. Each has a twin that needs not be told the
-/// traits class of points of a \cgal kernel.
+/// a circle has an infinite control point there. All functions run in constant time. Points of a \cgal kernel, the first of them, say
+/// what the traits class is (`Traits_of`); for others it is the first template argument, `circular_arc<Traits>(…)`.
 
 namespace CGAL {
 namespace Geometric_continuity {
@@ -82,13 +82,13 @@ std::array<FT, 2> components(const Coordinate_vector<FT, N>& u, const Coordinate
 /// \f$ (1-r^2)/(1+r^2) \f$ and sine \f$ 2r/(1+r^2) \f$ are rational, the control points are \f$ c + u \f$,
 /// \f$ c + \rho u / \cos(\theta/2) \f$ and \f$ c + \rho^2 u \f$.
 /// \throws Error `dimension_mismatch`, `empty_domain` for `r == 0`, `not_finite`
-template <class Traits>
-Rational_bezier_curve<Traits, 2> elliptical_arc(const typename Traits::Point& c, const typename Traits::Vector& u,
+template <class Given = internal::Of_points, class Point = typename Given::Point,
+          class Traits = Traits_or_of<Given, Point>>
+Rational_bezier_curve<Traits, 2> elliptical_arc(const Point& c, const typename Traits::Vector& u,
                                                 const typename Traits::Vector& v, const typename Traits::FT& r) {
   typedef typename Traits::FT FT;
-  const Coordinates<Traits> centre = Geometric_continuity::coordinates<Traits>(c),
-                            x = Geometric_continuity::coordinates<Traits>(u),
-                            y = Geometric_continuity::coordinates<Traits>(v);
+  const Coordinates<Traits> centre = internal::point_column<Traits>(c), x = internal::vector_column<Traits>(u),
+                            y = internal::vector_column<Traits>(v);
   internal::require_one_dimension(centre, x, "elliptical_arc: half-axes");
   internal::require_one_dimension(centre, y, "elliptical_arc: half-axes");
   internal::check_finite(r, "elliptical_arc: r");
@@ -103,27 +103,17 @@ Rational_bezier_curve<Traits, 2> elliptical_arc(const typename Traits::Point& c,
 }
 
 /// \ingroup PkgGeometricContinuityCurves
-/// Returns the arc of an ellipse, given by points of a \cgal kernel, over whose traits class (`Traits_of`) it is.
-/// \throws Error as with the traits class named
-template <class Point>
-Rational_bezier_curve<Traits_of<Point>, 2> elliptical_arc(const Point& c, const typename Traits_of<Point>::Vector& u,
-                                                          const typename Traits_of<Point>::Vector& v,
-                                                          const typename Traits_of<Point>::FT& r) {
-  return elliptical_arc<Traits_of<Point>>(c, u, v, r);
-}
-
-/// \ingroup PkgGeometricContinuityCurves
 /// Returns the arc of the circle about `centre` in the plane from `start` by the angle \f$ 4 \arctan r \f$, counterclockwise for
 /// `r > 0`: `r` is the tangent of a quarter of the angle, not the angle and no radius. `r = FT(1)` is a half circle; for an angle in
 /// degrees, `std::tan(degrees * CGAL_PI / 720)` is a number near it, with which every point is on the circle as well. Whole numbers
 /// of type `int` are refused by the compiler, because they would be degrees by mistake. See `elliptical_arc()`.
 /// \throws Error `zero_direction` when `start` is the centre, `empty_domain` for `r == 0`, `not_finite`
-template <class Traits>
-Rational_bezier_curve<Traits, 2> circular_arc(const typename Traits::Point& centre, const typename Traits::Point& start,
+template <class Given = internal::Of_points, class Point = typename Given::Point,
+          class Traits = Traits_or_of<Given, Point>>
+Rational_bezier_curve<Traits, 2> circular_arc(const Point& centre, const typename Traits::Point& start,
                                               const typename Traits::FT& r) {
   static_assert(dimension_v<Traits> == 2, "in space, an arc has an axis");
-  const Coordinates<Traits> u =
-      Geometric_continuity::coordinates<Traits>(start) - Geometric_continuity::coordinates<Traits>(centre);
+  const Coordinates<Traits> u = internal::point_column<Traits>(start) - internal::point_column<Traits>(centre);
   internal::square_of(u, "circular_arc: the start is the centre");
   Coordinates<Traits> v(2);
   v[0] = -u[1];
@@ -132,31 +122,22 @@ Rational_bezier_curve<Traits, 2> circular_arc(const typename Traits::Point& cent
 }
 
 /// \ingroup PkgGeometricContinuityCurves
-/// Returns the arc of a circle in the plane, given by points of a \cgal kernel, over whose traits class (`Traits_of`) it is.
-/// \throws Error as with the traits class named
-template <class Point>
-Rational_bezier_curve<Traits_of<Point>, 2> circular_arc(const Point& centre, const Point& start,
-                                                        const typename Traits_of<Point>::FT& r) {
-  return circular_arc<Traits_of<Point>>(centre, start, r);
-}
-
-/// \ingroup PkgGeometricContinuityCurves
 /// Returns the arc in space that `start` runs through in a rotation about the axis through `centre` in the direction `axis`, by the
 /// angle \f$ 4 \arctan(r |axis|) \f$: in this parameter everything is rational, whatever the length of the axis. `centre` may be any point of the
 /// axis. An `r` of type `int` is refused by the compiler, as in the plane.
 /// \throws Error `zero_direction` when the axis is zero or `start` lies on it, `empty_domain` for `r == 0`, `not_finite`
-template <class Traits>
-Rational_bezier_curve<Traits, 2> circular_arc(const typename Traits::Point& centre, const typename Traits::Point& start,
+template <class Given = internal::Of_points, class Point = typename Given::Point,
+          class Traits = Traits_or_of<Given, Point>>
+Rational_bezier_curve<Traits, 2> circular_arc(const Point& centre, const typename Traits::Point& start,
                                               const typename Traits::Vector& axis, const typename Traits::FT& r) {
   typedef typename Traits::FT FT;
   static_assert(dimension_v<Traits> == 3, "an arc about an axis lies in space");
   internal::check_finite(r, "circular_arc: r");
   if (r == FT(0)) throw Error(Error_code::empty_domain, "circular_arc: an arc of no length");
-  const Coordinates<Traits> n = Geometric_continuity::coordinates<Traits>(axis),
-                            x = Geometric_continuity::coordinates<Traits>(start) -
-                                Geometric_continuity::coordinates<Traits>(centre);
+  const Coordinates<Traits> n = internal::vector_column<Traits>(axis),
+                            x = internal::point_column<Traits>(start) - internal::point_column<Traits>(centre);
   const FT length_squared = internal::square_of(n, "circular_arc: axis");
-  const Coordinates<Traits> u = orthogonal_component(x, n), foot = Geometric_continuity::coordinates<Traits>(start) - u,
+  const Coordinates<Traits> u = orthogonal_component(x, n), foot = internal::point_column<Traits>(start) - u,
                             nu = cross_product(n, u); // |axis| times the second half-axis
   internal::square_of(u, "circular_arc: the start lies on the axis");
   const FT s = FT(r * r * length_squared), denominator = FT(FT(1) + s), cosine = FT(FT(FT(1) - s) / denominator),
@@ -168,41 +149,27 @@ Rational_bezier_curve<Traits, 2> circular_arc(const typename Traits::Point& cent
           foot + FT(cosine * cosine - sine * sine * length_squared) * u + FT(FT(2) * sine * cosine) * nu, FT(1)));
 }
 
-/// \ingroup PkgGeometricContinuityCurves
-/// Returns the arc of a circle in space, given by points of a \cgal kernel, over whose traits class (`Traits_of`) it is.
-/// \throws Error as with the traits class named
-template <class Point>
-Rational_bezier_curve<Traits_of<Point>, 2> circular_arc(const Point& centre, const Point& start,
-                                                        const typename Traits_of<Point>::Vector& axis,
-                                                        const typename Traits_of<Point>::FT& r) {
-  return circular_arc<Traits_of<Point>>(centre, start, axis, r);
-}
-
 // A whole number would be meant as degrees.
-template <class Traits, class Degrees, class = std::enable_if_t<std::is_integral_v<Degrees>>>
-Rational_bezier_curve<Traits, 2> circular_arc(const typename Traits::Point& centre, const typename Traits::Point& start,
+template <class Given = internal::Of_points, class Point = typename Given::Point, class Degrees,
+          class Traits = Traits_or_of<Given, Point>, class = std::enable_if_t<std::is_integral_v<Degrees>>>
+Rational_bezier_curve<Traits, 2> circular_arc(const Point& centre, const typename Traits::Point& start,
                                               Degrees r) = delete;
-template <class Point, class Degrees, class = std::enable_if_t<std::is_integral_v<Degrees>>>
-Rational_bezier_curve<Traits_of<Point>, 2> circular_arc(const Point& centre, const Point& start, Degrees r) = delete;
-template <class Traits, class Degrees, class = std::enable_if_t<std::is_integral_v<Degrees>>>
-Rational_bezier_curve<Traits, 2> circular_arc(const typename Traits::Point& centre, const typename Traits::Point& start,
+template <class Given = internal::Of_points, class Point = typename Given::Point, class Degrees,
+          class Traits = Traits_or_of<Given, Point>, class = std::enable_if_t<std::is_integral_v<Degrees>>>
+Rational_bezier_curve<Traits, 2> circular_arc(const Point& centre, const typename Traits::Point& start,
                                               const typename Traits::Vector& axis, Degrees r) = delete;
-template <class Point, class Degrees, class = std::enable_if_t<std::is_integral_v<Degrees>>>
-Rational_bezier_curve<Traits_of<Point>, 2> circular_arc(const Point& centre, const Point& start,
-                                                        const typename Traits_of<Point>::Vector& axis,
-                                                        Degrees r) = delete;
 
 /// \ingroup PkgGeometricContinuityCurves
 /// Returns the arc of a circle from `p` to `r` through `q`, which is its point at the parameter 1/2, in any dimension; where `q` lies
 /// between `p` and `r` on their line, the segment.
 /// \throws Error `zero_direction` when two points are equal, `zero_weight` when `q` lies on the line through `p` and `r` but not
 ///   between them, `dimension_mismatch`, `not_finite`
-template <class Traits>
-Rational_bezier_curve<Traits, 2> circular_arc_through(const typename Traits::Point& p, const typename Traits::Point& q,
+template <class Given = internal::Of_points, class Point = typename Given::Point,
+          class Traits = Traits_or_of<Given, Point>>
+Rational_bezier_curve<Traits, 2> circular_arc_through(const Point& p, const typename Traits::Point& q,
                                                       const typename Traits::Point& r) {
-  const Coordinates<Traits> a = Geometric_continuity::coordinates<Traits>(p),
-                            b = Geometric_continuity::coordinates<Traits>(q),
-                            c = Geometric_continuity::coordinates<Traits>(r);
+  const Coordinates<Traits> a = internal::point_column<Traits>(p), b = internal::point_column<Traits>(q),
+                            c = internal::point_column<Traits>(r);
   internal::require_one_dimension(a, b, "circular_arc_through");
   internal::require_one_dimension(a, c, "circular_arc_through");
   const char* equal = "circular_arc_through: two of the three points are equal";
@@ -213,25 +180,16 @@ Rational_bezier_curve<Traits, 2> circular_arc_through(const typename Traits::Poi
 }
 
 /// \ingroup PkgGeometricContinuityCurves
-/// Returns the arc of a circle through three points of a \cgal kernel, over whose traits class (`Traits_of`) it is.
-/// \throws Error as with the traits class named
-template <class Point>
-Rational_bezier_curve<Traits_of<Point>, 2> circular_arc_through(const Point& p, const Point& q, const Point& r) {
-  return circular_arc_through<Traits_of<Point>>(p, q, r);
-}
-
-/// \ingroup PkgGeometricContinuityCurves
 /// Returns the arc of a circle that starts at `p` in the direction `tangent` and ends at `r`, in any dimension; a segment where the
 /// tangent points to `r`.
 /// \throws Error `zero_direction` when the tangent is zero or the points are equal, `zero_weight` when the tangent points away from
 ///   `r`, `dimension_mismatch`, `not_finite`
-template <class Traits>
-Rational_bezier_curve<Traits, 2> circular_arc_with_tangent(const typename Traits::Point& p,
-                                                           const typename Traits::Vector& tangent,
+template <class Given = internal::Of_points, class Point = typename Given::Point,
+          class Traits = Traits_or_of<Given, Point>>
+Rational_bezier_curve<Traits, 2> circular_arc_with_tangent(const Point& p, const typename Traits::Vector& tangent,
                                                            const typename Traits::Point& r) {
-  const Coordinates<Traits> a = Geometric_continuity::coordinates<Traits>(p),
-                            d = Geometric_continuity::coordinates<Traits>(tangent),
-                            c = Geometric_continuity::coordinates<Traits>(r);
+  const Coordinates<Traits> a = internal::point_column<Traits>(p), d = internal::vector_column<Traits>(tangent),
+                            c = internal::point_column<Traits>(r);
   internal::require_one_dimension(a, d, "circular_arc_with_tangent");
   internal::require_one_dimension(a, c, "circular_arc_with_tangent");
   const Coordinates<Traits> e = (c - a) / internal::square_of(c - a, "circular_arc_with_tangent: the points are equal");
@@ -240,36 +198,27 @@ Rational_bezier_curve<Traits, 2> circular_arc_with_tangent(const typename Traits
 }
 
 /// \ingroup PkgGeometricContinuityCurves
-/// Returns the arc of a circle with a tangent at its start, between points of a \cgal kernel, over whose traits class (`Traits_of`) it is.
-/// \throws Error as with the traits class named
-template <class Point>
-Rational_bezier_curve<Traits_of<Point>, 2>
-circular_arc_with_tangent(const Point& p, const typename Traits_of<Point>::Vector& tangent, const Point& r) {
-  return circular_arc_with_tangent<Traits_of<Point>>(p, tangent, r);
-}
-
-/// \ingroup PkgGeometricContinuityCurves
 /// Returns the arc of a conic from `p` to `r` through `q`, which is its point at the parameter 1/2, with tangents along the lines of the
 /// directions `tangent_p` and `tangent_r` at its ends: an ellipse, a parabola or a hyperbola. In space the second tangent and `q` are
 /// taken in the plane of `p`, `r` and the first tangent, onto which they are projected. Parallel tangents give a half ellipse.
 /// \throws Error `zero_direction` when a tangent is zero, `singular_frame` when `p`, `r` and the point where the tangents meet lie on one
 ///   line, `zero_weight` when no finite arc runs through `q`, `dimension_mismatch`, `not_finite`
-template <class Traits>
-Rational_bezier_curve<Traits, 2> conic_arc(const typename Traits::Point& p, const typename Traits::Vector& tangent_p,
+template <class Given = internal::Of_points, class Point = typename Given::Point,
+          class Traits = Traits_or_of<Given, Point>>
+Rational_bezier_curve<Traits, 2> conic_arc(const Point& p, const typename Traits::Vector& tangent_p,
                                            const typename Traits::Point& r, const typename Traits::Vector& tangent_r,
                                            const typename Traits::Point& q) {
   typedef typename Traits::FT FT;
-  const Coordinates<Traits> a = Geometric_continuity::coordinates<Traits>(p),
-                            c = Geometric_continuity::coordinates<Traits>(r),
-                            d = Geometric_continuity::coordinates<Traits>(tangent_p),
-                            e = Geometric_continuity::coordinates<Traits>(tangent_r), chord = c - a;
+  const Coordinates<Traits> a = internal::point_column<Traits>(p), c = internal::point_column<Traits>(r),
+                            d = internal::vector_column<Traits>(tangent_p),
+                            e = internal::vector_column<Traits>(tangent_r), chord = c - a;
   for (const Coordinates<Traits>* x : {&c, &d, &e}) internal::require_one_dimension(a, *x, "conic_arc");
-  internal::require_one_dimension(a, Geometric_continuity::coordinates<Traits>(q), "conic_arc");
+  internal::require_one_dimension(a, internal::point_column<Traits>(q), "conic_arc");
   internal::square_of(d, "conic_arc: tangent at the start");
   internal::square_of(e, "conic_arc: tangent at the end");
   // in the basis chord, d: the second tangent is (ex, ey), and meets the first one at ex != 0
   const std::array<FT, 2> second = internal::components(chord, d, e),
-                          through = internal::components(chord, d, Geometric_continuity::coordinates<Traits>(q) - a);
+                          through = internal::components(chord, d, internal::point_column<Traits>(q) - a);
   const bool parallel = second[0] == FT(0);
   const FT apex = parallel ? FT(1) : FT(-second[1] / second[0]); // a + apex d, or the direction d
   if (apex == FT(0)) throw Error(Error_code::singular_frame, "conic_arc: the tangents meet on the chord");
@@ -281,27 +230,17 @@ Rational_bezier_curve<Traits, 2> conic_arc(const typename Traits::Point& p, cons
 }
 
 /// \ingroup PkgGeometricContinuityCurves
-/// Returns the arc of a conic, between points of a \cgal kernel, over whose traits class (`Traits_of`) it is.
-/// \throws Error as with the traits class named
-template <class Point>
-Rational_bezier_curve<Traits_of<Point>, 2> conic_arc(const Point& p, const typename Traits_of<Point>::Vector& tangent_p,
-                                                     const Point& r, const typename Traits_of<Point>::Vector& tangent_r,
-                                                     const Point& q) {
-  return conic_arc<Traits_of<Point>>(p, tangent_p, r, tangent_r, q);
-}
-
-/// \ingroup PkgGeometricContinuityCurves
 /// Returns the ellipse with the centre `c` and the conjugate half-axes `u` and `v` as a closed rational B-spline curve of degree 2
 /// on [0, 4]: four quarters with the weights 1, 1, 2 and 2, 1, 1 in turn. It is \f$ G^\infty \f$ everywhere, and \f$ C^1 \f$ at
 /// its knots. With orthogonal half-axes of one length it is a circle.
 /// \throws Error `dimension_mismatch`, `not_finite`
-template <class Traits>
-Rational_bspline_curve<Traits> ellipse(const typename Traits::Point& c, const typename Traits::Vector& u,
+template <class Given = internal::Of_points, class Point = typename Given::Point,
+          class Traits = Traits_or_of<Given, Point>>
+Rational_bspline_curve<Traits> ellipse(const Point& c, const typename Traits::Vector& u,
                                        const typename Traits::Vector& v) {
   typedef typename Traits::FT FT;
-  const Coordinates<Traits> centre = Geometric_continuity::coordinates<Traits>(c),
-                            x = Geometric_continuity::coordinates<Traits>(u),
-                            y = Geometric_continuity::coordinates<Traits>(v);
+  const Coordinates<Traits> centre = internal::point_column<Traits>(c), x = internal::vector_column<Traits>(u),
+                            y = internal::vector_column<Traits>(v);
   internal::require_one_dimension(centre, x, "ellipse: half-axes");
   internal::require_one_dimension(centre, y, "ellipse: half-axes");
   std::vector<typename Traits::Point> points;
@@ -314,15 +253,6 @@ Rational_bspline_curve<Traits> ellipse(const typename Traits::Point& c, const ty
   const std::vector<typename Knot_vector<FT>::Knot> inner = {{FT(1), 2}, {FT(2), 2}, {FT(3), 2}};
   return Rational_bspline_curve<Traits>(points.begin(), points.end(), weights.begin(), weights.end(),
                                         Knot_vector<FT>(2, FT(0), FT(4), inner));
-}
-
-/// \ingroup PkgGeometricContinuityCurves
-/// Returns the ellipse about a point of a \cgal kernel, over whose traits class (`Traits_of`) it is.
-/// \throws Error as with the traits class named
-template <class Point>
-Rational_bspline_curve<Traits_of<Point>> ellipse(const Point& c, const typename Traits_of<Point>::Vector& u,
-                                                 const typename Traits_of<Point>::Vector& v) {
-  return ellipse<Traits_of<Point>>(c, u, v);
 }
 
 } // namespace Geometric_continuity

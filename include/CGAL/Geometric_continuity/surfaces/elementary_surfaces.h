@@ -24,7 +24,8 @@
 /// All of them are \f$ S(u, v) = c + \rho(u) (\cos\phi(v)\, x + \sin\phi(v)\, y) + h(u)\, z \f$ with a full turn in four
 /// quarters for `v` in [0, 4], and \f$ \phi = 0, \pi/2, \pi, 3\pi/2 \f$ at the knots. Where `u` rises in the direction of `z`, and `x`,
 /// `y`, `z` are positively oriented, \f$ S_u \times S_v \f$ points to the axis; `tessellate()` turns the triangles of closed surfaces outwards. They are \f$ G^\infty \f$ across them. For parts
-/// take `bezier_patches()`.
+/// take `bezier_patches()`. A point of a \cgal kernel says what the traits class is (`Traits_of`); for others it is the first template
+/// argument, `ellipsoid<Traits>(…)`.
 ///
 /// Surfaces of extrusion and of revolution with any profile as patches, exactly: profiles are Bézier or B-spline curves, rational
 /// or not.
@@ -80,12 +81,12 @@ Rational_bspline_surface<Traits> turned_profile(const std::vector<std::array<typ
 /// \ingroup PkgGeometricContinuitySurfaces
 /// Returns the parallelogram \f$ S(u, v) = c + u\,x + v\,y \f$ on the unit square: a piece of a plane.
 /// \throws Error `dimension_mismatch`, `not_finite`
-template <class Traits>
-Bezier_patch<Traits> parallelogram(const typename Traits::Point& c, const typename Traits::Vector& x,
-                                   const typename Traits::Vector& y) {
+template <class Given = internal::Of_points, class Point = typename Given::Point,
+          class Traits = Traits_or_of<Given, Point>>
+Bezier_patch<Traits> parallelogram(const Point& c, const typename Traits::Vector& x, const typename Traits::Vector& y) {
   typedef Coordinates<Traits> Vector;
-  const Vector p = Geometric_continuity::coordinates<Traits>(c), a = Geometric_continuity::coordinates<Traits>(x),
-               b = Geometric_continuity::coordinates<Traits>(y);
+  const Vector p = internal::point_column<Traits>(c), a = internal::vector_column<Traits>(x),
+               b = internal::vector_column<Traits>(y);
   if (a.dimension() != p.dimension() || b.dimension() != p.dimension())
     throw Error(Error_code::dimension_mismatch, "parallelogram");
   const auto point = [](const Vector& v) { return to_point<Traits>(v); };
@@ -93,21 +94,13 @@ Bezier_patch<Traits> parallelogram(const typename Traits::Point& c, const typena
 }
 
 /// \ingroup PkgGeometricContinuitySurfaces
-/// Returns the parallelogram of a point and vectors of a \cgal kernel, over whose traits class (`Traits_of`) it is.
-/// \throws Error as with the traits class named
-template <class Point>
-Bezier_patch<Traits_of<Point>> parallelogram(const Point& c, const typename Traits_of<Point>::Vector& x,
-                                             const typename Traits_of<Point>::Vector& y) {
-  return parallelogram<Traits_of<Point>>(c, x, y);
-}
-
-/// \ingroup PkgGeometricContinuitySurfaces
 /// Returns the frustum of a cone between the ellipses about `c` with the half-axes `x` and `y` and about \f$ c + z \f$ with the half-axes
 /// \f$ k x \f$ and \f$ k y \f$: \f$ \rho = 1 + u (k - 1) \f$, \f$ h = u \f$ for `u` in [0, 1]. It is a cylinder for `k = 1`
 /// and the cone with the apex \f$ c + z \f$ for `k = 0`, where its edge `u = 1` is collapsed.
 /// \throws Error `zero_direction` when a vector is zero, `dimension_mismatch`, `not_finite`
-template <class Traits>
-Rational_bspline_surface<Traits> cone(const typename Traits::Point& c, const typename Traits::Vector& x,
+template <class Given = internal::Of_points, class Point = typename Given::Point,
+          class Traits = Traits_or_of<Given, Point>>
+Rational_bspline_surface<Traits> cone(const Point& c, const typename Traits::Vector& x,
                                       const typename Traits::Vector& y, const typename Traits::Vector& z,
                                       const typename Traits::FT& k) {
   typedef typename Traits::FT FT;
@@ -117,32 +110,13 @@ Rational_bspline_surface<Traits> cone(const typename Traits::Point& c, const typ
 }
 
 /// \ingroup PkgGeometricContinuitySurfaces
-/// Returns the cone of a point and vectors of a \cgal kernel, over whose traits class (`Traits_of`) it is.
-/// \throws Error as with the traits class named
-template <class Point>
-Rational_bspline_surface<Traits_of<Point>>
-cone(const Point& c, const typename Traits_of<Point>::Vector& x, const typename Traits_of<Point>::Vector& y,
-     const typename Traits_of<Point>::Vector& z, const typename Traits_of<Point>::FT& k) {
-  return cone<Traits_of<Point>>(c, x, y, z, k);
-}
-
-/// \ingroup PkgGeometricContinuitySurfaces
 /// Returns the cylinder on the ellipse about `c` with the half-axes `x` and `y`, up to the same ellipse about \f$ c + z \f$; see
 /// `cone()`. \throws Error `zero_direction` when a vector is zero, `dimension_mismatch`, `not_finite`
-template <class Traits>
-Rational_bspline_surface<Traits> cylinder(const typename Traits::Point& c, const typename Traits::Vector& x,
+template <class Given = internal::Of_points, class Point = typename Given::Point,
+          class Traits = Traits_or_of<Given, Point>>
+Rational_bspline_surface<Traits> cylinder(const Point& c, const typename Traits::Vector& x,
                                           const typename Traits::Vector& y, const typename Traits::Vector& z) {
   return cone<Traits>(c, x, y, z, typename Traits::FT(1));
-}
-
-/// \ingroup PkgGeometricContinuitySurfaces
-/// Returns the cylinder of a point and vectors of a \cgal kernel, over whose traits class (`Traits_of`) it is.
-/// \throws Error as with the traits class named
-template <class Point>
-Rational_bspline_surface<Traits_of<Point>> cylinder(const Point& c, const typename Traits_of<Point>::Vector& x,
-                                                    const typename Traits_of<Point>::Vector& y,
-                                                    const typename Traits_of<Point>::Vector& z) {
-  return cylinder<Traits_of<Point>>(c, x, y, z);
 }
 
 /// \ingroup PkgGeometricContinuitySurfaces
@@ -150,8 +124,9 @@ Rational_bspline_surface<Traits_of<Point>> cylinder(const Point& c, const typena
 /// `u` in [0, 2] runs from the pole \f$ c - z \f$ over the equator, `u = 1`, to the pole \f$ c + z \f$. At the poles its edges are
 /// collapsed, and its normal vanishes.
 /// \throws Error `zero_direction` when a vector is zero, `dimension_mismatch`, `not_finite`
-template <class Traits>
-Rational_bspline_surface<Traits> ellipsoid(const typename Traits::Point& c, const typename Traits::Vector& x,
+template <class Given = internal::Of_points, class Point = typename Given::Point,
+          class Traits = Traits_or_of<Given, Point>>
+Rational_bspline_surface<Traits> ellipsoid(const Point& c, const typename Traits::Vector& x,
                                            const typename Traits::Vector& y, const typename Traits::Vector& z) {
   typedef typename Traits::FT FT;
   return internal::turned_profile<Traits>({{FT(0), FT(-1), FT(1)},
@@ -163,22 +138,13 @@ Rational_bspline_surface<Traits> ellipsoid(const typename Traits::Point& c, cons
 }
 
 /// \ingroup PkgGeometricContinuitySurfaces
-/// Returns the ellipsoid of a point and vectors of a \cgal kernel, over whose traits class (`Traits_of`) it is.
-/// \throws Error as with the traits class named
-template <class Point>
-Rational_bspline_surface<Traits_of<Point>> ellipsoid(const Point& c, const typename Traits_of<Point>::Vector& x,
-                                                     const typename Traits_of<Point>::Vector& y,
-                                                     const typename Traits_of<Point>::Vector& z) {
-  return ellipsoid<Traits_of<Point>>(c, x, y, z);
-}
-
-/// \ingroup PkgGeometricContinuitySurfaces
 /// Returns the torus whose circle in the plane of `x` and `z` has the radius `r` and the distance 1 from the centre:
 /// \f$ \rho = 1 + r \cos\psi \f$, \f$ h = r \sin\psi \f$, with a full turn of \f$ \psi \f$ for `u` in [0, 4]. For `r > 1` it meets
 /// itself.
 /// \throws Error `empty_domain` unless `r > 0`, `zero_direction` when a vector is zero, `dimension_mismatch`, `not_finite`
-template <class Traits>
-Rational_bspline_surface<Traits> torus(const typename Traits::Point& c, const typename Traits::Vector& x,
+template <class Given = internal::Of_points, class Point = typename Given::Point,
+          class Traits = Traits_or_of<Given, Point>>
+Rational_bspline_surface<Traits> torus(const Point& c, const typename Traits::Vector& x,
                                        const typename Traits::Vector& y, const typename Traits::Vector& z,
                                        const typename Traits::FT& r) {
   typedef typename Traits::FT FT;
@@ -188,16 +154,6 @@ Rational_bspline_surface<Traits> torus(const typename Traits::Point& c, const ty
   for (const std::array<int, 3>& q : internal::circle_points)
     profile.push_back({FT(FT(q[2]) + r * FT(q[0])), FT(r * FT(q[1])), FT(q[2])});
   return internal::turned_profile<Traits>(profile, internal::knots_of_quarters<FT>(4), c, x, y, z, "torus");
-}
-
-/// \ingroup PkgGeometricContinuitySurfaces
-/// Returns the torus of a point and vectors of a \cgal kernel, over whose traits class (`Traits_of`) it is.
-/// \throws Error as with the traits class named
-template <class Point>
-Rational_bspline_surface<Traits_of<Point>>
-torus(const Point& c, const typename Traits_of<Point>::Vector& x, const typename Traits_of<Point>::Vector& y,
-      const typename Traits_of<Point>::Vector& z, const typename Traits_of<Point>::FT& r) {
-  return torus<Traits_of<Point>>(c, x, y, z, r);
 }
 
 namespace internal {
