@@ -105,7 +105,7 @@ template <class Traits> struct Fair_points {
 template <class Traits, class InputIterator>
 Fair_points<Traits> points_of_fair_spline(InputIterator first, InputIterator last, Closure closure) {
   Fair_points<Traits> p{{}, closure == Closure::closed};
-  for (; first != last; ++first) p.points.push_back(coordinates<Traits>(*first));
+  for (; first != last; ++first) p.points.push_back(Geometric_continuity::coordinates<Traits>(*first));
   if (p.number() < (p.closed ? 3 : 2))
     throw Error(Error_code::wrong_number_of_points, "interpolate_fair: " + std::to_string(p.number()) + " points");
   for (int i = 0; i < p.number(); ++i)
@@ -150,7 +150,7 @@ joints_of(const Fair_points<Traits>& p, const std::vector<std::optional<typename
     joints.push_back({rounded_column<Traits>(p.points[i], dimension, i), Column(dimension), Column(dimension), false});
     if (tangents.empty() || !tangents[i]) continue;
     Column& tangent = joints.back().tangent;
-    tangent = rounded_column<Traits>(coordinates<Traits>(*tangents[i]), dimension, i);
+    tangent = rounded_column<Traits>(Geometric_continuity::coordinates<Traits>(*tangents[i]), dimension, i);
     const double length = std::sqrt(dot(tangent, tangent));
     if (!(length > 0)) throw Error(Error_code::zero_tangent, "interpolate_fair: at the point " + std::to_string(i));
     tangent /= length;
@@ -195,7 +195,7 @@ short_jets(const Fair_points<Traits>& p, const std::vector<Fair_joint<dimension_
     jet[0] = p.points[i];
     double speed = h;
     if (is_kept) {
-      jet[1] = coordinates<Traits>(*tangents[i]);
+      jet[1] = Geometric_continuity::coordinates<Traits>(*tangents[i]);
       const Coordinate_vector<double, dimension_v<Traits>> t = rounded_column<Traits>(jet[1], dimension, i);
       speed = std::sqrt(dot(t, t));
     }

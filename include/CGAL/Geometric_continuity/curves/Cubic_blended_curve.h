@@ -130,13 +130,15 @@ template <class Field, int N> using Cubic_columns = std::array<Coordinate_vector
 
 template <class Traits, class Field>
 Cubic_columns<Field, dimension_v<Traits>> geometry_columns(const std::array<typename Traits::Point, 4>& p) {
-  return {coordinates<Traits, Field>(p[0]), coordinates<Traits, Field>(p[1]), coordinates<Traits, Field>(p[2]),
-          coordinates<Traits, Field>(p[3])};
+  return {
+      Geometric_continuity::coordinates<Traits, Field>(p[0]), Geometric_continuity::coordinates<Traits, Field>(p[1]),
+      Geometric_continuity::coordinates<Traits, Field>(p[2]), Geometric_continuity::coordinates<Traits, Field>(p[3])};
 }
 template <class Traits, class Field>
 Cubic_columns<Field, dimension_v<Traits>> geometry_columns(const Hermite_geometry<Traits>& g) {
-  return {coordinates<Traits, Field>(g.p1), coordinates<Traits, Field>(g.p4), coordinates<Traits, Field>(g.r1),
-          coordinates<Traits, Field>(g.r4)};
+  return {
+      Geometric_continuity::coordinates<Traits, Field>(g.p1), Geometric_continuity::coordinates<Traits, Field>(g.p4),
+      Geometric_continuity::coordinates<Traits, Field>(g.r1), Geometric_continuity::coordinates<Traits, Field>(g.r4)};
 }
 
 template <class Traits, class Geometry, class Columns> Geometry geometry_from_columns(const Columns& c) {

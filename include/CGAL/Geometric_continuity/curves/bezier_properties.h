@@ -133,7 +133,7 @@ namespace internal {
 template <class Traits, class Field, int Degree>
 std::vector<Coordinate_vector<Field, dimension_v<Traits>>> control_columns(const Bezier_curve<Traits, Degree>& curve) {
   std::vector<Coordinate_vector<Field, dimension_v<Traits>>> columns;
-  for (const typename Traits::Point& p : curve) columns.push_back(coordinates<Traits, Field>(p));
+  for (const typename Traits::Point& p : curve) columns.push_back(Geometric_continuity::coordinates<Traits, Field>(p));
   return columns;
 }
 
@@ -406,9 +406,10 @@ template <class Curve> bool is_planar(const Curve& curve) {
   for (int i = used.first; i < used.second; ++i) {
     Field weight(1);
     if constexpr (internal::Is_rational<Curve>::value) weight = internal::to_field<Field>(curve.weight(i));
-    const Row row = orthogonal_component(
-        homogeneous_point(coordinates<Traits, Field>(curve.control_points()[static_cast<std::size_t>(i)]), weight),
-        span);
+    const Row row = orthogonal_component(homogeneous_point(Geometric_continuity::coordinates<Traits, Field>(
+                                                               curve.control_points()[static_cast<std::size_t>(i)]),
+                                                           weight),
+                                         span);
     if (is_zero(row)) continue;
     span.push_back(row);
     if (span.size() > 3) return false;

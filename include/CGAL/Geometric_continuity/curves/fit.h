@@ -270,7 +270,7 @@ Fitted_curve<Traits> fit(InputIterator first, InputIterator last, const typename
   internal::check_finite(tolerance, "fit: tolerance");
   if (!(FT(0) < tolerance)) throw Error(Error_code::unreachable_tolerance, "fit: the tolerance is not positive");
   std::vector<Coordinates<Traits>> p;
-  for (; first != last; ++first) p.push_back(coordinates<Traits>(*first));
+  for (; first != last; ++first) p.push_back(Geometric_continuity::coordinates<Traits>(*first));
   if (p.empty()) throw Error(Error_code::wrong_number_of_points, "fit: no points");
   for (std::size_t k = 0; k < p.size(); ++k) {
     if (p[k].dimension() != p[0].dimension())

@@ -71,12 +71,12 @@ std::vector<typename Traits::FT> interpolation_parameters(InputIterator first, I
   typedef typename Traits::FT FT;
   std::vector<FT> u(1, FT(0));
   if (first == last) return u;
-  const Coordinates<Traits> start = coordinates<Traits>(*first);
+  const Coordinates<Traits> start = Geometric_continuity::coordinates<Traits>(*first);
   Coordinates<Traits> a = start;
   for (bool is_last = false; !is_last;) {
     is_last = ++first == last;
     if (is_last && closure == Closure::open) break;
-    const Coordinates<Traits> b = is_last ? start : coordinates<Traits>(*first);
+    const Coordinates<Traits> b = is_last ? start : Geometric_continuity::coordinates<Traits>(*first);
     const std::size_t i = u.size() - 1, j = is_last ? 0 : i + 1; // the numbers of the points
     double distance = 1;
     if (parametrisation != Parametrisation::uniform) {
@@ -160,7 +160,7 @@ public:
 
   Coordinates<Traits> operator[](int j) const {
     if constexpr (are_numbers)
-      return coordinates<Traits>(b_[j]);
+      return Geometric_continuity::coordinates<Traits>(b_[j]);
     else
       return b_[j];
   }
@@ -197,7 +197,7 @@ Spline_points<Traits> points_to_interpolate(InputIterator first, InputIterator l
   Spline_points<Traits> b;
   b.reserve(u.size() + 2);
   for (; first != last; ++first) {
-    const Coordinates<Traits> x = coordinates<Traits>(*first);
+    const Coordinates<Traits> x = Geometric_continuity::coordinates<Traits>(*first);
     if (b.size() == 0) b.push_back(x);
     if (x.dimension() != b[0].dimension()) throw Error(Error_code::dimension_mismatch, "interpolate: points");
     for (const typename Traits::FT& c : x) check_finite(c, "interpolate: a coordinate");
@@ -315,8 +315,9 @@ Bspline_curve<Traits>
 interpolate(InputIterator first, InputIterator last, const std::vector<typename Traits::FT>& parameters,
             const typename Traits::Vector& start_derivative, const typename Traits::Vector& end_derivative) {
   internal::Spline_points<Traits> p = internal::points_to_interpolate<Traits>(first, last, parameters, Closure::open);
-  const std::pair<Coordinates<Traits>, Coordinates<Traits>> d(coordinates<Traits>(start_derivative),
-                                                              coordinates<Traits>(end_derivative));
+  const std::pair<Coordinates<Traits>, Coordinates<Traits>> d(
+      Geometric_continuity::coordinates<Traits>(start_derivative),
+      Geometric_continuity::coordinates<Traits>(end_derivative));
   for (const Coordinates<Traits>* x : {&d.first, &d.second}) {
     if (x->dimension() != p[0].dimension()) throw Error(Error_code::dimension_mismatch, "interpolate: a derivative");
     for (const typename Traits::FT& c : *x) internal::check_finite(c, "interpolate: a derivative");

@@ -230,7 +230,7 @@ private:
     internal::Stored_end<Traits> end(degree, a, b);
     int points = 0;
     for (; first != last && points <= (std::min)(degree, 3); ++first, ++points)
-      end.push_back(coordinates<Traits>(*first));
+      end.push_back(Geometric_continuity::coordinates<Traits>(*first));
     if (points <= (std::min)(degree, 3) || points == 0)
       throw Error(Error_code::wrong_number_of_points,
                   "Prepared_end: degree " + std::to_string(degree) + ", " + std::to_string(points) + " points");

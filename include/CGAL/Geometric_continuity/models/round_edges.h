@@ -170,7 +170,7 @@ private:
     const auto u = s.domain_u(), v = s.domain_v();
     const bool upper_u = runs_along_u(edge) ? upper : at_upper_end(edge),
                upper_v = runs_along_u(edge) ? at_upper_end(edge) : upper;
-    return coordinates<Traits>(s(upper_u ? u.second : u.first, upper_v ? v.second : v.first));
+    return Geometric_continuity::coordinates<Traits>(s(upper_u ? u.second : u.first, upper_v ? v.second : v.first));
   }
 
   struct Less {

@@ -128,7 +128,7 @@ private:
   }
 
   template <class Source, class Point> static Svg_point in_doubles(const Point& point) {
-    const auto x = coordinates<typename Source::Traits>(point);
+    const auto x = Geometric_continuity::coordinates<typename Source::Traits>(point);
     if (x.dimension() != 3) throw Error(Error_code::dimension_mismatch, "svg_surfaces");
     Svg_point y(3);
     for (int i = 0; i < 3; ++i) check_finite(y[i] = CGAL::to_double(x[i]), "svg_surfaces");

@@ -54,7 +54,7 @@ public:
   std::vector<Row> rows() const {
     std::vector<Row> rows;
     for (std::size_t i = 0; i < points.size(); ++i)
-      rows.push_back(homogeneous_point(coordinates<Traits>(points[i]), weights[i]));
+      rows.push_back(homogeneous_point(Geometric_continuity::coordinates<Traits>(points[i]), weights[i]));
     return rows;
   }
 

@@ -30,7 +30,7 @@ template <class Traits, class Points>
 std::vector<Coordinate_vector<Decision_number<Traits>, dimension_v<Traits>>> decision_rows(const Points& points) {
   std::vector<Coordinate_vector<Decision_number<Traits>, dimension_v<Traits>>> rows;
   for (const typename Traits::Point& p : points) {
-    const Coordinates<Traits> x = coordinates<Traits>(p);
+    const Coordinates<Traits> x = Geometric_continuity::coordinates<Traits>(p);
     rows.emplace_back(x.dimension());
     for (int i = 0; i < x.dimension(); ++i) rows.back()[i] = decision_number<Traits>(x[i]);
   }

@@ -222,8 +222,12 @@ bool edge_layers(const Surface_a& a, Patch_edge edge_a, const Surface_b& b, Patc
   typedef typename Surface_a::Traits Traits;
   constexpr bool given = std::is_same_v<typename Traits::FT, double>;
   typedef std::conditional_t<given, double, Edge_field<Traits>> Field;
-  const auto of_a = [&](int i, int j) { return coordinates<Traits, Field>(a.control_point(i, j)); };
-  const auto of_b = [&](int i, int j) { return coordinates<Traits, Field>(b.control_point(i, j)); };
+  const auto of_a = [&](int i, int j) {
+    return Geometric_continuity::coordinates<Traits, Field>(a.control_point(i, j));
+  };
+  const auto of_b = [&](int i, int j) {
+    return Geometric_continuity::coordinates<Traits, Field>(b.control_point(i, j));
+  };
   if constexpr (given) {
     const auto copy = [](double number, double& place) { place = number; };
     return for_each_layer(a, edge_a, order, x, of_a, copy) && for_each_layer(b, edge_b, order, y, of_b, copy);
@@ -272,7 +276,7 @@ bool edge_layers(const Surface_a& a, Patch_edge edge_a, const Surface_b& b, Patc
     bool finite = true;
     const auto numbers_of = [](const auto& s) {
       return [&s](int i, int j) {
-        const Coordinate_vector<double, 3> p = coordinates<Traits, double>(s.control_point(i, j));
+        const Coordinate_vector<double, 3> p = Geometric_continuity::coordinates<Traits, double>(s.control_point(i, j));
         return std::array<double, 4>{p[0], p[1], p[2], weight_of<double>(s, i, j)};
       };
     };
@@ -306,7 +310,7 @@ bool edge_layers(const Surface_a& a, Patch_edge edge_a, const Surface_b& b, Patc
     typedef Edge_field<Traits> Field;
     const auto numbers_of = [](const auto& s) {
       return [&s](int i, int j) {
-        const Coordinate_vector<Field, 3> p = coordinates<Traits, Field>(s.control_point(i, j));
+        const Coordinate_vector<Field, 3> p = Geometric_continuity::coordinates<Traits, Field>(s.control_point(i, j));
         const Field w = weight_of<Field>(s, i, j);
         return std::array<Field, 4>{Field(w * p[0]), Field(w * p[1]), Field(w * p[2]), w};
       };
@@ -385,8 +389,8 @@ template <class Field> struct Spline_side {
     for (int j = 0; j < 3; ++j)
       for (int i = 0; i < along.number_of_coefficients(); ++i) {
         const int side = upper ? m - 1 - j : j;
-        const Coordinates<Traits> x =
-            coordinates<Traits>(runs_along_u(edge) ? s.control_point(i, side) : s.control_point(side, i));
+        const Coordinates<Traits> x = Geometric_continuity::coordinates<Traits>(
+            runs_along_u(edge) ? s.control_point(i, side) : s.control_point(side, i));
         given[j].push_back({x[0], x[1], x[2]});
       }
     return true;

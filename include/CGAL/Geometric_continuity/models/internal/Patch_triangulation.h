@@ -52,7 +52,7 @@ public:
     for (std::size_t j = 0; j < n; ++j) {
       high_.numbers.push_back(point(j));
       if constexpr (filtered) {
-        const Coordinates<Traits> x = coordinates<Traits>(points_[high_.numbers[j]]);
+        const Coordinates<Traits> x = Geometric_continuity::coordinates<Traits>(points_[high_.numbers[j]]);
         high_.boxes.push_back(
             {Interval(CGAL::to_interval(x[0])), Interval(CGAL::to_interval(x[1])), Interval(CGAL::to_interval(x[2]))});
       }
@@ -77,7 +77,8 @@ private:
     return CGAL::square(p[0] - q[0]) + CGAL::square(p[1] - q[1]) + CGAL::square(p[2] - q[2]);
   }
   FT square(std::size_t i, std::size_t j) const {
-    const Coordinates<Traits> d = coordinates<Traits>(points_[i]) - coordinates<Traits>(points_[j]);
+    const Coordinates<Traits> d =
+        Geometric_continuity::coordinates<Traits>(points_[i]) - Geometric_continuity::coordinates<Traits>(points_[j]);
     return dot(d, d);
   }
 };
