@@ -11,6 +11,7 @@ s/internal::Steps_of_each::default_steps/4'000'000'000/
 s/typedef \(std::conditional_t<.*\|typename \)internal::.*> *\(::type\)\{0,1\} \([A-Za-z_]*\);/typedef unspecified_type \3;/
 s/internal::Traits_or_none<Traits_> Traits/Traits_ Traits/
 s/internal::Unspecified/unspecified_type/g
+s/class Given = internal::Of_points/class Given = unspecified_type/
 s/, class = internal::[A-Za-z_]*<[A-Za-z_, ]*>>/>/
 s/typename internal::\(Chain_curve<InputIterator>\|Curve_of_range<Range>\)::Traits/Traits/g
 s/typename internal::Blended_surfaces<[A-Za-z_, ]*>::Row_traits/unspecified_type/g
