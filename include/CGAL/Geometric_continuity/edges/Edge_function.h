@@ -66,7 +66,7 @@ public:
   bool is_number() const { return f_.coefficients().size() == 1; }
 
   /// Decides whether the function is positive on [0, 1], on both sides of each knot; exactly, also of floating-point numbers.
-  bool is_positive() const { return is_number() ? FT(0) < f_.coefficients()[0] : is_positive_function(); }
+  bool is_positive() const { return is_number() ? bool(FT(0) < f_.coefficients()[0]) : is_positive_function(); }
 
   /// Returns the product.
   friend Edge_function operator*(const Edge_function& f, const Edge_function& g) {
