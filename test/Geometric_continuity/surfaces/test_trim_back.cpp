@@ -11,6 +11,7 @@
 
 #include <CGAL/Geometric_continuity/surfaces/trim_back.h>
 
+#include <algorithm>
 #include <limits>
 #include <type_traits>
 #include <utility>
@@ -58,29 +59,46 @@ template <class Surface> void check_trimmed(Random_surfaces& random) {
   }
 }
 
-// Along a curve: on each line across the edge the part is the surface up to the curve, in proportion.
-template <class Patch> void check_along_curve(Random_surfaces& random, int degree) {
+// The distance of the last knot line before an edge, or of the opposite edge.
+template <class Surface> Q span_at(const Surface& s, Patch_edge edge) {
+  if constexpr (std::is_same_v<Surface, Bspline<Exact>> || std::is_same_v<Surface, Spline<Exact>>) {
+    const auto& knots = runs_along_u(edge) ? s.knots_v() : s.knots_u();
+    const std::vector<Q> distinct = [&] {
+      std::vector<Q> t{knots.domain().first};
+      for (const auto& knot : knots.inner_knots()) t.push_back(knot.value);
+      t.push_back(knots.domain().second);
+      return t;
+    }();
+    const std::size_t n = distinct.size();
+    return at_upper_end(edge) ? distinct[n - 1] - distinct[n - 2] : distinct[1] - distinct[0];
+  } else
+    return across(s, edge).second - across(s, edge).first;
+}
+
+// Along a curve: on each line across the edge the part is the surface up to the curve, in proportion from the last knot line on.
+template <class Surface> void check_along_curve(Random_surfaces& random, int degree) {
   typedef GC::Bernstein_polynomial<Q> Function;
-  const Patch s = random.surface<Patch>();
+  const Surface s = random.surface<Surface>();
   for (Patch_edge edge : GC::patch_edges) {
     const std::pair<Q, Q> domain = across(s, edge), along = runs_along_u(edge) ? s.domain_u() : s.domain_v();
-    const Q length = domain.second - domain.first;
+    const Q length = domain.second - domain.first, span = span_at(s, edge);
     std::vector<Q> c;
-    for (int i = 0; i <= degree; ++i) c.push_back(length * fraction(random.integer(1, 99), 100));
+    for (int i = 0; i <= degree; ++i) c.push_back(span * fraction(random.integer(1, 99), 100));
     const Function f(c);
-    const Patch t = trim_back(s, edge, f);
+    const Surface t = trim_back(s, edge, f);
     BOOST_CHECK(t.domain_u() == s.domain_u() && t.domain_v() == s.domain_v());
-    BOOST_CHECK_EQUAL(t.degree_along(edge), s.degree_along(edge) + degree * s.degree_across(edge));
-    BOOST_CHECK_EQUAL(t.degree_across(edge), s.degree_across(edge));
+    const bool along_u = runs_along_u(edge);
+    BOOST_CHECK_EQUAL(t.degree_u(), s.degree_u() + (along_u ? degree * s.degree_v() : 0));
+    BOOST_CHECK_EQUAL(t.degree_v(), s.degree_v() + (along_u ? 0 : degree * s.degree_u()));
     for (int i = 0; i < 12; ++i) {
       const Q x = fraction(random.integer(0, 100), 100), y = fraction(random.integer(0, 100), 100);
       const Q u = along.first + x * (along.second - along.first), v = domain.first + y * length,
-              part = (length - f(x)) / length;
-      const Q w = at_upper_end(edge) ? Q(domain.first + (v - domain.first) * part)
-                                     : Q(domain.second - (domain.second - v) * part);
+              knot = at_upper_end(edge) ? Q(domain.second - span) : Q(domain.first + span);
+      const bool in_span = at_upper_end(edge) ? knot < v : v < knot;
+      const Q w = in_span ? Q(knot + (v - knot) * (span - f(x)) / span) : v;
       BOOST_CHECK(runs_along_u(edge) ? t(u, v) == s(u, w) : t(v, u) == s(w, u));
     }
-    for (const Q& bad : {Q(0), Q(-1), length}) {
+    for (const Q& bad : {Q(0), Q(-1), span, length}) {
       c.back() = bad;
       CHECK_ERROR(trim_back(s, edge, Function(c)), parameter_outside_domain);
     }
@@ -141,11 +159,29 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(kernels, Traits, All_traits) {
   }
 }
 
+// Where the surface jumps along the knot line, both sides stay as they are.
+BOOST_AUTO_TEST_CASE(along_curves_behind_knots) {
+  Random_surfaces random;
+  const GC::Bernstein_polynomial<Q> f{fraction(1, 2), fraction(1, 3)};
+  for (int multiplicity = 1; multiplicity <= 3; ++multiplicity) {
+    const Knots u(1, Q(0), Q(1)), v(2, Q(0), Q(3), {{Q(2), multiplicity}});
+    const Bspline<Exact> s(random.net(2, v.number_of_coefficients()), u, v), t = trim_back(s, v1, f);
+    BOOST_CHECK(t.knots_v() == Knots(2, Q(0), Q(3), {{Q(2), (std::max)(multiplicity, 2)}}));
+    for (const Q& x : {Q(0), fraction(1, 5), Q(1)}) {
+      BOOST_CHECK(t(x, fraction(3, 2)) == s(x, fraction(3, 2)));
+      BOOST_CHECK(t(x, Q(2)) == s(x, Q(2)));
+      BOOST_CHECK(t(x, Q(3)) == s(x, Q(3) - f(x)));
+    }
+  }
+}
+
 BOOST_AUTO_TEST_CASE(along_curves) {
   Random_surfaces random;
   for (int degree : {0, 1, 3}) {
     check_along_curve<Bezier<Exact>>(random, degree);
     check_along_curve<Patch<Exact>>(random, degree);
+    check_along_curve<Bspline<Exact>>(random, degree);
+    check_along_curve<Spline<Exact>>(random, degree);
   }
 }
 

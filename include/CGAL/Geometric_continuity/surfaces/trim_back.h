@@ -9,7 +9,10 @@
 #include <CGAL/Geometric_continuity/Traits.h>
 #include <CGAL/Geometric_continuity/algebra/Bernstein_polynomial.h>
 #include <CGAL/Geometric_continuity/algebra/sign_pattern.h>
+#include <CGAL/Geometric_continuity/splines/Bspline_function.h>
+#include <CGAL/Geometric_continuity/splines/Knot_vector.h>
 #include <CGAL/Geometric_continuity/surfaces/Bezier_patch.h>
+#include <CGAL/Geometric_continuity/surfaces/Bspline_surface.h>
 #include <CGAL/Geometric_continuity/surfaces/Rational_surface.h>
 
 #include <string>
@@ -45,65 +48,111 @@ Surface trim_back(const Surface& surface, Patch_edge edge, const typename Surfac
 
 namespace internal {
 
-// Without the strip beyond v = w(u), 0 < w < 1, of a patch on the unit square: S(u, w(u) v), by the algorithm of de Casteljau, whose parameter is
-// a polynomial. For the strip from v = 0 on it is called with the patch turned.
+// S(u, c + w(u) (v - c)) with 0 < w < 1 on the domain of u, mapped to [0, 1]: of a surface with one span in v, from c on, by the algorithm of
+// de Casteljau, whose parameter is a function of u.
 template <class Traits>
-Bezier_patch<Traits> part_below(const Bezier_patch<Traits>& s, const Bernstein_polynomial<typename Traits::FT>& w) {
+Bspline_surface<Traits> part_of_span(const Bspline_surface<Traits>& s,
+                                     const Bernstein_polynomial<typename Traits::FT>& w) {
   typedef typename Traits::FT FT;
-  typedef Bernstein_polynomial<FT> Polynomial;
-  const int p = s.degree_u(), q = s.degree_v(), degree = p + q * w.degree();
-  const Polynomial rest = Polynomial{FT(1)} - w;
-  std::vector<Coordinates<Traits>> sums(static_cast<std::size_t>(degree + 1) * static_cast<std::size_t>(q + 1),
-                                        Coordinates<Traits>(s.dimension()));
-  for (int x = 0; x < s.dimension(); ++x) {
-    std::vector<Polynomial> row; // of constant j
-    for (int j = 0; j <= q; ++j) {
-      std::vector<FT> c;
-      for (int i = 0; i <= p; ++i) c.push_back(s.coordinates(i, j)[x]);
-      row.emplace_back(std::move(c));
-    }
-    for (int r = 0; r <= q; ++r) {
-      const Polynomial c = row[0].elevated(degree - row[0].degree());
-      for (int i = 0; i <= degree; ++i) sums[static_cast<std::size_t>(i * (q + 1) + r)][x] = c[i];
-      for (int j = 0; j < q - r; ++j) row[j] = rest * row[j] + w * row[j + 1];
-    }
+  typedef Bspline_function<FT, Coordinates<Traits>> Row; // of constant j
+  const int q = s.degree_v(), m = w.degree();
+  const Knot_vector<FT> knots(m, s.domain_u().first, s.domain_u().second);
+  const Bernstein_polynomial<FT> rest = Bernstein_polynomial<FT>{FT(1)} - w;
+  const Bspline_function<FT> f(knots, w.coefficients()), g(knots, rest.elevated(m - rest.degree()).coefficients());
+  std::vector<Row> row;
+  for (int j = 0; j <= q; ++j) {
+    std::vector<Coordinates<Traits>> c;
+    for (int i = 0; i < s.knots_u().number_of_coefficients(); ++i) c.push_back(s.coordinates(i, j));
+    row.emplace_back(s.knots_u(), std::move(c));
   }
-  std::vector<typename Traits::Point> points;
-  for (const Coordinates<Traits>& c : sums) points.push_back(to_point<Traits>(c));
-  return Bezier_patch<Traits>(degree, q, std::move(points), s.domain_u(), s.domain_v());
+  std::vector<Row> column; // of the result
+  for (int r = 0; r <= q; ++r) {
+    column.push_back(row[0].elevate((q - r) * m));
+    for (int j = 0; j < q - r; ++j) row[j] = g * row[j] + f * row[j + 1];
+  }
+  const Knot_vector<FT>& u = column[0].knots();
+  std::vector<std::vector<typename Traits::Point>> net(u.number_of_coefficients());
+  for (int i = 0; i < u.number_of_coefficients(); ++i)
+    for (const Row& c : column) net[i].push_back(to_point<Traits>(c[i]));
+  return Bspline_surface<Traits>(net, u, s.knots_v());
 }
+
+// One surface from two, over the same knots in u, where the second one begins in v where the first one ends; `jump` tells whether there the
+// first one does not lead to the second one.
 template <class Traits>
-Rational_bezier_patch<Traits> part_below(const Rational_bezier_patch<Traits>& s,
-                                         const Bernstein_polynomial<typename Traits::FT>& w) {
-  return Rational_bezier_patch<Traits>(part_below(s.homogeneous(), w));
+Bspline_surface<Traits> joined_in_v(const Bspline_surface<Traits>& a, const Bspline_surface<Traits>& b, bool jump) {
+  typedef typename Traits::FT FT;
+  const int q = b.degree_v(), first = jump ? 0 : 1; // row of the second surface
+  std::vector<FT> v(a.knots_v().begin(), a.knots_v().end() - first);
+  v.insert(v.end(), b.knots_v().begin() + q + 1, b.knots_v().end());
+  std::vector<std::vector<typename Traits::Point>> net(a.knots_u().number_of_coefficients());
+  for (int i = 0; i < a.knots_u().number_of_coefficients(); ++i) {
+    for (int j = 0; j < a.knots_v().number_of_coefficients(); ++j) net[i].push_back(a.control_point(i, j));
+    for (int j = first; j <= q; ++j) net[i].push_back(b.control_point(i, j));
+  }
+  return Bspline_surface<Traits>(net, a.knots_u(), Knot_vector<FT>(q, std::move(v)));
+}
+
+// Without the strip beyond v = c + height(u), inside of the domain [c, d]. For the strip from v = c on it is called with the surface turned.
+template <class Surface>
+Surface part_below(const Surface& s, const Bernstein_polynomial<typename Surface::FT>& height, Patch_edge edge) {
+  typedef typename Surface::FT FT;
+  typedef Bernstein_polynomial<FT> Polynomial;
+  if constexpr (Is_rational<Surface>::value)
+    return Surface(part_below(s.homogeneous(), height, edge));
+  else if constexpr (!Surface_shape<Surface>::is_spline) {
+    const auto t = part_below(Bspline_surface<typename Surface::Traits>(s), height, edge);
+    return Surface(t.degree_u(), t.degree_v(), std::vector<typename Surface::Traits::Point>(t.begin(), t.end()),
+                   s.domain_u(), s.domain_v());
+  } else {
+    const Surface clamped = s.clamp();
+    const Knot_vector<FT>& v = clamped.knots_v();
+    const FT& knot = v[v.number_of_coefficients() - 1];
+    const auto part = [&](const Surface& of, const Polynomial& h) {
+      return part_of_span(of, Polynomial{FT(FT(1) / (v.domain().second - knot))} * h);
+    };
+    if (knot == v.domain().first) return part(clamped, height);
+    const Polynomial beyond = height - Polynomial{FT(knot - v.domain().first)};
+    if (sign_pattern(beyond) != Sign_pattern::positive)
+      throw Error(Error_code::parameter_outside_domain, "trim_back: the curve is not everywhere between the edge " +
+                                                            to_string(edge) + " and the knot line next to it");
+    const std::pair<Surface, Surface> parts = clamped.split_v(knot);
+    const Surface strip = part(parts.second, beyond);
+    return joined_in_v(parts.first.elevate(strip.degree_u() - s.degree_u(), 0), strip,
+                       v.multiplicity(knot) > s.degree_v());
+  }
 }
 
 } // namespace internal
 
 /// \ingroup PkgGeometricContinuitySurfaces
-/// Returns the part of a patch between the opposite edge and a curve in the parameter plane: for the edge `v = d` of a patch on
+/// Returns the part of a surface between the opposite edge and a curve in the parameter plane: for the edge `v = d` of a surface on
 /// [a, b] x [c, d] the part with \f$ c \le v \le d - f(u) \f$. The new edge has the parameter of the old one; along each line of constant `u`
-/// the other parameter runs in proportion. Exact with an exact kernel, for straight lines and all other polynomials `f`: the degree along the
-/// edge grows by the product of the degree of `f` and the degree across.
-/// \param surface a `Bezier_patch` or `Rational_bezier_patch`
+/// the other parameter runs in proportion, of a B-spline surface from the knot line on that is next to the edge, where the knot gets the
+/// multiplicity of the degree: up to there it keeps its parameters. Exact with an exact kernel, for straight lines and all other polynomials
+/// `f`: the degree along the edge grows by the product of the degree of `f` and the degree across.
+///
+/// The curve may not cross a knot line of constant `v`: no surface over a rectangle of knots is the part beyond it. Where it would,
+/// `bezier_patches()` are trimmed one by one.
+/// \param surface a `Bezier_patch`, `Bspline_surface`, `Rational_bezier_patch` or `Rational_bspline_surface`
 /// \param edge the edge that is cut off
 /// \param distance \f$ f \f$, on the domain of the edge, which is mapped to [0, 1], in the parameter that is constant on the edge
-/// \throws Error `parameter_outside_domain` unless the distance is everywhere positive and less than the length of the domain (decided exactly),
-///   with the edge; `not_finite` when floating-point numbers overflow
-template <class Patch>
-Patch trim_back(const Patch& surface, Patch_edge edge, const Bernstein_polynomial<typename Patch::FT>& distance) {
-  typedef typename Patch::FT FT;
+/// \throws Error `parameter_outside_domain` unless the distance is everywhere positive and less than the length of the domain, of a B-spline
+///   surface less than the distance of the next knot line (decided exactly), with the edge; `not_finite` when floating-point numbers overflow
+template <class Surface>
+Surface trim_back(const Surface& surface, Patch_edge edge, const Bernstein_polynomial<typename Surface::FT>& distance) {
+  typedef typename Surface::FT FT;
   typedef Bernstein_polynomial<FT> Polynomial;
-  const typename Patch::Interval domain = runs_along_u(edge) ? surface.domain_v() : surface.domain_u();
+  const typename Surface::Interval domain = runs_along_u(edge) ? surface.domain_v() : surface.domain_u();
   const FT length = domain.second - domain.first;
   const Polynomial rest = Polynomial{length} - distance;
   if (sign_pattern(distance) != Sign_pattern::positive || sign_pattern(rest) != Sign_pattern::positive)
     throw Error(Error_code::parameter_outside_domain, "trim_back: the distance from the edge " + to_string(edge) +
                                                           " does not lie between 0 and the other edge everywhere");
   const bool lower = !at_upper_end(edge);
-  Patch turned = runs_along_u(edge) ? surface : surface.swap_parameters();
+  Surface turned = runs_along_u(edge) ? surface : surface.swap_parameters();
   if (lower) turned = turned.reverse_v();
-  turned = internal::part_below(turned, Polynomial{FT(FT(1) / length)} * rest);
+  turned = internal::part_below(turned, rest, edge);
   if (lower) turned = turned.reverse_v();
   return runs_along_u(edge) ? turned : turned.swap_parameters();
 }
