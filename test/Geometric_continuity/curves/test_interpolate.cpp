@@ -198,6 +198,8 @@ BOOST_AUTO_TEST_CASE(errors) {
     CHECK_ERROR(GC::interpolate<Traits>(p.begin(), p.begin(), q), wrong_number_of_points);
     CHECK_ERROR(GC::interpolate<Traits>(p.begin(), p.begin() + 1, q), wrong_number_of_points);
     CHECK_ERROR(GC::interpolate<Traits>(p.begin(), p.begin() + 2, q, Closure::closed), wrong_number_of_points);
+    const auto three = GC::interpolate<Traits>(p.begin(), p.begin() + 3, q, Closure::closed);
+    BOOST_CHECK(three(three.domain().first) == p[0] && three(three.domain().second) == p[0]);
   }
   typedef GC::Traits_d<CGAL::Cartesian_d<Q>> Any;
   const Q c[] = {1, 2, 3, 4};

@@ -273,6 +273,8 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(removal, K, Kernels) {
   // whole numbers, where the arithmetic of floating point is exact
   const Function<FT> f(GC::Knot_vector<FT>(2, FT(0), FT(4), {{FT(2), 1}}), {FT(0), FT(4), FT(8), FT(2)});
   BOOST_CHECK(f.insert(FT(2)).remove(FT(2)) == f);
+  const Function<FT> twice = f.insert(FT(2));
+  BOOST_CHECK(GC::bspline_remove<FT>(twice.knots(), twice.coefficients(), FT(2)) == f.coefficients());
   BOOST_CHECK(f.insert(FT(1)).insert(FT(2), 2).remove_superfluous_knots() == f);
   BOOST_CHECK(!f.remove(FT(2)));
   const Function<FT> line(GC::Knot_vector<FT>(2, FT(0), FT(4), {{FT(2), 2}}), {FT(0), FT(1), FT(2), FT(3), FT(4)});
