@@ -4,7 +4,8 @@
 
 // Grids of points and unit normals of surfaces in double, against instructions written by hand for just that surface, and
 // against OpenCASCADE and SISL where they were found. Blends of two bicubic patches, on double against sums of control points by hand,
-// and on rational numbers against integers over one denominator, and against OpenCASCADE's fillings, of which is told how smooth they are.
+// and on rational numbers against integers over one denominator, and against fillings and lofts of OpenCASCADE and SISL, of which is told how
+// smooth they are.
 // Results are compared before anything is timed.
 
 #include "Ratio_table.h"
@@ -241,6 +242,10 @@ void register_blends() {
   };
   filling("OpenCASCADE, BRepFill_Filling with its defaults, G2", peers::occt_filling);
   filling("OpenCASCADE, GeomFill_ConstrainedFilling, G1", peers::occt_constrained_filling);
+#ifdef GEOMETRIC_CONTINUITY_WITH_SISL
+  filling("SISL, s1538, a loft with two derivatives at both edges", peers::sisl_loft);
+  filling("SISL, s1390, the same with sides", peers::sisl_blend);
+#endif
 #endif
 #ifdef CGAL_USE_GMPXX
   static const by_hand::Surface_blend_input<CGAL::Exact_rational> exact;

@@ -5,7 +5,7 @@
 #ifndef GEOMETRIC_CONTINUITY_BENCHMARK_SURFACE_FILLINGS_H
 #define GEOMETRIC_CONTINUITY_BENCHMARK_SURFACE_FILLINGS_H
 
-// What OpenCASCADE puts between the edge v1 of one patch and the edge v0 of another one, with given sides, and how far a surface is from
+// What OpenCASCADE and SISL put between the edge v1 of one patch and the edge v0 of another one, with given sides, and how far a surface is from
 // continuing both patches.
 
 #ifdef GEOMETRIC_CONTINUITY_WITH_OCCT
@@ -35,11 +35,19 @@
 #include <TopoDS.hxx>
 #include <TopoDS_Edge.hxx>
 #include <TopoDS_Face.hxx>
+#ifdef GEOMETRIC_CONTINUITY_WITH_SISL
+#include <TColStd_Array1OfInteger.hxx>
+#include <TColStd_Array1OfReal.hxx>
+#include <sisl.h>
+#endif
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdlib>
 #include <ostream>
+#include <utility>
+#include <vector>
 
 namespace peers {
 
@@ -102,6 +110,94 @@ inline Handle(Geom_Surface) occt_constrained_filling(const Filling_input& x) {
   filling.Init(along_edge(x.a, 1), along_side(x.sides[1]), along_edge(x.b, 0), along_side(x.sides[0]));
   return filling.Surface();
 }
+
+#ifdef GEOMETRIC_CONTINUITY_WITH_SISL
+// A curve of SISL on [0, 1] with these control points.
+inline SISLCurve* sisl_curve(const std::vector<gp_XYZ>& points) {
+  const int n = static_cast<int>(points.size());
+  std::vector<double> knots(2 * points.size()), numbers;
+  std::fill(knots.begin() + n, knots.end(), 1.);
+  for (const gp_XYZ& p : points) numbers.insert(numbers.end(), {p.X(), p.Y(), p.Z()});
+  return newCurve(n, n, knots.data(), numbers.data(), 1, 3, 1);
+}
+
+// The edge of a patch, and its first two derivatives across the edge, with the sign that they are to have in SISL.
+inline void add_edge(std::vector<SISLCurve*>& curves, const Handle(Geom_BezierSurface) & s, bool upper, int sign) {
+  const int n = s->NbUPoles(), m = s->NbVPoles();
+  std::array<std::vector<gp_XYZ>, 3> rows;
+  for (int i = 1; i <= n; ++i) {
+    const auto p = [&](int k) { return s->Pole(i, upper ? m - k : 1 + k).XYZ(); };
+    rows[0].push_back(p(0));
+    rows[1].push_back((p(0) - p(1)) * ((upper ? sign : -sign) * (m - 1)));
+    rows[2].push_back((p(0) - p(1) * 2 + p(2)) * (sign * (m - 1) * (m - 2)));
+  }
+  for (const std::vector<gp_XYZ>& row : rows) curves.push_back(sisl_curve(row));
+}
+inline void add_side(std::vector<SISLCurve*>& curves, const Handle(Geom_BezierCurve) & c) {
+  std::vector<gp_XYZ> points;
+  for (int i = 1; i <= c->NbPoles(); ++i) points.push_back(c->Pole(i).XYZ());
+  curves.push_back(sisl_curve(points));
+}
+
+// The surface of SISL, of which the control points of one row follow each other; frees it and what it was made of.
+inline Handle(Geom_Surface) taken(SISLSurf* surface, int status, const std::vector<SISLCurve*>& curves) {
+  for (SISLCurve* c : curves) freeCurve(c);
+  if (status < 0) return Handle(Geom_Surface)();
+  TColgp_Array2OfPnt poles(1, surface->in1, 1, surface->in2);
+  for (int j = 0; j < surface->in2; ++j)
+    for (int i = 0; i < surface->in1; ++i) {
+      const double* p = surface->ecoef + 3 * (j * surface->in1 + i);
+      poles.SetValue(i + 1, j + 1, gp_Pnt(p[0], p[1], p[2]));
+    }
+  const auto knots = [](const double* t, int n) {
+    std::vector<double> values;
+    std::vector<int> multiplicities;
+    for (int i = 0; i < n; ++i)
+      if (values.empty() || values.back() < t[i]) {
+        values.push_back(t[i]);
+        multiplicities.push_back(1);
+      } else
+        ++multiplicities.back();
+    const int size = static_cast<int>(values.size());
+    std::pair<TColStd_Array1OfReal, TColStd_Array1OfInteger> r{{1, size}, {1, size}};
+    std::copy(values.begin(), values.end(), r.first.begin());
+    std::copy(multiplicities.begin(), multiplicities.end(), r.second.begin());
+    return r;
+  };
+  const auto u = knots(surface->et1, surface->in1 + surface->ik1), v = knots(surface->et2, surface->in2 + surface->ik2);
+  const Handle(Geom_Surface) r =
+      new Geom_BSplineSurface(poles, u.first, v.first, u.second, v.second, surface->ik1 - 1, surface->ik2 - 1);
+  freeSurf(surface);
+  return r;
+}
+
+// Between the four curves, of which the two edges have derivatives across them. It turns those at the third curve, the second ones, too. What
+// length its parameter across them has is not told, so that derivatives and sides do not fit each other, and the sides are kept.
+inline Handle(Geom_Surface) sisl_blend(const Filling_input& x) {
+  std::vector<SISLCurve*> curves;
+  add_edge(curves, x.a, true, 1);
+  add_side(curves, x.sides[1]);
+  add_edge(curves, x.b, false, -1);
+  add_side(curves, x.sides[0]);
+  int numbers[] = {3, 1, 3, 1}, status = 0;
+  SISLSurf* surface = nullptr;
+  s1390(curves.data(), &surface, numbers, &status);
+  return taken(surface, status, curves);
+}
+
+// Between the two edges, whatever the sides are: interpolation across them. The types say: a curve, its derivative, its second derivative.
+inline Handle(Geom_Surface) sisl_loft(const Filling_input& x) {
+  std::vector<SISLCurve*> curves;
+  add_edge(curves, x.a, true, 1);
+  add_edge(curves, x.b, false, 1);
+  int types[] = {1, 4, 6, 1, 4, 6}, status = 0;
+  SISLSurf* surface = nullptr;
+  double* parameters = nullptr;
+  s1538(6, curves.data(), types, 0, 1, 6, 0, &surface, &parameters, &status);
+  std::free(parameters);
+  return taken(surface, status, curves);
+}
+#endif
 
 // The largest differences along both edges, at a hundred points of each.
 struct Filling_error {
