@@ -1,0 +1,133 @@
+# Copyright (c) 2026 The Geometric_continuity developers
+#
+# SPDX-License-Identifier: LGPL-3.0-or-later
+"""Builds the module and the program by CMake, and packs both as a wheel: what `pip install .` calls (PEP 517). It needs nothing but
+the standard library, so that nothing has to be downloaded. `--config-settings build-folder=FOLDER` keeps what was compiled there, or
+takes what is; `--config-settings cmake=OPTION` passes an option to CMake."""
+
+import base64
+import hashlib
+import os
+import re
+import subprocess
+import sys
+import sysconfig
+import tarfile
+import tempfile
+import zipfile
+
+TOP = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
+NAME = "geometric_continuity"
+
+
+def _version():
+    with open(os.path.join(TOP, "CMakeLists.txt"), encoding="utf-8") as file:
+        return re.search(r"project\(Geometric_continuity VERSION ([0-9.]+)", file.read()).group(1)
+
+
+def _metadata():
+    with open(os.path.join(TOP, "README.md"), encoding="utf-8") as file:
+        readme = file.read()
+    return ("Metadata-Version: 2.1\nName: geometric_continuity\n"
+            f"Version: {_version()}\nSummary: Curves and surfaces that join smoothly, and a proof that they do\n"
+            "Author: The Geometric_continuity developers\nLicense: LGPL-3.0-or-later\nRequires-Python: >=3.8\nRequires-Dist: numpy\n"
+            f"Description-Content-Type: text/markdown\n\n{readme}")
+
+
+def _tag():
+    python = f"cp{sys.version_info[0]}{sys.version_info[1]}"
+    return f"{python}-{python}-{re.sub('[-.]', '_', sysconfig.get_platform())}"
+
+
+def _build(folder, options):
+    def run(*command):
+        subprocess.run(command, check=True, stdout=sys.stderr)
+
+    run("cmake", "-S", TOP, "-B", folder, f"-DPython_EXECUTABLE={sys.executable}", "-DBUILD_TESTING=OFF", *options)
+    jobs = str(len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1)
+    run("cmake", "--build", folder, "-j", jobs, "--target", NAME, "geometric_continuity_python")
+
+
+def _files(folder):
+    """Name in the wheel, path, and whether it is a program."""
+    package = os.path.join(folder, "python", NAME)
+    for base, folders, names in os.walk(package):
+        folders[:] = [f for f in folders if f != "__pycache__"]
+        for name in sorted(names):
+            path = os.path.join(base, name)
+            yield os.path.join(NAME, os.path.relpath(path, package)), path, False
+    yield f"{NAME}/bin/{NAME}", os.path.join(folder, "tools", NAME), True
+    reader = os.path.join(folder, "tools", "geometric_continuity_cad")
+    if os.path.exists(reader):
+        yield f"{NAME}/bin/geometric_continuity_cad", reader, True
+
+
+def get_requires_for_build_wheel(config_settings=None):
+    return []
+
+
+def get_requires_for_build_sdist(config_settings=None):
+    return []
+
+
+def _texts(info):
+    """The files of the wheel that describe it, but the list of all files."""
+    yield f"{info}/METADATA", _metadata()
+    yield f"{info}/WHEEL", f"Wheel-Version: 1.0\nGenerator: {NAME}\nRoot-Is-Purelib: false\nTag: {_tag()}\n"
+    yield f"{info}/entry_points.txt", f"[console_scripts]\n{NAME} = {NAME}.program:main\n"
+
+
+def prepare_metadata_for_build_wheel(metadata_directory, config_settings=None):
+    info = f"{NAME}-{_version()}.dist-info"
+    os.makedirs(os.path.join(metadata_directory, info), exist_ok=True)
+    for name, text in _texts(info):
+        with open(os.path.join(metadata_directory, name), "w", encoding="utf-8") as file:
+            file.write(text)
+    return info
+
+
+def build_wheel(wheel_directory, config_settings=None, metadata_directory=None):
+    settings = config_settings or {}
+    options = settings.get("cmake", [])
+    options = [options] if isinstance(options, str) else list(options)
+    with tempfile.TemporaryDirectory() as temporary:
+        folder = os.path.abspath(settings.get("build-folder", temporary))
+        _build(folder, options)
+        info = f"{NAME}-{_version()}.dist-info"
+        wheel = f"{NAME}-{_version()}-{_tag()}.whl"
+        record = []
+        with zipfile.ZipFile(os.path.join(wheel_directory, wheel), "w", zipfile.ZIP_DEFLATED) as archive:
+
+            def add(name, content, is_program=False):
+                entry = zipfile.ZipInfo(name)
+                entry.compress_type = zipfile.ZIP_DEFLATED
+                entry.external_attr = (0o100755 if is_program else 0o100644) << 16
+                archive.writestr(entry, content)
+                digest = base64.urlsafe_b64encode(hashlib.sha256(content).digest()).rstrip(b"=").decode()
+                record.append(f"{name},sha256={digest},{len(content)}\n")
+
+            for name, path, is_program in _files(folder):
+                with open(path, "rb") as file:
+                    add(name, file.read(), is_program)
+            for licence in ("LICENSE.LGPL", "LICENSE.GPL"):
+                with open(os.path.join(TOP, licence), "rb") as file:
+                    add(f"{info}/{licence}", file.read())
+            for name, text in _texts(info):
+                add(name, text.encode())
+            record.append(f"{info}/RECORD,,\n")
+            archive.writestr(f"{info}/RECORD", "".join(record))
+    return wheel
+
+
+def build_sdist(sdist_directory, config_settings=None):
+    """Packs the files of the repository."""
+    name = f"{NAME}-{_version()}"
+    listed = subprocess.run(["git", "-C", TOP, "ls-files", "-z"], check=True, stdout=subprocess.PIPE).stdout.decode().split("\0")
+    with tarfile.open(os.path.join(sdist_directory, name + ".tar.gz"), "w:gz", format=tarfile.PAX_FORMAT) as archive:
+        for path in filter(None, listed):
+            archive.add(os.path.join(TOP, path), f"{name}/{path}", recursive=False)
+        with tempfile.NamedTemporaryFile("w", suffix=".txt", delete=False) as file:
+            file.write(_metadata())
+        archive.add(file.name, f"{name}/PKG-INFO")
+        os.unlink(file.name)
+    return name + ".tar.gz"

@@ -1,0 +1,30 @@
+# Copyright (c) 2026 The Geometric_continuity developers
+#
+# SPDX-License-Identifier: LGPL-3.0-or-later
+"""Curves and surfaces that join smoothly, and a proof that they do.
+
+An array of shape (degree + 1, dimension) is a Bezier curve. Numbers may be int, float, fractions.Fraction and decimal.Decimal; each is
+read exactly as it is, and what is decided is decided exactly. Names and members are those of the C++ package.
+
+>>> import geometric_continuity as gc
+>>> left = [(-3, 0), (-3, 2), (-2, 3), (0, 3)]
+>>> right = [(4, 0), (5, -1)]
+>>> gamma = gc.blend(left, right)
+>>> gc.continuity(left, gamma.points).g_order
+2
+"""
+
+from ._native import (Edge_continuity, Enclosure, Join_continuity, Join_deviation, Join_grade, Kink_size, Order_up_to_rounding,
+                      uses_gmp)
+from .curves import (STRATEGIES, Blend, Fair_spline, Fitted_curve, Representable_blend, Rounded_corner, Segmented_curve, Spline, blend,
+                     fair, fairness, fit, interpolate, interpolate_fair, representable_blend, round_corner)
+from .errors import Error
+from .joins import continuity, deviation, edge_continuity, failing_joins, join_grade, kink_size
+from .program import program, verify
+
+__all__ = [
+    "Blend", "Edge_continuity", "Enclosure", "Error", "Fair_spline", "Fitted_curve", "Join_continuity", "Join_deviation", "Join_grade",
+    "Kink_size", "Order_up_to_rounding", "Representable_blend", "Rounded_corner", "STRATEGIES", "Segmented_curve", "Spline", "blend",
+    "continuity", "deviation", "edge_continuity", "failing_joins", "fair", "fairness", "fit", "interpolate", "interpolate_fair",
+    "join_grade", "kink_size", "program", "representable_blend", "round_corner", "uses_gmp", "verify",
+]

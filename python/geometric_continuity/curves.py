@@ -1,0 +1,202 @@
+# Copyright (c) 2026 The Geometric_continuity developers
+#
+# SPDX-License-Identifier: LGPL-3.0-or-later
+"""Curves that are made: blends, rounded corners, splines through points and near them.
+
+Results are arrays of float64; with `exact=True` arrays of `fractions.Fraction` (dtype object), for which the joins hold exactly. Unless
+it is given, results are exact where no floating-point number is among the input.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import List, Optional, Sequence
+
+import numpy
+
+from . import _native
+
+STRATEGIES = ("c2", "normal", "min_second", "near_line", "energy2", "energy3", "fair", "c3", "seq_g3", "seq_f3", "joint_g3",
+              "energy3_g3", "energy4_g3", "fair_g3", "fair_f3", "free")
+"""The names of the strategies of `blend`: to "fair" of degree 5, from "c3" on of degree 7."""
+
+
+@dataclass(frozen=True)
+class Blend:
+    """A blend: a Bezier curve on [0, 1], and what its strategy chose."""
+
+    points: numpy.ndarray  #: control points, shape (6, dimension) or (8, dimension)
+    beta: object  #: the shape parameter at the end of the first curve: a float, or a Fraction
+    eta: object  #: the shape parameter at the start of the second curve
+    fallback_start: bool  #: whether the strategy is undefined at the start and chose by another rule
+    fallback_end: bool  #: whether the strategy is undefined at the end and chose by another rule
+    automatic_fairness: Optional[float]  #: of fair strategies: the variation of curvature where the search started
+    fairness: Optional[float]  #: of fair strategies: the variation of curvature of the result
+    converged: bool  #: whether the search ended in a local minimum
+
+
+@dataclass(frozen=True)
+class Representable_blend:
+    """A blend with float64 control points whose joins with `phi` and `psi` are exactly G2."""
+
+    points: numpy.ndarray  #: control points, shape (6, dimension)
+    phi: numpy.ndarray  #: the first curve, whose last three control points may have been moved to a grid
+    psi: numpy.ndarray  #: the second curve, whose first three control points may have been moved
+    moved: float  #: the largest change of a coordinate; 0 when nothing was moved
+
+
+@dataclass(frozen=True)
+class Rounded_corner:
+    """Two curves without what is near their corner, and the blend between them."""
+
+    left: numpy.ndarray  #: control points of the left curve from its start to the cut
+    blend: numpy.ndarray  #: control points of the blend
+    right: numpy.ndarray  #: control points of the right curve from the cut to its end
+    left_cut: object  #: the parameter where the left curve is cut
+    right_cut: object  #: the parameter where the right curve is cut
+
+
+@dataclass(frozen=True)
+class Spline:
+    """A B-spline curve: control points of shape (n, dimension), and its knots, in the form of `scipy.interpolate.BSpline`."""
+
+    degree: int
+    points: numpy.ndarray
+    knots: numpy.ndarray
+
+
+@dataclass(frozen=True)
+class Segmented_curve:
+    """Bezier curves of one degree m, each of which starts where the one before it ends: points of shape (m k + 1, dimension) of k
+    curves, and k + 1 knots."""
+
+    degree: int
+    points: numpy.ndarray
+    knots: numpy.ndarray
+
+    @property
+    def segments(self) -> numpy.ndarray:
+        """The control points of the Bezier curves, shape (k, m + 1, dimension). A view where the array is one of floats."""
+        m, (n, dimension) = self.degree, self.points.shape
+        row, column = self.points.strides
+        shape = ((n - 1) // m, m + 1, dimension)
+        return numpy.lib.stride_tricks.as_strided(self.points, shape, (m * row, row, column), writeable=False)
+
+
+@dataclass(frozen=True)
+class Fair_spline(Segmented_curve):
+    """A G2 spline of fair quintics through points."""
+
+    moved: object  #: the largest change of a coordinate of a point, which leaves room for exact joins; 0 where it is exact
+    rounded: List[int]  #: the points at which rounding may have broken the join
+
+
+@dataclass(frozen=True)
+class Fitted_curve(Segmented_curve):
+    """Few Bezier curves near a polyline, whose joins hold exactly."""
+
+    vertices: List[int]  #: the numbers of the vertices at which segments meet
+    corners: List[int]  #: the numbers of the vertices that are corners
+    distance: float  #: a proved bound of the distance of curve and polyline, both ways
+
+
+def blend(left, right, strategy: str = "energy3", *, beta=None, eta=None, parameters: Sequence = (),
+          exact: Optional[bool] = None) -> Blend:
+    """Returns the blend from the end of `left` to the start of `right`: a Bezier curve on [0, 1] of degree 5 with G2 joins, or of degree
+    7 with G3 or F3 joins, by the strategy.
+
+    left, right: arrays of shape (degree + 1, dimension).
+    strategy: one of STRATEGIES; "energy3" has the least energy of the third derivative, "fair" varies the curvature least.
+    beta, eta: shape parameters, positive; automatic unless they are given.
+    parameters: of the strategy "free": (s1, s2) of degree 5, or (beta2, mu, beta3) at the start and at the end of degree 7.
+    exact: whether results are fractions, with joins that hold exactly; float64 rounds the joins.
+
+    Raises Error: `zero_tangent`, `nonpositive_beta`, `dimension_mismatch`, `wrong_number_of_points`, `not_finite`,
+    `parameter_outside_domain` for another strategy.
+    """
+    return Blend(**_native.blend(left, right, strategy, beta, eta, tuple(parameters), exact))
+
+
+def fair(left, right, order: int = 2, *, exact: Optional[bool] = None) -> Blend:
+    """Returns the blend whose curvature varies least: that of `blend` with the strategy "fair", of degree 5 with G2 joins, or with
+    `order=3` "fair_g3", of degree 7 with G3 joins.
+
+    Raises Error as `blend`, and `parameter_outside_domain` for another order.
+    """
+    if order not in (2, 3):
+        from .errors import Error
+
+        raise Error("parameter_outside_domain", "fair", f"the order {order} is not 2 or 3")
+    return blend(left, right, "fair" if order == 2 else "fair_g3", exact=exact)
+
+
+def representable_blend(left, right, strategy: str = "fair") -> Representable_blend:
+    """Returns a blend of degree 5 whose control points are float64 and whose joins are exactly G2 nevertheless.
+
+    left, right: arrays of shape (degree + 1, dimension), of float64 numbers.
+    strategy: "fair" or "energy3".
+
+    Raises Error: `not_representable` where there are no such numbers, and as `blend`.
+    """
+    return Representable_blend(**_native.representable_blend(left, right, strategy))
+
+
+def round_corner(left, right, distance, strategy: str = "fair", *, exact: Optional[bool] = None) -> Rounded_corner:
+    """Rounds the corner in which `left` ends and `right` starts: cuts off what is nearer to it than `distance` along the curves, and puts
+    a blend there.
+
+    left, right: arrays of shape (degree + 1, dimension).
+    distance: positive, in units of the coordinates, less than the length of each curve.
+    strategy: "fair", "energy3" (G2) or "fair_g3" (G3).
+
+    Raises Error: `curves_do_not_meet`, `parameter_outside_domain`, `zero_tangent`, `zero_direction`, `dimension_mismatch`, `not_finite`.
+    """
+    return Rounded_corner(**_native.round_corner(left, right, distance, strategy, exact))
+
+
+def fairness(curve) -> float:
+    """Returns the variation of curvature of a Bezier curve, L^3 times the integral of the squared derivative of the curvature vector
+    with respect to arc length, without its tangential part. It does not depend on the size; the smaller, the fairer; inf at a cusp.
+
+    curve: an array of shape (degree + 1, dimension).
+
+    Raises Error: `work_limit`, `not_finite`, `wrong_number_of_points`.
+    """
+    return _native.fairness(curve)
+
+
+def interpolate(points, closed: bool = False, parametrisation: str = "centripetal", parameters: Sequence = (), *,
+                exact: Optional[bool] = None) -> Spline:
+    """Returns the cubic spline through points, C2 inside: a natural one, or a closed one over periodic knots.
+
+    points: an array of shape (n, dimension), at least 2 points, or 3 if closed.
+    parametrisation: "uniform", "chordal" or "centripetal"; the latter two round distances to floats, exactly reproducible.
+    parameters: one for each point, increasing, for a closed curve one more; then the parametrisation does not matter.
+
+    Raises Error: `wrong_number_of_points`, `empty_domain` unless parameters increase, `dimension_mismatch`, `not_finite`, `work_limit`.
+    """
+    return Spline(**_native.interpolate(points, closed, parametrisation, tuple(parameters), exact))
+
+
+def interpolate_fair(points, closed: bool = False, *, exact: Optional[bool] = None) -> Fair_spline:
+    """Returns a spline of fair quintics through points, whose joins are exactly G2, with float64 too (but at the points in `rounded`).
+
+    points: an array of shape (n, dimension), at least 2 points, or 3 if closed.
+
+    Raises Error: `wrong_number_of_points`, `empty_domain` where consecutive points coincide, `not_finite`.
+    """
+    return Fair_spline(**_native.interpolate_fair(points, closed, exact))
+
+
+def fit(points, tolerance, order: int = 1, closed: bool = False, corner_angle: float = 45, *,
+        exact: Optional[bool] = None) -> Fitted_curve:
+    """Returns few Bezier curves near a polyline, at most `tolerance` away from it, which is proved, and joined exactly.
+
+    points: the vertices, an array of shape (n, dimension).
+    tolerance: positive, in units of the coordinates.
+    order: 1 for cubics with G1 joins, 2 for quintics with G2 joins.
+    corner_angle: degrees; where the polyline turns by more it has a corner, which is kept.
+
+    Raises Error: `wrong_number_of_points`, `parameter_outside_domain`, `unreachable_tolerance`, `not_finite`.
+    """
+    return Fitted_curve(**_native.fit(points, tolerance, order, closed, corner_angle, exact))

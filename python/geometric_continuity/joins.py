@@ -1,0 +1,89 @@
+# Copyright (c) 2026 The Geometric_continuity developers
+#
+# SPDX-License-Identifier: LGPL-3.0-or-later
+"""Joins of curves and edges of surfaces: decided exactly, measured with guaranteed bounds."""
+
+from __future__ import annotations
+
+from typing import Optional
+
+import numpy
+
+from . import _native
+from ._native import Edge_continuity, Join_continuity, Join_deviation, Join_grade, Kink_size
+
+
+def continuity(left, right, max_order: int = 3) -> Join_continuity:
+    """Decides the continuity of the join between the end of `left` and the start of `right`, up to `max_order`, exactly on the
+    numbers as given.
+
+    left, right: Bezier curves on [0, 1], arrays of shape (degree + 1, dimension); degrees may differ. Numbers may be int, float,
+        fractions.Fraction and decimal.Decimal, each read as it is.
+
+    Raises Error: `negative_count`, `dimension_mismatch`, `wrong_number_of_points` for other shapes, `not_finite`, `work_limit`.
+    """
+    return _native.continuity(left, right, max_order)
+
+
+def deviation(left, right) -> Join_deviation:
+    """Returns how far the join between the end of `left` and the start of `right` is from being continuous: guaranteed enclosures
+    of the gap (units of the coordinates), the angle of the tangents (radians), the relative jump of the curvature vector and the
+    jump of the torsion (1/length).
+
+    left, right: arrays of shape (degree + 1, dimension).
+
+    Raises Error: `dimension_mismatch`, `wrong_number_of_points`, `not_finite`, `work_limit`.
+    """
+    return _native.deviation(left, right)
+
+
+def join_grade(left, right, kink_angle=5) -> Optional[Join_grade]:
+    """Returns what a join of two plane curves looks like: gap, corner, kink, g1 or g2; None where a curve has no length.
+
+    left, right: arrays of shape (degree + 1, 2).
+    kink_angle: degrees; the largest angle that is a kink and no corner, read exactly as it is.
+
+    Raises Error: `dimension_mismatch` unless in the plane, `parameter_outside_domain` unless 0 < kink_angle < 180, `not_finite`.
+    """
+    return _native.join_grade(left, right, kink_angle)
+
+
+def kink_size(left, right) -> Optional[Kink_size]:
+    """Returns how large the angle at a join of two plane curves is: enclosures of the angle (radians), of how far a handle is off and
+    of the severity (units of the coordinates); None where a curve has no length.
+
+    left, right: arrays of shape (degree + 1, 2).
+
+    Raises Error: `dimension_mismatch` unless in the plane, `not_finite`.
+    """
+    return _native.kink_size(left, right)
+
+
+def failing_joins(points, order: str = "G2", closed: bool = False, parallel: bool = False) -> numpy.ndarray:
+    """Returns the joins of consecutive curves that do not have an order, exactly: numbers i in increasing order, for the join of the
+    curves i and i + 1, as an array of integers.
+
+    points: n Bezier curves of one degree, an array of shape (n, degree + 1, dimension). In the plane and in space an array of
+        float64 is read where it is, with any strides; nothing is copied.
+    order: "C0" to "C3", "G0" to "G3", "F0" to "F3".
+    closed: whether the last curve and the first one have a join, the number n - 1, too.
+    parallel: on several cores, where the module was built with TBB.
+
+    The lock of the interpreter is released meanwhile, and signals such as that of Ctrl-C are seen.
+
+    Raises Error: `wrong_number_of_points` for another shape, `parameter_outside_domain` for another order, `not_finite`.
+    """
+    return _native.failing_joins(points, order, closed, parallel)
+
+
+def edge_continuity(a, edge_a: str, b, edge_b: str) -> Edge_continuity:
+    """Decides the continuity of two Bezier surfaces along an edge of each, exactly, on the whole closed edge. The edge of `b` may run
+    backwards.
+
+    a, b: arrays of shape (degree u + 1, degree v + 1, 3): b[i, j] is the control point of the basis functions i in u, j in v.
+    edge_a, edge_b: "u0", "u1" (u = 0, u = 1), "v0" or "v1".
+
+    Raises Error: `dimension_mismatch` unless in space, `wrong_number_of_points`, `parameter_outside_domain` for another edge,
+    `not_finite`, `work_limit`.
+    """
+    return _native.edge_continuity(a, edge_a, b, edge_b)

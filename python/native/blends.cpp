@@ -1,0 +1,126 @@
+// Copyright (c) 2026 The Geometric_continuity developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#include "arrays.h"
+
+#include <CGAL/Geometric_continuity/blends/Fair.h>
+#include <CGAL/Geometric_continuity/blends/blend.h>
+#include <CGAL/Geometric_continuity/blends/representable_blend.h>
+#include <CGAL/Geometric_continuity/repairs/round_corners.h>
+
+#include <algorithm>
+
+namespace {
+
+// The strategies that need no numbers, by the names that the program has for them.
+template <class Function> auto with_strategy(const std::string& name, const std::string& place, Function f) {
+  if (name == "c2") return f(GC::Matching_second_derivative());
+  if (name == "normal") return f(GC::Normal_offset());
+  if (name == "min_second") return f(GC::Minimal_second_derivative());
+  if (name == "near_line") return f(GC::Near_line());
+  if (name == "energy2") return f(GC::Minimal_energy<2>());
+  if (name == "energy3") return f(GC::Minimal_energy<3>());
+  if (name == "fair") return f(GC::Fair());
+  if (name == "c3") return f(GC::Matching_third_derivative());
+  if (name == "seq_g3") return f(GC::Sequential_g3());
+  if (name == "seq_f3") return f(GC::Sequential_f3());
+  if (name == "joint_g3") return f(GC::Joint_g3());
+  if (name == "energy3_g3") return f(GC::Minimal_energy_g3<3>());
+  if (name == "energy4_g3") return f(GC::Minimal_energy_g3<4>());
+  if (name == "fair_g3") return f(GC::Fair_g3());
+  if (name == "fair_f3") return f(GC::Fair_f3());
+  throw GC::Error(GC::Error_code::parameter_outside_domain, place + ": there is no strategy '" + name + "'");
+}
+
+template <class Blend> void add_report(const Blend&, Blend_numbers&) {}
+template <class Blend, class Report>
+void add_report(const GC::Shaped_blend<Blend, Report>& gamma, Blend_numbers& numbers) {
+  numbers.fairness = {gamma.report.automatic_fairness, gamma.report.fairness};
+  numbers.converged = gamma.report.converged;
+}
+
+template <class Traits, class Blend> Blend_numbers numbers_of(const Blend& gamma) {
+  Blend_numbers r;
+  r.points = array_of<Traits>(gamma);
+  r.beta = Exact(gamma.shape.beta);
+  r.eta = Exact(gamma.shape.eta);
+  r.fallback_start = gamma.parameters.fallback_start;
+  r.fallback_end = gamma.parameters.fallback_end;
+  add_report(gamma, r);
+  return r;
+}
+
+template <class FT> FT converted(const Exact& x) {
+  if constexpr (std::is_same_v<FT, double>)
+    return nearest_double(x);
+  else
+    return x;
+}
+
+template <class FT>
+Blend_numbers blend_in(const Numbers& left, const Numbers& right, const std::string& strategy,
+                       const std::optional<Exact>& beta, const std::optional<Exact>& eta, const Numbers& parameters) {
+  typedef Array_traits<FT> Traits;
+  const GC::Bezier_curve<Traits> phi = curve<Traits>(left, "blend"), psi = curve<Traits>(right, "blend");
+  const auto blend = [&](const auto& chosen) {
+    if (!beta && !eta) return numbers_of<Traits>(GC::blend(phi, psi, chosen));
+    GC::Shape_parameters<FT> shape;
+    if (!beta || !eta) shape = GC::automatic_shape(phi.end_jet(1), psi.start_jet(1));
+    if (beta) shape.beta = converted<FT>(*beta);
+    if (eta) shape.eta = converted<FT>(*eta);
+    return numbers_of<Traits>(GC::blend(phi, psi, chosen, shape));
+  };
+  if (strategy != "free") return with_strategy(strategy, "blend", blend);
+  const auto x = [&](std::size_t i) { return number<FT>(parameters, i); };
+  if (parameters.size() == 2) return blend(GC::Given_parameters<FT>{x(0), x(1)});
+  if (parameters.size() == 6) return blend(GC::Given_end_parameters<FT>{{x(0), x(1), x(2)}, {x(3), x(4), x(5)}});
+  throw GC::Error(GC::Error_code::wrong_number_of_points,
+                  "blend: the strategy 'free' needs two parameters (s1, s2), or six: beta2, mu, beta3 at both ends");
+}
+
+template <class FT>
+Corner_numbers round_in(const Numbers& left, const Numbers& right, double distance, const std::string& strategy) {
+  typedef Array_traits<FT> Traits;
+  const GC::Bezier_curve<Traits> phi = curve<Traits>(left, "round_corner"), psi = curve<Traits>(right, "round_corner");
+  const auto round = [&](const auto& chosen) {
+    const auto corner = GC::round_corner(phi, psi, distance, chosen);
+    return Corner_numbers{array_of<Traits>(corner.left), array_of<Traits>(corner.blend), array_of<Traits>(corner.right),
+                          Exact(corner.left_cut), Exact(corner.right_cut)};
+  };
+  if (strategy == "fair") return round(GC::Fair());
+  if (strategy == "fair_g3") return round(GC::Fair_g3());
+  if (strategy == "energy3") return round(GC::Minimal_energy<3>());
+  throw GC::Error(GC::Error_code::parameter_outside_domain,
+                  "round_corner: the strategy '" + strategy + "' is none of fair, fair_g3, energy3");
+}
+
+} // namespace
+
+Blend_numbers blend(const Numbers& left, const Numbers& right, const std::string& strategy,
+                    const std::optional<Exact>& beta, const std::optional<Exact>& eta, const Numbers& parameters,
+                    Field_of_results field) {
+  return field == Field_of_results::exact ? blend_in<Exact>(left, right, strategy, beta, eta, parameters)
+                                          : blend_in<double>(left, right, strategy, beta, eta, parameters);
+}
+
+Representable_numbers representable_blend(const Numbers& left, const Numbers& right, const std::string& strategy) {
+  typedef Array_traits<double> Traits;
+  const GC::Bezier_curve<Traits> phi = curve<Traits>(left, "representable_blend"),
+                                 psi = curve<Traits>(right, "representable_blend");
+  const auto blend = [&](const auto& chosen) {
+    const GC::Representable_blend<Traits> gamma = GC::representable_blend(phi, psi, chosen);
+    return Representable_numbers{array_of<Traits>(gamma.phi), array_of<Traits>(gamma), array_of<Traits>(gamma.psi),
+                                 (std::max)(gamma.start_join.moved, gamma.end_join.moved)};
+  };
+  if (strategy == "fair") return blend(GC::Fair());
+  if (strategy == "energy3") return blend(GC::Minimal_energy<3>());
+  throw GC::Error(GC::Error_code::parameter_outside_domain,
+                  "representable_blend: the strategy '" + strategy + "' is none of fair, energy3");
+}
+
+Corner_numbers round_corner(const Numbers& left, const Numbers& right, double distance, const std::string& strategy,
+                            Field_of_results field) {
+  return field == Field_of_results::exact ? round_in<Exact>(left, right, distance, strategy)
+                                          : round_in<double>(left, right, distance, strategy);
+}

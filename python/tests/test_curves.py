@@ -1,0 +1,177 @@
+# Copyright (c) 2026 The Geometric_continuity developers
+#
+# SPDX-License-Identifier: LGPL-3.0-or-later
+
+import inspect
+import unittest
+from decimal import Decimal
+from fractions import Fraction
+
+import numpy
+
+import cases
+import geometric_continuity as gc
+
+LEFT, RIGHT = [(-3, 0), (-3, 2), (-2, 3), (0, 3)], [(4, 0), (5, -1), (6, -1)]
+LEFT_3, RIGHT_3 = [(0, 0, 0), (1, 0, 0), (2, 1, 0), (3, 1, 1)], [(6, 2, 2), (7, 2, 3), (8, 1, 3), (9, 1, 1)]
+
+
+class Blends(unittest.TestCase):
+    def test_cases(self):
+        number = 0
+        for topic in ("quintic", "septic"):
+            for name, op, given, expected in cases.read(topic):
+                if "error" in expected or given.get("strategy") == "free" or "points" not in expected:
+                    continue
+                with self.subTest(name):
+                    blend = gc.blend(given["phi"], given["psi"], given["strategy"], beta=given["beta"], eta=given["eta"])
+                    self.assertEqual(blend.points.tolist(), expected["points"])
+                    number += 1
+        self.assertGreater(number, 60)
+
+    def test_every_strategy_is_proved(self):
+        for name in gc.STRATEGIES[:-1]:
+            for left, right in ((LEFT, RIGHT), (LEFT_3, RIGHT_3)):
+                gamma = gc.blend(left, right, name)
+                self.assertTrue(all(isinstance(x, Fraction) for x in gamma.points.flat))
+                for join in (gc.continuity(left, gamma.points), gc.continuity(gamma.points, right)):
+                    septic = len(gamma.points) == 8
+                    self.assertGreaterEqual(join.f_order if "f3" in name else join.g_order, 3 if septic and "f3" not in name else 2)
+                self.assertEqual(gamma.fairness is not None, name.startswith("fair"))
+        self.assertEqual(gc.fair(LEFT, RIGHT).points.tolist(), gc.blend(LEFT, RIGHT, "fair").points.tolist())
+        self.assertEqual(gc.continuity(LEFT, gc.fair(LEFT, RIGHT, 3).points).g_order, 3)
+
+    def test_free(self):
+        parameters = [Fraction(1, 3), 2]
+        gamma = gc.blend(LEFT, RIGHT, "free", parameters=parameters)
+        self.assertEqual(gc.continuity(LEFT, gamma.points).g_order, 2)
+        self.assertEqual(len(gc.blend(LEFT, RIGHT, "free", parameters=[0] * 6).points), 8)
+        for wrong in ([], [1], [1, 2, 3]):
+            with self.assertRaises(gc.Error):
+                gc.blend(LEFT, RIGHT, "free", parameters=wrong)
+
+    def test_kinds_of_results(self):
+        floats = numpy.array(LEFT, dtype=float)
+        self.assertEqual(gc.blend(floats, RIGHT).points.dtype, numpy.float64)
+        self.assertEqual(gc.blend(LEFT, RIGHT, exact=False).points.dtype, numpy.float64)
+        exact = gc.blend(floats, RIGHT, exact=True)
+        self.assertEqual(exact.points.tolist(), gc.blend(LEFT, RIGHT).points.tolist())
+        self.assertIsInstance(exact.beta, Fraction)
+        rounded = gc.blend([(Decimal("0.1"), 0.5), (1, 1)], RIGHT)  # constructed exactly, then rounded
+        self.assertEqual(rounded.points.dtype, numpy.float64)
+        self.assertEqual(rounded.points.tolist(),
+                         gc.blend([(Decimal("0.1"), Fraction(1, 2)), (1, 1)], RIGHT).points.astype(float).tolist())
+
+    def test_refused(self):
+        for arguments, options, code in ((([(0, 0), (0, 0)], RIGHT), {}, "zero_tangent"), ((LEFT, RIGHT), {"beta": 0}, "nonpositive_beta"),
+                                         ((LEFT, RIGHT, "none"), {}, "parameter_outside_domain"), ((LEFT, RIGHT_3), {}, "dimension_mismatch")):
+            with self.assertRaises(gc.Error) as caught:
+                gc.blend(*arguments, **options)
+            self.assertEqual(caught.exception.code, code)
+            self.assertEqual(caught.exception.place, "blend")
+
+    def test_representable(self):
+        gamma = gc.representable_blend(LEFT, RIGHT)
+        self.assertEqual(gc.continuity(gamma.phi, gamma.points).g_order, 2)
+        self.assertEqual(gc.continuity(gamma.points, gamma.psi).g_order, 2)
+        with self.assertRaises(gc.Error):
+            gc.representable_blend([(Fraction(1, 3), 0), (1, 1)], RIGHT)
+
+    def test_corners(self):
+        corner = gc.round_corner([(0, 0), (4, 0)], [(4, 0), (4, 4)], 1.5)
+        self.assertEqual(gc.continuity(corner.left, corner.blend).g_order, 2)
+        self.assertEqual(gc.continuity(corner.blend, corner.right).g_order, 2)
+        self.assertEqual(corner.left_cut, Fraction(5, 8))
+        self.assertEqual(gc.round_corner([(0, 0.), (4, 0)], [(4, 0), (4, 4)], 1).blend.dtype, numpy.float64)
+        with self.assertRaises(gc.Error) as caught:
+            gc.round_corner([(0, 0), (4, 0)], [(4, 0), (4, 4)], 5)
+        self.assertIn("5", caught.exception.reason)
+
+    def test_fairness(self):
+        self.assertEqual(gc.fairness([(0, 0), (1, 0), (2, 0)]), 0)
+        self.assertLess(gc.fairness(gc.fair(LEFT, RIGHT).points), gc.fairness(gc.blend(LEFT, RIGHT).points))
+
+
+class Splines(unittest.TestCase):
+    points = [(0, 0), (1, 2), (3, 2), (4, 0), (2, -2)]
+
+    def test_interpolate(self):
+        spline = gc.interpolate(self.points, parameters=[0, 1, 2, 3, 4])
+        self.assertEqual((spline.degree, len(spline.points), len(spline.knots)), (3, 7, 11))
+        self.assertEqual(spline.points[0].tolist(), [0, 0])
+        floats = gc.interpolate(numpy.array(self.points, float), parameters=[0, 1, 2, 3, 4])
+        self.assertEqual(floats.points.dtype, numpy.float64)
+        numpy.testing.assert_allclose(floats.points, spline.points.astype(float), atol=1e-12)
+        # at the simple knot 1, by de Boor: the point is met exactly
+        t, p, u = spline.knots, spline.points, Fraction(1)
+        k = max(i for i in range(len(t)) if t[i] <= u < t[i + 1] or i == 3)
+        d = [p[j] for j in range(k - 3, k + 1)]
+        for r in range(1, 4):
+            for j in range(3, r - 1, -1):
+                a = (u - t[j + k - 3]) / (t[j + 1 + k - r] - t[j + k - 3])
+                d[j] = (1 - a) * d[j - 1] + a * d[j]
+        self.assertEqual(d[3].tolist(), [1, 2])
+        self.assertEqual(len(gc.interpolate(self.points, closed=True, parametrisation="uniform").points), 8)
+        with self.assertRaises(gc.Error):
+            gc.interpolate(self.points, parametrisation="none")
+
+    def test_interpolate_fair(self):
+        for points in (self.points, numpy.array(self.points, float)):
+            for closed in (False, True):
+                curve = gc.interpolate_fair(points, closed)
+                self.assertEqual(curve.segments.shape, (5 if closed else 4, 6, 2))
+                self.assertEqual(curve.rounded, [])
+                self.assertEqual(gc.failing_joins(curve.segments, closed=closed).tolist(), [])
+                numpy.testing.assert_allclose(curve.segments[:, 0].astype(float), self.points[:len(curve.segments)], atol=1e-9)
+                self.assertTrue(numpy.array_equal(curve.segments[1], curve.points[5:11]))
+
+    def test_fit(self):
+        t = numpy.linspace(0, 6, 200)
+        polyline = numpy.column_stack([t, numpy.sin(t)])
+        for order in (1, 2):
+            curve = gc.fit(polyline, 1e-3, order)
+            self.assertLess(len(curve.segments), 20)
+            self.assertLessEqual(curve.distance, 1e-3)
+            self.assertEqual(gc.failing_joins(curve.segments, f"G{order}").tolist(), [])
+        self.assertEqual(gc.fit([(0, 0), (1, 0), (1, 1)], 1e-3).corners, [1])
+        with self.assertRaises(gc.Error) as caught:
+            gc.fit(polyline, 0)
+        self.assertEqual(caught.exception.code, "unreachable_tolerance")
+
+
+class Documentation(unittest.TestCase):
+    def test_all_is_documented_and_typed(self):
+        for name in gc.__all__:
+            thing = getattr(gc, name)
+            if callable(thing):
+                self.assertTrue(inspect.getdoc(thing), name)
+            if inspect.isfunction(thing) and name not in ("program",):
+                self.assertNotEqual(inspect.signature(thing).return_annotation, inspect.Signature.empty, name)
+                self.assertIn("Raises", thing.__doc__, name)
+
+    def test_stubs_name_what_there_is(self):
+        import ast
+        import os
+
+        folder = os.path.dirname(gc.__file__)
+        with open(os.path.join(folder, "_native.pyi"), encoding="utf-8") as file:
+            stub = ast.parse(file.read())
+        functions = {n.name for n in stub.body if isinstance(n, ast.FunctionDef)}
+        classes = {n.name: n for n in stub.body if isinstance(n, ast.ClassDef)}
+        native = gc._native
+        public = {n for n in dir(native) if not n.startswith("_")}
+        self.assertEqual(functions | set(classes) | {"uses_gmp"}, public)
+        for name, node in classes.items():
+            members = {m.target.id for m in node.body if isinstance(m, ast.AnnAssign)}
+            there = {n for n in dir(getattr(native, name)) if not n.startswith("_")}
+            self.assertEqual(members, there, name)
+        self.assertTrue(os.path.exists(os.path.join(folder, "py.typed")))
+
+    def test_examples_of_docstrings(self):
+        import doctest
+
+        self.assertEqual(doctest.testmod(gc).failed, 0)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,36 @@
+# Copyright (c) 2026 The Geometric_continuity developers
+#
+# SPDX-License-Identifier: LGPL-3.0-or-later
+"""The blocks of the page "From Python" of the manual are run, in their order, and print what the manual says."""
+
+import contextlib
+import io
+import os
+import re
+import tempfile
+import unittest
+
+PAGE = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "doc", "Geometric_continuity", "From_Python.txt")
+
+
+class Manual(unittest.TestCase):
+    def test_blocks(self):
+        with open(PAGE, encoding="utf-8") as file:
+            text = file.read()
+        blocks = re.findall(r"\\code\{\.py\}\n(.*?)\\endcode\n(?:\\verbatim\n(.*?)\\endverbatim\n)?", text, re.DOTALL)
+        self.assertGreaterEqual(len(blocks), 5)
+        names, before = {}, os.getcwd()
+        with tempfile.TemporaryDirectory() as folder:
+            os.chdir(folder)
+            try:
+                for code, expected in blocks:
+                    printed = io.StringIO()
+                    with contextlib.redirect_stdout(printed):
+                        exec(compile(code, "From_Python.txt", "exec"), names)
+                    self.assertEqual(printed.getvalue(), expected, code)
+            finally:
+                os.chdir(before)
+
+
+if __name__ == "__main__":
+    unittest.main()
