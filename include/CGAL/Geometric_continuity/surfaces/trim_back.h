@@ -93,7 +93,29 @@ Bspline_surface<Traits> joined_in_v(const Bspline_surface<Traits>& a, const Bspl
   return Bspline_surface<Traits>(net, a.knots_u(), Knot_vector<FT>(q, std::move(v)));
 }
 
-// Without the strip beyond v = c + height(u), inside of the domain [c, d]. For the strip from v = c on it is called with the surface turned.
+// The length across the edge without the distance from it, which must lie between both everywhere.
+template <class Surface>
+Bernstein_polynomial<typename Surface::FT>
+height_below_curve(const Surface& surface, Patch_edge edge,
+                   const Bernstein_polynomial<typename Surface::FT>& distance) {
+  typedef typename Surface::FT FT;
+  const typename Surface::Interval domain = runs_along_u(edge) ? surface.domain_v() : surface.domain_u();
+  const Bernstein_polynomial<FT> rest = Bernstein_polynomial<FT>{FT(domain.second - domain.first)} - distance;
+  if (sign_pattern(distance) != Sign_pattern::positive || sign_pattern(rest) != Sign_pattern::positive)
+    throw Error(Error_code::parameter_outside_domain, "trim_back: the distance from the edge " + to_string(edge) +
+                                                          " does not lie between 0 and the other edge everywhere");
+  return rest;
+}
+
+// The surface f(s) in its own parameters, where s is the surface in those in which the edge is v1.
+template <class Surface, class Function>
+Surface turned_to_v1(const Surface& surface, Patch_edge edge, const Function& f) {
+  const auto turn = [&](const Surface& s) { return at_upper_end(edge) ? s : s.reverse_v(); };
+  const Surface turned = turn(f(turn(runs_along_u(edge) ? surface : surface.swap_parameters())));
+  return runs_along_u(edge) ? turned : turned.swap_parameters();
+}
+
+// Without the strip beyond v = c + height(u), inside of the domain [c, d].
 template <class Surface>
 Surface part_below(const Surface& s, const Bernstein_polynomial<typename Surface::FT>& height, Patch_edge edge) {
   typedef typename Surface::FT FT;
@@ -133,7 +155,7 @@ Surface part_below(const Surface& s, const Bernstein_polynomial<typename Surface
 /// `f`: the degree along the edge grows by the product of the degree of `f` and the degree across.
 ///
 /// The curve may not cross a knot line of constant `v`: no surface over a rectangle of knots is the part beyond it. Where it would,
-/// `bezier_patches()` are trimmed one by one.
+/// `trim_back_within()` is near it, or `bezier_patches()` are trimmed one by one.
 /// \param surface a `Bezier_patch`, `Bspline_surface`, `Rational_bezier_patch` or `Rational_bspline_surface`
 /// \param edge the edge that is cut off
 /// \param distance \f$ f \f$, on the domain of the edge, which is mapped to [0, 1], in the parameter that is constant on the edge
@@ -141,20 +163,8 @@ Surface part_below(const Surface& s, const Bernstein_polynomial<typename Surface
 ///   surface less than the distance of the next knot line (decided exactly), with the edge; `not_finite` when floating-point numbers overflow
 template <class Surface>
 Surface trim_back(const Surface& surface, Patch_edge edge, const Bernstein_polynomial<typename Surface::FT>& distance) {
-  typedef typename Surface::FT FT;
-  typedef Bernstein_polynomial<FT> Polynomial;
-  const typename Surface::Interval domain = runs_along_u(edge) ? surface.domain_v() : surface.domain_u();
-  const FT length = domain.second - domain.first;
-  const Polynomial rest = Polynomial{length} - distance;
-  if (sign_pattern(distance) != Sign_pattern::positive || sign_pattern(rest) != Sign_pattern::positive)
-    throw Error(Error_code::parameter_outside_domain, "trim_back: the distance from the edge " + to_string(edge) +
-                                                          " does not lie between 0 and the other edge everywhere");
-  const bool lower = !at_upper_end(edge);
-  Surface turned = runs_along_u(edge) ? surface : surface.swap_parameters();
-  if (lower) turned = turned.reverse_v();
-  turned = internal::part_below(turned, rest, edge);
-  if (lower) turned = turned.reverse_v();
-  return runs_along_u(edge) ? turned : turned.swap_parameters();
+  const auto height = internal::height_below_curve(surface, edge, distance);
+  return internal::turned_to_v1(surface, edge, [&](const Surface& s) { return internal::part_below(s, height, edge); });
 }
 
 } // namespace Geometric_continuity
