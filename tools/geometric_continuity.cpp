@@ -33,6 +33,7 @@ const char* const program_usage = R"(usage: geometric_continuity COMMAND [ARGUME
   verify FILE.g2...         decide the continuity of every join of a chain, of a
                             drawing (.svg) or of a font, exactly, and enclose
                             that of every edge of a CAD model (.step, .iges)
+  merge RECORDS...          add up what verify --jsonl has written of many files
   repair FILE -o FILE       make kinks of a drawing, a chain or a font exactly
                             smooth, on its own grid
   plot FILE.g2...           draw curves, control polygons and curvature combs,
@@ -58,8 +59,8 @@ when the output cannot be written.
 using CGAL::Geometric_continuity::printable;
 
 const std::vector<const Command*> commands = {
-    &blend_command,  &connect_command, &extend_command, &interpolate_command, &fit_command,        &verify_command,
-    &repair_command, &plot_command,    &report_command, &tessellate_command,  &round_edges_command};
+    &blend_command, &connect_command, &extend_command, &interpolate_command, &fit_command,        &verify_command,
+    &merge_command, &repair_command,  &plot_command,   &report_command,      &tessellate_command, &round_edges_command};
 
 int run(const std::string& name, const Arguments& arguments) {
   Arguments names;

@@ -82,6 +82,27 @@ def verify(*files: Path, timeout: Optional[float] = None, **options) -> dict:
     return json.loads(done.stdout)
 
 
+def file_record(file: Path, *, time_limit: float = 60, memory_limit: float = 4096, **options) -> dict:
+    """Verifies one file and returns the record that `geometric_continuity verify --jsonl` writes of it, as a dict: `file`, `exit_code`, and
+    `claims` and `report`, or `error` with `code` and `message`. Bad files, crashes and limits are records, no exceptions, so that many
+    files can be shared out to many processes.
+
+    file: its name has no line break.
+    time_limit: seconds; memory_limit: MiB of addresses.
+    options: those of `geometric_continuity verify`, as for `verify`.
+
+    Raises Error `bad_input` for options or a name that the program refuses.
+    """
+    name = os.fspath(file)
+    limits = {"time_limit": time_limit, "memory_limit": memory_limit, "jobs": 1}
+    command = [program(), "verify", "--jsonl", "-"] + [a for n, v in {**limits, **options}.items() for a in _argument(n, v)]
+    done = subprocess.run(command, input=(name + "\n").encode(), stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+    lines = done.stdout.splitlines()
+    if len(lines) != 1:
+        raise _error(done.stderr.decode("utf-8", "replace"), name)
+    return json.loads(lines[0])
+
+
 def main() -> None:
     """Becomes the program, with the arguments of the command line."""
     os.execv(program(), ["geometric_continuity"] + sys.argv[1:])

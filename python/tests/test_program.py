@@ -61,6 +61,29 @@ class Program(unittest.TestCase):
             gc.verify(pipe, timeout=0.3)
         self.assertEqual(caught.exception.code, "time_limit")
 
+    def test_record_of_a_file(self):
+        kink = self.file("kink.svg", KINK)
+        record = gc.file_record(kink, require="G1")
+        self.assertEqual((record["file"], record["exit_code"]), (kink, 1))
+        self.assertEqual(record["report"], gc.verify(kink, require="G1"))
+        self.assertEqual(gc.file_record(self.file("bad.g2", "100"))["error"]["code"], "malformed_input")
+        pipe = os.path.join(self.folder, "pipe.g2")
+        os.mkfifo(pipe)
+        self.assertEqual(gc.file_record(pipe, time_limit=0.3)["error"]["code"], "time_limit")
+        for name, options in ((kink, {"format": "json"}), ("two\nfiles", {})):
+            with self.assertRaises(gc.Error):
+                gc.file_record(name, **options)
+
+    def test_baseline(self):
+        kink, baseline = self.file("kink.svg", KINK), os.path.join(self.folder, "base.sarif")
+        with open(baseline, "wb") as file:
+            subprocess.run([gc.program(), "verify", kink, "--require=G1", "--format=sarif"], stdout=file)
+        record = gc.verify(kink, require="G1", baseline=baseline)
+        self.assertEqual((record["met"], record["findings"], record["claims"]["known"]), (True, [], 1))
+        self.file("kink.svg", KINK.replace("L20 0.5", "L20 0.5 L30 1.5"))
+        record = gc.verify(kink, require="G1", baseline=baseline)
+        self.assertEqual((record["met"], len(record["findings"])), (False, 1))
+
     def test_module_as_program(self):
         done = subprocess.run([sys.executable, "-m", "geometric_continuity", "--version"], stdout=subprocess.PIPE)
         self.assertEqual(done.returncode, 0)

@@ -22,6 +22,7 @@
 #include <stdexcept>
 #include <string>
 #include <system_error>
+#include <typeinfo>
 #include <vector>
 
 namespace po = boost::program_options;
@@ -83,6 +84,21 @@ public:
 
   // The arguments that are no options.
   Arguments files() const { return has("file") ? values_["file"].as<Arguments>() : Arguments(); }
+
+  // The options that are given, but not these, as arguments for another call.
+  Arguments given_options(const Arguments& without) const {
+    Arguments options;
+    for (const auto& [name, value] : values_) {
+      if (value.defaulted() || name == "file" || std::count(without.begin(), without.end(), name) != 0) continue;
+      if (value.value().type() == typeid(int))
+        options.push_back("--" + name + '=' + std::to_string(value.as<int>()));
+      else if (const std::string& text = value.as<std::string>(); !text.empty())
+        options.push_back("--" + name + '=' + text);
+      else
+        options.push_back("--" + name);
+    }
+    return options;
+  }
 
   // The value of an option, or its default value; empty when there is none.
   std::string text(const std::string& option) const {

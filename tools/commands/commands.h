@@ -24,6 +24,8 @@ enum Exit_code { requirement_met = 0, requirement_not_met = 1, bad_input = 2 };
 // How `verify` prints what it decided.
 enum class Report_format { text, json, sarif, junit };
 
+class Baseline;
+
 // How `verify` reports and judges what it decided.
 struct Report_mode {
   Report_format format = Report_format::text;
@@ -32,9 +34,12 @@ struct Report_mode {
   bool allow_empty = false;            // nothing to decide is no error
   bool summary = false;                // only the counts, and what is not met and not decided
   std::ostream* certificate = nullptr; // where certificates are written
+  const Baseline* baseline = nullptr;  // what it knows is not reported
 
   // Whether the report consists of findings.
-  bool has_findings() const { return format == Report_format::sarif || format == Report_format::junit; }
+  bool has_findings() const {
+    return format == Report_format::sarif || format == Report_format::junit || baseline != nullptr;
+  }
 };
 
 typedef std::vector<std::string> Arguments;
@@ -49,8 +54,8 @@ struct Command {
   int (*run)(const Command_line& line);
 };
 
-extern const Command blend_command, connect_command, extend_command, fit_command, interpolate_command, plot_command,
-    repair_command, report_command, round_edges_command, tessellate_command, verify_command;
+extern const Command blend_command, connect_command, extend_command, fit_command, interpolate_command, merge_command,
+    plot_command, repair_command, report_command, round_edges_command, tessellate_command, verify_command;
 
 // A picture of surfaces, as its options describe it.
 struct Surface_picture {

@@ -10,15 +10,18 @@
 #include "commands/fonts/verify_fonts.h"
 #include "commands/fonts/verify_instances.h"
 #include "commands/kink_options.h"
+#include "commands/lists/verify_list.h"
 #include "commands/surfaces_hint.h"
 #include "commands/tolerances.h"
 #include "files/output.h"
 #include "formats/cad/read_cad.h"
 #include "formats/font/font_files.h"
 #include "formats/svg/svg_drawing.h"
+#include "reports/Baseline.h"
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -111,6 +114,17 @@ decided, unless --allow-undecided and --allow-uncovered leave out the rest.
 Exact decisions on numbers of thousands of digits, or of high order and degree,
 can take long: --max-work N allows N steps, about N nanoseconds, for each join,
 edge or curve, instead of 4000000000.
+
+--baseline FILE, a report that --format sarif has written, leaves out what it
+has already: only what is new is reported, and only that can make the exit code
+1. So a check can begin with files that are not as they should be.
+
+--jsonl LIST verifies each of the files that a text names, a line each, in a
+process of its own, on all cores, and adds one record for each to --output as it
+ends: a JSON object on a line, with the report of --json, or with the error of a
+file that is bad, crashes or reaches --time-limit or --memory-limit. Files that
+have a record there are passed over, so that an interrupted run goes on. merge
+adds records up.
 
 --certificate OUT writes, for chains, drawings and --surfaces, the numbers from
 which check_certificate OUT proves each verdict again.
@@ -206,7 +220,16 @@ void describe_verify(po::options_description_easy_init add) {
       "fonts and CAD models is meant and need not meet a requirement of G orders");
   add("sew", po::value<std::string>(), "for CAD models: join boundary edges that are within this distance, in mm");
   add("time-limit", po::value<std::string>(),
-      "for CAD models: the seconds that reading one file may take, 60 if not given");
+      "for CAD models: the seconds that reading one file may take, 60 if not given; with --jsonl, those that deciding "
+      "one file may take");
+  add("jsonl", po::value<std::string>(),
+      "verify each of the files whose names stand in this file, and write their records");
+  add("output,o", po::value<std::string>(),
+      "with --jsonl: the file to which records are added, instead of standard output");
+  add("memory-limit", po::value<std::string>(), "with --jsonl: the MiB that one file may take, 4096 if not given");
+  add("jobs", po::value<int>()->default_value(0),
+      "with --jsonl: files at a time, by default as many as there are cores");
+  add("baseline", po::value<std::string>(), "report only what this report in the format SARIF does not have");
   add("all-instances", "of variable fonts: enclose the largest kink of each join over all instances");
   add("max-kink", po::value<std::string>(),
       "for fonts: require that no kink exceeds this angle in degrees, with --all-instances in no instance; it has no "
@@ -234,15 +257,30 @@ void describe_verify(po::options_description_easy_init add) {
 
 int run_verify(const Command_line& line, std::ostream* certificate);
 
+int run_verify_list(const Command_line& line) {
+  if (!line.files().empty()) throw std::invalid_argument("--jsonl: the files are those of the list, and no others");
+  line.refuse({"certificate", "format", "json"}, "not with --jsonl");
+  const double mebibytes = line.number("memory-limit", 4096.);
+  if (!(mebibytes >= 16 && mebibytes < 1e9))
+    throw std::invalid_argument("--memory-limit: '" + line.text("memory-limit") + "' is not at least 16 MiB");
+  return verify_list({line.text("jsonl"), line.has("output") ? line.text("output") : "-",
+                      line.given_options({"jsonl", "output", "memory-limit", "jobs", "time-limit"}),
+                      line.seconds("time-limit", 60), static_cast<std::uint64_t>(mebibytes * 1048576),
+                      line.integer("jobs", 0, 4096)});
+}
+
 // With --certificate, which is written as a whole or not at all.
 int run_verify(const Command_line& line) {
+  if (line.has("jsonl")) return run_verify_list(line);
+  line.refuse({"output", "memory-limit", "jobs"}, "only with --jsonl");
   if (!line.has("certificate")) return run_verify(line, nullptr);
   const std::string output = line.text("certificate");
   if (is_standard_output(output)) throw std::invalid_argument("--certificate: standard output is that of the report");
   for (const std::string& file : line.files())
     if (!is_standard_input(file) && lead_to_one_file(file, output))
       throw std::invalid_argument("--certificate: " + output + " is a file that is verified");
-  line.refuse({"within", "kernel", "all-instances"}, "not with --certificate, which certifies exact orders");
+  line.refuse({"within", "kernel", "all-instances", "baseline"},
+              "not with --certificate, which certifies exact orders");
   int code = bad_input;
   GC::write_file_atomically(output, [&](std::ostream& os) { code = run_verify(line, &os); });
   return code;
@@ -253,8 +291,15 @@ int run_verify(const Command_line& line, std::ostream* certificate) {
   std::optional<Requirement> required;
   if (line.has("require")) required = Requirement(line.text("require"));
   const Arguments files = line.files();
-  const Report_mode mode{report_format(line),     line.has("allow-undecided"), line.has("allow-uncovered"),
-                         line.has("allow-empty"), line.has("summary"),         certificate};
+  std::optional<Baseline> baseline;
+  if (line.has("baseline")) baseline.emplace(line.text("baseline"));
+  const Report_mode mode{report_format(line),
+                         line.has("allow-undecided"),
+                         line.has("allow-uncovered"),
+                         line.has("allow-empty"),
+                         line.has("summary"),
+                         certificate,
+                         baseline ? &*baseline : nullptr};
   if (line.has("all-instances")) {
     if (!are_fonts(files)) throw std::invalid_argument("--all-instances: only for fonts");
     return verify_instances(files, mode, instance_demand(line));

@@ -28,7 +28,7 @@ public:
   typedef std::map<std::pair<std::string, std::string>, std::size_t> Open;
 
 private:
-  std::size_t met_ = 0, not_met_ = 0;
+  std::size_t met_ = 0, not_met_ = 0, known_ = 0;
   Open undecided_, not_covered_;
 
   static std::size_t sum(const Open& open) {
@@ -47,12 +47,28 @@ public:
     }
   }
 
+  // What has been added in its class is in the baseline, and is no longer in this class.
+  void know(const Given& given) {
+    const auto take = [&](Open& open) {
+      const auto entry = open.find({given.noun, given.reason});
+      if (--entry->second == 0) open.erase(entry);
+    };
+    switch (given.claim) {
+    case Claim::met: return; // a note
+    case Claim::not_met: --not_met_; break;
+    case Claim::undecided: take(undecided_); break;
+    case Claim::not_covered: take(not_covered_); break;
+    }
+    ++known_;
+  }
+
+  std::size_t known() const { return known_; }
   std::size_t met() const { return met_; }
   std::size_t not_met() const { return not_met_; }
   std::size_t decided() const { return met_ + not_met_; }
   std::size_t undecided() const { return sum(undecided_); }
   std::size_t not_covered() const { return sum(not_covered_); }
-  std::size_t given() const { return decided() + undecided() + not_covered(); }
+  std::size_t given() const { return decided() + undecided() + not_covered() + known_; }
 
   const Open& undecided_things() const { return undecided_; }
   const Open& not_covered_things() const { return not_covered_; }
@@ -60,6 +76,7 @@ public:
   Claims& operator+=(const Claims& x) {
     met_ += x.met_;
     not_met_ += x.not_met_;
+    known_ += x.known_;
     for (const auto& [thing, n] : x.undecided_) undecided_[thing] += n;
     for (const auto& [thing, n] : x.not_covered_) not_covered_[thing] += n;
     return *this;

@@ -48,11 +48,15 @@ std::string Conclusion::text() const {
   const std::size_t open = claims_.undecided() + claims_.not_covered();
   std::string text =
       lines("undecided", claims_.undecided_things()) + lines("not covered", claims_.not_covered_things());
+  if (claims_.known() > 0) text += std::to_string(claims_.known()) + " of them known, from the baseline\n";
   if (is_empty())
     text += "no " + subject_.noun + ", nothing was decided\n";
   else if (!subject_.required.empty() && claims_.decided() > 0) {
     if (claims_.not_met() > 0)
-      text += std::to_string(claims_.not_met()) + " of them not " + subject_.required + '\n';
+      text += std::to_string(claims_.not_met()) + " of them " + (mode_.baseline ? "new, and " : "") + "not " +
+              subject_.required + '\n';
+    else if (is_met() && claims_.known() > 0)
+      text += "nothing new is not " + subject_.required + '\n';
     else if (is_met())
       text += subject_.every + (open == 0 ? "" : " that was decided") + " is " + subject_.required + ", " +
               subject_.proof + '\n';
@@ -67,10 +71,12 @@ std::string Conclusion::text() const {
 }
 
 std::string Conclusion::json() const {
-  std::string text =
-      "\"claims\":{\"given\":" + std::to_string(claims_.given()) + ",\"decided\":" + std::to_string(claims_.decided()) +
-      ",\"not_met\":" + std::to_string(claims_.not_met()) + ",\"undecided\":" + ::json(claims_.undecided_things()) +
-      ",\"not_covered\":" + ::json(claims_.not_covered_things()) + '}';
+  std::string text = "\"claims\":{\"given\":" + std::to_string(claims_.given()) +
+                     ",\"decided\":" + std::to_string(claims_.decided()) +
+                     ",\"not_met\":" + std::to_string(claims_.not_met()) +
+                     (mode_.baseline ? ",\"known\":" + std::to_string(claims_.known()) : "") +
+                     ",\"undecided\":" + ::json(claims_.undecided_things()) +
+                     ",\"not_covered\":" + ::json(claims_.not_covered_things()) + '}';
   if (!subject_.required_in_json.empty()) text += ",\n " + subject_.required_in_json;
   const char* const met = is_empty() ? "null" : is_met() ? "true" : "false";
   if (!subject_.required.empty()) text += ",\"met\":" + std::string(met);

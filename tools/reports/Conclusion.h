@@ -31,7 +31,7 @@ class Conclusion {
   bool has_refused() const;
 
   // Whether nothing could be decided at all.
-  bool is_empty() const { return claims_.decided() + claims_.undecided() == 0; }
+  bool is_empty() const { return claims_.decided() + claims_.undecided() + claims_.known() == 0; }
 
 public:
   Conclusion(const Claims& claims, const Report_mode& mode, const Report_subject& subject)

@@ -6,7 +6,11 @@
 
 #include "files/deferred_output.h"
 #include "files/terminal.h"
+#include "reports/Baseline.h"
 
+#include <cstdint>
+#include <iomanip>
+#include <sstream>
 #include <utility>
 #include <vector>
 
@@ -92,10 +96,12 @@ Finding_level level(Claim claim, const Report_mode& mode) {
 } // namespace
 
 std::unique_ptr<Report::Writer> report_writer(const Report_mode& mode) {
+  if (mode.baseline != nullptr && (mode.format == Report_format::text || mode.format == Report_format::json))
+    return finding_writer(mode.format);
   switch (mode.format) {
   case Report_format::text: break;
   case Report_format::json: return std::make_unique<Json_writer>(mode.summary);
-  case Report_format::sarif: return sarif_writer();
+  case Report_format::sarif: return sarif_writer(mode.baseline != nullptr);
   case Report_format::junit: return junit_writer();
   }
   return std::make_unique<Text_writer>(mode.summary);
@@ -104,12 +110,28 @@ std::unique_ptr<Report::Writer> report_writer(const Report_mode& mode) {
 Report::Report(const Report_mode& mode, Report_subject subject)
     : mode_(mode), subject_(std::move(subject)), writer_(report_writer(mode)) {}
 
+// The same for the same defect at the same place in another version of a file, and another for each finding.
+std::string Report::fingerprint(const Finding& f) {
+  std::uint64_t hash = 14695981039346656037u; // FNV-1a
+  for (const std::string& text : {std::string(rule_id(f.rule)), f.file, f.place})
+    for (const char c : text + '\n') hash = (hash ^ static_cast<unsigned char>(c)) * 1099511628211u;
+  std::ostringstream hex;
+  hex << std::hex << std::setw(16) << std::setfill('0') << hash;
+  return hex.str() + ':' + std::to_string(++fingerprints_[hex.str()]);
+}
+
 void Report::add(const Report_part& part, const std::string& array) {
   claims_ += part.claims_;
   if (!part.rows.empty() || !part.failing_rows.empty()) writer_->row(array, part.rows, part.failing_rows);
-  for (Finding finding : part.findings_) {
+  for (const auto& [found, given] : part.findings_) {
+    Finding finding = found;
     finding.level = level(finding.claim, mode_);
-    writer_->find(finding);
+    finding.fingerprint = fingerprint(finding);
+    if (mode_.baseline != nullptr && mode_.baseline->knows(finding.fingerprint)) {
+      claims_.know(given);
+      writer_->pass(finding.file, 1);
+    } else
+      writer_->find(finding);
   }
   for (const auto& [file, n] : part.passed_) writer_->pass(file, n);
 }

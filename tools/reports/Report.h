@@ -14,6 +14,7 @@
 #include <memory>
 #include <ostream>
 #include <string>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -21,7 +22,7 @@
 class Report_part {
   Report_mode mode_;
   Claims claims_;
-  std::vector<Finding> findings_;
+  std::vector<std::pair<Finding, Given>> findings_;
   std::vector<std::pair<std::string, std::size_t>> passed_; // how many things of which file have no finding
   friend class Report;
 
@@ -43,7 +44,7 @@ public:
     if (given.claim == Claim::met && !is_noted) return pass(file, 1);
     Finding finding = make();
     finding.claim = given.claim;
-    findings_.push_back(std::move(finding));
+    findings_.emplace_back(std::move(finding), given);
   }
 
   // Counts things of a file that have no finding.
@@ -88,6 +89,9 @@ private:
   Report_subject subject_;
   Claims claims_;
   std::unique_ptr<Writer> writer_;
+  std::unordered_map<std::string, std::size_t> fingerprints_; // how often each has been
+
+  std::string fingerprint(const Finding& finding);
 
 public:
   Report(const Report_mode& mode, Report_subject subject);
@@ -127,7 +131,8 @@ public:
 
 // The writers of the formats.
 std::unique_ptr<Report::Writer> report_writer(const Report_mode& mode);
-std::unique_ptr<Report::Writer> sarif_writer();
+std::unique_ptr<Report::Writer> sarif_writer(bool is_new = false);
+std::unique_ptr<Report::Writer> finding_writer(Report_format format);
 std::unique_ptr<Report::Writer> junit_writer();
 
 #endif // GEOMETRIC_CONTINUITY_TOOLS_REPORTS_REPORT_H

@@ -50,6 +50,8 @@ struct Finding {
   std::string message;                       // a sentence with the numbers, without the place
   std::string properties;   // the numbers as members of a JSON object, e.g. `"angle_degrees":[1.5,1.6]`; may be empty
   Claim claim = Claim::met; // set by the report
+  std::string fingerprint =
+      {}; // the same for this defect at this place in another version of the file: set by the report
 };
 
 #endif // GEOMETRIC_CONTINUITY_TOOLS_REPORTS_FINDING_H

@@ -3,16 +3,14 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
 #include "files/deferred_output.h"
+#include "reports/Baseline.h"
 #include "reports/Report.h"
 #include "reports/words.h"
 
-#include <cstdint>
 #include <filesystem>
-#include <iomanip>
 #include <iterator>
 #include <sstream>
 #include <system_error>
-#include <unordered_map>
 #include <utility>
 
 // SARIF 2.1.0, the Static Analysis Results Interchange Format of OASIS: one run, the rules first, then a result for each finding.
@@ -76,20 +74,12 @@ std::string json_location(const std::string& file) {
 }
 
 class Sarif_writer : public Report::Writer {
+  const bool is_new_; // what is known is left out
   Deferred_output results_;
-  std::unordered_map<std::string, std::size_t> known_; // fingerprints
-
-  // The same for the same defect at the same place in another version of a file, and another for each result.
-  std::string fingerprint(const Finding& f) {
-    std::uint64_t hash = 14695981039346656037u; // FNV-1a
-    for (const std::string& text : {rule_id(f.rule), f.file, f.place})
-      for (const char c : text + '\n') hash = (hash ^ static_cast<unsigned char>(c)) * 1099511628211u;
-    std::ostringstream hex;
-    hex << std::hex << std::setw(16) << std::setfill('0') << hash;
-    return hex.str() + ':' + std::to_string(++known_[hex.str()]);
-  }
 
 public:
+  explicit Sarif_writer(bool is_new) : is_new_(is_new) {}
+
   void row(const std::string&, const std::string&, const std::string&) override {}
 
   void find(const Finding& f) override {
@@ -104,8 +94,9 @@ public:
     result += ",\"region\":{\"startLine\":" + std::to_string(f.line > 0 ? f.line : 1) +
               '}'; // of a file without lines the first
     ((result += "},\"logicalLocations\":[{\"fullyQualifiedName\":") += json_text(f.place)) +=
-        ",\"kind\":" + json_text(f.kind) + "}]}],\n   \"partialFingerprints\":{\"ruleFilePlace/v1\":\"" +
-        fingerprint(f) + "\"}";
+        ",\"kind\":" + json_text(f.kind) + "}]}],\n   \"partialFingerprints\":{\"" + fingerprint_name + "\":\"" +
+        f.fingerprint + "\"}";
+    if (is_new_) result += ",\n   \"baselineState\":\"new\"";
     if (!f.properties.empty()) result += ",\n   \"properties\":{" + f.properties + '}';
     results_.write(result + '}');
   }
@@ -131,4 +122,4 @@ public:
 
 } // namespace
 
-std::unique_ptr<Report::Writer> sarif_writer() { return std::make_unique<Sarif_writer>(); }
+std::unique_ptr<Report::Writer> sarif_writer(bool is_new) { return std::make_unique<Sarif_writer>(is_new); }

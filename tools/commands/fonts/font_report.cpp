@@ -170,9 +170,9 @@ int Font_report::print(std::ostream& os, const Fonts_result& all) {
       return f;
     });
   std::string summary;
-  if (is_json_ && is_alone_)
+  if (is_json_ && is_alone_ && !report_.mode().has_findings())
     summary = alone_;
-  else if (is_json_ || report_.mode().has_findings()) {
+  else if (report_.mode().format != Report_format::text) {
     if (is_json_) {
       report_.row("fonts");
       report_.row("not_verified");

@@ -322,7 +322,9 @@ public:
   // Prints the report and returns the exit code.
   int print(std::ostream& os) {
     for (const Unread_file& file : not_read_) add_uncovered(file.name, "font", "font", file.reason);
-    return report_.print(os, json_ ? json_summary() : mode_.has_findings() ? all_json() : text_summary());
+    return report_.print(os, json_                                 ? json_summary()
+                             : mode_.format != Report_format::text ? all_json()
+                                                                   : text_summary());
   }
 
 private:

@@ -4,29 +4,23 @@
 
 #include "formats/cad/read_cad.h"
 
+#include "files/Child_process.h"
 #include "files/input.h"
 #include "formats/cad/Cad_answer.h"
 #include "formats/cad/cad_file.h"
 #include "formats/cad/model_bytes.h"
 
 #include <algorithm>
-#include <array>
-#include <cerrno>
-#include <chrono>
-#include <cmath>
-#include <csignal>
 #include <cstdint>
 #include <filesystem>
-#include <optional>
 #include <sstream>
 #include <stdexcept>
+#include <string>
 #include <string_view>
 #include <system_error>
-#include <thread>
+#include <utility>
+#include <vector>
 
-#include <fcntl.h>
-#include <poll.h>
-#include <spawn.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -51,105 +45,27 @@ std::string reader_program() {
                            "install libocct-data-exchange-dev and build the program again");
 }
 
-// Both ends of a pipe, which no other program inherits.
-class Pipe {
-  std::array<int, 2> ends_;
-
-public:
-  Pipe() {
-    if (::pipe(ends_.data()) != 0) throw std::system_error(errno, std::generic_category(), "pipe");
-    for (const int end : ends_) ::fcntl(end, F_SETFD, FD_CLOEXEC);
+// Returns all that the process writes which reads a file. Throws std::runtime_error when it takes longer or writes more than is allowed, or
+// crashes.
+std::string answer(std::vector<std::string> command, double seconds, std::uint64_t most) {
+  const Process_end end = Child_process(std::move(command), {seconds, most}, false).wait();
+  if (end.took_too_long) {
+    std::ostringstream os;
+    os << "not read within " << seconds << " seconds, the limit of --time-limit: the file is damaged or large";
+    throw std::runtime_error(os.str());
   }
-  Pipe(const Pipe&) = delete;
-  Pipe& operator=(const Pipe&) = delete;
-  ~Pipe() {
-    close(0);
-    close(1);
-  }
-  int operator[](std::size_t i) const { return ends_[i]; }
-  void close(std::size_t i) {
-    if (ends_[i] >= 0) ::close(ends_[i]);
-    ends_[i] = -1;
-  }
-};
-
-// The process that reads a file. It ends at the latest with this object, or with this program, however that ends.
-class Reader_process {
-  Pipe life_, answer_;
-  pid_t process_ = -1;
-
-  // Returns how it has ended, as waitpid() does; nothing if it goes on.
-  std::optional<int> end(int options) {
-    int status = 0;
-    pid_t ended;
-    while ((ended = ::waitpid(process_, &status, options)) < 0 && errno == EINTR) {
-    }
-    if (ended == 0) return std::nullopt;
-    process_ = -1;
-    return status;
-  }
-
-public:
-  explicit Reader_process(std::vector<std::string> command) {
-    std::vector<char*> arguments;
-    for (std::string& argument : command) arguments.push_back(argument.data());
-    arguments.push_back(nullptr);
-    posix_spawn_file_actions_t actions;
-    ::posix_spawn_file_actions_init(&actions);
-    ::posix_spawn_file_actions_adddup2(&actions, life_[0], STDIN_FILENO);
-    ::posix_spawn_file_actions_adddup2(&actions, answer_[1], STDOUT_FILENO);
-    ::posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, "/dev/null", O_WRONLY, 0);
-    const int error = ::posix_spawn(&process_, arguments[0], &actions, nullptr, arguments.data(), environ);
-    ::posix_spawn_file_actions_destroy(&actions);
-    if (error != 0) throw std::system_error(error, std::generic_category(), command[0]);
-    life_.close(0);
-    answer_.close(1);
-  }
-  Reader_process(const Reader_process&) = delete;
-  Reader_process& operator=(const Reader_process&) = delete;
-  ~Reader_process() {
-    if (process_ < 0) return;
-    ::kill(process_, SIGKILL);
-    end(0);
-  }
-
-  // Returns all that it writes. Throws std::runtime_error when it takes longer or writes more than is allowed, or crashes.
-  std::string answer(double seconds, std::uint64_t most) {
-    typedef std::chrono::steady_clock Clock;
-    const Clock::time_point begin = Clock::now();
-    const auto check_time = [&] { // returns what is left
-      const double left = seconds - std::chrono::duration<double>(Clock::now() - begin).count();
-      if (left > 0) return left;
-      std::ostringstream os;
-      os << "not read within " << seconds << " seconds, the limit of --time-limit: the file is damaged or large";
-      throw std::runtime_error(os.str());
-    };
-    std::string text;
-    for (std::vector<char> buffer(std::size_t(1) << 16);;) {
-      pollfd waiting{answer_[0], POLLIN, 0};
-      if (::poll(&waiting, 1, static_cast<int>(std::ceil(1000 * check_time()))) <= 0) continue;
-      const ssize_t n = ::read(answer_[0], buffer.data(), buffer.size());
-      if (n < 0 && errno == EINTR) continue;
-      if (n <= 0) break;
-      text.append(buffer.data(), static_cast<std::size_t>(n));
-      if (text.size() > most) throw std::runtime_error("the library that reads it does not end: the file is damaged");
-    }
-    std::optional<int> status;
-    while (!(status = end(WNOHANG)))
-      std::this_thread::sleep_for(std::chrono::duration<double>((std::min)(check_time(), 1e-3)));
-    if (WIFSIGNALED(*status)) throw std::runtime_error("the library that reads it crashes: the file is damaged");
-    return text;
-  }
-};
+  if (end.wrote_too_much) throw std::runtime_error("the library that reads it does not end: the file is damaged");
+  if (WIFSIGNALED(end.status)) throw std::runtime_error("the library that reads it crashes: the file is damaged");
+  return end.output;
+}
 
 // Reads a file in a process of its own. Throws std::runtime_error with the reason, without the name of the file.
 Cad_model read_apart(const std::string& file, const Cad_reading& reading) {
   const std::uint64_t memory = memory_for(file);
   Byte_writer request;
   request(reading);
-  const std::string answer =
-      Reader_process({reader_program(), file, hexadecimal(request.bytes()), std::to_string(memory)})
-          .answer(reading.time_limit, memory);
+  const std::string answer = ::answer({reader_program(), file, hexadecimal(request.bytes()), std::to_string(memory)},
+                                      reading.time_limit, memory);
   const std::size_t begin = cad_build.size();
   if (answer.size() <= begin) throw std::runtime_error("the library that reads it fails: the file is damaged");
   if (answer.compare(0, begin, cad_build) != 0)

@@ -1,0 +1,67 @@
+// Copyright (c) 2026 The Geometric_continuity developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#include "files/deferred_output.h"
+#include "files/terminal.h"
+#include "reports/Report.h"
+#include "reports/words.h"
+
+#include <CGAL/Geometric_continuity/IO/text.h>
+
+#include <utility>
+
+// Reports of what is new only, with a baseline: a line for each finding, as compilers write them, or an array of findings as JSON.
+
+namespace {
+
+class Finding_lines : public Report::Writer {
+  Deferred_output lines_;
+
+public:
+  void row(const std::string&, const std::string&, const std::string&) override {}
+  void find(const Finding& f) override {
+    const char* const level = f.level == Finding_level::error     ? "error"
+                              : f.level == Finding_level::warning ? "warning"
+                                                                  : "note";
+    lines_.write(within_columns(
+        CGAL::Geometric_continuity::printable(f.file + (f.line > 0 ? ':' + std::to_string(f.line) : "") + ": " + level +
+                                              ": " + f.place + ": " + f.message + " [" + rule_id(f.rule) + ']') +
+        '\n'));
+  }
+  void pass(const std::string&, std::size_t) override {}
+  void print(std::ostream& os, const std::string& summary, const Conclusion& end) override {
+    lines_.copy_to(os);
+    os << within_columns(summary + end.text());
+  }
+};
+
+class Finding_objects : public Report::Writer {
+  Deferred_output objects_;
+
+public:
+  void row(const std::string&, const std::string&, const std::string&) override {}
+  void find(const Finding& f) override {
+    const char* const level = f.level == Finding_level::error     ? "error"
+                              : f.level == Finding_level::warning ? "warning"
+                                                                  : "note";
+    objects_.write((objects_.size() == 0 ? "\n  {\"rule\":\"" : ",\n  {\"rule\":\"") + std::string(rule_id(f.rule)) +
+                   "\",\"level\":\"" + level + "\",\"file\":" + json_text(f.file) +
+                   ",\"line\":" + (f.line > 0 ? std::to_string(f.line) : "null") + ",\"place\":" + json_text(f.place) +
+                   ",\"message\":" + json_text(f.message) + ",\"fingerprint\":\"" + f.fingerprint + '"' +
+                   (f.properties.empty() ? "" : ",\"properties\":{" + f.properties + '}') + '}');
+  }
+  void pass(const std::string&, std::size_t) override {}
+  void print(std::ostream& os, const std::string& summary, const Conclusion& end) override {
+    os << "{\"findings\":[";
+    objects_.copy_to(os);
+    os << "],\n " << summary << ",\n " << end.json() << "}\n";
+  }
+};
+
+} // namespace
+
+std::unique_ptr<Report::Writer> finding_writer(Report_format format) {
+  if (format == Report_format::json) return std::make_unique<Finding_objects>();
+  return std::make_unique<Finding_lines>();
+}
