@@ -6,7 +6,7 @@
 
     mutate.py [--sample N] [--seed S] [--work FOLDER] [--jobs N] [--seconds S] [--again] [PART_OF_A_PATH...]
 
-The unit tests, of the long ones only three, are built once, by clang++, from a copy of the sources in FOLDER with all alterations of the sample; a
+The unit tests, of the long ones only three, and the program are built once, by clang++, from a copy of the sources in FOLDER with all alterations of the sample; a
 program chooses one of them when it runs (mutants.h). Each test case is run once without any, to see which it comes across and how long it takes. Then
 each alteration meets the test cases that come across it, those of the room of the header first, the quick ones before the others, until one fails or
 does not end; those that take S seconds together, at most. FOLDER/results.txt keeps what was found: another call goes on where the last one ended, and with --again tries
@@ -27,13 +27,14 @@ import shutil
 import signal
 import subprocess
 import sys
+import threading
 from pathlib import Path
 
 here = Path(__file__).resolve().parent
 root = here.parents[1]
 headers = Path("include/CGAL/Geometric_continuity")
 
-LONG_TESTS = {"test_Edge_enclosure", "test_curve_from_curvatures", "test_largest_kink"}  # which alone reach what they test
+LONG_TESTS = {"test_Edge_enclosure", "test_curve_from_curvatures", "test_largest_kink", "program_cad", "program_cad_verdicts"}  # which alone reach what they test
 OTHERS = {"+": "-", "-": "+", "*": "+", "/": "*", "<": "<=", "<=": "<", ">": ">=", ">=": ">", "==": "!=", "!=": "==", "+=": "-=", "-=": "+=", "*=": "+="}
 TOKEN = re.compile(
     r'(?P<skipped>//[^\n]*|/\*.*?\*/|"(?:\\.|[^"\\])*"|\'(?:\\.|[^\'\\])*\'|^[ \t]*#(?:[^\n]*\\\n)*[^\n]*|\boperator\s*[^\s\w(]+'
@@ -167,8 +168,12 @@ def build(folder, mutants, jobs):
         known = re.findall(r"^add_test\((?:\[=+\[)?([^\]\s]+)(?:\]=+\])? (.*)\)$", listed, re.M)
         long = set(re.findall(r"^set_tests_properties\((?:\[=+\[)?([^\]\s]+)(?:\]=+\])? PROPERTIES .*DISABLED", listed, re.M))
         commands = {name: shlex.split(command) for name, command in known if name not in long - LONG_TESTS | {"without_gmp"}}
-        commands = {name: command for name, command in commands.items() if Path(command[0]).parent in tests}
-        programs = sorted({Path(command[0]).name for command in commands.values()})
+        commands = {name: command for name, command in commands.items() if name.startswith("program_") or Path(command[0]).parent in tests}
+        for name, values in re.findall(r"^set_tests_properties\((?:\[=+\[)?([^\]\s]+)(?:\]=+\])? PROPERTIES .*ENVIRONMENT \"([^\"]*)\"", listed, re.M):
+            if name in commands:
+                commands[name] = ["env", *values.split(";"), *commands[name]]
+        helpers = {"make_cad_models", "check_cad_conversion"} & {w.rsplit("/", 1)[1] for c in commands.values() if c[0] == "env" for w in c if "=" in w}
+        programs = sorted(helpers | {tested_program(command, folder).name for command in commands.values()})
         for targets in (["test_kernels"], programs):  # the precompiled headers first
             make = ["make", "-C", folder / "build", "-k", f"-j{jobs}", *targets]
             result = subprocess.run(make, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True, check=False)
@@ -184,6 +189,11 @@ def build(folder, mutants, jobs):
         left_out |= wrong
         file.write_text(json.dumps(sorted(left_out)))
         print(f"{len(left_out)} alterations cannot be chosen when a program runs", flush=True)
+
+
+def tested_program(command, folder):
+    """The program that a test runs, itself or by a script."""
+    return next(Path(word) for word in command if word.startswith(str(folder / "build")))
 
 
 def test_cases(commands):
@@ -214,8 +224,10 @@ def run(command, folder, seconds, **variables):
         resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
         resource.setrlimit(resource.RLIMIT_CPU, (int(seconds) + 1, int(seconds) + 1))
 
-    work = folder / "work"
-    work.mkdir(exist_ok=True)
+    work = folder / "work" / str(threading.get_ident())
+    work.mkdir(parents=True, exist_ok=True)
+    if "bash" in command:
+        command = [*command[:-1], str(work / Path(command[-1]).name)]  # the last argument is the folder of the test
     try:
         quiet = {"stdout": subprocess.DEVNULL, "stderr": subprocess.DEVNULL}
         result = subprocess.run(command, cwd=work, env={**os.environ, **variables}, timeout=100 + 10 * seconds, check=False, preexec_fn=limit, **quiet)
@@ -237,7 +249,7 @@ def run_all(folder, commands):
     library = folder / "build" / "test" / "Geometric_continuity" / "libtest_headers.so"
     found = {}
     for name, command in test_cases(commands):
-        built = max(path.stat().st_mtime for path in (Path(command[0]), library))
+        built = max(path.stat().st_mtime for path in (tested_program(command, folder), library))
         if name in known and known[name]["built"] == built:
             found[name] = known[name]
             continue

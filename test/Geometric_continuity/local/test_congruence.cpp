@@ -75,6 +75,11 @@ BOOST_AUTO_TEST_CASE(other_jets_are_not_congruent) {
           BOOST_CHECK(!GC::congruence(x, z));
           if (j >= d) BOOST_CHECK(GC::congruence(x, truncated<Traits>(z, j - 1)));
         }
+      if (d == 2) { // with the same products of the first derivative and the others, but another speed
+        Jet<Traits> z = y;
+        for (int j = 1; j <= k; ++j) z[j] *= j == 1 ? Q(2) : Q(1, 2);
+        BOOST_CHECK(!GC::congruence(x, z));
+      }
       for (int j = d; j <= k; ++j) { // with the same determinants, but other dot products
         Jet<Traits> z = y;
         z[j] += y[1];

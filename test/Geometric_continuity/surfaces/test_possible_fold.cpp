@@ -105,6 +105,31 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(rational, Traits, All_traits) {
 }
 
 // Only in one span; the rectangle is in the parameters of the surface.
+// x' = (u - r)^2 - e along u, with two zeros next to r if e > 0 and none if e < 0, also with the weights 1, 2, 4, 8 along u and as the
+// v of a patch that is of degree 3 in both.
+BOOST_AUTO_TEST_CASE(narrow_folds) {
+  typedef Exact::Point P;
+  for (int k = 1; k < 10; ++k)
+    for (const Q e : {Q(1, 100000), Q(-1, 100000)}) {
+      const Q r(k, 10), h[] = {r * r - e, r * r - r - e, (1 - r) * (1 - r) - e};
+      const Q x[] = {0, h[0] / 3, (h[0] + h[1]) / 3, (h[0] + h[1] + h[2]) / 3};
+      std::vector<std::vector<P>> along_u(4), along_v(4);
+      std::vector<std::vector<Q>> weights(4);
+      for (int i = 0; i <= 3; ++i)
+        for (int j = 0; j <= 3; ++j) {
+          along_u[i].push_back(P(x[i], Q(j, 3), Q(0)));
+          along_v[i].push_back(P(Q(i, 3), x[j], Q(0)));
+          weights[i].push_back(Q(1 << i));
+        }
+      const auto u = possible_fold(Bezier<Exact>(along_u)), v = possible_fold(Bezier<Exact>(along_v)),
+                 w = possible_fold(Patch<Exact>(along_u, weights));
+      BOOST_CHECK(bool(u) == (e > 0) && bool(v) == (e > 0) && bool(w) == (e > 0));
+      if (!u || !v || !w) continue;
+      const auto is_near = [](const std::pair<Q, Q>& range, const Q& zero) { return abs(range.first - zero) < Q(1, 100); };
+      BOOST_CHECK(is_near(u->u, r) && is_near(v->v, r) && is_near(w->u, r / (2 - r))); // of 2 u / (1 + u) = r
+    }
+}
+
 BOOST_AUTO_TEST_CASE(spans) {
   Random_surfaces random;
   const Knots u(1, {0, 0, 1, 3, 4, 4}), v(1, {0, 0, 1, 1});
