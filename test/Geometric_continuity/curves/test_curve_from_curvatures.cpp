@@ -65,6 +65,7 @@ void check_integration(const Curvatures& kappa, const Jet<Traits>& start, double
     BOOST_TEST_MESSAGE("  dimension " << n << ", tolerance " << tolerance << ": " << steps << " steps, error " << error
                                       << ", bound " << curve.error_bound);
     BOOST_CHECK_LE(error, curve.error_bound + rounding);
+    BOOST_CHECK_CLOSE(curve.error_bound, steps * tolerance * (std::sqrt(n) + std::sqrt(2) * n * length), 1e-10);
     // The estimates are those of a method of order 4, the result has order 5: the error is far below one tolerance a step.
     BOOST_CHECK_LE(error, steps * tolerance / 4 + rounding);
     // The fifth order of the method divides the error by about 100^(5/6) = 46 with the tolerance, when rounding and the

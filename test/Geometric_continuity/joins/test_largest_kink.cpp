@@ -146,6 +146,17 @@ BOOST_AUTO_TEST_CASE(exactly_the_bound) { // 45 degrees at the end; the bound it
   BOOST_CHECK(checked(legs, axes(1, 1), Q(45) + Q(1) / 1000000000).verdict == Verdict::proved);
 }
 
+BOOST_AUTO_TEST_CASE(axes_that_end_before_their_regions) { // arctan 1/2 at 1/2, 45 degrees only beyond
+  for (const double side : {-1., 1.}) {
+    const Legs legs{{{{1, 0}, {{0, 0}}}, {{1, 0}, {{0, 1}}}}, {region({side})}};
+    const std::vector<GC::Variation_range> half{{(std::min)(side / 2, 0.), (std::max)(side / 2, 0.)}};
+    const GC::Largest_kink kink = checked(legs, half, 26);
+    BOOST_CHECK(kink.verdict == Verdict::refuted && kink.instance[0] == Q(side / 2));
+    BOOST_CHECK(26.56 * degree < kink.angle.lower && kink.angle.upper < 26.57 * degree * 1.01);
+    BOOST_CHECK(checked(legs, half, 27).verdict == Verdict::proved);
+  }
+}
+
 BOOST_AUTO_TEST_CASE(regions_that_jump) { // a kink of 45 degrees from 1/2 on, up to 1/2, or there only
   for (const GC::Region_axis& axis :
        {GC::Region_axis{0.5, 0.5, 1}, {0, 0.5, 0.5}, {0.5, 0.5, 0.5}, {1, 1, 1}, {-1, -1, -1}}) {

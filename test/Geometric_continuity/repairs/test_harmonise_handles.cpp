@@ -71,6 +71,14 @@ BOOST_AUTO_TEST_CASE(exactly_where_the_ratio_is_a_square) {
   BOOST_CHECK((other.handles.left == Vector{40, 0} && other.handles.right == right.handle));
 }
 
+BOOST_AUTO_TEST_CASE(handles_of_one_unit) { // the same ratio
+  const GC::Handle_side left{{1, 0}, {90, -30}, 3, true}, right{{3, 0}, {130, 120}, 3, true};
+  const Result r = harmonised(left, right), mirrored = harmonised(right, left);
+  BOOST_CHECK(r.g2 && mirrored.g2);
+  BOOST_CHECK((r.handles.left == Vector{1, 0} && r.handles.right == Vector{2, 0}));
+  BOOST_CHECK((mirrored.handles.left == Vector{2, 0} && mirrored.handles.right == Vector{1, 0}));
+}
+
 BOOST_AUTO_TEST_CASE(for_different_degrees) {
   // 2/3 * 27 / m^2 and 1/2 * 16 / n^2: n : m = 2 : 3
   const Result r = harmonised({{0, -31}, {-27, -40}, 3, true}, {{0, -20}, {16, -50}, 2, true});
