@@ -289,9 +289,13 @@ def notices(number, header, cases, folder, seconds):
     return "does not compile" if any(~number in c[3] for c in cases) else "not reached"
 
 
+def explained_alterations():
+    lines = (here / "equivalent.txt").read_text().splitlines()
+    return {line.split("] -- ", 1)[0] + "]" for line in lines if "] -- " in line}
+
+
 def print_table(results):
-    explained = dict(line.split("] -- ", 1) for line in (here / "equivalent.txt").read_text().splitlines() if "] -- " in line)
-    explained = {f"{place}]" for place in explained}
+    explained = explained_alterations()
     counts = collections.defaultdict(collections.Counter)
     for place, how in results.items():
         kind = "equivalent" if how in ("lives", "not reached") and place in explained else how.split(":")[0]
@@ -331,9 +335,12 @@ def main():
     file = folder / "results.txt"
     results = dict(line.split("\t") for line in file.read_text().splitlines()) if file.exists() else {}
 
+    explained = explained_alterations()
+
     def is_open(number):
-        known = results.get(key(mutants[number][0], mutants[number][2]))
-        return number not in left_out and (not known or given.again and known in ("lives", "not reached"))
+        place = key(mutants[number][0], mutants[number][2])
+        known = results.get(place)
+        return number not in left_out and (not known or given.again and known in ("lives", "not reached") and place not in explained)
 
     with open(file, "a", encoding="utf-8") as log, concurrent.futures.ThreadPoolExecutor(given.jobs) as pool:
         chosen = [number for number in range(len(mutants)) if is_open(number)]

@@ -135,6 +135,13 @@ BOOST_AUTO_TEST_CASE(curvatures) {
   BOOST_REQUIRE(f.has_value());
   BOOST_TEST(f->angle == 0);
   BOOST_TEST(f->curvature_jump == 1, boost::test_tools::tolerance(1e-12));
+  // along the outer circle of a torus, with the sphere around it; across it the curvatures are 1/2 and 1/7
+  const GC::Edge_side torus = side(Elementary{Kind::torus, standard, 5, 2}, line(0, 0, 1, 0)),
+                      around = side(Elementary{Kind::sphere, standard, 7}, line(0, 0, 1, 0));
+  const auto g = GC::compare_at_feet(torus, around, {true, true}, in_space(circle(7, 0)), 1);
+  BOOST_REQUIRE(g.has_value());
+  BOOST_TEST(g->angle <= 1e-12);
+  BOOST_TEST(g->curvature_jump == 5. / 7, boost::test_tools::tolerance(1e-9));
 }
 
 BOOST_AUTO_TEST_CASE(knot_lines) {

@@ -104,8 +104,6 @@ public:
     const int n = (std::max)(p.degree(), q.degree());
     return p.elevated_to(n).c_ == q.elevated_to(n).c_;
   }
-  // Decides whether they are different functions.
-  friend bool operator!=(const Homogeneous_polynomial& p, const Homogeneous_polynomial& q) { return !(p == q); }
 
   // Returns the function t -> p(1 - t).
   Homogeneous_polynomial reversed() const { return Homogeneous_polynomial(std::vector<NT>(c_.rbegin(), c_.rend())); }
