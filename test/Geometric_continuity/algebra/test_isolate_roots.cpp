@@ -32,7 +32,7 @@ BOOST_AUTO_TEST_CASE(roots_of_products_of_linear_factors) {
   const Q third = Q(Q(1) / Q(3)), half = Q(Q(1) / Q(2)), near = Q(half + Q(1) / Q(100000));
   Roots r = isolate_roots(factor(third));
   BOOST_REQUIRE_EQUAL(r.size(), 1u);
-  BOOST_CHECK(is(r[0], third, 1)); // linear: exact
+  BOOST_CHECK(is(r[0], third, 1));                   // linear: exact
   r = isolate_roots(factor(half) * factor(Q(5, 7))); // what is left on [1/2, 1] is linear
   BOOST_REQUIRE_EQUAL(r.size(), 2u);
   BOOST_CHECK(is(r[0], half, 1) && is(r[1], Q(5, 7), 1));

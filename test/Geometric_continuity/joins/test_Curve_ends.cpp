@@ -99,7 +99,8 @@ template <class End, class Jet> void check_points(const End& end, const Jet& jet
     const double a = end.coordinate(0, i), b = end.coordinate(1, i), c = end.degree() > 1 ? end.coordinate(2, i) : b;
     BOOST_CHECK_CLOSE(a, CGAL::to_double(jet[0][i]), 1e-12);
     BOOST_CHECK_CLOSE(end.degree() * (b - a) / length, CGAL::to_double(jet[1][i]), 1e-9);
-    BOOST_CHECK_SMALL(end.degree() * (end.degree() - 1) * (a - 2 * b + c) / (length * length) - CGAL::to_double(jet[2][i]), 1e-6);
+    BOOST_CHECK_SMALL(
+        end.degree() * (end.degree() - 1) * (a - 2 * b + c) / (length * length) - CGAL::to_double(jet[2][i]), 1e-6);
   }
 }
 

@@ -125,7 +125,9 @@ BOOST_AUTO_TEST_CASE(narrow_folds) {
                  w = possible_fold(Patch<Exact>(along_u, weights));
       BOOST_CHECK(bool(u) == (e > 0) && bool(v) == (e > 0) && bool(w) == (e > 0));
       if (!u || !v || !w) continue;
-      const auto is_near = [](const std::pair<Q, Q>& range, const Q& zero) { return abs(range.first - zero) < Q(1, 100); };
+      const auto is_near = [](const std::pair<Q, Q>& range, const Q& zero) {
+        return abs(range.first - zero) < Q(1, 100);
+      };
       BOOST_CHECK(is_near(u->u, r) && is_near(v->v, r) && is_near(w->u, r / (2 - r))); // of 2 u / (1 + u) = r
     }
 }
