@@ -2,14 +2,16 @@
 # Copyright (c) 2026 The Geometric_continuity developers
 #
 # SPDX-License-Identifier: LGPL-3.0-or-later
-"""Decides whether what `blend --surfaces` writes for random pairs of surfaces is G2 with both along whole edges:
-check_surface_blends.py PROGRAM [PAIRS [SEED]]
+"""Decides whether what `blend --surfaces` writes for random pairs of surfaces is G2, or G3, with both along whole edges:
+check_surface_blends.py PROGRAM [PAIRS [SEED [ORDER]]]
 
-Nothing of the package is used. The files of .g2 are read and evaluated in fractions, and with the edge C and the derivatives T, W across it
-    S_v = a C' + b T,   S_vv = a^2 C'' + 2 a b T' + b^2 W + c C' + d T,   b > 0
+Nothing of the package is used. The files of .g2 are read and evaluated in fractions, and with the edge C and the derivatives T, W, X across it
+    S_v = a C' + b T,   S_vv = a^2 C'' + 2 a b T' + b^2 W + c C' + d T,   b > 0,
+    S_vvv = a^3 C''' + 3 a^2 b T'' + 3 a b^2 W' + b^3 X + 3 a c C'' + 3 (a d + b c) T' + 3 b d W + e C' + f T
 is checked at more parameters of each span than polynomials that do not vanish can have zeros. With a coordinate of the layer of control
 points that matters last changed by 1/1000 it must not hold."""
 
+import math
 import random
 import subprocess
 import sys
@@ -89,11 +91,11 @@ def spans(degree, knots):
     return [i for i in range(degree, len(knots) - degree - 1) if knots[i] < knots[i + 1]]
 
 
-def jet(surface, upper, u):
-    """The derivatives (k, l), k + l <= 2, of the surface in space at (u, end of v)."""
+def jet(surface, upper, u, n):
+    """The derivatives (k, l), k + l <= n, of the surface in space at (u, end of v)."""
     p, q = surface.degrees
     homogeneous = {}
-    for l in range(3):
+    for l in range(n + 1):
         row = []
         for points in surface.net:
             degree, knots, c = q, surface.knots[1], points
@@ -102,20 +104,19 @@ def jet(surface, upper, u):
             span = spans(degree, knots)[-1 if upper else 0]
             row.append(value(degree, knots, c, span, knots[span + 1] if upper else knots[span]))
         degree, knots = p, surface.knots[0]
-        for k in range(3 - l):
+        for k in range(n + 1 - l):
             span = next(i for i in spans(degree, knots) if knots[i] <= u <= knots[i + 1])
             homogeneous[k, l] = value(degree, knots, row, span, u)
             degree, knots, row = derivative(degree, knots, row)
     result = {}
-    binomial = {(0, 0): 1, (1, 0): 1, (1, 1): 1, (2, 0): 1, (2, 1): 2, (2, 2): 1}
-    for order in range(3):
+    for order in range(n + 1):
         for k in range(order + 1):
             l = order - k
             x = list(homogeneous[k, l][:3])
             for i in range(k + 1):
                 for j in range(l + 1):
                     if i + j > 0:
-                        f = binomial[k, i] * binomial[l, j] * homogeneous[i, j][3]
+                        f = math.comb(k, i) * math.comb(l, j) * homogeneous[i, j][3]
                         x = [a - f * b for a, b in zip(x, result[k - i, l - j])]
             result[k, l] = [a / homogeneous[0, 0][3] for a in x]
     return result
@@ -129,7 +130,7 @@ def dot(x, y):
     return sum(a * b for a, b in zip(x, y))
 
 
-def is_g2(given, edge, outwards, blend, upper, backwards):
+def has_order(order, given, edge, outwards, blend, upper, backwards):
     """Whether the blend continues the given surface, or the other way round, along a whole edge."""
     s, at_end = given.turned(edge)
     a, b = blend.domain(0)
@@ -141,22 +142,38 @@ def is_g2(given, edge, outwards, blend, upper, backwards):
             breaks.add(b - (t - c) * (b - a) / (d - c) if backwards else a + (t - c) * (b - a) / (d - c))
     breaks = sorted(breaks)
     # the numerators have at most this degree: each derivative of order k is of degree (k + 1) times that along the edge, over weights
-    number = 12 * (blend.degrees[0] + s.degrees[0]) + 1
+    number = (12 if order == 2 else 36) * (blend.degrees[0] + s.degrees[0]) + 1
     sign = 1 if at_end == outwards else -1
     for low, high in zip(breaks, breaks[1:]):
         for i in range(1, number + 1):
             u = low + (high - low) * Fraction(i, number + 1)
-            x, y = jet(s, at_end, to_given(u)), jet(blend, upper, u)
+            x, y = jet(s, at_end, to_given(u), order), jet(blend, upper, u, order)
             if x[0, 0] != y[0, 0]:
                 return False
-            c1, t, c2, t1, w = x[1, 0], [sign * z for z in x[0, 1]], x[2, 0], [sign * z for z in x[1, 1]], x[0, 2]
-            n = cross(c1, t)
+            g = {(k, l): [sign**l * z for z in x[k, l]] for k, l in x}
+            n = cross(g[1, 0], g[0, 1])
             square = dot(n, n)
-            if square == 0 or dot(y[0, 1], n) != 0:
+
+            def coordinates(z, terms=()):
+                """Of what the terms leave of z, in C' and T, or nothing."""
+                z = [e - sum(factor * g[kl][i] for factor, kl in terms) for i, e in enumerate(z)]
+                if dot(z, n) != 0:
+                    return None
+                return dot(cross(z, g[0, 1]), n) / square, dot(cross(g[1, 0], z), n) / square
+
+            first = coordinates(y[0, 1]) if square != 0 else None
+            if first is None or first[1] <= 0:
                 return False
-            alpha, beta = dot(cross(y[0, 1], t), n) / square, dot(cross(c1, y[0, 1]), n) / square
-            rest = [z - alpha**2 * e - 2 * alpha * beta * f - beta**2 * g for z, e, f, g in zip(y[0, 2], c2, t1, w)]
-            if beta <= 0 or dot(rest, n) != 0:
+            alpha, beta = first
+            second = coordinates(y[0, 2], [(alpha**2, (2, 0)), (2 * alpha * beta, (1, 1)), (beta**2, (0, 2))])
+            if second is None:
+                return False
+            if order == 2:
+                continue
+            alpha2, delta = second
+            terms = [(alpha**3, (3, 0)), (3 * alpha**2 * beta, (2, 1)), (3 * alpha * beta**2, (1, 2)), (beta**3, (0, 3))]
+            terms += [(3 * alpha * alpha2, (2, 0)), (3 * (alpha * delta + alpha2 * beta), (1, 1)), (3 * beta * delta, (0, 2))]
+            if coordinates(y[0, 3], terms) is None:
                 return False
     return True
 
@@ -183,12 +200,13 @@ def random_surface(shift):
 
 def corners(surface, edge):
     s, upper = surface.turned(edge)
-    return [jet(s, upper, u)[0, 0] for u in s.domain(0)]
+    return [jet(s, upper, u, 0)[0, 0] for u in s.domain(0)]
 
 
 def main():
     program, pairs = sys.argv[1], int(sys.argv[2]) if len(sys.argv) > 2 else 20
     random.seed(int(sys.argv[3]) if len(sys.argv) > 3 else 2026)
+    order = int(sys.argv[4]) if len(sys.argv) > 4 else 2
     failed = 0
     with tempfile.TemporaryDirectory() as folder:
         a_file, b_file, blend_file = (Path(folder) / name for name in ("a.g2", "b.g2", "blend.g2"))
@@ -197,18 +215,19 @@ def main():
             a.write(a_file)
             b.write(b_file)
             edges = random.choice(EDGES), random.choice(EDGES)
-            subprocess.run([program, "blend", "--surfaces", a_file, b_file, "--edges", ",".join(edges), "-o", blend_file],
-                           check=True, stdout=subprocess.DEVNULL)
+            command = [program, "blend", "--surfaces", a_file, b_file, "--edges", ",".join(edges), "--order", str(order)]
+            subprocess.run(command + ["-o", blend_file], check=True, stdout=subprocess.DEVNULL)
             s = Surface.read(blend_file)
             # how the second edge runs, from its ends
-            backwards = jet(s, True, s.domain(0)[0])[0, 0] != corners(b, edges[1])[0]
+            backwards = jet(s, True, s.domain(0)[0], 0)[0, 0] != corners(b, edges[1])[0]
             layers = len(s.net[0])
 
             def verdicts():
-                return [is_g2(a, edges[0], True, s, False, False), is_g2(b, edges[1], False, s, True, backwards)]
+                at_a = has_order(order, a, edges[0], True, s, False, False)
+                return [at_a, has_order(order, b, edges[1], False, s, True, backwards)]
 
             good = verdicts() == [True, True]
-            for layer, expected in ((2, [False, True]), (layers - 3, [True, False])):
+            for layer, expected in ((order, [False, True]), (layers - 1 - order, [True, False])):
                 s.net[1][layer][2] += Fraction(1, 1000)
                 good = good and verdicts() == expected
                 s.net[1][layer][2] -= Fraction(1, 1000)

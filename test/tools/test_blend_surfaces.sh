@@ -69,7 +69,19 @@ run 1 blend --surfaces point.g2 next.g2 && says out "vanishing_normal" "not G2 a
 if command -v python3 >/dev/null; then
   holds python3 "$tests/check_surface_blends.py" "$program" 4 >checked
   says checked "4 pairs, 0 wrong"
+  holds python3 "$tests/check_surface_blends.py" "$program" 1 2 3 >checked
+  says checked "1 pairs, 0 wrong"
 fi
+
+# control points that are doubles; what was moved is written, too
+run 0 blend --surfaces flat.g2 next.g2 --representable -o blend.g2 && says out "G2 along both edges, proved exactly" "nothing was moved"
+run 0 verify --surfaces blend.g2 --require G2 && says out "2 G2"
+sed 's/4 0 0/4.1 0.7 1e-16/' flat.g2 >moved.g2
+run 0 blend --surfaces moved.g2 next.g2 --edges v0,v1 --representable --strategy fair -o blend.g2 && says out "coordinates were moved by at most "
+run 0 verify --surfaces blend.g2 --require G2 && says out "2 G2"
+refused "not_representable" blend --surfaces a.g2 spline.g2 --representable
+refused "cylinder.g2" blend --surfaces cylinder.g2 a.g2 --representable
+refused "--representable: blends of order 2 only" blend --surfaces a.g2 b.g2 --representable --order 3
 
 # what is refused
 refused "two files are needed" blend --surfaces a.g2

@@ -84,7 +84,9 @@ is cut off, so that a quarter of each remains. The output is the whole chain.
 of that in B, or from and to those of --edges. Its degree across is 5, and it is
 G2 with both along the whole edges, or with --order 3, by a strategy of order 3
 with joins G3, it is 7, and the surface is G3. This is decided exactly. A
-warning names a place where it may be folded. -o writes it.
+warning names a place where it may be folded. -o writes it; with
+--representable, which takes polynomial surfaces whose edges have one degree and
+the same knots, both surfaces around it, too.
 
 Exact arithmetic on numbers of thousands of digits can take long: --max-work N
 allows N steps, about N nanoseconds, instead of 4000000000.
@@ -296,7 +298,7 @@ int run_blend(const Command_line& line) {
   };
   line.refuse({"distance", "closed"}, "only with --corner or --corners");
   if (line.has("surfaces")) {
-    line.refuse({"beta", "eta", "s1", "s2", "start", "end", "replace", "kernel", "representable", "json", "plot"},
+    line.refuse({"beta", "eta", "s1", "s2", "start", "end", "replace", "kernel", "json", "plot"},
                 "not with --surfaces");
     return bounded([&] { return blend_surfaces(line); });
   }

@@ -12,9 +12,12 @@
 #include <CGAL/Geometric_continuity/Traits.h>
 #include <CGAL/Geometric_continuity/edges/blend_surfaces.h>
 #include <CGAL/Geometric_continuity/edges/edge_continuity.h>
+#include <CGAL/Geometric_continuity/edges/representable_blend_surfaces.h>
 #include <CGAL/Geometric_continuity/surfaces/possible_fold.h>
 #include <CGAL/Simple_cartesian.h>
 
+#include <algorithm>
+#include <istream>
 #include <stdexcept>
 #include <string>
 #include <type_traits>
@@ -23,12 +26,20 @@
 
 namespace {
 
-typedef GC::Rational_bspline_surface<GC::Traits_3<CGAL::Simple_cartesian<CGAL::Exact_rational>>> Surface;
+typedef GC::Rational_bspline_surface<GC::Traits_3<CGAL::Simple_cartesian<CGAL::Exact_rational>>> Exact_surface;
+typedef GC::Bspline_surface<GC::Traits_3<CGAL::Simple_cartesian<double>>> Double_surface;
+
+std::vector<Exact_surface> read_surfaces(std::istream& is, const std::string& name, const Exact_surface*) {
+  return GC::read_g2_rational_bspline_surfaces<Exact_surface::Traits>(is, name);
+}
+std::vector<Double_surface> read_surfaces(std::istream& is, const std::string& name, const Double_surface*) {
+  return GC::read_g2_bspline_surfaces<Double_surface::Traits>(is, name);
+}
 
 // Reads the only surface of a file.
-Surface read_surface(const std::string& name) {
+template <class Surface> Surface read_surface(const std::string& name) {
   Input input(name);
-  const std::vector<Surface> surfaces = GC::read_g2_rational_bspline_surfaces<Surface::Traits>(input, input_name(name));
+  const std::vector<Surface> surfaces = read_surfaces(input, input_name(name), static_cast<const Surface*>(nullptr));
   if (surfaces.size() != 1)
     throw GC::Error(GC::Error_code::malformed_input,
                     input_name(name) + ": " + std::to_string(surfaces.size()) + " surfaces where one is expected");
@@ -48,33 +59,38 @@ std::pair<GC::Patch_edge, GC::Patch_edge> given_edges(const Command_line& line) 
   return {edge_of(text.substr(0, comma)), edge_of(text.substr(comma + 1))};
 }
 
-// An edge of one of the given surfaces, the derivatives of the parameter across it, and whether the blend has the order there.
-template <class Shape>
-bool report_edge(std::ostream& report, const std::string& file, GC::Patch_edge edge, const Shape& shape,
-                 const Surface& given, const Surface& blend, GC::Patch_edge edge_of_blend) {
-  constexpr int order =
-      std::is_base_of_v<GC::Septic_edge_reparametrisation<GC::Rational_edge_reparametrisation<CGAL::Exact_rational>>,
-                        Shape>
-          ? 3
-          : 2;
+// Prints the continuity along the edge of a given surface, and returns whether the blend has the order there.
+template <class Surface>
+bool report_edge(std::ostream& report, int order, const std::string& file, const Surface& given, GC::Patch_edge edge,
+                 const Surface& blend, GC::Patch_edge edge_of_blend) {
   report << input_name(file) << ", edge " << edge << ": ";
-  bool has_order;
   if (order == 3 && is_g3_edge(given, edge, blend, edge_of_blend)) {
     report << "G3";
-    has_order = true;
-  } else {
-    const auto verdict = edge_continuity(given, edge, blend, edge_of_blend);
-    report << verdict;
-    has_order = order == 2 && verdict.g_order >= 2;
+    return true;
   }
+  const auto verdict = edge_continuity(given, edge, blend, edge_of_blend);
+  report << verdict;
+  return order == 2 && verdict.g_order >= 2;
+}
+
+// The derivatives of the parameter across an edge.
+template <class Shape> void report_shape(std::ostream& report, const Shape& shape) {
   report << ", beta = " << shape.beta << ", delta = " << shape.delta;
-  if constexpr (order == 3) report << ", delta3 = " << shape.delta3;
+  if constexpr (std::is_base_of_v<
+                    GC::Septic_edge_reparametrisation<GC::Rational_edge_reparametrisation<CGAL::Exact_rational>>,
+                    Shape>)
+    report << ", delta3 = " << shape.delta3;
   report << '\n';
-  return has_order;
+}
+
+Exit_code report_order(std::ostream& report, int order, bool has_order) {
+  report << (has_order ? "" : "not ") << 'G' << order << " along both edges"
+         << (has_order ? ", proved exactly\n" : "\n");
+  return has_order ? requirement_met : requirement_not_met;
 }
 
 // The search for folds may take long, and what it finds is no more than a warning: it never refuses the blend.
-void warn_of_fold(std::ostream& report, const Surface& s) {
+template <class Surface> void warn_of_fold(std::ostream& report, const Surface& s) {
   try {
     if (const auto fold = possible_fold(s))
       report << "warning: it may be folded near (" << CGAL::to_double(fold->u.first) << ", "
@@ -85,21 +101,65 @@ void warn_of_fold(std::ostream& report, const Surface& s) {
   }
 }
 
-template <class Strategy> Exit_code blend_by(const Command_line& line, const Strategy& strategy) {
+// As fractions, which are the same numbers in every arithmetic.
+void write_exactly(std::ostream& os, const Double_surface& s) {
+  typedef CGAL::Exact_rational FT;
+  const auto exact = [](const GC::Knot_vector<double>& knots) {
+    return GC::Knot_vector<FT>(knots.degree(), std::vector<FT>(knots.begin(), knots.end()));
+  };
+  std::vector<std::vector<Exact_surface::Point>> net(static_cast<std::size_t>(s.number_of_points_u()));
+  for (int i = 0; i < s.number_of_points_u(); ++i)
+    for (int j = 0; j < s.number_of_points_v(); ++j) {
+      const Double_surface::Point& p = s.control_point(i, j);
+      net[i].emplace_back(FT(p.x()), FT(p.y()), FT(p.z()));
+    }
+  GC::write_g2(os, GC::Bspline_surface<Exact_surface::Traits>(net, exact(s.knots_u()), exact(s.knots_v())));
+}
+
+// Whose control points are doubles; the given surfaces are written, too, as they now are.
+template <class Strategy> Exit_code representable_blend_by(const Command_line& line, const Strategy& strategy) {
   const Arguments files = line.files();
-  const Surface a = read_surface(files[0]), b = read_surface(files[1]);
+  const Double_surface a = read_surface<Double_surface>(files[0]), b = read_surface<Double_surface>(files[1]);
+  const auto [edge_a, edge_b] = given_edges(line);
+  const auto r = representable_blend(a, edge_a, b, edge_b, strategy, nearer_direction(a, edge_a, b, edge_b));
+  std::ostream& report = report_stream(line);
+  const bool at_a = report_edge(report, 2, files[0], r.first, edge_a, r.blend, GC::Patch_edge::v0);
+  report << ", beta = " << r.start_join.beta << '\n';
+  const bool at_b = report_edge(report, 2, files[1], r.second, edge_b, r.blend, GC::Patch_edge::v1);
+  report << ", beta = " << r.end_join.beta << '\n';
+  const double moved = (std::max)(r.start_join.moved, r.end_join.moved);
+  if (moved == 0)
+    report << "nothing was moved\n";
+  else
+    report << "coordinates were moved by at most " << moved << '\n';
+  const Exit_code code = report_order(report, 2, at_a && at_b);
+  warn_of_fold(report, r.blend);
+  if (line.has("output"))
+    write_output(line.text("output"), [&](std::ostream& os) {
+      for (const Double_surface& s : {r.first, r.blend, r.second}) write_exactly(os, s);
+    });
+  return code;
+}
+
+template <class Strategy> Exit_code blend_by(const Command_line& line, const Strategy& strategy) {
+  if constexpr (GC::is_quintic_strategy_v<Strategy, GC::Traits_d<CGAL::Cartesian_d<double>>>)
+    if (line.has("representable")) return representable_blend_by(line, strategy);
+  const Arguments files = line.files();
+  const Exact_surface a = read_surface<Exact_surface>(files[0]), b = read_surface<Exact_surface>(files[1]);
   const auto [edge_a, edge_b] = given_edges(line);
   const GC::Edge_direction direction = nearer_direction(a, edge_a, b, edge_b);
   const auto shape = automatic_surface_shape(a, edge_a, b, edge_b, strategy, direction);
-  const Surface s = GC::blend(a, edge_a, b, edge_b, shape, direction);
+  const Exact_surface s = GC::blend(a, edge_a, b, edge_b, shape, direction);
+  const int order = line.integer("order");
   std::ostream& report = report_stream(line);
-  const bool at_a = report_edge(report, files[0], edge_a, shape.start, a, s, GC::Patch_edge::v0),
-             at_b = report_edge(report, files[1], edge_b, shape.end, b, s, GC::Patch_edge::v1);
-  const std::string order = line.integer("order") == 2 ? "G2" : "G3";
-  report << (at_a && at_b ? order + " along both edges, proved exactly\n" : "not " + order + " along both edges\n");
+  const bool at_a = report_edge(report, order, files[0], a, edge_a, s, GC::Patch_edge::v0);
+  report_shape(report, shape.start);
+  const bool at_b = report_edge(report, order, files[1], b, edge_b, s, GC::Patch_edge::v1);
+  report_shape(report, shape.end);
+  const Exit_code code = report_order(report, order, at_a && at_b);
   warn_of_fold(report, s);
   if (line.has("output")) write_output(line.text("output"), [&](std::ostream& os) { GC::write_g2(os, s); });
-  return at_a && at_b ? requirement_met : requirement_not_met;
+  return code;
 }
 
 Exit_code quintic(const Command_line& line) {
@@ -130,5 +190,7 @@ Exit_code septic(const Command_line& line) {
 Exit_code blend_surfaces(const Command_line& line) {
   if (line.files().size() != 2) throw std::invalid_argument("blend --surfaces: two files are needed; see --help");
   const GC::Work_scope each(line.work_limit());
-  return line.integer("order", 2, 3) == 2 ? quintic(line) : septic(line);
+  if (line.integer("order", 2, 3) == 2) return quintic(line);
+  if (line.has("representable")) throw std::invalid_argument("--representable: blends of order 2 only");
+  return septic(line);
 }
