@@ -3,7 +3,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
 // Blends in floating-point numbers. Rounding the control points of a G2 blend breaks its joins; a representable blend
-// is exactly G2, and still is after it has been written to a file and read again.
+// is exactly G2, and still is after it has been written to a file and read again. One of surfaces is so along whole edges.
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Geometric_continuity.h>
@@ -41,5 +41,20 @@ int main() {
             << order(chain[1], chain[2]) << '\n'
             << "control points of the curves moved by at most " << exact.start_join.moved << " and "
             << exact.end_join.moved << '\n';
-  return GC::is_g2_join(chain[0], chain[1]) && GC::is_g2_join(chain[1], chain[2]) ? 0 : 1;
+
+  // the same from an edge of one patch to an edge of another one
+  const GC::Bezier_patch<Traits> a({{Point(0, 0, 0), Point(1.1, 0.2, 0.3), Point(2.3, 0.7, 0.4)},
+                                    {Point(0, 3.3, 0.1), Point(1.2, 3.4, 0), Point(2.7, 3.1, 0.9)}}),
+      b({{Point(6.4, 0.1, 1.1), Point(7.2, 0.3, 1.3)}, {Point(6.1, 3.6, 0.8), Point(7.3, 3.2, 1.7)}});
+  //! [surfaces]
+  const auto r = GC::representable_blend(a, GC::Patch_edge::v1, b, GC::Patch_edge::v0); // control points are double
+  const auto start = edge_continuity(r.first, GC::Patch_edge::v1, r.blend, GC::Patch_edge::v0),
+             end = edge_continuity(r.blend, GC::Patch_edge::v1, r.second, GC::Patch_edge::v0);
+  std::cout << "of surfaces: " << start << " and " << end << ", control points moved by at most " << r.start_join.moved
+            << " and " << r.end_join.moved << '\n';
+  //! [surfaces]
+  return GC::is_g2_join(chain[0], chain[1]) && GC::is_g2_join(chain[1], chain[2]) && start.g_order == 2 &&
+                 end.g_order == 2
+             ? 0
+             : 1;
 }
