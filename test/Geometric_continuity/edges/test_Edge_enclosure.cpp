@@ -268,6 +268,18 @@ BOOST_AUTO_TEST_CASE(representations_of_one_surface) {
 }
 
 // Offsets of circles are circles, in the parameter plane and in space.
+BOOST_AUTO_TEST_CASE(rectangular_domains) { // planes over [0, 2] x [0, 1] and [0, 1] x [0, 2]
+  const GC::Cad_spline_surface wide{1, 1, {0, 0, 2, 2}, {0, 0, 1, 1}, {{0, 0, 0}, {0, 1, 0}, {2, 0, 0}, {2, 1, 0}}, {}},
+      high{1, 1, {0, 0, 1, 1}, {0, 0, 2, 2}, {{0, 0, 0}, {0, 2, 0}, {1, 0, 0}, {1, 2, 0}}, {}};
+  const auto gap = [](const GC::Cad_spline_surface& s, const GC::Cad_line<2>& x) {
+    return GC::edge_enclosure(side(s, x), side(plane(), x), 0, 2).gap.value.upper;
+  };
+  BOOST_TEST(gap(wide, line(0, 0.5, 1, 0)) < 1e-14);
+  BOOST_TEST(gap(high, line(0.5, 0, 0, 1)) < 1e-14);
+  CHECK_ERROR(gap(wide, line(0.5, 0, 0, 1)), parameter_outside_domain);
+  CHECK_ERROR(gap(high, line(0, 0.5, 1, 0)), parameter_outside_domain);
+}
+
 BOOST_AUTO_TEST_CASE(offset_curves) {
   const auto basis = std::make_shared<GC::Cad_curve<2>>(circle(2));
   const GC::Edge_side offset = side(plane(), GC::Cad_offset_curve<2>{basis, 0.5, {}}),

@@ -232,6 +232,9 @@ BOOST_AUTO_TEST_CASE(edge_verdicts) {
   BOOST_CHECK_EQUAL(GC::order_within(a, b, {angle * 1.001, 0}).proved_order(), 1);
   BOOST_CHECK_EQUAL(GC::order_within(a, b, {angle * 0.999, 0}).proved_order(), 0);
   BOOST_CHECK_EQUAL(GC::order_within(a, b, {angle * 0.999, 0})(1), Verdict::refuted);
+  std::ostringstream written;
+  written << GC::order_within(a, b, {angle * 0.999, 0});
+  BOOST_CHECK_EQUAL(written.str().substr(0, 35), "order 0 proved, 1 refuted; gap 0, n");
   const GC::Enclosure e = *GC::deviation(a, b).normal_angle;
   BOOST_REQUIRE(e.lower < e.upper);
   BOOST_CHECK_EQUAL(GC::order_within(a, b, {e.lower, 0})(1), Verdict::undecided);

@@ -272,6 +272,16 @@ BOOST_AUTO_TEST_CASE(pictures_of_surfaces) {
 }
 
 // Pictures stay what they are, to the last digit. Who changes how they look, and has looked at them, puts in the new number.
+BOOST_AUTO_TEST_CASE(domains_do_not_show) { // nor do those of rational curves
+  const auto picture = [](double first, double last) {
+    const std::vector<P> points{P(0, 0), P(1, 2), P(3, 2)};
+    const GC::Rational_bezier_curve<Plane> conic(points, std::vector<double>{1, 2, 5}, first, last);
+    return svg(GC::Svg_figure("a conic").add(GC::Svg_panel().add(conic)));
+  };
+  BOOST_CHECK_EQUAL(picture(0, 1), picture(2, 3));
+  BOOST_CHECK_EQUAL(picture(0, 1), picture(-2, 2));
+}
+
 BOOST_AUTO_TEST_CASE(pictures_stay_what_they_are) {
   const auto fingerprint = [](const std::string& picture) { // FNV-1a
     std::uint64_t hash = 0xcbf29ce484222325;
