@@ -4,13 +4,14 @@
 # SPDX-License-Identifier: LGPL-3.0-or-later
 """Alters one token of a header at a time, and lists the alterations that no test notices:
 
-    mutate.py [--sample N] [--seed S] [--work FOLDER] [--jobs N] [--seconds S] [--again] [PART_OF_A_PATH...]
+    mutate.py [--sample N] [--seed S] [--work FOLDER] [--jobs N] [--seconds S] [--again] [--manual] [PART_OF_A_PATH...]
 
 The unit tests, of the long ones only three, and the program are built once, by clang++, from a copy of the sources in FOLDER with all alterations of the sample; a
 program chooses one of them when it runs (mutants.h). Each test case is run once without any, to see which it comes across and how long it takes. Then
 each alteration meets the test cases that come across it, those of the room of the header first, the quick ones before the others, until one fails or
 does not end; those that take S seconds together, at most. FOLDER/results.txt keeps what was found: another call goes on where the last one ended, and with --again tries
-again what no test has noticed. The table counts all that is in it. equivalent.txt lists alterations that change no answer, with the reason.
+again what no test has noticed and nothing explains. The table counts all that is in it; --manual puts it into the manual. equivalent.txt lists
+alterations that change no answer, with the reason.
 
 What is known to the compiler is not altered: template arguments, lengths of arrays, constants of types. Nor is what does not compile when altered."""
 
@@ -33,6 +34,7 @@ from pathlib import Path
 here = Path(__file__).resolve().parent
 root = here.parents[1]
 headers = Path("include/CGAL/Geometric_continuity")
+manual = root / "doc/Geometric_continuity/What_the_program_promises.txt"
 
 LONG_TESTS = {"test_Edge_enclosure", "test_curve_from_curvatures", "test_largest_kink", "program_cad", "program_cad_verdicts"}  # which alone reach what they test
 OTHERS = {"+": "-", "-": "+", "*": "+", "/": "*", "<": "<=", "<=": "<", ">": ">=", ">=": ">", "==": "!=", "!=": "==", "+=": "-=", "-=": "+=", "*=": "+="}
@@ -294,17 +296,26 @@ def explained_alterations():
     return {line.split("] -- ", 1)[0] + "]" for line in lines if "] -- " in line}
 
 
-def print_table(results):
+def table(results):
+    """The rows of the table of the manual: room, tried, noticed, equivalent, lives, not reached."""
     explained = explained_alterations()
     counts = collections.defaultdict(collections.Counter)
     for place, how in results.items():
         kind = "equivalent" if how in ("lives", "not reached") and place in explained else how.split(":")[0]
         for name in (place.split("/")[0], "all"):
             counts[name][kind] += 1
-    print(f"{'room':12}{'tried':>7}{'noticed':>9}{'equivalent':>12}{'lives':>7}{'not reached':>13}")
+    rows = []
     for name, count in sorted(counts.items(), key=lambda c: (c[0] == "all", c[0])):
-        print(f"{name:12}{sum(count.values()):7}{count['noticed']:9}{count['equivalent']:12}{count['lives']:7}{count['not reached']:13}")
-    return counts["all"]
+        found = [sum(count.values()), *(count[kind] for kind in ("noticed", "equivalent", "lives", "not reached"))]
+        rows.append(f"| {name if name == 'all' else f'`{name}`'} | {' | '.join(map(str, found))} |")
+    return rows, counts["all"]
+
+
+def write_manual(rows):
+    text = manual.read_text()
+    head = re.search(r"^\| Room \| Tried .*\n\|.*\n", text, re.M)
+    rest = re.compile(r"(?:\|.*\n)*").match(text, head.end())
+    manual.write_text(text[: head.end()] + "\n".join(rows) + "\n" + text[rest.end() :])
 
 
 def main():
@@ -315,6 +326,7 @@ def main():
     parser.add_argument("--jobs", type=int, default=os.cpu_count())
     parser.add_argument("--seconds", type=float, default=100)
     parser.add_argument("--again", action="store_true")
+    parser.add_argument("--manual", action="store_true")
     parser.add_argument("paths", nargs="*")
     given = parser.parse_args()
     folder = given.work.resolve()
@@ -353,7 +365,10 @@ def main():
             log.flush()
             if how in ("lives", "not reached"):
                 print(f"{how}: {header}:{line}: {place}", flush=True)
-    counts = print_table({place: how for place, how in results.items() if how != "does not compile"})
+    rows, counts = table({place: how for place, how in results.items() if how != "does not compile"})
+    print("room, tried, noticed, equivalent, lives, not reached", *rows, sep="\n")
+    if given.manual:
+        write_manual(rows)
     return 1 if counts["lives"] + counts["not reached"] else 0
 
 
