@@ -10,6 +10,9 @@
 
 #include <CGAL/Geometric_continuity/joins/internal/Join_ladder.h>
 
+#include <algorithm>
+#include <cstdint>
+
 #ifdef CGAL_GEOMETRIC_CONTINUITY_HAS_FIXED_INTEGER
 
 namespace CGAL {
@@ -100,7 +103,44 @@ template <Join_question question> constexpr bool all_fit(const Lengths& lengths 
   return fits;
 }
 
+bool are_below(const Join_weights<std::int64_t>& w, const Join_weights<std::int64_t>& limits, bool third) {
+  return w.a2 < limits.a2 && w.b2 < limits.b2 &&
+         (!third || (w.a3 < limits.a3 && w.b3 < limits.b3 && w.mix < limits.mix));
+}
+
+// Factors that take up a power of two: refused exactly where one of them reaches its limit, before or after it. The limits are powers of two.
+template <Join_question question> void check_factors_that_grow() {
+  typedef Join_weights<std::int64_t> Factors;
+  const Factors limits = factor_limits<question>();
+  const bool third = highest_difference(question) >= 3;
+  const int power = question == Join_question::torsion ? 1 : 2;
+  for (int d = -16; d <= 16; ++d)
+    for (int k = 0; k < 5; ++k)
+      for (const bool reaches : {false, true}) {
+        const int down = (std::max)(-d, 0), up = (std::max)(d, 0), shift[] = {down, up, power * down, power * up, down};
+        const std::int64_t limit[] = {limits.a2, limits.b2, limits.a3, limits.b3, limits.mix};
+        std::int64_t w[5] = {1, 1, 1, 1, 1};
+        w[k] = (std::max)(limit[k] >> shift[k], std::int64_t(1)) - (reaches ? 0 : 1);
+        Factors taken{w[0], w[1], w[2], w[3], w[4]};
+        const Factors grown{w[0] << shift[0], w[1] << shift[1], w[2] << shift[2], w[3] << shift[3], w[4] << shift[4]};
+        const bool fits = -14 <= d && d <= 14 && are_below({w[0], w[1], w[2], w[3], w[4]}, limits, true) &&
+                          are_below(grown, limits, third);
+        BOOST_REQUIRE_EQUAL(take_up<question>(taken, d), fits);
+        if (fits)
+          BOOST_CHECK(taken.a2 == grown.a2 && taken.b2 == grown.b2 && taken.a3 == grown.a3 && taken.b3 == grown.b3 &&
+                      taken.mix == grown.mix);
+      }
+}
+
 } // namespace
+
+BOOST_AUTO_TEST_CASE(factors_that_grow) {
+  check_factors_that_grow<Join_question::g2>();
+  check_factors_that_grow<Join_question::g3>();
+  check_factors_that_grow<Join_question::f3>();
+  check_factors_that_grow<Join_question::curvature_vector>();
+  check_factors_that_grow<Join_question::torsion>();
+}
 
 BOOST_AUTO_TEST_CASE(no_form_exceeds_its_limbs) {
   static_assert(all_fit<Join_question::g1>());
