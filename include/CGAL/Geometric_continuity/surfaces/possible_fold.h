@@ -17,6 +17,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <optional>
 #include <type_traits>
@@ -79,28 +80,36 @@ inline std::vector<Normal_number> binomials(int n) {
   return row;
 }
 
-// The normals of one Bezier patch, by halving it. Points are homogeneous, with the weights 1 where it is polynomial.
+// Times 2 to the power of -k.
+inline Normal_number halved(const Normal_number& x, int k) {
+  return Normal_number(std::ldexp(x.inf(), -k), std::ldexp(x.sup(), -k));
+}
+
+// The normals of one Bezier patch as a polynomial, whose rectangle is halved. Points are homogeneous, with the weights 1 where it is
+// polynomial.
 template <bool is_rational> class Patch_normals {
+  typedef Interval_net<Normal_vector> Normals;
   struct Part {
-    Interval_net<Normal_point> net;
+    Normals normals;
     std::array<Range, 2> range; // of u and v on the unit square
     int halvings;
   };
 
 public:
   // A rectangle in the unit square whose normals are not proved not to vanish.
-  static std::optional<std::array<Range, 2>> possible_zero(Interval_net<Normal_point> net) {
+  static std::optional<std::array<Range, 2>> possible_zero(const Interval_net<Normal_point>& net) {
     const Protect_FPU_rounding<true> upwards;
+    charge(net);
     Newest_first<Part> parts;
-    parts.add({std::move(net), {Range{0, 1}, Range{0, 1}}, 0});
+    parts.add({normals(net), {Range{0, 1}, Range{0, 1}}, 0});
     const bool proved = subdivide(
         parts,
         [](const Part& part) {
-          charge(part.net);
-          if (has_no_zero(normals(part.net))) return After_part::drop;
+          if (has_no_zero(part.normals)) return After_part::drop;
           return part.halvings == most_halvings ? After_part::stop : After_part::divide;
         },
         [&](const Part& part) {
+          charge(part.normals);
           for (bool upper : {true, false}) parts.add(half(part, upper));
         });
     if (proved) return std::nullopt;
@@ -114,19 +123,24 @@ private:
     const double n = (net.degree_u() + 1.) * (net.degree_v() + 1);
     work_meter().charge_products((is_rational ? 60 * n : 12) * n * n, 1);
   }
+  static void charge(const Normals& n) { // additions
+    const double p = n.degree_u() + 1, q = n.degree_v() + 1;
+    work_meter().charge_products(3 * p * q * (std::max)(p, q), 1);
+  }
 
+  // By the algorithm of de Casteljau, whose sums are divided at the end.
   static Part half(const Part& part, bool upper) {
     Part r = part;
     const int x = part.halvings % 2; // u and v in turn
-    const int p = r.net.degree_u(), q = r.net.degree_v(), n = x == 0 ? p : q, m = x == 0 ? q : p;
-    for (int i = 0; i <= m; ++i)
+    const int p = r.normals.degree_u(), q = r.normals.degree_v(), n = x == 0 ? p : q, m = x == 0 ? q : p;
+    for (int i = 0; i <= m; ++i) {
+      const auto at = [&](int j) -> Normal_vector& { return x == 0 ? r.normals(j, i) : r.normals(i, j); };
       for (int k = 1; k <= n; ++k)
-        for (int j = upper ? 0 : n; upper ? j <= n - k : j >= k; upper ? ++j : --j) {
-          Normal_point& a = x == 0 ? r.net(j, i) : r.net(i, j);
-          const int next = upper ? j + 1 : j - 1;
-          const Normal_point& b = x == 0 ? r.net(next, i) : r.net(i, next);
-          for (int l = 0; l < 4; ++l) a[l] = (a[l] + b[l]) / Normal_number(2);
-        }
+        for (int j = upper ? 0 : n; upper ? j <= n - k : j >= k; upper ? ++j : --j)
+          for (int l = 0; l < 3; ++l) at(j)[l] += at(upper ? j + 1 : j - 1)[l];
+      for (int j = 0; j <= n; ++j)
+        for (Normal_number& y : at(j)) y = halved(y, upper ? n - j : j);
+    }
     (upper ? r.range[x].lower : r.range[x].upper) = part.range[x].middle();
     ++r.halvings;
     return r;
@@ -144,8 +158,17 @@ private:
           }
   }
 
-  // Of coefficients that are multiplied by their binomial numbers, and positive factors are left out.
-  static Interval_net<Normal_vector> normals(const Interval_net<Normal_point>& net) {
+  // The coefficients, from which the binomial numbers are divided out.
+  static Normals bernstein(Normals n) {
+    const std::vector<Normal_number> of_p = binomials(n.degree_u()), of_q = binomials(n.degree_v());
+    for (int i = 0; i <= n.degree_u(); ++i)
+      for (int j = 0; j <= n.degree_v(); ++j)
+        for (Normal_number& y : n(i, j)) y /= of_p[i] * of_q[j];
+    return n;
+  }
+
+  // A positive factor is left out.
+  static Normals normals(const Interval_net<Normal_point>& net) {
     const int p = net.degree_u(), q = net.degree_v();
     if (p == 0 || q == 0) return {0, 0};
     const std::vector<Normal_number> of_p = binomials(p), of_q = binomials(q), below_p = binomials(p - 1),
@@ -166,24 +189,24 @@ private:
           if (j < q) in_v(i, j)[l] = of_p[i] * below_q[j] * (point(i, j + 1) - point(i, j));
         }
     const auto vector = [](const Normal_point& x) { return Normal_vector{x[0], x[1], x[2]}; };
-    Interval_net<Normal_vector> product(2 * p - 1, 2 * q - 1);
+    Normals product(2 * p - 1, 2 * q - 1);
     add_product(product, in_u, in_v,
                 [&](const Normal_point& x, const Normal_point& y) { return cross(vector(x), vector(y)); });
     if constexpr (!is_rational)
-      return product;
+      return bernstein(std::move(product));
     else {
-      Interval_net<Normal_vector> turned(2 * p - 1, 2 * q - 1), sum(3 * p - 1, 3 * q - 1);
+      Normals turned(2 * p - 1, 2 * q - 1), sum(3 * p - 1, 3 * q - 1);
       add_product(turned, in_u, in_v, [&](const Normal_point& x, const Normal_point& y) {
         const Normal_vector a = scaled(x[3], vector(y)), b = scaled(y[3], vector(x));
         return Normal_vector{a[0] - b[0], a[1] - b[1], a[2] - b[2]};
       });
       add_product(sum, s, product, [](const Normal_point& x, const Normal_vector& y) { return scaled(x[3], y); });
       add_product(sum, turned, s, [&](const Normal_vector& x, const Normal_point& y) { return cross(x, vector(y)); });
-      return sum;
+      return bernstein(std::move(sum));
     }
   }
 
-  static bool has_no_zero(const Interval_net<Normal_vector>& n) {
+  static bool has_no_zero(const Normals& n) {
     std::array<double, 3> direction{};
     for (const Normal_vector& x : n.values())
       for (int l = 0; l < 3; ++l) direction[l] += CGAL::to_double(x[l]);
