@@ -13,6 +13,8 @@ set(long_tests
     test_Edge_enclosure test_Fair test_Fair_kernels test_curve_from_curvatures test_decide_join test_largest_kink parallel_tests
     # proofs and other libraries
     edge_bounds join_bounds test_arb test_peers_of_rational_curves test_peers_of_rational_surfaces
+    # many files
+    python_dask
     # other packages
     pipeline_aabb_tree pipeline_arrangement pipeline_bezier_arrangement pipeline_box_intersection pipeline_constrained_triangulation
     pipeline_polyline_simplification pipeline_surface_mesh

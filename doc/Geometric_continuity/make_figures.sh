@@ -23,6 +23,11 @@ cp "$data/lmroman10-regular_S_0.g2" as_drawn.g2
 "$program" plot --surfaces "$data/teapot.g2" --title "The teapot: 32 bicubic patches, every edge decided exactly" -o teapot.svg
 "$program" round-edges "$data/box.g2" --set-back 2 --plot rounded_box.svg >/dev/null
 "$program" plot --surfaces "$data/fillet.g2" --title "Cylinder, fillet, plane" -o fillet.svg
+# from_python.svg is drawn by the page "From Python", where the module is built; PYTHON is an interpreter with matplotlib
+module=$(dirname "$program")/../python
+if [ -d "$module/geometric_continuity" ]; then
+  FIGURES=$work PYTHONPATH=$module GEOMETRIC_CONTINUITY_PROGRAM=$program "${PYTHON-/usr/bin/python3}" "$here/../../python/tests/test_manual.py"
+fi
 
 model=/usr/share/opencascade/data/step/linkrods.step
 browser=$(command -v chromium || command -v chromium-browser || command -v google-chrome || true)

@@ -19,12 +19,12 @@ from ._native import (Edge_continuity, Enclosure, Join_continuity, Join_deviatio
 from .curves import (STRATEGIES, Blend, Fair_spline, Fitted_curve, Representable_blend, Rounded_corner, Segmented_curve, Spline, blend,
                      fair, fairness, fit, interpolate, interpolate_fair, representable_blend, round_corner)
 from .errors import Error
-from .joins import continuity, deviation, edge_continuity, failing_joins, join_grade, kink_size
+from .joins import align_handle, align_handles, continuity, deviation, edge_continuity, failing_joins, join_grade, kink_size
 from .program import file_record, program, verify
 
 __all__ = [
     "Blend", "Edge_continuity", "Enclosure", "Error", "Fair_spline", "Fitted_curve", "Join_continuity", "Join_deviation", "Join_grade",
     "Kink_size", "Order_up_to_rounding", "Representable_blend", "Rounded_corner", "STRATEGIES", "Segmented_curve", "Spline", "blend",
     "continuity", "deviation", "edge_continuity", "failing_joins", "fair", "fairness", "file_record", "fit", "interpolate", "interpolate_fair",
-    "join_grade", "kink_size", "program", "representable_blend", "round_corner", "uses_gmp", "verify",
+    "join_grade", "kink_size", "program", "representable_blend", "round_corner", "align_handle", "align_handles", "uses_gmp", "verify",
 ]

@@ -5,7 +5,7 @@
 
 from __future__ import annotations
 
-from typing import Optional
+from typing import Optional, Tuple
 
 import numpy
 
@@ -57,6 +57,27 @@ def kink_size(left, right) -> Optional[Kink_size]:
     Raises Error: `dimension_mismatch` unless in the plane, `not_finite`.
     """
     return _native.kink_size(left, right)
+
+
+def align_handles(left: Tuple[int, int], right: Tuple[int, int], max_squared_move: int
+                  ) -> Optional[Tuple[Tuple[int, int], Tuple[int, int]]]:
+    """Returns handles of one direction, as whole vectors, as near as possible to those given, which is proved; None where they form an angle
+    of more than 45 degrees, or a handle would have to move farther than the bound.
+
+    left, right: whole vectors in units of a grid, from the handle on the left to the node and from the node to the handle on the right.
+    max_squared_move: the square of the largest move.
+
+    Raises Error: `zero_tangent` for a handle of no length, `work_limit` for one of more than 2^28 units.
+    """
+    return _native.align_handles(left, right, max_squared_move)
+
+
+def align_handle(handle: Tuple[int, int], direction: Tuple[int, int]) -> Tuple[int, int]:
+    """Returns the whole vector nearest to a handle that has a direction, e.g. that of a line.
+
+    Raises Error: `zero_tangent` for a vector of no length, `work_limit` for one of more than 2^28 units.
+    """
+    return _native.align_handle(handle, direction)
 
 
 def failing_joins(points, order: str = "G2", closed: bool = False, parallel: bool = False) -> numpy.ndarray:

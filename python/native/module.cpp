@@ -6,6 +6,7 @@
 
 #include <CGAL/Geometric_continuity/Error.h>
 #include <CGAL/Geometric_continuity/IO/number.h>
+#include <CGAL/Geometric_continuity/repairs/align_handles.h>
 
 #include <pybind11/functional.h>
 #include <pybind11/numpy.h>
@@ -399,6 +400,16 @@ PYBIND11_MODULE(_native, m) {
   m.def("kink_size", [](const py::object& left, const py::object& right) {
     const Numbers a = numbers_of(left), b = numbers_of(right);
     return released([&] { return kink_size(a, b); });
+  });
+  typedef std::pair<std::int64_t, std::int64_t> Pair;
+  const auto pair = [](const GC::Grid_vector& v) { return py::make_tuple(v.x, v.y); };
+  m.def("align_handles", [pair](const Pair& left, const Pair& right, std::int64_t max_squared_move) -> py::object {
+    const auto handles = GC::align_handles({left.first, left.second}, {right.first, right.second}, max_squared_move);
+    if (!handles) return py::none();
+    return py::make_tuple(pair(handles->left), pair(handles->right));
+  });
+  m.def("align_handle", [pair](const Pair& handle, const Pair& direction) {
+    return pair(GC::align_handle({handle.first, handle.second}, {direction.first, direction.second}));
   });
   m.def("failing_joins", failing_joins_of);
   m.def("blend",

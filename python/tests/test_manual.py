@@ -4,9 +4,11 @@
 """The blocks of the page "From Python" of the manual are run, in their order, and print what the manual says."""
 
 import contextlib
+import importlib.util
 import io
 import os
 import re
+import shutil
 import tempfile
 import unittest
 
@@ -24,10 +26,14 @@ class Manual(unittest.TestCase):
             os.chdir(folder)
             try:
                 for code, expected in blocks:
+                    if "import matplotlib" in code and importlib.util.find_spec("matplotlib") is None:
+                        continue
                     printed = io.StringIO()
                     with contextlib.redirect_stdout(printed):
                         exec(compile(code, "From_Python.txt", "exec"), names)
-                    self.assertEqual(printed.getvalue(), expected, code)
+                    self.assertEqual(printed.getvalue(), expected or "", code)
+                    if "savefig" in code and os.environ.get("FIGURES"):  # to draw them anew
+                        shutil.copy("from_python.svg", os.environ["FIGURES"])
             finally:
                 os.chdir(before)
 

@@ -1,0 +1,68 @@
+# Copyright (c) 2026 The Geometric_continuity developers
+#
+# SPDX-License-Identifier: LGPL-3.0-or-later
+"""Paths of svgelements and splines of ezdxf as Bezier curves. Their coordinates are floats, which are read exactly as these libraries
+round them; for the exact decimals of a drawing take `geometric_continuity.verify`."""
+
+from __future__ import annotations
+
+from fractions import Fraction
+from typing import List
+
+import numpy
+
+
+def svg_contours(path) -> List[List[numpy.ndarray]]:
+    """Returns the subpaths of a `svgelements.Path` as lists of Bezier curves, arrays of shape (degree + 1, 2). Arcs become cubic curves, as
+    svgelements makes them; segments of no length are left out."""
+    import svgelements
+
+    contours: List[List[numpy.ndarray]] = []
+    for segment in path:
+        if isinstance(segment, svgelements.Move):
+            contours.append([])
+            continue
+        parts = segment.as_cubic_curves() if isinstance(segment, svgelements.Arc) else [segment]
+        for part in parts:
+            if isinstance(part, svgelements.CubicBezier):
+                points = [part.start, part.control1, part.control2, part.end]
+            elif isinstance(part, svgelements.QuadraticBezier):
+                points = [part.start, part.control, part.end]
+            else:
+                points = [part.start, part.end]
+            curve = numpy.array([(p.x, p.y) for p in points])
+            if (curve != curve[0]).any():
+                contours[-1].append(curve)
+    return [c for c in contours if c]
+
+
+def spline_pieces(spline) -> List[numpy.ndarray]:
+    """Returns the Bezier curves of a SPLINE of ezdxf, or of its construction tool, as arrays of shape (degree + 1, 3). Those of a polynomial
+    spline are exact, for its knots and control points as they are: arrays of `fractions.Fraction`.
+
+    Raises ValueError for a rational spline.
+    """
+    tool = spline.construction_tool() if hasattr(spline, "construction_tool") else spline
+    if tool.is_rational:
+        raise ValueError("the spline has weights")
+    degree = tool.order - 1
+    knots = [Fraction(k) for k in tool.knots()]
+    points = [[Fraction(x) for x in p] for p in tool.control_points]
+    spans = [i for i in range(degree, len(points)) if knots[i] < knots[i + 1]]
+
+    def blossom(span, arguments):
+        row = points[span - degree:span + 1]
+        for r, u in enumerate(arguments, 1):
+            new = []
+            for j in range(len(row) - 1):
+                low, high = knots[span - degree + r + j], knots[span + 1 + j]
+                t = (u - low) / (high - low)
+                new.append([(1 - t) * a + t * b for a, b in zip(row[j], row[j + 1])])
+            row = new
+        return row[0]
+
+    pieces = []
+    for span in spans:
+        a, b = knots[span], knots[span + 1]
+        pieces.append(numpy.array([blossom(span, [a] * (degree - k) + [b] * k) for k in range(degree + 1)], dtype=object))
+    return pieces

@@ -1,0 +1,315 @@
+# Copyright (c) 2026 The Geometric_continuity developers
+#
+# SPDX-License-Identifier: LGPL-3.0-or-later
+"""Adapters with the real libraries, each skipped where its library is missing."""
+
+import importlib.util
+import os
+import subprocess
+import sys
+import tempfile
+import unittest
+
+import numpy
+
+import geometric_continuity as gc
+from geometric_continuity.adapters import outlines
+from geometric_continuity.adapters.outlines import Point
+
+
+def needs(*names):
+    missing = [n for n in names if importlib.util.find_spec(n) is None]
+    return unittest.skipIf(missing, "not installed: " + ", ".join(missing))
+
+
+# A contour like that of a letter o, with a kink at (300, 500), where a cubic meets a cubic, one at (100, 0), where a line meets a cubic, and
+# a corner.
+CONTOUR = [(100, 0, "line"), (60, 2, None), (0, 100, None), (0, 250, "curve"), (0, 400, None), (150, 498, None), (300, 500, "curve"),
+           (450, 504, None), (600, 400, None), (600, 250, "curve"), (600, 100, "line"), (600, 0, "line")]
+
+
+def contour():
+    return [Point(*p) for p in CONTOUR]
+
+
+class Outlines(unittest.TestCase):
+    def test_kinks(self):
+        found = outlines.kinks(contour(), glyph="o")
+        self.assertEqual([(k.node, k.point) for k in found], [(6, (300, 500)), (0, (100, 0))])
+        self.assertEqual([k.node for k in outlines.kinks(contour(), 1)], [6])  # of 0.76 degrees; the other one has 2.9
+        bend = [Point(0, 0, "move"), Point(10, 0, "line"), Point(20, 1, "line")]
+        self.assertEqual([k.node for k in outlines.kinks(bend, 10)], [1])
+        self.assertEqual(outlines.mend(bend, 10), [])  # two lines have no handle
+
+    def test_mend(self):
+        points = contour()
+        moves = outlines.mend(points, glyph="o")
+        self.assertEqual(outlines.kinks(points), [])
+        self.assertTrue(moves)
+        self.assertEqual({m.index for m in moves} - {1, 5, 7}, set())
+        for i, (p, q) in enumerate(zip(points, contour())):
+            self.assertEqual(p.type, q.type)
+            if p.type is not None or i not in {m.index for m in moves}:
+                self.assertEqual((p.x, p.y), (q.x, q.y))
+            self.assertIsInstance(p.x, int)
+            self.assertLess(abs(p.x - q.x) + abs(p.y - q.y), 12)
+        self.assertEqual(outlines.mend(points), [])
+        self.assertEqual(outlines.mend(contour(), max_move=0.5), [])
+        halves = [Point(p.x + 0.5, p.y, p.type) for p in contour()]
+        self.assertEqual(outlines.mend(halves), [])
+
+    def test_which_handles_move(self):
+        def moved(*points, **options):
+            return [(m.index, m.after) for m in outlines.mend([Point(*p) for p in points], **options)]
+
+        start = ((0, 0, "move"), (0, 50, None))
+        self.assertEqual(moved(*start, (100, 102, None), (200, 100, "curve"), (300, 100, "line")), [(2, (100, 100))])
+        self.assertEqual(moved((0, 0, "move"), (100, 0, "line"), (200, 2, None), (300, 50, None), (300, 90, "curve")), [(2, (200, 0))])
+        # 0.3 units off, but on the grid one handle at least moves by more than 0.6
+        far = (*start, (-301, -100, None), (0, 0, "curve"), (299, 99, None), (500, 0, None), (600, 0, "curve"))
+        self.assertTrue(moved(*far))
+        self.assertEqual(moved(*far, max_move=0.6), [])
+        # that of a quadratic curve belongs to two nodes
+        self.assertEqual(moved((0, 0, "move"), (50, 40, None), (100, 50, "qcurve"), (150, 62, None), (200, 60, "qcurve")), [])
+
+    def test_quadratic_curves_and_small_contours(self):
+        circle = [Point(0, 0, "qcurve"), Point(0, 10, None), Point(10, 20, None), Point(30, 20, None), Point(40, 10, None), Point(40, 0, "qcurve"),
+                  Point(40, -10, None), Point(0, -10, None)]
+        grades = [(j.node, j.grade()) for j in outlines.joins(circle)]
+        self.assertEqual(grades, [(5, gc.Join_grade.g1), (0, gc.Join_grade.g1)])
+        left = next(iter(outlines.joins(circle))).left
+        self.assertEqual(left, [(35, 15), (40, 10), (40, 0)])
+        for small in ([], [Point(0, 0, "move")], [Point(0, 0, "line")], [Point(0, 0, "line"), Point(0, 0, "line")],
+                      [Point(0, 0, "move"), Point(1, 1, "line")], [Point(0, 0, None), Point(1, 1, None)]):
+            self.assertEqual(list(outlines.joins(small)), [])
+        self.assertEqual(len(list(outlines.joins([Point(0, 0, "move"), Point(1, 1, "line"), Point(1, 1, "line"), Point(2, 2, "line")]))), 1)
+
+
+@needs("fontTools")
+class Font_tools(unittest.TestCase):
+    def test_pen(self):
+        from geometric_continuity.adapters.fonttools import Join_pen
+
+        pen = Join_pen(None, "o")
+        pen.moveTo((100, 0))
+        pen.curveTo((60, 2), (0, 100), (0, 250))
+        pen.curveTo((0, 400), (150, 498), (300, 500))
+        pen.curveTo((450, 504), (600, 400), (600, 250))
+        pen.lineTo((600, 100))
+        pen.lineTo((600, 0))
+        pen.closePath()
+        self.assertEqual(sorted(k.point for k in pen.kinks()), sorted(k.point for k in outlines.kinks(contour())))
+        pen = Join_pen()
+        pen.moveTo((0, 0))
+        pen.qCurveTo((0, 10), (10, 20), (30, 20))
+        pen.lineTo((0, 0))
+        pen.closePath()
+        self.assertEqual(len(pen.contours[0]), 5)
+        self.assertEqual(len(list(pen.joins())), 3)
+        pen = Join_pen()
+        pen.moveTo((0, 0))
+        pen.lineTo((10, 0))
+        pen.lineTo((20, 1))
+        pen.endPath()
+        self.assertEqual(len(pen.kinks(10)), 1)
+
+    def test_font(self):
+        """The joins of a font are those that the program finds."""
+        path = next((p for p in ("/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf",) if os.path.exists(p)), None)
+        if path is None:
+            self.skipTest("no font")
+        from fontTools.ttLib import TTFont
+
+        from geometric_continuity.adapters.fonttools import Join_pen
+
+        glyphs = TTFont(path).getGlyphSet()
+        for name in ("S", "a", "g", "ampersand"):
+            pen = Join_pen(glyphs, name)
+            glyphs[name].draw(pen)
+            record = gc.verify(path, glyphs={"ampersand": "&"}.get(name, name), worst=1000, off_by=0.001)
+            # the program counts joins of implied points and bends apart
+            self.assertEqual(len(pen.kinks()), record["summary"]["kinks"] + record["summary"].get("bends", 0), name)
+
+
+def new_ufo(path, family="Test", shift=0):
+    import ufoLib2
+
+    font = ufoLib2.Font()
+    font.info.familyName, font.info.styleName, font.info.unitsPerEm = family, "Regular" if shift == 0 else "Bold", 1000
+    font.info.ascender, font.info.descender, font.info.xHeight, font.info.capHeight = 800, -200, 500, 700
+    font.lib["com.example.untouched"] = [1, 2.5, "three"]
+    font.kerning[("o", "o")] = -7
+    for name in ("o", "n"):
+        glyph = font.newGlyph(name)
+        glyph.unicode, glyph.width = ord(name), 700
+        glyph.note = "a note"
+        points = [(x + (shift if name == "o" and x > 200 else 0), y, t) for x, y, t in CONTOUR]
+        pen = glyph.getPointPen()
+        for contour_points in (points, [(50, 50, "line"), (50, 60, "line"), (70, 60, "line")]):
+            pen.beginPath()
+            for x, y, t in contour_points:
+                pen.addPoint((x, y), t, smooth=t == "curve", name="n" if t == "curve" else None)
+            pen.endPath()
+    font.newGlyph("composite").components.append(ufoLib2.objects.Component("o", (1, 0, 0, 1, 0, 0)))
+    font.save(path)
+    return path
+
+
+def files_of(folder):
+    found = {}
+    for base, _, names in os.walk(folder):
+        for name in names:
+            with open(os.path.join(base, name), "rb") as file:
+                found[os.path.relpath(os.path.join(base, name), folder)] = file.read()
+    return found
+
+
+@needs("ufoLib2", "fontTools")
+class Sources(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = folder.name
+
+    def path(self, name):
+        return os.path.join(self.folder, name)
+
+    def test_ufo(self):
+        import ufoLib2
+
+        from geometric_continuity.adapters import sources
+
+        path = new_ufo(self.path("a.ufo"))
+        font = ufoLib2.Font.open(path)
+        self.assertEqual(len(sources.ufo_kinks(font)), 4)
+        glif = os.path.join(path, "glyphs", "n.glif")
+        with open(glif, "rb") as file:
+            text = file.read()
+        odd = text.replace(b"<contour>", b"<contour><!-- <contour><point x='1' y='2'/> -->", 1).replace(b'x="60" y="2"', b"y = '2'  x=\"60\"")
+        self.assertNotEqual(odd, text)
+        with open(glif, "wb") as file:
+            file.write(odd)
+        before = files_of(path)
+        moves = sources.mend_ufo(path, self.path("b.ufo"))
+        self.assertEqual(files_of(path), before)
+        after = files_of(self.path("b.ufo"))
+        self.assertEqual(set(after), set(before))
+        self.assertEqual({n for n in before if before[n] != after[n]}, {"glyphs/o.glif", "glyphs/n.glif"})
+        for name in ("glyphs/o.glif", "glyphs/n.glif"):
+            old, new = before[name].split(b"\n"), after[name].split(b"\n")
+            self.assertEqual(len(old), len(new))
+            self.assertEqual(sum(a != b for a, b in zip(old, new)), len({(m.index) for m in moves if m.glyph == name[7]}))
+        mended = ufoLib2.Font.open(self.path("b.ufo"))
+        self.assertEqual(sources.ufo_kinks(mended), [])
+        for m in moves:
+            point = mended[m.glyph][m.contour].points[m.index]
+            self.assertEqual((point.x, point.y), m.after)
+        again = sources.mend_ufo(self.path("b.ufo"))
+        self.assertEqual(again, [])
+        in_memory = sources.mend_ufo_font(font)
+        self.assertEqual({(m.glyph, m.index, m.after) for m in in_memory}, {(m.glyph, m.index, m.after) for m in moves})
+        self.assertEqual(sources.ufo_kinks(font), [])
+
+    def test_designspace(self):
+        import ufoLib2
+        from fontTools.designspaceLib import AxisDescriptor, DesignSpaceDocument, SourceDescriptor
+
+        from geometric_continuity.adapters import sources
+
+        document = DesignSpaceDocument()
+        document.addAxis(AxisDescriptor(name="Weight", tag="wght", minimum=0, default=0, maximum=100))
+        for i, name in enumerate(("light.ufo", "bold.ufo")):
+            document.addSource(SourceDescriptor(path=new_ufo(self.path(name), shift=37 * i), location={"Weight": 100 * i}))
+        document.write(self.path("test.designspace"))
+        fonts = [ufoLib2.Font.open(self.path(n)) for n in ("light.ufo", "bold.ufo")]
+        self.assertEqual(sources.incompatible(fonts), [])
+        moves = sources.mend_designspace(self.path("test.designspace"))
+        self.assertEqual(sorted(os.path.basename(p) for p in moves), ["bold.ufo", "light.ufo"])
+        fonts = [ufoLib2.Font.open(self.path(n)) for n in ("light.ufo", "bold.ufo")]
+        self.assertEqual(sources.incompatible(fonts), [])
+        self.assertTrue(all(moves.values()))
+        for font in fonts:
+            self.assertEqual(sources.ufo_kinks(font), [])
+        del fonts[0]["o"].contours[0].points[-1]
+        self.assertEqual(sources.incompatible(fonts), ["o"])
+
+    @needs("glyphsLib")
+    def test_glyphs(self):
+        import glyphsLib
+
+        from geometric_continuity.adapters import sources
+
+        import ufoLib2
+
+        font = glyphsLib.to_glyphs([ufoLib2.Font.open(new_ufo(self.path("a.ufo")))])
+        font.save(self.path("a.glyphs"))
+        font = glyphsLib.GSFont(self.path("a.glyphs"))
+        self.assertEqual(len(sources.glyphs_kinks(font)), 4)
+        moves = sources.mend_glyphs(font)
+        font.save(self.path("b.glyphs"))
+        mended = glyphsLib.GSFont(self.path("b.glyphs"))
+        self.assertEqual(sources.glyphs_kinks(mended), [])
+        with open(self.path("a.glyphs")) as a, open(self.path("b.glyphs")) as b:
+            changed = [(x, y) for x, y in zip(a, b) if x != y]
+        self.assertEqual(len(changed), len(moves))
+        self.assertTrue(all("OFFCURVE" in x and "OFFCURVE" in y for x, y in changed))
+
+    @needs("fontmake")
+    def test_compiled_font(self):
+        """A UFO with kinks is mended, compiled by fontmake, and the program proves that the font has none."""
+        from geometric_continuity.adapters import sources
+
+        new_ufo(self.path("a.ufo"))
+        sources.mend_ufo(self.path("a.ufo"), self.path("b.ufo"))
+        met = []
+        for name in ("a", "b"):
+            done = subprocess.run([sys.executable, "-m", "fontmake", "-u", self.path(name + ".ufo"), "-o", "otf", "--output-path",
+                                   self.path(name + ".otf"), "--keep-overlaps"],
+                                  stdout=subprocess.PIPE, stderr=subprocess.STDOUT, cwd=self.folder)
+            self.assertEqual(done.returncode, 0, done.stdout.decode()[-2000:])
+            record = gc.verify(self.path(name + ".otf"), require="G1", off_by=0.001)
+            met.append((record["met"], record["summary"]["kinks"]))
+        self.assertEqual(met[0][0], False)
+        self.assertGreater(met[0][1], 0)
+        self.assertEqual(met[1], (True, 0))
+
+
+class Drawings(unittest.TestCase):
+    @needs("svgelements")
+    def test_svg(self):
+        import svgelements
+
+        from geometric_continuity.adapters.drawings import svg_contours
+
+        path = svgelements.Path("M0 0 C1 1 2 1 3 0 S5 -1 6 0 Q7 1 8 0 L9 0 A1 1 0 0 1 10 1 Z M20 20 h5 h0 h5")
+        contours = svg_contours(path)
+        self.assertEqual([len(c) for c in contours][1], 2)
+        self.assertEqual([len(c) for c in contours[0]][:4], [4, 4, 3, 2])
+        self.assertEqual(gc.continuity(contours[0][0], contours[0][1]).c_order, 1)
+        self.assertEqual(gc.continuity(contours[1][0], contours[1][1]).g_order, 3)
+        self.assertEqual(gc.join_grade(contours[0][2], contours[0][3]), gc.Join_grade.corner)
+
+    @needs("ezdxf")
+    def test_splines(self):
+        import ezdxf
+
+        from geometric_continuity.adapters.drawings import spline_pieces
+
+        document = ezdxf.new()
+        points = [(0, 0), (1, 2), (3, 2), (4, 0.3), (6, 1), (7, 0)]
+        spline = document.modelspace().add_open_spline(points, degree=3)
+        pieces = spline_pieces(spline)
+        self.assertEqual([p.shape for p in pieces], [(4, 3)] * 3)
+        self.assertEqual([gc.continuity(p, q, 3).c_order for p, q in zip(pieces, pieces[1:])], [2, 2])
+        # the knots are uniform
+        self.assertEqual(gc.failing_joins(numpy.array(pieces), "G2").tolist(), [])
+        tool = spline.construction_tool()
+        for piece, u in zip(pieces, (0, 1, 2)):
+            numpy.testing.assert_allclose(piece[0].astype(float), tool.point(u * tool.max_t / 3), atol=1e-12)
+        rational = document.modelspace().add_rational_spline(points, weights=[1, 2, 1, 1, 1, 1])
+        with self.assertRaises(ValueError):
+            spline_pieces(rational)
+
+
+if __name__ == "__main__":
+    unittest.main()
