@@ -60,6 +60,11 @@ struct Curves_view {
   std::size_t number;
   int degree, dimension;
   std::ptrdiff_t curve_step, point_step, coordinate_step;
+
+  // Whether all numbers follow each other.
+  bool is_packed() const {
+    return coordinate_step == 1 && point_step == dimension && curve_step == (degree + 1) * point_step;
+  }
 };
 
 // The joins of consecutive curves, or if closed also that of the last one with the first, that do not have the order, e.g. "G2". Between

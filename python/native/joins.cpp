@@ -44,8 +44,8 @@ auto with_plane_curves(const Numbers& left, const Numbers& right, const std::str
   return f(curve<Exact_plane>(left, place), curve<Exact_plane>(right, place));
 }
 
-// A Bezier curve of doubles where they are.
-template <class Traits_, int Degree> class Array_curve {
+// A Bezier curve of doubles where they are. What is known of their steps makes them faster to find.
+template <class Traits_, int Degree, bool packed> class Array_curve {
   const Curves_view* view_;
   std::ptrdiff_t index_;
 
@@ -59,8 +59,9 @@ public:
   int dimension() const { return N; }
   std::pair<double, double> domain() const { return {0., 1.}; }
   typename Traits::Point control_point(int j) const {
-    const double* const x = view_->first + index_ * view_->curve_step + j * view_->point_step;
-    const std::ptrdiff_t step = view_->coordinate_step;
+    const std::ptrdiff_t point_step = packed ? N : view_->point_step, step = packed ? 1 : view_->coordinate_step,
+                         curve_step = packed && Degree != GC::dynamic_degree ? N * (Degree + 1) : view_->curve_step;
+    const double* const x = view_->first + index_ * curve_step + j * point_step;
     if constexpr (N == 2)
       return {x[0], x[step]};
     else
@@ -70,9 +71,9 @@ public:
 
 } // namespace
 
-template <class Traits, int Degree>
-struct CGAL::Geometric_continuity::Curve_ends<Array_curve<Traits, Degree>>
-    : CGAL::Geometric_continuity::Bezier_ends<Array_curve<Traits, Degree>> {};
+template <class Traits, int Degree, bool packed>
+struct CGAL::Geometric_continuity::Curve_ends<Array_curve<Traits, Degree, packed>>
+    : CGAL::Geometric_continuity::Bezier_ends<Array_curve<Traits, Degree, packed>> {};
 
 namespace {
 
@@ -93,28 +94,29 @@ template <class Function> void with_question(const std::string& order, Function 
                   "failing_joins: the order '" + order + "' is none of C0 to C3, G0 to G3, F0 to F3");
 }
 
-bool is_finite(double x) {
+// The exponent of a double plus one: it overflows into the highest bit for what is infinite or undefined, and for nothing else.
+std::uint64_t increased_exponent(double x) {
   std::uint64_t bits;
   std::memcpy(&bits, &x, sizeof bits);
-  constexpr std::uint64_t exponent = std::uint64_t(0x7ff) << 52;
-  return (bits & exponent) != exponent;
+  return (bits & std::uint64_t(0x7ff) << 52) + (std::uint64_t(1) << 52);
 }
+bool has_overflown(std::uint64_t exponent) { return exponent >> 63 != 0; }
 
 // Refuses an infinite or undefined coordinate of the curves [begin, end).
 void check_finite(const Curves_view& view, std::size_t begin, std::size_t end) {
   const std::ptrdiff_t points = view.degree + 1, d = view.dimension;
-  std::uint64_t infinite = 0;
-  if (view.coordinate_step == 1 && view.point_step == d && view.curve_step == points * d) {
+  std::uint64_t exponents = 0;
+  if (view.is_packed()) {
     const double* const first = view.first + static_cast<std::ptrdiff_t>(begin) * view.curve_step;
     const std::size_t n = (end - begin) * static_cast<std::size_t>(points * d);
-    for (std::size_t i = 0; i < n; ++i) infinite |= is_finite(first[i]) ? 0 : 1; // without a branch, for vectors
-    if (infinite == 0) return;
+    for (std::size_t i = 0; i < n; ++i) exponents |= increased_exponent(first[i]); // without a branch, in vectors
+    if (!has_overflown(exponents)) return;
   }
   for (std::size_t c = begin; c < end; ++c)
     for (std::ptrdiff_t j = 0; j < points; ++j)
       for (std::ptrdiff_t i = 0; i < d; ++i)
-        if (!is_finite(view.first[static_cast<std::ptrdiff_t>(c) * view.curve_step + j * view.point_step +
-                                  i * view.coordinate_step]))
+        if (has_overflown(increased_exponent(view.first[static_cast<std::ptrdiff_t>(c) * view.curve_step +
+                                                        j * view.point_step + i * view.coordinate_step])))
           throw GC::Error(GC::Error_code::not_finite, "failing_joins: curve " + std::to_string(c));
 }
 
@@ -187,7 +189,12 @@ std::vector<std::ptrdiff_t> failing_joins(const Curves_view& curves, const std::
         find_failing<CGAL::Sequential_tag>(curves.number, check, get, holds, closed, pause, failing);
     };
     const auto in_place = [&](auto traits, auto degree) {
-      find([&](std::ptrdiff_t i) { return Array_curve<decltype(traits), decltype(degree)::value>(curves, i); });
+      typedef decltype(traits) Traits;
+      constexpr int m = decltype(degree)::value;
+      if (m != GC::dynamic_degree && curves.is_packed())
+        find([&](std::ptrdiff_t i) { return Array_curve<Traits, m, true>(curves, i); });
+      else
+        find([&](std::ptrdiff_t i) { return Array_curve<Traits, m, false>(curves, i); });
     };
     typedef std::integral_constant<int, 3> Cubic;
     typedef std::integral_constant<int, GC::dynamic_degree> Any;
