@@ -1,0 +1,178 @@
+// Copyright (c) 2026 The Geometric_continuity developers
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+/** A number as it is, or the text of an exact one: a decimal or a fraction, e.g. "0.1", "1/3". */
+export type Exact = number | bigint | string;
+export type Point = ArrayLike<Exact>;
+
+/** The control points of a Bézier curve, of any degree and dimension; with weights a rational one. */
+export type Curve = ReadonlyArray<Point> | {
+  control_points?: ReadonlyArray<Point>;
+  points?: ReadonlyArray<Point>;
+  weights?: ReadonlyArray<Exact>;
+  /** [0, 1] unless it is given. */
+  domain?: readonly [Exact, Exact];
+};
+
+/** The control points of a Bézier patch in space: those of one u together. */
+export type Patch = ReadonlyArray<ReadonlyArray<Point>>;
+export type Edge = 'u0' | 'u1' | 'v0' | 'v1';
+
+/** Guaranteed bounds; an upper bound of null is infinite. */
+export type Enclosure = [number, number | null];
+
+/** What is decided about the join of the end of one curve and the start of another one: the members of the C++ class Join_continuity. */
+export interface Join {
+  /** The largest k such that all derivatives up to order k agree; -1 at a gap. */
+  c_order: number;
+  /** The same for derivatives with respect to arc length. */
+  g_order: number;
+  /** The same for the Frenet frame and the curvatures. */
+  f_order: number;
+  /** The shape parameters, exactly. */
+  betas: string[];
+  regular: boolean;
+  tangent_equal: boolean | null;
+  curvature_equal: boolean | null;
+  curvature_vector_equal: boolean | null;
+  torsion_equal: boolean | null;
+}
+
+export interface Deviation {
+  gap: Enclosure;
+  /** In radians. */
+  tangent_angle: Enclosure | null;
+  /** Relative to the larger curvature. */
+  curvature_jump: Enclosure | null;
+  torsion_jump: Enclosure | null;
+  angle_degrees: Enclosure | null;
+  curvature_percent: Enclosure | null;
+}
+
+export interface Grade {
+  grade: 'gap' | 'corner' | 'kink' | 'G1' | 'G2' | null;
+  angle_degrees: Enclosure | null;
+  handle_offset: Enclosure | null;
+}
+
+export interface ResultCurve {
+  /** Exact numbers. */
+  control_points: string[][];
+  /** The doubles that are nearest to them. */
+  points: number[][];
+  weights?: string[];
+  domain: [string, string];
+}
+
+export type QuinticStrategy = 'c2' | 'normal' | 'min_second' | 'near_line' | 'energy2' | 'energy3' | 'fair' | 'free';
+export type SepticStrategy = 'c3' | 'seq_g3' | 'seq_f3' | 'joint_g3' | 'energy3_g3' | 'energy4_g3' | 'fair_g3' | 'fair_f3' | 'free3';
+
+export interface SepticEnd<Number> {
+  beta2: Number;
+  mu: Number;
+  beta3: Number;
+}
+
+export interface BlendOptions {
+  /** "energy3" unless it is given; of roundCorner "fair". */
+  strategy?: QuinticStrategy | SepticStrategy;
+  /** The shape parameters; chosen where they are not given. */
+  beta?: Exact;
+  eta?: Exact;
+  /** Of the strategy "free". */
+  s1?: Exact;
+  s2?: Exact;
+  /** Of the strategy "free3". */
+  start?: SepticEnd<Exact>;
+  end?: SepticEnd<Exact>;
+}
+
+export interface Blend {
+  strategy: string;
+  curve: ResultCurve;
+  shape: { beta: string; eta: string };
+  parameters: { s1: string; s2: string } | { start: SepticEnd<string>; end: SepticEnd<string> };
+  fallback_start: boolean;
+  fallback_end: boolean;
+  /** Both joins, decided exactly. */
+  start_join: Join;
+  end_join: Join;
+  /** Null if it is infinite. */
+  fairness: number | null;
+  /** Of the fair strategies. */
+  report?: { iterations: number; automatic_fairness: number | null; fairness: number | null; converged: boolean };
+}
+
+export interface RoundedCorner {
+  left: ResultCurve;
+  right: ResultCurve;
+  left_cut: string;
+  right_cut: string;
+  blend: Blend;
+}
+
+export interface EdgeContinuity {
+  /** -1 when the edges differ, otherwise 0, 1 or 2. */
+  g_order: number;
+  is_g3: boolean;
+  defect: string;
+  side: string;
+  reversed: boolean;
+  coplanar: boolean;
+  collapsed: boolean;
+  normal_vanishes: boolean;
+  whole_a: boolean;
+  whole_b: boolean;
+  /** A guaranteed upper bound of the angle of the normals. */
+  largest_angle_degrees: number | null;
+}
+
+export interface Module {
+  /** Decides the orders of a join, exactly for the numbers as given. */
+  continuity(left: Curve, right: Curve, options?: { maxOrder?: number }): Join;
+  /** Encloses how far a join is from being continuous. */
+  deviation(left: Curve, right: Curve): Deviation;
+  /** What a join in the plane looks like; angles up to kinkAngle, in degrees, are kinks, larger ones corners. */
+  joinGrade(left: Curve, right: Curve, options?: { kinkAngle?: Exact }): Grade;
+  /** A curve from the end of phi to the start of psi, exactly G2 with both, or G3 or F3 with the strategies of degree 7. */
+  blend(phi: Curve, psi: Curve, options?: BlendOptions): Blend;
+  /** Cuts off a corner at a distance along both curves, and puts a blend in its place. */
+  roundCorner(left: Curve, right: Curve, distance: number, options?: BlendOptions): RoundedCorner;
+  /** Decides the continuity along whole edges of two patches. */
+  edgeContinuity(patchA: Patch, edgeA: Edge, patchB: Patch, edgeB: Edge): EdgeContinuity;
+  /** The nearest handles of one direction on the integers, as vectors to and from the node; null where there are none so near. */
+  alignHandles(left: readonly [number, number], right: readonly [number, number], maxMove?: number): { left: [number, number]; right: [number, number] } | null;
+  /**
+   * The joins of a chain of Bézier curves of one degree that do not have an order: numbers i, of the join between the curves i and i + 1.
+   * The control points stand one after the other. Exact for the numbers as given, and fast.
+   */
+  failingJoins(
+    coordinates: Float64Array | ArrayLike<number>,
+    options?: { degree?: number; dimension?: 2 | 3; order?: 'C0' | 'C1' | 'C2' | 'C3' | 'G1' | 'G2' | 'G3' | 'F3'; closed?: boolean },
+  ): Uint32Array;
+  /** The JSON of `geometric_continuity verify --json` of a drawing. */
+  verifySvg(svg: string | Uint8Array | ArrayBuffer, options?: { maxOrder?: number; require?: string | null; kinkAngle?: Exact }): Promise<any>;
+  /** A drawing without kinks where handles can move on the grid of its decimals, and the JSON of `geometric_continuity repair --json`. */
+  repairSvg(
+    svg: string | Uint8Array | ArrayBuffer,
+    options?: { kinkAngle?: Exact; maxMove?: Exact | null; harmonise?: boolean },
+  ): Promise<{ svg: string; report: any }>;
+  /** The JSON of `geometric_continuity verify --json` of curves or, with surfaces, of a model in SINTEF's format. */
+  verifyG2(
+    g2: string | Uint8Array | ArrayBuffer,
+    options?: { maxOrder?: number; require?: string | null; closed?: boolean; surfaces?: boolean },
+  ): Promise<any>;
+}
+
+/** What the functions throw, or reject with, on bad input. */
+export class GeometricContinuityError extends Error {
+  /** The code of the package, e.g. "malformed_input", "zero_tangent". */
+  readonly code: string;
+  constructor(code: string, message: string);
+}
+
+/** Loads the module; the WebAssembly is taken from files next to it unless an address, its bytes or a compiled module is given. */
+export default function load(options?: {
+  wasm?: string | URL | ArrayBuffer | Uint8Array | WebAssembly.Module;
+  filesWasm?: string | URL | ArrayBuffer | Uint8Array | WebAssembly.Module;
+}): Promise<Module>;

@@ -1,0 +1,271 @@
+// Copyright (c) 2026 The Geometric_continuity developers
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+// The package compiled to WebAssembly: exact verdicts on joins, blends that are proved. See geometric_continuity.d.ts for the functions.
+
+/** What a function throws on bad input; `code` is the code of the package, e.g. `malformed_input`. */
+export class GeometricContinuityError extends Error {
+  constructor(code, message) {
+    super(`${code}: ${message}`);
+    this.name = 'GeometricContinuityError';
+    this.code = code;
+  }
+}
+
+const refuse = (code, message) => {
+  throw new GeometricContinuityError(code, message);
+};
+
+const described = (x) => {
+  const text = typeof x === 'string' ? JSON.stringify(x) : typeof x === 'object' && x !== null ? Object.prototype.toString.call(x) : String(x);
+  return text.length > 60 ? `${text.slice(0, 60)}…` : text;
+};
+
+// Numbers as the words that Request.h reads: the bits of a number, or the text of an exact one.
+const bits = new DataView(new ArrayBuffer(8));
+function number(x, place) {
+  if (typeof x === 'number') {
+    if (!Number.isFinite(x)) refuse('not_finite', `${place}: ${x}`);
+    bits.setFloat64(0, x);
+    return `#${bits.getUint32(0).toString(16)}${bits.getUint32(4).toString(16).padStart(8, '0')}`;
+  }
+  if (typeof x === 'bigint') return String(x);
+  if (typeof x !== 'string') refuse('malformed_input', `${place}: a number is expected, not ${described(x)}`);
+  if (!/^[-+0-9.eE/]+$/.test(x)) refuse('malformed_input', `${place}: ${described(x)} is not a number`);
+  return x;
+}
+
+const isList = (x) => Array.isArray(x) || (ArrayBuffer.isView(x) && !(x instanceof DataView));
+
+function points(list, place) {
+  if (!isList(list)) refuse('malformed_input', `${place}: an array of points is expected, not ${described(list)}`);
+  if (list.length === 0) refuse('wrong_number_of_points', `${place}: no points`);
+  const dimension = isList(list[0]) ? list[0].length : 0;
+  for (let j = 0; j < list.length; ++j) {
+    if (!isList(list[j])) refuse('malformed_input', `${place}[${j}]: a point is an array of numbers, not ${described(list[j])}`);
+    if (list[j].length !== dimension || dimension === 0)
+      refuse('dimension_mismatch', `${place}[${j}]: ${list[j].length} coordinates, ${dimension} in the first point`);
+  }
+  return dimension;
+}
+
+// An array of control points, or an object with them, weights and a domain.
+function curve(c, place) {
+  const isObject = typeof c === 'object' && c !== null && !isList(c);
+  const list = isObject ? c.control_points ?? c.points : c;
+  const weights = (isObject && c.weights) || null, domain = (isObject && c.domain) || [0, 1];
+  const dimension = points(list, place);
+  if (weights && weights.length !== list.length)
+    refuse('wrong_number_of_points', `${place}: ${weights.length} weights of ${list.length} points`);
+  if (!isList(domain) || domain.length !== 2) refuse('malformed_input', `${place}: a domain is two numbers`);
+  const words = [dimension, list.length, weights ? 1 : 0, number(domain[0], `${place}.domain`), number(domain[1], `${place}.domain`)];
+  for (let j = 0; j < list.length; ++j) {
+    if (weights) words.push(number(weights[j], `${place}.weights[${j}]`));
+    for (let i = 0; i < dimension; ++i) words.push(number(list[j][i], `${place}[${j}][${i}]`));
+  }
+  return words.join(' ');
+}
+
+// The control points of a patch, those of one u together.
+function patch(net, place) {
+  if (!isList(net) || net.length === 0) refuse('wrong_number_of_points', `${place}: an array of rows of points is expected`);
+  const words = [];
+  for (let i = 0; i < net.length; ++i) {
+    if (points(net[i], `${place}[${i}]`) !== 3) refuse('dimension_mismatch', `${place}[${i}]: points in space are expected`);
+    if (net[i].length !== net[0].length) refuse('wrong_number_of_points', `${place}[${i}]: rows of different lengths`);
+    for (let j = 0; j < net[i].length; ++j)
+      for (let k = 0; k < 3; ++k) words.push(number(net[i][j][k], `${place}[${i}][${j}][${k}]`));
+  }
+  return `${net.length - 1} ${net[0].length - 1} ${words.join(' ')}`;
+}
+
+function integer(x, place, low, high) {
+  if (!Number.isInteger(x) || x < low || high < x) refuse('malformed_input', `${place}: an integer from ${low} to ${high} is expected, not ${described(x)}`);
+  return x;
+}
+
+const word = (x, place) => {
+  if (typeof x !== 'string' || !/^\w+$/.test(x)) refuse('malformed_input', `${place}: a name is expected, not ${described(x)}`);
+  return x;
+};
+
+// The names, and the scalars of the strategies that take some.
+function strategy(options) {
+  const name = options.strategy ?? 'energy3';
+  const given = (key) => (options[key] === undefined ? '-' : number(options[key], `options.${key}`));
+  let scalars = [];
+  if (options.s1 !== undefined || options.s2 !== undefined) scalars = [options.s1, options.s2];
+  if (options.start !== undefined || options.end !== undefined)
+    scalars = [options.start, options.end].flatMap((end) => (end ? [end.beta2, end.mu, end.beta3] : [undefined]));
+  return [word(name, 'options.strategy'), given('beta'), given('eta'), scalars.length, ...scalars.map((x) => number(x, 'options: a parameter'))].join(' ');
+}
+
+const questions = ['C0', 'C1', 'C2', 'C3', 'G1', 'G2', 'G3', 'F3'];
+
+async function compiled(source, name) {
+  if (source instanceof WebAssembly.Module) return source;
+  if (source instanceof ArrayBuffer || ArrayBuffer.isView(source)) return WebAssembly.compile(source);
+  const url = new URL(source ?? `./${name}.wasm`, import.meta.url);
+  if (url.protocol === 'file:' && typeof process === 'object') {
+    const { readFile } = await import('node:fs/promises');
+    return WebAssembly.compile(await readFile(url));
+  }
+  const response = await fetch(url);
+  if (!response.ok) refuse('cannot_read_file', `${url}: ${response.status}`);
+  return WebAssembly.compile(await response.arrayBuffer());
+}
+
+const encoder = new TextEncoder(), decoder = new TextDecoder();
+
+// A compiled module with its memory.
+class Instance {
+  static async of(source, name) {
+    const module = await compiled(source, name), instance = new Instance(), system = instance.#system(), imports = {};
+    for (const { module: from, name: what, kind } of WebAssembly.Module.imports(module)) {
+      const missing = from === 'env' ? -52 : 52; // "not implemented", of system calls and of WASI
+      if (kind === 'function') (imports[from] ??= {})[what] = system[what] ?? (() => missing);
+    }
+    instance.functions = (await WebAssembly.instantiate(module, imports)).exports;
+    instance.functions._initialize?.();
+    return instance;
+  }
+
+  get memory() {
+    return this.functions.memory.buffer;
+  }
+
+  // What the C library asks of a system: there are no variables and no standard streams.
+  #system() {
+    const set = (address, x) => new DataView(this.memory).setUint32(address, x, true), success = 0;
+    return {
+      proc_exit: (code) => refuse('work_limit', `the module has stopped with code ${code}`),
+      environ_sizes_get: (count, size) => (set(count, 0), set(size, 0), success),
+      environ_get: () => success,
+      clock_time_get: (_id, _precision, time) => (new DataView(this.memory).setBigUint64(time, BigInt(Date.now()) * 1000000n, true), success),
+      fd_write: (_descriptor, vectors, n, written) => {
+        let size = 0;
+        for (let i = 0; i < n; ++i) size += new DataView(this.memory).getUint32(vectors + 8 * i + 4, true);
+        set(written, size);
+        return success;
+      },
+    };
+  }
+
+  // Calls f(address, size) with bytes in the memory.
+  withBytes(bytes, f) {
+    const address = this.functions.gc_allocate(bytes.byteLength || 1);
+    if (address === 0) refuse('work_limit', 'there is not enough memory');
+    try {
+      new Uint8Array(this.memory).set(bytes, address);
+      return f(address, bytes.byteLength);
+    } catch (error) {
+      if (error instanceof WebAssembly.RuntimeError || error instanceof RangeError)
+        refuse('work_limit', `the module has run out of memory or stack (${error.message})`);
+      throw error;
+    } finally {
+      this.functions.gc_free(address);
+    }
+  }
+
+  answer() {
+    const begin = this.functions.gc_answer(), size = this.functions.gc_answer_size();
+    const text = decoder.decode(new Uint8Array(this.memory, begin, size));
+    const result = text === '' ? undefined : JSON.parse(text);
+    if (result?.error) refuse(result.error.code, result.error.message);
+    return result;
+  }
+
+  call(...words) {
+    return this.callWithFile(new Uint8Array(0), ...words);
+  }
+
+  // Calls a function with words, which the bytes of a file follow.
+  callWithFile(file, ...words) {
+    const head = encoder.encode(`${words.join(' ')}\n`), all = new Uint8Array(head.length + file.length);
+    all.set(head);
+    all.set(file, head.length);
+    return this.withBytes(all, (address, size) => {
+      this.functions.gc_call(address, size);
+      return this.answer();
+    });
+  }
+}
+
+const fileBytes = (text) => {
+  const bytes = typeof text === 'string' ? encoder.encode(text) : text instanceof ArrayBuffer ? new Uint8Array(text) : text;
+  if (!(bytes instanceof Uint8Array)) refuse('malformed_input', `a text or bytes are expected, not ${described(text)}`);
+  return bytes;
+};
+
+/** Loads the module. What reads files is a second one, which is loaded when it is needed first. */
+export default async function load({ wasm, filesWasm } = {}) {
+  const module = await Instance.of(wasm, 'geometric_continuity');
+  const call = (...words) => module.call(...words);
+  let files = null;
+  const callWithFile = async (text, ...words) => {
+    const bytes = fileBytes(text);
+    files ??= Instance.of(filesWasm, 'geometric_continuity_files').catch((error) => {
+      files = null;
+      throw error;
+    });
+    return (await files).callWithFile(bytes, ...words);
+  };
+  const withoutNumbers = ({ left: _left, right: _right, ...join }) => join;
+  const blendResult = (result) => ({ ...result, start_join: withoutNumbers(result.start_join), end_join: withoutNumbers(result.end_join) });
+
+  return {
+    continuity(left, right, { maxOrder = 3 } = {}) {
+      return withoutNumbers(call('continuity', integer(maxOrder, 'options.maxOrder', 0, 32), curve(left, 'left'), curve(right, 'right')));
+    },
+    deviation(left, right) {
+      return call('deviation', curve(left, 'left'), curve(right, 'right'));
+    },
+    joinGrade(left, right, { kinkAngle = 5 } = {}) {
+      return call('joinGrade', number(kinkAngle, 'options.kinkAngle'), curve(left, 'left'), curve(right, 'right'));
+    },
+    blend(phi, psi, options = {}) {
+      return blendResult(call('blend', strategy(options), curve(phi, 'phi'), curve(psi, 'psi')));
+    },
+    roundCorner(left, right, distance, options = {}) {
+      const given = { strategy: 'fair', ...options };
+      const result = call('roundCorner', strategy(given), number(distance, 'distance'), curve(left, 'left'), curve(right, 'right'));
+      return { ...result, blend: blendResult(result.blend) };
+    },
+    edgeContinuity(patchA, edgeA, patchB, edgeB) {
+      return call('edgeContinuity', word(edgeA, 'edgeA'), word(edgeB, 'edgeB'), patch(patchA, 'patchA'), patch(patchB, 'patchB'));
+    },
+    alignHandles(left, right, maxMove = 16) {
+      const vector = (v, place) => {
+        if (points([v], place) !== 2) refuse('dimension_mismatch', `${place}: two coordinates are expected`);
+        return `${number(v[0], place)} ${number(v[1], place)}`;
+      };
+      return call('alignHandles', vector(left, 'left'), vector(right, 'right'), number(maxMove, 'maxMove'));
+    },
+    failingJoins(coordinates, { degree = 3, dimension = 2, order = 'G1', closed = false } = {}) {
+      if (!isList(coordinates)) refuse('malformed_input', `failingJoins: an array of numbers is expected, not ${described(coordinates)}`);
+      const numbers = coordinates instanceof Float64Array ? coordinates : Float64Array.from(coordinates);
+      integer(degree, 'options.degree', 1, 1000);
+      integer(dimension, 'options.dimension', 2, 3);
+      const question = questions.indexOf(order);
+      if (question < 0) refuse('malformed_input', `options.order: one of ${questions.join(', ')} is expected, not ${described(order)}`);
+      if (order === 'F3' && dimension === 2) refuse('dimension_mismatch', 'failingJoins: in the plane the order F ends with 2');
+      const step = (degree + 1) * dimension;
+      if (numbers.length % step !== 0) refuse('wrong_number_of_points', `failingJoins: ${numbers.length} numbers are no multiple of ${step}`);
+      return module.withBytes(new Uint8Array(numbers.buffer, numbers.byteOffset, numbers.byteLength), (address) => {
+        const n = module.functions.gc_failing_joins(address, numbers.length / step, degree, dimension, question, closed ? 1 : 0);
+        if (n < 0) module.answer();
+        const begin = module.functions.gc_failing();
+        return new Uint32Array(module.memory.slice(begin, begin + 4 * n));
+      });
+    },
+    async verifySvg(svg, { maxOrder = 3, require = null, kinkAngle = 5 } = {}) {
+      return callWithFile(svg, 'verifySvg', integer(maxOrder, 'options.maxOrder', 0, 32), require === null ? '-' : word(require, 'options.require'), number(kinkAngle, 'options.kinkAngle'));
+    },
+    async repairSvg(svg, { kinkAngle = 5, maxMove = null, harmonise = false } = {}) {
+      return callWithFile(svg, 'repairSvg', number(kinkAngle, 'options.kinkAngle'), maxMove === null ? '-' : number(maxMove, 'options.maxMove'), harmonise ? 1 : 0);
+    },
+    async verifyG2(g2, { maxOrder = 3, require = null, closed = false, surfaces = false } = {}) {
+      return callWithFile(g2, 'verifyG2', integer(maxOrder, 'options.maxOrder', 0, 32), require === null ? '-' : word(require, 'options.require'), closed ? 1 : 0, surfaces ? 1 : 0);
+    },
+  };
+}

@@ -1,0 +1,21 @@
+// Copyright (c) 2026 The Geometric_continuity developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+// The parts of the program that read and report drawings, chains and models: one translation unit, so that what they instantiate is compiled
+// once.
+
+#include "commands/chains/join_report.cpp"
+#include "commands/chains/verify_chain.cpp"
+#include "commands/drawings/drawing_kink.cpp"
+#include "commands/drawings/verify_drawings.cpp"
+#include "commands/models/verify_surfaces.cpp"
+#include "commands/repair/grid_contour.cpp"
+#include "commands/repair/path_text.cpp"
+#include "commands/repair/repair_contour.cpp"
+#include "commands/repair/repair_drawing.cpp"
+#include "formats/svg/svg_drawing.cpp"
+#include "reports/Conclusion.cpp"
+#include "reports/Report.cpp"
+#include "reports/junit.cpp"
+#include "reports/sarif.cpp"
