@@ -18,6 +18,8 @@ set(long_tests
     # other packages
     pipeline_aabb_tree pipeline_arrangement pipeline_bezier_arrangement pipeline_box_intersection pipeline_constrained_triangulation
     pipeline_polyline_simplification pipeline_surface_mesh
+    # another platform
+    browser_compiled browser_package
     # inputs that searches have found
     fuzz_certificates fuzz_curves fuzz_drawings fuzz_fonts fuzz_numbers fuzz_paths fuzz_repairs fuzz_surfaces fuzz_variable_fonts)
 set(release_tests
