@@ -59,7 +59,7 @@ BOOST_AUTO_TEST_CASE(intervals_contain_the_exact_results) {
   const std::vector<double> x = numbers(600);
   std::mt19937 random(7);
   int decided = 0;
-  for (int k = 0; k < 20000; ++k) {
+  for (int k = 0; k < 3000; ++k) {
     const double a = x[random() % x.size()], b = x[random() % x.size()], c = x[random() % x.size()],
                  d = x[random() % x.size()];
     const Interval ab = k % 3 ? Interval(a) : pair_of(a, b), cd = k % 2 ? Interval(c) : pair_of(c, d);
@@ -78,7 +78,7 @@ BOOST_AUTO_TEST_CASE(intervals_contain_the_exact_results) {
     BOOST_TEST(Q(positive.sup()) <= Q(root.sup()) * Q(root.sup()));
     decided += (ab - cd).inf() > 0 || (ab - cd).sup() < 0;
   }
-  BOOST_TEST(decided > 5000); // they are not wide
+  BOOST_TEST(decided > 700); // they are not wide
 }
 
 #ifdef CGAL_ALWAYS_ROUND_TO_NEAREST
@@ -139,7 +139,7 @@ BOOST_AUTO_TEST_CASE(decimals_are_written_as_the_standard_says) {
 
 // The shortest decimal: it is read as the number, no decimal with a digit less is, and none of its length is nearer.
 BOOST_AUTO_TEST_CASE(decimals_are_read_back) {
-  std::vector<double> x = numbers(800);
+  std::vector<double> x = numbers(300);
   for (int e = -1074; e < 1024; e += 7) x.push_back(std::ldexp(1., e)); // below which numbers are closer
   for (const double y : x) {
     const std::string text = written(y);
