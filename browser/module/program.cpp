@@ -17,5 +17,6 @@
 #include "formats/svg/svg_drawing.cpp"
 #include "reports/Conclusion.cpp"
 #include "reports/Report.cpp"
+#include "reports/findings.cpp"
 #include "reports/junit.cpp"
 #include "reports/sarif.cpp"

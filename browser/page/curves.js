@@ -1,0 +1,66 @@
+// Curves as doubles, to be drawn: nothing is decided here.
+
+const NS = 'http://www.w3.org/2000/svg';
+function element(name, attributes = {}, ...children) {
+  const e = document.createElementNS(NS, name);
+  for (const [key, value] of Object.entries(attributes)) e.setAttribute(key, value);
+  e.append(...children);
+  return e;
+}
+function html(name, attributes = {}, ...children) {
+  const e = document.createElement(name);
+  for (const [key, value] of Object.entries(attributes))
+    if (key.startsWith('on')) e.addEventListener(key.slice(2), value);
+    else if (value !== false) e.setAttribute(key, value === true ? '' : value);
+  e.append(...children);
+  return e;
+}
+
+// The point and the first two derivatives of a Bezier curve, by de Casteljau.
+function jet(points, t) {
+  const n = points.length - 1, rows = [points];
+  for (let k = 1; k <= n; ++k)
+    rows.push(rows[k - 1].slice(1).map((p, j) => p.map((x, i) => (1 - t) * rows[k - 1][j][i] + t * x)));
+  const row = (k) => rows[n - k];
+  const x = row(0)[0];
+  const d = n < 1 ? [0, 0] : row(1)[1].map((b, i) => n * (b - row(1)[0][i]));
+  const dd = n < 2 ? [0, 0] : row(2)[2].map((c, i) => n * (n - 1) * (c - 2 * row(2)[1][i] + row(2)[0][i]));
+  return { x, d, dd };
+}
+function curvature({ d, dd }) {
+  const speed = Math.hypot(d[0], d[1]);
+  return speed > 0 ? (d[0] * dd[1] - d[1] * dd[0]) / speed ** 3 : 0;
+}
+function samples(points, n = 64) {
+  const list = [];
+  let s = 0;
+  for (let k = 0; k <= n; ++k) {
+    const j = jet(points, k / n);
+    if (k > 0) s += Math.hypot(j.x[0] - list[k - 1].x[0], j.x[1] - list[k - 1].x[1]);
+    list.push({ ...j, s, k: curvature(j) });
+  }
+  return list;
+}
+const round = (x) => String(Math.round(x * 1000) / 1000);
+const line = (points) => points.map(([x, y]) => `${round(x)} ${round(-y)}`).join(' L');
+function comb(list, scale) {
+  const tips = list.map(({ x, d, k }) => {
+    const length = Math.hypot(d[0], d[1]) || 1;
+    return [x[0] + (scale * k * d[1]) / length, x[1] - (scale * k * d[0]) / length];
+  });
+  return `M${line(tips)}` + list.map((p, i) => (i % 2 ? '' : ` M${line([p.x, tips[i]])}`)).join('');
+}
+// The path of a curve: of degree 1 to 3 as SVG has it, otherwise as cubics within a thousandth of its size.
+function pathData(points, first = true) {
+  const at = (p) => `${round(p[0])} ${round(-p[1])}`;
+  const start = first ? `M${at(points[0])} ` : '';
+  if (points.length === 2) return `${start}L${at(points[1])} `;
+  if (points.length === 4) return `${start}C${points.slice(1).map(at).join(' ')} `;
+  let text = start;
+  const pieces = 8;
+  for (let k = 0; k < pieces; ++k) {
+    const a = jet(points, k / pieces), b = jet(points, (k + 1) / pieces), h = 1 / pieces / 3;
+    text += `C${at(a.x.map((x, i) => x + h * a.d[i]))} ${at(b.x.map((x, i) => x - h * b.d[i]))} ${at(b.x)} `;
+  }
+  return text;
+}
