@@ -126,6 +126,31 @@ BOOST_AUTO_TEST_CASE(angles) {
   BOOST_CHECK((count(0, 44) == std::array<std::size_t, 3>{1, 0, 2}));
 }
 
+// A wall on a floor, which leans to the one side and then to the other one: its two halves have blends of different shapes, which meet all the
+// same. Each of the four surfaces is given in all ways.
+BOOST_AUTO_TEST_CASE(edges_that_go_on) {
+  typedef Exact::Point P;
+  const Bezier<Exact> floor({{P(0, 0, 0), P(0, 8, 0)}, {P(16, 0, 0), P(16, 8, 0)}}),
+      wall({{P(0, 0, 0), P(0, -2, 8)}, {P(16, 0, 0), P(16, 2, 8)}});
+  const auto floors = floor.split_u(fraction(1, 2)), walls = wall.split_u(fraction(1, 2));
+  for (int turns = 0; turns < 16; ++turns) {
+    std::vector<Bezier<Exact>> model = {floors.first, walls.first, walls.second, floors.second};
+    for (int i = 0; i < 4; ++i)
+      if (turns >> i & 1) model[i] = i % 2 == 0 ? model[i].reverse_u() : model[i].swap_parameters();
+    if (turns % 3 == 0) std::reverse(model.begin(), model.end());
+    const auto r = GC::round_edges(model, {2});
+    BOOST_REQUIRE_EQUAL(r.blends.size(), 2u);
+    BOOST_CHECK(r.is_g2() && r.corners.empty());
+    const auto summary = continuity_of(r);
+    BOOST_CHECK_EQUAL(summary.g2, 6u); // with the floor, with the wall, and the seams of these
+    BOOST_CHECK_EQUAL(summary.g1, 1u); // of the blends
+  }
+  const auto splines =
+      converted<Spline<Exact>>(std::vector<Bezier<Exact>>{floors.first, walls.first, walls.second, floors.second});
+  const auto summary = continuity_of(GC::round_edges(splines, {2}));
+  BOOST_CHECK(summary.g2 == 6 && summary.g1 == 1);
+}
+
 BOOST_AUTO_TEST_CASE(what_is_not_rounded) {
   typedef Exact::Point P;
   // three squares at one edge

@@ -8,6 +8,7 @@
 #include <CGAL/Geometric_continuity/Error.h>
 #include <CGAL/Geometric_continuity/Traits.h>
 #include <CGAL/Geometric_continuity/blends/blend_strategies.h>
+#include <CGAL/Geometric_continuity/edges/blend_sides.h>
 #include <CGAL/Geometric_continuity/edges/edge_continuity.h>
 #include <CGAL/Geometric_continuity/edges/round_edge.h>
 #include <CGAL/Geometric_continuity/models/internal/Edge_groups.h>
@@ -16,6 +17,7 @@
 #include <CGAL/Geometric_continuity/surfaces/possible_fold.h>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <map>
 #include <optional>
@@ -57,7 +59,8 @@ template <class Surface> struct Rounding_blend {
 };
 
 /// \ingroup PkgGeometricContinuitySurfaces
-/// A corner of a model at which rounding leaves a hole: a rounded edge ends there, and more than two surfaces meet.
+/// A corner of a model at which rounding leaves a hole: a rounded edge ends there, and more than two surfaces meet; but not where the edge goes
+/// on, and the blends meet.
 /// \tparam Traits the traits class of the surfaces
 template <class Traits> struct Open_corner {
   typename Traits::Point point;     ///< where the corner was
@@ -90,11 +93,24 @@ template <class Surface> class Model_rounding {
   typedef typename Surface::FT FT;
   typedef Edge_field<Traits> Field;
   typedef Model_edge<Field> Row;
+  typedef Coordinates<Traits> Corner;
+  typedef Side_of_blend<Surface, Surface> Side;
+
+  struct Less {
+    bool operator()(const Corner& x, const Corner& y) const { return compare_coordinates(x, y) < 0; }
+    bool operator()(const std::pair<Corner, Corner>& x, const std::pair<Corner, Corner>& y) const {
+      const int first = compare_coordinates(x.first, y.first);
+      return first < 0 || (first == 0 && compare_coordinates(x.second, y.second) < 0);
+    }
+  };
 
   const std::vector<Surface>& given_;
   const Rounding_of_edges& rounding_;
   Rounded_model<Surface> result_;
   std::vector<const Row*> rounded_;
+  // the sides of blends, by where they start and end
+  std::map<std::pair<Corner, Corner>, std::pair<std::size_t, Patch_edge>, Less> sides_;
+  std::vector<std::pair<std::size_t, std::size_t>> meeting_; // blends: the second one was given a side of the first one
 
 public:
   Model_rounding(const std::vector<Surface>& given, const Rounding_of_edges& rounding)
@@ -154,8 +170,7 @@ private:
     for_edge(row.patch_a, row.edge_a, [&] {
       check_normals(a, row.edge_a, "round_edges: at the new edge");
       check_normals(b, *row.edge_b, "round_edges: at the new edge of " + edge_name(*row.patch_b, *row.edge_b));
-      Surface s = blend(a, row.edge_a, b, *row.edge_b, strategy,
-                        row.continuity.reversed ? Edge_direction::opposite : Edge_direction::same);
+      Surface s = blend_with_sides(row, strategy);
       auto with_a = edge_continuity(a, row.edge_a, s, Patch_edge::v0),
            with_b = edge_continuity(s, Patch_edge::v1, b, *row.edge_b);
       auto fold = possible_fold(s);
@@ -165,6 +180,45 @@ private:
     });
   }
 
+  // Which goes on from blends that end where it does, if it can: with their derivatives across the side, or only with the same curve.
+  template <class Strategy> Surface blend_with_sides(const Row& row, const Strategy& strategy) {
+    const Surface &a = result_.surfaces[row.patch_a], &b = result_.surfaces[*row.patch_b];
+    const bool reversed = row.continuity.reversed;
+    const Edge_direction direction = reversed ? Edge_direction::opposite : Edge_direction::same;
+    const auto shape = automatic_surface_shape(a, row.edge_a, b, *row.edge_b, strategy, direction);
+    std::array<std::optional<Side>, 2> sides;
+    std::vector<std::size_t> neighbours; // blends
+    std::array<std::pair<Corner, Corner>, 2> ends;
+    for (const bool upper : {false, true}) {
+      const Corner x = end_of_edge(a, row.edge_a, upper), y = end_of_edge(b, *row.edge_b, upper != reversed);
+      ends[upper] = {x, y};
+      for (const bool swapped : {false, true}) {
+        const auto found = sides_.find(swapped ? std::make_pair(y, x) : ends[upper]);
+        if (found == sides_.end()) continue;
+        neighbours.push_back(found->second.first);
+        sides[upper].emplace(result_.blends[found->second.first].surface, found->second.second,
+                             swapped ? Edge_direction::opposite : Edge_direction::same);
+      }
+    }
+    sides_.emplace(ends[0], std::make_pair(result_.blends.size(), Patch_edge::u0));
+    sides_.emplace(ends[1], std::make_pair(result_.blends.size(), Patch_edge::u1));
+    if constexpr (is_quintic_surface_strategy_v<Strategy>)
+      for (int attempt = 0; attempt < 2 && (sides[0] || sides[1]); ++attempt) {
+        try {
+          Surface s = blend(
+              a, row.edge_a, b, *row.edge_b,
+              surface_shape_with_sides(a, row.edge_a, b, *row.edge_b, direction, shape, sides[0], sides[1]), direction);
+          for (const std::size_t other : neighbours) meeting_.emplace_back(other, result_.blends.size());
+          return s;
+        } catch (const Error& error) {
+          if (error.code() == Error_code::work_limit || error.code() == Error_code::not_finite) throw;
+        }
+        for (std::optional<Side>& side : sides)
+          if (side) side = side->curve_only();
+      }
+    return blend(a, row.edge_a, b, *row.edge_b, shape, direction);
+  }
+
   // The point at an end of an edge.
   static Coordinates<Traits> end_of_edge(const Surface& s, Patch_edge edge, bool upper) {
     const auto u = s.domain_u(), v = s.domain_v();
@@ -172,12 +226,6 @@ private:
                upper_v = runs_along_u(edge) ? at_upper_end(edge) : upper;
     return Geometric_continuity::coordinates<Traits>(s(upper_u ? u.second : u.first, upper_v ? v.second : v.first));
   }
-
-  struct Less {
-    bool operator()(const Coordinates<Traits>& x, const Coordinates<Traits>& y) const {
-      return compare_coordinates(x, y) < 0;
-    }
-  };
 
   void find_open_corners() {
     std::map<Coordinates<Traits>, std::size_t, Less> numbers; // of corners where rounded edges end
@@ -197,8 +245,12 @@ private:
           std::vector<std::size_t>& patches = corners[place->second].patches;
           if (patches.empty() || patches.back() != patch) patches.push_back(patch);
         }
-    corners.erase(std::remove_if(corners.begin(), corners.end(), [](const auto& c) { return c.patches.size() <= 2; }),
-                  corners.end());
+    const auto is_closed = [&](const auto& c) {
+      if (c.patches.size() <= 2) return true;
+      return c.patches.size() == 4 && c.blends.size() == 2 &&
+             std::find(meeting_.begin(), meeting_.end(), std::make_pair(c.blends[0], c.blends[1])) != meeting_.end();
+    };
+    corners.erase(std::remove_if(corners.begin(), corners.end(), is_closed), corners.end());
   }
 };
 
@@ -210,7 +262,9 @@ private:
 /// surfaces along the whole new edges, which is decided for the result as it is.
 ///
 /// Edges are rounded that two surfaces share, see `model_continuity()`, along which they are not \f$ G^2 \f$, and where the largest angle
-/// between the normals is in the given interval. Where more than two surfaces meet at the end of a rounded edge, a hole is left open.
+/// between the normals is in the given interval. Where more than two surfaces meet at the end of a rounded edge, a hole is left open. Where an
+/// edge goes on, and both surfaces were trimmed back to one point, the next blend of degree 5 is given the side of the last one, see
+/// `surface_shape_with_sides()`, if this fits both surfaces: then they meet, with \f$ G^1 \f$ where that is possible.
 /// \param surfaces a range of `Bezier_patch`, `Bspline_surface`, `Rational_bezier_patch` or `Rational_bspline_surface`
 /// \param rounding what is to be rounded
 /// \param strategy chooses the shapes, see `automatic_surface_shape()`
