@@ -54,7 +54,8 @@ class Wheel(unittest.TestCase):
             environment = {k: v for k, v in os.environ.items() if k != "GEOMETRIC_CONTINUITY_PROGRAM"}
             code = ("import geometric_continuity as gc, subprocess; print(gc.program(), gc.continuity([(0, 0), (1, 1)], [(1, 1), (2, 2)]).g_order);"
                     "print(subprocess.run([gc.program(), '--version'], stdout=subprocess.PIPE, check=True).stdout.decode())")
-            done = subprocess.run([sys.executable, "-c", code], env=dict(environment, PYTHONPATH=target), stdout=subprocess.PIPE, check=True)
+            done = subprocess.run([sys.executable, "-c", code], cwd=folder,
+                                  env=dict(environment, PYTHONPATH=target), stdout=subprocess.PIPE, check=True)
             path, order, _, version = done.stdout.decode().split()
             self.assertEqual((path, order), (os.path.join(target, "geometric_continuity", "bin", "geometric_continuity"), "3"))
             self.assertIn(version, name)

@@ -37,6 +37,13 @@ fingerprint=$(grep -o 'ruleFilePlace/v1":"[^"]*' more.sarif)
 run 1 verify x.svg --require G1 --format sarif && says out "$fingerprint"
 run 1 verify x.svg --require G1 --baseline base.sarif --format junit && says out 'failures="1"'
 
+# a second defect at a place of the same name is new
+one='<path id="a" d="M0 0 L10 0 L20 0.5"/>'
+printf '<svg xmlns="http://www.w3.org/2000/svg">%s</svg>' "$one" >twice.svg
+run 1 verify twice.svg --require G1 --format sarif && mv out twice.sarif
+printf '<svg xmlns="http://www.w3.org/2000/svg">%s%s</svg>' "$one" "$one" >twice.svg
+run 1 verify twice.svg --require G1 --baseline twice.sarif && says out '1 of them known' '1 of them new'
+
 # what is open, and allowed or not, is known as well
 printf '<svg xmlns="http://www.w3.org/2000/svg"><path d="M0 0 L10 0 L20 0"/><use href="#a"/></svg>' >use.svg
 run 1 verify use.svg --require G1 --format sarif && mv out use.sarif
