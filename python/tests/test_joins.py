@@ -247,6 +247,9 @@ class Many_joins(unittest.TestCase):
         self.assertEqual(gc.failing_joins(wide[:, ::2, 1:4:2]).tolist(), expected)
         self.assertEqual(gc.failing_joins(numpy.asfortranarray(chain)).tolist(), expected)
         self.assertEqual(gc.failing_joins(chain[::-1, ::-1]).tolist(), [498 - i for i in expected[::-1]])
+        packed = numpy.zeros(500, dtype=[("flag", "u1"), ("points", "f8", (4, 2))])  # numbers are not aligned
+        packed["points"] = chain
+        self.assertEqual(gc.failing_joins(packed["points"]).tolist(), expected)
         self.assertEqual(gc.failing_joins(chain.astype(numpy.float32)).tolist(), expected)
         self.assertEqual(gc.failing_joins(chain.astype(">f8")).tolist(), expected)
         self.assertEqual(gc.failing_joins(chain.astype(numpy.int32)).tolist(), expected)
