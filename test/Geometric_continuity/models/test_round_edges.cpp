@@ -151,6 +151,23 @@ BOOST_AUTO_TEST_CASE(edges_that_go_on) {
   BOOST_CHECK(summary.g2 == 6 && summary.g1 == 1);
 }
 
+// A closed wall on a floor: the one blend ends where it starts.
+BOOST_AUTO_TEST_CASE(closed_edge) {
+  typedef Exact::Point P;
+  const std::vector<std::array<int, 2>> ring = {{8, 0},   {8, 8},  {0, 8},  {-8, 8}, {-8, 0},
+                                                {-8, -8}, {0, -8}, {8, -8}, {8, 0}};
+  std::vector<std::vector<P>> wall, floor;
+  for (const auto& p : ring) {
+    wall.push_back({P(p[0], p[1], 0), P(p[0], p[1], 8)});
+    floor.push_back({P(p[0], p[1], 0), P(2 * p[0], 2 * p[1], 0)});
+  }
+  const Knots u(2, Q(0), Q(4), {{Q(1), 2}, {Q(2), 2}, {Q(3), 2}}), v(1, Q(0), Q(1));
+  const auto r = GC::round_edges(std::vector<Bspline<Exact>>{{wall, u, v}, {floor, u, v}}, {2});
+  BOOST_REQUIRE_EQUAL(r.blends.size(), 1u);
+  BOOST_CHECK(r.is_g2() && r.corners.empty());
+  BOOST_CHECK(r.blends[0].surface(Q(0), fraction(1, 3)) == r.blends[0].surface(Q(4), fraction(1, 3)));
+}
+
 BOOST_AUTO_TEST_CASE(what_is_not_rounded) {
   typedef Exact::Point P;
   // three squares at one edge

@@ -110,7 +110,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(rational, Traits, All_traits) {
 BOOST_AUTO_TEST_CASE(narrow_folds) {
   typedef Exact::Point P;
   for (int k = 1; k < 10; ++k)
-    for (const Q e : {Q(1, 100000), Q(-1, 100000)}) {
+    for (const Q& e : {Q(1, 100000), Q(-1, 100000)}) {
       const Q r(k, 10), h[] = {r * r - e, r * r - r - e, (1 - r) * (1 - r) - e};
       const Q x[] = {0, h[0] / 3, (h[0] + h[1]) / 3, (h[0] + h[1] + h[2]) / 3};
       std::vector<std::vector<P>> along_u(4), along_v(4);
