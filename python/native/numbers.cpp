@@ -12,9 +12,13 @@ double nearest_double(const Exact& x) {
   const std::pair<double, double> ends = CGAL::to_interval(x);
   if (ends.first == ends.second || std::isinf(ends.first) || std::isinf(ends.second))
     return std::isinf(ends.first) ? ends.first : ends.second;
-  double low = ends.first, high = ends.second; // where there are doubles in between, one of them is nearer
-  for (double next; (next = std::nextafter(low, high)) < high && !(x < Exact(next));) low = next;
-  for (double next; low < (next = std::nextafter(high, low)) && !(Exact(next) < x);) high = next;
+  double low = ends.first, high = ends.second; // halved until there is no double in between
+  for (;;) {
+    double middle = low / 2 + high / 2;
+    if (!(low < middle && middle < high)) middle = std::nextafter(low, high);
+    if (!(middle < high)) break;
+    (x < Exact(middle) ? high : low) = middle;
+  }
   const Exact twice = Exact(x + x), sum = Exact(Exact(low) + Exact(high));
   if (twice != sum) return twice < sum ? low : high;
   std::uint64_t bits;

@@ -152,7 +152,7 @@ class Joins(unittest.TestCase):
         self.assertEqual(gc.continuity(numpy.array([[0, 0], [2 ** 62 + 1, 1]]), [[2 ** 62 + 1, 1], [1, 1]]).c_order, 0)
         self.assertEqual(gc.continuity(numpy.array([[0, 0], [2 ** 62 + 1, 1]]), [[2 ** 62, 1], [1, 1]]).c_order, -1)
         self.assertEqual(gc.continuity(numpy.float32([[0, 0], [0.1, 1]]), [[numpy.float32(0.1), 1], [1, 1]]).c_order, 0)
-        huge = 10 ** (6000 if gc.uses_gmp else 500)  # without GMP, longer numbers take long
+        huge = 10 ** (6000 if gc.uses_gmp else 500)  # without GMP, greatest common divisors of longer numbers take long
         join = gc.continuity([[0, 0], [huge, 1]], [[huge, 1], [huge + huge * huge, 1 + huge]])
         self.assertEqual(join.betas[0], huge)
         join = gc.continuity([[0, 0], [-Fraction(1, huge), 1]], [[-Fraction(1, huge), 1], [-Fraction(3, huge), 3]])
