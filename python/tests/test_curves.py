@@ -26,6 +26,8 @@ class Blends(unittest.TestCase):
                 with self.subTest(name):
                     blend = gc.blend(given["phi"], given["psi"], given["strategy"], beta=given["beta"], eta=given["eta"])
                     self.assertEqual(blend.points.tolist(), expected["points"])
+                    if "fallback" in expected:
+                        self.assertEqual([blend.fallback_start, blend.fallback_end], expected["fallback"])
                     number += 1
         self.assertGreater(number, 60)
 
