@@ -32,8 +32,12 @@ comm -23 "$work/all" "$work/pages" | report "A public name stands on a page (a c
 grep -v :: "$work/pages" | comm -23 - "$work/groups" | report "A public name stands in a group (\\ingroup):"
 
 # What pages call by name: `name()`, `Class::name()`. How_a_decision_is_made.txt follows calls through what is internal.
-sed -n 's/.*<name>\(.*\)<\/name>.*/\1/p' manual.tag | sed 's/.*:://' | sort -u >"$work/members"
 texts=$(sed -n 's/^ *"\(.*\/doc\/Geometric_continuity\)" .*/\1/p' Doxyfile)
+module=$texts/../../browser/module/geometric_continuity.d.ts # the functions of JavaScript
+{
+  sed -n 's/.*<name>\(.*\)<\/name>.*/\1/p' manual.tag | sed 's/.*:://'
+  [ ! -e "$module" ] || sed -n 's/^ *\([A-Za-z]*\)(.*/\1/p' "$module"
+} | sort -u >"$work/members"
 find "$texts" -name '*.txt' ! -name How_a_decision_is_made.txt -exec grep -ohE '`[A-Za-z_:]+\(\)`' {} + |
   sed -e 's/[`()]//g' -e '/^std::\|^CGAL::to_\|^CGAL::sqrt\|what$/d' -e 's/.*:://' | sort -u |
   comm -23 - "$work/members" | report "The manual names functions that exist:"
