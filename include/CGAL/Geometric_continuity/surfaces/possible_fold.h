@@ -81,9 +81,7 @@ inline std::vector<Normal_number> binomials(int n) {
 }
 
 // Times 2 to the power of -k.
-inline Normal_number halved(const Normal_number& x, int k) {
-  return Normal_number(std::ldexp(x.inf(), -k), std::ldexp(x.sup(), -k));
-}
+inline Normal_number halved(const Normal_number& x, int k) { return x * Normal_number(std::ldexp(1, -k)); }
 
 // The normals of one Bezier patch as a polynomial, whose rectangle is halved. Points are homogeneous, with the weights 1 where it is
 // polynomial.
