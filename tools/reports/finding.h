@@ -39,6 +39,11 @@ inline std::string rule_id(Finding_rule rule) {
 // note: worth a word. warning: not decided, which is allowed. error: the requirement is not met, or it is not decided.
 enum class Finding_level { note, warning, error };
 
+// The name of a level, as compilers and SARIF have it.
+inline const char* level_name(Finding_level level) {
+  return level == Finding_level::error ? "error" : level == Finding_level::warning ? "warning" : "note";
+}
+
 // What is wrong, or could not be told, at one place of a file. All texts may hold any bytes.
 struct Finding {
   std::string file;   // as it is named in messages

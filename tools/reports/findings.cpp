@@ -21,13 +21,11 @@ class Finding_lines : public Report::Writer {
 public:
   void row(const std::string&, const std::string&, const std::string&) override {}
   void find(const Finding& f) override {
-    const char* const level = f.level == Finding_level::error     ? "error"
-                              : f.level == Finding_level::warning ? "warning"
-                                                                  : "note";
-    lines_.write(within_columns(
-        CGAL::Geometric_continuity::printable(f.file + (f.line > 0 ? ':' + std::to_string(f.line) : "") + ": " + level +
-                                              ": " + f.place + ": " + f.message + " [" + rule_id(f.rule) + ']') +
-        '\n'));
+    lines_.write(
+        within_columns(CGAL::Geometric_continuity::printable(f.file + (f.line > 0 ? ':' + std::to_string(f.line) : "") +
+                                                             ": " + level_name(f.level) + ": " + f.place + ": " +
+                                                             f.message + " [" + rule_id(f.rule) + ']') +
+                       '\n'));
   }
   void pass(const std::string&, std::size_t) override {}
   void print(std::ostream& os, const std::string& summary, const Conclusion& end) override {
@@ -42,11 +40,8 @@ class Finding_objects : public Report::Writer {
 public:
   void row(const std::string&, const std::string&, const std::string&) override {}
   void find(const Finding& f) override {
-    const char* const level = f.level == Finding_level::error     ? "error"
-                              : f.level == Finding_level::warning ? "warning"
-                                                                  : "note";
     objects_.write((objects_.size() == 0 ? "\n  {\"rule\":\"" : ",\n  {\"rule\":\"") + std::string(rule_id(f.rule)) +
-                   "\",\"level\":\"" + level + "\",\"file\":" + json_text(f.file) +
+                   "\",\"level\":\"" + level_name(f.level) + "\",\"file\":" + json_text(f.file) +
                    ",\"line\":" + (f.line > 0 ? std::to_string(f.line) : "null") + ",\"place\":" + json_text(f.place) +
                    ",\"message\":" + json_text(f.message) + ",\"fingerprint\":\"" + f.fingerprint + '"' +
                    (f.properties.empty() ? "" : ",\"properties\":{" + f.properties + '}') + '}');

@@ -86,9 +86,7 @@ public:
     const std::size_t rule = static_cast<std::size_t>(f.rule);
     std::string result = results_.size() == 0 ? "\n  {\"ruleId\":\"" : ",\n  {\"ruleId\":\"";
     ((result += rule_id(f.rule)) += "\",\"ruleIndex\":") += std::to_string(rule);
-    (result += ",\"level\":\"") += f.level == Finding_level::error     ? "error"
-                                   : f.level == Finding_level::warning ? "warning"
-                                                                       : "note";
+    (result += ",\"level\":\"") += level_name(f.level);
     (result += "\",\"message\":") += json_message(f.place + ": " + f.message);
     (result += ",\n   \"locations\":[{\"physicalLocation\":{\"artifactLocation\":") += json_location(f.file);
     result += ",\"region\":{\"startLine\":" + std::to_string(f.line > 0 ? f.line : 1) +
