@@ -7,6 +7,7 @@
 #include "Request.h"
 #include "array_joins.h"
 #include "call.h"
+#include "commands/blends/named_strategies.h"
 
 #include <CGAL/Geometric_continuity/IO/json.h>
 
@@ -124,22 +125,8 @@ template <class Function> void with_strategy(std::string_view name, const Blend_
     return f(GC::Given_end_parameters<Exact>{{x[0], x[1], x[2]}, {x[3], x[4], x[5]}});
   }
   options.check(0, "");
-  if (name == "c2") return f(GC::Matching_second_derivative());
-  if (name == "normal") return f(GC::Normal_offset());
-  if (name == "min_second") return f(GC::Minimal_second_derivative());
-  if (name == "near_line") return f(GC::Near_line());
-  if (name == "energy2") return f(GC::Minimal_energy<2>());
-  if (name == "energy3") return f(GC::Minimal_energy<3>());
-  if (name == "fair") return f(GC::Fair());
-  if (name == "c3") return f(GC::Matching_third_derivative());
-  if (name == "seq_g3") return f(GC::Sequential_g3());
-  if (name == "seq_f3") return f(GC::Sequential_f3());
-  if (name == "joint_g3") return f(GC::Joint_g3());
-  if (name == "energy3_g3") return f(GC::Minimal_energy_g3<3>());
-  if (name == "energy4_g3") return f(GC::Minimal_energy_g3<4>());
-  if (name == "fair_g3") return f(GC::Fair_g3());
-  if (name == "fair_f3") return f(GC::Fair_f3());
-  throw GC::Error(GC::Error_code::malformed_input, "blend: there is no strategy \"" + std::string(name) + '"');
+  if (!with_named_strategy(quintic_strategies, name, f) && !with_named_strategy(septic_strategies, name, f))
+    throw GC::Error(GC::Error_code::malformed_input, "blend: there is no strategy \"" + std::string(name) + '"');
 }
 
 void write_finite(std::ostream& os, double x) {

@@ -7,6 +7,7 @@ from typing import Any, Dict, Iterator, Optional, Tuple
 import numpy
 
 uses_gmp: bool
+strategies: Tuple[str, ...]
 
 class Enclosure:
     lower: float

@@ -16,8 +16,7 @@ import numpy
 
 from . import _native
 
-STRATEGIES = ("c2", "normal", "min_second", "near_line", "energy2", "energy3", "fair", "c3", "seq_g3", "seq_f3", "joint_g3",
-              "energy3_g3", "energy4_g3", "fair_g3", "fair_f3", "free")
+STRATEGIES = _native.strategies
 """The names of the strategies of `blend`: to "fair" of degree 5, from "c3" on of degree 7."""
 
 

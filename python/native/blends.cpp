@@ -3,8 +3,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
 #include "arrays.h"
+#include "commands/blends/named_strategies.h"
 
-#include <CGAL/Geometric_continuity/blends/Fair.h>
 #include <CGAL/Geometric_continuity/blends/blend.h>
 #include <CGAL/Geometric_continuity/blends/representable_blend.h>
 #include <CGAL/Geometric_continuity/repairs/round_corners.h>
@@ -12,26 +12,6 @@
 #include <algorithm>
 
 namespace {
-
-// The strategies that need no numbers, by the names that the program has for them.
-template <class Function> auto with_strategy(const std::string& name, const std::string& place, Function f) {
-  if (name == "c2") return f(GC::Matching_second_derivative());
-  if (name == "normal") return f(GC::Normal_offset());
-  if (name == "min_second") return f(GC::Minimal_second_derivative());
-  if (name == "near_line") return f(GC::Near_line());
-  if (name == "energy2") return f(GC::Minimal_energy<2>());
-  if (name == "energy3") return f(GC::Minimal_energy<3>());
-  if (name == "fair") return f(GC::Fair());
-  if (name == "c3") return f(GC::Matching_third_derivative());
-  if (name == "seq_g3") return f(GC::Sequential_g3());
-  if (name == "seq_f3") return f(GC::Sequential_f3());
-  if (name == "joint_g3") return f(GC::Joint_g3());
-  if (name == "energy3_g3") return f(GC::Minimal_energy_g3<3>());
-  if (name == "energy4_g3") return f(GC::Minimal_energy_g3<4>());
-  if (name == "fair_g3") return f(GC::Fair_g3());
-  if (name == "fair_f3") return f(GC::Fair_f3());
-  throw GC::Error(GC::Error_code::parameter_outside_domain, place + ": there is no strategy '" + name + "'");
-}
 
 template <class Blend> void add_report(const Blend&, Blend_numbers&) {}
 template <class Blend, class Report>
@@ -71,7 +51,14 @@ Blend_numbers blend_in(const Numbers& left, const Numbers& right, const std::str
     if (eta) shape.eta = converted<FT>(*eta);
     return numbers_of<Traits>(GC::blend(phi, psi, chosen, shape));
   };
-  if (strategy != "free") return with_strategy(strategy, "blend", blend);
+  if (strategy != "free") {
+    Blend_numbers r;
+    const auto keep = [&](const auto& chosen) { r = blend(chosen); };
+    if (!with_named_strategy(quintic_strategies, strategy, keep) &&
+        !with_named_strategy(septic_strategies, strategy, keep))
+      throw GC::Error(GC::Error_code::parameter_outside_domain, "blend: there is no strategy '" + strategy + "'");
+    return r;
+  }
   const auto x = [&](std::size_t i) { return number<FT>(parameters, i); };
   if (parameters.size() == 2) return blend(GC::Given_parameters<FT>{x(0), x(1)});
   if (parameters.size() == 6) return blend(GC::Given_end_parameters<FT>{{x(0), x(1), x(2)}, {x(3), x(4), x(5)}});
@@ -96,6 +83,13 @@ Corner_numbers round_in(const Numbers& left, const Numbers& right, double distan
 }
 
 } // namespace
+
+std::vector<std::string> strategy_names() {
+  std::vector<std::string> names = names_of(quintic_strategies);
+  for (const std::string& name : names_of(septic_strategies)) names.push_back(name);
+  names.push_back("free");
+  return names;
+}
 
 Blend_numbers blend(const Numbers& left, const Numbers& right, const std::string& strategy,
                     const std::optional<Exact>& beta, const std::optional<Exact>& eta, const Numbers& parameters,

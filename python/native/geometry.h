@@ -76,6 +76,9 @@ std::vector<std::ptrdiff_t> failing_joins(const Curves_view& curves, const std::
 std::vector<std::ptrdiff_t> failing_joins(const Numbers& curves, const std::string& order, bool closed,
                                           const std::function<void()>& pause);
 
+// Of blends: those of degree 5, those of degree 7, and free.
+std::vector<std::string> strategy_names();
+
 struct Blend_numbers {
   Numbers points; // of the blend
   Exact beta, eta;

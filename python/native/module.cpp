@@ -412,6 +412,7 @@ PYBIND11_MODULE(_native, m) {
     return pair(GC::align_handle({handle.first, handle.second}, {direction.first, direction.second}));
   });
   m.def("failing_joins", failing_joins_of);
+  m.attr("strategies") = py::tuple(py::cast(strategy_names()));
   m.def("blend",
         [](const py::object& left, const py::object& right, const std::string& strategy, const py::object& beta,
            const py::object& eta, const py::object& parameters, const std::optional<bool>& exact) {

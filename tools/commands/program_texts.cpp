@@ -34,8 +34,8 @@ void write_block(std::ostream& os, const std::string& text) { os << ".nf\n" << t
 
 // The options whose values are words, by their names.
 std::map<std::string, Arguments> option_words() {
-  Arguments strategies = quintic_names;
-  strategies.insert(strategies.end(), septic_names.begin(), septic_names.end());
+  Arguments strategies = quintic_names();
+  for (const std::string& name : septic_names()) strategies.push_back(name);
   strategies.insert(strategies.end(), {"free", "all"});
   return {{"strategy", strategies},
           {"kernel", {"exact", "double"}},

@@ -6,6 +6,7 @@
 #include "commands/blends/blend_strategies.h"
 #include "commands/blends/blend_surfaces.h"
 #include "commands/blends/round_corners.h"
+#include "commands/blends/strategy_names.h"
 #include "commands/command_line.h"
 #include "commands/work_limit.h"
 #include "files/output.h"
@@ -201,7 +202,7 @@ Arguments chosen_strategies(const Command_line& line, const Arguments& names, co
 // Blends by the strategies that are asked for, prints a table and writes the files.
 template <class FT> int blend(const Command_line& line) {
   const int order = line.integer("order", 2, 3);
-  const Arguments& names = order == 2 ? quintic_names : septic_names;
+  const Arguments names = order == 2 ? quintic_names() : septic_names();
   const Arguments chosen = chosen_strategies(line, names, order == 2 ? "energy3" : "energy4_g3");
   check_parameters(line, order, chosen.front() == "free");
 
@@ -314,5 +315,8 @@ int run_blend(const Command_line& line) {
 }
 
 } // namespace
+
+Arguments quintic_names() { return names_of(quintic_strategies); }
+Arguments septic_names() { return names_of(septic_strategies); }
 
 const Command blend_command{"blend", blend_usage, describe_blend, run_blend};

@@ -5,13 +5,11 @@
 #ifndef GEOMETRIC_CONTINUITY_TOOLS_COMMANDS_BLENDS_BLEND_STRATEGIES_H
 #define GEOMETRIC_CONTINUITY_TOOLS_COMMANDS_BLENDS_BLEND_STRATEGIES_H
 
-#include "commands/blends/strategy_names.h"
+#include "commands/blends/named_strategies.h"
 #include "commands/chains/join_report.h"
 #include "commands/command_line.h"
 #include "formats/g2_text/curves.h"
 
-#include <CGAL/Geometric_continuity/blends/Fair.h>
-#include <CGAL/Geometric_continuity/blends/blend_strategies.h>
 #include <CGAL/Geometric_continuity/blends/representable_blend.h>
 
 #include <algorithm>
@@ -119,26 +117,15 @@ public:
   }
 
   Blend_result<FT> quintic(const std::string& name) const {
-    if (name == "c2") return blend(name, GC::Matching_second_derivative());
-    if (name == "normal") return blend(name, GC::Normal_offset());
-    if (name == "min_second") return blend(name, GC::Minimal_second_derivative());
-    if (name == "near_line") return blend(name, GC::Near_line());
-    if (name == "energy2") return blend(name, GC::Minimal_energy<2>());
-    if (name == "energy3") return blend(name, GC::Minimal_energy<3>());
-    if (name == "fair") return blend(name, GC::Fair());
+    std::optional<Blend_result<FT>> r;
+    if (with_named_strategy(quintic_strategies, name, [&](const auto& chosen) { r = blend(name, chosen); })) return *r;
     if (!line_.has("s1") || !line_.has("s2")) throw std::invalid_argument("--strategy free needs --s1 and --s2");
     return blend(name, GC::Given_parameters<FT>{line_.number("s1", FT(0)), line_.number("s2", FT(0))});
   }
 
   Blend_result<FT> septic(const std::string& name) const {
-    if (name == "c3") return blend(name, GC::Matching_third_derivative());
-    if (name == "seq_g3") return blend(name, GC::Sequential_g3());
-    if (name == "seq_f3") return blend(name, GC::Sequential_f3());
-    if (name == "joint_g3") return blend(name, GC::Joint_g3());
-    if (name == "energy3_g3") return blend(name, GC::Minimal_energy_g3<3>());
-    if (name == "energy4_g3") return blend(name, GC::Minimal_energy_g3<4>());
-    if (name == "fair_g3") return blend(name, GC::Fair_g3());
-    if (name == "fair_f3") return blend(name, GC::Fair_f3());
+    std::optional<Blend_result<FT>> r;
+    if (with_named_strategy(septic_strategies, name, [&](const auto& chosen) { r = blend(name, chosen); })) return *r;
     return blend(name,
                  GC::Given_end_parameters<FT>{end_parameters<FT>(line_, "start"), end_parameters<FT>(line_, "end")});
   }

@@ -20,6 +20,7 @@
 #include <istream>
 #include <stdexcept>
 #include <string>
+#include <tuple>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -162,27 +163,21 @@ template <class Strategy> Exit_code blend_by(const Command_line& line, const Str
   return code;
 }
 
-Exit_code quintic(const Command_line& line) {
-  const std::string name = line.has("strategy") ? line.choice("strategy", quintic_names) : "energy3";
-  if (name == "c2") return blend_by(line, GC::Matching_second_derivative());
-  if (name == "normal") return blend_by(line, GC::Normal_offset());
-  if (name == "min_second") return blend_by(line, GC::Minimal_second_derivative());
-  if (name == "near_line") return blend_by(line, GC::Near_line());
-  if (name == "energy2") return blend_by(line, GC::Minimal_energy<2>());
-  if (name == "fair") return blend_by(line, GC::Fair());
-  return blend_by(line, GC::Minimal_energy<3>());
-}
-
-// Strategies for F3 are none for surfaces.
-Exit_code septic(const Command_line& line) {
-  const Arguments names = {"c3", "seq_g3", "joint_g3", "energy3_g3", "energy4_g3", "fair_g3"};
-  const std::string name = line.has("strategy") ? line.choice("strategy", names) : "energy4_g3";
-  if (name == "c3") return blend_by(line, GC::Matching_third_derivative());
-  if (name == "seq_g3") return blend_by(line, GC::Sequential_g3());
-  if (name == "joint_g3") return blend_by(line, GC::Joint_g3());
-  if (name == "energy3_g3") return blend_by(line, GC::Minimal_energy_g3<3>());
-  if (name == "fair_g3") return blend_by(line, GC::Fair_g3());
-  return blend_by(line, GC::Minimal_energy_g3<4>());
+// Blends by the strategy of --strategy, one of a table but for those for F3, which are none for surfaces.
+template <class Table>
+Exit_code blend_by_name(const Command_line& line, const Table& strategies, const std::string& by_default) {
+  const auto of_surfaces = [](const auto& s) {
+    typedef typename std::decay_t<decltype(s)>::Strategy Strategy;
+    if constexpr (std::is_same_v<Strategy, GC::Sequential_f3> || std::is_same_v<Strategy, GC::Fair_f3>)
+      return std::make_tuple();
+    else
+      return std::make_tuple(s);
+  };
+  const auto chosen = std::apply([&](const auto&... s) { return std::tuple_cat(of_surfaces(s)...); }, strategies);
+  Exit_code code = bad_input;
+  with_named_strategy(chosen, line.has("strategy") ? line.choice("strategy", names_of(chosen)) : by_default,
+                      [&](const auto& strategy) { code = blend_by(line, strategy); });
+  return code;
 }
 
 } // namespace
@@ -190,7 +185,7 @@ Exit_code septic(const Command_line& line) {
 Exit_code blend_surfaces(const Command_line& line) {
   if (line.files().size() != 2) throw std::invalid_argument("blend --surfaces: two files are needed; see --help");
   const GC::Work_scope each(line.work_limit());
-  if (line.integer("order", 2, 3) == 2) return quintic(line);
+  if (line.integer("order", 2, 3) == 2) return blend_by_name(line, quintic_strategies, "energy3");
   if (line.has("representable")) throw std::invalid_argument("--representable: blends of order 2 only");
-  return septic(line);
+  return blend_by_name(line, septic_strategies, "energy4_g3");
 }
