@@ -25,6 +25,9 @@ namespace {
 
 typedef GC::Edge_function<Q> Function;
 typedef GC::Surface_blend_shape<Q> Shape;
+template <class Shape> using Septic = GC::Septic_surface_blend_shape<Shape>;
+template <class Shape> struct Order { static constexpr int value = 2; };
+template <class Shape> struct Order<Septic<Shape>> { static constexpr int value = 3; };
 
 struct Numbers : Random_surfaces {
   Function function(const Q& size, int least) {
@@ -34,7 +37,7 @@ struct Numbers : Random_surfaces {
   }
   template <class Shape> Shape shape() {
     Shape shape;
-    constexpr bool rational = std::is_same_v<Shape, GC::Rational_surface_blend_shape<Q>>;
+    constexpr bool rational = std::is_base_of_v<GC::Rational_edge_reparametrisation<Q>, decltype(Shape::start)>;
     const Q size = rational ? fraction(1, 1000) : Q(1); // so that the denominator stays positive
     for (auto* end : {&shape.start, &shape.end}) {
       for (Function* f : {&end->alpha, &end->alpha2, &end->delta}) *f = function(size, -99);
@@ -43,6 +46,8 @@ struct Numbers : Random_surfaces {
         end->lambda1 = function(size, -99);
         end->lambda2 = function(size, -99);
       }
+      if constexpr (Order<Shape>::value == 3)
+        for (Function* f : {&end->alpha3, &end->delta3, &end->lambda3}) *f = function(size, -99);
     }
     if constexpr (rational) shape.end.lambda = fraction(3, 2);
     return shape;
@@ -58,11 +63,15 @@ template <class Side, class Surface> Side beyond(const Surface& blend, Patch_edg
 
 template <class Vector> void move(Vector& x) { x[2] += Q(1) / Q(1 << 30); }
 
-template <class A, class B> void check_sides(Numbers& random) {
+// The order along a whole edge, up to that of the blend.
+template <int order, class A, class B> int contact(const A& a, Patch_edge ea, const B& b, Patch_edge eb) {
+  const int g = whole_edge_order(a, ea, b, eb);
+  return order == 3 && g == 2 && is_g3_edge(a, ea, b, eb) ? 3 : g;
+}
+
+template <class Given, class A, class B> void check_sides(Numbers& random, const A& a, const B& b) {
   typedef GC::Side_of_blend<A, B> Side;
-  typedef GC::Blend_surface_shape<A, B> Given;
-  const A a = random.surface<A>();
-  const B b = random.surface<B>();
+  constexpr int order = Order<Given>::value, last = 2 * order + 1;
   const Patch_edge ea = random.edge(), eb = random.edge();
   const Edge_direction direction = random.direction();
   const auto shape = [&](const std::optional<Side>& at_start, const std::optional<Side>& at_end) {
@@ -72,8 +81,8 @@ template <class A, class B> void check_sides(Numbers& random) {
   const Side start = beyond<Side>(other, u0), end = beyond<Side>(other, u1);
   const auto s = blend(a, ea, b, eb, shape(start, end), direction);
   BOOST_CHECK(s != other);
-  BOOST_CHECK_EQUAL(whole_edge_order(a, ea, s, v0), 2);
-  BOOST_CHECK_EQUAL(whole_edge_order(s, v1, b, eb), 2);
+  BOOST_CHECK_EQUAL(contact<order>(a, ea, s, v0), order);
+  BOOST_CHECK_EQUAL(contact<order>(s, v1, b, eb), order);
   for (Patch_edge edge : {u0, u1}) {
     const Side is = beyond<Side>(s, edge), &is_asked = edge == u0 ? start : end;
     BOOST_CHECK(is.curve == is_asked.curve);
@@ -82,8 +91,8 @@ template <class A, class B> void check_sides(Numbers& random) {
   // the curves only; and one
   const auto curves = blend(a, ea, b, eb, shape(start.curve_only(), end.curve_only()), direction);
   BOOST_CHECK(Side(curves, u0).curve == start.curve && Side(curves, u1).curve == end.curve);
-  BOOST_CHECK_EQUAL(whole_edge_order(a, ea, curves, v0), 2);
-  BOOST_CHECK_EQUAL(whole_edge_order(curves, v1, b, eb), 2);
+  BOOST_CHECK_EQUAL(contact<order>(a, ea, curves, v0), order);
+  BOOST_CHECK_EQUAL(contact<order>(curves, v1, b, eb), order);
   BOOST_CHECK(Side(blend(a, ea, b, eb, shape(std::nullopt, end), direction), u1).curve == end.curve);
   // what does not fit is refused, by name
   const auto refused = [&](bool upper, int point, int derivative, const std::string& text) {
@@ -96,24 +105,52 @@ template <class A, class B> void check_sides(Numbers& random) {
   const std::string first = ", the edge " + to_string(ea) + " of the first surface: ",
                     second = ", the edge " + to_string(eb) + " of the second surface: ";
   refused(false, 0, -1, "u = 0" + first + "the side curve does not end at the corner");
-  refused(true, 5, -1, "u = 1" + second + "the side curve does not end at the corner");
+  refused(true, last, -1, "u = 1" + second + "the side curve does not end at the corner");
   refused(false, 1, -1, "incompatible_corner: blend sides: u = 0" + first + "S_v: ");
-  refused(true, 4, -1, "incompatible_corner: blend sides: u = 1" + second + "S_v: ");
+  refused(true, last - 1, -1, "incompatible_corner: blend sides: u = 1" + second + "S_v: ");
   refused(false, 2, -1, "incompatible_corner: blend sides: u = 0" + first + "S_vv: ");
-  refused(true, 3, -1, "incompatible_corner: blend sides: u = 1" + second + "S_vv: ");
+  refused(true, last - 2, -1, "incompatible_corner: blend sides: u = 1" + second + "S_vv: ");
   refused(false, -1, 0, "incompatible_corner: blend sides: u = 0" + first + "S_u: ");
-  refused(true, -1, 5, "incompatible_corner: blend sides: u = 1" + second + "S_u: ");
+  refused(true, -1, last, "incompatible_corner: blend sides: u = 1" + second + "S_u: ");
   refused(false, -1, 1, "incompatible_corner: blend sides: u = 0" + first + "S_uv: ");
-  refused(true, -1, 4, "incompatible_corner: blend sides: u = 1" + second + "S_uv: ");
+  refused(true, -1, last - 1, "incompatible_corner: blend sides: u = 1" + second + "S_uv: ");
   refused(false, -1, 2, "incompatible_corner: blend sides: u = 0" + first + "S_uvv: ");
-  refused(true, -1, 3, "incompatible_corner: blend sides: u = 1" + second + "S_uvv: ");
+  refused(true, -1, last - 2, "incompatible_corner: blend sides: u = 1" + second + "S_uvv: ");
+  if constexpr (order == 2) return;
+  refused(false, 3, -1, "incompatible_corner: blend sides: u = 0" + first + "S_vvv: ");
+  refused(true, last - 3, -1, "incompatible_corner: blend sides: u = 1" + second + "S_vvv: ");
+  refused(false, -1, 3, "incompatible_corner: blend sides: u = 0" + first + "S_uvvv: ");
+  refused(true, -1, last - 3, "incompatible_corner: blend sides: u = 1" + second + "S_uvvv: ");
 }
 
 } // namespace
 
 BOOST_AUTO_TEST_CASE_TEMPLATE(all_types, A, Surface_types) {
   Numbers random;
-  for_each_surface_type([&](auto b) { check_sides<A, typename decltype(b)::type>(random); });
+  for_each_surface_type([&](auto b) {
+    typedef typename decltype(b)::type B;
+    const A a = random.surface<A>();
+    check_sides<GC::Blend_surface_shape<A, B>>(random, a, random.surface<B>());
+  });
+}
+
+// Also lambda_3 of polynomial surfaces is random: it means nothing.
+BOOST_AUTO_TEST_CASE(of_degree_7) {
+  Numbers random;
+  const auto check = [&](const auto& a, const auto& b) {
+    typedef GC::Blend_surface_shape<std::decay_t<decltype(a)>, std::decay_t<decltype(b)>> Of_degree_5;
+    check_sides<Septic<Of_degree_5>>(random, a, b);
+  };
+  for (int i = 0; i < 3; ++i) {
+    check(random.surface<Bezier<Exact>>(), random.surface<Bezier<Exact>>());
+    check(random.surface<Patch<Exact>>(), random.surface<Bezier<Exact>>());
+    check(random.surface<Patch<Exact>>(), random.surface<Patch<Exact>>());
+  }
+  // over knots across which third derivatives, and those along the edge, do not jump
+  const Knots u(5, Q(-1), Q(2), {{fraction(1, 3), 1}}), v(5, Q(0), Q(1), {{fraction(2, 7), 1}, {fraction(1, 2), 1}});
+  const Bspline<Exact> spline(random.net(7, 8), u, v);
+  check(spline, random.surface<Bezier<Exact>>());
+  check(Spline<Exact>(random.net(7, 8), random.weights(7, 8), u, v), spline);
 }
 
 // The blends of both parts of two surfaces meet: along a curve, and with a common tangent plane where the parts go on smoothly.
@@ -203,6 +240,20 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(neighbours, Traits, All_traits) {
                     "not cross the edge");
   BOOST_CHECK_EQUAL(text(curve({7, P(0, 4, 0)})),
                     "wrong_number_of_points: blend sides: u = 0, the curve: the degree must be at most 5, it is 6");
+  typedef Septic<GC::Surface_blend_shape<FT>> Order_3;
+  const S s7 = blend(a, v1, b, v0,
+                     surface_shape_with_sides(a, v1, b, v0, Edge_direction::same, Order_3(), std::optional<Side>(side),
+                                              std::optional<Side>()));
+  BOOST_CHECK(Side(s7, u0).curve == Side(neighbour.elevate(0, 6), u1).curve);
+  if constexpr (!std::is_floating_point_v<FT>) {
+    BOOST_CHECK_EQUAL(whole_edge_order(s7, u0, neighbour, u1), 1);
+    BOOST_CHECK(is_g3_edge(a, v1, s7, v0) && is_g3_edge(s7, v1, b, v0));
+  }
+  BOOST_CHECK_EQUAL(error_of([&] {
+                      surface_shape_with_sides(a, v1, b, v0, Edge_direction::same, Order_3(),
+                                               std::optional<Side>(curve({9, P(0, 4, 0)})), std::optional<Side>());
+                    }),
+                    "wrong_number_of_points: blend sides: u = 0, the curve: the degree must be at most 7, it is 8");
   const S pole({{P(0, 0, 0), P(0, 4, 0)}, {P(8, 0, 0), P(0, 4, 0)}});
   CHECK_ERROR(surface_shape_with_sides(pole, v1, b, v0, Edge_direction::same, GC::Surface_blend_shape<FT>(),
                                        std::optional<Side>(side), std::optional<Side>()),

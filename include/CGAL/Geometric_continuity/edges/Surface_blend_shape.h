@@ -100,9 +100,10 @@ template <class Reparametrisation> struct Septic_edge_reparametrisation : Repara
   typedef typename Reparametrisation::FT FT;             ///< the number type
   typedef typename Reparametrisation::Function Function; ///< of the parameter along the edge
 
-  Function alpha3 = Function{FT(0)};  ///< the third derivative along the edge
-  Function delta3 = Function{FT(0)};  ///< the third derivative across the edge
-  Function lambda3 = Function{FT(0)}; ///< the third derivative of the factor of a rational surface across the edge
+  Function alpha3 = Function{FT(0)}; ///< the third derivative along the edge
+  Function delta3 = Function{FT(0)}; ///< the third derivative across the edge
+  Function lambda3 = Function{
+      FT(0)}; ///< the third derivative of the factor of a rational surface across the edge; not used for others
 
   /// Sets \f$ \beta \f$ to 1 and all others to 0.
   Septic_edge_reparametrisation() = default;

@@ -34,18 +34,19 @@
 /// curvature of the surface in its direction; then the values of the functions are the coordinates with respect to \f$ C', T \f$ of what
 /// it leaves. Derivatives with respect to `u` of these equations give the slopes of the functions, where \f$ S_u \f$ is given along the side.
 /// Both ends together determine a side curve and a derivative of degree 5 as a whole. Homogeneous points have the vectors
-/// \f$ C', T, C \f$ and the functions \f$ \lambda_1, \lambda_2 \f$ as well.
+/// \f$ C', T, C \f$ and the functions \f$ \lambda_1, \lambda_2 \f$ as well. Of a blend of degree 7 the side curve must have the third
+/// derivative of the surface, too, and the same follows for \f$ \alpha_3, \delta_3, \lambda_3 \f$.
 
 namespace CGAL {
 namespace Geometric_continuity {
 
 /// \ingroup PkgGeometricContinuityConstruction
-/// What a side edge of a blend surface of degree 5 is to be, from the first surface to the second.
+/// What a side edge of a blend surface of degree 5 or 7 is to be, from the first surface to the second.
 /// \tparam Traits_ the traits class of the points; for a blend with a rational surface `Homogeneous_traits` of it
 template <class Traits_> struct Blend_side {
   typedef Traits_ Traits;                       ///< the traits class of the points
   typedef typename Traits::FT FT;               ///< the field
-  typedef std::vector<Coordinates<Traits>> Row; ///< Bernstein coefficients, at most 6
+  typedef std::vector<Coordinates<Traits>> Row; ///< Bernstein coefficients, at most 6 or 8
 
   Row curve; ///< the side curve on [0, 1]
   Row cross; ///< the derivative across it, out of the blend, up to a positive factor that is linear along the side; or none
@@ -132,35 +133,56 @@ Edge_function<FT> interpolating_function(const Edge_end_value<FT>& start, const 
                               {start.value, next, next, last, last, end.value});
 }
 
+// A number and its derivative along the edge.
+template <class FT> struct Number_and_slope {
+  FT value, slope;
+
+  friend Number_and_slope operator*(const Number_and_slope& x, const Number_and_slope& y) {
+    return {FT(x.value * y.value), FT(x.value * y.slope + x.slope * y.value)};
+  }
+  friend Number_and_slope operator*(int x, const Number_and_slope& y) {
+    return {FT(FT(x) * y.value), FT(FT(x) * y.slope)};
+  }
+  friend Number_and_slope operator+(const Number_and_slope& x, const Number_and_slope& y) {
+    return {FT(x.value + y.value), FT(x.slope + y.slope)};
+  }
+  friend Number_and_slope operator-(const Number_and_slope& x, const Number_and_slope& y) {
+    return {FT(x.value - y.value), FT(x.slope - y.slope)};
+  }
+};
+
 // The corner of a blend at the end of an edge. The vectors C', T and for homogeneous points C are those with respect to which all that is
-// free has coordinates.
-template <bool is_rational, class FT, int N> class Side_corner {
+// free has coordinates. `order` is that of the blend.
+template <bool is_rational, class FT, int N, int order> class Side_corner {
   typedef Coordinate_vector<FT, N> Vector;
+  typedef Number_and_slope<FT> Number;
   static constexpr std::size_t k = is_rational ? 3 : 2;
-  typedef std::array<FT, k> Free;
+  typedef std::array<Number, k> Free;
 
   std::string name_;
-  std::vector<Vector> c_, t_, w_; // with their derivatives along the edge
-  FT size_;                       // of numbers, for those that are rounded
+  std::vector<Vector> c_, t_, w_, x_; // with their derivatives along the edge
+  std::array<Free, order> free_{};
 
 public:
-  // Of C', T, C in S_v and S_vv, and the slopes of these numbers.
-  Free first, second;
-  std::optional<Free> first_slope, second_slope;
+  bool has_slopes = false;
 
   Side_corner(const Blend_end<FT, N>& end, bool upper, std::string name) : name_(std::move(name)) {
-    const auto derivatives = [&](const typename Blend_end<FT, N>::Row& row, int order) {
+    const auto derivatives = [&](const typename Blend_end<FT, N>::Row& row, int n) {
       const Edge_spline<FT, N> f = end.spline(row);
-      return upper ? f.left_derivatives(f.domain().second, order) : f.right_derivatives(f.domain().first, order);
+      return upper ? f.left_derivatives(f.domain().second, n) : f.right_derivatives(f.domain().first, n);
     };
-    c_ = derivatives(end.edge, 3);
-    t_ = derivatives(end.cross, 2);
-    w_ = derivatives(end.second_cross, 1);
+    c_ = derivatives(end.edge, order + 1);
+    t_ = derivatives(end.cross, order);
+    w_ = derivatives(end.second_cross, order - 1);
+    if constexpr (order == 3) x_ = derivatives(end.third_cross, 1);
   }
+
+  // Of C', T, C in the derivative of the order n across the edge; 0 where it is higher than that of the blend, or not rational.
+  Number free(int n, std::size_t i) const { return i < k ? free_[n - 1][i] : Number{FT(0), FT(0)}; }
 
   const Vector& point() const { return c_[0]; }
   void scale(const FT& factor) {
-    for (std::vector<Vector>* v : {&c_, &t_, &w_})
+    for (std::vector<Vector>* v : {&c_, &t_, &w_, &x_})
       for (Vector& x : *v) x *= factor;
   }
 
@@ -181,33 +203,66 @@ public:
   }
 
   // From the derivatives of the side curve.
-  void take_curve(const std::array<Vector, 3>& g) {
+  void take_curve(const std::array<Vector, order + 1>& g) {
+    static constexpr const char* conditions[] = {
+        "S_v: the side curve does not run in the tangent plane of the surface",
+        "S_vv: the side curve does not have the curvature of the surface",
+        "S_vvv: the side curve does not have the third derivative of the surface"};
     check_point(g[0]);
-    first = coordinates(g[1], "S_v: the side curve does not run in the tangent plane of the surface");
-    const FT &alpha = first[0], &beta = first[1];
-    if (!(FT(0) < beta)) refuse(Error_code::nonpositive_beta, "S_v: the side curve does not cross the edge");
-    second = coordinates(g[2] - FT(alpha * alpha) * c_[2] - FT(FT(2) * alpha * beta) * t_[1] - FT(beta * beta) * w_[0],
-                         "S_vv: the side curve does not have the curvature of the surface");
+    for (int n = 1; n <= order; ++n) {
+      Vector x = g[n];
+      for (const Term& term : terms(n)) x -= term.factor.value * *term.row;
+      const std::array<FT, k> values = coordinates(x, conditions[n - 1]);
+      for (std::size_t i = 0; i < k; ++i) free_[n - 1][i].value = values[i];
+      if (n == 1 && !(FT(0) < values[1]))
+        refuse(Error_code::nonpositive_beta, "S_v: the side curve does not cross the edge");
+    }
   }
 
   // From the derivatives of S_u along the side.
-  void take_cross(const std::array<Vector, 3>& d) {
-    const FT &alpha = first[0], &beta = first[1];
-    Vector x = d[1] - alpha * c_[2] - beta * t_[1];
-    if constexpr (is_rational) x -= first[2] * c_[1];
-    first_slope = coordinates(x, "S_uv: what is given along the side contradicts the derivative across the edge");
-    const FT &alpha1 = (*first_slope)[0], &beta1 = (*first_slope)[1];
-    x = d[2] - FT(alpha * alpha) * c_[3] - FT(FT(2) * alpha * beta) * t_[2] - FT(beta * beta) * w_[1] -
-        second[0] * c_[2] - second[1] * t_[1] - FT(FT(2) * alpha * alpha1) * c_[2] -
-        FT(FT(2) * (alpha1 * beta + alpha * beta1)) * t_[1] - FT(FT(2) * beta * beta1) * w_[0];
-    if constexpr (is_rational) x -= second[2] * c_[1];
-    second_slope = coordinates(x, "S_uvv: what is given along the side contradicts the curvature along the edge");
+  void take_cross(const std::array<Vector, order + 1>& d) {
+    static constexpr const char* conditions[] = {
+        "S_uv: what is given along the side contradicts the derivative across the edge",
+        "S_uvv: what is given along the side contradicts the curvature along the edge",
+        "S_uvvv: what is given along the side contradicts the third derivative along the edge"};
+    const std::array<const Vector*, 3> slopes_of_basis = {&c_[2], &t_[1], &c_[1]};
+    for (int n = 1; n <= order; ++n) {
+      Vector x = d[n];
+      for (const Term& term : terms(n)) {
+        x -= term.factor.slope * term.row[0];
+        x -= term.factor.value * term.row[1];
+      }
+      for (std::size_t i = 0; i < k; ++i) x -= free_[n - 1][i].value * *slopes_of_basis[i];
+      const std::array<FT, k> slopes = coordinates(x, conditions[n - 1]);
+      for (std::size_t i = 0; i < k; ++i) free_[n - 1][i].slope = slopes[i];
+    }
+    has_slopes = true;
   }
 
   // Whether two vectors are equal; floating-point numbers up to rounding.
   bool agree(const Vector& x, const Vector& y) const { return is_small(x - y, {&x, &y}); }
 
 private:
+  struct Term {
+    Number factor;
+    const Vector* row; // followed by its derivative along the edge
+  };
+
+  // What the derivative of the order n across the edge is besides C', T and C. With c = lambda_1, and alpha_2 + 2 c alpha and
+  // delta + 2 c beta for the coordinates p, q of the second one, it is alpha^2 C'' + 2 alpha beta T' + beta^2 W, and of the third one
+  // alpha^3 C''' + 3 alpha^2 beta T'' + 3 alpha beta^2 W' + beta^3 X and
+  // 3 (alpha (p - c alpha) C'' + (alpha q + beta p - 2 c alpha beta) T' + beta (q - c beta) W).
+  std::vector<Term> terms(int n) const {
+    if (n == 1) return {};
+    const Number alpha = free(1, 0), beta = free(1, 1), c = free(1, 2);
+    if (n == 2) return {{alpha * alpha, &c_[2]}, {2 * alpha * beta, &t_[1]}, {beta * beta, &w_[0]}};
+    const Number p = free(2, 0), q = free(2, 1);
+    return {{alpha * alpha * alpha, &c_[3]},       {3 * alpha * alpha * beta, &t_[2]},
+            {3 * alpha * beta * beta, &w_[1]},     {beta * beta * beta, &x_[0]},
+            {3 * alpha * (p - c * alpha), &c_[2]}, {3 * (alpha * q + beta * p - 2 * c * alpha * beta), &t_[1]},
+            {3 * beta * (q - c * beta), &w_[0]}};
+  }
+
   static bool is_small(const Vector& x, const std::vector<const Vector*>& sizes) {
     if constexpr (!std::is_floating_point_v<FT>)
       return is_zero(x);
@@ -219,10 +274,10 @@ private:
     }
   }
 
-  Free coordinates(const Vector& x, const char* condition) const {
+  std::array<FT, k> coordinates(const Vector& x, const char* condition) const {
     std::array<const Vector*, 3> basis = {&c_[1], &t_[0], &c_[0]};
     std::array<std::array<FT, k>, k> a;
-    Free b;
+    std::array<FT, k> b;
     for (std::size_t i = 0; i < k; ++i) {
       b[i] = dot(*basis[i], x);
       for (std::size_t j = 0; j < k; ++j) a[i][j] = dot(*basis[i], *basis[j]);
@@ -232,7 +287,7 @@ private:
       determinant = a[2][2] * determinant - a[0][0] * a[1][2] * a[1][2] - a[1][1] * a[0][2] * a[0][2] +
                     FT(2) * a[0][1] * a[0][2] * a[1][2];
     if (!(FT(0) < determinant)) refuse(Error_code::singular_frame, "the normal of the surface vanishes");
-    const Free r = solve_positive_definite(a, b);
+    const std::array<FT, k> r = solve_positive_definite(a, b);
     Vector rest = x;
     for (std::size_t i = 0; i < k; ++i) rest -= r[i] * *basis[i];
     if (!is_small(rest, {&x, basis[0], basis[1], basis[2]})) refuse(Error_code::incompatible_corner, condition);
@@ -240,15 +295,18 @@ private:
   }
 };
 
-// The shape with sides, one after the other.
-template <class A, class B> class Shape_with_sides {
+// The shape with sides, one after the other. `order` is that of the blend.
+template <class A, class B, int order> class Shape_with_sides {
   typedef Blended_surfaces<A, B> Kind;
   typedef typename Kind::FT FT;
-  static constexpr int N = Kind::N;
+  static constexpr int N = Kind::N, degree = 2 * order + 1;
   typedef Coordinate_vector<FT, N> Vector;
+  typedef Number_and_slope<FT> Number;
   typedef typename Side_of_blend<A, B>::Row Row;
-  typedef Side_corner<Kind::is_rational, FT, N> Corner;
-  typedef Blend_surface_shape<A, B> Shape;
+  typedef Side_corner<Kind::is_rational, FT, N, order> Corner;
+  typedef std::conditional_t<order == 2, Blend_surface_shape<A, B>,
+                             Septic_surface_blend_shape<Blend_surface_shape<A, B>>>
+      Shape;
 
   const std::pair<typename Kind::End, typename Kind::End> ends_;
   const std::array<std::string, 2> edges_; // their names
@@ -259,10 +317,10 @@ template <class A, class B> class Shape_with_sides {
 public:
   Shape_with_sides(const A& a, Patch_edge edge_a, const B& b, Patch_edge edge_b, Edge_direction direction,
                    const Shape& shape)
-      : ends_(Kind::ends(a, edge_a, b, edge_b, direction)), edges_{"the edge " + to_string(edge_a) +
-                                                                       " of the first surface",
-                                                                   "the edge " + to_string(edge_b) +
-                                                                       " of the second surface"},
+      : ends_(Kind::ends(a, edge_a, b, edge_b, direction, order)), edges_{"the edge " + to_string(edge_a) +
+                                                                              " of the first surface",
+                                                                          "the edge " + to_string(edge_b) +
+                                                                              " of the second surface"},
         shape_(shape) {
     const std::pair<FT, FT> domain = ends_.first.knots.domain();
     length_ = FT(domain.second - domain.first);
@@ -328,65 +386,71 @@ private:
 
   static void elevate(Row& row, const std::string& place) {
     const int n = static_cast<int>(row.size()) - 1;
-    if (n < 0 || n > 5)
-      throw Error(Error_code::wrong_number_of_points,
-                  "blend sides: " + place + ": the degree must be at most 5, it is " + std::to_string(n));
-    row.resize(6, row[0]);
-    for (int i = n; i < 5; ++i) bernstein_elevate<FT>(row, i);
+    if (n < 0 || n > degree)
+      throw Error(Error_code::wrong_number_of_points, "blend sides: " + place + ": the degree must be at most " +
+                                                          std::to_string(degree) + ", it is " + std::to_string(n));
+    row.resize(degree + 1, row[0]);
+    for (int i = n; i < degree; ++i) bernstein_elevate<FT>(row, i);
   }
 
-  // At v = 0 or 1, of degree 5.
-  static std::array<Vector, 3> derivatives(const Row& b, int v) {
-    const Vector &x = b[v == 0 ? 0 : 5], &y = b[v == 0 ? 1 : 4], &z = b[v == 0 ? 2 : 3];
-    return {x, FT(v == 0 ? 5 : -5) * (y - x), FT(20) * (z - FT(2) * y + x)};
+  // At v = 0 or 1.
+  static std::array<Vector, order + 1> derivatives(Row b, int v) {
+    if (v == 1) std::reverse(b.begin(), b.end());
+    std::array<Vector, order + 1> d;
+    int factor = 1;
+    for (int n = 0; n <= order; ++n) {
+      d[n] = FT(factor) * b[0];
+      for (int i = 0; i < order - n; ++i) b[i] = b[i + 1] - b[i]; // differences
+      factor *= (v == 0 ? 1 : -1) * (degree - n);
+    }
+    return d;
   }
 
   template <class Reparametrisation>
   void assemble(Reparametrisation& r, const std::array<std::optional<Corner>, 2>& corners) const {
     if (!corners[0] && !corners[1]) return;
-    // the members of `values` belong to alpha, beta, lambda1 and alpha2, delta, lambda2
-    typedef std::array<Edge_end_value<FT>, 6> Values;
+    typedef typename Reparametrisation::Function Function;
+    // those that belong to C', T and C in the derivatives across the edge
+    std::array<std::array<Function*, 3>, order> functions{{{&r.alpha, &r.beta}, {&r.alpha2, &r.delta}}};
+    if constexpr (Kind::is_rational) {
+      functions[0][2] = &r.lambda1;
+      functions[1][2] = &r.lambda2;
+    }
+    if constexpr (order == 3) {
+      functions[2] = {&r.alpha3, &r.delta3};
+      if constexpr (Kind::is_rational) functions[2][2] = &r.lambda3;
+    }
+    typedef std::array<std::array<Edge_end_value<FT>, 3>, order> Values;
     const auto values = [&](int upper) {
       Values v;
-      const FT t(upper);
-      if (!corners[upper]) {
-        v[0].value = r.alpha(t);
-        v[1].value = r.beta(t);
-        if (!(FT(0) < v[1].value))
-          throw Error(Error_code::nonpositive_beta,
-                      "blend sides: u = " + std::to_string(upper) + ", where no side is given: the shape");
-        v[3].value = r.alpha2(t);
-        v[4].value = r.delta(t);
-        if constexpr (Kind::is_rational) {
-          v[2].value = r.lambda1(t);
-          v[5].value = r.lambda2(t);
+      const std::optional<Corner>& c = corners[upper];
+      for (int n = 0; n < order; ++n)
+        for (std::size_t i = 0; i < 3; ++i) {
+          if (!functions[n][i]) continue;
+          if (!c) {
+            v[n][i].value = (*functions[n][i])(FT(upper));
+            continue;
+          }
+          // without what lambda_1 and lambda_2 contribute: S = (1 + lambda_1 v + ...) P
+          Number x = c->free(n + 1, i);
+          if (i < 2 && n == 1) x = x - 2 * c->free(1, 2) * c->free(1, i);
+          if (i < 2 && n == 2) {
+            const Number second = c->free(2, i) - 2 * c->free(1, 2) * c->free(1, i);
+            x = x - 3 * (c->free(1, 2) * second + c->free(2, 2) * c->free(1, i));
+          }
+          v[n][i].value = x.value;
+          if (c->has_slopes) v[n][i].slope = FT(x.slope * length_);
         }
-        return v;
-      }
-      const Corner& c = *corners[upper];
-      for (std::size_t i = 0; i < c.first.size(); ++i) {
-        v[i].value = c.first[i];
-        v[3 + i].value = c.second[i];
-        if (c.first_slope) v[i].slope = FT((*c.first_slope)[i] * length_);
-        if (c.second_slope) v[3 + i].slope = FT((*c.second_slope)[i] * length_);
-      }
-      if constexpr (Kind::is_rational) // without 2 lambda_1 alpha and 2 lambda_1 beta
-        for (int i : {0, 1}) {
-          v[3 + i].value -= FT(2) * v[2].value * v[i].value;
-          if (v[i].slope) *v[3 + i].slope -= FT(2) * (*v[2].slope * v[i].value + v[2].value * *v[i].slope);
-        }
+      if (!c && !(FT(0) < v[0][1].value))
+        throw Error(Error_code::nonpositive_beta,
+                    "blend sides: u = " + std::to_string(upper) + ", where no side is given: the shape");
       return v;
     };
     const Values start = values(0), end = values(1);
-    const auto function = [&](int i) { return interpolating_function(start[i], end[i], i == 1); };
-    r.alpha = function(0);
-    r.beta = function(1);
-    r.alpha2 = function(3);
-    r.delta = function(4);
-    if constexpr (Kind::is_rational) {
-      r.lambda1 = function(2);
-      r.lambda2 = function(5);
-    }
+    for (int n = 0; n < order; ++n)
+      for (std::size_t i = 0; i < 3; ++i)
+        if (functions[n][i])
+          *functions[n][i] = interpolating_function(start[n][i], end[n][i], functions[n][i] == &r.beta);
   }
 };
 
@@ -418,7 +482,25 @@ surface_shape_with_sides(const Surface_a& a, Patch_edge edge_a, const Surface_b&
                          Edge_direction direction, const Blend_surface_shape<Surface_a, Surface_b>& shape,
                          const std::optional<Side_of_blend<Surface_a, Surface_b>>& at_start,
                          const std::optional<Side_of_blend<Surface_a, Surface_b>>& at_end) {
-  internal::Shape_with_sides<Surface_a, Surface_b> r(a, edge_a, b, edge_b, direction, shape);
+  internal::Shape_with_sides<Surface_a, Surface_b, 2> r(a, edge_a, b, edge_b, direction, shape);
+  if (at_start) r.take(*at_start, false);
+  if (at_end) r.take(*at_end, true);
+  return r.shape();
+}
+
+/// \ingroup PkgGeometricContinuityConstruction
+/// Returns the shape of a blend of degree 7 with given sides, as for degree 5: it is \f$ G^3 \f$ with both surfaces. A side curve has up to 8
+/// coefficients, and the third derivative of a surface where it ends; with a derivative across it, also \f$ S_{uvvv} \f$ is
+/// determined at the corners, and the error `incompatible_corner` names \f$ S_{vvv} \f$ or \f$ S_{uvvv} \f$ where it contradicts.
+/// \throws Error as for degree 5; `wrong_number_of_points` for a degree of more than 7
+template <class Surface_a, class Surface_b>
+Septic_surface_blend_shape<Blend_surface_shape<Surface_a, Surface_b>>
+surface_shape_with_sides(const Surface_a& a, Patch_edge edge_a, const Surface_b& b, Patch_edge edge_b,
+                         Edge_direction direction,
+                         const Septic_surface_blend_shape<Blend_surface_shape<Surface_a, Surface_b>>& shape,
+                         const std::optional<Side_of_blend<Surface_a, Surface_b>>& at_start,
+                         const std::optional<Side_of_blend<Surface_a, Surface_b>>& at_end) {
+  internal::Shape_with_sides<Surface_a, Surface_b, 3> r(a, edge_a, b, edge_b, direction, shape);
   if (at_start) r.take(*at_start, false);
   if (at_end) r.take(*at_end, true);
   return r.shape();

@@ -106,9 +106,11 @@ Third_row_weights<Edge_function<FT>> third_row_weights(const Reparametrisation& 
   typedef Edge_function<FT> F;
   const F &a = r.alpha, &b = r.beta, &a2 = r.alpha2, &delta = r.delta;
   const F d{FT(direction)}, two{FT(2)}, three{FT(3)}, of_first{FT(90 * direction)}, of_second{FT(15)};
+  F lambda3{FT(0)}; // of homogeneous points
+  if constexpr (std::is_base_of_v<Rational_edge_reparametrisation<FT>, Reparametrisation>) lambda3 = r.lambda3;
   const F of_d = of_first + two * of_second * lambda[0] + three * d * lambda[1],
           of_e = of_second + three * d * lambda[0];
-  return {{F(of_first * lambda[0] + of_second * lambda[1] + d * r.lambda3), F(of_d * a + of_e * a2 + d * r.alpha3),
+  return {{F(of_first * lambda[0] + of_second * lambda[1] + d * lambda3), F(of_d * a + of_e * a2 + d * r.alpha3),
            F(of_e * a * a + three * d * a * a2), F(of_d * b + of_e * delta + d * r.delta3),
            F(two * of_e * a * b + three * d * (a * delta + a2 * b)), F(of_e * b * b + three * d * b * delta)},
           F(d * a * a * a),
