@@ -9,6 +9,7 @@ import subprocess
 import sys
 import tempfile
 import unittest
+from fractions import Fraction
 
 import numpy
 
@@ -272,6 +273,107 @@ class Sources(unittest.TestCase):
         self.assertEqual(met[0][0], False)
         self.assertGreater(met[0][1], 0)
         self.assertEqual(met[1], (True, 0))
+
+
+def freecad_part():
+    """The module Part of FreeCAD, whose folder is not on the path of Python."""
+    for folder in ("/usr/lib/freecad-python3/lib", "/usr/lib/freecad/lib"):
+        if os.path.exists(os.path.join(folder, "Part.so")):
+            sys.path.append(folder)
+    try:
+        import FreeCAD  # noqa: F401
+        import Part
+
+        return Part
+    except ImportError:
+        return None
+
+
+class Free_cad(unittest.TestCase):
+    def setUp(self):
+        self.part = freecad_part()
+        if self.part is None:
+            self.skipTest("not installed: FreeCAD")
+        from geometric_continuity.adapters import freecad
+
+        self.adapter = freecad
+
+    def spline(self, poles, multiplicities, knots, periodic=False, weights=None):
+        from FreeCAD import Vector
+
+        curve = self.part.BSplineCurve()
+        curve.buildFromPolesMultsKnots([Vector(*p) for p in poles], multiplicities, knots, periodic, 3, *([weights] if weights else []))
+        return curve
+
+    def check(self, edge, degree, number, rational):
+        """The pieces lie on the curve, in its direction, and join with each other as the knots say."""
+        pieces = self.adapter.edge_pieces(edge)
+        self.assertEqual([p.points.shape for p in pieces], [(degree + 1, 3)] * number)
+        self.assertEqual([p.weights is not None for p in pieces], [rational] * number)
+        low, high = edge.ParameterRange
+        ends = [edge.Curve.value(low), edge.Curve.value(high)]
+        if edge.Orientation == "Reversed":
+            ends.reverse()
+        for point, piece, i in zip(ends, (pieces[0], pieces[-1]), (0, -1)):
+            numpy.testing.assert_allclose(piece.points[i].astype(float), tuple(point), atol=1e-12)
+        for piece in pieces:
+            w = numpy.ones(degree + 1) if piece.weights is None else piece.weights.astype(float)
+            rows = numpy.column_stack([piece.points.astype(float) * w[:, None], w])
+            while len(rows) > 1:
+                rows = (rows[1:] + rows[:-1]) / 2
+            from FreeCAD import Vector
+
+            self.assertLess(edge.distToShape(self.part.Vertex(Vector(*(rows[0, :3] / rows[0, 3]))))[0], 1e-7)
+        return pieces
+
+    def test_edges(self):
+        from FreeCAD import Vector
+
+        from geometric_continuity.adapters.splines import continuity
+
+        part = self.part
+        line = self.check(part.makeLine(Vector(0, 0.1, 0), Vector(1, 2, 3)), 1, 1, False)
+        self.assertEqual(line[0].points[0].tolist(), [0, Fraction(0.1), 0])
+        self.check(part.Arc(Vector(1, 0, 0), Vector(0, 1, 0), Vector(-1, 0, 0)).toShape(), 3, 1, True)
+        circle = self.check(part.makeCircle(2), 3, 2, True)
+        self.assertEqual([continuity(p, q).g_order for p, q in zip(circle, circle[::-1])], [3, 3])
+        bezier = part.BezierCurve()
+        bezier.setPoles([Vector(0, 0, 0), Vector(1, 1, 0), Vector(2, 0, 0)])
+        self.check(bezier.toShape(), 2, 1, False)
+        self.check(bezier.toShape(0.25, 0.5), 2, 1, False)
+        bezier.setWeight(2, 2.0)
+        self.check(bezier.toShape(0.25, 0.5), 2, 1, True)
+        poles = [(0, 0, 0), (1, 2, 0), (3, 2, 1), (4, 0.3, 0), (6, 1, 0), (7, 0, 0)]
+        for weights in (None, [1, 2, 1, 1, 0.3, 1]):
+            spline = self.spline(poles, (4, 1, 1, 4), (0, 1, 2.5, 3), weights=weights)
+            pieces = self.check(spline.toShape(), 3, 3, weights is not None)
+            self.assertEqual([continuity(p, q).g_order for p, q in zip(pieces, pieces[1:])], [2, 2])
+            self.check(spline.toShape(0.5, 2.75), 3, 3, weights is not None)
+            reversed_edge = spline.toShape()
+            reversed_edge.reverse()
+            pieces = self.check(reversed_edge, 3, 3, weights is not None)
+            self.assertEqual([continuity(p, q).g_order for p, q in zip(pieces, pieces[1:])], [2, 2])
+        around = self.spline(poles, (1, 1, 1, 1, 1, 1, 1), (0, 1, 2, 3.5, 4, 5, 6), periodic=True)
+        pieces = self.check(around.toShape(), 3, 6, False)
+        self.assertEqual([continuity(p, q).g_order for p, q in zip(pieces, pieces[1:] + pieces[:1])], [2] * 6)
+        offset = part.OffsetCurve(part.Circle(), 0.5, Vector(0, 0, 1)) if hasattr(part, "OffsetCurve") else None
+        if offset is not None:
+            with self.assertRaises(ValueError):
+                self.adapter.edge_pieces(offset.toShape())
+
+    def test_wires(self):
+        from FreeCAD import Vector
+
+        part = self.part
+        tangent = self.spline([(1, 0, 0), (2, 0, 0), (3, 0.5, 0), (3, 2, 0)], (4, 4), (0, 1)).toShape()
+        second = part.makeLine(Vector(3, 4, 0), Vector(3, 2, 0))  # runs backwards
+        last = part.makeLine(Vector(3, 4, 0), Vector(3, 4, 5))
+        wire = part.Wire([part.makeLine(Vector(0, 0, 0), Vector(1, 0, 0)), tangent, second, last])
+        joins = list(self.adapter.wire_joins(wire))
+        self.assertEqual([number for number, _ in joins], [0, 1, 2])
+        self.assertEqual([join.g_order for _, join in joins], [1, 1, 0])
+        square = part.makePolygon([Vector(0, 0, 0), Vector(1, 0, 0), Vector(2, 0, 0), Vector(2, 1, 0), Vector(0, 0, 0)])
+        self.assertEqual([join.g_order for _, join in self.adapter.wire_joins(square)], [3, 0, 0, 0])
 
 
 class Drawings(unittest.TestCase):

@@ -6,10 +6,11 @@ round them; for the exact decimals of a drawing take `geometric_continuity.verif
 
 from __future__ import annotations
 
-from fractions import Fraction
 from typing import List
 
 import numpy
+
+from .splines import pieces
 
 
 def svg_contours(path) -> List[List[numpy.ndarray]]:
@@ -45,24 +46,4 @@ def spline_pieces(spline) -> List[numpy.ndarray]:
     tool = spline.construction_tool() if hasattr(spline, "construction_tool") else spline
     if tool.is_rational:
         raise ValueError("the spline has weights")
-    degree = tool.order - 1
-    knots = [Fraction(k) for k in tool.knots()]
-    points = [[Fraction(x) for x in p] for p in tool.control_points]
-    spans = [i for i in range(degree, len(points)) if knots[i] < knots[i + 1]]
-
-    def blossom(span, arguments):
-        row = points[span - degree:span + 1]
-        for r, u in enumerate(arguments, 1):
-            new = []
-            for j in range(len(row) - 1):
-                low, high = knots[span - degree + r + j], knots[span + 1 + j]
-                t = (u - low) / (high - low)
-                new.append([(1 - t) * a + t * b for a, b in zip(row[j], row[j + 1])])
-            row = new
-        return row[0]
-
-    pieces = []
-    for span in spans:
-        a, b = knots[span], knots[span + 1]
-        pieces.append(numpy.array([blossom(span, [a] * (degree - k) + [b] * k) for k in range(degree + 1)], dtype=object))
-    return pieces
+    return [p.points for p in pieces(tool.order - 1, tool.knots(), list(tool.control_points))]

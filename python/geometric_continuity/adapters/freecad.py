@@ -1,0 +1,48 @@
+# Copyright (c) 2026 The Geometric_continuity developers
+#
+# SPDX-License-Identifier: LGPL-3.0-or-later
+"""Edges and wires of FreeCAD (`Part`): their Bezier curves, with the floats that FreeCAD has read exactly as they are, and their joins."""
+
+from __future__ import annotations
+
+from typing import Iterator, List, Tuple
+
+from .._native import Join_continuity
+from .splines import Piece, continuity, pieces
+
+_CONVERTED = ("Line", "LineSegment", "Circle", "ArcOfCircle", "Ellipse", "ArcOfEllipse", "Hyperbola", "ArcOfHyperbola", "Parabola", "ArcOfParabola")
+
+
+def edge_pieces(edge) -> List[Piece]:
+    """Returns the Bezier curves of a `Part.Edge` in its direction. Those of Bezier and B-spline curves are exact, also where the edge is a part
+    of its curve; lines and conics are the rational curves as which FreeCAD writes them.
+
+    Raises ValueError for other curves, e.g. offsets.
+    """
+    curve = edge.Curve
+    low, high = edge.ParameterRange
+    kind = type(curve).__name__
+    if kind in _CONVERTED:
+        curve = curve.toNurbs(low, high)
+        low = high = None
+    if kind == "BezierCurve":
+        degree, knots = curve.Degree, [0] * (curve.Degree + 1) + [1] * (curve.Degree + 1)
+    elif kind in _CONVERTED or kind == "BSplineCurve":
+        degree, knots = curve.Degree, curve.KnotSequence
+    else:
+        raise ValueError(f"the curve of the edge is a {kind}")
+    points = [tuple(p) for p in curve.getPoles()]
+    weights = curve.getWeights() if curve.isRational() else [1] * len(points)
+    extra = len(knots) - degree - 1 - len(points)  # of a periodic spline, which goes around
+    points, weights = points + points[:extra], weights + weights[:extra]
+    found = pieces(degree, knots, points, weights, low, high)
+    return [p.reverse() for p in reversed(found)] if edge.Orientation == "Reversed" else found
+
+
+def wire_joins(wire) -> Iterator[Tuple[int, Join_continuity]]:
+    """Decides the joins of a `Part.Wire`, those inside of its edges too: yields the number of the edge, in the order of `wire.OrderedEdges`,
+    in which the curve before the join ends, and what was decided exactly. Edges that meet within a tolerance only have a gap. Derivatives are
+    those with respect to parameters from 0 to 1 on each Bezier curve."""
+    chain = [(number, piece) for number, edge in enumerate(wire.OrderedEdges) for piece in edge_pieces(edge)]
+    for (number, left), (_, right) in zip(chain, chain[1:] + (chain[:1] if wire.isClosed() else [])):
+        yield number, continuity(left, right)
