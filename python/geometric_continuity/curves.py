@@ -5,6 +5,8 @@
 
 Results are arrays of float64; with `exact=True` arrays of `fractions.Fraction` (dtype object), for which the joins hold exactly. Unless
 it is given, results are exact where no floating-point number is among the input.
+
+All release the lock of the interpreter, and Ctrl-C ends them within a second.
 """
 
 from __future__ import annotations

@@ -10,6 +10,7 @@
 #include <CGAL/Cartesian_d.h>
 #include <CGAL/Geometric_continuity/Error.h>
 #include <CGAL/Geometric_continuity/curves/Bezier_curve.h>
+#include <CGAL/Geometric_continuity/numbers/Work_limit.h>
 
 #include <string>
 #include <type_traits>
@@ -41,6 +42,7 @@ template <class Traits> std::vector<typename Traits::Point> points(const Numbers
     throw GC::Error(GC::Error_code::dimension_mismatch, place);
   std::vector<typename Traits::Point> result;
   for (std::size_t j = 0; j < x.shape[0]; ++j) {
+    GC::Work_scope::pause();
     GC::Coordinates<Traits> c(d);
     for (int i = 0; i < d; ++i) c[i] = number<FT>(x, j * d + i);
     result.push_back(GC::to_point<Traits>(c));

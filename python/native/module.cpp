@@ -6,6 +6,7 @@
 
 #include <CGAL/Geometric_continuity/Error.h>
 #include <CGAL/Geometric_continuity/IO/number.h>
+#include <CGAL/Geometric_continuity/numbers/Work_limit.h>
 #include <CGAL/Geometric_continuity/repairs/align_handles.h>
 
 #include <pybind11/functional.h>
@@ -13,6 +14,7 @@
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
 
+#include <chrono>
 #include <cmath>
 #include <cstdint>
 #include <memory>
@@ -105,6 +107,7 @@ Numbers numbers_of(const py::object& given) {
   x.shape.assign(array.shape(), array.shape() + array.ndim());
   bool are_doubles = true;
   for (const py::handle item : array.attr("ravel")()) {
+    if (x.exact.size() % 4096 == 0 && PyErr_CheckSignals() != 0) throw py::error_already_set();
     x.exact.push_back(exact_number(item, x.rounded));
     x.doubles.push_back(nearest_double(x.exact.back()));
     are_doubles = are_doubles && std::isfinite(x.doubles.back()) && Exact(x.doubles.back()) == x.exact.back();
@@ -196,15 +199,23 @@ void set_error(const GC::Error& e) {
   PyErr_SetObject(type.ptr(), error.ptr());
 }
 
-// Without the lock of the interpreter.
-template <class Function> auto released(Function f) {
-  const py::gil_scoped_release release;
-  return f();
-}
-
 void check_signals() {
   const py::gil_scoped_acquire acquire;
   if (PyErr_CheckSignals() != 0) throw py::error_already_set();
+}
+
+// Without the lock of the interpreter. Every now and then signals are looked at, so that Ctrl-C ends what is long.
+template <class Function> auto released(Function f) {
+  typedef std::chrono::steady_clock Clock;
+  const py::gil_scoped_release release;
+  Clock::time_point last = Clock::now();
+  const GC::Work_scope interruptible("call", [&last] {
+    const Clock::time_point now = Clock::now();
+    if (now - last < std::chrono::milliseconds(50)) return;
+    last = now;
+    check_signals();
+  });
+  return f();
 }
 
 template <class T> std::string text(const T& x) {

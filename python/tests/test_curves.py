@@ -3,6 +3,7 @@
 # SPDX-License-Identifier: LGPL-3.0-or-later
 
 import inspect
+import random
 import unittest
 from decimal import Decimal
 from fractions import Fraction
@@ -11,6 +12,7 @@ import numpy
 
 import cases
 import geometric_continuity as gc
+import interruption
 
 LEFT, RIGHT = [(-3, 0), (-3, 2), (-2, 3), (0, 3)], [(4, 0), (5, -1), (6, -1)]
 LEFT_3, RIGHT_3 = [(0, 0, 0), (1, 0, 0), (2, 1, 0), (3, 1, 1)], [(6, 2, 2), (7, 2, 3), (8, 1, 3), (9, 1, 1)]
@@ -139,6 +141,25 @@ class Splines(unittest.TestCase):
         with self.assertRaises(gc.Error) as caught:
             gc.fit(polyline, 0)
         self.assertEqual(caught.exception.code, "unreachable_tolerance")
+
+
+class Interruption(unittest.TestCase):
+    def test_constructions(self):
+        """Each of these would take minutes, and ends within a second of Ctrl-C."""
+        t = numpy.linspace(0, 1000, 200000)
+        wave = numpy.column_stack([t, numpy.sin(t)])
+        rng = random.Random(33)
+
+        def long_curve(bits):
+            return [[Fraction(rng.getrandbits(bits), rng.getrandbits(bits) | 1) for _ in range(2)] for _ in range(6)]
+
+        bits = 200000 if gc.uses_gmp else 20000
+        left, right = long_curve(bits), long_curve(bits)
+        points = [[Fraction(rng.randrange(10 ** 30), 10 ** 30) for _ in range(2)] for _ in range(2000)]
+        for call in (lambda: gc.fit(wave, 1e-9), lambda: gc.fit(wave, 1e-6, 2), lambda: gc.interpolate_fair(wave),
+                     lambda: gc.interpolate(points), lambda: gc.interpolate_fair(points), lambda: gc.fair(left, right),
+                     lambda: gc.blend(left, right)):
+            self.assertLess(interruption.seconds_until(call), 1 if gc.uses_gmp else 10)
 
 
 class Documentation(unittest.TestCase):

@@ -13,9 +13,13 @@
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Geometric_continuity/Traits.h>
 #include <CGAL/Geometric_continuity/algebra/sign_pattern.h>
+#include <CGAL/Geometric_continuity/blends/Fair.h>
 #include <CGAL/Geometric_continuity/blends/blend.h>
 #include <CGAL/Geometric_continuity/blends/blend_strategies.h>
+#include <CGAL/Geometric_continuity/blends/interpolate_fair.h>
 #include <CGAL/Geometric_continuity/curves/fairness.h>
+#include <CGAL/Geometric_continuity/curves/fit.h>
+#include <CGAL/Geometric_continuity/curves/interpolate.h>
 #include <CGAL/Geometric_continuity/edges/connect_g1.h>
 #include <CGAL/Geometric_continuity/extensions/extend.h>
 #include <CGAL/Geometric_continuity/joins/deviation.h>
@@ -153,6 +157,50 @@ BOOST_AUTO_TEST_CASE(floating_point_numbers) {
   const GC::Work_scope scope(one_step, "floating-point numbers");
   BOOST_CHECK_EQUAL(GC::blend(c, c.reverse(), GC::Minimal_energy_g3<4>()).degree(), 7);
   BOOST_CHECK_GT(GC::extend_toward(c, GC::Frenet_order::curvature, c.control_point(0)).energy(2), 0);
+}
+
+// What is long can be interrupted by a scope with a function, whatever its numbers are.
+BOOST_AUTO_TEST_CASE(interruption) {
+  struct Interrupted {};
+  const auto is_interruptible = [](auto work) {
+    int pauses = 0;
+    {
+      const GC::Work_scope scope("a scope", [&pauses] { ++pauses; });
+      const GC::Work_scope each(default_limit); // without a function
+      work();
+    }
+    BOOST_CHECK_GT(pauses, 10);
+    const int all = pauses;
+    const auto interrupted = [&](int after) {
+      pauses = 0;
+      const GC::Work_scope outer("outside", [&] {
+        if (++pauses == after) throw Interrupted();
+      });
+      const GC::Work_scope inner(GC::Work_limit(GC::Work_limit::default_steps), "inside");
+      work();
+    };
+    for (const int after : {1, all / 2, all}) {
+      BOOST_CHECK_THROW(interrupted(after), Interrupted);
+      BOOST_CHECK_EQUAL(pauses, after);
+    }
+    work(); // the scope has ended
+    BOOST_CHECK_EQUAL(pauses, all);
+  };
+  const Bezier<Q> c = random_curve<Q>(5, 300);
+  is_interruptible([&] { GC::blend(c, c.reverse()); });
+  is_interruptible([&] { GC::continuity(c, GC::extend(c, GC::Frenet_order::curvature)); });
+  std::mt19937 random(seed);
+  std::vector<Space<double>::Point> points;
+  for (int i = 0; i < 100; ++i)
+    points.emplace_back(i + static_cast<double>(random() % 64) / 128, random() % 64, random() % 64);
+  is_interruptible([&] { GC::fit(points, 0.01); });
+  is_interruptible([&] { GC::interpolate(points); });
+  is_interruptible([&] { GC::interpolate_fair(points); });
+  is_interruptible([&] { GC::blend(random_curve<double>(5, 3), random_curve<double>(4, 3), GC::Fair()); });
+  int own = 0;
+  const GC::Work_scope scope("a scope", [&own] { ++own; });
+  GC::Work_scope::pause();
+  BOOST_CHECK_EQUAL(own, 1);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

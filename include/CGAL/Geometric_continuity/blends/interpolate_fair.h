@@ -14,6 +14,7 @@
 #include <CGAL/Geometric_continuity/blends/representable_blend.h>
 #include <CGAL/Geometric_continuity/curves/Composite_bezier_curve.h>
 #include <CGAL/Geometric_continuity/local/Curve_jet.h>
+#include <CGAL/Geometric_continuity/numbers/Work_limit.h>
 #include <CGAL/Geometric_continuity/numbers/internal/checked_numbers.h>
 #include <CGAL/Geometric_continuity/numbers/internal/short_numbers.h>
 
@@ -147,6 +148,7 @@ joints_of(const Fair_points<Traits>& p, const std::vector<std::optional<typename
   const int dimension = p.points[0].dimension();
   std::vector<Fair_joint<dimension_v<Traits>>> joints;
   for (int i = 0; i < p.number(); ++i) {
+    Work_meter::pause();
     joints.push_back({rounded_column<Traits>(p.points[i], dimension, i), Column(dimension), Column(dimension), false});
     if (tangents.empty() || !tangents[i]) continue;
     Column& tangent = joints.back().tangent;
@@ -187,6 +189,7 @@ short_jets(const Fair_points<Traits>& p, const std::vector<Fair_joint<dimension_
   const int n = p.number(), dimension = p.points[0].dimension();
   std::vector<Coordinate_jet<FT, dimension_v<Traits>>> jets;
   for (int i = 0; i < n; ++i) {
+    Work_meter::pause();
     const double before = i > 0 ? lengths[i - 1] : lengths.back(), after = i < p.pieces() ? lengths[i] : before,
                  h = (std::min)(p.closed || i > 0 ? before : after, after);
     const int unit = (std::max)(std::ilogb(h) - most_digits, unit_with_room<FT>(p.size, 9));
@@ -243,6 +246,7 @@ Fair_spline<Traits> blends_between(const Fair_points<Traits>& p, const std::vect
   std::vector<FT> knots(1, FT(0));
   std::vector<char> is_rounded(p.number(), 0);
   for (int i = 0; i < p.pieces(); ++i) {
+    Work_meter::pause();
     const Jet &start = jets[i], &end = jets[p.next(i)];
     std::optional<Bezier_curve<Traits, 5>> piece;
     if constexpr (std::is_floating_point_v<FT>) {

@@ -11,6 +11,7 @@
 #include <CGAL/Geometric_continuity/curves/Composite_bezier_curve.h>
 #include <CGAL/Geometric_continuity/curves/internal/Polyline_fit.h>
 #include <CGAL/Geometric_continuity/numbers/Enclosure.h>
+#include <CGAL/Geometric_continuity/numbers/Work_limit.h>
 #include <CGAL/Geometric_continuity/numbers/internal/checked_numbers.h>
 #include <CGAL/Geometric_continuity/numbers/internal/short_numbers.h>
 
@@ -129,6 +130,7 @@ public:
 
   // At the vertex itself, and seen from as far as the tolerance lets it be seen.
   bool operator()(int k) const {
+    Work_meter::pause();
     const int n = static_cast<int>(p_.size()) - 1, before = k == 0 ? n - 1 : k - 1, after = k == n ? 1 : k + 1;
     return turns(p_[k] - p_[before], p_[after] - p_[k]) && turns(p_[k] - neighbour(k, -1), neighbour(k, 1) - p_[k]);
   }
@@ -160,6 +162,7 @@ Fitted_curve<Traits> fitted_curve(const std::vector<Coordinates<Traits>>& given,
   if (polyline.exponent < std::numeric_limits<double>::min_exponent)
     throw Error(Error_code::unreachable_tolerance, "fit: the coordinates are too small");
   for (std::size_t k = 0; k < given.size(); ++k) {
+    Work_meter::pause();
     Coordinate_vector<double, N> p(dimension);
     for (int x = 0; x < dimension; ++x) {
       const std::pair<double, double> c = rounded_with_error(given[k][x]);

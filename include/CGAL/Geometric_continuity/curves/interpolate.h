@@ -112,6 +112,8 @@ template <class FT, class Row, class Get, class Set> void solve_tridiagonal(int 
     Tridiagonal_row<FT> r = row(i);
     if constexpr (!std::is_floating_point_v<FT>)
       work_meter().charge_fractions(4 + number_of_coordinates(get(i)), number_words(r.b));
+    else
+      Work_meter::pause();
     if (i > 0) {
       const FT factor = FT(r.a / b.back());
       r.b -= factor * c.back();

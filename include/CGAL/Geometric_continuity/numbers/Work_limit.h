@@ -13,6 +13,8 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
+#include <limits>
 #include <optional>
 #include <string>
 #include <utility>
@@ -54,12 +56,17 @@ class Work_meter {
   const char* const place_;
   const double allowed_;
   Work_meter* const scope_ = scope();
+  const std::function<void()>* pause_ = nullptr;
   double steps_ = 0, search_steps_ = 0;
 
 public:
   // For `factor` times the limit.
   Work_meter(Work_limit limit, const char* place, double factor = 1)
       : limit_(limit), place_(place), allowed_(static_cast<double>(limit.steps()) * factor) {}
+  // That calls pause(), which lives as long.
+  Work_meter(Work_limit limit, const char* place, const std::function<void()>& pause) : Work_meter(limit, place) {
+    pause_ = &pause;
+  }
 
   // That of the innermost Work_scope of this thread with a place, and that of the object that is at work: null if there is none.
   static Work_meter*& scope() {
@@ -105,8 +112,15 @@ public:
     return true;
   }
 
+  // Between two steps of something long that is not charged: calls pause() of the scopes that have it.
+  static void pause() {
+    for (const Work_meter* meter = scope(); meter; meter = meter->scope_)
+      if (meter->pause_) (*meter->pause_)();
+  }
+
 private:
   void charge(double steps) {
+    if (pause_) (*pause_)();
     steps_ += steps;
     if (!(steps_ <= allowed_))
       throw Error(Error_code::work_limit,
@@ -152,7 +166,8 @@ inline Work_meter& work_meter() {
 /// Limits the work of this thread, and of those that work for it on several cores, while an object of this class lives: either
 /// that on *each* object (a join, an edge, a knot line, a spline) or, with a place, that on *all* that is done, in addition to the
 /// limit of each. The latter also bounds what is no such object: jets of rational curves, blends, energies, segments that lead to a
-/// point, triangles; it holds for this thread only.
+/// point, triangles; it holds for this thread only. With a function, such a scope also calls that again and again while something long is
+/// at work, on numbers of any kind, so that it can be interrupted: an exception of that function ends the work.
 /// \code{.cpp}
 /// const GC::Work_scope each(GC::Work_limit(1000000));             // for each join
 /// const auto join = GC::continuity(phi, psi);                     // may throw Error_code::work_limit, "continuity: more than ..."
@@ -161,6 +176,7 @@ inline Work_meter& work_meter() {
 /// const auto gamma = GC::blend(phi, psi);                         // may throw Error_code::work_limit, "my blend: more than ..."
 /// \endcode
 class Work_scope {
+  std::function<void()> pause_;
   std::optional<internal::Steps_of_each> each_;
   std::optional<internal::Work_meter> all_;
   internal::Work_meter* const before_ = internal::Work_meter::scope();
@@ -172,10 +188,19 @@ public:
   Work_scope(Work_limit all, const char* place) : all_(std::in_place, all, place) {
     internal::Work_meter::scope() = &*all_;
   }
+  /// Counts without a limit, and calls `pause()` about as often as every millisecond or more often, from this thread.
+  Work_scope(const char* place, std::function<void()> pause)
+      : pause_(std::move(pause)),
+        all_(std::in_place, Work_limit((std::numeric_limits<std::uint64_t>::max)()), place, pause_) {
+    internal::Work_meter::scope() = &*all_;
+  }
   Work_scope(const Work_scope&) = delete;
   Work_scope& operator=(const Work_scope&) = delete;
   /// Goes back to the scope before.
   ~Work_scope() { internal::Work_meter::scope() = before_; }
+
+  /// Calls the functions of the scopes of this thread that have one, between two steps of long work that is not of this package.
+  static void pause() { internal::Work_meter::pause(); }
 
   /// Returns the limit of each object that holds at present.
   static Work_limit limit_of_each() { return Work_limit(internal::Steps_of_each::steps()); }

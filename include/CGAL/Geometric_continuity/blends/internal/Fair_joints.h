@@ -10,6 +10,7 @@
 #include <CGAL/Geometric_continuity/blends/internal/Fair_family.h>
 #include <CGAL/Geometric_continuity/blends/internal/Fair_minimum.h>
 #include <CGAL/Geometric_continuity/blends/internal/Fairness_quadrature.h>
+#include <CGAL/Geometric_continuity/numbers/Work_limit.h>
 
 #include <algorithm>
 #include <array>
@@ -87,7 +88,10 @@ public:
     const int n = static_cast<int>(joints_.size());
     double last = total();
     for (int sweep = 0; sweep < most_sweeps; ++sweep) {
-      for (int i = 0; i < n; ++i) improve(i);
+      for (int i = 0; i < n; ++i) {
+        Work_meter::pause();
+        improve(i);
+      }
       const double now = total();
       if (!(now < 0.999 * last)) break;
       last = now;
@@ -98,7 +102,10 @@ private:
   int pieces() const { return static_cast<int>(joints_.size()) - (closed_ ? 0 : 1); }
   double total() const {
     double sum = 0;
-    for (int i = 0; i < pieces(); ++i) sum += piece(joints_[i], joints_[(i + 1) % joints_.size()]);
+    for (int i = 0; i < pieces(); ++i) {
+      Work_meter::pause();
+      sum += piece(joints_[i], joints_[(i + 1) % joints_.size()]);
+    }
     return sum;
   }
 

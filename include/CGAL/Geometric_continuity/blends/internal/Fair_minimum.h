@@ -10,6 +10,7 @@
 #include <CGAL/Geometric_continuity/blends/blend_strategies.h>
 #include <CGAL/Geometric_continuity/blends/internal/Fair_family.h>
 #include <CGAL/Geometric_continuity/blends/internal/Fairness_quadrature.h>
+#include <CGAL/Geometric_continuity/numbers/Work_limit.h>
 
 #include <algorithm>
 #include <array>
@@ -253,6 +254,7 @@ private:
     double here = quadrature.value(y), damping = 1e-2;
     Fairness_expansion<unknowns> expansion = quadrature.expand(y);
     for (int i = 0; i < most_iterations; ++i, ++iterations) {
+      Work_meter::pause();
       if (!(here <= (std::numeric_limits<double>::max)())) break;
       if (i >= patience && here > hopeless * after) break; // than what was found from another start
       const Unknowns next = step(y, expansion, damping);

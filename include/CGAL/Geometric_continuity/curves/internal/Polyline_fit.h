@@ -10,6 +10,7 @@
 #include <CGAL/Geometric_continuity/algebra/internal/solve_positive_definite.h>
 #include <CGAL/Geometric_continuity/curves/internal/Fit_path.h>
 #include <CGAL/Geometric_continuity/curves/internal/Fit_piece.h>
+#include <CGAL/Geometric_continuity/numbers/Work_limit.h>
 #include <CGAL/Interval_nt.h>
 
 #include <algorithm>
@@ -73,6 +74,7 @@ public:
       std::optional<Piece> best;
       Joint best_end;
       const auto succeeds = [&](int count) {
+        Work_meter::pause();
         const int j = i + count;
         const Joint end = j < target                      ? joint(j, Side::both)
                           : path_.is_periodic() && j == n ? first
@@ -111,6 +113,7 @@ public:
     const double bound = (rest * rest).inf();
     double worst = 0;
     for (std::size_t k = 0; k < pieces.size(); ++k) {
+      Work_meter::pause();
       if (!pieces[k].template is_near<Interval>(p_.begin() + result.vertices[k], bound, worst))
         throw Error(Error_code::unreachable_tolerance, "fit: near the vertex " + std::to_string(result.vertices[k]));
       result.points.insert(result.points.end(), pieces[k].points.begin() + (k == 0 ? 0 : 1), pieces[k].points.end());
