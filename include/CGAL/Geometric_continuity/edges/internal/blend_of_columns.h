@@ -267,15 +267,13 @@ public:
     }
     const int m = a.degree_along(edge_a), d = a.dimension();
     std::vector<typename Traits::Point> net(6 * static_cast<std::size_t>(m + 1));
-    Coordinates<Traits> sum(d);
+    Coordinates<Traits> sum(d), sum_at_end(d); // of two, so that one need not wait for the other
     const bool same = direction == Edge_direction::same;
-    for (int i = 0; i <= m; ++i) {
-      start.write(i, &net[6 * i], 1, sum);
-      end.write(same ? i : m - i, &net[6 * i + 5], -1, sum);
-    }
+    for (int i = 0; i <= m; ++i) start.write(i, &net[6 * i], 1, sum);
+    for (int i = 0; i <= m; ++i) end.write(same ? i : m - i, &net[6 * i + 5], -1, sum_at_end);
     const typename Patch::Interval across = Patch::unit_interval();
     for (int k = 0; k < d; ++k)
-      if (!internal::is_finite(sum[k]))
+      if (!internal::is_finite(FT(sum[k] + sum_at_end[k])))
         return Patch(m, 5, std::move(net), a.domain(edge_a), across); // checks one point after the other
     return Patch(typename Patch::Net(m + 1, 6, std::move(net)), a.domain(edge_a), across,
                  typename Patch::Correct_by_construction());
