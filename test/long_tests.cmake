@@ -1,4 +1,5 @@
 # Most tests are short: test/run has them. A build that is not asked to leave the others out has all; .ci/run has them in two builds.
+# A test case with the label "long" is left out of a test that is short otherwise.
 # The target long_tests builds what the long ones need: other kernels and examples than the most common, many optima and samples, proofs by
 # Gappa. The target release_tests builds the program as it is released, with optimisation, and what its tests need, under limits of time
 # and memory or on many files; the exact cases on three kernels, and what optimisation could break, belong to it.

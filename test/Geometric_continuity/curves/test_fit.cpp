@@ -188,7 +188,7 @@ BOOST_AUTO_TEST_CASE(degenerate_polylines) {
 }
 
 // Parameters are found as closely as small tolerances need, also where the middle of a segment is that of the curve.
-BOOST_AUTO_TEST_CASE(small_tolerances) {
+BOOST_AUTO_TEST_CASE(small_tolerances, *boost::unit_test::label("long")) {
   const Points regular = circle(5), p = {{0, 0}, {4, 0}, {5, 3}, {2, 5}, {-1, 3}};
   const auto fits = [](const Points& pentagon, double tolerance, int order) {
     for (const double corner : {45., 90.}) {

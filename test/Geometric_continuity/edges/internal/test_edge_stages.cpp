@@ -609,7 +609,7 @@ void check_numbers_and_knots(const Patch& a, Patch_edge edge_a, const Patch& b, 
 
 } // namespace
 
-BOOST_AUTO_TEST_CASE(rational_numbers_and_spans) {
+BOOST_AUTO_TEST_CASE(rational_numbers_and_spans, *boost::unit_test::label("long")) {
   Random r;
   Counter rationals, spans, doubles, rough;
   for (int i = 0; i < edges_of_a_class(); ++i) {
