@@ -21,6 +21,9 @@ says moves.json '{"glyph":"base","index":1,"used_by":["composed"],"contour":0,"p
 holds [ "$(grep -c '"glyph"' moves.json)" = 1 ]
 holds apply given.ttf moves.json mended.ttf && says applied "1 handles of 1 glyphs are moved"
 run 0 verify mended.ttf --require G1 && says out "0 kinks"
+# without the list the script calls the program
+GEOMETRIC_CONTINUITY_PROGRAM=$program holds apply given.ttf called.ttf && says applied "1 handles of 1 glyphs are moved"
+run 0 verify called.ttf --require G1 && says out "0 kinks"
 # another font than the one that was repaired is left alone
 apply mended.ttf moves.json again.ttf && holds false
 says applied "there is no handle at" && holds [ ! -e again.ttf ]

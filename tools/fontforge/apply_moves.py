@@ -3,13 +3,16 @@
 # SPDX-License-Identifier: LGPL-3.0-or-later
 """Applies the moves that `geometric_continuity repair FONT -o moves.json` has written to a font, with FontForge:
 
-    fontforge -script apply_moves.py FONT moves.json RESULT
+    fontforge -script apply_moves.py FONT [moves.json] RESULT
 
-RESULT is a font (.ttf, .otf, ...), or a project of FontForge (.sfd). Each handle is found by its contour and its position, so that nothing
+Without moves.json it calls the program itself, which is on the path or GEOMETRIC_CONTINUITY_PROGRAM. RESULT is a font (.ttf, .otf, ...), or a project of FontForge (.sfd). Each handle is found by its contour and its position, so that nothing
 moves where the font is not the one that was repaired. Glyphs with components follow their components."""
 
 import json
+import os
+import subprocess
 import sys
+import tempfile
 
 import fontforge
 
@@ -63,14 +66,30 @@ def handles(layer, moves):
     sys.exit("apply_moves.py: " + place % missing)
 
 
+def read_moves(path):
+    with open(path, encoding="utf-8") as f:
+        return json.load(f)["moves"]
+
+
+def moves_of(font):
+    """What the program would move."""
+    program = os.environ.get("GEOMETRIC_CONTINUITY_PROGRAM", "geometric_continuity")
+    with tempfile.TemporaryDirectory() as folder:
+        path = os.path.join(folder, "moves.json")
+        done = subprocess.run([program, "repair", font, "-o", path], stdout=subprocess.DEVNULL)
+        if done.returncode not in (0, 1):  # 1: kinks are left that no handle on the grid can mend
+            sys.exit("apply_moves.py: geometric_continuity refuses the font")
+        return read_moves(path)
+
+
 def main():
-    if len(sys.argv) != 4:
+    if len(sys.argv) not in (3, 4):
         sys.exit(__doc__)
-    with open(sys.argv[2], encoding="utf-8") as f:
-        moves = json.load(f)["moves"]
+    name, result = sys.argv[1], sys.argv[-1]
+    moves = read_moves(sys.argv[2]) if len(sys.argv) == 4 else moves_of(name)
     if any("font" in move for move in moves):
         sys.exit("apply_moves.py: a collection of fonts; extract them first")
-    font = fontforge.open(sys.argv[1])
+    font = fontforge.open(name)
     named, numbered = {}, {}
     for glyph in font.glyphs():
         named.setdefault(glyph.glyphname, []).append(glyph)
@@ -90,10 +109,10 @@ def main():
             contour[k].x, contour[k].y = move["to"][0] + shift, move["to"][1]
             layer[i] = contour
         glyph.foreground = layer
-    if sys.argv[3].endswith(".sfd"):
-        font.save(sys.argv[3])
+    if result.endswith(".sfd"):
+        font.save(result)
     else:
-        font.generate(sys.argv[3], flags=("opentype",))
+        font.generate(result, flags=("opentype",))
     print("%d handles of %d glyphs are moved" % (len(moves), len(by_glyph)))
 
 
