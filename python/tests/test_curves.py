@@ -3,7 +3,11 @@
 # SPDX-License-Identifier: LGPL-3.0-or-later
 
 import inspect
+import os
 import random
+import shutil
+import subprocess
+import tempfile
 import unittest
 from decimal import Decimal
 from fractions import Fraction
@@ -174,7 +178,6 @@ class Documentation(unittest.TestCase):
 
     def test_stubs_name_what_there_is(self):
         import ast
-        import os
 
         folder = os.path.dirname(gc.__file__)
         with open(os.path.join(folder, "_native.pyi"), encoding="utf-8") as file:
@@ -185,10 +188,25 @@ class Documentation(unittest.TestCase):
         public = {n for n in dir(native) if not n.startswith("_")}
         self.assertEqual(functions | set(classes) | {"strategies", "uses_gmp"}, public)
         for name, node in classes.items():
-            members = {m.target.id for m in node.body if isinstance(m, ast.AnnAssign)}
+            members = {m.target.id for m in node.body if isinstance(m, ast.AnnAssign) and not m.target.id.startswith("_")}
+            members |= {m.name for m in node.body if isinstance(m, ast.FunctionDef) and not m.name.startswith("_")}
             there = {n for n in dir(getattr(native, name)) if not n.startswith("_")}
             self.assertEqual(members, there, name)
         self.assertTrue(os.path.exists(os.path.join(folder, "py.typed")))
+
+    @unittest.skipUnless(shutil.which("stubtest"), "not installed: mypy")
+    def test_types(self):
+        """What mypy says of the package and of its stubs."""
+        with tempfile.TemporaryDirectory() as folder:
+            with open(os.path.join(folder, "mypy.ini"), "w") as file:
+                file.write("[mypy]\nignore_missing_imports = True\n")
+            classes = "|".join(name for name, thing in vars(gc._native).items() if isinstance(thing, type))
+            with open(os.path.join(folder, "allowed"), "w") as file:  # every class of pybind11 has a metaclass, and some can be called
+                file.write(rf"geometric_continuity\._native\.({classes})(\.__init__)?" + "\n")
+            done = subprocess.run(["stubtest", "--concise", "--mypy-config-file", "mypy.ini", "--allowlist", "allowed", "--ignore-unused-allowlist",
+                                   "geometric_continuity._native"], cwd=folder, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
+                                  env=dict(os.environ, PYTHONPATH=os.path.dirname(os.path.dirname(os.path.abspath(gc.__file__)))))
+            self.assertEqual(done.returncode, 0, done.stdout.decode())
 
     def test_examples_of_docstrings(self):
         import doctest

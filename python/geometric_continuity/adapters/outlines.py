@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from fractions import Fraction
-from typing import Iterator, List, Optional, Sequence, Tuple
+from typing import Any, Iterator, List, Optional, Sequence, Tuple
 
 from .. import joins as _joins
 from .._native import Join_grade
@@ -17,8 +17,8 @@ from .._native import Join_grade
 class Point:
     """A point of a contour. `type` is "move", "line", "curve", "qcurve", or None off the curve."""
 
-    x: object
-    y: object
+    x: Any  #: a number: int, float, Fraction, ...
+    y: Any
     type: Optional[str]
 
 
@@ -61,10 +61,11 @@ class Move:
 
 def _beziers(points: List[Point], start: int, inner: List[int], end: int) -> List[List[Tuple]]:
     """The Bezier curves of a segment between two on-curve points; of a qcurve with implied points several."""
-    xy = [(points[i].x, points[i].y) for i in [start] + inner + [end]]
+    xy: List[Tuple] = [(points[i].x, points[i].y) for i in [start] + inner + [end]]
     if points[end].type != "qcurve" or len(inner) < 2:
         return [xy]
-    curves, first = [], xy[0]
+    curves: List[List[Tuple]] = []
+    first = xy[0]
     for a, b in zip(inner, inner[1:] + [None]):
         handle = (points[a].x, points[a].y)
         if b is None:
@@ -105,6 +106,7 @@ def kinks(points: List[Point], kink_angle=5, glyph: str = "", contour: int = 0) 
     for join in joins(points):
         if join.grade(kink_angle) == Join_grade.kink:
             size = _joins.kink_size(join.left, join.right)
+            assert size is not None  # what has a grade has a size
             node = points[join.node]
             found.append(Kink(glyph, contour, join.node, (node.x, node.y), size.angle.upper, size.handle_offset.upper))
     return found
@@ -130,7 +132,9 @@ def mend(points: List[Point], kink_angle=5, max_move: Optional[float] = None, gl
             continue
         a = (int(node.x - before.x), int(node.y - before.y))
         b = (int(behind.x - node.x), int(behind.y - node.y))
-        bound = 2 * _joins.kink_size(*curves).handle_offset.upper + 1 if max_move is None else max_move
+        size = _joins.kink_size(*curves)
+        assert size is not None
+        bound = 2 * size.handle_offset.upper + 1 if max_move is None else max_move
         movable = [p.type is None and len(c) == 4 for p, c in ((before, join.left), (behind, join.right))]
         if all(movable):
             handles = _joins.align_handles(a, b, int(bound * bound))

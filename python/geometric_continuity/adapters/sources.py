@@ -31,7 +31,7 @@ def mend_ufo_font(font, kink_angle=5, max_move: Optional[float] = None) -> List[
     for glyph in font:
         for number, contour in enumerate(glyph):
             points = _ufo_points(contour)
-            moved = mend(points, kink_angle, max_move, glyph.name, number)
+            moved = mend(points, kink_angle, max_move, glyph.name or "", number)
             for m in moved:
                 contour.points[m.index].x, contour.points[m.index].y = points[m.index].x, points[m.index].y
             moves += moved
@@ -64,8 +64,8 @@ def _write_points(path: str, moves: List[Move]) -> None:
         return tag
 
     text = re.sub(r"<!--.*?-->|<contour\b[^>]*>|<point\b[^>]*>", write, text, flags=re.DOTALL)
-    with open(path, "wb") as file:
-        file.write(text.encode("utf-8"))
+    with open(path, "wb") as output:
+        output.write(text.encode("utf-8"))
 
 
 def mend_ufo(path, output=None, kink_angle=5, max_move: Optional[float] = None) -> List[Move]:
@@ -91,7 +91,7 @@ def mend_ufo(path, output=None, kink_angle=5, max_move: Optional[float] = None) 
     for glyph in font:
         moved = []
         for number, contour in enumerate(glyph):
-            moved += mend(_ufo_points(contour), kink_angle, max_move, glyph.name, number)
+            moved += mend(_ufo_points(contour), kink_angle, max_move, glyph.name or "", number)
         if moved:
             _write_points(os.path.join(glyphs, names[glyph.name]), moved)
         moves += moved

@@ -32,7 +32,9 @@ class Piece:
         knows of the curve."""
         weights = [Fraction(1)] * len(self.points) if self.weights is None else list(self.weights)
         rows = [[w * x for x in p] + [w] for p, w in zip(self.points.tolist(), weights)]
-        derivatives, jet, factor = [], [], 1
+        derivatives: List[List[Fraction]] = []
+        jet: List[List[Fraction]] = []
+        factor = 1
         for k in range(4):
             derivatives.append([factor * x for x in rows[0]] if rows else [Fraction(0)] * (self.points.shape[1] + 1))
             factor *= max(len(self.points) - 1 - k, 0)
