@@ -195,6 +195,14 @@ BOOST_AUTO_TEST_CASE(small_tolerances, *boost::unit_test::label("long")) {
       const auto curve = GC::fit<Plane>(pentagon.begin(), pentagon.end(), tolerance, Closure::closed, order, corner);
       BOOST_CHECK_EQUAL(check(curve, pentagon, tolerance, Closure::closed, order), 5);
       BOOST_CHECK_EQUAL(curve.corners.size(), corner < 72 ? 5u : 0u);
+      for (int k = 0; k < 5; ++k) { // at each vertex the curve goes on as both segments do
+        if (corner < 72) continue;
+        const auto piece = curve.segment(k);
+        const int v = curve.vertices[k];
+        const auto tangent = piece.control_point(1) - piece.control_point(0);
+        BOOST_CHECK_GT(tangent * (pentagon[(v + 1) % 5] - pentagon[v % 5]), 0);
+        BOOST_CHECK_GT(tangent * (pentagon[v % 5] - pentagon[(v + 4) % 5]), 0);
+      }
     }
   };
   for (const Points& pentagon : {regular, p})

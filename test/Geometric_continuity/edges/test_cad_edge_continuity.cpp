@@ -281,6 +281,14 @@ BOOST_AUTO_TEST_CASE(planes_and_cylinders) {
   BOOST_TEST(verdict(side(plane(), line(0, 0, 0, 1)), side(plane(tilted), line(0, 0, 0, 1))) == "G0 crease");
   BOOST_TEST(verdict(side(plane(), line(0, 0, 0, 1)), side(plane(at_height(5e-324)), line(0, 0, 0, 1))) == "gap");
 
+  // along each axis in space
+  const GC::Cad_point<3> axes[] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  for (int k = 0; k < 3; ++k) {
+    const GC::Cad_point<3>&x = axes[k], &y = axes[(k + 1) % 3], &z = axes[(k + 2) % 3];
+    const GC::Cad_frame one{{0, 0, 0}, x, y, z}, other{{0, 0, 0}, x, z, {-y[0], -y[1], -y[2]}};
+    BOOST_TEST(verdict(side(plane(one), line(0, 0, 1, 0)), side(plane(other), line(0, 0, 1, 0))) == "G0 crease");
+  }
+
   // the top of a cylinder, and what closes it smoothly
   const GC::Cad_conic<2> circle{GC::Cad_conic<2>::Kind::ellipse, {0, 0}, {1, 0}, {0, 1}, 2, 2};
   const GC::Edge_side wall = side(Elementary{Kind::cylinder, standard, 2}, line(0, 3, 1, 0));

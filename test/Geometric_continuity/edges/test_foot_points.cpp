@@ -144,6 +144,32 @@ BOOST_AUTO_TEST_CASE(curvatures) {
   BOOST_TEST(g->curvature_jump == 5. / 7, boost::test_tools::tolerance(1e-9));
 }
 
+// z = c x^2 / 2 over (x, y) = (U + V, V + U) where U = u - 1/2, V = v - 1/2 and the other term of each is times `skew`: the lines of
+// constant parameters are neither orthogonal to each other nor to the edge x = 0, whose curve in the parameter plane is moved a little.
+BOOST_AUTO_TEST_CASE(skew_parameters) {
+  const auto bent = [](double skew, double c, double wrong) {
+    GC::Cad_spline_surface s{2, 2, {0, 0, 0, 1, 1, 1}, {0, 0, 0, 1, 1, 1}, {}, {}};
+    const double line_of[] = {-0.5, 0, 0.5}, square_of[] = {0.25, -0.25, 0.25};
+    for (int i = 0; i < 3; ++i)
+      for (int j = 0; j < 3; ++j)
+        s.points.push_back({line_of[i] + skew * line_of[j], line_of[j] + skew * line_of[i],
+                            c / 2 * (square_of[i] + 2 * skew * line_of[i] * line_of[j] + skew * skew * square_of[j])});
+    const double speed = 1 / (1 - skew * skew);
+    return side(s, line(0.5 + wrong, 0.5 - wrong, -skew * speed, speed));
+  };
+  const GC::Edge_curve edge = in_space(GC::Cad_line<3>{{0, 0, 0}, {0, 1, 0}});
+  for (const double skew : {0., 0.25, 0.6})
+    for (const double wrong : {0., 0.02, -0.03})
+      for (const double t : {0., 0.1, -0.07}) {
+        const auto f = GC::compare_at_feet(bent(skew, 1, wrong), bent(0, 0.5, -wrong), {true, true}, edge, t);
+        BOOST_TEST_CONTEXT("skew " << skew << ", wrong by " << wrong << ", at " << t) {
+          BOOST_REQUIRE(f.has_value());
+          BOOST_TEST((f->distances[0] <= 1e-12 && f->distances[1] <= 1e-12 && f->gap <= 1e-12 && f->angle <= 1e-7));
+          BOOST_TEST(f->curvature_jump == 0.5, boost::test_tools::tolerance(1e-9));
+        }
+      }
+}
+
 BOOST_AUTO_TEST_CASE(knot_lines) {
   const std::vector<GC::Cad_point<3>> points(5 * 2);
   GC::Cad_spline_surface s{2, 1, {0, 0, 0, 1, 1, 2, 2, 2}, {0, 0, 1, 1}, points, {}};

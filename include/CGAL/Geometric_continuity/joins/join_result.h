@@ -130,7 +130,7 @@ private:
       for (int j = order; j >= k; --j) d[j] -= d[j - 1];
     FT h(at_end ? end.start : end.end);
     h -= FT(at_end ? end.end : end.start);
-    if (unit_ != 1) h *= FT(unit_);
+    h *= FT(unit_);
     for (int e = exponent_; e < 0; ++e) h /= FT(10);
     FT factor(1);
     for (int k = 1; k <= order; ++k) {

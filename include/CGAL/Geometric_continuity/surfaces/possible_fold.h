@@ -6,6 +6,7 @@
 #define CGAL_GEOMETRIC_CONTINUITY_SURFACES_POSSIBLE_FOLD_H
 
 #include <CGAL/Geometric_continuity/Error.h>
+#include <CGAL/Geometric_continuity/algebra/Bernstein_polynomial.h>
 #include <CGAL/Geometric_continuity/numbers/Work_limit.h>
 #include <CGAL/Geometric_continuity/numbers/internal/subdivision.h>
 #include <CGAL/Geometric_continuity/surfaces/Bezier_patch.h>
@@ -68,16 +69,6 @@ public:
 inline Normal_vector scaled(const Normal_number& w, const Normal_vector& x) { return {w * x[0], w * x[1], w * x[2]}; }
 inline Normal_vector cross(const Normal_vector& x, const Normal_vector& y) {
   return {x[1] * y[2] - x[2] * y[1], x[2] * y[0] - x[0] * y[2], x[0] * y[1] - x[1] * y[0]};
-}
-
-// The rows 1, 1 1, 1 2 1, ...
-inline std::vector<Normal_number> binomials(int n) {
-  std::vector<Normal_number> row(1, Normal_number(1));
-  for (int k = 1; k <= n; ++k) {
-    row.emplace_back(1);
-    for (int i = k - 1; i > 0; --i) row[i] += row[i - 1];
-  }
-  return row;
 }
 
 // Times 2 to the power of -k.
@@ -158,7 +149,8 @@ private:
 
   // The coefficients, from which the binomial numbers are divided out.
   static Normals bernstein(Normals n) {
-    const std::vector<Normal_number> of_p = binomials(n.degree_u()), of_q = binomials(n.degree_v());
+    const std::vector<Normal_number> of_p = binomial_coefficients<Normal_number>(n.degree_u()),
+                                     of_q = binomial_coefficients<Normal_number>(n.degree_v());
     for (int i = 0; i <= n.degree_u(); ++i)
       for (int j = 0; j <= n.degree_v(); ++j)
         for (Normal_number& y : n(i, j)) y /= of_p[i] * of_q[j];
@@ -169,8 +161,10 @@ private:
   static Normals normals(const Interval_net<Normal_point>& net) {
     const int p = net.degree_u(), q = net.degree_v();
     if (p == 0 || q == 0) return {0, 0};
-    const std::vector<Normal_number> of_p = binomials(p), of_q = binomials(q), below_p = binomials(p - 1),
-                                     below_q = binomials(q - 1);
+    const std::vector<Normal_number> of_p = binomial_coefficients<Normal_number>(p),
+                                     of_q = binomial_coefficients<Normal_number>(q),
+                                     below_p = binomial_coefficients<Normal_number>(p - 1),
+                                     below_q = binomial_coefficients<Normal_number>(q - 1);
     Interval_net<Normal_point> s(p, q), in_u(p - 1, q), in_v(p, q - 1);
     const Normal_point middle = net(p / 2, q / 2); // the origin is put there
     std::array<double, 3> origin{};

@@ -17,11 +17,15 @@
 #include <CGAL/Geometric_continuity/curves/Rational_curve.h>
 #include <CGAL/Simple_cartesian.h>
 
+#include <algorithm>
+#include <cctype>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 BOOST_AUTO_TEST_SUITE(Svg_figure)
@@ -209,6 +213,37 @@ BOOST_AUTO_TEST_CASE(numbers_of_curvature_and_arc_length) {
                     minus + "0.5\n0\n0.5\n0\n1\n2\n3\n4\n5\n" + end + "tooth of curvature 0.1 (1/unit)\n" + below);
   BOOST_CHECK_EQUAL(numbers(1e-9).substr(0, 8), minus + "5e8\n0");
   BOOST_CHECK_EQUAL(numbers(1e3).substr(0, 11), minus + "0.0005\n0");
+}
+
+// In the plane a left turn is plotted above the middle and a right turn below it, as far as it is curved; the most curved point is at the
+// top, however little that is. In space the plot goes from the bottom to the top.
+BOOST_AUTO_TEST_CASE(heights_of_curvature) {
+  const auto heights = [](const auto& curve) { // of the plot of a curve, the least and the greatest
+    const std::string s =
+        svg(GC::Svg_figure().add(GC::Svg_panel().add(curve, Svg_style{Svg_role::result, false, false, "", true})));
+    const std::size_t plot = s.find("<svg", s.find("<svg", s.find("<svg") + 1) + 1), // in a panel in a figure
+        line = s.find("#d55e00", plot), begin = s.find(" d=\"", line) + 4, end = s.find('"', begin);
+    std::pair<double, double> found(1000, -1000);
+    std::istringstream path(s.substr(begin, end - begin));
+    double x, y;
+    for (char c; path >> c;) {
+      if (std::isalpha(static_cast<unsigned char>(c)) == 0) path.unget();
+      if (!(path >> x)) continue;
+      if (path.peek() == ',') path.get();
+      path >> y;
+      found = {(std::min)(found.first, y), (std::max)(found.second, y)};
+    }
+    return found;
+  };
+  const Curve left{P(0, 0), P(2, -0.01), P(4, 0)}, right{P(0, 0), P(2, 0.01), P(4, 0)};
+  const std::pair<double, double> above = heights(left), below = heights(right), middle = heights(line);
+  BOOST_CHECK_EQUAL(middle.first, middle.second);
+  BOOST_CHECK_CLOSE_FRACTION(above.first + below.second, 2 * middle.first, 1e-3);
+  BOOST_CHECK_LT(above.first, 10); // near the top of about 100 pixels
+  BOOST_CHECK_GT(below.second, 80);
+  const GC::Bezier_curve<Space> straight{Q(0, 0, 0), Q(1, 1, 1)}, bent{Q(0, 0, 0), Q(2, 0.01, 0), Q(4, 0, 0)};
+  BOOST_CHECK_LT(heights(bent).first, 15);
+  BOOST_CHECK_GT(heights(straight).first, below.second); // at the bottom
 }
 
 // The frame follows the curves that may not leave it, whatever the others do.

@@ -96,6 +96,8 @@ BOOST_AUTO_TEST_CASE(signs) {
   const std::int64_t big = std::int64_t(1) << 50;
   BOOST_CHECK_EQUAL(I::Rounded_polynomial::sign_of(polynomial({1, 2, 3})), 1);
   BOOST_CHECK_EQUAL(I::Rounded_polynomial::sign_of(polynomial({-1, -2, -3})), -1);
+  BOOST_CHECK_EQUAL(I::Rounded_polynomial::sign_of(polynomial({5})), 1);
+  BOOST_CHECK_EQUAL(I::Rounded_polynomial::sign_of(polynomial({-5})), -1);
   BOOST_CHECK_EQUAL(I::Rounded_polynomial::sign_of(polynomial({4, -3, 4})), 1); // 4 - 14 t (1-t) >= 1/2
   BOOST_CHECK_EQUAL(I::Rounded_polynomial::sign_of(polynomial({-4 * big, 3 * big, -4 * big})), -1);
   BOOST_CHECK_EQUAL(I::Rounded_polynomial::sign_of(polynomial({1, -1, 1})), 0); // a double zero

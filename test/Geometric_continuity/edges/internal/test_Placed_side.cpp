@@ -9,6 +9,7 @@
 
 #include "support/sampled_edges.h"
 
+#include <CGAL/Geometric_continuity/edges/internal/Edge_bounds.h>
 #include <CGAL/Geometric_continuity/edges/internal/Placed_side.h>
 
 #include <algorithm>
@@ -95,6 +96,82 @@ struct Outside {
 };
 
 } // namespace
+
+// The range of a coordinate that turns back holds its values and little else; where numbers are so large that sums of them might overflow,
+// nothing is known.
+BOOST_AUTO_TEST_CASE(ranges_of_coordinates) {
+  typedef GC::Cad_conic<2> Conic;
+  const CGAL::Protect_FPU_rounding<true> upwards;
+  const auto models = [](const GC::Cad_curve<2>& curve, const GC::internal::Edge_range& range) {
+    constexpr int n = GC::internal::Taylor_model::size;
+    const auto jet = [&](const GC::internal::Interval& t, int order) {
+      return GC::internal::cad_curve_jet(curve, t, order, 0);
+    };
+    const auto first = jet(range.t.inf(), 0).c[0][0], last = jet(range.t.sup(), 0).c[0][0];
+    return GC::internal::Coordinate_models(jet(range.middle, n), jet(range.t, n + 1), hull(first, last), 0, range.half);
+  };
+  const GC::internal::Edge_range range(-0.5, 0.25);
+  for (const double size : {1., 100.}) {
+    const Conic parabola{
+        Conic::Kind::parabola, {100 * size, 0}, {1, 0}, {0, 1}, size, 0}; // x = 100 size + t^2 / (4 size)
+    const GC::internal::Coordinate_models x = models(parabola, range);
+    BOOST_TEST((x.range.inf() <= 100 * size && 100 * size + 0.0625 / size <= x.range.sup()));
+    BOOST_TEST((x.range.inf() >= 100 * size - 1 / size && x.range.sup() <= 100 * size + 1 / size));
+  }
+  BOOST_TEST(models(GC::Cad_line<2>{{1e200, 0}, {1e200, 0}}, range).value.known());
+  BOOST_TEST(!models(GC::Cad_line<2>{{1e305, 0}, {1, 0}}, range).value.known());
+  BOOST_TEST(!models(GC::Cad_line<2>{{1, 0}, {1e305, 0}}, range).value.known());
+}
+
+// The range of an edge is divided next to where it crosses knot lines, however it runs.
+BOOST_AUTO_TEST_CASE(crossed_knot_lines) {
+  const GC::Cad_placement unmoved{{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}}};
+  const std::vector<double> knots{0, 0, 0.25, 0.5, 1, 1};
+  const auto ends = [&](bool swapped, double from, double by) {
+    GC::Cad_spline_surface s{1, 1, knots, bezier_knots(1), std::vector<P3>(8), {}};
+    if (swapped) std::swap(s.u_knots, s.v_knots);
+    const GC::Cad_line<2> line =
+        swapped ? GC::Cad_line<2>{{0.5, from}, {0, by}} : GC::Cad_line<2>{{from, 0.5}, {by, 0}};
+    const GC::Edge_side side{std::make_shared<GC::Cad_surface>(s), std::make_shared<GC::Cad_curve<2>>(line), unmoved,
+                             false};
+    const CGAL::Protect_FPU_rounding<true> upwards;
+    return GC::internal::divided_range({&side}, 0, 1);
+  };
+  for (const bool swapped : {false, true}) {
+    BOOST_TEST((ends(swapped, 0, 1) == std::vector<double>{0, 0.25, 0.5, 1}));
+    BOOST_TEST((ends(swapped, 1, -1) == std::vector<double>{0, 0.5, 0.75, 1}));
+    for (const auto& [from, by] : {std::pair<double, double>{0.1, 0.7}, {0.9, -0.7}, {0.2, 0.2}, {0.3, 0.1}}) {
+      std::vector<double> expected{0, 1};
+      for (const double knot : {0.25, 0.5}) {
+        const double t = (knot - from) / by;
+        if (0 < t && t < 1) expected.insert(expected.end(), 2, t); // on both sides of it
+      }
+      std::sort(expected.begin(), expected.end());
+      const std::vector<double> found = ends(swapped, from, by);
+      BOOST_TEST_CONTEXT("from " << from << " by " << by) {
+        BOOST_TEST_REQUIRE(found.size() == expected.size());
+        for (std::size_t i = 0; i < found.size(); ++i) BOOST_TEST(std::fabs(found[i] - expected[i]) < 1e-10);
+      }
+    }
+  }
+}
+
+// At a corner where both derivatives have one direction the normal is proved to vanish, in whichever plane that lies.
+BOOST_AUTO_TEST_CASE(vanishing_normals) {
+  const GC::Cad_placement unmoved{{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}}};
+  const auto vanishes = [&](const P3& along_u, const P3& along_v) {
+    const GC::Edge_side side{std::make_shared<GC::Cad_surface>(GC::Cad_spline_surface{
+                                 1, 1, bezier_knots(1), bezier_knots(1), {{0, 0, 0}, along_v, along_u, {9, 8, 5}}, {}}),
+                             std::make_shared<GC::Cad_curve<2>>(GC::Cad_line<2>{{0, 0}, {0, 1}}), unmoved, false};
+    const CGAL::Protect_FPU_rounding<true> upwards;
+    return GC::internal::Vanishing_normal(side).is_on(GC::internal::Edge_range(0, 0.5), false);
+  };
+  BOOST_TEST(vanishes({2, 4, 6}, {1, 2, 3}));
+  BOOST_TEST(vanishes({-1, 0, 2}, {1, 0, -2}));
+  BOOST_TEST(vanishes({0, 0, 0}, {1, 0, -2}));
+  for (const P3& v : {P3{1, 2, 4}, P3{1, 3, 3}, P3{2, 2, 3}, P3{0, 0, 1}, P3{0, 1, 0}, P3{1, 0, 0}})
+    BOOST_TEST(!vanishes({2, 4, 6}, v));
+}
 
 BOOST_AUTO_TEST_CASE(models_enclose_what_they_stand_for) {
   const unsigned seed = std::random_device()();

@@ -75,6 +75,8 @@ BOOST_AUTO_TEST_CASE(parts_of_one_spline) {
     BOOST_CHECK(found(left(2), u1, b, u0) == Edge_direction::same); // beyond the second derivative
     BOOST_CHECK(!found(left(-1), u0, b, u0));
     BOOST_CHECK(!found(left(-1), u1, left(-1), u1)); // a fold
+    const auto flat = [](const Filtered::Point& p) { return Filtered::Point(p.x(), 2 * p.x(), 0); };
+    BOOST_CHECK(!found(left(-1).transform(flat), u1, b.transform(flat), u0)); // no normal
   }
 }
 

@@ -132,6 +132,9 @@ BOOST_AUTO_TEST_CASE(series_of_surfaces) {
         GC::Cad_offset_surface{std::make_shared<GC::Cad_surface>(Elementary{Kind::torus, frame, 5, 2}), 0.5}};
     for (const Kind kind : {Kind::plane, Kind::cylinder, Kind::cone, Kind::sphere, Kind::torus})
       surfaces.push_back(Elementary{kind, frame, 5, kind == Kind::torus ? 2 : 0.5});
+    const auto whole_domain = GC::internal::cad_domain(surfaces[0]);
+    BOOST_CHECK(whole_domain[0].first == u[p] && whole_domain[0].last == u[u.size() - p - 1]);
+    BOOST_CHECK(whole_domain[1].first == v[q] && whole_domain[1].last == v[v.size() - q - 1]);
     for (const GC::Cad_surface& surface : surfaces) {
       const auto domain = GC::internal::cad_domain(surface);
       std::pair<double, double> range[2];

@@ -29,6 +29,9 @@ BOOST_AUTO_TEST_CASE(keys_of_edges) {
     BOOST_CHECK_EQUAL(key.compare(Key(t, v0)), -Key(t, v0).compare(key));
   }
   BOOST_CHECK(!key.single_point());
+  BOOST_CHECK(
+      Key(with_points(s, [](int, int j, const Exact::Point_3& p) { return j == 0 ? Exact::Point_3(1, 2, 3) : p; }), v0)
+          .single_point());
   // the same for Bezier patches
   const S one = spline(wave, knots(0, 4, {1, 2}), knots(0, 1));
   BOOST_CHECK_EQUAL(Key(one, v0).compare(Key(spline(wave, knots(0, 4), knots(0, 1)).bezier_patches()[0], v0)), 0);

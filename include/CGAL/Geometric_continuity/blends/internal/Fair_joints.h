@@ -149,8 +149,7 @@ private:
       x[least] = 1;
       x -= dot(x, t) * t;
       e[0] = x / std::sqrt(dot(x, x));
-      e[1] = Vector(3);
-      for (int i = 0; i < 3; ++i) e[1][i] = t[(i + 1) % 3] * e[0][(i + 2) % 3] - t[(i + 2) % 3] * e[0][(i + 1) % 3];
+      e[1] = cross_product(t, e[0]);
     }
     return e;
   }

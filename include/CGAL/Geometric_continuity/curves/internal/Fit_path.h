@@ -63,9 +63,10 @@ public:
 
   static double length(const Vector& v) { return std::sqrt(dot(v, v)); }
 
-  // The point at an arc length, on the segments between two vertices.
-  Vector point_at(double s, int first, int last) const {
-    const int k = static_cast<int>(std::upper_bound(s_.begin() + first + 1, s_.begin() + last, s) - s_.begin()) - 1;
+  // The point at an arc length; beyond an end this end, where the polyline is not periodic.
+  Vector point_at(double s) const {
+    if (periodic_) s -= std::floor(s / s_.back()) * s_.back();
+    const int k = static_cast<int>(std::upper_bound(s_.begin() + 1, s_.end() - 1, s) - s_.begin()) - 1;
     const double t = (std::min)((std::max)((s - s_[k]) / (s_[k + 1] - s_[k]), 0.), 1.);
     return p_[k] + t * (p_[k + 1] - p_[k]);
   }
@@ -117,12 +118,6 @@ private:
   static Vector rounded(Vector v) {
     for (int x = 0; x < v.dimension(); ++x) v[x] = std::nearbyint(v[x]);
     return v;
-  }
-
-  Vector point_at(double s) const {
-    const double total = s_.back();
-    if (periodic_) s -= std::floor(s / total) * total;
-    return point_at(s, 0, segments());
   }
 
   // A cubic polynomial near a window of the polyline, in a parameter that is 0 at the vertex and 1 at the end of the window.

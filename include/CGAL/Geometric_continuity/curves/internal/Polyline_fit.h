@@ -165,7 +165,7 @@ private:
     std::array<double, most_samples + 1> u;
     for (int k = 0; k <= samples; ++k) {
       u[k] = k / double(samples);
-      x[k] = path_.point_at(path_.arc_length(i) + u[k] * total, i, j);
+      x[k] = path_.point_at(path_.arc_length(i) + u[k] * total);
     }
     const std::array<double, 2> lengths = {length(start.leg), length(end.leg)};
     std::array<double, unknowns> handles; // where the search starts

@@ -99,7 +99,7 @@ public:
                 b.defined,
                 b.knots,
                 0};
-      if (parent && parent->defined && part.defined) {
+      if (parent && part.defined) { // the bound of one where it is not defined is infinite
         part.bound = (std::min)(part.bound, parent->bound);
         part.idle = b.noisy && part.bound - lower > 0.9 * (parent->bound - lower) ? parent->idle + 1 : 0;
       }

@@ -129,7 +129,7 @@ public:
     return internal::minus(std::array<double, N>{}, left_legs_[0]);
   }
   CGAL_GC_FORCEINLINE const std::array<double, N>& first_right() const { return right_legs_[0]; }
-  CGAL_GC_FORCEINLINE int pivot() const { return is_parametric(question) ? 0 : largest_coordinate(left_legs_[0]); }
+  CGAL_GC_FORCEINLINE int pivot() const { return largest_coordinate(left_legs_[0]); }
 
   typedef Join_weights_of<question, std::int64_t> Factors;
 

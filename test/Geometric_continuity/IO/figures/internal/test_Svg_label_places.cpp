@@ -107,7 +107,12 @@ BOOST_AUTO_TEST_CASE(labels_do_not_overlap) {
     BOOST_REQUIRE_LT(labels.size(), 100);
   }
   BOOST_CHECK_GE(labels.size(), 12);
-  BOOST_CHECK(!Svg_label_places(10, 10).is_in_panel(svg_vector({11.0, 5.0})));
+  const Svg_label_places panel(10, 20);
+  for (const Svg_pixel& p :
+       {svg_vector({11.0, 5.0}), svg_vector({-1.0, 5.0}), svg_vector({5.0, 21.0}), svg_vector({5.0, -1.0})})
+    BOOST_CHECK(!panel.is_in_panel(p));
+  for (const Svg_pixel& p : {svg_vector({0.0, 0.0}), svg_vector({10.0, 20.0}), svg_vector({5.0, 15.0})})
+    BOOST_CHECK(panel.is_in_panel(p));
 }
 
 BOOST_AUTO_TEST_SUITE_END()
