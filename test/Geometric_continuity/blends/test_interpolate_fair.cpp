@@ -58,24 +58,6 @@ std::vector<Plane::Point> circle(int n) {
 
 } // namespace
 
-// Of points on a circle, tangents and curvatures are those of the circle, also at the ends.
-BOOST_AUTO_TEST_CASE(circles_through_points) {
-  for (const bool closed : {false, true}) {
-    std::vector<GC::internal::Fair_joint<2>> joints;
-    for (const double angle : {0., 0.7, 1.5, 2.2, 3.3}) {
-      joints.emplace_back();
-      joints.back().point[0] = 2 * std::cos(angle);
-      joints.back().point[1] = 2 * std::sin(angle);
-    }
-    GC::internal::take_circles(joints, closed);
-    for (const GC::internal::Fair_joint<2>& joint : joints) {
-      BOOST_CHECK_SMALL(joint.tangent[0] + joint.point[1] / 2, 1e-12);
-      BOOST_CHECK_SMALL(joint.tangent[1] - joint.point[0] / 2, 1e-12);
-      for (int x = 0; x < 2; ++x) BOOST_CHECK_SMALL(joint.curvature[x] + joint.point[x] / 4, 1e-12);
-    }
-  }
-}
-
 BOOST_AUTO_TEST_CASE(random_points) {
   repeat(3, [](Random& random) {
     std::vector<Space::Point> p;

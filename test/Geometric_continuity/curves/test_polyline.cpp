@@ -397,20 +397,4 @@ BOOST_AUTO_TEST_CASE(numbers_of_halvings_that_are_refused) {
   BOOST_CHECK(boxes.empty());
 }
 
-// The squares of distances up to 1 are near: of the ends, and beside the segment.
-BOOST_AUTO_TEST_CASE(near_segments) {
-  typedef GC::Coordinate_vector<CGAL::Exact_rational, 2> Column;
-  const auto is_near = [](const CGAL::Exact_rational& x, const CGAL::Exact_rational& y) {
-    Column p(2), q(2), at(2);
-    q[0] = 3;
-    at[0] = x;
-    at[1] = y;
-    return GC::internal::is_near_segment(at, p, q);
-  };
-  const CGAL::Exact_rational more = CGAL::Exact_rational(1) + CGAL::Exact_rational(1) / 1000000;
-  BOOST_CHECK(is_near(-1, 0) && is_near(4, 0) && is_near(0, 1) && is_near(3, 1) && is_near(2, -1));
-  BOOST_CHECK(!is_near(-more, 0) && !is_near(CGAL::Exact_rational(3 + more), 0) && !is_near(0, more) &&
-              !is_near(3, more) && !is_near(2, -more));
-}
-
 BOOST_AUTO_TEST_SUITE_END()

@@ -270,46 +270,6 @@ BOOST_AUTO_TEST_CASE(between_the_masters_of_many_axes) {
   }
 }
 
-// Bounds of both products on a box with many axes, also where what is bilinear in the axes moves the legs at right angles.
-BOOST_AUTO_TEST_CASE(bounds_with_centered_legs) {
-  using GC::internal::Centered_legs;
-  for (int round = 0; round < 200; ++round) {
-    const std::size_t n = static_cast<std::size_t>(number(2, 4));
-    Legs legs{{{{100, 0}, {}}, {{100, 0}, {}}}, {}};
-    for (int r = number(1, 4); r > 0; --r) {
-      std::vector<double> peaks(n, 0.0);
-      for (double& p : peaks) p = number(0, 1);
-      peaks[static_cast<std::size_t>(r) % n] = 1;
-      legs.regions.push_back(region(peaks));
-      const int x = number(0, 1) * number(-60, 60), y = number(0, 1) * number(-60, 60);
-      legs.join.incoming.shifts.push_back({x, number(0, 1) * number(-60, 60)});
-      legs.join.outgoing.shifts.push_back({number(0, 1) * number(-60, 60), y});
-    }
-    const GC::internal::Variation_cells cells(legs.join, legs.regions, axes(n, n));
-    const CGAL::Protect_FPU_rounding<true> upwards;
-    const Centered_legs centered(cells, cells.whole(0));
-    for (int k = 0; k < 20; ++k) {
-      const double alpha = number(0, 4), beta = number(-2, 2);
-      const double lower = centered.lower(Centered_legs::Interval(alpha), Centered_legs::Interval(beta));
-      std::vector<double> t;
-      for (std::size_t v = 0; v < cells.variables(); ++v) t.push_back(k < 10 ? number(0, 1) : number(0, 64) / 64.);
-      const std::pair<Q, Q> p = cells.products_at(0, t);
-      BOOST_CHECK(Q(lower) <= Q(alpha) * p.second + Q(beta) * p.first);
-      for (std::size_t axis = 1; axis <= centered.free(); ++axis) // and the sign of a slope
-        for (const int sign : {1, -1}) {
-          const int slope = centered.slope(axis, sign, alpha / 4, alpha);
-          if (slope == 0) continue;
-          std::vector<double> low = t, high = t;
-          low[centered.axis(axis)] = 0;
-          high[centered.axis(axis)] = 1;
-          const std::pair<Q, Q> x = cells.products_at(0, low), y = cells.products_at(0, high);
-          const Q step = Q(alpha) * (y.second - x.second) - Q(sign) * (y.first - x.first);
-          BOOST_CHECK(slope > 0 ? Q(0) <= step : step <= Q(0));
-        }
-    }
-  }
-}
-
 // No instance has a larger angle than what is said, where axes are left out along which the angle rises or falls; to one side and to both.
 BOOST_AUTO_TEST_CASE(random_joins_of_many_axes_against_samples) {
   for (int round = 0; round < 60; ++round) {
