@@ -10,7 +10,7 @@ The unit tests, of the long ones only three, and the program are built once, by 
 program chooses one of them when it runs (mutants.h). Each test case is run once without any, to see which it comes across and how long it takes. Then
 each alteration meets the test cases that come across it, those of the room of the header first, the quick ones before the others, until one fails or
 does not end; those that take S seconds together, at most. FOLDER/results.txt keeps what was found: another call goes on where the last one ended, and with --again tries
-again what no test has noticed and nothing explains. The table counts all that is in it; --manual puts it into the manual. equivalent.txt lists
+again what no test has noticed and nothing explains. The table counts the sample; --manual puts it into the manual. equivalent.txt lists
 alterations that change no answer, with the reason.
 
 What is known to the compiler is not altered: template arguments, lengths of arrays, constants of types. Nor is what does not compile when altered."""
@@ -365,7 +365,8 @@ def main():
             log.flush()
             if how in ("lives", "not reached"):
                 print(f"{how}: {header}:{line}: {place}", flush=True)
-    rows, counts = table({place: how for place, how in results.items() if how != "does not compile"})
+    sample = {key(header, place) for header, _, place, _ in mutants}  # not what headers have no more
+    rows, counts = table({place: how for place, how in results.items() if place in sample and how != "does not compile"})
     print("room, tried, noticed, equivalent, lives, not reached", *rows, sep="\n")
     if given.manual:
         write_manual(rows)

@@ -390,6 +390,26 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(cubes, K, Kernels) {
               (std::set<std::size_t>{0, 1, 2, 3, 4}));
 }
 
+// What is closed but holds no volume keeps the orientation of its first patch; it has no outside.
+BOOST_AUTO_TEST_CASE_TEMPLATE(two_sides_of_a_sheet, K, Kernels) {
+  const Exact_patch sheet({{{0, 0, 0}, {0, 1, 1}}, {{1, 0, 1}, {1, 1, 2}}});
+  for (const Exact_patch& first : {sheet, sheet.swap_parameters()}) {
+    const std::vector<Patch<K>> model = in_kernel<K>({first, first.swap_parameters()});
+    const Mesh<K> mesh = GC::tessellate(model, grid(2));
+    const GC::Mesh_edges edges = GC::mesh_edges(mesh.triangles);
+    BOOST_CHECK(edges.boundary == 0 && edges.irregular == 0);
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+      if (mesh.patches[t] != 0) continue;
+      const auto& p = mesh.points;
+      const auto& i = mesh.triangles[t];
+      const auto normal = CGAL::cross_product(p[i[1]] - p[i[0]], p[i[2]] - p[i[0]]),
+                 of_patch = CGAL::cross_product(model[0].control_point(1, 0) - model[0].control_point(0, 0),
+                                                model[0].control_point(0, 1) - model[0].control_point(0, 0));
+      BOOST_CHECK(normal * of_patch > 0);
+    }
+  }
+}
+
 BOOST_AUTO_TEST_CASE_TEMPLATE(tori, K, Kernels) {
   for (const auto& size : {std::make_pair(4, 3), std::make_pair(3, 3), std::make_pair(2, 5), std::make_pair(2, 2)}) {
     const std::vector<Patch<K>> model = in_kernel<K>(torus(size.first, size.second));

@@ -227,6 +227,7 @@ std::size_t curvature_and_torsion(const Jet_arrays<FT, 3, k>& jets, FT* curvatur
     // at a time: the square root stands alone, because -frounding-math keeps it from vectorisation
     constexpr std::size_t most = 256;
     FT squares[most];
+    std::size_t zeros = 0;
     for (std::size_t first = begin; first < end; first += most) {
       const std::size_t last = (std::min)(first + most, end);
       CGAL_GEOMETRIC_CONTINUITY_INDEPENDENT_ITERATIONS
@@ -243,8 +244,9 @@ std::size_t curvature_and_torsion(const Jet_arrays<FT, 3, k>& jets, FT* curvatur
       for (std::size_t i = first; i < last; ++i) kappa[i] = std::sqrt(kappa[i]);
       CGAL_GEOMETRIC_CONTINUITY_INDEPENDENT_ITERATIONS
       for (std::size_t i = first; i < last; ++i) kappa[i] /= squares[i - first];
+      zeros += static_cast<std::size_t>(std::count(kappa + first, kappa + last, FT(0)));
     }
-    undefined += std::count(kappa + begin, kappa + end, FT(0));
+    undefined += zeros;
   });
   return undefined;
 }

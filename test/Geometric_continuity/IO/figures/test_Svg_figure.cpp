@@ -300,6 +300,15 @@ BOOST_AUTO_TEST_CASE(pictures_of_surfaces) {
     CHECK_ERROR(GC::write_svg_surfaces(os, std::vector<Patch>{bent}, wrong), empty_domain);
     BOOST_CHECK(os.str().empty());
   }
+  // a flat patch that is curved along one parameter has as many facets when the parameters are exchanged
+  const Patch curved{{Q(0, 0, 0), Q(4, 1, 0), Q(0, 2, 0)}, {Q(1, 0, 0), Q(5, 1, 0), Q(1, 2, 0)}};
+  const auto numbers = [](const Patch& patch) { // that occur
+    std::ostringstream os;
+    GC::write_svg_surfaces(os, std::vector<Patch>{patch}, GC::Svg_surface_style());
+    const std::string s = os.str();
+    return std::count(s.begin(), s.end(), '.');
+  };
+  BOOST_CHECK_EQUAL(numbers(curved), numbers(curved.swap_parameters()));
   std::ostringstream narrow;
   style.width = 100;
   GC::write_svg_surfaces(narrow, std::vector<Patch>{bent}, style);
