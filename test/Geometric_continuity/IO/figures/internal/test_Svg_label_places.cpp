@@ -109,7 +109,7 @@ BOOST_AUTO_TEST_CASE(labels_do_not_overlap) {
   BOOST_CHECK_GE(labels.size(), 12);
   const Svg_label_places panel(10, 20);
   for (const Svg_pixel& p :
-       {svg_vector({11.0, 5.0}), svg_vector({-1.0, 5.0}), svg_vector({5.0, 21.0}), svg_vector({5.0, -1.0})})
+       {svg_vector({11.0, 5.0}), svg_vector({-1.0, 5.0}), svg_vector({5.0, -1.0}), svg_vector({5.0, 21.0})})
     BOOST_CHECK(!panel.is_in_panel(p));
   for (const Svg_pixel& p : {svg_vector({0.0, 0.0}), svg_vector({10.0, 20.0}), svg_vector({5.0, 15.0})})
     BOOST_CHECK(panel.is_in_panel(p));
