@@ -8,16 +8,19 @@
 #include "commands/chains/verify_chain.h"
 #include "commands/commands.h"
 #include "commands/drawings/verify_drawings.h"
+#include "commands/fonts/read_fonts.h"
+#include "commands/fonts/verify_fonts.h"
 #include "commands/repair/repair_drawing.h"
 #include "formats/svg/Unpacked_bytes.h"
 #include "memory_file.h"
+#include "reports/report_joins.h"
 
 #include <algorithm>
 #include <iostream>
 #include <sstream>
 
-// What geometric_continuity.mjs calls of files: the commands `verify` and `repair` of the program, which print their JSON on standard output.
-// The text of the file follows the options.
+// What geometric_continuity.mjs calls of files: the commands `verify` and `repair` of the program, which print their JSON on standard output,
+// and the curves of drawings and fonts. The text of the file follows the options.
 
 namespace {
 
@@ -90,7 +93,107 @@ void verify_g2(Request& request, std::ostream& os) {
         {required ? (std::max)(max_order, required->order()) : max_order, required, std::nullopt, GC::Kink_bound()});
 }
 
+// A name of the options: "-" for none.
+Glyph_selection glyphs(Request& request) {
+  const std::string words(request.word());
+  return words == "-" ? Glyph_selection() : Glyph_selection(words);
+}
+
+void verify_font(Request& request, std::ostream& os) {
+  Font_demand demand;
+  const std::optional<Requirement> required = requirement(request);
+  if (required) {
+    if (required->text() != "G1" && required->text() != "G2")
+      throw GC::Error(GC::Error_code::malformed_input, "verifyFont: of fonts G1 and G2 are decided");
+    demand.rule.required = required->order() == 1 ? GC::Join_grade::g1 : GC::Join_grade::g2;
+  }
+  demand.rule.corner = GC::Kink_bound(request.exact());
+  demand.worst = static_cast<std::size_t>(request.count());
+  demand.glyphs = glyphs(request);
+  const Memory_file file("font", request.text());
+  const Captured_output output(os);
+  verify_fonts({file.name()}, json_mode(), demand);
+}
+
+// The points are the nearest doubles, x and y by turns; with weights it is an arc.
+void write_curve(std::ostream& os, const Report_curve& curve) {
+  const auto list = [&os](const char* name, const std::vector<double>& numbers) {
+    os << name;
+    for (std::size_t i = 0; i < numbers.size(); ++i) GC::write_number(os << (i == 0 ? "[" : ","), numbers[i]);
+    os << ']';
+  };
+  list("{\"points\":", curve.points);
+  if (!curve.weights.empty()) list(",\"weights\":", curve.weights);
+  if (!curve.link.points.empty()) os << ",\"exact\":\"" << curve.link.points << '"';
+  os << '}';
+}
+
+// Writes all subpaths of a drawing.
+class Drawing_curves : public Drawing_handler {
+  std::ostream& os_;
+  const char* separator_ = "";
+
+public:
+  explicit Drawing_curves(std::ostream& os) : os_(os) {}
+  void subpath(const Drawing_element& element, int number, const Drawing_subpath& path) override {
+    GC::write_json(os_ << separator_ << "{\"element\":", element.name);
+    GC::write_json(os_ << ",\"id\":", element.id);
+    os_ << ",\"line\":" << element.line << ",\"subpath\":" << number
+        << ",\"closed\":" << (path.closed ? "true" : "false") << ",\"curves\":[";
+    for (std::size_t i = 0; i < path.segments.size(); ++i)
+      write_curve(os_ << (i == 0 ? "" : ","), *drawn_curve(path.segments[i], 0));
+    os_ << "]}";
+    separator_ = ",\n";
+  }
+  void not_read(const Drawing_element&, const std::string&) override {}
+};
+
+void svg_curves(Request& request, std::ostream& os) {
+  std::istringstream text(request.text());
+  Drawing_curves curves(os << "{\"subpaths\":[");
+  read_svg_drawing(text, "drawing.svg", curves);
+  os << "]}";
+}
+
+// Writes the outlines of glyphs.
+class Font_curves : public Font_visitor {
+  std::ostream& os_;
+  const char* separator_ = "";
+
+public:
+  explicit Font_curves(std::ostream& os) : os_(os) {}
+  void begin_font(const Font_face&, const Font_result&) override {}
+  Join_counts glyph(const Font_face& font, int glyph, const Glyph_outline& outline, const Font_result&) override {
+    GC::write_json(os_ << separator_ << "{\"index\":" << glyph << ",\"name\":", font.glyph_name(glyph));
+    os_ << ",\"contours\":[";
+    const double steps = static_cast<double>(outline.steps()); // a power of two: all numbers are exact
+    for (std::size_t contour = 0; contour < outline.contours(); ++contour) {
+      os_ << (contour == 0 ? "[" : ",[");
+      for (const Glyph_segment* s = outline.begin(contour); s != outline.end(contour); ++s) {
+        Report_curve curve{{}, {}, 0};
+        for (std::size_t i = 0; i <= static_cast<std::size_t>(s->degree); ++i)
+          for (const std::int64_t x : {s->points[i].x, s->points[i].y}) curve.points.push_back(double(x) / steps);
+        write_curve(os_ << (s == outline.begin(contour) ? "" : ","), curve);
+      }
+      os_ << ']';
+    }
+    os_ << "]}";
+    separator_ = ",\n";
+    return {};
+  }
+  void end_font(const Font_face&, Font_result&) override {}
+};
+
+void font_curves(Request& request, std::ostream& os) {
+  const Glyph_selection selection = glyphs(request);
+  const Memory_file file("font", request.text());
+  Font_curves curves(os << "{\"glyphs\":[");
+  read_fonts({file.name()}, selection, curves);
+  os << "]}";
+}
+
 } // namespace
 
-const std::vector<Module_function> module_functions = {
-    {"verifySvg", verify_svg}, {"repairSvg", repair_svg}, {"verifyG2", verify_g2}};
+const std::vector<Module_function> module_functions = {{"verifySvg", verify_svg}, {"repairSvg", repair_svg},
+                                                       {"verifyG2", verify_g2},   {"verifyFont", verify_font},
+                                                       {"svgCurves", svg_curves}, {"fontCurves", font_curves}};

@@ -127,6 +127,15 @@ export interface EdgeContinuity {
   largest_angle_degrees: number | null;
 }
 
+/** A curve as it is drawn: x and y of its control points by turns, the nearest doubles. */
+export interface DrawnCurve {
+  points: number[];
+  /** Of an arc, which is rounded. */
+  weights?: number[];
+  /** The control points of a drawing's curve that is no arc, exactly: e.g. "0,0;1/3,2". */
+  exact?: string;
+}
+
 export interface Module {
   /** Decides the orders of a join, exactly for the numbers as given. */
   continuity(left: Curve, right: Curve, options?: { maxOrder?: number }): Join;
@@ -157,6 +166,17 @@ export interface Module {
     svg: string | Uint8Array | ArrayBuffer,
     options?: { kinkAngle?: Exact; maxMove?: Exact | null; harmonise?: boolean },
   ): Promise<{ svg: string; report: any }>;
+  /** The curves of a drawing: segment i is that which a join of `verifySvg` names by its number `left` or `right`. */
+  svgCurves(svg: string | Uint8Array | ArrayBuffer): Promise<{
+    subpaths: { element: string; id: string; line: number; subpath: number; closed: boolean; curves: DrawnCurve[] }[];
+  }>;
+  /** The JSON of `geometric_continuity verify --json` of a font (TrueType, OpenType, Type 1, WOFF), with `worst` joins of each glyph; glyphs as of `--glyphs`. */
+  verifyFont(
+    font: Uint8Array | ArrayBuffer,
+    options?: { glyphs?: string; require?: 'G1' | 'G2' | null; kinkAngle?: Exact; worst?: number },
+  ): Promise<any>;
+  /** The outlines of glyphs in units of the font: contours of curves. */
+  fontCurves(font: Uint8Array | ArrayBuffer, options?: { glyphs?: string }): Promise<{ glyphs: { index: number; name: string; contours: DrawnCurve[][] }[] }>;
   /** The JSON of `geometric_continuity verify --json` of curves or, with surfaces, of a model in SINTEF's format. */
   verifyG2(
     g2: string | Uint8Array | ArrayBuffer,

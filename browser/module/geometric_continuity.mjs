@@ -89,6 +89,11 @@ const word = (x, place) => {
   return x;
 };
 
+const glyphNames = (x) => {
+  if (typeof x !== 'string' || !/^[^\s]+$/.test(x)) refuse('malformed_input', `options.glyphs: names without spaces are expected, not ${described(x)}`);
+  return x;
+};
+
 // The names, and the scalars of the strategies that take some.
 function strategy(options) {
   const name = options.strategy ?? 'energy3';
@@ -263,6 +268,15 @@ export default async function load({ wasm, filesWasm } = {}) {
     },
     async repairSvg(svg, { kinkAngle = 5, maxMove = null, harmonise = false } = {}) {
       return callWithFile(svg, 'repairSvg', number(kinkAngle, 'options.kinkAngle'), maxMove === null ? '-' : number(maxMove, 'options.maxMove'), harmonise ? 1 : 0);
+    },
+    async svgCurves(svg) {
+      return callWithFile(svg, 'svgCurves');
+    },
+    async verifyFont(font, { glyphs = '-', require = null, kinkAngle = 5, worst = 0 } = {}) {
+      return callWithFile(font, 'verifyFont', require === null ? '-' : word(require, 'options.require'), number(kinkAngle, 'options.kinkAngle'), integer(worst, 'options.worst', 0, 1000000), glyphNames(glyphs));
+    },
+    async fontCurves(font, { glyphs = '-' } = {}) {
+      return callWithFile(font, 'fontCurves', glyphNames(glyphs));
     },
     async verifyG2(g2, { maxOrder = 3, require = null, closed = false, surfaces = false } = {}) {
       return callWithFile(g2, 'verifyG2', integer(maxOrder, 'options.maxOrder', 0, 32), require === null ? '-' : word(require, 'options.require'), closed ? 1 : 0, surfaces ? 1 : 0);

@@ -16,26 +16,31 @@ function html(name, attributes = {}, ...children) {
   return e;
 }
 
-// The point and the first two derivatives of a Bezier curve, by de Casteljau.
-function jet(points, t) {
+// The point and the first two derivatives of a Bezier curve, by de Casteljau; with weights those of a rational one.
+function jet(points, t, weights = null) {
+  if (weights) {
+    const h = jet(points.map(([x, y], i) => [weights[i] * x, weights[i] * y, weights[i]]), t), w = h.x[2];
+    const x = [0, 1].map((k) => h.x[k] / w), d = x.map((c, k) => (h.d[k] - h.d[2] * c) / w);
+    return { x, d, dd: x.map((c, k) => (h.dd[k] - 2 * h.d[2] * d[k] - h.dd[2] * c) / w) };
+  }
   const n = points.length - 1, rows = [points];
   for (let k = 1; k <= n; ++k)
     rows.push(rows[k - 1].slice(1).map((p, j) => p.map((x, i) => (1 - t) * rows[k - 1][j][i] + t * x)));
   const row = (k) => rows[n - k];
   const x = row(0)[0];
-  const d = n < 1 ? [0, 0] : row(1)[1].map((b, i) => n * (b - row(1)[0][i]));
-  const dd = n < 2 ? [0, 0] : row(2)[2].map((c, i) => n * (n - 1) * (c - 2 * row(2)[1][i] + row(2)[0][i]));
+  const d = n < 1 ? points[0].map(() => 0) : row(1)[1].map((b, i) => n * (b - row(1)[0][i]));
+  const dd = n < 2 ? points[0].map(() => 0) : row(2)[2].map((c, i) => n * (n - 1) * (c - 2 * row(2)[1][i] + row(2)[0][i]));
   return { x, d, dd };
 }
 function curvature({ d, dd }) {
   const speed = Math.hypot(d[0], d[1]);
   return speed > 0 ? (d[0] * dd[1] - d[1] * dd[0]) / speed ** 3 : 0;
 }
-function samples(points, n = 64) {
+function samples(points, weights = null, n = 64) {
   const list = [];
   let s = 0;
   for (let k = 0; k <= n; ++k) {
-    const j = jet(points, k / n);
+    const j = jet(points, k / n, weights);
     if (k > 0) s += Math.hypot(j.x[0] - list[k - 1].x[0], j.x[1] - list[k - 1].x[1]);
     list.push({ ...j, s, k: curvature(j) });
   }

@@ -31,10 +31,47 @@ const tableOf = (head, rows) =>
   html('table', {}, html('thead', {}, html('tr', {}, ...head.map((h) => html('th', { scope: 'col' }, h)))),
     html('tbody', {}, ...rows.map((row) => html('tr', {}, ...row.map((c) => (c instanceof Node ? html('td', {}, c) : html('td', { class: 'number' }, c)))))));
 
+// A point that moves: its numbers as they are (`world`: numbers, or texts of exact ones), and its place in the picture (`at`).
+const valueOf = (x) => {
+  const [p, q = 1] = String(x).split('/').map(Number);
+  return p / q;
+};
+// The part of the plane, or of two coordinates of space, that all points are in; for points within [-12, 12] x [-8, 8] the picture as it is.
+class Frame {
+  constructor(worlds) {
+    const lists = worlds[0].map((_, k) => worlds.map((w) => valueOf(w[k]))), range = lists.map((list) => Math.max(...list) - Math.min(...list));
+    this.axes = [...range.keys()].sort((i, j) => range[j] - range[i] || i - j).slice(0, 2).sort();
+    this.centre = [0, 0];
+    this.scale = 1;
+    const low = this.axes.map((k) => Math.min(...lists[k])), high = this.axes.map((k) => Math.max(...lists[k])), size = Math.max((high[0] - low[0]) / 20, (high[1] - low[1]) / 13);
+    if (range.length === 2 && size > 0.4 && Math.max(...low.map((x, i) => Math.max(-x, high[i]) / [11.8, 7.8][i])) <= 1) return;
+    this.scale = 1 / (size || 1);
+    this.centre = low.map((x, i) => (x + high[i]) / 2);
+  }
+  get unit() { // so that numbers stay short: a power of two
+    return 2 ** Math.round(Math.log2(1 / 64 / this.scale));
+  }
+  at(world) {
+    return this.axes.map((k, i) => (valueOf(world[k]) - this.centre[i]) * this.scale);
+  }
+  put(point, at) {
+    point.at = at;
+    for (const [i, k] of this.axes.entries()) {
+      const old = valueOf(point.world[k]), x = at[i] / this.scale + this.centre[i], to = Math.round(x / this.unit) * this.unit;
+      if (Math.abs(x - old) > this.unit / 4) point.world[k] = to;
+    }
+    point.at = this.at(point.world);
+  }
+}
+const identity = new Frame([[-12, 0], [12, 0]]);
+identity.scale = 1;
+identity.centre = [0, 0];
+
 // A picture of [-12, 12] x [-8, 8] with points that move.
 class Picture {
-  constructor(label, points, { snap = 0, changed }) {
-    Object.assign(this, { points, snap, changed });
+  constructor(label, points, { snap = 0, frame = identity, changed, address }) {
+    Object.assign(this, { points, snap, frame, changed, address });
+    for (const p of points) p.at = frame.at(p.world);
     this.under = element('g');
     this.over = element('g');
     this.svg = element('svg', { class: 'scene', viewBox: '-12 -8 24 16', role: 'group', 'aria-label': label }, this.under, this.over);
@@ -59,12 +96,12 @@ class Picture {
     return [p.x, -p.y];
   }
   move(i, at) {
-    const limit = [11.8, 7.8], unit = this.snap || 1 / 64; // so that numbers stay short
+    const limit = [11.8, 7.8], unit = this.snap || this.frame.unit * this.frame.scale;
     const to = at.map((x, k) => Math.round(Math.min(limit[k], Math.max(-limit[k], x)) / unit) * unit);
     const old = this.points[i].at;
-    if (to[0] === old[0] && to[1] === old[1]) return;
+    if (Math.hypot(to[0] - old[0], to[1] - old[1]) < unit / 2) return;
     for (const [j, p] of this.points.entries())
-      if (j === i || this.points[i].with?.includes(j)) p.at = j === i ? to : p.at.map((x, k) => x + to[k] - old[k]);
+      if (j === i || this.points[i].with?.includes(j)) this.frame.put(p, p.at.map((x, k) => x + to[k] - old[k]));
     this.schedule();
   }
   schedule() {
@@ -75,35 +112,43 @@ class Picture {
       const begin = performance.now();
       this.changed();
       this.place_circles();
-      this.frame = performance.now() - begin;
+      this.work = performance.now() - begin;
     });
+  }
+  // The link of the page is that of what is seen: in the address a moment after the last change.
+  remember() {
+    clearTimeout(this.remembering);
+    this.remembering = setTimeout(() => this.svg.isConnected && history.replaceState(null, '', `#${this.address()}`), 300);
   }
   place_circles() {
     for (const [i, p] of this.points.entries()) {
+      if (this.circles[i].getAttribute('cx') === String(p.at[0]) && this.circles[i].getAttribute('cy') === String(-p.at[1])) continue;
       this.circles[i].setAttribute('cx', p.at[0]);
       this.circles[i].setAttribute('cy', -p.at[1]);
-      this.circles[i].setAttribute('aria-label', `${p.name}, x ${digits(p.at[0])}, y ${digits(p.at[1])}`);
+      this.circles[i].setAttribute('aria-label', `${p.name}, ${p.world.map((x, k) => `${'xyz'[k]} ${digits(valueOf(x))}`).join(', ')}`);
     }
+    if (this.shown && this.address) this.remember();
+    this.shown = true;
   }
   // Draws curves with their polygons and combs, and grid lines where points snap.
   draw(curves, { combs = true } = {}) {
     const nodes = [];
     if (this.snap) for (let k = -12; k <= 12; ++k) nodes.push(element('path', { class: 'grid', d: `M${k} -8V8${Math.abs(k) <= 8 ? ` M-12 ${k}H12` : ''}` }));
-    for (const { points, colour, legs } of curves) {
+    for (const { points, weights, colour, legs } of curves) {
       if (legs) nodes.push(element('path', { class: 'leg', d: `M${line(points)}` }));
-      if (combs) nodes.push(element('path', { class: 'comb', d: comb(samples(points), 3) }));
-      nodes.push(element('path', { class: 'curve', stroke: colour, d: `M${line(samples(points).map((s) => s.x))}` }));
+      if (combs) nodes.push(element('path', { class: 'comb', d: comb(samples(points, weights), 3) }));
+      nodes.push(element('path', { class: 'curve', stroke: colour, d: `M${line(samples(points, weights).map((s) => s.x))}` }));
     }
     this.under.replaceChildren(...nodes);
   }
 }
 
 // Curvature against arc length, of curves one after the other.
-function plot(chains) {
+function plot(chains, scale = 1) {
   const width = 480, height = 130, list = chains.map((chain) => {
     let s = 0;
-    return chain.map(({ points, colour }) => {
-      const all = samples(points).map((p) => ({ s: s + p.s, k: p.k }));
+    return chain.map(({ points, weights, colour }) => {
+      const all = samples(points, weights).map((p) => ({ s: s + p.s, k: p.k }));
       s = all.at(-1).s;
       return { all, colour };
     });
@@ -113,101 +158,133 @@ function plot(chains) {
   return html('figure', {}, element('svg', { class: 'plot', viewBox: `0 0 ${width} ${height}`, role: 'img', 'aria-label': 'Curvature against arc length' },
     element('path', { class: 'grid', d: `M0 ${height / 2}H${width}` }),
     ...list.flat().map(({ all, colour }) => element('path', { class: 'curve', stroke: colour, d: `M${all.map(at).join(' L')}` })),
-    element('text', { x: 4, y: 14 }, `κ(s), up to ${digits(most)}`)), html('figcaption', {}, 'Curvature against arc length'));
+    element('text', { x: 4, y: 14 }, `κ(s), up to ${digits(most * scale)}`)), html('figcaption', {}, 'Curvature against arc length'));
 }
 
-const cubic = (names, at, colour) => at.map((p, i) => ({ at: p, name: `${names}, control point ${i}`, colour }));
-const given = (parameters, defaults) => {
-  const text = parameters.get('points');
-  const list = text ? text.split(';').map((p) => p.split(',').map(Number)) : [];
-  return list.length === defaults.length && list.every((p) => p.length === 2 && p.every(Number.isFinite)) ? list : defaults;
+const named = (name, worlds, colour) => worlds.map((world, i) => ({ world: [...world], name: `${name}, control point ${i}`, colour }));
+const numbersOf = (text) => (text ?? '').split(';').filter((x) => x !== '').map((p) => p.split(','));
+const isNumber = (x) => x.length < 2000 && /^-?\d+(\.\d+)?(e-?\d+)?$|^-?\d+\/[1-9]\d*$/.test(x) && Number.isFinite(valueOf(x));
+const texts = (list) => list.map((p) => p.join(',')).join(';');
+// The points that the address has; otherwise the defaults. So many points, or as many as there are.
+const given = (parameters, key, defaults, any = false) => {
+  const list = numbersOf(parameters.get(key));
+  const good = list.length > 1 && list.length <= 33 && list.every((p) => p.length === list[0].length && p.every(isNumber)) && (any ? list[0].length === 2 || list[0].length === 3 : list.length === defaults.length && list[0].length === 2);
+  return good ? list : defaults;
+};
+const list = (parameters, key, n) => {
+  const values = (parameters.get(key) ?? '').split(';');
+  return values.length === n && values.every(isNumber) ? values : null;
 };
 
 function joinScene(snap, defaults) {
   return (parameters) => {
-    const at = given(parameters, defaults);
-    const points = [...cubic('Left curve', at.slice(0, 4), colours[0]), ...cubic('Right curve', at.slice(4), colours[1])];
-    for (const i of [3, 4]) points[i].with = [2, 3, 4, 5].filter((j) => j !== i); // a node takes its handles along
-    points[4].name = 'Node, of the right curve';
-    const curve = (i) => points.slice(i, i + 4).map((p) => p.at);
-    const picture = new Picture('Two cubic curves that meet', points, { snap, changed });
+    let [left, right] = ['left', 'right'].map((key, i) => given(parameters, key, defaults[i], !snap));
+    if (left[0].length !== right[0].length) [left, right] = defaults;
+    const n = left.length - 1, m = right.length - 1, plane = left[0].length === 2;
+    const points = [...named('Left curve', left, colours[0]), ...named('Right curve', right, colours[1])];
+    for (const i of [n, n + 1]) points[i].with = [n - 1, n, n + 1, n + 2].filter((j) => j !== i && (n > 1 || j !== n - 1) && (m > 1 || j !== n + 2)); // a node takes its handles along
+    points[n + 1].name = 'Node, of the right curve';
+    const sides = [points.slice(0, n + 1), points.slice(n + 1)], options = ['left', 'right'].map((side, i) => ({
+      weights: list(parameters, `${side}_weights`, sides[i].length), domain: list(parameters, `${side}_domain`, 2) }));
+    const curve = (i) => ({ control_points: sides[i].map((p) => p.world), ...options[i] }), drawn = (i) => sides[i].map((p) => p.at);
+    const weighted = (i) => (options[i].weights ?? null)?.map(valueOf);
+    const frame = snap ? identity : new Frame([...left, ...right]);
+    const name = snap ? 'grid' : 'join';
+    const address = () => `${name}?${['left', 'right'].map((side, i) => `${side}=${texts(sides[i].map((p) => p.world))}${['weights', 'domain'].filter((k) => options[i][k]).map((k) => `&${side}_${k}=${options[i][k].join(';')}`).join('')}`).join('&')}`;
+    const picture = new Picture('Two curves that meet', points, { snap, frame, changed, address });
+    const set = (p, world) => ((p.world = [...world]), (p.at = frame.at(world)));
+    const update = () => (changed(), picture.place_circles());
     const align = (quiet) => {
-      const left = [0, 1].map((k) => points[3].at[k] - points[2].at[k]), right = [0, 1].map((k) => points[5].at[k] - points[4].at[k]);
-      const aligned = guarded(() => gc.alignHandles(left.map((x) => x / snap), right.map((x) => x / snap), 3));
+      const d = [0, 1].map((k) => points[n].at[k] - points[n - 1].at[k]), e = [0, 1].map((k) => points[n + 2].at[k] - points[n + 1].at[k]);
+      const aligned = guarded(() => gc.alignHandles(d.map((x) => x / snap), e.map((x) => x / snap), 3));
       if (!aligned) return quiet || say('The handles form no kink that moves of three units would mend.');
-      points[2].at = points[3].at.map((x, k) => x - snap * aligned.left[k]);
-      points[5].at = points[4].at.map((x, k) => x + snap * aligned.right[k]);
+      set(points[n - 1], points[n].at.map((x, k) => x - snap * aligned.left[k]));
+      set(points[n + 2], points[n + 1].at.map((x, k) => x + snap * aligned.right[k]));
       return null;
     };
     let magnet = null;
     if (snap) {
       magnet = html('input', { type: 'checkbox', id: 'magnet' });
-      controls.append(html('button', { type: 'button', onclick: () => (align(false), changed(), picture.place_circles()) }, 'Make it smooth'),
+      controls.append(html('button', { type: 'button', onclick: () => (align(false), update()) }, 'Make it smooth'),
         html('label', {}, magnet, ' while I drag'));
-    } else
+    } else if (!options[0].weights && !options[1].weights) {
+      // what is computed with doubles is exact where the points are on the grid of the picture
+      const on_grid = (p) => set(p, p.world.map((x) => Math.round(valueOf(x) / frame.unit) * frame.unit));
       controls.append(html('button', { type: 'button', onclick: () => {
-        const d = [0, 1].map((k) => points[3].at[k] - points[2].at[k]), e = [0, 1].map((k) => points[5].at[k] - points[4].at[k]);
+        for (const i of [n - 1, n]) on_grid(points[i]);
+        const d = points[n].world.map((x, k) => x - points[n - 1].world[k]), e = points[n + 2].world.map((x, k) => valueOf(x) - valueOf(points[n + 1].world[k]));
         const ratio = Math.max(1 / 8, Math.round((8 * Math.hypot(...e)) / (Math.hypot(...d) || 1)) / 8);
-        points[4].at = [...points[3].at];
-        points[5].at = points[4].at.map((x, k) => x + ratio * d[k]);
-        changed();
-        picture.place_circles();
-      } }, 'Make it G1'), html('button', { type: 'button', onclick: () => {
-        points[4].at = [...points[3].at];
-        for (const [i, j] of [[5, 2], [6, 1]]) points[i].at = i === 5 ? points[3].at.map((x, k) => 2 * x - points[2].at[k]) : points[5].at.map((x, k) => 2 * x + points[1].at[k] - 2 * points[2].at[k]);
-        changed();
-        picture.place_circles();
-      } }, 'Make it C2'));
+        set(points[n + 1], points[n].world);
+        set(points[n + 2], points[n].world.map((x, k) => x + ratio * d[k]));
+        update();
+      } }, 'Make it G1'));
+      if (n === m && n > 1 && !options[0].domain && !options[1].domain)
+        controls.append(html('button', { type: 'button', onclick: () => {
+          for (const i of [n - 2, n - 1, n]) on_grid(points[i]);
+          const [a, b, c] = [points[n - 2].world, points[n - 1].world, points[n].world], first = c.map((x, k) => 2 * x - b[k]);
+          set(points[n + 1], c);
+          set(points[n + 2], first);
+          set(points[n + 3], first.map((x, k) => 2 * x + a[k] - 2 * b[k]));
+          update();
+        } }, 'Make it C2'));
+    }
     function changed() {
       if (magnet?.checked) align(true);
-      const left = curve(0), right = curve(4);
-      picture.draw([{ points: left, colour: colours[0], legs: true }, { points: right, colour: colours[1], legs: true }]);
+      const curves = [0, 1].map((i) => ({ points: drawn(i), weights: weighted(i), colour: colours[i], legs: true }));
+      picture.draw(curves);
       guarded(() => {
-        const join = gc.continuity(left, right), d = gc.deviation(left, right), grade = gc.joinGrade(left, right);
-        say(strong(`${orders(join)}${grade.grade ? `, ${grade.grade}` : ''}`, join.g_order >= 1),
+        const [a, b] = [curve(0), curve(1)], join = gc.continuity(a, b), d = gc.deviation(a, b);
+        const grade = plane && !a.weights && !b.weights ? gc.joinGrade(a, b) : null, word = grade?.grade && !/^G/.test(grade.grade) && join.c_order >= 0 ? `, ${grade.grade}` : '';
+        say(strong(`${orders(join)}${word}`, join.g_order >= 1),
           `β = ${join.betas.length ? shown(`(${join.betas.join(', ')})`) : 'none'}`,
-          `angle ${bounds(d.angle_degrees, '°')}, a handle is off by ${bounds(grade.handle_offset)}`,
-          `jump of the curvature ${bounds(d.curvature_percent, ' %')}, gap ${bounds(d.gap)}`);
+          `angle ${bounds(d.angle_degrees, '°')}${grade ? `, a handle is off by ${bounds(grade.handle_offset)}` : ''}`,
+          `jump of the curvature ${bounds(d.curvature_percent, ' %')}, gap ${bounds(d.gap)}`,
+          ...(plane ? [] : [`Two of three coordinates are drawn: ${frame.axes.map((k) => 'xyz'[k]).join(' and ')}.`]));
       });
-      details.replaceChildren(plot([[{ points: left, colour: colours[0] }, { points: right, colour: colours[1] }]]));
+      details.replaceChildren(plot([curves], frame.scale));
     }
     changed();
   };
 }
 
 function blendScene(parameters) {
-  const at = given(parameters, [[-11, -5], [-9, 3], [-6, 5], [-3, 4], [3, -3], [6, -6], [8, -2], [11, 5]]);
-  const points = [...cubic('First curve', at.slice(0, 4), colours[0]), ...cubic('Second curve', at.slice(4), colours[1])];
-  const names = ['fair', 'energy3', 'energy2', 'c2', 'min_second', 'fair_g3', 'c3'];
+  const [first, second] = [['left', [[-11, -5], [-9, 3], [-6, 5], [-3, 4]]], ['right', [[3, -3], [6, -6], [8, -2], [11, 5]]]].map(([key, defaults]) => given(parameters, key, defaults, true));
+  if (first[0].length !== 2 || second[0].length !== 2) return say('Blends in space are not drawn here.');
+  const points = [...named('First curve', first, colours[0]), ...named('Second curve', second, colours[1])], frame = new Frame([...first, ...second]);
+  const names = ['fair', 'energy3', 'energy2', 'c2', 'normal', 'min_second', 'near_line', 'fair_g3', 'c3'];
   const wanted = new Set((parameters.get('strategies') ?? 'fair,energy3').split(',').filter((n) => names.includes(n)));
   for (const name of names)
-    controls.append(html('label', {}, html('input', { type: 'checkbox', checked: wanted.has(name), onchange: (e) => (e.target.checked ? wanted.add(name) : wanted.delete(name), changed()) }), ` ${name}`));
-  const picture = new Picture('Two curves and blends between them', points, { changed });
+    controls.append(html('label', {}, html('input', { type: 'checkbox', checked: wanted.has(name), onchange: (e) => (e.target.checked ? wanted.add(name) : wanted.delete(name), changed(), picture.remember()) }), ` ${name}`));
+  const picture = new Picture('Two curves and blends between them', points, { frame, changed,
+    address: () => `blend?left=${texts(points.slice(0, first.length).map((p) => p.world))}&right=${texts(points.slice(first.length).map((p) => p.world))}&strategies=${[...wanted].join(',')}` });
   function changed() {
-    const phi = points.slice(0, 4).map((p) => p.at), psi = points.slice(4).map((p) => p.at);
-    const ends = [{ points: phi, colour: colours[0], legs: true }, { points: psi, colour: colours[1], legs: true }];
+    const sides = [points.slice(0, first.length), points.slice(first.length)], [phi, psi] = sides.map((side) => side.map((p) => p.world));
+    const ends = sides.map((side, i) => ({ points: side.map((p) => p.at), colour: colours[i], legs: true }));
     guarded(() => {
-      const blends = [...wanted].map((strategy) => ({ ...gc.blend(phi, psi, { strategy }), colour: colours[2 + names.indexOf(strategy)] }));
-      picture.draw([...ends, ...blends.map((b) => ({ points: b.curve.points, colour: b.colour }))]);
+      const blends = [...wanted].map((strategy) => ({ ...gc.blend(phi, psi, { strategy }), colour: colours[2 + (names.indexOf(strategy) % 7)] }));
+      for (const b of blends) b.drawn = b.curve.points.map((p) => frame.at(p));
+      picture.draw([...ends, ...blends.map((b) => ({ points: b.drawn, colour: b.colour }))]);
       const proved = blends.length > 0 && blends.every((b) => Math.min(b.start_join.g_order, b.end_join.g_order) >= 2);
       say(strong(blends.length === 0 ? 'Choose a strategy' : proved ? 'Every join is proved' : 'A join is not smooth', proved),
         ...blends.map((b) => html('p', { style: `color: ${b.colour}` }, `${b.strategy}: ${orders(b.start_join)} and ${orders(b.end_join)}, fairness ${b.fairness === null ? '∞' : digits(b.fairness)}`)));
-      details.replaceChildren(plot(blends.map((b) => [ends[0], { points: b.curve.points, colour: b.colour }, ends[1]])),
+      details.replaceChildren(plot(blends.map((b) => [ends[0], { points: b.drawn, colour: b.colour }, ends[1]]), frame.scale),
         tableOf(['strategy', 'β', 'η'], blends.map((b) => [b.strategy, shown(b.shape.beta), shown(b.shape.eta)])));
     });
   }
   changed();
+  return null;
 }
 
 function cornerScene(parameters) {
-  const at = given(parameters, [[-9, -5], [-2, 5], [9, -3]]);
-  const points = at.map((p, i) => ({ at: p, name: ['Start', 'Corner', 'End'][i], colour: colours[i % 2] }));
+  const worlds = given(parameters, 'points', [[-9, -5], [-2, 5], [9, -3]]);
+  const points = worlds.map((world, i) => ({ world: [...world], name: ['Start', 'Corner', 'End'][i], colour: colours[i % 2] }));
+  const within = (key, most, otherwise) => (isNumber(parameters.get(key) ?? '') ? Math.max(0, Math.min(most, Number(parameters.get(key)))) : otherwise);
   const slider = (name, value, most, step) => {
-    const input = html('input', { type: 'range', min: 0, max: most, step, value, 'aria-label': name, oninput: () => changed() });
+    const input = html('input', { type: 'range', min: 0, max: most, step, value, 'aria-label': name, oninput: () => (changed(), picture.remember()) });
     controls.append(html('label', {}, `${name} `, input));
     return input;
   };
-  const radius = slider('Radius', 2.5, 6, 0.05), smoothing = slider('Smoothing in percent', 60, 100, 1);
+  const radius = slider('Radius', within('radius', 6, 2.5), 6, 0.05), smoothing = slider('Smoothing in percent', within('smoothing', 100, 60), 100, 1);
   const copy = html('button', { type: 'button', onclick: async () => {
     const text = details.querySelector('textarea').value;
     try {
@@ -220,7 +297,8 @@ function cornerScene(parameters) {
     setTimeout(() => (copy.textContent = 'Copy the path'), 1500);
   } }, 'Copy the path');
   controls.append(copy);
-  const picture = new Picture('A corner and what it becomes', points, { changed });
+  const picture = new Picture('A corner and what it becomes', points, { changed,
+    address: () => `corner?points=${texts(points.map((p) => p.world))}&radius=${radius.value}&smoothing=${smoothing.value}` });
   function changed() {
     const [a, b, c] = points.map((p) => p.at), legs = [a, c].map((p) => Math.hypot(p[0] - b[0], p[1] - b[1]));
     const cosine = ((a[0] - b[0]) * (c[0] - b[0]) + (a[1] - b[1]) * (c[1] - b[1])) / (legs[0] * legs[1]), half = Math.acos(Math.max(-1, Math.min(1, cosine))) / 2;
@@ -246,36 +324,227 @@ function cornerScene(parameters) {
   changed();
 }
 
+// The outlines of a drawing or of a glyph, its kinks marked. Points are dragged where there are no arcs; nothing but what moves is drawn anew.
+class Outlines {
+  // subpaths: { closed, curves: [{ points: [[x, y], …], weights, exact }] }, y downwards unless `up`.
+  constructor(subpaths, label, { up = false, dragged = null, edited = null }) {
+    Object.assign(this, { subpaths, up, dragged });
+    this.curves = subpaths.flatMap((p) => p.curves);
+    let base = 0;
+    for (const { closed, curves } of subpaths) {
+      for (const [i, c] of curves.entries()) Object.assign(c, { before: i > 0 || closed ? base + ((i + curves.length - 1) % curves.length) : -1, behind: i + 1 < curves.length || closed ? base + ((i + 1) % curves.length) : -1 });
+      base += curves.length;
+    }
+    const all = this.curves.flatMap((c) => c.points), sides = [0, 1].map((k) => all.reduce(([low, high], p) => [Math.min(low, this.y(p, k)), Math.max(high, this.y(p, k))], [Infinity, -Infinity]));
+    const size = Math.max(sides[0][1] - sides[0][0], sides[1][1] - sides[1][0]) || 1, margin = 0.04 * size;
+    this.size = Number.isFinite(size) ? size : 1;
+    this.decimals = Math.max(0, Math.min(12, Math.ceil(Math.log10(4000 / this.size))));
+    this.still = element('path', { class: 'outline' });
+    this.moving = element('path', { class: 'outline moving' });
+    this.nodes = element('path', { class: 'nodes' });
+    this.handles = element('path', { class: 'legs' });
+    this.marks = element('g');
+    this.svg = element('svg', { class: 'scene drawing', role: 'group', 'aria-label': label, viewBox: all.length === 0 ? '0 0 1 1' : `${sides[0][0] - margin} ${sides[1][0] - margin} ${sides[0][1] - sides[0][0] + 2 * margin} ${sides[1][1] - sides[1][0] + 2 * margin}` },
+      this.still, this.handles, this.moving, this.nodes, this.marks);
+    this.editable = edited && this.curves.every((c) => !c.weights);
+    this.draw(this.still, subpaths.map((p) => p.curves));
+    if (this.editable) {
+      this.draw_nodes();
+      this.svg.addEventListener('pointerdown', (e) => this.grip(e));
+      this.svg.addEventListener('pointermove', (e) => this.drag(e));
+      for (const type of ['pointerup', 'pointercancel']) this.svg.addEventListener(type, () => this.held && ((this.held = null), edited()));
+    } else this.svg.style.touchAction = 'auto';
+  }
+  y(p, k) {
+    return k === 1 && this.up ? -p[1] : p[k];
+  }
+  text(p) {
+    return `${p[0]} ${this.up ? -p[1] : p[1]}`;
+  }
+  piece({ points, weights }, first) {
+    const start = first ? `M${this.text(points[0])}` : '';
+    if (weights) return start + samples(points, weights, 24).slice(1).map((s) => `L${this.text(s.x)}`).join('');
+    return start + ' LQC'[points.length - 1] + points.slice(1).map((p) => this.text(p)).join(' ');
+  }
+  draw(path, chains) {
+    path.setAttribute('d', chains.map((curves) => curves.map((c, i) => this.piece(c, i === 0)).join('')).join(''));
+  }
+  draw_nodes() {
+    this.nodes.setAttribute('d', this.curves.map((c) => `M${this.text(c.points[0])}h0${c.behind < 0 ? `M${this.text(c.points.at(-1))}h0` : ''}`).join(''));
+    if (this.curves.length <= 60) this.handles.setAttribute('d', this.curves.filter((c) => c.points.length > 2).map(({ points: p }) => `M${this.text(p[0])}L${this.text(p[1])}M${this.text(p.at(-1))}L${this.text(p.at(-2))}`).join(''));
+  }
+  mark(joins, opened) {
+    this.marks.replaceChildren(...joins.slice(0, 200).map(({ point, label, left, right }) => {
+      const act = () => opened(left, right), c = element('circle', { class: 'mark', r: this.size / 60, cx: point[0], cy: this.up ? -point[1] : point[1], tabindex: 0, role: 'button', 'aria-label': label }, element('title', {}, label));
+      c.addEventListener('pointerdown', (e) => e.stopPropagation());
+      c.addEventListener('click', act);
+      c.addEventListener('keydown', (e) => (e.key === 'Enter' || e.key === ' ') && (e.preventDefault(), act()));
+      return c;
+    }));
+  }
+  // Takes the point that is next to the pointer, nodes first: it takes its handles along.
+  grip(event) {
+    const at = this.place(event), near = (this.svg.viewBox.baseVal.width / (this.svg.clientWidth || 1)) * (event.pointerType === 'touch' ? 24 : 12);
+    let best = null, least = near;
+    for (const [i, { points }] of this.curves.entries())
+      for (const [j, p] of points.entries()) {
+        const is_node = j === 0 || j === points.length - 1, distance = Math.hypot(p[0] - at[0], p[1] - at[1]) * (is_node ? 0.5 : 1);
+        if (distance < least) [best, least] = [{ i, j }, distance];
+      }
+    if (!best) return;
+    event.preventDefault();
+    this.svg.setPointerCapture(event.pointerId);
+    const held = [], c = this.curves[best.i], last = c.points.length - 1;
+    const take = (i, j) => i >= 0 && held.push([this.curves[i].points, j]);
+    const take_side = (i, is_end) => {
+      if (i < 0) return;
+      const n = this.curves[i].points.length - 1;
+      take(i, is_end ? n : 0);
+      if (n > 1) take(i, is_end ? n - 1 : 1);
+    };
+    if (best.j === 0) take_side(best.i, false), take_side(c.before, true);
+    else if (best.j === last) take_side(best.i, true), take_side(c.behind, false);
+    else take(best.i, best.j);
+    const touched = [...new Set([best.i, ...(best.j === 0 ? [c.before] : best.j === last ? [c.behind] : [])])].filter((i) => i >= 0), others = new Set(touched);
+    this.held = { from: at, points: [...new Map(held.map(([points, j]) => [points[j], { points, j, at: [...points[j]] }])).values()], touched };
+    for (const i of touched) for (const k of [this.curves[i].before, this.curves[i].behind]) if (k >= 0) others.add(k);
+    this.around = [...others];
+    // what does not move is drawn once
+    const chains = [], moving = new Set(touched.map((i) => this.curves[i]));
+    for (const { curves } of this.subpaths) {
+      let chain = [];
+      for (const curve of curves)
+        if (moving.has(curve)) chain.length && chains.push(chain), (chain = []);
+        else chain.push(curve);
+      if (chain.length) chains.push(chain);
+    }
+    this.draw(this.still, chains);
+    this.draw(this.moving, touched.map((i) => [this.curves[i]]));
+    this.svg.classList.add('dragging');
+  }
+  place(event) {
+    const p = new DOMPoint(event.clientX, event.clientY).matrixTransform(this.svg.getScreenCTM().inverse());
+    return [p.x, this.up ? -p.y : p.y];
+  }
+  drag(event) {
+    if (!this.held) return;
+    this.to = this.place(event);
+    if (this.pending) return;
+    this.pending = true;
+    requestAnimationFrame(() => {
+      this.pending = false;
+      if (!this.held) return;
+      const begin = performance.now(), power = 10 ** this.decimals, move = this.to.map((x, k) => x - this.held.from[k]);
+      for (const { points, j, at } of this.held.points) points[j] = at.map((x, k) => Math.round((x + move[k]) * power) / power);
+      for (const i of this.held.touched) this.curves[i].exact = texts(this.curves[i].points);
+      this.draw(this.moving, this.held.touched.map((i) => [this.curves[i]]));
+      this.dragged(this.around);
+      this.work = performance.now() - begin;
+    });
+  }
+}
+
 function drawingScene() {
   const example = '<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 120 60">\n<path id="wave" fill="none" stroke="#0b62c4" stroke-width="3"\n  d="M5 30 C15 10 25 8 35 20 C45 33 55 52 70 40 C85 27 95 12 115 30"/>\n</svg>\n';
   const text = html('textarea', { 'aria-label': 'The drawing as SVG', spellcheck: 'false' });
-  const picture = html('img', { alt: 'The drawing' }), file = html('input', { type: 'file', accept: '.svg,image/svg+xml', 'aria-label': 'A drawing' });
-  let url = null;
+  const place = html('div', {}), file = html('input', { type: 'file', accept: '.svg,.ttf,.otf,.woff,.pfb,image/svg+xml,font/*', 'aria-label': 'A drawing or a font' });
+  let report = null, outlines = null;
   text.value = example;
+  const failed = (error) => {
+    say(strong(error.code ?? 'error', false), error.message);
+    details.replaceChildren();
+  };
+  const opened = (left, right) => {
+    const sides = [left, right].map((i) => outlines.curves[i].exact);
+    if (sides.every((x) => x !== undefined)) location.hash = `join?left=${sides[0]}&right=${sides[1]}`;
+  };
+  const conclude = (grades) => {
+    const count = (grade) => grades.reduce((n, g) => n + (g === grade), 0), kinks = count('kink');
+    say(strong(kinks === 0 ? 'No kinks' : counted(kinks, 'kink'), kinks === 0),
+      `${counted(grades.length, 'join')} in ${counted(outlines.subpaths.length, 'subpath')}, ${counted(count('corner'), 'corner')}, ${count(null)} undecided`,
+      ...(outlines.editable ? [] : ['A drawing with arcs is not dragged.']));
+  };
   const show = async () => {
-    if (url) URL.revokeObjectURL(url);
-    picture.src = url = URL.createObjectURL(new Blob([text.value], { type: 'image/svg+xml' })); // as an image nothing in it is run
     try {
-      const report = await (await files()).verifySvg(text.value), s = report.summary;
-      say(strong(s.kinks === 0 ? 'No kinks' : counted(s.kinks, 'kink'), s.kinks === 0),
-        `${counted(s.joins, 'join')} in ${counted(s.subpaths, 'subpath')}, ${counted(s.corners, 'corner')}, ${s.undecided} undecided`);
-      const worst = report.joins.filter((j) => j.grade !== 'G2').sort((a, b) => (a.grade === 'kink' ? 0 : 1) - (b.grade === 'kink' ? 0 : 1));
-      details.replaceChildren(tableOf(['element', 'commands', 'grade', 'angle'], worst.slice(0, 200).map((j) => [`${j.element}${j.id ? ` ${j.id}` : ''}, line ${j.line}`,
+      const module = await files(), bytes = text.value;
+      report = await module.verifySvg(bytes);
+      const { subpaths } = await module.svgCurves(bytes);
+      for (const p of subpaths) for (const c of p.curves) c.points = c.points.flatMap((x, i, all) => (i % 2 ? [] : [[x, all[i + 1]]]));
+      const grades = report.joins.map((j) => j.grade), at = new Map(report.joins.map((j, k) => [j.left, k]));
+      outlines = new Outlines(subpaths, 'The outlines of the drawing; its kinks are marked', {
+        edited,
+        dragged: (around) => {
+          for (const i of around) {
+            const k = at.get(i), c = outlines.curves[i];
+            if (k !== undefined) grades[k] = gc.joinGrade(exactly(c), exactly(outlines.curves[c.behind])).grade;
+          }
+          conclude(grades);
+        } });
+      place.replaceChildren(outlines.svg);
+      conclude(grades);
+      const bad = report.joins.filter((j) => j.grade !== 'G2').sort((a, b) => (a.grade === 'kink' ? 0 : 1) - (b.grade === 'kink' ? 0 : 1));
+      const label = (j) => `${j.grade ?? 'undecided'}${j.angle_degrees ? ` of ${bounds(j.angle_degrees, '°')}` : ''}, ${j.element}${j.id ? ` ${j.id}` : ''}, commands ${j.left_command} – ${j.right_command}`;
+      outlines.mark(report.joins.filter((j) => j.grade === 'kink').map((j) => ({ point: outlines.curves[j.right].points[0], label: `${label(j)}: open it as a join`, left: j.left, right: j.right })), opened);
+      details.replaceChildren(tableOf(['element', 'commands', 'grade', 'angle'], bad.slice(0, 200).map((j) => [`${j.element}${j.id ? ` ${j.id}` : ''}, line ${j.line}`,
         `${j.left_command} ${j.left_letter} – ${j.right_command} ${j.right_letter}`, j.grade ?? 'undecided', j.angle_degrees ? bounds(j.angle_degrees, '°') : ''])));
     } catch (error) {
-      say(strong(error.code ?? 'error', false), error.message);
-      details.replaceChildren();
+      failed(error);
+      place.replaceChildren();
     }
   };
-  const take = async (f) => f && ((text.value = await f.text()), await show());
+  const exactly = (curve) => numbersOf(curve.exact);
+  // What was dragged: the drawing becomes its outlines.
+  const edited = () => {
+    const elements = new Map();
+    for (const p of outlines.subpaths) {
+      const key = `${p.element} ${p.line} ${p.id}`, d = p.curves.map((c, i) => outlines.piece(c, i === 0)).join('') + (p.closed ? 'Z' : '');
+      elements.set(key, { id: p.id, d: (elements.get(key)?.d ?? '') + d });
+    }
+    const box = outlines.svg.getAttribute('viewBox'), drawing = element('svg', { viewBox: box }, ...[...elements.values()].map(({ id, d }) => element('path', { ...(id ? { id } : {}), fill: 'none', stroke: 'currentColor', d })));
+    text.value = new XMLSerializer().serializeToString(drawing).replaceAll('<path', '\n<path').replace('</svg>', '\n</svg>\n');
+    return show();
+  };
+  // A font: its glyphs with kinks, each of which is shown.
+  const show_font = async (bytes, name) => {
+    try {
+      const module = await files(), font = await module.verifyFont(bytes, { worst: 8 }), s = font.summary;
+      say(strong(s.kinks === 0 ? 'No kinks' : counted(s.kinks, 'kink'), s.kinks === 0), `${font.name || name}: ${counted(s.joins, 'join')} of ${counted(s.glyphs, 'glyph')}, ${counted(s.corners, 'corner')}, ${s.rounding} rounded by a unit`);
+      const show_glyph = async (glyph) => {
+        const { glyphs } = await module.fontCurves(bytes, { glyphs: `#${glyph.index}` }), subpaths = glyphs[0].contours.map((curves) => ({ closed: true, curves }));
+        for (const p of subpaths) for (const c of p.curves) {
+          c.points = c.points.flatMap((x, i, all) => (i % 2 ? [] : [[x, all[i + 1]]]));
+          c.exact = texts(c.points);
+        }
+        outlines = new Outlines(subpaths, `Glyph ${glyph.name}; its kinks are marked`, { up: true });
+        place.replaceChildren(outlines.svg);
+        const starts = new Map(outlines.curves.map((c, i) => [`${c.points[0]}`, i]));
+        outlines.mark(glyph.worst.flatMap(({ point, grade, angle_degrees }) => {
+          const right = starts.get(`${point.map(Number)}`);
+          return right === undefined ? [] : [{ point, label: `${grade} of ${bounds(angle_degrees, '°')}: open it as a join`, left: outlines.curves[right].before, right }];
+        }), opened);
+      };
+      const bad = font.glyphs.filter((g) => g.kinks + g.bends > 0).sort((a, b) => b.kinks - a.kinks).slice(0, 300), first = bad[0] ?? font.glyphs.find((g) => g.joins > 0);
+      details.replaceChildren(tableOf(['glyph', 'kinks', 'bends', 'joins'], bad.map((g) => [html('button', { type: 'button', onclick: () => show_glyph(g).catch(failed) }, g.name), g.kinks, g.bends, g.joins])));
+      text.value = '';
+      if (first) await show_glyph(first);
+    } catch (error) {
+      failed(error);
+    }
+  };
+  const take = async (f) => {
+    if (!f) return;
+    const bytes = new Uint8Array(await f.arrayBuffer());
+    if (/\.(ttf|otf|woff|pfb|pfa|ttc|otc|t1)$/i.test(f.name)) await show_font(bytes, f.name);
+    else (text.value = new TextDecoder().decode(bytes)), await show();
+  };
   file.addEventListener('change', () => take(file.files[0]));
   text.addEventListener('change', show);
   controls.append(file, html('button', { type: 'button', onclick: async () => {
     try {
-      const { svg, report } = await (await files()).repairSvg(text.value);
+      const { svg, report: mended } = await (await files()).repairSvg(text.value);
       text.value = svg;
       await show();
-      verdict.append(html('p', {}, report.moves.length === 0 ? 'No handle moves.' : `${report.moves.length === 1 ? '1 handle has' : `${report.moves.length} handles have`} moved, by at most ${bounds(report.largest_move)} of the last decimal.`));
+      verdict.append(html('p', {}, mended.moves.length === 0 ? 'No handle moves.' : `${mended.moves.length === 1 ? '1 handle has' : `${mended.moves.length} handles have`} moved, by at most ${bounds(mended.largest_move)} of the last decimal.`));
     } catch (error) {
       say(strong(error.code ?? 'error', false), error.message);
     }
@@ -284,21 +553,21 @@ function drawingScene() {
     link.click();
     setTimeout(() => URL.revokeObjectURL(link.href), 1000);
   } }, 'Save'));
-  stage.replaceChildren(picture, text);
+  stage.replaceChildren(place, text);
   stage.ondragover = (e) => (e.preventDefault(), stage.classList.add('over'));
   stage.ondragleave = () => stage.classList.remove('over');
   stage.ondrop = (e) => (e.preventDefault(), stage.classList.remove('over'), take(e.dataTransfer.files[0]));
   show();
 }
 
-function surfaceScene() {
+function surfaceScene(parameters) {
   const canvas = html('canvas', { width: 720, height: 480, tabindex: 0, role: 'img', 'aria-label': 'Two patches with isophotes; the arrow keys turn them' });
-  const slider = (name) => {
-    const input = html('input', { type: 'range', min: -4, max: 4, step: 1, value: 0, 'aria-label': name, oninput: () => changed() });
+  const slider = (name, key) => {
+    const input = html('input', { type: 'range', min: -4, max: 4, step: 1, value: Number(parameters.get(key)) || 0, 'aria-label': name, oninput: () => changed() });
     controls.append(html('label', {}, `${name} `, input));
     return input;
   };
-  const first = slider('Second row of points'), second = slider('Third row of points');
+  const first = slider('Second row of points', 'second'), second = slider('Third row of points', 'third');
   stage.replaceChildren(canvas);
   const a = [[0, 1, 1, 0], [1, 2, 2, 1], [2, 3, 3, 1], [2, 3, 2, 1]].map((row, i) => row.map((z, j) => [i - 3, j - 1.5, z / 4]));
   let turn = 0.7, tilt = 0.9;
@@ -394,15 +663,15 @@ function surfaceScene() {
 }
 
 const scenes = {
-  join: ['A join', joinScene(0, [[-10, -3], [-7, 3], [-4, 4], [0, 2], [0, 2], [3, 0.5], [6, -4], [10, -2]])],
+  join: ['A join', joinScene(0, [[[-10, -3], [-7, 3], [-4, 4], [0, 2]], [[0, 2], [3, 0.5], [6, -4], [10, -2]]])],
   blend: ['Blends', blendScene],
   corner: ['A corner', cornerScene],
-  grid: ['On a grid', joinScene(1, [[-11, -4], [-9, 2], [-6, 4], [0, 2], [0, 2], [8, -1], [9, -4], [11, -2]])],
+  grid: ['On a grid', joinScene(1, [[[-11, -4], [-9, 2], [-6, 4], [0, 2]], [[0, 2], [8, -1], [9, -4], [11, -2]]])],
   drawing: ['A drawing', drawingScene],
   surfaces: ['Surfaces', surfaceScene],
 };
 for (const [name, [title]] of Object.entries(scenes)) nav.append(html('a', { href: `#${name}`, id: `scene-${name}` }, title));
-// #SCENE?points=x,y;x,y;…&strategies=fair,c2
+// #SCENE?left=x,y;x,y;…&right=…&strategies=fair,c2
 function open() {
   const [name, query = ''] = location.hash.slice(1).split('?'), scene = Object.hasOwn(scenes, name) ? name : 'join';
   for (const a of nav.children) a.id === `scene-${scene}` ? a.setAttribute('aria-current', 'page') : a.removeAttribute('aria-current');

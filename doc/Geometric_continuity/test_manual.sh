@@ -15,10 +15,14 @@ browser=$(command -v chromium || command -v chromium-browser || command -v googl
 profile=$(mktemp -d)
 trap 'rm -rf "$profile"' EXIT
 failures=0 formulas=0
+# figures are linked to scenes of the page of the browser where it is there
+links=$(grep -ho 'href="geometric_continuity.html#' -- *.html | wc -l) wanted=0
+[ ! -e geometric_continuity.html ] || wanted=$(cat "$(dirname "$0")"/*.txt | grep -c '^\\play{')
 fail() {
   echo "$1"
   failures=$((failures + 1))
 }
+[ "$links" -eq "$wanted" ] || fail "$links links to scenes, not $wanted"
 [ "$(wc -c <index.html)" -le 40000 ] || fail "index.html: more than 40 kB"
 # the pages of the manual: the main page, and those of texts, which doxygen names after their labels
 for page in index.html Geometric_continuity_[A-Z]*.html; do

@@ -29,6 +29,8 @@ run 2 report "$teapot" --surfaces --closed -o no.html && says err "--closed: not
 run 2 report "$S" --glyphs a -o no.html && says err "--glyphs: only for fonts"
 run 2 report "$S" --off-by 2 -o no.html && says err "--off-by: only for fonts"
 { cubic_2 $'0 0\n1 0\n2 0\n3 0' && cubic_2 $'3 0\n4 0\n5 0\n1e400 0'; } >huge.g2
+for bad in '' javascript:alert 'page.html#join' data:text/html,x; do run 2 report "$S" --page "$bad" -o no.html && says err "--page: " && no_page; done
+run 2 report "$teapot" --surfaces --page page.html -o no.html && says err "--page: not with --surfaces"
 run 2 report huge.g2 -o no.html && says err "not_finite" && no_page
 printf '<svg>\n<path d="M0 0 C1 x"/></svg>' >broken.svg && run 2 report broken.svg -o no.html && says err "broken.svg:2: " && no_page
 

@@ -97,6 +97,21 @@ press("?"); log("keys " + byId("keys").open); byId("keys").close();
 says answers '[inked true]' '[kink chosen]' '[row 1]' '[end true]' '[home 0]' '[focus filter]' '[filtered true]' '[empty true0]' '[typing 0]' \
   '[back list]' '[without kinks true]' '[all true]' '[sorted by order]' '[angles true]' '[large truetrue]' '[next 11]' '[other theme true]' '[keys true]'
 
+# joins are linked to a page where their points are dragged, their numbers as they are
+run 0 report drawing.svg -o linked.html --page 'my pages/joins.html' && asks linked.html '
+for (const i of items) log(i.grade + (i.left.link && i.right.link ? "" : " arc") + " " + (linkOf(i)[0]?.getAttribute("href") ?? "none"));
+log(document.querySelectorAll(".join a.link").length > 0);
+'
+says answers '[kink my pages/joins.html#join?left=0,0;100,0;200,0;300,0&amp;right=300,0;400,1;500,100;600,200]' '[true]' ' arc none]'
+asks drawing.html 'log("links " + document.querySelectorAll("a").length + items.flatMap(linkOf).length);'
+says answers '[links 00]'
+printf '<svg xmlns="http://www.w3.org/2000/svg"><path transform="matrix(.3 0 0 1 0.1 0)" d="M0 0C1 0 2 0 3 0Q4 1 5 1"/></svg>' >decimals.svg
+run 0 report decimals.svg -o decimals.html --page p.html && asks decimals.html 'log(linkOf(items[0])[0].getAttribute("href"));'
+says answers '[p.html#join?left=1/10,0;2/5,0;7/10,0;1,0&amp;right=1,0;13/10,1;8/5,1]'
+printf '100 1 0 0\n2 1\n3 3\n0 0 0 2 2 2\n0 0 1\n1 0 1\n1 1 2\n100 1 0 0\n2 0\n2 2\n0 0 1 1\n.5 .5\n.5 2\n' >weighted.g2
+run 0 report weighted.g2 -o weighted.html --page p.html && asks weighted.html 'log(linkOf(items[0])[0].getAttribute("href"));'
+says answers '[p.html#join?left='
+
 # fonts have grades of their own, and no others
 cat >glyphs.txt <<'END'
 glyph .notdef

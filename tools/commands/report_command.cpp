@@ -51,6 +51,17 @@ std::string names(const Arguments& files) {
   return files.size() > 3 ? text + " and " + std::to_string(files.size() - 3) + " more" : text;
 }
 
+// The address of the page of joins: what names a program (javascript:) is none.
+std::string join_page(const std::string& address) {
+  const std::size_t colon = address.find(':');
+  const std::string scheme = colon < address.find_first_of("/?#") ? address.substr(0, colon) : "";
+  if (address.empty() || address.find('#') != std::string::npos ||
+      (!scheme.empty() && scheme != "http" && scheme != "https" && scheme != "file"))
+    throw std::invalid_argument("--page: " + address +
+                                ": a path from the report or an address (http, https, file) without #");
+  return address;
+}
+
 // Writes the page.
 int written(const Report_page& page, const std::string& output) {
   write_output(output, [&](std::ostream& os) { page.write(os); });
@@ -63,6 +74,8 @@ int written(const Report_page& page, const std::string& output) {
 void describe_report(po::options_description_easy_init add) {
   add("output,o", po::value<std::string>(), "write the page, .html");
   add("title", po::value<std::string>(), "title of the page");
+  add("page", po::value<std::string>(),
+      "link joins to the page geometric_continuity.html, as it is seen from REPORT.html or at http(s)");
   add("worst", po::value<int>()->default_value(10000), "show so many joins at most, from 1 to 50000");
   add("kink-angle", po::value<std::string>()->default_value("5"),
       "the largest angle, in degrees, that is a kink and not a corner");
@@ -92,6 +105,7 @@ int run_report(const Command_line& line) {
   const GC::Work_scope each(line.work_limit());
   demand.closed = line.has("closed");
   Report_page page(static_cast<std::size_t>(line.integer("worst", 1, 50000)));
+  if (line.has("page")) page.join_page = join_page(line.text("page"));
   page.title = line.has("title") ? line.text("title") : "Continuity of " + names(files);
   if (are_fonts(files)) {
     line.refuse({"surfaces", "closed", "within", "sew", "time-limit"}, "not for fonts");
@@ -101,7 +115,7 @@ int run_report(const Command_line& line) {
   }
   line.refuse({"glyphs", "off-by"}, "only for fonts");
   if (are_cad_files(files)) {
-    line.refuse({"surfaces", "closed"}, "not for CAD models");
+    line.refuse({"surfaces", "closed", "page"}, "not for CAD models");
     if (line.has("within")) demand.tolerance = line.text("within");
     demand.reading = {Cad_drawing::faces_and_edges, line.length("sew"), line.seconds("time-limit", 60)};
     report_cad(files, demand, page);
@@ -115,7 +129,7 @@ int run_report(const Command_line& line) {
     line.refuse({"surfaces", "closed"}, "not for drawings");
     report_drawings(files, demand, page);
   } else if (line.has("surfaces")) {
-    line.refuse({"closed"}, "not with --surfaces");
+    line.refuse({"closed", "page"}, "not with --surfaces");
     report_surfaces(files, demand, page);
   } else
     return with_hint_of_surfaces(files, [&] {

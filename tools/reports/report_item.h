@@ -21,11 +21,18 @@ namespace GC = CGAL::Geometric_continuity;
 enum class Report_grade { gap, kink, bend, rounding, corner, g0, undecided, g1, g2 };
 constexpr std::size_t number_of_report_grades = 9;
 
+// A curve as links of the page have it, its numbers as they are: e.g. points "0,0;1/3,2", weights "1;1/2", domain "0;1/4". The texts of
+// weights that are equal and of the domain from 0 to 1 are empty; that of the points is, where there is no link.
+struct Report_curve_link {
+  std::string points, weights, domain;
+};
+
 // A curve as it is drawn: rounded numbers.
 struct Report_curve {
   std::vector<double> points;  // the coordinates of the control points, one point after the other
   std::vector<double> weights; // empty when all are equal
   std::size_t group;           // the number of the contour or chain to which it belongs
+  Report_curve_link link = {};
 };
 
 // The curves of a contour or chain, which are drawn around its joins.

@@ -223,7 +223,7 @@ void Report_page::write(std::ostream& os) const {
   for (std::size_t i = 0; i < notes.size(); ++i) os << (i == 0 ? "\n" : ",\n") << page_string(notes[i]);
   os << "],\n\"dimension\":" << dimension << ",\"down\":" << (down ? "true" : "false") << ",\"whole\":\""
      << (is_of_fonts ? "em" : "whole") << "\",\"numbered\":" << (is_numbered ? "true" : "false")
-     << ",\"total\":" << total_ << ",\"counts\":{";
+     << ",\"page\":" << page_string(join_page) << ",\"total\":" << total_ << ",\"counts\":{";
   const char* separator = "\"";
   for (std::size_t i = 0; i < counts_.size(); ++i)
     if (has(static_cast<Report_grade>(i)))
@@ -243,6 +243,9 @@ void Report_page::write(std::ostream& os) const {
   for (const Report_curve* curve : curves.curves()) {
     os << separator << "{\"group\":" << curve->group << ",\"points\":" << page_numbers(curve->points, "a curve");
     if (!curve->weights.empty()) os << ",\"weights\":" << page_numbers(curve->weights, "a curve");
+    if (!join_page.empty() && !curve->link.points.empty())
+      os << ",\"link\":{\"points\":\"" << curve->link.points << "\",\"weights\":\"" << curve->link.weights
+         << "\",\"domain\":\"" << curve->link.domain << "\"}";
     os << '}';
     separator = ",\n";
   }

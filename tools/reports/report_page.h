@@ -33,6 +33,7 @@ public:
   int dimension = 2;
   bool down = false;        // the second coordinate grows downwards
   bool is_of_fonts = false; // with their grades; severities are in parts of an em
+  std::string join_page;    // the address of geometric_continuity.html, to which joins are linked; empty for none
   bool is_numbered = true;  // the numbers of the items are shown; otherwise their places have numbers
   std::optional<Report_model> model;
 

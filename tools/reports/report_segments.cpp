@@ -43,7 +43,11 @@ double chord(const Segment& s) { return std::sqrt(CGAL::to_double((s.end() - s.s
 std::shared_ptr<const Report_curve> drawn_curve(const Segment& segment, std::size_t group) {
   if (segment.bezier()) return drawn_curve(*segment.bezier(), group);
   const Drawing_traits::Point p = segment.start(), q = segment.end();
-  if (!segment.is_known()) return drawn_curve(Plane_curve{p, q}, group);
+  if (!segment.is_known()) {
+    Report_curve straight = *drawn_curve(Plane_curve{p, q}, group);
+    straight.link = {};
+    return std::make_shared<const Report_curve>(std::move(straight));
+  }
   const Exact root(std::sqrt(CGAL::to_double(segment.radicand())));
   const GC::Coordinate_jet<Exact, 2> jet = segment.start_jet_over<Exact>(2, root); // with x'' = c - x
   const auto numbers = [](const Exact& x, const Exact& y) {

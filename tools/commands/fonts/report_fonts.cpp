@@ -49,16 +49,8 @@ class Fonts_page : public Font_visitor {
   // One contour is drawn for all of its joins.
   std::shared_ptr<const Report_outline> drawing(const Glyph_outline& outline, std::size_t contour) const {
     auto result = std::make_shared<Report_outline>();
-    const double steps = static_cast<double>(outline.steps());
-    for (const Glyph_segment* s = outline.begin(contour); s != outline.end(contour); ++s) {
-      Report_curve curve{{}, {}, contours_ + contour};
-      for (int i = 0; i <= s->degree; ++i) {
-        const Glyph_point& p = s->points[static_cast<std::size_t>(i)];
-        curve.points.push_back(static_cast<double>(p.x) / steps);
-        curve.points.push_back(static_cast<double>(p.y) / steps);
-      }
-      result->push_back(std::make_shared<const Report_curve>(std::move(curve)));
-    }
+    for (const Glyph_segment* s = outline.begin(contour); s != outline.end(contour); ++s)
+      result->push_back(drawn_curve(plane_curve(*s, outline.steps()), contours_ + contour));
     return result;
   }
 

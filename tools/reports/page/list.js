@@ -1,6 +1,6 @@
 // The list of joins: filtered, sorted, and only those rows are in the page that can be seen.
 
-let wholeName = 'whole', numbered = true;
+let wholeName = 'whole', numbered = true, joinPage = '';
 
 // An element with a class and children; texts become text nodes, so that nothing from a file is ever read as markup.
 function element(name, className, ...children) {
@@ -35,10 +35,21 @@ function numbersOf(item) {
   return list;
 }
 
+// The join in the page of joins, its control points as they are.
+function linkOf(item) {
+  const sides = ['left', 'right'].map((side) => [side, item[side] && item[side].link]);
+  if (!joinPage || !sides.every(([, link]) => link)) return [];
+  const query = sides.flatMap(([side, link]) => [`${side}=${link.points}`, ...['weights', 'domain'].filter((k) => link[k]).map((k) => `${side}_${k}=${link[k]}`)]);
+  const a = element('a', 'link', 'Drag its points');
+  a.setAttribute('href', `${joinPage}#join?${query.join('&')}`);
+  return [a];
+}
+
 function textOf(item) {
   const top = element('div', 'topline', element('span', 'grade ' + item.grade, item.grade),
     ...(item.marks || []).map((m) => element('span', 'mark', m)));
   if (numbered) top.append(element('span', 'number', '#' + item.number));
+  top.append(...linkOf(item));
   const place = element('div', 'place', item.place);
   place.title = item.place;
   return element('div', 'text', top, place, element('div', 'verdict', item.verdict), numbersOf(item));

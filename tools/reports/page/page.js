@@ -3,10 +3,11 @@
 const data = JSON.parse(document.getElementById('data').textContent);
 wholeName = data.whole;
 numbered = data.numbered;
+joinPage = data.page;
 const gradeNames = Object.keys(data.counts); // the worst first
 const byId = (id) => document.getElementById(id);
 
-const curves = data.curves.map((c) => ({ dimension: data.dimension, points: c.points, weights: c.weights, group: c.group }));
+const curves = data.curves.map((c) => ({ dimension: data.dimension, points: c.points, weights: c.weights, group: c.group, link: c.link }));
 const groups = new Map(); // the curves of each contour, and the small map of it
 for (const curve of curves) {
   if (!groups.has(curve.group)) groups.set(curve.group, { curves: [] });
@@ -194,7 +195,7 @@ document.addEventListener('keydown', (e) => {
   const field = e.target.closest('input, select');
   if (field && e.key === 'Escape' && !large.box.open) list.box.focus();
   if (field) return;
-  if (e.target.closest('button') && (e.key === 'Enter' || e.key === ' ')) return;
+  if (e.target.closest('button, a') && (e.key === 'Enter' || e.key === ' ')) return;
   const action = (large.box.open ? largeKeys : keys)[e.key];
   if (!action) return;
   e.preventDefault();
