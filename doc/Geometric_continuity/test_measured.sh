@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# The times of the page Performance: each file of measured/ has rows of a name, times and ratios in order, and becomes a table of the page,
-# which has no times of its own.
+# The times of the page Performance, and of libraries of JavaScript on the page In the Browser: each file of measured/ has rows of a name, times
+# and ratios in order, and becomes a table of a page; Performance has no times of its own.
 set -eu
 cd "$(dirname "$0")"
 failures=0
@@ -8,12 +8,13 @@ fails() {
   echo "$1"
   failures=$((failures + 1))
 }
-awk -v folder=measured -f measured.awk Performance.txt >/dev/null
-tables=$(sed -n 's/^\\measured{\([a-z_]*\).*/\1/p' Performance.txt)
+pages=(Performance.txt In_the_browser.txt)
+awk -v folder=measured -f measured.awk "${pages[@]}" >/dev/null
+tables=$(sed -n 's/^\\measured{\([a-z_]*\).*/\1/p' "${pages[@]}")
 [ -n "$tables" ] || fails "no table is named"
 for file in measured/*.txt; do
   name=$(basename "$file" .txt)
-  grep -qx "$name" <<<"$tables" || fails "$file is no table of the page"
+  grep -qx "$name" <<<"$tables" || fails "$file is no table of a page"
   rows=$(awk -F'\t' '/^# / { next } NF == 6 && $1 ~ / \| / && 0 < $2 && $2 <= $3 && $5 <= $6 { ++rows; next } { exit 1 } END { print rows + 0 }' "$file") ||
     fails "$file has a row that is none"
   shown=$(awk -v folder=measured -f measured.awk <<<"\\measured{$name}" | grep -c '^| .* | .* [nµm]*s | ') || true
