@@ -127,10 +127,24 @@ class Integration(unittest.TestCase):
         code, text = run("smooth.svg")
         self.assertEqual(code, 0, text)
         self.assertRegex(text, r"joins of drawings\.+Passed")
+        # a report for other tools besides
+        with open(os.path.join(drawings, ".pre-commit-config.yaml"), "a") as file:
+            file.write("    args: [--sarif, fonts.sarif, --require, G1]\n")
+        with open(os.path.join(drawings, ".pre-commit-config.yaml")) as file:
+            config = file.read().replace("-drawings\n", "-drawings\n    args: [--sarif, found.sarif, --require, G1]\n")
+        with open(os.path.join(drawings, ".pre-commit-config.yaml"), "w") as file:
+            file.write(config)
+        code, text = run("smooth.svg", "kink.svg")
+        self.assertEqual(code, 1, text)
+        self.assertIn("kink.svg", text)
+        with open(os.path.join(drawings, "found.sarif")) as file:
+            results = json.load(file)["runs"][0]["results"]
+        self.assertTrue(results and all("kink.svg" in json.dumps(result["locations"]) for result in results))
         with open(os.path.join(drawings, "a.ttf"), "w") as file:
             file.write("no font")
         code, text = run("a.ttf")
         self.assertRegex(text, r"joins of fonts\.+Failed")
+        self.assertFalse(glob.glob(os.path.join(drawings, "fonts.sarif*")))
 
 
 if __name__ == "__main__":
