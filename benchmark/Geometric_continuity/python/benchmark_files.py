@@ -14,7 +14,7 @@ import time
 
 import geometric_continuity as gc
 
-sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "tests", "long"))
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "..", "python", "tests", "long"))
 import test_dask
 
 
