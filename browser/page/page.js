@@ -9,7 +9,7 @@ const gc = await load({ wasm: await bytesOf(MODULE) });
 // the readers of files are unpacked when they are needed
 const files = async () => (filesBytes ??= await load({ wasm: await bytesOf(MODULE), filesWasm: await bytesOf(FILES) }));
 
-const [stage, controls, verdict, details, nav] = ['stage', 'controls', 'verdict', 'details', 'scenes'].map((id) => document.getElementById(id));
+const [stage, hint, controls, verdict, details, nav] = ['stage', 'hint', 'controls', 'verdict', 'details', 'scenes'].map((id) => document.getElementById(id));
 const colours = ['var(--left)', 'var(--right)', 'var(--good)', '#9a6700', '#8250df', '#1b7c83', '#bf3989', '#4d7c0f', '#7c5a3c'];
 
 const say = (...nodes) => verdict.replaceChildren(...nodes.map((n) => (typeof n === 'string' ? html('p', {}, n) : n)));
@@ -23,7 +23,13 @@ const guarded = (f) => {
   }
 };
 const digits = (x) => (x === null ? 'unbounded' : Number(x.toPrecision(6)).toString());
-const bounds = (e, unit = '') => (e === null ? 'undefined' : e[0] === e[1] ? `${digits(e[0])}${unit}` : `[${e[0].toPrecision(6)}, ${e[1] === null ? '∞' : e[1].toPrecision(6)}]${unit}`);
+// An enclosure; one number where both ends look the same.
+const bounds = (e, unit = '') => {
+  if (e === null) return 'undefined';
+  if (e[0] === e[1]) return `${digits(e[0])}${unit}`;
+  const [low, high] = e.map((x) => (x === null ? '∞' : x.toPrecision(6)));
+  return low === high ? `≈ ${digits(e[0])}${unit}` : `[${low}, ${high}]${unit}`;
+};
 const orders = (j) => (j.c_order < 0 ? 'a gap' : `C${j.c_order} G${j.g_order} F${j.f_order}`);
 const counted = (n, noun) => `${n} ${noun}${n === 1 ? '' : 's'}`;
 const shown = (text) => (text.length > 60 ? `${text.slice(0, 57)}…` : text);
@@ -157,8 +163,7 @@ function plot(chains, scale = 1) {
   const at = (p) => `${round((p.s / length) * width)} ${round(height / 2 - (Math.max(-most, Math.min(most, p.k)) / most) * (height / 2 - 8))}`;
   return html('figure', {}, element('svg', { class: 'plot', viewBox: `0 0 ${width} ${height}`, role: 'img', 'aria-label': 'Curvature against arc length' },
     element('path', { class: 'grid', d: `M0 ${height / 2}H${width}` }),
-    ...list.flat().map(({ all, colour }) => element('path', { class: 'curve', stroke: colour, d: `M${all.map(at).join(' L')}` })),
-    element('text', { x: 4, y: 14 }, `κ(s), up to ${digits(most * scale)}`)), html('figcaption', {}, 'Curvature against arc length'));
+    ...list.flat().map(({ all, colour }) => element('path', { class: 'curve', stroke: colour, d: `M${all.map(at).join(' L')}` }))), html('figcaption', {}, `Curvature against arc length, up to ${digits(most * scale)}`));
 }
 
 const named = (name, worlds, colour) => worlds.map((world, i) => ({ world: [...world], name: `${name}, control point ${i}`, colour }));
@@ -211,11 +216,14 @@ function joinScene(snap, defaults) {
       // what is computed with doubles is exact where the points are on the grid of the picture
       const on_grid = (p) => set(p, p.world.map((x) => Math.round(valueOf(x) / frame.unit) * frame.unit));
       controls.append(html('button', { type: 'button', onclick: () => {
-        for (const i of [n - 1, n]) on_grid(points[i]);
-        const d = points[n].world.map((x, k) => x - points[n - 1].world[k]), e = points[n + 2].world.map((x, k) => valueOf(x) - valueOf(points[n + 1].world[k]));
-        const ratio = Math.max(1 / 8, Math.round((8 * Math.hypot(...e)) / (Math.hypot(...d) || 1)) / 8);
-        set(points[n + 1], points[n].world);
-        set(points[n + 2], points[n].world.map((x, k) => x + ratio * d[k]));
+        // the handle of the right curve moves, or that of the left one where the right one is a line
+        const [handle, node, other, moved] = m === 1 && n > 1 ? [n + 2, n + 1, n, n - 1] : [n - 1, n, n + 1, n + 2];
+        for (const i of [handle, node]) on_grid(points[i]);
+        const d = points[node].world.map((x, k) => x - points[handle].world[k]), e = points[moved].world.map((x, k) => valueOf(x) - valueOf(points[other].world[k]));
+        // as long as it was, but for a number of four bits
+        const length = Math.hypot(...e) / (Math.hypot(...d) || 1) || 1, step = 2 ** (Math.floor(Math.log2(length)) - 3), ratio = Math.round(length / step) * step;
+        set(points[other], points[node].world);
+        set(points[moved], points[node].world.map((x, k) => x + ratio * d[k]));
         update();
       } }, 'Make it G1'));
       if (n === m && n > 1 && !options[0].domain && !options[1].domain)
@@ -280,8 +288,8 @@ function cornerScene(parameters) {
   const points = worlds.map((world, i) => ({ world: [...world], name: ['Start', 'Corner', 'End'][i], colour: colours[i % 2] }));
   const within = (key, most, otherwise) => (isNumber(parameters.get(key) ?? '') ? Math.max(0, Math.min(most, Number(parameters.get(key)))) : otherwise);
   const slider = (name, value, most, step) => {
-    const input = html('input', { type: 'range', min: 0, max: most, step, value, 'aria-label': name, oninput: () => (changed(), picture.remember()) });
-    controls.append(html('label', {}, `${name} `, input));
+    const number = html('output', {}, String(value)), input = html('input', { type: 'range', min: 0, max: most, step, value, 'aria-label': name, oninput: () => ((number.textContent = input.value), changed(), picture.remember()) });
+    controls.append(html('label', {}, `${name} `, input, ' ', number));
     return input;
   };
   const radius = slider('Radius', within('radius', 6, 2.5), 6, 0.05), smoothing = slider('Smoothing in percent', within('smoothing', 100, 60), 100, 1);
@@ -303,7 +311,7 @@ function cornerScene(parameters) {
     const [a, b, c] = points.map((p) => p.at), legs = [a, c].map((p) => Math.hypot(p[0] - b[0], p[1] - b[1]));
     const cosine = ((a[0] - b[0]) * (c[0] - b[0]) + (a[1] - b[1]) * (c[1] - b[1])) / (legs[0] * legs[1]), half = Math.acos(Math.max(-1, Math.min(1, cosine))) / 2;
     // where a circle of this radius would begin, and as much farther as the smoothing says
-    const distance = Math.min((Number(radius.value) / Math.tan(half)) * (1 + Number(smoothing.value) / 100), 0.95 * Math.min(...legs));
+    const wanted = (Number(radius.value) / Math.tan(half)) * (1 + Number(smoothing.value) / 100), most = 0.95 * Math.min(...legs), distance = Math.min(wanted, most);
     const lines = [[a, b], [b, c]];
     if (!(distance > 1e-6)) {
       picture.draw(lines.map((points, i) => ({ points, colour: colours[i] })));
@@ -313,8 +321,9 @@ function cornerScene(parameters) {
       const r = gc.roundCorner(lines[0], lines[1], distance);
       const parts = [r.left.points, r.blend.curve.points, r.right.points];
       picture.draw(parts.map((points, i) => ({ points, colour: colours[[0, 2, 1][i]] })));
+      picture.under.prepend(element('path', { class: 'leg', d: `M${line([a, b, c])}` }));
       say(strong(`${orders(r.blend.start_join)} and ${orders(r.blend.end_join)}`, r.blend.start_join.g_order >= 2),
-        `cut off at the distance ${digits(distance)} along both sides; the curvature is continuous, exactly`);
+        `cut off at the distance ${digits(distance)} along both sides${wanted > most ? ', which is all that the shorter one has room for' : ''}; the curvature is continuous, exactly`);
       const path = parts.map((p, i) => pathData(p, i === 0)).join('').trim();
       details.replaceChildren(plot([parts.map((points, i) => ({ points, colour: colours[[0, 2, 1][i]] }))]),
         html('label', {}, 'The path as cubics, rounded to three decimals: no longer exact', html('textarea', { readonly: true, spellcheck: 'false' }, path)));
@@ -444,19 +453,27 @@ class Outlines {
   }
 }
 
+// The drawing, or the font, that is open: it stays while other scenes are shown.
+let open_drawing = null;
+
 function drawingScene() {
   const example = '<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 120 60">\n<path id="wave" fill="none" stroke="#0b62c4" stroke-width="3"\n  d="M5 30 C15 10 25 8 35 20 C45 33 55 52 70 40 C85 27 95 12 115 30"/>\n</svg>\n';
   const text = html('textarea', { 'aria-label': 'The drawing as SVG', spellcheck: 'false' });
   const place = html('div', {}), file = html('input', { type: 'file', accept: '.svg,.ttf,.otf,.woff,.pfb,image/svg+xml,font/*', 'aria-label': 'A drawing or a font' });
   let report = null, outlines = null;
-  text.value = example;
+  text.value = open_drawing?.text ?? example;
   const failed = (error) => {
     say(strong(error.code ?? 'error', false), error.message);
     details.replaceChildren();
   };
+  const sides_of = (left, right) => [left, right].map((i) => outlines.curves[i].exact).filter((x) => x !== undefined);
   const opened = (left, right) => {
-    const sides = [left, right].map((i) => outlines.curves[i].exact);
-    if (sides.every((x) => x !== undefined)) location.hash = `join?left=${sides[0]}&right=${sides[1]}`;
+    const sides = sides_of(left, right);
+    if (sides.length === 2) location.hash = `join?left=${sides[0]}&right=${sides[1]}`;
+  };
+  const commands = (j) => {
+    const text = `${j.left_command} ${j.left_letter} – ${j.right_command} ${j.right_letter}`;
+    return sides_of(j.left, j.right).length === 2 ? html('button', { type: 'button', title: 'Open it as a join', onclick: () => opened(j.left, j.right) }, text) : text;
   };
   const conclude = (grades) => {
     const count = (grade) => grades.reduce((n, g) => n + (g === grade), 0), kinks = count('kink');
@@ -466,6 +483,8 @@ function drawingScene() {
   };
   const show = async () => {
     try {
+      open_drawing = { text: text.value };
+      for (const b of of_drawings) b.disabled = false;
       const module = await files(), bytes = text.value;
       report = await module.verifySvg(bytes);
       const { subpaths } = await module.svgCurves(bytes);
@@ -482,11 +501,12 @@ function drawingScene() {
         } });
       place.replaceChildren(outlines.svg);
       conclude(grades);
-      const bad = report.joins.filter((j) => j.grade !== 'G2').sort((a, b) => (a.grade === 'kink' ? 0 : 1) - (b.grade === 'kink' ? 0 : 1));
+      // kinks first, the largest before others
+      const kink = (j) => (j.grade === 'kink' ? (j.angle_degrees?.[0] ?? 0) : -1);
+      const bad = report.joins.filter((j) => j.grade !== 'G2').sort((a, b) => kink(b) - kink(a));
       const label = (j) => `${j.grade ?? 'undecided'}${j.angle_degrees ? ` of ${bounds(j.angle_degrees, '°')}` : ''}, ${j.element}${j.id ? ` ${j.id}` : ''}, commands ${j.left_command} – ${j.right_command}`;
       outlines.mark(report.joins.filter((j) => j.grade === 'kink').map((j) => ({ point: outlines.curves[j.right].points[0], label: `${label(j)}: open it as a join`, left: j.left, right: j.right })), opened);
-      details.replaceChildren(tableOf(['element', 'commands', 'grade', 'angle'], bad.slice(0, 200).map((j) => [`${j.element}${j.id ? ` ${j.id}` : ''}, line ${j.line}`,
-        `${j.left_command} ${j.left_letter} – ${j.right_command} ${j.right_letter}`, j.grade ?? 'undecided', j.angle_degrees ? bounds(j.angle_degrees, '°') : ''])));
+      details.replaceChildren(tableOf(['element', 'commands', 'grade', 'angle'], bad.slice(0, 200).map((j) => [`${j.element}${j.id ? ` ${j.id}` : ''}, line ${j.line}`, commands(j), j.grade ?? 'undecided', j.angle_degrees ? bounds(j.angle_degrees, '°') : ''])));
     } catch (error) {
       failed(error);
       place.replaceChildren();
@@ -507,6 +527,8 @@ function drawingScene() {
   // A font: its glyphs with kinks, each of which is shown.
   const show_font = async (bytes, name) => {
     try {
+      open_drawing = { font: bytes, name };
+      for (const b of of_drawings) b.disabled = true;
       const module = await files(), font = await module.verifyFont(bytes, { worst: 8 }), s = font.summary;
       say(strong(s.kinks === 0 ? 'No kinks' : counted(s.kinks, 'kink'), s.kinks === 0), `${font.name || name}: ${counted(s.joins, 'join')} of ${counted(s.glyphs, 'glyph')}, ${counted(s.corners, 'corner')}, ${s.rounding} rounded by a unit`);
       const show_glyph = async (glyph) => {
@@ -524,7 +546,7 @@ function drawingScene() {
         }), opened);
       };
       const bad = font.glyphs.filter((g) => g.kinks + g.bends > 0).sort((a, b) => b.kinks - a.kinks).slice(0, 300), first = bad[0] ?? font.glyphs.find((g) => g.joins > 0);
-      details.replaceChildren(tableOf(['glyph', 'kinks', 'bends', 'joins'], bad.map((g) => [html('button', { type: 'button', onclick: () => show_glyph(g).catch(failed) }, g.name), g.kinks, g.bends, g.joins])));
+      details.replaceChildren(...(bad.length === 0 ? [] : [tableOf(['glyph', 'kinks', 'bends', 'joins'], bad.map((g) => [html('button', { type: 'button', onclick: () => show_glyph(g).catch(failed) }, g.name), g.kinks, g.bends, g.joins]))]));
       text.value = '';
       if (first) await show_glyph(first);
     } catch (error) {
@@ -539,12 +561,14 @@ function drawingScene() {
   };
   file.addEventListener('change', () => take(file.files[0]));
   text.addEventListener('change', show);
-  controls.append(file, html('button', { type: 'button', onclick: async () => {
+  const of_drawings = [html('button', { type: 'button', onclick: async () => {
     try {
       const { svg, report: mended } = await (await files()).repairSvg(text.value);
       text.value = svg;
       await show();
-      verdict.append(html('p', {}, mended.moves.length === 0 ? 'No handle moves.' : `${mended.moves.length === 1 ? '1 handle has' : `${mended.moves.length} handles have`} moved, by at most ${bounds(mended.largest_move)} of the last decimal.`));
+      const { moves, not_repaired: left } = mended;
+      verdict.append(html('p', {}, moves.length === 0 ? 'No handle moves.' : `${moves.length === 1 ? '1 handle has' : `${moves.length} handles have`} moved, by at most ${bounds(mended.largest_move)} of the last decimal.`),
+        ...(left.length === 0 ? [] : [html('p', {}, `Not mended: ${left.length}. The first, at curve ${left[0].curve} of ${left[0].element}${left[0].id ? ` ${left[0].id}` : ''}: ${left[0].reason}. Drag the handles of what is left.`)]));
     } catch (error) {
       say(strong(error.code ?? 'error', false), error.message);
     }
@@ -552,22 +576,36 @@ function drawingScene() {
     const link = html('a', { href: URL.createObjectURL(new Blob([text.value], { type: 'image/svg+xml' })), download: 'drawing.svg' });
     link.click();
     setTimeout(() => URL.revokeObjectURL(link.href), 1000);
-  } }, 'Save'));
+  } }, 'Save')];
+  controls.append(file, ...of_drawings, html('button', { type: 'button', onclick: () => {
+    file.value = '';
+    text.value = example;
+    show();
+  } }, 'The example'));
   stage.replaceChildren(place, text);
   stage.ondragover = (e) => (e.preventDefault(), stage.classList.add('over'));
   stage.ondragleave = () => stage.classList.remove('over');
-  stage.ondrop = (e) => (e.preventDefault(), stage.classList.remove('over'), take(e.dataTransfer.files[0]));
-  show();
+  stage.ondrop = (e) => (e.preventDefault(), stage.classList.remove('over'), (file.files = e.dataTransfer.files), take(e.dataTransfer.files[0]));
+  if (open_drawing?.font) show_font(open_drawing.font, open_drawing.name);
+  else show();
 }
 
 function surfaceScene(parameters) {
   const canvas = html('canvas', { width: 720, height: 480, tabindex: 0, role: 'img', 'aria-label': 'Two patches with isophotes; the arrow keys turn them' });
   const slider = (name, key) => {
-    const input = html('input', { type: 'range', min: -4, max: 4, step: 1, value: Number(parameters.get(key)) || 0, 'aria-label': name, oninput: () => changed() });
-    controls.append(html('label', {}, `${name} `, input));
-    return input;
+    const input = html('input', { type: 'range', min: -4, max: 4, step: 1, value: Number(parameters.get(key)) || 0, 'aria-label': name, oninput: () => changed(), onchange: () => remember() });
+    const number = html('output', {});
+    controls.append(html('label', {}, `${name} `, input, ' ', number));
+    return { input, number, get value() { return input.value; } };
   };
+  for (const [name, ...values] of [['G0', 1, 0], ['G1', 0, 2], ['G2', 0, 0]])
+    controls.append(html('button', { type: 'button', onclick: () => {
+      [first.input.value, second.input.value] = values;
+      changed();
+      remember();
+    } }, `Show ${name}`));
   const first = slider('Second row of points', 'second'), second = slider('Third row of points', 'third');
+  const remember = () => history.replaceState(null, '', `#surfaces?second=${first.value}&third=${second.value}`);
   stage.replaceChildren(canvas);
   const a = [[0, 1, 1, 0], [1, 2, 2, 1], [2, 3, 3, 1], [2, 3, 2, 1]].map((row, i) => row.map((z, j) => [i - 3, j - 1.5, z / 4]));
   let turn = 0.7, tilt = 0.9;
@@ -630,12 +668,13 @@ function surfaceScene(parameters) {
     c.lineWidth = 1;
   }
   function changed() {
+    for (const { number, value } of [first, second]) number.textContent = value;
     const b = second_patch();
     paint([a, b]);
     guarded(() => {
       const e = gc.edgeContinuity(a, 'u1', b, 'u0');
       say(strong(e.g_order < 0 ? 'a gap' : `G${e.is_g3 ? 3 : e.g_order} along the whole edge`, e.g_order >= 1),
-        e.defect === 'none' ? 'Tangent planes and curvatures agree.' : `What is missing: ${e.defect}.`,
+        e.defect === 'none' ? 'Tangent planes and curvatures agree.' : `The defect: ${e.defect}.`,
         `The angle of the normals is at most ${digits(e.largest_angle_degrees)}°.`,
         e.g_order === 0 ? 'The stripes jump at the edge.' : e.g_order === 1 ? 'The stripes meet, with kinks at the edge.' : 'The stripes go on smoothly.');
     });
@@ -663,12 +702,18 @@ function surfaceScene(parameters) {
 }
 
 const scenes = {
-  join: ['A join', joinScene(0, [[[-10, -3], [-7, 3], [-4, 4], [0, 2]], [[0, 2], [3, 0.5], [6, -4], [10, -2]]])],
-  blend: ['Blends', blendScene],
-  corner: ['A corner', cornerScene],
-  grid: ['On a grid', joinScene(1, [[[-11, -4], [-9, 2], [-6, 4], [0, 2]], [[0, 2], [8, -1], [9, -4], [11, -2]]])],
-  drawing: ['A drawing', drawingScene],
-  surfaces: ['Surfaces', surfaceScene],
+  join: ['A join', joinScene(0, [[[-10, -3], [-7, 3], [-4, 4], [0, 2]], [[0, 2], [3, 0.5], [6, -4], [10, -2]]]),
+    'Two curves that meet: drag a point and read how smoothly. C: derivatives agree. G: tangents (G1), and curvatures (G2), as the eye sees them. F: Frenet frames.'],
+  blend: ['Blends', blendScene,
+    'Drag the two curves. Each box is a way to blend between them; the less the fairness, the fairer the blend.'],
+  corner: ['A corner', cornerScene,
+    'Drag the corner or its ends; the green curve takes the place of the corner.'],
+  grid: ['On a grid', joinScene(1, [[[-11, -4], [-9, 2], [-6, 4], [0, 2]], [[0, 2], [8, -1], [9, -4], [11, -2]]]),
+    'All points stay on the grid. Drag a handle, then move both to positions nearby that are exactly smooth.'],
+  drawing: ['A drawing', drawingScene,
+    'Drop an SVG or a font on the picture, choose a file, or edit the text under it. Circles mark kinks: click one to open it as a join. Drag any point.'],
+  surfaces: ['Surfaces', surfaceScene,
+    'Compare the stripes across the red edge: they jump with G0, bend with G1, go on smoothly with G2. Drag the picture to turn it.'],
 };
 for (const [name, [title]] of Object.entries(scenes)) nav.append(html('a', { href: `#${name}`, id: `scene-${name}` }, title));
 // #SCENE?left=x,y;x,y;…&right=…&strategies=fair,c2
@@ -677,6 +722,7 @@ function open() {
   for (const a of nav.children) a.id === `scene-${scene}` ? a.setAttribute('aria-current', 'page') : a.removeAttribute('aria-current');
   for (const e of [stage, controls, details]) e.replaceChildren();
   stage.ondragover = stage.ondragleave = stage.ondrop = null;
+  hint.textContent = scenes[scene][2];
   document.title = `${scenes[scene][0]} – Geometric continuity`;
   scenes[scene][1](new URLSearchParams(query));
 }

@@ -21,6 +21,7 @@ const scene = async (name, query = '') => {
   await browser.value(`location.hash = ${JSON.stringify(`${name}${query}`)}`);
   await browser.until(`document.querySelector('#scene-${name}[aria-current]') !== null`);
 };
+const press = (text) => browser.value(`[...document.querySelectorAll('button')].find((b) => b.textContent === ${JSON.stringify(text)}).click()`);
 const picture = async (name) => {
   if (!pictures) return;
   const { data } = await browser.send('Page.captureScreenshot');
@@ -45,11 +46,27 @@ check('a join is dragged out of smoothness, and mended', async () => {
   await says(/C0 G1 F1\s+β = \(3\/4\)/);
   await browser.drag('circle:nth-of-type(6)', 0, 40);
   await says(/C0 G0 F0, (kink|corner)/);
+  assert.equal(await browser.value("getComputedStyle(document.activeElement).outlineStyle"), 'none', 'no ring in the scale of the picture hides the point');
   await picture('join');
-  await browser.value("[...document.querySelectorAll('button')].find((b) => b.textContent === 'Make it C2').click()");
+  await press('Make it C2');
   await says(/C2 G[23] F2/);
   await browser.drag('circle:nth-of-type(5)', -30, 25); // the node of the right curve takes all along
   await says(/gap|G[0-3]/);
+});
+
+check('a curve and a line are mended by the handle: the line stays', async () => {
+  await scene('join', '?left=-9,4;-6,5;-3,1;0,0&right=0,0;8,2');
+  await says(/C0 G0 F0/);
+  await press('Make it G1');
+  await says(/C0 G1/);
+  const labels = await browser.value("[...document.querySelectorAll('circle.point')].map((c) => c.getAttribute('aria-label'))");
+  assert.match(labels[5], /x 8, y 2$/);
+  assert.doesNotMatch(labels[2], /x -3, y 1$/);
+  await scene('join', '?left=-9,4;-6,5;-3,1;0,0&right=0,0;800,200');
+  await press('Make it G1');
+  await says(/C0 G1/);
+  const [x, y] = (await browser.value("document.querySelectorAll('circle.point')[2].getAttribute('aria-label')")).match(/-?[0-9.]+(?=,|$)/g).slice(-2).map(Number);
+  assert.ok(Math.abs(Math.hypot(x, y) - Math.hypot(3, 1)) < 0.25, `the handle keeps its length: ${x}, ${y}`);
 });
 
 check('points move by the keyboard, and say where they are', async () => {
@@ -57,7 +74,7 @@ check('points move by the keyboard, and say where they are', async () => {
   await says(/C3 G3 F2/);
   await browser.value("document.querySelector('circle:nth-of-type(6)').focus()");
   await browser.key('ArrowUp');
-  await says(/C0 G0 F0, kink\s+β = none\s+angle \[1\.7/); // 0.09375 of 3
+  await says(/C0 G0 F0, kink\s+β = none\s+angle ≈ 1\.7/); // 0.09375 of 3
   assert.match(await browser.value("document.activeElement.getAttribute('aria-label')"), /^Right curve, control point 1, x 3, y 0\.09375$/);
   await browser.key('ArrowDown');
   await says(/C3 G3/);
@@ -78,6 +95,9 @@ check('a corner is rounded, and its path is there', async () => {
   await picture('corner');
   await browser.drag('circle:nth-of-type(2)', 80, 40);
   await says(/C0 G2 F2 and C0 G2 F2/);
+  await scene('corner', '?points=-9,-5;-2,5;9,-3&radius=6&smoothing=100');
+  await says(/all that the shorter one has room for/);
+  assert.deepEqual(await browser.value("[...document.querySelectorAll('output')].map((o) => o.textContent)"), ['6', '100']);
 });
 
 check('on a grid handles snap to positions that are exactly smooth', async () => {
@@ -95,7 +115,7 @@ check('a kink of a drawing is found and mended, and what it says is no markup', 
   await scene('drawing');
   await says(/2 kinks/);
   await picture('drawing');
-  await browser.value("[...document.querySelectorAll('button')].find((b) => b.textContent === 'Mend the kinks').click()");
+  await press('Mend the kinks');
   await says(/No kinks[^]*[1-4] handles? ha(s|ve) moved/);
   const hostile = '<svg xmlns="http://www.w3.org/2000/svg" onload="parent.hacked = 1"><script>parent.hacked = 2; alert(1)</script><path id="&lt;img src=x onerror=hacked=3&gt;" d="M0 0L1 1L2 0"/></svg>';
   await browser.value(`(() => { const t = document.querySelector('#stage textarea'); t.value = ${JSON.stringify(hostile)}; t.dispatchEvent(new Event('change')); })()`);
@@ -116,6 +136,11 @@ check('surfaces: G1 and G2 along the edge', async () => {
   await picture('surfaces');
   await slide(0, 1);
   await says(/G0 along the whole edge[^]*crease/);
+  for (const grade of ['G1', 'G2', 'G0', 'G1']) {
+    await press(`Show ${grade}`);
+    await says(`/${grade} along the whole edge/`);
+  }
+  assert.equal(await browser.value('location.hash'), '#surfaces?second=0&third=2');
 });
 
 check('while a point is dragged a frame takes less than a sixtieth of a second', async () => {
@@ -202,13 +227,31 @@ const drop = (name, base64) => browser.value(`(() => {
 
 check('a kink that is marked in a drawing opens as a join', async () => {
   await scene('drawing');
+  await press('The example');
   await says(/2 kinks/);
   await browser.until("document.querySelectorAll('circle.mark').length === 2");
-  assert.match(await browser.value("document.querySelector('circle.mark').getAttribute('aria-label')"), /^kink of \[[-0-9., ]+\]°, path wave, commands 2 – 3: open it as a join$/);
+  assert.match(await browser.value("document.querySelector('circle.mark').getAttribute('aria-label')"), /^kink of ≈ 2\.23698°, path wave, commands 2 – 3: open it as a join$/);
   await browser.value("document.querySelector('circle.mark').focus()");
   await browser.key('Enter');
   await says(/C0 G0 F0, kink/);
   assert.equal(await browser.value('location.hash'), '#join?left=5,30;15,10;25,8;35,20&right=35,20;45,33;55,52;70,40');
+});
+
+check('the rows of a drawing open as joins, and the drawing is there afterwards; what is not mended is said', async () => {
+  await scene('drawing');
+  const coarse = '<svg xmlns="http://www.w3.org/2000/svg"><path d="M0 0C1 1 2 2 3 3L9 10"/><path d="M20 0C21 1 22 2 23 3L29 10C30 11 31 12 40 10"/></svg>';
+  await drop('coarse.svg', Buffer.from(coarse).toString('base64'));
+  await says(/[23] kinks/);
+  assert.equal(await browser.value("document.querySelector('input[type=file]').files[0].name"), 'coarse.svg');
+  const kinks = await browser.value("[...document.querySelectorAll('#details tbody tr')].filter((r) => r.cells[2].textContent === 'kink').map((r) => Number(r.cells[3].textContent.match(/[0-9.]+/)[0]))");
+  assert.deepEqual(kinks, [...kinks].sort((a, b) => b - a));
+  await browser.value("document.querySelector('#details td button').click()");
+  await says(/C0 G0 F0/);
+  await browser.value('history.back()');
+  await says(/[23] kinks/);
+  assert.equal(await browser.value("document.querySelector('#stage textarea').value"), coarse);
+  await press('Mend the kinks');
+  await says(/Not mended: [1-3]\. The first, at curve \d+ of path: [^]*Drag/);
 });
 
 // Rows of waves, which are closed below: 40 joins a row, whose handles are off here and there.
@@ -263,11 +306,21 @@ const font = spawnSync('sh', ['-c', 'find /usr/share/fonts -name "DejaVuSans-Bol
 test('a font is dropped: its glyphs, their kinks, and one of them as a join', { skip: skip || font === '' }, async () => {
   await scene('join');
   await scene('drawing');
+  await press('The example');
   await says(/2 kinks/);
   await drop('font.ttf', readFileSync(font).toString('base64'));
   await says(/joins of \d+ glyphs/);
   await browser.until("document.querySelector('#details button') !== null && document.querySelector('svg.drawing path.outline').getAttribute('d').length > 20");
   await picture('font');
+  const disabled = () => browser.value("[...document.querySelectorAll('#controls button:disabled')].map((b) => b.textContent)");
+  assert.deepEqual(await disabled(), ['Mend the kinks', 'Save'], 'which are for drawings');
+  await scene('join');
+  await says(/C0 G1 F1/);
+  await scene('drawing');
+  await says(/joins of \d+ glyphs/);
+  await press('The example');
+  await says(/2 kinks/);
+  assert.deepEqual(await disabled(), []);
   await drop('font.ttf', Buffer.from('no font at all').toString('base64'));
   await says(/malformed_input/);
   assert.deepEqual(browser.errors, []);
