@@ -10,7 +10,7 @@ const gc = await load({ wasm: await bytesOf(MODULE) });
 const files = async () => (filesBytes ??= await load({ wasm: await bytesOf(MODULE), filesWasm: await bytesOf(FILES) }));
 
 const [stage, hint, controls, verdict, details, nav] = ['stage', 'hint', 'controls', 'verdict', 'details', 'scenes'].map((id) => document.getElementById(id));
-const colours = ['var(--left)', 'var(--right)', 'var(--good)', '#9a6700', '#8250df', '#1b7c83', '#bf3989', '#4d7c0f', '#7c5a3c'];
+const colours = ['var(--left)', 'var(--right)', 'var(--good)', '#9a6700', '#8250df', '#1b7c83', '#bf3989', '#4d7c0f', '#7c5a3c', '#6e7781', '#d4501e'];
 
 const say = (...nodes) => verdict.replaceChildren(...nodes.map((n) => (typeof n === 'string' ? html('p', {}, n) : n)));
 const strong = (text, good) => html('p', {}, html('strong', { class: good ? 'good' : 'bad' }, text));
@@ -269,7 +269,7 @@ function blendScene(parameters) {
     const sides = [points.slice(0, first.length), points.slice(first.length)], [phi, psi] = sides.map((side) => side.map((p) => p.world));
     const ends = sides.map((side, i) => ({ points: side.map((p) => p.at), colour: colours[i], legs: true }));
     guarded(() => {
-      const blends = [...wanted].map((strategy) => ({ ...gc.blend(phi, psi, { strategy }), colour: colours[2 + (names.indexOf(strategy) % 7)] }));
+      const blends = [...wanted].map((strategy) => ({ ...gc.blend(phi, psi, { strategy }), colour: colours[2 + names.indexOf(strategy)] }));
       for (const b of blends) b.drawn = b.curve.points.map((p) => frame.at(p));
       picture.draw([...ends, ...blends.map((b) => ({ points: b.drawn, colour: b.colour }))]);
       const proved = blends.length > 0 && blends.every((b) => Math.min(b.start_join.g_order, b.end_join.g_order) >= 2);

@@ -86,6 +86,8 @@ check('strategies side by side', async () => {
   await picture('blend');
   await browser.drag('circle:nth-of-type(5)', 60, -80);
   await says(/Every join is proved/);
+  await browser.value("for (const box of document.querySelectorAll('#controls input:not(:checked)')) box.click()");
+  assert.equal(await browser.value("new Set([...document.querySelectorAll('#verdict p[style]')].map((p) => p.style.color)).size"), 9, 'each has its colour');
 });
 
 check('a corner is rounded, and its path is there', async () => {
