@@ -103,7 +103,12 @@ private:
       middle *= m;
       largest *= CGAL::abs(m) + CGAL::abs(d);
     }
-    Region region{r, a, b, largest - CGAL::abs(middle), std::vector<Interval>(free_.size() + 1, Interval(0)), {}};
+    Region region{r,
+                  a,
+                  b,
+                  largest - CGAL::abs(middle),
+                  std::vector<Interval>(free_.size() + 1, Interval(0)),
+                  Products{Interval(0), Interval(0)}};
     add(a_[0], middle, a);
     add(b_[0], middle, b);
     for (std::size_t i = 0; i < factors.size(); ++i) {
