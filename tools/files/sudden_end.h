@@ -21,6 +21,7 @@
 #include "files/number_memory.h"
 #include <gmp.h>
 #endif
+#include <sys/resource.h>
 #include <unistd.h>
 
 // Signals, and memory that runs out, end the program in good order: temporary files are removed, and files that were to
@@ -55,11 +56,18 @@ inline void* memory_or_end(void* memory) {
   return memory;
 }
 
-// Takes the stack that the commands need. Where memory is limited, the system would end the program by a signal when the stack
-// cannot grow later.
-BOOST_NOINLINE inline void take_stack() { // and gives it back
-  volatile char stack[192 * 1024];
-  for (std::size_t i = 0; i < sizeof stack; i += 4096) stack[sizeof stack - 1 - i] = 0;
+// Takes the stack that the commands need, of which the arithmetic of GMP has most. Where memory is limited, the system would end the program
+// by a signal when the stack cannot grow later.
+template <std::size_t size> BOOST_NOINLINE void take_stack_of() { // and gives it back
+  [[maybe_unused]] volatile char stack[size];
+  for (std::size_t i = 0; i < size; i += 4096) stack[size - 1 - i] = 0;
+}
+inline void take_stack() {
+  rlimit limit{};
+  if (getrlimit(RLIMIT_STACK, &limit) == 0 && limit.rlim_cur < 1024 * 1024)
+    take_stack_of<192 * 1024>();
+  else
+    take_stack_of<512 * 1024>();
 }
 
 // Lets all memory that cannot be had end the program with the exit code of bad input.
