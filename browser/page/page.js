@@ -4,16 +4,29 @@ const bytesOf = async (base64) => {
   const packed = Uint8Array.from(atob(base64), (c) => c.charCodeAt(0));
   return new Uint8Array(await new Response(new Blob([packed]).stream().pipeThrough(new DecompressionStream('gzip'))).arrayBuffer());
 };
-let filesBytes = null;
 const gc = await load({ wasm: await bytesOf(MODULE) });
 // the readers of files are unpacked when they are needed
-const files = async () => (filesBytes ??= await load({ wasm: await bytesOf(MODULE), filesWasm: await bytesOf(FILES) }));
+let reader = null;
+const files = () => (reader ??= Promise.all([MODULE, FILES].map(bytesOf)).then(([wasm, filesWasm]) => load({ wasm, filesWasm })));
 
 const [stage, hint, controls, verdict, details, nav] = ['stage', 'hint', 'controls', 'verdict', 'details', 'scenes'].map((id) => document.getElementById(id));
 const colours = ['var(--left)', 'var(--right)', 'var(--good)', '#9a6700', '#8250df', '#1b7c83', '#bf3989', '#4d7c0f', '#7c5a3c', '#6e7781', '#d4501e'];
 
 const say = (...nodes) => verdict.replaceChildren(...nodes.map((n) => (typeof n === 'string' ? html('p', {}, n) : n)));
 const strong = (text, good) => html('p', {}, html('strong', { class: good ? 'good' : 'bad' }, text));
+// Shows what takes its time to compute, unless something else was asked for meanwhile, or another scene.
+let asked = 0;
+const latest = async (compute, show, failed) => {
+  const mine = ++asked;
+  stage.setAttribute('aria-busy', 'true');
+  try {
+    const result = await compute();
+    if (mine === asked) show(result);
+  } catch (error) {
+    if (mine === asked) failed(error);
+  }
+  if (mine === asked) stage.removeAttribute('aria-busy');
+};
 const guarded = (f) => {
   try {
     return f();
@@ -464,7 +477,7 @@ function drawingScene() {
   text.value = open_drawing?.text ?? example;
   const failed = (error) => {
     say(strong(error.code ?? 'error', false), error.message);
-    details.replaceChildren();
+    for (const e of [place, details]) e.replaceChildren();
   };
   const sides_of = (left, right) => [left, right].map((i) => outlines.curves[i].exact).filter((x) => x !== undefined);
   const opened = (left, right) => {
@@ -481,16 +494,17 @@ function drawingScene() {
       `${counted(grades.length, 'join')} in ${counted(outlines.subpaths.length, 'subpath')}, ${counted(count('corner'), 'corner')}, ${count(null)} undecided`,
       ...(outlines.editable ? [] : ['A drawing with arcs is not dragged.']));
   };
-  const show = async () => {
-    try {
-      open_drawing = { text: text.value };
-      for (const b of of_drawings) b.disabled = false;
-      const module = await files(), bytes = text.value;
-      report = await module.verifySvg(bytes);
-      const { subpaths } = await module.svgCurves(bytes);
-      for (const p of subpaths) for (const c of p.curves) c.points = c.points.flatMap((x, i, all) => (i % 2 ? [] : [[x, all[i + 1]]]));
+  const curves_of = (numbers) => numbers.map((c) => ({ ...c, points: c.points.flatMap((x, i, all) => (i % 2 ? [] : [[x, all[i + 1]]])) }));
+  const show = (besides = []) => {
+    const drawing = text.value;
+    open_drawing = { text: drawing };
+    for (const b of of_drawings) b.disabled = false;
+    return latest(async () => {
+      const module = await files();
+      return [await module.verifySvg(drawing), await module.svgCurves(drawing)];
+    }, ([report, { subpaths }]) => {
       const grades = report.joins.map((j) => j.grade), at = new Map(report.joins.map((j, k) => [j.left, k]));
-      outlines = new Outlines(subpaths, 'The outlines of the drawing; its kinks are marked', {
+      outlines = new Outlines(subpaths.map((p) => ({ ...p, curves: curves_of(p.curves) })), 'The outlines of the drawing; its kinks are marked', {
         edited,
         dragged: (around) => {
           for (const i of around) {
@@ -501,17 +515,21 @@ function drawingScene() {
         } });
       place.replaceChildren(outlines.svg);
       conclude(grades);
+      verdict.append(...besides.map((line) => html('p', {}, line)));
       // kinks first, the largest before others
       const kink = (j) => (j.grade === 'kink' ? (j.angle_degrees?.[0] ?? 0) : -1);
       const bad = report.joins.filter((j) => j.grade !== 'G2').sort((a, b) => kink(b) - kink(a));
       const label = (j) => `${j.grade ?? 'undecided'}${j.angle_degrees ? ` of ${bounds(j.angle_degrees, '°')}` : ''}, ${j.element}${j.id ? ` ${j.id}` : ''}, commands ${j.left_command} – ${j.right_command}`;
       outlines.mark(report.joins.filter((j) => j.grade === 'kink').map((j) => ({ point: outlines.curves[j.right].points[0], label: `${label(j)}: open it as a join`, left: j.left, right: j.right })), opened);
       details.replaceChildren(tableOf(['element', 'commands', 'grade', 'angle'], bad.slice(0, 200).map((j) => [`${j.element}${j.id ? ` ${j.id}` : ''}, line ${j.line}`, commands(j), j.grade ?? 'undecided', j.angle_degrees ? bounds(j.angle_degrees, '°') : ''])));
-    } catch (error) {
-      failed(error);
-      place.replaceChildren();
-    }
+    }, failed);
   };
+  const mend = () => latest(async () => (await files()).repairSvg(text.value), ({ svg, report: { moves, not_repaired: left, largest_move } }) => {
+    const handles = moves.length === 1 ? '1 handle has' : `${moves.length} handles have`;
+    text.value = svg;
+    show([moves.length === 0 ? 'No handle moves.' : `${handles} moved, by at most ${bounds(largest_move)} of the last decimal.`,
+      ...left.slice(0, 1).map((x) => `Not mended: ${left.length}. The first, at curve ${x.curve} of ${x.element}${x.id ? ` ${x.id}` : ''}: ${x.reason}. Drag the handles of what is left.`)]);
+  }, failed);
   const exactly = (curve) => numbersOf(curve.exact);
   // What was dragged: the drawing becomes its outlines.
   const edited = () => {
@@ -525,54 +543,39 @@ function drawingScene() {
     return show();
   };
   // A font: its glyphs with kinks, each of which is shown.
-  const show_font = async (bytes, name) => {
-    try {
-      open_drawing = { font: bytes, name };
-      for (const b of of_drawings) b.disabled = true;
-      const module = await files(), font = await module.verifyFont(bytes, { worst: 8 }), s = font.summary;
-      say(strong(s.kinks === 0 ? 'No kinks' : counted(s.kinks, 'kink'), s.kinks === 0), `${font.name || name}: ${counted(s.joins, 'join')} of ${counted(s.glyphs, 'glyph')}, ${counted(s.corners, 'corner')}, ${s.rounding} rounded by a unit`);
-      const show_glyph = async (glyph) => {
-        const { glyphs } = await module.fontCurves(bytes, { glyphs: `#${glyph.index}` }), subpaths = glyphs[0].contours.map((curves) => ({ closed: true, curves }));
-        for (const p of subpaths) for (const c of p.curves) {
-          c.points = c.points.flatMap((x, i, all) => (i % 2 ? [] : [[x, all[i + 1]]]));
-          c.exact = texts(c.points);
-        }
-        outlines = new Outlines(subpaths, `Glyph ${glyph.name}; its kinks are marked`, { up: true });
-        place.replaceChildren(outlines.svg);
-        const starts = new Map(outlines.curves.map((c, i) => [`${c.points[0]}`, i]));
-        outlines.mark(glyph.worst.flatMap(({ point, grade, angle_degrees }) => {
-          const right = starts.get(`${point.map(Number)}`);
-          return right === undefined ? [] : [{ point, label: `${grade} of ${bounds(angle_degrees, '°')}: open it as a join`, left: outlines.curves[right].before, right }];
-        }), opened);
-      };
-      const bad = font.glyphs.filter((g) => g.kinks + g.bends > 0).sort((a, b) => b.kinks - a.kinks).slice(0, 300), first = bad[0] ?? font.glyphs.find((g) => g.joins > 0);
-      details.replaceChildren(...(bad.length === 0 ? [] : [tableOf(['glyph', 'kinks', 'bends', 'joins'], bad.map((g) => [html('button', { type: 'button', onclick: () => show_glyph(g).catch(failed) }, g.name), g.kinks, g.bends, g.joins]))]));
+  const show_font = (bytes, name) => {
+    open_drawing = { font: bytes, name };
+    for (const b of of_drawings) b.disabled = true;
+    const contours_of = async (glyph) => [glyph, (await (await files()).fontCurves(bytes, { glyphs: `#${glyph.index}` })).glyphs[0].contours];
+    const show_glyph = ([glyph, contours]) => {
+      outlines = new Outlines(contours.map((curves) => ({ closed: true, curves: curves_of(curves).map((c) => ({ ...c, exact: texts(c.points) })) })), `Glyph ${glyph.name}; its kinks are marked`, { up: true });
+      place.replaceChildren(outlines.svg);
+      const starts = new Map(outlines.curves.map((c, i) => [`${c.points[0]}`, i]));
+      outlines.mark(glyph.worst.flatMap(({ point, grade, angle_degrees }) => {
+        const right = starts.get(`${point.map(Number)}`);
+        return right === undefined ? [] : [{ point, label: `${grade} of ${bounds(angle_degrees, '°')}: open it as a join`, left: outlines.curves[right].before, right }];
+      }), opened);
+    };
+    return latest(async () => {
+      const font = await (await files()).verifyFont(bytes, { worst: 8 }), bad = font.glyphs.filter((g) => g.kinks + g.bends > 0).sort((a, b) => b.kinks - a.kinks).slice(0, 300);
+      const first = bad[0] ?? font.glyphs.find((g) => g.joins > 0);
+      return { font, bad, first: first && (await contours_of(first)) };
+    }, ({ font: { name: itself, summary: s }, bad, first }) => {
+      say(strong(s.kinks === 0 ? 'No kinks' : counted(s.kinks, 'kink'), s.kinks === 0), `${itself || name}: ${counted(s.joins, 'join')} of ${counted(s.glyphs, 'glyph')}, ${counted(s.corners, 'corner')}, ${s.rounding} rounded by a unit`);
+      details.replaceChildren(...(bad.length === 0 ? [] : [tableOf(['glyph', 'kinks', 'bends', 'joins'], bad.map((g) => [html('button', { type: 'button', onclick: () => latest(() => contours_of(g), show_glyph, failed) }, g.name), g.kinks, g.bends, g.joins]))]));
       text.value = '';
-      if (first) await show_glyph(first);
-    } catch (error) {
-      failed(error);
-    }
+      place.replaceChildren();
+      if (first) show_glyph(first);
+    }, failed);
   };
-  const take = async (f) => {
-    if (!f) return;
-    const bytes = new Uint8Array(await f.arrayBuffer());
-    if (/\.(ttf|otf|woff|pfb|pfa|ttc|otc|t1)$/i.test(f.name)) await show_font(bytes, f.name);
-    else (text.value = new TextDecoder().decode(bytes)), await show();
-  };
+  const take = (f) => f && latest(() => f.arrayBuffer(), (bytes) => {
+    if (/\.(ttf|otf|woff|pfb|pfa|ttc|otc|t1)$/i.test(f.name)) return show_font(new Uint8Array(bytes), f.name);
+    text.value = new TextDecoder().decode(bytes);
+    return show();
+  }, failed);
   file.addEventListener('change', () => take(file.files[0]));
-  text.addEventListener('change', show);
-  const of_drawings = [html('button', { type: 'button', onclick: async () => {
-    try {
-      const { svg, report: mended } = await (await files()).repairSvg(text.value);
-      text.value = svg;
-      await show();
-      const { moves, not_repaired: left } = mended;
-      verdict.append(html('p', {}, moves.length === 0 ? 'No handle moves.' : `${moves.length === 1 ? '1 handle has' : `${moves.length} handles have`} moved, by at most ${bounds(mended.largest_move)} of the last decimal.`),
-        ...(left.length === 0 ? [] : [html('p', {}, `Not mended: ${left.length}. The first, at curve ${left[0].curve} of ${left[0].element}${left[0].id ? ` ${left[0].id}` : ''}: ${left[0].reason}. Drag the handles of what is left.`)]));
-    } catch (error) {
-      say(strong(error.code ?? 'error', false), error.message);
-    }
-  } }, 'Mend the kinks'), html('button', { type: 'button', onclick: () => {
+  text.addEventListener('change', () => show());
+  const of_drawings = [html('button', { type: 'button', onclick: mend }, 'Mend the kinks'), html('button', { type: 'button', onclick: () => {
     const link = html('a', { href: URL.createObjectURL(new Blob([text.value], { type: 'image/svg+xml' })), download: 'drawing.svg' });
     link.click();
     setTimeout(() => URL.revokeObjectURL(link.href), 1000);
@@ -721,6 +724,8 @@ function open() {
   const [name, query = ''] = location.hash.slice(1).split('?'), scene = Object.hasOwn(scenes, name) ? name : 'join';
   for (const a of nav.children) a.id === `scene-${scene}` ? a.setAttribute('aria-current', 'page') : a.removeAttribute('aria-current');
   for (const e of [stage, controls, details]) e.replaceChildren();
+  ++asked;
+  stage.removeAttribute('aria-busy');
   stage.ondragover = stage.ondragleave = stage.ondrop = null;
   hint.textContent = scenes[scene][2];
   document.title = `${scenes[scene][0]} – Geometric continuity`;

@@ -27,7 +27,7 @@ const picture = async (name) => {
   const { data } = await browser.send('Page.captureScreenshot');
   writeFileSync(join(pictures, `${name}.png`), Buffer.from(data, 'base64'));
 };
-const says = (pattern) => browser.until(`${pattern}.test(document.getElementById('verdict').innerText)`, 20);
+const says = (pattern) => browser.until(`!document.getElementById('stage').hasAttribute('aria-busy') && ${pattern}.test(document.getElementById('verdict').innerText)`, 20);
 
 before(async () => {
   if (skip) return;
@@ -254,6 +254,30 @@ check('the rows of a drawing open as joins, and the drawing is there afterwards;
   assert.equal(await browser.value("document.querySelector('#stage textarea').value"), coarse);
   await press('Mend the kinks');
   await says(/Not mended: [1-3]\. The first, at curve \d+ of path: [^]*Drag/);
+});
+
+check('what is read while another scene is opened is not said there', async () => {
+  await browser.send('Page.navigate', { url: 'about:blank' });
+  await browser.until("document.documentElement?.dataset.ready !== 'yes'");
+  await browser.send('Page.navigate', { url: `${page}#drawing` });
+  await browser.until("document.documentElement?.dataset.ready === 'yes'");
+  await browser.value("location.hash = 'corner'"); // while the readers of files are unpacked
+  await says(/cut off/);
+  await scene('drawing');
+  await says(/2 kinks/);
+  await scene('corner');
+  await says(/cut off/);
+  // the readers are there, a file is read
+  await scene('drawing');
+  await browser.value(`(() => {
+    const data = new DataTransfer();
+    data.items.add(new File([${JSON.stringify(waves(50))}], 'waves.svg'));
+    document.getElementById('stage').dispatchEvent(new DragEvent('drop', { dataTransfer: data, cancelable: true }));
+    location.hash = 'corner';
+  })()`);
+  await browser.until("document.querySelector('#scene-corner[aria-current]') !== null");
+  await browser.value("new Promise((f) => setTimeout(f, 1000))"); // which the drawing takes less than
+  await says(/cut off/);
 });
 
 // Rows of waves, which are closed below: 40 joins a row, whose handles are off here and there.
