@@ -16,12 +16,12 @@ function html(name, attributes = {}, ...children) {
   return e;
 }
 
-// The point and the first two derivatives of a Bezier curve, by de Casteljau; with weights those of a rational one.
+// The point and the first two derivatives of a Bezier curve, in the plane or in space, by de Casteljau; with weights those of a rational one.
 function jet(points, t, weights = null) {
   if (weights) {
-    const h = jet(points.map(([x, y], i) => [weights[i] * x, weights[i] * y, weights[i]]), t), w = h.x[2];
-    const x = [0, 1].map((k) => h.x[k] / w), d = x.map((c, k) => (h.d[k] - h.d[2] * c) / w);
-    return { x, d, dd: x.map((c, k) => (h.dd[k] - 2 * h.d[2] * d[k] - h.dd[2] * c) / w) };
+    const h = jet(points.map((p, i) => [...p, 1].map((x) => weights[i] * x)), t), [w, dw, ddw] = [h.x, h.d, h.dd].map((list) => list.pop());
+    const x = h.x.map((c) => c / w), d = x.map((c, k) => (h.d[k] - dw * c) / w);
+    return { x, d, dd: x.map((c, k) => (h.dd[k] - 2 * dw * d[k] - ddw * c) / w) };
   }
   const n = points.length - 1, rows = [points];
   for (let k = 1; k <= n; ++k)
@@ -32,16 +32,22 @@ function jet(points, t, weights = null) {
   const dd = n < 2 ? points[0].map(() => 0) : row(2)[2].map((c, i) => n * (n - 1) * (c - 2 * row(2)[1][i] + row(2)[0][i]));
   return { x, d, dd };
 }
+const dot = (a, b) => a.reduce((sum, x, k) => sum + x * b[k], 0);
+// The vector to the centre of curvature, as long as the curvature.
+function curvature_vector({ d, dd }) {
+  const square = dot(d, d);
+  return d.map((x, k) => (square > 0 ? (dd[k] - (dot(d, dd) / square) * x) / square : 0));
+}
+// Signed in the plane.
 function curvature({ d, dd }) {
-  const speed = Math.hypot(d[0], d[1]);
-  return speed > 0 ? (d[0] * dd[1] - d[1] * dd[0]) / speed ** 3 : 0;
+  return Math.hypot(...curvature_vector({ d, dd })) * (d.length === 2 ? Math.sign(d[0] * dd[1] - d[1] * dd[0]) : 1);
 }
 function samples(points, weights = null, n = 64) {
   const list = [];
   let s = 0;
   for (let k = 0; k <= n; ++k) {
     const j = jet(points, k / n, weights);
-    if (k > 0) s += Math.hypot(j.x[0] - list[k - 1].x[0], j.x[1] - list[k - 1].x[1]);
+    if (k > 0) s += Math.hypot(...j.x.map((x, i) => x - list[k - 1].x[i]));
     list.push({ ...j, s, k: curvature(j) });
   }
   return list;
@@ -49,10 +55,7 @@ function samples(points, weights = null, n = 64) {
 const round = (x) => String(Math.round(x * 1000) / 1000);
 const line = (points) => points.map(([x, y]) => `${round(x)} ${round(-y)}`).join(' L');
 function comb(list, scale) {
-  const tips = list.map(({ x, d, k }) => {
-    const length = Math.hypot(d[0], d[1]) || 1;
-    return [x[0] + (scale * k * d[1]) / length, x[1] - (scale * k * d[0]) / length];
-  });
+  const tips = list.map((p) => curvature_vector(p).map((x, k) => p.x[k] - scale * x));
   return `M${line(tips)}` + list.map((p, i) => (i % 2 ? '' : ` M${line([p.x, tips[i]])}`)).join('');
 }
 // The path of a curve: of degree 1 to 3 as SVG has it, otherwise as cubics within a thousandth of its size.

@@ -10,7 +10,7 @@ let reader = null;
 const files = () => (reader ??= Promise.all([MODULE, FILES].map(bytesOf)).then(([wasm, filesWasm]) => load({ wasm, filesWasm })));
 
 const [stage, hint, controls, verdict, details, nav] = ['stage', 'hint', 'controls', 'verdict', 'details', 'scenes'].map((id) => document.getElementById(id));
-const colours = ['var(--left)', 'var(--right)', 'var(--good)', '#9a6700', '#8250df', '#1b7c83', '#bf3989', '#4d7c0f', '#7c5a3c', '#6e7781', '#d4501e'];
+const colours = ['var(--left)', 'var(--right)', 'var(--good)', '#9a6700', '#8250df', '#1b7c83', '#bf3989', '#4d7c0f', '#7c5a3c', '#6e7781', '#d4501e', '#00a0c0'];
 
 const say = (...nodes) => verdict.replaceChildren(...nodes.map((n) => (typeof n === 'string' ? html('p', {}, n) : n)));
 const strong = (text, good) => html('p', {}, html('strong', { class: good ? 'good' : 'bad' }, text));
@@ -60,6 +60,7 @@ class Frame {
   constructor(worlds) {
     const lists = worlds[0].map((_, k) => worlds.map((w) => valueOf(w[k]))), range = lists.map((list) => Math.max(...list) - Math.min(...list));
     this.axes = [...range.keys()].sort((i, j) => range[j] - range[i] || i - j).slice(0, 2).sort();
+    this.hidden = [...range.keys()].filter((k) => !this.axes.includes(k));
     this.centre = [0, 0];
     this.scale = 1;
     const low = this.axes.map((k) => Math.min(...lists[k])), high = this.axes.map((k) => Math.max(...lists[k])), size = Math.max((high[0] - low[0]) / 20, (high[1] - low[1]) / 13);
@@ -72,6 +73,13 @@ class Frame {
   }
   at(world) {
     return this.axes.map((k, i) => (valueOf(world[k]) - this.centre[i]) * this.scale);
+  }
+  // All coordinates, those of the picture first, for lengths and curvatures.
+  whole(world) {
+    return [...this.at(world), ...this.hidden.map((k) => valueOf(world[k]) * this.scale)];
+  }
+  get note() {
+    return this.hidden.length === 0 ? [] : [`Two of three coordinates are drawn: ${this.axes.map((k) => 'xyz'[k]).join(' and ')}.`];
   }
   put(point, at) {
     point.at = at;
@@ -180,6 +188,16 @@ function plot(chains, scale = 1) {
 }
 
 const named = (name, worlds, colour) => worlds.map((world, i) => ({ world: [...world], name: `${name}, control point ${i}`, colour }));
+// A number that moved, as the double that it is; and as a decimal, where it is one.
+const written = (x) => (typeof x === 'string' || Number.isInteger(x) ? String(x) : x.toFixed(100).replace(/0+$/, ''));
+const decimal = (x) => {
+  const [p, q = ''] = written(x).split('/');
+  let k = 0;
+  while (q && k < 400 && 10n ** BigInt(k) % BigInt(q)) ++k;
+  if (!q || k === 400) return q ? String(valueOf(x)) : p;
+  const all = String((BigInt(p.replace('-', '')) * 10n ** BigInt(k)) / BigInt(q)).padStart(k + 1, '0'), whole = all.length - k;
+  return `${p[0] === '-' ? '-' : ''}${all.slice(0, whole)}${k ? '.' : ''}${all.slice(whole)}`;
+};
 const numbersOf = (text) => (text ?? '').split(';').filter((x) => x !== '').map((p) => p.split(','));
 const isNumber = (x) => x.length < 2000 && /^-?\d+(\.\d+)?(e-?\d+)?$|^-?\d+\/[1-9]\d*$/.test(x) && Number.isFinite(valueOf(x));
 const texts = (list) => list.map((p) => p.join(',')).join(';');
@@ -194,21 +212,26 @@ const list = (parameters, key, n) => {
   return values.length === n && values.every(isNumber) ? values : null;
 };
 
+// The two curves of an address, with weights and domains where it has some.
+function pairOf(parameters, names, defaults, any = true) {
+  let lists = ['left', 'right'].map((key, i) => given(parameters, key, defaults[i], any));
+  if (lists[0][0].length !== lists[1][0].length) lists = defaults;
+  const sides = lists.map((side, i) => named(names[i], side, colours[i]));
+  const options = ['left', 'right'].map((key, i) => ({ weights: list(parameters, `${key}_weights`, sides[i].length), domain: list(parameters, `${key}_domain`, 2) }));
+  const worlds = (i) => sides[i].map((p) => p.world), texts_of = (i) => texts(worlds(i).map((p) => p.map(written)));
+  return { sides, options, worlds, points: sides.flat(), plane: lists[0][0].length === 2,
+    curve: (i) => ({ control_points: worlds(i), ...options[i] }),
+    drawn: (frame) => [0, 1].map((i) => ({ points: worlds(i).map((p) => frame.whole(p)), weights: options[i].weights?.map(valueOf), colour: colours[i], legs: true })),
+    address: () => ['left', 'right'].map((key, i) => [`${key}=${texts_of(i)}`, ...['weights', 'domain'].flatMap((k) => (options[i][k] ? [`${key}_${k}=${options[i][k].join(';')}`] : []))].join('&')).join('&') };
+}
+
 function joinScene(snap, defaults) {
   return (parameters) => {
-    let [left, right] = ['left', 'right'].map((key, i) => given(parameters, key, defaults[i], !snap));
-    if (left[0].length !== right[0].length) [left, right] = defaults;
-    const n = left.length - 1, m = right.length - 1, plane = left[0].length === 2;
-    const points = [...named('Left curve', left, colours[0]), ...named('Right curve', right, colours[1])];
+    const pair = pairOf(parameters, ['Left curve', 'Right curve'], defaults, !snap), { points, options, plane } = pair;
+    const [n, m] = pair.sides.map((side) => side.length - 1), frame = snap ? identity : new Frame(points.map((p) => p.world));
     for (const i of [n, n + 1]) points[i].with = [n - 1, n, n + 1, n + 2].filter((j) => j !== i && (n > 1 || j !== n - 1) && (m > 1 || j !== n + 2)); // a node takes its handles along
     points[n + 1].name = 'Node, of the right curve';
-    const sides = [points.slice(0, n + 1), points.slice(n + 1)], options = ['left', 'right'].map((side, i) => ({
-      weights: list(parameters, `${side}_weights`, sides[i].length), domain: list(parameters, `${side}_domain`, 2) }));
-    const curve = (i) => ({ control_points: sides[i].map((p) => p.world), ...options[i] }), drawn = (i) => sides[i].map((p) => p.at);
-    const weighted = (i) => (options[i].weights ?? null)?.map(valueOf);
-    const frame = snap ? identity : new Frame([...left, ...right]);
-    const name = snap ? 'grid' : 'join';
-    const address = () => `${name}?${['left', 'right'].map((side, i) => `${side}=${texts(sides[i].map((p) => p.world))}${['weights', 'domain'].filter((k) => options[i][k]).map((k) => `&${side}_${k}=${options[i][k].join(';')}`).join('')}`).join('&')}`;
+    const address = () => `${snap ? 'grid' : 'join'}?${pair.address()}`;
     const picture = new Picture('Two curves that meet', points, { snap, frame, changed, address });
     const set = (p, world) => ((p.world = [...world]), (p.at = frame.at(world)));
     const update = () => (changed(), picture.place_circles());
@@ -228,17 +251,34 @@ function joinScene(snap, defaults) {
     } else if (!options[0].weights && !options[1].weights) {
       // what is computed with doubles is exact where the points are on the grid of the picture
       const on_grid = (p) => set(p, p.world.map((x) => Math.round(valueOf(x) / frame.unit) * frame.unit));
-      controls.append(html('button', { type: 'button', onclick: () => {
-        // the handle of the right curve moves, or that of the left one where the right one is a line
-        const [handle, node, other, moved] = m === 1 && n > 1 ? [n + 2, n + 1, n, n - 1] : [n - 1, n, n + 1, n + 2];
+      // The numbers of the points from a handle over the node to the handle that moves: on the right, or on the left where the right curve has less than so many sides.
+      const across = (sides) => (m < sides && n >= sides ? [n + 2, n + 1, n, n - 1] : [n - 1, n, n + 1, n + 2]);
+      // Puts the handle behind the node on the line of the one before it, as long as it was but for a number of four bits times `odd`. Returns this line and the ratio of the lengths.
+      const straighten = ([handle, node, other, moved], odd = 1) => {
         for (const i of [handle, node]) on_grid(points[i]);
         const d = points[node].world.map((x, k) => x - points[handle].world[k]), e = points[moved].world.map((x, k) => valueOf(x) - valueOf(points[other].world[k]));
-        // as long as it was, but for a number of four bits
-        const length = Math.hypot(...e) / (Math.hypot(...d) || 1) || 1, step = 2 ** (Math.floor(Math.log2(length)) - 3), ratio = Math.round(length / step) * step;
+        if (d.every((x) => x === 0)) return (update(), say(strong('A handle lies at its node', false), 'There is no tangent to go on with.'), null);
+        const length = Math.hypot(...e) / Math.hypot(...d) || 1, step = odd * 2 ** (Math.floor(Math.log2(length / odd)) - 3), ratio = Math.round(length / step) * step;
         set(points[other], points[node].world);
         set(points[moved], points[node].world.map((x, k) => x + ratio * d[k]));
-        update();
-      } }, 'Make it G1'));
+        return { d, ratio };
+      };
+      controls.append(html('button', { type: 'button', onclick: () => straighten(across(2)) && update() }, 'Make it G1'));
+      if (Math.max(n, m) > 2)
+        controls.append(html('button', { type: 'button', onclick: () => {
+          // of points f0, f1, f2 of degree p before the node and g0 = f0, g1, g2 of degree q behind it: g2 - 2 g1 + g0 = ratio^2 top / bottom (f2 - 2 f1 + f0) + free (f0 - f1)
+          const numbers = across(3), step = numbers[3] - numbers[2], [p, q] = step > 0 ? [n, m] : [m, n], top = q * (p - 1), bottom = p * (q - 1);
+          const divisor = (a, b) => (b ? divisor(b, a % b) : a), odd_part = (x) => (x % 2 ? x : odd_part(x / 2));
+          if (p > 1) on_grid(points[numbers[0] - step]);
+          const line = straighten(numbers, odd_part(bottom / divisor(bottom, top)));
+          if (!line) return;
+          const [f0, f1, f2, g1] = [numbers[1], numbers[0], numbers[0] - (p > 1 ? step : 0), numbers[3]].map((k) => points[k].world), second = points[numbers[3] + step], { d, ratio } = line;
+          const from = g1.map((x, k) => 2 * x - f0[k] + ((ratio * ratio * top) / bottom) * (f2[k] - 2 * f1[k] + f0[k]));
+          // the nearest such point, of short numbers
+          const free = dot(second.world.map((x, k) => valueOf(x) - from[k]), d) / dot(d, d), grain = 2 ** Math.round(Math.log2(frame.unit / Math.hypot(...d)));
+          set(second, from.map((x, k) => x + Math.round(free / grain) * grain * d[k]));
+          update();
+        } }, 'Make it G2'));
       if (n === m && n > 1 && !options[0].domain && !options[1].domain)
         controls.append(html('button', { type: 'button', onclick: () => {
           for (const i of [n - 2, n - 1, n]) on_grid(points[i]);
@@ -249,18 +289,27 @@ function joinScene(snap, defaults) {
           update();
         } }, 'Make it C2'));
     }
+    // the join of a drawing that was opened here
+    const source = open_drawing?.join && open_drawing.join.address === location.hash ? open_drawing : null;
+    if (source)
+      controls.append(html('button', { type: 'button', onclick: () => {
+        source.outlines.replace([source.join.left, source.join.right], [0, 1].map(pair.worlds));
+        open_drawing = { text: source.outlines.drawing() };
+        location.hash = 'drawing';
+      } }, 'Put it back into the drawing'));
     function changed() {
       if (magnet?.checked) align(true);
-      const curves = [0, 1].map((i) => ({ points: drawn(i), weights: weighted(i), colour: colours[i], legs: true }));
+      const curves = pair.drawn(frame);
       picture.draw(curves);
+      if (source) source.join.address = `#${address()}`;
       guarded(() => {
-        const [a, b] = [curve(0), curve(1)], join = gc.continuity(a, b), d = gc.deviation(a, b);
+        const [a, b] = [0, 1].map(pair.curve), join = gc.continuity(a, b), d = gc.deviation(a, b);
         const grade = plane && !a.weights && !b.weights ? gc.joinGrade(a, b) : null, word = grade?.grade && !/^G/.test(grade.grade) && join.c_order >= 0 ? `, ${grade.grade}` : '';
         say(strong(`${orders(join)}${word}`, join.g_order >= 1),
           `β = ${join.betas.length ? shown(`(${join.betas.join(', ')})`) : 'none'}`,
           `angle ${bounds(d.angle_degrees, '°')}${grade ? `, a handle is off by ${bounds(grade.handle_offset)}` : ''}`,
           `jump of the curvature ${bounds(d.curvature_percent, ' %')}, gap ${bounds(d.gap)}`,
-          ...(plane ? [] : [`Two of three coordinates are drawn: ${frame.axes.map((k) => 'xyz'[k]).join(' and ')}.`]));
+          ...frame.note);
       });
       details.replaceChildren(plot([curves], frame.scale));
     }
@@ -269,26 +318,28 @@ function joinScene(snap, defaults) {
 }
 
 function blendScene(parameters) {
-  const [first, second] = [['left', [[-11, -5], [-9, 3], [-6, 5], [-3, 4]]], ['right', [[3, -3], [6, -6], [8, -2], [11, 5]]]].map(([key, defaults]) => given(parameters, key, defaults, true));
-  if (first[0].length !== 2 || second[0].length !== 2) return say('Blends in space are not drawn here.');
-  const points = [...named('First curve', first, colours[0]), ...named('Second curve', second, colours[1])], frame = new Frame([...first, ...second]);
-  const names = ['fair', 'energy3', 'energy2', 'c2', 'normal', 'min_second', 'near_line', 'fair_g3', 'c3'];
-  const wanted = new Set((parameters.get('strategies') ?? 'fair,energy3').split(',').filter((n) => names.includes(n)));
-  for (const name of names)
-    controls.append(html('label', {}, html('input', { type: 'checkbox', checked: wanted.has(name), onchange: (e) => (e.target.checked ? wanted.add(name) : wanted.delete(name), changed(), picture.remember()) }), ` ${name}`));
-  const picture = new Picture('Two curves and blends between them', points, { frame, changed,
-    address: () => `blend?left=${texts(points.slice(0, first.length).map((p) => p.world))}&right=${texts(points.slice(first.length).map((p) => p.world))}&strategies=${[...wanted].join(',')}` });
+  const pair = pairOf(parameters, ['First curve', 'Second curve'], [[[-11, -5], [-9, 3], [-6, 5], [-3, 4]], [[3, -3], [6, -6], [8, -2], [11, 5]]]);
+  const names = ['fair', 'energy3', 'energy2', 'c2', 'normal', 'min_second', 'near_line', 'fair_g3', 'energy4_g3', 'c3'], frame = new Frame(pair.points.map((p) => p.world));
+  const wanted = new Set((parameters.get('strategies') ?? 'normal,energy3,fair').split(',').filter((n) => names.includes(n)));
+  const box = (name, checked, act) => {
+    const input = html('input', { type: 'checkbox', checked, onchange: () => (act?.(input.checked), changed(), picture.remember()) });
+    controls.append(html('label', {}, input, ` ${name}`));
+    return input;
+  };
+  for (const name of names) box(name, wanted.has(name), (checked) => (checked ? wanted.add(name) : wanted.delete(name)));
+  const plain = box('β = η = 1, the speed of the curves', parameters.get('shape') === '1,1');
+  const picture = new Picture('Two curves and blends between them', pair.points, { frame, changed,
+    address: () => `blend?${pair.address()}&strategies=${[...wanted].join(',')}${plain.checked ? '&shape=1,1' : ''}` });
   function changed() {
-    const sides = [points.slice(0, first.length), points.slice(first.length)], [phi, psi] = sides.map((side) => side.map((p) => p.world));
-    const ends = sides.map((side, i) => ({ points: side.map((p) => p.at), colour: colours[i], legs: true }));
+    const ends = pair.drawn(frame);
     guarded(() => {
-      const blends = [...wanted].map((strategy) => ({ ...gc.blend(phi, psi, { strategy }), colour: colours[2 + names.indexOf(strategy)] }));
-      for (const b of blends) b.drawn = b.curve.points.map((p) => frame.at(p));
-      picture.draw([...ends, ...blends.map((b) => ({ points: b.drawn, colour: b.colour }))]);
+      const blends = [...wanted].map((strategy) => ({ ...gc.blend(pair.curve(0), pair.curve(1), { strategy, ...(plain.checked ? { beta: 1, eta: 1 } : {}) }), colour: colours[2 + names.indexOf(strategy)] }));
+      for (const b of blends) b.drawn = { points: b.curve.points.map((p) => frame.whole(p)), colour: b.colour };
+      picture.draw([...ends, ...blends.map((b) => b.drawn)]);
       const proved = blends.length > 0 && blends.every((b) => Math.min(b.start_join.g_order, b.end_join.g_order) >= 2);
       say(strong(blends.length === 0 ? 'Choose a strategy' : proved ? 'Every join is proved' : 'A join is not smooth', proved),
-        ...blends.map((b) => html('p', { style: `color: ${b.colour}` }, `${b.strategy}: ${orders(b.start_join)} and ${orders(b.end_join)}, fairness ${b.fairness === null ? '∞' : digits(b.fairness)}`)));
-      details.replaceChildren(plot(blends.map((b) => [ends[0], { points: b.drawn, colour: b.colour }, ends[1]]), frame.scale),
+        ...blends.map((b) => html('p', { style: `color: ${b.colour}` }, `${b.strategy}: ${orders(b.start_join)} and ${orders(b.end_join)}, fairness ${b.fairness === null ? '∞' : digits(b.fairness)}`)), ...frame.note);
+      details.replaceChildren(plot(blends.map((b) => [ends[0], b.drawn, ends[1]]), frame.scale),
         tableOf(['strategy', 'β', 'η'], blends.map((b) => [b.strategy, shown(b.shape.beta), shown(b.shape.eta)])));
     });
   }
@@ -346,6 +397,8 @@ function cornerScene(parameters) {
   changed();
 }
 
+const svgText = (paths, attributes = {}) => new XMLSerializer().serializeToString(element('svg', attributes, ...paths.map((p) => element('path', { ...p, fill: 'none', stroke: 'currentColor' })))).replaceAll('<path', '\n<path').replace('</svg>', '\n</svg>\n');
+
 // The outlines of a drawing or of a glyph, its kinks marked. Points are dragged where there are no arcs; nothing but what moves is drawn anew.
 class Outlines {
   // subpaths: { closed, curves: [{ points: [[x, y], …], weights, exact }] }, y downwards unless `up`.
@@ -387,6 +440,29 @@ class Outlines {
     const start = first ? `M${this.text(points[0])}` : '';
     if (weights) return start + samples(points, weights, 24).slice(1).map((s) => `L${this.text(s.x)}`).join('');
     return start + ' LQC'[points.length - 1] + points.slice(1).map((p) => this.text(p)).join(' ');
+  }
+  // Puts control points in the place of those of two curves that meet, and of the ends of their neighbours.
+  replace(numbers, sides) {
+    for (const [i, k] of numbers.entries()) this.curves[k].exact = texts(sides[i].map((p) => p.map(decimal)));
+    const ends = ([k, i], [l, j]) => {
+      if (k < 0) return;
+      const points = numbersOf(this.curves[k].exact);
+      points[i < 0 ? points.length - 1 : 0] = numbersOf(this.curves[l].exact).at(j);
+      this.curves[k].exact = texts(points);
+    };
+    const [left, right] = numbers;
+    ends([this.curves[left].before, -1], [left, 0]);
+    ends([this.curves[right].behind, 0], [right, -1]);
+  }
+  // The drawing as the outlines that it has.
+  drawing() {
+    const elements = new Map();
+    for (const p of this.subpaths.filter(({ curves }) => curves.length > 0)) {
+      const lists = p.curves.map((c) => numbersOf(c.exact).map((x) => x.map(decimal).join(' '))), d = `M${lists[0][0]}${lists.map((list) => ' LQC'[list.length - 1] + list.slice(1).join(' ')).join('')}${p.closed ? 'Z' : ''}`;
+      const key = `${p.element} ${p.line} ${p.id}`;
+      elements.set(key, { id: p.id, d: (elements.get(key)?.d ?? '') + d });
+    }
+    return svgText([...elements.values()].map(({ id, d }) => ({ ...(id ? { id } : {}), d })), { viewBox: this.svg.getAttribute('viewBox') });
   }
   draw(path, chains) {
     path.setAttribute('d', chains.map((curves) => curves.map((c, i) => this.piece(c, i === 0)).join('')).join(''));
@@ -469,12 +545,17 @@ class Outlines {
 // The drawing, or the font, that is open: it stays while other scenes are shown.
 let open_drawing = null;
 
-function drawingScene() {
+function drawingScene(parameters) {
   const example = '<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 120 60">\n<path id="wave" fill="none" stroke="#0b62c4" stroke-width="3"\n  d="M5 30 C15 10 25 8 35 20 C45 33 55 52 70 40 C85 27 95 12 115 30"/>\n</svg>\n';
   const text = html('textarea', { 'aria-label': 'The drawing as SVG', spellcheck: 'false' });
   const place = html('div', {}), file = html('input', { type: 'file', accept: '.svg,.ttf,.otf,.woff,.pfb,image/svg+xml,font/*', 'aria-label': 'A drawing or a font' });
   let report = null, outlines = null;
   text.value = open_drawing?.text ?? example;
+  if (parameters.has('d')) { // a link to a path
+    text.value = svgText([{ d: parameters.get('d') }]);
+    open_drawing = null;
+    history.replaceState(null, '', '#drawing');
+  }
   const failed = (error) => {
     say(strong(error.code ?? 'error', false), error.message);
     for (const e of [place, details]) e.replaceChildren();
@@ -482,7 +563,10 @@ function drawingScene() {
   const sides_of = (left, right) => [left, right].map((i) => outlines.curves[i].exact).filter((x) => x !== undefined);
   const opened = (left, right) => {
     const sides = sides_of(left, right);
-    if (sides.length === 2) location.hash = `join?left=${sides[0]}&right=${sides[1]}`;
+    if (sides.length < 2) return;
+    const address = `#join?left=${sides[0]}&right=${sides[1]}`;
+    if (outlines.editable && open_drawing.outlines === outlines) open_drawing.join = { left, right, address };
+    location.hash = address;
   };
   const commands = (j) => {
     const text = `${j.left_command} ${j.left_letter} – ${j.right_command} ${j.right_letter}`;
@@ -497,7 +581,7 @@ function drawingScene() {
   const curves_of = (numbers) => numbers.map((c) => ({ ...c, points: c.points.flatMap((x, i, all) => (i % 2 ? [] : [[x, all[i + 1]]])) }));
   const show = (besides = []) => {
     const drawing = text.value;
-    open_drawing = { text: drawing };
+    if (open_drawing?.text !== drawing) open_drawing = { text: drawing };
     for (const b of of_drawings) b.disabled = false;
     return latest(async () => {
       const module = await files();
@@ -513,6 +597,7 @@ function drawingScene() {
           }
           conclude(grades);
         } });
+      open_drawing.outlines = outlines;
       place.replaceChildren(outlines.svg);
       conclude(grades);
       verdict.append(...besides.map((line) => html('p', {}, line)));
@@ -533,13 +618,7 @@ function drawingScene() {
   const exactly = (curve) => numbersOf(curve.exact);
   // What was dragged: the drawing becomes its outlines.
   const edited = () => {
-    const elements = new Map();
-    for (const p of outlines.subpaths) {
-      const key = `${p.element} ${p.line} ${p.id}`, d = p.curves.map((c, i) => outlines.piece(c, i === 0)).join('') + (p.closed ? 'Z' : '');
-      elements.set(key, { id: p.id, d: (elements.get(key)?.d ?? '') + d });
-    }
-    const box = outlines.svg.getAttribute('viewBox'), drawing = element('svg', { viewBox: box }, ...[...elements.values()].map(({ id, d }) => element('path', { ...(id ? { id } : {}), fill: 'none', stroke: 'currentColor', d })));
-    text.value = new XMLSerializer().serializeToString(drawing).replaceAll('<path', '\n<path').replace('</svg>', '\n</svg>\n');
+    text.value = outlines.drawing();
     return show();
   };
   // A font: its glyphs with kinks, each of which is shown.

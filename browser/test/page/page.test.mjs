@@ -69,6 +69,52 @@ check('a curve and a line are mended by the handle: the line stays', async () =>
   assert.ok(Math.abs(Math.hypot(x, y) - Math.hypot(3, 1)) < 0.25, `the handle keeps its length: ${x}, ${y}`);
 });
 
+check('a join is made G2 by a second handle, exactly', async () => {
+  const labels = () => browser.value("[...document.querySelectorAll('circle.point')].map((c) => c.getAttribute('aria-label'))");
+  const moved_in = async (query) => {
+    await scene('join', query);
+    await says(/C0 G[01]/);
+    const before = await labels();
+    await press('Make it G2');
+    await says(/C[0-9] G[23] F[23]/);
+    return (await labels()).flatMap((label, i) => (label === before[i] ? [] : [i]));
+  };
+  assert.deepEqual(await moved_in('?left=-9,4;-6,5;-2,2;0,0&right=0,0;3,-3;5,5;9,2'), [6]);
+  assert.deepEqual(await moved_in('?left=-9,4;-6,5;-2,2;0,0&right=0,0;8,-8'), [1], 'the line stays');
+  assert.deepEqual(await moved_in('?left=-9,4;-6,5;-2,2;0,0&right=0,0;4,-4;8,2'), [1], 'the end of a parabola stays');
+  assert.deepEqual(await moved_in('?left=-9,0,0;-6,1,2;-3,1,0;0,0,0&right=0,0,0;6,-2,0;5,5,5;9,2,1'), [6]);
+  // any degrees, decimals, kinks
+  let state = 32;
+  const random = () => ((state = (state * 1103515245 + 12345) % 2 ** 31), (state % 20000) / 1000 - 10);
+  const side = (degree) => Array.from({ length: degree }, () => `${random()},${random()}`);
+  for (let k = 0; k < 24; ++k) {
+    const node = `${random()},${random()}`, query = `?left=${[...side(1 + (k % 6)), node].join(';')}&right=${[node, ...side(3 + ((5 * k) % 7))].join(';')}`;
+    await scene('join', query);
+    await press('Make it G2');
+    const text = await verdict();
+    assert.match(text, /C[0-9] G[23] F2/, query);
+    if (k % 6) continue;
+    // its link has the numbers as they are
+    await browser.until(`!location.hash.endsWith(${JSON.stringify(query)})`);
+    const link = await browser.value('location.hash');
+    await scene('blend');
+    await scene('join', link.slice('#join'.length));
+    assert.equal(await verdict(), text);
+  }
+  await scene('join', '?left=-9,4;-6,5;0,0;0,0&right=0,0;3,-3;5,5;9,2');
+  await press('Make it G2');
+  await says(/A handle lies at its node/);
+  assert.match((await labels())[5], /x 3, y -3$/);
+  await scene('join', '?left=-9,4;-2,2;0,0&right=0,0;8,-8');
+  assert.equal(await browser.value("[...document.querySelectorAll('button')].filter((b) => b.textContent === 'Make it G2').length"), 0);
+});
+
+check('curvatures in space are those of the curves, not of their picture', async () => {
+  await scene('join', '?left=-10,9,0;0,0,0&right=0,0,0;5,0,0;10,0,8'); // a parabola that the picture shows as a line
+  await says(/drawn: x and y/);
+  assert.match(await browser.value("document.querySelector('figcaption').textContent"), /up to 0\.16$/);
+});
+
 check('points move by the keyboard, and say where they are', async () => {
   await scene('join', '?left=-9,0;-6,0;-3,0;0,0&right=0,0;3,0;6,0;9,0');
   await says(/C3 G3 F2/);
@@ -87,7 +133,7 @@ check('strategies side by side', async () => {
   await browser.drag('circle:nth-of-type(5)', 60, -80);
   await says(/Every join is proved/);
   await browser.value("for (const box of document.querySelectorAll('#controls input:not(:checked)')) box.click()");
-  assert.equal(await browser.value("new Set([...document.querySelectorAll('#verdict p[style]')].map((p) => p.style.color)).size"), 9, 'each has its colour');
+  assert.equal(await browser.value("new Set([...document.querySelectorAll('#verdict p[style]')].map((p) => p.style.color)).size"), 10, 'each has its colour');
 });
 
 check('a corner is rounded, and its path is there', async () => {
@@ -174,20 +220,58 @@ check('a link has the points as they are, of any degree, in space and with weigh
   await says(/C0 G1 F1\s+β = \(3\/4\)/);
 });
 
-check('the links of the manual', async () => {
-  const manual = resolve(import.meta.dirname ?? new URL('.', import.meta.url).pathname, '../../../doc/Geometric_continuity');
-  const links = readdirSync(manual).filter((name) => name.endsWith('.txt')).flatMap((name) => [...readFileSync(join(manual, name), 'utf8').matchAll(/^\\play\{(.*)\}$/gm)].map((m) => m[1]));
-  assert.ok(links.length > 5);
-  for (const link of links) {
-    const [name, query = ''] = link.split('?'), numbers = new URLSearchParams(query);
+const sources = resolve(import.meta.dirname ?? new URL('.', import.meta.url).pathname, '../../..'), source = (path) => readFileSync(join(sources, path), 'utf8');
+// Control points as they stand in a source: `name{Point(0, 0), ...}` of C++, `name = [(0, 0), ...]` of Python; and the curves of a file in SINTEF's format.
+const points_in = (path, name) => source(path).match(new RegExp(`\\b${name}( = )?[[{]((\\w*\\([^)]*\\)[,\\s]*)+)[\\]}]`))[2].match(/(?<=\()[^)]*/g).map((p) => p.replaceAll(' ', '')).join(';');
+const curves_of = (name) => source(`demo/Geometric_continuity/data/${name}.g2`).split(/^100 1 0 0$/m).slice(1).map((c) => c.trim().split('\n').slice(3).map((p) => p.trim().split(/\s+/)));
+const points_of = (name) => curves_of(name)[0].map((p) => p.join(',')).join(';');
+const example = (name) => `examples/Geometric_continuity/${name}.cpp`, drawn = 'doc/Geometric_continuity/figures/curve_figures.cpp', manual = 'doc/Geometric_continuity';
+const below = ([x, y]) => `${x},${-y}`;
+// Of each figure that has links: what is said there, and its curves.
+const figures = {
+  orders_of_continuity: { says: [/C0 G0 F0, kink/], left: points_in(example('orders_of_continuity'), 'left') },
+  first_blend: { says: [/normal: C0 G2[^]*energy3: C0 G2[^]*fair: C0 G2/], left: points_of('hill_left'), right: points_of('hill_right') },
+  fair_blend: { says: [/energy3: C0 G2[^]*fair: C0 G2 F2 and C0 G2 F2, fairness 57\.[^]*energy4_g3: C0 G3[^]*fair_g3: C0 G3/], left: points_in(example('fair_blend'), 'phi'), right: points_in(example('fair_blend'), 'psi') },
+  space_blends: { says: [/(\w+: C0 G2 F2 and C0 G2 F2, fairness [0-9.]+\s+){7}Two of three coordinates are drawn: x and y/], left: points_of('space_left'), right: points_of('space_right') },
+  portnov_figures: { says: [/c2: C2 G2 F2[^]*min_second: C1 G2 F2[^]*near_line: C1 G2 F2/], left: points_in(example('portnov_figures'), 'phi'), right: points_in(example('portnov_figures'), 'psi') },
+  letter: { says: [/10 kinks\s+28 joins in 1 subpath, 2 corners/],
+    d: `M${below(curves_of('lmroman10-regular_S_0')[0][0])}${curves_of('lmroman10-regular_S_0').map((c) => ' LQC'[c.length - 1] + c.slice(1).map(below).join(',')).join('')}Z` },
+  kinks_and_corners: { says: [/C0 G0 F0, kink[^]*angle ≈ 3\.4/] },
+  line_and_arc: { says: [/C0 G1 F1/, /fair: C0 G2 F2 and C0 G2 F2/] },
+  fillet: { says: [/C1 G1 F1/] },
+  from_python: { says: [/energy3: C0 G2[^]*fair: C0 G2/], left: points_in(`${manual}/From_Python.txt`, 'left'), right: points_in(`${manual}/From_Python.txt`, 'right') },
+  hagen_families: { says: [/C3 G3 F3[^]*Two of three coordinates are drawn: x and y/], left: points_in(drawn, 'left') },
+  alternatives: { says: [/C2 G2 F2/], left: points_of('planar') },
+  edge_g1: { says: [/G1 along the whole edge/] },
+  edge_g2: { says: [/G[23] along the whole edge/, /C0 G1 F1/, /fair: C0 G2 F2 and C0 G2 F2/] },
+};
+
+check('the links of the manual, which show the curves of its figures', async () => {
+  const links = new Map(), seen = [];
+  for (const name of readdirSync(join(sources, manual)).filter((name) => name.endsWith('.txt'))) {
+    let figure = null;
+    for (const line of source(`${manual}/${name}`).split('\n')) {
+      const [, image] = line.match(/^\\image html (\w+)\./) ?? [], [, link] = line.match(/^\\play\{(.*)\}$/) ?? [];
+      if (image) seen.push((figure = image));
+      else if (/^\\section/.test(line)) figure = null;
+      if (link) links.set(link, figure);
+    }
+  }
+  const without = ['blend_surfaces_g3', 'cubic_bases', 'enclosure', 'frenet_frame', 'interpolate_fair', 'join_the_spout', 'portnov_figure_3', 'report_of_a_cad_model', 'ribbon', 'rounded_box', 'swept_normals', 'teapot'];
+  assert.deepEqual([...new Set(seen)].filter((name) => !without.includes(name)).sort(), Object.keys(figures).sort(), 'a figure has a link, or is one of those that have none');
+  assert.deepEqual(Object.entries(figures).map(([name, { says }]) => [name, says.length]), Object.keys(figures).map((name) => [name, [...links.values()].filter((f) => f === name).length]));
+  for (const [link, figure] of links) {
+    const [name, query = ''] = link.split('?'), numbers = new URLSearchParams(query), { says: patterns, left, right, d } = figures[figure] ?? { says: [/cut off/] };
     await scene(name === 'join' ? 'blend' : 'join');
     await scene(name, query && `?${query}`);
-    await browser.until("document.getElementById('verdict').innerText.length > 20");
-    assert.match(await verdict(), /G\d|proved/, link);
+    await says(figure ? patterns[[...links].filter(([, f]) => f === figure).findIndex(([l]) => l === link)] : patterns[0]);
+    for (const [key, value] of Object.entries({ left, right, d })) if (value) assert.equal(numbers.get(key), value, `${figure}: ${key}`);
     const labels = await browser.value("[...document.querySelectorAll('circle.point')].map((c) => c.getAttribute('aria-label'))");
     const points = ['left', 'right'].flatMap((side) => (numbers.get(side) ?? '').split(';')).filter((p) => p);
     if (points.length > 0) assert.equal(labels.length, points.length, link);
-    for (const [i, p] of points.entries()) if (!p.includes('/')) assert.ok(labels[i].endsWith(`x ${p.split(',')[0]}, y ${p.split(',')[1]}`), `${link}: ${labels[i]}`);
+    for (const [i, p] of points.entries()) if (!p.includes('/')) assert.ok(labels[i].endsWith(p.split(',').map((x, k) => `${'xyz'[k]} ${x}`).join(', ')), `${link}: ${labels[i]}`);
+    if (d) assert.ok((await browser.value("document.querySelector('#stage textarea').value")).includes(` d="${d}"`));
+    await picture(`link_${figure}_${name}`);
   }
 });
 
@@ -237,6 +321,51 @@ check('a kink that is marked in a drawing opens as a join', async () => {
   await browser.key('Enter');
   await says(/C0 G0 F0, kink/);
   assert.equal(await browser.value('location.hash'), '#join?left=5,30;15,10;25,8;35,20&right=35,20;45,33;55,52;70,40');
+});
+
+check('a join of a drawing goes back into it, mended', async () => {
+  const put_back = 'Put it back into the drawing', has_button = () => browser.value(`[...document.querySelectorAll('button')].some((b) => b.textContent === '${put_back}')`);
+  const text = () => browser.value("document.querySelector('#stage textarea').value");
+  await scene('drawing');
+  await press('The example');
+  await says(/2 kinks/);
+  for (const left of [/^1 kink\s+2 joins/, /^No kinks\s+2 joins/]) {
+    await browser.until("document.querySelector('circle.mark') !== null");
+    await browser.value("document.querySelector('circle.mark').focus()");
+    await browser.key('Enter');
+    await says(/C0 G0 F0, kink/);
+    await press('Make it G1');
+    await press('Make it G2');
+    await says(/C[0-9] G[23]/);
+    await press(put_back);
+    await says(left);
+  }
+  assert.match(await text(), /<path id="wave" d="M5 30C15 10 25 8 35 20C[^"]* 115 30"/);
+  assert.deepEqual(await browser.value("[...document.querySelectorAll('#details tbody tr')].map((r) => r.cells[2].textContent)"), ['G1'], 'whose second handle was moved for the second node');
+  // ends take their neighbours along, other paths stay as they are; back and forth in between
+  await drop('closed.svg', Buffer.from('<svg xmlns="http://www.w3.org/2000/svg"><path d="M0 0C10 0 20 10.1 20 20C20.3 30 10 40 0 40Z"/><path id="b" transform="scale(.3)" d="M.1 .7L9 9"/></svg>').toString('base64'));
+  await says(/^1 kink\s+3 joins/);
+  await browser.value("[...document.querySelectorAll('#details td button')].find((b) => b.textContent === '4 Z – 2 C').click()");
+  await says(/corner/);
+  await browser.value("document.querySelector('circle:nth-of-type(1)').focus()");
+  await browser.key('ArrowLeft');
+  await browser.until("/left=-/.test(location.hash)");
+  await browser.value('history.back()');
+  await says(/^1 kink\s+3 joins/);
+  await browser.value('history.forward()');
+  await says(/corner/);
+  await press(put_back);
+  await says(/^1 kink\s+3 joins/);
+  assert.match(await text(), /d="M0 0C10 0 20 10\.1 20 20C20\.3 30 10 40 (-0\.\d+) 40L0 0Z"[^]*d="M0\.03 0\.21L2\.7 2\.7"/);
+  // a join of its own, and one of a drawing with arcs, have no drawing to go to
+  await scene('join', '?left=0,0;1,1&right=1,1;2,3');
+  assert.equal(await has_button(), false);
+  await scene('drawing');
+  await drop('arcs.svg', Buffer.from('<svg xmlns="http://www.w3.org/2000/svg"><path d="M0 0L10 1L20 3A5 5 0 0 1 30 3"/></svg>').toString('base64'));
+  await says(/arcs is not dragged/);
+  await browser.value("document.querySelector('#details td button').click()");
+  await says(/C0 G0/);
+  assert.equal(await has_button(), false);
 });
 
 check('the rows of a drawing open as joins, and the drawing is there afterwards; what is not mended is said', async () => {
