@@ -494,6 +494,28 @@ check('touch', async () => {
   await says(/C0 G0 F0, (kink|corner)/);
 });
 
+check('narrow windows: nothing is cut off or scrolls sideways', async () => {
+  for (const width of [360, 768]) {
+    await browser.send('Emulation.setDeviceMetricsOverride', { width, height: 800, deviceScaleFactor: 1, mobile: width === 360 });
+    for (const name of ['join', 'blend', 'corner', 'grid', 'drawing', 'surfaces']) {
+      await scene(name);
+      if (name === 'drawing') await press('The example');
+      await says(/G\d|kinks/);
+      if (name === 'blend') await browser.value("for (const box of document.querySelectorAll('#controls input:not(:checked)')) box.click()");
+      assert.deepEqual(await browser.value(`(() => {
+        const visible = [...document.querySelectorAll('body *')].filter((e) => !e.parentElement.closest('svg')), width = document.documentElement.clientWidth;
+        const cut = visible.filter((e) => e.getBoundingClientRect().right > width + 1 || (e.clientWidth > 0 && e.scrollWidth > e.clientWidth + 1));
+        const broken = visible.filter((e) => e.matches('th, button') && e.clientHeight > 50), plot = document.querySelector('.plot');
+        return [...cut, ...broken].map((e) => e.outerHTML.slice(0, 80)).concat(plot && plot.clientWidth < plot.closest('section').clientWidth - 1 ? ['a narrow plot'] : [], document.documentElement.scrollWidth > width ? ['scrolls'] : []);
+      })()`), [], `${name}, ${width}`);
+      const points = await browser.value("[...document.querySelectorAll('circle.point')].map((c) => c.getBoundingClientRect().width)");
+      assert.ok(points.every((diameter) => diameter > 10), `${name}: points of ${points} pixels`);
+      await picture(`${name}_${width}`);
+    }
+  }
+  await browser.send('Emulation.clearDeviceMetricsOverride');
+});
+
 check('every control has a name, and the verdict is announced', async () => {
   for (const name of ['join', 'blend', 'corner', 'grid', 'drawing', 'surfaces']) {
     await scene(name);
