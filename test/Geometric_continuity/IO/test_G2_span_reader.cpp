@@ -233,8 +233,10 @@ template <int N, class Traits> void check_other_curves() {
   }
   // quintics with Bezier points at the other end only, or nearly
   const std::string quintic = "100 1 0 0 " + std::to_string(N) + " 0\n6 6\n";
-  for (const std::string& knots : {"0 0 0 0 0 0 4 4 4 5 6 7\n", "0 0 0 0 0 0 4 4 4 4 5 6\n"})
-    for (const std::string& start : {"4 4 4 4 4 4 5 5 5 5 5 5\n", "1 2 3 4 4 4 5 5 5 5 5 5\n"}) {
+  for (const std::string& knots :
+       {"0 0 0 0 0 0 4 4 4 5 6 7\n", "0 0 0 0 0 0 4 4 4 4 5 6\n", "0 0 0 0 0 0 4 5 6 7 8 9\n"})
+    for (const std::string& start :
+         {"4 4 4 4 4 4 5 5 5 5 5 5\n", "1 2 3 4 4 4 5 5 5 5 5 5\n", "4 4 4 4 4 4 5 6 7 8 9 10\n"}) {
       const std::string file = quintic + knots + point + other + other + third + point + third + '\n' + quintic +
                                start + third + point + other + other + third + point + '\n';
       const auto spans = read_spans<Traits, GC::Text_number>(file);

@@ -255,9 +255,12 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(neighbours, Traits, All_traits) {
                     }),
                     "wrong_number_of_points: blend sides: u = 0, the curve: the degree must be at most 7, it is 8");
   const S pole({{P(0, 0, 0), P(0, 4, 0)}, {P(8, 0, 0), P(0, 4, 0)}});
-  CHECK_ERROR(surface_shape_with_sides(pole, v1, b, v0, Edge_direction::same, GC::Surface_blend_shape<FT>(),
-                                       std::optional<Side>(side), std::optional<Side>()),
-              singular_frame);
+  // the edge leads in the direction across it, from the corner
+  const S folded({{P(0, 0, 0), P(0, 4, 0)}, {P(8, 0, 0), P(0, 8, 0)}});
+  for (const S& singular : {pole, folded})
+    CHECK_ERROR(surface_shape_with_sides(singular, v1, b, v0, Edge_direction::same, GC::Surface_blend_shape<FT>(),
+                                         std::optional<Side>(side.curve_only()), std::optional<Side>()),
+                singular_frame);
   GC::Surface_blend_shape<FT> vanishing;
   vanishing.start.beta = {FT(0)};
   BOOST_CHECK_EQUAL(error_of([&] {

@@ -170,6 +170,23 @@ BOOST_AUTO_TEST_CASE(skew_parameters) {
       }
 }
 
+// (u + 4v, v, 0): the shortest steps along the lines of one parameter alone lead nowhere.
+BOOST_AUTO_TEST_CASE(parameters_at_a_small_angle) {
+  const GC::Cad_spline_surface sheared{1, 1, {0, 0, 1, 1}, {0, 0, 1, 1}, {{0, 0, 0}, {4, 1, 0}, {1, 0, 0}, {5, 1, 0}},
+                                       {}};
+  const GC::Edge_side patch = side(sheared, line(0.25, 0.25, 0, 0));
+  const auto distance = [&](const GC::Cad_point<3>& x) {
+    const auto f = GC::compare_at_feet(patch, patch, {true, true}, in_space(GC::Cad_line<3>{x, {0, 1, 0}}), 0);
+    BOOST_REQUIRE(f.has_value());
+    return f->distances[0];
+  };
+  BOOST_TEST(distance({2.5, 0.5, 0.75}) == 0.75);
+  BOOST_TEST(distance({0.25, 0.0625, 3}) == 3);
+  // beyond the line from (1, 0) to (5, 1), in the direction (1, -4)
+  BOOST_TEST(distance({3.125, 0, 0}) == std::sqrt(17.) / 8, boost::test_tools::tolerance(1e-12));
+  BOOST_TEST(distance({2.25, -0.75, 0}) == std::sqrt(17.) / 4, boost::test_tools::tolerance(1e-12));
+}
+
 BOOST_AUTO_TEST_CASE(knot_lines) {
   const std::vector<GC::Cad_point<3>> points(5 * 2);
   GC::Cad_spline_surface s{2, 1, {0, 0, 0, 1, 1, 2, 2, 2}, {0, 0, 1, 1}, points, {}};

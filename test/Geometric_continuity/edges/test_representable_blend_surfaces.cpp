@@ -186,6 +186,44 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(strategies, Traits, Rounded_traits) {
   check(GC::Fair());
 }
 
+namespace {
+
+struct Choice {
+  GC::Minimal_energy<3> strategy;
+  GC::Shape_parameters<Q> shape;
+};
+typedef GC::Coordinate_jet<Q, 0> Jet;
+
+// Remembers for which jets it is asked.
+struct Remembering_strategy {
+  std::vector<Jet>* asked;
+  Choice choose(const Jet& left, const Jet& right) const {
+    *asked = {left, right};
+    return {{}, {Q(1), Q(1)}};
+  }
+};
+
+} // namespace
+
+// The strategy chooses for the jets of the surfaces: of splines for those of their pieces next to the edge.
+BOOST_AUTO_TEST_CASE(jets_of_splines) {
+  typedef Bspline<Double> S;
+  Numbers random;
+  const auto asked = [](const auto& a, const auto& b) {
+    std::vector<Jet> jets;
+    representable_blend(a, v1, b, v0, Remembering_strategy{&jets}, Edge_direction::same);
+    BOOST_REQUIRE_EQUAL(jets.size(), 2u);
+    return jets;
+  };
+  const GC::Knot_vector<double> along(2, 0., 1.), first(2, 0., 8., {{4., 1}, {6., 1}}),
+      second(3, 0., 4., {{0.5, 1}, {1., 1}});
+  const S a(random.net<Double>(3, 5, 0, true), along, first), b(random.net<Double>(3, 6, 12, true), along, second);
+  const std::vector<Jet> of_splines = asked(a, b),
+                         of_pieces = asked(a.bezier_patches().back(), b.bezier_patches().front());
+  for (int i = 0; i < 2; ++i)
+    for (int j = 0; j <= 2; ++j) BOOST_CHECK(of_splines[i][j] == of_pieces[i][j]);
+}
+
 // Where nothing is moved and the numbers are those of the shape, it is the blend with this shape.
 BOOST_AUTO_TEST_CASE(a_blend_with_short_numbers) {
   Numbers random;

@@ -12,6 +12,8 @@
 #include <CGAL/Geometric_continuity/models/tessellate.h>
 #include <CGAL/Geometric_continuity/surfaces/elementary_surfaces.h>
 
+#include <cmath>
+
 BOOST_AUTO_TEST_SUITE(rational_tessellation)
 
 namespace {
@@ -68,6 +70,18 @@ BOOST_AUTO_TEST_CASE(triangles_are_within_the_tolerance) {
   for (int factor : {1, 1000})
     BOOST_CHECK_CLOSE_FRACTION(GC::Patch_flatness(with_factor(Patch<Exact>(saddle), Q(factor))).distance({2, 4}), bound,
                                1e-12);
+}
+
+// Weights that differ very much: each part is halved three times, and no further.
+BOOST_AUTO_TEST_CASE(weights_of_different_sizes) {
+  typedef Exact::Point P;
+  const Q large(1 << 20);
+  const Patch<Exact> s({{P(0, 0, 0), P(0, 1, 0)}, {P(1, 0, 0), P(1, 1, 0)}}, {{Q(1), large}, {Q(1), large}});
+  // of the eighth by the eighth at the corner, where the denominators are smallest: x and w y are its sides, w y of weighted points
+  const double w = 1 + ((1 << 20) - 1) / 8., x = 0.125, y = (1 << 20) / 8. / w, r = std::hypot(x, y);
+  const double sv = std::hypot((w - 1) * x, w * y) + (w - 1) * r, uv = (w - 1) * x + (w - 1) * w * x,
+               vv = 2 * (w - 1) * sv;
+  BOOST_CHECK_CLOSE_FRACTION(GC::Patch_flatness(s).distance({1, 1}), 64 * (2 * uv + vv) / 8, 1e-12);
 }
 
 BOOST_AUTO_TEST_CASE_TEMPLATE(closed_surfaces_are_manifolds, Traits, All_traits) {

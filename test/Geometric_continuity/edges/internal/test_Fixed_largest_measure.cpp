@@ -86,7 +86,9 @@ BOOST_AUTO_TEST_CASE(what_fixed_length_leaves_open) {
   BOOST_CHECK(!search(bump(Ring(1), 1, 1, 4), one(4), GC::Work_limit(50))); // the work
   BOOST_CHECK(search(bump(Ring(1), 1, 1, 4), one(4)).has_value());
   Ring huge(1);
-  for (int i = 0; i < 400; ++i) huge *= Ring(10);
+  for (int i = 0; i < 300; ++i) huge *= Ring(10);
+  BOOST_CHECK(!search(bump(Ring(1), 1, 1, 4), bump(huge, 0, 0, 4))); // a unit that is no double
+  for (int i = 0; i < 100; ++i) huge *= Ring(10);
   BOOST_CHECK(!search(bump(Ring(1), 1, 1, 4), bump(huge, 0, 0, 4)));  // a tiny angle
   BOOST_CHECK(!search(bump(huge, 1, 1, 4), bump(huge * 2, 0, 0, 4))); // numbers beyond the largest double
   BOOST_CHECK(!search(Whole(std::vector<Ring>(5, Ring(0))), one(4))); // no angle
