@@ -7,9 +7,11 @@
 #include <boost/test/unit_test.hpp>
 
 #include "support/exact_splines.h"
+#include "support/plain_traits.h"
 
 #include <CGAL/Geometric_continuity/curves/fit.h>
 #include <CGAL/Geometric_continuity/joins/join_continuity.h>
+#include <boost/multiprecision/cpp_bin_float.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -270,6 +272,22 @@ BOOST_AUTO_TEST_CASE(single_precision) {
     BOOST_CHECK_LE(curve.distance, 0.02);
   }
   CHECK_ERROR(GC::fit<Float>(p.begin(), p.end(), 1e-4f), unreachable_tolerance);
+}
+
+// Rounded numbers that CGAL knows nothing of give the same curve as those of type double that they are.
+BOOST_AUTO_TEST_CASE(floating_point_numbers_of_boost) {
+  typedef boost::multiprecision::cpp_bin_float_100 Number;
+  typedef Plain_traits<Number> Plain;
+  const Points p = wave(60);
+  std::vector<Plain::Point> same;
+  for (const auto& x : p) same.push_back({{Number(x.x()), Number(x.y())}});
+  for (const int order : {1, 2}) {
+    const auto curve = GC::fit<Plane>(p.begin(), p.end(), 0.02, Closure::open, order);
+    const auto plain = GC::fit<Plain>(same.begin(), same.end(), Number(0.02), Closure::open, order);
+    BOOST_REQUIRE_EQUAL(plain.control_points().size(), curve.control_points().size());
+    for (std::size_t i = 0; i < curve.control_points().size(); ++i)
+      for (int x = 0; x < 2; ++x) BOOST_CHECK(plain.control_point(i).x[x] == Number(curve.control_point(i)[x]));
+  }
 }
 
 BOOST_AUTO_TEST_CASE(errors) {

@@ -215,6 +215,14 @@ BOOST_AUTO_TEST_CASE(numbers_of_curvature_and_arc_length) {
   BOOST_CHECK_EQUAL(numbers(1e3).substr(0, 11), minus + "0.0005\n0");
 }
 
+// A point has no curvature; its plot has axes.
+BOOST_AUTO_TEST_CASE(the_plot_of_a_point) {
+  const std::string s =
+      svg(GC::Svg_figure().add(GC::Svg_panel().add(point, Svg_style{Svg_role::given, false, false, "", true})));
+  for (const char* word : {"nan", "inf", "e-2147483648"}) BOOST_CHECK(s.find(word) == std::string::npos);
+  BOOST_CHECK_EQUAL(texts(s).find("\xe2\x88\x92" + std::string("0.5\n0\n0.5\n")), 0u);
+}
+
 // In the plane a left turn is plotted above the middle and a right turn below it, as far as it is curved; the most curved point is at the
 // top, however little that is. In space the plot goes from the bottom to the top.
 BOOST_AUTO_TEST_CASE(heights_of_curvature) {

@@ -36,9 +36,9 @@ class Svg_curvature_plots {
   // pixels; `above` lies between the panel and its plot, `left` and `below` leave room for numbers
   static constexpr double height_ = 104, above = 8, margin = 8, left = 40, below = 16;
 
-  std::vector<Plot> plots_; // one for each panel; empty where nothing is plotted
-  double length_ = 0, most_ = 0;
-  double unit_; // of what was given
+  std::vector<Plot> plots_;      // one for each panel; empty where nothing is plotted
+  double length_ = 0, most_ = 1; // of the curves; where none can be measured their curvature is 0
+  double unit_;                  // of what was given
   bool is_signed_, any_ = false, cut_ = false;
 
 public:
