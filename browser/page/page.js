@@ -249,8 +249,8 @@ function joinScene(snap, defaults) {
       controls.append(html('button', { type: 'button', onclick: () => (align(false), update()) }, 'Make it smooth'),
         html('label', {}, magnet, ' while I drag'));
     } else if (!options[0].weights && !options[1].weights) {
-      // what is computed with doubles is exact where the points are on the grid of the picture
-      const on_grid = (p) => set(p, p.world.map((x) => Math.round(valueOf(x) / frame.unit) * frame.unit));
+      // What is computed with doubles is exact where the points have few digits: others move to the grid of the picture.
+      const on_grid = (p) => set(p, p.world.map(valueOf).map((x) => (Number.isInteger((x / frame.unit) * 1024) ? x : Math.round(x / frame.unit) * frame.unit)));
       // The numbers of the points from a handle over the node to the handle that moves: on the right, or on the left where the right curve has less than so many sides.
       const across = (sides) => (m < sides && n >= sides ? [n + 2, n + 1, n, n - 1] : [n - 1, n, n + 1, n + 2]);
       // Puts the handle behind the node on the line of the one before it, as long as it was but for a number of four bits times `odd`. Returns this line and the ratio of the lengths.
@@ -793,7 +793,7 @@ const scenes = {
   grid: ['On a grid', joinScene(1, [[[-11, -4], [-9, 2], [-6, 4], [0, 2]], [[0, 2], [8, -1], [9, -4], [11, -2]]]),
     'All points stay on the grid. Drag a handle, then move both to positions nearby that are exactly smooth.'],
   drawing: ['A drawing', drawingScene,
-    'Drop an SVG or a font on the picture, choose a file, or edit the text under it. Circles mark kinks: click one to open it as a join. Drag any point.'],
+    'Drop an SVG or a font on the picture, choose a file, or edit the text under it. Circles mark kinks: click one to open it as a join, and put it back mended. Drag any point.'],
   surfaces: ['Surfaces', surfaceScene,
     'Compare the stripes across the red edge: they jump with G0, bend with G1, go on smoothly with G2. Drag the picture to turn it.'],
 };
