@@ -213,7 +213,7 @@ BOOST_AUTO_TEST_CASE(small_tolerances, *boost::unit_test::label("long")) {
 }
 
 BOOST_AUTO_TEST_CASE(random_polylines) {
-  repeat(4, [](Random& random) {
+  repeat(2, [](Random& random) {
     Points p;
     double x = 0, y = 0;
     for (int i = 0; i < 40; ++i) {
