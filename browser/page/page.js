@@ -309,7 +309,7 @@ function joinScene(snap, defaults) {
           `β = ${join.betas.length ? shown(`(${join.betas.join(', ')})`) : 'none'}`,
           `angle ${bounds(d.angle_degrees, '°')}${grade ? `, a handle is off by ${bounds(grade.handle_offset)}` : ''}`,
           `jump of the curvature ${bounds(d.curvature_percent, ' %')}, gap ${bounds(d.gap)}`,
-          ...frame.note);
+          ...frame.note, ...(source ? source.outlines.beside([source.join.left, source.join.right], [0, 1].map(pair.worlds)) : []));
       });
       details.replaceChildren(plot([curves], frame.scale));
     }
@@ -453,6 +453,12 @@ class Outlines {
     const [left, right] = numbers;
     ends([this.curves[left].before, -1], [left, 0]);
     ends([this.curves[right].behind, 0], [right, -1]);
+  }
+  // What the joins beside two curves are that get these control points: a second handle may be that of the next node.
+  beside([left, right], [a, b]) {
+    const { before } = this.curves[left], { behind } = this.curves[right], points = (k) => (k === left ? a : k === right ? b : numbersOf(this.curves[k].exact));
+    const joins = [...(before < 0 ? [] : [[[...points(before).slice(0, -1), a[0]], a]]), ...(behind < 0 ? [] : [[b, [b.at(-1), ...points(behind).slice(1)]]])];
+    return joins.length === 0 ? [] : [`Beside it in the drawing: ${joins.map((sides) => gc.joinGrade(...sides).grade ?? 'undecided').join(' and ')}.`];
   }
   // The drawing as the outlines that it has.
   drawing() {

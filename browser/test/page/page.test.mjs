@@ -337,8 +337,9 @@ check('a join of a drawing goes back into it, mended', async () => {
     await browser.until("document.querySelector('circle.mark') !== null");
     await browser.value("document.querySelector('circle.mark').focus()");
     await browser.key('Enter');
-    await says(/C0 G0 F0, kink/);
+    await says(/C0 G0 F0, kink[^]*Beside it in the drawing: (kink|G2)\./);
     await press('Make it G1');
+    await says(/C[0-9] G1/);
     await press('Make it G2');
     await says(/C[0-9] G[23]/);
     await press(put_back);
@@ -356,11 +357,19 @@ check('a join of a drawing goes back into it, mended', async () => {
   await says(/^No kinks/);
   assert.match(await text(), /\.\d{18}/);
   assert.equal(await browser.value("document.querySelectorAll('#details tbody tr').length"), 0, 'it is G2');
+  // a second handle that is the handle of the next node: what it does there is said
+  await drop('smooth.svg', Buffer.from('<svg xmlns="http://www.w3.org/2000/svg"><path d="M0 0C3 4 6 5 9 5C12 5 15 1 18 1C21 1 24 3 27 9"/></svg>').toString('base64'));
+  await says(/^No kinks\s+2 joins/);
+  await browser.value("[...document.querySelectorAll('#details td button')].find((b) => b.textContent === '2 C – 3 C').click()");
+  await says(/C1 G1[^]*Beside it in the drawing: G1\./);
+  await press('Make it G2');
+  await says(/C[12] G2[^]*Beside it in the drawing: (kink|corner)\./);
+  await scene('drawing');
   // ends take their neighbours along, other paths stay as they are; back and forth in between
   await drop('closed.svg', Buffer.from('<svg xmlns="http://www.w3.org/2000/svg"><path d="M0 0C10 0 20 10.1 20 20C20.3 30 10 40 0 40Z"/><path id="b" transform="scale(.3)" d="M.1 .7L9 9"/></svg>').toString('base64'));
   await says(/^1 kink\s+3 joins/);
   await browser.value("[...document.querySelectorAll('#details td button')].find((b) => b.textContent === '4 Z – 2 C').click()");
-  await says(/corner/);
+  await says(/C0 G0 F0, corner[^]*Beside it in the drawing: corner and kink\./);
   await browser.value("document.querySelector('circle:nth-of-type(1)').focus()");
   await browser.key('ArrowLeft');
   await browser.until("/left=-/.test(location.hash)");
