@@ -4,12 +4,16 @@
 # SPDX-License-Identifier: LGPL-3.0-or-later
 """Tells which lines and branches of the headers the unit tests and the exact cases reach, by clang's source-based coverage:
 
-    measure.py [--build FOLDER] [--jobs N] [--tests PATTERN] [--list FILE]
+    measure.py [--build FOLDER] [--jobs N] [--tests PATTERN] [--list FILE] [--manual]
 
 It builds the unit tests, those of the program's readers among them, with clang++, runs them, and prints a table of the rooms; FILE receives what is
-not reached. A line or a side of a branch is reached if it is so in any instance of its template. Conditions that the compiler knows are no branches. What no test instantiates
+not reached and not explained. A line or a side of a branch is reached if it is so in any instance of its template. Conditions that the compiler knows are no branches. What no test instantiates
 has neither lines nor branches, and is not seen. It takes an hour or so on two cores: call it by nice. With a regular expression only the programs are built and
-run in whose names it is found. FOLDER keeps what each has reached: it is not run again before it changes."""
+run in whose names it is found. FOLDER keeps what each has reached: it is not run again before it changes. --manual puts the table into the manual.
+
+unreached.txt lists what no test reaches, with the reason: `HEADER: TEXT OF THE LINE    [N] -- REASON` is about the sides of the branches on the N-th line with
+this text, and about the line itself and those after it as far as none of them is reached. An entry without such a line is refused; where all tests have run,
+so is one about what is reached."""
 
 import argparse
 import collections
@@ -23,7 +27,9 @@ import subprocess
 import sys
 from pathlib import Path
 
-root = Path(__file__).resolve().parents[2]
+here = Path(__file__).resolve().parent
+root = here.parents[1]
+manual = root / "doc/Geometric_continuity/What_the_program_promises.txt"
 prefix = str(root / "include" / "CGAL" / "Geometric_continuity") + os.sep
 CODE, BRANCH = 0, 4  # kinds of regions
 
@@ -42,8 +48,9 @@ def build(folder, jobs, pattern):
     return chosen
 
 
-def line_counts(segments):
+def line_counts(name, segments):
     """How often each line with code is reached, from the segments of a file: [line, column, count, has a count, begins a region, is a gap]."""
+    code = [re.match(r"\s*(//|#|$)", text) is None for text in Path(name).read_text().splitlines()]
     starts = collections.defaultdict(list)
     for segment in segments:
         starts[segment[0]].append(segment)
@@ -53,7 +60,7 @@ def line_counts(segments):
         begun = [s[2] for s in here if s[3] and s[4] and not s[5]]
         skipped = here and not here[0][3] and here[0][4]
         wrapped = wrapping[2] if wrapping and wrapping[3] else None
-        if not skipped and (begun or wrapped is not None):
+        if code[line - 1] and not skipped and (begun or wrapped is not None):
             counts[line] = max([wrapped or 0, *begun])
         wrapping = here[-1] if here else wrapping
     return counts
@@ -86,7 +93,7 @@ def run(name, command, folder):
     lines, branches = {}, {}
     for file in found["files"]:
         if file["filename"].startswith(prefix) and file["segments"]:
-            for line, count in line_counts(file["segments"]).items():
+            for line, count in line_counts(file["filename"], file["segments"]).items():
                 lines[file["filename"], line] = count > 0
     for function in found["functions"]:
         for place, is_true, is_false in sides(function):
@@ -98,12 +105,55 @@ def run(name, command, folder):
     return lines, branches
 
 
+def explained(lines, branches, complete):
+    """The lines and the sides of branches that unreached.txt is about: (name, line), and (name, line, column)."""
+    places = collections.defaultdict(list)  # of lines with a text
+    comments = collections.defaultdict(set)
+    left_lines, left_branches, wrong = set(), set(), []
+    open_branches = collections.defaultdict(list)
+    for (name, line, column), both in branches.items():
+        if lines.get((name, line), True) and not all(both):
+            open_branches[name, line].append((name, line, column))
+    for header in {name for name, *_ in [*lines, *branches]}:
+        for number, text in enumerate(Path(header).read_text().splitlines(), 1):
+            places[header, text.strip()].append(number)
+            if text.lstrip().startswith("//"):
+                comments[header].add(number)
+    for entry in (here / "unreached.txt").read_text().splitlines():
+        place, number, reason = re.fullmatch(r"(.*)    \[(\d+)\] -- (.+)", entry).groups() if "] -- " in entry else (entry, 0, "")
+        header, text = place.split(": ", 1)
+        found = places[prefix + header, text]
+        if not reason or not 0 < int(number) <= len(found):
+            wrong.append(entry)
+            continue
+        name, line = prefix + header, found[int(number) - 1]
+        here_open = set(open_branches[name, line])
+        run = line
+        while lines.get((name, run)) is False or (run > line and run in comments[name]):
+            left_lines.add((name, run))
+            run += 1
+        left_branches |= here_open
+        if complete and run == line and not here_open:
+            wrong.append(entry)
+    if wrong:
+        sys.exit("\n".join(["unreached.txt: no such line, or it is reached:", *wrong]))
+    return left_lines, left_branches
+
+
+def write_manual(rows):
+    text = manual.read_text()
+    head = re.search(r"^\| Room \| Lines .*\n\|.*\n", text, re.M)
+    rest = re.compile(r"(?:\|.*\n)*").match(text, head.end())
+    manual.write_text(text[: head.end()] + "\n".join(rows) + "\n" + text[rest.end() :])
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--build", type=Path, default=root / "build" / "coverage")
     parser.add_argument("--jobs", type=int, default=os.cpu_count())
     parser.add_argument("--tests", default="", help="only those in whose names this regular expression is found")
-    parser.add_argument("--list", type=Path, help="write what is not reached to this file")
+    parser.add_argument("--list", type=Path, help="write what is neither reached nor explained to this file")
+    parser.add_argument("--manual", action="store_true")
     options = parser.parse_args()
     folder = options.build.resolve()
     tests = build(folder, options.jobs, options.tests)
@@ -116,24 +166,37 @@ def main():
                 old = branches.get(place, (False, False))
                 branches[place] = (old[0] or is_true, old[1] or is_false)
 
-    rooms = collections.defaultdict(lambda: [0, 0, 0, 0])
-    for (name, *_), is_reached in lines.items():
+    of_lines, of_branches = explained(lines, branches, not options.tests)
+    rooms = collections.defaultdict(lambda: [0] * 6)  # lines: all, reached, explained; sides
+    for place, is_reached in lines.items():
+        for room in (place[0][len(prefix) :].split(os.sep)[0], "all"):
+            for k, x in enumerate((1, is_reached, place in of_lines)):
+                rooms[room][k] += x
+    left = [(*place, "not reached") for place, is_reached in lines.items() if not is_reached and place not in of_lines]
+    for place, both in branches.items():
+        name, line, column = place
+        is_line_reached = lines.get((name, line), True)
+        is_explained = place in of_branches or (name, line) in of_lines
         for room in (name[len(prefix) :].split(os.sep)[0], "all"):
-            rooms[room][0] += is_reached
-            rooms[room][1] += 1
-    for (name, *_), both in branches.items():
-        for room in (name[len(prefix) :].split(os.sep)[0], "all"):
-            rooms[room][2] += sum(both)
-            rooms[room][3] += 2
-    print(f"{'room':12}{'lines':>8}{'reached':>9}{'branches':>10}{'reached':>9}")
-    for room, (reached, known, seen, known_sides) in sorted(rooms.items(), key=lambda r: (r[0] == "all", r[0])):
-        print(f"{room:12}{known:8}{100 * reached / known:8.2f}%{known_sides:10}{100 * seen / max(known_sides, 1):8.2f}%")
+            for k, x in enumerate((2, sum(both), (2 - sum(both)) * is_explained)):
+                rooms[room][3 + k] += x
+        if is_line_reached and not all(both) and not is_explained:
+            left.append((name, line, f"column {column} never {' nor '.join(w for w, seen in zip(('true', 'false'), both) if not seen)}"))
+    rows = []
+    print(f"{'room':12}{'lines':>8}{'reached':>9}{'explained':>11}{'open':>6}{'sides':>8}{'reached':>9}{'explained':>11}{'open':>6}")
+    for room, counts in sorted(rooms.items(), key=lambda r: (r[0] == "all", r[0])):
+        row, cells = f"{room:12}", [room if room == "all" else f"`{room}`"]
+        for known, reached, reasons in (counts[:3], counts[3:]):
+            percent = f"{100 * reached / max(known, 1):.2f} %" if known else "-"
+            row += f"{known:8}{percent:>9}{reasons:11}{known - reached - reasons:6}"
+            cells += [str(known), percent, str(reasons), str(known - reached - reasons)]
+        print(row)
+        rows.append(f"| {' | '.join(cells)} |")
     if options.list:
-        left = [(*place, "not reached") for place, is_reached in lines.items() if not is_reached]
-        for (name, line, column), both in branches.items():
-            if lines.get((name, line), True) and not all(both):
-                left.append((name, line, f"column {column} never {' nor '.join(w for w, seen in zip(('true', 'false'), both) if not seen)}"))
         options.list.write_text("".join(f"{name[len(prefix) :]}:{line}: {text}\n" for name, line, text in sorted(left)))
+    if options.manual:
+        write_manual(rows)
+    return 1 if left else 0
 
 
 sys.exit(main())

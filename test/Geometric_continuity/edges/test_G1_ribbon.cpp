@@ -544,4 +544,13 @@ BOOST_AUTO_TEST_CASE(output) {
                               "end: F = 15, F' = 45, squared residuals: position 25/29, twist 3600/24389\n"
                               "first derivatives not attained, twists not attained\n"
                               "alpha is mixed, 2 - alpha is positive: fold");
+  const Curve<Exact> other_side = whole_curve<Exact>({{0, -1, 0}, {1, -1, 0}, {2, -1, 0}, {3, -1, 0}});
+  os.str("");
+  os << GC::connect_g1(c, c1, other_side);
+  BOOST_CHECK_EQUAL(os.str(), "alpha: 1 1 1 1\n"
+                              "beta: 0 0 0 0\n"
+                              "start: F = 0, F' = 0, squared residuals: position 0, twist 0\n"
+                              "end: F = 0, F' = 0, squared residuals: position 0, twist 0\n"
+                              "first derivatives attained, twists attained\n"
+                              "alpha is positive, 2 - alpha is positive: no fold");
 }

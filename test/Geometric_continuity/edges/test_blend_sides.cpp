@@ -94,6 +94,8 @@ template <class Given, class A, class B> void check_sides(Numbers& random, const
   BOOST_CHECK_EQUAL(contact<order>(a, ea, curves, v0), order);
   BOOST_CHECK_EQUAL(contact<order>(curves, v1, b, eb), order);
   BOOST_CHECK(Side(blend(a, ea, b, eb, shape(std::nullopt, end), direction), u1).curve == end.curve);
+  BOOST_CHECK(blend(a, ea, b, eb, shape(std::nullopt, std::nullopt), direction) ==
+              blend(a, ea, b, eb, Given(Shape()), direction));
   // what does not fit is refused, by name
   const auto refused = [&](bool upper, int point, int derivative, const std::string& text) {
     Side x = upper ? end : start;
@@ -104,6 +106,18 @@ template <class Given, class A, class B> void check_sides(Numbers& random, const
   };
   const std::string first = ", the edge " + to_string(ea) + " of the first surface: ",
                     second = ", the edge " + to_string(eb) + " of the second surface: ";
+  if constexpr (std::is_base_of_v<GC::Rational_edge_reparametrisation<Q>, decltype(Shape().start)>) {
+    // the same curve at another pace: it fits alone, but not after the other one
+    Side x = end;
+    Q power(1);
+    for (int i = 0; i <= last; ++i, power *= Q(2)) {
+      x.curve[i] *= power;
+      x.cross[i] *= power;
+    }
+    shape(std::nullopt, x);
+    const std::string error = error_of([&] { shape(start, x); });
+    BOOST_CHECK_MESSAGE(error.find("belong to another factor") != std::string::npos, error);
+  }
   refused(false, 0, -1, "u = 0" + first + "the side curve does not end at the corner");
   refused(true, last, -1, "u = 1" + second + "the side curve does not end at the corner");
   refused(false, 1, -1, "incompatible_corner: blend sides: u = 0" + first + "S_v: ");
@@ -238,6 +252,10 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(neighbours, Traits, All_traits) {
   BOOST_CHECK_EQUAL(text(curve({P(0, 4, 0), P(0, 3, 0), P(0, 12, 0)})),
                     "nonpositive_beta: blend sides: u = 0, the edge v1 of the first surface: S_v: the side curve does "
                     "not cross the edge");
+  Side empty = side.curve_only();
+  empty.curve.clear();
+  BOOST_CHECK_EQUAL(text(empty),
+                    "wrong_number_of_points: blend sides: u = 0, the curve: the degree must be at most 5, it is -1");
   BOOST_CHECK_EQUAL(text(curve({7, P(0, 4, 0)})),
                     "wrong_number_of_points: blend sides: u = 0, the curve: the degree must be at most 5, it is 6");
   typedef Septic<GC::Surface_blend_shape<FT>> Order_3;
@@ -279,25 +297,42 @@ BOOST_AUTO_TEST_CASE(steep_functions) {
   typedef Bspline<Exact> S;
   typedef GC::Side_of_blend<S, S> Side;
   Numbers random;
-  const Bezier<Exact> a(random.net(3, 3)), b(random.net(3, 3));
+  const Bezier<Exact> a(random.net(3, 3)), c(random.net(3, 3));
   Shape steep;
   steep.start.beta = Function{Q(1), fraction(1, 100), Q(9), Q(1)};
-  const S other = S(blend(a, v1, b, v0, steep));
+  const S other = S(blend(a, v1, c, v0, steep));
   Side side = beyond<Side>(other, u0), end = beyond<Side>(other, u1);
-  const Shape shape = surface_shape_with_sides(S(a), v1, S(b), v0, Edge_direction::same, Shape(),
+  const Shape shape = surface_shape_with_sides(S(a), v1, S(c), v0, Edge_direction::same, Shape(),
                                                std::optional<Side>(side), std::optional<Side>(end));
   BOOST_CHECK(shape.start.beta.is_positive());
   Shape steeper;
   steeper.start.beta = Function{Q(2), fraction(1, 100), Q(1), fraction(1, 100), Q(9), fraction(1, 100), Q(2)};
-  const S third = S(blend(a, v1, b, v0, steeper));
+  const S third = S(blend(a, v1, c, v0, steeper));
   side = beyond<Side>(third, u0), end = beyond<Side>(third, u1);
-  const Shape spline = surface_shape_with_sides(S(a), v1, S(b), v0, Edge_direction::same, Shape(),
+  const Shape spline = surface_shape_with_sides(S(a), v1, S(c), v0, Edge_direction::same, Shape(),
                                                 std::optional<Side>(side), std::optional<Side>(end));
   BOOST_CHECK(!spline.start.beta.knots().inner_knots().empty());
   BOOST_CHECK(spline.start.beta.is_positive());
-  const S s = blend(S(a), v1, S(b), v0, spline);
+  const S s = blend(S(a), v1, S(c), v0, spline);
   BOOST_CHECK(beyond<Side>(s, u0).cross == side.cross && beyond<Side>(s, u1).cross == end.cross);
   BOOST_CHECK_EQUAL(whole_edge_order(a, v1, s, v0), 2);
+  // also where only one slope is given; and the steeper they are the shorter are the spans at the ends
+  for (const bool at_start : {true, false}) {
+    std::vector<Q> b(21, fraction(1, 100));
+    b[at_start ? 0 : 20] = Q(1);
+    Shape steepest;
+    steepest.start.beta = GC::Bernstein_polynomial<Q>(b);
+    const S fourth = S(blend(a, v1, c, v0, steepest));
+    side = beyond<Side>(fourth, u0), end = beyond<Side>(fourth, u1);
+    for (const auto& [x, y] :
+         {std::make_pair(side, end), std::make_pair(side, end.curve_only()), std::make_pair(side.curve_only(), end)}) {
+      const Shape found = surface_shape_with_sides(S(a), v1, S(c), v0, Edge_direction::same, Shape(),
+                                                   std::optional<Side>(x), std::optional<Side>(y));
+      BOOST_CHECK(found.start.beta.is_positive());
+      const S t = blend(S(a), v1, S(c), v0, found);
+      BOOST_CHECK(beyond<Side>(t, u0).curve == side.curve && beyond<Side>(t, u1).curve == end.curve);
+    }
+  }
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -8,6 +8,7 @@
 #include <boost/test/unit_test.hpp>
 
 #include "support/enclosures.h"
+#include "support/errors.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Exact_rational.h>
@@ -308,6 +309,19 @@ BOOST_AUTO_TEST_CASE(knot_lines_within_a_tolerance) {
   BOOST_CHECK_EQUAL(GC::order_within(jump, jumps[0], {0, unit / 2})(0), Verdict::refuted);
   BOOST_CHECK_EQUAL(GC::order_within(kink, kinks[0], {0.125, 0}).proved_order(), 1);
   BOOST_CHECK_EQUAL(GC::order_within(kink, kinks[0], {0.124, 0}).proved_order(), 0);
+  // along the other parameter, behind another knot; and a line that is none
+  const double x[5] = {0, 0.5, 1, 1, 2}, z[5] = {0, 0, 0, unit, unit};
+  std::vector<std::vector<Space::Point>> net(2);
+  for (int i = 0; i < 5; ++i)
+    for (int j = 0; j < 2; ++j) net[j].emplace_back(x[i], j, z[i]);
+  const Surface other(net, GC::Knot_vector<double>(1, {0, 0, 1, 1}),
+                      GC::Knot_vector<double>(1, {0, 0, 0.5, 1, 1, 2, 2}));
+  const auto lines = GC::knot_line_continuity(other);
+  BOOST_REQUIRE_EQUAL(lines.size(), 2u);
+  BOOST_CHECK(lines[1].continuity.g_order == -1 && !lines[1].constant_u);
+  BOOST_CHECK_EQUAL(GC::order_within(other, lines[1], {0, unit}).proved_order(), 1);
+  BOOST_CHECK_EQUAL(GC::order_within(other, lines[1], {0, unit / 2})(0), Verdict::refuted);
+  CHECK_ERROR(GC::order_within(other, jumps[0], {0, unit}), knot_multiplicity);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

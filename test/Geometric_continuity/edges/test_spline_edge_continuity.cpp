@@ -155,6 +155,8 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(one_long_edge_meets_several, K, Kernels) {
   BOOST_CHECK_EQUAL(spans(l), "0 G2 1");
   BOOST_CHECK_EQUAL(parts(l), "0..1, 0..1 whole");
   BOOST_CHECK_EQUAL(text(l), "G2, a part of the first edge");
+  BOOST_CHECK_EQUAL(text(edge_continuity(in<K>(left), v0, in<K>(low), v1)), "G2, a part of the second edge");
+  BOOST_CHECK_EQUAL(text(edge_continuity(in<K>(left), v0, in<K>(left), v0)), "G0 (fold), angle <= 180 degrees");
   const auto r = edge_continuity(in<K>(low), v1, in<K>(right), v0);
   BOOST_CHECK_EQUAL(spans(r), "1 G2 2 G2 4");
   BOOST_CHECK_EQUAL(parts(r), "1..4, 2..8 whole");

@@ -15,6 +15,7 @@
 #include <CGAL/Geometric_continuity/curves/Bezier_curve.h>
 #include <CGAL/Geometric_continuity/curves/Bspline_curve.h>
 #include <CGAL/Geometric_continuity/curves/Rational_curve.h>
+#include <CGAL/Geometric_continuity/surfaces/Bspline_surface.h>
 #include <CGAL/Simple_cartesian.h>
 
 #include <algorithm>
@@ -223,6 +224,47 @@ BOOST_AUTO_TEST_CASE(the_plot_of_a_point) {
   BOOST_CHECK_EQUAL(texts(s).find("\xe2\x88\x92" + std::string("0.5\n0\n0.5\n")), 0u);
 }
 
+// Captions are broken between words, and words that are longer than a line within, but not within a letter.
+BOOST_AUTO_TEST_CASE(long_captions) {
+  const auto without_breaks = [](std::string text) {
+    text.erase(std::remove_if(text.begin(), text.end(), [](char c) { return c == ' ' || c == '\n'; }), text.end());
+    return text;
+  };
+  const std::string letter = "\xc3\xa4";
+  std::string word, caption;
+  for (int i = 0; i < 200; ++i) word += letter;
+  for (int i = 0; i < 30; ++i) caption += "words of several lengths and ";
+  for (const std::string& text : {caption, word, caption + word, word + ' ' + caption}) {
+    const std::string drawn = texts(GC::Svg_figure().add(GC::Svg_panel(text).add(arch)));
+    BOOST_CHECK_EQUAL(without_breaks(drawn), without_breaks(text) + "givencurve");
+    std::istringstream lines(drawn);
+    int n = 0;
+    for (std::string line; std::getline(lines, line); ++n)
+      BOOST_CHECK(line.size() < 200 && line.substr(0, 1) != "\xa4");
+    BOOST_CHECK_GE(n, 4);
+  }
+}
+
+// A curve that almost has a cusp, one that starts slowly, and the pieces of a rational one.
+BOOST_AUTO_TEST_CASE(combs_and_plots_that_are_cut_off) {
+  const Svg_style style{Svg_role::given, true, true, "a > \"b\"", true};
+  const Curve sharp{P(0, 0), P(4, 4), P(0, 4.02), P(4, 0)}, slow{P(0, 0), P(0, 0), P(1, 1), P(3, 0)};
+  const std::string legend = texts(GC::Svg_figure().add(GC::Svg_panel().add(sharp, style)));
+  for (const char* text :
+       {"a &gt; &quot;b&quot;\n", "\ncurvature comb (long teeth cut off)\n", " (1/unit, cut off) against "})
+    BOOST_CHECK_MESSAGE(legend.find(text) != std::string::npos, legend + " has not " + text);
+  const GC::Bezier_curve<Space> spatial{Q(0, 0, 0), Q(1, 3, 2), Q(4, 1, -3), Q(5, 5, 1)};
+  const std::string s =
+      svg(GC::Svg_figure().add(GC::Svg_panel().add(spatial, style)).add(GC::Svg_panel().add(slow, style)));
+  BOOST_CHECK(s.find("nan") == std::string::npos && s.find("inf") == std::string::npos);
+  // a rational curve is plotted as one; where its weights are equal it is that without weights
+  const std::vector<P> points{P(0, 0), P(1, 2), P(3, 2)};
+  const auto drawn = [&](const auto& curve) { return svg(GC::Svg_figure().add(GC::Svg_panel().add(curve, style))); };
+  typedef GC::Rational_bezier_curve<Plane> Conic;
+  BOOST_CHECK_EQUAL(drawn(Conic(points, std::vector<double>{4, 4, 4})), drawn(Curve(points.begin(), points.end())));
+  BOOST_CHECK(drawn(Conic(points, std::vector<double>{1, 2, 5})) != drawn(Curve(points.begin(), points.end())));
+}
+
 // In the plane a left turn is plotted above the middle and a right turn below it, as far as it is curved; the most curved point is at the
 // top, however little that is. In space the plot goes from the bottom to the top.
 BOOST_AUTO_TEST_CASE(heights_of_curvature) {
@@ -321,6 +363,30 @@ BOOST_AUTO_TEST_CASE(pictures_of_surfaces) {
   style.width = 100;
   GC::write_svg_surfaces(narrow, std::vector<Patch>{bent}, style);
   BOOST_CHECK(narrow.str().find("width=\"148\"") != std::string::npos); // with margins of 24
+}
+
+// Edges by their order, knot lines where the derivatives jump, and a pole.
+BOOST_AUTO_TEST_CASE(lines_of_surfaces) {
+  typedef GC::Bspline_surface<Space> Surface;
+  const auto drawn = [](const std::vector<Surface>& surfaces) {
+    std::ostringstream os;
+    GC::write_svg_surfaces(os, surfaces, GC::Svg_surface_style());
+    return texts(os.str());
+  };
+  const GC::Knot_vector<double> line(1, 0., 1.), plain(2, 0., 1.), kinked(2, 0., 2., {{1., 2}});
+  const Surface smooth({{Q(0, 0, 0), Q(0, 2, 0)}, {Q(1, 0, 1), Q(1, 2, 1)}, {Q(2, 0, 1), Q(2, 2, 1)}}, plain, line),
+      goes_on({{Q(2, 0, 1), Q(2, 2, 1)}, {Q(3, 0, 1), Q(3, 2, 1)}, {Q(4, 0, 4), Q(4, 2, 4)}}, plain, line),
+      folded({{Q(0, 0, 0), Q(0, 2, 0)},
+              {Q(1, 0, 1), Q(1, 2, 1)},
+              {Q(2, 0, 0), Q(2, 2, 0)},
+              {Q(3, 0, 1), Q(3, 2, 1)},
+              {Q(4, 0, 0), Q(4, 2, 0)}},
+             kinked, line),
+      pole({{Q(0, 0, 0), Q(0, 0, 0)}, {Q(1, 0, 1), Q(1, 2, 1)}, {Q(2, 0, 0), Q(2, 2, 0)}}, plain, line);
+  const std::string first = "isophotes: kinked where only G1, broken where only G0\n";
+  BOOST_CHECK_EQUAL(drawn({smooth, goes_on}), first + "edge, G1\nboundary\n");
+  BOOST_CHECK_EQUAL(drawn({folded}), first + "edge, only G0: a crease\nboundary\n");
+  BOOST_CHECK_EQUAL(drawn({pole}), first + "boundary\n");
 }
 
 // Pictures stay what they are, to the last digit. Who changes how they look, and has looked at them, puts in the new number.
