@@ -66,6 +66,30 @@ def line_counts(name, segments):
     return counts
 
 
+def lines_of_instances(functions, lines):
+    """Which of the lines that are not reached, by the file, are reached in an instance of a template: the regions of one hide those of another."""
+    open_lines = collections.defaultdict(list)
+    for name, line in (place for place, is_reached in lines.items() if not is_reached):
+        open_lines[name].append(line)
+    texts = {name: Path(name).read_text().splitlines() for name in open_lines}
+    found = set()
+    for function in functions:
+        name = function["filenames"][0]
+        regions = [r for r in function["regions"] if r[7] == CODE and r[5] == 0]
+        if name not in open_lines or not regions or function["count"] == 0:
+            continue
+        first, last = regions[0][0], regions[0][2]
+        for line in open_lines[name]:
+            if first <= line <= last:
+                text = texts[name][line - 1]
+                place = [line, len(text) - len(text.lstrip()) + 1]
+                around = [r for r in regions if r[:2] <= place < r[2:4]]
+                begun = [r[4] for r in regions if r[0] == line]
+                if (around and max(around, key=lambda r: r[:2])[4] > 0) or any(begun):
+                    found.add((name, line))
+    return found
+
+
 def sides(function):
     """For each branch of an instance of a function in the headers: its place, and whether it was true and false. None for known conditions."""
     regions = [r for r in function["regions"] if r[7] == CODE]
@@ -95,6 +119,7 @@ def run(name, command, folder):
         if file["filename"].startswith(prefix) and file["segments"]:
             for line, count in line_counts(file["filename"], file["segments"]).items():
                 lines[file["filename"], line] = count > 0
+    lines.update(dict.fromkeys(lines_of_instances(found["functions"], lines), True))
     for function in found["functions"]:
         for place, is_true, is_false in sides(function):
             old = branches.get(place, (False, False))

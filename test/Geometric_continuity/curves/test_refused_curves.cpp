@@ -15,7 +15,9 @@
 #include <CGAL/Geometric_continuity/curves/Bspline_curve.h>
 #include <CGAL/Geometric_continuity/curves/Composite_bezier_curve.h>
 #include <CGAL/Geometric_continuity/curves/Cubic_blended_curve.h>
+#include <CGAL/Geometric_continuity/curves/Rational_curve.h>
 #include <CGAL/Geometric_continuity/curves/bezier_properties.h>
+#include <CGAL/Geometric_continuity/curves/interpolate.h>
 #include <CGAL/Geometric_continuity/curves/polyline.h>
 #include <CGAL/Simple_cartesian.h>
 
@@ -24,6 +26,8 @@
 #include <iterator>
 #include <limits>
 #include <random>
+#include <sstream>
+#include <string>
 #include <vector>
 
 BOOST_AUTO_TEST_SUITE(refused_curves)
@@ -194,6 +198,30 @@ BOOST_AUTO_TEST_CASE(numbers_that_enter) {
         GC::Bspline_curve<Double>(GC::Bspline_curve<Double>::Function(GC::Knot_vector<double>(3, 0., 1.), columns)),
         not_finite);
   }
+}
+
+// Messages name what was asked for.
+BOOST_AUTO_TEST_CASE(names) {
+  const auto text = [](const auto& x) {
+    std::ostringstream os;
+    os << x;
+    return os.str();
+  };
+  BOOST_CHECK_EQUAL(to_string(GC::Closing::open), "open");
+  BOOST_CHECK_EQUAL(to_string(GC::Closing::smooth), "smooth");
+  BOOST_CHECK_EQUAL(to_string(GC::Closing::cusp), "cusp");
+  BOOST_CHECK_EQUAL(to_string(GC::Closing::corner), "corner");
+  BOOST_CHECK_EQUAL(to_string(GC::Closing::singular), "singular");
+  BOOST_CHECK_EQUAL(to_string(GC::Closure::open) + ' ' + to_string(GC::Closure::closed), "open closed");
+  BOOST_CHECK_EQUAL(text(GC::Parametrisation::uniform), "uniform");
+  BOOST_CHECK_EQUAL(text(GC::Parametrisation::chordal), "chordal");
+  BOOST_CHECK_EQUAL(text(GC::Parametrisation::centripetal), "centripetal");
+  const GC::Rational_bezier_curve<Exact> conic({Exact::Point(0, 0, 0), Exact::Point(1, 2, 0), Exact::Point(3, 2, 1)},
+                                               {Q(1), Q(3) / Q(2), Q(1)});
+  BOOST_CHECK_EQUAL(
+      text(conic),
+      "Rational " + text(GC::Bezier_curve<Exact>{Exact::Point(0, 0, 0), Exact::Point(1, 2, 0), Exact::Point(3, 2, 1)}) +
+          ", weights 1 3/2 1");
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -194,4 +194,14 @@ BOOST_AUTO_TEST_CASE(flags_and_locales_do_not_matter) {
   BOOST_CHECK_EQUAL(os.str(), "[0.25, 0.5]");
 }
 
+BOOST_AUTO_TEST_CASE(equal_enclosures) {
+  const GC::Enclosure x{1, 2};
+  BOOST_CHECK((x == GC::Enclosure{1, 2}) && !(x != GC::Enclosure{1, 2}));
+  for (const GC::Enclosure& y : {GC::Enclosure{0.5, 2}, GC::Enclosure{1, 3}}) BOOST_CHECK(x != y && !(x == y));
+  const double infinity = std::numeric_limits<double>::infinity();
+  std::ostringstream os;
+  os << GC::Enclosure{-infinity, infinity} << ' ' << GC::Enclosure{std::nan(""), 1};
+  BOOST_CHECK_EQUAL(os.str(), "[-inf, inf] [nan, 1]");
+}
+
 BOOST_AUTO_TEST_SUITE_END()

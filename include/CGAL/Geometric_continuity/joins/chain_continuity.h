@@ -138,9 +138,7 @@ template <class Curve> class Chain_analysis {
   std::optional<Curve> first_, last_;
   Chain_summary summary_;
 
-  struct No_report {
-    void operator()(const Chain_join<Curve>&) const {}
-  };
+  struct No_report {};
 
 public:
   /// Starts an empty chain. Orders up to `max_order` are decided.
@@ -188,14 +186,14 @@ public:
 private:
   template <class Report>
   void decide(std::size_t left, std::size_t right, const Curve& left_curve, const Curve& right_curve, Report& report) {
-    if constexpr (std::is_same_v<Report, No_report>) {
+    if constexpr (std::is_same_v<Report, No_report>)
       summary_.add(internal::decide_continuity(left_curve, right_curve, max_order_, true));
-      return;
+    else {
+      const Chain_join<Curve> join{left, right, left_curve, right_curve,
+                                   Geometric_continuity::continuity(left_curve, right_curve, max_order_)};
+      report(join);
+      summary_.add(join.continuity);
     }
-    const Chain_join<Curve> join{left, right, left_curve, right_curve,
-                                 Geometric_continuity::continuity(left_curve, right_curve, max_order_)};
-    report(join);
-    summary_.add(join.continuity);
   }
 };
 
