@@ -6,7 +6,7 @@
 
     mutate.py [--sample N] [--seed S] [--work FOLDER] [--jobs N] [--seconds S] [--again] [--manual] [PART_OF_A_PATH...]
 
-The unit tests, of the long ones only three, and the program are built once, by clang++, from a copy of the sources in FOLDER with all alterations of the sample; a
+The unit tests, of the long ones only five, and the program are built once, by clang++, from a copy of the sources in FOLDER with all alterations of the sample; a
 program chooses one of them when it runs (mutants.h). Each test case is run once without any, to see which it comes across and how long it takes. Then
 each alteration meets the test cases that come across it, those of the room of the header first, the quick ones before the others, until one fails or
 does not end; those that take S seconds together, at most. FOLDER/results.txt keeps what was found: another call goes on where the last one ended, and with --again tries
@@ -36,7 +36,7 @@ root = here.parents[1]
 headers = Path("include/CGAL/Geometric_continuity")
 manual = root / "doc/Geometric_continuity/What_the_program_promises.txt"
 
-LONG_TESTS = {"test_Edge_enclosure", "test_curve_from_curvatures", "test_largest_kink", "program_cad", "program_cad_verdicts"}  # which alone reach what they test
+LONG_TESTS = {"parallel_tests", "test_Edge_enclosure", "test_Fair", "test_curve_from_curvatures", "test_largest_kink", "program_cad", "program_cad_verdicts"}  # which alone reach what they test
 OTHERS = {"+": "-", "-": "+", "*": "+", "/": "*", "<": "<=", "<=": "<", ">": ">=", ">=": ">", "==": "!=", "!=": "==", "+=": "-=", "-=": "+=", "*=": "+="}
 TOKEN = re.compile(
     r'(?P<skipped>//[^\n]*|/\*.*?\*/|"(?:\\.|[^"\\])*"|\'(?:\\.|[^\'\\])*\'|^[ \t]*#(?:[^\n]*\\\n)*[^\n]*|\boperator\s*[^\s\w(]+'
