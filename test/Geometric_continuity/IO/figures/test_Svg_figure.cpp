@@ -415,6 +415,14 @@ BOOST_AUTO_TEST_CASE(pictures_stay_what_they_are) {
   figure.add(GC::Svg_panel("third").add(
       GC::Bezier_curve<Space>{Q(0, 0, 0), Q(1, 3, 2), Q(4, 1, -3), Q(5, 5, 1), Q(0, 7, 1)}, detailed));
   BOOST_CHECK_EQUAL(fingerprint(svg(figure)), 0x7dc76f5538912ed8);
+  // labels that find room away from their joins only, and teeth of curves of different speeds
+  GC::Svg_panel crowded;
+  for (int i = 0; i < 24; ++i) {
+    const auto moved = CGAL::Aff_transformation_2<Kernel>(CGAL::TRANSLATION, Kernel::Vector_2(0.3 * (i % 6), 0.2 * i));
+    crowded.add(arch.transform(moved), detailed).join("C" + std::to_string(i));
+  }
+  crowded.add(Curve{P(0, -9), P(9, -8), P(9, -7), P(9, 12)}, detailed);
+  BOOST_CHECK_EQUAL(fingerprint(svg(GC::Svg_figure().add(crowded))), 0xd7fea0207057760a);
 
   const Patch bent{{Q(0, 0, 0), Q(0, 2, 1)}, {Q(1, 0, 2), Q(1, 2, 2)}, {Q(2, 0, 0), Q(2, 2, 0)}},
       next{{Q(2, 0, 0), Q(2, 2, 0)}, {Q(3, 0, -2), Q(3, 2, -2)}},
