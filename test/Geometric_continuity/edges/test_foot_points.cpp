@@ -215,4 +215,32 @@ BOOST_AUTO_TEST_CASE(errors) {
   const GC::Cad_placement flat{{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 0, 0}}};
   CHECK_ERROR(GC::curve_deviation(plane, in_space(GC::Cad_line<3>{{0, 0, 0}, {1, 0, 0}}, flat), 0, 1), singular_frame);
   CHECK_ERROR(GC::projected_side(plane, edge, 1, 0, 8), empty_domain);
+  // curves and surfaces whose numbers do not fit
+  typedef GC::Cad_spline_curve<3> Spline;
+  const auto measured = [&](const auto& curve) { return GC::curve_deviation(plane, in_space(curve), 0, 1); };
+  const std::vector<GC::Cad_point<3>> two{{0, 0, 0}, {1, 0, 0}};
+  const std::vector<double> knots{0, 0, 1, 1};
+  check_is(measured(Spline{1, knots, two, {}}).value, 0, 1e-12);
+  CHECK_ERROR(measured(Spline{0, {0, 0.5, 1}, two, {}}), wrong_number_of_points);
+  CHECK_ERROR(measured(Spline{61, std::vector<double>(64), two, {}}), wrong_number_of_points);
+  CHECK_ERROR(measured(Spline{2, {0, 0, 0, 1, 1}, two, {}}), wrong_number_of_points);
+  CHECK_ERROR(measured(Spline{1, {0, 0, 1}, two, {}}), wrong_number_of_points);
+  CHECK_ERROR(measured(Spline{1, {0, 0, infinity, infinity}, two, {}}), not_finite);
+  CHECK_ERROR(measured(Spline{1, {0, 1, 0, 1}, two, {}}), knot_multiplicity);
+  CHECK_ERROR(measured(Spline{1, {0, 1, 1, 2}, two, {}}), empty_domain);
+  CHECK_ERROR(measured(Spline{1, knots, two, {1}}), wrong_number_of_points);
+  CHECK_ERROR(measured(Spline{1, knots, two, {1, 0}}), zero_weight);
+  CHECK_ERROR(measured(Spline{1, knots, two, {1, infinity}}), not_finite);
+  const GC::Cad_conic<3> point{GC::Cad_conic<3>::Kind::parabola, {0, 0, 0}, {0, 0, 1}, {1, 0, 0}, 0, 0};
+  CHECK_ERROR(measured(point), zero_direction);
+  GC::Cad_spline_surface torn = square;
+  torn.points.pop_back();
+  CHECK_ERROR(GC::curve_deviation(side(torn, line(0, 0, 1, 0)), edge, 0, 1), wrong_number_of_points);
+  GC::Cad_spline_surface long_one = square;
+  long_one.points.emplace_back();
+  CHECK_ERROR(GC::curve_deviation(side(long_one, line(0, 0, 1, 0)), edge, 0, 1), wrong_number_of_points);
+  const GC::Cad_offset_surface far{std::make_shared<GC::Cad_surface>(square), infinity},
+      of_torn{std::make_shared<GC::Cad_surface>(torn), 1};
+  CHECK_ERROR(GC::curve_deviation(side(far, line(0, 0, 1, 0)), edge, 0, 1), not_finite);
+  CHECK_ERROR(GC::curve_deviation(side(of_torn, line(0, 0, 1, 0)), edge, 0, 1), wrong_number_of_points);
 }

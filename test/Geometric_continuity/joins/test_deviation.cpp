@@ -136,6 +136,17 @@ BOOST_AUTO_TEST_CASE(undefined_quantities) {
   d = GC::deviation(line, cusp);
   BOOST_CHECK(!d.tangent_angle && !d.curvature_jump && !d.torsion_jump && d.gap == (GC::Enclosure{0, 0}));
 
+  const auto text = [](const Space_curve& left, const Space_curve& right) {
+    std::ostringstream os;
+    os << GC::deviation(left, right);
+    return os.str();
+  };
+  BOOST_CHECK_EQUAL(text(cusp.reverse(), next), "gap 0");
+  BOOST_CHECK_EQUAL(text(line, bent), "gap 0, tangent angle 0 degrees, curvature jump 100%");
+  BOOST_CHECK_EQUAL(text(bent.reverse(), next), "gap 0, tangent angle [179.999, 180] degrees, curvature jump 100%");
+  BOOST_CHECK_EQUAL(text(bent.reverse(), bent),
+                    "gap 0, tangent angle [179.999, 180] degrees, curvature jump 0%, torsion jump 0");
+
   const Plane_curve plane{Plane::Point(0, 0), Plane::Point(1, 0)};
   typedef GC::Traits_3<CGAL::Simple_cartesian<Exact>> Rational;
   const GC::Bezier_curve<Rational> rational{Rational::Point(0, 0, 0), Rational::Point(Exact(1) / 3, 0, 0)};

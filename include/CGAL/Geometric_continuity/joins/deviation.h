@@ -61,25 +61,22 @@ void charge_invariants(const Coordinate_jet<Field, N>& x, const Coordinate_jet<F
   work_meter().charge_fractions(20. * x.dimension(), 6 * words);
 }
 
-// The deviation of two jets in an exact field.
+// The deviation of two jets of order 3 in an exact field.
 template <class Field, int N>
 Join_deviation join_deviation(const Coordinate_jet<Field, N>& x, const Coordinate_jet<Field, N>& y) {
   typedef Coordinate_vector<Field, N> Vector;
   if (x.dimension() != y.dimension()) throw Error(Error_code::dimension_mismatch, "deviation of two jets");
-  if (x.order() < 0 || y.order() < 0) throw Error(Error_code::jet_order_too_low, "deviation of two jets");
   charge_invariants(x, y);
   const auto square = [](const Vector& v) -> Field { return dot(v, v); };
   Join_deviation d{root_enclosure(square(y[0] - x[0])), {}, {}, {}};
-  const int order = (std::min)(x.order(), y.order());
-  if (order < 1 || is_zero(x[1]) || is_zero(y[1])) return d;
+  if (is_zero(x[1]) || is_zero(y[1])) return d;
   const Field xy = dot(x[1], y[1]);
   d.tangent_angle = angle_enclosure(Field(square(x[1]) * square(y[1]) - xy * xy), xy);
-  if (order < 2) return d;
   const Vector kx = *curvature_vector(x), ky = *curvature_vector(y);
   const Field largest = (std::max)(square(kx), square(ky));
   d.curvature_jump = largest == Field(0) ? Enclosure{0, 0} : root_enclosure(Field(square(ky - kx) / largest));
   if constexpr (N == 0 || N == 3)
-    if (order >= 3 && x.dimension() == 3 && !is_zero(kx) && !is_zero(ky)) {
+    if (x.dimension() == 3 && !is_zero(kx) && !is_zero(ky)) {
       const Field jump = *torsion(y) - *torsion(x);
       d.torsion_jump = enclosure(jump < Field(0) ? Field(-jump) : jump);
     }
