@@ -9,6 +9,7 @@
 #include "support/errors.h"
 
 #include <CGAL/Exact_rational.h>
+#include <CGAL/Geometric_continuity/algebra/Basis_matrix.h>
 #include <CGAL/Geometric_continuity/algebra/Coordinate_vector.h>
 
 #include <tuple>
@@ -72,6 +73,26 @@ BOOST_AUTO_TEST_CASE(numbers_of_rows) {
   const auto none = [](int, int) -> Q { throw 1; };
   BOOST_CHECK(GC::determinant<Q>(0, none) == Q(1));
   CHECK_ERROR(GC::determinant<Q>(-1, none), negative_count);
+}
+
+// The inverse of a matrix of whole numbers is one only where the determinant is 1 or -1.
+BOOST_AUTO_TEST_CASE(inverse_matrices_of_whole_numbers) {
+  const auto diagonal = [](int d) {
+    return GC::Basis_matrix<int>({{{1, 3, 0, 0}, {0, 1, 0, 0}, {0, 0, d, 5}, {0, 0, 0, 1}}});
+  };
+  for (const int d : {1, -1}) {
+    const GC::Basis_matrix<int> inverse = diagonal(d).inverse();
+    BOOST_CHECK(inverse == GC::Basis_matrix<int>({{{1, -3, 0, 0}, {0, 1, 0, 0}, {0, 0, d, -5 * d}, {0, 0, 0, 1}}}));
+    BOOST_CHECK(inverse != diagonal(d) && inverse.inverse() == diagonal(d));
+  }
+  for (const int d : {0, 2, -3}) CHECK_ERROR(diagonal(d).inverse(), singular_frame);
+}
+
+BOOST_AUTO_TEST_CASE(vectors_without_a_cross_product) {
+  const GC::Coordinate_vector<Q, 0> plane(2), space(3);
+  CHECK_ERROR(cross_product(plane, space), dimension_mismatch);
+  CHECK_ERROR(cross_product(space, plane), dimension_mismatch);
+  BOOST_CHECK(cross_product(space, space) == space);
 }
 
 BOOST_AUTO_TEST_SUITE_END()
