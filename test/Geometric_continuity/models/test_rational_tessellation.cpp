@@ -12,7 +12,11 @@
 #include <CGAL/Geometric_continuity/models/tessellate.h>
 #include <CGAL/Geometric_continuity/surfaces/elementary_surfaces.h>
 
+#include <array>
 #include <cmath>
+#include <cstddef>
+#include <sstream>
+#include <vector>
 
 BOOST_AUTO_TEST_SUITE(rational_tessellation)
 
@@ -115,12 +119,27 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(closed_surfaces_are_manifolds, Traits, All_traits)
   }
 }
 
+BOOST_AUTO_TEST_CASE(counts_of_edges) {
+  const auto text = [](const GC::Mesh_edges& e) {
+    std::ostringstream os;
+    os << e;
+    return os.str();
+  };
+  typedef std::vector<std::array<std::size_t, 3>> Triangles;
+  BOOST_CHECK_EQUAL(text(GC::mesh_edges(Triangles{{0, 1, 2}, {0, 2, 1}})), "3 edges, watertight");
+  BOOST_CHECK_EQUAL(text(GC::mesh_edges(Triangles{{0, 1, 2}, {2, 1, 3}})), "5 edges, 4 on the boundary");
+  BOOST_CHECK_EQUAL(text(GC::mesh_edges(Triangles{{0, 1, 2}, {1, 2, 3}})), "5 edges, 4 on the boundary, 1 irregular");
+  BOOST_CHECK_EQUAL(text(GC::mesh_edges(Triangles{{0, 1, 2}, {0, 2, 1}, {0, 1, 2}, {0, 2, 1}})),
+                    "3 edges, 3 irregular");
+}
+
 BOOST_AUTO_TEST_CASE(refused_tessellations) {
   const Exact::Point o(0, 0, 0);
   const Exact::Vector x(1, 0, 0), y(0, 1, 0), z(0, 0, 1);
   const Spline<Exact> s = GC::ellipsoid<Exact>(o, x, y, z);
   CHECK_ERROR(GC::tessellate(s, GC::Chord_tolerance{0}), unreachable_tolerance);
   CHECK_ERROR(GC::tessellate(s, GC::Chord_tolerance{1e-9}), work_limit);
+  CHECK_ERROR(GC::tessellate(s, GC::Chord_tolerance{1e-30}), work_limit);
   CHECK_ERROR(GC::tessellate(s, GC::Uniform_grid{0}), wrong_number_of_points);
 }
 

@@ -19,6 +19,7 @@
 #include <cstdint>
 #include <optional>
 #include <random>
+#include <sstream>
 #include <utility>
 #include <vector>
 
@@ -115,6 +116,13 @@ BOOST_AUTO_TEST_CASE(random_kinks_against_all_pairs) {
     check(a, b, 3);
     ++checked;
   }
+}
+
+BOOST_AUTO_TEST_CASE(vectors_on_the_grid) {
+  std::ostringstream os;
+  os << GC::Grid_vector{-3, 7};
+  BOOST_CHECK_EQUAL(os.str(), "(-3, 7)");
+  BOOST_CHECK((primitive(GC::Grid_vector{0, 0}) == GC::Grid_vector{0, 0}));
 }
 
 BOOST_AUTO_TEST_CASE(all_small_legs) {
