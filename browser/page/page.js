@@ -678,60 +678,66 @@ function drawingScene(parameters) {
   else show();
 }
 
+// The two nets of an address, `left=x,y,z;x,y,z:x,y,z;x,y,z&right=…`, a colon between rows; null where there are none. They meet along the last row of the left and the first of the right one.
+function netsOf(parameters) {
+  if (!parameters.has('left') && !parameters.has('right')) return null;
+  return ['left', 'right'].map((key) => {
+    const rows = (parameters.get(key) ?? '').split(':').map(numbersOf), refuse = (reason) => {
+      throw new Error(`The ${key} net ${reason}.`);
+    };
+    const bad = rows.flat().find((p) => p.length !== 3 || !p.every(isNumber));
+    if (bad) refuse(`has a point that is not three numbers: ${shown(bad.join(','))}`);
+    if (rows.length < 2 || rows.some((row) => row.length < 2)) refuse('has less than two rows of two points: x,y,z;x,y,z:x,y,z;x,y,z');
+    const other = rows.find((row) => row.length !== rows[0].length);
+    if (other) refuse(`has rows of ${rows[0].length} and of ${other.length} points`);
+    if (Math.max(rows.length, rows[0].length) > 17) refuse('has a degree above 16');
+    return rows;
+  });
+}
+
 function surfaceScene(parameters) {
   const canvas = html('canvas', { width: 720, height: 480, tabindex: 0, role: 'img', 'aria-label': 'Two patches with isophotes; the arrow keys turn them' });
-  const slider = (name, key) => {
-    const input = html('input', { type: 'range', min: -4, max: 4, step: 1, value: Number(parameters.get(key)) || 0, 'aria-label': name, oninput: () => changed(), onchange: () => remember() });
-    const number = html('output', {});
-    controls.append(html('label', {}, `${name} `, input, ' ', number));
-    return { input, number, get value() { return input.value; } };
-  };
-  for (const [name, ...values] of [['G0', 1, 0], ['G1', 0, 2], ['G2', 0, 0]])
-    controls.append(html('button', { type: 'button', onclick: () => {
-      [first.input.value, second.input.value] = values;
-      changed();
-      remember();
-    } }, `Show ${name}`));
-  const first = slider('Second row of points', 'second'), second = slider('Third row of points', 'third');
-  const remember = () => history.replaceState(null, '', `#surfaces?second=${first.value}&third=${second.value}`);
+  let given_nets = null;
+  try {
+    given_nets = netsOf(parameters);
+  } catch (error) {
+    return say(strong('No patches', false), error.message);
+  }
   stage.replaceChildren(canvas);
-  const a = [[0, 1, 1, 0], [1, 2, 2, 1], [2, 3, 3, 1], [2, 3, 2, 1]].map((row, i) => row.map((z, j) => [i - 3, j - 1.5, z / 4]));
-  let turn = 0.7, tilt = 0.9;
-  const second_patch = () => {
-    const p = [3, 2, 1, 0].map((i) => a[i]), mirror = (x, y, k) => x.map((c, i) => 2 * c - y[i] + (i === 2 ? k : 0));
-    const rows = [p[0], p[0].map((x, j) => mirror(x, p[1][j], Number(first.value) / 8))];
-    rows.push(rows[1].map((x, j) => x.map((c, i) => 2 * c - 2 * p[1][j][i] + p[2][j][i] + (i === 2 ? Number(second.value) / 8 : 0))));
-    rows.push(rows[2].map((x, j) => x.map((c, i) => 2 * c - rows[1][j][i])));
-    return rows;
+  const nets = given_nets ? () => given_nets : slidingNets(parameters, () => changed());
+  // The values and the derivatives of the Bernstein polynomials of a degree, these divided by it.
+  const bernstein = (degree, t) => {
+    let b = [1], lower = [];
+    for (let k = 1; k <= degree; ++k) [lower, b] = [b, Array.from({ length: k + 1 }, (_, i) => (1 - t) * (b[i] ?? 0) + t * (b[i - 1] ?? 0))];
+    return [b, b.map((_, i) => (lower[i - 1] ?? 0) - (lower[i] ?? 0))];
   };
-  const at = (net, u, v) => {
-    const side = (points, t) => {
-      let r = points, d = null;
-      while (r.length > 1) {
-        if (r.length === 2) d = r[1].map((c, i) => 3 * (c - r[0][i]));
-        r = r.slice(1).map((p, j) => p.map((c, i) => (1 - t) * r[j][i] + t * c));
-      }
-      return { x: r[0], d };
-    };
-    const { x, d: du } = side(net.map((row) => side(row, v).x), u), { d: dv } = side(net[0].map((_, j) => side(net.map((row) => row[j]), u).x), v);
-    const n = [du[1] * dv[2] - du[2] * dv[1], du[2] * dv[0] - du[0] * dv[2], du[0] * dv[1] - du[1] * dv[0]], l = Math.hypot(...n) || 1;
-    return { x, n: n.map((c) => c / l) };
+  const size = 100, parameter = Array.from({ length: size + 1 }, (_, k) => k / size);
+  const combined = (weights, points) => [0, 1, 2].map((k) => points.reduce((sum, p, i) => sum + weights[i] * p[k], 0));
+  // Points and unit normals of a patch, size + 1 of them both ways.
+  const gridOf = (net) => {
+    const [along_u, along_v] = [net, net[0]].map((list) => parameter.map((t) => bernstein(list.length - 1, t)));
+    const columns = along_v.map((both) => both.map((weights) => net.map((row) => combined(weights, row))));
+    return along_u.map(([b, db]) => columns.map(([points, across]) => {
+      const du = combined(db, points), dv = combined(b, across);
+      const n = [du[1] * dv[2] - du[2] * dv[1], du[2] * dv[0] - du[0] * dv[2], du[0] * dv[1] - du[1] * dv[0]], l = Math.hypot(...n) || 1;
+      return { x: combined(b, points), n: n.map((c) => c / l) };
+    }));
   };
-  function paint(nets) {
-    const c = canvas.getContext('2d'), size = 80, quads = [], scale = 100;
+  let turn = 0.7, tilt = 0.9, grids = [], edge = [], centre = [0, 0, 0], scale = 1;
+  function paint() {
+    const c = canvas.getContext('2d'), quads = [];
     const [ct, st, ce, se] = [Math.cos(turn), Math.sin(turn), Math.cos(tilt), Math.sin(tilt)];
-    const view = ([x, y, z]) => {
-      const px = ct * x - st * y, py = st * x + ct * y, pz = z - 0.4;
-      return [360 + scale * px, 240 - scale * (se * pz + ce * py * 0.8), py * se - pz * ce];
+    const view = (p) => {
+      const [x, y, z] = p.map((c, k) => scale * (c - centre[k])), px = ct * x - st * y, py = st * x + ct * y;
+      return [360 + px, 240 - (se * z + ce * py), py * se - z * ce];
     };
-    for (const net of nets) {
-      const grid = [];
-      for (let i = 0; i <= size; ++i) grid.push(Array.from({ length: size + 1 }, (_, j) => at(net, i / size, j / size)));
+    for (const grid of grids) {
+      for (const row of grid) for (const p of row) p.view = view(p.x);
       for (let i = 0; i < size; ++i)
         for (let j = 0; j < size; ++j) {
           const corners = [grid[i][j], grid[i + 1][j], grid[i + 1][j + 1], grid[i][j + 1]], n = [0, 1, 2].map((k) => corners.reduce((s, p) => s + p.n[k], 0) / 4);
           const light = 0.45 * n[0] + 0.3 * n[1] + 0.84 * n[2], stripe = Math.sin(light * 45) > 0;
-          const points = corners.map((p) => view(p.x));
+          const points = corners.map((p) => p.view);
           quads.push({ points, depth: points.reduce((s, p) => s + p[2], 0), shade: `hsl(212 ${stripe ? 70 : 25}% ${Math.round((stripe ? 30 : 62) + 25 * Math.abs(light))}%)` });
         }
     }
@@ -748,45 +754,77 @@ function surfaceScene(parameters) {
     c.strokeStyle = '#d1242f';
     c.lineWidth = 2;
     c.beginPath();
-    for (let j = 0; j <= size; ++j) {
-      const p = view(at(nets[0], 1, j / size).x);
-      j ? c.lineTo(p[0], p[1]) : c.moveTo(p[0], p[1]);
-    }
+    for (const [j, { view: p }] of edge.entries()) j ? c.lineTo(p[0], p[1]) : c.moveTo(p[0], p[1]);
     c.stroke();
     c.lineWidth = 1;
   }
   function changed() {
-    for (const { number, value } of [first, second]) number.textContent = value;
-    const b = second_patch();
-    paint([a, b]);
+    const [a, b] = nets();
     guarded(() => {
-      const e = gc.edgeContinuity(a, 'u1', b, 'u0');
-      say(strong(e.g_order < 0 ? 'a gap' : `G${e.is_g3 ? 3 : e.g_order} along the whole edge`, e.g_order >= 1),
-        e.defect === 'none' ? 'Tangent planes and curvatures agree.' : `The defect: ${e.defect}.`,
-        `The angle of the normals is at most ${digits(e.largest_angle_degrees)}°.`,
-        e.g_order === 0 ? 'The stripes jump at the edge.' : e.g_order === 1 ? 'The stripes meet, with kinks at the edge.' : 'The stripes go on smoothly.');
+      const e = gc.edgeContinuity(a, 'u1', b, 'u0'), part = e.whole_a && e.whole_b ? 'the whole edge' : 'the part of the edge that both have';
+      const drawn = [a, e.reversed ? b.map((row) => [...row].reverse()) : b].map((net) => net.map((row) => row.map((p) => p.map(valueOf))));
+      const most = Math.max(...drawn.flat(3).map(Math.abs)) || 1; // so that products neither overflow nor vanish
+      grids = drawn.map((net) => gridOf(net.map((row) => row.map((p) => p.map((x) => x / most)))));
+      const points = grids.flat(2).map((p) => p.x), ranges = [0, 1, 2].map((k) => points.reduce(([low, high], p) => [Math.min(low, p[k]), Math.max(high, p[k])], [Infinity, -Infinity]));
+      centre = ranges.map(([low, high]) => (low + high) / 2);
+      scale = 260 / (points.reduce((r, p) => Math.max(r, Math.hypot(...p.map((x, k) => x - centre[k]))), 0) || 1);
+      edge = e.g_order < 0 ? [] : e.whole_a ? grids[0].at(-1) : grids[1][0];
+      paint();
+      if (e.g_order < 0) return say(strong('No common edge', false), 'The last row of the left net and the first row of the right one are not the points of one curve.');
+      const stripes = { crease: 'The stripes jump at the edge.', curvature: 'The stripes meet, with kinks at the edge.', none: 'The stripes go on smoothly.' }[e.defect];
+      return say(strong(e.collapsed ? 'The edge is a point' : `G${e.is_g3 ? 3 : e.g_order} along ${part}`, e.g_order >= 1),
+        e.defect === 'none' ? 'Tangent planes and curvatures agree.' : `The defect: ${e.defect.replace('_', ' ')}.`,
+        ...(e.largest_angle_degrees === null ? [] : [`The angle of the normals is at most ${digits(e.largest_angle_degrees)}°.`]),
+        ...(stripes ? [stripes] : []));
     });
   }
   let from = null;
   canvas.style.touchAction = 'none';
+  const turned = (by, up) => {
+    turn += by;
+    tilt = Math.max(0.1, Math.min(1.5, tilt + up));
+    paint();
+  };
   canvas.addEventListener('pointerdown', (e) => (canvas.setPointerCapture(e.pointerId), (from = [e.clientX, e.clientY])));
   canvas.addEventListener('pointermove', (e) => {
     if (!from) return;
-    turn += (e.clientX - from[0]) / 150;
-    tilt = Math.max(0.1, Math.min(1.5, tilt + (e.clientY - from[1]) / 150));
+    turned((e.clientX - from[0]) / 150, (e.clientY - from[1]) / 150);
     from = [e.clientX, e.clientY];
-    paint([a, second_patch()]);
   });
   canvas.addEventListener('pointerup', () => (from = null));
   canvas.addEventListener('keydown', (e) => {
     const step = { ArrowLeft: [-0.1, 0], ArrowRight: [0.1, 0], ArrowUp: [0, 0.1], ArrowDown: [0, -0.1] }[e.key];
     if (!step) return;
     e.preventDefault();
-    turn += step[0];
-    tilt = Math.max(0.1, Math.min(1.5, tilt + step[1]));
-    paint([a, second_patch()]);
+    turned(...step);
   });
   changed();
+}
+
+// Two patches whose second and third rows of points move, by sliders and buttons; what they are now.
+function slidingNets(parameters, changed) {
+  const slider = (name, key) => {
+    const number = html('output', {}), input = html('input', { type: 'range', min: -4, max: 4, step: 1, value: Number(parameters.get(key)) || 0, 'aria-label': name, oninput: () => changed(), onchange: () => remember() });
+    controls.append(html('label', {}, `${name} `, input, ' ', number));
+    return { input, number, get value() { return input.value; } };
+  };
+  for (const [name, ...values] of [['G0', 1, 0], ['G1', 0, 2], ['G2', 0, 0]])
+    controls.append(html('button', { type: 'button', onclick: () => {
+      [first.input.value, second.input.value] = values;
+      changed();
+      remember();
+    } }, `Show ${name}`));
+  const first = slider('Second row of points', 'second'), second = slider('Third row of points', 'third');
+  const remember = () => history.replaceState(null, '', `#surfaces?second=${first.value}&third=${second.value}`);
+  const a = [[0, 1, 1, 0], [1, 2, 2, 1], [2, 3, 3, 1], [2, 3, 2, 1]].map((row, i) => row.map((z, j) => [i - 3, j - 1.5, z / 4]));
+  const p = [3, 2, 1, 0].map((i) => a[i]), mirror = (x, y, k) => x.map((c, i) => 2 * c - y[i] + (i === 2 ? k : 0));
+  return () => {
+    for (const { number, value } of [first, second]) number.textContent = value;
+    const rows = [p[0], p[0].map((x, j) => mirror(x, p[1][j], Number(first.value) / 8))];
+    rows.push(rows[1].map((x, j) => x.map((c, i) => 2 * c - 2 * p[1][j][i] + p[2][j][i] + (i === 2 ? Number(second.value) / 8 : 0))));
+    rows.push(rows[2].map((x, j) => x.map((c, i) => 2 * c - rows[1][j][i])));
+    return [a, rows];
+  };
 }
 
 const scenes = {
