@@ -9,6 +9,7 @@
 
 #include "support/random_surfaces.h"
 #include "support/rational_surfaces.h"
+#include "support/series.h"
 #include "support/translated_curves.h"
 
 #include <CGAL/Geometric_continuity/blends/Fair.h>
@@ -27,14 +28,6 @@ namespace {
 
 typedef GC::Edge_function<Q> Function;
 typedef GC::Surface_blend_shape<Q> Shape;
-typedef std::array<Q, 4> Series; // the coefficients of 1, v, v^2, v^3
-
-Series product(const Series& a, const Series& b) {
-  Series c = {Q(0), Q(0), Q(0), Q(0)};
-  for (int i = 0; i <= 3; ++i)
-    for (int j = 0; i + j <= 3; ++j) c[i + j] += a[i] * b[j];
-  return c;
-}
 
 struct Numbers : Random_surfaces {
   Function function(const Q& size) {

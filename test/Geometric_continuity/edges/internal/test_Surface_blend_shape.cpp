@@ -7,25 +7,13 @@
 #include <boost/test/unit_test.hpp>
 
 #include "support/rational_surfaces.h"
+#include "support/series.h"
 
 #include <CGAL/Geometric_continuity/edges/Surface_blend_shape.h>
 
 #include <array>
 
 BOOST_AUTO_TEST_SUITE(surface_blend_shape)
-
-namespace {
-
-typedef std::array<Q, 4> Series; // the coefficients of 1, v, v^2, v^3
-
-Series product(const Series& a, const Series& b) {
-  Series c = {Q(0), Q(0), Q(0), Q(0)};
-  for (int i = 0; i <= 3; ++i)
-    for (int j = 0; i + j <= 3; ++j) c[i + j] += a[i] * b[j];
-  return c;
-}
-
-} // namespace
 
 // The automatic factor cancels the weights along one line across the edge: (1 + lambda_1 v + ...) w(phi(v)) is constant, up to v^3.
 BOOST_AUTO_TEST_CASE(factor_of_one_line) {
