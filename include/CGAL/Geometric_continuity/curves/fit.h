@@ -131,7 +131,7 @@ public:
   // At the vertex itself, and seen from as far as the tolerance lets it be seen.
   bool operator()(int k) const {
     Work_meter::pause();
-    const int n = static_cast<int>(p_.size()) - 1, before = k == 0 ? n - 1 : k - 1, after = k == n ? 1 : k + 1;
+    const int n = static_cast<int>(p_.size()) - 1, before = k == 0 ? n - 1 : k - 1, after = k + 1;
     return turns(p_[k] - p_[before], p_[after] - p_[k]) && turns(p_[k] - neighbour(k, -1), neighbour(k, 1) - p_[k]);
   }
 };

@@ -116,15 +116,15 @@ namespace internal {
 // The closest interval of a number, also of one that is evaluated on demand.
 template <class FT> std::pair<double, double> exact_interval(const FT& x) {
   const std::pair<double, double> i = CGAL::to_interval(Exact_number<FT>::of(x));
-  if (!std::isfinite(i.first) || std::isnan(i.second)) throw Error(Error_code::not_finite, "enclosure");
+  if (!std::isfinite(i.first)) throw Error(Error_code::not_finite, "enclosure");
   return i;
 }
 
 // The interval of a number that is not negative.
 template <class FT> std::pair<double, double> nonnegative_interval(const FT& x, const char* place) {
   const std::pair<double, double> i = exact_interval(x);
-  if (i.second < 0) throw Error(Error_code::parameter_outside_domain, place);
-  return {i.first < 0 ? 0 : i.first, i.second};
+  if (x < FT(0)) throw Error(Error_code::parameter_outside_domain, place);
+  return {(std::max)(i.first, 0.), i.second};
 }
 
 // The angle in [0, pi], above pi/2 if it is obtuse, whose squared sine and cosine have this ratio.

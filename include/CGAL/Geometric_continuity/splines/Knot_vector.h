@@ -309,7 +309,7 @@ private:
     if (u == finish()) return start();
     const FT r = start() + (finish() - u);
     if (!contains(u)) return r;
-    return r < start() ? start() : finish() < r ? finish() : r; // which rounding can pass
+    return finish() < r ? finish() : r; // which rounding can pass
   }
 
   void check_parameter(const FT& u) const {

@@ -14,7 +14,6 @@
 #include <CGAL/ipower.h>
 
 #include <charconv>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
@@ -286,15 +285,13 @@ template <class FT> FT floating_point_value(std::string_view text, const Number_
     Number_parts absolute = parts;
     absolute.negative = false;
     value = nearest_floating_point<FT>(exact_value<Exact_rational>(absolute));
+    if (value == FT(0) && !all_zero(parts.integer)) throw Number_error("outside the range of floating-point numbers");
     if (parts.negative) value = -value;
   } else {
     take(text, '+'); // which from_chars() does not know
     const std::from_chars_result result = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (result.ec != std::errc() || !std::isfinite(value))
-      throw Number_error("outside the range of floating-point numbers");
+    if (result.ec != std::errc()) throw Number_error("outside the range of floating-point numbers");
   }
-  if (value == FT(0) && !(all_zero(parts.integer) && all_zero(parts.fraction)))
-    throw Number_error("outside the range of floating-point numbers");
   return value;
 }
 

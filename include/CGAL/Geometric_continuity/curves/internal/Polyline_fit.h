@@ -76,9 +76,9 @@ public:
       const auto succeeds = [&](int count) {
         Work_meter::pause();
         const int j = i + count;
-        const Joint end = j < target                      ? joint(j, Side::both)
-                          : path_.is_periodic() && j == n ? first
-                                                          : joint(j, Side::before);
+        const Joint end = j < target            ? joint(j, Side::both)
+                          : path_.is_periodic() ? first // without a corner before
+                                                : joint(j, Side::before);
         std::optional<Piece> piece = fitted(i, j, start, end);
         if (!piece && count == 1) piece = short_piece(i, start, end);
         if (!piece) return false;

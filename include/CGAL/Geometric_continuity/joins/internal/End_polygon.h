@@ -38,9 +38,8 @@ template <int k, int N, class Points> CGAL_GC_FORCEINLINE End_polygon<double, N>
     else
       return {end.coordinate(j, 0), end.coordinate(j, 1), end.coordinate(j, 2)};
   };
-  if constexpr (k == 0)
-    return {point(0)};
-  else if constexpr (k == 1)
+  static_assert(k >= 1);
+  if constexpr (k == 1)
     return {point(0), point((std::min)(m, 1))};
   else if constexpr (k == 2)
     return {point(0), point((std::min)(m, 1)), point((std::min)(m, 2))};

@@ -210,13 +210,11 @@ template <int l> CGAL_GC_FORCEINLINE Fixed_integer<l> from_128_bits(Signed_128 x
   return result;
 }
 
-// The product modulo 2^(64 l), or all of it in l limbs. \pre l is not less than the lengths of the factors
+// The product modulo 2^(64 l), or all of it in l limbs. \pre l is not less than the lengths of the factors, nor more than their sum
 template <int l, int m, int n>
 CGAL_GC_FORCEINLINE Fixed_integer<l> product_in(const Fixed_integer<m>& x, const Fixed_integer<n>& y) {
-  static_assert(m <= l && n <= l);
-  if constexpr (l > m + n)
-    return extended<l>(x * y);
-  else if constexpr (l == m + n)
+  static_assert(m <= l && n <= l && l <= m + n);
+  if constexpr (l == m + n)
     return x * y;
   else {
     Fixed_integer<l> product;

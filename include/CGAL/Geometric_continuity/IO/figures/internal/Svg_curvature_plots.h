@@ -142,7 +142,7 @@ private:
     double total = 0, sum = 0;
     for (const std::pair<double, double>& w : weighted) total += w.second;
     std::size_t i = 0;
-    while (i + 1 < weighted.size() && (sum += weighted[i].second) < 0.95 * total) ++i;
+    while ((sum += weighted[i].second) < 0.95 * total) ++i;
     const double flat = 1e-6; // straight for the eye, so that rounding errors are not magnified
     const double largest = (std::max)(weighted.back().first, flat), common = (std::max)(weighted[i].first, flat);
     cut_ = largest > 2 * common;

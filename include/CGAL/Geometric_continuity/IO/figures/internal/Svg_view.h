@@ -233,7 +233,7 @@ private:
     std::sort(weighted.begin(), weighted.end());
     double sum = 0;
     std::size_t i = 0;
-    while (i + 1 < weighted.size() && (sum += weighted[i].second) < 0.9 * total) ++i;
+    while ((sum += weighted[i].second) < 0.9 * total) ++i;
     const double flat = 1e-6 / size_; // straight for the eye, so that rounding errors are not magnified
     const double common = (std::max)(weighted[i].first, flat), most = (std::max)(weighted.back().first, flat);
     comb_scale_ = comb_limit() * (std::max)(1 / most, 0.5 / common);
