@@ -141,7 +141,7 @@ template <class FT> Enclosure angle_of_squares(const FT& sine_squared, const FT&
 
 // The product of two numbers that are not negative. In every rounding mode the rounded one is a neighbour of the exact one.
 inline Enclosure nonnegative_product(const Enclosure& x, const Enclosure& y) {
-  if (x.upper == 0 || y.upper == 0) return {0, 0};
+  if (x.upper == 0) return {0, 0};
   return {(std::max)(0., next_below(x.lower * y.lower)), next_above(x.upper * y.upper)};
 }
 

@@ -158,7 +158,7 @@ inline std::string svg_mix(const std::array<int, 3>& from, const std::array<int,
   return text;
 }
 
-// In tenths of a pixel: the first point, then steps.
+// In tenths of a pixel: the first point, then steps. \pre there is a point
 inline std::string svg_outline(const std::vector<Svg_pixel>& polygon) {
   std::string path;
   long x = 0, y = 0;
@@ -170,7 +170,7 @@ inline std::string svg_outline(const std::vector<Svg_pixel>& polygon) {
     x = i;
     y = j;
   }
-  return path.empty() ? path : path + 'z';
+  return path + 'z';
 }
 
 } // namespace internal

@@ -78,7 +78,6 @@ inline std::vector<std::string> wrapped_lines(const std::string& text, double si
 
 inline std::string svg_text(double x, double y, double size, const char* colour, const char* anchor,
                             const std::string& text, const std::string& more = std::string()) {
-  if (text.empty()) return text;
   return "<text x=\"" + svg_number(x) + "\" y=\"" + svg_number(y) + "\" font-size=\"" + svg_number(size) +
          "\" fill=\"" + colour + "\" text-anchor=\"" + anchor + '"' + more + '>' + svg_escape(text) + "</text>\n";
 }
