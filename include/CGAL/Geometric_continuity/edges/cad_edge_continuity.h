@@ -372,7 +372,7 @@ inline std::optional<Foot_comparison> compare_at_feet(const Edge_side& a, const 
   const Foot_finder::Enclosed &x = *feet[0], &y = *feet[1];
   Interval chord = 0;
   for (int k = 0; k < 3; ++k) chord += square(x.normal[k] - y.normal[k]);
-  const double angle = chord.inf() >= 0 ? angle_of_chord_square(chord.inf()).lower : 0;
+  const double angle = angle_of_chord_square(chord.inf()).lower;
   const Interval difference = x.curvature - y.curvature;
   const double least = (std::max)({0., difference.inf(), -difference.sup()}),
                largest = (std::max)({magnitude(x.curvature), magnitude(y.curvature), flat_curvature});

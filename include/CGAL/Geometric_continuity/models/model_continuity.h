@@ -213,8 +213,8 @@ private:
   void decide_knot_lines() {
     std::vector<std::vector<Knot_line<Field>>> lines(patches_.size());
     for_each_number<Concurrency_tag>(patches_.size(), [&](std::size_t i) {
-      name_work_limit([&] { return "patch " + std::to_string(i); },
-                      [&] { lines[i] = knot_lines(*patches_[i], [this] { one_more(); }); });
+      name_place([&] { return "patch " + std::to_string(i); },
+                 [&] { lines[i] = knot_lines(*patches_[i], [this] { one_more(); }); });
     });
     Model_summary& s = model_.summary;
     for (std::size_t i = 0; i < lines.size(); ++i)
@@ -247,12 +247,12 @@ private:
     edge.patch_b = b.patch;
     edge.edge_b = b.edge;
     edge.non_manifold = row.non_manifold;
-    name_work_limit([&] { return edge_name(a.patch, a.edge) + " - " + edge_name(b.patch, b.edge); },
-                    [&] {
-                      edge.continuity = continuity_of_same_edge(
-                          *patches_[a.patch], a.edge, *patches_[b.patch], b.edge,
-                          a.backwards == b.backwards ? Edge_direction::same : Edge_direction::opposite, angles_);
-                    });
+    name_place([&] { return edge_name(a.patch, a.edge) + " - " + edge_name(b.patch, b.edge); },
+               [&] {
+                 edge.continuity = continuity_of_same_edge(
+                     *patches_[a.patch], a.edge, *patches_[b.patch], b.edge,
+                     a.backwards == b.backwards ? Edge_direction::same : Edge_direction::opposite, angles_);
+               });
     one_more();
   }
 

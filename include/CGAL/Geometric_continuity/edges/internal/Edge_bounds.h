@@ -103,7 +103,7 @@ template <class Function> double likely_maximum(const Edge_range& range, const F
   double best = range.t.inf(), largest = -1;
   for (int i = 0; i <= 8; ++i) {
     const double t = i == 8 ? range.t.sup() : range.t.inf() + i * 0.125 * (range.t.sup() - range.t.inf());
-    if (t < range.t.inf() || range.t.sup() < t) continue;
+    if (range.t.sup() < t) continue; // where the length overflows
     const double value = f(range.half == 0 ? 0. : (t - range.middle) / range.half);
     if (value > largest) largest = value, best = t;
   }

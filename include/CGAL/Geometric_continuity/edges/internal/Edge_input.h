@@ -273,7 +273,6 @@ bool edge_layers(const Surface_a& a, Patch_edge edge_a, const Surface_b& b, Patc
   typedef typename Surface_a::Traits Traits;
   if constexpr (std::is_same_v<typename Traits::FT, double>) {
     double size[2] = {0, 0}; // of points and weights
-    bool finite = true;
     const auto numbers_of = [](const auto& s) {
       return [&s](int i, int j) {
         const Coordinate_vector<double, 3> p = Geometric_continuity::coordinates<Traits, double>(s.control_point(i, j));
@@ -286,12 +285,9 @@ bool edge_layers(const Surface_a& a, Patch_edge edge_a, const Surface_b& b, Patc
         !for_each_layer(b, edge_b, order, given[1], numbers_of(b), copy))
       return false;
     for (const Edge_points<double, 4>& s : given)
-      for_each_number(s, [&](double number, int k) {
-        finite = finite && std::isfinite(number);
-        size[k == 3] = (std::max)(size[k == 3], std::abs(number));
-      });
+      for_each_number(s, [&](double number, int k) { size[k == 3] = (std::max)(size[k == 3], std::abs(number)); });
     Grid grid(size[0]), weight_grid(size[1]);
-    if (!finite || !grid.valid() || !weight_grid.valid()) return false;
+    if (!grid.valid() || !weight_grid.valid()) return false;
     int side = 0;
     for (Homogeneous_layers* s : {&x, &y}) {
       const Edge_points<double, 4>& p = given[side++];

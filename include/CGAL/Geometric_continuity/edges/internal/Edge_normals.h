@@ -160,10 +160,9 @@ template <class Field, int N = 3> struct Edge_normals {
     return second_order_form(n1[i], n2[i], n3, Edge_factors<int>{1, 2, {1, 1}}, Products<AnySides>{n1, s}).is_zero();
   }
 
-  // Whether the third derivatives agree, see Edge_equations.h. \pre second_order()
+  // Whether the third derivatives agree, see Edge_equations.h. \pre first_order() and second_order()
   bool third_order(const Sides& s) const {
     const int i = nonzero_coordinate();
-    if (i == 3) return true;
     const Vector c1 = s.first_derivative(), c2 = s.second_derivative(), t1 = s.mixed_derivative();
     const typename Sides::Tangent tangent = s.tangent(c1);
     const Polynomial &n = n1[i], &q = n2[i], p = s.tangent(s.t[1]).normal(i, s.t[0]);

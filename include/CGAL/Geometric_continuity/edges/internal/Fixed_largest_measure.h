@@ -132,7 +132,7 @@ private:
     }
     pieces_.erase(std::remove_if(pieces_.begin(), pieces_.end(), [&](const Piece& x) { return x.upper < lower_; }),
                   pieces_.end());
-    return !pieces_.empty() && pieces_.size() <= most_pieces;
+    return pieces_.size() <= most_pieces; // and not empty: one has the point to which lower_ belongs
   }
 
   // With its bounds.

@@ -68,7 +68,7 @@ inline Knot_vector<Model_number> given_knots(int degree, const std::vector<doubl
   return knots_over<Model_number>(Knot_vector<double>(degree, knots));
 }
 
-// The two coordinates of a curve in the parameter plane, if both are linear functions.
+// The two coordinates of a curve in the parameter plane, if both are linear functions. \pre its numbers have been checked
 inline std::optional<std::array<Linear_function, 2>> straight_line(const Cad_curve<2>& curve) {
   std::array<Linear_function, 2> r;
   if (const auto* line = std::get_if<Cad_line<2>>(&curve)) {
@@ -76,7 +76,7 @@ inline std::optional<std::array<Linear_function, 2>> straight_line(const Cad_cur
     return r;
   }
   const auto* spline = std::get_if<Cad_spline_curve<2>>(&curve);
-  if (!spline || !are_equal(spline->weights) || spline->degree < 1) return std::nullopt;
+  if (!spline || !are_equal(spline->weights)) return std::nullopt;
   const Knot_vector<Model_number> knots = given_knots(spline->degree, spline->knots);
   const int last = knots.number_of_coefficients() - 1;
   // a spline is linear when its coefficients are its values at the Greville abscissae

@@ -58,12 +58,11 @@ inline std::pair<std::size_t, std::size_t> corners_of(std::size_t patch, Patch_e
                             : std::make_pair(first + 2 * side, first + 2 * side + 1);
 }
 
-// Calls work(), and adds the place in the model, place(), to the refusal of work that is too much.
-template <class Place, class Work> void name_work_limit(Place place, Work work) {
+// Calls work(), and adds the place in the model, place(), to an error: where everything has been checked, the refusal of work that is too much.
+template <class Place, class Work> void name_place(Place place, Work work) {
   try {
     work();
   } catch (const Error& error) {
-    if (error.code() != Error_code::work_limit) throw;
     const std::size_t code_length = to_string(error.code()).size() + 2;
     throw Error(error.code(), place() + ": " + std::string(error.what()).substr(code_length));
   }
@@ -205,8 +204,7 @@ private:
     std::vector<Key> keys;
     for (const Edge_use& use : uses) {
       std::optional<Key> key;
-      name_work_limit([&] { return edge_name(use.patch, use.edge); },
-                      [&] { key.emplace(*surfaces_[use.patch], use.edge); });
+      name_place([&] { return edge_name(use.patch, use.edge); }, [&] { key.emplace(*surfaces_[use.patch], use.edge); });
       if (key->single_point()) {
         collapsed_.push_back(use);
         continue;

@@ -53,9 +53,9 @@ template <class Field> bool has_zero_inside(const Bernstein_rows<Field>& b) {
 // whether there is a zero; if not, it is still too close to zero for all that is to be done with the surface.
 // \throws Error `zero_weight` if it is not positive, `work_limit` when it comes too close to zero
 template <class Field> void require_positive(const Bernstein_rows<Field>& b, int& allowed, const char* place) {
-  const auto corners_positive = [](const Bernstein_rows<Field>& r) {
-    const int n = r[0].dimension() - 1;
-    return Field(0) < r.front()[0] && Field(0) < r.front()[n] && Field(0) < r.back()[0] && Field(0) < r.back()[n];
+  // Each corner inside is the last one of the rectangle that comes first of those that meet there.
+  const auto last_corner_positive = [](const Bernstein_rows<Field>& r) {
+    return Field(0) < r.back()[r[0].dimension() - 1];
   };
   const auto positive_coefficients = [](const Bernstein_rows<Field>& r) {
     return std::all_of(r.begin(), r.end(), [](const auto& row) { return all_positive(row); });
@@ -68,7 +68,7 @@ template <class Field> void require_positive(const Bernstein_rows<Field>& b, int
   for (int halvings = 0; !rectangles.empty(); ++halvings) {
     std::vector<Bernstein_rows<Field>> halves;
     for (const Bernstein_rows<Field>& r : rectangles) {
-      if (!corners_positive(r)) throw Error(Error_code::zero_weight, place);
+      if (!last_corner_positive(r)) throw Error(Error_code::zero_weight, place);
       if (positive_coefficients(r)) continue;
       if (halvings == 64 || --allowed < 0) {
         if (has_zero_inside(b)) throw Error(Error_code::zero_weight, place);

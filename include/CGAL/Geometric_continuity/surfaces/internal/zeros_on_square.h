@@ -125,7 +125,7 @@ public:
     simplify(f);
     simplify(g);
     int zeros = 0, last[2] = {0, 0};
-    for (; !f.empty(); f.swap(g)) {
+    for (;; f.swap(g)) { // f is not empty
       Power_polynomial<FT> sum;
       for (const Power_polynomial<FT>& c : f) sum = difference_of_products(sum, constant(FT(1)), c, constant(FT(-1)));
       const int signs[2] = {sign(f.front()), sign(sum)};
@@ -178,7 +178,7 @@ template <class FT> bool has_zero_on_square(const std::vector<std::vector<FT>>& 
     for (const std::vector<FT>& row : coefficients) c.push_back(row[j]);
     f.emplace_back(std::move(c));
   }
-  while (!f.empty() && f.back().is_zero()) f.pop_back();
+  while (f.back().is_zero()) f.pop_back(); // not all are: there is no zero on the boundary
   if (f.size() <= 1) return false;
   for (const Power_polynomial<FT>& end : ends_of_zeros(f)) {
     if (end.degree() < 1) continue;
