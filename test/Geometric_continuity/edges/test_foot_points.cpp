@@ -13,10 +13,13 @@
 #include <CGAL/Geometric_continuity/edges/Cad_geometry.h>
 #include <CGAL/Geometric_continuity/edges/cad_edge_continuity.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <memory>
 #include <random>
+#include <utility>
+#include <variant>
 #include <vector>
 
 namespace GC = CGAL::Geometric_continuity;
@@ -185,6 +188,123 @@ BOOST_AUTO_TEST_CASE(parameters_at_a_small_angle) {
   // beyond the line from (1, 0) to (5, 1), in the direction (1, -4)
   BOOST_TEST(distance({3.125, 0, 0}) == std::sqrt(17.) / 8, boost::test_tools::tolerance(1e-12));
   BOOST_TEST(distance({2.25, -0.75, 0}) == std::sqrt(17.) / 4, boost::test_tools::tolerance(1e-12));
+}
+
+// What is proved of the foot points on a parallelogram is its distance. (Next to its long sides the steps may end at another point.)
+BOOST_AUTO_TEST_CASE(distances_from_a_parallelogram) {
+  const unsigned seed = std::random_device()();
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> coordinate(-6, 10);
+  const GC::Cad_spline_surface sheared{1, 1, {0, 0, 1, 1}, {0, 0, 1, 1}, {{0, 0, 0}, {4, 1, 0}, {1, 0, 0}, {5, 1, 0}},
+                                       {}};
+  const GC::Edge_side patch = side(sheared, line(0.5, 0.5, 0, 0));
+  const auto distance_from_segment = [](const double(&p)[2], const double(&a)[2], const double(&d)[2]) {
+    const double x = p[0] - a[0], y = p[1] - a[1],
+                 t = std::min(std::max((x * d[0] + y * d[1]) / (d[0] * d[0] + d[1] * d[1]), 0.), 1.);
+    return std::hypot(x - t * d[0], y - t * d[1]);
+  };
+  int found = 0;
+  for (int i = 0; i < 300; ++i) {
+    const double p[] = {coordinate(random), coordinate(random) / 4}, z = coordinate(random);
+    const double v = p[1], u = p[0] - 4 * v;
+    double beside = 0; // the distance in the plane
+    if (!(0 <= u && u <= 1 && 0 <= v && v <= 1))
+      beside = std::min({distance_from_segment(p, {0, 0}, {1, 0}), distance_from_segment(p, {4, 1}, {1, 0}),
+                         distance_from_segment(p, {0, 0}, {4, 1}), distance_from_segment(p, {1, 0}, {4, 1})});
+    const auto f =
+        GC::compare_at_feet(patch, patch, {true, true}, in_space(GC::Cad_line<3>{{p[0], p[1], z}, {0, 1, 0}}), 0);
+    BOOST_TEST_CONTEXT("seed " << seed << ", point " << p[0] << ' ' << p[1] << ' ' << z)
+    if (f) BOOST_TEST(f->distances[0] == std::hypot(beside, z), boost::test_tools::tolerance(1e-9));
+    found += f.has_value();
+  }
+  BOOST_TEST(found >= 90);
+  // beyond each of the four sides
+  for (const double x : {-0.5, 0.5, 1.5})
+    for (const double y : {-0.5, 0.5, 1.5}) {
+      const auto f = GC::compare_at_feet(side(square, line(0.5, 0.5, 0, 0)), patch, {true, false},
+                                         in_space(GC::Cad_line<3>{{x, y, 0}, {0, 1, 0}}), 0);
+      BOOST_REQUIRE(f.has_value());
+      BOOST_TEST(f->distances[0] == std::hypot(x == 0.5 ? 0 : 0.5, y == 0.5 ? 0 : 0.5),
+                 boost::test_tools::tolerance(1e-12));
+    }
+}
+
+// Where the distance is not least, or the foot point is not the only one, or not on one piece of the surface.
+BOOST_AUTO_TEST_CASE(what_is_not_proved) {
+  const auto at = [](const GC::Edge_side& s, const GC::Cad_point<3>& x, bool is_projected = true) {
+    return GC::compare_at_feet(s, s, {is_projected, is_projected}, in_space(GC::Cad_line<3>{x, {0, 1, 0}}), 0);
+  };
+  const Elementary cylinder{Kind::cylinder, standard, 3}, torus{Kind::torus, standard, 5, 2};
+  const GC::Edge_side ring = side(cylinder, line(0, 1, 1, 0)), tube = side(torus, line(0, 0, 1, 0));
+  BOOST_TEST(at(ring, {1, 0, 0}).has_value());
+  BOOST_TEST(!at(ring, {0, 0, 0}).has_value());  // on the axis
+  BOOST_TEST(!at(ring, {-1, 0, 0}).has_value()); // farthest
+  BOOST_TEST(!at(tube, {1, 0, 0}).has_value());
+  for (int k = 0; k <= 16; ++k) { // ever closer to the axis, or to the middle of the tube
+    const double d = std::pow(10, -k), x = d * std::cos(0.3), y = d * std::sin(0.3);
+    const auto f = at(side(cylinder, line(0.3, 1, 1, 0)), {x, y, 0}),
+               g = at(side(torus, line(0, 0.3, 1, 0)), {5 + x, 0, y});
+    if (f) BOOST_TEST((f->distances[0] <= 3 - d + 1e-12 && f->distances[0] >= 3 - d - 1e-6));
+    if (g) BOOST_TEST((g->distances[0] <= 2 - d + 1e-12 && g->distances[0] >= 2 - d - 1e-6));
+    if (k < 4) BOOST_TEST((f && g));
+    if (k > 14) BOOST_TEST((!f && !g));
+  }
+  // z = u v and a point below it: farther away along u = v
+  const GC::Cad_spline_surface saddle{
+      1, 1, {-1, -1, 1, 1}, {-1, -1, 1, 1}, {{-1, -1, 1}, {-1, 1, -1}, {1, -1, -1}, {1, 1, 1}}, {}};
+  BOOST_TEST(at(side(saddle, line(0, 0, 1, 0)), {0, 0, -0.5}).has_value());
+  BOOST_TEST(!at(side(saddle, line(0, 0, 1, 0)), {0, 0, -2}).has_value());
+  // on knot lines
+  GC::Cad_spline_surface four{1, 1, {0, 0, 1, 2, 2}, {0, 0, 1, 2, 2}, {}, {}};
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j) four.points.push_back({1. * i, 1. * j, 0});
+  for (const bool is_projected : {false, true}) {
+    BOOST_TEST(at(side(four, line(0.5, 0.5, 0, 0)), {0.5, 0.5, 1}, is_projected).has_value());
+    BOOST_TEST(!at(side(four, line(1, 0.5, 0, 0)), {1, 0.5, 1}, is_projected).has_value());
+    BOOST_TEST(!at(side(four, line(0.5, 1, 0, 0)), {0.5, 1, 1}, is_projected).has_value());
+  }
+}
+
+// At the point that a side of a surface is, the parameter along it stays.
+BOOST_AUTO_TEST_CASE(singular_surfaces) {
+  typedef std::vector<GC::Cad_point<2>> Points;
+  const GC::Edge_curve before = in_space(GC::Cad_line<3>{{-1, 0, 0}, {0, 0, 1}});
+  for (const bool swapped : {false, true}) {
+    GC::Cad_spline_surface triangle{1, 1, {0, 0, 1, 1}, {0, 0, 1, 1}, {{0, 0, 0}, {0, 0, 0}, {1, 0, 0}, {1, 1, 0}}, {}};
+    if (swapped) std::swap(triangle.points[1], triangle.points[2]);
+    const GC::Edge_side tip = side(triangle, swapped ? line(0.25, 0, 0, 0) : line(0, 0.25, 0, 0));
+    const GC::Edge_side projected = GC::projected_side(tip, before, 0, 1, 1);
+    const Points p = std::get<GC::Cad_spline_curve<2>>(*projected.curve).points;
+    BOOST_TEST((p == Points(4, swapped ? GC::Cad_point<2>{0.25, 0} : GC::Cad_point<2>{0, 0.25})));
+    BOOST_TEST(!GC::compare_at_feet(tip, tip, {false, false}, before, 0).has_value()); // no normal
+  }
+  // a curve without a direction: nothing is known across it
+  const GC::Edge_side plane = side(Elementary{Kind::plane, standard}, line(1, 1, 0, 0)),
+                      ring = side(Elementary{Kind::cylinder, standard, 3}, line(0, 0, 1, 0));
+  const auto f = GC::compare_at_feet(ring, plane, {true, true}, in_space(GC::Cad_line<3>{{3, 0, 0}, {0, 0, 0}}), 0);
+  BOOST_REQUIRE(f.has_value());
+  BOOST_TEST(f->curvature_jump == 0);
+}
+
+// Numbers so large that rounding errors do not let the steps end, and so large that products overflow: then the curve stays.
+BOOST_AUTO_TEST_CASE(large_numbers) {
+  typedef std::vector<GC::Cad_point<2>> Points;
+  const auto points = [](const GC::Edge_side& s, const GC::Cad_line<3>& curve) {
+    const GC::Edge_side projected = GC::projected_side(s, in_space(curve), 0, 1, 1);
+    return std::get<GC::Cad_spline_curve<2>>(*projected.curve).points;
+  };
+  for (int i = 0; i < 20; ++i) {
+    const double far = 1e9 * (1 + 0.1 * i);
+    const Elementary distant{Kind::cylinder, {{far, far / 3, far / 7}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, 3};
+    const GC::Edge_side ring = side(distant, line(0.3, 1, 0, 0));
+    const Points p = points(ring, {{far + 4, far / 3 + 3, far / 7}, {0, 0, 1}});
+    for (const GC::Cad_point<2>& x : p) BOOST_TEST(std::fabs(x[0] - std::atan2(3, 4)) <= 1e-6);
+  }
+  const Elementary huge{Kind::plane, {{0, 0, 0}, {1e200, 0, 0}, {0, 1e200, 0}, {0, 0, 1}}},
+      plane{Kind::plane, {{0, 0, 0}, {10, 0, 0}, {0, 10, 0}, {0, 0, 1}}};
+  BOOST_TEST((points(side(huge, line(0.5, 0.25, 0, 0)), {{1, 2, 3}, {0, 0, 1}}) == Points(4, {0.5, 0.25})));
+  const Points p = points(side(plane, line(0, 0, 0, 0)), {{0, 0, 0}, {1e308, 0, 0}}); // a derivative that overflows
+  for (const GC::Cad_point<2>& x : p) BOOST_TEST((std::isfinite(x[0]) && x[1] == 0));
 }
 
 BOOST_AUTO_TEST_CASE(knot_lines) {
