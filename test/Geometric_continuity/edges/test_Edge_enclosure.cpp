@@ -443,6 +443,14 @@ BOOST_AUTO_TEST_CASE(knot_lines) {
   }
   a.face_side = 0;
   BOOST_TEST(GC::edge_enclosure(a, rising, 0, 1).angle->value.upper >= pi / 2);
+  BOOST_TEST(GC::edge_enclosure(rising, a, 0, 1).angle->value.upper >= pi / 2);
+  GC::Cad_spline_surface turned_roof{1, 1, {0, 0, 1, 1}, {0, 0, 0.5, 1, 1}, {}, {}};
+  for (double y : {0., 1.})
+    for (double x : {-1., 0., 1.}) turned_roof.points.push_back({x, y, std::fabs(x)});
+  GC::Edge_side reversed_rising = rising; // the normal of the roof points down
+  reversed_rising.reversed = true;
+  BOOST_TEST(GC::edge_enclosure(side(turned_roof, line(0, 0.5, 1, 0)), reversed_rising, 0, 1).angle->value.upper >=
+             pi / 2);
   // an edge that crosses the fold, at a parameter that is not rounded and at one that is
   for (double slope : {1., 0.7}) {
     const GC::Edge_side across = side(roof, line(0, 0.5, slope, 0)), below = side(plane(), line(-1, 0.5, 2 * slope, 0));
@@ -545,6 +553,155 @@ BOOST_AUTO_TEST_CASE(limited_work) {
   }
   precision.with_curvature = false;
   BOOST_TEST(!GC::edge_enclosure(a, b, 0, 1, precision).curvature_jump);
+}
+
+// Normals that vanish at both ends of an edge: where the surface is a point, and where its derivatives are parallel.
+BOOST_AUTO_TEST_CASE(singular_ends) {
+  typedef std::vector<std::pair<double, double>> Ranges;
+  const auto is_at_ends = [](const Ranges& r) {
+    return r.size() == 2 && r[0].first == 0 && r[0].second <= 0x1p-18 && r[1].first >= 1 - 0x1p-18 && r[1].second == 1;
+  };
+  const GC::Cad_spline_surface along_v{
+      1, 2, clamped(1, {}), clamped(2, {}), {{0, 0, 0}, {1, 0, 0}, {1, 2, 0}, {2, 0, 0}, {2, 3, 1}, {1, 2, 0}}, {}},
+      along_u{2, 1, clamped(2, {}), clamped(1, {}), {{0, 0, 0}, {2, 0, 0}, {1, 0, 0}, {2, 3, 1}, {1, 2, 0}, {1, 2, 0}},
+              {}};
+  const GC::Cad_spline_surface spindle_shaped{
+      1, 2, clamped(1, {}), clamped(2, {}), {{0, 0, 0}, {1, 1, 0}, {1, 2, 0}, {0, 0, 0}, {2, 1, 1}, {1, 2, 0}}, {}};
+  const Elementary sphere{Kind::sphere, standard, 2}, spindle{Kind::torus, standard, 1, 2};
+  for (const GC::Edge_side& a :
+       {side(along_v, line(0, 0, 0, 1)), side(along_v, line(0, 1, 0, -1)), side(along_u, line(0, 0, 1, 0)),
+        side(along_u, line(1, 0, -1, 0)), side(spindle_shaped, line(0, 0, 0, 1))}) {
+    const GC::Edge_enclosure e = GC::edge_enclosure(a, a, 0, 1);
+    check_is(e.angle->value, 0, 1e-8);
+    BOOST_TEST((is_at_ends(e.singular) && e.unresolved.empty()));
+    BOOST_TEST((is_at_ends(e.curvature_undefined) && e.curvature_unresolved.empty()));
+  }
+  // where the distance from the axis has another sign beyond a point, the normal has, too
+  for (const auto& [surface, zero] : {std::pair{sphere, pi / 2}, std::pair{spindle, 2 * pi / 3}}) {
+    const GC::Edge_side a = side(surface, line(0.5, 0, 0, 1));
+    const GC::Edge_enclosure e = GC::edge_enclosure(a, a, zero - 1, zero + 0.9);
+    check_is(e.angle->value, 0, 1e-8);
+    BOOST_TEST((e.singular.size() == 1 && e.unresolved.empty()));
+    BOOST_TEST((e.singular.at(0).first <= zero && zero <= e.singular.at(0).second));
+  }
+  // no surface
+  const GC::Edge_side point = side(Elementary{Kind::sphere, standard, 0}, line(0, 0, 1, 0)),
+                      tip = side(Elementary{Kind::cone, standard, 0, 0.5}, line(0, 0, 1, 0));
+  for (const GC::Edge_side& a : {point, tip}) {
+    const GC::Edge_enclosure e = GC::edge_enclosure(a, side(plane(), line(0, 0, 0, 0)), 0, 1);
+    BOOST_TEST((!e.angle && e.gap.value.upper <= 1e-9));
+    BOOST_TEST(!GC::edge_enclosure(a, side(plane(), line(0, 0, 0, 0)), 0.5, 0.5).angle);
+  }
+  // the curve stops at its start: only the direction of the edge vanishes there
+  const GC::Cad_spline_curve<2> starting{2, clamped(2, {}), {{0, 0}, {0, 0}, {1, 1}}, {}};
+  const GC::Edge_side a = side(plane(), starting);
+  const GC::Edge_enclosure e = GC::edge_enclosure(a, a, 0, 1);
+  BOOST_TEST((e.singular.empty() && e.curvature_undefined.size() == 1 && e.curvature_undefined.at(0).first == 0));
+}
+
+// A sphere of a negative radius is the other one, mirrored in its centre.
+BOOST_AUTO_TEST_CASE(negative_radius) {
+  const GC::Edge_side a = side(Elementary{Kind::sphere, standard, -2}, line(0.5, 0.25, 1, 0.5)),
+                      b = side(Elementary{Kind::sphere, standard, 2}, line(0.5, -0.25, 1, -0.5), false,
+                               {{{-1, 0, 0, 0}, {0, -1, 0, 0}, {0, 0, 1, 0}}});
+  const GC::Edge_enclosure e = GC::edge_enclosure(a, b, 0, 1);
+  BOOST_TEST(e.gap.value.upper < 1e-9);
+  check_samples(a, b, 0, 1, e, 100);
+}
+
+// Splines whose domain is a part of their knots, or with more equal knots at an end than there are functions, and parts of them.
+BOOST_AUTO_TEST_CASE(knots_beyond_the_domain) {
+  const auto check_flat = [](const GC::Edge_side& a, double first, double last) {
+    const GC::Edge_enclosure e = GC::edge_enclosure(a, side(plane(), *a.curve), first, last);
+    BOOST_TEST(e.gap.value.upper < 1e-9);
+    check_is(e.angle->value, 0, 1e-8);
+    BOOST_TEST((e.singular.empty() && e.unresolved.empty()));
+  };
+  const GC::Cad_spline_surface uniform{1, 1, {-1, 0, 1, 2}, {-1, 0, 1, 2}, {{0, 0, 0}, {0, 1, 0}, {1, 0, 0}, {1, 1, 0}},
+                                       {}};
+  check_flat(side(uniform, GC::Cad_curve<2>(line(0, 0.25, 1, 0.5))), 0, 1);
+  const GC::Cad_spline_surface repeated{
+      1,
+      1,
+      {0, 0, 0, 1, 1, 1},
+      {0, 0, 1, 1},
+      {{7, 7, 7}, {7, 7, 7}, {0, 0, 0}, {0, 1, 0}, {1, 0, 0}, {1, 1, 0}, {7, 7, 7}, {7, 7, 7}},
+      {}};
+  const GC::Edge_side along = side(repeated, line(0, 0.25, 1, 0.5));
+  check_flat(along, 0, 1);
+  const GC::Cad_spline_curve<2> repeated_curve{1, {0, 0, 0, 1, 1, 1}, {{7, 7}, {0, 0.25}, {1, 0.75}, {7, 7}}, {}};
+  GC::Edge_side start = side(repeated, line(0, 0, 0, 1));
+  start.face_side = 1; // of smaller u: of those beyond the start
+  check_flat(start, 0, 1);
+  for (const double t : {0., 1.}) {
+    check_flat(along, t, t);
+    check_flat(side(repeated, repeated_curve), t, t);
+  }
+  // parts of a curve with knots, and a knot line of the surface next to their ends
+  GC::Cad_spline_surface bent{
+      1, 1, {0, 0, 1, 2, 2}, {0, 0, 1, 1}, {{0, 0, 0}, {0, 1, 0}, {1, 0, 0}, {1, 1, 0}, {2, 0, 0}, {2, 1, 0}}, {}};
+  const GC::Edge_side polyline =
+      side(bent, GC::Cad_spline_curve<2>{1, {0, 0, 1, 2, 3, 3}, {{0, 0}, {0.5, 1}, {1.5, 0}, {2, 1}}, {}});
+  for (const auto& [first, last] :
+       {std::pair{0., 3.}, std::pair{1.25, 1.75}, std::pair{2.25, 3.}, std::pair{0., 0.5}, std::pair{1.5 + 1e-14, 2.},
+        std::pair{1., 1.5 - 1e-14}, std::pair{1.5 - 1e-14, 2.}, std::pair{1., 1.5 + 1e-14}})
+    check_flat(polyline, first, last);
+  for (const auto& [first, last] :
+       {std::pair{9. / 7 - 1e-14, 1.8}, std::pair{1., 9. / 7 + 1e-14}}) // u = 1 at 9/7, which is no number
+    check_flat(side(bent, line(0.1, 0.25, 0.7, 0)), first, last);
+  // a curve that crosses many knot lines, and back
+  GC::Cad_spline_surface cells{1, 1, {0, 0, 1, 2, 3, 4, 4}, {0, 0, 1, 2, 3, 4, 4}, {}, {}};
+  for (int i = 0; i < 5; ++i)
+    for (int j = 0; j < 5; ++j) cells.points.push_back({1. * i, 1. * j, 0});
+  check_flat(side(cells, GC::Cad_spline_curve<2>{2, {0, 0, 0, 1, 1, 1}, {{0, 0.25}, {7.5, 7}, {0, 0.25}}, {}}), 0, 1);
+}
+
+// Offsets of offsets, until derivatives are missing.
+BOOST_AUTO_TEST_CASE(repeated_offsets) {
+  GC::Cad_curve<2> curve = circle(3);
+  GC::Cad_surface surface = Elementary{Kind::sphere, standard, 1};
+  const GC::Edge_side flat = side(plane(), circle(3));
+  const auto at_curve = [&] { return GC::edge_enclosure(side(plane(), curve), flat, 0, 1); };
+  const auto at_surface = [&] {
+    return GC::edge_enclosure(side(surface, line(0, 0, 1, 0.5)),
+                              side(Elementary{Kind::sphere, standard, 3}, line(0, 0, 1, 0.5)), 0, 1);
+  };
+  int most[2] = {0, 0};
+  for (int i = 1; i <= 12; ++i) {
+    curve = GC::Cad_offset_curve<2>{std::make_shared<GC::Cad_curve<2>>(curve), 0.25, {0, 0}};
+    surface = GC::Cad_offset_surface{std::make_shared<GC::Cad_surface>(surface), 0.25};
+    try {
+      check_is(at_curve().gap.value, 0.25 * i, 0);
+      most[0] = i;
+    } catch (const GC::Error& e) {
+      BOOST_TEST((e.code() == GC::Error_code::jet_order_too_low));
+    }
+    try {
+      check_is(at_surface().gap.value, std::fabs(2 - 0.25 * i), 1e-6);
+      most[1] = i;
+    } catch (const GC::Error& e) {
+      BOOST_TEST((e.code() == GC::Error_code::jet_order_too_low));
+    }
+  }
+  BOOST_TEST((1 <= most[0] && most[0] < 12 && 1 <= most[1] && most[1] < 12));
+}
+
+// A range whose length is no number, parameters beyond those of which something is known, and quotients without a least divisor.
+BOOST_AUTO_TEST_CASE(ranges_beyond_numbers) {
+  const GC::Edge_side low = side(plane(), line(0, 0, 1e-308, 0)),
+                      high = side(plane({{0, 0, 1}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}), line(0, 0, 1e-308, 0));
+  const GC::Edge_enclosure wide = GC::edge_enclosure(low, high, -1e308, 1.5e308);
+  BOOST_TEST((wide.gap.value.lower <= 1 && 1 <= wide.gap.value.upper));
+  for (const GC::Cad_line<2>& far : {line(1e301, 0, 1e301, 0), line(0, 1e301, 0, 1e301)}) {
+    const GC::Edge_side a = side(plane(), far);
+    const GC::Edge_enclosure e = GC::edge_enclosure(a, a, 0, 1);
+    BOOST_TEST((e.gap.value.lower == 0 && std::isinf(e.gap.value.upper) && !e.angle && !e.curvature_jump));
+  }
+  GC::Edge_precision exact;
+  exact.flat_curvature = 0;
+  const GC::Edge_side a = side(plane(), line(0, 0, 1, 0));
+  const GC::Edge_enclosure e = GC::edge_enclosure(a, a, 0, 1, exact);
+  BOOST_TEST((e.curvature_jump && e.curvature_jump->value.lower == 0 && e.curvature_jump->value.upper <= 2));
 }
 
 BOOST_AUTO_TEST_CASE(refused_and_huge_numbers) {

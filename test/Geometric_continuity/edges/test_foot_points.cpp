@@ -18,6 +18,7 @@
 #include <limits>
 #include <memory>
 #include <random>
+#include <tuple>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -76,6 +77,19 @@ BOOST_AUTO_TEST_CASE(distances_of_curves) {
   const GC::Edge_maximum top = GC::curve_deviation(plane, in_space(roof), 0, 2);
   check_is(top.value, 0.125, 0);
   BOOST_TEST(top.parameter == 1);
+  for (const auto& [first, last] : {std::pair{0.25, 0.75}, std::pair{1.25, 1.75}}) // parts beside the corner
+    check_is(GC::curve_deviation(plane, in_space(roof), first, last).value, 0.09375, 0);
+  // numbers that overflow: nothing is known
+  const GC::Edge_side far = side(Elementary{Kind::plane, standard}, line(1e301, 0, 1e301, 0));
+  BOOST_TEST(std::isinf(GC::curve_deviation(far, in_space(roof), 0.25, 0.75).value.upper));
+  BOOST_TEST(
+      std::isinf(GC::curve_deviation(plane, in_space(GC::Cad_line<3>{{0, 0, 1e200}, {1, 0, 0}}), 0, 1).value.upper));
+  // a curve through the foot points has a knot where the curve in space has one
+  for (const auto& [first, last, knots] :
+       {std::tuple{0., 2., 10u}, std::tuple{0.25, 0.75, 8u}, std::tuple{1.25, 1.75, 8u}}) {
+    const GC::Edge_side below = GC::projected_side(plane, in_space(roof), first, last, 1);
+    BOOST_TEST(std::get<GC::Cad_spline_curve<2>>(*below.curve).knots.size() == knots);
+  }
   GC::Edge_precision little;
   little.boxes = little.most_boxes = 1;
   BOOST_TEST(GC::curve_deviation(plane, in_space(roof), 0, 2, little).value.upper ==

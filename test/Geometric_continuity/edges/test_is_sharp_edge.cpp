@@ -60,7 +60,8 @@ BOOST_AUTO_TEST_CASE(slopes) {
   BOOST_TEST(sharp(0.1, 1, 5 * degree) == Verdict::proved);
   BOOST_TEST(sharp(0.08, 1, 5 * degree) == Verdict::refuted); // tan 5 degrees = 0.0875
   BOOST_TEST(sharp(1, 1, GC::Enclosure{0.7853981633974482, 0.7853981633974485}) == Verdict::undecided);
-  BOOST_TEST(GC::is_sharp_edge(ground, ramp(0, 1), 0.5, 1, 26 * degree) == Verdict::proved); // a part
+  BOOST_TEST(sharp(1, 2, GC::Enclosure{0.7853981633974482, 0.7853981633974485}) == Verdict::undecided); // at an end
+  BOOST_TEST(GC::is_sharp_edge(ground, ramp(0, 1), 0.5, 1, 26 * degree) == Verdict::proved);            // a part
   BOOST_TEST(GC::is_sharp_edge(ground, ramp(0, 1), 0.5, 1, 27 * degree) == Verdict::refuted);
   BOOST_TEST(GC::is_sharp_edge(ground, ramp(0, 1), 0.5, 0.5, 26 * degree) == Verdict::proved); // a point
   GC::Edge_precision little;
@@ -99,6 +100,13 @@ BOOST_AUTO_TEST_CASE(points_without_a_normal) {
   collapsed.surface = std::make_shared<GC::Cad_surface>(s);
   BOOST_TEST(GC::is_sharp_edge(ground, collapsed, 0, 1, 0.46) == GC::Verdict::proved);
   BOOST_TEST(GC::is_sharp_edge(ground, collapsed, 0, 1, 0.47) == GC::Verdict::refuted);
+  BOOST_TEST(GC::is_sharp_edge(a, b, 0, 0, 0.1) == GC::Verdict::undecided); // the apex alone
+  // nothing is known of a patch with a side of almost no length, at the end of the edge
+  GC::Cad_spline_surface almost = s;
+  almost.points[0] = {1e-200, 0, -1e-200};
+  GC::Edge_side unknown = collapsed;
+  unknown.surface = std::make_shared<GC::Cad_surface>(almost);
+  BOOST_TEST(GC::is_sharp_edge(ground, unknown, 0, 1, 0.3) == GC::Verdict::undecided);
   s.points[2] = s.points[3];
   collapsed.surface = std::make_shared<GC::Cad_surface>(s);
   BOOST_TEST(GC::is_sharp_edge(ground, collapsed, 0, 1, 0.1) == GC::Verdict::undecided);

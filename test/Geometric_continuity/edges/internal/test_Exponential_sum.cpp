@@ -46,6 +46,7 @@ BOOST_AUTO_TEST_CASE(signs) {
   BOOST_TEST((cosine.sign_on(-1.57, 1.57) == 1));
   BOOST_TEST((cosine.sign_on(1.5708, 4.71) == -1));
   BOOST_TEST(!cosine.sign_on(-1.57, 1.58));
+  BOOST_TEST(!cosine.sign_on(-4, 4.2)); // another sign at the start than in the middle
   BOOST_TEST(!(x * x).sign_on(-1, 1));
   BOOST_TEST(!x.sign_on(0, 1));
   BOOST_TEST((x.sign_on(1e-9, 1) == 1));

@@ -159,7 +159,6 @@ inline Bounds_on_range jump_on(const Edge_range& range, const Taylor_model& k1, 
   const auto jump = [&](const Interval& d, const Interval& x, const Interval& y) {
     const Interval divisor((std::max)({smallest(x), smallest(y), flat}),
                            (std::max)({magnitude(x), magnitude(y), flat}));
-    if (magnitude(d) == 0) return Interval(0);
     if (!(divisor.inf() > 0)) return Interval(0, 2);
     const Interval quotient = Interval(smallest(d), magnitude(d)) / divisor;
     return Interval((std::min)(quotient.inf(), 2.), (std::min)(quotient.sup(), 2.));
