@@ -404,6 +404,41 @@ BOOST_AUTO_TEST_CASE(random_swept_surfaces) {
   }
 }
 
+// Polylines that meet at the parameters 0, 1/4, ..., 1: they differ next to one point, or one is a part of the other at another speed.
+BOOST_AUTO_TEST_CASE(edges_that_meet_at_many_parameters) {
+  const auto ruled = [](const std::vector<double>& at, const std::vector<P3>& points,
+                        const std::vector<double>& weights) {
+    GC::Cad_spline_surface s{1, 1, {0}, {0, 0, 1, 1}, {}, {}};
+    s.u_knots.insert(s.u_knots.end(), at.begin(), at.end());
+    s.u_knots.push_back(1);
+    for (std::size_t i = 0; i < points.size(); ++i)
+      for (const double z : {0., 1.}) {
+        s.points.push_back({points[i][0], points[i][1], points[i][2] + z});
+        if (!weights.empty()) s.weights.push_back(weights[i]);
+      }
+    return side(s, line(0, 0, 1, 0));
+  };
+  const std::vector<double> at{0, 0.0625, 0.125, 0.1875, 1};
+  const std::vector<P3> straight{{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {3, 0, 0}, {16, 0, 0}},
+      bent{{0, 0, 0}, {1, 0, 0}, {2, 1, 0}, {3, 0, 0}, {16, 0, 0}};
+  BOOST_TEST(verdict(ruled(at, straight, {}), ruled(at, straight, {})) == "G2");
+  BOOST_TEST(verdict(ruled(at, straight, {}), ruled(at, bent, {})) == "gap");
+  const std::vector<double> weights{1, 1, 1, 1, 2};
+  BOOST_TEST(verdict(ruled(at, straight, weights), ruled(at, bent, weights)) == "undecided");
+  const P3 p{0, 0, 0}, q[] = {{1, 0, 0}, {0, 1, 0}, {1, 1, 0}, {2, 1, 0}}, r{5, 5, 0};
+  const std::vector<P3> loops{p, q[0], p, q[1], p, q[2], p, q[3], p};
+  std::vector<P3> faster = loops;
+  for (const P3& x : {r, p, r, p}) faster.push_back(x);
+  std::vector<double> slow{0}, fast{0};
+  for (int i = 1; i <= 8; ++i) {
+    slow.push_back(i / 8.);
+    fast.push_back(i / 16.);
+  }
+  for (int i = 5; i <= 8; ++i) fast.push_back(i / 8.);
+  BOOST_TEST(verdict(ruled(slow, loops, {}), ruled(fast, faster, {})) == "gap");
+  BOOST_TEST(verdict(ruled(fast, faster, {}), ruled(slow, loops, {})) == "gap");
+}
+
 BOOST_AUTO_TEST_CASE(apices_and_poles) {
   const Elementary cone{Kind::cone, standard, 0, 0.5}, sphere{Kind::sphere, standard, 2};
   BOOST_TEST(verdict(side(cone, line(0, 0, 1, 0)), side(cone, line(0, 0, 1, 0))) == "G0 collapsed");
@@ -411,6 +446,18 @@ BOOST_AUTO_TEST_CASE(apices_and_poles) {
   BOOST_TEST(verdict(side(cone, line(0, 0, 0, 1)), side(cone, line(0, 0, 0, 1)), 0, 1) == "undecided");
   BOOST_TEST(verdict(side(cone, line(0, 0, 0, 1)), side(cone, line(0, 0, 0, 1)), 0.001, 1) == "G2");
   BOOST_TEST(verdict(side(sphere, line(0, 0, 0, 1)), side(sphere, line(0, 0, 0, 1)), 0, 1.6) == "undecided");
+  // the same as surfaces of revolution, of which it is not known beforehand where the normal vanishes
+  const GC::Cad_conic<3> upright{GC::Cad_conic<3>::Kind::ellipse, {0, 0, 0}, {1, 0, 0}, {0, 0, 1}, 2, 2};
+  const GC::Cad_revolution rotated{upright, {0, 0, 0}, {0, 0, 1}},
+      of_line{GC::Cad_line<3>{{0, 0, 0}, {1, 0, 1}}, {0, 0, 0}, {0, 0, 1}};
+  const GC::Edge_side meridian = side(rotated, line(0, 0, 0, 1)), ruling = side(of_line, line(0, 0, 0, 1));
+  BOOST_TEST(verdict(meridian, meridian, 0, 1.5) == "G2");
+  BOOST_TEST(verdict(meridian, meridian, 0, 1.6) == "undecided");
+  for (const auto& [first, second] :
+       {std::pair{meridian, side(sphere, line(0, 0, 0, 1))}, std::pair{side(sphere, line(0, 0, 0, 1)), meridian}})
+    BOOST_TEST((verdict(first, second, 0, 1.5) == "G2" && verdict(first, second, 0, 1.6) == "undecided"));
+  BOOST_TEST(verdict(ruling, ruling, 0.25, 1) == "G2");
+  BOOST_TEST(verdict(ruling, ruling, 0, 1) == "undecided");
 }
 
 // Reversed faces, mirrors and faces on either side mean the same as to enclosures.
@@ -460,6 +507,22 @@ BOOST_AUTO_TEST_CASE(what_is_not_decided) {
   const GC::Edge_side spline = side(random_surface(random, {}), line(0, 0, 1, 0));
   BOOST_TEST(verdict(ground, spline) == "undecided");
   BOOST_TEST(verdict(ground, fillet, 1, 1) == "undecided");
+  BOOST_TEST(verdict(spline, side(random_surface(random, {}), line(0, 2, 1, 0))) == "undecided"); // beside the surface
+  // profiles and curves of other kinds, and a surface without a normal
+  const GC::Cad_conic<3> parabola{GC::Cad_conic<3>::Kind::parabola, {0, 0, 0}, {0, 1, 0}, {1, 0, 0}, 1, 0};
+  const GC::Cad_conic<2> flat_parabola{GC::Cad_conic<2>::Kind::parabola, {0, 0}, {0, 1}, {1, 0}, 1, 0};
+  const GC::Cad_spline_curve<2> bent{2, {0, 0, 0, 1, 1, 1}, {{0, 0}, {0.5, 1}, {1, 0}}, {}};
+  const GC::Edge_side others[] = {side(GC::Cad_extrusion{parabola, {0, 0, 1}}, line(0, 0, 1, 0)),
+                                  side(GC::Cad_revolution{parabola, {0, 5, 0}, {1, 0, 0}}, line(0, 0, 1, 0)),
+                                  side(plane(), flat_parabola),
+                                  side(plane(), bent),
+                                  side(Elementary{Kind::cylinder, standard, 1}, bent),
+                                  side(Elementary{Kind::cylinder, standard, 1}, flat_parabola)};
+  for (const GC::Edge_side& s : others) BOOST_TEST(verdict(s, s) == "undecided");
+  const GC::Edge_side flat = side(plane(), line(0, 0, 1, 0)),
+                      folded =
+                          side(GC::Cad_extrusion{GC::Cad_line<3>{{0, 0, 0}, {1, 0, 0}}, {1, 0, 0}}, line(0, 0, 1, 0));
+  BOOST_TEST((verdict(flat, folded) == "undecided" && verdict(folded, flat) == "undecided"));
   BOOST_TEST(!limited(GC::Work_limit(1), [&] { return GC::edge_continuity(spline, spline, 0, 1); }));
   GC::Edge_side bad = ground;
   bad.placement[0][0] = std::numeric_limits<double>::quiet_NaN();

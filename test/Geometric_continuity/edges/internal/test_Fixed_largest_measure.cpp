@@ -78,6 +78,44 @@ BOOST_AUTO_TEST_CASE(known_largest_values) {
   BOOST_CHECK_GT(found, 250);
 }
 
+// Largest values in the middle and at both ends, where the polynomials are small or zero next to them.
+BOOST_AUTO_TEST_CASE(steep_and_equal_largest_values) {
+  const Whole e = bump(Ring(1), 0, 0, 2), square(std::vector<Ring>{Ring(1), Ring(-2), Ring(1)}); // 1 and (2t - 1)^2
+  const auto times = [](const Ring& a, const Whole& f) { return bump(a, 0, 0, 0) * f; };
+  const auto power_of_two = [](int n) {
+    Ring x(1);
+    for (; n > 0; --n) x *= Ring(2);
+    return x;
+  };
+  const auto check_quarter = [](const std::optional<GC::Normal_deviation<Q>>& d) {
+    BOOST_REQUIRE(d.has_value());
+    const Q quarter = Q(1) / Q(4), half = Q(1) / Q(2);
+    BOOST_CHECK(d->lower <= quarter && quarter <= d->upper && is_accurate(*d));
+    BOOST_CHECK(d->begin <= half && half <= d->end);
+  };
+  // ((1 - x)/(1 + x))^2 / 4 where x = k (2t - 1)^2: zero next to the middle
+  for (const int k : {256, 1024}) {
+    const Whole x = times(Ring(k), square), s = e - x, p = e + x;
+    check_quarter(search(s * s, times(Ring(4), p * p)));
+  }
+  // 1 / (4 (1 + x)): the divisor is much smaller in the middle than elsewhere
+  check_quarter(search(e, times(Ring(4), e + times(power_of_two(62), square))));
+  // 1 / (1 + x), a right angle on almost no part of the edge
+  BOOST_CHECK(!search(e, e + times(power_of_two(60), square)));
+  // a divisor at an end of which no digit is left
+  BOOST_CHECK(!search(bump(Ring(1), 0, 0, 1), bump(Ring(2), 0, 0, 1) + bump(power_of_two(130), 1, 0, 1)));
+  // largest at both ends, or at the second by less than a rounding error: 3/4, or 2^-62 more
+  for (const int a : {0, 1}) {
+    const Ring three = Ring(3) * power_of_two(60), more = Ring(three + Ring(a));
+    const Whole both(std::vector<Ring>{three, Ring(-4) * three, Ring(9) * three, Ring(-4) * three, more});
+    const std::optional<GC::Normal_deviation<Q>> d = search(both, bump(power_of_two(62), 0, 0, 4));
+    BOOST_REQUIRE(d.has_value());
+    const Q largest = Q(Q(more) / Q(power_of_two(62)));
+    BOOST_CHECK(d->lower == largest && d->upper == largest);
+    BOOST_CHECK(a == 0 ? d->begin == Q(0) : d->end == Q(1));
+  }
+}
+
 BOOST_AUTO_TEST_CASE(what_fixed_length_leaves_open) {
   const auto one = [](int n) { return bump(Ring(1), 0, 0, n); };
   BOOST_CHECK(!search(one(4), bump(Ring(3), 0, 0, 4)));                     // constant

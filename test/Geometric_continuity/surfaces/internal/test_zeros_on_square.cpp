@@ -53,9 +53,20 @@ Polynomial transposed(const Polynomial& f) {
   return r;
 }
 
+// f(1 - u, v)
+Polynomial mirrored(const Polynomial& f) {
+  Polynomial r = constant(Q(0)), power = constant(Q(1));
+  for (const std::vector<Q>& row : f) {
+    r = sum(r, product(power, Polynomial{row}));
+    power = product(power, Polynomial{{Q(1)}, {Q(-1)}});
+  }
+  return r;
+}
+
 bool has_zero(const Polynomial& f) {
   const bool answer = GC::internal::has_zero_on_square(f);
   BOOST_CHECK_EQUAL(GC::internal::has_zero_on_square(transposed(f)), answer);
+  BOOST_CHECK_EQUAL(GC::internal::has_zero_on_square(mirrored(f)), answer);
   return answer;
 }
 
@@ -81,6 +92,19 @@ const Polynomial u{{Q(0)}, {Q(1)}}, v{{Q(0), Q(1)}};
 Polynomial minus(const Polynomial& f, const Q& c) { return sum(f, constant(Q(-c))); }
 
 } // namespace
+
+// The middle of the interval of a number may be the number.
+BOOST_AUTO_TEST_CASE(rational_numbers) {
+  typedef GC::Power_polynomial<Q> Power;
+  const Power s(std::vector<Q>{Q(3) / 2, Q(-7) / 2, Q(1)}); // (x - 1/2) (x - 3)
+  const GC::internal::Work_on_object work("test");
+  const auto sign = [&](const Q& c) {
+    return GC::internal::Algebraic_number<Q>(s, Q(0), Q(1)).sign(Power(std::vector<Q>{Q(-c), Q(1)}));
+  };
+  BOOST_CHECK_EQUAL(sign(Q(1) / 3), 1);
+  BOOST_CHECK_EQUAL(sign(Q(2) / 3), -1);
+  BOOST_CHECK_EQUAL(sign(Q(1) / 2), 0);
+}
 
 BOOST_AUTO_TEST_CASE(single_points) {
   // rational, and roots of quadratic and cubic equations
@@ -123,6 +147,10 @@ BOOST_AUTO_TEST_CASE(closed_curves) {
   // a factor in u alone with roots outside
   BOOST_CHECK(!has_zero(product(minus(u, Q(2)), ellipse(Q(-1)))));
   BOOST_CHECK(has_zero(product(minus(u, Q(2)), ellipse(Q(1) / 5))));
+  // coefficients of higher powers that are all zero
+  Polynomial padded = ellipse(Q(0));
+  for (std::vector<Q>& row : padded) row.push_back(Q(0));
+  BOOST_CHECK(has_zero(padded));
   BOOST_CHECK(!has_zero(constant(Q(1))) && !has_zero(minus(u, Q(5))) && !has_zero(minus(sum(u, v), Q(5))));
 }
 
