@@ -182,8 +182,8 @@ public:
     work_meter().charge_fractions(12. * (degree_ + 1) * dimension(), 2 * words);
   }
 
-  // Writes b_0, b_1 and b_2 of the column i at to[0], to[step] and to[2 * step]. Adds the numbers of b_1 and b_2 to `sum`, if they are
-  // of floating-point type: where the sum is finite, so are they.
+  // Writes b_0, b_1 and b_2 of the column i at to[0], to[step] and to[2 * step]. Adds the products of the numbers of
+  // b_1 and b_2 to `sum`, if they are of floating-point type: where the sum is finite, so are they.
   void write(int i, Point* to, int step, Coordinate_vector<FT, N>& sum) const {
     const Point &p0 = corner_[i * along_], &p1 = (&p0)[second_], &p2 = (&p0)[third_];
     to[0] = p0;
@@ -201,10 +201,8 @@ public:
     const std::pair<Vector, Vector> b = factors_(vector(p0), vector(p1), vector(p2));
     to[step] = to_point<Traits>(reduced(b.first));
     to[2 * step] = to_point<Traits>(reduced(b.second));
-    if constexpr (std::is_floating_point_v<FT>) {
-      sum += b.first;
-      sum += b.second;
-    }
+    if constexpr (std::is_floating_point_v<FT>)
+      for (int k = 0; k < dimension(); ++k) sum[k] += b.first[k] * b.second[k];
   }
 
 private:
@@ -265,16 +263,19 @@ public:
       start.charge();
       end.charge();
     }
-    const int m = a.degree_along(edge_a), d = a.dimension();
+    const int m = a.degree_along(edge_a);
     std::vector<typename Traits::Point> net(6 * static_cast<std::size_t>(m + 1));
-    Coordinates<Traits> sum(d), sum_at_end(d); // of two, so that one need not wait for the other
+    Coordinates<Traits> sum(a.dimension()),
+        sum_at_end(a.dimension()); // of two, so that one need not wait for the other
     const bool same = direction == Edge_direction::same;
     for (int i = 0; i <= m; ++i) start.write(i, &net[6 * i], 1, sum);
     for (int i = 0; i <= m; ++i) end.write(same ? i : m - i, &net[6 * i + 5], -1, sum_at_end);
     const typename Patch::Interval across = Patch::unit_interval();
-    for (int k = 0; k < d; ++k)
-      if (!internal::is_finite(FT(sum[k] + sum_at_end[k])))
-        return Patch(m, 5, std::move(net), a.domain(edge_a), across); // checks one point after the other
+    sum += sum_at_end;
+    FT of_all(0);
+    for (int k = 0; k < sum.dimension(); ++k) of_all += sum[k];
+    if (!internal::is_finite(of_all))
+      return Patch(m, 5, std::move(net), a.domain(edge_a), across); // checks one point after the other
     return Patch(typename Patch::Net(m + 1, 6, std::move(net)), a.domain(edge_a), across,
                  typename Patch::Correct_by_construction());
   }
