@@ -8,14 +8,19 @@
 
 #include "support/errors.h"
 
+#include <CGAL/Cartesian_d.h>
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Geometric_continuity/IO/figures/Svg_figure.h>
+#include <CGAL/Geometric_continuity/IO/figures/internal/Svg_contours.h>
+#include <CGAL/Geometric_continuity/IO/figures/internal/svg_markup.h>
+#include <CGAL/Geometric_continuity/IO/figures/internal/svg_text.h>
 #include <CGAL/Geometric_continuity/IO/figures/svg_surfaces.h>
 #include <CGAL/Geometric_continuity/Traits.h>
 #include <CGAL/Geometric_continuity/curves/Bezier_curve.h>
 #include <CGAL/Geometric_continuity/curves/Bspline_curve.h>
 #include <CGAL/Geometric_continuity/curves/Rational_curve.h>
 #include <CGAL/Geometric_continuity/surfaces/Bspline_surface.h>
+#include <CGAL/Geometric_continuity/surfaces/Rational_surface.h>
 #include <CGAL/Simple_cartesian.h>
 
 #include <algorithm>
@@ -145,6 +150,122 @@ BOOST_AUTO_TEST_CASE(figures_that_are_refused) {
   GC::Svg_panel panel;
   CHECK_ERROR(panel.join("G1"), wrong_number_of_points);
   BOOST_CHECK_EQUAL(texts(GC::Svg_figure().add(panel)), "");
+  const GC::Bspline_curve<Plane> two_spans({P(0, 0), P(1, 1), P(2, 0)}, GC::Knot_vector<double>(1, 0., 2., {{1., 1}}));
+  CHECK_ERROR(panel.add(two_spans), wrong_number_of_points);
+  typedef CGAL::Cartesian_d<double> Kernel_d;
+  typedef Kernel_d::Point_d D;
+  const double x[] = {0, 1, 2, 3};
+  for (int d : {1, 4})
+    CHECK_ERROR(panel.add(GC::Bezier_curve<GC::Traits_d<Kernel_d>>{D(d, x, x + d), D(d, x, x + d)}),
+                dimension_mismatch);
+}
+
+// What is written into a picture, of numbers and texts of any kind.
+BOOST_AUTO_TEST_CASE(numbers_texts_and_outlines) {
+  using namespace GC::internal;
+  BOOST_CHECK_EQUAL(svg_number(std::nan("")), "0");
+  BOOST_CHECK_EQUAL(svg_number(std::numeric_limits<double>::infinity()), "1000000");
+  BOOST_CHECK_EQUAL(svg_number(-1e300), "-1000000");
+  for (double x : {1e3, 1e-3, 3.0}) // also where the logarithm is rounded to the next whole number
+    for (double y : {std::nextafter(x, 0.), x}) {
+      const Round_step step = round_step(y);
+      BOOST_CHECK(step.value() <= y && y < 2.5 * step.value());
+    }
+  BOOST_CHECK_EQUAL(svg_escape("a\x7f\tb"), "a  b");
+  const auto outline = [](const std::vector<std::pair<double, double>>& points) {
+    std::vector<Svg_pixel> polygon;
+    for (const auto& p : points) polygon.push_back(svg_vector({p.first, p.second}));
+    return svg_outline(polygon);
+  };
+  BOOST_CHECK_EQUAL(outline({{1, 1}, {1.01, 1.01}, {3, 1}, {3, 2}}), outline({{1, 1}, {3, 1}, {3, 2}}));
+  // a line that comes back to where it starts is no point
+  const std::vector<Svg_pixel> there_and_back{svg_vector({1., 1.}), svg_vector({5., 4.}), svg_vector({1., 1.})};
+  BOOST_CHECK(svg_simplified(there_and_back, {0.1, 0.1, 0.1}, false) == there_and_back);
+  BOOST_CHECK_EQUAL(svg_simplified(there_and_back, {9., 9., 9.}, false).size(), 2u);
+  // a letter of two bytes at the end of a word that is wider than the line
+  const std::string letters = "\xc3\xa4\xc3\xa4\xc3\xa4";
+  for (const std::string& line : wrapped_lines(letters, 10, 1)) BOOST_CHECK_EQUAL(line, "\xc3\xa4");
+  BOOST_CHECK_EQUAL(wrapped_lines(letters, 10, 1).size(), 3u);
+  BOOST_CHECK_EQUAL(wrapped_lines("mm", 10, 1).size(), 2u);
+}
+
+// What is taken or drawn outside of a panel, on each side, does not matter; across its edge it does.
+BOOST_AUTO_TEST_CASE(places_of_labels_at_the_edges) {
+  using namespace GC::internal;
+  const Svg_pixel middle = svg_vector({50., 40.}), half = svg_vector({10., 10.}), wide = svg_vector({200., 200.});
+  const Svg_label_places empty(100, 80);
+  const Svg_pixel best = *empty.place(middle, 20);
+  for (const Svg_pixel& p : {svg_vector({-20., 40.}), svg_vector({120., 40.}), svg_vector({50., -20.}),
+                             svg_vector({50., 100.}), svg_vector({-20., -20.})}) {
+    Svg_label_places places(100, 80);
+    BOOST_CHECK(empty.is_in_panel(middle) && !empty.is_in_panel(p));
+    places.take(p, half);
+    places.add_point(p);
+    BOOST_CHECK(*places.place(middle, 20) == best);
+    places.take(p, wide);
+    BOOST_CHECK(!places.place(middle, 20));
+  }
+}
+
+// Labels are placed one after the other, until one finds no room.
+BOOST_AUTO_TEST_CASE(the_first_label_without_room) {
+  GC::Svg_panel panel;
+  panel.add(arch);
+  std::string legend;
+  for (int n = 0; n < 100 && legend.find("no room") == std::string::npos; ++n)
+    legend = texts(GC::Svg_figure().add(panel.join("a label of a join")));
+  BOOST_CHECK(legend.find("\n1 label has no room\n") != std::string::npos);
+}
+
+// A line upwards, a curve that stays at its start for many steps, and control points that are far to the left and the right.
+BOOST_AUTO_TEST_CASE(frames_and_combs_of_special_curves) {
+  const auto drawn = [](const auto& curve) {
+    const std::string s = svg(GC::Svg_figure().add(GC::Svg_panel().add(curve, Svg_style{Svg_role::given, true, true})));
+    BOOST_CHECK(s.find("nan") == std::string::npos && s.find("inf") == std::string::npos);
+    return s;
+  };
+  const auto height = [](const std::string& s) {
+    const std::size_t begin = s.find(" height=\"") + 9;
+    return std::stod(s.substr(begin));
+  };
+  const Curve up{P(0, 0), P(0, 3)}, across{P(0, 0), P(3, 0)};
+  BOOST_CHECK_GT(height(drawn(up)), 2 * height(drawn(across)));
+  std::vector<P> points(30, P(1, 1));
+  points.push_back(P(2, 3));
+  points.push_back(P(4, 3));
+  drawn(Curve(points.begin(), points.end()));
+  std::vector<P> level;
+  for (int j = 0; j <= 10; ++j) level.emplace_back(j, j % 2);
+  const double without = height(drawn(Curve(level.begin(), level.end())));
+  level[5] = P(40, 0); // which the frame does not show
+  BOOST_CHECK_GT(height(drawn(Curve(level.begin(), level.end()))), 0.25 * without);
+}
+
+// An infinite control point is left out of the polygon.
+BOOST_AUTO_TEST_CASE(a_half_circle) {
+  const auto points = [](double weight) {
+    const GC::Rational_bezier_curve<Plane> conic({P(1, 0), P(0, 1), P(-1, 0)}, {1., weight, 1.});
+    const std::string s = svg(GC::Svg_figure().add(GC::Svg_panel().add(conic, Svg_style{Svg_role::given, true})));
+    int n = 0;
+    for (std::size_t i = s.find("<circle"); i != std::string::npos; i = s.find("<circle", i + 1)) ++n;
+    return n;
+  };
+  BOOST_CHECK_EQUAL(points(0), points(1) - 1);
+}
+
+// A line from the bottom to the top of a plot where a curve ends, in space as in the plane.
+BOOST_AUTO_TEST_CASE(joins_in_plots) {
+  const Svg_style style{Svg_role::given, false, false, "", true};
+  const auto lines = [&](const auto& first, const auto& second) {
+    const std::string s = svg(GC::Svg_figure().add(GC::Svg_panel().add(first, style).add(second, style)));
+    const std::size_t plumb = s.find("#b4b4b4", s.find(">\xce\xba</text>")), begin = s.find(" d=\"", plumb);
+    return s.substr(begin, s.find('\n', begin) - begin);
+  };
+  const GC::Bezier_curve<Space> first{Q(0, 0, 0), Q(1, 3, 2), Q(4, 1, -3)}, second{Q(4, 1, -3), Q(5, 5, 1)};
+  for (const std::string& path : {lines(arch, line), lines(first, second)}) {
+    BOOST_CHECK_EQUAL(std::count(path.begin(), path.end(), 'M'), 1);
+    BOOST_CHECK_MESSAGE(path.find(" 88L") != std::string::npos && path.find(" 8\"/>") != std::string::npos, path);
+  }
 }
 
 // The coordinates are finite in double, or refused; then what is drawn is finite.
@@ -387,6 +508,77 @@ BOOST_AUTO_TEST_CASE(lines_of_surfaces) {
   BOOST_CHECK_EQUAL(drawn({smooth, goes_on}), first + "edge, G1\nboundary\n");
   BOOST_CHECK_EQUAL(drawn({folded}), first + "edge, only G0: a crease\nboundary\n");
   BOOST_CHECK_EQUAL(drawn({pole}), first + "boundary\n");
+  BOOST_CHECK_EQUAL(drawn({folded.swap_parameters()}), first + "edge, only G0: a crease\nboundary\n");
+  const Surface flat({{Q(0, 0, 0), Q(0, 2, 0)}, {Q(1, 0, 0), Q(1, 2, 0)}}, line, line),
+      beside({{Q(1, 0, 0), Q(1, 2, 0)}, {Q(3, 0, 0), Q(3, 2, 0)}}, line, line),
+      corner({{Q(1, 0, 0), Q(1, 2, 0)}, {Q(1, 0, 0), Q(3, 2, 0)}}, line, line);
+  BOOST_CHECK_EQUAL(drawn({flat, beside}), first + "edge, G2\nboundary\n");
+  BOOST_CHECK_EQUAL(drawn({flat, corner}), first + "edge, G1 but where a normal vanishes\nboundary\n");
+}
+
+// The same surface with and without infinite control points; what cannot be drawn is told by its number.
+BOOST_AUTO_TEST_CASE(rational_and_exact_surfaces) {
+  const auto drawn = [](const auto& surfaces) {
+    std::ostringstream os;
+    GC::write_svg_surfaces(os, surfaces, GC::Svg_surface_style());
+    BOOST_CHECK(os.str().find("nan") == std::string::npos && os.str().find("inf") == std::string::npos);
+    return os.str();
+  };
+  typedef GC::Rational_bezier_patch<Space> Rational;
+  const Rational half({{Q(1, 0, 0), Q(1, 0, 2)}, {Q(0, 1, 0), Q(0, 1, 0)}, {Q(-1, 0, 0), Q(-1, 0, 2)}},
+                      {{1., 1.}, {0., 0.}, {1., 1.}});
+  BOOST_CHECK_EQUAL(drawn(std::vector<Rational>{half}), drawn(std::vector<Rational>{half.elevate(1, 0)}));
+  const Patch point{{Q(1, 2, 3), Q(1, 2, 3)}, {Q(1, 2, 3), Q(1, 2, 3)}};
+  drawn(std::vector<Patch>{point});
+
+  typedef CGAL::Exact_rational Number;
+  typedef GC::Traits_3<CGAL::Simple_cartesian<Number>> Exact;
+  typedef GC::Bspline_surface<Exact> Surface;
+  typedef Exact::Point R;
+  Number tiny(1), huge(1);
+  for (int i = 0; i < 400; ++i) {
+    tiny /= 10;
+    huge *= 10;
+  }
+  const auto surface = [](const Number& x, const Number& knot) {
+    const GC::Knot_vector<Number> line(1, Number(0), Number(1)), bent(1, Number(0), Number(2), {{knot, 1}});
+    return Surface({{R(0, 0, 0), R(0, 1, 0)}, {R(1, 0, x), R(1, 1, x)}, {R(2, 0, 0), R(2, 1, 0)}}, bent, line);
+  };
+  const Surface good = surface(1, 1);
+  const auto message = [&](const Surface& wrong) {
+    return error_of([&] { drawn(std::vector<Surface>{good, wrong}); });
+  };
+  const std::string begin = "svg_surfaces: surface 1 cannot be drawn: ";
+  BOOST_CHECK(message(good) == "no error");
+  BOOST_CHECK(message(surface(huge, 1)).find(begin + "a number is too large") != std::string::npos);
+  typedef CGAL::Cartesian_d<double> Kernel_d;
+  typedef Kernel_d::Point_d D;
+  const double x[] = {0, 1, 2, 3};
+  const GC::Bezier_patch<GC::Traits_d<Kernel_d>> flat(
+      std::vector<std::vector<D>>{{D(4, x, x + 4), D(4, x, x + 4)}, {D(4, x, x + 4), D(4, x, x + 4)}});
+  BOOST_CHECK(error_of([&] {
+                drawn(std::vector<GC::Bezier_patch<GC::Traits_d<Kernel_d>>>{flat});
+              }).find("surface 0 cannot be drawn: it is not in dimension 3") != std::string::npos);
+  BOOST_CHECK(message(surface(1, tiny)).find(begin + "knots become equal by rounding") != std::string::npos);
+}
+
+// A closed silhouette is seen as a closed line, around a hump that is seen from above.
+BOOST_AUTO_TEST_CASE(silhouettes_of_a_hump) {
+  std::vector<std::vector<Q>> net;
+  for (int i = 0; i <= 6; ++i) {
+    net.emplace_back();
+    for (int j = 0; j <= 6; ++j) net.back().emplace_back(i, j, i == 3 && j == 3 ? 30. : 0.);
+  }
+  GC::Svg_surface_style style;
+  style.elevation = 50;
+  std::ostringstream os;
+  GC::write_svg_surfaces(os, std::vector<Patch>{Patch(net)}, style);
+  const std::string silhouette = "stroke=\"#1b1b1b\" stroke-width=\"0.9\"";
+  BOOST_CHECK(os.str().find(silhouette) != std::string::npos);
+  style.elevation = 90; // from above there is none
+  std::ostringstream above;
+  GC::write_svg_surfaces(above, std::vector<Patch>{Patch(net)}, style);
+  BOOST_CHECK(above.str().find(silhouette) == std::string::npos);
 }
 
 // Pictures stay what they are, to the last digit. Who changes how they look, and has looked at them, puts in the new number.

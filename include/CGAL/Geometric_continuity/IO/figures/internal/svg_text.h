@@ -185,7 +185,7 @@ public:
            {svg_vector({0.0, -1.0}), svg_vector({0.0, 1.0}), svg_vector({1.0, 0.0}), svg_vector({-1.0, 0.0}),
             svg_vector({0.7, -0.8}), svg_vector({-0.7, -0.8}), svg_vector({0.7, 0.8}), svg_vector({-0.7, 0.8})}) {
         const Svg_pixel q = p + svg_vector({d[0] * (half[0] + gap), d[1] * (half[1] + gap)});
-        if (is_taken(q, half)) continue;
+        if (!is_in_panel(q) || is_taken(q, half)) continue;
         const double distance = free_distance(q, half, best_distance);
         if (distance > best_distance) {
           best = q;
