@@ -10,6 +10,7 @@
 
 #include "support/errors.h"
 
+#include <CGAL/Cartesian_d.h>
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Geometric_continuity/IO/G2_text_reader.h>
 #include <CGAL/Geometric_continuity/IO/number.h>
@@ -180,9 +181,9 @@ template <class Traits, class Number> int check_roads(const std::string& file) {
   return check_join(spans[0], spans[1], file);
 }
 
-// A B-spline curve with knots of all multiplicities; every point or knot with a few digits, or points with too many for integers of
-// fixed length.
-std::string spline(int dimension, bool is_long) {
+// A B-spline curve with knots of all multiplicities; every point or knot with a few digits, or points or knots with too many for
+// integers of fixed length.
+std::string spline(int dimension, bool is_long, bool has_long_knots = false) {
   const int order = 1 + below(6), points = order + below(8), places = below(4);
   std::vector<int> knots(points + order);
   for (int j = 0; j < points + order; ++j) {
@@ -190,9 +191,11 @@ std::string spline(int dimension, bool is_long) {
     if (j >= order && knots[j] == knots[j - order]) ++knots[j];
     if (j == points && knots[j] == knots[order - 1]) ++knots[j];
   }
+  const std::int64_t units = has_long_knots ? 1 + random_bits() % (below(2) == 0 ? 1000 : 1000000000) : 1;
   std::string file =
       "100 1 0 0 " + std::to_string(dimension) + " 0\n" + std::to_string(points) + ' ' + std::to_string(order) + '\n';
-  for (int knot : knots) file += text(value({knot, places})) + ' ';
+  for (int knot : knots)
+    file += text(value({knot * units + (has_long_knots ? std::int64_t(knot) * knot * knot : 0), places})) + ' ';
   const int size = below(5) == 0 ? 3 : 100000;
   const bool is_flat = below(4) == 0, has_repeated = below(4) == 0; // coordinates, points
   std::string point;
@@ -218,6 +221,13 @@ template <int N, class Traits> void check_splines() {
     for (std::size_t j = 1; j < spans.size(); ++j, ++inner_knots) check_join(spans[j - 1], spans[j], file);
   }
   BOOST_CHECK_GT(inner_knots, 300);
+  for (int i = 0; i < 200; ++i) {
+    const std::string file = spline(N, i % 4 == 0, i % 2 == 0);
+    const auto spans = read_spans<Traits, GC::Text_number>(file);
+    for (std::size_t j = 1; j < spans.size(); ++j) check_join(spans[j - 1], spans[j], file);
+    const auto rounded = read_spans<Traits, double>(file);
+    for (std::size_t j = 1; j < rounded.size(); ++j) check_join(rounded[j - 1], rounded[j], file);
+  }
 }
 
 // Spans of two curves, of which one could continue the other but for a knot or a coordinate.
@@ -269,6 +279,62 @@ BOOST_AUTO_TEST_CASE(inner_knots) {
   check_splines<3, Exact_3>();
   check_other_curves<2, Exact_2>();
   check_other_curves<3, Exact_3>();
+}
+
+// Parameters and coordinates that have no common grid of short integers, weights, and high degrees and orders: the answers are those
+// of the jets.
+BOOST_AUTO_TEST_CASE(spans_off_the_grid) {
+  const std::string head = "100 1 0 0 2 0\n4 4\n", points = " 0 0 1 2 3 1 4 0\n", next = " 4 0 5 -1 6 1 8 2\n",
+                    usual = "0 0 0 0 1 1 1 1";
+  std::vector<std::string> files;
+  for (const std::string& knots : {usual, std::string("0 0 0 0 1e-40 1e-40 1e-40 1e-40"),
+                                   std::string("1e-40 1e-40 1e-40 1e-40 1e40 1e40 1e40 1e40"),
+                                   std::string("0 0 0 0 123456789012345678 123456789012345678 123456789012345678 "
+                                               "123456789012345678"),
+                                   std::string("0 0 0 0 123456789012345677 123456789012345677 123456789012345677 "
+                                               "123456789012345677"),
+                                   std::string("1e-30 2e-30 3e-30 1 2 3 4 5"), std::string("1 2 3 4 5 6e30 7e30 8e30")})
+    for (const std::string& more :
+         {usual, std::string("0 0 0 0 123456789012345677 123456789012345677 123456789012345677 "
+                             "123456789012345677")}) {
+      files.push_back(head + knots + points + head + more + next);
+      files.push_back(head + more + points + head + knots + next);
+    }
+  files.push_back(head + usual + " 0 0 1 2 3 1/1000003 4/1000000007 0\n" + head + usual +
+                  " 4/1000000007 0 5 -1/998244353 6 1/1000033 8 2\n");
+  files.push_back(head + usual + " 0 0 1 2 3 1/1000003 4 0\n" + head + usual +
+                  " 4 0 1234567890123456 -1/1009 6 1 8 2\n");
+  const std::string rational = "100 1 0 0 2 1\n3 3\n0 0 0 1 1 1 0 0 1 1 1 2 4 0 1\n";
+  files.push_back(head + usual + points + rational);
+  files.push_back(rational + head + usual + next);
+  std::string high = "100 1 0 0 2 0\n18 18\n";
+  for (int end : {0, 1})
+    for (int i = 0; i < 18; ++i) high += std::to_string(end) + ' ';
+  for (int i = 0; i < 18; ++i)
+    high += std::to_string(i + 4) + ' ' + std::to_string(i * i % 5 - (i < 3 ? i * i : 0)) + ' ';
+  files.push_back(head + usual + points + high + '\n');
+  files.push_back(high + '\n' + head + usual + next);
+  for (const std::string& file : files) {
+    check_roads<Exact_2, GC::Text_number>(file);
+    check_roads<Exact_2, double>(file);
+  }
+
+  typedef GC::Traits_d<CGAL::Cartesian_d<Q>> Any;
+  const auto read = [](const std::string& text) {
+    std::istringstream is(text);
+    GC::G2_span_reader<Any> reader(is, "f.g2", 5);
+    GC::G2_span<Any> span;
+    BOOST_REQUIRE(reader.next(span));
+    return span;
+  };
+  const GC::G2_span<Any> left = read(head + usual + points), right = read(head + usual + next),
+                         spatial = read("100 1 0 0 3 0\n2 2\n0 0 1 1 0 0 0 1 1 1\n");
+  for (int max_order : {0, 3, 4, 5})
+    BOOST_CHECK_EQUAL(answers(continuity(left, right, max_order)),
+                      answers(GC::continuity(left.jets(), right.jets(), max_order)));
+  CHECK_ERROR(continuity(left, right, -1), negative_count);
+  CHECK_ERROR(continuity(right, spatial), dimension_mismatch);
+  CHECK_ERROR(continuity_orders(right, spatial), dimension_mismatch);
 }
 
 // Coordinates that are no doubles, with legs that are multiples of 2^32: the form for G2 is a multiple of 2^128, so that short residues

@@ -59,6 +59,15 @@ BOOST_AUTO_TEST_CASE(algebra) {
   CHECK_ERROR(B(std::vector<double>()), wrong_number_of_points);
   typedef GC::Coordinate_vector<double, 3> Triple;
   CHECK_ERROR(Triple(2), dimension_mismatch);
+  typedef GC::Coordinate_vector<double, 0> Any;
+  CHECK_ERROR(GC::cross_product(Any(3), Any(2)), dimension_mismatch);
+  CHECK_ERROR(GC::cross_product(Any(2), Any(3)), dimension_mismatch);
+}
+
+// The name of each code is that of the enumeration.
+BOOST_AUTO_TEST_CASE(names_of_codes) {
+  CHECK_ERROR(throw GC::Error(GC::Error_code::nonpositive_curvature, "f"), nonpositive_curvature);
+  BOOST_CHECK_EQUAL(GC::to_string(GC::Error_code::nonpositive_curvature), "nonpositive_curvature");
 }
 
 BOOST_AUTO_TEST_CASE(splines) {
@@ -93,6 +102,13 @@ BOOST_AUTO_TEST_CASE(splines) {
   CHECK_ERROR(s.span_end_jets(-1), negative_count);
   CHECK_ERROR(s.left_jet_over<Q>(7., 1), parameter_outside_domain);
   CHECK_ERROR(s.left_jet_over<Q>(1., -1), negative_count);
+  const std::vector<GC::Coordinate_vector<double, 0>> mixed{
+      GC::Coordinate_vector<double, 0>(2), GC::Coordinate_vector<double, 0>(2), GC::Coordinate_vector<double, 0>(3),
+      GC::Coordinate_vector<double, 0>(2)};
+  typedef GC::Bspline_function<double, GC::Coordinate_vector<double, 0>> Fd;
+  CHECK_ERROR(Fd(k, mixed), dimension_mismatch);
+  const K twice(1, std::vector<double>{0, 0, 1, 1, 2, 2});
+  for (int span : {0, 2, 4, 9}) CHECK_ERROR(GC::bspline_derivatives(twice, c, span, .5, 1), parameter_outside_domain);
 }
 
 BOOST_AUTO_TEST_CASE(curves) {
@@ -126,6 +142,22 @@ BOOST_AUTO_TEST_CASE(curves) {
   const std::vector<P2> far{P2(-huge, 0), P2(huge, 0)};
   const std::vector<double> w{1, 1, 1};
   CHECK_ERROR(R(p, std::vector<double>{1, 1}), wrong_number_of_points);
+  typedef GC::Rational_bezier_curve<D2, 2> R2;
+  CHECK_ERROR(R2(p, std::vector<double>{1, 1, 1, 1}), wrong_number_of_points);
+  typedef GC::Traits_2<CGAL::Simple_cartesian<Q>> Exact;
+  const std::vector<Exact::Point> exact{Exact::Point(0, 0), Exact::Point(1, 1), Exact::Point(2, 0)};
+  const GC::Rational_bezier_curve<Exact> almost(exact, std::vector<Q>{Q(1), Q(Q(-2) + Q(1e-60)), Q(4)}); // zero at 1/3
+  CHECK_ERROR(almost.positive_parts(), work_limit);
+  CHECK_ERROR(almost.bounding_box(), work_limit);
+  const std::vector<Rd> of_two{Rd(std::vector<Dd::Point>{point({0, 0}), point({1, 1}), point({2, 0})}, w),
+                               Rd(std::vector<Dd::Point>{point({2, 0, 0}), point({1, 1, 1}), point({2, 0, 0})}, w)};
+  CHECK_ERROR((GC::Rational_bspline_curve<Dd>(of_two.begin(), of_two.end())), dimension_mismatch);
+  CHECK_ERROR(GC::circular_arc(P3(0, 0, 0), P3(1, 0, 0), V3(0, 0, 1), 0.), empty_domain);
+  typedef GC::Jet_polynomials<double, 3, 3, 2> Polynomials;
+  CHECK_ERROR(Polynomials(GC::Bezier_curve<Dd, 3>(d2.begin(), d2.end())), dimension_mismatch);
+  const std::vector<P2> zeros(3, P2(0, 0));
+  CHECK_ERROR(GC::fit(zeros, 0.1), wrong_number_of_points);
+  CHECK_ERROR(GC::fit(zeros, 0.1, GC::Closure::closed), wrong_number_of_points);
   CHECK_ERROR(R(p, std::vector<double>{1, 0, 0}), zero_weight);
   CHECK_ERROR(R(p, std::vector<double>{1, -9, 1}), zero_weight);
   CHECK_ERROR(R(p, w, 2, 1), empty_domain);
@@ -143,6 +175,7 @@ BOOST_AUTO_TEST_CASE(curves) {
   CHECK_ERROR(N(none.begin(), none.end()), wrong_number_of_points);
   CHECK_ERROR(R(p, std::vector<double>{3, 2, 1}).jet(1.5, 1), zero_weight);
   CHECK_ERROR(N(p, w, k).span_end_jets(-1), negative_count);
+  CHECK_ERROR(N(p, w, k).jet(.5, -1), negative_count);
   CHECK_ERROR(GC::circular_arc(P2(0, 0), P2(1, 0), inf), not_finite);
   CHECK_ERROR(GC::circular_arc_through(P2(0, 0), P2(1, inf), P2(2, 0)), not_finite);
   CHECK_ERROR(GC::circular_arc_through<Dd>(point({0, 0}), point({1, 1}), point({1, 0, 0})), dimension_mismatch);
@@ -183,6 +216,9 @@ BOOST_AUTO_TEST_CASE(local) {
   CHECK_ERROR(Ed(d2.start_jet(2), d3.end_jet(2)), dimension_mismatch);
   CHECK_ERROR(Ed(d2.start_jet(2), d2.end_jet(1)), jet_order_too_low);
   CHECK_ERROR(Ed(d2, -1), negative_count);
+  typedef GC::Coordinate_jet<double, 0> Empty;
+  CHECK_ERROR(Ed(Empty(), Empty()), jet_order_too_low);
+  CHECK_ERROR(GC::lift(Empty(), std::vector<double>{1}), jet_order_too_low);
   CHECK_ERROR(Ed(d2, 2).end_jet_over<Q>(3), jet_order_too_low);
   CHECK_ERROR(Ed(d2, 2).end_jet_over<Q>(-1), negative_count);
   CHECK_ERROR(GC::signed_curvature(J(P2(0, 0), {V2(1e-200, 0), V2(0, 1e200)})), not_finite);
@@ -205,12 +241,16 @@ BOOST_AUTO_TEST_CASE(joins) {
   CHECK_ERROR(GC::has_equal_curvature_vector(d2, d3), dimension_mismatch);
   CHECK_ERROR(GC::has_equal_torsion(d2, d3), dimension_mismatch);
   CHECK_ERROR(GC::continuity(d2, d3), dimension_mismatch);
+  CHECK_ERROR(GC::continuity(GC::Curve_jet<D2>(), GC::Curve_jet<D2>(), 1), jet_order_too_low);
+  const GC::Coordinate_jet<Q, 0> in_plane(2, 3), in_space(3, 3);
+  CHECK_ERROR(GC::join_certificate(in_plane, in_space, GC::Join_continuity<Q>(), 3), dimension_mismatch);
   CHECK_ERROR(GC::is_curvature_continuous(c2, C2{P2(3, 0), P2(4, -1)}), wrong_number_of_points);
   CHECK_ERROR(GC::is_torsion_continuous(c3, C3{P3(3, 0, 0), P3(4, -1, 0)}), wrong_number_of_points);
   const std::vector<P2> p{P2(0, 0), P2(1, 1), P2(2, 0), P2(3, inf)};
   typedef GC::Prepared_end<D2> E;
   typedef GC::Prepared_end<Dd> Ed;
   CHECK_ERROR(E(3, p.begin(), p.end()), not_finite);
+  for (int i : {-1, 2}) CHECK_ERROR(E::at_end(c2).coordinate(0, i), dimension_mismatch);
   const std::vector<Dd::Point> mixed{point({0, 0}), point({1, 1}), point({2, 1}), point({3, 0, 1})};
   CHECK_ERROR(Ed(3, mixed.begin(), mixed.end()), dimension_mismatch);
   CHECK_ERROR(GC::Kink_bound(0), parameter_outside_domain);
@@ -299,5 +339,12 @@ BOOST_AUTO_TEST_CASE(surfaces) {
 
 BOOST_AUTO_TEST_CASE(blends) {
   CHECK_ERROR(GC::representable_blend(d2, d3), dimension_mismatch);
+  CHECK_ERROR(GC::automatic_shape(c2.end_jet(0), c2.start_jet(1)), jet_order_too_low);
+  CHECK_ERROR(GC::automatic_shape(c2.end_jet(1), c2.start_jet(0)), jet_order_too_low);
+  GC::Jet_arrays<double, 2, 2> jets;
+  GC::Blend_arrays<double, 2> blends;
+  for (const GC::Shape_parameters<double>& shape :
+       {GC::Shape_parameters<double>{-1, 1}, GC::Shape_parameters<double>{1, 0}})
+    CHECK_ERROR(GC::blend(jets, jets, GC::Matching_second_derivative(), shape, blends), nonpositive_beta);
   CHECK_ERROR(GC::representable_blend(C2{P2(0, 0)}, c2), wrong_number_of_points);
 }

@@ -67,7 +67,7 @@ template <int bits, class FT> bool has_short_parts(const FT& x) {
     typename Fraction::Denominator_type denominator;
     typename Fraction::Decompose()(internal::Exact_number<FT>::of(x), numerator, denominator);
     const Integer d(denominator);
-    return numerator < bound && -bound < numerator && d < bound && -bound < d;
+    return numerator < bound && -bound < numerator && d < bound;
   } else
     return true;
 }

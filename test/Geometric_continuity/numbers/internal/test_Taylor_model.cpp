@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <cfenv>
 #include <cmath>
+#include <limits>
 #include <random>
 
 BOOST_AUTO_TEST_SUITE(Taylor_model)
@@ -108,6 +109,11 @@ BOOST_AUTO_TEST_CASE(what_is_not_known) {
   BOOST_TEST(!(huge * huge - huge * huge).known());
   BOOST_TEST(!(Model::unknown() * Model(0)).known());
   BOOST_TEST(Model::unknown().range().is_same(Interval::largest()));
+  BOOST_TEST(Model::unknown()(Interval(0)).is_same(Interval::largest()));
+  Model long_sum(1); // whose coefficients are known, but no bound of their sum
+  for (double& x : long_sum.c) x = (std::numeric_limits<double>::max)();
+  BOOST_TEST(long_sum.known());
+  BOOST_TEST(long_sum.range().is_same(Interval::largest()));
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -8,7 +8,9 @@
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Exact_rational.h>
+#include <CGAL/Geometric_continuity/numbers/Exact_field.h>
 #include <CGAL/Geometric_continuity/numbers/internal/Unreduced_fraction.h>
+#include <CGAL/Geometric_continuity/numbers/internal/number_words.h>
 #include <CGAL/Gmpq.h>
 #include <CGAL/Gmpz.h>
 #include <CGAL/Quotient.h>
@@ -17,6 +19,10 @@
 #include <boost/multiprecision/gmp.hpp>
 #include <boost/test/unit_test.hpp>
 
+#include <cstddef>
+#include <cstdint>
+#include <type_traits>
+#include <utility>
 #include <vector>
 
 BOOST_AUTO_TEST_SUITE(Unreduced_fraction)
@@ -73,6 +79,62 @@ BOOST_AUTO_TEST_CASE(fractions) {
   check_fractions<CGAL::Gmpq>();
   check_fractions<boost::multiprecision::cpp_rational>();
   check_fractions<boost::multiprecision::mpq_rational>();
+}
+
+// What is asked about one integer or fraction: zero, negative numbers, and those at the limits of what is called short.
+BOOST_AUTO_TEST_CASE(single_numbers) {
+  typedef GC::internal::Inline_integer Integer;
+  Integer zero(0), quotient(5);
+  BOOST_CHECK_EQUAL(zero.remove_twos(), 0);
+  BOOST_CHECK(zero.is_zero() && divides(Integer(7), Integer(0), quotient) && quotient.is_zero());
+  BOOST_CHECK(Integer(-3) < Integer(-2) && !(Integer(-2) < Integer(-3)) && !(Integer(-2) < Integer(-2)));
+  Integer moved = Integer(12345) * Integer(-6789), &same = moved;
+  moved = std::move(same);
+  BOOST_CHECK(moved == Integer(-83810205));
+}
+
+namespace {
+
+template <class FT> void check_short_numbers() {
+  typedef GC::internal::Rational_parts<FT> Parts;
+  const auto parts = [](const FT& x) {
+    std::int64_t n, d;
+    if (!Parts::short_parts(x, n, d)) return false;
+    BOOST_CHECK(Parts::make_short(n, d) == x);
+    return true;
+  };
+  const auto has_64_bits = [](const FT& x) { return GC::has_short_parts<64>(x); };
+  const FT below_60(power_of_two<FT>(60) - FT(1)), below_64(power_of_two<FT>(64) - FT(1));
+  for (const FT& x : {FT(0), FT(7), below_60, below_64, power_of_two<FT>(60), power_of_two<FT>(64)})
+    for (const FT& y : {x, FT(-x), FT(FT(1) / (x == FT(0) ? FT(3) : x)), FT(FT(-2) / (x == FT(0) ? FT(3) : x))}) {
+      BOOST_CHECK_EQUAL(parts(y), x < power_of_two<FT>(60) || y == FT(FT(-2) / power_of_two<FT>(60)));
+      BOOST_CHECK_EQUAL(has_64_bits(y), x < power_of_two<FT>(64) || y == FT(FT(-2) / power_of_two<FT>(64)));
+      for (const FT& z : {FT(0), FT(-5), FT(FT(1) / FT(3)), below_60, power_of_two<FT>(70)}) {
+        BOOST_CHECK(GC::short_sum(y, z) == FT(y + z));
+        BOOST_CHECK(GC::short_sum(z, y) == FT(y + z));
+      }
+    }
+}
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE(short_numbers) {
+  check_short_numbers<CGAL::Exact_rational>();
+  check_short_numbers<CGAL::Gmpq>();
+  check_short_numbers<boost::multiprecision::cpp_rational>();
+  check_short_numbers<boost::multiprecision::mpq_rational>();
+}
+
+BOOST_AUTO_TEST_CASE(words_of_numbers) {
+  const auto check_words = [](const auto& x, std::size_t words) {
+    BOOST_CHECK_EQUAL(GC::internal::Number_words<std::decay_t<decltype(x)>>::of(x), words);
+  };
+  const CGAL::Gmpq long_q = power_of_two<CGAL::Gmpq>(-64);
+  check_words(long_q, 2);
+  check_words(CGAL::Gmpq(7), 1);
+  check_words(CGAL::Gmpz(7), 1);
+  check_words(power_of_two<boost::multiprecision::mpq_rational>(128), 3);
+  check_words(boost::multiprecision::mpz_int(7), 1);
 }
 
 // numbers with and without parts

@@ -7,6 +7,7 @@
 #include <boost/test/unit_test.hpp>
 
 #include <CGAL/Geometric_continuity/numbers/internal/interval_functions.h>
+#include <CGAL/Geometric_continuity/numbers/internal/subdivision.h>
 
 #include <boost/multiprecision/cpp_bin_float.hpp>
 
@@ -91,8 +92,23 @@ BOOST_AUTO_TEST_CASE(of_numbers_without_bounds) {
     const Cosine_and_sine cs = GC::internal::cosine_and_sine(x);
     BOOST_TEST((cs.cosine.inf() == -1 && cs.cosine.sup() == 1 && cs.sine.inf() == -1 && cs.sine.sup() == 1));
   }
+  for (double x : {1e6, -1e300, infinite, std::nan("")}) {
+    const Cosine_and_sine cs = GC::internal::cosine_and_sine(x);
+    BOOST_TEST((cs.cosine.inf() == -1 && cs.cosine.sup() == 1 && cs.sine.inf() == -1 && cs.sine.sup() == 1));
+  }
   BOOST_TEST(GC::internal::exponential(Interval(-1e4, 1e4)).inf() >= 0);
   BOOST_TEST(GC::internal::exponential(1e4).sup() == infinite);
+}
+
+// Neighbouring numbers have nothing between them, whichever of them their mean is rounded to.
+BOOST_AUTO_TEST_CASE(ranges_of_neighbours) {
+  double x = 1;
+  for (int i = 0; i < 4; ++i) {
+    const double next = std::nextafter(x, 2.), second = std::nextafter(next, 2.);
+    BOOST_TEST(!(GC::internal::Range{x, next}.is_divisible()));
+    BOOST_TEST((GC::internal::Range{x, second}.is_divisible()));
+    x = next;
+  }
 }
 
 BOOST_AUTO_TEST_SUITE_END()

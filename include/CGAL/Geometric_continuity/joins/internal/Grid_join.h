@@ -44,7 +44,7 @@ template <int N> struct Short_point {
 
 #ifdef CGAL_GEOMETRIC_CONTINUITY_HAS_FIXED_INTEGER
 
-// ((whole - part) x + part y) / whole, for 0 < whole < 2^60 and |part| < 2^61. Returns false where numbers get longer than 60 bits.
+// ((whole - part) x + part y) / whole, for 0 <= part <= whole and 0 < whole < 2^60. Returns false where numbers get longer than 60 bits.
 template <int N>
 bool combine(const Short_point<N>& x, const Short_point<N>& y, std::int64_t part, std::int64_t whole,
              Short_point<N>& result) {
@@ -54,7 +54,7 @@ bool combine(const Short_point<N>& x, const Short_point<N>& y, std::int64_t part
     return true;
   }
   const auto product = [](std::int64_t a, std::int64_t b, std::int64_t& c) {
-    return !__builtin_mul_overflow(a, b, &c) && -largest <= c && c <= largest;
+    return !__builtin_mul_overflow(a, b, &c) && c <= largest;
   };
   const std::int64_t unit = std::gcd(part, whole), common = std::gcd(x.denominator, y.denominator);
   const std::int64_t b = part / unit, all = whole / unit, a = all - b;
@@ -129,9 +129,8 @@ template <int N> class Grid_join {
 public:
   static constexpr int dimension = N;
 
-  // Brings the join of two parts on grids. Returns false if that is not possible.
+  // Brings the join of two parts without weights on grids. Returns false if that is not possible.
   template <class Part> bool set(const Part& x, const Part& y) {
-    if (x.rational || y.rational) return false;
     left_.degree = x.degree;
     right_.degree = y.degree;
     typedef std::decay_t<decltype(x.coordinates[0])> Number;

@@ -64,10 +64,10 @@ public:
   }
 };
 
-// The multiplicity of the knot between two neighbouring spans of one curve, up to the degree; 0 for any other two.
+// The multiplicity of the knot between two neighbouring spans of one curve, up to the degree; 0 for any other two of one dimension.
 template <class Part> int multiplicity_between(const Part& left, const Part& right) {
   const int p = left.degree;
-  if (right.degree != p || left.dimension != right.dimension) return 0;
+  if (right.degree != p) return 0;
   int m = 1;
   while (m <= p && left.knots[p + 1 + m] == left.knots[p + 1]) ++m;
   const auto continues = [](const auto& x, const auto& y, int shift) {
