@@ -118,7 +118,7 @@ public:
   Signed_square<NT> end_curvature() const { return end_curvature(true); }
 
   // A positive multiple of d1 ^ d2 near an end: as the Bernstein polynomials fall off one by one, its first coefficient that is
-  // not zero. Zeros if the curve is straight.
+  // not zero. \pre the curve is not straight
   std::vector<NT> start_area() const { return area(false); }
   std::vector<NT> end_area() const { return area(true); }
 
@@ -155,7 +155,7 @@ private:
 
   std::vector<NT> area(bool end) const {
     std::vector<NT> a(w_.size(), NT(0));
-    for (int k = 0; !w_.empty() && k <= w_[0].degree(); ++k) {
+    for (int k = 0;; ++k) {
       bool zero = true;
       for (std::size_t i = 0; i < w_.size(); ++i) {
         a[i] = w_[i][end ? w_[i].degree() - k : k];
