@@ -185,9 +185,9 @@ public:
   }
 
   // Whether points and weights decide about equality. Over inner knots the direction of a closed edge may be that of its points,
-  // but not that of the curve.
+  // but not that of the curve. \pre the other one has its own form
   bool has_form_of(const Edge_polygon& other) const {
-    return degree_ == other.degree_ && knots_ == other.knots_ && !has_infinite_points_ && !other.has_infinite_points_ &&
+    return degree_ == other.degree_ && knots_ == other.knots_ && !has_infinite_points_ &&
            (knots_.empty() || !(points_.front() == points_.back()));
   }
 
