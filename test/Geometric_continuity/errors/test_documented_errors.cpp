@@ -296,6 +296,7 @@ BOOST_AUTO_TEST_CASE(surfaces) {
   CHECK_ERROR(GC::possible_fold(s), dimension_mismatch);
   CHECK_ERROR(GC::blend(s, E::u0, t, E::u1), dimension_mismatch);
   CHECK_ERROR(GC::parallelogram<Dd>(point({0, 0}), vector({1, 0, 0}), vector({0, 1})), dimension_mismatch);
+  CHECK_ERROR(GC::parallelogram<Dd>(point({0, 0}), vector({1, 0}), vector({0, 1, 0})), dimension_mismatch);
   CHECK_ERROR(GC::parallelogram(P3(0, 0, 0), V3(1, inf, 0), V3(0, 1, 0)), not_finite);
   CHECK_ERROR(GC::cylinder<Dd>(point({0, 0, 0}), vector({1, 0, 0}), vector({0, 1, 0}), vector({0, 0})),
               dimension_mismatch);

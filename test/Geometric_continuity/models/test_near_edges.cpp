@@ -50,7 +50,8 @@ BOOST_AUTO_TEST_CASE(near_edges_of_a_model) {
   BOOST_CHECK_EQUAL(GC::near_edges(model, exact, {5 * unit, 4 * unit})[1].within(1), Verdict::proved);
   std::ostringstream os;
   os << pairs[1];
-  BOOST_CHECK_EQUAL(os.str(), "0 v1 - 3 v0: near, reversed");
+  os << "; " << pairs[0];
+  BOOST_CHECK_EQUAL(os.str(), "0 v1 - 3 v0: near, reversed; 0 u1 - 1 u0: near");
   CHECK_ERROR((GC::near_edges(model, exact, {0, std::numeric_limits<double>::infinity()})), not_finite);
 
   // the same functions of surfaces

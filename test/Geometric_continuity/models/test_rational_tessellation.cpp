@@ -141,6 +141,11 @@ BOOST_AUTO_TEST_CASE(refused_tessellations) {
   CHECK_ERROR(GC::tessellate(s, GC::Chord_tolerance{1e-9}), work_limit);
   CHECK_ERROR(GC::tessellate(s, GC::Chord_tolerance{1e-30}), work_limit);
   CHECK_ERROR(GC::tessellate(s, GC::Uniform_grid{0}), wrong_number_of_points);
+  // second derivatives that overflow
+  typedef Double::Point P;
+  const Patch<Double> huge({{P(0, 0, 0), P(0, 1, 0)}, {P(4e307, 0, 0), P(0, 4e307, 1)}, {P(0, 0, 4e307), P(2, 1, 0)}},
+                           {{1, 1}, {2, 1}, {1, 1}});
+  CHECK_ERROR(GC::tessellate(huge, GC::Chord_tolerance{1}), unreachable_tolerance);
 }
 
 namespace {

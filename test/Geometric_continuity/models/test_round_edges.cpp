@@ -145,10 +145,55 @@ BOOST_AUTO_TEST_CASE(edges_that_go_on) {
     BOOST_CHECK_EQUAL(summary.g2, 6u); // with the floor, with the wall, and the seams of these
     BOOST_CHECK_EQUAL(summary.g1, 1u); // of the blends
   }
+  const auto in_one_order =
+      GC::round_edges(std::vector<Bezier<Exact>>{floors.first, walls.first, floors.second, walls.second}, {2});
+  BOOST_CHECK(in_one_order.blends.size() == 2 && in_one_order.is_g2() && in_one_order.corners.empty());
+  auto not_g2 = in_one_order;
+  not_g2.blends[1].with_b.g_order = 1;
+  BOOST_CHECK(!not_g2.is_g2());
+  not_g2.blends[0].with_a.g_order = 1;
+  BOOST_CHECK(!not_g2.is_g2());
   const auto splines =
       converted<Spline<Exact>>(std::vector<Bezier<Exact>>{floors.first, walls.first, walls.second, floors.second});
   const auto summary = continuity_of(GC::round_edges(splines, {2}));
   BOOST_CHECK(summary.g2 == 6 && summary.g1 == 1);
+}
+
+// The same with a slight kink between the halves, more or less of which is left at the new edges: both blends are G2 with the surfaces in
+// any case.
+BOOST_AUTO_TEST_CASE(edges_that_go_on_with_a_kink) {
+  typedef Exact::Point P;
+  std::size_t open = 0, meeting = 0;
+  for (const int of_floor : {0, 1, -1})
+    for (const int of_wall : {0, 1, -1})
+      for (const int lean : {0, 2}) {
+        const Q f = fraction(of_floor, 8), w = fraction(of_wall, 8);
+        const std::vector<Bezier<Exact>> model = {
+            Bezier<Exact>({{P(0, 0, 0), P(0, 8, 0)}, {P(8, 0, 0), P(8, 8, 0)}}),
+            Bezier<Exact>({{P(0, 0, 0), P(0, -lean, 8)}, {P(8, 0, 0), P(8, 0, 8)}}),
+            Bezier<Exact>({{P(8, 0, 0), P(8, 8, 0)}, {P(16, 0, 0), P(Q(16), Q(8), f)}}),
+            Bezier<Exact>({{P(8, 0, 0), P(8, 0, 8)}, {P(16, 0, 0), P(Q(16), w, Q(8))}})};
+        const auto r = GC::round_edges(model, {2, 30});
+        BOOST_REQUIRE_EQUAL(r.blends.size(), 2u);
+        BOOST_CHECK(r.is_g2());
+        ++(r.corners.empty() ? meeting : open);
+        for (const auto& c : r.corners) BOOST_CHECK(c.patches.size() == 4 && c.blends.size() == 2);
+      }
+  BOOST_CHECK(meeting > 0 && open > 0);
+}
+
+// Four faces of a pyramid meet at its tip, and all their edges are rounded.
+BOOST_AUTO_TEST_CASE(tip_of_a_pyramid) {
+  typedef Exact::Point P;
+  const int x[] = {8, 0, -8, 0, 8}, y[] = {0, 8, 0, -8, 0};
+  std::vector<Bezier<Exact>> sides;
+  for (int i = 0; i < 4; ++i)
+    sides.push_back(Bezier<Exact>(
+        {{P(0, 0, 8), P(x[i], y[i], 0)}, {P(x[i + 1], y[i + 1], 0), P(x[i] + x[i + 1], y[i] + y[i + 1], -8)}}));
+  const auto r = GC::round_edges(sides, {1});
+  BOOST_CHECK(r.blends.size() == 4 && r.is_g2());
+  BOOST_REQUIRE_EQUAL(r.corners.size(), 1u);
+  BOOST_CHECK(r.corners[0].point == P(0, 0, 8) && r.corners[0].patches.size() == 4 && r.corners[0].blends.size() == 4);
 }
 
 // A closed wall on a floor: the one blend ends where it starts.
@@ -176,6 +221,15 @@ BOOST_AUTO_TEST_CASE(what_is_not_rounded) {
   const auto r = GC::round_edges(star, {1});
   BOOST_CHECK_EQUAL(r.not_rounded, 2u);
   BOOST_CHECK(r.blends.empty() && r.surfaces == star);
+  // a normal that vanishes at an end of the edge, or along all of it
+  const auto wall = square(P(8, 0, 0));
+  for (const P& tip : {P(0, 0, 0), P(0, 8, 0)}) {
+    const Bezier<Exact> other =
+        tip == P(0, 0, 0) ? Bezier<Exact>({{P(0, 0, 0), tip}, {P(0, 0, 8), P(0, 8, 8)}})
+                          : Bezier<Exact>({{P(0, 0, 0), P(0, 0, 0), tip}, {P(0, 0, 8), P(0, 0, 8), P(0, 8, 8)}});
+    const auto singular = GC::round_edges(std::vector<Bezier<Exact>>{wall, other}, {1});
+    BOOST_CHECK(singular.not_rounded == 1 && singular.blends.empty());
+  }
   // no room
   const auto box = faces<Exact>(corners_of_box<Exact>(8, 16, 32));
   CHECK_ERROR(GC::round_edges(box, {4}), parameter_outside_domain);

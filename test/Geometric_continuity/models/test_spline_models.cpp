@@ -51,6 +51,17 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(model_of_splines, K, Kernels) {
   BOOST_CHECK(model.has_order(0) && !model.has_order(1));
 }
 
+// One surface may be a model: the order is also that of its knot lines.
+BOOST_AUTO_TEST_CASE(a_surface_with_a_kink) {
+  typedef Exact::Point_3 P;
+  const S roof({{P(-1, 0, 1), P(-1, 1, 1)}, {P(0, 0, 0), P(0, 1, 0)}, {P(1, 0, 1), P(1, 1, 1)}},
+               Knots(1, {0, 0, 1, 2, 2}), Knots(1, {0, 0, 1, 1}));
+  const auto model = GC::model_continuity(roof);
+  BOOST_CHECK_EQUAL(text(model), text(GC::model_continuity(std::vector<S>{roof})));
+  BOOST_CHECK(model.failing(1).empty() && model.failing_knot_lines(1).size() == 1);
+  BOOST_CHECK(model.has_order(0) && !model.has_order(1));
+}
+
 BOOST_AUTO_TEST_CASE(closed_surface_with_a_pole) {
   // a band around a square: linear in u and closed, and a lid of triangles to one point, which is collapsed
   typedef Exact::Point_3 P;

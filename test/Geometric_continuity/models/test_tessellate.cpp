@@ -390,6 +390,29 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(cubes, K, Kernels) {
               (std::set<std::size_t>{0, 1, 2, 3, 4}));
 }
 
+// A closed cube that is turned, and a sheet beside it, which stays as it is.
+BOOST_AUTO_TEST_CASE_TEMPLATE(closed_and_open_parts, K, Kernels) {
+  std::vector<Patch<K>> model = in_kernel<K>(cube(Q(1), {Q(1), Q(1), Q(1), Q(1), Q(1), Q(1)}));
+  for (Patch<K>& s : model) s = s.swap_parameters();
+  const Mesh<K> closed = GC::tessellate(model, grid(2));
+  BOOST_CHECK(volume<K>(closed) == 6 * 288 * 288 * 288);
+  for (const bool turned : {false, true}) {
+    const Patch<K> sheet{{{1000, 0, 0}, {1000, 1, 0}}, {{1001, 0, 0}, {1001, 1, 0}}};
+    std::vector<Patch<K>> both = model;
+    both.insert(both.begin() + 2, turned ? sheet.swap_parameters() : sheet);
+    const Mesh<K> mesh = GC::tessellate(both, grid(2));
+    BOOST_CHECK_EQUAL(mesh.triangles.size(), closed.triangles.size() + 8);
+    int up = 0;
+    for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+      const auto& t = mesh.triangles[i];
+      if (mesh.patches[i] != 2) continue;
+      const auto n = CGAL::normal(mesh.points[t[0]], mesh.points[t[1]], mesh.points[t[2]]);
+      up += n.z() > 0 ? 1 : -1;
+    }
+    BOOST_CHECK_EQUAL(up, turned ? -8 : 8);
+  }
+}
+
 // What is closed but holds no volume keeps the orientation of its first patch; it has no outside.
 BOOST_AUTO_TEST_CASE_TEMPLATE(two_sides_of_a_sheet, K, Kernels) {
   const Exact_patch sheet({{{0, 0, 0}, {0, 1, 1}}, {{1, 0, 1}, {1, 1, 2}}});
@@ -606,6 +629,11 @@ BOOST_AUTO_TEST_CASE(limit_of_triangles) {
   BOOST_CHECK_EQUAL(message(std::vector<Patch<K>>(3, s), grid(4096), 100000000), too_many(2, "100663296", 100000000));
   BOOST_CHECK_EQUAL(message(s, grid(4096), GC::max_tessellation_triangles),
                     too_many(0, "33554432", GC::max_tessellation_triangles));
+  // a strip that is bent in one direction only needs many cells there, and few triangles
+  const Patch<K> bent{{{0, 0, 0}, {0, 1, 0}}, {{1, 0, 8}, {1, 1, 8}}, {{2, 0, 0}, {2, 1, 0}}};
+  for (const Patch<K>& t : {bent, bent.swap_parameters()})
+    BOOST_CHECK_EQUAL(message(t, within(1e-8), GC::max_tessellation_triangles),
+                      "work_limit: tessellate: surface 0 needs more than 4096 cells of a patch in one direction");
   const std::string tiny = message(s, within(1e-300), GC::max_tessellation_triangles);
   BOOST_CHECK(tiny.find("surface 0 leads to ") != std::string::npos && tiny.find("e+30") != std::string::npos);
   BOOST_CHECK(message(s, within(5e-324), GC::max_tessellation_triangles).find("1e+300 triangles") != std::string::npos);

@@ -79,6 +79,13 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(regular_and_folded, Traits, All_traits) {
 }
 
 // With different weights: an octant of a sphere has a pole; the rest, and a quarter of a cylinder, are regular.
+// A patch that is a curve, in u or in v, has no normal.
+BOOST_AUTO_TEST_CASE_TEMPLATE(curves, Traits, All_traits) {
+  typedef typename Traits::Point P;
+  const Bezier<Traits> curve({{P(0, 0, 0)}, {P(1, 0, 0)}, {P(2, 1, 0)}});
+  BOOST_CHECK(possible_fold(curve).has_value() && possible_fold(curve.swap_parameters()).has_value());
+}
+
 BOOST_AUTO_TEST_CASE_TEMPLATE(rational, Traits, All_traits) {
   typedef typename Traits::FT FT;
   typedef typename Traits::Point P;

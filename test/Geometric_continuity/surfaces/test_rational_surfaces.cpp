@@ -113,7 +113,8 @@ BOOST_AUTO_TEST_CASE(operations_keep_the_points) {
   const CGAL::Aff_transformation_3<CGAL::Simple_cartesian<Q>> map(Q(1), Q(2), Q(0), Q(5), Q(0), Q(1), Q(3), Q(7), Q(1),
                                                                   Q(0), Q(1), Q(-4));
   BOOST_CHECK(s.transform(map)(u, v) == map(p));
-  BOOST_CHECK(s.oriented(u1)(v, a) == s(b, v));
+  BOOST_CHECK(s.oriented(u0)(v, a) == s(a, v) && s.oriented(u1)(v, a) == s(b, v));
+  BOOST_CHECK(s.oriented(v0)(u, c) == s(u, c) && s.oriented(v1)(u, c) == s(u, d));
   for (Patch_edge edge : GC::patch_edges) {
     const auto curve = boundary_curve(s, edge);
     const auto spline_curve = boundary_curve(Spline<Exact>(s).insert_u(u).insert_v(v), edge);

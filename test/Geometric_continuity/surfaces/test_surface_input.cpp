@@ -76,6 +76,10 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(counts_of_surfaces, Traits, All_traits) {
   BOOST_CHECK(s.elevate(0, 0) == s && t.elevate(0, 0) == t && t.insert_u(half, 0) == t);
   BOOST_CHECK(s.elevate(0, 1)(half, half) == s(half, half) && s.elevate(1, 0).degree_u() == 3);
   BOOST_CHECK(s.partial(half, half, 0, 0) == s(half, half) - CGAL::ORIGIN);
+  for (const FT& outside : {FT(-1), FT(0), FT(1), FT(2)}) {
+    CHECK_ERROR(t.split_u(outside), parameter_outside_domain);
+    CHECK_ERROR(t.split_v(outside), parameter_outside_domain);
+  }
 }
 
 BOOST_AUTO_TEST_CASE_TEMPLATE(nets_of_surfaces, Traits, All_traits) {
@@ -91,6 +95,21 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(nets_of_surfaces, Traits, All_traits) {
   for (const Net& net : {Net(), Net{{o, o}}, Net{{o}, {o}}, Net{{o, o}, {o}}, Net{{o, o}, {o, o}, {o, o}}})
     CHECK_ERROR(Surface(net, linear, linear), wrong_number_of_points);
   BOOST_CHECK_EQUAL(Surface(Net{{o, o}, {o, o}}, linear, linear).number_of_points_u(), 2);
+  for (const auto& [p, q] : {std::pair{-1, 1}, std::pair{1, -1}, std::pair{1, 2}})
+    CHECK_ERROR(Patch(p, q, std::vector<P>(4, o)), wrong_number_of_points);
+  BOOST_CHECK(Patch(1, 1, std::vector<P>(4, o)) == Patch(Net{{o, o}, {o, o}}));
+}
+
+// Surfaces are equal when domains, degrees and control points are.
+BOOST_AUTO_TEST_CASE_TEMPLATE(equal_surfaces, Traits, All_traits) {
+  typedef typename Traits::FT FT;
+  typedef typename Traits::Point P;
+  const auto s = patch<Traits>();
+  const std::pair<FT, FT> unit(FT(0), FT(1)), longer(FT(0), FT(2));
+  BOOST_CHECK(s.with_domain(unit, unit) == s);
+  BOOST_CHECK(s.with_domain(longer, unit) != s && s.with_domain(unit, longer) != s);
+  BOOST_CHECK(s.elevate(1, 0) != s && s.elevate(0, 1) != s);
+  BOOST_CHECK(s.transform([](const P& p) { return P(p.x(), p.y(), FT(p.z() + 1)); }) != s);
 }
 
 BOOST_AUTO_TEST_CASE(surfaces_of_numbers_that_are_not_finite) {
@@ -178,6 +197,24 @@ BOOST_AUTO_TEST_CASE(grids_that_are_too_large) {
   BOOST_CHECK(grid.size_u() == 2 && grid.size_v() == 3 && grid.size() == 6);
   grid.resize(0, 5);
   BOOST_CHECK_EQUAL(grid.size(), 0);
+  grid.resize(5, 0);
+  BOOST_CHECK(grid.size() == 0 && grid.size_u() == 5);
+}
+
+// A grid may be empty; the parameters of a B-spline surface must lie in its domain.
+BOOST_AUTO_TEST_CASE(parameters_of_grids) {
+  typedef std::vector<double> Numbers;
+  GC::Surface_grid<double> grid;
+  const auto s = surface<Double>();
+  GC::evaluate_grid(s, Numbers(), Numbers{0.5}, grid);
+  BOOST_CHECK(grid.size_u() == 0 && grid.size_v() == 1);
+  GC::evaluate_grid(s, Numbers{0, 0.5, 1}, Numbers{0, 1}, grid);
+  BOOST_CHECK_EQUAL(grid.size(), 6);
+  for (const Numbers& outside : {Numbers{-0.25, 0.5}, Numbers{0.5, 1.25}}) {
+    CHECK_ERROR(GC::evaluate_grid(s, outside, Numbers{0.5}, grid), parameter_outside_domain);
+    CHECK_ERROR(GC::evaluate_grid(s, Numbers{0.5}, outside, grid), parameter_outside_domain);
+  }
+  CHECK_ERROR(GC::evaluate_grid(s, Numbers{1, 0}, Numbers{0.5}, grid), wrong_number_of_points);
 }
 
 BOOST_AUTO_TEST_CASE(names_of_edges_and_patches) {

@@ -113,6 +113,25 @@ BOOST_AUTO_TEST_CASE(exact) {
   for (const Q& u : {Q(0), fraction(2, 7), Q(1)}) BOOST_CHECK(t.surface(u, Q(0)) == s(u, Q(0)));
 }
 
+// Curves of one parameter, curves that begin below a knot, and those whose coefficients lie beyond the edge.
+BOOST_AUTO_TEST_CASE(other_curves) {
+  Random_surfaces random;
+  const Bspline<Exact> s = surface_with_knots<Bspline<Exact>>(random, 1);
+  const Q tolerance(100000000000.0);
+  for (const Function& f : {Function{fraction(5, 2)}, Function{fraction(5, 2), fraction(5, 2)},
+                            Function{fraction(1, 2), fraction(21, 5)}, Function{Q(2), fraction(-1, 2), Q(2)}}) {
+    const auto r = trim_back_within(s, v1, f, tolerance);
+    BOOST_CHECK(Q(0) <= r.squared_deviation && r.squared_deviation <= tolerance * tolerance);
+    for (const Q& u : {Q(0), fraction(2, 7), Q(1)}) {
+      BOOST_CHECK(square_of_distance(r.surface(u, Q(8)), s(u, Q(Q(8) - f(u)))) <= r.squared_deviation);
+      BOOST_CHECK(r.surface(u, Q(0)) == s(u, Q(0)));
+    }
+  }
+  // the strip begins at the last knot below the curve
+  const auto r = trim_back_within(s, v1, Function{fraction(1, 2), fraction(21, 5)}, tolerance);
+  BOOST_CHECK(start_of_strip(r.surface.knots_v()) == Q(3));
+}
+
 BOOST_AUTO_TEST_CASE(errors) {
   Random_surfaces random;
   const Function f{fraction(1, 2), fraction(5, 2)};
@@ -120,6 +139,11 @@ BOOST_AUTO_TEST_CASE(errors) {
                        jump = surface_with_knots<Bspline<Exact>>(random, 4);
   for (const Q& tolerance : {Q(0), Q(-1)}) CHECK_ERROR(trim_back_within(s, v1, f, tolerance), unreachable_tolerance);
   CHECK_ERROR(trim_back_within(jump, v1, Function{Q(2), Q(4)}, Q(1000000)), unreachable_tolerance);
+  // a denominator that is positive, but not by its coefficients
+  const Knots u(2, Q(0), Q(1)), v(1, Q(0), Q(2), {{Q(1), 1}});
+  const Exact::Point o(0, 0, 0), x(1, 0, 0), y(0, 1, 0);
+  const Spline<Exact> deep({{o, y, o}, {x, y, x}, {o, x, y}}, {{4, 4, 4}, {-1, -1, -1}, {4, 4, 4}}, u, v);
+  CHECK_ERROR(trim_back_within(deep, v1, Function{fraction(1, 2), fraction(3, 2)}, Q(1000000)), unreachable_tolerance);
   for (const Function& bad : {Function{Q(0), Q(1)}, Function{Q(1), Q(8)}, Function{Q(1), Q(-1)}})
     CHECK_ERROR(trim_back_within(s, v1, bad, Q(1)), parameter_outside_domain);
 }

@@ -11,6 +11,7 @@
 #include <CGAL/Geometric_continuity/edges/edge_continuity.h>
 #include <CGAL/Geometric_continuity/models/internal/Edge_groups.h>
 #include <CGAL/Geometric_continuity/models/model_continuity.h>
+#include <CGAL/Geometric_continuity/surfaces/Rational_surface.h>
 
 #include <cstddef>
 #include <random>
@@ -75,6 +76,7 @@ BOOST_AUTO_TEST_CASE(groups_of_edges_that_are_not_clamped) {
   std::mt19937_64 random = seeded();
   const S s = random_surface(random, Knots(3, {-3, -2, -1, 0, 1, 2, 4, 5, 6, 7}), knots(0, 4, {1}));
   check_groups(std::vector<S>{s, s.clamp().reverse_u(), s.swap_parameters(), lifted(s, 1, 0)});
+  check_groups(std::vector<S>{s.swap_parameters(), s.clamp()});
 }
 
 // A closed edge over knots without symmetry, and the same curve over the mirrored knots: both begin at the same point.
@@ -92,6 +94,43 @@ BOOST_AUTO_TEST_CASE(closed_edges) {
   }
 }
 
+// Edges that are the same backwards but for their knots.
+BOOST_AUTO_TEST_CASE(points_that_are_the_same_backwards) {
+  const int x[] = {0, 1, 3, 1, 0};
+  const auto spline_with_knot = [&](const Q& t) {
+    std::vector<std::vector<Exact::Point_3>> net(5);
+    for (int i = 0; i < 5; ++i)
+      for (int j = 0; j < 2; ++j) net[i].push_back({x[i], x[i] * x[i] + j, j});
+    return S(net, Knots(3, Q(0), Q(1), {{t, 1}}), Knots(1, {0, 0, 1, 1}));
+  };
+  const S early = spline_with_knot(Q(1) / 4), late = spline_with_knot(Q(3) / 4);
+  check_groups(std::vector<S>{early, late});
+  check_groups(std::vector<S>{late, early, late.reverse_u()});
+}
+
+// Edges with the same ends, other points, other weights, and points at infinity: out to a direction, and back.
+BOOST_AUTO_TEST_CASE(edges_with_weights) {
+  typedef GC::Rational_bezier_patch<GC::Traits_3<Exact>> Rational;
+  typedef Exact::Point_3 P;
+  std::vector<Rational> model;
+  for (const P& middle : {P(1, 1, 0), P(1, 2, 0)})
+    for (const int weight : {1, 2, 3}) {
+      model.push_back(Rational({{P(0, 0, 0), P(0, 0, 1)}, {middle, P(1, 1, 1)}, {P(2, 0, 0), P(2, 0, 1)}},
+                               {{1, 1}, {weight, 1}, {1, 1}}));
+      model.push_back(model.back().reverse_u());
+    }
+  check_groups(model);
+  const auto closed = [](const P& direction, int weight) {
+    return Rational({{P(0, 0, 0), P(0, 0, 1)}, {direction, P(1, 0, 1)}, {P(0, 0, 0), P(0, 0, 2)}},
+                    {{1, 1}, {weight, 1}, {1, 1}});
+  };
+  for (const std::vector<Rational>& lids :
+       {std::vector<Rational>{closed(P(1, 0, 0), 0), closed(P(1, 0, 0), 1)},
+        std::vector<Rational>{closed(P(1, 0, 0), 0), closed(P(0, 1, 0), 0), closed(P(1, 0, 0), 0).reverse_u()},
+        std::vector<Rational>{closed(P(0, 0, 0), 2), closed(P(0, 0, 0), 1)}})
+    check_groups(lids);
+}
+
 BOOST_AUTO_TEST_CASE(collapsed_edges) {
   const Exact::Point_3 pole(0, 0, 5);
   const Patch<Exact> lid({{pole, Exact::Point_3(0, 0, 0)}, {pole, Exact::Point_3(1, 0, 0)}});
@@ -100,6 +139,11 @@ BOOST_AUTO_TEST_CASE(collapsed_edges) {
   check_groups(std::vector<S>{s, s.insert_u(Q(1) / 2), s.elevate(1, 0)});
   const std::vector<const S*> pointers{&s};
   BOOST_CHECK_EQUAL(GC::internal::Edge_groups<S>(pointers).collapsed().size(), 1);
+  // over knots that are not clamped
+  const S open({{pole, Exact::Point_3(0, 0, 0)}, {pole, Exact::Point_3(1, 0, 0)}}, Knots(1, {0, 0, 1, 1}), Knots(1, {-1, 0, 1, 2}));
+  check_groups(std::vector<S>{open, open.reverse_u()});
+  const std::vector<const S*> one{&open};
+  BOOST_CHECK_EQUAL(GC::internal::Edge_groups<S>(one).collapsed().size(), 1);
 }
 
 // What a model says of a shared edge is what the verb for two surfaces says.

@@ -9,6 +9,7 @@
 #include "support/spline_surfaces.h"
 
 #include <CGAL/Geometric_continuity/models/model_continuity.h>
+#include <CGAL/Geometric_continuity/surfaces/Rational_surface.h>
 
 #include <random>
 
@@ -32,6 +33,16 @@ BOOST_AUTO_TEST_CASE(keys_of_edges) {
   BOOST_CHECK(
       Key(with_points(s, [](int, int j, const Exact::Point_3& p) { return j == 0 ? Exact::Point_3(1, 2, 3) : p; }), v0)
           .single_point());
+  // with weights: a point is one whatever they are
+  typedef GC::Rational_bezier_patch<GC::Traits_3<Exact>> Rational;
+  typedef Exact::Point_3 P;
+  const auto single_point = [](const P& middle, const P& end) {
+    const Rational lid({{P(1, 2, 3), P(0, 0, 0)}, {middle, P(1, 0, 0)}, {end, P(2, 0, 0)}}, {{1, 1}, {3, 1}, {2, 1}});
+    return GC::internal::Edge_key<GC::Traits_3<Exact>, 4>(lid, v0).single_point();
+  };
+  BOOST_CHECK(single_point(P(1, 2, 3), P(1, 2, 3)));
+  BOOST_CHECK(!single_point(P(1, 2, 4), P(1, 2, 3)));
+  BOOST_CHECK(!single_point(P(1, 2, 3), P(1, 2, 4)));
   // the same for Bezier patches
   const S one = spline(wave, knots(0, 4, {1, 2}), knots(0, 1));
   BOOST_CHECK_EQUAL(Key(one, v0).compare(Key(spline(wave, knots(0, 4), knots(0, 1)).bezier_patches()[0], v0)), 0);
