@@ -326,6 +326,63 @@ BOOST_AUTO_TEST_CASE(pieces_in_space) {
       GC::curvature_extrema(GC::Composite_bezier_curve<Traits>(curves.begin(), curves.end()));
   BOOST_CHECK(c.inflections.size() == 1 && (c.inflections[0] == GC::Enclosure{0.5, 0.5}));
   BOOST_CHECK(c.extrema.size() == 3);
+  // where the plane turns by more than a right angle there is none
+  const Rows next = {{3, 0, 0.25}, {4, 2, 0.25}, {5, 2, 1}};
+  const std::vector<GC::Bezier_curve<Traits>> turned = {whole, bezier<Traits>(next, 1, 2)};
+  BOOST_CHECK_EQUAL(
+      GC::curvature_extrema(GC::Composite_bezier_curve<Traits>(turned.begin(), turned.end())).inflections.size(), 1u);
+}
+
+// Extrema at 1/3, which is no binary fraction, where the speed or the curvature is nearly zero: they have bounds all the same.
+BOOST_AUTO_TEST_CASE(extrema_that_are_hard_to_enclose) {
+  typedef GC::Traits_2<CGAL::Simple_cartesian<Q>> Traits;
+  // the Bezier curve with these coefficients of powers of t - 1/3
+  const auto curve = [](const std::vector<Q>& x, const std::vector<Q>& y) {
+    const int n = static_cast<int>(x.size()) - 1;
+    std::vector<Traits::Point> p;
+    for (int j = 0; j <= n; ++j) { // by blossoms
+      const auto blossom = [&](const std::vector<Q>& c) {
+        Q sum(0);
+        for (int k = 0; k <= n; ++k) { // the mean of all products of k of the arguments 1 - 1/3, j times, and -1/3
+          Q mean(0), all(1);
+          for (int ones = 0; ones <= k; ++ones) {
+            Q term(1);
+            for (int i = 0; i < ones; ++i) term *= Q(j - i) / Q(i + 1) * Q(2) / Q(3);
+            for (int i = 0; i < k - ones; ++i) term *= Q(n - j - i) / Q(i + 1) / Q(-3);
+            mean += term;
+          }
+          for (int i = 0; i < k; ++i) all *= Q(n - i) / Q(i + 1);
+          sum += c[k] * mean / all;
+        }
+        return sum;
+      };
+      p.emplace_back(blossom(x), blossom(y));
+    }
+    return GC::Bezier_curve<Traits>(p.begin(), p.end());
+  };
+  const double e = std::ldexp(1, -60), third = 1 / 3.;
+  const auto has_extremum = [&](const GC::Curvature_extrema& c, double kappa) {
+    bool found = false;
+    for (const GC::Curvature_extremum& x : c)
+      found = found || (holds(x.parameter, third, 1e-12) && x.curvature.lower <= kappa && kappa <= x.curvature.upper);
+    return found;
+  };
+  // (s^3 + e s, s^2) has the curvature 2 / e^2 at s = 0
+  const GC::Curvature_extrema sharp = GC::curvature_extrema(curve({Q(0), Q(e), Q(0), Q(1)}, {Q(0), Q(0), Q(1), Q(0)}));
+  BOOST_CHECK(has_extremum(sharp, 2 / (e * e)) || has_extremum(sharp, -2 / (e * e)));
+  BOOST_CHECK(std::isfinite(sharp.largest().upper));
+  // y'' = s^2 + e^2 over x = s
+  const GC::Curvature_extrema flat =
+      GC::curvature_extrema(curve({Q(0), Q(1), Q(0), Q(0), Q(0)}, {Q(0), Q(0), Q(e * e / 2), Q(0), Q(Q(1) / Q(12))}));
+  BOOST_CHECK(has_extremum(flat, e * e));
+  BOOST_CHECK(flat.inflections.empty());
+}
+
+BOOST_AUTO_TEST_CASE(counts_of_extrema_are_written) {
+  std::ostringstream os;
+  os << measured<Double_d>(parabola) << '\n' << measured<Double_d>(two_inflections);
+  BOOST_CHECK_MESSAGE(os.str().find("1 extremum of curvature, 0 inflections, curvature from ") == 0, os.str());
+  BOOST_CHECK_MESSAGE(os.str().find(" of curvature, 2 inflections, curvature from ") != std::string::npos, os.str());
 }
 
 BOOST_AUTO_TEST_SUITE_END()

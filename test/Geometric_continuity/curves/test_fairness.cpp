@@ -17,6 +17,7 @@
 #include <CGAL/Geometric_continuity/local/curvatures.h>
 #include <CGAL/Simple_cartesian.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <random>
@@ -195,6 +196,38 @@ BOOST_AUTO_TEST_CASE(nearly_cusps) {
     BOOST_CHECK(last < e && std::isfinite(e));
     last = e;
   }
+}
+
+namespace {
+
+// (t, a sin(w t) / w), of jets up to a certain order; and (s^2, s^3) with s = t - 1/2, a cusp.
+struct Wave {
+  typedef Double_2 Traits;
+  double w;
+  int order = 3;
+  bool has_cusp = false;
+
+  std::pair<double, double> domain() const { return {0, 1}; }
+  GC::Curve_jet<Double_2> jet(double t, int k) const {
+    k = (std::min)(k, order);
+    typedef Double_2::Vector V;
+    const double s = t - 0.5;
+    const std::vector<V> d =
+        has_cusp ? std::vector<V>{V(2 * s, 3 * s * s), V(2, 6 * s), V(0, 6)}
+                 : std::vector<V>{V(1, std::cos(w * t)), V(0, -w * std::sin(w * t)), V(0, -w * w * std::cos(w * t))};
+    return GC::Curve_jet<Double_2>(Double_2::Point(t, 0), std::vector<V>(d.begin(), d.begin() + k));
+  }
+};
+
+} // namespace
+
+// A curve that is no spline is asked for its jets: it may turn too often, stop in the middle, or have too few derivatives.
+BOOST_AUTO_TEST_CASE(curves_by_their_jets) {
+  BOOST_CHECK(std::isfinite(GC::fairness(Wave{20})));
+  CHECK_ERROR(GC::fairness(Wave{1e5}), work_limit);
+  CHECK_ERROR(GC::bending_energy(Wave{1e5}), work_limit);
+  CHECK_ERROR(GC::fairness(Wave{20, 2}), jet_order_too_low);
+  BOOST_CHECK(std::isinf(GC::fairness(Wave{0, 3, true})));
 }
 
 BOOST_AUTO_TEST_SUITE_END()

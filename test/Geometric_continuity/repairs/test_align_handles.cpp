@@ -230,6 +230,11 @@ BOOST_AUTO_TEST_CASE(corners_and_bad_legs) {
   CHECK_ERROR(GC::align_handles({0, 0}, {1, 0}), zero_tangent);
   CHECK_ERROR(GC::align_handles({1, 0}, {GC::max_handle_coordinate + 1, 0}), work_limit);
   CHECK_ERROR(GC::align_handle({1, -GC::max_handle_coordinate - 1}, {1, 0}), work_limit);
+  for (const std::int64_t x : {-GC::max_handle_coordinate - 1, GC::max_handle_coordinate + 1})
+    for (const Vector& v : {Vector{x, 1}, Vector{1, x}}) {
+      CHECK_ERROR(GC::align_handles(v, {1, 0}), work_limit);
+      CHECK_ERROR(GC::align_handles({1, 0}, v), work_limit);
+    }
   CHECK_ERROR(GC::align_handle({1, 1}, {0, 0}), zero_tangent);
 }
 

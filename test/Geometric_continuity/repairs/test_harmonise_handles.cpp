@@ -71,6 +71,17 @@ BOOST_AUTO_TEST_CASE(exactly_where_the_ratio_is_a_square) {
   BOOST_CHECK((other.handles.left == Vector{40, 0} && other.handles.right == right.handle));
 }
 
+BOOST_AUTO_TEST_CASE(nearest_exact_lengths) { // the same ratio
+  const auto lengths = [](std::int64_t m, std::int64_t n) {
+    const Result r = harmonised({{m, 0}, {90, -30}, 3, true}, {{n, 0}, {130, 120}, 3, true}, 0);
+    return std::make_pair(r.handles.left.x, r.handles.right.x);
+  };
+  BOOST_CHECK((lengths(43, 86) == std::pair<std::int64_t, std::int64_t>(43, 86))); // as they are, within any bound
+  const Result r = harmonised({{43, 0}, {90, -30}, 3, true}, {{88, 0}, {130, 120}, 3, true});
+  BOOST_CHECK(r.g2);
+  BOOST_CHECK((r.handles.left == Vector{44, 0} && r.handles.right == Vector{88, 0})); // by one unit, not two
+}
+
 BOOST_AUTO_TEST_CASE(handles_of_one_unit) { // the same ratio
   const GC::Handle_side left{{1, 0}, {90, -30}, 3, true}, right{{3, 0}, {130, 120}, 3, true};
   const Result r = harmonised(left, right), mirrored = harmonised(right, left);
@@ -91,6 +102,14 @@ BOOST_AUTO_TEST_CASE(nearly_where_it_is_not) {
   BOOST_CHECK(r.g1);
   BOOST_CHECK(!r.g2);
   BOOST_CHECK_LT(r.jump, 0.05);
+  const auto ratio_4_to = [](std::int64_t y) { // n : m = sqrt(y) / 2
+    return harmonised({{60, 0}, {90, -4}, 3, true}, {{90, 0}, {130, y}, 3, true});
+  };
+  BOOST_CHECK(ratio_4_to(9).g2 && !ratio_4_to(3).g2 && !ratio_4_to(5).g2);
+  for (std::int64_t y : {3, 5}) BOOST_CHECK_LT(ratio_4_to(y).jump, 0.05);
+  // one that would be shorter than a unit
+  const Result tiny = harmonised({{100, 0}, {90, -9000}, 3, true}, {{1, 0}, {130, 1}, 3, true});
+  BOOST_CHECK(tiny.g1 && tiny.handles.right.x >= 1 && tiny.handles.left.x >= 1);
 }
 
 BOOST_AUTO_TEST_CASE(nearly_with_one_fixed_handle) {
@@ -116,6 +135,8 @@ BOOST_AUTO_TEST_CASE(exact_lengths_beyond_the_bound_are_not_taken) {
 BOOST_AUTO_TEST_CASE(no_lengths_for_an_inflection) {
   BOOST_CHECK(!GC::harmonise_handles({{5, 0}, {9, 3}, 3, true}, {{5, 0}, {9, 3}, 3, true}, unbounded));
   BOOST_CHECK(!GC::harmonise_handles({{5, 0}, {9, 0}, 3, true}, {{5, 0}, {9, -3}, 3, true}, unbounded));
+  BOOST_CHECK(!GC::harmonise_handles({{5, 0}, {9, -3}, 3, true}, {{5, 0}, {9, -3}, 3, true}, unbounded));
+  BOOST_CHECK(!GC::harmonise_handles({{5, 0}, {9, -3}, 3, true}, {{5, 0}, {9, 0}, 3, true}, unbounded));
   const Result straight = harmonised({{5, 0}, {9, 0}, 3, true}, {{7, 0}, {9, 0}, 3, true});
   BOOST_CHECK(straight.g2);
   BOOST_CHECK((straight.handles.left == Vector{5, 0} && straight.handles.right == Vector{7, 0}));
@@ -133,7 +154,9 @@ BOOST_AUTO_TEST_CASE(bad_sides) {
   BOOST_CHECK_EQUAL(error({{5, 1}, {9, 3}, 3, true}), "zero_direction");
   BOOST_CHECK_EQUAL(error({{-5, 0}, {9, 3}, 3, true}), "zero_direction");
   BOOST_CHECK_EQUAL(error({{5, 0}, {GC::max_harmonised_coordinate + 1, 3}, 3, true}), "work_limit");
+  BOOST_CHECK_EQUAL(error({{5, 0}, {9, -GC::max_harmonised_coordinate - 1}, 3, true}), "work_limit");
   BOOST_CHECK_EQUAL(error({{5, 0}, {9, 3}, 1, true}), "wrong_number_of_points");
+  BOOST_CHECK_EQUAL(error({{5, 0}, {9, 3}, GC::max_harmonised_degree + 1, true}), "wrong_number_of_points");
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -21,8 +21,7 @@ namespace internal {
 // The least whole number whose square is not less than x.
 inline std::int64_t root_ceiling(std::int64_t x) {
   std::int64_t r = static_cast<std::int64_t>(std::sqrt(static_cast<double>(x)));
-  while (r * r < x) ++r;
-  while (r > 0 && (r - 1) * (r - 1) >= x) --r;
+  while (r * r < x) ++r; // the root is rounded by far less than 1
   return r;
 }
 
