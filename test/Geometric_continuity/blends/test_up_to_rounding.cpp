@@ -65,6 +65,15 @@ BOOST_AUTO_TEST_CASE(how_far) {
     return continuity(left, Curve{Point(x, 0), Point(0.5, y), Point(1, bend)});
   };
   BOOST_CHECK(!join(0, 0, 0).up_to_rounding());
+  BOOST_CHECK(
+      !continuity(left, Curve{Point(0, 0), Point(0.5, 0), Point(1, 1)}, 1).up_to_rounding()); // G1, as was asked
+  const Curve point{Point(ulp, 0), Point(ulp, 0)};                                            // has no tangent
+  BOOST_CHECK_EQUAL(continuity(left, point).up_to_rounding()->g_order, 0);
+  BOOST_CHECK_EQUAL(continuity(point, left.reverse()).up_to_rounding()->g_order, 0);
+  BOOST_CHECK_EQUAL(continuity(left, Curve{Point(ulp, 0), Point(0, 1)}).up_to_rounding()->g_order, 0); // a corner
+  typedef GC::Rational_bezier_curve<Traits> Rational;
+  const Rational line(std::vector<Point>{Point(0, 3 * ulp), Point(1, 0)}, std::vector<double>{1, 2});
+  BOOST_CHECK_EQUAL(continuity(Rational(left), line).up_to_rounding()->g_order, 2);
   BOOST_CHECK_EQUAL(text(join(0, 3 * ulp, 0)),
                     "C0 G0 F0; G2 but for 6 units in the last place"); // the second leg turns twice as far
   BOOST_CHECK_EQUAL(text(join(3 * ulp, 0, 0)), "gap; G2 but for 3 units in the last place");

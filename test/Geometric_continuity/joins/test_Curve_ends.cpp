@@ -226,6 +226,27 @@ BOOST_AUTO_TEST_CASE(clamped_splines) {
   }
 }
 
+// In an exact kernel, and where a spline has Bezier points at the end of one curve only.
+BOOST_AUTO_TEST_CASE(ends_without_bezier_points) {
+  const std::vector<Point> p{Point(0, 0), Point(1, 2), Point(3, 1), Point(4, 4), Point(6, 0)};
+  const Bspline plain(p.begin(), p.end(), GC::Knot_vector<double>(3, std::vector<double>{0, 1, 2, 3, 4, 5, 6, 7, 8}));
+  const Bezier first = plain.bezier_pieces().front(), last = plain.bezier_pieces().back();
+  for (int max_order : {0, 3, 4}) {
+    const auto order = [&](const auto& x, const auto& y) { return GC::continuity(x, y, max_order).c_order; };
+    BOOST_CHECK_EQUAL(order(first, plain), order(first, first));
+    BOOST_CHECK_EQUAL(order(plain, last), order(last, last));
+    BOOST_CHECK_EQUAL(order(plain, plain), order(last, first));
+  }
+  typedef GC::Prepared_end<Exact_traits> End;
+  const std::vector<Exact_traits::Point> q = exact_points(plain);
+  const GC::Bspline_curve<Exact_traits> exact(q.begin(), q.end(), GC::Knot_vector<Q>(3, exact_numbers(plain.knots())));
+  const auto pieces = exact.bezier_pieces();
+  BOOST_CHECK(GC::is_c_join<2>(End::at_end(pieces[0]), End::at_start(pieces[1])));
+  BOOST_CHECK(!GC::is_c_join<0>(End::at_end(exact), End::at_start(exact)));
+  for (int j = 0; j <= 3; ++j) // the points of the kept jet are those of the piece on [0, 1]
+    BOOST_CHECK_EQUAL(End::at_start(exact).coordinate(j, 1), pieces.front().control_point(j).y());
+}
+
 // ---------------------------------------------------------------- curves of the user's own
 
 BOOST_AUTO_TEST_CASE(own_curves) {
@@ -235,7 +256,12 @@ BOOST_AUTO_TEST_CASE(own_curves) {
   BOOST_CHECK(!GC::is_g1_join(Own_bezier{right}, Own_bezier{left}));
   BOOST_CHECK(GC::is_g2_join(Own_curve{left}, Own_curve{right}) && GC::is_g2_join(left, Own_curve{right}));
   BOOST_CHECK(!GC::is_g1_join(Own_curve{right}, Own_curve{left}));
+  for (int max_order : {3, 4}) // control points, and jets of them
+    BOOST_CHECK_EQUAL(GC::continuity(Own_bezier{left}, Own_bezier{right}, max_order).g_order,
+                      GC::continuity(left, right, max_order).g_order);
   typedef GC::Prepared_end<Traits> End;
+  BOOST_CHECK(GC::is_g2_join(End::at_end(left), End::at_start(Own_curve{right})));
+  BOOST_CHECK(!GC::is_g1_join(End::at_end(right), End::at_start(Own_curve{left})));
   BOOST_CHECK(GC::is_g2_join(End::at_end(Own_curve{left}), End::at_start(Own_bezier{right})));
   BOOST_CHECK(GC::continuity(Own_curve{left}, Own_curve{right}).g_order == GC::continuity(left, right).g_order);
 }

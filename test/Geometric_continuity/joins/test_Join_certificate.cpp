@@ -118,6 +118,8 @@ BOOST_AUTO_TEST_CASE(no_tangents_and_no_orders) {
   BOOST_CHECK(certificate(back, 2).betas.front() == Q(-2) && is_zero(*certificate(back, 2).g_residual));
   BOOST_CHECK(certificate(zero, 2).g_order == 0 && certificate(zero, 2).betas.empty() &&
               !certificate(zero, 2).g_residual);
+  const auto from_zero = GC::join_certificate(zero, x, GC::continuity(zero, x, 2), 2);
+  BOOST_CHECK(from_zero.g_order == 0 && from_zero.betas.empty() && !from_zero.g_residual);
   BOOST_CHECK(!certificate(x, 0).c_residual && certificate(x, 0).left.order() == 0 && certificate(x, 0).betas.empty());
   const auto verdict = GC::continuity(x, x, 2);
   CHECK_ERROR(GC::join_certificate(x, x, verdict, 3), jet_order_too_low);

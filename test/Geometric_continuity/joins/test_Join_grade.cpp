@@ -260,6 +260,12 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(curves_of_no_length, Traits, Kernels) {
   BOOST_CHECK_EQUAL(grade<Traits>({{0, 0}}, {{0, 0}, {0, 1}}), "undefined");
   BOOST_CHECK_EQUAL(grade<Traits>({{0, 0}, {0, 0}}, {{1, 0}, {2, 1}}), "gap");
   BOOST_CHECK(!kink_size(curve<Traits>({{-1, 0}, {0, 0}}), curve<Traits>({{0, 0}, {0, 0}})));
+  BOOST_CHECK(!kink_size(curve<Traits>({{0, 0}, {0, 0}}), curve<Traits>({{0, 0}, {1, 0}})));
+  // the bound that is not given is five degrees
+  const auto usual = [](double y) {
+    return join_grade(curve<Traits>({{-1, 0}, {0, 0}}), curve<Traits>({{0, 0}, {1, y}}));
+  };
+  BOOST_CHECK(usual(0.0874) == GC::Join_grade::kink && usual(0.0875) == GC::Join_grade::corner);
 }
 
 BOOST_AUTO_TEST_CASE(numbers_that_are_not_finite) {

@@ -45,4 +45,13 @@ BOOST_AUTO_TEST_CASE(zero_vectors) {
   }
 }
 
+// Only regions that rise and fall on one side of the default count.
+BOOST_AUTO_TEST_CASE(axes_that_count) {
+  for (const GC::Region_axis& axis : {GC::Region_axis{0, 0.5, 1}, {0, 1, 1}, {-1, -1, 0}, {0.25, 0.25, 0.25}})
+    BOOST_CHECK(axis.counts());
+  for (const GC::Region_axis& axis :
+       {GC::Region_axis{-1, 0, 1}, {0, 0, 1}, {0.5, 0.25, 1}, {0, 1, 0.5}, {-0.5, 0.25, 1}, {-1, -0.5, 0.25}})
+    BOOST_CHECK(!axis.counts());
+}
+
 BOOST_AUTO_TEST_SUITE_END()

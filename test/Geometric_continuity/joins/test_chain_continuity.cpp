@@ -125,6 +125,19 @@ BOOST_AUTO_TEST_CASE(short_chains) {
   BOOST_CHECK_EQUAL(joins(0, true).failing(Kind::C, 3), 0);
 }
 
+// The summaries of two parts of a chain that have a curve in common are together that of the chain.
+BOOST_AUTO_TEST_CASE(summaries_of_parts) {
+  Random random;
+  const std::vector<Bezier<Exact_3>> chain = random_chain<Exact_3>(random, 40);
+  const GC::Chain_summary whole = GC::chain_continuity(chain, 3);
+  for (int k : {0, 1, 17, 39}) {
+    GC::Chain_summary sum = GC::chain_continuity(chain.begin(), chain.begin() + k + 1, 3);
+    sum += GC::chain_continuity(chain.begin() + k, chain.end(), 3);
+    BOOST_CHECK_EQUAL(sum.joins(), whole.joins());
+    for (Kind kind : {Kind::C, Kind::G, Kind::F}) BOOST_CHECK(sum.counts(kind) == whole.counts(kind));
+  }
+}
+
 // Whether a chain is closed is told by an enumeration: a bool would be taken for the order.
 template <class... Argument> using Continuity = decltype(GC::chain_continuity(std::declval<Argument>()...));
 template <class... Argument> using Joins = decltype(GC::chain_joins(std::declval<Argument>()...));

@@ -129,6 +129,42 @@ BOOST_AUTO_TEST_CASE(weights_of_any_size) {
   BOOST_CHECK_EQUAL(n.g2, 30);
 }
 
+// The same of lines, of which only the ratio of two weights counts, on domains of such lengths; and of a degree for which no factor is exact.
+BOOST_AUTO_TEST_CASE(weights_and_domains_beyond_all_filters) {
+  typedef GC::Traits_3<CGAL::Epick> Traits;
+  typedef GC::Rational_bezier_curve<Traits> Curve;
+  Counts n;
+  const std::vector<Traits::Point> p{{-2, 4, 1}, {0, 0, 0}}, q{{0, 0, 0}, {1, -2, -0.5}};
+  const std::vector<double> ones{1, 1}, four{1, 1, 1, 1};
+  for (int e : {-600, -200, -30, 30, 200, 600})
+    for (double length : {1., std::ldexp(1., -600), std::ldexp(1., 600)}) {
+      const std::vector<double> w{std::ldexp(1., -e / 2), std::ldexp(1., e / 2)};
+      const Curve left(p.begin(), p.end(), w.begin(), w.end(), 0, length),
+          right(q.begin(), q.end(), w.begin(), w.end(), 0, length);
+      compare<Traits>(left, Curve(q, ones), n);
+      compare<Traits>(Curve(p, ones), right, n);
+      compare<Traits>(left, right, n);
+    }
+  BOOST_CHECK_EQUAL(n.g1, 54);
+  const std::vector<Traits::Point> x{{-3, 5, 2}, {-2, 1, 1}, {-1, 0, 0}, {0, 0, 0}},
+      y{{0, 0, 0}, {1, 0, 0}, {2, 1, 1}, {3, 5, -2}};
+  for (int e : {-30, 30})
+    for (int j : {2, 3}) {
+      std::vector<double> w(4, 1.);
+      w[j] = std::ldexp(1., e);
+      const Curve right(y.begin(), y.end(), w.begin(), w.end()), left(x.begin(), x.end(), w.rbegin(), w.rend());
+      compare<Traits>(left, Curve(y, four), n);
+      compare<Traits>(left, right, n);
+    }
+  std::vector<Traits::Point> high(y);
+  for (int j = 4; j <= 1001; ++j) high.emplace_back(j, j % 5, 0);
+  std::vector<double> w(high.size(), 1.);
+  w[1] = 2;
+  const Curve right(high.begin(), high.end(), w.begin(), w.end());
+  compare<Traits>(Curve(x, four), right, n);
+  compare<Traits>(right, right, n);
+}
+
 // A polygon and its mirror image: the curvatures agree where the weights do. Those of the left end have the last 52 bits of those of the
 // right end, but one more before them.
 BOOST_AUTO_TEST_CASE(weights_below_the_normal_numbers) {
@@ -179,6 +215,20 @@ BOOST_AUTO_TEST_CASE(other_ends) {
     const GC::Rational_bspline_curve<Q3> spline(p.begin(), p.end(), w.begin(), w.end(), GC::Knot_vector<Q>(3, knots));
     compare<Q3>(spline, spline.reverse(), n);
     BOOST_CHECK(GC::knot_continuity(spline, Q(4)).c_order == 2);
+    const GC::Rational_bezier_curve<Q3> positive(p.begin(), p.end(), w.begin(), w.end());
+    compare<Q3>(spline, positive, n);
+    compare<Q3>(positive, spline, n);
+    for (const Q& weight : {Q(1), Q(Q(-1) / Q(16))}) { // the second one may be negative where there is no zero
+      const std::vector<Q> v{1, weight, 1, 1, 1};
+      const GC::Rational_bezier_curve<Q3> dent(p.begin(), p.end(), v.begin(), v.end());
+      compare<Q3>(dent.reverse(), dent, n);
+      compare<Q3>(dent.reverse(), positive, n);
+      compare<Q3>(positive.reverse(), dent, n);
+      // unclamped, with the weights of a polynomial curve
+      compare<Q3>(
+          GC::Rational_bspline_curve<Q3>(GC::Bspline_curve<Q3>(p.begin(), p.end(), GC::Knot_vector<Q>(3, knots))), dent,
+          n);
+    }
   }
   BOOST_CHECK_GE(n.g3, 3);
 }

@@ -540,6 +540,33 @@ BOOST_AUTO_TEST_CASE(tangents_along_an_axis) {
   }
 }
 
+// Degrees and domains for which no factor is exact: then the jets decide.
+BOOST_AUTO_TEST_CASE(high_degrees_and_short_domains) {
+  Points<3> p = {{0, 0, 0}, {-1, 0, 0}, {-2, 1, 0}, {-3, 5, 2}}, q = {{0, 0, 0}, {1, 0, 0}, {2, 1, 0}, {3, 5, -2}};
+  for (const double off : {0., 0x1p-40}) {
+    q[1][1] = off;
+    for (const std::size_t points : {std::size_t(4), std::size_t(1002)})
+      for (const double length : {1., 0x1p-600}) {
+        Points<3> high = q;
+        while (high.size() < points) high.push_back({1, 2, 3});
+        const Curve<Space> left = curve<Space>(p, true, {0, length}), right = curve<Space>(high, false, {0, length});
+        Counter counter;
+        check(left, right, counter);
+        check(curve<Space>(high, true, {0, length}), curve<Space>(p, false, {0, length}), counter);
+        BOOST_CHECK_EQUAL(counter.mismatches, 0);
+        BOOST_CHECK_EQUAL(GC::is_g1_join(left, right), off == 0);
+        typedef GC::Prepared_end<Space> End;
+        const End x = End::at_end(left), y = End::at_start(right);
+        BOOST_CHECK_EQUAL(GC::is_g1_join(x, y), off == 0);
+        BOOST_CHECK_EQUAL(GC::is_g2_join(x, y), GC::is_g2_join(left, right));
+        // also without the integers of fixed length
+        Stages stages{((1u << number_of_stages) - 1) & ~stage(Join_stage::fixed_integer)};
+        BOOST_CHECK(End::decide<Join_question::g2>(x, y, stages) == answer(GC::is_g2_join(left, right)));
+        BOOST_CHECK_EQUAL(stages.count[static_cast<int>(Join_stage::fixed_integer)], 0);
+      }
+  }
+}
+
 // Where the decisions are made: no stage is idle.
 BOOST_AUTO_TEST_CASE(every_stage_decides) {
   std::array<std::array<long, number_of_stages>, 10> counts{};
