@@ -8,6 +8,7 @@
 
 #include <CGAL/Geometric_continuity/edges/Edge_certificate.h>
 #include <CGAL/Geometric_continuity/surfaces/Bspline_surface.h>
+#include <CGAL/Geometric_continuity/surfaces/Rational_surface.h>
 
 #include <boost/test/unit_test.hpp>
 
@@ -70,11 +71,47 @@ BOOST_AUTO_TEST_CASE(constructed_edges) {
       BOOST_CHECK(value(smooth.factors[1], u) == Q(alpha * d) && value(smooth.factors[2], u) == Q(beta * d));
       BOOST_CHECK(value(*smooth.side, u) < Q(0));
     }
+    // the second edge backwards: the same polynomials
+    const std::vector<Patch<Kernel>> p = patches<Kernel>({a, net_from_rows(c, tq, wq)});
+    const Patch<Kernel> backwards = p[1].reverse_u();
+    const auto verdict = GC::edge_continuity(p[0], v0, backwards, v0);
+    BOOST_REQUIRE(verdict.g_order == 2 && verdict.reversed);
+    const std::vector<Certificate> reversed = GC::edge_certificates(p[0], v0, backwards, v0, verdict);
+    BOOST_REQUIRE(reversed.size() == 1 && reversed[0].factors.size() == 3);
+    BOOST_CHECK(reversed[0].determinant->is_zero() && reversed[0].second_order->is_zero());
+    for (int k = 0; k < 3; ++k) BOOST_CHECK(value(reversed[0].factors[k], Q(2)) == value(smooth.factors[k], Q(2)));
     const Curve away{constant(0), constant(0), constant(1)};
     const Certificate g1 = certificate(a, net_from_rows(c, tq, sum({{Q(1), wq}, {Q(1), away}})), 1);
     BOOST_CHECK(g1.determinant->is_zero() && !g1.second_order->is_zero() && g1.factors.size() == 3);
     const Certificate crease = certificate(a, net_from_rows(c, sum({{Q(1), tq}, {Q(1), away}}), wq), 0);
     BOOST_CHECK(!crease.determinant->is_zero() && crease.side && crease.factors.empty() && !crease.second_order);
+  }
+}
+
+// In each coordinate plane, where two coordinates of the normal are zero; and of a wrong verdict on surfaces without a normal.
+BOOST_AUTO_TEST_CASE(planes) {
+  for (int x = 0; x < 3; ++x) {
+    const auto patch = [&](int u, int v) {
+      std::vector<std::vector<Kernel::Point_3>> net(2);
+      for (int i = 0; i < 2; ++i)
+        for (int j = 0; j < 2; ++j) {
+          Q p[3] = {Q(0), Q(0), Q(0)};
+          p[x] = Q(i * u);
+          p[(x + 1) % 3] = Q(j * v);
+          net[i].push_back({p[0], p[1], p[2]});
+        }
+      return Patch<Kernel>(net);
+    };
+    const Patch<Kernel> a = patch(1, 1), b = patch(1, -2), line = patch(1, 0);
+    const auto verdict = GC::edge_continuity(a, v0, b, v0);
+    BOOST_REQUIRE(verdict.g_order == 2);
+    const std::vector<Certificate> c = GC::edge_certificates(a, v0, b, v0, verdict);
+    BOOST_REQUIRE(c.size() == 1 && c[0].factors.size() == 3);
+    BOOST_CHECK(c[0].determinant->is_zero() && c[0].second_order->is_zero() && !c[0].factors[0].is_zero());
+    BOOST_CHECK(value(c[0].factors[2], Q(0)) == Q(-2) * value(c[0].factors[0], Q(0)));
+    const std::vector<Certificate> wrong = GC::edge_certificates(line, v0, line, v0, verdict);
+    BOOST_REQUIRE(wrong.size() == 1 && wrong[0].factors.size() == 3);
+    BOOST_CHECK(wrong[0].side->is_zero() && wrong[0].factors[0].is_zero()); // which shows that it is wrong
   }
 }
 
@@ -103,6 +140,22 @@ BOOST_AUTO_TEST_CASE(knot_lines) {
       certificates(surface(Q(1), GC::Knot_vector<Q>(1, {Q(0), Q(0), Q(1), Q(1), Q(3), Q(3)}), 4));
   BOOST_REQUIRE(jump.size() == 2);
   for (const Certificate& c : jump) BOOST_CHECK(c.g_order == -1 && !c.determinant && !c.side && c.a.edge != c.b.edge);
+  // lines of constant u, and with weights
+  const Surface turned = surface(Q(1), GC::Knot_vector<Q>(1, {Q(0), Q(0), Q(1), Q(3), Q(3)}), 3).swap_parameters();
+  const GC::Rational_bspline_surface<GC::Traits_3<Kernel>> rational(turned);
+  const auto check = [](const auto& s) {
+    int lines = 0;
+    for (const auto& line : GC::knot_line_continuity(s)) {
+      if (!line.constant_u) continue;
+      ++lines;
+      const std::vector<Certificate> c = GC::knot_line_certificates(s, line);
+      BOOST_REQUIRE(c.size() == 2);
+      for (const Certificate& x : c) BOOST_CHECK(x.g_order == 0 && x.determinant && x.factors.empty());
+    }
+    BOOST_CHECK_EQUAL(lines, 1);
+  };
+  check(turned);
+  check(rational);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -430,6 +430,53 @@ BOOST_AUTO_TEST_CASE(functions_over_knots) {
   CHECK_ERROR(blend(a, v1, b, v0, shape), knot_multiplicity);
 }
 
+// Numbers that are short, but not over one denominator, or not when they are multiplied.
+BOOST_AUTO_TEST_CASE(numbers_that_become_long) {
+  const auto check = [](const std::array<Q, 4>& y, const Q& beta, const Q& delta) {
+    const auto patch = [](const Q& from, const Q& to) {
+      std::vector<std::vector<Exact::Point>> net(2);
+      for (int i = 0; i < 2; ++i)
+        for (const Q& v : {from, to}) net[i].emplace_back(Q(i), v, Q(0));
+      return Bezier<Exact>(net);
+    };
+    const Bezier<Exact> a = patch(y[0], y[1]), b = patch(y[2], y[3]);
+    Shape shape;
+    shape.start.beta = shape.end.beta = Function{beta};
+    shape.start.delta = shape.end.delta = Function{delta};
+    Shape other = shape; // the same as functions
+    other.start.beta = other.end.beta = Function{beta, beta};
+    BOOST_CHECK(blend(a, v1, b, v0, shape).elevate(2, 0) == blend(a, v1, b, v0, other));
+  };
+  const Q one(1), zero(0), long_number = Q(1) / Q(2147483647) / Q(2147483629);
+  const std::array<Q, 4> whole{zero, one, Q(2), Q(3)};
+  check(whole, one, zero);
+  check({zero, fraction(1, 2147483647), fraction(2, 2147483629), one}, one, zero); // the common denominator
+  check({Q(0), Q(1), Q(Q(1 << 30) * Q(1 << 29)), Q(Q(1 << 30) * Q(1 << 30))}, one, zero);
+  check(whole, long_number, zero);
+  check(whole, Q(Q(1 << 30) * Q(1 << 30)), zero);
+  check(whole, one, long_number);
+  check(whole, one, Q(Q(1 << 30) * Q(1 << 30)));
+  check(whole, fraction(1, 2147483647), fraction(1, 2147483629));
+  // functions of each kind, and degrees across that are 0
+  const Bezier<Exact> a(
+      {{Exact::Point(0, 0, 0), Exact::Point(0, 1, 0)}, {Exact::Point(1, 0, 0), Exact::Point(1, 1, 0)}}),
+      curve({{Exact::Point(0, 3, 0)}, {Exact::Point(1, 3, 0)}});
+  CHECK_ERROR(blend(a, v1, curve, v0, Shape()), zero_tangent);
+  CHECK_ERROR(blend(curve, v1, a, v0, Shape()), zero_tangent);
+  Shape shape, same;
+  shape.start.delta = Function{Q(3), Q(3)};
+  same.start.delta = Function{Q(3)};
+  BOOST_CHECK(blend(a, v1, a, u0, shape) == blend(a, v1, a, u0, same).elevate(1, 0));
+  // the second surface has no derivative across its edge
+  const Bezier<Exact> slow(
+      {{Exact::Point(0, 5, 0), Exact::Point(0, 5, 0)}, {Exact::Point(1, 5, 0), Exact::Point(1, 5, 0)}});
+  const auto error = [](const Bezier<Exact>& x, const Bezier<Exact>& y) {
+    return error_of([&] { automatic_surface_shape(x, v1, y, v0, GC::Minimal_energy<3>(), Edge_direction::same); });
+  };
+  BOOST_CHECK_EQUAL(error(a, slow), "zero_tangent: automatic_surface_shape: the second surface");
+  BOOST_CHECK_EQUAL(error(slow, a), "zero_tangent: automatic_surface_shape: the first surface");
+}
+
 BOOST_AUTO_TEST_CASE_TEMPLATE(errors, Traits, All_traits) {
   typedef typename Traits::FT FT;
   typedef typename Traits::Point P;

@@ -22,6 +22,7 @@
 #include <random>
 #include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 BOOST_AUTO_TEST_SUITE(edge_deviation)
@@ -262,6 +263,8 @@ BOOST_AUTO_TEST_CASE(edge_verdicts) {
   BOOST_CHECK_EQUAL(GC::order_within(a, half, {angle * 1.001, 0}).proved_order(), 1);
   BOOST_CHECK_EQUAL(GC::order_within(a, half, {angle * 1.001, 0}).deviation.gap, (GC::Enclosure{0, 0}));
   BOOST_CHECK_EQUAL(GC::order_within(a, half, {angle * 1.001, 0.6}).deviation.gap, (GC::Enclosure{0.5, 0.5}));
+  BOOST_CHECK_EQUAL(GC::order_within(half, a, {angle * 1.001, 0}).proved_order(), 1);
+  BOOST_CHECK_EQUAL(GC::order_within(half, a, {angle * 1.001, 0}).deviation.gap, (GC::Enclosure{0, 0}));
 
   for (int order : {-1, 2})
     BOOST_CHECK_EXCEPTION((void)GC::order_within(a, b, {1, 1})(order), GC::Error,
@@ -270,6 +273,31 @@ BOOST_AUTO_TEST_CASE(edge_verdicts) {
                                         GC::Edge_tolerance{std::numeric_limits<double>::quiet_NaN(), 0}})
     BOOST_CHECK_EXCEPTION((void)GC::order_within(a, b, bad), GC::Error,
                           [](const GC::Error& x) { return x.code() == GC::Error_code::unreachable_tolerance; });
+}
+
+// Where a normal vanishes on a whole edge there is no angle.
+BOOST_AUTO_TEST_CASE(edges_without_a_normal) {
+  typedef GC::Bezier_patch<Space> Patch;
+  typedef Space::Point Point;
+  const Patch a({{Point(0, 0, 0), Point(0, 1, 0)}, {Point(1, 0, 0), Point(1, 1, 0)}}),
+      folded({{Point(0, 0, 0), Point(0, 0, 0), Point(0, -1, 0)}, {Point(1, 0, 0), Point(1, 0, 0), Point(1, -1, 0)}}),
+      pole({{Point(0, 0, 0), Point(0, -1, 0)}, {Point(1, 0, 0), Point(0, -1, 0)}});
+  const auto text = [](const GC::Edge_deviation& d) {
+    std::ostringstream os;
+    os << d;
+    return os.str();
+  };
+  BOOST_CHECK_EQUAL(text(GC::deviation(a, v0, pole, v0)), "gap 0, normal angle 0 degrees");
+  for (const auto& [x, y] : {std::pair{a, folded}, std::pair{folded, a}}) {
+    BOOST_CHECK_EQUAL(text(GC::deviation(x, v0, y, v0)), "gap 0, a normal vanishes");
+    const auto edge = GC::edge_continuity(x, v0, y, v0);
+    BOOST_CHECK(edge.g_order == 0 && edge.normal_vanishes && !edge.deviation);
+    for (const GC::Edge_order_within& within :
+         {GC::order_within(edge, {4, 0}), GC::order_within(x, v0, y, v0, {4, 0})}) {
+      BOOST_CHECK(within(0) == Verdict::proved && within(1) == Verdict::refuted);
+      BOOST_CHECK(!within.deviation.normal_angle && within.deviation.normal_vanishes);
+    }
+  }
 }
 
 // In release builds too, in which preconditions are not checked.

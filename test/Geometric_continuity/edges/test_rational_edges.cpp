@@ -119,9 +119,49 @@ BOOST_AUTO_TEST_CASE(a_surface_cut_in_two) {
     const auto part = edge_continuity(a, v1, b.split_u(fraction(3, 7)).first, v0);
     BOOST_CHECK_EQUAL(part.g_order, 2);
     BOOST_CHECK(!part.whole_a && part.whole_b && part.part_a.second == fraction(3, 7));
+    const auto of_many =
+        edge_continuity(b.split_u(fraction(3, 7)).first, v0, c.insert_u(fraction(1, 2)).insert_u(Q(1)), v1);
+    BOOST_CHECK(of_many.g_order == 2 && of_many.whole_a && !of_many.whole_b);
     const auto turned = edge_continuity(a.split_u(fraction(1, 3)).second, v1, b.reverse_u(), v0);
     BOOST_CHECK(turned.g_order == 2 && turned.reversed && turned.whole_a && !turned.whole_b);
   }
+}
+
+// Edges that have the middle of their polynomials in common only, collapsed edges, and surfaces in one point.
+BOOST_AUTO_TEST_CASE_TEMPLATE(edges_with_little_in_common, Traits, All_traits) {
+  typedef typename Traits::Point P;
+  typedef typename Traits::FT FT;
+  // t^2 / (1 + t^2) along two axes
+  const auto along = [](const P& end) {
+    const P o(0, 0, 0), up(0, 0, 1);
+    return Patch<Traits>({{o, up}, {o, up}, {P(end.x() / 2, end.y() / 2, end.z() / 2), up}},
+                         {{FT(1), FT(1)}, {FT(1), FT(1)}, {FT(2), FT(1)}});
+  };
+  const Patch<Traits> x = along(P(1, 0, 0)), y = along(P(0, 1, 0));
+  BOOST_CHECK_EQUAL(order(x, v0, y, v0), -1);
+  BOOST_CHECK_EQUAL(order(Spline<Traits>(x), v0, y, v0), -1);
+  // a point, with any weights, and what is none
+  const auto lid = [](const P& end, int weight) {
+    return Patch<Traits>({{P(0, 0, 0), P(0, 1, 0)}, {end, P(1, 1, 0)}}, {{FT(1), FT(1)}, {FT(weight), FT(1)}});
+  };
+  const Patch<Traits> pole = lid(P(0, 0, 0), 1), other = lid(P(0, 0, 0), 2), open = lid(P(1, 0, 0), 2);
+  for (const Patch<Traits>& s : {pole, other}) {
+    BOOST_CHECK_EQUAL(order(s, v0, other, v0), 0);
+    BOOST_CHECK_EQUAL(order(s, v0, open, v0), -1);
+    BOOST_CHECK_EQUAL(order(open, v0, s, v0), -1);
+    for (const GC::Common_edge& edge : common_edges(s, other)) BOOST_CHECK(edge.edge_a != v0 && edge.edge_b != v0);
+    BOOST_CHECK_EQUAL(common_edges(s, other).size(), s == other ? 3u : 2u);
+  }
+  const Patch<Traits> origin({{P(0, 0, 0), P(0, 0, 0)}, {P(0, 0, 0), P(0, 0, 0)}}, {{FT(1), FT(2)}, {FT(3), FT(4)}});
+  BOOST_CHECK_EQUAL(order(origin, v0, origin, v1), 0);
+  // degrees that numbers of fixed length do not hold, across the second edge only
+  const Patch<Traits> cylinder = quarter_cylinder<Traits>(), next = quarter_cylinder<Traits>(3, -1);
+  BOOST_CHECK_EQUAL(is_g2_edge(cylinder, v0, next.elevate(0, 12), v0), is_g2_edge(cylinder, v0, next, v0));
+}
+
+// What nothing has been decided about has no spans.
+BOOST_AUTO_TEST_CASE(output_of_nothing) {
+  BOOST_CHECK_EQUAL(text(GC::Spline_edge_continuity<Q>()), text(GC::Edge_continuity<Q>()));
 }
 
 BOOST_AUTO_TEST_CASE_TEMPLATE(cylinder_and_plane, Traits, All_traits) {

@@ -270,6 +270,13 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(errors, Traits, Rounded_traits) {
                            v);
   };
   CHECK_ERROR(blended(spline(knots, knots, 0), v1, spline(others, knots, 8), v0), not_representable);
+  CHECK_ERROR(blended(spline(knots, knots, 0), v1, spline(Knots(2, 0., 1.), knots, 8), v0), not_representable);
+  // 1 - 2^-60 is no floating-point number
+  const Knots narrow(2, 0., 2., {{0x1p-60, 1}, {1., 1}});
+  BOOST_CHECK_EQUAL(
+      text([&] { blended(spline(knots, knots, 0), v1, spline(knots, narrow, 8), v0); }),
+      "not_representable: representable_blend: the edge v0 of the second surface: the distance of knots next "
+      "to it is no floating-point number");
   BOOST_CHECK_EQUAL(
       text([&] { blended(spline(knots, loose, 0), v1, spline(knots, knots, 8), v0); }),
       "not_representable: representable_blend: the edge v1 of the first surface: the knots across it are not "

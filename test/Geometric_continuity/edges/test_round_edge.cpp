@@ -177,6 +177,14 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(errors, Traits, All_traits) {
       text(wall(P(4, 0, 0), b), v0),
       "curves_do_not_meet: round_edge: the edge v0 of the first surface and the edge v0 of the second one have "
       "only a part in common, from 0.500000 to 1.000000 of the first one");
+  // one point
+  const Bezier<Traits> pole_of_floor({{P(0, 0, 0), P(0, 8, 0)}, {P(0, 0, 0), P(8, 8, 0)}}),
+      pole_of_wall({{P(0, 0, 0), P(0, 0, 8)}, {P(0, 0, 0), P(8, 0, 8)}});
+  BOOST_CHECK_EQUAL(
+      error_of([&] { round_edge(pole_of_floor, v0, pole_of_wall, v0, quarter, quarter); }),
+      "zero_tangent: round_edge: the edge v0 of the first surface and the edge v0 of the second one are a "
+      "single point");
+  CHECK_ERROR(round_edge(wall(P(4, 0, 0), b), v0, floor, v0, quarter, quarter), curves_do_not_meet);
   // smooth, but for the curvature, and smooth
   const Bezier<Traits> plane({{P(0, 0, 0), P(0, -8, 0)}, {P(8, 0, 0), P(8, -8, 0)}});
   BOOST_CHECK_EQUAL(text(plane, v0),

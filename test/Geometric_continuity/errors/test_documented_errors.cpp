@@ -297,6 +297,11 @@ BOOST_AUTO_TEST_CASE(surfaces) {
   CHECK_ERROR(GC::blend(s, E::u0, t, E::u1), dimension_mismatch);
   CHECK_ERROR(GC::parallelogram<Dd>(point({0, 0}), vector({1, 0, 0}), vector({0, 1})), dimension_mismatch);
   CHECK_ERROR(GC::parallelogram<Dd>(point({0, 0}), vector({1, 0}), vector({0, 1, 0})), dimension_mismatch);
+  typedef GC::Rational_bezier_curve<Dd> Profile;
+  CHECK_ERROR(
+      GC::bezier_patch(GC::Extrusion_surface_3<Profile>(
+          Profile(std::vector<Dd::Point>{point({0, 0}), point({1, 1})}, std::vector<double>{1, 2}), vector({0, 0, 1}))),
+      dimension_mismatch);
   CHECK_ERROR(GC::parallelogram(P3(0, 0, 0), V3(1, inf, 0), V3(0, 1, 0)), not_finite);
   CHECK_ERROR(GC::cylinder<Dd>(point({0, 0, 0}), vector({1, 0, 0}), vector({0, 1, 0}), vector({0, 0})),
               dimension_mismatch);

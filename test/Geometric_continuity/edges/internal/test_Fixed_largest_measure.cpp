@@ -132,6 +132,26 @@ BOOST_AUTO_TEST_CASE(what_fixed_length_leaves_open) {
   BOOST_CHECK(!search(Whole(std::vector<Ring>(5, Ring(0))), one(4))); // no angle
 }
 
+// Where the surfaces continue each other, or numbers are not exact, there is no crease to find.
+BOOST_AUTO_TEST_CASE(no_crease) {
+  const auto layers = [](double y) {
+    GC::internal::Edge_layers x;
+    x.along = x.across = 1;
+    x.layers = 2;
+    for (int i = 0; i < 2; ++i) {
+      x.p[0][i] = {1. * i, 0, 0};
+      x.p[1][i] = {1. * i, y, i * y};
+    }
+    return x;
+  };
+  const GC::internal::Edge_layers a = layers(1), b = layers(-1), c = layers(2);
+  const GC::internal::Work_on_object work("test");
+  GC::internal::Edge_ladder smooth(a, b), fold(a, c);
+  BOOST_CHECK(!GC::internal::crease_on_grid<Q>(smooth));
+  BOOST_CHECK(!GC::internal::crease_on_grid<Q>(fold));
+  BOOST_CHECK(!GC::internal::crease_on_grid<double>(smooth));
+}
+
 // Two patches of degree n along their edge with random points, whose angles are less than 90 degrees for small `steep`.
 BOOST_AUTO_TEST_CASE(creases_in_fixed_length_and_multiprecision) {
   Random random;

@@ -77,6 +77,40 @@ BOOST_AUTO_TEST_CASE(parts_of_one_spline) {
     BOOST_CHECK(!found(left(-1), u1, left(-1), u1)); // a fold
     const auto flat = [](const Filtered::Point& p) { return Filtered::Point(p.x(), 2 * p.x(), 0); };
     BOOST_CHECK(!found(left(-1).transform(flat), u1, b.transform(flat), u0)); // no normal
+    const auto turned = [](const Filtered::Point& p) { return Filtered::Point(p.y(), p.z(), p.x()); };
+    BOOST_CHECK(found(left(-1).transform(turned), u1, b.transform(turned), u0) == Edge_direction::same);
+    const auto huge = [](const Filtered::Point& p) {
+      return Filtered::Point(0x1p600 * p.x(), 0x1p600 * p.y(), 0x1p600 * p.z());
+    };
+    BOOST_CHECK(!found(left(-1).transform(huge), u1, b.transform(huge), u0)); // beyond the grid
+    // another degree along the edge, more knots, other knots with the same points, and a knot with a gap
+    BOOST_CHECK(!found(left(-1), u1, b.elevate(0, 1), u0) && !found(left(-1), u1, b.insert_v(1), u0));
+    const auto over = [](const Given& s, const GC::Knot_vector<double>& across, const GC::Knot_vector<double>& along) {
+      std::vector<std::vector<Filtered::Point>> points(s.number_of_points_u());
+      for (int i = 0; i < s.number_of_points_u(); ++i)
+        for (int j = 0; j < s.number_of_points_v(); ++j) points[i].push_back(s.control_point(i, j));
+      return Given(points, across, along);
+    };
+    BOOST_CHECK(!found(left(-1), u1, over(b, b.knots_u(), GC::Knot_vector<double>(3, 0., 3., {{1., 1}})), u0));
+    const Given torn = b.insert_v(2, 3), torn_left = left(-1).insert_v(2, 3);
+    BOOST_CHECK(torn.knots_v().multiplicity(2) == 4 && !found(torn_left, u1, torn, u0));
+    // knots across that are not clamped; and distances of them whose ratios are no short numbers
+    std::vector<double> loose(b.knots_u().begin(), b.knots_u().end()), long_ones = loose;
+    loose.front() -= 1;
+    for (double& t : long_ones) t *= 0.1;
+    const GC::Knot_vector<double> unclamped(3, loose), rounded(3, long_ones);
+    BOOST_CHECK(!found(left(-1), u1, over(b, unclamped, b.knots_v()), u0));
+    BOOST_CHECK(!found(over(b, unclamped, b.knots_v()), u0, left(-1), u1));
+    BOOST_CHECK(!found(left(-1), u1, over(b, rounded, b.knots_v()), u0));
+    // an edge that is closed may be the same backwards
+    const auto closed = [&](const Given& s, int edge) {
+      std::vector<std::vector<Filtered::Point>> points(s.number_of_points_u());
+      for (int i = 0; i < s.number_of_points_u(); ++i)
+        for (int j = 0; j < s.number_of_points_v(); ++j)
+          points[i].push_back(s.control_point(i, i == edge && j + 1 == s.number_of_points_v() ? 0 : j));
+      return Given(points, s.knots_u(), s.knots_v());
+    };
+    BOOST_CHECK(!found(closed(left(-1), 5), u1, closed(b, 0), u0));
   }
 }
 
