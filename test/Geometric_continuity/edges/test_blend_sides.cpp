@@ -106,7 +106,7 @@ template <class Given, class A, class B> void check_sides(Numbers& random, const
   };
   const std::string first = ", the edge " + to_string(ea) + " of the first surface: ",
                     second = ", the edge " + to_string(eb) + " of the second surface: ";
-  if constexpr (std::is_base_of_v<GC::Rational_edge_reparametrisation<Q>, decltype(Shape().start)>) {
+  if constexpr (std::is_base_of_v<GC::Rational_edge_reparametrisation<Q>, decltype(Given().start)>) {
     // the same curve at another pace: it fits alone, but not after the other one
     Side x = end;
     Q power(1);

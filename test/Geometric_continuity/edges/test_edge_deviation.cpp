@@ -15,6 +15,7 @@
 #include <CGAL/Geometric_continuity/Traits.h>
 #include <CGAL/Geometric_continuity/edges/edge_continuity.h>
 #include <CGAL/Geometric_continuity/edges/edge_deviation.h>
+#include <CGAL/Geometric_continuity/surfaces/Bspline_surface.h>
 
 #include <algorithm>
 #include <cmath>
@@ -290,6 +291,8 @@ BOOST_AUTO_TEST_CASE(edges_without_a_normal) {
   BOOST_CHECK_EQUAL(text(GC::deviation(a, v0, pole, v0)), "gap 0, normal angle 0 degrees");
   for (const auto& [x, y] : {std::pair{a, folded}, std::pair{folded, a}}) {
     BOOST_CHECK_EQUAL(text(GC::deviation(x, v0, y, v0)), "gap 0, a normal vanishes");
+    const auto spans = GC::Bspline_surface<Space>(x).insert_u(0.5);
+    BOOST_CHECK_EQUAL(text(GC::deviation(spans, v0, y, v0)), "gap 0, a normal vanishes");
     const auto edge = GC::edge_continuity(x, v0, y, v0);
     BOOST_CHECK(edge.g_order == 0 && edge.normal_vanishes && !edge.deviation);
     for (const GC::Edge_order_within& within :
@@ -297,6 +300,15 @@ BOOST_AUTO_TEST_CASE(edges_without_a_normal) {
       BOOST_CHECK(within(0) == Verdict::proved && within(1) == Verdict::refuted);
       BOOST_CHECK(!within.deviation.normal_angle && within.deviation.normal_vanishes);
     }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(rows_without_coefficients) {
+  for (const auto member : {&Rows::edge, &Rows::cross, &Rows::second_cross}) {
+    Rows bad = flat;
+    (bad.*member).clear();
+    for (const auto& [a, b] : {std::pair{bad, flat}, std::pair{flat, bad}})
+      CHECK_ERROR((void)GC::edge_continuity(a, b), wrong_number_of_points);
   }
 }
 

@@ -61,7 +61,9 @@ BOOST_AUTO_TEST_CASE(slopes) {
   BOOST_TEST(sharp(0.08, 1, 5 * degree) == Verdict::refuted); // tan 5 degrees = 0.0875
   BOOST_TEST(sharp(1, 1, GC::Enclosure{0.7853981633974482, 0.7853981633974485}) == Verdict::undecided);
   BOOST_TEST(sharp(1, 2, GC::Enclosure{0.7853981633974482, 0.7853981633974485}) == Verdict::undecided); // at an end
-  BOOST_TEST(GC::is_sharp_edge(ground, ramp(0, 1), 0.5, 1, 26 * degree) == Verdict::proved);            // a part
+  BOOST_TEST(GC::is_sharp_edge(ground, ramp(1, 1), 0.5, 0.5, GC::Enclosure{0.7853981633974482, 0.7853981633974485}) ==
+             Verdict::undecided);
+  BOOST_TEST(GC::is_sharp_edge(ground, ramp(0, 1), 0.5, 1, 26 * degree) == Verdict::proved); // a part
   BOOST_TEST(GC::is_sharp_edge(ground, ramp(0, 1), 0.5, 1, 27 * degree) == Verdict::refuted);
   BOOST_TEST(GC::is_sharp_edge(ground, ramp(0, 1), 0.5, 0.5, 26 * degree) == Verdict::proved); // a point
   GC::Edge_precision little;
@@ -116,4 +118,5 @@ BOOST_AUTO_TEST_CASE(errors) {
   CHECK_ERROR(GC::is_sharp_edge(ground, ramp(0, 1), 1, 0, 0.1), empty_domain);
   CHECK_ERROR(GC::is_sharp_edge(ground, ramp(0, 1), 0, std::numeric_limits<double>::infinity(), 0.1), not_finite);
   CHECK_ERROR(GC::is_sharp_edge(ground, ramp(0, 1), 0, 3, 0.1), parameter_outside_domain);
+  CHECK_ERROR(GC::is_sharp_edge(ground, ramp(0, 1), -3, 1, 0.1), parameter_outside_domain);
 }

@@ -140,6 +140,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(edges_with_little_in_common, Traits, All_traits) {
   const Patch<Traits> x = along(P(1, 0, 0)), y = along(P(0, 1, 0));
   BOOST_CHECK_EQUAL(order(x, v0, y, v0), -1);
   BOOST_CHECK_EQUAL(order(Spline<Traits>(x), v0, y, v0), -1);
+  BOOST_CHECK_EQUAL(order(x, v0, along(P(-1, 0, 0)), v0), -1);
   // a point, with any weights, and what is none
   const auto lid = [](const P& end, int weight) {
     return Patch<Traits>({{P(0, 0, 0), P(0, 1, 0)}, {end, P(1, 1, 0)}}, {{FT(1), FT(1)}, {FT(weight), FT(1)}});

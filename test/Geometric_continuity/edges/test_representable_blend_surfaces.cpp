@@ -10,6 +10,7 @@
 #include "support/random_surfaces.h"
 #include "support/rational_surfaces.h"
 
+#include <CGAL/Cartesian_d.h>
 #include <CGAL/Geometric_continuity/blends/Fair.h>
 #include <CGAL/Geometric_continuity/edges/blend_surfaces.h>
 #include <CGAL/Geometric_continuity/edges/edge_continuity.h>
@@ -272,7 +273,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(errors, Traits, Rounded_traits) {
   CHECK_ERROR(blended(spline(knots, knots, 0), v1, spline(others, knots, 8), v0), not_representable);
   CHECK_ERROR(blended(spline(knots, knots, 0), v1, spline(Knots(2, 0., 1.), knots, 8), v0), not_representable);
   // 1 - 2^-60 is no floating-point number
-  const Knots narrow(2, 0., 2., {{0x1p-60, 1}, {1., 1}});
+  const Knots narrow(2, 0x1p-60, 2., {{1., 1}});
   BOOST_CHECK_EQUAL(
       text([&] { blended(spline(knots, knots, 0), v1, spline(knots, narrow, 8), v0); }),
       "not_representable: representable_blend: the edge v0 of the second surface: the distance of knots next "
@@ -294,6 +295,21 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(errors, Traits, Rounded_traits) {
       text([&] { blended(line, v1, stiff, v0); }),
       "not_representable: representable_blend: the edge v0 of the second surface: the tangent is lost on each "
       "grid that leaves room for the blend");
+}
+
+BOOST_AUTO_TEST_CASE(other_dimensions) {
+  typedef GC::Traits_d<CGAL::Cartesian_d<double>> Traits;
+  const auto patch = [](int d, double from) {
+    std::vector<std::vector<Traits::Point>> net(2);
+    for (int i = 0; i < 2; ++i)
+      for (int j = 0; j < 2; ++j) {
+        const double x[] = {1. * i, from + j, 0};
+        net[i].push_back(Traits::Point(d, x, x + d));
+      }
+    return Bezier<Traits>(net);
+  };
+  BOOST_CHECK_EQUAL(representable_blend(patch(2, 0), v1, patch(2, 3), v0).blend.dimension(), 2);
+  CHECK_ERROR(representable_blend(patch(2, 0), v1, patch(3, 3), v0), dimension_mismatch);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -132,6 +132,19 @@ BOOST_AUTO_TEST_CASE(what_fixed_length_leaves_open) {
   BOOST_CHECK(!search(Whole(std::vector<Ring>(5, Ring(0))), one(4))); // no angle
 }
 
+// Of two spans with one defect the one with the larger angle is worse, and one of which no angle is known is not.
+BOOST_AUTO_TEST_CASE(worse_spans) {
+  GC::Edge_continuity<Q> none, small;
+  none.g_order = small.g_order = 0;
+  none.defect = small.defect = GC::Edge_defect::crease;
+  small.deviation = GC::Normal_deviation<Q>{Q(1) / Q(8), Q(1) / Q(4), Q(0), Q(1)};
+  GC::Edge_continuity<Q> large = small;
+  large.deviation->upper = Q(1) / Q(2);
+  using GC::internal::is_worse;
+  BOOST_CHECK(is_worse(small, none) && !is_worse(none, small) && !is_worse(none, none));
+  BOOST_CHECK(is_worse(large, small) && !is_worse(small, large));
+}
+
 // Where the surfaces continue each other, or numbers are not exact, there is no crease to find.
 BOOST_AUTO_TEST_CASE(no_crease) {
   const auto layers = [](double y) {

@@ -102,6 +102,11 @@ BOOST_AUTO_TEST_CASE(parts_of_one_spline) {
     BOOST_CHECK(!found(left(-1), u1, over(b, unclamped, b.knots_v()), u0));
     BOOST_CHECK(!found(over(b, unclamped, b.knots_v()), u0, left(-1), u1));
     BOOST_CHECK(!found(left(-1), u1, over(b, rounded, b.knots_v()), u0));
+    // one point along the edge
+    std::vector<std::vector<Filtered::Point>> row(b.number_of_points_u());
+    for (int i = 0; i < b.number_of_points_u(); ++i) row[i].push_back(b.control_point(i, 0));
+    const Given point(row, b.knots_u(), GC::Knot_vector<double>(0, {0., 1.}));
+    BOOST_CHECK(!found(point, u0, point, u1));
     // an edge that is closed may be the same backwards
     const auto closed = [&](const Given& s, int edge) {
       std::vector<std::vector<Filtered::Point>> points(s.number_of_points_u());

@@ -517,6 +517,57 @@ BOOST_AUTO_TEST_CASE(not_finite) {
   for (double z : {std::numeric_limits<double>::infinity(), std::numeric_limits<double>::quiet_NaN()})
     BOOST_CHECK_EXCEPTION((void)GC::is_g1_edge(patch(0), v0, patch(z), v0), GC::Error,
                           [](const GC::Error& e) { return e.code() == GC::Error_code::not_finite; });
+  // the stages of fixed length leave to others what surfaces refuse
+  GC::internal::Edge_layers x, y;
+  BOOST_REQUIRE((GC::internal::edge_layers(patch(0), v0, patch(1), v0, 2, x, y)));
+  Stages all{31}, none{0};
+  BOOST_CHECK(GC::internal::decide_on_same_edge<0>(x, y, all) == true);
+  BOOST_CHECK(!GC::internal::decide_on_same_edge<0>(x, y, none));
+  for (double z : {std::numeric_limits<double>::infinity(), std::numeric_limits<double>::quiet_NaN()}) {
+    GC::internal::Edge_layers bad = y;
+    bad.p[1][0][2] = z;
+    BOOST_CHECK(GC::internal::size_of(y) == 1 && std::isinf(GC::internal::size_of(bad)));
+    BOOST_CHECK(!GC::internal::decide_on_same_edge<0>(x, bad, all) &&
+                !GC::internal::decide_on_same_edge<0>(bad, x, all));
+#ifdef CGAL_GEOMETRIC_CONTINUITY_HAS_FIXED_INTEGER
+    GC::internal::Edge_ladder good(x, y), ladder(x, bad);
+    BOOST_CHECK(good.on_grid() != nullptr && ladder.on_grid() == nullptr);
+#endif
+  }
+}
+
+// T2 = (gamma C' + beta T1) / alpha with numbers each of which is short, but not over one denominator: 7000 over 7.
+BOOST_AUTO_TEST_CASE(ratios_that_become_long) {
+  const auto patch = [](double length, const std::array<double, 2>& start, const std::array<double, 2>& end) {
+    return Patch({{Space::Point(0, 0, 0), Space::Point(start[0], start[1], 0)},
+                  {Space::Point(length, 0, 0), Space::Point(length + end[0], end[1], 0)}});
+  };
+  struct Case {
+    double length, a;
+    std::array<double, 2> start, end;
+  };
+  for (const Case& c : {Case{7, 1, {1, -1000}, {1, -1000}}, Case{1, 7, {1000, -1}, {0, -1}},
+                        Case{1, 7, {0, -1}, {1000, -1}}, Case{1, 1, {2, -1}, {3, -1}}}) {
+    const Patch a = patch(c.length, {0, c.a}, {0, c.a}), b = patch(c.length, c.start, c.end);
+    BOOST_CHECK(GC::is_g1_edge(a, v0, b, v0) && GC::is_g2_edge(a, v0, b, v0)); // in one plane
+    GC::internal::Edge_layers x, y;
+    BOOST_REQUIRE((GC::internal::edge_layers(a, v0, b, v0, 2, x, y)));
+    Stages ratio{stage(Edge_stage::simple_ratio)};
+    BOOST_CHECK_EQUAL(GC::internal::decide_on_same_edge<2>(x, y, ratio).has_value(), c.length == 1 && c.a == 1);
+  }
+}
+
+// Second differences much larger than the first ones, which rounded numbers do not judge.
+BOOST_AUTO_TEST_CASE(steep_second_layers) {
+  const auto patch = [](double y, double z) {
+    return Patch({{Space::Point(0, 0, 0), Space::Point(0, y, 0), Space::Point(0, 2 * y, z)},
+                  {Space::Point(1, 0, 0), Space::Point(1, y, 0), Space::Point(1, 2 * y, z)}});
+  };
+  for (const double z : {0x1p99, 0x1p101, 0x1p300}) {
+    BOOST_CHECK(GC::is_g1_edge(patch(1, 0), v0, patch(-1, z), v0) &&
+                !GC::is_g2_edge(patch(1, 0), v0, patch(-1, z), v0));
+    BOOST_CHECK(GC::is_g2_edge(patch(1, z), v0, patch(-1, z), v0));
+  }
 }
 
 // ---------------------------------------------------------------- rational numbers, and the spans of splines
