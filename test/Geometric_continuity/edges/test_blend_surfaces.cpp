@@ -454,6 +454,8 @@ BOOST_AUTO_TEST_CASE(numbers_that_become_long) {
   check({zero, one, Q(Q(1 << 30) * Q(1 << 28)), Q(Q(1 << 30) * Q(1 << 29))}, one, zero);
   check(whole, long_number, zero);
   check(whole, Q(Q(1 << 30) * Q(1 << 30)), zero);
+  check(whole, Q(Q(1 << 30) * Q(4)), zero); // short, but its square is not
+  check(whole, fraction(1, 1 << 30) / Q(4), zero);
   check(whole, one, long_number);
   check(whole, one, Q(Q(1 << 30) * Q(1 << 30)));
   check(whole, fraction(1, 2147483647), fraction(1, 2147483629));

@@ -508,16 +508,21 @@ BOOST_AUTO_TEST_CASE(what_is_not_decided) {
   BOOST_TEST(verdict(ground, spline) == "undecided");
   BOOST_TEST(verdict(ground, fillet, 1, 1) == "undecided");
   BOOST_TEST(verdict(spline, side(random_surface(random, {}), line(0, 2, 1, 0))) == "undecided"); // beside the surface
+  const GC::Edge_side point = side(random_surface(random, {}), line(0.25, 0.5, 0, 0));
+  BOOST_TEST(verdict(point, point) == "undecided");
   // profiles and curves of other kinds, and a surface without a normal
   const GC::Cad_conic<3> parabola{GC::Cad_conic<3>::Kind::parabola, {0, 0, 0}, {0, 1, 0}, {1, 0, 0}, 1, 0};
   const GC::Cad_conic<2> flat_parabola{GC::Cad_conic<2>::Kind::parabola, {0, 0}, {0, 1}, {1, 0}, 1, 0};
   const GC::Cad_spline_curve<2> bent{2, {0, 0, 0, 1, 1, 1}, {{0, 0}, {0.5, 1}, {1, 0}}, {}};
-  const GC::Edge_side others[] = {side(GC::Cad_extrusion{parabola, {0, 0, 1}}, line(0, 0, 1, 0)),
-                                  side(GC::Cad_revolution{parabola, {0, 5, 0}, {1, 0, 0}}, line(0, 0, 1, 0)),
-                                  side(plane(), flat_parabola),
-                                  side(plane(), bent),
-                                  side(Elementary{Kind::cylinder, standard, 1}, bent),
-                                  side(Elementary{Kind::cylinder, standard, 1}, flat_parabola)};
+  const GC::Edge_side others[] = {
+      side(GC::Cad_extrusion{parabola, {0, 0, 1}}, line(0, 0, 1, 0)),
+      side(GC::Cad_revolution{parabola, {0, 5, 0}, {1, 0, 0}}, line(0, 0, 1, 0)),
+      side(GC::Cad_extrusion{GC::Cad_spline_curve<3>{1, {0, 0, 1, 1}, {{0, 0, 0}, {1, 0, 0}}, {}}, {0, 0, 1}},
+           line(0, 0, 1, 0)),
+      side(plane(), flat_parabola),
+      side(plane(), bent),
+      side(Elementary{Kind::cylinder, standard, 1}, bent),
+      side(Elementary{Kind::cylinder, standard, 1}, flat_parabola)};
   for (const GC::Edge_side& s : others) BOOST_TEST(verdict(s, s) == "undecided");
   const GC::Edge_side flat = side(plane(), line(0, 0, 1, 0)),
                       folded =

@@ -309,7 +309,8 @@ BOOST_AUTO_TEST_CASE(other_dimensions) {
     return Bezier<Traits>(net);
   };
   BOOST_CHECK_EQUAL(representable_blend(patch(2, 0), v1, patch(2, 3), v0).blend.dimension(), 2);
-  CHECK_ERROR(representable_blend(patch(2, 0), v1, patch(3, 3), v0), dimension_mismatch);
+  CHECK_ERROR(representable_blend(patch(2, 0), v1, patch(3, 3), v0, GC::Minimal_energy<3>(), Edge_direction::same),
+              dimension_mismatch);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

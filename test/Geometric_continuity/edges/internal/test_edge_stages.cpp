@@ -568,6 +568,11 @@ BOOST_AUTO_TEST_CASE(steep_second_layers) {
                 !GC::is_g2_edge(patch(1, 0), v0, patch(-1, z), v0));
     BOOST_CHECK(GC::is_g2_edge(patch(1, z), v0, patch(-1, z), v0));
   }
+  // what has not the order 2 has not the order 3, which needs more numbers
+  const auto spline = [&](double y, double z) { return GC::Bspline_surface<Space>(patch(y, z)).insert_u(0.5); };
+  BOOST_CHECK(!GC::is_g3_edge(patch(1, 0), v0, patch(-1, 1), v0) &&
+              !GC::is_g3_edge(spline(1, 0), v0, spline(-1, 1), v0));
+  BOOST_CHECK(GC::is_g3_edge(patch(1, 0), v0, patch(-1, 0), v0) && GC::is_g3_edge(spline(1, 0), v0, spline(-1, 0), v0));
 }
 
 // ---------------------------------------------------------------- rational numbers, and the spans of splines

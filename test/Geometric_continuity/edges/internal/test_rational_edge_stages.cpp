@@ -268,6 +268,30 @@ BOOST_AUTO_TEST_CASE(weights_of_all_sizes) {
   BOOST_CHECK_GT(fixed, multiprecision);
 }
 
+// Rows whose weights are negative, zero or long at an end are left to numbers of any length.
+BOOST_AUTO_TEST_CASE(weights_at_the_ends_of_rows) {
+  typedef GC::Edge_rows<Q, 4> Rows;
+  const auto rows = [](const Q& weight, int y) {
+    const auto vector = [](const Q& x, const Q& y, const Q& w) {
+      GC::Coordinate_vector<Q, 4> v(4);
+      v[0] = x;
+      v[1] = y;
+      v[3] = w;
+      return v;
+    };
+    const Q zero(0);
+    return Rows{{vector(zero, zero, Q(1)), vector(Q(1), zero, weight)},
+                {vector(zero, Q(y), zero), vector(zero, Q(y), zero)},
+                {vector(zero, zero, zero), vector(zero, zero, zero)}};
+  };
+  const auto fit = [&](const Q& weight) {
+    GC::internal::Homogeneous_layers x, y;
+    return GC::internal::edge_layers(rows(weight, 1), rows(weight, -1), x, y);
+  };
+  BOOST_CHECK(fit(Q(1)) && fit(Q(3)) && fit(Q(0x1p53)));
+  BOOST_CHECK(!fit(Q(-1)) && !fit(Q(0)) && !fit(Q(Q(0x1p53) + Q(1))));
+}
+
 BOOST_AUTO_TEST_CASE(degenerate_edges) {
   typedef Filtered::Point P;
   // the apex of a cone with other weights on each side: one point, in another rational parametrisation
