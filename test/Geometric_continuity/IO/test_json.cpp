@@ -130,6 +130,10 @@ BOOST_AUTO_TEST_CASE(orders_within_a_tolerance) {
   BOOST_CHECK_EQUAL(written([&](std::ostream& os) { GC::write_json_members(os, within.deviation); }),
                     "\"gap\":[0,0],\"tangent_angle\":null,\"curvature_jump\":[0.25,0.5],\"torsion_jump\":null,"
                     "\"angle_degrees\":null,\"curvature_percent\":[25,50]");
+  within.deviation.curvature_jump.reset();
+  BOOST_CHECK_EQUAL(written([&](std::ostream& os) { GC::write_json_members(os, within.deviation); }),
+                    "\"gap\":[0,0],\"tangent_angle\":null,\"curvature_jump\":null,\"torsion_jump\":null,"
+                    "\"angle_degrees\":null,\"curvature_percent\":null");
   within.deviation.torsion_jump = GC::Enclosure{0, std::nan("")};
   check_not_finite([&](std::ostream& os) { GC::write_json(os, within); });
   check_not_finite([&](std::ostream& os) { GC::write_json_members(os, within); });

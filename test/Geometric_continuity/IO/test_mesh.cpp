@@ -4,6 +4,8 @@
 
 #include <boost/test/unit_test.hpp>
 
+#include "support/errors.h"
+
 #include <CGAL/Geometric_continuity/IO/mesh.h>
 #include <CGAL/Geometric_continuity/Traits.h>
 #include <CGAL/Simple_cartesian.h>
@@ -75,6 +77,12 @@ BOOST_AUTO_TEST_CASE(points_of_the_plane_are_refused) {
   t.points = {{0, 0}, {1, 0}, {0, 1}};
   t.triangles = {{0, 1, 2}};
   check_refused(t, GC::Error_code::dimension_mismatch);
+}
+
+BOOST_AUTO_TEST_CASE(formats_by_names) {
+  BOOST_CHECK(GC::mesh_format("a.off") == GC::Mesh_format::off && GC::mesh_format("b/c.OBJ") == GC::Mesh_format::obj);
+  BOOST_CHECK(GC::mesh_format("a.b.Ply") == GC::Mesh_format::ply && GC::mesh_format(".stl") == GC::Mesh_format::stl);
+  for (const char* path : {"", "obj", "a.obj/b", "a.obj.gz"}) CHECK_ERROR(GC::mesh_format(path), cannot_write_file);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

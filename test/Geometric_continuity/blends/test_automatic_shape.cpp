@@ -184,4 +184,11 @@ BOOST_AUTO_TEST_CASE(errors) {
   }
 }
 
+BOOST_AUTO_TEST_CASE(equal_parameters_of_ends) {
+  typedef GC::Septic_end_parameters<double> Parameters;
+  const Parameters p(1, 2, 3);
+  BOOST_CHECK(p == Parameters(1, 2, 3));
+  for (const Parameters& q : {Parameters(0, 2, 3), Parameters(1, 0, 3), Parameters(1, 2, 0)}) BOOST_CHECK(!(p == q));
+}
+
 BOOST_AUTO_TEST_SUITE_END()

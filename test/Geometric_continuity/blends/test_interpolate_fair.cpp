@@ -133,6 +133,11 @@ BOOST_AUTO_TEST_CASE(degenerate_points) {
   }
 }
 
+BOOST_AUTO_TEST_CASE(points_at_the_origin) {
+  const std::vector<Plane::Point> zeros(3, Plane::Point(0, 0));
+  CHECK_ERROR(GC::interpolate_fair<Plane>(zeros.begin(), zeros.end(), Closure::open), empty_domain);
+}
+
 BOOST_AUTO_TEST_CASE(errors) {
   typedef Plane::Point P;
   const std::vector<P> p = circle(4);

@@ -162,6 +162,18 @@ BOOST_AUTO_TEST_CASE(corners) {
   }
 }
 
+// Zigzags that are narrower than the tolerance, where they start and end as well, and a square that is smaller than it.
+BOOST_AUTO_TEST_CASE(polylines_within_the_tolerance) {
+  typedef Plane::Point P;
+  Points zigzag, square = {P(5, 5), P(6, 5), P(6, 6), P(5, 6)};
+  for (int i = 0; i < 60; ++i) zigzag.emplace_back(i % 2, 0.001 * i);
+  for (const int order : {1, 2}) {
+    pieces(zigzag, 2, Closure::open, order, 180);
+    pieces(zigzag, 2, Closure::open, order);
+    pieces(square, 10, Closure::closed, order);
+  }
+}
+
 BOOST_AUTO_TEST_CASE(degenerate_polylines) {
   typedef Plane::Point P;
   for (const int order : {1, 2}) {
@@ -313,8 +325,13 @@ BOOST_AUTO_TEST_CASE(errors) {
   const Points huge = {P(1e308, 0), P(0, 1e308), P(-1e308, 0)}, tiny = {P(1e-308, 0), P(0, 1e-308)};
   BOOST_CHECK_LE(GC::fit<Plane>(huge.begin(), huge.end(), 1e300).distance, 1e300);
   CHECK_ERROR(GC::fit<Plane>(tiny.begin(), tiny.end(), 1e-310), unreachable_tolerance);
+  const Points zeros(3, P(0, 0));
+  for (const Closure closure : {Closure::open, Closure::closed})
+    CHECK_ERROR(GC::fit<Plane>(zeros.begin(), zeros.end(), 0.1, closure), wrong_number_of_points);
   typedef GC::Traits_d<CGAL::Cartesian_d<Q>> Any;
   const Q c[] = {1, 2, 3};
+  const std::vector<Any::Point> planar = {Any::Point(2, c, c + 2), Any::Point(2, c + 1, c + 3)};
+  BOOST_CHECK_EQUAL(GC::fit<Any>(planar.begin(), planar.end(), Q(1)).number_of_segments(), 1);
   const std::vector<Any::Point> mixed = {Any::Point(2, c, c + 2), Any::Point(3, c, c + 3)};
   CHECK_ERROR(GC::fit<Any>(mixed.begin(), mixed.end(), Q(1)), dimension_mismatch);
 }

@@ -271,6 +271,16 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(the_denominator_must_be_positive, Traits, All) {
   const GC::Rational_bezier_curve<Traits> c = make(FT(1), nearly, FT(1));
   BOOST_CHECK(c.weight(1) == nearly);
   const auto box = c.bounding_box();
+  BOOST_CHECK(make(FT(1), FT(3), FT(2)).bounding_box() == GC::Bezier_curve<Traits>(p.begin(), p.end()).bounding_box());
+  for (int k : {3, 4, 6}) { // jets of any order: those of the piece
+    const GC::Rational_bspline_curve<Traits> spline(make(FT(1), FT(2), FT(1)));
+    const auto jet = spline.jet(FT(FT(1) / FT(4)), k), other = make(FT(1), FT(2), FT(1)).jet(FT(FT(1) / FT(4)), k);
+    BOOST_REQUIRE(jet.order() == k && other.order() == k);
+    for (int j = 0; j <= k; ++j)
+      for (int i = 0; i < jet.dimension(); ++i)
+        BOOST_CHECK_SMALL(CGAL::to_double(FT(jet[j][i] - other[j][i])),
+                          1e-4 * (1 + std::abs(CGAL::to_double(jet[j][i]))));
+  }
   for (int i = 0; i <= 64; ++i) {
     const auto x = GC::coordinates<Traits>(c(FT(FT(i) / FT(64)))), low = GC::coordinates<Traits>(box.first),
                high = GC::coordinates<Traits>(box.second);

@@ -59,6 +59,25 @@ BOOST_AUTO_TEST_CASE(conversions) {
 }
 
 // Numbers of type double that are decided exactly: the predicates convert them.
+BOOST_AUTO_TEST_CASE(equal_scalars) {
+  typedef GC::Torsion_parameters<double> Parameters;
+  BOOST_CHECK((Parameters{1, 2} == Parameters{1, 2}) && !(Parameters{1, 2} != Parameters{1, 2}));
+  for (const Parameters& other : {Parameters{3, 2}, Parameters{1, 3}})
+    BOOST_CHECK((Parameters{1, 2} != other) && !(Parameters{1, 2} == other));
+}
+
+// A rational curve with equal weights is extended as the polynomial one.
+BOOST_AUTO_TEST_CASE(equal_weights) {
+  typedef GC::Traits_3<CGAL::Simple_cartesian<CGAL::Exact_rational>> Traits;
+  typedef CGAL::Exact_rational Number;
+  const GC::Bezier_curve<Traits> left = cubic<Traits>();
+  const std::vector<Number> weights(4, Number(5));
+  const GC::Rational_bezier_curve<Traits> rational(left.begin(), left.end(), weights.begin(), weights.end());
+  const GC::Extension_parameters<Number> parameters{Number(2), Number(3)};
+  BOOST_CHECK(GC::extend(rational, GC::Frenet_order::torsion, parameters) ==
+              GC::extend(left, GC::Frenet_order::torsion, parameters));
+}
+
 BOOST_AUTO_TEST_CASE(numbers_of_the_kernel) {
   typedef GC::Traits_3<CGAL::Epick> Traits;
   typedef Traits::Point Point;

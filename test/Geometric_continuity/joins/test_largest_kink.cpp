@@ -300,6 +300,39 @@ BOOST_AUTO_TEST_CASE(more_cells_than_can_be_looked_at) { // 2^40 of them
   BOOST_CHECK(checked(legs, axes(40), 30).verdict == Verdict::refuted);
 }
 
+// Nine axes along which the legs turn so far that they may be at right angles, or may not have a length.
+BOOST_AUTO_TEST_CASE(large_turns_over_many_axes) {
+  const std::size_t n = 9;
+  Legs legs{{{{100, 0}, {}}, {{100, 0}, {}}}, {}};
+  for (std::size_t k = 0; k < n; ++k) {
+    std::vector<double> peaks(n, 0.0);
+    peaks[k] = 1;
+    legs.regions.push_back(region(peaks));
+    legs.join.incoming.shifts.push_back({0, 0});
+    legs.join.outgoing.shifts.push_back({-30, k % 2 == 0 ? 20 : -5});
+  }
+  const GC::Largest_kink kink = checked(legs, axes(n, n), 30);
+  BOOST_CHECK(kink.verdict == Verdict::refuted);
+  BOOST_CHECK_GE(kink.angle.lower, 89 * degree);
+  const GC::Largest_kink bounded = checked(legs, axes(n, n), 89, {0.01, 1, GC::Work_limit(100000)});
+  BOOST_CHECK(bounded.verdict != Verdict::proved);
+  // a floor: angles below it are not told apart
+  const Legs small = linear({1000000, 0}, {0, 1}, {1000000, 0}, {0, 0});
+  BOOST_CHECK(checked(small, axes(1, 1), 5, {0, 1e-3, GC::Work_limit()}).verdict == Verdict::proved);
+}
+
+// Regions of one place, within an axis and beyond its ends, and legs that are zero at the only corners.
+BOOST_AUTO_TEST_CASE(regions_of_one_place) {
+  for (const double place : {-3., 3., 0.5}) {
+    const Legs legs{{{{1, 0}, {{0, 0}}}, {{1, 0}, {{0, 1}}}}, {GC::Variation_region({{place, place, place}})}};
+    const GC::Largest_kink kink = checked(legs, axes(1), 5);
+    BOOST_CHECK((kink.verdict == Verdict::refuted) == (place == 0.5));
+  }
+  const Legs zero = linear({0, 0}, {0, 0}, {1, 0}, {1, 0});
+  const GC::Largest_kink none = GC::largest_kink(zero.join, zero.regions, axes(1, 1), degrees(5));
+  BOOST_CHECK(none.verdict == Verdict::undecided && none.vanishes);
+}
+
 BOOST_AUTO_TEST_CASE(axes_that_do_not_count) {
   const Legs legs = linear({1, 0}, {0, 0}, {1, 0}, {0, 1});
   CHECK_ERROR(GC::largest_kink(legs.join, legs.regions, axes(1), degrees(90)), parameter_outside_domain);

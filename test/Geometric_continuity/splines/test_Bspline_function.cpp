@@ -522,3 +522,31 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(reversal, K, Kernels) {
     }
   });
 }
+
+BOOST_AUTO_TEST_CASE(equal_functions) {
+  typedef GC::Bspline_function<double> Function;
+  const GC::Knot_vector<double> clamped(1, {0., 0., 1., 2., 2.}), other(1, {0., 0., 1.5, 2., 2.}),
+      open(1, {-1., 0., 1., 2., 3.});
+  const Function f(clamped, {1., 2., 3.});
+  BOOST_CHECK(f == Function(clamped, {1., 2., 3.}) && !(f != Function(clamped, {1., 2., 3.})));
+  for (const Function& g : {Function(clamped, {1., 2., 4.}), Function(other, {1., 2., 3.})})
+    BOOST_CHECK(f != g && !(f == g));
+  // a sum over one knot vector that is not clamped
+  const Function g(open, {1., 2., 3.}), sum = g + g;
+  BOOST_CHECK(sum.knots().is_clamped());
+  for (double u : {0., 0.5, 1., 1.75, 2.}) BOOST_CHECK_EQUAL(sum(u), 2 * g(u));
+}
+
+// A span that is shorter than the normal numbers, and knots at the start of the domain that are not before it.
+BOOST_AUTO_TEST_CASE(special_spans) {
+  typedef GC::Bspline_function<double> Function;
+  const double tiny = std::numeric_limits<double>::denorm_min();
+  const Function f(GC::Knot_vector<double>(1, {0., 0., 4 * tiny, 1., 1.}), {0., 8., 0.});
+  BOOST_CHECK_EQUAL(f(2 * tiny), 4);
+  const Function g(GC::Knot_vector<double>(2, {-1., 0., 1., 1., 2., 3., 4., 5.}), {1., 2., 4., 8., 16.});
+  const std::vector<double> pieces = GC::bspline_bezier(g.knots(), std::vector<double>{1, 2, 4, 8, 16});
+  BOOST_REQUIRE_EQUAL(pieces.size(), 6u); // on [1, 2] and [2, 3]
+  BOOST_CHECK_EQUAL(pieces[0], g(1));
+  BOOST_CHECK_EQUAL(pieces[2], g(2));
+  BOOST_CHECK_EQUAL(pieces[5], g(3));
+}

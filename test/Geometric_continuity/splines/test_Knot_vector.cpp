@@ -10,8 +10,10 @@
 
 #include <CGAL/Geometric_continuity/splines/Knot_vector.h>
 
+#include <cmath>
 #include <initializer_list>
 #include <limits>
+#include <random>
 #include <sstream>
 #include <utility>
 #include <vector>
@@ -124,5 +126,26 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(refused_knot_vectors, K, Kernels) {
     BOOST_CHECK_EQUAL(long_domain.greville_abscissa(1), FT(-0.75 * large)); // whose sum overflows
     BOOST_CHECK_EQUAL(long_domain.greville_abscissa(3), FT(0));
     CHECK_ERROR(GC::Knot_vector<FT>(1, 0, 1).span(nan), parameter_outside_domain);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(domains_of_knots) {
+  const GC::Knot_vector<double> u(1, {0., 0., 1., 1.});
+  for (const auto& knots : {std::vector<double>{0, 0, 2, 2}, {-1, -1, 1, 1}, {-1, -1, 2, 2}})
+    BOOST_CHECK(!u.has_domain_of(GC::Knot_vector<double>(1, knots)));
+  BOOST_CHECK(u.has_domain_of(GC::Knot_vector<double>(2, {-1., -1., 0., 1., 3., 4.})));
+}
+
+// Knots that are mirrored stay within the domain, also where a sum is rounded up.
+BOOST_AUTO_TEST_CASE(mirrored_knots_are_rounded) {
+  std::mt19937_64 random(2026);
+  for (int i = 0; i < 20000; ++i) {
+    const double a = std::ldexp(static_cast<double>(random() >> 11), -60),
+                 b = 1 + std::ldexp(static_cast<double>(random() >> 11), -53);
+    const double x = a + std::ldexp(a, -52 + static_cast<int>(random() % 3));
+    if (!(a < x)) continue;
+    const GC::Knot_vector<double> u(1, {-1., a, x, b, 9.}), v = u.reverse();
+    BOOST_CHECK(v.domain() == u.domain());
+    BOOST_REQUIRE(a <= v[2] && v[2] <= b);
   }
 }
