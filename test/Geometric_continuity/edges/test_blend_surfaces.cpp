@@ -446,6 +446,8 @@ BOOST_AUTO_TEST_CASE(numbers_that_become_long) {
     Shape other = shape; // the same as functions
     other.start.beta = other.end.beta = Function{beta, beta};
     BOOST_CHECK(blend(a, v1, b, v0, shape).elevate(2, 0) == blend(a, v1, b, v0, other));
+    const Bezier<Exact> c = a.elevate(0, 1), d = b.elevate(0, 1); // with second derivatives
+    BOOST_CHECK(blend(c, v1, d, v0, shape).elevate(2, 0) == blend(c, v1, d, v0, other));
   };
   const Q one(1), zero(0), long_number = Q(1) / Q(2147483647) / Q(2147483629);
   const std::array<Q, 4> whole{zero, one, Q(2), Q(3)};

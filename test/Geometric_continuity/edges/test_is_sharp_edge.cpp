@@ -114,6 +114,26 @@ BOOST_AUTO_TEST_CASE(points_without_a_normal) {
   BOOST_TEST(GC::is_sharp_edge(ground, collapsed, 0, 1, 0.1) == GC::Verdict::undecided);
 }
 
+// Angles that the bound does not tell apart at both ends, and a fold of the surfaces themselves, which is left out.
+BOOST_AUTO_TEST_CASE(undecided_parts) {
+  const GC::Enclosure right_half{0.7853981633974482, 0.7853981633974485};
+  const GC::Edge_side bulging =
+      side(GC::Cad_spline_surface{2,
+                                  1,
+                                  {0, 0, 0, 1, 1, 1},
+                                  {0, 0, 1, 1},
+                                  {{0, -1, 1}, {0, 0, 0}, {0.5, -1, 3}, {0.5, 0, 0}, {1, -1, 1}, {1, 0, 0}},
+                                  {}},
+           {{0, 1}, {1, 0}});
+  BOOST_TEST(GC::is_sharp_edge(ground, bulging, 0, 1, right_half) == GC::Verdict::undecided);
+  BOOST_TEST(GC::is_sharp_edge(ground, bulging, 0, 1, 0.78) == GC::Verdict::proved);
+  const GC::Cad_spline_surface roof{
+      1, 1, {0, 0, 0.5, 1, 1}, {0, 0, 1, 1}, {{-1, 0, 1}, {-1, 1, 1}, {0, 0, 0}, {0, 1, 0}, {1, 0, 1}, {1, 1, 1}}, {}};
+  const GC::Cad_line<2> across{{0.125, 0.1}, {0.7, 0.3}};
+  BOOST_TEST(GC::is_sharp_edge(side(roof, across), side(roof, across, true), 0, 1, 2.5) == GC::Verdict::proved);
+  BOOST_TEST(GC::is_sharp_edge(side(roof, across), side(roof, across), 0, 1, 0.1) == GC::Verdict::refuted);
+}
+
 BOOST_AUTO_TEST_CASE(errors) {
   CHECK_ERROR(GC::is_sharp_edge(ground, ramp(0, 1), 1, 0, 0.1), empty_domain);
   CHECK_ERROR(GC::is_sharp_edge(ground, ramp(0, 1), 0, std::numeric_limits<double>::infinity(), 0.1), not_finite);
