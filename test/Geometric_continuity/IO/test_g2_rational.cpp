@@ -226,10 +226,20 @@ BOOST_AUTO_TEST_CASE(planes) {
   const std::string not_exact =
       ": a plane whose axes are no unit vectors at right angles in exact numbers: write it as a "
       "spline surface of the orders 2";
-  for (const std::string wrong :
-       {"0 0 1\n1 0 1e-9", "1 1 0\n0 0 1", "0 0 0\n1 0 0", "0 0 1\n0.7071067811865475 0.7071067811865475 0"})
+  for (const std::string wrong : {"0 0 1\n1 0 1e-9", "0 0 1\n3/5 0 4/5", "1 1 0\n0 0 1", "0 0 0\n1 0 0",
+                                  "0 0 1\n0.7071067811865475 0.7071067811865475 0"})
     BOOST_CHECK_EQUAL(error("250 1 0 0\n3\n0 0 0\n" + wrong + "\n1\n0 1\n0 1\n"),
                       "malformed_input: f.g2:5" + not_exact);
+  std::string far = longer;
+  far.replace(far.find("0 0 0"), 5, "1e400 0 0");
+  BOOST_CHECK(surfaces_in<Q3>(far).front().degree_u() == 1);
+  BOOST_CHECK(error_of([&] {
+                surfaces_in<D3>(far);
+              }).find("a control point: outside the range of floating-point numbers") != std::string::npos);
+  for (const std::string bounds : {"1 1.0000000000000000000000001\n0 1\n", "0 1\n1 1.0000000000000000000000001\n"})
+    BOOST_CHECK(error_of([&] {
+                  surfaces_in<D3>(longer.substr(0, longer.find("\n1\n") + 3) + bounds);
+                }).find("the ends of the domain of a plane are the same floating-point number") != std::string::npos);
   BOOST_CHECK_EQUAL(error(axes + "0\n"), "malformed_input: f.g2:6: a plane without bounds; a surface has four edges");
   BOOST_CHECK_EQUAL(error(axes + "7\n"),
                     "malformed_input: f.g2:6: the flag of the bounds of a plane is neither 0 nor 1 nor 11");

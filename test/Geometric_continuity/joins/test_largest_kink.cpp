@@ -316,6 +316,19 @@ BOOST_AUTO_TEST_CASE(large_turns_over_many_axes) {
   BOOST_CHECK_GE(kink.angle.lower, 89 * degree);
   const GC::Largest_kink bounded = checked(legs, axes(n, n), 89, {0.01, 1, GC::Work_limit(100000)});
   BOOST_CHECK(bounded.verdict != Verdict::proved);
+  // both legs become short, so that the bounds do not tell that their product stays positive
+  for (std::size_t k = 0; k < n; ++k) {
+    legs.join.incoming.shifts[k] = {-11, 0};
+    legs.join.outgoing.shifts[k] = {-11, k % 2 == 0 ? Q(1) / 10 : Q(-1) / 20};
+  }
+  const GC::Largest_kink loose = checked(legs, axes(n, n), 5, {0.01, 0, GC::Work_limit(3000000)});
+  BOOST_CHECK_GE(loose.angle.lower, 10 * degree);
+  // parallel, and turned back at the end
+  for (std::size_t k = 0; k < n; ++k) {
+    legs.join.incoming.shifts[k] = {0, 0};
+    legs.join.outgoing.shifts[k] = {-30, 0};
+  }
+  BOOST_CHECK_GT(checked(legs, axes(n, n), 30).angle.lower, 179 * degree);
   // a floor: angles below it are not told apart
   const Legs small = linear({1000000, 0}, {0, 1}, {1000000, 0}, {0, 0});
   BOOST_CHECK(checked(small, axes(1, 1), 5, {0, 1e-3, GC::Work_limit()}).verdict == Verdict::proved);

@@ -17,6 +17,9 @@ BOOST_AUTO_TEST_CASE(searches) {
   BOOST_CHECK(!meter.allows_search(0, 251) && !meter.allows_search(200, 51));
   BOOST_CHECK(meter.allows_search(0, 250) && meter.allows_search(100, 150) && meter.allows_search(0, 100));
   BOOST_CHECK(!meter.allows_search(0, 1)); // 500 of 1000
+  const GC::Work_scope all(GC::Work_limit(100), "all");
+  GC::internal::Work_meter within(GC::Work_limit(1000), "a search");
+  BOOST_CHECK(!within.allows_search(0, 26) && within.allows_search(0, 25));
 }
 
 BOOST_AUTO_TEST_SUITE_END()
