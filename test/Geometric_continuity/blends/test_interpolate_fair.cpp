@@ -119,6 +119,11 @@ BOOST_AUTO_TEST_CASE(degenerate_points) {
   check(curve, line, Closure::open);
   const auto start = curve.segment(0).start_jet(1)[1], middle = curve.segment(2).start_jet(1)[1];
   BOOST_CHECK(start[0] == 0 && start[1] > 0 && middle[0] < 0 && middle[1] == 0);
+  const std::vector<std::optional<Plane::Vector>> both = {Plane::Vector(0, 1), Plane::Vector(1, 0)};
+  const auto arch = GC::interpolate_fair<Plane>(two.begin(), two.end(), Closure::open, both);
+  check(arch, two, Closure::open);
+  const auto first = arch.segment(0).start_jet(1)[1], last = arch.segment(0).end_jet(1)[1];
+  BOOST_CHECK(first[0] == 0 && first[1] > 0 && last[0] > 0 && last[1] == 0);
   // other dimensions
   typedef GC::Traits_d<CGAL::Cartesian_d<Q>> Any;
   std::vector<Any::Point> p, plane;

@@ -304,6 +304,16 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(the_denominator_must_be_positive, Traits, All) {
               wrong_number_of_points);
 }
 
+// Derivatives of the denominator that go beyond the order of the jet are not taken.
+BOOST_AUTO_TEST_CASE(lifted_with_more_weights) {
+  GC::Coordinate_jet<double, 2> x(2, 1);
+  x[0][0] = 3;
+  x[1][1] = 5;
+  const auto few = GC::lift(x, std::vector<double>{2, 7}), more = GC::lift(x, std::vector<double>{2, 7, 11});
+  BOOST_REQUIRE(few.order() == 1 && more.order() == 1);
+  for (int j = 0; j <= 1; ++j) BOOST_CHECK(few[j] == more[j]);
+}
+
 BOOST_AUTO_TEST_CASE(what_is_not_finite_is_refused) {
   const std::vector<D2::Point> p = {{0, 0}, {1, 1}};
   for (double w : {HUGE_VAL, -HUGE_VAL, std::nan("")}) {

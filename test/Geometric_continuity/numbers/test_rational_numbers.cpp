@@ -90,6 +90,7 @@ BOOST_AUTO_TEST_CASE(quarter_turns) {
     BOOST_REQUIRE(full == Q(std::lround(CGAL::to_double(full))));
   }
   CHECK_ERROR(GC::Quarter_turns<Q>(Q(1000000001)), parameter_outside_domain);
+  CHECK_ERROR(GC::Quarter_turns<Q>(Q(-1000000001)), parameter_outside_domain);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

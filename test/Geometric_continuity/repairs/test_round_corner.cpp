@@ -154,6 +154,15 @@ BOOST_AUTO_TEST_CASE(cusps) {
   check_in_every_space({{-3, 2}, {-1, 0}, {0, 0}}, {{0, 0}, {-2, 0}, {-3, 1}}, 1.5);
 }
 
+// A line, and back from a place on it, along it, but with a curvature there: no blend on one line.
+BOOST_AUTO_TEST_CASE(bent_back) {
+  const Curve<Exact_2> in = curve<Exact_2>({{-100, 0}, {0, 0}}),
+                       out = curve<Exact_2>({{0, 0}, {-8, 1}, {-16, -2}, {-24, 3}});
+  const auto corner = GC::round_corner(in, out, arc_length(out, 0, 0.5));
+  BOOST_CHECK(corner.right_cut == Q(1) / 2);
+  BOOST_CHECK_GE(GC::continuity(corner.blend, corner.right).g_order, 2);
+}
+
 BOOST_AUTO_TEST_CASE(random_curves) {
   const unsigned seed = 2026;
   std::mt19937 engine(seed);
