@@ -13,6 +13,7 @@
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Geometric_continuity/Traits.h>
+#include <CGAL/Geometric_continuity/curves/bezier_properties.h>
 #include <CGAL/Geometric_continuity/curves/fairness.h>
 #include <CGAL/Geometric_continuity/local/curvatures.h>
 #include <CGAL/Simple_cartesian.h>
@@ -196,6 +197,12 @@ BOOST_AUTO_TEST_CASE(nearly_cusps) {
     BOOST_CHECK(last < e && std::isfinite(e));
     last = e;
   }
+}
+
+// More changes of side than common points, or more common points than the polygon has changes, contradict each other.
+BOOST_AUTO_TEST_CASE(crossings_of_polygons) {
+  BOOST_CHECK((GC::Crossings{3, 1, 3}.diminished()));
+  BOOST_CHECK((!GC::Crossings{3, 2, 1}.diminished()) && (!GC::Crossings{1, 1, 2}.diminished()));
 }
 
 namespace {

@@ -122,6 +122,9 @@ BOOST_AUTO_TEST_CASE(no_tangents_and_no_orders) {
   BOOST_CHECK(from_zero.g_order == 0 && from_zero.betas.empty() && !from_zero.g_residual);
   BOOST_CHECK(!certificate(x, 0).c_residual && certificate(x, 0).left.order() == 0 && certificate(x, 0).betas.empty());
   const auto verdict = GC::continuity(x, x, 2);
+  GC::Join_continuity<Q> made; // of which no shape parameters have been given
+  made.g_order = 2;
+  BOOST_CHECK(made.betas().empty());
   CHECK_ERROR(GC::join_certificate(x, x, verdict, 3), jet_order_too_low);
   CHECK_ERROR(GC::join_certificate(x, x, verdict, -1), negative_count);
 }
