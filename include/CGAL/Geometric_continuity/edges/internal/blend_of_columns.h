@@ -187,22 +187,26 @@ public:
   void write(int i, Point* to, int step, Coordinate_vector<FT, N>& sum) const {
     const Point &p0 = corner_[i * along_], &p1 = (&p0)[second_], &p2 = (&p0)[third_];
     to[0] = p0;
-    if constexpr (is_exact)
-      if (is_short_) {
-        Coordinate_vector<FT, N> b1(dimension()), b2(dimension());
-        for (int k = 0; k < dimension(); ++k)
-          std::tie(b1[k], b2[k]) = short_(FT(coordinate(p0, k)), FT(coordinate(p1, k)), FT(coordinate(p2, k)));
-        to[step] = to_point<Traits>(b1);
-        to[2 * step] = to_point<Traits>(b2);
-        return;
-      }
-    typedef Coordinate_vector<Number, N> Vector;
-    const auto vector = [](const Point& p) { return Vector(Geometric_continuity::coordinates<Traits>(p)); };
-    const std::pair<Vector, Vector> b = factors_(vector(p0), vector(p1), vector(p2));
-    to[step] = to_point<Traits>(reduced(b.first));
-    to[2 * step] = to_point<Traits>(reduced(b.second));
-    if constexpr (std::is_floating_point_v<FT>)
-      for (int k = 0; k < dimension(); ++k) sum[k] += b.first[k] * b.second[k];
+    const auto by_numbers = [&](const auto& factors) {
+      Coordinate_vector<FT, N> b1(dimension()), b2(dimension());
+      for_each_coordinate([&](int k) {
+        std::tie(b1[k], b2[k]) = factors(FT(coordinate(p0, k)), FT(coordinate(p1, k)), FT(coordinate(p2, k)));
+        if constexpr (std::is_floating_point_v<FT>) sum[k] += b1[k] * b2[k];
+      });
+      to[step] = to_point<Traits>(b1);
+      to[2 * step] = to_point<Traits>(b2);
+    };
+    if constexpr (is_exact) {
+      if (is_short_) return by_numbers(short_);
+      const auto vector = [](const Point& p) {
+        return Coordinate_vector<Number, N>(Geometric_continuity::coordinates<Traits>(p));
+      };
+      const auto b = factors_(vector(p0), vector(p1), vector(p2));
+      to[step] = to_point<Traits>(b.first.reduced());
+      to[2 * step] = to_point<Traits>(b.second.reduced());
+    } else {
+      by_numbers(factors_);
+    }
   }
 
 private:
@@ -214,11 +218,12 @@ private:
     return true;
   }
 
-  static decltype(auto) reduced(const Coordinate_vector<Number, N>& x) {
-    if constexpr (is_exact)
-      return x.reduced();
+  // f(k) for each coordinate number k
+  template <class Function> CGAL_GC_FORCEINLINE void for_each_coordinate(const Function& f) const {
+    if constexpr (N == 0)
+      for (int k = 0; k < dimension_; ++k) f(k);
     else
-      return (x);
+      for_each_index<N>(f);
   }
 
   // Checks the edge.
@@ -265,15 +270,14 @@ public:
     }
     const int m = a.degree_along(edge_a);
     std::vector<typename Traits::Point> net(6 * static_cast<std::size_t>(m + 1));
-    Coordinates<Traits> sum(a.dimension()),
-        sum_at_end(a.dimension()); // of two, so that one need not wait for the other
+    Coordinates<Traits> sum(a.dimension()), sum_at_end(a.dimension()); // of two: one need not wait for the other
     const bool same = direction == Edge_direction::same;
     for (int i = 0; i <= m; ++i) start.write(i, &net[6 * i], 1, sum);
     for (int i = 0; i <= m; ++i) end.write(same ? i : m - i, &net[6 * i + 5], -1, sum_at_end);
     const typename Patch::Interval across = Patch::unit_interval();
     sum += sum_at_end;
     FT of_all(0);
-    for (int k = 0; k < sum.dimension(); ++k) of_all += sum[k];
+    for (const FT& x : sum) of_all += x;
     if (!internal::is_finite(of_all))
       return Patch(m, 5, std::move(net), a.domain(edge_a), across); // checks one point after the other
     return Patch(typename Patch::Net(m + 1, 6, std::move(net)), a.domain(edge_a), across,
