@@ -125,7 +125,8 @@ BOOST_AUTO_TEST_CASE(special_roots) {
   }
   CHECK_ERROR(GC::root_enclosure(Q(-1)), parameter_outside_domain);
   const Q tiny(std::ldexp(1., -600));
-  CHECK_ERROR(GC::root_enclosure(Q(-tiny * tiny)), parameter_outside_domain); // between 0 and the greatest negative double
+  CHECK_ERROR(GC::root_enclosure(Q(-tiny * tiny)),
+              parameter_outside_domain); // between 0 and the greatest negative double
   CHECK_ERROR(GC::root_enclosure(infinity), not_finite);
   CHECK_ERROR(GC::enclosure(infinity), not_finite);
   BOOST_CHECK(GC::enclosure(Q(Q(1) / Q(2))) == (GC::Enclosure{0.5, 0.5}));

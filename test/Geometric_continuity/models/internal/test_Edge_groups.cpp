@@ -140,7 +140,8 @@ BOOST_AUTO_TEST_CASE(collapsed_edges) {
   const std::vector<const S*> pointers{&s};
   BOOST_CHECK_EQUAL(GC::internal::Edge_groups<S>(pointers).collapsed().size(), 1);
   // over knots that are not clamped
-  const S open({{pole, Exact::Point_3(0, 0, 0)}, {pole, Exact::Point_3(1, 0, 0)}}, Knots(1, {0, 0, 1, 1}), Knots(1, {-1, 0, 1, 2}));
+  const S open({{pole, Exact::Point_3(0, 0, 0)}, {pole, Exact::Point_3(1, 0, 0)}}, Knots(1, {0, 0, 1, 1}),
+               Knots(1, {-1, 0, 1, 2}));
   check_groups(std::vector<S>{open, open.reverse_u()});
   const std::vector<const S*> one{&open};
   BOOST_CHECK_EQUAL(GC::internal::Edge_groups<S>(one).collapsed().size(), 1);
