@@ -255,4 +255,19 @@ BOOST_AUTO_TEST_CASE(planes) {
                     "malformed_input: f.g2:7: the ends of the domain of a plane are the same floating-point number");
 }
 
+// (u-v)^2 + epsilon: that it costs too much to know whether this is positive is not an error of the text.
+BOOST_AUTO_TEST_CASE(denominators_close_to_zero) {
+  const auto with = [](const Q& epsilon) {
+    std::ostringstream os;
+    os << "200 1 0 0\n3 1\n3 3\n0 0 0 1 1 1\n3 3\n0 0 0 1 1 1\n";
+    for (int j = 0; j < 3; ++j) // v is the slower one
+      for (int i = 0; i < 3; ++i) os << "0 0 0 " << Q(Q((i == 2) + (j == 2)) - Q(i * j) / Q(2) + epsilon) << '\n';
+    return os.str();
+  };
+  const Q small = Q(1) / Q(1 << 30);
+  BOOST_CHECK_EQUAL(surfaces_in<Q3>(with(Q(1) / Q(1024))).size(), 1u);
+  BOOST_CHECK_EQUAL(error_of([&] { surfaces_in<Q3>(with(Q(0))); }).substr(0, 24), "malformed_input: f.g2:15");
+  CHECK_ERROR(surfaces_in<Q3>(with(Q(small * small))), work_limit);
+}
+
 BOOST_AUTO_TEST_SUITE_END()

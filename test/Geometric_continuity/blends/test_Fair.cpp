@@ -10,12 +10,14 @@
 #include <boost/test/unit_test.hpp>
 
 #include "support/allocations.h"
+#include "support/errors.h"
 #include "support/fairness.h"
 
 #include <CGAL/Geometric_continuity/Traits.h>
 #include <CGAL/Geometric_continuity/blends/Fair.h>
 #include <CGAL/Geometric_continuity/blends/blend.h>
 #include <CGAL/Geometric_continuity/blends/blend_strategies.h>
+#include <CGAL/Geometric_continuity/curves/Bezier_curve.h>
 #include <CGAL/Simple_cartesian.h>
 
 #include <boost/config.hpp>
@@ -180,6 +182,34 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(wild_pairs, Traits, Traits_classes) {
   }
   BOOST_TEST_MESSAGE("automatic / fair: median " << quantile(gain, 0.5));
   BOOST_CHECK_GE(quantile(gain, 0.5), 100);
+}
+
+// Shapes and domains of any size: a given shape is kept, what overflows is refused, and a search that finds nothing better says so.
+BOOST_AUTO_TEST_CASE(extreme_shapes) {
+  typedef Plane::Point P;
+  typedef GC::Bezier_curve<Plane> Curve;
+  const Curve phi = {P(-2, 1), P(-1, 0), P(0, 0)}, psi = {P(2, 1), P(3, 0), P(3, -1)};
+  for (const double beta : {1e-100, 1e30, 1e100}) {
+    const auto g2 = GC::blend(phi, psi, GC::Fair(), {beta, 1});
+    const auto g3 = GC::blend(phi, psi, GC::Fair_g3(), {beta, 1});
+    BOOST_CHECK(g2.shape.beta == beta && g2.shape.eta == 1 && g3.shape.beta == beta && g3.shape.eta == 1);
+    for (int i = 0; i <= 5; ++i) BOOST_CHECK(std::isfinite(g2.control_point(i).x()));
+  }
+  for (const double beta : {1e-300, 1e200, 1.5e308}) {
+    CHECK_ERROR(GC::blend(phi, psi, GC::Fair(), {beta, 1}), not_finite);
+    CHECK_ERROR(GC::blend(phi, psi, GC::Fair_g3(), {beta, 1}), not_finite);
+  }
+  const auto over = [](const Curve& c, double length) { return Curve(c.begin(), c.end(), 0, length); };
+  const double least = GC::blend(phi, psi, GC::Fair()).report.fairness;
+  for (const double length : {1e-30, 1e-10, 1e20})
+    BOOST_CHECK_CLOSE(GC::blend(over(phi, length), psi, GC::Fair()).report.fairness, least, 0.1);
+  const auto loops = GC::blend(over(phi, 1e-100), psi, GC::Fair());
+  BOOST_CHECK_LE(loops.report.fairness, loops.report.automatic_fairness);
+  const Curve winding = {P(1, -1), P(-1, -1), P(1, 0), P(-1, -1), P(0, -1)}, line = {P(1, 0), P(1, 1)};
+  for (const double length : {1e-81, 1e-60, 1e-40}) {
+    const auto report = GC::blend(over(winding, length), line, GC::Fair()).report;
+    BOOST_CHECK(!report.converged && report.fairness == report.automatic_fairness && report.iterations > 0);
+  }
 }
 
 // More freedom is not worse, and a given shape is kept.

@@ -13,10 +13,12 @@
 #include <CGAL/Geometric_continuity/curves/interpolate.h>
 #include <CGAL/Geometric_continuity/joins/join_continuity.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 BOOST_AUTO_TEST_SUITE(fair_interpolation)
@@ -138,6 +140,70 @@ BOOST_AUTO_TEST_CASE(degenerate_points) {
   }
 }
 
+// The same curve in other units, next to the ends of the range of doubles, too.
+BOOST_AUTO_TEST_CASE(units) {
+  const std::vector<std::pair<double, double>> five = {{0, 0}, {4, 3}, {9, 3}, {9, -1}, {2, -2}};
+  const auto in_units = [&](int exponent, Closure closure) {
+    std::vector<Plane::Point> p;
+    for (const auto& [x, y] : five) p.emplace_back(std::ldexp(x, exponent), std::ldexp(y, exponent));
+    return spline<Plane>(p, closure);
+  };
+  for (const Closure closure : {Closure::open, Closure::closed}) {
+    const auto curve = in_units(0, closure);
+    for (const int exponent : {-960, -200, 200, 1015}) {
+      const auto other = in_units(exponent, closure);
+      for (int i = 0; i <= 5 * curve.number_of_segments(); ++i)
+        for (int x = 0; x < 2; ++x)
+          BOOST_CHECK_EQUAL(std::ldexp(curve.control_point(i)[x], exponent), other.control_point(i)[x]);
+    }
+  }
+}
+
+// Chords of very different lengths, with full doubles: joins that rounding may break are listed, all others hold.
+BOOST_AUTO_TEST_CASE(near_and_far) {
+  typedef Plane::Point P;
+  typedef Plane::Vector V;
+  const auto broken = [](const auto& curve, bool closed) {
+    std::vector<int> not_listed;
+    const int n = curve.number_of_segments();
+    for (int i = closed ? 0 : 1; i < n; ++i) {
+      const auto before = curve.segment((i + n - 1) % n), after = curve.segment(i);
+      BOOST_CHECK(before.control_point(5) == after.control_point(0));
+      if (GC::continuity(before, after, 2).g_order < 2 &&
+          std::find(curve.rounded.begin(), curve.rounded.end(), i) == curve.rounded.end())
+        not_listed.push_back(i);
+    }
+    return not_listed.size();
+  };
+  const std::vector<P> full = {P(-114.44130789421843, -356.69203913389265), P(-2043.9655209644916, 937.72402329602255),
+                               P(526.13643133273172, -1622.0117506020847)};
+  const auto wide = GC::interpolate_fair(
+      full, Closure::open, {std::nullopt, V(6.7227524484520171e-06, 1.2772892303890369e-05), V(-867, 870)});
+  BOOST_CHECK(wide.rounded == std::vector<int>{1} && broken(wide, false) == 0);
+  const std::vector<P> triangle = {P(-0x1p-30, 0), P(0, 0.3125), P(0, 0)};
+  const auto narrow = GC::interpolate_fair(triangle, Closure::closed, {std::nullopt, std::nullopt, V(3, 1)});
+  BOOST_CHECK(narrow.rounded.size() == 2 && narrow.moved == 0 && broken(narrow, true) == 0);
+  for (int k = 28; k < 46; ++k) {
+    const std::vector<P> corner = {P(std::ldexp(1, -k), 0), P(0, 0), P(0, -1)};
+    const auto curve = GC::interpolate_fair(corner, Closure::open, {std::nullopt, V(214, 996), V(1, 0)});
+    BOOST_CHECK(curve.rounded.empty() && curve.moved == 0 && broken(curve, false) == 0);
+  }
+  // the shortest chord that is left when points are rounded; its tangents have few digits
+  typedef GC::Traits_2<CGAL::Simple_cartesian<float>> Short;
+  for (int k = 10; k < 17; ++k) {
+    const std::vector<Short::Point> p = {{0, 0}, {std::ldexp(1.F, -k), 0}, {1, 0.5F}};
+    const auto curve = GC::interpolate_fair<Short>(p.begin(), p.end());
+    BOOST_CHECK(curve.moved == 0 && broken(curve, false) == 0);
+  }
+  // no grid leaves room for the tangents that are given
+  const std::vector<Short::Point> steep = {{-1.7756156267534351e-10F, -6.7827586002041691e-17F},
+                                           {7.0248253964061771e-17F, -2.9556585772475474e-15F},
+                                           {4.759772309625987e-08F, -3.8030637369956821e-05F}};
+  const auto curve = GC::interpolate_fair(
+      steep, Closure::closed, {Short::Vector(-1, -1), std::nullopt, Short::Vector(-7.982217e-07F, 0.00033723586F)});
+  BOOST_CHECK(!curve.rounded.empty() && broken(curve, true) == 0);
+}
+
 BOOST_AUTO_TEST_CASE(points_at_the_origin) {
   const std::vector<Plane::Point> zeros(3, Plane::Point(0, 0));
   CHECK_ERROR(GC::interpolate_fair<Plane>(zeros.begin(), zeros.end(), Closure::open), empty_domain);
@@ -162,7 +228,14 @@ BOOST_AUTO_TEST_CASE(errors) {
   CHECK_ERROR(through({p[0], p[1], p[0]}, Closure::closed), empty_domain);
   const double nan = std::numeric_limits<double>::quiet_NaN();
   CHECK_ERROR(through({p[0], P(nan, 0)}), not_finite);
-  CHECK_ERROR(through({P(0, 0), P(1e300, 0)}), not_finite);
+  CHECK_ERROR(through({P(0, -1e308), P(1e308, -1e308), P(0, 1e308)}, Closure::closed), not_finite);
+  typedef GC::Traits_2<CGAL::Simple_cartesian<float>> Short;
+  const std::vector<Short::Point> huge = {{0, -0x1p127F}, {0x1p127F, -0x1p127F}, {0, 0x1p127F}};
+  CHECK_ERROR(GC::interpolate_fair<Short>(huge.begin(), huge.end(), Closure::closed), not_finite);
+  const std::vector<Space::Point> corner = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}};
+  const std::vector<std::optional<Space::Vector>> long_tangent = {Space::Vector(1e200, 1e200, 0), std::nullopt,
+                                                                  std::nullopt};
+  CHECK_ERROR(GC::interpolate_fair<Space>(corner.begin(), corner.end(), Closure::closed, long_tangent), not_finite);
   typedef GC::Traits_d<CGAL::Cartesian_d<Q>> Any;
   const Q c[] = {1, 2, 3};
   const std::vector<Any::Point> mixed = {Any::Point(2, c, c + 2), Any::Point(3, c, c + 3)};

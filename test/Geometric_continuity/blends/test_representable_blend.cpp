@@ -235,6 +235,31 @@ BOOST_AUTO_TEST_CASE(tiny_and_huge_shape_parameters) {
     }
 }
 
+// What is refused says which number is beyond the range.
+BOOST_AUTO_TEST_CASE(beyond_the_range) {
+  typedef GC::Bezier_curve<Plane> Curve_2;
+  typedef Plane::Point P;
+  const double most = (std::numeric_limits<double>::max)();
+  const Curve_2 left = {P(-1, 0), P(0, 0)}, right = {P(2, 1), P(3, 0)}, tiny = {P(-0x1p-1000, 0), P(0, 0)},
+                down = {P(1, -2.0364492459650562e+307), P(1, 1)},
+                back = {P(5.8460138077065547e+307, 1), P(1, 3.6515641801890792e+307)};
+  BOOST_CHECK_EQUAL(error_of([&] {
+                      GC::representable_blend(tiny, right, GC::Minimal_second_derivative(), {most, 1});
+                    }),
+                    "not_representable: representable_blend: end of the first curve: the shape parameter overflows");
+  const GC::Given_parameters<CGAL::Exact_rational> far = {CGAL::Exact_rational(1e306), CGAL::Exact_rational(0)};
+  BOOST_CHECK_EQUAL(error_of([&] {
+                      GC::representable_blend(left, right, far, {1, 1});
+                    }),
+                    "not_representable: representable_blend: end of the first curve: the strategy chooses a point that "
+                    "is too far away");
+  BOOST_CHECK_EQUAL(error_of([&] {
+                      GC::representable_blend(down, back, GC::Minimal_energy<3>(), {1, 1e-89});
+                    }),
+                    "not_representable: representable_blend: start of the second curve: no grid leaves room below the "
+                    "largest number");
+}
+
 BOOST_AUTO_TEST_CASE(near_overflow) {
   const double most = (std::numeric_limits<double>::max)();
   std::mt19937_64 random(7);

@@ -98,6 +98,7 @@ template <class Traits> struct Fair_points {
   bool closed;
   double size = 0; // the largest coordinate
 
+  int exponent() const { return size > 0 ? std::ilogb(size) : 0; }
   int number() const { return static_cast<int>(points.size()); }
   int next(int i) const { return (i + 1) % number(); }
   int pieces() const { return closed ? number() : number() - 1; }
@@ -140,7 +141,7 @@ template <class Traits> typename Traits::FT round_points(Fair_points<Traits>& p)
   return moved;
 }
 
-// The points, with the tangents that are given.
+// The points, in units of the power of two below the largest coordinate, with the tangents that are given.
 template <class Traits>
 std::vector<Fair_joint<dimension_v<Traits>>>
 joints_of(const Fair_points<Traits>& p, const std::vector<std::optional<typename Traits::Vector>>& tangents) {
@@ -149,30 +150,30 @@ joints_of(const Fair_points<Traits>& p, const std::vector<std::optional<typename
   std::vector<Fair_joint<dimension_v<Traits>>> joints;
   for (int i = 0; i < p.number(); ++i) {
     Work_meter::pause();
-    joints.push_back({rounded_column<Traits>(p.points[i], dimension, i), Column(dimension), Column(dimension), false});
+    Column point = rounded_column<Traits>(p.points[i], dimension, i);
+    for (int k = 0; k < dimension; ++k) point[k] = std::ldexp(point[k], -p.exponent());
+    joints.push_back({point, Column(dimension), Column(dimension), false});
     if (tangents.empty() || !tangents[i]) continue;
     Column& tangent = joints.back().tangent;
     tangent = rounded_column<Traits>(Geometric_continuity::coordinates<Traits>(*tangents[i]), dimension, i);
-    const double length = std::sqrt(dot(tangent, tangent));
-    if (!(length > 0)) throw Error(Error_code::zero_tangent, "interpolate_fair: at the point " + std::to_string(i));
-    tangent /= length;
+    const double size = length(tangent);
+    if (!(size > 0)) throw Error(Error_code::zero_tangent, "interpolate_fair: at the point " + std::to_string(i));
+    tangent /= size;
     joints.back().given = true;
   }
   return joints;
 }
 
-// The lengths of the chords from each point to the next one.
+// The lengths of the chords from each point to the next one, in the same units.
 template <class Traits>
 std::vector<double> chord_lengths(const Fair_points<Traits>& p,
                                   const std::vector<Fair_joint<dimension_v<Traits>>>& joints) {
   std::vector<double> lengths;
   for (int i = 0; i < p.pieces(); ++i) {
-    const Coordinate_vector<double, dimension_v<Traits>> chord = joints[p.next(i)].point - joints[i].point;
-    lengths.push_back(std::sqrt(dot(chord, chord)));
+    lengths.push_back(length<dimension_v<Traits>>(joints[p.next(i)].point - joints[i].point));
     if (!(lengths.back() > 0))
       throw Error(Error_code::empty_domain, "interpolate_fair: the points " + std::to_string(i) + " and " +
                                                 std::to_string(p.next(i)) + " coincide");
-    check_finite(lengths.back() * lengths.back(), "interpolate_fair: a distance");
   }
   return lengths;
 }
@@ -185,14 +186,16 @@ short_jets(const Fair_points<Traits>& p, const std::vector<Fair_joint<dimension_
            const std::vector<double>& lengths, const std::vector<std::optional<typename Traits::Vector>>& tangents) {
   typedef typename Traits::FT FT;
   constexpr bool rounds = std::is_floating_point_v<FT>;
-  constexpr int most_digits = rounds ? (std::min)(20, std::numeric_limits<FT>::digits / 3) : 20;
-  const int n = p.number(), dimension = p.points[0].dimension();
+  constexpr int most_digits = rounds ? (std::min)(20, std::numeric_limits<FT>::digits / 3) : 20,
+                fewest_digits = 4; // so that no tangent is lost next to points that are far away
+  const int n = p.exponent(), dimension = p.points[0].dimension();
   std::vector<Coordinate_jet<FT, dimension_v<Traits>>> jets;
-  for (int i = 0; i < n; ++i) {
+  for (int i = 0; i < p.number(); ++i) {
     Work_meter::pause();
     const double before = i > 0 ? lengths[i - 1] : lengths.back(), after = i < p.pieces() ? lengths[i] : before,
                  h = (std::min)(p.closed || i > 0 ? before : after, after);
-    const int unit = (std::max)(std::ilogb(h) - most_digits, unit_with_room<FT>(p.size, 9));
+    const int unit =
+        (std::max)(std::ilogb(h) - most_digits, (std::min)(unit_with_room<FT>(1, 9), std::ilogb(h) - fewest_digits));
     const bool is_kept = !rounds && joints[i].given;
     Coordinate_jet<FT, dimension_v<Traits>> jet(dimension, 2);
     jet[0] = p.points[i];
@@ -200,12 +203,15 @@ short_jets(const Fair_points<Traits>& p, const std::vector<Fair_joint<dimension_
     if (is_kept) {
       jet[1] = Geometric_continuity::coordinates<Traits>(*tangents[i]);
       const Coordinate_vector<double, dimension_v<Traits>> t = rounded_column<Traits>(jet[1], dimension, i);
-      speed = std::sqrt(dot(t, t));
+      speed = length(t);
     }
     const int unit_of_bend = is_kept ? unit + 2 * (std::ilogb(speed) - std::ilogb(h)) : unit;
     for (int k = 0; k < dimension; ++k) {
-      if (!is_kept) jet[1][k] = short_number_in<FT>(multiple_of_power(h * joints[i].tangent[k], unit));
-      jet[2][k] = short_number_in<FT>(multiple_of_power(speed * speed * joints[i].curvature[k], unit_of_bend));
+      if (!is_kept) jet[1][k] = short_number_in<FT>(std::ldexp(multiple_of_power(h * joints[i].tangent[k], unit), n));
+      const double bend = multiple_of_power(speed * speed * joints[i].curvature[k], unit_of_bend),
+                   second = std::ldexp(bend, is_kept ? -n : n);
+      check_finite(second, "interpolate_fair: a second derivative");
+      jet[2][k] = short_number_in<FT>(second);
     }
     jets.push_back(std::move(jet));
   }

@@ -8,6 +8,7 @@
 
 #include "support/bounded_integers.h"
 
+#include <CGAL/Geometric_continuity/joins/internal/Grid_join.h>
 #include <CGAL/Geometric_continuity/joins/internal/Join_ladder.h>
 
 #include <algorithm>
@@ -161,6 +162,32 @@ BOOST_AUTO_TEST_CASE(what_does_not_fit_is_noticed) {
   static_assert(!all_fit<Join_question::f3>({53, 1 << 3}));
   static_assert(!all_fit<Join_question::torsion>({53, std::int64_t(1) << 13}));
   static_assert(!all_fit<Join_question::curvature_vector>({53, std::int64_t(1) << 20}));
+}
+
+// Points of quotients with numbers of 60 bits: a point between two, or none where one of the numbers gets longer.
+BOOST_AUTO_TEST_CASE(points_between_points) {
+  typedef Short_point<2> Point;
+  const auto between = [](const Point& x, const Point& y, std::int64_t part, std::int64_t whole) {
+    Point p{{7, 7}, 7};
+    if (!combine<2>(x, y, part, whole, p)) p.denominator = 0;
+    return p;
+  };
+  const auto equal = [](const Point& p, std::int64_t x, std::int64_t y, std::int64_t denominator) {
+    return p.numerators[0] == x && p.numerators[1] == y && p.denominator == denominator;
+  };
+  const Point a{{1, 4}, 3}, b{{5, -2}, 6};
+  BOOST_CHECK(equal(between(a, b, 0, 5), 1, 4, 3) && equal(between(a, b, 5, 5), 5, -2, 6));
+  BOOST_CHECK(equal(between(a, b, 1, 2), 7, 6, 12) && equal(between(a, b, 4, 6), 6, 2, 9));
+  const std::int64_t power = std::int64_t(1) << 40, largest = (std::int64_t(1) << 60) - 1;
+  const auto is_too_long = [&](const Point& x, const Point& y, std::int64_t part, std::int64_t whole) {
+    return between(x, y, part, whole).denominator == 0;
+  };
+  BOOST_CHECK(is_too_long({{1, 1}, power - 1}, {{1, 1}, power + 1}, 1, 2)); // of two denominators
+  BOOST_CHECK(is_too_long({{1, 1}, 3}, {{1, 1}, power}, power - 1, power)); // and the whole
+  BOOST_CHECK(is_too_long({{1, 1}, 3}, {{1, 1}, power}, 1, power));         // a denominator and a part
+  BOOST_CHECK(is_too_long({{1, 1}, power}, {{1, 1}, 3}, power - 1, power));
+  BOOST_CHECK(is_too_long({{largest, 1}, 1}, {{largest, 1}, power - 1}, 1, 2)); // a numerator
+  BOOST_CHECK(equal(between({{largest, 1}, 1}, {{largest, 1}, 1}, 1, 3), largest, 1, 1));
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -34,14 +34,20 @@ template <int N> struct Fair_joint {
   bool given = false;                                     // the tangent
 };
 
+// Whatever its size: a square may overflow, or be zero.
+template <int N> double length(const Coordinate_vector<double, N>& x) {
+  double length = 0;
+  for (const double y : x) length = std::hypot(length, y);
+  return length;
+}
+
 // The tangent, unless it is given, and the curvature of the circle through a point and its neighbours, with the chords u to the point
 // and v from it. `place` is 0 where the circle is wanted at the middle one of the points, -1 at the first, 1 at the last.
 template <int N>
 void take_circle(Fair_joint<N>& joint, const Coordinate_vector<double, N>& u, const Coordinate_vector<double, N>& v,
                  int place) {
   typedef Coordinate_vector<double, N> Vector;
-  const auto length = [](const Vector& x) { return std::sqrt(dot(x, x)); };
-  const double a = length(u), b = length(v), c = length(u + v);
+  const double a = length(u), b = length(v), c = length<N>(u + v);
   const Vector p = u / a, q = v / b;
   Vector t = b * p + a * q; // of the circle in the middle
   if (!(length(t) > 1e-6 * (a + b))) t = p;
@@ -62,7 +68,7 @@ template <int N> void take_circles(std::vector<Fair_joint<N>>& joints, bool clos
   const auto chord = [&](int i) -> Vector { return joints[(i + 1) % n].point - joints[i % n].point; };
   for (int i = 0; i < n; ++i) {
     if (n == 2) { // a line, or as its tangents lead
-      const Vector v = joints[1].point - joints[0].point, direction = v / std::sqrt(dot(v, v));
+      const Vector v = joints[1].point - joints[0].point, direction = v / length(v);
       if (!joints[i].given) joints[i].tangent = direction;
       joints[i].curvature = Vector(v.dimension());
     } else if (closed || (i > 0 && i + 1 < n))

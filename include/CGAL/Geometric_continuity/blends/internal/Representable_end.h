@@ -6,6 +6,7 @@
 #define CGAL_GEOMETRIC_CONTINUITY_BLENDS_INTERNAL_REPRESENTABLE_END_H
 
 #include <CGAL/Exact_rational.h>
+#include <CGAL/FPU.h>
 #include <CGAL/Geometric_continuity/Error.h>
 #include <CGAL/Geometric_continuity/algebra/Coordinate_vector.h>
 #include <CGAL/ipower.h>
@@ -135,6 +136,7 @@ public:
   const std::array<Coordinate_vector<Float, N>, 3>& points() const { return b_; }
   // The shape parameter of the join, rounded; it stays positive.
   Float beta() const {
+    const Protect_FPU_rounding<true> to_nearest(CGAL_FE_TONEAREST); // next to zero, no number is near the next one
     const double x = CGAL::to_double(Exact_rational(5 * c_ * Exact_rational(lengths_.first) / lengths_.degree));
     if (!(x <= static_cast<double>((std::numeric_limits<Float>::max)()))) refuse("the shape parameter overflows");
     return (std::max)(static_cast<Float>(x), std::numeric_limits<Float>::denorm_min());
