@@ -169,31 +169,38 @@ CGAL_GC_FORCEINLINE bool weights_cancel(const Left& left, const Right& right) {
     return false;
 }
 
-// The decision on two curves: on control points where both curves have them, with weights where these matter, otherwise on jets in an
-// exact field.
+// The decision on the control points of two curves, with weights where these matter, or `unknown` where one has none or the question is left
+// to the jets.
+template <Join_question question, class Left, class Right, class Stages>
+CGAL_GC_FORCEINLINE Join_answer decide_on_control_points(const Left& left, const Right& right, Stages& stages) {
+  typedef Curve_end_view<Left, Curve_end::end> Left_end;
+  typedef Curve_end_view<Right, Curve_end::start> Right_end;
+  bool polynomial = has_polygon(left, Curve_end::end) && has_polygon(right, Curve_end::start);
+  if constexpr (Has_weights<Left>::value || Has_weights<Right>::value)
+    if (!polynomial && has_weighted_polygon(left, Curve_end::end) && has_weighted_polygon(right, Curve_end::start)) {
+      polynomial = weights_cancel<question>(Left_end(left), Right_end(right));
+      if constexpr (weights_matter(question))
+        if (!polynomial) return decide_polygons<question, true>(Left_end(left), Right_end(right), stages);
+    }
+  return polynomial ? decide_polygons<question, false>(Left_end(left), Right_end(right), stages) : Join_answer::unknown;
+}
+
+// The decision on two curves: on control points where both curves have them, otherwise on jets in an exact field.
 template <Join_question question, class Left, class Right, class Stages>
 CGAL_GC_FORCEINLINE Join_answer decide_join(const Left& left, const Right& right, Stages& stages) {
   static_assert(std::is_same_v<typename Left::Traits, typename Right::Traits>,
                 "both curves must have the same traits class");
-  if constexpr (Curve_ends<Left>::have_polygons && Curve_ends<Right>::have_polygons) {
-    typedef Curve_end_view<Left, Curve_end::end> Left_end;
-    typedef Curve_end_view<Right, Curve_end::start> Right_end;
-    bool polynomial = has_polygon(left, Curve_end::end) && has_polygon(right, Curve_end::start);
-    if constexpr (Has_weights<Left>::value || Has_weights<Right>::value)
-      if (!polynomial && has_weighted_polygon(left, Curve_end::end) && has_weighted_polygon(right, Curve_end::start)) {
-        polynomial = weights_cancel<question>(Left_end(left), Right_end(right));
-        if constexpr (weights_matter(question))
-          if (!polynomial) {
-            const Join_answer answer = decide_polygons<question, true>(Left_end(left), Right_end(right), stages);
-            if (answer != Join_answer::unknown) return answer;
-          }
-      }
-    if (polynomial) return decide_polygons<question, false>(Left_end(left), Right_end(right), stages);
-  }
-  typedef typename Exact_field<Predicate_FT<typename Left::Traits>>::type Field;
-  const Join_answer answer =
-      decide_on_jets<question>(jet_at<Field, Curve_end::end>(left, 3), jet_at<Field, Curve_end::start>(right, 3));
-  stages.decided(Join_stage::multiprecision, answer);
+  Join_answer answer = Join_answer::unknown;
+  if constexpr (Curve_ends<Left>::have_polygons && Curve_ends<Right>::have_polygons)
+    answer = decide_on_control_points<question>(left, right, stages);
+  if constexpr (!Always_has_polygons<Left>::value ||
+                !Always_has_polygons<Right>::value) // spares the compiler what is never asked
+    if (answer == Join_answer::unknown) {
+      typedef typename Exact_field<Predicate_FT<typename Left::Traits>>::type Field;
+      answer =
+          decide_on_jets<question>(jet_at<Field, Curve_end::end>(left, 3), jet_at<Field, Curve_end::start>(right, 3));
+      stages.decided(Join_stage::multiprecision, answer);
+    }
   return answer;
 }
 
