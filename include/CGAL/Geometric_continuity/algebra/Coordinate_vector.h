@@ -142,10 +142,7 @@ private:
 
   // f(i) for each coordinate number i
   template <class Function> CGAL_GC_FORCEINLINE void for_each(const Function& f) const {
-    if constexpr (N == 0)
-      for (int i = 0; i < dimension(); ++i) f(i);
-    else
-      internal::for_each_index<N>(f);
+    internal::for_each_index<N>(dimension(), f);
   }
 };
 

@@ -152,17 +152,11 @@ protected:
 
   // f(i) for each coordinate number i
   template <class Function> CGAL_GC_FORCEINLINE void for_each_coordinate(const Function& f) const {
-    if constexpr (N == 0)
-      for (int i = 0; i < dimension(); ++i) f(i);
-    else
-      internal::for_each_index<N>(f);
+    internal::for_each_index<N>(dimension(), f);
   }
   // f(j) for each control point number j
   template <class Function> CGAL_GC_FORCEINLINE void for_each_point(const Function& f) const {
-    if constexpr (Degree == dynamic_degree)
-      for (int j = 0; j <= degree(); ++j) f(j);
-    else
-      internal::for_each_index<Degree + 1>(f);
+    internal::for_each_index<Degree == dynamic_degree ? 0 : Degree + 1>(degree() + 1, f);
   }
   // the i-th coordinates of all control points
   CGAL_GC_FORCEINLINE Coefficients<FT> coefficients(int i) const {

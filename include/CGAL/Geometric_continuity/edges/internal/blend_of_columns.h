@@ -189,7 +189,7 @@ public:
     to[0] = p0;
     const auto by_numbers = [&](const auto& factors) {
       Coordinate_vector<FT, N> b1(dimension()), b2(dimension());
-      for_each_coordinate([&](int k) {
+      for_each_index<N>(dimension(), [&](int k) {
         std::tie(b1[k], b2[k]) = factors(FT(coordinate(p0, k)), FT(coordinate(p1, k)), FT(coordinate(p2, k)));
         if constexpr (std::is_floating_point_v<FT>) sum[k] += b1[k] * b2[k];
       });
@@ -219,13 +219,6 @@ private:
   }
 
   // f(k) for each coordinate number k
-  template <class Function> CGAL_GC_FORCEINLINE void for_each_coordinate(const Function& f) const {
-    if constexpr (N == 0)
-      for (int k = 0; k < dimension_; ++k) f(k);
-    else
-      for_each_index<N>(f);
-  }
-
   // Checks the edge.
   void check(const char* surface) {
     bool is_point = true, vanishes = true;
