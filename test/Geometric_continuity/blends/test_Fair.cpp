@@ -199,6 +199,8 @@ BOOST_AUTO_TEST_CASE(extreme_shapes) {
     CHECK_ERROR(GC::blend(phi, psi, GC::Fair(), {beta, 1}), not_finite);
     CHECK_ERROR(GC::blend(phi, psi, GC::Fair_g3(), {beta, 1}), not_finite);
   }
+  const Curve short_end = {P(1e-150, 0), P(0, 0)}, short_start = {P(0, 0), P(0, 1e-150)}; // with one end in common
+  CHECK_ERROR(GC::blend(short_end, short_start, GC::Fair(), {1e-200, 1e-200}), not_finite);
   const auto over = [](const Curve& c, double length) { return Curve(c.begin(), c.end(), 0, length); };
   const double least = GC::blend(phi, psi, GC::Fair()).report.fairness;
   for (const double length : {1e-30, 1e-10, 1e20})

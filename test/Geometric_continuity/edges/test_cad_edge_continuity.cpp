@@ -521,6 +521,8 @@ BOOST_AUTO_TEST_CASE(what_is_not_decided) {
            line(0, 0, 1, 0)),
       side(plane(), flat_parabola),
       side(plane(), bent),
+      side(plane(),
+           GC::Cad_spline_curve<2>{1, {0, 0, 1, 1}, {{0, 0}, {1, 0}}, {1, 2}}), // straight, in another parameter
       side(Elementary{Kind::cylinder, standard, 1}, bent),
       side(Elementary{Kind::cylinder, standard, 1}, flat_parabola)};
   for (const GC::Edge_side& s : others) BOOST_TEST(verdict(s, s) == "undecided");

@@ -235,4 +235,22 @@ BOOST_AUTO_TEST_CASE(models_enclose_what_they_stand_for) {
     BOOST_TEST_CONTEXT(name << ", seed " << seed) BOOST_TEST(2 * narrow[name] > number);
 }
 
+// The parameter where to look stays in the range, also where the length of that is no double.
+BOOST_AUTO_TEST_CASE(likely_maxima) {
+  typedef GC::internal::Edge_range Range;
+  using GC::internal::likely_maximum;
+  const auto rising = [](double s) { return s + 3; };
+  const auto falling = [](double s) { return 3 - s; };
+  const auto bump = [](double s) { return 3 - s * s; };
+  BOOST_TEST(likely_maximum(Range(-2, 6), rising) == 6);
+  BOOST_TEST(likely_maximum(Range(-2, 6), falling) == -2);
+  BOOST_TEST(likely_maximum(Range(-2, 6), bump) == 2);
+  BOOST_TEST(likely_maximum(Range(5, 5), rising) == 5);
+  const double far = 1.5e308;
+  BOOST_TEST(likely_maximum(Range(-far, far), rising) == far);
+  BOOST_TEST(likely_maximum(Range(-far, far), falling) == -far);
+  BOOST_TEST(std::abs(likely_maximum(Range(-far, far), bump)) ==
+             far); // one of both ends: between them no other is tried
+}
+
 BOOST_AUTO_TEST_SUITE_END()

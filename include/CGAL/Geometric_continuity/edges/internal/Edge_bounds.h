@@ -102,7 +102,9 @@ private:
 template <class Function> double likely_maximum(const Edge_range& range, const Function& f) {
   double best = range.t.inf(), largest = -1;
   for (int i = 0; i <= 8; ++i) {
-    const double t = i == 8 ? range.t.sup() : range.t.inf() + i * 0.125 * (range.t.sup() - range.t.inf());
+    const double t = i == 0   ? range.t.inf()
+                     : i == 8 ? range.t.sup()
+                              : range.t.inf() + i * 0.125 * (range.t.sup() - range.t.inf());
     if (range.t.sup() < t) continue; // where the length overflows
     const double value = f(range.half == 0 ? 0. : (t - range.middle) / range.half);
     if (value > largest) largest = value, best = t;
