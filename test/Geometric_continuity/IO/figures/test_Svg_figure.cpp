@@ -324,6 +324,14 @@ BOOST_AUTO_TEST_CASE(combs_and_plots_that_are_cut_off) {
   for (const char* text :
        {"a &gt; &quot;b&quot;\n", "\ncurvature comb (long teeth cut off)\n", " (1/unit, cut off) against "})
     BOOST_CHECK_MESSAGE(legend.find(text) != std::string::npos, legend + " has not " + text);
+  // a short curve with the longest teeth: it is its part of the whole length that counts, not how its parameter runs
+  const Curve flat{P(0, 0), P(50, 2.5), P(100, 0)}, bent{P(0, 10), P(2.5, 12), P(5, 10)};
+  const Svg_style combed{Svg_role::given, false, true};
+  const auto cut_off = [&](const Curve& curve) {
+    const std::string t = texts(GC::Svg_figure().add(GC::Svg_panel().add(flat, combed).add(curve, combed)));
+    return t.find("\ncurvature comb (long teeth cut off)\n") != std::string::npos;
+  };
+  BOOST_CHECK(cut_off(bent) && !cut_off(flat));
   const GC::Bezier_curve<Space> spatial{Q(0, 0, 0), Q(1, 3, 2), Q(4, 1, -3), Q(5, 5, 1)};
   const std::string s =
       svg(GC::Svg_figure().add(GC::Svg_panel().add(spatial, style)).add(GC::Svg_panel().add(slow, style)));
