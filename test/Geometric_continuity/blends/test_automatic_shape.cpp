@@ -7,6 +7,7 @@
 #include <boost/test/unit_test.hpp>
 
 #include "support/errors.h"
+#include "support/rounding_modes.h"
 
 #include <CGAL/Cartesian_d.h>
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
@@ -19,7 +20,6 @@
 #include <CGAL/Geometric_continuity/curves/fairness.h>
 #include <CGAL/Simple_cartesian.h>
 
-#include <cfenv>
 #include <cmath>
 #include <limits>
 #include <random>
@@ -97,12 +97,8 @@ BOOST_AUTO_TEST_CASE(ties) {
     for (int e : {-30, 0, 17}) {
       const double middle = std::ldexp(2. * k + 1, e - 1), up = std::ldexp(k + 1., e);
       const std::vector<double> origin = {0, 0}, a2 = {3 * middle, 4 * middle}, d = {0, 5};
-      for (int mode : {FE_TONEAREST, FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO}) {
-        std::fesetround(mode);
-        const double b = beta<Double>(origin, a2, d);
-        std::fesetround(FE_TONEAREST);
-        BOOST_CHECK_EQUAL(b, up);
-      }
+      for (const int mode : rounding_modes())
+        BOOST_CHECK_EQUAL(in_rounding_mode(mode, [&] { return beta<Double>(origin, a2, d); }), up);
       BOOST_CHECK_EQUAL(beta<Exact>(origin, a2, d), up);
       BOOST_CHECK_EQUAL(beta<Lazy>(origin, a2, d), up);
       // the least bit less

@@ -12,8 +12,8 @@
 #include <boost/test/unit_test.hpp>
 
 #include "support/errors.h"
+#include "support/rounding_modes.h"
 
-#include <cfenv>
 #include <cmath>
 #include <cstdint>
 #include <iostream>
@@ -179,21 +179,6 @@ BOOST_AUTO_TEST_CASE(unlike_sizes) {
 
 namespace {
 
-// Calls a function in each rounding mode; the mode is that of before when the function has returned or thrown.
-class Rounding_mode {
-  const int before_ = std::fegetround();
-
-public:
-  explicit Rounding_mode(int mode) { BOOST_REQUIRE_EQUAL(std::fesetround(mode), 0); }
-  ~Rounding_mode() { std::fesetround(before_); }
-};
-const int rounding_modes[] = {FE_TONEAREST, FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO};
-
-template <class Function> auto in_mode(int mode, const Function& function) {
-  const Rounding_mode rounding(mode);
-  return function();
-}
-
 // Each moved coordinate stays within half a unit of its grid, and is a multiple of that.
 template <class Join> void check_moves(const Curve& given, const Curve& moved, const Join& join) {
   for (int k = 0; k <= given.degree(); ++k)
@@ -215,11 +200,11 @@ BOOST_AUTO_TEST_CASE(tiny_and_huge_shape_parameters) {
     const Space::Point origin(0, 0, 0), other(size, -3 * size, 2 * size);
     return at_end ? Curve{other, origin} : Curve{origin, other};
   };
-  for (const int mode : rounding_modes)
+  for (const int mode : rounding_modes())
     for (const double beta : {least, 3 * least, 1e-310, 1e-300, 1e300, most / 2, most}) {
       BOOST_TEST_CONTEXT("rounding mode " << mode << ", parameter " << beta) {
         const auto blend = [mode](const Curve& left, const Curve& right, double b, double e) {
-          return in_mode(mode, [&] {
+          return in_rounding_mode(mode, [&] {
             return GC::representable_blend(left, right, GC::Minimal_second_derivative(), {b, e});
           });
         };
@@ -265,7 +250,7 @@ BOOST_AUTO_TEST_CASE(near_overflow) {
   std::mt19937_64 random(7);
   BOOST_TEST_MESSAGE("seed 7");
   int refused = 0, made = 0;
-  for (const int mode : rounding_modes)
+  for (const int mode : rounding_modes())
     for (int i = 0; i < 60; ++i) {
       const auto huge = [&random, most] { // near the largest number, some of them far from it
         const double x = most / 4 * (std::ldexp(static_cast<double>(random() >> 11), -53) * 4);
@@ -282,7 +267,7 @@ BOOST_AUTO_TEST_CASE(near_overflow) {
       };
       const Curve phi = curve(), psi = curve();
       try {
-        const Blend b = in_mode(mode, [&] { return unit_blend(phi, psi); });
+        const Blend b = in_rounding_mode(mode, [&] { return unit_blend(phi, psi); });
         ++made;
         BOOST_CHECK(exactly_g2(b));
         for (int x = 0; x < 3; ++x)
@@ -297,11 +282,11 @@ BOOST_AUTO_TEST_CASE(near_overflow) {
   BOOST_CHECK(made > 0 && refused > 0);
   // the coordinate x cannot leave the largest numbers: B would lie beyond them
   const Curve wide{Space::Point(-most / 4, 1, 0), Space::Point(most / 4, 3, 0)}, right = random_curve(2, on_grid);
-  for (const int mode : rounding_modes)
-    CHECK_ERROR(in_mode(mode,
-                        [&] {
-                          return GC::representable_blend(wide, right, GC::Normal_offset(), {100, 1});
-                        }),
+  for (const int mode : rounding_modes())
+    CHECK_ERROR(in_rounding_mode(mode,
+                                 [&] {
+                                   return GC::representable_blend(wide, right, GC::Normal_offset(), {100, 1});
+                                 }),
                 not_representable);
 }
 
@@ -310,8 +295,8 @@ BOOST_AUTO_TEST_CASE(rounding) {
   for (int i = 0; i < 30; ++i) {
     const Curve phi = random_curve(1 + i % 5, full), psi = random_curve(3, full);
     const Blend nearest = GC::representable_blend(phi, psi);
-    for (const int mode : rounding_modes) {
-      const Blend b = in_mode(mode, [&] { return GC::representable_blend(phi, psi); });
+    for (const int mode : rounding_modes()) {
+      const Blend b = in_rounding_mode(mode, [&] { return GC::representable_blend(phi, psi); });
       BOOST_CHECK(exactly_g2(b));
       check_moves(phi, b.phi, b.start_join);
       check_moves(psi, b.psi, b.end_join);

@@ -9,6 +9,7 @@
 
 #include "support/enclosures.h"
 #include "support/errors.h"
+#include "support/rounding_modes.h"
 
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Geometric_continuity/IO/number.h>
@@ -16,7 +17,6 @@
 #include <CGAL/Geometric_continuity/numbers/Exact_field.h>
 #include <CGAL/Quotient.h>
 
-#include <cfenv>
 #include <cmath>
 #include <iostream>
 #include <limits>
@@ -36,19 +36,11 @@ using enclosures::ulps;
 
 namespace {
 
-const int rounding_modes[] = {FE_TONEAREST, FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO};
-
 template <class FT> GC::Enclosure angle_in(int mode, const FT& sine_squared, const FT& cosine) {
-  std::fesetround(mode);
-  const GC::Enclosure e = GC::angle_enclosure(sine_squared, cosine);
-  std::fesetround(FE_TONEAREST);
-  return e;
+  return in_rounding_mode(mode, [&] { return GC::angle_enclosure(sine_squared, cosine); });
 }
 template <class FT> GC::Enclosure root_in(int mode, const FT& x) {
-  std::fesetround(mode);
-  const GC::Enclosure e = GC::root_enclosure(x);
-  std::fesetround(FE_TONEAREST);
-  return e;
+  return in_rounding_mode(mode, [&] { return GC::root_enclosure(x); });
 }
 
 std::string printed(const GC::Enclosure& e, int precision = 6) {
@@ -68,7 +60,7 @@ BOOST_AUTO_TEST_CASE(random_roots_and_angles) {
     return std::ldexp(digits, -52 - static_cast<int>(random() % static_cast<unsigned>(exponents)));
   };
   for (int i = 0; i < 400; ++i) {
-    const int mode = rounding_modes[i % 4], exponents = i % 3 == 0 ? 1 : i % 3 == 1 ? 30 : 200;
+    const int mode = rounding_mode(i), exponents = i % 3 == 0 ? 1 : i % 3 == 1 ? 30 : 200;
     const double s = number(exponents), c = number(exponents) * (i % 8 < 4 ? 1 : -1);
     const GC::Enclosure root = root_in(mode, Q(Q(s) / Q(3)));
     BOOST_CHECK(encloses_root(root, Q(Q(s) / Q(3))));
@@ -89,7 +81,7 @@ BOOST_AUTO_TEST_CASE(special_angles) {
   const auto is_close = [&](const GC::Enclosure& e, double factor) {      // of a multiple of pi by a power of two
     return e.lower <= factor * pi && factor * above_pi <= e.upper && ulps(e) <= 3;
   };
-  for (int mode : rounding_modes) {
+  for (int mode : rounding_modes()) {
     BOOST_CHECK(angle_in(mode, Q(0), Q(5)) == (GC::Enclosure{0, 0}));
     BOOST_CHECK(is_close(angle_in(mode, Q(0), Q(-5)), 1));
     BOOST_CHECK(is_close(angle_in(mode, Q(3), Q(0)), 0.5));
@@ -115,7 +107,7 @@ BOOST_AUTO_TEST_CASE(special_angles) {
 BOOST_AUTO_TEST_CASE(special_roots) {
   const double largest = (std::numeric_limits<double>::max)(), least = std::numeric_limits<double>::denorm_min(),
                infinity = std::numeric_limits<double>::infinity();
-  for (int mode : rounding_modes) {
+  for (int mode : rounding_modes()) {
     BOOST_CHECK(root_in(mode, Q(0)) == (GC::Enclosure{0, 0}));
     BOOST_CHECK(root_in(mode, Q(9)) == (GC::Enclosure{3, 3}));
     BOOST_CHECK(encloses_root(root_in(mode, Q(largest)), Q(largest)));
@@ -151,7 +143,7 @@ BOOST_AUTO_TEST_CASE(what_is_printed_encloses) {
   std::cout << "seed 2027\n";
   std::mt19937_64 random(2027);
   for (int i = 0; i < 1000; ++i) {
-    const int precision = 1 + i % 17, mode = rounding_modes[i % 4];
+    const int precision = 1 + i % 17, mode = rounding_mode(i);
     double x = double(random() >> 11);
     x = std::ldexp(x, static_cast<int>(random() % 2000) - 1074);
     if (i % 3 == 0) x = std::ldexp(double(random() >> 11), -60 + i % 20); // without an exponent
@@ -159,9 +151,7 @@ BOOST_AUTO_TEST_CASE(what_is_printed_encloses) {
     if (i % 5 < 2) x = -x;
     const double y = i % 2 == 0 ? x : x + std::abs(x) * double(random() % 100) / 64;
     if (std::isinf(x) || std::isinf(y)) continue;
-    std::fesetround(mode);
-    const std::string text = printed({x, y}, precision);
-    std::fesetround(FE_TONEAREST);
+    const std::string text = in_rounding_mode(mode, [&] { return printed({x, y}, precision); });
     const std::size_t comma = text.find(", ");
     const bool one = comma == std::string::npos;
     const Q below = GC::parse_number<Q>(one ? text : text.substr(1, comma - 1)),

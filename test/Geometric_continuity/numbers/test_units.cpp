@@ -8,11 +8,11 @@
 
 #include "support/enclosures.h"
 #include "support/errors.h"
+#include "support/rounding_modes.h"
 
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Geometric_continuity/numbers/Enclosure.h>
 
-#include <cfenv>
 #include <cmath>
 #include <iostream>
 #include <limits>
@@ -26,8 +26,6 @@ typedef CGAL::Exact_rational Q;
 using enclosures::ulps;
 
 namespace {
-
-const int rounding_modes[] = {FE_TONEAREST, FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO};
 
 // arctan(1/n) lies between two partial sums of its alternating series.
 std::pair<Q, Q> arctan_of_inverse(int n) {
@@ -46,13 +44,6 @@ std::pair<Q, Q> pi() {
   return {Q(16) * a.first - Q(4) * b.second, Q(16) * a.second - Q(4) * b.first};
 }
 
-template <class Function> GC::Enclosure in_mode(int mode, Function f) {
-  std::fesetround(mode);
-  const GC::Enclosure e = f();
-  std::fesetround(FE_TONEAREST);
-  return e;
-}
-
 } // namespace
 
 BOOST_AUTO_TEST_CASE(random_angles_and_ratios) {
@@ -61,13 +52,13 @@ BOOST_AUTO_TEST_CASE(random_angles_and_ratios) {
   const std::pair<Q, Q> half_turn = pi();
   BOOST_REQUIRE(half_turn.first < half_turn.second && Q(half_turn.second - half_turn.first) < Q(1e-50));
   for (int i = 0; i < 400; ++i) {
-    const int mode = rounding_modes[i % 4];
+    const int mode = rounding_mode(i);
     const double digits = double(random() >> 11), x = std::ldexp(digits, -53 - static_cast<int>(random() % 200));
-    const GC::Enclosure degrees = in_mode(mode, [&] { return GC::in_degrees({x, x}); });
+    const GC::Enclosure degrees = in_rounding_mode(mode, [&] { return GC::in_degrees({x, x}); });
     BOOST_CHECK(Q(degrees.lower) * half_turn.second <= Q(x) * Q(180));
     BOOST_CHECK(Q(x) * Q(180) <= Q(degrees.upper) * half_turn.first);
     BOOST_CHECK(ulps(degrees) <= 4);
-    const GC::Enclosure percent = in_mode(mode, [&] { return GC::in_percent({x, 2 * x}); });
+    const GC::Enclosure percent = in_rounding_mode(mode, [&] { return GC::in_percent({x, 2 * x}); });
     BOOST_CHECK(Q(percent.lower) <= Q(100) * Q(x) && Q(200) * Q(x) <= Q(percent.upper));
     BOOST_CHECK(percent.lower == percent.upper / 2 || ulps(GC::in_percent({x, x})) == 1);
   }
@@ -82,9 +73,9 @@ BOOST_AUTO_TEST_CASE(random_decimals) {
     return Q(bound) * Q(180) <= angle * (angle < 0 ? half_turn.second : half_turn.first);
   };
   for (int i = 0; i < 4000; ++i) {
-    const int mode = rounding_modes[i % 4];
+    const int mode = rounding_mode(i);
     const Q decimal = Q(static_cast<int>(random() % 2000001) - 1000000) / Q(100000);
-    const GC::Enclosure radians = in_mode(mode, [&] { return GC::in_radians(decimal); });
+    const GC::Enclosure radians = in_rounding_mode(mode, [&] { return GC::in_radians(decimal); });
     BOOST_CHECK(is_below(radians.lower, decimal) && is_below(-radians.upper, Q(-decimal)));
     BOOST_CHECK(ulps(radians) <= 2);
   }
