@@ -17,6 +17,7 @@
 #include <CGAL/Geometric_continuity/Traits.h>
 #include <CGAL/Simple_cartesian.h>
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <map>
@@ -25,6 +26,7 @@
 #include <sstream>
 #include <string>
 #include <tuple>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -241,6 +243,11 @@ template <int N, class Traits> void check_other_curves() {
     const auto spans = read_spans<Traits, GC::Text_number>(left + head + right + '\n');
     check_join(spans[0], spans[1], right);
   }
+  // of another degree
+  const std::string quadratic = "100 1 0 0 " + std::to_string(N) + " 0\n3 3\n2 3 4 5 6 7\n" + other + third + point;
+  const auto three = read_spans<Traits, GC::Text_number>(left + quadratic + '\n' + left);
+  check_join(three[0], three[1], quadratic);
+  check_join(three[1], three[2], quadratic);
   // quintics with Bezier points at the other end only, or nearly
   const std::string quintic = "100 1 0 0 " + std::to_string(N) + " 0\n6 6\n";
   for (const std::string& knots :
@@ -335,6 +342,64 @@ BOOST_AUTO_TEST_CASE(spans_off_the_grid) {
   CHECK_ERROR(continuity(left, right, -1), negative_count);
   CHECK_ERROR(continuity(right, spatial), dimension_mismatch);
   CHECK_ERROR(continuity_orders(right, spatial), dimension_mismatch);
+}
+
+// Enclosures of the jets at a join of two spans, with respect to parameters of [0, 1], contain the exact ones, and are narrow. Returns
+// whether there are some.
+template <class Span>
+bool has_enclosures(const Span& left, const Span& right, const Q& left_length, const Q& right_length) {
+  const auto check = [&](const auto& enclosed, const auto& exact, const Q& length) {
+    Q power(1), largest(0);
+    for (int k = 0; k <= 3; ++k, power *= length)
+      for (int i = 0; i < left.dimension(); ++i) {
+        const Q x = exact[k][i] * power, lower(enclosed[k][i].inf()), upper(enclosed[k][i].sup());
+        largest = (std::max)(largest, Q(abs(x)));
+        BOOST_CHECK(lower <= x && x <= upper && upper - lower <= largest / Q(1e14));
+      }
+  };
+  const auto check_both = [&](const auto& x, const auto& y) {
+    check(x, left.jets().template end_jet_over<Q>(3), left_length);
+    check(y, right.jets().template start_jet_over<Q>(3), right_length);
+  };
+  return Span::visit_enclosures(left, right, check_both);
+}
+
+// On grids: short decimals, decimals of more than 22 places, integers that no double has, and fractions; not beyond them.
+template <class Number> void check_enclosures() {
+  typedef GC::Traits_d<CGAL::Cartesian_d<Q>> Any;
+  constexpr bool rounded = std::is_floating_point_v<Number>;
+  const auto is_enclosed = [](const std::string& left, const std::string& right, int left_length, int right_length) {
+    const auto x = read_spans<Any, Number>(left), y = read_spans<Any, Number>(right);
+    BOOST_REQUIRE(x.size() == 1 && y.size() == 1);
+    return has_enclosures(x[0], y[0], Q(left_length), Q(right_length));
+  };
+  const std::string unit = "0 0 0 0 1 1 1 1\n", four = "2 2 2 2 6 6 6 6\n";
+  for (const std::string& end : {std::string(), std::string("e-30"), std::string("3456789012345677")}) {
+    const auto curve = [&](int dimension, const std::string& knots, const std::vector<int>& numbers) {
+      std::string file = "100 1 0 0 " + std::to_string(dimension) + " 0\n4 4\n" + knots;
+      for (const int x : numbers) file += std::to_string(x) + end + ' ';
+      return file + '\n';
+    };
+    const std::string planar = curve(2, four, {12, 5, -7, 3, 9, 9, 31, -8}),
+                      next = curve(2, unit, {31, -8, 17, 4, -5, 23, 6, 11}),
+                      spatial = curve(3, unit, {12, 5, -7, 3, 9, 19, 31, -8, 4, -17, 2, 13}),
+                      of_four = curve(4, unit, {1, 2, 3, 4, 5, 6, 7, 8, 9, 8, 7, 6, 5, 4, 3, 2});
+    BOOST_CHECK(is_enclosed(planar, next, 4, 1) && is_enclosed(next, planar, 1, 4));
+    BOOST_CHECK(is_enclosed(spatial, spatial, 1, 1));
+    BOOST_CHECK(!is_enclosed(of_four, of_four, 1, 1) && !is_enclosed(planar, spatial, 4, 1));
+    const std::string inner =
+        curve(2, "0 1 2 3 7 9 10 12\n", {12, 5, -7, 3, 9, 9, 31, -8}); // has Bezier points with denominators
+    BOOST_CHECK_EQUAL(is_enclosed(inner, next, 4, 1), !rounded && end.size() < 5);
+    const std::string weighted = "100 1 0 0 2 1\n2 2\n0 0 1 1 0 0 1 1 1 2\n";
+    BOOST_CHECK(!is_enclosed(weighted, next, 1, 1) && !is_enclosed(next, weighted, 1, 1));
+  }
+  const std::string head = "100 1 0 0 2 0\n2 2\n0 0 1 1\n";
+  BOOST_CHECK_EQUAL(is_enclosed(head + "0.5 0.25 1e-40 2e20\n", head + "1 2 3 4\n", 1, 1), rounded);
+}
+
+BOOST_AUTO_TEST_CASE(enclosed_jets) {
+  check_enclosures<GC::Text_number>();
+  check_enclosures<double>();
 }
 
 // Coordinates that are no doubles, with legs that are multiples of 2^32: the form for G2 is a multiple of 2^128, so that short residues

@@ -186,6 +186,7 @@ BOOST_AUTO_TEST_CASE(verdicts) {
   // a gap refutes everything, unless it is tolerated
   const Space_curve away{Space::Point(8, 0, 0.5), Space::Point(9, 0, 0.5)};
   for (int k = 0; k <= 3; ++k) BOOST_CHECK_EQUAL(GC::order_within(line, away, {1, 1, 1})(k), Verdict::refuted);
+  BOOST_CHECK_EQUAL(GC::order_within(line, away, {1, 1, 1}).proved_order(), -1);
   BOOST_CHECK_EQUAL(GC::order_within(line, away, {0, 0, 0, 0.5}).proved_order(), 2);
   // no tangent, no order 1
   const Space_curve cusp{Space::Point(8, 0, 0), Space::Point(8, 0, 0), Space::Point(9, 0, 0)};
@@ -224,9 +225,17 @@ BOOST_AUTO_TEST_CASE(order_3_in_the_plane) {
       cubic{Plane::Point(0, 0), Plane::Point(1, 0), Plane::Point(2, 0), Plane::Point(3, 9)};
   BOOST_CHECK_EQUAL(within(line, cubic, 2)(3), Verdict::proved);
   BOOST_CHECK_EQUAL(within(line, cubic, std::nextafter(2, 0))(3), Verdict::refuted);
+  // from the other side it falls by 2
+  BOOST_CHECK_EQUAL(within(cubic.reverse(), line.reverse(), 2)(3), Verdict::proved);
+  BOOST_CHECK_EQUAL(within(cubic.reverse(), line.reverse(), std::nextafter(2, 0))(3), Verdict::refuted);
   // what lower orders refute stays refuted
   const Plane_curve kink{Plane::Point(0, 0), Plane::Point(1, 1)};
   BOOST_CHECK_EQUAL(within(line, kink, 1)(3), Verdict::refuted);
+  // without a tangent there is no such derivative
+  const Plane_curve cusp{Plane::Point(0, 0), Plane::Point(0, 0), Plane::Point(1, 0)};
+  const GC::Order_within none = GC::order_within(line, cusp, {4, 4, 4, 4, 4});
+  BOOST_CHECK(none(1) == Verdict::refuted && none(3) == Verdict::refuted && none.proved_order() == 0);
+  BOOST_CHECK(!none.deviation.tangent_angle && !none.deviation.curvature_jump);
   BOOST_CHECK_EXCEPTION(within(line, cubic, -1), GC::Error,
                         [](const GC::Error& x) { return x.code() == GC::Error_code::unreachable_tolerance; });
   BOOST_CHECK_EXCEPTION(within(line, cubic, 0)(-1), GC::Error,

@@ -346,6 +346,18 @@ BOOST_AUTO_TEST_CASE(regions_of_one_place) {
   BOOST_CHECK(none.verdict == Verdict::undecided && none.vanishes);
 }
 
+// A constant kink whose tangent, 1/3, no double has: its bounds at the only place differ, and the search ends.
+BOOST_AUTO_TEST_CASE(one_place_without_a_tolerance) {
+  const Legs legs = linear({3, 0}, {0, 0}, {3, 1}, {0, 0});
+  const GC::Enclosure exact = angle({Q(3), Q(9)});
+  for (const Q& bound : {Q(18), Q(19)}) {
+    const GC::Largest_kink kink = checked(legs, axes(1, 1), bound, {0, 0, GC::Work_limit()});
+    BOOST_CHECK(kink.verdict == (bound == 18 ? Verdict::refuted : Verdict::proved));
+    BOOST_CHECK(kink.angle.lower == exact.lower && exact.upper <= kink.angle.upper);
+    BOOST_CHECK_LE(kink.angle.upper, exact.upper * (1 + 1e-15));
+  }
+}
+
 BOOST_AUTO_TEST_CASE(axes_that_do_not_count) {
   const Legs legs = linear({1, 0}, {0, 0}, {1, 0}, {0, 1});
   CHECK_ERROR(GC::largest_kink(legs.join, legs.regions, axes(1), degrees(90)), parameter_outside_domain);

@@ -124,9 +124,9 @@ std::optional<Join_continuity<typename Traits::FT>> continuity(const Path_segmen
 }
 
 /// \ingroup PkgGeometricContinuityContinuity
-/// Calls `f(x, y)` with enclosures of the jets of order 3 at the end of the left segment and at the start of the right one,
-/// `Coordinate_jet`s of `Interval_nt<false>`, with which `f` can compute. Returns false, without a call, unless both are Bézier curves
-/// whose coordinates are short rational numbers.
+/// Calls `f(x, y)` with enclosures of the jets of order 3 at the end of the left segment and at the start of the right one, with respect to
+/// parameters of the domain [0, 1] each: `Coordinate_jet`s of `Interval_nt<false>`, with which `f` can compute. Returns false, without a
+/// call, unless both are Bézier curves whose coordinates are short rational numbers, over domains whose ends are short integers.
 template <class Traits, class Function> bool visit_enclosures(const Path_join<Traits>& join, Function f) {
   if (!join.has_grid_) return false;
   const Protect_FPU_rounding<true> rounding_upwards;
