@@ -15,7 +15,7 @@
 #include <random>
 #include <vector>
 
-BOOST_AUTO_TEST_SUITE(Svg_label_places)
+BOOST_AUTO_TEST_SUITE(places_of_labels)
 
 namespace GC = CGAL::Geometric_continuity;
 using GC::internal::Svg_label_places;
@@ -38,16 +38,23 @@ double free_distance(const Svg_pixel& q, const Svg_pixel& half, const std::vecto
   return distance;
 }
 
-// The first of the eight places with the greatest distance.
-Svg_pixel place(const Svg_pixel& p, double text_width, const std::vector<Svg_pixel>& drawn) {
+// The first with the greatest distance of the eight places, as far as they are in the panel; of those farther away if none is.
+std::optional<Svg_pixel> place(const Svg_pixel& p, double text_width, const std::vector<Svg_pixel>& drawn) {
   const Svg_pixel half = svg_vector({0.5 * text_width, 4.5});
   const std::array<std::array<double, 2>, 8> directions = {
       {{0, -1}, {0, 1}, {1, 0}, {-1, 0}, {0.7, -0.8}, {-0.7, -0.8}, {0.7, 0.8}, {-0.7, 0.8}}};
-  std::vector<Svg_pixel> places;
-  for (const auto& d : directions) places.push_back(p + svg_vector({d[0] * (half[0] + 8), d[1] * (half[1] + 8)}));
-  return *std::max_element(places.begin(), places.end(), [&](const Svg_pixel& a, const Svg_pixel& b) {
-    return free_distance(a, half, drawn) < free_distance(b, half, drawn);
-  });
+  for (double gap : {8., 18., 30., 44.}) {
+    std::vector<Svg_pixel> places;
+    for (const auto& d : directions) {
+      const Svg_pixel q = p + svg_vector({d[0] * (half[0] + gap), d[1] * (half[1] + gap)});
+      if (0 <= q[0] && q[0] <= width && 0 <= q[1] && q[1] <= height) places.push_back(q);
+    }
+    if (places.empty()) continue;
+    return *std::max_element(places.begin(), places.end(), [&](const Svg_pixel& a, const Svg_pixel& b) {
+      return free_distance(a, half, drawn) < free_distance(b, half, drawn);
+    });
+  }
+  return std::nullopt;
 }
 
 } // namespace
@@ -67,7 +74,7 @@ BOOST_AUTO_TEST_CASE(the_freest_of_eight_places) {
     for (int i = 0; i < 200; ++i) {
       const Svg_pixel p = svg_vector({x(random), y(random)});
       const double text_width = text(random);
-      BOOST_CHECK(places.place(p, text_width).value() == place(p, text_width, drawn));
+      BOOST_CHECK(places.place(p, text_width) == place(p, text_width, drawn));
     }
   }
 }
