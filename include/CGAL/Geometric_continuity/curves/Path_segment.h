@@ -85,9 +85,9 @@ public:
       if (swapped.value_or(false)) std::swap(rx, ry);
     }
     const Coordinates h = half_chord();
-    k_[0] = FT(FT(0) - rx * h[1] / ry);
-    k_[1] = FT(ry * h[0] / rx);
     const FT x = FT(h[0] / rx), y = FT(h[1] / ry), lambda = FT(x * x + y * y);
+    k_[0] = FT(FT(0) - rx * y);
+    k_[1] = FT(ry * x);
     if (lambda < FT(1)) radicand_ = FT((FT(1) - lambda) / lambda);
     if constexpr (std::is_floating_point_v<FT>)
       if (!(FT(0) < lambda) || !std::isfinite(radicand_) || !std::isfinite(k_[0]) || !std::isfinite(k_[1]))

@@ -23,6 +23,7 @@
 #include <random>
 #include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace GC = CGAL::Geometric_continuity;
@@ -610,7 +611,7 @@ BOOST_AUTO_TEST_CASE(jets_at_the_ends_of_segments) {
   BOOST_CHECK(cubic.is_known() && cubic.radicand() == 0);
   BOOST_CHECK((cubic.start_jet_over<Q>(2, Q(0)) == cubic.bezier()->start_jet(2)));
   BOOST_CHECK((cubic.end_jet_over<Q>(2, Q(0)) == cubic.bezier()->end_jet(2)));
-  BOOST_CHECK(circle.is_known());
+  BOOST_CHECK(circle.is_known() && circle.has_length() && cubic.has_length());
   BOOST_CHECK_EQUAL(circle.radicand(), 99);
   typedef CGAL::Sqrt_extension<Q, Q> Field;
   const Field root(Q(0), Q(1), Q(99));
@@ -665,7 +666,11 @@ BOOST_AUTO_TEST_CASE(numbers_that_are_not_finite_are_refused) {
     check_code([&] { GC::svg_rectangle<Double>(0, 1, bad, 3, 0, 0); }, GC::Error_code::not_finite);
     check_code([&] { GC::svg_rectangle<Double>(0, 1, 2, 3, 0, bad); }, GC::Error_code::not_finite);
   }
+  // sizes that differ so much that of lambda, 1/lambda, k_x or k_y nothing is left
   check_code([&] { Arc(p, q, {1e200, 1e200}); }, GC::Error_code::parameter_outside_domain);
+  check_code([&] { Arc(p, q, {1e155, 1e155}); }, GC::Error_code::parameter_outside_domain);
+  check_code([&] { Arc(p, {1, 1}, {1e200, 1e-200}); }, GC::Error_code::parameter_outside_domain);
+  check_code([&] { Arc(p, {1, 1}, {1e-200, 1e200}); }, GC::Error_code::parameter_outside_domain);
   check_code([&] { GC::parse_svg_transform<Double>("scale(1e200)scale(1e200)"); }, GC::Error_code::not_finite);
   // sums beyond the largest number are found where they stand
   const auto message = [](const char* data) { return error([&] { GC::read_svg_path<Double>(data); }); };
@@ -674,6 +679,20 @@ BOOST_AUTO_TEST_CASE(numbers_that_are_not_finite_are_refused) {
                             message(data).find("outside the range") != std::string::npos,
                         data << ": " << message(data));
   BOOST_CHECK(message("M0 0A1e200 1e200 0 0 1 1 0").find("path data, character ") != std::string::npos);
+}
+
+// An arc of any size is that of size 1, scaled: by powers of two exactly.
+BOOST_AUTO_TEST_CASE(arcs_of_all_sizes) {
+  typedef GC::Elliptical_arc<Double> Arc;
+  const auto quarter = [](double r) { return Arc({0, r}, {-r, 0}, {r, r, 0, false, true}); }; // around the origin
+  const auto half = [](double r) { return Arc({3 * r, r}, {-3 * r, -r}, {2 * r, r}); };
+  BOOST_CHECK(*quarter(2).start_jet(2) == (GC::Curve_jet<Double>({0, 2}, {{-2, 0}, {0, -2}})));
+  for (const double size : {0x1p-900, 0x1p-600, 0x1p600, 0x1p900})
+    for (const auto& [arc, scaled] : {std::pair(quarter(2), quarter(2 * size)), std::pair(half(2), half(2 * size))})
+      for (int j = 0; j <= 3; ++j) {
+        BOOST_CHECK(size * (*arc.start_jet(3))[j] == (*scaled.start_jet(3))[j]);
+        BOOST_CHECK(size * (*arc.end_jet(3))[j] == (*scaled.end_jet(3))[j]);
+      }
 }
 
 // Arcs with rational ends as rational curves: on all four arcs of an ellipse through two points, and on its halves.
@@ -698,7 +717,9 @@ BOOST_AUTO_TEST_CASE(arcs_are_rational_curves) {
       BOOST_CHECK(on_ellipse(c, Exact::Point(4, half ? Q(0) : Q(-6 * side)), half ? 4 : 5, half ? 7 : 10));
       BOOST_CHECK_EQUAL(c.weight(1) < 0, !half && flags[0] == '1');
     }
-  BOOST_CHECK(!arc("M0 0A5 5 0 0 0 7 0").curve()); // the centre is irrational
+  const GC::Elliptical_arc<Exact> irrational = arc("M0 0A5 5 0 0 0 7 0"); // its centre is
+  BOOST_CHECK(irrational.is_known() && !irrational.is_rational() && !irrational.curve());
+  BOOST_CHECK(!irrational.start_jet(1) && !irrational.end_jet(1));
 }
 
 // Where commands and numbers stand.
