@@ -339,6 +339,25 @@ BOOST_AUTO_TEST_CASE(curvatures_that_are_refused) {
   CHECK_ERROR(plane([](double) { return 1e6; }), unreachable_tolerance); // more than the largest number of steps
 }
 
+BOOST_AUTO_TEST_CASE(samples_that_are_no_curve) {
+  GC::Integrated_curve<Double_d> curve{{}, 0};
+  CHECK_ERROR(curve.bezier_curve(), wrong_number_of_points);
+  const auto one = [](double) { return 1.; };
+  const GC::Integrated_curve<Double_d> arc = GC::curve_from_curvatures<Double_d>(Functions{one}, 1.);
+  curve.samples.push_back(arc.samples[0]);
+  CHECK_ERROR(curve.bezier_curve(), wrong_number_of_points);
+  curve.samples.push_back(arc.samples[0]);
+  CHECK_ERROR(curve.bezier_curve(), empty_domain);
+  curve.samples[1] = arc.samples[1];
+  BOOST_CHECK_EQUAL(curve.bezier_curve().number_of_segments(), 1);
+  curve.samples[1].curvatures.clear();
+  CHECK_ERROR(curve.samples[1].jet(), dimension_mismatch);
+  CHECK_ERROR(curve.bezier_curve(), dimension_mismatch);
+  const GC::Framed_point<Double_d> on_line{
+      0, arc.samples[0].point, GC::Frenet_frame<Double_d>({column<Double_d>(1, {1})}), {1.}};
+  CHECK_ERROR(on_line.jet(), dimension_mismatch);
+}
+
 BOOST_AUTO_TEST_CASE(arguments_stay_in_the_domain) {
   const double length = 0.7;
   double low = 1, high = 0;
