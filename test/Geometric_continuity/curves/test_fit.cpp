@@ -187,6 +187,8 @@ BOOST_AUTO_TEST_CASE(degenerate_polylines) {
       pieces(there_and_back, 0.01, Closure::closed, order, angle);
       pieces(back, 3, Closure::open, order, angle); // where it is not seen
     }
+    // a short way back, which is no corner: the tangent there is opposite to that of a long segment
+    BOOST_CHECK_LE(pieces({P(-20, -8), P(0, 0), P(-0.05, 0), P(40, 0)}, 0.1, Closure::open, order), 3);
     // a closed polyline may end with its first vertex
     Points p = circle(50);
     const int n = pieces(p, 0.01, Closure::closed, order);

@@ -19,6 +19,7 @@
 #include <CGAL/Geometric_continuity/curves/bezier_properties.h>
 #include <CGAL/Geometric_continuity/curves/interpolate.h>
 #include <CGAL/Geometric_continuity/curves/polyline.h>
+#include <CGAL/Interval_nt.h>
 #include <CGAL/Simple_cartesian.h>
 
 #include <array>
@@ -112,6 +113,18 @@ BOOST_AUTO_TEST_CASE(domains_of_infinite_length) {
     BOOST_CHECK_THROW(GC::end_control_points(c.start_jet(2), 3, bad), GC::Error);
   }
   CHECK_ERROR(GC::end_control_points(c.start_jet(2), 3, 1e200), not_finite);
+}
+
+// A curve of intervals is split within its domain, too.
+BOOST_AUTO_TEST_CASE(curves_of_intervals_are_split_within) {
+  typedef CGAL::Interval_nt<> Interval;
+  typedef GC::Traits_3<CGAL::Simple_cartesian<Interval>> Intervals;
+  const std::array<Intervals::Point, 2> ends{Intervals::Point(0, 0, 0), Intervals::Point(2, 4, 8)};
+  const GC::Bezier_curve<Intervals> c(ends.begin(), ends.end(), 0, 4);
+  for (const double u : {-1., 0., 4., 5.}) CHECK_ERROR(c.split(Interval(u)), parameter_outside_domain);
+  const auto parts = c.split(Interval(2));
+  BOOST_CHECK(parts.first.control_point(1).z().is_same(Interval(4)));
+  BOOST_CHECK(parts.second.domain().first.is_same(Interval(2)));
 }
 
 // By the product of Bernstein polynomials, of which binomials are a part.
