@@ -189,6 +189,10 @@ BOOST_AUTO_TEST_CASE(degenerate_polylines) {
     }
     // a short way back, which is no corner: the tangent there is opposite to that of a long segment
     BOOST_CHECK_LE(pieces({P(-20, -8), P(0, 0), P(-0.05, 0), P(40, 0)}, 0.1, Closure::open, order), 3);
+    // within a tolerance that is larger than all, curvatures have multiples that are not exact
+    Points heptagon;
+    for (int i = 0; i < 7; ++i) heptagon.emplace_back(std::cos(i * 6.28 / 7), std::sin(i * 6.28 / 7));
+    pieces(heptagon, 2, Closure::closed, order, 180);
     // a closed polyline may end with its first vertex
     Points p = circle(50);
     const int n = pieces(p, 0.01, Closure::closed, order);
