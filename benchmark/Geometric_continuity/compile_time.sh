@@ -3,7 +3,7 @@
 #
 # SPDX-License-Identifier: LGPL-3.0-or-later
 
-# What a minimal program costs to compile, in seconds of the processor (the least of several runs) and bytes of the stripped
+# What minimal programs cost to compile, in seconds of the processor (the least of several runs) and bytes of the stripped
 # object file, against a program that includes its kernel alone.
 #   compile_time.sh JSON REPETITIONS COMPILER FLAGS...
 set -euo pipefail
@@ -29,17 +29,20 @@ for kernel in Simple_cartesian Exact_predicates_inexact_constructions_kernel; do
     printf '\na minimal program, %s, %s\n' $kernel $level
     declare -A seconds=() bytes=()
     for ((i = 0; i < repetitions; ++i)); do # in turns, so that a machine that becomes slower does so for both
-      for program in kernel program; do
+      for program in kernel predicate program; do
         now=$(seconds_to_compile "${flags[@]}" $level "$here/compile_time_$program.cpp")
         seconds[$program]=$(printf '%s\n%s\n' "$now" "${seconds[$program]:-$now}" | sort -g | head -n 1)
         strip -o "$work/stripped.o" "$work/object.o"
         bytes[$program]=$(stat -c %s "$work/stripped.o")
       done
     done
-    for program in kernel program; do
+    for program in kernel predicate program; do
       awk -v s="${seconds[$program]}" -v b="${bytes[$program]}" -v s1="${seconds[kernel]}" -v b1="${bytes[kernel]}" \
         -v name=$program \
-        'BEGIN { printf "%8.2f s %6.2f x %10d bytes %6.2f x  %s\n", s, s / s1, b, b / b1, name == "kernel" ? "the kernel alone" : "two curves, a blend, a join" }'
+        'BEGIN {
+          what["kernel"] = "the kernel alone"; what["predicate"] = "two curves, is_g2_join()"; what["program"] = "two curves, a blend, continuity()"
+          printf "%8.2f s %6.2f x %10d bytes %6.2f x  %s\n", s, s / s1, b, b / b1, what[name]
+        }'
       printf '%s\n  {"name": "compile_time | %s %s | %s", "cpu_time": %s, "time_unit": "s", "stripped_bytes": %s}' \
         "$separator" $kernel $level $program "${seconds[$program]}" "${bytes[$program]}" >>"$json"
       separator=,
