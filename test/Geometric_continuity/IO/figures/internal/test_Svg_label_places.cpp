@@ -59,6 +59,16 @@ std::optional<Svg_pixel> place(const Svg_pixel& p, double text_width, const std:
 
 } // namespace
 
+// A point at a distance of 11 pixels, in the last cell where one less than 12 may be.
+BOOST_AUTO_TEST_CASE(the_last_cell_counts) {
+  const Svg_pixel p = svg_vector({50.0, 40.0}), above = svg_vector({50.0, 27.5}), below = svg_vector({50.0, 52.5});
+  Svg_label_places places(width, height);
+  BOOST_CHECK(places.place(p, 19) == above);
+  const Svg_pixel right = svg_vector({50 + 9.5 + 11, 27.5});
+  places.add_point(right);
+  BOOST_CHECK(place(p, 19, {right}) == below && places.place(p, 19) == below);
+}
+
 BOOST_AUTO_TEST_CASE(the_freest_of_eight_places) {
   const unsigned seed = 20261122;
   BOOST_TEST_MESSAGE("seed " << seed);
