@@ -218,7 +218,6 @@ private:
     return true;
   }
 
-  // f(k) for each coordinate number k
   // Checks the edge.
   void check(const char* surface) {
     bool is_point = true, vanishes = true;
