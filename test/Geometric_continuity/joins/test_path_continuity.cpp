@@ -77,7 +77,7 @@ BOOST_AUTO_TEST_CASE(joins_of_curves) {
   BOOST_CHECK_EQUAL(GC::continuity(Segment{left}, Segment{right}, 6)->c_order, 6);
   BOOST_CHECK_EQUAL(GC::continuity(Segment{left}, Segment{line}, 6)->c_order, 0);
   // domains whose ends are no short integers, and long coordinates
-  for (const Q& end : {Q(15) / 2, Q(1e30)}) {
+  for (const Q& end : {Q(Q(15) / Q(2)), Q(1e30)}) {
     const Curve other = right.with_domain(Q(3), end);
     BOOST_CHECK(!has_enclosures(left, other) && !has_enclosures(other.reverse(), line));
   }
