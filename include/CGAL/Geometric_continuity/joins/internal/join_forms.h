@@ -58,17 +58,17 @@ template <class T, class W> using Scaled = typename Scaled_type<T, W>::type;
 // as it is, or turns into other loads than stores, costs more than the arithmetic.
 template <class T, int N> using Differences = std::array<std::array<T, N>, 3>;
 
-// x_0 y_1 - x_1 y_0
-template <class X, class Y>
-constexpr CGAL_GC_FORCEINLINE Product<X, Y> parallel_form(const X& x0, const X& x1, const Y& y0, const Y& y1) {
-  return Product<X, Y>(Product<X, Y>(x0 * y1) - Product<X, Y>(x1 * y0));
-}
-
 // s x - t y
 template <class S, class X>
 constexpr CGAL_GC_FORCEINLINE Product<S, X> difference_form(const S& s, const X& x, const S& t, const X& y) {
   return Product<S, X>(Product<S, X>(s * x) - Product<S, X>(t * y));
 }
+// x_0 y_1 - x_1 y_0
+template <class X, class Y>
+constexpr CGAL_GC_FORCEINLINE Product<X, Y> parallel_form(const X& x0, const X& x1, const Y& y0, const Y& y1) {
+  return difference_form(x0, y1, x1, y0);
+}
+
 template <class S, class X>
 constexpr CGAL_GC_FORCEINLINE std::array<Product<S, X>, 2> difference_vector(const S& s, const std::array<X, 2>& x,
                                                                              const S& t, const std::array<X, 2>& y) {

@@ -10,6 +10,7 @@
 #include <gmp.h>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <utility>
 
@@ -40,7 +41,7 @@ public:
     }
     return *this;
   }
-  ~Inline_limbs() { release(); }
+  BOOST_NOINLINE ~Inline_limbs() { release(); }
 
   std::size_t size() const { return size_; }
   mp_limb_t* data() { return data_; }
@@ -96,7 +97,7 @@ class Inline_integer {
 
 public:
   Inline_integer() = default;
-  explicit Inline_integer(int x) : negative_(x < 0) {
+  BOOST_NOINLINE explicit Inline_integer(int x) : negative_(x < 0) {
     if (x != 0) push(x < 0 ? -static_cast<mp_limb_t>(x) : static_cast<mp_limb_t>(x));
   }
 
@@ -170,12 +171,32 @@ public:
     z -= y;
     return z;
   }
-  friend bool operator==(const Inline_integer& x, const Inline_integer& y) {
+  // s x - t y, and products of vectors, as forms of joins have them: see join_forms.h.
+  BOOST_NOINLINE friend Inline_integer difference_form(const Inline_integer& s, const Inline_integer& x,
+                                                       const Inline_integer& t, const Inline_integer& y) {
+    Inline_integer z = s * x;
+    z -= t * y;
+    return z;
+  }
+  BOOST_NOINLINE friend Inline_integer dot_form(const std::array<Inline_integer, 2>& x,
+                                                const std::array<Inline_integer, 2>& y) {
+    Inline_integer z = x[0] * y[0];
+    z += x[1] * y[1];
+    return z;
+  }
+  BOOST_NOINLINE friend Inline_integer dot_form(const std::array<Inline_integer, 3>& x,
+                                                const std::array<Inline_integer, 3>& y) {
+    Inline_integer z = x[0] * y[0];
+    z += x[1] * y[1];
+    z += x[2] * y[2];
+    return z;
+  }
+  BOOST_NOINLINE friend bool operator==(const Inline_integer& x, const Inline_integer& y) {
     return x.negative_ == y.negative_ && compare_absolute(x, y) == 0;
   }
   friend bool operator!=(const Inline_integer& x, const Inline_integer& y) { return !(x == y); }
 
-  friend bool operator<(const Inline_integer& x, const Inline_integer& y) {
+  BOOST_NOINLINE friend bool operator<(const Inline_integer& x, const Inline_integer& y) {
     if (x.sign() != y.sign()) return x.sign() < y.sign();
     const int order = compare_absolute(x, y);
     return x.negative_ ? order > 0 : order < 0;
