@@ -28,6 +28,7 @@
 #include <limits>
 #include <random>
 #include <sstream>
+#include <string>
 #include <vector>
 
 namespace GC = CGAL::Geometric_continuity;
@@ -282,6 +283,10 @@ BOOST_AUTO_TEST_CASE(numbers_of_any_size) {
     const auto scaled = GC::blend(jet<Exact>(a, scale), jet<Exact>(b, scale), GC::Fair());
     BOOST_CHECK(scaled.report.converged);
     BOOST_CHECK_CLOSE(scaled.report.fairness, gamma.report.fairness, 0.1);
+    // the derivatives of one end only: that leaves no double of them next to the chord
+    const std::string place = "not_finite: fair blend: derivatives that are too large or too small for the chord";
+    BOOST_CHECK_EQUAL(error_of([&] { GC::blend(jet<Exact>(a, scale), jet<Exact>(b), GC::Fair()); }), place);
+    BOOST_CHECK_EQUAL(error_of([&] { GC::blend(jet<Exact>(a, scale), jet<Exact>(b), GC::Fair_g3()); }), place);
   }
   for (double scale : {1e60, 1e-60}) {
     const auto scaled = GC::blend(jet<Double>(a, scale), jet<Double>(b, scale), GC::Fair());

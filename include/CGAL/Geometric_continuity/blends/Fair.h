@@ -9,6 +9,7 @@
 #include <CGAL/Geometric_continuity/blends/blend_ends.h>
 #include <CGAL/Geometric_continuity/blends/internal/Fair_family.h>
 #include <CGAL/Geometric_continuity/blends/internal/Fair_minimum.h>
+#include <CGAL/Geometric_continuity/numbers/internal/checked_numbers.h>
 #include <CGAL/Geometric_continuity/numbers/internal/short_numbers.h>
 #include <CGAL/number_utils.h>
 
@@ -171,6 +172,8 @@ Fair_numbers<kind> fair_numbers(const Jet& phi, const Jet& psi, double beta, dou
     return x;
   };
   const Fair_minimum<kind, M> minimum(family, shape, rounded);
+  for (const double x : minimum.x)
+    check_finite(x, "fair blend: derivatives that are too large or too small for the chord");
   return {shape_parameter(beta, minimum.x[0]),
           shape_parameter(eta, minimum.x[second]),
           Family::start_of(minimum.x),
@@ -247,7 +250,8 @@ private:
 /// same in every rounding mode. Before this
 /// rounding `E` is at most that of the blend of least energy with the automatic shape. Where both ends lie on one line, one
 /// after the other, the blend is a part of that line. Ends whose blends all have a cusp get the automatic shape, or one with
-/// tangents no longer than the diameters of the circles of curvature, which is reported as not converged.
+/// tangents no longer than the diameters of the circles of curvature, which is reported as not converged. Exact derivatives that leave
+/// no doubles next to the chord are refused: `not_finite`.
 ///
 /// About ten steps, at most 100 from each start, with 24 to 96 nodes of Gauss's quadrature; nothing is allocated in dimensions 2
 /// and 3.
