@@ -116,7 +116,7 @@ void check_question(const Curve<N>& left, const Curve<N>& right, const GC::Join_
   for (const unsigned used : {0u, stage(Join_stage::residue)}) {
     Stages some{used};
     right_answers = right_answers &&
-                    GC::internal::decide_in_ring<N, true, GC::internal::Binary_scale>(question, x, y, some) == truth;
+                    GC::internal::decide_in_ring<question, N, true, GC::internal::Binary_scale>(x, y, some) == truth;
     count(some);
   }
   Stages all{(1u << number_of_stages) - 1};

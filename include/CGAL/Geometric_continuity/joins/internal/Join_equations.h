@@ -221,31 +221,6 @@ template <Join_question question, class Equations> constexpr CGAL_GC_FORCEINLINE
   return (!is_geometric(question) || e.tangents_parallel()) && equations_hold<question>(e, e.ratio());
 }
 
-// The same for a question that is known at run time only; in the plane neither F3 nor torsion.
-template <class Equations, class Ratio>
-bool equations_hold(Join_question question, const Equations& e, const Ratio& r) {
-  if constexpr (Equations::parametric) switch (question) {
-    case Join_question::c1: return equations_hold<Join_question::c1>(e, r);
-    case Join_question::c2: return equations_hold<Join_question::c2>(e, r);
-    default: return equations_hold<Join_question::c3>(e, r);
-    }
-  else {
-    if constexpr (Equations::dimension == 3) {
-      if (question == Join_question::f3) return equations_hold<Join_question::f3>(e, r);
-      if (question == Join_question::torsion) return e.torsions_equal();
-    }
-    switch (question) {
-    case Join_question::g1: return true;
-    case Join_question::g2: return e.g2(r);
-    case Join_question::g3: return equations_hold<Join_question::g3>(e, r);
-    default: return e.curvature_vectors_equal();
-    }
-  }
-}
-template <class Equations> bool all_hold(Join_question question, const Equations& e) {
-  return (!is_geometric(question) || e.tangents_parallel()) && equations_hold(question, e, e.ratio());
-}
-
 } // namespace internal
 } // namespace Geometric_continuity
 } // namespace CGAL

@@ -116,7 +116,7 @@ protected:
       w = Parametric_join_weights<std::int64_t>::of(m_, n_, h, l);
       return weights_fit<k>(w);
     } else {
-      w = Join_weights<std::int64_t>::geometric(question_, m_, n_);
+      w = Join_weights<std::int64_t>::geometric<question_>(m_, n_);
       return true;
     }
   }
@@ -472,7 +472,7 @@ public:
 
   typedef Join_weights<std::int64_t> Factors;
   CGAL_GC_FORCEINLINE bool find_factors(Factors& w) const {
-    w = Factors::geometric(question, m_, n_);
+    w = Factors::template geometric<question>(m_, n_);
     return degrees_fit(m_, n_);
   }
   CGAL_GC_FORCEINLINE bool first_derivatives_differ() const { return false; }

@@ -28,17 +28,24 @@ template <class W> struct Join_weights {
   static constexpr bool parametric = false, rational = false;
   W a2, b2, a3, b3, mix;
 
-  static CGAL_GC_FORCEINLINE Join_weights geometric(Join_question question, int m, int n) {
+  template <Join_question question> static CGAL_GC_FORCEINLINE Join_weights geometric(int m, int n) {
+    constexpr bool third = highest_difference(question) >= 3;
+    const int m1 = (std::max)(m - 1, 0), n1 = (std::max)(n - 1, 0), m2 = (std::max)(m - 2, 0),
+              n2 = (std::max)(n - 2, 0);
     if (m == n) {
-      if (question == Join_question::g3) // those below divided by m^2 (m-1)
-        return {W(1), W(1), W((std::max)(m - 2, 0)), W((std::max)(m - 2, 0)), W(3 * (std::max)(m - 1, 0))};
-      return {W(1), W(1), W(1), W(1), W(1)};
+      const bool mixed = question == Join_question::g3; // those below divided by m^2 (m-1)
+      return {W(1), W(1), W(mixed ? m2 : 1), W(mixed ? m2 : 1), W(mixed ? 3 * m1 : 1)};
     }
-    const W M(m), N(n), m1((std::max)(m - 1, 0)), n1((std::max)(n - 1, 0)), m2((std::max)(m - 2, 0)),
-        n2((std::max)(n - 2, 0));
-    const W a2(N * m1), b2(M * n1);
-    if (question == Join_question::torsion) return {a2, b2, W(N * m2), W(M * n2), W(1)};
-    return {a2, b2, W(W(N * a2) * m2), W(W(M * b2) * n2), W(W(3) * a2)};
+    const W a2(W(n) * W(m1)), b2(W(m) * W(n1));
+    if constexpr (!third)
+      return {a2, b2, W(1), W(1), W(1)};
+    else {
+      const W a3(W(n) * W(m2)), b3(W(m) * W(n2));
+      if constexpr (question == Join_question::torsion)
+        return {a2, b2, a3, b3, W(1)};
+      else
+        return {a2, b2, W(a2 * a3), W(b2 * b3), W(W(3) * a2)};
+    }
   }
 };
 

@@ -58,12 +58,12 @@ bool curvatures_differ(const Legs<std::int64_t, N>& left, const Legs<std::int64_
 }
 template <int N> bool curvatures_differ(const Long_end<N>& left, const Long_end<N>& right) {
   return curvatures_differ<N>(legs_of<2>(left.points), legs_of<2>(right.points),
-                              Join_weights<std::int64_t>::geometric(Join_question::g2, left.degree, right.degree), 0);
+                              Join_weights<std::int64_t>::geometric<Join_question::g2>(left.degree, right.degree), 0);
 }
 // On grids, or in interval arithmetic.
 template <int N> bool curvatures_differ(const Double_end<N>& left, const Double_end<N>& right) {
   const Join_weights<std::int64_t> w =
-      Join_weights<std::int64_t>::geometric(Join_question::g2, left.degree(), right.degree());
+      Join_weights<std::int64_t>::geometric<Join_question::g2>(left.degree(), right.degree());
   const Grid_legs<N> x = grid_legs_of<2>(left.points()), y = grid_legs_of<2>(right.points());
   const int units = x.exponent + x.zeros - y.exponent - y.zeros; // the left legs are in units of 2^units
   if (x.valid && y.valid && -14 <= units && units <= 14 &&
@@ -84,10 +84,10 @@ template <int N> bool curvatures_differ(const Double_end<N>& left, const Double_
 // By numbers of any length. \pre no tangent vanishes
 template <int N> BOOST_NOINLINE bool curvatures_are_equal(const Double_end<N>& left, const Double_end<N>& right) {
   const Ring_join<N, false, Double_scale> join(Join_question::g2, left, right);
-  return join.exactly([](const auto& a, const auto& b, const auto& w) {
-    const auto [x, y] = curvature_forms(a, b, w.a2, w.b2);
-    return x == y;
-  });
+  typedef Double_scale::Ring Ring;
+  const Join_weights<Ring> w = join.template factors<Join_question::g2, Ring>();
+  const auto [x, y] = curvature_forms(join.template left<Ring>(), join.template right<Ring>(), w.a2, w.b2);
+  return x == y;
 }
 
 // Whether a1 x a2 is not zero, from two legs in space that have been rounded once. Only `true` is a proof.
@@ -190,7 +190,7 @@ public:
     const All_join_stages stages;
     const Join_answer answer = decide_by_rungs(Double_join<question, N>(left_, right_, lengths_), stages);
     return answer != Join_answer::unknown ? answer
-                                          : decide_in_ring<N, false, Double_scale>(question, left_, right_, stages);
+                                          : decide_in_ring<question, N, false, Double_scale>(left_, right_, stages);
   }
   Join_answer equal_curvatures() const {
     return !curvatures_differ<N>(left_, right_) && curvatures_are_equal<N>(left_, right_) ? Join_answer::yes

@@ -67,7 +67,7 @@ template <Join_question question, bool weighted = false, class Left, class Right
 Join_answer decide_exactly(const Left& left, const Right& right, Stages& stages) {
   constexpr int N = dimension_v<typename Left::Traits>;
   if constexpr ((N == 2 || N == 3) && !planar_by_definition<question, N>)
-    return decide_in_ring<N, weighted, Join_scale<Left>>(question, left, right, stages);
+    return decide_in_ring<question, N, weighted, Join_scale<Left>>(left, right, stages);
   else {
     Join_answer answer;
     if constexpr (N == 2)
