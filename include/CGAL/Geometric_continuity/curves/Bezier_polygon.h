@@ -205,11 +205,8 @@ private:
     internal::check_finite(a_, "Bezier_curve: domain");
     internal::check_finite(b_, "Bezier_curve: domain");
     internal::check_finite(FT(b_ - a_), "Bezier_curve: length of the domain");
-    for_each_point([&](int j) {
-      for_each_coordinate([&](int i) {
-        internal::check_finite(Traits().compute_coordinate_object()(points_[j], i), "Bezier_curve: control points");
-      });
-    });
+    for (int j = 0; j <= degree(); ++j)
+      for (const FT& x : coordinates(j)) internal::check_finite(x, "Bezier_curve: control points");
   }
 
   template <class Rows> static Per_point<Point> points_of(const Rows& rows) {
