@@ -66,9 +66,6 @@ template <class T, int N, class Weights, class Zero> class Join_equations {
   int pivot;
 
 public:
-  static constexpr int dimension = N;
-  static constexpr bool parametric = Weights::parametric;
-
   constexpr CGAL_GC_FORCEINLINE Join_equations(const Differences<T, N>& a, const Differences<T, N>& b,
                                                const Weights& weights, Zero& z, int pivot_index = 0)
       : a1(a[0]), a2(a[1]), a3(a[2]), b1(b[0]), b2(b[1]), b3(b[2]), w(weights), zero(z), pivot(pivot_index) {}

@@ -47,7 +47,6 @@ BOOST_NOINLINE std::array<T, 3> differences_along(std::array<T, 4>& x, int k, bo
 // questions, because most programs come here seldom, and all of them compile it.
 template <int N, bool weighted, class Scale> class Ring_join {
   typedef typename Scale::Number Number;
-  typedef typename Scale::Ring Ring;
 
   struct End {
     End_polygon<Number, N> points;
