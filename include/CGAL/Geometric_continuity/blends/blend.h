@@ -44,8 +44,8 @@ template <class Traits, int Degree, class Parameters_> struct Blend_curve : Bezi
 
   /// From the coordinates of the control points.
   /// \throws Error `not_finite` for an infinite or undefined floating-point coordinate
-  Blend_curve(const std::array<Geometric_continuity::Coordinates<Traits>, Degree + 1>& points,
-              const Parameters& given_parameters, const Shape& given_shape)
+  CGAL_GC_FORCEINLINE Blend_curve(const std::array<Geometric_continuity::Coordinates<Traits>, Degree + 1>& points,
+                                  const Parameters& given_parameters, const Shape& given_shape)
       : Bezier_curve<Traits, Degree>(points), parameters(given_parameters), shape(given_shape) {}
 };
 

@@ -93,8 +93,8 @@ template <class FT, int N> struct Quintic_ends {
   FT tangential2; ///< the tangential part of `w2` in units of `v`, \f$ (w_2 \cdot v) / (v \cdot v) \f$
 
   /// Takes the six vectors. `u` and `v` must not be zero.
-  Quintic_ends(const Vector& given_a1, const Vector& given_a2, const Vector& given_u, const Vector& given_v,
-               const Vector& given_w1, const Vector& given_w2)
+  CGAL_GC_FORCEINLINE Quintic_ends(const Vector& given_a1, const Vector& given_a2, const Vector& given_u,
+                                   const Vector& given_v, const Vector& given_w1, const Vector& given_w2)
       : a1(given_a1), a2(given_a2), u(given_u), v(given_v), w1(given_w1), w2(given_w2),
         tangential1(dot(w1, u) / dot(u, u)), tangential2(dot(w2, v) / dot(v, v)) {}
 
