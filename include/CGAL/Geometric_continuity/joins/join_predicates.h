@@ -61,26 +61,32 @@ namespace Geometric_continuity {
 
 namespace internal {
 
-// An end with double coordinates, read once, with its legs on their grid.
-template <class Traits_, int N> class Prepared_double_end : public Double_end<N> {
+// An end with double coordinates and with what its decisions have in common: the legs on their grid.
+template <class Traits_, int N> class Prepared_double_end {
+  End_polygon<double, N> points_;
+  int degree_;
+  std::pair<double, double> domain_;
   Prepared_legs<N> legs_;
 
 public:
   typedef Traits_ Traits;
 
-  template <class Points> explicit Prepared_double_end(const Points& end) : Double_end<N>(end), legs_(this->points()) {}
+  template <class Points>
+  explicit Prepared_double_end(const Points& end)
+      : points_(points_of<3, N>(end)), degree_(end.degree()), domain_(end.domain()), legs_(points_) {}
 
-  // Exact or `unknown`. \pre the ends meet, if the question asks for contact
+  int degree() const { return degree_; }
+  int dimension() const { return N; }
+  const std::pair<double, double>& domain() const { return domain_; }
+  double coordinate(int j, int i) const { return points_[j][i]; }
+
+  // On the grids, exact or `unknown`. \pre the ends meet, if the question asks for contact
   template <Join_question question, class Stages>
   static CGAL_GC_FORCEINLINE Join_answer decide(const Prepared_double_end& left, const Prepared_double_end& right,
                                                 Stages& stages) {
-    if constexpr (!is_parametric(question))
-      if (left.legs_.grid.valid && right.legs_.grid.valid && stages.uses(Join_stage::fixed_integer)) {
-        const Join_answer answer =
-            decide_by_rungs(Prepared_join<question, N>(left.legs_, left.degree(), right.legs_, right.degree()), stages);
-        if (answer != Join_answer::unknown) return answer;
-      }
-    return decide_on_doubles<question, N>(left, right, stages);
+    if (!left.legs_.grid.valid || !right.legs_.grid.valid || !stages.uses(Join_stage::fixed_integer))
+      return Join_answer::unknown;
+    return decide_by_rungs(Prepared_join<question, N>(left.legs_, left.degree_, right.legs_, right.degree_), stages);
   }
 };
 
@@ -183,12 +189,10 @@ public:
       stages.decided(internal::Join_stage::multiprecision, answer);
       return answer;
     }
-    if constexpr (on_grid && question != internal::Join_question::c0 && !internal::planar_by_definition<question, N>)
+    if constexpr (on_grid && !internal::is_parametric(question) && !internal::planar_by_definition<question, N>)
       if (!internal::asks_for_contact(question) || internal::ends_meet(left.end_, right.end_)) {
         const internal::Join_answer answer = End::template decide<question>(left.end_, right.end_, stages);
-        return answer != internal::Join_answer::unknown
-                   ? answer
-                   : internal::decide_exactly<question>(left.end_, right.end_, stages);
+        if (answer != internal::Join_answer::unknown) return answer;
       }
     return internal::decide_polygons<question, false>(left.end_, right.end_, stages);
   }

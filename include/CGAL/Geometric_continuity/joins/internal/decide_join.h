@@ -14,6 +14,8 @@
 #include <CGAL/Geometric_continuity/numbers/Exact_field.h>
 #include <CGAL/Geometric_continuity/numbers/internal/Common_grid.h>
 
+#include <boost/config.hpp>
+
 #include <algorithm>
 #include <array>
 #include <cstdint>
@@ -80,9 +82,14 @@ Join_answer decide_exactly(const Left& left, const Right& right, Stages& stages)
   }
 }
 
-// By all rungs. \pre the ends meet, if the question asks for contact
+// How an end is handed to a function that is compiled apart: views stay in registers.
+template <class End>
+using Handed =
+    std::conditional_t<std::is_trivially_copyable_v<End> && sizeof(End) <= 2 * sizeof(void*), End, const End&>;
+
+// By all rungs, which need much room: ends that do not meet are not to wait for it. \pre the ends meet, if the question asks for contact
 template <Join_question question, bool weighted, class Left, class Right, class Stages>
-CGAL_GC_FORCEINLINE Join_answer decide_legs(const Left& left, const Right& right, Stages& stages) {
+BOOST_NOINLINE Join_answer decide_legs(Handed<Left> left, Handed<Right> right, Stages& stages) {
   typedef typename Left::Traits Traits;
   constexpr int N = dimension_v<Traits>;
   if constexpr (is_double<typename Traits::FT> && (N == 2 || N == 3) && !planar_by_definition<question, N>) {
@@ -121,7 +128,7 @@ CGAL_GC_FORCEINLINE Join_answer decide_polygons(const Left& left, const Right& r
   else if constexpr (weighted && !(N == 2 || N == 3))
     return Join_answer::unknown;
   else
-    return decide_legs<question, weighted>(left, right, stages);
+    return decide_legs<question, weighted, Left, Right>(left, right, stages);
 }
 
 // Points and tangents do not depend on weights.
