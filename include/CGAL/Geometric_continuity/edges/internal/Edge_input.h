@@ -174,7 +174,7 @@ CGAL_GC_FORCEINLINE bool for_each_layer(const Surface& s, Patch_edge edge, int o
   for (int j = 0; j <= (std::min)(order, across); ++j)
     for (int i = 0; i <= along; ++i) {
       const int inward = first + step * j;
-      const auto x = along_u ? numbers(i, inward) : numbers(inward, i);
+      const auto x = numbers(along_u ? i : inward, along_u ? inward : i);
       for (int k = 0; k < N; ++k) f(x[k], layers.p[j][i][k]);
     }
   return true;
