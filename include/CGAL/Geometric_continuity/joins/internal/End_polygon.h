@@ -65,8 +65,7 @@ CGAL_GC_FORCEINLINE Legs<T, N> legs_of(const std::array<std::array<T, N>, 4>& x)
 // left.
 template <int k, bool left, class T, std::size_t N>
 CGAL_GC_FORCEINLINE Differences<T, N> differences_of(const std::array<std::array<T, N>, 3>& legs, int degree) {
-  std::array<T, N> zero;
-  zero.fill(T(0));
+  const std::array<T, N> zero = zero_vector<T, N>();
   Differences<T, N> d{};
   d[0] = left ? internal::minus(zero, legs[0]) : legs[0];
   if constexpr (k >= 2) {

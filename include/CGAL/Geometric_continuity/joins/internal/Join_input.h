@@ -126,7 +126,7 @@ public:
   static constexpr int dimension = N;
 
   CGAL_GC_FORCEINLINE std::array<double, N> first_left() const {
-    return internal::minus(std::array<double, N>{}, left_legs_[0]);
+    return internal::minus(zero_vector<double, N>(), left_legs_[0]);
   }
   CGAL_GC_FORCEINLINE const std::array<double, N>& first_right() const { return right_legs_[0]; }
   CGAL_GC_FORCEINLINE int pivot() const { return largest_coordinate(left_legs_[0]); }
@@ -465,7 +465,7 @@ public:
       : left_(left), right_(right), m_(m), n_(n) {}
 
   CGAL_GC_FORCEINLINE std::array<std::int64_t, N> first_left() const {
-    return internal::minus(std::array<std::int64_t, N>{}, left_.grid.legs[0]);
+    return internal::minus(zero_vector<std::int64_t, N>(), left_.grid.legs[0]);
   }
   CGAL_GC_FORCEINLINE const std::array<std::int64_t, N>& first_right() const { return right_.grid.legs[0]; }
   CGAL_GC_FORCEINLINE int pivot() const { return left_.pivot; }

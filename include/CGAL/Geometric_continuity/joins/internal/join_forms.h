@@ -111,6 +111,14 @@ constexpr CGAL_GC_FORCEINLINE std::array<T, 3> minus(const std::array<T, 3>& x, 
   return {T(x[0] - y[0]), T(x[1] - y[1]), T(x[2] - y[2])};
 }
 
+// The vector of zeros, whatever a number is by default.
+template <class T, int N> constexpr CGAL_GC_FORCEINLINE std::array<T, N> zero_vector() {
+  if constexpr (N == 2)
+    return {T(0), T(0)};
+  else
+    return {T(0), T(0), T(0)};
+}
+
 // The coordinate with this index, chosen without a jump.
 template <class T> constexpr CGAL_GC_FORCEINLINE const T& coordinate_at(const std::array<T, 2>& x, int i) {
   return i == 0 ? x[0] : x[1];
