@@ -17,7 +17,7 @@
 #include <unistd.h>
 
 // Returns how many columns a table may have: as many as the environment variable COLUMNS says, or the terminal to which standard output
-// leads; without limit elsewhere.
+// leads; without limit elsewhere. A call of the system: asked once for a report.
 inline std::size_t output_columns() {
   if (const char* text = std::getenv("COLUMNS")) {
     const std::string_view digits(text);
@@ -31,8 +31,8 @@ inline std::size_t output_columns() {
   return (std::numeric_limits<std::size_t>::max)();
 }
 
-// Returns lines that are broken at spaces where they are longer than that, and go on indented. Characters of UTF-8 are counted.
-inline std::string within_columns(const std::string& lines, std::size_t columns = output_columns()) {
+// Returns lines that are broken at spaces where they are longer than so many columns, and go on indented. Characters of UTF-8 are counted.
+inline std::string within_columns(const std::string& lines, std::size_t columns) {
   if (lines.size() <= columns) return lines;
   const std::string indent(4, ' ');
   std::istringstream is(lines);

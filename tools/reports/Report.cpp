@@ -23,14 +23,15 @@ namespace {
 class Text_writer : public Report::Writer {
   static constexpr std::size_t most_things_on_terminal = 5000;
   const bool summary_, may_be_short_;
+  const std::size_t columns_ = output_columns(); // asked once, not for each line
   Deferred_output rows_, failing_rows_;
 
 public:
   explicit Text_writer(bool summary) : summary_(summary), may_be_short_(!summary && isatty(STDOUT_FILENO) != 0) {}
 
   void row(const std::string&, const std::string& rows, const std::string& failing_rows) override {
-    if (!summary_) rows_.write(within_columns(rows));
-    if (summary_ || may_be_short_) failing_rows_.write(within_columns(failing_rows));
+    if (!summary_) rows_.write(within_columns(rows, columns_));
+    if (summary_ || may_be_short_) failing_rows_.write(within_columns(failing_rows, columns_));
   }
   void find(const Finding&) override {}
   void pass(const std::string&, std::size_t) override {}
@@ -39,7 +40,7 @@ public:
     const Deferred_output& rows = is_short || summary_ ? failing_rows_ : rows_;
     if (rows.size() > 0) os << end.subject().table_head;
     rows.copy_to(os);
-    os << within_columns(summary + end.text());
+    os << within_columns(summary + end.text(), columns_);
     if (is_short) os << "the others are listed when the output is not a terminal\n";
   }
 };

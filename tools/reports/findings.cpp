@@ -9,6 +9,7 @@
 
 #include <CGAL/Geometric_continuity/IO/text.h>
 
+#include <cstddef>
 #include <utility>
 
 // Reports of what is new only, with a baseline: a line for each finding, as compilers write them, or an array of findings as JSON.
@@ -16,6 +17,7 @@
 namespace {
 
 class Finding_lines : public Report::Writer {
+  const std::size_t columns_ = output_columns();
   Deferred_output lines_;
 
 public:
@@ -25,12 +27,13 @@ public:
         within_columns(CGAL::Geometric_continuity::printable(f.file + (f.line > 0 ? ':' + std::to_string(f.line) : "") +
                                                              ": " + level_name(f.level) + ": " + f.place + ": " +
                                                              f.message + " [" + rule_id(f.rule) + ']') +
-                       '\n'));
+                           '\n',
+                       columns_));
   }
   void pass(const std::string&, std::size_t) override {}
   void print(std::ostream& os, const std::string& summary, const Conclusion& end) override {
     lines_.copy_to(os);
-    os << within_columns(summary + end.text());
+    os << within_columns(summary + end.text(), columns_);
   }
 };
 

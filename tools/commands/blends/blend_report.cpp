@@ -101,15 +101,15 @@ std::array<std::size_t, 10> widths_of(const std::vector<Row>& rows) {
   return widths;
 }
 
-// Writes a row and what is said behind it, in lines of its own where it does not fit into the columns that there are.
-void write_row(std::ostream& os, const Row& columns, const std::array<std::size_t, 10>& widths,
-               const std::string& rest) {
+// Writes a row and what is said behind it, in lines of its own where it does not fit into so many columns as are available.
+void write_row(std::ostream& os, const Row& columns, const std::array<std::size_t, 10>& widths, const std::string& rest,
+               std::size_t available) {
   std::ostringstream line;
   for (std::size_t i = 0; i < columns.size(); ++i)
     line << (i == 0 ? "" : " ") << (i < 3 ? std::left : std::right) << std::setw(static_cast<int>(widths[i]))
          << columns[i];
-  const bool fits = line.str().size() + 2 + rest.size() <= output_columns();
-  os << within_columns(line.str() + (rest.empty() ? "" : fits ? "  " : "\n    ") + rest + '\n');
+  const bool fits = line.str().size() + 2 + rest.size() <= available;
+  os << within_columns(line.str() + (rest.empty() ? "" : fits ? "  " : "\n    ") + rest + '\n', available);
 }
 
 // A number that is written without loss; null if it is infinite.
@@ -187,7 +187,8 @@ void write_table(std::ostream& os, const std::vector<Blend_report>& reports, int
     rest.push_back(r.parameters + (r.warning.empty() ? "" : "  warning: " + r.warning));
   }
   const std::array<std::size_t, 10> widths = widths_of(rows);
-  for (std::size_t i = 0; i < rows.size(); ++i) write_row(os, rows[i], widths, rest[i]);
+  const std::size_t available = output_columns();
+  for (std::size_t i = 0; i < rows.size(); ++i) write_row(os, rows[i], widths, rest[i], available);
   os << (proved ? "both joins of every blend are proved in exact arithmetic\n"
                 : "decided in exact arithmetic: rounding has broken a join\n");
 }
