@@ -64,7 +64,6 @@
 #include <CGAL/Geometric_continuity/surfaces/possible_fold.h>
 #include <CGAL/Geometric_continuity/surfaces/swept_surfaces.h>
 #include <CGAL/Geometric_continuity/surfaces/trim_back.h>
-#include <CGAL/Geometric_continuity/surfaces/trim_back_within.h>
 
 #include <CGAL/Geometric_continuity/blends/Fair.h>
 #include <CGAL/Geometric_continuity/blends/blend.h>

@@ -9,7 +9,7 @@
 #include "support/random_surfaces.h"
 #include "support/rational_surfaces.h"
 
-#include <CGAL/Geometric_continuity/surfaces/trim_back_within.h>
+#include <CGAL/Geometric_continuity/surfaces/trim_back.h>
 
 #include <algorithm>
 #include <type_traits>
