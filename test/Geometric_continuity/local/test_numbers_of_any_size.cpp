@@ -8,17 +8,13 @@
 #include <boost/test/unit_test.hpp>
 
 #include "support/errors.h"
+#include "support/kernels.h"
 
-#include <CGAL/Cartesian_d.h>
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Exact_rational.h>
-#include <CGAL/Geometric_continuity/Traits.h>
 #include <CGAL/Geometric_continuity/curves/Bezier_curve.h>
 #include <CGAL/Geometric_continuity/local/Curve_jet.h>
 #include <CGAL/Geometric_continuity/local/Surface_jet.h>
 #include <CGAL/Geometric_continuity/local/congruence.h>
 #include <CGAL/Geometric_continuity/local/curvatures.h>
-#include <CGAL/Simple_cartesian.h>
 
 #include <array>
 #include <cmath>
@@ -29,14 +25,6 @@
 
 BOOST_AUTO_TEST_SUITE(numbers_of_any_size)
 
-namespace GC = CGAL::Geometric_continuity;
-typedef CGAL::Exact_rational Q;
-typedef CGAL::Exact_predicates_inexact_constructions_kernel Epick;
-typedef GC::Traits_2<CGAL::Simple_cartesian<double>> Double_2;
-typedef GC::Traits_3<CGAL::Simple_cartesian<double>> Double_3;
-typedef GC::Traits_d<CGAL::Cartesian_d<double>> Double_d;
-typedef GC::Traits_3<Epick> Epick_3;
-typedef GC::Traits_d<CGAL::Cartesian_d<Q>> Exact_d;
 template <class Traits> using Jet = GC::Curve_jet<Traits>;
 
 namespace {

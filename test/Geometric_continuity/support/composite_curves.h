@@ -6,16 +6,12 @@
 #define CGAL_GEOMETRIC_CONTINUITY_TEST_SUPPORT_COMPOSITE_CURVES_H
 
 #include "errors.h"
+#include "kernels.h"
 #include "random.h"
 
-#include <CGAL/Cartesian_d.h>
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Exact_rational.h>
-#include <CGAL/Geometric_continuity/Traits.h>
 #include <CGAL/Geometric_continuity/curves/Composite_bezier_curve.h>
 #include <CGAL/Geometric_continuity/joins/chain_continuity.h>
 #include <CGAL/Geometric_continuity/joins/join_continuity.h>
-#include <CGAL/Simple_cartesian.h>
 
 #include <boost/test/unit_test.hpp>
 
@@ -29,17 +25,6 @@
 // Segmented curves of whole and random numbers. Rounded kernels run the same tests as exact ones, on dyadic numbers
 // where every intermediate result is a double.
 
-namespace GC = CGAL::Geometric_continuity;
-
-typedef CGAL::Exact_rational Q;
-typedef CGAL::Exact_predicates_inexact_constructions_kernel Epick;
-typedef GC::Traits_2<CGAL::Simple_cartesian<Q>> Exact_2;
-typedef GC::Traits_3<CGAL::Simple_cartesian<Q>> Exact_3;
-typedef GC::Traits_d<CGAL::Cartesian_d<Q>> Exact_d;
-typedef GC::Traits_2<CGAL::Simple_cartesian<double>> Double_2;
-typedef GC::Traits_3<CGAL::Simple_cartesian<double>> Double_3;
-typedef GC::Traits_d<CGAL::Cartesian_d<double>> Double_d;
-typedef GC::Traits_3<Epick> Epick_3;
 typedef std::tuple<Exact_2, Exact_3, Exact_d, Double_2, Double_3, Double_d, Epick_3> All_traits;
 
 template <class Traits> using Composite = GC::Composite_bezier_curve<Traits>;

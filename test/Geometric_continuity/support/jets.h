@@ -6,17 +6,13 @@
 #define CGAL_GEOMETRIC_CONTINUITY_TEST_SUPPORT_JETS_H
 
 #include "errors.h"
+#include "kernels.h"
 #include "random.h"
 
-#include <CGAL/Cartesian_d.h>
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Exact_rational.h>
-#include <CGAL/Geometric_continuity/Traits.h>
 #include <CGAL/Geometric_continuity/curves/Composite_bezier_curve.h>
 #include <CGAL/Geometric_continuity/joins/chain_continuity.h>
 #include <CGAL/Geometric_continuity/local/congruence.h>
 #include <CGAL/Geometric_continuity/local/curvatures.h>
-#include <CGAL/Simple_cartesian.h>
 
 #include <boost/test/unit_test.hpp>
 
@@ -25,18 +21,6 @@
 #include <vector>
 
 // Jets of whole and random numbers, and random isometries.
-
-namespace GC = CGAL::Geometric_continuity;
-
-typedef CGAL::Exact_rational Q;
-typedef CGAL::Exact_predicates_inexact_constructions_kernel Epick;
-typedef GC::Traits_2<CGAL::Simple_cartesian<Q>> Exact_2;
-typedef GC::Traits_3<CGAL::Simple_cartesian<Q>> Exact_3;
-typedef GC::Traits_d<CGAL::Cartesian_d<Q>> Exact_d;
-typedef GC::Traits_2<CGAL::Simple_cartesian<double>> Double_2;
-typedef GC::Traits_3<CGAL::Simple_cartesian<double>> Double_3;
-typedef GC::Traits_d<CGAL::Cartesian_d<double>> Double_d;
-typedef GC::Traits_3<Epick> Epick_3;
 
 template <class Traits> using Jet = GC::Curve_jet<Traits>;
 template <class Traits> using Column = GC::Coordinates<Traits>;
