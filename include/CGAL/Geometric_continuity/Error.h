@@ -5,6 +5,10 @@
 #ifndef CGAL_GEOMETRIC_CONTINUITY_ERROR_H
 #define CGAL_GEOMETRIC_CONTINUITY_ERROR_H
 
+#include <boost/config.hpp>
+
+#include <cstddef>
+#include <iterator>
 #include <stdexcept>
 #include <string>
 
@@ -59,35 +63,34 @@ enum class Error_code {
 /// \ingroup PkgGeometricContinuityErrors
 /// Returns the name of a reason, as spelled in the enumeration.
 inline std::string to_string(Error_code code) {
-  // A string for each case: with less code the constructor of Error is inlined, and g++ does not vectorise batches any more.
-  switch (code) {
-  case Error_code::zero_tangent: return "zero_tangent";
-  case Error_code::nonpositive_beta: return "nonpositive_beta";
-  case Error_code::singular_frame: return "singular_frame";
-  case Error_code::zero_direction: return "zero_direction";
-  case Error_code::knot_multiplicity: return "knot_multiplicity";
-  case Error_code::too_many_knots: return "too_many_knots";
-  case Error_code::parameter_outside_domain: return "parameter_outside_domain";
-  case Error_code::empty_domain: return "empty_domain";
-  case Error_code::zero_weight: return "zero_weight";
-  case Error_code::wrong_number_of_points: return "wrong_number_of_points";
-  case Error_code::dimension_mismatch: return "dimension_mismatch";
-  case Error_code::jet_order_too_low: return "jet_order_too_low";
-  case Error_code::not_finite: return "not_finite";
-  case Error_code::curves_do_not_meet: return "curves_do_not_meet";
-  case Error_code::incompatible_corner: return "incompatible_corner";
-  case Error_code::already_smooth: return "already_smooth";
-  case Error_code::nonpositive_curvature: return "nonpositive_curvature";
-  case Error_code::unreachable_tolerance: return "unreachable_tolerance";
-  case Error_code::not_a_manifold: return "not_a_manifold";
-  case Error_code::negative_count: return "negative_count";
-  case Error_code::work_limit: return "work_limit";
-  case Error_code::not_representable: return "not_representable";
-  case Error_code::malformed_input: return "malformed_input";
-  case Error_code::cannot_read_file: return "cannot_read_file";
-  case Error_code::cannot_write_file: return "cannot_write_file";
-  }
-  return "unknown";
+  // in the order of the enumeration
+  static constexpr const char* names[] = {"zero_tangent",
+                                          "nonpositive_beta",
+                                          "singular_frame",
+                                          "zero_direction",
+                                          "knot_multiplicity",
+                                          "too_many_knots",
+                                          "parameter_outside_domain",
+                                          "empty_domain",
+                                          "zero_weight",
+                                          "wrong_number_of_points",
+                                          "dimension_mismatch",
+                                          "jet_order_too_low",
+                                          "not_finite",
+                                          "curves_do_not_meet",
+                                          "incompatible_corner",
+                                          "already_smooth",
+                                          "nonpositive_curvature",
+                                          "unreachable_tolerance",
+                                          "not_a_manifold",
+                                          "negative_count",
+                                          "work_limit",
+                                          "not_representable",
+                                          "malformed_input",
+                                          "cannot_read_file",
+                                          "cannot_write_file"};
+  const std::size_t i = static_cast<std::size_t>(code);
+  return i < std::size(names) ? names[i] : "unknown";
 }
 
 /// \ingroup PkgGeometricContinuityErrors
@@ -96,7 +99,9 @@ inline std::string to_string(Error_code code) {
 class Error : public std::runtime_error {
 public:
   /// Constructs an exception; `place` says where the input is wrong, e.g. "blend: end of the first curve".
-  Error(Error_code code, const std::string& place) : std::runtime_error(to_string(code) + ": " + place), code_(code) {}
+  /// Compiled apart, so that functions that refuse something stay short.
+  BOOST_NOINLINE Error(Error_code code, const std::string& place)
+      : std::runtime_error(to_string(code) + ": " + place), code_(code) {}
 
   /// Returns the reason, for programs.
   Error_code code() const { return code_; }

@@ -54,7 +54,7 @@ public:
       c_.assign(d, FT(0));
     } else {
       if (d != N) refuse_dimension(d);
-      for_each([&](int i) { c_[i] = FT(0); });
+      for_each([&](int i) CGAL_GC_FORCEINLINE_LAMBDA { c_[i] = FT(0); });
     }
   }
 
@@ -71,22 +71,22 @@ public:
 
   /// Adds a vector.
   Coordinate_vector& operator+=(const Coordinate_vector& v) {
-    for_each([&](int i) { c_[i] += v[i]; });
+    for_each([&](int i) CGAL_GC_FORCEINLINE_LAMBDA { c_[i] += v[i]; });
     return *this;
   }
   /// Subtracts a vector.
   Coordinate_vector& operator-=(const Coordinate_vector& v) {
-    for_each([&](int i) { c_[i] -= v[i]; });
+    for_each([&](int i) CGAL_GC_FORCEINLINE_LAMBDA { c_[i] -= v[i]; });
     return *this;
   }
   /// Multiplies by a number.
   Coordinate_vector& operator*=(const FT& s) {
-    for_each([&](int i) { c_[i] *= s; });
+    for_each([&](int i) CGAL_GC_FORCEINLINE_LAMBDA { c_[i] *= s; });
     return *this;
   }
   /// Divides by a number.
   Coordinate_vector& operator/=(const FT& s) {
-    for_each([&](int i) { c_[i] /= s; });
+    for_each([&](int i) CGAL_GC_FORCEINLINE_LAMBDA { c_[i] /= s; });
     return *this;
   }
 
@@ -125,7 +125,7 @@ public:
       return sum;
     } else {
       FT sum(v[0] * w[0]);
-      internal::for_each_index<N - 1>([&](int i) { sum += v[i + 1] * w[i + 1]; });
+      internal::for_each_index<N - 1>([&](int i) CGAL_GC_FORCEINLINE_LAMBDA { sum += v[i + 1] * w[i + 1]; });
       return sum;
     }
   }

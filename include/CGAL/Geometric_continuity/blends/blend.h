@@ -52,16 +52,12 @@ template <class Traits, int Degree, class Parameters_> struct Blend_curve : Bezi
 /// \ingroup PkgGeometricContinuityConstruction
 /// A quintic blend: a Bézier curve of degree 5 on [0, 1] together with the scalars that its strategy chose.
 /// \tparam Traits a model of `GeometricContinuityTraits`
-template <class Traits> struct Quintic_blend : Blend_curve<Traits, 5, Quintic_parameters<typename Traits::FT>> {
-  using Blend_curve<Traits, 5, Quintic_parameters<typename Traits::FT>>::Blend_curve;
-};
+template <class Traits> using Quintic_blend = Blend_curve<Traits, 5, Quintic_parameters<typename Traits::FT>>;
 
 /// \ingroup PkgGeometricContinuityConstruction
 /// A septic blend: a Bézier curve of degree 7 on [0, 1] together with the scalars that its strategy chose.
 /// \tparam Traits a model of `GeometricContinuityTraits`
-template <class Traits> struct Septic_blend : Blend_curve<Traits, 7, Septic_parameters<typename Traits::FT>> {
-  using Blend_curve<Traits, 7, Septic_parameters<typename Traits::FT>>::Blend_curve;
-};
+template <class Traits> using Septic_blend = Blend_curve<Traits, 7, Septic_parameters<typename Traits::FT>>;
 
 /// \ingroup PkgGeometricContinuityConstruction
 /// A blend by a strategy that chooses the shape parameters too, such as `Fair`, with what it reports.
@@ -71,11 +67,9 @@ template <class Blend, class Report> struct Shaped_blend : Blend {
 };
 
 /// \ingroup PkgGeometricContinuityContinuity
-/// The ends of a quintic blend, which is a Bézier curve.
-template <class Traits> struct Curve_ends<Quintic_blend<Traits>> : Bezier_ends<Quintic_blend<Traits>> {};
-/// \ingroup PkgGeometricContinuityContinuity
-/// The ends of a septic blend, which is a Bézier curve.
-template <class Traits> struct Curve_ends<Septic_blend<Traits>> : Bezier_ends<Septic_blend<Traits>> {};
+/// The ends of a blend, which is a Bézier curve.
+template <class Traits, int Degree, class Parameters>
+struct Curve_ends<Blend_curve<Traits, Degree, Parameters>> : Bezier_ends<Blend_curve<Traits, Degree, Parameters>> {};
 /// \ingroup PkgGeometricContinuityContinuity
 /// The ends of a blend with a report.
 template <class Blend, class Report>
@@ -290,7 +284,7 @@ namespace internal {
 
 template <class FT, int N, int k> FT squared_tangent(const Jet_arrays<FT, N, k>& jets, std::size_t at) {
   FT square(0);
-  for_each_index<N>([&](int i) { square += jets.array(1, i)[at] * jets.array(1, i)[at]; });
+  for_each_index<N>([&](int i) CGAL_GC_FORCEINLINE_LAMBDA { square += jets.array(1, i)[at] * jets.array(1, i)[at]; });
   return square;
 }
 
@@ -327,11 +321,11 @@ void blend_arrays(const Jet_arrays<FT, N, k>& phi, const Jet_arrays<FT, N, k>& p
     for (std::size_t at = begin; at < end; ++at) {
       const auto read = [&](const std::array<const FT*, N>& arrays) {
         Vector v;
-        for_each_index<N>([&](int i) { v[i] = arrays[i][at]; });
+        for_each_index<N>([&](int i) CGAL_GC_FORCEINLINE_LAMBDA { v[i] = arrays[i][at]; });
         return v;
       };
       const auto write = [&](const std::array<FT*, N>& arrays, const Vector& v) {
-        for_each_index<N>([&](int i) { arrays[i][at] = v[i]; });
+        for_each_index<N>([&](int i) CGAL_GC_FORCEINLINE_LAMBDA { arrays[i][at] = v[i]; });
       };
       // compilers keep e and p in registers only when they are not const
       const std::array<Vector, 3> left = {read(x[0]), read(x[1]), read(x[2])},

@@ -32,7 +32,7 @@ namespace Geometric_continuity {
 namespace internal {
 
 // The constant p/q in the field FT. With floating-point numbers it is divided by the compiler, also under -frounding-math.
-template <class FT, int p, int q> FT fraction() {
+template <class FT, int p, int q> CGAL_GC_FORCEINLINE FT fraction() {
   if constexpr (std::is_floating_point_v<FT>) {
     constexpr FT value = FT(p) / FT(q);
     return value;
@@ -106,22 +106,22 @@ template <class FT, int N> struct Quintic_ends {
                      FT(shape.eta * shape.eta) * psi[2]) {}
 
   /// Returns the vector `d n` of Portnov (15) at the start, without a root: \f$ w_1^\perp / 20 \f$.
-  Vector dn1() const { return internal::fraction<FT, 1, 20>() * (w1 - tangential1 * u); }
+  CGAL_GC_FORCEINLINE Vector dn1() const { return internal::fraction<FT, 1, 20>() * (w1 - tangential1 * u); }
   /// Returns the vector `d n` at the end: \f$ w_2^\perp / 20 \f$.
-  Vector dn2() const { return internal::fraction<FT, 1, 20>() * (w2 - tangential2 * v); }
+  CGAL_GC_FORCEINLINE Vector dn2() const { return internal::fraction<FT, 1, 20>() * (w2 - tangential2 * v); }
 
   /// Returns \f$ B_1 = A_1 + u/5 \f$. Portnov (10)
-  Vector b1() const { return a1 + internal::fraction<FT, 1, 5>() * u; }
+  CGAL_GC_FORCEINLINE Vector b1() const { return a1 + internal::fraction<FT, 1, 5>() * u; }
   /// Returns \f$ B_2 = A_2 - v/5 \f$. Portnov (10)
-  Vector b2() const { return a2 - internal::fraction<FT, 1, 5>() * v; }
+  CGAL_GC_FORCEINLINE Vector b2() const { return a2 - internal::fraction<FT, 1, 5>() * v; }
 
   /// Returns \f$ C_1 = A_1 + (2/5 + s_1) u + d n_1 \f$.
-  Vector c1(const FT& s1) const {
+  CGAL_GC_FORCEINLINE Vector c1(const FT& s1) const {
     const FT c = internal::fraction<FT, 1, 20>();
     return a1 + FT(internal::fraction<FT, 2, 5>() + s1 - c * tangential1) * u + c * w1;
   }
   /// Returns \f$ C_2 = A_2 - (2/5 - s_2) v + d n_2 \f$.
-  Vector c2(const FT& s2) const {
+  CGAL_GC_FORCEINLINE Vector c2(const FT& s2) const {
     const FT c = internal::fraction<FT, 1, 20>();
     return a2 - FT(internal::fraction<FT, 2, 5>() - s2 + c * tangential2) * v + c * w2;
   }

@@ -163,7 +163,8 @@ protected:
     const Traits traits;
     Coefficients<FT> c;
     if constexpr (Degree == dynamic_degree) c.resize(points_.size());
-    for_each_point([&](int j) { c[j] = FT(traits.compute_coordinate_object()(points_[j], i)); });
+    for_each_point([&](int j)
+                       CGAL_GC_FORCEINLINE_LAMBDA { c[j] = FT(traits.compute_coordinate_object()(points_[j], i)); });
     return c;
   }
   Coefficients<Coordinates> coordinate_rows() const {
@@ -191,9 +192,9 @@ private:
     if constexpr (std::is_floating_point_v<FT>) {
       const Traits traits;
       FT sum = b_ - a_; // not finite if one of the numbers is not, or the length of the domain
-      for_each_point([&](int j) {
+      for_each_point([&](int j) CGAL_GC_FORCEINLINE_LAMBDA {
         FT x = traits.compute_coordinate_object()(points_[j], 0);
-        for_each_coordinate([&](int i) {
+        for_each_coordinate([&](int i) CGAL_GC_FORCEINLINE_LAMBDA {
           if (i > 0) x += traits.compute_coordinate_object()(points_[j], i);
         });
         sum += x;

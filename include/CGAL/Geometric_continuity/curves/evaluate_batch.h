@@ -77,7 +77,8 @@ public:
     Coordinate_jet<FT, N> jet(N, k, internal::Unspecified());
     CGAL_GEOMETRIC_CONTINUITY_INDEPENDENT_ITERATIONS
     for (int i = 0; i < N; ++i)
-      internal::for_each_index<k + 1>([&](int j) { jet[j][i] = value(coefficients_[j], j, i, x); });
+      internal::for_each_index<k + 1>([&](int j)
+                                          CGAL_GC_FORCEINLINE_LAMBDA { jet[j][i] = value(coefficients_[j], j, i, x); });
     return jet;
   }
 
@@ -90,13 +91,13 @@ public:
 private:
   typedef std::array<std::array<FT, N>, degree + 1> Polynomials; // by power and coordinate
 
-  FT local_parameter(const FT& u) const { return FT(FT(u - start_) * scale_ - FT(1)); }
+  CGAL_GC_FORCEINLINE FT local_parameter(const FT& u) const { return FT(FT(u - start_) * scale_ - FT(1)); }
 
   // the i-th coordinate of the derivative of order j, by Horner's rule
   CGAL_GC_FORCEINLINE static FT value(const Polynomials& p, int j, int i, const FT& x) {
     if (j > degree) return FT(0);
     FT sum = p[degree - j][i];
-    internal::for_each_index<degree>([&](int l) {
+    internal::for_each_index<degree>([&](int l) CGAL_GC_FORCEINLINE_LAMBDA {
       if (l + j < degree) sum = FT(sum * x + p[degree - j - l - 1][i]);
     });
     return sum;
@@ -109,7 +110,8 @@ private:
     CGAL_GEOMETRIC_CONTINUITY_INDEPENDENT_ITERATIONS
     for (std::size_t at = begin; at < end; ++at) {
       const FT x = local_parameter(parameters[at]);
-      internal::for_each_index<k + 1>([&](int j) { out[j][at] = value(coefficients_[j], j, i, x); });
+      internal::for_each_index<k + 1>(
+          [&](int j) CGAL_GC_FORCEINLINE_LAMBDA { out[j][at] = value(coefficients_[j], j, i, x); });
     }
   }
 
@@ -162,12 +164,12 @@ private:
     CGAL_GEOMETRIC_CONTINUITY_INDEPENDENT_ITERATIONS
     for (std::size_t at = 0; at < size; ++at) {
       std::array<FT, k + 1> x, denominator;
-      for_each_index<k + 1>([&](int j) {
+      for_each_index<k + 1>([&](int j) CGAL_GC_FORCEINLINE_LAMBDA {
         x[j] = numerator[j][at];
         denominator[j] = w[j][at];
       });
       divide_derivatives<k>(x.data(), denominator.data(), FT(FT(1) / denominator[0]));
-      for_each_index<k + 1>([&](int j) { out[j][at] = x[j]; });
+      for_each_index<k + 1>([&](int j) CGAL_GC_FORCEINLINE_LAMBDA { out[j][at] = x[j]; });
     }
   }
 };

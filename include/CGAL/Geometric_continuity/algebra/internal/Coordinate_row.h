@@ -30,7 +30,7 @@ template <class FT, int N, class Coordinate>
 CGAL_GC_FORCEINLINE Coordinate_row<FT, N> coordinate_row(int n, const Coordinate& coordinate) {
   if constexpr (is_register_row_v<FT, N>) {
     Row_vector<FT> x;
-    for_each_index<4>([&](int i) { x.v[i] = i < N ? coordinate(i) : FT(0); });
+    for_each_index<4>([&](int i) CGAL_GC_FORCEINLINE_LAMBDA { x.v[i] = i < N ? coordinate(i) : FT(0); });
     return x;
   } else {
     Coordinate_vector<FT, N> x(n);

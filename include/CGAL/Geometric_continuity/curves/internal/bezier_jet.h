@@ -37,7 +37,7 @@ namespace internal {
 // The forward difference of order m of c_0, ..., c_m; c is overwritten.
 template <int m, class FT> CGAL_GC_FORCEINLINE FT forward_difference(FT* c) {
   if constexpr (m > 0) {
-    for_each_index<m>([&](int i) { c[i] = c[i + 1] - c[i]; });
+    for_each_index<m>([&](int i) CGAL_GC_FORCEINLINE_LAMBDA { c[i] = c[i + 1] - c[i]; });
     return forward_difference<m - 1, FT>(c);
   } else
     return c[0];
@@ -73,7 +73,7 @@ CGAL_GC_FORCEINLINE void bernstein_differences(Coefficient* c, const FT& s, cons
     d[0] = s * c[0] + t * c[1];
   } else {
     Coefficient e[m];
-    for_each_index<m>([&](int i) { e[i] = c[i + 1] - c[i]; });
+    for_each_index<m>([&](int i) CGAL_GC_FORCEINLINE_LAMBDA { e[i] = c[i + 1] - c[i]; });
     steps_to_next_level(c, s, t, e, std::make_integer_sequence<int, m>());
     if constexpr (m <= k) d[m] = forward_difference<m - 1, Coefficient>(e);
     bernstein_differences<m - 1, k>(c, s, t, d);
@@ -93,7 +93,7 @@ CGAL_GC_FORCEINLINE void bernstein_jet(std::array<Coefficient, n + 1>& c, const 
 template <int n, class FT> CGAL_GC_FORCEINLINE void bernstein_split(FT* c, const FT& s, const FT& t, FT* left) {
   left[0] = c[0];
   if constexpr (n > 0) {
-    for_each_index<n>([&](int j) { c[j] = s * c[j] + t * c[j + 1]; });
+    for_each_index<n>([&](int j) CGAL_GC_FORCEINLINE_LAMBDA { c[j] = s * c[j] + t * c[j + 1]; });
     bernstein_split<n - 1>(c, s, t, left + 1);
   }
 }
@@ -105,7 +105,8 @@ template <int k, class FT> CGAL_GC_FORCEINLINE std::array<FT, k + 1> derivative_
   f[0] = FT(1);
   if constexpr (k > 0) {
     const FT inverse = FT(FT(1) / h);
-    for_each_index<k>([&](int j) { f[j + 1] = j < n ? FT(f[j] * FT(FT(n - j) * inverse)) : FT(0); });
+    for_each_index<k>(
+        [&](int j) CGAL_GC_FORCEINLINE_LAMBDA { f[j + 1] = j < n ? FT(f[j] * FT(FT(n - j) * inverse)) : FT(0); });
   }
   return f;
 }
@@ -146,11 +147,11 @@ CGAL_GC_FORCEINLINE void bezier_jet(int dimension, int degree, const FT& u, cons
   CGAL_GEOMETRIC_CONTINUITY_INDEPENDENT_ITERATIONS
   for (int i = 0; i < n; ++i) {
     std::array<FT, Level + 1> c;
-    for_each_index<Level + 1>([&](int j) { c[j] = coordinate(j, i); });
+    for_each_index<Level + 1>([&](int j) CGAL_GC_FORCEINLINE_LAMBDA { c[j] = coordinate(j, i); });
     std::array<FT, k + 1> d;
     bernstein_jet<Level, k>(c, s, t, d.data());
     jet[0][i] = d[0];
-    for_each_index<k>([&](int j) {
+    for_each_index<k>([&](int j) CGAL_GC_FORCEINLINE_LAMBDA {
       if (j < order) jet[j + 1][i] = FT(factors[j + 1] * d[j + 1]);
     });
   }
@@ -168,7 +169,7 @@ CGAL_GC_FORCEINLINE void rational_bezier_jet(int dimension, int degree, const FT
     std::array<Coordinate_row<FT, M>, Level + 1> c;
     for (int j = 0; j <= Level; ++j) c[j] = coordinate_row<FT, M>(M, [&](int i) { return coordinate(j, i); });
     bernstein_jet<Level, k>(c, s, t, p.data());
-    for_each_index<k>([&](int j) { p[j + 1] *= factors[j + 1]; });
+    for_each_index<k>([&](int j) CGAL_GC_FORCEINLINE_LAMBDA { p[j + 1] *= factors[j + 1]; });
   } else {
     p.fill(Coordinate_vector<FT, M>(dimension + 1));
     bezier_jet<Level, k, M>(dimension + 1, degree, u, a, b, coordinate, k, p);
@@ -220,10 +221,10 @@ CGAL_GC_FORCEINLINE void bezier_split(Rows& right, int degree, const FT& t, Rows
     if (with_constant_degree<Degree>(degree, [&](auto m) {
           for (int i = 0; i < right[0].dimension(); ++i) {
             std::array<FT, m + 1> c, d;
-            for_each_index<m + 1>([&](int j) { c[j] = right[j][i]; });
+            for_each_index<m + 1>([&](int j) CGAL_GC_FORCEINLINE_LAMBDA { c[j] = right[j][i]; });
             bernstein_split<m>(c.data(), s, t, d.data());
-            for_each_index<m + 1>([&](int j) { left[j][i] = d[j]; });
-            for_each_index<m + 1>([&](int j) { right[j][i] = c[j]; });
+            for_each_index<m + 1>([&](int j) CGAL_GC_FORCEINLINE_LAMBDA { left[j][i] = d[j]; });
+            for_each_index<m + 1>([&](int j) CGAL_GC_FORCEINLINE_LAMBDA { right[j][i] = c[j]; });
           }
         }))
       return;

@@ -189,7 +189,7 @@ public:
     to[0] = p0;
     const auto by_numbers = [&](const auto& factors) {
       Coordinate_vector<FT, N> b1(dimension()), b2(dimension());
-      for_each_index<N>(dimension(), [&](int k) {
+      for_each_index<N>(dimension(), [&](int k) CGAL_GC_FORCEINLINE_LAMBDA {
         std::tie(b1[k], b2[k]) = factors(FT(coordinate(p0, k)), FT(coordinate(p1, k)), FT(coordinate(p2, k)));
         if constexpr (std::is_floating_point_v<FT>) sum[k] += b1[k] * b2[k];
       });

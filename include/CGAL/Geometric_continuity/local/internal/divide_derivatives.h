@@ -63,25 +63,25 @@ template <int k, class FT, class Derivatives, class Jet>
 CGAL_GC_FORCEINLINE void project_order(const Derivatives& p, int n, int order, Jet& x) {
   typedef std::decay_t<decltype(p[0])> Row;
   std::array<FT, k + 1> w;
-  for_each_index<k + 1>([&](int j) { w[j] = p[j][n]; });
+  for_each_index<k + 1>([&](int j) CGAL_GC_FORCEINLINE_LAMBDA { w[j] = p[j][n]; });
   require_denominator(w[0], "the denominator of a rational curve");
   const FT inverse = FT(FT(1) / w[0]);
   if constexpr (std::is_same_v<Row, Row_vector<FT>>) {
     std::array<Row, k + 1> c;
-    for_each_index<k + 1>([&](int j) { c[j] = p[j]; });
+    for_each_index<k + 1>([&](int j) CGAL_GC_FORCEINLINE_LAMBDA { c[j] = p[j]; });
     divide_derivatives<k>(c.data(), w.data(), inverse);
-    for_each_index<k + 1>([&](int j) {
+    for_each_index<k + 1>([&](int j) CGAL_GC_FORCEINLINE_LAMBDA {
       if (j <= order)
-        for_each_index<3>([&](int i) {
+        for_each_index<3>([&](int i) CGAL_GC_FORCEINLINE_LAMBDA {
           if (i < n) x[j][i] = c[j][i];
         });
     });
   } else
     for (int i = 0; i < n; ++i) {
       std::array<FT, k + 1> c;
-      for_each_index<k + 1>([&](int j) { c[j] = p[j][i]; });
+      for_each_index<k + 1>([&](int j) CGAL_GC_FORCEINLINE_LAMBDA { c[j] = p[j][i]; });
       divide_derivatives<k>(c.data(), w.data(), inverse);
-      for_each_index<k + 1>([&](int j) {
+      for_each_index<k + 1>([&](int j) CGAL_GC_FORCEINLINE_LAMBDA {
         if (j <= order) x[j][i] = c[j];
       });
     }
