@@ -68,6 +68,10 @@ BOOST_AUTO_TEST_CASE(algebra) {
 BOOST_AUTO_TEST_CASE(names_of_codes) {
   CHECK_ERROR(throw GC::Error(GC::Error_code::nonpositive_curvature, "f"), nonpositive_curvature);
   BOOST_CHECK_EQUAL(GC::to_string(GC::Error_code::nonpositive_curvature), "nonpositive_curvature");
+  BOOST_CHECK_EQUAL(GC::to_string(GC::Error_code::zero_tangent), "zero_tangent");
+  BOOST_CHECK_EQUAL(GC::to_string(GC::Error_code::cannot_write_file), "cannot_write_file");
+  const int past_the_last = static_cast<int>(GC::Error_code::cannot_write_file) + 1;
+  BOOST_CHECK_EQUAL(GC::to_string(static_cast<GC::Error_code>(past_the_last)), "unknown");
 }
 
 BOOST_AUTO_TEST_CASE(splines) {
