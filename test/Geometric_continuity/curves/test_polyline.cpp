@@ -8,13 +8,10 @@
 #include <boost/test/unit_test.hpp>
 
 #include "support/errors.h"
+#include "support/kernels.h"
 #include "support/random.h"
 
-#include <CGAL/Cartesian_d.h>
-#include <CGAL/Exact_rational.h>
-#include <CGAL/Geometric_continuity/Traits.h>
 #include <CGAL/Geometric_continuity/curves/polyline.h>
-#include <CGAL/Simple_cartesian.h>
 
 #include <cmath>
 #include <initializer_list>
@@ -25,14 +22,6 @@
 
 BOOST_AUTO_TEST_SUITE(polylines)
 
-namespace GC = CGAL::Geometric_continuity;
-
-typedef CGAL::Exact_rational Q;
-typedef GC::Traits_2<CGAL::Simple_cartesian<Q>> Exact_2;
-typedef GC::Traits_3<CGAL::Simple_cartesian<Q>> Exact_3;
-typedef GC::Traits_d<CGAL::Cartesian_d<Q>> Exact_d;
-typedef GC::Traits_2<CGAL::Simple_cartesian<double>> Double_2;
-typedef GC::Traits_3<CGAL::Simple_cartesian<double>> Double_3;
 typedef std::tuple<Exact_2, Exact_3, Exact_d, Double_2, Double_3> All_traits;
 
 template <class Traits> using Curve = GC::Bezier_curve<Traits>;
