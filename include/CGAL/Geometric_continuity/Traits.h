@@ -35,7 +35,7 @@ namespace internal {
 
 template <class K> struct Predicate_field_d { typedef typename K::FT type; };
 template <class Dimension> struct Predicate_field_d<Epick_d<Dimension>> {
-  typedef typename Exact_field_of_floating_point<typename Epick_d<Dimension>::FT>::type type;
+  typedef typename Exact_field_of<typename Epick_d<Dimension>::FT>::type type;
 };
 
 } // namespace internal

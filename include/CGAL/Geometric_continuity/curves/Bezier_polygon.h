@@ -134,14 +134,8 @@ protected:
 
   Bezier_polygon() = default;
   template <class InputIterator>
-  Bezier_polygon(InputIterator first, InputIterator last, const FT& a, const FT& b) : a_(a), b_(b) {
-    if constexpr (Degree == dynamic_degree)
-      points_.assign(first, last);
-    else {
-      int i = 0;
-      for (; first != last && i <= Degree; ++first, ++i) points_[i] = *first;
-      if (i <= Degree || first != last) refuse_number_of_points();
-    }
+  Bezier_polygon(InputIterator first, InputIterator last, const FT& a, const FT& b)
+      : points_(points_of(first, last)), a_(a), b_(b) {
     check();
   }
   template <class Rows> // a container of the coordinates of the control points
@@ -175,11 +169,12 @@ protected:
   }
 
 private:
-  BOOST_NOINLINE void refuse_number_of_points() const {
-    throw Error(Error_code::wrong_number_of_points,
-                "Bezier_curve: " + (Degree == dynamic_degree ? std::string("at least one control point is needed")
-                                                             : "degree " + std::to_string(Degree) + " needs " +
-                                                                   std::to_string(Degree + 1) + " control points"));
+  BOOST_NOINLINE static void refuse_number_of_points() {
+    if constexpr (Degree == dynamic_degree)
+      throw Error(Error_code::wrong_number_of_points, "Bezier_curve: at least one control point is needed");
+    else
+      throw Error(Error_code::wrong_number_of_points, "Bezier_curve: degree " + std::to_string(Degree) + " needs " +
+                                                          std::to_string(Degree + 1) + " control points");
   }
 
   CGAL_GC_FORCEINLINE void check() const {
@@ -207,9 +202,21 @@ private:
     internal::check_finite(b_, "Bezier_curve: domain");
     internal::check_finite(FT(b_ - a_), "Bezier_curve: length of the domain");
     for (int j = 0; j <= degree(); ++j)
-      for (const FT& x : coordinates(j)) internal::check_finite(x, "Bezier_curve: control points");
+      for (int i = 0; i < dimension(); ++i)
+        internal::check_finite(FT(Traits().compute_coordinate_object()(points_[j], i)), "Bezier_curve: control points");
   }
 
+  template <class InputIterator> static Per_point<Point> points_of(InputIterator first, InputIterator last) {
+    if constexpr (Degree == dynamic_degree)
+      return Per_point<Point>(first, last);
+    else {
+      Per_point<Point> points;
+      int i = 0;
+      for (; first != last && i <= Degree; ++first, ++i) points[i] = *first;
+      if (i <= Degree || first != last) refuse_number_of_points();
+      return points;
+    }
+  }
   template <class Rows> static Per_point<Point> points_of(const Rows& rows) {
     if constexpr (Degree == dynamic_degree) {
       std::vector<Point> points;

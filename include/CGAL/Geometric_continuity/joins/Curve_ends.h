@@ -199,6 +199,14 @@ private:
   int number(int j) const { return which == Curve_end::end ? first_ - j : first_ + j; }
 };
 
+// The ends that meet at a join.
+template <class Curve> Curve_end_view<Curve, Curve_end::end> left_end(const Curve& curve) {
+  return Curve_end_view<Curve, Curve_end::end>(curve);
+}
+template <class Curve> Curve_end_view<Curve, Curve_end::start> right_end(const Curve& curve) {
+  return Curve_end_view<Curve, Curve_end::start>(curve);
+}
+
 // Whether there are control points at the ends of all curves of this type: has_polygon() says so by its type.
 template <class Curve, class = void> struct Always_has_polygons : std::false_type {};
 template <class Curve>

@@ -11,6 +11,7 @@
 #include <CGAL/Geometric_continuity/joins/internal/rounded_points.h>
 #include <CGAL/Geometric_continuity/joins/join_result.h>
 #include <CGAL/Geometric_continuity/local/Curve_jet.h>
+#include <CGAL/Geometric_continuity/numbers/Exact_field.h>
 #include <CGAL/Geometric_continuity/numbers/Work_limit.h>
 #include <CGAL/Geometric_continuity/numbers/internal/Common_denominator.h>
 
@@ -53,9 +54,8 @@ template <class Left, class Right>
 Join_continuity<Predicate_FT<typename Left::Traits>> decide_polygons_of_doubles(const Left& left, const Right& right,
                                                                                 int max_order, bool only_orders) {
   Join_continuity<Predicate_FT<typename Left::Traits>> join;
-  decide_all_on_doubles<dimension_v<typename Left::Traits>>(Curve_end_view<Left, Curve_end::end>(left),
-                                                            Curve_end_view<Right, Curve_end::start>(right), max_order,
-                                                            join, only_orders);
+  decide_all_on_doubles<dimension_v<typename Left::Traits>>(left_end(left), right_end(right), max_order, join,
+                                                            only_orders);
   return join;
 }
 

@@ -29,17 +29,13 @@
 namespace CGAL {
 namespace Geometric_continuity {
 
-namespace internal {
-typedef Exact_field_of_floating_point<double>::type Exact_field_of_doubles;
-} // namespace internal
-
 /// \ingroup PkgGeometricContinuityTraits
 /// The field in which numbers of type `FT` are decided exactly: `Exact_rational` for floating-point numbers, every
 /// other field itself. Without GMP and LEDA, and with Boost up to 1.78, it is `boost::multiprecision::cpp_rational` for
 /// floating-point numbers.
 template <class FT> struct Exact_field {
   /// The exact field.
-  typedef std::conditional_t<std::is_floating_point_v<FT>, internal::Exact_field_of_doubles, FT> type;
+  typedef typename internal::Exact_field_of<FT>::type type;
 };
 
 namespace internal {

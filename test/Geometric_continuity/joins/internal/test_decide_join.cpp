@@ -18,6 +18,7 @@
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Geometric_continuity/Traits.h>
 #include <CGAL/Geometric_continuity/curves/Bezier_curve.h>
+#include <CGAL/Geometric_continuity/joins/Prepared_end.h>
 #include <CGAL/Geometric_continuity/joins/join_continuity.h>
 #include <CGAL/Geometric_continuity/joins/join_predicates.h>
 #include <CGAL/Simple_cartesian.h>
@@ -67,9 +68,6 @@ GC::Join_continuity<Q> reference(const Curve<Traits>& left, const Curve<Traits>&
   return GC::internal::Join_decision<Q, dimension<Traits>>(x, y, max_order)();
 }
 
-template <class Traits> using Left_view = GC::internal::Curve_end_view<Curve<Traits>, GC::Curve_end::end>;
-template <class Traits> using Right_view = GC::internal::Curve_end_view<Curve<Traits>, GC::Curve_end::start>;
-
 Join_answer answer(bool b) { return b ? Join_answer::yes : Join_answer::no; }
 Join_answer answer(const std::optional<bool>& b) { return b ? answer(*b) : Join_answer::undefined; }
 
@@ -97,8 +95,8 @@ template <Join_question kind, class Traits>
 void check_kind(const Curve<Traits>& left, const Curve<Traits>& right, const GC::Join_continuity<Q>& join,
                 Counter& counter) {
   typedef GC::Prepared_end<Traits> End;
-  const Left_view<Traits> x(left);
-  const Right_view<Traits> y(right);
+  const auto x = GC::internal::left_end(left);
+  const auto y = GC::internal::right_end(right);
   const bool decided_before = GC::internal::asks_for_contact(kind) && !GC::internal::ends_meet(x, y);
   const Join_answer truth = expected(join, kind);
   ++counter.answers[static_cast<int>(kind)][static_cast<int>(truth)];
@@ -148,8 +146,8 @@ void check_all(const Curve<Traits>& left, const Curve<Traits>& right, int max_or
   const GC::Join_continuity<Q> truth = reference(left, right, max_order);
   GC::Join_continuity<Q> join;
   ++counter.whole;
-  GC::internal::decide_all_on_doubles<dimension<Traits>>(Left_view<Traits>(left), Right_view<Traits>(right), max_order,
-                                                         join);
+  GC::internal::decide_all_on_doubles<dimension<Traits>>(GC::internal::left_end(left), GC::internal::right_end(right),
+                                                         max_order, join);
   bool right_answers = same(join, truth);
   if constexpr (std::is_same_v<GC::Predicate_FT<Traits>, Q>)
     right_answers = right_answers && same(GC::continuity(left, right, max_order), truth);

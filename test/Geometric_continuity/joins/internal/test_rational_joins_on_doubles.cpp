@@ -98,8 +98,8 @@ void check_question(const Curve<N>& left, const Curve<N>& right, const GC::Join_
                             : question == Join_question::f3               ? answer(join.f_order >= 3)
                             : question == Join_question::curvature_vector ? answer(join.curvature_vector_equal)
                                                                           : answer(join.torsion_equal);
-  const GC::internal::Curve_end_view<Curve<N>, GC::Curve_end::end> x(left);
-  const GC::internal::Curve_end_view<Curve<N>, GC::Curve_end::start> y(right);
+  const auto x = GC::internal::left_end(left);
+  const auto y = GC::internal::right_end(right);
   constexpr int q = static_cast<int>(question);
   const auto count = [&](const Stages& stages) {
     for (int s = 0; s < number_of_stages; ++s) counter.stages[q][s] += stages.count[s];

@@ -222,33 +222,6 @@ CGAL_GC_FORCEINLINE Join_answer decide_on_grid(const Input& join, typename Input
 
 #endif // CGAL_GEOMETRIC_CONTINUITY_HAS_FIXED_INTEGER
 
-// In floating point with a bound of the error, then by residues.
-template <class Input, class Stages>
-CGAL_GC_FORCEINLINE Join_answer decide_rounded(const Input& join, const typename Input::Factors& given, int pivot,
-                                               Stages& stages) {
-  constexpr Join_question question = Input::question;
-  constexpr int N = Input::dimension;
-  typedef typename Input::Rounded_factors Factors;
-  typedef Join_filter<Factors, typename Input::Rounding> Filter;
-  const Difference_bounds A = join.left_bounds(), B = join.right_bounds();
-  const Factors w = join.rounded_factors(given);
-  const Filter filter{A, B, w};
-  if (!filter.in_range()) return Join_answer::unknown;
-  const Differences<double, N>&a = join.left(), &b = join.right();
-  const Join_equations<double, N, Factors, const Filter> equations(a, b, w, filter, pivot);
-  if (!all_hold<question>(equations)) {
-    stages.decided(Join_stage::floating_point, Join_answer::no);
-    return Join_answer::no;
-  }
-#ifdef CGAL_GEOMETRIC_CONTINUITY_HAS_FIXED_INTEGER
-  if (stages.uses(Join_stage::bounded_residue)) {
-    const Residue_room<Input, Filter> room(join, given, filter);
-    if (room.valid()) return decide_by_residues(join, given, room, pivot, stages, typename Input::Limbs());
-  }
-#endif
-  return Join_answer::unknown;
-}
-
 // The ladder. Exact or `unknown`; that the ends meet is not asked here.
 template <class Input, class Stages>
 CGAL_GC_FORCEINLINE Join_answer decide_by_rungs(const Input& join, Stages& stages) {
@@ -270,9 +243,27 @@ CGAL_GC_FORCEINLINE Join_answer decide_by_rungs(const Input& join, Stages& stage
     return Join_answer::no;
   }
   if constexpr (Input::rounded)
-    if (stages.uses(Join_stage::floating_point)) {
-      const Join_answer answer = decide_rounded(join, w, pivot, stages);
-      if (answer != Join_answer::unknown) return answer;
+    if (stages.uses(Join_stage::floating_point)) { // with a bound of the error, then by residues
+      constexpr int N = Input::dimension;
+      typedef typename Input::Rounded_factors Factors;
+      typedef Join_filter<Factors, typename Input::Rounding> Filter;
+      const Difference_bounds A = join.left_bounds(), B = join.right_bounds();
+      const Factors rounded = join.rounded_factors(w);
+      const Filter filter{A, B, rounded};
+      if (!filter.in_range()) return Join_answer::unknown;
+      const Differences<double, N>&a = join.left(), &b = join.right();
+      const Join_equations<double, N, Factors, const Filter> equations(a, b, rounded, filter, pivot);
+      if (!all_hold<question>(equations)) {
+        stages.decided(Join_stage::floating_point, Join_answer::no);
+        return Join_answer::no;
+      }
+#ifdef CGAL_GEOMETRIC_CONTINUITY_HAS_FIXED_INTEGER
+      if (stages.uses(Join_stage::bounded_residue)) {
+        const Residue_room<Input, Filter> room(join, w, filter);
+        if (room.valid()) return decide_by_residues(join, w, room, pivot, stages, typename Input::Limbs());
+      }
+#endif
+      return Join_answer::unknown;
     }
 #ifdef CGAL_GEOMETRIC_CONTINUITY_HAS_FIXED_INTEGER
   if constexpr (Input::on_grid)

@@ -14,7 +14,7 @@
 //   decide_legs         decide_join.h      doubles first, then numbers of any length
 //   decide_by_rungs     Join_ladder.h      the ladder, on what Join_input.h makes of the ends:
 //     decide_by_signs                      comparison of signs and zeros
-//     decide_rounded                       the filter: a rounded form exceeds its error
+//     all_hold                             the filter: a rounded form exceeds its error
 //     decide_by_residues                   a form below a proven bound, modulo a power of two above it
 //     decide_on_grid                       residues modulo 2^64, then integers of fixed length
 //   decide_in_ring      decide_in_ring.h   numbers of any length, or those of an exact kernel

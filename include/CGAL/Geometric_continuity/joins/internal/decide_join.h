@@ -11,8 +11,8 @@
 #include <CGAL/Geometric_continuity/joins/internal/Join_ladder.h>
 #include <CGAL/Geometric_continuity/joins/internal/decide_in_ring.h>
 #include <CGAL/Geometric_continuity/joins/join_result.h>
-#include <CGAL/Geometric_continuity/numbers/Exact_field.h>
 #include <CGAL/Geometric_continuity/numbers/internal/Common_grid.h>
+#include <CGAL/Geometric_continuity/numbers/internal/Exact_number.h>
 
 #include <boost/config.hpp>
 
@@ -60,16 +60,18 @@ template <Join_question question, int N>
 constexpr bool planar_by_definition = N == 2 && (question == Join_question::f3 || question == Join_question::torsion);
 
 // The field in which the join of two ends is decided, and how their numbers are read.
-template <class End> using Join_field = typename Exact_field<Predicate_FT<typename End::Traits>>::type;
-template <class End>
-using Join_scale = std::conditional_t<is_double<typename End::Traits::FT>, Double_scale, Field_scale<Join_field<End>>>;
+template <class End> using Join_field = typename Exact_field_of<Predicate_FT<typename End::Traits>>::type;
+template <class End, bool doubles = is_double<typename End::Traits::FT>> struct Join_scale {
+  typedef Field_scale<Join_field<End>> type;
+};
+template <class End> struct Join_scale<End, true> { typedef Double_scale type; }; // names no exact field
 
 // By numbers of any length. \pre the ends meet, if the question asks for contact
 template <Join_question question, bool weighted = false, class Left, class Right, class Stages>
 Join_answer decide_exactly(const Left& left, const Right& right, Stages& stages) {
   constexpr int N = dimension_v<typename Left::Traits>;
   if constexpr ((N == 2 || N == 3) && !planar_by_definition<question, N>)
-    return decide_in_ring<question, N, weighted, Join_scale<Left>>(left, right, stages);
+    return decide_in_ring<question, N, weighted, typename Join_scale<Left>::type>(left, right, stages);
   else {
     Join_answer answer;
     if constexpr (N == 2)
@@ -180,16 +182,14 @@ CGAL_GC_FORCEINLINE bool weights_cancel(const Left& left, const Right& right) {
 // to the jets.
 template <Join_question question, class Left, class Right, class Stages>
 CGAL_GC_FORCEINLINE Join_answer decide_on_control_points(const Left& left, const Right& right, Stages& stages) {
-  typedef Curve_end_view<Left, Curve_end::end> Left_end;
-  typedef Curve_end_view<Right, Curve_end::start> Right_end;
   bool polynomial = has_polygon(left, Curve_end::end) && has_polygon(right, Curve_end::start);
   if constexpr (Has_weights<Left>::value || Has_weights<Right>::value)
     if (!polynomial && has_weighted_polygon(left, Curve_end::end) && has_weighted_polygon(right, Curve_end::start)) {
-      polynomial = weights_cancel<question>(Left_end(left), Right_end(right));
+      polynomial = weights_cancel<question>(left_end(left), right_end(right));
       if constexpr (weights_matter(question))
-        if (!polynomial) return decide_polygons<question, true>(Left_end(left), Right_end(right), stages);
+        if (!polynomial) return decide_polygons<question, true>(left_end(left), right_end(right), stages);
     }
-  return polynomial ? decide_polygons<question, false>(Left_end(left), Right_end(right), stages) : Join_answer::unknown;
+  return polynomial ? decide_polygons<question, false>(left_end(left), right_end(right), stages) : Join_answer::unknown;
 }
 
 // The decision on two curves: on control points where both curves have them, otherwise on jets in an exact field.
@@ -203,7 +203,7 @@ CGAL_GC_FORCEINLINE Join_answer decide_join(const Left& left, const Right& right
   if constexpr (!Always_has_polygons<Left>::value ||
                 !Always_has_polygons<Right>::value) // spares the compiler what is never asked
     if (answer == Join_answer::unknown) {
-      typedef typename Exact_field<Predicate_FT<typename Left::Traits>>::type Field;
+      typedef Join_field<Left> Field;
       answer =
           decide_on_jets<question>(jet_at<Field, Curve_end::end>(left, 3), jet_at<Field, Curve_end::start>(right, 3));
       stages.decided(Join_stage::multiprecision, answer);

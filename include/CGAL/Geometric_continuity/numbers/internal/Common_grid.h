@@ -14,6 +14,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <utility>
 
 namespace CGAL {
 namespace Geometric_continuity {
@@ -91,7 +92,7 @@ template <int k, std::size_t N> class Common_grid {
   typedef double Numbers __attribute__((vector_size(16)));
   typedef std::int64_t Bits __attribute__((vector_size(16)));
   typedef std::array<std::array<double, N>, 4> Points;
-  static constexpr int size = (k + 1) * static_cast<int>(N);
+  static constexpr std::size_t size = (k + 1) * N;
 
   Numbers sizes_[size];
   int first_exponent_ = 0;
@@ -100,18 +101,8 @@ template <int k, std::size_t N> class Common_grid {
 
 public:
   // Not valid beyond 2^500 or below 2^-400.
-  CGAL_GC_FORCEINLINE Common_grid(const Points& x, const Points& y) {
-    read<0>(x, y);
-    const Numbers most = largest<0, size>();
-    const int e = binary_exponent((std::max)(most[0], most[1]));
-    if (!(-400 <= e && e <= 500)) return;
-    const Numbers offset = {power_of_two(e + 1), power_of_two(e + 1)};
-    Bits bits = {0, 0}, wrong = {0, 0};
-    include<0>(offset, bits, wrong);
-    first_exponent_ = e - 51;
-    bits_ = bits[0] | bits[1];
-    valid_ = (wrong[0] | wrong[1]) == 0;
-  }
+  CGAL_GC_FORCEINLINE Common_grid(const Points& x, const Points& y)
+      : Common_grid(x, y, std::make_index_sequence<size>()) {}
 
   // All coordinates lie on a grid of 52 bits.
   CGAL_GC_FORCEINLINE bool valid() const { return valid_; }
@@ -120,25 +111,40 @@ public:
   }
 
 private:
-  template <int i> CGAL_GC_FORCEINLINE void read(const Points& x, const Points& y) {
-    const Numbers numbers = {x[i / N][i % N], y[i / N][i % N]};
-    sizes_[i] = reinterpret_cast<Numbers>(reinterpret_cast<Bits>(numbers) & INT64_MAX);
-    if constexpr (i + 1 < size) read<i + 1>(x, y);
+  template <std::size_t... i>
+  CGAL_GC_FORCEINLINE Common_grid(const Points& x, const Points& y, std::index_sequence<i...>)
+      : sizes_{absolute_values(x[i / N][i % N], y[i / N][i % N])...} {
+    const Numbers most = largest();
+    const int e = binary_exponent((std::max)(most[0], most[1]));
+    if (!(-400 <= e && e <= 500)) return;
+    const Numbers offset = {power_of_two(e + 1), power_of_two(e + 1)};
+    const Numbers sums[] = {offset + sizes_[i]...};
+    const Bits bits = (reinterpret_cast<Bits>(sums[i]) | ...),
+               wrong = ((reinterpret_cast<Bits>(sums[i] - offset) ^ reinterpret_cast<Bits>(sizes_[i])) | ...);
+    first_exponent_ = e - 51;
+    bits_ = bits[0] | bits[1];
+    valid_ = (wrong[0] | wrong[1]) == 0;
   }
-  // Of n of them, by halves.
-  template <int i, int n> CGAL_GC_FORCEINLINE Numbers largest() const {
-    if constexpr (n == 1)
-      return sizes_[i];
-    else {
-      const Numbers x = largest<i, n / 2>(), y = largest<i + n / 2, n - n / 2>();
-      return x < y ? y : x;
-    }
+  static CGAL_GC_FORCEINLINE Numbers absolute_values(double x, double y) {
+    return reinterpret_cast<Numbers>(reinterpret_cast<Bits>(Numbers{x, y}) & INT64_MAX);
   }
-  template <int i> CGAL_GC_FORCEINLINE void include(const Numbers& offset, Bits& bits, Bits& wrong) const {
-    const Numbers sum = offset + sizes_[i], size_again = sum - offset;
-    bits |= reinterpret_cast<Bits>(sum);
-    wrong |= reinterpret_cast<Bits>(size_again) ^ reinterpret_cast<Bits>(sizes_[i]);
-    if constexpr (i + 1 < size) include<i + 1>(offset, bits, wrong);
+  static CGAL_GC_FORCEINLINE Numbers larger(const Numbers& x, const Numbers& y) { return x < y ? y : x; }
+  // Of the point j.
+  CGAL_GC_FORCEINLINE Numbers largest(std::size_t j) const {
+    const Numbers most = larger(sizes_[N * j], sizes_[N * j + 1]);
+    if constexpr (N == 2)
+      return most;
+    else
+      return larger(most, sizes_[N * j + 2]);
+  }
+  CGAL_GC_FORCEINLINE Numbers largest() const {
+    const Numbers most = larger(largest(0), largest(1));
+    if constexpr (k == 1)
+      return most;
+    else if constexpr (k == 2)
+      return larger(most, largest(2));
+    else
+      return larger(most, larger(largest(2), largest(3)));
   }
 };
 

@@ -11,6 +11,8 @@
 
 #include <CGAL/config.h>
 
+#include <boost/config.hpp>
+
 #ifdef CGAL_USE_GMP
 #include <CGAL/Geometric_continuity/numbers/internal/Inline_integer.h>
 #else
@@ -61,7 +63,7 @@ public:
       return x.odd_part == y.odd_part && x.exponent == y.exponent && x.negative == y.negative;
     }
   };
-  template <class FT> static Number number(FT x) {
+  template <class FT> static BOOST_NOINLINE Number number(FT x) {
     constexpr int digits = std::numeric_limits<FT>::digits;
     static_assert(std::is_floating_point_v<FT> && digits <= 64);
     check_finite(x, "conversion to an exact number");
@@ -90,7 +92,7 @@ public:
 
 typedef Binary_scale Double_scale;
 #else
-typedef Field_scale<Exact_field_of_doubles> Double_scale;
+typedef Field_scale<Exact_field_of<double>::type> Double_scale;
 #endif // CGAL_USE_GMP
 
 } // namespace internal

@@ -29,16 +29,21 @@ template <typename> struct Exact_field_selector; // of CGAL; its header comes wi
 namespace Geometric_continuity {
 namespace internal {
 
-// The exact field of a floating-point type, to be named where CGAL's header of exact numbers is included.
-template <class FT> struct Exact_field_of_floating_point {
+template <class T, class = void> struct Is_complete : std::false_type {};
+template <class T> struct Is_complete<T, std::void_t<decltype(sizeof(T))>> : std::true_type {};
+
+// See Exact_field. For floating-point numbers it is named only where CGAL's header of exact numbers is included.
+template <class FT, bool = std::is_floating_point_v<FT>> struct Exact_field_of { typedef FT type; };
+template <class FT> struct Exact_field_of<FT, true> {
 #ifdef CGAL_GEOMETRIC_CONTINUITY_EXACT_FIELD_OF_BOOST
   // Here `Exact_rational` is a `Quotient`, which some versions of CGAL never cancel, so that numbers grow with each
   // operation.
   typedef boost::multiprecision::cpp_rational type;
 #else
-  // that is, Exact_rational
-  typedef
-      typename CGAL::internal::Exact_field_selector<std::enable_if_t<std::is_floating_point_v<FT>, double>>::Type type;
+  typedef CGAL::internal::Exact_field_selector<std::enable_if_t<std::is_floating_point_v<FT>, double>> Selector;
+  static_assert(Is_complete<Selector>::value, "these curves are decided by exact numbers, which their kernel does not "
+                                              "bring: include CGAL/Geometric_continuity/numbers/Exact_field.h");
+  typedef typename Selector::Type type; // that is, Exact_rational
 #endif
 };
 

@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <cstring>
 #include <utility>
 
 namespace CGAL {
@@ -50,7 +51,7 @@ public:
   BOOST_NOINLINE void assign(const mp_limb_t* limbs, std::size_t n) {
     size_ = 0;
     resize(n);
-    std::copy(limbs, limbs + n, data_);
+    copy(limbs, n, data_);
   }
   // New limbs are unspecified.
   void resize(std::size_t n) {
@@ -59,10 +60,13 @@ public:
   }
 
 private:
+  static void copy(const mp_limb_t* from, std::size_t n, mp_limb_t* to) {
+    std::memcpy(to, from, n * sizeof(mp_limb_t));
+  }
   BOOST_NOINLINE void reserve(std::size_t n) {
     const std::size_t capacity = (std::max)(n, 2 * capacity_);
     mp_limb_t* const data = new mp_limb_t[capacity];
-    std::copy(data_, data_ + size_, data);
+    copy(data_, size_, data);
     release();
     data_ = data;
     capacity_ = capacity;
@@ -76,7 +80,7 @@ private:
     if (x.data_ == x.few_) {
       data_ = few_;
       capacity_ = few;
-      std::copy(x.few_, x.few_ + size_, few_);
+      copy(x.few_, size_, few_);
     } else {
       data_ = x.data_;
       capacity_ = x.capacity_;
@@ -111,11 +115,14 @@ public:
   template <class Limb> void assign(const Limb* limbs, std::size_t size, bool negative) {
     static_assert(sizeof(Limb) == sizeof(mp_limb_t));
     limbs_.resize(size);
-    std::copy(limbs, limbs + size, limbs_.data());
+    std::memcpy(limbs_.data(), limbs, size * sizeof(Limb));
     negative_ = negative;
     remove_leading_zeros();
   }
-  template <class Limb> void copy_limbs(Limb* to) const { std::copy(limbs_.data(), limbs_.data() + size(), to); }
+  template <class Limb> void copy_limbs(Limb* to) const {
+    static_assert(sizeof(Limb) == sizeof(mp_limb_t));
+    std::memcpy(to, limbs_.data(), size() * sizeof(Limb));
+  }
 
   Inline_integer& operator+=(const Inline_integer& y) { return add(y, y.negative_); }
   Inline_integer& operator-=(const Inline_integer& y) { return add(y, !y.negative_); }
@@ -132,8 +139,8 @@ public:
     const std::size_t n = size(), limbs = k / GMP_NUMB_BITS;
     limbs_.resize(n + limbs);
     mp_limb_t* const x = limbs_.data();
-    std::copy_backward(x, x + n, x + n + limbs);
-    std::fill_n(x, limbs, mp_limb_t(0));
+    std::memmove(x + limbs, x, n * sizeof(mp_limb_t));
+    std::memset(x, 0, limbs * sizeof(mp_limb_t));
     if (const unsigned bits = static_cast<unsigned>(k % GMP_NUMB_BITS)) push(mpn_lshift(x + limbs, x + limbs, n, bits));
     return *this;
   }
@@ -143,7 +150,7 @@ public:
     if (is_zero() || (limb(0) & 1) != 0) return 0;
     const long twos = static_cast<long>(mpn_scan1(limbs_.data(), 0));
     const std::size_t zeros = static_cast<std::size_t>(twos / GMP_NUMB_BITS);
-    std::copy(limbs_.data() + zeros, limbs_.data() + size(), limbs_.data());
+    std::memmove(limbs_.data(), limbs_.data() + zeros, (size() - zeros) * sizeof(mp_limb_t));
     limbs_.resize(size() - zeros);
     if (const unsigned bits = static_cast<unsigned>(twos % GMP_NUMB_BITS))
       mpn_rshift(limbs_.data(), limbs_.data(), size(), bits);
@@ -219,7 +226,7 @@ public:
     quotient.resize(x.size() - d.size() + 1);
     remainder.resize(d.size());
     mpn_tdiv_qr(quotient.data(), remainder.data(), 0, x.limbs_.data(), x.size(), d.limbs_.data(), d.size());
-    if (std::any_of(remainder.data(), remainder.data() + d.size(), [](mp_limb_t r) { return r != 0; })) return false;
+    if (!mpn_zero_p(remainder.data(), static_cast<mp_size_t>(d.size()))) return false;
     q.limbs_ = std::move(quotient);
     q.negative_ = x.negative_;
     q.remove_leading_zeros();
@@ -248,7 +255,7 @@ private:
     if (size() < n) {
       const std::size_t old = size();
       limbs_.resize(n);
-      std::fill(limbs_.data() + old, limbs_.data() + n, mp_limb_t(0));
+      std::memset(limbs_.data() + old, 0, (n - old) * sizeof(mp_limb_t));
     }
     mp_limb_t* const x = limbs_.data();
     if (negative_ == negative) {

@@ -47,7 +47,7 @@ struct Kernel_predicate_field {
   typedef typename K::FT type;
 };
 template <class K> struct Kernel_predicate_field<K, true> {
-  typedef typename Exact_field_of_floating_point<typename K::FT>::type type;
+  typedef typename Exact_field_of<typename K::FT>::type type;
 };
 
 // The traits class for points and vectors of a kernel with d coordinates, 2 or 3: see GeometricContinuityTraits.
