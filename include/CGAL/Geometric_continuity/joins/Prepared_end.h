@@ -6,6 +6,7 @@
 #define CGAL_GEOMETRIC_CONTINUITY_JOINS_PREPARED_END_H
 
 #include <CGAL/Geometric_continuity/Error.h>
+#include <CGAL/Geometric_continuity/curves/Bezier_curve.h>
 #include <CGAL/Geometric_continuity/internal/force_inline.h>
 #include <CGAL/Geometric_continuity/joins/internal/Join_ladder.h>
 #include <CGAL/Geometric_continuity/joins/join_predicates.h>
