@@ -190,10 +190,11 @@ template <class FT> FT gap_square(const GC::Edge_side& a, const GC::Edge_side& b
   return sum;
 }
 
-// The unit normal and the normal curvature across the edge: of the difference of the edge's direction and its projection.
+// The unit normal, the length of the normal S_u x S_v that is divided by, and the normal curvature across the edge: of the difference of
+// the edge's direction and its projection.
 struct Normal_and_curvature {
   std::array<long double, 3> n;
-  long double curvature;
+  long double length, curvature;
 };
 inline Normal_and_curvature normal_and_curvature(const GC::Edge_side& side, double t) {
   typedef long double FT;
@@ -218,7 +219,7 @@ inline Normal_and_curvature normal_and_curvature(const GC::Edge_side& side, doub
   const FT a = dot(aw, n) / (length * length), b = dot(bw, n) / (length * length);
   const FT sign = ((determinant < 0) != side.reversed ? -1 : 1) / length;
   for (FT& x : n) x *= sign;
-  return {n, (a * a * dot(suu, n) + 2 * a * b * dot(suv, n) + b * b * dot(svv, n)) / dot(w, w)};
+  return {n, length, (a * a * dot(suu, n) + 2 * a * b * dot(suv, n) + b * b * dot(svv, n)) / dot(w, w)};
 }
 inline long double angle(const GC::Edge_side& a, const GC::Edge_side& b, double t) {
   const auto x = normal_and_curvature(a, t).n, y = normal_and_curvature(b, t).n;

@@ -59,10 +59,12 @@ GC::Cad_spline_surface patch(int p, int q, bool rational) {
   return s;
 }
 
-// How often a value lies outside of what is known on the range [first, last], and whether that is close.
+// How often a value lies outside of what is known on the range [first, last], whether that is close, and whether the length of the normal,
+// by which is divided, changes little there.
 struct Outside {
   int outside = 0, known = 0;
   double r = 0;
+  bool steady = true;
 
   Outside(const GC::Edge_side& side, double first, double last) {
     std::vector<GC::internal::Side_models> models;
@@ -81,6 +83,7 @@ struct Outside {
       r = (std::max)(r, f.r);
       outside += !(std::fabs(y - value) <= f.r + 1e-17L * (1 + std::fabs(value)));
     };
+    long double shortest = HUGE_VALL, longest = 0;
     for (int i = 0; i <= 10; ++i) {
       const double t = i == 10 ? last : first + i * ((last - first) / 10);
       const long double s = ((long double)t - range.middle) / range.half;
@@ -91,7 +94,10 @@ struct Outside {
         check(m.normal[k], s, n.n[k]);
       }
       check(m.curvature, s, n.curvature);
+      shortest = (std::min)(shortest, n.length);
+      longest = (std::max)(longest, n.length);
     }
+    steady = longest <= 1.25L * shortest;
   }
 };
 
@@ -180,7 +186,8 @@ BOOST_AUTO_TEST_CASE(models_enclose_what_they_stand_for) {
       moved{{{0.48, -0.8, 0.36, 5}, {0.64, 0.6, 0.48, -2}, {0.6, 0, -0.8, 1}}}; // with a mirror
   const GC::Cad_frame frame{{1, 2, 3}, {0, 0.6, 0.8}, {1, 0, 0}, {0, 0.8, -0.6}};
   typedef GC::Cad_conic<2> Conic;
-  // How many models on short ranges of each surface are narrow. A few are not, where a normal nearly vanishes.
+  // How many models on short ranges of each surface are narrow. A few are not, where a normal nearly vanishes: there a series of the
+  // reciprocal of its length may diverge, and nothing but the points is known.
   std::map<std::string, int> narrow, models;
   for (int round = 0; round < 2; ++round) {
     const std::vector<std::pair<std::string, GC::Cad_surface>> surfaces{
@@ -224,7 +231,7 @@ BOOST_AUTO_TEST_CASE(models_enclose_what_they_stand_for) {
           const double first = between(0, 0.9);
           const Outside tiny(side, first, first + 0x1p-8);
           BOOST_TEST(tiny.outside == 0);
-          BOOST_TEST(tiny.known == 7 * 11);
+          BOOST_TEST((tiny.known == 7 * 11 || (tiny.known == 3 * 11 && !tiny.steady)));
           narrow[surface_name] += tiny.r < 1e-7;
           ++models[surface_name];
           BOOST_TEST(known > 0);
