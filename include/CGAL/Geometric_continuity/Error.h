@@ -102,7 +102,7 @@ public:
   /// Constructs an exception; `place` says where the input is wrong, e.g. "blend: end of the first curve".
   /// Compiled apart, so that functions that refuse something stay short.
   BOOST_NOINLINE Error(Error_code code, const std::string& place)
-      : std::runtime_error(to_string(code) + ": " + place), code_(code) {}
+      : std::runtime_error(to_string(code).append(": ").append(place)), code_(code) {}
 
   /// Returns the reason, for programs.
   Error_code code() const { return code_; }

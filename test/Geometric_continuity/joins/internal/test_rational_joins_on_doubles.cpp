@@ -115,8 +115,10 @@ void check_question(const Curve<N>& left, const Curve<N>& right, const GC::Join_
   }
   for (const unsigned used : {0u, stage(Join_stage::residue)}) {
     Stages some{used};
-    right_answers = right_answers &&
-                    GC::internal::decide_in_ring<question, N, true, GC::internal::Binary_scale>(x, y, some) == truth;
+    Join_answer exact = GC::internal::decide_on_doubles<question, N, true>(x, y, some); // by signs
+    if (exact == Join_answer::unknown)
+      exact = GC::internal::decide_in_ring<question, N, true, GC::internal::Join_scale_of_doubles>(x, y, some);
+    right_answers = right_answers && exact == truth;
     count(some);
   }
   Stages all{(1u << number_of_stages) - 1};

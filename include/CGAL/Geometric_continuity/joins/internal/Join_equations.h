@@ -145,8 +145,11 @@ public:
   constexpr CGAL_GC_FORCEINLINE bool left_has_curvature() const {
     return !is_zero_vector(Join_question::g2, cross_form(a1, a2));
   }
+  constexpr CGAL_GC_FORCEINLINE bool right_has_curvature() const {
+    return !is_zero_vector(Join_question::g2, cross_form(b1, b2));
+  }
   constexpr CGAL_GC_FORCEINLINE bool both_have_curvature() const {
-    return left_has_curvature() && !is_zero_vector(Join_question::g2, cross_form(b1, b2));
+    return left_has_curvature() && right_has_curvature();
   }
 
 private:

@@ -28,7 +28,9 @@ template <class W> struct Join_weights {
   static constexpr bool parametric = false, rational = false;
   W a2, b2, a3, b3, mix;
 
-  template <Join_question question> static CGAL_GC_FORCEINLINE Join_weights geometric(int m, int n) {
+  // `one` is that of a ring, if W does not tell.
+  template <Join_question question>
+  static CGAL_GC_FORCEINLINE Join_weights geometric(int m, int n, const W& one = W(1)) {
     constexpr bool third = highest_difference(question) >= 3;
     const int m1 = (std::max)(m - 1, 0), n1 = (std::max)(n - 1, 0), m2 = (std::max)(m - 2, 0),
               n2 = (std::max)(n - 2, 0);
@@ -36,11 +38,11 @@ template <class W> struct Join_weights {
       const bool mixed = question == Join_question::g3; // those below divided by m^2 (m-1)
       return {W(1), W(1), W(mixed ? m2 : 1), W(mixed ? m2 : 1), W(mixed ? 3 * m1 : 1)};
     }
-    const W a2(W(n) * W(m1)), b2(W(m) * W(n1));
+    const W a2(W(one * W(n)) * W(m1)), b2(W(one * W(m)) * W(n1));
     if constexpr (!third)
       return {a2, b2, W(1), W(1), W(1)};
     else {
-      const W a3(W(n) * W(m2)), b3(W(m) * W(n2));
+      const W a3(W(one * W(n)) * W(m2)), b3(W(one * W(m)) * W(n2));
       if constexpr (question == Join_question::torsion)
         return {a2, b2, a3, b3, W(1)};
       else

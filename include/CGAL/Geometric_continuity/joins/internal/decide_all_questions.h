@@ -27,10 +27,10 @@ template <class T, std::size_t N> T square_of_area(const std::array<std::array<T
   T area(0);
   g = T(0);
   for (std::size_t i = 0; i < N; ++i) {
-    g += T(legs[0][i] * legs[0][i]);
+    g = T(g + T(legs[0][i] * legs[0][i]));
     for (std::size_t j = 0; j < i; ++j) {
       const T x = T(legs[0][i] * legs[1][j]) - T(legs[0][j] * legs[1][i]);
-      area += T(x * x);
+      area = T(area + T(x * x));
     }
   }
   return T(area * T(weight * weight));
@@ -83,11 +83,16 @@ template <int N> bool curvatures_differ(const Double_end<N>& left, const Double_
 }
 // By numbers of any length. \pre no tangent vanishes
 template <int N> BOOST_NOINLINE bool curvatures_are_equal(const Double_end<N>& left, const Double_end<N>& right) {
-  const Ring_join<N, false, Double_scale> join(Join_question::g2, left, right);
-  typedef Double_scale::Ring Ring;
-  const Join_weights<Ring> w = join.template factors<Join_question::g2, Ring>();
-  const auto [x, y] = curvature_forms(join.template left<Ring>(), join.template right<Ring>(), w.a2, w.b2);
-  return x == y;
+  constexpr Join_question question = Join_question::g2;
+  Ring_join<N, false, Join_scale_of_doubles> join(question, left, right);
+  const int moduli = join.template moduli<question>(10);
+  for (int i = 0; i < moduli; ++i) {
+    join.take_modulus(i);
+    const auto w = join.template factors<question>();
+    const auto [x, y] = curvature_forms(join.left(), join.right(), w.a2, w.b2);
+    if (!(x == y)) return false;
+  }
+  return true;
 }
 
 // Whether a1 x a2 is not zero, from two legs in space that have been rounded once. Only `true` is a proof.
@@ -190,7 +195,7 @@ public:
     const All_join_stages stages;
     const Join_answer answer = decide_by_rungs(Double_join<question, N>(left_, right_, lengths_), stages);
     return answer != Join_answer::unknown ? answer
-                                          : decide_in_ring<question, N, false, Double_scale>(left_, right_, stages);
+                                          : decide_in_ring<question, N, false, Join_scale_of_doubles>(left_, right_, stages);
   }
   Join_answer equal_curvatures() const {
     return !curvatures_differ<N>(left_, right_) && curvatures_are_equal<N>(left_, right_) ? Join_answer::yes

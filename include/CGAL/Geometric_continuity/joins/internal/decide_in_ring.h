@@ -9,7 +9,12 @@
 #include <CGAL/Geometric_continuity/joins/internal/End_polygon.h>
 #include <CGAL/Geometric_continuity/joins/internal/Join_equations.h>
 #include <CGAL/Geometric_continuity/joins/internal/Join_weights.h>
-#include <CGAL/Geometric_continuity/numbers/internal/Double_scale.h>
+#include <CGAL/Geometric_continuity/numbers/internal/Common_denominator.h>
+#include <CGAL/Geometric_continuity/numbers/internal/Remainder.h>
+#include <CGAL/Geometric_continuity/numbers/internal/zero_bits.h>
+#ifndef CGAL_GEOMETRIC_CONTINUITY_HAS_FIXED_INTEGER
+#include <CGAL/Geometric_continuity/numbers/Exact_field.h>
+#endif
 
 #include <boost/config.hpp>
 
@@ -20,25 +25,35 @@
 #include <utility>
 
 /// \file decide_in_ring.h
-/// The last rung of the ladder: the equations of a join on numbers of any length, which are multiplied by their common denominator, so
-/// that no fraction is cancelled.
+/// The last rung of the ladder: the equations of a join in a ring, for numbers of any length, which are multiplied by their common
+/// denominator, so that no fraction is cancelled. The ring is that of the numerators of an exact field; for floating-point numbers those of
+/// the remainders by as many moduli as prove that a form is zero (Remainder.h).
 
 namespace CGAL {
 namespace Geometric_continuity {
 namespace internal {
 
-// The differences of the orders up to k of one coordinate of an end, because numbers of any length are long to compile.
+#ifdef CGAL_GEOMETRIC_CONTINUITY_HAS_FIXED_INTEGER
+typedef Remainder_scale Join_scale_of_doubles;
+#else
+typedef Field_scale<Exact_field_of<double>::type> Join_scale_of_doubles;
+#endif
+
+// The differences of the orders up to k of one coordinate of an end, because numbers of an exact field are long to compile.
 template <bool weighted, class T>
-BOOST_NOINLINE std::array<T, 3> differences_along(std::array<T, 4>& x, int k, bool left, int degree) {
-  std::array<T, 3> d{T(0), T(0), T(0)};
-  for (int order = 1; order <= k; ++order) {
-    if constexpr (weighted)
-      d[order - 1] = T(x[order] - x[0]);
-    else {
-      for (int j = 0; j <= k - order; ++j) x[j] = T(x[j + 1] - x[j]);
-      if (order <= degree) d[order - 1] = x[0];
-    }
-    if (left && order != 2) d[order - 1] = T(T(0) - d[order - 1]);
+BOOST_NOINLINE std::array<T, 3> differences_along(const std::array<T, 4>& x, int k, bool left, int degree) {
+  std::array<T, 3> d{T(x[1] - x[0]), T(0), T(0)};
+  if constexpr (weighted) {
+    if (k >= 2) d[1] = T(x[2] - x[0]);
+    if (k >= 3) d[2] = T(x[3] - x[0]);
+  } else if (k >= 2 && degree >= 2) {
+    const T leg(x[2] - x[1]);
+    d[1] = T(leg - d[0]);
+    if (k >= 3 && degree >= 3) d[2] = T(T(T(x[3] - x[2]) - leg) - d[1]);
+  }
+  if (left) {
+    d[0] = T(T(0) - d[0]);
+    d[2] = T(T(0) - d[2]);
   }
   return d;
 }
@@ -46,6 +61,10 @@ BOOST_NOINLINE std::array<T, 3> differences_along(std::array<T, 4>& x, int k, bo
 // The numbers of two ends that a question needs: points, weights, or for the orders C the ends of the domains. One class for all
 // questions, because most programs come here seldom, and all of them compile it.
 template <int N, bool weighted, class Scale> class Ring_join {
+public:
+  typedef typename Scale::Ring Ring;
+
+private:
   typedef typename Scale::Number Number;
 
   struct End {
@@ -82,30 +101,23 @@ template <int N, bool weighted, class Scale> class Ring_join {
     return i;
   }
 
-  // The numerator of x in a ring: itself, or its residue.
-  template <class Ring> static Ring in_ring(const Scale& scale, const Number& x) {
-    if constexpr (std::is_same_v<Ring, typename Scale::Ring>)
-      return scale.numerator(x);
-    else
-      return scale.residue(x);
-  }
   // From the pivot on.
-  template <class Ring> BOOST_NOINLINE Differences<Ring, N> differences(const End& x, bool left) const {
+  BOOST_NOINLINE Differences<Ring, N> differences(const End& x, bool left) const {
     Differences<Ring, N> d;
     for (int i = 0; i < N; ++i) {
       std::array<Ring, 4> y{};
-      for (int j = 0; j <= k_; ++j) y[j] = in_ring<Ring>(points_, x.points[j][(pivot_ + i) % N]);
+      for (int j = 0; j <= k_; ++j) y[j] = points_.numerator(x.points[j][(pivot_ + i) % N]);
       std::array<Ring, 3> z = differences_along<weighted>(y, k_, left, x.degree);
       for (int j = 0; j < k_; ++j) d[j][i] = std::move(z[j]);
     }
     return d;
   }
-  template <class Ring> Ring length(const End& x) const {
-    return Ring(in_ring<Ring>(scales_[0], x.numbers[1]) - in_ring<Ring>(scales_[0], x.numbers[0]));
+  Ring length(const End& x) const {
+    return Ring(scales_[0].numerator(x.numbers[1]) - scales_[0].numerator(x.numbers[0]));
   }
-  template <class Ring> std::array<Ring, 4> weights(const End& x, const Scale& scale) const {
+  std::array<Ring, 4> weights(const End& x, const Scale& scale) const {
     std::array<Ring, 4> w{};
-    for (int j = 0; j <= k_; ++j) w[j] = in_ring<Ring>(scale, x.numbers[j]);
+    for (int j = 0; j <= k_; ++j) w[j] = scale.numerator(x.numbers[j]);
     return w;
   }
 
@@ -120,20 +132,39 @@ public:
 
   bool tangents_vanish() const { return !is_parametric(question_) && (pivot_ == N || first_difference(right_) == N); }
 
+  // By how many moduli the remainders of a form must be zero so that it is. All differences are less than 2^(D + 3) if the coordinates
+  // are less than 2^D, and the first ones less than 2^(D + 1): a form of degree d is the sum of so few products that it is
+  // less than 2^(d D + 24) times the largest product of the factors.
+  template <Join_question question> int moduli(int degree = form_degree(question)) const {
+    const int digits = 64 - leading_zero_bits(static_cast<std::uint64_t>((std::max)(left_.degree, right_.degree) | 1));
+    int factors = 4 * digits + 2;
+    if constexpr (is_parametric(question))
+      factors += k_ * (scales_[0].bits() + 1);
+    else if constexpr (weighted) {
+      typedef Rational_join_weights<question, Ring> Weights;
+      factors += Weights::left_degree(question) * scales_[0].bits() + Weights::right_degree(question) * scales_[1].bits();
+    }
+    return Scale::moduli(degree * points_.bits() + factors + 24);
+  }
+  void take_modulus(int i) {
+    points_.take_modulus(i);
+    for (Scale& scale : scales_) scale.take_modulus(i);
+  }
+
   // The first coordinate of the first one on the left is not zero unless the question is parametric. \pre no tangent vanishes
-  template <class Ring> Differences<Ring, N> left() const { return differences<Ring>(left_, true); }
-  template <class Ring> Differences<Ring, N> right() const { return differences<Ring>(right_, false); }
+  Differences<Ring, N> left() const { return differences(left_, true); }
+  Differences<Ring, N> right() const { return differences(right_, false); }
 
   // Of ends with weights, in one type for all questions. \pre the question is the one of the object
-  template <Join_question question, class Ring> auto factors() const {
+  template <Join_question question> auto factors() const {
     if constexpr (is_parametric(question))
-      return Parametric_join_weights<Ring>::of(left_.degree, right_.degree, length<Ring>(left_), length<Ring>(right_));
+      return Parametric_join_weights<Ring>::of(left_.degree, right_.degree, length(left_), length(right_));
     else if constexpr (weighted) {
-      const auto w = Rational_join_weights<question, Ring>::of(weights<Ring>(left_, scales_[0]), left_.degree,
-                                                               weights<Ring>(right_, scales_[1]), right_.degree);
+      const auto w = Rational_join_weights<question, Ring>::of(weights(left_, scales_[0]), left_.degree,
+                                                               weights(right_, scales_[1]), right_.degree);
       return Rational_join_weights<Join_question::g3, Ring>{w.a2, w.b2, w.first, w.a3, w.b3, w.mix};
     } else
-      return Join_weights<Ring>::template geometric<question>(left_.degree, right_.degree);
+      return Join_weights<Ring>::template geometric<question>(left_.degree, right_.degree, points_.one());
   }
 };
 
@@ -148,39 +179,55 @@ public:
   template <int k> BOOST_NOINLINE bool derivatives_equal() const { return Base::template derivatives_equal<k>(); }
 };
 
-// What the equations say in a ring: `no` is a proof, all others as far as `Zero` is exact. \pre no tangent vanishes
-template <Join_question question, class T, class Zero, int N, bool weighted, class Scale>
-Join_answer answer_in(const Ring_join<N, weighted, Scale>& join) {
-  const Differences<T, N> a = join.template left<T>(), b = join.template right<T>();
-  const auto w = join.template factors<question, T>();
-  Zero zero;
-  const Ring_equations<T, N, std::decay_t<decltype(w)>, Zero> equations(a, b, w, zero);
-  if constexpr (Zero::exact) {
-    if (is_geometric(question) && ((T(0) < a[0][0]) != (T(0) < b[0][0]) || b[0][0] == T(0))) return Join_answer::no;
+// What the equations say in the ring of an exact field, or modulo one number: `no` is a proof. Curved is what has been proved to have
+// curvature. For F3 `unknown` stands for `no` if the left end is straight.
+template <Join_question question, int N, bool exact, class Join>
+Join_answer answer_in(const Join& join, std::array<bool, 2>& curved) {
+  typedef typename Join::Ring Ring;
+  const Differences<Ring, N> a = join.left(), b = join.right();
+  const auto w = join.template factors<question>();
+  Exact_zero<Ring> zero;
+  const Ring_equations<Ring, N, std::decay_t<decltype(w)>, Exact_zero<Ring>> equations(a, b, w, zero);
+  if constexpr (exact && is_geometric(question))
+    if ((Ring(0) < a[0][0]) != (Ring(0) < b[0][0]) || b[0][0] == Ring(0)) return Join_answer::no;
+  if constexpr (question == Join_question::torsion || question == Join_question::f3) {
+    const bool is_curved = equations.left_has_curvature();
+    curved[0] |= is_curved;
     if constexpr (question == Join_question::torsion)
-      if (!equations.both_have_curvature()) return Join_answer::undefined;
+      curved[1] |= equations.right_has_curvature();
+    else if (!is_curved && all_hold<Join_question::g2>(equations) && !equations.f3(equations.ratio()))
+      return Join_answer::unknown;
   }
   return all_hold<question>(equations) ? Join_answer::yes : Join_answer::no;
 }
 
-// The answer, by residues of doubles where these refute, and by whole numbers or the numbers of the field. The ends need
-// positive weights if they are asked for them.
+// The answer by numbers of any length. The ends need positive weights if they are asked for them. \pre decide_by_signs() has not answered,
+// if the numbers are of floating-point type
 template <Join_question question, int N, bool weighted, class Scale, class Left, class Right, class Stages>
 BOOST_NOINLINE Join_answer decide_in_ring(const Left& left, const Right& right, Stages& stages) {
-  const Ring_join<N, weighted, Scale> join(question, left, right);
+  Ring_join<N, weighted, Scale> join(question, left, right);
   const auto decided = [&](Join_stage stage, Join_answer answer) {
     stages.decided(stage, answer);
     return answer;
   };
-  if (join.tangents_vanish())
-    return decided(Join_stage::multiprecision, is_geometric(question) ? Join_answer::no : Join_answer::undefined);
-#ifdef CGAL_USE_GMP
-  if constexpr (std::is_same_v<Scale, Binary_scale>)
-    if (stages.uses(Join_stage::residue) && answer_in<question, std::uint64_t, Residue_zero>(join) == Join_answer::no)
-      return decided(Join_stage::residue, Join_answer::no);
-#endif
-  typedef typename Scale::Ring Ring;
-  return decided(Join_stage::multiprecision, answer_in<question, Ring, Exact_zero<Ring>>(join));
+  if constexpr (Scale::exact)
+    if (join.tangents_vanish())
+      return decided(Join_stage::multiprecision, is_geometric(question) ? Join_answer::no : Join_answer::undefined);
+  std::array<bool, 2> curved{};
+  bool straight_fails = false;
+  const int moduli = join.template moduli<question>();
+  for (int i = 0; i < moduli; ++i) {
+    join.take_modulus(i);
+    const Join_answer answer = answer_in<question, N, Scale::exact>(join, curved);
+    if (answer == Join_answer::no) {
+      const bool residue = !Scale::exact && i == 0 && stages.uses(Join_stage::residue);
+      return decided(residue ? Join_stage::residue : Join_stage::multiprecision, Join_answer::no);
+    }
+    straight_fails |= answer == Join_answer::unknown;
+  }
+  if constexpr (question == Join_question::torsion)
+    if (!curved[0] || !curved[1]) return decided(Join_stage::multiprecision, Join_answer::undefined);
+  return decided(Join_stage::multiprecision, straight_fails && !curved[0] ? Join_answer::no : Join_answer::yes);
 }
 
 } // namespace internal

@@ -64,7 +64,7 @@ template <class End> using Join_field = typename Exact_field_of<Predicate_FT<typ
 template <class End, bool doubles = is_double<typename End::Traits::FT>> struct Join_scale {
   typedef Field_scale<Join_field<End>> type;
 };
-template <class End> struct Join_scale<End, true> { typedef Double_scale type; }; // names no exact field
+template <class End> struct Join_scale<End, true> { typedef Join_scale_of_doubles type; }; // names no exact field
 
 // By numbers of any length. \pre the ends meet, if the question asks for contact
 template <Join_question question, bool weighted = false, class Left, class Right, class Stages>

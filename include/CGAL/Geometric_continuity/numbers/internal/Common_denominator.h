@@ -8,6 +8,7 @@
 #include <CGAL/Algebraic_structure_traits.h>
 #include <CGAL/Fraction_traits.h>
 #include <CGAL/Geometric_continuity/numbers/internal/Exact_number.h>
+#include <CGAL/Geometric_continuity/numbers/internal/checked_numbers.h>
 #include <CGAL/Geometric_continuity/numbers/internal/number_words.h>
 #include <CGAL/number_utils.h>
 
@@ -81,6 +82,24 @@ private:
     typename Fraction_traits<Exact>::Decompose()(Exact_number<Field>::of(x), f.first, f.second);
     return f;
   }
+};
+
+// The numbers of an exact field in a common unit, in which they have numerators.
+template <class Field> class Field_scale : Common_denominator<Field> {
+public:
+  static constexpr bool exact = true;
+  typedef Field Number;
+  typedef typename Common_denominator<Field>::Ring Ring;
+  using Common_denominator<Field>::include;
+  using Common_denominator<Field>::numerator;
+
+  template <class FT> static Number number(const FT& x) { return to_field<Field>(x); }
+
+  // What Remainder_scale has besides.
+  int bits() const { return 0; }
+  static int moduli(int) { return 1; }
+  void take_modulus(int) {}
+  static Ring one() { return Ring(1); }
 };
 
 } // namespace internal
