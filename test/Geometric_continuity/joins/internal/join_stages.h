@@ -23,4 +23,22 @@ struct Stages {
 };
 constexpr unsigned stage(Join_stage s) { return 1u << static_cast<int>(s); }
 
+// By the ladder, with weights if they are asked for; and, where it does not tell, by numbers of any length.
+template <CGAL::Geometric_continuity::internal::Join_question question, int N, bool weighted, class Left, class Right>
+Join_answer decide_by_ladder(const Left& left, const Right& right, Stages& stages) {
+  namespace GC = CGAL::Geometric_continuity;
+  return GC::internal::decide_by_rungs(GC::internal::Read_join<question, N, weighted, Left, Right>(left, right)(),
+                                       stages);
+}
+template <CGAL::Geometric_continuity::internal::Join_question question, int N, bool weighted, class Left, class Right>
+Join_answer decide_all_the_way(const Left& left, const Right& right, Stages& stages) {
+  namespace GC = CGAL::Geometric_continuity;
+  typedef typename Left::Traits::FT FT;
+  if constexpr (GC::internal::is_double<FT> && !GC::internal::planar_by_definition<question, N>) {
+    const Join_answer answer = decide_by_ladder<question, N, weighted>(left, right, stages);
+    if (answer != Join_answer::unknown) return answer;
+  }
+  return GC::internal::decide_exactly<question, weighted>(left, right, stages);
+}
+
 #endif // CGAL_GEOMETRIC_CONTINUITY_TEST_JOINS_INTERNAL_JOIN_STAGES_H

@@ -108,14 +108,15 @@ void check_kind(const Curve<Traits>& left, const Curve<Traits>& right, const GC:
     for (const unsigned used : combinations) { // right or undecided
       if (decided_before) break;
       Stages some{used};
-      const Join_answer partial = GC::internal::decide_on_doubles<kind, dimension<Traits>>(x, y, some);
+      const Join_answer partial = decide_by_ladder<kind, dimension<Traits>, false>(x, y, some);
       right_answers = right_answers && (partial == truth || partial == Join_answer::unknown);
       count(some);
     }
   if constexpr (kind != Join_question::c0)
     if (!decided_before) {
       Stages multiprecision{0};
-      right_answers = right_answers && GC::internal::decide_exactly<kind>(x, y, multiprecision) == truth;
+      right_answers =
+          right_answers && decide_all_the_way<kind, dimension<Traits>, false>(x, y, multiprecision) == truth;
       count(multiprecision);
     }
   const End end = End::at_end(left), start = End::at_start(right);

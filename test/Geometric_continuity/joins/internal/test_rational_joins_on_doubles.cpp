@@ -109,16 +109,13 @@ void check_question(const Curve<N>& left, const Curve<N>& right, const GC::Join_
   for (const unsigned used :
        {stage(Join_stage::floating_point), stage(Join_stage::floating_point) | stage(Join_stage::bounded_residue)}) {
     Stages some{used};
-    const Join_answer partial = GC::internal::decide_on_doubles<question, N, true>(x, y, some);
+    const Join_answer partial = decide_by_ladder<question, N, true>(x, y, some);
     right_answers = right_answers && (partial == truth || partial == Join_answer::unknown);
     count(some);
   }
   for (const unsigned used : {0u, stage(Join_stage::residue)}) {
     Stages some{used};
-    Join_answer exact = GC::internal::decide_on_doubles<question, N, true>(x, y, some); // by signs
-    if (exact == Join_answer::unknown)
-      exact = GC::internal::decide_in_ring<question, N, true, GC::internal::Join_scale_of_doubles>(x, y, some);
-    right_answers = right_answers && exact == truth;
+    right_answers = right_answers && decide_all_the_way<question, N, true>(x, y, some) == truth;
     count(some);
   }
   Stages all{(1u << number_of_stages) - 1};

@@ -104,41 +104,38 @@ CGAL_GC_FORCEINLINE Join_answer decide_by_residues_with(const Factors& w, const 
     if (!equations.left_has_curvature()) return Join_answer::unknown; // another form counts, without a bound
   return decided(all_hold<question>(equations) ? Join_answer::yes : Join_answer::no);
 }
-template <int limbs, class Input, class Room, class Stages>
-CGAL_GC_FORCEINLINE Join_answer decide_by_residues(const Input& join, const typename Input::Factors& given,
-                                                   const Room& room, int pivot, Stages& stages) {
-  if constexpr (Input::template has_short_factors<limbs>) {
-    Join_weights<std::int64_t> w;
-    if (join.short_factors(room.rounded_factors(), room.units_of_factors(), w))
-      return decide_by_residues_with<limbs>(w, join, room.unit(), pivot, stages);
-  }
-  typename Input::template Integer_factors<limbs> w;
-  if (!join.template integer_factors<limbs>(given, room.units_of_factors(), w)) return Join_answer::unknown;
-  return decide_by_residues_with<limbs>(w, join, room.unit(), pivot, stages);
-}
-// The same, compiled apart: long residues need much room. It is called by value, since what it could read by reference would not stay
-// in registers anywhere.
-template <int limbs, class Input, class Room, class Stages>
+// By residues of the least length that suffices. Long ones need much room, and are compiled apart. That is called by value, since what it
+// could read by reference would not stay in registers anywhere.
+template <class Input, class Room, class Stages, int... limbs>
 BOOST_NOINLINE Join_answer decide_by_long_residues(Input join, typename Input::Factors given, Room room, int pivot,
-                                                   Stages& stages) {
-  return decide_by_residues<limbs>(join, given, room, pivot, stages);
-}
-
-// By residues of the least length that suffices.
-template <class Input, class Room, class Stages, int limbs, int... more>
+                                                   Stages& stages, std::integer_sequence<int, limbs...>);
+template <bool apart, class Input, class Room, class Stages, int limbs, int... more>
 CGAL_GC_FORCEINLINE Join_answer decide_by_residues(const Input& join, const typename Input::Factors& given,
                                                    const Room& room, int pivot, Stages& stages,
                                                    std::integer_sequence<int, limbs, more...>) {
-  if (room.fits(limbs)) {
-    if constexpr (limbs <= 4)
-      return decide_by_residues<limbs>(join, given, room, pivot, stages);
+  if (!room.fits(limbs)) {
+    if constexpr (sizeof...(more) != 0)
+      return decide_by_residues<apart>(join, given, room, pivot, stages, std::integer_sequence<int, more...>());
     else
-      return decide_by_long_residues<limbs>(join, given, room, pivot, stages);
+      return Join_answer::unknown;
   }
-  if constexpr (sizeof...(more) != 0)
-    return decide_by_residues(join, given, room, pivot, stages, std::integer_sequence<int, more...>());
-  else
-    return Join_answer::unknown;
+  if constexpr (limbs > 4 && !apart)
+    return decide_by_long_residues(join, given, room, pivot, stages, std::integer_sequence<int, limbs>());
+  else {
+    if constexpr (Input::template has_short_factors<limbs>) {
+      Join_weights<std::int64_t> w;
+      if (join.short_factors(room.rounded_factors(), room.units_of_factors(), w))
+        return decide_by_residues_with<limbs>(w, join, room.unit(), pivot, stages);
+    }
+    typename Input::template Integer_factors<limbs> w;
+    if (!join.template integer_factors<limbs>(given, room.units_of_factors(), w)) return Join_answer::unknown;
+    return decide_by_residues_with<limbs>(w, join, room.unit(), pivot, stages);
+  }
+}
+template <class Input, class Room, class Stages, int... limbs>
+BOOST_NOINLINE Join_answer decide_by_long_residues(Input join, typename Input::Factors given, Room room, int pivot,
+                                                   Stages& stages, std::integer_sequence<int, limbs...> length) {
+  return decide_by_residues<true>(join, given, room, pivot, stages, length);
 }
 
 // (q, p) below a limit, so that the cubes with short factors take one limb. The types of the forms are shorter.
@@ -260,7 +257,7 @@ CGAL_GC_FORCEINLINE Join_answer decide_by_rungs(const Input& join, Stages& stage
 #ifdef CGAL_GEOMETRIC_CONTINUITY_HAS_FIXED_INTEGER
       if (stages.uses(Join_stage::bounded_residue)) {
         const Residue_room<Input, Filter> room(join, w, filter);
-        if (room.valid()) return decide_by_residues(join, w, room, pivot, stages, typename Input::Limbs());
+        if (room.valid()) return decide_by_residues<false>(join, w, room, pivot, stages, typename Input::Limbs());
       }
 #endif
       return Join_answer::unknown;
@@ -272,19 +269,25 @@ CGAL_GC_FORCEINLINE Join_answer decide_by_rungs(const Input& join, Stages& stage
   return Join_answer::unknown;
 }
 
-// The same on ends with double coordinates, which are read here; with positive weights if they are asked for them.
-template <Join_question question, int N, bool weighted = false, class Left, class Right, class Stages>
-CGAL_GC_FORCEINLINE Join_answer decide_on_doubles(const Left& left, const Right& right, Stages& stages) {
-  if constexpr (weighted)
-    return decide_by_rungs(Weighted_join<question, N, Left, Right>(left, right), stages);
-  else {
-    const Question<question> asked;
-    const Double_end<N> x(left, asked), y(right, asked);
-    Short_lengths lengths;
-    if constexpr (is_parametric(question)) lengths = Short_lengths(x.domain(), y.domain());
-    return decide_by_rungs(Double_join<question, N>(x, y, lengths), stages);
+// What the ladder decides of two ends with double coordinates: they are read by the constructor, with positive weights if they are asked
+// for them.
+template <Join_question question, int N, bool weighted, class Left, class Right> class Read_join {
+  Double_end<N> left_, right_;
+  Short_lengths lengths_;
+
+public:
+  CGAL_GC_FORCEINLINE Read_join(const Left& left, const Right& right)
+      : left_(left, Question<question>()), right_(right, Question<question>()) {
+    if constexpr (is_parametric(question)) lengths_ = Short_lengths(left_.domain(), right_.domain());
   }
-}
+  CGAL_GC_FORCEINLINE Double_join<question, N> operator()() const { return {left_, right_, lengths_}; }
+};
+template <Join_question question, int N, class Left, class Right>
+class Read_join<question, N, true, Left, Right> : Weighted_join<question, N, Left, Right> {
+public:
+  using Weighted_join<question, N, Left, Right>::Weighted_join;
+  CGAL_GC_FORCEINLINE const Weighted_join<question, N, Left, Right>& operator()() const { return *this; }
+};
 
 } // namespace internal
 } // namespace Geometric_continuity

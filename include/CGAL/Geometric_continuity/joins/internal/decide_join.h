@@ -95,7 +95,7 @@ BOOST_NOINLINE Join_answer decide_legs(Handed<Left> left, Handed<Right> right, S
   typedef typename Left::Traits Traits;
   constexpr int N = dimension_v<Traits>;
   if constexpr (is_double<typename Traits::FT> && (N == 2 || N == 3) && !planar_by_definition<question, N>) {
-    const Join_answer answer = decide_on_doubles<question, N, weighted>(left, right, stages);
+    const Join_answer answer = decide_by_rungs(Read_join<question, N, weighted, Left, Right>(left, right)(), stages);
     if (answer != Join_answer::unknown) return answer;
   }
   return decide_exactly<question, weighted>(left, right, stages);
