@@ -10,6 +10,7 @@
 
 #include "support/errors.h"
 #include "support/limited.h"
+#include "support/random.h"
 
 #include <CGAL/Geometric_continuity/edges/cad_edge_continuity.h>
 
@@ -54,7 +55,7 @@ std::string verdict(const GC::Edge_side& a, const GC::Edge_side& b, double first
 }
 
 unsigned seed() {
-  static const unsigned s = std::random_device()();
+  static const unsigned s = first_seed();
   BOOST_TEST_MESSAGE("seed " << s);
   return s;
 }

@@ -23,6 +23,8 @@
 #include <CGAL/Geometric_continuity/joins/join_predicates.h>
 #include <CGAL/Simple_cartesian.h>
 
+#include <boost/multiprecision/cpp_int.hpp>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -565,6 +567,124 @@ BOOST_AUTO_TEST_CASE(high_degrees_and_short_domains) {
       }
   }
 }
+
+namespace {
+
+// What the absolute value of a number cannot exceed.
+struct Magnitude {
+  boost::multiprecision::cpp_int value;
+  Magnitude(boost::multiprecision::cpp_int x = 0) : value(std::move(x)) {}
+  explicit Magnitude(int x) : value(x) {}
+  friend Magnitude operator+(const Magnitude& x, const Magnitude& y) { return {x.value + y.value}; }
+  friend Magnitude operator-(const Magnitude& x, const Magnitude& y) { return {x.value + y.value}; }
+  friend Magnitude operator*(const Magnitude& x, const Magnitude& y) { return {x.value * y.value}; }
+};
+Magnitude below(int bits) { return {(boost::multiprecision::cpp_int(1) << bits) - 1}; }
+
+// Records the largest form; for F3 that of a straight end, if exact, or that of another.
+template <bool straight> struct Largest_form {
+  static constexpr bool exact = straight, pivot_is_first = true;
+  boost::multiprecision::cpp_int value = 0;
+  bool operator()(Join_question, const Magnitude& x) {
+    if (value < x.value) value = x.value;
+    return true;
+  }
+};
+
+// The bits of the largest form, for ends of these bits.
+template <Join_question question, bool weighted>
+int largest_form(int coordinates, int degrees, int first_numbers, int second_numbers) {
+  const Magnitude x = below(coordinates), y(Magnitude(2) * x), z(Magnitude(4) * x), u(Magnitude(8) * x);
+  const GC::internal::Differences<Magnitude, 3> d{{{y, y, y}, {z, z, z}, {u, u, u}}};
+  const int m = static_cast<int>((1u << degrees) - 1), n = m - 1;
+  Largest_form<true> straight;
+  Largest_form<false> curved;
+  const auto record_in = [&](const auto& w, auto& largest) {
+    const GC::internal::Join_equations<Magnitude, 3, std::decay_t<decltype(w)>, std::decay_t<decltype(largest)>>
+        equations(d, d, w, largest);
+    (void)GC::internal::all_hold<question>(equations);
+    if constexpr (question == Join_question::torsion) (void)equations.both_have_curvature();
+  };
+  const auto record = [&](const auto& w) {
+    record_in(w, straight);
+    record_in(w, curved);
+  };
+  if constexpr (GC::internal::is_parametric(question)) {
+    const Magnitude length = below(first_numbers) + below(first_numbers);
+    record(GC::internal::Parametric_join_weights<Magnitude>::of(m, n, length, length));
+  } else if constexpr (weighted) {
+    const auto weights = [](int bits) {
+      return std::array<Magnitude, 4>{below(bits), below(bits), below(bits), below(bits)};
+    };
+    for (const auto& [i, j] : {std::pair<int, int>{m, n}, {n, m}, {m, m}}) {
+      const auto w = GC::internal::Rational_join_weights<question, Magnitude>::of(weights(first_numbers), i,
+                                                                                  weights(second_numbers), j);
+      record(GC::internal::Rational_join_weights<Join_question::g3, Magnitude>{w.a2, w.b2, w.first, w.a3, w.b3, w.mix});
+    }
+  } else
+    for (const auto& [i, j] : {std::pair<int, int>{m, n}, {n, m}, {m, m}})
+      record(GC::internal::Join_weights<Magnitude>::geometric<question>(i, j));
+  const auto& largest = (std::max)(straight.value, curved.value);
+  return largest == 0 ? 0 : static_cast<int>(msb(largest)) + 1;
+}
+
+template <Join_question question, bool weighted> void check_bits_of_form() {
+  for (const int coordinates : {1, 8, 60, 2098})
+    for (const int degrees : {1, 2, 3, 10, 31})
+      for (const int first : {1, 20, 2098})
+        for (const int second : {1, 50, 2098}) {
+          const int bits = GC::internal::bits_of_form<question, weighted>(GC::internal::form_degree(question),
+                                                                          coordinates, degrees, first, second);
+          const int largest = largest_form<question, weighted>(coordinates, degrees, first, second);
+          BOOST_TEST_CONTEXT("question " << static_cast<int>(question) << ", bits " << coordinates << ' ' << degrees
+                                         << ' ' << first << ' ' << second) {
+            BOOST_TEST(largest <= bits);
+            BOOST_TEST(bits < 440 * 64);                         // of the moduli
+            if (degrees >= 3) BOOST_TEST(bits <= largest + 160); // not many more than needed
+          }
+        }
+}
+
+} // namespace
+
+// The lengths of forms that the last stage supposes are those of the equations, for doubles of all sizes and all degrees.
+BOOST_AUTO_TEST_CASE(bits_of_forms) {
+  check_bits_of_form<Join_question::c1, false>();
+  check_bits_of_form<Join_question::c2, false>();
+  check_bits_of_form<Join_question::c3, false>();
+  check_bits_of_form<Join_question::g1, false>();
+  check_bits_of_form<Join_question::g2, false>();
+  check_bits_of_form<Join_question::g3, false>();
+  check_bits_of_form<Join_question::f3, false>();
+  check_bits_of_form<Join_question::curvature_vector, false>();
+  check_bits_of_form<Join_question::torsion, false>();
+  check_bits_of_form<Join_question::g2, true>();
+  check_bits_of_form<Join_question::g3, true>();
+  check_bits_of_form<Join_question::f3, true>();
+  check_bits_of_form<Join_question::curvature_vector, true>();
+  check_bits_of_form<Join_question::torsion, true>();
+}
+
+#ifdef CGAL_GEOMETRIC_CONTINUITY_HAS_FIXED_INTEGER
+
+// The first derivatives differ by the product of the first n moduli of the last stage: one more decides.
+BOOST_AUTO_TEST_CASE(forms_that_are_multiples_of_several_moduli) {
+  typedef Plane::Point Point;
+  const double r = 0x1p64;
+  struct Example {
+    double before, joint, after;
+    bool holds;
+  };
+  for (const Example& x : {Example{r, r, 0, false}, Example{r * r, r * r, r, false},
+                           Example{4 * r * r, r * r * (r / 2), -3 * r, false}, Example{0, r, 2 * r, true}}) {
+    const Curve<Plane> left{Point(x.before, 1), Point(x.joint, 1)}, right{Point(x.joint, 1), Point(x.after, 1)};
+    Stages none{0};
+    BOOST_CHECK((decide_all_the_way<Join_question::c1, 2, false>(
+                     GC::internal::left_end(left), GC::internal::right_end(right), none) == answer(x.holds)));
+  }
+}
+
+#endif
 
 // Where the decisions are made: no stage is idle.
 BOOST_AUTO_TEST_CASE(every_stage_decides) {

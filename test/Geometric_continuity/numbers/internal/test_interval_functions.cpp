@@ -6,6 +6,8 @@
 
 #include <boost/test/unit_test.hpp>
 
+#include "support/random.h"
+
 #include <CGAL/Geometric_continuity/numbers/internal/interval_functions.h>
 #include <CGAL/Geometric_continuity/numbers/internal/subdivision.h>
 
@@ -62,7 +64,7 @@ struct Checks {
 } // namespace
 
 BOOST_AUTO_TEST_CASE(enclose_the_values) {
-  const unsigned seed = std::random_device()();
+  const unsigned seed = first_seed();
   std::mt19937 random(seed);
   std::uniform_real_distribution<double> near(-8, 8), far(-5e5, 5e5), tiny(-1e-9, 1e-9), length(0, 1),
       exponent(-50, 50);

@@ -58,6 +58,22 @@ BOOST_NOINLINE std::array<T, 3> differences_along(const std::array<T, 4>& x, int
   return d;
 }
 
+// A form of this degree is less than 2 to this power, if the coordinates, the degrees of the curves, and the weights on either side or the
+// ends of the domains have so many bits. The differences of the orders 1 to 3 are less than 2, 4 and 8 times the coordinates, and a form is
+// the sum of so few of their products that 24 bits more than these suffice. The factors are products of at most four degrees, and 3, of
+// weights, and of lengths of the domains.
+template <Join_question question, bool weighted>
+constexpr int bits_of_form(int form_degree, int coordinates, int degrees, int first_numbers, int second_numbers) {
+  int factors = 4 * degrees + 2;
+  if constexpr (is_parametric(question))
+    factors += highest_difference(question) * (first_numbers + 1);
+  else if constexpr (weighted) {
+    typedef Rational_join_weights<question, int> Weights;
+    factors += Weights::left_degree(question) * first_numbers + Weights::right_degree(question) * second_numbers;
+  }
+  return form_degree * coordinates + factors + 24;
+}
+
 // The numbers of two ends that a question needs: points, weights, or for the orders C the ends of the domains. One class for all
 // questions, because most programs come here seldom, and all of them compile it.
 template <int N, bool weighted, class Scale> class Ring_join {
@@ -132,19 +148,11 @@ public:
 
   bool tangents_vanish() const { return !is_parametric(question_) && (pivot_ == N || first_difference(right_) == N); }
 
-  // By how many moduli the remainders of a form must be zero so that it is. All differences are less than 2^(D + 3) if the coordinates
-  // are less than 2^D, and the first ones less than 2^(D + 1): a form of degree d is the sum of so few products that it is
-  // less than 2^(d D + 24) times the largest product of the factors.
-  template <Join_question question> int moduli(int degree = form_degree(question)) const {
+  // By how many moduli the remainders of a form must be zero so that it is.
+  template <Join_question question> int moduli(int form_degree = internal::form_degree(question)) const {
     const int digits = 64 - leading_zero_bits(static_cast<std::uint64_t>((std::max)(left_.degree, right_.degree) | 1));
-    int factors = 4 * digits + 2;
-    if constexpr (is_parametric(question))
-      factors += k_ * (scales_[0].bits() + 1);
-    else if constexpr (weighted) {
-      typedef Rational_join_weights<question, Ring> Weights;
-      factors += Weights::left_degree(question) * scales_[0].bits() + Weights::right_degree(question) * scales_[1].bits();
-    }
-    return Scale::moduli(degree * points_.bits() + factors + 24);
+    return Scale::moduli(
+        bits_of_form<question, weighted>(form_degree, points_.bits(), digits, scales_[0].bits(), scales_[1].bits()));
   }
   void take_modulus(int i) {
     points_.take_modulus(i);
