@@ -61,7 +61,7 @@ public:
   // \pre r < 2^64 - c
   CGAL_GC_FORCEINLINE explicit Remainder(std::uint64_t r, std::uint64_t c = 0) : r_(r), c_(c) {}
   // As 2^64 is c modulo 2^64 - c, the upper half of a long number is multiplied by c, and the few bits beyond 2^64 once more.
-  static BOOST_NOINLINE Remainder of(Unsigned_128 x, std::uint64_t c) {
+  static CGAL_GC_FORCEINLINE Remainder of(Unsigned_128 x, std::uint64_t c) {
     const Unsigned_128 folded =
         static_cast<Unsigned_128>(static_cast<std::uint64_t>(x >> 64)) * c + static_cast<std::uint64_t>(x);
     const std::uint64_t low = static_cast<std::uint64_t>(folded),
@@ -69,15 +69,15 @@ public:
     return {sum, c, sum < low};
   }
 
-  friend CGAL_GC_FORCEINLINE Remainder operator+(Remainder x, Remainder y) {
+  friend BOOST_NOINLINE Remainder operator+(Remainder x, Remainder y) {
     const std::uint64_t c = x.c_ | y.c_, sum = x.r_ + y.r_;
     return {sum, c, sum < x.r_};
   }
-  friend CGAL_GC_FORCEINLINE Remainder operator-(Remainder x, Remainder y) {
+  friend BOOST_NOINLINE Remainder operator-(Remainder x, Remainder y) {
     const std::uint64_t c = x.c_ | y.c_;
     return Remainder(x.r_ - y.r_ - (x.r_ < y.r_ ? c : 0), c);
   }
-  friend CGAL_GC_FORCEINLINE Remainder operator*(Remainder x, Remainder y) {
+  friend BOOST_NOINLINE Remainder operator*(Remainder x, Remainder y) {
     return of(static_cast<Unsigned_128>(x.r_) * y.r_, x.c_ | y.c_);
   }
   friend CGAL_GC_FORCEINLINE bool operator==(Remainder x, Remainder y) { return x.r_ == y.r_; }
