@@ -15,7 +15,6 @@
 #include <cstdint>
 #include <functional>
 #include <limits>
-#include <optional>
 #include <string>
 #include <utility>
 
@@ -146,12 +145,17 @@ public:
 
 // The work on an object, if this thread is not yet at work on one of which this is a part.
 class Work_on_part {
-  std::optional<Work_on_object> object_;
+  Work_meter meter_;
+  Work_meter* const before_;
 
 public:
-  explicit Work_on_part(const char* place) {
-    if (!Work_meter::object()) object_.emplace(place);
+  explicit Work_on_part(const char* place)
+      : meter_(Work_limit(Steps_of_each::steps()), place), before_(Work_meter::object()) {
+    if (!before_) Work_meter::object() = &meter_;
   }
+  Work_on_part(const Work_on_part&) = delete;
+  Work_on_part& operator=(const Work_on_part&) = delete;
+  ~Work_on_part() { Work_meter::object() = before_; }
 };
 
 // The meter of the object that is at work. There must be one.
@@ -177,22 +181,22 @@ inline Work_meter& work_meter() {
 /// \endcode
 class Work_scope {
   std::function<void()> pause_;
-  std::optional<internal::Steps_of_each> each_;
-  std::optional<internal::Work_meter> all_;
+  internal::Steps_of_each each_;
+  internal::Work_meter all_; // which counts when it is the scope
   internal::Work_meter* const before_ = internal::Work_meter::scope();
 
 public:
   /// Limits the work on each object.
-  explicit Work_scope(Work_limit each) : each_(std::in_place, each.steps()) {}
+  explicit Work_scope(Work_limit each) : each_(each.steps()), all_(each, "") {}
   /// Starts to count all work. The place is named by the errors and must live as long as the object.
-  Work_scope(Work_limit all, const char* place) : all_(std::in_place, all, place) {
-    internal::Work_meter::scope() = &*all_;
+  Work_scope(Work_limit all, const char* place) : each_(internal::Steps_of_each::steps()), all_(all, place) {
+    internal::Work_meter::scope() = &all_;
   }
   /// Counts without a limit, and calls `pause()` about as often as every millisecond or more often, from this thread.
   Work_scope(const char* place, std::function<void()> pause)
-      : pause_(std::move(pause)),
-        all_(std::in_place, Work_limit((std::numeric_limits<std::uint64_t>::max)()), place, pause_) {
-    internal::Work_meter::scope() = &*all_;
+      : pause_(std::move(pause)), each_(internal::Steps_of_each::steps()),
+        all_(Work_limit((std::numeric_limits<std::uint64_t>::max)()), place, pause_) {
+    internal::Work_meter::scope() = &all_;
   }
   Work_scope(const Work_scope&) = delete;
   Work_scope& operator=(const Work_scope&) = delete;

@@ -17,7 +17,7 @@
 //     all_hold                             the filter: a rounded form exceeds its error
 //     decide_by_residues                   a form below a proven bound, modulo a power of two above it
 //     decide_on_grid                       residues modulo 2^64, then integers of fixed length
-//   decide_in_ring      decide_in_ring.h   numbers of any length, or those of an exact kernel
+//   decide_in_ring      decide_in_ring.h   doubles by remainders, or the numbers of an exact kernel
 //
 // and continuity() of join_continuity.h asks the ladder several questions (decide_all_questions.h). Ends without control
 // points and dimensions above 3 are decided by Join_decision. All stages evaluate one text, Join_equations. It is a template
@@ -89,7 +89,7 @@ enum class Join_stage {
   residue,         // a form is not zero modulo 2^64
   simple_ratio,    // integers of fixed length, with p/q short
   fixed_integer,   // integers of fixed length
-  multiprecision
+  multiprecision   // numbers of any length, or remainders by several moduli
 };
 
 // Takes all stages and records nothing.

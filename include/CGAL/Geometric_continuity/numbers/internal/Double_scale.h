@@ -8,7 +8,7 @@
 #include <CGAL/config.h>
 
 #ifdef CGAL_USE_GMP
-#include <CGAL/Geometric_continuity/numbers/internal/Binary_number.h>
+#include <CGAL/Geometric_continuity/numbers/internal/Binary_parts.h>
 #include <CGAL/Geometric_continuity/numbers/internal/Inline_integer.h>
 
 #include <algorithm>
@@ -34,7 +34,7 @@ class Binary_scale {
 
 public:
   typedef Inline_integer Ring;
-  typedef Binary_number Number;
+  typedef Binary_parts Number;
   template <class FT> static Number number(const FT& x) { return Number(x); }
 
   void include(const Number& x) { exponent_ = (std::min)(exponent_, x.exponent); }

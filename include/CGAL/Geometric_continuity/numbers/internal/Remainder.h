@@ -6,7 +6,7 @@
 #define CGAL_GEOMETRIC_CONTINUITY_NUMBERS_INTERNAL_REMAINDER_H
 
 #include <CGAL/Geometric_continuity/internal/force_inline.h>
-#include <CGAL/Geometric_continuity/numbers/internal/Binary_number.h>
+#include <CGAL/Geometric_continuity/numbers/internal/Binary_parts.h>
 #include <CGAL/Geometric_continuity/numbers/internal/Fixed_integer.h>
 
 #include <boost/config.hpp>
@@ -96,7 +96,7 @@ class Remainder_scale {
   std::array<Remainder, 34> powers_; // of 2^64
 
 public:
-  typedef Binary_number Number;
+  typedef Binary_parts Number;
   typedef Remainder Ring;
   static constexpr bool exact = false;
 

@@ -2,8 +2,8 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-#ifndef CGAL_GEOMETRIC_CONTINUITY_NUMBERS_INTERNAL_BINARY_NUMBER_H
-#define CGAL_GEOMETRIC_CONTINUITY_NUMBERS_INTERNAL_BINARY_NUMBER_H
+#ifndef CGAL_GEOMETRIC_CONTINUITY_NUMBERS_INTERNAL_BINARY_PARTS_H
+#define CGAL_GEOMETRIC_CONTINUITY_NUMBERS_INTERNAL_BINARY_PARTS_H
 
 #include <CGAL/Geometric_continuity/numbers/internal/checked_numbers.h>
 #include <CGAL/Geometric_continuity/numbers/internal/zero_bits.h>
@@ -22,14 +22,14 @@ namespace Geometric_continuity {
 namespace internal {
 
 // A floating-point number with its sign and the absolute value odd_part 2^exponent, or 0.
-struct Binary_number {
+struct Binary_parts {
   std::uint64_t odd_part;
   int exponent; // the largest integer for 0
   bool negative;
 
-  Binary_number() = default; // unspecified
+  Binary_parts() = default; // unspecified
   template <class FT>
-  BOOST_NOINLINE explicit Binary_number(FT x)
+  BOOST_NOINLINE explicit Binary_parts(FT x)
       : odd_part(0), exponent((std::numeric_limits<int>::max)()), negative(x < 0) {
     constexpr int digits = std::numeric_limits<FT>::digits;
     static_assert(std::is_floating_point_v<FT> && digits <= 64);
@@ -54,7 +54,7 @@ struct Binary_number {
   // The bits of the odd part. \pre the number is not 0
   int length() const { return 64 - leading_zero_bits(odd_part); }
 
-  friend bool operator==(const Binary_number& x, const Binary_number& y) {
+  friend bool operator==(const Binary_parts& x, const Binary_parts& y) {
     return x.odd_part == y.odd_part && x.exponent == y.exponent && x.negative == y.negative;
   }
 };
@@ -63,4 +63,4 @@ struct Binary_number {
 } // namespace Geometric_continuity
 } // namespace CGAL
 
-#endif // CGAL_GEOMETRIC_CONTINUITY_NUMBERS_INTERNAL_BINARY_NUMBER_H
+#endif // CGAL_GEOMETRIC_CONTINUITY_NUMBERS_INTERNAL_BINARY_PARTS_H
