@@ -194,8 +194,9 @@ public:
   template <Join_question question> Join_answer decide() const {
     const All_join_stages stages;
     const Join_answer answer = decide_by_rungs(Double_join<question, N>(left_, right_, lengths_), stages);
-    return answer != Join_answer::unknown ? answer
-                                          : decide_in_ring<question, N, false, Join_scale_of_doubles>(left_, right_, stages);
+    return answer != Join_answer::unknown
+               ? answer
+               : decide_in_ring<question, N, false, Join_scale_of_doubles>(left_, right_, stages);
   }
   Join_answer equal_curvatures() const {
     return !curvatures_differ<N>(left_, right_) && curvatures_are_equal<N>(left_, right_) ? Join_answer::yes
