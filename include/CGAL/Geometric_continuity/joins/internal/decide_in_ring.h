@@ -188,7 +188,7 @@ public:
 };
 
 // What the equations say in the ring of an exact field, or modulo one number: `no` is a proof. Curved is what has been proved to have
-// curvature. For F3 `unknown` stands for `no` if the left end is straight.
+// curvature, for the torsion and, modulo a number, for F3, where `unknown` stands for `no` if the left end is straight.
 template <Join_question question, int N, bool exact, class Join>
 Join_answer answer_in(const Join& join, std::array<bool, 2>& curved) {
   typedef typename Join::Ring Ring;
@@ -198,7 +198,7 @@ Join_answer answer_in(const Join& join, std::array<bool, 2>& curved) {
   const Ring_equations<Ring, N, std::decay_t<decltype(w)>, Exact_zero<Ring>> equations(a, b, w, zero);
   if constexpr (exact && is_geometric(question))
     if ((Ring(0) < a[0][0]) != (Ring(0) < b[0][0]) || b[0][0] == Ring(0)) return Join_answer::no;
-  if constexpr (question == Join_question::torsion || question == Join_question::f3) {
+  if constexpr (question == Join_question::torsion || (question == Join_question::f3 && !exact)) {
     const bool is_curved = equations.left_has_curvature();
     curved[0] |= is_curved;
     if constexpr (question == Join_question::torsion)
