@@ -9,7 +9,23 @@ from fractions import Fraction
 FOLDER = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "test", "Geometric_continuity", "cases")
 
 
-def _value(word):
+def _value(text):
+    """A leaf, or an array "[1/2 [0 3] 4]" as a list."""
+    if not text.startswith("["):
+        return _leaf(text)
+    arrays = [[]]
+    for word in text.replace("[", " [ ").replace("]", " ] ").split():
+        if word == "[":
+            arrays.append([])
+        elif word == "]":
+            array = arrays.pop()
+            arrays[-1].append(array)
+        else:
+            arrays[-1].append(_leaf(word))
+    return arrays[0][0]
+
+
+def _leaf(word):
     if word in ("true", "false", "null"):
         return {"true": True, "false": False, "null": None}[word]
     try:

@@ -8,14 +8,16 @@
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Geometric_continuity/IO/number.h>
 
+#include <algorithm>
 #include <fstream>
 #include <map>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
-// One exact case of the format exact-cases/1: an operation, its input and its expected output, both flattened to
-// "path value" with a leaf "path# length" for each array.
+// One exact case of the format exact-cases/1: an operation, its input and its expected output. Both are flattened to
+// "path value" with a leaf "path# length" for each array. A file may write an array in one line, as "path [1/2 [0 3] 4]".
 struct Case {
   std::string id, op, kind;
   std::map<std::string, std::string> in, out;
@@ -45,6 +47,37 @@ struct Case {
   }
 };
 
+// Adds the value of a path: a leaf, or an array with all its leaves and lengths. Returns whether the brackets match.
+inline bool add_value(std::map<std::string, std::string>& leaves, const std::string& path, const std::string& value) {
+  if (value[0] != '[') {
+    leaves[path] = value;
+    return true;
+  }
+  std::vector<std::pair<std::string, int>> open; // the arrays around, with the number of elements so far
+  const auto next_path = [&] {
+    return open.empty() ? path : open.back().first + '.' + std::to_string(open.back().second++);
+  };
+  for (std::size_t i = 0; i < value.size();) {
+    if (i > 0 && open.empty()) return false; // the array has ended
+    if (value[i] == '[') {
+      const std::string inner = next_path();
+      open.emplace_back(inner, 0);
+      ++i;
+    } else if (value[i] == ']') {
+      leaves[open.back().first + '#'] = std::to_string(open.back().second);
+      open.pop_back();
+      ++i;
+    } else if (value[i] == ' ')
+      ++i;
+    else {
+      const std::size_t end = (std::min)(value.find_first_of("[] ", i), value.size());
+      leaves[next_path()] = value.substr(i, end - i);
+      i = end;
+    }
+  }
+  return open.empty();
+}
+
 // Reads all cases of a file; a line that does not fit the format is an error with its number.
 inline std::vector<Case> read_cases(const std::string& name) {
   std::ifstream file(name);
@@ -63,12 +96,11 @@ inline std::vector<Case> read_cases(const std::string& name) {
       cases.back().op = value;
     else if (key == "kind")
       cases.back().kind = value;
-    else if (key.compare(0, 3, "in.") == 0)
-      cases.back().in[key.substr(3)] = value;
-    else if (key.compare(0, 4, "out.") == 0)
-      cases.back().out[key.substr(4)] = value;
-    else
+    else if (key.compare(0, 3, "in.") != 0 && key.compare(0, 4, "out.") != 0)
       throw std::runtime_error(name + ':' + std::to_string(n) + ": unknown key " + key);
+    else if (const bool is_input = key[0] == 'i';
+             !add_value(is_input ? cases.back().in : cases.back().out, key.substr(is_input ? 3 : 4), value))
+      throw std::runtime_error(name + ':' + std::to_string(n) + ": the brackets of the array do not match");
   }
   if (cases.empty()) throw std::runtime_error(name + ": no case");
   for (const Case& c : cases)
