@@ -260,6 +260,7 @@ int run_verify(const Command_line& line, std::ostream* certificate);
 int run_verify_list(const Command_line& line) {
   if (!line.files().empty()) throw std::invalid_argument("--jsonl: the files are those of the list, and no others");
   line.refuse({"certificate", "format", "json"}, "not with --jsonl");
+  if (line.has("output")) check_output_name(line, "output", {".jsonl", ".ndjson", ".json"});
   const double mebibytes = line.number("memory-limit", 4096.);
   if (!(mebibytes >= 16 && mebibytes < 1e9))
     throw std::invalid_argument("--memory-limit: '" + line.text("memory-limit") + "' is not at least 16 MiB");
@@ -279,6 +280,7 @@ int run_verify(const Command_line& line) {
   for (const std::string& file : line.files())
     if (!is_standard_input(file) && lead_to_one_file(file, output))
       throw std::invalid_argument("--certificate: " + output + " is a file that is verified");
+  check_output_name(line, "certificate", {".txt"});
   line.refuse({"within", "kernel", "all-instances", "baseline"},
               "not with --certificate, which certifies exact orders");
   int code = bad_input;
