@@ -24,6 +24,12 @@ refused "--max-order: 33 is not from 0 to 32" verify --closed "$S" --max-order 3
 refused "'--json' cannot be specified more than once" verify --closed "$S" --json --json
 refused "'--require' cannot be specified more than once" verify --closed "$S" --require G1 --require G1
 
+# what would have no effect
+refused "--max-work: only with --kernel exact" tessellate "$teapot" -o - --format off --max-work 1
+printf '0 0\n1 0\n2 1\n' >points.txt
+refused "--max-work: only with --kernel exact" interpolate points.txt --kernel double --max-work 1
+refused "--max-work: not with --corner or --corners" blend "$S" --corners all --distance 1 --max-work 1
+
 # what is the default may be given, and changes nothing
 same() { # same DEFAULTS ARGUMENTS...
   local defaults=$1 code=0

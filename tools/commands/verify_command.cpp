@@ -161,7 +161,7 @@ GC::Kink_bound max_kink(const Command_line& line) {
 
 // What is asked of all instances of variable fonts.
 Instance_demand instance_demand(const Command_line& line) {
-  line.refuse({"surfaces", "closed", "within", "sew", "time-limit", "kernel", "max-order", "require"},
+  line.refuse({"surfaces", "closed", "within", "sew", "time-limit", "kernel", "max-order", "require", "off-by"},
               "not with --all-instances");
   const bool required = line.has("max-kink");
   return {line.has("glyphs") ? Glyph_selection(line.text("glyphs")) : Glyph_selection(),
