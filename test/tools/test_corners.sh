@@ -82,7 +82,17 @@ rectangle() { # rectangle X Y ANGLED: sides of X and Y along the axes, or along 
 rectangle 80 50 no >rectangle.g2 && run 0 blend rectangle.g2 --corners all --closed --distance 12 -o round.g2
 holds [ "$(grep -c '         12  C0 G2 F2     C0 G2 F2$' out)" = 4 ]
 for point in "12 0" "68 0" "80 12" "80 38" "68 50" "12 50" "0 38" "0 12"; do holds [ "$(grep -cx "$point" round.g2)" = 2 ]; done
-run 0 blend rectangle.g2 --corners all --closed --distance 12 -o - && cp out all.g2
+# all corners alike: the tangents of each blend are equally long, along the sides of 80 and of 50
+if command -v python3 >/dev/null; then
+  run 0 blend rectangle.g2 --corners all --closed --distance 12 -o - && cp out all.g2
+  holds python3 -c "
+from fractions import Fraction
+lines = [line.split() for line in open('all.g2')]
+nets = [[[Fraction(x) for x in p] for p in lines[i + 2 : i + 8]] for i, line in enumerate(lines) if line == ['6', '6']]
+square = lambda p, q: sum((x - y) ** 2 for x, y in zip(p, q))
+assert len(nets) == 4 and len({tuple(square(n[j], n[5]) for j in range(6)) for n in nets}) == 1, nets
+assert all(square(n[0], n[j]) == square(n[5], n[5 - j]) for n in nets for j in range(6)), nets"
+fi
 run 0 blend rectangle.g2 --corners all --closed --distance 1/7 -o round.g2 && holds [ "$(grep -cx '1/7 0' round.g2)" = 2 ]
 run 0 blend rectangle.g2 --corners all --closed --distance 0.1 --json -o round.g2 && holds [ "$(grep -cx '1/10 0\|0.1 0' round.g2)" = 2 ]
 rectangle 16 10 yes >turned.g2 && run 0 blend turned.g2 --corners all --closed --distance 12 -o round.g2 # sides of 80 and 50

@@ -190,6 +190,12 @@ BOOST_AUTO_TEST_CASE(exact_cuts) {
   BOOST_CHECK(e.left_cut == 1 - e.right_cut && std::abs(CGAL::to_double(e.right_cut) - std::sqrt(0.5)) < 1e-15);
   const auto lazy = GC::round_corner(curve<Lazy>({{0, 0}, {80, 0}}), curve<Lazy>({{80, 0}, {80, 50}}), 12);
   BOOST_CHECK(CGAL::exact(lazy.left_cut) == c.left_cut && CGAL::exact(lazy.right_cut) == c.right_cut);
+  // the blend of lines does not depend on how fast they are run through, and is its own mirror image
+  const auto fast = GC::round_corner(line(0, 0, 80, 0), line(80, 0, 80, 50).with_domain(-1, 9), 12);
+  for (int j = 0; j <= 5; ++j) {
+    const Exact_2::Point p = c.blend.control_point(j), q = c.blend.control_point(5 - j);
+    BOOST_CHECK(fast.blend.control_point(j) == p && p == Exact_2::Point(80 - q.y(), 80 - q.x()));
+  }
   // of higher degree, and with a domain of its own
   const auto cubic = curve<Exact_2>({{0, 0}, {20, 0}, {40, 0}, {60, 0}}).with_domain(3, 5);
   BOOST_CHECK(GC::round_corner(cubic, line(60, 0, 60, 9), 7).left_cut == 5 - Q(7) / 30);

@@ -303,8 +303,10 @@ std::optional<std::vector<Glyph_part>> Font_face::parts_of(int glyph) const {
     check(FT_Get_SubGlyph_Info(face_->glyph, static_cast<FT_UInt>(i), &parts[i].glyph, &flags, &x, &y, &m));
     if ((flags & (FT_SUBGLYPH_FLAG_SCALE | FT_SUBGLYPH_FLAG_XY_SCALE | FT_SUBGLYPH_FLAG_2X2)) != 0)
       parts[i].matrix = Part_matrix{m.xx, m.xy, m.yx, m.yy, 16}.reduced();
-    if ((flags & FT_SUBGLYPH_FLAG_ARGS_ARE_XY_VALUES) != 0 && (flags & scaled_offset) == 0)
-      parts[i].offset = Part_offset{x, y};
+    const Part_matrix& scale = parts[i].matrix;
+    const bool is_scaled = (flags & scaled_offset) != 0, is_plain = scale.is_diagonal() && scale.xx > 0 && scale.yy > 0;
+    if ((flags & FT_SUBGLYPH_FLAG_ARGS_ARE_XY_VALUES) != 0 && (!is_scaled || is_plain))
+      parts[i].offset = is_scaled ? Part_offset{x * scale.xx, y * scale.yy, scale.shift} : Part_offset{x, y};
     if ((flags & FT_SUBGLYPH_FLAG_USE_MY_METRICS) != 0) placing_[static_cast<std::size_t>(glyph)] = parts[i].glyph;
   }
   return parts;

@@ -21,6 +21,8 @@ struct Part_matrix {
 
   bool is_identity() const { return xx == 1 && xy == 0 && yx == 0 && yy == 1 && shift == 0; }
 
+  bool is_diagonal() const { return xy == 0 && yx == 0; }
+
   Part_matrix reduced() const {
     Part_matrix m = *this;
     for (; m.shift > 0 && ((m.xx | m.xy | m.yx | m.yy) & 1) == 0; --m.shift)
@@ -45,7 +47,8 @@ struct Part_offset {
   int shift = 0;
 };
 
-// A glyph as a part of another one. Its offset is nothing where it is not known: where a point of the part is put on one of the glyph.
+// A glyph as a part of another one. Its offset is nothing where it is not known: where a point of the part is put on one of the glyph, or where
+// the length of the offset is scaled by a matrix that does more than scale.
 struct Glyph_part {
   int glyph;
   Part_matrix matrix = {};

@@ -21,6 +21,7 @@
 #include <cstddef>
 #include <iterator>
 #include <limits>
+#include <optional>
 #include <sstream>
 #include <string>
 #include <type_traits>
@@ -81,19 +82,31 @@ template <class Field, class Left, class Right> bool turn_back(const Left& left,
   return on_line;
 }
 
+// The same curve, at the speed 1 where it has this first derivative, if its speed there is rational. A strategy may round, and then the blend
+// of two lines would depend on how fast they are run through.
+template <class Curve, class Vector> Curve at_unit_speed(const Curve& curve, const Vector& derivative) {
+  typedef typename Curve::FT FT;
+  if constexpr (has_rational_roots<FT>())
+    if (const std::optional<FT> speed = rational_square_root(FT(dot(derivative, derivative)))) {
+      const std::pair<FT, FT> domain = curve.domain();
+      return curve.with_domain(FT(domain.first * *speed), FT(domain.second * *speed));
+    }
+  return curve;
+}
+
 // The blend from the end of one part to the start of the next one.
 template <class Left, class Right, class Strategy>
 auto blend_of_parts(const Left& left, const Right& right, const Strategy& strategy, const std::string& place) {
   typedef typename Left::Traits Traits;
   typedef typename Left::FT FT;
-  if (is_zero(end_jet<FT>(left, 1)[1])) throw Error(Error_code::zero_tangent, place + ": at the cut of the left curve");
-  if (is_zero(start_jet<FT>(right, 1)[1]))
-    throw Error(Error_code::zero_tangent, place + ": at the cut of the right curve");
+  const auto incoming = end_jet<FT>(left, 1)[1], outgoing = start_jet<FT>(right, 1)[1];
+  if (is_zero(incoming)) throw Error(Error_code::zero_tangent, place + ": at the cut of the left curve");
+  if (is_zero(outgoing)) throw Error(Error_code::zero_tangent, place + ": at the cut of the right curve");
   if (turn_back<typename Exact_field<FT>::type>(left, right, is_quintic_strategy_v<Strategy, Traits> ? 2 : 3))
     throw Error(Error_code::zero_tangent, place + ": the curves turn back on one line, where every blend has a cusp");
   if (left.coordinates(left.degree()) == right.coordinates(0))
     throw Error(Error_code::zero_direction, place + ": both cuts lie in one point");
-  return blend(left, right, strategy);
+  return blend(at_unit_speed(left, incoming), at_unit_speed(right, outgoing), strategy);
 }
 
 } // namespace internal
