@@ -72,6 +72,48 @@ run 1 verify --closed double.g2 --require G2
 printf '100 1 0 0\n3 0\n3 3\n0 0 0 1 1 1\n0 0 0\n1 2 1\n3 0 0\n\n100 1 0 0\n3 0\n3 3\n0 0 0 2 2 2\n3 0 0\n3 2 2\n1 4 4\n' >space.g2
 run 0 blend space.g2 --corner 0 --distance 1/2 -o round.g2 && run 0 verify round.g2 --require G2
 
+# lines whose lengths are rational are cut exactly, also where R is no double, and others as well as a double can
+rectangle() { # rectangle X Y ANGLED: sides of X and Y along the axes, or along (3, 4) and (-4, 3)
+  if [ "$3" = no ]; then line "0 0" "$1 0" && line "$1 0" "$1 $2" && line "$1 $2" "0 $2" && line "0 $2" "0 0"; else
+    line "0 0" "$((3 * $1)) $((4 * $1))" && line "$((3 * $1)) $((4 * $1))" "$((3 * $1 - 4 * $2)) $((4 * $1 + 3 * $2))"
+    line "$((3 * $1 - 4 * $2)) $((4 * $1 + 3 * $2))" "$((-4 * $2)) $((3 * $2))" && line "$((-4 * $2)) $((3 * $2))" "0 0"
+  fi
+}
+rectangle 80 50 no >rectangle.g2 && run 0 blend rectangle.g2 --corners all --closed --distance 12 -o round.g2
+holds [ "$(grep -c '         12  C0 G2 F2     C0 G2 F2$' out)" = 4 ]
+for point in "12 0" "68 0" "80 12" "80 38" "68 50" "12 50" "0 38" "0 12"; do holds [ "$(grep -cx "$point" round.g2)" = 2 ]; done
+# all corners alike: the tangents of each blend are equally long, along the sides of 80 and of 50
+if command -v python3 >/dev/null; then
+  run 0 blend rectangle.g2 --corners all --closed --distance 12 -o - && cp out all.g2
+  holds python3 -c "
+from fractions import Fraction
+lines = [line.split() for line in open('all.g2')]
+nets = [[[Fraction(x) for x in p] for p in lines[i + 2 : i + 8]] for i, line in enumerate(lines) if line == ['6', '6']]
+square = lambda p, q: sum((x - y) ** 2 for x, y in zip(p, q))
+assert len(nets) == 4 and len({tuple(square(n[j], n[5]) for j in range(6)) for n in nets}) == 1, nets
+assert all(square(n[0], n[j]) == square(n[5], n[5 - j]) for n in nets for j in range(6)), nets"
+fi
+run 0 blend rectangle.g2 --corners all --closed --distance 1/7 -o round.g2 && holds [ "$(grep -cx '1/7 0' round.g2)" = 2 ]
+run 0 blend rectangle.g2 --corners all --closed --distance 0.1 --json -o round.g2 && holds [ "$(grep -cx '1/10 0\|0.1 0' round.g2)" = 2 ]
+rectangle 16 10 yes >turned.g2 && run 0 blend turned.g2 --corners all --closed --distance 12 -o round.g2 # sides of 80 and 50
+says round.g2 "36/5 48/5" && holds [ "$(grep -c '         12  C0 G2 F2     C0 G2 F2$' out)" = 4 ]
+{ line "0 0" "1 1" && line "1 1" "2 0" && line "2 0" "1 -1" && line "1 -1" "0 0"; } >diamond.g2 # sides of sqrt(2)
+run 0 blend diamond.g2 --corners all --closed --distance 1/2 -o round.g2 --json
+json_holds() { command -v python3 >/dev/null || return 0; holds python3 -c "import json; d = json.load(open('out')); c = d['corners']; $1"; }
+json_holds "assert len({tuple(x[s]) for x in c for s in ('left_distance', 'right_distance')}) == 1
+for x in c: low, high = x['left_distance']; assert .5 - 1e-15 < low <= .5 + 1e-15 and high - low < 1e-15, x"
+# a line that is written as a cubic or as a rational line, and a domain of its own
+{ printf '100 1 0 0\n2 0\n4 4\n3 3 3 3 5 5 5 5\n0 0\n20 0\n40 0\n60 0\n' && printf '100 1 0 0\n2 1\n2 2\n0 0 1 1\n60 0 1\n60 60 2\n'; } >lines.g2
+run 0 blend lines.g2 --corner 0 --distance 7 -o round.g2 && says out "          7  " && holds [ "$(grep -c '^53 0$' round.g2)" = 2 ]
+# of curves the true lengths are told, in guaranteed bounds that differ from R
+{ line "-9 0" "0 0" && curve $'2 0\n3 3\n0 0 0 1 1 1\n0 0\n0 6\n6 9'; } >bent.g2
+run 0 blend bent.g2 --corner 0 --distance 3 -o round.g2 --json
+says out '"left_distance":[3,3]' '"proved":true' '"chain":{"joins":2,"g_order":2}'
+json_holds "low, high = c[0]['right_distance']; assert low < high < low + 1e-5 and (high < 3 or 3 < low) and 2.997 < low < 3.003"
+run 0 blend bent.g2 --corner 0 --distance 3 -o round.g2 && says out "3 and " && lacks out "        3  C0"
+run 1 blend "$S" --corners all --closed --distance 15 --kernel double --json && says out '"proved":false'
+run 0 blend square.g2 --corner 0 --distance 1 --json -o - && says err '"corners":[' # where the curves go to standard output
+
 # bad input: nothing is written
 refused() { # refused TEXT ARGUMENTS...: the error contains the text
   local text=$1

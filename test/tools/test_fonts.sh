@@ -323,6 +323,13 @@ run 1 repair fractions.otf -o moves.json && says out "fractions of a unit"
 # The place of a component that is scaled
 printf 'glyph .notdef\nglyph rough 65\ncontour 0,0 30,10* 90,30 210,66* 300,300\nglyph placed 66\ncomponent 1 50 20 0.5\n' | font placed.ttf
 run 0 verify placed.ttf --json --glyphs placed --off-by 0 && says out '"point":[95,35],"grade":"kink"'
+# of one that is moved before it is scaled, which FreeType would round, and the left side bearing moves nothing
+nested='glyph .notdef\nglyph rough 65\ncontour 0,0 30,10* 90,30 210,66* 300,300\nglyph moved 66\ncomponent 1 51 20\nglyph nested 67\ncomponent 2 0 0 0.5\n'
+for bearing in "" 7; do
+  printf "$nested" | font nested.ttf -v bearing=$bearing
+  run 0 verify nested.ttf --json --glyphs rough,moved,nested --off-by 0
+  says out '"point":[90,30],"grade":"kink"' '"point":[141,50],"grade":"kink"' '"point":[70.5,25],"grade":"kink"'
+done
 
 # Scaled components are graded as the exact points that they have, and named
 cat >scaled.txt <<'END'

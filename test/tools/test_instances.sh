@@ -208,6 +208,8 @@ for angle in 0 90 -1 x; do
 done
 run 2 verify kink.ttf --all-instances --require G1
 says err "--require: not with --all-instances"
+run 2 verify kink.ttf --all-instances --off-by 2
+says err "--off-by: not with --all-instances"
 run 2 verify kink.ttf --all-instances --glyphs nowhere
 says err "nowhere"
 

@@ -18,7 +18,7 @@ glyphs=${sentence#* }
 says total "${sentence%% *} fonts, ${glyphs// /} glyphs" "$(number joins) joins: $(number corners) corners, $(number kinks) kinks," \
   "$(number "bends of two lines") bends of two lines, $(number rounding) off by rounding, $(number G1) G1, $(number "G2 or more") G2 or more"
 
-mended() { # FONT: kinks, and how many the moves mend
+mended() { # FONT: kinks, as verify counts them, and how many the moves mend
   "$program" repair "$(grep "/$1.otf$" files)" -o moves.json 2>err | sed -n 's/^kinks: \([0-9]*\) before, \([0-9]*\) after the moves$/\1 \2/p' |
     awk '{ print $1, $1 - $2 }'
 }

@@ -24,6 +24,12 @@ refused "--max-order: 33 is not from 0 to 32" verify --closed "$S" --max-order 3
 refused "'--json' cannot be specified more than once" verify --closed "$S" --json --json
 refused "'--require' cannot be specified more than once" verify --closed "$S" --require G1 --require G1
 
+# what would have no effect
+refused "--max-work: only with --kernel exact" tessellate "$teapot" -o - --format off --max-work 1
+printf '0 0\n1 0\n2 1\n' >points.txt
+refused "--max-work: only with --kernel exact" interpolate points.txt --kernel double --max-work 1
+refused "--max-work: not with --corner or --corners" blend "$S" --corners all --distance 1 --max-work 1
+
 # what is the default may be given, and changes nothing
 same() { # same DEFAULTS ARGUMENTS...
   local defaults=$1 code=0
@@ -70,6 +76,23 @@ for name in no.svg no.OFF no.stl no.json; do
   refused "--output: $name: the format is .g2" blend "$L" "$R" -o $name
   refused "--output: $name: the format is .g2" extend "$L" --order tangent -o $name
 done
+# a name that says another format than the one that is written, of every command with an output; nothing is written
+printf '0 0\n1 0\n2 1\n' >points.txt
+for ending in ttf OTF woff2 pfb ttc ufo step gz; do
+  lower=${ending,,}
+  refused "--output: no.$ending: the format is .svg, not .$lower" repair "$data/leaf_inkscape.svg" -o no.$ending
+  refused "--output: no.$ending: the format is .g2, not .$lower" repair "$S" --closed -o no.$ending
+done
+for name in no.ttf no.step no.pdf no.html no.svg no.json no.zip; do
+  refused "--output: $name: the format is .g2, not" blend "$L" "$R" -o $name
+  refused "--output: $name: the format is .g2, not" fit points.txt --tolerance 1 -o $name
+  refused "--output: $name: the format is .g2, not" interpolate points.txt -o $name
+  refused "--output: $name: the format is .g2, not" round-edges "$teapot" --set-back 1 -o $name
+done
+for name in no.pdf no.ttf no.svg; do refused "--output: $name: the page is HTML" report "$S" --closed -o $name; done
+refused "--certificate: no.svg: the format is .txt, not .svg" verify "$S" --closed --certificate no.svg
+echo "$S" >list.txt && refused "--output: no.svg: the format is .jsonl, not .svg" verify --jsonl list.txt -o no.svg
+for name in kept.any kept; do run 0 blend "$L" "$R" -o $name; done # other names may be anything
 refused "--output: the name is empty" blend "$L" "$R" -o ''
 refused "--plot: no.g2: the picture is SVG" blend "$L" "$R" --plot no.g2
 refused "both are written to -" blend "$L" "$R" -o - --plot -

@@ -94,6 +94,12 @@ says out "a coordinate that is no decimal"
 sed 's/^20 2/20 1e-16/' chain.g2 >fine.g2 && run 1 repair fine.g2 -o fine2.g2 && says out "no decimal of at most 15 digits"
 cubic $'0 0 0\n1 0 0\n2 1 0\n3 0 0' >space.g2 && run 2 repair space.g2 -o none.g2 && says err "only curves in the plane"
 holds [ ! -e none.g2 ]
+# A gap is no kink, and nothing is proved: 1, as of verify --require G1.
+{ curve $'2 0\n2 2\n0 0 1 1\n0 0\n10 5' && curve $'2 0\n2 2\n0 0 1 1\n10.0001 5\n20 10'; } >gap.g2
+run 1 verify gap.g2 --require G1 && run 1 repair gap.g2 -o gap2.g2 && holds cmp -s gap.g2 gap2.g2
+says out "behind curve 1 at (10, 5): a gap, as the next curve starts at (10.0001, 5)" "after:  1 gap" "1 of them not free of kinks and gaps" && lacks out proved
+run 1 repair gap.g2 -o gap2.g2 --json && says out '"met":false' '"gaps":1' '"not_met":1'
+run 1 repair chain.g2 --closed -o gap2.g2 && says out "0 kinks" "1 gap" "1 of them not free of kinks and gaps" # which does not lead back
 run 2 repair "$teapot" -o none.g2 && run 2 repair chain.g2 -o none.svg && says err "the format is .g2"
 
 # Fonts: a list of moves. A node between two handles may be one that TrueType leaves out; with halves of units nothing moves.
@@ -111,7 +117,38 @@ cp font.ttf given.ttf && run 1 repair font.ttf -o moves.json && holds cmp -s fon
 says out "4 glyphs, 3 with kinks, of which 1 is repaired" "kinks: 3 before, 2 after the moves" "2 of them not free of kinks" "1 handle, at most 7 units, in the glyph mended"
 says moves.json '{"glyph":"mended","index":1,"contour":0,"point":2,"node":[100,0],"from":[200,7],"to":[200,0]}' '"contour":0,"node":[100,0],"reason":"no handle can move"'
 says moves.json '{"glyph":"halves","index":3,"contour":0,"node":[100,0],"reason":"no handle can move"}' # in units of the font
-run 2 repair font.ttf -o font.ttf && says err "the font itself" && holds cmp -s font.ttf given.ttf
+run 2 repair font.ttf -o font.ttf && says err "the font itself" "-o MOVES.json" && holds cmp -s font.ttf given.ttf
+# A name of a font, or of anything that is no JSON, is refused with the call that works, and nothing is written.
+for name in new.ttf new.OTF new.woff2 new.svg new.g2; do
+  run 2 repair font.ttf -o $name && holds [ ! -e $name ]
+  says err "--output: $name: the format is .json" "repair font.ttf -o MOVES.json" "apply_moves.py font.ttf MOVES.json RESULT.ttf"
+done
+# The joins are those of verify, by the same words, also in components, before and, of the font that the moves make, after.
+cat >classes.txt <<'END'
+glyph .notdef
+glyph base 65
+contour 0,0 100,0 200,7* 300,300 0,300
+contour 500,0 600,0 700,1* 800,300 500,300
+contour 900,0 1000,0 1200,9 1200,300
+glyph twice 66
+component 1 400 0
+component 1 0 900 0.5
+END
+printf "$(LC_ALL=C awk -f "$generator" classes.txt)" >classes.ttf && run 0 verify classes.ttf && cp out verified
+run 0 repair classes.ttf -o moves.json && says out "3 glyphs, 2 with kinks, of which 2 are repaired" "kinks: 3 before, 0 after" "1 consist of components"
+before=$(sed -n 's/^before: //p' out) && says verified "$before" && says out "3 bends of two lines" "3 off by rounding"
+after=$(sed -n 's/^after:  //p' out)
+sed 's/200,7/200,0/; s/700,1/700,0/' classes.txt >mended.txt && printf "$(LC_ALL=C awk -f "$generator" mended.txt)" >mended.ttf
+run 0 verify mended.ttf && says out "$after"
+says moves.json '"contour":2,"node":[1000,0],"reason":"no handle can move"}' '"kinks":3,"kinks_off_by_more_than_one_unit":6,"bends":3,"rounding":3'
+run 0 verify classes.ttf --off-by 20 && cp out verified
+run 0 repair classes.ttf -o moves.json --off-by 20 --max-move 1/2 && says verified "$(sed -n 's/^before: //p' out)" && says out "0 kinks"
+run 2 repair chain.g2 -o chain2.g2 --off-by 1 && says err "--off-by: only for fonts"
+# Points are those of the table 'glyf', whatever the left side bearing is, in glyphs with components as well.
+printf "$(LC_ALL=C awk -v bearing=5 -f "$generator" classes.txt)" >bearing.ttf
+run 0 repair classes.ttf -o moves.json && run 0 repair bearing.ttf -o bearing.json && holds cmp -s moves.json bearing.json
+run 0 verify classes.ttf --json && sed 's/classes.ttf//' out >expected && run 0 verify bearing.ttf --json && sed 's/bearing.ttf//' out >given
+holds cmp -s given expected
 # Beside a node that is left out, at half a unit, no handle moves. A join that falls from G2 to G1 is counted, and a glyph that cannot be read.
 printf "$(printf 'glyph .notdef\nglyph halves 65\ncontour 0,0 100,0 200,7* 300,100 350,201* 301,300* 200,350\n' | LC_ALL=C awk -f "$generator")" >halves.ttf
 run 1 repair halves.ttf -o moves.json && says moves.json '"moves":[]' '"reason":"no handle can move"'

@@ -161,7 +161,7 @@ GC::Kink_bound max_kink(const Command_line& line) {
 
 // What is asked of all instances of variable fonts.
 Instance_demand instance_demand(const Command_line& line) {
-  line.refuse({"surfaces", "closed", "within", "sew", "time-limit", "kernel", "max-order", "require"},
+  line.refuse({"surfaces", "closed", "within", "sew", "time-limit", "kernel", "max-order", "require", "off-by"},
               "not with --all-instances");
   const bool required = line.has("max-kink");
   return {line.has("glyphs") ? Glyph_selection(line.text("glyphs")) : Glyph_selection(),
@@ -260,6 +260,7 @@ int run_verify(const Command_line& line, std::ostream* certificate);
 int run_verify_list(const Command_line& line) {
   if (!line.files().empty()) throw std::invalid_argument("--jsonl: the files are those of the list, and no others");
   line.refuse({"certificate", "format", "json"}, "not with --jsonl");
+  if (line.has("output")) check_output_name(line, "output", {".jsonl", ".ndjson", ".json"});
   const double mebibytes = line.number("memory-limit", 4096.);
   if (!(mebibytes >= 16 && mebibytes < 1e9))
     throw std::invalid_argument("--memory-limit: '" + line.text("memory-limit") + "' is not at least 16 MiB");
@@ -279,6 +280,7 @@ int run_verify(const Command_line& line) {
   for (const std::string& file : line.files())
     if (!is_standard_input(file) && lead_to_one_file(file, output))
       throw std::invalid_argument("--certificate: " + output + " is a file that is verified");
+  check_output_name(line, "certificate", {".txt"});
   line.refuse({"within", "kernel", "all-instances", "baseline"},
               "not with --certificate, which certifies exact orders");
   int code = bad_input;

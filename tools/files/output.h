@@ -40,13 +40,29 @@ inline void check_picture_name(const Command_line& line, const std::string& opti
     throw std::invalid_argument("--" + option + ": " + name + ": the picture is SVG, and the name must end with .svg");
 }
 
-// Refuses the name that an option gives to curves or surfaces when it says that they are something else.
-inline void check_g2_name(const Command_line& line, const std::string& option) {
+// The endings of names that say what a file is.
+inline const Arguments& known_endings() {
+  static const Arguments endings = {
+      ".g2",    ".json",  ".jsonl", ".ndjson", ".sarif", ".xml",  ".html", ".htm",  ".csv",   ".gcode", // texts
+      ".svg",   ".svgz",  ".pdf",   ".ps",     ".eps",   ".ai",   ".png",  ".jpg",  ".jpeg",  ".gif",   // pictures
+      ".webp",  ".bmp",   ".tif",   ".tiff",   ".off",   ".obj",  ".ply",  ".stl",  ".gltf",  ".glb",   // meshes
+      ".3mf",   ".amf",   ".wrl",   ".step",   ".stp",   ".iges", ".igs",  ".brep", ".brp",   ".dxf",   // models
+      ".dwg",   ".fcstd", ".3dm",   ".sat",    ".x_t",   ".ttf",  ".otf",  ".ttc",  ".otc",   ".woff",  // fonts
+      ".woff2", ".eot",   ".pfb",   ".pfa",    ".pfm",   ".afm",  ".cff",  ".t1",   ".dfont", ".designspace", //
+      ".sfd",   ".ufo",   ".glif",  ".glyphs", ".gz",    ".bz2",  ".xz",   ".zst",  ".zip",   ".tar"};        // packed
+  return endings;
+}
+
+// Refuses the name that an option gives to a file when it says that this is something else than what is written, which has the first one of
+// these endings, or another one of them. `hint` tells how to get the other format.
+inline void check_output_name(const Command_line& line, const std::string& option, const Arguments& endings,
+                              const std::string& hint = "") {
   const std::string name = line.text(option), ending = extension(name);
   if (name.empty()) throw std::invalid_argument("--" + option + ": the name is empty");
-  for (const char* other : {".svg", ".svgz", ".off", ".obj", ".ply", ".stl", ".json", ".png", ".jpg", ".jpeg", ".pdf",
-                            ".step", ".stp", ".iges", ".igs"})
-    if (ending == other) throw std::invalid_argument("--" + option + ": " + name + ": the format is .g2, not " + other);
+  const auto has = [&](const Arguments& list) { return std::count(list.begin(), list.end(), ending) != 0; };
+  if (!has_no_format(name) && has(known_endings()) && !has(endings))
+    throw std::invalid_argument("--" + option + ": " + name + ": the format is " + endings.front() + ", not " + ending +
+                                hint);
 }
 
 // Returns the name of what will be written: behind all links, also those that lead to a file that is not there yet.
@@ -67,7 +83,7 @@ inline bool lead_to_one_file(const std::string& a, const std::string& b) {
 
 // Checks the names that --output gives to curves or surfaces, and --plot to their picture, as far as they are given.
 inline void check_outputs(const Command_line& line) {
-  if (line.has("output")) check_g2_name(line, "output");
+  if (line.has("output")) check_output_name(line, "output", {".g2"});
   if (line.has("plot")) check_picture_name(line, "plot");
   if (line.has("output") && line.has("plot") && lead_to_one_file(line.text("output"), line.text("plot")))
     throw std::invalid_argument("--output and --plot: both are written to " + line.text("plot"));

@@ -151,6 +151,14 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(kernels, Traits, All_traits) {
   BOOST_CHECK(set_back_parameter(on_3_to_7, v1, 2) == FT(1));
   BOOST_CHECK(set_back_parameter(Bspline<Traits>(on_3_to_7), v0, 2) == FT(1));
   BOOST_CHECK(set_back_parameter(Patch<Traits>(floor), u1, 1) == FT(1) / FT(8));
+  // exactly where the surface is linear across: 8 long, and 5 along (3, 4)
+  const auto is_of = [](const auto& x, int n, int d) {
+    return !GC::internal::has_rational_roots<FT>() || x == FT(n) / FT(d);
+  };
+  BOOST_CHECK(is_of(set_back_parameter(floor, v0, 3), 3, 8));
+  BOOST_CHECK(is_of(set_back_parameter(Bspline<Traits>(floor), v1, 3), 3, 8));
+  const Bezier<Traits> slanted({{P(0, 0, 0), P(3, 4, 0)}, {P(0, 0, 1), P(3, 4, 1)}});
+  BOOST_CHECK(is_of(set_back_parameter(slanted, v0, 1), 1, 5) && is_of(set_back_parameter(slanted, v1, 2), 2, 5));
   for (double bad : {0., -1., 8.1, std::numeric_limits<double>::quiet_NaN()})
     CHECK_ERROR(set_back_parameter(floor, v0, bad), parameter_outside_domain);
 }

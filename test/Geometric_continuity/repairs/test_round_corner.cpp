@@ -177,6 +177,45 @@ BOOST_AUTO_TEST_CASE(random_curves) {
     }
 }
 
+// Lines with rational lengths are cut at the distance exactly, and others of one length alike, with the number that is nearest to it.
+BOOST_AUTO_TEST_CASE(exact_cuts) {
+  const auto line = [](const Q& a, const Q& b, const Q& c, const Q& d) {
+    return Curve<Exact_2>{Exact_2::Point(a, b), Exact_2::Point(c, d)};
+  };
+  const auto c = GC::round_corner(line(0, 0, 80, 0), line(80, 0, 80, 50), 12);
+  BOOST_CHECK(c.left_cut == Q(68) / 80 && c.right_cut == Q(12) / 50);
+  const auto d = GC::round_corner(line(-3, 4, 0, 0), line(0, 0, Q(8) / 3, 2), Q(1) / 7); // lengths of 5 and 10/3
+  BOOST_CHECK(d.left_cut == Q(34) / 35 && d.right_cut == Q(3) / 70);
+  const auto e = GC::round_corner(line(-1, -1, 0, 0), line(0, 0, 1, -1), 1); // twice the root of 2
+  BOOST_CHECK(e.left_cut == 1 - e.right_cut && std::abs(CGAL::to_double(e.right_cut) - std::sqrt(0.5)) < 1e-15);
+  const auto lazy = GC::round_corner(curve<Lazy>({{0, 0}, {80, 0}}), curve<Lazy>({{80, 0}, {80, 50}}), 12);
+  BOOST_CHECK(CGAL::exact(lazy.left_cut) == c.left_cut && CGAL::exact(lazy.right_cut) == c.right_cut);
+  // the blend of lines does not depend on how fast they are run through, and is its own mirror image
+  const auto fast = GC::round_corner(line(0, 0, 80, 0), line(80, 0, 80, 50).with_domain(-1, 9), 12);
+  for (int j = 0; j <= 5; ++j) {
+    const Exact_2::Point p = c.blend.control_point(j), q = c.blend.control_point(5 - j);
+    BOOST_CHECK(fast.blend.control_point(j) == p && p == Exact_2::Point(80 - q.y(), 80 - q.x()));
+  }
+  // of higher degree, and with a domain of its own
+  const auto cubic = curve<Exact_2>({{0, 0}, {20, 0}, {40, 0}, {60, 0}}).with_domain(3, 5);
+  BOOST_CHECK(GC::round_corner(cubic, line(60, 0, 60, 9), 7).left_cut == 5 - Q(7) / 30);
+  // not run through at one speed: a curve like others
+  const auto uneven = GC::round_corner(curve<Exact_2>({{0, 0}, {30, 0}, {60, 0}, {60, 0}}), line(60, 0, 60, 9), 7);
+  BOOST_CHECK(uneven.right_cut == Q(7) / 9 &&
+              uneven.left_cut * 65536 == std::floor(CGAL::to_double(uneven.left_cut) * 65536));
+  // rational lines: the weight moves the parameter
+  typedef GC::Rational_bezier_curve<Exact_2> Rational;
+  const std::vector<Exact_2::Point> points = {{60, 0}, {60, 60}};
+  const std::vector<Q> weights = {1, 2};
+  const Rational slow(points.begin(), points.end(), weights.begin(), weights.end());
+  const auto f = GC::round_corner(Rational(line(0, 0, 60, 0)), slow, 20);
+  BOOST_CHECK(f.left_cut == Q(2) / 3 && f.right_cut == Q(1) / 5);
+  BOOST_CHECK(f.right.control_point(0) == Exact_2::Point(60, 20));
+  // no farther than the curve is long, decided exactly
+  CHECK_ERROR(GC::round_corner(line(0, 0, 8, 0), line(8, 0, 8, 9), 8), parameter_outside_domain);
+  BOOST_CHECK(GC::round_corner(line(0, 0, 8, 0), line(8, 0, 8, 9), 8 - Q(1) / 1000).left_cut == Q(1) / 8000);
+}
+
 // The parameters have few digits, and are the same for mirrored curves, on every kernel.
 BOOST_AUTO_TEST_CASE(short_parameters) {
   const auto c = GC::round_corner(curve<Exact_2>(arc), curve<Exact_2>(hook), 0.7);

@@ -76,10 +76,12 @@ R are decimals or fractions p/q.
 
 --corner I rounds the join after the curve number I of a chain (counted from 0,
 cyclically; a spline counts as its Bezier curves): both curves are cut at the
-arc length R from it, and a fair blend with G2 joins is put between, with
---order 3 one with G3 joins. --corners all rounds all joins that do not have
-this order, --corners not-g1 corners and kinks only; of short curves less than R
-is cut off, so that a quarter of each remains. The output is the whole chain.
+arc length R from it, lines exactly where their length is rational, curves
+within 1/1000 of R, and a fair blend with G2 joins is put between, with --order
+3 one with G3 joins. The report tells the true distances. --corners all rounds
+all joins that do not have this order, --corners not-g1 corners and kinks only;
+of short curves less than R is cut off, so that a quarter of each remains. The
+output is the whole chain.
 
 --surfaces makes a surface from the edge v1 of the surface in A to the edge v0
 of that in B, or from and to those of --edges. Its degree across is 5, and it is

@@ -4,14 +4,17 @@
 
 #include "commands/blends/round_corners.h"
 
+#include "commands/blends/arc_length.h"
 #include "commands/chains/join_report.h"
 #include "files/output.h"
 #include "formats/g2_text/curves.h"
 
 #include <CGAL/Geometric_continuity/IO/figures/Svg_figure.h>
+#include <CGAL/Geometric_continuity/IO/json.h>
 #include <CGAL/Geometric_continuity/joins/chain_continuity.h>
 #include <CGAL/Geometric_continuity/repairs/round_corners.h>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <iomanip>
@@ -28,7 +31,7 @@ template <class FT> using Rounded = GC::Rounded_chain<Program_curve<FT>>;
 
 // Returns the chain with the corner after the curve number i rounded, cyclically.
 template <class FT, class Strategy>
-Rounded<FT> with_corner(const Chain<FT>& chain, int i, double distance, const Strategy& strategy) {
+Rounded<FT> with_corner(const Chain<FT>& chain, int i, const FT& distance, const Strategy& strategy) {
   const std::size_t left = static_cast<std::size_t>(i), right = (left + 1) % chain.size();
   const auto corner = GC::round_corner(chain[left], chain[right], distance, strategy);
   Rounded<FT> result{chain, {{left, distance, corner.left_cut, corner.right_cut, left + 1}}};
@@ -39,7 +42,7 @@ Rounded<FT> with_corner(const Chain<FT>& chain, int i, double distance, const St
 }
 
 template <class FT, class Strategy>
-Rounded<FT> rounded_chain(const Command_line& line, const Chain<FT>& chain, double distance, int order,
+Rounded<FT> rounded_chain(const Command_line& line, const Chain<FT>& chain, const FT& distance, int order,
                           const Strategy& strategy) {
   const int n = static_cast<int>(chain.size());
   if (!line.has("corner"))
@@ -70,37 +73,90 @@ void write_row(std::ostream& os, const std::array<std::string, 5>& columns) {
      << std::setw(10) << columns[2] << "  " << std::left << std::setw(12) << columns[3] << ' ' << columns[4] << '\n';
 }
 
-// Prints the corners and their blends. Returns whether both joins of every blend have the order. `given` is the number of given
-// curves.
+// What was done with a chain, as it is written, decided exactly.
+struct Corners_report {
+  // A corner, how far from it the curves are cut, along them, and the joins of its blend.
+  struct Corner {
+    std::size_t join, blend;
+    GC::Enclosure left, right;
+    Join start, end;
+  };
+
+  std::size_t given; // the number of curves
+  int order;         // that is asked for
+  std::vector<Corner> corners = {};
+  std::vector<Join> joins = {}; // of the whole chain
+
+  template <class FT> Corners_report(const Chain<FT>& chain, const Rounded<FT>& result, bool closed, int order);
+
+  bool is_proved() const {
+    return std::all_of(corners.begin(), corners.end(),
+                       [&](const Corner& c) { return c.start.g_order >= order && c.end.g_order >= order; });
+  }
+};
+
 template <class FT>
-bool write_report(std::ostream& os, const Rounded<FT>& result, std::size_t given, bool closed, int order) {
+Corners_report::Corners_report(const Chain<FT>& chain, const Rounded<FT>& result, bool closed, int order)
+    : given(chain.size()), order(order) {
   std::vector<Exact_curve> curves;
   for (const Program_curve<FT>& c : result.curves) curves.push_back(as_written(c));
   closed = closed || (!result.corners.empty() && result.corners.back().join + 1 == given);
-  const std::vector<Join> joins = GC::chain_joins(curves, 3, closed ? GC::Closure::closed : GC::Closure::open);
-  GC::Chain_summary summary;
-  for (const Join& join : joins) summary.add(join);
-  write_row(os, {"corner", "blend", "distance", "start join", "end join"});
-  bool proved = true;
+  joins = GC::chain_joins(curves, 3, closed ? GC::Closure::closed : GC::Closure::open);
   for (const GC::Rounded_join<FT>& corner : result.corners) {
-    const Join &start = joins[corner.blend - 1], &end = joins[corner.blend];
-    proved = proved && start.g_order >= order && end.g_order >= order;
-    write_row(os, {std::to_string(corner.join) + " -> " + std::to_string((corner.join + 1) % given),
-                   std::to_string(corner.blend), rounded(corner.distance, 6), orders(start), orders(end)});
+    const Exact_curve left = exact(chain[corner.join]), right = exact(chain[(corner.join + 1) % given]);
+    corners.push_back({corner.join, corner.blend, Arc_length::of(left.split(Exact(corner.left_cut)).second),
+                       Arc_length::of(right.split(Exact(corner.right_cut)).first), joins[corner.blend - 1],
+                       joins[corner.blend]});
   }
-  const std::size_t n = result.corners.size();
+}
+
+// A length to six digits, or its bounds where these are not the same to six digits.
+std::string six_digits_of(const GC::Enclosure& x) {
+  const std::string lower = rounded(x.lower, 6), upper = rounded(x.upper, 6);
+  return lower == upper ? lower : '[' + lower + ", " + upper + ']';
+}
+
+void write_text(std::ostream& os, const Corners_report& report) {
+  write_row(os, {"corner", "blend", "distance", "start join", "end join"});
+  for (const Corners_report::Corner& c : report.corners) {
+    const std::string left = six_digits_of(c.left), right = six_digits_of(c.right);
+    write_row(os,
+              {std::to_string(c.join) + " -> " + std::to_string((c.join + 1) % report.given), std::to_string(c.blend),
+               left == right ? left : left + " and " + right, orders(c.start), orders(c.end)});
+  }
+  GC::Chain_summary summary;
+  for (const Join& join : report.joins) summary.add(join);
+  const std::size_t n = report.corners.size();
   os << n << (n == 1 ? " corner is rounded" : " corners are rounded")
-     << (n == 0   ? ""
-         : proved ? ", both joins of every blend are proved in exact arithmetic"
-                  : "; decided in exact arithmetic: rounding has broken a join")
+     << (n == 0               ? ""
+         : report.is_proved() ? ", both joins of every blend are proved in exact arithmetic"
+                              : "; decided in exact arithmetic: rounding has broken a join")
      << "\nthe chain: " << summary << '\n';
-  return proved;
+}
+
+void write_json(std::ostream& os, const Corners_report& report) {
+  os << "{\"corners\":[";
+  const char* separator = "\n";
+  for (const Corners_report::Corner& c : report.corners) {
+    os << separator << "{\"join\":" << c.join << ",\"blend\":" << c.blend << ",\"left_distance\":";
+    GC::write_json(os, c.left);
+    GC::write_json(os << ",\"right_distance\":", c.right);
+    GC::write_json(os << ",\"start_join\":", c.start, c.blend - 1, c.blend);
+    GC::write_json(os << ",\"end_join\":", c.end, c.blend, c.blend + 1);
+    os << '}';
+    separator = ",\n";
+  }
+  int least = 3;
+  for (const Join& join : report.joins) least = (std::min)(least, join.c_order < 0 ? -1 : join.g_order);
+  os << "],\n\"order\":" << report.order << ",\"proved\":" << (report.is_proved() ? "true" : "false")
+     << ",\n\"chain\":{\"joins\":" << report.joins.size()
+     << ",\"g_order\":" << (report.joins.empty() ? "null" : std::to_string(least)) << "}}\n";
 }
 
 template <class FT> Exit_code round_corners(const Command_line& line) {
   const Arguments files = line.files();
   if (files.size() != 1) throw std::invalid_argument("blend --corner, --corners: one file is needed; see --help");
-  const double distance = line.number<double>("distance", 0);
+  const FT distance = line.number<FT>("distance", FT(0));
   const int order = line.integer("order", 2, 3);
   if (line.has("strategy")) line.choice("strategy", {order == 2 ? "fair" : "fair_g3"});
   const Chain<FT> chain = read_curves<FT>(files);
@@ -116,13 +172,17 @@ template <class FT> Exit_code round_corners(const Command_line& line) {
 
   std::optional<GC::Svg_figure> figure;
   if (line.has("plot")) figure = picture(line.text("title"), result);
-  const bool proved = write_report(report_stream(line), result, chain.size(), line.has("closed"), order);
+  const Corners_report report(chain, result, line.has("closed"), order);
+  if (line.has("json"))
+    write_json(report_stream(line), report);
+  else
+    write_text(report_stream(line), report);
   if (line.has("output"))
     write_output(line.text("output"), [&](std::ostream& os) {
       for (const Program_curve<FT>& c : result.curves) GC::write_g2(os, c);
     });
   if (figure) write_output(line.text("plot"), [&](std::ostream& os) { figure->write(os); });
-  return proved ? requirement_met : requirement_not_met;
+  return report.is_proved() ? requirement_met : requirement_not_met;
 }
 
 } // namespace

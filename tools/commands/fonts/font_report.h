@@ -71,7 +71,8 @@ std::string json_members(const Shown_join& join);
 std::string json_unread(const std::vector<Unread_glyph>& glyphs);
 std::string json_members(const Font_result& font);
 
-// Returns lines for people: about a font, and the table of the worst joins, which names fonts if they are several.
+// Returns lines for people: about joins, about a font, and the table of the worst joins, which names fonts if they are several.
+std::string counts_text(const Join_counts& joins);
 std::string counts_text(const Font_counts& counts);
 std::string counts_text(const Fonts_result& all);
 std::string joins_table(const std::vector<Shown_join>& joins, bool names_fonts);

@@ -54,12 +54,9 @@ std::string joins_table(const std::vector<Shown_join>& joins, bool names_fonts) 
   return text;
 }
 
-// E.g. "3 glyphs, 84 joins: 20 corners, 2 kinks (1 off by more than one unit), 1 bend, 9 off by rounding, 20 G1, 32 G2 or more".
-std::string counts_text(const Font_counts& counts) {
-  const Join_counts& joins = counts.joins;
-  std::string text = counted(counts.glyphs, "glyph");
-  if (counts.empty != 0) text += " (" + std::to_string(counts.empty) + " empty)";
-  text += ", " + counted(joins.joins(), "join");
+// E.g. "84 joins: 20 corners, 2 kinks (1 off by more than one unit), 1 bend of two lines, 9 off by rounding, 20 G1, 32 G2 or more"
+std::string counts_text(const Join_counts& joins) {
+  std::string text = counted(joins.joins(), "join");
   if (joins.joins() == 0) return text;
   text += ": " + counted(joins[Glyph_grade::corner], "corner") + ", " + counted(joins[Glyph_grade::kink], "kink");
   const std::size_t off = joins.off_by_more_than_one_unit();
@@ -70,6 +67,11 @@ std::string counts_text(const Font_counts& counts) {
     text += ", " + std::to_string(joins[Glyph_grade::rounding]) + " off by rounding";
   return text + ", " + std::to_string(joins[Glyph_grade::g1]) + " G1, " + std::to_string(joins[Glyph_grade::g2]) +
          " G2 or more";
+}
+
+std::string counts_text(const Font_counts& counts) {
+  return counted(counts.glyphs, "glyph") + (counts.empty != 0 ? " (" + std::to_string(counts.empty) + " empty)" : "") +
+         ", " + counts_text(counts.joins);
 }
 
 std::string counts_text(const Fonts_result& all) {

@@ -30,10 +30,12 @@ const char* const round_edges_usage =
     R"(usage: geometric_continuity round-edges MODEL.g2... --set-back R [OPTIONS]
 
 Rounds the sharp edges of a model: both surfaces at such an edge are trimmed
-back from it, so that their new edges are about R away from the old one, and a
-surface of degree 5 across leads from the one new edge to the other. It is G2
-with both along the whole new edges, which is decided exactly on the numbers
-that are written: the surfaces of the model, then the blends.
+back from it, so that their new edges are about R away from the old one, within
+one per cent, and exactly where the surface is linear across the edge and its
+length across is rational; and a surface of degree 5 across leads from the one
+new edge to the other. It is G2 with both along the whole new edges, which is
+decided exactly on the numbers that are written: the surfaces of the model, then
+the blends.
 
 Edges stay that are G2, and those where the largest angle between the normals is
 less than --min-kink or, as they are meant, greater than --max-kink. Where more

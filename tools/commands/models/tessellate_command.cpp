@@ -103,8 +103,9 @@ int run_tessellate(const Command_line& line) {
   if (line.has("grid") && line.has("tolerance"))
     throw std::invalid_argument("tessellate: --grid and --tolerance exclude each other");
   const GC::Mesh_format format = output_format(line);
-  return line.choice("kernel", {"exact", "double"}) == "exact" ? write_triangles<CGAL::Exact_rational>(line, format)
-                                                               : write_triangles<double>(line, format);
+  if (line.choice("kernel", {"exact", "double"}) == "exact") return write_triangles<CGAL::Exact_rational>(line, format);
+  line.refuse({"max-work"}, "only with --kernel exact");
+  return write_triangles<double>(line, format);
 }
 
 } // namespace

@@ -123,12 +123,11 @@ void describe_interpolate(po::options_description_easy_init add) {
 int run_interpolate(const Command_line& line) {
   check_points_arguments(line, "interpolate");
   if (line.has("fair")) line.refuse({"parameters"}, "not with --fair, which chooses none");
+  const bool exact = line.choice("kernel", {"exact", "double"}) == "exact";
+  if (!exact) line.refuse({"max-work"}, "only with --kernel exact");
   const GC::Work_scope each(line.work_limit());
   return within_work_limit([&] { return input_name(line.files()[0]); },
-                           [&] {
-                             return line.choice("kernel", {"exact", "double"}) == "exact" ? interpolate<Exact>(line)
-                                                                                          : interpolate<double>(line);
-                           });
+                           [&] { return exact ? interpolate<Exact>(line) : interpolate<double>(line); });
 }
 
 } // namespace

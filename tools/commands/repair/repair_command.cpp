@@ -3,6 +3,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
 #include "commands/command_line.h"
+#include "commands/kink_options.h"
 #include "commands/repair/repair_contour.h"
 #include "commands/repair/repair_drawing.h"
 #include "commands/repair/repair_font.h"
@@ -55,17 +56,21 @@ drawing that is packed by gzip is refused. Units are those of each path.
 A font is not changed: -o FILE.json is the list of moves in its units, which
 scripts of font editors can apply, {"moves":[{"glyph":"S","index":54,
 "contour":0,"point":7,"node":[x,y],"from":[x,y],"to":[x,y]},...]}. A component
-is named once, with the glyphs that use it: "used_by". Where TrueType leaves out
-nodes between two handles, these handles do not move, and where such a node lies
-on half a unit, no handle of its contour does.
+is named once, with the glyphs that use it: "used_by". Joins are counted as
+verify counts them, those of components in each glyph that has them: kinks,
+bends of two lines, and what is off by rounding, by at most --off-by units.
+Handles move at all of them, and kinks must not be left. Where TrueType leaves
+out nodes between two handles, these handles do not move, and where such a node
+lies on half a unit, no handle of its contour does.
 
 examples:
   geometric_continuity repair drawing.svg -o drawing.svg
   geometric_continuity repair font.otf --to G2 -o moves.json
 
-Exit code: 0 when no kink is left, 1 when one is, or when not all joins are
-decided (an arc of a rotated ellipse) or covered (an element that is not read),
-unless --allow-undecided and --allow-uncovered leave them out; 2 on bad input.
+Exit code: 0 when no kink is left, 1 when one is, when curves of a chain do not
+meet, which no handle can mend, or when not all joins are decided (an arc of a
+rotated ellipse) or covered (an element that is not read), unless
+--allow-undecided and --allow-uncovered leave them out; 2 on bad input.
 )";
 
 typedef GC::Traits_d<CGAL::Cartesian_d<CGAL::Exact_rational>> Chain_traits;
@@ -104,13 +109,22 @@ std::string repaired_chain(const std::string& text, const std::string& name, boo
   return result;
 }
 
+// How a font becomes another one by moves, as a part of a message.
+std::string use_of_moves(const std::string& font) {
+  return "; a font is not written: geometric_continuity repair " + font +
+         " -o MOVES.json writes the moves, and fontforge -script apply_moves.py " + font +
+         " MOVES.json RESULT.ttf applies them; the Python module mends sources (UFO, Glyphs)";
+}
+
 // Writes the moves that would repair a font.
 int repair_font(const Command_line& line, const Repair_options& options, const Report_mode& mode) {
   line.refuse({"closed", "json"}, "not with fonts");
   const std::string file = line.files()[0], output = line.text("output");
   if (!is_standard_output(output) && !is_standard_input(file) && lead_to_one_file(file, output))
-    throw std::invalid_argument("--output: the font itself, which is not changed; the moves are written as JSON");
-  const Font_repair done = repair_font(read_bytes(file), input_name(file), options);
+    throw std::invalid_argument("--output: the font itself, which is not changed; the moves are written as JSON" +
+                                use_of_moves(file));
+  check_output_name(line, "output", {".json"}, use_of_moves(file));
+  const Font_repair done = repair_font(read_bytes(file), input_name(file), options, rounding_bound(line));
   write_output(output, [&](std::ostream& os) { os << done.moves; });
   const Report_subject subject = repair_subject();
   const Conclusion end(done.claims, mode, subject);
@@ -125,6 +139,9 @@ void describe_repair(po::options_description_easy_init add) {
   add("max-move", po::value<std::string>(),
       "how far a handle may move, in units of the last decimal; twice what the kink is off and one more unless it is "
       "given, and for --to G2 a tenth of the shorter handle, at least 1");
+  add("off-by", po::value<std::string>(),
+      "for fonts: up to so many units a handle may be off because of rounding, which is counted apart from kinks; 1 if "
+      "not given");
   add("closed", "the last curve of the chain leads back to the first");
   add("allow-undecided", "what is undecided does not count as not met");
   add("allow-uncovered", "what is not covered does not count as not met");
@@ -151,7 +168,8 @@ int run_repair(const Command_line& line) {
   if (is_font_file(file)) return repair_font(line, options, mode);
   const bool drawing = is_svg_file(file);
   if (drawing) line.refuse({"closed"}, "not with drawings");
-  if (!drawing) check_g2_name(line, "output");
+  line.refuse({"off-by"}, "only for fonts");
+  check_output_name(line, "output", drawing ? Arguments{".svg", ".xml"} : Arguments{".g2"});
   Repair_report report(mode);
   const std::string text = read_text(file);
   const std::string result = drawing ? repaired_drawing(text, name, options, report)

@@ -473,6 +473,10 @@ class Contour_mender {
     } while (mend(proposals)); // one repair may make room for another
     for (const Proposal& p : proposals)
       leave(p.join, p.reason.empty() ? "the handle would have to move to two places" : p.reason);
+    for (std::size_t j = 0; j < contour_.number_of_joins(); ++j)
+      if (grade(j) == GC::Join_grade::gap)
+        leave(j,
+              "a gap, as the next curve starts at " + contour_.text(points(next(j)).front()) + ": nodes do not move");
   }
 
   void count_undecided() {

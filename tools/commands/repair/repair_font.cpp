@@ -4,6 +4,8 @@
 
 #include "commands/repair/repair_font.h"
 
+#include "commands/fonts/Graded_joins.h"
+#include "commands/fonts/font_report.h"
 #include "files/progress.h"
 #include "formats/font/Font_face.h"
 #include "reports/words.h"
@@ -24,16 +26,34 @@ std::string pair(const Grid_contour& contour, const GC::Grid_vector& p) {
   return '[' + contour.text(p.x) + ',' + contour.text(p.y) + ']';
 }
 
+// A segment of a contour that grid_contour() has made.
+Glyph_segment glyph_segment(const Grid_contour& contour, std::size_t curve) {
+  const std::vector<GC::Grid_vector>& points = contour.curves[curve].points;
+  Glyph_segment segment{static_cast<int>(points.size()) - 1, {}};
+  for (std::size_t i = 0; i < points.size(); ++i)
+    segment.points[i] = contour.decimals == 1 ? Glyph_point{points[i].x / 5, points[i].y / 5}
+                                              : Glyph_point{2 * points[i].x, 2 * points[i].y};
+  return segment;
+}
+
+void add(Glyph_outline& outline, const Grid_contour& contour) {
+  for (std::size_t i = 0; i < contour.curves.size(); ++i) outline.add(glyph_segment(contour, i));
+  outline.end_contour();
+}
+
 // Repairs glyph after glyph.
 class Font_mender {
   const Repair_options& options_;
+  const Join_rule rule_;
   std::ostringstream moves_, unrepaired_;
-  std::size_t moved_ = 0, glyphs_ = 0, glyphs_with_kinks_ = 0, repaired_glyphs_ = 0, unread_ = 0, left_ = 0, lost_ = 0;
+  std::size_t moved_ = 0, glyphs_ = 0, glyphs_with_kinks_ = 0, repaired_glyphs_ = 0, left_ = 0, lost_ = 0;
   GC::Enclosure largest_{0, 0};
   std::string largest_glyph_;
-  Grade_counts before_, after_;
+  Join_counts before_, after_;                    // but for those of glyphs that are left alone
+  Join_counts left_alone_;                        // of glyphs without a grid
   std::string font_;                              // a member of the objects of JSON, where there are several fonts
   std::map<int, std::vector<std::string>> users_; // of components: the glyphs that consist of them
+  std::map<int, Glyph_outline> mended_;           // glyphs of which a handle has moved
   std::size_t composites_ = 0;
   Claims claims_; // of glyphs that cannot be read
 
@@ -65,26 +85,53 @@ class Font_mender {
     }
   }
 
-  void repair_glyph(int index, const std::string& name, const std::vector<std::string>& users,
-                    const Glyph_outline& outline) {
-    bool kinks = false, all = true;
-    for (std::size_t i = 0; i < outline.contours(); ++i) {
-      Grid_contour contour = grid_contour(outline, i);
-      const Grade_counts before = grades(contour, options_.bound);
-      const bool has_kinks = before.count(GC::Join_grade::kink) != 0;
-      add(before_, before);
-      if (has_kinks || options_.harmonise) note({index, name, i, users}, contour, ::repair(contour, options_));
-      const Grade_counts after = grades(contour, options_.bound);
-      add(after_, after);
-      kinks = kinks || has_kinks;
-      all = all && after.count(GC::Join_grade::kink) == 0;
-    }
-    glyphs_with_kinks_ += kinks;
-    repaired_glyphs_ += kinks && all;
+  Join_counts counts(const Glyph_outline& outline) const {
+    return grade_joins(outline, rule_, [](auto&&...) {});
   }
 
-  static void add(Grade_counts& sum, const Grade_counts& counts) {
-    for (const auto& [grade, count] : counts) sum[grade] += count;
+  // Counts the joins of a glyph before and after the moves.
+  void count(const Glyph_outline& before, const Glyph_outline& after) {
+    const Join_counts given = counts(before), result = counts(after);
+    before_ += given;
+    after_ += result;
+    ++glyphs_;
+    const bool has_kinks = given[Glyph_grade::kink] != 0;
+    glyphs_with_kinks_ += has_kinks;
+    repaired_glyphs_ += has_kinks && result[Glyph_grade::kink] == 0;
+  }
+
+  void repair_glyph(int index, const std::string& name, const std::vector<std::string>& users,
+                    const Glyph_outline& outline) {
+    const std::size_t moved = moved_;
+    Glyph_outline result;
+    for (std::size_t i = 0; i < outline.contours(); ++i) {
+      Grid_contour contour = grid_contour(outline, i);
+      const bool has_kinks = grades(contour, options_.bound).count(GC::Join_grade::kink) != 0;
+      if (has_kinks || options_.harmonise) note({index, name, i, users}, contour, ::repair(contour, options_));
+      add(result, contour);
+    }
+    count(outline, result);
+    if (moved_ != moved) mended_[index] = std::move(result);
+  }
+
+  // Counts the joins of a glyph without a grid, and names those that would be mended.
+  void leave_alone(int index, const std::string& name, const std::vector<std::string>& users,
+                   const Glyph_outline& outline) {
+    const char* const reason = "fractions of a unit, no grid to move handles on";
+    claims_.add({Claim::not_covered, "glyph", reason});
+    left_alone_ +=
+        grade_joins(outline, rule_,
+                    [&](std::size_t contour, std::size_t, Glyph_grade grade, bool, const Glyph_join&,
+                        const Glyph_segment& left, const Glyph_segment& right) {
+                      if (!is_off(grade)) return;
+                      const Join_numbers numbers(
+                          {index, outline.part(contour), contour, 0, grade, false, 0, 0, left, right, outline.steps()});
+                      note_left({index, name, contour, users}, '[' + numbers.x + ',' + numbers.y + ']', reason);
+                    });
+  }
+
+  void note_left(const Place& place, const std::string& node, const std::string& reason) {
+    begin(unrepaired_, left_++, place) << ",\"node\":" << node << ",\"reason\":" << json_text(reason) << '}';
   }
 
   void note(const Place& place, const Grid_contour& contour, const Contour_repair& done) {
@@ -102,60 +149,71 @@ class Font_mender {
       }
     }
     lost_ += done.lost.size();
-    for (const Unrepaired_join& x : done.unrepaired) {
-      begin(unrepaired_, left_++, place) << ",\"node\":" << pair(contour, contour.curves[x.join].points.back())
-                                         << ",\"reason\":";
-      GC::write_json(unrepaired_, x.reason);
-      unrepaired_ << '}';
-    }
+    for (const Unrepaired_join& x : done.unrepaired)
+      note_left(place, pair(contour, contour.curves[x.join].points.back()), x.reason);
   }
 
-  static std::size_t kinks(const Grade_counts& counts) {
-    return counts.count(GC::Join_grade::kink) != 0 ? counts.at(GC::Join_grade::kink) : 0;
+  // Counts the joins of glyphs that consist of components, some of which have changed.
+  void count_composites(const Font_face& font, const std::vector<int>& composites) {
+    Glyph_outline before, after;
+    for (const int glyph : composites) {
+      font.read(glyph, before);
+      font.read(glyph, after, &mended_);
+      count(before, after);
+    }
+    composites_ += composites.size();
   }
 
 public:
-  explicit Font_mender(const Repair_options& options) : options_(options) {}
+  Font_mender(const Repair_options& options, const Rounding_bound& rounding)
+      : options_(options), rule_{options.bound, rounding} {}
 
   void repair(const Font_face& font, const std::string& member) {
     font_ = member;
     users_.clear();
+    mended_.clear();
     for (int glyph = 0; glyph < font.glyphs(); ++glyph)
       for (const int component : components(font, glyph)) users_[component].push_back(font.glyph_name(glyph));
     Progress progress("glyphs");
     Glyph_outline outline;
+    std::vector<int> composites;
     for (int glyph = 0; glyph < font.glyphs(); ++glyph) {
       try {
         font.read(glyph, outline);
-        const bool is_composite = !components(font, glyph).empty();
-        if (!is_composite && outline.steps() != 2) throw Font_error("fractions of a unit, no grid to move handles on");
-        ++glyphs_;
-        if (is_composite)
-          ++composites_;
+        if (!components(font, glyph).empty())
+          composites.push_back(glyph);
+        else if (outline.steps() != 2)
+          leave_alone(glyph, font.glyph_name(glyph), users_[glyph], outline);
         else
           repair_glyph(glyph, font.glyph_name(glyph), users_[glyph], outline);
       } catch (const Font_error& error) {
-        ++unread_;
         claims_.add({Claim::not_covered, "glyph", error.what()});
       }
       progress.step(static_cast<std::size_t>(glyph), [&] { return double(glyph) / font.glyphs(); });
     }
+    count_composites(font, composites);
   }
 
   Font_repair result() const {
+    Join_counts before = before_, after = after_;
+    before += left_alone_;
+    after += left_alone_;
     std::ostringstream text;
     text << counted(glyphs_, "glyph") << ", " << glyphs_with_kinks_ << " with kinks, of which " << repaired_glyphs_
          << (repaired_glyphs_ == 1 ? " is" : " are") << " repaired as a whole";
-    if (composites_ != 0) text << "; " << composites_ << " consist of components, which are decided once";
-    text << "\nkinks: " << kinks(before_) << " before, " << kinks(after_)
-         << " after the moves\nmoves: " << counted(moved_, "handle");
+    if (composites_ != 0) text << "; " << composites_ << " consist of components, whose handles move once";
+    text << "\nkinks: " << before[Glyph_grade::kink] << " before, " << after[Glyph_grade::kink]
+         << " after the moves\nbefore: " << counts_text(before) << "\nafter:  " << counts_text(after)
+         << "\nmoves: " << counted(moved_, "handle");
     if (moved_ != 0) text << ", at most " << units(largest_) << ", in the glyph " << GC::printable(largest_glyph_);
     text << '\n';
     if (lost_ != 0) text << counted(lost_, "join") << (lost_ == 1 ? " falls" : " fall") << " from G2 to G1\n";
     Claims claims = claims_;
-    for (const auto& [grade, count] : after_)
-      claims.add({grade == GC::Join_grade::kink ? Claim::not_met : Claim::met, "join"}, count);
-    return {"{\"moves\":[" + moves_.str() + "],\n \"not_repaired\":[" + unrepaired_.str() + "]}\n", text.str(), claims};
+    claims.add({Claim::not_met, "join"}, after_[Glyph_grade::kink]);
+    claims.add({Claim::met, "join"}, after_.joins() - after_[Glyph_grade::kink]);
+    return {"{\"moves\":[" + moves_.str() + "],\n \"not_repaired\":[" + unrepaired_.str() + "],\n \"before\":{" +
+                json_members(before) + "},\n \"after\":{" + json_members(after) + "}}\n",
+            text.str(), claims};
   }
 };
 
@@ -183,8 +241,9 @@ Grid_contour grid_contour(const Glyph_outline& outline, std::size_t contour) {
   return result;
 }
 
-Font_repair repair_font(const std::string& bytes, const std::string& name, const Repair_options& options) {
-  Font_mender mender(options);
+Font_repair repair_font(const std::string& bytes, const std::string& name, const Repair_options& options,
+                        const Rounding_bound& rounding) {
+  Font_mender mender(options, rounding);
   try {
     for (int i = 0, fonts = 1; i < fonts; ++i) {
       const Font_face font(bytes, i);

@@ -5,6 +5,7 @@
 #ifndef GEOMETRIC_CONTINUITY_TOOLS_COMMANDS_REPAIR_REPAIR_FONT_H
 #define GEOMETRIC_CONTINUITY_TOOLS_COMMANDS_REPAIR_REPAIR_FONT_H
 
+#include "commands/fonts/Glyph_join.h"
 #include "commands/repair/repair_contour.h"
 #include "formats/font/Glyph_outline.h"
 #include "reports/Claims.h"
@@ -18,13 +19,16 @@ Grid_contour grid_contour(const Glyph_outline& outline, std::size_t contour);
 
 // What was done with the fonts of a file.
 struct Font_repair {
-  std::string moves; // {"moves":[…],"not_repaired":[…]}, the moves of handles in units of the font
-  std::string text;  // the summary for people
+  std::string
+      moves; // {"moves":[…],"not_repaired":[…],"before":{…},"after":{…}}, the moves of handles in units of the font
+  std::string text; // the summary for people
   Claims claims;
 };
 
-// Repairs all glyphs of a font, given the bytes of its file, but does not change it. Throws GC::Error `malformed_input` for what is
+// Repairs all glyphs of a font, given the bytes of its file, but does not change it. Joins have the grades of verify, with the same bound of
+// rounding, in each glyph in which they are drawn. Throws GC::Error `malformed_input` for what is
 // no font with outlines.
-Font_repair repair_font(const std::string& bytes, const std::string& name, const Repair_options& options);
+Font_repair repair_font(const std::string& bytes, const std::string& name, const Repair_options& options,
+                        const Rounding_bound& rounding);
 
 #endif // GEOMETRIC_CONTINUITY_TOOLS_COMMANDS_REPAIR_REPAIR_FONT_H

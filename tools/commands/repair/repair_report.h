@@ -22,8 +22,13 @@
 #include <vector>
 
 // What the reports of `repair` are about.
-inline Report_subject repair_subject() {
-  return {"join", "every join", "free of kinks", {}, "proved exactly on what is written", {}};
+inline Report_subject repair_subject(bool has_gaps = false) {
+  return {"join",
+          "every join",
+          has_gaps ? "free of kinks and gaps" : "free of kinks",
+          {},
+          "proved exactly on what is written",
+          {}};
 }
 
 // What `repair` has done with a file, for people and for machines.
@@ -160,11 +165,14 @@ public:
   // Prints the report and returns the exit code.
   int print(std::ostream& os, const std::string& file) const {
     Claims claims = claims_;
+    const auto is_left = [](GC::Join_grade grade) {
+      return grade == GC::Join_grade::kink || grade == GC::Join_grade::gap;
+    };
     for (const Grade_counts* counts : {&after_, &defined_after_})
       for (const auto& [grade, count] : *counts)
-        claims.add({grade == GC::Join_grade::kink ? Claim::not_met : Claim::met, "join"}, count);
+        claims.add({is_left(grade) ? Claim::not_met : Claim::met, "join"}, count);
     for (const auto& [reason, count] : undecided_) claims.add({Claim::undecided, "join", reason}, count);
-    const Report_subject subject = repair_subject();
+    const Report_subject subject = repair_subject(after_.count(GC::Join_grade::gap) != 0);
     const Conclusion end(claims, mode_, subject);
     print(os, file, end);
     return end.exit_code();

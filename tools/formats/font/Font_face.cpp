@@ -6,6 +6,7 @@
 
 #include "files/max_unpacked.h"
 #include "formats/font/Cff_outlines.h"
+#include "formats/font/Glyph_origins.h"
 #include "formats/font/Type_1_charstring.h"
 
 #include <algorithm>
@@ -13,6 +14,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <numeric>
 #include <utility>
 
 #include <ft2build.h>
@@ -222,9 +224,12 @@ Font_face::Font_face(std::string_view bytes, int index) {
   face_.reset(face);
   has_names_ = FT_HAS_GLYPH_NAMES(face);
   const std::string_view format = FT_Get_Font_Format(face);
-  if (format == "TrueType")
+  if (format == "TrueType") {
+    origins_ = std::make_unique<const Glyph_origins>(face);
     simple_.assign(static_cast<std::size_t>(face->num_glyphs), -1);
-  else if (format == "CFF" && FT_IS_SCALABLE(face)) {
+    placing_.resize(simple_.size());
+    std::iota(placing_.begin(), placing_.end(), 0);
+  } else if (format == "CFF" && FT_IS_SCALABLE(face)) {
     std::string table(bytes);
     if (FT_IS_SFNT(face)) {
       FT_ULong size = 0;
@@ -276,21 +281,33 @@ int Font_face::glyph_from(char32_t& character) const {
   return static_cast<int>(glyph);
 }
 
+void Font_face::load(int glyph, int flags, int placing) const {
+  check(FT_Load_Glyph(face_.get(), static_cast<FT_UInt>(glyph), flags));
+  if (face_->glyph->format == FT_GLYPH_FORMAT_OUTLINE)
+    FT_Outline_Translate(&face_->glyph->outline, origins_->x(placing), 0);
+}
+
 std::optional<std::vector<Glyph_part>> Font_face::parts_of(int glyph) const {
   if (simple_[static_cast<std::size_t>(glyph)] >= 0) return std::nullopt;
-  check(FT_Load_Glyph(face_.get(), static_cast<FT_UInt>(glyph), FT_LOAD_NO_RECURSE));
+  load(glyph, FT_LOAD_NO_RECURSE, glyph);
   if (face_->glyph->format != FT_GLYPH_FORMAT_COMPOSITE) {
     simple_[static_cast<std::size_t>(glyph)] = face_->glyph->outline.n_contours;
     return std::nullopt;
   }
   std::vector<Glyph_part> parts((std::min<std::size_t>)(face_->glyph->num_subglyphs, max_glyph_parts + 1));
   for (std::size_t i = 0; i < parts.size(); ++i) { // glyphs of the font, or FreeType would have refused the list
+    constexpr FT_UInt scaled_offset = 0x800;
     FT_Int x, y;
     FT_UInt flags;
     FT_Matrix m; // multiples of 2^-14 in 2^-16
     check(FT_Get_SubGlyph_Info(face_->glyph, static_cast<FT_UInt>(i), &parts[i].glyph, &flags, &x, &y, &m));
     if ((flags & (FT_SUBGLYPH_FLAG_SCALE | FT_SUBGLYPH_FLAG_XY_SCALE | FT_SUBGLYPH_FLAG_2X2)) != 0)
       parts[i].matrix = Part_matrix{m.xx, m.xy, m.yx, m.yy, 16}.reduced();
+    const Part_matrix& scale = parts[i].matrix;
+    const bool is_scaled = (flags & scaled_offset) != 0, is_plain = scale.is_diagonal() && scale.xx > 0 && scale.yy > 0;
+    if ((flags & FT_SUBGLYPH_FLAG_ARGS_ARE_XY_VALUES) != 0 && (!is_scaled || is_plain))
+      parts[i].offset = is_scaled ? Part_offset{x * scale.xx, y * scale.yy, scale.shift} : Part_offset{x, y};
+    if ((flags & FT_SUBGLYPH_FLAG_USE_MY_METRICS) != 0) placing_[static_cast<std::size_t>(glyph)] = parts[i].glyph;
   }
   return parts;
 }
@@ -307,17 +324,21 @@ std::set<int> Font_face::components(int glyph) const {
   return result;
 }
 
-void Font_face::read_true_type(int glyph, Glyph_outline& outline) const {
+void Font_face::read_true_type(int glyph, Glyph_outline& outline, const Changed_glyphs* changed) const {
   std::vector<Glyph_part> leaves;
   if (simple_[static_cast<std::size_t>(glyph)] < 0) {
     const auto own = parts_of(glyph);
     if (!own) return receive(face_->glyph, outline); // it has been loaded
     leaves = this->leaves(*own);
   }
-  check(FT_Load_Glyph(face_.get(), static_cast<FT_UInt>(glyph), FT_LOAD_NO_SCALE | FT_LOAD_IGNORE_TRANSFORM));
+  int placing = glyph; // of a component whose metrics are those of the whole
+  while (placing != placing_[static_cast<std::size_t>(placing)]) placing = placing_[static_cast<std::size_t>(placing)];
+  load(glyph, FT_LOAD_NO_SCALE | FT_LOAD_IGNORE_TRANSFORM, placing);
   if (leaves.empty()) return receive(face_->glyph, outline);
-  if (std::any_of(leaves.begin(), leaves.end(), [](const Glyph_part& c) { return !c.matrix.is_identity(); }))
-    return transform(leaves, outline);
+  const auto is_not_as_read = [&](const Glyph_part& leaf) {
+    return !leaf.matrix.is_identity() || (changed != nullptr && changed->count(leaf.glyph) != 0);
+  };
+  if (std::any_of(leaves.begin(), leaves.end(), is_not_as_read)) return transform(leaves, outline, changed);
   std::vector<std::pair<int, int>> parts;
   int contours = 0;
   for (const Glyph_part& leaf : leaves)
@@ -325,11 +346,13 @@ void Font_face::read_true_type(int glyph, Glyph_outline& outline) const {
   receive(face_->glyph, outline, &parts);
 }
 
-void Font_face::transform(const std::vector<Glyph_part>& leaves, Glyph_outline& outline) const {
+void Font_face::transform(const std::vector<Glyph_part>& leaves, Glyph_outline& outline,
+                          const Changed_glyphs* changed) const {
   const FT_Outline& all = face_->glyph->outline;
   const std::vector<FT_Vector> rounded(all.points, all.points + all.n_points);
   int shift = 1;
-  for (const Glyph_part& leaf : leaves) shift = (std::max)(shift, leaf.matrix.shift + 1);
+  for (const Glyph_part& leaf : leaves)
+    shift = (std::max)({shift, leaf.matrix.shift + 1, leaf.offset ? leaf.offset->shift : 0});
   const auto in_steps = [shift](const FT_Vector& p) {
     return Glyph_point{p.x * (std::int64_t(1) << shift), p.y * (std::int64_t(1) << shift)};
   };
@@ -337,21 +360,27 @@ void Font_face::transform(const std::vector<Glyph_part>& leaves, Glyph_outline& 
   std::size_t points = 0;
   for (const Glyph_part& leaf : leaves) {
     part.clear();
-    check(FT_Load_Glyph(face_.get(), static_cast<FT_UInt>(leaf.glyph), FT_LOAD_NO_RECURSE));
+    load(leaf.glyph, FT_LOAD_NO_RECURSE, leaf.glyph);
     receive(face_->glyph, part);
     const FT_Outline& own = face_->glyph->outline;
     if (own.n_points == 0) continue;
     if (rounded.size() < points + static_cast<std::size_t>(own.n_points)) throw Font_error("components that change");
-    // It is placed as by FreeType.
     const Part_matrix& m = leaf.matrix;
-    FT_Vector first = own.points[0];
-    const auto fixed = [&m](std::int64_t x) { return FT_Fixed(x * 0x10000 / (std::int64_t(1) << m.shift)); };
-    const FT_Matrix matrix{fixed(m.xx), fixed(m.xy), fixed(m.yx), fixed(m.yy)};
-    FT_Vector_Transform(&first, &matrix);
-    const Glyph_point offset = in_steps({rounded[points].x - first.x, rounded[points].y - first.y});
+    Glyph_point offset;
+    if (leaf.offset) {
+      const std::int64_t unit = std::int64_t(1) << (shift - leaf.offset->shift);
+      offset = {unit * leaf.offset->x, unit * leaf.offset->y};
+    } else { // it is placed as by FreeType
+      FT_Vector first = own.points[0];
+      const auto fixed = [&m](std::int64_t x) { return FT_Fixed(x * 0x10000 / (std::int64_t(1) << m.shift)); };
+      const FT_Matrix matrix{fixed(m.xx), fixed(m.xy), fixed(m.yx), fixed(m.yy)};
+      FT_Vector_Transform(&first, &matrix);
+      offset = in_steps({rounded[points].x - first.x, rounded[points].y - first.y});
+    }
     const std::int64_t factor = std::int64_t(1) << (shift - 1 - m.shift); // the part is in halves of a unit
     points += static_cast<std::size_t>(own.n_points);
     outline.begin_part(leaf.glyph);
+    if (changed != nullptr && changed->count(leaf.glyph) != 0) part = changed->at(leaf.glyph);
     outline.append(part, [&](const Glyph_point& p) {
       const Glyph_point q = m(p);
       return Glyph_point{factor * q.x + offset.x, factor * q.y + offset.y};
@@ -393,7 +422,7 @@ void Font_face::read_type_1(int glyph, Glyph_outline& outline) const {
   outline.set_shift(Charstring_pen::shift);
 }
 
-void Font_face::read(int glyph, Glyph_outline& outline) const {
+void Font_face::read(int glyph, Glyph_outline& outline, const Changed_glyphs* changed) const {
   outline.clear();
   try {
     if (cff_)
@@ -401,7 +430,7 @@ void Font_face::read(int glyph, Glyph_outline& outline) const {
     else if (type_1_)
       read_type_1(glyph, outline);
     else
-      read_true_type(glyph, outline);
+      read_true_type(glyph, outline, changed);
   } catch (const Font_error&) {
     outline.clear();
     throw;

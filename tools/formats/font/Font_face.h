@@ -11,6 +11,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <optional>
 #include <set>
@@ -21,10 +22,11 @@
 struct FT_FaceRec_;
 
 class Cff_outlines;
+class Glyph_origins;
 
 // A font of a file, read by FreeType: TrueType, OpenType with TrueType or CFF outlines, Type 1, WOFF. Of a variable font it
 // is the default instance. The points are exactly those of the font: what FreeType rounds to integers is read again, charstrings with
-// fractions of a unit and components that are scaled or rotated.
+// fractions of a unit and components that are scaled or rotated, and what it moves to the left side bearing is moved back.
 class Font_face {
   struct Close {
     void operator()(FT_FaceRec_* face) const;
@@ -33,6 +35,9 @@ class Font_face {
   bool has_names_;
   std::unique_ptr<const Cff_outlines> cff_;          // of a font with charstrings of type 2
   std::unique_ptr<std::vector<std::string>> type_1_; // the subroutines of a font with charstrings of type 1
+  std::unique_ptr<const Glyph_origins> origins_;     // of TrueType glyphs
+  mutable std::vector<int>
+      placing_; // the component by whose metrics FreeType places a glyph, as far as that is known; otherwise the glyph
   mutable std::vector<int> simple_; // how many contours glyphs have that are known to have no components, or -1
 
 public:
@@ -67,8 +72,9 @@ public:
   }
 
   // Reads the outline of a glyph. Throws Font_error, also when the glyph has no outline but a picture, or coordinates that no
-  // font needs.
-  void read(int glyph, Glyph_outline& outline) const;
+  // font needs. Components that have changed, glyphs without components in halves of a unit, are taken as they are now.
+  typedef std::map<int, Glyph_outline> Changed_glyphs;
+  void read(int glyph, Glyph_outline& outline, const Changed_glyphs* changed = nullptr) const;
 
   // The glyphs without components of which a glyph consists; none if it has no components. Throws Font_error.
   std::set<int> components(int glyph) const;
@@ -80,12 +86,15 @@ private:
   // Reads a TrueType glyph. FreeType reads a component as often as it is used, so that a font of a few hundred bytes can keep it busy
   // for ever: components are counted before, those of components included. What damaged tables say depends on the reader; so FreeType
   // itself is asked for them.
-  void read_true_type(int glyph, Glyph_outline& outline) const;
+  void read_true_type(int glyph, Glyph_outline& outline, const Changed_glyphs* changed) const;
   void read_type_1(int glyph, Glyph_outline& outline) const;
   std::string charstring(int glyph) const;
 
   // The glyph of a letter or an accent in Adobe's standard encoding.
   int glyph_of_code(std::int64_t code) const;
+
+  // Loads a TrueType glyph, with the coordinates that the table 'glyf' has. FreeType places it by the metrics of the glyph `placing`.
+  void load(int glyph, int flags, int placing) const;
 
   // The components of a glyph, if it has some; otherwise its outline has been loaded, or it is known to have none.
   std::optional<std::vector<Glyph_part>> parts_of(int glyph) const;
@@ -93,8 +102,8 @@ private:
   // The glyphs without components of which these consist. Throws Font_error when there are too many.
   std::vector<Glyph_part> leaves(const std::vector<Glyph_part>& parts) const;
 
-  // Replaces an outline whose components were rounded by the exact one.
-  void transform(const std::vector<Glyph_part>& leaves, Glyph_outline& outline) const;
+  // Replaces an outline whose components were rounded, or have changed, by the exact one.
+  void transform(const std::vector<Glyph_part>& leaves, Glyph_outline& outline, const Changed_glyphs* changed) const;
 };
 
 #endif // GEOMETRIC_CONTINUITY_TOOLS_FORMATS_FONT_FONT_FACE_H

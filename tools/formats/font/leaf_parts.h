@@ -8,6 +8,7 @@
 #include "formats/font/Font_error.h"
 #include "formats/font/Glyph_outline.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -19,6 +20,8 @@ struct Part_matrix {
   int shift = 0;
 
   bool is_identity() const { return xx == 1 && xy == 0 && yx == 0 && yy == 1 && shift == 0; }
+
+  bool is_diagonal() const { return xy == 0 && yx == 0; }
 
   Part_matrix reduced() const {
     Part_matrix m = *this;
@@ -38,10 +41,29 @@ struct Part_matrix {
   Glyph_point operator()(const Glyph_point& p) const { return {xx * p.x + xy * p.y, yx * p.x + yy * p.y}; }
 };
 
-// A glyph as a part of another one, apart from where it stands.
+// Where a part stands, in units of the font over a power of two.
+struct Part_offset {
+  std::int64_t x = 0, y = 0;
+  int shift = 0;
+};
+
+// A glyph as a part of another one. Its offset is nothing where it is not known: where a point of the part is put on one of the glyph, or where
+// the length of the offset is scaled by a matrix that does more than scale.
 struct Glyph_part {
   int glyph;
   Part_matrix matrix = {};
+  std::optional<Part_offset> offset = std::nullopt;
+
+  // The part of a part.
+  Glyph_part operator*(const Glyph_part& inner) const {
+    Glyph_part result{inner.glyph, matrix * inner.matrix};
+    if (!offset || !inner.offset) return result;
+    const Glyph_point at = matrix({inner.offset->x, inner.offset->y});
+    const int added = matrix.shift + inner.offset->shift, shift = (std::max)(offset->shift, added);
+    const std::int64_t own = std::int64_t(1) << (shift - offset->shift), more = std::int64_t(1) << (shift - added);
+    result.offset = Part_offset{own * offset->x + more * at.x, own * offset->y + more * at.y, shift};
+    return result;
+  }
 };
 
 // How many parts a glyph may have, those of its parts included.
@@ -60,8 +82,7 @@ template <class Parts_of> std::vector<Glyph_part> leaf_parts(const std::vector<G
       leaves.push_back(outer);
       continue;
     }
-    for (auto part = inner->rbegin(); part != inner->rend(); ++part)
-      open.push_back({part->glyph, outer.matrix * part->matrix});
+    for (auto part = inner->rbegin(); part != inner->rend(); ++part) open.push_back(outer * *part);
   }
   return leaves;
 }

@@ -11,6 +11,7 @@
 #include <CGAL/Geometric_continuity/edges/Surface_blend_shape.h>
 #include <CGAL/Geometric_continuity/edges/blend_surfaces.h>
 #include <CGAL/Geometric_continuity/edges/edge_continuity.h>
+#include <CGAL/Geometric_continuity/numbers/Exact_field.h>
 #include <CGAL/Geometric_continuity/surfaces/possible_fold.h>
 #include <CGAL/Geometric_continuity/surfaces/trim_back.h>
 
@@ -109,10 +110,44 @@ Rounded_edge<Surface_a, Surface_b> round_edge(const Surface_a& a, Patch_edge edg
   return {std::move(first), std::move(surface), std::move(second), direction, std::move(fold)};
 }
 
+namespace internal {
+
+// The exact width for set_back_parameter(), where the surface is linear across the edge and the mean square of the lengths across has a
+// rational root.
+template <class Surface>
+std::optional<typename Surface::FT> set_back_of_ruled(const Surface& surface, Patch_edge edge,
+                                                      const typename Surface::FT& distance) {
+  typedef typename Surface::FT FT;
+  if constexpr (Is_rational<Surface>::value || !has_rational_roots<FT>())
+    return std::nullopt;
+  else {
+    if ((runs_along_u(edge) ? surface.degree_v() : surface.degree_u()) != 1) return std::nullopt;
+    if constexpr (Surface_shape<Surface>::is_spline)
+      if ((runs_along_u(edge) ? surface.number_of_points_v() : surface.number_of_points_u()) != 2) return std::nullopt;
+    const auto knots = knots_of_edge(surface, edge);
+    const typename Surface::Interval across = runs_along_u(edge) ? surface.domain_v() : surface.domain_u();
+    FT squares(0);
+    for (int k = 0; k < knots.number_of_coefficients(); ++k) {
+      const FT u = knots.greville_abscissa(k);
+      const auto point = [&](const FT& v) {
+        return runs_along_u(edge) ? surface.jet(u, v, 0)(0, 0) : surface.jet(v, u, 0)(0, 0);
+      };
+      const auto ruling = point(across.second) - point(across.first);
+      squares = FT(squares + dot(ruling, ruling));
+    }
+    const std::optional<FT> length = rational_square_root(FT(squares / FT(knots.number_of_coefficients())));
+    if (!length) return std::nullopt;
+    return FT(FT(distance / *length) * FT(across.second - across.first));
+  }
+}
+
+} // namespace internal
+
 /// \ingroup PkgGeometricContinuityConstruction
 /// Returns a width in the parameter for `trim_back()` and `round_edge()` with which the new edge is at about a given distance from the
 /// old one: the mean square of the distances of their points at the same parameters, at the Greville abscissae, is that of the distance
-/// up to one per cent. The width is a fraction of the domain of few binary digits, so that exact numbers stay short.
+/// up to one per cent. The width is a fraction of the domain of few binary digits, so that exact numbers stay short. A polynomial surface that is
+/// linear across the edge has the distance exactly, with an exact kernel, where that needs no irrational root: a plane face, for instance.
 /// \throws Error `parameter_outside_domain` unless the distance is positive and less than that of the opposite edge; `not_finite`
 template <class Surface>
 typename Surface::FT set_back_parameter(const Surface& surface, Patch_edge edge, double distance) {
@@ -142,6 +177,7 @@ typename Surface::FT set_back_parameter(const Surface& surface, Patch_edge edge,
   };
   if (!reaches(1))
     throw Error(Error_code::parameter_outside_domain, place + " is not less than that of the opposite edge");
+  if (const std::optional<FT> exact = internal::set_back_of_ruled(surface, edge, FT(distance))) return *exact;
   double low = 0, high = 1;
   while (high - low > high / 256) (reaches(low / 2 + high / 2) ? high : low) = low / 2 + high / 2;
   return FT(FT(high) * length);

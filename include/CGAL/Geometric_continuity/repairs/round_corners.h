@@ -14,13 +14,14 @@
 #include <CGAL/Geometric_continuity/joins/join_continuity.h>
 #include <CGAL/Geometric_continuity/numbers/Exact_field.h>
 #include <CGAL/Geometric_continuity/numbers/internal/checked_numbers.h>
-#include <CGAL/Geometric_continuity/repairs/internal/Measured_polygon.h>
+#include <CGAL/Geometric_continuity/repairs/internal/Corner_leg.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <iterator>
 #include <limits>
+#include <optional>
 #include <sstream>
 #include <string>
 #include <type_traits>
@@ -51,24 +52,22 @@ namespace internal {
 
 // The parameter at the given distance from an end of a curve, which is longer than this.
 template <class Curve>
-typename Curve::FT cut_parameter(const Curve& curve, Curve_end end, double distance, const std::string& place) {
-  typedef typename Curve::FT FT;
-  const Measured_polygon<Curve::N> polygon(curve, end);
-  const double length = polygon.length();
-  if (!(distance < length)) {
+typename Curve::FT cut_parameter(const Curve& curve, Curve_end end, const typename Curve::FT& distance,
+                                 const std::string& place) {
+  const Corner_leg<Curve> leg(curve, end);
+  if (!(distance < leg.length())) {
     std::ostringstream reason;
-    reason << place << ": the distance " << distance << " is not less than the length " << length << " of the "
-           << (end == Curve_end::end ? "left" : "right") << " curve";
+    reason << place << ": the distance " << CGAL::to_double(distance) << " is not less than the length "
+           << CGAL::to_double(leg.length()) << " of the " << (end == Curve_end::end ? "left" : "right") << " curve";
     throw Error(Error_code::parameter_outside_domain, reason.str());
   }
-  const std::pair<FT, FT> domain = curve.domain();
-  const FT step = FT(FT(polygon.parameter_at(distance)) * FT(domain.second - domain.first));
-  return end == Curve_end::start ? FT(domain.first + step) : FT(domain.second - step);
+  return leg.parameter_at(distance);
 }
 
-inline void check_distance(double distance, const std::string& place) {
-  if (!std::isfinite(distance)) throw Error(Error_code::not_finite, place + ": distance");
-  if (distance < (std::numeric_limits<double>::min)())
+template <class FT> void check_distance(const FT& distance, const std::string& place) {
+  const double rounded = CGAL::to_double(distance);
+  if (!std::isfinite(rounded)) throw Error(Error_code::not_finite, place + ": distance");
+  if (rounded < (std::numeric_limits<double>::min)())
     throw Error(Error_code::parameter_outside_domain, place + ": the distance is not positive");
 }
 
@@ -83,19 +82,31 @@ template <class Field, class Left, class Right> bool turn_back(const Left& left,
   return on_line;
 }
 
+// The same curve, at the speed 1 where it has this first derivative, if its speed there is rational. A strategy may round, and then the blend
+// of two lines would depend on how fast they are run through.
+template <class Curve, class Vector> Curve at_unit_speed(const Curve& curve, const Vector& derivative) {
+  typedef typename Curve::FT FT;
+  if constexpr (has_rational_roots<FT>())
+    if (const std::optional<FT> speed = rational_square_root(FT(dot(derivative, derivative)))) {
+      const std::pair<FT, FT> domain = curve.domain();
+      return curve.with_domain(FT(domain.first * *speed), FT(domain.second * *speed));
+    }
+  return curve;
+}
+
 // The blend from the end of one part to the start of the next one.
 template <class Left, class Right, class Strategy>
 auto blend_of_parts(const Left& left, const Right& right, const Strategy& strategy, const std::string& place) {
   typedef typename Left::Traits Traits;
   typedef typename Left::FT FT;
-  if (is_zero(end_jet<FT>(left, 1)[1])) throw Error(Error_code::zero_tangent, place + ": at the cut of the left curve");
-  if (is_zero(start_jet<FT>(right, 1)[1]))
-    throw Error(Error_code::zero_tangent, place + ": at the cut of the right curve");
+  const auto incoming = end_jet<FT>(left, 1)[1], outgoing = start_jet<FT>(right, 1)[1];
+  if (is_zero(incoming)) throw Error(Error_code::zero_tangent, place + ": at the cut of the left curve");
+  if (is_zero(outgoing)) throw Error(Error_code::zero_tangent, place + ": at the cut of the right curve");
   if (turn_back<typename Exact_field<FT>::type>(left, right, is_quintic_strategy_v<Strategy, Traits> ? 2 : 3))
     throw Error(Error_code::zero_tangent, place + ": the curves turn back on one line, where every blend has a cusp");
   if (left.coordinates(left.degree()) == right.coordinates(0))
     throw Error(Error_code::zero_direction, place + ": both cuts lie in one point");
-  return blend(left, right, strategy);
+  return blend(at_unit_speed(left, incoming), at_unit_speed(right, outgoing), strategy);
 }
 
 } // namespace internal
@@ -105,10 +116,11 @@ auto blend_of_parts(const Left& left, const Right& right, const Strategy& strate
 /// than `distance`, along the curve, and puts a blend into the gap. The corner may be a join of any kind, even a smooth one.
 /// Segmented curves and B-splines are rounded by `round_corners()`.
 ///
-/// The arc length between the corner and each cut is `distance` with a relative error of at most 1/1000; in exchange the cuts
-/// have parameters with few binary digits. They are searched in floating-point numbers. The curves are cut, and blended, in
-/// the field of the kernel: with an exact kernel both parts are exactly parts of the given curves, on parts of their
-/// domains, and the joins are exactly as the strategy promises, \f$ G^2 \f$ with `Fair`.
+/// A line is cut at `distance` exactly where an exact kernel is given and its length is rational; of other lines the parameter is as near
+/// to that as a floating-point number can be, and lines of equal length are cut alike. Along other curves the arc length between the corner
+/// and the cut is `distance` with a relative error of at most 1/1000; in exchange their cuts have parameters with few binary digits.
+/// They are searched in floating-point numbers. The curves are cut, and blended, in the field of the kernel: with an exact kernel both parts
+/// are exactly parts of the given curves, on parts of their domains, and the joins are exactly as the strategy promises, \f$ G^2 \f$ with `Fair`.
 ///
 /// Cutting takes \f$ O(m^2) \f$ operations for degree `m`, besides those in floating-point numbers, of which there are more
 /// the more a curve bends.
@@ -124,14 +136,15 @@ auto blend_of_parts(const Left& left, const Right& right, const Strategy& strate
 ///   lie on one line; `zero_direction` when both cuts lie in one point, e.g. where one curve is the other one reversed
 /// \throws Error `dimension_mismatch`, `not_representable` when a cut has no parameter of type `double`
 template <class Left, class Right, class Strategy = Fair>
-auto round_corner(const Left& left, const Right& right, double distance, const Strategy& strategy = Strategy()) {
+auto round_corner(const Left& left, const Right& right, const internal::Given_number<typename Left::FT>& distance,
+                  const Strategy& strategy = Strategy()) {
   typedef typename Left::FT FT;
   const char* const place = "round_corner";
-  internal::check_distance(distance, place);
+  internal::check_distance(distance.value, place);
   if (left.dimension() != right.dimension()) throw Error(Error_code::dimension_mismatch, place);
   if (left.coordinates(left.degree()) != right.coordinates(0)) throw Error(Error_code::curves_do_not_meet, place);
-  const FT left_cut = internal::cut_parameter(left, Curve_end::end, distance, place),
-           right_cut = internal::cut_parameter(right, Curve_end::start, distance, place);
+  const FT left_cut = internal::cut_parameter(left, Curve_end::end, distance.value, place),
+           right_cut = internal::cut_parameter(right, Curve_end::start, distance.value, place);
   const Left left_part = left.split(left_cut).first;
   const Right right_part = right.split(right_cut).second;
   const auto gamma = internal::blend_of_parts(left_part, right_part, strategy, place);
@@ -142,7 +155,7 @@ auto round_corner(const Left& left, const Right& right, double distance, const S
 /// Where a corner of a chain was, and what has become of it.
 template <class FT> struct Rounded_join {
   std::size_t join;  ///< the corner is the join after this Bézier curve of the given chain, counted from 0 on
-  double distance;   ///< from the corner to both cuts, along the curves
+  FT distance;       ///< from the corner to both cuts, along the curves, as `round_corner()` is asked for it
   FT left_cut;       ///< the parameter where the curve before the corner is cut
   FT right_cut;      ///< the parameter where the curve after the corner is cut
   std::size_t blend; ///< the number of the blend in the rounded chain
@@ -240,12 +253,13 @@ void add_bezier_pieces(const Rational_bspline_curve<Traits>& curve,
 /// \throws Error `zero_tangent`, `zero_direction`, `dimension_mismatch`, `not_representable` as `round_corner()` does
 template <class ForwardIterator, class Strategy = Fair>
 Rounded_chain<internal::Bezier_piece<typename std::iterator_traits<ForwardIterator>::value_type>>
-round_corners(ForwardIterator first, ForwardIterator last, double distance, Closure closure, int order = 2,
-              const Strategy& strategy = Strategy()) {
+round_corners(ForwardIterator first, ForwardIterator last,
+              const internal::Given_number<typename std::iterator_traits<ForwardIterator>::value_type::FT>& distance,
+              Closure closure, int order = 2, const Strategy& strategy = Strategy()) {
   typedef internal::Bezier_piece<typename std::iterator_traits<ForwardIterator>::value_type> Curve;
   typedef typename Curve::FT FT;
   const bool closed = closure == Closure::closed;
-  internal::check_distance(distance, "round_corners");
+  internal::check_distance(distance.value, "round_corners");
   internal::check_count(order, "round_corners: order");
   const auto place = [](std::size_t i) { return "round_corners: join after curve " + std::to_string(i); };
 
@@ -267,9 +281,9 @@ round_corners(ForwardIterator first, ForwardIterator last, double distance, Clos
       is_corner.push_back(false);
   }
   const std::size_t n = given.size();
-  const auto longest = [&](std::size_t i) { // distance of a corner from its cut on this curve
-    const double length = internal::Measured_polygon<Curve::N>(given[i], Curve_end::start).length();
-    return (is_corner[i] && is_corner[(i + n - 1) % n] ? 0.375 : 0.75) * length;
+  const auto longest = [&](std::size_t i) -> FT { // distance of a corner from its cut on this curve
+    const FT part(is_corner[i] && is_corner[(i + n - 1) % n] ? 0.375 : 0.75);
+    return FT(part * internal::Corner_leg<Curve>(given[i], Curve_end::start).length());
   };
 
   Rounded_chain<Curve> result;
@@ -281,7 +295,7 @@ round_corners(ForwardIterator first, ForwardIterator last, double distance, Clos
   for (std::size_t i = 0; i < n; ++i) {
     if (!is_corner[i]) continue;
     const std::size_t next = (i + 1) % n;
-    const double d = (std::min)({distance, longest(i), longest(next)});
+    const FT d = (std::min)({distance.value, longest(i), longest(next)});
     ends[i] = internal::cut_parameter(given[i], Curve_end::end, d, place(i));
     starts[next] = internal::cut_parameter(given[next], Curve_end::start, d, place(i));
     result.corners.push_back({i, d, ends[i], starts[next], 0});
@@ -303,8 +317,9 @@ round_corners(ForwardIterator first, ForwardIterator last, double distance, Clos
 /// \ingroup PkgGeometricContinuityConstruction
 /// Rounds all corners of the curves of a range, such as a `std::vector`.
 template <class Range, class Strategy = Fair>
-auto round_corners(const Range& chain, double distance, Closure closure, int order = 2,
-                   const Strategy& strategy = Strategy()) {
+auto round_corners(const Range& chain,
+                   const internal::Given_number<typename std::decay_t<decltype(*std::begin(chain))>::FT>& distance,
+                   Closure closure, int order = 2, const Strategy& strategy = Strategy()) {
   return round_corners(std::begin(chain), std::end(chain), distance, closure, order, strategy);
 }
 
