@@ -25,7 +25,7 @@ drawn() {
 }
 for file in fillet.brep fillet.step fillet.igs; do
   run 0 report models/$file -o page.html && holds [ ! -s err ]
-  counts page.html '"gap":0,"kink":0,"corner":13,"G0":0,"undecided":0,"G1":2,"G2":0'
+  counts page.html '"gap":0,"kink":0,"fading corner":0,"corner":13,"G0":0,"undecided":0,"G1":2,"G2":0'
   drawn page.html 7 15 15
   says page.html "Continuity of $file" '7 faces, 15 edges of two sides within vda-4955, and G2 within a curvature jump of 0.1%; lengths in mm' '"notes":[]' '"dimension":3'
 done
@@ -33,26 +33,26 @@ done
 holds [ "$(grep -cE '"number":.*"angle":\["[^"]*","[^"]*"\],"jump":.*"edge":[0-9]+,"gap":\[.*"at":\["[^"]*","[^"]*","[^"]*"\],"parameter":"' page.html)" -eq 15 ]
 says page.html '"grade":"G1","place":"edge ' '"verdict":"G0, corner"' '- cylinder'
 run 0 report models/wall.brep -o page.html && drawn page.html 3 2 10
-counts page.html '"gap":0,"kink":1,"corner":1,"G0":0,"undecided":0,"G1":0,"G2":0'
+counts page.html '"gap":0,"kink":1,"fading corner":0,"corner":1,"G0":0,"undecided":0,"G1":0,"G2":0'
 says page.html '"grade":"boundary"' '"verdict":"G0, kink, exactly G0"'
 holds [ "$(grep -n '"number":' page.html | head -n 1 | grep -c '"grade":"kink"')" -eq 1 ] # the worst first
 holds grep -qE '"grade":"kink".*"angle":\["(1|0\.99999[0-9]*)","1(\.0*[0-9]*)?"\]' page.html
 run 0 report models/wall.brep -o page.html --kink-angle 0.9
-counts page.html '"gap":0,"kink":0,"corner":2,"G0":0,"undecided":0,"G1":0,"G2":0'
+counts page.html '"gap":0,"kink":0,"fading corner":0,"corner":2,"G0":0,"undecided":0,"G1":0,"G2":0'
 run 0 report models/wall.brep -o page.html --within 0.01,1.1deg --worst 1
-counts page.html '"gap":0,"kink":0,"corner":1,"G0":0,"undecided":0,"G1":0,"G2":1' # both are flat
+counts page.html '"gap":0,"kink":0,"fading corner":0,"corner":1,"G0":0,"undecided":0,"G1":0,"G2":1' # both are flat
 says page.html 'within 0.01,1.1deg, and G2 within a curvature jump of 0.1%; lengths in mm' 'The page shows the worst 1 of 2' && says err "the worst 1 of 2"
 run 0 report models/fillet.step -o page.html --within 0.01,0.1deg,101%
-counts page.html '"gap":0,"kink":0,"corner":13,"G0":0,"undecided":0,"G1":0,"G2":2'
-run 0 report models/fading.brep -o page.html && says page.html '"corner":1' '"verdict":"G0, fading corner'
+counts page.html '"gap":0,"kink":0,"fading corner":0,"corner":13,"G0":0,"undecided":0,"G1":0,"G2":2'
+run 0 report models/fading.brep -o page.html && says page.html '"fading corner":1,"corner":0' '"grade":"fading corner"' '"verdict":"G0, fading corner'
 run 0 report models/separated.brep -o page.html --sew 0.001 && says page.html '15 edges sewn by OpenCASCADE of two boundary edges'
-counts page.html '"gap":0,"kink":0,"corner":13,"G0":0,"undecided":0,"G1":2,"G2":0'
+counts page.html '"gap":0,"kink":0,"fading corner":0,"corner":13,"G0":0,"undecided":0,"G1":2,"G2":0'
 run 2 report models/separated.brep -o page.html --sew 0 && says err "--sew"
 # edges that gape, and the order of the worst
 run 0 report models/apart.brep -o page.html --sew 0.1 && says page.html '"grade":"gap"' '"verdict":"gap"'
-counts page.html '"gap":2,"kink":0,"corner":0,"G0":0,"undecided":0,"G1":0,"G2":0'
+counts page.html '"gap":2,"kink":0,"fading corner":0,"corner":0,"G0":0,"undecided":0,"G1":0,"G2":0'
 holds [ "$(grep '"number":' page.html | sed 's/.*"gap":\["0.0\([0-9]\).*/\1/' | tr '\n' ' ')" = "4 2 " ] # from 0.05 and 0.03 rounded down
-run 0 report models/kinks.brep -o page.html && counts page.html '"gap":0,"kink":2,"corner":0,"G0":0,"undecided":0,"G1":0,"G2":0'
+run 0 report models/kinks.brep -o page.html && counts page.html '"gap":0,"kink":2,"fading corner":0,"corner":0,"G0":0,"undecided":0,"G1":0,"G2":0'
 holds [ "$(grep '"number":' page.html | sed 's/.*"angle":\["\([0-9]\).*/\1/' | tr '\n' ' ')" = "3 0 " ] # the lower ends, the last one rounded down from 1
 
 # seams, poles, several faces at an edge, what cannot be compared, and no edge of two sides

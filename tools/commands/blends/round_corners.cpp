@@ -81,28 +81,28 @@ bool write_report(std::ostream& os, const Rounded<FT>& result, std::size_t given
   GC::Chain_summary summary;
   for (const Join& join : joins) summary.add(join);
   write_row(os, {"corner", "blend", "distance", "start join", "end join"});
-  bool proved = true;
+  std::size_t broken = 0;
   for (const GC::Rounded_join<FT>& corner : result.corners) {
     const Join &start = joins[corner.blend - 1], &end = joins[corner.blend];
-    proved = proved && start.g_order >= order && end.g_order >= order;
+    broken += std::size_t(start.g_order < order) + std::size_t(end.g_order < order);
     write_row(os, {std::to_string(corner.join) + " -> " + std::to_string((corner.join + 1) % given),
                    std::to_string(corner.blend), rounded(corner.distance, 6), orders(start), orders(end)});
   }
   const std::size_t n = result.corners.size();
   os << n << (n == 1 ? " corner is rounded" : " corners are rounded")
-     << (n == 0   ? ""
-         : proved ? ", both joins of every blend are proved in exact arithmetic"
-                  : "; decided in exact arithmetic: rounding has broken a join")
+     << (n == 0        ? ""
+         : broken == 0 ? ", both joins of every blend are proved in exact arithmetic"
+                       : "; decided in exact arithmetic: " + broken_joins(broken, 2 * n))
      << "\nthe chain: " << summary << '\n';
-  return proved;
+  return broken == 0;
 }
 
 template <class FT> Exit_code round_corners(const Command_line& line) {
   const Arguments files = line.files();
-  if (files.size() != 1) throw std::invalid_argument("blend --corner, --corners: one file is needed; see --help");
-  const double distance = line.number<double>("distance", 0);
   const int order = line.integer("order", 2, 3);
   if (line.has("strategy")) line.choice("strategy", {order == 2 ? "fair" : "fair_g3"});
+  if (files.size() != 1) throw std::invalid_argument("blend --corner, --corners: one file is needed; see --help");
+  const double distance = line.number<double>("distance", 0);
   const Chain<FT> chain = read_curves<FT>(files);
   if (line.has("corners") && chain.size() == 1 && !line.has("closed")) throw std::invalid_argument(no_join);
   const Rounded<FT> result = [&] {

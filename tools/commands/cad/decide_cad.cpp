@@ -121,9 +121,18 @@ void decide_cad_files(const Arguments& files, const Cad_demand& demand, const Ca
   }
 }
 
-void Cad_summary::add(const Decided_cad_file& file) {
+std::string Cad_summary::hint() const {
+  if (boundary > 0) return "--sew DISTANCE joins boundary edges that coincide";
+  if (loose > 0)
+    return "edges without faces are curves in space, which are not compared: write them as a chain (.g2) or a drawing "
+           "(.svg), the joins of which are decided exactly, or call geometric_continuity.adapters.freecad in FreeCAD";
+  return "";
+}
+
+void Cad_summary::add(const Decided_cad_file& file, const Cad_demand& demand) {
   faces += file.model.faces.size();
   lost += file.model.lost.size();
+  loose += file.model.loose_edges;
   sewn += file.model.sewn;
   instances += file.model.instances.size();
   shapes += file.model.shapes;
@@ -142,12 +151,13 @@ void Cad_summary::add(const Decided_cad_file& file) {
       continue;
     case Cad_edge_kind::knot_line: ++knot_lines; break;
     }
+    const Claim claim = claim_of(edge, verdict, demand)->claim;
     const int order = verdict.order();
-    ++(order == 2                                  ? g2
-       : order == 1                                ? g1
-       : order == 0                                ? g0
-       : verdict.within[0] == GC::Verdict::refuted ? gaps
-                                                   : undecided);
+    ++(claim == Claim::undecided || claim == Claim::not_covered ? undecided
+       : order == 2                                             ? g2
+       : order == 1                                             ? g1
+       : order == 0                                             ? g0
+                                                                : gaps);
     kinks += verdict.shape == Cad_shape::kink;
     corners += verdict.shape == Cad_shape::corner;
     fading_corners += verdict.shape == Cad_shape::fading_corner;

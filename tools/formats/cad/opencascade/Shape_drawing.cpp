@@ -12,7 +12,6 @@
 #include <BRepBuilderAPI_Copy.hxx>
 #include <BRepMesh_IncrementalMesh.hxx>
 #include <BRepTools.hxx>
-#include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
 #include <Bnd_Box.hxx>
 #include <Poly_PolygonOnTriangulation.hxx>
@@ -22,7 +21,6 @@
 #include <TopExp_Explorer.hxx>
 #include <TopLoc_Location.hxx>
 #include <TopoDS.hxx>
-#include <TopoDS_Compound.hxx>
 
 #include <algorithm>
 #include <array>
@@ -166,40 +164,43 @@ TopoDS_Shape healed(const TopoDS_Face& face) {
 
 } // namespace
 
-Shape_drawing::Shape_drawing(const TopoDS_Shape& shape) {
-  try {
-    BRep_Builder builder;
-    TopoDS_Compound finite;
-    builder.MakeCompound(finite);
-    Bnd_Box all;
-    std::vector<TopoDS_Face> faces;
-    for (TopExp_Explorer i(shape, TopAbs_FACE); i.More(); i.Next())
-      if (include(i.Current(), all)) {
-        faces.push_back(TopoDS::Face(i.Current()));
-        if (!has_many_knots(faces.back())) builder.Add(finite, i.Current());
-      }
-    if (all.IsVoid()) return;
-    distance_ = drawn_distance * std::sqrt(all.SquareExtent());
-    divide(finite, distance_, 0);
-    for (const TopoDS_Face& face : faces)
-      if (has_many_knots(face) || has_many_triangles(face)) divide_coarsely(face, distance_);
-  } catch (const Standard_Failure&) { // what has been divided until now is drawn
-  }
+Shape_drawing::Shape_drawing(const std::vector<TopoDS_Face>& faces) {
+  Bnd_Box all;
+  for (const TopoDS_Face& face : faces) try {
+      include(face, all);
+    } catch (const Standard_Failure&) { // it cannot be drawn
+    }
+  if (!all.IsVoid()) distance_ = drawn_distance * std::sqrt(all.SquareExtent());
 }
 
-Cad_mesh Shape_drawing::mesh(const TopoDS_Face& face) const {
+void Shape_drawing::divide(const TopoDS_Face& face) {
+  if (!divided_.insert(face.TShape().get()).second) return; // it is placed again
+  const bool is_coarse = has_many_knots(face);
+  if (!is_coarse) ::divide(face, distance_, 0);
+  if (is_coarse || has_many_triangles(face)) divide_coarsely(face, distance_);
+}
+
+Cad_mesh Shape_drawing::mesh(const TopoDS_Face& face) {
   Cad_mesh result;
-  append_triangles(face, result);
-  if (!result.triangles.empty()) return result;
+  result.reason = "it cannot be divided into triangles";
   try {
     Bnd_Box box;
-    if (!include(face, box) || BRep_Tool::Surface(face).IsNull()) return result;
-    const TopoDS_Shape copy = healed(face);
-    divide(copy, distance_, has_many_knots(face) ? coarse_side * extent(face) : 0);
-    for (TopExp_Explorer i(copy, TopAbs_FACE); i.More(); i.Next()) append_triangles(TopoDS::Face(i.Current()), result);
-    result.healed = distance(face, result);
+    const bool is_finite = include(face, box) && !BRep_Tool::Surface(face).IsNull();
+    if (is_finite)
+      divide(face);
+    else
+      result.reason = "it is not finite";
+    append_triangles(face, result);
+    if (result.triangles.empty() && is_finite) {
+      const TopoDS_Shape copy = healed(face);
+      ::divide(copy, distance_, has_many_knots(face) ? coarse_side * extent(face) : 0);
+      for (TopExp_Explorer i(copy, TopAbs_FACE); i.More(); i.Next())
+        append_triangles(TopoDS::Face(i.Current()), result);
+      result.healed = distance(face, result);
+    }
   } catch (const Standard_Failure&) { // it cannot be drawn
   }
+  if (!result.triangles.empty()) result.reason.clear();
   return result;
 }
 
