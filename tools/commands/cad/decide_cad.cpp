@@ -124,8 +124,9 @@ void decide_cad_files(const Arguments& files, const Cad_demand& demand, const Ca
 std::string Cad_summary::hint() const {
   if (boundary > 0) return "--sew DISTANCE joins boundary edges that coincide";
   if (loose > 0)
-    return "edges without faces are curves in space, which are not compared: write them as a chain (.g2) or a drawing "
-           "(.svg), the joins of which are decided exactly, or call geometric_continuity.adapters.freecad in FreeCAD";
+    return "curves without faces are decided exactly when they are written as a chain (.g2) or a drawing (.svg), and "
+           "in "
+           "FreeCAD by geometric_continuity.adapters.freecad";
   return "";
 }
 
@@ -153,11 +154,12 @@ void Cad_summary::add(const Decided_cad_file& file, const Cad_demand& demand) {
     }
     const Claim claim = claim_of(edge, verdict, demand)->claim;
     const int order = verdict.order();
-    ++(claim == Claim::undecided || claim == Claim::not_covered ? undecided
-       : order == 2                                             ? g2
-       : order == 1                                             ? g1
-       : order == 0                                             ? g0
-                                                                : gaps);
+    ++(claim == Claim::not_covered ? not_compared
+       : claim == Claim::undecided ? undecided
+       : order == 2                ? g2
+       : order == 1                ? g1
+       : order == 0                ? g0
+                                   : gaps);
     kinks += verdict.shape == Cad_shape::kink;
     corners += verdict.shape == Cad_shape::corner;
     fading_corners += verdict.shape == Cad_shape::fading_corner;
@@ -165,7 +167,6 @@ void Cad_summary::add(const Decided_cad_file& file, const Cad_demand& demand) {
     bent += verdict.shape == Cad_shape::bent;
     folds += verdict.shape == Cad_shape::fold;
     inside_out += verdict.shape == Cad_shape::inside_out;
-    not_compared += !verdict.enclosure;
     projected += edge.projected;
   }
 }

@@ -179,6 +179,7 @@ class Cad_page {
     if (files_.size() < 2) return;
     std::vector<std::array<double, 3>> centres;
     double radius = 0;
+    std::size_t drawn = 0;
     for (std::size_t i = 0; i < files_.size(); ++i) {
       std::array<double, 3> low, high;
       low.fill(HUGE_VAL);
@@ -190,20 +191,26 @@ class Cad_page {
         }
       });
       centres.push_back({low[0] / 2 + high[0] / 2, low[1] / 2 + high[1] / 2, low[2] / 2 + high[2] / 2});
-      if (low[0] <= high[0])
-        radius = (std::max)(radius, std::hypot(high[0] - low[0], high[1] - low[1], high[2] - low[2]) / 2);
+      if (!(low[0] <= high[0])) continue;
+      ++drawn;
+      radius = (std::max)(radius, std::hypot(high[0] - low[0], high[1] - low[1], high[2] - low[2]) / 2);
     }
+    if (drawn < 2) return;
     // The directions to the right and up of the camera in page.js.
     constexpr double pi = 3.141592653589793, azimuth = -pi / 3, elevation = 0.4;
     const std::array<double, 3> right{-std::sin(azimuth), std::cos(azimuth), 0},
         up{-std::sin(elevation) * std::cos(azimuth), -std::sin(elevation) * std::sin(azimuth), std::cos(elevation)};
-    const std::size_t columns = static_cast<std::size_t>(std::ceil(std::sqrt(double(files_.size()))));
-    for (std::size_t i = 0; i < files_.size(); ++i)
+    const std::size_t columns = static_cast<std::size_t>(std::ceil(std::sqrt(double(drawn))));
+    std::size_t next = 0;
+    for (std::size_t i = 0; i < files_.size(); ++i) {
+      if (!std::isfinite(centres[i][0])) continue; // there is nothing to draw
+      const double x = 2.1 * radius * double(next % columns), y = -2.1 * radius * double(next / columns);
+      ++next;
       for_drawn(i, [&](std::vector<double>& points) {
-        const double x = 2.1 * radius * double(i % columns), y = -2.1 * radius * double(i / columns);
         for (std::size_t j = 0; j < points.size(); ++j)
           points[j] += x * right[j % 3] + y * up[j % 3] - centres[i][j % 3];
       });
+    }
     page_.notes.push_back(counted(files_.size(), "file") + ", which are drawn beside each other, not where they lie.");
   }
 

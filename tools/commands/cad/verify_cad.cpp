@@ -151,8 +151,10 @@ class Cad_report {
     if (s.decided() == 0 && !s.hint().empty()) os << s.hint() << '\n';
     if (s.decided() > 0) {
       os << "within " << demand_.tolerance << " (lengths in mm): " << s.g2 << " G2, " << s.g1 << " G1, " << s.g0
-         << " G0, " << counted(s.gaps, "gap") << ", " << s.undecided << " undecided; " << counted(s.corners, "corner")
-         << ", " << counted(s.fading_corners, "fading corner") << ", " << counted(s.kinks, "kink");
+         << " G0, " << counted(s.gaps, "gap") << ", " << s.undecided << " undecided"
+         << (s.not_compared == 0 ? "" : ", " + std::to_string(s.not_compared) + " not compared") << "; "
+         << counted(s.corners, "corner") << ", " << counted(s.fading_corners, "fading corner") << ", "
+         << counted(s.kinks, "kink");
       if (s.bent > 0) os << ", " << s.bent << " kink or corner";
       if (s.folds > 0) os << ", " << counted(s.folds, "fold");
       if (s.inside_out > 0) os << ", " << s.inside_out << " inside out";

@@ -12,6 +12,7 @@
 #include <BRepBuilderAPI_Copy.hxx>
 #include <BRepMesh_IncrementalMesh.hxx>
 #include <BRepTools.hxx>
+#include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
 #include <Bnd_Box.hxx>
 #include <Poly_PolygonOnTriangulation.hxx>
@@ -21,6 +22,7 @@
 #include <TopExp_Explorer.hxx>
 #include <TopLoc_Location.hxx>
 #include <TopoDS.hxx>
+#include <TopoDS_Compound.hxx>
 
 #include <algorithm>
 #include <array>
@@ -155,6 +157,21 @@ double distance(const TopoDS_Face& face, const Cad_mesh& mesh) {
   return mesh.triangles.empty() ? 0 : std::sqrt(most);
 }
 
+// Whether the edges of a face lie in the box of its triangles, up to this distance. OpenCASCADE may divide a part of a face only.
+bool has_edges(const TopoDS_Face& face, const Cad_mesh& mesh, double distance) {
+  Bnd_Box box;
+  for (const auto& triangle : mesh.triangles)
+    for (const std::size_t i : triangle) box.Add(gp_Pnt(mesh.points[i][0], mesh.points[i][1], mesh.points[i][2]));
+  if (box.IsVoid()) return false;
+  box.Enlarge(distance);
+  for (TopExp_Explorer i(face, TopAbs_EDGE); i.More(); i.Next()) {
+    if (BRep_Tool::Degenerated(TopoDS::Edge(i.Current()))) continue;
+    for (const GC::Cad_point<3>& p : curve_points(TopoDS::Edge(i.Current())))
+      if (box.IsOut(gp_Pnt(p[0], p[1], p[2]))) return false;
+  }
+  return true;
+}
+
 // A copy of a face with its boundary repaired, e.g. moved by periods of its surface.
 TopoDS_Shape healed(const TopoDS_Face& face) {
   ShapeFix_Face fix(TopoDS::Face(BRepBuilderAPI_Copy(face).Shape()));
@@ -171,6 +188,27 @@ Shape_drawing::Shape_drawing(const std::vector<TopoDS_Face>& faces) {
     } catch (const Standard_Failure&) { // it cannot be drawn
     }
   if (!all.IsVoid()) distance_ = drawn_distance * std::sqrt(all.SquareExtent());
+}
+
+void Shape_drawing::divide_together(const std::vector<TopoDS_Face>& faces) {
+  try {
+    BRep_Builder builder;
+    TopoDS_Compound finite;
+    builder.MakeCompound(finite);
+    std::vector<TopoDS_Face> included;
+    for (const TopoDS_Face& face : faces) {
+      divided_.insert(face.TShape().get());
+      Bnd_Box box;
+      if (!include(face, box)) continue;
+      included.push_back(face);
+      if (!has_many_knots(face)) builder.Add(finite, face);
+    }
+    if (included.empty()) return;
+    ::divide(finite, distance_, 0);
+    for (const TopoDS_Face& face : included)
+      if (has_many_knots(face) || has_many_triangles(face)) divide_coarsely(face, distance_);
+  } catch (const Standard_Failure&) { // what has been divided until now is drawn
+  }
 }
 
 void Shape_drawing::divide(const TopoDS_Face& face) {
@@ -191,12 +229,19 @@ Cad_mesh Shape_drawing::mesh(const TopoDS_Face& face) {
     else
       result.reason = "it is not finite";
     append_triangles(face, result);
-    if (result.triangles.empty() && is_finite) {
+    const double near = 20 * distance_; // what nobody takes for another face
+    if (is_finite && !has_edges(face, result, near)) {
+      result.points.clear();
+      result.triangles.clear();
       const TopoDS_Shape copy = healed(face);
       ::divide(copy, distance_, has_many_knots(face) ? coarse_side * extent(face) : 0);
       for (TopExp_Explorer i(copy, TopAbs_FACE); i.More(); i.Next())
         append_triangles(TopoDS::Face(i.Current()), result);
       result.healed = distance(face, result);
+      if (!result.triangles.empty() && !has_edges(face, result, near)) {
+        result.triangles.clear();
+        result.reason = "the triangles into which it is divided do not reach its edges";
+      }
     }
   } catch (const Standard_Failure&) { // it cannot be drawn
   }

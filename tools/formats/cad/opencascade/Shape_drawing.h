@@ -24,8 +24,12 @@ class Shape_drawing {
 public:
   explicit Shape_drawing(const std::vector<TopoDS_Face>& faces);
 
-  // Returns the triangles of one of the faces. If it cannot be divided, those of a healed copy are taken. A face that is infinite has
-  // none. OpenCASCADE may not come to an end, see draw().
+  // Divides all of the faces at once, so that triangles on both sides of an edge have the same points there. OpenCASCADE may not come to
+  // an end, nor with a single face, see draw_apart().
+  void divide_together(const std::vector<TopoDS_Face>& faces);
+
+  // Returns the triangles of one of the faces, which is divided now unless it has been. If it cannot be divided, those of a healed copy are taken. A face that is infinite has
+  // none.
   Cad_mesh mesh(const TopoDS_Face& face);
 
   // Returns points along an edge: those where the triangles of a face have it, or if there are none, on its curve. None for

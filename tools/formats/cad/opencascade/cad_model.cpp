@@ -390,12 +390,12 @@ class Model_builder {
     model_.edges.push_back(std::move(e));
   }
 
-  // Faces and edges with uses, in the order of the model. All else has been read, and the drawing may take half of the time that is left.
+  // Faces and edges with uses, in the order of the model. All else has been read; most of the time that is left is for the drawing.
   void draw(const Cad_reading& reading) {
     std::vector<TopoDS_Face> faces;
     for (std::size_t i = 0; i < boxes_.size(); ++i) faces.push_back(face(i));
     const double left = reading.time_limit - processor_seconds(::getpid());
-    Model_drawing drawing = draw_apart(faces, edges_, {reading.time_limit / 10, left / 2});
+    Model_drawing drawing = draw_apart(faces, edges_, {reading.time_limit / 10, 0.75 * left});
     model_.meshes = std::move(drawing.meshes);
     std::size_t next = 0;
     for (std::size_t i = 0; i < uses_.size(); ++i)

@@ -59,6 +59,7 @@ class Drawing_in_processes {
   Model_drawing result_;
   std::vector<bool> has_edge_;
   double spent_ = 0; // seconds
+  enum class Stage { together, divided, one_by_one } stage_ = Stage::together;
   std::map<const TopoDS_TShape*, std::string> failed_;
 
   // In the process apart: this process ends when it takes longer from now on.
@@ -69,7 +70,10 @@ class Drawing_in_processes {
     ::setitimer(ITIMER_PROF, &time, nullptr);
   }
 
-  static void write_all(int descriptor, const std::string& bytes) {
+  // Writes the number of the bytes, and these.
+  static void pass_on(int descriptor, const std::string& text) {
+    const std::uint64_t size = text.size();
+    const std::string bytes = std::string(reinterpret_cast<const char*>(&size), sizeof size) + text;
     for (std::size_t i = 0; i < bytes.size();) {
       const ssize_t n = ::write(descriptor, bytes.data() + i, bytes.size() - i);
       if (n < 0 && errno != EINTR) ::_exit(EXIT_FAILURE);
@@ -96,21 +100,30 @@ class Drawing_in_processes {
     sigset_t none;
     ::sigemptyset(&none);
     ::sigprocmask(SIG_SETMASK, &none, nullptr);
-    double left = limits_.all - spent_;
+    if (stage_ == Stage::together) {
+      end_after(limits_.all / 2);
+      drawing_.divide_together(faces_);
+      pass_on(descriptor, {});
+    }
+    double left = limits_.all - spent_ - seconds_of(CLOCK_PROCESS_CPUTIME_ID);
     for (std::size_t i = first; i < faces_.size(); ++i) {
       const double before = seconds_of(CLOCK_PROCESS_CPUTIME_ID);
       end_after((std::min)(limits_.face, left));
       const bool has_failed = failed_.count(faces_[i].TShape().get()) != 0;
       Byte_writer bytes;
       bytes(has_failed ? Face_drawing() : drawn(faces_[i]));
-      const std::uint64_t size = bytes.bytes().size();
-      write_all(descriptor, std::string(reinterpret_cast<const char*>(&size), sizeof size) + bytes.bytes());
+      pass_on(descriptor, bytes.bytes());
       left -= seconds_of(CLOCK_PROCESS_CPUTIME_ID) - before;
     }
     ::_exit(EXIT_SUCCESS);
   }
 
+  // Takes a face, or no bytes when all are divided.
   void take(const std::string& bytes) {
+    if (bytes.empty()) {
+      stage_ = Stage::divided;
+      return;
+    }
     Face_drawing face;
     Byte_reader reader(bytes);
     reader(face);
@@ -170,8 +183,11 @@ public:
   Model_drawing draw() {
     while (result_.meshes.size() < faces_.size() && spent_ < limits_.all) {
       const std::string reason = draw_in_process();
+      const bool is_of_face = stage_ != Stage::together;
       const std::size_t next = result_.meshes.size();
+      stage_ = Stage::one_by_one;
       if (next == faces_.size() || spent_ >= limits_.all) break;
+      if (!is_of_face) continue;
       failed_[faces_[next].TShape().get()] = reason;
       result_.meshes.emplace_back().reason = reason;
     }

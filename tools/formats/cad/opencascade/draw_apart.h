@@ -24,8 +24,9 @@ struct Model_drawing {
   std::vector<std::vector<GC::Cad_point<3>>> edges;
 };
 
-// Draws faces in a process apart, one after the other. A face on which OpenCASCADE does not come to an end in time, or crashes, ends that
-// process; a new one goes on behind it. Edges are numbered from 1 on.
+// Draws faces in a process apart, which divides all of them together. If OpenCASCADE crashes, or does not come to an end in half of the
+// time, a new process draws them one after the other; a face that ends that process is left out, and another one goes on behind it. Edges are
+// numbered from 1 on.
 Model_drawing draw_apart(const std::vector<TopoDS_Face>& faces, const TopTools_IndexedMapOfShape& edges,
                          const Drawing_limits& limits);
 
