@@ -15,6 +15,8 @@
 #include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
 #include <Bnd_Box.hxx>
+#include <Geom2d_Curve.hxx>
+#include <Geom_Curve.hxx>
 #include <Poly_PolygonOnTriangulation.hxx>
 #include <Poly_Triangulation.hxx>
 #include <ShapeFix_Face.hxx>
@@ -97,12 +99,28 @@ std::vector<GC::Cad_point<3>> curve_points(const TopoDS_Edge& edge) {
   return result;
 }
 
-// Whether the edges of a face have finite parameters, and the face a finite extent; includes it in a box then.
+// Whether those curves of an edge that there are begin and end at finite points, in space and in the parameter plane.
+bool has_finite_ends(const TopoDS_Edge& edge, const TopoDS_Face& face) {
+  double begin, end;
+  if (const Handle(Geom_Curve) curve = BRep_Tool::Curve(edge, begin, end); !curve.IsNull())
+    for (const double t : {begin, end}) {
+      const gp_Pnt p = curve->Value(t);
+      if (!is_finite(p.X(), p.Y()) || !is_finite(p.Z(), 0)) return false;
+    }
+  if (const Handle(Geom2d_Curve) curve = BRep_Tool::CurveOnSurface(edge, face, begin, end); !curve.IsNull())
+    for (const double t : {begin, end}) {
+      const gp_Pnt2d p = curve->Value(t);
+      if (!is_finite(p.X(), p.Y())) return false;
+    }
+  return true;
+}
+
+// Whether the edges of a face have finite parameters and ends, and the face a finite extent; includes it in a box then.
 bool include(const TopoDS_Shape& face, Bnd_Box& all) {
   for (TopExp_Explorer i(face, TopAbs_EDGE); i.More(); i.Next()) {
     double begin, end;
     BRep_Tool::Range(TopoDS::Edge(i.Current()), begin, end);
-    if (!is_finite(begin, end)) return false;
+    if (!is_finite(begin, end) || !has_finite_ends(TopoDS::Edge(i.Current()), TopoDS::Face(face))) return false;
   }
   Bnd_Box box;
   BRepBndLib::Add(face, box);
