@@ -7,12 +7,14 @@
 #include "files/cores.h"
 #include "files/standard_streams.h"
 #include "files/sudden_end.h"
+#include "formats/input_formats.h"
 
 #include <CGAL/Geometric_continuity/IO/text.h>
 
 #include <exception>
 #include <iostream>
 #include <new>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -62,12 +64,26 @@ const std::vector<const Command*> commands = {
     &blend_command, &connect_command, &extend_command, &interpolate_command, &fit_command,        &verify_command,
     &merge_command, &repair_command,  &plot_command,   &report_command,      &tessellate_command, &round_edges_command};
 
+// Parses the arguments. Where the value of an option is missing that is one of some words, the error lists them.
+Command_line parsed(const Command& command, const Arguments& arguments) try {
+  return Command_line(command, arguments);
+} catch (const po::invalid_command_line_syntax& e) {
+  const auto words = option_words();
+  std::string option = e.get_option_name(), known;
+  const auto entry = words.find(option.erase(0, option.find_first_not_of('-')));
+  if (entry == words.end()) throw;
+  for (const std::string& word : entry->second) known += (known.empty() ? "; it is one of " : ", ") + word;
+  throw std::invalid_argument(e.what() + known);
+}
+
 int run(const std::string& name, const Arguments& arguments) {
   Arguments names;
   for (const Command* command : commands) {
     if (command->name == name) {
-      const Command_line line(*command, arguments);
-      return line.help() ? static_cast<int>(requirement_met) : command->run(line);
+      const Command_line line = parsed(*command, arguments);
+      if (line.help()) return requirement_met;
+      check_input_formats(name, line.files());
+      return command->run(line);
     }
     names.push_back(command->name);
   }

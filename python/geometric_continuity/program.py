@@ -88,7 +88,7 @@ def file_record(file: Path, *, time_limit: float = 60, memory_limit: float = 409
     files can be shared out to many processes.
 
     file: its name has no line break.
-    time_limit: seconds; memory_limit: MiB of addresses.
+    time_limit: seconds of processor time; memory_limit: MiB of addresses.
     options: those of `geometric_continuity verify`, as for `verify`.
 
     Raises Error `bad_input` for options or a name that the program refuses.

@@ -44,3 +44,62 @@ echo old >old.g2
 run 2 blend cusp.g2 "$R" -o old.g2
 holds [ "$(cat old.g2)" = old ]
 holds [ ! -e no.g2 ]
+
+# Formats that a command does not read are named, by the name of the file and by what it begins with, with the nearest way.
+refused() { # FILE COMMAND TEXT...: the error names the file and has these texts, and nothing of the reader of .g2
+  local file=$1 command=$2
+  shift 2
+  run 2 $command "$file" && says err "$file" "$@" && lacks err "where an integer"
+}
+foreign() { # FILE TEXT...: no command reads it
+  local file=$1 command
+  shift
+  for command in verify "report -o no.html" "repair -o no.g2" "plot -o no.svg" "tessellate -o no.stl" "extend --order curvature -o no.g2" \
+    "round-edges --set-back 1" "fit -o no.g2" "interpolate -o no.g2"; do
+    refused "$file" "$command" "which is not read" " ${command%% *} reads " "$@"
+  done
+}
+mkdir formats && cd formats
+: >part.dxf && : >part.DXF && : >part.gcode && : >Font.glyphs && : >Part.FCStd && : >part.stl && : >data.json && : >part.step.gz && : >a.ufoz
+: >A.designspace && : >picture.png && : >page.pdf && : >part.sldprt && mkdir Font.ufo Font.glyphspackage
+foreign part.dxf DXF "export it as SVG" "spline_pieces() reads the splines of ezdxf"
+foreign Part.FCStd FreeCAD "export it as STEP"
+foreign part.step.gz "a packed CAD model" gunzip
+foreign Font.ufo "a UFO" "fontmake -u" "adapters.sources"
+for file in "part.DXF DXF" "part.gcode G-code" "Font.glyphs fontmake -g" "Font.glyphspackage fontmake -g" "part.stl triangles have no curvature" \
+  "data.json JSON" "a.ufoz UFO" "A.designspace --all-instances" "picture.png pixels" "page.pdf export it as SVG" "part.sldprt export it as STEP"; do
+  refused "${file%% *}" verify "${file#* }" "which is not read" "verify reads curves and surfaces (.g2), drawings (.svg, .svgz), fonts (" \
+    "CAD models (.step, .stp, .iges, .igs, .brep, .brp)"
+done
+# by content, also of standard input
+printf '  0\r\nSECTION\r\n  2\r\nHEADER\r\n' >dxf && printf '; made by a slicer\n(comment)\n%%\nG21\nG1 X0 Y1\n' >gcode && printf ' {"a":1}' >json
+printf '{\n.appVersion = "3208";\n' >glyphs && printf 'solid part\n facet normal 0 0 1\n' >stl && printf 'PK\3\4....Document.xml' >freecad
+printf '<?xml version="1.0"?>\n<glyph name="a" format="2">\n' >glif && printf '<?xml version="1.0"?>\n<designspace format="4.1">' >designspace
+printf 'ISO-10303-21;\nHEADER;\n' >step && gzip -c step >packed && printf '100 1 0 0\n' | gzip -c >packed_curves
+printf '%72sS      1\n%72sG      1\n' '' '' >iges && printf '\nCASCADE Topology V1, (c) Matra-Datavision\n' >brep
+for file in "dxf DXF" "gcode G-code" "json JSON" "glyphs Glyphs" "stl mesh" "freecad FreeCAD" "glif UFO" "designspace designspace" \
+  "packed packed CAD model" "packed_curves packed" "step call it *.step" "iges call it *.iges" "brep call it *.brep"; do
+  refused "${file%% *}" verify "${file#* }" "verify reads "
+done
+code=0
+"$program" verify - <gcode >out 2>err || code=$?
+holds [ $code -eq 2 ] && says err "standard input: G-code, which is not read"
+echo hello >words.txt && refused words.txt verify "no format that is read; verify reads"
+# a folder of sources, and none of fonts
+mkdir -p sources/Bold.ufo && refused sources verify "sources/Bold.ufo: a UFO"
+mkdir empty && refused empty verify "no name in it ends with .ttf"
+# what another command reads
+: >model.step && cp "$data/leaf_inkscape.svg" drawing && : >font.ttf
+for command in blend connect extend plot tessellate round-edges repair fit interpolate; do
+  refused model.step "$command -o no.g2" "a CAD model: verify and report read it" "$command reads "
+done
+refused model.step "plot -o no.svg" "report draws it"
+refused drawing "plot -o no.svg" "a drawing: verify, report and repair read it"
+refused font.ttf "tessellate -o no.off" "a font: verify, report and repair read it"
+cp "$S" chain.g2 && refused chain.g2 fit "curves or surfaces (.g2)" "fit reads points"
+# what is read as before: points in a table, a packed drawing, curves without an ending and after others
+printf '0,0\n1,1\n2,0\n' >table.csv && run 0 interpolate table.csv
+gzip -c "$data/leaf_inkscape.svg" >drawing.svg.gz && run 0 verify drawing.svg.gz --allow-uncovered
+cp "$S" curves && run 0 verify --closed curves && cp "$S" other.backup.txt && run 0 verify --closed other.backup.txt
+run 2 verify missing.dxf && says err "cannot_read_file: missing.dxf"
+holds [ ! -e no.g2 -a ! -e no.svg -a ! -e no.html ]

@@ -22,6 +22,12 @@ run 0 verify x.svg --require G1 --baseline base.sarif --format sarif && says out
 run 0 verify x.svg --require G1 --baseline base.sarif --format junit && lacks out '<failure' && says out 'failures="0"'
 run 1 verify x.svg --require G1 && lacks out baseline
 
+# where all is known nothing was decided
+drawing a "$kink" >known.svg && run 1 verify known.svg --require G1 --format sarif && mv out known.sarif
+run 0 verify known.svg --require G1 --baseline known.sarif --json && says out '"decided":0,"not_met":0,"known":1,' '"met":null'
+run 0 verify known.svg --require G1 --baseline known.sarif --format sarif && says out '"decided":0,' '"met":null'
+run 1 verify known.svg --require G1 --baseline base.sarif --json && says out '"met":false'
+
 # what is new: another path, and one more of the same kind in a path with the same name
 drawing a "$kink" b "$kink" >x.svg
 run 1 verify x.svg --require G1 --baseline base.sarif

@@ -100,6 +100,34 @@ run 1 verify models/fading.brep --require G1 && says out "G0, fading corner" "0 
 encloses angle 45 "$(grep fading out | head -n 1)"
 run 0 verify models/fading.brep --require G0 && run 0 verify models/fading.brep --require G1 --kink-angle 46 --within 0.01,45.1deg
 run 0 verify models/fading.brep --json && says out '"shape":"fading corner"' '"corners":0,"fading_corners":1'
+# one count of what is undecided
+undecided() { # ARGUMENTS...: the summary counts as many undecided edges as the classes have, and all edges are in one class
+  run "$@" && holds [ "$(sed -n 's/.* \([0-9]*\) undecided.*/\1/p' out)" -eq "$(sed -n 's/^undecided: \([0-9]*\) .*/\1/p' out | awk '{ n += $1 } END { print n + 0 }')" ]
+  holds [ "$(grep '^within' out | sed 's/.*: \([^;]*\);.*/\1/' | grep -oE '[0-9]+ (G|gap|und|not)' | awk '{ n += $1 } END { print n }')" -eq \
+    "$(grep -E '; edges: ' out | grep -oE '[0-9]+ (inner|seam|knot)' | awk '{ n += $1 } END { print n }')" ]
+}
+undecided 1 verify models/wall.brep --within 0.02,1deg && says out ' 1 G0, 0 gaps, 1 undecided;'
+undecided 1 verify models/fillet.brep --within 0.02,90deg --require G1 && says out ' 13 undecided;'
+undecided 1 verify models/torus.brep --max-work 1
+undecided 1 verify models/differing.brep && says out '0 undecided, 1 not compared;'
+undecided 0 verify models/fillet.brep
+
+# findings of models are in the line of the entity, where the file has ids
+sarif_lines() { # FILE PATTERN...: each line that SARIF names matches the pattern
+  run 1 verify "$1" --require G1 --within 0.02,90deg --format sarif
+  local n
+  for n in $(grep -oE '"startLine":[0-9]+' out | grep -oE '[0-9]+' | sort -u); do sed -n "${n}p" "$1" | grep -qE "$2" || holds false; done
+  holds [ "$(grep -c '"startLine"' out)" -eq "$3" ]
+}
+sarif_lines models/fillet.step '^#[0-9]+ = ADVANCED_FACE' 13
+sarif_lines models/fillet.igs '^ *510 .*D0*[0-9]*[13579]$' 13
+sarif_lines models/fillet.brep none 0
+sed 's/^#\([0-9]*\) = ADVANCED_FACE(..,/\/* #\1=\n #\1 = *\/\n  #\1= ADVANCED_FACE('"'#\1 = '"',/' models/fillet.step >spread.step # not in comments and texts
+sarif_lines spread.step '^  #[0-9]+= ADVANCED_FACE' 13
+mkdir -p inner && (cd inner && "$program" verify ../models/fillet.brep --require G1 --within 0.02,90deg --format sarif >../out)
+says out '"uri":"file:///' && lacks out SRCROOT && says out '/models/fillet.brep"}'
+run 1 verify ./inner/../models/fillet.brep --require G1 --within 0.02,90deg --format sarif && says out '"uri":"models/fillet.brep","uriBaseId":"%SRCROOT%"}'
+
 run 0 verify models/fading.brep --format sarif && says out '"ruleId":"corner"' '"level":"note"'
 run 0 verify models/wall.brep --require G0 && run 0 verify models/wall.brep --require G1 --within 0.01,1.1deg
 run 1 verify models/wall.brep --require G1 --summary && holds [ "$(grep -c '^edge' out)" -eq 1 ]

@@ -39,17 +39,26 @@ for bytes in 65 66 100 1000 5000; do
   fails 'damaged bytes of a model' '"$reader" "$@" | head -c '$bytes
 done
 fails 'damaged bytes of a model' '"$reader" "$@"; echo more'
-fails 'not read within 5 seconds' 'exec sleep 1000'
-fails 'not read within 5 seconds' 'exec >&-; exec sleep 1000'
+# the time of the processor, with that of a process which it starts and of one that has ended
+fails 'not read within 5 seconds of processor time, the limit of --time-limit' 'while :; do :; done'
+fails 'not read within 5 seconds of processor time, the limit of --time-limit' '(while :; do :; done); :'
+fails 'not read within 5 seconds of processor time, the limit of --time-limit' 'exec >&-; while :; do (for ((i = 0; i < 100000; ++i)); do :; done); done'
+# what waits is no limit but for ten times as long
+with 'sleep 2; exec "$reader" "$@"' verify models/fillet.step --time-limit 1 --json
+holds [ $? -eq 0 ] && holds cmp -s out expected.json
+for script in 'exec sleep 1000' 'exec >&-; exec sleep 1000'; do
+  with "$script" verify models/fillet.step --time-limit 0.3
+  holds [ $? -eq 2 ] && says err 'models/fillet.step: not read within 3 seconds, 10 times the limit of --time-limit'
+done
 sed '/^Surfaces/{n;n;s/^7 /9 /}' models/prism.brep >crash.brep # an extrusion of a curve of no kind
 run 2 verify crash.brep && says err "crash.brep: the library that reads it crashes: the file is damaged" && holds [ ! -s out ]
 
 # the time, also of OpenCASCADE itself: it waits for a file into which nobody writes
 mkfifo blocked.step
 waits='exec "$reader" "${@/models\/fillet.step/blocked.step}"'
-with "$waits" verify models/fillet.step --time-limit 1
-holds [ $? -eq 2 ] && says err "models/fillet.step: not read within 1 seconds, the limit of --time-limit" && holds [ ! -s out ]
-with "$waits" verify models/fillet.brep models/fillet.step --time-limit 3 --json
+with "$waits" verify models/fillet.step --time-limit 0.5
+holds [ $? -eq 2 ] && says err "models/fillet.step: not read within 5 seconds, 10 times the limit of --time-limit" && holds [ ! -s out ]
+with "$waits" verify models/fillet.brep models/fillet.step --time-limit 1 --json
 holds [ $? -eq 2 ] && holds [ ! -s out ]
 run 2 verify models/fillet.step --time-limit 0.0001
 for bad in 0 -1 x nan 1e9 ''; do run 2 verify models/fillet.step --time-limit="$bad" && says err "--time-limit"; done

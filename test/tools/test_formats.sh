@@ -105,7 +105,10 @@ svg '<path id="&lt;/failure&gt;{0}]]&gt;&#10;&amp;" d="M0 0h1v1"/>'
 formats drawings 1 1 0 0 0 drawing.svg --require C1 && says junit '&lt;/failure&gt;{0}]]&gt;' && says sarif '</failure>{{0}}\\]\\]>'
 run 1 verify "$PWD/drawing.svg" --require C1 --format sarif && valid sarif out && says out '"uri":"drawing.svg","uriBaseId":"%SRCROOT%"'
 mkdir -p sub && cd sub && run 1 verify "$PWD/../drawing.svg" --require C1 --format sarif && says out '"uri":"file:///'
+run 1 verify ../drawing.svg --require C1 --format sarif && says out "\"uri\":\"file://$(cd .. && pwd)/drawing.svg\"}" && lacks out SRCROOT
+run 1 verify ../sub/../drawing.svg ./../sub/../drawing.svg --require C1 --format sarif && lacks out SRCROOT '..'
 cd ..
+run 1 verify ./sub/../drawing.svg --require C1 --format sarif && says out '"uri":"drawing.svg","uriBaseId":"%SRCROOT%"'
 # a defect keeps its fingerprint when its numbers change; another place has another one
 prints() { run 1 verify drawing.svg --require C1 --format sarif && grep -o '"ruleFilePlace[^}]*' out; }
 svg '<path d="M0 0h1v1h1"/>' && prints >one && svg '<path d="M0 0h2v3h2"/>' && prints >other

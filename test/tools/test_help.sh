@@ -24,6 +24,19 @@ run 2 nonsense && says err usage && lacks err "did you mean"
 run 2 verify --clsoed "$S" && says err "unrecognised option '--clsoed'; did you mean '--closed'?"
 run 2 verify --nonsense "$S" && lacks err "did you mean"
 run 2 blend "$L" "$R" --strategy fiar && says err "'fiar' is none of c2, normal," "; did you mean 'fair'?"
+# What there is of strategies is listed: where there is none of a name, in a list, of the other order, and where the name is missing.
+run 2 blend --strategy help && says err "'help' is none of c2, normal, min_second, near_line, energy2, energy3, fair, free, all"
+run 2 blend --strategy help --order 3 && says err "'help' is none of c3, seq_g3, seq_f3, joint_g3, energy3_g3, energy4_g3, fair_g3, fair_f3, free, all"
+run 2 blend --surfaces --strategy help && says err "'help' is none of c2, normal, min_second, near_line, energy2, energy3, fair"
+run 2 blend --surfaces --strategy help --order 3 && says err "'help' is none of c3, seq_g3, joint_g3, energy3_g3, energy4_g3, fair_g3"
+run 2 blend --corners all --distance 1 --strategy help && says err "'help' is none of fair"
+run 2 blend "$L" "$R" --strategy c2,help && says err "'help' is none of those that can be compared, which are c2, normal," ", fair"
+for strategy in seq_g3 c2,seq_g3; do
+  run 2 blend "$L" "$R" --strategy $strategy && says err "'seq_g3' is one of --order 3; here there are c2, normal," ", fair"
+done
+run 2 blend "$L" "$R" --strategy && says err "'--strategy' is missing; it is one of c2, normal," ", fair_f3, free, all"
+run 2 verify "$L" --format && says err "'--format' is missing; it is one of text, json, sarif, junit"
+run 2 verify "$L" --max-order && says err "'--max-order' is missing" && lacks err "it is one of"
 run 2 repair "$S" -o no.g2 --to g2 && says err "'g2' is none of G1, G2; did you mean 'G2'?"
 
 # What is read as curves, and is surfaces.

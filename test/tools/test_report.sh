@@ -83,6 +83,9 @@ flat "$flat_points" >flat.g2
 flat $'0 0 1 1\n4 0 0\n5 0 0.01\n6 0 0\n7 0 0\n8 0 0\n4 1 0\n5 1 0.01\n6 1 0\n7 1 0\n8 1 0' >kink.g2
 page --surfaces flat.g2 kink.g2 && says data.json '"grade":"kink","place":"surface 0, edge u1 - surface 1, edge u0"' '"angle":["0.572938","0.572939"]'
 page --surfaces flat.g2 kink.g2 --kink-angle 0.5 && says data.json '"grade":"corner","place":"surface 0, edge u1 - surface 1, edge u0"'
+page --surfaces flat.g2 kink.g2 --kink-angle 0.57293869768348593 # which lies between the bounds
+says data.json '"undecided":2' '"verdict":"G0, the tangent planes differ: the largest angle of a kink lies between the bounds"' \
+  '"undecided":[{"what":"join","reason":"the largest angle of a kink lies between the bounds","count":2}]'
 page "$data/leaf_inkscape.svg" && says data.json '"down":true' 'use \"use1\" (line 97): not verified' \
   '"not_covered":[{"what":"element","reason":"the element that it repeats is not followed","count":1}]' "; 1 not covered"
 

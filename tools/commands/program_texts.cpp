@@ -32,7 +32,14 @@ std::string troff(const std::string& text) {
 
 void write_block(std::ostream& os, const std::string& text) { os << ".nf\n" << troff(text) << ".fi\n"; }
 
-// The options whose values are words, by their names.
+std::string joined(const Arguments& words) {
+  std::string text;
+  for (const std::string& word : words) text += (text.empty() ? "" : " ") + word;
+  return text;
+}
+
+} // namespace
+
 std::map<std::string, Arguments> option_words() {
   Arguments strategies = quintic_names();
   for (const std::string& name : septic_names()) strategies.push_back(name);
@@ -46,14 +53,6 @@ std::map<std::string, Arguments> option_words() {
           {"to", {"G1", "G2"}},
           {"within", {"class-a", "class-b", "class-c", "vda-4955", "mil-std-31000a"}}};
 }
-
-std::string joined(const Arguments& words) {
-  std::string text;
-  for (const std::string& word : words) text += (text.empty() ? "" : " ") + word;
-  return text;
-}
-
-} // namespace
 
 void write_manual_page(std::ostream& os, const std::string& usage, const std::vector<const Command*>& commands) {
   os << ".TH GEOMETRIC_CONTINUITY 1 \"\" \"geometric_continuity " << GEOMETRIC_CONTINUITY_VERSION << "\"\n"

@@ -8,10 +8,14 @@
 #include "commands/commands.h"
 
 #include <iosfwd>
+#include <map>
 #include <string>
 #include <vector>
 
 // What an installation of the program has beside it, made of the descriptions that --help prints.
+
+// The options whose values are words, by their names without "--".
+std::map<std::string, Arguments> option_words();
 
 // Writes the manual page geometric_continuity(1) in the language of troff. `usage` is that of the program.
 void write_manual_page(std::ostream& os, const std::string& usage, const std::vector<const Command*>& commands);

@@ -26,9 +26,10 @@ within --within, or with --surfaces those of a model, as verify does, and writes
 a page that shows them: the worst first, each drawn large with its curvature
 comb, its handles and the numbers, which are guaranteed bounds; or with its two
 faces, and the whole model to be turned. The page filters and sorts. It is one
-file, and needs no network.
+file, and needs no network. Several CAD models are drawn beside each other.
   gap     the ends are apart
   kink    the tangents differ, by at most --kink-angle
+  fading corner  of CAD models: by more in places only, which may not be meant
   corner  they differ by more
   G1      the tangents agree, the curvatures do not
   G2      the curvatures agree as well
@@ -85,7 +86,8 @@ void describe_report(po::options_description_easy_init add) {
       "for CAD models: the tolerance GAP,ANGLEdeg,CURVATURE% or a preset, vda-4955 if not given; see verify --help");
   add("sew", po::value<std::string>(), "for CAD models: join boundary edges that are within this distance, in mm");
   add("time-limit", po::value<std::string>(),
-      "for CAD models: the seconds that reading one file may take, 60 if not given");
+      "for CAD models: the seconds of processor time that reading one file may take, 60 if not given; a tenth of them "
+      "for drawing one face");
   add("glyphs", po::value<std::string>(), "the glyphs of fonts, e.g. a-z,U+00E9,ampersand");
   add("closed", "the last curve leads back to the first");
   add("surfaces", "the files hold the patches of a model");

@@ -75,7 +75,8 @@ and percent, and decides G0, G1 and G2 within --within GAP,ANGLEdeg,CURVATURE%,
 or within vda-4955 when it is not given. Geometry is taken as it is in the
 file; shapes are not healed, unless --sew DISTANCE lets OpenCASCADE join the
 boundary edges that are within this distance (in mm), as most IGES files need.
-Each file is read by a process of its own, within --time-limit seconds.
+Each file is read by a process of its own, within --time-limit seconds of
+processor time.
 An edge where the angle is at least --kink-angle everywhere is a corner, of
 which --require asks only G0; in places only, it is a fading corner, and may not
 be meant. Creases inside of faces are kinks, whatever their angle; a face that
@@ -220,8 +221,8 @@ void describe_verify(po::options_description_easy_init add) {
       "fonts and CAD models is meant and need not meet a requirement of G orders");
   add("sew", po::value<std::string>(), "for CAD models: join boundary edges that are within this distance, in mm");
   add("time-limit", po::value<std::string>(),
-      "for CAD models: the seconds that reading one file may take, 60 if not given; with --jsonl, those that deciding "
-      "one file may take");
+      "for CAD models: the seconds of processor time that reading one file may take, 60 if not given; with --jsonl, "
+      "those that deciding one file may take");
   add("jsonl", po::value<std::string>(),
       "verify each of the files whose names stand in this file, and write their records");
   add("output,o", po::value<std::string>(),

@@ -5,6 +5,8 @@
 #ifndef GEOMETRIC_CONTINUITY_TOOLS_FILES_CHILD_PROCESS_H
 #define GEOMETRIC_CONTINUITY_TOOLS_FILES_CHILD_PROCESS_H
 
+#include "files/processor_time.h"
+
 #include <algorithm>
 #include <array>
 #include <cerrno>
@@ -14,6 +16,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <sstream>
 #include <string>
 #include <system_error>
 #include <thread>
@@ -47,9 +50,12 @@ public:
   }
 };
 
+// A process that waits for what does not come, or gets hardly a share of a processor, may last so many times as long as it may compute.
+constexpr double most_waiting = 10;
+
 // What a process may take.
 struct Process_limits {
-  double seconds;
+  double seconds;                           // of processor time, see processor_seconds()
   std::uint64_t output;                     // bytes
   std::optional<std::uint64_t> memory = {}; // bytes of addresses, if they are limited from outside
 };
@@ -57,8 +63,21 @@ struct Process_limits {
 // How a process has ended, and what it has written.
 struct Process_end {
   std::string output, errors;
-  int status = 0;                                     // as waitpid() tells
-  bool took_too_long = false, wrote_too_much = false; // then it was ended
+  int status = 0;                                                                  // as waitpid() tells
+  bool computed_too_long = false, waited_too_long = false, wrote_too_much = false; // then it was ended
+
+  bool took_too_long() const { return computed_too_long || waited_too_long; }
+
+  // Returns which limit of time was reached, e.g. "within 60 seconds of processor time, the limit of --time-limit".
+  std::string time_words(double seconds) const {
+    std::ostringstream os;
+    if (computed_too_long)
+      os << "within " << seconds << " seconds of processor time, the limit of --time-limit";
+    else
+      os << "within " << most_waiting * seconds << " seconds, " << most_waiting
+         << " times the limit of --time-limit, of which it computed for a part only";
+    return os.str();
+  }
 };
 
 // A process with another program. It ends at the latest with this object. Its standard input is a pipe from which nothing comes, and which
@@ -67,6 +86,9 @@ class Child_process {
   Pipe life_, output_, errors_;
   pid_t process_ = -1;
   const Process_limits limits_;
+  typedef std::chrono::steady_clock Clock;
+  const Clock::time_point begin_ = Clock::now();
+  Clock::time_point next_look_ = begin_;
 
   // Returns how it has ended; nothing if it goes on.
   std::optional<int> end(int options) {
@@ -117,21 +139,14 @@ public:
 
   // Waits until it ends, or until a limit is reached.
   Process_end wait() {
-    typedef std::chrono::steady_clock Clock;
-    const Clock::time_point begin = Clock::now();
-    const auto left = [&] { return limits_.seconds - std::chrono::duration<double>(Clock::now() - begin).count(); };
     Process_end result;
     std::vector<char> buffer(std::size_t(1) << 16);
     std::array<pollfd, 2> waiting{pollfd{output_[0], POLLIN, 0}, pollfd{errors_[0], POLLIN, 0}};
     const std::array<std::string*, 2> texts{&result.output, &result.errors};
     while (waiting[0].fd >= 0 || waiting[1].fd >= 0) {
-      const double seconds = left();
-      if (!(seconds > 0)) {
-        result.took_too_long = true;
-        return result;
-      }
-      if (::poll(waiting.data(), waiting.size(), static_cast<int>(std::ceil((std::min)(1000 * seconds, 1e6)))) <= 0)
-        continue;
+      const double seconds = until_next_look(result);
+      if (result.took_too_long()) return result;
+      if (::poll(waiting.data(), waiting.size(), static_cast<int>(std::ceil(1000 * seconds))) <= 0) continue;
       for (std::size_t i = 0; i < 2; ++i) {
         if (waiting[i].fd < 0 || waiting[i].revents == 0) continue;
         const ssize_t n = ::read(waiting[i].fd, buffer.data(), buffer.size());
@@ -149,15 +164,27 @@ public:
     }
     std::optional<int> status;
     while (!(status = end(WNOHANG))) {
-      const double seconds = left();
-      if (!(seconds > 0)) {
-        result.took_too_long = true;
-        return result;
-      }
+      const double seconds = until_next_look(result);
+      if (result.took_too_long()) return result;
       std::this_thread::sleep_for(std::chrono::duration<double>((std::min)(seconds, 1e-3)));
     }
     result.status = *status;
     return result;
+  }
+
+private:
+  // Looks at the time that it has taken: tells in the result when that is too much, and returns in how many seconds it is looked at again.
+  double until_next_look(Process_end& result) {
+    if (const Clock::time_point now = Clock::now(); next_look_ <= now) {
+      const double computing = limits_.seconds - processor_seconds(process_),
+                   waiting = most_waiting * limits_.seconds - std::chrono::duration<double>(now - begin_).count();
+      result.computed_too_long = !(computing > 0);
+      result.waited_too_long = !result.computed_too_long && !(waiting > 0);
+      constexpr double least = 1e-3, most = 0.1;
+      next_look_ = now + std::chrono::duration_cast<Clock::duration>(
+                             std::chrono::duration<double>((std::max)(least, (std::min)({computing, waiting, most}))));
+    }
+    return (std::max)(0., std::chrono::duration<double>(next_look_ - Clock::now()).count());
   }
 };
 

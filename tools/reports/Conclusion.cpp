@@ -78,7 +78,7 @@ std::string Conclusion::json() const {
                      ",\"undecided\":" + ::json(claims_.undecided_things()) +
                      ",\"not_covered\":" + ::json(claims_.not_covered_things()) + '}';
   if (!subject_.required_in_json.empty()) text += ",\n " + subject_.required_in_json;
-  const char* const met = is_empty() ? "null" : is_met() ? "true" : "false";
+  const char* const met = is_empty() ? "null" : !is_met() ? "false" : claims_.decided() == 0 ? "null" : "true";
   if (!subject_.required.empty()) text += ",\"met\":" + std::string(met);
   return text;
 }

@@ -44,10 +44,13 @@ inline const char* level_name(Finding_level level) {
   return level == Finding_level::error ? "error" : level == Finding_level::warning ? "warning" : "note";
 }
 
+// The line of a place that stands in no line of its file, though that has lines: SARIF then points to the whole file.
+constexpr long long no_line = -1;
+
 // What is wrong, or could not be told, at one place of a file. All texts may hold any bytes.
 struct Finding {
   std::string file;   // as it is named in messages
-  long long line = 0; // from 1 on; 0 where it is not known
+  long long line = 0; // from 1 on; 0 where it is not known, no_line where there is none
   std::string kind;   // of the place: "join", "edge", "element", "glyph", ...
   std::string place;  // where in the file, e.g. `path "leaf" (line 50), subpath 1, commands 3 c - 4 c`
   Finding_rule rule;  // the kind of the defect

@@ -17,9 +17,10 @@
 
 namespace GC = CGAL::Geometric_continuity;
 
-// The worst first. Bends and rounding are grades of fonts.
-enum class Report_grade { gap, kink, bend, rounding, corner, g0, undecided, g1, g2 };
-constexpr std::size_t number_of_report_grades = 9;
+// The worst first. Bends and rounding are grades of fonts. CAD models have fading corners, which are corners in places only: they may not be
+// meant, and come before those that are.
+enum class Report_grade { gap, kink, bend, rounding, fading, corner, g0, undecided, g1, g2 };
+constexpr std::size_t number_of_report_grades = 10;
 
 // A curve as links of the page have it, its numbers as they are: e.g. points "0,0;1/3,2", weights "1;1/2", domain "0;1/4". The texts of
 // weights that are equal and of the domain from 0 to 1 are empty; that of the points is, where there is no link.

@@ -28,6 +28,7 @@ const char* report_words(Report_grade grade, bool retracted) {
   case Report_grade::kink: return "the tangents differ by a small angle";
   case Report_grade::bend: return "two lines meet at a small angle, and no handle could mend it";
   case Report_grade::rounding: return "the tangents differ by no more than rounding explains";
+  case Report_grade::fading:
   case Report_grade::corner: return "the tangents differ";
   case Report_grade::g0: return "the ends meet";
   case Report_grade::undecided: return "not decided";
@@ -58,7 +59,8 @@ Report_item measured_join(const Plane_curve& left, const Plane_curve& right, con
     item.severity = size.severity.upper;
     break;
   }
-  case Report_grade::bend: // no grades of the library
+  case Report_grade::fading: // no grades of the library
+  case Report_grade::bend:
   case Report_grade::rounding:
   case Report_grade::g0:
   case Report_grade::undecided: item.angle.reset(); break;

@@ -23,8 +23,8 @@
 
 namespace {
 
-const char* const grade_names[number_of_report_grades] = {"gap", "kink",      "bend", "rounding", "corner",
-                                                          "G0",  "undecided", "G1",   "G2"};
+const char* const grade_names[number_of_report_grades] = {"gap",    "kink", "bend",      "rounding", "fading corner",
+                                                          "corner", "G0",   "undecided", "G1",       "G2"};
 
 // More curves are not drawn around the joins.
 constexpr std::size_t most_curves = 100000;
@@ -149,6 +149,7 @@ bool Report_page::has(Report_grade grade) const {
   switch (grade) {
   case Report_grade::bend:
   case Report_grade::rounding: return is_of_fonts;
+  case Report_grade::fading: return is_of_cad_models;
   case Report_grade::gap:
   case Report_grade::g0:
   case Report_grade::undecided: return !is_of_fonts; // their contours are closed, and all is decided
@@ -156,10 +157,10 @@ bool Report_page::has(Report_grade grade) const {
   }
 }
 
-bool Report_page::count(Report_grade grade, double rank) {
+bool Report_page::count(Report_grade grade, double rank, const std::string& reason) {
   ++counts_[static_cast<std::size_t>(grade)];
   if (grade == Report_grade::undecided)
-    claims_.add({Claim::undecided, "join", "no grade could be proved"});
+    claims_.add({Claim::undecided, "join", reason});
   else
     claims_.add({Claim::met, "join"});
   Report_item item;
@@ -178,8 +179,8 @@ void Report_page::add(Report_item item) {
   std::push_heap(items_.begin(), items_.end(), is_worse);
 }
 
-void Report_page::leave_out(const char* noun, const std::string& reason, const std::string& note) {
-  claims_.add({Claim::not_covered, noun, reason});
+void Report_page::leave_out(const char* noun, const std::string& reason, const std::string& note, std::size_t n) {
+  claims_.add({Claim::not_covered, noun, reason}, n);
   if (!note.empty()) notes.push_back(note);
 }
 
@@ -223,7 +224,8 @@ void Report_page::write(std::ostream& os) const {
   for (std::size_t i = 0; i < notes.size(); ++i) os << (i == 0 ? "\n" : ",\n") << page_string(notes[i]);
   os << "],\n\"dimension\":" << dimension << ",\"down\":" << (down ? "true" : "false") << ",\"whole\":\""
      << (is_of_fonts ? "em" : "whole") << "\",\"numbered\":" << (is_numbered ? "true" : "false")
-     << ",\"page\":" << page_string(join_page) << ",\"total\":" << total_ << ",\"counts\":{";
+     << ",\"empty\":" << page_string(empty) << ",\"page\":" << page_string(join_page) << ",\"total\":" << total_
+     << ",\"counts\":{";
   const char* separator = "\"";
   for (std::size_t i = 0; i < counts_.size(); ++i)
     if (has(static_cast<Report_grade>(i)))

@@ -33,20 +33,22 @@ public:
   int dimension = 2;
   bool down = false;        // the second coordinate grows downwards
   bool is_of_fonts = false; // with their grades; severities are in parts of an em
-  std::string join_page;    // the address of geometric_continuity.html, to which joins are linked; empty for none
-  bool is_numbered = true;  // the numbers of the items are shown; otherwise their places have numbers
+  bool is_of_cad_models = false;
+  std::string empty = "There is no join."; // what stands in place of the list where it is empty
+  std::string join_page;   // the address of geometric_continuity.html, to which joins are linked; empty for none
+  bool is_numbered = true; // the numbers of the items are shown; otherwise their places have numbers
   std::optional<Report_model> model;
 
   // A page that shows at most so many joins.
   explicit Report_page(std::size_t most) : most_(most) {}
 
   // Takes note of one more join of a grade that the page has; its number is total() + 1. Returns whether it may be among those that are
-  // shown: then its item is to be passed to add().
-  bool count(Report_grade grade, double rank);
+  // shown: then its item is to be passed to add(). The reason is that of an undecided one.
+  bool count(Report_grade grade, double rank, const std::string& reason = "no grade could be proved");
   void add(Report_item item);
 
-  // Takes note of a thing that was given and is not covered, and of its place in words, if that is to be shown.
-  void leave_out(const char* noun, const std::string& reason, const std::string& note);
+  // Takes note of a thing that was given and is not covered, or of several, and of its place in words, if that is to be shown.
+  void leave_out(const char* noun, const std::string& reason, const std::string& note, std::size_t n = 1);
 
   const Claims& claims() const { return claims_; }
 

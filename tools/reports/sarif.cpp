@@ -50,16 +50,19 @@ std::string json_message(const std::string& text) {
   return "{\"text\":" + json_text(escaped) + '}';
 }
 
-// The place of a file: relative to the folder in which the program runs, which is the root of a checkout in continuous integration.
+// The path of a file as seen from the folder in which the program runs, which is the root of a checkout in continuous integration; the
+// whole path when the file lies outside of it.
+std::string path_in_folder(const std::string& file) {
+  std::error_code error;
+  const std::filesystem::path folder = std::filesystem::current_path(error), whole = (folder / file).lexically_normal(),
+                              relative = whole.lexically_relative(folder);
+  if (error) return file;
+  return relative.empty() || *relative.begin() == ".." ? whole.string() : relative.string();
+}
+
 std::string json_location(const std::string& file) {
   constexpr char hex[] = "0123456789ABCDEF";
-  std::error_code error;
-  std::string path = file;
-  if (file.substr(0, 1) == "/") {
-    const std::filesystem::path relative =
-        std::filesystem::path(file).lexically_relative(std::filesystem::current_path(error));
-    if (!error && !relative.empty() && *relative.begin() != "..") path = relative.string();
-  }
+  const std::string path = path_in_folder(file);
   const bool is_relative = path.substr(0, 1) != "/";
   std::string uri = is_relative ? "" : "file://";
   for (const char c : path) {
@@ -89,8 +92,9 @@ public:
     (result += ",\"level\":\"") += level_name(f.level);
     (result += "\",\"message\":") += json_message(f.place + ": " + f.message);
     (result += ",\n   \"locations\":[{\"physicalLocation\":{\"artifactLocation\":") += json_location(f.file);
-    result += ",\"region\":{\"startLine\":" + std::to_string(f.line > 0 ? f.line : 1) +
-              '}'; // of a file without lines the first
+    if (f.line != no_line)
+      result += ",\"region\":{\"startLine\":" + std::to_string(f.line > 0 ? f.line : 1) +
+                '}'; // of a file without lines the first
     ((result += "},\"logicalLocations\":[{\"fullyQualifiedName\":") += json_text(f.place)) +=
         ",\"kind\":" + json_text(f.kind) + "}]}],\n   \"partialFingerprints\":{\"" + fingerprint_name + "\":\"" +
         f.fingerprint + "\"}";

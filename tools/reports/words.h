@@ -22,6 +22,11 @@ inline std::string counted(std::size_t n, const std::string& noun) {
   return std::to_string(n) + ' ' + noun + (n == 1 ? "" : "s");
 }
 
+// Returns e.g. "rounding has broken 1 of 2 joins".
+inline std::string broken_joins(std::size_t broken, std::size_t joins) {
+  return "rounding has broken " + std::to_string(broken) + " of " + counted(joins, "join");
+}
+
 // What rounded() returns, for most numbers that are written without an exponent; empty for others. A number times an exact power of
 // ten has a relative error below 2^-51, which matters only next to the middle between two integers.
 inline std::string rounded_by_product(double x, int digits) {

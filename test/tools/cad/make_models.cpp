@@ -183,6 +183,20 @@ TopoDS_Shape rough() {
   return BRepBuilderAPI_MakeFace(surface, 1e-7).Shape();
 }
 
+// A box and, beside it, the face that a curve of many waves makes around an axis: OpenCASCADE divides it into triangles for minutes.
+TopoDS_Shape slow() {
+  constexpr int n = 1500;
+  const Handle(TColgp_HArray1OfPnt) points = new TColgp_HArray1OfPnt(1, n);
+  for (int i = 1; i <= n; ++i) points->SetValue(i, gp_Pnt(20 + 3 * std::sin(double(i * i)), 0, 0.01 * i));
+  GeomAPI_Interpolate interpolation(points, false, 1e-9);
+  interpolation.Perform();
+  require(interpolation.IsDone(), "slow spline");
+  const TopoDS_Shape face = BRepPrimAPI_MakeRevol(BRepBuilderAPI_MakeEdge(interpolation.Curve()).Shape(),
+                                                  gp_Ax1(gp_Pnt(), gp_Dir(0, 0, 1)), true)
+                                .Shape();
+  return compound({BRepPrimAPI_MakeBox(gp_Pnt(60, 0, 0), 10, 10, 10).Shape(), face});
+}
+
 // A strip of these points (x, z), as many as the degree and the spans, from y = 0 to 10; there the last one is `high` higher.
 Handle(Geom_BSplineSurface) strip(const std::vector<std::array<double, 2>>& profile, int degree, double high) {
   const int n = static_cast<int>(profile.size()), spans = n - degree;
@@ -283,6 +297,7 @@ int main(int argc, char** argv) {
   const TopoDS_Shape cylinder = BRepPrimAPI_MakeCylinder(3, 10).Shape();
   write_assembly(fillet, cylinder);
   write(rough(), "rough.brep");
+  write(slow(), "slow.step");
   for (const char* name : {"cylinder.brep", "cylinder.step"}) write(cylinder, name);
   // The radius 5, cut 2.5 above the centre: the normals there are 60 degrees apart.
   const TopoDS_Shape sphere = BRepPrimAPI_MakeSphere(gp_Ax2(), 5, -M_PI / 2, M_PI / 6).Shape();

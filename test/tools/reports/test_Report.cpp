@@ -167,8 +167,9 @@ BOOST_AUTO_TEST_CASE(no_format_says_more_than_the_classes_allow) {
       BOOST_TEST(tree.get_child("joins").size() == (mode.summary ? things.size() - met : things.size()));
       BOOST_TEST(tree.get<std::string>("met", "none") == (!required ? "none"
                                                           : empty   ? "null"
-                                                          : good    ? "true"
-                                                                    : "false"));
+                                                          : !good   ? "false"
+                                                          : met > 0 ? "true"
+                                                                    : "null"));
       check_claims(tree.get_child("claims"), things);
 
       mode.format = Report_format::sarif;
@@ -180,8 +181,9 @@ BOOST_AUTO_TEST_CASE(no_format_says_more_than_the_classes_allow) {
       check_claims(tree.get_child("properties.claims"), things);
       BOOST_TEST(tree.get<std::string>("properties.met", "none") == (!required ? "none"
                                                                      : empty   ? "null"
-                                                                     : good    ? "true"
-                                                                               : "false"));
+                                                                     : !good   ? "false"
+                                                                     : met > 0 ? "true"
+                                                                               : "null"));
 
       mode.format = Report_format::junit;
       p = print(things, mode, required, in_parts);

@@ -101,7 +101,7 @@ examples:
       -o rounded.g2
 
 Exit code: 0 when both joins of every blend have the order that is asked for, 1
-when rounding has broken one (--kernel double; the files are written
+when rounding has broken one or more (--kernel double; the files are written
 nevertheless), 2 on bad input, and with --corners when there is no join.
 )";
 
@@ -180,6 +180,22 @@ void check_parameters(const Command_line& line, int order, bool free) {
   line.refuse(order == 2 ? septic : quintic, "not with --order " + std::to_string(order));
 }
 
+std::string with_commas(const Arguments& names) {
+  std::string text;
+  for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
+  return text;
+}
+
+// Refuses the strategies of the other order.
+void check_order(const std::string& name, const Arguments& names) {
+  const auto has = [&](const Arguments& of_order) {
+    return std::find(of_order.begin(), of_order.end(), name) != of_order.end();
+  };
+  if (has(names) || !(has(quintic_names()) || has(septic_names()))) return;
+  throw std::invalid_argument("--strategy: '" + name + "' is one of --order " + (has(quintic_names()) ? "2" : "3") +
+                              "; here there are " + with_commas(names));
+}
+
 // The strategies that are asked for: one, several with commas between them, or all.
 Arguments chosen_strategies(const Command_line& line, const Arguments& names, const std::string& automatic) {
   if (!line.has("strategy")) return {automatic};
@@ -187,15 +203,17 @@ Arguments chosen_strategies(const Command_line& line, const Arguments& names, co
   if (text.find(',') == std::string::npos) {
     Arguments choices = names;
     choices.insert(choices.end(), {"free", "all"});
+    check_order(text, names);
     const std::string name = line.choice("strategy", choices);
     return name == "all" ? names : Arguments{name};
   }
   Arguments result;
   std::istringstream words(text + ',');
   for (std::string name; std::getline(words, name, ',');) {
+    check_order(name, names);
     if (std::find(names.begin(), names.end(), name) == names.end())
-      throw std::invalid_argument("--strategy: '" + name + "' is none of those that can be compared; see --help" +
-                                  did_you_mean(name, names));
+      throw std::invalid_argument("--strategy: '" + name + "' is none of those that can be compared, which are " +
+                                  with_commas(names) + did_you_mean(name, names));
     result.push_back(name);
   }
   return result;

@@ -32,8 +32,9 @@ struct Blend_report {
   std::optional<GC::Fair_report> search;          // of the strategies that search
   std::string warning;                            // why it is hardly what is wanted, smooth as it is; may be empty
 
-  // Whether both joins have the order 2 or 3 that was asked for.
-  bool is_proved(int order) const;
+  // How many of both joins do not have the order 2 or 3 that was asked for.
+  std::size_t broken_joins(int order) const;
+  bool is_proved(int order) const { return broken_joins(order) == 0; }
 };
 
 // Write the reports on blends of order 2 or 3 as a table, and as JSON. Energies that cost more than the limit are left out, unless the

@@ -174,16 +174,16 @@ Exit_code blend_by_name(const Command_line& line, const Table& strategies, const
       return std::make_tuple(s);
   };
   const auto chosen = std::apply([&](const auto&... s) { return std::tuple_cat(of_surfaces(s)...); }, strategies);
+  const std::string name = line.has("strategy") ? line.choice("strategy", names_of(chosen)) : by_default;
+  if (line.files().size() != 2) throw std::invalid_argument("blend --surfaces: two files are needed; see --help");
   Exit_code code = bad_input;
-  with_named_strategy(chosen, line.has("strategy") ? line.choice("strategy", names_of(chosen)) : by_default,
-                      [&](const auto& strategy) { code = blend_by(line, strategy); });
+  with_named_strategy(chosen, name, [&](const auto& strategy) { code = blend_by(line, strategy); });
   return code;
 }
 
 } // namespace
 
 Exit_code blend_surfaces(const Command_line& line) {
-  if (line.files().size() != 2) throw std::invalid_argument("blend --surfaces: two files are needed; see --help");
   const GC::Work_scope each(line.work_limit());
   if (line.integer("order", 2, 3) == 2) return blend_by_name(line, quintic_strategies, "energy3");
   if (line.has("representable")) throw std::invalid_argument("--representable: blends of order 2 only");

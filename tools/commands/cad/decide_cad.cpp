@@ -121,9 +121,19 @@ void decide_cad_files(const Arguments& files, const Cad_demand& demand, const Ca
   }
 }
 
-void Cad_summary::add(const Decided_cad_file& file) {
+std::string Cad_summary::hint() const {
+  if (boundary > 0) return "--sew DISTANCE joins boundary edges that coincide";
+  if (loose > 0)
+    return "curves without faces are decided exactly when they are written as a chain (.g2) or a drawing (.svg), and "
+           "in "
+           "FreeCAD by geometric_continuity.adapters.freecad";
+  return "";
+}
+
+void Cad_summary::add(const Decided_cad_file& file, const Cad_demand& demand) {
   faces += file.model.faces.size();
   lost += file.model.lost.size();
+  loose += file.model.loose_edges;
   sewn += file.model.sewn;
   instances += file.model.instances.size();
   shapes += file.model.shapes;
@@ -142,12 +152,14 @@ void Cad_summary::add(const Decided_cad_file& file) {
       continue;
     case Cad_edge_kind::knot_line: ++knot_lines; break;
     }
+    const Claim claim = claim_of(edge, verdict, demand)->claim;
     const int order = verdict.order();
-    ++(order == 2                                  ? g2
-       : order == 1                                ? g1
-       : order == 0                                ? g0
-       : verdict.within[0] == GC::Verdict::refuted ? gaps
-                                                   : undecided);
+    ++(claim == Claim::not_covered ? not_compared
+       : claim == Claim::undecided ? undecided
+       : order == 2                ? g2
+       : order == 1                ? g1
+       : order == 0                ? g0
+                                   : gaps);
     kinks += verdict.shape == Cad_shape::kink;
     corners += verdict.shape == Cad_shape::corner;
     fading_corners += verdict.shape == Cad_shape::fading_corner;
@@ -155,7 +167,6 @@ void Cad_summary::add(const Decided_cad_file& file) {
     bent += verdict.shape == Cad_shape::bent;
     folds += verdict.shape == Cad_shape::fold;
     inside_out += verdict.shape == Cad_shape::inside_out;
-    not_compared += !verdict.enclosure;
     projected += edge.projected;
   }
 }

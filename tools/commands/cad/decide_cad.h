@@ -34,20 +34,24 @@ void decide_cad_files(const Arguments& files, const Cad_demand& demand, const Ca
 // How many edges there are of each kind, and how they do. Only inner edges, seams and knot lines have verdicts.
 struct Cad_summary {
   std::size_t faces = 0, inner = 0, seams = 0, boundary = 0, non_manifold = 0, degenerate = 0, knot_lines = 0;
-  std::size_t g2 = 0, g1 = 0, g0 = 0, gaps = 0, undecided = 0; // by the order that is proved
+  // By the order that is proved. What is undecided here is what a report claims to be undecided, and what is not compared is not covered.
+  std::size_t g2 = 0, g1 = 0, g0 = 0, gaps = 0, undecided = 0, not_compared = 0;
   std::size_t kinks = 0, corners = 0, fading_corners = 0, bent = 0, folds = 0, inside_out = 0;
   std::size_t no_points = 0;             // of those that are degenerate: it is not proved that they are points
   std::size_t exact = 0;                 // decided with no tolerance as well
-  std::size_t not_compared = 0;          // of those that are undecided
   std::size_t projected = 0;             // edges with curves that are not in the file
   std::size_t sewn = 0;                  // edges that sewing made of two
   std::size_t instances = 0, shapes = 0; // placed parts, if there are several, and the different ones among them
   std::size_t compared = 0;              // edges, what is equal once
   std::size_t lost = 0;                  // things that could not be read
+  std::size_t loose = 0;                 // edges of no face
 
   std::size_t decided() const { return inner + seams + knot_lines; }
 
-  void add(const Decided_cad_file& file);
+  // What is to be done where no edge is compared; empty if there is nothing to say.
+  std::string hint() const;
+
+  void add(const Decided_cad_file& file, const Cad_demand& demand);
 };
 
 #endif // GEOMETRIC_CONTINUITY_TOOLS_COMMANDS_CAD_DECIDE_CAD_H

@@ -23,6 +23,9 @@ namespace {
 // So many triangles are drawn.
 constexpr std::size_t most_drawn_triangles = 40000;
 
+// So many faces that cannot be drawn are named.
+constexpr std::size_t most_named_faces = 10;
+
 Report_grade grade(const Cad_verdict& verdict) {
   switch (verdict.shape) {
   case Cad_shape::gap: return Report_grade::gap;
@@ -30,8 +33,8 @@ Report_grade grade(const Cad_verdict& verdict) {
   case Cad_shape::bent:
   case Cad_shape::fold:
   case Cad_shape::inside_out: return Report_grade::kink;
-  case Cad_shape::corner:
-  case Cad_shape::fading_corner: return Report_grade::corner;
+  case Cad_shape::fading_corner: return Report_grade::fading;
+  case Cad_shape::corner: return Report_grade::corner;
   case Cad_shape::smooth:
     if (verdict.order() > 0) return verdict.order() == 2 ? Report_grade::g2 : Report_grade::g1;
     break; // the gap is undecided
@@ -63,11 +66,19 @@ GC::Enclosure readable(const GC::Enclosure& x) {
   return {x.lower < least ? 0 : x.lower, x.upper > 0 && x.upper < least ? least : x.upper};
 }
 
+// Why an edge has no grade, or is not compared; empty if that is decided.
+std::string open_reason(const Cad_edge& edge, const Cad_verdict& verdict, const Cad_demand& demand) {
+  const std::optional<Given> given = claim_of(edge, verdict, demand);
+  if (given && !given->reason.empty()) return given->reason;
+  return grade(verdict) == Report_grade::undecided ? "no grade could be proved" : "";
+}
+
 // The edge as a card of the page, without what is drawn.
-Report_item item_of(std::size_t number, const Cad_edge& edge, const Cad_verdict& verdict, const Cad_model& model) {
+Report_item item_of(std::size_t number, const Cad_edge& edge, const Cad_verdict& verdict, const Cad_model& model,
+                    const std::string& reason) {
   Report_item item;
   item.place = cad_place(number, edge, model) + ' ' + cad_kind(edge);
-  item.verdict = verdict.enclosure ? cad_order(verdict) : verdict.reason;
+  item.verdict = !verdict.enclosure ? verdict.reason : cad_order(verdict) + (reason.empty() ? "" : ": " + reason);
   item.grade = grade(verdict);
   if (edge.projected) item.marks.push_back("projected");
   if (!verdict.enclosure) return item;
@@ -93,6 +104,12 @@ class Cad_page {
   double healed_distance_ = 0;                     // of their edges
   std::vector<Report_model::Edge> edges_, others_; // those of two sides, and the boundaries
   std::vector<Report_model::Patch> faces_;
+  std::vector<std::string> undrawn_; // the faces that cannot be drawn, and why
+  // What is drawn of each file ends behind these numbers.
+  struct End {
+    std::size_t faces, edges, others;
+  };
+  std::vector<End> files_;
 
   // The coordinates of points to draw; none when one is not finite.
   static std::vector<double> coordinates(const std::vector<GC::Cad_point<3>>& points) {
@@ -126,7 +143,7 @@ class Cad_page {
   void limit_faces(const std::vector<Report_model::Edge>& shown) {
     std::vector<Report_model::Patch> all(faces_.size(), {0, 0, {}});
     all.swap(faces_);
-    std::size_t drawn = 0, left_out = 0, failed = 0;
+    std::size_t drawn = 0, left_out = 0;
     bool is_worst = true; // the faces of the worst edge are drawn in any case
     const auto keep = [&](std::size_t face) {
       const std::size_t triangles = all[face].triangles.size() / 3;
@@ -143,10 +160,68 @@ class Cad_page {
     for (std::size_t face = 0; face < all.size(); ++face) {
       keep(face);
       left_out += !all[face].triangles.empty();
-      failed += all[face].triangles.empty() && faces_[face].triangles.empty();
     }
-    if (failed > 0) page_.notes.push_back(counted(failed, "face") + " cannot be drawn.");
+    if (!undrawn_.empty()) page_.notes.push_back(counted(undrawn_.size(), "face") + " cannot be drawn.");
+    for (std::size_t i = 0; i < undrawn_.size() && i < most_named_faces; ++i) page_.notes.push_back(undrawn_[i] + '.');
     if (left_out > 0) page_.notes.push_back(counted(left_out, "face") + " not drawn: there are too many triangles.");
+  }
+
+  // Calls work(points) for all that is drawn of the file number i.
+  template <class Work> void for_drawn(std::size_t i, Work work) {
+    const End begin = i == 0 ? End{0, 0, 0} : files_[i - 1], end = files_[i];
+    for (std::size_t j = begin.faces; j < end.faces; ++j) work(faces_[j].points);
+    for (std::size_t j = begin.edges; j < end.edges; ++j) work(edges_[j].points);
+    for (std::size_t j = begin.others; j < end.others; ++j) work(others_[j].points);
+  }
+
+  // Draws several files beside each other, in rows as the page shows them at first, wherever they lie.
+  void set_apart() {
+    if (files_.size() < 2) return;
+    std::vector<std::array<double, 3>> centres;
+    double radius = 0;
+    std::size_t drawn = 0;
+    for (std::size_t i = 0; i < files_.size(); ++i) {
+      std::array<double, 3> low, high;
+      low.fill(HUGE_VAL);
+      high.fill(-HUGE_VAL);
+      for_drawn(i, [&](const std::vector<double>& points) {
+        for (std::size_t j = 0; j < points.size(); ++j) {
+          low[j % 3] = (std::min)(low[j % 3], points[j]);
+          high[j % 3] = (std::max)(high[j % 3], points[j]);
+        }
+      });
+      centres.push_back({low[0] / 2 + high[0] / 2, low[1] / 2 + high[1] / 2, low[2] / 2 + high[2] / 2});
+      if (!(low[0] <= high[0])) continue;
+      ++drawn;
+      radius = (std::max)(radius, std::hypot(high[0] - low[0], high[1] - low[1], high[2] - low[2]) / 2);
+    }
+    if (drawn < 2) return;
+    // The directions to the right and up of the camera in page.js.
+    constexpr double pi = 3.141592653589793, azimuth = -pi / 3, elevation = 0.4;
+    const std::array<double, 3> right{-std::sin(azimuth), std::cos(azimuth), 0},
+        up{-std::sin(elevation) * std::cos(azimuth), -std::sin(elevation) * std::sin(azimuth), std::cos(elevation)};
+    const std::size_t columns = static_cast<std::size_t>(std::ceil(std::sqrt(double(drawn))));
+    std::size_t next = 0;
+    for (std::size_t i = 0; i < files_.size(); ++i) {
+      if (!std::isfinite(centres[i][0])) continue; // there is nothing to draw
+      const double x = 2.1 * radius * double(next % columns), y = -2.1 * radius * double(next / columns);
+      ++next;
+      for_drawn(i, [&](std::vector<double>& points) {
+        for (std::size_t j = 0; j < points.size(); ++j)
+          points[j] += x * right[j % 3] + y * up[j % 3] - centres[i][j % 3];
+      });
+    }
+    page_.notes.push_back(counted(files_.size(), "file") + ", which are drawn beside each other, not where they lie.");
+  }
+
+  // What the page says where no edge is compared.
+  std::string empty_text() const {
+    std::string text = "There is no edge of two sides";
+    if (summary_.boundary > 0) text += ", but " + counted(summary_.boundary, "boundary edge");
+    if (summary_.loose > 0)
+      text +=
+          std::string(summary_.boundary > 0 ? " and " : ", but ") + counted(summary_.loose, "edge") + " without a face";
+    return text + (summary_.hint().empty() ? "." : ": " + summary_.hint() + '.');
   }
 
   // Rounds what is drawn to a part of the extent that nobody sees, which makes the page small.
@@ -178,11 +253,17 @@ public:
   // Gathers the edges of a file. Their places begin so.
   void gather(const Decided_cad_file& decided, const std::string& before) {
     const std::string& file = decided.file;
-    summary_.add(decided);
+    summary_.add(decided, demand_);
     const std::size_t first_face = faces_.size();
     for (std::size_t i = 0; i < decided.model.meshes.size(); ++i) {
       const Cad_mesh& mesh = decided.model.meshes[i];
       faces_.push_back(drawn(mesh, decided.model.labels[i].colour));
+      if (faces_.back().triangles.empty()) {
+        const std::string label = cad_label(i, decided.model);
+        undrawn_.push_back(
+            before + "Face " + std::to_string(i) + " (" + decided.model.faces[i] + (label.empty() ? "" : "; " + label) +
+            ") is left white: " + (mesh.reason.empty() ? "it has points that are not finite" : mesh.reason));
+      }
       if (!mesh.healed || mesh.triangles.empty()) continue;
       ++healed_;
       healed_distance_ = (std::max)(healed_distance_, *mesh.healed);
@@ -198,9 +279,10 @@ public:
         if (edge.kind != Cad_edge_kind::degenerate) others_.push_back(drawn(edge, "boundary", first_face));
         continue;
       }
-      Report_item item = item_of(i, edge, decided.verdicts[i], decided.model);
+      const std::string reason = open_reason(edge, decided.verdicts[i], demand_);
+      Report_item item = item_of(i, edge, decided.verdicts[i], decided.model, reason);
       item.place = before + item.place;
-      if (!page_.count(item.grade, item.severity)) continue;
+      if (!page_.count(item.grade, item.severity, reason)) continue;
       item.number = page_.total();
       for (const std::size_t face : edge.faces)
         if (decided.model.meshes[face].healed && item.marks.size() < 2) item.marks.push_back("healed drawing");
@@ -208,11 +290,15 @@ public:
       edges_.push_back(drawn(edge, report_grade_name(item.grade), first_face));
       page_.add(std::move(item));
     }
+    if (decided.model.loose_edges > 0) page_.leave_out("edge", edge_without_face, "", decided.model.loose_edges);
+    files_.push_back({faces_.size(), edges_.size(), others_.size()});
   }
 
   // Fills the page when all is gathered.
   void finish() {
     page_.finish();
+    set_apart();
+    if (page_.total() == 0) page_.empty = empty_text();
     Report_model& model = page_.model.emplace();
     for (const Report_item& item : page_.items()) model.edges.push_back(std::move(edges_[item.edge]));
     page_.number_edges();
@@ -242,6 +328,7 @@ public:
 
 void report_cad(const Arguments& files, const Report_demand& demand, Report_page& page) {
   page.dimension = 3;
+  page.is_of_cad_models = true;
   page.is_numbered = false; // the places have numbers
   Cad_page gatherer(page_demand(demand.tolerance.empty() ? default_cad_tolerance : demand.tolerance, demand),
                     demand.reading, page);

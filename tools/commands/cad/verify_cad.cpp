@@ -7,6 +7,7 @@
 #include "commands/cad/Cad_words.h"
 #include "commands/cad/cad_json.h"
 #include "commands/cad/decide_cad.h"
+#include "formats/cad/entity_lines.h"
 #include "reports/Report.h"
 #include "reports/words.h"
 
@@ -14,6 +15,7 @@
 #include <optional>
 #include <sstream>
 #include <string>
+#include <unordered_map>
 #include <vector>
 
 namespace {
@@ -37,7 +39,8 @@ class Cad_report {
   const Cad_demand& demand_;
   Report report_;
   Cad_summary summary_;
-  bool names_files_; // in text
+  bool names_files_;                                 // in text
+  std::unordered_map<std::string, long long> lines_; // of the entities of a file, where findings are written
 
   static Report_subject subject(const Cad_demand& demand) {
     Report_subject s{"edge of two sides", "every edge of two sides and every knot line"};
@@ -52,6 +55,15 @@ class Cad_report {
 
   bool is_text() const { return report_.mode().format == Report_format::text; }
 
+  // The line of an entity, by its id or a text that begins with it.
+  long long line_of(const std::string& text) const {
+    const auto line = lines_.find(text.substr(0, text.find_first_of(" :")));
+    return line == lines_.end() ? no_line : line->second;
+  }
+  long long line_of_face(const Cad_model& model, std::size_t face) const {
+    return face < model.labels.size() ? line_of(model.labels[face].id) : no_line;
+  }
+
   // Adds what is said of an edge, and its class if it has one: boundaries and points have nothing to decide.
   void add(const Decided_cad_file& file, std::size_t number) {
     const Cad_edge& edge = file.model.edges[number];
@@ -64,6 +76,7 @@ class Cad_report {
     report_.add(file.file, *given, is_noted, [&] {
       Finding f;
       f.file = file.file;
+      f.line = edge.faces.empty() ? no_line : line_of_face(file.model, edge.faces[0]);
       f.kind = "edge";
       f.place = cad_place(number, edge, file.model);
       f.rule = given->claim == Claim::not_covered ? Finding_rule::not_verified
@@ -92,7 +105,8 @@ class Cad_report {
   }
 
   // Adds what could not be read.
-  void add_not_covered(const std::string& file, const char* kind, const std::string& text, const Given& given) {
+  void add_not_covered(const std::string& file, const char* kind, const std::string& text, const Given& given,
+                       long long line) {
     if (is_text())
       report_.row("not_read", "not read: " + text + '\n');
     else
@@ -100,6 +114,7 @@ class Cad_report {
     report_.add(file, given, true, [&] {
       Finding f;
       f.file = file;
+      f.line = line;
       f.kind = kind;
       f.place = text.substr(0, text.find(':'));
       f.rule = Finding_rule::not_verified;
@@ -110,14 +125,18 @@ class Cad_report {
 
   void add(const Decided_cad_file& file) {
     report_.begin_file(file.file);
+    lines_.clear();
+    if (report_.mode().has_findings()) lines_ = entity_lines(file.file);
     if (is_text() && names_files_) report_.row("edges", file.file + ":\n");
     for (std::size_t i = 0; i < file.verdicts.size(); ++i) add(file, i);
     for (const std::string& lost : file.model.lost)
-      add_not_covered(file.file, "element", lost, {Claim::not_covered, "element", "it cannot be read"});
+      add_not_covered(file.file, "element", lost, {Claim::not_covered, "element", "it cannot be read"}, line_of(lost));
     for (const auto& [face, reason] : file.model.not_covered)
       add_not_covered(file.file, "face", "face " + std::to_string(face) + ": " + reason,
-                      {Claim::not_covered, "face", reason});
-    summary_.add(file);
+                      {Claim::not_covered, "face", reason}, line_of_face(file.model, face));
+    if (file.model.loose_edges > 0)
+      report_.add(file.file, {Claim::not_covered, "edge", edge_without_face}, file.model.loose_edges);
+    summary_.add(file, demand_);
   }
 
   std::string text_summary() const {
@@ -129,11 +148,13 @@ class Cad_report {
     os << '\n';
     if (s.instances > 0) os << parts_words(s.instances, s.shapes) << '\n';
     if (s.sewn > 0) os << sewn_words(s.sewn) << '\n';
-    if (s.decided() == 0 && s.boundary > 0) os << "--sew DISTANCE joins boundary edges that coincide\n";
+    if (s.decided() == 0 && !s.hint().empty()) os << s.hint() << '\n';
     if (s.decided() > 0) {
       os << "within " << demand_.tolerance << " (lengths in mm): " << s.g2 << " G2, " << s.g1 << " G1, " << s.g0
-         << " G0, " << counted(s.gaps, "gap") << ", " << s.undecided << " undecided; " << counted(s.corners, "corner")
-         << ", " << counted(s.fading_corners, "fading corner") << ", " << counted(s.kinks, "kink");
+         << " G0, " << counted(s.gaps, "gap") << ", " << s.undecided << " undecided"
+         << (s.not_compared == 0 ? "" : ", " + std::to_string(s.not_compared) + " not compared") << "; "
+         << counted(s.corners, "corner") << ", " << counted(s.fading_corners, "fading corner") << ", "
+         << counted(s.kinks, "kink");
       if (s.bent > 0) os << ", " << s.bent << " kink or corner";
       if (s.folds > 0) os << ", " << counted(s.folds, "fold");
       if (s.inside_out > 0) os << ", " << s.inside_out << " inside out";

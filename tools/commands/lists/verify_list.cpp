@@ -10,6 +10,7 @@
 #include "files/input.h"
 #include "files/output.h"
 #include "files/progress.h"
+#include "formats/cad/cad_file.h"
 #include "reports/words.h"
 
 #include <algorithm>
@@ -96,6 +97,7 @@ std::string record_of(const std::string& file, const std::string& json_name, con
   static const std::string program = std::filesystem::read_symlink("/proc/self/exe").string();
   std::vector<std::string> command{program, "verify", "--json"};
   command.insert(command.end(), demand.options.begin(), demand.options.end());
+  if (cad_format(file)) command.push_back("--time-limit=" + rounded(demand.seconds, 17));
   command.push_back(file[0] == '-' ? "./" + file : file);
   constexpr std::uint64_t most_output = std::uint64_t(1) << 30;
   Process_end end;
@@ -104,11 +106,8 @@ std::string record_of(const std::string& file, const std::string& json_name, con
   } catch (const std::system_error& e) {
     return error_record(json_name, "no_process", e.what());
   }
-  if (end.took_too_long) {
-    std::ostringstream os;
-    os << "not decided within " << demand.seconds << " seconds, the limit of --time-limit";
-    return error_record(json_name, "time_limit", os.str());
-  }
+  if (end.took_too_long())
+    return error_record(json_name, "time_limit", "not decided " + end.time_words(demand.seconds));
   if (end.wrote_too_much) return error_record(json_name, "output_limit", "the record is longer than 1 GiB");
   if (!WIFEXITED(end.status))
     return error_record(json_name, "crash",

@@ -14,7 +14,7 @@
 struct List_demand {
   std::string list, output; // the names of files, and where their records are written
   Arguments options;        // of `verify`
-  double seconds;           // that a file may take
+  double seconds;           // of processor time that a file may take
   std::uint64_t memory;     // in bytes, that it may take
   int jobs;                 // files at a time; 0: as many as there are cores
 };

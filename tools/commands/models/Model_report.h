@@ -231,7 +231,7 @@ private:
 
   std::string text_summary() const {
     std::ostringstream os;
-    os << surfaces_.size() << " patches: " << model_.summary;
+    os << surfaces_.size() << " patches" << (demand_.tolerance ? ", with no tolerance: " : ": ") << model_.summary;
     if (!near_.empty()) os << "; near edges: " << near_.size();
     os << '\n';
     return os.str();

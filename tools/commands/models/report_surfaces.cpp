@@ -132,13 +132,15 @@ private:
       angle = GC::in_degrees(e.deviation->angle());
     const Report_grade grade = this->grade(e, angle);
     const double severity = angle ? angle->upper : 0;
-    if (!page_.count(grade, severity)) return;
+    const std::string open = "the largest angle of a kink lies between the bounds";
+    if (!page_.count(grade, severity, open)) return;
     Report_item item;
     item.number = page_.total();
     item.place = place();
     item.verdict = (e.g_order < 0 ? std::string("gap") : 'G' + std::to_string(e.g_order)) + reason(e.defect);
     if (e.spans.size() > 1 && e.defect != GC::Edge_defect::none)
       item.verdict += ", worst in span " + std::to_string(e.worst + 1) + " of " + std::to_string(e.spans.size());
+    if (grade == Report_grade::undecided) item.verdict += ": " + open;
     item.grade = grade;
     item.angle = angle;
     item.severity = severity;

@@ -98,10 +98,11 @@ template <class FT> int interpolate(const Command_line& line) {
     report << counted(points.size(), "point") << ", " << (fair ? "" : parameters + " parameters, ")
            << counted(joins.pieces, fair ? "fair quintic" : "cubic piece") << '\n'
            << written.remark << counted(joins.joins, "join")
-           << (none      ? ""
-               : !proved ? ", decided in exact arithmetic: rounding has broken one"
-               : fair    ? ", G2, proved in exact arithmetic"
-                         : ", C2, proved in exact arithmetic")
+           << (none ? ""
+               : !proved
+                   ? ", decided in exact arithmetic: " + broken_joins(fair ? joins.not_g2 : joins.not_c2, joins.joins)
+               : fair ? ", G2, proved in exact arithmetic"
+                      : ", C2, proved in exact arithmetic")
            << '\n';
   write_curves<Program_traits<FT>>(line, written.text, points, "spline");
   return proved ? requirement_met : requirement_not_met;

@@ -53,7 +53,8 @@ template <class Work> auto with_name(const Command_line& line, Work work) {
 // The pieces of a curve, and the joins between them that are no corners.
 struct Joins_of_pieces {
   std::size_t pieces = 0, joins = 0;
-  int c_order = 2, g_order = 2; // of all joins, 2 at most
+  int c_order = 2, g_order = 2;       // of all joins, 2 at most
+  std::size_t not_c2 = 0, not_g2 = 0; // joins
 };
 
 // Decides the joins of the pieces of curves that are written, .g2, exactly on numbers that a `Number` holds as they stand there. At the
@@ -70,6 +71,8 @@ Joins_of_pieces decide_joins(const std::string& text, GC::Closure closure, const
     ++result.joins;
     result.c_order = (std::min)(result.c_order, join.c_order);
     result.g_order = (std::min)(result.g_order, join.g_order);
+    result.not_c2 += join.c_order < 2;
+    result.not_g2 += join.g_order < 2;
   };
   Span first, last;
   for (Span next; reader.next(next); ++result.pieces) {

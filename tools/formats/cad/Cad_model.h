@@ -72,6 +72,7 @@ struct Cad_mesh {
   std::vector<std::array<std::size_t, 3>> triangles;
   // Of a face whose boundary has been healed, which is not the one that is decided: how far the edges are from the triangles, rounded.
   std::optional<double> healed;
+  std::string reason = {}; // why it cannot be drawn; empty if it can
 };
 
 struct Cad_model {
@@ -84,7 +85,8 @@ struct Cad_model {
   std::vector<Cad_label> labels;                                // of the faces
   std::vector<std::string>
       instances; // the names of the placed parts, if there are several and a part is placed again or has a name
-  std::size_t shapes = 0; // the different parts among them
+  std::size_t shapes = 0;      // the different parts among them
+  std::size_t loose_edges = 0; // that belong to no face, such as those of a wire
 };
 
 #endif // GEOMETRIC_CONTINUITY_TOOLS_FORMATS_CAD_CAD_MODEL_H

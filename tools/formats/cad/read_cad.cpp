@@ -13,7 +13,6 @@
 #include <algorithm>
 #include <cstdint>
 #include <filesystem>
-#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -49,11 +48,8 @@ std::string reader_program() {
 // crashes.
 std::string answer(std::vector<std::string> command, double seconds, std::uint64_t most) {
   const Process_end end = Child_process(std::move(command), {seconds, most}, false).wait();
-  if (end.took_too_long) {
-    std::ostringstream os;
-    os << "not read within " << seconds << " seconds, the limit of --time-limit: the file is damaged or large";
-    throw std::runtime_error(os.str());
-  }
+  if (end.took_too_long())
+    throw std::runtime_error("not read " + end.time_words(seconds) + ": the file is damaged or large");
   if (end.wrote_too_much) throw std::runtime_error("the library that reads it does not end: the file is damaged");
   if (WIFSIGNALED(end.status)) throw std::runtime_error("the library that reads it crashes: the file is damaged");
   return end.output;

@@ -111,7 +111,7 @@ byId('title').textContent = data.title;
 byId('summary').textContent = data.summary;
 byId('notes').append(...data.notes.map((n) => element('li', '', n)));
 byId('notes').hidden = data.notes.length === 0;
-byId('empty').textContent = items.length === 0 ? 'There is no join.' : 'No join passes the filter.';
+byId('empty').textContent = items.length === 0 ? data.empty : 'No join passes the filter.';
 for (const grade of gradeNames) {
   if (!data.counts[grade]) continue;
   const here = items.filter((i) => i.grade === grade).length; // the list holds the worst ones only

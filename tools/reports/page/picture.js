@@ -6,9 +6,9 @@ const teeth = 48;
 let colours = {};
 function readColours() {
   const style = getComputedStyle(document.documentElement);
-  for (const name of ['card', 'ink', 'soft', 'line', 'shade', 'left', 'right', 'handle', 'context', 'gap', 'corner', 'kink',
+  for (const name of ['card', 'ink', 'soft', 'line', 'shade', 'left', 'right', 'handle', 'context', 'gap', 'fading corner', 'corner', 'kink',
     'bend', 'rounding', 'G0', 'undecided', 'G1', 'G2', 'boundary', 'collapsed', 'focus'])
-    colours[name] = style.getPropertyValue('--' + name).trim();
+    colours[name] = style.getPropertyValue('--' + name.split(' ')[0]).trim();
 }
 
 // Fits a canvas to its box on the screen and returns its context, in units of the page, and its size.

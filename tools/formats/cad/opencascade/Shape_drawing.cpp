@@ -15,6 +15,8 @@
 #include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
 #include <Bnd_Box.hxx>
+#include <Geom2d_Curve.hxx>
+#include <Geom_Curve.hxx>
 #include <Poly_PolygonOnTriangulation.hxx>
 #include <Poly_Triangulation.hxx>
 #include <ShapeFix_Face.hxx>
@@ -97,12 +99,28 @@ std::vector<GC::Cad_point<3>> curve_points(const TopoDS_Edge& edge) {
   return result;
 }
 
-// Whether the edges of a face have finite parameters, and the face a finite extent; includes it in a box then.
+// Whether those curves of an edge that there are begin and end at finite points, in space and in the parameter plane.
+bool has_finite_ends(const TopoDS_Edge& edge, const TopoDS_Face& face) {
+  double begin, end;
+  if (const Handle(Geom_Curve) curve = BRep_Tool::Curve(edge, begin, end); !curve.IsNull())
+    for (const double t : {begin, end}) {
+      const gp_Pnt p = curve->Value(t);
+      if (!is_finite(p.X(), p.Y()) || !is_finite(p.Z(), 0)) return false;
+    }
+  if (const Handle(Geom2d_Curve) curve = BRep_Tool::CurveOnSurface(edge, face, begin, end); !curve.IsNull())
+    for (const double t : {begin, end}) {
+      const gp_Pnt2d p = curve->Value(t);
+      if (!is_finite(p.X(), p.Y())) return false;
+    }
+  return true;
+}
+
+// Whether the edges of a face have finite parameters and ends, and the face a finite extent; includes it in a box then.
 bool include(const TopoDS_Shape& face, Bnd_Box& all) {
   for (TopExp_Explorer i(face, TopAbs_EDGE); i.More(); i.Next()) {
     double begin, end;
     BRep_Tool::Range(TopoDS::Edge(i.Current()), begin, end);
-    if (!is_finite(begin, end)) return false;
+    if (!is_finite(begin, end) || !has_finite_ends(TopoDS::Edge(i.Current()), TopoDS::Face(face))) return false;
   }
   Bnd_Box box;
   BRepBndLib::Add(face, box);
@@ -157,6 +175,21 @@ double distance(const TopoDS_Face& face, const Cad_mesh& mesh) {
   return mesh.triangles.empty() ? 0 : std::sqrt(most);
 }
 
+// Whether the edges of a face lie in the box of its triangles, up to this distance. OpenCASCADE may divide a part of a face only.
+bool has_edges(const TopoDS_Face& face, const Cad_mesh& mesh, double distance) {
+  Bnd_Box box;
+  for (const auto& triangle : mesh.triangles)
+    for (const std::size_t i : triangle) box.Add(gp_Pnt(mesh.points[i][0], mesh.points[i][1], mesh.points[i][2]));
+  if (box.IsVoid()) return false;
+  box.Enlarge(distance);
+  for (TopExp_Explorer i(face, TopAbs_EDGE); i.More(); i.Next()) {
+    if (BRep_Tool::Degenerated(TopoDS::Edge(i.Current()))) continue;
+    for (const GC::Cad_point<3>& p : curve_points(TopoDS::Edge(i.Current())))
+      if (box.IsOut(gp_Pnt(p[0], p[1], p[2]))) return false;
+  }
+  return true;
+}
+
 // A copy of a face with its boundary repaired, e.g. moved by periods of its surface.
 TopoDS_Shape healed(const TopoDS_Face& face) {
   ShapeFix_Face fix(TopoDS::Face(BRepBuilderAPI_Copy(face).Shape()));
@@ -166,40 +199,71 @@ TopoDS_Shape healed(const TopoDS_Face& face) {
 
 } // namespace
 
-Shape_drawing::Shape_drawing(const TopoDS_Shape& shape) {
+Shape_drawing::Shape_drawing(const std::vector<TopoDS_Face>& faces) {
+  Bnd_Box all;
+  for (const TopoDS_Face& face : faces) try {
+      include(face, all);
+    } catch (const Standard_Failure&) { // it cannot be drawn
+    }
+  if (!all.IsVoid()) distance_ = drawn_distance * std::sqrt(all.SquareExtent());
+}
+
+void Shape_drawing::divide_together(const std::vector<TopoDS_Face>& faces) {
   try {
     BRep_Builder builder;
     TopoDS_Compound finite;
     builder.MakeCompound(finite);
-    Bnd_Box all;
-    std::vector<TopoDS_Face> faces;
-    for (TopExp_Explorer i(shape, TopAbs_FACE); i.More(); i.Next())
-      if (include(i.Current(), all)) {
-        faces.push_back(TopoDS::Face(i.Current()));
-        if (!has_many_knots(faces.back())) builder.Add(finite, i.Current());
-      }
-    if (all.IsVoid()) return;
-    distance_ = drawn_distance * std::sqrt(all.SquareExtent());
-    divide(finite, distance_, 0);
-    for (const TopoDS_Face& face : faces)
+    std::vector<TopoDS_Face> included;
+    for (const TopoDS_Face& face : faces) {
+      divided_.insert(face.TShape().get());
+      Bnd_Box box;
+      if (!include(face, box)) continue;
+      included.push_back(face);
+      if (!has_many_knots(face)) builder.Add(finite, face);
+    }
+    if (included.empty()) return;
+    ::divide(finite, distance_, 0);
+    for (const TopoDS_Face& face : included)
       if (has_many_knots(face) || has_many_triangles(face)) divide_coarsely(face, distance_);
   } catch (const Standard_Failure&) { // what has been divided until now is drawn
   }
 }
 
-Cad_mesh Shape_drawing::mesh(const TopoDS_Face& face) const {
+void Shape_drawing::divide(const TopoDS_Face& face) {
+  if (!divided_.insert(face.TShape().get()).second) return; // it is placed again
+  const bool is_coarse = has_many_knots(face);
+  if (!is_coarse) ::divide(face, distance_, 0);
+  if (is_coarse || has_many_triangles(face)) divide_coarsely(face, distance_);
+}
+
+Cad_mesh Shape_drawing::mesh(const TopoDS_Face& face) {
   Cad_mesh result;
-  append_triangles(face, result);
-  if (!result.triangles.empty()) return result;
+  result.reason = "it cannot be divided into triangles";
   try {
     Bnd_Box box;
-    if (!include(face, box) || BRep_Tool::Surface(face).IsNull()) return result;
-    const TopoDS_Shape copy = healed(face);
-    divide(copy, distance_, has_many_knots(face) ? coarse_side * extent(face) : 0);
-    for (TopExp_Explorer i(copy, TopAbs_FACE); i.More(); i.Next()) append_triangles(TopoDS::Face(i.Current()), result);
-    result.healed = distance(face, result);
+    const bool is_finite = include(face, box) && !BRep_Tool::Surface(face).IsNull();
+    if (is_finite)
+      divide(face);
+    else
+      result.reason = "it is not finite";
+    append_triangles(face, result);
+    const double near = 20 * distance_; // what nobody takes for another face
+    if (is_finite && !has_edges(face, result, near)) {
+      result.points.clear();
+      result.triangles.clear();
+      const TopoDS_Shape copy = healed(face);
+      ::divide(copy, distance_, has_many_knots(face) ? coarse_side * extent(face) : 0);
+      for (TopExp_Explorer i(copy, TopAbs_FACE); i.More(); i.Next())
+        append_triangles(TopoDS::Face(i.Current()), result);
+      result.healed = distance(face, result);
+      if (!result.triangles.empty() && !has_edges(face, result, near)) {
+        result.triangles.clear();
+        result.reason = "the triangles into which it is divided do not reach its edges";
+      }
+    }
   } catch (const Standard_Failure&) { // it cannot be drawn
   }
+  if (!result.triangles.empty()) result.reason.clear();
   return result;
 }
 

@@ -2,9 +2,10 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
+#include "files/processor_time.h"
 #include "formats/cad/model_bytes.h"
-#include "formats/cad/opencascade/Shape_drawing.h"
 #include "formats/cad/opencascade/cad_surface.h"
+#include "formats/cad/opencascade/draw_apart.h"
 #include "formats/cad/opencascade/read_model.h"
 #include "formats/cad/opencascade/spline_numbers.h"
 
@@ -42,6 +43,8 @@
 #include <memory>
 #include <optional>
 #include <utility>
+
+#include <unistd.h>
 
 namespace {
 
@@ -294,7 +297,10 @@ class Model_builder {
   void add_edge(std::size_t number) {
     const TopoDS_Edge edge = this->edge(number);
     const std::vector<Edge_use>& uses = uses_[number];
-    if (uses.empty()) return; // a wire without face
+    if (uses.empty()) { // a wire without face
+      ++model_.loose_edges;
+      return;
+    }
     TopoDS_Vertex first, last;
     TopExp::Vertices(edge, first, last);
     Cad_edge e;
@@ -384,13 +390,16 @@ class Model_builder {
     model_.edges.push_back(std::move(e));
   }
 
-  // Faces and edges with uses, in the order of the model.
-  void draw(const TopoDS_Shape& shape) {
-    const Shape_drawing drawing(shape);
-    for (std::size_t i = 0; i < boxes_.size(); ++i) model_.meshes.push_back(drawing.mesh(face(i)));
+  // Faces and edges with uses, in the order of the model. All else has been read; most of the time that is left is for the drawing.
+  void draw(const Cad_reading& reading) {
+    std::vector<TopoDS_Face> faces;
+    for (std::size_t i = 0; i < boxes_.size(); ++i) faces.push_back(face(i));
+    const double left = reading.time_limit - processor_seconds(::getpid());
+    Model_drawing drawing = draw_apart(faces, edges_, {reading.time_limit / 10, 0.75 * left});
+    model_.meshes = std::move(drawing.meshes);
     std::size_t next = 0;
     for (std::size_t i = 0; i < uses_.size(); ++i)
-      if (!uses_[i].empty()) model_.edges[next++].points = drawing.points(edge(i));
+      if (!uses_[i].empty()) model_.edges[next++].points = std::move(drawing.edges[i]);
   }
 
 public:
@@ -403,12 +412,12 @@ public:
     compare_orientations(shape);
   }
 
-  Cad_model build(const TopoDS_Shape& shape, const Cad_reading& reading) {
+  Cad_model build(const Cad_reading& reading) {
     add_curves();
     for (std::size_t i = 0; i < boxes_.size(); ++i) add_face(i);
     for (std::size_t i = 0; i < uses_.size(); ++i) add_edge(i);
-    if (reading.drawing == Cad_drawing::faces_and_edges) draw(shape);
     for (std::size_t i = 0; i < boxes_.size(); ++i) add_knot_lines(i, reading);
+    if (reading.drawing == Cad_drawing::faces_and_edges) draw(reading);
     return std::move(model_);
   }
 };
@@ -416,5 +425,5 @@ public:
 } // namespace
 
 Cad_model cad_model(const TopoDS_Shape& shape, const Cad_reading& reading) {
-  return Model_builder(shape).build(shape, reading);
+  return Model_builder(shape).build(reading);
 }
