@@ -59,6 +59,18 @@ certified 0 drawing.svg && says said "29 certified"
 svg '<path d="M0 0A5 5 0 0 1 3 4L1 2 3 4A2 1 30 0 0 9 9L1 1"/><circle r="1em"/><circle r="2"/>'
 run 1 verify drawing.svg --certificate certificate --allow-undecided && checked 3 && says said "5 certified; not checked: 4 that"
 
+# what is not covered has no claims, and does not hide those of the rest
+good='<path d="M0 0h1v1"/>'
+partly() { # partly MISSING CONTENT: the certificate of the drawing holds for two joins, and misses so many
+  svg "$good$2$good" && run 1 verify drawing.svg --certificate certificate && checked 3 && says said "2 certified; not checked: $1 that"
+}
+partly 4 '<circle r="1"><animate attributeName="r"/></circle>'
+partly 3 '<g transform="x(1)"><path d="M5 5h1v1z"/></g>'
+partly 4 '<circle r="-1"/>'
+svg "<path d=\"M0 0h1v1L2 2 3\"/><polygon points=\"0 0 1 0 1 1 2\"/>$good" && run 1 verify drawing.svg --certificate certificate && checked 3 && says said "4 certified; not checked: 2 that"
+svg "<path d=\"none\"/><ellipse rx=\"3\"/><ellipse rx=\"auto\" ry=\"2\"/>$good" && certified 0 drawing.svg && says said "9 certified"
+printf '<svg viewBox="0 0 9 9"><circle r="10%%"/>%s</svg>' "$good" >drawing.svg && run 0 verify drawing.svg --certificate certificate && checked 3 && says said "1 certified; not checked: 1 that"
+
 # each number matters
 {
   cubic $'0 0 0\n1 0 0\n2 1 0\n3 2 1'

@@ -159,7 +159,7 @@ public:
       const Decision decision = within_work_limit(
           [&] { return "commands " + std::to_string(left.command) + " and " + std::to_string(right.command); },
           [&] { return GC::continuity(join, max_order_); });
-      if (certificate_ && element.repeated_by.empty())
+      if (certificate_ && !element.has_percentages && element.repeated_by.empty())
         certify("\"line\":" + std::to_string(element.line) + ",\"subpath\":" + std::to_string(number) +
                     ",\"left\":" + std::to_string(i) + ",\"right\":" + std::to_string((i + 1) % n) + ',',
                 element, left, right, decision);

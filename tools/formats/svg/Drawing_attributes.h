@@ -10,6 +10,7 @@
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Geometric_continuity/Error.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <optional>
 #include <string>
@@ -56,6 +57,13 @@ public:
     std::size_t n = 0;
     for (const auto& attribute : values_) n += attribute.second.size();
     return n;
+  }
+
+  // Whether a value ends as percentages do.
+  bool has_percentages() const {
+    return std::any_of(values_.begin(), values_.end(), [](const auto& attribute) {
+      return !attribute.second.empty() && attribute.second.back() == '%';
+    });
   }
 
 private:

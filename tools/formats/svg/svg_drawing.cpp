@@ -198,10 +198,10 @@ class Drawing_walk {
     else if (name == "line" || name == "circle" || name == "ellipse" || name == "rect") {
       Drawing_subpath path;
       const auto read = [&] { path = shape(name, Drawing_lengths(a, frame.viewport)); };
-      if (const std::optional<std::string> reason = refusal(read))
-        handler_.not_read(element(i), *reason);
-      else
-        hand_on(placed(i, frame), 1, std::move(path));
+      if (const std::optional<std::string> reason = refusal(read)) return handler_.not_read(element(i), *reason);
+      Drawing_element shape_element = placed(i, frame);
+      shape_element.has_percentages = a.has_percentages();
+      hand_on(shape_element, 1, std::move(path));
     }
   }
 

@@ -26,9 +26,9 @@ struct Drawing_element {
   long long line;
   GC::Svg_transform<Drawing_traits> transform = {}; // from its own coordinates to those of the drawing
   Attribute_lines* lines = nullptr;                 // of the data of a path, while it is handed on
-  int decimals = -1; // of the numbers of a path or a polygon as they are written, at most; otherwise -1
-  std::string repeated_by =
-      {}; // the use elements that draw it, e.g. use "u" (line 20); empty where it is drawn where it stands
+  int decimals = -1;            // of the numbers of a path or a polygon as they are written, at most; otherwise -1
+  bool has_percentages = false; // so that its size depends on the viewport
+  std::string repeated_by = {}; // the use elements that draw it, e.g. use "u" (line 20); empty where it stands
 
   // Returns the name, the id, the line and what repeats it, e.g. path "leaf" (line 12), repeated by use "u" (line 20).
   std::string text() const;
