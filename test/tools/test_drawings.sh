@@ -265,6 +265,11 @@ svg '<rect width="1" height="1" rx="9" style="width:4PX;height:1in;rx:auto;x:.5m
 svg '<rect width="1" height="1" style="width:4"/>' && left_out rect "style, width: '4' has no unit"
 svg '<circle r="1" style="r:2px;cx:3px"/>' && is_at "at (3, 2)"
 svg '<g style="d:none;r:4px;width:1em"><path style="d:none;r:1em" d="M0 0h1v1"/></g>' && run 0 verify drawing.svg --allow-empty && says out "0 joins"
+style "-moz-transform-origin:0 0" && left_out path "style, -moz-transform-origin is not read"
+svg '<path style="-moz-transform-origin:0 0;transform-origin:1em;offset:none" d="M0 5L5 5L10 6"/>' && is_at "at (5, 5)"
+outer 'style="width:24px;height:100%;x:3" viewBox="0 0 10 10"' '<rect width="50%" height="1"/>' && is_at "at (5, 0)"
+outer 'style="width:24px" width="10" height="10"' '<rect width="50%" height="1"/>' && left_out rect 'width="50%" is relative'
+outer 'style="transform:scale(2)" transform="scale(3)"' "$kink" && is_at "at (10, 10)"
 # their origins
 outer 'viewBox="1 2 40 20"' '<path style="transform:rotate(90deg);transform-origin:center" d="M0 5L5 5L10 6"/>' && is_at "at (25, -5)"
 for origin in "1px 1px:-3, 5" "0 5px:0, 10" "left bottom:15, 25" "top right:35, -35" "100%:45, -25" "10% 10% 0:1, 3"; do

@@ -10,9 +10,12 @@
 #include "formats/svg/Svg_viewport.h"
 #include "formats/svg/svg_drawing.h"
 
+#include <algorithm>
 #include <array>
 #include <optional>
 #include <string>
+#include <string_view>
+#include <vector>
 
 typedef GC::Svg_transform<Drawing_traits> Drawing_map;
 
@@ -30,12 +33,23 @@ struct Repeated_size {
   std::optional<Drawing_number> width, height;
 };
 
+// Whether an element has a transform of its own, by its attribute or its style.
+inline bool has_transform(const Drawing_attributes& a) {
+  const std::string& text = a.has("style transform") ? a.text("style transform") : a.text("transform");
+  return !text.empty() && text != "none";
+}
+
 // Returns the attributes of an element with what its own style sets in their place; transforms in a style have names of their own. Throws
 // GC::Error and Not_covered for what is not decided.
-inline Drawing_attributes styled_attributes(const Drawing_node& node, const Style_sheets& sheets) {
+inline Drawing_attributes styled_attributes(const Drawing_node& node, const Style_sheets& sheets, bool is_outermost) {
   Drawing_attributes attributes = node.attributes;
-  for (const Style_declaration& d : style_declarations(node.attributes.text("style"))) {
-    if (!sheets.changes(d, node.name, true)) continue;
+  const std::vector<Style_declaration> style = style_declarations(node.attributes.text("style"));
+  const bool has_transforms =
+      has_transform(attributes) || std::any_of(style.begin(), style.end(), [](const Style_declaration& d) {
+        return d.name.find("transform", d.name.size() < 9 ? 0 : d.name.size() - 9) != std::string::npos;
+      });
+  for (const Style_declaration& d : style) {
+    if (!sheets.changes(d, is_outermost ? std::string_view() : node.name, has_transforms)) continue;
     const std::string place = "style, " + d.name;
     const std::string name = d.name.compare(0, 8, "-webkit-") == 0 ? d.name.substr(8) : d.name;
     const bool is_shape =
@@ -59,12 +73,6 @@ inline Drawing_attributes styled_attributes(const Drawing_node& node, const Styl
       throw Not_covered{place + " is not read"};
   }
   return attributes;
-}
-
-// Whether an element has a transform of its own, by its attribute or its style.
-inline bool has_transform(const Drawing_attributes& a) {
-  const std::string& text = a.has("style transform") ? a.text("style transform") : a.text("transform");
-  return !text.empty() && text != "none";
 }
 
 // The map of the transform of an element, of which the attributes are styled_attributes(). Throws GC::Error and Not_covered.

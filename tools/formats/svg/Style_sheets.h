@@ -231,7 +231,8 @@ public:
     add_blocks(sheet, line);
   }
 
-  // Whether a declaration changes the outline of an element: of its own style, or of one of the sheets.
+  // Whether a declaration changes the outline of an element: of its own style, or of one of the sheets. The outermost element, of which the
+  // size changes nothing, has no name.
   bool changes(const Style_declaration& d, std::string_view element, bool has_transform) const {
     const bool is_neutral = d.value == "none" || d.value == "initial" || d.value == "unset";
     switch (style_effect(d.name, element)) {

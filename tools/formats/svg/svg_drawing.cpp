@@ -154,7 +154,7 @@ class Drawing_walk {
     Drawing_frame frame = frames_.empty() ? Drawing_frame() : frames_.back().frame;
     const std::optional<std::string> reason = refusal([&] {
       if (n.attributes.has("style")) {
-        styled = styled_attributes(n, document_.sheets);
+        styled = styled_attributes(n, document_.sheets, frames_.empty());
         attributes = &styled;
       }
       if (const std::optional<std::string> changed = change(i, *attributes)) throw Not_covered{*changed};
