@@ -64,13 +64,16 @@ formats chains 1 2 0 0 0 "$L" "$R" "$L" --require G0
 
 # drawings
 leaf=$data/leaf_inkscape.svg badge=$data/badge_illustrator.svg
-formats drawings 0 0 1 1 23 "$leaf" --allow-uncovered
-formats drawings 1 15 0 0 10 "$leaf" --require C1 && says sarif '"ruleId":"corner"' '"startLine":' \
-  '"fullyQualifiedName":"path \"leaf\" (line 50), subpath 1, commands 3 c - 4 c"' '"ruleId":"not-verified"'
-says junit 'name="path &quot;leaf&quot; (line 50), subpath 1, commands 3 c - 4 c">' 'message="not C1, G0, corner of 93.1' '<failure type="not-verified" message="not verified, '
-formats drawings 1 2 0 0 23 "$leaf" --require G1
+formats drawings 0 0 0 1 27 "$leaf"
+formats drawings 1 14 0 0 14 "$leaf" --require C1 && says sarif '"ruleId":"corner"' '"startLine":' \
+  '"fullyQualifiedName":"path \"leaf\" (line 50), subpath 1, commands 3 c - 4 c"'
+says junit 'name="path &quot;leaf&quot; (line 50), subpath 1, commands 3 c - 4 c">' 'message="not C1, G0, corner of 93.1'
+formats drawings 1 1 0 0 27 "$leaf" --require G1
 formats drawings 0 0 2 0 29 "$badge" --allow-undecided
-formats drawings 0 0 3 1 52 "$badge" "$leaf" --allow-undecided --allow-uncovered
+formats drawings 0 0 2 1 56 "$badge" "$leaf" --allow-undecided
+svg '<path d="M0 0h1v1"/><use href="#none"/>'
+formats drawings 1 2 0 0 0 drawing.svg --require C1 && says sarif '"ruleId":"not-verified"' && says junit '<failure type="not-verified" message="not verified, '
+formats drawings 0 0 1 0 1 drawing.svg --allow-uncovered
 svg '<path d="M0 0h1v1"/><path id="almost" d="M0 0h10l10 .1"/>'
 formats drawings 0 0 0 1 1 drawing.svg
 formats drawings 1 1 0 0 1 drawing.svg --require G1 --kink-angle 5 && says sarif '"ruleId":"kink"' 'path \"almost\" (line 2)'

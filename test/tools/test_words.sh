@@ -31,7 +31,7 @@ run 0 verify --closed "$L" && run 1 verify --closed "$L" --require C0 && lacks o
 # What is not covered or undecided is named, and is not met unless that is allowed by name.
 round='<path d="M0 0h1 2z"/>' # three lines, two of them in one direction
 svg "$round<use/>"
-run 1 verify drawing.svg --require G0 && says out "not covered: 1 element, the element that it repeats is not followed" && lacks out "proved"
+run 1 verify drawing.svg --require G0 && says out "not covered: 1 element, it does not say which element it repeats" && lacks out "proved"
 says out "not met, because not all was decided (see --allow-uncovered)"
 run 0 verify drawing.svg --require G0 --allow-uncovered && says out "that was decided is G0, proved exactly" && lacks out "not met"
 run 1 verify drawing.svg && run 1 verify drawing.svg --require G0 --json && says out '"met":false'

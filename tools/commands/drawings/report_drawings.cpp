@@ -26,6 +26,7 @@ class Drawing_page : public Drawing_handler {
   std::size_t subpaths_ = 0;
   Progress progress_{"joins"};
   std::function<void()> show_progress_ = [] {};
+  double part_of_drawing_ = 0; // that has been measured
 
   static std::string command(const Segment& s) { return std::to_string(s.command) + ' ' + s.letter; }
 
@@ -37,13 +38,16 @@ public:
     const Reading_position position(files);
     for (std::size_t i = 0; i < files.size(); ++i) {
       Input input(files[i]);
-      show_progress_ = [&] { progress_.step(page_.total(), [&] { return position.part(i, input); }); };
+      part_of_drawing_ = 0;
+      show_progress_ = [&] { progress_.step(page_.total(), [&] { return position.part(i, part_of_drawing_); }); };
       input.after_each_block(show_progress_);
       read_svg_drawing(input, input_name(files[i]), *this);
       show_progress_ = [] {};
     }
     page_.summary = counted(page_.total(), "join") + " in " + counted(subpaths_, "subpath");
   }
+
+  void progress(double part) override { part_of_drawing_ = part; }
 
   void subpath(const Drawing_element& element, int number, const Drawing_subpath& path) override {
     const std::size_t n = path.segments.size(), group = subpaths_++;

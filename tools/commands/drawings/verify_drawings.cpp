@@ -33,7 +33,8 @@ const char* const irrational = "a rotated ellipse, whose tangents are not ration
 
 std::string json_element(const Drawing_element& element) {
   return "\"file\":" + json_text(element.file) + ",\"element\":" + json_text(element.name) +
-         ",\"id\":" + json_text(element.id) + ",\"line\":" + std::to_string(element.line);
+         ",\"id\":" + json_text(element.id) + ",\"line\":" + std::to_string(element.line) +
+         (element.repeated_by.empty() ? "" : ",\"repeated_by\":" + json_text(element.repeated_by));
 }
 
 // Where a join is, e.g. ", subpath 1, commands 2 c - 3 s".
@@ -60,7 +61,8 @@ class Drawing_report : public Drawing_handler {
   Certificate certificate_;
   Progress progress_{"joins"};
   std::function<void()> show_progress_ = [] {};
-  GC::Chain_summary summary_; // of what is decided
+  double part_of_drawing_ = 0; // that has been decided
+  GC::Chain_summary summary_;  // of what is decided
   std::map<GC::Join_grade, std::size_t> grades_;
   std::size_t joins_ = 0, left_out_ = 0, undecided_ = 0, not_read_ = 0, subpaths_ = 0, segments_ = 0;
 
@@ -136,13 +138,16 @@ public:
     for (std::size_t i = 0; i < files.size(); ++i) {
       Input input(files[i]);
       report_.begin_file(input_name(files[i]));
-      show_progress_ = [&] { progress_.step(joins_, [&] { return position.part(i, input); }); };
+      part_of_drawing_ = 0;
+      show_progress_ = [&] { progress_.step(joins_, [&] { return position.part(i, part_of_drawing_); }); };
       input.after_each_block(show_progress_); // a path may be large
       read_svg_drawing(input, input_name(files[i]), *this);
       show_progress_ = [] {};
     }
     progress_.clear();
   }
+
+  void progress(double part) override { part_of_drawing_ = part; }
 
   void subpath(const Drawing_element& element, int number, const Drawing_subpath& path) override {
     const std::size_t n = path.segments.size();
@@ -154,7 +159,7 @@ public:
       const Decision decision = within_work_limit(
           [&] { return "commands " + std::to_string(left.command) + " and " + std::to_string(right.command); },
           [&] { return GC::continuity(join, max_order_); });
-      if (certificate_)
+      if (certificate_ && !element.has_percentages && element.repeated_by.empty())
         certify("\"line\":" + std::to_string(element.line) + ",\"subpath\":" + std::to_string(number) +
                     ",\"left\":" + std::to_string(i) + ",\"right\":" + std::to_string((i + 1) % n) + ',',
                 element, left, right, decision);

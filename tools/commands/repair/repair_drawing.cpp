@@ -26,32 +26,33 @@ template <class Function> void for_each_join(const Drawing_subpath& path, const 
     f(i, GC::join_grade(path.segments[i], path.segments[(i + 1) % n], bound));
 }
 
+bool is_drawn(Path_role role) { return role == Path_role::drawn || role == Path_role::repetition; }
+
 // The joins of a drawing.
 struct Drawing_joins {
   Grade_counts drawn, defined; // the latter are not drawn
   std::size_t undecided = 0;
 
-  void add(const Drawing_subpath& path, bool is_drawn, const GC::Kink_bound& bound) {
+  // Adds the joins of a subpath as it is drawn, if it is. Returns whether there are kinks.
+  bool add(const Drawing_subpath& path, Path_role role, const GC::Kink_bound& bound) {
+    bool has_kinks = false;
     for_each_join(path, bound, [&](std::size_t, const std::optional<GC::Join_grade>& grade) {
+      has_kinks = has_kinks || grade == GC::Join_grade::kink;
+      if (role == Path_role::repeated) return; // they are counted where they are drawn
       if (grade)
-        ++(is_drawn ? drawn : defined)[*grade];
+        ++(is_drawn(role) ? drawn : defined)[*grade];
       else
         ++undecided;
     });
-  }
-
-  void operator+=(const Drawing_joins& more) {
-    for (const auto& [grade, count] : more.drawn) drawn[grade] += count;
-    for (const auto& [grade, count] : more.defined) defined[grade] += count;
-    undecided += more.undecided;
+    return has_kinks;
   }
 };
 
 // The map by which an element is drawn, where that changes angles.
-std::optional<Drawing_transform> skewing_map(const Drawing_element& element, bool is_drawn) {
+std::optional<Drawing_transform> skewing_map(const Drawing_element& element, Path_role role) {
   const auto& m = element.transform.matrix();
   const bool is_similarity = m[0] * m[0] + m[1] * m[1] == m[2] * m[2] + m[3] * m[3] && m[0] * m[2] + m[1] * m[3] == 0;
-  return is_drawn && !is_similarity ? std::optional<Drawing_transform>(element.transform) : std::nullopt;
+  return is_drawn(role) && !is_similarity ? std::optional<Drawing_transform>(element.transform) : std::nullopt;
 }
 
 // Whether a curve is read as it was computed. One that has become straight by a handle at its node is read as a line.
@@ -76,8 +77,32 @@ public:
   explicit Counting_handler(const GC::Kink_bound& bound) : bound_(bound) {}
 
   bool takes_paths() const override { return true; }
-  void subpath(const Drawing_element&, int, const Drawing_subpath& path) override { joins.add(path, true, bound_); }
+  void subpath(const Drawing_element&, int, const Drawing_subpath& path) override {
+    joins.add(path, Path_role::drawn, bound_);
+  }
   void not_read(const Drawing_element&, const std::string&) override {}
+
+protected:
+  // Counts the joins of a path, up to an error, of which the text is returned. Calls note(has_kinks) behind each subpath.
+  template <class Note>
+  std::string count(const Drawing_element& element, const Path_data& path, GC::Svg_path_places* places, Note note) {
+    GC::Svg_path_reader<Drawing_traits> reader(path.value, "d", places);
+    for (;;) {
+      std::string error;
+      std::optional<Drawing_subpath> subpath;
+      try {
+        subpath = reader.next();
+      } catch (const GC::Error& e) {
+        error = GC::svg_reason(e);
+        subpath = reader.before_error();
+      }
+      if (subpath) {
+        subpath->leave_out_points();
+        note(joins.add(is_drawn(path.role) ? subpath->transform(element.transform) : *subpath, path.role, bound_));
+      }
+      if (!subpath || !error.empty()) return error;
+    }
+  }
 };
 
 // Repairs the paths of a drawing.
@@ -116,20 +141,27 @@ public:
 
   void path(const Drawing_element& element, const Path_data& path) override {
     progress_.step(paths_++, [&] { return path.text.refusal().empty() ? part(path.text[0]) : 0; });
+    if (path.role == Path_role::repetition) {
+      count(element, path, nullptr, [](bool) {});
+      return;
+    }
     data.push_back(path.value);
     std::string refusal = path.text.refusal();
     Path_decimals decimals;
     bool has_kinks = false;
-    const std::optional<Drawing_transform> map = skewing_map(element, path.is_drawn);
-    try {
-      has_kinks = read(path, map, decimals);
-    } catch (const GC::Error& error) { // of a path that is not drawn: others must be right
-      if (path.is_drawn) throw;
-      return report_.add_uncovered(element.text(), members(element), error.what());
-    }
+    GC::Svg_path_places places;
+    const std::string error = count(element, path, &places, [&](bool kinks) {
+      has_kinks = has_kinks || kinks;
+      decimals.add(path.value, places);
+      places.commands.clear();
+      places.numbers.clear();
+    });
+    if (!error.empty()) return report_.add_uncovered(element.text(), members(element), error + "; it is left as it is");
+    decimals.add(path.value, places);
     if (!has_kinks && !options_.harmonise && refusal.empty()) return;
     if (refusal.empty()) refusal = decimals.refusal;
     if (!refusal.empty()) return report_.add_unread(element.text(), members(element), refusal);
+    const std::optional<Drawing_transform> map = skewing_map(element, path.role);
     const std::vector<Text_edit> edits = repair(element, path, map, decimals);
     for (const Text_edit& edit : edits) {
       result_.append(text_, read_, path.text[edit.range.begin] - read_) += edit.text;
@@ -148,23 +180,6 @@ private:
     GC::write_json(os << ",\"id\":", element.id);
     os << ",\"line\":" << element.line;
     return os.str();
-  }
-
-  // Counts the joins of a path, and finds its decimals. Returns whether there are kinks.
-  bool read(const Path_data& path, const std::optional<Drawing_transform>& map, Path_decimals& decimals) {
-    GC::Svg_path_places places;
-    GC::Svg_path_reader<Drawing_traits> reader(path.value, path.place, &places);
-    Drawing_joins here;
-    while (std::optional<Drawing_subpath> subpath = reader.next()) {
-      decimals.add(path.value, places);
-      places.commands.clear();
-      places.numbers.clear();
-      subpath->leave_out_points();
-      here.add(map ? subpath->transform(*map) : *subpath, path.is_drawn, bound_);
-    }
-    decimals.add(path.value, places);
-    joins += here;
-    return here.drawn.count(GC::Join_grade::kink) + here.defined.count(GC::Join_grade::kink) != 0;
   }
 
   // Returns the edits of the data, after which they are data.back().
@@ -236,19 +251,9 @@ public:
       : Counting_handler(bound), expected_(expected) {}
 
   void path(const Drawing_element& element, const Path_data& path) override {
-    if (paths_ == expected_.size() || path.value != expected_[paths_++]) refuse_to_write(path.place);
-    GC::Svg_path_reader<Drawing_traits> reader(path.value, path.place);
-    Drawing_joins here;
-    try {
-      while (std::optional<Drawing_subpath> subpath = reader.next()) {
-        subpath->leave_out_points();
-        here.add(path.is_drawn ? subpath->transform(element.transform) : *subpath, path.is_drawn, bound_);
-      }
-    } catch (const GC::Error&) {
-      if (path.is_drawn) throw;
-      return;
-    }
-    joins += here;
+    if (path.role != Path_role::repetition && (paths_ == expected_.size() || path.value != expected_[paths_++]))
+      refuse_to_write(path.place);
+    count(element, path, nullptr, [](bool) {});
   }
 
   bool has_read_all() const { return paths_ == expected_.size(); }

@@ -115,9 +115,9 @@ template <class Traits> Svg_transform<Traits> svg_rotation(const typename Traits
   return Svg_transform<Traits>({cosine, sine, FT(FT(0) - sine), cosine, FT(0), FT(0)});
 }
 
-// Reads a list of transforms. Consecutive rotations about one centre are one rotation, by the sum of the angles: the
-// numbers do not grow with the list.
-template <class Traits> class Svg_transform_reader {
+// The product of a list of transforms, of which the last one is applied first. Consecutive rotations about one centre are one rotation,
+// by the sum of the angles: the numbers do not grow with the list.
+template <class Traits> class Svg_transform_product {
   typedef typename Traits::FT FT;
   typedef Svg_transform<Traits> Transform;
 
@@ -125,50 +125,21 @@ template <class Traits> class Svg_transform_reader {
     FT degrees, x, y; // around (x, y)
   };
 
-  Svg_scanner scanner_;
-  Transform result_;                 // of what was read before the rotation
-  std::optional<Rotation> rotation_; // that was read last
+  Transform result_;                 // of what was added before the rotation
+  std::optional<Rotation> rotation_; // that was added last
 
 public:
-  Svg_transform_reader(std::string_view text, const std::string& name) : scanner_(text, name) {}
-
-  Transform operator()() {
-    scanner_.skip_space();
-    while (!scanner_.at_end()) {
-      read_transform();
-      scanner_.skip_separator();
-    }
-    scanner_.refuse_comma();
-    apply_rotation();
-    return result_;
-  }
-
-private:
-  static Transform translation(const FT& x, const FT& y) { return Transform({FT(1), FT(0), FT(0), FT(1), x, y}); }
-
-  // The tangent is exact at 0 and 45 degrees, otherwise rounded to double.
-  FT tangent(const FT& degrees) const {
-    const Quarter_turns<FT> turns(degrees);
-    if (turns.rest == FT(0) && turns.count % 2 != 0) scanner_.refuse("a skew by a right angle");
-    FT t = turns.rest == FT(0)     ? FT(0)
-           : turns.rest == FT(45)  ? FT(1)
-           : turns.rest == FT(-45) ? FT(-1)
-                                   : FT(std::tan(CGAL::to_double(turns.rest) * (std::acos(-1.0) / 180)));
-    return turns.count % 2 == 0 ? t : FT(FT(-1) / t);
-  }
-
-  void apply(const Transform& map) {
-    apply_rotation();
-    multiply(map);
-  }
-
   void multiply(const Transform& map) {
-    try {
-      result_ = result_ * map;
-    } catch (const Error& error) {
-      if (error.code() != Error_code::work_limit) throw;
-      scanner_.refuse(error.what());
-    }
+    apply_rotation();
+    result_ = result_ * map;
+  }
+
+  void translate(const FT& x, const FT& y) { multiply(translation(x, y)); }
+  void scale(const FT& x, const FT& y) { multiply(Transform({x, FT(0), FT(0), y, FT(0), FT(0)})); }
+
+  // Throws Error `malformed_input` for a right angle.
+  void skew(const FT& x_degrees, const FT& y_degrees) {
+    multiply(Transform({FT(1), tangent(y_degrees), tangent(x_degrees), FT(1), FT(0), FT(0)}));
   }
 
   void rotate(const FT& degrees, const FT& x, const FT& y) {
@@ -181,20 +152,77 @@ private:
     rotation_ = Rotation{angle, x, y};
   }
 
+  Transform operator()() {
+    apply_rotation();
+    return result_;
+  }
+
+  static Transform translation(const FT& x, const FT& y) { return Transform({FT(1), FT(0), FT(0), FT(1), x, y}); }
+
+private:
+  // The tangent is exact at 0 and 45 degrees, otherwise rounded to double.
+  static FT tangent(const FT& degrees) {
+    const Quarter_turns<FT> turns(degrees);
+    if (turns.rest == FT(0) && turns.count % 2 != 0)
+      throw Error(Error_code::malformed_input, "a skew by a right angle");
+    FT t = turns.rest == FT(0)     ? FT(0)
+           : turns.rest == FT(45)  ? FT(1)
+           : turns.rest == FT(-45) ? FT(-1)
+                                   : FT(std::tan(CGAL::to_double(turns.rest) * (std::acos(-1.0) / 180)));
+    return turns.count % 2 == 0 ? t : FT(FT(-1) / t);
+  }
+
   void apply_rotation() {
     if (!rotation_) return;
     const Rotation r = *rotation_;
     rotation_.reset();
     const Transform turn = svg_rotation<Traits>(r.degrees);
-    if (r.x == FT(0) && r.y == FT(0)) return multiply(turn);
-    multiply(translation(r.x, r.y) * turn * translation(FT(FT(0) - r.x), FT(FT(0) - r.y)));
+    if (r.x == FT(0) && r.y == FT(0))
+      result_ = result_ * turn;
+    else
+      result_ = result_ * (translation(r.x, r.y) * turn * translation(FT(FT(0) - r.x), FT(FT(0) - r.y)));
   }
 
   static FT less_than_a_turn(const FT& degrees) {
     const Quarter_turns<FT> turns(degrees);
     return FT(FT(90 * turns.count) + turns.rest);
   }
+};
 
+// Calls action() and refuses, at what the scanner has read last, a product of transforms that is not possible.
+template <class Action> void refusing_at(const Svg_scanner& scanner, Action action) {
+  try {
+    action();
+  } catch (const Error& error) {
+    if (error.code() == Error_code::not_finite) throw;
+    scanner.refuse(error.code() == Error_code::malformed_input ? svg_reason(error) : error.what());
+  }
+}
+
+// Reads a list of transforms.
+template <class Traits> class Svg_transform_reader {
+  typedef typename Traits::FT FT;
+  typedef Svg_transform<Traits> Transform;
+
+  Svg_scanner scanner_;
+  Svg_transform_product<Traits> product_;
+
+public:
+  Svg_transform_reader(std::string_view text, const std::string& name) : scanner_(text, name) {}
+
+  Transform operator()() {
+    scanner_.skip_space();
+    while (!scanner_.at_end()) {
+      read_transform();
+      scanner_.skip_separator();
+    }
+    scanner_.refuse_comma();
+    Transform result;
+    refusing_at(scanner_, [&] { result = product_(); });
+    return result;
+  }
+
+private:
   void read_transform() {
     const std::string name(scanner_.word());
     if (name != "matrix" && name != "translate" && name != "scale" && name != "rotate" && name != "skewX" &&
@@ -207,15 +235,19 @@ private:
     while (x.size() < 6 && scanner_.at_number()) x.push_back(scanner_.template number<FT>());
     scanner_.refuse_comma();
     scanner_.expect(')');
+    refusing_at(scanner_, [&] { add(name, x); });
+  }
+
+  void add(const std::string& name, const std::vector<FT>& x) {
     const std::size_t n = x.size();
-    if (name == "matrix" && n == 6) return apply(Transform({x[0], x[1], x[2], x[3], x[4], x[5]}));
-    if (name == "translate" && n <= 2) return apply(translation(x[0], n == 2 ? x[1] : FT(0)));
-    if (name == "scale" && n <= 2) return apply(Transform({x[0], FT(0), FT(0), n == 2 ? x[1] : x[0], FT(0), FT(0)}));
-    if (name == "rotate" && n == 1) return rotate(x[0], FT(0), FT(0));
-    if (name == "rotate" && n == 3) return rotate(x[0], x[1], x[2]);
-    if (name == "skewX" && n == 1) return apply(Transform({FT(1), FT(0), tangent(x[0]), FT(1), FT(0), FT(0)}));
-    if (name == "skewY" && n == 1) return apply(Transform({FT(1), tangent(x[0]), FT(0), FT(1), FT(0), FT(0)}));
-    scanner_.refuse(name + " with " + std::to_string(n) + (n == 1 ? " number" : " numbers"));
+    if (name == "matrix" && n == 6) return product_.multiply(Transform({x[0], x[1], x[2], x[3], x[4], x[5]}));
+    if (name == "translate" && n <= 2) return product_.translate(x[0], n == 2 ? x[1] : FT(0));
+    if (name == "scale" && n <= 2) return product_.scale(x[0], n == 2 ? x[1] : x[0]);
+    if (name == "rotate" && n == 1) return product_.rotate(x[0], FT(0), FT(0));
+    if (name == "rotate" && n == 3) return product_.rotate(x[0], x[1], x[2]);
+    if (name == "skewX" && n == 1) return product_.skew(x[0], FT(0));
+    if (name == "skewY" && n == 1) return product_.skew(FT(0), x[0]);
+    throw Error(Error_code::malformed_input, name + " with " + std::to_string(n) + (n == 1 ? " number" : " numbers"));
   }
 };
 

@@ -58,7 +58,7 @@ struct Svg_path_places {
 /// its ends, this is how editors write a line, and it is read as a line. A segment of no length is kept; its tangents
 /// are zero.
 ///
-/// Where SVG asks a viewer to draw what comes before an error, this reader refuses the path.
+/// Where SVG asks a viewer to draw what comes before an error, this reader throws, and then gives that by `before_error()`.
 ///
 /// \tparam Traits a model of `GeometricContinuityTraits` of dimension 2 whose `FT` is accepted by `parse_number()`
 template <class Traits> class Svg_path_reader {
@@ -80,7 +80,7 @@ public:
   }
 
   /// Returns the next subpath, or nothing at the end. A subpath without segments is left out unless it is closed. After
-  /// an error the reader cannot be used any more.
+  /// an error only `before_error()` can be called.
   /// \throws Error `malformed_input` with a text `name, character N: reason`, where `N` counts from 1, for everything
   ///   that is no path data, for numbers that `double` cannot hold or `Elliptical_arc` refuses, and in an exact field for
   ///   numbers and coordinates of more than `max_svg_number_bits` bits and for arcs with a ratio of the radii of more
@@ -99,6 +99,12 @@ public:
       if (std::optional<Svg_subpath<Traits>> subpath = builder_.take_complete()) return subpath;
     }
     return std::nullopt;
+  }
+
+  /// Returns, after an error, what its subpath draws before the command with the error, if that is anything.
+  std::optional<Svg_subpath<Traits>> before_error() {
+    builder_.end();
+    return builder_.take_complete();
   }
 
 private:

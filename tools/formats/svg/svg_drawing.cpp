@@ -5,22 +5,15 @@
 #include "formats/svg/svg_drawing.h"
 
 #include "files/input.h"
-#include "formats/svg/Drawing_attributes.h"
-#include "formats/svg/Unpacked_bytes.h"
-#include "formats/svg/Xml_entities.h"
+#include "formats/svg/Drawing_document.h"
+#include "formats/svg/Drawing_frame.h"
 
-#include "formats/svg/Svg_transform.h"
 #include "formats/svg/read_svg_path.h"
 #include "formats/svg/svg_shapes.h"
-#include <CGAL/Geometric_continuity/IO/text.h>
-
-#define XML_DTD // declares what Expat offers against entities that expand to more and more text
-#include <expat.h>
 
 #include <algorithm>
 #include <charconv>
-#include <exception>
-#include <memory>
+#include <cstddef>
 #include <optional>
 #include <set>
 #include <string_view>
@@ -29,20 +22,11 @@
 
 namespace {
 
-typedef GC::Svg_transform<Drawing_traits> Transform;
+// What use elements repeat, together, as it is written: so many bytes, or this many times the drawing when that is more.
+constexpr std::size_t free_repetition = 1 << 24, most_repetitions = 10;
+constexpr std::size_t most_nested = 256; // elements in each other, with those that are repeated
 
-constexpr std::size_t max_depth = 256;
-constexpr int first_block = 1 << 16, last_block = 1 << 28; // bytes
-
-// Entities may expand to this many bytes, and a file that is longer to this many times its length.
-constexpr unsigned long long free_expansion = 1 << 20;
-constexpr float max_expansion = 10;
-
-// Elements that are drawn by reference or not at all, with everything in them.
-const std::set<std::string> skipped{"defs",     "symbol", "clipPath",       "mask",           "marker",
-                                    "pattern",  "style",  "linearGradient", "radialGradient", "filter",
-                                    "script",   "title",  "desc",           "metadata",       "foreignObject",
-                                    "flowRoot", "font",   "text",           "image"};
+const char* const what_follows = "; what follows is not read";
 
 // The largest number of digits behind the point, when exponents are written out.
 int most_decimals(std::string_view text) {
@@ -68,218 +52,227 @@ int most_decimals(std::string_view text) {
   return most;
 }
 
-// Reads a drawing with Expat: keeps the transforms of the open elements, and hands on the subpaths of each.
-class Drawing_reader {
-  const std::string file_;
+// Goes through the elements of a drawing, and through those that use elements repeat, and hands on what they draw.
+class Drawing_walk {
+  // What is gone through: the elements from one on, and those that a use element repeats in its place.
+  struct Part {
+    std::size_t next, end;
+    std::size_t frames;      // how many there are below
+    std::size_t use, target; // numbers; no element in the outermost part
+    Repeated_size size;      // of the viewport
+  };
+  // An element that holds what comes next, up to another one.
+  struct Open_frame {
+    Drawing_frame frame;
+    std::size_t end;
+  };
+
+  const std::string& file_;
+  const Drawing_document& document_;
   Drawing_handler& handler_;
-  std::unique_ptr<XML_ParserStruct, decltype(&XML_ParserFree)> parser_;
-  std::vector<Transform> transforms_;        // of the open elements that are read
-  std::size_t depth_ = 0, skipped_from_ = 0; // the depth of the element that is skipped with all in it, or 0
-  Xml_entities entities_;
-  bool has_doctype_ = false;
-  std::exception_ptr error_;
+  const bool takes_paths_ = handler_.takes_paths();
+  std::vector<Part> parts_;
+  std::vector<Open_frame> frames_;
+  std::set<std::size_t> repeated_; // the elements that use elements draw, where paths are taken
+  std::size_t repetition_ = 0;     // bytes
 
-  [[noreturn]] void refuse(const std::string& reason) const {
-    throw GC::Error(GC::Error_code::malformed_input, file_ + ':' + std::to_string(line()) + ": " + reason);
+  const Drawing_node& node(std::size_t i) const { return document_.nodes[i]; }
+  bool is_repetition() const { return parts_.size() > 1; }
+  std::size_t none() const { return document_.nodes.size(); }
+
+  Drawing_element element(std::size_t i) const {
+    const Drawing_node& n = node(i);
+    Drawing_element e{file_, std::string(n.name), n.attributes.text("id"), n.line};
+    if (!is_repetition()) return e;
+    const auto text = [&](const Part& part) { return element_text(node(part.use)); };
+    e.repeated_by = text(parts_.back());
+    if (parts_.size() > 2) e.repeated_by += " in " + text(parts_[1]); // which tells which one it is
+    return e;
   }
-  long long line() const { return static_cast<long long>(XML_GetCurrentLineNumber(parser_.get())); }
+  static std::string element_text(const Drawing_node& n) {
+    return Drawing_element{"", std::string(n.name), n.attributes.text("id"), n.line}.text();
+  }
 
-  // No exception may pass through the parser, which is written in C.
-  template <class Action> static void guarded(void* self, Action action) {
-    Drawing_reader& reader = *static_cast<Drawing_reader*>(self);
-    if (reader.error_) return;
+  // An element is not read, with all that stands in it.
+  void leave_out(std::size_t i, const std::string& reason) {
+    handler_.not_read(element(i), reason);
+    define(i);
+  }
+
+  // Calls action() and returns why the element cannot be read; nothing where it can.
+  template <class Action> static std::optional<std::string> refusal(Action action) {
     try {
-      action(reader);
-    } catch (...) {
-      reader.error_ = std::current_exception();
-      XML_StopParser(reader.parser_.get(), XML_FALSE);
-    }
-  }
-
-  static void on_start(void* self, const XML_Char* name, const XML_Char** attributes) {
-    guarded(self, [&](Drawing_reader& reader) { reader.start(name, attributes); });
-  }
-  static void on_end(void* self, const XML_Char*) {
-    guarded(self, [](Drawing_reader& reader) { reader.end(); });
-  }
-  static void on_doctype(void* self, const XML_Char*, const XML_Char*, const XML_Char*, int) {
-    static_cast<Drawing_reader*>(self)->has_doctype_ = true;
-  }
-  static void on_entity(void* self, const XML_Char* name, int is_parameter, const XML_Char* value, int length,
-                        const XML_Char*, const XML_Char*, const XML_Char*, const XML_Char*) {
-    if (is_parameter != 0) return; // references to these are not followed
-    guarded(self, [&](Drawing_reader& reader) {
-      if (value == nullptr) return reader.entities_.declare_external(name);
-      reader.refuse_if(reader.entities_.declare(name, std::string_view(value, static_cast<std::size_t>(length))));
-    });
-  }
-  // Called before the value is passed.
-  static void on_default_value(void* self, const XML_Char*, const XML_Char*, const XML_Char*, const XML_Char* value,
-                               int) {
-    guarded(self, [&](Drawing_reader& reader) {
-      const std::string_view rest = reader.rest();
-      if (value == nullptr || rest.size() < reader.length()) return;
-      reader.refuse_if(reader.entities_.refusal_in_quoted(rest.substr(reader.length())));
-    });
-  }
-  static void on_skipped_entity(void* self, const XML_Char* name, int) {
-    guarded(self, [&](Drawing_reader& reader) { reader.refuse_if(reader.entities_.refusal(name)); });
-  }
-  static int on_external_entity(XML_Parser parser, const XML_Char*, const XML_Char*, const XML_Char*, const XML_Char*) {
-    guarded(XML_GetUserData(parser), [](Drawing_reader& reader) {
-      reader.refuse_if(reader.entities_.refusal_in(reader.piece()));
-      reader.refuse("an entity stands in another file, which is not read");
-    });
-    return XML_STATUS_ERROR;
-  }
-
-  // Refuses what is not well-formed. Expat does not name the entity, which is the first one that is not known.
-  [[noreturn]] void refuse_error(XML_Error error) const {
-    if (error == XML_ERROR_NO_MEMORY) throw std::bad_alloc();
-    if (error == XML_ERROR_UNDEFINED_ENTITY || error == XML_ERROR_ATTRIBUTE_EXTERNAL_ENTITY_REF)
-      refuse_if(entities_.refusal_in(rest()));
-    refuse(XML_ErrorString(error));
-  }
-
-  void refuse_if(const std::optional<std::string>& reason) const {
-    if (reason) refuse(*reason);
-  }
-
-  // What has been read of the file from the place on to which the current call refers.
-  std::string_view rest() const {
-    int offset = 0, size = 0;
-    const char* const context = XML_GetInputContext(parser_.get(), &offset, &size);
-    if (context == nullptr || size < offset) return std::string_view();
-    return std::string_view(context + offset, static_cast<std::size_t>(size - offset));
-  }
-
-  // The bytes of the file to which the current call refers, such as a tag.
-  std::size_t length() const { return static_cast<std::size_t>(XML_GetCurrentByteCount(parser_.get())); }
-  std::string_view piece() const { return rest().substr(0, length()); }
-
-  // The name without the namespace of SVG; other namespaces are left in front. Drawings without any namespace are read.
-  static std::string local_name(const std::string& name) {
-    const std::string svg = "http://www.w3.org/2000/svg ";
-    return name.compare(0, svg.size(), svg) == 0 ? name.substr(svg.size()) : name;
-  }
-
-  void start(const std::string& full_name, const char** pairs) {
-    const std::string name = local_name(full_name);
-    ++depth_;
-    if (has_doctype_) refuse_if(entities_.refusal_in(piece())); // in attributes, Expat skips them in silence
-    if (depth_ > max_depth) refuse("elements are nested deeper than " + std::to_string(max_depth));
-    if (skipped_from_ != 0) return define(name, pairs);
-    if (depth_ == 1 && name != "svg") refuse("the root element is " + GC::quoted_token(name) + ", not svg");
-    if (skipped.count(name) != 0 || name.find(' ') != std::string::npos) {
-      skipped_from_ = depth_;
-      return;
-    }
-    Drawing_element element{file_, name, "", line()};
-    const Drawing_attributes attributes = read(element, pairs);
-    transforms_.push_back(transforms_.empty() ? Transform() : transforms_.back());
-    if (attributes.has("transform") && attributes.text("transform") != "none") transform(attributes);
-    element.transform = transforms_.back();
-    for (const char* numbers : {"d", "points"})
-      if (attributes.has(numbers)) element.decimals = most_decimals(attributes.text(numbers));
-    try {
-      draw(element, attributes);
-    } catch (const Relative_length& length) {
-      handler_.not_read(element, length.text + " is relative to something that is not known here");
+      action();
+      return std::nullopt;
+    } catch (const Not_covered& x) {
+      return x.reason;
     } catch (const GC::Error& error) {
-      if (error.code() != GC::Error_code::work_limit) throw;
-      throw GC::Error(error.code(), attributes.place() + ": " + GC::svg_reason(error));
+      return GC::svg_reason(error);
     }
   }
 
-  // The attributes of an element, and its id.
-  Drawing_attributes read(Drawing_element& element, const char** pairs) const {
-    for (const char** p = pairs; *p != nullptr && element.id.empty(); p += 2)
-      if (std::string_view(*p) == "id") element.id = p[1];
-    return Drawing_attributes(pairs, file_ + ':' + std::to_string(element.line) + ": " + element.name +
-                                         (element.id.empty() ? "" : " \"" + element.id + '"'));
+  // Hands on the paths in an element that is not drawn.
+  void define(std::size_t begin) {
+    if (!takes_paths_ || is_repetition()) return;
+    for (std::size_t i = begin; i < node(begin).end; ++i)
+      if (node(i).name == "path" && node(i).attributes.has("d"))
+        hand_on(element(i), node(i), repeated_.count(i) != 0 ? Path_role::repeated : Path_role::defined);
   }
 
-  // An element that is defined and not drawn.
-  void define(const std::string& name, const char** pairs) {
-    if (name != "path" || !handler_.takes_paths()) return;
-    Drawing_element element{file_, name, "", line()};
-    const Drawing_attributes attributes = read(element, pairs);
-    if (attributes.has("d")) hand_on(element, attributes, attributes.text("d"), false);
+  void hand_on(const Drawing_element& element, const Drawing_node& n, Path_role role) {
+    const std::string& value = n.attributes.text("d");
+    const std::string place = file_ + ':' + std::to_string(n.line) + ": " + element.name +
+                              (element.id.empty() ? "" : " \"" + element.id + '"') + ", d";
+    handler_.path(element, {value, place, Attribute_text(n.tag, n.tag_begin, "d", value), role});
   }
 
-  void hand_on(const Drawing_element& element, const Drawing_attributes& attributes, const std::string& value,
-               bool is_drawn) const {
-    const Attribute_text text(piece(), static_cast<std::size_t>(XML_GetCurrentByteIndex(parser_.get())), "d", value);
-    handler_.path(element, {value, attributes.place("d"), text, is_drawn});
+  // Why the outline of an element may be another one than is written; nothing where it may not.
+  std::optional<std::string> change(std::size_t i, const Drawing_attributes& attributes) const {
+    if (node(i).animated_in_line != 0) return "it is animated in line " + std::to_string(node(i).animated_in_line);
+    if (document_.sheets.is_empty()) return std::nullopt;
+    std::vector<Styled_element> path;
+    for (std::size_t k = i;; k = node(k).parent) {
+      const Drawing_attributes& a = node(k).attributes;
+      path.push_back({node(k).name, a.text("id"), a.text("class")});
+      if (k == node(k).parent) break;
+    }
+    std::reverse(path.begin(), path.end());
+    return document_.sheets.change(path, has_transform(attributes));
   }
 
-  void transform(const Drawing_attributes& attributes) {
-    const std::string place = attributes.place("transform");
-    const Transform inner = GC::parse_svg_transform<Drawing_traits>(attributes.text("transform"), place);
+  // Visits an element. Returns whether to go on with those that it holds.
+  bool visit(std::size_t i) {
+    const Drawing_node& n = node(i);
+    const Part& part = parts_.back();
+    const bool is_target = i == part.target;
+    if (is_skipped_in_drawings(n.name) && !(is_target && n.name == "symbol")) {
+      define(i);
+      return false;
+    }
+    Drawing_attributes styled;
+    const Drawing_attributes* attributes = &n.attributes;
+    Drawing_frame frame = frames_.empty() ? Drawing_frame() : frames_.back().frame;
+    const std::optional<std::string> reason = refusal([&] {
+      if (n.attributes.has("style")) {
+        styled = styled_attributes(n, document_.sheets, frames_.empty());
+        attributes = &styled;
+      }
+      if (const std::optional<std::string> changed = change(i, *attributes)) throw Not_covered{*changed};
+      if (frames_.empty() && (document_.sheets.is_empty() || attributes->has("viewBox")))
+        frame.viewport = outermost_viewport(*attributes);
+      place(*attributes, frame);
+      if (n.name == "symbol" || (n.name == "svg" && !frames_.empty()))
+        frame = inner_frame(frame, *attributes, is_target ? part.size : Repeated_size());
+      if (frames_.size() >= most_nested)
+        throw Not_covered{"elements are nested deeper than " + std::to_string(most_nested) +
+                          ", with those that are repeated"};
+    });
+    if (reason) {
+      leave_out(i, *reason);
+      return false;
+    }
+    draw(i, *attributes, frame);
+    if (n.end == i + 1 || n.name == "use") return false;
+    frames_.push_back({std::move(frame), n.end});
+    return true;
+  }
+
+  static void place(const Drawing_attributes& attributes, Drawing_frame& frame) {
+    if (!has_transform(attributes)) return;
+    const Drawing_map map = own_transform(attributes, frame.viewport);
     try {
-      transforms_.back() = transforms_.back() * inner;
+      frame = frame.inner(map);
     } catch (const GC::Error& error) {
-      throw GC::Error(error.code(), place + ", with the groups around: " + GC::svg_reason(error));
+      throw Not_covered{"transform, with the groups around: " + GC::svg_reason(error)};
     }
   }
 
-  void end() {
-    if (skipped_from_ == 0)
-      transforms_.pop_back();
-    else if (skipped_from_ == depth_)
-      skipped_from_ = 0;
-    --depth_;
-  }
-
-  void draw(const Drawing_element& element, const Drawing_attributes& a) {
-    const std::string& name = element.name;
+  void draw(std::size_t i, const Drawing_attributes& a, const Drawing_frame& frame) {
+    const std::string_view name = node(i).name;
     if (name == "path")
-      draw_path(element, a);
-    else if (name == "line")
-      draw(element, 1, GC::svg_line<Drawing_traits>(a.length("x1"), a.length("y1"), a.length("x2"), a.length("y2")));
+      draw_path(i, a, frame);
     else if (name == "polyline" || name == "polygon")
-      draw(element, 1,
-           name == "polygon" ? GC::read_svg_polygon<Drawing_traits>(a.text("points"), a.place("points"))
-                             : GC::read_svg_polyline<Drawing_traits>(a.text("points"), a.place("points")));
-    else if (name == "circle")
-      draw(element, 1, GC::svg_ellipse<Drawing_traits>(a.length("cx"), a.length("cy"), a.size("r"), a.size("r")));
-    else if (name == "ellipse")
-      draw(element, 1, GC::svg_ellipse<Drawing_traits>(a.length("cx"), a.length("cy"), a.size("rx"), a.size("ry")));
-    else if (name == "rect")
-      draw_rectangle(element, a);
+      draw_points(i, a, frame);
     else if (name == "use")
-      handler_.not_read(element, "the element that it repeats is not followed");
+      repeat(i, a, frame);
+    else if (name == "line" || name == "circle" || name == "ellipse" || name == "rect") {
+      Drawing_subpath path;
+      const auto read = [&] { path = shape(name, Drawing_lengths(a, frame.viewport)); };
+      if (const std::optional<std::string> reason = refusal(read)) return handler_.not_read(element(i), *reason);
+      Drawing_element shape_element = placed(i, frame);
+      shape_element.has_percentages = a.has_percentages();
+      hand_on(shape_element, 1, std::move(path));
+    }
   }
 
-  void draw_path(Drawing_element element, const Drawing_attributes& a) {
-    const std::string value = a.text("d");
-    if (handler_.takes_paths()) {
-      if (a.has("d")) hand_on(element, a, value, transforms_.back().determinant() != 0);
+  Drawing_element placed(std::size_t i, const Drawing_frame& frame) const {
+    Drawing_element e = element(i);
+    e.transform = frame.map;
+    return e;
+  }
+
+  static Drawing_subpath shape(std::string_view name, const Drawing_lengths& a) {
+    const Drawing_number zero(0);
+    if (name == "line") return GC::svg_line<Drawing_traits>(a.x("x1"), a.y("y1"), a.x("x2"), a.y("y2"));
+    if (name == "circle") {
+      const Drawing_number r = a.radius("r").value_or(zero);
+      return GC::svg_ellipse<Drawing_traits>(a.x("cx"), a.y("cy"), r, r);
+    }
+    // when one radius is missing, it is equal to the other one
+    const bool is_horizontal = a.is_given("rx"), is_vertical = a.is_given("ry");
+    const Drawing_number rx = (is_horizontal ? a.width("rx") : a.height("ry")).value_or(zero),
+                         ry = (is_vertical ? a.height("ry") : a.width("rx")).value_or(zero);
+    if (name == "ellipse") return GC::svg_ellipse<Drawing_traits>(a.x("cx"), a.y("cy"), rx, ry);
+    return GC::svg_rectangle<Drawing_traits>(a.x("x"), a.y("y"), a.width("width").value_or(zero),
+                                             a.height("height").value_or(zero), rx, ry);
+  }
+
+  void draw_path(std::size_t i, const Drawing_attributes& a, const Drawing_frame& frame) {
+    const Drawing_node& n = node(i);
+    const std::string& value = a.text("d");
+    Drawing_element element = placed(i, frame);
+    if (Style_text::trimmed(value) == "none" || !a.has("d")) return;
+    if (takes_paths_) {
+      const bool is_drawn = frame.map.determinant() != 0;
+      if (!is_repetition()) return hand_on(element, n, is_drawn ? Path_role::drawn : Path_role::defined);
+      if (is_drawn) hand_on(element, n, Path_role::repetition);
       return;
     }
-    Attribute_lines lines(piece(), element.line, "d", value);
+    element.decimals = most_decimals(value);
+    Attribute_lines lines(n.tag, n.line, "d", value);
     element.lines = &lines;
-    GC::Svg_path_reader<Drawing_traits> reader(value, a.place("d"));
-    int number = 0;
-    while (std::optional<Drawing_subpath> subpath = reader.next()) draw(element, ++number, *std::move(subpath));
+    GC::Svg_path_reader<Drawing_traits> reader(value, "d");
+    for (int number = 1;; ++number) {
+      std::optional<Drawing_subpath> subpath;
+      std::string error;
+      try {
+        subpath = reader.next();
+      } catch (const GC::Error& e) {
+        error = GC::svg_reason(e);
+        subpath = reader.before_error();
+      }
+      if (subpath) hand_on(element, number, *std::move(subpath));
+      if (!error.empty()) return handler_.not_read(element, error + what_follows);
+      if (!subpath) return;
+    }
   }
 
-  // When one radius is missing, it is equal to the other one.
-  void draw_rectangle(const Drawing_element& element, const Drawing_attributes& a) {
-    const auto given = [&](const char* radius) { return a.has(radius) && a.text(radius) != "auto"; };
-    const char *const rx = given("rx") ? "rx" : "ry", *const ry = given("ry") ? "ry" : "rx";
-    const bool rounded = given(rx);
-    draw(element, 1,
-         GC::svg_rectangle<Drawing_traits>(a.length("x"), a.length("y"), a.size("width"), a.size("height"),
-                                           rounded ? a.size(rx) : Drawing_number(0),
-                                           rounded ? a.size(ry) : Drawing_number(0)));
+  void draw_points(std::size_t i, const Drawing_attributes& a, const Drawing_frame& frame) {
+    Drawing_element element = placed(i, frame);
+    const std::string& points = a.text("points");
+    element.decimals = a.has("points") ? most_decimals(points) : -1;
+    std::string error;
+    hand_on(element, 1,
+            element.name == "polygon" ? GC::read_svg_polygon<Drawing_traits>(points, "points", &error)
+                                      : GC::read_svg_polyline<Drawing_traits>(points, "points", &error));
+    if (!error.empty()) handler_.not_read(element, error + what_follows);
   }
 
-  void draw(const Drawing_element& element, int number, Drawing_subpath subpath) {
+  void hand_on(const Drawing_element& element, int number, Drawing_subpath subpath) {
     subpath.leave_out_points();
     if (subpath.segments.empty() && subpath.left_out == 0) return;
-    const Transform& map = transforms_.back();
-    if (map.matrix() == Transform().matrix())
+    const Drawing_map& map = element.transform;
+    if (map.matrix() == Drawing_map().matrix())
       handler_.subpath(element, number, subpath);
     else if (map.determinant() != 0)
       handler_.subpath(element, number, subpath.transform(map));
@@ -287,50 +280,110 @@ class Drawing_reader {
       handler_.not_read(element, "it is not drawn, because its transform is not invertible");
   }
 
-public:
-  Drawing_reader(const std::string& file, Drawing_handler& handler)
-      : file_(file), handler_(handler), parser_(XML_ParserCreateNS(nullptr, ' '), XML_ParserFree) {
-    if (!parser_) throw std::bad_alloc();
-    XML_SetUserData(parser_.get(), this);
-    XML_SetElementHandler(parser_.get(), on_start, on_end);
-    XML_SetStartDoctypeDeclHandler(parser_.get(), on_doctype);
-    XML_SetEntityDeclHandler(parser_.get(), on_entity);
-    XML_SetAttlistDeclHandler(parser_.get(), on_default_value);
-    XML_SetSkippedEntityHandler(parser_.get(), on_skipped_entity);
-    XML_SetExternalEntityRefHandler(parser_.get(), on_external_entity);
-    XML_SetBillionLaughsAttackProtectionActivationThreshold(parser_.get(), free_expansion);
-    XML_SetBillionLaughsAttackProtectionMaximumAmplification(parser_.get(), max_expansion);
+  // Returns the element that a use element repeats. Throws Not_covered where there is none.
+  std::size_t target(std::size_t use) const {
+    const Drawing_node& n = node(use);
+    const std::string_view id = Drawing_document::reference(n);
+    if (!n.attributes.has("href")) throw Not_covered{"it does not say which element it repeats"};
+    if (id.empty()) throw Not_covered{"the element that it repeats stands in another file"};
+    const std::size_t found = document_.find(id);
+    if (found == none()) throw Not_covered{"there is no element \"" + std::string(id) + "\" in this file to repeat"};
+    const bool repeats_itself =
+        (found <= use && use < node(found).end) ||
+        std::any_of(parts_.begin(), parts_.end(), [&](const Part& p) { return p.target == found; });
+    if (repeats_itself) throw Not_covered{"it repeats itself"};
+    return found;
   }
 
-  void read(std::istream& stream) {
-    Unpacked_bytes bytes(stream, file_);
-    int size = first_block;
-    XML_Index position = -1; // of the last tag that was begun
-    for (bool last = false; !last;) {
-      void* const block = XML_GetBuffer(parser_.get(), size);
-      if (block == nullptr) throw std::bad_alloc();
-      const std::size_t read = bytes.read(static_cast<char*>(block), static_cast<std::size_t>(size));
-      last = read < static_cast<std::size_t>(size);
-      const XML_Status status = XML_ParseBuffer(parser_.get(), static_cast<int>(read), last);
-      if (error_) std::rethrow_exception(error_);
-      if (status != XML_STATUS_OK) refuse_error(XML_GetErrorCode(parser_.get()));
-      // a tag that is longer than a block is scanned again with the next one: longer blocks keep that linear
-      const XML_Index before = std::exchange(position, XML_GetCurrentByteIndex(parser_.get()));
-      const bool stuck = position == before;
-      if (stuck && size == last_block) refuse("a tag is longer than 256 MiB");
-      size = stuck ? 2 * size : first_block;
+  // Goes on with what a use element repeats.
+  void repeat(std::size_t i, const Drawing_attributes& a, Drawing_frame frame) {
+    Part part{};
+    part.use = i;
+    const std::optional<std::string> reason = refusal([&] {
+      part.target = part.next = target(i);
+      part.end = node(part.next).end;
+      const std::string name(node(part.target).name);
+      if (name == "text" || name == "image") return; // no outline
+      if (is_skipped_in_drawings(name) && name != "symbol")
+        throw Not_covered{"it repeats a " + name + ", which is not drawn"};
+      const Drawing_lengths lengths(a, frame.viewport);
+      const bool has_size = name == "symbol" || name == "svg";
+      if (has_size) part.size = {lengths.width("width"), lengths.height("height")};
+      frame = frame.inner(GC::Svg_transform_product<Drawing_traits>::translation(lengths.x("x"), lengths.y("y")));
+      const std::size_t end = part.end == none() ? document_.bytes : node(part.end).bytes_before;
+      repetition_ += end - node(part.target).bytes_before;
+      if (repetition_ > (std::max)(free_repetition, most_repetitions * document_.bytes))
+        throw Not_covered{"more than " + std::to_string(free_repetition >> 20) +
+                          " MiB of elements, and ten times the drawing, would be repeated"};
+    });
+    if (reason) return leave_out(i, *reason);
+    part.frames = frames_.size();
+    frames_.push_back({std::move(frame), part.end});
+    parts_.push_back(part);
+  }
+
+  // Finds what the use elements repeat that are drawn.
+  void find_repeated() {
+    std::vector<std::pair<std::size_t, std::size_t>> ranges{{0, none()}};
+    while (!ranges.empty()) {
+      auto& [next, end] = ranges.back();
+      if (next == end) {
+        ranges.pop_back();
+        continue;
+      }
+      const std::size_t i = next;
+      const bool is_first = ranges.size() == 1 || repeated_.insert(i).second;
+      next = is_skipped_in_drawings(node(i).name) && node(i).name != "symbol" ? node(i).end : i + 1;
+      if (ranges.size() == 1 && node(i).name == "symbol") next = node(i).end;
+      if (node(i).name != "use" || !is_first) continue;
+      const std::size_t found = document_.find(Drawing_document::reference(node(i)));
+      if (found != none() && repeated_.count(found) == 0) ranges.emplace_back(found, node(found).end);
     }
+  }
+
+public:
+  Drawing_walk(const std::string& file, const Drawing_document& document, Drawing_handler& handler)
+      : file_(file), document_(document), handler_(handler) {}
+
+  void operator()() {
+    for (const long long line : document_.outside_sheets) leave_out_sheet("xml-stylesheet", line);
+    for (const long long line : document_.sheets.imports) leave_out_sheet("style", line);
+    if (takes_paths_) find_repeated();
+    parts_.push_back({0, none(), 0, none(), none(), {}});
+    while (!parts_.empty()) {
+      Part& part = parts_.back();
+      if (part.next == part.end) {
+        frames_.erase(frames_.begin() + static_cast<std::ptrdiff_t>(part.frames), frames_.end());
+        parts_.pop_back();
+        continue;
+      }
+      const std::size_t i = part.next;
+      // the first frame of a repetition is that of the use element
+      while (frames_.size() > part.frames && frames_.back().end <= i) frames_.pop_back();
+      if (!is_repetition()) handler_.progress(double(node(i).bytes_before) / double(document_.bytes));
+      const std::size_t number = parts_.size() - 1;
+      const bool goes_on = visit(i);
+      parts_[number].next = goes_on ? i + 1 : node(i).end;
+    }
+  }
+
+private:
+  void leave_out_sheet(const char* name, long long line) {
+    handler_.not_read({file_, name, "", line}, "a style sheet in another file may change elements");
   }
 };
 
 } // namespace
 
 std::string Drawing_element::text() const {
-  return name + (id.empty() ? "" : " \"" + id + '"') + " (line " + std::to_string(line) + ')';
+  return name + (id.empty() ? "" : " \"" + id + '"') + " (line " + std::to_string(line) + ')' +
+         (repeated_by.empty() ? "" : ", repeated by " + repeated_by);
 }
 
 void read_svg_drawing(std::istream& stream, const std::string& name, Drawing_handler& handler) {
-  Drawing_reader(name, handler).read(stream);
+  const Drawing_tags tags = handler.takes_paths() ? Drawing_tags::all : Drawing_tags::with_lines;
+  const Drawing_document document = read_drawing_document(stream, name, tags);
+  Drawing_walk(name, document, handler)();
 }
 
 void read_svg_drawing(const std::string& file, Drawing_handler& handler) {

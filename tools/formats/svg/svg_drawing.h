@@ -26,9 +26,11 @@ struct Drawing_element {
   long long line;
   GC::Svg_transform<Drawing_traits> transform = {}; // from its own coordinates to those of the drawing
   Attribute_lines* lines = nullptr;                 // of the data of a path, while it is handed on
-  int decimals = -1; // of the numbers of a path or a polygon as they are written, at most; otherwise -1
+  int decimals = -1;            // of the numbers of a path or a polygon as they are written, at most; otherwise -1
+  bool has_percentages = false; // so that its size depends on the viewport
+  std::string repeated_by = {}; // the use elements that draw it, e.g. use "u" (line 20); empty where it stands
 
-  // Returns the name, the id and the line, e.g. path "leaf" (line 12).
+  // Returns the name, the id, the line and what repeats it, e.g. path "leaf" (line 12), repeated by use "u" (line 20).
   std::string text() const;
 
   // Returns the line on which a command of the path begins; that of the element for shapes.
@@ -37,12 +39,20 @@ struct Drawing_element {
   }
 };
 
+// How a path is drawn.
+enum class Path_role {
+  drawn,     // where it stands
+  defined,   // not at all
+  repeated,  // by use elements, and not where it stands
+  repetition // by a use element; it is handed on in its own place, too
+};
+
 // The attribute d of a path.
 struct Path_data {
   const std::string& value;
   const std::string place;   // for messages
   const Attribute_text text; // where the value stands
-  const bool is_drawn;       // not only defined, and not by a transform that is not invertible
+  const Path_role role;
 };
 
 // Receives what is found in a drawing.
@@ -55,23 +65,31 @@ public:
   // subpaths of an element are numbered from 1 on.
   virtual void subpath(const Drawing_element& element, int number, const Drawing_subpath& subpath) = 0;
 
-  // Receives an element that would draw something, but cannot be read.
+  // Receives an element that would draw something, but cannot be read, or not as a whole: what it draws as far as it is read is received
+  // before it. Other elements in it are not received.
   virtual void not_read(const Drawing_element& element, const std::string& reason) = 0;
 
   // Whether path() is to receive all paths, also those that are defined and not drawn, in place of the subpaths of those that are.
   virtual bool takes_paths() const { return false; }
   virtual void path(const Drawing_element&, const Path_data&) {}
+
+  // Tells which part of the drawing has been received, from 0 to 1.
+  virtual void progress(double) {}
 };
 
-// Reads all paths and basic shapes that the SVG file draws, in order; at no time more than one element and one subpath
-// are in memory. What is defined but not drawn (defs, symbols, clip paths, ...) is skipped. The name "-" is standard
+// Reads all paths and basic shapes that the SVG file draws, in order; at no time more than one subpath is in memory besides the elements
+// as they are written. What is defined but not drawn (defs, symbols, clip paths, ...) is skipped. The name "-" is standard
 // input. The text may be packed by gzip, whatever the name.
+//
+// The coordinates are those of the outermost element svg: those of its contents, without its own view box. A use element draws what it
+// refers to in the same file, and is not received itself; together they may repeat 16 MiB of elements, or ten times the length of the
+// drawing. An element with an attribute that cannot be read, that a style sheet or an animation may change, or whose size is not known is
+// not read, nor is what stands in it; of path data and points with an error that is what follows it.
 //
 // Entities are read when the file itself declares them and they expand to no more than 1 MiB, or ten times the length of
 // the file; no other file is ever opened. Throws GC::Error with file, line and reason: `malformed_input` for what is not
-// well-formed or no SVG, for references to other entities, for elements nested deeper than 256, and for errors in path
-// data, transforms and lengths; `work_limit` for more than 256 MiB unpacked and for sizes that differ too much;
-// `cannot_read_file` with the reason of the system.
+// well-formed or no SVG, for references to other entities, and for elements nested deeper than 256; `work_limit` for more than 256 MiB
+// unpacked; `cannot_read_file` with the reason of the system.
 void read_svg_drawing(const std::string& file, Drawing_handler& handler);
 
 // Reads a drawing from a stream; the name is used in messages.

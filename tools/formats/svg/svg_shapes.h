@@ -70,33 +70,43 @@ template <class FT> void require_not_negative(const FT& x, const char* what) {
 
 enum class Svg_outline { open, closed };
 
+// The path of a list of points. Where `error` is given, the path up to an error, which is open, is returned with the reason.
 template <class Traits>
-Svg_subpath<Traits> read_svg_points(std::string_view points, Svg_outline outline, const std::string& name) {
+Svg_subpath<Traits> read_svg_points(std::string_view points, Svg_outline outline, const std::string& name,
+                                    std::string* error) {
   typedef typename Traits::FT FT;
   Svg_scanner scanner(points, name);
   Svg_shape_builder<Traits> path;
-  scanner.skip_space();
   bool empty = true;
-  for (; scanner.at_number(); empty = false) {
-    const FT x = scanner.number<FT>(), y = scanner.number<FT>();
-    if (empty)
-      path.move_to(x, y);
-    else
-      path.line_to(x, y);
+  try {
+    scanner.skip_space();
+    for (; scanner.at_number(); empty = false) {
+      const FT x = scanner.number<FT>(), y = scanner.number<FT>();
+      if (empty)
+        path.move_to(x, y);
+      else
+        path.line_to(x, y);
+    }
+    scanner.refuse_comma();
+    if (!scanner.at_end()) scanner.refuse(scanner.found() + " where a number is expected");
+  } catch (const Error& e) {
+    if (error == nullptr) throw;
+    *error = svg_reason(e);
+    return path.end();
   }
-  scanner.refuse_comma();
-  if (!scanner.at_end()) scanner.refuse(scanner.found() + " where a number is expected");
   return outline == Svg_outline::closed && !empty ? path.close() : path.end();
 }
 
 /// Returns a length, the text of an attribute such as `width`, in user units: a number as `parse_number()` reads it,
 /// directly followed by nothing or by one of CSS's units `px`, `in`, `cm`, `mm`, `q`, `pt` and `pc`, in capital or small
-/// letters, of which 96 `px` are one `in`; white space may surround both. The result is empty for a length that has no
-/// meaning without a viewport or a font: in `%`, `em`, `ex`, `ch`, `ic`, `rem`, `lh`, `vw`, `vh`, `vi`, `vb`, `vmin` or
+/// letters, of which 96 `px` are one `in`, or by `%`, of which 100 are the length `whole`; white space may surround both. The
+/// result is empty for a length other than 0 that has no meaning without a viewport or a font: in `%` where `whole` is not given, `em`, `ex`, `ch`, `ic`, `rem`, `lh`, `vw`, `vh`, `vi`, `vb`, `vmin` or
 /// `vmax`.
 /// \throws Error `malformed_input` with a text `name, character N: reason`; in an exact field for a number of more than
 ///   `max_svg_number_bits` bits, too
-template <class FT> std::optional<FT> parse_svg_length(std::string_view text, const std::string& name = "length") {
+template <class FT>
+std::optional<FT> parse_svg_length(std::string_view text, const std::string& name = "length",
+                                   const std::optional<FT>& whole = std::nullopt) {
   Svg_scanner scanner(text, name);
   scanner.skip_space();
   const FT x = scanner.leading_number<FT>();
@@ -117,8 +127,9 @@ template <class FT> std::optional<FT> parse_svg_length(std::string_view text, co
   if (unit == "q") return scaled(240, 254);
   if (unit == "pt") return scaled(4, 3);
   if (unit == "pc") return scaled(16, 1);
+  if (unit == "%" && whole) return FT(FT(x * *whole) / FT(100));
   for (const char* relative : {"%", "em", "ex", "ch", "ic", "rem", "lh", "vw", "vh", "vi", "vb", "vmin", "vmax"})
-    if (unit == relative) return std::nullopt;
+    if (unit == relative) return x == FT(0) ? std::optional<FT>(x) : std::nullopt;
   scanner.refuse(quoted_token(given) + " is not a unit of length");
 }
 
@@ -133,18 +144,21 @@ Svg_subpath<Traits> svg_line(const typename Traits::FT& x1, const typename Trait
   return path.end();
 }
 
-/// Returns the path M L ... of a polyline, from the text of the attribute `points`.
-/// \throws Error `malformed_input` with a text `name, character N: reason`
+/// Returns the path M L ... of a polyline, from the text of the attribute `points`. Where `error` is given, it receives
+/// the text of an error, and the path up to there is returned.
+/// \throws Error `malformed_input` with a text `name, character N: reason`, unless `error` is given
 template <class Traits>
-Svg_subpath<Traits> read_svg_polyline(std::string_view points, const std::string& name = "points") {
-  return read_svg_points<Traits>(points, Svg_outline::open, name);
+Svg_subpath<Traits> read_svg_polyline(std::string_view points, const std::string& name = "points",
+                                      std::string* error = nullptr) {
+  return read_svg_points<Traits>(points, Svg_outline::open, name, error);
 }
 
-/// Returns the path M L ... Z of a polygon, from the text of the attribute `points`.
-/// \throws Error `malformed_input` with a text `name, character N: reason`
+/// Returns the path M L ... Z of a polygon, as `read_svg_polyline()` does; the path up to an error is not closed.
+/// \throws Error `malformed_input` with a text `name, character N: reason`, unless `error` is given
 template <class Traits>
-Svg_subpath<Traits> read_svg_polygon(std::string_view points, const std::string& name = "points") {
-  return read_svg_points<Traits>(points, Svg_outline::closed, name);
+Svg_subpath<Traits> read_svg_polygon(std::string_view points, const std::string& name = "points",
+                                     std::string* error = nullptr) {
+  return read_svg_points<Traits>(points, Svg_outline::closed, name, error);
 }
 
 /// Returns the path of an ellipse, or of a circle: M, four quarters A, Z, from the point with the largest `x` on. It is

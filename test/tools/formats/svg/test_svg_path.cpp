@@ -6,7 +6,9 @@
 #define BOOST_TEST_DYN_LINK
 #include <boost/test/unit_test.hpp>
 
+#include "formats/svg/Css_transform.h"
 #include "formats/svg/Svg_transform.h"
+#include "formats/svg/Svg_viewport.h"
 #include "formats/svg/read_svg_path.h"
 #include "formats/svg/svg_shapes.h"
 #include <CGAL/Exact_rational.h>
@@ -765,4 +767,76 @@ BOOST_AUTO_TEST_CASE(segments_of_no_length) {
   s = GC::read_svg_path<Exact>("M0 0c1 1 2 2 0 0").at(0); // there and back
   s.leave_out_points();
   BOOST_CHECK_EQUAL(s.left_out, 0u);
+}
+
+// After an error there is what its subpath draws before the command.
+BOOST_AUTO_TEST_CASE(paths_up_to_an_error) {
+  const auto before_error = [](const std::string& data) {
+    GC::Svg_path_reader<Exact> reader(data);
+    std::string s;
+    try {
+      while (const std::optional<Subpath> subpath = reader.next()) s += text({*subpath});
+      return s + "no error";
+    } catch (const GC::Error&) {
+      const std::optional<Subpath> rest = reader.before_error();
+      return s + '!' + (rest ? text({*rest}) : "");
+    }
+  };
+  BOOST_CHECK_EQUAL(before_error("M0 0L1 1 2"), "!2L 0,0 1,1; |");
+  BOOST_CHECK_EQUAL(before_error("M0 0h1zM2 2h1 X"), "2h 0,0 1,0; 3z 1,0 0,0; Z!5h 2,2 3,2; |");
+  BOOST_CHECK_EQUAL(before_error("M0 0h1M"), "!2h 0,0 1,0; |");
+  BOOST_CHECK_EQUAL(before_error("M0 0C1 1 2 2 3"), "!");
+  BOOST_CHECK_EQUAL(before_error("M0 0h1zx"), "2h 0,0 1,0; 3z 1,0 0,0; Z!");
+  BOOST_CHECK_EQUAL(before_error("x"), "!");
+  std::string reason;
+  BOOST_CHECK_EQUAL(text({GC::read_svg_polygon<Exact>("0 0 1 0 1 1 2", "points", &reason)}),
+                    "2L 0,0 1,0; 3L 1,0 1,1; |");
+  BOOST_CHECK_EQUAL(reason, "points, character 14: the end where a number is expected");
+  reason.clear();
+  BOOST_CHECK_EQUAL(text({GC::read_svg_polygon<Exact>("0 0 1 0", "points", &reason)}), "2L 0,0 1,0; 3Z 1,0 0,0; Z");
+  BOOST_CHECK_EQUAL(reason, "");
+}
+
+// A transform of CSS is that of SVG with the same numbers; getCTM() of a browser gives these, too.
+BOOST_AUTO_TEST_CASE(transforms_of_css) {
+  const GC::Svg_viewport<Q> viewport{Q(40), Q(20)}, unknown;
+  const auto css = [&](const std::string& list) {
+    return GC::parse_css_transform<Exact>(list, "t", viewport).matrix();
+  };
+  const auto svg = [](const std::string& list) { return GC::parse_svg_transform<Exact>(list).matrix(); };
+  BOOST_CHECK(css(" rotate( 30DEG )rotate(60deg) ") == svg("rotate(90)"));
+  BOOST_CHECK(css("translate(50%,10%) translateX(-1in)") == svg("translate(20 2)translate(-96)"));
+  BOOST_CHECK(css("scale(50%) scaleY(2)") == svg("scale(.5)scale(1 2)"));
+  BOOST_CHECK(css("skew(45deg, -45deg) skewY(10deg)") == svg("matrix(1 -1 1 1 0 0)skewY(10)"));
+  BOOST_CHECK(css("matrix(1,2,3,4,5,6)") == svg("matrix(1 2 3 4 5 6)"));
+  for (const char* bad :
+       {"", "scale", "scale(", "scale(1 2)", "scale(1,2,3)", "scale(1px)", "translate(1)", "rotate(1)", "rotate(1x)",
+        "skewX(90deg)", "rotateX(1deg)", "translate(calc(1px))", "scale(1) x", "translate(1em)", "scale(1,)"})
+    BOOST_CHECK_MESSAGE(error([&] { css(bad); }).find("malformed_input: t") == 0, bad);
+  BOOST_CHECK_NE(error([&] { GC::parse_css_transform<Exact>("translate(1%)", "t", unknown); }), "no error");
+  const auto origin = [&](const std::string& s) {
+    const std::array<Q, 2> p = GC::parse_css_origin<Q>(s, "o", viewport, GC::Css_units::needed);
+    return text(Point(p[0], p[1]));
+  };
+  BOOST_CHECK_EQUAL(origin("10% 1px") + ' ' + origin("TOP") + ' ' + origin("bottom right") + ' ' + origin("3px") + ' ' +
+                        origin("0 0 0"),
+                    "4,1 20,0 40,20 3,10 0,0");
+  for (const char* bad : {"", "1 1", "left right", "top bottom", "0 0 1px", "x"})
+    BOOST_CHECK_NE(error([&] { origin(bad); }), "no error");
+}
+
+BOOST_AUTO_TEST_CASE(view_boxes) {
+  const auto map = [](const std::string& box, const std::string& ratio, int width, int height) {
+    const Transform m =
+        GC::svg_view_box_map<Exact>(GC::parse_svg_view_box<Q>(box), GC::parse_svg_aspect_ratio(ratio), width, height);
+    return text(m(Point(5, 5))) + ' ' + text(m(Point(15, 15)));
+  };
+  BOOST_CHECK_EQUAL(map("5 5 10 10", "xMidYMid", 30, 20), "5,0 25,20");
+  BOOST_CHECK_EQUAL(map("5,5,10,10", "xMaxYMid meet", 30, 20), "10,0 30,20");
+  BOOST_CHECK_EQUAL(map("5 5 10 10", "xMinYMax slice", 30, 20), "0,-10 30,20");
+  BOOST_CHECK_EQUAL(map("5 5 10 10", " none ", 30, 20), "0,0 30,20");
+  for (const char* bad : {"xMidYmid", "xMid", "xMidYMid meet slice", "xMidYMid fit", "", "defer xMidYMid", "XMidYMid"})
+    BOOST_CHECK_NE(error([&] { GC::parse_svg_aspect_ratio(bad); }), "no error");
+  for (const char* bad : {"", "1 2 3", "1 2 3 4 5", "1 2 3 4,", "1 2 -3 4", "1 2 3 4px"})
+    BOOST_CHECK_NE(error([&] { GC::parse_svg_view_box<Q>(bad); }), "no error");
 }
