@@ -158,3 +158,44 @@ void write_json(std::ostream& os, const Corners_report& report) {
 
 template <class FT> Exit_code round_corners(const Command_line& line) {
   const Arguments files = line.files();
+  const int order = line.integer("order", 2, 3);
+  if (line.has("strategy")) line.choice("strategy", {order == 2 ? "fair" : "fair_g3"});
+  if (files.size() != 1) throw std::invalid_argument("blend --corner, --corners: one file is needed; see --help");
+  const FT distance = line.number<FT>("distance", FT(0));
+  const Chain<FT> chain = read_curves<FT>(files);
+  if (line.has("corners") && chain.size() == 1 && !line.has("closed")) throw std::invalid_argument(no_join);
+  const Rounded<FT> result = [&] {
+    try {
+      return order == 2 ? rounded_chain(line, chain, distance, order, GC::Fair())
+                        : rounded_chain(line, chain, distance, order, GC::Fair_g3());
+    } catch (const GC::Error& e) {
+      throw std::invalid_argument(input_name(files[0]) + ": " + e.what());
+    }
+  }();
+
+  std::optional<GC::Svg_figure> figure;
+  if (line.has("plot")) figure = picture(line.text("title"), result);
+  const Corners_report report(chain, result, line.has("closed"), order);
+  if (line.has("json"))
+    write_json(report_stream(line), report);
+  else
+    write_text(report_stream(line), report);
+  if (line.has("output"))
+    write_output(line.text("output"), [&](std::ostream& os) {
+      for (const Program_curve<FT>& c : result.curves) GC::write_g2(os, c);
+    });
+  if (figure) write_output(line.text("plot"), [&](std::ostream& os) { figure->write(os); });
+  return report.is_proved() ? requirement_met : requirement_not_met;
+}
+
+} // namespace
+
+Exit_code round_corners(const Command_line& line) {
+  if (line.has("corner") && line.has("corners")) throw std::invalid_argument("--corner and --corners: one of them");
+  if (!line.has("distance")) throw std::invalid_argument("--corner, --corners: --distance is needed");
+  if (line.has("corner")) line.refuse({"closed"}, "only with --corners");
+  line.refuse({"replace", "representable", "beta", "eta", "s1", "s2", "start", "end"},
+              "not with --corner or --corners");
+  return line.choice("kernel", {"exact", "double"}) == "exact" ? round_corners<Exact>(line)
+                                                               : round_corners<double>(line);
+}
