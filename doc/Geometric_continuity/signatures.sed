@@ -2,6 +2,7 @@
 # a header stays a line.
 s/internal::Given_optional_number<\([A-Za-z_]*\)>/std::optional<\1>/g
 s/internal::Given_number<\([A-Za-z_]*\)>/\1/g
+s/const internal::Given_number<typename .*::FT>&/const FT\&/g
 s/internal::Decision_FT<\([A-Za-z_]*\)>/typename Exact_field<Predicate_FT<\1>>::type/g
 s/internal::Bezier_piece<typename std::iterator_traits<ForwardIterator>::value_type>/unspecified_type/g
 s/internal::Bezier_coefficients<[A-Za-z_, ]*>/unspecified_type/g
