@@ -29,6 +29,7 @@ constexpr float max_expansion = 10;
 
 // The attributes that are kept, of all elements.
 const std::set<std::string_view> kept_attributes{"id",
+                                                 "fill",
                                                  "class",
                                                  "d",
                                                  "points",
@@ -191,6 +192,9 @@ class Drawing_reader {
       } else if (name == "style") {
         const std::string text = Style_text::without_comments(value);
         if (may_change_outlines(text)) attributes.set("style", text);
+        for (const Style_declaration& d : style_declarations(text))
+          if (d.name == "fill") attributes.set("fill", d.value);
+      } else if (name == "fill" && attributes.has("fill")) { // a style comes first
       } else if (const auto kept = kept_attributes.find(name); kept != kept_attributes.end())
         attributes.set(*kept, std::string(value));
     }
@@ -216,6 +220,7 @@ class Drawing_reader {
       const std::string& type = node.attributes.text("type");
       if (type.empty() || type == "text/css") document_.sheets.add(sheet_, node.line);
     }
+    if (node.name == "style") document_.sheets_set_fill |= sheet_.find("fill") != std::string::npos;
     node.end = document_.nodes.size();
     open_.pop_back();
   }

@@ -23,9 +23,10 @@ typedef GC::Svg_transform<Drawing_traits> Drawing_map;
 struct Drawing_frame {
   Drawing_map map;
   Drawing_viewport viewport;
+  bool is_filled = true; // as elements are where nothing else is said
 
   // Returns the frame of which the coordinates are mapped to those of this one. Throws GC::Error when the product of the maps is not possible.
-  Drawing_frame inner(const Drawing_map& inner_map) const { return {map * inner_map, viewport}; }
+  Drawing_frame inner(const Drawing_map& inner_map) const { return {map * inner_map, viewport, is_filled}; }
 };
 
 // The size that a use element gives to the viewport that it repeats.

@@ -30,8 +30,8 @@ template <class Traits> struct Svg_segment : Path_segment<Traits> {
 /// What a path draws from one command M, or from the end of a closed subpath, to the next.
 template <class Traits> struct Svg_subpath {
   std::deque<Svg_segment<Traits>> segments; ///< each starts where the one before it ends
-  bool closed = false;                      ///< by the command Z: the end of the last one is the start of the first
-  std::size_t left_out = 0;                 ///< the number of segments that leave_out_points() has removed
+  bool closed = false;      ///< the end of the last one is the start of the first, and they join: by Z, or join_ends()
+  std::size_t left_out = 0; ///< the number of segments that leave_out_points() has removed
 
   /// Returns the number of joins: that behind the last segment is one if the subpath is closed.
   std::size_t joins() const { return segments.empty() || closed ? segments.size() : segments.size() - 1; }
@@ -43,6 +43,9 @@ template <class Traits> struct Svg_subpath {
     left_out += static_cast<std::size_t>(segments.end() - end);
     segments.erase(end, segments.end());
   }
+
+  /// Makes a join where the end is the start, as the outline of what is filled has it, with the command Z or without it.
+  void join_ends() { closed = closed || (!segments.empty() && segments.back().end() == segments.front().start()); }
 
   /// Returns the image under an invertible affine map of points.
   template <class Transformation> Svg_subpath transform(const Transformation& map) const {

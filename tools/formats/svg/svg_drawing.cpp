@@ -140,6 +140,14 @@ class Drawing_walk {
     return document_.sheets.change(path, has_transform(attributes));
   }
 
+  // Style sheets are not applied: where one of them gives the property to something, an element counts as filled unless it says itself that
+  // it is not.
+  bool is_filled(const Drawing_attributes& attributes, bool inherited) const {
+    const std::string_view value = Style_text::trimmed(attributes.text("fill"));
+    if (value.empty() || value == "inherit") return inherited || document_.sheets_set_fill;
+    return value != "none" && value != "transparent";
+  }
+
   // Visits an element. Returns whether to go on with those that it holds.
   bool visit(std::size_t i) {
     const Drawing_node& n = node(i);
@@ -160,6 +168,7 @@ class Drawing_walk {
       if (const std::optional<std::string> changed = change(i, *attributes)) throw Not_covered{*changed};
       if (frames_.empty() && (document_.sheets.is_empty() || attributes->has("viewBox")))
         frame.viewport = outermost_viewport(*attributes);
+      frame.is_filled = is_filled(n.attributes, frame.is_filled);
       place(*attributes, frame);
       if (n.name == "symbol" || (n.name == "svg" && !frames_.empty()))
         frame = inner_frame(frame, *attributes, is_target ? part.size : Repeated_size());
@@ -208,6 +217,7 @@ class Drawing_walk {
   Drawing_element placed(std::size_t i, const Drawing_frame& frame) const {
     Drawing_element e = element(i);
     e.transform = frame.map;
+    e.is_filled = frame.is_filled;
     return e;
   }
 
@@ -270,6 +280,7 @@ class Drawing_walk {
 
   void hand_on(const Drawing_element& element, int number, Drawing_subpath subpath) {
     subpath.leave_out_points();
+    if (element.is_filled) subpath.join_ends();
     if (subpath.segments.empty() && subpath.left_out == 0) return;
     const Drawing_map& map = element.transform;
     if (map.matrix() == Drawing_map().matrix())

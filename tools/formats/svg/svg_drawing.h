@@ -27,6 +27,7 @@ struct Drawing_element {
   GC::Svg_transform<Drawing_traits> transform = {}; // from its own coordinates to those of the drawing
   Attribute_lines* lines = nullptr;                 // of the data of a path, while it is handed on
   int decimals = -1;            // of the numbers of a path or a polygon as they are written, at most; otherwise -1
+  bool is_filled = false;       // so that where a subpath ends at its start there is a join
   bool has_percentages = false; // so that its size depends on the viewport
   std::string repeated_by = {}; // the use elements that draw it, e.g. use "u" (line 20); empty where it stands
 
