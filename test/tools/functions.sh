@@ -84,5 +84,7 @@ flat() { printf '200 1 0 0\n3 0\n5 3\n0 0 0 1 1 2 2 2\n2 2\n%s\n' "$1"; }
 svg() { printf '<svg xmlns="http://www.w3.org/2000/svg">\n%s</svg>\n' "$1" >drawing.svg; }
 # A curve with two inner knots, of which one is double.
 two_knots=$'7 4\n0 0 0 0 1 2 2 3 3 3 3\n0 0 0\n1 2 0\n2 3 1\n4 1 1\n5 0 3\n7 2 2\n8 3 0'
+# Two segments whose join is undecided: the ellipse is turned by less than 1024 bits tell.
+undecided_path='<path d="M0 0A5 4 1e-350 0 1 10 0v9"/>'
 # A flat surface.
 flat_points=$'0 0 1 1\n0 0 0\n1 0 0\n2 0 0\n3 0 0\n4 0 0\n0 1 0\n1 1 0\n2 1 0\n3 1 0\n4 1 0'

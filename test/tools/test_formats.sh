@@ -69,8 +69,8 @@ formats drawings 1 14 0 0 14 "$leaf" --require C1 && says sarif '"ruleId":"corne
   '"fullyQualifiedName":"path \"leaf\" (line 50), subpath 1, commands 3 c - 4 c"'
 says junit 'name="path &quot;leaf&quot; (line 50), subpath 1, commands 3 c - 4 c">' 'message="not C1, G0, corner of 93.1'
 formats drawings 1 1 0 0 27 "$leaf" --require G1
-formats drawings 0 0 2 0 29 "$badge" --allow-undecided
-formats drawings 0 0 2 1 56 "$badge" "$leaf" --allow-undecided
+formats drawings 0 0 0 0 31 "$badge"
+formats drawings 0 0 0 1 58 "$badge" "$leaf"
 svg '<path d="M0 0h1v1"/><use href="#none"/>'
 formats drawings 1 2 0 0 0 drawing.svg --require C1 && says sarif '"ruleId":"not-verified"' && says junit '<failure type="not-verified" message="not verified, '
 formats drawings 0 0 1 0 1 drawing.svg --allow-uncovered

@@ -168,22 +168,25 @@ def segment(points, order):
     b = [points[0], points[-1]] if retracted and inside else points
     return (derivatives(b, 1, order), derivatives(b[::-1], -1, order)) if any(v != b[0] for v in b) else ()
 def arc(p, q, rx, ry, angle, is_large, is_swept, order):
-    """An arc of an ellipse, by its eccentric angle: the second derivative leads to the centre. Where the radii are 1 it is one of a circle."""
+    """An arc of an ellipse, by its eccentric angle: the second derivative leads to the centre. A quarter turn is linear in v."""
     if p == q or rx * ry == 0:
         return segment([p, q], order)
-    if angle % 90 and abs(rx) != abs(ry):
+    rx, ry = abs(rx), abs(ry)
+    if rx != ry and angle % 45:
         return None
-    radii = [abs(rx), abs(ry)] if angle % 180 == 0 else [abs(ry), abs(rx)]
-    ends = [[x / r for x, r in zip(v, radii)] for v in (p, q)]
-    half = [(y - x) / 2 for x, y in zip(*ends)]
-    square = max(1 / dot(half, half) - 1, 0)  # of the way to the centre, in half chords; radii that are too small grow
+    cosine, sine = ((1, 0), (0, 1), (-1, 0), (0, -1))[int(angle / 45) % 4 if rx != ry else 0]  # of twice the angle
+    a, b = (ry / rx + rx / ry) / 2, (ry / rx - rx / ry) / 2
+    def turned(v):
+        return [-a * v[1] + b * (cosine * v[1] - sine * v[0]), a * v[0] + b * (cosine * v[0] + sine * v[1])]
+    half = [(x - y) / 2 for x, y in zip(p, q)]
+    k = turned(half)
+    square = max(rx * ry / (half[0] * k[1] - half[1] * k[0]) - 1, 0)  # of the way to the centre; radii that are too small grow
     root = Fraction(isqrt(square.numerator), isqrt(square.denominator))
-    centre = plus(plus(ends[0], half), [-half[1], half[0]], root if is_large != is_swept else -root)
-    def jet(end, x):
-        r = plus(x, centre, -1)
-        tangent = [-r[1], r[0]] if is_swept else [r[1], -r[0]]
-        return [end] + [[(-1) ** (j // 2) * a * b for a, b in zip(tangent if j % 2 else r, radii)] for j in range(1, order + 1)]
-    return (jet(p, ends[0]), jet(q, ends[1])) if root * root == square else None
+    way = [x * (root if is_large != is_swept else -root) for x in k]
+    def jet(end, r):
+        tangent = [x * (1 if is_swept else -1) for x in turned(r)]
+        return [end] + [[(-1) ** (j // 2) * x for x in (tangent if j % 2 else r)] for j in range(1, order + 1)]
+    return (jet(p, plus(way, half)), jet(q, plus(way, half, -1))) if root * root == square else None
 def shape(name, attributes, order):
     """The segments of a basic shape, as SVG draws it. None for lengths in parts of what is not known."""
     def length(name):
@@ -243,11 +246,16 @@ def subpaths(data, order):
 def is_singular(transform):
     numbers = [(name, [exact(x) for x in re.findall(NUMBER, text)]) for name, text in re.findall(r"(\w+)\s*\(([^)]*)\)", transform)]
     return any((k == "matrix" and v[0] * v[3] == v[1] * v[2]) or (k == "scale" and v[0] * v[-1] == 0) for k, v in numbers)
+def is_filled(attributes, otherwise):
+    declared = [value for name, _, value in (d.partition(":") for d in attributes.get("style", "").split(";")) if name.strip().lower() == "fill"]
+    value = (declared or [attributes.get("fill", "")])[-1].partition("!")[0].strip()
+    return otherwise if value in ("", "inherit") else value not in ("none", "transparent")
 def drawing_joins(files, order):
     """As curve_joins(), in the coordinates of each element: no invertible transform changes an order. None for what is not certified."""
     joins = []
     def start(full_name, attributes):
         name = full_name.replace("http://www.w3.org/2000/svg ", "")
+        filled.append(is_filled(attributes, filled[-1] or sheets_fill))
         stack.append(stack[-1] and name not in NOT_DRAWN and " " not in name and not is_singular(attributes.get("transform", "")))
         data = attributes.get("d", "") if name == "path" else "M" + attributes.get("points", "") + "Z" * (name == "polygon")
         paths = subpaths(data, order) if name in ("path", "polygon", "polyline") and len(data) > 2 else [([None], True)] * (name == "use")
@@ -258,14 +266,17 @@ def drawing_joins(files, order):
             paths = [([None], True)]
         for number, (segments, closed) in enumerate(paths if stack[-1] else [], 1):
             kept = [s for s in segments if s != ()]
+            closed = closed or (filled[-1] and all(kept[:1] + kept[-1:]) and kept[:1] and kept[0][0][0] == kept[-1][1][0])
             for i in range(len(kept) - (not closed)):
                 j = (i + 1) % len(kept)
                 place = {"line": parser.CurrentLineNumber, "subpath": number, "left": i, "right": j}
                 joins.append((place, (kept[i][1], kept[j][0])) if kept[i] and kept[j] else None)
     for data in files:
-        parser, stack = expat.ParserCreate(namespace_separator=" "), [True]
-        parser.StartElementHandler, parser.EndElementHandler = start, lambda _: stack.pop()
-        parser.Parse(gzip.decompress(data) if data[:2] == b"\x1f\x8b" else data, True)
+        data = gzip.decompress(data) if data[:2] == b"\x1f\x8b" else data
+        sheets_fill = any(b"fill" in sheet for sheet in re.findall(rb"<(?:\w+:)?style[\s>].*?</(?:\w+:)?style", data, re.DOTALL))
+        parser, stack, filled = expat.ParserCreate(namespace_separator=" "), [True], [True]
+        parser.StartElementHandler, parser.EndElementHandler = start, lambda _: (stack.pop(), filled.pop())
+        parser.Parse(data, True)
     return joins
 
 # ---- Edges of surfaces. Polynomials are lists of the coefficients of powers, without zeros at the end; points are homogeneous.

@@ -99,6 +99,9 @@ public:
   const Report_mode& mode() const { return mode_; }
   const Report_subject& subject() const { return subject_; }
 
+  // Adds words to what is said of all things in the end.
+  void say_of_every(const std::string& words) { subject_.every += words; }
+
   // Names a file, also one without anything to decide.
   void begin_file(const std::string& name) { writer_->pass(name, 0); }
 

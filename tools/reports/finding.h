@@ -11,14 +11,15 @@
 
 // What a finding is about: the rules of a report.
 enum class Finding_rule {
-  gap,         // the ends, or the edges, are apart
-  corner,      // the angle of the tangents, or of the normals, is larger than that of a kink
-  kink,        // the tangents, or the normals, differ
-  tangent,     // there is no tangent, or no normal, on a side
-  curvature,   // the curvature jumps
-  derivative,  // a higher derivative jumps, or one with respect to the parameter
-  undecided,   // the tolerance lies inside of the bounds, or the order cannot be decided
-  not_verified // what cannot be read or compared
+  gap,          // the ends, or the edges, are apart
+  corner,       // the angle of the tangents, or of the normals, is larger than that of a kink
+  kink,         // the tangents, or the normals, differ
+  tangent,      // there is no tangent, or no normal, on a side
+  curvature,    // the curvature jumps
+  derivative,   // a higher derivative jumps, or one with respect to the parameter
+  undecided,    // the tolerance lies inside of the bounds, or the order cannot be decided
+  not_verified, // what cannot be read or compared
+  rounding      // segments that are no longer than rounding are looked through
 };
 
 // The name of a rule in reports.
@@ -32,6 +33,7 @@ inline std::string rule_id(Finding_rule rule) {
   case Finding_rule::derivative: return "derivative";
   case Finding_rule::undecided: return "undecided";
   case Finding_rule::not_verified: break;
+  case Finding_rule::rounding: return "rounding";
   }
   return "not-verified";
 }

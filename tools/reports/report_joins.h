@@ -61,7 +61,7 @@ template <class Curve> std::shared_ptr<const Report_curve> drawn_curve(const Cur
   return std::make_shared<const Report_curve>(std::move(result));
 }
 
-// There is no link to an arc, which becomes a rational curve of degree 4, or its chord if it is rotated by an angle whose cosine is not rational.
+// There is no link to an arc, which becomes a rational curve of degree 4.
 std::shared_ptr<const Report_curve> drawn_curve(const GC::Svg_segment<Drawing_traits>& segment, std::size_t group);
 
 #endif // GEOMETRIC_CONTINUITY_TOOLS_REPORTS_REPORT_JOINS_H

@@ -40,14 +40,10 @@ double chord(const Segment& s) { return std::sqrt(CGAL::to_double((s.end() - s.s
 
 } // namespace
 
-std::shared_ptr<const Report_curve> drawn_curve(const Segment& segment, std::size_t group) {
-  if (segment.bezier()) return drawn_curve(*segment.bezier(), group);
-  const Drawing_traits::Point p = segment.start(), q = segment.end();
-  if (!segment.is_known()) {
-    Report_curve straight = *drawn_curve(Plane_curve{p, q}, group);
-    straight.link = {};
-    return std::make_shared<const Report_curve>(std::move(straight));
-  }
+std::shared_ptr<const Report_curve> drawn_curve(const Segment& given, std::size_t group) {
+  if (given.bezier()) return drawn_curve(*given.bezier(), group);
+  const GC::Path_segment<Drawing_traits> segment = given.rounded();
+  const Drawing_traits::Point q = segment.end();
   const Exact root(std::sqrt(CGAL::to_double(segment.radicand())));
   const GC::Coordinate_jet<Exact, 2> jet = segment.start_jet_over<Exact>(2, root); // with x'' = c - x
   const auto numbers = [](const Exact& x, const Exact& y) {
@@ -78,8 +74,9 @@ Report_item measured_join(const Segment& left, const Segment& right, const Repor
       (a && a->control_point(a->degree() - 1) == left.end()) || (b && b->control_point(1) == right.start());
   item.verdict = report_words(item.grade, retracted);
   if (item.grade == Report_grade::undecided)
-    item.verdict = left.is_known() && right.is_known() ? "a segment has no length, hence no direction"
-                                                       : "a rotated ellipse, whose tangents are not rational";
+    item.verdict = left.is_known() && right.is_known()
+                       ? "a segment has no length, hence no direction"
+                       : "a rotated ellipse, whose tangent differs by too little to be told, or not at all";
   item.point = {rounded(CGAL::to_double(right.start().x()), 9), rounded(CGAL::to_double(right.start().y()), 9)};
   return item;
 }

@@ -38,7 +38,11 @@ const Rule rules[] = {
      "respect to the parameter."},
     {Finding_rule::undecided, "Undecided", "Not decided",
      "The tolerance lies between the guaranteed bounds, or the numbers do not allow a decision."},
-    {Finding_rule::not_verified, "NotVerified", "Not verified", "What the file has here cannot be read or compared."}};
+    {Finding_rule::not_verified, "NotVerified", "Not verified", "What the file has here cannot be read or compared."},
+    {Finding_rule::rounding, "Rounding", "Rounding",
+     "Segments that are no longer than one unit of the last decimal of their path are looked through: the join of "
+     "their "
+     "neighbours is decided."}};
 
 // A message in plain text: braces would stand for arguments, brackets for links.
 std::string json_message(const std::string& text) {

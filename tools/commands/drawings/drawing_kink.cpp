@@ -5,6 +5,7 @@
 #include "commands/drawings/drawing_kink.h"
 
 #include "commands/chains/join_report.h"
+#include "commands/drawings/element_units.h"
 
 #include <CGAL/Geometric_continuity/IO/json.h>
 #include <CGAL/Geometric_continuity/joins/Join_grade.h>
@@ -21,24 +22,12 @@ typedef GC::Svg_transform<Drawing_traits> Transform;
 typedef Drawing_traits::FT Number;
 typedef CGAL::Interval_nt<false> Interval;
 
-constexpr int most_units = 18; // decimals of which the last one is spoken of
-
 // What is said of a kink: enclosures.
 struct Kink_numbers {
   GC::Enclosure degrees;
   std::optional<GC::Enclosure> offset,
       units; // of the handle: not at corners, not of arcs, and not where there are no decimals
 };
-
-// (x, y) -> (ax + cy + e, bx + dy + f) is inverted by Cramer's rule.
-std::optional<Transform> to_units(const Drawing_element& element) {
-  if (element.decimals < 0 || most_units < element.decimals) return std::nullopt;
-  const std::array<Number, 6>& m = element.transform.matrix();
-  Number det = element.transform.determinant();
-  for (int i = 0; i < element.decimals; ++i) det /= 10;
-  const Number a = m[3] / det, b = -m[1] / det, c = -m[2] / det, d = m[0] / det;
-  return Transform({a, b, c, d, Number(-a * m[4] - c * m[5]), Number(-b * m[4] - d * m[5])});
-}
 
 Kink_numbers exact_numbers(const std::optional<Transform>& to_units, const Drawing_join& join, GC::Join_grade grade) {
   const auto &left = join.left(), &right = join.right();
@@ -145,10 +134,16 @@ std::string Drawing_kink_words::operator()(const Drawing_join& join, GC::Join_gr
                 [](const GC::Enclosure& x) { return std::optional<std::string>(text(x)); });
 }
 
+std::optional<GC::Enclosure> angle_bounds(const GC::Path_segment<Drawing_traits>& left,
+                                          const GC::Path_segment<Drawing_traits>& right) {
+  const std::optional<GC::Enclosure> angle = GC::tangent_angle(left, right);
+  return angle ? std::optional<GC::Enclosure>(GC::in_degrees(*angle)) : std::nullopt;
+}
+
 void write_drawing_kink(std::ostream& os, const GC::Svg_segment<Drawing_traits>& left,
                         const GC::Svg_segment<Drawing_traits>& right, const std::optional<GC::Join_grade>& grade) {
   if (!grade) {
-    os << ",\"grade\":null,\"angle_degrees\":null";
+    GC::write_json(os << ",\"grade\":null,\"angle_degrees\":", angle_bounds(left, right));
     return;
   }
   os << ",\"grade\":\"" << *grade << "\",\"angle_degrees\":";
@@ -156,7 +151,7 @@ void write_drawing_kink(std::ostream& os, const GC::Svg_segment<Drawing_traits>&
     os << "[0,0]";
     return;
   }
-  GC::write_json(os, std::optional<GC::Enclosure>(GC::in_degrees(*GC::tangent_angle(left, right))));
+  GC::write_json(os, angle_bounds(left, right));
   if (*grade == GC::Join_grade::kink && left.bezier() && right.bezier())
     GC::write_json(os << ",\"handle_offset\":",
                    std::optional<GC::Enclosure>(GC::kink_size(*left.bezier(), *right.bezier())->handle_offset));

@@ -31,6 +31,10 @@ public:
   std::string operator()(const Drawing_join& join, GC::Join_grade grade) const;
 };
 
+// Returns the angle of the tangents in degrees; nothing where a segment has no length.
+std::optional<GC::Enclosure> angle_bounds(const GC::Path_segment<Drawing_traits>& left,
+                                          const GC::Path_segment<Drawing_traits>& right);
+
 // Writes `,"grade":…,"angle_degrees":[…,…]`, and for a kink `"handle_offset":[…,…]` in units of the drawing.
 void write_drawing_kink(std::ostream& os, const GC::Svg_segment<Drawing_traits>& left,
                         const GC::Svg_segment<Drawing_traits>& right, const std::optional<GC::Join_grade>& grade);

@@ -20,7 +20,7 @@
 typedef GC::Svg_segment<Drawing_traits> Drawing_segment;
 typedef GC::Curve_jet<Program_traits<Exact>> Drawing_jet;
 
-// A jet for the numbers of a report, for which square roots are rounded.
+// A jet for the numbers of a report, for which square roots and rotations are rounded.
 inline Exact rounded_root(const GC::Path_segment<Drawing_traits>& segment) {
   return Exact(std::sqrt(CGAL::to_double(segment.radicand())));
 }
@@ -32,11 +32,13 @@ inline Drawing_jet report_jet(const GC::Coordinate_jet<Exact, 2>& jet) {
   return Drawing_jet(result);
 }
 
-inline Drawing_jet rounded_end_jet(const GC::Path_segment<Drawing_traits>& segment) {
+inline Drawing_jet rounded_end_jet(const GC::Path_segment<Drawing_traits>& given) {
+  const GC::Path_segment<Drawing_traits> segment = given.rounded();
   return report_jet(segment.end_jet_over<Exact>(3, rounded_root(segment)));
 }
 
-inline Drawing_jet rounded_start_jet(const GC::Path_segment<Drawing_traits>& segment) {
+inline Drawing_jet rounded_start_jet(const GC::Path_segment<Drawing_traits>& given) {
+  const GC::Path_segment<Drawing_traits> segment = given.rounded();
   return report_jet(segment.start_jet_over<Exact>(3, rounded_root(segment)));
 }
 

@@ -3,6 +3,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
 #include "commands/chains/join_report.h"
+#include "commands/drawings/Subpath_joins.h"
 #include "commands/work_limit.h"
 #include "files/input.h"
 #include "files/progress.h"
@@ -23,7 +24,7 @@ class Drawing_page : public Drawing_handler {
   const Report_demand& demand_;
   Report_page& page_;
   const bool several_;
-  std::size_t subpaths_ = 0;
+  std::size_t subpaths_ = 0, looked_through_ = 0;
   Progress progress_{"joins"};
   std::function<void()> show_progress_ = [] {};
   double part_of_drawing_ = 0; // that has been measured
@@ -45,6 +46,7 @@ public:
       show_progress_ = [] {};
     }
     page_.summary = counted(page_.total(), "join") + " in " + counted(subpaths_, "subpath");
+    if (looked_through_ != 0) page_.summary += "; rounding: " + counted(looked_through_, "segment") + " looked through";
   }
 
   void progress(double part) override { part_of_drawing_ = part; }
@@ -58,24 +60,27 @@ public:
     };
     std::shared_ptr<const Report_outline> outline;
     for (const Segment& s : path.segments) page_.include({CGAL::to_double(s.end().x()), CGAL::to_double(s.end().y())});
-    for (std::size_t i = 0; i < path.joins(); ++i) {
-      const Segment &left = path.segments[i], &right = path.segments[(i + 1) % n];
+    const Subpath_joins joins(element, path);
+    looked_through_ += joins.rounding();
+    joins.for_each([&](std::size_t i, std::size_t right_number, std::size_t looked_through, const Segment& right) {
+      const Segment& left = path.segments[i];
       Report_item item = within_work_limit([&] { return "commands " + command(left) + " and " + command(right); },
                                            [&] { return measured_join(left, right, demand_); });
       show_progress_();
-      if (!page_.count(item.grade, item.severity)) continue;
+      if (!page_.count(item.grade, item.severity)) return;
       item.number = page_.total();
       item.place = (several_ ? element.file + ": " : "") + element.text() + ", subpath " + std::to_string(number) +
                    ", commands " + command(left) + " - " + command(right);
+      if (looked_through != 0) item.marks.push_back("rounding looked through");
       if (!outline && n <= most_curves_of_outline) {
         for (std::size_t j = 0; j < n; ++j) drawing(j);
         outline = std::make_shared<const Report_outline>(drawn);
       }
       item.outline = outline;
       item.left = drawing(i);
-      item.right = drawing((i + 1) % n);
+      item.right = drawing(right_number);
       page_.add(std::move(item));
-    }
+    });
   }
 
   void not_read(const Drawing_element& element, const std::string& reason) override {

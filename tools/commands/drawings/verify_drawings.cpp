@@ -4,6 +4,7 @@
 
 #include "commands/drawings/verify_drawings.h"
 
+#include "commands/drawings/Subpath_joins.h"
 #include "commands/drawings/drawing_kink.h"
 #include "commands/drawings/drawing_remark.h"
 #include "commands/work_limit.h"
@@ -29,7 +30,7 @@ namespace {
 
 typedef GC::Svg_segment<Drawing_traits> Segment;
 
-const char* const irrational = "a rotated ellipse, whose tangents are not rational";
+const char* const too_near = "a rotated ellipse, whose tangent differs by too little to be told, or not at all";
 
 std::string json_element(const Drawing_element& element) {
   return "\"file\":" + json_text(element.file) + ",\"element\":" + json_text(element.name) +
@@ -65,6 +66,15 @@ class Drawing_report : public Drawing_handler {
   GC::Chain_summary summary_;  // of what is decided
   std::map<GC::Join_grade, std::size_t> grades_;
   std::size_t joins_ = 0, left_out_ = 0, undecided_ = 0, not_read_ = 0, subpaths_ = 0, segments_ = 0;
+  std::size_t rounding_ = 0, looked_through_ = 0; // joins and segments, see Subpath_joins
+
+  // A subpath, and what its lines begin with.
+  struct Place {
+    const Drawing_element& element;
+    int number;
+    Drawing_kink_words words;
+    std::string name;
+  };
 
   typedef std::optional<GC::Join_continuity<Exact>> Decision;
   typedef std::optional<GC::Join_grade> Grade; // empty where a join is undecided
@@ -99,25 +109,38 @@ class Drawing_report : public Drawing_handler {
     return drawn || (*grade == GC::Join_grade::corner && leaves_corners(*required_)) ? Claim::met : Claim::not_met;
   }
 
+  // What is said of segments that are looked through.
+  static void append_rounding(std::string& s, std::size_t looked_through) {
+    if (looked_through == 0) return;
+    append(s, ", rounding: ", counted(looked_through, "segment"), looked_through == 1 ? " is" : " are",
+           " looked through, no longer than one unit of the last decimal");
+  }
+
   void append_text(std::string& s, const Drawing_kink_words& words, const Drawing_join& join, const Segment& left,
                    const Segment& right, const Decision& decision, const Grade& grade) const {
-    if (!decision) return append(s, "undecided, ", irrational);
+    if (!decision) {
+      append(s, "undecided, ", too_near);
+      const std::optional<GC::Enclosure> angle = angle_bounds(left, right);
+      if (angle) append(s, ": by ", rounded(angle->upper, 4), " degrees at most");
+      return;
+    }
     append(s, 'G', decision->g_order, decision->g_order == max_order_ ? " or more, " : ", ");
     const bool is_kink = decision->regular && !*decision->tangent_equal;
     append(s, is_kink ? words(join, *grade) : drawing_remark(*decision, join), explanation(*decision, left, right));
     if (!decision->regular && grade) append(s, ", drawn as ", words(join, *grade));
   }
 
-  std::string json(std::size_t left_number, std::size_t right_number, const Segment& left, const Segment& right,
-                   const Decision& decision, const Grade& grade) const {
+  std::string json(std::size_t left_number, std::size_t right_number, std::size_t looked_through, const Segment& left,
+                   const Segment& right, const Decision& decision, const Grade& grade) const {
     std::ostringstream s;
     if (decision)
       GC::write_json_members(s, *decision, static_cast<int>(left_number), static_cast<int>(right_number));
     else
       s << "\"left\":" << left_number << ",\"right\":" << right_number
-        << ",\"c_order\":null,\"g_order\":null,\"f_order\":null,\"betas\":[],\"undecided\":" << json_text(irrational);
+        << ",\"c_order\":null,\"g_order\":null,\"f_order\":null,\"betas\":[],\"undecided\":" << json_text(too_near);
     s << ",\"left_command\":" << left.command << ",\"left_letter\":\"" << left.letter
       << "\",\"right_command\":" << right.command << ",\"right_letter\":\"" << right.letter << '"';
+    if (looked_through != 0) s << ",\"looked_through\":" << looked_through;
     write_drawing_kink(s, left, right, grade);
     return s.str();
   }
@@ -150,60 +173,21 @@ public:
   void progress(double part) override { part_of_drawing_ = part; }
 
   void subpath(const Drawing_element& element, int number, const Drawing_subpath& path) override {
-    const std::size_t n = path.segments.size();
-    const Drawing_kink_words words(element);
-    const std::string name = this->name(element);
-    for (std::size_t i = 0; i < path.joins(); ++i) {
-      const Segment &left = path.segments[i], &right = path.segments[(i + 1) % n];
+    const Place place{element, number, Drawing_kink_words(element), name(element)};
+    const Subpath_joins joins(element, path);
+    const bool has_rounding = joins.rounding() != 0;
+    const bool is_certified = certificate_ && !element.has_percentages && element.repeated_by.empty();
+    if (is_certified && has_rounding) certify_all(place, path);
+    joins.for_each([&](std::size_t i, std::size_t j, std::size_t looked_through, const Segment& right) {
+      const Segment& left = path.segments[i];
       const Drawing_join join(left, right);
-      const Decision decision = within_work_limit(
-          [&] { return "commands " + std::to_string(left.command) + " and " + std::to_string(right.command); },
-          [&] { return GC::continuity(join, max_order_); });
-      if (certificate_ && !element.has_percentages && element.repeated_by.empty())
-        certify("\"line\":" + std::to_string(element.line) + ",\"subpath\":" + std::to_string(number) +
-                    ",\"left\":" + std::to_string(i) + ",\"right\":" + std::to_string((i + 1) % n) + ',',
-                element, left, right, decision);
-      if (decision)
-        summary_.add(*decision);
-      else
-        ++undecided_;
-      const Grade grade = this->grade(join, decision);
-      if (grade) ++grades_[*grade];
-      const Claim claim = this->claim(decision, grade);
-      const auto members = [&] { return json(segments_ + i, segments_ + (i + 1) % n, left, right, decision, grade); };
-      report_.add(element.file, {claim, "join", irrational}, !required_ && grade == GC::Join_grade::kink,
-                  [&]() -> Finding {
-                    Finding f;
-                    f.file = element.file;
-                    f.line = element.line_of(right);
-                    f.kind = "join";
-                    f.place = element.text();
-                    append_place(f.place, number, left, right);
-                    f.rule = rule(decision, grade);
-                    if (claim == Claim::not_met) f.message = "not " + required_->text() + ", ";
-                    append_text(f.message, words, join, left, right, decision, grade);
-                    append_point(f.message, right);
-                    f.properties = members();
-                    return f;
-                  });
-      add_row(claim, [&]() -> std::string {
-        if (report_.mode().format == Report_format::json)
-          return ",\n {" + members() + ',' + json_element(element) + ",\"subpath\":" + std::to_string(number) + '}';
-        std::string row;
-        row.reserve(256);
-        row = name;
-        append_place(row, number, left, right);
-        append_point(row, right);
-        row += ": ";
-        append_text(row, words, join, left, right, decision, grade);
-        row += '\n';
-        return row;
-      });
-      ++joins_;
-      show_progress_();
-    }
-    segments_ += n;
+      const Decision decision = decide(join);
+      if (is_certified && !has_rounding) certify(place, i, j, join, decision);
+      report(place, i, j, looked_through, join, decision);
+    });
+    segments_ += path.segments.size();
     left_out_ += path.left_out;
+    looked_through_ += joins.rounding();
     ++subpaths_;
   }
 
@@ -228,26 +212,100 @@ public:
   // Prints the report and returns the exit code.
   int print(std::ostream& os) {
     certificate_.finish();
+    if (looked_through_ != 0) report_.say_of_every(", with rounding looked through,");
     return report_.print(os, report_.mode().format == Report_format::text ? text_summary() : json_summary());
   }
 
 private:
+  Decision decide(const Drawing_join& join) const {
+    return within_work_limit(
+        [&] {
+          return "commands " + std::to_string(segment(join.left()).command) + " and " +
+                 std::to_string(segment(join.right()).command);
+        },
+        [&] { return GC::continuity(join, max_order_); });
+  }
+
+  // The join of two segments of a subpath, of these numbers, with so many between them that are looked through.
+  void report(const Place& place, std::size_t i, std::size_t j, std::size_t looked_through, const Drawing_join& join,
+              const Decision& decision) {
+    const Drawing_element& element = place.element;
+    const Segment &left = segment(join.left()), &right = segment(join.right());
+    if (decision)
+      summary_.add(*decision);
+    else
+      ++undecided_;
+    const Grade grade = this->grade(join, decision);
+    if (grade) ++grades_[*grade];
+    if (looked_through != 0) ++rounding_;
+    const Claim claim = this->claim(decision, grade);
+    const auto members = [&] {
+      return json(segments_ + i, segments_ + j, looked_through, left, right, decision, grade);
+    };
+    const bool is_noted = looked_through != 0 || (!required_ && grade == GC::Join_grade::kink);
+    report_.add(element.file, {claim, "join", too_near}, is_noted, [&]() -> Finding {
+      Finding f;
+      f.file = element.file;
+      f.line = element.line_of(right);
+      f.kind = "join";
+      f.place = element.text();
+      append_place(f.place, place.number, left, right);
+      f.rule = looked_through != 0 && claim == Claim::met ? Finding_rule::rounding : rule(decision, grade);
+      if (claim == Claim::not_met) f.message = "not " + required_->text() + ", ";
+      append_text(f.message, place.words, join, left, right, decision, grade);
+      append_rounding(f.message, looked_through);
+      append_point(f.message, right);
+      f.properties = members();
+      return f;
+    });
+    add_row(claim, [&]() -> std::string {
+      if (report_.mode().format == Report_format::json)
+        return ",\n {" + members() + ',' + json_element(element) + ",\"subpath\":" + std::to_string(place.number) + '}';
+      std::string row;
+      row.reserve(256);
+      row = place.name;
+      append_place(row, place.number, left, right);
+      append_point(row, right);
+      row += ": ";
+      append_text(row, place.words, join, left, right, decision, grade);
+      append_rounding(row, looked_through);
+      row += '\n';
+      return row;
+    });
+    ++joins_;
+    show_progress_();
+  }
+
+  // Joins are made of segments with commands.
+  static const Segment& segment(const GC::Path_segment<Drawing_traits>& s) { return static_cast<const Segment&>(s); }
+
   // The root in the derivatives of a segment, if it is rational.
   static std::optional<Exact> root(const Segment& segment) {
     return segment.is_known() ? GC::rational_square_root(segment.radicand()) : std::nullopt;
   }
 
-  // Adds what certifies the orders of a join, unless there are roots in its derivatives. It is in the coordinates of the element: the orders are
-  // the same before and after its transform, which is invertible.
-  void certify(const std::string& place, const Drawing_element& element, const Segment& left, const Segment& right,
-               const Decision& decision) {
+  // Adds what certifies the orders of a join of two segments of these numbers, unless there are roots in their derivatives. It is in the
+  // coordinates of the element: the orders are the same before and after its transform, which is invertible.
+  void certify(const Place& place, std::size_t i, std::size_t j, const Drawing_join& join, const Decision& decision) {
+    const Segment &left = segment(join.left()), &right = segment(join.right());
     const std::optional<Exact> left_root = root(left), right_root = root(right);
     if (!left_root || !right_root) return;
-    const GC::Svg_transform<Drawing_traits> inverse = element.transform.inverse();
-    certificate_.add(
-        place + certificate_members(GC::join_certificate(
-                    left.transform(inverse).end_jet_over<Exact>(max_order_, *left_root),
-                    right.transform(inverse).start_jet_over<Exact>(max_order_, *right_root), *decision, max_order_)));
+    const GC::Svg_transform<Drawing_traits> inverse = place.element.transform.inverse();
+    certificate_.add("\"line\":" + std::to_string(place.element.line) + ",\"subpath\":" + std::to_string(place.number) +
+                     ",\"left\":" + std::to_string(i) + ",\"right\":" + std::to_string(j) + ',' +
+                     certificate_members(
+                         GC::join_certificate(left.transform(inverse).end_jet_over<Exact>(max_order_, *left_root),
+                                              right.transform(inverse).start_jet_over<Exact>(max_order_, *right_root),
+                                              *decision, max_order_)));
+  }
+
+  // Certifies the joins of all segments of a subpath, also of those that are looked through.
+  void certify_all(const Place& place, const Drawing_subpath& path) {
+    for (std::size_t i = 0; i < path.joins(); ++i) {
+      const std::size_t j = (i + 1) % path.segments.size();
+      const Drawing_join join(path.segments[i], path.segments[j]);
+      certify(place, i, j, join, decide(join));
+    }
   }
 
   // Adds a row of a join unless only findings are written, or what is not met.
@@ -259,7 +317,7 @@ private:
   static Finding_rule rule(const Decision& decision, const Grade& grade) {
     if (!decision) return Finding_rule::undecided;
     if (grade == GC::Join_grade::corner) return Finding_rule::corner;
-    if (grade == GC::Join_grade::kink) return Finding_rule::kink;
+    if (grade == GC::Join_grade::kink || (decision->regular && !*decision->tangent_equal)) return Finding_rule::kink;
     if (!decision->regular) return Finding_rule::tangent;
     return *decision->curvature_vector_equal ? Finding_rule::derivative : Finding_rule::curvature;
   }
@@ -291,6 +349,9 @@ private:
          << counted(count(GC::Join_grade::kink), "kink") << " of at most " << kinks_.degrees << " degrees, "
          << count(GC::Join_grade::g1) << " G1, " << count(GC::Join_grade::g2) << " G2 or more";
     if (left_out_ != 0) os << "; " << counted(left_out_, "segment") << " without length left out";
+    if (rounding_ != 0)
+      os << "; rounding at " << counted(rounding_, "join") << ": " << counted(looked_through_, "segment")
+         << " looked through";
     os << '\n';
     return os.str();
   }
@@ -300,7 +361,8 @@ private:
     os << "\"summary\":{\"joins\":" << joins_ << ",\"subpaths\":" << subpaths_;
     for (const auto& [order, count] : counts()) os << ",\"G" << order << "\":" << count;
     os << ",\"undecided\":" << undecided_ << ",\"corners\":" << count(GC::Join_grade::corner)
-       << ",\"kinks\":" << count(GC::Join_grade::kink) << ",\"left_out\":" << left_out_ << '}';
+       << ",\"kinks\":" << count(GC::Join_grade::kink) << ",\"left_out\":" << left_out_ << ",\"rounding\":" << rounding_
+       << ",\"looked_through\":" << looked_through_ << '}';
     return os.str();
   }
 };

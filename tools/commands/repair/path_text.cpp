@@ -106,6 +106,7 @@ bool Path_text::next() {
   if (!subpath) return false;
   subpath_ = *std::move(subpath);
   subpath_.leave_out_points();
+  if (is_filled_) subpath_.join_ends();
   return true;
 }
 

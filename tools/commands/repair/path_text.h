@@ -35,6 +35,7 @@ class Path_text {
   const std::string_view data_;
   Path_decimals decimals_; // as they will be
   const std::optional<Drawing_transform> map_;
+  const bool is_filled_;
   GC::Svg_path_places places_;
   GC::Svg_path_reader<Drawing_traits> reader_;
   Drawing_subpath subpath_;
@@ -45,10 +46,10 @@ class Path_text {
   void forget();
 
 public:
-  // Takes path data, whose places are named `place` in messages, with its decimals, and the map by which it is drawn.
+  // Takes path data, whose places are named `place` in messages, with its decimals, the map by which it is drawn, and whether it is filled.
   Path_text(std::string_view data, const std::string& place, const Path_decimals& decimals,
-            const std::optional<Drawing_transform>& map)
-      : data_(data), decimals_(decimals), map_(map), reader_(data, place, &places_) {}
+            const std::optional<Drawing_transform>& map, bool is_filled)
+      : data_(data), decimals_(decimals), map_(map), is_filled_(is_filled), reader_(data, place, &places_) {}
 
   // Reads the next subpath. Returns false at the end.
   bool next();

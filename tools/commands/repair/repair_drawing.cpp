@@ -4,6 +4,7 @@
 
 #include "commands/repair/repair_drawing.h"
 
+#include "commands/drawings/Subpath_joins.h"
 #include "commands/repair/path_text.h"
 #include "files/progress.h"
 #include "formats/svg/svg_drawing.h"
@@ -19,11 +20,21 @@
 
 namespace {
 
-// Calls f(i, grade) for each join of a subpath, behind the segment i; the grade is empty where it is not known.
-template <class Function> void for_each_join(const Drawing_subpath& path, const GC::Kink_bound& bound, Function f) {
-  const std::size_t n = path.segments.size();
-  for (std::size_t i = 0; i < path.joins(); ++i)
-    f(i, GC::join_grade(path.segments[i], path.segments[(i + 1) % n], bound));
+// Calls f(i, grade, n) for each join of a subpath, as verify decides them, behind the segment i, with n segments that are looked through; the
+// grade is empty where it is not known.
+template <class Function>
+void for_each_join(const Drawing_element& element, const Drawing_subpath& path, const GC::Kink_bound& bound,
+                   Function f) {
+  Subpath_joins(element, path).for_each([&](std::size_t i, std::size_t, std::size_t looked_through, const auto& right) {
+    f(i, GC::join_grade(path.segments[i], right, bound), looked_through);
+  });
+}
+
+// The element of a path that is mapped like this, instead of as it is drawn.
+Drawing_element mapped(const Drawing_element& element, const std::optional<Drawing_transform>& map) {
+  Drawing_element result = element;
+  result.transform = map.value_or(Drawing_transform());
+  return result;
 }
 
 bool is_drawn(Path_role role) { return role == Path_role::drawn || role == Path_role::repetition; }
@@ -34,9 +45,9 @@ struct Drawing_joins {
   std::size_t undecided = 0;
 
   // Adds the joins of a subpath as it is drawn, if it is. Returns whether there are kinks.
-  bool add(const Drawing_subpath& path, Path_role role, const GC::Kink_bound& bound) {
+  bool add(const Drawing_element& element, const Drawing_subpath& path, Path_role role, const GC::Kink_bound& bound) {
     bool has_kinks = false;
-    for_each_join(path, bound, [&](std::size_t, const std::optional<GC::Join_grade>& grade) {
+    for_each_join(element, path, bound, [&](std::size_t, const std::optional<GC::Join_grade>& grade, std::size_t) {
       has_kinks = has_kinks || grade == GC::Join_grade::kink;
       if (role == Path_role::repeated) return; // they are counted where they are drawn
       if (grade)
@@ -77,8 +88,8 @@ public:
   explicit Counting_handler(const GC::Kink_bound& bound) : bound_(bound) {}
 
   bool takes_paths() const override { return true; }
-  void subpath(const Drawing_element&, int, const Drawing_subpath& path) override {
-    joins.add(path, Path_role::drawn, bound_);
+  void subpath(const Drawing_element& element, int, const Drawing_subpath& path) override {
+    joins.add(element, path, Path_role::drawn, bound_);
   }
   void not_read(const Drawing_element&, const std::string&) override {}
 
@@ -98,7 +109,10 @@ protected:
       }
       if (subpath) {
         subpath->leave_out_points();
-        note(joins.add(is_drawn(path.role) ? subpath->transform(element.transform) : *subpath, path.role, bound_));
+        if (element.is_filled) subpath->join_ends();
+        const std::optional<Drawing_transform> map =
+            is_drawn(path.role) ? std::optional<Drawing_transform>(element.transform) : std::nullopt;
+        note(joins.add(mapped(element, map), map ? subpath->transform(*map) : *subpath, path.role, bound_));
       }
       if (!subpath || !error.empty()) return error;
     }
@@ -127,7 +141,7 @@ public:
 
   void subpath(const Drawing_element& element, int number, const Drawing_subpath& path) override {
     Counting_handler::subpath(element, number, path);
-    for_each_join(path, bound_, [&](std::size_t i, const std::optional<GC::Join_grade>& grade) {
+    for_each_join(element, path, bound_, [&](std::size_t i, const std::optional<GC::Join_grade>& grade, std::size_t) {
       const std::string command = std::to_string(path.segments[i].command);
       if (grade == GC::Join_grade::kink)
         report_.add_unread(element.text() + ", behind command " + command,
@@ -187,16 +201,23 @@ private:
                                 const std::optional<Drawing_transform>& map, const Path_decimals& decimals) {
     std::vector<Text_edit> all;
     std::vector<std::pair<std::size_t, Grid_contour>> changed; // with the number of the subpath
-    Path_text text(path.value, path.place, decimals, map);
+    Path_text text(path.value, path.place, decimals, map, element.is_filled);
     for (std::size_t number = 1; text.next(); ++number) {
       bool has_kinks = options_.harmonise;
-      if (!has_kinks)
-        for_each_join(map ? text.subpath().transform(*map) : text.subpath(), bound_,
-                      [&](std::size_t, const auto& grade) { has_kinks = has_kinks || grade == GC::Join_grade::kink; });
-      if (!has_kinks) continue;
-      const Grid_contour given = text.contour();
       const std::string place = element.text() + ", subpath " + std::to_string(number),
                         place_members = members(element) + ",\"subpath\":" + std::to_string(number);
+      for_each_join(mapped(element, map), map ? text.subpath().transform(*map) : text.subpath(), bound_,
+                    [&](std::size_t i, const auto& grade, std::size_t looked_through) {
+                      if (grade != GC::Join_grade::kink) return;
+                      has_kinks = true;
+                      if (looked_through != 0)
+                        report_.add_unread(
+                            place + ", behind command " + std::to_string(text.subpath().segments[i].command),
+                            place_members + ",\"curve\":" + std::to_string(i + 1),
+                            "a segment that is rounding lies between the curves; the kink can be mended without it");
+                    });
+      if (!has_kinks) continue;
+      const Grid_contour given = text.contour();
       const auto unknown = std::find_if(given.curves.begin(), given.curves.end(),
                                         [](const Grid_curve& c) { return c.points.empty() && !c.arc; });
       if (unknown != given.curves.end()) {
@@ -221,15 +242,15 @@ private:
       read = edit.range.end;
     }
     written.append(path.value, read, std::string::npos);
-    check(written, path.place, decimals, changed);
+    check(written, path.place, decimals, element.is_filled, changed);
     data.back() = std::move(written);
     return all;
   }
 
   // Whether what is written draws what was computed.
-  static void check(const std::string& written, const std::string& place, const Path_decimals& decimals,
+  static void check(const std::string& written, const std::string& place, const Path_decimals& decimals, bool is_filled,
                     const std::vector<std::pair<std::size_t, Grid_contour>>& changed) {
-    Path_text text(written, place, decimals, std::nullopt);
+    Path_text text(written, place, decimals, std::nullopt, is_filled);
     auto expected = changed.begin();
     for (std::size_t number = 1; text.next(); ++number)
       if (expected != changed.end() && expected->first == number) {

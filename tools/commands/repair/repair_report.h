@@ -148,7 +148,8 @@ public:
 
   // The joins with a rotated ellipse.
   void add_undecided(std::size_t joins) {
-    if (joins != 0) undecided_["an arc of a rotated ellipse, whose tangents are not rational"] += joins;
+    if (joins != 0)
+      undecided_["an arc of a rotated ellipse, whose tangent differs by too little to be told, or not at all"] += joins;
   }
 
   // What could not be read as a whole.

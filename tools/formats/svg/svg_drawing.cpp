@@ -115,12 +115,16 @@ class Drawing_walk {
   void define(std::size_t begin) {
     if (!takes_paths_ || is_repetition()) return;
     for (std::size_t i = begin; i < node(begin).end; ++i)
-      if (node(i).name == "path" && node(i).attributes.has("d"))
-        hand_on(element(i), node(i), repeated_.count(i) != 0 ? Path_role::repeated : Path_role::defined);
+      if (node(i).name == "path" && node(i).attributes.has("d")) {
+        Drawing_element element = this->element(i);
+        element.is_filled = is_filled_where_it_stands(i);
+        hand_on(element, node(i), repeated_.count(i) != 0 ? Path_role::repeated : Path_role::defined);
+      }
   }
 
-  void hand_on(const Drawing_element& element, const Drawing_node& n, Path_role role) {
+  void hand_on(Drawing_element element, const Drawing_node& n, Path_role role) {
     const std::string& value = n.attributes.text("d");
+    element.decimals = most_decimals(value);
     const std::string place = file_ + ':' + std::to_string(n.line) + ": " + element.name +
                               (element.id.empty() ? "" : " \"" + element.id + '"') + ", d";
     handler_.path(element, {value, place, Attribute_text(n.tag, n.tag_begin, "d", value), role});
@@ -146,6 +150,12 @@ class Drawing_walk {
     const std::string_view value = Style_text::trimmed(attributes.text("fill"));
     if (value.empty() || value == "inherit") return inherited || document_.sheets_set_fill;
     return value != "none" && value != "transparent";
+  }
+
+  // Of an element that is not drawn there.
+  bool is_filled_where_it_stands(std::size_t i) const {
+    const std::size_t parent = node(i).parent;
+    return is_filled(node(i).attributes, parent == i || is_filled_where_it_stands(parent));
   }
 
   // Visits an element. Returns whether to go on with those that it holds.

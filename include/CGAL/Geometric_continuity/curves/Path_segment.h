@@ -9,6 +9,7 @@
 #include <CGAL/Geometric_continuity/Traits.h>
 #include <CGAL/Geometric_continuity/curves/Bezier_curve.h>
 #include <CGAL/Geometric_continuity/curves/Rational_curve.h>
+#include <CGAL/Geometric_continuity/curves/internal/Rotated_ellipse.h>
 #include <CGAL/Geometric_continuity/local/Curve_jet.h>
 #include <CGAL/Geometric_continuity/numbers/Exact_field.h>
 #include <CGAL/Geometric_continuity/numbers/internal/checked_numbers.h>
@@ -21,6 +22,7 @@
 #include <type_traits>
 #include <utility>
 #include <variant>
+#include <vector>
 
 namespace CGAL {
 namespace Geometric_continuity {
@@ -35,6 +37,10 @@ template <class FT> struct Elliptical_arc_parameters {
   bool sweep = false;  ///< with growing angle: it turns from the x-axis to the y-axis
 };
 
+namespace internal {
+template <class Traits> class Enclosed_arc;
+}
+
 /// \ingroup PkgGeometricContinuityCurves
 /// An arc of an ellipse as SVG describes it, by its ends, with exact derivatives at the ends with respect to the
 /// eccentric angle. All orders of continuity but C are those of the arc in any parametrisation.
@@ -45,8 +51,8 @@ template <class FT> struct Elliptical_arc_parameters {
 /// \f$ m - s k \f$, where \f$ s = \sqrt D \f$ when the two flags differ and \f$ s = -\sqrt D \f$ otherwise.
 /// Radii that are too small, \f$ \lambda > 1 \f$, are enlarged to \f$ \lambda = 1 \f$: then \f$ D = 0 \f$, and the
 /// ratio of the radii remains. So everything is rational when `D` is a square, and otherwise it lies in the field
-/// extended by \f$ \sqrt D \f$. A rotation matters when the radii differ, and then is rational for multiples of 90
-/// degrees only; with another angle nothing but the ends is known.
+/// extended by \f$ \sqrt D \f$. A rotation matters when the radii differ, and then `k` and \f$ \lambda \f$ are rational for multiples
+/// of 45 degrees only. With another angle they are enclosed, see `continuity()` of paths; in floating-point numbers they are rounded.
 ///
 /// \tparam Traits a model of `GeometricContinuityTraits` of dimension 2
 template <class Traits_> class Elliptical_arc {
@@ -62,8 +68,11 @@ private:
   Coordinates start_, end_, k_{2};
   FT radicand_ = FT(0);    // D
   std::optional<FT> root_; // of D, when it is rational
-  bool known_ = true;      // k and D are known
   bool same_flags_, sweep_;
+  std::vector<internal::Rotated_ellipse<FT>>
+      rotated_; // instead of k and D, where these are not rational: one, which is long
+
+  friend class internal::Enclosed_arc<Traits>;
 
 public:
   /// Makes the arc from `start` to `end`.
@@ -79,21 +88,21 @@ public:
     FT rx = absolute(parameters.rx), ry = absolute(parameters.ry);
     if (rx == FT(0) || ry == FT(0))
       throw Error(Error_code::parameter_outside_domain, "Elliptical_arc: a radius is zero");
-    if (rx != ry) {
-      const std::optional<bool> swapped = quarter_turned(parameters.rotation);
-      known_ = swapped.has_value();
-      if (swapped.value_or(false)) std::swap(rx, ry);
-    }
     const Coordinates h = half_chord();
-    const FT x = FT(h[0] / rx), y = FT(h[1] / ry), lambda = FT(x * x + y * y);
-    k_[0] = FT(FT(0) - rx * y);
-    k_[1] = FT(ry * x);
-    if (lambda < FT(1)) radicand_ = FT((FT(1) - lambda) / lambda);
-    if constexpr (std::is_floating_point_v<FT>)
-      if (!(FT(0) < lambda) || !std::isfinite(radicand_) || !std::isfinite(k_[0]) || !std::isfinite(k_[1]))
-        throw Error(Error_code::parameter_outside_domain,
-                    "Elliptical_arc: the sizes differ too much for floating-point numbers");
-    if (known_) root_ = rational_square_root(radicand_);
+    const Quarter_turns<FT> turns(rx == ry ? FT(0) : parameters.rotation);
+    if (turns.rest != FT(0)) {
+      internal::Rotated_ellipse<FT> ellipse(rx, ry, parameters.rotation, {h[0], h[1]});
+      if (ellipse.is_rational() || std::is_floating_point_v<FT>)
+        set_rounded(ellipse);
+      else
+        rotated_.push_back(std::move(ellipse));
+    } else {
+      if (turns.count % 2 != 0) std::swap(rx, ry);
+      const FT x = FT(h[0] / rx), y = FT(h[1] / ry);
+      k_[0] = FT(FT(0) - rx * y);
+      k_[1] = FT(ry * x);
+      set_radicand(FT(x * x + y * y));
+    }
   }
 
   /// Returns the point where the arc starts.
@@ -102,13 +111,23 @@ public:
   /// Returns the point where the arc ends.
   Point end() const { return Geometric_continuity::to_point<Traits>(end_); }
 
-  /// Returns whether the derivatives are known, be it with a square root: the rotation is rational, or does not matter.
-  bool is_known() const { return known_; }
+  /// Returns whether the derivatives are known, be it with a square root: the rotation is a multiple of 45 degrees, or does not matter.
+  bool is_known() const { return rotated_.empty(); }
+
+  /// Returns an arc between the same ends, for pictures and reports: with the cosine and the sine of the rotation rounded to `double` unless
+  /// `is_known()`.
+  Elliptical_arc rounded() const {
+    Elliptical_arc r = *this;
+    if (is_known()) return r;
+    r.rotated_.clear();
+    r.set_rounded(rotated_.front());
+    return r;
+  }
 
   /// Returns whether the derivatives are known and rational.
   bool is_rational() const { return root_.has_value(); }
 
-  /// Returns the number `D`, whose square root appears in the derivatives.
+  /// Returns the number `D`, whose square root appears in the derivatives; 0 unless `is_known()`.
   const FT& radicand() const { return radicand_; }
 
   /// Returns the jet at the start in a field, given the root of `radicand()` in it: \f$ x' = \pm R(x-c) \f$,
@@ -168,7 +187,15 @@ public:
       return Geometric_continuity::coordinates<Traits>(map(Geometric_continuity::to_point<Traits>(x)));
     };
     Elliptical_arc r = *this;
-    r.k_ = image(start_ + k_) - image(start_);
+    const auto image_of_vector = [&](const Coordinates& v) { return image(start_ + v) - image(start_); };
+    r.k_ = image_of_vector(k_);
+    for (internal::Rotated_ellipse<FT>& ellipse : r.rotated_)
+      for (std::size_t j = 0; j < 3; ++j) {
+        Coordinates v(2);
+        for (std::size_t i = 0; i < 2; ++i) v[static_cast<int>(i)] = ellipse.k[i][j];
+        v = image_of_vector(v);
+        for (std::size_t i = 0; i < 2; ++i) ellipse.k[i][j] = v[static_cast<int>(i)];
+      }
     r.start_ = image(start_);
     r.end_ = image(end_);
     return r;
@@ -179,11 +206,21 @@ private:
 
   Coordinates half_chord() const { return (start_ - end_) / FT(2); }
 
-  // Whether the rotation is an odd multiple of 90 degrees; empty when it is no multiple.
-  static std::optional<bool> quarter_turned(const FT& rotation) {
-    const Quarter_turns<FT> turns(rotation);
-    if (turns.rest != FT(0)) return std::nullopt;
-    return turns.count % 2 != 0;
+  void set_radicand(const FT& lambda) {
+    if (lambda < FT(1)) radicand_ = FT((FT(1) - lambda) / lambda);
+    if constexpr (std::is_floating_point_v<FT>)
+      if (!(FT(0) < lambda) || !std::isfinite(radicand_) || !std::isfinite(k_[0]) || !std::isfinite(k_[1]))
+        throw Error(Error_code::parameter_outside_domain,
+                    "Elliptical_arc: the sizes differ too much for floating-point numbers");
+    root_ = rational_square_root(radicand_);
+  }
+
+  // With the cosine and the sine rounded, unless the angle is zero.
+  void set_rounded(const internal::Rotated_ellipse<FT>& ellipse) {
+    const double angle = CGAL::to_double(ellipse.degrees) * (std::acos(-1.0) / 180);
+    const FT cosine(std::cos(angle)), sine(std::sin(angle));
+    for (int i = 0; i < 2; ++i) k_[i] = internal::turned(ellipse.k[static_cast<std::size_t>(i)], cosine, sine);
+    set_radicand(internal::turned(ellipse.lambda, cosine, sine));
   }
 
   // At the end h of the chord, seen from its middle, with the image k of h: x - c = h + s k_ and
@@ -192,7 +229,7 @@ private:
   Coordinate_jet<Field, 2> jet(int order, const Field& root, const Coordinates& x, const Coordinates& h,
                                const Coordinates& k) const {
     if (order < 0) throw Error(Error_code::negative_count, "Elliptical_arc: order " + std::to_string(order));
-    if (!known_)
+    if (!is_known())
       throw Error(Error_code::parameter_outside_domain, "Elliptical_arc: the rotation of the ellipse is not rational");
     const Coordinates c = half_chord();
     const Field s = same_flags_ ? Field(Field(0) - root) : root;
@@ -240,6 +277,9 @@ template <class Traits> struct Path_segment {
 
   /// Returns whether the derivatives at the ends are known: not those of an ellipse with an irrational rotation.
   bool is_known() const { return !arc() || arc()->is_known(); }
+
+  /// Returns the segment, an arc as `Elliptical_arc::rounded()`.
+  Path_segment rounded() const { return arc() ? Path_segment{arc()->rounded()} : *this; }
 
   /// Returns the number whose square root appears in the derivatives, see `Elliptical_arc::radicand()`; 0 for a Bézier curve.
   FT radicand() const { return arc() ? arc()->radicand() : FT(0); }

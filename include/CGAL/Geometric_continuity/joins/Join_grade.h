@@ -64,7 +64,8 @@ struct Rotation_bounds {
   Integer cosine, sine;
   const int error;
 
-  Rotation_bounds(const Integer& p, const Integer& q, int w) : error(14 * w) {
+  Rotation_bounds(const std::pair<Integer, Integer>& fraction, int w) : error(14 * w) {
+    const auto& [p, q] = fraction;
     const Integer pi = 16 * arc_tangent_of_inverse(5, w) - 4 * arc_tangent_of_inverse(239, w),
                   angle = pi * p / (180 * q);
     const Cosine_and_sinc<Integer> c(Integer(angle * angle >> w), w);
@@ -72,6 +73,30 @@ struct Rotation_bounds {
     sine = c.sinc * angle >> w;
   }
 };
+
+// The numerator and the denominator of a rational number.
+template <class FT> std::pair<Rotation_bounds::Integer, Rotation_bounds::Integer> long_fraction(const FT& x) {
+  typedef Fraction_traits<FT> Traits;
+  typename Traits::Numerator_type p;
+  typename Traits::Denominator_type q;
+  typename Traits::Decompose()(x, p, q);
+  const auto integer = [](const auto& n) {
+    std::ostringstream text;
+    text << n;
+    return Rotation_bounds::Integer(text.str());
+  };
+  return {integer(p), integer(q)};
+}
+
+// A long integer in a field.
+template <class NT> NT from_long_integer(const Rotation_bounds::Integer& x) {
+  constexpr int digits = 30;
+  NT y(0);
+  const Rotation_bounds::Integer size = abs(x);
+  for (int shift = size.is_zero() ? 0 : static_cast<int>(msb(size)) / digits * digits; 0 <= shift; shift -= digits)
+    y = NT(y * NT(1 << digits)) + NT(static_cast<int>(Rotation_bounds::Integer((size >> shift) & ((1 << digits) - 1))));
+  return x < 0 ? NT(-y) : y;
+}
 
 } // namespace internal
 
@@ -140,24 +165,7 @@ private:
   Field degrees_;
   double cosine_, sine_; // of the bound, rounded: wrong by less than 2^-52
 
-  // The bound is p/q degrees.
-  std::pair<Integer, Integer> fraction() const {
-    typedef Fraction_traits<Field> Traits;
-    typename Traits::Numerator_type p;
-    typename Traits::Denominator_type q;
-    typename Traits::Decompose()(degrees_, p, q);
-    const auto integer = [](const auto& x) {
-      std::ostringstream text;
-      text << x;
-      return Integer(text.str());
-    };
-    return {integer(p), integer(q)};
-  }
-
-  Rotation rotation_bounds(int bits) const {
-    const std::pair<Integer, Integer> f = fraction();
-    return Rotation(f.first, f.second, bits);
-  }
+  Rotation rotation_bounds(int bits) const { return Rotation(internal::long_fraction(degrees_), bits); }
 
   // A number of at most 1 that is given in units of 2^-128.
   static double rounded(const Integer& x) {
@@ -168,7 +176,7 @@ private:
 
   // The least n such that the bound is a multiple of 180/n degrees; 0 when it is larger than 24.
   int part_of_half_turn() const {
-    const std::pair<Integer, Integer> f = fraction();
+    const std::pair<Integer, Integer> f = internal::long_fraction(degrees_);
     for (int n = 2; n <= 24; ++n)
       if ((f.first * n) % (f.second * 180) == 0) return n;
     return 0;
@@ -176,15 +184,6 @@ private:
 
   template <class T> static Field from_integer(T x) {
     return Field(static_cast<double>(x / 0x10000)) * Field(0x10000) + Field(static_cast<double>(x % 0x10000));
-  }
-
-  template <class NT> static NT from_integer(const Integer& x) {
-    constexpr int digits = 30;
-    NT y(0);
-    const Integer size = abs(x);
-    for (int shift = size.is_zero() ? 0 : static_cast<int>(msb(size)) / digits * digits; 0 <= shift; shift -= digits)
-      y = NT(y * NT(1 << digits)) + NT(static_cast<int>(Integer((size >> shift) & ((1 << digits) - 1))));
-    return x < 0 ? NT(-y) : y;
   }
 
   template <class NT> bool is_exceeded_exactly(const NT& cross, const NT& dot) const {
@@ -195,7 +194,8 @@ private:
     const NT size = c + (dot < zero ? NT(-dot) : dot);
     for (int bits = 128;; bits *= 2) {
       const Rotation r = rotation_bounds(bits);
-      const NT excess = NT(c * from_integer<NT>(r.cosine)) - NT(dot * from_integer<NT>(r.sine)),
+      const NT excess = NT(c * internal::from_long_integer<NT>(r.cosine)) -
+                        NT(dot * internal::from_long_integer<NT>(r.sine)),
                error = size * NT(r.error);
       if (error < excess) return true;
       if (excess < NT(-error)) return false;

@@ -7,6 +7,7 @@
 
 #include <CGAL/Geometric_continuity/curves/Path_segment.h>
 #include <CGAL/Geometric_continuity/joins/Join_grade.h>
+#include <CGAL/Geometric_continuity/joins/internal/Enclosed_arc.h>
 #include <CGAL/Geometric_continuity/joins/internal/Grid_join.h>
 #include <CGAL/Geometric_continuity/joins/join_continuity.h>
 #include <CGAL/Sqrt_extension.h>
@@ -54,6 +55,79 @@ auto visit_roots(const Path_segment<Traits>& left, const Path_segment<Traits>& r
   }
 }
 
+// The direction at an end of a segment, of which the root of radicand() is given; zero for a curve of no length.
+template <Curve_end which, class Traits, class Field>
+std::array<Field, 2> path_direction(const Path_segment<Traits>& segment, const Field& root) {
+  if (segment.bezier()) {
+    const Image_end<Traits, dynamic_degree, which> end(*segment.bezier());
+    if (!end.has_length()) return {Field(0), Field(0)};
+    const auto v = end.template vector<typename Traits::FT>();
+    return {Field(v[0]), Field(v[1])};
+  }
+  const Coordinate_jet<Field, 2> jet = which == Curve_end::end ? segment.template end_jet_over<Field>(1, root)
+                                                               : segment.template start_jet_over<Field>(1, root);
+  return {jet[1][0], jet[1][1]};
+}
+
+// A join with an arc of a rotated ellipse, whose directions are enclosed.
+template <class Traits> class Rotated_join {
+  typedef typename Traits::FT FT;
+  typedef Coordinate_jet<FT, 2> Jet;
+  typedef std::array<Exact_range<FT>, 2> Direction;
+  static constexpr int first_bits = 128, last_bits = 1024;
+  const Path_segment<Traits>&left_, &right_;
+
+  template <Curve_end which> static std::optional<Direction> direction(const Path_segment<Traits>& segment, int bits) {
+    if (segment.arc()) return Enclosed_arc<Traits>(*segment.arc()).tangent(which, bits);
+    const std::array<FT, 2> v = path_direction<which>(segment, FT(0));
+    return Direction{Exact_range<FT>(v[0]), Exact_range<FT>(v[1])};
+  }
+
+public:
+  Rotated_join(const Path_segment<Traits>& left, const Path_segment<Traits>& right) : left_(left), right_(right) {}
+
+  bool has_directions() const { return left_.has_length() && right_.has_length(); }
+
+  // The jets in coordinates in which they are rational, where there are such.
+  std::optional<std::pair<Jet, Jet>> common_jets(int order) const {
+    if (!left_.arc() || !right_.arc()) return std::nullopt;
+    return Enclosed_arc<Traits>(*left_.arc()).common_jets(Enclosed_arc<Traits>(*right_.arc()), order);
+  }
+
+  // Calls f(products) with narrower and narrower enclosures, until it returns true. Returns false when it never does. \pre has_directions()
+  template <class Function> bool until(Function f) const {
+    for (int bits = first_bits; bits <= last_bits; bits *= 2) {
+      const std::optional<Direction> a = direction<Curve_end::end>(left_, bits),
+                                     b = direction<Curve_end::start>(right_, bits);
+      if (!a || !b) continue;
+      const Direction &x = *a, &y = *b;
+      if (f(Enclosed_products<FT>{x[0] * y[1] - x[1] * y[0], x[0] * y[0] + x[1] * y[1]})) return true;
+    }
+    return false;
+  }
+
+  // The decision, if it can be made.
+  std::optional<Join_continuity<FT>> continuity(int max_order) const {
+    if (const auto jets = common_jets((std::max)(max_order, 3)))
+      return Join_decision<FT, 2>(jets->first, jets->second, max_order)();
+    Join_continuity<FT> join;
+    join.c_order = join.g_order = join.f_order = left_.end() == right_.start() ? 0 : -1;
+    join.regular = !starts_with_zero(left_, true) && !starts_with_zero(right_, false);
+    if (!join.regular) return join;
+    join.tangent_equal = false;
+    if (!until([](const Enclosed_products<FT>& p) { return p.differ(); })) return std::nullopt;
+    return join;
+  }
+
+private:
+  // Whether the first derivative at an end is zero.
+  static bool starts_with_zero(const Path_segment<Traits>& segment, bool at_end) {
+    if (segment.arc()) return false;
+    const Bezier_curve<Traits>& b = *segment.bezier();
+    return b.control_point(at_end ? b.degree() : 0) == b.control_point(at_end ? b.degree() - 1 : 1);
+  }
+};
+
 } // namespace internal
 
 /// \ingroup PkgGeometricContinuityContinuity
@@ -85,18 +159,26 @@ public:
 };
 
 /// \ingroup PkgGeometricContinuityContinuity
-/// Decides the continuity of a join of segments of paths, up to order `max_order`; empty when it cannot be decided because one of them is
-/// an arc whose derivatives are not known.
+/// Decides the continuity of a join of segments of paths, up to order `max_order`; empty when it cannot be decided.
 ///
 /// Arcs are taken with respect to the eccentric angle; only the C order and the shape parameters depend on that. Where
 /// the centre of an arc is not rational, the decision is made in the field extended by its square root, exactly, and no
 /// shape parameters are given. In `double` it is plain floating point.
+///
+/// The directions of an arc of a rotated ellipse, which are not known as numbers of such a field, are enclosed, with 128 bits and more, until
+/// they differ from those of the other segment. They are equal where both segments are halves of such an ellipse, or of a larger one, or are
+/// parts of equal angle on different sides of their chords, and the chords are parallel: that is decided exactly, for all orders. Where 1024 bits
+/// do not tell, nothing is decided: `tangent_angle()` tells by how little the directions differ, if they do.
 /// \throws Error `negative_count` for a negative `max_order`, `work_limit`
 template <class Traits>
 std::optional<Join_continuity<typename Traits::FT>> continuity(const Path_join<Traits>& path_join, int max_order) {
   typedef typename Traits::FT FT;
   const Path_segment<Traits>&left = path_join.left(), &right = path_join.right();
-  if (!left.is_known() || !right.is_known()) return std::nullopt;
+  if constexpr (!std::is_floating_point_v<FT>)
+    if (!left.is_known() || !right.is_known()) {
+      if (max_order < 0) throw Error(Error_code::negative_count, "continuity: order");
+      return internal::Rotated_join<Traits>(left, right).continuity(max_order);
+    }
   if (path_join.has_grid_ && 0 <= max_order && max_order <= 3) {
     Join_continuity<FT> join;
     if (path_join.grid_.decide(max_order, join, false)) return join;
@@ -137,24 +219,10 @@ template <class Traits, class Function> bool visit_enclosures(const Path_join<Tr
 
 namespace internal {
 
-// The direction at an end of a segment, of which the root of radicand() is given; zero for a curve of no length.
-template <Curve_end which, class Traits, class Field>
-std::array<Field, 2> path_direction(const Path_segment<Traits>& segment, const Field& root) {
-  if (segment.bezier()) {
-    const Image_end<Traits, dynamic_degree, which> end(*segment.bezier());
-    if (!end.has_length()) return {Field(0), Field(0)};
-    const auto v = end.template vector<typename Traits::FT>();
-    return {Field(v[0]), Field(v[1])};
-  }
-  const Coordinate_jet<Field, 2> jet = which == Curve_end::end ? segment.template end_jet_over<Field>(1, root)
-                                                               : segment.template start_jet_over<Field>(1, root);
-  return {jet[1][0], jet[1][1]};
-}
-
-// Calls f(p) with the products of the directions at a join, in a field of exact numbers; returns whether both have a direction that is known.
+// Calls f(p) with the products of the directions at a join, in a field of exact numbers; returns whether both have a direction.
+// \pre both are known
 template <class Traits, class Function>
 bool visit_direction_products(const Path_segment<Traits>& left, const Path_segment<Traits>& right, Function f) {
-  if (!left.is_known() || !right.is_known()) return false;
   return visit_roots(left, right, [&](const auto& left_root, const auto& right_root) -> bool {
     typedef std::decay_t<decltype(left_root)> Field;
     const std::array<Field, 2> a = path_direction<Curve_end::end>(left, left_root),
@@ -184,12 +252,45 @@ template <class FT, class Field> Enclosure angle_of_products(const Leg_products<
   }
 }
 
+// The grade of a join with an arc of a rotated ellipse, if it can be decided.
+template <class Traits>
+std::optional<Join_grade> rotated_join_grade(const Path_segment<Traits>& left, const Path_segment<Traits>& right,
+                                             const Kink_bound& bound) {
+  const Rotated_join<Traits> join(left, right);
+  if (!join.has_directions()) return std::nullopt;
+  if (left.end() != right.start()) return Join_grade::gap;
+  if (join.common_jets(2)) {
+    const auto decision = join.continuity(2);
+    return decision->g_order >= 2 ? Join_grade::g2 : decision->g_order == 1 ? Join_grade::g1 : Join_grade::corner;
+  }
+  std::optional<bool> corner;
+  join.until([&](const auto& p) {
+    if (p.differ()) corner = p.exceed(bound);
+    return corner.has_value();
+  });
+  return corner ? std::optional<Join_grade>(*corner ? Join_grade::corner : Join_grade::kink) : std::nullopt;
+}
+
+// The angle at a join with an arc of a rotated ellipse, with at least 48 bits unless it is too small. \pre both have a length
+template <class Traits>
+Enclosure rotated_join_angle(const Path_segment<Traits>& left, const Path_segment<Traits>& right) {
+  typedef typename Traits::FT FT;
+  const Rotated_join<Traits> join(left, right);
+  if (const auto jets = join.common_jets(1)) return angle_enclosure(FT(0), FT(jets->first[1][1] * jets->second[1][1]));
+  Enclosure angle{0, 4};
+  join.until([&](const auto& p) {
+    angle = p.angle();
+    return angle.upper - angle.lower <= 0x1p-48 * angle.upper;
+  });
+  return angle;
+}
+
 } // namespace internal
 
 /// \ingroup PkgGeometricContinuityContinuity
 /// Returns what a join of segments of paths looks like, see `join_grade()` of Bézier curves; empty when one
-/// of them has no length, or is an arc whose derivatives are not known. Directions of arcs are compared in the field of their square roots.
-/// Exact, except in `double`
+/// of them has no length, and where `continuity()` does not decide. Directions of arcs are compared in the field of their square roots, or
+/// enclosed. Exact, except in `double`
 /// \throws Error `not_finite`, `work_limit`
 template <class Traits>
 std::optional<Join_grade> join_grade(const Path_join<Traits>& join,
@@ -206,6 +307,8 @@ std::optional<Join_grade> join_grade(const Path_join<Traits>& join,
     if (corner && join.grid_.ends_meet()) return *corner ? Join_grade::corner : Join_grade::kink;
     return join_grade(*left.bezier(), *right.bezier(), bound);
   }
+  if constexpr (!std::is_floating_point_v<typename Traits::FT>)
+    if (!left.is_known() || !right.is_known()) return internal::rotated_join_grade(left, right, bound);
   const bool directed = internal::visit_direction_products(left, right, [&](const auto& p) {
     typedef std::decay_t<decltype(p.dot)> Field;
     if (p.cross != Field(0) || p.dot < Field(0)) corner = bound.is_exceeded(p.cross, p.dot);
@@ -227,11 +330,16 @@ std::optional<Join_grade> join_grade(const Path_segment<Traits>& left, const Pat
 
 /// \ingroup PkgGeometricContinuityContinuity
 /// Returns the angle in \f$ [0, \pi] \f$ between the directions in which the segments are drawn, in radians; empty when one of them has no
-/// length, or is an arc whose derivatives are not known. A retracted handle is taken as `join_grade()` takes it.
+/// length. A retracted handle is taken as `join_grade()` takes it.
 /// \throws Error `not_finite`
 template <class Traits>
 std::optional<Enclosure> tangent_angle(const Path_segment<Traits>& left, const Path_segment<Traits>& right) {
   std::optional<Enclosure> angle;
+  if constexpr (!std::is_floating_point_v<typename Traits::FT>)
+    if (!left.is_known() || !right.is_known()) {
+      if (left.has_length() && right.has_length()) angle = internal::rotated_join_angle(left, right);
+      return angle;
+    }
   internal::visit_direction_products(
       left, right, [&](const auto& p) { angle = internal::angle_of_products<typename Traits::FT>(p); });
   return angle;

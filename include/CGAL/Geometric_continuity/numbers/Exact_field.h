@@ -83,14 +83,19 @@ template <class Integer> Integer power_of_two_above_root(const Integer& n) {
   return Integer(x + x);
 }
 
-// The square root of an integer n >= 0 when it is an integer: Newton's iteration from above.
-template <class Integer> std::optional<Integer> integer_square_root(const Integer& n) {
+// The square root of an integer n > 0, rounded down: Newton's iteration from above.
+template <class Integer> Integer integer_square_root_below(const Integer& n) {
   Integer x = power_of_two_above_root(n);
   for (;;) {
     const Integer y = Integer(Integer(x + Integer(n / x)) / Integer(2));
-    if (!(y < x)) break;
+    if (!(y < x)) return x;
     x = y;
   }
+}
+
+// The square root of an integer n > 0 when it is an integer.
+template <class Integer> std::optional<Integer> integer_square_root(const Integer& n) {
+  const Integer x = integer_square_root_below(n);
   if (Integer(x * x) != n) return std::nullopt;
   return x;
 }

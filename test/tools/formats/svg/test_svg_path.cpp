@@ -251,11 +251,121 @@ BOOST_AUTO_TEST_CASE(arcs_with_unusual_radii_and_rotations) {
   BOOST_CHECK(arc("M0 0A2 1 0 0 1 2 1").start_jet(2) == jet(Point(0, 0), 2, 0, 0, 1)); // around (0, 1)
   for (const char* turned : {"1 2 90", "1 2 -90", "1 2 450", "2 1 180", "2 1 -360", "2 1 3.6e2"})
     BOOST_CHECK(arc("M0 0A" + std::string(turned) + " 0 1 2 1").start_jet(3) == upright);
-  // of a circle any rotation is known, of an ellipse it is not
+  // of a circle any rotation is known, of an ellipse multiples of 45 degrees are
   BOOST_CHECK(arc("M0 0A5 5 30 0 1 5 5").start_jet(3) == arc("M0 0A5 5 0 0 1 5 5").start_jet(3));
   BOOST_CHECK(!arc("M0 0A5 4 30 0 1 5 5").is_known());
-  BOOST_CHECK_EQUAL(orders("M0 0A5 4 30 0 1 5 5L9 9"), "?");
-  BOOST_CHECK_EQUAL(orders("M9 9L0 0A5 4 1e-3 0 1 5 5"), "?");
+  BOOST_CHECK_EQUAL(orders("M0 0A5 4 30 0 1 5 5L9 9"), "0");
+  BOOST_CHECK_EQUAL(orders("M9 9L0 0A5 4 1e-3 0 1 5 5"), "0");
+}
+
+// Halves of ellipses have rational derivatives, and other parts have those with one square root.
+BOOST_AUTO_TEST_CASE(arcs_that_are_rotated_by_multiples_of_45_degrees) {
+  for (const char* turned : {"7 4 45", "7 4 -135", "7 4 405", "4 7 135", "4 7 -45", "-7 4 225"}) {
+    const auto a = arc("M0 0A" + std::string(turned) + " 0 1 16 24");
+    BOOST_REQUIRE(a.is_known() && a.is_rational());
+    const GC::Curve_jet<Exact> jet = *a.start_jet(2);
+    const Q r[2] = {Q(0) - jet[2][0], Q(0) - jet[2][1]}, t[2] = {jet[1][0], jet[1][1]};
+    // half of the ellipse with x - c and x' as conjugate radii: (u, v) . (u', v') = 0 for u = (x + y) / 7, v = (y - x) / 4
+    BOOST_CHECK(r[0] == -8 && r[1] == -12);
+    BOOST_CHECK_EQUAL(Q((r[0] + r[1]) * (t[0] + t[1]) / 49 + (r[1] - r[0]) * (t[1] - t[0]) / 16), 0);
+    BOOST_CHECK(Q(r[0] * t[1] - r[1] * t[0]) > 0);
+  }
+  BOOST_CHECK_EQUAL(orders("M-9 0L0 0A7 4 45 0 1 33 65H9"), "11"); // with horizontal tangents
+  BOOST_CHECK_EQUAL(orders("M-9 0L0 0A7 4 44.999 0 1 33 65H9"), "00");
+  const auto irrational = arc("M0 0A5 4 45 0 1 5 5.5");
+  BOOST_CHECK(irrational.is_known() && !irrational.is_rational());
+  BOOST_CHECK_EQUAL(orders("M0 0A5 4 45 0 1 5 5.5A5 4 45 0 0 10 11"), "1"); // point by point symmetric: a turning point
+  BOOST_CHECK_EQUAL(orders("M100,20a6,3,45,0,1-6,0z"), "00");
+}
+
+namespace {
+
+// The angle of the tangents of an arc from (0, 0) with the x-axis, in degrees, at its start and its end: by the formulas of the
+// implementation notes of SVG, in floating-point numbers.
+std::array<double, 2> tangents_of_svg(double rx, double ry, double rotation, bool large, bool sweep, double x,
+                                      double y) {
+  const double radian = std::acos(-1.) / 180, c = std::cos(rotation * radian), s = std::sin(rotation * radian);
+  const double x1 = (-c * x - s * y) / 2, y1 = (s * x - c * y) / 2;
+  const double lambda = x1 * x1 / (rx * rx) + y1 * y1 / (ry * ry), grow = std::sqrt((std::max)(lambda, 1.));
+  rx *= grow;
+  ry *= grow;
+  const double root =
+      (large == sweep ? -1 : 1) * std::sqrt((std::max)(0., (rx * rx * ry * ry - rx * rx * y1 * y1 - ry * ry * x1 * x1) /
+                                                               (rx * rx * y1 * y1 + ry * ry * x1 * x1)));
+  const double cx = root * rx * y1 / ry, cy = -root * ry * x1 / rx;
+  const auto tangent = [&](double u, double v) {
+    const double du = (sweep ? -1 : 1) * rx / ry * (v - cy), dv = (sweep ? 1 : -1) * ry / rx * (u - cx);
+    return std::atan2(s * du + c * dv, c * du - s * dv) / radian;
+  };
+  return {tangent(x1, y1), tangent(-x1, -y1)};
+}
+
+} // namespace
+
+// The enclosed angles between an arc and the x-axis are those of SVG's own formulas.
+BOOST_AUTO_TEST_CASE(tangents_of_rotated_ellipses) {
+  int arcs = 0;
+  for (const char* rotation : {"30", "-60", "22.5", "10.7", "120", "135", "200", "1e-3", "45", "-301.25", "1e6"})
+    for (const char* radii : {"5 4", "3 8", "1 2", "100 1"})
+      for (const char* flags : {"00", "01", "10", "11"})
+        for (const char* end : {"5 5", "-2 7", "1 0", "0 -3"}) {
+          std::istringstream numbers(std::string(radii) + ' ' + rotation + ' ' + end);
+          double rx, ry, angle, x, y;
+          numbers >> rx >> ry >> angle >> x >> y;
+          const std::array<double, 2> expected = tangents_of_svg(rx, ry, angle, flags[0] == '1', flags[1] == '1', x, y);
+          const std::string text = std::string("M-1 0L0 0A") + radii + ' ' + rotation + ' ' + flags + ' ' + end + "h1";
+          const Subpath path = GC::read_svg_path<Exact>(text)[0];
+          for (int i = 0; i < 2; ++i) {
+            const auto angle_there = GC::tangent_angle(path.segments[i], path.segments[i + 1]);
+            const GC::Enclosure degrees = GC::in_degrees(*angle_there);
+            const double size = std::abs(expected[i]);
+            BOOST_CHECK_MESSAGE(degrees.upper - degrees.lower < 1e-9 && std::abs(degrees.lower - size) < 1e-6,
+                                text << ": " << degrees << " instead of " << size);
+            const auto rounded = GC::tangent_angle<Exact>(path.segments[i].rounded(), path.segments[i + 1].rounded());
+            BOOST_CHECK_SMALL(GC::in_degrees(*rounded).lower - degrees.lower, 1e-6);
+            const auto grade = GC::join_grade(path.segments[i], path.segments[i + 1]);
+            BOOST_CHECK(grade == (size > 5 ? GC::Join_grade::corner : GC::Join_grade::kink));
+          }
+          ++arcs;
+        }
+  BOOST_CHECK_EQUAL(arcs, 704);
+}
+
+// Halves of ellipses of one shape, and arcs that are symmetric to their join, have one tangent exactly, though it is not rational.
+BOOST_AUTO_TEST_CASE(joins_of_rotated_ellipses) {
+  BOOST_CHECK_EQUAL(orders("M0 0A2 1 30 0 1 4 2A2 1 30 0 1 0 0Z"), "33");
+  BOOST_CHECK_EQUAL(orders("M0 0A2 1 30 0 1 4 2A1 2 120 0 1 0 0Z"), "33");
+  BOOST_CHECK_EQUAL(orders("M0 0A2 1 30 0 1 4 2A1 .5 -330 1 1 0 0Z"), "33");
+  BOOST_CHECK_EQUAL(orders("M0 0A2 1 30 0 1 4 2A1 .5 30 0 1 2 1"), "1");  // a smaller half
+  BOOST_CHECK_EQUAL(orders("M0 0A2 1 30 0 1 4 2A2 1 30 0 0 8 4"), "1");   // a turning point
+  BOOST_CHECK_EQUAL(orders("M0 0A9 4 30 0 1 4 2A9 4 30 0 0 8 4"), "1");   // the same of less than halves
+  BOOST_CHECK_EQUAL(orders("M0 0A9 4 30 1 0 4 2A9 4 30 1 1 8 4"), "1");   // and of more
+  BOOST_CHECK_EQUAL(orders("M0 0A9 4 30 0 1 4 2A18 8 30 0 0 12 6"), "1"); // and twice as large
+  BOOST_CHECK_EQUAL(orders("M0 0A9 4 30 0 1 4 2A9 4 30 0 0 12 6"), "0");
+  BOOST_CHECK_EQUAL(orders("M0 0A9 4 30 0 1 4 2A9 4 30 0 1 8 4"), "0");
+  BOOST_CHECK_EQUAL(orders("M0 0A9 4 30 0 1 4 2A9 4 30 0 1 0 0Z"), "00"); // a lens
+  BOOST_CHECK_EQUAL(orders("M0 0A9 4 30 0 1 4 2A9 4 30 1 1 0 0Z"), "33"); // the rest of the ellipse
+  BOOST_CHECK_EQUAL(orders("M0 0A9 4 30 1 0 4 2A9 4 30 0 0 0 0Z"), "33");
+  BOOST_CHECK_EQUAL(orders("M0 0A2 1 30 0 1 4 2A2 1 31 0 1 0 0Z"), "00");
+  BOOST_CHECK_EQUAL(orders("M0 0A2 1 30 0 1 4 2A2 1.1 30 0 1 0 0Z"), "00");
+  BOOST_CHECK_EQUAL(orders("M0 0A2 1 30 0 1 4 2A2 1 30 0 0 0 0Z"), "00"); // back on itself
+  // angles: 0 exactly, 180 exactly
+  const auto angle = [](const std::string& text) {
+    const Subpath path = GC::read_svg_path<Exact>(text)[0];
+    return *GC::tangent_angle(path.segments[0], path.segments[1]);
+  };
+  BOOST_CHECK_EQUAL(angle("M0 0A2 1 30 0 1 4 2A2 1 30 0 1 0 0").upper, 0);
+  const GC::Enclosure back = angle("M0 0A2 1 30 0 1 4 2A2 1 30 0 0 0 0");
+  BOOST_CHECK(back.lower < std::acos(-1.) + 1e-15 && std::acos(-1.) - 1e-15 < back.upper &&
+              back.upper - back.lower < 1e-15);
+  // a curve with a handle at the node has no tangent
+  const Subpath retracted = GC::read_svg_path<Exact>("M0 0A2 1 30 0 1 4 2C4 2 5 3 6 5")[0];
+  BOOST_CHECK(!GC::continuity<Exact>(retracted.segments[0], retracted.segments[1])->regular);
+  BOOST_CHECK(GC::join_grade<Exact>(retracted.segments[0], retracted.segments[1]) == GC::Join_grade::corner);
+  const Subpath path = GC::read_svg_path<Exact>("M0 0A2 1 30 0 1 4 2A2 1 30 0 1 0 0")[0];
+  const GC::Svg_transform<Exact> skew({Q(3), Q(1), Q(-2), Q(5), Q(7), Q(11)});
+  BOOST_CHECK_EQUAL(GC::continuity<Exact>(path.segments[0].transform(skew), path.segments[1].transform(skew))->g_order,
+                    3);
 }
 
 BOOST_AUTO_TEST_CASE(joins_of_arcs) {
