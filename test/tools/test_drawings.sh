@@ -366,6 +366,7 @@ says out "G0, kink of 4.786 degrees" "rounding: 1 segment is looked through" "1 
 svg '<path d="M0 0H50.000V.01L100 3"/>' && run 0 verify drawing.svg --require G1 && says out "drawn as 2 corners" && lacks out rounding # which is ten units
 svg '<path d="M0 0H50v1H100v1h90"/>' && run 0 verify drawing.svg && says out "drawn as 4 corners" && lacks out rounding # steps that are drawn
 svg '<path d="M0 0H90v1H0z"/>' && run 0 verify drawing.svg && says out "drawn as 4 corners" && lacks out rounding # a cap turns one way
+svg '<path d="M0 0H50.0C50.1 0 50.1 0 50.1 .1V90"/>' && run 0 verify drawing.svg && says out "2 joins" "drawn as 0 corners" && lacks out rounding # and so does a curve
 svg '<path d="M0 0H.1V.1H0Z"/><path d="M0 0h.1"/><path d="M9 0h-.1z"/>' && run 0 verify drawing.svg && says out "6 joins" && lacks out rounding # nothing else is there
 svg '<path d="M0 0h90l-.1 0"/>' && run 0 verify drawing.svg && says out "drawn as 1 corner" && lacks out rounding # it has no neighbour behind it
 svg "<path d=\"$closed\"/><path d=\"$to_and_fro\"/>" && run 0 verify drawing.svg --certificate certificate && holds [ "$(wc -l <certificate)" -eq 10 ] # of all segments

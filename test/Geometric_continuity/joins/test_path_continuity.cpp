@@ -88,13 +88,33 @@ BOOST_AUTO_TEST_CASE(joins_of_arcs) {
   const auto arc = [](const Q& rotation) {
     return Segment{GC::Elliptical_arc<Plane>(Point(1, 0), Point(2, 1), {Q(3), Q(4), rotation, false, true})};
   };
-  const Segment line{Curve{Point(0, 0), Point(1, 0)}}, known = arc(Q(90)), unknown = arc(Q(30));
+  const Segment line{Curve{Point(0, 0), Point(1, 0)}}, known = arc(Q(90)), rotated = arc(Q(30));
   const auto never = [](const auto&, const auto&) { BOOST_ERROR("called"); };
-  for (const Segment& segment : {known, unknown})
+  for (const Segment& segment : {known, rotated}) {
     BOOST_CHECK(!GC::visit_enclosures(Join(line, segment), never) && !GC::visit_enclosures(Join(segment, line), never));
-  BOOST_CHECK(GC::join_grade(line, known) && GC::tangent_angle(line, known) && GC::continuity(line, known));
-  for (const auto& [left, right] : {std::pair(line, unknown), std::pair(unknown, line), std::pair(unknown, unknown)})
-    BOOST_CHECK(!GC::join_grade(left, right) && !GC::tangent_angle(left, right) && !GC::continuity(left, right));
+    BOOST_CHECK(GC::join_grade(line, segment) == GC::Join_grade::corner && GC::tangent_angle(line, segment));
+    BOOST_CHECK_EQUAL(GC::continuity(line, segment)->g_order, 0);
+  }
+  for (const Segment& right : {line, rotated}) {
+    BOOST_CHECK(GC::join_grade(rotated, right) == GC::Join_grade::gap && GC::tangent_angle(rotated, right));
+    BOOST_CHECK_EQUAL(GC::continuity(rotated, right)->g_order, -1);
+  }
+  BOOST_CHECK_THROW(GC::continuity(line, rotated, -1), GC::Error);
+  const Segment point{Curve{Point(1, 0), Point(1, 0)}};
+  BOOST_CHECK(!GC::join_grade(point, rotated) && !GC::tangent_angle(point, rotated));
+}
+
+// Half of an ellipse that is turned by hardly anything, and the vertical line that would follow it otherwise.
+BOOST_AUTO_TEST_CASE(directions_that_differ_by_too_little) {
+  const Segment line{Curve{Point(10, 0), Point(10, 1)}};
+  Q rotation(1);
+  for (int bits = 0; bits < 1200; bits += 100, rotation /= Q(0x1p100)) {
+    const Segment arc{GC::Elliptical_arc<Plane>(Point(0, 0), Point(10, 0), {Q(5), Q(4), rotation, false, true})};
+    BOOST_CHECK_EQUAL(GC::continuity(arc, line).has_value(), bits < 1000);
+    BOOST_CHECK(GC::join_grade(arc, line) == (bits < 1000 ? std::optional(GC::Join_grade::kink) : std::nullopt));
+    const GC::Enclosure angle = *GC::tangent_angle(arc, line); // of (25 - 16) / 25 times the rotation, nearly
+    BOOST_CHECK(angle.lower <= CGAL::to_double(rotation) && angle.upper < (bits < 500 ? 2e-2 : 1e-150));
+  }
 }
 
 BOOST_AUTO_TEST_SUITE_END()

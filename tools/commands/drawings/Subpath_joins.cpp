@@ -137,8 +137,8 @@ private:
     for (const std::size_t i : run) add(i);
     add(right);
     const double rounding = 1e-15 * static_cast<double>(run.size() + 1) * sum.lower;
-    return sum.upper == 0 ||
-           GC::tangent_angle(path_.segments[left], path_.segments[right])->upper < sum.lower - rounding;
+    const double turn = GC::tangent_angle(path_.segments[left], path_.segments[right])->upper;
+    return turn < sum.lower - rounding || (sum.upper == 0 && turn == 0);
   }
 };
 
