@@ -7,6 +7,7 @@
 
 #include "commands/chains/join_report.cpp"
 #include "commands/chains/verify_chain.cpp"
+#include "commands/drawings/Subpath_joins.cpp"
 #include "commands/drawings/drawing_kink.cpp"
 #include "commands/drawings/verify_drawings.cpp"
 #include "commands/fonts/font_json.cpp"

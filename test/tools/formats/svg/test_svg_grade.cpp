@@ -71,8 +71,9 @@ BOOST_AUTO_TEST_CASE(arcs) {
   BOOST_CHECK_EQUAL(grade("M0 0a1 1 0 0 1 1 1a2 2 0 0 1 -2 2"), "G1");
   BOOST_CHECK_EQUAL(grade("M0 0a1 1 0 0 1 1 1c0 0 0 2 1 2"), "G1"); // a handle at the node
   BOOST_CHECK_EQUAL(grade("M0 0a1 1 0 0 1 1 1h0"), "undefined");
-  BOOST_CHECK_EQUAL(grade("M0 0a3 4 30 0 1 1 1h1"), "undefined");
-  BOOST_CHECK(!angle("M0 0a3 4 30 0 1 1 1h1"));
+  // an ellipse with its axes turned by 30 degrees
+  BOOST_CHECK_EQUAL(grade("M0 0a3 4 30 0 1 1 1h1"), "corner");
+  BOOST_CHECK_CLOSE(angle("M0 0a3 4 30 0 1 1 1h1")->lower, 61.62596896642784 * degree, 1e-12);
   // with one square root and with two: a sixth of a circle, 30 degrees from its chord on both sides
   const Q little = Q(1) / Q(1e60);
   BOOST_CHECK_EQUAL(grade("M0 0h1a1 1 0 0 1 1 0", GC::Kink_bound(30)), "kink");
