@@ -38,7 +38,7 @@ fi
 
 # handles of length 0: the unit tangents decide, as in drawings. A zero tangent at an end that is drawn as a line, as a kink, as a corner, as a cusp
 handles() { # the points of a cubic that ends in (0, 164), and of the curve that starts there
-  { spline $'4 4\n0 0 0 0 1 1 1 1\n'"$1"; spline "$2"; } >zh.g2
+  { curve $'2 0\n4 4\n0 0 0 0 1 1 1 1\n'"$1"; curve $'2 0\n'"$2"; } >zh.g2
 }
 line=$'2 2\n0 0 1 1\n0 164\n0 200' lines=$'50 0\n0 160\n0 164\n0 164'
 handles "$lines" "$line"
