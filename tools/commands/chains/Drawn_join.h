@@ -60,14 +60,13 @@ inline std::optional<GC::Coordinate_vector<Exact, 0>> direction(const GC::Curve_
   return std::nullopt;
 }
 
-// Nothing where the ends do not meet, where both tangents tell, or where a curve has no direction. Of `join` the flag `regular` is read
-// only where it is G0.
-template <class Span>
-std::optional<Drawn_join> drawn_join(const Join& join, const Span& left, const Span& right,
-                                     const GC::Kink_bound& bound) {
+// From the jets at the join. Nothing where the ends do not meet, where both tangents tell, or where a curve has no direction. Of `join` the
+// flag `regular` is read only where it is G0.
+inline std::optional<Drawn_join> drawn_join(const Join& join, const GC::Curve_jet<Program_traits<Exact>>& left,
+                                            const GC::Curve_jet<Program_traits<Exact>>& right,
+                                            const GC::Kink_bound& bound) {
   if (join.g_order != 0 || join.regular) return std::nullopt;
-  const auto a = direction(left.jets().end_jet(left.jets().order()), GC::Curve_end::end),
-             b = direction(right.jets().start_jet(right.jets().order()), GC::Curve_end::start);
+  const auto a = direction(left, GC::Curve_end::end), b = direction(right, GC::Curve_end::start);
   if (!a || !b) return std::nullopt;
   const Exact ab = dot(*a, *b), sine_squared = dot(*a, *a) * dot(*b, *b) - ab * ab;
   if (sine_squared == 0 && ab > 0) return Drawn_join{GC::Join_grade::g1, {0, 0}};

@@ -40,7 +40,7 @@ public:
         only_orders ? continuity_orders(left, right, demand_.max_order) : continuity(left, right, demand_.max_order);
     if (only_orders && join.g_order == 0) join = continuity(left, right, demand_.max_order); // is a tangent zero?
     joins.summary.add(join);
-    const Drawn drawn = drawn_join(join, left, right, demand_.kink_bound);
+    const Drawn drawn = this->drawn(join, left, right);
     if (drawn) joins.drawn.add(*drawn);
     if (mode_.certificate != nullptr) joins.certificates.push_back(certificate(place, join, left, right));
     const Claim claim = this->claim(join, drawn, within);
@@ -60,6 +60,13 @@ public:
 
 private:
   typedef std::optional<Drawn_join> Drawn;
+
+  // Of most joins no jets are needed.
+  Drawn drawn(const Join& join, const Span& left, const Span& right) const {
+    if (join.g_order != 0 || join.regular) return std::nullopt;
+    const auto &x = left.jets(), &y = right.jets();
+    return drawn_join(join, x.end_jet(x.order()), y.start_jet(y.order()), demand_.kink_bound);
+  }
 
   std::string certificate(const Join_place& place, const Join& join, const Span& left, const Span& right) const {
     const int k = demand_.max_order;
