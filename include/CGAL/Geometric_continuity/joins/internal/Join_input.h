@@ -472,8 +472,9 @@ public:
 
   typedef Join_weights<std::int64_t> Factors;
   CGAL_GC_FORCEINLINE bool find_factors(Factors& w) const {
+    if (!degrees_fit(m_, n_)) return false;
     w = Factors::template geometric<question>(m_, n_);
-    return degrees_fit(m_, n_);
+    return true;
   }
   CGAL_GC_FORCEINLINE bool first_derivatives_differ() const { return false; }
 

@@ -36,7 +36,7 @@ template <class W> struct Join_weights {
               n2 = (std::max)(n - 2, 0);
     if (m == n) {
       const bool mixed = question == Join_question::g3; // those below divided by m^2 (m-1)
-      return {W(1), W(1), W(mixed ? m2 : 1), W(mixed ? m2 : 1), W(mixed ? 3 * m1 : 1)};
+      return {W(1), W(1), W(mixed ? m2 : 1), W(mixed ? m2 : 1), mixed ? W(W(3) * W(m1)) : W(1)};
     }
     const W a2(W(one * W(n)) * W(m1)), b2(W(one * W(m)) * W(n1));
     if constexpr (!third)
@@ -167,7 +167,7 @@ template <Join_question question, class X> struct Rational_join_weights {
           f.first = times(Second(ww * vv), m, n);
           f.a3 = times(times(Third(w003 * Second(Square(w[1] * v[1]) * vv)), n, n), m1, m2);
           f.b3 = times(times(Third(v003 * Second(ww * ww)), m, m), n1, n2);
-          f.mix = times(Mix(w02 * v[1]), 3 * n, m1);
+          f.mix = times(times(Mix(w02 * v[1]), n, m1), 3, 1);
         }
       }
     }
