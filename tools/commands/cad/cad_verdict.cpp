@@ -7,12 +7,20 @@
 #include <CGAL/Geometric_continuity/numbers/Enclosure.h>
 #include <CGAL/Geometric_continuity/numbers/Work_limit.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <optional>
+#include <utility>
+#include <vector>
 
 namespace {
 
 // A step of work is about a multiplication of machine words, see `Work_limit`; a part of an edge takes so many.
 constexpr std::uint64_t steps_of_box = 4000;
+
+// So many places of an edge about which nothing is known are looked at for poles.
+constexpr std::size_t most_places = 16;
 
 // What an angle may be less than that of a corner, relatively: the numbers in files are rounded.
 constexpr double rounded_angle = 1e-9;
@@ -26,8 +34,8 @@ class Edge_decision {
   std::array<GC::Edge_side, 2> sides_;
   std::array<bool, 2> is_projected_;
   GC::Edge_precision precision_;
-
   typedef std::vector<std::pair<double, double>> Ranges;
+  Ranges parts_; // of the edge, those that belong to no pole
 
   static GC::Verdict within(const std::optional<GC::Edge_maximum>& x, const GC::Bound& bound,
                             const Ranges& unresolved) {
@@ -119,13 +127,101 @@ class Edge_decision {
     else if (is_kink == GC::Verdict::proved || edge_.kind == Cad_edge_kind::knot_line) // in a face nothing is meant
       result.shape = Cad_shape::kink;
     else {
-      result.is_corner = GC::is_sharp_edge(sides_[0], sides_[1], edge_.begin, edge_.end, least, precision_);
+      result.is_corner = GC::Verdict::proved;
+      for (const auto& [begin, end] : parts_)
+        result.is_corner =
+            result.is_corner && GC::is_sharp_edge(sides_[0], sides_[1], begin, end, least, precision_);
       if (result.is_corner == GC::Verdict::proved) result.is_corner = is_open; // undecided when it may be a fold
       if (result.is_corner == GC::Verdict::proved)
         result.shape = Cad_shape::corner;
       else if (result.is_corner == GC::Verdict::refuted && is_kink == GC::Verdict::refuted)
         result.shape = Cad_shape::fading_corner;
     }
+  }
+
+  // Decides what depends on normals, of which the enclosure tells. \pre that of the gap is decided
+  void decide_normals(Cad_verdict& result) const {
+    const GC::Edge_enclosure& e = *result.enclosure;
+    result.is_exhausted = result.is_exhausted || e.exhausted;
+    result.within[1] = within(e.angle, demand_.bounds.tangent_angle, e.unresolved);
+    if (e.angle) doubt(result, 1, *e.angle, demand_.bounds.tangent_angle, &GC::Foot_comparison::angle);
+    result.within[2] = within(e.curvature_jump, demand_.bounds.curvature_jump, e.curvature_unresolved);
+    if (e.curvature_jump)
+      doubt(result, 2, *e.curvature_jump, demand_.bounds.curvature_jump, &GC::Foot_comparison::curvature_jump);
+    for (int i = 0; i <= result.exact.value_or(-1); ++i)
+      result.within[static_cast<std::size_t>(i)] = GC::Verdict::proved;
+    result.within[1] = result.within[0] && result.within[1];
+    result.within[2] = result.within[1] && result.within[2];
+    if (edge_.inside_out) {
+      result.within[1] = result.within[2] = GC::Verdict::refuted;
+      if (result.exact) result.exact = (std::min)(*result.exact, 0);
+    }
+    decide_shape(result);
+  }
+
+  // Whether nothing that is asked for depends on what is next to a pole.
+  bool is_settled(const Cad_verdict& result) const {
+    const std::size_t asked = demand_.most > 1 ? 2 : 1;
+    return result.within[asked] == GC::Verdict::proved || result.within[0] == GC::Verdict::refuted ||
+           edge_.inside_out || (asked == 1 && result.shape == Cad_shape::corner);
+  }
+
+  // The ranges that belong to poles: at the ends of the edge, where nothing is known, and where the largest values are.
+  Ranges poles(const Cad_verdict& whole) const {
+    const GC::Edge_enclosure& e = *whole.enclosure;
+    std::vector<double> places{edge_.begin, edge_.end};
+    for (const Ranges* ranges : {&e.unresolved, &e.curvature_unresolved})
+      for (std::size_t i = 0; i < ranges->size() && i < most_places; ++i)
+        places.push_back((*ranges)[i].first / 2 + (*ranges)[i].second / 2);
+    if (e.angle) places.push_back(e.angle->parameter);
+    if (e.curvature_jump) places.push_back(e.curvature_jump->parameter);
+    Ranges found;
+    for (double t : places) {
+      if (std::any_of(found.begin(), found.end(), [t](const auto& r) { return r.first <= t && t <= r.second; }))
+        continue;
+      if (const auto range = GC::range_at_pole(sides_[0], sides_[1], edge_.begin, edge_.end, t, demand_.bounds.gap))
+        found.push_back(*range);
+    }
+    std::sort(found.begin(), found.end());
+    return found;
+  }
+
+  // Takes angle and curvature jump of the rest of the edge only.
+  void leave_out_poles(Cad_verdict& result) {
+    parts_.clear();
+    double begin = edge_.begin;
+    for (const auto& [from, to] : result.poles) {
+      if (begin < from) parts_.emplace_back(begin, from);
+      begin = (std::max)(begin, to);
+    }
+    if (begin < edge_.end) parts_.emplace_back(begin, edge_.end);
+    GC::Edge_enclosure rest{};
+    rest.gap = result.enclosure->gap;
+    rest.exhausted = result.within[0] == GC::Verdict::undecided && result.enclosure->exhausted;
+    rest.boxes = result.enclosure->boxes;
+    const auto include = [](const std::optional<GC::Edge_maximum>& of_part, std::optional<GC::Edge_maximum>& x) {
+      if (!x || !of_part) {
+        if (of_part) x = of_part;
+        return;
+      }
+      const GC::Enclosure value{(std::max)(x->value.lower, of_part->value.lower),
+                                (std::max)(x->value.upper, of_part->value.upper)};
+      if (x->value.lower < of_part->value.lower) x = of_part;
+      x->value = value;
+    };
+    const auto append = [](const Ranges& of_part, Ranges& x) { x.insert(x.end(), of_part.begin(), of_part.end()); };
+    for (const auto& [from, to] : parts_) {
+      const GC::Edge_enclosure e = GC::edge_enclosure(sides_[0], sides_[1], from, to, precision_);
+      include(e.angle, rest.angle);
+      include(e.curvature_jump, rest.curvature_jump);
+      append(e.singular, rest.singular);
+      append(e.unresolved, rest.unresolved);
+      append(e.curvature_undefined, rest.curvature_undefined);
+      append(e.curvature_unresolved, rest.curvature_unresolved);
+      rest.exhausted = rest.exhausted || e.exhausted;
+      rest.boxes += e.boxes;
+    }
+    result.enclosure = rest;
   }
 
 public:
@@ -148,38 +244,30 @@ public:
       if (which[i]) sides_[i] = GC::projected_side(sides_[i], *edge_.space, edge_.begin, edge_.end, pieces);
   }
 
-  Cad_verdict decide() const {
+  Cad_verdict decide() {
     Cad_verdict result;
     if (edge_.kind == Cad_edge_kind::degenerate) {
       result.within[0] = GC::Verdict::proved;
       compare_curve(result);
       return result;
     }
+    parts_ = {{edge_.begin, edge_.end}};
     result.enclosure = GC::edge_enclosure(sides_[0], sides_[1], edge_.begin, edge_.end, precision_);
     const GC::Edge_enclosure& e = *result.enclosure;
-    result.is_exhausted = e.exhausted;
     result.within[0] = GC::at_most(e.gap.value, demand_.bounds.gap);
     doubt(result, 0, e.gap, demand_.bounds.gap, &GC::Foot_comparison::gap);
     if (edge_.space) compare_curve(result);
-    result.within[1] = within(e.angle, demand_.bounds.tangent_angle, e.unresolved);
-    if (e.angle) doubt(result, 1, *e.angle, demand_.bounds.tangent_angle, &GC::Foot_comparison::angle);
-    result.within[2] = within(e.curvature_jump, demand_.bounds.curvature_jump, e.curvature_unresolved);
-    if (e.curvature_jump)
-      doubt(result, 2, *e.curvature_jump, demand_.bounds.curvature_jump, &GC::Foot_comparison::curvature_jump);
     if (edge_.kind != Cad_edge_kind::knot_line && !has_projections() && !result.in_doubt &&
-        result.within[0] != GC::Verdict::refuted) {
+        result.within[0] != GC::Verdict::refuted)
       if (const auto exact = GC::edge_continuity(sides_[0], sides_[1], edge_.begin, edge_.end))
         result.exact = exact->g_order;
-      for (int i = 0; i <= result.exact.value_or(-1); ++i)
-        result.within[static_cast<std::size_t>(i)] = GC::Verdict::proved;
-    }
-    result.within[1] = result.within[0] && result.within[1];
-    result.within[2] = result.within[1] && result.within[2];
-    if (edge_.inside_out) {
-      result.within[1] = result.within[2] = GC::Verdict::refuted;
-      if (result.exact) result.exact = (std::min)(*result.exact, 0);
-    }
-    decide_shape(result);
+    Cad_verdict whole = result;
+    decide_normals(whole);
+    if (is_settled(whole)) return whole;
+    result.poles = poles(whole);
+    if (result.poles.empty()) return whole;
+    leave_out_poles(result);
+    decide_normals(result);
     return result;
   }
 };
