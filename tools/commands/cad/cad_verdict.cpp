@@ -129,8 +129,7 @@ class Edge_decision {
     else {
       result.is_corner = GC::Verdict::proved;
       for (const auto& [begin, end] : parts_)
-        result.is_corner =
-            result.is_corner && GC::is_sharp_edge(sides_[0], sides_[1], begin, end, least, precision_);
+        result.is_corner = result.is_corner && GC::is_sharp_edge(sides_[0], sides_[1], begin, end, least, precision_);
       if (result.is_corner == GC::Verdict::proved) result.is_corner = is_open; // undecided when it may be a fold
       if (result.is_corner == GC::Verdict::proved)
         result.shape = Cad_shape::corner;
@@ -308,8 +307,8 @@ Cad_verdict cad_verdict(const Cad_edge& edge, const Cad_demand& demand) {
     result = decision.decide();
     const bool is_far =
         result.deviation && GC::at_most(result.deviation->value, demand.bounds.gap) != GC::Verdict::proved;
-    // What is wrong with a projection is measured with a better one.
-    const bool is_wrong = edge.projected && result.within[1] == GC::Verdict::refuted;
+    // What is wrong or undecided with a projection is measured with a better one.
+    const bool is_wrong = edge.projected && result.within[1] != GC::Verdict::proved;
     for (int pieces : {32, 256}) {
       if (!edge.space || !(result.in_doubt || (is_wrong && !result.computed))) break;
       const bool was_computed = result.computed;

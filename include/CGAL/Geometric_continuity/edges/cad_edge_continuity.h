@@ -377,7 +377,11 @@ inline Edge_side projected_side(const Edge_side& side, const Edge_curve& curve, 
   ends.push_back(last);
   Cad_spline_curve<2> result{3, {}, {}, {}};
   std::vector<Foot_finder::Foot> feet;
-  for (double x : ends) feet.push_back(finder.near_curve(x));
+  const double step = (last - first) * 0x1p-8;
+  for (double x : ends)
+    feet.push_back(x == first  ? finder.near_end(first, step)
+                   : x == last ? finder.near_end(last, -step)
+                               : finder.near_curve(x));
   const auto point = [](const Foot_finder::Foot& f, double factor) {
     return Cad_point<2>{f.point[0] + factor * f.derivative[0], f.point[1] + factor * f.derivative[1]};
   };

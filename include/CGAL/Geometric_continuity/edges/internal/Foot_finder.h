@@ -78,6 +78,23 @@ public:
     return foot;
   }
 
+  // The foot point at an end t of a range of the curve. Where a parameter of the surface does not matter, as the longitude at a pole, it is
+  // the one to which those of the foot points at t + step and t + 2 step lead, by the cubic through both.
+  Foot near_end(double t, double step) const {
+    Foot foot = near_curve(t);
+    const Equations e = equations({Interval(foot.point[0]), Interval(foot.point[1])}, curve_.jet(t)[0]);
+    const std::array<double, 2> size{extent(0) * std::sqrt(middle(dot_form(e.u, e.u))),
+                                     extent(1) * std::sqrt(middle(dot_form(e.v, e.v)))};
+    for (std::size_t i = 0; i < 2; ++i) {
+      if (!(size[i] <= 1e-6 * size[1 - i])) continue;
+      const Foot x = near_curve(t + step), y = near_curve(t + 2 * step);
+      if (!(std::fabs(x.point[i] - y.point[i]) <= 0.125 * extent(i))) continue;
+      foot.point[i] = 5 * y.point[i] - 4 * x.point[i] - step * (4 * x.derivative[i] + 2 * y.derivative[i]);
+      foot.derivative[i] = 12 * (x.point[i] - y.point[i]) / step + 8 * x.derivative[i] + 5 * y.derivative[i];
+    }
+    return foot;
+  }
+
   // What is proved of the foot point next to the curve of the side, or of the point of that curve.
   std::optional<Enclosed> enclosed(double t, bool is_projected) const {
     const auto [point, tangent] = curve_.jet(t);
@@ -112,6 +129,12 @@ private:
   std::optional<Box> own_box(double t) const {
     const Interval_vector<2> c = on_curve(t);
     return Box{c[0], c[1]};
+  }
+
+  // How far a parameter reaches, 1 where there is no end.
+  double extent(std::size_t i) const {
+    const double length = domain_[i].last - domain_[i].first;
+    return std::isfinite(length) ? length : 1;
   }
 
   std::array<std::vector<int>, 2> spans(const Box& x) const {

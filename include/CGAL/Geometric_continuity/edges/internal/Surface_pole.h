@@ -87,8 +87,8 @@ private:
 
   static std::optional<double> next_knot(const Spline_parameter& parameter, double x) {
     if (!parameter) return std::nullopt;
-    double best = std::fabs(parameter.first() - x) < std::fabs(parameter.last() - x) ? parameter.first()
-                                                                                      : parameter.last();
+    double best =
+        std::fabs(parameter.first() - x) < std::fabs(parameter.last() - x) ? parameter.first() : parameter.last();
     parameter.for_each_inner_knot([&](double knot, int) {
       if (std::fabs(knot - x) < std::fabs(best - x)) best = knot;
     });
