@@ -19,8 +19,8 @@ namespace {
 // A step of work is about a multiplication of machine words, see `Work_limit`; a part of an edge takes so many.
 constexpr std::uint64_t steps_of_box = 4000;
 
-// So many places of an edge about which nothing is known are looked at for poles.
-constexpr std::size_t most_places = 16;
+// So many ranges of an edge about which nothing is known are looked at for poles, and an edge is taken to pass so many.
+constexpr std::size_t most_poles = 16;
 
 // What an angle may be less than that of a corner, relatively: the numbers in files are rounded.
 constexpr double rounded_angle = 1e-9;
@@ -165,28 +165,30 @@ class Edge_decision {
            edge_.inside_out || (asked == 1 && result.shape == Cad_shape::corner);
   }
 
-  // The ranges that belong to poles: at the ends of the edge, where nothing is known, and where the largest values are.
-  Ranges poles(const Cad_verdict& whole) const {
-    const GC::Edge_enclosure& e = *whole.enclosure;
+  // Adds the ranges that belong to poles: at the ends of the edge, where nothing is known, and where the largest values are. Whether there
+  // are any.
+  bool add_poles(const GC::Edge_enclosure& e, Ranges& poles) const {
     std::vector<double> places{edge_.begin, edge_.end};
+    for (const std::optional<GC::Edge_maximum>& x : {e.angle, e.curvature_jump})
+      if (x) places.insert(places.end(), {x->upper_at, x->parameter});
     for (const Ranges* ranges : {&e.unresolved, &e.curvature_unresolved})
-      for (std::size_t i = 0; i < ranges->size() && i < most_places; ++i)
+      for (std::size_t i = 0; i < ranges->size() && i < most_poles; ++i)
         places.push_back((*ranges)[i].first / 2 + (*ranges)[i].second / 2);
-    if (e.angle) places.push_back(e.angle->parameter);
-    if (e.curvature_jump) places.push_back(e.curvature_jump->parameter);
-    Ranges found;
+    bool is_new = false;
     for (double t : places) {
-      if (std::any_of(found.begin(), found.end(), [t](const auto& r) { return r.first <= t && t <= r.second; }))
+      if (std::any_of(poles.begin(), poles.end(), [t](const auto& r) { return r.first <= t && t <= r.second; }))
         continue;
-      if (const auto range = GC::range_at_pole(sides_[0], sides_[1], edge_.begin, edge_.end, t, demand_.bounds.gap))
-        found.push_back(*range);
+      if (const auto range = GC::range_at_pole(sides_[0], sides_[1], edge_.begin, edge_.end, t, demand_.bounds.gap)) {
+        poles.push_back(*range);
+        is_new = true;
+      }
     }
-    std::sort(found.begin(), found.end());
-    return found;
+    std::sort(poles.begin(), poles.end());
+    return is_new;
   }
 
-  // Takes angle and curvature jump of the rest of the edge only.
-  void leave_out_poles(Cad_verdict& result) {
+  // The enclosure of the rest of the edge, but for that of the gap, which is that of all of it.
+  GC::Edge_enclosure rest(const GC::Edge_enclosure& whole, const Cad_verdict& result) {
     parts_.clear();
     double begin = edge_.begin;
     for (const auto& [from, to] : result.poles) {
@@ -195,18 +197,18 @@ class Edge_decision {
     }
     if (begin < edge_.end) parts_.emplace_back(begin, edge_.end);
     GC::Edge_enclosure rest{};
-    rest.gap = result.enclosure->gap;
-    rest.exhausted = result.within[0] == GC::Verdict::undecided && result.enclosure->exhausted;
-    rest.boxes = result.enclosure->boxes;
+    rest.gap = whole.gap;
+    rest.exhausted = result.within[0] == GC::Verdict::undecided && whole.exhausted;
+    rest.boxes = whole.boxes;
     const auto include = [](const std::optional<GC::Edge_maximum>& of_part, std::optional<GC::Edge_maximum>& x) {
       if (!x || !of_part) {
         if (of_part) x = of_part;
         return;
       }
-      const GC::Enclosure value{(std::max)(x->value.lower, of_part->value.lower),
-                                (std::max)(x->value.upper, of_part->value.upper)};
-      if (x->value.lower < of_part->value.lower) x = of_part;
-      x->value = value;
+      const GC::Edge_maximum other = *x;
+      if (other.value.lower < of_part->value.lower) x = of_part;
+      x->value.upper = (std::max)(other.value.upper, of_part->value.upper);
+      x->upper_at = other.value.upper < of_part->value.upper ? of_part->upper_at : other.upper_at;
     };
     const auto append = [](const Ranges& of_part, Ranges& x) { x.insert(x.end(), of_part.begin(), of_part.end()); };
     for (const auto& [from, to] : parts_) {
@@ -220,7 +222,7 @@ class Edge_decision {
       rest.exhausted = rest.exhausted || e.exhausted;
       rest.boxes += e.boxes;
     }
-    result.enclosure = rest;
+    return rest;
   }
 
 public:
@@ -260,14 +262,15 @@ public:
         result.within[0] != GC::Verdict::refuted)
       if (const auto exact = GC::edge_continuity(sides_[0], sides_[1], edge_.begin, edge_.end))
         result.exact = exact->g_order;
-    Cad_verdict whole = result;
-    decide_normals(whole);
-    if (is_settled(whole)) return whole;
-    result.poles = poles(whole);
-    if (result.poles.empty()) return whole;
-    leave_out_poles(result);
-    decide_normals(result);
-    return result;
+    const GC::Edge_enclosure whole = e;
+    Cad_verdict decided = result;
+    decide_normals(decided);
+    while (!is_settled(decided) && result.poles.size() < most_poles && add_poles(*decided.enclosure, result.poles)) {
+      result.enclosure = rest(whole, result);
+      decided = result;
+      decide_normals(decided);
+    }
+    return decided;
   }
 };
 

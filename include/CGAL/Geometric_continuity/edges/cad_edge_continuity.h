@@ -88,6 +88,8 @@ struct Edge_maximum {
   Enclosure value;    ///< of the largest value
   double parameter;   ///< where the function is at least `value.lower`
   Cad_point<3> point; ///< the point of the first side there, rounded
+  /// In the middle of the part of the edge that has the largest upper bound.
+  double upper_at = parameter;
 };
 
 /// \ingroup PkgGeometricContinuityCadEdges
@@ -180,7 +182,7 @@ inline Edge_enclosure edge_enclosure(const Edge_side& a, const Edge_side& b, dou
     return l;
   };
   const auto maximum = [&](const Largest_on_ranges& l, const Enclosure& value) {
-    return Edge_maximum{value, l.parameter, bounds.point(l.parameter)};
+    return Edge_maximum{value, l.parameter, bounds.point(l.parameter), l.upper_at};
   };
 
   const Largest_on_ranges gap = largest(Edge_quantity::gap, precision.gap, [](double x) { return std::sqrt(x); });
@@ -294,7 +296,8 @@ inline Edge_maximum curve_deviation(const Edge_side& side, const Edge_curve& cur
   return {{distance.defined ? root_below(distance.lower) : 0,
            bounded ? root_above(distance.upper) : (std::numeric_limits<double>::infinity)()},
           distance.parameter,
-          {middle(point[0]), middle(point[1]), middle(point[2])}};
+          {middle(point[0]), middle(point[1]), middle(point[2])},
+          distance.upper_at};
 }
 
 /// \ingroup PkgGeometricContinuityCadEdges
