@@ -311,9 +311,28 @@ Handle(Geom_Curve) bezier(const std::vector<std::array<double, 2>>& profile) {
     points.SetValue(static_cast<int>(i) + 1, gp_Pnt(profile[i][0], 0, profile[i][1]));
   return new Geom_BezierCurve(points);
 }
+// Three thirds of what a profile makes around the axis, with common edges.
+TopoDS_Shape thirds(const Handle(Geom_Curve) & profile) {
+  BRepBuilderAPI_Sewing sewing;
+  for (const int i : {0, 1, 2}) {
+    gp_Trsf turn;
+    turn.SetRotation(gp_Ax1(gp_Pnt(), gp_Dir(0, 0, 1)), 2 * M_PI / 3 * i);
+    sewing.Add(BRepBuilderAPI_Transform(revolved(profile, 2 * M_PI / 3), turn, true).Shape());
+  }
+  sewing.Perform();
+  return sewing.SewedShape();
+}
+// The solid that the area between the axis and a profile from the plane z = 0 to the axis makes.
+TopoDS_Shape solid(const Handle(Geom_Curve) & profile, double angle) {
+  const gp_Pnt low = profile->Value(profile->FirstParameter()), top = profile->Value(profile->LastParameter());
+  BRepBuilderAPI_MakeWire wire(BRepBuilderAPI_MakeEdge(profile).Edge(), BRepBuilderAPI_MakeEdge(top, gp_Pnt()).Edge(),
+                               BRepBuilderAPI_MakeEdge(gp_Pnt(), low).Edge());
+  const TopoDS_Face area = BRepBuilderAPI_MakeFace(gp_Pln(gp_Pnt(), gp_Dir(0, 1, 0)), wire.Wire()).Face();
+  return BRepPrimAPI_MakeRevol(area, gp_Ax1(gp_Pnt(), gp_Dir(0, 0, 1)), angle).Shape();
+}
 // A part of a torus: its circle, of the radius r about a centre at the distance R of the axis, from one angle to another.
-TopoDS_Shape part_of_torus(double R, double r, double begin, double end, double turn = 2 * M_PI) {
-  return BRepBuilderAPI_MakeFace(new Geom_ToroidalSurface(gp_Ax3(), R, r), 0, turn, begin, end, 1e-7).Shape();
+TopoDS_Shape part_of_torus(double R, double r, double begin, double end) {
+  return BRepBuilderAPI_MakeFace(new Geom_ToroidalSurface(gp_Ax3(), R, r), 0, 2 * M_PI, begin, end, 1e-7).Shape();
 }
 // Two triangles with the common edge from (0, 0, 0) to (0, 10, 0), in the planes z = 0 and, at x = 9 t, y = 10 t, at these heights (t, z): the
 // angle along the edge is the arc tangent of z / (9 t).
@@ -355,13 +374,11 @@ TopoDS_Shape two_cones(double degrees) {
   return sewing.SewedShape();
 }
 
-// Surfaces that reach the axis about which they are rotated, in the folder poles; what has a kink next to the pole in the folder kinks.
+// Surfaces that reach the axis about which they are rotated, poles_*; what has a kink next to a pole, kinks_*.
 void write_poles() {
   const double quarter = M_PI / 2;
-  const std::vector<std::array<double, 2>> dome{{5, 0}, {4.5, 3}, {3, 4.5}, {0, 5}};
-  const auto write_both = [](const std::string& name, const TopoDS_Shape& shape) {
-    for (const char* extension : {".step", ".igs"}) write(shape, name + extension);
-  };
+  const std::vector<std::array<double, 2>> dome{{5, 0}, {4.5, 3}, {3, 4.5}, {0, 5}},
+      bow{{4, 0}, {4, 3}, {2, 4}, {0, 4}};
   const TopoDS_Shape sphere = BRepPrimAPI_MakeSphere(5).Shape();
   gp_GTrsf stretch;
   stretch.SetValue(1, 1, 2);
@@ -375,30 +392,33 @@ void write_poles() {
       {"arc", revolved(arc(5, 5, 0, 0, quarter))},
       {"ogive", revolved(arc(8, 8, -4, 0, M_PI / 3))},
       {"lens", revolved(arc(8, 8, -4, -M_PI / 3, M_PI / 3))},
-      {"apple", revolved(arc(5, 5, 2, -M_PI / 2 - 0.4, std::acos(-0.4)))},
+      {"apple", revolved(arc(5, 5, 2, -quarter - 0.4, std::acos(-0.4)))},
       {"flat_ellipse", revolved(arc(7, 2, 0, -quarter, quarter))},
       {"high_ellipse", revolved(arc(2, 7, 0, -quarter, quarter))},
-      {"part_of_ellipse", revolved(arc(7, 3, 0, 0, quarter), 1.2)},
-      {"most_of_ellipse", revolved(arc(3, 7, 0, -quarter, quarter), 4)},
       {"spline", revolved(through(dome, 90))},
-      {"part_of_spline", revolved(through(dome, 90), 2)},
       {"tip", revolved(through(dome, 80))},
       {"blunt_tip", revolved(through(dome, 89.99))},
-      {"bezier", revolved(bezier({{4, 0}, {4, 3}, {2, 4}, {0, 4}}))},
-      {"part_of_bezier", revolved(bezier({{4, 0}, {4, 3}, {2, 4}, {0, 4}}), M_PI)},
+      {"bezier", revolved(bezier(bow))},
       {"nurbs_sphere", BRepBuilderAPI_NurbsConvert(sphere).Shape()},
       {"ellipsoid", BRepBuilderAPI_GTransform(sphere, stretch).Shape()},
-      {"horn", part_of_torus(5, 5, -M_PI, M_PI)},
       {"half_horn", part_of_torus(5, 5, 0, M_PI)},
-      {"part_of_horn", part_of_torus(5, 5, -M_PI, -1, 2)},
       {"lemon", part_of_torus(3, 5, std::acos(-0.6), 2 * M_PI - std::acos(-0.6))},
-      {"spindle", part_of_torus(3, 5, -std::acos(-0.6), std::acos(-0.6), 5)},
+      {"spindle", part_of_torus(3, 5, -std::acos(-0.6), std::acos(-0.6))},
       {"whole_spindle", part_of_torus(3, 5, 0, 2 * M_PI)},
+      {"thirds_of_ellipse", thirds(arc(7, 3, 0, 0, quarter))},
+      {"thirds_of_spline", thirds(through(dome, 90))},
+      {"thirds_of_tip", thirds(through(dome, 80))},
+      {"thirds_of_bezier", thirds(bezier(bow))},
+      {"solid_arc", solid(arc(5, 5, 0, 0, quarter), 1.2)},
+      {"solid_ellipse", solid(arc(3, 7, 0, 0, quarter), 4)},
+      {"solid_spline", solid(through(dome, 90), 2)},
+      {"solid_bezier", solid(bezier(bow), 2 * M_PI)},
       {"rounded_box", rounded.Shape()}};
   for (const auto& [name, shape] : smooth) {
-    write_both("poles_" + name, shape);
-    write_both("poles_moved_" + name, moved(shape));
+    for (const char* extension : {".brep", ".step", ".igs"}) write(shape, "poles_" + name + extension);
+    for (const char* extension : {".step", ".igs"}) write(moved(shape), "poles_moved_" + name + extension);
   }
+  write(part_of_torus(5, 5, -M_PI, M_PI), "poles_horn.igs"); // in STEP it has no edge
   // Without curves in parameter planes: an eighth of a sphere, whose sides end in the pole.
   Interface_Static::SetIVal("write.surfacecurve.mode", 0);
   const TopoDS_Shape octant = BRepPrimAPI_MakeSphere(gp_Ax2(), 7, 0, quarter, quarter).Shape();
