@@ -64,7 +64,7 @@ public:
       const std::array<double, 2> d = solved(e, middle(e.f[0]), middle(e.f[1]));
       double change = 0;
       for (std::size_t i = 0; i < 2; ++i) {
-        const double x = (std::min)((std::max)(foot.point[i] - d[i], domain_[i].first), domain_[i].last);
+        const double x = in_domain(i, foot.point[i] - d[i]);
         if (!std::isfinite(x)) return foot;
         change = (std::max)(change, std::fabs(x - foot.point[i]) / (1 + std::fabs(x)));
         foot.point[i] = x;
@@ -79,18 +79,28 @@ public:
   }
 
   // The foot point at an end t of a range of the curve. Where a parameter of the surface does not matter, as the longitude at a pole, it is
-  // the one to which those of the foot points at t + step and t + 2 step lead, by the cubic through both.
+  // the one to which those of the foot points at t + step and t + 2 step lead, by the cubic through both; the other one is next to the curve there.
   Foot near_end(double t, double step) const {
     Foot foot = near_curve(t);
-    const Equations e = equations({Interval(foot.point[0]), Interval(foot.point[1])}, curve_.jet(t)[0]);
+    const auto [point, tangent] = curve_.jet(t);
+    const auto equations_at = [&, p = point](const Foot& f) {
+      return equations({Interval(f.point[0]), Interval(f.point[1])}, p);
+    };
+    const Equations e = equations_at(foot);
     const std::array<double, 2> size{extent(0) * std::sqrt(middle(dot_form(e.u, e.u))),
                                      extent(1) * std::sqrt(middle(dot_form(e.v, e.v)))};
     for (std::size_t i = 0; i < 2; ++i) {
-      if (!(size[i] <= 1e-6 * size[1 - i])) continue;
+      if (!(0 < size[1 - i] && size[i] <= 1e-6 * size[1 - i])) continue;
       const Foot x = near_curve(t + step), y = near_curve(t + 2 * step);
       if (!(std::fabs(x.point[i] - y.point[i]) <= 0.125 * extent(i))) continue;
       foot.point[i] = 5 * y.point[i] - 4 * x.point[i] - step * (4 * x.derivative[i] + 2 * y.derivative[i]);
       foot.derivative[i] = 12 * (x.point[i] - y.point[i]) / step + 8 * x.derivative[i] + 5 * y.derivative[i];
+      foot.point[i] = in_domain(i, foot.point[i]);
+      const Equations there = equations_at(foot);
+      const Interval_vector<3>& other = i == 0 ? there.v : there.u;
+      const double square = middle(dot_form(other, other));
+      foot.point[1 - i] = in_domain(1 - i, foot.point[1 - i] - middle(there.f[1 - i]) / square);
+      foot.derivative[1 - i] = middle(dot_form(other, tangent)) / square;
     }
     return foot;
   }
@@ -131,6 +141,9 @@ private:
     return Box{c[0], c[1]};
   }
 
+  double in_domain(std::size_t i, double x) const {
+    return (std::min)((std::max)(x, domain_[i].first), domain_[i].last);
+  }
   // How far a parameter reaches, 1 where there is no end.
   double extent(std::size_t i) const {
     const double length = domain_[i].last - domain_[i].first;
