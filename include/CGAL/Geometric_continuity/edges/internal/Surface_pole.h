@@ -24,7 +24,8 @@ namespace Geometric_continuity {
 namespace internal {
 
 // The poles of a side next to its points. A surface that is rotated has one where a parameter line is a circle that is small enough. A
-// spline has one only where a knot line, or a side, is a point up to rounding: next to a side that is nearly one, its normal turns.
+// spline has one only where a side, or a knot line, is a point up to rounding: next to a side that is nearly one, its normal turns. Numbers that are
+// apart by far less than rounding are meant to be apart.
 class Surface_pole {
   const Placed_side& side_;
 
@@ -36,7 +37,7 @@ public:
   std::vector<Cad_point<3>> near(double t, double radius) const {
     const Interval_vector<2> c = cad_curve_jet(*side_.given().curve, Interval(t), 0).c[0];
     std::vector<Cad_point<3>> poles;
-    const auto add = [&](const std::optional<Interval_vector<3>>& line, double largest) {
+    const auto add = [&](const std::optional<Interval_vector<3>>& line) {
       if (!line) return;
       const Interval_vector<3> placed = side_.placed()(*line, true);
       Cad_point<3> point;
@@ -45,21 +46,19 @@ public:
         point[i] = middle(placed[i]);
         square_of_radius += CGAL::square(placed[i] - Interval(point[i]));
       }
-      if (CGAL::sqrt(square_of_radius).sup() <= largest) poles.push_back(point);
+      if (CGAL::sqrt(square_of_radius).sup() <= radius) poles.push_back(point);
     };
     const Cad_surface& surface = *side_.given().surface;
     if (const auto* elementary = std::get_if<Cad_elementary_surface>(&surface)) {
-      for (double v : lines_next_to(*elementary, middle(c[1]))) add(circle(v), radius);
+      for (double v : lines_next_to(*elementary, middle(c[1]))) add(circle(v));
     } else if (std::holds_alternative<Cad_revolution>(surface)) {
-      add(circle(middle(c[1])), radius);
-      if (const std::optional<double> knot = next_knot(spline_parameters(surface)[1], middle(c[1])))
-        add(circle(*knot), radius);
+      add(circle(middle(c[1])));
+      if (const std::optional<double> knot = next_knot(spline_parameters(surface)[1], middle(c[1]))) add(circle(*knot));
     } else if (const auto* spline = std::get_if<Cad_spline_surface>(&surface)) {
-      const double rounding = rounding_of(*spline);
       for (const bool constant_u : {true, false})
         if (const std::optional<double> knot =
                 next_knot(spline_parameters(surface)[constant_u ? 0 : 1], middle(c[constant_u ? 0 : 1])))
-          add(knot_line(*spline, constant_u, *knot, rounding), (std::min)(radius, rounding));
+          add(point_of_line(*spline, constant_u, *knot));
     }
     return poles;
   }
@@ -104,38 +103,30 @@ private:
     return cad_surface_jet(surface, {all, Interval(v), 0, spans[1].front()}, 0).s(0, 0);
   }
 
-  // What is lost where a point is computed and written, and some more.
-  static double rounding_of(const Cad_spline_surface& s) {
+  // A side, or a knot line that has a row of control points of its own: it lies in their convex hull, since weights are positive. Nothing when
+  // these are neither one point nor as far apart as rounding leaves them.
+  static std::optional<Interval_vector<3>> point_of_line(const Cad_spline_surface& s, bool constant_u, double knot) {
+    const std::vector<double>& knots = constant_u ? s.u_knots : s.v_knots;
+    const std::ptrdiff_t degree = constant_u ? s.u_degree : s.v_degree;
+    const auto [begin, end] = std::equal_range(knots.begin(), knots.end(), knot);
+    if (end - begin < degree) return std::nullopt;
+    const int line = static_cast<int>((std::max)(begin - knots.begin(), std::ptrdiff_t(1))) - 1;
+    const int columns = s.v_points(), rows = static_cast<int>(s.points.size()) / columns;
+    const auto point = [&](int i) -> const Cad_point<3>& {
+      return s.points[static_cast<std::size_t>(constant_u ? line * columns + i : i * columns + line)];
+    };
+    Interval_vector<3> box;
+    double apart = 0;
+    for (std::size_t k = 0; k < 3; ++k) box[k] = point(0)[k];
+    for (int i = 1; i < (constant_u ? columns : rows); ++i)
+      for (std::size_t k = 0; k < 3; ++k) {
+        box[k] = hull(box[k], Interval(point(i)[k]));
+        apart = (std::max)(apart, box[k].sup() - box[k].inf());
+      }
     double largest = 0;
     for (const Cad_point<3>& p : s.points)
       for (double x : p) largest = (std::max)(largest, std::fabs(x));
-    return 0x1p-46 * largest;
-  }
-
-  // A knot line lies in the convex hull of its control points, since weights are positive: those of the lines across it, at the knot. Nothing
-  // when they are farther apart than rounding.
-  static std::optional<Interval_vector<3>> knot_line(const Cad_spline_surface& s, bool constant_u, double knot,
-                                                     double rounding) {
-    const int columns = s.v_points(), rows = static_cast<int>(s.points.size()) / columns;
-    const int lines = constant_u ? columns : rows, points = constant_u ? rows : columns;
-    Cad_spline_curve<3> across{constant_u ? s.u_degree : s.v_degree, constant_u ? s.u_knots : s.v_knots, {}, {}};
-    std::optional<Interval_vector<3>> box;
-    for (int i = 0; i < lines; ++i) {
-      across.points.clear();
-      across.weights.clear();
-      for (int j = 0; j < points; ++j) {
-        const std::size_t index = static_cast<std::size_t>(constant_u ? j * columns + i : i * columns + j);
-        across.points.push_back(s.points[index]);
-        if (!s.weights.empty()) across.weights.push_back(s.weights[index]);
-      }
-      const Cad_curve<3> curve = across;
-      const Interval_vector<3> point = cad_curve_jet(curve, Interval(knot), 0).c[0];
-      if (!box) box = point;
-      for (std::size_t k = 0; k < 3; ++k) {
-        (*box)[k] = hull((*box)[k], point[k]);
-        if (!((*box)[k].sup() - (*box)[k].inf() <= 2 * rounding)) return std::nullopt;
-      }
-    }
+    if (apart > 0 && !(0x1p-70 * largest <= apart && apart <= 0x1p-46 * largest)) return std::nullopt;
     return box;
   }
 };
