@@ -184,7 +184,10 @@ BOOST_AUTO_TEST_CASE(spline_surfaces) {
     for (const double x : {-2., -1., 0., 1., 2.}) hourglass.points.push_back({x, y * x, 0});
   check_is(at(side(hourglass, line(0.5, 0, 0, 1)), 0, 2, 1, 0.01), 0.995, 1.005);
   check_is(at(side(hourglass, line(0.5, 0, 0, 1)), 0, 2, 1.001, 0.01), 0.995, 1.005);
-  hourglass.v_knots = {0, 0, 0, 1, 1.5, 2, 2, 2}; // no point of the line is a control point
+  // a line between control points, which nearly is a point where the one above it is one
+  hourglass.v_knots = {0, 0, 0, 1, 1.5, 2, 2, 2};
+  for (const std::size_t i : {1u, 6u})
+    for (double& x : hourglass.points[i]) x /= 1024;
   BOOST_TEST(!at(side(hourglass, line(0.5, 0, 0, 1)), 0, 2, 1, 0.01));
 }
 

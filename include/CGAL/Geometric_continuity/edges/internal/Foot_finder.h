@@ -79,27 +79,24 @@ public:
   }
 
   // The foot point at an end t of a range of the curve. Where a parameter of the surface does not matter, as the longitude at a pole, it is
-  // the one to which those of the foot points at t + step and t + 2 step lead, by the cubic through both; the other one is next to the curve there.
+  // the one to which those of the foot points at t + step and t + 2 step lead, by the cubic through both, and the curve leaves along the
+  // line on which the other one varies.
   Foot near_end(double t, double step) const {
     Foot foot = near_curve(t);
     const auto [point, tangent] = curve_.jet(t);
-    const auto equations_at = [&, p = point](const Foot& f) {
-      return equations({Interval(f.point[0]), Interval(f.point[1])}, p);
-    };
-    const Equations e = equations_at(foot);
+    const Equations e = equations({Interval(foot.point[0]), Interval(foot.point[1])}, point);
     const std::array<double, 2> size{extent(0) * std::sqrt(middle(dot_form(e.u, e.u))),
                                      extent(1) * std::sqrt(middle(dot_form(e.v, e.v)))};
     for (std::size_t i = 0; i < 2; ++i) {
       if (!(0 < size[1 - i] && size[i] <= 1e-6 * size[1 - i])) continue;
       const Foot x = near_curve(t + step), y = near_curve(t + 2 * step);
       if (!(std::fabs(x.point[i] - y.point[i]) <= 0.125 * extent(i))) continue;
-      foot.point[i] = 5 * y.point[i] - 4 * x.point[i] - step * (4 * x.derivative[i] + 2 * y.derivative[i]);
+      foot.point[i] =
+          in_domain(i, 5 * y.point[i] - 4 * x.point[i] - step * (4 * x.derivative[i] + 2 * y.derivative[i]));
       foot.derivative[i] = 12 * (x.point[i] - y.point[i]) / step + 8 * x.derivative[i] + 5 * y.derivative[i];
-      foot.point[i] = in_domain(i, foot.point[i]);
-      const Equations there = equations_at(foot);
+      const Equations there = equations({Interval(foot.point[0]), Interval(foot.point[1])}, point);
       const Interval_vector<3>& other = i == 0 ? there.v : there.u;
       const double square = middle(dot_form(other, other));
-      foot.point[1 - i] = in_domain(1 - i, foot.point[1 - i] - middle(there.f[1 - i]) / square);
       foot.derivative[1 - i] = middle(dot_form(other, tangent)) / square;
     }
     return foot;
