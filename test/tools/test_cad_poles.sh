@@ -28,6 +28,7 @@ for file in tip.brep lens.igs nurbs_sphere.step whole_spindle.step; do # at othe
   run 0 verify "made/poles_$file" && says out "; what belongs to a pole within the tolerance is left out near t = "
 done
 run 0 verify made/poles_tip.brep --json && says out '"poles":[[' '"undecided":0'
+run 0 report made/poles_tip.brep -o page.html && says page.html "what belongs to a pole is left out near the parameter"
 run 0 verify made/poles_arc.step --json && lacks out '"poles"'
 
 # What is left out is no longer than the tolerance; the profile of the tip has about the same speed there.
