@@ -61,6 +61,10 @@ holds [ "$(inner | grep -c 'inner: G1.*belongs to a pole')" -eq 1 ]
 run 1 verify made/kinks_within.brep --require G1 --within 0.001,0.1deg
 holds [ "$(inner | grep -c 'inner: G0, kink.* angle \[1.99')" -eq 1 ]
 
+# An edge that is a point itself: in the apex of a double cone nothing is proved, and nothing is left out.
+run 1 verify made/kinks_hourglass.brep --require G1
+says out "knot line: G0" "no normal" "undecided: 1 edge, " && lacks out "belongs to a pole"
+
 # A side of a patch that nearly is a point is none, whatever the tolerance: next to it the normal turns.
 for x in 8.9999999999999999e-10 8.9999999999999999e-11; do
   sed "s/@P@/$x 0 $x/g; s/@Q@/9.0000000009000001 10 $x/g" "$models/two_patches.brep" >nearly.brep

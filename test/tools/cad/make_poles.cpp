@@ -26,6 +26,7 @@
 #include <Geom_ConicalSurface.hxx>
 #include <Geom_Curve.hxx>
 #include <Geom_Ellipse.hxx>
+#include <Geom_SurfaceOfRevolution.hxx>
 #include <Geom_ToroidalSurface.hxx>
 #include <Geom_TrimmedCurve.hxx>
 #include <IGESControl_Controller.hxx>
@@ -208,6 +209,18 @@ int main() {
   Interface_Static::SetIVal("write.surfacecurve.mode", 1);
 
   write(two_cones(3), "kinks_cones.step");
+  // The knot line of a double cone is its apex.
+  TColgp_Array1OfPnt zigzag(1, 3);
+  TColStd_Array1OfReal knots(1, 3);
+  TColStd_Array1OfInteger multiplicities(1, 3);
+  for (int i = 1; i <= 3; ++i) {
+    zigzag(i) = gp_Pnt(i == 2 ? 0 : 3, 0, 4 * i);
+    knots(i) = i;
+    multiplicities(i) = i == 2 ? 1 : 2;
+  }
+  write(face(new Geom_SurfaceOfRevolution(new Geom_BSplineCurve(zigzag, knots, multiplicities, 1),
+                                          gp_Ax1(gp_Pnt(), gp_Dir(0, 0, 1)))),
+        "kinks_hourglass.brep");
   const double slope = 9 * std::tan(2 * M_PI / 180); // of an angle of 2 degrees, times t
   // a kink from 0.021 to 0.06 mm from the pole only, one of which most lies within 0.02 mm, and one that fades towards the pole
   write(triangles({{0, 0}, {0.0022, 0}, {0.004, 0.004 * slope}, {0.006, 0}, {1, 0}}), "kinks_beside.brep");

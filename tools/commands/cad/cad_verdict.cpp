@@ -165,8 +165,8 @@ class Edge_decision {
            edge_.inside_out || (asked == 1 && result.shape == Cad_shape::corner);
   }
 
-  // Adds the ranges that belong to poles: at the ends of the edge, where nothing is known, and where the largest values are. Whether there
-  // are any.
+  // Adds the ranges that belong to poles: at the ends of the edge, where nothing is known, and where the largest values are. None
+  // where half of the edge would be left out: it is a point itself. Whether there are any.
   bool add_poles(const GC::Edge_enclosure& e, Ranges& poles) const {
     std::vector<double> places{edge_.begin, edge_.end};
     for (const std::optional<GC::Edge_maximum>& x : {e.angle, e.curvature_jump})
@@ -175,13 +175,19 @@ class Edge_decision {
       for (std::size_t i = 0; i < ranges->size() && i < most_poles; ++i)
         places.push_back((*ranges)[i].first / 2 + (*ranges)[i].second / 2);
     bool is_new = false;
+    double left_out = 0;
+    for (const auto& [from, to] : poles) left_out += to - from;
     for (double t : places) {
       if (std::any_of(poles.begin(), poles.end(), [t](const auto& r) { return r.first <= t && t <= r.second; }))
         continue;
-      if (const auto range = GC::range_at_pole(sides_[0], sides_[1], edge_.begin, edge_.end, t, demand_.bounds.gap)) {
-        poles.push_back(*range);
-        is_new = true;
-      }
+      const auto range = GC::range_at_pole(sides_[0], sides_[1], edge_.begin, edge_.end, t, demand_.bounds.gap);
+      if (!range) continue;
+      poles.push_back(*range);
+      is_new = true;
+      left_out += range->second - range->first;
+      if (left_out < (edge_.end - edge_.begin) / 2) continue;
+      poles.clear();
+      return false;
     }
     std::sort(poles.begin(), poles.end());
     return is_new;
