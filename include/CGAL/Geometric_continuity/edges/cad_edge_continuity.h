@@ -324,7 +324,7 @@ inline std::optional<std::pair<double, double>> range_at_pole(const Edge_side& a
     const Protect_FPU_rounding<true> rounding_upwards;
     for (const Edge_side* side : {&a, &b}) {
       const Placed_side placed(*side);
-      const std::vector<Cad_point<3>> of_side = Surface_pole(placed).near(t, bound.lower() / 16);
+      const std::vector<Cad_point<3>> of_side = Surface_pole(placed).next_to(t, bound.lower() / 16);
       poles.insert(poles.end(), of_side.begin(), of_side.end());
     }
   }

@@ -8,11 +8,10 @@
 #include <CGAL/Geometric_continuity/edges/internal/Placed_side.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 #include <optional>
-#include <utility>
 #include <variant>
 #include <vector>
 
@@ -34,7 +33,7 @@ public:
 
   // The points of space, rounded, within the distance `radius` of which it is proved that a whole parameter line lies next to the point of
   // the side at t.
-  std::vector<Cad_point<3>> near(double t, double radius) const {
+  std::vector<Cad_point<3>> next_to(double t, double radius) const {
     const Interval_vector<2> c = cad_curve_jet(*side_.given().curve, Interval(t), 0).c[0];
     std::vector<Cad_point<3>> poles;
     const auto add = [&](const std::optional<Interval_vector<3>>& line) {
