@@ -4,6 +4,8 @@
 
 // Writes CAD models whose edges are known, with OpenCASCADE, to the current folder.
 
+#include "write_model.h"
+
 #include <BRepBuilderAPI_Copy.hxx>
 #include <BRepBuilderAPI_MakeEdge.hxx>
 #include <BRepBuilderAPI_MakeFace.hxx>
@@ -63,27 +65,6 @@
 
 namespace {
 
-void require(bool condition, const std::string& what) {
-  if (condition) return;
-  std::cerr << "make_models: " << what << '\n';
-  std::exit(1);
-}
-
-// Writes a shape in the format that the extension tells.
-void write(const TopoDS_Shape& shape, const std::string& file) {
-  if (file.find(".brep") != std::string::npos)
-    require(BRepTools::Write(shape, file.c_str()), file);
-  else if (file.find(".step") != std::string::npos) {
-    STEPControl_Writer writer;
-    require(writer.Transfer(shape, STEPControl_AsIs) == IFSelect_RetDone &&
-                writer.Write(file.c_str()) == IFSelect_RetDone,
-            file);
-  } else {
-    IGESControl_Writer writer("MM", 1); // with the faces of solids connected
-    require(writer.AddShape(shape) && writer.Write(file.c_str()), file);
-  }
-}
-
 TopoDS_Compound compound(const std::vector<TopoDS_Shape>& shapes) {
   BRep_Builder builder;
   TopoDS_Compound result;
@@ -127,8 +108,6 @@ Handle(Geom_BSplineCurve) periodic_spline() {
   return interpolation.Curve();
 }
 
-TopoDS_Shape face(const Handle(Geom_Surface) & surface) { return BRepBuilderAPI_MakeFace(surface, 1e-7).Shape(); }
-
 // Three faces that share an edge.
 TopoDS_Shape three_faces() {
   const TopoDS_Edge shared = BRepBuilderAPI_MakeEdge(gp_Pnt(0, 0, 0), gp_Pnt(0, 0, 1));
@@ -157,13 +136,6 @@ TopoDS_Shape fading_crease() {
   }
   sewing.Perform();
   return sewing.SewedShape();
-}
-
-TopoDS_Shape moved(const TopoDS_Shape& shape) {
-  gp_Trsf rotation, translation;
-  rotation.SetRotation(gp_Ax1(gp_Pnt(1, 2, 3), gp_Dir(1, 1, 3)), 0.7);
-  translation.SetTranslation(gp_Vec(100, -20, 3));
-  return shape.Moved(TopLoc_Location(translation * rotation));
 }
 
 // Ground that has been measured, as it were: a bicubic spline surface of many knots, up and down.

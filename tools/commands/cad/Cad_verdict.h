@@ -68,6 +68,8 @@ struct Cad_verdict {
   std::optional<GC::Edge_maximum> deviation;      // of the curve in space from the side that is farther from it
   bool computed =
       false; // the curves in the parameter planes are foot points of that in space, which the program has computed
+  // Ranges of parameters that belong to a pole within the tolerance of gaps: angle and curvature jump leave them out.
+  std::vector<std::pair<double, double>> poles;
   bool is_exhausted = false; // the work did not suffice
   bool in_doubt = false;     // what is wrong may be wrong with projections only
 

@@ -127,6 +127,7 @@ inline std::string cad_numbers(const Cad_edge& edge, const Cad_verdict& verdict,
   write_ranges(os,
                e.exhausted ? "; not resolved, for which the work did not suffice, from t =" : "; not resolved near t =",
                e.unresolved);
+  write_ranges(os, "; what belongs to a pole within the tolerance is left out near t =", verdict.poles);
   return os.str();
 }
 

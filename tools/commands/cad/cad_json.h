@@ -86,6 +86,7 @@ inline void write_members(std::ostream& os, std::size_t number, const Cad_edge& 
   if (!verdict.enclosure) return;
   write_ranges_json(os, "singular", verdict.enclosure->singular);
   write_ranges_json(os, "unresolved", verdict.enclosure->unresolved);
+  write_ranges_json(os, "poles", verdict.poles);
 }
 
 inline void write_json(std::ostream& os, const Cad_summary& s) {

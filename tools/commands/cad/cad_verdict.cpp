@@ -7,12 +7,20 @@
 #include <CGAL/Geometric_continuity/numbers/Enclosure.h>
 #include <CGAL/Geometric_continuity/numbers/Work_limit.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <optional>
+#include <utility>
+#include <vector>
 
 namespace {
 
 // A step of work is about a multiplication of machine words, see `Work_limit`; a part of an edge takes so many.
 constexpr std::uint64_t steps_of_box = 4000;
+
+// So many ranges of an edge about which nothing is known are looked at for poles, and an edge is taken to pass so many.
+constexpr std::size_t most_poles = 16;
 
 // What an angle may be less than that of a corner, relatively: the numbers in files are rounded.
 constexpr double rounded_angle = 1e-9;
@@ -26,8 +34,8 @@ class Edge_decision {
   std::array<GC::Edge_side, 2> sides_;
   std::array<bool, 2> is_projected_;
   GC::Edge_precision precision_;
-
   typedef std::vector<std::pair<double, double>> Ranges;
+  Ranges parts_; // of the edge, those that belong to no pole
 
   static GC::Verdict within(const std::optional<GC::Edge_maximum>& x, const GC::Bound& bound,
                             const Ranges& unresolved) {
@@ -119,13 +127,108 @@ class Edge_decision {
     else if (is_kink == GC::Verdict::proved || edge_.kind == Cad_edge_kind::knot_line) // in a face nothing is meant
       result.shape = Cad_shape::kink;
     else {
-      result.is_corner = GC::is_sharp_edge(sides_[0], sides_[1], edge_.begin, edge_.end, least, precision_);
+      result.is_corner = GC::Verdict::proved;
+      for (const auto& [begin, end] : parts_)
+        result.is_corner = result.is_corner && GC::is_sharp_edge(sides_[0], sides_[1], begin, end, least, precision_);
       if (result.is_corner == GC::Verdict::proved) result.is_corner = is_open; // undecided when it may be a fold
       if (result.is_corner == GC::Verdict::proved)
         result.shape = Cad_shape::corner;
       else if (result.is_corner == GC::Verdict::refuted && is_kink == GC::Verdict::refuted)
         result.shape = Cad_shape::fading_corner;
     }
+  }
+
+  // Decides what depends on normals, of which the enclosure tells. \pre that of the gap is decided
+  void decide_normals(Cad_verdict& result) const {
+    const GC::Edge_enclosure& e = *result.enclosure;
+    result.is_exhausted = result.is_exhausted || e.exhausted;
+    result.within[1] = within(e.angle, demand_.bounds.tangent_angle, e.unresolved);
+    if (e.angle) doubt(result, 1, *e.angle, demand_.bounds.tangent_angle, &GC::Foot_comparison::angle);
+    result.within[2] = within(e.curvature_jump, demand_.bounds.curvature_jump, e.curvature_unresolved);
+    if (e.curvature_jump)
+      doubt(result, 2, *e.curvature_jump, demand_.bounds.curvature_jump, &GC::Foot_comparison::curvature_jump);
+    for (int i = 0; i <= result.exact.value_or(-1); ++i)
+      result.within[static_cast<std::size_t>(i)] = GC::Verdict::proved;
+    result.within[1] = result.within[0] && result.within[1];
+    result.within[2] = result.within[1] && result.within[2];
+    if (edge_.inside_out) {
+      result.within[1] = result.within[2] = GC::Verdict::refuted;
+      if (result.exact) result.exact = (std::min)(*result.exact, 0);
+    }
+    decide_shape(result);
+  }
+
+  // Whether nothing that is asked for depends on what is next to a pole.
+  bool is_settled(const Cad_verdict& result) const {
+    const std::size_t asked = demand_.most > 1 ? 2 : 1;
+    return result.within[asked] == GC::Verdict::proved || result.within[0] == GC::Verdict::refuted ||
+           edge_.inside_out || (asked == 1 && result.shape == Cad_shape::corner);
+  }
+
+  // Adds the ranges that belong to poles: at the ends of the edge, where nothing is known, and where the largest values are. None
+  // where half of the edge would be left out: it is a point itself. Whether there are any.
+  bool add_poles(const GC::Edge_enclosure& e, Ranges& poles) const {
+    std::vector<double> places{edge_.begin, edge_.end};
+    for (const std::optional<GC::Edge_maximum>& x : {e.angle, e.curvature_jump})
+      if (x) places.insert(places.end(), {x->upper_at, x->parameter});
+    for (const Ranges* ranges : {&e.unresolved, &e.curvature_unresolved})
+      for (std::size_t i = 0; i < ranges->size() && i < most_poles; ++i)
+        places.push_back((*ranges)[i].first / 2 + (*ranges)[i].second / 2);
+    bool is_new = false;
+    double left_out = 0;
+    for (const auto& [from, to] : poles) left_out += to - from;
+    for (double t : places) {
+      if (std::any_of(poles.begin(), poles.end(), [t](const auto& r) { return r.first <= t && t <= r.second; }))
+        continue;
+      const auto range = GC::range_at_pole(sides_[0], sides_[1], edge_.begin, edge_.end, t, demand_.bounds.gap);
+      if (!range) continue;
+      poles.push_back(*range);
+      is_new = true;
+      left_out += range->second - range->first;
+      if (left_out < (edge_.end - edge_.begin) / 2) continue;
+      poles.clear();
+      return false;
+    }
+    std::sort(poles.begin(), poles.end());
+    return is_new;
+  }
+
+  // The enclosure of the rest of the edge, but for that of the gap, which is that of all of it.
+  GC::Edge_enclosure rest(const GC::Edge_enclosure& whole, const Cad_verdict& result) {
+    parts_.clear();
+    double begin = edge_.begin;
+    for (const auto& [from, to] : result.poles) {
+      if (begin < from) parts_.emplace_back(begin, from);
+      begin = (std::max)(begin, to);
+    }
+    if (begin < edge_.end) parts_.emplace_back(begin, edge_.end);
+    GC::Edge_enclosure rest{};
+    rest.gap = whole.gap;
+    rest.exhausted = result.within[0] == GC::Verdict::undecided && whole.exhausted;
+    rest.boxes = whole.boxes;
+    const auto include = [](const std::optional<GC::Edge_maximum>& of_part, std::optional<GC::Edge_maximum>& x) {
+      if (!x || !of_part) {
+        if (of_part) x = of_part;
+        return;
+      }
+      const GC::Edge_maximum other = *x;
+      if (other.value.lower < of_part->value.lower) x = of_part;
+      x->value.upper = (std::max)(other.value.upper, of_part->value.upper);
+      x->upper_at = other.value.upper < of_part->value.upper ? of_part->upper_at : other.upper_at;
+    };
+    const auto append = [](const Ranges& of_part, Ranges& x) { x.insert(x.end(), of_part.begin(), of_part.end()); };
+    for (const auto& [from, to] : parts_) {
+      const GC::Edge_enclosure e = GC::edge_enclosure(sides_[0], sides_[1], from, to, precision_);
+      include(e.angle, rest.angle);
+      include(e.curvature_jump, rest.curvature_jump);
+      append(e.singular, rest.singular);
+      append(e.unresolved, rest.unresolved);
+      append(e.curvature_undefined, rest.curvature_undefined);
+      append(e.curvature_unresolved, rest.curvature_unresolved);
+      rest.exhausted = rest.exhausted || e.exhausted;
+      rest.boxes += e.boxes;
+    }
+    return rest;
   }
 
 public:
@@ -148,39 +251,32 @@ public:
       if (which[i]) sides_[i] = GC::projected_side(sides_[i], *edge_.space, edge_.begin, edge_.end, pieces);
   }
 
-  Cad_verdict decide() const {
+  Cad_verdict decide() {
     Cad_verdict result;
     if (edge_.kind == Cad_edge_kind::degenerate) {
       result.within[0] = GC::Verdict::proved;
       compare_curve(result);
       return result;
     }
+    parts_ = {{edge_.begin, edge_.end}};
     result.enclosure = GC::edge_enclosure(sides_[0], sides_[1], edge_.begin, edge_.end, precision_);
     const GC::Edge_enclosure& e = *result.enclosure;
-    result.is_exhausted = e.exhausted;
     result.within[0] = GC::at_most(e.gap.value, demand_.bounds.gap);
     doubt(result, 0, e.gap, demand_.bounds.gap, &GC::Foot_comparison::gap);
     if (edge_.space) compare_curve(result);
-    result.within[1] = within(e.angle, demand_.bounds.tangent_angle, e.unresolved);
-    if (e.angle) doubt(result, 1, *e.angle, demand_.bounds.tangent_angle, &GC::Foot_comparison::angle);
-    result.within[2] = within(e.curvature_jump, demand_.bounds.curvature_jump, e.curvature_unresolved);
-    if (e.curvature_jump)
-      doubt(result, 2, *e.curvature_jump, demand_.bounds.curvature_jump, &GC::Foot_comparison::curvature_jump);
     if (edge_.kind != Cad_edge_kind::knot_line && !has_projections() && !result.in_doubt &&
-        result.within[0] != GC::Verdict::refuted) {
+        result.within[0] != GC::Verdict::refuted)
       if (const auto exact = GC::edge_continuity(sides_[0], sides_[1], edge_.begin, edge_.end))
         result.exact = exact->g_order;
-      for (int i = 0; i <= result.exact.value_or(-1); ++i)
-        result.within[static_cast<std::size_t>(i)] = GC::Verdict::proved;
+    const GC::Edge_enclosure whole = e;
+    Cad_verdict decided = result;
+    decide_normals(decided);
+    while (!is_settled(decided) && result.poles.size() < most_poles && add_poles(*decided.enclosure, result.poles)) {
+      result.enclosure = rest(whole, result);
+      decided = result;
+      decide_normals(decided);
     }
-    result.within[1] = result.within[0] && result.within[1];
-    result.within[2] = result.within[1] && result.within[2];
-    if (edge_.inside_out) {
-      result.within[1] = result.within[2] = GC::Verdict::refuted;
-      if (result.exact) result.exact = (std::min)(*result.exact, 0);
-    }
-    decide_shape(result);
-    return result;
+    return decided;
   }
 };
 
@@ -220,8 +316,8 @@ Cad_verdict cad_verdict(const Cad_edge& edge, const Cad_demand& demand) {
     result = decision.decide();
     const bool is_far =
         result.deviation && GC::at_most(result.deviation->value, demand.bounds.gap) != GC::Verdict::proved;
-    // What is wrong with a projection is measured with a better one.
-    const bool is_wrong = edge.projected && result.within[1] == GC::Verdict::refuted;
+    // What is wrong or undecided with a projection is measured with a better one.
+    const bool is_wrong = edge.projected && result.within[1] != GC::Verdict::proved;
     for (int pieces : {32, 256}) {
       if (!edge.space || !(result.in_doubt || (is_wrong && !result.computed))) break;
       const bool was_computed = result.computed;

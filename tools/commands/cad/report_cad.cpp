@@ -87,6 +87,8 @@ Report_item item_of(std::size_t number, const Cad_edge& edge, const Cad_verdict&
   if (e.angle) item.angle = readable(GC::in_degrees(e.angle->value));
   if (e.curvature_jump) item.curvature_jump = readable(GC::in_percent(e.curvature_jump->value));
   if (!e.singular.empty()) item.verdict += ", a normal vanishes near the parameter " + rounded(e.singular[0].first, 6);
+  if (!verdict.poles.empty())
+    item.verdict += ", what belongs to a pole is left out near the parameter " + rounded(verdict.poles[0].first, 6);
   const GC::Edge_maximum& worst = ::worst(e, item.grade);
   for (const double x : worst.point) item.point.push_back(rounded(std::abs(x) < 1e-9 ? 0 : x, 6));
   item.parameter = rounded(worst.parameter, 6);

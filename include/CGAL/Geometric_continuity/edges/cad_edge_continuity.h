@@ -11,6 +11,7 @@
 #include <CGAL/Geometric_continuity/edges/internal/Cad_surface_jet.h>
 #include <CGAL/Geometric_continuity/edges/internal/Edge_bounds.h>
 #include <CGAL/Geometric_continuity/edges/internal/Foot_finder.h>
+#include <CGAL/Geometric_continuity/edges/internal/Surface_pole.h>
 #include <CGAL/Geometric_continuity/edges/internal/exact_analytic_edge.h>
 #include <CGAL/Geometric_continuity/edges/internal/exact_spline_edge.h>
 #include <CGAL/Geometric_continuity/numbers/Enclosure.h>
@@ -87,6 +88,8 @@ struct Edge_maximum {
   Enclosure value;    ///< of the largest value
   double parameter;   ///< where the function is at least `value.lower`
   Cad_point<3> point; ///< the point of the first side there, rounded
+  /// In the middle of the part of the edge that has the largest upper bound.
+  double upper_at = parameter;
 };
 
 /// \ingroup PkgGeometricContinuityCadEdges
@@ -179,7 +182,7 @@ inline Edge_enclosure edge_enclosure(const Edge_side& a, const Edge_side& b, dou
     return l;
   };
   const auto maximum = [&](const Largest_on_ranges& l, const Enclosure& value) {
-    return Edge_maximum{value, l.parameter, bounds.point(l.parameter)};
+    return Edge_maximum{value, l.parameter, bounds.point(l.parameter), l.upper_at};
   };
 
   const Largest_on_ranges gap = largest(Edge_quantity::gap, precision.gap, [](double x) { return std::sqrt(x); });
@@ -293,7 +296,65 @@ inline Edge_maximum curve_deviation(const Edge_side& side, const Edge_curve& cur
   return {{distance.defined ? root_below(distance.lower) : 0,
            bounded ? root_above(distance.upper) : (std::numeric_limits<double>::infinity)()},
           distance.parameter,
-          {middle(point[0]), middle(point[1]), middle(point[2])}};
+          {middle(point[0]), middle(point[1]), middle(point[2])},
+          distance.upper_at};
+}
+
+/// \ingroup PkgGeometricContinuityCadEdges
+/// Returns the range of parameters around `t` that belongs to a pole of one of the faces: on all of it both sides are proved to lie within
+/// the distance `bound` of one point, and a whole parameter line of a surface does, too. Such points are what an arc that reaches the axis
+/// is rotated to, the poles of spheres, the apices of cones, and sides of spline surfaces that are points: there is no normal, or what is
+/// computed of it depends on rounding.
+///
+/// The parameter line of a surface that is rotated is within a sixteenth of the distance; that of a spline surface is a point up to rounding, because its
+/// normal may turn along a side that only nearly is one. The range reaches as far as that is proved, up to a per cent or so, but not
+/// farther than a quarter of `[first, last]` on each side of `t`. Returns nothing where there is no pole.
+/// \throws Error as `edge_enclosure()`
+inline std::optional<std::pair<double, double>> range_at_pole(const Edge_side& a, const Edge_side& b, double first,
+                                                              double last, double t, const Bound& bound) {
+  using namespace internal;
+  check_range(first, last, "range_at_pole: the range");
+  check_range(first, t, "range_at_pole: the parameter");
+  check_range(t, last, "range_at_pole: the parameter");
+  Edge_precision precision;
+  precision.gap = bound.lower() / 16;
+  precision.boxes = 64;
+  std::vector<Cad_point<3>> poles;
+  {
+    const Protect_FPU_rounding<true> rounding_upwards;
+    for (const Edge_side* side : {&a, &b}) {
+      const Placed_side placed(*side);
+      const std::vector<Cad_point<3>> of_side = Surface_pole(placed).next_to(t, bound.lower() / 16);
+      poles.insert(poles.end(), of_side.begin(), of_side.end());
+    }
+  }
+  for (const Cad_point<3>& pole : poles) {
+    const Edge_curve point{std::make_shared<const Cad_curve<3>>(Cad_line<3>{pole, {0, 0, 0}}),
+                           {{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}}}};
+    const auto belongs = [&](double from, double to) {
+      return at_most(curve_deviation(a, point, from, to, precision).value, bound) == Verdict::proved &&
+             at_most(curve_deviation(b, point, from, to, precision).value, bound) == Verdict::proved;
+    };
+    if (!belongs(t, t)) continue;
+    // The largest number from 0 to a quarter of the length that is proved.
+    const auto reach = [&](double end, const auto& is_proved) {
+      double outside = (std::min)(end, (last - first) / 4), inside = 0;
+      if (is_proved(outside)) return outside;
+      for (int halvings = 0; halvings < 50 && inside == 0; ++halvings)
+        (is_proved(outside / 2) ? inside : outside) = outside / 2;
+      for (int halvings = 0; halvings < 6 && inside > 0; ++halvings) {
+        const double middle = inside / 2 + outside / 2;
+        (is_proved(middle) ? inside : outside) = middle;
+      }
+      return inside;
+    };
+    const auto before = [&](double d) { return d < t - first ? t - d : first; };
+    const auto behind = [&](double d) { return d < last - t ? t + d : last; };
+    const double from = before(reach(t - first, [&](double d) { return belongs(before(d), t); })),
+                 to = behind(reach(last - t, [&](double d) { return belongs(t, behind(d)); }));
+    if (from < to) return std::pair(from, to);
+  }
+  return std::nullopt;
 }
 
 /// \ingroup PkgGeometricContinuityCadEdges
@@ -319,7 +380,11 @@ inline Edge_side projected_side(const Edge_side& side, const Edge_curve& curve, 
   ends.push_back(last);
   Cad_spline_curve<2> result{3, {}, {}, {}};
   std::vector<Foot_finder::Foot> feet;
-  for (double x : ends) feet.push_back(finder.near_curve(x));
+  const double step = (last - first) * 0x1p-8;
+  for (double x : ends)
+    feet.push_back(x == first  ? finder.near_end(first, step)
+                   : x == last ? finder.near_end(last, -step)
+                               : finder.near_curve(x));
   const auto point = [](const Foot_finder::Foot& f, double factor) {
     return Cad_point<2>{f.point[0] + factor * f.derivative[0], f.point[1] + factor * f.derivative[1]};
   };

@@ -64,7 +64,7 @@ public:
       const std::array<double, 2> d = solved(e, middle(e.f[0]), middle(e.f[1]));
       double change = 0;
       for (std::size_t i = 0; i < 2; ++i) {
-        const double x = (std::min)((std::max)(foot.point[i] - d[i], domain_[i].first), domain_[i].last);
+        const double x = in_domain(i, foot.point[i] - d[i]);
         if (!std::isfinite(x)) return foot;
         change = (std::max)(change, std::fabs(x - foot.point[i]) / (1 + std::fabs(x)));
         foot.point[i] = x;
@@ -75,6 +75,30 @@ public:
     foot.derivative = solved(e, middle(dot_form(e.u, tangent)), middle(dot_form(e.v, tangent)));
     for (double& x : foot.derivative)
       if (!std::isfinite(x)) x = 0;
+    return foot;
+  }
+
+  // The foot point at an end t of a range of the curve. Where a parameter of the surface does not matter, as the longitude at a pole, it is
+  // the one to which those of the foot points at t + step and t + 2 step lead, by the cubic through both, and the curve leaves along the
+  // line on which the other one varies.
+  Foot near_end(double t, double step) const {
+    Foot foot = near_curve(t);
+    const auto [point, tangent] = curve_.jet(t);
+    const Equations e = equations({Interval(foot.point[0]), Interval(foot.point[1])}, point);
+    const std::array<double, 2> size{extent(0) * std::sqrt(middle(dot_form(e.u, e.u))),
+                                     extent(1) * std::sqrt(middle(dot_form(e.v, e.v)))};
+    for (std::size_t i = 0; i < 2; ++i) {
+      if (!(0 < size[1 - i] && size[i] <= 1e-6 * size[1 - i])) continue;
+      const Foot x = near_curve(t + step), y = near_curve(t + 2 * step);
+      if (!(std::fabs(x.point[i] - y.point[i]) <= 0.125 * extent(i))) continue;
+      foot.point[i] =
+          in_domain(i, 5 * y.point[i] - 4 * x.point[i] - step * (4 * x.derivative[i] + 2 * y.derivative[i]));
+      foot.derivative[i] = 12 * (x.point[i] - y.point[i]) / step + 8 * x.derivative[i] + 5 * y.derivative[i];
+      const Equations there = equations({Interval(foot.point[0]), Interval(foot.point[1])}, point);
+      const Interval_vector<3>& other = i == 0 ? there.v : there.u;
+      const double square = middle(dot_form(other, other));
+      foot.derivative[1 - i] = middle(dot_form(other, tangent)) / square;
+    }
     return foot;
   }
 
@@ -112,6 +136,15 @@ private:
   std::optional<Box> own_box(double t) const {
     const Interval_vector<2> c = on_curve(t);
     return Box{c[0], c[1]};
+  }
+
+  double in_domain(std::size_t i, double x) const {
+    return (std::min)((std::max)(x, domain_[i].first), domain_[i].last);
+  }
+  // How far a parameter reaches, 1 where there is no end.
+  double extent(std::size_t i) const {
+    const double length = domain_[i].last - domain_[i].first;
+    return std::isfinite(length) ? length : 1;
   }
 
   std::array<std::vector<int>, 2> spans(const Box& x) const {

@@ -69,6 +69,7 @@ class Largest_on_ranges {
 
 public:
   double lower = 0, upper = 0, parameter;
+  double upper_at;      // in the middle of the part with the largest bound
   bool defined = false; // somewhere
   int evaluated = 0;
   bool exhausted = false;                            // more ranges were needed than may be evaluated
@@ -81,7 +82,7 @@ public:
   template <class Evaluate, class Is_undefined>
   Largest_on_ranges(const std::vector<double>& ends, const Largest_options& options, const Evaluate& evaluate,
                     const Is_undefined& is_undefined)
-      : parameter(ends.front()) {
+      : parameter(ends.front()), upper_at(ends.front()) {
     const double length = ends.back() - ends.front();
     const int ranges = static_cast<int>(
         (std::min)(double(options.most_ranges), double(options.ranges) + 8 * static_cast<double>(ends.size())));
@@ -136,7 +137,7 @@ public:
         return After_part::drop;
       }
       if (!part.is_divisible() || part.idle >= 6) {
-        settled_ = (std::max)(settled_, part.bound);
+        raise(settled_, part);
         return After_part::drop;
       }
       undefined_halvings += !part.defined;
@@ -149,7 +150,7 @@ public:
     upper = settled_;
     for (const Part& part : parts_)
       if (part.defined)
-        upper = (std::max)(upper, part.bound);
+        raise(upper, part);
       else
         undefined.emplace_back(part.lower, part.upper);
     upper = (std::max)(upper, lower);
@@ -158,6 +159,12 @@ public:
   }
 
 private:
+  void raise(double& bound, const Part& part) {
+    if (!(bound < part.bound)) return;
+    bound = part.bound;
+    upper_at = part.middle();
+  }
+
   // Ranges are points when they are as short as these, and hold a point where it is proved that the function is not defined.
   void divide_undefined(const std::vector<double>& points, double longest) {
     std::vector<std::pair<double, double>> all;

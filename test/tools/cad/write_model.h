@@ -1,0 +1,56 @@
+// Copyright (c) 2026 The Geometric_continuity developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef GEOMETRIC_CONTINUITY_TEST_TOOLS_CAD_WRITE_MODEL_H
+#define GEOMETRIC_CONTINUITY_TEST_TOOLS_CAD_WRITE_MODEL_H
+
+#include <BRepBuilderAPI_MakeFace.hxx>
+#include <BRepTools.hxx>
+#include <Geom_Surface.hxx>
+#include <IGESControl_Writer.hxx>
+#include <STEPControl_Writer.hxx>
+#include <TopLoc_Location.hxx>
+#include <TopoDS_Shape.hxx>
+#include <gp_Ax1.hxx>
+#include <gp_Trsf.hxx>
+
+#include <cstdlib>
+#include <iostream>
+#include <string>
+
+// What programs that write CAD models with OpenCASCADE have in common.
+
+inline void require(bool condition, const std::string& what) {
+  if (condition) return;
+  std::cerr << "no model: " << what << '\n';
+  std::exit(1);
+}
+
+// Writes a shape in the format that the extension tells.
+inline void write(const TopoDS_Shape& shape, const std::string& file) {
+  if (file.find(".brep") != std::string::npos)
+    require(BRepTools::Write(shape, file.c_str()), file);
+  else if (file.find(".step") != std::string::npos) {
+    STEPControl_Writer writer;
+    require(writer.Transfer(shape, STEPControl_AsIs) == IFSelect_RetDone &&
+                writer.Write(file.c_str()) == IFSelect_RetDone,
+            file);
+  } else {
+    IGESControl_Writer writer("MM", 1); // with the faces of solids connected
+    require(writer.AddShape(shape) && writer.Write(file.c_str()), file);
+  }
+}
+
+inline TopoDS_Shape face(const Handle(Geom_Surface) & surface) {
+  return BRepBuilderAPI_MakeFace(surface, 1e-7).Shape();
+}
+
+inline TopoDS_Shape moved(const TopoDS_Shape& shape) {
+  gp_Trsf rotation, translation;
+  rotation.SetRotation(gp_Ax1(gp_Pnt(1, 2, 3), gp_Dir(1, 1, 3)), 0.7);
+  translation.SetTranslation(gp_Vec(100, -20, 3));
+  return shape.Moved(TopLoc_Location(translation * rotation));
+}
+
+#endif // GEOMETRIC_CONTINUITY_TEST_TOOLS_CAD_WRITE_MODEL_H
