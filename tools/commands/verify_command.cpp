@@ -179,6 +179,8 @@ Font_demand font_demand(const Command_line& line, const std::optional<Requiremen
   Font_demand demand;
   if (line.has("glyphs")) demand.glyphs = Glyph_selection(line.text("glyphs"));
   demand.worst = static_cast<std::size_t>(line.integer("worst", 0, 1000000));
+  demand.is_worst_given = line.has("worst");
+  if (demand.is_worst_given) line.refuse({"baseline"}, "not with --worst, which leaves findings out");
   demand.rule.corner = kink_rule(line).bound;
   demand.rule.rounding = rounding_bound(line);
   if (line.has("off-by")) demand.off_by = line.text("off-by");
