@@ -37,9 +37,9 @@ run 1 verify x.svg --require G1 --baseline base.sarif --json
 says out '"rule":"kink","level":"error","file":"x.svg","line":3' '"not_met":1,"known":1' '"met":false'
 run 1 verify x.svg --require G1 --baseline base.sarif --format sarif
 holds [ "$(grep -c '"baselineState":"new"' out)" -eq 1 ]
-says out 'ruleFilePlace/v1'
+says out 'filePlace/v2' 'fileDefect/v2'
 mv out more.sarif
-fingerprint=$(grep -o 'ruleFilePlace/v1":"[^"]*' more.sarif)
+fingerprint=$(grep -o 'filePlace/v2":"[^"]*' more.sarif)
 run 1 verify x.svg --require G1 --format sarif && says out "$fingerprint"
 run 1 verify x.svg --require G1 --baseline base.sarif --format junit && says out 'failures="1"'
 

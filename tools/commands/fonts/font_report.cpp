@@ -42,16 +42,25 @@ std::string message(const Shown_join& join, const Join_numbers& numbers) {
          rounded(numbers.per_mille, 3) + " per mille of the em" + more;
 }
 
-// Both segments in units of the font, from the node on, wherever that is.
+// What makes the defect, in units of the font from the node on, wherever that is: of a kink both handles, of a jump of the curvature both
+// segments.
 std::string shape(const Shown_join& join) {
+  const double steps = static_cast<double>(join.steps);
   std::string text;
-  for (const Glyph_segment* segment : {&join.left, &join.right})
-    for (std::size_t i = 0; i <= static_cast<std::size_t>(segment->degree); ++i) {
-      const Glyph_leg leg = segment->points[i] - join.right.start();
-      const double steps = static_cast<double>(join.steps);
-      text += (i == 0 ? ";" : " ") + rounded(static_cast<double>(leg.x) / steps, 17) + ',' +
-              rounded(static_cast<double>(leg.y) / steps, 17);
-    }
+  const auto add = [&](const Glyph_leg& leg) {
+    text +=
+        ' ' + rounded(static_cast<double>(leg.x) / steps, 17) + ',' + rounded(static_cast<double>(leg.y) / steps, 17);
+  };
+  if (join.grade != Glyph_grade::g1) {
+    add(Glyph_segment_end::end(join.left).handle());
+    add(Glyph_segment_end::start(join.right).handle());
+    return text;
+  }
+  for (const Glyph_segment* segment : {&join.left, &join.right}) {
+    text += ';';
+    for (std::size_t i = 0; i <= static_cast<std::size_t>(segment->degree); ++i)
+      add(segment->points[i] - join.right.start());
+  }
   return text;
 }
 
