@@ -142,7 +142,7 @@ private:
     f.properties = properties.str();
     f.object = "join";
     f.spot = std::to_string(place.in_file);
-    f.shape = shape(left, right);
+    f.shape = shape(f.rule, left, right);
     f.measure = measure(f.rule, deviation);
     return f;
   }
@@ -168,13 +168,14 @@ private:
     return std::nullopt;
   }
 
-  // The derivatives on both sides, and how the ends lie to each other: not where they are.
-  static std::string shape(const Span& left, const Span& right) {
+  // What makes the defect: how the ends lie to each other, not where they are, and the first derivatives on both sides, or the first three.
+  static std::string shape(Finding_rule rule, const Span& left, const Span& right) {
+    const bool is_of_tangents = rule == Finding_rule::gap || rule == Finding_rule::corner || rule == Finding_rule::kink;
     const auto x = left.jets().template end_jet_over<Exact>(3), y = right.jets().template start_jet_over<Exact>(3);
     std::ostringstream os;
     for (int c = 0; c < x.dimension(); ++c) {
       os << Exact(y[0][c] - x[0][c]);
-      for (int j = 1; j <= 3; ++j) os << ' ' << x[j][c] << ' ' << y[j][c];
+      for (int j = 1; j <= (is_of_tangents ? 1 : 3); ++j) os << ' ' << x[j][c] << ' ' << y[j][c];
       os << ';';
     }
     return os.str();

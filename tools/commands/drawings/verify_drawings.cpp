@@ -261,7 +261,7 @@ private:
       f.properties = members();
       f.object = element.path();
       append(f.spot, place.number, ' ', left.command, ' ', right.command);
-      f.shape = shape(left, right);
+      f.shape = shape(f.rule, left, right);
       f.measure = measure(f.rule, left, right);
       return f;
     });
@@ -329,18 +329,25 @@ private:
     return *decision->curvature_vector_equal ? Finding_rule::derivative : Finding_rule::curvature;
   }
 
-  // Both segments, as they are drawn from the join on, wherever that is.
-  static std::string shape(const Segment& left, const Segment& right) {
+  // What makes the defect, from the join on, wherever that is: both segments, of curves with a kink or a corner their handles.
+  static std::string shape(Finding_rule rule, const Segment& left, const Segment& right) {
+    const bool is_of_tangents = rule == Finding_rule::kink || rule == Finding_rule::corner;
     std::ostringstream os;
     const Drawing_traits::Point origin = right.start();
     const auto write = [&](const Drawing_traits::Point& p) {
       os << ' ' << Exact(p.x() - origin.x()) << ',' << Exact(p.y() - origin.y());
     };
     for (const Segment* segment : {&left, &right}) {
-      os << (segment->bezier() ? "curve" : segment->is_known() ? "arc" : "rotated arc");
-      if (segment->bezier())
-        for (int i = 0; i <= segment->bezier()->degree(); ++i) write(segment->bezier()->control_point(i));
-      else {
+      if (segment->bezier()) {
+        const auto& curve = *segment->bezier();
+        const bool is_end = segment == &left;
+        for (int i = 1; i <= curve.degree(); ++i) {
+          const auto& point = curve.control_point(is_end ? curve.degree() - i : i);
+          write(point);
+          if (is_of_tangents && point != origin) break;
+        }
+      } else {
+        os << " arc";
         write(segment->start());
         write(segment->end());
         if (segment->is_known()) os << ' ' << segment->radicand();
