@@ -95,7 +95,7 @@ ask 3 --require G1 --memory-limit 5000
 printf '%s' "$smooth" >changing.svg
 ask 3 --require G1 && says again.jsonl '{"file":"changing.svg","exit_code":0'
 run 2 merge again.jsonl && says out '4 files: 2 with exit code 0, 1 with 1, 1 without an answer' 'asked: --require=G1, version ' # the later record
-run 2 merge asked.jsonl again.jsonl && says err 'another record of the file "changing.svg": the file has changed, its sha256 is ' '(asked.jsonl:3) and '
+run 2 merge asked.jsonl again.jsonl && says err 'another record of the file "changing.svg": the file has changed, its sha256 is ' ' (asked.jsonl:' ' and "'
 cp "smooth 1.svg" missing.g2 && ask 2 --require G1 && rm missing.g2
 printf '%s' "$kink" >changing.svg
 sed -i 's/"version":"[^"]*"/"version":"0.1"/' asked.jsonl && ask 0 --require G1 && run 2 merge again.jsonl && says out '4 files'

@@ -118,14 +118,16 @@ edge or curve, instead of 4000000000.
 
 --baseline FILE, a report that --format sarif has written, leaves out what it
 has already: only what is new is reported, and only that can make the exit code
-1. So a check can begin with files that are not as they should be.
+1. So a check can begin with files that are not as they should be. What has
+moved, or is better, is known; what is worse is new.
 
 --jsonl LIST verifies each of the files that a text names, a line each, in a
 process of its own, on all cores, and adds one record for each to --output as it
 ends: a JSON object on a line, with the report of --json, or with the error of a
-file that is bad, crashes or reaches --time-limit or --memory-limit. Files that
-have a record there are passed over, so that an interrupted run goes on. merge
-adds records up.
+file that is bad, crashes or reaches --time-limit or --memory-limit. Files whose
+record there answers the same options, by the same version, and is of what the
+file holds now (size and SHA-256), are passed over, so that an interrupted run
+goes on; all others are asked again. merge adds records up.
 
 --certificate OUT writes, for chains, drawings and --surfaces, the numbers from
 which check_certificate OUT proves each verdict again.
