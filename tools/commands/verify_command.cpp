@@ -243,7 +243,8 @@ void describe_verify(po::options_description_easy_init add) {
       "for fonts: up to so many units a handle may be off because of rounding, which meets each requirement; 1 "
       "if not given");
   add("glyphs", po::value<std::string>(), "for fonts: the glyphs to verify, e.g. a-z,U+00E9,ampersand");
-  add("worst", po::value<int>()->default_value(10), "for fonts: how many joins to show of each, in JSON of each glyph");
+  add("worst", po::value<int>()->default_value(10),
+      "for fonts: how many joins to show of each, in JSON of each glyph; SARIF and JUnit have all if it is not given");
   add("allow-undecided", "what is undecided does not count as not met");
   add("allow-uncovered", "what is not covered does not count as not met");
   add("allow-empty", "accept that there is no join");

@@ -34,32 +34,32 @@ inline std::string path_in_folder(const std::string& file) {
 
 // Makes the fingerprints of the findings of a report, each of its own.
 class Fingerprint_maker {
-  std::unordered_map<std::string, std::size_t> times_; // how often each hash has been
-  std::string file_, path_;                            // of the last finding
+  std::unordered_map<std::uint64_t, std::size_t> places_, defects_; // how often each hash has been
+  std::string file_, path_;                                         // of the last finding
 
-  static std::string hash(std::initializer_list<const std::string*> texts) {
+  static std::uint64_t hash(std::initializer_list<const std::string*> texts) {
     std::uint64_t hash = 14695981039346656037u; // FNV-1a
     const auto add = [&hash](char c) { hash = (hash ^ static_cast<unsigned char>(c)) * 1099511628211u; };
     for (const std::string* const text : texts) {
       for (const char c : *text) add(c);
       add('\n');
     }
+    return hash;
+  }
+
+  static std::string numbered(std::uint64_t hash, std::unordered_map<std::uint64_t, std::size_t>& times) {
     constexpr char hex[] = "0123456789abcdef";
     std::string digits;
     for (int shift = 60; shift >= 0; shift -= 4) digits += hex[hash >> shift & 15];
-    return digits;
-  }
-
-  std::string numbered(const char* name, const std::string& hash) {
-    return hash + ':' + std::to_string(++times_[name + hash]);
+    return digits + ':' + std::to_string(++times[hash]);
   }
 
 public:
   Fingerprints operator()(const Finding& f) {
     if (path_.empty() || file_ != f.file) path_ = path_in_folder(file_ = f.file);
     const std::string &object = f.object.empty() ? f.place : f.object, &shape = f.shape.empty() ? object : f.shape;
-    return {numbered(place_fingerprint, hash({&path_, &f.kind, &object, &f.spot})),
-            numbered(defect_fingerprint, hash({&path_, &f.kind, &shape, f.shape.empty() ? &f.spot : &shape}))};
+    return {numbered(hash({&path_, &f.kind, &object, &f.spot}), places_),
+            numbered(hash({&path_, &f.kind, &shape, f.shape.empty() ? &f.spot : &shape}), defects_)};
   }
 };
 
