@@ -121,11 +121,16 @@ public:
   // The member of an object, of a key without escapes.
   std::optional<Json_view> member(std::string_view key) const {
     std::optional<Json_view> found;
-    for_each('{', [&](std::string_view k, const Json_view& value) {
-      if (k.substr(1, k.size() - 2) == key) found = value;
+    for_members([&](std::string_view k, const Json_view& value) {
+      if (k == key) found = value;
       return !found;
     });
     return found;
+  }
+
+  // Calls f(key, value) for the members of an object, with the keys as they are written, until it returns false.
+  template <class Function> void for_members(Function f) const {
+    for_each('{', [&](std::string_view k, const Json_view& value) { return f(k.substr(1, k.size() - 2), value); });
   }
 
   // Calls f for each element of an array; not at all for anything else.

@@ -19,6 +19,7 @@
 #include <cstdint>
 #include <iostream>
 #include <istream>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -87,9 +88,9 @@ struct File_record {
   std::string name; // the bytes of the name of the file
   int exit_code;
   Claim_counts claims = {};
-  std::optional<File_question> question = {}; // records of old versions have none
-  File_limits limits = {};                    // of what has no answer
-  std::string size = {}, sha256 = {};         // of the file, as they are written
+  std::shared_ptr<const File_question> question = {}; // records of old versions have none
+  File_limits limits = {};                            // of what has no answer
+  std::string size = {}, sha256 = {};                 // of the file, as they are written
 
   // The members that name a file: its name, and its bytes where it is no UTF-8, so that not all of them can be written.
   static std::string json_name(const std::string& name) {
@@ -110,31 +111,45 @@ struct File_record {
 
   // Reads a line. Returns nothing for what is no record.
   static std::optional<File_record> of(const std::string& line) {
-    if (!is_utf8(line) || std::any_of(line.begin(), line.end(), [](char c) { return '\0' <= c && c < ' '; }))
+    const auto is_plain = [](char c) { return ' ' <= c; }; // of ASCII
+    if (!std::all_of(line.begin(), line.end(), is_plain) &&
+        (!is_utf8(line) || std::any_of(line.begin(), line.end(), [](char c) { return '\0' <= c && c < ' '; })))
       return std::nullopt; // which is not written
     try {
-      const Json_view object = Json_view::of(line);
-      const std::optional<Json_view> file = object.member("file"), code = object.member("exit_code");
-      if (!file || !file->decoded() || !code || !code->count() || *code->count() > 2) return std::nullopt;
-      File_record record{*file->decoded(), static_cast<int>(*code->count())};
-      if (const std::optional<Json_view> bytes = object.member("name_bytes")) {
-        const std::optional<std::string> name = bytes_of(bytes->string().value_or(""));
-        if (!name) return std::nullopt;
-        record.name = *name;
-      }
-      if (const std::optional<Json_view> claims = object.member("claims")) record.claims = Claim_counts::of(*claims);
-      const std::optional<Json_view> asked = object.member("asked"), version = object.member("version");
-      if (asked && version) {
-        record.question = File_question{{}, version->decoded().value_or("")};
-        asked->for_elements(
-            [&](const Json_view& option) { record.question->options.push_back(option.decoded().value_or("")); });
-      }
-      if (const std::optional<Json_view> limits = object.member("limits")) {
-        const std::optional<Json_view> seconds = limits->member("seconds"), mebibytes = limits->member("mebibytes");
-        if (seconds && mebibytes) record.limits = {seconds->number().value_or(0), mebibytes->number().value_or(0)};
-      }
-      if (const std::optional<Json_view> size = object.member("size")) record.size = size->text();
-      if (const std::optional<Json_view> hash = object.member("sha256")) record.sha256 = hash->text();
+      File_record record{{}, -1};
+      File_question question;
+      bool has_name = false, is_asked = false, has_version = false;
+      Json_view::of(line).for_members([&](std::string_view key, const Json_view& value) {
+        const std::optional<std::string> text = value.decoded();
+        if (key == "file" && text && !has_name) {
+          record.name = *text;
+          has_name = true;
+        } else if (key == "name_bytes") {
+          const std::optional<std::string> name = bytes_of(text.value_or(""));
+          has_name = name.has_value();
+          record.name = name.value_or("");
+        } else if (key == "exit_code" && value.count() && *value.count() <= 2)
+          record.exit_code = static_cast<int>(*value.count());
+        else if (key == "claims")
+          record.claims = Claim_counts::of(value);
+        else if (key == "asked") {
+          is_asked = true;
+          value.for_elements(
+              [&](const Json_view& option) { question.options.push_back(option.decoded().value_or("")); });
+        } else if (key == "version") {
+          has_version = true;
+          question.version = text.value_or("");
+        } else if (key == "limits") {
+          const std::optional<Json_view> seconds = value.member("seconds"), mebibytes = value.member("mebibytes");
+          if (seconds && mebibytes) record.limits = {seconds->number().value_or(0), mebibytes->number().value_or(0)};
+        } else if (key == "size")
+          record.size = value.text();
+        else if (key == "sha256")
+          record.sha256 = value.text();
+        return key != "report"; // which is the last one
+      });
+      if (!has_name || record.exit_code < 0) return std::nullopt;
+      if (is_asked && has_version) record.question = std::make_shared<const File_question>(std::move(question));
       return record;
     } catch (const CGAL::Geometric_continuity::Error&) {
       return std::nullopt;
@@ -174,6 +189,7 @@ struct Read_records {
 // lines, from 1 on.
 template <class Function, class Corrupt> Read_records for_each_record(std::istream& is, Function f, Corrupt corrupt) {
   Read_records read;
+  std::shared_ptr<const File_question> question; // most records have the same one
   std::size_t number = 0;
   for (std::string line; std::getline(is, line);) {
     if (is.eof()) {
@@ -182,8 +198,12 @@ template <class Function, class Corrupt> Read_records for_each_record(std::istre
     }
     ++number;
     read.size += line.size() + 1;
-    if (const std::optional<File_record> record = File_record::of(line)) {
+    if (std::optional<File_record> record = File_record::of(line)) {
       ++read.records;
+      if (question && record->question && *question == *record->question)
+        record->question = question;
+      else
+        question = record->question;
       f(*record, line, number);
     } else {
       ++read.corrupt;

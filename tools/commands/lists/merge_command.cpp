@@ -12,7 +12,7 @@
 #include <algorithm>
 #include <functional>
 #include <iostream>
-#include <optional>
+#include <memory>
 #include <string>
 #include <unordered_map>
 #include <utility>
@@ -46,10 +46,15 @@ void describe_merge(po::options_description_easy_init add) { add("json", "print 
 struct Placed_record {
   File_record record;
   std::size_t hash; // of its line
-  std::string place;
+  const std::string* file;
+  std::size_t line;
+
+  std::string place() const { return input_name(*file) + ':' + std::to_string(line); }
 };
 
-std::string question_words(const std::optional<File_question>& question) {
+typedef std::shared_ptr<const File_question> Question;
+
+std::string question_words(const Question& question) {
   if (!question) return "a question that is not told";
   std::string text;
   for (const std::string& option : question->options) text += (text.empty() ? "" : " ") + option;
@@ -65,8 +70,8 @@ std::string shown_name(const File_record& record) {
 
 // Two records of a file do not go together: says why.
 [[noreturn]] void refuse_both(const Placed_record& x, const Placed_record& y) {
-  const std::string both = " (" + x.place + ") and ", end = " (" + y.place + ')';
-  const std::optional<File_question>&a = x.record.question, &b = y.record.question;
+  const std::string both = " (" + x.place() + ") and ", end = " (" + y.place() + ')';
+  const Question &a = x.record.question, &b = y.record.question;
   std::string reason;
   if (!a != !b || (a && a->options != b->options))
     reason = "asked were " + question_words(a) + both + question_words(b) + end + "; add up each question for itself";
@@ -76,9 +81,9 @@ std::string shown_name(const File_record& record) {
     reason = "the file has changed, its sha256 is " + x.record.sha256 + both + y.record.sha256 + end +
              "; verify --jsonl asks again";
   else
-    reason = "they differ, see " + x.place + " and " + y.place;
+    reason = "they differ, see " + x.place() + " and " + y.place();
   throw GC::Error(GC::Error_code::malformed_input,
-                  y.place + ": another record of the file " + shown_name(y.record) + ": " + reason);
+                  y.place() + ": another record of the file " + shown_name(y.record) + ": " + reason);
 }
 
 // The records of one text, in order; the last one of each file.
@@ -90,56 +95,58 @@ public:
   std::size_t corrupt = 0;
   bool is_cut_off = false;
 
+  // The name must live as long as its records.
   explicit Records_of_text(const std::string& file) {
-    const std::string name = input_name(file);
     Input input(file);
-    Corrupt_lines say("merge", name, "it is left out");
+    Corrupt_lines say("merge", input_name(file), "it is left out");
     const Read_records read = for_each_record(
         input,
         [&](const File_record& record, const std::string& line, std::size_t number) {
-          add({record, std::hash<std::string>()(line), name + ':' + std::to_string(number)});
+          add({record, std::hash<std::string>()(line), &file, number});
         },
         [&](std::size_t number) { say(number); });
     corrupt = read.corrupt;
     is_cut_off = read.is_cut_off;
   }
 
-  const std::vector<Placed_record>& records() const { return records_; }
+  std::vector<Placed_record>& records() { return records_; }
 
 private:
   void add(Placed_record record) {
     const auto [entry, is_new] = numbers_.emplace(record.record.name, records_.size());
     if (is_new) return records_.push_back(std::move(record));
     Placed_record& before = records_[entry->second];
-    const std::optional<File_question>&a = before.record.question, &b = record.record.question;
+    const Question &a = before.record.question, &b = record.record.question;
     if (a && b && a->options != b->options) refuse_both(before, record);
     before = std::move(record); // it was asked again
   }
 };
 
 int run_merge(const Command_line& line) {
-  if (line.files().empty()) throw std::invalid_argument("merge: no file is given; see --help");
+  const Arguments files = line.files();
+  if (files.empty()) throw std::invalid_argument("merge: no file is given; see --help");
   std::unordered_map<std::string, Placed_record> known;
   std::array<std::size_t, 3> codes{};
   Claim_counts claims;
   std::vector<File_record> failing;
-  std::vector<std::optional<File_question>> questions;
+  std::vector<Question> questions; // different ones
   std::size_t cut_off = 0, corrupt = 0;
-  for (const std::string& name : line.files()) {
-    const Records_of_text text(name);
-    for (const Placed_record& placed : text.records()) {
-      const File_record& record = placed.record;
-      const auto [entry, is_new] = known.emplace(record.name, placed);
+  for (const std::string& name : files) {
+    Records_of_text text(name);
+    for (Placed_record& placed : text.records()) {
+      const auto [entry, is_new] = known.try_emplace(placed.record.name, std::move(placed));
       if (!is_new) {
         if (entry->second.hash != placed.hash) refuse_both(entry->second, placed);
         continue;
       }
+      const File_record& record = entry->second.record;
       ++codes[static_cast<std::size_t>(record.exit_code)];
       claims += record.claims;
       if (record.exit_code != 0) failing.push_back(record);
-      if (questions.empty() || !(questions.back() == record.question))
-        if (std::find(questions.begin(), questions.end(), record.question) == questions.end())
-          questions.push_back(record.question);
+      const auto is_asked = [&](const Question& q) {
+        return q == record.question || (q && record.question && *q == *record.question);
+      };
+      if (std::none_of(questions.begin(), questions.end(), is_asked)) questions.push_back(record.question);
     }
     corrupt += text.corrupt;
     if (text.is_cut_off) {
@@ -151,8 +158,7 @@ int run_merge(const Command_line& line) {
   if (known.empty()) throw std::invalid_argument("merge: there is no record");
   if (line.has("json")) {
     std::vector<std::string> objects, asked;
-    for (const std::optional<File_question>& question : questions)
-      asked.push_back(question ? '{' + question->json() + '}' : "null");
+    for (const Question& question : questions) asked.push_back(question ? '{' + question->json() + '}' : "null");
     for (const File_record& r : failing)
       objects.push_back("\n  {" + File_record::json_name(r.name) + ",\"exit_code\":" + std::to_string(r.exit_code) +
                         ",\"claims\":" + r.claims.json() + '}');
@@ -170,7 +176,7 @@ int run_merge(const Command_line& line) {
                 << '\n';
     std::cout << counted(known.size(), "file") << ": " << codes[0] << " with exit code 0, " << codes[1] << " with 1, "
               << codes[2] << " without an answer\n";
-    for (const std::optional<File_question>& question : questions)
+    for (const Question& question : questions)
       std::cout << "asked: " << question_words(question) << (question ? ", version " + question->version : "") << '\n';
     constexpr std::array<const char*, 5> words = {"given", "decided", "not met", "undecided", "not covered"};
     for (std::size_t i = 0; i < claims.counts.size(); ++i)
