@@ -180,6 +180,8 @@ run 2 merge && run 2 merge missing.jsonl
 # refused
 run 2 verify --jsonl list "$S" && says err 'the files are those of the list'
 run 2 verify --jsonl missing && says err missing
+run 2 verify --jsonl first --require G --output refused.jsonl && says err "G" && run 2 verify --jsonl first --within 1,x && says err "--within: item 2, 'x'"
+run 2 verify --jsonl first --kink-angle x -o refused.jsonl && says refused.jsonl '"message":"--kink-angle: ' '"asked":["--kink-angle=x"]'
 run 2 verify --jsonl empty.jsonl && says err 'names no file'
 run 2 verify --jsonl list --json && says err --json
 run 2 verify "$S" -o x && says err 'only with --jsonl'

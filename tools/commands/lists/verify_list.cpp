@@ -135,12 +135,19 @@ std::string normal_value(const std::string& name, const std::string& value) {
     if (state.sha256 == "null") throw std::invalid_argument("--baseline: " + value + " is no file that can be read");
     return "sha256:" + state.sha256.substr(1, 64);
   }
+  const auto fraction = [](const Exact& x) {
+    std::ostringstream os;
+    GC::write_number(os, x);
+    return os.str();
+  };
+  if (name != "within") try {
+      return fraction(GC::parse_number<Exact>(value));
+    } catch (const std::exception&) {
+      return value; // which each file refuses
+    }
   std::string text;
-  for (const tolerances::Item& item : tolerances::items(name == "within" ? tolerances::bounds_of(value) : value)) {
-    std::ostringstream number;
-    GC::write_number(number, item.number());
-    text += (text.empty() ? "" : ",") + number.str() + item.unit();
-  }
+  for (const tolerances::Item& item : tolerances::items(tolerances::bounds_of(value)))
+    text += (text.empty() ? "" : ",") + fraction(item.number()) + item.unit();
   return text;
 }
 
