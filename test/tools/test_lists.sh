@@ -118,6 +118,11 @@ run 2 verify --jsonl few --baseline missing.sarif -o asked.jsonl && says err 'mi
 mkdir -p folder && echo folder >few && "$program" verify --jsonl few -o folder.jsonl >/dev/null 2>&1
 run 2 verify --jsonl few -o folder.jsonl && says out '; 0 had a record before'
 
+# the hash is that of sha256sum, whatever the length
+for size in 0 1 55 56 63 64 65 119 120 65535 65536 65537 200000; do seq 100000 | head -c $size >size$size.g2 && echo size$size.g2; done >sizes
+run 2 verify --jsonl sizes -o sizes.jsonl
+while read -r file; do says sizes.jsonl "\"size\":$(wc -c <"$file"),\"sha256\":\"$(sha256sum <"$file" | head -c 64)\""; done <sizes
+
 # names that are not UTF-8 have their own records
 for name in $'n\xe8.svg' $'n\xe9.svg' $'n\xef\xbf\xbd.svg' 'n\ud83d\ude00.svg' $'n\xf0\x9f\x98\x80.svg'; do printf '%s' "$kink" >"$name" && printf '%s\n' "$name"; done >names
 head -n 1 names >first && run 1 verify --jsonl first --require G1 -o names.jsonl
