@@ -12,7 +12,6 @@
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Geometric_continuity/Traits.h>
 #include <CGAL/Geometric_continuity/curves/Bezier_curve.h>
-#include <CGAL/Geometric_continuity/joins/Prepared_end.h>
 #include <CGAL/Geometric_continuity/joins/chain_continuity.h>
 #include <CGAL/Geometric_continuity/joins/failing_joins.h>
 #include <CGAL/Geometric_continuity/joins/join_continuity.h>
@@ -45,7 +44,6 @@ namespace GC = CGAL::Geometric_continuity;
 
 typedef GC::Traits_3<CGAL::Exact_predicates_inexact_constructions_kernel> Traits;
 typedef GC::Bezier_curve<Traits, 5> Curve;
-typedef GC::Prepared_end<Traits> End;
 typedef Traits::Point Point;
 
 // ---------------------------------------------------------------- the test by hand, in any number type
@@ -115,8 +113,6 @@ const char* const class_names[] = {"holds", "off by one unit", "grossly off"};
 struct Input {
   std::vector<Curve> left;
   std::array<std::vector<Curve>, 3> right;
-  std::vector<End> left_ends;
-  std::array<std::vector<End>, 3> right_ends;
 };
 
 // Joins with coordinates of about 45 bits on a grid 2^-45 that are F3; beta_1 = p/q.
@@ -168,8 +164,6 @@ const Input& input() {
       right[2][1] += 0x1p45;
       right[3][2] += 0x1p45;
       in.right[grossly_off].push_back(curve(right, false));
-      in.left_ends.push_back(End::at_end(in.left.back()));
-      for (int j = 0; j < 3; ++j) in.right_ends[j].push_back(End::at_start(in.right[j].back()));
     }
     return in;
   }();
@@ -200,8 +194,6 @@ void compare_answers() {
         if (m.g2 == methods[0].g2) continue; // which may be wrong
         const bool same = m.g2(in.left[k], in.right[c][k]) == (c == holds) &&
                           m.f3(in.left[k], in.right[c][k]) == (c == holds) &&
-                          GC::is_g2_join(in.left_ends[k], in.right_ends[c][k]) == (c == holds) &&
-                          GC::is_f3_join(in.left_ends[k], in.right_ends[c][k]) == (c == holds) &&
                           (GC::continuity(in.left[k], in.right[c][k]).f_order == 3) == (c == holds);
         if (!same) {
           std::cerr << m.name << ": wrong answer, " << class_names[c] << ", join " << k << '\n';
@@ -385,13 +377,6 @@ int main(int argc, char** argv) {
           time_joins(state, [&](std::size_t k) { return decide(input().left[k], input().right[c][k]); });
         });
       }
-      benchmark::RegisterBenchmark((title + "filtered, prepared").c_str(), [=](benchmark::State& state) {
-        const Input& in = input();
-        if (torsion)
-          time_joins(state, [&](std::size_t k) { return GC::is_f3_join(in.left_ends[k], in.right_ends[c][k]); });
-        else
-          time_joins(state, [&](std::size_t k) { return GC::is_g2_join(in.left_ends[k], in.right_ends[c][k]); });
-      });
       if (torsion) {
         benchmark::RegisterBenchmark((title + "filtered, and is_g3_join").c_str(), [=](benchmark::State& state) {
           const Input& in = input();

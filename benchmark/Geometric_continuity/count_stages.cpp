@@ -7,7 +7,6 @@
 //   count_stages drawings FILE.svg...   their joins of Bezier curves; the doubles nearest to the coordinates in the drawing
 //   count_stages blends                 of random curves, rounded to doubles: G2 up to rounding
 //   count_stages representable_blends   of the same curves
-// With --prepared behind the first word the ends are Prepared_end.
 
 #include "formats/font/Font_face.h"
 #include "formats/font/font_files.h"
@@ -16,7 +15,6 @@
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Geometric_continuity/blends/representable_blend.h>
 #include <CGAL/Geometric_continuity/curves/Bezier_curve.h>
-#include <CGAL/Geometric_continuity/joins/Prepared_end.h>
 #include <CGAL/Geometric_continuity/joins/join_predicates.h>
 
 #include <cmath>
@@ -36,26 +34,16 @@ typedef std::vector<std::string> Words;
 
 // Asks the questions about joins.
 class Questions {
-  const bool prepared_;
   std::size_t joins_ = 0;
 
-  template <class End> static void ask_ends(const End& left, const End& right) {
+public:
+  std::size_t joins() const { return joins_; }
+
+  template <class Curve> void ask(const Curve& left, const Curve& right) {
+    ++joins_;
     GC::is_g1_join(left, right);
     GC::is_g2_join(left, right);
     GC::is_g3_join(left, right);
-  }
-
-public:
-  explicit Questions(bool prepared) : prepared_(prepared) {}
-  std::size_t joins() const { return joins_; }
-
-  template <class Traits> void ask(const GC::Bezier_curve<Traits>& left, const GC::Bezier_curve<Traits>& right) {
-    typedef GC::Prepared_end<Traits> End;
-    ++joins_;
-    if (prepared_)
-      ask_ends(End::at_end(left), End::at_start(right));
-    else
-      ask_ends(left, right);
   }
 };
 
@@ -180,12 +168,10 @@ public:
 int main(int argc, char** argv) {
   try {
     Words words(argv + 1, argv + argc);
-    if (words.empty()) throw std::invalid_argument("usage: count_stages CORPUS [--prepared] [FILE...]");
+    if (words.empty()) throw std::invalid_argument("usage: count_stages CORPUS [FILE...]");
     const std::string corpus = words[0];
     words.erase(words.begin());
-    const bool prepared = !words.empty() && words[0] == "--prepared";
-    if (prepared) words.erase(words.begin());
-    Questions questions(prepared);
+    Questions questions;
     if (corpus == "fonts")
       ask_fonts(words, questions);
     else if (corpus == "drawings")

@@ -36,9 +36,7 @@ class Stage_counts {
           if (counts[s][a] != 0) os << kind << ' ' << names[s] << ' ' << answers[a] << ' ' << counts[s][a] << '\n';
     }
   };
-  Table<7> joins_{"join",
-                  {"comparison", "floating_point", "bounded_residue", "residue", "simple_ratio", "fixed_integer",
-                   "multiprecision"}};
+  Table<5> joins_{"join", {"comparison", "floating_point", "bounded_residue", "residue", "multiprecision"}};
   Table<6> edges_{"edge",
                   {"comparison", "floating_point", "simple_ratio", "fixed_integer", "multiprecision", "whole_spline"}};
 

@@ -46,15 +46,12 @@
 #include <CGAL/Geometric_continuity/joins/Curve_ends.h>
 #include <CGAL/Geometric_continuity/joins/Join_certificate.h>
 #include <CGAL/Geometric_continuity/joins/Join_grade.h>
-#include <CGAL/Geometric_continuity/joins/Prepared_end.h>
-#include <CGAL/Geometric_continuity/joins/Variable_join.h>
 #include <CGAL/Geometric_continuity/joins/chain_continuity.h>
 #include <CGAL/Geometric_continuity/joins/deviation.h>
 #include <CGAL/Geometric_continuity/joins/failing_joins.h>
 #include <CGAL/Geometric_continuity/joins/join_continuity.h>
 #include <CGAL/Geometric_continuity/joins/join_predicates.h>
 #include <CGAL/Geometric_continuity/joins/join_result.h>
-#include <CGAL/Geometric_continuity/joins/largest_kink.h>
 #include <CGAL/Geometric_continuity/joins/path_continuity.h>
 
 #include <CGAL/Geometric_continuity/surfaces/Bezier_patch.h>

@@ -166,7 +166,7 @@ def fairness(curve) -> float:
     return _native.fairness(curve)
 
 
-def interpolate(points, closed: bool = False, parametrisation: str = "centripetal", parameters: Sequence = (), *,
+def interpolate(points, closed: bool = False, parametrisation: str = "chordal", parameters: Sequence = (), *,
                 exact: Optional[bool] = None) -> Spline:
     """Returns the cubic spline through points, C2 inside: a natural one, or a closed one over periodic knots.
 

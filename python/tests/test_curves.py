@@ -119,6 +119,9 @@ class Splines(unittest.TestCase):
                 a = (u - t[j + k - 3]) / (t[j + 1 + k - r] - t[j + k - 3])
                 d[j] = (1 - a) * d[j - 1] + a * d[j]
         self.assertEqual(d[3].tolist(), [1, 2])
+        lengths = [((p[0] - q[0]) ** 2 + (p[1] - q[1]) ** 2) ** 0.5 for p, q in zip(self.points, self.points[1:])]
+        knots = gc.interpolate(numpy.array(self.points, float)).knots[3:-3]  # chordal, as in C++ and in the program
+        numpy.testing.assert_allclose(numpy.diff(knots), lengths, rtol=1e-2)
         self.assertEqual(len(gc.interpolate(self.points, closed=True, parametrisation="uniform").points), 8)
         with self.assertRaises(gc.Error):
             gc.interpolate(self.points, parametrisation="none")

@@ -9,7 +9,7 @@
 #include "formats/font/Variable_font.h"
 #include "formats/font/glyph_parts.h"
 
-#include <CGAL/Geometric_continuity/joins/largest_kink.h>
+#include "formats/font/largest_kink.h"
 
 #include <algorithm>
 #include <string>

@@ -45,17 +45,17 @@ formats chains 0 0 0 11 17 --closed "$S" --within 0,0.02deg
 cubic $'0 0 0\n8 0 0\n16 0 0\n24 0 0' >line.g2
 cubic $'24 0 0\n25 1 0\n26 2 0\n27 3 0' >diagonal.g2
 cubic $'27 3 1\n28 3 1\n29 3 1\n30 4 1' >away.g2
-cubic $'30 4 1\n30 4 1\n29 3 1\n30 4 1' >cusp.g2
+cubic $'30 4 1\n30 4 1\n30 4 1\n30 4 1' >point.g2
 formats chains 0 0 1 0 0 line.g2 diagonal.g2 --within 0,45deg --allow-undecided
 formats chains 1 1 0 0 0 line.g2 diagonal.g2 --within 0,45deg && says sarif '"ruleId":"undecided"'
 formats chains 1 1 0 0 0 line.g2 diagonal.g2 --within 0,45deg --require G1 && says sarif '"ruleId":"undecided"'
-formats chains 0 0 0 3 0 line.g2 diagonal.g2 away.g2 cusp.g2
+formats chains 0 0 0 3 0 line.g2 diagonal.g2 away.g2 point.g2
 says sarif '"ruleId":"corner"' '"ruleId":"gap"' '"ruleId":"tangent"' '"uri":"line.g2","uriBaseId":"%SRCROOT%"},"region":{"startLine":8}' '"uri":"diagonal.g2"' \
   '"fullyQualifiedName":"join 1 -> 2","kind":"join"' '"text":"join 1 -> 2: the ends are 1 apart at (27, 3, 0); gap 1, tangent angle' \
   '"angle_degrees":[44.99999999' '"summary":{"joins":3,'
-says junit '<testsuite name="cusp.g2" tests="0"' '<testcase classname="line.g2" name="join 0 -&gt; 1">' \
+says junit '<testsuite name="point.g2" tests="0"' '<testcase classname="line.g2" name="join 0 -&gt; 1">' \
   '<system-out>line.g2:8: join 0 -&gt; 1: corner of 45 degrees at (24, 0, 0); gap 0, tangent angle [44.9999, 45.0001] degrees'
-formats chains 1 3 0 0 0 line.g2 diagonal.g2 away.g2 cusp.g2 --require C1
+formats chains 1 3 0 0 0 line.g2 diagonal.g2 away.g2 point.g2 --require C1
 says junit '<failure type="gap" message="not C1, the ends are 1 apart at (27, 3, 0); gap 1,'
 printf '\n\n' | cat - line.g2 diagonal.g2 >both.g2 && formats chains 0 0 0 1 0 both.g2 && says sarif '"startLine":10}'
 cubic $'24 0 0\n25 0 0\n26 0 0\n27 0 0' >slower.g2 # smooth, but not in the parameter

@@ -36,6 +36,34 @@ if command -v python3 >/dev/null; then
   holds python3 -c "import json; d = json.load(open('out')); assert len(d['joins']) == 28 and d['joins'][27]['right'] == 0"
 fi
 
+# handles of length 0: the unit tangents decide, as in drawings. A zero tangent at an end that is drawn as a line, as a kink, as a corner, as a cusp
+handles() { # the points of a cubic that ends in (0, 164), and of the curve that starts there
+  { curve $'2 0\n4 4\n0 0 0 0 1 1 1 1\n'"$1"; curve $'2 0\n'"$2"; } >zh.g2
+}
+line=$'2 2\n0 0 1 1\n0 164\n0 200' lines=$'50 0\n0 160\n0 164\n0 164'
+handles "$lines" "$line"
+run 0 verify zh.g2 && says out "zero tangent at the end of the left curve, drawn as G1" "1 join: 1 G0; 1 with a zero tangent, 1 of them drawn as G1"
+run 0 verify zh.g2 --require G1 && says out "every join is G1, proved exactly" && run 0 verify zh.g2 --require F1 --summary
+run 1 verify zh.g2 --require G2 && run 1 verify zh.g2 --require C1 && run 0 verify zh.g2 --json && says out '"regular":false' '"drawn":"G1","drawn_angle_degrees":[0,0]' \
+  '"zero_tangent":1,"drawn_g1":1'
+run 0 verify zh.g2 --format sarif && lacks out ruleId
+handles $'50 0\n-.125 160.5\n0 164\n0 164' "$line"
+run 0 verify zh.g2 && says out "drawn as kink of 2.045 degrees" "1 with a zero tangent, 0 of them drawn as G1" && run 1 verify zh.g2 --require G1
+run 0 verify zh.g2 --format sarif && says out '"ruleId":"kink"' && run 1 verify zh.g2 --require G1 --kink-angle 2 --format sarif && says out '"ruleId":"corner"'
+run 0 verify zh.g2 --require G1 --within 0.04,0,0 && run 1 verify zh.g2 --require G1 --within 0.03,0,0
+handles $'50 0\n-.125 160.5\n0 164\n0 164' $'4 4\n0 0 0 0 1 1 1 1\n0 164\n0 164\n3 190\n0 200'
+run 0 verify zh.g2 && says out "zero tangent on both sides, drawn as kink of 4.537 degrees"
+handles "$lines" $'2 2\n0 0 1 1\n0 164\n0 100'
+run 0 verify zh.g2 && says out "drawn as corner of 180 degrees" && run 1 verify zh.g2 --require G1
+handles $'0 50\n0 164\n0 164\n0 164' "$line" # the third derivative tells
+run 0 verify zh.g2 --require G1 && says out "drawn as G1"
+handles $'0 164\n0 164\n0 164\n0 164' "$line"
+run 1 verify zh.g2 --require G1 && says out "zero tangent at the end of the left curve" && lacks out "drawn"
+{ spline $'4 4\n0 0 0 0 1 1 1 1\n50 0 0\n0 160 0\n0 164 0\n0 164 0'; spline $'2 2\n0 0 1 1\n0 164 0\n0 200 1'; } >zh.g2 # in space
+run 0 verify zh.g2 && says out "drawn as kink of 1.591 degrees"
+{ spline $'4 4\n0 0 0 0 1 1 1 1\n50 0 0\n0 160 0\n0 164 0\n0 164 0'; spline $'2 2\n0 0 1 1\n0 164 0\n0 200 0'; } >zh.g2
+run 0 verify zh.g2 --require G1
+
 # curves with inner knots: each knot is a join, decided exactly with both kernels
 spline "$two_knots" >spline.g2
 for kernel in exact double; do

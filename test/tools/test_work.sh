@@ -223,7 +223,8 @@ awk 'BEGIN {
 run 2 tessellate --kernel exact --max-work 1000000 long_patch.g2 -o none.off
 says err "work_limit: tessellate: more than 1000000 steps" "--max-work"
 bounded 60 2 tessellate --kernel exact --grid 512 long_patch.g2 -o none.off
-run 0 tessellate --max-work 1 long_patch.g2 -o patch.off
+run 2 tessellate --max-work 1 long_patch.g2 -o patch.off && says err "--max-work: only with --kernel exact"
+run 0 tessellate long_patch.g2 -o patch.off
 run 0 tessellate --kernel exact --grid 4 long_patch.g2 -o patch.off
 awk 'BEGIN {
   srand(9)

@@ -10,7 +10,7 @@ from typing import List
 
 import numpy
 
-from .splines import pieces
+from .splines import Piece, pieces
 
 
 def svg_contours(path) -> List[List[numpy.ndarray]]:
@@ -37,13 +37,9 @@ def svg_contours(path) -> List[List[numpy.ndarray]]:
     return [c for c in contours if c]
 
 
-def spline_pieces(spline) -> List[numpy.ndarray]:
-    """Returns the Bezier curves of a SPLINE of ezdxf, or of its construction tool, as arrays of shape (degree + 1, 3). Those of a polynomial
-    spline are exact, for its knots and control points as they are: arrays of `fractions.Fraction`.
-
-    Raises ValueError for a rational spline.
-    """
+def spline_pieces(spline) -> List[Piece]:
+    """Returns the Bezier curves of a SPLINE of ezdxf, or of its construction tool, in space, each with its span as domain. They are exact, for
+    the knots, control points and weights of the spline as they are."""
     tool = spline.construction_tool() if hasattr(spline, "construction_tool") else spline
-    if tool.is_rational:
-        raise ValueError("the spline has weights")
-    return [p.points for p in pieces(tool.order - 1, tool.knots(), list(tool.control_points))]
+    weights = list(tool.weights()) if tool.is_rational else None
+    return pieces(tool.order - 1, tool.knots(), list(tool.control_points), weights)

@@ -14,8 +14,8 @@ _CONVERTED = ("Line", "LineSegment", "Circle", "ArcOfCircle", "Ellipse", "ArcOfE
 
 
 def edge_pieces(edge) -> List[Piece]:
-    """Returns the Bezier curves of a `Part.Edge` in its direction. Those of Bezier and B-spline curves are exact, also where the edge is a part
-    of its curve; lines and conics are the rational curves as which FreeCAD writes them.
+    """Returns the Bezier curves of a `Part.Edge` in its direction, with the parameters of its curve as domains. Those of Bezier and B-spline
+    curves are exact, also where the edge is a part of its curve; lines and conics are the rational curves as which FreeCAD writes them.
 
     Raises ValueError for other curves, e.g. offsets.
     """
@@ -42,7 +42,7 @@ def edge_pieces(edge) -> List[Piece]:
 def wire_joins(wire) -> Iterator[Tuple[int, Join_continuity]]:
     """Decides the joins of a `Part.Wire`, those inside of its edges too: yields the number of the edge, in the order of `wire.OrderedEdges`,
     in which the curve before the join ends, and what was decided exactly. Edges that meet within a tolerance only have a gap. Derivatives are
-    those with respect to parameters from 0 to 1 on each Bezier curve."""
+    those with respect to the parameter of the curve of each edge."""
     chain = [(number, piece) for number, edge in enumerate(wire.OrderedEdges) for piece in edge_pieces(edge)]
     for (number, left), (_, right) in zip(chain, chain[1:] + (chain[:1] if wire.isClosed() else [])):
         yield number, continuity(left, right)

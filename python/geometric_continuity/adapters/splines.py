@@ -8,7 +8,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from fractions import Fraction
 from math import comb
-from typing import List, Optional, Sequence
+from typing import List, Optional, Sequence, Tuple
 
 import numpy
 
@@ -18,18 +18,19 @@ from .._native import Join_continuity
 
 @dataclass(frozen=True)
 class Piece:
-    """A Bezier curve on [0, 1], rational where it has weights."""
+    """A Bezier curve, rational where it has weights."""
 
     points: numpy.ndarray  #: control points, shape (degree + 1, dimension), of fractions.Fraction
     weights: Optional[numpy.ndarray] = None  #: shape (degree + 1,), of fractions.Fraction; None where all are equal
+    domain: Tuple[Fraction, Fraction] = (Fraction(0), Fraction(1))  #: the parameters of its ends: C orders depend on its length
 
     def reverse(self) -> Piece:
-        """Returns the same curve, run through backwards."""
-        return Piece(self.points[::-1], None if self.weights is None else self.weights[::-1])
+        """Returns the same curve on the same domain, run through backwards."""
+        return Piece(self.points[::-1], None if self.weights is None else self.weights[::-1], self.domain)
 
     def osculating_cubic(self) -> numpy.ndarray:
-        """Returns the cubic curve without weights that starts with the same derivatives up to order 3: what a join of at most that order
-        knows of the curve."""
+        """Returns the cubic curve on [0, 1] without weights that starts with the same derivatives up to order 3, with respect to the
+        parameter of the domain: what a join of at most that order knows of the curve."""
         weights = [Fraction(1)] * len(self.points) if self.weights is None else list(self.weights)
         rows = [[w * x for x in p] + [w] for p, w in zip(self.points.tolist(), weights)]
         derivatives: List[List[Fraction]] = []
@@ -43,12 +44,14 @@ class Piece:
             for i in range(1, k + 1):
                 x = [a - comb(k, i) * derivatives[i][-1] * b for a, b in zip(x, jet[k - i])]
             jet.append([a / derivatives[0][-1] for a in x])
+        length = self.domain[1] - self.domain[0]
+        jet = [[x / length**k for x in row] for k, row in enumerate(jet)]
         return numpy.array([[sum((comb(j, k) * d / (1, 3, 6, 6)[k] for k, d in enumerate(c)), Fraction(0)) for c in zip(*jet)] for j in range(4)],
                            dtype=object)
 
 
 def pieces(degree: int, knots: Sequence, points: Sequence, weights: Optional[Sequence] = None, low=None, high=None) -> List[Piece]:
-    """Returns the Bezier curves of a B-spline, or of its part between the parameters low and high.
+    """Returns the Bezier curves of a B-spline, or of its part between the parameters low and high, each with its span as domain.
 
     knots: all with their multiplicities, as many as points plus degree + 1.
     points: an array of shape (n, dimension); weights: n positive numbers.
@@ -77,7 +80,7 @@ def pieces(degree: int, knots: Sequence, points: Sequence, weights: Optional[Seq
             continue
         row = [blossom(span, [a] * (degree - k) + [b] * k) for k in range(degree + 1)]
         w = numpy.array([p[-1] for p in row], dtype=object)
-        result.append(Piece(numpy.array([[x / p[-1] for x in p[:-1]] for p in row], dtype=object), None if (w == w[0]).all() else w))
+        result.append(Piece(numpy.array([[x / p[-1] for x in p[:-1]] for p in row], dtype=object), None if (w == w[0]).all() else w, (a, b)))
     return result
 
 

@@ -88,6 +88,39 @@ BOOST_AUTO_TEST_CASE(how_far) {
   BOOST_CHECK(!continuity(left, Curve{Point(0, 0), Point(0, 0)}).up_to_rounding());
 }
 
+// What is said depends neither on the unit of length nor on a common factor of the weights, however large or small they are.
+BOOST_AUTO_TEST_CASE(powers_of_two) {
+  typedef GC::Rational_bezier_curve<Traits> Rational;
+  const double ulp = std::ldexp(1, -52);
+  for (const int exponent : {-1020, -521, -520, 0, 512, 1000, 1022}) {
+    const auto point = [exponent](double x, double y) {
+      return Point(std::ldexp(x, exponent), std::ldexp(y, exponent));
+    };
+    const Curve left{point(-1, 0), point(-0.5, 0), point(0, 0)};
+    const auto join = [&](double y, double bend) {
+      return continuity(left, Curve{point(0, 0), point(0.5, y), point(1, bend)});
+    };
+    BOOST_CHECK(!join(0.5, 0).up_to_rounding()); // a corner of 45 degrees
+    BOOST_CHECK(!join(0, 1).up_to_rounding());   // a jump of the curvature
+    BOOST_CHECK_EQUAL(text(join(3 * ulp, 0)), "C0 G0 F0; G2 but for 6 units in the last place");
+    const Curve far{point(0, 0), point(0, std::ldexp(1, -30)), point(0, 1)}; // at right angles, with short legs
+    BOOST_CHECK(!continuity(Curve{point(-1, 0), point(-std::ldexp(1, -30), 0), point(0, 0)}, far).up_to_rounding());
+  }
+  for (const double w : {1e-160, 1e-300, 1., 1e160, 1e300}) {
+    const auto curve = [w](const std::vector<Point>& p, double middle) {
+      const std::vector<double> weights{w, middle * w, 2 * w};
+      return Rational(p.begin(), p.end(), weights.begin(), weights.end());
+    };
+    const Rational left = curve({Point(1, 0), Point(1, 1), Point(0, 1)}, 1);
+    const auto join = [&](double y, double middle) {
+      return continuity(left.reverse(), curve({Point(1, 0), Point(1 + y, -1), Point(0, -1)}, middle));
+    };
+    BOOST_CHECK(!join(1, 1).up_to_rounding()); // a corner of 45 degrees
+    BOOST_CHECK_EQUAL(join(ulp, 1).up_to_rounding()->g_order, 2);
+    BOOST_CHECK_EQUAL(join(ulp, 2).up_to_rounding()->g_order, 1); // another curvature
+  }
+}
+
 // The examples of the manual: decimals on a line, and a blend by a kernel that rounds it.
 BOOST_AUTO_TEST_CASE(examples_of_the_manual) {
   const auto segments = [](const Point& p, const Point& q) {

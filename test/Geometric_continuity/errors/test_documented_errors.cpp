@@ -250,13 +250,6 @@ BOOST_AUTO_TEST_CASE(joins) {
   CHECK_ERROR(GC::join_certificate(in_plane, in_space, GC::Join_continuity<Q>(), 3), dimension_mismatch);
   CHECK_ERROR(GC::is_curvature_continuous(c2, C2{P2(3, 0), P2(4, -1)}), wrong_number_of_points);
   CHECK_ERROR(GC::is_torsion_continuous(c3, C3{P3(3, 0, 0), P3(4, -1, 0)}), wrong_number_of_points);
-  const std::vector<P2> p{P2(0, 0), P2(1, 1), P2(2, 0), P2(3, inf)};
-  typedef GC::Prepared_end<D2> E;
-  typedef GC::Prepared_end<Dd> Ed;
-  CHECK_ERROR(E(3, p.begin(), p.end()), not_finite);
-  for (int i : {-1, 2}) CHECK_ERROR(E::at_end(c2).coordinate(0, i), dimension_mismatch);
-  const std::vector<Dd::Point> mixed{point({0, 0}), point({1, 1}), point({2, 1}), point({3, 0, 1})};
-  CHECK_ERROR(Ed(3, mixed.begin(), mixed.end()), dimension_mismatch);
   CHECK_ERROR(GC::Kink_bound(0), parameter_outside_domain);
   CHECK_ERROR(GC::Kink_bound(180), parameter_outside_domain);
   CHECK_ERROR(GC::Kink_bound(inf), not_finite);

@@ -7,7 +7,6 @@
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Geometric_continuity/Traits.h>
 #include <CGAL/Geometric_continuity/curves/Bezier_curve.h>
-#include <CGAL/Geometric_continuity/joins/Prepared_end.h>
 #include <CGAL/Geometric_continuity/joins/failing_joins.h>
 #include <CGAL/Geometric_continuity/joins/join_predicates.h>
 #include <CGAL/Geometric_continuity/numbers/Work_limit.h>
@@ -86,16 +85,11 @@ BOOST_AUTO_TEST_CASE(doubles_sequential) { check_chains<CGAL::Sequential_tag, do
 BOOST_AUTO_TEST_CASE(doubles_parallel) { check_chains<CGAL::Parallel_if_available_tag, double>(10000); }
 BOOST_AUTO_TEST_CASE(rational_numbers) { check_chains<CGAL::Parallel_if_available_tag, CGAL::Exact_rational>(2500); }
 
-// Prepared ends in two other kinds of containers.
-BOOST_AUTO_TEST_CASE(pairs_of_prepared_ends) {
-  typedef GC::Prepared_end<Traits<double>> End;
+// Left and right curves in two other kinds of containers.
+BOOST_AUTO_TEST_CASE(pairs_of_curves) {
   const std::vector<Curve<double>> curves = parabola<double>(3000, {1, 1500, 2998});
-  std::vector<End> left;
-  std::deque<End> right;
-  for (std::size_t i = 0; i + 1 < curves.size(); ++i) {
-    left.push_back(End::at_end(curves[i]));
-    right.push_back(End::at_start(curves[i + 1]));
-  }
+  const std::vector<Curve<double>> left(curves.begin(), curves.end() - 1);
+  const std::deque<Curve<double>> right(curves.begin() + 1, curves.end());
   const Indices truth = {0, 1, 1499, 1500, 2997, 2998};
   BOOST_CHECK(GC::failing_joins(left.begin(), left.end(), right.begin(), right.end(), is_g2) == truth);
   BOOST_CHECK(GC::failing_joins<CGAL::Parallel_if_available_tag>(left.begin(), left.end(), right.begin(), right.end(),

@@ -5,6 +5,7 @@
 #ifndef GEOMETRIC_CONTINUITY_TOOLS_COMMANDS_CHAINS_CHAIN_REPORT_H
 #define GEOMETRIC_CONTINUITY_TOOLS_COMMANDS_CHAINS_CHAIN_REPORT_H
 
+#include "commands/chains/Drawn_join.h"
 #include "commands/chains/join_report.h"
 #include "commands/chains/verify_chain.h"
 #include "reports/Report.h"
@@ -22,6 +23,7 @@
 struct Decided_joins {
   Report_part part = {};
   GC::Chain_summary summary = {};
+  Drawn_counts drawn = {};
   std::ostringstream stream = {}; // for parts of a row
   std::vector<std::string> certificates = {};
 };
@@ -31,6 +33,7 @@ class Chain_report {
   const Join_demand& demand_;
   Report report_;
   GC::Chain_summary summary_;
+  Drawn_counts drawn_;
   Certificate certificate_;
 
   static Report_subject subject(const Join_demand& demand) {
@@ -57,6 +60,7 @@ public:
 
   void add(const Decided_joins& joins) {
     summary_ += joins.summary;
+    drawn_ += joins.drawn;
     report_.add(joins.part, "joins");
     for (const std::string& certificate : joins.certificates) certificate_.add(certificate);
   }
@@ -78,6 +82,7 @@ private:
     if (summary_.joins() > 0)
       os << ",\"c_order\":" << *summary_.c_order() << ",\"g_order\":" << *summary_.g_order()
          << ",\"f_order\":" << *summary_.f_order();
+    if (drawn_.all > 0) os << ",\"zero_tangent\":" << drawn_.all << ",\"drawn_g1\":" << drawn_.smooth;
     os << '}';
     return os.str();
   }
@@ -91,6 +96,7 @@ private:
          << (order < 0 ? "gap" : 'G' + std::to_string(order) + (order == demand_.max_order ? " or more" : ""));
       separator = ", ";
     }
+    if (drawn_.all > 0) os << "; " << drawn_.all << " with a zero tangent, " << drawn_.smooth << " of them drawn as G1";
     os << '\n';
     return os.str();
   }

@@ -39,24 +39,36 @@ public:
     const bool only_orders = mode_.summary || mode_.has_findings();
     Join join =
         only_orders ? continuity_orders(left, right, demand_.max_order) : continuity(left, right, demand_.max_order);
+    if (only_orders && join.g_order == 0) join = continuity(left, right, demand_.max_order); // is a tangent zero?
     joins.summary.add(join);
+    const Drawn drawn = this->drawn(join, left, right);
+    if (drawn) joins.drawn.add(*drawn);
     if (mode_.certificate != nullptr) joins.certificates.push_back(certificate(place, join, left, right));
-    const Claim claim = this->claim(join, within);
-    const bool fails = claim != Claim::met, is_noted = this->is_noted(join, within);
+    const Claim claim = this->claim(join, drawn, within);
+    const bool fails = claim != Claim::met, is_noted = this->is_noted(join, drawn, within);
     if (only_orders && (fails || (mode_.has_findings() && is_noted))) join = continuity(left, right, demand_.max_order);
     joins.part.add(place.file, {claim, "join", "the tolerance lies between the bounds"}, is_noted,
-                   [&] { return finding(place, join, left, right, within, claim); });
+                   [&] { return finding(place, join, drawn, left, right, within, claim); });
     if (mode_.has_findings() || (mode_.summary && !fails)) return;
     std::string& rows = mode_.summary ? joins.part.failing_rows : joins.part.rows;
     const std::size_t begin = rows.size();
     if (mode_.format == Report_format::json)
-      append_json_row(rows, place, join, within, joins.stream);
+      append_json_row(rows, place, join, drawn, within, joins.stream);
     else
-      append_row(rows, place, join, left, right, within);
+      append_row(rows, place, join, drawn, left, right, within);
     if (fails && !mode_.summary) joins.part.failing_rows.append(rows, begin, std::string::npos);
   }
 
 private:
+  typedef std::optional<Drawn_join> Drawn;
+
+  // Of most joins no jets are needed.
+  Drawn drawn(const Join& join, const Span& left, const Span& right) const {
+    if (join.g_order != 0 || join.regular) return std::nullopt;
+    const auto &x = left.jets(), &y = right.jets();
+    return drawn_join(join, x.end_jet(x.order()), y.start_jet(y.order()), demand_.kink_bound);
+  }
+
   std::string certificate(const Join_place& place, const Join& join, const Span& left, const Span& right) const {
     const int k = demand_.max_order;
     return "\"left\":" + std::to_string(place.left) + ",\"right\":" + std::to_string(place.right) + ',' +
@@ -64,12 +76,17 @@ private:
                                                     right.jets().template start_jet_over<Exact>(k), join, k));
   }
 
-  // What is required, exactly or within the tolerance; where nothing is required, all orders within the tolerance.
-  Claim claim(const Join& join, const std::optional<GC::Order_within>& within) const {
+  // What is required, exactly or within the tolerance; where nothing is required, all orders within the tolerance. Where a tangent is zero,
+  // that of the drawn curves is asked for.
+  Claim claim(const Join& join, const Drawn& drawn, const std::optional<GC::Order_within>& within) const {
     if (!demand_.order) return within && has_undecided_order(*within) ? Claim::undecided : Claim::met;
     if (demand_.order->met(join)) return Claim::met;
+    const bool is_about_tangents = demand_.order->kind() != GC::Continuity_kind::C && demand_.order->order() == 1;
+    if (drawn && is_about_tangents && drawn->is_smooth()) return Claim::met;
     if (!within) return Claim::not_met;
-    const GC::Verdict verdict = (*within)(demand_.order->order());
+    const GC::Verdict verdict = drawn && is_about_tangents
+                                    ? GC::at_most(drawn->angle, demand_.tolerance->joins.tangent_angle)
+                                    : (*within)(demand_.order->order());
     return verdict == GC::Verdict::proved      ? Claim::met
            : verdict == GC::Verdict::undecided ? Claim::undecided
                                                : Claim::not_met;
@@ -81,16 +98,18 @@ private:
   }
 
   // Whether a join is worth a note where nothing is required: a gap or a kink.
-  bool is_noted(const Join& join, const std::optional<GC::Order_within>& within) const {
+  bool is_noted(const Join& join, const Drawn& drawn, const std::optional<GC::Order_within>& within) const {
     const int smooth = (std::min)(demand_.max_order, 1);
-    return !demand_.order && join.g_order < smooth && !(within && (*within)(smooth) == GC::Verdict::proved);
+    return !demand_.order && !(drawn && drawn->is_smooth()) && join.g_order < smooth &&
+           !(within && (*within)(smooth) == GC::Verdict::proved);
   }
 
-  static void append_json_row(std::string& rows, const Join_place& place, const Join& join,
+  static void append_json_row(std::string& rows, const Join_place& place, const Join& join, const Drawn& drawn,
                               const std::optional<GC::Order_within>& within, std::ostringstream& s) {
     s.str("");
     s << ",\n {";
     GC::write_json_members(s, join, static_cast<int>(place.left), static_cast<int>(place.right));
+    if (drawn) write_json_members(s, *drawn);
     if (within) {
       s << ',';
       GC::write_json_members(s, *within);
@@ -99,9 +118,15 @@ private:
     rows += s.str();
   }
 
-  void append_row(std::string& rows, const Join_place& place, const Join& join, const Span& left, const Span& right,
-                  const std::optional<GC::Order_within>& within) const {
-    append_table_row(rows, join, place.left, place.right, left, right, demand_.kink_bound);
+  Join_words words(const Join& join, const Drawn& drawn, const Span& left, const Span& right) const {
+    Join_words words = join_words(join, left, right, demand_.kink_bound);
+    if (drawn) words.remark += drawn->text();
+    return words;
+  }
+
+  void append_row(std::string& rows, const Join_place& place, const Join& join, const Drawn& drawn, const Span& left,
+                  const Span& right, const std::optional<GC::Order_within>& within) const {
+    append_table_row(rows, join, place.left, place.right, words(join, drawn, left, right));
     if (!within) return;
     std::ostringstream s;
     s << "             within the tolerance: order";
@@ -111,8 +136,10 @@ private:
     rows += s.str();
   }
 
-  Finding_rule rule(const Join& join, const Span& left, const Span& right) const {
+  Finding_rule rule(const Join& join, const Drawn& drawn, const Span& left, const Span& right) const {
     if (join.c_order < 0) return Finding_rule::gap;
+    if (drawn && !drawn->is_smooth())
+      return drawn->grade == GC::Join_grade::corner ? Finding_rule::corner : Finding_rule::kink;
     if (!join.regular) return Finding_rule::tangent;
     if (!*join.tangent_equal)
       return exceeds(demand_.kink_bound, left.jets().end_jet(1)[1], right.jets().start_jet(1)[1]) ? Finding_rule::corner
@@ -120,7 +147,7 @@ private:
     return *join.curvature_vector_equal ? Finding_rule::derivative : Finding_rule::curvature;
   }
 
-  Finding finding(const Join_place& place, const Join& join, const Span& left, const Span& right,
+  Finding finding(const Join_place& place, const Join& join, const Drawn& drawn, const Span& left, const Span& right,
                   const std::optional<GC::Order_within>& within, Claim claim) const {
     const GC::Join_deviation deviation = within ? within->deviation : GC::deviation(left.jets(), right.jets());
     Finding f;
@@ -128,8 +155,8 @@ private:
     f.line = place.line;
     f.kind = "join";
     f.place = "join " + std::to_string(place.left) + " -> " + std::to_string(place.right);
-    f.rule = claim == Claim::undecided ? Finding_rule::undecided : rule(join, left, right);
-    const Join_words words = join_words(join, left, right, demand_.kink_bound);
+    f.rule = claim == Claim::undecided ? Finding_rule::undecided : rule(join, drawn, left, right);
+    const Join_words words = this->words(join, drawn, left, right);
     std::ostringstream message, properties;
     if (claim == Claim::not_met)
       message << "not " << demand_.order->text() << (within ? " within the tolerance" : "") << ", ";
@@ -138,6 +165,7 @@ private:
     message << words.remark << " at " << words.point << "; " << deviation;
     f.message = message.str();
     GC::write_json_members(properties, join, static_cast<int>(place.left), static_cast<int>(place.right));
+    if (drawn) write_json_members(properties, *drawn);
     GC::write_json_members(properties << ',', deviation);
     f.properties = properties.str();
     f.object = "join";

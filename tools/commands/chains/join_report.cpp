@@ -123,10 +123,8 @@ Join_words join_words(const Join& join, const Span& left, const Span& right, con
 
 std::string table_head() { return "join         orders      point                     remark\n"; }
 
-template <class Span>
-void append_table_row(std::string& table, const Join& join, std::size_t left, std::size_t right, const Span& left_span,
-                      const Span& right_span, const GC::Kink_bound& bound) {
-  const Join_words words = join_words(join, left_span, right_span, bound);
+void append_table_row(std::string& table, const Join& join, std::size_t left, std::size_t right,
+                      const Join_words& words) {
   std::size_t begin = table.size();
   append(table, left, " -> ", right);
   end_column(table, begin, 12);
@@ -143,8 +141,3 @@ template Join_words join_words(const Join&, const Program_span<GC::Text_number>&
                                const GC::Kink_bound&);
 template Join_words join_words(const Join&, const Program_span<double>&, const Program_span<double>&,
                                const GC::Kink_bound&);
-template void append_table_row(std::string&, const Join&, std::size_t, std::size_t,
-                               const Program_span<GC::Text_number>&, const Program_span<GC::Text_number>&,
-                               const GC::Kink_bound&);
-template void append_table_row(std::string&, const Join&, std::size_t, std::size_t, const Program_span<double>&,
-                               const Program_span<double>&, const GC::Kink_bound&);

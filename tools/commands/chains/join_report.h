@@ -74,8 +74,7 @@ Join_words join_words(const Join& join, const Span& left, const Span& right, con
 std::string table_head();
 
 // Appends the line of a join: the numbers of both curves, the orders, the point, the remark.
-template <class Span>
-void append_table_row(std::string& table, const Join& join, std::size_t left, std::size_t right, const Span& left_span,
-                      const Span& right_span, const GC::Kink_bound& bound);
+void append_table_row(std::string& table, const Join& join, std::size_t left, std::size_t right,
+                      const Join_words& words);
 
 #endif // GEOMETRIC_CONTINUITY_TOOLS_COMMANDS_CHAINS_JOIN_REPORT_H

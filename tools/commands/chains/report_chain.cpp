@@ -2,6 +2,7 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
+#include "commands/chains/Drawn_join.h"
 #include "commands/chains/join_report.h"
 #include "commands/work_limit.h"
 #include "files/progress.h"
@@ -55,33 +56,37 @@ struct Chain_piece {
 
 typedef GC::Coordinate_vector<Exact, 0> Exact_vector;
 
-// The grade and the measures of any join with tangents; of one without, a handle of which lies on the node, only that.
+// The grade and the measures of any join; where a tangent is zero, that of the drawn curves.
 Report_item measured_exactly(const Exact_curve& left, const Exact_curve& right, const Report_demand& demand) {
   Report_item item;
   const Join join = GC::continuity(left, right, 2);
   const GC::Join_deviation d = GC::deviation(left, right);
   item.gap = d.gap;
   if (d.tangent_angle) item.angle = GC::in_degrees(*d.tangent_angle);
-  const Exact_vector a = left.end_jet(1)[1], b = right.start_jet(1)[1];
+  const std::optional<Drawn_join> drawn = drawn_join(join, left.end_jet((std::max)(left.degree(), 1)),
+                                                     right.start_jet((std::max)(right.degree(), 1)), demand.kink_bound);
+  if (drawn) item.angle = GC::in_degrees(drawn->angle);
   if (join.c_order < 0) {
     item.grade = Report_grade::gap;
     item.severity = d.gap.upper;
-  } else if (!join.regular)
+  } else if (!join.regular && !drawn)
     item.grade = Report_grade::undecided;
-  else if (!*join.tangent_equal) {
-    item.grade = exceeds(demand.kink_bound, a, b) ? Report_grade::corner : Report_grade::kink;
+  else if (drawn ? drawn->is_smooth() : *join.tangent_equal) {
+    item.grade = join.g_order < 2 ? Report_grade::g1 : Report_grade::g2;
+    if (d.curvature_jump) item.curvature_jump = GC::in_percent(*d.curvature_jump);
+    item.severity = item.curvature_jump ? item.curvature_jump->upper : 0;
+  } else {
+    const bool is_corner = drawn ? drawn->grade == GC::Join_grade::corner
+                                 : exceeds(demand.kink_bound, left.end_jet(1)[1], right.start_jet(1)[1]);
+    item.grade = is_corner ? Report_grade::corner : Report_grade::kink;
     const auto leg = [](const Exact_curve& c, int i, int j) {
       const Exact_vector v = c.coordinates(j) - c.coordinates(i);
       return GC::root_enclosure(Exact(dot(v, v))).upper;
     };
     const double handle = (std::min)(leg(left, left.degree() - 1, left.degree()), leg(right, 0, 1));
-    item.severity = d.tangent_angle->upper * handle;
-  } else {
-    item.grade = join.g_order < 2 ? Report_grade::g1 : Report_grade::g2;
-    item.curvature_jump = GC::in_percent(*d.curvature_jump);
-    item.severity = item.curvature_jump->upper;
+    item.severity = (drawn ? drawn->angle : *d.tangent_angle).upper * handle;
   }
-  item.verdict = item.grade == Report_grade::undecided ? "a tangent is zero" : report_words(item.grade, false);
+  item.verdict = item.grade == Report_grade::undecided ? "a curve has no direction" : report_words(item.grade, false);
   for (int i = 0; i < right.dimension(); ++i)
     item.point.push_back(rounded(CGAL::to_double(right.coordinates(0)[i]), 9));
   return item;

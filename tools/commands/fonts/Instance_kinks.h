@@ -8,7 +8,7 @@
 #include "formats/font/Variable_font.h"
 #include "reports/Report.h"
 
-#include <CGAL/Geometric_continuity/joins/largest_kink.h>
+#include "formats/font/largest_kink.h"
 
 #include <cstddef>
 #include <string>

@@ -6,8 +6,8 @@
 #define GEOMETRIC_CONTINUITY_TOOLS_FORMATS_FONT_GLYPH_VARIATIONS_H
 
 #include "formats/font/Font_tables.h"
+#include "formats/font/Variable_join.h"
 #include "formats/font/packed_numbers.h"
-#include <CGAL/Geometric_continuity/joins/Variable_join.h>
 
 #include <algorithm>
 #include <cstddef>

@@ -6,7 +6,7 @@
 #define GEOMETRIC_CONTINUITY_TOOLS_FORMATS_FONT_VARIABLE_OUTLINE_H
 
 #include "formats/font/True_type_outlines.h"
-#include <CGAL/Geometric_continuity/joins/Variable_join.h>
+#include "formats/font/Variable_join.h"
 
 #include <cstddef>
 #include <utility>

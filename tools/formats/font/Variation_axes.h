@@ -6,8 +6,8 @@
 #define GEOMETRIC_CONTINUITY_TOOLS_FORMATS_FONT_VARIATION_AXES_H
 
 #include "formats/font/Font_tables.h"
+#include "formats/font/Variable_join.h"
 #include <CGAL/Exact_rational.h>
-#include <CGAL/Geometric_continuity/joins/Variable_join.h>
 
 #include <algorithm>
 #include <cstddef>

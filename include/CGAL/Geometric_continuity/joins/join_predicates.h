@@ -13,11 +13,11 @@
 /// \file join_predicates.h
 /// One question about a join, answered exactly on the control points as given, for every kernel. With `double` coordinates,
 /// of whatever kernel, the answer costs little more than a test in floating-point arithmetic: a value that exceeds its
-/// proven rounding error refutes the join, integers of fixed length on a grid decide nearly all others, and multi-precision
-/// numbers the rest. Exact kernels are decided in the ring of the common denominators.
+/// proven rounding error refutes the join, a residue of a form that is proved to be smaller than the modulus decides nearly all
+/// others, and numbers of any length the rest. Exact kernels are decided in the ring of the common denominators.
 ///
 /// The left curve ends and the right curve starts at the join. `Left` and `Right` have one traits class. They are models of
-/// `ParametricCurve`, or types for which `Curve_ends` is specialised; or both are `Prepared_end`. The control points next to
+/// `ParametricCurve`, or types for which `Curve_ends` is specialised. The control points next to
 /// the ends are read where there are some (Bézier and segmented Bézier curves, B-spline curves whose knots allow it);
 /// otherwise, and in more than three dimensions, jets in an exact field decide. A type whose ends cannot be read does not compile. All
 /// predicates throw Error `dimension_mismatch` when the dimensions differ. They agree with `Join_continuity` where that is decided exactly.
@@ -33,19 +33,12 @@
 namespace CGAL {
 namespace Geometric_continuity {
 
-template <class Traits> class Prepared_end;
-
 namespace internal {
 
 template <Join_question question, class Left, class Right>
 Join_answer join_answer(const Left& left, const Right& right) {
   const All_join_stages stages;
   return decide_join<question>(left, right, stages);
-}
-template <Join_question question, class Traits>
-Join_answer join_answer(const Prepared_end<Traits>& left, const Prepared_end<Traits>& right) {
-  const All_join_stages stages;
-  return Prepared_end<Traits>::template decide<question>(left, right, stages);
 }
 
 template <Join_question question, class Left, class Right> bool join_is(const Left& left, const Right& right) {

@@ -148,11 +148,21 @@ private:
 //
 //   gap:  |q_0 - p_0|,   G1:  what of the shorter leg is orthogonal to the other,
 //   G2:   |K_b - K_a| min(n/(n-1) |b|^2, m/(m-1) |a|^2),   K = (m-1)/m  (w_0 w_2 / w_1^2)  h^orthogonal / |a|^2.
+//
+// Coordinates and weights are divided by powers of two first, so that no square overflows or vanishes.
 class Rounded_points {
   struct Side {
     int degree;
-    double weight; // w_0 w_2 / w_1^2
+    double weights[3] = {1, 1, 1};
     double x[3][3];
+
+    // w_0 w_2 / w_1^2
+    double weight() const {
+      double w[3];
+      int e[3];
+      for (int j = 0; j < 3; ++j) w[j] = std::frexp(weights[j], &e[j]);
+      return std::ldexp(w[0] * w[2] / (w[1] * w[1]), e[0] + e[2] - 2 * e[1]);
+    }
   };
   int dimension_ = 0, max_order_ = 0; // no points for the dimension 0
   Side sides_[2] = {};
@@ -173,27 +183,30 @@ public:
     constexpr double most = 16;
     double largest = 0, square[2], curvature_of_unit[2] = {0, 0}, off = 0;
     Vector start[2], leg[2], curvature[2];
+    for (const Side& side : sides_)
+      for (int j = 0; j < 3; ++j)
+        for (int i = 0; i < 3; ++i) largest = (std::max)(largest, std::abs(side.x[j][i]));
+    if (!(0 < largest && largest <= (std::numeric_limits<double>::max)())) return std::nullopt;
+    const int exponent = std::ilogb(largest);
+    largest = std::ldexp(largest, -exponent);
     for (int k = 0; k < 2; ++k) {
       Vector x[3];
       for (int j = 0; j < 3; ++j)
-        for (int i = 0; i < 3; ++i) {
-          x[j][i] = sides_[k].x[j][i];
-          largest = (std::max)(largest, std::abs(x[j][i]));
-        }
+        for (int i = 0; i < 3; ++i) x[j][i] = std::ldexp(sides_[k].x[j][i], -exponent);
       start[k] = x[0];
       leg[k] = x[1] - x[0];
       square[k] = dot(leg[k], leg[k]);
       curvature[k] = x[0] - x[0];
       if (sides_[k].degree < 2 || !(square[k] > 0)) continue;
-      curvature_of_unit[k] = (sides_[k].degree - 1.) / sides_[k].degree * sides_[k].weight / square[k];
+      curvature_of_unit[k] = (sides_[k].degree - 1.) / sides_[k].degree * sides_[k].weight() / square[k];
       const Vector h = x[2] - x[0];
       curvature[k] = curvature_of_unit[k] * Vector(h - (dot(h, leg[k]) / square[k]) * leg[k]);
     }
     const double unit = largest * std::numeric_limits<double>::epsilon();
     std::optional<Order_up_to_rounding> result;
     const auto take = [&](int order, double distance) {
+      if (!(distance / unit <= most)) return false; // also for what is no number
       off = (std::max)(off, distance / unit);
-      if (!(off <= most)) return false;
       if (order > g_order) result = Order_up_to_rounding{order, off};
       return order < max_order_;
     };
@@ -213,14 +226,11 @@ public:
 private:
   template <int N, class View> static void set_side(Side& side, const View& view) {
     side.degree = view.degree();
-    side.weight = 1;
     for (int j = 0; j < 3; ++j)
       for (int i = 0; i < N; ++i)
         side.x[j][i] = static_cast<double>(view.coordinate(j <= side.degree ? j : side.degree, i));
     if constexpr (View::has_weights)
-      if (side.degree >= 2)
-        side.weight =
-            static_cast<double>(view.weight(0) * view.weight(2)) / static_cast<double>(view.weight(1) * view.weight(1));
+      for (int j = 0; j < 3 && side.degree >= 2; ++j) side.weights[j] = static_cast<double>(view.weight(j));
   }
 };
 

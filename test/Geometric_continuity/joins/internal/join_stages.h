@@ -14,7 +14,7 @@
 using CGAL::Geometric_continuity::internal::Join_answer;
 using CGAL::Geometric_continuity::internal::Join_stage;
 
-constexpr int number_of_stages = 7;
+constexpr int number_of_stages = 5;
 struct Stages {
   unsigned used;
   std::array<long, number_of_stages> count{};

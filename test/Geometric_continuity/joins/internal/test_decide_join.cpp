@@ -11,14 +11,12 @@
 #include <boost/test/unit_test.hpp>
 
 #include "joins/internal/join_stages.h"
-#include "support/errors.h"
 #include "support/random.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Geometric_continuity/Traits.h>
 #include <CGAL/Geometric_continuity/curves/Bezier_curve.h>
-#include <CGAL/Geometric_continuity/joins/Prepared_end.h>
 #include <CGAL/Geometric_continuity/joins/join_continuity.h>
 #include <CGAL/Geometric_continuity/joins/join_predicates.h>
 #include <CGAL/Simple_cartesian.h>
@@ -55,10 +53,6 @@ template <class Traits> constexpr int dimension = GC::dimension_v<Traits>;
 const unsigned combinations[] = {stage(Join_stage::floating_point),
                                  stage(Join_stage::floating_point) | stage(Join_stage::bounded_residue),
                                  (1u << number_of_stages) - 1};
-// of ends that are prepared
-const unsigned on_grids[] = {
-    0, stage(Join_stage::fixed_integer), stage(Join_stage::fixed_integer) | stage(Join_stage::residue),
-    stage(Join_stage::fixed_integer) | stage(Join_stage::simple_ratio), (1u << number_of_stages) - 1};
 
 // ---------------------------------------------------------------- the reference
 
@@ -96,7 +90,6 @@ struct Counter {
 template <Join_question kind, class Traits>
 void check_kind(const Curve<Traits>& left, const Curve<Traits>& right, const GC::Join_continuity<Q>& join,
                 Counter& counter) {
-  typedef GC::Prepared_end<Traits> End;
   const auto x = GC::internal::left_end(left);
   const auto y = GC::internal::right_end(right);
   const bool decided_before = GC::internal::asks_for_contact(kind) && !GC::internal::ends_meet(x, y);
@@ -115,18 +108,12 @@ void check_kind(const Curve<Traits>& left, const Curve<Traits>& right, const GC:
       count(some);
     }
   if constexpr (kind != Join_question::c0)
-    if (!decided_before) {
-      Stages multiprecision{0};
-      right_answers =
-          right_answers && decide_all_the_way<kind, dimension<Traits>, false>(x, y, multiprecision) == truth;
-      count(multiprecision);
+    for (const unsigned used : {0u, stage(Join_stage::residue)}) { // without the ladder
+      if (decided_before) break;
+      Stages last{used};
+      right_answers = right_answers && decide_all_the_way<kind, dimension<Traits>, false>(x, y, last) == truth;
+      count(last);
     }
-  const End end = End::at_end(left), start = End::at_start(right);
-  for (const unsigned used : on_grids) {
-    Stages prepared{used};
-    right_answers = right_answers && End::template decide<kind>(end, start, prepared) == truth;
-    count(prepared);
-  }
   Stages all{(1u << number_of_stages) - 1};
   right_answers = right_answers && GC::internal::decide_join<kind>(left, right, all) == truth;
   count(all);
@@ -556,14 +543,6 @@ BOOST_AUTO_TEST_CASE(high_degrees_and_short_domains) {
         check(curve<Space>(high, true, {0, length}), curve<Space>(p, false, {0, length}), counter);
         BOOST_CHECK_EQUAL(counter.mismatches, 0);
         BOOST_CHECK_EQUAL(GC::is_g1_join(left, right), off == 0);
-        typedef GC::Prepared_end<Space> End;
-        const End x = End::at_end(left), y = End::at_start(right);
-        BOOST_CHECK_EQUAL(GC::is_g1_join(x, y), off == 0);
-        BOOST_CHECK_EQUAL(GC::is_g2_join(x, y), GC::is_g2_join(left, right));
-        // also without the integers of fixed length
-        Stages stages{((1u << number_of_stages) - 1) & ~stage(Join_stage::fixed_integer)};
-        BOOST_CHECK(End::decide<Join_question::g2>(x, y, stages) == answer(GC::is_g2_join(left, right)));
-        BOOST_CHECK_EQUAL(stages.count[static_cast<int>(Join_stage::fixed_integer)], 0);
       }
   }
 }
@@ -697,15 +676,9 @@ BOOST_AUTO_TEST_CASE(every_stage_decides) {
   for (const Join_question kind :
        {Join_question::c1, Join_question::c2, Join_question::c3, Join_question::g1, Join_question::g2,
         Join_question::g3, Join_question::f3, Join_question::curvature_vector, Join_question::torsion})
-    for (const Join_stage s :
-         {Join_stage::comparison, Join_stage::floating_point, Join_stage::bounded_residue, Join_stage::residue,
-          Join_stage::simple_ratio, Join_stage::fixed_integer, Join_stage::multiprecision}) {
-      const bool has_ratio = kind == Join_question::g2 || kind == Join_question::g3 || kind == Join_question::f3 ||
-                             kind == Join_question::curvature_vector;
-      const bool parametric = is_parametric(kind);
-      if ((s == Join_stage::simple_ratio && !has_ratio) || (s == Join_stage::fixed_integer && parametric) ||
-          (s == Join_stage::comparison && !(kind <= Join_question::f3)))
-        continue;
+    for (const Join_stage s : {Join_stage::comparison, Join_stage::floating_point, Join_stage::bounded_residue,
+                               Join_stage::residue, Join_stage::multiprecision}) {
+      if (s == Join_stage::comparison && !(kind <= Join_question::f3)) continue;
       BOOST_CHECK_MESSAGE(counts[static_cast<int>(kind)][static_cast<int>(s)] > 0,
                           kind_names[static_cast<int>(kind)] << ": stage " << static_cast<int>(s));
     }
@@ -788,7 +761,7 @@ BOOST_AUTO_TEST_CASE(fixed_integers) {
 
 #endif
 
-// The functions themselves, in an exact kernel and on prepared ends.
+// The functions themselves, in an exact kernel.
 BOOST_AUTO_TEST_CASE(exact_kernel) {
   Random random;
   BOOST_TEST_MESSAGE("seed " << random.seed);
@@ -798,9 +771,6 @@ BOOST_AUTO_TEST_CASE(exact_kernel) {
     const auto third = [](double x) { return Q(Q(x) / 3); };
     for (const auto& x : join.left) p.emplace_back(third(x[0]), third(x[1]), third(x[2]));
     for (const auto& x : join.right) q.emplace_back(third(x[0]), third(x[1]), third(x[2]));
-    typedef GC::Prepared_end<Exact_space> End;
-    const End left(static_cast<int>(p.size()) - 1, p.begin(), p.end()),
-        right(static_cast<int>(q.size()) - 1, q.begin(), q.end());
     const Curve<Exact_space> x(p.rbegin(), p.rend()), y(q.begin(), q.end());
     const GC::Join_continuity<Q> truth = GC::continuity(x, y, 3);
     const auto same = [&](const auto& l, const auto& r) {
@@ -812,20 +782,5 @@ BOOST_AUTO_TEST_CASE(exact_kernel) {
              GC::has_equal_torsion(l, r) == truth.torsion_equal;
     };
     BOOST_CHECK(same(x, y));
-    BOOST_CHECK(same(left, right));
   }
-}
-
-BOOST_AUTO_TEST_CASE(prepared_end_refuses) {
-  typedef GC::Prepared_end<Space> End;
-  std::vector<Space::Point> p = {Space::Point(0, 0, 0), Space::Point(1, 0, 0), Space::Point(2, 1, 0)};
-  BOOST_CHECK_EQUAL(End(2, p.begin(), p.end()).degree(), 2);
-  CHECK_ERROR(End(3, p.begin(), p.end()), wrong_number_of_points);
-  CHECK_ERROR(End(-1, p.begin(), p.end()), wrong_number_of_points);
-  CHECK_ERROR(End(2, p.begin(), p.end(), 1, 1), empty_domain);
-  CHECK_ERROR(End(2, p.begin(), p.end()).coordinate(3, 0), wrong_number_of_points);
-  CHECK_ERROR(End(2, p.begin(), p.end()).coordinate(-1, 0), wrong_number_of_points);
-  CHECK_ERROR(End(2, p.begin(), p.end()).coordinate(0, 3), dimension_mismatch);
-  p[1] = Space::Point(0, std::numeric_limits<double>::infinity(), 0);
-  CHECK_ERROR(End(2, p.begin(), p.end()), not_finite);
 }

@@ -2,7 +2,7 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// The integers of fixed length on which prepared ends are decided are long enough: the equations themselves, evaluated on bounds.
+// What the residues of fixed length leave out of a form is longer than they are: the equations themselves, evaluated on bounds.
 
 #include <boost/test/unit_test.hpp>
 
@@ -55,11 +55,9 @@ struct Lengths {
 constexpr Factor_bound below(std::int64_t limit) { return Factor_bound(static_cast<double>(limit - 1)); }
 
 // Whether all parts of the forms of a question fit, for points of so many bits and factors up to their limits.
-template <Join_question question, int N, bool short_ratio> constexpr bool forms_fit(const Lengths& lengths = {}) {
+template <Join_question question, int N> constexpr bool forms_fit(const Lengths& lengths = {}) {
   typedef Bounded_integer<1> Integer;
   typedef Join_weights<Factor_bound> Factors;
-  typedef Short_join_ratio<Integer, Factor_bound> Short_ratio;
-  typedef Short_join_ratio<Integer, std::int64_t> Decided_ratio;
   const Integer d1 = 2 * bound_of_bits(lengths.bits), d2 = 2 * d1.bound, d3 = 2 * d2.bound;
   const std::array<Integer, 3> x1{d1, d1, d1}, x2{d2, d2, d2}, x3{d3, d3, d3};
   Differences<Integer, N> d = [&]() -> Differences<Integer, N> {
@@ -69,9 +67,7 @@ template <Join_question question, int N, bool short_ratio> constexpr bool forms_
       return {std::array<Integer, 2>{d1, d1}, std::array<Integer, 2>{d2, d2}, std::array<Integer, 2>{d3, d3}};
   }();
   const Join_weights<std::int64_t> limits = factor_limits<question>();
-  const auto factor = [&](std::int64_t limit) {
-    return below(lengths.times * (short_ratio ? Decided_ratio::factor_limit : limit));
-  };
+  const auto factor = [&](std::int64_t limit) { return below(lengths.times * limit); };
   const Factors w{factor(limits.a2), factor(limits.b2), factor(limits.a3), factor(limits.b3), factor(limits.mix)};
   bool fits = true;
   for (const bool answer : {false, true}) {
@@ -79,68 +75,40 @@ template <Join_question question, int N, bool short_ratio> constexpr bool forms_
     const Join_equations<Integer, N, Factors, Fitting_zero> equations(d, d, w, zero);
     (void)equations.tangents_parallel();
     if constexpr (N == 3) (void)equations.both_have_curvature();
-    if constexpr (question == Join_question::curvature_vector)
-      (void)equations.curvature_vectors_equal();
-    else if constexpr (question == Join_question::torsion)
-      (void)equations.torsions_equal();
-    else if constexpr (short_ratio)
-      (void)equations_hold<question>(equations, Short_ratio{below(Decided_ratio::limit), below(Decided_ratio::limit)});
-    else
-      (void)equations_hold<question>(equations, equations.ratio());
+    (void)all_hold<question>(equations);
     fits = fits && zero.fits;
   }
   return fits;
 }
 
 template <Join_question question> constexpr bool all_fit(const Lengths& lengths = {}) {
-  bool fits = forms_fit<question, 3, false>(lengths);
-  if constexpr (is_geometric(question) && highest_difference(question) >= 2)
-    fits = fits && forms_fit<question, 3, true>(lengths);
-  if constexpr (question != Join_question::f3 && question != Join_question::torsion) {
-    fits = fits && forms_fit<question, 2, false>(lengths);
-    if constexpr (is_geometric(question) && highest_difference(question) >= 2)
-      fits = fits && forms_fit<question, 2, true>(lengths);
-  }
+  bool fits = forms_fit<question, 3>(lengths);
+  if constexpr (question != Join_question::f3 && question != Join_question::torsion)
+    fits = fits && forms_fit<question, 2>(lengths);
   return fits;
 }
 
-bool are_below(const Join_weights<std::int64_t>& w, const Join_weights<std::int64_t>& limits, bool third) {
-  return w.a2 < limits.a2 && w.b2 < limits.b2 &&
-         (!third || (w.a3 < limits.a3 && w.b3 < limits.b3 && w.mix < limits.mix));
-}
-
-// Factors that take up a power of two: refused exactly where one of them reaches its limit, before or after it. The limits are powers of two.
-template <Join_question question> void check_factors_that_grow() {
+// Factors are refused exactly where one of them that the question needs reaches its limit.
+template <Join_question question> void check_limits() {
   typedef Join_weights<std::int64_t> Factors;
   const Factors limits = factor_limits<question>();
-  const bool third = highest_difference(question) >= 3;
-  const int power = question == Join_question::torsion ? 1 : 2;
-  for (int d = -16; d <= 16; ++d)
-    for (int k = 0; k < 5; ++k)
-      for (const bool reaches : {false, true}) {
-        const int down = (std::max)(-d, 0), up = (std::max)(d, 0), shift[] = {down, up, power * down, power * up, down};
-        const std::int64_t limit[] = {limits.a2, limits.b2, limits.a3, limits.b3, limits.mix};
-        std::int64_t w[5] = {1, 1, 1, 1, 1};
-        w[k] = (std::max)(limit[k] >> shift[k], std::int64_t(1)) - (reaches ? 0 : 1);
-        Factors taken{w[0], w[1], w[2], w[3], w[4]};
-        const Factors grown{w[0] << shift[0], w[1] << shift[1], w[2] << shift[2], w[3] << shift[3], w[4] << shift[4]};
-        const bool fits = -14 <= d && d <= 14 && are_below({w[0], w[1], w[2], w[3], w[4]}, limits, true) &&
-                          are_below(grown, limits, third);
-        BOOST_REQUIRE_EQUAL(take_up<question>(taken, d), fits);
-        if (fits)
-          BOOST_CHECK(taken.a2 == grown.a2 && taken.b2 == grown.b2 && taken.a3 == grown.a3 && taken.b3 == grown.b3 &&
-                      taken.mix == grown.mix);
-      }
+  for (int k = 0; k < 5; ++k)
+    for (const bool reaches : {false, true}) {
+      const std::int64_t limit[] = {limits.a2, limits.b2, limits.a3, limits.b3, limits.mix};
+      std::int64_t w[5] = {1, 1, 1, 1, 1};
+      w[k] = limit[k] - (reaches ? 0 : 1);
+      BOOST_CHECK_EQUAL(factors_fit<question>(Factors{w[0], w[1], w[2], w[3], w[4]}), !reaches);
+    }
 }
 
 } // namespace
 
-BOOST_AUTO_TEST_CASE(factors_that_grow) {
-  check_factors_that_grow<Join_question::g2>();
-  check_factors_that_grow<Join_question::g3>();
-  check_factors_that_grow<Join_question::f3>();
-  check_factors_that_grow<Join_question::curvature_vector>();
-  check_factors_that_grow<Join_question::torsion>();
+BOOST_AUTO_TEST_CASE(limits_of_factors) {
+  check_limits<Join_question::g2>();
+  check_limits<Join_question::g3>();
+  check_limits<Join_question::f3>();
+  check_limits<Join_question::curvature_vector>();
+  check_limits<Join_question::torsion>();
 }
 
 BOOST_AUTO_TEST_CASE(no_form_exceeds_its_limbs) {

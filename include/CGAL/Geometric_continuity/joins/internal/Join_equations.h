@@ -41,12 +41,6 @@ template <class T> struct Exact_zero {
   }
 };
 
-// The residue of zero is zero; the residue of another number may be.
-struct Residue_zero {
-  static constexpr bool exact = false, pivot_is_first = true;
-  bool operator()(Join_question, std::uint64_t x) const { return x == 0; }
-};
-
 // The residue of a number that is known to be smaller than the modulus.
 struct Modular_zero {
   static constexpr bool exact = false, pivot_is_first = true;
@@ -66,12 +60,14 @@ template <class T, int N, class Weights, class Zero> class Join_equations {
   int pivot;
 
 public:
+  typedef Join_ratio<T> Ratio;
+
   constexpr CGAL_GC_FORCEINLINE Join_equations(const Differences<T, N>& a, const Differences<T, N>& b,
                                                const Weights& weights, Zero& z, int pivot_index = 0)
       : a1(a[0]), a2(a[1]), a3(a[2]), b1(b[0]), b2(b[1]), b3(b[2]), w(weights), zero(z), pivot(pivot_index) {}
 
   // (q, p)
-  constexpr CGAL_GC_FORCEINLINE Join_ratio<T> ratio() const { return {at_pivot(a1), at_pivot(b1)}; }
+  constexpr CGAL_GC_FORCEINLINE Ratio ratio() const { return {at_pivot(a1), at_pivot(b1)}; }
 
   // The k-th derivatives are equal.
   template <int k> constexpr CGAL_GC_FORCEINLINE bool derivatives_equal() const {
@@ -87,7 +83,7 @@ public:
   constexpr CGAL_GC_FORCEINLINE bool tangents_parallel() const { return is_parallel(Join_question::g1, b1); }
 
   // The condition for G2 besides G1: V = q^2 b2 - p^2 a2 is a multiple of a1.
-  template <class Ratio> constexpr CGAL_GC_FORCEINLINE bool g2(const Ratio& r) const {
+  constexpr CGAL_GC_FORCEINLINE bool g2(const Ratio& r) const {
     typedef Scaled<typename Ratio::Square, decltype(w.b2)> Square;
     const Square x = scaled(r.square(r.q), w.b2), y = scaled(r.square(r.p), w.a2);
     if constexpr (Zero::pivot_is_first) // short products first
@@ -100,7 +96,7 @@ public:
 
   // The condition for G3 besides G2: q^3 a1_0 b3 - p^3 a1_0 a3 - 3 p V_0 a2 is a multiple of a1, where 0 is the pivot; here
   // beta_2 is V_0 / (q^2 a1_0). The second derivatives of rational curves have -b1 and +a1 added, so V has -(q^2 p + p^2 q).
-  template <class Ratio> constexpr CGAL_GC_FORCEINLINE bool g3(const Ratio& r) const {
+  constexpr CGAL_GC_FORCEINLINE bool g3(const Ratio& r) const {
     typedef typename Ratio::Square Square;
     typedef Product<Scaled<typename Ratio::Cube, decltype(w.b3)>, T> Fourth;
     typedef Product<Scaled<Square, decltype(w.b2)>, T> Third;
@@ -114,7 +110,7 @@ public:
 
   // The condition for F3 besides G2: q^3 b3 - p^3 a3 lies in the span of a1 and a2, which has the normal n = a1 x a2; when
   // this is zero, in that of a1.
-  template <class Ratio> constexpr CGAL_GC_FORCEINLINE bool f3(const Ratio& r) const {
+  constexpr CGAL_GC_FORCEINLINE bool f3(const Ratio& r) const {
     typedef Scaled<typename Ratio::Cube, decltype(w.b3)> Cube;
     const Cube x = scaled(r.cube(r.q), w.b3), y = scaled(r.cube(r.p), w.a3);
     const std::array<Product<T, T>, 3> n = cross_form(a1, a2);
@@ -192,9 +188,8 @@ private:
   }
 };
 
-// What the equations of one question say, given the ratio; for the geometric questions once the tangents are parallel.
-template <Join_question question, class Equations, class Ratio>
-constexpr CGAL_GC_FORCEINLINE bool equations_hold(const Equations& e, const Ratio& r) {
+// All equations of one question; the geometric ones ask whether the tangents are parallel first.
+template <Join_question question, class Equations> constexpr CGAL_GC_FORCEINLINE bool all_hold(const Equations& e) {
   if constexpr (is_parametric(question)) {
     if constexpr (highest_difference(question) >= 2)
       if (!e.template derivatives_equal<2>()) return false;
@@ -206,6 +201,8 @@ constexpr CGAL_GC_FORCEINLINE bool equations_hold(const Equations& e, const Rati
   else if constexpr (question == Join_question::torsion)
     return e.torsions_equal();
   else {
+    if (!e.tangents_parallel()) return false;
+    const typename Equations::Ratio r = e.ratio();
     if constexpr (highest_difference(question) >= 2)
       if (!e.g2(r)) return false;
     if constexpr (question == Join_question::g3)
@@ -214,11 +211,6 @@ constexpr CGAL_GC_FORCEINLINE bool equations_hold(const Equations& e, const Rati
       if (!e.f3(r)) return false;
     return true;
   }
-}
-
-// All equations of one question.
-template <Join_question question, class Equations> constexpr CGAL_GC_FORCEINLINE bool all_hold(const Equations& e) {
-  return (!is_geometric(question) || e.tangents_parallel()) && equations_hold<question>(e, e.ratio());
 }
 
 } // namespace internal

@@ -26,7 +26,7 @@
 /// - residues: `find_unit()`, `integer_factors()`, `left_in()`, `right_in()` and `units_of_factors()`, in as many limbs as the first of `Limbs` that suffices;
 /// - the grid: `left_grid()` and `right_grid()`.
 ///
-/// The constants `rounded` and `on_grid` say whether an input has what the filter and residues, and what the grid needs.
+/// The constant `rounded` says whether an input has what the filter and residues need.
 
 namespace CGAL {
 namespace Geometric_continuity {
@@ -176,8 +176,6 @@ public:
       return false;
   }
 
-  static constexpr bool on_grid = false;
-
 #ifdef CGAL_GEOMETRIC_CONTINUITY_HAS_FIXED_INTEGER
   // That suffice as a rule: a form of degree d in numbers of n bits that has passed the filter has about (d - 1) n bits.
   typedef std::integer_sequence<int, form_degree(question_) <= 2 ? 2 : form_degree(question_) <= 4 ? 3 : 4> Limbs;
@@ -193,7 +191,7 @@ public:
     if constexpr (is_parametric(question_))
       return true;
     else
-      return take_up<question_>(w, 0);
+      return factors_fit<question_>(w);
   }
   template <int limbs> CGAL_GC_FORCEINLINE Differences<Integer<limbs>, N> left_in(int unit, int pivot) const {
     return in_units<k, Integer<limbs>>(rotated<k>(this->left(), pivot), power_of_two(-unit));
@@ -242,8 +240,6 @@ public:
     return this->factors_with(h_, l_, w);
   }
   CGAL_GC_FORCEINLINE bool first_derivatives_differ() const { return false; }
-
-  static constexpr bool on_grid = false;
 
 #ifdef CGAL_GEOMETRIC_CONTINUITY_HAS_FIXED_INTEGER
   typedef std::integer_sequence<int, form_degree(question_) <= 2 ? 2 : form_degree(question_) <= 4 ? 4 : 6> Limbs;
@@ -353,7 +349,7 @@ public:
   }
   CGAL_GC_FORCEINLINE bool first_derivatives_differ() const { return false; }
 
-  static constexpr bool rounded = true, on_grid = false, weighted = true;
+  static constexpr bool rounded = true, weighted = true;
   typedef Rounding_of_weighted_ends Rounding;
   typedef Rational_join_weights<question, double> Rounded_factors;
   CGAL_GC_FORCEINLINE const Differences<double, N>& left() const { return left_; }
@@ -415,7 +411,7 @@ template <Join_question question_, int N> class Weighted_derivatives {
 public:
   static constexpr Join_question question = question_;
   static constexpr int dimension = N;
-  static constexpr bool rounded = false, on_grid = false;
+  static constexpr bool rounded = false;
 
   template <class Left, class Right> Weighted_derivatives(const Left& left, const Right& right) {
     const auto ratio = [](const auto& end) -> double {
@@ -440,47 +436,6 @@ public:
   struct Factors {};
   bool find_factors(Factors&) const { return false; }
   bool first_derivatives_differ() const { return differ_; }
-};
-
-// An end with double coordinates that is compared with many others: its legs on a grid, and the largest coordinate of the first one.
-template <int N> struct Prepared_legs {
-  Grid_legs<N> grid;
-  int pivot;
-
-  explicit Prepared_legs(const End_polygon<double, N>& points)
-      : grid(grid_legs_of<3>(points)), pivot(grid.valid ? largest_coordinate(grid.legs[0]) : 0) {}
-};
-
-// Two such ends, for a question that is not parametric. \pre both grids are valid
-template <Join_question question_, int N> class Prepared_join {
-  const Prepared_legs<N>&left_, &right_;
-  int m_, n_;
-
-public:
-  static constexpr Join_question question = question_;
-  static constexpr int dimension = N;
-  static constexpr bool rounded = false, on_grid = true;
-
-  CGAL_GC_FORCEINLINE Prepared_join(const Prepared_legs<N>& left, int m, const Prepared_legs<N>& right, int n)
-      : left_(left), right_(right), m_(m), n_(n) {}
-
-  CGAL_GC_FORCEINLINE std::array<std::int64_t, N> first_left() const {
-    return internal::minus(zero_vector<std::int64_t, N>(), left_.grid.legs[0]);
-  }
-  CGAL_GC_FORCEINLINE const std::array<std::int64_t, N>& first_right() const { return right_.grid.legs[0]; }
-  CGAL_GC_FORCEINLINE int pivot() const { return left_.pivot; }
-
-  typedef Join_weights<std::int64_t> Factors;
-  CGAL_GC_FORCEINLINE bool find_factors(Factors& w) const {
-    w = Factors::template geometric<question>(m_, n_);
-    return degrees_fit(m_, n_);
-  }
-  CGAL_GC_FORCEINLINE bool first_derivatives_differ() const { return false; }
-
-  CGAL_GC_FORCEINLINE const Grid_legs<N>& left_grid() const { return left_.grid; }
-  CGAL_GC_FORCEINLINE const Grid_legs<N>& right_grid() const { return right_.grid; }
-  CGAL_GC_FORCEINLINE int left_degree() const { return m_; }
-  CGAL_GC_FORCEINLINE int right_degree() const { return n_; }
 };
 
 } // namespace internal

@@ -18,8 +18,7 @@
 
 /// \file Join_ladder.h
 /// The rungs by which a question about a join is decided on two ends (Join_input.h), from the cheapest to the one that is left: signs, a
-/// rounded form that exceeds its error, residues of a form that is smaller than the modulus, integers of fixed length. Each answers, or
-/// `unknown`. What all of them leave open is decided in numbers of any length (decide_in_ring.h).
+/// rounded form that exceeds its error, residues of a form that is smaller than the modulus. Each answers, or `unknown`. What all of them leave open is decided in numbers of any length (decide_in_ring.h).
 
 namespace CGAL {
 namespace Geometric_continuity {
@@ -51,8 +50,9 @@ CGAL_GC_FORCEINLINE Join_answer decide_by_signs(const std::array<T, N>& a1, cons
 // On ends whose rounded forms have passed the filter: a whole number that is divisible by 2^s and smaller than 2^s is 0.
 //
 // Let all differences be multiples of a unit 2^g, and the factors of a form be whole numbers w times a power of two. In units they are
-// whole numbers, and what is shorter than the residues stays within its limbs, as in decide_on_grids(). The bound that the filter proves
-// for a form of degree d is divided by 2^(g d) and by the power of the factors. Forms of degree at most 2, and for polynomials the one
+// whole numbers, the differences of points with 53 bits: |a1| <= 2^54, |a2| <= 2^55, |a3| <= 2^56. Factors are below their limits. What is
+// shorter than the residues stays within its limbs: test_integer_lengths.cpp computes the bounds by the same equations. The bound that the
+// filter proves for a form of degree d is divided by 2^(g d) and by the power of the factors. Forms of degree at most 2, and for polynomials the one
 // for G2 with the limbs of a form of degree 6, are shorter than the residues anyway.
 template <class Input, class Filter> class Residue_room {
   const Filter& filter_;
@@ -138,85 +138,6 @@ BOOST_NOINLINE Join_answer decide_by_long_residues(Input join, typename Input::F
   return decide_by_residues<true>(join, given, room, pivot, stages, length);
 }
 
-// (q, p) below a limit, so that the cubes with short factors take one limb. The types of the forms are shorter.
-template <class Integer, class Factor> struct Short_join_ratio {
-  typedef Integer Square, Cube;
-  static constexpr std::int64_t limit = 1 << 12, factor_limit = 1 << 16;
-  Factor q, p;
-  static constexpr Square square(const Factor& x) { return Square(x * x); }
-  static constexpr Cube cube(const Factor& x) { return Cube(x * x * x); }
-  template <class V> constexpr V p_times(const V& v, const Factor& w) const { return scaled(v, p * w); }
-};
-
-// b/a, if it is a fraction with denominator 2^8 and a numerator below the limit
-template <class Ratio> CGAL_GC_FORCEINLINE bool short_ratio(std::int64_t a, std::int64_t b, Ratio& r) {
-  const double x = 256 * (static_cast<double>(b) / static_cast<double>(a));
-  if (!(std::abs(x) < Ratio::limit)) return false;
-  r.p = static_cast<std::int64_t>(x);
-  r.q = 256;
-  return static_cast<Signed_128>(r.p) * a == static_cast<Signed_128>(r.q) * b && r.p != 0;
-}
-
-template <class Ratio> CGAL_GC_FORCEINLINE bool weights_are_short(const Join_weights<std::int64_t>& w) {
-  return (w.a2 | w.b2 | w.a3 | w.b3 | w.mix) < Ratio::factor_limit;
-}
-
-// On differences in units of 2^d (left) and 1 (right) of points with 53 bits: |a1| <= 2^54, |a2| <= 2^55, |a3| <= 2^56. With factors
-// below their limits no form or part of it exceeds its limbs: test_integer_lengths.cpp computes the bounds of all of them by the same
-// equations.
-template <Join_question question, int N, class Weights, class Stages>
-CGAL_GC_FORCEINLINE Join_answer decide_on_grids(const Differences<std::int64_t, N>& a,
-                                                const Differences<std::int64_t, N>& b, const Weights& w,
-                                                Stages& stages) {
-  typedef Fixed_integer<1> Integer;
-  constexpr int k = highest_difference(question);
-  const auto decided = [&](Join_stage stage, Join_answer answer) {
-    stages.decided(stage, answer);
-    return answer;
-  };
-  if (stages.uses(Join_stage::residue)) {
-    const Differences<std::uint64_t, N> x = converted<k, std::uint64_t>(a), y = converted<k, std::uint64_t>(b);
-    Residue_zero zero;
-    const Join_equations<std::uint64_t, N, Weights, Residue_zero> equations(x, y, w, zero);
-    if (!all_hold<question>(equations)) return decided(Join_stage::residue, Join_answer::no);
-  }
-  const Differences<Integer, N> x = converted<k, Integer>(a), y = converted<k, Integer>(b);
-  Exact_zero<Integer> zero;
-  const Join_equations<Integer, N, Weights, Exact_zero<Integer>> equations(x, y, w, zero);
-  const auto answer = [](bool holds) { return holds ? Join_answer::yes : Join_answer::no; };
-  if constexpr (question == Join_question::torsion)
-    if (!equations.both_have_curvature()) return decided(Join_stage::fixed_integer, Join_answer::undefined);
-  if constexpr (is_geometric(question) || question == Join_question::curvature_vector) {
-    constexpr Join_question given_parallel = question == Join_question::curvature_vector ? Join_question::g2 : question;
-    const bool parallel = equations.tangents_parallel();
-    if (is_geometric(question) && !parallel) return decided(Join_stage::fixed_integer, Join_answer::no);
-    typedef Short_join_ratio<Integer, std::int64_t> Short_ratio;
-    Short_ratio r;
-    if (parallel && highest_difference(question) >= 2 && stages.uses(Join_stage::simple_ratio) &&
-        weights_are_short<Short_ratio>(w) && short_ratio(a[0][0], b[0][0], r))
-      return decided(Join_stage::simple_ratio, answer(equations_hold<given_parallel>(equations, r)));
-    if (parallel)
-      return decided(Join_stage::fixed_integer, answer(equations_hold<given_parallel>(equations, equations.ratio())));
-  }
-  return decided(Join_stage::fixed_integer, answer(equations_hold<question>(equations, equations.ratio())));
-}
-
-// On the coarsest grid that has all legs, as far as the legs of each end allow: short numbers leave residues that say more.
-template <class Input, class Stages>
-CGAL_GC_FORCEINLINE Join_answer decide_on_grid(const Input& join, typename Input::Factors w, int pivot,
-                                               Stages& stages) {
-  constexpr Join_question question = Input::question;
-  constexpr int N = Input::dimension, k = highest_difference(question);
-  const Grid_legs<N>&left = join.left_grid(), &right = join.right_grid();
-  if (!left.valid || !right.valid) return Join_answer::unknown;
-  const int e = (std::min)(left.exponent + left.zeros, right.exponent + right.zeros),
-            x = (std::max)(e - left.exponent, 0), y = (std::max)(e - right.exponent, 0);
-  if (!take_up<question>(w, left.exponent + x - right.exponent - y)) return Join_answer::unknown;
-  return decide_on_grids<question, N>(
-      differences_of<k, true>(without_zeros<k>(rotated<k>(left.legs, pivot), x), join.left_degree()),
-      differences_of<k, false>(without_zeros<k>(rotated<k>(right.legs, pivot), y), join.right_degree()), w, stages);
-}
-
 #endif // CGAL_GEOMETRIC_CONTINUITY_HAS_FIXED_INTEGER
 
 // The ladder. Exact or `unknown`; that the ends meet is not asked here.
@@ -262,10 +183,6 @@ CGAL_GC_FORCEINLINE Join_answer decide_by_rungs(const Input& join, Stages& stage
 #endif
       return Join_answer::unknown;
     }
-#ifdef CGAL_GEOMETRIC_CONTINUITY_HAS_FIXED_INTEGER
-  if constexpr (Input::on_grid)
-    if (stages.uses(Join_stage::fixed_integer)) return decide_on_grid(join, w, pivot, stages);
-#endif
   return Join_answer::unknown;
 }
 

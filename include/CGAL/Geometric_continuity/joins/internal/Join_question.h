@@ -16,22 +16,19 @@
 //     decide_by_signs                      comparison of signs and zeros
 //     all_hold                             the filter: a rounded form exceeds its error
 //     decide_by_residues                   a form below a proven bound, modulo a power of two above it
-//     decide_on_grid                       residues modulo 2^64, then integers of fixed length
 //   decide_in_ring      decide_in_ring.h   doubles by remainders, or the numbers of an exact kernel
 //
 // and continuity() of join_continuity.h asks the ladder several questions (decide_all_questions.h). Ends without control
 // points and dimensions above 3 are decided by Join_decision. All stages evaluate one text, Join_equations. It is a template
-// with four axes:
+// with three axes:
 //
 // - `Zero` says what is known of a number whose form has been computed. Exact_zero: it is 0 or not. Join_filter: if the
-//   rounded value exceeds the bound of its error the exact one is not 0; otherwise nothing. Residue_zero: if the residue modulo
-//   2^64 is not 0 the number is not; otherwise nothing. Modular_zero: the number is smaller than the modulus, so it is 0 if
-//   and only if its residue is. Join_rounding: nothing is known, the bound of the error is recorded.
+//   rounded value exceeds the bound of its error the exact one is not 0; otherwise nothing. Modular_zero: the number is smaller
+//   than the modulus, so it is 0 if and only if its residue is. Join_rounding: nothing is known, the bound of the error is
+//   recorded.
 // - `Weights` are the factors of the differences by which degrees and domains enter. Parametric_join_weights (both, for C^k) or
 //   Join_weights (degrees, for all others), in the integers or doubles in which the stage computes. Rational_join_weights has the
 //   weights of rational curves besides the degrees.
-// - `Ratio` is beta_1 as a fraction p/q of numbers in which the forms are homogeneous. Join_ratio takes a coordinate of the
-//   differences themselves; Short_join_ratio a reduced fraction of at most 12 bits, which makes the forms shorter.
 // - `Stages` says which stages are taken, and is told what each of them decides. All_join_stages takes all of them and records
 //   nothing; tests switch stages off and count.
 
@@ -87,8 +84,6 @@ enum class Join_stage {
   floating_point,  // a form is larger than its rounding error
   bounded_residue, // a form is smaller than the modulus
   residue,         // a form is not zero modulo 2^64
-  simple_ratio,    // integers of fixed length, with p/q short
-  fixed_integer,   // integers of fixed length
   multiprecision   // numbers of any length, or remainders by several moduli
 };
 

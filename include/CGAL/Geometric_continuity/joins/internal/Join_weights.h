@@ -36,7 +36,7 @@ template <class W> struct Join_weights {
               n2 = (std::max)(n - 2, 0);
     if (m == n) {
       const bool mixed = question == Join_question::g3; // those below divided by m^2 (m-1)
-      return {W(1), W(1), W(mixed ? m2 : 1), W(mixed ? m2 : 1), W(mixed ? 3 * m1 : 1)};
+      return {W(1), W(1), W(mixed ? m2 : 1), W(mixed ? m2 : 1), mixed ? W(W(3) * W(m1)) : W(1)};
     }
     const W a2(W(one * W(n)) * W(m1)), b2(W(one * W(m)) * W(n1));
     if constexpr (!third)
@@ -90,18 +90,11 @@ template <Join_question question> constexpr Join_weights<std::int64_t> factor_li
   return {second, second, third, third, mixed};
 }
 
-// Differences in units of 2^d (left) to 1 (right): the factors take the power of two up, by the degrees of the terms.
-// Returns false unless all of them stay within their limits.
-template <Join_question question> CGAL_GC_FORCEINLINE bool take_up(Join_weights<std::int64_t>& w, int d) {
-  if (highest_difference(question) < 2) return true;
-  constexpr int power = question == Join_question::torsion ? 1 : 2;
+// Whether the factors that a question needs are below their limits.
+template <Join_question question> CGAL_GC_FORCEINLINE bool factors_fit(const Join_weights<std::int64_t>& w) {
   constexpr Join_weights<std::int64_t> limits = factor_limits<question>();
-  if (d < -14 || 14 < d || !((w.a2 | w.b2) < limits.a2) || !((w.a3 | w.b3) < limits.a3) || !(w.mix < limits.mix))
-    return false;
-  const int up = (std::max)(d, 0), down = (std::max)(-d, 0);
-  w = {w.a2 << down, w.b2 << up, w.a3 << power * down, w.b3 << power * up, w.mix << down};
-  return (w.a2 | w.b2) < limits.a2 &&
-         (highest_difference(question) < 3 || ((w.a3 | w.b3) < limits.a3 && w.mix < limits.mix));
+  return highest_difference(question) < 2 ||
+         ((w.a2 | w.b2) < limits.a2 && (w.a3 | w.b3) < limits.a3 && w.mix < limits.mix);
 }
 
 // The end of a rational Bezier curve of degree m from its end point b_0 inwards, in the differences D_i = b_i - b_0. Divided by
@@ -167,7 +160,7 @@ template <Join_question question, class X> struct Rational_join_weights {
           f.first = times(Second(ww * vv), m, n);
           f.a3 = times(times(Third(w003 * Second(Square(w[1] * v[1]) * vv)), n, n), m1, m2);
           f.b3 = times(times(Third(v003 * Second(ww * ww)), m, m), n1, n2);
-          f.mix = times(Mix(w02 * v[1]), 3 * n, m1);
+          f.mix = times(times(Mix(w02 * v[1]), n, m1), 3, 1);
         }
       }
     }

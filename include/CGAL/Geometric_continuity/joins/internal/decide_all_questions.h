@@ -62,6 +62,7 @@ template <int N> bool curvatures_differ(const Long_end<N>& left, const Long_end<
 }
 // On grids, or in interval arithmetic.
 template <int N> bool curvatures_differ(const Double_end<N>& left, const Double_end<N>& right) {
+  if (!degrees_fit(left.degree(), right.degree())) return false;
   const Join_weights<std::int64_t> w =
       Join_weights<std::int64_t>::geometric<Join_question::g2>(left.degree(), right.degree());
   const Grid_legs<N> x = grid_legs_of<2>(left.points()), y = grid_legs_of<2>(right.points());

@@ -2,10 +2,10 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-#ifndef CGAL_GEOMETRIC_CONTINUITY_JOINS_INTERNAL_CENTERED_LEGS_H
-#define CGAL_GEOMETRIC_CONTINUITY_JOINS_INTERNAL_CENTERED_LEGS_H
+#ifndef GEOMETRIC_CONTINUITY_TOOLS_FORMATS_FONT_CENTERED_LEGS_H
+#define GEOMETRIC_CONTINUITY_TOOLS_FORMATS_FONT_CENTERED_LEGS_H
 
-#include <CGAL/Geometric_continuity/joins/internal/Variation_cells.h>
+#include "formats/font/Variation_cells.h"
 #include <CGAL/Interval_nt.h>
 
 #include <algorithm>
@@ -283,4 +283,4 @@ private:
 } // namespace Geometric_continuity
 } // namespace CGAL
 
-#endif // CGAL_GEOMETRIC_CONTINUITY_JOINS_INTERNAL_CENTERED_LEGS_H
+#endif // GEOMETRIC_CONTINUITY_TOOLS_FORMATS_FONT_CENTERED_LEGS_H

@@ -10,7 +10,7 @@
 
 #include "support/errors.h"
 
-#include <CGAL/Geometric_continuity/joins/largest_kink.h>
+#include "formats/font/largest_kink.h"
 
 #include <algorithm>
 #include <cmath>

@@ -2,8 +2,8 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-#ifndef CGAL_GEOMETRIC_CONTINUITY_JOINS_VARIABLE_JOIN_H
-#define CGAL_GEOMETRIC_CONTINUITY_JOINS_VARIABLE_JOIN_H
+#ifndef GEOMETRIC_CONTINUITY_TOOLS_FORMATS_FONT_VARIABLE_JOIN_H
+#define GEOMETRIC_CONTINUITY_TOOLS_FORMATS_FONT_VARIABLE_JOIN_H
 
 #include <CGAL/Geometric_continuity/joins/Join_grade.h>
 #include <CGAL/Geometric_continuity/numbers/Exact_field.h>
@@ -22,14 +22,12 @@
 namespace CGAL {
 namespace Geometric_continuity {
 
-/// \ingroup PkgGeometricContinuityContinuity
 /// The values of an axis, among which 0 is the default. They are taken as they are, with all their bits.
 struct Variation_range {
   double lowest = -1; ///< at most 0
   double highest = 1; ///< at least 0
 };
 
-/// \ingroup PkgGeometricContinuityContinuity
 /// How a region lies along one axis: its scalar rises linearly from 0 at `start` to 1 at `peak` and falls to 0 at `end`.
 struct Region_axis {
   double start, peak, end;
@@ -38,7 +36,6 @@ struct Region_axis {
   bool counts() const { return peak != 0 && start <= peak && peak <= end && (start >= 0 || end <= 0); }
 };
 
-/// \ingroup PkgGeometricContinuityContinuity
 /// A region of the space of instances. The scalar with which it moves points is the product of those along its axes,
 /// \f$ s(v) = (v - start) / (peak - start) \f$ before and \f$ (end - v) / (end - peak) \f$ behind the peak, hence piecewise
 /// multi-affine.
@@ -76,7 +73,6 @@ private:
   std::vector<Region_axis> axes_;
 };
 
-/// \ingroup PkgGeometricContinuityContinuity
 /// The vector along a handle or a line at a join: `constant` and the sum of `shifts[r]` times the scalar of region `r`.
 struct Variable_vector {
   typedef Variation_region::FT FT;  ///< the number type
@@ -102,7 +98,6 @@ struct Variable_vector {
   }
 };
 
-/// \ingroup PkgGeometricContinuityContinuity
 /// A join: the sides that lead to it and away from it, in the same regions.
 struct Variable_join {
   typedef Variable_vector::FT FT; ///< the number type
@@ -117,7 +112,6 @@ struct Variable_join {
   }
 };
 
-/// \ingroup PkgGeometricContinuityContinuity
 /// Returns the scalars of regions at an instance.
 inline std::vector<Variation_region::FT> region_scalars(const std::vector<Variation_region>& regions,
                                                         const std::vector<Variation_region::FT>& instance) {
@@ -127,7 +121,6 @@ inline std::vector<Variation_region::FT> region_scalars(const std::vector<Variat
   return scalars;
 }
 
-/// \ingroup PkgGeometricContinuityContinuity
 /// Decides whether a join is a corner at an instance, which is given by the scalars of the regions; empty when a side has no
 /// length there. The decision is exact.
 inline std::optional<bool> is_corner(const Variable_join& join, const std::vector<Variable_join::FT>& scalars,
@@ -140,4 +133,4 @@ inline std::optional<bool> is_corner(const Variable_join& join, const std::vecto
 } // namespace Geometric_continuity
 } // namespace CGAL
 
-#endif // CGAL_GEOMETRIC_CONTINUITY_JOINS_VARIABLE_JOIN_H
+#endif // GEOMETRIC_CONTINUITY_TOOLS_FORMATS_FONT_VARIABLE_JOIN_H

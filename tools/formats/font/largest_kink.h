@@ -2,13 +2,13 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-#ifndef CGAL_GEOMETRIC_CONTINUITY_JOINS_LARGEST_KINK_H
-#define CGAL_GEOMETRIC_CONTINUITY_JOINS_LARGEST_KINK_H
+#ifndef GEOMETRIC_CONTINUITY_TOOLS_FORMATS_FONT_LARGEST_KINK_H
+#define GEOMETRIC_CONTINUITY_TOOLS_FORMATS_FONT_LARGEST_KINK_H
 
+#include "formats/font/Kink_boxes.h"
+#include "formats/font/Variable_join.h"
+#include "formats/font/Variation_cells.h"
 #include <CGAL/Geometric_continuity/Error.h>
-#include <CGAL/Geometric_continuity/joins/Variable_join.h>
-#include <CGAL/Geometric_continuity/joins/internal/Kink_boxes.h>
-#include <CGAL/Geometric_continuity/joins/internal/Variation_cells.h>
 #include <CGAL/Geometric_continuity/numbers/Enclosure.h>
 #include <CGAL/Geometric_continuity/numbers/Work_limit.h>
 
@@ -23,7 +23,6 @@
 namespace CGAL {
 namespace Geometric_continuity {
 
-/// \ingroup PkgGeometricContinuityContinuity
 /// How long the search for the largest kink is.
 struct Kink_search {
   double tolerance = 0.01; ///< the search ends when the bounds of the tangent of the angle agree up to this ratio
@@ -32,7 +31,6 @@ struct Kink_search {
       Work_limit(50'000'000); ///< the work, beyond which the search ends as well: about a twentieth of a second
 };
 
-/// \ingroup PkgGeometricContinuityContinuity
 /// The largest angle of a join over all instances.
 struct Largest_kink {
   typedef Variable_join::FT FT; ///< the number type
@@ -44,7 +42,6 @@ struct Largest_kink {
   bool vanishes;
 };
 
-/// \ingroup PkgGeometricContinuityContinuity
 /// Encloses the largest angle between the sides of a join over all instances, and decides whether it is larger than a bound.
 ///
 /// Between the numbers at which the scalars of the regions bend, the sides \f$ a \f$ and \f$ b \f$ are multi-affine in the axes, so
@@ -96,4 +93,4 @@ inline Largest_kink largest_kink(const Variable_join& join, const std::vector<Va
 } // namespace Geometric_continuity
 } // namespace CGAL
 
-#endif // CGAL_GEOMETRIC_CONTINUITY_JOINS_LARGEST_KINK_H
+#endif // GEOMETRIC_CONTINUITY_TOOLS_FORMATS_FONT_LARGEST_KINK_H

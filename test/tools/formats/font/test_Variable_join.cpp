@@ -4,13 +4,13 @@
 
 // Joins over axes: their vectors and corners at single instances. The largest kinks over all of them are in test_largest_kink.cpp.
 
+#define BOOST_TEST_MODULE variable_joins
+#define BOOST_TEST_DYN_LINK
 #include <boost/test/unit_test.hpp>
 
-#include <CGAL/Geometric_continuity/joins/Variable_join.h>
+#include "formats/font/Variable_join.h"
 
 #include <vector>
-
-BOOST_AUTO_TEST_SUITE(variable_joins)
 
 namespace GC = CGAL::Geometric_continuity;
 typedef GC::Variable_join::FT FT;
@@ -53,5 +53,3 @@ BOOST_AUTO_TEST_CASE(axes_that_count) {
        {GC::Region_axis{-1, 0, 1}, {0, 0, 1}, {0.5, 0.25, 1}, {0, 1, 0.5}, {-0.5, 0.25, 1}, {-1, -0.5, 0.25}})
     BOOST_CHECK(!axis.counts());
 }
-
-BOOST_AUTO_TEST_SUITE_END()

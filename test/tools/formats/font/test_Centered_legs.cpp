@@ -4,16 +4,16 @@
 
 // What is said of both legs of a join on a box of many axes holds at its points.
 
+#define BOOST_TEST_MODULE centered_legs
+#define BOOST_TEST_DYN_LINK
 #include <boost/test/unit_test.hpp>
 
-#include <CGAL/Geometric_continuity/joins/internal/Centered_legs.h>
+#include "formats/font/Centered_legs.h"
 
 #include <cstddef>
 #include <random>
 #include <utility>
 #include <vector>
-
-BOOST_AUTO_TEST_SUITE(centered_legs)
 
 namespace GC = CGAL::Geometric_continuity;
 
@@ -73,5 +73,3 @@ BOOST_AUTO_TEST_CASE(bounds_with_centered_legs) {
     }
   }
 }
-
-BOOST_AUTO_TEST_SUITE_END()

@@ -2,13 +2,13 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-#ifndef CGAL_GEOMETRIC_CONTINUITY_JOINS_INTERNAL_KINK_BOXES_H
-#define CGAL_GEOMETRIC_CONTINUITY_JOINS_INTERNAL_KINK_BOXES_H
+#ifndef GEOMETRIC_CONTINUITY_TOOLS_FORMATS_FONT_KINK_BOXES_H
+#define GEOMETRIC_CONTINUITY_TOOLS_FORMATS_FONT_KINK_BOXES_H
 
+#include "formats/font/Centered_legs.h"
+#include "formats/font/Variation_cells.h"
 #include <CGAL/FPU.h>
 #include <CGAL/Geometric_continuity/algebra/internal/Bernstein_tensor.h>
-#include <CGAL/Geometric_continuity/joins/internal/Centered_legs.h>
-#include <CGAL/Geometric_continuity/joins/internal/Variation_cells.h>
 #include <CGAL/Interval_nt.h>
 
 #include <algorithm>
@@ -235,4 +235,4 @@ private:
 } // namespace Geometric_continuity
 } // namespace CGAL
 
-#endif // CGAL_GEOMETRIC_CONTINUITY_JOINS_INTERNAL_KINK_BOXES_H
+#endif // GEOMETRIC_CONTINUITY_TOOLS_FORMATS_FONT_KINK_BOXES_H

@@ -2,11 +2,11 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-#ifndef CGAL_GEOMETRIC_CONTINUITY_JOINS_INTERNAL_VARIATION_CELLS_H
-#define CGAL_GEOMETRIC_CONTINUITY_JOINS_INTERNAL_VARIATION_CELLS_H
+#ifndef GEOMETRIC_CONTINUITY_TOOLS_FORMATS_FONT_VARIATION_CELLS_H
+#define GEOMETRIC_CONTINUITY_TOOLS_FORMATS_FONT_VARIATION_CELLS_H
 
+#include "formats/font/Variable_join.h"
 #include <CGAL/Geometric_continuity/algebra/internal/Bernstein_tensor.h>
-#include <CGAL/Geometric_continuity/joins/Variable_join.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -267,4 +267,4 @@ private:
 } // namespace Geometric_continuity
 } // namespace CGAL
 
-#endif // CGAL_GEOMETRIC_CONTINUITY_JOINS_INTERNAL_VARIATION_CELLS_H
+#endif // GEOMETRIC_CONTINUITY_TOOLS_FORMATS_FONT_VARIATION_CELLS_H
