@@ -111,6 +111,11 @@ chain 0.6 "$first" && new 1 '"place":"join 1 -> 2"' x.g2 --require G1
 cubic $'-3 0 0\n-2 0 0\n-1 0 0\n0 0 0' >before.g2 && chain 0.5 && known before.g2 x.g2 --require G1
 chain 0.5 && sed -i 's/0.25$/0.26/' x.g2 && new 1 '"rule":"gap"' x.g2 --require G1
 chain 0.5 && base x.g2 --require G2 && known x.g2 --require G2
+retracted() { { printf '%s' "${2-}" && cubic $'0 0 0\n1 0 0\n3 0 0\n3 0 0' && cubic $'3 0 0\n3 0 0\n4 '"$1"$' 0\n6 1 0'; } >x.g2; }
+retracted 0.05 && base x.g2 --require G1 && holds [ "$findings" -eq 1 ] && known x.g2 --require G1
+retracted 0.04 && known x.g2 --require G1
+retracted 0.05 "$first" && known x.g2 --require G1
+retracted 0.06 && new 1 '"rule":"kink"' x.g2 --require G1
 
 # --- surfaces
 surfaces() { # HEIGHT DX [FIRST]

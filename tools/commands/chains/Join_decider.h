@@ -170,16 +170,20 @@ private:
     f.properties = properties.str();
     f.object = "join";
     f.spot = std::to_string(place.in_file);
-    f.shape = shape(f.rule, left, right);
-    f.measure = measure(f.rule, deviation);
+    f.shape = shape(
+        f.rule == Finding_rule::gap || (!drawn && (f.rule == Finding_rule::corner || f.rule == Finding_rule::kink)) ? 1
+                                                                                                                    : 3,
+        left, right);
+    f.measure = measure(f.rule, drawn, deviation);
     return f;
   }
 
-  static std::optional<Measure> measure(Finding_rule rule, const GC::Join_deviation& d) {
+  static std::optional<Measure> measure(Finding_rule rule, const Drawn& drawn, const GC::Join_deviation& d) {
     switch (rule) {
     case Finding_rule::gap: return Measure{"gap", d.gap};
     case Finding_rule::corner:
     case Finding_rule::kink:
+      if (drawn) return Measure{"angle_degrees", GC::in_degrees(drawn->angle)};
       if (d.tangent_angle) return Measure{"angle_degrees", GC::in_degrees(*d.tangent_angle)};
       break;
     case Finding_rule::curvature:
@@ -196,14 +200,13 @@ private:
     return std::nullopt;
   }
 
-  // What makes the defect: how the ends lie to each other, not where they are, and the first derivatives on both sides, or the first three.
-  static std::string shape(Finding_rule rule, const Span& left, const Span& right) {
-    const bool is_of_tangents = rule == Finding_rule::gap || rule == Finding_rule::corner || rule == Finding_rule::kink;
+  // What makes the defect: how the ends lie to each other, not where they are, and the first derivatives on both sides, so many of them.
+  static std::string shape(int derivatives, const Span& left, const Span& right) {
     const auto x = left.jets().template end_jet_over<Exact>(3), y = right.jets().template start_jet_over<Exact>(3);
     std::ostringstream os;
     for (int c = 0; c < x.dimension(); ++c) {
       os << Exact(y[0][c] - x[0][c]);
-      for (int j = 1; j <= (is_of_tangents ? 1 : 3); ++j) os << ' ' << x[j][c] << ' ' << y[j][c];
+      for (int j = 1; j <= derivatives; ++j) os << ' ' << x[j][c] << ' ' << y[j][c];
       os << ';';
     }
     return os.str();
