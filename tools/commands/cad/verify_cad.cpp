@@ -150,7 +150,7 @@ class Cad_report {
 
   // Adds what could not be read.
   void add_not_covered(const std::string& file, const char* kind, const std::string& text, const Given& given,
-                       long long line, const std::string& object) {
+                       long long line) {
     if (is_text())
       report_.row("not_read", "not read: " + text + '\n');
     else
@@ -158,13 +158,12 @@ class Cad_report {
     report_.add(file, given, true, [&] {
       Finding f;
       f.file = file;
+      f.shape = text.substr((std::min)(text.find(':'), text.size())); // without its number
       f.line = line;
       f.kind = kind;
       f.place = text.substr(0, text.find(':'));
       f.rule = Finding_rule::not_verified;
       f.message = "not read: " + text;
-      f.object = object;
-      f.shape = text.substr((std::min)(text.find(':'), text.size()));
       return f;
     });
   }
@@ -176,11 +175,10 @@ class Cad_report {
     if (is_text() && names_files_) report_.row("edges", file.file + ":\n");
     for (std::size_t i = 0; i < file.verdicts.size(); ++i) add(file, i);
     for (const std::string& lost : file.model.lost)
-      add_not_covered(file.file, "element", lost, {Claim::not_covered, "element", "it cannot be read"}, line_of(lost),
-                      lost.substr(0, lost.find(':')));
+      add_not_covered(file.file, "element", lost, {Claim::not_covered, "element", "it cannot be read"}, line_of(lost));
     for (const auto& [face, reason] : file.model.not_covered)
       add_not_covered(file.file, "face", "face " + std::to_string(face) + ": " + reason,
-                      {Claim::not_covered, "face", reason}, line_of_face(file.model, face), entity(face, file.model));
+                      {Claim::not_covered, "face", reason}, line_of_face(file.model, face));
     for (std::size_t i = 0; i < file.model.loose_edges; ++i)
       report_.add(file.file, {Claim::not_covered, "edge", edge_without_face}, false, [&] {
         Finding f;
