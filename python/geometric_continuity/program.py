@@ -84,7 +84,8 @@ def verify(*files: Path, timeout: Optional[float] = None, **options) -> dict:
 
 def file_record(file: Path, *, time_limit: float = 60, memory_limit: float = 4096, **options) -> dict:
     """Verifies one file and returns the record that `geometric_continuity verify --jsonl` writes of it, as a dict: `file`, `exit_code`, and
-    `claims` and `report`, or `error` with `code` and `message`. Bad files, crashes and limits are records, no exceptions, so that many
+    `claims` and `report`, or `error` with `code` and `message`; and `name_bytes` where the name is no UTF-8, `asked`, `version`, `size` and
+    `sha256`, by which a record answers no other question. Bad files, crashes and limits are records, no exceptions, so that many
     files can be shared out to many processes.
 
     file: its name has no line break.
@@ -96,7 +97,7 @@ def file_record(file: Path, *, time_limit: float = 60, memory_limit: float = 409
     name = os.fspath(file)
     limits = {"time_limit": time_limit, "memory_limit": memory_limit, "jobs": 1}
     command = [program(), "verify", "--jsonl", "-"] + [a for n, v in {**limits, **options}.items() for a in _argument(n, v)]
-    done = subprocess.run(command, input=(name + "\n").encode(), stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+    done = subprocess.run(command, input=os.fsencode(name) + b"\n", stdout=subprocess.PIPE, stderr=subprocess.PIPE)
     lines = done.stdout.splitlines()
     if len(lines) != 1:
         raise _error(done.stderr.decode("utf-8", "replace"), name)

@@ -66,6 +66,11 @@ class Program(unittest.TestCase):
         record = gc.file_record(kink, require="G1")
         self.assertEqual((record["file"], record["exit_code"]), (kink, 1))
         self.assertEqual(record["report"], gc.verify(kink, require="G1"))
+        self.assertEqual((record["asked"], record["size"]), (["--require=G1"], os.path.getsize(kink)))
+        with open(os.path.join(os.fsencode(self.folder), b"n\xe8.svg"), "w") as file:
+            file.write(KINK)
+        record = gc.file_record(os.path.join(self.folder, os.fsdecode(b"n\xe8.svg")))
+        self.assertEqual(record["name_bytes"], os.path.join(os.fsencode(self.folder), b"n\xe8.svg").hex())
         self.assertEqual(gc.file_record(self.file("bad.g2", "100"))["error"]["code"], "malformed_input")
         pipe = os.path.join(self.folder, "pipe.g2")
         os.mkfifo(pipe)

@@ -37,9 +37,9 @@ run 1 verify x.svg --require G1 --baseline base.sarif --json
 says out '"rule":"kink","level":"error","file":"x.svg","line":3' '"not_met":1,"known":1' '"met":false'
 run 1 verify x.svg --require G1 --baseline base.sarif --format sarif
 holds [ "$(grep -c '"baselineState":"new"' out)" -eq 1 ]
-says out 'ruleFilePlace/v1'
+says out 'filePlace/v2' 'fileDefect/v2'
 mv out more.sarif
-fingerprint=$(grep -o 'ruleFilePlace/v1":"[^"]*' more.sarif)
+fingerprint=$(grep -o 'filePlace/v2":"[^"]*' more.sarif)
 run 1 verify x.svg --require G1 --format sarif && says out "$fingerprint"
 run 1 verify x.svg --require G1 --baseline base.sarif --format junit && says out 'failures="1"'
 
@@ -77,6 +77,14 @@ for text in '' '{' '{}' '[]' '{"runs":[{"results":[{"partialFingerprints":' 'x' 
   run 2 verify x.svg --baseline bad.sarif && says err 'bad.sarif: no report in the format SARIF'
 done
 head -c -20 base.sarif >bad.sarif && run 2 verify x.svg --baseline bad.sarif
+# reports of older versions, and of others
+sed 's/"filePlace\/v2":\("[^"]*"\),"fileDefect\/v2":"[^"]*"/"ruleFilePlace\/v1":\1/' base.sarif >old.sarif && says old.sarif '"ruleFilePlace/v1"'
+run 2 verify x.svg --require G1 --baseline old.sarif && says err 'old.sarif: a report of an older version, whose fingerprints hold lines of files; write it again with --format sarif'
+sed 's/"ruleId":"kink"/"ruleId":"other"/' base.sarif >other.sarif && run 1 verify x.svg --require G1 --baseline other.sarif && says out '2 of them new'
+# a measure without an upper bound, or without any, allows everything of its rule
+sed 's/"bounds":\[\([^,]*\),[^]]*\]/"bounds":[\1,null]/' base.sarif >open.sarif && run 1 verify x.svg --require G1 --baseline open.sarif && says out '1 of them known'
+sed 's/"bounds":\[[^]]*\]/"bounds":[0,0.001]/' base.sarif >small.sarif && run 1 verify x.svg --require G1 --baseline small.sarif && says out '2 of them new'
+sed 's/,"measure":{[^}]*}//' base.sarif >none.sarif && run 1 verify x.svg --require G1 --baseline none.sarif && says out '1 of them known'
 printf '%s' '{"runs":[{"results":[{"message":{"text":"\"ruleFilePlace/v1\":\"0:1\" ]}"}}, 1, null, {"partialFingerprints":3}]}, 7]}' >odd.sarif
 run 1 verify x.svg --require G1 --baseline odd.sarif
 run 2 verify "$S" --closed --baseline base.sarif --certificate c && says err --baseline

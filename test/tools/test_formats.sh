@@ -113,7 +113,7 @@ run 1 verify ../sub/../drawing.svg ./../sub/../drawing.svg --require C1 --format
 cd ..
 run 1 verify ./sub/../drawing.svg --require C1 --format sarif && says out '"uri":"drawing.svg","uriBaseId":"%SRCROOT%"'
 # a defect keeps its fingerprint when its numbers change; another place has another one
-prints() { run 1 verify drawing.svg --require C1 --format sarif && grep -o '"ruleFilePlace[^}]*' out; }
+prints() { run 1 verify drawing.svg --require C1 --format sarif && grep -o '"filePlace[^,}]*' out; }
 svg '<path d="M0 0h1v1h1"/>' && prints >one && svg '<path d="M0 0h2v3h2"/>' && prints >other
 holds cmp -s one other && holds [ "$(sort -u one | wc -l)" -eq 2 ]
 

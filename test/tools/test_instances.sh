@@ -25,6 +25,13 @@ bytes >kink.ttf <<'HEX'
 000000000001000000010000000000240003000100000024000000000000000000000018000000180001000a000da000400000824000c8848000
 ec80003c840000010000000000010004c000c000000000002000100040004000
 HEX
+# What is in a baseline is known, and a larger kink is new: the fourth point moves by (200, 70).
+LC_ALL=C sed 's/\xec\x80\x00\x3c\x84/\xec\x80\x00\x46\x84/' kink.ttf >larger.ttf && holds [ "$(cmp -l kink.ttf larger.ttf | wc -l)" -eq 1 ]
+kinks() { run "$1" verify known.ttf --all-instances --max-kink 2 "${@:2}"; }
+cp kink.ttf known.ttf && kinks 1 --format sarif && mv out base.sarif && says base.sarif '"measure":{"quantity":"angle_degrees","bounds":['
+kinks 0 --baseline base.sarif --json && says out '{"findings":[],'
+cp larger.ttf known.ttf && kinks 1 --baseline base.sarif --json && says out '{"rule":"kink"' && kinks 1 --format sarif && mv out base.sarif
+cp kink.ttf known.ttf && kinks 0 --baseline base.sarif
 # The same outline, which moves in a region of four axes.
 bytes >four.ttf <<'HEX'
 00010000000800000000000068656164000000000000008c000000366868656100000000000000c200000024686d747800000000000000e60000

@@ -95,6 +95,13 @@ public:
   }
 };
 
+// Returns the bounds of a preset, and any other text as it is.
+inline std::string bounds_of(const std::string& words) {
+  for (const Preset& preset : presets)
+    if (words == preset.name) return preset.bounds;
+  return words;
+}
+
 inline std::vector<Item> items(const std::string& words) {
   std::vector<Item> result;
   for (std::size_t begin = 0, end; begin <= words.size(); begin = end + 1) {
@@ -146,10 +153,9 @@ inline std::string preset_names() {
 
 // Reads what --within gives: the name of a preset, GAP,ANGLE,CURVATURE,TORSION with units, or numbers without.
 // Throws std::invalid_argument with the item that is wrong.
-inline Tolerances parse_tolerances(const std::string& words, bool of_edges) {
+inline Tolerances parse_tolerances(const std::string& given, bool of_edges) {
   namespace T = tolerances;
-  for (const T::Preset& preset : T::presets)
-    if (words == preset.name) return parse_tolerances(preset.bounds, of_edges);
+  const std::string words = T::bounds_of(given);
   if (!words.empty() && std::isalpha(static_cast<unsigned char>(words[0])) && words.find(',') == std::string::npos)
     throw std::invalid_argument("--within: '" + words + "' is neither a number nor one of " + T::preset_names());
   const std::vector<T::Item> items = T::items(words);

@@ -118,14 +118,16 @@ edge or curve, instead of 4000000000.
 
 --baseline FILE, a report that --format sarif has written, leaves out what it
 has already: only what is new is reported, and only that can make the exit code
-1. So a check can begin with files that are not as they should be.
+1. So a check can begin with files that are not as they should be. What has
+moved, or is better, is known; what is worse is new.
 
 --jsonl LIST verifies each of the files that a text names, a line each, in a
 process of its own, on all cores, and adds one record for each to --output as it
 ends: a JSON object on a line, with the report of --json, or with the error of a
-file that is bad, crashes or reaches --time-limit or --memory-limit. Files that
-have a record there are passed over, so that an interrupted run goes on. merge
-adds records up.
+file that is bad, crashes or reaches --time-limit or --memory-limit. Files whose
+record there answers the same options, by the same version, and is of what the
+file holds now (size and SHA-256), are passed over, so that an interrupted run
+goes on; all others are asked again. merge adds records up.
 
 --certificate OUT writes, for chains, drawings and --surfaces, the numbers from
 which check_certificate OUT proves each verdict again.
@@ -179,6 +181,8 @@ Font_demand font_demand(const Command_line& line, const std::optional<Requiremen
   Font_demand demand;
   if (line.has("glyphs")) demand.glyphs = Glyph_selection(line.text("glyphs"));
   demand.worst = static_cast<std::size_t>(line.integer("worst", 0, 1000000));
+  demand.is_worst_given = line.has("worst");
+  if (demand.is_worst_given) line.refuse({"baseline"}, "not with --worst, which leaves findings out");
   demand.rule.corner = kink_rule(line).bound;
   demand.rule.rounding = rounding_bound(line);
   if (line.has("off-by")) demand.off_by = line.text("off-by");
@@ -239,7 +243,8 @@ void describe_verify(po::options_description_easy_init add) {
       "for fonts: up to so many units a handle may be off because of rounding, which meets each requirement; 1 "
       "if not given");
   add("glyphs", po::value<std::string>(), "for fonts: the glyphs to verify, e.g. a-z,U+00E9,ampersand");
-  add("worst", po::value<int>()->default_value(10), "for fonts: how many joins to show of each, in JSON of each glyph");
+  add("worst", po::value<int>()->default_value(10),
+      "for fonts: how many joins to show of each, in JSON of each glyph; SARIF and JUnit have all if it is not given");
   add("allow-undecided", "what is undecided does not count as not met");
   add("allow-uncovered", "what is not covered does not count as not met");
   add("allow-empty", "accept that there is no join");

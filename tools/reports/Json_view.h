@@ -7,11 +7,14 @@
 
 #include <CGAL/Geometric_continuity/Error.h>
 
+#include <charconv>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <system_error>
+#include <utility>
 
 // A value in a JSON text, which stays where it is: what reads reports again. Its parts are found by reading over what is before them.
 class Json_view {
@@ -85,6 +88,24 @@ class Json_view {
     }
   }
 
+  static std::optional<char32_t> hexadecimal(std::string_view digits) {
+    std::uint32_t code = 0;
+    const std::from_chars_result end = std::from_chars(digits.data(), digits.data() + digits.size(), code, 16);
+    if (digits.size() != 4 || end.ec != std::errc() || end.ptr != digits.data() + 4) return std::nullopt;
+    return code;
+  }
+
+  static void append_utf8(std::string& bytes, char32_t code) {
+    if (code < 0x80) {
+      bytes += static_cast<char>(code);
+      return;
+    }
+    const int more = code < 0x800 ? 1 : code < 0x10000 ? 2 : 3;
+    constexpr char32_t leads[] = {0, 0xC0, 0xE0, 0xF0};
+    bytes += static_cast<char>(leads[more] | code >> (6 * more));
+    for (int i = more - 1; i >= 0; --i) bytes += static_cast<char>(0x80 | (code >> (6 * i) & 0x3F));
+  }
+
 public:
   // Takes a text that is one value, and must live on. Throws Error `malformed_input` for what is none, here and when a part is asked for.
   static Json_view of(std::string_view text) {
@@ -100,11 +121,16 @@ public:
   // The member of an object, of a key without escapes.
   std::optional<Json_view> member(std::string_view key) const {
     std::optional<Json_view> found;
-    for_each('{', [&](std::string_view k, const Json_view& value) {
-      if (k.substr(1, k.size() - 2) == key) found = value;
+    for_members([&](std::string_view k, const Json_view& value) {
+      if (k == key) found = value;
       return !found;
     });
     return found;
+  }
+
+  // Calls f(key, value) for the members of an object, with the keys as they are written, until it returns false.
+  template <class Function> void for_members(Function f) const {
+    for_each('{', [&](std::string_view k, const Json_view& value) { return f(k.substr(1, k.size() - 2), value); });
   }
 
   // Calls f for each element of an array; not at all for anything else.
@@ -119,6 +145,47 @@ public:
   std::optional<std::string_view> string() const {
     if (text_[0] != '"') return std::nullopt;
     return text_.substr(1, text_.size() - 2);
+  }
+
+  // The bytes for which a string stands, with escapes read; nothing for anything else, and for escapes that stand for no character.
+  std::optional<std::string> decoded() const {
+    const std::optional<std::string_view> written = string();
+    if (!written) return std::nullopt;
+    std::string bytes;
+    char32_t first = 0; // of two halves of a character
+    for (std::size_t i = 0; i < written->size(); ++i) {
+      const char c = (*written)[i];
+      if (c == '\\' && i + 1 < written->size() && (*written)[i + 1] == 'u') {
+        const std::optional<char32_t> code = hexadecimal(written->substr(i + 2, 4));
+        if (!code) return std::nullopt;
+        i += 5;
+        const bool is_first = 0xD800 <= *code && *code < 0xDC00, is_second = 0xDC00 <= *code && *code < 0xE000;
+        if (is_second != (first != 0)) return std::nullopt;
+        if (is_first)
+          first = *code;
+        else
+          append_utf8(bytes,
+                      is_second ? 0x10000 + ((std::exchange(first, 0) - 0xD800) << 10) + (*code - 0xDC00) : *code);
+        continue;
+      }
+      if (first != 0) return std::nullopt;
+      if (c != '\\') {
+        bytes += c;
+        continue;
+      }
+      const std::size_t escape = std::string_view("\"\\/bfnrt").find((*written)[++i]);
+      if (escape == std::string_view::npos) return std::nullopt;
+      bytes += "\"\\/\b\f\n\r\t"[escape];
+    }
+    return first == 0 ? std::optional<std::string>(std::move(bytes)) : std::nullopt;
+  }
+
+  // Any number; nothing for what is none.
+  std::optional<double> number() const {
+    double x = 0;
+    const std::from_chars_result end = std::from_chars(text_.data(), text_.data() + text_.size(), x);
+    if (end.ec != std::errc() || end.ptr != text_.data() + text_.size()) return std::nullopt;
+    return x;
   }
 
   // A number that is not negative.

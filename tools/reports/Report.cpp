@@ -8,9 +8,8 @@
 #include "files/terminal.h"
 #include "reports/Baseline.h"
 
-#include <cstdint>
-#include <iomanip>
-#include <sstream>
+#include <cstddef>
+#include <memory>
 #include <utility>
 #include <vector>
 
@@ -109,17 +108,10 @@ std::unique_ptr<Report::Writer> report_writer(const Report_mode& mode) {
 }
 
 Report::Report(const Report_mode& mode, Report_subject subject)
-    : mode_(mode), subject_(std::move(subject)), writer_(report_writer(mode)) {}
-
-// The same for the same defect at the same place in another version of a file, and another for each finding.
-std::string Report::fingerprint(const Finding& f) {
-  std::uint64_t hash = 14695981039346656037u; // FNV-1a
-  for (const std::string& text : {std::string(rule_id(f.rule)), f.file, f.place})
-    for (const char c : text + '\n') hash = (hash ^ static_cast<unsigned char>(c)) * 1099511628211u;
-  std::ostringstream hex;
-  hex << std::hex << std::setw(16) << std::setfill('0') << hash;
-  return hex.str() + ':' + std::to_string(++fingerprints_[hex.str()]);
+    : mode_(mode), subject_(std::move(subject)), writer_(report_writer(mode)) {
+  if (mode.baseline != nullptr) known_ = std::make_unique<Known_findings>(*mode.baseline);
 }
+Report::~Report() = default;
 
 void Report::add(const Report_part& part, const std::string& array) {
   claims_ += part.claims_;
@@ -127,17 +119,45 @@ void Report::add(const Report_part& part, const std::string& array) {
   for (const auto& [found, given] : part.findings_) {
     Finding finding = found;
     finding.level = level(finding.claim, mode_);
-    finding.fingerprint = fingerprint(finding);
-    if (mode_.baseline != nullptr && mode_.baseline->knows(finding.fingerprint)) {
-      claims_.know(given);
-      writer_->pass(finding.file, 1);
-    } else
+    finding.fingerprints = fingerprints_(finding);
+    if (!known_)
       writer_->find(finding);
+    else if (known_->take_unmoved(finding))
+      know(finding, given);
+    else
+      unsettled_.emplace_back(std::move(finding), given);
   }
   for (const auto& [file, n] : part.passed_) writer_->pass(file, n);
 }
 
-int Report::print(std::ostream& os, const std::string& summary) const {
+void Report::know(const Finding& finding, const Given& given) {
+  claims_.know(given);
+  writer_->pass(finding.file, 1);
+}
+
+// All findings are there: what has moved is known, then what has changed, and all else is new.
+void Report::settle() {
+  if (!known_) return;
+  enum class State { open, known, worse };
+  std::vector<State> states(unsettled_.size(), State::open);
+  for (std::size_t i = 0; i < states.size(); ++i)
+    if (known_->is_worse_there(unsettled_[i].first)) states[i] = State::worse;
+  for (std::size_t i = 0; i < states.size(); ++i)
+    if (states[i] == State::open && known_->take_moved(unsettled_[i].first)) states[i] = State::known;
+  for (std::size_t i = 0; i < states.size(); ++i)
+    if (states[i] == State::open && known_->take_changed(unsettled_[i].first)) states[i] = State::known;
+  for (std::size_t i = 0; i < states.size(); ++i) {
+    const auto& [finding, given] = unsettled_[i];
+    if (states[i] == State::known)
+      know(finding, given);
+    else
+      writer_->find(finding);
+  }
+  unsettled_.clear();
+}
+
+int Report::print(std::ostream& os, const std::string& summary) {
+  settle();
   const Conclusion end(claims_, mode_, subject_);
   writer_->print(os, summary, end);
   return end.exit_code();

@@ -8,15 +8,17 @@
 #include "commands/commands.h"
 #include "reports/Claims.h"
 #include "reports/Conclusion.h"
+#include "reports/Fingerprints.h"
 #include "reports/finding.h"
 
 #include <cstddef>
 #include <memory>
 #include <ostream>
 #include <string>
-#include <unordered_map>
 #include <utility>
 #include <vector>
+
+class Known_findings;
 
 // What was decided about some things, one after the other: a part of a report, which may be made on any core.
 class Report_part {
@@ -89,12 +91,16 @@ private:
   Report_subject subject_;
   Claims claims_;
   std::unique_ptr<Writer> writer_;
-  std::unordered_map<std::string, std::size_t> fingerprints_; // how often each has been
+  Fingerprint_maker fingerprints_;
+  std::unique_ptr<Known_findings> known_;            // with a baseline
+  std::vector<std::pair<Finding, Given>> unsettled_; // which are not known where they are
 
-  std::string fingerprint(const Finding& finding);
+  void know(const Finding& finding, const Given& given);
+  void settle();
 
 public:
   Report(const Report_mode& mode, Report_subject subject);
+  ~Report();
 
   const Report_mode& mode() const { return mode_; }
   const Report_subject& subject() const { return subject_; }
@@ -129,7 +135,7 @@ public:
   }
 
   // Prints the report and returns the exit code. The summary is lines of text, or members of a JSON object.
-  int print(std::ostream& os, const std::string& summary) const;
+  int print(std::ostream& os, const std::string& summary);
 };
 
 // The writers of the formats.

@@ -7,7 +7,11 @@
 
 #include "reports/Claims.h"
 
+#include <CGAL/Geometric_continuity/numbers/Enclosure.h>
+
+#include <optional>
 #include <string>
+#include <string_view>
 
 // What a finding is about: the rules of a report.
 enum class Finding_rule {
@@ -38,6 +42,15 @@ inline std::string rule_id(Finding_rule rule) {
   return "not-verified";
 }
 
+// The rule of this name.
+inline std::optional<Finding_rule> rule_of(std::string_view id) {
+  for (const Finding_rule rule :
+       {Finding_rule::gap, Finding_rule::corner, Finding_rule::kink, Finding_rule::tangent, Finding_rule::curvature,
+        Finding_rule::derivative, Finding_rule::undecided, Finding_rule::not_verified, Finding_rule::rounding})
+    if (rule_id(rule) == id) return rule;
+  return std::nullopt;
+}
+
 // note: worth a word. warning: not decided, which is allowed. error: the requirement is not met, or it is not decided.
 enum class Finding_level { note, warning, error };
 
@@ -45,6 +58,18 @@ enum class Finding_level { note, warning, error };
 inline const char* level_name(Finding_level level) {
   return level == Finding_level::error ? "error" : level == Finding_level::warning ? "warning" : "note";
 }
+
+// How far a defect is from none, in guaranteed bounds.
+struct Measure {
+  const char* quantity; // "gap", "angle_degrees", "curvature_jump", ...
+  CGAL::Geometric_continuity::Enclosure bounds;
+};
+
+// By what a finding is known again in another version of a file. The numbers behind the hashes count those that are equal.
+struct Fingerprints {
+  std::string place;  // the object and the place on it
+  std::string defect; // what is there, wherever it is
+};
 
 // The line of a place that stands in no line of its file, though that has lines: SARIF then points to the whole file.
 constexpr long long no_line = -1;
@@ -60,8 +85,13 @@ struct Finding {
   std::string message;                       // a sentence with the numbers, without the place
   std::string properties;   // the numbers as members of a JSON object, e.g. `"angle_degrees":[1.5,1.6]`; may be empty
   Claim claim = Claim::met; // set by the report
-  std::string fingerprint =
-      {}; // the same for this defect at this place in another version of the file: set by the report
+  // What the place is on and where on it, as other versions of the file have them: without lines, and without numbers that change when
+  // something is inserted elsewhere, as far as names allow. Where there is no object it is the place.
+  std::string object = {}, spot = {};
+  // What is there, the same when it is moved or gets another number; the object and the spot where it is empty.
+  std::string shape = {};
+  std::optional<Measure> measure = {};
+  Fingerprints fingerprints = {}; // set by the report
 };
 
 #endif // GEOMETRIC_CONTINUITY_TOOLS_REPORTS_FINDING_H

@@ -4,6 +4,7 @@
 
 #include "files/deferred_output.h"
 #include "files/terminal.h"
+#include "reports/Fingerprints.h"
 #include "reports/Report.h"
 #include "reports/words.h"
 
@@ -43,11 +44,13 @@ class Finding_objects : public Report::Writer {
 public:
   void row(const std::string&, const std::string&, const std::string&) override {}
   void find(const Finding& f) override {
+    const std::string properties = json_properties(f);
     objects_.write((objects_.size() == 0 ? "\n  {\"rule\":\"" : ",\n  {\"rule\":\"") + std::string(rule_id(f.rule)) +
                    "\",\"level\":\"" + level_name(f.level) + "\",\"file\":" + json_text(f.file) +
                    ",\"line\":" + (f.line > 0 ? std::to_string(f.line) : "null") + ",\"place\":" + json_text(f.place) +
-                   ",\"message\":" + json_text(f.message) + ",\"fingerprint\":\"" + f.fingerprint + '"' +
-                   (f.properties.empty() ? "" : ",\"properties\":{" + f.properties + '}') + '}');
+                   ",\"message\":" + json_text(f.message) + ",\"fingerprint\":\"" + f.fingerprints.place +
+                   "\",\"defect_fingerprint\":\"" + f.fingerprints.defect + '"' +
+                   (properties.empty() ? "" : ",\"properties\":{" + properties + '}') + '}');
   }
   void pass(const std::string&, std::size_t) override {}
   void print(std::ostream& os, const std::string& summary, const Conclusion& end) override {

@@ -3,14 +3,12 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
 #include "files/deferred_output.h"
-#include "reports/Baseline.h"
+#include "reports/Fingerprints.h"
 #include "reports/Report.h"
 #include "reports/words.h"
 
-#include <filesystem>
 #include <iterator>
 #include <sstream>
-#include <system_error>
 #include <utility>
 
 // SARIF 2.1.0, the Static Analysis Results Interchange Format of OASIS: one run, the rules first, then a result for each finding.
@@ -54,16 +52,6 @@ std::string json_message(const std::string& text) {
   return "{\"text\":" + json_text(escaped) + '}';
 }
 
-// The path of a file as seen from the folder in which the program runs, which is the root of a checkout in continuous integration; the
-// whole path when the file lies outside of it.
-std::string path_in_folder(const std::string& file) {
-  std::error_code error;
-  const std::filesystem::path folder = std::filesystem::current_path(error), whole = (folder / file).lexically_normal(),
-                              relative = whole.lexically_relative(folder);
-  if (error) return file;
-  return relative.empty() || *relative.begin() == ".." ? whole.string() : relative.string();
-}
-
 std::string json_location(const std::string& file) {
   constexpr char hex[] = "0123456789ABCDEF";
   const std::string path = path_in_folder(file);
@@ -100,10 +88,11 @@ public:
       result += ",\"region\":{\"startLine\":" + std::to_string(f.line > 0 ? f.line : 1) +
                 '}'; // of a file without lines the first
     ((result += "},\"logicalLocations\":[{\"fullyQualifiedName\":") += json_text(f.place)) +=
-        ",\"kind\":" + json_text(f.kind) + "}]}],\n   \"partialFingerprints\":{\"" + fingerprint_name + "\":\"" +
-        f.fingerprint + "\"}";
+        ",\"kind\":" + json_text(f.kind) + "}]}],\n   \"partialFingerprints\":{\"" + place_fingerprint + "\":\"" +
+        f.fingerprints.place + "\",\"" + defect_fingerprint + "\":\"" + f.fingerprints.defect + "\"}";
     if (is_new_) result += ",\n   \"baselineState\":\"new\"";
-    if (!f.properties.empty()) result += ",\n   \"properties\":{" + f.properties + '}';
+    if (const std::string properties = json_properties(f); !properties.empty())
+      result += ",\n   \"properties\":{" + properties + '}';
     results_.write(result + '}');
   }
 

@@ -11,6 +11,7 @@
 #include "reports/Report.h"
 #include "reports/words.h"
 
+#include <algorithm>
 #include <iostream>
 #include <optional>
 #include <sstream>
@@ -33,6 +34,45 @@ Finding_rule rule(Cad_shape shape) {
   case Cad_shape::undecided: break;
   }
   return Finding_rule::undecided;
+}
+
+// How large the defect of this rule is.
+std::optional<Measure> measure(Finding_rule rule, const Cad_verdict& verdict) {
+  if (!verdict.enclosure) {
+    if (rule != Finding_rule::gap || !verdict.deviation) return std::nullopt;
+    return Measure{"gap", verdict.deviation->value}; // of what is said to be a point
+  }
+  const GC::Edge_enclosure& e = *verdict.enclosure;
+  if (rule == Finding_rule::gap) return Measure{"gap", e.gap.value};
+  if ((rule == Finding_rule::corner || rule == Finding_rule::kink) && e.angle)
+    return Measure{"angle_degrees", GC::in_degrees(e.angle->value)};
+  if (rule == Finding_rule::curvature && e.curvature_jump) return Measure{"curvature_jump", e.curvature_jump->value};
+  return std::nullopt;
+}
+
+// A face by its entity, or by what it is and its number where the file has no ids.
+std::string entity(std::size_t face, const Cad_model& model) {
+  if (face >= model.labels.size()) return "face " + std::to_string(face);
+  const Cad_label& label = model.labels[face];
+  const std::string text = label.id.empty() ? model.faces[face] + ' ' + std::to_string(face) : label.id;
+  return model.instances.empty() ? text : text + " of " + model.instances[label.instance];
+}
+
+std::string entities(const Cad_edge& edge, const Cad_model& model) {
+  std::string text;
+  for (const std::size_t face : edge.faces) text += (text.empty() ? "" : " - ") + entity(face, model);
+  return text;
+}
+
+// What an edge is, wherever the model is placed and whatever the numbers of its entities are.
+std::string shape(const Cad_edge& edge, const Cad_model& model) {
+  std::vector<std::string> surfaces;
+  for (const std::size_t face : edge.faces) surfaces.push_back(model.faces[face]);
+  std::sort(surfaces.begin(), surfaces.end());
+  std::string text =
+      std::string(name(edge.kind)) + (edge.closed ? ", closed, " : ", ") + rounded(edge.end - edge.begin, 6);
+  for (const std::string& surface : surfaces) text += ", " + surface;
+  return text;
 }
 
 class Cad_report {
@@ -87,6 +127,10 @@ class Cad_report {
       std::ostringstream properties;
       write_members(properties, number, edge, verdict);
       f.properties = properties.str();
+      f.object = entities(edge, file.model);
+      f.spot = name(edge.kind);
+      f.shape = shape(edge, file.model);
+      f.measure = measure(f.rule, verdict);
       return f;
     });
   }
@@ -114,6 +158,7 @@ class Cad_report {
     report_.add(file, given, true, [&] {
       Finding f;
       f.file = file;
+      f.shape = text.substr((std::min)(text.find(':'), text.size())); // without its number
       f.line = line;
       f.kind = kind;
       f.place = text.substr(0, text.find(':'));
@@ -134,8 +179,18 @@ class Cad_report {
     for (const auto& [face, reason] : file.model.not_covered)
       add_not_covered(file.file, "face", "face " + std::to_string(face) + ": " + reason,
                       {Claim::not_covered, "face", reason}, line_of_face(file.model, face));
-    if (file.model.loose_edges > 0)
-      report_.add(file.file, {Claim::not_covered, "edge", edge_without_face}, file.model.loose_edges);
+    for (std::size_t i = 0; i < file.model.loose_edges; ++i)
+      report_.add(file.file, {Claim::not_covered, "edge", edge_without_face}, false, [&] {
+        Finding f;
+        f.file = file.file;
+        f.line = no_line;
+        f.kind = "edge";
+        f.place = "edge " + std::to_string(i) + " of those without a face";
+        f.rule = Finding_rule::not_verified;
+        f.message = std::string("not compared, ") + edge_without_face;
+        f.shape = edge_without_face;
+        return f;
+      });
     summary_.add(file, demand_);
   }
 
@@ -182,7 +237,7 @@ public:
   }
 
   // Prints the report and returns the exit code.
-  int print() const { return report_.print(std::cout, is_text() ? text_summary() : json_summary()); }
+  int print() { return report_.print(std::cout, is_text() ? text_summary() : json_summary()); }
 };
 
 } // namespace

@@ -21,7 +21,8 @@
 struct Join_place {
   std::size_t left, right;
   const std::string& file;
-  long long line; // 0 where it was not asked for
+  long long line;      // 0 where it was not asked for
+  std::size_t in_file; // the number of the left span among those of its file, from 0 on
 };
 
 // Decides the joins of spans and writes the rows of a report, or its findings.
@@ -167,7 +168,48 @@ private:
     if (drawn) write_json_members(properties, *drawn);
     GC::write_json_members(properties << ',', deviation);
     f.properties = properties.str();
+    f.object = "join";
+    f.spot = std::to_string(place.in_file);
+    f.shape = shape(
+        f.rule == Finding_rule::gap || (!drawn && (f.rule == Finding_rule::corner || f.rule == Finding_rule::kink)) ? 1
+                                                                                                                    : 3,
+        left, right);
+    f.measure = measure(f.rule, drawn, deviation);
     return f;
+  }
+
+  static std::optional<Measure> measure(Finding_rule rule, const Drawn& drawn, const GC::Join_deviation& d) {
+    switch (rule) {
+    case Finding_rule::gap: return Measure{"gap", d.gap};
+    case Finding_rule::corner:
+    case Finding_rule::kink:
+      if (drawn) return Measure{"angle_degrees", GC::in_degrees(drawn->angle)};
+      if (d.tangent_angle) return Measure{"angle_degrees", GC::in_degrees(*d.tangent_angle)};
+      break;
+    case Finding_rule::curvature:
+      if (d.curvature_jump) return Measure{"curvature_jump", *d.curvature_jump};
+      break;
+    case Finding_rule::derivative:
+      if (d.torsion_jump) return Measure{"torsion_jump", *d.torsion_jump};
+      break;
+    case Finding_rule::tangent:
+    case Finding_rule::undecided:
+    case Finding_rule::not_verified:
+    case Finding_rule::rounding: break;
+    }
+    return std::nullopt;
+  }
+
+  // What makes the defect: how the ends lie to each other, not where they are, and the first derivatives on both sides, so many of them.
+  static std::string shape(int derivatives, const Span& left, const Span& right) {
+    const auto x = left.jets().template end_jet_over<Exact>(3), y = right.jets().template start_jet_over<Exact>(3);
+    std::ostringstream os;
+    for (int c = 0; c < x.dimension(); ++c) {
+      os << Exact(y[0][c] - x[0][c]);
+      for (int j = 1; j <= derivatives; ++j) os << ' ' << x[j][c] << ' ' << y[j][c];
+      os << ';';
+    }
+    return os.str();
   }
 };
 

@@ -23,8 +23,9 @@ namespace {
 
 // Where a span ends.
 struct Span_end {
-  std::size_t file; // its number, from 0 on
-  long long line;   // 0 where it is not needed
+  std::size_t file;    // its number, from 0 on
+  long long line;      // 0 where it is not needed
+  std::size_t in_file; // the number of the span in it, from 0 on
 };
 
 // Consecutive spans, with the last one before them, and what is decided about their joins.
@@ -59,7 +60,7 @@ int verify_spans(const Arguments& files, bool closed, const Report_mode& mode, c
   std::vector<std::string> names;
   for (const std::string& file : files) names.push_back(input_name(file));
   std::optional<Span> first, last; // of those that have been read
-  Span_end last_end{0, 0};
+  Span_end last_end{0, 0, 0};
   std::size_t size = 0;
   bool ended = false;
 
@@ -84,7 +85,9 @@ int verify_spans(const Arguments& files, bool closed, const Report_mode& mode, c
         if (demand.order && size == 0) demand.order->check_dimension(span.dimension());
         if (size == 0) first = span;
         ++size;
-        last_end = {stream.file_number() - 1, mode.has_findings() ? stream.line() : 0};
+        const std::size_t file = stream.file_number() - 1;
+        last_end = {file, mode.has_findings() ? stream.line() : 0,
+                    size > 1 && last_end.file == file ? last_end.in_file + 1 : 0};
         batch.ends.push_back(last_end);
       }
     } catch (...) {
@@ -107,7 +110,8 @@ int verify_spans(const Arguments& files, bool closed, const Report_mode& mode, c
             },
             [&] {
               const Span_end& end = batch.ends[i - 1];
-              decide({left, left + 1, names[end.file], end.line}, batch.spans[i - 1], batch.spans[i], batch.joins);
+              decide({left, left + 1, names[end.file], end.line, end.in_file}, batch.spans[i - 1], batch.spans[i],
+                     batch.joins);
             });
       }
     } catch (...) {
@@ -125,10 +129,11 @@ int verify_spans(const Arguments& files, bool closed, const Report_mode& mode, c
   if (size == 1 && !closed && !mode.allow_empty) throw std::invalid_argument(no_join);
   if (closed && size > 0) {
     Decided_joins joins{Report_part(mode)};
-    within_work_limit([] { return std::string("the join that closes the chain"); },
-                      [&] {
-                        decide({size - 1, 0, names[last_end.file], last_end.line}, *last, *first, joins);
-                      });
+    within_work_limit(
+        [] { return std::string("the join that closes the chain"); },
+        [&] {
+          decide({size - 1, 0, names[last_end.file], last_end.line, last_end.in_file}, *last, *first, joins);
+        });
     report.add(joins);
   }
   return report.print(std::cout);

@@ -17,6 +17,7 @@
 
 #include <CGAL/Geometric_continuity/IO/text.h>
 #include <CGAL/Geometric_continuity/joins/Join_certificate.h>
+#include <CGAL/Geometric_continuity/joins/deviation.h>
 #include <CGAL/Geometric_continuity/joins/path_continuity.h>
 #include <CGAL/Geometric_continuity/numbers/Exact_field.h>
 
@@ -201,6 +202,8 @@ public:
       f.place = element.text();
       f.rule = Finding_rule::not_verified;
       f.message = "not verified, " + reason;
+      f.object = element.path();
+      f.shape = element.name + ' ' + element.id + ' ' + reason;
       return f;
     });
     if (report_.mode().format == Report_format::json)
@@ -256,6 +259,10 @@ private:
       append_rounding(f.message, looked_through);
       append_point(f.message, right);
       f.properties = members();
+      f.object = element.path();
+      append(f.spot, place.number, ' ', left.command, ' ', right.command);
+      f.shape = shape(f.rule, left, right);
+      f.measure = measure(f.rule, left, right);
       return f;
     });
     add_row(claim, [&]() -> std::string {
@@ -320,6 +327,45 @@ private:
     if (grade == GC::Join_grade::kink || (decision->regular && !*decision->tangent_equal)) return Finding_rule::kink;
     if (!decision->regular) return Finding_rule::tangent;
     return *decision->curvature_vector_equal ? Finding_rule::derivative : Finding_rule::curvature;
+  }
+
+  // What makes the defect, from the join on, wherever that is: both segments, of curves with a kink or a corner their handles.
+  static std::string shape(Finding_rule rule, const Segment& left, const Segment& right) {
+    const bool is_of_tangents = rule == Finding_rule::kink || rule == Finding_rule::corner;
+    std::ostringstream os;
+    const Drawing_traits::Point origin = right.start();
+    const auto write = [&](const Drawing_traits::Point& p) {
+      os << ' ' << Exact(p.x() - origin.x()) << ',' << Exact(p.y() - origin.y());
+    };
+    for (const Segment* segment : {&left, &right}) {
+      if (segment->bezier()) {
+        const auto& curve = *segment->bezier();
+        const bool is_end = segment == &left;
+        for (int i = 1; i <= curve.degree(); ++i) {
+          const auto& point = curve.control_point(is_end ? curve.degree() - i : i);
+          write(point);
+          if (is_of_tangents && point != origin) break;
+        }
+      } else {
+        os << " arc";
+        write(segment->start());
+        write(segment->end());
+        if (segment->is_known()) os << ' ' << segment->radicand();
+      }
+      os << ';';
+    }
+    return os.str();
+  }
+
+  static std::optional<Measure> measure(Finding_rule rule, const Segment& left, const Segment& right) {
+    if (rule == Finding_rule::curvature) {
+      if (!left.bezier() || !right.bezier()) return std::nullopt;
+      const std::optional<GC::Enclosure> jump = GC::deviation(*left.bezier(), *right.bezier()).curvature_jump;
+      return jump ? std::optional<Measure>(Measure{"curvature_jump", *jump}) : std::nullopt;
+    }
+    if (rule == Finding_rule::derivative) return std::nullopt;
+    const std::optional<GC::Enclosure> angle = angle_bounds(left, right);
+    return angle ? std::optional<Measure>(Measure{"angle_degrees", *angle}) : std::nullopt;
   }
 
   // What the lines of an element begin with: names from outside must not look like lines.

@@ -12,6 +12,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <numeric>
 #include <optional>
 #include <string>
@@ -117,6 +118,8 @@ class Worst_joins {
   }
 
 public:
+  static constexpr std::size_t all = (std::numeric_limits<std::size_t>::max)() / 4;
+
   Worst_joins(std::size_t most, bool unites_copies) : most_(most), unites_copies_(unites_copies) {}
 
   void add(const Shown_join& join) {

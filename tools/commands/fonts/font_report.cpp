@@ -5,6 +5,8 @@
 #include "commands/fonts/font_report.h"
 
 #include <CGAL/Geometric_continuity/IO/text.h>
+#include <CGAL/Geometric_continuity/curves/Bezier_curve.h>
+#include <CGAL/Geometric_continuity/joins/deviation.h>
 
 #include <algorithm>
 
@@ -38,6 +40,41 @@ std::string message(const Shown_join& join, const Join_numbers& numbers) {
   return (is_kink ? "kink of " : "bend of two lines of ") + rounded(numbers.degrees.upper, 3) + " degrees" + at +
          (is_kink ? ", a handle is off by " : ", off by ") + rounded(numbers.units, 2) + " units, " +
          rounded(numbers.per_mille, 3) + " per mille of the em" + more;
+}
+
+// What makes the defect, in units of the font from the node on, wherever that is: of a kink both handles, of a jump of the curvature both
+// segments.
+std::string shape(const Shown_join& join) {
+  const double steps = static_cast<double>(join.steps);
+  std::string text;
+  const auto add = [&](const Glyph_leg& leg) {
+    text +=
+        ' ' + rounded(static_cast<double>(leg.x) / steps, 17) + ',' + rounded(static_cast<double>(leg.y) / steps, 17);
+  };
+  if (join.grade != Glyph_grade::g1) {
+    add(Glyph_segment_end::end(join.left).handle());
+    add(Glyph_segment_end::start(join.right).handle());
+    return text;
+  }
+  for (const Glyph_segment* segment : {&join.left, &join.right}) {
+    text += ';';
+    for (std::size_t i = 0; i <= static_cast<std::size_t>(segment->degree); ++i)
+      add(segment->points[i] - join.right.start());
+  }
+  return text;
+}
+
+std::optional<Measure> measure(const Shown_join& join, const Join_numbers& numbers) {
+  if (join.grade != Glyph_grade::g1) return Measure{"angle_degrees", numbers.degrees};
+  typedef CGAL::Simple_cartesian<CGAL::Exact_rational> Kernel;
+  const auto curve = [](const Glyph_segment& segment) {
+    std::vector<Kernel::Point_2> points;
+    for (std::size_t i = 0; i <= static_cast<std::size_t>(segment.degree); ++i)
+      points.emplace_back(static_cast<double>(segment.points[i].x), static_cast<double>(segment.points[i].y));
+    return GC::Bezier_curve<GC::Traits_2<Kernel>>(points);
+  };
+  const std::optional<GC::Enclosure> jump = GC::deviation(curve(join.left), curve(join.right)).curvature_jump;
+  return jump ? std::optional<Measure>(Measure{"curvature_jump", *jump}) : std::nullopt;
 }
 
 } // namespace
@@ -95,7 +132,7 @@ void Font_report::end_font(const Font_result& font) {
   }
 }
 
-// Joins that are equal have one finding; how many more there are, another one tells.
+// Each join has a finding; with --worst another one tells how many more there are.
 void Font_report::add_findings(const Font_result& font, const std::string& place) {
   const Join_counts& joins = font.counts.joins;
   std::size_t told = 0, told_failing = 0;
@@ -103,14 +140,15 @@ void Font_report::add_findings(const Font_result& font, const std::string& place
     const Join_numbers numbers(join);
     const Given given{join.fails ? Claim::not_met : Claim::met, "join"};
     report_.add(font.file, given, true, [&] {
-      return finding(font.file, place + join_place(join.glyph_name, join.part_name, join.contour, join.node),
-                     join.grade == Glyph_grade::g1 ? Finding_rule::curvature : Finding_rule::kink,
-                     message(join, numbers), json_members(join));
+      Finding f = finding(font.file, place + join_place(join.glyph_name, join.part_name, join.contour, join.node),
+                          join.grade == Glyph_grade::g1 ? Finding_rule::curvature : Finding_rule::kink,
+                          message(join, numbers), json_members(join));
+      f.shape = shape(join);
+      f.measure = measure(join, numbers);
+      return f;
     });
-    // the copies have the finding of the first one
-    if (join.copies != 0) report_.add(font.file, given, join.copies);
-    told += 1 + join.copies;
-    told_failing += join.fails ? 1 + join.copies : 0;
+    ++told;
+    told_failing += join.fails;
   }
   const std::size_t more = joins.failing() - told_failing;
   if (more > 0) {
@@ -124,7 +162,10 @@ void Font_report::add_findings(const Font_result& font, const std::string& place
   report_.add(font.file, {Claim::met, "join"}, joins.joins() - told - more);
   const auto not_verified = [&](const std::string& glyph, const std::string& reason) {
     report_.add(font.file, not_covered("glyph", reason), true, [&] {
-      return finding(font.file, place + "glyph " + glyph, Finding_rule::not_verified, "not verified, " + reason, "");
+      Finding f =
+          finding(font.file, place + "glyph " + glyph, Finding_rule::not_verified, "not verified, " + reason, "");
+      f.shape = reason;
+      return f;
     });
   };
   for (const Unread_glyph& glyph : font.unread) not_verified(glyph.name, glyph.reason);

@@ -25,7 +25,7 @@ struct Font_requirement {
 // A glyph or a font that could not be read.
 Given not_covered(const char* noun, const std::string& reason);
 
-// The report about fonts. Where many joins are equal, one row or finding tells of all.
+// The report about fonts. Where many joins are equal, one row tells of all.
 class Font_report {
   const bool is_json_, is_short_;
   bool is_alone_ = false;
@@ -39,7 +39,10 @@ public:
   Font_report(const Report_mode& mode, const Font_requirement& required);
 
   // Whether glyph() wants the worst joins of each glyph; otherwise end_font() wants those of the font.
-  bool is_by_glyph() const { return is_json_; }
+  bool is_by_glyph() const { return is_json_ && !has_findings(); }
+
+  // Whether each join has a finding of its own, also where several are equal.
+  bool has_findings() const { return report_.mode().has_findings(); }
 
   void begin_font(const Font_result& font);
   void glyph(int index, const std::string& name, const Join_counts& joins, const std::vector<Shown_join>& worst);

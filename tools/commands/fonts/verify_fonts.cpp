@@ -22,7 +22,9 @@ class Font_grader : public Font_visitor {
 
 public:
   Font_grader(const Font_demand& demand, Font_report& report)
-      : rule_(demand.rule), report_(report), worst_(demand.worst, true), worst_of_font_(demand.worst, true),
+      : rule_(demand.rule), report_(report), worst_(demand.worst, true),
+        worst_of_font_(report.has_findings() && !demand.is_worst_given ? Worst_joins::all : demand.worst,
+                       !report.has_findings()),
         worst_of_glyph_(demand.worst, false) {}
 
   // Of all fonts.

@@ -18,6 +18,7 @@ struct Font_demand {
   Join_rule rule;
   std::string off_by = "1", max_kink = {}; // of the rule, as they were given
   std::size_t worst = 0;                   // how many joins to show of each font, in JSON of each glyph
+  bool is_worst_given = false;             // so that findings are no more than these; otherwise they are all
 };
 
 // Grades the joins of all glyphs of fonts, which are files and those in folders, prints a report and returns the exit code. Only

@@ -17,6 +17,7 @@
 #include <filesystem>
 #include <iostream>
 #include <set>
+#include <sstream>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -227,6 +228,8 @@ class Instances_report {
                  f.rule = refuted ? Finding_rule::kink : Finding_rule::undecided;
                  f.message = kink_text(kink);
                  f.properties = kink_json(kink, found.font.axes());
+                 f.shape = shape(kink);
+                 f.measure = Measure{"angle_degrees", GC::in_degrees(kink.kink.angle)};
                  return f;
                });
     }
@@ -242,6 +245,15 @@ class Instances_report {
     } else
       found.worst.insert(found.worst.end(), joins.kinks.begin(), joins.kinks.end());
     if (found.worst.size() > 2 * most_ + 1000) found.worst = worst_of(std::move(found.worst));
+  }
+
+  // The numbers of a kink, wherever it is.
+  static std::string shape(const Instance_kink& kink) {
+    std::ostringstream os;
+    os.precision(17);
+    os << kink.kink.angle << ' ' << kink.initial_angle << ' ' << kink.severity;
+    for (const Exact& value : kink.kink.instance) os << ' ' << value;
+    return os.str();
   }
 
   static Finding uncovered(const std::string& file, const std::string& kind, const std::string& place,

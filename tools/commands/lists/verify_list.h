@@ -6,6 +6,7 @@
 #define GEOMETRIC_CONTINUITY_TOOLS_COMMANDS_LISTS_VERIFY_LIST_H
 
 #include "commands/commands.h"
+#include "commands/lists/File_record.h"
 
 #include <cstdint>
 #include <string>
@@ -17,9 +18,11 @@ struct List_demand {
   double seconds;           // of processor time that a file may take
   std::uint64_t memory;     // in bytes, that it may take
   int jobs;                 // files at a time; 0: as many as there are cores
+
+  File_limits limits() const { return {seconds, static_cast<double>(memory) / 1048576}; }
 };
 
-// Runs `verify --jsonl`: writes one record for each file as it ends, but for those that have one, and returns the exit code of the worst.
+// Runs `verify --jsonl`: writes one record for each file as it ends, but for those that have one which answers the same question about the same content, and returns the exit code of the worst.
 int verify_list(const List_demand& demand);
 
 #endif // GEOMETRIC_CONTINUITY_TOOLS_COMMANDS_LISTS_VERIFY_LIST_H

@@ -9,11 +9,16 @@
 #include "commands/models/model_findings.h"
 #include "commands/models/model_json.h"
 #include "files/progress.h"
+#include "reports/Fingerprints.h"
 #include "reports/Report.h"
+#include "reports/words.h"
 
 #include <CGAL/Geometric_continuity/models/model_continuity.h>
 #include <CGAL/Geometric_continuity/models/near_edges.h>
 
+#include <algorithm>
+#include <array>
+#include <cmath>
 #include <cstddef>
 #include <iostream>
 #include <optional>
@@ -172,6 +177,8 @@ private:
                   words.verdict + (within ? "; " + text_of(within->deviation) : "");
       const std::string object = json_of(row, within);
       f.properties = object.substr(1, object.size() - 2); // without braces
+      set_place(f, row);
+      f.measure = measure_of(f.rule, row, within);
       return f;
     });
     if (!report_.shows(claim)) return;
@@ -198,6 +205,7 @@ private:
                     f.place = edge_name(e.patch_a, e.edge_a);
                     f.rule = Finding_rule::not_verified;
                     f.message = "a single point, where there are no tangent planes to compare";
+                    set_place(f, e);
                     return f;
                   });
     if (!report_.shows(Claim::met)) return;
@@ -205,6 +213,37 @@ private:
     if (report_.mode().format == Report_format::json)
       report_.row(collapsed ? "collapsed_edges" : "boundary_edges",
                   ",{\"patch\":" + std::to_string(e.patch_a) + ",\"edge\":\"" + text_of(e.edge_a) + "\"}", Claim::met);
+  }
+
+  template <class Row> void set_place(Finding& f, const Row& row) const {
+    const std::size_t patch = patch_of(row);
+    const std::optional<std::size_t> other = other_patch_of(row);
+    f.object = "patch " + std::to_string(places_.number_in_file(patch));
+    f.spot = spot_of(row);
+    f.shape = f.spot + net(surfaces_[patch]);
+    if (!other) return;
+    f.object += " - " + (places_.name(*other) == f.file ? "" : path_in_folder(places_.name(*other)) + ' ') + "patch " +
+                std::to_string(places_.number_in_file(*other));
+    f.shape += net(surfaces_[*other]);
+  }
+
+  // The control points of a patch as parts of the largest difference, wherever they are and in whatever unit.
+  static std::string net(const Surface& surface) {
+    std::vector<std::array<double, 3>> points;
+    double largest = 0;
+    const auto coordinates = [](const auto& p) { return GC::coordinates<typename Surface::Traits>(p); };
+    for (const auto& p : surface) {
+      const auto x = coordinates(p), first = coordinates(*surface.begin());
+      points.emplace_back();
+      for (int c = 0; c < 3; ++c) {
+        points.back()[c] = CGAL::to_double(typename Surface::FT(x[c] - first[c]));
+        largest = (std::max)(largest, std::abs(points.back()[c]));
+      }
+    }
+    std::string text = ";";
+    for (const std::array<double, 3>& point : points)
+      for (const double x : point) text += ' ' + rounded(largest == 0 ? 0 : x / largest, 6);
+    return text;
   }
 
   static std::string json_of(const GC::Near_edges& e, const std::optional<Within>&) {

@@ -30,6 +30,13 @@ public:
   const std::vector<std::string>& names() const { return names_; }
   const std::string& name(std::size_t patch) const { return names_[places_[patch].file]; }
   long long line(std::size_t patch) const { return places_[patch].line; }
+
+  // The file and the number of a patch in it, from 0 on.
+  std::size_t number_in_file(std::size_t patch) const {
+    std::size_t first = patch;
+    while (first > 0 && places_[first - 1].file == places_[patch].file) --first;
+    return patch - first;
+  }
 };
 
 // What is wrong at an edge.
@@ -60,6 +67,36 @@ inline std::string edge_name(std::size_t patch, GC::Patch_edge edge) {
 inline std::size_t patch_of(const Edge& e) { return e.patch_a; }
 inline std::size_t patch_of(const Line& l) { return l.patch; }
 inline std::size_t patch_of(const GC::Near_edges& e) { return e.patch_a; }
+
+// The other patch, if there is one.
+inline std::optional<std::size_t> other_patch_of(const Edge& e) { return e.patch_b; }
+inline std::optional<std::size_t> other_patch_of(const Line&) { return std::nullopt; }
+inline std::optional<std::size_t> other_patch_of(const GC::Near_edges& e) { return e.patch_b; }
+
+// Where it is on its patches.
+inline std::string spot_of(const Edge& e) { return text_of(e.edge_a) + (e.edge_b ? ' ' + text_of(*e.edge_b) : ""); }
+inline std::string spot_of(const Line& l) { return (l.line.constant_u ? "u = " : "v = ") + text_of(l.line.knot); }
+inline std::string spot_of(const GC::Near_edges& e) { return text_of(e.edge_a) + ' ' + text_of(e.edge_b); }
+
+// How large the defect of this rule is, if that is known.
+inline std::optional<Measure> measure_of(Finding_rule rule, const std::optional<GC::Normal_deviation<Exact>>& angle,
+                                         const std::optional<Within>& within) {
+  if (rule == Finding_rule::gap && within) return Measure{"gap", within->deviation.gap};
+  if (rule != Finding_rule::kink) return std::nullopt;
+  if (within && within->deviation.normal_angle)
+    return Measure{"angle_degrees", GC::in_degrees(*within->deviation.normal_angle)};
+  return angle ? std::optional<Measure>(Measure{"angle_degrees", GC::in_degrees(angle->angle())}) : std::nullopt;
+}
+inline std::optional<Measure> measure_of(Finding_rule rule, const Edge& e, const std::optional<Within>& within) {
+  return measure_of(rule, e.continuity.deviation, within);
+}
+inline std::optional<Measure> measure_of(Finding_rule rule, const Line& l, const std::optional<Within>& within) {
+  return measure_of(rule, l.line.continuity.deviation, within);
+}
+inline std::optional<Measure> measure_of(Finding_rule rule, const GC::Near_edges&,
+                                         const std::optional<Within>& within) {
+  return measure_of(rule, std::optional<GC::Normal_deviation<Exact>>(), within);
+}
 
 // What is to be said of it.
 struct Edge_words {

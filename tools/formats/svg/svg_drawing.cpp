@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cstddef>
+#include <map>
 #include <optional>
 #include <set>
 #include <string_view>
@@ -73,8 +74,9 @@ class Drawing_walk {
   const bool takes_paths_ = handler_.takes_paths();
   std::vector<Part> parts_;
   std::vector<Open_frame> frames_;
-  std::set<std::size_t> repeated_; // the elements that use elements draw, where paths are taken
-  std::size_t repetition_ = 0;     // bytes
+  std::set<std::size_t> repeated_;            // the elements that use elements draw, where paths are taken
+  std::size_t repetition_ = 0;                // bytes
+  mutable std::vector<std::size_t> ordinals_; // of the elements, once one was asked for
 
   const Drawing_node& node(std::size_t i) const { return document_.nodes[i]; }
   bool is_repetition() const { return parts_.size() > 1; }
@@ -83,12 +85,37 @@ class Drawing_walk {
   Drawing_element element(std::size_t i) const {
     const Drawing_node& n = node(i);
     Drawing_element e{file_, std::string(n.name), n.attributes.text("id"), n.line};
+    e.path = [this, i] { return path(i); };
     if (!is_repetition()) return e;
     const auto text = [&](const Part& part) { return element_text(node(part.use)); };
     e.repeated_by = text(parts_.back());
     if (parts_.size() > 2) e.repeated_by += " in " + text(parts_[1]); // which tells which one it is
     return e;
   }
+  // Which element it is, in the repetition that is gone through.
+  std::string path(std::size_t i) const {
+    std::string text;
+    for (std::size_t k = 1; k < parts_.size(); ++k) text += path_in_document(parts_[k].use) + '>';
+    return text + path_in_document(i);
+  }
+
+  std::string path_in_document(std::size_t i) const {
+    if (ordinals_.empty()) count_ordinals();
+    std::string text;
+    for (;; i = node(i).parent) {
+      const std::string &id = node(i).attributes.text("id"), rest = text.empty() ? "" : '/' + text;
+      if (!id.empty()) return std::string(node(i).name) + '#' + id + rest;
+      text = std::string(node(i).name) + '[' + std::to_string(ordinals_[i]) + ']' + rest;
+      if (node(i).parent == i) return text;
+    }
+  }
+
+  // Counts the elements of one name in each element, from 1 on.
+  void count_ordinals() const {
+    std::map<std::pair<std::size_t, std::string_view>, std::size_t> counts;
+    for (std::size_t i = 0; i < none(); ++i) ordinals_.push_back(++counts[{node(i).parent, node(i).name}]);
+  }
+
   static std::string element_text(const Drawing_node& n) {
     return Drawing_element{"", std::string(n.name), n.attributes.text("id"), n.line}.text();
   }

@@ -12,6 +12,7 @@
 #include <CGAL/Geometric_continuity/Traits.h>
 #include <CGAL/Simple_cartesian.h>
 
+#include <functional>
 #include <istream>
 #include <string>
 
@@ -30,6 +31,10 @@ struct Drawing_element {
   bool is_filled = false;       // so that where a subpath ends at its start there is a join
   bool has_percentages = false; // so that its size depends on the viewport
   std::string repeated_by = {}; // the use elements that draw it, e.g. use "u" (line 20); empty where it stands
+
+  // Tells which element it is without lines, while it is handed on: by its id, otherwise from the nearest element around it that has one, or
+  // from the outermost one, on, e.g. g#leaves/path[3]; what repeats it comes before it.
+  std::function<std::string()> path = [] { return std::string(); };
 
   // Returns the name, the id, the line and what repeats it, e.g. path "leaf" (line 12), repeated by use "u" (line 20).
   std::string text() const;
