@@ -540,6 +540,7 @@ BOOST_AUTO_TEST_CASE(nothing_is_written_of_numbers_that_are_not_finite) {
 }
 
 BOOST_AUTO_TEST_CASE(texts_in_messages_are_quoted) {
+  BOOST_CHECK(GC::is_utf8("") && GC::is_utf8("kr\xc3\xbcmmung") && !GC::is_utf8("n\xe8") && !GC::is_utf8("\xc3"));
   BOOST_CHECK_EQUAL(GC::quoted_token(""), "''");
   BOOST_CHECK_EQUAL(GC::quoted_token("a b"), "'a b'");
   BOOST_CHECK_EQUAL(GC::quoted_token("\n\x7f\xff"), "'\\x0A\\x7F\\xFF'");

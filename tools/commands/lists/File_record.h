@@ -95,7 +95,7 @@ struct File_record {
   // The members that name a file: its name, and its bytes where it is no UTF-8, so that not all of them can be written.
   static std::string json_name(const std::string& name) {
     std::string text = "\"file\":" + json_text(name);
-    if (is_utf8(name)) return text;
+    if (CGAL::Geometric_continuity::is_utf8(name)) return text;
     constexpr char hex[] = "0123456789abcdef";
     text += ",\"name_bytes\":\"";
     for (const char c : name)
@@ -113,7 +113,8 @@ struct File_record {
   static std::optional<File_record> of(const std::string& line) {
     const auto is_plain = [](char c) { return ' ' <= c; }; // of ASCII
     if (!std::all_of(line.begin(), line.end(), is_plain) &&
-        (!is_utf8(line) || std::any_of(line.begin(), line.end(), [](char c) { return '\0' <= c && c < ' '; })))
+        (!CGAL::Geometric_continuity::is_utf8(line) ||
+         std::any_of(line.begin(), line.end(), [](char c) { return '\0' <= c && c < ' '; })))
       return std::nullopt; // which is not written
     try {
       File_record record{{}, -1};
@@ -157,13 +158,6 @@ struct File_record {
   }
 
 private:
-  static bool is_utf8(std::string_view text) {
-    bool result = true;
-    CGAL::Geometric_continuity::internal::for_each_utf8_character(
-        text, [&](const CGAL::Geometric_continuity::internal::Utf8_character& c) { result = result && c.well_formed; });
-    return result;
-  }
-
   static std::optional<std::string> bytes_of(std::string_view hex) {
     std::string bytes;
     for (std::size_t i = 0; i < hex.size(); i += 2) {

@@ -21,7 +21,6 @@
 
 namespace CGAL {
 namespace Geometric_continuity {
-namespace internal {
 
 // With the coordinates x in [-1, 1] of the n free axes, a = a_0 + sum x_k a_k + sum e_r A_r, where A_r is the shift of region r and e_r
 // the rest of its scalar, which is of higher order; the same for b. So a x b and a . b are quadratic forms in x and an error.
@@ -279,7 +278,6 @@ private:
   static Products bounds_of(const Products& p) { return {magnitude(p.cross), magnitude(p.dot)}; }
 };
 
-} // namespace internal
 } // namespace Geometric_continuity
 } // namespace CGAL
 

@@ -5,10 +5,10 @@
 #ifndef GEOMETRIC_CONTINUITY_TOOLS_FORMATS_FONT_KINK_BOXES_H
 #define GEOMETRIC_CONTINUITY_TOOLS_FORMATS_FONT_KINK_BOXES_H
 
+#include "formats/font/Bernstein_tensor.h"
 #include "formats/font/Centered_legs.h"
 #include "formats/font/Variation_cells.h"
 #include <CGAL/FPU.h>
-#include <CGAL/Geometric_continuity/algebra/internal/Bernstein_tensor.h>
 #include <CGAL/Interval_nt.h>
 
 #include <algorithm>
@@ -24,7 +24,6 @@
 
 namespace CGAL {
 namespace Geometric_continuity {
-namespace internal {
 
 // The boxes of a join. Those with few free axes have the Bernstein coefficients of both products, which are exact for whole cells and
 // bound the angle even where a leg vanishes at a corner; those with more have centered forms, and lose the axes along which the angle
@@ -231,7 +230,6 @@ private:
   }
 };
 
-} // namespace internal
 } // namespace Geometric_continuity
 } // namespace CGAL
 

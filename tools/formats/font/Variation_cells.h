@@ -5,8 +5,8 @@
 #ifndef GEOMETRIC_CONTINUITY_TOOLS_FORMATS_FONT_VARIATION_CELLS_H
 #define GEOMETRIC_CONTINUITY_TOOLS_FORMATS_FONT_VARIATION_CELLS_H
 
+#include "formats/font/Bernstein_tensor.h"
 #include "formats/font/Variable_join.h"
-#include <CGAL/Geometric_continuity/algebra/internal/Bernstein_tensor.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -19,7 +19,6 @@
 
 namespace CGAL {
 namespace Geometric_continuity {
-namespace internal {
 
 // A part of a cell; of the cell's axes those are free on which it has a width.
 struct Variation_box {
@@ -263,7 +262,6 @@ private:
   }
 };
 
-} // namespace internal
 } // namespace Geometric_continuity
 } // namespace CGAL
 

@@ -60,8 +60,8 @@ inline Largest_kink largest_kink(const Variable_join& join, const std::vector<Va
   typedef Largest_kink::FT FT;
   if (!(bound.degrees() < 90))
     throw Error(Error_code::parameter_outside_domain, "largest_kink: a bound that is not less than 90 degrees");
-  const internal::Variation_cells cells(join, regions, axes);
-  internal::Kink_boxes boxes(cells);
+  const Variation_cells cells(join, regions, axes);
+  Kink_boxes boxes(cells);
   const double limit = static_cast<double>(search.limit.steps());
   std::size_t cell = 0;
   for (; static_cast<double>(cell) < cells.size() && boxes.steps() < limit; ++cell) boxes.push(cell);
@@ -75,10 +75,8 @@ inline Largest_kink largest_kink(const Variable_join& join, const std::vector<Va
   while (complete && !boxes.empty() && boxes.steps() < limit && !is_done()) boxes.split();
 
   const std::pair<FT, FT> products = cells.products_at(boxes.cell(), boxes.point());
-  Largest_kink result{Verdict::undecided,
-                      {0, internal::Kink_boxes::half_turn},
-                      cells.instance(boxes.cell(), boxes.point()),
-                      boxes.vanishes()};
+  Largest_kink result{
+      Verdict::undecided, {0, Kink_boxes::half_turn}, cells.instance(boxes.cell(), boxes.point()), boxes.vanishes()};
   const double upper = complete ? boxes.upper() : INFINITY;
   if (std::isfinite(upper)) result.angle.upper = angle_enclosure(FT(FT(upper) * FT(upper)), FT(1)).upper;
   if (products.first == 0 && products.second == 0) return result; // no corner of a cell has an angle

@@ -77,6 +77,14 @@ inline std::string printable(std::string_view text) {
 }
 
 /// \ingroup PkgGeometricContinuityIO
+/// Returns whether a text is well-formed UTF-8.
+inline bool is_utf8(std::string_view text) {
+  bool result = true;
+  internal::for_each_utf8_character(text, [&](const internal::Utf8_character& c) { result = result && c.well_formed; });
+  return result;
+}
+
+/// \ingroup PkgGeometricContinuityIO
 /// Returns a text as messages show it: in single quotes, cut after 40 characters, and with bytes that cannot be printed
 /// as `\xHH`.
 inline std::string quoted_token(std::string_view text) {

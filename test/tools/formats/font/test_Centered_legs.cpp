@@ -33,7 +33,7 @@ int shift() { // often 0
 
 // Bounds of both products on a box with many axes, also where what is bilinear in the axes moves the legs at right angles.
 BOOST_AUTO_TEST_CASE(bounds_with_centered_legs) {
-  using GC::internal::Centered_legs;
+  using GC::Centered_legs;
   for (int round = 0; round < 200; ++round) {
     const std::size_t n = static_cast<std::size_t>(whole(2, 4));
     GC::Variable_join join{{{100, 0}, {}}, {{100, 0}, {}}};
@@ -49,7 +49,7 @@ BOOST_AUTO_TEST_CASE(bounds_with_centered_legs) {
       join.incoming.shifts.push_back({shift(), shift()});
       join.outgoing.shifts.push_back({shift(), shift()});
     }
-    const GC::internal::Variation_cells cells(join, regions, axes);
+    const GC::Variation_cells cells(join, regions, axes);
     const CGAL::Protect_FPU_rounding<true> upwards;
     const Centered_legs centered(cells, cells.whole(0));
     for (int k = 0; k < 20; ++k) {

@@ -2,8 +2,8 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-#ifndef CGAL_GEOMETRIC_CONTINUITY_ALGEBRA_INTERNAL_BERNSTEIN_TENSOR_H
-#define CGAL_GEOMETRIC_CONTINUITY_ALGEBRA_INTERNAL_BERNSTEIN_TENSOR_H
+#ifndef GEOMETRIC_CONTINUITY_TOOLS_FORMATS_FONT_BERNSTEIN_TENSOR_H
+#define GEOMETRIC_CONTINUITY_TOOLS_FORMATS_FONT_BERNSTEIN_TENSOR_H
 
 #include <CGAL/Geometric_continuity/Error.h>
 #include <CGAL/Geometric_continuity/algebra/Bernstein_polynomial.h>
@@ -17,7 +17,6 @@
 
 namespace CGAL {
 namespace Geometric_continuity {
-namespace internal {
 
 // A polynomial \f$ \sum_i c_i \prod_k B_{i_k}^n(t_k) \f$ on \f$ [0, 1]^m \f$ of the same degree `n` in each of the `m`
 // variables. The coefficient with the indices \f$ i_0, \dots, i_{m-1} \f$ has the number
@@ -158,8 +157,7 @@ private:
   }
 };
 
-} // namespace internal
 } // namespace Geometric_continuity
 } // namespace CGAL
 
-#endif // CGAL_GEOMETRIC_CONTINUITY_ALGEBRA_INTERNAL_BERNSTEIN_TENSOR_H
+#endif // GEOMETRIC_CONTINUITY_TOOLS_FORMATS_FONT_BERNSTEIN_TENSOR_H

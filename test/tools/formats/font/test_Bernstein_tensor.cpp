@@ -4,22 +4,23 @@
 
 // Tensor-product Bernstein polynomials: values, products, parts.
 
+#define BOOST_TEST_MODULE Bernstein_tensor
+#define BOOST_TEST_DYN_LINK
 #include <boost/test/unit_test.hpp>
 
 #include "support/errors.h"
 
+#include "formats/font/Bernstein_tensor.h"
+
 #include <CGAL/Exact_rational.h>
-#include <CGAL/Geometric_continuity/algebra/internal/Bernstein_tensor.h>
 
 #include <iostream>
 #include <random>
 #include <vector>
 
-BOOST_AUTO_TEST_SUITE(Bernstein_tensor)
-
 namespace GC = CGAL::Geometric_continuity;
 typedef CGAL::Exact_rational Q;
-typedef GC::internal::Bernstein_tensor<Q> Tensor;
+typedef GC::Bernstein_tensor<Q> Tensor;
 
 namespace {
 
@@ -95,5 +96,3 @@ BOOST_AUTO_TEST_CASE(refusals) {
   CHECK_ERROR(p + Tensor(1, 0, {1}), dimension_mismatch);
   CHECK_ERROR(p * Tensor(2, 0, {1}), dimension_mismatch);
 }
-
-BOOST_AUTO_TEST_SUITE_END()
