@@ -33,6 +33,7 @@
 #include <TopoDS_Face.hxx>
 #include <TopoDS_Vertex.hxx>
 #include <gp_Dir2d.hxx>
+#include <gp_Mat.hxx>
 #include <gp_Pnt.hxx>
 #include <gp_Pnt2d.hxx>
 
@@ -89,8 +90,8 @@ TopLoc_Location common_placement(const TopLoc_Location& a, const TopLoc_Location
   return common;
 }
 
-// A placement that mirrors turns the images of normals around.
-bool is_mirror(const TopLoc_Location& location) { return location.Transformation().IsNegative(); }
+// A placement that mirrors turns the images of normals around. Those of IGES may have a positive scale factor all the same.
+bool is_mirror(const TopLoc_Location& location) { return location.Transformation().VectorialPart().Determinant() < 0; }
 
 class Model_builder {
   TopTools_IndexedMapOfShape faces_, edges_; // numbered from 1 on

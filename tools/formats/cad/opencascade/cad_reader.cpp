@@ -67,7 +67,7 @@ void write(int descriptor, std::string_view text) {
 Cad_model read(const std::string& file, const Cad_reading& reading) {
   std::vector<std::string> lost;
   Shape_labels labels;
-  TopoDS_Shape shape = read_shape(file, lost, labels);
+  TopoDS_Shape shape = read_shape(file, reading, lost, labels);
   const std::size_t sewn = reading.sewing ? sew(shape, *reading.sewing, lost, labels) : 0;
   Cad_model model = cad_model(shape, reading);
   add_labels(shape, labels, model);

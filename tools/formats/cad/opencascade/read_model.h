@@ -23,7 +23,9 @@ inline bool is_finite(double begin, double end) { return std::abs(begin) < infin
 // Returns what a STEP, IGES or BREP file holds, by its extension: the geometry as given, nothing healed. Appends what of it could not be
 // translated, and says what is known of its faces and parts. Throws std::runtime_error with the reason, without the name of the file, and
 // what OpenCASCADE throws.
-TopoDS_Shape read_shape(const std::string& file, std::vector<std::string>& lost, Shape_labels& labels);
+// If it is to be sewn, the curves in space of IGES are preferred to those in parameter planes.
+TopoDS_Shape read_shape(const std::string& file, const Cad_reading& reading, std::vector<std::string>& lost,
+                        Shape_labels& labels);
 
 // Joins boundary edges that are at most `distance` mm apart, and returns how many edges there are of two. Surfaces stay as they are; of a joined
 // edge one curve in space remains, and its curves in the parameter planes are adapted to that. Appends faces that disappear;

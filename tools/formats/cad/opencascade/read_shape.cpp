@@ -96,7 +96,8 @@ TopoDS_Shape translated(XSControl_Reader& reader, const std::string& file, const
 
 } // namespace
 
-TopoDS_Shape read_shape(const std::string& file, std::vector<std::string>& lost, Shape_labels& labels) {
+TopoDS_Shape read_shape(const std::string& file, const Cad_reading& reading, std::vector<std::string>& lost,
+                        Shape_labels& labels) {
   const Handle(First_failure) reported = new First_failure;
   Message::DefaultMessenger()->ChangePrinters().Clear();
   Message::DefaultMessenger()->AddPrinter(reported);
@@ -107,6 +108,8 @@ TopoDS_Shape read_shape(const std::string& file, std::vector<std::string>& lost,
   }
   case Cad_format::iges: {
     IGESControl_Reader reader;
+    // Sewing takes an edge without a curve in space for a point.
+    if (reading.sewing) Interface_Static::SetIVal("read.surfacecurve.mode", 3);
     return translated(reader, file, "IGES", *reported, lost, labels);
   }
   case Cad_format::brep: break;
