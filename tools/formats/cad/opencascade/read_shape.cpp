@@ -58,58 +58,71 @@ std::runtime_error failure(const First_failure& reported, const std::string& wor
   return std::runtime_error(text.empty() ? words : words + ": " + text);
 }
 
-TopoDS_Shape translated(XSControl_Reader& reader, const std::string& file, const char* format,
-                        const First_failure& reported, Losses& losses, Shape_labels& labels) {
+Shape_of_file translated(XSControl_Reader& reader, const std::string& file, const char* format,
+                         const First_failure& reported) {
   XSAlgo::SetAlgoContainer(new No_healing);
   Interface_Static::SetCVal("xstep.cascade.unit", "MM");
   Interface_Static::SetRVal("read.encoderegularity.angle", 0); // what is decided from samples is of no use here
   if (reader.ReadFile(file.c_str()) != IFSelect_RetDone)
     throw failure(reported, std::string("not a complete ") + format + " file");
   reader.TransferRoots();
-  add_failures(reader, losses);
-  labels = read_labels(reader);
-  const TopoDS_Shape shape = reader.OneShape();
-  if (shape.IsNull()) throw failure(reported, std::string("no shape in this ") + format + " file");
-  return shape;
+  Shape_of_file result;
+  result.shape = reader.OneShape();
+  if (result.shape.IsNull()) throw failure(reported, std::string("no shape in this ") + format + " file");
+  result.labels = read_labels(reader);
+  result.closed_shells = closed_shells(result.shape, closed_shell_names(reader), false);
+  return result;
 }
 
-} // namespace
+Shape_of_file read_step(const std::string& file, const First_failure& reported) {
+  STEPControl_Reader reader;
+  Shape_of_file result = translated(reader, file, "STEP", reported);
+  Losses losses(result.lost);
+  add_failures(reader, losses);
+  add_losses_of_step(file, reader, result.shape, losses);
+  return result;
+}
 
-TopoDS_Shape read_shape(const std::string& file, const Cad_reading& reading, std::vector<std::string>& lost,
-                        Shape_labels& labels) {
-  const Handle(First_failure) reported = new First_failure;
-  Message::DefaultMessenger()->ChangePrinters().Clear();
-  Message::DefaultMessenger()->AddPrinter(reported);
-  Losses losses(lost);
-  switch (*cad_format(file)) {
-  case Cad_format::step: {
-    STEPControl_Reader reader;
-    const TopoDS_Shape shape = translated(reader, file, "STEP", *reported, losses, labels);
-    add_losses_of_step(file, reader, shape, losses);
-    return shape;
-  }
-  case Cad_format::iges: {
-    IGESControl_Reader reader;
-    // Sewing takes an edge without a curve in space for a point.
-    if (reading.sewing) Interface_Static::SetIVal("read.surfacecurve.mode", 3);
-    const TopoDS_Shape shape = translated(reader, file, "IGES", *reported, losses, labels);
-    add_losses_of_iges(reader, shape, losses);
-    return shape;
-  }
-  case Cad_format::brep: break;
-  }
-  // OpenCASCADE would go on reading behind the end of the file, for ever.
-  TopoDS_Shape shape;
+Shape_of_file read_iges(const std::string& file, const Cad_reading& reading, const First_failure& reported) {
+  IGESControl_Reader reader;
+  if (reading.sewing) // which takes an edge without a curve in space for a point
+    Interface_Static::SetIVal("read.surfacecurve.mode", 3);
+  Shape_of_file result = translated(reader, file, "IGES", reported);
+  Losses losses(result.lost);
+  add_failures(reader, losses);
+  add_losses_of_iges(reader, result.shape, losses);
+  return result;
+}
+
+// OpenCASCADE would go on reading behind the end of the file, for ever.
+Shape_of_file read_brep(const std::string& file, const First_failure& reported) {
+  Shape_of_file result;
   try {
     std::ifstream stream(file, std::ios::binary);
     stream.exceptions(std::ios::failbit | std::ios::badbit);
     BRepTools_ShapeSet shapes((BRep_Builder()));
     shapes.Read(stream);
-    shapes.Read(shape, stream);
-    if (!shape.IsNull()) add_losses_of_brep(shapes, shape, losses);
+    shapes.Read(result.shape, stream);
+    Losses losses(result.lost);
+    if (!result.shape.IsNull()) add_losses_of_brep(shapes, result.shape, losses);
   } catch (const std::ios_base::failure&) {
-    throw failure(*reported, "not a complete BREP file");
+    throw failure(reported, "not a complete BREP file");
   }
-  if (shape.IsNull()) throw failure(*reported, "no shape in this BREP file");
-  return shape;
+  if (result.shape.IsNull()) throw failure(reported, "no shape in this BREP file");
+  result.closed_shells = closed_shells(result.shape, {}, true);
+  return result;
+}
+
+} // namespace
+
+Shape_of_file read_shape(const std::string& file, const Cad_reading& reading) {
+  const Handle(First_failure) reported = new First_failure;
+  Message::DefaultMessenger()->ChangePrinters().Clear();
+  Message::DefaultMessenger()->AddPrinter(reported);
+  switch (*cad_format(file)) {
+  case Cad_format::step: return read_step(file, *reported);
+  case Cad_format::iges: return read_iges(file, reading, *reported);
+  case Cad_format::brep: break;
+  }
+  return read_brep(file, *reported);
 }
