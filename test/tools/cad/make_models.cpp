@@ -49,6 +49,7 @@
 #include <TopoDS_Shell.hxx>
 #include <gp_Ax1.hxx>
 #include <gp_Ax2.hxx>
+#include <gp_Circ.hxx>
 #include <gp_Pln.hxx>
 #include <gp_Pnt2d.hxx>
 #include <gp_Trsf.hxx>
@@ -79,7 +80,8 @@ void write(const TopoDS_Shape& shape, const std::string& file) {
                 writer.Write(file.c_str()) == IFSelect_RetDone,
             file);
   } else {
-    IGESControl_Writer writer("MM", 1); // with the faces of solids connected
+    // The faces of solids connected, or trimmed surfaces for themselves.
+    IGESControl_Writer writer("MM", file.find("_apart") == std::string::npos ? 1 : 0);
     require(writer.AddShape(shape) && writer.Write(file.c_str()), file);
   }
 }
@@ -105,6 +107,28 @@ TopoDS_Shape filleted(const TopoDS_Shape& box, double radius) {
   BRepFilletAPI_MakeFillet fillet(box);
   fillet.Add(radius, TopoDS::Edge(TopExp_Explorer(box, TopAbs_EDGE).Current()));
   return fillet.Shape();
+}
+
+// A ring, all edges of which are rounded: four cylinders and planes and four tori, by turning its section.
+TopoDS_Shape washer() {
+  const gp_Ax1 axis(gp_Pnt(), gp_Dir(0, 0, 1));
+  BRepBuilderAPI_MakeWire section;
+  const auto line = [&](double x, double z, double to_x, double to_z) {
+    section.Add(BRepBuilderAPI_MakeEdge(gp_Pnt(x, 0, z), gp_Pnt(to_x, 0, to_z)).Edge());
+  };
+  const auto arc = [&](double x, double z, double begin) { // of the radius 1
+    const gp_Circ circle(gp_Ax2(gp_Pnt(x, 0, z), gp_Dir(0, -1, 0), gp_Dir(1, 0, 0)), 1);
+    section.Add(BRepBuilderAPI_MakeEdge(circle, begin, begin + M_PI / 2).Edge());
+  };
+  line(10, 1, 10, 4);
+  arc(9, 4, 0);
+  line(9, 5, 7, 5);
+  arc(7, 4, M_PI / 2);
+  line(6, 4, 6, 1);
+  arc(7, 1, M_PI);
+  line(7, 0, 9, 0);
+  arc(9, 1, 3 * M_PI / 2);
+  return BRepPrimAPI_MakeRevol(BRepBuilderAPI_MakeFace(section.Wire(), true).Shape(), axis).Shape();
 }
 
 // The wall above a polyline through points (x, y).
@@ -291,7 +315,8 @@ int main(int argc, char** argv) {
   Message::DefaultMessenger()->ChangePrinters().Clear();
   IGESControl_Controller::Init();
   const TopoDS_Shape fillet = filleted(BRepPrimAPI_MakeBox(10, 20, 30).Shape(), 2);
-  for (const char* name : {"fillet.brep", "fillet.step", "fillet.igs"}) write(fillet, name);
+  for (const char* name : {"fillet.brep", "fillet.step", "fillet.igs", "fillet_apart.igs"}) write(fillet, name);
+  for (const char* name : {"washer.step", "washer_apart.igs"}) write(washer(), name);
   write(compound({fillet, moved(fillet)}), "moved.brep");
   for (const char* name : {"separated.brep", "separated.igs"}) write(separated(fillet), name);
   const TopoDS_Shape cylinder = BRepPrimAPI_MakeCylinder(3, 10).Shape();
@@ -341,6 +366,12 @@ int main(int argc, char** argv) {
   write(trimmed_crease(), "trimmed.brep");
   write(face(strip({{0, 0}, {5, 0}, {15, 0}, {20, 5}}, 2, 0)), "bending.brep"); // the curvature jumps in the middle
   write(pairs(), "pairs.brep");
+  // Two flat faces side by side, each with edges of its own and a knot line in the middle.
+  const TopoDS_Shape flat = face(strip({{0, 0}, {5, 0}, {10, 0}}, 1, 0));
+  gp_Trsf aside;
+  aside.SetTranslation(gp_Vec(0, 10, 0));
+  const TopoDS_Shape flats = compound({flat, BRepBuilderAPI_Copy(flat).Shape().Moved(TopLoc_Location(aside))});
+  for (const char* name : {"flats.brep", "flats_apart.igs"}) write(flats, name);
   // What cannot be compared at equal parameters.
   TopoDS_Shape differing = BRepPrimAPI_MakeCylinder(3, 10).Shape();
   BRep_Builder().SameParameter(TopoDS::Edge(TopExp_Explorer(differing, TopAbs_EDGE).Current()), false);

@@ -76,8 +76,8 @@ inline std::string parts_words(std::size_t instances, std::size_t shapes) {
 
 // Returns how many boundary edges lie beside others, and what is to be done.
 inline std::string beside_words(std::size_t edges) {
-  return counted(edges, "boundary edge") +
-         (edges == 1 ? " lies beside another one" : " lie beside others") + " and are not compared: --sew DISTANCE joins them";
+  return counted(edges, "boundary edge") + (edges == 1 ? " lies beside another one" : " lie beside others") +
+         " and are not compared: --sew DISTANCE joins them";
 }
 
 // Returns what sewing has done.

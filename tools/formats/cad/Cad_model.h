@@ -50,10 +50,10 @@ struct Cad_edge {
   double begin = 0, end = 0;      // the common parameters
   std::optional<std::array<GC::Edge_side, 2>> sides; // if they can be compared; of a degenerate edge twice the same
   std::string reason; // why they cannot be compared, if there are two; of a boundary: beside which edge it lies
-  std::vector<GC::Cad_point<3>> points;              // on the edge, if it is to be drawn and can be; rounded
-  std::array<bool, 2> projections{};                 // which of the sides have curves that are projections
-  std::optional<GC::Edge_curve> space; // the curve in space, if there is one; of a degenerate edge its first point
-  bool inside_out = false;             // the faces are oriented as if one were turned inside out
+  std::vector<GC::Cad_point<3>> points; // on the edge, if it is to be drawn and can be; rounded
+  std::array<bool, 2> projections{};    // which of the sides have curves that are projections
+  std::optional<GC::Edge_curve> space;  // the curve in space, if there is one; of a degenerate edge its first point
+  bool inside_out = false;              // the faces are oriented as if one were turned inside out
   // Where the sides, and the curve in space, are placed in the model: a part has the same ones wherever it is placed.
   GC::Cad_placement place = {{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}}};
 };

@@ -32,7 +32,8 @@ std::vector<Handle(Standard_Transient)> faces_of_closed_shell(const Handle(Stand
       shell != nullptr && !shell->CfsFaces().IsNull())
     for (int i = 1; i <= shell->NbCfsFaces(); ++i) {
       Handle(StepShape_Face) face = shell->CfsFacesValue(i);
-      if (const auto* oriented = dynamic_cast<const StepShape_OrientedFace*>(face.get())) face = oriented->FaceElement();
+      if (const auto* oriented = dynamic_cast<const StepShape_OrientedFace*>(face.get()))
+        face = oriented->FaceElement();
       result.push_back(face);
     }
   if (const auto* shell = dynamic_cast<const IGESSolid_Shell*>(entity.get()); shell != nullptr && shell->IsClosed())

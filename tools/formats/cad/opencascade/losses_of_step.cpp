@@ -36,7 +36,7 @@ class Step_losses {
   const Parts_of_shape parts_;
   Losses& losses_;
   std::vector<Step_entity> entities_;
-  std::unordered_map<std::uint64_t, std::size_t> places_;             // by the id
+  std::unordered_map<std::uint64_t, std::size_t> places_;               // by the id
   std::unordered_map<std::uint64_t, Handle(Standard_Transient)> known_; // as OpenCASCADE has them
 
   enum Mark : char { open, active, whole, incomplete };

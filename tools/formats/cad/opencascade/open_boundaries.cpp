@@ -10,6 +10,7 @@
 #include <BRep_Tool.hxx>
 #include <Geom2d_Curve.hxx>
 #include <Geom_Surface.hxx>
+#include <Precision.hxx>
 #include <Standard_Failure.hxx>
 #include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
@@ -154,8 +155,9 @@ public:
 
 // Whether a part of the first edge, or all of it, lies beside the second one.
 bool is_beside(const Edge_samples& a, const Edge_samples& b, double gap) {
-  const double distance = (std::max)({gap, a.tolerance(), b.tolerance()});
-  if (!(a.length() > 4 * distance)) return false; // no longer than what it is compared with
+  if (!(a.length() > Precision::Confusion())) return false; // a point
+  // Around an edge that is hardly longer than this distance all would be beside it.
+  const double distance = (std::min)((std::max)({gap, a.tolerance(), b.tolerance()}), a.length() / 8);
   std::array<bool, parts + 1> is_near{};
   std::size_t number = 0;
   for (std::size_t i = 1; i < parts; ++i) {
@@ -247,11 +249,11 @@ bool is_boundary_open(const TopoDS_Face& face) {
     while (!single.empty()) {
       const TopoDS_Vertex vertex = single.back();
       single.pop_back();
-      const auto same = std::find_if(single.begin(), single.end(), [&](const TopoDS_Vertex& other) {
-        return BRep_Tool::Pnt(vertex).Distance(BRep_Tool::Pnt(other)) <=
-               BRep_Tool::Tolerance(vertex) + BRep_Tool::Tolerance(other);
-      });
-      if (same == single.end()) return true;
+      const auto distance = [&](const TopoDS_Vertex& v) { return BRep_Tool::Pnt(vertex).Distance(BRep_Tool::Pnt(v)); };
+      const auto same = std::min_element(single.begin(), single.end(),
+                                         [&](const auto& v, const auto& w) { return distance(v) < distance(w); });
+      if (same == single.end() || distance(*same) > BRep_Tool::Tolerance(vertex) + BRep_Tool::Tolerance(*same))
+        return true;
       single.erase(same);
     }
   }
