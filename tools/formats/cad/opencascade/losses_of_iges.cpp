@@ -78,9 +78,12 @@ class Iges_losses {
     if (is_unknown || !is_geometry(type)) return;
     const Handle(Interface_Check) check = model_->Check(number, true);
     if (check->HasFailed()) add(entity, check->CFail(1));
-    for (int i = 1; i <= check->NbWarnings(); ++i) // what is wrong would be placed elsewhere
-      if (std::string(check->CWarning(i)).find("Transformation Matrix") != std::string::npos)
-        add(entity, check->CWarning(i));
+    for (int i = 1; i <= check->NbWarnings(); ++i) { // what would be placed elsewhere, or left out
+      const std::string warning = check->CWarning(i);
+      if (warning.find("Transformation Matrix") != std::string::npos ||
+          warning.find("null or negative") != std::string::npos)
+        add(entity, warning);
+    }
   }
 
   static std::size_t number_of_curves(const Handle(IGESData_IGESEntity) & curve) {
