@@ -63,21 +63,25 @@ std::size_t number_of_edges(const TopoDS_Shape& shape) {
   return result;
 }
 
-void add_failures(XSControl_Reader& reader, Losses& losses) {
+std::vector<std::string> add_failures(XSControl_Reader& reader, Losses& losses) {
+  std::vector<std::string> others;
   const Handle(Interface_InterfaceModel) model = reader.WS()->Model();
+  const Handle(Transfer_TransientProcess) process = reader.WS()->TransferReader()->TransientProcess();
   Interface_CheckIterator checks = reader.WS()->TransferReader()->LastCheckList(); // of the translation
   for (checks.Start(); checks.More(); checks.Next()) {
     const Handle(Interface_Check) check = checks.Value();
     if (!check->HasFailed()) continue;
-    std::string id, type;
-    if (1 <= checks.Number() && checks.Number() <= model->NbEntities()) {
-      const Handle(Standard_Transient) entity = model->Value(checks.Number());
-      const Handle(TCollection_HAsciiString) label = model->StringLabel(entity);
-      id = label.IsNull() ? "" : label->ToCString();
-      type = model->TypeName(entity, false);
+    const bool has_entity = 1 <= checks.Number() && checks.Number() <= model->NbEntities();
+    const Handle(Standard_Transient) entity = has_entity ? model->Value(checks.Number()) : nullptr;
+    const Handle(Transfer_Binder) binder = has_entity ? process->Find(entity) : nullptr;
+    if (binder.IsNull() || !binder->Check()->HasFailed()) { // the number is that of something else
+      others.emplace_back(check->CFail(1));
+      continue;
     }
-    losses.add(id, type, check->CFail(1));
+    const Handle(TCollection_HAsciiString) label = model->StringLabel(entity);
+    losses.add(label.IsNull() ? "" : label->ToCString(), model->TypeName(entity, false), check->CFail(1));
   }
+  return others;
 }
 
 void add_losses_of_brep(const TopTools_ShapeSet& file, const TopoDS_Shape& shape, Losses& losses) {

@@ -30,7 +30,8 @@ public:
   // An entity is its id and its type, of which only the id need be known.
   void add(const std::string& id, const std::string& type, const std::string& reason) {
     if (!id.empty() && !entities_.insert(id).second) return;
-    list_.push_back(id + (id.empty() || type.empty() ? "" : " ") + type + ": " + reason);
+    const std::string entity = id + (id.empty() || type.empty() ? "" : " ") + type;
+    list_.push_back((entity.empty() ? "something" : entity) + ": " + reason);
   }
 };
 
@@ -51,8 +52,8 @@ TopoDS_Shape shape_of(XSControl_Reader& reader, const Handle(Standard_Transient)
 // The edges of a shape that are not said to be points, as often as they are used.
 std::size_t number_of_edges(const TopoDS_Shape& shape);
 
-// Adds what could not be translated as the reader says.
-void add_failures(XSControl_Reader& reader, Losses& losses);
+// Adds what could not be translated as the reader says, and returns what it says of no entity.
+std::vector<std::string> add_failures(XSControl_Reader& reader, Losses& losses);
 
 // Adds the entities of a STEP file to which others refer and which are not there or of no known type, and its faces and edges that the shape does
 // not have.

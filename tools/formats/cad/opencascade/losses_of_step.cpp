@@ -7,6 +7,7 @@
 
 #include <Interface_InterfaceModel.hxx>
 #include <StepData_StepModel.hxx>
+#include <StepData_UndefinedEntity.hxx>
 #include <XSControl_WorkSession.hxx>
 
 #include <algorithm>
@@ -82,7 +83,7 @@ class Step_losses {
       const Step_entity& entity = entities_[next.back()];
       next.pop_back();
       const auto known = known_.find(entity.id);
-      if (known == known_.end() || model_->IsUnknownEntity(model_->Number(known->second)))
+      if (known == known_.end() || known->second->IsKind(STANDARD_TYPE(StepData_UndefinedEntity)))
         losses_.add(id(entity.id), entity.type, "of no known type");
       for (const std::uint64_t reference : entity.references)
         if (const auto place = places_.find(reference); place != places_.end() && !is_seen[place->second]) {

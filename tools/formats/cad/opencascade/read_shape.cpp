@@ -74,12 +74,19 @@ Shape_of_file translated(XSControl_Reader& reader, const std::string& file, cons
   return result;
 }
 
+// What has failed somewhere, where nothing tells what.
+void add_if_empty(const std::vector<std::string>& failures, Losses& losses) {
+  if (losses.empty())
+    for (const std::string& failure : failures) losses.add("", "", failure);
+}
+
 Shape_of_file read_step(const std::string& file, const First_failure& reported) {
   STEPControl_Reader reader;
   Shape_of_file result = translated(reader, file, "STEP", reported);
   Losses losses(result.lost);
-  add_failures(reader, losses);
+  const std::vector<std::string> others = add_failures(reader, losses);
   add_losses_of_step(file, reader, result.shape, losses);
+  add_if_empty(others, losses);
   return result;
 }
 
@@ -89,8 +96,9 @@ Shape_of_file read_iges(const std::string& file, const Cad_reading& reading, con
     Interface_Static::SetIVal("read.surfacecurve.mode", 3);
   Shape_of_file result = translated(reader, file, "IGES", reported);
   Losses losses(result.lost);
-  add_failures(reader, losses);
+  const std::vector<std::string> others = add_failures(reader, losses);
   add_losses_of_iges(reader, result.shape, losses);
+  add_if_empty(others, losses);
   return result;
 }
 
