@@ -20,7 +20,7 @@ for type in EDGE_CURVE ADVANCED_FACE ORIENTED_EDGE EDGE_LOOP FACE_BOUND VERTEX_P
   "$program" verify dangling.step --require G0 --allow-empty >out 2>err
   case $? in
   1) says out "not read: $gone: not in the file, but #" " refers to it" "not met, because not all was decided" ;;
-  2) says err "no shape in this STEP file" ;;
+  2) grep -qE 'no shape in this STEP file|the library that reads it crashes' err || holds false ;;
   *) holds false ;;
   esac
 done
