@@ -334,6 +334,9 @@ int main(int argc, char** argv) {
   write(wall({gp_Pnt(0, 0, 0), gp_Pnt(1, 0, 0), gp_Pnt(2, std::tan(M_PI / 180), 0), gp_Pnt(2, 3, 0)}), "wall.brep");
   const std::vector<gp_Pnt> kinks{gp_Pnt(0, 0, 0), gp_Pnt(1, 0, 0), gp_Pnt(2, std::tan(M_PI / 180), 0),
                                   gp_Pnt(3, 0.1, 0)};
+  // Narrow, and two faces that part slowly.
+  write(wall({gp_Pnt(0, 0, 0), gp_Pnt(0.01, 0, 0)}), "sliver.brep");
+  write(wall({gp_Pnt(3, 0, 0), gp_Pnt(0, 0, 0), gp_Pnt(3, 0.05, 0)}), "wedge.brep");
   for (const char* name : {"kinks.brep", "kinks.step"}) write(wall(kinks), name); // 1 degree, and nearly 4
   // Beside each other, 0.03 and 0.05 off their planes, each with edges of its own.
   const auto piece = [](double begin, double off) { return wall({gp_Pnt(begin, off, 0), gp_Pnt(begin + 1, off, 0)}); };
