@@ -4,13 +4,10 @@
 
 #include "formats/cad/opencascade/losses.h"
 
-#include <BRep_Tool.hxx>
 #include <Interface_CheckIterator.hxx>
 #include <Interface_InterfaceModel.hxx>
 #include <TCollection_HAsciiString.hxx>
 #include <TopExp_Explorer.hxx>
-#include <TopoDS.hxx>
-#include <TopoDS_Edge.hxx>
 #include <TopoDS_Iterator.hxx>
 #include <TransferBRep.hxx>
 #include <Transfer_Binder.hxx>
@@ -54,13 +51,6 @@ bool Parts_of_shape::has(const TopoDS_Shape& shape) const {
 TopoDS_Shape shape_of(XSControl_Reader& reader, const Handle(Standard_Transient) & entity) {
   const Handle(Transfer_Binder) binder = reader.WS()->TransferReader()->TransientProcess()->Find(entity);
   return binder.IsNull() ? TopoDS_Shape() : TransferBRep::ShapeResult(binder);
-}
-
-std::size_t number_of_edges(const TopoDS_Shape& shape) {
-  std::size_t result = 0;
-  for (TopExp_Explorer i(shape, TopAbs_EDGE); i.More(); i.Next())
-    result += !BRep_Tool::Degenerated(TopoDS::Edge(i.Current()));
-  return result;
 }
 
 std::vector<std::string> add_failures(XSControl_Reader& reader, Losses& losses) {

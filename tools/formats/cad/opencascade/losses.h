@@ -5,7 +5,6 @@
 #ifndef GEOMETRIC_CONTINUITY_TOOLS_FORMATS_CAD_OPENCASCADE_LOSSES_H
 #define GEOMETRIC_CONTINUITY_TOOLS_FORMATS_CAD_OPENCASCADE_LOSSES_H
 
-#include <TopTools_IndexedMapOfShape.hxx>
 #include <TopTools_ShapeSet.hxx>
 #include <TopoDS_Shape.hxx>
 #include <TopoDS_TShape.hxx>
@@ -48,9 +47,6 @@ public:
 
 // What an entity has become; nothing if it is no shape.
 TopoDS_Shape shape_of(XSControl_Reader& reader, const Handle(Standard_Transient) & entity);
-
-// The edges of a shape that are not said to be points, as often as they are used.
-std::size_t number_of_edges(const TopoDS_Shape& shape);
 
 // Adds what could not be translated as the reader says, and returns what it says of no entity.
 std::vector<std::string> add_failures(XSControl_Reader& reader, Losses& losses);

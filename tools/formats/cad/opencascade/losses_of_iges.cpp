@@ -15,6 +15,7 @@
 #include <Interface_Protocol.hxx>
 #include <Interface_ShareTool.hxx>
 #include <TCollection_HAsciiString.hxx>
+#include <TopExp_Explorer.hxx>
 #include <XSControl_TransferReader.hxx>
 #include <XSControl_WorkSession.hxx>
 
@@ -86,6 +87,13 @@ class Iges_losses {
     }
   }
 
+  static std::size_t number_of_edges(const TopoDS_Shape& shape) {
+    std::size_t result = 0;
+    if (!shape.IsNull())
+      for (TopExp_Explorer i(shape, TopAbs_EDGE); i.More(); i.Next()) ++result;
+    return result;
+  }
+
   static std::size_t number_of_curves(const Handle(IGESData_IGESEntity) & curve) {
     const auto* const composite = dynamic_cast<const IGESGeom_CompositeCurve*>(curve.get());
     if (composite == nullptr) return curve.IsNull() ? 0 : 1;
@@ -113,7 +121,7 @@ class Iges_losses {
       if (!parts_.has(shape)) add(entity, "no shape has it");
       return;
     }
-    const std::size_t named = number_of_named(entity), read = shape.IsNull() ? 0 : number_of_edges(shape);
+    const std::size_t named = number_of_named(entity), read = number_of_edges(shape);
     if (read < named)
       add(entity, std::to_string(named - read) + " of its " + std::to_string(named) + " edges cannot be read");
   }

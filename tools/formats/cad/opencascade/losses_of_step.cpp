@@ -144,16 +144,10 @@ class Step_losses {
         continue;
       }
       if (!is_whole(i)) continue; // what is missing is told
-      bool is_told = false;
+      const Parts_of_shape parts(shape);
       for (const Step_entity* edge : edges)
-        if (is_edge(edge->type) && !parts_.has(shape_of(*edge))) {
+        if (is_edge(edge->type) && !parts.has(shape_of(*edge)))
           losses_.add(id(edge->id), edge->type, "the face " + id(face.id) + " has been read without it");
-          is_told = true;
-        }
-      if (const std::size_t read = number_of_edges(shape); !is_told && read < edges.size())
-        losses_.add(id(face.id), face.type,
-                    std::to_string(edges.size() - read) + " of its " + std::to_string(edges.size()) +
-                        " edges cannot be read");
     }
     for (const Step_entity& edge : entities_)
       if (is_edge(edge.type) && used.count(edge.id) == 0 && !parts_.has(shape_of(edge)))
