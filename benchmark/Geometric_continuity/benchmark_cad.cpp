@@ -210,13 +210,12 @@ public:
 
   Row run() {
     const double start = processor_seconds();
-    std::vector<std::string> lost;
-    Shape_labels labels;
-    const TopoDS_Shape shape = read_shape(file_, lost, labels);
+    const Shape_of_file file = read_shape(file_, Cad_reading());
+    const TopoDS_Shape& shape = file.shape;
     const Cad_model model = cad_model(shape, Cad_reading());
     row_.reading = processor_seconds() - start;
     row_.edges = model.edges.size();
-    for (const std::string& what : lost) std::cout << file_ << ": not read: " << what << '\n';
+    for (const std::string& what : file.lost) std::cout << file_ << ": not read: " << what << '\n';
     std::vector<Cad_verdict> verdicts;
     decide(model, verdicts);
     decide_exactly(model, verdicts);

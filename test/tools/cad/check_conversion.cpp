@@ -101,10 +101,8 @@ void check_curves(const std::string& file, const TopoDS_Face& face) {
 
 int main(int argc, char* argv[]) {
   for (int i = 1; i < argc; ++i) {
-    std::vector<std::string> lost;
-    Shape_labels labels;
     try {
-      for (TopExp_Explorer f(read_shape(argv[i], lost, labels), TopAbs_FACE); f.More(); f.Next()) {
+      for (TopExp_Explorer f(read_shape(argv[i], {}).shape, TopAbs_FACE); f.More(); f.Next()) {
         const TopoDS_Face face = TopoDS::Face(f.Current());
         check_surface(argv[i], face);
         check_curves(argv[i], face);

@@ -51,6 +51,7 @@
 #include <TopoDS_Shell.hxx>
 #include <gp_Ax1.hxx>
 #include <gp_Ax2.hxx>
+#include <gp_Circ.hxx>
 #include <gp_Pln.hxx>
 #include <gp_Pnt2d.hxx>
 #include <gp_Trsf.hxx>
@@ -86,6 +87,28 @@ TopoDS_Shape filleted(const TopoDS_Shape& box, double radius) {
   BRepFilletAPI_MakeFillet fillet(box);
   fillet.Add(radius, TopoDS::Edge(TopExp_Explorer(box, TopAbs_EDGE).Current()));
   return fillet.Shape();
+}
+
+// A ring, all edges of which are rounded: four cylinders and planes and four tori, by turning its section.
+TopoDS_Shape washer() {
+  const gp_Ax1 axis(gp_Pnt(), gp_Dir(0, 0, 1));
+  BRepBuilderAPI_MakeWire section;
+  const auto line = [&](double x, double z, double to_x, double to_z) {
+    section.Add(BRepBuilderAPI_MakeEdge(gp_Pnt(x, 0, z), gp_Pnt(to_x, 0, to_z)).Edge());
+  };
+  const auto arc = [&](double x, double z, double begin) { // of the radius 1
+    const gp_Circ circle(gp_Ax2(gp_Pnt(x, 0, z), gp_Dir(0, -1, 0), gp_Dir(1, 0, 0)), 1);
+    section.Add(BRepBuilderAPI_MakeEdge(circle, begin, begin + M_PI / 2).Edge());
+  };
+  line(10, 1, 10, 4);
+  arc(9, 4, 0);
+  line(9, 5, 7, 5);
+  arc(7, 4, M_PI / 2);
+  line(6, 4, 6, 1);
+  arc(7, 1, M_PI);
+  line(7, 0, 9, 0);
+  arc(9, 1, 3 * M_PI / 2);
+  return BRepPrimAPI_MakeRevol(BRepBuilderAPI_MakeFace(section.Wire(), true).Shape(), axis).Shape();
 }
 
 // The wall above a polyline through points (x, y).
@@ -263,7 +286,8 @@ int main(int argc, char** argv) {
   Message::DefaultMessenger()->ChangePrinters().Clear();
   IGESControl_Controller::Init();
   const TopoDS_Shape fillet = filleted(BRepPrimAPI_MakeBox(10, 20, 30).Shape(), 2);
-  for (const char* name : {"fillet.brep", "fillet.step", "fillet.igs"}) write(fillet, name);
+  for (const char* name : {"fillet.brep", "fillet.step", "fillet.igs", "fillet_apart.igs"}) write(fillet, name);
+  for (const char* name : {"washer.step", "washer_apart.igs"}) write(washer(), name);
   write(compound({fillet, moved(fillet)}), "moved.brep");
   for (const char* name : {"separated.brep", "separated.igs"}) write(separated(fillet), name);
   const TopoDS_Shape cylinder = BRepPrimAPI_MakeCylinder(3, 10).Shape();
@@ -281,7 +305,10 @@ int main(int argc, char** argv) {
   write(wall({gp_Pnt(0, 0, 0), gp_Pnt(1, 0, 0), gp_Pnt(2, std::tan(M_PI / 180), 0), gp_Pnt(2, 3, 0)}), "wall.brep");
   const std::vector<gp_Pnt> kinks{gp_Pnt(0, 0, 0), gp_Pnt(1, 0, 0), gp_Pnt(2, std::tan(M_PI / 180), 0),
                                   gp_Pnt(3, 0.1, 0)};
-  write(wall(kinks), "kinks.brep"); // 1 degree, and nearly 4
+  // Narrow, and two faces that part slowly.
+  write(wall({gp_Pnt(0, 0, 0), gp_Pnt(0.01, 0, 0)}), "sliver.brep");
+  write(wall({gp_Pnt(3, 0, 0), gp_Pnt(0, 0, 0), gp_Pnt(3, 0.05, 0)}), "wedge.brep");
+  for (const char* name : {"kinks.brep", "kinks.step"}) write(wall(kinks), name); // 1 degree, and nearly 4
   // Beside each other, 0.03 and 0.05 off their planes, each with edges of its own.
   const auto piece = [](double begin, double off) { return wall({gp_Pnt(begin, off, 0), gp_Pnt(begin + 1, off, 0)}); };
   write(compound({piece(0, 0), piece(1, 0.03), piece(2, 0.08)}), "apart.brep");
@@ -313,6 +340,12 @@ int main(int argc, char** argv) {
   write(trimmed_crease(), "trimmed.brep");
   write(face(strip({{0, 0}, {5, 0}, {15, 0}, {20, 5}}, 2, 0)), "bending.brep"); // the curvature jumps in the middle
   write(pairs(), "pairs.brep");
+  // Two flat faces side by side, each with edges of its own and a knot line in the middle.
+  const TopoDS_Shape flat = face(strip({{0, 0}, {5, 0}, {10, 0}}, 1, 0));
+  gp_Trsf aside;
+  aside.SetTranslation(gp_Vec(0, 10, 0));
+  const TopoDS_Shape flats = compound({flat, BRepBuilderAPI_Copy(flat).Shape().Moved(TopLoc_Location(aside))});
+  for (const char* name : {"flats.brep", "flats_apart.igs"}) write(flats, name);
   // What cannot be compared at equal parameters.
   TopoDS_Shape differing = BRepPrimAPI_MakeCylinder(3, 10).Shape();
   BRep_Builder().SameParameter(TopoDS::Edge(TopExp_Explorer(differing, TopAbs_EDGE).Current()), false);

@@ -19,9 +19,7 @@
 
 int main(int argc, char** argv) {
   if (argc != 3) return EXIT_FAILURE;
-  std::vector<std::string> lost;
-  Shape_labels labels;
-  const std::vector<std::optional<Sampled_edge>> edges = sampled_edges(read_shape(argv[1], lost, labels));
+  const std::vector<std::optional<Sampled_edge>> edges = sampled_edges(read_shape(argv[1], {}).shape);
   const double angle = std::atof(argv[2]) / 180 * M_PI;
   for (std::size_t i = 0; i < edges.size(); ++i)
     if (edges[i]) std::cout << i << (is_sampled_g1(*edges[i], angle) ? " G1\n" : " G0\n");

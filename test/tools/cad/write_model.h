@@ -37,7 +37,8 @@ inline void write(const TopoDS_Shape& shape, const std::string& file) {
                 writer.Write(file.c_str()) == IFSelect_RetDone,
             file);
   } else {
-    IGESControl_Writer writer("MM", 1); // with the faces of solids connected
+    // The faces of solids connected, or trimmed surfaces for themselves.
+    IGESControl_Writer writer("MM", file.find("_apart") == std::string::npos ? 1 : 0);
     require(writer.AddShape(shape) && writer.Write(file.c_str()), file);
   }
 }

@@ -107,6 +107,10 @@ struct Cad_verdict {
 // Why the edges of wires, such as those of a sketch, are not covered.
 constexpr const char* edge_without_face = "without a face: what is compared are the two faces of an edge";
 
+// Why boundary edges are not covered that lie beside others.
+constexpr const char* beside_another =
+    "it lies beside another one of one face: what they join is not compared, see --sew";
+
 // Whether an edge is said to be a point, and is not proved to be one.
 inline bool is_no_point(const Cad_edge& edge, const Cad_verdict& verdict) {
   return edge.kind == Cad_edge_kind::degenerate && verdict.within[0] != GC::Verdict::proved;

@@ -74,6 +74,12 @@ inline std::string parts_words(std::size_t instances, std::size_t shapes) {
          " different: what is equal is decided once";
 }
 
+// Returns how many boundary edges lie beside others, and what is to be done.
+inline std::string beside_words(std::size_t edges) {
+  return counted(edges, "boundary edge") + (edges == 1 ? " lies beside another one" : " lie beside others") +
+         " and are not compared: --sew DISTANCE joins them";
+}
+
 // Returns what sewing has done.
 inline std::string sewn_words(std::size_t edges) {
   return counted(edges, "edge") + " sewn by OpenCASCADE of two boundary edges: curves in parameter planes are adapted, "
@@ -134,6 +140,7 @@ inline std::string cad_numbers(const Cad_edge& edge, const Cad_verdict& verdict,
 // Returns all that is said of an edge behind its place.
 inline std::string cad_sentence(const Cad_edge& edge, const Cad_verdict& verdict, const Cad_demand& demand) {
   if (has_verdict(edge)) return cad_kind(edge) + ": " + cad_order(verdict) + "; " + cad_numbers(edge, verdict, demand);
+  if (edge.kind == Cad_edge_kind::boundary && !edge.reason.empty()) return cad_kind(edge) + ": " + edge.reason;
   return cad_kind(edge) + (is_no_point(edge, verdict) ? ": " + cad_no_point(verdict) : "");
 }
 

@@ -58,6 +58,7 @@ inline void write_members(std::ostream& os, std::size_t number, const Cad_edge& 
   GC::write_number(os << ",\"tolerance\":", edge.tolerance);
   if (!has_verdict(edge)) {
     os << ",\"order\":null";
+    if (!edge.reason.empty()) GC::write_json(os << ",\"reason\":", edge.reason);
     if (edge.kind == Cad_edge_kind::degenerate) write_maximum(os, "deviation", verdict.deviation, in_length);
     return;
   }
@@ -98,7 +99,8 @@ inline void write_json(std::ostream& os, const Cad_summary& s) {
      << ",\"kinks_or_corners\":" << s.bent << ",\"folds\":" << s.folds << ",\"inside_out\":" << s.inside_out
      << ",\"exact\":" << s.exact << ",\"not_compared\":" << s.not_compared << ",\"projected\":" << s.projected
      << ",\"sewn\":" << s.sewn << ",\"placed_parts\":" << s.instances << ",\"different_parts\":" << s.shapes
-     << ",\"compared\":" << s.compared << ",\"lost\":" << s.lost << ",\"length_unit\":\"mm\"}";
+     << ",\"compared\":" << s.compared << ",\"lost\":" << s.lost << ",\"beside\":" << s.beside
+     << ",\"open_shells\":" << s.open_shells << ",\"length_unit\":\"mm\"}";
 }
 
 #endif // GEOMETRIC_CONTINUITY_TOOLS_COMMANDS_CAD_CAD_JSON_H

@@ -295,6 +295,8 @@ std::optional<Given> claim_of(const Cad_edge& edge, const Cad_verdict& verdict, 
     return Given{Claim::not_covered, "edge", "three faces or more share it"};
   if (is_no_point(edge, verdict))
     return Given{Claim::not_covered, "edge", "it is said to be a point, and is not proved to be one"};
+  if (edge.kind == Cad_edge_kind::boundary && !edge.reason.empty())
+    return Given{Claim::not_covered, "edge", beside_another};
   if (!has_verdict(edge)) return std::nullopt;
   if (!verdict.enclosure) return Given{Claim::not_covered, "edge", verdict.reason};
   switch (verdict.meets(demand.order.value_or(1))) {

@@ -109,6 +109,7 @@ void decide_cad_files(const Arguments& files, const Cad_demand& demand, const Ca
                       const std::function<void(const Decided_cad_file&)>& take) {
   Cad_reading with_order = reading;
   with_order.order = (std::max)(1, demand.most);
+  with_order.gap = demand.bounds.gap.lower();
   std::future<Cad_model> next;
   const auto read = [&](std::size_t i) {
     if (i < files.size()) next = std::async(std::launch::async, read_cad, files[i], with_order);
@@ -133,6 +134,7 @@ std::string Cad_summary::hint() const {
 void Cad_summary::add(const Decided_cad_file& file, const Cad_demand& demand) {
   faces += file.model.faces.size();
   lost += file.model.lost.size();
+  open_shells += file.model.open_shells.size();
   loose += file.model.loose_edges;
   sewn += file.model.sewn;
   instances += file.model.instances.size();
@@ -144,7 +146,10 @@ void Cad_summary::add(const Decided_cad_file& file, const Cad_demand& demand) {
     switch (edge.kind) {
     case Cad_edge_kind::inner: ++inner; break;
     case Cad_edge_kind::seam: ++seams; break;
-    case Cad_edge_kind::boundary: ++boundary; continue;
+    case Cad_edge_kind::boundary:
+      ++boundary;
+      beside += !edge.reason.empty();
+      continue;
     case Cad_edge_kind::non_manifold: ++non_manifold; continue;
     case Cad_edge_kind::degenerate:
       ++degenerate;

@@ -45,6 +45,8 @@ struct Cad_summary {
   std::size_t compared = 0;              // edges, what is equal once
   std::size_t lost = 0;                  // things that could not be read
   std::size_t loose = 0;                 // edges of no face
+  std::size_t beside = 0;                // boundary edges that lie beside others
+  std::size_t open_shells = 0;           // that are said to be closed
 
   std::size_t decided() const { return inner + seams + knot_lines; }
 

@@ -274,10 +274,13 @@ public:
       page_.leave_out("face", reason, file + ": not covered: face " + std::to_string(face) + ": " + reason);
     for (const std::string& lost : decided.model.lost)
       page_.leave_out("element", "cannot be read", file + ": not read: " + lost);
+    for (const std::string& shell : decided.model.open_shells)
+      page_.leave_out("shell", "is said to be closed, and is not", file + ": not closed: " + shell);
     for (std::size_t i = 0; i < decided.verdicts.size(); ++i) {
       const Cad_edge& edge = decided.model.edges[i];
       if (!has_verdict(edge)) {
         if (edge.kind == Cad_edge_kind::non_manifold) page_.leave_out("edge", "three faces or more meet there", "");
+        if (edge.kind == Cad_edge_kind::boundary && !edge.reason.empty()) page_.leave_out("edge", beside_another, "");
         if (edge.kind != Cad_edge_kind::degenerate) others_.push_back(drawn(edge, "boundary", first_face));
         continue;
       }
@@ -315,6 +318,7 @@ public:
       page_.notes.push_back(counted(healed_, "face") + " drawn after OpenCASCADE has healed the boundary, up to " +
                             rounded(healed_distance_, 2) +
                             " mm from the edges: what was decided is the face as it is given.");
+    if (summary_.beside > 0) page_.notes.push_back(beside_words(summary_.beside) + '.');
     if (summary_.instances > 0) page_.notes.push_back(parts_words(summary_.instances, summary_.shapes) + '.');
     if (summary_.sewn > 0) page_.notes.push_back(sewn_words(summary_.sewn) + '.');
     if (summary_.projected > 0)

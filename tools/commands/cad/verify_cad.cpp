@@ -148,11 +148,11 @@ class Cad_report {
     report_.row("edges", os.str(), claim);
   }
 
-  // Adds what could not be read.
+  // Adds what could not be read, or is not as the file says. The text begins with its id.
   void add_not_covered(const std::string& file, const char* kind, const std::string& text, const Given& given,
-                       long long line) {
+                       long long line, const std::string& words = "not read: ") {
     if (is_text())
-      report_.row("not_read", "not read: " + text + '\n');
+      report_.row("not_read", words + text + '\n');
     else
       report_.row("not_read", ',' + json_text(file + ": " + text));
     report_.add(file, given, true, [&] {
@@ -163,7 +163,7 @@ class Cad_report {
       f.kind = kind;
       f.place = text.substr(0, text.find(':'));
       f.rule = Finding_rule::not_verified;
-      f.message = "not read: " + text;
+      f.message = words + text;
       return f;
     });
   }
@@ -176,6 +176,9 @@ class Cad_report {
     for (std::size_t i = 0; i < file.verdicts.size(); ++i) add(file, i);
     for (const std::string& lost : file.model.lost)
       add_not_covered(file.file, "element", lost, {Claim::not_covered, "element", "it cannot be read"}, line_of(lost));
+    for (const std::string& shell : file.model.open_shells)
+      add_not_covered(file.file, "shell", shell, {Claim::not_covered, "shell", "it is said to be closed, and is not"},
+                      line_of(shell), "not closed: ");
     for (const auto& [face, reason] : file.model.not_covered)
       add_not_covered(file.file, "face", "face " + std::to_string(face) + ": " + reason,
                       {Claim::not_covered, "face", reason}, line_of_face(file.model, face));
@@ -197,13 +200,14 @@ class Cad_report {
   std::string text_summary() const {
     const Cad_summary& s = summary_;
     std::ostringstream os;
+    if (s.beside > 0) os << beside_words(s.beside) << '\n';
     os << counted(s.faces, "face") << "; edges: " << s.inner << " inner, " << counted(s.seams, "seam") << ", "
        << s.boundary << " boundary, " << s.degenerate << " degenerate, " << s.non_manifold << " non-manifold";
     if (s.knot_lines > 0) os << "; " << counted(s.knot_lines, "knot line") << " inside of faces";
     os << '\n';
     if (s.instances > 0) os << parts_words(s.instances, s.shapes) << '\n';
     if (s.sewn > 0) os << sewn_words(s.sewn) << '\n';
-    if (s.decided() == 0 && !s.hint().empty()) os << s.hint() << '\n';
+    if (s.decided() == 0 && s.beside == 0 && !s.hint().empty()) os << s.hint() << '\n';
     if (s.decided() > 0) {
       os << "within " << demand_.tolerance << " (lengths in mm): " << s.g2 << " G2, " << s.g1 << " G1, " << s.g0
          << " G0, " << counted(s.gaps, "gap") << ", " << s.undecided << " undecided"

@@ -49,11 +49,11 @@ struct Cad_edge {
   double tolerance;               // how far its curves may be apart, as the file says
   double begin = 0, end = 0;      // the common parameters
   std::optional<std::array<GC::Edge_side, 2>> sides; // if they can be compared; of a degenerate edge twice the same
-  std::string reason;                                // why they cannot be compared, if there are two
-  std::vector<GC::Cad_point<3>> points;              // on the edge, if it is to be drawn and can be; rounded
-  std::array<bool, 2> projections{};                 // which of the sides have curves that are projections
-  std::optional<GC::Edge_curve> space; // the curve in space, if there is one; of a degenerate edge its first point
-  bool inside_out = false;             // the faces are oriented as if one were turned inside out
+  std::string reason; // why they cannot be compared, if there are two; of a boundary: beside which edge it lies
+  std::vector<GC::Cad_point<3>> points; // on the edge, if it is to be drawn and can be; rounded
+  std::array<bool, 2> projections{};    // which of the sides have curves that are projections
+  std::optional<GC::Edge_curve> space;  // the curve in space, if there is one; of a degenerate edge its first point
+  bool inside_out = false;              // the faces are oriented as if one were turned inside out
   // Where the sides, and the curve in space, are placed in the model: a part has the same ones wherever it is placed.
   GC::Cad_placement place = {{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}}};
 };
@@ -80,6 +80,7 @@ struct Cad_model {
   std::vector<Cad_edge> edges;
   std::vector<Cad_mesh> meshes;                                 // of the faces, if they are to be drawn
   std::vector<std::string> lost;                                // what of the file could not be read, with the reason
+  std::vector<std::string> open_shells;                         // that are said to be closed
   std::size_t sewn = 0;                                         // edges that sewing made of two
   std::vector<std::pair<std::size_t, std::string>> not_covered; // faces whose surfaces could not be read, and why
   std::vector<Cad_label> labels;                                // of the faces

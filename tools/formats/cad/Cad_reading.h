@@ -15,6 +15,8 @@ struct Cad_reading {
   Cad_drawing drawing = Cad_drawing::none;
   std::optional<double> sewing; // boundary edges of two faces that are so near to each other become one, in mm
   double time_limit = 60;       // seconds
+  double gap =
+      0; // boundary edges that are so near to each other, in mm, would be edges of two sides if they were joined
   int order = 1; // knot lines are those where a surface need not be continuously differentiable so many times
 };
 

@@ -44,9 +44,9 @@ template <> inline constexpr int number_of_members<GC::Edge_side> = 5;
 template <> inline constexpr int number_of_members<GC::Edge_curve> = 2;
 template <> inline constexpr int number_of_members<Cad_edge> = 14;
 template <> inline constexpr int number_of_members<Cad_label> = 4;
-template <> inline constexpr int number_of_members<Cad_reading> = 4;
+template <> inline constexpr int number_of_members<Cad_reading> = 5;
 template <> inline constexpr int number_of_members<Cad_mesh> = 4;
-template <> inline constexpr int number_of_members<Cad_model> = 10;
+template <> inline constexpr int number_of_members<Cad_model> = 11;
 
 // References to all members of an object.
 template <class T> auto members(T& x) {
@@ -67,9 +67,9 @@ template <class T> auto members(T& x) {
   } else if constexpr (n == 6) {
     auto& [a, b, c, d, e, f] = x;
     return std::tie(a, b, c, d, e, f);
-  } else if constexpr (n == 10) {
-    auto& [a, b, c, d, e, f, g, h, i, j] = x;
-    return std::tie(a, b, c, d, e, f, g, h, i, j);
+  } else if constexpr (n == 11) {
+    auto& [a, b, c, d, e, f, g, h, i, j, k] = x;
+    return std::tie(a, b, c, d, e, f, g, h, i, j, k);
   } else if constexpr (n == 14) {
     auto& [a, b, c, d, e, f, g, h, i, j, k, l, m, o] = x;
     return std::tie(a, b, c, d, e, f, g, h, i, j, k, l, m, o);

@@ -6,6 +6,7 @@
 #include "formats/cad/model_bytes.h"
 #include "formats/cad/opencascade/cad_surface.h"
 #include "formats/cad/opencascade/draw_apart.h"
+#include "formats/cad/opencascade/open_boundaries.h"
 #include "formats/cad/opencascade/read_model.h"
 #include "formats/cad/opencascade/spline_numbers.h"
 
@@ -33,6 +34,7 @@
 #include <TopoDS_Face.hxx>
 #include <TopoDS_Vertex.hxx>
 #include <gp_Dir2d.hxx>
+#include <gp_Mat.hxx>
 #include <gp_Pnt.hxx>
 #include <gp_Pnt2d.hxx>
 
@@ -89,8 +91,8 @@ TopLoc_Location common_placement(const TopLoc_Location& a, const TopLoc_Location
   return common;
 }
 
-// A placement that mirrors turns the images of normals around.
-bool is_mirror(const TopLoc_Location& location) { return location.Transformation().IsNegative(); }
+// A placement that mirrors turns the images of normals around. Those of IGES may have a positive scale factor all the same.
+bool is_mirror(const TopLoc_Location& location) { return location.Transformation().VectorialPart().Determinant() < 0; }
 
 class Model_builder {
   TopTools_IndexedMapOfShape faces_, edges_; // numbered from 1 on
@@ -232,7 +234,9 @@ class Model_builder {
     } catch (const Not_covered& e) {
       reasons_.back() = e.what();
       model_.not_covered.emplace_back(number, e.what());
+      return;
     }
+    if (is_boundary_open(face(number))) model_.not_covered.emplace_back(number, "its boundary does not close");
   }
 
   Cad_edge_kind kind(const TopoDS_Edge& edge, const std::vector<Edge_use>& uses) const {
@@ -316,6 +320,27 @@ class Model_builder {
       e.reason = reason.what();
     }
     model_.edges.push_back(std::move(e));
+  }
+
+  // Marks the boundary edges that lie beside others: what they join is not compared.
+  void mark_neighbours(double gap) {
+    std::vector<Boundary_edge> boundaries;
+    std::vector<std::size_t> numbers; // of their edges in the model
+    std::size_t next = 0;
+    for (std::size_t i = 0; i < uses_.size(); ++i) {
+      if (uses_[i].empty()) continue;
+      if (model_.edges[next].kind == Cad_edge_kind::boundary) {
+        boundaries.push_back({edge(i), face(uses_[i][0].face)});
+        numbers.push_back(next);
+      }
+      ++next;
+    }
+    const std::vector<std::optional<std::size_t>> beside = edges_beside(boundaries, gap);
+    for (std::size_t i = 0; i < beside.size(); ++i)
+      if (beside[i])
+        model_.edges[numbers[i]].reason = "lies beside edge " + std::to_string(numbers[*beside[i]]) + " of face " +
+                                          std::to_string(model_.edges[numbers[*beside[i]]].faces[0]) +
+                                          ", not compared: see --sew";
   }
 
   // Adds the lines inside of a face where the formula of its surface changes, without those parts that lie outside.
@@ -416,6 +441,7 @@ public:
     add_curves();
     for (std::size_t i = 0; i < boxes_.size(); ++i) add_face(i);
     for (std::size_t i = 0; i < uses_.size(); ++i) add_edge(i);
+    mark_neighbours(reading.gap);
     for (std::size_t i = 0; i < boxes_.size(); ++i) add_knot_lines(i, reading);
     if (reading.drawing == Cad_drawing::faces_and_edges) draw(reading);
     return std::move(model_);

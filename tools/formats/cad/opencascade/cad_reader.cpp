@@ -64,14 +64,13 @@ void write(int descriptor, std::string_view text) {
   }
 }
 
-Cad_model read(const std::string& file, const Cad_reading& reading) {
-  std::vector<std::string> lost;
-  Shape_labels labels;
-  TopoDS_Shape shape = read_shape(file, lost, labels);
-  const std::size_t sewn = reading.sewing ? sew(shape, *reading.sewing, lost, labels) : 0;
-  Cad_model model = cad_model(shape, reading);
-  add_labels(shape, labels, model);
-  model.lost = std::move(lost);
+Cad_model read(const std::string& name, const Cad_reading& reading) {
+  Shape_of_file file = read_shape(name, reading);
+  const std::size_t sewn = reading.sewing ? sew(file, *reading.sewing) : 0;
+  Cad_model model = cad_model(file.shape, reading);
+  add_labels(file.shape, file.labels, model);
+  model.lost = std::move(file.lost);
+  model.open_shells = open_shells(file.closed_shells);
   model.sewn = sewn;
   return model;
 }

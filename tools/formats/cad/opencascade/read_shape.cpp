@@ -3,25 +3,21 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
 #include "formats/cad/cad_file.h"
+#include "formats/cad/opencascade/losses.h"
 #include "formats/cad/opencascade/read_model.h"
 
-#include <BRepTools.hxx>
+#include <BRepTools_ShapeSet.hxx>
 #include <BRep_Builder.hxx>
 #include <IFSelect_ReturnStatus.hxx>
 #include <IGESControl_Reader.hxx>
-#include <Interface_CheckIterator.hxx>
-#include <Interface_InterfaceModel.hxx>
 #include <Interface_Static.hxx>
 #include <Message.hxx>
 #include <Message_Messenger.hxx>
 #include <Message_Printer.hxx>
 #include <STEPControl_Reader.hxx>
 #include <TCollection_AsciiString.hxx>
-#include <TCollection_HAsciiString.hxx>
 #include <XSAlgo.hxx>
 #include <XSAlgo_AlgoContainer.hxx>
-#include <XSControl_TransferReader.hxx>
-#include <XSControl_WorkSession.hxx>
 
 #include <algorithm>
 #include <fstream>
@@ -54,23 +50,6 @@ protected:
   }
 };
 
-// Appends what could not be translated, e.g. "#123 ADVANCED_FACE: reason".
-void append_lost(XSControl_Reader& reader, std::vector<std::string>& lost) {
-  const Handle(Interface_InterfaceModel) model = reader.WS()->Model();
-  Interface_CheckIterator checks = reader.WS()->TransferReader()->LastCheckList(); // of the translation
-  for (checks.Start(); checks.More(); checks.Next()) {
-    const Handle(Interface_Check) check = checks.Value();
-    if (!check->HasFailed()) continue;
-    std::string text;
-    if (1 <= checks.Number() && checks.Number() <= model->NbEntities()) {
-      const Handle(Standard_Transient) entity = model->Value(checks.Number());
-      const Handle(TCollection_HAsciiString) label = model->StringLabel(entity);
-      text = (label.IsNull() ? "" : label->ToCString()) + std::string(" ") + model->TypeName(entity, false) + ": ";
-    }
-    lost.push_back(text + check->CFail(1));
-  }
-}
-
 // These words and what was reported, e.g. "Line 954: Incorrect syntax".
 std::runtime_error failure(const First_failure& reported, const std::string& words) {
   std::string text = reported.text();
@@ -79,47 +58,79 @@ std::runtime_error failure(const First_failure& reported, const std::string& wor
   return std::runtime_error(text.empty() ? words : words + ": " + text);
 }
 
-TopoDS_Shape translated(XSControl_Reader& reader, const std::string& file, const char* format,
-                        const First_failure& reported, std::vector<std::string>& lost, Shape_labels& labels) {
+Shape_of_file translated(XSControl_Reader& reader, const std::string& file, const char* format,
+                         const First_failure& reported) {
   XSAlgo::SetAlgoContainer(new No_healing);
   Interface_Static::SetCVal("xstep.cascade.unit", "MM");
   Interface_Static::SetRVal("read.encoderegularity.angle", 0); // what is decided from samples is of no use here
   if (reader.ReadFile(file.c_str()) != IFSelect_RetDone)
     throw failure(reported, std::string("not a complete ") + format + " file");
   reader.TransferRoots();
-  append_lost(reader, lost);
-  labels = read_labels(reader);
-  const TopoDS_Shape shape = reader.OneShape();
-  if (shape.IsNull()) throw failure(reported, std::string("no shape in this ") + format + " file");
-  return shape;
+  Shape_of_file result;
+  result.shape = reader.OneShape();
+  if (result.shape.IsNull()) throw failure(reported, std::string("no shape in this ") + format + " file");
+  result.labels = read_labels(reader);
+  result.closed_shells = closed_shells(result.shape, closed_shell_names(reader), false);
+  return result;
+}
+
+// What has failed somewhere, where nothing tells what.
+void add_if_empty(const std::vector<std::string>& failures, Losses& losses) {
+  if (losses.empty())
+    for (const std::string& failure : failures) losses.add("", "", failure);
+}
+
+Shape_of_file read_step(const std::string& file, const First_failure& reported) {
+  STEPControl_Reader reader;
+  Shape_of_file result = translated(reader, file, "STEP", reported);
+  Losses losses(result.lost);
+  const std::vector<std::string> others = add_failures(reader, losses);
+  add_losses_of_step(file, reader, result.shape, losses);
+  add_if_empty(others, losses);
+  return result;
+}
+
+Shape_of_file read_iges(const std::string& file, const Cad_reading& reading, const First_failure& reported) {
+  IGESControl_Reader reader;
+  if (reading.sewing) // which takes an edge without a curve in space for a point
+    Interface_Static::SetIVal("read.surfacecurve.mode", 3);
+  Shape_of_file result = translated(reader, file, "IGES", reported);
+  Losses losses(result.lost);
+  const std::vector<std::string> others = add_failures(reader, losses);
+  add_losses_of_iges(reader, result.shape, losses);
+  add_if_empty(others, losses);
+  return result;
+}
+
+// OpenCASCADE would go on reading behind the end of the file, for ever.
+Shape_of_file read_brep(const std::string& file, const First_failure& reported) {
+  Shape_of_file result;
+  try {
+    std::ifstream stream(file, std::ios::binary);
+    stream.exceptions(std::ios::failbit | std::ios::badbit);
+    BRepTools_ShapeSet shapes((BRep_Builder()));
+    shapes.Read(stream);
+    shapes.Read(result.shape, stream);
+    Losses losses(result.lost);
+    if (!result.shape.IsNull()) add_losses_of_brep(shapes, result.shape, losses);
+  } catch (const std::ios_base::failure&) {
+    throw failure(reported, "not a complete BREP file");
+  }
+  if (result.shape.IsNull()) throw failure(reported, "no shape in this BREP file");
+  result.closed_shells = closed_shells(result.shape, {}, true);
+  return result;
 }
 
 } // namespace
 
-TopoDS_Shape read_shape(const std::string& file, std::vector<std::string>& lost, Shape_labels& labels) {
+Shape_of_file read_shape(const std::string& file, const Cad_reading& reading) {
   const Handle(First_failure) reported = new First_failure;
   Message::DefaultMessenger()->ChangePrinters().Clear();
   Message::DefaultMessenger()->AddPrinter(reported);
   switch (*cad_format(file)) {
-  case Cad_format::step: {
-    STEPControl_Reader reader;
-    return translated(reader, file, "STEP", *reported, lost, labels);
-  }
-  case Cad_format::iges: {
-    IGESControl_Reader reader;
-    return translated(reader, file, "IGES", *reported, lost, labels);
-  }
+  case Cad_format::step: return read_step(file, *reported);
+  case Cad_format::iges: return read_iges(file, reading, *reported);
   case Cad_format::brep: break;
   }
-  // OpenCASCADE would go on reading behind the end of the file, for ever.
-  TopoDS_Shape shape;
-  try {
-    std::ifstream stream(file, std::ios::binary);
-    stream.exceptions(std::ios::failbit | std::ios::badbit);
-    BRepTools::Read(shape, stream, BRep_Builder());
-  } catch (const std::ios_base::failure&) {
-    throw failure(*reported, "not a complete BREP file");
-  }
-  if (shape.IsNull()) throw failure(*reported, "no shape in this BREP file");
-  return shape;
+  return read_brep(file, *reported);
 }

@@ -5,20 +5,49 @@
 #include "formats/cad/opencascade/read_model.h"
 
 #include <BRepBuilderAPI_Sewing.hxx>
+#include <BRepLib.hxx>
+#include <BRep_Tool.hxx>
 #include <TopExp_Explorer.hxx>
+#include <TopoDS.hxx>
+#include <TopoDS_Edge.hxx>
 
-std::size_t sew(TopoDS_Shape& shape, double distance, std::vector<std::string>& lost, Shape_labels& labels) {
-  BRepBuilderAPI_Sewing sewing(distance);
-  sewing.Add(shape);
-  sewing.Perform();
-  if (sewing.SewedShape().IsNull()) return 0; // there is no face
-  for (TopExp_Explorer i(shape, TopAbs_FACE); i.More(); i.Next())
-    if (const auto label = labels.faces.find(i.Current().TShape().get()); label != labels.faces.end()) {
+namespace {
+
+// Where edges have no curves in parameter planes, sewing says that their ranges differ.
+void mark_equal_ranges(const TopoDS_Shape& shape) {
+  for (TopExp_Explorer i(shape, TopAbs_EDGE); i.More(); i.Next())
+    if (const TopoDS_Edge& edge = TopoDS::Edge(i.Current()); !BRep_Tool::SameRange(edge)) BRepLib::SameRange(edge);
+}
+
+// Puts what sewing has made of them in the place of faces.
+void replace_faces(const BRepBuilderAPI_Sewing& sewing, Shape_of_file& file) {
+  for (TopExp_Explorer i(file.shape, TopAbs_FACE); i.More(); i.Next())
+    if (const auto label = file.labels.faces.find(i.Current().TShape().get()); label != file.labels.faces.end()) {
       const Cad_label copy = label->second;
-      labels.faces[sewing.ModifiedSubShape(i.Current()).TShape().get()] = copy;
+      file.labels.faces[sewing.ModifiedSubShape(i.Current()).TShape().get()] = copy;
     }
-  shape = sewing.SewedShape();
-  if (sewing.NbDeletedFaces() > 0)
-    lost.push_back("sewing: " + std::to_string(sewing.NbDeletedFaces()) + " of the faces, which are too small");
-  return static_cast<std::size_t>(sewing.NbContigousEdges());
+  for (Closed_shell& shell : file.closed_shells)
+    for (TopoDS_Shape& face : shell.faces) face = sewing.ModifiedSubShape(face);
+}
+
+} // namespace
+
+std::size_t sew(Shape_of_file& file, double distance) {
+  constexpr int most_rounds = 5; // what lies beside an edge that one round has sewn can be left to the next one
+  std::size_t sewn = 0;
+  for (int round = 0, free = 0; round < most_rounds; ++round) {
+    BRepBuilderAPI_Sewing sewing(distance);
+    sewing.Add(file.shape);
+    sewing.Perform();
+    if (sewing.SewedShape().IsNull()) break; // there is no face
+    replace_faces(sewing, file);
+    file.shape = sewing.SewedShape();
+    if (sewing.NbDeletedFaces() > 0)
+      file.lost.push_back("sewing: " + std::to_string(sewing.NbDeletedFaces()) + " of the faces, which are too small");
+    sewn += static_cast<std::size_t>(sewing.NbContigousEdges());
+    if (sewing.NbFreeEdges() == 0 || (round > 0 && sewing.NbFreeEdges() == free)) break;
+    free = sewing.NbFreeEdges();
+  }
+  mark_equal_ranges(file.shape);
+  return sewn;
 }
