@@ -13,7 +13,7 @@
 #include "measured_process.h"
 
 #include <CGAL/Exact_rational.h>
-#include <CGAL/Geometric_continuity/edges/cad_edge_continuity.h>
+#include <CGAL/Geometric_continuity/cad/cad_edge_continuity.h>
 
 // behind CGAL's headers, whose Handle is no macro
 #include "formats/cad/opencascade/read_model.h"

@@ -4,7 +4,7 @@
 
 // Enclosures over whole edges of CAD models: for each edge, to the default precision, with the number of ranges that it takes.
 
-#include <CGAL/Geometric_continuity/edges/cad_edge_continuity.h>
+#include <CGAL/Geometric_continuity/cad/cad_edge_continuity.h>
 
 #include <benchmark/benchmark.h>
 

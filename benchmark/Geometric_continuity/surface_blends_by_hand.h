@@ -7,7 +7,7 @@
 
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Geometric_continuity/Traits.h>
-#include <CGAL/Geometric_continuity/edges/blend_surfaces.h>
+#include <CGAL/Geometric_continuity/surface_blends/blend_surfaces.h>
 #include <CGAL/Simple_cartesian.h>
 
 #include <random>

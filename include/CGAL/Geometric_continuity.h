@@ -6,7 +6,7 @@
 #define CGAL_GEOMETRIC_CONTINUITY_H
 
 /// \file Geometric_continuity.h
-/// Everything but input and output, edges of CAD models (edges/cad_edge_continuity.h, ...) and what needs Boost.Odeint (curves/curve_from_curvatures.h).
+/// Everything but input and output, edges of CAD models (cad/cad_edge_continuity.h, ...) and what needs Boost.Odeint (curves/curve_from_curvatures.h).
 
 #include <CGAL/Geometric_continuity/Error.h>
 #include <CGAL/Geometric_continuity/Traits.h>
@@ -72,17 +72,17 @@
 #include <CGAL/Geometric_continuity/blends/representable_blend.h>
 
 #include <CGAL/Geometric_continuity/edges/Edge_certificate.h>
-#include <CGAL/Geometric_continuity/edges/Edge_function.h>
 #include <CGAL/Geometric_continuity/edges/Edge_rows.h>
-#include <CGAL/Geometric_continuity/edges/Surface_blend_shape.h>
-#include <CGAL/Geometric_continuity/edges/blend_sides.h>
-#include <CGAL/Geometric_continuity/edges/blend_surfaces.h>
-#include <CGAL/Geometric_continuity/edges/connect_g1.h>
 #include <CGAL/Geometric_continuity/edges/edge_continuity.h>
 #include <CGAL/Geometric_continuity/edges/edge_deviation.h>
-#include <CGAL/Geometric_continuity/edges/representable_blend_surfaces.h>
-#include <CGAL/Geometric_continuity/edges/round_edge.h>
 #include <CGAL/Geometric_continuity/edges/swept_continuity.h>
+#include <CGAL/Geometric_continuity/surface_blends/Edge_function.h>
+#include <CGAL/Geometric_continuity/surface_blends/Surface_blend_shape.h>
+#include <CGAL/Geometric_continuity/surface_blends/blend_sides.h>
+#include <CGAL/Geometric_continuity/surface_blends/blend_surfaces.h>
+#include <CGAL/Geometric_continuity/surface_blends/connect_g1.h>
+#include <CGAL/Geometric_continuity/surface_blends/representable_blend_surfaces.h>
+#include <CGAL/Geometric_continuity/surface_blends/round_edge.h>
 
 #include <CGAL/Geometric_continuity/extensions/alternatives.h>
 #include <CGAL/Geometric_continuity/extensions/extend.h>

@@ -4,7 +4,7 @@
 
 #include "figures.h"
 
-#include <CGAL/Geometric_continuity/edges/cad_edge_continuity.h>
+#include <CGAL/Geometric_continuity/cad/cad_edge_continuity.h>
 
 #include <memory>
 #include <string>

@@ -20,11 +20,11 @@
 #include <CGAL/Geometric_continuity/curves/fairness.h>
 #include <CGAL/Geometric_continuity/curves/fit.h>
 #include <CGAL/Geometric_continuity/curves/interpolate.h>
-#include <CGAL/Geometric_continuity/edges/connect_g1.h>
 #include <CGAL/Geometric_continuity/extensions/extend.h>
 #include <CGAL/Geometric_continuity/joins/deviation.h>
 #include <CGAL/Geometric_continuity/models/tessellate.h>
 #include <CGAL/Geometric_continuity/numbers/Work_limit.h>
+#include <CGAL/Geometric_continuity/surface_blends/connect_g1.h>
 #include <CGAL/Simple_cartesian.h>
 
 #include <cstdint>

@@ -9,7 +9,7 @@
 #include "Report.h"
 #include "ops_bspline.h"
 
-#include <CGAL/Geometric_continuity/edges/connect_g1.h>
+#include <CGAL/Geometric_continuity/surface_blends/connect_g1.h>
 
 // Topic ribbon. Rounded kernels take scaled parameters, see Spline_input: this multiplies beta, and divides F by the scale
 // and F' by its square.

@@ -8,8 +8,8 @@
 #include "Kernels.h"
 #include "Report.h"
 
-#include <CGAL/Geometric_continuity/edges/blend_surfaces.h>
 #include <CGAL/Geometric_continuity/edges/edge_continuity.h>
+#include <CGAL/Geometric_continuity/surface_blends/blend_surfaces.h>
 
 #include <algorithm>
 #include <type_traits>

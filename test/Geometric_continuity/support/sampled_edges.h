@@ -8,7 +8,7 @@
 // Gap, angle and curvature jump of two sides at one parameter, by numbers that carry their first and second derivatives by two
 // variables: the formulas of the surfaces as they are documented, and the recursive definition of B-splines.
 
-#include <CGAL/Geometric_continuity/edges/Cad_geometry.h>
+#include <CGAL/Geometric_continuity/cad/Cad_geometry.h>
 
 #include <array>
 #include <cmath>

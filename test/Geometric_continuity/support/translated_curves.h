@@ -9,7 +9,7 @@
 #include "rational_surfaces.h"
 
 #include <CGAL/Geometric_continuity/blends/blend.h>
-#include <CGAL/Geometric_continuity/edges/Surface_blend_shape.h>
+#include <CGAL/Geometric_continuity/surface_blends/Surface_blend_shape.h>
 
 // Two surfaces on which all curves u = const are the same but for a translation, and the blends of these curves.
 template <class Traits> struct Translated_curves {

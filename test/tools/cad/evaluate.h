@@ -5,7 +5,7 @@
 #ifndef GEOMETRIC_CONTINUITY_TEST_PROGRAM_CAD_EVALUATE_H
 #define GEOMETRIC_CONTINUITY_TEST_PROGRAM_CAD_EVALUATE_H
 
-#include <CGAL/Geometric_continuity/edges/Cad_geometry.h>
+#include <CGAL/Geometric_continuity/cad/Cad_geometry.h>
 
 #include <array>
 #include <cmath>

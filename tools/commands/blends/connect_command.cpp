@@ -9,7 +9,7 @@
 
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Geometric_continuity/Traits.h>
-#include <CGAL/Geometric_continuity/edges/connect_g1.h>
+#include <CGAL/Geometric_continuity/surface_blends/connect_g1.h>
 #include <CGAL/Simple_cartesian.h>
 
 #include <stdexcept>

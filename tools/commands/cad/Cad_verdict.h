@@ -8,7 +8,7 @@
 #include "formats/cad/Cad_model.h"
 #include "reports/Claims.h"
 
-#include <CGAL/Geometric_continuity/edges/cad_edge_continuity.h>
+#include <CGAL/Geometric_continuity/cad/cad_edge_continuity.h>
 #include <CGAL/Geometric_continuity/joins/deviation.h>
 #include <CGAL/Geometric_continuity/numbers/Enclosure.h>
 

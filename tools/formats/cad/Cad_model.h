@@ -5,7 +5,7 @@
 #ifndef GEOMETRIC_CONTINUITY_TOOLS_FORMATS_CAD_CAD_MODEL_H
 #define GEOMETRIC_CONTINUITY_TOOLS_FORMATS_CAD_CAD_MODEL_H
 
-#include <CGAL/Geometric_continuity/edges/Cad_geometry.h>
+#include <CGAL/Geometric_continuity/cad/Cad_geometry.h>
 
 #include <array>
 #include <cstddef>

@@ -10,7 +10,7 @@
 #include "formats/cad/opencascade/read_model.h"
 #include "formats/cad/opencascade/spline_numbers.h"
 
-#include <CGAL/Geometric_continuity/edges/Cad_geometry.h>
+#include <CGAL/Geometric_continuity/cad/Cad_geometry.h>
 
 #include <BRepClass_FaceClassifier.hxx>
 #include <BRep_Tool.hxx>

@@ -7,7 +7,7 @@
 
 #include "formats/cad/opencascade/cad_curve.h"
 
-#include <CGAL/Geometric_continuity/edges/Cad_geometry.h>
+#include <CGAL/Geometric_continuity/cad/Cad_geometry.h>
 
 #include <algorithm>
 #include <cmath>

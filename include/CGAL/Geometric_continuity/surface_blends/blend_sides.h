@@ -1,0 +1,512 @@
+// Copyright (c) 2026 The Geometric_continuity developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_GEOMETRIC_CONTINUITY_SURFACE_BLENDS_BLEND_SIDES_H
+#define CGAL_GEOMETRIC_CONTINUITY_SURFACE_BLENDS_BLEND_SIDES_H
+
+#include <CGAL/Geometric_continuity/Error.h>
+#include <CGAL/Geometric_continuity/Traits.h>
+#include <CGAL/Geometric_continuity/algebra/Bernstein_polynomial.h>
+#include <CGAL/Geometric_continuity/algebra/Coordinate_vector.h>
+#include <CGAL/Geometric_continuity/algebra/internal/solve_positive_definite.h>
+#include <CGAL/Geometric_continuity/curves/Bezier_curve.h>
+#include <CGAL/Geometric_continuity/curves/Rational_curve.h>
+#include <CGAL/Geometric_continuity/surface_blends/Edge_function.h>
+#include <CGAL/Geometric_continuity/surface_blends/Surface_blend_shape.h>
+#include <CGAL/Geometric_continuity/surface_blends/internal/Blend_end.h>
+#include <CGAL/Geometric_continuity/surfaces/Bezier_patch.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+/// \file blend_sides.h
+/// The shape of a blend surface for which the side curves at `u = 0` and `u = 1` are given, and the derivatives across them.
+///
+/// Where an edge ends, \f$ S_v = \alpha C' + \beta T \f$ and \f$ S_{vv} = \alpha^2 C'' + 2\alpha\beta T' + \beta^2 W + \alpha_2 C' +
+/// \delta T \f$ are the first two derivatives of the side curve. So it must start in the tangent plane of the surface, and with the
+/// curvature of the surface in its direction; then the values of the functions are the coordinates with respect to \f$ C', T \f$ of what
+/// it leaves. Derivatives with respect to `u` of these equations give the slopes of the functions, where \f$ S_u \f$ is given along the side.
+/// Both ends together determine a side curve and a derivative of degree 5 as a whole. Homogeneous points have the vectors
+/// \f$ C', T, C \f$ and the functions \f$ \lambda_1, \lambda_2 \f$ as well. Of a blend of degree 7 the side curve must have the third
+/// derivative of the surface, too, and the same follows for \f$ \alpha_3, \delta_3, \lambda_3 \f$.
+
+namespace CGAL {
+namespace Geometric_continuity {
+
+/// \ingroup PkgGeometricContinuityConstruction
+/// What a side edge of a blend surface of degree 5 or 7 is to be, from the first surface to the second.
+/// \tparam Traits_ the traits class of the points; for a blend with a rational surface `Homogeneous_traits` of it
+template <class Traits_> struct Blend_side {
+  typedef Traits_ Traits;                       ///< the traits class of the points
+  typedef typename Traits::FT FT;               ///< the field
+  typedef std::vector<Coordinates<Traits>> Row; ///< Bernstein coefficients, at most 6 or 8
+
+  Row curve; ///< the side curve on [0, 1]
+  Row cross; ///< the derivative across it, out of the blend, up to a positive factor that is linear along the side; or none
+
+  /// Takes coefficients.
+  explicit Blend_side(Row given_curve, Row given_cross = {})
+      : curve(std::move(given_curve)), cross(std::move(given_cross)) {}
+
+  /// Takes a curve, on whatever domain.
+  template <int Degree> Blend_side(const Bezier_curve<Traits, Degree>& c) {
+    for (int i = 0; i <= c.degree(); ++i) curve.push_back(coordinates<Traits>(c.control_point(i)));
+  }
+
+  /// Takes an edge of a neighbour of the blend, and the derivative across it: with them, the blend is \f$ G^1 \f$ with the neighbour.
+  /// \param direction `same` if the edge runs from the first surface to the second
+  /// \throws Error `knot_multiplicity` when the edge has inner knots
+  template <class Surface, class = std::enable_if_t<std::is_same_v<
+                               Traits, typename internal::Blended_surfaces<Surface, Surface>::Row_traits>>>
+  Blend_side(const Surface& neighbour, Patch_edge edge, Edge_direction direction = Edge_direction::same) {
+    internal::Blend_end<FT, dimension_v<Traits>> end(neighbour, edge, -1, 2);
+    if (static_cast<int>(end.edge.size()) > end.knots.degree() + 1)
+      throw Error(Error_code::knot_multiplicity, "Blend_side: the edge " + to_string(edge) + " has inner knots");
+    end.run_along(end.knots.domain(), direction);
+    curve = std::move(end.edge);
+    cross = std::move(end.cross);
+  }
+
+  /// Takes a side of points as one of homogeneous points, with the weight 1.
+  template <class Of_points, class = std::enable_if_t<std::is_same_v<Traits, Homogeneous_traits<Of_points>>>>
+  Blend_side(const Blend_side<Of_points>& side) {
+    const auto lift = [](const auto& row, Row& to, int weight) {
+      for (const auto& x : row) {
+        to.emplace_back(x.dimension() + 1);
+        for (int i = 0; i < x.dimension(); ++i) to.back()[i] = x[i];
+        to.back()[x.dimension()] = FT(weight);
+      }
+    };
+    lift(side.curve, curve, 1);
+    lift(side.cross, cross, 0);
+  }
+
+  /// Returns the side without a derivative across it.
+  Blend_side curve_only() const { return Blend_side(curve); }
+};
+
+/// \ingroup PkgGeometricContinuityConstruction
+/// The type of the sides of the blend of two surfaces.
+template <class Surface_a, class Surface_b>
+using Side_of_blend = Blend_side<typename internal::Blended_surfaces<Surface_a, Surface_b>::Row_traits>;
+
+namespace internal {
+
+// What a function is to be where an edge ends: the value, and the slope if it is given.
+template <class FT> struct Edge_end_value {
+  FT value;
+  std::optional<FT> slope;
+};
+
+// The polynomial of the least degree with these values; where a positive one is asked for (of positive values) and it is not, a spline.
+template <class FT>
+Edge_function<FT> interpolating_function(const Edge_end_value<FT>& start, const Edge_end_value<FT>& end,
+                                         bool positive) {
+  const FT rise = end.value - start.value;
+  const auto is_on_line = [&](const Edge_end_value<FT>& x) { return !x.slope || *x.slope == rise; };
+  if (is_on_line(start) && is_on_line(end))
+    return rise == FT(0) ? Edge_function<FT>{start.value} : Edge_function<FT>{start.value, end.value};
+  const FT zero(0), m0 = start.slope ? *start.slope : zero, m1 = end.slope ? *end.slope : zero;
+  if (!start.slope || !end.slope) {
+    const FT middle = start.slope ? FT(start.value + m0 / FT(2)) : FT(end.value - m1 / FT(2));
+    const Edge_function<FT> f{start.value, middle, end.value};
+    if (!positive || f.is_positive()) return f;
+  } else {
+    const Edge_function<FT> f{start.value, FT(start.value + m0 / FT(3)), FT(end.value - m1 / FT(3)), end.value};
+    if (!positive || f.is_positive()) return f;
+  }
+  // cubic, with coefficients that are positive near the ends where the first and the last span are short
+  FT h = FT(1) / FT(4);
+  while (!(zero < FT(start.value + h * m0 / FT(3)) && zero < FT(end.value - h * m1 / FT(3)))) {
+    h = FT(h / FT(2));
+    if (h == zero) throw Error(Error_code::not_finite, "blend sides: the slope of beta at a corner");
+  }
+  const FT next = FT(start.value + h * m0 / FT(3)), last = FT(end.value - h * m1 / FT(3));
+  return Bspline_function<FT>(Knot_vector<FT>(3, zero, FT(1), {{h, 1}, {FT(FT(1) - h), 1}}),
+                              {start.value, next, next, last, last, end.value});
+}
+
+// A number and its derivative along the edge.
+template <class FT> struct Number_and_slope {
+  FT value, slope;
+
+  friend Number_and_slope operator*(const Number_and_slope& x, const Number_and_slope& y) {
+    return {FT(x.value * y.value), FT(x.value * y.slope + x.slope * y.value)};
+  }
+  friend Number_and_slope operator*(int x, const Number_and_slope& y) {
+    return {FT(FT(x) * y.value), FT(FT(x) * y.slope)};
+  }
+  friend Number_and_slope operator+(const Number_and_slope& x, const Number_and_slope& y) {
+    return {FT(x.value + y.value), FT(x.slope + y.slope)};
+  }
+  friend Number_and_slope operator-(const Number_and_slope& x, const Number_and_slope& y) {
+    return {FT(x.value - y.value), FT(x.slope - y.slope)};
+  }
+};
+
+// The corner of a blend at the end of an edge. The vectors C', T and for homogeneous points C are those with respect to which all that is
+// free has coordinates. `order` is that of the blend.
+template <bool is_rational, class FT, int N, int order> class Side_corner {
+  typedef Coordinate_vector<FT, N> Vector;
+  typedef Number_and_slope<FT> Number;
+  static constexpr std::size_t k = is_rational ? 3 : 2;
+  typedef std::array<Number, k> Free;
+
+  std::string name_;
+  std::vector<Vector> c_, t_, w_, x_; // with their derivatives along the edge
+  std::array<Free, order> free_{};
+
+public:
+  bool has_slopes = false;
+
+  Side_corner(const Blend_end<FT, N>& end, bool upper, std::string name) : name_(std::move(name)) {
+    const auto derivatives = [&](const typename Blend_end<FT, N>::Row& row, int n) {
+      const Edge_spline<FT, N> f = end.spline(row);
+      return upper ? f.left_derivatives(f.domain().second, n) : f.right_derivatives(f.domain().first, n);
+    };
+    c_ = derivatives(end.edge, order + 1);
+    t_ = derivatives(end.cross, order);
+    w_ = derivatives(end.second_cross, order - 1);
+    if constexpr (order == 3) x_ = derivatives(end.third_cross, 1);
+  }
+
+  // Of C', T, C in the derivative of the order n across the edge; 0 where it is higher than that of the blend, or not rational.
+  Number free(int n, std::size_t i) const { return i < k ? free_[n - 1][i] : Number{FT(0), FT(0)}; }
+
+  const Vector& point() const { return c_[0]; }
+  void scale(const FT& factor) {
+    for (std::vector<Vector>* v : {&c_, &t_, &w_, &x_})
+      for (Vector& x : *v) x *= factor;
+  }
+
+  [[noreturn]] void refuse(Error_code code, const std::string& condition) const {
+    throw Error(code, "blend sides: " + name_ + ": " + condition);
+  }
+
+  void check_point(const Vector& x) const {
+    if (!agree(x, c_[0])) refuse(Error_code::curves_do_not_meet, "the side curve does not end at the corner");
+  }
+
+  // The number f > 0 with C' = f x.
+  FT ratio(const Vector& x) const {
+    const FT product = dot(c_[1], x), square = dot(x, x);
+    if (!(FT(0) < product) || !agree(c_[1], FT(product / square) * x))
+      refuse(Error_code::incompatible_corner, "S_u: what is given along the side does not lead along the edge");
+    return FT(product / square);
+  }
+
+  // From the derivatives of the side curve.
+  void take_curve(const std::array<Vector, order + 1>& g) {
+    static constexpr const char* conditions[] = {
+        "S_v: the side curve does not run in the tangent plane of the surface",
+        "S_vv: the side curve does not have the curvature of the surface",
+        "S_vvv: the side curve does not have the third derivative of the surface"};
+    check_point(g[0]);
+    for (int n = 1; n <= order; ++n) {
+      Vector x = g[n];
+      for (const Term& term : terms(n)) x -= term.factor.value * *term.row;
+      const std::array<FT, k> values = coordinates(x, conditions[n - 1]);
+      for (std::size_t i = 0; i < k; ++i) free_[n - 1][i].value = values[i];
+      if (n == 1 && !(FT(0) < values[1]))
+        refuse(Error_code::nonpositive_beta, "S_v: the side curve does not cross the edge");
+    }
+  }
+
+  // From the derivatives of S_u along the side.
+  void take_cross(const std::array<Vector, order + 1>& d) {
+    static constexpr const char* conditions[] = {
+        "S_uv: what is given along the side contradicts the derivative across the edge",
+        "S_uvv: what is given along the side contradicts the curvature along the edge",
+        "S_uvvv: what is given along the side contradicts the third derivative along the edge"};
+    const std::array<const Vector*, 3> slopes_of_basis = {&c_[2], &t_[1], &c_[1]};
+    for (int n = 1; n <= order; ++n) {
+      Vector x = d[n];
+      for (const Term& term : terms(n)) {
+        x -= term.factor.slope * term.row[0];
+        x -= term.factor.value * term.row[1];
+      }
+      for (std::size_t i = 0; i < k; ++i) x -= free_[n - 1][i].value * *slopes_of_basis[i];
+      const std::array<FT, k> slopes = coordinates(x, conditions[n - 1]);
+      for (std::size_t i = 0; i < k; ++i) free_[n - 1][i].slope = slopes[i];
+    }
+    has_slopes = true;
+  }
+
+  // Whether two vectors are equal; floating-point numbers up to rounding.
+  bool agree(const Vector& x, const Vector& y) const { return is_small(x - y, {&x, &y}); }
+
+private:
+  struct Term {
+    Number factor;
+    const Vector* row; // followed by its derivative along the edge
+  };
+
+  // What the derivative of the order n across the edge is besides C', T and C. With c = lambda_1, and alpha_2 + 2 c alpha and
+  // delta + 2 c beta for the coordinates p, q of the second one, it is alpha^2 C'' + 2 alpha beta T' + beta^2 W, and of the third one
+  // alpha^3 C''' + 3 alpha^2 beta T'' + 3 alpha beta^2 W' + beta^3 X and
+  // 3 (alpha (p - c alpha) C'' + (alpha q + beta p - 2 c alpha beta) T' + beta (q - c beta) W).
+  std::vector<Term> terms(int n) const {
+    if (n == 1) return {};
+    const Number alpha = free(1, 0), beta = free(1, 1), c = free(1, 2);
+    if (n == 2) return {{alpha * alpha, &c_[2]}, {2 * alpha * beta, &t_[1]}, {beta * beta, &w_[0]}};
+    const Number p = free(2, 0), q = free(2, 1);
+    return {{alpha * alpha * alpha, &c_[3]},       {3 * alpha * alpha * beta, &t_[2]},
+            {3 * alpha * beta * beta, &w_[1]},     {beta * beta * beta, &x_[0]},
+            {3 * alpha * (p - c * alpha), &c_[2]}, {3 * (alpha * q + beta * p - 2 * c * alpha * beta), &t_[1]},
+            {3 * beta * (q - c * beta), &w_[0]}};
+  }
+
+  static bool is_small(const Vector& x, const std::vector<const Vector*>& sizes) {
+    if constexpr (!std::is_floating_point_v<FT>)
+      return is_zero(x);
+    else {
+      FT largest(0);
+      for (const Vector* v : sizes)
+        for (const FT& y : *v) largest = (std::max)(largest, CGAL::abs(y));
+      return std::all_of(x.begin(), x.end(), [&](const FT& y) { return CGAL::abs(y) <= largest * FT(0x1p-30); });
+    }
+  }
+
+  std::array<FT, k> coordinates(const Vector& x, const char* condition) const {
+    std::array<const Vector*, 3> basis = {&c_[1], &t_[0], &c_[0]};
+    std::array<std::array<FT, k>, k> a;
+    std::array<FT, k> b;
+    for (std::size_t i = 0; i < k; ++i) {
+      b[i] = dot(*basis[i], x);
+      for (std::size_t j = 0; j < k; ++j) a[i][j] = dot(*basis[i], *basis[j]);
+    }
+    FT determinant = a[0][0] * a[1][1] - a[0][1] * a[0][1];
+    if constexpr (is_rational)
+      determinant = a[2][2] * determinant - a[0][0] * a[1][2] * a[1][2] - a[1][1] * a[0][2] * a[0][2] +
+                    FT(2) * a[0][1] * a[0][2] * a[1][2];
+    if (!(FT(0) < determinant)) refuse(Error_code::singular_frame, "the normal of the surface vanishes");
+    const std::array<FT, k> r = solve_positive_definite(a, b);
+    Vector rest = x;
+    for (std::size_t i = 0; i < k; ++i) rest -= r[i] * *basis[i];
+    if (!is_small(rest, {&x, basis[0], basis[1], basis[2]})) refuse(Error_code::incompatible_corner, condition);
+    return r;
+  }
+};
+
+// The shape with sides, one after the other. `order` is that of the blend.
+template <class A, class B, int order> class Shape_with_sides {
+  typedef Blended_surfaces<A, B> Kind;
+  typedef typename Kind::FT FT;
+  static constexpr int N = Kind::N, degree = 2 * order + 1;
+  typedef Coordinate_vector<FT, N> Vector;
+  typedef Number_and_slope<FT> Number;
+  typedef typename Side_of_blend<A, B>::Row Row;
+  typedef Side_corner<Kind::is_rational, FT, N, order> Corner;
+  typedef std::conditional_t<order == 2, Blend_surface_shape<A, B>,
+                             Septic_surface_blend_shape<Blend_surface_shape<A, B>>>
+      Shape;
+
+  const std::pair<typename Kind::End, typename Kind::End> ends_;
+  const std::array<std::string, 2> edges_; // their names
+  FT length_;                              // of the domain
+  Shape shape_;
+  std::array<std::array<std::optional<Corner>, 2>, 2> corners_; // of each edge, at the start and at the end
+
+public:
+  Shape_with_sides(const A& a, Patch_edge edge_a, const B& b, Patch_edge edge_b, Edge_direction direction,
+                   const Shape& shape)
+      : ends_(Kind::ends(a, edge_a, b, edge_b, direction, order)), edges_{"the edge " + to_string(edge_a) +
+                                                                              " of the first surface",
+                                                                          "the edge " + to_string(edge_b) +
+                                                                              " of the second surface"},
+        shape_(shape) {
+    const std::pair<FT, FT> domain = ends_.first.knots.domain();
+    length_ = FT(domain.second - domain.first);
+  }
+
+  void take(const Side_of_blend<A, B>& side, bool upper) {
+    const std::string place = std::string("u = ") + (upper ? "1" : "0") + ", ";
+    corners_[0][upper].emplace(ends_.first, upper, place + edges_[0]);
+    corners_[1][upper].emplace(ends_.second, upper, place + edges_[1]);
+    Corner &start = *corners_[0][upper], &end = *corners_[1][upper];
+    Row curve = side.curve, cross = side.cross;
+    if constexpr (Kind::is_rational) take_factor(curve, cross, start, end, upper);
+    elevate(curve, place + "the curve");
+    start.take_curve(derivatives(curve, 0));
+    end.take_curve(derivatives(curve, 1));
+    if (cross.empty()) return;
+    if (!upper)
+      for (Vector& x : cross) x *= FT(-1);
+    const FT at_start = start.ratio(cross.front()), at_end = end.ratio(cross.back());
+    multiply(cross, at_start, at_end);
+    elevate(cross, place + "the derivative across it");
+    start.take_cross(derivatives(cross, 0));
+    end.take_cross(derivatives(cross, 1));
+  }
+
+  Shape shape() {
+    assemble(shape_.start, corners_[0]);
+    assemble(shape_.end, corners_[1]);
+    return shape_;
+  }
+
+private:
+  // The side is multiplied by a number so that it fits the first surface; then the second one is.
+  void take_factor(Row& curve, Row& cross, const Corner& start, Corner& end, bool upper) {
+    const FT factor = dot(start.point(), curve.front()) / dot(curve.front(), curve.front());
+    for (Row* row : {&curve, &cross})
+      for (Vector& x : *row) x *= factor;
+    const FT lambda = dot(curve.back(), end.point()) / dot(end.point(), end.point());
+    end.scale(lambda);
+    end.check_point(curve.back());
+    if (upper && corners_[1][0] && lambda != shape_.end.lambda)
+      end.refuse(Error_code::incompatible_corner,
+                 "the weights of the side curve, after those of the one at u = 0, belong to another factor");
+    shape_.start.lambda = FT(1);
+    shape_.end.lambda = lambda;
+  }
+
+  // By the linear function with the values f and g.
+  static void multiply(Row& row, const FT& f, const FT& g) {
+    if (f == g) {
+      for (Vector& x : row) x *= f;
+      return;
+    }
+    const int n = static_cast<int>(row.size());
+    Row product;
+    for (int i = 0; i <= n; ++i) {
+      product.emplace_back(row[0].dimension());
+      if (i < n) product.back() += FT(FT(n - i) / FT(n) * f) * row[i];
+      if (i > 0) product.back() += FT(FT(i) / FT(n) * g) * row[i - 1];
+    }
+    row = std::move(product);
+  }
+
+  static void elevate(Row& row, const std::string& place) {
+    const int n = static_cast<int>(row.size()) - 1;
+    if (n < 0 || n > degree)
+      throw Error(Error_code::wrong_number_of_points, "blend sides: " + place + ": the degree must be at most " +
+                                                          std::to_string(degree) + ", it is " + std::to_string(n));
+    row.resize(degree + 1, row[0]);
+    for (int i = n; i < degree; ++i) bernstein_elevate<FT>(row, i);
+  }
+
+  // At v = 0 or 1.
+  static std::array<Vector, order + 1> derivatives(Row b, int v) {
+    if (v == 1) std::reverse(b.begin(), b.end());
+    std::array<Vector, order + 1> d;
+    int factor = 1;
+    for (int n = 0; n <= order; ++n) {
+      d[n] = FT(factor) * b[0];
+      for (int i = 0; i < order - n; ++i) b[i] = b[i + 1] - b[i]; // differences
+      factor *= (v == 0 ? 1 : -1) * (degree - n);
+    }
+    return d;
+  }
+
+  template <class Reparametrisation>
+  void assemble(Reparametrisation& r, const std::array<std::optional<Corner>, 2>& corners) const {
+    if (!corners[0] && !corners[1]) return;
+    typedef typename Reparametrisation::Function Function;
+    // those that belong to C', T and C in the derivatives across the edge
+    std::array<std::array<Function*, 3>, order> functions{{{&r.alpha, &r.beta}, {&r.alpha2, &r.delta}}};
+    if constexpr (Kind::is_rational) {
+      functions[0][2] = &r.lambda1;
+      functions[1][2] = &r.lambda2;
+    }
+    if constexpr (order == 3) {
+      functions[2] = {&r.alpha3, &r.delta3};
+      if constexpr (Kind::is_rational) functions[2][2] = &r.lambda3;
+    }
+    typedef std::array<std::array<Edge_end_value<FT>, 3>, order> Values;
+    const auto values = [&](int upper) {
+      Values v;
+      const std::optional<Corner>& c = corners[upper];
+      for (int n = 0; n < order; ++n)
+        for (std::size_t i = 0; i < 3; ++i) {
+          if (!functions[n][i]) continue;
+          if (!c) {
+            v[n][i].value = (*functions[n][i])(FT(upper));
+            continue;
+          }
+          // without what lambda_1 and lambda_2 contribute: S = (1 + lambda_1 v + ...) P
+          Number x = c->free(n + 1, i);
+          if (i < 2 && n == 1) x = x - 2 * c->free(1, 2) * c->free(1, i);
+          if (i < 2 && n == 2) {
+            const Number second = c->free(2, i) - 2 * c->free(1, 2) * c->free(1, i);
+            x = x - 3 * (c->free(1, 2) * second + c->free(2, 2) * c->free(1, i));
+          }
+          v[n][i].value = x.value;
+          if (c->has_slopes) v[n][i].slope = FT(x.slope * length_);
+        }
+      if (!c && !(FT(0) < v[0][1].value))
+        throw Error(Error_code::nonpositive_beta,
+                    "blend sides: u = " + std::to_string(upper) + ", where no side is given: the shape");
+      return v;
+    };
+    const Values start = values(0), end = values(1);
+    for (int n = 0; n < order; ++n)
+      for (std::size_t i = 0; i < 3; ++i)
+        if (functions[n][i])
+          *functions[n][i] = interpolating_function(start[n][i], end[n][i], functions[n][i] == &r.beta);
+  }
+};
+
+} // namespace internal
+
+/// \ingroup PkgGeometricContinuityConstruction
+/// Returns the shape of a blend of degree 5 whose side edges at `u = 0` and `u = 1`, where the edges of both surfaces start and end, are
+/// given curves, and whose derivatives across them are, if they are given. The blend `blend(a, edge_a, b, edge_b, shape, direction)` has
+/// them exactly, with an exact kernel, and is \f$ G^2 \f$ with both surfaces as any other.
+///
+/// The functions of the shape are the polynomials of least degree along the edges that have the values and slopes which follow at the
+/// corners: linear for curves, cubic with derivatives across them. Where a cubic \f$ \beta \f$ is not positive, it is a cubic spline that
+/// is; then the surfaces must be B-spline surfaces. A side that is not given has the values of `shape` there.
+///
+/// Blends of consecutive edges meet, if the next one is given `Blend_side(previous, Patch_edge::u1).curve_only()` at `u = 0`: where two
+/// surfaces join with \f$ G^2 \f$, a side curve that fits the one at a corner fits the other. With the derivative they join with
+/// \f$ G^1 \f$, if the surfaces go on to the third order, as parts of one surface do.
+/// \param shape what is not given follows from it, e.g. that of `automatic_surface_shape()`
+/// \param at_start, at_end the sides at `u = 0` and `u = 1` of the blend
+/// \throws Error `curves_do_not_meet` where a side curve does not end at the corner of a surface; `incompatible_corner` where what is given
+///   contradicts a surface at a corner: the error names the side, the surface and the derivative, \f$ S_v, S_{vv}, S_u, S_{uv} \f$ or
+///   \f$ S_{uvv} \f$, and for rational blends the weights. With floating-point numbers all this is decided up to rounding
+/// \throws Error `nonpositive_beta` where a side curve leads to the wrong side of an edge, or `shape` does where no side is given;
+///   `not_finite` where floating-point numbers overflow, `singular_frame` where the normal of a surface
+///   vanishes at a corner, `wrong_number_of_points` for a degree of more than 5, `dimension_mismatch`
+template <class Surface_a, class Surface_b>
+Blend_surface_shape<Surface_a, Surface_b>
+surface_shape_with_sides(const Surface_a& a, Patch_edge edge_a, const Surface_b& b, Patch_edge edge_b,
+                         Edge_direction direction, const Blend_surface_shape<Surface_a, Surface_b>& shape,
+                         const std::optional<Side_of_blend<Surface_a, Surface_b>>& at_start,
+                         const std::optional<Side_of_blend<Surface_a, Surface_b>>& at_end) {
+  internal::Shape_with_sides<Surface_a, Surface_b, 2> r(a, edge_a, b, edge_b, direction, shape);
+  if (at_start) r.take(*at_start, false);
+  if (at_end) r.take(*at_end, true);
+  return r.shape();
+}
+
+/// \ingroup PkgGeometricContinuityConstruction
+/// Returns the shape of a blend of degree 7 with given sides, as for degree 5: it is \f$ G^3 \f$ with both surfaces. A side curve has up to 8
+/// coefficients, and the third derivative of a surface where it ends; with a derivative across it, also \f$ S_{uvvv} \f$ is
+/// determined at the corners, and the error `incompatible_corner` names \f$ S_{vvv} \f$ or \f$ S_{uvvv} \f$ where it contradicts.
+/// \throws Error as for degree 5; `wrong_number_of_points` for a degree of more than 7
+template <class Surface_a, class Surface_b>
+Septic_surface_blend_shape<Blend_surface_shape<Surface_a, Surface_b>>
+surface_shape_with_sides(const Surface_a& a, Patch_edge edge_a, const Surface_b& b, Patch_edge edge_b,
+                         Edge_direction direction,
+                         const Septic_surface_blend_shape<Blend_surface_shape<Surface_a, Surface_b>>& shape,
+                         const std::optional<Side_of_blend<Surface_a, Surface_b>>& at_start,
+                         const std::optional<Side_of_blend<Surface_a, Surface_b>>& at_end) {
+  internal::Shape_with_sides<Surface_a, Surface_b, 3> r(a, edge_a, b, edge_b, direction, shape);
+  if (at_start) r.take(*at_start, false);
+  if (at_end) r.take(*at_end, true);
+  return r.shape();
+}
+
+} // namespace Geometric_continuity
+} // namespace CGAL
+
+#endif // CGAL_GEOMETRIC_CONTINUITY_SURFACE_BLENDS_BLEND_SIDES_H
