@@ -9,7 +9,7 @@
 #include "commands/fonts/Glyph_join.h"
 
 #include <CGAL/Exact_rational.h>
-#include <CGAL/Geometric_continuity/joins/Join_grade.h>
+#include <CGAL/Geometric_continuity/joins/Kink_bound.h>
 
 #include <stdexcept>
 

@@ -11,7 +11,7 @@
 #include "formats/font/Glyph_selection.h"
 #include "reports/report_page.h"
 
-#include <CGAL/Geometric_continuity/joins/Join_grade.h>
+#include <CGAL/Geometric_continuity/joins/Kink_bound.h>
 
 #include <string>
 

@@ -4,8 +4,8 @@
 
 #include "commands/blends/blend_surfaces.h"
 #include "commands/blends/blend_strategies.h"
-#include "files/input.h"
 #include "files/output.h"
+#include "formats/g2_text/surfaces.h"
 
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Geometric_continuity/IO/g2.h>

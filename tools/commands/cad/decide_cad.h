@@ -9,7 +9,7 @@
 #include "commands/commands.h"
 #include "formats/cad/Cad_reading.h"
 
-#include <CGAL/Geometric_continuity/joins/Join_grade.h>
+#include <CGAL/Geometric_continuity/joins/Kink_bound.h>
 
 #include <cstddef>
 #include <functional>

@@ -8,7 +8,7 @@
 #include "commands/chains/join_report.h"
 
 #include <CGAL/Geometric_continuity/IO/json.h>
-#include <CGAL/Geometric_continuity/joins/Join_grade.h>
+#include <CGAL/Geometric_continuity/joins/Kink_bound.h>
 #include <CGAL/Geometric_continuity/numbers/Enclosure.h>
 
 #include <cstddef>

@@ -9,7 +9,7 @@
 #include "formats/g2_text/curves.h"
 #include "reports/words.h"
 
-#include <CGAL/Geometric_continuity/joins/Join_grade.h>
+#include <CGAL/Geometric_continuity/joins/Kink_bound.h>
 #include <CGAL/Geometric_continuity/joins/chain_continuity.h>
 #include <CGAL/Interval_nt.h>
 #include <CGAL/Sqrt_extension.h>

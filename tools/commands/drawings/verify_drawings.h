@@ -8,7 +8,7 @@
 #include "commands/chains/join_report.h"
 #include "commands/commands.h"
 
-#include <CGAL/Geometric_continuity/joins/Join_grade.h>
+#include <CGAL/Geometric_continuity/joins/Kink_bound.h>
 
 #include <optional>
 #include <string>

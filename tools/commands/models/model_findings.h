@@ -7,7 +7,7 @@
 
 #include "commands/commands.h"
 #include "commands/models/model_json.h"
-#include "files/input.h"
+#include "formats/g2_text/surfaces.h"
 #include "reports/finding.h"
 
 #include <cstddef>

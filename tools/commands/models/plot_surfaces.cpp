@@ -3,8 +3,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
 #include "commands/commands.h"
-#include "files/input.h"
 #include "files/output.h"
+#include "formats/g2_text/surfaces.h"
 
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Geometric_continuity/IO/figures/svg_surfaces.h>

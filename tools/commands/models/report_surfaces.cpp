@@ -6,8 +6,8 @@
 #include "commands/models/model_json.h"
 #include "commands/report_inputs.h"
 #include "commands/work_limit.h"
-#include "files/input.h"
 #include "files/progress.h"
+#include "formats/g2_text/surfaces.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Geometric_continuity/Traits.h>

@@ -5,8 +5,8 @@
 #include "commands/command_line.h"
 #include "commands/models/model_json.h"
 #include "commands/work_limit.h"
-#include "files/input.h"
 #include "files/output.h"
+#include "formats/g2_text/surfaces.h"
 #include "reports/words.h"
 
 #include <CGAL/Exact_rational.h>

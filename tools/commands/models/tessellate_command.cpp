@@ -3,9 +3,9 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
 #include "commands/command_line.h"
-#include "files/input.h"
 #include "files/output.h"
 #include "files/progress.h"
+#include "formats/g2_text/surfaces.h"
 
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Geometric_continuity/IO/mesh.h>

@@ -4,7 +4,7 @@
 
 #include "commands/models/Model_report.h"
 #include "commands/work_limit.h"
-#include "files/input.h"
+#include "formats/g2_text/surfaces.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Exact_rational.h>

@@ -10,7 +10,7 @@
 #include <CGAL/Geometric_continuity/Traits.h>
 #include <CGAL/Geometric_continuity/curves/Bezier_curve.h>
 #include <CGAL/Geometric_continuity/curves/Path_segment.h>
-#include <CGAL/Geometric_continuity/joins/Join_grade.h>
+#include <CGAL/Geometric_continuity/joins/Kink_bound.h>
 #include <CGAL/Geometric_continuity/repairs/Grid_vector.h>
 #include <CGAL/Simple_cartesian.h>
 

@@ -5,7 +5,7 @@
 #ifndef GEOMETRIC_CONTINUITY_TOOLS_FORMATS_FONT_VARIABLE_JOIN_H
 #define GEOMETRIC_CONTINUITY_TOOLS_FORMATS_FONT_VARIABLE_JOIN_H
 
-#include <CGAL/Geometric_continuity/joins/Join_grade.h>
+#include <CGAL/Geometric_continuity/joins/Kink_bound.h>
 #include <CGAL/Geometric_continuity/numbers/Exact_field.h>
 
 #include <array>

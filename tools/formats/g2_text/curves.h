@@ -6,6 +6,7 @@
 #define GEOMETRIC_CONTINUITY_TOOLS_FORMATS_G2_TEXT_CURVES_H
 
 #include "files/input.h"
+#include "files/progress.h"
 
 #include <CGAL/Cartesian_d.h>
 #include <CGAL/Exact_rational.h>
