@@ -75,6 +75,8 @@ and percent, and decides G0, G1 and G2 within --within GAP,ANGLEdeg,CURVATURE%,
 or within vda-4955 when it is not given. Geometry is taken as it is in the
 file; shapes are not healed, unless --sew DISTANCE lets OpenCASCADE join the
 boundary edges that are within this distance (in mm), as most IGES files need.
+Those that lie beside each other and are not joined are not covered, nor is what
+a file names and cannot be read, or shells said to be closed that are not.
 Each file is read by a process of its own, within --time-limit seconds of
 processor time.
 An edge where the angle is at least --kink-angle everywhere is a corner, of
