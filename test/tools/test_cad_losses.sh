@@ -62,7 +62,7 @@ run 0 verify models/assembly.step --allow-uncovered && lacks out "closed, but"
 # faces that lie side by side and share no edge are not covered, and the hint comes first
 for file in flats.brep flats_apart.igs; do
   run 1 verify models/$file --require G1 --summary
-  says out "2 knot lines inside of faces" "lies beside edge 5 of face 1, not compared: see --sew" "not covered: 2 edges, it lies beside another one"
+  says out "2 knot lines inside of faces" "lies beside edge 5 of face 1, not compared: see --sew" "not covered: 2 edges, it lies beside another boundary edge"
   holds [ "$(grep -v '^edge' out | head -n 1)" = "2 boundary edges lie beside others and are not compared: --sew DISTANCE joins them" ]
   lacks out ", proved"
   run 0 verify models/$file --require G1 --sew 0.001 && says out "1 inner" && lacks out "beside"

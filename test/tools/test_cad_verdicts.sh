@@ -70,7 +70,7 @@ patches wedge.brep "-8.9999862922195893 0 0.015707955293084779" "-8.999986292219
 run 1 verify wedge.brep --require G1
 says out "G0, kink or corner" "0 corners, 0 fading corners, 0 kinks, 1 kink or corner" "undecided: 1 edge, the tolerance lies between"
 # The other edges of the faces are no farther apart than gaps may be, and are not compared.
-run 1 verify wedge.brep --require G1 --within 0.02,0.099deg && says out "not covered: 6 edges, it lies beside another one"
+run 1 verify wedge.brep --require G1 --within 0.02,0.099deg && says out "not covered: 6 edges, it lies beside another boundary edge"
 run 0 verify wedge.brep --require G1 --within 0.02,0.099deg --allow-uncovered
 run 0 verify wedge.brep --require G1 --within 0.001,0.099deg
 

@@ -108,8 +108,7 @@ struct Cad_verdict {
 constexpr const char* edge_without_face = "without a face: what is compared are the two faces of an edge";
 
 // Why boundary edges are not covered that lie beside others.
-constexpr const char* beside_another =
-    "it lies beside another one of one face: what they join is not compared, see --sew";
+constexpr const char* beside_another = "it lies beside another boundary edge and was not compared with it, see --sew";
 
 // Whether an edge is said to be a point, and is not proved to be one.
 inline bool is_no_point(const Cad_edge& edge, const Cad_verdict& verdict) {
